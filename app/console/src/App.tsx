@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+import { useSyncExternalStore } from "react";
+import { Axes } from "./panels/Axes";
+import { Banner } from "./panels/Banner";
+import { Lamps } from "./panels/Lamps";
+import { Log } from "./panels/Log";
+import { Loop } from "./panels/Loop";
+import { StopButton } from "./panels/StopButton";
+import { Targeting } from "./panels/Targeting";
+import { Panel } from "./parts/Panel";
+import { ThemeButton } from "./parts/ThemeButton";
+import type { RobotState } from "./api";
+import type { ConsoleView, TelemetryStore } from "./store";
+
+function Panels({ view, robot }: { view: ConsoleView; robot: RobotState }) {
+  return (
+    <main className="panels" data-freshness={view.freshness}>
+      <Panel title="Lamps" className="panel-lamps">
+        <Lamps view={view} robot={robot} />
+      </Panel>
+      <Panel title="Axes" className="panel-axes">
+        <Axes axes={robot.motors.axes} />
+      </Panel>
+      <Panel title="Targeting" className="panel-targeting">
+        <Targeting targeting={robot.targeting} />
+      </Panel>
+      <Panel title="Control loop" className="panel-loop">
+        <Loop status={robot.status} />
+      </Panel>
+      <Panel title="Log" className="panel-log">
+        <Log log={view.log} />
+      </Panel>
+    </main>
+  );
+}
+
+function Footer({ robot }: { robot: RobotState | null }) {
+  return (
+    <footer>
+      <span>Boresight console</span>
+      {robot !== null && (
+        <>
+          <span>Robot {robot.status.robot}</span>
+          <span>Build {robot.status.build_id}</span>
+        </>
+      )}
+      <ThemeButton />
+    </footer>
+  );
+}
+
+export function App({ store }: { store: TelemetryStore }) {
+  const view = useSyncExternalStore(store.subscribe, store.getView);
+  const box = view.robot?.status.box ?? null;
+  return (
+    <>
+      <h1 className="hidden">Boresight console</h1>
+      <header>
+        <Banner view={view} />
+        <StopButton />
+      </header>
+      {box !== null && (
+        <p className="notice">
+          Simulated control box “{box}”: no robot is connected.
+        </p>
+      )}
+      {view.isOutdated && (
+        <p className="notice">The server has been updated. Reload this page.</p>
+      )}
+      {view.robot === null ? (
+        <main className="panels" />
+      ) : (
+        <Panels view={view} robot={view.robot} />
+      )}
+      <Footer robot={view.robot} />
+    </>
+  );
+}

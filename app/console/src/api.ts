@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the server sends. Names and units are those of the interface, /api/v1.
+
+export interface Named {
+  name: string;
+  text: string;
+}
+
+export interface Card {
+  slot: number;
+  axis: string;
+  link: string;
+  age_cycles: number;
+  frame_errors: number;
+  faults: string[];
+}
+
+export interface Loop {
+  state: string;
+  cycles: number;
+  overruns: number;
+  wake_p50_us: number;
+  wake_p99_us: number;
+  wake_p999_us: number;
+  wake_worst_us: number;
+  step_p99_us: number;
+  step_worst_us: number;
+  second_worst_us: number;
+  rights: { fifo: boolean; core: boolean; memory: boolean };
+}
+
+export interface Status {
+  cycle: number;
+  /** Age of the snapshot when it was sent. */
+  age_ms: number;
+  boot_id: string;
+  build_id: string;
+  robot: string;
+  /** Name of the simulated box; null with real cards. */
+  box: string | null;
+  workphase: Named;
+  next_step: Named;
+  order: string;
+  pedal: string;
+  estop: string;
+  is_scanner_active: boolean;
+  is_homed: boolean;
+  is_registered: boolean;
+  has_target: boolean;
+  loop: Loop;
+  cards: Card[];
+  counts: {
+    events: number;
+    events_lost: number;
+    overruns: number;
+    cycles_lost: number;
+  };
+  processes: { igtl: boolean; recorder: boolean };
+}
+
+export interface Permit {
+  allowed: boolean;
+  speed_cap_percent: number;
+  since_ms: number;
+  reasons: Named[];
+}
+
+/** Positions in `unit`, speed in `unit` per second. */
+export interface Axis {
+  name: string;
+  unit: "mm" | "deg";
+  position: number;
+  setpoint: number;
+  target: number;
+  speed: number;
+  minimum: number;
+  maximum: number;
+  position_ticks: number;
+  setpoint_ticks: number;
+  target_ticks: number;
+  minimum_ticks: number;
+  maximum_ticks: number;
+  power: string;
+  reference: string;
+  stall: string;
+  at_lower_switch: boolean;
+  at_upper_switch: boolean;
+  is_driven: boolean;
+  permit: Permit;
+}
+
+export interface Motors {
+  cycle: number;
+  age_ms: number;
+  axes: Axis[];
+}
+
+/** Matrices are homogeneous, by rows, in mm. */
+export interface Targeting {
+  cycle: number;
+  age_ms: number;
+  zframe_treatment: number[];
+  scanner_treatment: number[] | null;
+  registration: number[] | null;
+  target: number[] | null;
+  distance_mm: number | null;
+  proposals: {
+    registration: number[] | null;
+    entry_mm: number[] | null;
+    target_mm: number[] | null;
+    is_reachable: boolean;
+    desired: number[] | null;
+  };
+}
+
+export interface LogEntry {
+  number: number;
+  cycle: number;
+  name: string;
+  text: string;
+  severity: string;
+  subject: string;
+  value: number;
+}
+
+/** The stream's `hello`. */
+export interface Hello {
+  boot_id: string;
+  build_id: string;
+}
+
+/** The stream's `state`. */
+export interface RobotState {
+  status: Status;
+  motors: Motors;
+  targeting: Targeting;
+}
+
+export interface StopResult {
+  isStopped: boolean;
+  message: string;
+}
+
+const STOP_TIMEOUT_MS = 1500;
+
+/** Asks control to stop all motion. Always resolves, with a sentence to show. */
+export async function requestStop(): Promise<StopResult> {
+  try {
+    const response = await fetch("/api/v1/stop", {
+      method: "POST",
+      body: "{}",
+      signal: AbortSignal.timeout(STOP_TIMEOUT_MS),
+    });
+    const answer = (await response.json()) as { message?: string };
+    return response.ok
+      ? { isStopped: true, message: "Control has stopped all motion." }
+      : {
+          isStopped: false,
+          message: `Not stopped: ${answer.message ?? response.statusText}`,
+        };
+  } catch {
+    return {
+      isStopped: false,
+      message: "Not stopped: the server does not answer. Release the pedal.",
+    };
+  }
+}

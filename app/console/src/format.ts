@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+
+const units = { mm: "mm", deg: "°" } as const;
+const MINUS = "\u2212";
+
+export type Unit = keyof typeof units;
+
+/** A fixed number of digits, so that numbers do not jump; a real minus sign, and none before zero. */
+export function formatNumber(value: number, digits: number): string {
+  const text = Math.abs(value).toFixed(digits);
+  const isNegative = value < 0 && Number(text) !== 0;
+  return isNegative ? MINUS + text : text;
+}
+
+export function formatValue(value: number, unit: Unit): string {
+  return `${formatNumber(value, 2)} ${units[unit]}`;
+}
+
+export function formatSpeed(value: number, unit: Unit): string {
+  return `${formatNumber(value, 1)} ${units[unit]}/s`;
+}
+
+export function formatPoint(point: readonly number[]): string {
+  return point.map((value) => formatNumber(value, 2)).join(", ");
+}
+
+/** The origin of a homogeneous matrix by rows. */
+export function originOf(matrix: readonly number[]): number[] {
+  return [3, 7, 11].map((index) => matrix[index] ?? Number.NaN);
+}
+
+/** MOVE_TO_TARGET or back_off as people read it. */
+export function words(name: string): string {
+  return name.replaceAll("_", " ");
+}
+
+export function formatDuration(ms: number): string {
+  const seconds = Math.floor(ms / 1000);
+  if (seconds < 1) {
+    return "under 1 s";
+  }
+  return seconds < 120 ? `${seconds} s` : `${Math.floor(seconds / 60)} min`;
+}

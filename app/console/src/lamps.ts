@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { Card, Status } from "./api";
+import type { Freshness } from "./freshness";
+
+/**
+ * How much a lamp wants to be looked at. Each level has a shape and a colour of its own; the base is grey, and
+ * colour means that something is not as usual.
+ */
+export type Level = "normal" | "active" | "attention" | "fault" | "unknown";
+
+/** @satisfies SWR-CON-002 */
+export interface LampState {
+  level: Level;
+  word: string;
+}
+
+type Table = Readonly<Record<string, LampState>>;
+
+const pedal: Table = {
+  unproven: { level: "attention", word: "RELEASE ONCE" },
+  released: { level: "normal", word: "RELEASED" },
+  closing: { level: "attention", word: "ONE CHANNEL" },
+  pressed: { level: "active", word: "PRESSED" },
+  opening: { level: "attention", word: "LETTING GO" },
+  fault: { level: "fault", word: "FAULT" },
+};
+
+const estop: Table = {
+  clear: { level: "normal", word: "CLEAR" },
+  pulled: { level: "fault", word: "PULLED" },
+  latched: { level: "attention", word: "LATCHED" },
+};
+
+const loop: Table = {
+  on_time: { level: "normal", word: "ON TIME" },
+  late_once: { level: "attention", word: "LATE" },
+  late_twice: { level: "attention", word: "LATE TWICE" },
+  stopped: { level: "fault", word: "STOPPED" },
+};
+
+const link: Table = {
+  absent: { level: "unknown", word: "ABSENT" },
+  live: { level: "normal", word: "LIVE" },
+  late: { level: "attention", word: "LATE" },
+  lost: { level: "fault", word: "LOST" },
+};
+
+/** The tables by lamp, for those who check them. */
+export const lampTables: Readonly<Record<string, Table>> = {
+  pedal,
+  estop,
+  loop,
+  link,
+};
+
+function find(table: Table, state: string): LampState {
+  return table[state] ?? { level: "unknown", word: state.toUpperCase() };
+}
+
+export interface LampProperties extends LampState {
+  label: string;
+  detail?: string;
+}
+
+const dataLevels: Readonly<Record<Freshness, LampState>> = {
+  live: { level: "normal", word: "LIVE" },
+  late: { level: "attention", word: "LATE" },
+  stale: { level: "fault", word: "STALE" },
+};
+
+/** An age in words: below a tenth of a second it is not worth a number. */
+export function ageText(ageMs: number): string {
+  if (ageMs < 100) {
+    return "under 0.1 s";
+  }
+  return ageMs < 10_000
+    ? `${(ageMs / 1000).toFixed(1)} s`
+    : `${Math.round(ageMs / 1000)} s`;
+}
+
+export function dataLamp(freshness: Freshness, ageMs: number): LampProperties {
+  return { label: "Data", ...dataLevels[freshness], detail: ageText(ageMs) };
+}
+
+function processLamp(label: string, isRunning: boolean): LampProperties {
+  return isRunning
+    ? { label, level: "normal", word: "RUNNING" }
+    : { label, level: "unknown", word: "NOT RUNNING" };
+}
+
+export function systemLamps(status: Status): LampProperties[] {
+  const scanner: LampState = status.is_scanner_active
+    ? { level: "active", word: "ACQUIRING" }
+    : { level: "normal", word: "IDLE" };
+  return [
+    { label: "Pedal", ...find(pedal, status.pedal) },
+    { label: "E-stop", ...find(estop, status.estop) },
+    { label: "Scanner", ...scanner },
+    { label: "Control loop", ...find(loop, status.loop.state) },
+    processLamp("OpenIGTLink", status.processes.igtl),
+    processLamp("Recorder", status.processes.recorder),
+  ];
+}
+
+export function cardLamp(card: Card): LampProperties {
+  const faults = card.faults.join(", ");
+  return {
+    label: `Card ${card.slot}, ${card.axis}`,
+    ...find(link, card.link),
+    ...(faults === "" ? {} : { detail: faults }),
+  };
+}

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rule under test: a row for each axis with set-point and position, and why it does not move.
+import { cleanup, render, screen, within } from "@testing-library/react";
+import { afterEach, expect, test } from "vitest";
+import { percentOf } from "../parts/Track";
+import { makeAxis, makeBlockedAxis } from "../testing/robot";
+import { Axes } from "./Axes";
+
+const estop = { name: "ESTOP_PULLED", text: "The e-stop is pulled." };
+const homed = { name: "NOT_HOMED", text: "The axis is not homed." };
+
+function rowOf(name: string): HTMLElement {
+  const row = screen.getByRole("rowheader", { name }).closest("tr");
+  if (row === null) {
+    throw new Error(`no row for ${name}`);
+  }
+  return row;
+}
+
+afterEach(cleanup);
+
+test("SWR-CON-003 shows a row for each axis", () => {
+  render(<Axes axes={[makeAxis("head"), makeAxis("yaw")]} />);
+  expect(
+    screen.getAllByRole("rowheader").map((cell) => cell.textContent),
+  ).toEqual(["head", "yaw"]);
+});
+
+test("SWR-CON-003 shows set-point and position in the axis' unit", () => {
+  const axis = makeAxis("yaw", {
+    unit: "deg",
+    setpoint: -3.456,
+    position: 0.004,
+  });
+  render(<Axes axes={[axis]} />);
+  const row = rowOf("yaw");
+  expect(row.querySelector('[data-field="setpoint"]')?.textContent).toBe(
+    "\u22123.46 °",
+  );
+  expect(row.querySelector('[data-field="position"]')?.textContent).toBe(
+    "0.00 °",
+  );
+});
+
+test("SWR-CON-003 tells the picture in words", () => {
+  render(<Axes axes={[makeAxis("head")]} />);
+  expect(
+    screen.getByRole("img", {
+      name: "head: set-point 12.50 mm, position 10.00 mm, limits 0.00 mm to 40.00 mm",
+    }),
+  ).toBeDefined();
+});
+
+test("SWR-CON-003 places positions between the limits and never outside", () => {
+  const axis = makeAxis("head", { minimum: -10, maximum: 30 });
+  expect(percentOf(axis, -10)).toBe(0);
+  expect(percentOf(axis, 10)).toBe(50);
+  expect(percentOf(axis, 31)).toBe(100);
+  expect(percentOf(axis, -11)).toBe(0);
+});
+
+test("SWR-CON-005 shows the reasons of an axis and since when", () => {
+  render(<Axes axes={[makeAxis("head"), makeBlockedAxis("yaw", homed)]} />);
+  const yaw = within(rowOf("yaw"));
+  expect(yaw.getByText("The axis is not homed.")).toBeDefined();
+  expect(yaw.getByText("for 5 s")).toBeDefined();
+  expect(rowOf("head").textContent).toContain("May move, up to 100 % speed");
+});
+
+test("SWR-CON-005 tells once what holds for every axis and names it in each row", () => {
+  const axes = [
+    makeBlockedAxis("head", estop),
+    makeBlockedAxis("yaw", estop, homed),
+  ];
+  render(<Axes axes={axes} />);
+  expect(screen.getAllByText("The e-stop is pulled.")).toHaveLength(1);
+  expect(rowOf("head").textContent).toContain("estop pulled");
+  expect(rowOf("yaw").textContent).toContain("estop pulled");
+  expect(rowOf("yaw").textContent).toContain("The axis is not homed.");
+});
+
+test("SWR-CON-005 says nothing of all axes when one may move", () => {
+  render(<Axes axes={[makeAxis("head"), makeBlockedAxis("yaw", estop)]} />);
+  expect(screen.queryByText("No axis may move:")).toBeNull();
+});

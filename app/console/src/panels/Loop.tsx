@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { Status } from "../api";
+
+function rightsText({ fifo, core, memory }: Status["loop"]["rights"]): string {
+  const missing = [
+    fifo ? "" : "real-time scheduling",
+    core ? "" : "a core of its own",
+    memory ? "" : "locked memory",
+  ].filter((right) => right !== "");
+  return missing.length === 0 ? "all granted" : `without ${missing.join(", ")}`;
+}
+
+export function Loop({ status }: { status: Status }) {
+  const { loop, counts } = status;
+  return (
+    <dl className="facts">
+      <dt>Worst wake-up, last second</dt>
+      <dd>{loop.second_worst_us} µs</dd>
+      <dt>Wake-up, 99 % / worst</dt>
+      <dd>
+        {loop.wake_p99_us} / {loop.wake_worst_us} µs
+      </dd>
+      <dt>Step, 99 % / worst</dt>
+      <dd>
+        {loop.step_p99_us} / {loop.step_worst_us} µs
+      </dd>
+      <dt>Late cycles</dt>
+      <dd>
+        {counts.overruns} of {loop.cycles}
+      </dd>
+      <dt>Real-time rights</dt>
+      <dd>{rightsText(loop.rights)}</dd>
+      <dt>Events / records lost</dt>
+      <dd>
+        {counts.events} / {counts.cycles_lost}
+      </dd>
+    </dl>
+  );
+}

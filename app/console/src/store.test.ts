@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rule under test: data that stops coming is noticed within a second, whatever has stopped it.
+import { afterEach, beforeEach, expect, test, vi } from "vitest";
+import type { LogEntry } from "./api";
+import { LOG_LENGTH, TelemetryStore } from "./store";
+import { makeRobot } from "./testing/robot";
+import { FakeSurroundings } from "./testing/surroundings";
+
+let surroundings: FakeSurroundings;
+let store: TelemetryStore;
+
+function pass(ms: number): void {
+  surroundings.pass(ms);
+  vi.advanceTimersByTime(100);
+}
+
+function makeEntry(number: number): LogEntry {
+  return {
+    number,
+    cycle: number,
+    name: "STARTED",
+    text: `Event ${number}.`,
+    severity: "INFORMATION",
+    subject: "",
+    value: 0,
+  };
+}
+
+beforeEach(() => {
+  vi.useFakeTimers();
+  surroundings = new FakeSurroundings();
+  store = new TelemetryStore(surroundings);
+  store.start();
+});
+
+afterEach(() => {
+  store.stop();
+  vi.useRealTimers();
+});
+
+test("SWR-CON-004 data is live as long as it comes", () => {
+  surroundings.stream.send("state", makeRobot());
+  pass(100);
+  surroundings.stream.send("state", makeRobot());
+  pass(100);
+  expect(store.getView().freshness).toBe("live");
+});
+
+test("SWR-CON-004 data is late after 300 ms of silence", () => {
+  surroundings.stream.send("state", makeRobot());
+  pass(301);
+  expect(store.getView().freshness).toBe("late");
+});
+
+test("SWR-CON-004 data is stale within a second of silence", () => {
+  surroundings.stream.send("state", makeRobot());
+  pass(900);
+  expect(store.getView().freshness).toBe("stale");
+});
+
+test("SWR-CON-004 a frozen control is stale though messages keep coming", () => {
+  surroundings.stream.send("state", makeRobot({ age_ms: 900 }));
+  expect(store.getView().freshness).toBe("stale");
+});
+
+test("SWR-CON-004 data is stale at once when the connection is lost", () => {
+  surroundings.stream.send("state", makeRobot());
+  surroundings.stream.fail();
+  expect(store.getView().freshness).toBe("stale");
+  pass(100);
+  expect(store.getView().freshness).toBe("stale");
+});
+
+test("SWR-CON-004 a lost connection is opened again and data is live again", () => {
+  surroundings.stream.fail();
+  pass(600);
+  expect(surroundings.streams).toHaveLength(2);
+  surroundings.stream.send("state", makeRobot());
+  expect(store.getView().freshness).toBe("live");
+});
+
+test("SWR-CON-001 a server of another build is noticed", () => {
+  surroundings.stream.send("hello", { boot_id: "1", build_id: "a" });
+  expect(store.getView().isOutdated).toBe(false);
+  surroundings.stream.send("hello", { boot_id: "2", build_id: "b" });
+  expect(store.getView().isOutdated).toBe(true);
+});
+
+test("SWR-CON-001 the last events are kept, newest first", () => {
+  for (let number = 0; number < LOG_LENGTH + 5; number++) {
+    surroundings.stream.send("log", makeEntry(number));
+  }
+  const { log } = store.getView();
+  expect(log).toHaveLength(LOG_LENGTH);
+  expect(log[0]?.number).toBe(LOG_LENGTH + 4);
+});

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// A robot for the tests, as the server would describe it.
+import type { Axis, Named, RobotState, Status } from "../api";
+
+const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+
+export function makeAxis(name: string, change: Partial<Axis> = {}): Axis {
+  return {
+    name,
+    unit: "mm",
+    position: 10,
+    setpoint: 12.5,
+    target: 20,
+    speed: 1,
+    minimum: 0,
+    maximum: 40,
+    position_ticks: 100,
+    setpoint_ticks: 125,
+    target_ticks: 200,
+    minimum_ticks: 0,
+    maximum_ticks: 400,
+    power: "enabled",
+    reference: "homed",
+    stall: "idle",
+    at_lower_switch: false,
+    at_upper_switch: false,
+    is_driven: false,
+    permit: {
+      allowed: true,
+      speed_cap_percent: 100,
+      since_ms: 0,
+      reasons: [],
+    },
+    ...change,
+  };
+}
+
+/** An axis that may not move. */
+export function makeBlockedAxis(name: string, ...reasons: Named[]): Axis {
+  return makeAxis(name, {
+    permit: {
+      allowed: false,
+      speed_cap_percent: 0,
+      since_ms: 5000,
+      reasons,
+    },
+  });
+}
+
+export function makeStatus(change: Partial<Status> = {}): Status {
+  return {
+    cycle: 1000,
+    age_ms: 0,
+    boot_id: "0011223344556677",
+    build_id: "test",
+    robot: "neuro",
+    box: null,
+    workphase: { name: "START_UP", text: "The axes home." },
+    next_step: { name: "PRESS_PEDAL", text: "Press and hold the pedal." },
+    order: "waiting",
+    pedal: "released",
+    estop: "clear",
+    is_scanner_active: false,
+    is_homed: false,
+    is_registered: false,
+    has_target: false,
+    loop: {
+      state: "on_time",
+      cycles: 1000,
+      overruns: 0,
+      wake_p50_us: 4,
+      wake_p99_us: 20,
+      wake_p999_us: 40,
+      wake_worst_us: 90,
+      step_p99_us: 20,
+      step_worst_us: 40,
+      second_worst_us: 30,
+      rights: { fifo: true, core: true, memory: true },
+    },
+    cards: [
+      {
+        slot: 7,
+        axis: "head",
+        link: "live",
+        age_cycles: 0,
+        frame_errors: 0,
+        faults: [],
+      },
+    ],
+    counts: { events: 0, events_lost: 0, overruns: 0, cycles_lost: 0 },
+    processes: { igtl: true, recorder: true },
+    ...change,
+  };
+}
+
+export function makeRobot(
+  status: Partial<Status> = {},
+  axes: Axis[] = [makeAxis("head")],
+): RobotState {
+  return {
+    status: makeStatus(status),
+    motors: { cycle: 1000, age_ms: 0, axes },
+    targeting: {
+      cycle: 1000,
+      age_ms: 0,
+      zframe_treatment: identity,
+      scanner_treatment: null,
+      registration: null,
+      target: null,
+      distance_mm: null,
+      proposals: {
+        registration: null,
+        entry_mm: null,
+        target_mm: null,
+        is_reachable: false,
+        desired: null,
+      },
+    },
+  };
+}

@@ -1,0 +1,217 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * The control process: wakes once per millisecond, exchanges frames with the cards, steps the controller and
+ * publishes. It waits for nobody but the clock and the cards. All its state is here: this file is the RAM map.
+ */
+#include "bsp.h"
+#include "contract.h"
+#include "controller.h"
+#include "exchange.h"
+#include "figures.h"
+#include "realtime.h"
+
+#include <signal.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#define CYCLE_NS UINT64_C(1000000)
+#define EXCHANGE_TIMEOUT_US 700U
+#define CYCLES_PER_PUBLISH 1000U
+#define EXIT_CANNOT_START 3
+#define EXIT_CONTRACT 5
+
+/** Stages of a cycle, to name the one that made it late. */
+typedef enum { STAGE_WAKE = 0, STAGE_CARDS = 1, STAGE_STEP = 2, STAGE_PUBLISH = 3 } stage_t;
+
+#define STAGE_COUNT 4U
+
+static controller_t controller;
+static controller_inputs_t inputs;
+static controller_outputs_t outputs;
+static figures_t figures;
+static loop_figures_t published;
+static exchange_t *exchange;
+static uint64_t stage_ns[STAGE_COUNT];
+static volatile sig_atomic_t is_stopping;
+
+static void ask_to_stop(int signal_number)
+{
+    (void)signal_number;
+    is_stopping = 1;
+}
+
+/* C99 adds no const through an array pointer by itself. */
+static uint32_t exchange_frames(uint8_t received[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES])
+{
+    return bsp_exchange(outputs.frames_to_send, (const uint8_t(*)[CARD_FRAME_BYTES])outputs.frames, received,
+                        EXCHANGE_TIMEOUT_US);
+}
+
+/* Every card off, at once; used at the end, whatever the reason. */
+static void switch_off(void)
+{
+    static uint8_t received[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES];
+    for (uint32_t i = 0; i < ROBOT_AXIS_COUNT; i++) {
+        const card_command_t off = {.slot = controller.links[i].slot,
+                                    .sequence = controller.sequence,
+                                    .time_us = controller.time_us,
+                                    .watchdog_us = LIMIT_CARD_WATCHDOG_US,
+                                    .guard_minimum_ticks = INT32_MIN,
+                                    .guard_maximum_ticks = INT32_MAX};
+        card_frame_encode_command(&off, outputs.frames[off.slot]);
+    }
+    (void)exchange_frames(received);
+}
+
+void contract_broken(const char *module, uint32_t id)
+{
+    switch_off();
+    (void)fprintf(stderr, "control: contract %s/%u is broken; all drives are off. Report this.\n", module,
+                  (unsigned)id);
+    _Exit(EXIT_CONTRACT);
+}
+
+static uint32_t longest_stage(void)
+{
+    uint32_t longest = 0;
+    for (uint32_t i = 1; i < STAGE_COUNT; i++) {
+        longest = (stage_ns[i] > stage_ns[longest]) ? i : longest;
+    }
+    return longest;
+}
+
+static void gather_inputs(uint64_t elapsed_ns)
+{
+    (void)memset(&inputs, 0, sizeof inputs);
+    inputs.elapsed_us = (uint32_t)((elapsed_ns + 500U) / 1000U);
+    inputs.late_stage = longest_stage();
+    inputs.frames_received = exchange_frames(inputs.frames);
+    const bsp_inputs_t levels = bsp_sample_inputs();
+    inputs.pedal_a = levels.pedal_a ? 1U : 0U;
+    inputs.pedal_b = levels.pedal_b ? 1U : 0U;
+    inputs.estop_open = levels.estop_open ? 1U : 0U;
+    inputs.scanner_active = levels.scanner_active ? 1U : 0U;
+    inputs.command_count = exchange_take_commands(exchange, inputs.commands, CONTROLLER_COMMANDS);
+}
+
+/* The state before this cycle, for a recorder that begins or has lost cycles. */
+static void record_checkpoint(void)
+{
+    cycle_record_t *const record = exchange_reserve_cycle(exchange);
+    if (record != NULL) {
+        record->kind = (uint32_t)CYCLE_RECORD_CHECKPOINT;
+        record->cycle = controller.cycle;
+        (void)memcpy(record->body.checkpoint, &controller, sizeof controller);
+        exchange_commit_cycle(exchange);
+    }
+}
+
+static void record_cycle(uint32_t cycle)
+{
+    cycle_record_t *const record = exchange_reserve_cycle(exchange);
+    if (record != NULL) {
+        record->kind = (uint32_t)CYCLE_RECORD_CYCLE;
+        record->cycle = cycle;
+        record->body.cycle.inputs = inputs;
+        record->body.cycle.outputs = outputs;
+        exchange_commit_cycle(exchange);
+    }
+}
+
+static void publish(uint32_t cycle)
+{
+    exchange_publish_snapshot(exchange, &outputs.snapshot);
+    for (uint32_t i = 0; i < outputs.answer_count; i++) {
+        (void)exchange_push_answer(exchange, &outputs.answers[i]);
+    }
+    for (uint32_t i = 0; i < outputs.event_count; i++) {
+        exchange_push_event(exchange, &outputs.events[i]);
+    }
+    record_cycle(cycle);
+    exchange_beat(exchange, EXCHANGE_CONTROL);
+    if ((cycle % CYCLES_PER_PUBLISH) == (CYCLES_PER_PUBLISH - 1U)) {
+        figures_publish(&figures, &published);
+        published.overruns = controller.loop.overruns;
+        published.cycles_lost = exchange_cycles_lost(exchange);
+        exchange_publish_loop(exchange, &published);
+    }
+}
+
+static void run_cycle(uint64_t deadline_ns, uint64_t woken_ns, uint64_t elapsed_ns)
+{
+    const uint32_t cycle = controller.cycle;
+    gather_inputs(elapsed_ns);
+    if (exchange_take_checkpoint_request(exchange) || (cycle == 0U)) {
+        record_checkpoint();
+    }
+    const uint64_t gathered_ns = realtime_now_ns();
+    controller_step(&controller, &robot_neuro, &inputs, &outputs);
+    const uint64_t stepped_ns = realtime_now_ns();
+    figures_add(&figures, (woken_ns - deadline_ns) / 1000U, (stepped_ns - gathered_ns) / 1000U);
+    publish(cycle);
+    stage_ns[STAGE_WAKE] = woken_ns - deadline_ns;
+    stage_ns[STAGE_CARDS] = gathered_ns - woken_ns;
+    stage_ns[STAGE_STEP] = stepped_ns - gathered_ns;
+    stage_ns[STAGE_PUBLISH] = realtime_now_ns() - stepped_ns;
+}
+
+/* Missed wake-ups are skipped, never caught up. */
+static uint64_t next_deadline(uint64_t deadline_ns)
+{
+    const uint64_t now_ns = realtime_now_ns();
+    uint64_t next_ns = deadline_ns + CYCLE_NS;
+    if (next_ns < now_ns) {
+        next_ns += ((now_ns - next_ns) / CYCLE_NS + 1U) * CYCLE_NS;
+    }
+    return next_ns;
+}
+
+static void run(void)
+{
+    uint64_t deadline_ns = realtime_now_ns() + CYCLE_NS;
+    uint64_t before_ns = deadline_ns - CYCLE_NS;
+    while (is_stopping == 0) {
+        realtime_sleep_until_ns(deadline_ns);
+        const uint64_t woken_ns = realtime_now_ns();
+        run_cycle(deadline_ns, woken_ns, woken_ns - before_ns);
+        before_ns = woken_ns;
+        deadline_ns = next_deadline(deadline_ns);
+    }
+}
+
+static const char *option(int count, char *const values[], const char *name)
+{
+    for (int i = 1; i + 1 < count; i++) {
+        if (strcmp(values[i], name) == 0) {
+            return values[i + 1];
+        }
+    }
+    (void)fprintf(stderr, "control: option %s is missing; usage: boresight-control --exchange NAME --box NAME\n",
+                  name);
+    exit(EXIT_CANNOT_START);
+}
+
+int main(int argc, char *argv[])
+{
+    char error[256] = "";
+    const struct sigaction stop = {.sa_handler = ask_to_stop};
+    (void)sigaction(SIGTERM, &stop, NULL);
+    (void)sigaction(SIGINT, &stop, NULL);
+    exchange = exchange_open(option(argc, argv, "--exchange"), error, sizeof error);
+    if ((exchange == NULL) || !bsp_open(option(argc, argv, "--box"), error, sizeof error)) {
+        (void)fprintf(stderr, "control: %s\n", error);
+        return EXIT_CANNOT_START;
+    }
+    controller_init(&controller, &robot_neuro);
+    published.rights = realtime_acquire();
+    exchange_publish_loop(exchange, &published);
+    run();
+    switch_off();
+    bsp_close();
+    exchange_close(exchange);
+    return 0;
+}

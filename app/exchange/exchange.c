@@ -1,0 +1,292 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "exchange.h"
+
+#include "exchange_segment.h"
+
+#include <string.h>
+
+#define READ_TRIES 100U
+
+/* A copy under a sequence lock races by design; word by word and atomic, no word is ever half old. */
+static void store_words(void *to, const void *from, size_t size)
+{
+    uint32_t *words = to;
+    const unsigned char *bytes = from;
+
+    for (size_t i = 0U; i < (size / sizeof(uint32_t)); i++) {
+        uint32_t word;
+        (void)memcpy(&word, &bytes[i * sizeof(word)], sizeof(word));
+        __atomic_store_n(&words[i], word, __ATOMIC_RELAXED);
+    }
+}
+
+static void load_words(void *to, const void *from, size_t size)
+{
+    const uint32_t *words = from;
+    unsigned char *bytes = to;
+
+    for (size_t i = 0U; i < (size / sizeof(uint32_t)); i++) {
+        const uint32_t word = __atomic_load_n(&words[i], __ATOMIC_RELAXED);
+        (void)memcpy(&bytes[i * sizeof(word)], &word, sizeof(word));
+    }
+}
+
+static void write_locked(uint32_t *sequence, void *to, const void *from, size_t size)
+{
+    const uint32_t before = __atomic_load_n(sequence, __ATOMIC_RELAXED) & ~1U;
+
+    __atomic_store_n(sequence, before + 1U, __ATOMIC_RELAXED);
+    __atomic_thread_fence(__ATOMIC_RELEASE);
+    store_words(to, from, size);
+    __atomic_store_n(sequence, before + 2U, __ATOMIC_RELEASE);
+}
+
+/* False when the writer was in it; `to` is then undefined. */
+static bool read_locked(const uint32_t *sequence, void *to, const void *from, size_t size)
+{
+    const uint32_t before = __atomic_load_n(sequence, __ATOMIC_ACQUIRE);
+
+    if ((before == 0U) || ((before & 1U) != 0U)) {
+        return false;
+    }
+    load_words(to, from, size);
+    __atomic_thread_fence(__ATOMIC_ACQUIRE);
+    return __atomic_load_n(sequence, __ATOMIC_RELAXED) == before;
+}
+
+void exchange_beat(exchange_t *self, exchange_process_t process)
+{
+    uint32_t *count = &self->segment->others.beats[process].count;
+
+    __atomic_store_n(count, __atomic_load_n(count, __ATOMIC_RELAXED) + 1U, __ATOMIC_RELEASE);
+}
+
+uint32_t exchange_beats(const exchange_t *self, exchange_process_t process)
+{
+    return __atomic_load_n(&self->segment->others.beats[process].count, __ATOMIC_ACQUIRE);
+}
+
+void exchange_publish_snapshot(exchange_t *self, const snapshot_t *snapshot)
+{
+    segment_control_t *control = &self->segment->control;
+    const uint32_t published = __atomic_load_n(&control->published, __ATOMIC_RELAXED);
+    segment_snapshot_t *slot = &control->snapshots[published % SEGMENT_SNAPSHOTS];
+
+    write_locked(&slot->sequence, &slot->snapshot, snapshot, sizeof(*snapshot));
+    __atomic_store_n(&control->published, published + 1U, __ATOMIC_RELEASE);
+}
+
+bool exchange_read_snapshot(const exchange_t *self, snapshot_t *snapshot)
+{
+    const segment_control_t *control = &self->segment->control;
+
+    for (uint32_t tries = 0U; tries < READ_TRIES; tries++) {
+        const uint32_t published = __atomic_load_n(&control->published, __ATOMIC_ACQUIRE);
+        const segment_snapshot_t *slot = &control->snapshots[(published - 1U) % SEGMENT_SNAPSHOTS];
+        if (read_locked(&slot->sequence, snapshot, &slot->snapshot, sizeof(*snapshot))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+void exchange_publish_loop(exchange_t *self, const loop_figures_t *figures)
+{
+    segment_control_t *control = &self->segment->control;
+
+    write_locked(&control->loop_sequence, &control->loop, figures, sizeof(*figures));
+}
+
+bool exchange_read_loop(const exchange_t *self, loop_figures_t *figures)
+{
+    const segment_control_t *control = &self->segment->control;
+
+    for (uint32_t tries = 0U; tries < READ_TRIES; tries++) {
+        if (read_locked(&control->loop_sequence, figures, &control->loop, sizeof(*figures))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+status_t exchange_send_command(exchange_t *self, const command_t *command)
+{
+    if (command->source >= COMMAND_SOURCE_COUNT) {
+        return STATUS_UNKNOWN_COMMAND;
+    }
+    uint32_t *head = &self->segment->others.commands[command->source].head;
+    const uint32_t put = __atomic_load_n(head, __ATOMIC_RELAXED);
+    const uint32_t taken =
+        __atomic_load_n(&self->segment->control.commands[command->source].tail, __ATOMIC_ACQUIRE);
+
+    if ((put - taken) >= EXCHANGE_COMMANDS) {
+        return STATUS_BUSY;
+    }
+    self->segment->others.commands[command->source].slots[put % EXCHANGE_COMMANDS] = *command;
+    __atomic_store_n(head, put + 1U, __ATOMIC_RELEASE);
+    return STATUS_OK;
+}
+
+static bool take_command(exchange_t *self, uint32_t source, command_t *command)
+{
+    uint32_t *tail = &self->segment->control.commands[source].tail;
+    const uint32_t taken = __atomic_load_n(tail, __ATOMIC_RELAXED);
+    const uint32_t put = __atomic_load_n(&self->segment->others.commands[source].head, __ATOMIC_ACQUIRE);
+
+    if (put == taken) {
+        return false;
+    }
+    *command = self->segment->others.commands[source].slots[taken % EXCHANGE_COMMANDS];
+    command->source = source; /* Nobody speaks for another. */
+    __atomic_store_n(tail, taken + 1U, __ATOMIC_RELEASE);
+    return true;
+}
+
+uint32_t exchange_take_commands(exchange_t *self, command_t *commands, uint32_t most)
+{
+    uint32_t count = 0U;
+    uint32_t empty = 0U;
+
+    while ((count < most) && (empty < COMMAND_SOURCE_COUNT)) {
+        if (take_command(self, self->next_source, &commands[count])) {
+            count++;
+            empty = 0U;
+        } else {
+            empty++;
+        }
+        self->next_source = (self->next_source + 1U) % COMMAND_SOURCE_COUNT;
+    }
+    return count;
+}
+
+static void count_one(uint32_t *counter)
+{
+    __atomic_store_n(counter, __atomic_load_n(counter, __ATOMIC_RELAXED) + 1U, __ATOMIC_RELEASE);
+}
+
+bool exchange_push_answer(exchange_t *self, const answer_t *answer)
+{
+    segment_control_t *control = &self->segment->control;
+
+    if (answer->source >= COMMAND_SOURCE_COUNT) {
+        count_one(&control->answers_lost);
+        return false;
+    }
+    uint32_t *head = &control->answers[answer->source].head;
+    const uint32_t put = __atomic_load_n(head, __ATOMIC_RELAXED);
+    const uint32_t taken = __atomic_load_n(&self->segment->others.answers[answer->source].tail, __ATOMIC_ACQUIRE);
+
+    if ((put - taken) >= EXCHANGE_ANSWERS) {
+        count_one(&control->answers_lost);
+        return false;
+    }
+    control->answers[answer->source].slots[put % EXCHANGE_ANSWERS] = *answer;
+    __atomic_store_n(head, put + 1U, __ATOMIC_RELEASE);
+    return true;
+}
+
+bool exchange_take_answer(exchange_t *self, command_source_t source, answer_t *answer)
+{
+    uint32_t *tail = &self->segment->others.answers[source].tail;
+    const uint32_t taken = __atomic_load_n(tail, __ATOMIC_RELAXED);
+    const uint32_t put = __atomic_load_n(&self->segment->control.answers[source].head, __ATOMIC_ACQUIRE);
+
+    if (put == taken) {
+        return false;
+    }
+    *answer = self->segment->control.answers[source].slots[taken % EXCHANGE_ANSWERS];
+    __atomic_store_n(tail, taken + 1U, __ATOMIC_RELEASE);
+    return true;
+}
+
+uint32_t exchange_answers_lost(const exchange_t *self)
+{
+    return __atomic_load_n(&self->segment->control.answers_lost, __ATOMIC_ACQUIRE);
+}
+
+void exchange_push_event(exchange_t *self, const event_t *event)
+{
+    segment_control_t *control = &self->segment->control;
+    segment_event_t *slot = &control->events[event->number % EXCHANGE_EVENTS];
+
+    write_locked(&slot->sequence, &slot->event, event, sizeof(*event));
+    __atomic_store_n(&control->events_head, event->number + 1U, __ATOMIC_RELEASE);
+}
+
+uint32_t exchange_read_events(const exchange_t *self, uint32_t *next, event_t *events, uint32_t most, uint32_t *lost)
+{
+    const segment_control_t *control = &self->segment->control;
+    const uint32_t head = __atomic_load_n(&control->events_head, __ATOMIC_ACQUIRE);
+    uint32_t count = 0U;
+
+    if ((head - *next) > (uint32_t)INT32_MAX) {
+        return 0U; /* The reader is ahead: nothing new. */
+    }
+    if ((head - *next) > EXCHANGE_EVENTS) {
+        *lost += head - *next - EXCHANGE_EVENTS;
+        *next = head - EXCHANGE_EVENTS;
+    }
+    while ((*next != head) && (count < most)) {
+        const segment_event_t *slot = &control->events[*next % EXCHANGE_EVENTS];
+        const bool is_whole = read_locked(&slot->sequence, &events[count], &slot->event, sizeof(event_t));
+        if (is_whole && (events[count].number == *next)) {
+            count++;
+        } else {
+            (*lost)++;
+        }
+        (*next)++;
+    }
+    return count;
+}
+
+cycle_record_t *exchange_reserve_cycle(exchange_t *self)
+{
+    segment_control_t *control = &self->segment->control;
+    const uint32_t put = __atomic_load_n(&control->cycles_head, __ATOMIC_RELAXED);
+    const uint32_t taken = __atomic_load_n(&self->segment->others.cycles_tail, __ATOMIC_ACQUIRE);
+
+    if ((put - taken) >= EXCHANGE_CYCLES) {
+        count_one(&control->cycles_lost);
+        return NULL;
+    }
+    return &control->cycles[put % EXCHANGE_CYCLES];
+}
+
+void exchange_commit_cycle(exchange_t *self)
+{
+    count_one(&self->segment->control.cycles_head);
+}
+
+const cycle_record_t *exchange_peek_cycle(exchange_t *self)
+{
+    const segment_control_t *control = &self->segment->control;
+    const uint32_t taken = __atomic_load_n(&self->segment->others.cycles_tail, __ATOMIC_RELAXED);
+    const uint32_t put = __atomic_load_n(&control->cycles_head, __ATOMIC_ACQUIRE);
+
+    return (put == taken) ? NULL : &control->cycles[taken % EXCHANGE_CYCLES];
+}
+
+void exchange_release_cycle(exchange_t *self)
+{
+    count_one(&self->segment->others.cycles_tail);
+}
+
+uint32_t exchange_cycles_lost(const exchange_t *self)
+{
+    return __atomic_load_n(&self->segment->control.cycles_lost, __ATOMIC_ACQUIRE);
+}
+
+void exchange_request_checkpoint(exchange_t *self)
+{
+    count_one(&self->segment->others.checkpoint_requests);
+}
+
+bool exchange_take_checkpoint_request(exchange_t *self)
+{
+    uint32_t *taken = &self->segment->control.checkpoints_taken;
+    const uint32_t requested = __atomic_load_n(&self->segment->others.checkpoint_requests, __ATOMIC_ACQUIRE);
+    const bool is_new = (requested != __atomic_load_n(taken, __ATOMIC_RELAXED));
+
+    __atomic_store_n(taken, requested, __ATOMIC_RELEASE);
+    return is_new;
+}

@@ -1,0 +1,162 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * The one place where the processes meet: a shared-memory segment of fixed layout. `control` writes and never
+ * waits; everyone else reads or asks. One writer and one reader per lane; the event ring has many readers.
+ */
+#ifndef BORESIGHT_EXCHANGE_H
+#define BORESIGHT_EXCHANGE_H
+
+#include "command.h"
+#include "controller.h"
+#include "event.h"
+#include "snapshot.h"
+#include "status.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#define EXCHANGE_COMMANDS 16U /**< Capacity of a command lane. */
+#define EXCHANGE_ANSWERS 64U  /**< Capacity of an answer lane. */
+#define EXCHANGE_EVENTS 1024U /**< Events kept for slow readers. */
+#define EXCHANGE_CYCLES 2048U /**< Capacity of the cycle lane: two seconds. */
+
+/** Real-time rights that control asked for; a set bit was granted. */
+#define EXCHANGE_RIGHT_FIFO 0x1U     /**< SCHED_FIFO. */
+#define EXCHANGE_RIGHT_CORE 0x2U     /**< A core of its own. */
+#define EXCHANGE_RIGHT_MEMORY 0x4U   /**< Locked memory. */
+
+/** The loop's punctuality, measured by control. Times in us. */
+typedef struct {
+    uint64_t cycles;
+    uint32_t rights;         /**< EXCHANGE_RIGHT_ bits. */
+    uint32_t overruns;       /**< Intervals above LIMIT_OVERRUN_US. */
+    uint32_t wake_p50_us;    /**< Wake-up latency over the whole run. */
+    uint32_t wake_p99_us;
+    uint32_t wake_p999_us;
+    uint32_t wake_worst_us;
+    uint32_t step_p99_us;    /**< Duration of controller_step. */
+    uint32_t step_worst_us;
+    uint32_t second_worst_us; /**< Worst wake-up latency of the last full second. */
+    uint32_t cycles_lost;    /**< Cycle records that found the lane full. */
+} loop_figures_t;
+
+typedef enum {
+    CYCLE_RECORD_CHECKPOINT = 1, /**< controller state before the next cycle. */
+    CYCLE_RECORD_CYCLE = 2       /**< Inputs and outputs of one cycle. */
+} cycle_record_kind_t;
+
+/** One entry of the cycle lane. */
+typedef struct {
+    uint32_t kind;     /**< cycle_record_kind_t. */
+    uint32_t cycle;    /**< Controller cycle. */
+    union {
+        struct {
+            controller_inputs_t inputs;
+            controller_outputs_t outputs;
+        } cycle;
+        uint8_t checkpoint[sizeof(controller_inputs_t) + sizeof(controller_outputs_t)];
+    } body;
+} cycle_record_t;
+
+/** Who lives in the segment; each beats its own counter. */
+typedef enum {
+    EXCHANGE_CONTROL = 0,
+    EXCHANGE_IGTL = 1,
+    EXCHANGE_HTTP = 2,
+    EXCHANGE_RECORDER = 3,
+    EXCHANGE_SUPERVISOR = 4
+} exchange_process_t;
+
+#define EXCHANGE_PROCESS_COUNT 5U
+
+typedef struct exchange exchange_t;
+
+/**
+ * Creates the segment `name` (1 to 62 characters without a slash), replacing one whose creator is dead. NULL with a
+ * sentence in `error` when it cannot, or when a living creator has it.
+ */
+exchange_t *exchange_create(const char *name, char *error, uint32_t error_size);
+
+/**
+ * Opens the segment `name`. NULL with a sentence in `error` when it is missing or its layout is another build's.
+ *
+ * @satisfies SWR-EXCH-004
+ */
+exchange_t *exchange_open(const char *name, char *error, uint32_t error_size);
+
+/**
+ * Makes everything that only control writes read-only for this process. Called once after exchange_open() by every
+ * process but control and the creator.
+ */
+void exchange_protect(exchange_t *self);
+
+/** Unmaps; the creator also removes the name. `self` is gone afterwards. */
+void exchange_close(exchange_t *self);
+
+/** Alive counter of `process`. */
+void exchange_beat(exchange_t *self, exchange_process_t process);
+uint32_t exchange_beats(const exchange_t *self, exchange_process_t process);
+
+/** Publishes; never waits. @satisfies SWR-EXCH-001 */
+void exchange_publish_snapshot(exchange_t *self, const snapshot_t *snapshot);
+
+/** Copies the newest whole snapshot. False before the first one, or when the writer kept interfering. */
+bool exchange_read_snapshot(const exchange_t *self, snapshot_t *snapshot);
+
+void exchange_publish_loop(exchange_t *self, const loop_figures_t *figures);
+
+/** Copies the newest loop figures. False before the first ones, or when the writer kept interfering. */
+bool exchange_read_loop(const exchange_t *self, loop_figures_t *figures);
+
+/**
+ * Puts a command into the lane of its source.
+ *
+ * @return STATUS_OK; STATUS_BUSY when the lane is full (nothing is queued); STATUS_UNKNOWN_COMMAND for a bad source
+ *
+ * @satisfies SWR-EXCH-002
+ */
+status_t exchange_send_command(exchange_t *self, const command_t *command);
+
+/** Takes up to `most` commands, the sources in turn. `source` of each is that of its lane. */
+uint32_t exchange_take_commands(exchange_t *self, command_t *commands, uint32_t most);
+
+/** Puts an answer into the lane of its source; false (and counted) when that reader has let it fill up. */
+bool exchange_push_answer(exchange_t *self, const answer_t *answer);
+bool exchange_take_answer(exchange_t *self, command_source_t source, answer_t *answer);
+
+/** Answers that found their lane full or had no lane, since the start. */
+uint32_t exchange_answers_lost(const exchange_t *self);
+
+/** Adds an event, numbered by the controller without gaps, to the ring; the oldest is overwritten. */
+void exchange_push_event(exchange_t *self, const event_t *event);
+
+/**
+ * Copies events from number `*next` on, at most `most`, and advances `*next`. Events already overwritten are
+ * skipped and added to `*lost`.
+ *
+ * @return events copied
+ */
+uint32_t exchange_read_events(const exchange_t *self, uint32_t *next, event_t *events, uint32_t most,
+                              uint32_t *lost);
+
+/**
+ * The entry to fill next, NULL when the lane is full (counted). exchange_commit_cycle() hands it over.
+ *
+ * @satisfies SWR-EXCH-003
+ */
+cycle_record_t *exchange_reserve_cycle(exchange_t *self);
+void exchange_commit_cycle(exchange_t *self);
+
+/** The oldest entry, NULL when there is none; exchange_release_cycle() frees it. */
+const cycle_record_t *exchange_peek_cycle(exchange_t *self);
+void exchange_release_cycle(exchange_t *self);
+
+/** Records lost since the start; a reader asks for a checkpoint after a loss or at its own start. */
+uint32_t exchange_cycles_lost(const exchange_t *self);
+void exchange_request_checkpoint(exchange_t *self);
+
+/** For control: says once whether a checkpoint was asked for since the last call. */
+bool exchange_take_checkpoint_request(exchange_t *self);
+
+#endif

@@ -1,0 +1,286 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "exchange_segment.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#define SEGMENT_MODE 0600
+
+static const size_t layout[] = {
+    sizeof(segment_t),
+    offsetof(segment_t, others),
+    offsetof(segment_t, control),
+    offsetof(segment_others_t, commands),
+    offsetof(segment_others_t, answers),
+    offsetof(segment_others_t, cycles_tail),
+    offsetof(segment_others_t, checkpoint_requests),
+    offsetof(segment_control_t, snapshots),
+    offsetof(segment_control_t, loop),
+    offsetof(segment_control_t, commands),
+    offsetof(segment_control_t, answers),
+    offsetof(segment_control_t, answers_lost),
+    offsetof(segment_control_t, events_head),
+    offsetof(segment_control_t, events),
+    offsetof(segment_control_t, cycles_head),
+    offsetof(segment_control_t, cycles),
+    EXCHANGE_PROCESS_COUNT,
+    COMMAND_SOURCE_COUNT,
+    SEGMENT_SNAPSHOTS,
+    EXCHANGE_COMMANDS,
+    EXCHANGE_ANSWERS,
+    EXCHANGE_EVENTS,
+    EXCHANGE_CYCLES,
+    sizeof(command_t),
+    offsetof(command_t, argument),
+    offsetof(command_t, value),
+    offsetof(command_t, pose),
+    sizeof(answer_t),
+    offsetof(answer_t, status),
+    offsetof(answer_t, axis),
+    offsetof(answer_t, workphase),
+    offsetof(answer_t, pose),
+    sizeof(event_t),
+    offsetof(event_t, id),
+    offsetof(event_t, subject),
+    offsetof(event_t, value),
+    sizeof(snapshot_t),
+    offsetof(snapshot_t, robot_crc),
+    offsetof(snapshot_t, workphase),
+    offsetof(snapshot_t, next_step),
+    offsetof(snapshot_t, is_homed),
+    offsetof(snapshot_t, overruns),
+    offsetof(snapshot_t, events),
+    offsetof(snapshot_t, zframe_treatment),
+    offsetof(snapshot_t, scanner_treatment),
+    offsetof(snapshot_t, scanner_zframe),
+    offsetof(snapshot_t, scanner_target),
+    offsetof(snapshot_t, proposed_registration),
+    offsetof(snapshot_t, proposed_entry),
+    offsetof(snapshot_t, proposed_target),
+    offsetof(snapshot_t, scanner_desired),
+    offsetof(snapshot_t, desired_ticks),
+    offsetof(snapshot_t, axes),
+    offsetof(snapshot_t, cards),
+    sizeof(snapshot_axis_t),
+    offsetof(snapshot_axis_t, permit_reasons),
+    offsetof(snapshot_axis_t, position_ticks),
+    offsetof(snapshot_axis_t, setpoint_ticks),
+    offsetof(snapshot_axis_t, drive_mode),
+    offsetof(snapshot_axis_t, limit_switches),
+    sizeof(snapshot_card_t),
+    offsetof(snapshot_card_t, frame_errors),
+    offsetof(snapshot_card_t, card_type),
+    sizeof(loop_figures_t),
+    offsetof(loop_figures_t, rights),
+    offsetof(loop_figures_t, wake_p50_us),
+    offsetof(loop_figures_t, step_worst_us),
+    offsetof(loop_figures_t, cycles_lost),
+    sizeof(cycle_record_t),
+    offsetof(cycle_record_t, body),
+    sizeof(controller_inputs_t),
+    offsetof(controller_inputs_t, commands),
+    offsetof(controller_inputs_t, frames),
+    sizeof(controller_outputs_t),
+    offsetof(controller_outputs_t, answers),
+    offsetof(controller_outputs_t, events),
+    offsetof(controller_outputs_t, snapshot),
+    offsetof(controller_outputs_t, frames),
+};
+
+uint64_t segment_layout(void)
+{
+    uint64_t hash = UINT64_C(0xCBF29CE484222325); /* FNV-1a */
+
+    for (size_t i = 0U; i < (sizeof(layout) / sizeof(layout[0])); i++) {
+        for (uint32_t shift = 0U; shift < 64U; shift += 8U) {
+            hash = (hash ^ (((uint64_t)layout[i] >> shift) & 0xFFU)) * UINT64_C(0x00000100000001B3);
+        }
+    }
+    return hash;
+}
+
+static bool set_name(exchange_t *self, const char *name, char *error, uint32_t error_size)
+{
+    const int length = snprintf(self->name, sizeof(self->name), "/%s", name);
+    const bool is_good = (name[0] != '\0') && (strchr(name, '/') == NULL) && (length > 0) &&
+                         ((size_t)length < sizeof(self->name));
+
+    if (!is_good) {
+        (void)snprintf(error, error_size,
+                       "\"%s\" cannot name an exchange; use 1 to %u characters without a slash.", name,
+                       SEGMENT_NAME_SIZE - 2U);
+    }
+    return is_good;
+}
+
+/* Removes what a dead creator left behind. A living one holds the lock. */
+static bool remove_stale(const exchange_t *self, char *error, uint32_t error_size)
+{
+    const int file = shm_open(self->name, O_RDWR, 0);
+
+    if (file < 0) {
+        return true;
+    }
+    const bool is_stale = (flock(file, LOCK_EX | LOCK_NB) == 0);
+    if (is_stale) {
+        (void)shm_unlink(self->name);
+    } else {
+        (void)snprintf(error, error_size,
+                       "Boresight already runs with the name \"%s\"; end it or choose another name with --instance.",
+                       &self->name[1]);
+    }
+    (void)close(file);
+    return is_stale;
+}
+
+static bool create_file(exchange_t *self, char *error, uint32_t error_size)
+{
+    if (!remove_stale(self, error, error_size)) {
+        return false;
+    }
+    self->file = shm_open(self->name, O_RDWR | O_CREAT | O_EXCL, SEGMENT_MODE);
+    if (self->file < 0) {
+        (void)snprintf(error, error_size, "The exchange %s cannot be created (%s); check the rights of /dev/shm.",
+                       self->name, strerror(errno));
+        return false;
+    }
+    (void)flock(self->file, LOCK_EX | LOCK_NB);
+    /* Allocated now, so that a full /dev/shm is a sentence here and not a SIGBUS in the control loop. */
+    const int result = posix_fallocate(self->file, 0, (off_t)sizeof(segment_t));
+    if (result != 0) {
+        (void)snprintf(error, error_size, "/dev/shm has no room for %zu MiB (%s); free some or mount it larger.",
+                       (sizeof(segment_t) >> 20) + 1U, strerror(result));
+        (void)shm_unlink(self->name);
+        return false;
+    }
+    return true;
+}
+
+static bool map(exchange_t *self, char *error, uint32_t error_size)
+{
+    void *address = mmap(NULL, sizeof(segment_t), PROT_READ | PROT_WRITE, MAP_SHARED, self->file, 0);
+
+    if (address == MAP_FAILED) {
+        (void)snprintf(error, error_size, "The exchange %s cannot be mapped (%s); free some memory.", self->name,
+                       strerror(errno));
+        return false;
+    }
+    self->segment = address;
+    return true;
+}
+
+static bool open_file(exchange_t *self, char *error, uint32_t error_size)
+{
+    struct stat status;
+
+    self->file = shm_open(self->name, O_RDWR, 0);
+    if (self->file < 0) {
+        (void)snprintf(error, error_size, "There is no exchange %s (%s); start the program boresight first.",
+                       self->name, strerror(errno));
+        return false;
+    }
+    if ((fstat(self->file, &status) != 0) || (status.st_size != (off_t)sizeof(segment_t))) {
+        (void)snprintf(error, error_size,
+                       "The exchange %s has the size of another build; run programs of one build only.", self->name);
+        return false;
+    }
+    return true;
+}
+
+static bool check_header(const exchange_t *self, char *error, uint32_t error_size)
+{
+    const segment_header_t *header = &self->segment->header;
+
+    if (__atomic_load_n(&header->magic, __ATOMIC_ACQUIRE) != SEGMENT_MAGIC) {
+        (void)snprintf(error, error_size, "%s is not an exchange of Boresight; remove /dev/shm%s.", self->name,
+                       self->name);
+        return false;
+    }
+    if (header->layout != segment_layout()) {
+        (void)snprintf(error, error_size,
+                       "The exchange %s has the layout of another build; run programs of one build only.", self->name);
+        return false;
+    }
+    return true;
+}
+
+static exchange_t *discard(exchange_t *self)
+{
+    if (self->segment != NULL) {
+        (void)munmap(self->segment, sizeof(segment_t));
+    }
+    if (self->file >= 0) {
+        (void)close(self->file);
+    }
+    free(self);
+    return NULL;
+}
+
+static exchange_t *allocate(char *error, uint32_t error_size)
+{
+    exchange_t *self = calloc(1U, sizeof(*self));
+
+    if (self == NULL) {
+        (void)snprintf(error, error_size, "There is no memory left; end other programs.");
+    } else {
+        self->file = -1;
+    }
+    return self;
+}
+
+exchange_t *exchange_create(const char *name, char *error, uint32_t error_size)
+{
+    exchange_t *self = allocate(error, error_size);
+
+    if (self == NULL) {
+        return NULL;
+    }
+    if (!set_name(self, name, error, error_size) || !create_file(self, error, error_size)) {
+        return discard(self);
+    }
+    if (!map(self, error, error_size)) {
+        (void)shm_unlink(self->name);
+        return discard(self);
+    }
+    self->segment->header.layout = segment_layout();
+    __atomic_store_n(&self->segment->header.magic, SEGMENT_MAGIC, __ATOMIC_RELEASE);
+    return self;
+}
+
+exchange_t *exchange_open(const char *name, char *error, uint32_t error_size)
+{
+    exchange_t *self = allocate(error, error_size);
+
+    if (self == NULL) {
+        return NULL;
+    }
+    if (!set_name(self, name, error, error_size) || !open_file(self, error, error_size) ||
+        !map(self, error, error_size) || !check_header(self, error, error_size)) {
+        return discard(self);
+    }
+    (void)close(self->file);
+    self->file = -1;
+    return self;
+}
+
+void exchange_protect(exchange_t *self)
+{
+    (void)mprotect(&self->segment->header, sizeof(self->segment->header), PROT_READ);
+    (void)mprotect(&self->segment->control, sizeof(self->segment->control), PROT_READ);
+}
+
+void exchange_close(exchange_t *self)
+{
+    if (self->file >= 0) {
+        (void)shm_unlink(self->name);
+    }
+    (void)discard(self);
+}

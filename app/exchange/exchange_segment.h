@@ -1,0 +1,99 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * The layout of the exchange's segment, and how it is created and found. Private to app/exchange.
+ *
+ * Two parts on pages of their own: what control writes, and what everybody else writes. A process that called
+ * exchange_protect() cannot write the first, even by a stray pointer. Indices grow for ever and are reduced when
+ * used, so that no value found in the segment leads outside of it.
+ */
+#ifndef BORESIGHT_EXCHANGE_SEGMENT_H
+#define BORESIGHT_EXCHANGE_SEGMENT_H
+
+#include "exchange.h"
+
+#include <stdint.h>
+
+#define SEGMENT_MAGIC UINT64_C(0x32484358454F5242) /**< "BROEXCH2", little endian. */
+#define SEGMENT_PAGE 4096
+#define SEGMENT_LINE 64
+#define SEGMENT_SNAPSHOTS 4U /**< Copies written in turn: a reader has three cycles for one copy. */
+#define SEGMENT_NAME_SIZE 64U
+
+#define SEGMENT_ON_PAGE __attribute__((aligned(SEGMENT_PAGE)))
+#define SEGMENT_ON_LINE __attribute__((aligned(SEGMENT_LINE)))
+
+/** A snapshot under a sequence lock: the sequence is odd while it is being written. */
+typedef struct {
+    uint32_t sequence SEGMENT_ON_LINE;
+    snapshot_t snapshot;
+} segment_snapshot_t;
+
+/** An event under a sequence lock. */
+typedef struct {
+    uint32_t sequence;
+    event_t event;
+} segment_event_t;
+
+/** Written before the magic, never changed afterwards. */
+typedef struct {
+    uint64_t magic;
+    uint64_t layout; /**< segment_layout() of the creator's build. */
+} segment_header_t;
+
+/** Written by every process but control. */
+typedef struct {
+    struct {
+        uint32_t count SEGMENT_ON_LINE;
+    } beats[EXCHANGE_PROCESS_COUNT];
+    struct {
+        uint32_t head SEGMENT_ON_LINE; /**< Commands put in. */
+        command_t slots[EXCHANGE_COMMANDS];
+    } commands[COMMAND_SOURCE_COUNT];
+    struct {
+        uint32_t tail SEGMENT_ON_LINE; /**< Answers taken. */
+    } answers[COMMAND_SOURCE_COUNT];
+    uint32_t cycles_tail SEGMENT_ON_LINE; /**< Cycle records released. */
+    uint32_t checkpoint_requests SEGMENT_ON_LINE;
+} segment_others_t;
+
+/** Written by control only. */
+typedef struct {
+    uint32_t published SEGMENT_ON_LINE; /**< Snapshots published. */
+    segment_snapshot_t snapshots[SEGMENT_SNAPSHOTS];
+    uint32_t loop_sequence SEGMENT_ON_LINE;
+    loop_figures_t loop;
+    struct {
+        uint32_t tail SEGMENT_ON_LINE; /**< Commands taken. */
+    } commands[COMMAND_SOURCE_COUNT];
+    struct {
+        uint32_t head SEGMENT_ON_LINE; /**< Answers put in. */
+        answer_t slots[EXCHANGE_ANSWERS];
+    } answers[COMMAND_SOURCE_COUNT];
+    uint32_t answers_lost SEGMENT_ON_LINE;
+    uint32_t checkpoints_taken;
+    uint32_t events_head SEGMENT_ON_LINE; /**< Number of the next event. */
+    segment_event_t events[EXCHANGE_EVENTS];
+    uint32_t cycles_head SEGMENT_ON_LINE; /**< Cycle records handed over. */
+    uint32_t cycles_lost;
+    cycle_record_t cycles[EXCHANGE_CYCLES];
+} segment_control_t;
+
+typedef struct {
+    segment_header_t header SEGMENT_ON_PAGE;
+    segment_others_t others SEGMENT_ON_PAGE;
+    segment_control_t control SEGMENT_ON_PAGE;
+} segment_t;
+
+/** A process' view of the segment. */
+struct exchange {
+    segment_t *segment;
+    int file;                /**< The creator keeps it locked while it lives. */
+    uint32_t next_source;    /**< Lane that exchange_take_commands() looks at first. */
+    char name[SEGMENT_NAME_SIZE];
+};
+
+/** A number that differs when the size or the place of anything in the segment differs. */
+uint64_t segment_layout(void);
+
+#endif

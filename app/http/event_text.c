@@ -1,0 +1,101 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "event_text.h"
+
+#include "names.h"
+#include "robot.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const char *axis_name(uint32_t axis)
+{
+    return (axis < robot_neuro.axis_count) ? robot_neuro.axes[axis].name : "?";
+}
+
+/* The number of a card's slot and the axis it drives. */
+static void card_name(uint32_t slot, char *text, size_t size)
+{
+    const char *name = "no axis";
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
+        name = (robot_neuro.axes[i].slot == slot) ? robot_neuro.axes[i].name : name;
+    }
+    (void)snprintf(text, size, "%u (%s)", (unsigned)slot, name);
+}
+
+void event_text_subject(const event_t *event, char *text, size_t size)
+{
+    switch (event->id) {
+    case EVENT_WORKPHASE:
+    case EVENT_ORDER_ARMED:
+        (void)snprintf(text, size, "%s", workphase_name((int32_t)event->subject));
+        break;
+    case EVENT_COMMAND_REFUSED:
+    case EVENT_PROPOSAL:
+        (void)snprintf(text, size, "%s", command_kind_name((int32_t)event->subject));
+        break;
+    case EVENT_CARD_LIVE:
+    case EVENT_CARD_LOST:
+    case EVENT_FRAME_REFUSED:
+        card_name(event->subject, text, size);
+        break;
+    case EVENT_AXIS_HOMED:
+    case EVENT_AXIS_STALLED:
+    case EVENT_AXIS_ENCODER_FAULT:
+    case EVENT_AXIS_FOLLOWING_ERROR:
+    case EVENT_AXIS_HOME_TIMEOUT:
+        (void)snprintf(text, size, "%s", axis_name(event->subject));
+        break;
+    case EVENT_OVERRUN:
+    case EVENT_CHART_REPAIRED:
+        (void)snprintf(text, size, "%u", (unsigned)event->subject);
+        break;
+    default:
+        (void)snprintf(text, size, "%s", "");
+        break;
+    }
+}
+
+static void value_text(const event_t *event, const char *how, char *text, size_t size)
+{
+    if (event->id == (uint32_t)EVENT_COMMAND_REFUSED) {
+        (void)snprintf(text, size, "%s", status_name(event->value));
+    } else if (event->id == (uint32_t)EVENT_CARD_LOST) {
+        (void)snprintf(text, size, "%s", link_cause_name(event->value));
+    } else if (strncmp(how, "(value, ticks)", 14U) == 0) {
+        (void)snprintf(text, size, "%d ticks", (int)event->value);
+    } else {
+        (void)snprintf(text, size, "%d", (int)event->value);
+    }
+}
+
+/* Copies `pattern`, a sentence of event.h, and puts words where it says (subject) or (value...). */
+static void fill_in(const event_t *event, const char *pattern, char *text, size_t size)
+{
+    size_t used = 0U;
+    text[0] = '\0';
+    while ((*pattern != '\0') && (used + 1U < size)) {
+        const char *end = strchr(pattern, ')');
+        char word[48] = "";
+        if ((strncmp(pattern, "(subject", 8U) == 0) && (end != NULL)) {
+            event_text_subject(event, word, sizeof(word));
+            pattern = end + 1;
+        } else if ((strncmp(pattern, "(value", 6U) == 0) && (end != NULL)) {
+            value_text(event, pattern, word, sizeof(word));
+            pattern = end + 1;
+        } else {
+            word[0] = *pattern;
+            pattern++;
+        }
+        (void)snprintf(&text[used], size - used, "%s", word);
+        used += strlen(&text[used]);
+    }
+}
+
+void event_text_sentence(const event_t *event, char *text, size_t size)
+{
+    if (event->id == (uint32_t)EVENT_SCANNER) {
+        (void)snprintf(text, size, "The scanner %s acquiring.", (event->value != 0) ? "started" : "ended");
+    } else {
+        fill_in(event, event_id_text((int32_t)event->id), text, size);
+    }
+}

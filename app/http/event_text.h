@@ -1,0 +1,18 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file An event as a sentence for the log. */
+#ifndef BORESIGHT_EVENT_TEXT_H
+#define BORESIGHT_EVENT_TEXT_H
+
+#include "event.h"
+
+#include <stddef.h>
+
+#define EVENT_TEXT_SIZE 160U /**< Enough for every event. */
+
+/** What the event is about, as a word ("head", "3 (insertion)", "PLANNING"); "" when it is about nothing in particular. */
+void event_text_subject(const event_t *event, char *text, size_t size);
+
+/** The event's sentence with its subject and value filled in. */
+void event_text_sentence(const event_t *event, char *text, size_t size);
+
+#endif

@@ -1,0 +1,146 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "http_server.h"
+
+#include "http_reply.h"
+#include "http_routes.h"
+
+#include <arpa/inet.h>
+#include <errno.h>
+#include <netinet/in.h>
+#include <pthread.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/random.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#ifndef BORESIGHT_BUILD_ID
+#define BORESIGHT_BUILD_ID "development"
+#endif
+
+/* A worker needs little; the default of 8 MB each would only be address space to fill. */
+#define WORKER_STACK_BYTES (512U * 1024U)
+
+static void make_boot_id(char *text, size_t size)
+{
+    uint64_t number = 0U;
+    if (getrandom(&number, sizeof(number), 0U) != (ssize_t)sizeof(number)) {
+        number = telemetry_now_ms();
+    }
+    (void)snprintf(text, size, "%016llx", (unsigned long long)number);
+}
+
+void http_server_init(http_server_t *self, exchange_t *exchange, const http_guard_t *guard, const char *box)
+{
+    self->exchange = exchange;
+    self->guard = *guard;
+    make_boot_id(self->identity.boot_id, sizeof(self->identity.boot_id));
+    self->identity.build_id = BORESIGHT_BUILD_ID;
+    self->identity.box = box;
+    telemetry_init(&self->telemetry, exchange);
+    command_desk_init(&self->desk, exchange);
+    http_stream_init(&self->stream, exchange);
+}
+
+/* The library does not say why it could not listen. */
+static int try_to_listen(const http_guard_t *guard)
+{
+    struct sockaddr_in address = {.sin_family = AF_INET, .sin_port = htons((uint16_t)guard->port)};
+    (void)inet_pton(AF_INET, guard->address, &address.sin_addr);
+    int yes = 1;
+    int probe = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    (void)setsockopt(probe, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
+    int error = 0;
+    if ((bind(probe, (const struct sockaddr *)&address, sizeof(address)) != 0) || (listen(probe, 1) != 0)) {
+        error = errno;
+    }
+    (void)close(probe);
+    return error;
+}
+
+static int begin_request(struct mg_connection *connection)
+{
+    return http_routes_answer(mg_get_user_data(mg_get_context(connection)), connection);
+}
+
+/* Requests that the library itself refuses, before there is a path to look at. */
+static int refuse(struct mg_connection *connection, int status, const char *message)
+{
+    (void)message;
+    (void)http_reply_error(connection, status, "BAD_REQUEST", "The request cannot be read.");
+    return 0;
+}
+
+static int keep_quiet(const struct mg_connection *connection, const char *message)
+{
+    (void)connection;
+    (void)message;
+    return 1;
+}
+
+static struct mg_context *start_library(http_server_t *self, const char *address)
+{
+    static const struct mg_callbacks callbacks = {
+        .begin_request = begin_request, .http_error = refuse, .log_message = keep_quiet};
+    const char *options[] = {"listening_ports",
+                             address,
+                             "num_threads",
+                             "16",
+                             "request_timeout_ms",
+                             "2000",
+                             "enable_keep_alive",
+                             "no",
+                             "max_request_size",
+                             "8192",
+                             "enable_directory_listing",
+                             "no",
+                             "enable_auth_domain_check",
+                             "no",
+                             "access_control_allow_origin",
+                             "",
+                             "access_control_allow_methods",
+                             "",
+                             "access_control_allow_headers",
+                             "",
+                             "cgi_pattern",
+                             "",
+                             "ssi_pattern",
+                             "",
+                             NULL};
+    return mg_start(&callbacks, self, options);
+}
+
+http_server_result_t http_server_start(http_server_t *self)
+{
+    int error = try_to_listen(&self->guard);
+    if (error == EADDRINUSE) {
+        return HTTP_SERVER_PORT_IN_USE;
+    }
+    if (error != 0) {
+        return HTTP_SERVER_BAD_ADDRESS;
+    }
+    pthread_attr_t attributes;
+    (void)pthread_attr_init(&attributes);
+    (void)pthread_attr_setstacksize(&attributes, WORKER_STACK_BYTES);
+    (void)pthread_setattr_default_np(&attributes);
+    char address[HTTP_GUARD_ADDRESS_SIZE + 8U];
+    (void)snprintf(address, sizeof(address), "%s:%u", self->guard.address, (unsigned)self->guard.port);
+    (void)mg_init_library(MG_FEATURES_DEFAULT);
+    return (start_library(self, address) != NULL) ? HTTP_SERVER_STARTED : HTTP_SERVER_FAILED;
+}
+
+void http_server_tick(http_server_t *self)
+{
+    telemetry_view_t view;
+    telemetry_look(&self->telemetry, &view);
+    if (!view.has_snapshot || !http_stream_is_watched(&self->stream)) {
+        return;
+    }
+    cJSON *state = telemetry_json_state(&self->identity, &view);
+    char *json = cJSON_PrintUnformatted(state);
+    if (json != NULL) {
+        (void)http_stream_publish(&self->stream, json);
+    }
+    cJSON_free(json);
+    cJSON_Delete(state);
+}

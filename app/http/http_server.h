@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * The HTTP server: the console's files, the state as JSON and as a stream, and one command, stop. Nothing else is
+ * served; no file is read, no name is looked up.
+ */
+#ifndef BORESIGHT_HTTP_SERVER_H
+#define BORESIGHT_HTTP_SERVER_H
+
+#include "command_desk.h"
+#include "exchange.h"
+#include "http_guard.h"
+#include "http_stream.h"
+#include "telemetry.h"
+#include "telemetry_json.h"
+
+#include <civetweb.h>
+#include <stdbool.h>
+#include <stdint.h>
+
+typedef struct {
+    exchange_t *exchange;
+    http_guard_t guard;
+    telemetry_identity_t identity;
+    telemetry_t telemetry;
+    command_desk_t desk;
+    http_stream_t stream;
+} http_server_t;
+
+typedef enum {
+    HTTP_SERVER_STARTED = 0,
+    HTTP_SERVER_PORT_IN_USE = 1,
+    HTTP_SERVER_BAD_ADDRESS = 2, /**< This machine does not have the address. */
+    HTTP_SERVER_FAILED = 3
+} http_server_result_t;
+
+/** Prepares `self`. `exchange` outlives it. */
+void http_server_init(http_server_t *self, exchange_t *exchange, const http_guard_t *guard, const char *box);
+
+/**
+ * Listens on the guard's address, which is the loopback address unless the operator gave another, and serves from
+ * threads of its own. They end with the process: a client can delay an orderly stop, and there is nothing to save.
+ *
+ * @satisfies SWR-HTTP-005
+ */
+http_server_result_t http_server_start(http_server_t *self);
+
+/** Sends the present state to the streams; called at 20 Hz. */
+void http_server_tick(http_server_t *self);
+
+#endif

@@ -1,0 +1,165 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "http_stream.h"
+
+#include "http_reply.h"
+#include "telemetry_json.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#define EVENTS_AT_ONCE 16U
+#define SILENCE_S 1
+
+/* One client and what it has been sent. */
+typedef struct {
+    struct mg_connection *connection;
+    uint32_t frame_number;
+    uint32_t next_event;
+    char frame[HTTP_STREAM_FRAME_SIZE];
+} client_t;
+
+void http_stream_init(http_stream_t *self, const exchange_t *exchange)
+{
+    memset(self, 0, sizeof(*self));
+    self->exchange = exchange;
+    (void)pthread_mutex_init(&self->lock, NULL);
+    pthread_condattr_t attributes;
+    (void)pthread_condattr_init(&attributes);
+    (void)pthread_condattr_setclock(&attributes, CLOCK_MONOTONIC);
+    (void)pthread_cond_init(&self->changed, &attributes);
+}
+
+bool http_stream_is_watched(http_stream_t *self)
+{
+    (void)pthread_mutex_lock(&self->lock);
+    bool is_watched = self->clients > 0U;
+    (void)pthread_mutex_unlock(&self->lock);
+    return is_watched;
+}
+
+bool http_stream_publish(http_stream_t *self, const char *state)
+{
+    (void)pthread_mutex_lock(&self->lock);
+    int size = snprintf(self->frame, sizeof(self->frame), "event: state\ndata: %s\n\n", state);
+    bool is_whole = (size > 0) && ((size_t)size < sizeof(self->frame));
+    if (is_whole) {
+        self->size = (size_t)size;
+        self->number++;
+        (void)pthread_cond_broadcast(&self->changed);
+    }
+    (void)pthread_mutex_unlock(&self->lock);
+    return is_whole;
+}
+
+static bool write_text(const client_t *client, const char *text, size_t size)
+{
+    return mg_write(client->connection, text, size) == (int)size;
+}
+
+/* Waits for a frame the client has not seen, but not for ever. Returns its size, 0 when there was none. */
+static size_t wait_for_frame(http_stream_t *self, client_t *client)
+{
+    struct timespec until;
+    (void)clock_gettime(CLOCK_MONOTONIC, &until);
+    until.tv_sec += SILENCE_S;
+    size_t size = 0U;
+    int result = 0;
+    (void)pthread_mutex_lock(&self->lock);
+    while ((client->frame_number == self->number) && (result == 0)) {
+        result = pthread_cond_timedwait(&self->changed, &self->lock, &until);
+    }
+    if (client->frame_number != self->number) {
+        client->frame_number = self->number;
+        size = self->size;
+        memcpy(client->frame, self->frame, size);
+    }
+    (void)pthread_mutex_unlock(&self->lock);
+    return size;
+}
+
+static bool send_frame(const client_t *client, size_t size)
+{
+    static const char nothing_new[] = ": nothing new\n\n";
+    return (size > 0U) ? write_text(client, client->frame, size)
+                       : write_text(client, nothing_new, sizeof(nothing_new) - 1U);
+}
+
+static bool send_event(const client_t *client, const event_t *event)
+{
+    char json[1024];
+    char message[1100];
+    cJSON *entry = telemetry_json_event(event);
+    bool is_whole = cJSON_PrintPreallocated(entry, json, (int)sizeof(json), 0) != 0;
+    cJSON_Delete(entry);
+    int size = snprintf(message, sizeof(message), "event: log\nid: %u\ndata: %s\n\n", (unsigned)event->number,
+                        is_whole ? json : "{}");
+    return is_whole && write_text(client, message, (size_t)size);
+}
+
+static bool send_events(const http_stream_t *self, client_t *client)
+{
+    event_t events[EVENTS_AT_ONCE];
+    uint32_t lost = 0U;
+    uint32_t count;
+    do {
+        count = exchange_read_events(self->exchange, &client->next_event, events, EVENTS_AT_ONCE, &lost);
+        for (uint32_t i = 0U; i < count; i++) {
+            if (!send_event(client, &events[i])) {
+                return false;
+            }
+        }
+    } while (count == EVENTS_AT_ONCE);
+    return true;
+}
+
+static bool send_hello(client_t *client, const char *hello)
+{
+    int size = snprintf(client->frame, sizeof(client->frame), "event: hello\ndata: %s\n\n", hello);
+    return write_text(client, client->frame, (size_t)size);
+}
+
+static void converse(http_stream_t *self, client_t *client, const char *hello)
+{
+    bool is_there = send_hello(client, hello);
+    while (is_there) {
+        is_there = send_events(self, client) && send_frame(client, wait_for_frame(self, client));
+    }
+}
+
+static bool enter(http_stream_t *self)
+{
+    (void)pthread_mutex_lock(&self->lock);
+    bool is_room = self->clients < HTTP_STREAM_CLIENTS;
+    self->clients += is_room ? 1U : 0U;
+    (void)pthread_mutex_unlock(&self->lock);
+    return is_room;
+}
+
+static void leave(http_stream_t *self)
+{
+    (void)pthread_mutex_lock(&self->lock);
+    self->clients--;
+    (void)pthread_mutex_unlock(&self->lock);
+}
+
+int http_stream_serve(http_stream_t *self, struct mg_connection *connection, const char *hello,
+                      uint32_t next_event)
+{
+    if (!enter(self)) {
+        return http_reply_error(connection, 503, "STREAMS_FULL",
+                                "Too many consoles are open; close one and try again.");
+    }
+    http_reply_t head = {
+        .status = 200, .type = "text/event-stream", .cache = HTTP_REPLY_NO_STORE, .is_stream = true};
+    client_t *client = calloc(1U, sizeof(*client));
+    if ((client != NULL) && (http_reply_send(connection, &head) != 0)) {
+        client->connection = connection;
+        client->next_event = next_event;
+        converse(self, client, hello);
+    }
+    free(client);
+    leave(self);
+    return head.status;
+}

@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Live values as server-sent events. One frame is kept, the newest: each client is served by a thread of its own,
+ * takes whole frames, and misses some when it is slow. A client that takes nothing is dropped; nobody waits for it.
+ */
+#ifndef BORESIGHT_HTTP_STREAM_H
+#define BORESIGHT_HTTP_STREAM_H
+
+#include "exchange.h"
+
+#include <civetweb.h>
+#include <pthread.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#define HTTP_STREAM_CLIENTS 8U /**< Half of the server's threads: the rest answers requests. */
+#define HTTP_STREAM_FRAME_SIZE 32768U
+#define HTTP_STREAM_HISTORY 50U /**< Events sent to a new client. */
+
+typedef struct {
+    const exchange_t *exchange;
+    pthread_mutex_t lock;
+    pthread_cond_t changed;
+    uint32_t clients;
+    uint32_t number; /**< Of the frame; 0: none yet. */
+    size_t size;
+    char frame[HTTP_STREAM_FRAME_SIZE];
+} http_stream_t;
+
+/** Starts without clients. `exchange` outlives `self`. */
+void http_stream_init(http_stream_t *self, const exchange_t *exchange);
+
+/** Whether anybody listens. */
+bool http_stream_is_watched(http_stream_t *self);
+
+/** Hands `state`, JSON on one line, to all clients. False when it is too long; it is then not sent. */
+bool http_stream_publish(http_stream_t *self, const char *state);
+
+/**
+ * Serves one client until it goes away: `hello` (JSON on one line), the last events, then each new state and
+ * event. Refuses the client when there are HTTP_STREAM_CLIENTS already.
+ *
+ * @return the status sent
+ *
+ * @satisfies SWR-HTTP-003
+ */
+int http_stream_serve(http_stream_t *self, struct mg_connection *connection, const char *hello,
+                      uint32_t next_event);
+
+#endif

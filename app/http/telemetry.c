@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "telemetry.h"
+
+#include <string.h>
+#include <time.h>
+
+/* A process that has not beaten for so long is shown as not running. */
+#define SILENCE_MS 3000U
+
+uint64_t telemetry_now_ms(void)
+{
+    struct timespec now;
+    (void)clock_gettime(CLOCK_MONOTONIC, &now);
+    return ((uint64_t)now.tv_sec * 1000U) + ((uint64_t)now.tv_nsec / 1000000U);
+}
+
+void telemetry_init(telemetry_t *self, exchange_t *exchange)
+{
+    memset(self, 0, sizeof(*self));
+    self->exchange = exchange;
+    self->moved_ms = telemetry_now_ms();
+    (void)pthread_mutex_init(&self->lock, NULL);
+    for (uint32_t i = 0U; i < EXCHANGE_PROCESS_COUNT; i++) {
+        self->beats[i] = exchange_beats(exchange, (exchange_process_t)i);
+    }
+}
+
+static void look_at_snapshot(telemetry_t *self, uint64_t now_ms)
+{
+    telemetry_view_t *view = &self->view;
+    snapshot_t snapshot;
+    if (exchange_read_snapshot(self->exchange, &snapshot)) {
+        if (!view->has_snapshot || (snapshot.cycle != view->snapshot.cycle)) {
+            self->moved_ms = now_ms;
+        }
+        view->snapshot = snapshot;
+        view->has_snapshot = true;
+    }
+    (void)exchange_read_loop(self->exchange, &view->loop);
+    view->age_ms = now_ms - self->moved_ms;
+}
+
+static void look_at_beats(telemetry_t *self, uint64_t now_ms)
+{
+    for (uint32_t i = 0U; i < EXCHANGE_PROCESS_COUNT; i++) {
+        uint32_t beats = exchange_beats(self->exchange, (exchange_process_t)i);
+        if (beats != self->beats[i]) {
+            self->beats[i] = beats;
+            self->beaten_ms[i] = now_ms;
+        }
+        self->view.is_running[i] = (self->beaten_ms[i] != 0U) && ((now_ms - self->beaten_ms[i]) < SILENCE_MS);
+    }
+}
+
+void telemetry_look(telemetry_t *self, telemetry_view_t *view)
+{
+    (void)pthread_mutex_lock(&self->lock);
+    uint64_t now_ms = telemetry_now_ms();
+    look_at_snapshot(self, now_ms);
+    look_at_beats(self, now_ms);
+    *view = self->view;
+    (void)pthread_mutex_unlock(&self->lock);
+}

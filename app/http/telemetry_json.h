@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Snapshot, loop figures and events as JSON. Integers become mm and degrees here; the stream sends the same
+ * objects that can be asked for one by one.
+ */
+#ifndef BORESIGHT_TELEMETRY_JSON_H
+#define BORESIGHT_TELEMETRY_JSON_H
+
+#include "telemetry.h"
+
+#include <cjson/cJSON.h>
+#include <stdint.h>
+
+#define TELEMETRY_JSON_BOOT_ID_SIZE 17U
+
+/** What does not change while the server runs. */
+typedef struct {
+    char boot_id[TELEMETRY_JSON_BOOT_ID_SIZE]; /**< Another one for each start of the server. */
+    const char *build_id;                      /**< Of the program. */
+    const char *box;                           /**< Name of the simulated box, NULL for real cards. */
+} telemetry_identity_t;
+
+/** The caller frees each result with cJSON_Delete(); NULL without memory. */
+cJSON *telemetry_json_status(const telemetry_identity_t *identity, const telemetry_view_t *view);
+cJSON *telemetry_json_motors(const telemetry_view_t *view);
+cJSON *telemetry_json_targeting(const telemetry_view_t *view);
+cJSON *telemetry_json_event(const event_t *event);
+
+/** The state message of the stream: status, motors and targeting of one view. */
+cJSON *telemetry_json_state(const telemetry_identity_t *identity, const telemetry_view_t *view);
+
+#endif

@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "telemetry_units.h"
+
+#include <math.h>
+
+#define NM_PER_MM 1.0e6
+#define BAM_PER_DEGREE (4294967296.0 / 360.0)
+#define ONE_Q16 65536.0
+#define ONE_Q30 1073741824.0
+
+/* Rounds to a millionth, so that no digits are sent that mean nothing. */
+static double rounded(double value)
+{
+    return round(value * 1.0e6) / 1.0e6;
+}
+
+static double unit_per_tick(const axis_config_t *axis)
+{
+    double scale = (axis->unit == (uint8_t)AXIS_UNIT_MM) ? NM_PER_MM : BAM_PER_DEGREE;
+    return ((double)axis->unit_per_tick_q16 / ONE_Q16) / scale;
+}
+
+const char *telemetry_units_name(const axis_config_t *axis)
+{
+    return (axis->unit == (uint8_t)AXIS_UNIT_MM) ? "mm" : "deg";
+}
+
+double telemetry_units_position(const axis_config_t *axis, int32_t ticks)
+{
+    return rounded((double)ticks * unit_per_tick(axis));
+}
+
+double telemetry_units_speed(const axis_config_t *axis, int32_t speed_ticks_per_s_q8)
+{
+    return rounded(((double)speed_ticks_per_s_q8 / 256.0) * unit_per_tick(axis));
+}
+
+void telemetry_units_point(const point_t *point, double coordinates[3])
+{
+    coordinates[0] = (double)point->x_nm / NM_PER_MM;
+    coordinates[1] = (double)point->y_nm / NM_PER_MM;
+    coordinates[2] = (double)point->z_nm / NM_PER_MM;
+}
+
+void telemetry_units_matrix(const rigid_t *pose, double matrix[16])
+{
+    double translation[3];
+    telemetry_units_point(&pose->translation, translation);
+    for (int row = 0; row < 3; row++) {
+        for (int column = 0; column < 3; column++) {
+            matrix[(row * 4) + column] = round((double)pose->rotation_q30[row][column] / ONE_Q30 * 1.0e9) / 1.0e9;
+        }
+        matrix[(row * 4) + 3] = translation[row];
+    }
+    for (int column = 0; column < 4; column++) {
+        matrix[12 + column] = (column == 3) ? 1.0 : 0.0;
+    }
+}
+
+double telemetry_units_distance(const rigid_t *a, const rigid_t *b)
+{
+    double x = (double)a->translation.x_nm - (double)b->translation.x_nm;
+    double y = (double)a->translation.y_nm - (double)b->translation.y_nm;
+    double z = (double)a->translation.z_nm - (double)b->translation.z_nm;
+    return rounded(sqrt((x * x) + (y * y) + (z * z)) / NM_PER_MM);
+}

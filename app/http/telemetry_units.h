@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file The border between the core's integers and the mm and degrees that people read. Only for showing. */
+#ifndef BORESIGHT_TELEMETRY_UNITS_H
+#define BORESIGHT_TELEMETRY_UNITS_H
+
+#include "rigid.h"
+#include "robot.h"
+
+#include <stdint.h>
+
+/** "mm" or "deg". */
+const char *telemetry_units_name(const axis_config_t *axis);
+
+/** A position of `axis` in its unit. */
+double telemetry_units_position(const axis_config_t *axis, int32_t ticks);
+
+/** A speed of `axis` in its unit per second. */
+double telemetry_units_speed(const axis_config_t *axis, int32_t speed_ticks_per_s_q8);
+
+/** `pose` as a homogeneous matrix by rows, translation in mm. */
+void telemetry_units_matrix(const rigid_t *pose, double matrix[16]);
+
+/** `point` in mm. */
+void telemetry_units_point(const point_t *point, double coordinates[3]);
+
+/** Distance between the origins of `a` and `b` in mm. */
+double telemetry_units_distance(const rigid_t *a, const rigid_t *b);
+
+#endif

@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file One TCP connection: non-blocking, messages in and out, a dead peer is noticed. */
+#ifndef BORESIGHT_IGTL_CONNECTION_H
+#define BORESIGHT_IGTL_CONNECTION_H
+
+#include "igtl_inbox.h"
+#include "igtl_outbox.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+typedef struct {
+    int descriptor; /**< -1: free. */
+    igtl_inbox_t inbox;
+    igtl_outbox_t outbox;
+} igtl_connection_t;
+
+typedef enum {
+    IGTL_RECEIVED_NOTHING = 0, /**< No more for now. */
+    IGTL_RECEIVED_EVENT = 1,   /**< `event` says what. */
+    IGTL_RECEIVED_END = 2      /**< The peer has closed, or is gone. */
+} igtl_received_t;
+
+/** Not connected. */
+void igtl_connection_init(igtl_connection_t *self);
+
+/** Takes over a connected socket: non-blocking, without delay, with keepalive. */
+void igtl_connection_open(igtl_connection_t *self, int descriptor);
+
+void igtl_connection_close(igtl_connection_t *self);
+
+/** Reads until something can be said of a message. */
+igtl_received_t igtl_connection_receive(igtl_connection_t *self, uint64_t now_us, igtl_inbox_event_t *event);
+
+/**
+ * Sends what the outbox holds, each message in one write, as far as the peer takes it.
+ *
+ * @return false when the peer is gone or so slow that a message found no room
+ *
+ * @satisfies SWR-IGTL-005
+ */
+bool igtl_connection_flush(igtl_connection_t *self);
+
+#endif

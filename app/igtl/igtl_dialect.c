@@ -1,0 +1,104 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "igtl_dialect.h"
+
+#include "igtl_border.h"
+#include "names.h"
+
+#include <stddef.h>
+#include <stdio.h>
+
+uint32_t igtl_reason_code(status_t status)
+{
+    switch (status) {
+    case STATUS_OK:
+        return IGTL_STATUS_OK;
+    case STATUS_UNKNOWN_COMMAND:
+        return IGTL_STATUS_UNKNOWN_INSTRUCTION;
+    case STATUS_BUSY:
+        return IGTL_STATUS_BUSY;
+    case STATUS_EXPIRED:
+    case STATUS_NO_ANSWER:
+        return IGTL_STATUS_TIME_OUT;
+    case STATUS_NOT_FINITE:
+    case STATUS_OUT_OF_RANGE:
+    case STATUS_NOT_RIGID:
+    case STATUS_DEGENERATE_LINE:
+    case STATUS_SINGULAR_PITCH:
+    case STATUS_UNREACHABLE_HEIGHT:
+    case STATUS_AXIS_LIMIT:
+    case STATUS_SEPARATION_LIMIT:
+    case STATUS_CLOSURE:
+        return IGTL_STATUS_CONFIG_ERROR;
+    case STATUS_WRONG_WORKPHASE:
+    case STATUS_NOT_HOMED:
+    case STATUS_NOT_REGISTERED:
+    case STATUS_NO_TARGET:
+    case STATUS_HARDWARE_NOT_READY:
+    case STATUS_FAULT_PRESENT:
+    case STATUS_DISCARDED:
+    default:
+        return IGTL_STATUS_NOT_READY;
+    }
+}
+
+void igtl_reason_text(const robot_t *robot, const answer_t *answer, char text[IGTL_REASON_SIZE])
+{
+    const int32_t status = (int32_t)answer->status;
+    const char *limit = (answer->is_maximum != 0U) ? "upper" : "lower";
+
+    if ((answer->status == (uint32_t)STATUS_AXIS_LIMIT) && (answer->axis < robot->axis_count)) {
+        (void)snprintf(text, IGTL_REASON_SIZE, "%s: %s (%s, %s limit)", status_name(status),
+                       status_text(status), robot->axes[answer->axis].name, limit);
+    } else if (answer->status == (uint32_t)STATUS_SEPARATION_LIMIT) {
+        (void)snprintf(text, IGTL_REASON_SIZE, "%s: %s (%s limit)", status_name(status),
+                       status_text(status), limit);
+    } else {
+        (void)snprintf(text, IGTL_REASON_SIZE, "%s: %s", status_name(status), status_text(status));
+    }
+}
+
+void igtl_tell_status(igtl_outbox_t *outbox, const char *name, const igtl_status_t *status,
+                      const igtl_moment_t *moment)
+{
+    igtl_packet_t packet;
+
+    igtl_encode_status(&packet, name, status, moment->timestamp);
+    igtl_outbox_add(outbox, &packet);
+}
+
+void igtl_tell_refusal(igtl_outbox_t *outbox, const char *name, status_t status,
+                       const igtl_moment_t *moment)
+{
+    char text[IGTL_REASON_SIZE];
+    const igtl_status_t refusal = {igtl_reason_code(status), status_name((int32_t)status), text};
+
+    (void)snprintf(text, sizeof text, "%s: %s", status_name((int32_t)status), status_text((int32_t)status));
+    igtl_tell_status(outbox, name, &refusal, moment);
+}
+
+void igtl_tell_pose(igtl_outbox_t *outbox, const char *name, const rigid_t *pose,
+                    const igtl_moment_t *moment)
+{
+    igtl_packet_t packet;
+    uint32_t numbers[IGTL_TRANSFORM_NUMBERS];
+
+    igtl_border_write_pose(pose, numbers);
+    igtl_encode_transform(&packet, name, numbers, moment->timestamp);
+    igtl_outbox_add(outbox, &packet);
+}
+
+bool igtl_is_moving(const igtl_moment_t *moment)
+{
+    const snapshot_t *snapshot = moment->snapshot;
+
+    if (snapshot == NULL) {
+        return false;
+    }
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        if ((snapshot->axes[i].setpoint_speed_ticks_per_s_q8 != 0) ||
+            (snapshot->axes[i].speed_ticks_per_s_q8 != 0)) {
+            return true;
+        }
+    }
+    return snapshot->next_step == (uint32_t)NEXT_STEP_HOLD_PEDAL;
+}

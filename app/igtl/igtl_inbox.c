@@ -1,0 +1,92 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "igtl_inbox.h"
+
+#include <string.h>
+
+void igtl_inbox_init(igtl_inbox_t *self)
+{
+    (void)memset(self, 0, sizeof *self);
+}
+
+static bool is_skipping(const igtl_inbox_t *self)
+{
+    return (self->filled >= IGTL_HEADER_BYTES) && (self->header.kind == IGTL_KIND_OTHER);
+}
+
+uint32_t igtl_inbox_room(igtl_inbox_t *self, uint8_t **where)
+{
+    uint64_t missing;
+
+    if (self->filled < IGTL_HEADER_BYTES) {
+        *where = &self->buffer[self->filled];
+        return IGTL_HEADER_BYTES - self->filled;
+    }
+    if (is_skipping(self)) {
+        missing = self->header.body_bytes - self->passed;
+        *where = &self->buffer[IGTL_HEADER_BYTES];
+        return (missing < LIMIT_IGTL_BODY_MAX) ? (uint32_t)missing : LIMIT_IGTL_BODY_MAX;
+    }
+    *where = &self->buffer[self->filled];
+    return (IGTL_HEADER_BYTES + (uint32_t)self->header.body_bytes) - self->filled;
+}
+
+static igtl_inbox_event_t finish(igtl_inbox_t *self, igtl_inbox_event_t event)
+{
+    self->filled = 0U;
+    self->passed = 0U;
+    self->passed_crc = 0U;
+    self->is_begun = false;
+    return event;
+}
+
+static igtl_inbox_event_t skip(igtl_inbox_t *self, uint32_t count)
+{
+    self->passed += count;
+    self->passed_crc = igtl_crc64(self->passed_crc, &self->buffer[IGTL_HEADER_BYTES], count);
+    if (self->passed < self->header.body_bytes) {
+        return IGTL_INBOX_WAITING;
+    }
+    if (self->passed_crc != self->header.crc) {
+        self->reason = IGTL_BAD_CRC;
+        return finish(self, IGTL_INBOX_REFUSED);
+    }
+    return finish(self, IGTL_INBOX_SKIPPED);
+}
+
+static igtl_inbox_event_t complete(igtl_inbox_t *self)
+{
+    if (self->filled < (IGTL_HEADER_BYTES + (uint32_t)self->header.body_bytes)) {
+        return IGTL_INBOX_WAITING;
+    }
+    self->reason = igtl_decode_body(&self->header, &self->buffer[IGTL_HEADER_BYTES], &self->message);
+    return finish(self, (self->reason == IGTL_OK) ? IGTL_INBOX_MESSAGE : IGTL_INBOX_REFUSED);
+}
+
+igtl_inbox_event_t igtl_inbox_advance(igtl_inbox_t *self, uint32_t count, uint64_t now_us)
+{
+    const bool was_skipping = is_skipping(self);
+
+    if (!self->is_begun) {
+        self->is_begun = true;
+        self->begun_us = now_us;
+    }
+    if (was_skipping) {
+        return skip(self, count);
+    }
+    self->filled += count;
+    if (self->filled < IGTL_HEADER_BYTES) {
+        return IGTL_INBOX_WAITING;
+    }
+    if (self->filled == IGTL_HEADER_BYTES) {
+        self->reason = igtl_decode_header(self->buffer, &self->header);
+        if (self->reason != IGTL_OK) {
+            return IGTL_INBOX_BROKEN;
+        }
+    }
+    return is_skipping(self) ? skip(self, 0U) : complete(self);
+}
+
+bool igtl_inbox_is_late(const igtl_inbox_t *self, uint64_t now_us)
+{
+    return self->is_begun && ((now_us - self->begun_us) >= LIMIT_IGTL_PARTIAL_TIMEOUT_US);
+}

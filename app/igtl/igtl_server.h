@@ -1,0 +1,79 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * One listening port and its connections. Reads and writes without waiting, hands whole messages to its dialect, drops
+ * who breaks the protocol and leaves everyone else alone.
+ */
+#ifndef BORESIGHT_IGTL_SERVER_H
+#define BORESIGHT_IGTL_SERVER_H
+
+#include "igtl_connection.h"
+#include "igtl_dialect.h"
+
+#include <poll.h>
+#include <stdbool.h>
+#include <stdint.h>
+
+#define IGTL_SERVER_POLLS (IGTL_PEERS + 1U)
+
+/** What a dialect does for a server; `dialect` is its own state. */
+typedef struct {
+    void (*connected)(void *dialect, uint32_t peer, igtl_outbox_t *outbox);
+    void (*disconnected)(void *dialect, uint32_t peer);
+    void (*receive)(void *dialect, uint32_t peer, const igtl_message_t *message, const igtl_moment_t *moment);
+} igtl_dialect_calls_t;
+
+/** Why peers were not served, counted. */
+typedef enum {
+    IGTL_TROUBLE_FULL = 0,     /**< Refused: all connections are taken. */
+    IGTL_TROUBLE_BROKEN = 1,   /**< Dropped: it does not speak the protocol. */
+    IGTL_TROUBLE_LATE = 2,     /**< Dropped: a message stayed incomplete. */
+    IGTL_TROUBLE_SLOW = 3,     /**< Dropped: it does not read what it is sent. */
+    IGTL_TROUBLE_MESSAGE = 4   /**< A message was refused. */
+} igtl_trouble_t;
+
+#define IGTL_TROUBLES 5U
+
+typedef struct {
+    uint64_t count;
+    uint64_t said;        /**< Of these, in the log. */
+    uint64_t next_log_us; /**< Not before this time again. */
+} igtl_trouble_count_t;
+
+typedef struct {
+    const igtl_dialect_calls_t *calls;
+    void *dialect;
+    uint16_t port;
+    int listener;
+    igtl_connection_t connections[IGTL_PEERS];
+    igtl_trouble_count_t troubles[IGTL_TROUBLES];
+} igtl_server_t;
+
+/**
+ * Listens on `address`:`port`.
+ *
+ * @return false with one sentence in `error` and the cause in errno
+ */
+bool igtl_server_open(igtl_server_t *self, const char *address, uint16_t port, char *error, size_t error_size);
+
+/** Closes the port and all connections. */
+void igtl_server_close(igtl_server_t *self);
+
+/** What to wait for. `polls` has room for IGTL_SERVER_POLLS; returns how many were filled. */
+uint32_t igtl_server_polls(const igtl_server_t *self, struct pollfd *polls);
+
+/** Anyone connected. */
+bool igtl_server_has_peers(const igtl_server_t *self);
+
+/**
+ * Accepts, reads, and drops whoever stays in the middle of a message. At most a few messages per connection, so that
+ * nobody is kept waiting by another.
+ *
+ * @satisfies SWR-IGTL-011
+ */
+void igtl_server_receive(igtl_server_t *self, const igtl_moment_t *moment);
+
+/** Sends what the dialect has put into the outboxes. */
+void igtl_server_send(igtl_server_t *self, const igtl_moment_t *moment);
+
+#endif

@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file Turns an answer of the controller into the messages of the workphase protocol. */
+#ifndef BORESIGHT_WORKPHASE_ANSWER_H
+#define BORESIGHT_WORKPHASE_ANSWER_H
+
+#include "command.h"
+#include "igtl_dialect.h"
+#include "igtl_orders.h"
+#include "workphase_dialect.h"
+
+/**
+ * Tells the peer of `order`, who is connected.
+ *
+ * @satisfies SWR-IGTL-007
+ * @satisfies SWR-IGTL-008
+ */
+void workphase_answer_tell(workphase_dialect_t *self, const igtl_order_t *order, const answer_t *answer,
+                           const igtl_moment_t *moment);
+
+#endif

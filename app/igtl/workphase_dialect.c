@@ -1,0 +1,304 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "workphase_dialect.h"
+
+#include "igtl_border.h"
+#include "names.h"
+#include "workphase_answer.h"
+#include "workphase_peer.h"
+#include "workphase_poll.h"
+
+#include <stddef.h>
+#include <string.h>
+
+void workphase_dialect_init(workphase_dialect_t *self, const robot_t *robot, uint32_t first_id)
+{
+    (void)memset(self, 0, sizeof *self);
+    self->robot = robot;
+    self->controller = IGTL_NOBODY;
+    igtl_orders_init(&self->orders, first_id, IGTL_ORDERS);
+}
+
+void workphase_dialect_connected(workphase_dialect_t *self, uint32_t peer, igtl_outbox_t *outbox)
+{
+    (void)memset(&self->peers[peer], 0, sizeof self->peers[peer]);
+    self->peers[peer].outbox = outbox;
+}
+
+static bool is_long(const igtl_order_t *order)
+{
+    return (order->kind == (uint32_t)COMMAND_WORKPHASE) &&
+           ((order->argument == (uint32_t)WORKPHASE_START_UP) ||
+            (order->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET));
+}
+
+void workphase_dialect_disconnected(workphase_dialect_t *self, uint32_t peer)
+{
+    self->peers[peer].outbox = NULL;
+    if (self->controller == peer) {
+        self->controller = IGTL_NOBODY;
+    }
+    for (uint32_t i = 0U; i < IGTL_ORDERS; i++) {
+        igtl_order_t *order = &self->orders.orders[i];
+
+        if ((order->id != 0U) && (order->peer == peer)) {
+            order->peer = IGTL_NOBODY;
+            self->must_stop = self->must_stop || is_long(order);
+        }
+    }
+}
+
+static bool may_command(workphase_dialect_t *self, uint32_t peer)
+{
+    if (self->controller == IGTL_NOBODY) {
+        self->controller = peer;
+    }
+    return self->controller == peer;
+}
+
+static void deny(workphase_peer_t *peer, const char *name, const igtl_moment_t *moment)
+{
+    const igtl_status_t denial = {IGTL_STATUS_ACCESS_DENIED, "ACCESS_DENIED",
+                                  "ACCESS_DENIED: Another connection controls the robot."};
+
+    igtl_tell_status(peer->outbox, name, &denial, moment);
+}
+
+/* The workphase named by a text, WORKPHASE_UNDEFINED for none that can be commanded. */
+static workphase_t phase_of(const igtl_message_t *message)
+{
+    for (uint32_t i = (uint32_t)WORKPHASE_START_UP; i < WORKPHASE_COUNT; i++) {
+        const char *name = workphase_name((int32_t)i);
+
+        if ((strlen(name) == message->text_bytes) && (memcmp(name, message->text, message->text_bytes) == 0)) {
+            return (workphase_t)i;
+        }
+    }
+    return WORKPHASE_UNDEFINED;
+}
+
+static void refuse_text(workphase_peer_t *peer, const igtl_message_t *message, const igtl_moment_t *moment)
+{
+    char name[IGTL_NAME_SIZE] = "";
+    const uint32_t length =
+        (message->text_bytes < (IGTL_NAME_SIZE - 1U)) ? message->text_bytes : (IGTL_NAME_SIZE - 1U);
+
+    (void)memcpy(name, message->text, length);
+    igtl_tell_refusal(peer->outbox, (length > 0U) ? name : message->name, STATUS_UNKNOWN_COMMAND, moment);
+}
+
+static void order_phase(workphase_dialect_t *self, uint32_t peer, workphase_t phase,
+                        const igtl_moment_t *moment)
+{
+    command_t command = {.kind = (uint32_t)COMMAND_WORKPHASE, .argument = (uint32_t)phase};
+    const igtl_order_t *order = igtl_orders_add(&self->orders, peer, &command, moment->now_us);
+
+    if (order == NULL) {
+        igtl_tell_refusal(self->peers[peer].outbox, workphase_name((int32_t)phase), STATUS_BUSY, moment);
+    } else {
+        self->peers[peer].last_order = order->id;
+    }
+}
+
+static void receive_command(workphase_dialect_t *self, uint32_t index, const igtl_message_t *message,
+                            const igtl_moment_t *moment)
+{
+    workphase_peer_t *peer = &self->peers[index];
+    const workphase_t phase = phase_of(message);
+
+    workphase_peer_acknowledge_string(peer, message, moment);
+    if (workphase_peer_is_repeated(peer, message->name)) {
+        return;
+    }
+    if (workphase_poll_string(peer, message, moment)) {
+        return;
+    }
+    workphase_peer_cancel_deferred(peer);
+    if (phase == WORKPHASE_UNDEFINED) {
+        refuse_text(peer, message, moment);
+    } else if ((phase != WORKPHASE_STOP) && (phase != WORKPHASE_EMERGENCY) && !may_command(self, index)) {
+        deny(peer, workphase_name((int32_t)phase), moment);
+    } else {
+        order_phase(self, index, phase, moment);
+    }
+}
+
+static void receive_pose(workphase_dialect_t *self, uint32_t index, const igtl_message_t *message,
+                         const igtl_moment_t *moment)
+{
+    workphase_peer_t *peer = &self->peers[index];
+    const bool is_registration = (strncmp(message->name, "CLB_", 4U) == 0);
+    const char *name = is_registration ? "CALIBRATION" : "TARGET";
+    command_t command = {.kind = (uint32_t)(is_registration ? COMMAND_REGISTRATION : COMMAND_TARGET)};
+    status_t status;
+
+    workphase_peer_cancel_deferred(peer);
+    workphase_peer_acknowledge_transform(peer, message, moment);
+    if (!may_command(self, index)) {
+        deny(peer, name, moment);
+        return;
+    }
+    status = igtl_border_read_pose(message->numbers, &command.pose);
+    if ((status == STATUS_OK) && (igtl_orders_add(&self->orders, index, &command, moment->now_us) == NULL)) {
+        status = STATUS_BUSY;
+    }
+    if (status != STATUS_OK) {
+        igtl_tell_refusal(peer->outbox, name, status, moment);
+    }
+}
+
+static void receive_string(workphase_dialect_t *self, uint32_t index, const igtl_message_t *message,
+                           const igtl_moment_t *moment)
+{
+    workphase_peer_t *peer = &self->peers[index];
+
+    if (strncmp(message->name, "CMD_", 4U) == 0) {
+        receive_command(self, index, message, moment);
+        return;
+    }
+    workphase_peer_send_deferred(peer, moment->now_us, true);
+    if (!workphase_poll_string(peer, message, moment)) {
+        igtl_tell_refusal(peer->outbox, message->name, STATUS_UNKNOWN_COMMAND, moment);
+    }
+}
+
+void workphase_dialect_receive(workphase_dialect_t *self, uint32_t peer, const igtl_message_t *message,
+                               const igtl_moment_t *moment)
+{
+    workphase_peer_t *asker = &self->peers[peer];
+
+    switch (message->kind) {
+    case IGTL_KIND_STRING:
+        receive_string(self, peer, message, moment);
+        break;
+    case IGTL_KIND_TRANSFORM:
+        if ((strncmp(message->name, "CLB_", 4U) == 0) || (strncmp(message->name, "TGT_", 4U) == 0)) {
+            receive_pose(self, peer, message, moment);
+        } else {
+            igtl_tell_refusal(asker->outbox, message->name, STATUS_UNKNOWN_COMMAND, moment);
+        }
+        break;
+    case IGTL_KIND_GET_TRANSFORM:
+        workphase_peer_send_deferred(asker, moment->now_us, true);
+        workphase_poll_transform(asker, message, moment);
+        break;
+    case IGTL_KIND_GET_STATUS:
+        workphase_peer_send_deferred(asker, moment->now_us, true);
+        workphase_poll_status(asker, message, moment);
+        break;
+    case IGTL_KIND_POINT:
+        igtl_tell_refusal(asker->outbox, message->name, STATUS_UNKNOWN_COMMAND, moment);
+        break;
+    case IGTL_KIND_STATUS: /* Peers announce themselves with one. */
+    case IGTL_KIND_OTHER:
+    default:
+        break;
+    }
+}
+
+bool workphase_dialect_answer(workphase_dialect_t *self, const answer_t *answer, const igtl_moment_t *moment)
+{
+    igtl_order_t *order = igtl_orders_find(&self->orders, answer->id);
+
+    if (order == NULL) {
+        return false;
+    }
+    if (order->peer != IGTL_NOBODY) {
+        workphase_answer_tell(self, order, answer, moment);
+    } else if ((answer->status == (uint32_t)STATUS_BUSY) && (order->argument == (uint32_t)WORKPHASE_STOP)) {
+        self->must_stop = true;
+    }
+    order->is_accepted = true;
+    if (answer->is_final != 0U) {
+        igtl_orders_end(order);
+    }
+    return true;
+}
+
+/* Nobody is told: the peer that would be has gone. */
+static void stop_for_lost_peer(workphase_dialect_t *self, uint64_t now_us)
+{
+    command_t stop = {.kind = (uint32_t)COMMAND_WORKPHASE, .argument = (uint32_t)WORKPHASE_STOP};
+
+    if (self->must_stop && (igtl_orders_add(&self->orders, IGTL_NOBODY, &stop, now_us) != NULL)) {
+        self->must_stop = false;
+    }
+}
+
+static bool has_unanswered_phase(const workphase_dialect_t *self, uint32_t peer)
+{
+    for (uint32_t i = 0U; i < IGTL_ORDERS; i++) {
+        const igtl_order_t *order = &self->orders.orders[i];
+
+        if ((order->id != 0U) && (order->peer == peer) && !order->is_accepted &&
+            (order->kind == (uint32_t)COMMAND_WORKPHASE)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Between a command and its answer nothing else is sent. */
+static void stream_position(workphase_dialect_t *self, const igtl_moment_t *moment)
+{
+    if ((moment->now_us < self->next_position_us) || !igtl_is_moving(moment)) {
+        return;
+    }
+    for (uint32_t i = 0U; i < IGTL_ORDERS; i++) {
+        const igtl_order_t *order = &self->orders.orders[i];
+
+        if ((order->id != 0U) && order->is_accepted && (order->peer != IGTL_NOBODY) &&
+            (order->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET) &&
+            !has_unanswered_phase(self, order->peer)) {
+            self->next_position_us = moment->now_us + IGTL_STREAM_US;
+            workphase_peer_tell_position(&self->peers[order->peer], moment);
+        }
+    }
+}
+
+static const char *subject_of(const igtl_order_t *order)
+{
+    switch (order->kind) {
+    case COMMAND_REGISTRATION:
+        return "CALIBRATION";
+    case COMMAND_TARGET:
+        return "TARGET";
+    default:
+        return workphase_name((int32_t)order->argument);
+    }
+}
+
+static void tell_no_answer(workphase_dialect_t *self, const igtl_order_t *order, const igtl_moment_t *moment)
+{
+    if (order->peer != IGTL_NOBODY) {
+        igtl_tell_refusal(self->peers[order->peer].outbox, subject_of(order), STATUS_NO_ANSWER, moment);
+    }
+}
+
+void workphase_dialect_step(workphase_dialect_t *self, const igtl_moment_t *moment)
+{
+    const igtl_order_t *overdue = igtl_orders_overdue(&self->orders, moment->now_us);
+
+    stop_for_lost_peer(self, moment->now_us);
+    while (overdue != NULL) {
+        tell_no_answer(self, overdue, moment);
+        overdue = igtl_orders_overdue(&self->orders, moment->now_us);
+    }
+    for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
+        if (self->peers[i].outbox != NULL) {
+            workphase_peer_send_deferred(&self->peers[i], moment->now_us, false);
+        }
+    }
+    stream_position(self, moment);
+}
+
+void workphase_dialect_control_lost(workphase_dialect_t *self, const igtl_moment_t *moment)
+{
+    for (uint32_t i = 0U; i < IGTL_ORDERS; i++) {
+        igtl_order_t *order = &self->orders.orders[i];
+
+        if ((order->id != 0U) && order->is_accepted) {
+            tell_no_answer(self, order, moment);
+            igtl_orders_end(order);
+        }
+    }
+}

@@ -1,0 +1,118 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "workphase_peer.h"
+
+#include "igtl_border.h"
+#include "limits.h"
+#include "names.h"
+
+#include <string.h>
+
+#define PREFIX_LENGTH 4U /* "CMD_", "CLB_", "TGT_" */
+
+static void acknowledgement_name(const igtl_message_t *message, char name[IGTL_NAME_SIZE])
+{
+    (void)memcpy(name, message->name, IGTL_NAME_SIZE);
+    (void)memcpy(name, "ACK_", PREFIX_LENGTH);
+}
+
+void workphase_peer_acknowledge_string(workphase_peer_t *self, const igtl_message_t *message,
+                                       const igtl_moment_t *moment)
+{
+    igtl_packet_t packet;
+    char name[IGTL_NAME_SIZE];
+    char text[IGTL_TEXT_MAX + 1U];
+    const uint32_t length = (message->text_bytes < IGTL_TEXT_MAX) ? message->text_bytes : IGTL_TEXT_MAX;
+
+    acknowledgement_name(message, name);
+    (void)memcpy(text, message->text, length);
+    text[length] = '\0';
+    igtl_encode_string(&packet, name, text, moment->timestamp);
+    igtl_outbox_add(self->outbox, &packet);
+}
+
+void workphase_peer_acknowledge_transform(workphase_peer_t *self, const igtl_message_t *message,
+                                          const igtl_moment_t *moment)
+{
+    igtl_packet_t packet;
+    char name[IGTL_NAME_SIZE];
+
+    acknowledgement_name(message, name);
+    igtl_encode_transform(&packet, name, message->numbers, moment->timestamp);
+    igtl_outbox_add(self->outbox, &packet);
+}
+
+bool workphase_peer_is_repeated(workphase_peer_t *self, const char name[IGTL_NAME_SIZE])
+{
+    for (uint32_t i = 0U; i < WORKPHASE_IDS; i++) {
+        if (strcmp(self->ids[i], name) == 0) {
+            return true;
+        }
+    }
+    (void)memcpy(self->ids[self->next_id], name, IGTL_NAME_SIZE);
+    self->next_id = (self->next_id + 1U) % WORKPHASE_IDS;
+    return false;
+}
+
+void workphase_peer_defer(workphase_peer_t *self, const igtl_packet_t *packet, uint64_t now_us)
+{
+    if (self->extra_count == WORKPHASE_EXTRAS) {
+        workphase_peer_send_deferred(self, now_us, true);
+    }
+    self->extras[self->extra_count].due_us = now_us + LIMIT_IGTL_EXTRA_DELAY_US;
+    self->extras[self->extra_count].packet = *packet;
+    self->extra_count++;
+}
+
+void workphase_peer_defer_pose(workphase_peer_t *self, const char *name, const rigid_t *pose,
+                               const igtl_moment_t *moment)
+{
+    igtl_packet_t packet;
+    uint32_t numbers[IGTL_TRANSFORM_NUMBERS];
+
+    igtl_border_write_pose(pose, numbers);
+    igtl_encode_transform(&packet, name, numbers, moment->timestamp);
+    workphase_peer_defer(self, &packet, moment->now_us);
+}
+
+void workphase_peer_send_deferred(workphase_peer_t *self, uint64_t now_us, bool all)
+{
+    uint32_t sent = 0U;
+
+    while ((sent < self->extra_count) && (all || (self->extras[sent].due_us <= now_us))) {
+        igtl_outbox_add(self->outbox, &self->extras[sent].packet);
+        sent++;
+    }
+    self->extra_count -= sent;
+    (void)memmove(&self->extras[0], &self->extras[sent], self->extra_count * sizeof self->extras[0]);
+}
+
+void workphase_peer_cancel_deferred(workphase_peer_t *self)
+{
+    self->extra_count = 0U;
+}
+
+void workphase_peer_tell_position(workphase_peer_t *self, const igtl_moment_t *moment)
+{
+    if (moment->snapshot == NULL) {
+        igtl_tell_refusal(self->outbox, "CURRENT_POSITION", STATUS_NO_ANSWER, moment);
+        return;
+    }
+    igtl_tell_pose(self->outbox, "CURRENT_POSITION", &moment->snapshot->scanner_treatment, moment);
+}
+
+void workphase_peer_tell_phase(workphase_peer_t *self, uint32_t code, uint32_t phase, const char *text,
+                               const igtl_moment_t *moment)
+{
+    const igtl_status_t status = {code, workphase_name((int32_t)phase), text};
+
+    igtl_tell_status(self->outbox, "CURRENT_STATUS", &status, moment);
+}
+
+void workphase_peer_tell_flag(workphase_peer_t *self, const char *name, bool value,
+                              const igtl_moment_t *moment)
+{
+    igtl_packet_t packet;
+
+    igtl_encode_string(&packet, name, value ? "1" : "0", moment->timestamp);
+    igtl_outbox_add(self->outbox, &packet);
+}

@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file What a peer of the workphase protocol is told, now or a little later. */
+#ifndef BORESIGHT_WORKPHASE_PEER_H
+#define BORESIGHT_WORKPHASE_PEER_H
+
+#include "igtl_dialect.h"
+#include "workphase_dialect.h"
+
+#include <stdint.h>
+
+/** Acknowledges a STRING: STRING(ACK_x, text as received, cut to what is sent). `message` is named ???_x. */
+void workphase_peer_acknowledge_string(workphase_peer_t *self, const igtl_message_t *message,
+                                       const igtl_moment_t *moment);
+
+/** Acknowledges a TRANSFORM: TRANSFORM(ACK_x, the numbers bit by bit). */
+void workphase_peer_acknowledge_transform(workphase_peer_t *self, const igtl_message_t *message,
+                                          const igtl_moment_t *moment);
+
+/** True when a command of this name is among the last WORKPHASE_IDS; remembers it otherwise. */
+bool workphase_peer_is_repeated(workphase_peer_t *self, const char name[IGTL_NAME_SIZE]);
+
+/** Keeps `packet` for LIMIT_IGTL_EXTRA_DELAY_US. */
+void workphase_peer_defer(workphase_peer_t *self, const igtl_packet_t *packet, uint64_t now_us);
+
+/** Keeps TRANSFORM(`name`, `pose`) for as long. */
+void workphase_peer_defer_pose(workphase_peer_t *self, const char *name, const rigid_t *pose,
+                               const igtl_moment_t *moment);
+
+/** Sends what was deferred and is due; everything when `all`. */
+void workphase_peer_send_deferred(workphase_peer_t *self, uint64_t now_us, bool all);
+
+/** Forgets what was deferred. */
+void workphase_peer_cancel_deferred(workphase_peer_t *self);
+
+/** Sends the needle's pose as TRANSFORM(CURRENT_POSITION), or a STATUS before the first snapshot. */
+void workphase_peer_tell_position(workphase_peer_t *self, const igtl_moment_t *moment);
+
+/** Sends STATUS(CURRENT_STATUS, `code`, error name = present workphase). */
+void workphase_peer_tell_phase(workphase_peer_t *self, uint32_t code, uint32_t phase, const char *text,
+                               const igtl_moment_t *moment);
+
+/** Sends STRING(`name`, "1" or "0"). */
+void workphase_peer_tell_flag(workphase_peer_t *self, const char *name, bool value,
+                              const igtl_moment_t *moment);
+
+#endif

@@ -1,0 +1,153 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "workphase_poll.h"
+
+#include "fixed.h"
+#include "neuro.h"
+#include "workphase_peer.h"
+
+#include <stddef.h>
+#include <string.h>
+
+#define REACHED_NM 100000     /* 0.1 mm */
+#define REACHED_BAM 6835653   /* 10 mrad */
+
+typedef enum {
+    QUESTION_NONE = 0,
+    QUESTION_POSITION = 1,
+    QUESTION_STATUS = 2,
+    QUESTION_ALIGNED = 3,
+    QUESTION_REACHED = 4
+} question_t;
+
+static const char *const question_names[] = {"", "CURRENT_POSITION", "CURRENT_STATUS", "IS_IN_TARGETING_POS",
+                                             "HAS_REACHED_TARGET"};
+
+static question_t question_of(const char *text, size_t length)
+{
+    for (uint32_t i = (uint32_t)QUESTION_POSITION; i <= (uint32_t)QUESTION_REACHED; i++) {
+        if ((strlen(question_names[i]) == length) && (memcmp(question_names[i], text, length) == 0)) {
+            return (question_t)i;
+        }
+    }
+    return QUESTION_NONE;
+}
+
+/* The needle lies along the line of the target; its depth may differ. */
+static bool is_aligned(const snapshot_t *snapshot)
+{
+    const rigid_t *now = &snapshot->scanner_treatment;
+    rigid_t goal = snapshot->scanner_target;
+    int32_t axis_q30[3];
+    int32_t away[3];
+    int64_t along;
+    int32_t distance_nm;
+    int32_t angle_bam;
+
+    for (uint32_t i = 0U; i < 3U; i++) {
+        axis_q30[i] = goal.rotation_q30[i][2];
+    }
+    away[0] = fixed_saturate((int64_t)now->translation.x_nm - goal.translation.x_nm);
+    away[1] = fixed_saturate((int64_t)now->translation.y_nm - goal.translation.y_nm);
+    away[2] = fixed_saturate((int64_t)now->translation.z_nm - goal.translation.z_nm);
+    along = fixed_dot_q30(away, axis_q30);
+    goal.translation.x_nm += fixed_multiply_q30(fixed_saturate(along), axis_q30[0]);
+    goal.translation.y_nm += fixed_multiply_q30(fixed_saturate(along), axis_q30[1]);
+    goal.translation.z_nm += fixed_multiply_q30(fixed_saturate(along), axis_q30[2]);
+    neuro_pose_difference(now, &goal, &distance_nm, &angle_bam);
+    return (distance_nm <= REACHED_NM) && (angle_bam <= REACHED_BAM);
+}
+
+static bool is_reached(const snapshot_t *snapshot)
+{
+    int32_t distance_nm;
+    int32_t angle_bam;
+
+    neuro_pose_difference(&snapshot->scanner_treatment, &snapshot->scanner_target, &distance_nm, &angle_bam);
+    return (distance_nm <= REACHED_NM) && (angle_bam <= REACHED_BAM);
+}
+
+static void tell_aligned(workphase_peer_t *peer, const igtl_moment_t *moment)
+{
+    const snapshot_t *snapshot = moment->snapshot;
+
+    workphase_peer_tell_flag(peer, question_names[QUESTION_ALIGNED],
+                             (snapshot != NULL) && (snapshot->has_target != 0U) && is_aligned(snapshot),
+                             moment);
+}
+
+static void tell_reached(workphase_peer_t *peer, const igtl_moment_t *moment)
+{
+    const snapshot_t *snapshot = moment->snapshot;
+
+    workphase_peer_tell_flag(peer, question_names[QUESTION_REACHED],
+                             (snapshot != NULL) && (snapshot->has_target != 0U) && !igtl_is_moving(moment) &&
+                                 is_reached(snapshot),
+                             moment);
+}
+
+static void tell_phase(workphase_peer_t *peer, const igtl_moment_t *moment)
+{
+    if (moment->snapshot == NULL) {
+        workphase_peer_tell_phase(peer, IGTL_STATUS_CONFIG_ERROR, (uint32_t)WORKPHASE_UNDEFINED,
+                                  "The workphase is not known: control has not started.", moment);
+        return;
+    }
+    workphase_peer_tell_phase(peer, IGTL_STATUS_OK, moment->snapshot->workphase, "", moment);
+}
+
+bool workphase_poll_string(workphase_peer_t *peer, const igtl_message_t *message, const igtl_moment_t *moment)
+{
+    question_t question = question_of(message->text, message->text_bytes);
+
+    if (question == QUESTION_NONE) {
+        question = question_of(message->name, strlen(message->name));
+    }
+    switch (question) {
+    case QUESTION_POSITION:
+        workphase_peer_tell_position(peer, moment);
+        tell_aligned(peer, moment);
+        tell_reached(peer, moment);
+        return true;
+    case QUESTION_STATUS:
+        tell_phase(peer, moment);
+        return true;
+    case QUESTION_ALIGNED:
+        tell_aligned(peer, moment);
+        return true;
+    case QUESTION_REACHED:
+        tell_reached(peer, moment);
+        return true;
+    case QUESTION_NONE:
+    default:
+        return false;
+    }
+}
+
+static void tell_not_found(workphase_peer_t *peer, const char *name, const igtl_moment_t *moment)
+{
+    const igtl_status_t status = {IGTL_STATUS_NOT_FOUND, "NOT_FOUND", "NOT_FOUND: There is nothing of this name."};
+
+    igtl_tell_status(peer->outbox, name, &status, moment);
+}
+
+void workphase_poll_transform(workphase_peer_t *peer, const igtl_message_t *message,
+                              const igtl_moment_t *moment)
+{
+    if ((message->name[0] == '\0') || (strcmp(message->name, "CURRENT_POSITION") == 0)) {
+        workphase_peer_tell_position(peer, moment);
+    } else if ((strcmp(message->name, "TARGET") == 0) && (moment->snapshot != NULL) &&
+               (moment->snapshot->has_target != 0U)) {
+        igtl_tell_pose(peer->outbox, "TARGET", &moment->snapshot->scanner_target, moment);
+    } else {
+        tell_not_found(peer, message->name, moment);
+    }
+}
+
+void workphase_poll_status(workphase_peer_t *peer, const igtl_message_t *message, const igtl_moment_t *moment)
+{
+    if ((message->name[0] == '\0') || (strcmp(message->name, "CURRENT_STATUS") == 0)) {
+        tell_phase(peer, moment);
+    } else {
+        tell_not_found(peer, message->name, moment);
+    }
+}

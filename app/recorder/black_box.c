@@ -1,0 +1,161 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "black_box.h"
+
+#include "black_box_files.h"
+
+#include <errno.h>
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+#define PATH_SIZE 512U
+#define SECOND_US UINT64_C(1000000)
+
+static void request_checkpoint(black_box_t *self, uint64_t now_us)
+{
+    exchange_request_checkpoint(self->exchange);
+    self->requested_us = now_us;
+}
+
+void black_box_open(black_box_t *self, const char *directory, exchange_t *exchange, const recording_header_t *header)
+{
+    (void)memset(self, 0, sizeof(*self));
+    self->directory = directory;
+    self->exchange = exchange;
+    self->header = *header;
+    self->writer.file = -1;
+    request_checkpoint(self, 1U);
+}
+
+static void fail(black_box_t *self, uint64_t now_us)
+{
+    if (!self->is_failing) {
+        (void)fprintf(stderr, "recorder: nothing can be recorded in %s (%s); free some space there.\n",
+                      self->directory, strerror(errno));
+    }
+    self->is_failing = true;
+    self->retry_us = now_us + BLACK_BOX_RETRY_US;
+}
+
+static void begin_file(black_box_t *self, uint64_t now_us)
+{
+    char path[PATH_SIZE];
+
+    if (now_us < self->retry_us) {
+        return;
+    }
+    black_box_remove_oldest(self->directory, BLACK_BOX_FILES, BLACK_BOX_BYTES);
+    self->header.started_us = black_box_utc_us();
+    self->files++;
+    black_box_name(path, sizeof(path), self->directory, self->header.started_us, self->files);
+    if (!recording_writer_open(&self->writer, path, &self->header)) {
+        fail(self, now_us);
+        return;
+    }
+    self->opened_us = now_us;
+    self->flushed_us = now_us;
+}
+
+static void end_file(black_box_t *self, uint64_t now_us)
+{
+    if ((self->writer.file >= 0) && !recording_writer_close(&self->writer)) {
+        fail(self, now_us);
+    }
+}
+
+/* Cycles missing before `record`; 0 for a checkpoint. */
+static uint32_t missing_before(const black_box_t *self, const cycle_record_t *record)
+{
+    return (self->has_cycle && (record->kind == CYCLE_RECORD_CYCLE)) ? (record->cycle - self->next_cycle) : 0U;
+}
+
+/* A new file begins at a checkpoint that was due, and after a loss. */
+static void change_file(black_box_t *self, const cycle_record_t *record, uint32_t missing, uint64_t now_us)
+{
+    const bool is_due = (record->kind == CYCLE_RECORD_CHECKPOINT) &&
+                        ((now_us - self->opened_us) >= BLACK_BOX_FILE_US);
+
+    if ((missing != 0U) || is_due) {
+        end_file(self, now_us);
+    }
+    if (self->writer.file < 0) {
+        begin_file(self, now_us);
+    }
+    if (missing != 0U) {
+        (void)fprintf(stderr, "recorder: %" PRIu32 " cycles were lost before cycle %" PRIu32 ".\n", missing,
+                      record->cycle);
+        request_checkpoint(self, now_us);
+    }
+}
+
+static void store(black_box_t *self, const cycle_record_t *record, uint32_t missing, uint64_t now_us)
+{
+    if (self->writer.file < 0) {
+        self->unwritten++;
+        return;
+    }
+    if (missing != 0U) {
+        recording_writer_note_loss(&self->writer, missing);
+    }
+    const uint64_t waiting = (uint64_t)self->writer.block.records + 1U;
+    if (!recording_writer_append(&self->writer, record)) {
+        self->unwritten += waiting;
+        fail(self, now_us);
+        return;
+    }
+    if (self->is_failing && (self->writer.blocks > 0U)) {
+        (void)fprintf(stderr, "recorder: recording goes on; %" PRIu64 " records are missing.\n", self->unwritten);
+        self->is_failing = false;
+        self->unwritten = 0U;
+        request_checkpoint(self, now_us);
+    }
+}
+
+static void record_one(black_box_t *self, const cycle_record_t *record, uint64_t now_us)
+{
+    const uint32_t missing = missing_before(self, record);
+
+    change_file(self, record, missing, now_us);
+    store(self, record, missing, now_us);
+    if (record->kind == CYCLE_RECORD_CHECKPOINT) {
+        self->requested_us = 0U;
+    } else {
+        self->next_cycle = record->cycle + 1U;
+        self->has_cycle = true;
+    }
+}
+
+/* Waiting records reach the file within a second; a checkpoint is asked for until it comes. */
+static void keep_up(black_box_t *self, uint64_t now_us)
+{
+    if ((self->writer.file >= 0) && ((now_us - self->flushed_us) >= SECOND_US)) {
+        const uint64_t waiting = self->writer.block.records;
+        self->flushed_us = now_us;
+        if (!recording_writer_flush(&self->writer)) {
+            self->unwritten += waiting;
+            fail(self, now_us);
+        }
+    }
+    const bool is_file_old = (self->writer.file >= 0) && ((now_us - self->opened_us) >= BLACK_BOX_FILE_US);
+    const bool is_awaited = (self->requested_us != 0U) && ((now_us - self->requested_us) >= SECOND_US);
+    if (is_awaited || (is_file_old && (self->requested_us == 0U))) {
+        request_checkpoint(self, now_us);
+    }
+}
+
+void black_box_drain(black_box_t *self, uint64_t now_us)
+{
+    const cycle_record_t *record = exchange_peek_cycle(self->exchange);
+
+    for (uint32_t i = 0U; (record != NULL) && (i < EXCHANGE_CYCLES); i++) {
+        record_one(self, record, now_us);
+        exchange_release_cycle(self->exchange);
+        record = exchange_peek_cycle(self->exchange);
+    }
+    keep_up(self, now_us);
+}
+
+void black_box_close(black_box_t *self)
+{
+    end_file(self, 0U);
+}

@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "black_box_files.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+#define PATH_SIZE 512U
+#define DIRECTORY_MODE 0750
+
+uint64_t black_box_utc_us(void)
+{
+    struct timespec now;
+
+    (void)clock_gettime(CLOCK_REALTIME, &now);
+    return ((uint64_t)now.tv_sec * UINT64_C(1000000)) + ((uint64_t)now.tv_nsec / 1000U);
+}
+
+void black_box_name(char *path, size_t size, const char *directory, uint64_t utc_us, uint32_t number)
+{
+    const time_t seconds = (time_t)(utc_us / UINT64_C(1000000));
+    struct tm utc;
+    char stamp[32];
+
+    (void)gmtime_r(&seconds, &utc);
+    (void)strftime(stamp, sizeof(stamp), "%Y%m%dT%H%M%SZ", &utc);
+    (void)snprintf(path, size, "%s/blackbox-%s-%04u.bsr", directory, stamp, (unsigned)number);
+}
+
+static int is_recording(const struct dirent *entry)
+{
+    const size_t length = strlen(entry->d_name);
+
+    return ((strncmp(entry->d_name, "blackbox-", 9U) == 0) && (length > 4U) &&
+            (strcmp(&entry->d_name[length - 4U], ".bsr") == 0))
+               ? 1
+               : 0;
+}
+
+static uint64_t size_of(const char *directory, const char *name)
+{
+    char path[PATH_SIZE];
+    struct stat status;
+
+    (void)snprintf(path, sizeof(path), "%s/%s", directory, name);
+    return (stat(path, &status) == 0) ? (uint64_t)status.st_size : 0U;
+}
+
+void black_box_remove_oldest(const char *directory, uint32_t files, uint64_t bytes)
+{
+    struct dirent **entries = NULL;
+    const int count = scandir(directory, &entries, is_recording, alphasort);
+    uint64_t used = 0U;
+    uint32_t kept = 0U;
+
+    for (int i = count - 1; i >= 0; i--) { /* The newest first. */
+        used += size_of(directory, entries[i]->d_name);
+        kept++;
+        if ((kept >= files) || (used >= bytes)) {
+            char path[PATH_SIZE];
+            (void)snprintf(path, sizeof(path), "%s/%s", directory, entries[i]->d_name);
+            (void)unlink(path);
+        }
+        free(entries[i]);
+    }
+    free(entries);
+}
+
+bool black_box_make_directory(const char *directory)
+{
+    char path[PATH_SIZE];
+
+    (void)snprintf(path, sizeof(path), "%s", directory);
+    for (char *slash = strchr(&path[1], '/'); slash != NULL; slash = strchr(&slash[1], '/')) {
+        *slash = '\0';
+        (void)mkdir(path, DIRECTORY_MODE);
+        *slash = '/';
+    }
+    return (mkdir(path, DIRECTORY_MODE) == 0) || (errno == EEXIST);
+}

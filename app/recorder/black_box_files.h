@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file Names and removal of the black box' files. */
+#ifndef BORESIGHT_BLACK_BOX_FILES_H
+#define BORESIGHT_BLACK_BOX_FILES_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/** UTC in us since 1970. */
+uint64_t black_box_utc_us(void);
+
+/** Writes "DIRECTORY/blackbox-<UTC>-<number>.bsr"; names sort by age. */
+void black_box_name(char *path, size_t size, const char *directory, uint64_t utc_us, uint32_t number);
+
+/** Removes the oldest recordings until fewer than `files`, with fewer than `bytes` together, are left. */
+void black_box_remove_oldest(const char *directory, uint32_t files, uint64_t bytes);
+
+/** Creates `directory` and those above it. False with errno set. */
+bool black_box_make_directory(const char *directory);
+
+#endif

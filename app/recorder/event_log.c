@@ -1,0 +1,125 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "event_log.h"
+
+#include "event_text.h"
+#include "names.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#define BATCH 64U
+#define LINE_SIZE 320U
+#define FILE_MODE 0640
+
+static bool reopen(event_log_t *self)
+{
+    char path[512];
+
+    (void)snprintf(path, sizeof(path), "%s/events.log", self->directory);
+    self->file = open(path, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, FILE_MODE);
+    return self->file >= 0;
+}
+
+void event_log_open(event_log_t *self, const char *directory)
+{
+    (void)memset(self, 0, sizeof(*self));
+    self->directory = directory;
+    if (!reopen(self)) {
+        (void)fprintf(stderr, "recorder: the event log in %s cannot be opened (%s); events are counted only.\n",
+                      directory, strerror(errno));
+    }
+}
+
+static void write_line(event_log_t *self, const char *line)
+{
+    const size_t size = strlen(line);
+
+    if ((self->file >= 0) && (write(self->file, line, size) == (ssize_t)size)) {
+        self->is_dirty = true;
+        if (self->unwritten > 0U) {
+            (void)fprintf(stderr, "recorder: the event log goes on; %u events are missing.\n",
+                          (unsigned)self->unwritten);
+            self->unwritten = 0U;
+        }
+    } else {
+        if ((self->unwritten == 0U) && (self->file >= 0)) {
+            (void)fprintf(stderr, "recorder: the event log in %s cannot be written (%s); free some space there.\n",
+                          self->directory, strerror(errno));
+        }
+        self->unwritten++;
+    }
+}
+
+static void stamp(char *text, size_t size)
+{
+    struct timespec now;
+    struct tm utc;
+    char seconds[24];
+
+    (void)clock_gettime(CLOCK_REALTIME, &now);
+    (void)gmtime_r(&now.tv_sec, &utc);
+    (void)strftime(seconds, sizeof(seconds), "%Y-%m-%dT%H:%M:%S", &utc);
+    (void)snprintf(text, size, "%s.%03ldZ", seconds, now.tv_nsec / 1000000L);
+}
+
+static void write_event(event_log_t *self, const char *when, const event_t *event)
+{
+    char sentence[EVENT_TEXT_SIZE];
+    char subject[EVENT_TEXT_SIZE];
+    char line[LINE_SIZE];
+
+    event_text_sentence(event, sentence, sizeof(sentence));
+    event_text_subject(event, subject, sizeof(subject));
+    (void)snprintf(line, sizeof(line) - 1U, "%s %u cycle=%u %s %s subject=%u value=%d %s", when,
+                   (unsigned)event->number, (unsigned)event->cycle, event_severity_name((int32_t)event->severity),
+                   event_id_name((int32_t)event->id), (unsigned)event->subject, (int)event->value, sentence);
+    (void)strcat(line, "\n");
+    write_line(self, line);
+}
+
+void event_log_drain(event_log_t *self, const exchange_t *exchange)
+{
+    static event_t events[BATCH];
+    uint32_t count;
+
+    do {
+        char when[64];
+        uint32_t lost = 0U;
+        const uint32_t first = self->next;
+        count = exchange_read_events(exchange, &self->next, events, BATCH, &lost);
+        stamp(when, sizeof(when));
+        if (lost > 0U) {
+            char line[LINE_SIZE];
+            (void)snprintf(line, sizeof(line), "%s %u EVENTS_LOST value=%u\n", when, (unsigned)first, (unsigned)lost);
+            write_line(self, line);
+        }
+        for (uint32_t i = 0U; i < count; i++) {
+            write_event(self, when, &events[i]);
+        }
+    } while (count == BATCH);
+}
+
+void event_log_sync(event_log_t *self)
+{
+    if (self->file < 0) {
+        (void)reopen(self);
+    } else if (self->is_dirty) {
+        (void)fdatasync(self->file);
+        self->is_dirty = false;
+    } else {
+        /* Nothing new. */
+    }
+}
+
+void event_log_close(event_log_t *self)
+{
+    event_log_sync(self);
+    if (self->file >= 0) {
+        (void)close(self->file);
+    }
+    self->file = -1;
+}

@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file The event log: one readable line per event, appended to events.log and put on the disk each second. */
+#ifndef BORESIGHT_EVENT_LOG_H
+#define BORESIGHT_EVENT_LOG_H
+
+#include "exchange.h"
+
+#include <stdbool.h>
+
+typedef struct {
+    const char *directory; /**< Lives as long as the log. */
+    int file;              /**< -1: not open; tried again at the next sync. */
+    uint32_t next;         /**< Number of the next event. */
+    uint32_t unwritten;    /**< Events that found no room since the last that did. */
+    bool is_dirty;
+} event_log_t;
+
+/** Opens DIRECTORY/events.log; a failure is said once, in one sentence, on stderr. */
+void event_log_open(event_log_t *self, const char *directory);
+
+/** Writes the events that `exchange` has gained; overwritten ones are named by their number. */
+void event_log_drain(event_log_t *self, const exchange_t *exchange);
+
+/** Puts what was written on the disk. Called each second. */
+void event_log_sync(event_log_t *self);
+
+void event_log_close(event_log_t *self);
+
+#endif

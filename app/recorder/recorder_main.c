@@ -1,0 +1,127 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * boresight-recorder: takes every cycle and every event out of the exchange and keeps them in files. It may die at
+ * any moment; control does not notice.
+ *
+ *     boresight-recorder --exchange NAME --directory DIRECTORY
+ */
+#include "black_box.h"
+#include "black_box_files.h"
+#include "build_id.h"
+#include "controller.h"
+#include "event_log.h"
+#include "robot.h"
+
+#include <errno.h>
+#include <getopt.h>
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+
+#define EXIT_USAGE 2
+#define EXIT_CANNOT_START 3
+#define TICK_NS 50000000L
+#define USAGE "usage: boresight-recorder --exchange NAME --directory DIRECTORY\n"
+
+/* A checkpoint must fit where the exchange carries it. */
+typedef char checkpoint_fits[(sizeof(controller_t) <= sizeof(((cycle_record_t *)0)->body)) ? 1 : -1];
+
+typedef struct {
+    const char *exchange;
+    const char *directory;
+} options_t;
+
+static black_box_t black_box;
+static event_log_t event_log;
+
+static bool read_options(int count, char **arguments, options_t *options)
+{
+    static const struct option known[] = {{"exchange", required_argument, NULL, 'e'},
+                                          {"directory", required_argument, NULL, 'd'},
+                                          {NULL, 0, NULL, 0}};
+    int option = getopt_long(count, arguments, "", known, NULL);
+
+    for (; option != -1; option = getopt_long(count, arguments, "", known, NULL)) {
+        if (option == 'e') {
+            options->exchange = optarg;
+        } else if (option == 'd') {
+            options->directory = optarg;
+        } else {
+            return false;
+        }
+    }
+    return (options->exchange != NULL) && (options->directory != NULL) && (optind == count);
+}
+
+static uint64_t now_us(void)
+{
+    struct timespec now;
+
+    (void)clock_gettime(CLOCK_MONOTONIC, &now);
+    return ((uint64_t)now.tv_sec * UINT64_C(1000000)) + ((uint64_t)now.tv_nsec / 1000U);
+}
+
+static void drain(exchange_t *exchange)
+{
+    black_box_drain(&black_box, now_us());
+    event_log_drain(&event_log, exchange);
+    exchange_beat(exchange, EXCHANGE_RECORDER);
+}
+
+static void record(exchange_t *exchange, const sigset_t *ends)
+{
+    const struct timespec tick = {.tv_sec = 0, .tv_nsec = TICK_NS};
+    uint64_t synced_us = now_us();
+
+    while (sigtimedwait(ends, NULL, &tick) < 0) {
+        drain(exchange);
+        if ((now_us() - synced_us) >= UINT64_C(1000000)) {
+            event_log_sync(&event_log);
+            synced_us = now_us();
+        }
+    }
+    drain(exchange);
+}
+
+int main(int count, char **arguments)
+{
+    options_t options = {NULL, NULL};
+    char error[256] = "";
+    sigset_t ends;
+
+    if (!read_options(count, arguments, &options)) {
+        (void)fputs(USAGE, stderr);
+        return EXIT_USAGE;
+    }
+    (void)sigemptyset(&ends);
+    (void)sigaddset(&ends, SIGTERM);
+    (void)sigaddset(&ends, SIGINT);
+    (void)sigprocmask(SIG_BLOCK, &ends, NULL);
+    (void)signal(SIGXFSZ, SIG_IGN);
+    exchange_t *exchange = exchange_open(options.exchange, error, sizeof(error));
+    if (exchange == NULL) {
+        (void)fprintf(stderr, "recorder: %s\n", error);
+        return EXIT_CANNOT_START;
+    }
+    exchange_protect(exchange);
+    if (!black_box_make_directory(options.directory)) {
+        (void)fprintf(stderr, "recorder: the directory %s cannot be made (%s); choose another with --recordings.\n",
+                      options.directory, strerror(errno));
+        return EXIT_CANNOT_START;
+    }
+    recording_header_t header = {.robot_crc = robot_neuro.crc,
+                                 .inputs_size = sizeof(controller_inputs_t),
+                                 .outputs_size = sizeof(controller_outputs_t),
+                                 .controller_size = sizeof(controller_t)};
+    (void)snprintf(header.build, sizeof(header.build), "%s", BUILD_ID);
+    (void)snprintf(header.robot, sizeof(header.robot), "%s", robot_neuro.name);
+    event_log_open(&event_log, options.directory);
+    black_box_open(&black_box, options.directory, exchange, &header);
+    record(exchange, &ends);
+    black_box_close(&black_box);
+    event_log_close(&event_log);
+    exchange_close(exchange);
+    return 0;
+}

@@ -1,0 +1,104 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * boresight-replay: verifies a recording and executes the controller on it again.
+ *
+ *     boresight-replay FILE
+ *
+ * Exit code 0: every output equal. 1: a difference. 2: damaged, of another layout or robot, or nothing to replay.
+ */
+#include "build_id.h"
+#include "contract.h"
+#include "recording_reader.h"
+#include "replay.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define EXIT_EQUAL 0
+#define EXIT_DIFFERENT 1
+#define EXIT_REFUSED 2
+
+static recording_reader_t reader;
+static replay_t replay;
+static cycle_record_t record;
+
+void contract_broken(const char *module, uint32_t id)
+{
+    (void)printf("Cycle %u breaks contract %s/%u.\n", (unsigned)record.cycle, module, (unsigned)id);
+    (void)fflush(stdout);
+    _Exit(EXIT_DIFFERENT);
+}
+
+/* Says why this build must not replay the recording. */
+static bool check_header(const recording_header_t *header)
+{
+    if (header->robot_crc != robot_neuro.crc) {
+        (void)printf("Recorded with robot %s of CRC %08" PRIX32 ", this build has %s of CRC %08" PRIX32
+                     "; replay it with the build that recorded it, \"%s\".\n",
+                     header->robot, header->robot_crc, robot_neuro.name, robot_neuro.crc, header->build);
+        return false;
+    }
+    if (!recording_reader_fits(&reader, sizeof(controller_t))) {
+        (void)printf("Recorded with inputs of %" PRIu32 ", outputs of %" PRIu32 " and a state of %" PRIu32
+                     " bytes, this build has %zu, %zu and %zu; replay it with the build that recorded it, \"%s\".\n",
+                     header->inputs_size, header->outputs_size, header->controller_size, sizeof(controller_inputs_t),
+                     sizeof(controller_outputs_t), sizeof(controller_t), header->build);
+        return false;
+    }
+    if (strcmp(header->build, BUILD_ID) != 0) {
+        (void)printf("Recorded by build \"%s\", replayed by build \"%s\": a difference may come from that.\n",
+                     header->build, BUILD_ID);
+    }
+    return true;
+}
+
+static bool verify(const char *path)
+{
+    recording_finding_t finding;
+    const recording_verdict_t verdict = recording_reader_open(&reader, path, &finding);
+
+    if (verdict != RECORDING_WHOLE) {
+        (void)printf("%s\n", finding.sentence);
+    }
+    return (verdict == RECORDING_WHOLE) || (verdict == RECORDING_CUT_SHORT);
+}
+
+static int replay_all(void)
+{
+    char difference[256];
+
+    while (recording_reader_next(&reader, &record)) {
+        if (!replay_take(&replay, &robot_neuro, &record)) {
+            replay_difference(&replay, &record, difference, sizeof(difference));
+            (void)printf("%s\n%" PRIu64 " cycles before it were equal.\n", difference, replay.replayed);
+            return EXIT_DIFFERENT;
+        }
+    }
+    if (replay.unreplayed > 0U) {
+        (void)printf("%" PRIu64 " cycles follow no checkpoint (%" PRIu32 " gaps) and were not replayed.\n",
+                     replay.unreplayed, replay.gaps);
+    }
+    if (replay.replayed == 0U) {
+        (void)printf("There is nothing to replay: no cycle follows a checkpoint.\n");
+        return EXIT_REFUSED;
+    }
+    (void)printf("%" PRIu64 " cycles replayed, every output equal\n", replay.replayed);
+    return EXIT_EQUAL;
+}
+
+int main(int count, char **arguments)
+{
+    if (count != 2) {
+        (void)fputs("usage: boresight-replay FILE\n", stderr);
+        return EXIT_REFUSED;
+    }
+    if (!verify(arguments[1])) {
+        return EXIT_REFUSED;
+    }
+    const int code = check_header(&reader.header) ? replay_all() : EXIT_REFUSED;
+    recording_reader_close(&reader);
+    return code;
+}

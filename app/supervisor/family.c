@@ -1,0 +1,186 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "family.h"
+
+#include <errno.h>
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#define SILENT_US UINT64_C(2000000)
+#define STOP_STEP_NS 2000000L
+
+/* Together less than LIMIT_STOP_TIME_US. */
+#define STOP_CLIENTS_US UINT64_C(300000)
+#define STOP_CONTROL_US UINT64_C(400000)
+#define STOP_RECORDER_US UINT64_C(700000)
+#define STOP_BOX_US UINT64_C(300000)
+
+uint64_t family_now_us(void)
+{
+    struct timespec now;
+
+    (void)clock_gettime(CLOCK_MONOTONIC, &now);
+    return ((uint64_t)now.tv_sec * UINT64_C(1000000)) + ((uint64_t)now.tv_nsec / 1000U);
+}
+
+static bool init_member(family_t *self, member_t member, const char *name, const options_t *options, char *error,
+                        uint32_t error_size)
+{
+    child_t *child = &self->members[member];
+
+    child->name = name;
+    child->may_restart = (member != MEMBER_BOX) && (member != MEMBER_CONTROL);
+    (void)snprintf(child->path, sizeof(child->path), "%s/boresight-%s", options->programs, name);
+    if (access(child->path, X_OK) != 0) {
+        (void)snprintf(error, error_size, "The program %s is missing (%s); build it with make.", child->path,
+                       strerror(errno));
+        return false;
+    }
+    return true;
+}
+
+static void set_arguments(child_t *child, const char *const arguments[CHILD_ARGUMENTS])
+{
+    (void)memcpy(child->arguments, arguments, sizeof(child->arguments));
+}
+
+bool family_init(family_t *self, const options_t *options, int output, int errors, char *error, uint32_t error_size)
+{
+    static const char *const names[FAMILY_SIZE] = {"box", "control", "recorder", "igtl", "http"};
+
+    (void)memset(self, 0, sizeof(*self));
+    self->output = output;
+    self->errors = errors;
+    (void)snprintf(self->box, sizeof(self->box), "%s-box", options->instance);
+    for (uint32_t i = 0U; i < FAMILY_SIZE; i++) {
+        if (!init_member(self, (member_t)i, names[i], options, error, error_size)) {
+            return false;
+        }
+    }
+    const char *const box[CHILD_ARGUMENTS] = {"--name", self->box};
+    const char *const control[CHILD_ARGUMENTS] = {"--exchange", options->instance, "--box", self->box};
+    const char *const recorder[CHILD_ARGUMENTS] = {"--exchange", options->instance, "--directory",
+                                                   options->recordings};
+    const char *const igtl[CHILD_ARGUMENTS] = {"--exchange",  options->instance,  "--brp-port", options->brp_port,
+                                               "--igtl-port", options->igtl_port, "--bind",     options->bind};
+    const char *const http[CHILD_ARGUMENTS] = {"--exchange", options->instance, "--port", options->http_port,
+                                               "--bind",     options->bind,     "--box",  self->box};
+    set_arguments(&self->members[MEMBER_BOX], box);
+    set_arguments(&self->members[MEMBER_CONTROL], control);
+    set_arguments(&self->members[MEMBER_RECORDER], recorder);
+    set_arguments(&self->members[MEMBER_IGTL], igtl);
+    set_arguments(&self->members[MEMBER_HTTP], http);
+    return true;
+}
+
+bool family_start(family_t *self, member_t member, char *error, uint32_t error_size)
+{
+    child_t *child = &self->members[member];
+    const bool is_started = child_start(child, self->output, self->errors, family_now_us());
+
+    if (!is_started) {
+        (void)snprintf(error, error_size, "%s cannot be started (%s); end other programs.", child->name,
+                       strerror(errno));
+    }
+    return is_started;
+}
+
+int family_reap(family_t *self)
+{
+    for (uint32_t i = 0U; i < FAMILY_SIZE; i++) {
+        child_t *child = &self->members[i];
+        int status = 0;
+        if ((child->pid != 0) && (waitpid(child->pid, &status, WNOHANG) == child->pid)) {
+            child_ended(child, status, family_now_us());
+            return (int)i;
+        }
+    }
+    return -1;
+}
+
+void family_restart(family_t *self)
+{
+    const uint64_t now_us = family_now_us();
+
+    for (uint32_t i = 0U; i < FAMILY_SIZE; i++) {
+        child_t *child = &self->members[i];
+        const bool is_due = (child->pid == 0) && (child->restart_us != 0U) && (now_us >= child->restart_us);
+        if (is_due && !child_start(child, self->output, self->errors, now_us)) {
+            child->restart_us = now_us + CHILD_BACKOFF_MOST_US;
+        }
+    }
+}
+
+bool family_is_silent(family_t *self, const exchange_t *exchange, member_t member)
+{
+    static const exchange_process_t processes[FAMILY_SIZE] = {
+        [MEMBER_CONTROL] = EXCHANGE_CONTROL,
+        [MEMBER_RECORDER] = EXCHANGE_RECORDER,
+        [MEMBER_IGTL] = EXCHANGE_IGTL,
+        [MEMBER_HTTP] = EXCHANGE_HTTP,
+    };
+    child_t *child = &self->members[member];
+
+    if (member == MEMBER_BOX) {
+        return false; /* Does not live in the exchange. */
+    }
+    const uint32_t beats = exchange_beats(exchange, processes[member]);
+    if (beats != child->beats) {
+        child->beats = beats;
+        child->beaten_us = family_now_us();
+    }
+    return (family_now_us() - child->beaten_us) >= SILENT_US;
+}
+
+static bool is_running(family_t *self, const member_t *members, uint32_t count)
+{
+    bool is_one_running = false;
+
+    while (family_reap(self) >= 0) {
+    }
+    for (uint32_t i = 0U; i < count; i++) {
+        is_one_running = is_one_running || (self->members[members[i]].pid != 0);
+    }
+    return is_one_running;
+}
+
+static void send(const family_t *self, const member_t *members, uint32_t count, int signal_number)
+{
+    for (uint32_t i = 0U; i < count; i++) {
+        if (self->members[members[i]].pid != 0) {
+            (void)kill(self->members[members[i]].pid, signal_number);
+        }
+    }
+}
+
+static void stop(family_t *self, const member_t *members, uint32_t count, uint64_t timeout_us)
+{
+    const struct timespec step = {.tv_sec = 0, .tv_nsec = STOP_STEP_NS};
+    const uint64_t end_us = family_now_us() + timeout_us;
+
+    send(self, members, count, SIGTERM);
+    send(self, members, count, SIGCONT); /* A stopped one would not hear. */
+    while (is_running(self, members, count) && (family_now_us() < end_us)) {
+        (void)nanosleep(&step, NULL);
+    }
+    send(self, members, count, SIGKILL);
+    while (is_running(self, members, count)) {
+        (void)nanosleep(&step, NULL);
+    }
+}
+
+void family_stop(family_t *self)
+{
+    static const member_t clients[] = {MEMBER_IGTL, MEMBER_HTTP};
+    static const member_t control[] = {MEMBER_CONTROL};
+    static const member_t recorder[] = {MEMBER_RECORDER};
+    static const member_t box[] = {MEMBER_BOX};
+
+    stop(self, clients, 2U, STOP_CLIENTS_US);
+    stop(self, control, 1U, STOP_CONTROL_US);
+    stop(self, recorder, 1U, STOP_RECORDER_US);
+    stop(self, box, 1U, STOP_BOX_US);
+}

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file What the supervisor was asked for: command line first, then environment, then defaults. */
+#ifndef BORESIGHT_OPTIONS_H
+#define BORESIGHT_OPTIONS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#define OPTIONS_PATH_SIZE 512U
+
+typedef struct {
+    const char *http_port; /**< --http-port, HTTP_PORT. */
+    const char *igtl_port; /**< --igtl-port, IGTL_PORT: bare transforms, joints and poses. */
+    const char *brp_port;  /**< --brp-port, BRP_PORT: the workphase protocol. */
+    const char *bind;      /**< --bind: IPv4 address of this machine. */
+    const char *robot;     /**< --robot, ROBOT. */
+    const char *instance;  /**< --instance: name of everything this instance creates. */
+    char recordings[OPTIONS_PATH_SIZE]; /**< --recordings. */
+    char programs[OPTIONS_PATH_SIZE];   /**< Directory of this program and the others. */
+} options_t;
+
+/** Says what may be given. */
+const char *options_usage(void);
+
+/** Reads options. False, with a sentence in `error`, when one of them is unknown or wrong. */
+bool options_read(options_t *self, int count, char **arguments, char *error, uint32_t error_size);
+
+#endif

@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * What the operator sees: lines, and below them one line of status that is rewritten in place on a terminal and
+ * repeated every five seconds elsewhere. The programs' own lines come in through pipes and stand above it.
+ */
+#ifndef BORESIGHT_SCREEN_H
+#define BORESIGHT_SCREEN_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#define SCREEN_LINE_SIZE 512U
+
+typedef struct {
+    int output[2];       /**< Pipe of the programs' standard output: only looked at for "ready". */
+    int errors[2];       /**< Pipe of their standard error: shown. */
+    bool is_terminal;
+    bool is_box_ready;   /**< The box said so. */
+    uint64_t shown_us;   /**< When the status was last written. */
+    char status[SCREEN_LINE_SIZE]; /**< On the terminal now; "" when none. */
+} screen_t;
+
+/** Makes the pipes. False with errno set. */
+bool screen_open(screen_t *self);
+
+/** Shows one line. */
+void screen_say(screen_t *self, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/** Shows what the programs have said. Never waits. */
+void screen_relay(screen_t *self);
+
+/** Shows the status line. @satisfies SWR-SUP-004 */
+void screen_show_status(screen_t *self, const char *status, uint64_t now_us);
+
+/** Takes the status line away before the last lines. */
+void screen_end_status(screen_t *self);
+
+#endif

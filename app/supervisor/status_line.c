@@ -1,0 +1,135 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "status_line.h"
+
+#include "card_link_chart.h"
+#include "estop_latch_chart.h"
+#include "names.h"
+#include "pedal_gate_chart.h"
+#include "permit.h"
+#include "robot.h"
+
+#include <ctype.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Appends as much as fits. */
+static void add(char *text, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
+
+static void add(char *text, size_t size, const char *format, ...)
+{
+    const size_t used = strlen(text);
+    va_list arguments;
+
+    va_start(arguments, format);
+    (void)vsnprintf(&text[used], size - used, format, arguments);
+    va_end(arguments);
+}
+
+static const char *pedal_word(uint32_t state)
+{
+    switch (state) {
+    case PEDAL_GATE_STATE_UNPROVEN:
+        return "unproven";
+    case PEDAL_GATE_STATE_RELEASED:
+        return "released";
+    case PEDAL_GATE_STATE_CLOSING:
+        return "closing";
+    case PEDAL_GATE_STATE_PRESSED:
+        return "pressed";
+    case PEDAL_GATE_STATE_OPENING:
+        return "opening";
+    default:
+        return "FAULT";
+    }
+}
+
+static const char *estop_word(uint32_t state)
+{
+    switch (state) {
+    case ESTOP_LATCH_STATE_CLEAR:
+        return "clear";
+    case ESTOP_LATCH_STATE_PULLED:
+        return "PULLED";
+    default:
+        return "latched";
+    }
+}
+
+/* The reason to be told first, of all axes; PERMIT_REASON_COUNT when every axis may be driven. */
+static uint32_t first_reason(const snapshot_t *snapshot)
+{
+    uint32_t reasons = 0U;
+    uint32_t reason = 0U;
+
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        reasons |= snapshot->axes[i].permit_reasons;
+    }
+    while ((reason < PERMIT_REASON_COUNT) && ((reasons & (1U << reason)) == 0U)) {
+        reason++;
+    }
+    return reason;
+}
+
+static void add_permit(char *text, size_t size, const snapshot_t *snapshot)
+{
+    const uint32_t reason = first_reason(snapshot);
+
+    if (reason == PERMIT_REASON_COUNT) {
+        add(text, size, " | motion permitted");
+        return;
+    }
+    const char *name = permit_reason_name((int32_t)reason);
+    add(text, size, " | no motion: ");
+    for (size_t i = 0U; name[i] != '\0'; i++) {
+        add(text, size, "%c", (name[i] == '_') ? ' ' : tolower((unsigned char)name[i]));
+    }
+}
+
+static uint32_t live_links(const snapshot_t *snapshot)
+{
+    uint32_t live = 0U;
+
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
+        live += (snapshot->cards[robot_neuro.axes[i].slot].link == CARD_LINK_STATE_LIVE) ? 1U : 0U;
+    }
+    return live;
+}
+
+static void add_programs(char *text, size_t size, const exchange_t *exchange, family_t *family)
+{
+    add(text, size, " |");
+    for (uint32_t i = 0U; i < FAMILY_SIZE; i++) {
+        const child_t *child = &family->members[i];
+        const bool is_silent = family_is_silent(family, exchange, (member_t)i);
+        const char *word = "ok";
+        if (child->pid == 0) {
+            word = "RESTARTING";
+        } else if (is_silent) {
+            word = "SILENT";
+        } else {
+            /* Runs and beats. */
+        }
+        add(text, size, " %s %s", child->name, word);
+    }
+}
+
+void status_line_write(char *text, size_t size, const exchange_t *exchange, family_t *family)
+{
+    snapshot_t snapshot;
+    loop_figures_t loop;
+
+    text[0] = '\0';
+    if (exchange_read_snapshot(exchange, &snapshot)) {
+        add(text, size, "%s | pedal %s | e-stop %s", workphase_name((int32_t)snapshot.workphase),
+            pedal_word(snapshot.pedal), estop_word(snapshot.estop));
+        add_permit(text, size, &snapshot);
+        add(text, size, " | links %u/%u", (unsigned)live_links(&snapshot), (unsigned)robot_neuro.axis_count);
+    } else {
+        add(text, size, "starting");
+    }
+    if (exchange_read_loop(exchange, &loop)) {
+        add(text, size, " | loop p99 %u us, worst %u us", (unsigned)loop.wake_p99_us, (unsigned)loop.wake_worst_us);
+    }
+    add_programs(text, size, exchange, family);
+}

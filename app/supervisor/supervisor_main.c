@@ -1,0 +1,277 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * boresight: starts the five programs, keeps those that may fail alive, and stops all in order.
+ *
+ * Exit code 0: stopped as asked. 2: wrong options. 3: could not start. 4: control or the box ended by itself.
+ */
+#include "black_box_files.h"
+#include "family.h"
+#include "options.h"
+#include "ports.h"
+#include "screen.h"
+#include "status_line.h"
+
+#include <errno.h>
+#include <poll.h>
+#include <sched.h>
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/signalfd.h>
+#include <unistd.h>
+
+#define EXIT_STOPPED 0
+#define EXIT_USAGE 2
+#define EXIT_CANNOT_START 3
+#define EXIT_LOST 4
+#define RUNNING (-1)
+#define TICK_MS 200
+#define START_TIMEOUT_US UINT64_C(5000000)
+#define ERROR_SIZE 1024U
+
+static options_t options;
+static screen_t screen;
+static family_t family;
+static exchange_t *exchange;
+static int signals;
+static char error[ERROR_SIZE];
+
+/* Leaves the last core to control, which takes it for itself; the programs inherit this. */
+static void leave_a_core(void)
+{
+    const long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    cpu_set_t set;
+
+    if ((cores > 1) && (sched_getaffinity(0, sizeof(set), &set) == 0)) {
+        CPU_CLR((size_t)cores - 1U, &set);
+        (void)sched_setaffinity(0, sizeof(set), &set);
+    }
+}
+
+static bool catch_signals(void)
+{
+    sigset_t set;
+
+    (void)sigemptyset(&set);
+    (void)sigaddset(&set, SIGINT);
+    (void)sigaddset(&set, SIGTERM);
+    (void)sigaddset(&set, SIGHUP);
+    (void)sigaddset(&set, SIGCHLD);
+    (void)sigprocmask(SIG_BLOCK, &set, NULL);
+    (void)signal(SIGPIPE, SIG_IGN);
+    signals = signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK);
+    return signals >= 0;
+}
+
+/* Waits for a signal, a line or the next tick. True when asked to stop. */
+static bool wait_for_news(int timeout_ms)
+{
+    struct pollfd sources[3] = {{.fd = signals, .events = POLLIN},
+                                {.fd = screen.output[0], .events = POLLIN},
+                                {.fd = screen.errors[0], .events = POLLIN}};
+    struct signalfd_siginfo news;
+    bool is_asked = false;
+
+    (void)poll(sources, 3U, timeout_ms);
+    while (read(signals, &news, sizeof(news)) == (ssize_t)sizeof(news)) {
+        is_asked = is_asked || (news.ssi_signo != (uint32_t)SIGCHLD);
+    }
+    screen_relay(&screen);
+    return is_asked;
+}
+
+/* Says so when a member ended while starting. */
+static bool has_lost_one(void)
+{
+    char how[64];
+    const int lost = family_reap(&family);
+
+    if (lost < 0) {
+        return false;
+    }
+    child_describe_end(&family.members[lost], how, sizeof(how));
+    screen_relay(&screen);
+    screen_say(&screen, "Boresight did not start: %s ended (%s); the line above says what to do.",
+               family.members[lost].name, how);
+    return true;
+}
+
+static bool is_box_ready(void)
+{
+    return screen.is_box_ready;
+}
+
+static bool is_control_running(void)
+{
+    snapshot_t snapshot;
+
+    return exchange_read_snapshot(exchange, &snapshot);
+}
+
+static bool are_clients_running(void)
+{
+    return (exchange_beats(exchange, EXCHANGE_RECORDER) > 0U) && (exchange_beats(exchange, EXCHANGE_IGTL) > 0U) &&
+           (exchange_beats(exchange, EXCHANGE_HTTP) > 0U);
+}
+
+/* RUNNING once `is_ready`; otherwise the exit code. */
+static int await(bool (*is_ready)(void), const char *who)
+{
+    const uint64_t end_us = family_now_us() + START_TIMEOUT_US;
+
+    while (!is_ready()) {
+        if (wait_for_news(20)) {
+            return EXIT_STOPPED;
+        }
+        if (has_lost_one()) {
+            return EXIT_CANNOT_START;
+        }
+        if (family_now_us() >= end_us) {
+            screen_say(&screen, "Boresight did not start: %s gave no sign of life in %u s; end other programs.", who,
+                       (unsigned)(START_TIMEOUT_US / UINT64_C(1000000)));
+            return EXIT_CANNOT_START;
+        }
+    }
+    return RUNNING;
+}
+
+static int start_one(member_t member)
+{
+    if (!family_start(&family, member, error, sizeof(error))) {
+        screen_say(&screen, "Boresight did not start: %s", error);
+        return EXIT_CANNOT_START;
+    }
+    return RUNNING;
+}
+
+static int start_all(void)
+{
+    int result = start_one(MEMBER_BOX);
+
+    result = (result == RUNNING) ? await(is_box_ready, "the control box") : result;
+    result = (result == RUNNING) ? start_one(MEMBER_CONTROL) : result;
+    result = (result == RUNNING) ? await(is_control_running, "control") : result;
+    result = (result == RUNNING) ? start_one(MEMBER_RECORDER) : result;
+    result = (result == RUNNING) ? start_one(MEMBER_IGTL) : result;
+    result = (result == RUNNING) ? start_one(MEMBER_HTTP) : result;
+    return (result == RUNNING) ? await(are_clients_running, "recorder, igtl or http") : result;
+}
+
+static void say_where(void)
+{
+    const bool is_default = strcmp(options.instance, "boresight") == 0;
+
+    screen_say(&screen, "Console:     http://%s:%s/", options.bind, options.http_port);
+    screen_say(&screen, "OpenIGTLink: workphases %s:%s, transforms %s:%s", options.bind, options.brp_port,
+               options.bind, options.igtl_port);
+    screen_say(&screen, "Recordings:  %s", options.recordings);
+    screen_say(&screen, "Pedal:       %s/boresight-simctl%s%s pedal press (or release)", options.programs,
+               is_default ? "" : " --name ", is_default ? "" : family.box);
+    screen_say(&screen, "Stop:        Ctrl-C");
+}
+
+/* What follows from the end of a member: RUNNING or the exit code. */
+static int judge_end(const child_t *child)
+{
+    char how[64];
+
+    child_describe_end(child, how, sizeof(how));
+    screen_relay(&screen);
+    if (!child->may_restart) {
+        screen_say(&screen, "%s ended (%s): the cards have stopped the motors, everything stops. Find the cause, then "
+                            "start boresight again.", child->name, how);
+        return EXIT_LOST;
+    }
+    screen_say(&screen, "%s ended (%s); motion is not affected, it starts again in %u ms.", child->name, how,
+               (unsigned)(child->backoff_us / 1000U));
+    return RUNNING;
+}
+
+/* Time until something is due, at most one tick. */
+static int next_tick_ms(void)
+{
+    const uint64_t now_us = family_now_us();
+    uint64_t wait_us = (uint64_t)TICK_MS * 1000U;
+
+    for (uint32_t i = 0U; i < FAMILY_SIZE; i++) {
+        const child_t *child = &family.members[i];
+        if ((child->pid == 0) && (child->restart_us > now_us) && ((child->restart_us - now_us) < wait_us)) {
+            wait_us = child->restart_us - now_us;
+        }
+    }
+    return (int)(wait_us / 1000U) + 1;
+}
+
+static int supervise(void)
+{
+    char line[SCREEN_LINE_SIZE];
+    int result = RUNNING;
+
+    while (result == RUNNING) {
+        status_line_write(line, sizeof(line), exchange, &family);
+        screen_show_status(&screen, line, family_now_us());
+        exchange_beat(exchange, EXCHANGE_SUPERVISOR);
+        if (wait_for_news(next_tick_ms())) {
+            return EXIT_STOPPED;
+        }
+        for (int ended = family_reap(&family); (ended >= 0) && (result == RUNNING); ended = family_reap(&family)) {
+            result = judge_end(&family.members[ended]);
+        }
+        family_restart(&family);
+    }
+    return result;
+}
+
+/* Everything that can go wrong before the first program runs. */
+static bool prepare(void)
+{
+    if (!screen_open(&screen) || !catch_signals()) {
+        (void)snprintf(error, sizeof(error), "No pipe can be made (%s); end other programs.", strerror(errno));
+        return false;
+    }
+    if (!black_box_make_directory(options.recordings) || (access(options.recordings, W_OK) != 0)) {
+        (void)snprintf(error, sizeof(error), "Nothing can be recorded in %s (%s); choose another with --recordings.",
+                       options.recordings, strerror(errno));
+        return false;
+    }
+    if (!family_init(&family, &options, screen.output[1], screen.errors[1], error, sizeof(error)) ||
+        !ports_check(&options, error, sizeof(error))) {
+        return false;
+    }
+    exchange = exchange_create(options.instance, error, sizeof(error));
+    return exchange != NULL;
+}
+
+static int run(void)
+{
+    leave_a_core();
+    int result = start_all();
+    if (result == RUNNING) {
+        say_where();
+        result = supervise();
+    }
+    screen_end_status(&screen);
+    family_stop(&family);
+    screen_relay(&screen);
+    exchange_close(exchange);
+    screen_say(&screen, (result == EXIT_CANNOT_START) ? "Nothing is left running." : "Boresight has stopped.");
+    return result;
+}
+
+int main(int count, char **arguments)
+{
+    if ((count == 2) && (strcmp(arguments[1], "--help") == 0)) {
+        (void)fputs(options_usage(), stdout);
+        return EXIT_STOPPED;
+    }
+    if (!options_read(&options, count, arguments, error, sizeof(error))) {
+        (void)fprintf(stderr, "Boresight did not start: %s\n", error);
+        return EXIT_USAGE;
+    }
+    if (!prepare()) {
+        (void)fprintf(stderr, "Boresight did not start: %s\n", error);
+        return EXIT_CANNOT_START;
+    }
+    return run();
+}

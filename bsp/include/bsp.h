@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Board support: everything the control process may ask of the box around it. One implementation is linked per
+ * board: bsp/sim (the simulated control box, another process).
+ */
+#ifndef BORESIGHT_BSP_H
+#define BORESIGHT_BSP_H
+
+#include "card_frame.h"
+#include "robot.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/** Levels of the digital inputs, sampled once per cycle. */
+typedef struct {
+    bool pedal_a;        /**< Channel A is closed (pressed). */
+    bool pedal_b;
+    bool estop_open;     /**< The e-stop chain is open (pulled). */
+    bool scanner_active; /**< The scanner acquires. */
+} bsp_inputs_t;
+
+/**
+ * Opens the board. `error` receives one sentence that says what to do.
+ *
+ * @return false when the board is not there
+ */
+bool bsp_open(const char *name, char *error, uint32_t error_size);
+
+/**
+ * Exchanges all frames at once, full duplex, and returns after at most `timeout_us`. Bit n of `send` selects slot n.
+ *
+ * @return bit n set: `received[n]` holds the 256 bytes that came back from slot n
+ */
+uint32_t bsp_exchange(uint32_t send, const uint8_t frames[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES],
+                      uint8_t received[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES], uint32_t timeout_us);
+
+/** Samples the digital inputs. When the board does not answer: pedal released, e-stop open. */
+bsp_inputs_t bsp_sample_inputs(void);
+
+/** Closes the board. */
+void bsp_close(void);
+
+#endif

@@ -1,0 +1,144 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "box.h"
+
+#include <string.h>
+
+#define NEAR_WRAP_AXIS 1U
+#define NEAR_WRAP_READING (INT32_MAX - 100)
+#define CORRUPT_BYTE 40U
+
+/* Where the NeuroRobot stands when it is switched on. */
+static const int32_t start_ticks[ROBOT_AXIS_COUNT] = {-1575, 0, -1181, 3333, 0, 100, -300};
+
+static double start_position(const axis_config_t *config, uint32_t index)
+{
+    int32_t position = start_ticks[index];
+
+    if (position < config->minimum_ticks) {
+        position = config->minimum_ticks;
+    }
+    if (position > config->maximum_ticks) {
+        position = config->maximum_ticks;
+    }
+    return position;
+}
+
+static void init_axis(box_axis_t *self, const axis_config_t *config, uint32_t index, sim_random_t *random)
+{
+    const double position = start_position(config, index);
+    const int32_t reading =
+        (index == NEAR_WRAP_AXIS) ? NEAR_WRAP_READING : 1000 * ((int32_t)config->slot + 1);
+
+    self->config = config;
+    self->card_fault = BOX_CARD_NORMAL;
+    sim_motor_init(&self->motor, config, position, sim_random_signed(random) * SIM_MOTOR_ASYMMETRY);
+    sim_encoder_init(&self->encoder, config, position, reading, sim_random_next(random));
+    sim_switch_init(&self->limit_switch, config, position, sim_random_next(random));
+    sim_card_init(&self->card, config, &self->encoder, self->limit_switch.is_active, 0U);
+}
+
+void box_init(box_t *self, const robot_t *robot, uint32_t seed)
+{
+    (void)memset(self, 0, sizeof *self);
+    self->robot = robot;
+    self->random.state = seed;
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+        init_axis(&self->axes[i], &robot->axes[i], i, &self->random);
+    }
+}
+
+static bool exchange_card(box_axis_t *axis, const uint8_t frame[CARD_FRAME_BYTES],
+                          uint8_t received[CARD_FRAME_BYTES])
+{
+    if (axis->card_fault == BOX_CARD_SILENT) {
+        return false;
+    }
+    sim_card_report(&axis->card, &axis->encoder, received);
+    if (axis->card_fault == BOX_CARD_CORRUPT) {
+        received[CORRUPT_BYTE] ^= 0x10U;
+    }
+    sim_card_receive(&axis->card, frame);
+    return true;
+}
+
+uint32_t box_exchange(box_t *self, uint32_t send, const uint8_t frames[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES],
+                      uint8_t received[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES])
+{
+    uint32_t answered = 0U;
+
+    for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
+        const uint32_t slot = self->axes[i].config->slot;
+        const uint32_t bit = 1U << slot;
+        if (((send & bit) != 0U) && exchange_card(&self->axes[i], frames[slot], received[slot])) {
+            answered |= bit;
+        }
+    }
+    return answered;
+}
+
+static void step_axis(box_axis_t *axis, uint32_t start_us, bool is_powered, bool is_scanning)
+{
+    const double before_ticks = axis->motor.position_ticks;
+
+    sim_motor_step(&axis->motor, &axis->card.applied, is_powered);
+    sim_encoder_step(&axis->encoder, before_ticks, axis->motor.position_ticks, start_us, is_scanning);
+    sim_switch_step(&axis->limit_switch, axis->motor.position_ticks);
+    sim_card_step(&axis->card, &axis->encoder, axis->limit_switch.is_active, is_powered);
+}
+
+static void step_contact(box_contact_t *contact)
+{
+    if (contact->delay_us > SIM_STEP_US) {
+        contact->delay_us -= SIM_STEP_US;
+    } else if (contact->delay_us > 0U) {
+        contact->delay_us = 0U;
+        contact->is_closed = contact->will_be_closed;
+    } else {
+        /* settled */
+    }
+}
+
+static void step(box_t *self)
+{
+    step_contact(&self->pedal_a);
+    step_contact(&self->pedal_b);
+    for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
+        /* The pulled e-stop takes the drivers' supply away, whatever the cards say. */
+        step_axis(&self->axes[i], (uint32_t)self->time_us, !self->estop_open, self->scanner_active);
+    }
+    self->time_us += SIM_STEP_US;
+}
+
+void box_advance(box_t *self, uint32_t us)
+{
+    const uint64_t total_us = (uint64_t)self->pending_us + us;
+
+    for (uint64_t left_us = total_us; left_us >= SIM_STEP_US; left_us -= SIM_STEP_US) {
+        step(self);
+    }
+    self->pending_us = (uint32_t)(total_us % SIM_STEP_US);
+}
+
+bsp_inputs_t box_inputs(const box_t *self)
+{
+    return (bsp_inputs_t){.pedal_a = self->pedal_a.is_closed,
+                          .pedal_b = self->pedal_b.is_closed,
+                          .estop_open = self->estop_open,
+                          .scanner_active = self->scanner_active};
+}
+
+void box_true_positions(const box_t *self, double positions_ticks[ROBOT_AXIS_COUNT])
+{
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        positions_ticks[i] = self->axes[i].motor.position_ticks;
+    }
+}
+
+void box_contact_set(box_contact_t *contact, bool is_closed, uint32_t delay_us)
+{
+    contact->will_be_closed = is_closed;
+    contact->delay_us = delay_us;
+    if (delay_us == 0U) {
+        contact->is_closed = is_closed;
+    }
+}

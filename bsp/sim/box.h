@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * The simulated control box: daughter cards with their axes in up to ten slots, a two-channel foot pedal, an
+ * emergency stop, a scanner signal, and orders that press, pull and break them. It has no clock of its own:
+ * box_advance() is its time. The same seed and the same calls give the same bytes.
+ *
+ * Direction bit 1 makes a position grow unless the axis' motor is inverted; a reading grows with the position
+ * unless its encoder is inverted. Readings start anywhere, that of axis 1 just below the wrap of int32_t.
+ */
+#ifndef BORESIGHT_BOX_H
+#define BORESIGHT_BOX_H
+
+#include "bsp.h"
+#include "card_frame.h"
+#include "robot.h"
+#include "sim_card.h"
+#include "sim_encoder.h"
+#include "sim_motor.h"
+#include "sim_switch.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#define BOX_PEDAL_CLOSE_SPREAD_US 4000U /**< `press`: channel A follows channel B. */
+#define BOX_PEDAL_OPEN_SPREAD_US 2000U  /**< `release`: channel B follows channel A. */
+#define BOX_REPLY_SIZE 2048U            /**< Room for any reply. */
+
+typedef enum {
+    BOX_CARD_NORMAL = 0,
+    BOX_CARD_SILENT = 1, /**< Hears nothing and answers nothing. */
+    BOX_CARD_CORRUPT = 2 /**< Hears; a byte of each answer is wrong. */
+} box_card_fault_t;
+
+/** One axis with the card that drives it. */
+typedef struct {
+    const axis_config_t *config;
+    sim_motor_t motor;
+    sim_encoder_t encoder;
+    sim_switch_t limit_switch;
+    sim_card_t card;
+    box_card_fault_t card_fault;
+} box_axis_t;
+
+/** A contact that may have a change under way. */
+typedef struct {
+    bool is_closed;
+    bool will_be_closed;
+    uint32_t delay_us; /**< 0: nothing under way. */
+} box_contact_t;
+
+/** State of the box; owned by the caller, written by this module only. */
+typedef struct {
+    const robot_t *robot;
+    sim_random_t random;
+    box_axis_t axes[ROBOT_AXIS_COUNT];
+    box_contact_t pedal_a;
+    box_contact_t pedal_b;
+    bool estop_open;
+    bool scanner_active;
+    uint64_t time_us;     /**< Whole steps done. */
+    uint32_t pending_us;  /**< Time not yet stepped, below SIM_STEP_US. */
+} box_t;
+
+/** Switches on a box with the axes of `robot`, which must outlive it; all axes off their home positions. */
+void box_init(box_t *self, const robot_t *robot, uint32_t seed);
+
+/**
+ * Full-duplex exchange with the slots of `send`. Each card's report is from before it reads its command.
+ *
+ * @return bit n set: `received[n]` was filled by slot n
+ */
+uint32_t box_exchange(box_t *self, uint32_t send, const uint8_t frames[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES],
+                      uint8_t received[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES]);
+
+/** Lets `us` pass, in steps of SIM_STEP_US; a rest is kept for the next call. */
+void box_advance(box_t *self, uint32_t us);
+
+/** Levels of the digital inputs now. */
+bsp_inputs_t box_inputs(const box_t *self);
+
+/** True positions, in ticks, in axis order; entries beyond the robot's axes are 0. */
+void box_true_positions(const box_t *self, double positions_ticks[ROBOT_AXIS_COUNT]);
+
+/**
+ * Carries out one order, for example "card 3 silent" or "pedal press"; box_orders() lists them. A slot may be given
+ * by its number or by its axis' name.
+ *
+ * @param reply receives what was done, or the table asked for, or one sentence why it was refused
+ * @return false when the order was refused; then nothing has changed
+ *
+ * @satisfies SWR-BOX-003
+ */
+bool box_command(box_t *self, const char *order, char *reply, uint32_t reply_size);
+
+/** The orders that box_command() knows, one a line. */
+const char *box_orders(void);
+
+/** Closes or opens `contact` after `delay_us`; 0 is at once. */
+void box_contact_set(box_contact_t *contact, bool is_closed, uint32_t delay_us);
+
+#endif

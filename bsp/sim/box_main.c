@@ -1,0 +1,173 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file boresight-box: the simulated control box as a process, at the box's end of the wire. */
+#include "box.h"
+#include "wire.h"
+
+#include <errno.h>
+#include <getopt.h>
+#include <sched.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+
+#define IDLE_US 1500U
+#define LONGEST_STRIDE_US 2000U /* A pause of the whole machine pauses the simulated world. */
+#define PRIORITY 70
+#define USAGE "usage: boresight-box [--name NAME] [--seed NUMBER]"
+
+typedef struct {
+    const char *name;
+    uint32_t seed;
+} options_t;
+
+static volatile sig_atomic_t must_end;
+static box_t box;
+
+static void end(int signal_number)
+{
+    (void)signal_number;
+    must_end = 1;
+}
+
+static bool parse_seed(const char *text, uint32_t *seed)
+{
+    char *rest = NULL;
+
+    errno = 0;
+    const unsigned long long value = strtoull(text, &rest, 10);
+    if ((errno != 0) || (rest == text) || (*rest != '\0') || (text[0] == '-') || (value > UINT32_MAX)) {
+        return false;
+    }
+    *seed = (uint32_t)value;
+    return true;
+}
+
+/* Returns the exit code, or -1 to go on. */
+static int parse_options(int count, char **words, options_t *options)
+{
+    static const struct option known[] = {{"name", required_argument, NULL, 'n'},
+                                          {"seed", required_argument, NULL, 's'},
+                                          {"help", no_argument, NULL, 'h'},
+                                          {NULL, 0, NULL, 0}};
+    int option;
+
+    while ((option = getopt_long(count, words, "", known, NULL)) != -1) {
+        if (option == 'n') {
+            options->name = optarg;
+        } else if (option == 'h') {
+            (void)puts(USAGE);
+            return 0;
+        } else if ((option != 's') || !parse_seed(optarg, &options->seed)) {
+            (void)fputs(USAGE "\n", stderr);
+            return 2;
+        } else {
+            /* seed taken */
+        }
+    }
+    if (optind != count) {
+        (void)fputs(USAGE "\n", stderr);
+        return 2;
+    }
+    return -1;
+}
+
+static bool ask_for_real_time(void)
+{
+    const struct sched_param parameters = {.sched_priority = PRIORITY};
+
+    (void)prctl(PR_SET_TIMERSLACK, 1000UL, 0UL, 0UL, 0UL);
+    (void)mlockall(MCL_CURRENT | MCL_FUTURE);
+    return sched_setscheduler(0, SCHED_FIFO, &parameters) == 0;
+}
+
+static void publish_inputs(wire_t *wire)
+{
+    const bsp_inputs_t inputs = box_inputs(&box);
+
+    wire_store(&wire->inputs, (inputs.pedal_a ? WIRE_INPUT_PEDAL_A : 0U) |
+                                  (inputs.pedal_b ? WIRE_INPUT_PEDAL_B : 0U) |
+                                  (inputs.estop_open ? WIRE_INPUT_ESTOP_OPEN : 0U) |
+                                  (inputs.scanner_active ? WIRE_INPUT_SCANNER : 0U));
+    wire_store(&wire->beat, wire_load(&wire->beat) + 1U);
+}
+
+static void serve_order(wire_t *wire)
+{
+    const uint32_t number = wire_load(&wire->order_request);
+
+    if (number != wire_load(&wire->order_reply)) {
+        char order[WIRE_ORDER_SIZE];
+        (void)memcpy(order, wire->order, sizeof order);
+        order[sizeof order - 1U] = '\0';
+        wire->order_done = box_command(&box, order, wire->answer, sizeof wire->answer) ? 1U : 0U;
+        publish_inputs(wire);
+        wire_announce(&wire->order_reply, number);
+    }
+}
+
+static void serve_exchange(wire_t *wire)
+{
+    const uint32_t number = wire_load(&wire->request);
+
+    if (number != wire_load(&wire->reply)) {
+        const uint8_t(*frames)[CARD_FRAME_BYTES] = (const uint8_t(*)[CARD_FRAME_BYTES])wire->frames;
+        wire->received = box_exchange(&box, wire->send, frames, wire->replies);
+        wire_announce(&wire->reply, number);
+    }
+}
+
+static void run(wire_t *wire)
+{
+    uint64_t last_us = wire_now_us();
+
+    while (must_end == 0) {
+        const uint32_t seen = wire_load(&wire->wake);
+        const uint64_t now_us = wire_now_us();
+        const uint64_t elapsed_us = now_us - last_us;
+        last_us = now_us;
+        box_advance(&box, (elapsed_us < LONGEST_STRIDE_US) ? (uint32_t)elapsed_us : LONGEST_STRIDE_US);
+        publish_inputs(wire);
+        serve_exchange(wire);
+        serve_order(wire);
+        wire_sleep(&wire->wake, seen, IDLE_US);
+    }
+}
+
+static void handle_signals(void)
+{
+    struct sigaction action;
+
+    (void)memset(&action, 0, sizeof action);
+    action.sa_handler = end;
+    (void)sigaction(SIGTERM, &action, NULL);
+    (void)sigaction(SIGINT, &action, NULL);
+}
+
+int main(int count, char **words)
+{
+    const char *named = getenv(WIRE_NAME_VARIABLE);
+    options_t options = {(named != NULL) ? named : WIRE_DEFAULT_NAME, 1U};
+    wire_port_t port;
+    char error[256];
+
+    const int code = parse_options(count, words, &options);
+    if (code >= 0) {
+        return code;
+    }
+    handle_signals();
+    box_init(&box, &robot_neuro, options.seed);
+    if (!wire_serve(&port, options.name, error, sizeof error)) {
+        (void)fprintf(stderr, "boresight-box: %s\n", error);
+        return 1;
+    }
+    const bool is_real_time = ask_for_real_time();
+    (void)printf("boresight-box: ready as \"%s\", robot %s, seed %u, %s\n", options.name, robot_neuro.name,
+                 (unsigned)options.seed, is_real_time ? "SCHED_FIFO 70" : "without real-time scheduling");
+    (void)fflush(stdout);
+    run(port.wire);
+    wire_close(&port, WIRE_END_BOX);
+    return 0;
+}

@@ -1,0 +1,238 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "sim_card.h"
+
+#include "limits.h"
+#include "sim_motor.h"
+
+#include <string.h>
+
+#define AMBIENT_C 22.0
+#define HEATED_BY_C 25.0
+#define HEATING_PER_STEP (0.0001 / 400.0)
+
+static const card_drive_t drive_off = {CARD_DRIVE_OFF, 0U, 0U};
+
+void sim_card_init(sim_card_t *self, const axis_config_t *axis, const sim_encoder_t *encoder,
+                   bool is_limit_active, uint32_t time_us)
+{
+    *self = (sim_card_t){.slot = axis->slot,
+                         .card_type = axis->card_type,
+                         .limit_bit = axis->limit_switch,
+                         .clock_offset_us = UINT32_MAX - 30000000U * (uint32_t)axis->slot,
+                         .time_us = time_us,
+                         .limit_raw = is_limit_active,
+                         .limit_debounced = is_limit_active,
+                         .count = sim_encoder_count(encoder),
+                         .motor_temperature_c = AMBIENT_C,
+                         .is_powered = true};
+    for (uint32_t i = 0U; i < SIM_CARD_SPEED_STEPS; i++) {
+        self->window[i] = self->count;
+    }
+}
+
+static void trip(sim_card_t *self, uint32_t status_bit)
+{
+    self->faults |= status_bit;
+    self->applied = drive_off;
+}
+
+static bool is_drive_suitable(const sim_card_t *self, const card_drive_t *drive)
+{
+    if (drive->mode == (uint32_t)CARD_DRIVE_OFF) {
+        return true;
+    }
+    return ((drive->mode == (uint32_t)CARD_DRIVE_PWM) && (self->card_type == (uint32_t)CARD_TYPE_PWM)) ||
+           ((drive->mode == (uint32_t)CARD_DRIVE_NON_PWM) && (self->card_type == (uint32_t)CARD_TYPE_NON_PWM));
+}
+
+static void apply_command(sim_card_t *self)
+{
+    const card_command_t *command = &self->command;
+    const bool clears = (command->control & CARD_CONTROL_CLEAR_FAULT) != 0U;
+
+    self->applied = drive_off;
+    if (clears) {
+        /* The frame that clears does not also drive. */
+        self->faults = 0U;
+    } else if (!is_drive_suitable(self, &command->drive)) {
+        trip(self, CARD_STATUS_DRIVER_FAULT);
+    } else if ((self->faults == 0U) && ((command->control & CARD_CONTROL_AMPLIFIER) != 0U)) {
+        self->applied = command->drive;
+    } else {
+        /* stays off */
+    }
+}
+
+void sim_card_receive(sim_card_t *self, const uint8_t bytes[CARD_FRAME_BYTES])
+{
+    card_command_t command;
+
+    if (card_frame_decode_command(bytes, self->slot, &command) != CARD_FRAME_OK) {
+        self->rx_crc_errors++;
+        self->passing |= CARD_STATUS_RX_CRC;
+        return;
+    }
+    if (self->has_command && (command.sequence == self->command.sequence)) {
+        return;
+    }
+    if (self->has_command && (command.sequence != self->command.sequence + 1U)) {
+        self->sequence_gaps++;
+    }
+    self->command = command;
+    self->has_command = true;
+    self->is_watched = true;
+    self->valid_age_us = 0U;
+    apply_command(self);
+}
+
+static uint32_t watchdog_us(const sim_card_t *self)
+{
+    const uint32_t asked_us = self->command.watchdog_us;
+
+    if ((asked_us == 0U) || (asked_us > LIMIT_CARD_WATCHDOG_US)) {
+        return LIMIT_CARD_WATCHDOG_US;
+    }
+    return asked_us;
+}
+
+static void step_watchdog(sim_card_t *self)
+{
+    if (!self->is_watched) {
+        return;
+    }
+    self->valid_age_us += SIM_STEP_US;
+    if (self->valid_age_us >= watchdog_us(self)) {
+        self->is_watched = false;
+        self->watchdog_trips++;
+        trip(self, CARD_STATUS_WATCHDOG);
+    }
+}
+
+static void step_limit(sim_card_t *self, bool is_active)
+{
+    self->limit_stable_us += SIM_STEP_US;
+    if (is_active != self->limit_raw) {
+        self->limit_raw = is_active;
+        self->limit_stable_us = 0U;
+    }
+    if (self->limit_stable_us >= SIM_CARD_DEBOUNCE_US) {
+        self->limit_stable_us = SIM_CARD_DEBOUNCE_US;
+        self->limit_debounced = self->limit_raw;
+    }
+}
+
+static bool is_outside_guard(const sim_card_t *self)
+{
+    const uint32_t minimum = (uint32_t)self->command.guard_minimum_ticks;
+    const uint32_t width = (uint32_t)self->command.guard_maximum_ticks - minimum;
+
+    /* Equal ends mean "no guard"; differences keep it right across the wrap of the reading. */
+    return (width != 0U) && ((uint32_t)self->count - minimum > width);
+}
+
+static bool is_overspeed(const sim_card_t *self, int32_t oldest)
+{
+    const uint32_t limit = self->command.overspeed_ticks_per_s;
+    const uint32_t difference = (uint32_t)self->count - (uint32_t)oldest;
+    const uint32_t way = (difference <= (uint32_t)INT32_MAX) ? difference : 0U - difference;
+
+    return (limit != 0U) && ((uint64_t)way * (1000000U / SIM_CARD_SPEED_WINDOW_US) > limit);
+}
+
+static void step_guards(sim_card_t *self, int32_t count)
+{
+    const int32_t oldest = self->window[self->window_at];
+
+    self->count = count;
+    self->window[self->window_at] = count;
+    self->window_at = (self->window_at + 1U) % SIM_CARD_SPEED_STEPS;
+    if (!self->has_command) {
+        return;
+    }
+    if (is_overspeed(self, oldest)) {
+        trip(self, CARD_STATUS_OVERSPEED);
+    }
+    if (is_outside_guard(self)) {
+        trip(self, CARD_STATUS_GUARD);
+    }
+}
+
+static void step_temperature(sim_card_t *self)
+{
+    const bool is_heated = self->is_powered && (self->applied.mode != (uint32_t)CARD_DRIVE_OFF);
+    const double settled_c = is_heated ? AMBIENT_C + HEATED_BY_C : AMBIENT_C;
+
+    self->motor_temperature_c += (settled_c - self->motor_temperature_c) * HEATING_PER_STEP;
+}
+
+void sim_card_step(sim_card_t *self, const sim_encoder_t *encoder, bool is_limit_active, bool is_powered)
+{
+    self->time_us += SIM_STEP_US;
+    self->uptime_us += SIM_STEP_US;
+    self->is_powered = is_powered;
+    step_watchdog(self);
+    step_limit(self, is_limit_active);
+    step_guards(self, sim_encoder_count(encoder));
+    step_temperature(self);
+}
+
+static uint32_t status_bits(const sim_card_t *self, const sim_encoder_t *encoder)
+{
+    uint32_t status = self->faults | self->passing;
+
+    if ((self->faults == 0U) && self->is_watched &&
+        ((self->command.control & CARD_CONTROL_AMPLIFIER) != 0U)) {
+        status |= CARD_STATUS_AMPLIFIER_ON;
+    }
+    if ((encoder->edges > 0U) ||
+        ((encoder->stamps_us[0] != 0U) && (self->time_us - encoder->stamps_us[0] < SIM_CARD_MOVING_US))) {
+        status |= CARD_STATUS_MOVING;
+    }
+    if (encoder->illegal_edges > 0U) {
+        status |= CARD_STATUS_ILLEGAL_EDGE;
+    }
+    return status;
+}
+
+static void report_health(const sim_card_t *self, card_report_t *report)
+{
+    const bool is_driven = self->is_powered && (self->applied.mode != (uint32_t)CARD_DRIVE_OFF);
+    const double rise_c = self->motor_temperature_c - AMBIENT_C;
+
+    report->motor_temperature_dc = (int32_t)(self->motor_temperature_c * 10.0);
+    report->driver_temperature_dc = (int32_t)((AMBIENT_C + 8.0 + rise_c / 2.0) * 10.0);
+    report->supply_mv = self->is_powered ? SIM_CARD_SUPPLY_MV : 0U;
+    report->current_ma = is_driven ? 350U : 0U;
+    report->rx_crc_errors = self->rx_crc_errors;
+    report->sequence_gaps = self->sequence_gaps;
+    report->watchdog_trips = self->watchdog_trips;
+    report->uptime_s = (uint32_t)(self->uptime_us / 1000000U);
+}
+
+void sim_card_report(sim_card_t *self, sim_encoder_t *encoder, uint8_t bytes[CARD_FRAME_BYTES])
+{
+    card_report_t report;
+
+    self->heartbeat++;
+    (void)memset(&report, 0, sizeof report);
+    report.slot = self->slot;
+    report.accepted_sequence = self->command.sequence;
+    report.heartbeat = self->heartbeat;
+    report.time_us = self->time_us + self->clock_offset_us;
+    report.card_type = self->card_type;
+    report.firmware = SIM_CARD_FIRMWARE;
+    report.system_state = self->command.system_state;
+    report.status = status_bits(self, encoder);
+    report.limits_raw = self->limit_raw ? self->limit_bit : 0U;
+    report.limits = self->limit_debounced ? self->limit_bit : 0U;
+    report.encoder_count = sim_encoder_count(encoder);
+    report.last_edge_us = encoder->stamps_us[0] + self->clock_offset_us;
+    report.fourth_edge_us = encoder->stamps_us[4] + self->clock_offset_us;
+    report.edges = encoder->edges;
+    report.illegal_edges = encoder->illegal_edges;
+    report.applied = self->applied;
+    report_health(self, &report);
+    self->passing = 0U;
+    sim_encoder_take_edges(encoder);
+    card_frame_encode_report(&report, bytes);
+}

@@ -1,0 +1,100 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "sim_motor.h"
+
+/* 1 - exp(-step / time constant), written out so that no mathematics library decides about the last bit. */
+#define RISE_SHARE 0.006644493744965585
+#define FALL_SHARE 0.06449301496838226
+#define STEP_S 0.0001
+#define STOP_BEYOND_TICKS 60.0
+#define STOP_BEYOND_SHARE 0.02
+
+void sim_motor_init(sim_motor_t *self, const axis_config_t *axis, double position_ticks, double asymmetry)
+{
+    const double range = (double)axis->maximum_ticks - (double)axis->minimum_ticks;
+    const double beyond = range * STOP_BEYOND_SHARE;
+
+    *self = (sim_motor_t){.full_speed_ticks_per_s = axis->full_speed_ticks_per_s,
+                          .asymmetry = asymmetry,
+                          .minimum_duty = axis->minimum_duty,
+                          .maximum_duty = axis->maximum_duty,
+                          .lowest_ticks = (double)axis->minimum_ticks - beyond,
+                          .highest_ticks = (double)axis->maximum_ticks + beyond,
+                          .is_inverted = axis->is_motor_inverted != 0U,
+                          .position_ticks = position_ticks};
+    if (axis->limit_switch == (uint8_t)LIMIT_SWITCH_LOWER) {
+        self->lowest_ticks = (double)axis->minimum_ticks - STOP_BEYOND_TICKS;
+    }
+    if (axis->limit_switch == (uint8_t)LIMIT_SWITCH_UPPER) {
+        self->highest_ticks = (double)axis->maximum_ticks + STOP_BEYOND_TICKS;
+    }
+}
+
+static double pwm_share(const sim_motor_t *self, uint32_t duty)
+{
+    const double span = self->maximum_duty - self->minimum_duty;
+    const double above = (double)duty - self->minimum_duty;
+
+    if ((above < 0.0) || (span <= 0.0)) {
+        return 0.0;
+    }
+    if (above >= span) {
+        return 1.0;
+    }
+    return SIM_MOTOR_SLOWEST + (1.0 - SIM_MOTOR_SLOWEST) * above / span;
+}
+
+double sim_motor_steady_speed(const sim_motor_t *self, const card_drive_t *drive)
+{
+    double share = 0.0;
+
+    if (drive->mode == (uint32_t)CARD_DRIVE_PWM) {
+        share = pwm_share(self, drive->duty);
+    } else if (drive->mode == (uint32_t)CARD_DRIVE_NON_PWM) {
+        share = 1.0;
+    } else {
+        return 0.0;
+    }
+    share *= 1.0 - self->load;
+    if (share < SIM_MOTOR_SLOWEST) {
+        return 0.0;
+    }
+    const bool is_upwards = (drive->direction != 0U) != self->is_inverted;
+    const double speed = share * self->full_speed_ticks_per_s;
+    return is_upwards ? speed * (1.0 + self->asymmetry) : -speed * (1.0 - self->asymmetry);
+}
+
+static bool is_gaining(double speed, double steady)
+{
+    return (speed >= 0.0) ? (steady > speed) : (steady < speed);
+}
+
+static double approach(double speed, double steady)
+{
+    if ((speed * steady >= 0.0) && is_gaining(speed, steady)) {
+        return speed + (steady - speed) * RISE_SHARE;
+    }
+    if (speed * steady < 0.0) {
+        /* A reversal first stops: the fall ends at zero, from where the new direction rises. */
+        const double fallen = speed + (steady - speed) * FALL_SHARE;
+        return (fallen * speed > 0.0) ? fallen : 0.0;
+    }
+    return speed + (steady - speed) * FALL_SHARE;
+}
+
+void sim_motor_step(sim_motor_t *self, const card_drive_t *drive, bool is_powered)
+{
+    if (!is_powered || self->is_blocked || (drive->mode == (uint32_t)CARD_DRIVE_OFF)) {
+        self->speed_ticks_per_s = 0.0;
+        return;
+    }
+    self->speed_ticks_per_s = approach(self->speed_ticks_per_s, sim_motor_steady_speed(self, drive));
+    self->position_ticks += self->speed_ticks_per_s * STEP_S;
+    if (self->position_ticks > self->highest_ticks) {
+        self->position_ticks = self->highest_ticks;
+        self->speed_ticks_per_s = 0.0;
+    }
+    if (self->position_ticks < self->lowest_ticks) {
+        self->position_ticks = self->lowest_ticks;
+        self->speed_ticks_per_s = 0.0;
+    }
+}

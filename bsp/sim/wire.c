@@ -1,0 +1,246 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "wire.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <linux/futex.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <time.h>
+#include <unistd.h>
+
+/* "BBX" and the layout's version. */
+#define WIRE_MAGIC 0x42425801U
+
+static const char start_first[] = "start the simulated control box first: boresight-box --name %s";
+
+uint32_t wire_load(const uint32_t *word)
+{
+    return __atomic_load_n(word, __ATOMIC_ACQUIRE);
+}
+
+void wire_store(uint32_t *word, uint32_t value)
+{
+    __atomic_store_n(word, value, __ATOMIC_RELEASE);
+}
+
+static void wake_sleepers(const uint32_t *word)
+{
+    (void)syscall(SYS_futex, word, FUTEX_WAKE, 1, NULL, NULL, 0);
+}
+
+void wire_wake_box(wire_t *wire)
+{
+    (void)__atomic_add_fetch(&wire->wake, 1U, __ATOMIC_ACQ_REL);
+    wake_sleepers(&wire->wake);
+}
+
+void wire_announce(uint32_t *word, uint32_t value)
+{
+    wire_store(word, value);
+    wake_sleepers(word);
+}
+
+void wire_sleep(const uint32_t *word, uint32_t value, uint32_t timeout_us)
+{
+    const struct timespec timeout = {.tv_sec = timeout_us / 1000000U,
+                                     .tv_nsec = (long)(timeout_us % 1000000U) * 1000L};
+
+    (void)syscall(SYS_futex, word, FUTEX_WAIT, value, &timeout, NULL, 0);
+}
+
+uint64_t wire_now_us(void)
+{
+    struct timespec now;
+
+    (void)clock_gettime(CLOCK_MONOTONIC, &now);
+    return (uint64_t)now.tv_sec * 1000000U + (uint64_t)now.tv_nsec / 1000U;
+}
+
+bool wire_await(const uint32_t *word, uint32_t value, uint32_t timeout_us)
+{
+    const uint64_t end_us = wire_now_us() + timeout_us;
+
+    for (;;) {
+        const uint32_t seen = wire_load(word);
+        if (seen == value) {
+            return true;
+        }
+        const uint64_t now_us = wire_now_us();
+        if (now_us >= end_us) {
+            return false;
+        }
+        wire_sleep(word, seen, (uint32_t)(end_us - now_us));
+    }
+}
+
+static bool lock_end(int file, wire_end_t end)
+{
+    struct flock lock = {.l_type = F_WRLCK, .l_whence = SEEK_SET, .l_start = (off_t)end, .l_len = 1};
+
+    return fcntl(file, F_OFD_SETLK, &lock) == 0;
+}
+
+bool wire_is_served(const wire_port_t *port)
+{
+    struct flock lock = {.l_type = F_WRLCK, .l_whence = SEEK_SET, .l_start = WIRE_END_BOX, .l_len = 1};
+
+    return (fcntl(port->file, F_OFD_GETLK, &lock) == 0) && (lock.l_type != F_UNLCK);
+}
+
+static bool set_path(wire_port_t *port, const char *name, char *error, uint32_t error_size)
+{
+    const size_t length = strlen(name);
+
+    if ((length == 0U) || (length > sizeof port->path - 2U) || (strchr(name, '/') != NULL)) {
+        (void)snprintf(error, error_size, "the box name \"%.70s\" must have 1 to %u characters and no slash",
+                       name, (unsigned)(sizeof port->path - 2U));
+        return false;
+    }
+    (void)snprintf(port->path, sizeof port->path, "/%s", name);
+    return true;
+}
+
+static bool map_wire(wire_port_t *port)
+{
+    void *memory =
+        mmap(NULL, sizeof(wire_t), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_POPULATE, port->file, 0);
+
+    port->wire = (memory == MAP_FAILED) ? NULL : memory;
+    return port->wire != NULL;
+}
+
+static bool has_wire_size(int file)
+{
+    struct stat status;
+
+    return (fstat(file, &status) == 0) && (status.st_size == (off_t)sizeof(wire_t));
+}
+
+/* Another box may remove the name between our opening and our locking it. */
+static bool is_still_named(const wire_port_t *port)
+{
+    struct stat ours;
+    struct stat named;
+    const int file = shm_open(port->path, O_RDONLY, 0);
+    bool is_same = false;
+
+    if (file >= 0) {
+        is_same = (fstat(port->file, &ours) == 0) && (fstat(file, &named) == 0) && (ours.st_ino == named.st_ino);
+        (void)close(file);
+    }
+    return is_same;
+}
+
+/* A wire of another layout is of no use to anyone: its name is given to a new one. */
+static bool size_wire(wire_port_t *port)
+{
+    struct stat status;
+
+    if (fstat(port->file, &status) != 0) {
+        return false;
+    }
+    if ((status.st_size != 0) && (status.st_size != (off_t)sizeof(wire_t))) {
+        (void)shm_unlink(port->path);
+        (void)close(port->file);
+        port->file = shm_open(port->path, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+        if ((port->file < 0) || !lock_end(port->file, WIRE_END_BOX)) {
+            return false;
+        }
+    }
+    return ftruncate(port->file, (off_t)sizeof(wire_t)) == 0;
+}
+
+static void reset_wire(wire_t *wire)
+{
+    /* The counters live on, so that an attached control process finds its next request answered. */
+    wire_store(&wire->inputs, 0U);
+    wire_store(&wire->reply, wire_load(&wire->request));
+    wire_store(&wire->order_reply, wire_load(&wire->order_request));
+    wire_store(&wire->magic, WIRE_MAGIC);
+}
+
+bool wire_serve(wire_port_t *port, const char *name, char *error, uint32_t error_size)
+{
+    port->wire = NULL;
+    if (!set_path(port, name, error, error_size)) {
+        return false;
+    }
+    port->file = shm_open(port->path, O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+    if (port->file < 0) {
+        (void)snprintf(error, error_size, "cannot make the shared memory %s: %s", port->path, strerror(errno));
+        return false;
+    }
+    if (!lock_end(port->file, WIRE_END_BOX)) {
+        (void)snprintf(error, error_size,
+                       "a simulated control box \"%s\" already runs; stop it, or choose another --name", name);
+    } else if (!is_still_named(port)) {
+        (void)snprintf(error, error_size, "a simulated control box \"%s\" is just ending; start again", name);
+    } else if (!size_wire(port) || !map_wire(port)) {
+        (void)snprintf(error, error_size, "cannot map the shared memory %s: %s", port->path, strerror(errno));
+    } else {
+        reset_wire(port->wire);
+        return true;
+    }
+    if (port->file >= 0) {
+        (void)close(port->file);
+    }
+    return false;
+}
+
+static bool take_end(const wire_port_t *port, wire_end_t end)
+{
+    const uint32_t tries = (end == WIRE_END_ORDERS) ? 200U : 1U;
+    const struct timespec pause = {0, 5000000};
+
+    for (uint32_t i = 0U; i < tries; i++) {
+        if (lock_end(port->file, end)) {
+            return true;
+        }
+        if (i + 1U < tries) {
+            (void)nanosleep(&pause, NULL);
+        }
+    }
+    return false;
+}
+
+bool wire_attach(wire_port_t *port, const char *name, wire_end_t end, char *error, uint32_t error_size)
+{
+    port->wire = NULL;
+    if (!set_path(port, name, error, error_size)) {
+        return false;
+    }
+    port->file = shm_open(port->path, O_RDWR | O_CLOEXEC, 0);
+    if (port->file < 0) {
+        (void)snprintf(error, error_size, start_first, name);
+        return false;
+    }
+    if (!wire_is_served(port)) {
+        (void)snprintf(error, error_size, start_first, name);
+    } else if (!has_wire_size(port->file) || !map_wire(port) || (wire_load(&port->wire->magic) != WIRE_MAGIC)) {
+        (void)snprintf(error, error_size,
+                       "the simulated control box \"%s\" is of another build or not ready; start it again", name);
+    } else if (!take_end(port, end)) {
+        (void)snprintf(error, error_size, "another process already uses the simulated control box \"%s\"; stop it",
+                       name);
+    } else {
+        return true;
+    }
+    wire_close(port, end);
+    return false;
+}
+
+void wire_close(wire_port_t *port, wire_end_t end)
+{
+    if ((end == WIRE_END_BOX) && (port->wire != NULL)) {
+        (void)shm_unlink(port->path);
+    }
+    if (port->wire != NULL) {
+        (void)munmap(port->wire, sizeof(wire_t));
+        port->wire = NULL;
+    }
+    (void)close(port->file);
+}

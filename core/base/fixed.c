@@ -1,0 +1,251 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "fixed.h"
+
+#include "contract.h"
+
+#include <stdbool.h>
+
+#define ONE_Q32 0x100000000ULL
+#define TWO_PI_Q29 3373259426ULL
+#define BAM_PER_RADIAN 683565276ULL
+
+static uint64_t magnitude(int64_t value)
+{
+    return (value < 0) ? (0ULL - (uint64_t)value) : (uint64_t)value;
+}
+
+/* In two halves, because a size of 2^63 has a negative but no positive int64. */
+static int64_t with_sign(uint64_t size, bool is_negative)
+{
+    const uint64_t half = size / 2U;
+    const uint64_t rest = size - half;
+    const int64_t sum = -(int64_t)half;
+    return is_negative ? (sum - (int64_t)rest) : (int64_t)size;
+}
+
+/* The int32 with these bits, without a conversion that C leaves to the compiler. */
+static int32_t signed_bits(uint32_t bits)
+{
+    const uint32_t inverted = 0xFFFFFFFFU - bits;
+    return (bits > inverted) ? ((-1) - (int32_t)inverted) : (int32_t)bits;
+}
+
+static uint64_t multiply_q32(uint64_t a, uint64_t b)
+{
+    return (a * b) >> 32U;
+}
+
+static uint32_t bit_length(uint64_t value)
+{
+    uint32_t length = 0U;
+    uint64_t rest = value;
+    for (uint32_t step = 32U; step > 0U; step >>= 1U) {
+        if ((rest >> step) != 0U) {
+            rest >>= step;
+            length += step;
+        }
+    }
+    return length + (uint32_t)rest;
+}
+
+/* Moves the highest bit of a number of `length` bits to bit 30. */
+static uint64_t to_31_bits(uint64_t value, uint32_t length)
+{
+    if (length > 31U) {
+        const uint32_t excess = length - 31U;
+        return value >> excess;
+    }
+    const uint32_t lack = 31U - length;
+    return value << lack;
+}
+
+/* Taylor series, the angle at most an eighth of a turn: the first term left out is below 2^-37. */
+static uint64_t sine_q32(uint64_t angle_q32, uint64_t square_q32)
+{
+    uint64_t sum = 0x2E3CULL - multiply_q32(square_q32, 0x6CULL);
+    sum = 0xD00D0ULL - multiply_q32(square_q32, sum);
+    sum = 0x2222222ULL - multiply_q32(square_q32, sum);
+    sum = 0x2AAAAAABULL - multiply_q32(square_q32, sum);
+    sum = ONE_Q32 - multiply_q32(square_q32, sum);
+    return multiply_q32(angle_q32, sum);
+}
+
+static uint64_t cosine_q32(uint64_t square_q32)
+{
+    uint64_t sum = 0x4A0ULL - multiply_q32(square_q32, 0x9ULL);
+    sum = 0x1A01AULL - multiply_q32(square_q32, sum);
+    sum = 0x5B05B0ULL - multiply_q32(square_q32, sum);
+    sum = 0xAAAAAABULL - multiply_q32(square_q32, sum);
+    sum = 0x80000000ULL - multiply_q32(square_q32, sum);
+    return ONE_Q32 - multiply_q32(square_q32, sum);
+}
+
+fixed_direction_t fixed_direction(int32_t angle_bam)
+{
+    const uint32_t turned = (uint32_t)angle_bam + 0x20000000U;
+    const uint32_t in_quadrant = turned & 0x3FFFFFFFU;
+    const int32_t offset = (int32_t)in_quadrant - 0x20000000;
+    const uint64_t angle_q32 = (magnitude(offset) * TWO_PI_Q29) >> 29U;
+    const uint64_t square_q32 = multiply_q32(angle_q32, angle_q32);
+    const uint64_t cosine_q30 = (cosine_q32(square_q32) + 2U) >> 2U;
+    const uint64_t sine_q30 = (sine_q32(angle_q32, square_q32) + 2U) >> 2U;
+    const int32_t cosine = (int32_t)cosine_q30;
+    const int32_t sine = (offset < 0) ? -(int32_t)sine_q30 : (int32_t)sine_q30;
+    fixed_direction_t direction;
+    switch (turned >> 30U) {
+    case 0U:
+        direction = (fixed_direction_t){cosine, sine};
+        break;
+    case 1U:
+        direction = (fixed_direction_t){-sine, cosine};
+        break;
+    case 2U:
+        direction = (fixed_direction_t){-cosine, -sine};
+        break;
+    default:
+        direction = (fixed_direction_t){sine, -cosine};
+        break;
+    }
+    return direction;
+}
+
+/* Angle of a vector in the first octant; `larger` has 31 bits. The nearest smaller sixteenth is
+   taken from the table, the rest is at most 1/16 and its series ends below 2^-38. */
+static uint32_t octant_angle(uint64_t smaller, uint64_t larger)
+{
+    /* atan(k / 16) in bam. */
+    static const uint32_t atan_sixteenth_bam[17] = {
+        0U,         42667331U,  85004756U,  126697423U, 167458907U, 207041579U,
+        245243172U, 281909457U, 316933406U, 350251643U, 381839095U, 411702716U,
+        439875013U, 466407904U, 491367227U, 514828063U, 536870912U};
+    const uint64_t sixteenth = (smaller * 16U) / larger;
+    const uint64_t above = (smaller * 16U) - (sixteenth * larger);
+    const uint64_t rest_q32 = (above << 32U) / ((larger * 16U) + (sixteenth * smaller));
+    const uint64_t square_q32 = multiply_q32(rest_q32, rest_q32);
+    uint64_t sum = 0x33333333ULL - multiply_q32(square_q32, 0x24924925ULL);
+    sum = 0x55555555ULL - multiply_q32(square_q32, sum);
+    sum = ONE_Q32 - multiply_q32(square_q32, sum);
+    const uint64_t rest_bam = multiply_q32(multiply_q32(rest_q32, sum), BAM_PER_RADIAN);
+    return atan_sixteenth_bam[sixteenth] + (uint32_t)rest_bam;
+}
+
+int32_t fixed_atan2_bam(int64_t y, int64_t x)
+{
+    uint32_t angle = 0U;
+    const uint64_t size_x = magnitude(x);
+    const uint64_t size_y = magnitude(y);
+    const bool is_steep = size_y > size_x;
+    const uint64_t larger = is_steep ? size_y : size_x;
+    const uint64_t smaller = is_steep ? size_x : size_y;
+    if (larger != 0U) {
+        const uint32_t length = bit_length(larger);
+        angle = octant_angle(to_31_bits(smaller, length), to_31_bits(larger, length));
+    }
+    if (is_steep) {
+        angle = 0x40000000U - angle;
+    }
+    if (x < 0) {
+        angle = 0x80000000U - angle;
+    }
+    if (y < 0) {
+        angle = 0U - angle;
+    }
+    return signed_bits(angle);
+}
+
+uint32_t fixed_square_root(uint64_t value)
+{
+    uint64_t rest = value;
+    uint64_t root = 0U;
+    for (uint64_t bit = 0x4000000000000000ULL; bit != 0U; bit >>= 2U) {
+        const uint64_t trial = root + bit;
+        root >>= 1U;
+        if (rest >= trial) {
+            rest -= trial;
+            root += bit;
+        }
+    }
+    return (uint32_t)root;
+}
+
+int32_t fixed_multiply_q30(int32_t a, int32_t b_q30)
+{
+    return fixed_saturate(fixed_shift_rounded((int64_t)a * b_q30, 30U));
+}
+
+int64_t fixed_dot_q30(const int32_t a[3], const int32_t b_q30[3])
+{
+    int64_t sum = 0;
+    for (uint32_t i = 0U; i < 3U; i++) {
+        sum += ((int64_t)a[i] * b_q30[i]) / 2;
+    }
+    return fixed_shift_rounded(sum, 29U);
+}
+
+int64_t fixed_normalise(const int64_t vector[3], int32_t unit_q30[3])
+{
+    uint64_t widest = 0U;
+    for (uint32_t i = 0U; i < 3U; i++) {
+        widest |= magnitude(vector[i]);
+    }
+    const uint32_t length = bit_length(widest);
+    uint64_t scaled[3];
+    uint64_t sum = 0U;
+    for (uint32_t i = 0U; i < 3U; i++) {
+        scaled[i] = to_31_bits(magnitude(vector[i]), length);
+        sum += scaled[i] * scaled[i];
+    }
+    const uint64_t norm = fixed_square_root(sum);
+    for (uint32_t i = 0U; i < 3U; i++) {
+        const uint64_t size = (norm == 0U) ? 0U : (((scaled[i] << 30U) + (norm / 2U)) / norm);
+        unit_q30[i] = (int32_t)with_sign(size, vector[i] < 0);
+    }
+    if (length > 31U) {
+        const uint32_t excess = length - 31U;
+        const uint64_t size = norm << excess;
+        return (int64_t)size;
+    }
+    const uint32_t lack = 31U - length;
+    const uint64_t one = 1ULL << lack;
+    const uint64_t size = (norm + (one / 2U)) >> lack;
+    return (int64_t)size;
+}
+
+int32_t fixed_saturate(int64_t value)
+{
+    int64_t limited = value;
+    if (limited > INT32_MAX) {
+        limited = INT32_MAX;
+    } else if (limited < INT32_MIN) {
+        limited = INT32_MIN;
+    } else {
+        /* it fits */
+    }
+    return (int32_t)limited;
+}
+
+int32_t fixed_wrap_bam(int64_t value)
+{
+    const uint64_t bits = (uint64_t)value & 0xFFFFFFFFULL;
+    return signed_bits((uint32_t)bits);
+}
+
+int64_t fixed_divide_rounded(int64_t numerator, int64_t denominator)
+{
+    static const char contract_module[] = "fixed";
+    REQUIRE(100U, denominator > 0);
+    const uint64_t size = magnitude(numerator);
+    const uint64_t divisor = (uint64_t)denominator;
+    uint64_t quotient = size / divisor;
+    if ((size % divisor) >= (divisor - (size % divisor))) {
+        quotient++;
+    }
+    return with_sign(quotient, numerator < 0);
+}
+
+int64_t fixed_shift_rounded(int64_t value, uint32_t bits)
+{
+    const uint32_t below = bits - 1U;
+    const uint64_t half = 1ULL << below;
+    return with_sign((magnitude(value) + half) >> bits, value < 0);
+}

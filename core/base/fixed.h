@@ -1,0 +1,72 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Fixed-point arithmetic: q30 (1.0 = 2^30, range [-2, 2)), angles in bam (2^32 = one turn, wraps by
+ * itself), lengths in nm. Pure functions, bit-identical on every target, free of overflow for every
+ * argument.
+ */
+#ifndef BORESIGHT_FIXED_H
+#define BORESIGHT_FIXED_H
+
+#include <stdint.h>
+
+#define FIXED_ONE_Q30 INT32_C(1073741824)
+
+/** Cosine and sine of one angle. */
+typedef struct {
+    int32_t cosine_q30;
+    int32_t sine_q30;
+} fixed_direction_t;
+
+/**
+ * Cosine and sine of `angle_bam`, each within 4 units of q30; exact at multiples of a quarter turn.
+ *
+ * @satisfies SWR-FIX-001
+ */
+fixed_direction_t fixed_direction(int32_t angle_bam);
+
+/**
+ * Angle of the vector (x, y), in [-half a turn, half a turn), within 4 bam of the true value; (0,
+ * 0) gives 0. x and y may have any equal scale.
+ *
+ * @satisfies SWR-FIX-001
+ */
+int32_t fixed_atan2_bam(int64_t y, int64_t x);
+
+/**
+ * Largest integer whose square is not above `value`.
+ *
+ * @satisfies SWR-FIX-002
+ */
+uint32_t fixed_square_root(uint64_t value);
+
+/** `a * b` where `b_q30` is a fraction, rounded half away from zero, saturated to int32. */
+int32_t fixed_multiply_q30(int32_t a, int32_t b_q30);
+
+/** Scalar product of `a` and `b_q30`, rounded; in the unit of `a`. */
+int64_t fixed_dot_q30(const int32_t a[3], const int32_t b_q30[3]);
+
+/**
+ * Length of `vector`, rounded, and the unit vector along it, each coordinate within 4 units of q30.
+ * |coordinate| <= 2^60. The zero vector gives length 0 and the zero vector.
+ */
+int64_t fixed_normalise(const int64_t vector[3], int32_t unit_q30[3]);
+
+/**
+ * `value` limited to int32.
+ *
+ * @satisfies SWR-FIX-003
+ */
+int32_t fixed_saturate(int64_t value);
+
+/** `value` modulo one turn: the angle it stands for, whichever number of turns it counts. */
+int32_t fixed_wrap_bam(int64_t value);
+
+/** `numerator / denominator` rounded half away from zero. Requires (contract 100) denominator > 0.
+ */
+int64_t fixed_divide_rounded(int64_t numerator, int64_t denominator);
+
+/** `value / 2^bits` rounded half away from zero, bits 1..62. */
+int64_t fixed_shift_rounded(int64_t value, uint32_t bits);
+
+#endif

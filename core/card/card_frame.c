@@ -1,0 +1,357 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "card_frame.h"
+
+#include "crc.h"
+
+#include <string.h>
+
+/* Words of both directions. */
+#define WORD_START 0U
+#define WORD_HEADER 1U
+#define WORD_LEGACY_SUM 62U
+#define WORD_CRC 63U
+
+/* Words of a command. */
+#define WORD_COMMAND_SEQUENCE 2U
+#define WORD_COMMAND_TIME 3U
+#define WORD_COMMAND_SYSTEM 4U
+#define WORD_COMMAND_CONTROL 5U
+#define WORD_COMMAND_MODE 10U
+#define WORD_COMMAND_DUTY 11U
+#define WORD_COMMAND_WATCHDOG 13U
+#define WORD_COMMAND_OVERSPEED 14U
+#define WORD_COMMAND_GUARD_MINIMUM 15U
+#define WORD_COMMAND_GUARD_MAXIMUM 16U
+#define WORD_COMMAND_AXIS 17U
+#define WORD_COMMAND_COMPLEMENT 61U
+
+/* Words of a report. */
+#define WORD_REPORT_ACCEPTED 2U
+#define WORD_REPORT_HEARTBEAT 3U
+#define WORD_REPORT_TIME 4U
+#define WORD_REPORT_IDENTITY 5U
+#define WORD_REPORT_SYSTEM 6U
+#define WORD_REPORT_STATUS 7U
+#define WORD_REPORT_LIMITS 9U
+#define WORD_REPORT_ENCODER 10U
+#define WORD_REPORT_LAST_EDGE 13U
+#define WORD_REPORT_FOURTH_EDGE 14U
+#define WORD_REPORT_EDGES 15U
+#define WORD_REPORT_TEMPERATURES 18U
+#define WORD_REPORT_SUPPLY 19U
+#define WORD_REPORT_APPLIED 24U
+#define WORD_REPORT_CRC_ERRORS 25U
+#define WORD_REPORT_GAPS 26U
+#define WORD_REPORT_TRIPS 27U
+#define WORD_REPORT_UPTIME 28U
+
+#define TYPE_COMMAND 1U
+#define TYPE_REPORT 2U
+
+#define LARGEST_4_BIT 0xFU
+#define LARGEST_8_BIT 0xFFU
+#define LARGEST_16_BIT 0xFFFFU
+#define LARGEST_24_BIT 0xFFFFFFU
+#define LARGEST_DUTY 0x1FFFFU
+#define LARGEST_POSITIVE 0x7FFFFFFFU
+#define CRC_LENGTH 252U
+
+static void put_word(uint8_t bytes[CARD_FRAME_BYTES], uint32_t index, uint32_t word)
+{
+    const uint32_t at = index * 4U;
+
+    bytes[at] = (uint8_t)(word >> 24U);
+    bytes[at + 1U] = (uint8_t)((word >> 16U) & LARGEST_8_BIT);
+    bytes[at + 2U] = (uint8_t)((word >> 8U) & LARGEST_8_BIT);
+    bytes[at + 3U] = (uint8_t)(word & LARGEST_8_BIT);
+}
+
+static uint32_t get_word(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t index)
+{
+    const uint32_t at = index * 4U;
+
+    return ((uint32_t)bytes[at] << 24U) | ((uint32_t)bytes[at + 1U] << 16U) |
+           ((uint32_t)bytes[at + 2U] << 8U) | (uint32_t)bytes[at + 3U];
+}
+
+static int32_t to_signed(uint32_t word)
+{
+    const uint32_t inverse = ~word;
+
+    return (word <= LARGEST_POSITIVE) ? (int32_t)word : (-1 - (int32_t)inverse);
+}
+
+/* Saturating keeps a value that does not fit out of range, where masking could make it look valid. */
+static uint32_t fit(uint32_t value, uint32_t largest)
+{
+    return (value < largest) ? value : largest;
+}
+
+static uint32_t fit_int16(int32_t value)
+{
+    int32_t fitted = value;
+
+    if (fitted > INT16_MAX) {
+        fitted = INT16_MAX;
+    }
+    if (fitted < INT16_MIN) {
+        fitted = INT16_MIN;
+    }
+    return (uint32_t)fitted & LARGEST_16_BIT;
+}
+
+static int32_t from_int16(uint32_t half)
+{
+    const uint32_t sign = 0x8000U;
+
+    return to_signed((half ^ sign) - sign);
+}
+
+static uint32_t header_word(uint32_t slot, uint32_t type)
+{
+    const uint32_t protocol = CARD_FRAME_PROTOCOL;
+    const uint32_t length_words = CARD_FRAME_WORDS;
+
+    return (protocol << 24U) | (fit(slot, LARGEST_8_BIT) << 16U) | (length_words << 8U) | type;
+}
+
+static uint32_t legacy_sum(const uint8_t bytes[CARD_FRAME_BYTES])
+{
+    uint32_t sum = 0U;
+
+    for (uint32_t index = 0U; index < WORD_LEGACY_SUM; index++) {
+        sum += get_word(bytes, index);
+    }
+    return 0xFFFFFFFFU - sum;
+}
+
+static void begin(uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot, uint32_t type)
+{
+    (void)memset(bytes, 0, CARD_FRAME_BYTES);
+    put_word(bytes, WORD_START, CARD_FRAME_START);
+    put_word(bytes, WORD_HEADER, header_word(slot, type));
+}
+
+static void seal(uint8_t bytes[CARD_FRAME_BYTES])
+{
+    put_word(bytes, WORD_LEGACY_SUM, legacy_sum(bytes));
+    put_word(bytes, WORD_CRC, crc32c(bytes, CRC_LENGTH));
+}
+
+static card_frame_result_t check_frame(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot, uint32_t type)
+{
+    const uint32_t slot_mask = 0x00FF0000U;
+    const uint32_t header = get_word(bytes, WORD_HEADER);
+    const uint32_t expected = header_word(slot, type);
+
+    if (get_word(bytes, WORD_START) != CARD_FRAME_START) {
+        return CARD_FRAME_BAD_START;
+    }
+    if ((header | slot_mask) != (expected | slot_mask)) {
+        return CARD_FRAME_BAD_START;
+    }
+    if (get_word(bytes, WORD_CRC) != crc32c(bytes, CRC_LENGTH)) {
+        return CARD_FRAME_BAD_CRC;
+    }
+    if (get_word(bytes, WORD_LEGACY_SUM) != legacy_sum(bytes)) {
+        return CARD_FRAME_BAD_CRC;
+    }
+    if (header != expected) {
+        return CARD_FRAME_BAD_SLOT;
+    }
+    return CARD_FRAME_OK;
+}
+
+static bool is_drive_off(const card_drive_t *drive)
+{
+    return drive->mode == (uint32_t)CARD_DRIVE_OFF;
+}
+
+static bool is_drive_valid(const card_drive_t *drive)
+{
+    bool is_valid;
+
+    switch (drive->mode) {
+    case (uint32_t)CARD_DRIVE_OFF:
+        is_valid = (drive->direction == 0U) && (drive->duty == 0U);
+        break;
+    case (uint32_t)CARD_DRIVE_PWM:
+        is_valid = (drive->direction <= 1U) && (drive->duty <= LARGEST_DUTY);
+        break;
+    case (uint32_t)CARD_DRIVE_NON_PWM:
+        is_valid = (drive->direction <= 1U) && (drive->duty == 0U);
+        break;
+    default:
+        is_valid = false;
+        break;
+    }
+    return is_valid;
+}
+
+void card_frame_encode_command(const card_command_t *command, uint8_t bytes[CARD_FRAME_BYTES])
+{
+    begin(bytes, command->slot, TYPE_COMMAND);
+    put_word(bytes, WORD_COMMAND_SEQUENCE, command->sequence);
+    put_word(bytes, WORD_COMMAND_TIME, command->time_us);
+    put_word(bytes, WORD_COMMAND_SYSTEM, command->system_state);
+    put_word(bytes, WORD_COMMAND_CONTROL, command->control);
+    if (!is_drive_off(&command->drive)) {
+        put_word(bytes, WORD_COMMAND_MODE,
+                 (fit(command->drive.mode, LARGEST_8_BIT) << 24U) |
+                     (fit(command->drive.direction, LARGEST_8_BIT) << 16U));
+        put_word(bytes, WORD_COMMAND_DUTY, command->drive.duty);
+    }
+    put_word(bytes, WORD_COMMAND_WATCHDOG, command->watchdog_us);
+    put_word(bytes, WORD_COMMAND_OVERSPEED, command->overspeed_ticks_per_s);
+    put_word(bytes, WORD_COMMAND_GUARD_MINIMUM, (uint32_t)command->guard_minimum_ticks);
+    put_word(bytes, WORD_COMMAND_GUARD_MAXIMUM, (uint32_t)command->guard_maximum_ticks);
+    put_word(bytes, WORD_COMMAND_AXIS, command->axis_id);
+    put_word(bytes, WORD_COMMAND_COMPLEMENT, ~command->control);
+    seal(bytes);
+}
+
+/* Mode, direction and duty share one word here: 4, 4 and 24 bits. */
+static uint32_t applied_word(const card_drive_t *drive)
+{
+    uint32_t word = 0U;
+
+    if (!is_drive_off(drive)) {
+        word = (fit(drive->mode, LARGEST_4_BIT) << 28U) | (fit(drive->direction, LARGEST_4_BIT) << 24U) |
+               fit(drive->duty, LARGEST_24_BIT);
+    }
+    return word;
+}
+
+void card_frame_encode_report(const card_report_t *report, uint8_t bytes[CARD_FRAME_BYTES])
+{
+    begin(bytes, report->slot, TYPE_REPORT);
+    put_word(bytes, WORD_REPORT_ACCEPTED, report->accepted_sequence);
+    put_word(bytes, WORD_REPORT_HEARTBEAT, report->heartbeat);
+    put_word(bytes, WORD_REPORT_TIME, report->time_us);
+    put_word(bytes, WORD_REPORT_IDENTITY,
+             (fit(report->card_type, LARGEST_8_BIT) << 24U) | fit(report->firmware, LARGEST_24_BIT));
+    put_word(bytes, WORD_REPORT_SYSTEM, report->system_state);
+    put_word(bytes, WORD_REPORT_STATUS, report->status);
+    put_word(bytes, WORD_REPORT_LIMITS,
+             (fit(report->limits, LARGEST_8_BIT) << 8U) | fit(report->limits_raw, LARGEST_8_BIT));
+    put_word(bytes, WORD_REPORT_ENCODER, (uint32_t)report->encoder_count);
+    put_word(bytes, WORD_REPORT_LAST_EDGE, report->last_edge_us);
+    put_word(bytes, WORD_REPORT_FOURTH_EDGE, report->fourth_edge_us);
+    put_word(bytes, WORD_REPORT_EDGES,
+             (fit(report->edges, LARGEST_16_BIT) << 16U) | fit(report->illegal_edges, LARGEST_16_BIT));
+    put_word(bytes, WORD_REPORT_TEMPERATURES,
+             (fit_int16(report->driver_temperature_dc) << 16U) | fit_int16(report->motor_temperature_dc));
+    put_word(bytes, WORD_REPORT_SUPPLY,
+             (fit(report->supply_mv, LARGEST_16_BIT) << 16U) | fit(report->current_ma, LARGEST_16_BIT));
+    put_word(bytes, WORD_REPORT_APPLIED, applied_word(&report->applied));
+    put_word(bytes, WORD_REPORT_CRC_ERRORS, report->rx_crc_errors);
+    put_word(bytes, WORD_REPORT_GAPS, report->sequence_gaps);
+    put_word(bytes, WORD_REPORT_TRIPS, report->watchdog_trips);
+    put_word(bytes, WORD_REPORT_UPTIME, report->uptime_s);
+    seal(bytes);
+}
+
+static card_drive_t read_command_drive(const uint8_t bytes[CARD_FRAME_BYTES])
+{
+    const uint32_t word = get_word(bytes, WORD_COMMAND_MODE);
+
+    /* The 16 low bits count as direction: a drive word with anything unknown set is refused. */
+    return (card_drive_t){.mode = word >> 24U,
+                          .direction = ((word >> 16U) & LARGEST_8_BIT) | ((word & LARGEST_16_BIT) << 8U),
+                          .duty = get_word(bytes, WORD_COMMAND_DUTY)};
+}
+
+card_frame_result_t card_frame_decode_command(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot,
+                                              card_command_t *command)
+{
+    const card_frame_result_t result = check_frame(bytes, slot, TYPE_COMMAND);
+    const uint32_t control = get_word(bytes, WORD_COMMAND_CONTROL);
+    const card_drive_t drive = read_command_drive(bytes);
+
+    if (result != CARD_FRAME_OK) {
+        return result;
+    }
+    if (get_word(bytes, WORD_COMMAND_COMPLEMENT) != ~control) {
+        return CARD_FRAME_BAD_COMPLEMENT;
+    }
+    if (!is_drive_valid(&drive)) {
+        return CARD_FRAME_BAD_DRIVE;
+    }
+    command->slot = slot;
+    command->sequence = get_word(bytes, WORD_COMMAND_SEQUENCE);
+    command->time_us = get_word(bytes, WORD_COMMAND_TIME);
+    command->system_state = get_word(bytes, WORD_COMMAND_SYSTEM);
+    command->control = control;
+    command->drive = drive;
+    command->watchdog_us = get_word(bytes, WORD_COMMAND_WATCHDOG);
+    command->overspeed_ticks_per_s = get_word(bytes, WORD_COMMAND_OVERSPEED);
+    command->guard_minimum_ticks = to_signed(get_word(bytes, WORD_COMMAND_GUARD_MINIMUM));
+    command->guard_maximum_ticks = to_signed(get_word(bytes, WORD_COMMAND_GUARD_MAXIMUM));
+    command->axis_id = get_word(bytes, WORD_COMMAND_AXIS);
+    return CARD_FRAME_OK;
+}
+
+static card_drive_t read_applied(const uint8_t bytes[CARD_FRAME_BYTES])
+{
+    const uint32_t word = get_word(bytes, WORD_REPORT_APPLIED);
+
+    return (card_drive_t){.mode = word >> 28U,
+                          .direction = (word >> 24U) & LARGEST_4_BIT,
+                          .duty = word & LARGEST_24_BIT};
+}
+
+static void read_counts(const uint8_t bytes[CARD_FRAME_BYTES], card_report_t *report)
+{
+    const uint32_t limits = get_word(bytes, WORD_REPORT_LIMITS);
+    const uint32_t edges = get_word(bytes, WORD_REPORT_EDGES);
+
+    report->limits_raw = limits & LARGEST_8_BIT;
+    report->limits = (limits >> 8U) & LARGEST_8_BIT;
+    report->encoder_count = to_signed(get_word(bytes, WORD_REPORT_ENCODER));
+    report->last_edge_us = get_word(bytes, WORD_REPORT_LAST_EDGE);
+    report->fourth_edge_us = get_word(bytes, WORD_REPORT_FOURTH_EDGE);
+    report->edges = edges >> 16U;
+    report->illegal_edges = edges & LARGEST_16_BIT;
+}
+
+static void read_health(const uint8_t bytes[CARD_FRAME_BYTES], card_report_t *report)
+{
+    const uint32_t temperatures = get_word(bytes, WORD_REPORT_TEMPERATURES);
+    const uint32_t supply = get_word(bytes, WORD_REPORT_SUPPLY);
+
+    report->driver_temperature_dc = from_int16(temperatures >> 16U);
+    report->motor_temperature_dc = from_int16(temperatures & LARGEST_16_BIT);
+    report->supply_mv = supply >> 16U;
+    report->current_ma = supply & LARGEST_16_BIT;
+    report->rx_crc_errors = get_word(bytes, WORD_REPORT_CRC_ERRORS);
+    report->sequence_gaps = get_word(bytes, WORD_REPORT_GAPS);
+    report->watchdog_trips = get_word(bytes, WORD_REPORT_TRIPS);
+    report->uptime_s = get_word(bytes, WORD_REPORT_UPTIME);
+}
+
+card_frame_result_t card_frame_decode_report(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot,
+                                             card_report_t *report)
+{
+    const card_frame_result_t result = check_frame(bytes, slot, TYPE_REPORT);
+    const uint32_t identity = get_word(bytes, WORD_REPORT_IDENTITY);
+    const card_drive_t applied = read_applied(bytes);
+
+    if (result != CARD_FRAME_OK) {
+        return result;
+    }
+    if (!is_drive_valid(&applied)) {
+        return CARD_FRAME_BAD_DRIVE;
+    }
+    report->slot = slot;
+    report->accepted_sequence = get_word(bytes, WORD_REPORT_ACCEPTED);
+    report->heartbeat = get_word(bytes, WORD_REPORT_HEARTBEAT);
+    report->time_us = get_word(bytes, WORD_REPORT_TIME);
+    report->card_type = identity >> 24U;
+    report->firmware = identity & LARGEST_24_BIT;
+    report->system_state = get_word(bytes, WORD_REPORT_SYSTEM);
+    report->status = get_word(bytes, WORD_REPORT_STATUS);
+    report->applied = applied;
+    read_counts(bytes, report);
+    read_health(bytes, report);
+    return CARD_FRAME_OK;
+}

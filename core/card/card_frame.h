@@ -1,0 +1,145 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * The frames between controller and daughter card: 64 big-endian words of 32 bit, both ways in one full-duplex
+ * exchange. A command goes out, a report comes back; the report speaks of the command of the exchange before.
+ * Both directions are coded here, so that the card's side (the simulated box) shares the one layout.
+ */
+#ifndef BORESIGHT_CARD_FRAME_H
+#define BORESIGHT_CARD_FRAME_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#define CARD_FRAME_WORDS 64U
+#define CARD_FRAME_BYTES 256U
+#define CARD_FRAME_START 0xFEFEFE01U
+#define CARD_FRAME_PROTOCOL 1U
+
+/** Values of the drive mode, word 10 of a command. */
+typedef enum {
+    CARD_DRIVE_OFF = 0,
+    CARD_DRIVE_PWM = 1,
+    CARD_DRIVE_NON_PWM = 2
+} card_drive_mode_t;
+
+/** Bits of the system state, word 4 of a command. */
+#define CARD_SYSTEM_PEDAL 0x01U
+#define CARD_SYSTEM_ESTOP 0x02U
+#define CARD_SYSTEM_PERMIT 0x04U
+#define CARD_SYSTEM_HOMING 0x08U
+#define CARD_SYSTEM_SCANNER 0x10U
+
+/** Bits of the control word 5 of a command. */
+#define CARD_CONTROL_AMPLIFIER 0x01U
+#define CARD_CONTROL_CLEAR_FAULT 0x02U
+
+/** Bits of the status word 7 of a report. */
+#define CARD_STATUS_AMPLIFIER_ON 0x0001U
+#define CARD_STATUS_MOVING 0x0002U
+#define CARD_STATUS_DRIVER_FAULT 0x0004U
+#define CARD_STATUS_WATCHDOG 0x0008U /**< Tripped since the last clear-fault. */
+#define CARD_STATUS_HOT 0x0010U
+#define CARD_STATUS_OVERSPEED 0x0020U
+#define CARD_STATUS_GUARD 0x0040U
+#define CARD_STATUS_ILLEGAL_EDGE 0x0080U
+#define CARD_STATUS_RX_CRC 0x0100U
+#define CARD_STATUS_POWER_BAD 0x0200U
+/** Any of these means that the card must not be trusted to drive. */
+#define CARD_STATUS_FAULTS \
+    (CARD_STATUS_DRIVER_FAULT | CARD_STATUS_WATCHDOG | CARD_STATUS_HOT | CARD_STATUS_OVERSPEED | \
+     CARD_STATUS_GUARD | CARD_STATUS_POWER_BAD)
+
+/** Bits of the debounced limit switches of a report; 1 = active. */
+#define CARD_LIMIT_LOWER 0x01U
+#define CARD_LIMIT_UPPER 0x02U
+
+/** What a card is asked to do with its motor. All zero is "off". */
+typedef struct {
+    uint32_t mode;      /**< card_drive_mode_t. */
+    uint32_t direction; /**< 0 or 1; the meaning is the robot's. */
+    uint32_t duty;      /**< 0..0x1FFFF, pwm only. */
+} card_drive_t;
+
+/** Controller to card. */
+typedef struct {
+    uint32_t slot;
+    uint32_t sequence;     /**< Grows by one each exchange. */
+    uint32_t time_us;      /**< Controller time, wraps. */
+    uint32_t system_state; /**< CARD_SYSTEM_ bits, mode in bits 8..15. */
+    uint32_t control;      /**< CARD_CONTROL_ bits. */
+    card_drive_t drive;
+    uint32_t watchdog_us;  /**< The card switches its drive off after this time without a valid frame. */
+    uint32_t overspeed_ticks_per_s;
+    int32_t guard_minimum_ticks; /**< Raw encoder counts beyond which the card switches off. */
+    int32_t guard_maximum_ticks;
+    uint32_t axis_id;
+} card_command_t;
+
+/** Card to controller. */
+typedef struct {
+    uint32_t slot;
+    uint32_t accepted_sequence; /**< Sequence of the last command the card accepted. */
+    uint32_t heartbeat;         /**< Grows by one each report; a repeated value is an old report. */
+    uint32_t time_us;           /**< Card time, wraps. */
+    uint32_t card_type;         /**< card_type_t. */
+    uint32_t firmware;          /**< major << 16 | minor << 8 | patch. */
+    uint32_t system_state;      /**< Echo. */
+    uint32_t status;            /**< CARD_STATUS_ bits. */
+    uint32_t limits_raw;        /**< CARD_LIMIT_ bits. */
+    uint32_t limits;            /**< CARD_LIMIT_ bits, debounced. */
+    int32_t encoder_count;
+    uint32_t last_edge_us;      /**< Card time of the newest encoder edge. */
+    uint32_t fourth_edge_us;    /**< Card time of the edge four edges earlier. */
+    uint32_t edges;             /**< Since the last report, saturates at 65535. */
+    uint32_t illegal_edges;     /**< Since the last report, saturates at 65535. */
+    int32_t driver_temperature_dc; /**< 0.1 degree Celsius. */
+    int32_t motor_temperature_dc;
+    uint32_t supply_mv;
+    uint32_t current_ma;
+    card_drive_t applied;       /**< What the card's driver applies now. */
+    uint32_t rx_crc_errors;
+    uint32_t sequence_gaps;
+    uint32_t watchdog_trips;
+    uint32_t uptime_s;
+} card_report_t;
+
+/** Why a frame was discarded. */
+typedef enum {
+    CARD_FRAME_OK = 0,
+    CARD_FRAME_BAD_START = 1,    /**< Start word, protocol version or length is wrong. */
+    CARD_FRAME_BAD_CRC = 2,
+    CARD_FRAME_BAD_SLOT = 3,
+    CARD_FRAME_BAD_COMPLEMENT = 4, /**< Word 61 of a command does not complement word 5. */
+    CARD_FRAME_BAD_DRIVE = 5     /**< Mode, direction or duty outside its range. */
+} card_frame_result_t;
+
+/**
+ * Writes `command` as the 256 bytes of a frame.
+ *
+ * @satisfies SWR-CARD-001
+ * @satisfies SWR-CARD-002
+ * @satisfies SWR-CARD-004
+ */
+void card_frame_encode_command(const card_command_t *command, uint8_t bytes[CARD_FRAME_BYTES]);
+
+/** Writes `report` as the 256 bytes of a frame. */
+void card_frame_encode_report(const card_report_t *report, uint8_t bytes[CARD_FRAME_BYTES]);
+
+/**
+ * Reads a command sent to `slot`. On any result but CARD_FRAME_OK `command` is unchanged.
+ *
+ * @satisfies SWR-CARD-003
+ */
+card_frame_result_t card_frame_decode_command(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot,
+                                              card_command_t *command);
+
+/**
+ * Reads a report of `slot`. On any result but CARD_FRAME_OK `report` is unchanged.
+ *
+ * @satisfies SWR-CARD-003
+ */
+card_frame_result_t card_frame_decode_report(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot,
+                                             card_report_t *report);
+
+#endif

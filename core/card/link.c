@@ -1,0 +1,107 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "link.h"
+
+#include "limits.h"
+
+#include <stddef.h>
+#include <string.h>
+
+static bool are_drives_equal(const card_drive_t *a, const card_drive_t *b)
+{
+    return (a->mode == b->mode) && (a->direction == b->direction) && (a->duty == b->duty);
+}
+
+static void receive(link_t *self, const uint8_t *bytes)
+{
+    card_report_t report;
+    self->is_fresh = 0U;
+    self->last_error = (uint32_t)CARD_FRAME_OK;
+    if (bytes == NULL) {
+        return;
+    }
+    const card_frame_result_t result = card_frame_decode_report(bytes, self->slot, &report);
+    self->last_error = (uint32_t)result;
+    const bool is_repeated = (self->has_report != 0U) && (report.heartbeat == self->report.heartbeat);
+    if ((result != CARD_FRAME_OK) || is_repeated) {
+        self->frame_errors += (self->frame_errors < UINT32_MAX) ? 1U : 0U;
+        return;
+    }
+    self->report = report;
+    self->has_report = 1U;
+    self->is_fresh = 1U;
+}
+
+static void compare_echo(link_t *self)
+{
+    if (self->is_fresh == 0U) {
+        return;
+    }
+    const bool is_same = (self->report.accepted_sequence == self->sent_sequence_before) &&
+                         are_drives_equal(&self->report.applied, &self->sent_before);
+    self->echo_mismatches = is_same ? 0U : (self->echo_mismatches + 1U);
+}
+
+static void give_up(link_t *self, card_link_event_t event, link_cause_t cause)
+{
+    const card_link_inputs_t inputs = {.is_fresh = false};
+    const uint8_t before = self->chart.state;
+    (void)card_link_chart_dispatch(&self->chart, &inputs, event);
+    if (self->chart.state != before) {
+        self->cause = (uint32_t)cause;
+    }
+}
+
+void link_init(link_t *self, uint32_t slot)
+{
+    (void)memset(self, 0, sizeof *self);
+    card_link_chart_init(&self->chart);
+    self->slot = slot;
+}
+
+void link_step(link_t *self, const uint8_t *bytes)
+{
+    const card_link_inputs_t inputs = {.is_fresh = false};
+    receive(self, bytes);
+    compare_echo(self);
+    if (link_is_healthy_now(self)) {
+        self->age_cycles = 0U;
+        (void)card_link_chart_dispatch(&self->chart, &inputs, CARD_LINK_EVENT_GOOD);
+    } else {
+        self->age_cycles += (self->age_cycles < UINT32_MAX) ? 1U : 0U;
+        (void)card_link_chart_dispatch(&self->chart, &inputs, CARD_LINK_EVENT_MISSED);
+    }
+    if (self->age_cycles >= LIMIT_LINK_AGE_CYCLES) {
+        give_up(self, CARD_LINK_EVENT_TOO_OLD, LINK_CAUSE_AGE);
+    }
+    if ((self->is_fresh != 0U) && ((self->report.status & CARD_STATUS_FAULTS) != 0U)) {
+        give_up(self, CARD_LINK_EVENT_CARD_FAULT, LINK_CAUSE_FAULT);
+    }
+    if (self->echo_mismatches >= LIMIT_ECHO_MISMATCH_CYCLES) {
+        give_up(self, CARD_LINK_EVENT_CARD_FAULT, LINK_CAUSE_ECHO);
+    }
+}
+
+void link_note_sent(link_t *self, uint32_t sequence, const card_drive_t *drive)
+{
+    self->sent_sequence_before = self->sent_sequence;
+    self->sent_before = self->sent;
+    self->sent_sequence = sequence;
+    self->sent = *drive;
+}
+
+void link_reset(link_t *self)
+{
+    const card_link_inputs_t inputs = {.is_fresh = link_is_healthy_now(self)};
+    (void)card_link_chart_dispatch(&self->chart, &inputs, CARD_LINK_EVENT_RESET);
+}
+
+bool link_is_usable(const link_t *self)
+{
+    return (self->chart.state == (uint8_t)CARD_LINK_STATE_LIVE) ||
+           (self->chart.state == (uint8_t)CARD_LINK_STATE_LATE);
+}
+
+bool link_is_healthy_now(const link_t *self)
+{
+    return (self->is_fresh != 0U) && ((self->report.status & CARD_STATUS_FAULTS) == 0U);
+}

@@ -1,0 +1,71 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * The controller's view of one daughter card: is it alive, what did it say last, does it do as told.
+ * The controller owns one per slot and steps it every cycle. Behaviour: statecharts/card_link.scxml.
+ */
+#ifndef BORESIGHT_LINK_H
+#define BORESIGHT_LINK_H
+
+#include "card_frame.h"
+#include "card_link_chart.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/** Why a card was given up. */
+typedef enum {
+    LINK_CAUSE_NONE = 0,  /**< It was not. */
+    LINK_CAUSE_AGE = 1,   /**< No valid frame for LIMIT_LINK_AGE_CYCLES cycles. */
+    LINK_CAUSE_FAULT = 2, /**< The card reported a fault. */
+    LINK_CAUSE_ECHO = 3   /**< The card's driver does not apply what was commanded. */
+} link_cause_t;
+
+typedef struct {
+    card_link_chart_t chart;
+    card_report_t report;     /**< The last valid one; all zero before the first. */
+    card_drive_t sent;        /**< Drive of the last command. */
+    card_drive_t sent_before; /**< Of the one before: the one that a report speaks of. */
+    uint32_t sent_sequence;
+    uint32_t sent_sequence_before;
+    uint32_t slot;
+    uint32_t age_cycles;      /**< Since the last valid frame, saturates. */
+    uint32_t frame_errors;    /**< Frames discarded, saturates. */
+    uint32_t last_error;      /**< card_frame_result_t of this cycle's frame. */
+    uint32_t echo_mismatches; /**< In a row. */
+    uint32_t is_fresh;        /**< A valid frame arrived in this cycle: 0 or 1. */
+    uint32_t has_report;      /**< 0 or 1. */
+    uint32_t cause;           /**< link_cause_t of the last loss. */
+} link_t;
+
+/** Starts absent. */
+void link_init(link_t *self, uint32_t slot);
+
+/**
+ * One cycle. `bytes` is this cycle's frame, NULL when none was received.
+ *
+ * @satisfies SWR-LINK-001
+ * @satisfies SWR-LINK-002
+ * @satisfies SWR-LINK-004
+ * @satisfies SWR-LINK-005
+ * @satisfies SWR-LINK-006
+ */
+void link_step(link_t *self, const uint8_t *bytes);
+
+/** Remembers what goes out in this cycle, for the comparison with the card's read-back. */
+void link_note_sent(link_t *self, uint32_t sequence, const card_drive_t *drive);
+
+/**
+ * Trusts a lost card again if it sent a valid frame without a fault in this cycle.
+ *
+ * @satisfies SWR-LINK-003
+ */
+void link_reset(link_t *self);
+
+/** The card may be given a drive command. */
+bool link_is_usable(const link_t *self);
+
+/** The card sent a valid frame without a fault in this cycle. */
+bool link_is_healthy_now(const link_t *self);
+
+#endif

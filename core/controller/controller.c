@@ -1,0 +1,103 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "controller.h"
+
+#include "contract.h"
+#include "controller_parts.h"
+
+#include <string.h>
+
+static const char contract_module[] = "controller";
+
+static event_severity_t severity(event_id_t id)
+{
+    event_severity_t result = EVENT_SEVERITY_INFORMATION;
+    switch (id) {
+    case EVENT_PEDAL_FAULT:
+    case EVENT_ESTOP_PULLED:
+    case EVENT_CARD_LOST:
+    case EVENT_AXIS_STALLED:
+    case EVENT_AXIS_ENCODER_FAULT:
+    case EVENT_AXIS_FOLLOWING_ERROR:
+    case EVENT_AXIS_HOME_TIMEOUT:
+    case EVENT_LOOP_STOPPED:
+    case EVENT_CHART_REPAIRED:
+        result = EVENT_SEVERITY_CRITICAL;
+        break;
+    case EVENT_COMMAND_REFUSED:
+    case EVENT_FRAME_REFUSED:
+    case EVENT_ORDER_DISCARDED:
+    case EVENT_ORDER_EXPIRED:
+    case EVENT_OVERRUN:
+        result = EVENT_SEVERITY_WARNING;
+        break;
+    case EVENT_STARTED:
+    case EVENT_WORKPHASE:
+    case EVENT_PEDAL_PRESSED:
+    case EVENT_PEDAL_RELEASED:
+    case EVENT_ESTOP_RELEASED:
+    case EVENT_ESTOP_CLEARED:
+    case EVENT_CARD_LIVE:
+    case EVENT_AXIS_HOMED:
+    case EVENT_ORDER_ARMED:
+    case EVENT_ORDER_DONE:
+    case EVENT_REGISTERED:
+    case EVENT_TARGET_ACCEPTED:
+    case EVENT_PROPOSAL:
+    case EVENT_SCANNER:
+    default:
+        result = EVENT_SEVERITY_INFORMATION;
+        break;
+    }
+    return result;
+}
+
+void controller_note(controller_t *self, const cycle_t *cycle, event_id_t id, uint32_t subject, int32_t value)
+{
+    controller_outputs_t *const outputs = cycle->outputs;
+    if (outputs->event_count >= CONTROLLER_EVENTS) {
+        self->events_lost++;
+        return;
+    }
+    event_t *const event = &outputs->events[outputs->event_count];
+    event->number = self->events;
+    event->cycle = self->cycle;
+    event->id = (uint32_t)id;
+    event->severity = (uint32_t)severity(id);
+    event->subject = subject;
+    event->value = value;
+    outputs->event_count++;
+    self->events++;
+}
+
+void controller_init(controller_t *self, const robot_t *robot)
+{
+    (void)memset(self, 0, sizeof *self);
+    pedal_gate_init(&self->pedal);
+    loop_guard_init(&self->loop);
+    estop_latch_chart_init(&self->estop);
+    workphases_chart_init(&self->workphases);
+    plan_init(&self->plan);
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        axis_init(&self->axes[i]);
+        link_init(&self->links[i], (uint32_t)robot->axes[i].slot);
+    }
+}
+
+void controller_step(controller_t *self, const robot_t *robot, const controller_inputs_t *inputs,
+                     controller_outputs_t *outputs)
+{
+    REQUIRE(100U, inputs->command_count <= CONTROLLER_COMMANDS);
+    const cycle_t cycle = {.robot = robot, .inputs = inputs, .outputs = outputs};
+    card_drive_t requests[ROBOT_AXIS_COUNT];
+    (void)memset(outputs, 0, sizeof *outputs);
+    if (self->cycle == 0U) {
+        controller_note(self, &cycle, EVENT_STARTED, 0U, 0);
+    }
+    self->time_us += inputs->elapsed_us;
+    controller_observe(self, &cycle);
+    controller_obey(self, &cycle);
+    controller_move(self, &cycle, requests);
+    controller_drive(self, &cycle, requests);
+    controller_show(self, &cycle);
+    self->cycle++;
+}

@@ -1,0 +1,107 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * The controller: one pure function of its state and the cycle's inputs. Everything that decides about motion is
+ * inside it. No I/O, no clock, no heap, no float; equal inputs give equal outputs, bit for bit.
+ */
+#ifndef BORESIGHT_CONTROLLER_H
+#define BORESIGHT_CONTROLLER_H
+
+#include "axis.h"
+#include "card_frame.h"
+#include "command.h"
+#include "estop_latch.h"
+#include "event.h"
+#include "limits.h"
+#include "link.h"
+#include "loop_guard.h"
+#include "pedal_gate.h"
+#include "plan.h"
+#include "profile.h"
+#include "robot.h"
+#include "snapshot.h"
+#include "workphase.h"
+
+#include <stdint.h>
+
+#define CONTROLLER_COMMANDS LIMIT_COMMANDS_PER_CYCLE
+#define CONTROLLER_EVENTS LIMIT_EVENTS_PER_CYCLE
+#define CONTROLLER_ANSWERS (CONTROLLER_COMMANDS * 2U + 1U) /**< Most answers of one cycle. */
+
+/** Everything the controller may know of one cycle. Fixed layout, no padding; recorded. */
+typedef struct {
+    uint32_t elapsed_us;      /**< Measured since the wake-up before; 1000 nominally. */
+    uint32_t late_stage;      /**< Stage that took longest in the cycle before, as control numbers them. */
+    uint32_t pedal_a;         /**< Channel A is closed (pressed): 0 or 1. */
+    uint32_t pedal_b;
+    uint32_t estop_open;      /**< The e-stop chain is open (pulled): 0 or 1. */
+    uint32_t scanner_active;  /**< 0 or 1. */
+    uint32_t frames_received; /**< Bit n: frames[n] was received in this cycle. */
+    uint32_t command_count;   /**< 0..CONTROLLER_COMMANDS. */
+    command_t commands[CONTROLLER_COMMANDS];
+    uint8_t frames[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES];
+} controller_inputs_t;
+
+/** Everything the controller says in one cycle. Fixed layout, no padding; recorded. */
+typedef struct {
+    uint32_t frames_to_send;  /**< Bit n: frames[n] goes out. */
+    uint32_t answer_count;
+    uint32_t event_count;
+    uint32_t reserved;
+    answer_t answers[CONTROLLER_ANSWERS];
+    event_t events[CONTROLLER_EVENTS];
+    snapshot_t snapshot;
+    uint8_t frames[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES];
+} controller_outputs_t;
+
+/** The long command that will be answered again. */
+typedef struct {
+    uint32_t id;
+    uint32_t source;
+    uint32_t kind;
+    uint32_t argument;
+    uint32_t is_waiting; /**< 0 or 1. */
+} pending_command_t;
+
+/** All state of the controller; holds no pointer, so that it can be stored and compared as bytes. */
+typedef struct {
+    pedal_gate_t pedal;
+    loop_guard_t loop;
+    estop_latch_chart_t estop;
+    workphases_chart_t workphases;
+    plan_t plan;
+    profile_t profile;
+    pending_command_t pending;
+    axis_t axes[ROBOT_AXIS_COUNT];
+    link_t links[ROBOT_AXIS_COUNT];      /**< In the order of the axes. */
+    card_drive_t drives[ROBOT_AXIS_COUNT]; /**< As sent in the last cycle. */
+    uint32_t permit_reasons[ROBOT_AXIS_COUNT];
+    uint32_t permit_since_cycle[ROBOT_AXIS_COUNT];
+    uint32_t permit_speed_cap_percent[ROBOT_AXIS_COUNT];
+    uint32_t is_driven[ROBOT_AXIS_COUNT]; /**< The permit allowed it and a motion ran, last cycle. */
+    uint32_t jog_axis;
+    int32_t jog_ticks;
+    uint32_t cycle;
+    uint32_t time_us;
+    uint32_t sequence;                   /**< Of the outgoing frames. */
+    uint32_t events;                     /**< Number of the next event. */
+    uint32_t events_lost;
+    uint32_t settled_cycles;             /**< At the target, in a row. */
+    uint32_t is_profile_running;
+    uint32_t was_gate_open;
+    uint32_t was_scanner_active;
+} controller_t;
+
+/** Starts in workphase UNDEFINED with nothing enabled. */
+void controller_init(controller_t *self, const robot_t *robot);
+
+/**
+ * One control cycle: frames -> links -> encoders -> interlocks -> commands -> order -> profile and servo -> permit ->
+ * frames. `outputs` is completely rewritten. Requires (contract 100) at most CONTROLLER_COMMANDS commands.
+ *
+ * @satisfies SWR-CORE-002
+ */
+void controller_step(controller_t *self, const robot_t *robot, const controller_inputs_t *inputs,
+                     controller_outputs_t *outputs);
+
+#endif

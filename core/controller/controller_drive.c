@@ -1,0 +1,88 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "controller_parts.h"
+
+static bool is_any_link_lost(const controller_t *self)
+{
+    bool is_lost = false;
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        is_lost = is_lost || !link_is_usable(&self->links[i]);
+    }
+    return is_lost;
+}
+
+permit_t controller_permit(const controller_t *self, const cycle_t *cycle, uint32_t index,
+                           const card_drive_t *request)
+{
+    const axis_t *const axis = &self->axes[index];
+    const axis_config_t *const config = &cycle->robot->axes[index];
+    const uint8_t pedal = self->pedal.chart.state;
+    const permit_facts_t facts = {
+        .is_estop_pulled = (self->estop.state == (uint8_t)ESTOP_LATCH_STATE_PULLED),
+        .is_estop_latched = (self->estop.state == (uint8_t)ESTOP_LATCH_STATE_LATCHED),
+        .is_loop_stopped = (self->loop.chart.state == (uint8_t)LOOP_GUARD_STATE_STOPPED),
+        .is_link_lost = is_any_link_lost(self),
+        .is_pedal_faulty = (pedal == (uint8_t)PEDAL_GATE_STATE_FAULT),
+        .is_scanner_active = (cycle->inputs->scanner_active != 0U),
+        .is_axis_faulty = axis_is_faulty(axis),
+        .is_axis_enabled = axis_is_enabled(axis),
+        .is_armed = workphase_is_armed(&self->workphases),
+        .is_pedal_unproven = (pedal == (uint8_t)PEDAL_GATE_STATE_UNPROVEN),
+        .is_pedal_pressed = pedal_gate_is_open(&self->pedal),
+        .is_homed = axis_is_homed(axis),
+        .is_homing_or_jog = (workphase_present(&self->workphases) != WORKPHASE_MOVE_TO_TARGET),
+        .is_towards_switch = axis_is_towards_switch(axis, config, request),
+        .is_beyond_soft_limit = axis_is_beyond_limit(axis, config, request),
+    };
+    return permit_decide(&facts);
+}
+
+static uint32_t system_state(const controller_t *self, const cycle_t *cycle)
+{
+    uint32_t state = (uint32_t)workphase_present(&self->workphases) << 8U;
+    state |= pedal_gate_is_open(&self->pedal) ? CARD_SYSTEM_PEDAL : 0U;
+    state |= (cycle->inputs->estop_open != 0U) ? CARD_SYSTEM_ESTOP : 0U;
+    state |= (cycle->inputs->scanner_active != 0U) ? CARD_SYSTEM_SCANNER : 0U;
+    state |= (workphase_present(&self->workphases) == WORKPHASE_START_UP) ? CARD_SYSTEM_HOMING : 0U;
+    return state;
+}
+
+/* The only place where a drive enters an outgoing frame. */
+static void send(controller_t *self, const cycle_t *cycle, uint32_t index, const permit_t *permit,
+                 const card_drive_t *request)
+{
+    const axis_config_t *const config = &cycle->robot->axes[index];
+    link_t *const link = &self->links[index];
+    const card_command_t command = {
+        .slot = link->slot,
+        .sequence = self->sequence,
+        .time_us = self->time_us,
+        .system_state = system_state(self, cycle) | (permit->is_allowed ? CARD_SYSTEM_PERMIT : 0U),
+        .control = link_is_usable(link) ? (permit->is_allowed ? CARD_CONTROL_AMPLIFIER : 0U)
+                                        : CARD_CONTROL_CLEAR_FAULT,
+        .drive = permit_apply(permit, request),
+        .watchdog_us = LIMIT_CARD_WATCHDOG_US,
+        .overspeed_ticks_per_s = (uint32_t)config->full_speed_ticks_per_s * 2U,
+        .guard_minimum_ticks = INT32_MIN,
+        .guard_maximum_ticks = INT32_MAX,
+        .axis_id = index,
+    };
+    card_frame_encode_command(&command, cycle->outputs->frames[link->slot]);
+    cycle->outputs->frames_to_send |= 1UL << link->slot;
+    link_note_sent(link, self->sequence, &command.drive);
+    self->drives[index] = command.drive;
+}
+
+void controller_drive(controller_t *self, const cycle_t *cycle, const card_drive_t requests[ROBOT_AXIS_COUNT])
+{
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        const permit_t permit = controller_permit(self, cycle, i, &requests[i]);
+        if ((permit.reasons != self->permit_reasons[i]) || (self->cycle == 0U)) {
+            self->permit_reasons[i] = permit.reasons;
+            self->permit_since_cycle[i] = self->cycle;
+        }
+        self->permit_speed_cap_percent[i] = permit.speed_cap_percent;
+        self->is_driven[i] = (permit.is_allowed && workphase_is_moving(&self->workphases)) ? 1U : 0U;
+        send(self, cycle, i, &permit, &requests[i]);
+    }
+    self->sequence++;
+}

@@ -1,0 +1,147 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "controller_parts.h"
+
+#include <stddef.h>
+
+static void observe_link(controller_t *self, const cycle_t *cycle, uint32_t index)
+{
+    link_t *const link = &self->links[index];
+    const bool is_received = (cycle->inputs->frames_received & (1UL << link->slot)) != 0U;
+    const bool was_usable = link_is_usable(link);
+    const uint32_t had_errors = link->frame_errors;
+    if (card_link_chart_check(&link->chart) != 0U) {
+        controller_note(self, cycle, EVENT_CHART_REPAIRED, link->slot, 0);
+    }
+    link_step(link, is_received ? cycle->inputs->frames[link->slot] : NULL);
+    if (link->frame_errors != had_errors) {
+        controller_note(self, cycle, EVENT_FRAME_REFUSED, link->slot, (int32_t)link->last_error);
+    }
+    if (link_is_usable(link) && !was_usable) {
+        controller_note(self, cycle, EVENT_CARD_LIVE, link->slot, 0);
+    }
+    if (was_usable && !link_is_usable(link)) {
+        controller_note(self, cycle, EVENT_CARD_LOST, link->slot, (int32_t)link->cause);
+        axis_lose_reference(&self->axes[index]);
+        axis_disable(&self->axes[index]);
+        controller_tell_order(self, cycle, WORKPHASES_EVENT_FAULT, STATUS_FAULT_PRESENT);
+    }
+}
+
+static void note_axis(controller_t *self, const cycle_t *cycle, uint32_t index, uint32_t notes)
+{
+    const axis_t *const axis = &self->axes[index];
+    if ((notes & AXIS_NOTE_CHART_REPAIRED) != 0U) {
+        controller_note(self, cycle, EVENT_CHART_REPAIRED, index, 0);
+    }
+    if ((notes & AXIS_NOTE_HOMED) != 0U) {
+        controller_note(self, cycle, EVENT_AXIS_HOMED, index, axis->home_correction_ticks);
+    }
+    if ((notes & AXIS_NOTE_ENCODER_FAULT) != 0U) {
+        controller_note(self, cycle, EVENT_AXIS_ENCODER_FAULT, index, axis->encoder.jump_ticks);
+    }
+    if ((notes & AXIS_NOTE_STALLED) != 0U) {
+        controller_note(self, cycle, EVENT_AXIS_STALLED, index, axis->encoder.position_ticks);
+    }
+    if ((notes & AXIS_NOTE_FOLLOWING_ERROR) != 0U) {
+        controller_note(self, cycle, EVENT_AXIS_FOLLOWING_ERROR, index,
+                        axis->setpoint_ticks - axis->encoder.position_ticks);
+    }
+    if ((notes & AXIS_NOTE_HOME_TIMEOUT) != 0U) {
+        controller_note(self, cycle, EVENT_AXIS_HOME_TIMEOUT, index, 0);
+    }
+    if (axis_is_faulty(axis)) {
+        controller_tell_order(self, cycle, WORKPHASES_EVENT_FAULT, STATUS_FAULT_PRESENT);
+    }
+}
+
+static void observe_axis(controller_t *self, const cycle_t *cycle, uint32_t index)
+{
+    const axis_config_t *const config = &cycle->robot->axes[index];
+    const link_t *const link = &self->links[index];
+    const card_report_t *const report = (link->is_fresh != 0U) ? &link->report : NULL;
+    uint32_t notes = axis_observe(&self->axes[index], config, report);
+    notes |= axis_supervise(&self->axes[index], config, self->is_driven[index] != 0U,
+                            cycle->inputs->elapsed_us);
+    note_axis(self, cycle, index, notes);
+}
+
+static void observe_pedal(controller_t *self, const cycle_t *cycle)
+{
+    const bool was_faulty = self->pedal.chart.state == (uint8_t)PEDAL_GATE_STATE_FAULT;
+    if (pedal_gate_chart_check(&self->pedal.chart) != 0U) {
+        controller_note(self, cycle, EVENT_CHART_REPAIRED, 0U, 0);
+    }
+    pedal_gate_step(&self->pedal, cycle->inputs->pedal_a != 0U, cycle->inputs->pedal_b != 0U,
+                    cycle->inputs->elapsed_us);
+    const uint32_t is_open = pedal_gate_is_open(&self->pedal) ? 1U : 0U;
+    if (is_open != self->was_gate_open) {
+        controller_note(self, cycle, (is_open != 0U) ? EVENT_PEDAL_PRESSED : EVENT_PEDAL_RELEASED, 0U, 0);
+        self->was_gate_open = is_open;
+    }
+    if ((self->pedal.chart.state == (uint8_t)PEDAL_GATE_STATE_FAULT) && !was_faulty) {
+        controller_note(self, cycle, EVENT_PEDAL_FAULT, 0U, 0);
+        controller_tell_order(self, cycle, WORKPHASES_EVENT_FAULT, STATUS_FAULT_PRESENT);
+    }
+}
+
+static void observe_estop(controller_t *self, const cycle_t *cycle)
+{
+    const uint8_t before = self->estop.state;
+    if (estop_latch_chart_check(&self->estop) != 0U) {
+        controller_note(self, cycle, EVENT_CHART_REPAIRED, 0U, 0);
+    }
+    estop_latch_step(&self->estop, cycle->inputs->estop_open != 0U);
+    if (self->estop.state == before) {
+        return;
+    }
+    if (self->estop.state != (uint8_t)ESTOP_LATCH_STATE_PULLED) {
+        controller_note(self, cycle, EVENT_ESTOP_RELEASED, 0U, 0);
+        return;
+    }
+    controller_note(self, cycle, EVENT_ESTOP_PULLED, 0U, 0);
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        axis_disable(&self->axes[i]);
+    }
+    controller_tell_order(self, cycle, WORKPHASES_EVENT_ESTOP, STATUS_DISCARDED);
+}
+
+static void observe_loop(controller_t *self, const cycle_t *cycle)
+{
+    const uint32_t overruns = self->loop.overruns;
+    const uint8_t before = self->loop.chart.state;
+    if (loop_guard_chart_check(&self->loop.chart) != 0U) {
+        controller_note(self, cycle, EVENT_CHART_REPAIRED, 0U, 0);
+    }
+    loop_guard_step(&self->loop, cycle->inputs->elapsed_us);
+    if (self->loop.overruns != overruns) {
+        controller_note(self, cycle, EVENT_OVERRUN, cycle->inputs->late_stage,
+                        (int32_t)cycle->inputs->elapsed_us);
+    }
+    if ((self->loop.chart.state == (uint8_t)LOOP_GUARD_STATE_STOPPED) && (self->loop.chart.state != before)) {
+        controller_note(self, cycle, EVENT_LOOP_STOPPED, 0U, 0);
+        controller_tell_order(self, cycle, WORKPHASES_EVENT_FAULT, STATUS_FAULT_PRESENT);
+    }
+}
+
+static void observe_scanner(controller_t *self, const cycle_t *cycle)
+{
+    if (cycle->inputs->scanner_active != self->was_scanner_active) {
+        self->was_scanner_active = cycle->inputs->scanner_active;
+        controller_note(self, cycle, EVENT_SCANNER, 0U, (int32_t)self->was_scanner_active);
+    }
+}
+
+void controller_observe(controller_t *self, const cycle_t *cycle)
+{
+    if (workphases_chart_check(&self->workphases) != 0U) {
+        controller_note(self, cycle, EVENT_CHART_REPAIRED, 0U, 0);
+    }
+    observe_loop(self, cycle);
+    observe_pedal(self, cycle);
+    observe_estop(self, cycle);
+    observe_scanner(self, cycle);
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        observe_link(self, cycle, i);
+        observe_axis(self, cycle, i);
+    }
+}

@@ -1,0 +1,50 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file The parts of controller_step(), in the order of a cycle. For the files of this folder only. */
+#ifndef BORESIGHT_CONTROLLER_PARTS_H
+#define BORESIGHT_CONTROLLER_PARTS_H
+
+#include "controller.h"
+#include "permit.h"
+
+#include <stdbool.h>
+
+/** What the parts of one cycle share. */
+typedef struct {
+    const robot_t *robot;
+    const controller_inputs_t *inputs;
+    controller_outputs_t *outputs;
+} cycle_t;
+
+/** Adds an event to this cycle's outputs; counts it as lost when they are full. @satisfies SWR-EVENT-001 */
+void controller_note(controller_t *self, const cycle_t *cycle, event_id_t id, uint32_t subject, int32_t value);
+
+/** Links, encoders, interlocks: what the world says in this cycle. */
+void controller_observe(controller_t *self, const cycle_t *cycle);
+
+/** Commands of this cycle, each answered at once. */
+void controller_obey(controller_t *self, const cycle_t *cycle);
+
+/** What the workphase chart just did: answers and events. `fault`: status for an order given up. */
+void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t actions, status_t fault);
+
+/** Sends an event to the workphase chart and reports. */
+void controller_tell_order(controller_t *self, const cycle_t *cycle, workphases_event_t event, status_t fault);
+
+/** Facts for the guards of the workphase chart. */
+workphases_inputs_t controller_guards(const controller_t *self, const cycle_t *cycle);
+
+/** The armed order: pedal edges, homing, move, jog, its end. Fills one drive request per axis. */
+void controller_move(controller_t *self, const cycle_t *cycle, card_drive_t requests[ROBOT_AXIS_COUNT]);
+
+/** The permit of axis `index` for `request`. */
+permit_t controller_permit(const controller_t *self, const cycle_t *cycle, uint32_t index,
+                           const card_drive_t *request);
+
+/** Permit and outgoing frames. @satisfies SWR-PERMIT-002 */
+void controller_drive(controller_t *self, const cycle_t *cycle,
+                      const card_drive_t requests[ROBOT_AXIS_COUNT]);
+
+/** Fills the snapshot. */
+void controller_show(const controller_t *self, const cycle_t *cycle);
+
+#endif

@@ -1,0 +1,149 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "controller_parts.h"
+
+#include <string.h>
+
+static next_step_t step_for_order(const controller_t *self, const cycle_t *cycle)
+{
+    next_step_t step = NEXT_STEP_PRESS_PEDAL;
+    if (cycle->inputs->scanner_active != 0U) {
+        step = NEXT_STEP_SCANNER;
+    } else if (workphase_is_moving(&self->workphases)) {
+        step = NEXT_STEP_HOLD_PEDAL;
+    } else if (self->pedal.chart.state == (uint8_t)PEDAL_GATE_STATE_RELEASED) {
+        step = NEXT_STEP_PRESS_PEDAL;
+    } else {
+        step = NEXT_STEP_RELEASE_PEDAL;
+    }
+    return step;
+}
+
+static next_step_t step_for_plan(const controller_t *self)
+{
+    next_step_t step = NEXT_STEP_MOVE;
+    if (self->plan.is_registered == 0U) {
+        step = NEXT_STEP_REGISTER;
+    } else if (self->plan.has_target == 0U) {
+        step = NEXT_STEP_TARGET;
+    } else if (workphase_present(&self->workphases) == WORKPHASE_MOVE_TO_TARGET) {
+        step = NEXT_STEP_NOTHING;
+    } else {
+        step = NEXT_STEP_MOVE;
+    }
+    return step;
+}
+
+static next_step_t next_step(const controller_t *self, const cycle_t *cycle)
+{
+    const uint32_t reasons = self->permit_reasons[0];
+    const uint32_t card_reasons = 1UL << (uint32_t)PERMIT_REASON_LINK_LOST;
+    const uint32_t start_up_reasons =
+        (1UL << (uint32_t)PERMIT_REASON_ESTOP_LATCHED) | (1UL << (uint32_t)PERMIT_REASON_LOOP_STOPPED) |
+        (1UL << (uint32_t)PERMIT_REASON_PEDAL_FAULT) | (1UL << (uint32_t)PERMIT_REASON_AXIS_FAULT) |
+        (1UL << (uint32_t)PERMIT_REASON_AXIS_DISABLED);
+    next_step_t step = NEXT_STEP_START_UP;
+    if (cycle->inputs->estop_open != 0U) {
+        step = NEXT_STEP_RELEASE_ESTOP;
+    } else if ((reasons & card_reasons) != 0U) {
+        step = NEXT_STEP_CHECK_CARDS;
+    } else if (((reasons & start_up_reasons) != 0U)) {
+        step = NEXT_STEP_START_UP;
+    } else if (workphase_is_armed(&self->workphases)) {
+        step = step_for_order(self, cycle);
+    } else if (!controller_guards(self, cycle).is_homed) {
+        step = NEXT_STEP_START_UP;
+    } else {
+        step = step_for_plan(self);
+    }
+    return step;
+}
+
+static void show_axis(const controller_t *self, const cycle_t *cycle, uint32_t index)
+{
+    const axis_t *const axis = &self->axes[index];
+    snapshot_axis_t *const shown = &cycle->outputs->snapshot.axes[index];
+    shown->power = (uint32_t)axis->chart.power;
+    shown->reference = (uint32_t)axis->chart.reference;
+    shown->stall = (uint32_t)axis->stall.state;
+    shown->permit_reasons = self->permit_reasons[index];
+    shown->permit_since_cycle = self->permit_since_cycle[index];
+    shown->speed_cap_percent = self->permit_speed_cap_percent[index];
+    shown->position_ticks = axis->encoder.position_ticks;
+    shown->setpoint_ticks = axis->setpoint_ticks;
+    shown->target_ticks = axis->setpoint_ticks;
+    if (workphase_present(&self->workphases) == WORKPHASE_MOVE_TO_TARGET) {
+        shown->target_ticks = self->plan.target_ticks[index];
+    }
+    shown->speed_ticks_per_s_q8 = axis->encoder.speed_ticks_per_s_q8;
+    shown->setpoint_speed_ticks_per_s_q8 = axis->setpoint_speed_ticks_per_s_q8;
+    shown->drive_mode = self->drives[index].mode;
+    shown->drive_direction = self->drives[index].direction;
+    shown->drive_duty = self->drives[index].duty;
+    shown->limit_switches = axis->limit_switches;
+}
+
+static void show_card(const controller_t *self, const cycle_t *cycle, uint32_t index)
+{
+    const link_t *const link = &self->links[index];
+    snapshot_card_t *const shown = &cycle->outputs->snapshot.cards[link->slot];
+    shown->link = (uint32_t)link->chart.state;
+    shown->age_cycles = link->age_cycles;
+    shown->frame_errors = link->frame_errors;
+    shown->heartbeat = link->report.heartbeat;
+    shown->status = link->report.status;
+    shown->card_type = link->report.card_type;
+}
+
+static void show_plan(const controller_t *self, snapshot_t *shown)
+{
+    shown->is_registered = self->plan.is_registered;
+    shown->has_target = self->plan.has_target;
+    shown->has_proposed_registration = self->plan.has_proposed_registration;
+    shown->has_proposed_entry = self->plan.has_proposed_entry;
+    shown->has_proposed_target = self->plan.has_proposed_target;
+    shown->is_proposal_reachable = self->plan.is_proposal_reachable;
+    shown->scanner_zframe = self->plan.scanner_zframe;
+    shown->scanner_target = self->plan.scanner_target;
+    shown->proposed_registration = self->plan.proposed_registration;
+    shown->proposed_entry = self->plan.proposed_entry;
+    shown->proposed_target = self->plan.proposed_target;
+    shown->scanner_desired = self->plan.scanner_desired;
+    (void)memcpy(shown->desired_ticks, self->plan.desired_ticks, sizeof shown->desired_ticks);
+}
+
+static void show_pose(const controller_t *self, const robot_t *robot, snapshot_t *shown)
+{
+    int32_t ticks[ROBOT_AXIS_COUNT];
+    neuro_joints_t joints;
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        ticks[i] = self->axes[i].encoder.position_ticks;
+    }
+    neuro_joints_from_ticks(robot, ticks, &joints);
+    neuro_forward(robot, &joints, &shown->zframe_treatment);
+    rigid_multiply(&self->plan.scanner_zframe, &shown->zframe_treatment, &shown->scanner_treatment);
+}
+
+void controller_show(const controller_t *self, const cycle_t *cycle)
+{
+    snapshot_t *const shown = &cycle->outputs->snapshot;
+    shown->cycle = self->cycle;
+    shown->time_us = self->time_us;
+    shown->robot_crc = cycle->robot->crc;
+    shown->workphase = (uint32_t)workphase_present(&self->workphases);
+    shown->order = (uint32_t)self->workphases.order;
+    shown->pedal = (uint32_t)self->pedal.chart.state;
+    shown->estop = (uint32_t)self->estop.state;
+    shown->loop = (uint32_t)self->loop.chart.state;
+    shown->next_step = (uint32_t)next_step(self, cycle);
+    shown->is_scanner_active = cycle->inputs->scanner_active;
+    shown->is_homed = controller_guards(self, cycle).is_homed ? 1U : 0U;
+    shown->overruns = self->loop.overruns;
+    shown->events = self->events;
+    shown->events_lost = self->events_lost;
+    show_plan(self, shown);
+    show_pose(self, cycle->robot, shown);
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        show_axis(self, cycle, i);
+        show_card(self, cycle, i);
+    }
+}

@@ -1,0 +1,99 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "encoder.h"
+
+#include "fixed.h"
+#include "limits.h"
+
+#include <stddef.h>
+#include <string.h>
+
+/* Facts of the estimator (M/T over whole edges): shorter spans are dominated by the encoder's state-width error. */
+#define SPEED_SPAN_US 6000U
+#define Q8_US_PER_S INT64_C(256000000)
+
+/* Difference of two counters that wrap. */
+static int32_t wrapped_difference(int32_t to, int32_t from)
+{
+    const uint32_t difference = (uint32_t)to - (uint32_t)from;
+    int64_t signed_difference = (int64_t)difference;
+    if (difference > (uint32_t)INT32_MAX) {
+        signed_difference -= INT64_C(4294967296);
+    }
+    return (int32_t)signed_difference;
+}
+
+static void anchor(encoder_t *self, const card_report_t *report)
+{
+    self->anchor_ticks = self->position_ticks;
+    self->anchor_us = report->last_edge_us;
+}
+
+static void estimate_speed(encoder_t *self, const card_report_t *report)
+{
+    const uint32_t span_us = report->last_edge_us - self->anchor_us;
+    const uint32_t quiet_us = report->time_us - report->last_edge_us;
+    if (quiet_us >= LIMIT_SPEED_TIMEOUT_US) {
+        self->speed_ticks_per_s_q8 = 0;
+        anchor(self, report);
+    } else if (span_us >= SPEED_SPAN_US) {
+        const int64_t travelled = (int64_t)self->position_ticks - (int64_t)self->anchor_ticks;
+        self->speed_ticks_per_s_q8 =
+            fixed_saturate(fixed_divide_rounded(travelled * Q8_US_PER_S, (int64_t)span_us));
+        anchor(self, report);
+    } else {
+        /* Too few edges yet: the last estimate stands. */
+    }
+}
+
+void encoder_init(encoder_t *self)
+{
+    (void)memset(self, 0, sizeof *self);
+}
+
+static bool is_believable(const encoder_t *self, const axis_config_t *config, int32_t change_ticks)
+{
+    const int64_t cycles = (int64_t)self->missed_cycles + 1;
+    const int64_t most = (int64_t)config->jump_ticks * cycles;
+    return ((int64_t)change_ticks <= most) && ((int64_t)change_ticks >= -most);
+}
+
+bool encoder_step(encoder_t *self, const axis_config_t *config, const card_report_t *report)
+{
+    if (report == NULL) {
+        self->missed_cycles += (self->missed_cycles < UINT32_MAX) ? 1U : 0U;
+        return false;
+    }
+    if (self->has_reading == 0U) {
+        self->has_reading = 1U;
+        self->reading = report->encoder_count;
+        anchor(self, report);
+        return false;
+    }
+    const int32_t change_ticks = wrapped_difference(report->encoder_count, self->reading);
+    if (!is_believable(self, config, change_ticks)) {
+        self->jump_ticks = change_ticks;
+        self->jumps++;
+        if (self->jumps < 2U) {
+            return false;
+        }
+        self->jumps = 0U;
+        self->missed_cycles = 0U;
+        self->reading = report->encoder_count;
+        anchor(self, report);
+        return true;
+    }
+    self->jumps = 0U;
+    self->missed_cycles = 0U;
+    self->reading = report->encoder_count;
+    const int64_t sign = (config->is_encoder_inverted != 0U) ? -1 : 1;
+    self->position_ticks = fixed_saturate((int64_t)self->position_ticks + (sign * (int64_t)change_ticks));
+    estimate_speed(self, report);
+    return false;
+}
+
+void encoder_set_position(encoder_t *self, int32_t position_ticks)
+{
+    const int64_t shift = (int64_t)position_ticks - (int64_t)self->position_ticks;
+    self->anchor_ticks = fixed_saturate((int64_t)self->anchor_ticks + shift);
+    self->position_ticks = position_ticks;
+}

@@ -1,0 +1,366 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "neuro.h"
+
+#include "fixed.h"
+#include "limits.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#define DEPTH_STEP_NM INT64_C(1000000)
+
+/* A needle nearer to the lateral axis than this has no yaw. */
+#define SINGULAR_Q30 1074U
+
+/* A needle whose place and direction are fixed and whose depth may still be chosen. */
+typedef struct {
+    const robot_t *robot;
+    int64_t home_height_nm;
+    point_t target;
+    int32_t direction_q30[3];
+    int32_t rotation_bam;
+    int32_t pitch_bam;
+    int32_t yaw_bam;
+} needle_t;
+
+static neuro_result_t result_of(status_t status)
+{
+    return (neuro_result_t){status, 0U, 0U};
+}
+
+static int64_t within(int64_t value, int64_t minimum, int64_t maximum)
+{
+    if (value < minimum) {
+        return minimum;
+    }
+    return (value > maximum) ? maximum : value;
+}
+
+/* The other short side of the right triangle on a side link, both short sides taken twice. */
+static int64_t other_side_twice(const neuro_geometry_t *geometry, int64_t side_twice_nm)
+{
+    const int64_t link_twice_nm = (int64_t)geometry->side_link_nm * 2;
+    const int64_t side_nm = within(side_twice_nm, -link_twice_nm, link_twice_nm);
+    const int64_t square = (link_twice_nm * link_twice_nm) - (side_nm * side_nm);
+    return (int64_t)fixed_square_root((uint64_t)square);
+}
+
+static int64_t height_of(const neuro_geometry_t *geometry, int64_t separation_nm)
+{
+    return fixed_shift_rounded(other_side_twice(geometry, separation_nm - geometry->top_width_nm),
+                               1U);
+}
+
+/* From the remote centre of motion to the treatment point, along the needle. */
+static int32_t lever_at(const neuro_geometry_t *geometry, int64_t depth_nm)
+{
+    return fixed_saturate(depth_nm + geometry->probe_robot_to_treatment_nm -
+                          geometry->robot_to_rcm_nm);
+}
+
+/* Columns of R0 Rx(yaw) Ry(pitch); the third is the needle's direction. */
+static void frame_of_angles(int32_t pitch_bam, int32_t yaw_bam, int32_t column_q30[3][3])
+{
+    const fixed_direction_t pitch = fixed_direction(pitch_bam);
+    const fixed_direction_t yaw = fixed_direction(yaw_bam);
+    column_q30[0][0] = -pitch.cosine_q30;
+    column_q30[0][1] = fixed_multiply_q30(yaw.cosine_q30, pitch.sine_q30);
+    column_q30[0][2] = -fixed_multiply_q30(yaw.sine_q30, pitch.sine_q30);
+    column_q30[1][0] = 0;
+    column_q30[1][1] = -yaw.sine_q30;
+    column_q30[1][2] = -yaw.cosine_q30;
+    column_q30[2][0] = -pitch.sine_q30;
+    column_q30[2][1] = -fixed_multiply_q30(yaw.cosine_q30, pitch.cosine_q30);
+    column_q30[2][2] = fixed_multiply_q30(yaw.sine_q30, pitch.cosine_q30);
+}
+
+/* Pitch and yaw from the direction; false without a yaw. */
+static bool aim(needle_t *self)
+{
+    const int64_t y = self->direction_q30[1];
+    const int64_t z = self->direction_q30[2];
+    const int64_t square_y = y * y;
+    const int64_t square_z = z * z;
+    const uint32_t across_q30 = fixed_square_root((uint64_t)square_y + (uint64_t)square_z);
+    self->pitch_bam = fixed_atan2_bam(-(int64_t)self->direction_q30[0], (int64_t)across_q30);
+    self->yaw_bam = fixed_atan2_bam(z, -y);
+    self->home_height_nm = height_of(&self->robot->neuro, self->robot->neuro.home_separation_nm);
+    return across_q30 > SINGULAR_Q30;
+}
+
+static bool aim_at_pose(needle_t *self, const robot_t *robot, const rigid_t *pose)
+{
+    int32_t x_q30[3];
+    int32_t frame_q30[3][3];
+    self->robot = robot;
+    self->target = pose->translation;
+    for (uint32_t row = 0U; row < 3U; row++) {
+        x_q30[row] = pose->rotation_q30[row][0];
+        self->direction_q30[row] = pose->rotation_q30[row][2];
+    }
+    const bool has_yaw = aim(self);
+    frame_of_angles(self->pitch_bam, self->yaw_bam, frame_q30);
+    self->rotation_bam =
+        fixed_atan2_bam(fixed_dot_q30(frame_q30[1], x_q30), fixed_dot_q30(frame_q30[0], x_q30));
+    return has_yaw;
+}
+
+/* Joint values of the carriages and the insertion at a depth, and the separation; returns the
+   height, from which the carriages are taken at the end of reach if it is beyond. */
+static int64_t place(const needle_t *self, int64_t depth_nm, int64_t value[NEURO_LIMIT_COUNT])
+{
+    const neuro_geometry_t *const geometry = &self->robot->neuro;
+    const int32_t lever_nm = lever_at(geometry, depth_nm);
+    const int64_t x_nm =
+        (int64_t)self->target.x_nm - fixed_multiply_q30(lever_nm, self->direction_q30[0]);
+    const int64_t y_nm =
+        (int64_t)self->target.y_nm - fixed_multiply_q30(lever_nm, self->direction_q30[1]);
+    const int64_t z_nm =
+        (int64_t)self->target.z_nm - fixed_multiply_q30(lever_nm, self->direction_q30[2]);
+    const int64_t height_nm = self->home_height_nm + y_nm - geometry->rcm_home_y_nm;
+    const int64_t reached_nm = within(height_nm, 0, geometry->side_link_nm);
+    const int64_t separation_nm =
+        other_side_twice(geometry, reached_nm * 2) + geometry->top_width_nm;
+    const int64_t opened_nm = separation_nm - geometry->home_separation_nm;
+    const int64_t axial_nm = (z_nm - geometry->rcm_home_z_nm) * 2;
+    value[AXIS_HEAD] = fixed_shift_rounded(axial_nm + opened_nm, 1U);
+    value[AXIS_FEET] = fixed_shift_rounded(axial_nm - opened_nm, 1U);
+    value[AXIS_LATERAL] = x_nm - geometry->rcm_home_x_nm;
+    value[AXIS_INSERTION] = depth_nm;
+    value[NEURO_LIMIT_SEPARATION] = separation_nm;
+    value[NEURO_LIMIT_HEIGHT] = height_nm;
+    return height_nm;
+}
+
+/* Joints at the depth, refused if one would stand outside its limits at the nearest ticks. */
+static neuro_result_t finish(const needle_t *self, const neuro_limits_t *limits, int64_t depth_nm,
+                             neuro_joints_t *joints)
+{
+    int64_t value[NEURO_LIMIT_COUNT];
+    int32_t ticks[ROBOT_AXIS_COUNT];
+    const int64_t height_nm = place(self, depth_nm, value);
+    value[AXIS_ROTATION] = self->rotation_bam;
+    value[AXIS_PITCH] = self->pitch_bam;
+    value[AXIS_YAW] = self->yaw_bam;
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        joints->value[i] = fixed_saturate(value[i]);
+    }
+    neuro_margin_t margin;
+    neuro_margin_init(&margin);
+    neuro_margin_add(&margin, limits, NEURO_LIMIT_HEIGHT, height_nm);
+    if (margin.margin_q56 < 0) {
+        return margin.nearest;
+    }
+    neuro_ticks_from_joints(self->robot, joints, ticks);
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        value[i] = neuro_limits_value(&self->robot->axes[i], ticks[i]);
+        neuro_margin_add(&margin, limits, i, value[i]);
+    }
+    neuro_margin_add(&margin, limits, NEURO_LIMIT_SEPARATION,
+                     (value[AXIS_HEAD] - value[AXIS_FEET]) + self->robot->neuro.home_separation_nm);
+    return (margin.margin_q56 < 0) ? margin.nearest : result_of(STATUS_OK);
+}
+
+/* Depth that puts the entry point where it belongs; false when it is off the needle's axis. */
+static bool find_entry_depth(const needle_t *self, const point_t *entry, int64_t *depth_nm)
+{
+    const neuro_geometry_t *const geometry = &self->robot->neuro;
+    const int32_t way_nm[3] = {fixed_saturate((int64_t)self->target.x_nm - entry->x_nm),
+                               fixed_saturate((int64_t)self->target.y_nm - entry->y_nm),
+                               fixed_saturate((int64_t)self->target.z_nm - entry->z_nm)};
+    const int32_t along_nm = fixed_saturate(fixed_dot_q30(way_nm, self->direction_q30));
+    int64_t off_nm[3];
+    int32_t unit_q30[3];
+    for (uint32_t i = 0U; i < 3U; i++) {
+        off_nm[i] = (int64_t)way_nm[i] - fixed_multiply_q30(along_nm, self->direction_q30[i]);
+    }
+    *depth_nm = (int64_t)along_nm - geometry->probe_robot_to_treatment_nm +
+                geometry->probe_robot_to_entry_nm;
+    return fixed_normalise(off_nm, unit_q30) <= (int64_t)LIMIT_ENTRY_ON_AXIS_NM;
+}
+
+/* The smallest margin at a depth; `still` is that of the joints no depth moves. */
+static neuro_margin_t margin_at_depth(const needle_t *self, const neuro_limits_t *limits,
+                                      int64_t depth_nm, const neuro_margin_t *still)
+{
+    static const uint32_t moving[5] = {AXIS_HEAD, AXIS_FEET, AXIS_LATERAL, AXIS_INSERTION,
+                                       NEURO_LIMIT_SEPARATION};
+    int64_t value[NEURO_LIMIT_COUNT];
+    neuro_margin_t margin = *still;
+    neuro_margin_t height;
+    neuro_margin_init(&height);
+    neuro_margin_add(&height, limits, NEURO_LIMIT_HEIGHT, place(self, depth_nm, value));
+    for (uint32_t i = 0U; i < 5U; i++) {
+        neuro_margin_add(&margin, limits, moving[i], value[moving[i]]);
+    }
+    /* The height is no joint: room to its ends is worth nothing, but missed it is the cause. */
+    if (height.margin_q56 < 0) {
+        margin.nearest = height.nearest;
+        margin.margin_q56 =
+            (height.margin_q56 < margin.margin_q56) ? height.margin_q56 : margin.margin_q56;
+    }
+    return margin;
+}
+
+/* The depth with the largest smallest margin, and that margin. */
+static int64_t find_best_depth(const needle_t *self, const neuro_limits_t *limits,
+                               neuro_margin_t *best)
+{
+    int64_t best_depth_nm = 0;
+    neuro_margin_t still;
+    neuro_margin_init(&still);
+    neuro_margin_add(&still, limits, AXIS_ROTATION, self->rotation_bam);
+    neuro_margin_add(&still, limits, AXIS_PITCH, self->pitch_bam);
+    neuro_margin_add(&still, limits, AXIS_YAW, self->yaw_bam);
+    best->margin_q56 = -INT64_MAX;
+    for (int64_t depth_nm = 0; depth_nm <= limits->limit[AXIS_INSERTION].maximum;
+         depth_nm += DEPTH_STEP_NM) {
+        const neuro_margin_t margin = margin_at_depth(self, limits, depth_nm, &still);
+        if (margin.margin_q56 > best->margin_q56) {
+            *best = margin;
+            best_depth_nm = depth_nm;
+        }
+    }
+    return best_depth_nm;
+}
+
+static int32_t angle_between_bam(const int32_t a_q30[3], const int32_t b_q30[3])
+{
+    int32_t cross_q30[3];
+    int32_t unit_q30[3];
+    int64_t wide_q30[3];
+    rigid_cross(a_q30, b_q30, cross_q30);
+    for (uint32_t i = 0U; i < 3U; i++) {
+        wide_q30[i] = cross_q30[i];
+    }
+    const int64_t sine_q30 = fixed_normalise(wide_q30, unit_q30);
+    const int32_t angle_bam = fixed_atan2_bam(sine_q30, fixed_dot_q30(a_q30, b_q30));
+    /* Half a turn has no positive bam. */
+    return (angle_bam < 0) ? INT32_MAX : angle_bam;
+}
+
+void neuro_joints_from_ticks(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_COUNT],
+                             neuro_joints_t *joints)
+{
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        const axis_config_t *const axis = &robot->axes[i];
+        const int64_t value = neuro_limits_value(axis, ticks[i]);
+        joints->value[i] =
+            (axis->unit == (uint8_t)AXIS_UNIT_RAD) ? fixed_wrap_bam(value) : fixed_saturate(value);
+    }
+}
+
+void neuro_ticks_from_joints(const robot_t *robot, const neuro_joints_t *joints,
+                             int32_t ticks[ROBOT_AXIS_COUNT])
+{
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        const int64_t value_q16 = (int64_t)joints->value[i] * 65536;
+        ticks[i] =
+            fixed_saturate(fixed_divide_rounded(value_q16, robot->axes[i].unit_per_tick_q16));
+    }
+}
+
+void neuro_forward(const robot_t *robot, const neuro_joints_t *joints, rigid_t *zframe_treatment)
+{
+    const neuro_geometry_t *const geometry = &robot->neuro;
+    const int64_t head_nm = joints->value[AXIS_HEAD];
+    const int64_t feet_nm = joints->value[AXIS_FEET];
+    const int64_t height_nm =
+        height_of(geometry, (head_nm - feet_nm) + geometry->home_separation_nm);
+    const int64_t home_height_nm = height_of(geometry, geometry->home_separation_nm);
+    const int32_t lever_nm = lever_at(geometry, joints->value[AXIS_INSERTION]);
+    const fixed_direction_t roll = fixed_direction(joints->value[AXIS_ROTATION]);
+    const int32_t x_q30[3] = {roll.cosine_q30, roll.sine_q30, 0};
+    const int32_t y_q30[3] = {-roll.sine_q30, roll.cosine_q30, 0};
+    const int64_t rcm_nm[3] = {(int64_t)geometry->rcm_home_x_nm + joints->value[AXIS_LATERAL],
+                               geometry->rcm_home_y_nm + height_nm - home_height_nm,
+                               geometry->rcm_home_z_nm +
+                                   fixed_shift_rounded(head_nm + feet_nm, 1U)};
+    int32_t frame_q30[3][3];
+    int32_t origin_nm[3];
+    frame_of_angles(joints->value[AXIS_PITCH], joints->value[AXIS_YAW], frame_q30);
+    for (uint32_t i = 0U; i < 3U; i++) {
+        const int32_t row_q30[3] = {frame_q30[0][i], frame_q30[1][i], 0};
+        zframe_treatment->rotation_q30[i][0] = fixed_saturate(fixed_dot_q30(row_q30, x_q30));
+        zframe_treatment->rotation_q30[i][1] = fixed_saturate(fixed_dot_q30(row_q30, y_q30));
+        zframe_treatment->rotation_q30[i][2] = frame_q30[2][i];
+        origin_nm[i] = fixed_saturate(rcm_nm[i] + fixed_multiply_q30(lever_nm, frame_q30[2][i]));
+    }
+    zframe_treatment->translation = (point_t){origin_nm[0], origin_nm[1], origin_nm[2]};
+}
+
+neuro_result_t neuro_inverse(const robot_t *robot, const point_t *entry, const point_t *target,
+                             int32_t roll_bam, neuro_joints_t *joints)
+{
+    const neuro_geometry_t *const geometry = &robot->neuro;
+    const int64_t way_nm[3] = {(int64_t)target->x_nm - entry->x_nm,
+                               (int64_t)target->y_nm - entry->y_nm,
+                               (int64_t)target->z_nm - entry->z_nm};
+    needle_t needle = {robot, 0, *target, {0, 0, 0}, roll_bam, 0, 0};
+    neuro_limits_t limits;
+    const int64_t length_nm = fixed_normalise(way_nm, needle.direction_q30);
+    if (length_nm == 0) {
+        return result_of(STATUS_DEGENERATE_LINE);
+    }
+    if (!aim(&needle)) {
+        return result_of(STATUS_SINGULAR_PITCH);
+    }
+    neuro_limits_init(&limits, robot);
+    return finish(&needle, &limits,
+                  length_nm - geometry->probe_robot_to_treatment_nm +
+                      geometry->probe_robot_to_entry_nm,
+                  joints);
+}
+
+neuro_result_t neuro_inverse_at_depth(const robot_t *robot, const rigid_t *pose, int32_t depth_nm,
+                                      neuro_joints_t *joints)
+{
+    needle_t needle;
+    neuro_limits_t limits;
+    if (!aim_at_pose(&needle, robot, pose)) {
+        return result_of(STATUS_SINGULAR_PITCH);
+    }
+    neuro_limits_init(&limits, robot);
+    return finish(&needle, &limits, depth_nm, joints);
+}
+
+neuro_result_t neuro_solve(const robot_t *robot, const rigid_t *pose, const point_t *entry,
+                           neuro_joints_t *joints)
+{
+    needle_t needle;
+    neuro_limits_t limits;
+    neuro_margin_t best;
+    int64_t depth_nm;
+    if (!aim_at_pose(&needle, robot, pose)) {
+        return result_of(STATUS_SINGULAR_PITCH);
+    }
+    neuro_limits_init(&limits, robot);
+    if ((entry != NULL) && find_entry_depth(&needle, entry, &depth_nm)) {
+        return finish(&needle, &limits, depth_nm, joints);
+    }
+    depth_nm = find_best_depth(&needle, &limits, &best);
+    const neuro_result_t result = finish(&needle, &limits, depth_nm, joints);
+    return (result.status == STATUS_OK) ? result : best.nearest;
+}
+
+void neuro_pose_difference(const rigid_t *a, const rigid_t *b, int32_t *distance_nm,
+                           int32_t *angle_bam)
+{
+    const int64_t way_nm[3] = {(int64_t)a->translation.x_nm - b->translation.x_nm,
+                               (int64_t)a->translation.y_nm - b->translation.y_nm,
+                               (int64_t)a->translation.z_nm - b->translation.z_nm};
+    int32_t unit_q30[3];
+    int32_t largest_bam = 0;
+    for (uint32_t column = 0U; column < 3U; column++) {
+        int32_t a_q30[3];
+        int32_t b_q30[3];
+        for (uint32_t row = 0U; row < 3U; row++) {
+            a_q30[row] = a->rotation_q30[row][column];
+            b_q30[row] = b->rotation_q30[row][column];
+        }
+        const int32_t between_bam = angle_between_bam(a_q30, b_q30);
+        largest_bam = (between_bam > largest_bam) ? between_bam : largest_bam;
+    }
+    *distance_nm = fixed_saturate(fixed_normalise(way_nm, unit_q30));
+    *angle_bam = largest_bam;
+}

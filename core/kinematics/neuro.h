@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Forward and inverse kinematics of the NeuroRobot, in the z-frame. Yaw is the outer, pitch the
+ * inner rotation: R = R0 Rx(yaw) Ry(pitch) Rz(rotation). Equations: mechanism of Nycz et al. 2017,
+ * closed form. Joint values are nm (head, feet, lateral, insertion) or bam (rotation, pitch, yaw),
+ * in the order of axis_index_t.
+ */
+#ifndef BORESIGHT_NEURO_H
+#define BORESIGHT_NEURO_H
+
+#include "neuro_limits.h"
+#include "rigid.h"
+#include "robot.h"
+#include "status.h"
+
+#include <stdint.h>
+
+/** Joint values, nm or bam. */
+typedef struct {
+    int32_t value[ROBOT_AXIS_COUNT];
+} neuro_joints_t;
+
+/** Joint values of the positions `ticks`. An angle of more than half a turn is given as the one
+ * that looks the same. */
+void neuro_joints_from_ticks(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_COUNT],
+                             neuro_joints_t *joints);
+
+/** Positions in ticks nearest to `joints`, half away from zero. */
+void neuro_ticks_from_joints(const robot_t *robot, const neuro_joints_t *joints,
+                             int32_t ticks[ROBOT_AXIS_COUNT]);
+
+/**
+ * Pose of the treatment frame in the z-frame: origin the treatment point, z axis the needle's
+ * direction. Joints within their limits (beyond the linkage's reach the height is taken at the end
+ * of reach).
+ *
+ * @satisfies SWR-KIN-001
+ * @satisfies SWR-KIN-005
+ */
+void neuro_forward(const robot_t *robot, const neuro_joints_t *joints, rigid_t *zframe_treatment);
+
+/**
+ * Joints for an entry point, a treatment point and a roll about the needle, all in the z-frame.
+ * Limits are judged where the axes will stand: at the nearest ticks, inclusive.
+ *
+ * @return status STATUS_OK; STATUS_DEGENERATE_LINE when entry and target are the same;
+ * STATUS_SINGULAR_PITCH when the needle is within 1e-6 rad of the lateral axis;
+ * STATUS_UNREACHABLE_HEIGHT; STATUS_AXIS_LIMIT or STATUS_SEPARATION_LIMIT, whichever is missed by
+ * the larger part of its range. Not STATUS_OK: `joints` is unspecified.
+ *
+ * @satisfies SWR-KIN-002
+ * @satisfies SWR-KIN-004
+ */
+neuro_result_t neuro_inverse(const robot_t *robot, const point_t *entry, const point_t *target,
+                             int32_t roll_bam, neuro_joints_t *joints);
+
+/**
+ * Joints that put the treatment frame at `pose`, which passed rigid_check(), with the given
+ * insertion depth (0 = fully retracted). The rotation is the turn of the pose about z relative to
+ * R0 Rx(yaw) Ry(pitch), in [-half a turn, half a turn). Same returns as neuro_inverse() except
+ * STATUS_DEGENERATE_LINE.
+ *
+ * @satisfies SWR-KIN-002
+ * @satisfies SWR-KIN-004
+ */
+neuro_result_t neuro_inverse_at_depth(const robot_t *robot, const rigid_t *pose, int32_t depth_nm,
+                                      neuro_joints_t *joints);
+
+/**
+ * Joints for `pose`. With `entry` (not NULL, in the z-frame) within LIMIT_ENTRY_ON_AXIS_NM of the
+ * needle's axis the depth is the one that puts the entry point there. Otherwise the depth is free:
+ * of the whole millimetres inside the insertion limits the one whose smallest joint margin
+ * (distance to the nearer limit as a fraction of the axis' range, the separation counting as an
+ * axis) is largest, the smaller depth on a tie.
+ *
+ * @return as neuro_inverse_at_depth(); without a legal free depth the limit that is missed by the
+ * least
+ *
+ * @satisfies SWR-PLAN-001
+ * @satisfies SWR-PLAN-002
+ * @satisfies SWR-PLAN-003
+ */
+neuro_result_t neuro_solve(const robot_t *robot, const rigid_t *pose, const point_t *entry,
+                           neuro_joints_t *joints);
+
+/**
+ * Distance (nm) between the origins, and largest angle (bam) between the axes of the same name, of
+ * two poses. Both saturate at INT32_MAX.
+ */
+void neuro_pose_difference(const rigid_t *a, const rigid_t *b, int32_t *distance_nm,
+                           int32_t *angle_bam);
+
+#endif

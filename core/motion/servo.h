@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * From set-point and position to a drive request for one ultrasonic motor. Speed demand = set-point speed + gain x
+ * error; a demand below the slowest speed at which the motor runs is met on average by single-cycle pulses.
+ * The request is nothing but a wish: only the permit turns it into a drive.
+ */
+#ifndef BORESIGHT_SERVO_H
+#define BORESIGHT_SERVO_H
+
+#include "card_frame.h"
+#include "robot.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+typedef struct {
+    int64_t pulse_debt_q8;  /**< Demand not yet met by pulses. */
+    uint32_t direction;     /**< Last requested drive direction bit. */
+    uint32_t rest_us;       /**< Since the last request, saturates. */
+} servo_t;
+
+/** Starts at rest. */
+void servo_init(servo_t *self);
+
+/**
+ * The request for this cycle. Off inside the deadband with a resting set-point, and for
+ * LIMIT_REVERSAL_DWELL_US between the two directions.
+ *
+ * @satisfies SWR-MOTION-004
+ * @satisfies SWR-AXIS-007
+ * @satisfies SWR-AXIS-008
+ */
+card_drive_t servo_step(servo_t *self, const axis_config_t *config, int32_t error_ticks,
+                        int32_t setpoint_speed_ticks_per_s_q8, uint32_t elapsed_us);
+
+/** Nothing is requested in this cycle. */
+void servo_rest(servo_t *self, uint32_t elapsed_us);
+
+/** True when `drive` makes the position grow. */
+bool servo_is_upwards(const axis_config_t *config, const card_drive_t *drive);
+
+#endif

@@ -1,0 +1,78 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * The motion permit: the one decision whether an axis may be driven in this cycle. A pure function of the
+ * cycle's facts. Everything else only requests motion; permit_apply() is the only way a drive reaches a frame.
+ */
+#ifndef BORESIGHT_PERMIT_H
+#define BORESIGHT_PERMIT_H
+
+#include "card_frame.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/** Why an axis may not be driven, in the order in which they are told to the operator. Bit n of a mask. */
+typedef enum {
+    PERMIT_REASON_ESTOP_PULLED = 0,    /**< The e-stop is pulled: release it. */
+    PERMIT_REASON_ESTOP_LATCHED = 1,   /**< The e-stop is latched: command START_UP. */
+    PERMIT_REASON_LOOP_STOPPED = 2,    /**< The control loop was late three times in a row: command START_UP. */
+    PERMIT_REASON_LINK_LOST = 3,       /**< A card is lost: check its cable, then command START_UP. */
+    PERMIT_REASON_PEDAL_FAULT = 4,     /**< The pedal's channels disagreed: release it, then command START_UP. */
+    PERMIT_REASON_SCANNER_ACTIVE = 5,  /**< The scanner is acquiring: wait or pause the scan. */
+    PERMIT_REASON_AXIS_FAULT = 6,      /**< The axis has a fault: command START_UP. */
+    PERMIT_REASON_AXIS_DISABLED = 7,   /**< The axis is disabled: command START_UP. */
+    PERMIT_REASON_NOTHING_ARMED = 8,   /**< Nothing is armed: command a motion. */
+    PERMIT_REASON_PEDAL_UNPROVEN = 9,  /**< The pedal must be seen released first: release it. */
+    PERMIT_REASON_PEDAL_RELEASED = 10, /**< The pedal is not pressed: press it. */
+    PERMIT_REASON_NOT_HOMED = 11,      /**< The axis is not homed: command START_UP. */
+    PERMIT_REASON_LIMIT_SWITCH = 12,   /**< The limit switch blocks this direction. */
+    PERMIT_REASON_SOFT_LIMIT = 13      /**< The soft limit blocks this direction. */
+} permit_reason_t;
+
+#define PERMIT_REASON_COUNT 14U
+
+/** The facts of one cycle about one axis. */
+typedef struct {
+    bool is_estop_pulled;
+    bool is_estop_latched;
+    bool is_loop_stopped;
+    bool is_link_lost;
+    bool is_pedal_faulty;
+    bool is_scanner_active;
+    bool is_axis_faulty;
+    bool is_axis_enabled;
+    bool is_armed;
+    bool is_pedal_unproven;
+    bool is_pedal_pressed;
+    bool is_homed;
+    bool is_homing_or_jog;      /**< The armed order is one that an axis not homed may run. */
+    bool is_towards_switch;     /**< Requested direction is towards an active limit switch. */
+    bool is_beyond_soft_limit;  /**< Homed, at or beyond a soft limit, and requested to go further. */
+} permit_facts_t;
+
+/** The answer for one axis. */
+typedef struct {
+    bool is_allowed;             /**< No reason stands. */
+    uint32_t reasons;            /**< Bit mask of permit_reason_t. */
+    uint32_t speed_cap_percent;  /**< Of the axis' speed: 0 when not allowed, reduced while not homed, else 100. */
+} permit_t;
+
+/**
+ * Decides.
+ *
+ * @satisfies SWR-PERMIT-001
+ * @satisfies SWR-PERMIT-004
+ * @satisfies SWR-PERMIT-005
+ * @satisfies SWR-PEDAL-001
+ */
+permit_t permit_decide(const permit_facts_t *facts);
+
+/**
+ * The drive that may go into the card's frame: `requested` if allowed, otherwise off.
+ *
+ * @satisfies SWR-PERMIT-002
+ */
+card_drive_t permit_apply(const permit_t *permit, const card_drive_t *requested);
+
+#endif

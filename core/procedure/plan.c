@@ -1,0 +1,170 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "plan.h"
+
+#include "limits.h"
+
+#include <stddef.h>
+#include <string.h>
+
+static void forget_target(plan_t *self)
+{
+    self->has_target = 0U;
+    self->has_proposed_entry = 0U;
+    self->has_proposed_target = 0U;
+    self->is_proposal_reachable = 0U;
+}
+
+static status_t check_point(const point_t *point)
+{
+    rigid_t transform;
+    rigid_set_identity(&transform);
+    transform.translation = *point;
+    return rigid_check(&transform);
+}
+
+static void clamp_to_limits(const robot_t *robot, int32_t ticks[ROBOT_AXIS_COUNT])
+{
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+        const axis_config_t *const axis = &robot->axes[i];
+        if (ticks[i] < axis->minimum_ticks) {
+            ticks[i] = axis->minimum_ticks;
+        } else if (ticks[i] > axis->maximum_ticks) {
+            ticks[i] = axis->maximum_ticks;
+        } else {
+            /* Inside. */
+        }
+    }
+}
+
+/* Rounds legal joints to ticks and says where that puts the treatment frame in the scanner. */
+static void settle(const robot_t *robot, const rigid_t *scanner_zframe, const neuro_joints_t *joints,
+                   int32_t ticks[ROBOT_AXIS_COUNT], rigid_t *scanner_treatment)
+{
+    neuro_joints_t rounded;
+    rigid_t zframe_treatment;
+    neuro_ticks_from_joints(robot, joints, ticks);
+    clamp_to_limits(robot, ticks);
+    neuro_joints_from_ticks(robot, ticks, &rounded);
+    neuro_forward(robot, &rounded, &zframe_treatment);
+    rigid_multiply(scanner_zframe, &zframe_treatment, scanner_treatment);
+}
+
+static bool is_closed(const robot_t *robot, const neuro_joints_t *joints, const rigid_t *zframe_treatment)
+{
+    rigid_t reached;
+    int32_t distance_nm = 0;
+    int32_t angle_bam = 0;
+    neuro_forward(robot, joints, &reached);
+    neuro_pose_difference(&reached, zframe_treatment, &distance_nm, &angle_bam);
+    return (distance_nm <= (int32_t)LIMIT_CLOSURE_NM) && (angle_bam <= (int32_t)LIMIT_CLOSURE_BAM);
+}
+
+/* What entry and target point ask for together; shown only. */
+static void weigh_proposals(plan_t *self, const robot_t *robot)
+{
+    const rigid_t *const scanner_zframe =
+        (self->has_proposed_registration != 0U) ? &self->proposed_registration : &self->scanner_zframe;
+    rigid_t zframe_scanner;
+    neuro_joints_t joints;
+    self->is_proposal_reachable = 0U;
+    if ((self->has_proposed_entry == 0U) || (self->has_proposed_target == 0U)) {
+        return;
+    }
+    rigid_invert(scanner_zframe, &zframe_scanner);
+    const point_t entry = rigid_apply(&zframe_scanner, &self->proposed_entry);
+    const point_t target = rigid_apply(&zframe_scanner, &self->proposed_target);
+    const neuro_result_t result = neuro_inverse(robot, &entry, &target, 0, &joints);
+    if (result.status == STATUS_OK) {
+        settle(robot, scanner_zframe, &joints, self->desired_ticks, &self->scanner_desired);
+        self->is_proposal_reachable = 1U;
+    }
+}
+
+void plan_init(plan_t *self)
+{
+    (void)memset(self, 0, sizeof *self);
+    rigid_set_identity(&self->scanner_zframe);
+    rigid_set_identity(&self->scanner_target);
+    rigid_set_identity(&self->proposed_registration);
+    rigid_set_identity(&self->scanner_desired);
+}
+
+status_t plan_register(plan_t *self, const robot_t *robot, const rigid_t *scanner_zframe)
+{
+    const status_t status = rigid_check(scanner_zframe);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    self->scanner_zframe = *scanner_zframe;
+    rigid_orthonormalise(&self->scanner_zframe);
+    self->is_registered = 1U;
+    forget_target(self);
+    weigh_proposals(self, robot);
+    return STATUS_OK;
+}
+
+neuro_result_t plan_set_target(plan_t *self, const robot_t *robot, const rigid_t *scanner_treatment)
+{
+    neuro_result_t result = {.status = rigid_check(scanner_treatment), .axis = 0U, .is_maximum = 0U};
+    rigid_t exact;
+    rigid_t zframe_scanner;
+    rigid_t zframe_treatment;
+    neuro_joints_t joints;
+    if (result.status != STATUS_OK) {
+        return result;
+    }
+    if (self->is_registered == 0U) {
+        result.status = STATUS_NOT_REGISTERED;
+        return result;
+    }
+    exact = *scanner_treatment;
+    rigid_orthonormalise(&exact);
+    rigid_invert(&self->scanner_zframe, &zframe_scanner);
+    rigid_multiply(&zframe_scanner, &exact, &zframe_treatment);
+    const point_t entry = rigid_apply(&zframe_scanner, &self->proposed_entry);
+    result = neuro_solve(robot, &zframe_treatment, (self->has_proposed_entry != 0U) ? &entry : NULL, &joints);
+    if (result.status != STATUS_OK) {
+        return result;
+    }
+    if (!is_closed(robot, &joints, &zframe_treatment)) {
+        result.status = STATUS_CLOSURE;
+        return result;
+    }
+    settle(robot, &self->scanner_zframe, &joints, self->target_ticks, &self->scanner_target);
+    self->has_target = 1U;
+    return result;
+}
+
+status_t plan_propose_registration(plan_t *self, const robot_t *robot, const rigid_t *scanner_zframe)
+{
+    const status_t status = rigid_check(scanner_zframe);
+    if (status == STATUS_OK) {
+        self->proposed_registration = *scanner_zframe;
+        rigid_orthonormalise(&self->proposed_registration);
+        self->has_proposed_registration = 1U;
+        weigh_proposals(self, robot);
+    }
+    return status;
+}
+
+status_t plan_propose_entry(plan_t *self, const robot_t *robot, const point_t *entry)
+{
+    const status_t status = check_point(entry);
+    if (status == STATUS_OK) {
+        self->proposed_entry = *entry;
+        self->has_proposed_entry = 1U;
+        weigh_proposals(self, robot);
+    }
+    return status;
+}
+
+status_t plan_propose_target(plan_t *self, const robot_t *robot, const point_t *target)
+{
+    const status_t status = check_point(target);
+    if (status == STATUS_OK) {
+        self->proposed_target = *target;
+        self->has_proposed_target = 1U;
+        weigh_proposals(self, robot);
+    }
+    return status;
+}

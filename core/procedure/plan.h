@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * The plan: where the robot stands in the scanner (registration), where it shall go (target), and what others
+ * propose. Proposals are shown and decide an insertion depth; they never become a motion.
+ */
+#ifndef BORESIGHT_PLAN_H
+#define BORESIGHT_PLAN_H
+
+#include "neuro.h"
+#include "rigid.h"
+#include "robot.h"
+#include "status.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+typedef struct {
+    rigid_t scanner_zframe;       /**< The registration; identity before one is accepted. */
+    rigid_t scanner_target;       /**< Accepted target as it will be reached: rounded to ticks. */
+    int32_t target_ticks[ROBOT_AXIS_COUNT];
+    rigid_t proposed_registration;
+    point_t proposed_entry;       /**< Scanner coordinates, like everything proposed. */
+    point_t proposed_target;
+    rigid_t scanner_desired;      /**< The pose the proposals ask for. */
+    int32_t desired_ticks[ROBOT_AXIS_COUNT];
+    uint32_t is_registered;       /**< Each 0 or 1. */
+    uint32_t has_target;
+    uint32_t has_proposed_registration;
+    uint32_t has_proposed_entry;
+    uint32_t has_proposed_target;
+    uint32_t is_proposal_reachable;
+} plan_t;
+
+/** Starts empty. */
+void plan_init(plan_t *self);
+
+/**
+ * Takes a registration, made exactly orthonormal; target and entry point are forgotten.
+ *
+ * @return STATUS_OK, or what rigid_check() finds: the old registration stands
+ *
+ * @satisfies SWR-REG-001
+ * @satisfies SWR-REG-002
+ */
+status_t plan_register(plan_t *self, const robot_t *robot, const rigid_t *scanner_zframe);
+
+/**
+ * Takes a treatment pose in scanner coordinates as the target. The depth is decided by neuro_solve(), with the
+ * proposed entry point.
+ *
+ * @return status as rigid_check() and neuro_solve(), STATUS_NOT_REGISTERED, or STATUS_CLOSURE when forward
+ *         kinematics does not return the pose; the old target then stands
+ *
+ * @satisfies SWR-PLAN-004
+ */
+neuro_result_t plan_set_target(plan_t *self, const robot_t *robot, const rigid_t *scanner_treatment);
+
+/** Takes a proposed registration, @return as rigid_check(). */
+status_t plan_propose_registration(plan_t *self, const robot_t *robot, const rigid_t *scanner_zframe);
+
+/** Takes a proposed entry point (scanner coordinates). @return STATUS_OUT_OF_RANGE beyond the registration's range */
+status_t plan_propose_entry(plan_t *self, const robot_t *robot, const point_t *entry);
+
+/** Takes a proposed target point. Same returns. */
+status_t plan_propose_target(plan_t *self, const robot_t *robot, const point_t *target);
+
+#endif

@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Requests for workphases and the one armed order. Behaviour: statecharts/workphases.scxml.
+ */
+#ifndef BORESIGHT_WORKPHASE_H
+#define BORESIGHT_WORKPHASE_H
+
+#include "status.h"
+#include "workphases_chart.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/** Workphases (Tokuda et al.). */
+typedef enum {
+    WORKPHASE_UNDEFINED = 0,      /**< Switched on; command START_UP. */
+    WORKPHASE_START_UP = 1,       /**< The axes home while the pedal is pressed. */
+    WORKPHASE_PLANNING = 2,       /**< The plan is made outside; the robot does not move. */
+    WORKPHASE_CALIBRATION = 3,    /**< Waits for a registration. */
+    WORKPHASE_TARGETING = 4,      /**< Waits for a target. */
+    WORKPHASE_MOVE_TO_TARGET = 5, /**< Moves to the accepted target while the pedal is pressed. */
+    WORKPHASE_MANUAL = 6,         /**< Single axes are jogged. */
+    WORKPHASE_STOP = 7,           /**< Stopped by command. */
+    WORKPHASE_EMERGENCY = 8       /**< Stopped by the e-stop or an emergency command. */
+} workphase_t;
+
+#define WORKPHASE_COUNT 9U
+
+/**
+ * Asks for a workphase.
+ *
+ * @param actions receives the chart's actions (WORKPHASES_ACTION_ bits)
+ * @return STATUS_OK; STATUS_UNKNOWN_COMMAND outside the enumeration or for UNDEFINED; STATUS_WRONG_WORKPHASE,
+ *         STATUS_HARDWARE_NOT_READY, STATUS_NOT_REGISTERED, STATUS_NO_TARGET, STATUS_NOT_HOMED as refused by
+ *         the chart
+ *
+ * @satisfies SWR-PHASE-001
+ * @satisfies SWR-PHASE-002
+ * @satisfies SWR-PHASE-006
+ */
+status_t workphase_request(workphases_chart_t *self, const workphases_inputs_t *inputs, uint32_t workphase,
+                           uint32_t *actions);
+
+/** Asks for a jog to be armed. Same meaning. @satisfies SWR-AXIS-010 */
+status_t workphase_request_jog(workphases_chart_t *self, const workphases_inputs_t *inputs, uint32_t *actions);
+
+/** The present workphase. */
+workphase_t workphase_present(const workphases_chart_t *self);
+
+/** An order is armed: waiting for the pedal or moving. */
+bool workphase_is_armed(const workphases_chart_t *self);
+
+/** The armed order runs in this cycle. */
+bool workphase_is_moving(const workphases_chart_t *self);
+
+#endif

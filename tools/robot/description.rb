@@ -1,0 +1,216 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+require_relative 'document'
+
+module Robot
+  # An axis as the file gives it: values by key, and the nodes they came from.
+  class Axis
+    UNITS = %w[ticks_per_mm ticks_per_rad].freeze
+    DUTIES = %w[minimum_duty maximum_duty].freeze
+    LARGEST_DUTY = 0x1FFFF
+    POSITION = (-1_000_000..1_000_000)
+    SPEED = (1..1_000_000)
+    WHOLE = {
+      'slot' => (0..9), 'home_stage' => (1..2), 'minimum_ticks' => POSITION, 'maximum_ticks' => POSITION,
+      'home_ticks' => POSITION, 'deadband_ticks' => (0..1000), 'speed_ticks_per_s' => SPEED,
+      'acceleration_ticks_per_s2' => (1..10_000_000), 'home_speed_ticks_per_s' => SPEED,
+      'full_speed_ticks_per_s' => SPEED, 'following_error_ticks' => (1..1_000_000), 'jump_ticks' => (1..1_000_000)
+    }.freeze
+    CHOICES = {
+      'card' => %w[pwm non_pwm], 'limit_switch' => %w[none lower upper], 'home' => %w[switch in_place],
+      'motor_inverted' => %w[true false], 'encoder_inverted' => %w[true false]
+    }.freeze
+
+    def initialize(node)
+      @node = node
+      @nodes = node.mapping(['name', *WHOLE.keys, *CHOICES.keys], UNITS + DUTIES)
+      @values = { 'name' => @nodes['name'].name }
+      WHOLE.each { |key, range| @values[key] = @nodes[key].integer(range) }
+      CHOICES.each { |key, values| @values[key] = @nodes[key].choice(values) }
+      read_unit
+      read_duties
+      check
+    end
+
+    def [](key)
+      @values.fetch(key)
+    end
+
+    def refuse(key, reason)
+      @nodes.fetch(key, @node).refuse(reason)
+    end
+
+    def linear?
+      @nodes.key?('ticks_per_mm')
+    end
+
+    def pwm?
+      self['card'] == 'pwm'
+    end
+
+    # The axis moved by `ticks`, in mm or rad.
+    def units(ticks)
+      ticks / self['ticks_per_unit']
+    end
+
+    private
+
+    def read_unit
+      given = UNITS & @nodes.keys
+      found = given.empty? ? 'no unit' : 'two units'
+      @node.refuse("has #{found}; expected #{UNITS.join(' or ')}") unless given.size == 1
+      @values['ticks_per_unit'] = @nodes[given.first].decimal(1..100_000)
+    end
+
+    def read_duties
+      DUTIES.each do |key|
+        refuse(key, 'does not belong to a non_pwm card; expected none') if @nodes.key?(key) && !pwm?
+        @node.refuse("has no #{key}; expected 1 to #{LARGEST_DUTY}") if !@nodes.key?(key) && pwm?
+        @values[key] = pwm? ? @nodes[key].integer(1..LARGEST_DUTY) : 0
+      end
+      below('minimum_duty', 'maximum_duty') if pwm?
+    end
+
+    def check
+      below('minimum_ticks', 'maximum_ticks')
+      unless self['home_ticks'].between?(self['minimum_ticks'], self['maximum_ticks'])
+        refuse('home_ticks', "is #{self['home_ticks']}; expected #{self['minimum_ticks']} to #{self['maximum_ticks']}")
+      end
+      refuse('home', 'is switch, but the axis has none; expected in_place') if homes_without_switch?
+      at_most('home_speed_ticks_per_s', 'speed_ticks_per_s')
+      at_most('speed_ticks_per_s', 'full_speed_ticks_per_s')
+      below('deadband_ticks', 'following_error_ticks')
+      check_jump
+    end
+
+    def homes_without_switch?
+      self['home'] == 'switch' && self['limit_switch'] == 'none'
+    end
+
+    def check_jump
+      per_cycle = self['full_speed_ticks_per_s'] / 1000
+      return if self['jump_ticks'] > per_cycle
+
+      refuse('jump_ticks', "is #{self['jump_ticks']}; expected more than the #{per_cycle} of a cycle at full speed")
+    end
+
+    def below(key, other)
+      refuse(key, "is #{self[key]}; expected less than #{other} (#{self[other]})") if self[key] >= self[other]
+    end
+
+    def at_most(key, other)
+      refuse(key, "is #{self[key]}; expected at most #{other} (#{self[other]})") if self[key] > self[other]
+    end
+  end
+
+  # A whole robot file, checked.
+  class Description
+    NEURO = { 'head' => 'mm', 'feet' => 'mm', 'lateral' => 'mm', 'insertion' => 'mm',
+              'rotation' => 'rad', 'pitch' => 'rad', 'yaw' => 'rad' }.freeze
+    SIZE = (1..1000)
+    PLACE = (-1000..1000)
+    GEOMETRY = {
+      'side_link_mm' => SIZE, 'top_width_mm' => SIZE, 'home_separation_mm' => SIZE, 'minimum_separation_mm' => SIZE,
+      'maximum_separation_mm' => SIZE, 'rcm_home_x_mm' => PLACE, 'rcm_home_y_mm' => PLACE, 'rcm_home_z_mm' => PLACE,
+      'robot_to_rcm_mm' => (0..1000)
+    }.freeze
+    PROBE = {
+      'treatment_to_tip_mm' => PLACE, 'robot_to_entry_mm' => PLACE, 'cannula_to_treatment_mm' => PLACE,
+      'robot_to_treatment_mm' => PLACE
+    }.freeze
+    LARGEST_DEPTH_MM = 200
+    LARGEST_TRAVEL_MM = 2000
+
+    attr_reader :name, :axes, :geometry
+
+    def initialize(path, text)
+      nodes = Node.parse(path, text).mapping(%w[name kinematics geometry probe axes])
+      @name = nodes['name'].name
+      nodes['kinematics'].choice(%w[neuro])
+      @geometry = {}
+      @places = {}
+      read_lengths(nodes['geometry'], GEOMETRY)
+      read_lengths(nodes['probe'], PROBE)
+      @axes = read_axes(nodes['axes'])
+      check_geometry
+      check_axes
+    end
+
+    private
+
+    def read_lengths(node, ranges)
+      node.mapping(ranges.keys).each do |key, length|
+        @geometry[key] = length.decimal(ranges[key])
+        @places[key] = length
+      end
+    end
+
+    def read_axes(node)
+      axes = node.sequence.map { |axis| Axis.new(axis) }
+      unique(axes, 'name')
+      unique(axes, 'slot')
+      return axes if axes.map { |axis| axis['name'] } == NEURO.keys
+
+      node.refuse("are #{axes.map { |axis| axis['name'] }.join(', ')}; expected #{NEURO.keys.join(', ')}")
+    end
+
+    def unique(axes, key)
+      seen = {}
+      axes.each do |axis|
+        axis.refuse(key, "is #{axis[key]}, which #{seen[axis[key]]} has; expected another") if seen.key?(axis[key])
+        seen[axis[key]] = axis['name']
+      end
+    end
+
+    def check_geometry
+      inside('minimum_separation_mm', @geometry['top_width_mm'], @geometry['maximum_separation_mm'])
+      reach = @geometry['top_width_mm'] + (2 * @geometry['side_link_mm'])
+      inside('maximum_separation_mm', @geometry['minimum_separation_mm'], reach)
+      inside('home_separation_mm', @geometry['top_width_mm'], reach)
+      check_home_separation
+    end
+
+    def inside(key, low, high)
+      value = @geometry[key]
+      return if value > low && value < high
+
+      @places[key].refuse("is #{decimal(value)}; expected between #{decimal(low)} and #{decimal(high)}")
+    end
+
+    def check_home_separation
+      head, feet = @axes.first(2).map { |axis| axis.units(axis['home_ticks']) }
+      separation = @geometry['home_separation_mm'] + head - feet
+      low, high = @geometry.values_at('minimum_separation_mm', 'maximum_separation_mm')
+      return if separation.between?(low, high)
+
+      @places['home_separation_mm'].refuse(
+        "puts the homed carriages #{decimal(separation)} apart; expected #{decimal(low)} to #{decimal(high)}"
+      )
+    end
+
+    def check_axes
+      @axes.each { |axis| check_unit(axis) }
+      insertion = @axes[NEURO.keys.index('insertion')]
+      insertion.refuse('minimum_ticks', 'is negative; expected 0 or more, 0 is fully out') \
+        if insertion['minimum_ticks'].negative?
+      insertion.refuse('maximum_ticks', "is deeper than #{LARGEST_DEPTH_MM} mm; expected less") \
+        if insertion.units(insertion['maximum_ticks']) > LARGEST_DEPTH_MM
+    end
+
+    def check_unit(axis)
+      unit = NEURO[axis['name']]
+      axis.refuse('name', "is #{axis['name']} in #{axis.linear? ? 'mm' : 'rad'}; expected ticks_per_#{unit}") \
+        unless axis.linear? == (unit == 'mm')
+      %w[minimum_ticks maximum_ticks].each do |key|
+        axis.refuse(key, "is farther than #{LARGEST_TRAVEL_MM} mm; expected less") \
+          if axis.linear? && axis.units(axis[key]).abs > LARGEST_TRAVEL_MM
+      end
+    end
+
+    def decimal(value)
+      text = format('%.3f', value)
+      text.sub(/\.?0+\z/, '')
+    end
+  end
+end

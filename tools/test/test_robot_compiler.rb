@@ -1,0 +1,250 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+# Rule under test: a robot file is compiled to the same table each time, or refused with line and field.
+
+require 'minitest/autorun'
+require 'stringio'
+require 'tmpdir'
+require_relative '../robot_compiler'
+
+class TestRobotCompiler < Minitest::Test
+  ROBOT = File.expand_path('../../core/robot/neuro.yaml', __dir__)
+  TEXT = File.read(ROBOT)
+
+  def compile(text)
+    Dir.mktmpdir do |directory|
+      path = File.join(directory, 'robot.yaml')
+      File.binwrite(path, text)
+      errors = StringIO.new
+      status = Robot::Command.run([path, File.join(directory, 'out')], errors: errors)
+      table = File.join(directory, 'out', 'robot_neuro.c')
+      return [status, errors.string.gsub("#{directory}/", ''), File.exist?(table) ? File.read(table) : nil]
+    end
+  end
+
+  # Refused with this message; the line is that of the first line with `at` (after the axis `axis`, if given).
+  def assert_refused(text, message, at: nil, axis: nil, line: nil)
+    status, errors, table = compile(text)
+    line ||= line_of(text, at, axis)
+    assert_equal "robot.yaml:#{line}: #{message}\n", errors
+    assert_equal 1, status
+    assert_nil table
+  end
+
+  def line_of(text, part, axis)
+    lines = text.lines
+    start = axis ? lines.index { |line| line.include?("- name: #{axis}\n") } : 0
+    start + lines[start..].index { |line| line.include?(part) } + 1
+  end
+
+  # The file with the first `before` (after the axis `axis`, if given) replaced.
+  def with(before, after, axis: nil)
+    head, mark, tail = axis ? TEXT.partition("- name: #{axis}\n") : ['', '', TEXT]
+    refute_nil tail.index(before), "no #{before} in the file"
+    head + mark + tail.sub(before) { after }
+  end
+
+  def test_SWR_ROBOT_002_the_same_file_gives_the_same_bytes
+    status, errors, table = compile(TEXT)
+    assert_equal [0, ''], [status, errors]
+    assert_equal table, compile(TEXT).last
+  end
+
+  def test_SWR_ROBOT_002_the_table_carries_the_crc_of_the_file
+    assert_includes compile(TEXT).last, ".crc = 0x#{format('%08X', Robot::Crc.of(TEXT))}U"
+    refute_includes compile("#{TEXT}# changed\n").last, ".crc = 0x#{format('%08X', Robot::Crc.of(TEXT))}U"
+    assert_equal 0xE3069283, Robot::Crc.of('123456789')
+  end
+
+  def test_SWR_ROBOT_002_the_table_holds_the_values_in_the_units_of_the_core
+    table = compile(TEXT).last
+    assert_includes table, '.rcm_home_x_nm = 18320000'
+    assert_includes table, '.probe_robot_to_entry_nm = 5000000'
+    assert_includes table, "INT64_C(#{(1_000_000 * 65_536 / 78.74).round})"
+    assert_in_delta (2**32) / (2 * Math::PI) * 65_536 / 795.8, table.scan(/INT64_C\((\d+)\)/).last.first.to_i, 1
+    assert_equal 3, table.scan('(uint8_t)CARD_TYPE_PWM').size
+    assert_equal 2, table.scan('(uint8_t)HOME_IN_PLACE').size
+    assert_equal 1, table.scan('(uint8_t)LIMIT_SWITCH_LOWER').size
+    assert_equal 3, table.scan('(uint8_t)AXIS_UNIT_RAD').size
+  end
+
+  def test_SWR_ROBOT_001_the_command_line_needs_a_file_and_a_directory
+    errors = StringIO.new
+    assert_equal 2, Robot::Command.run([], errors: errors)
+    assert_match(/\Ausage: /, errors.string)
+  end
+
+  def test_SWR_ROBOT_001_a_file_that_is_not_there_is_refused
+    errors = StringIO.new
+    assert_equal 1, Robot::Command.run(['/nowhere/robot.yaml', '/nowhere'], errors: errors)
+    assert_includes errors.string, '/nowhere/robot.yaml'
+  end
+
+  def test_SWR_ROBOT_001_a_file_that_is_not_yaml_is_refused
+    assert_refused("name: neuro\naxes: [\n", 'file: is not YAML: did not find expected node content while parsing ' \
+                                             'a flow node', line: 3)
+    assert_refused('', 'file: is empty; expected a robot', line: 1)
+    assert_refused("- neuro\n", 'file: is not a mapping of keys to values', line: 1)
+  end
+
+  def test_SWR_ROBOT_001_an_unknown_key_is_refused
+    assert_refused(with('kinematics: neuro', "kinematics: neuro\ncolour: red"),
+                   'colour: is unknown; expected name, kinematics, geometry, probe, axes', at: 'colour')
+    text = with('    slot: 4', "    slot: 4\n    slat: 4", axis: 'lateral')
+    status, errors, = compile(text)
+    assert_equal 1, status
+    assert_match(/\Arobot.yaml:#{line_of(text, 'slat', 'lateral')}: axes\[2\]\.slat: is unknown; expected name/, errors)
+  end
+
+  def test_SWR_ROBOT_001_a_key_given_twice_is_refused
+    text = with('  side_link_mm: 60', "  side_link_mm: 60\n  side_link_mm: 61")
+    assert_refused(text, 'geometry.side_link_mm: is given twice', at: 'side_link_mm: 61')
+  end
+
+  def test_SWR_ROBOT_001_a_missing_key_is_refused
+    assert_refused(with("kinematics: neuro\n", ''), 'kinematics: is missing', at: 'name: neuro')
+    assert_refused(with("  top_width_mm: 30\n", ''), 'geometry.top_width_mm: is missing', at: 'geometry:')
+    assert_refused(with("    home_stage: 2\n", '', axis: 'feet'), 'axes[1].home_stage: is missing', axis: 'feet',
+                                                                                                    at: 'name: feet')
+  end
+
+  def test_SWR_ROBOT_001_a_wrong_type_is_refused
+    assert_refused(with('slot: 7', 'slot: seven'), 'axes[0].slot: is seven; expected a whole number', at: 'slot: seven')
+    assert_refused(with('slot: 7', 'slot: 07'), 'axes[0].slot: is 07; expected a whole number', at: 'slot: 07')
+    assert_refused(with('slot: 7', 'slot: "7"'), 'axes[0].slot: is not a plain value', at: 'slot: "7"')
+    assert_refused(with('slot: 7', 'slot:'), 'axes[0].slot: is not a plain value', at: '    slot:')
+    assert_refused(with('slot: 7', 'slot: [7]'), 'axes[0].slot: is not a plain value', at: 'slot: [7]')
+    assert_refused(with('18.32', '1e3'), 'geometry.rcm_home_x_mm: is 1e3; expected a number such as 18.32', at: '1e3')
+    assert_refused(with('name: neuro', 'name: Neuro!'), 'name: is Neuro!; expected 1 to 11 of a-z, 0-9 and _',
+                   at: 'name: Neuro!')
+    assert_refused("#{TEXT[/\A.*^axes:/m]} 7\n", 'axes: is not a list', at: 'axes: 7')
+    assert_refused("#{TEXT[/\A.*^axes:/m]}\n  - 7\n", 'axes[0]: is not a mapping of keys to values', at: '  - 7')
+  end
+
+  def test_SWR_ROBOT_001_a_number_out_of_range_is_refused
+    assert_refused(with('slot: 7', 'slot: 10'), 'axes[0].slot: is 10; expected 0 to 9', at: 'slot: 10')
+    assert_refused(with('slot: 7', 'slot: -1'), 'axes[0].slot: is -1; expected 0 to 9', at: 'slot: -1')
+    assert_refused(with('home_stage: 2', 'home_stage: 3'), 'axes[0].home_stage: is 3; expected 1 to 2',
+                   at: 'home_stage: 3')
+    assert_refused(with('side_link_mm: 60', 'side_link_mm: 0.5'),
+                   'geometry.side_link_mm: is 0.5; expected 1 to 1000', at: 'side_link_mm')
+    assert_refused(with('78.74', '0.1'), 'axes[0].ticks_per_mm: is 0.1; expected 1 to 100000', at: 'ticks_per_mm: 0.1')
+    assert_refused(with('maximum_duty: 131071', 'maximum_duty: 131072'),
+                   'axes[3].maximum_duty: is 131072; expected 1 to 131071', at: 'maximum_duty: 131072')
+  end
+
+  def test_SWR_ROBOT_001_a_wrong_word_is_refused
+    assert_refused(with('kinematics: neuro', 'kinematics: scara'), 'kinematics: is scara; expected neuro', at: 'scara')
+    assert_refused(with('card: non_pwm', 'card: analog'), 'axes[0].card: is analog; expected pwm or non_pwm',
+                   at: 'analog')
+    assert_refused(with('home: switch', 'home: sweet'), 'axes[0].home: is sweet; expected switch or in_place',
+                   at: 'sweet')
+    assert_refused(with('limit_switch: upper', 'limit_switch: both'),
+                   'axes[0].limit_switch: is both; expected none or lower or upper', at: 'both')
+    assert_refused(with('motor_inverted: true', 'motor_inverted: yes'),
+                   'axes[0].motor_inverted: is yes; expected true or false', at: 'motor_inverted: yes')
+  end
+
+  def test_SWR_ROBOT_001_an_axis_needs_exactly_one_unit
+    assert_refused(with("    ticks_per_mm: 78.74\n", '', axis: 'feet'),
+                   'axes[1]: has no unit; expected ticks_per_mm or ticks_per_rad', axis: 'feet', at: 'name: feet')
+    assert_refused(with("    ticks_per_mm: 78.74\n", "    ticks_per_mm: 78.74\n    ticks_per_rad: 1\n", axis: 'feet'),
+                   'axes[1]: has two units; expected ticks_per_mm or ticks_per_rad', axis: 'feet', at: 'name: feet')
+    assert_refused(with('ticks_per_rad', 'ticks_per_mm', axis: 'yaw'),
+                   'axes[6].name: is yaw in mm; expected ticks_per_rad', axis: 'yaw', at: 'name: yaw')
+    assert_refused(with('ticks_per_mm', 'ticks_per_rad', axis: 'head'),
+                   'axes[0].name: is head in rad; expected ticks_per_mm', axis: 'head', at: 'name: head')
+  end
+
+  def test_SWR_ROBOT_001_duty_belongs_to_pwm_cards
+    assert_refused(with('    jump_ticks: 40', "    jump_ticks: 40\n    minimum_duty: 5"),
+                   'axes[0].minimum_duty: does not belong to a non_pwm card; expected none', at: 'minimum_duty: 5')
+    assert_refused(with("    minimum_duty: 13107\n", ''), 'axes[3]: has no minimum_duty; expected 1 to 131071',
+                   axis: 'insertion', at: 'name: insertion')
+    assert_refused(with('minimum_duty: 13107', 'minimum_duty: 131071'),
+                   'axes[3].minimum_duty: is 131071; expected less than maximum_duty (131071)',
+                   at: 'minimum_duty: 131071')
+  end
+
+  def test_SWR_ROBOT_001_limits_that_cross_are_refused
+    assert_refused(with('minimum_ticks: -370', 'minimum_ticks: 516'),
+                   'axes[5].minimum_ticks: is 516; expected less than maximum_ticks (516)', at: 'minimum_ticks: 516')
+  end
+
+  def test_SWR_ROBOT_001_a_home_outside_the_limits_is_refused
+    assert_refused(with('home_ticks: 516', 'home_ticks: 517'),
+                   'axes[5].home_ticks: is 517; expected -370 to 516', at: 'home_ticks: 517')
+    assert_refused(with('home_ticks: 516', 'home_ticks: -371'),
+                   'axes[5].home_ticks: is -371; expected -370 to 516', at: 'home_ticks: -371')
+  end
+
+  def test_SWR_ROBOT_001_homing_to_a_switch_needs_a_switch
+    assert_refused(with('home: in_place', 'home: switch'),
+                   'axes[1].home: is switch, but the axis has none; expected in_place',
+                   axis: 'feet', at: 'home: switch')
+  end
+
+  def test_SWR_ROBOT_001_speeds_and_windows_that_contradict_each_other_are_refused
+    assert_refused(with('home_speed_ticks_per_s: 197', 'home_speed_ticks_per_s: 788'),
+                   'axes[0].home_speed_ticks_per_s: is 788; expected at most speed_ticks_per_s (787)',
+                   at: 'home_speed_ticks_per_s: 788')
+    assert_refused(with('full_speed_ticks_per_s: 984', 'full_speed_ticks_per_s: 786'),
+                   'axes[0].speed_ticks_per_s: is 787; expected at most full_speed_ticks_per_s (786)',
+                   at: ' speed_ticks_per_s: 787')
+    assert_refused(with('deadband_ticks: 0', 'deadband_ticks: 197'),
+                   'axes[0].deadband_ticks: is 197; expected less than following_error_ticks (197)',
+                   at: 'deadband_ticks: 197')
+    assert_refused(with('jump_ticks: 520', 'jump_ticks: 25'),
+                   'axes[3].jump_ticks: is 25; expected more than the 25 of a cycle at full speed',
+                   at: 'jump_ticks: 25')
+  end
+
+  def test_SWR_ROBOT_001_two_axes_on_one_slot_are_refused
+    assert_refused(with('slot: 6', 'slot: 7'), 'axes[1].slot: is 7, which head has; expected another',
+                   axis: 'feet', at: 'slot: 7')
+  end
+
+  def test_SWR_ROBOT_001_two_axes_of_one_name_are_refused
+    assert_refused(with('name: feet', 'name: head'), 'axes[1].name: is head, which head has; expected another',
+                   line: line_of(TEXT, 'name: feet', nil))
+  end
+
+  def test_SWR_ROBOT_001_axes_other_than_those_of_the_kinematics_are_refused
+    assert_refused(with('name: feet', 'name: foot'),
+                   'axes: are head, foot, lateral, insertion, rotation, pitch, yaw; expected head, feet, lateral, ' \
+                   'insertion, rotation, pitch, yaw', line: TEXT.lines.index("axes:\n") + 1)
+  end
+
+  def test_SWR_ROBOT_001_a_separation_the_linkage_cannot_take_is_refused
+    assert_refused(with('minimum_separation_mm: 75', 'minimum_separation_mm: 30'),
+                   'geometry.minimum_separation_mm: is 30; expected between 30 and 146', at: 'minimum_separation_mm')
+    assert_refused(with('minimum_separation_mm: 75', 'minimum_separation_mm: 146'),
+                   'geometry.minimum_separation_mm: is 146; expected between 30 and 146', at: 'minimum_separation_mm')
+    assert_refused(with('maximum_separation_mm: 146', 'maximum_separation_mm: 150'),
+                   'geometry.maximum_separation_mm: is 150; expected between 75 and 150', at: 'maximum_separation_mm')
+    assert_refused(with('home_separation_mm: 143', 'home_separation_mm: 30'),
+                   'geometry.home_separation_mm: is 30; expected between 30 and 150', at: 'home_separation_mm')
+  end
+
+  def test_SWR_ROBOT_001_a_home_outside_the_separation_limits_is_refused
+    assert_refused(with('home_separation_mm: 143', 'home_separation_mm: 146.5'),
+                   'geometry.home_separation_mm: puts the homed carriages 146.5 apart; expected 75 to 146',
+                   at: 'home_separation_mm')
+  end
+
+  def test_SWR_ROBOT_001_an_insertion_that_is_negative_or_too_deep_is_refused
+    assert_refused(with('minimum_ticks: 0', 'minimum_ticks: -1', axis: 'insertion'),
+                   'axes[3].minimum_ticks: is negative; expected 0 or more, 0 is fully out', axis: 'insertion',
+                   at: 'minimum_ticks: -1')
+    assert_refused(with('133334', '666669'), 'axes[3].maximum_ticks: is deeper than 200 mm; expected less',
+                   at: '666669')
+  end
+
+  def test_SWR_ROBOT_001_a_travel_that_does_not_fit_the_numbers_is_refused
+    assert_refused(with('-11418', '-157481'), 'axes[0].minimum_ticks: is farther than 2000 mm; expected less',
+                   at: '-157481')
+    assert_refused(with('5906', '157481'), 'axes[1].maximum_ticks: is farther than 2000 mm; expected less',
+                   at: '157481')
+  end
+end

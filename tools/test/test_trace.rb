@@ -1,0 +1,357 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+# The rule under test: whatever is missing between hazard and passed test is found, and said in one line.
+# Each test breaks one thing in a small project that is complete.
+
+require 'csv'
+require 'fileutils'
+require 'json'
+require 'minitest/autorun'
+require 'open3'
+require 'tmpdir'
+
+class TestTrace < Minitest::Test
+  TOOLS = File.expand_path('..', __dir__)
+
+  COMPLETE = {
+    'requirements/risk.yml' => <<~YAML,
+      - id: HAZ-001
+        title: Motion goes on
+        severity: 5
+        situation: The probe advances.
+        harm: Death
+      - id: RC-001
+        title: Zero drive
+        kind: design
+        text: Without permit zero drive words leave.
+        parents: [HAZ-001]
+    YAML
+    'requirements/pedal.yml' => <<~YAML,
+      - id: SWR-PEDAL-001
+        title: Shut gate
+        text: While the gate is shut, the controller shall wait {wait_us}.
+        parents: [RC-001]
+        source: thesis
+        limits:
+          - {name: wait_us, value: 7, unit: us, status: thesis}
+        verification: {method: test, level: unit}
+      - id: SWR-PEDAL-002
+        title: Open gate
+        text: The gate shall open.
+        parents: ['derived: someone must get through']
+        source: thesis
+        verification: {method: test, level: unit}
+    YAML
+    'core/gate/gate.h' => <<~C,
+      /**
+       * Opens the gate.
+       *
+       * @satisfies SWR-PEDAL-002
+       */
+      void gate_open(gate_t *self);
+    C
+    'statecharts/gate.scxml' => <<~XML,
+      <scxml xmlns:bs="x">
+        <state id="shut" bs:req="SWR-PEDAL-001">
+          <transition bs:id="GATE-T01" event="a" cond="x > 1" bs:req="SWR-PEDAL-001 SWR-PEDAL-002"/>
+        </state>
+      </scxml>
+    XML
+    'verification/unit/test_gate.c' => <<~C,
+      static void check(int value)
+      {
+          TEST_ASSERT_EQUAL_INT(1, value);
+      }
+
+      TEST_CASE(1)
+      void test_SWR_PEDAL_001_waits(int value)
+      {
+          check(value);
+      }
+
+      void test_SWR_PEDAL_002_opens(void)
+      {
+          EXPECT_CONTRACT("gate", 1U, gate_open(NULL));
+      }
+    C
+    'build/results/unit.json' => JSON.generate(
+      [{ test: 'test_SWR_PEDAL_001_waits(1)', file: 'verification/unit/test_gate.c', result: 'pass' },
+       { test: 'test_SWR_PEDAL_002_opens', file: 'verification/unit/test_gate.c', result: 'pass' }]
+    )
+  }.freeze
+
+  def test_SWR_TRACE_001_a_complete_project_has_no_findings
+    in_project do |root|
+      output, status = trace('check', root)
+      assert status.success?, output
+      assert_equal "trace: 2 requirements, 2 test results, 0 findings\n", output
+    end
+  end
+
+  def test_SWR_TRACE_001_e01_unknown_id_in_code_chart_and_test
+    assert_finding 'E01 core/gate/gate.h:4: gate_open names the unknown id SWR-GATE-009',
+                   'core/gate/gate.h', 'SWR-PEDAL-002', 'SWR-GATE-009'
+    assert_finding 'E01 core/gate/gate.h:4: gate_open names the unknown id SWR-PEDAL-002 SWR-PEDAL-001',
+                   'core/gate/gate.h', 'SWR-PEDAL-002', 'SWR-PEDAL-002 SWR-PEDAL-001'
+    assert_finding 'E01 statecharts/gate.scxml:3: gate GATE-T01 names the unknown id SWR-PEDAL-003',
+                   'statecharts/gate.scxml', 'SWR-PEDAL-002', 'SWR-PEDAL-003'
+    assert_finding 'E01 verification/unit/test_gate.c:12: test_SWR_PEDAL_009_opens names the unknown id',
+                   'verification/unit/test_gate.c', 'SWR_PEDAL_002', 'SWR_PEDAL_009'
+  end
+
+  def test_SWR_TRACE_001_e02_test_without_requirement
+    assert_finding 'E02 verification/unit/test_gate.c:12: test_opens names no requirement',
+                   'verification/unit/test_gate.c', 'SWR_PEDAL_002_', ''
+    assert_finding 'E02 app/console/a.test.ts:1: shows it names no requirement', 'build/results/unit.json',
+                   ']', ',{"test":"shows it","file":"app/console/a.test.ts","result":"pass"}]'
+  end
+
+  def test_SWR_TRACE_001_e03_requirement_without_a_passed_test
+    assert_finding 'E03 requirements/pedal.yml:1: SWR-PEDAL-001 has no passed test',
+                   'build/results/unit.json', '"pass"', '"ignore"'
+  end
+
+  def test_SWR_TRACE_001_e04_failed_test
+    assert_finding 'E04 verification/unit/test_gate.c:7: test_SWR_PEDAL_001_waits(1) failed',
+                   'build/results/unit.json', '"pass"', '"fail"'
+    assert_finding 'E04 verification/unit/test_gate.c:7: test_SWR_PEDAL_001_waits(1) has the unknown result "ok"',
+                   'build/results/unit.json', '"pass"', '"ok"'
+  end
+
+  def test_SWR_TRACE_001_e05_ignored_test
+    assert_finding 'E05 verification/unit/test_gate.c:7: test_SWR_PEDAL_001_waits(1) was ignored',
+                   'build/results/unit.json', '"pass"', '"ignore"'
+  end
+
+  def test_SWR_TRACE_001_e06_test_that_asserts_nothing
+    findings = assert_finding 'E06 verification/unit/test_gate.c:7: test_SWR_PEDAL_001_waits asserts nothing',
+                              'verification/unit/test_gate.c', 'check(value);', '/* check(value); */'
+    assert_includes findings, 'E03 requirements/pedal.yml:1: SWR-PEDAL-001 has no passed test'
+  end
+
+  def test_SWR_TRACE_001_e06_runner_counted_no_assertion
+    ruby = { test: 'test_SWR_PEDAL_001_x', file: 'verification/system/test_x.rb', result: 'pass', assertions: 0 }
+    assert_finding 'E06 verification/system/test_x.rb:1: test_SWR_PEDAL_001_x asserts nothing',
+                   'build/results/unit.json', ']', ",#{JSON.generate(ruby)}]"
+  end
+
+  def test_SWR_TRACE_001_e07_requirement_that_nothing_fulfils
+    assert_finding 'E07 requirements/pedal.yml:1: SWR-PEDAL-001 is fulfilled by no function or chart',
+                   'statecharts/gate.scxml', /SWR-PEDAL-001(.*)SWR-PEDAL-001/m, 'SWR-PEDAL-002\\1'
+  end
+
+  def test_SWR_TRACE_001_e08_id_used_twice
+    assert_finding 'E08 requirements/pedal.yml:9: SWR-PEDAL-001 is already used at requirements/pedal.yml:1',
+                   'requirements/pedal.yml', 'SWR-PEDAL-002', 'SWR-PEDAL-001'
+  end
+
+  def test_SWR_TRACE_001_e09_unknown_parent
+    assert_finding 'E09 requirements/pedal.yml:1: SWR-PEDAL-001 has the unknown parent RC-002',
+                   'requirements/pedal.yml', 'RC-001', 'RC-002'
+    assert_finding 'E09 requirements/risk.yml:6: RC-001 has the unknown parent HAZ-002',
+                   'requirements/risk.yml', '[HAZ-001]', '[HAZ-002]'
+  end
+
+  def test_SWR_TRACE_001_e10_not_exactly_one_shall
+    assert_finding 'E10 requirements/pedal.yml:9: SWR-PEDAL-002 says shall 2 times',
+                   'requirements/pedal.yml', 'shall open', 'shall open and shall close'
+    assert_finding 'E10 requirements/pedal.yml:9: SWR-PEDAL-002 says shall 0 times',
+                   'requirements/pedal.yml', 'shall open', 'will open'
+  end
+
+  def test_SWR_TRACE_001_e11_risk_control_without_requirement
+    assert_finding 'E11 requirements/risk.yml:6: RC-001 is carried out by no requirement',
+                   'requirements/pedal.yml', '[RC-001]', "['derived: so']"
+  end
+
+  def test_SWR_TRACE_001_e12_hazard_without_risk_control
+    assert_finding 'E12 requirements/risk.yml:1: HAZ-001 has no risk control',
+                   'requirements/risk.yml', 'parents: [HAZ-001]', 'parents: []'
+  end
+
+  def test_SWR_TRACE_001_e13_test_without_result_and_result_without_test
+    findings = assert_finding 'E13 verification/unit/test_gate.c:12: test_SWR_PEDAL_002_closes was not executed',
+                              'verification/unit/test_gate.c', 'test_SWR_PEDAL_002_opens', 'test_SWR_PEDAL_002_closes'
+    assert_includes findings, 'E13 verification/unit/test_gate.c:1: test_SWR_PEDAL_002_opens has a result but is not'
+  end
+
+  def test_SWR_TRACE_001_e14_requirement_without_parent
+    assert_finding 'E14 requirements/pedal.yml:9: SWR-PEDAL-002 has neither a parent nor',
+                   'requirements/pedal.yml', "['derived: someone must get through']", '[]'
+  end
+
+  def test_SWR_TRACE_001_e15_malformed_items
+    { ['  source: thesis', ''] => 'SWR-PEDAL-001 lacks source',
+      ['{wait_us}', '{wait_ms}'] => 'SWR-PEDAL-001 speaks of the unknown limit wait_ms',
+      ['level: unit', 'level: hope'] => 'SWR-PEDAL-001 has the unknown level "hope"',
+      ['While the', 'As the'] => 'SWR-PEDAL-001 does not begin with While, When, If, Where or The' }
+      .each do |(old, new), text|
+        assert_finding "E15 requirements/pedal.yml:1: #{text}", 'requirements/pedal.yml', old, new
+      end
+    assert_finding 'E15 requirements/pedal.yml:9: REQ-PEDAL-002 is neither HAZ-, RC- nor SWR-',
+                   'requirements/pedal.yml', 'SWR-PEDAL-002', 'REQ-PEDAL-002'
+  end
+
+  def test_SWR_TRACE_001_e15_unreadable_files
+    assert_finding 'E15 requirements/pedal.yml:', 'requirements/pedal.yml', '- id: SWR-PEDAL-002', '- id: ['
+    assert_finding 'E15', 'build/results/unit.json', ']', ''
+  end
+
+  def test_SWR_TRACE_001_e16_tested_only_at_a_smaller_level
+    assert_finding 'E16 requirements/pedal.yml:1: SWR-PEDAL-001 is to be tested at level system, it is at unit',
+                   'requirements/pedal.yml', 'level: unit', 'level: system'
+    system = { test: 'test_SWR_PEDAL_001_x', file: 'verification/system/test_x.rb', result: 'pass', assertions: 1 }
+    items = COMPLETE.fetch('requirements/pedal.yml').sub('level: unit', 'level: integration')
+    in_project('build/results/system.json' => JSON.generate([system]), 'requirements/pedal.yml' => items,
+               'verification/system/test_x.rb' => "  def test_SWR_PEDAL_001_x\n") do |root|
+      output, status = trace('check', root)
+      assert status.success?, output
+    end
+  end
+
+  def test_SWR_TRACE_001_static_check_needs_no_results
+    in_project('build/results/unit.json' => 'nonsense') do |root|
+      output, status = trace('check', root, '--static')
+      assert status.success?, output
+    end
+  end
+
+  def test_SWR_TRACE_001_matrix_gives_the_worst_result_as_verdict
+    results = JSON.generate(
+      [{ test: 'test_SWR_PEDAL_001_waits(1)', file: 'verification/unit/test_gate.c', result: 'pass' },
+       { test: 'SWR-PEDAL-001 is <shown>', file: 'app/console/a.test.ts', result: 'fail' }]
+    )
+    in_project('build/results/unit.json' => results) do |root|
+      output, status = trace('matrix', root)
+      assert status.success?, output
+      assert_includes output, "SWR-PEDAL-001  FAIL  Shut gate\n    from   RC-001\n" \
+                              "    by     gate shut (statecharts/gate.scxml:2)\n"
+      assert_includes output, '    tested fail   SWR-PEDAL-001 is <shown> (app/console/a.test.ts)'
+      assert_includes output, "SWR-PEDAL-002  NOT VERIFIED  Open gate\n    from   derived: someone must get through\n"
+      assert_includes output, '2 requirements: 0 pass, 1 fail, 1 not verified'
+    end
+  end
+
+  def test_SWR_TRACE_001_matrix_is_written_for_machine_sheet_and_auditor
+    in_project do |root|
+      trace('matrix', root)
+      rows = JSON.parse(File.read(File.join(root, 'build/trace.json'))).fetch('requirements')
+      assert_equal [%w[SWR-PEDAL-001 pass], %w[SWR-PEDAL-002 pass]], rows.map { |row| row.values_at('id', 'verdict') }
+      assert_equal 'While the gate is shut, the controller shall wait 7 us.', rows.first['text']
+      assert_equal 'HAZ-001', rows.first.dig('parents', 0, 'hazards', 0, 'id')
+      sheet = CSV.read(File.join(root, 'build/trace.csv'))
+      assert_equal 'gate_open (core/gate/gate.h:4)', sheet[2][4].lines.first.chomp
+      html = File.read(File.join(root, 'build/trace.html'))
+      assert_match(/<details id="SWR-PEDAL-001" data-verdict="pass">.*test_SWR_PEDAL_001_waits\(1\)/m, html)
+      refute_match(/(?:src|href)\s*=/, html, 'the page needs no other file')
+    end
+  end
+
+  def test_SWR_TRACE_001_elements_are_named_after_what_follows_the_comment
+    sources = { 'a.h' => "/**\n * @satisfies SWR-PEDAL-001\n */\ntypedef struct {\n    int a;\n} gate_t;\n",
+                'b.h' => "/**\n * @file\n * @satisfies SWR-PEDAL-001\n */\n#ifndef B_H\n",
+                'c.h' => "/**\n * @satisfies SWR-PEDAL-001\n */\nextern const robot_t robot_neuro;\n",
+                'd.rb' => "# @satisfies SWR-PEDAL-001\nclass Gate\nend\n",
+                'e.ts' => "// @satisfies SWR-PEDAL-001\nexport const gate = 1;\n",
+                'f.tsx' => "/** @satisfies SWR-PEDAL-001 */\nexport default function Gate() {\n}\n",
+                'g.c' => "/**\n * @satisfies SWR-PEDAL-001\n */\nstatic const char *const names[2] = {0};\n" }
+    in_project(sources.transform_keys { |name| "app/gate/#{name}" }) do |root|
+      output, = trace('matrix', root)
+      names = output.scan(%r{by     (\S+) \(app/gate/(\S+):\d+\)})
+      assert_equal %w[gate_t b.h robot_neuro Gate gate Gate names], names.sort_by(&:last).map(&:first)
+    end
+  end
+
+  def test_SWR_TRACE_001_results_of_ceedling
+    report = { 'PassedTests' => [{ 'test' => 'a(1)', 'file' => 'x.c' }],
+               'FailedTests' => [{ 'test' => 'b', 'file' => 'x.c', 'line' => 3, 'message' => '<"&' }],
+               'IgnoredTests' => [{ 'test' => 'c', 'file' => 'x.c' }], 'Summary' => { 'total_tests' => 3 } }
+    assert_equal [%w[a(1) x.c pass], %w[b x.c fail], %w[c x.c ignore]], convert('ceedling', report)
+    report['Summary']['total_tests'] = 4
+    assert_includes convert('ceedling', report), 'the summary counts 4 tests, the lists hold 3'
+  end
+
+  def test_SWR_TRACE_001_results_of_vitest
+    tests = { 'SWR-CON-001 a' => 'passed', 'b' => 'failed', 'c' => 'todo' }
+            .map { |title, status| { 'fullName' => title, 'status' => status } }
+    report = { 'testResults' => { 'a.test.ts' => tests, 'b.test.ts' => [] }.map do |name, list|
+      { 'name' => File.join(Dir.pwd, name), 'status' => 'failed', 'message' => "no\nway", 'assertionResults' => list }
+    end }
+    assert_equal [%w[SWR-CON-001\ a a.test.ts pass], %w[b a.test.ts fail], %w[c a.test.ts ignore],
+                  %w[no b.test.ts fail]], convert('vitest', report)
+  end
+
+  def test_SWR_TRACE_001_results_of_playwright
+    spec = ->(title, status) { { 'title' => title, 'file' => 'a.spec.ts', 'tests' => [{ 'status' => status }] } }
+    inner = [spec.call('b', 'flaky'), spec.call('c', 'skipped'), spec.call('d', 'unexpected')]
+    report = { 'config' => { 'rootDir' => File.join(Dir.pwd, 'e2e') }, 'errors' => [],
+               'suites' => [{ 'specs' => [spec.call('a', 'expected')], 'suites' => [{ 'specs' => inner }] }] }
+    assert_equal [%w[a e2e/a.spec.ts pass], %w[b e2e/a.spec.ts fail], %w[c e2e/a.spec.ts ignore],
+                  %w[d e2e/a.spec.ts fail]], convert('playwright', report)
+  end
+
+  def test_SWR_TRACE_001_results_of_minitest
+    in_project do |root|
+      FileUtils.mkdir_p(File.join(root, 'tools/test'))
+      FileUtils.cp(File.join(TOOLS, 'test/result_reporter.rb'), File.join(root, 'tools/test'))
+      File.write(File.join(root, 'tools/test/test_it.rb'), <<~RUBY)
+        require 'minitest/autorun'
+        class TestIt < Minitest::Test
+          define_method(:test_a) { assert true }
+          define_method(:test_b) { flunk }
+          define_method(:test_c) { skip }
+          define_method(:test_d) { raise 'no' }
+          define_method(:test_e) {}
+        end
+      RUBY
+      Open3.capture2e({ 'RESULT_NAME' => 'it' }, 'ruby', '-r', './tools/test/result_reporter.rb',
+                      'tools/test/test_it.rb', chdir: root)
+      rows = JSON.parse(File.read(File.join(root, 'build/results/it.json')))
+      assert_equal [['test_a', 'pass', 1], ['test_b', 'fail', 1], ['test_c', 'ignore', 0], ['test_d', 'fail', 0],
+                    ['test_e', 'pass', 0]], rows.map { |row| row.values_at('test', 'result', 'assertions') }
+      assert_equal ['tools/test/test_it.rb'], rows.map { |row| row['file'] }.uniq
+    end
+  end
+
+  private
+
+  # Replaces `old` by `new` in one file of the complete project and expects a finding.
+  def assert_finding(text, file, old, new)
+    changed = COMPLETE.fetch(file).sub(old, new)
+    refute_equal COMPLETE.fetch(file), changed
+    in_project(file => changed) do |root|
+      output, status = trace('check', root)
+      assert_equal 1, status.exitstatus, output
+      assert_includes output, "TRACE-#{text}"
+      return output
+    end
+  end
+
+  def in_project(changes = {})
+    Dir.mktmpdir do |root|
+      COMPLETE.merge(changes).each do |name, text|
+        path = File.join(root, name)
+        FileUtils.mkdir_p(File.dirname(path))
+        File.write(path, text)
+      end
+      yield root
+    end
+  end
+
+  def trace(command, root, *options)
+    Open3.capture2e('ruby', File.join(TOOLS, 'trace.rb'), command, '--root', root, *options)
+  end
+
+  # Rows of test, file and result, or what the converter said.
+  def convert(runner, report)
+    Dir.mktmpdir do |folder|
+      file = File.join(folder, 'report.json')
+      File.write(file, JSON.generate(report))
+      output, status = Open3.capture2e('ruby', File.join(TOOLS, 'results.rb'), runner, file)
+      return output unless status.success?
+
+      JSON.parse(output).map { |row| row.values_at('test', 'file', 'result') }
+    end
+  end
+end

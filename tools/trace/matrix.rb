@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+require 'csv'
+require 'erb'
+require 'fileutils'
+require 'json'
+require_relative 'check'
+
+module Trace
+  # Each requirement with what it comes from, what fulfils it and what its tests say.
+  class Matrix
+    TEMPLATE = File.join(__dir__, 'matrix.html.erb')
+
+    # A requirement as it is printed, written and shown.
+    Row = Struct.new(:id, :title, :text, :place, :source, :level, :parents, :limits, :elements, :tests,
+                     :verdict, keyword_init: true)
+
+    def initialize(project)
+      @project = project
+      @rows = project.requirements.of_kind('SWR').sort_by(&:id).map { |item| row(item) }
+    end
+
+    def text
+      lines = @rows.flat_map do |row|
+        ["#{row.id}  #{row.verdict.upcase}  #{row.title}",
+         "    from   #{row.parents.map { |parent| parent[:id] }.join(', ')}",
+         *row.elements.map { |element| "    by     #{element[:name]} (#{element[:place]})" },
+         *row.tests.map { |test| "    tested #{test[:result].ljust(6)} #{test[:test]} (#{test[:file]})" }]
+      end
+      "#{lines.join("\n")}\n\n#{summary}"
+    end
+
+    def summary
+      counts = @rows.map(&:verdict).tally
+      parts = ['pass', 'fail', 'not verified'].map { |verdict| "#{counts.fetch(verdict, 0)} #{verdict}" }
+      "#{@rows.size} requirements: #{parts.join(', ')}"
+    end
+
+    def write(folder)
+      FileUtils.mkdir_p(folder)
+      File.write(File.join(folder, 'trace.json'), "#{JSON.pretty_generate(document)}\n")
+      File.write(File.join(folder, 'trace.csv'), csv)
+      File.write(File.join(folder, 'trace.html'), html)
+    end
+
+    def html
+      ERB.new(File.read(TEMPLATE), trim_mode: '-').result(binding)
+    end
+
+    private
+
+    def row(item)
+      requirements = @project.requirements
+      Row.new(id: item.id, title: item.title, text: requirements.sentence(item), place: item.place.to_s,
+              source: item['source'].to_s, level: item['verification'].to_h['level'].to_s,
+              parents: Array(item['parents']).map { |parent| parent_row(parent) },
+              limits: item.limits.map { |limit| limit.to_h.slice(:name, :value, :unit, :status) },
+              elements: @project.elements_of(item.id).map { |e| { name: e.name, place: e.place.to_s } }.uniq,
+              tests: tests(item.id), verdict: @project.verdict(item.id))
+    end
+
+    # A risk control with its hazards, or the reason of a derived requirement.
+    def parent_row(parent)
+      item = by_id[parent]
+      return { id: parent, title: '', hazards: [] } unless item
+
+      hazards = item.parents.map { |id| { id: id, title: by_id[id]&.title.to_s } }
+      { id: item.id, title: item.title, hazards: hazards }
+    end
+
+    def by_id
+      @by_id ||= @project.requirements.items.to_h { |item| [item.id, item] }
+    end
+
+    def tests(id)
+      rows = @project.results_of(id).map do |result|
+        { test: result.test, file: result.file, result: result.empty? ? 'empty' : result.result,
+          assertions: result.assertions, from: result.source }
+      end
+      rows.sort_by { |test| [test[:file], test[:test]] }
+    end
+
+    def document
+      { requirements: @rows.map(&:to_h),
+        risk_controls: @project.requirements.of_kind('RC').map { |item| item_row(item, 'SWR') },
+        hazards: @project.requirements.of_kind('HAZ').map { |item| item_row(item, 'RC') } }
+    end
+
+    def item_row(item, child_kind)
+      children = @project.requirements.of_kind(child_kind).select { |child| child.parents.include?(item.id) }
+      item.fields.merge('id' => item.id, 'children' => children.map(&:id), 'place' => item.place.to_s)
+    end
+
+    def csv
+      CSV.generate do |out|
+        out << %w[id title text parents elements tests verdict]
+        @rows.each do |row|
+          out << [row.id, row.title, row.text, row.parents.map { |parent| parent[:id] }.join(' '),
+                  row.elements.map { |element| "#{element[:name]} (#{element[:place]})" }.join("\n"),
+                  row.tests.map { |test| "#{test[:result]}: #{test[:test]} (#{test[:file]})" }.join("\n"),
+                  row.verdict]
+        end
+      end
+    end
+
+    def h(text)
+      ERB::Util.html_escape(text)
+    end
+  end
+end

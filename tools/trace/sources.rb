@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+require_relative 'requirements'
+
+module Trace
+  # Something that claims to fulfil a requirement: a declaration or a chart's element.
+  Element = Struct.new(:requirement, :name, :place, keyword_init: true)
+
+  # A test as it stands in the sources. `is_empty` is nil where that cannot be seen in the text.
+  Declaration = Struct.new(:name, :is_empty, :place, keyword_init: true)
+
+  # Finds `@satisfies`, `bs:req` and tests below a project's root.
+  class Sources
+    CODE = '{core,bsp,app,tools}/**/*.{h,c,rb,ts,tsx}'
+    CHARTS = 'statecharts/*.scxml'
+    C_TESTS = '{verification/unit,verification/integration,build/gen/tests}/**/test_*.c'
+    RUBY_TESTS = '{verification,tools/test}/**/test_*.rb'
+    SUPPORT = 'verification/unit/support/*.{h,c}'
+    LEFT_OUT = %r{node_modules/|/dist/|tools/test/|\.test\.tsx?\z|\.spec\.ts\z}
+
+    SATISFIES = %r{\A\s*(?:/\*\*|\*|\#|//+)\s*@satisfies\s+(.+?)\s*(?:\*/\s*)?\z}
+    COMMENT = %r{\A\s*(?:/\*|\*|\#|//|\z)}
+    TAG = /<([\w:]+)((?:\s+[\w:]+\s*=\s*"[^"]*")+)\s*\/?>/m
+
+    def initialize(root)
+      @root = root
+    end
+
+    def elements
+      @elements ||= code_elements + chart_elements
+    end
+
+    def tests
+      @tests ||= c_tests + ruby_tests
+    end
+
+    private
+
+    def glob(pattern)
+      Dir.glob(pattern, base: @root).sort
+    end
+
+    def read(file)
+      File.read(File.join(@root, file), encoding: 'UTF-8')
+    end
+
+    def code_elements
+      glob(CODE).grep_v(LEFT_OUT).flat_map do |file|
+        lines = read(file).lines
+        lines.each_with_index.filter_map do |line, index|
+          next unless (id = line[SATISFIES, 1])
+
+          Element.new(requirement: id, name: declared_after(lines, index) || File.basename(file),
+                      place: Place.new(file, index + 1))
+        end
+      end
+    end
+
+    # The name of what the comment at `index` stands before; nil for a comment on the whole file.
+    def declared_after(lines, index)
+      rest = lines.drop(index + 1).drop_while { |line| line.match?(COMMENT) }.first(8).join
+      rest = rest[/\A(?:(?:private_class_method|export|default|async|extern|static|const|inline)\s+)*(.*)/m, 1]
+      case rest
+      when /\A#/ then nil
+      when /\Atypedef\s[^;{]*(?:\{.*?\})?\s*(\w+)\s*;/m,
+           /\A\s*(?:def(?:\s+self\.)?|class|module|function|const|let|interface|type)\s*([\w.?!]+)/,
+           /\A[^;={(]*?(\w+)\s*(?:\(|\[|=|;)/m
+        Regexp.last_match(1)
+      end
+    end
+
+    def chart_elements
+      glob(CHARTS).flat_map do |file|
+        text = read(file)
+        text.enum_for(:scan, TAG).flat_map do
+          match = Regexp.last_match
+          attributes = match[2].scan(/([\w:]+)\s*=\s*"([^"]*)"/).to_h
+          place = Place.new(file, text[0...match.begin(0)].count("\n") + 1)
+          name = "#{File.basename(file, '.scxml')} #{attributes['bs:id'] || attributes['id'] || match[1]}"
+          attributes.fetch('bs:req', '').split(/[\s,]+/).map do |id|
+            Element.new(requirement: id, name: name, place: place)
+          end
+        end
+      end
+    end
+
+    def c_tests
+      helpers = glob(SUPPORT).flat_map { |file| CFunctions.new(read(file)).all }
+      glob(C_TESTS).flat_map do |file|
+        functions = CFunctions.new(read(file))
+        asserting = functions.asserting(helpers)
+        functions.all.select { |function| function.name.start_with?('test_') }.map do |function|
+          Declaration.new(name: function.name, is_empty: !asserting.include?(function.name),
+                          place: Place.new(file, function.line))
+        end
+      end
+    end
+
+    # Assertions of Ruby tests are counted when they run.
+    def ruby_tests
+      glob(RUBY_TESTS).flat_map do |file|
+        read(file).lines.each_with_index.filter_map do |line, index|
+          name = line[/\A\s*def\s+(test_\w+)/, 1]
+          Declaration.new(name: name, place: Place.new(file, index + 1)) if name
+        end
+      end
+    end
+  end
+
+  # The functions a C file defines, found by their braces in text without comments and strings.
+  class CFunctions
+    Function = Struct.new(:name, :line, :body, keyword_init: true)
+
+    NOISE = %r{/\*.*?\*/|//[^\n]*|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])*'}m
+    HEAD = /^[A-Za-z_][\w \t*]*?\b(\w+)\s*\([^;{}]*\)\s*\{/
+    ASSERTION = /\b(?:TEST_ASSERT\w*|TEST_FAIL\w*|EXPECT_CONTRACT|UNITY_TEST_\w+|TEST_IGNORE\w*)\b/
+
+    attr_reader :all
+
+    def initialize(text)
+      @text = text.gsub(NOISE) { |noise| noise.gsub(/[^\n]/, ' ') }
+      @all = @text.enum_for(:scan, HEAD).map do
+        match = Regexp.last_match
+        Function.new(name: match[1], line: @text[0...match.begin(0)].count("\n") + 1,
+                     body: body(match.end(0) - 1))
+      end
+      @macros = macros
+    end
+
+    # Names of all functions and macros that assert, by themselves or through one they call.
+    def asserting(helpers = [])
+      callables = all + helpers + @macros
+      names = callables.select { |callable| callable.body.match?(ASSERTION) }.map(&:name)
+      loop do
+        more = callables.reject { |callable| names.include?(callable.name) }
+                        .select { |callable| callable.body.match?(/\b(?:#{Regexp.union(names).source})\b/) }
+        return names if names.empty? || more.empty?
+
+        names |= more.map(&:name)
+      end
+    end
+
+    private
+
+    def body(start)
+      depth = 0
+      position = start
+      while (position = @text.index(/[{}]/, position))
+        depth += @text[position] == '{' ? 1 : -1
+        return @text[start..position] if depth.zero?
+
+        position += 1
+      end
+      @text[start..]
+    end
+
+    def macros
+      @text.scan(/^\s*#\s*define\s+(\w+)\([^)]*\)((?:[^\n]*\\\n)*[^\n]*)/).map do |name, text|
+        Function.new(name: name, line: 0, body: text)
+      end
+    end
+  end
+end

@@ -1,0 +1,208 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "rig.h"
+
+#include "unity.h"
+
+#include <string.h>
+
+void rig_start(rig_t *self)
+{
+    (void)memset(self, 0, sizeof *self);
+    box_init(&self->box, &robot_neuro, 1U);
+    controller_init(&self->controller, &robot_neuro);
+    self->elapsed_us = 1000U;
+    rig_cycles(self, 20U);
+}
+
+static void gather(rig_t *self)
+{
+    const bsp_inputs_t levels = box_inputs(&self->box);
+    (void)memset(&self->inputs, 0, sizeof self->inputs);
+    self->inputs.elapsed_us = self->elapsed_us;
+    self->inputs.pedal_a = levels.pedal_a ? 1U : 0U;
+    self->inputs.pedal_b = levels.pedal_b ? 1U : 0U;
+    self->inputs.estop_open = levels.estop_open ? 1U : 0U;
+    self->inputs.scanner_active = levels.scanner_active ? 1U : 0U;
+    self->inputs.frames_received =
+        box_exchange(&self->box, self->outputs.frames_to_send,
+                     (const uint8_t(*)[CARD_FRAME_BYTES])self->outputs.frames, self->inputs.frames);
+    self->inputs.command_count = self->command_count;
+    (void)memcpy(self->inputs.commands, self->commands, sizeof self->commands);
+    self->command_count = 0U;
+}
+
+static void keep(rig_t *self)
+{
+    for (uint32_t i = 0U; i < self->outputs.answer_count; i++) {
+        self->answers[self->answer_count % RIG_ANSWERS] = self->outputs.answers[i];
+        self->answer_count++;
+    }
+    for (uint32_t i = 0U; i < self->outputs.event_count; i++) {
+        self->events[self->event_count % RIG_EVENTS] = self->outputs.events[i];
+        self->event_count++;
+    }
+    const bool is_pedal_down = (self->inputs.pedal_a != 0U) && (self->inputs.pedal_b != 0U);
+    if (!is_pedal_down && rig_is_driving(self)) {
+        self->driven_without_pedal++;
+    }
+}
+
+void rig_cycle(rig_t *self)
+{
+    gather(self);
+    controller_step(&self->controller, &robot_neuro, &self->inputs, &self->outputs);
+    keep(self);
+    box_advance(&self->box, 1000U);
+}
+
+void rig_cycles(rig_t *self, uint32_t count)
+{
+    for (uint32_t i = 0U; i < count; i++) {
+        rig_cycle(self);
+    }
+}
+
+void rig_box(rig_t *self, const char *order)
+{
+    char reply[BOX_REPLY_SIZE];
+    TEST_ASSERT_TRUE_MESSAGE(box_command(&self->box, order, reply, sizeof reply), order);
+}
+
+answer_t rig_command(rig_t *self, command_t command)
+{
+    self->next_id++;
+    command.id = self->next_id;
+    self->commands[0] = command;
+    self->command_count = 1U;
+    rig_cycle(self);
+    for (uint32_t i = 0U; i < self->outputs.answer_count; i++) {
+        if (self->outputs.answers[i].id == command.id) {
+            return self->outputs.answers[i];
+        }
+    }
+    TEST_FAIL_MESSAGE("the command was not answered in its cycle");
+    return self->outputs.answers[0];
+}
+
+answer_t rig_workphase(rig_t *self, workphase_t workphase)
+{
+    const command_t command = {.kind = (uint32_t)COMMAND_WORKPHASE, .argument = (uint32_t)workphase};
+    return rig_command(self, command);
+}
+
+void rig_press(rig_t *self)
+{
+    rig_box(self, "pedal press");
+    rig_cycles(self, 10U);
+}
+
+void rig_release(rig_t *self)
+{
+    rig_box(self, "pedal release");
+    rig_cycles(self, 10U);
+}
+
+answer_t rig_finish(rig_t *self, uint32_t most)
+{
+    for (uint32_t i = 0U; i < most; i++) {
+        const uint32_t before = self->answer_count;
+        rig_cycle(self);
+        if (self->answer_count != before) {
+            return self->answers[before % RIG_ANSWERS];
+        }
+    }
+    TEST_FAIL_MESSAGE("the command did not end in time");
+    return self->answers[0];
+}
+
+void rig_home(rig_t *self)
+{
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(self, WORKPHASE_START_UP).status);
+    rig_press(self);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(self, 40000U).kind);
+    rig_release(self);
+}
+
+void rig_start_homed(rig_t *self)
+{
+    static rig_t homed;
+    static bool is_ready = false;
+    if (!is_ready) {
+        rig_start(&homed);
+        rig_home(&homed);
+        is_ready = true;
+    }
+    *self = homed;
+    rig_forget(self);
+}
+
+void rig_start_targeted(rig_t *self)
+{
+    rigid_t identity;
+    const rigid_t pose = rig_pose(5000000, 190000000, 60000000);
+    rigid_set_identity(&identity);
+    rig_start_homed(self);
+    rig_register(self, &identity);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_target(self, &pose).status);
+    rig_forget(self);
+}
+
+answer_t rig_target(rig_t *self, const rigid_t *scanner_treatment)
+{
+    const command_t command = {.kind = (uint32_t)COMMAND_TARGET, .pose = *scanner_treatment};
+    return rig_command(self, command);
+}
+
+void rig_register(rig_t *self, const rigid_t *scanner_zframe)
+{
+    const command_t command = {.kind = (uint32_t)COMMAND_REGISTRATION, .pose = *scanner_zframe};
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(self, WORKPHASE_CALIBRATION).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(self, command).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(self, WORKPHASE_TARGETING).status);
+}
+
+card_command_t rig_sent(const rig_t *self, uint32_t axis)
+{
+    card_command_t command;
+    const uint32_t slot = robot_neuro.axes[axis].slot;
+    TEST_ASSERT_EQUAL(CARD_FRAME_OK, card_frame_decode_command(self->outputs.frames[slot], slot, &command));
+    return command;
+}
+
+bool rig_is_driving(const rig_t *self)
+{
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        const card_drive_t drive = rig_sent(self, i).drive;
+        if ((drive.mode != 0U) || (drive.direction != 0U) || (drive.duty != 0U)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+uint32_t rig_count(const rig_t *self, event_id_t id)
+{
+    uint32_t count = 0U;
+    const uint32_t kept = (self->event_count < RIG_EVENTS) ? self->event_count : RIG_EVENTS;
+    for (uint32_t i = 0U; i < kept; i++) {
+        count += (self->events[i].id == (uint32_t)id) ? 1U : 0U;
+    }
+    return count;
+}
+
+void rig_forget(rig_t *self)
+{
+    self->answer_count = 0U;
+    self->event_count = 0U;
+}
+
+rigid_t rig_pose(int32_t x_nm, int32_t y_nm, int32_t z_nm)
+{
+    /* The needle at home points along -y; its frame is R0 of the mechanism. */
+    const int32_t one = 1073741824;
+    const rigid_t pose = {
+        .rotation_q30 = {{-one, 0, 0}, {0, 0, -one}, {0, -one, 0}},
+        .translation = {.x_nm = x_nm, .y_nm = y_nm, .z_nm = z_nm},
+    };
+    return pose;
+}

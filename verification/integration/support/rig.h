@@ -1,0 +1,80 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file The controller on the simulated control box in lock-step: simulated time, the same bytes on every run. */
+#ifndef BORESIGHT_RIG_H
+#define BORESIGHT_RIG_H
+
+#include "box.h"
+#include "controller.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#define RIG_ANSWERS 64U
+#define RIG_EVENTS 512U
+
+typedef struct {
+    box_t box;
+    controller_t controller;
+    controller_inputs_t inputs;
+    controller_outputs_t outputs;
+    command_t commands[CONTROLLER_COMMANDS]; /**< For the next cycle. */
+    uint32_t command_count;
+    uint32_t elapsed_us;                     /**< Of every cycle; 1000 unless a test changes it. */
+    uint32_t next_id;
+    answer_t answers[RIG_ANSWERS];           /**< All since rig_forget(). */
+    uint32_t answer_count;
+    event_t events[RIG_EVENTS];
+    uint32_t event_count;
+    uint32_t driven_without_pedal;           /**< Cycles in which any drive word was not zero with the gate shut. */
+} rig_t;
+
+/** Powers the box and the controller on and lets the cards come alive. */
+void rig_start(rig_t *self);
+
+/** One cycle: frames, inputs, controller, 1 ms of physics. */
+void rig_cycle(rig_t *self);
+void rig_cycles(rig_t *self, uint32_t count);
+
+/** An order to the box, as simctl takes it; fails the test when the box refuses it. */
+void rig_box(rig_t *self, const char *order);
+
+/** Queues a command for the next cycle and runs that cycle. @return its immediate answer */
+answer_t rig_command(rig_t *self, command_t command);
+answer_t rig_workphase(rig_t *self, workphase_t workphase);
+
+/** Presses or releases the pedal and lets the contacts settle (10 cycles). */
+void rig_press(rig_t *self);
+void rig_release(rig_t *self);
+
+/** Runs until the pending command is answered for good, at most `most` cycles. @return that answer */
+answer_t rig_finish(rig_t *self, uint32_t most);
+
+/** START_UP with the pedal held until every axis is homed, then the pedal is released. */
+void rig_home(rig_t *self);
+
+/** A rig that is homed; homed once and copied. */
+void rig_start_homed(rig_t *self);
+
+/** A homed rig, registered by the identity, with an accepted target, in TARGETING. */
+void rig_start_targeted(rig_t *self);
+
+/** CALIBRATION with a registration, then TARGETING. */
+void rig_register(rig_t *self, const rigid_t *scanner_zframe);
+
+/** Commands `pose` as the target. @return the answer */
+answer_t rig_target(rig_t *self, const rigid_t *scanner_treatment);
+
+/** The frame that goes to the card of `axis`, decoded. */
+card_command_t rig_sent(const rig_t *self, uint32_t axis);
+
+/** Any drive word of any outgoing frame is not zero. */
+bool rig_is_driving(const rig_t *self);
+
+/** How often `id` was noted since rig_forget(). */
+uint32_t rig_count(const rig_t *self, event_id_t id);
+void rig_forget(rig_t *self);
+
+/** Registration and a reachable treatment pose for tests: needle straight down, treatment point as given (nm). */
+rigid_t rig_pose(int32_t x_nm, int32_t y_nm, int32_t z_nm);
+
+#endif

@@ -1,0 +1,380 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Commands, answers, events and the plan, on the simulated box.
+ */
+#include "rig.h"
+
+#include "unity.h"
+
+#include "contract_trap.h"
+#include "controller.h"
+#include "fixed.h"
+
+#include <string.h>
+
+TEST_SOURCE_FILE("axis.c")
+TEST_SOURCE_FILE("axis_chart.c")
+TEST_SOURCE_FILE("box.c")
+TEST_SOURCE_FILE("box_orders.c")
+TEST_SOURCE_FILE("card_frame.c")
+TEST_SOURCE_FILE("card_link_chart.c")
+TEST_SOURCE_FILE("controller_drive.c")
+TEST_SOURCE_FILE("controller_move.c")
+TEST_SOURCE_FILE("controller_obey.c")
+TEST_SOURCE_FILE("controller_observe.c")
+TEST_SOURCE_FILE("controller_show.c")
+TEST_SOURCE_FILE("crc.c")
+TEST_SOURCE_FILE("encoder.c")
+TEST_SOURCE_FILE("estop_latch.c")
+TEST_SOURCE_FILE("estop_latch_chart.c")
+TEST_SOURCE_FILE("fixed.c")
+TEST_SOURCE_FILE("link.c")
+TEST_SOURCE_FILE("loop_guard.c")
+TEST_SOURCE_FILE("loop_guard_chart.c")
+TEST_SOURCE_FILE("neuro.c")
+TEST_SOURCE_FILE("neuro_limits.c")
+TEST_SOURCE_FILE("pedal_gate.c")
+TEST_SOURCE_FILE("pedal_gate_chart.c")
+TEST_SOURCE_FILE("permit.c")
+TEST_SOURCE_FILE("plan.c")
+TEST_SOURCE_FILE("profile.c")
+TEST_SOURCE_FILE("rigid.c")
+TEST_SOURCE_FILE("robot_neuro.c")
+TEST_SOURCE_FILE("servo.c")
+TEST_SOURCE_FILE("sim_card.c")
+TEST_SOURCE_FILE("sim_encoder.c")
+TEST_SOURCE_FILE("sim_motor.c")
+TEST_SOURCE_FILE("sim_switch.c")
+TEST_SOURCE_FILE("stall_watchdog_chart.c")
+TEST_SOURCE_FILE("workphase.c")
+TEST_SOURCE_FILE("workphases_chart.c")
+
+static rig_t rig;
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+    TEST_ASSERT_EQUAL_UINT32_MESSAGE(0U, rig.driven_without_pedal, "driven without the pedal");
+}
+
+
+static command_t proposal(command_kind_t kind, int32_t x_nm, int32_t y_nm, int32_t z_nm)
+{
+    const command_t command = {.kind = (uint32_t)kind, .pose = rig_pose(x_nm, y_nm, z_nm)};
+    return command;
+}
+
+void test_SWR_CMD_001_each_command_is_answered_once_with_its_id_and_source(void)
+{
+    rig_start(&rig);
+    for (uint32_t i = 0U; i < CONTROLLER_COMMANDS; i++) {
+        rig.commands[i].id = 700U + i;
+        rig.commands[i].source = i % COMMAND_SOURCE_COUNT;
+        rig.commands[i].kind = (uint32_t)COMMAND_WORKPHASE;
+        rig.commands[i].argument = (uint32_t)WORKPHASE_PLANNING;
+    }
+    rig.command_count = CONTROLLER_COMMANDS;
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(CONTROLLER_COMMANDS, rig.outputs.answer_count);
+    for (uint32_t i = 0U; i < CONTROLLER_COMMANDS; i++) {
+        TEST_ASSERT_EQUAL_UINT32(700U + i, rig.outputs.answers[i].id);
+        TEST_ASSERT_EQUAL_UINT32(i % COMMAND_SOURCE_COUNT, rig.outputs.answers[i].source);
+        TEST_ASSERT_EQUAL_UINT32(STATUS_WRONG_WORKPHASE, rig.outputs.answers[i].status);
+    }
+}
+
+void test_SWR_CMD_002_more_commands_than_a_cycle_takes_break_the_contract(void)
+{
+    rig_start(&rig);
+    rig.inputs.command_count = CONTROLLER_COMMANDS + 1U;
+    EXPECT_CONTRACT("controller", 100U, controller_step(&rig.controller, &robot_neuro, &rig.inputs, &rig.outputs));
+}
+
+void test_SWR_CMD_004_unknown_commands_workphases_and_axes_are_refused(void)
+{
+    rig_start_homed(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_MANUAL);
+    const command_t nothing = {.kind = (uint32_t)COMMAND_NONE};
+    const command_t unknown = {.kind = 99U};
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = ROBOT_AXIS_COUNT};
+    TEST_ASSERT_EQUAL_UINT32(STATUS_UNKNOWN_COMMAND, rig_command(&rig, nothing).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_UNKNOWN_COMMAND, rig_command(&rig, unknown).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_UNKNOWN_COMMAND, rig_command(&rig, jog).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_UNKNOWN_COMMAND, rig_workphase(&rig, WORKPHASE_UNDEFINED).status);
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_MANUAL, rig.outputs.snapshot.workphase);
+}
+
+void test_SWR_PHASE_002_a_refused_request_changes_nothing_but_the_record(void)
+{
+    rig_start_homed(&rig);
+    const controller_t before = rig.controller;
+    TEST_ASSERT_EQUAL_UINT32(STATUS_WRONG_WORKPHASE, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
+    TEST_ASSERT_EQUAL_UINT32(before.workphases.phase, rig.controller.workphases.phase);
+    TEST_ASSERT_EQUAL_UINT32(before.workphases.order, rig.controller.workphases.order);
+    TEST_ASSERT_EQUAL_MEMORY(&before.plan, &rig.controller.plan, sizeof before.plan);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_COMMAND_REFUSED));
+}
+
+void test_SWR_PHASE_006_targeting_needs_a_registration_and_moving_a_target(void)
+{
+    rigid_t identity;
+    rigid_set_identity(&identity);
+    rig_start_homed(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_PLANNING);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_REGISTERED, rig_workphase(&rig, WORKPHASE_TARGETING).status);
+    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_REGISTER, rig.outputs.snapshot.next_step);
+    rig_register(&rig, &identity);
+    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_TARGET, rig.outputs.snapshot.next_step);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NO_TARGET, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
+    const rigid_t pose = rig_pose(5000000, 190000000, 60000000);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_target(&rig, &pose).status);
+    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_MOVE, rig.outputs.snapshot.next_step);
+    axis_lose_reference(&rig.controller.axes[AXIS_YAW]);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_HOMED, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
+    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_START_UP, rig.outputs.snapshot.next_step);
+}
+
+void test_SWR_REG_001_a_registration_that_is_not_rigid_is_refused_and_the_old_one_stands(void)
+{
+    rigid_t identity;
+    rigid_set_identity(&identity);
+    rig_start_homed(&rig);
+    rig_register(&rig, &identity);
+    (void)rig_workphase(&rig, WORKPHASE_CALIBRATION);
+    command_t command = {.kind = (uint32_t)COMMAND_REGISTRATION, .pose = identity};
+    command.pose.rotation_q30[0][0] = FIXED_ONE_Q30 / 2;
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_RIGID, rig_command(&rig, command).status);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_registered);
+    TEST_ASSERT_EQUAL_MEMORY(&identity, &rig.outputs.snapshot.scanner_zframe, sizeof identity);
+}
+
+void test_SWR_REG_002_a_registration_is_taken_in_calibration_only_and_clears_the_target(void)
+{
+    rigid_t identity;
+    rigid_set_identity(&identity);
+    const command_t command = {.kind = (uint32_t)COMMAND_REGISTRATION, .pose = identity};
+    rig_start_targeted(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_WRONG_WORKPHASE, rig_command(&rig, command).status);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.has_target);
+    (void)rig_command(&rig, proposal(COMMAND_PROPOSE_ENTRY, 5000000, 220000000, 60000000));
+    (void)rig_workphase(&rig, WORKPHASE_CALIBRATION);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, command).status);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_proposed_entry);
+}
+
+void test_SWR_PLAN_001_an_entry_point_on_the_axis_decides_the_depth(void)
+{
+    const rigid_t pose = rig_pose(5000000, 190000000, 60000000);
+    rig_start_targeted(&rig);
+    TEST_ASSERT_EQUAL_UINT32(
+        STATUS_OK, rig_command(&rig, proposal(COMMAND_PROPOSE_ENTRY, 5000000, 246000000, 60000000)).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_target(&rig, &pose).status);
+    /* |target - entry| = d + D - B, so d = 56 - 41 + 5 = 20 mm = 66667 ticks. */
+    TEST_ASSERT_INT32_WITHIN(1, 66667, rig.controller.plan.target_ticks[AXIS_INSERTION]);
+}
+
+void test_SWR_PLAN_003_a_target_out_of_reach_is_refused_with_the_nearest_limit(void)
+{
+    const rigid_t pose = rig_pose(200000000, 190000000, 60000000);
+    rig_start_targeted(&rig);
+    const answer_t answer = rig_target(&rig, &pose);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_REFUSED, answer.kind);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_AXIS_LIMIT, answer.status);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_LATERAL, answer.axis);
+    TEST_ASSERT_EQUAL_UINT32(1U, answer.is_maximum);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.has_target);
+}
+
+void test_SWR_PLAN_004_a_target_is_taken_in_targeting_only_and_returned_as_reachable(void)
+{
+    const rigid_t pose = rig_pose(5000000, 190000000, 60000000);
+    rig_start_targeted(&rig);
+    const answer_t answer = rig_target(&rig, &pose);
+    int32_t distance_nm = 0;
+    int32_t angle_bam = 0;
+    neuro_pose_difference(&answer.pose, &pose, &distance_nm, &angle_bam);
+    TEST_ASSERT_LESS_OR_EQUAL_INT32(38000, distance_nm);
+    (void)rig_workphase(&rig, WORKPHASE_PLANNING);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_WRONG_WORKPHASE, rig_target(&rig, &pose).status);
+}
+
+void test_SWR_IGTL_009_proposals_are_shown_and_never_armed(void)
+{
+    rig_start_targeted(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_PLANNING);
+    (void)rig_command(&rig, proposal(COMMAND_PROPOSE_ENTRY, 0, 246000000, 50000000));
+    (void)rig_command(&rig, proposal(COMMAND_PROPOSE_TARGET, 0, 200000000, 50000000));
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_proposal_reachable);
+    TEST_ASSERT_EQUAL_INT32(200000000 / 100000, (rig.outputs.snapshot.scanner_desired.translation.y_nm + 50000) / 100000);
+    command_t command = proposal(COMMAND_PROPOSE_REGISTRATION, 0, 0, 0);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, command).status);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.has_proposed_registration);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.is_proposal_reachable);
+    command.pose.rotation_q30[1][1] = FIXED_ONE_Q30;
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_RIGID, rig_command(&rig, command).status);
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASES_ORDER_NONE, rig.outputs.snapshot.order);
+}
+
+void test_SWR_AXIS_010_a_jog_goes_to_its_position_in_manual_only(void)
+{
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = AXIS_YAW, .value = -200};
+    rig_start_homed(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_WRONG_WORKPHASE, rig_command(&rig, jog).status);
+    (void)rig_workphase(&rig, WORKPHASE_MANUAL);
+    const answer_t answer = rig_command(&rig, jog);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, answer.status);
+    TEST_ASSERT_EQUAL_UINT32(0U, answer.is_final);
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 5000U).kind);
+    TEST_ASSERT_EQUAL_INT32(-200, rig.outputs.snapshot.axes[AXIS_YAW].position_ticks);
+}
+
+void test_SWR_AXIS_004_a_jog_outside_the_soft_limits_is_refused(void)
+{
+    command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = AXIS_YAW, .value = 9};
+    rig_start_homed(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_MANUAL);
+    answer_t answer = rig_command(&rig, jog);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_AXIS_LIMIT, answer.status);
+    TEST_ASSERT_EQUAL_UINT32(1U, answer.is_maximum);
+    jog.value = -1223;
+    answer = rig_command(&rig, jog);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_AXIS_LIMIT, answer.status);
+    TEST_ASSERT_EQUAL_UINT32(0U, answer.is_maximum);
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASES_ORDER_NONE, rig.outputs.snapshot.order);
+}
+
+void test_SWR_AXIS_006_an_axis_not_homed_jogs_at_reduced_speed(void)
+{
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = AXIS_YAW, .value = -300};
+    rig_start(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_START_UP);
+    (void)rig_workphase(&rig, WORKPHASE_MANUAL);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
+    rig_press(&rig);
+    const int32_t most_q8 =
+        (robot_neuro.axes[AXIS_YAW].speed_ticks_per_s * 256 * (int32_t)LIMIT_UNHOMED_SPEED_PERCENT) / 100;
+    for (uint32_t i = 0U; i < 1000U; i++) {
+        rig_cycle(&rig);
+        TEST_ASSERT_INT32_WITHIN(most_q8 + 256, 0, rig.outputs.snapshot.axes[AXIS_YAW].setpoint_speed_ticks_per_s_q8);
+        TEST_ASSERT_LESS_OR_EQUAL_UINT32(LIMIT_UNHOMED_SPEED_PERCENT, rig.outputs.snapshot.axes[AXIS_YAW].speed_cap_percent);
+    }
+    TEST_ASSERT_NOT_EQUAL_INT32(0, rig.outputs.snapshot.axes[AXIS_YAW].position_ticks);
+}
+
+void test_SWR_ENC_002_an_impossible_count_faults_the_axis_and_loses_its_home(void)
+{
+    rig_start_homed(&rig);
+    rig.controller.axes[AXIS_YAW].encoder.reading += 100000;
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_ENABLED, rig.outputs.snapshot.axes[AXIS_YAW].power);
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, rig.outputs.snapshot.axes[AXIS_YAW].power);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNHOMED, rig.outputs.snapshot.axes[AXIS_YAW].reference);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_ENCODER_FAULT));
+}
+
+void test_SWR_AXIS_003_driven_time_of_homing_is_bounded(void)
+{
+    rig_start(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_START_UP);
+    rig_press(&rig);
+    rig_cycles(&rig, 100U);
+    rig.controller.axes[AXIS_INSERTION].homing_us = LIMIT_HOME_TIMEOUT_US - 500U;
+    rig_cycles(&rig, 2U);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_HOME_TIMEOUT));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, rig.outputs.snapshot.axes[AXIS_INSERTION].power);
+}
+
+void test_SWR_AXIS_009_a_following_error_is_noted_with_its_size(void)
+{
+    rig_start_targeted(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
+    rig_press(&rig);
+    rig_cycles(&rig, 300U);
+    rig.controller.axes[AXIS_HEAD].setpoint_ticks += robot_neuro.axes[AXIS_HEAD].following_error_ticks + 100;
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_FOLLOWING_ERROR));
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+}
+
+void test_SWR_EVENT_001_events_are_numbered_without_gaps(void)
+{
+    rig_start(&rig);
+    rig_home(&rig);
+    for (uint32_t i = 0U; i < rig.event_count; i++) {
+        TEST_ASSERT_EQUAL_UINT32(i, rig.events[i].number);
+    }
+    TEST_ASSERT_EQUAL_UINT32(rig.event_count, rig.outputs.snapshot.events);
+}
+
+static void damage_everything(void)
+{
+    rig.controller.pedal.chart.state_inverse ^= 1U;
+    rig.controller.estop.state_inverse ^= 1U;
+    rig.controller.loop.chart.state_inverse ^= 1U;
+    rig.controller.workphases.phase_inverse ^= 1U;
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        rig.controller.axes[i].chart.power_inverse ^= 1U;
+        rig.controller.links[i].chart.state_inverse ^= 1U;
+    }
+}
+
+void test_SWR_CORE_004_damaged_charts_are_repaired_to_their_safe_states_and_reported(void)
+{
+    rig_start_targeted(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
+    rig_press(&rig);
+    rig_cycles(&rig, 300U);
+    damage_everything();
+    rig_cycle(&rig);
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    TEST_ASSERT_GREATER_OR_EQUAL_UINT32(18U, rig_count(&rig, EVENT_CHART_REPAIRED));
+    TEST_ASSERT_EQUAL_UINT32(PEDAL_GATE_STATE_FAULT, rig.outputs.snapshot.pedal);
+    TEST_ASSERT_EQUAL_UINT32(LOOP_GUARD_STATE_STOPPED, rig.outputs.snapshot.loop);
+}
+
+void test_SWR_EVENT_002_events_beyond_the_most_of_a_cycle_are_counted(void)
+{
+    rig_start_targeted(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
+    rig_press(&rig);
+    for (uint32_t i = 0U; i < CONTROLLER_COMMANDS; i++) {
+        rig.commands[i].kind = (uint32_t)COMMAND_WORKPHASE;
+        rig.commands[i].argument = (uint32_t)WORKPHASE_MOVE_TO_TARGET;
+    }
+    damage_everything();
+    rig_box(&rig, "scanner on");
+    rig_box(&rig, "estop pull");
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        rig.controller.axes[i].encoder.reading += 100000;
+        rig.controller.axes[i].encoder.jumps = 1U;
+    }
+    rig.elapsed_us = 2000U;
+    rig.command_count = CONTROLLER_COMMANDS;
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(CONTROLLER_EVENTS, rig.outputs.event_count);
+    TEST_ASSERT_GREATER_THAN_UINT32(0U, rig.outputs.snapshot.events_lost);
+    TEST_ASSERT_EQUAL_UINT32(rig.outputs.snapshot.events, rig.outputs.events[CONTROLLER_EVENTS - 1U].number + 1U);
+}
+
+void test_SWR_CORE_002_equal_inputs_give_equal_outputs(void)
+{
+    static rig_t twin;
+    rig_start_targeted(&rig);
+    twin = rig;
+    (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
+    (void)rig_workphase(&twin, WORKPHASE_MOVE_TO_TARGET);
+    rig_press(&rig);
+    rig_press(&twin);
+    for (uint32_t i = 0U; i < 2000U; i++) {
+        rig_cycle(&rig);
+        rig_cycle(&twin);
+        TEST_ASSERT_EQUAL_MEMORY(&rig.outputs, &twin.outputs, sizeof rig.outputs);
+    }
+}

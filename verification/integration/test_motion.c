@@ -1,0 +1,475 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Motion and its interlocks, on the simulated box: the pedal, the e-stop, links, faults, expiry.
+ * In every test the rig counts cycles that drive without the pedal; there must be none.
+ */
+#include "rig.h"
+
+#include "unity.h"
+
+#include "contract_trap.h"
+#include "controller.h"
+#include "permit.h"
+
+#include <string.h>
+
+TEST_SOURCE_FILE("axis.c")
+TEST_SOURCE_FILE("axis_chart.c")
+TEST_SOURCE_FILE("box.c")
+TEST_SOURCE_FILE("box_orders.c")
+TEST_SOURCE_FILE("card_frame.c")
+TEST_SOURCE_FILE("card_link_chart.c")
+TEST_SOURCE_FILE("controller_drive.c")
+TEST_SOURCE_FILE("controller_move.c")
+TEST_SOURCE_FILE("controller_obey.c")
+TEST_SOURCE_FILE("controller_observe.c")
+TEST_SOURCE_FILE("controller_show.c")
+TEST_SOURCE_FILE("crc.c")
+TEST_SOURCE_FILE("encoder.c")
+TEST_SOURCE_FILE("estop_latch.c")
+TEST_SOURCE_FILE("estop_latch_chart.c")
+TEST_SOURCE_FILE("fixed.c")
+TEST_SOURCE_FILE("link.c")
+TEST_SOURCE_FILE("loop_guard.c")
+TEST_SOURCE_FILE("loop_guard_chart.c")
+TEST_SOURCE_FILE("neuro.c")
+TEST_SOURCE_FILE("neuro_limits.c")
+TEST_SOURCE_FILE("pedal_gate.c")
+TEST_SOURCE_FILE("pedal_gate_chart.c")
+TEST_SOURCE_FILE("permit.c")
+TEST_SOURCE_FILE("plan.c")
+TEST_SOURCE_FILE("profile.c")
+TEST_SOURCE_FILE("rigid.c")
+TEST_SOURCE_FILE("robot_neuro.c")
+TEST_SOURCE_FILE("servo.c")
+TEST_SOURCE_FILE("sim_card.c")
+TEST_SOURCE_FILE("sim_encoder.c")
+TEST_SOURCE_FILE("sim_motor.c")
+TEST_SOURCE_FILE("sim_switch.c")
+TEST_SOURCE_FILE("stall_watchdog_chart.c")
+TEST_SOURCE_FILE("workphase.c")
+TEST_SOURCE_FILE("workphases_chart.c")
+
+static rig_t rig;
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+    TEST_ASSERT_EQUAL_UINT32_MESSAGE(0U, rig.driven_without_pedal, "driven without the pedal");
+}
+
+
+static void begin_move(void)
+{
+    rig_start_targeted(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
+    rig_press(&rig);
+    rig_cycles(&rig, 400U);
+    TEST_ASSERT_TRUE(rig_is_driving(&rig));
+}
+
+static int32_t position(uint32_t axis)
+{
+    return rig.outputs.snapshot.axes[axis].position_ticks;
+}
+
+void test_SWR_PHASE_003_start_up_homes_every_axis_while_the_pedal_is_down(void)
+{
+    rig_start(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_ACCEPTED, rig_workphase(&rig, WORKPHASE_START_UP).kind);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.answers[0].is_final);
+    rig_cycles(&rig, 500U);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.is_homed);
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 40000U).kind);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_homed);
+    TEST_ASSERT_EQUAL_UINT32(ROBOT_AXIS_COUNT, rig_count(&rig, EVENT_AXIS_HOMED));
+    double true_ticks[ROBOT_AXIS_COUNT];
+    box_true_positions(&rig.box, true_ticks);
+    TEST_ASSERT_DOUBLE_WITHIN(2.0, 0.0, true_ticks[AXIS_HEAD]);
+    TEST_ASSERT_DOUBLE_WITHIN(2.0, 0.0, true_ticks[AXIS_LATERAL]);
+    TEST_ASSERT_DOUBLE_WITHIN(2.0, 516.0, true_ticks[AXIS_PITCH]);
+    TEST_ASSERT_DOUBLE_WITHIN(2.0, 8.0, true_ticks[AXIS_YAW]);
+    TEST_ASSERT_DOUBLE_WITHIN(30.0, 0.0, true_ticks[AXIS_INSERTION]);
+}
+
+void test_SWR_AXIS_002_the_needle_homes_before_the_other_axes_move(void)
+{
+    rig_start(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_START_UP);
+    rig_press(&rig);
+    while (rig.outputs.snapshot.axes[AXIS_INSERTION].reference != (uint32_t)AXIS_REFERENCE_HOMED) {
+        TEST_ASSERT_EQUAL_INT32(0, position(AXIS_HEAD));
+        rig_cycle(&rig);
+        TEST_ASSERT_LESS_THAN_UINT32(40000U, rig.controller.cycle);
+    }
+}
+
+void test_SWR_PHASE_003_start_up_again_when_homed_ends_at_once(void)
+{
+    rig_start_homed(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_START_UP);
+    TEST_ASSERT_EQUAL_UINT32(2U, rig.outputs.answer_count);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig.outputs.answers[1].kind);
+}
+
+void test_SWR_PEDAL_001_nothing_is_driven_before_the_pedal_is_pressed(void)
+{
+    rig_start_targeted(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
+    for (uint32_t i = 0U; i < 2000U; i++) {
+        rig_cycle(&rig);
+        TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    }
+    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_PRESS_PEDAL, rig.outputs.snapshot.next_step);
+}
+
+void test_SWR_PEDAL_002_release_zeroes_every_drive_word_in_the_same_cycle(void)
+{
+    begin_move();
+    rig_box(&rig, "pedal a open");
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.inputs.pedal_a);
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+}
+
+void test_SWR_PEDAL_003_a_pedal_held_while_arming_does_not_start_the_move(void)
+{
+    rig_start_targeted(&rig);
+    rig_press(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
+    for (uint32_t i = 0U; i < 1000U; i++) {
+        rig_cycle(&rig);
+        TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    }
+    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_RELEASE_PEDAL, rig.outputs.snapshot.next_step);
+    rig_release(&rig);
+    rig_press(&rig);
+    rig_cycles(&rig, 200U);
+    TEST_ASSERT_TRUE(rig_is_driving(&rig));
+}
+
+void test_SWR_PEDAL_005_pressing_again_continues_from_the_actual_position_from_rest(void)
+{
+    begin_move();
+    rig_release(&rig);
+    rig_cycles(&rig, 100U);
+    const int32_t held = position(AXIS_HEAD);
+    rig_cycles(&rig, 500U);
+    TEST_ASSERT_EQUAL_INT32(held, position(AXIS_HEAD));
+    rig_box(&rig, "pedal press");
+    while (rig.outputs.snapshot.order != (uint32_t)WORKPHASES_ORDER_MOVING) {
+        rig_cycle(&rig);
+    }
+    TEST_ASSERT_INT32_WITHIN(1, held, rig.outputs.snapshot.axes[AXIS_HEAD].setpoint_ticks);
+    const int32_t limit_q8 = (robot_neuro.axes[AXIS_HEAD].acceleration_ticks_per_s2 * 256) / 500;
+    TEST_ASSERT_INT32_WITHIN(limit_q8, 0, rig.outputs.snapshot.axes[AXIS_HEAD].setpoint_speed_ticks_per_s_q8);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 30000U).kind);
+}
+
+void test_SWR_PEDAL_006_sixty_seconds_without_the_pedal_discard_the_move(void)
+{
+    rig_start_targeted(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
+    rig_forget(&rig);
+    rig_cycles(&rig, (LIMIT_ARMED_HOLD_US / 1000U) - 2U);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.answer_count);
+    const answer_t answer = rig_finish(&rig, 3U);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, answer.kind);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_EXPIRED, answer.status);
+    rig_press(&rig);
+    rig_cycles(&rig, 500U);
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+}
+
+void test_SWR_PEDAL_004_disagreeing_channels_stop_the_move_and_latch_a_fault(void)
+{
+    begin_move();
+    rig_box(&rig, "pedal b open");
+    rig_cycle(&rig);
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    rig_forget(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_FAULT_PRESENT, rig_finish(&rig, 120U).status);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_PEDAL_FAULT));
+    TEST_ASSERT_BITS_HIGH(1UL << PERMIT_REASON_PEDAL_FAULT, rig.outputs.snapshot.axes[0].permit_reasons);
+}
+
+void test_SWR_PEDAL_007_a_pedal_fault_is_cleared_by_start_up_with_the_pedal_released(void)
+{
+    begin_move();
+    rig_box(&rig, "pedal b open");
+    rig_cycles(&rig, 200U);
+    (void)rig_workphase(&rig, WORKPHASE_STOP);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_HARDWARE_NOT_READY, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    rig_release(&rig);
+    TEST_ASSERT_BITS_HIGH(1UL << PERMIT_REASON_PEDAL_FAULT, rig.outputs.snapshot.axes[0].permit_reasons);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    TEST_ASSERT_BITS_LOW(1UL << PERMIT_REASON_PEDAL_FAULT, rig.outputs.snapshot.axes[0].permit_reasons);
+}
+
+void test_SWR_ESTOP_001_the_e_stop_zeroes_every_drive_word_in_the_same_cycle(void)
+{
+    begin_move();
+    rig_box(&rig, "estop pull");
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.inputs.estop_open);
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+}
+
+void test_SWR_ESTOP_002_the_e_stop_stays_latched_until_start_up(void)
+{
+    rig_start_homed(&rig);
+    rig_box(&rig, "estop pull");
+    rig_cycles(&rig, 5U);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_HARDWARE_NOT_READY, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_RELEASE_ESTOP, rig.outputs.snapshot.next_step);
+    rig_box(&rig, "estop reset");
+    rig_cycles(&rig, 20U);
+    TEST_ASSERT_BITS_HIGH(1UL << PERMIT_REASON_ESTOP_LATCHED, rig.outputs.snapshot.axes[0].permit_reasons);
+    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_START_UP, rig.outputs.snapshot.next_step);
+    (void)rig_workphase(&rig, WORKPHASE_START_UP);
+    TEST_ASSERT_EQUAL_UINT32(ESTOP_LATCH_STATE_CLEAR, rig.outputs.snapshot.estop);
+}
+
+void test_SWR_ESTOP_003_the_e_stop_disables_the_axes_and_discards_the_move(void)
+{
+    begin_move();
+    rig_forget(&rig);
+    rig_box(&rig, "estop pull");
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 3U).kind);
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_EMERGENCY, rig.outputs.snapshot.workphase);
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASES_ORDER_NONE, rig.outputs.snapshot.order);
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_DISABLED, rig.outputs.snapshot.axes[i].power);
+    }
+    rig_box(&rig, "estop reset");
+    rig_release(&rig);
+    rig_press(&rig);
+    rig_cycles(&rig, 500U);
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+}
+
+void test_SWR_LINK_001_a_silent_card_stops_every_axis_in_the_fifth_cycle(void)
+{
+    begin_move();
+    rig_box(&rig, "card lateral silent");
+    rig_cycles(&rig, LIMIT_LINK_AGE_CYCLES - 1U);
+    TEST_ASSERT_TRUE(rig_is_driving(&rig));
+    rig_cycle(&rig);
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_CHECK_CARDS, rig.outputs.snapshot.next_step);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_CARD_LOST));
+}
+
+void test_SWR_LINK_002_a_corrupt_card_is_refused_and_lost(void)
+{
+    begin_move();
+    rig_box(&rig, "card lateral corrupt");
+    rig_cycles(&rig, LIMIT_LINK_AGE_CYCLES);
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_LINK_AGE_CYCLES, rig_count(&rig, EVENT_FRAME_REFUSED));
+}
+
+void test_SWR_LINK_003_a_lost_card_returns_only_by_start_up_and_is_homed_again(void)
+{
+    begin_move();
+    rig_box(&rig, "card lateral silent");
+    rig_cycles(&rig, 30U);
+    rig_release(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_STOP);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_HARDWARE_NOT_READY, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    rig_box(&rig, "card lateral normal");
+    rig_cycles(&rig, 30U);
+    TEST_ASSERT_BITS_HIGH(1UL << PERMIT_REASON_LINK_LOST, rig.outputs.snapshot.axes[0].permit_reasons);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNHOMED, rig.outputs.snapshot.axes[AXIS_LATERAL].reference);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_HOMED, rig.outputs.snapshot.axes[AXIS_HEAD].reference);
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 40000U).kind);
+}
+
+void test_SWR_STALL_001_a_blocked_motor_stalls_and_needs_start_up(void)
+{
+    begin_move();
+    rig_box(&rig, "motor head stuck");
+    rig_forget(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_FAULT_PRESENT, rig_finish(&rig, 700U).status);
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, rig.outputs.snapshot.axes[AXIS_HEAD].power);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
+    rig_release(&rig);
+    rig_press(&rig);
+    rig_cycles(&rig, 300U);
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    rig_box(&rig, "motor head normal");
+    (void)rig_workphase(&rig, WORKPHASE_STOP);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_ENABLED, rig.outputs.snapshot.axes[AXIS_HEAD].power);
+}
+
+void test_SWR_STALL_003_a_stall_is_reported_exactly_once(void)
+{
+    begin_move();
+    rig_box(&rig, "encoder head stuck");
+    rig_forget(&rig);
+    rig_cycles(&rig, 2000U);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_STALLED) + rig_count(&rig, EVENT_AXIS_FOLLOWING_ERROR));
+}
+
+void test_SWR_AXIS_009_an_axis_that_runs_the_wrong_way_is_stopped(void)
+{
+    begin_move();
+    rig_box(&rig, "encoder head reversed");
+    rig_forget(&rig);
+    rig_cycles(&rig, 600U);
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, rig.outputs.snapshot.axes[AXIS_HEAD].power);
+}
+
+void test_SWR_AXIS_003_homing_that_finds_no_switch_gives_up(void)
+{
+    rig_start(&rig);
+    rig_box(&rig, "motor insertion stuck");
+    (void)rig_workphase(&rig, WORKPHASE_START_UP);
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 31000U).kind);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNHOMED, rig.outputs.snapshot.axes[AXIS_INSERTION].reference);
+}
+
+void test_SWR_PERMIT_004_the_axes_rest_while_the_scanner_acquires(void)
+{
+    begin_move();
+    rig_box(&rig, "scanner on");
+    rig_cycle(&rig);
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_SCANNER, rig.outputs.snapshot.next_step);
+    rig_box(&rig, "scanner off");
+    rig_cycles(&rig, 300U);
+    TEST_ASSERT_TRUE(rig_is_driving(&rig));
+    TEST_ASSERT_EQUAL_UINT32(2U, rig_count(&rig, EVENT_SCANNER));
+}
+
+void test_SWR_PERMIT_003_each_axis_tells_its_reasons_and_since_when(void)
+{
+    rig_start(&rig);
+    TEST_ASSERT_BITS_HIGH(1UL << PERMIT_REASON_AXIS_DISABLED, rig.outputs.snapshot.axes[2].permit_reasons);
+    const uint32_t since = rig.outputs.snapshot.axes[2].permit_since_cycle;
+    rig_cycles(&rig, 50U);
+    TEST_ASSERT_EQUAL_UINT32(since, rig.outputs.snapshot.axes[2].permit_since_cycle);
+    (void)rig_workphase(&rig, WORKPHASE_START_UP);
+    TEST_ASSERT_EQUAL_UINT32(rig.outputs.snapshot.cycle, rig.outputs.snapshot.axes[2].permit_since_cycle);
+}
+
+void test_SWR_PERMIT_002_the_frame_carries_a_drive_only_with_the_permit(void)
+{
+    begin_move();
+    TEST_ASSERT_BITS_HIGH(CARD_SYSTEM_PERMIT | CARD_SYSTEM_PEDAL, rig_sent(&rig, AXIS_HEAD).system_state);
+    TEST_ASSERT_EQUAL_HEX32(CARD_CONTROL_AMPLIFIER, rig_sent(&rig, AXIS_HEAD).control);
+    rig_release(&rig);
+    TEST_ASSERT_BITS_LOW(CARD_SYSTEM_PERMIT | CARD_SYSTEM_PEDAL, rig_sent(&rig, AXIS_HEAD).system_state);
+    TEST_ASSERT_EQUAL_HEX32(0U, rig_sent(&rig, AXIS_HEAD).control);
+}
+
+void test_SWR_LOOP_002_three_late_cycles_stop_the_motion(void)
+{
+    begin_move();
+    rig.elapsed_us = LIMIT_OVERRUN_US + 1U;
+    rig_cycles(&rig, LIMIT_OVERRUNS_IN_A_ROW - 1U);
+    TEST_ASSERT_TRUE(rig_is_driving(&rig));
+    rig_cycle(&rig);
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_LOOP_STOPPED));
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_OVERRUNS_IN_A_ROW, rig.outputs.snapshot.overruns);
+}
+
+void test_SWR_LOOP_003_a_late_cycle_advances_the_profile_by_one_cycle(void)
+{
+    begin_move();
+    const uint32_t before = rig.controller.profile.cycle;
+    rig.elapsed_us = 20000U;
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(before + 1U, rig.controller.profile.cycle);
+}
+
+void test_SWR_PHASE_004_stop_and_emergency_zero_the_drive_in_the_same_cycle(void)
+{
+    begin_move();
+    (void)rig_workphase(&rig, WORKPHASE_STOP);
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    begin_move();
+    (void)rig_workphase(&rig, WORKPHASE_EMERGENCY);
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+}
+
+void test_SWR_PHASE_005_every_change_of_workphase_discards_the_armed_move(void)
+{
+    static const workphase_t others[] = {WORKPHASE_PLANNING, WORKPHASE_TARGETING, WORKPHASE_MANUAL,
+                                         WORKPHASE_STOP, WORKPHASE_EMERGENCY};
+    for (uint32_t i = 0U; i < (sizeof others / sizeof others[0]); i++) {
+        begin_move();
+        (void)rig_workphase(&rig, others[i]);
+        TEST_ASSERT_EQUAL_UINT32(2U, rig.outputs.answer_count);
+        TEST_ASSERT_EQUAL_UINT32(STATUS_DISCARDED, rig.outputs.answers[0].status);
+        TEST_ASSERT_FALSE(rig_is_driving(&rig));
+        rig_release(&rig);
+        rig_press(&rig);
+        rig_cycles(&rig, 100U);
+        TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    }
+}
+
+void test_SWR_MOTION_004_the_move_ends_at_the_target_with_the_drive_off(void)
+{
+    begin_move();
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 30000U).kind);
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        TEST_ASSERT_INT32_WITHIN(robot_neuro.axes[i].deadband_ticks, rig.controller.plan.target_ticks[i],
+                                 position(i));
+    }
+    int32_t distance_nm = 0;
+    int32_t angle_bam = 0;
+    neuro_pose_difference(&rig.outputs.snapshot.scanner_treatment, &rig.controller.plan.scanner_target,
+                          &distance_nm, &angle_bam);
+    TEST_ASSERT_LESS_OR_EQUAL_INT32(2000, distance_nm);
+    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_NOTHING, rig.outputs.snapshot.next_step);
+}
+
+void test_SWR_MOTION_002_the_needle_is_retracted_before_the_base_moves_again(void)
+{
+    const rigid_t other = rig_pose(-8000000, 185000000, 40000000);
+    begin_move();
+    (void)rig_finish(&rig, 30000U);
+    rig_release(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_TARGETING);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_target(&rig, &other).status);
+    (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
+    const int32_t head = position(AXIS_HEAD);
+    rig_press(&rig);
+    const int32_t stroke = robot_neuro.axes[AXIS_INSERTION].maximum_ticks;
+    while (position(AXIS_INSERTION) > (stroke / 64)) {
+        TEST_ASSERT_INT32_WITHIN(1, head, position(AXIS_HEAD));
+        rig_cycle(&rig);
+        TEST_ASSERT_LESS_THAN_UINT32(100000U, rig.controller.cycle);
+    }
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 40000U).kind);
+}
+
+void test_SWR_CMD_003_no_sequence_of_commands_drives_an_axis_without_the_pedal(void)
+{
+    uint32_t seed = 12345U;
+    rig_start_targeted(&rig);
+    for (uint32_t i = 0U; i < 5000U; i++) {
+        seed = (seed * 1664525U) + 1013904223U;
+        const command_t command = {.kind = (seed >> 8) % 9U,
+                                   .argument = (seed >> 16) % 10U,
+                                   .value = (int32_t)(seed % 2000U) - 1000,
+                                   .pose = rig_pose(5000000, 190000000, 60000000)};
+        (void)rig_command(&rig, command);
+        TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    }
+}

@@ -1,0 +1,456 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Rule under test: the box behaves as its parts do, moves only by its own time, obeys orders by name, and gives the
+ * same bytes for the same seed and calls.
+ */
+#include "unity.h"
+
+#include "box.h"
+#include "card_frame.h"
+#include "crc.h"
+#include "limits.h"
+#include "sim_card.h"
+#include "sim_encoder.h"
+#include "sim_motor.h"
+#include "sim_switch.h"
+
+#include <stdio.h>
+#include <string.h>
+
+TEST_SOURCE_FILE("box_orders.c")
+TEST_SOURCE_FILE("robot_neuro.c")
+
+#define ALL_SLOTS 0x3FFU
+#define USED_SLOTS 0x0FEU /* 1..7 */
+
+static box_t box;
+static card_command_t commands[ROBOT_SLOT_COUNT];
+static uint8_t sent[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES];
+static uint8_t received[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES];
+static char reply[BOX_REPLY_SIZE];
+
+void setUp(void)
+{
+    box_init(&box, &robot_neuro, 1U);
+    for (uint32_t slot = 0U; slot < ROBOT_SLOT_COUNT; slot++) {
+        commands[slot] = (card_command_t){
+            .slot = slot, .control = CARD_CONTROL_AMPLIFIER, .watchdog_us = LIMIT_CARD_WATCHDOG_US};
+    }
+}
+
+void tearDown(void)
+{
+}
+
+static uint32_t exchange(uint32_t send)
+{
+    for (uint32_t slot = 0U; slot < ROBOT_SLOT_COUNT; slot++) {
+        commands[slot].sequence++;
+        card_frame_encode_command(&commands[slot], sent[slot]);
+    }
+    (void)memset(received, 0, sizeof received);
+    return box_exchange(&box, send, (const uint8_t(*)[CARD_FRAME_BYTES])sent, received);
+}
+
+static void cycles(uint32_t count)
+{
+    for (uint32_t i = 0U; i < count; i++) {
+        (void)exchange(ALL_SLOTS);
+        box_advance(&box, 1000U);
+    }
+}
+
+static card_report_t report_of(axis_index_t axis)
+{
+    const uint32_t slot = robot_neuro.axes[axis].slot;
+    card_report_t report;
+
+    (void)exchange(ALL_SLOTS);
+    TEST_ASSERT_EQUAL_INT(CARD_FRAME_OK, card_frame_decode_report(received[slot], slot, &report));
+    return report;
+}
+
+static void drive(axis_index_t axis, bool is_upwards)
+{
+    const axis_config_t *config = &robot_neuro.axes[axis];
+    const bool is_pwm = config->card_type == (uint8_t)CARD_TYPE_PWM;
+
+    commands[config->slot].drive =
+        (card_drive_t){.mode = is_pwm ? CARD_DRIVE_PWM : CARD_DRIVE_NON_PWM,
+                       .direction = (is_upwards != (config->is_motor_inverted != 0U)) ? 1U : 0U,
+                       .duty = is_pwm ? config->maximum_duty : 0U};
+}
+
+static int position_of(axis_index_t axis)
+{
+    double positions[ROBOT_AXIS_COUNT];
+
+    box_true_positions(&box, positions);
+    return (int)positions[axis];
+}
+
+static void order(const char *line)
+{
+    TEST_ASSERT_TRUE_MESSAGE(box_command(&box, line, reply, sizeof reply), reply);
+}
+
+static void expect_refused(const char *line, const char *mentions)
+{
+    static box_t before;
+
+    before = box;
+    TEST_ASSERT_FALSE_MESSAGE(box_command(&box, line, reply, sizeof reply), line);
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(reply, mentions), reply);
+    TEST_ASSERT_EQUAL_MEMORY(&before, &box, sizeof box);
+}
+
+void test_SWR_BOX_002_every_axis_moves_up_with_an_upward_drive_and_back(void)
+{
+    for (axis_index_t axis = AXIS_HEAD; axis <= AXIS_YAW; axis++) {
+        setUp();
+        const int start = position_of(axis);
+        drive(axis, true);
+        cycles(100U);
+        const int top = position_of(axis);
+        TEST_ASSERT_TRUE(top > start + 20);
+        drive(axis, false);
+        cycles(200U);
+        TEST_ASSERT_TRUE(position_of(axis) < start - 20);
+    }
+}
+
+void test_SWR_BOX_002_full_drive_gives_full_speed_within_3_percent(void)
+{
+    drive(AXIS_INSERTION, true);
+    cycles(200U);
+    const int start = position_of(AXIS_INSERTION);
+    cycles(1000U);
+    TEST_ASSERT_INT_WITHIN(25000 * 3 / 100, 25000, position_of(AXIS_INSERTION) - start);
+}
+
+void test_SWR_BOX_001_axes_stand_still_when_the_exchanges_end(void)
+{
+    drive(AXIS_HEAD, false);
+    cycles(100U);
+    box_advance(&box, LIMIT_CARD_WATCHDOG_US);
+    const int stopped = position_of(AXIS_HEAD);
+    box_advance(&box, 1000000U);
+    TEST_ASSERT_EQUAL_INT(stopped, position_of(AXIS_HEAD));
+    TEST_ASSERT_EQUAL_HEX32(CARD_STATUS_WATCHDOG, report_of(AXIS_HEAD).status & CARD_STATUS_FAULTS);
+}
+
+void test_SWR_BOX_002_a_pulled_emergency_stop_takes_the_torque_and_blames_no_card(void)
+{
+    drive(AXIS_FEET, true);
+    cycles(100U);
+    order("estop pull");
+    const int stopped = position_of(AXIS_FEET);
+    cycles(100U);
+    const card_report_t report = report_of(AXIS_FEET);
+    TEST_ASSERT_EQUAL_INT(stopped, position_of(AXIS_FEET));
+    TEST_ASSERT_EQUAL_UINT32(0U, report.supply_mv);
+    TEST_ASSERT_EQUAL_HEX32(0U, report.status & CARD_STATUS_FAULTS);
+    TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_NON_PWM, report.applied.mode);
+}
+
+void test_SWR_BOX_004_axes_start_away_from_home_with_arbitrary_readings(void)
+{
+    static const int starts[ROBOT_AXIS_COUNT] = {-1575, 0, -1181, 3333, 0, 100, -300};
+
+    for (axis_index_t axis = AXIS_HEAD; axis <= AXIS_YAW; axis++) {
+        const int reading = (axis == AXIS_FEET) ? INT32_MAX - 100 : 1000 * (robot_neuro.axes[axis].slot + 1);
+        TEST_ASSERT_EQUAL_INT(starts[axis], position_of(axis));
+        TEST_ASSERT_EQUAL_INT(reading, report_of(axis).encoder_count);
+    }
+}
+
+void test_SWR_BOX_004_start_positions_stay_inside_another_robots_limits(void)
+{
+    static robot_t small;
+
+    small = robot_neuro;
+    small.axis_count = 2U;
+    small.axes[0].minimum_ticks = -10;
+    small.axes[1].maximum_ticks = -5;
+    box_init(&box, &small, 1U);
+    TEST_ASSERT_EQUAL_INT(-10, position_of(AXIS_HEAD));
+    TEST_ASSERT_EQUAL_INT(-5, position_of(AXIS_FEET));
+    TEST_ASSERT_EQUAL_INT(0, position_of(AXIS_YAW));
+    TEST_ASSERT_EQUAL_HEX32(0x0C0U, exchange(ALL_SLOTS));
+}
+
+void test_SWR_BOX_004_the_reading_follows_the_position_across_the_wrap(void)
+{
+    const int32_t before = report_of(AXIS_FEET).encoder_count;
+
+    drive(AXIS_FEET, false); /* The feet encoder is inverted: its reading grows here and wraps. */
+    cycles(1000U);
+    const int32_t after = report_of(AXIS_FEET).encoder_count;
+    const uint32_t growth = (uint32_t)after - (uint32_t)before;
+    TEST_ASSERT_TRUE(after < 0);
+    TEST_ASSERT_INT_WITHIN(1, -position_of(AXIS_FEET), (int)growth);
+}
+
+void test_SWR_BOX_004_driving_home_operates_the_switch_there(void)
+{
+    drive(AXIS_HEAD, true);
+    while (report_of(AXIS_HEAD).limits_raw == 0U) {
+        TEST_ASSERT_TRUE(position_of(AXIS_HEAD) < 2);
+        box_advance(&box, 1000U);
+    }
+    TEST_ASSERT_INT_WITHIN(2, 0, position_of(AXIS_HEAD));
+    cycles(1000U);
+    TEST_ASSERT_EQUAL_INT(60, position_of(AXIS_HEAD));
+    TEST_ASSERT_EQUAL_HEX32(CARD_LIMIT_UPPER, report_of(AXIS_HEAD).limits);
+    drive(AXIS_HEAD, false);
+    cycles(200U);
+    TEST_ASSERT_EQUAL_HEX32(0U, report_of(AXIS_HEAD).limits);
+}
+
+void test_SWR_BOX_004_the_scanner_disturbs_resting_axes_a_little(void)
+{
+    const int32_t before = report_of(AXIS_PITCH).encoder_count;
+    uint32_t edges = 0U;
+
+    order("scanner on");
+    for (uint32_t i = 0U; i < 5000U; i++) {
+        edges += report_of(AXIS_PITCH).edges;
+        box_advance(&box, 1000U);
+    }
+    TEST_ASSERT_TRUE(edges > 50U);
+    TEST_ASSERT_INT32_WITHIN(5, before, report_of(AXIS_PITCH).encoder_count);
+    TEST_ASSERT_EQUAL_INT(100, position_of(AXIS_PITCH));
+}
+
+void test_SWR_BOX_004_only_selected_slots_with_a_card_answer(void)
+{
+    TEST_ASSERT_EQUAL_HEX32(USED_SLOTS, exchange(ALL_SLOTS));
+    TEST_ASSERT_EQUAL_HEX32(0x008U, exchange(0x009U));
+    TEST_ASSERT_EACH_EQUAL_HEX8(0, received[0], CARD_FRAME_BYTES);
+    TEST_ASSERT_EACH_EQUAL_HEX8(0, received[4], CARD_FRAME_BYTES);
+}
+
+void test_SWR_BOX_004_a_report_speaks_of_the_exchange_before(void)
+{
+    drive(AXIS_HEAD, true);
+    TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_OFF, report_of(AXIS_HEAD).applied.mode);
+    const card_report_t next = report_of(AXIS_HEAD);
+    TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_NON_PWM, next.applied.mode);
+    TEST_ASSERT_EQUAL_UINT32(commands[7].sequence - 1U, next.accepted_sequence);
+}
+
+void test_SWR_BOX_004_time_below_a_step_is_kept(void)
+{
+    for (uint32_t i = 0U; i < 1000U; i++) {
+        box_advance(&box, 33U);
+    }
+    TEST_ASSERT_EQUAL_UINT32(33000U, (uint32_t)box.time_us + box.pending_us);
+    TEST_ASSERT_EQUAL_UINT32(0U, box.pending_us);
+    box_advance(&box, 99U);
+    TEST_ASSERT_EQUAL_UINT32(99U, box.pending_us);
+}
+
+static void expect_pedal(bool a, bool b)
+{
+    const bsp_inputs_t inputs = box_inputs(&box);
+
+    TEST_ASSERT_EQUAL(a, inputs.pedal_a);
+    TEST_ASSERT_EQUAL(b, inputs.pedal_b);
+}
+
+void test_SWR_BOX_003_press_closes_b_and_4_ms_later_a(void)
+{
+    expect_pedal(false, false);
+    order("pedal press");
+    expect_pedal(false, true);
+    box_advance(&box, BOX_PEDAL_CLOSE_SPREAD_US - SIM_STEP_US);
+    expect_pedal(false, true);
+    box_advance(&box, SIM_STEP_US);
+    expect_pedal(true, true);
+}
+
+void test_SWR_BOX_003_release_opens_both_2_ms_apart(void)
+{
+    order("pedal press");
+    box_advance(&box, 10000U);
+    order("pedal release");
+    expect_pedal(false, true);
+    box_advance(&box, BOX_PEDAL_OPEN_SPREAD_US - SIM_STEP_US);
+    expect_pedal(false, true);
+    box_advance(&box, SIM_STEP_US);
+    expect_pedal(false, false);
+}
+
+void test_SWR_BOX_003_a_quick_release_overtakes_the_press(void)
+{
+    order("pedal press");
+    box_advance(&box, 1000U);
+    order("pedal release");
+    box_advance(&box, 100000U);
+    expect_pedal(false, false);
+}
+
+void test_SWR_BOX_003_single_pedal_channels_obey(void)
+{
+    order("pedal a close");
+    expect_pedal(true, false);
+    order("pedal b close");
+    expect_pedal(true, true);
+    order("pedal a open");
+    expect_pedal(false, true);
+    order("pedal b open");
+    expect_pedal(false, false);
+}
+
+void test_SWR_BOX_003_emergency_stop_and_scanner_levels_obey(void)
+{
+    order("estop pull");
+    order("scanner on");
+    TEST_ASSERT_TRUE(box_inputs(&box).estop_open);
+    TEST_ASSERT_TRUE(box_inputs(&box).scanner_active);
+    order("estop reset");
+    order("scanner off");
+    TEST_ASSERT_FALSE(box_inputs(&box).estop_open);
+    TEST_ASSERT_FALSE(box_inputs(&box).scanner_active);
+}
+
+void test_SWR_BOX_003_a_silent_card_neither_answers_nor_hears(void)
+{
+    drive(AXIS_INSERTION, true);
+    cycles(20U);
+    order("card 3 silent");
+    TEST_ASSERT_EQUAL_HEX32(USED_SLOTS & ~0x008U, exchange(ALL_SLOTS));
+    cycles(20U);
+    const int stopped = position_of(AXIS_INSERTION);
+    cycles(100U);
+    TEST_ASSERT_EQUAL_INT(stopped, position_of(AXIS_INSERTION));
+    order("card 3 normal");
+    TEST_ASSERT_EQUAL_UINT32(1U, report_of(AXIS_INSERTION).watchdog_trips);
+}
+
+void test_SWR_BOX_003_a_corrupt_card_sends_a_wrong_checksum(void)
+{
+    card_report_t report;
+
+    order("card insertion corrupt");
+    (void)exchange(ALL_SLOTS);
+    TEST_ASSERT_EQUAL_INT(CARD_FRAME_BAD_CRC, card_frame_decode_report(received[3], 3U, &report));
+    order("card insertion normal");
+    (void)exchange(ALL_SLOTS);
+    TEST_ASSERT_EQUAL_INT(CARD_FRAME_OK, card_frame_decode_report(received[3], 3U, &report));
+}
+
+void test_SWR_BOX_003_encoder_faults_obey(void)
+{
+    const int32_t before = report_of(AXIS_INSERTION).encoder_count;
+
+    drive(AXIS_INSERTION, true);
+    order("encoder 3 stuck");
+    cycles(50U);
+    TEST_ASSERT_EQUAL_INT32(before, report_of(AXIS_INSERTION).encoder_count);
+    order("encoder insertion reversed");
+    cycles(50U);
+    TEST_ASSERT_TRUE(report_of(AXIS_INSERTION).encoder_count < before - 20);
+    order("encoder 3 normal");
+    const int32_t middle = report_of(AXIS_INSERTION).encoder_count;
+    cycles(50U);
+    TEST_ASSERT_TRUE(report_of(AXIS_INSERTION).encoder_count > middle + 20);
+}
+
+void test_SWR_BOX_003_a_stuck_motor_stands_until_freed(void)
+{
+    const int start = position_of(AXIS_YAW);
+
+    drive(AXIS_YAW, false);
+    order("motor yaw stuck");
+    cycles(100U);
+    TEST_ASSERT_EQUAL_INT(start, position_of(AXIS_YAW));
+    order("motor 5 normal");
+    cycles(100U);
+    TEST_ASSERT_TRUE(position_of(AXIS_YAW) < start - 20);
+}
+
+void test_SWR_BOX_003_show_lists_inputs_and_every_axis(void)
+{
+    drive(AXIS_HEAD, true);
+    drive(AXIS_INSERTION, false);
+    commands[robot_neuro.axes[AXIS_INSERTION].slot].drive.duty = 0U;
+    (void)exchange(ALL_SLOTS);
+    order("encoder yaw reversed");
+    order("card pitch silent");
+    order("motor rotation stuck");
+    order("pedal a close");
+    order("show");
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        TEST_ASSERT_NOT_NULL(strstr(reply, robot_neuro.axes[i].name));
+    }
+    TEST_ASSERT_NOT_NULL(strstr(reply, "pedal a closed, pedal b open, e-stop closed, scanner off"));
+    TEST_ASSERT_NOT_NULL(strstr(reply, "-20.0025 mm"));
+    TEST_ASSERT_NOT_NULL(strstr(reply, "7.1998 deg"));
+    TEST_ASSERT_NOT_NULL(strstr(reply, "- run"));
+    TEST_ASSERT_NOT_NULL(strstr(reply, "- 0 "));
+    TEST_ASSERT_NOT_NULL(strstr(reply, "reversed"));
+    TEST_ASSERT_NOT_NULL(strstr(reply, "silent"));
+    TEST_ASSERT_NOT_NULL(strstr(reply, "stuck"));
+}
+
+void test_SWR_BOX_003_orders_that_are_unknown_change_nothing_and_are_told_the_known_ones(void)
+{
+    static const char *const wrong[] = {"",           "dance",         "pedal",          "pedal up",
+                                        "pedal c open", "pedal a up",    "estop",          "estop push",
+                                        "estop pull now", "scanner maybe", "card 3 broken",  "card 3",
+                                        "encoder 3 up", "motor 3 fast",  "show me",        "card 3 silent now",
+                                        "aVeryLongWordIndeed on"};
+
+    for (uint32_t i = 0U; i < sizeof wrong / sizeof wrong[0]; i++) {
+        expect_refused(wrong[i], "encoder SLOT stuck|reversed|normal");
+    }
+}
+
+void test_SWR_BOX_003_an_empty_slot_is_refused_with_the_occupied_ones(void)
+{
+    expect_refused("card 9 silent", "there are 7 head, 6 feet, 4 lateral, 3 insertion");
+    expect_refused("motor 33 stuck", "there are");
+    expect_refused("encoder tail stuck", "there are");
+}
+
+void test_SWR_BOX_003_a_reply_never_exceeds_its_room(void)
+{
+    char tiny[8];
+
+    (void)memset(tiny, 'x', sizeof tiny);
+    TEST_ASSERT_TRUE(box_command(&box, " show\n", tiny, 4U));
+    TEST_ASSERT_EQUAL_STRING("neu", tiny);
+    TEST_ASSERT_EQUAL_CHAR('x', tiny[4]);
+}
+
+void test_SWR_BOX_003_the_list_of_orders_names_each(void)
+{
+    TEST_ASSERT_NOT_NULL(strstr(box_orders(), "pedal press|release"));
+    TEST_ASSERT_NOT_NULL(strstr(box_orders(), "show"));
+}
+
+static uint32_t crc_of_a_run(uint32_t seed)
+{
+    uint32_t sum = 0U;
+
+    setUp();
+    box_init(&box, &robot_neuro, seed);
+    drive(AXIS_HEAD, true);
+    drive(AXIS_YAW, false);
+    order("scanner on");
+    for (uint32_t i = 0U; i < 3000U; i++) {
+        (void)exchange(ALL_SLOTS);
+        sum = sum * 31U + crc32c(&received[0][0], sizeof received);
+        box_advance(&box, 900U + i % 200U);
+    }
+    return sum;
+}
+
+void test_SWR_BOX_004_the_same_seed_and_calls_give_the_same_bytes(void)
+{
+    const uint32_t first = crc_of_a_run(7U);
+
+    TEST_ASSERT_EQUAL_HEX32(first, crc_of_a_run(7U));
+    TEST_ASSERT_NOT_EQUAL_HEX32(first, crc_of_a_run(8U));
+}

@@ -1,0 +1,222 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Rule under test: the control end of the wire never waits longer than it was told to, believes nothing of a box that
+ * does not answer, and says what to do when there is none. The box's end is held by this test itself.
+ */
+#include "unity.h"
+
+#include "box.h"
+#include "bsp.h"
+#include "card_frame.h"
+#include "crc.h"
+#include "sim_card.h"
+#include "sim_encoder.h"
+#include "sim_motor.h"
+#include "sim_switch.h"
+#include "wire.h"
+
+#include <pthread.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+TEST_SOURCE_FILE("bsp_sim.c")
+TEST_SOURCE_FILE("box_orders.c")
+
+#define TIMEOUT_US 2000U
+#define LONG_TIMEOUT_US 5000000U
+
+static char name[40];
+static char error[200];
+static wire_port_t served;
+static bool is_serving;
+static uint8_t sent[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES];
+static uint8_t received[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES];
+
+void setUp(void)
+{
+    (void)snprintf(name, sizeof name, "boresight-test-%d", (int)getpid());
+    error[0] = '\0';
+    is_serving = wire_serve(&served, name, error, sizeof error);
+    TEST_ASSERT_TRUE_MESSAGE(is_serving, error);
+}
+
+void tearDown(void)
+{
+    if (is_serving) {
+        wire_close(&served, WIRE_END_BOX);
+    }
+}
+
+static void stop_serving(void)
+{
+    wire_close(&served, WIRE_END_BOX);
+    is_serving = false;
+}
+
+static uint32_t exchange(uint32_t send, uint32_t timeout_us)
+{
+    return bsp_exchange(send, (const uint8_t(*)[CARD_FRAME_BYTES])sent, received, timeout_us);
+}
+
+/* What the kernel does with the box's end when its process is killed: the name stays, the lock goes. */
+static void kill_box(void)
+{
+    (void)munmap(served.wire, sizeof(wire_t));
+    (void)close(served.file);
+}
+
+/* Answers one exchange with slots 1 and 3, which return what they were sent. */
+static void *answer_once(void *unused)
+{
+    wire_t *wire = served.wire;
+    const uint32_t number = wire_load(&wire->reply) + 1U;
+
+    (void)unused;
+    for (uint32_t seen = wire_load(&wire->wake); wire_load(&wire->request) != number;
+         seen = wire_load(&wire->wake)) {
+        wire_sleep(&wire->wake, seen, LONG_TIMEOUT_US);
+    }
+    (void)memcpy(wire->replies, wire->frames, sizeof wire->replies);
+    wire->received = 0x00AU;
+    wire_announce(&wire->reply, number);
+    return NULL;
+}
+
+void test_SWR_SUP_003_without_a_box_opening_says_what_to_start(void)
+{
+    stop_serving();
+    TEST_ASSERT_FALSE(bsp_open(name, error, sizeof error));
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(error, "start the simulated control box first"), error);
+}
+
+void test_SWR_SUP_003_a_killed_box_leaves_a_wire_that_does_not_open(void)
+{
+    kill_box();
+    TEST_ASSERT_FALSE(bsp_open(name, error, sizeof error));
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(error, "start the simulated control box first"), error);
+    TEST_ASSERT_TRUE_MESSAGE(wire_serve(&served, name, error, sizeof error), error);
+}
+
+void test_SWR_SUP_003_a_second_box_of_the_same_name_is_refused(void)
+{
+    wire_port_t second;
+
+    TEST_ASSERT_FALSE(wire_serve(&second, name, error, sizeof error));
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(error, "already runs"), error);
+}
+
+void test_SWR_SUP_003_a_second_control_process_is_refused_until_the_first_closes(void)
+{
+    wire_port_t second;
+
+    TEST_ASSERT_TRUE(bsp_open(name, error, sizeof error));
+    TEST_ASSERT_FALSE(wire_attach(&second, name, WIRE_END_CONTROL, error, sizeof error));
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(error, "another process"), error);
+    bsp_close();
+    TEST_ASSERT_TRUE(bsp_open(name, error, sizeof error));
+    bsp_close();
+}
+
+void test_SWR_SUP_003_impossible_names_are_refused(void)
+{
+    TEST_ASSERT_FALSE(bsp_open("", error, sizeof error));
+    TEST_ASSERT_FALSE(bsp_open("a/b", error, sizeof error));
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(error, "no slash"), error);
+    TEST_ASSERT_FALSE(bsp_open("a-name-of-a-box-that-is-much-too-long-for-a-shared-memory-segment", error,
+                               sizeof error));
+}
+
+void test_SWR_SUP_003_a_wire_of_another_build_is_refused(void)
+{
+    served.wire->magic++;
+    TEST_ASSERT_FALSE(bsp_open(name, error, sizeof error));
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(error, "another build"), error);
+}
+
+void test_SWR_LINK_001_an_exchange_without_answer_ends_at_its_timeout(void)
+{
+    TEST_ASSERT_TRUE(bsp_open(name, error, sizeof error));
+    const uint64_t start_us = wire_now_us();
+    TEST_ASSERT_EQUAL_HEX32(0U, exchange(0x3FFU, TIMEOUT_US));
+    TEST_ASSERT_TRUE(wire_now_us() - start_us >= TIMEOUT_US);
+    bsp_close();
+}
+
+void test_SWR_LINK_001_an_answer_fills_the_slots_that_answered_and_were_asked(void)
+{
+    pthread_t answering;
+
+    (void)memset(sent, 0xA5, sizeof sent);
+    (void)memset(received, 0, sizeof received);
+    TEST_ASSERT_TRUE(bsp_open(name, error, sizeof error));
+    TEST_ASSERT_EQUAL_INT(0, pthread_create(&answering, NULL, answer_once, NULL));
+    TEST_ASSERT_EQUAL_HEX32(0x008U, exchange(0x3FDU, LONG_TIMEOUT_US));
+    TEST_ASSERT_EQUAL_INT(0, pthread_join(answering, NULL));
+    TEST_ASSERT_EACH_EQUAL_HEX8(0, received[1], CARD_FRAME_BYTES);
+    TEST_ASSERT_EACH_EQUAL_HEX8(0xA5, received[3], CARD_FRAME_BYTES);
+    bsp_close();
+}
+
+void test_SWR_LINK_001_a_late_answer_is_not_taken_for_the_next_one(void)
+{
+    TEST_ASSERT_TRUE(bsp_open(name, error, sizeof error));
+    (void)exchange(0x3FFU, TIMEOUT_US);
+    served.wire->received = 0x3FFU;
+    wire_store(&served.wire->reply, wire_load(&served.wire->request));
+    TEST_ASSERT_EQUAL_HEX32(0U, exchange(0x3FFU, TIMEOUT_US));
+    bsp_close();
+}
+
+static void expect_inputs(bool a, bool b, bool estop_open, bool scanner)
+{
+    const bsp_inputs_t inputs = bsp_sample_inputs();
+
+    TEST_ASSERT_EQUAL(a, inputs.pedal_a);
+    TEST_ASSERT_EQUAL(b, inputs.pedal_b);
+    TEST_ASSERT_EQUAL(estop_open, inputs.estop_open);
+    TEST_ASSERT_EQUAL(scanner, inputs.scanner_active);
+}
+
+void test_SWR_ESTOP_001_inputs_are_read_while_the_box_lives(void)
+{
+    TEST_ASSERT_TRUE(bsp_open(name, error, sizeof error));
+    wire_store(&served.wire->inputs, WIRE_INPUT_PEDAL_A | WIRE_INPUT_SCANNER);
+    for (uint32_t beat = 1U; beat < 100U; beat++) {
+        wire_store(&served.wire->beat, beat);
+        expect_inputs(true, false, false, true);
+    }
+    wire_store(&served.wire->inputs, WIRE_INPUT_PEDAL_B | WIRE_INPUT_ESTOP_OPEN);
+    expect_inputs(false, true, true, false);
+    bsp_close();
+}
+
+void test_SWR_ESTOP_001_inputs_of_a_dead_box_are_pedal_released_and_emergency_stop_open(void)
+{
+    TEST_ASSERT_TRUE(bsp_open(name, error, sizeof error));
+    wire_store(&served.wire->inputs, WIRE_INPUT_PEDAL_A | WIRE_INPUT_PEDAL_B);
+    for (uint32_t i = 0U; i < 9U; i++) {
+        expect_inputs(true, true, false, false);
+    }
+    for (uint32_t i = 0U; i < 100U; i++) {
+        expect_inputs(false, false, true, false);
+    }
+    wire_store(&served.wire->beat, 77U);
+    expect_inputs(true, true, false, false);
+    bsp_close();
+}
+
+void test_SWR_LINK_003_a_box_started_anew_answers_the_control_process_still_attached(void)
+{
+    pthread_t answering;
+
+    TEST_ASSERT_TRUE(bsp_open(name, error, sizeof error));
+    (void)exchange(0x3FFU, TIMEOUT_US);
+    kill_box();
+    TEST_ASSERT_TRUE_MESSAGE(wire_serve(&served, name, error, sizeof error), error);
+    TEST_ASSERT_EQUAL_INT(0, pthread_create(&answering, NULL, answer_once, NULL));
+    TEST_ASSERT_EQUAL_HEX32(0x00AU, exchange(0x3FFU, LONG_TIMEOUT_US));
+    TEST_ASSERT_EQUAL_INT(0, pthread_join(answering, NULL));
+    bsp_close();
+}

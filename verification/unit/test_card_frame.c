@@ -1,0 +1,397 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Rule under test: 64 words, most significant byte first, each field at its byte; whatever does not fit, or was
+ * damaged on the way, is refused by the name of what is wrong, and the receiver's data stay as they were.
+ */
+#include "unity.h"
+
+#include "card_frame.h"
+#include "crc.h"
+
+#include <string.h>
+
+#define SLOT 7U
+#define UNTOUCHED 0x5A
+
+static uint8_t bytes[CARD_FRAME_BYTES];
+
+void setUp(void)
+{
+    (void)memset(bytes, UNTOUCHED, sizeof bytes);
+}
+
+void tearDown(void)
+{
+}
+
+static card_command_t a_command(void)
+{
+    return (card_command_t){.slot = SLOT,
+                            .sequence = 0x01020304U,
+                            .time_us = 0x11121314U,
+                            .system_state = 0x00000507U,
+                            .control = CARD_CONTROL_AMPLIFIER,
+                            .drive = {CARD_DRIVE_PWM, 1U, 0x1FFFFU},
+                            .watchdog_us = 10000U,
+                            .overspeed_ticks_per_s = 30000U,
+                            .guard_minimum_ticks = -2,
+                            .guard_maximum_ticks = INT32_MAX,
+                            .axis_id = 3U};
+}
+
+static card_report_t a_report(void)
+{
+    return (card_report_t){.slot = SLOT,
+                           .accepted_sequence = 0x01020304U,
+                           .heartbeat = 0x21222324U,
+                           .time_us = 0x31323334U,
+                           .card_type = 1U,
+                           .firmware = 0x010203U,
+                           .system_state = 0x41424344U,
+                           .status = CARD_STATUS_MOVING,
+                           .limits_raw = CARD_LIMIT_UPPER,
+                           .limits = CARD_LIMIT_LOWER,
+                           .encoder_count = INT32_MIN,
+                           .last_edge_us = 0x51525354U,
+                           .fourth_edge_us = 0x61626364U,
+                           .edges = 0x7172U,
+                           .illegal_edges = 0x7374U,
+                           .driver_temperature_dc = -1,
+                           .motor_temperature_dc = 471,
+                           .supply_mv = 24000U,
+                           .current_ma = 350U,
+                           .applied = {CARD_DRIVE_PWM, 1U, 0x1ABCDU},
+                           .rx_crc_errors = 0x81828384U,
+                           .sequence_gaps = 0x91929394U,
+                           .watchdog_trips = 0xA1A2A3A4U,
+                           .uptime_s = 0xB1B2B3B4U};
+}
+
+static uint32_t word(uint32_t index)
+{
+    const uint8_t *at = &bytes[index * 4U];
+
+    return ((uint32_t)at[0] << 24U) | ((uint32_t)at[1] << 16U) | ((uint32_t)at[2] << 8U) | at[3];
+}
+
+static void set_word(uint32_t index, uint32_t value)
+{
+    for (uint32_t i = 0U; i < 4U; i++) {
+        bytes[index * 4U + i] = (uint8_t)(value >> (24U - 8U * i));
+    }
+}
+
+static void sign_again(void)
+{
+    uint32_t sum = 0U;
+
+    for (uint32_t i = 0U; i < 62U; i++) {
+        sum += word(i);
+    }
+    set_word(62U, 0xFFFFFFFFU - sum);
+    set_word(63U, crc32c(bytes, 252U));
+}
+
+static void encode_command(void)
+{
+    const card_command_t command = a_command();
+
+    card_frame_encode_command(&command, bytes);
+}
+
+static void encode_report(void)
+{
+    const card_report_t report = a_report();
+
+    card_frame_encode_report(&report, bytes);
+}
+
+static void expect_command(card_frame_result_t expected)
+{
+    card_command_t command;
+    card_command_t before;
+
+    (void)memset(&command, UNTOUCHED, sizeof command);
+    (void)memcpy(&before, &command, sizeof before);
+    TEST_ASSERT_EQUAL_INT(expected, card_frame_decode_command(bytes, SLOT, &command));
+    if (expected != CARD_FRAME_OK) {
+        TEST_ASSERT_EQUAL_MEMORY(&before, &command, sizeof command);
+    }
+}
+
+static void expect_report(card_frame_result_t expected)
+{
+    card_report_t report;
+    card_report_t before;
+
+    (void)memset(&report, UNTOUCHED, sizeof report);
+    (void)memcpy(&before, &report, sizeof before);
+    TEST_ASSERT_EQUAL_INT(expected, card_frame_decode_report(bytes, SLOT, &report));
+    if (expected != CARD_FRAME_OK) {
+        TEST_ASSERT_EQUAL_MEMORY(&before, &report, sizeof report);
+    }
+}
+
+static void expect_bytes(uint32_t at, const char *expected, size_t length)
+{
+    TEST_ASSERT_EQUAL_HEX8_ARRAY(expected, &bytes[at], length);
+}
+
+void test_SWR_CARD_001_command_fields_stand_at_their_bytes(void)
+{
+    encode_command();
+    expect_bytes(0U, "\xFE\xFE\xFE\x01\x01\x07\x40\x01\x01\x02\x03\x04\x11\x12\x13\x14", 16U);
+    expect_bytes(16U, "\x00\x00\x05\x07\x00\x00\x00\x01", 8U);
+    expect_bytes(40U, "\x01\x01\x00\x00\x00\x01\xFF\xFF\x00\x00\x00\x00\x00\x00\x27\x10", 16U);
+    expect_bytes(56U, "\x00\x00\x75\x30\xFF\xFF\xFF\xFE\x7F\xFF\xFF\xFF\x00\x00\x00\x03", 16U);
+    expect_bytes(244U, "\xFF\xFF\xFF\xFE", 4U);
+}
+
+void test_SWR_CARD_001_report_fields_stand_at_their_bytes(void)
+{
+    encode_report();
+    expect_bytes(0U, "\xFE\xFE\xFE\x01\x01\x07\x40\x02\x01\x02\x03\x04\x21\x22\x23\x24", 16U);
+    expect_bytes(16U, "\x31\x32\x33\x34\x01\x01\x02\x03\x41\x42\x43\x44\x00\x00\x00\x02", 16U);
+    expect_bytes(36U, "\x00\x00\x01\x02\x80\x00\x00\x00", 8U);
+    expect_bytes(52U, "\x51\x52\x53\x54\x61\x62\x63\x64\x71\x72\x73\x74", 12U);
+    expect_bytes(72U, "\xFF\xFF\x01\xD7\x5D\xC0\x01\x5E", 8U);
+    expect_bytes(96U, "\x11\x01\xAB\xCD\x81\x82\x83\x84\x91\x92\x93\x94\xA1\xA2\xA3\xA4\xB1\xB2\xB3\xB4", 20U);
+}
+
+void test_SWR_CARD_001_words_without_a_field_are_zero(void)
+{
+    encode_command();
+    for (uint32_t i = 18U; i < 61U; i++) {
+        TEST_ASSERT_EQUAL_HEX32(0U, word(i));
+    }
+    encode_report();
+    for (uint32_t i = 29U; i < 62U; i++) {
+        TEST_ASSERT_EQUAL_HEX32(0U, word(i));
+    }
+}
+
+void test_SWR_CARD_001_a_command_comes_back_as_it_was_sent(void)
+{
+    card_command_t read;
+    const card_command_t sent = a_command();
+
+    encode_command();
+    TEST_ASSERT_EQUAL_INT(CARD_FRAME_OK, card_frame_decode_command(bytes, SLOT, &read));
+    TEST_ASSERT_EQUAL_MEMORY(&sent, &read, sizeof sent);
+}
+
+void test_SWR_CARD_001_a_report_comes_back_as_it_was_sent(void)
+{
+    card_report_t read;
+    const card_report_t sent = a_report();
+
+    encode_report();
+    TEST_ASSERT_EQUAL_INT(CARD_FRAME_OK, card_frame_decode_report(bytes, SLOT, &read));
+    TEST_ASSERT_EQUAL_MEMORY(&sent, &read, sizeof sent);
+}
+
+void test_SWR_CARD_001_report_values_saturate_at_the_width_of_their_field(void)
+{
+    card_report_t report = a_report();
+    card_report_t read;
+
+    report.edges = 65536U;
+    report.supply_mv = UINT32_MAX;
+    report.driver_temperature_dc = INT32_MAX;
+    report.motor_temperature_dc = INT32_MIN;
+    card_frame_encode_report(&report, bytes);
+    TEST_ASSERT_EQUAL_INT(CARD_FRAME_OK, card_frame_decode_report(bytes, SLOT, &read));
+    TEST_ASSERT_EQUAL_UINT32(65535U, read.edges);
+    TEST_ASSERT_EQUAL_UINT32(65535U, read.supply_mv);
+    TEST_ASSERT_EQUAL_INT32(32767, read.driver_temperature_dc);
+    TEST_ASSERT_EQUAL_INT32(-32768, read.motor_temperature_dc);
+}
+
+void test_SWR_CARD_001_temperatures_below_zero_come_back(void)
+{
+    card_report_t report = a_report();
+    card_report_t read;
+
+    report.driver_temperature_dc = -105;
+    report.motor_temperature_dc = -32768;
+    card_frame_encode_report(&report, bytes);
+    TEST_ASSERT_EQUAL_INT(CARD_FRAME_OK, card_frame_decode_report(bytes, SLOT, &read));
+    TEST_ASSERT_EQUAL_INT32(-105, read.driver_temperature_dc);
+    TEST_ASSERT_EQUAL_INT32(-32768, read.motor_temperature_dc);
+}
+
+void test_SWR_CARD_002_word_63_is_the_crc_of_the_252_bytes_before_it(void)
+{
+    encode_command();
+    TEST_ASSERT_EQUAL_HEX32(crc32c(bytes, 252U), word(63U));
+    encode_report();
+    TEST_ASSERT_EQUAL_HEX32(crc32c(bytes, 252U), word(63U));
+}
+
+void test_SWR_CARD_002_word_62_completes_the_sum_of_all_words_before_it(void)
+{
+    uint32_t sum = 0U;
+
+    encode_command();
+    for (uint32_t i = 0U; i < 63U; i++) {
+        sum += word(i);
+    }
+    TEST_ASSERT_EQUAL_HEX32(0xFFFFFFFFU, sum);
+}
+
+void test_SWR_CARD_002_every_single_bit_error_is_found(void)
+{
+    card_command_t command;
+
+    encode_command();
+    for (uint32_t bit = 0U; bit < CARD_FRAME_BYTES * 8U; bit++) {
+        const uint8_t mask = (uint8_t)(1U << (bit % 8U));
+        bytes[bit / 8U] ^= mask;
+        TEST_ASSERT_NOT_EQUAL(CARD_FRAME_OK, card_frame_decode_command(bytes, SLOT, &command));
+        bytes[bit / 8U] ^= mask;
+    }
+    TEST_ASSERT_EQUAL_INT(CARD_FRAME_OK, card_frame_decode_command(bytes, SLOT, &command));
+}
+
+void test_SWR_CARD_003_a_wrong_start_word_is_named(void)
+{
+    encode_command();
+    set_word(0U, 0xFEFEFE02U);
+    sign_again();
+    expect_command(CARD_FRAME_BAD_START);
+    expect_report(CARD_FRAME_BAD_START);
+}
+
+void test_SWR_CARD_003_a_wrong_version_length_or_direction_of_travel_is_named(void)
+{
+    static const uint32_t headers[] = {0x02074001U, 0x01074101U, 0x01074002U};
+
+    for (uint32_t i = 0U; i < 3U; i++) {
+        encode_command();
+        set_word(1U, headers[i]);
+        sign_again();
+        expect_command(CARD_FRAME_BAD_START);
+    }
+    encode_command();
+    expect_report(CARD_FRAME_BAD_START);
+}
+
+void test_SWR_CARD_003_a_damaged_data_word_is_named_by_its_checksum(void)
+{
+    encode_command();
+    bytes[45] ^= 0x01U;
+    expect_command(CARD_FRAME_BAD_CRC);
+    encode_report();
+    bytes[43] ^= 0x80U;
+    expect_report(CARD_FRAME_BAD_CRC);
+}
+
+void test_SWR_CARD_003_a_wrong_sum_under_a_right_crc_is_named_as_checksum(void)
+{
+    encode_command();
+    set_word(62U, word(62U) + 1U);
+    set_word(63U, crc32c(bytes, 252U));
+    expect_command(CARD_FRAME_BAD_CRC);
+}
+
+void test_SWR_CARD_003_the_frame_of_another_slot_is_named(void)
+{
+    card_command_t command = a_command();
+    card_report_t report = a_report();
+
+    command.slot = SLOT + 1U;
+    card_frame_encode_command(&command, bytes);
+    expect_command(CARD_FRAME_BAD_SLOT);
+    report.slot = SLOT - 1U;
+    card_frame_encode_report(&report, bytes);
+    expect_report(CARD_FRAME_BAD_SLOT);
+}
+
+void test_SWR_CARD_003_a_slot_that_does_not_fit_its_byte_is_not_taken_for_another(void)
+{
+    card_command_t command = a_command();
+
+    command.slot = 256U + SLOT;
+    card_frame_encode_command(&command, bytes);
+    expect_command(CARD_FRAME_BAD_SLOT);
+}
+
+void test_SWR_CARD_003_a_wrong_complement_is_named(void)
+{
+    encode_command();
+    set_word(61U, word(61U) ^ 0x00010000U);
+    sign_again();
+    expect_command(CARD_FRAME_BAD_COMPLEMENT);
+}
+
+static void expect_drive(uint32_t mode, uint32_t direction, uint32_t duty, card_frame_result_t expected)
+{
+    card_command_t command = a_command();
+    card_report_t report = a_report();
+
+    command.drive = (card_drive_t){mode, direction, duty};
+    card_frame_encode_command(&command, bytes);
+    expect_command(expected);
+    report.applied = command.drive;
+    card_frame_encode_report(&report, bytes);
+    expect_report(expected);
+}
+
+void test_SWR_CARD_003_a_drive_outside_its_range_is_named(void)
+{
+    expect_drive(CARD_DRIVE_PWM, 0U, 0U, CARD_FRAME_OK);
+    expect_drive(CARD_DRIVE_PWM, 1U, 0x1FFFFU, CARD_FRAME_OK);
+    expect_drive(CARD_DRIVE_PWM, 2U, 0x1FFFFU, CARD_FRAME_BAD_DRIVE);
+    expect_drive(CARD_DRIVE_PWM, 256U, 0U, CARD_FRAME_BAD_DRIVE);
+    expect_drive(CARD_DRIVE_PWM, 1U, 0x20000U, CARD_FRAME_BAD_DRIVE);
+    expect_drive(CARD_DRIVE_PWM, 1U, 0x1000000U, CARD_FRAME_BAD_DRIVE);
+    expect_drive(CARD_DRIVE_NON_PWM, 1U, 0U, CARD_FRAME_OK);
+    expect_drive(CARD_DRIVE_NON_PWM, 2U, 0U, CARD_FRAME_BAD_DRIVE);
+    expect_drive(CARD_DRIVE_NON_PWM, 0U, 1U, CARD_FRAME_BAD_DRIVE);
+    expect_drive(3U, 0U, 0U, CARD_FRAME_BAD_DRIVE);
+    expect_drive(257U, 0U, 0U, CARD_FRAME_BAD_DRIVE);
+}
+
+static void expect_drive_words(uint32_t mode_word, uint32_t duty_word)
+{
+    encode_command();
+    set_word(10U, mode_word);
+    set_word(11U, duty_word);
+    sign_again();
+    expect_command(CARD_FRAME_BAD_DRIVE);
+}
+
+void test_SWR_CARD_003_off_with_something_left_in_the_drive_words_is_named(void)
+{
+    expect_drive_words(0U, 1U);
+    expect_drive_words(0x00010000U, 0U);
+    expect_drive_words(0x01010001U, 0U);
+}
+
+void test_SWR_CARD_004_word_61_complements_word_5(void)
+{
+    card_command_t command = a_command();
+
+    for (uint32_t control = 0U; control < 4U; control++) {
+        command.control = control;
+        card_frame_encode_command(&command, bytes);
+        TEST_ASSERT_EQUAL_HEX32(control, word(5U));
+        TEST_ASSERT_EQUAL_HEX32(~control, word(61U));
+    }
+}
+
+void test_SWR_CARD_004_all_drive_words_are_zero_when_the_drive_is_off(void)
+{
+    card_command_t command = a_command();
+    card_report_t report = a_report();
+
+    command.drive = (card_drive_t){CARD_DRIVE_OFF, 1U, 0x1FFFFU};
+    card_frame_encode_command(&command, bytes);
+    for (uint32_t i = 6U; i <= 12U; i++) {
+        TEST_ASSERT_EQUAL_HEX32(0U, word(i));
+    }
+    expect_command(CARD_FRAME_OK);
+    report.applied = command.drive;
+    card_frame_encode_report(&report, bytes);
+    TEST_ASSERT_EQUAL_HEX32(0U, word(24U));
+}

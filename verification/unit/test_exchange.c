@@ -1,0 +1,497 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Rule under test: control publishes without waiting for anybody; what a reader gets is whole, and what it did not
+ * get is counted or refused, never silent.
+ */
+#include "unity.h"
+
+#include "exchange.h"
+#include "exchange_segment.h"
+
+#include <fcntl.h>
+#include <pthread.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#define ROUNDS 20000U
+
+static exchange_t *control; /* The creator's view. */
+static exchange_t *reader;
+static char name[32];
+static char error[256];
+static snapshot_t snapshot;
+static snapshot_t copy;
+
+void setUp(void)
+{
+    (void)snprintf(name, sizeof(name), "test-exchange-%d", (int)getpid());
+    control = exchange_create(name, error, sizeof(error));
+    TEST_ASSERT_NOT_NULL_MESSAGE(control, error);
+    reader = exchange_open(name, error, sizeof(error));
+    TEST_ASSERT_NOT_NULL_MESSAGE(reader, error);
+    error[0] = '\0';
+}
+
+void tearDown(void)
+{
+    exchange_close(reader);
+    exchange_close(control);
+}
+
+static void fill(snapshot_t *to, uint32_t value)
+{
+    uint32_t words[sizeof(snapshot_t) / sizeof(uint32_t)];
+
+    for (size_t i = 0U; i < (sizeof(words) / sizeof(words[0])); i++) {
+        words[i] = value;
+    }
+    (void)memcpy(to, words, sizeof(*to));
+}
+
+static bool is_whole(const snapshot_t *from)
+{
+    uint32_t words[sizeof(snapshot_t) / sizeof(uint32_t)];
+    bool is_same = true;
+
+    (void)memcpy(words, from, sizeof(*from));
+    for (size_t i = 1U; i < (sizeof(words) / sizeof(words[0])); i++) {
+        is_same = is_same && (words[i] == words[0]);
+    }
+    return is_same;
+}
+
+static void *publish_snapshots(void *unused)
+{
+    snapshot_t mine;
+
+    (void)unused;
+    for (uint32_t i = 1U; i <= ROUNDS; i++) {
+        fill(&mine, i);
+        exchange_publish_snapshot(control, &mine);
+    }
+    return NULL;
+}
+
+void test_SWR_EXCH_001_a_snapshot_read_while_another_is_written_is_never_torn(void)
+{
+    pthread_t writer;
+    uint32_t newest = 0U;
+
+    TEST_ASSERT_EQUAL_INT(0, pthread_create(&writer, NULL, publish_snapshots, NULL));
+    while (newest < ROUNDS) {
+        if (exchange_read_snapshot(reader, &copy)) {
+            TEST_ASSERT_TRUE(is_whole(&copy));
+            TEST_ASSERT_TRUE(copy.cycle >= newest);
+            newest = copy.cycle;
+        }
+    }
+    (void)pthread_join(writer, NULL);
+    TEST_ASSERT_EQUAL_UINT32(ROUNDS, newest);
+}
+
+void test_SWR_EXCH_001_there_is_no_snapshot_before_the_first_one(void)
+{
+    TEST_ASSERT_FALSE(exchange_read_snapshot(reader, &copy));
+    fill(&snapshot, 7U);
+    exchange_publish_snapshot(control, &snapshot);
+    TEST_ASSERT_TRUE(exchange_read_snapshot(reader, &copy));
+    TEST_ASSERT_EQUAL_MEMORY(&snapshot, &copy, sizeof(copy));
+}
+
+void test_SWR_EXCH_001_a_writer_that_died_while_writing_leaves_the_snapshot_before_readable(void)
+{
+    for (uint32_t i = 1U; i <= 5U; i++) {
+        fill(&snapshot, i);
+        exchange_publish_snapshot(control, &snapshot);
+    }
+    control->segment->control.snapshots[5U % SEGMENT_SNAPSHOTS].sequence |= 1U;
+    TEST_ASSERT_TRUE(exchange_read_snapshot(reader, &copy));
+    TEST_ASSERT_EQUAL_UINT32(5U, copy.cycle);
+}
+
+void test_SWR_EXCH_001_a_reader_gives_up_when_the_newest_snapshot_stays_half_written(void)
+{
+    fill(&snapshot, 1U);
+    exchange_publish_snapshot(control, &snapshot);
+    control->segment->control.snapshots[0].sequence |= 1U;
+    TEST_ASSERT_FALSE(exchange_read_snapshot(reader, &copy));
+}
+
+void test_SWR_EXCH_001_loop_figures_come_back_whole(void)
+{
+    const loop_figures_t figures = {.cycles = UINT64_C(5000000000), .rights = 5U, .wake_worst_us = 77U, .cycles_lost = 3U};
+    loop_figures_t read = {0};
+
+    TEST_ASSERT_FALSE(exchange_read_loop(reader, &read));
+    exchange_publish_loop(control, &figures);
+    TEST_ASSERT_TRUE(exchange_read_loop(reader, &read));
+    TEST_ASSERT_EQUAL_MEMORY(&figures, &read, sizeof(read));
+    control->segment->control.loop_sequence |= 1U;
+    TEST_ASSERT_FALSE(exchange_read_loop(reader, &read));
+}
+
+void test_SWR_EXCH_002_a_full_command_lane_refuses_and_keeps_what_it_has(void)
+{
+    command_t command = {.source = COMMAND_SOURCE_IGTL, .kind = COMMAND_WORKPHASE};
+    command_t taken[EXCHANGE_COMMANDS + 1U];
+
+    for (uint32_t i = 0U; i < EXCHANGE_COMMANDS; i++) {
+        command.id = i;
+        TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &command));
+    }
+    command.id = 99U;
+    TEST_ASSERT_EQUAL(STATUS_BUSY, exchange_send_command(reader, &command));
+    TEST_ASSERT_EQUAL_UINT32(EXCHANGE_COMMANDS, exchange_take_commands(control, taken, EXCHANGE_COMMANDS + 1U));
+    for (uint32_t i = 0U; i < EXCHANGE_COMMANDS; i++) {
+        TEST_ASSERT_EQUAL_UINT32(i, taken[i].id);
+    }
+    TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &command));
+}
+
+void test_SWR_EXCH_002_a_command_of_an_unknown_source_is_refused(void)
+{
+    const command_t command = {.source = COMMAND_SOURCE_COUNT};
+    command_t taken;
+
+    TEST_ASSERT_EQUAL(STATUS_UNKNOWN_COMMAND, exchange_send_command(reader, &command));
+    TEST_ASSERT_EQUAL_UINT32(0U, exchange_take_commands(control, &taken, 1U));
+}
+
+void test_SWR_EXCH_002_a_flooding_source_does_not_keep_the_other_waiting(void)
+{
+    command_t command = {.source = COMMAND_SOURCE_IGTL};
+    command_t taken[4];
+
+    for (uint32_t i = 0U; i < EXCHANGE_COMMANDS; i++) {
+        TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &command));
+    }
+    command.source = COMMAND_SOURCE_HTTP;
+    TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &command));
+    TEST_ASSERT_EQUAL_UINT32(4U, exchange_take_commands(control, taken, 4U));
+    TEST_ASSERT_EQUAL_UINT32(COMMAND_SOURCE_IGTL, taken[0].source);
+    TEST_ASSERT_EQUAL_UINT32(COMMAND_SOURCE_HTTP, taken[1].source);
+}
+
+void test_SWR_EXCH_002_a_command_carries_the_source_of_its_lane(void)
+{
+    const command_t command = {.source = COMMAND_SOURCE_IGTL, .id = 4U};
+    command_t taken;
+
+    TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &command));
+    reader->segment->others.commands[COMMAND_SOURCE_IGTL].slots[0].source = COMMAND_SOURCE_HTTP;
+    TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, &taken, 4U));
+    TEST_ASSERT_EQUAL_UINT32(COMMAND_SOURCE_IGTL, taken.source);
+}
+
+static void *send_commands(void *unused)
+{
+    (void)unused;
+    for (uint32_t id = 0U; id < ROUNDS; id++) {
+        command_t command = {.source = id % COMMAND_SOURCE_COUNT, .id = id, .value = (int32_t)id};
+        while (exchange_send_command(reader, &command) == STATUS_BUSY) {
+            (void)sched_yield();
+        }
+    }
+    return NULL;
+}
+
+void test_SWR_EXCH_002_every_command_arrives_once_and_in_the_order_of_its_source(void)
+{
+    pthread_t writer;
+    uint32_t expected[COMMAND_SOURCE_COUNT] = {0U, 1U};
+    uint32_t received = 0U;
+
+    TEST_ASSERT_EQUAL_INT(0, pthread_create(&writer, NULL, send_commands, NULL));
+    while (received < ROUNDS) {
+        command_t taken[4];
+        const uint32_t count = exchange_take_commands(control, taken, 4U);
+        for (uint32_t i = 0U; i < count; i++) {
+            TEST_ASSERT_EQUAL_UINT32(expected[taken[i].source], taken[i].id);
+            TEST_ASSERT_EQUAL_INT32((int32_t)taken[i].id, taken[i].value);
+            expected[taken[i].source] += COMMAND_SOURCE_COUNT;
+        }
+        received += count;
+    }
+    (void)pthread_join(writer, NULL);
+    TEST_ASSERT_EQUAL_UINT32(ROUNDS, received);
+}
+
+void test_SWR_EXCH_003_an_answer_that_finds_its_lane_full_is_counted(void)
+{
+    answer_t answer = {.source = COMMAND_SOURCE_HTTP};
+    answer_t taken;
+
+    for (uint32_t i = 0U; i < EXCHANGE_ANSWERS; i++) {
+        answer.id = i;
+        TEST_ASSERT_TRUE(exchange_push_answer(control, &answer));
+    }
+    TEST_ASSERT_FALSE(exchange_push_answer(control, &answer));
+    TEST_ASSERT_EQUAL_UINT32(1U, exchange_answers_lost(reader));
+    TEST_ASSERT_FALSE(exchange_take_answer(reader, COMMAND_SOURCE_IGTL, &taken));
+    for (uint32_t i = 0U; i < EXCHANGE_ANSWERS; i++) {
+        TEST_ASSERT_TRUE(exchange_take_answer(reader, COMMAND_SOURCE_HTTP, &taken));
+        TEST_ASSERT_EQUAL_UINT32(i, taken.id);
+    }
+    TEST_ASSERT_FALSE(exchange_take_answer(reader, COMMAND_SOURCE_HTTP, &taken));
+    answer.source = COMMAND_SOURCE_COUNT;
+    TEST_ASSERT_FALSE(exchange_push_answer(control, &answer));
+    TEST_ASSERT_EQUAL_UINT32(2U, exchange_answers_lost(reader));
+}
+
+static void push_events(uint32_t from, uint32_t count)
+{
+    for (uint32_t i = 0U; i < count; i++) {
+        const event_t event = {.number = from + i, .cycle = (from + i) * 3U, .value = (int32_t)i};
+        exchange_push_event(control, &event);
+    }
+}
+
+void test_SWR_EXCH_003_events_are_read_in_order_by_several_readers(void)
+{
+    event_t events[8];
+    uint32_t first = 0U;
+    uint32_t second = 0U;
+    uint32_t lost = 0U;
+
+    push_events(0U, 5U);
+    TEST_ASSERT_EQUAL_UINT32(3U, exchange_read_events(reader, &first, events, 3U, &lost));
+    TEST_ASSERT_EQUAL_UINT32(2U, exchange_read_events(reader, &first, events, 3U, &lost));
+    TEST_ASSERT_EQUAL_UINT32(4U, events[1].number);
+    TEST_ASSERT_EQUAL_UINT32(5U, exchange_read_events(reader, &second, events, 8U, &lost));
+    TEST_ASSERT_EQUAL_UINT32(0U, events[0].number);
+    TEST_ASSERT_EQUAL_UINT32(0U, exchange_read_events(reader, &second, events, 8U, &lost));
+    TEST_ASSERT_EQUAL_UINT32(0U, lost);
+}
+
+void test_SWR_EXCH_003_exactly_a_full_event_ring_loses_nothing_and_one_more_loses_one(void)
+{
+    static event_t events[EXCHANGE_EVENTS];
+    uint32_t next = 0U;
+    uint32_t lost = 0U;
+
+    push_events(0U, EXCHANGE_EVENTS);
+    TEST_ASSERT_EQUAL_UINT32(EXCHANGE_EVENTS, exchange_read_events(reader, &next, events, EXCHANGE_EVENTS, &lost));
+    TEST_ASSERT_EQUAL_UINT32(0U, lost);
+    push_events(EXCHANGE_EVENTS, EXCHANGE_EVENTS + 1U);
+    TEST_ASSERT_EQUAL_UINT32(EXCHANGE_EVENTS, exchange_read_events(reader, &next, events, EXCHANGE_EVENTS, &lost));
+    TEST_ASSERT_EQUAL_UINT32(1U, lost);
+    TEST_ASSERT_EQUAL_UINT32(EXCHANGE_EVENTS + 1U, events[0].number);
+}
+
+void test_SWR_EXCH_003_an_event_overwritten_while_it_is_read_counts_as_lost(void)
+{
+    event_t events[4];
+    uint32_t next = 0U;
+    uint32_t lost = 0U;
+
+    push_events(0U, 3U);
+    control->segment->control.events[1].sequence |= 1U;
+    control->segment->control.events[2].event.number = 2U + EXCHANGE_EVENTS;
+    TEST_ASSERT_EQUAL_UINT32(1U, exchange_read_events(reader, &next, events, 4U, &lost));
+    TEST_ASSERT_EQUAL_UINT32(2U, lost);
+    TEST_ASSERT_EQUAL_UINT32(3U, next);
+}
+
+void test_SWR_EXCH_003_a_reader_ahead_of_the_ring_gets_nothing(void)
+{
+    event_t events[4];
+    uint32_t next = 10U;
+    uint32_t lost = 0U;
+
+    push_events(0U, 3U);
+    TEST_ASSERT_EQUAL_UINT32(0U, exchange_read_events(reader, &next, events, 4U, &lost));
+    TEST_ASSERT_EQUAL_UINT32(0U, lost);
+}
+
+static void *push_many_events(void *unused)
+{
+    (void)unused;
+    push_events(0U, ROUNDS);
+    return NULL;
+}
+
+void test_SWR_EXCH_003_each_event_is_either_read_or_counted_as_lost(void)
+{
+    pthread_t writer;
+    uint32_t next = 0U;
+    uint32_t lost = 0U;
+    uint32_t received = 0U;
+
+    TEST_ASSERT_EQUAL_INT(0, pthread_create(&writer, NULL, push_many_events, NULL));
+    while (next < ROUNDS) {
+        event_t events[16];
+        const uint32_t count = exchange_read_events(reader, &next, events, 16U, &lost);
+        for (uint32_t i = 0U; i < count; i++) {
+            TEST_ASSERT_EQUAL_UINT32(events[i].number * 3U, events[i].cycle);
+        }
+        received += count;
+    }
+    (void)pthread_join(writer, NULL);
+    TEST_ASSERT_EQUAL_UINT32(ROUNDS, received + lost);
+}
+
+static bool push_cycle(uint32_t cycle)
+{
+    cycle_record_t *record = exchange_reserve_cycle(control);
+
+    if (record == NULL) {
+        return false;
+    }
+    record->kind = CYCLE_RECORD_CYCLE;
+    record->cycle = cycle;
+    (void)memset(&record->body, (int)(cycle & 0xFFU), sizeof(record->body));
+    exchange_commit_cycle(control);
+    return true;
+}
+
+void test_SWR_EXCH_003_cycles_that_find_the_lane_full_are_counted_and_control_goes_on(void)
+{
+    for (uint32_t i = 0U; i < EXCHANGE_CYCLES; i++) {
+        TEST_ASSERT_TRUE(push_cycle(i));
+    }
+    TEST_ASSERT_FALSE(push_cycle(EXCHANGE_CYCLES));
+    TEST_ASSERT_FALSE(push_cycle(EXCHANGE_CYCLES + 1U));
+    TEST_ASSERT_EQUAL_UINT32(2U, exchange_cycles_lost(reader));
+    for (uint32_t i = 0U; i < EXCHANGE_CYCLES; i++) {
+        const cycle_record_t *record = exchange_peek_cycle(reader);
+        TEST_ASSERT_NOT_NULL(record);
+        TEST_ASSERT_EQUAL_UINT32(i, record->cycle);
+        exchange_release_cycle(reader);
+    }
+    TEST_ASSERT_NULL(exchange_peek_cycle(reader));
+    TEST_ASSERT_TRUE(push_cycle(EXCHANGE_CYCLES + 2U));
+}
+
+static void *push_cycles(void *unused)
+{
+    (void)unused;
+    for (uint32_t i = 0U; i < ROUNDS; i++) {
+        (void)push_cycle(i);
+    }
+    return NULL;
+}
+
+void test_SWR_EXCH_003_each_cycle_is_either_read_whole_or_counted(void)
+{
+    pthread_t writer;
+    uint32_t received = 0U;
+
+    TEST_ASSERT_EQUAL_INT(0, pthread_create(&writer, NULL, push_cycles, NULL));
+    while ((received + exchange_cycles_lost(reader)) < ROUNDS) {
+        const cycle_record_t *record = exchange_peek_cycle(reader);
+        if (record != NULL) {
+            TEST_ASSERT_EQUAL_HEX8_MESSAGE(record->cycle & 0xFFU, record->body.checkpoint[0], "first byte");
+            TEST_ASSERT_EQUAL_HEX8_MESSAGE(record->cycle & 0xFFU,
+                                           record->body.checkpoint[sizeof(record->body.checkpoint) - 1U], "last byte");
+            exchange_release_cycle(reader);
+            received++;
+        } else {
+            (void)sched_yield();
+        }
+    }
+    (void)pthread_join(writer, NULL);
+    TEST_ASSERT_EQUAL_UINT32(ROUNDS, received + exchange_cycles_lost(reader));
+}
+
+void test_SWR_EXCH_003_a_checkpoint_request_is_taken_once(void)
+{
+    TEST_ASSERT_FALSE(exchange_take_checkpoint_request(control));
+    exchange_request_checkpoint(reader);
+    exchange_request_checkpoint(reader);
+    TEST_ASSERT_TRUE(exchange_take_checkpoint_request(control));
+    TEST_ASSERT_FALSE(exchange_take_checkpoint_request(control));
+}
+
+void test_SWR_EXCH_003_each_process_beats_its_own_counter(void)
+{
+    exchange_beat(reader, EXCHANGE_HTTP);
+    exchange_beat(reader, EXCHANGE_HTTP);
+    exchange_beat(control, EXCHANGE_CONTROL);
+    TEST_ASSERT_EQUAL_UINT32(2U, exchange_beats(control, EXCHANGE_HTTP));
+    TEST_ASSERT_EQUAL_UINT32(1U, exchange_beats(reader, EXCHANGE_CONTROL));
+    TEST_ASSERT_EQUAL_UINT32(0U, exchange_beats(reader, EXCHANGE_SUPERVISOR));
+}
+
+void test_SWR_EXCH_003_a_protected_reader_cannot_write_what_control_writes(void)
+{
+    const pid_t child = fork();
+    int status = 0;
+
+    if (child == 0) {
+        exchange_protect(reader);
+        exchange_beat(reader, EXCHANGE_IGTL);
+        exchange_publish_snapshot(reader, &snapshot); /* Ends this process. */
+        _exit(0);
+    }
+    TEST_ASSERT_EQUAL_INT(child, waitpid(child, &status, 0));
+    TEST_ASSERT_EQUAL_UINT32(1U, exchange_beats(control, EXCHANGE_IGTL));
+    TEST_ASSERT_FALSE(WIFEXITED(status) && (WEXITSTATUS(status) == 0));
+    TEST_ASSERT_FALSE(exchange_read_snapshot(control, &copy));
+}
+
+static void expect_refusal(const char *because)
+{
+    TEST_ASSERT_NULL(exchange_open(name, error, sizeof(error)));
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(error, because), error);
+}
+
+void test_SWR_EXCH_004_a_segment_of_another_layout_is_refused(void)
+{
+    control->segment->header.layout++;
+    expect_refusal("layout of another build");
+    control->segment->header.layout--;
+    exchange_t *again = exchange_open(name, error, sizeof(error));
+    TEST_ASSERT_NOT_NULL(again);
+    exchange_close(again);
+}
+
+void test_SWR_EXCH_004_a_segment_of_another_size_is_refused(void)
+{
+    TEST_ASSERT_EQUAL_INT(0, ftruncate(control->file, (off_t)sizeof(segment_t) + 1));
+    expect_refusal("size of another build");
+}
+
+void test_SWR_EXCH_004_a_segment_that_is_not_an_exchange_is_refused(void)
+{
+    control->segment->header.magic = 0U;
+    expect_refusal("is not an exchange");
+}
+
+void test_SWR_EXCH_004_a_missing_segment_is_refused_with_what_to_do(void)
+{
+    TEST_ASSERT_NULL(exchange_open("test-exchange-missing", error, sizeof(error)));
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(error, "start the program boresight"), error);
+    TEST_ASSERT_NULL(exchange_open("a/b", error, sizeof(error)));
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(error, "cannot name an exchange"), error);
+    TEST_ASSERT_NULL(exchange_create("", error, sizeof(error)));
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(error, "cannot name an exchange"), error);
+}
+
+void test_SWR_EXCH_004_the_segment_of_a_living_creator_is_not_replaced(void)
+{
+    TEST_ASSERT_NULL(exchange_create(name, error, sizeof(error)));
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(error, "already runs"), error);
+}
+
+void test_SWR_EXCH_004_the_segment_of_a_dead_creator_is_replaced(void)
+{
+    char second[48];
+    int status = 0;
+
+    (void)snprintf(second, sizeof(second), "%s-second", name);
+    const pid_t child = fork();
+    if (child == 0) {
+        exchange_t *dying = exchange_create(second, error, sizeof(error));
+        exchange_publish_snapshot(dying, &snapshot);
+        _exit(0);
+    }
+    TEST_ASSERT_EQUAL_INT(child, waitpid(child, &status, 0));
+    TEST_ASSERT_EQUAL_INT(0, status);
+    exchange_t *successor = exchange_create(second, error, sizeof(error));
+    TEST_ASSERT_NOT_NULL_MESSAGE(successor, error);
+    TEST_ASSERT_FALSE(exchange_read_snapshot(successor, &copy));
+    exchange_close(successor);
+}

@@ -1,0 +1,185 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Rule under test: only finite numbers within their range and rigid matrices cross the border, to the nearest integer.
+ */
+#include "fixed.h"
+#include "igtl_border.h"
+#include "igtl_codec.h"
+#include "rigid.h"
+#include "robot.h"
+#include "unity.h"
+
+#include <math.h>
+#include <string.h>
+
+static uint32_t numbers[IGTL_TRANSFORM_NUMBERS];
+static rigid_t pose;
+
+static uint32_t bits_of(double number)
+{
+    const float narrow = (float)number;
+    uint32_t bits;
+
+    (void)memcpy(&bits, &narrow, sizeof bits);
+    return bits;
+}
+
+void setUp(void)
+{
+    (void)memset(numbers, 0, sizeof numbers);
+    numbers[0] = bits_of(1.0);
+    numbers[4] = bits_of(1.0);
+    numbers[8] = bits_of(1.0);
+}
+
+void tearDown(void)
+{
+}
+
+static void expect_nm(double millimetres, int32_t expected_nm)
+{
+    int32_t length_nm = 0;
+
+    TEST_ASSERT_EQUAL_INT(STATUS_OK, igtl_border_read_mm(bits_of(millimetres), &length_nm));
+    TEST_ASSERT_EQUAL_INT32(expected_nm, length_nm);
+}
+
+void test_SWR_IGTL_010_millimetres_become_nanometres(void)
+{
+    expect_nm(0.0, 0);
+    expect_nm(-0.0, 0);
+    expect_nm(1.0, 1000000);
+    expect_nm(-12.5, -12500000);
+    expect_nm(0.000001, 1);
+    expect_nm(-0.0000006, -1);
+    expect_nm(0.0000004, 0);
+    expect_nm(1e-30, 0);
+    expect_nm(1e-44, 0);
+    expect_nm(2000.0, 2000000000);
+    expect_nm(-2000.0, -2000000000);
+}
+
+void test_SWR_IGTL_010_each_length_is_the_nearest_nanometre(void)
+{
+    uint32_t seed = 7U;
+
+    for (uint32_t i = 0U; i < 100000U; i++) {
+        int32_t length_nm = 0;
+        uint32_t bits;
+        float number;
+
+        seed = (seed * 1664525U) + 1013904223U;
+        bits = bits_of((((double)seed / 4294967296.0) - 0.5) * 3999.0);
+        (void)memcpy(&number, &bits, sizeof number);
+        TEST_ASSERT_EQUAL_INT(STATUS_OK, igtl_border_read_mm(bits, &length_nm));
+        TEST_ASSERT_EQUAL_INT32((int32_t)lround((double)number * 1e6), length_nm);
+    }
+}
+
+void test_SWR_IGTL_010_two_metres_is_the_farthest(void)
+{
+    int32_t length_nm;
+
+    TEST_ASSERT_EQUAL_INT(STATUS_OUT_OF_RANGE, igtl_border_read_mm(bits_of(2000.0) + 1U, &length_nm));
+    TEST_ASSERT_EQUAL_INT(STATUS_OUT_OF_RANGE, igtl_border_read_mm(bits_of(-2047.9), &length_nm));
+    TEST_ASSERT_EQUAL_INT(STATUS_OUT_OF_RANGE, igtl_border_read_mm(bits_of(2048.0), &length_nm));
+    TEST_ASSERT_EQUAL_INT(STATUS_OUT_OF_RANGE, igtl_border_read_mm(0x7F7FFFFFU, &length_nm));
+}
+
+void test_SWR_IGTL_010_what_is_not_finite_is_refused_everywhere(void)
+{
+    static const uint32_t odd[] = {0x7F800000U, 0xFF800000U, 0x7FC00000U, 0x7F800001U, 0xFFFFFFFFU};
+
+    for (uint32_t i = 0U; i < 12U; i++) {
+        for (uint32_t k = 0U; k < 5U; k++) {
+            setUp();
+            numbers[i] = odd[k];
+            TEST_ASSERT_EQUAL_INT(STATUS_NOT_FINITE, igtl_border_read_pose(numbers, &pose));
+        }
+    }
+}
+
+void test_SWR_IGTL_010_rotation_entries_are_bounded(void)
+{
+    int32_t entry_q30;
+
+    TEST_ASSERT_EQUAL_INT(STATUS_OK, igtl_border_read_entry(bits_of(1.0009), &entry_q30));
+    TEST_ASSERT_EQUAL_INT(STATUS_NOT_RIGID, igtl_border_read_entry(bits_of(1.0011), &entry_q30));
+    TEST_ASSERT_EQUAL_INT(STATUS_NOT_RIGID, igtl_border_read_entry(bits_of(-1.0011), &entry_q30));
+    TEST_ASSERT_EQUAL_INT(STATUS_NOT_RIGID, igtl_border_read_entry(bits_of(2.0), &entry_q30));
+    TEST_ASSERT_EQUAL_INT(STATUS_NOT_RIGID, igtl_border_read_entry(bits_of(1e30), &entry_q30));
+    TEST_ASSERT_EQUAL_INT(STATUS_OK, igtl_border_read_entry(bits_of(-0.5), &entry_q30));
+    TEST_ASSERT_EQUAL_INT32(-(FIXED_ONE_Q30 / 2), entry_q30);
+}
+
+void test_SWR_IGTL_010_zero_scaled_and_mirrored_matrices_are_refused(void)
+{
+    (void)memset(numbers, 0, sizeof numbers);
+    TEST_ASSERT_EQUAL_INT(STATUS_NOT_RIGID, igtl_border_read_pose(numbers, &pose));
+    setUp();
+    numbers[8] = bits_of(0.9);
+    TEST_ASSERT_EQUAL_INT(STATUS_NOT_RIGID, igtl_border_read_pose(numbers, &pose));
+    numbers[8] = bits_of(-1.0);
+    TEST_ASSERT_EQUAL_INT(STATUS_NOT_RIGID, igtl_border_read_pose(numbers, &pose));
+}
+
+void test_SWR_IGTL_010_far_translation_is_refused(void)
+{
+    numbers[11] = bits_of(2500.0);
+    TEST_ASSERT_EQUAL_INT(STATUS_OUT_OF_RANGE, igtl_border_read_pose(numbers, &pose));
+    numbers[11] = bits_of(1500.0); /* Further than a registration may be. */
+    TEST_ASSERT_EQUAL_INT(STATUS_OUT_OF_RANGE, igtl_border_read_pose(numbers, &pose));
+}
+
+void test_SWR_IGTL_010_columns_of_the_message_are_columns_of_the_matrix(void)
+{
+    numbers[0] = bits_of(0.0);
+    numbers[1] = bits_of(1.0); /* First column (0 1 0). */
+    numbers[3] = bits_of(-1.0);
+    numbers[4] = bits_of(0.0); /* Second column (-1 0 0). */
+    numbers[9] = bits_of(10.0);
+    numbers[10] = bits_of(-20.0);
+    numbers[11] = bits_of(30.0);
+    TEST_ASSERT_EQUAL_INT(STATUS_OK, igtl_border_read_pose(numbers, &pose));
+    TEST_ASSERT_EQUAL_INT32(FIXED_ONE_Q30, pose.rotation_q30[1][0]);
+    TEST_ASSERT_EQUAL_INT32(-FIXED_ONE_Q30, pose.rotation_q30[0][1]);
+    TEST_ASSERT_EQUAL_INT32(10000000, pose.translation.x_nm);
+    TEST_ASSERT_EQUAL_INT32(-20000000, pose.translation.y_nm);
+    TEST_ASSERT_EQUAL_INT32(30000000, pose.translation.z_nm);
+}
+
+void test_SWR_IGTL_012_pose_goes_out_as_it_came_in(void)
+{
+    uint32_t out[IGTL_TRANSFORM_NUMBERS];
+
+    numbers[9] = bits_of(123.456);
+    numbers[10] = bits_of(-0.001);
+    TEST_ASSERT_EQUAL_INT(STATUS_OK, igtl_border_read_pose(numbers, &pose));
+    igtl_border_write_pose(&pose, out);
+    TEST_ASSERT_EQUAL_HEX32_ARRAY(numbers, out, 10U);
+    TEST_ASSERT_EQUAL_HEX32(bits_of(-0.001), out[10]);
+}
+
+static const robot_t robot = {
+    .axis_count = 2U,
+    .axes = {{.unit = (uint8_t)AXIS_UNIT_MM, .unit_per_tick_q16 = INT64_C(10000) * 65536},
+             {.unit = (uint8_t)AXIS_UNIT_RAD, .unit_per_tick_q16 = (INT64_C(1) << 20) * 65536}}};
+
+void test_SWR_IGTL_012_joints_go_out_in_millimetres_and_radians(void)
+{
+    static const int32_t ticks[ROBOT_AXIS_COUNT] = {-250, 1024};
+    char text[IGTL_LIST_SIZE];
+
+    igtl_border_write_positions(&robot, ticks, text);
+    TEST_ASSERT_EQUAL_STRING("-2.500000,1.570796,", text);
+}
+
+void test_SWR_IGTL_012_speeds_go_out_per_second(void)
+{
+    static const int32_t speeds_q8[ROBOT_AXIS_COUNT] = {25600, -262144};
+    char text[IGTL_LIST_SIZE];
+
+    igtl_border_write_speeds(&robot, speeds_q8, text);
+    TEST_ASSERT_EQUAL_STRING("1.000000,-1.570796,", text);
+}

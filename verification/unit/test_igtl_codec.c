@@ -1,0 +1,386 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Rule under test: a message is understood exactly when every byte of it fits, whichever header version it has, and
+ * what is written is what the standard's own library writes.
+ */
+#include "igtl_codec.h"
+#include "limits.h"
+#include "unity.h"
+
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+
+#define ONE 0x3F800000U
+
+/* Messages of a client that follows the call order of 3D Slicer, header version 2. */
+static const char slicer_status[] =
+    "000253544154555300000000000000000000000000000000000000000000000000000000000000000000000000000000"
+    "003f6cf69307e59e5ee9000c000a0000000a000000000000000000000000000000000000000000000000000000000000"
+    "00000000000001000500030000000564756d6d7964756d6d79";
+static const char slicer_string[] =
+    "0002535452494e47000000000000434d445f313230303030313233343536000000000000000000000000000000000000"
+    "004210848a6e764d059e000c001200000018000000000003000853544152545f55500002000c00030000000400060003"
+    "000000024d524d4c4e6f64654e616d65546578745374617475734f4b";
+static const char slicer_transform[] =
+    "00025452414e53464f524d000000434c425f313230303032313233343536000000000000000000000000000000000000"
+    "00a4572786ba7972dfd9000c002200000046000000003f8000000000000000000000000000003f800000000000000000"
+    "0000000000003f8000003f80000040000000404000000004000c00030000000f000e000300000000000c000300000000"
+    "000f0003000000024d524d4c4e6f64654e616d654c696e6561725472616e73666f726d53545245414d5f49445f46524f"
+    "4d53545245414d5f49445f544f5472616e73666f726d5374617475734f4b";
+
+static uint8_t bytes[IGTL_HEADER_BYTES + LIMIT_IGTL_BODY_MAX];
+static igtl_header_t header;
+static igtl_message_t message;
+static igtl_packet_t packet;
+
+void setUp(void)
+{
+    (void)memset(bytes, 0, sizeof bytes);
+    (void)memset(&message, 0, sizeof message);
+}
+
+void tearDown(void)
+{
+}
+
+static uint32_t unhex(const char *text)
+{
+    uint32_t length = 0U;
+
+    while (text[2U * length] != '\0') {
+        unsigned value = 0U;
+
+        TEST_ASSERT_EQUAL_INT(1, sscanf(&text[2U * length], "%2x", &value));
+        bytes[length] = (uint8_t)value;
+        length++;
+    }
+    return length;
+}
+
+static void put(uint32_t at, uint64_t value, uint32_t count)
+{
+    for (uint32_t i = 0U; i < count; i++) {
+        bytes[at + i] = (uint8_t)(value >> (8U * (count - 1U - i)));
+    }
+}
+
+/* A header in front of `body_bytes` that are in place, with their checksum. */
+static void frame(uint32_t version, const char *type, uint32_t body_bytes)
+{
+    put(0U, version, 2U);
+    (void)memset(&bytes[2], 0, 40U);
+    (void)memcpy(&bytes[2], type, strlen(type));
+    put(42U, body_bytes, 8U);
+    put(50U, igtl_crc64(0U, &bytes[IGTL_HEADER_BYTES], body_bytes), 8U);
+}
+
+static igtl_result_t decode(void)
+{
+    const igtl_result_t result = igtl_decode_header(bytes, &header);
+
+    return (result == IGTL_OK) ? igtl_decode_body(&header, &bytes[IGTL_HEADER_BYTES], &message) : result;
+}
+
+void test_SWR_IGTL_002_checksum_has_the_check_value_of_ecma_182(void)
+{
+    TEST_ASSERT_EQUAL_HEX64(0U, igtl_crc64(0U, NULL, 0U));
+    TEST_ASSERT_EQUAL_HEX64(UINT64_C(0x6C40DF5F0B497347), igtl_crc64(0U, (const uint8_t *)"123456789", 9U));
+    TEST_ASSERT_EQUAL_HEX64(UINT64_C(0x42F0E1EBA9EA3693), igtl_crc64(0U, (const uint8_t *)"\x01", 1U));
+}
+
+void test_SWR_IGTL_001_first_message_of_slicer_is_understood(void)
+{
+    TEST_ASSERT_EQUAL_UINT32(121U, unhex(slicer_status));
+    TEST_ASSERT_EQUAL_INT(IGTL_OK, decode());
+    TEST_ASSERT_EQUAL_INT(IGTL_KIND_STATUS, message.kind);
+    TEST_ASSERT_EQUAL_STRING("", message.name);
+    TEST_ASSERT_EQUAL_UINT32(0U, message.code);
+}
+
+void test_SWR_IGTL_001_string_of_slicer_is_understood(void)
+{
+    TEST_ASSERT_EQUAL_UINT32(124U, unhex(slicer_string));
+    TEST_ASSERT_EQUAL_INT(IGTL_OK, decode());
+    TEST_ASSERT_EQUAL_STRING("CMD_120000123456", message.name);
+    TEST_ASSERT_EQUAL_UINT32(8U, message.text_bytes);
+    TEST_ASSERT_EQUAL_MEMORY("START_UP", message.text, 8U);
+}
+
+void test_SWR_IGTL_001_transform_of_slicer_is_understood(void)
+{
+    static const uint32_t expected[12] = {ONE, 0U, 0U, 0U, ONE, 0U, 0U, 0U, ONE, ONE, 0x40000000U, 0x40400000U};
+
+    TEST_ASSERT_EQUAL_UINT32(222U, unhex(slicer_transform));
+    TEST_ASSERT_EQUAL_INT(IGTL_OK, decode());
+    TEST_ASSERT_EQUAL_STRING("CLB_120002123456", message.name);
+    TEST_ASSERT_EQUAL_HEX32_ARRAY(expected, message.numbers, 12U);
+}
+
+void test_SWR_IGTL_001_version_1_is_understood(void)
+{
+    igtl_encode_string(&packet, "CMD_1", "STOP", 0U);
+    (void)memcpy(bytes, packet.bytes, packet.length);
+    TEST_ASSERT_EQUAL_INT(IGTL_OK, decode());
+    TEST_ASSERT_EQUAL_UINT32(1U, header.version);
+    TEST_ASSERT_EQUAL_MEMORY("STOP", message.text, 4U);
+}
+
+void test_SWR_IGTL_001_other_versions_are_refused(void)
+{
+    frame(0U, "STATUS", 31U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_VERSION, decode());
+    frame(3U, "STATUS", 31U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_VERSION, decode());
+    frame(0x4745U, "STATUS", 31U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_VERSION, decode());
+}
+
+void test_SWR_IGTL_001_longer_extended_header_is_skipped(void)
+{
+    put(58U, 14U, 2U);
+    frame(2U, "GET_STATUS", 14U);
+    TEST_ASSERT_EQUAL_INT(IGTL_OK, decode());
+    TEST_ASSERT_EQUAL_UINT32(0U, message.content_bytes);
+}
+
+void test_SWR_IGTL_001_version_2_may_have_no_body(void)
+{
+    frame(2U, "GET_TRANSFOR", 0U);
+    TEST_ASSERT_EQUAL_INT(IGTL_OK, decode());
+    TEST_ASSERT_EQUAL_INT(IGTL_KIND_GET_TRANSFORM, message.kind);
+}
+
+void test_SWR_IGTL_002_every_flipped_bit_of_a_body_is_noticed(void)
+{
+    const uint32_t length = unhex(slicer_string);
+
+    for (uint32_t bit = 8U * IGTL_HEADER_BYTES; bit < (8U * length); bit++) {
+        bytes[bit / 8U] ^= (uint8_t)(1U << (bit % 8U));
+        TEST_ASSERT_EQUAL_INT(IGTL_BAD_CRC, decode());
+        bytes[bit / 8U] ^= (uint8_t)(1U << (bit % 8U));
+    }
+    TEST_ASSERT_EQUAL_INT(IGTL_OK, decode());
+}
+
+void test_SWR_IGTL_002_zero_checksum_is_wrong_too(void)
+{
+    (void)unhex(slicer_string);
+    put(50U, 0U, 8U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_CRC, decode());
+}
+
+void test_SWR_IGTL_003_known_type_has_a_longest_body(void)
+{
+    frame(1U, "STRING", LIMIT_IGTL_BODY_MAX);
+    TEST_ASSERT_EQUAL_INT(IGTL_OK, igtl_decode_header(bytes, &header));
+    put(42U, LIMIT_IGTL_BODY_MAX + 1U, 8U);
+    TEST_ASSERT_EQUAL_INT(IGTL_TOO_LONG, igtl_decode_header(bytes, &header));
+}
+
+void test_SWR_IGTL_003_huge_lengths_are_refused_without_arithmetic_on_them(void)
+{
+    static const uint64_t lengths[] = {UINT64_C(1) << 31U, UINT64_C(1) << 62U, UINT64_MAX, UINT64_MAX - 57U};
+
+    for (uint32_t i = 0U; i < 4U; i++) {
+        frame(1U, "TRANSFORM", 0U);
+        put(42U, lengths[i], 8U);
+        TEST_ASSERT_EQUAL_INT(IGTL_TOO_LONG, decode());
+        frame(1U, "IMAGE", 0U);
+        put(42U, lengths[i], 8U);
+        TEST_ASSERT_EQUAL_INT(IGTL_TOO_LONG, decode());
+    }
+}
+
+void test_SWR_IGTL_003_string_length_beyond_its_body_is_refused(void)
+{
+    put(58U, 3U, 2U);
+    put(60U, 65535U, 2U);
+    frame(1U, "STRING", 4U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_LENGTH, decode());
+    frame(1U, "STRING", 3U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_LENGTH, decode());
+}
+
+void test_SWR_IGTL_003_short_bodies_are_refused(void)
+{
+    frame(1U, "STATUS", 5U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_LENGTH, decode());
+    frame(1U, "STATUS", 29U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_LENGTH, decode());
+    frame(1U, "TRANSFORM", 10U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_LENGTH, decode());
+    frame(1U, "TRANSFORM", 49U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_LENGTH, decode());
+    frame(1U, "POINT", 100U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_LENGTH, decode());
+    frame(1U, "GET_STATUS", 1U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_LENGTH, decode());
+}
+
+void test_SWR_IGTL_003_extended_header_beyond_its_body_is_refused(void)
+{
+    put(58U, 60000U, 2U);
+    frame(2U, "STATUS", 43U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_EXTENSION, decode());
+    put(58U, 11U, 2U);
+    frame(2U, "STATUS", 43U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_EXTENSION, decode());
+    frame(2U, "STATUS", 11U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_EXTENSION, decode());
+}
+
+void test_SWR_IGTL_003_metadata_beyond_its_body_is_refused(void)
+{
+    put(58U, 12U, 2U);
+    put(60U, 2U, 2U);
+    put(62U, UINT32_MAX, 4U);
+    frame(2U, "STATUS", 45U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_EXTENSION, decode());
+}
+
+void test_SWR_IGTL_003_metadata_that_does_not_add_up_is_refused(void)
+{
+    (void)unhex(slicer_string);
+    put(60U, 0x11U, 2U); /* One byte fewer than two entries need. */
+    put(50U, igtl_crc64(0U, &bytes[58], 66U), 8U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_METADATA, decode());
+    (void)unhex(slicer_string);
+    put(86U - 2U, 0xFFFFU, 2U); /* Count of entries. */
+    put(50U, igtl_crc64(0U, &bytes[58], 66U), 8U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_METADATA, decode());
+}
+
+void test_SWR_IGTL_003_metadata_without_header_is_refused(void)
+{
+    put(58U, 12U, 2U);
+    put(62U, 4U, 4U);
+    frame(2U, "GET_STATUS", 16U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_METADATA, decode());
+    put(60U, 1U, 2U);
+    put(62U, 0U, 4U);
+    frame(2U, "GET_STATUS", 13U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_METADATA, decode());
+}
+
+void test_SWR_IGTL_003_content_of_three_bytes_is_no_transform(void)
+{
+    put(58U, 12U, 2U);
+    put(60U, 2U, 2U);
+    frame(2U, "TRANSFORM", 17U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_LENGTH, decode());
+}
+
+void test_SWR_IGTL_003_names_are_printable(void)
+{
+    frame(1U, "STATUS", 31U);
+    bytes[14] = 0x07U;
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_NAME, decode());
+    frame(1U, "ST\x80TUS", 31U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_NAME, decode());
+    frame(1U, "", 31U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_NAME, decode());
+}
+
+void test_SWR_IGTL_003_texts_are_printable_ascii(void)
+{
+    put(58U, 3U, 2U);
+    put(60U, 1U, 2U);
+    bytes[62] = 0x1BU;
+    frame(1U, "STRING", 5U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_TEXT, decode());
+    put(58U, 4U, 2U);
+    bytes[62] = (uint8_t)'A';
+    frame(1U, "STRING", 5U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_ENCODING, decode());
+    put(58U, 106U, 2U);
+    frame(1U, "STRING", 5U);
+    TEST_ASSERT_EQUAL_INT(IGTL_OK, decode());
+}
+
+void test_SWR_IGTL_003_names_may_fill_their_field(void)
+{
+    frame(1U, "GET_TRANSFOR", 0U);
+    (void)memcpy(&bytes[14], "CMD_1234567890123456", 20U);
+    TEST_ASSERT_EQUAL_INT(IGTL_OK, decode());
+    TEST_ASSERT_EQUAL_STRING("CMD_1234567890123456", message.name);
+}
+
+void test_SWR_IGTL_004_unknown_type_is_known_to_be_unknown(void)
+{
+    frame(1U, "IMAGE", 100U);
+    TEST_ASSERT_EQUAL_INT(IGTL_OK, igtl_decode_header(bytes, &header));
+    TEST_ASSERT_EQUAL_INT(IGTL_KIND_OTHER, header.kind);
+    put(42U, IGTL_SKIP_MAX, 8U);
+    TEST_ASSERT_EQUAL_INT(IGTL_OK, igtl_decode_header(bytes, &header));
+    put(42U, IGTL_SKIP_MAX + 1U, 8U);
+    TEST_ASSERT_EQUAL_INT(IGTL_TOO_LONG, igtl_decode_header(bytes, &header));
+}
+
+void test_SWR_IGTL_005_string_has_the_bytes_of_the_standard(void)
+{
+    igtl_encode_string(&packet, "ACK_0001", "START_UP", 0U);
+    TEST_ASSERT_EQUAL_UINT32(70U, packet.length);
+    TEST_ASSERT_EQUAL_MEMORY("\x00\x01STRING\0\0\0\0\0\0ACK_0001\0\0\0\0\0\0\0\0\0\0\0\0", packet.bytes, 34U);
+    TEST_ASSERT_EQUAL_MEMORY("\0\0\0\0\0\0\0\x0C", &packet.bytes[42], 8U);
+    TEST_ASSERT_EQUAL_MEMORY("\x00\x03\x00\x08START_UP", &packet.bytes[58], 12U);
+}
+
+void test_SWR_IGTL_005_status_ends_with_nul_and_cuts_its_error_name(void)
+{
+    const igtl_status_t status = {13U, "a name of twenty-two c", "text"};
+
+    igtl_encode_status(&packet, "CURRENT_STATUS", &status, 0U);
+    TEST_ASSERT_EQUAL_UINT32(58U + 30U + 5U, packet.length);
+    TEST_ASSERT_EQUAL_MEMORY("\x00\x0D\0\0\0\0\0\0\0\0a name of twenty-tw\0text", &packet.bytes[58], 35U);
+}
+
+void test_SWR_IGTL_005_long_names_and_texts_are_cut(void)
+{
+    char text[1000];
+
+    (void)memset(text, 'x', sizeof text - 1U);
+    text[sizeof text - 1U] = '\0';
+    igtl_encode_string(&packet, "a device name of thirty chars.", text, 0U);
+    TEST_ASSERT_EQUAL_UINT32(58U + 4U + IGTL_TEXT_MAX, packet.length);
+    TEST_ASSERT_EQUAL_MEMORY("a device name of thi\0", &packet.bytes[14], 21U);
+}
+
+void test_SWR_IGTL_005_point_has_136_bytes(void)
+{
+    static const uint32_t numbers[3] = {ONE, 0U, 0xBF800000U};
+
+    igtl_encode_point(&packet, "entry_point", numbers, 7U);
+    TEST_ASSERT_EQUAL_UINT32(58U + 136U, packet.length);
+    TEST_ASSERT_EQUAL_MEMORY("entry_point", &packet.bytes[58], 12U);
+    TEST_ASSERT_EQUAL_MEMORY("\x3F\x80\0\0\0\0\0\0\xBF\x80\0\0", &packet.bytes[58 + 100], 12U);
+    (void)memcpy(bytes, packet.bytes, packet.length);
+    TEST_ASSERT_EQUAL_INT(IGTL_OK, decode());
+}
+
+void test_SWR_IGTL_005_transform_is_read_back_bit_by_bit(void)
+{
+    uint32_t numbers[12];
+
+    for (uint32_t i = 0U; i < 12U; i++) {
+        numbers[i] = 0x7FC00001U * (i + 1U);
+    }
+    igtl_encode_transform(&packet, "ACK_1", numbers, UINT64_C(0x0102030405060708));
+    (void)memcpy(bytes, packet.bytes, packet.length);
+    TEST_ASSERT_EQUAL_INT(IGTL_OK, decode());
+    TEST_ASSERT_EQUAL_HEX32_ARRAY(numbers, message.numbers, 12U);
+    TEST_ASSERT_EQUAL_MEMORY("\1\2\3\4\5\6\7\x08", &packet.bytes[34], 8U);
+}
+
+void test_SWR_IGTL_002_each_refusal_has_a_name_and_a_code(void)
+{
+    for (int32_t i = (int32_t)IGTL_OK; i <= (int32_t)IGTL_INCOMPLETE; i++) {
+        TEST_ASSERT_NOT_NULL(strstr(igtl_result_text((igtl_result_t)i), ": "));
+    }
+    TEST_ASSERT_EQUAL_UINT32(IGTL_STATUS_CHECKSUM_ERROR, igtl_result_code(IGTL_BAD_CRC));
+    TEST_ASSERT_EQUAL_UINT32(IGTL_STATUS_OVERFLOW, igtl_result_code(IGTL_TOO_LONG));
+    TEST_ASSERT_EQUAL_UINT32(IGTL_STATUS_UNKNOWN_VERSION, igtl_result_code(IGTL_BAD_VERSION));
+    TEST_ASSERT_EQUAL_UINT32(IGTL_STATUS_TIME_OUT, igtl_result_code(IGTL_INCOMPLETE));
+    TEST_ASSERT_EQUAL_UINT32(IGTL_STATUS_CONFIG_ERROR, igtl_result_code(IGTL_BAD_LENGTH));
+}

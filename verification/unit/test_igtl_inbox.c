@@ -1,0 +1,178 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Rule under test: messages come out whole however their bytes arrive, what is unknown passes, what is wrong is named,
+ * and what stays incomplete is noticed.
+ */
+#include "igtl_codec.h"
+#include "igtl_inbox.h"
+#include "limits.h"
+#include "unity.h"
+
+#include <string.h>
+
+static igtl_inbox_t inbox;
+static igtl_packet_t packet;
+
+void setUp(void)
+{
+    igtl_inbox_init(&inbox);
+    igtl_encode_string(&packet, "CMD_1", "STOP", 0U);
+}
+
+void tearDown(void)
+{
+}
+
+/* Hands in bytes, `piece` at a time; the last event. */
+static igtl_inbox_event_t feed(const uint8_t *bytes, uint32_t length, uint32_t piece, uint64_t now_us)
+{
+    igtl_inbox_event_t event = IGTL_INBOX_WAITING;
+    uint32_t used = 0U;
+
+    while ((used < length) && (event == IGTL_INBOX_WAITING)) {
+        uint8_t *where;
+        uint32_t room = igtl_inbox_room(&inbox, &where);
+
+        room = (room < piece) ? room : piece;
+        room = (room < (length - used)) ? room : (length - used);
+        (void)memcpy(where, &bytes[used], room);
+        event = igtl_inbox_advance(&inbox, room, now_us);
+        used += room;
+    }
+    TEST_ASSERT_EQUAL_UINT32(length, used);
+    return event;
+}
+
+static void retype(const char *type)
+{
+    (void)memset(&packet.bytes[2], 0, 12U);
+    (void)memcpy(&packet.bytes[2], type, strlen(type));
+}
+
+void test_SWR_IGTL_003_message_in_single_bytes_is_whole(void)
+{
+    for (uint32_t piece = 1U; piece < 80U; piece++) {
+        TEST_ASSERT_EQUAL_INT(IGTL_INBOX_MESSAGE, feed(packet.bytes, packet.length, piece, 0U));
+        TEST_ASSERT_EQUAL_STRING("CMD_1", inbox.message.name);
+        TEST_ASSERT_EQUAL_MEMORY("STOP", inbox.message.text, 4U);
+    }
+}
+
+void test_SWR_IGTL_003_room_never_reaches_into_the_next_message(void)
+{
+    uint8_t *where;
+
+    TEST_ASSERT_EQUAL_INT(IGTL_INBOX_WAITING, feed(packet.bytes, IGTL_HEADER_BYTES, 58U, 0U));
+    TEST_ASSERT_EQUAL_UINT32(packet.length - IGTL_HEADER_BYTES, igtl_inbox_room(&inbox, &where));
+}
+
+void test_SWR_IGTL_002_wrong_checksum_is_refused_and_the_next_message_is_read(void)
+{
+    packet.bytes[60] ^= 1U;
+    TEST_ASSERT_EQUAL_INT(IGTL_INBOX_REFUSED, feed(packet.bytes, packet.length, 100U, 0U));
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_CRC, inbox.reason);
+    packet.bytes[60] ^= 1U;
+    TEST_ASSERT_EQUAL_INT(IGTL_INBOX_MESSAGE, feed(packet.bytes, packet.length, 100U, 0U));
+}
+
+void test_SWR_IGTL_004_unknown_type_passes_and_the_next_message_is_read(void)
+{
+    retype("SENSOR");
+    TEST_ASSERT_EQUAL_INT(IGTL_INBOX_SKIPPED, feed(packet.bytes, packet.length, 7U, 0U));
+    retype("STRING");
+    TEST_ASSERT_EQUAL_INT(IGTL_INBOX_MESSAGE, feed(packet.bytes, packet.length, 7U, 0U));
+}
+
+void test_SWR_IGTL_004_unknown_type_without_body_passes(void)
+{
+    retype("STP_TDATA");
+    (void)memset(&packet.bytes[42], 0, 16U);
+    TEST_ASSERT_EQUAL_INT(IGTL_INBOX_SKIPPED, feed(packet.bytes, IGTL_HEADER_BYTES, 58U, 0U));
+}
+
+void test_SWR_IGTL_004_image_much_longer_than_the_buffer_passes(void)
+{
+    static uint8_t image[100000];
+    uint8_t header[IGTL_HEADER_BYTES] = {0U, 1U, 'I', 'M', 'A', 'G', 'E'};
+    uint64_t crc;
+
+    (void)memset(image, 0x5A, sizeof image);
+    crc = igtl_crc64(0U, image, sizeof image);
+    header[47] = (uint8_t)(sizeof image >> 16U);
+    header[48] = (uint8_t)(sizeof image >> 8U);
+    header[49] = (uint8_t)(sizeof image & 0xFFU);
+    for (uint32_t i = 0U; i < 8U; i++) {
+        header[50U + i] = (uint8_t)(crc >> (56U - (8U * i)));
+    }
+    TEST_ASSERT_EQUAL_INT(IGTL_INBOX_WAITING, feed(header, sizeof header, 58U, 0U));
+    TEST_ASSERT_EQUAL_INT(IGTL_INBOX_SKIPPED, feed(image, sizeof image, 5000U, 0U));
+    TEST_ASSERT_EQUAL_INT(IGTL_INBOX_MESSAGE, feed(packet.bytes, packet.length, 58U, 0U));
+}
+
+void test_SWR_IGTL_002_wrong_checksum_of_an_unknown_type_is_refused(void)
+{
+    retype("SENSOR");
+    packet.bytes[57] ^= 1U;
+    TEST_ASSERT_EQUAL_INT(IGTL_INBOX_REFUSED, feed(packet.bytes, packet.length, 7U, 0U));
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_CRC, inbox.reason);
+}
+
+void test_SWR_IGTL_011_garbage_breaks_the_connection(void)
+{
+    TEST_ASSERT_EQUAL_INT(IGTL_INBOX_BROKEN,
+                          feed((const uint8_t *)"GET / HTTP/1.1\r\nHost: robot\r\nUser-Agent: somebody else\r\n\r\n",
+                               58U, 58U, 0U));
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_VERSION, inbox.reason);
+}
+
+void test_SWR_IGTL_011_half_a_message_is_late_after_its_time(void)
+{
+    TEST_ASSERT_FALSE(igtl_inbox_is_late(&inbox, UINT64_C(1000000000)));
+    (void)feed(packet.bytes, 60U, 30U, 1000U);
+    TEST_ASSERT_FALSE(igtl_inbox_is_late(&inbox, 1000U + LIMIT_IGTL_PARTIAL_TIMEOUT_US - 1U));
+    TEST_ASSERT_TRUE(igtl_inbox_is_late(&inbox, 1000U + LIMIT_IGTL_PARTIAL_TIMEOUT_US));
+}
+
+void test_SWR_IGTL_011_dripping_bytes_does_not_extend_the_time(void)
+{
+    (void)feed(packet.bytes, 1U, 1U, 0U);
+    (void)feed(&packet.bytes[1], 1U, 1U, LIMIT_IGTL_PARTIAL_TIMEOUT_US - 1U);
+    TEST_ASSERT_TRUE(igtl_inbox_is_late(&inbox, LIMIT_IGTL_PARTIAL_TIMEOUT_US));
+}
+
+void test_SWR_IGTL_011_whole_message_ends_the_wait(void)
+{
+    (void)feed(packet.bytes, packet.length, 30U, 0U);
+    TEST_ASSERT_FALSE(igtl_inbox_is_late(&inbox, LIMIT_IGTL_PARTIAL_TIMEOUT_US));
+}
+
+void test_SWR_IGTL_011_random_bytes_never_leave_the_buffer(void)
+{
+    uint32_t seed = 1U;
+
+    for (uint32_t round = 0U; round < 20000U; round++) {
+        uint8_t bytes[200];
+        uint32_t length;
+        uint8_t *where;
+
+        igtl_encode_string(&packet, "CMD_1", "TARGETING", 0U);
+        length = packet.length;
+        (void)memcpy(bytes, packet.bytes, length);
+        for (uint32_t flips = 0U; flips < 3U; flips++) {
+            seed = (seed * 1664525U) + 1013904223U;
+            bytes[(seed >> 8U) % length] = (uint8_t)(seed >> 24U);
+        }
+        igtl_inbox_init(&inbox);
+        for (uint32_t i = 0U; i < length; i++) {
+            const uint32_t room = igtl_inbox_room(&inbox, &where);
+
+            TEST_ASSERT_TRUE((room >= 1U) && (where >= inbox.buffer) &&
+                             ((where + room) <= (inbox.buffer + sizeof inbox.buffer)));
+            *where = bytes[i];
+            if (igtl_inbox_advance(&inbox, 1U, 0U) == IGTL_INBOX_BROKEN) {
+                break;
+            }
+        }
+    }
+}
