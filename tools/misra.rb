@@ -15,9 +15,11 @@
 # Exit 1 on a finding without deviation, on a deviation that accepts nothing, and on a suppression
 # without record.
 
+require 'fileutils'
 require 'open3'
 require 'optparse'
 require 'rexml/document'
+require 'tmpdir'
 require_relative 'trace/requirements'
 
 # One message of cppcheck.
@@ -44,6 +46,9 @@ class Cppcheck
   USERS = %w[bsp/sim/*.c app/control/*.c app/replay/*.c].freeze
   FOLDERS = %w[build/gen/charts build/gen/limits build/gen/robot build/gen/names bsp/include bsp/sim app/exchange
                app/control app/replay app/recorder].freeze
+  COPIED = %w[core/**/*.{c,h} build/gen/*/*.{c,h} bsp/**/*.{c,h} app/*/*.{c,h} verification/misra/*.cfg].freeze
+  # What would leave a file out.
+  UNREAD = %w[syntaxError internalError internalAstError preprocessorErrorDirective cppcheckError].freeze
   # Without its library's headers cppcheck knows the 64-bit constants by value only, and not by type.
   OPTIONS = %w[--addon=misra --enable=warning,style,performance,portability,information --inline-suppr
                --std=c99 --platform=unix64 --xml --quiet --library=verification/misra/contract.cfg
@@ -60,14 +65,29 @@ class Cppcheck
   end
 
   def findings
-    _, xml, status = Open3.capture3('cppcheck', *OPTIONS, *includes, *files, *glob(USERS), chdir: @root)
-    raise "cppcheck failed: #{xml[0, 400]}" unless status.success?
+    Dir.mktmpdir do |folder|
+      errors = REXML::Document.new(run(folder)).get_elements('//error')
+      unread = errors.find { |error| UNREAD.include?(error['id']) }
+      raise "cppcheck: #{unread['id']}: #{unread['verbose']}" if unread
 
-    REXML::Document.new(xml).get_elements('//error').filter_map { |error| finding(error) }
-                   .uniq.sort_by { |finding| [finding.file, finding.line, finding.rule] }
+      errors.filter_map { |error| finding(error, folder) }.uniq
+            .sort_by { |found| [found.file, found.line, found.rule] }
+    end
   end
 
   private
+
+  # Works on a copy: cppcheck leaves files beside the sources while it runs.
+  def run(folder)
+    glob(COPIED).each do |file|
+      FileUtils.mkdir_p(File.join(folder, File.dirname(file)))
+      FileUtils.cp(File.join(@root, file), File.join(folder, file))
+    end
+    _, xml, status = Open3.capture3('cppcheck', *OPTIONS, *includes, *files, *glob(USERS), chdir: folder)
+    raise "cppcheck failed: #{xml[0, 400]}" unless status.success?
+
+    xml
+  end
 
   def glob(patterns)
     patterns.flat_map { |pattern| Dir.glob(pattern, base: @root).sort }
@@ -77,20 +97,20 @@ class Cppcheck
     (glob(%w[core/*/]).map { |folder| folder.chomp('/') } + glob(FOLDERS)).map { |folder| "-I#{folder}" }
   end
 
-  def finding(error)
+  def finding(error, folder)
     place = error.elements['location']
     return nil unless place && place['file'].match?(CHECKED)
 
     file = place['file']
     line = place['line'].to_i
-    MisraFinding.new(rule: error['id'], file: file, line: line, message: message(error, file, line))
+    MisraFinding.new(rule: error['id'], file: file, line: line, message: message(error, File.join(folder, file), line))
   end
 
   # The addon has no texts of the rules, so the line itself is shown.
   def message(error, file, line)
     return error['msg'] unless error['id'].start_with?('misra')
 
-    File.readlines(File.join(@root, file))[line - 1].to_s.strip
+    File.readlines(file)[line - 1].to_s.strip
   end
 end
 

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: Apache-2.0
+# What `make test` runs; included by the Makefile.
+
+.PHONY: gate gates unit misra sanitize arm console-test objects trace bench demo coverage-gaps
+
+test: bootstrap-test ## Run everything that can fail; the last line is `N passed, N failed`
+	@ruby tools/gates.rb
+
+gate: bootstrap-test ## Run one gate again: make gate NAME=unit
+	@ruby tools/gates.rb $(NAME)
+
+ALL_APP := $(wildcard app/*/*.c bsp/sim/*.c)
+OBJECTS := $(call object,$(CORE_SOURCES) $(ALL_APP) $(GEN)/names/names.c $(GEN)/assets/assets.c $(GEN)/assets/chart_names.c)
+
+objects: $(OBJECTS)
+
+unit: $(GENERATED) .tools/gems/bin/ceedling ## Unit and integration tests with coverage
+	@mkdir -p build/results
+	$(CEEDLING) gcov:all
+	ruby tools/results.rb ceedling build/ceedling/artifacts/gcov/tests_report.json >build/results/unit.json
+	ruby tools/uncovered.rb
+
+misra: $(GENERATED) ## MISRA findings of the core
+	ruby tools/misra.rb
+
+TESTED := $(filter-out %_main.c app/http/% app/supervisor/% app/control/% app/replay/% bsp/sim/bsp_sim.c,$(CORE_SOURCES) $(ALL_APP)) \
+    $(GEN)/names/names.c
+$(OUT)/libtest.a: $(call object,$(TESTED))
+	@rm -f $@; ar rcs $@ $^
+
+sanitize: ## All C tests under AddressSanitizer and UBSan
+	@$(MAKE) --no-print-directory -j2 CONFIG=asan build/asan/libtest.a
+	ruby tools/c_tests.rb asan
+
+ARM_TESTED := $(filter-out app/%,$(TESTED))
+$(OUT)/libtest-core.a: $(call object,$(ARM_TESTED))
+	@rm -f $@; ar rcs $@ $^
+
+arm: ## The core's tests as Cortex-A9 code
+	@$(MAKE) --no-print-directory -j2 CONFIG=arm build/arm/libtest-core.a
+	@cp build/arm/libtest-core.a build/arm/libtest.a
+	ruby tools/c_tests.rb arm
+
+console-test: app/console/node_modules/.installed $(GENERATED)
+	cd app/console && npm run --silent typecheck && npm run --silent format:check
+	@mkdir -p build/results
+	cd app/console && npm test --silent
+	ruby tools/results.rb vitest build/console-tests.json >build/results/console.json
+
+trace: ## Every requirement with its parents, places, tests and verdict
+	@ruby tools/trace.rb matrix

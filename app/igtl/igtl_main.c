@@ -4,6 +4,7 @@
  * The OpenIGTLink process: workphase protocol on one port, bare transforms on another. Waits for sockets, passes
  * commands to the controller and its answers back. It has no part in motion: it may end at any time.
  */
+#include "contract.h"
 #include "exchange.h"
 #include "igtl_server.h"
 #include "transform_dialect.h"
@@ -51,6 +52,12 @@ typedef struct {
 
 static process_t process;
 static volatile sig_atomic_t must_end;
+
+void contract_broken(const char *module, uint32_t id)
+{
+    (void)fprintf(stderr, "boresight-igtl: contract %s/%u is broken\n", module, (unsigned)id);
+    abort();
+}
 
 static void on_end(int signal_number)
 {

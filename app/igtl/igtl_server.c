@@ -221,7 +221,9 @@ void igtl_server_send(igtl_server_t *self, const igtl_moment_t *moment)
 {
     for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
         if ((self->connections[i].descriptor >= 0) && !igtl_connection_flush(&self->connections[i])) {
-            log_trouble(self, IGTL_TROUBLE_SLOW, "", moment->now_us);
+            if (self->connections[i].outbox.has_overflowed) {
+                log_trouble(self, IGTL_TROUBLE_SLOW, "", moment->now_us);
+            }
             drop(self, i);
         }
     }

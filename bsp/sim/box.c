@@ -23,7 +23,8 @@ static double start_position(const axis_config_t *config, uint32_t index)
     return position;
 }
 
-static void init_axis(box_axis_t *self, const axis_config_t *config, uint32_t index, sim_random_t *random)
+static void init_axis(box_axis_t *self, const axis_config_t *config, uint32_t index,
+                      sim_random_t *random)
 {
     const double position = start_position(config, index);
     const int32_t reading =
@@ -61,7 +62,8 @@ static bool exchange_card(box_axis_t *axis, const uint8_t frame[CARD_FRAME_BYTES
     return true;
 }
 
-uint32_t box_exchange(box_t *self, uint32_t send, const uint8_t frames[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES],
+uint32_t box_exchange(box_t *self, uint32_t send,
+                      const uint8_t frames[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES],
                       uint8_t received[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES])
 {
     uint32_t answered = 0U;
@@ -81,7 +83,8 @@ static void step_axis(box_axis_t *axis, uint32_t start_us, bool is_powered, bool
     const double before_ticks = axis->motor.position_ticks;
 
     sim_motor_step(&axis->motor, &axis->card.applied, is_powered);
-    sim_encoder_step(&axis->encoder, before_ticks, axis->motor.position_ticks, start_us, is_scanning);
+    sim_encoder_step(&axis->encoder, before_ticks, axis->motor.position_ticks, start_us,
+                     is_scanning);
     sim_switch_step(&axis->limit_switch, axis->motor.position_ticks);
     sim_card_step(&axis->card, &axis->encoder, axis->limit_switch.is_active, is_powered);
 }

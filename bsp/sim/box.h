@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The simulated control box: daughter cards with their axes in up to ten slots, a two-channel foot pedal, an
- * emergency stop, a scanner signal, and orders that press, pull and break them. It has no clock of its own:
- * box_advance() is its time. The same seed and the same calls give the same bytes.
+ * The simulated control box: daughter cards with their axes in up to ten slots, a two-channel foot
+ * pedal, an emergency stop, a scanner signal, and orders that press, pull and break them. It has no
+ * clock of its own: box_advance() is its time. The same seed and the same calls give the same
+ * bytes.
  *
- * Direction bit 1 makes a position grow unless the axis' motor is inverted; a reading grows with the position
- * unless its encoder is inverted. Readings start anywhere, that of axis 1 just below the wrap of int32_t.
+ * Direction bit 1 makes a position grow unless the axis' motor is inverted; a reading grows with
+ * the position unless its encoder is inverted. Readings start anywhere, that of axis 1 just below
+ * the wrap of int32_t.
  */
 #ifndef BORESIGHT_BOX_H
 #define BORESIGHT_BOX_H
@@ -58,19 +60,22 @@ typedef struct {
     box_contact_t pedal_b;
     bool estop_open;
     bool scanner_active;
-    uint64_t time_us;     /**< Whole steps done. */
-    uint32_t pending_us;  /**< Time not yet stepped, below SIM_STEP_US. */
+    uint64_t time_us;    /**< Whole steps done. */
+    uint32_t pending_us; /**< Time not yet stepped, below SIM_STEP_US. */
 } box_t;
 
-/** Switches on a box with the axes of `robot`, which must outlive it; all axes off their home positions. */
+/** Switches on a box with the axes of `robot`, which must outlive it; all axes off their home
+ * positions. */
 void box_init(box_t *self, const robot_t *robot, uint32_t seed);
 
 /**
- * Full-duplex exchange with the slots of `send`. Each card's report is from before it reads its command.
+ * Full-duplex exchange with the slots of `send`. Each card's report is from before it reads its
+ * command.
  *
  * @return bit n set: `received[n]` was filled by slot n
  */
-uint32_t box_exchange(box_t *self, uint32_t send, const uint8_t frames[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES],
+uint32_t box_exchange(box_t *self, uint32_t send,
+                      const uint8_t frames[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES],
                       uint8_t received[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES]);
 
 /** Lets `us` pass, in steps of SIM_STEP_US; a rest is kept for the next call. */
@@ -83,8 +88,8 @@ bsp_inputs_t box_inputs(const box_t *self);
 void box_true_positions(const box_t *self, double positions_ticks[ROBOT_AXIS_COUNT]);
 
 /**
- * Carries out one order, for example "card 3 silent" or "pedal press"; box_orders() lists them. A slot may be given
- * by its number or by its axis' name.
+ * Carries out one order, for example "card 3 silent" or "pedal press"; box_orders() lists them. A
+ * slot may be given by its number or by its axis' name.
  *
  * @param reply receives what was done, or the table asked for, or one sentence why it was refused
  * @return false when the order was refused; then nothing has changed

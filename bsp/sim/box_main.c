@@ -38,7 +38,8 @@ static bool parse_seed(const char *text, uint32_t *seed)
 
     errno = 0;
     const unsigned long long value = strtoull(text, &rest, 10);
-    if ((errno != 0) || (rest == text) || (*rest != '\0') || (text[0] == '-') || (value > UINT32_MAX)) {
+    if ((errno != 0) || (rest == text) || (*rest != '\0') || (text[0] == '-') ||
+        (value > UINT32_MAX)) {
         return false;
     }
     *seed = (uint32_t)value;
@@ -128,7 +129,8 @@ static void run(wire_t *wire)
         const uint64_t now_us = wire_now_us();
         const uint64_t elapsed_us = now_us - last_us;
         last_us = now_us;
-        box_advance(&box, (elapsed_us < LONGEST_STRIDE_US) ? (uint32_t)elapsed_us : LONGEST_STRIDE_US);
+        box_advance(&box,
+                    (elapsed_us < LONGEST_STRIDE_US) ? (uint32_t)elapsed_us : LONGEST_STRIDE_US);
         publish_inputs(wire);
         serve_exchange(wire);
         serve_order(wire);
@@ -164,8 +166,9 @@ int main(int count, char **words)
         return 1;
     }
     const bool is_real_time = ask_for_real_time();
-    (void)printf("boresight-box: ready as \"%s\", robot %s, seed %u, %s\n", options.name, robot_neuro.name,
-                 (unsigned)options.seed, is_real_time ? "SCHED_FIFO 70" : "without real-time scheduling");
+    (void)printf("boresight-box: ready as \"%s\", robot %s, seed %u, %s\n", options.name,
+                 robot_neuro.name, (unsigned)options.seed,
+                 is_real_time ? "SCHED_FIFO 70" : "without real-time scheduling");
     (void)fflush(stdout);
     run(port.wire);
     wire_close(&port, WIRE_END_BOX);

@@ -42,7 +42,8 @@ static void say(reply_t *reply, const char *format, ...)
     va_list arguments;
 
     va_start(arguments, format);
-    const int written = vsnprintf(reply->text + reply->length, reply->size - reply->length, format, arguments);
+    const int written =
+        vsnprintf(reply->text + reply->length, reply->size - reply->length, format, arguments);
     va_end(arguments);
     if (written > 0) {
         reply->length += (size_t)written;
@@ -172,7 +173,8 @@ static bool order_motor(box_axis_t *axis, const char *word)
 
 static bool is_axis_order(const order_t *order)
 {
-    return is_word(order, 0U, "card") || is_word(order, 0U, "encoder") || is_word(order, 0U, "motor");
+    return is_word(order, 0U, "card") || is_word(order, 0U, "encoder") ||
+           is_word(order, 0U, "motor");
 }
 
 static bool order_axis(const order_t *order, box_axis_t *axis)
@@ -202,7 +204,8 @@ static const char *encoder_word(const box_axis_t *axis)
 static void show_axis(const box_axis_t *axis, reply_t *reply)
 {
     const bool is_mm = axis->config->unit == (uint8_t)AXIS_UNIT_MM;
-    const double units = axis->motor.position_ticks * (double)axis->config->unit_per_tick_q16 / 65536.0;
+    const double units =
+        axis->motor.position_ticks * (double)axis->config->unit_per_tick_q16 / 65536.0;
     const double shown = is_mm ? units / 1e6 : units * 360.0 / TURN_BAM;
     const card_drive_t *drive = &axis->card.applied;
     char driven[24] = "off";
@@ -214,8 +217,9 @@ static void show_axis(const box_axis_t *axis, reply_t *reply)
     if (drive->mode == (uint32_t)CARD_DRIVE_NON_PWM) {
         (void)snprintf(driven, sizeof driven, "%c run", (drive->direction != 0U) ? '+' : '-');
     }
-    say(reply, "%4u  %-10s %11.4f %-3s %11.1f  %-9s %-7s %-8s %-9s %-7s %5u\n", (unsigned)axis->config->slot,
-        axis->config->name, shown, is_mm ? "mm" : "deg", axis->motor.position_ticks, driven,
+    say(reply, "%4u  %-10s %11.4f %-3s %11.1f  %-9s %-7s %-8s %-9s %-7s %5u\n",
+        (unsigned)axis->config->slot, axis->config->name, shown, is_mm ? "mm" : "deg",
+        axis->motor.position_ticks, driven,
         (axis->config->limit_switch == (uint8_t)LIMIT_SWITCH_NONE) ? "none"
         : axis->limit_switch.is_active                             ? "active"
                                                                    : "free",
@@ -229,8 +233,8 @@ static void show(const box_t *self, reply_t *reply)
         (double)self->time_us / 1e6, self->pedal_a.is_closed ? "closed" : "open",
         self->pedal_b.is_closed ? "closed" : "open", self->estop_open ? "pulled" : "closed",
         self->scanner_active ? "on" : "off");
-    say(reply, "%4s  %-10s %11s %-3s %11s  %-9s %-7s %-8s %-9s %-7s %5s\n", "slot", "axis", "position", "",
-        "ticks", "drive", "switch", "card", "encoder", "motor", "trips");
+    say(reply, "%4s  %-10s %11s %-3s %11s  %-9s %-7s %-8s %-9s %-7s %5s\n", "slot", "axis",
+        "position", "", "ticks", "drive", "switch", "card", "encoder", "motor", "trips");
     for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
         show_axis(&self->axes[i], reply);
     }

@@ -55,7 +55,8 @@ bsp_inputs_t bsp_sample_inputs(void)
     last_beat = beat;
     if (beat_age >= STALE_SAMPLES) {
         beat_age = STALE_SAMPLES;
-        return (bsp_inputs_t){.pedal_a = false, .pedal_b = false, .estop_open = true, .scanner_active = false};
+        return (bsp_inputs_t){
+            .pedal_a = false, .pedal_b = false, .estop_open = true, .scanner_active = false};
     }
     return (bsp_inputs_t){.pedal_a = (inputs & WIRE_INPUT_PEDAL_A) != 0U,
                           .pedal_b = (inputs & WIRE_INPUT_PEDAL_B) != 0U,

@@ -41,8 +41,10 @@ static bool is_drive_suitable(const sim_card_t *self, const card_drive_t *drive)
     if (drive->mode == (uint32_t)CARD_DRIVE_OFF) {
         return true;
     }
-    return ((drive->mode == (uint32_t)CARD_DRIVE_PWM) && (self->card_type == (uint32_t)CARD_TYPE_PWM)) ||
-           ((drive->mode == (uint32_t)CARD_DRIVE_NON_PWM) && (self->card_type == (uint32_t)CARD_TYPE_NON_PWM));
+    return ((drive->mode == (uint32_t)CARD_DRIVE_PWM) &&
+            (self->card_type == (uint32_t)CARD_TYPE_PWM)) ||
+           ((drive->mode == (uint32_t)CARD_DRIVE_NON_PWM) &&
+            (self->card_type == (uint32_t)CARD_TYPE_NON_PWM));
 }
 
 static void apply_command(sim_card_t *self)
@@ -165,7 +167,8 @@ static void step_temperature(sim_card_t *self)
     self->motor_temperature_c += (settled_c - self->motor_temperature_c) * HEATING_PER_STEP;
 }
 
-void sim_card_step(sim_card_t *self, const sim_encoder_t *encoder, bool is_limit_active, bool is_powered)
+void sim_card_step(sim_card_t *self, const sim_encoder_t *encoder, bool is_limit_active,
+                   bool is_powered)
 {
     self->time_us += SIM_STEP_US;
     self->uptime_us += SIM_STEP_US;
@@ -184,8 +187,8 @@ static uint32_t status_bits(const sim_card_t *self, const sim_encoder_t *encoder
         ((self->command.control & CARD_CONTROL_AMPLIFIER) != 0U)) {
         status |= CARD_STATUS_AMPLIFIER_ON;
     }
-    if ((encoder->edges > 0U) ||
-        ((encoder->stamps_us[0] != 0U) && (self->time_us - encoder->stamps_us[0] < SIM_CARD_MOVING_US))) {
+    if ((encoder->edges > 0U) || ((encoder->stamps_us[0] != 0U) &&
+                                  (self->time_us - encoder->stamps_us[0] < SIM_CARD_MOVING_US))) {
         status |= CARD_STATUS_MOVING;
     }
     if (encoder->illegal_edges > 0U) {

@@ -20,8 +20,8 @@ static double edge_of(const sim_encoder_t *self, int32_t state)
     return (double)state + self->edge_offsets[(uint32_t)state & 3U];
 }
 
-void sim_encoder_init(sim_encoder_t *self, const axis_config_t *axis, double position_ticks, int32_t reading,
-                      uint32_t seed)
+void sim_encoder_init(sim_encoder_t *self, const axis_config_t *axis, double position_ticks,
+                      int32_t reading, uint32_t seed)
 {
     *self = (sim_encoder_t){.random = {seed},
                             .is_inverted = axis->is_encoder_inverted != 0U,
@@ -109,8 +109,8 @@ static void step_noise(sim_encoder_t *self, uint32_t start_us, bool is_scanning)
         disturb(self, time_us);
     } else if (self->displaced != 0) {
         end_burst(self, time_us);
-    } else if (is_scanning &&
-               (sim_random_below(&self->random, 1000000U / SIM_STEP_US) < SIM_ENCODER_BURSTS_PER_S)) {
+    } else if (is_scanning && (sim_random_below(&self->random, 1000000U / SIM_STEP_US) <
+                               SIM_ENCODER_BURSTS_PER_S)) {
         self->burst_edges = 1U + sim_random_below(&self->random, SIM_ENCODER_BURST_EDGES);
     } else {
         /* quiet */

@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "sim_motor.h"
 
-/* 1 - exp(-step / time constant), written out so that no mathematics library decides about the last bit. */
+/* 1 - exp(-step / time constant), written out so that no mathematics library decides about the last
+ * bit. */
 #define RISE_SHARE 0.006644493744965585
 #define FALL_SHARE 0.06449301496838226
 #define STEP_S 0.0001
 #define STOP_BEYOND_TICKS 60.0
 #define STOP_BEYOND_SHARE 0.02
 
-void sim_motor_init(sim_motor_t *self, const axis_config_t *axis, double position_ticks, double asymmetry)
+void sim_motor_init(sim_motor_t *self, const axis_config_t *axis, double position_ticks,
+                    double asymmetry)
 {
     const double range = (double)axis->maximum_ticks - (double)axis->minimum_ticks;
     const double beyond = range * STOP_BEYOND_SHARE;
@@ -87,7 +89,8 @@ void sim_motor_step(sim_motor_t *self, const card_drive_t *drive, bool is_powere
         self->speed_ticks_per_s = 0.0;
         return;
     }
-    self->speed_ticks_per_s = approach(self->speed_ticks_per_s, sim_motor_steady_speed(self, drive));
+    self->speed_ticks_per_s =
+        approach(self->speed_ticks_per_s, sim_motor_steady_speed(self, drive));
     self->position_ticks += self->speed_ticks_per_s * STEP_S;
     if (self->position_ticks > self->highest_ticks) {
         self->position_ticks = self->highest_ticks;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * An ultrasonic motor with its gear, as a source of speed in encoder ticks. It holds by friction when it is off,
- * does not turn below a tenth of its full speed, starts slowly and stops fast.
+ * An ultrasonic motor with its gear, as a source of speed in encoder ticks. It holds by friction
+ * when it is off, does not turn below a tenth of its full speed, starts slowly and stops fast.
  */
 #ifndef BORESIGHT_SIM_MOTOR_H
 #define BORESIGHT_SIM_MOTOR_H
@@ -12,29 +12,31 @@
 
 #include <stdbool.h>
 
-#define SIM_STEP_US 100U           /**< The one step of all simulated physics. */
-#define SIM_MOTOR_RISE_US 15000U   /**< Time constant of gaining speed. */
-#define SIM_MOTOR_FALL_US 1500U    /**< Time constant of losing speed while driven. */
-#define SIM_MOTOR_SLOWEST 0.1      /**< Share of full speed below which friction wins. */
-#define SIM_MOTOR_ASYMMETRY 0.03   /**< Largest difference of the two directions from full speed. */
+#define SIM_STEP_US 100U         /**< The one step of all simulated physics. */
+#define SIM_MOTOR_RISE_US 15000U /**< Time constant of gaining speed. */
+#define SIM_MOTOR_FALL_US 1500U  /**< Time constant of losing speed while driven. */
+#define SIM_MOTOR_SLOWEST 0.1    /**< Share of full speed below which friction wins. */
+#define SIM_MOTOR_ASYMMETRY 0.03 /**< Largest difference of the two directions from full speed. */
 
 /** State and constants of one motor; fields may be set by the box's fault orders. */
 typedef struct {
     double full_speed_ticks_per_s;
-    double asymmetry;        /**< Speed is (1 + asymmetry) times nominal upwards, (1 - asymmetry) downwards. */
-    double minimum_duty;     /**< Duty that turns the motor at SIM_MOTOR_SLOWEST of full speed. */
-    double maximum_duty;     /**< Duty of full speed. */
-    double lowest_ticks;     /**< Hard stops. */
+    double asymmetry;    /**< Speed is (1 + asymmetry) times nominal upwards, (1 - asymmetry)
+                            downwards. */
+    double minimum_duty; /**< Duty that turns the motor at SIM_MOTOR_SLOWEST of full speed. */
+    double maximum_duty; /**< Duty of full speed. */
+    double lowest_ticks; /**< Hard stops. */
     double highest_ticks;
-    double load;             /**< Share 0..1 of the greatest torque that the load takes, in both directions. */
-    bool is_inverted;        /**< Direction bit 1 makes the position smaller. */
-    bool is_blocked;         /**< The shaft cannot turn. */
-    double position_ticks;   /**< True position. */
+    double load; /**< Share 0..1 of the greatest torque that the load takes, in both directions. */
+    bool is_inverted;      /**< Direction bit 1 makes the position smaller. */
+    bool is_blocked;       /**< The shaft cannot turn. */
+    double position_ticks; /**< True position. */
     double speed_ticks_per_s;
 } sim_motor_t;
 
 /** A motor at rest at `position_ticks`; `asymmetry` within +-SIM_MOTOR_ASYMMETRY. */
-void sim_motor_init(sim_motor_t *self, const axis_config_t *axis, double position_ticks, double asymmetry);
+void sim_motor_init(sim_motor_t *self, const axis_config_t *axis, double position_ticks,
+                    double asymmetry);
 
 /**
  * Signed speed that `drive` settles to, ticks/s; 0 when off, in the dead zone or overloaded.
@@ -43,7 +45,8 @@ void sim_motor_init(sim_motor_t *self, const axis_config_t *axis, double positio
 double sim_motor_steady_speed(const sim_motor_t *self, const card_drive_t *drive);
 
 /**
- * Advances by SIM_STEP_US. Without `is_powered`, or with the drive off, it stops within the step and holds.
+ * Advances by SIM_STEP_US. Without `is_powered`, or with the drive off, it stops within the step
+ * and holds.
  *
  * @satisfies SWR-BOX-002
  */

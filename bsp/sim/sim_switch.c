@@ -22,11 +22,13 @@ static bool is_pressed(const sim_switch_t *self, double position_ticks)
     return pressed;
 }
 
-void sim_switch_init(sim_switch_t *self, const axis_config_t *axis, double position_ticks, uint32_t seed)
+void sim_switch_init(sim_switch_t *self, const axis_config_t *axis, double position_ticks,
+                     uint32_t seed)
 {
     const double unit_per_tick = (double)axis->unit_per_tick_q16 / 65536.0;
-    const double hysteresis = (axis->unit == (uint8_t)AXIS_UNIT_MM) ? (double)SIM_SWITCH_HYSTERESIS_NM
-                                                                    : (double)SIM_SWITCH_HYSTERESIS_BAM;
+    const double hysteresis = (axis->unit == (uint8_t)AXIS_UNIT_MM)
+                                  ? (double)SIM_SWITCH_HYSTERESIS_NM
+                                  : (double)SIM_SWITCH_HYSTERESIS_BAM;
 
     *self = (sim_switch_t){.random = {seed},
                            .end = (limit_switch_t)axis->limit_switch,
@@ -43,7 +45,8 @@ void sim_switch_step(sim_switch_t *self, double position_ticks)
 
     self->is_operated = is_pressed(self, position_ticks);
     if (self->is_operated != was_operated) {
-        self->bounce_us = SIM_SWITCH_BOUNCE_MINIMUM_US + sim_random_below(&self->random, spread_us + 1U);
+        self->bounce_us =
+            SIM_SWITCH_BOUNCE_MINIMUM_US + sim_random_below(&self->random, spread_us + 1U);
         self->is_active = self->is_operated;
     } else if (self->bounce_us > SIM_STEP_US) {
         self->bounce_us -= SIM_STEP_US;

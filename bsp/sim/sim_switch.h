@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file A limit switch: a contact that operates at one place, releases a little beside it, and bounces. */
+/** @file A limit switch: a contact that operates at one place, releases a little beside it, and
+ * bounces. */
 #ifndef BORESIGHT_SIM_SWITCH_H
 #define BORESIGHT_SIM_SWITCH_H
 
-#include "random.h"
+#include "sim_random.h"
 #include "robot.h"
 
 #include <stdbool.h>
@@ -17,16 +18,18 @@
 /** State of one switch. */
 typedef struct {
     sim_random_t random;
-    limit_switch_t end;        /**< Which end it guards; LIMIT_SWITCH_NONE never operates. */
-    double operate_ticks;      /**< Active from here outwards. */
+    limit_switch_t end;   /**< Which end it guards; LIMIT_SWITCH_NONE never operates. */
+    double operate_ticks; /**< Active from here outwards. */
     double hysteresis_ticks;
-    bool is_operated;          /**< The mechanism, without bounce. */
-    bool is_active;            /**< The contact, with bounce. */
-    uint32_t bounce_us;        /**< How long the contact will still bounce. */
+    bool is_operated;   /**< The mechanism, without bounce. */
+    bool is_active;     /**< The contact, with bounce. */
+    uint32_t bounce_us; /**< How long the contact will still bounce. */
 } sim_switch_t;
 
-/** A settled switch of an axis that stands at `position_ticks`; it operates at the axis' home position. */
-void sim_switch_init(sim_switch_t *self, const axis_config_t *axis, double position_ticks, uint32_t seed);
+/** A settled switch of an axis that stands at `position_ticks`; it operates at the axis' home
+ * position. */
+void sim_switch_init(sim_switch_t *self, const axis_config_t *axis, double position_ticks,
+                     uint32_t seed);
 
 /**
  * Advances by SIM_STEP_US with the axis at `position_ticks`.

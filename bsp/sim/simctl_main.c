@@ -14,7 +14,8 @@
 
 static int usage(FILE *where)
 {
-    (void)fprintf(where, "usage: boresight-simctl [--name NAME] ORDER\nthe orders are:\n%s", box_orders());
+    (void)fprintf(where, "usage: boresight-simctl [--name NAME] ORDER\nthe orders are:\n%s",
+                  box_orders());
     return (where == stdout) ? 0 : 2;
 }
 
@@ -25,7 +26,8 @@ static bool join(char **words, int count, char *order, size_t size)
 
     order[0] = '\0';
     for (int i = 0; i < count; i++) {
-        const int written = snprintf(order + length, size - length, "%s%s", (i > 0) ? " " : "", words[i]);
+        const int written =
+            snprintf(order + length, size - length, "%s%s", (i > 0) ? " " : "", words[i]);
         if ((written < 0) || ((size_t)written >= size - length)) {
             return false;
         }
@@ -42,8 +44,10 @@ static int send_order(wire_t *wire, const char *order, const char *name)
     wire_store(&wire->order_request, number);
     wire_wake_box(wire);
     if (!wire_await(&wire->order_reply, number, ANSWER_TIMEOUT_US)) {
-        (void)fprintf(stderr, "boresight-simctl: the simulated control box \"%s\" does not answer; start it again\n",
-                      name);
+        (void)fprintf(
+            stderr,
+            "boresight-simctl: the simulated control box \"%s\" does not answer; start it again\n",
+            name);
         return 1;
     }
     const bool is_done = wire->order_done != 0U;
@@ -67,7 +71,8 @@ int main(int count, char **words)
         name = words[2];
         first = 3;
     }
-    if ((first == count) || (words[first][0] == '-') || !join(words + first, count - first, order, sizeof order)) {
+    if ((first == count) || (words[first][0] == '-') ||
+        !join(words + first, count - first, order, sizeof order)) {
         return usage(stderr);
     }
     if (!wire_attach(&port, name, WIRE_END_ORDERS, error, sizeof error)) {

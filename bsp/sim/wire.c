@@ -79,14 +79,16 @@ bool wire_await(const uint32_t *word, uint32_t value, uint32_t timeout_us)
 
 static bool lock_end(int file, wire_end_t end)
 {
-    struct flock lock = {.l_type = F_WRLCK, .l_whence = SEEK_SET, .l_start = (off_t)end, .l_len = 1};
+    struct flock lock = {
+        .l_type = F_WRLCK, .l_whence = SEEK_SET, .l_start = (off_t)end, .l_len = 1};
 
     return fcntl(file, F_OFD_SETLK, &lock) == 0;
 }
 
 bool wire_is_served(const wire_port_t *port)
 {
-    struct flock lock = {.l_type = F_WRLCK, .l_whence = SEEK_SET, .l_start = WIRE_END_BOX, .l_len = 1};
+    struct flock lock = {
+        .l_type = F_WRLCK, .l_whence = SEEK_SET, .l_start = WIRE_END_BOX, .l_len = 1};
 
     return (fcntl(port->file, F_OFD_GETLK, &lock) == 0) && (lock.l_type != F_UNLCK);
 }
@@ -96,8 +98,9 @@ static bool set_path(wire_port_t *port, const char *name, char *error, uint32_t 
     const size_t length = strlen(name);
 
     if ((length == 0U) || (length > sizeof port->path - 2U) || (strchr(name, '/') != NULL)) {
-        (void)snprintf(error, error_size, "the box name \"%.70s\" must have 1 to %u characters and no slash",
-                       name, (unsigned)(sizeof port->path - 2U));
+        (void)snprintf(error, error_size,
+                       "the box name \"%.70s\" must have 1 to %u characters and no slash", name,
+                       (unsigned)(sizeof port->path - 2U));
         return false;
     }
     (void)snprintf(port->path, sizeof port->path, "/%s", name);
@@ -106,8 +109,8 @@ static bool set_path(wire_port_t *port, const char *name, char *error, uint32_t 
 
 static bool map_wire(wire_port_t *port)
 {
-    void *memory =
-        mmap(NULL, sizeof(wire_t), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_POPULATE, port->file, 0);
+    void *memory = mmap(NULL, sizeof(wire_t), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_POPULATE,
+                        port->file, 0);
 
     port->wire = (memory == MAP_FAILED) ? NULL : memory;
     return port->wire != NULL;
@@ -129,7 +132,8 @@ static bool is_still_named(const wire_port_t *port)
     bool is_same = false;
 
     if (file >= 0) {
-        is_same = (fstat(port->file, &ours) == 0) && (fstat(file, &named) == 0) && (ours.st_ino == named.st_ino);
+        is_same = (fstat(port->file, &ours) == 0) && (fstat(file, &named) == 0) &&
+                  (ours.st_ino == named.st_ino);
         (void)close(file);
     }
     return is_same;
@@ -171,16 +175,20 @@ bool wire_serve(wire_port_t *port, const char *name, char *error, uint32_t error
     }
     port->file = shm_open(port->path, O_RDWR | O_CREAT | O_CLOEXEC, 0600);
     if (port->file < 0) {
-        (void)snprintf(error, error_size, "cannot make the shared memory %s: %s", port->path, strerror(errno));
+        (void)snprintf(error, error_size, "cannot make the shared memory %s: %s", port->path,
+                       strerror(errno));
         return false;
     }
     if (!lock_end(port->file, WIRE_END_BOX)) {
-        (void)snprintf(error, error_size,
-                       "a simulated control box \"%s\" already runs; stop it, or choose another --name", name);
+        (void)snprintf(
+            error, error_size,
+            "a simulated control box \"%s\" already runs; stop it, or choose another --name", name);
     } else if (!is_still_named(port)) {
-        (void)snprintf(error, error_size, "a simulated control box \"%s\" is just ending; start again", name);
+        (void)snprintf(error, error_size,
+                       "a simulated control box \"%s\" is just ending; start again", name);
     } else if (!size_wire(port) || !map_wire(port)) {
-        (void)snprintf(error, error_size, "cannot map the shared memory %s: %s", port->path, strerror(errno));
+        (void)snprintf(error, error_size, "cannot map the shared memory %s: %s", port->path,
+                       strerror(errno));
     } else {
         reset_wire(port->wire);
         return true;
@@ -207,7 +215,8 @@ static bool take_end(const wire_port_t *port, wire_end_t end)
     return false;
 }
 
-bool wire_attach(wire_port_t *port, const char *name, wire_end_t end, char *error, uint32_t error_size)
+bool wire_attach(wire_port_t *port, const char *name, wire_end_t end, char *error,
+                 uint32_t error_size)
 {
     port->wire = NULL;
     if (!set_path(port, name, error, error_size)) {
@@ -220,11 +229,15 @@ bool wire_attach(wire_port_t *port, const char *name, wire_end_t end, char *erro
     }
     if (!wire_is_served(port)) {
         (void)snprintf(error, error_size, start_first, name);
-    } else if (!has_wire_size(port->file) || !map_wire(port) || (wire_load(&port->wire->magic) != WIRE_MAGIC)) {
-        (void)snprintf(error, error_size,
-                       "the simulated control box \"%s\" is of another build or not ready; start it again", name);
+    } else if (!has_wire_size(port->file) || !map_wire(port) ||
+               (wire_load(&port->wire->magic) != WIRE_MAGIC)) {
+        (void)snprintf(
+            error, error_size,
+            "the simulated control box \"%s\" is of another build or not ready; start it again",
+            name);
     } else if (!take_end(port, end)) {
-        (void)snprintf(error, error_size, "another process already uses the simulated control box \"%s\"; stop it",
+        (void)snprintf(error, error_size,
+                       "another process already uses the simulated control box \"%s\"; stop it",
                        name);
     } else {
         return true;

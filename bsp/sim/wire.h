@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The wire between the simulated control box (a process) and those who use it: a shared-memory segment with one
- * frame exchange, the input levels and one order under way. Who holds which end is told by locks on the segment that
- * the kernel drops with their process, so a killed one leaves nothing to clean up.
+ * The wire between the simulated control box (a process) and those who use it: a shared-memory
+ * segment with one frame exchange, the input levels and one order under way. Who holds which end is
+ * told by locks on the segment that the kernel drops with their process, so a killed one leaves
+ * nothing to clean up.
  */
 #ifndef BORESIGHT_WIRE_H
 #define BORESIGHT_WIRE_H
@@ -15,7 +16,8 @@
 #include <stdint.h>
 
 #define WIRE_DEFAULT_NAME "boresight-box"
-#define WIRE_NAME_VARIABLE "BORESIGHT_BOX" /**< Environment variable that selects another instance. */
+#define WIRE_NAME_VARIABLE                                                                         \
+    "BORESIGHT_BOX" /**< Environment variable that selects another instance. */
 #define WIRE_ORDER_SIZE 128U
 #define WIRE_INPUT_PEDAL_A 0x1U
 #define WIRE_INPUT_PEDAL_B 0x2U
@@ -24,29 +26,25 @@
 
 /** The segment. Words that both sides touch are accessed by wire_load() and wire_store() only. */
 typedef struct {
-    uint32_t magic;         /**< Set last, when the rest is ready. */
-    uint32_t wake;          /**< Grows with each thing for the box to do; the box sleeps on it. */
-    uint32_t beat;          /**< Grows each time the box has looked around, at least every 1.5 ms. */
-    uint32_t inputs;        /**< WIRE_INPUT_ bits. */
-    uint32_t request;       /**< Number of the newest exchange asked for. */
-    uint32_t reply;         /**< Number of the newest exchange answered; control sleeps on it. */
+    uint32_t magic;   /**< Set last, when the rest is ready. */
+    uint32_t wake;    /**< Grows with each thing for the box to do; the box sleeps on it. */
+    uint32_t beat;    /**< Grows each time the box has looked around, at least every 1.5 ms. */
+    uint32_t inputs;  /**< WIRE_INPUT_ bits. */
+    uint32_t request; /**< Number of the newest exchange asked for. */
+    uint32_t reply;   /**< Number of the newest exchange answered; control sleeps on it. */
     uint32_t send;
     uint32_t received;
     uint8_t frames[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES];
     uint8_t replies[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES];
     uint32_t order_request; /**< The same for orders. */
     uint32_t order_reply;
-    uint32_t order_done;    /**< 1: carried out, 0: refused. */
+    uint32_t order_done; /**< 1: carried out, 0: refused. */
     char order[WIRE_ORDER_SIZE];
     char answer[BOX_REPLY_SIZE];
 } wire_t;
 
 /** The ends of the wire; each can be held by one process. */
-typedef enum {
-    WIRE_END_BOX = 0,
-    WIRE_END_CONTROL = 1,
-    WIRE_END_ORDERS = 2
-} wire_end_t;
+typedef enum { WIRE_END_BOX = 0, WIRE_END_CONTROL = 1, WIRE_END_ORDERS = 2 } wire_end_t;
 
 /** One process' hold of a wire. */
 typedef struct {
@@ -56,13 +54,14 @@ typedef struct {
 } wire_port_t;
 
 /**
- * Makes the wire `name` and takes the box's end. A wire left by a killed box is taken over together with whoever is
- * still attached. On false `error` holds a sentence.
+ * Makes the wire `name` and takes the box's end. A wire left by a killed box is taken over together
+ * with whoever is still attached. On false `error` holds a sentence.
  */
 bool wire_serve(wire_port_t *port, const char *name, char *error, uint32_t error_size);
 
 /** Takes another end of the wire `name`; on false `error` holds a sentence that says what to do. */
-bool wire_attach(wire_port_t *port, const char *name, wire_end_t end, char *error, uint32_t error_size);
+bool wire_attach(wire_port_t *port, const char *name, wire_end_t end, char *error,
+                 uint32_t error_size);
 
 /** Whether a living process holds the box's end. */
 bool wire_is_served(const wire_port_t *port);

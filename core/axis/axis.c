@@ -72,7 +72,12 @@ static uint32_t follow_switch(axis_t *self, const axis_config_t *config)
 uint32_t axis_observe(axis_t *self, const axis_config_t *config, const card_report_t *report)
 {
     uint32_t notes = 0U;
-    if ((axis_chart_check(&self->chart) + stall_watchdog_chart_check(&self->stall)) != 0U) {
+    if (axis_chart_check(&self->chart) != 0U) {
+        notes |= AXIS_NOTE_CHART_REPAIRED;
+    }
+    if (stall_watchdog_chart_check(&self->stall) != 0U) {
+        /* Its safe state watches nothing: the axis must not be driven until it is enabled anew. */
+        tell(self, AXIS_EVENT_STALLED, false);
         notes |= AXIS_NOTE_CHART_REPAIRED;
     }
     if (encoder_step(&self->encoder, config, report)) {
@@ -140,16 +145,31 @@ card_drive_t axis_follow(axis_t *self, const axis_config_t *config, int32_t setp
 /* Homing speed wanted in the present state, signed. */
 static int32_t home_speed_wanted_q8(const axis_t *self, const axis_config_t *config)
 {
-    const int32_t towards = (config->limit_switch == (uint8_t)LIMIT_SWITCH_UPPER) ? 256 : -256;
-    int32_t speed_q8 = towards * config->home_speed_ticks_per_s;
-    if (self->chart.reference == (uint8_t)AXIS_REFERENCE_BACK_OFF) {
+    int32_t speed_q8 = 256 * config->home_speed_ticks_per_s;
+    if (config->limit_switch != (uint8_t)LIMIT_SWITCH_UPPER) {
+        speed_q8 = -speed_q8;
+    }
+    if (self->chart.reference == AXIS_REFERENCE_BACK_OFF) {
         speed_q8 = -speed_q8 / 2;
-    } else if (self->chart.reference == (uint8_t)AXIS_REFERENCE_LATCH) {
+    } else if (self->chart.reference == AXIS_REFERENCE_LATCH) {
         speed_q8 = speed_q8 / 4;
     } else {
         /* Fast approach. */
     }
     return speed_q8;
+}
+
+static int32_t ramp_towards(int32_t speed_q8, int32_t wanted_q8, int32_t step_q8)
+{
+    int32_t next_q8 = wanted_q8;
+    if ((wanted_q8 - speed_q8) > step_q8) {
+        next_q8 = speed_q8 + step_q8;
+    } else if ((speed_q8 - wanted_q8) > step_q8) {
+        next_q8 = speed_q8 - step_q8;
+    } else {
+        /* The wanted speed is within one step. */
+    }
+    return next_q8;
 }
 
 card_drive_t axis_home(axis_t *self, const axis_config_t *config, uint32_t elapsed_us)
@@ -161,15 +181,15 @@ card_drive_t axis_home(axis_t *self, const axis_config_t *config, uint32_t elaps
     }
     const int32_t wanted_q8 = home_speed_wanted_q8(self, config);
     const int32_t step_q8 = (config->acceleration_ticks_per_s2 * 256) / 1000;
-    int32_t speed_q8 = self->home_speed_ticks_per_s_q8;
-    if (wanted_q8 > 0) {
-        speed_q8 = ((wanted_q8 - speed_q8) > step_q8) ? (speed_q8 + step_q8) : wanted_q8;
-    } else {
-        speed_q8 = ((speed_q8 - wanted_q8) > step_q8) ? (speed_q8 - step_q8) : wanted_q8;
-    }
+    const int32_t speed_q8 = ramp_towards(self->home_speed_ticks_per_s_q8, wanted_q8, step_q8);
     self->home_speed_ticks_per_s_q8 = speed_q8;
     self->home_setpoint_q8 += (int64_t)speed_q8 / 1000;
     return axis_follow(self, config, fixed_saturate(self->home_setpoint_q8 / 256), speed_q8, elapsed_us);
+}
+
+static uint32_t as_flag(bool value)
+{
+    return value ? 1U : 0U;
 }
 
 /* Progress counts in the direction in which the motor is driven; a set-point may be overtaken for a while. */
@@ -179,8 +199,9 @@ static bool is_progressing(axis_t *self, const axis_config_t *config)
     const bool is_upwards = servo_is_upwards(config, &driven);
     int64_t way = (int64_t)self->encoder.position_ticks - (int64_t)self->progress_mark_ticks;
     way = is_upwards ? way : -way;
-    const bool has_turned = is_upwards != (self->is_progress_upwards != 0U);
-    self->is_progress_upwards = is_upwards ? 1U : 0U;
+    const uint32_t direction = as_flag(is_upwards);
+    const bool has_turned = direction != self->is_progress_upwards;
+    self->is_progress_upwards = direction;
     return has_turned || (way >= (int64_t)LIMIT_STALL_PROGRESS_TICKS);
 }
 
@@ -194,12 +215,13 @@ static uint32_t watch_stall(axis_t *self, const axis_config_t *config, bool is_p
     if (!is_pushing) {
         (void)stall_watchdog_chart_dispatch(&self->stall, STALL_WATCHDOG_EVENT_NOT_DRIVEN);
         self->progress_mark_ticks = self->encoder.position_ticks;
-    } else if (is_progressing(self, config)) {
+        return 0U;
+    }
+    if (is_progressing(self, config)) {
         (void)stall_watchdog_chart_dispatch(&self->stall, STALL_WATCHDOG_EVENT_PROGRESS);
         self->progress_mark_ticks = self->encoder.position_ticks;
-    } else {
-        (void)stall_watchdog_chart_dispatch(&self->stall, STALL_WATCHDOG_EVENT_DRIVEN);
     }
+    (void)stall_watchdog_chart_dispatch(&self->stall, STALL_WATCHDOG_EVENT_DRIVEN);
     return 0U;
 }
 
@@ -232,17 +254,17 @@ uint32_t axis_supervise(axis_t *self, const axis_config_t *config, bool is_drive
 
 bool axis_is_enabled(const axis_t *self)
 {
-    return self->chart.power == (uint8_t)AXIS_POWER_ENABLED;
+    return self->chart.power == AXIS_POWER_ENABLED;
 }
 
 bool axis_is_faulty(const axis_t *self)
 {
-    return self->chart.power == (uint8_t)AXIS_POWER_FAULT;
+    return self->chart.power == AXIS_POWER_FAULT;
 }
 
 bool axis_is_homed(const axis_t *self)
 {
-    return self->chart.reference == (uint8_t)AXIS_REFERENCE_HOMED;
+    return self->chart.reference == AXIS_REFERENCE_HOMED;
 }
 
 bool axis_is_homing(const axis_t *self)

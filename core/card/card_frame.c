@@ -81,7 +81,7 @@ static int32_t to_signed(uint32_t word)
     return (word <= LARGEST_POSITIVE) ? (int32_t)word : (-1 - (int32_t)inverse);
 }
 
-/* Saturating keeps a value that does not fit out of range, where masking could make it look valid. */
+/* Saturating keeps a value that does not fit out of range, where a mask could make it valid. */
 static uint32_t fit(uint32_t value, uint32_t largest)
 {
     return (value < largest) ? value : largest;
@@ -138,7 +138,8 @@ static void seal(uint8_t bytes[CARD_FRAME_BYTES])
     put_word(bytes, WORD_CRC, crc32c(bytes, CRC_LENGTH));
 }
 
-static card_frame_result_t check_frame(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot, uint32_t type)
+static card_frame_result_t check_frame(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot,
+                                       uint32_t type)
 {
     const uint32_t slot_mask = 0x00FF0000U;
     const uint32_t header = get_word(bytes, WORD_HEADER);
@@ -216,8 +217,8 @@ static uint32_t applied_word(const card_drive_t *drive)
     uint32_t word = 0U;
 
     if (!is_drive_off(drive)) {
-        word = (fit(drive->mode, LARGEST_4_BIT) << 28U) | (fit(drive->direction, LARGEST_4_BIT) << 24U) |
-               fit(drive->duty, LARGEST_24_BIT);
+        word = (fit(drive->mode, LARGEST_4_BIT) << 28U) |
+               (fit(drive->direction, LARGEST_4_BIT) << 24U) | fit(drive->duty, LARGEST_24_BIT);
     }
     return word;
 }
@@ -229,7 +230,8 @@ void card_frame_encode_report(const card_report_t *report, uint8_t bytes[CARD_FR
     put_word(bytes, WORD_REPORT_HEARTBEAT, report->heartbeat);
     put_word(bytes, WORD_REPORT_TIME, report->time_us);
     put_word(bytes, WORD_REPORT_IDENTITY,
-             (fit(report->card_type, LARGEST_8_BIT) << 24U) | fit(report->firmware, LARGEST_24_BIT));
+             (fit(report->card_type, LARGEST_8_BIT) << 24U) |
+                 fit(report->firmware, LARGEST_24_BIT));
     put_word(bytes, WORD_REPORT_SYSTEM, report->system_state);
     put_word(bytes, WORD_REPORT_STATUS, report->status);
     put_word(bytes, WORD_REPORT_LIMITS,
@@ -238,11 +240,14 @@ void card_frame_encode_report(const card_report_t *report, uint8_t bytes[CARD_FR
     put_word(bytes, WORD_REPORT_LAST_EDGE, report->last_edge_us);
     put_word(bytes, WORD_REPORT_FOURTH_EDGE, report->fourth_edge_us);
     put_word(bytes, WORD_REPORT_EDGES,
-             (fit(report->edges, LARGEST_16_BIT) << 16U) | fit(report->illegal_edges, LARGEST_16_BIT));
+             (fit(report->edges, LARGEST_16_BIT) << 16U) |
+                 fit(report->illegal_edges, LARGEST_16_BIT));
     put_word(bytes, WORD_REPORT_TEMPERATURES,
-             (fit_int16(report->driver_temperature_dc) << 16U) | fit_int16(report->motor_temperature_dc));
+             (fit_int16(report->driver_temperature_dc) << 16U) |
+                 fit_int16(report->motor_temperature_dc));
     put_word(bytes, WORD_REPORT_SUPPLY,
-             (fit(report->supply_mv, LARGEST_16_BIT) << 16U) | fit(report->current_ma, LARGEST_16_BIT));
+             (fit(report->supply_mv, LARGEST_16_BIT) << 16U) |
+                 fit(report->current_ma, LARGEST_16_BIT));
     put_word(bytes, WORD_REPORT_APPLIED, applied_word(&report->applied));
     put_word(bytes, WORD_REPORT_CRC_ERRORS, report->rx_crc_errors);
     put_word(bytes, WORD_REPORT_GAPS, report->sequence_gaps);
@@ -257,7 +262,8 @@ static card_drive_t read_command_drive(const uint8_t bytes[CARD_FRAME_BYTES])
 
     /* The 16 low bits count as direction: a drive word with anything unknown set is refused. */
     return (card_drive_t){.mode = word >> 24U,
-                          .direction = ((word >> 16U) & LARGEST_8_BIT) | ((word & LARGEST_16_BIT) << 8U),
+                          .direction =
+                              ((word >> 16U) & LARGEST_8_BIT) | ((word & LARGEST_16_BIT) << 8U),
                           .duty = get_word(bytes, WORD_COMMAND_DUTY)};
 }
 

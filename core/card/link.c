@@ -44,7 +44,7 @@ static void compare_echo(link_t *self)
 static void give_up(link_t *self, card_link_event_t event, link_cause_t cause)
 {
     const card_link_inputs_t inputs = {.is_fresh = false};
-    const uint8_t before = self->chart.state;
+    const card_link_state_t before = self->chart.state;
     (void)card_link_chart_dispatch(&self->chart, &inputs, event);
     if (self->chart.state != before) {
         self->cause = (uint32_t)cause;
@@ -97,8 +97,8 @@ void link_reset(link_t *self)
 
 bool link_is_usable(const link_t *self)
 {
-    return (self->chart.state == (uint8_t)CARD_LINK_STATE_LIVE) ||
-           (self->chart.state == (uint8_t)CARD_LINK_STATE_LATE);
+    return (self->chart.state == CARD_LINK_STATE_LIVE) ||
+           (self->chart.state == CARD_LINK_STATE_LATE);
 }
 
 bool link_is_healthy_now(const link_t *self)

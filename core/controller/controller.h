@@ -26,7 +26,7 @@
 
 #define CONTROLLER_COMMANDS LIMIT_COMMANDS_PER_CYCLE
 #define CONTROLLER_EVENTS LIMIT_EVENTS_PER_CYCLE
-#define CONTROLLER_ANSWERS (CONTROLLER_COMMANDS * 2U + 1U) /**< Most answers of one cycle. */
+#define CONTROLLER_ANSWERS ((CONTROLLER_COMMANDS * 2U) + 1U) /**< Most answers of one cycle. */
 
 /** Everything the controller may know of one cycle. Fixed layout, no padding; recorded. */
 typedef struct {

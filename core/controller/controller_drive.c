@@ -15,18 +15,18 @@ permit_t controller_permit(const controller_t *self, const cycle_t *cycle, uint3
 {
     const axis_t *const axis = &self->axes[index];
     const axis_config_t *const config = &cycle->robot->axes[index];
-    const uint8_t pedal = self->pedal.chart.state;
+    const pedal_gate_state_t pedal = self->pedal.chart.state;
     const permit_facts_t facts = {
-        .is_estop_pulled = (self->estop.state == (uint8_t)ESTOP_LATCH_STATE_PULLED),
-        .is_estop_latched = (self->estop.state == (uint8_t)ESTOP_LATCH_STATE_LATCHED),
-        .is_loop_stopped = (self->loop.chart.state == (uint8_t)LOOP_GUARD_STATE_STOPPED),
+        .is_estop_pulled = (self->estop.state == ESTOP_LATCH_STATE_PULLED),
+        .is_estop_latched = (self->estop.state == ESTOP_LATCH_STATE_LATCHED),
+        .is_loop_stopped = (self->loop.chart.state == LOOP_GUARD_STATE_STOPPED),
         .is_link_lost = is_any_link_lost(self),
-        .is_pedal_faulty = (pedal == (uint8_t)PEDAL_GATE_STATE_FAULT),
+        .is_pedal_faulty = (pedal == PEDAL_GATE_STATE_FAULT),
         .is_scanner_active = (cycle->inputs->scanner_active != 0U),
         .is_axis_faulty = axis_is_faulty(axis),
         .is_axis_enabled = axis_is_enabled(axis),
         .is_armed = workphase_is_armed(&self->workphases),
-        .is_pedal_unproven = (pedal == (uint8_t)PEDAL_GATE_STATE_UNPROVEN),
+        .is_pedal_unproven = (pedal == PEDAL_GATE_STATE_UNPROVEN),
         .is_pedal_pressed = pedal_gate_is_open(&self->pedal),
         .is_homed = axis_is_homed(axis),
         .is_homing_or_jog = (workphase_present(&self->workphases) != WORKPHASE_MOVE_TO_TARGET),
@@ -67,7 +67,7 @@ static void send(controller_t *self, const cycle_t *cycle, uint32_t index, const
         .axis_id = index,
     };
     card_frame_encode_command(&command, cycle->outputs->frames[link->slot]);
-    cycle->outputs->frames_to_send |= 1UL << link->slot;
+    cycle->outputs->frames_to_send |= (uint32_t)1U << link->slot;
     link_note_sent(link, self->sequence, &command.drive);
     self->drives[index] = command.drive;
 }
@@ -81,7 +81,10 @@ void controller_drive(controller_t *self, const cycle_t *cycle, const card_drive
             self->permit_since_cycle[i] = self->cycle;
         }
         self->permit_speed_cap_percent[i] = permit.speed_cap_percent;
-        self->is_driven[i] = (permit.is_allowed && workphase_is_moving(&self->workphases)) ? 1U : 0U;
+        self->is_driven[i] = 0U;
+        if (permit.is_allowed && workphase_is_moving(&self->workphases)) {
+            self->is_driven[i] = 1U;
+        }
         send(self, cycle, i, &permit, &requests[i]);
     }
     self->sequence++;

@@ -102,7 +102,7 @@ void controller_tell_order(controller_t *self, const cycle_t *cycle, workphases_
 /* START_UP is the operator's act that clears what was latched. */
 static void begin_start_up(controller_t *self, const cycle_t *cycle)
 {
-    const uint8_t before = self->estop.state;
+    const estop_latch_state_t before = self->estop.state;
     estop_latch_reset(&self->estop);
     if (self->estop.state != before) {
         controller_note(self, cycle, EVENT_ESTOP_CLEARED, 0U, 0);
@@ -154,7 +154,9 @@ static status_t obey_jog(controller_t *self, const cycle_t *cycle, const command
     const axis_config_t *const config = &cycle->robot->axes[command->argument];
     if ((command->value < config->minimum_ticks) || (command->value > config->maximum_ticks)) {
         answer->axis = command->argument;
-        answer->is_maximum = (command->value > config->maximum_ticks) ? 1U : 0U;
+        if (command->value > config->maximum_ticks) {
+            answer->is_maximum = 1U;
+        }
         return STATUS_AXIS_LIMIT;
     }
     const workphases_inputs_t guards = controller_guards(self, cycle);

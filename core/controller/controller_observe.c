@@ -6,7 +6,7 @@
 static void observe_link(controller_t *self, const cycle_t *cycle, uint32_t index)
 {
     link_t *const link = &self->links[index];
-    const bool is_received = (cycle->inputs->frames_received & (1UL << link->slot)) != 0U;
+    const bool is_received = (cycle->inputs->frames_received & ((uint32_t)1U << link->slot)) != 0U;
     const bool was_usable = link_is_usable(link);
     const uint32_t had_errors = link->frame_errors;
     if (card_link_chart_check(&link->chart) != 0U) {
@@ -67,7 +67,7 @@ static void observe_axis(controller_t *self, const cycle_t *cycle, uint32_t inde
 
 static void observe_pedal(controller_t *self, const cycle_t *cycle)
 {
-    const bool was_faulty = self->pedal.chart.state == (uint8_t)PEDAL_GATE_STATE_FAULT;
+    const bool was_faulty = self->pedal.chart.state == PEDAL_GATE_STATE_FAULT;
     if (pedal_gate_chart_check(&self->pedal.chart) != 0U) {
         controller_note(self, cycle, EVENT_CHART_REPAIRED, 0U, 0);
     }
@@ -78,7 +78,7 @@ static void observe_pedal(controller_t *self, const cycle_t *cycle)
         controller_note(self, cycle, (is_open != 0U) ? EVENT_PEDAL_PRESSED : EVENT_PEDAL_RELEASED, 0U, 0);
         self->was_gate_open = is_open;
     }
-    if ((self->pedal.chart.state == (uint8_t)PEDAL_GATE_STATE_FAULT) && !was_faulty) {
+    if ((self->pedal.chart.state == PEDAL_GATE_STATE_FAULT) && !was_faulty) {
         controller_note(self, cycle, EVENT_PEDAL_FAULT, 0U, 0);
         controller_tell_order(self, cycle, WORKPHASES_EVENT_FAULT, STATUS_FAULT_PRESENT);
     }
@@ -86,7 +86,7 @@ static void observe_pedal(controller_t *self, const cycle_t *cycle)
 
 static void observe_estop(controller_t *self, const cycle_t *cycle)
 {
-    const uint8_t before = self->estop.state;
+    const estop_latch_state_t before = self->estop.state;
     if (estop_latch_chart_check(&self->estop) != 0U) {
         controller_note(self, cycle, EVENT_CHART_REPAIRED, 0U, 0);
     }
@@ -94,7 +94,7 @@ static void observe_estop(controller_t *self, const cycle_t *cycle)
     if (self->estop.state == before) {
         return;
     }
-    if (self->estop.state != (uint8_t)ESTOP_LATCH_STATE_PULLED) {
+    if (self->estop.state != ESTOP_LATCH_STATE_PULLED) {
         controller_note(self, cycle, EVENT_ESTOP_RELEASED, 0U, 0);
         return;
     }
@@ -108,7 +108,7 @@ static void observe_estop(controller_t *self, const cycle_t *cycle)
 static void observe_loop(controller_t *self, const cycle_t *cycle)
 {
     const uint32_t overruns = self->loop.overruns;
-    const uint8_t before = self->loop.chart.state;
+    const loop_guard_state_t before = self->loop.chart.state;
     if (loop_guard_chart_check(&self->loop.chart) != 0U) {
         controller_note(self, cycle, EVENT_CHART_REPAIRED, 0U, 0);
     }
@@ -117,7 +117,7 @@ static void observe_loop(controller_t *self, const cycle_t *cycle)
         controller_note(self, cycle, EVENT_OVERRUN, cycle->inputs->late_stage,
                         (int32_t)cycle->inputs->elapsed_us);
     }
-    if ((self->loop.chart.state == (uint8_t)LOOP_GUARD_STATE_STOPPED) && (self->loop.chart.state != before)) {
+    if ((self->loop.chart.state == LOOP_GUARD_STATE_STOPPED) && (self->loop.chart.state != before)) {
         controller_note(self, cycle, EVENT_LOOP_STOPPED, 0U, 0);
         controller_tell_order(self, cycle, WORKPHASES_EVENT_FAULT, STATUS_FAULT_PRESENT);
     }

@@ -10,7 +10,7 @@ static next_step_t step_for_order(const controller_t *self, const cycle_t *cycle
         step = NEXT_STEP_SCANNER;
     } else if (workphase_is_moving(&self->workphases)) {
         step = NEXT_STEP_HOLD_PEDAL;
-    } else if (self->pedal.chart.state == (uint8_t)PEDAL_GATE_STATE_RELEASED) {
+    } else if (self->pedal.chart.state == PEDAL_GATE_STATE_RELEASED) {
         step = NEXT_STEP_PRESS_PEDAL;
     } else {
         step = NEXT_STEP_RELEASE_PEDAL;
@@ -36,11 +36,11 @@ static next_step_t step_for_plan(const controller_t *self)
 static next_step_t next_step(const controller_t *self, const cycle_t *cycle)
 {
     const uint32_t reasons = self->permit_reasons[0];
-    const uint32_t card_reasons = 1UL << (uint32_t)PERMIT_REASON_LINK_LOST;
+    const uint32_t card_reasons = (uint32_t)1U << (uint32_t)PERMIT_REASON_LINK_LOST;
     const uint32_t start_up_reasons =
-        (1UL << (uint32_t)PERMIT_REASON_ESTOP_LATCHED) | (1UL << (uint32_t)PERMIT_REASON_LOOP_STOPPED) |
-        (1UL << (uint32_t)PERMIT_REASON_PEDAL_FAULT) | (1UL << (uint32_t)PERMIT_REASON_AXIS_FAULT) |
-        (1UL << (uint32_t)PERMIT_REASON_AXIS_DISABLED);
+        ((uint32_t)1U << (uint32_t)PERMIT_REASON_ESTOP_LATCHED) | ((uint32_t)1U << (uint32_t)PERMIT_REASON_LOOP_STOPPED) |
+        ((uint32_t)1U << (uint32_t)PERMIT_REASON_PEDAL_FAULT) | ((uint32_t)1U << (uint32_t)PERMIT_REASON_AXIS_FAULT) |
+        ((uint32_t)1U << (uint32_t)PERMIT_REASON_AXIS_DISABLED);
     next_step_t step = NEXT_STEP_START_UP;
     if (cycle->inputs->estop_open != 0U) {
         step = NEXT_STEP_RELEASE_ESTOP;

@@ -85,8 +85,11 @@ bool encoder_step(encoder_t *self, const axis_config_t *config, const card_repor
     self->jumps = 0U;
     self->missed_cycles = 0U;
     self->reading = report->encoder_count;
-    const int64_t sign = (config->is_encoder_inverted != 0U) ? -1 : 1;
-    self->position_ticks = fixed_saturate((int64_t)self->position_ticks + (sign * (int64_t)change_ticks));
+    int64_t moved_ticks = (int64_t)change_ticks;
+    if (config->is_encoder_inverted != 0U) {
+        moved_ticks = -moved_ticks;
+    }
+    self->position_ticks = fixed_saturate((int64_t)self->position_ticks + moved_ticks);
     estimate_speed(self, report);
     return false;
 }

@@ -15,12 +15,14 @@ void pedal_gate_init(pedal_gate_t *self)
 
 void pedal_gate_step(pedal_gate_t *self, bool is_a_closed, bool is_b_closed, uint32_t elapsed_us)
 {
-    const bool is_open_circuit = !is_a_closed && !is_b_closed;
-    self->is_open_circuit = is_open_circuit ? 1U : 0U;
+    self->is_open_circuit = 1U;
+    if (is_a_closed || is_b_closed) {
+        self->is_open_circuit = 0U;
+    }
     const pedal_gate_inputs_t inputs = chart_inputs(self);
     (void)pedal_gate_chart_advance(&self->chart, &inputs, elapsed_us);
     pedal_gate_event_t event = PEDAL_GATE_EVENT_DIFFER;
-    if (is_open_circuit) {
+    if (inputs.is_open) {
         event = PEDAL_GATE_EVENT_BOTH_OPEN;
     } else if (is_a_closed == is_b_closed) {
         event = PEDAL_GATE_EVENT_BOTH_CLOSED;
@@ -44,5 +46,5 @@ void pedal_gate_reset(pedal_gate_t *self)
 
 bool pedal_gate_is_open(const pedal_gate_t *self)
 {
-    return self->chart.state == (uint8_t)PEDAL_GATE_STATE_PRESSED;
+    return self->chart.state == PEDAL_GATE_STATE_PRESSED;
 }

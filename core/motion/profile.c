@@ -20,6 +20,11 @@ static int64_t larger(int64_t a, int64_t b)
     return (a > b) ? a : b;
 }
 
+static int64_t smaller(int64_t a, int64_t b)
+{
+    return (a < b) ? a : b;
+}
+
 static int64_t divide_up(int64_t numerator, int64_t denominator)
 {
     return (numerator + denominator - 1) / denominator;
@@ -27,8 +32,11 @@ static int64_t divide_up(int64_t numerator, int64_t denominator)
 
 static int64_t square_root_up(int64_t value)
 {
-    const int64_t root = (int64_t)fixed_square_root((uint64_t)value);
-    return ((root * root) < value) ? (root + 1) : root;
+    int64_t root = (int64_t)fixed_square_root((uint64_t)value);
+    if ((root * root) < value) {
+        root++;
+    }
+    return root;
 }
 
 static int64_t total_cycles(const profile_t *self)
@@ -36,7 +44,7 @@ static int64_t total_cycles(const profile_t *self)
     return (2 * (int64_t)self->ramp_cycles) + (int64_t)self->cruise_cycles;
 }
 
-void profile_rest(profile_t *self, const int32_t position_ticks[ROBOT_AXIS_COUNT])
+static void rest_at(profile_t *self, const int32_t position_ticks[ROBOT_AXIS_COUNT])
 {
     (void)memcpy(self->start_ticks, position_ticks, sizeof self->start_ticks);
     (void)memcpy(self->end_ticks, position_ticks, sizeof self->end_ticks);
@@ -59,13 +67,14 @@ void profile_plan(profile_t *self, const robot_t *robot, const int32_t start_tic
         product = larger(product, divide_up(way * CYCLES_PER_S * CYCLES_PER_S,
                                             (int64_t)axis->acceleration_ticks_per_s2));
     }
-    profile_rest(self, start_ticks);
+    rest_at(self, start_ticks);
     (void)memcpy(self->end_ticks, end_ticks, sizeof self->end_ticks);
     if (product > 0) {
         ramp_and_cruise = larger(ramp_and_cruise, square_root_up(product));
         const int64_t ramp = divide_up(product, ramp_and_cruise);
+        const int64_t cruise = ramp_and_cruise - ramp;
         self->ramp_cycles = (uint32_t)ramp;
-        self->cruise_cycles = (uint32_t)(ramp_and_cruise - ramp);
+        self->cruise_cycles = (uint32_t)cruise;
     }
 }
 
@@ -114,13 +123,6 @@ int32_t profile_speed_ticks_per_s_q8(const profile_t *self, uint32_t axis)
     if (left == 0) {
         return 0;
     }
-    int64_t share = ramp; /* of the peak, in 1/ramp */
-    if (k < ramp) {
-        share = k;
-    } else if (left < ramp) {
-        share = left;
-    } else {
-        share = ramp;
-    }
+    const int64_t share = smaller(ramp, smaller(k, left)); /* of the peak, in 1/ramp */
     return fixed_saturate(fixed_divide_rounded(way * share * 256 * CYCLES_PER_S, ramp * plateau));
 }

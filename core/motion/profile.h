@@ -24,9 +24,6 @@ typedef struct {
     uint32_t cycle;         /**< k, 0..2R+C. */
 } profile_t;
 
-/** At rest at `position_ticks`; finished. */
-void profile_rest(profile_t *self, const int32_t position_ticks[ROBOT_AXIS_COUNT]);
-
 /**
  * Plans from rest at `start_ticks` to rest at `end_ticks` as fast as the slowest axis allows, at
  * `speed_percent` (1..100) of each axis' speed. Requires (contract 100) a percentage in that range.

@@ -24,6 +24,12 @@ static uint32_t duty_for(const axis_config_t *config, int64_t demand_q8)
     return (duty > (int64_t)config->maximum_duty) ? config->maximum_duty : (uint32_t)duty;
 }
 
+static uint32_t direction_bit(const axis_config_t *config, bool is_upwards)
+{
+    const bool is_inverted = config->is_motor_inverted != 0U;
+    return (is_upwards != is_inverted) ? 1U : 0U;
+}
+
 /* Speed of a pulse, or 0 when this cycle pauses. */
 static int64_t pulse(servo_t *self, int64_t demand_q8, int64_t pulse_q8)
 {
@@ -48,11 +54,17 @@ static int64_t run_speed(servo_t *self, const axis_config_t *config, int64_t dem
     return demand_q8;
 }
 
-static card_drive_t pause(servo_t *self, uint32_t elapsed_us)
+/* The time up to this cycle counts as rest only if the cycle before asked for nothing. */
+static void pass_time(servo_t *self, uint32_t elapsed_us)
 {
-    const card_drive_t off = {.mode = (uint32_t)CARD_DRIVE_OFF, .direction = 0U, .duty = 0U};
-    self->rest_us = (self->rest_us > (UINT32_MAX - elapsed_us)) ? UINT32_MAX : (self->rest_us + elapsed_us);
-    return off;
+    if (self->is_driving != 0U) {
+        self->rest_us = 0U;
+    } else if (self->rest_us > (UINT32_MAX - elapsed_us)) {
+        self->rest_us = UINT32_MAX;
+    } else {
+        self->rest_us += elapsed_us;
+    }
+    self->is_driving = 0U;
 }
 
 void servo_init(servo_t *self)
@@ -64,7 +76,7 @@ void servo_init(servo_t *self)
 void servo_rest(servo_t *self, uint32_t elapsed_us)
 {
     self->pulse_debt_q8 = 0;
-    (void)pause(self, elapsed_us);
+    pass_time(self, elapsed_us);
 }
 
 bool servo_is_upwards(const axis_config_t *config, const card_drive_t *drive)
@@ -75,26 +87,28 @@ bool servo_is_upwards(const axis_config_t *config, const card_drive_t *drive)
 card_drive_t servo_step(servo_t *self, const axis_config_t *config, int32_t error_ticks,
                         int32_t setpoint_speed_ticks_per_s_q8, uint32_t elapsed_us)
 {
+    card_drive_t drive = {.mode = (uint32_t)CARD_DRIVE_OFF, .direction = 0U, .duty = 0U};
+    pass_time(self, elapsed_us);
     const bool is_arrived = magnitude((int64_t)error_ticks) <= (int64_t)config->deadband_ticks;
     if (is_arrived && (setpoint_speed_ticks_per_s_q8 == 0)) {
         self->pulse_debt_q8 = 0;
-        return pause(self, elapsed_us);
+        return drive;
     }
     const int64_t demand_q8 =
         (int64_t)setpoint_speed_ticks_per_s_q8 + ((int64_t)error_ticks * GAIN_PER_S * 256);
-    const bool is_upwards = demand_q8 > 0;
-    const uint32_t direction = (is_upwards != (config->is_motor_inverted != 0U)) ? 1U : 0U;
+    const uint32_t direction = direction_bit(config, demand_q8 > 0);
     if ((direction != self->direction) && (self->rest_us < LIMIT_REVERSAL_DWELL_US)) {
         self->pulse_debt_q8 = 0;
-        return pause(self, elapsed_us);
+        return drive;
     }
     const int64_t speed_q8 = run_speed(self, config, magnitude(demand_q8));
     if (speed_q8 == 0) {
-        return pause(self, elapsed_us);
+        return drive;
     }
     self->direction = direction;
-    self->rest_us = 0U;
-    card_drive_t drive = {.mode = (uint32_t)CARD_DRIVE_NON_PWM, .direction = direction, .duty = 0U};
+    self->is_driving = 1U;
+    drive.mode = (uint32_t)CARD_DRIVE_NON_PWM;
+    drive.direction = direction;
     if (config->card_type == (uint8_t)CARD_TYPE_PWM) {
         drive.mode = (uint32_t)CARD_DRIVE_PWM;
         drive.duty = duty_for(config, speed_q8);

@@ -17,14 +17,15 @@
 typedef struct {
     int64_t pulse_debt_q8;  /**< Demand not yet met by pulses. */
     uint32_t direction;     /**< Last requested drive direction bit. */
-    uint32_t rest_us;       /**< Since the last request, saturates. */
+    uint32_t rest_us;       /**< Since the first cycle without a request, saturates. */
+    uint32_t is_driving;    /**< A drive was requested in the last cycle: 0 or 1. */
 } servo_t;
 
 /** Starts at rest. */
 void servo_init(servo_t *self);
 
 /**
- * The request for this cycle. Off inside the deadband with a resting set-point, and for
+ * The request for this cycle, `elapsed_us` after the one before. Off inside the deadband with a resting set-point, and for
  * LIMIT_REVERSAL_DWELL_US between the two directions.
  *
  * @satisfies SWR-MOTION-004

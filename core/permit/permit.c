@@ -5,7 +5,7 @@
 
 static uint32_t reason(bool stands, permit_reason_t name)
 {
-    return stands ? (1UL << (uint32_t)name) : 0U;
+    return stands ? ((uint32_t)1U << (uint32_t)name) : 0U;
 }
 
 permit_t permit_decide(const permit_facts_t *facts)

@@ -56,10 +56,10 @@ workphase_t workphase_present(const workphases_chart_t *self)
 
 bool workphase_is_armed(const workphases_chart_t *self)
 {
-    return self->order != (uint8_t)WORKPHASES_ORDER_NONE;
+    return self->order != WORKPHASES_ORDER_NONE;
 }
 
 bool workphase_is_moving(const workphases_chart_t *self)
 {
-    return self->order == (uint8_t)WORKPHASES_ORDER_MOVING;
+    return self->order == WORKPHASES_ORDER_MOVING;
 }

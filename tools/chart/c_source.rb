@@ -23,8 +23,8 @@ module Chart
     end
 
     def emit
-      text([banner(@document, 'Code'), '', "#include \"#{@document.name}_chart.h\"", '', delays, raised, local_functions,
-            @document.transitions.map { |transition| transition_function(transition) },
+      text([banner(@document, 'Code'), '', "#include \"#{@document.name}_chart.h\"", '', delays, raised,
+            local_functions, @document.transitions.map { |transition| transition_function(transition) },
             @document.regions.map { |region| region_functions(region) },
             microstep, macrostep, public_functions].compact)[0..-2]
     end

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: the box behaves as its parts do, moves only by its own time, obeys orders by name, and gives the
- * same bytes for the same seed and calls.
+ * Rule under test: the box behaves as its parts do, moves only by its own time, obeys orders by
+ * name, and gives the same bytes for the same seed and calls.
  */
 #include "unity.h"
 
@@ -158,7 +158,8 @@ void test_SWR_BOX_004_axes_start_away_from_home_with_arbitrary_readings(void)
     static const int starts[ROBOT_AXIS_COUNT] = {-1575, 0, -1181, 3333, 0, 100, -300};
 
     for (axis_index_t axis = AXIS_HEAD; axis <= AXIS_YAW; axis++) {
-        const int reading = (axis == AXIS_FEET) ? INT32_MAX - 100 : 1000 * (robot_neuro.axes[axis].slot + 1);
+        const int reading =
+            (axis == AXIS_FEET) ? INT32_MAX - 100 : 1000 * (robot_neuro.axes[axis].slot + 1);
         TEST_ASSERT_EQUAL_INT(starts[axis], position_of(axis));
         TEST_ASSERT_EQUAL_INT(reading, report_of(axis).encoder_count);
     }
@@ -396,10 +397,22 @@ void test_SWR_BOX_003_show_lists_inputs_and_every_axis(void)
 
 void test_SWR_BOX_003_orders_that_are_unknown_change_nothing_and_are_told_the_known_ones(void)
 {
-    static const char *const wrong[] = {"",           "dance",         "pedal",          "pedal up",
-                                        "pedal c open", "pedal a up",    "estop",          "estop push",
-                                        "estop pull now", "scanner maybe", "card 3 broken",  "card 3",
-                                        "encoder 3 up", "motor 3 fast",  "show me",        "card 3 silent now",
+    static const char *const wrong[] = {"",
+                                        "dance",
+                                        "pedal",
+                                        "pedal up",
+                                        "pedal c open",
+                                        "pedal a up",
+                                        "estop",
+                                        "estop push",
+                                        "estop pull now",
+                                        "scanner maybe",
+                                        "card 3 broken",
+                                        "card 3",
+                                        "encoder 3 up",
+                                        "motor 3 fast",
+                                        "show me",
+                                        "card 3 silent now",
                                         "aVeryLongWordIndeed on"};
 
     for (uint32_t i = 0U; i < sizeof wrong / sizeof wrong[0]; i++) {

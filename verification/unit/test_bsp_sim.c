@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: the control end of the wire never waits longer than it was told to, believes nothing of a box that
- * does not answer, and says what to do when there is none. The box's end is held by this test itself.
+ * Rule under test: the control end of the wire never waits longer than it was told to, believes
+ * nothing of a box that does not answer, and says what to do when there is none. The box's end is
+ * held by this test itself.
  */
 #include "unity.h"
 
@@ -60,7 +61,8 @@ static uint32_t exchange(uint32_t send, uint32_t timeout_us)
     return bsp_exchange(send, (const uint8_t(*)[CARD_FRAME_BYTES])sent, received, timeout_us);
 }
 
-/* What the kernel does with the box's end when its process is killed: the name stays, the lock goes. */
+/* What the kernel does with the box's end when its process is killed: the name stays, the lock
+ * goes. */
 static void kill_box(void)
 {
     (void)munmap(served.wire, sizeof(wire_t));
@@ -124,8 +126,8 @@ void test_SWR_SUP_003_impossible_names_are_refused(void)
     TEST_ASSERT_FALSE(bsp_open("", error, sizeof error));
     TEST_ASSERT_FALSE(bsp_open("a/b", error, sizeof error));
     TEST_ASSERT_NOT_NULL_MESSAGE(strstr(error, "no slash"), error);
-    TEST_ASSERT_FALSE(bsp_open("a-name-of-a-box-that-is-much-too-long-for-a-shared-memory-segment", error,
-                               sizeof error));
+    TEST_ASSERT_FALSE(bsp_open("a-name-of-a-box-that-is-much-too-long-for-a-shared-memory-segment",
+                               error, sizeof error));
 }
 
 void test_SWR_SUP_003_a_wire_of_another_build_is_refused(void)

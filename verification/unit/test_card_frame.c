@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: 64 words, most significant byte first, each field at its byte; whatever does not fit, or was
- * damaged on the way, is refused by the name of what is wrong, and the receiver's data stay as they were.
+ * Rule under test: 64 words, most significant byte first, each field at its byte; whatever does not
+ * fit, or was damaged on the way, is refused by the name of what is wrong, and the receiver's data
+ * stay as they were.
  */
 #include "unity.h"
 
@@ -155,7 +156,9 @@ void test_SWR_CARD_001_report_fields_stand_at_their_bytes(void)
     expect_bytes(36U, "\x00\x00\x01\x02\x80\x00\x00\x00", 8U);
     expect_bytes(52U, "\x51\x52\x53\x54\x61\x62\x63\x64\x71\x72\x73\x74", 12U);
     expect_bytes(72U, "\xFF\xFF\x01\xD7\x5D\xC0\x01\x5E", 8U);
-    expect_bytes(96U, "\x11\x01\xAB\xCD\x81\x82\x83\x84\x91\x92\x93\x94\xA1\xA2\xA3\xA4\xB1\xB2\xB3\xB4", 20U);
+    expect_bytes(96U,
+                 "\x11\x01\xAB\xCD\x81\x82\x83\x84\x91\x92\x93\x94\xA1\xA2\xA3\xA4\xB1\xB2\xB3\xB4",
+                 20U);
 }
 
 void test_SWR_CARD_001_words_without_a_field_are_zero(void)
@@ -324,7 +327,8 @@ void test_SWR_CARD_003_a_wrong_complement_is_named(void)
     expect_command(CARD_FRAME_BAD_COMPLEMENT);
 }
 
-static void expect_drive(uint32_t mode, uint32_t direction, uint32_t duty, card_frame_result_t expected)
+static void expect_drive(uint32_t mode, uint32_t direction, uint32_t duty,
+                         card_frame_result_t expected)
 {
     card_command_t command = a_command();
     card_report_t report = a_report();

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: the driver is on only while whole, new frames keep coming and nothing has tripped; each trip is
- * latched until a clear-fault frame, and the report tells the truth about what the driver does.
+ * Rule under test: the driver is on only while whole, new frames keep coming and nothing has
+ * tripped; each trip is latched until a clear-fault frame, and the report tells the truth about
+ * what the driver does.
  */
 #include "unity.h"
 

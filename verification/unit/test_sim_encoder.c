@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: one count and one time stamp per edge, four unequal states whose sum is exact; the scanner adds
- * edges that nearly all cancel.
+ * Rule under test: one count and one time stamp per edge, four unequal states whose sum is exact;
+ * the scanner adds edges that nearly all cancel.
  */
 #include "unity.h"
 

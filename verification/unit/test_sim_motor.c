@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: speed = full speed * duty share, nothing below a tenth of it; gained with 15 ms, lost with 1.5 ms;
- * off means standing still at once and holding.
+ * Rule under test: speed = full speed * duty share, nothing below a tenth of it; gained with 15 ms,
+ * lost with 1.5 ms; off means standing still at once and holding.
  */
 #include "unity.h"
 

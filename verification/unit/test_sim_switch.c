@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Rule under test: active from the home position outwards, released a little inwards of it, bouncing 1 to 5 ms. */
+/* Rule under test: active from the home position outwards, released a little inwards of it,
+ * bouncing 1 to 5 ms. */
 #include "unity.h"
 
 #include "sim_motor.h"

@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file Reproducible chance for the simulated box: the same seed gives the same sequence on every machine. */
-#ifndef BORESIGHT_RANDOM_H
-#define BORESIGHT_RANDOM_H
+/** @file Reproducible chance for the simulated box: the same seed gives the same sequence on every
+ * machine. */
+#ifndef BORESIGHT_SIM_RANDOM_H
+#define BORESIGHT_SIM_RANDOM_H
 
 #include <stdint.h>
 
-/** A stream of pseudo-random numbers (splitmix64, Steele et al. 2014). Seed it by assigning `state`. */
+/** A stream of pseudo-random numbers (splitmix64, Steele et al. 2014). Seed it by assigning
+ * `state`. */
 typedef struct {
     uint64_t state;
 } sim_random_t;

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Compares our OpenIGTLink codec with the standard's own library (libOpenIGTLink 1.11), both ways: what we write the
+// library must unpack to the same values with a right checksum, and what the library packs we must read; where both
+// write the same message, the bytes must be equal. Ends with status 1 and a sentence at the first difference.
+
+extern "C" {
+#include "igtl_codec.h"
+}
+
+#include <igtlMessageHeader.h>
+#include <igtlPointMessage.h>
+#include <igtlStatusMessage.h>
+#include <igtlStringMessage.h>
+#include <igtlTransformMessage.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <random>
+#include <string>
+
+namespace {
+
+const int kRounds = 2000;
+std::mt19937 generator(20130612);
+int compared = 0;
+
+void Check(bool is_equal, const char *what)
+{
+    compared++;
+    if (!is_equal) {
+        std::fprintf(stderr, "codec_oracle: %s differs\n", what);
+        std::exit(1);
+    }
+}
+
+unsigned Random(unsigned below)
+{
+    return static_cast<unsigned>(generator() % below);
+}
+
+std::string Text(unsigned longest)
+{
+    std::string text;
+    const unsigned length = Random(longest + 1);
+    for (unsigned i = 0; i < length; i++) {
+        text += static_cast<char>(0x20 + Random(0x5f));
+    }
+    return text;
+}
+
+float Finite()
+{
+    return std::ldexp(static_cast<float>(static_cast<int>(Random(2000001)) - 1000000), static_cast<int>(Random(30)) - 20);
+}
+
+uint32_t Bits(float number)
+{
+    uint32_t bits;
+    std::memcpy(&bits, &number, sizeof bits);
+    return bits;
+}
+
+template <class Message> typename Message::Pointer Unpacked(const igtl_packet_t &packet)
+{
+    igtl::MessageHeader::Pointer header = igtl::MessageHeader::New();
+    header->InitPack();
+    std::memcpy(header->GetPackPointer(), packet.bytes, IGTL_HEADER_BYTES);
+    header->Unpack();
+    typename Message::Pointer message = Message::New();
+    message->SetMessageHeader(header);
+    message->AllocatePack();
+    Check(message->GetPackBodySize() == static_cast<int>(packet.length - IGTL_HEADER_BYTES), "a body's length");
+    std::memcpy(message->GetPackBodyPointer(), &packet.bytes[IGTL_HEADER_BYTES], packet.length - IGTL_HEADER_BYTES);
+    Check((message->Unpack(1) & igtl::MessageHeader::UNPACK_BODY) != 0, "a checksum");
+    return message;
+}
+
+igtl_message_t Decoded(igtl::MessageBase *message)
+{
+    const uint8_t *bytes = static_cast<const uint8_t *>(message->GetPackPointer());
+    igtl_header_t header;
+    igtl_message_t decoded;
+    Check(igtl_decode_header(bytes, &header) == IGTL_OK, "a header");
+    Check(header.body_bytes + IGTL_HEADER_BYTES == static_cast<uint64_t>(message->GetPackSize()), "a length");
+    Check(igtl_decode_body(&header, &bytes[IGTL_HEADER_BYTES], &decoded) == IGTL_OK, "a body");
+    Check(std::string(decoded.name) == message->GetDeviceName(), "a device name");
+    return decoded;
+}
+
+// All but the time stamp, which the library sets.
+void CheckBytes(igtl::MessageBase *message, const igtl_packet_t &packet)
+{
+    const uint8_t *bytes = static_cast<const uint8_t *>(message->GetPackPointer());
+    Check(packet.length == static_cast<uint32_t>(message->GetPackSize()), "a message's length");
+    Check(std::memcmp(bytes, packet.bytes, 34) == 0, "a header's beginning");
+    Check(std::memcmp(&bytes[42], &packet.bytes[42], packet.length - 42) == 0, "a message's bytes");
+}
+
+void CompareString()
+{
+    const std::string name = Text(19);
+    const std::string text = Text(IGTL_TEXT_MAX);
+    igtl_packet_t packet;
+    igtl_encode_string(&packet, name.c_str(), text.c_str(), 0);
+    Check(std::string(Unpacked<igtl::StringMessage>(packet)->GetString()) == text, "a text");
+    igtl::StringMessage::Pointer message = igtl::StringMessage::New();
+    message->SetDeviceName(name.c_str());
+    message->SetString(text.c_str());
+    message->Pack();
+    const igtl_message_t decoded = Decoded(message);
+    Check(std::string(decoded.text, decoded.text_bytes) == text, "a text");
+    CheckBytes(message, packet);
+}
+
+void CompareStatus()
+{
+    const std::string name = Text(19);
+    const std::string error_name = Text(19);
+    const std::string text = Text(IGTL_TEXT_MAX);
+    const igtl_status_t status = {Random(20), error_name.c_str(), text.c_str()};
+    igtl_packet_t packet;
+    igtl_encode_status(&packet, name.c_str(), &status, 0);
+    igtl::StatusMessage::Pointer unpacked = Unpacked<igtl::StatusMessage>(packet);
+    Check(unpacked->GetCode() == static_cast<int>(status.code), "a code");
+    Check(error_name == unpacked->GetErrorName(), "an error name");
+    Check(text == unpacked->GetStatusString(), "a text");
+    igtl::StatusMessage::Pointer message = igtl::StatusMessage::New();
+    message->SetDeviceName(name.c_str());
+    message->SetCode(static_cast<int>(status.code));
+    message->SetSubCode(0);
+    message->SetErrorName(error_name.c_str());
+    message->SetStatusString(text.c_str());
+    message->Pack();
+    Check(Decoded(message).code == status.code, "a code");
+    CheckBytes(message, packet);
+}
+
+void CompareTransform()
+{
+    const std::string name = Text(19);
+    igtl::Matrix4x4 matrix = {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 1}};
+    igtl::Matrix4x4 back;
+    uint32_t numbers[IGTL_TRANSFORM_NUMBERS];
+    igtl_packet_t packet;
+    for (int i = 0; i < 12; i++) {
+        matrix[i % 3][i / 3] = Finite();
+        numbers[i] = Bits(matrix[i % 3][i / 3]);
+    }
+    igtl_encode_transform(&packet, name.c_str(), numbers, 0);
+    Unpacked<igtl::TransformMessage>(packet)->GetMatrix(back);
+    Check(std::memcmp(matrix, back, sizeof matrix) == 0, "a matrix");
+    igtl::TransformMessage::Pointer message = igtl::TransformMessage::New();
+    message->SetDeviceName(name.c_str());
+    message->SetMatrix(matrix);
+    message->Pack();
+    const igtl_message_t decoded = Decoded(message);
+    Check(std::memcmp(decoded.numbers, numbers, sizeof numbers) == 0, "a matrix");
+    CheckBytes(message, packet);
+}
+
+void ComparePoint()
+{
+    const std::string name = Text(19);
+    igtlFloat32 position[3] = {Finite(), Finite(), Finite()};
+    const uint32_t numbers[3] = {Bits(position[0]), Bits(position[1]), Bits(position[2])};
+    igtl_packet_t packet;
+    igtl_encode_point(&packet, name.c_str(), numbers, 0);
+    igtl::PointElement::Pointer point;
+    igtlFloat32 back[3];
+    Unpacked<igtl::PointMessage>(packet)->GetPointElement(0, point);
+    point->GetPosition(back);
+    Check(std::memcmp(position, back, sizeof back) == 0, "a point");
+    Check(name == point->GetName(), "a point's name");
+    igtl::PointMessage::Pointer message = igtl::PointMessage::New();
+    point = igtl::PointElement::New();
+    point->SetName(name.c_str());
+    point->SetGroupName("");
+    point->SetRGBA(255, 255, 255, 255);
+    point->SetPosition(position);
+    point->SetRadius(0);
+    point->SetOwner("");
+    message->SetDeviceName(name.c_str());
+    message->AddPointElement(point);
+    message->Pack();
+    Check(Decoded(message).kind == IGTL_KIND_POINT, "a point list");
+    CheckBytes(message, packet);
+}
+
+void CompareQueries()
+{
+    igtl::GetTransformMessage::Pointer transform = igtl::GetTransformMessage::New();
+    transform->SetDeviceName("CURRENT_POSITION");
+    transform->Pack();
+    Check(Decoded(transform).kind == IGTL_KIND_GET_TRANSFORM, "GET_TRANS");
+    igtl::GetStatusMessage::Pointer status = igtl::GetStatusMessage::New();
+    status->SetDeviceName("CURRENT_STATUS");
+    status->Pack();
+    Check(Decoded(status).kind == IGTL_KIND_GET_STATUS, "GET_STATUS");
+}
+
+} // namespace
+
+int main()
+{
+    for (int i = 0; i < kRounds; i++) {
+        CompareString();
+        CompareStatus();
+        CompareTransform();
+        ComparePoint();
+    }
+    CompareQueries();
+    std::printf("codec_oracle: %d comparisons with libOpenIGTLink, no difference\n", compared);
+    return 0;
+}

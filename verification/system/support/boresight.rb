@@ -1,0 +1,411 @@
+# frozen_string_literal: true
+
+# SPDX-License-Identifier: Apache-2.0
+
+require 'fileutils'
+require 'json'
+require 'minitest/autorun'
+require 'net/http'
+require 'open3'
+require 'socket'
+require 'tmpdir'
+
+# One running Boresight: its own ports, names and directory, so that several run side by side.
+#
+#   boresight = Boresight.start
+#   boresight.command('START_UP')
+#   boresight.simctl('pedal', 'press')
+#   boresight.wait_until(60, 'all axes are homed') { boresight.status['is_homed'] }
+#   boresight.stop
+class Boresight
+  PROGRAMS = ENV.fetch('BORESIGHT_BIN', File.expand_path('../../../build/bin', __dir__))
+  NAMES = %w[box control recorder igtl http].freeze
+  START_SECONDS = 15
+  POLL_SECONDS = 0.02
+
+  # What was waited for did not happen.
+  class TimedOut < StandardError; end
+
+  class << self
+    def start(**)
+      new(**).tap(&:start)
+    end
+
+    def program(name)
+      File.join(PROGRAMS, name)
+    end
+
+    # `count` ports that nobody listens on.
+    def free_ports(count)
+      servers = Array.new(count) { TCPServer.new('127.0.0.1', 0) }
+      servers.map { |server| server.addr[1] }
+    ensure
+      servers&.each(&:close)
+    end
+
+    def now
+      Process.clock_gettime(Process::CLOCK_MONOTONIC)
+    end
+
+    # Polls the block until it is true, and returns what it returned.
+    def wait_until(seconds, reason)
+      deadline = now + seconds
+      loop do
+        result = yield
+        return result if result
+        raise TimedOut, "waited #{seconds} s in vain until #{reason}" if now > deadline
+
+        sleep POLL_SECONDS
+      end
+    end
+
+    def running
+      @running ||= []
+    end
+
+    def next_instance
+      @instances = (@instances || 0) + 1
+      "test-#{Process.pid}-#{@instances}"
+    end
+  end
+
+  Minitest.after_run { Boresight.running.dup.each(&:kill_all) }
+
+  attr_reader :directory, :instance, :http_port, :igtl_port, :brp_port, :pid
+
+  # `arguments` are added to the command line; `prefix` goes in front of it.
+  def initialize(arguments: [], prefix: [], programs: PROGRAMS)
+    @http_port, @igtl_port, @brp_port = Boresight.free_ports(3)
+    @instance = Boresight.next_instance
+    @directory = Dir.mktmpdir('boresight')
+    @command = [*prefix, File.join(programs, 'boresight'), '--instance', @instance,
+                '--http-port', @http_port.to_s, '--igtl-port', @igtl_port.to_s,
+                '--brp-port', @brp_port.to_s, '--recordings', recordings, *arguments]
+  end
+
+  # Starts it and waits until the console answers.
+  def start
+    launch
+    wait_until(START_SECONDS, 'the console answers') { started? }
+  rescue StandardError
+    warn "Boresight said:\n#{output}"
+    kill_all
+    raise
+  end
+
+  # Starts it without waiting.
+  def launch
+    @pid = Process.spawn(*@command, out: log_file, err: %i[child out], in: File::NULL)
+    Boresight.running << self
+    @pid
+  end
+
+  # Tells it to stop; returns [exit code, seconds that took].
+  def stop(signal = 'TERM')
+    began = Boresight.now
+    Process.kill(signal, @pid)
+    [wait_for_end(5), Boresight.now - began]
+  ensure
+    kill_all
+  end
+
+  # Exit code once it has ended by itself.
+  def wait_for_end(seconds)
+    wait_until(seconds, 'the supervisor ends') { ended? }
+    @status.exitstatus
+  end
+
+  def kill_all
+    children = @pid ? pids : {}
+    begin
+      Process.kill('KILL', @pid) unless @pid.nil? || ended?
+    rescue Errno::ESRCH
+      nil
+    end
+    children.each_value { |pid| kill_pid(pid) }
+    @process_client&.close
+    Boresight.running.delete(self)
+    Dir.glob("/dev/shm/*#{@instance}*").each { |path| FileUtils.rm_f(path) }
+    FileUtils.rm_rf(@directory)
+  end
+
+  # Everything it has printed.
+  def output
+    @last_output = File.read(log_file) if File.exist?(log_file)
+    @last_output.to_s
+  end
+
+  def recordings
+    File.join(@directory, 'recordings')
+  end
+
+  # Recordings, the oldest first.
+  def recording_files
+    Dir.glob(File.join(recordings, 'blackbox-*.bsr')).sort
+  end
+
+  def event_lines
+    path = File.join(recordings, 'events.log')
+    File.exist?(path) ? File.readlines(path, chomp: true) : []
+  end
+
+  def box
+    "#{@instance}-box"
+  end
+
+  # Gives the box an order; returns its answer.
+  def simctl(*words)
+    answer, status = Open3.capture2e(Boresight.program('boresight-simctl'), '--name', box, *words)
+    raise "simctl #{words.join(' ')}: #{answer}" unless status.success?
+
+    answer
+  end
+
+  def status
+    get('status')
+  end
+
+  def motors
+    get('motors')
+  end
+
+  def targeting
+    get('targeting')
+  end
+
+  # Events from number `from` on.
+  def log(from = 0)
+    get(from.zero? ? 'log' : "log?after=#{from - 1}")['entries']
+  end
+
+  # As soon as http answers again, for a test that has just killed it.
+  def patiently(seconds = 8)
+    wait_until(seconds, 'http answers') do
+      yield
+    rescue SystemCallError, EOFError, Net::ReadTimeout, Net::OpenTimeout, RuntimeError
+      nil
+    end
+  end
+
+  def post_stop
+    http { |connection| connection.post('/api/v1/stop', '', 'Content-Type' => 'application/json') }
+  end
+
+  # The supervisor's children by name; a zombie is not one.
+  def pids
+    Dir.glob('/proc/[0-9]*/stat').each_with_object({}) do |path, found|
+      stat = File.read(path)
+      state, parent = stat[(stat.rindex(')') + 2)..].split.first(2)
+      next if state == 'Z' || parent.to_i != supervisor_pid
+
+      pid = path[/\d+/].to_i
+      name = File.basename(File.read("/proc/#{pid}/cmdline").split("\0").first.to_s)
+      found[name.delete_prefix('boresight-')] = pid
+    rescue SystemCallError
+      next
+    end
+  end
+
+  def pid_of(name)
+    pids[name]
+  end
+
+  def kill(name, signal)
+    Process.kill(signal, pid_of(name) || raise("#{name} does not run"))
+  end
+
+  def wait_until(seconds, reason, &)
+    Boresight.wait_until(seconds, reason, &)
+  rescue TimedOut => e
+    raise TimedOut, "#{e.message}; Boresight said:\n#{output}"
+  end
+
+  # Sends a workphase command as a client of the OpenIGTLink port does.
+  def command(workphase)
+    @commands = (@commands || 0) + 1
+    peer = WorkphasePeer.new(@brp_port)
+    peer.command(format('CMD_%04d', @commands), workphase)
+  ensure
+    peer&.close
+  end
+
+  # Homes every axis; the pedal is pressed as long as that takes.
+  def home(seconds = 90)
+    press_and_command('START_UP')
+    patiently(seconds) { !moving? && status['is_homed'] }
+    simctl('pedal', 'release')
+  end
+
+  # Arms `workphase`, then presses the pedal; returns once an axis is driven.
+  def press_and_command(workphase)
+    simctl('pedal', 'release')
+    command(workphase)
+    wait_until(5, "#{workphase} is armed") { status['order'] != 'none' }
+    simctl('pedal', 'press')
+    wait_until(5, 'an axis is driven') { moving? }
+  end
+
+  def moving?
+    motors['axes'].any? { |axis| axis['is_driven'] }
+  end
+
+  # The workphase client of the demonstration, connected to this instance.
+  def client(*arguments)
+    @process_client ||= ProcessClient.new(Boresight.program('boresight-client'), '--port', @brp_port.to_s, *arguments)
+  end
+
+  def ended?
+    return true if @status
+
+    reaped, status = Process.wait2(@pid, Process::WNOHANG)
+    @status = status if reaped
+    !@status.nil?
+  end
+
+  private
+
+  def log_file
+    File.join(@directory, 'output')
+  end
+
+  def started?
+    raise 'the supervisor has ended' if ended?
+
+    status
+    output.include?('Console:')
+  rescue SystemCallError, EOFError, Net::ReadTimeout, Net::OpenTimeout, JSON::ParserError, HttpRefused
+    false
+  end
+
+  # An answer other than 200.
+  class HttpRefused < RuntimeError; end
+
+  def get(name)
+    response = http { |connection| connection.get("/api/v1/#{name}") }
+    raise HttpRefused, "#{name}: #{response.code} #{response.body}" unless response.code == '200'
+
+    JSON.parse(response.body)
+  end
+
+  def http(&)
+    Net::HTTP.start('127.0.0.1', @http_port, open_timeout: 1, read_timeout: 2, &)
+  end
+
+  # With a prefix (sh -c, setpriv ...) that executes it, the process is still the same.
+  def supervisor_pid
+    @pid
+  end
+
+  def kill_pid(pid)
+    Process.kill('KILL', pid)
+  rescue Errno::ESRCH
+    nil
+  end
+end
+
+# Just enough of OpenIGTLink to command a workphase: a STRING message of header version 1.
+class WorkphasePeer
+  POLYNOMIAL = 0x42F0E1EBA9EA3693
+  MASK = 0xFFFFFFFFFFFFFFFF
+
+  def self.crc64(bytes)
+    bytes.each_byte.reduce(0) do |crc, byte|
+      crc ^= byte << 56
+      8.times { crc = crc[63] == 1 ? ((crc << 1) ^ POLYNOMIAL) & MASK : (crc << 1) & MASK }
+      crc
+    end
+  end
+
+  def initialize(port)
+    @socket = TCPSocket.new('127.0.0.1', port)
+  end
+
+  # Sends `text` as the message `name` and waits for the first answer's header.
+  def command(name, text)
+    body = [3, text.bytesize, text].pack('nna*')
+    header = [1, 'STRING', name, 0, body.bytesize, WorkphasePeer.crc64(body)].pack('na12a20Q>Q>Q>')
+    @socket.write(header + body)
+    raise 'no answer to the command' unless @socket.wait_readable(2)
+
+    @socket.readpartial(4096)
+  end
+
+  def close
+    @socket.close
+  end
+end
+
+# A program that reads orders and answers with lines of JSON.
+class ProcessClient
+  def initialize(*command)
+    @input, @answers, @thread = Open3.popen2(*command)
+    @buffer = +''
+  end
+
+  def write(line)
+    @input.puts(line)
+    @input.flush
+  end
+
+  # The next line, parsed.
+  def read(seconds = 5)
+    line = Boresight.wait_until(seconds, 'the client says something') { next_line }
+    JSON.parse(line)
+  end
+
+  def close
+    @input.close unless @input.closed?
+    Process.kill('KILL', @thread.pid) if @thread.alive?
+    @thread.value
+  rescue Errno::ESRCH
+    nil
+  end
+
+  private
+
+  def next_line
+    return @buffer.slice!(/\A.*\n/) if @buffer.include?("\n")
+
+    text = @answers.read_nonblock(4096, exception: false)
+    @buffer << text if text.is_a?(String)
+    nil
+  end
+end
+
+# A test of real processes. `boresight` starts one when first asked for it; everything ends with the test.
+class SystemTest < Minitest::Test
+  def boresight(...)
+    @boresight ||= Boresight.start(...)
+  end
+
+  def teardown
+    warn "\n#{name}: Boresight said:\n#{@boresight.output}" if @boresight && !passed?
+    Boresight.running.dup.each(&:kill_all)
+  end
+
+  def wait_until(seconds, reason, &)
+    Boresight.wait_until(seconds, reason, &)
+  end
+
+  # Runs the replay; returns its output and its exit code.
+  def replay(file)
+    text, status = Open3.capture2e(Boresight.program('boresight-replay'), file)
+    [text, status.exitstatus]
+  end
+
+  # A stopped instance leaves no process and no shared memory behind.
+  def assert_nothing_left(instance)
+    wait_until(2, "nothing of #{instance} is left") do
+      Dir.glob("/dev/shm/*#{instance}*").empty? && processes_of(instance).empty?
+    end
+  end
+
+  def processes_of(instance)
+    Dir.glob('/proc/[0-9]*/cmdline').select do |path|
+      words = File.read(path).split("\0")
+      words.first.to_s.include?('boresight') && words.any? { |word| word.include?(instance) }
+    rescue SystemCallError
+      false
+    end
+  end
+end

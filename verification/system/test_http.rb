@@ -1,0 +1,402 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+# Rule under test: the HTTP server shows everything, obeys one command, refuses all else, and no client can keep it
+# from serving the others. One running system serves all tests of this file.
+
+require 'json'
+require 'minitest/autorun'
+require 'net/http'
+require 'socket'
+require_relative 'support/boresight'
+
+# What the tests share: requests, raw bytes, and patience with a deadline.
+module HttpClient
+  SAFETY_HEADERS = %w[Content-Security-Policy X-Content-Type-Options X-Frame-Options Referrer-Policy
+                      Cache-Control].freeze
+
+  def port
+    TestHttp.boresight.http_port
+  end
+
+  def host
+    "127.0.0.1:#{port}"
+  end
+
+  def get(path, headers = {})
+    request(Net::HTTP::Get.new(path, headers))
+  end
+
+  def post(path, body, headers = {})
+    request(Net::HTTP::Post.new(path, headers).tap { |message| message.body = body })
+  end
+
+  def request(message)
+    Net::HTTP.start('127.0.0.1', port, open_timeout: 5, read_timeout: 5) { |http| http.request(message) }
+  end
+
+  def fetch_json(path)
+    response = get(path)
+    assert_equal '200', response.code, response.body
+    JSON.parse(response.body)
+  end
+
+  def assert_refused(code, word, response)
+    assert_equal [code, word], [response.code, JSON.parse(response.body).fetch('code')]
+    SAFETY_HEADERS.each { |header| refute_nil response[header], "#{header} is missing" }
+  end
+
+  # Sends bytes as they are and returns what comes back until the server closes.
+  def send_raw(bytes)
+    TCPSocket.open('127.0.0.1', port) do |socket|
+      socket.write(bytes)
+      read_until_closed(socket)
+    end
+  end
+
+  def read_until_closed(socket, seconds = 8)
+    deadline = now + seconds
+    answer = +''
+    answer << socket.readpartial(65_536) while now < deadline && socket.wait_readable(deadline - now)
+    flunk "the server did not close within #{seconds} s"
+  rescue EOFError, Errno::ECONNRESET, Errno::EPIPE
+    answer
+  end
+
+  # A stream that was accepted; one closed just before may still have its place for some frames.
+  def open_stream
+    stream = nil
+    within(5) do
+      stream&.close
+      stream = EventStream.new(port)
+      stream.status == '200'
+    end
+    stream
+  end
+
+  def now
+    Process.clock_gettime(Process::CLOCK_MONOTONIC)
+  end
+
+  def within(seconds)
+    deadline = now + seconds
+    loop do
+      return if yield
+      flunk "not within #{seconds} s" if now > deadline
+      sleep 0.02
+    end
+  end
+end
+
+# A client of the stream.
+class EventStream
+  attr_reader :status
+
+  def initialize(port, headers = {})
+    @socket = TCPSocket.new('127.0.0.1', port)
+    lines = headers.map { |name, value| "#{name}: #{value}\r\n" }.join
+    @socket.write("GET /api/v1/events HTTP/1.1\r\nHost: 127.0.0.1:#{port}\r\n#{lines}\r\n")
+    @buffer = +''
+    @status = head[/\A\S+ (\d+)/, 1]
+  end
+
+  # The next message as [event, data]; comments are skipped.
+  def next_message(seconds = 5)
+    loop do
+      text = take("\n\n", seconds)
+      event = text[/^event: (.*)$/, 1]
+      return [event, JSON.parse(text[/^data: (.*)$/, 1])] if event
+    end
+  end
+
+  def next_of(event, seconds = 5)
+    loop do
+      name, data = next_message(seconds)
+      return data if name == event
+    end
+  end
+
+  def close
+    @socket.close
+  end
+
+  private
+
+  def head
+    take("\r\n\r\n", 5)
+  end
+
+  def take(separator, seconds)
+    until (text = @buffer.slice!(/\A.*?#{separator}/m))
+      raise "nothing came for #{seconds} s" unless @socket.wait_readable(seconds)
+
+      @buffer << @socket.readpartial(65_536)
+    end
+    text
+  end
+end
+
+class TestHttp < Minitest::Test
+  include HttpClient
+
+  AXES = %w[head feet lateral insertion rotation pitch yaw].freeze
+  STREAMS = 8
+  ESTABLISHED = '01'
+  LISTENING = '0A'
+
+  def self.boresight
+    @boresight ||= Boresight.start.tap { |system| Minitest.after_run { system.stop } }
+  end
+
+  def setup
+    within(5) { get('/api/v1/status').is_a?(Net::HTTPOK) }
+  end
+
+  def test_SWR_HTTP_001_status_names_the_state_and_what_is_needed_next
+    status = fetch_json('/api/v1/status')
+    assert_kind_of String, status.dig('workphase', 'name')
+    assert_match(/\.\z/, status.dig('next_step', 'text'))
+    assert_equal AXES, status.fetch('cards').map { |card| card.fetch('axis') }
+    assert_equal %w[core fifo memory], status.dig('loop', 'rights').keys.sort
+  end
+
+  def test_SWR_HTTP_001_status_is_young_while_control_runs
+    first = fetch_json('/api/v1/status')
+    within(2) { fetch_json('/api/v1/status').fetch('cycle') > first.fetch('cycle') }
+    assert_operator fetch_json('/api/v1/status').fetch('age_ms'), :<, 200
+  end
+
+  def test_SWR_HTTP_001_motors_have_a_row_for_each_axis
+    axes = fetch_json('/api/v1/motors').fetch('axes')
+    assert_equal(AXES, axes.map { |axis| axis.fetch('name') })
+    axes.each do |axis|
+      assert_includes %w[mm deg], axis.fetch('unit')
+      assert_operator axis.fetch('minimum'), :<, axis.fetch('maximum')
+      permit = axis.fetch('permit')
+      assert_equal permit.fetch('allowed'), permit.fetch('reasons').empty?
+    end
+  end
+
+  def test_SWR_HTTP_001_targeting_gives_the_measured_pose_as_a_rigid_matrix
+    matrix = fetch_json('/api/v1/targeting').fetch('zframe_treatment')
+    assert_equal 16, matrix.size
+    assert_equal [0, 0, 0, 1], matrix[12, 4]
+    matrix.each_slice(4).first(3).each do |row|
+      assert_in_delta 1.0, row.first(3).sum { |entry| entry * entry }, 1e-6
+    end
+  end
+
+  def test_SWR_HTTP_001_log_is_numbered_without_gaps_and_continues_after_a_number
+    log = fetch_json('/api/v1/log')
+    numbers = log.fetch('entries').map { |entry| entry.fetch('number') }
+    assert_equal [*numbers.first..numbers.last], numbers
+    rest = fetch_json("/api/v1/log?after=#{numbers.first}").fetch('entries')
+    assert_equal numbers.first + 1, rest.first.fetch('number')
+    assert_empty fetch_json("/api/v1/log?after=#{numbers.last + 1000}").fetch('entries')
+  end
+
+  def test_SWR_HTTP_001_the_page_and_its_parts_come_from_the_program
+    page = get('/')
+    assert_equal ['200', 'no-store'], [page.code, page['Cache-Control']]
+    scripts = page.body.scan(%r{(?:src|href)="(/assets/[^"]+)"}).flatten
+    refute_empty scripts
+    scripts.each do |path|
+      part = get(path)
+      assert_equal '200', part.code
+      assert_includes part['Cache-Control'], 'immutable'
+    end
+    refute_match(%r{https?://}, page.body)
+  end
+
+  def test_SWR_HTTP_001_frozen_control_is_visible_by_its_age
+    control = self.class.boresight.pid_of(:control)
+    Process.kill('STOP', control)
+    within(3) { fetch_json('/api/v1/status').fetch('age_ms') > 500 }
+  ensure
+    Process.kill('CONT', control)
+    within(3) { fetch_json('/api/v1/status').fetch('age_ms') < 200 }
+  end
+
+  def test_SWR_HTTP_002_stop_is_answered_by_control
+    response = post('/api/v1/stop', '{}')
+    assert_equal '200', response.code, response.body
+    assert_equal %w[ACCEPTED STOP], JSON.parse(response.body).values_at('result', 'workphase')
+    assert_equal 'STOP', fetch_json('/api/v1/status').dig('workphase', 'name')
+  end
+
+  def test_SWR_HTTP_002_many_stops_at_once_are_each_answered
+    codes = Array.new(6) { Thread.new { post('/api/v1/stop', '').code } }.map(&:value)
+    assert_equal ['200'] * 6, codes
+  end
+
+  def test_SWR_HTTP_002_stop_says_when_control_does_not_answer
+    control = self.class.boresight.pid_of(:control)
+    Process.kill('STOP', control)
+    assert_refused '503', 'NO_ANSWER', post('/api/v1/stop', '{}')
+  ensure
+    Process.kill('CONT', control)
+  end
+
+  def test_SWR_HTTP_003_the_stream_greets_then_tells_the_log_and_the_state
+    stream = open_stream
+    hello = stream.next_message
+    assert_equal 'hello', hello.first
+    assert_match(/\A\h{16}\z/, hello.last.fetch('boot_id'))
+    assert_kind_of Integer, stream.next_of('log').fetch('number')
+    assert_equal %w[motors status targeting], stream.next_of('state').keys.sort
+  ensure
+    stream&.close
+  end
+
+  def test_SWR_HTTP_003_the_state_comes_about_twenty_times_a_second
+    stream = open_stream
+    stream.next_of('state')
+    start = now
+    20.times { stream.next_of('state') }
+    assert_in_delta 1.0, now - start, 0.5
+  ensure
+    stream&.close
+  end
+
+  def test_SWR_HTTP_003_a_change_is_told_to_every_client
+    streams = Array.new(2) { open_stream }
+    streams.each { |stream| stream.next_of('state') }
+    post('/api/v1/stop', '{}')
+    streams.each do |stream|
+      within(2) { stream.next_of('state').dig('status', 'workphase', 'name') == 'STOP' }
+    end
+  ensure
+    streams&.each(&:close)
+  end
+
+  def test_SWR_HTTP_003_one_stream_too_many_is_refused_and_a_closed_one_makes_room
+    streams = Array.new(STREAMS) { open_stream }
+    assert_equal '503', EventStream.new(port).status
+    assert_equal '200', get('/api/v1/status').code
+    streams.pop.close
+    streams << open_stream
+  ensure
+    streams&.each(&:close)
+  end
+
+  # The kernel buffers some megabytes for the client before a write has to wait: half a minute of frames.
+  def test_SWR_HTTP_003_a_client_that_reads_nothing_is_dropped_alone
+    lazy = Socket.new(:INET, :STREAM).tap { |socket| socket.setsockopt(:SOCKET, :RCVBUF, 4096) }
+    lazy.connect(Addrinfo.tcp('127.0.0.1', port))
+    lazy.write("GET /api/v1/events HTTP/1.1\r\nHost: #{host}\r\n\r\n")
+    neighbour = open_stream
+    within(60) do
+      neighbour.next_of('state', 1)
+      dropped?(lazy)
+    end
+  ensure
+    neighbour&.close
+    lazy&.close
+  end
+
+  def test_SWR_HTTP_004_other_methods_are_refused
+    assert_refused '405', 'METHOD_NOT_ALLOWED', request(Net::HTTP::Put.new('/api/v1/status').tap { |put| put.body = '' })
+    assert_refused '405', 'METHOD_NOT_ALLOWED', request(Net::HTTP::Delete.new('/'))
+    assert_refused '405', 'METHOD_NOT_ALLOWED', request(Net::HTTP::Propfind.new('/'))
+    assert_refused '405', 'METHOD_NOT_ALLOWED', post('/api/v1/motors', '{}')
+    response = get('/api/v1/stop')
+    assert_refused '405', 'METHOD_NOT_ALLOWED', response
+    assert_equal 'POST', response['Allow']
+  end
+
+  def test_SWR_HTTP_004_other_paths_are_refused
+    ['/nothing', '/api/v1', '/api/v1/status/', '/../../etc/passwd', '/%2e%2e/etc/passwd', '/assets/',
+     '/index.html/..'].each do |path|
+      assert_refused '404', 'NOT_FOUND', get(path)
+    end
+  end
+
+  def test_SWR_HTTP_004_other_hosts_are_refused
+    ['evil.example', "evil.example:#{port}", "127.0.0.1:#{port + 1}", 'localhost', "localhost:#{port}.evil.example",
+     "127.0.0.1:#{port}@evil.example"].each do |name|
+      assert_refused '403', 'HOST_REFUSED', get('/api/v1/status', 'Host' => name)
+    end
+    assert_equal '200', get('/api/v1/status', 'Host' => "localhost:#{port}").code
+    assert_match(/\AHTTP\S* 400 .*HOST_MISSING/m, send_raw("GET / HTTP/1.0\r\n\r\n"))
+  end
+
+  def test_SWR_HTTP_004_other_origins_are_refused
+    ['http://evil.example', 'null', "https://#{host}", "http://#{host}.evil.example"].each do |origin|
+      assert_refused '403', 'ORIGIN_REFUSED', post('/api/v1/stop', '{}', 'Origin' => origin)
+    end
+    assert_refused '403', 'ORIGIN_REFUSED', get('/api/v1/status', 'Sec-Fetch-Site' => 'cross-site')
+    assert_equal '200', post('/api/v1/stop', '{}', 'Origin' => "http://#{host}").code
+  end
+
+  def test_SWR_HTTP_004_no_other_site_is_allowed_in
+    response = request(Net::HTTP::Options.new('/api/v1/stop', 'Origin' => 'http://evil.example',
+                                                              'Access-Control-Request-Method' => 'POST'))
+    assert_refused '403', 'ORIGIN_REFUSED', response
+    assert_nil get('/api/v1/status')['Access-Control-Allow-Origin']
+  end
+
+  def test_SWR_HTTP_004_bodies_must_be_short_announced_and_empty
+    assert_refused '413', 'BODY_TOO_LONG', post('/api/v1/stop', 'x' * 257)
+    assert_refused '400', 'BAD_BODY', post('/api/v1/stop', '{"workphase":"MANUAL"}')
+    head = "POST /api/v1/stop HTTP/1.1\r\nHost: #{host}\r\n"
+    assert_match(/\AHTTP\S* 411 .*LENGTH_REQUIRED/m, send_raw("#{head}\r\n"))
+    assert_match(/\AHTTP\S* 411 /, send_raw("#{head}Transfer-Encoding: chunked\r\n\r\n2\r\n{}\r\n0\r\n\r\n"))
+    assert_match(/\AHTTP\S* 411 /, send_raw("#{head}Content-Length: -5\r\n\r\n"))
+    assert_match(/\AHTTP\S* 413 /, send_raw("#{head}Content-Length: 99999999999\r\n\r\n"))
+  end
+
+  def test_SWR_HTTP_004_numbers_in_a_query_are_numbers
+    %w[abc -1 1.5 99999999999 0x10].each do |text|
+      assert_refused '400', 'BAD_QUERY', get("/api/v1/log?after=#{text}")
+    end
+  end
+
+  def test_SWR_HTTP_004_too_many_and_too_long_headers_are_refused
+    many = Array.new(70) { |i| "X-#{i}: 1\r\n" }.join
+    assert_match(/\AHTTP\S* 431 /, send_raw("GET / HTTP/1.1\r\nHost: #{host}\r\n#{many}\r\n"))
+    assert_refused '400', 'BAD_REQUEST', get('/', 'X-Long' => 'a' * 9000)
+  end
+
+  def test_SWR_HTTP_004_garbage_is_survived
+    random = Random.new(20_261)
+    20.times { send_raw("#{random.bytes(random.rand(1..3000))}\r\n\r\n") }
+    assert_equal '200', get('/api/v1/status').code
+  end
+
+  def test_SWR_HTTP_004_half_requests_are_dropped_and_do_not_block_others
+    slow = Array.new(10) do
+      TCPSocket.new('127.0.0.1', port).tap { |socket| socket.write("GET / HTTP/1.1\r\nHost: ") }
+    end
+    start = now
+    assert_equal '200', get('/api/v1/status').code
+    assert_operator now - start, :<, 1.0
+    slow.each { |socket| read_until_closed(socket, 6) }
+  ensure
+    slow&.each(&:close)
+  end
+
+  def test_SWR_HTTP_005_nothing_listens_on_other_addresses
+    listening = sockets.select { |state, here, _| state == LISTENING && here.last == port }
+    assert_equal(['127.0.0.1'], listening.map { |_, here, _| here.first })
+  end
+
+  private
+
+  # The server's end is the one to look at: what it has sent still stands before its farewell.
+  def dropped?(socket)
+    its_port = socket.local_address.ip_port
+    sockets.none? { |state, here, there| state == ESTABLISHED && here.last == port && there.last == its_port }
+  end
+
+  # [state, [address, port], [address, port]] of every IPv4 socket of this machine.
+  def sockets
+    File.readlines('/proc/net/tcp').drop(1).map(&:split).map do |row|
+      [row[3], endpoint(row[1]), endpoint(row[2])]
+    end
+  end
+
+  def endpoint(text)
+    address, its_port = text.split(':')
+    [address.scan(/../).map { |byte| byte.to_i(16) }.reverse.join('.'), its_port.to_i(16)]
+  end
+end

@@ -1,0 +1,113 @@
+# frozen_string_literal: true
+
+# SPDX-License-Identifier: Apache-2.0
+
+# Rule under test: every cycle that control published is in a file, or its loss is.
+
+require_relative 'support/boresight'
+
+class TestRecorder < SystemTest
+  BUILD = (16...80)
+  ROBOT = (80...96)
+  ROBOT_CRC = (96...100)
+
+  # Runs until `cycles` cycles are published; returns the recordings, kept after the end.
+  def record(cycles)
+    boresight.wait_until(30, "#{cycles} cycles have run") { boresight.status['cycle'] >= cycles }
+    yield if block_given?
+    last = boresight.status['cycle']
+    Process.kill('TERM', boresight.pid)
+    boresight.wait_for_end(2)
+    last
+  end
+
+  def replayed(file)
+    text, code = replay(file)
+    assert_equal 0, code, text
+    [text[/^(\d+) cycles replayed, every output equal$/, 1].to_i, text]
+  end
+
+  def test_SWR_REC_001_every_cycle_from_the_first_to_the_last_is_recorded
+    last = record(3000)
+    cycles, text = replayed(boresight.recording_files.fetch(0))
+    assert_equal 1, boresight.recording_files.size
+    assert_operator cycles, :>, last
+    refute_match(/follow no checkpoint|lost/, text + boresight.output)
+  end
+
+  def test_SWR_REC_001_every_event_is_a_line_of_the_log
+    expected = []
+    record(2000) do
+      boresight.simctl('pedal', 'press')
+      boresight.simctl('pedal', 'release')
+      boresight.wait_until(3, 'the pedal is in the log') { (expected = boresight.log).any? { |e| e['name'] == 'PEDAL_RELEASED' } }
+    end
+    lines = boresight.event_lines
+    assert_equal (0...lines.size).to_a, lines.map { |line| line.split[1].to_i }
+    expected.each do |event|
+      assert_match(/ #{event['number']} cycle=#{event['cycle']} #{event['severity']} #{event['name']} /,
+                   lines[event['number']])
+    end
+  end
+
+  def test_SWR_REC_001_after_a_kill_the_first_file_is_usable_and_a_second_begins
+    record(2000) do
+      boresight.kill('recorder', 'KILL')
+      boresight.wait_until(4, 'there is a second recording') { boresight.recording_files.size == 2 }
+      first = boresight.status['cycle']
+      boresight.wait_until(5, 'a second has passed') { boresight.status['cycle'] > first + 1500 }
+    end
+    cut, whole = boresight.recording_files.map { |file| replayed(file) }
+    assert_match(/Cut short/, cut[1])
+    assert_operator cut[0], :>, 500
+    refute_match(/Cut short/, whole[1])
+    assert_operator whole[0], :>, 1000
+  end
+
+  def test_SWR_REC_001_cycles_that_a_stopped_recorder_missed_are_counted
+    record(1000) do
+      boresight.kill('recorder', 'STOP')
+      missed = boresight.status['counts']['cycles_lost']
+      boresight.wait_until(6, 'cycles are lost') { boresight.status['counts']['cycles_lost'] > missed }
+      boresight.kill('recorder', 'CONT')
+      boresight.wait_until(3, 'the recorder says so') { boresight.output.match?(/recorder: \d+ cycles were lost/) }
+      first = boresight.status['cycle']
+      boresight.wait_until(5, 'a second has passed') { boresight.status['cycle'] > first + 1000 }
+    end
+    assert_operator boresight.recording_files.size, :>=, 2
+    boresight.recording_files.each { |file| replayed(file) }
+  end
+
+  def test_SWR_REC_001_a_full_disk_is_said_once_and_recording_goes_on_when_there_is_room
+    skip 'prlimit is missing' unless system('command -v prlimit > /dev/null')
+    record(500) do
+      limit = ->(bytes) { system('prlimit', '--pid', boresight.pid_of('recorder').to_s, "--fsize=#{bytes}:unlimited") }
+      assert limit.call(File.size(boresight.recording_files.last) + 1000)
+      boresight.wait_until(5, 'the recorder says so') { boresight.output.include?('nothing can be recorded') }
+      assert limit.call('unlimited')
+      boresight.wait_until(10, 'recording goes on') { boresight.output.include?('recording goes on') }
+      first = boresight.status['cycle']
+      boresight.wait_until(5, 'a second has passed') { boresight.status['cycle'] > first + 1000 }
+    end
+    assert_equal 1, boresight.output.scan('nothing can be recorded').size
+    boresight.recording_files.each { |file| replayed(file) }
+  end
+
+  def crc32c(bytes)
+    bytes.each_byte.reduce(0xFFFFFFFF) do |crc, byte|
+      crc ^= byte
+      8.times { crc = crc[0] == 1 ? (crc >> 1) ^ 0x82F63B78 : crc >> 1 }
+      crc
+    end ^ 0xFFFFFFFF
+  end
+
+  def test_SWR_REC_003_the_recording_names_the_build_and_the_robot
+    build = boresight.status['build_id']
+    record(500)
+    header = File.binread(boresight.recording_files.first, 256)
+    robot = File.binread(File.expand_path('../../core/robot/neuro.yaml', __dir__))
+    assert_equal build, header[BUILD].delete("\0")
+    assert_equal 'neuro', header[ROBOT].delete("\0")
+    assert_equal crc32c(robot), header[ROBOT_CRC].unpack1('V')
+  end
+end

@@ -1,0 +1,76 @@
+# frozen_string_literal: true
+
+# SPDX-License-Identifier: Apache-2.0
+
+# Rule under test: the controller executed again on recorded inputs says the same, bit for bit; a changed recording
+# is refused with the place of the change.
+
+require 'digest'
+require_relative 'support/boresight'
+
+class TestReplay < SystemTest
+  PLACES = 50
+
+  # Stops and returns the recording.
+  def end_recording
+    Process.kill('TERM', boresight.pid)
+    boresight.wait_for_end(2)
+    boresight.recording_files.last
+  end
+
+  def flip(file, offset)
+    File.open(file, 'r+b') do |io|
+      io.seek(offset)
+      byte = io.readbyte
+      io.seek(offset)
+      io.write((byte ^ 0x20).chr)
+    end
+  end
+
+  def test_SWR_REPLAY_001_a_homing_is_replayed_and_every_output_is_equal
+    boresight.home
+    text, code = replay(end_recording)
+    assert_equal 0, code, text
+    cycles = text[/^(\d+) cycles replayed, every output equal$/, 1].to_i
+    assert_operator cycles, :>, 3000
+    puts "SWR-REPLAY-001: #{cycles} cycles of a homing replayed"
+  end
+
+  def test_SWR_REPLAY_001_another_robot_is_refused_by_both_crcs
+    boresight.wait_until(5, 'something is recorded') { boresight.status['cycle'] > 500 }
+    file = end_recording
+    header = File.binread(file, 256)
+    header[96, 4] = [0x0BADF00D].pack('V')
+    header[224, 32] = Digest::SHA256.digest(header[0, 224])
+    File.binwrite(file, header, 0)
+    text, code = replay(file)
+    assert_equal 2, code
+    # The changed hash of the header no longer fits the first block, which is found first.
+    assert_match(/Block 0, bytes \d+\.\.\d+/, text)
+    File.truncate(file, 256)
+    text, code = replay(file)
+    assert_equal 2, code
+    assert_match(/robot neuro of CRC 0BADF00D, this build has neuro of CRC \h{8}/, text)
+  end
+
+  def test_SWR_REPLAY_002_a_byte_flipped_at_fifty_places_is_reported_with_its_place
+    boresight.wait_until(10, 'something is recorded') { boresight.status['cycle'] > 2000 }
+    file = end_recording
+    size = File.size(file)
+    Array.new(PLACES) { |i| (i * (size - 1)) / (PLACES - 1) }.each do |offset|
+      flip(file, offset)
+      text, code = replay(file)
+      assert_equal 2, code, text
+      first, last = text.match(/bytes (\d+)\.\.(\d+)/).captures.map(&:to_i)
+      assert_includes (first..last), offset, text
+      flip(file, offset)
+    end
+    assert_equal 0, replay(file).last
+  end
+
+  def test_SWR_REPLAY_002_a_missing_file_is_named
+    text, code = replay('/tmp/no-such-recording.bsr')
+    assert_equal 2, code
+    assert_includes text, '/tmp/no-such-recording.bsr'
+  end
+end

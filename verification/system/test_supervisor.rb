@@ -1,0 +1,194 @@
+# frozen_string_literal: true
+
+# SPDX-License-Identifier: Apache-2.0
+
+# Rule under test: one command starts everything or says in one sentence why not; one key stops everything in order.
+
+require 'pty'
+require_relative 'support/boresight'
+
+class TestSupervisor < SystemTest
+  STOP_SECONDS = 2.0 # stop_time_us
+
+  def started_at(pid)
+    stat = File.read("/proc/#{pid}/stat")
+    stat[(stat.rindex(')') + 2)..].split[19].to_i
+  end
+
+  def test_SWR_SUP_001_starts_the_five_programs_in_order
+    pids = boresight.pids
+    assert_equal Boresight::NAMES.sort, pids.keys.sort
+    times = Boresight::NAMES.map { |name| started_at(pids[name]) }
+    assert_equal times.sort, times
+  end
+
+  def test_SWR_SUP_001_ctrl_c_stops_all_within_its_time_and_leaves_nothing
+    instance = boresight.instance
+    code, seconds = boresight.stop('INT')
+    assert_equal 0, code
+    assert_operator seconds, :<, STOP_SECONDS
+    assert_nothing_left(instance)
+    puts format('SWR-SUP-001: stopped in %.3f s', seconds)
+  end
+
+  def test_SWR_SUP_001_a_stopped_program_does_not_delay_the_end
+    boresight.kill('http', 'STOP')
+    boresight.kill('recorder', 'STOP')
+    code, seconds = boresight.stop
+    assert_equal 0, code
+    assert_operator seconds, :<, STOP_SECONDS
+  end
+
+  def test_SWR_SUP_001_stopping_while_an_axis_moves_ends_the_recording_with_its_trailer
+    boresight.press_and_command('START_UP')
+    kept = Dir.mktmpdir
+    Process.kill('TERM', boresight.pid)
+    assert_equal 0, boresight.wait_for_end(STOP_SECONDS)
+    text, code = replay(boresight.recording_files.last)
+    assert_equal 0, code, text
+    refute_includes text, 'Cut short'
+  ensure
+    FileUtils.rm_rf(kept)
+  end
+
+  def test_SWR_SUP_001_the_programs_end_when_the_supervisor_is_killed
+    instance = boresight.instance
+    Process.kill('KILL', boresight.pid)
+    wait_until(STOP_SECONDS, 'all programs have ended') { processes_of(instance).empty? }
+  end
+
+  def test_SWR_SUP_001_the_same_name_can_be_started_again_after_a_kill
+    Process.kill('KILL', boresight.pid)
+    wait_until(STOP_SECONDS, 'all programs have ended') { processes_of(boresight.instance).empty? }
+    second = Boresight.new(arguments: ['--instance', boresight.instance])
+    second.start
+    assert_equal 'UNDEFINED', second.status['workphase']['name']
+  end
+
+  def test_SWR_SUP_001_when_control_dies_everything_stops_and_the_operator_decides
+    boresight.kill('control', 'KILL')
+    assert_equal 4, boresight.wait_for_end(STOP_SECONDS)
+    assert_match(/^control ended \(signal 9 \(Killed\)\)/, boresight.output)
+    assert_nothing_left(boresight.instance)
+  end
+
+  def test_SWR_SUP_001_when_the_box_dies_everything_stops
+    boresight.kill('box', 'KILL')
+    assert_equal 4, boresight.wait_for_end(STOP_SECONDS)
+    assert_match(/^box ended/, boresight.output)
+  end
+
+  def assert_starts_again(name)
+    before = boresight.pid_of(name)
+    boresight.kill(name, 'KILL')
+    wait_until(2, "#{name} runs again") { boresight.pid_of(name)&.!=(before) }
+    assert_equal 1, boresight.output.lines.grep(/#{name} ended \(signal 9 \(Killed\)\)/).size
+    boresight.patiently { boresight.status }
+  end
+
+  def test_SWR_SUP_002_igtl_is_started_again
+    assert_starts_again('igtl')
+  end
+
+  def test_SWR_SUP_002_http_is_started_again
+    assert_starts_again('http')
+  end
+
+  def test_SWR_SUP_002_the_recorder_is_started_again_into_a_new_file
+    assert_starts_again('recorder')
+    wait_until(3, 'there is a second recording') { boresight.recording_files.size == 2 }
+  end
+
+  def test_SWR_SUP_002_a_program_that_keeps_ending_is_started_less_often
+    3.times do |i|
+      wait_until(3, 'igtl runs') { boresight.pid_of('igtl') }
+      boresight.kill('igtl', 'KILL')
+      wait_until(2, 'the supervisor says so') { boresight.output.scan(/igtl ended/).size == i + 1 }
+    end
+    assert_equal %w[200 400 800], boresight.output.scan(/again in (\d+) ms/).flatten
+  end
+
+  # Ends with `code`, one sentence that matches, and nothing left.
+  def assert_refuses(instance, code, sentence)
+    instance.launch
+    assert_equal code, instance.wait_for_end(8), instance.output
+    assert_match sentence, instance.output
+    assert_equal 1, instance.output.lines.size, instance.output
+    assert_empty processes_of(instance.instance)
+  end
+
+  def test_SWR_SUP_003_a_port_in_use_is_named_with_what_to_do
+    { http_port: /HTTP_PORT/, brp_port: /BRP_PORT/, igtl_port: /IGTL_PORT/ }.each do |port, remedy|
+      instance = Boresight.new
+      server = TCPServer.new('127.0.0.1', instance.public_send(port))
+      assert_refuses(instance, 3, /Port #{instance.public_send(port)} for .* is in use; .*#{remedy}/)
+      server.close
+      instance.kill_all
+    end
+  end
+
+  def test_SWR_SUP_003_a_missing_program_is_named_with_what_to_do
+    Dir.mktmpdir do |directory|
+      %w[boresight boresight-box boresight-control].each { |name| FileUtils.cp(Boresight.program(name), directory) }
+      assert_refuses(Boresight.new(programs: directory), 3, /boresight-recorder is missing .*; build it with make/)
+    end
+  end
+
+  def test_SWR_SUP_003_recordings_that_cannot_be_written_are_named_with_what_to_do
+    assert_refuses(Boresight.new(arguments: ['--recordings', '/dev/null/recordings']), 3,
+                   %r{Nothing can be recorded in /dev/null/recordings .*--recordings})
+  end
+
+  def test_SWR_SUP_003_a_second_one_of_the_same_name_is_refused_and_the_first_goes_on
+    second = Boresight.new(arguments: ['--instance', boresight.instance])
+    second.launch
+    assert_equal 3, second.wait_for_end(5)
+    assert_match(/already runs .*--instance/, second.output)
+    assert boresight.status
+  end
+
+  def test_SWR_SUP_003_wrong_options_are_named
+    { %w[--robot prostatic] => /no robot "prostatic"/, %w[--http-port 0] => /"0" is no port/,
+      %w[--bind nowhere] => /"nowhere" is no IPv4 address/, %w[--colour red] => /"--colour" is no option/,
+      %w[--instance a/b] => %r{"a/b" names no instance} }.each do |words, sentence|
+      assert_refuses(Boresight.new(arguments: words), 2, sentence)
+    end
+  end
+
+  def test_SWR_SUP_003_an_address_of_another_machine_is_named
+    assert_refuses(Boresight.new(arguments: %w[--bind 203.0.113.1]), 3, /203.0.113.1 is no address of this machine/)
+  end
+
+  def test_SWR_SUP_004_without_a_terminal_the_status_is_a_line_that_names_each_program
+    line = wait_until(7, 'the status is printed') { boresight.output.lines.grep(/links 7/).last }
+    Boresight::NAMES.each { |name| assert_match(/\b#{name} ok\b/, line) }
+    ['UNDEFINED', 'pedal released', 'e-stop', 'no motion:', 'loop p99'].each { |part| assert_includes line, part }
+  end
+
+  def read_all(terminal)
+    terminal.read_nonblock(65_536)
+  rescue IO::WaitReadable, Errno::EIO
+    ''
+  end
+
+  def test_SWR_SUP_004_on_a_terminal_the_line_is_rewritten_when_something_changes_and_ctrl_c_stops
+    ports = Boresight.free_ports(3)
+    name = Boresight.next_instance
+    Dir.mktmpdir do |directory|
+      terminal, keys, pid = PTY.spawn(Boresight.program('boresight'), '--instance', name, '--recordings', directory,
+                                      '--http-port', ports[0].to_s, '--igtl-port', ports[1].to_s,
+                                      '--brp-port', ports[2].to_s)
+      terminal.winsize = [24, 400]
+      seen = +''
+      wait_until(10, 'the status is shown') { (seen << read_all(terminal)).include?('pedal released') }
+      Open3.capture2e(Boresight.program('boresight-simctl'), '--name', "#{name}-box", 'pedal', 'press')
+      wait_until(1, 'the status shows the pedal') { (seen << read_all(terminal)).match?(/\r[^\n]*pedal pressed/) }
+      keys.write("\x03")
+      wait_until(TestSupervisor::STOP_SECONDS, 'Ctrl-C stops it') do
+        (seen << read_all(terminal)).include?('Boresight has stopped.')
+      end
+      Process.wait(pid)
+      assert_nothing_left(name)
+    end
+  end
+end
