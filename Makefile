@@ -49,21 +49,19 @@ CORE_SOURCES := $(foreach l,$(LAYERS),$(wildcard core/$(l)/*.c)) $(CHART_SOURCES
 NAME_HEADERS := core/base/status.h core/robot/robot.h core/card/link.h core/card/card_frame.h core/permit/permit.h \
     core/procedure/workphase.h core/controller/command.h core/controller/event.h core/controller/snapshot.h
 
-BOX_SOURCES := $(filter-out bsp/sim/%_main.c bsp/sim/bsp_sim.c bsp/sim/wire.c,$(wildcard bsp/sim/*.c))
-BOX_CORE := core/card/card_frame.c core/base/crc.c $(GEN)/robot/robot_neuro.c
+BOX_SOURCES := $(filter-out %_main.c bsp/sim/bsp_sim.c bsp/sim/wire.c,$(wildcard bsp/sim/*.c))
 EXCHANGE := $(wildcard app/exchange/*.c)
-RECORDING := $(filter-out %_main.c,$(wildcard app/recorder/*.c))
 
-SOURCES_boresight-box := $(BOX_SOURCES) bsp/sim/wire.c bsp/sim/box_main.c $(BOX_CORE)
-SOURCES_boresight-simctl := bsp/sim/simctl_main.c bsp/sim/wire.c $(BOX_SOURCES) $(BOX_CORE)
-SOURCES_boresight-control := $(wildcard app/control/*.c) $(EXCHANGE) bsp/sim/bsp_sim.c bsp/sim/wire.c $(CORE_SOURCES)
-SOURCES_boresight-igtl := $(wildcard app/igtl/*.c) $(EXCHANGE) $(GEN)/names/names.c core/kinematics/rigid.c \
-    core/kinematics/neuro.c core/base/fixed.c $(GEN)/robot/robot_neuro.c
+# Each program: its own files; what it needs of the core comes from libcore.a.
+SOURCES_boresight-box := $(BOX_SOURCES) bsp/sim/wire.c bsp/sim/box_main.c
+SOURCES_boresight-simctl := $(BOX_SOURCES) bsp/sim/wire.c bsp/sim/simctl_main.c
+SOURCES_boresight-control := $(wildcard app/control/*.c) $(EXCHANGE) bsp/sim/bsp_sim.c bsp/sim/wire.c
+SOURCES_boresight-igtl := $(wildcard app/igtl/*.c) $(EXCHANGE) $(GEN)/names/names.c
 SOURCES_boresight-http := $(wildcard app/http/*.c) $(EXCHANGE) $(GEN)/names/names.c $(GEN)/assets/assets.c \
-    $(GEN)/assets/chart_names.c $(GEN)/robot/robot_neuro.c
-SOURCES_boresight-recorder := $(wildcard app/recorder/*.c) $(EXCHANGE) $(GEN)/names/names.c
-SOURCES_boresight-replay := $(wildcard app/replay/*.c) $(RECORDING) $(CORE_SOURCES)
-SOURCES_boresight := $(wildcard app/supervisor/*.c) $(EXCHANGE) $(GEN)/names/names.c
+    $(GEN)/assets/chart_names.c
+SOURCES_boresight-recorder := $(wildcard app/recorder/*.c) app/http/event_text.c $(EXCHANGE) $(GEN)/names/names.c
+SOURCES_boresight-replay := $(wildcard app/replay/*.c app/recorder/recording*.c)
+SOURCES_boresight := $(wildcard app/supervisor/*.c) app/recorder/black_box_files.c $(EXCHANGE) $(GEN)/names/names.c
 LIBS_boresight-http := -lcivetweb -lcjson -lpthread
 LIBS_boresight-recorder := -lzstd -lcrypto
 LIBS_boresight-replay := -lzstd -lcrypto
@@ -73,7 +71,8 @@ BINARIES := $(PROGRAMS:%=$(BIN)/%)
 
 # --- generated sources ---------------------------------------------------------------------------------------
 
-GENERATED := $(GEN)/limits/limits.h $(GEN)/charts/charts.json $(GEN)/robot/robot_neuro.c $(GEN)/names/names.c
+GENERATED := $(GEN)/limits/limits.h $(GEN)/charts/charts.json $(GEN)/robot/robot_neuro.c $(GEN)/names/names.c \
+    $(GEN)/assets/chart_names.c
 ASSETS := $(GEN)/assets/assets.c
 
 $(GEN)/limits/limits.h: $(wildcard requirements/*.yml) tools/limits.rb
@@ -122,8 +121,11 @@ build/build-id: FORCE
 	@mkdir -p build; echo '$(BUILD_ID)' | cmp -s - $@ || echo '$(BUILD_ID)' >$@
 $(call object,$(wildcard app/recorder/*.c app/replay/*.c app/http/*.c)): build/build-id
 
+$(OUT)/libcore.a: $(call object,$(CORE_SOURCES))
+	@rm -f $@; ar rcs $@ $^
+
 define program
-$(OUT)/bin/$(1): $(call object,$(SOURCES_$(1)))
+$(OUT)/bin/$(1): $(call object,$(SOURCES_$(1))) $(OUT)/libcore.a
 	@mkdir -p $$(@D)
 	@$$(CC) $$(CFLAGS) $$^ $(LIBS_$(1)) -lrt -lm -o $$@
 	@echo "built $$@"
@@ -131,12 +133,12 @@ endef
 $(foreach p,$(PROGRAMS),$(eval $(call program,$(p))))
 
 $(BIN)/%: build/gcc/bin/%
-	@mkdir -p $(BIN); cp $< $@
+	@mkdir -p $(BIN); cp $< $@.new; mv $@.new $@
 
 CLIENT_SOURCES := $(wildcard verification/demo/client/*.cpp verification/demo/client/*.h)
 $(BIN)/boresight-client: $(CLIENT_SOURCES)
 	@mkdir -p $(BIN)
-	g++ -std=c++11 -Wall -O1 -I/usr/include/igtl $(filter-out %codec_oracle.cpp,$(filter %.cpp,$^)) -lOpenIGTLink -lpthread -o $@
+	g++ -std=c++11 -Wall -O1 -isystem /usr/include/openigtlink $(filter %client.cpp,$^) -lOpenIGTLink -lpthread -o $@
 
 -include $(shell find build -name '*.d' -not -path 'build/ceedling/*' 2>/dev/null)
 

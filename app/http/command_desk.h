@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Sends commands to control and finds the answer to each. Several threads may ask at once: whoever looks into
- * the answer lane also keeps what belongs to the others.
+ * Sends commands to control and finds the answer to each. Several threads may ask at once: whoever
+ * looks into the answer lane also keeps what belongs to the others.
  */
 #ifndef BORESIGHT_COMMAND_DESK_H
 #define BORESIGHT_COMMAND_DESK_H
@@ -29,11 +29,13 @@ typedef struct {
     command_question_t questions[COMMAND_DESK_QUESTIONS];
 } command_desk_t;
 
-/** Starts with nothing asked. `exchange` outlives `self`; nobody else takes answers of COMMAND_SOURCE_HTTP. */
+/** Starts with nothing asked. `exchange` outlives `self`; nobody else takes answers of
+ * COMMAND_SOURCE_HTTP. */
 void command_desk_init(command_desk_t *self, exchange_t *exchange);
 
 /**
- * Sends `command` (its id and source are filled in) and waits at most `timeout_ms` for the first answer to it.
+ * Sends `command` (its id and source are filled in) and waits at most `timeout_ms` for the first
+ * answer to it.
  *
  * @return STATUS_OK with `answer` filled; STATUS_BUSY when the lane stayed full, nothing was sent;
  *         STATUS_NO_ANSWER when control stayed silent

@@ -94,7 +94,8 @@ static void fill_in(const event_t *event, const char *pattern, char *text, size_
 void event_text_sentence(const event_t *event, char *text, size_t size)
 {
     if (event->id == (uint32_t)EVENT_SCANNER) {
-        (void)snprintf(text, size, "The scanner %s acquiring.", (event->value != 0) ? "started" : "ended");
+        (void)snprintf(text, size, "The scanner %s acquiring.",
+                       (event->value != 0) ? "started" : "ended");
     } else {
         fill_in(event, event_id_text((int32_t)event->id), text, size);
     }

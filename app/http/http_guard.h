@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Who may talk to the server: only requests that name it by an address it serves, and no page of another site.
- * This stops name rebinding and cross-site requests; it is not a login.
+ * Who may talk to the server: only requests that name it by an address it serves, and no page of
+ * another site. This stops name rebinding and cross-site requests; it is not a login.
  */
 #ifndef BORESIGHT_HTTP_GUARD_H
 #define BORESIGHT_HTTP_GUARD_H
@@ -26,18 +26,20 @@ typedef struct {
 
 typedef enum {
     HTTP_GUARD_PASS = 0,
-    HTTP_GUARD_NO_HOST = 1,    /**< No host is named. */
-    HTTP_GUARD_HOST = 2,       /**< Another host than those served is named. */
-    HTTP_GUARD_ORIGIN = 3,     /**< Sent by a page from elsewhere. */
-    HTTP_GUARD_CROSS_SITE = 4  /**< The browser says that another site sent it. */
+    HTTP_GUARD_NO_HOST = 1,   /**< No host is named. */
+    HTTP_GUARD_HOST = 2,      /**< Another host than those served is named. */
+    HTTP_GUARD_ORIGIN = 3,    /**< Sent by a page from elsewhere. */
+    HTTP_GUARD_CROSS_SITE = 4 /**< The browser says that another site sent it. */
 } http_guard_verdict_t;
 
 /**
- * Judges a request. The hosts served are the address listened on, 127.0.0.1 and localhost, each with the port.
- * A browser always names the origin when it writes; where no origin is named the sender is no page.
+ * Judges a request. The hosts served are the address listened on, 127.0.0.1 and localhost, each
+ * with the port. A browser always names the origin when it writes; where no origin is named the
+ * sender is no page.
  *
  * @satisfies SWR-HTTP-004
  */
-http_guard_verdict_t http_guard_judge(const http_guard_t *self, const http_provenance_t *provenance);
+http_guard_verdict_t http_guard_judge(const http_guard_t *self,
+                                      const http_provenance_t *provenance);
 
 #endif

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * boresight-http: shows control's state to browsers and passes on one command, stop. Holds nothing that has to be
- * saved: killing it at any moment is its orderly end.
+ * boresight-http: shows control's state to browsers and passes on one command, stop. Holds nothing
+ * that has to be saved: killing it at any moment is its orderly end.
  *
  *     boresight-http --exchange NAME [--port 8080] [--bind 127.0.0.1] [--box NAME]
  */
@@ -37,7 +37,8 @@ static bool read_port(const char *text, uint32_t *port)
     char *end = NULL;
     unsigned long number = strtoul(text, &end, 10);
     *port = (uint32_t)number;
-    return (text[0] >= '0') && (text[0] <= '9') && (*end == '\0') && (number > 0U) && (number <= 65535U);
+    return (text[0] >= '0') && (text[0] <= '9') && (*end == '\0') && (number > 0U) &&
+           (number <= 65535U);
 }
 
 static bool read_address(const char *text, char address[HTTP_GUARD_ADDRESS_SIZE])
@@ -90,25 +91,29 @@ static int complain(http_server_result_t result, const http_guard_t *guard)
     switch (result) {
     case HTTP_SERVER_PORT_IN_USE:
         (void)fprintf(stderr,
-                      "boresight-http: port %u of %s is in use; stop the program that has it, or choose another "
+                      "boresight-http: port %u of %s is in use; stop the program that has it, or "
+                      "choose another "
                       "port with HTTP_PORT.\n",
                       (unsigned)guard->port, guard->address);
         return EXIT_PORT_IN_USE;
     case HTTP_SERVER_BAD_ADDRESS:
         (void)fprintf(stderr,
-                      "boresight-http: cannot listen on port %u of %s; give --bind an address of this machine and "
+                      "boresight-http: cannot listen on port %u of %s; give --bind an address of "
+                      "this machine and "
                       "--port a port you may use.\n",
                       (unsigned)guard->port, guard->address);
         return EXIT_FAILURE;
     case HTTP_SERVER_STARTED:
     case HTTP_SERVER_FAILED:
     default:
-        (void)fprintf(stderr, "boresight-http: the server could not be started; free some memory.\n");
+        (void)fprintf(stderr,
+                      "boresight-http: the server could not be started; free some memory.\n");
         return EXIT_FAILURE;
     }
 }
 
-/* The punctuality of the ticks does not matter; sleeping a whole tick needs no catching up after a stop. */
+/* The punctuality of the ticks does not matter; sleeping a whole tick needs no catching up after a
+ * stop. */
 static void serve(exchange_t *exchange, const sigset_t *ends)
 {
     const struct timespec tick = {.tv_sec = 0, .tv_nsec = TICK_NS};
@@ -122,8 +127,9 @@ int main(int count, char **arguments)
 {
     options_t options;
     if (!read_options(count, arguments, &options)) {
-        (void)fprintf(stderr, "usage: boresight-http --exchange NAME [--port 8080] [--bind 127.0.0.1] "
-                              "[--box NAME]\n");
+        (void)fprintf(stderr,
+                      "usage: boresight-http --exchange NAME [--port 8080] [--bind 127.0.0.1] "
+                      "[--box NAME]\n");
         return EXIT_USAGE;
     }
     char error[256];
@@ -143,7 +149,8 @@ int main(int count, char **arguments)
     if (result != HTTP_SERVER_STARTED) {
         return complain(result, &options.guard);
     }
-    (void)printf("boresight-http: http://%s:%u/\n", options.guard.address, (unsigned)options.guard.port);
+    (void)printf("boresight-http: http://%s:%u/\n", options.guard.address,
+                 (unsigned)options.guard.port);
     (void)fflush(stdout);
     serve(exchange, &ends);
     _exit(EXIT_SUCCESS);

@@ -5,7 +5,8 @@
 #include <string.h>
 
 static const char safety_headers[] =
-    "Content-Security-Policy: default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; "
+    "Content-Security-Policy: default-src 'none'; script-src 'self'; style-src 'self'; img-src "
+    "'self'; "
     "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'\r\n"
     "X-Content-Type-Options: nosniff\r\n"
     "X-Frame-Options: DENY\r\n"
@@ -31,13 +32,15 @@ int http_reply_send(struct mg_connection *connection, const http_reply_t *reply)
     }
     char head[1024];
     int size = snprintf(head, sizeof(head),
-                        "HTTP/1.1 %d %s\r\nContent-Type: %s\r\nCache-Control: %s\r\n%s%s%s\r\n", reply->status,
-                        mg_get_response_code_text(connection, reply->status), reply->type, reply->cache,
-                        length, allow, safety_headers);
-    if ((size < 0) || ((size_t)size >= sizeof(head)) || !write_all(connection, head, (size_t)size)) {
+                        "HTTP/1.1 %d %s\r\nContent-Type: %s\r\nCache-Control: %s\r\n%s%s%s\r\n",
+                        reply->status, mg_get_response_code_text(connection, reply->status),
+                        reply->type, reply->cache, length, allow, safety_headers);
+    if ((size < 0) || ((size_t)size >= sizeof(head)) ||
+        !write_all(connection, head, (size_t)size)) {
         return 0;
     }
-    return (reply->is_stream || write_all(connection, reply->body, reply->size)) ? reply->status : 0;
+    return (reply->is_stream || write_all(connection, reply->body, reply->size)) ? reply->status
+                                                                                 : 0;
 }
 
 int http_reply_json(struct mg_connection *connection, int status, const char *json)
@@ -50,7 +53,8 @@ int http_reply_json(struct mg_connection *connection, int status, const char *js
     return http_reply_send(connection, &reply);
 }
 
-int http_reply_error(struct mg_connection *connection, int status, const char *code, const char *message)
+int http_reply_error(struct mg_connection *connection, int status, const char *code,
+                     const char *message)
 {
     char json[512];
     (void)snprintf(json, sizeof(json), "{\"code\":\"%s\",\"message\":\"%s\"}", code, message);

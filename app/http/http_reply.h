@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file Every answer leaves through here, so that none lacks the headers that keep a browser safe. */
+/** @file Every answer leaves through here, so that none lacks the headers that keep a browser safe.
+ */
 #ifndef BORESIGHT_HTTP_REPLY_H
 #define BORESIGHT_HTTP_REPLY_H
 
@@ -18,7 +19,7 @@ typedef struct {
     const char *allow; /**< Allow, or NULL. */
     const void *body;
     size_t size;
-    bool is_stream;    /**< Only the head is sent; the body follows without a known end. */
+    bool is_stream; /**< Only the head is sent; the body follows without a known end. */
 } http_reply_t;
 
 /** Sends `reply`. Returns its status, or 0 when the client did not take it in time. */
@@ -28,6 +29,7 @@ int http_reply_send(struct mg_connection *connection, const http_reply_t *reply)
 int http_reply_json(struct mg_connection *connection, int status, const char *json);
 
 /** Sends an error as JSON: a code to compare, and a sentence to read. Neither needs escaping. */
-int http_reply_error(struct mg_connection *connection, int status, const char *code, const char *message);
+int http_reply_error(struct mg_connection *connection, int status, const char *code,
+                     const char *message);
 
 #endif

@@ -22,8 +22,9 @@ typedef struct {
 static int reply_object(struct mg_connection *connection, int status, cJSON *object)
 {
     char *json = cJSON_PrintUnformatted(object);
-    int sent = (json != NULL) ? http_reply_json(connection, status, json)
-                              : http_reply_error(connection, 500, "NO_MEMORY", "The server is out of memory.");
+    int sent = (json != NULL)
+                   ? http_reply_json(connection, status, json)
+                   : http_reply_error(connection, 500, "NO_MEMORY", "The server is out of memory.");
     cJSON_free(json);
     cJSON_Delete(object);
     return sent;
@@ -33,7 +34,8 @@ static bool look(http_server_t *server, struct mg_connection *connection, teleme
 {
     telemetry_look(&server->telemetry, view);
     if (!view->has_snapshot) {
-        (void)http_reply_error(connection, 503, "NO_DATA", "Control has not published anything yet.");
+        (void)http_reply_error(connection, 503, "NO_DATA",
+                               "Control has not published anything yet.");
     }
     return view->has_snapshot;
 }
@@ -49,18 +51,22 @@ static int answer_status(http_server_t *server, struct mg_connection *connection
 static int answer_motors(http_server_t *server, struct mg_connection *connection)
 {
     telemetry_view_t view;
-    return look(server, connection, &view) ? reply_object(connection, 200, telemetry_json_motors(&view)) : 503;
+    return look(server, connection, &view)
+               ? reply_object(connection, 200, telemetry_json_motors(&view))
+               : 503;
 }
 
 static int answer_targeting(http_server_t *server, struct mg_connection *connection)
 {
     telemetry_view_t view;
-    return look(server, connection, &view) ? reply_object(connection, 200, telemetry_json_targeting(&view))
-                                           : 503;
+    return look(server, connection, &view)
+               ? reply_object(connection, 200, telemetry_json_targeting(&view))
+               : 503;
 }
 
 /* A number of the query. False when it is there and no number. */
-static bool read_query(struct mg_connection *connection, const char *name, bool *is_given, uint32_t *value)
+static bool read_query(struct mg_connection *connection, const char *name, bool *is_given,
+                       uint32_t *value)
 {
     const char *query = mg_get_request_info(connection)->query_string;
     char text[QUERY_NUMBER_SIZE];
@@ -97,7 +103,8 @@ static int answer_log(http_server_t *server, struct mg_connection *connection)
     bool is_given = false;
     uint32_t after = 0U;
     if (!read_query(connection, "after", &is_given, &after)) {
-        return http_reply_error(connection, 400, "BAD_QUERY", "The value of after is not an event's number.");
+        return http_reply_error(connection, 400, "BAD_QUERY",
+                                "The value of after is not an event's number.");
     }
     telemetry_view_t view;
     if (!look(server, connection, &view)) {
@@ -115,8 +122,8 @@ static int answer_events(http_server_t *server, struct mg_connection *connection
     uint32_t events = view.snapshot.events;
     uint32_t first = (events > HTTP_STREAM_HISTORY) ? (events - HTTP_STREAM_HISTORY) : 0U;
     char hello[160];
-    (void)snprintf(hello, sizeof(hello), "{\"boot_id\":\"%s\",\"build_id\":\"%s\"}", server->identity.boot_id,
-                   server->identity.build_id);
+    (void)snprintf(hello, sizeof(hello), "{\"boot_id\":\"%s\",\"build_id\":\"%s\"}",
+                   server->identity.boot_id, server->identity.build_id);
     return http_stream_serve(&server->stream, connection, hello, first);
 }
 
@@ -154,13 +161,14 @@ static int answer_stop(http_server_t *server, struct mg_connection *connection)
     if (status == STATUS_OK) {
         return reply_answer(connection, &answer);
     }
-    return http_reply_error(connection, 503, status_name((int32_t)status), status_text((int32_t)status));
+    return http_reply_error(connection, 503, status_name((int32_t)status),
+                            status_text((int32_t)status));
 }
 
 static const route_t routes[] = {
-    {"/api/v1/status", "GET", answer_status}, {"/api/v1/motors", "GET", answer_motors},
+    {"/api/v1/status", "GET", answer_status},       {"/api/v1/motors", "GET", answer_motors},
     {"/api/v1/targeting", "GET", answer_targeting}, {"/api/v1/log", "GET", answer_log},
-    {"/api/v1/events", "GET", answer_events}, {"/api/v1/stop", "POST", answer_stop}};
+    {"/api/v1/events", "GET", answer_events},       {"/api/v1/stop", "POST", answer_stop}};
 
 static const route_t *find_route(const char *path)
 {
@@ -174,7 +182,8 @@ static const route_t *find_route(const char *path)
 
 static int refuse_method(struct mg_connection *connection, const char *allowed)
 {
-    static const char body[] = "{\"code\":\"METHOD_NOT_ALLOWED\",\"message\":\"This path has another method.\"}";
+    static const char body[] =
+        "{\"code\":\"METHOD_NOT_ALLOWED\",\"message\":\"This path has another method.\"}";
     http_reply_t reply = {.status = 405,
                           .type = HTTP_REPLY_JSON,
                           .cache = HTTP_REPLY_NO_STORE,
@@ -190,16 +199,19 @@ static int refuse_provenance(struct mg_connection *connection, http_guard_verdic
     case HTTP_GUARD_NO_HOST:
         return http_reply_error(connection, 400, "HOST_MISSING", "The request names no host.");
     case HTTP_GUARD_HOST:
-        return http_reply_error(connection, 403, "HOST_REFUSED", "The request names a host that is not served.");
+        return http_reply_error(connection, 403, "HOST_REFUSED",
+                                "The request names a host that is not served.");
     case HTTP_GUARD_ORIGIN:
     case HTTP_GUARD_CROSS_SITE:
     case HTTP_GUARD_PASS:
     default:
-        return http_reply_error(connection, 403, "ORIGIN_REFUSED", "The request comes from another site.");
+        return http_reply_error(connection, 403, "ORIGIN_REFUSED",
+                                "The request comes from another site.");
     }
 }
 
-static int answer_route(http_server_t *server, struct mg_connection *connection, const route_t *route)
+static int answer_route(http_server_t *server, struct mg_connection *connection,
+                        const route_t *route)
 {
     const struct mg_request_info *request = mg_get_request_info(connection);
     if (strcmp(request->request_method, route->method) != 0) {
@@ -207,13 +219,16 @@ static int answer_route(http_server_t *server, struct mg_connection *connection,
     }
     bool is_post = strcmp(route->method, "POST") == 0;
     if (is_post && (request->content_length < 0)) {
-        return http_reply_error(connection, 411, "LENGTH_REQUIRED", "The request must say how long its body is.");
+        return http_reply_error(connection, 411, "LENGTH_REQUIRED",
+                                "The request must say how long its body is.");
     }
     if (request->content_length > (is_post ? HTTP_ROUTES_BODY_MOST : 0)) {
-        return http_reply_error(connection, 413, "BODY_TOO_LONG", "The request's body is too long.");
+        return http_reply_error(connection, 413, "BODY_TOO_LONG",
+                                "The request's body is too long.");
     }
     if (is_post && !read_body(connection, request->content_length)) {
-        return http_reply_error(connection, 400, "BAD_BODY", "The request's body is neither empty nor {}.");
+        return http_reply_error(connection, 400, "BAD_BODY",
+                                "The request's body is neither empty nor {}.");
     }
     return route->answer(server, connection);
 }
@@ -227,8 +242,11 @@ static int answer_asset(struct mg_connection *connection, const char *method, co
     if (strcmp(method, "GET") != 0) {
         return refuse_method(connection, "GET");
     }
-    http_reply_t reply = {
-        .status = 200, .type = asset->type, .cache = asset->cache, .body = asset->bytes, .size = asset->size};
+    http_reply_t reply = {.status = 200,
+                          .type = asset->type,
+                          .cache = asset->cache,
+                          .body = asset->bytes,
+                          .size = asset->size};
     return http_reply_send(connection, &reply);
 }
 
@@ -240,7 +258,8 @@ static int dispatch(http_server_t *server, struct mg_connection *connection)
                                     .fetch_site = mg_get_header(connection, "Sec-Fetch-Site")};
     const char *path = (request->local_uri_raw != NULL) ? request->local_uri_raw : "";
     if (request->num_headers >= MG_MAX_HEADERS) {
-        return http_reply_error(connection, 431, "TOO_MANY_HEADERS", "The request has too many headers.");
+        return http_reply_error(connection, 431, "TOO_MANY_HEADERS",
+                                "The request has too many headers.");
     }
     http_guard_verdict_t verdict = http_guard_judge(&server->guard, &provenance);
     if (verdict != HTTP_GUARD_PASS) {

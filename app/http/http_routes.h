@@ -11,8 +11,8 @@
 #define HTTP_ROUTES_STOP_MS 500U  /**< Longest wait for control's answer to stop. */
 
 /**
- * Answers one request completely: a file of the console, /api/v1/status, motors, targeting, log or events by GET,
- * /api/v1/stop by POST, or a refusal.
+ * Answers one request completely: a file of the console, /api/v1/status, motors, targeting, log or
+ * events by GET, /api/v1/stop by POST, or a refusal.
  *
  * @return the status sent, never 0
  *

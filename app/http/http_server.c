@@ -30,7 +30,8 @@ static void make_boot_id(char *text, size_t size)
     (void)snprintf(text, size, "%016llx", (unsigned long long)number);
 }
 
-void http_server_init(http_server_t *self, exchange_t *exchange, const http_guard_t *guard, const char *box)
+void http_server_init(http_server_t *self, exchange_t *exchange, const http_guard_t *guard,
+                      const char *box)
 {
     self->exchange = exchange;
     self->guard = *guard;
@@ -51,7 +52,8 @@ static int try_to_listen(const http_guard_t *guard)
     int probe = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
     (void)setsockopt(probe, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
     int error = 0;
-    if ((bind(probe, (const struct sockaddr *)&address, sizeof(address)) != 0) || (listen(probe, 1) != 0)) {
+    if ((bind(probe, (const struct sockaddr *)&address, sizeof(address)) != 0) ||
+        (listen(probe, 1) != 0)) {
         error = errno;
     }
     (void)close(probe);
@@ -124,7 +126,8 @@ http_server_result_t http_server_start(http_server_t *self)
     (void)pthread_attr_setstacksize(&attributes, WORKER_STACK_BYTES);
     (void)pthread_setattr_default_np(&attributes);
     char address[HTTP_GUARD_ADDRESS_SIZE + 8U];
-    (void)snprintf(address, sizeof(address), "%s:%u", self->guard.address, (unsigned)self->guard.port);
+    (void)snprintf(address, sizeof(address), "%s:%u", self->guard.address,
+                   (unsigned)self->guard.port);
     (void)mg_init_library(MG_FEATURES_DEFAULT);
     return (start_library(self, address) != NULL) ? HTTP_SERVER_STARTED : HTTP_SERVER_FAILED;
 }

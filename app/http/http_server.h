@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The HTTP server: the console's files, the state as JSON and as a stream, and one command, stop. Nothing else is
- * served; no file is read, no name is looked up.
+ * The HTTP server: the console's files, the state as JSON and as a stream, and one command, stop.
+ * Nothing else is served; no file is read, no name is looked up.
  */
 #ifndef BORESIGHT_HTTP_SERVER_H
 #define BORESIGHT_HTTP_SERVER_H
@@ -35,11 +35,13 @@ typedef enum {
 } http_server_result_t;
 
 /** Prepares `self`. `exchange` outlives it. */
-void http_server_init(http_server_t *self, exchange_t *exchange, const http_guard_t *guard, const char *box);
+void http_server_init(http_server_t *self, exchange_t *exchange, const http_guard_t *guard,
+                      const char *box);
 
 /**
- * Listens on the guard's address, which is the loopback address unless the operator gave another, and serves from
- * threads of its own. They end with the process: a client can delay an orderly stop, and there is nothing to save.
+ * Listens on the guard's address, which is the loopback address unless the operator gave another,
+ * and serves from threads of its own. They end with the process: a client can delay an orderly
+ * stop, and there is nothing to save.
  *
  * @satisfies SWR-HTTP-005
  */

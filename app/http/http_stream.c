@@ -58,7 +58,8 @@ static bool write_text(const client_t *client, const char *text, size_t size)
     return mg_write(client->connection, text, size) == (int)size;
 }
 
-/* Waits for a frame the client has not seen, but not for ever. Returns its size, 0 when there was none. */
+/* Waits for a frame the client has not seen, but not for ever. Returns its size, 0 when there was
+ * none. */
 static size_t wait_for_frame(http_stream_t *self, client_t *client)
 {
     struct timespec until;
@@ -93,8 +94,8 @@ static bool send_event(const client_t *client, const event_t *event)
     cJSON *entry = telemetry_json_event(event);
     bool is_whole = cJSON_PrintPreallocated(entry, json, (int)sizeof(json), 0) != 0;
     cJSON_Delete(entry);
-    int size = snprintf(message, sizeof(message), "event: log\nid: %u\ndata: %s\n\n", (unsigned)event->number,
-                        is_whole ? json : "{}");
+    int size = snprintf(message, sizeof(message), "event: log\nid: %u\ndata: %s\n\n",
+                        (unsigned)event->number, is_whole ? json : "{}");
     return is_whole && write_text(client, message, (size_t)size);
 }
 
@@ -104,7 +105,8 @@ static bool send_events(const http_stream_t *self, client_t *client)
     uint32_t lost = 0U;
     uint32_t count;
     do {
-        count = exchange_read_events(self->exchange, &client->next_event, events, EVENTS_AT_ONCE, &lost);
+        count = exchange_read_events(self->exchange, &client->next_event, events, EVENTS_AT_ONCE,
+                                     &lost);
         for (uint32_t i = 0U; i < count; i++) {
             if (!send_event(client, &events[i])) {
                 return false;
@@ -151,8 +153,10 @@ int http_stream_serve(http_stream_t *self, struct mg_connection *connection, con
         return http_reply_error(connection, 503, "STREAMS_FULL",
                                 "Too many consoles are open; close one and try again.");
     }
-    http_reply_t head = {
-        .status = 200, .type = "text/event-stream", .cache = HTTP_REPLY_NO_STORE, .is_stream = true};
+    http_reply_t head = {.status = 200,
+                         .type = "text/event-stream",
+                         .cache = HTTP_REPLY_NO_STORE,
+                         .is_stream = true};
     client_t *client = calloc(1U, sizeof(*client));
     if ((client != NULL) && (http_reply_send(connection, &head) != 0)) {
         client->connection = connection;

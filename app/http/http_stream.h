@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Live values as server-sent events. One frame is kept, the newest: each client is served by a thread of its own,
- * takes whole frames, and misses some when it is slow. A client that takes nothing is dropped; nobody waits for it.
+ * Live values as server-sent events. One frame is kept, the newest: each client is served by a
+ * thread of its own, takes whole frames, and misses some when it is slow. A client that takes
+ * nothing is dropped; nobody waits for it.
  */
 #ifndef BORESIGHT_HTTP_STREAM_H
 #define BORESIGHT_HTTP_STREAM_H
@@ -35,12 +36,13 @@ void http_stream_init(http_stream_t *self, const exchange_t *exchange);
 /** Whether anybody listens. */
 bool http_stream_is_watched(http_stream_t *self);
 
-/** Hands `state`, JSON on one line, to all clients. False when it is too long; it is then not sent. */
+/** Hands `state`, JSON on one line, to all clients. False when it is too long; it is then not sent.
+ */
 bool http_stream_publish(http_stream_t *self, const char *state);
 
 /**
- * Serves one client until it goes away: `hello` (JSON on one line), the last events, then each new state and
- * event. Refuses the client when there are HTTP_STREAM_CLIENTS already.
+ * Serves one client until it goes away: `hello` (JSON on one line), the last events, then each new
+ * state and event. Refuses the client when there are HTTP_STREAM_CLIENTS already.
  *
  * @return the status sent
  *

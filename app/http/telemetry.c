@@ -48,7 +48,8 @@ static void look_at_beats(telemetry_t *self, uint64_t now_ms)
             self->beats[i] = beats;
             self->beaten_ms[i] = now_ms;
         }
-        self->view.is_running[i] = (self->beaten_ms[i] != 0U) && ((now_ms - self->beaten_ms[i]) < SILENCE_MS);
+        self->view.is_running[i] =
+            (self->beaten_ms[i] != 0U) && ((now_ms - self->beaten_ms[i]) < SILENCE_MS);
     }
 }
 

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What the server knows of control: the newest snapshot and how old it is. Shared by all threads of the server.
- * The age grows as soon as the cycle counter stands still, so a frozen control is seen even though its last
- * snapshot can still be read.
+ * What the server knows of control: the newest snapshot and how old it is. Shared by all threads of
+ * the server. The age grows as soon as the cycle counter stands still, so a frozen control is seen
+ * even though its last snapshot can still be read.
  */
 #ifndef BORESIGHT_TELEMETRY_H
 #define BORESIGHT_TELEMETRY_H
@@ -38,7 +38,8 @@ uint64_t telemetry_now_ms(void);
 /** Starts with nothing known. `exchange` outlives `self`. */
 void telemetry_init(telemetry_t *self, exchange_t *exchange);
 
-/** Looks into the exchange and copies what is known now. Any thread; called at least every 100 ms by one. */
+/** Looks into the exchange and copies what is known now. Any thread; called at least every 100 ms
+ * by one. */
 void telemetry_look(telemetry_t *self, telemetry_view_t *view);
 
 #endif

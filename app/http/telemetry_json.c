@@ -232,13 +232,15 @@ cJSON *telemetry_json_targeting(const telemetry_view_t *view)
     add_pose(targeting, "registration", snapshot->is_registered, &snapshot->scanner_zframe);
     add_pose(targeting, "target", snapshot->has_target, &snapshot->scanner_target);
     if (snapshot->has_target != 0U) {
-        add_number(targeting, "distance_mm",
-                   telemetry_units_distance(&snapshot->scanner_treatment, &snapshot->scanner_target));
+        add_number(
+            targeting, "distance_mm",
+            telemetry_units_distance(&snapshot->scanner_treatment, &snapshot->scanner_target));
     } else {
         (void)cJSON_AddNullToObject(targeting, "distance_mm");
     }
     cJSON *proposals = cJSON_AddObjectToObject(targeting, "proposals");
-    add_pose(proposals, "registration", snapshot->has_proposed_registration, &snapshot->proposed_registration);
+    add_pose(proposals, "registration", snapshot->has_proposed_registration,
+             &snapshot->proposed_registration);
     add_point(proposals, "entry_mm", snapshot->has_proposed_entry, &snapshot->proposed_entry);
     add_point(proposals, "target_mm", snapshot->has_proposed_target, &snapshot->proposed_target);
     add_flag(proposals, "is_reachable", snapshot->is_proposal_reachable);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Snapshot, loop figures and events as JSON. Integers become mm and degrees here; the stream sends the same
- * objects that can be asked for one by one.
+ * Snapshot, loop figures and events as JSON. Integers become mm and degrees here; the stream sends
+ * the same objects that can be asked for one by one.
  */
 #ifndef BORESIGHT_TELEMETRY_JSON_H
 #define BORESIGHT_TELEMETRY_JSON_H
@@ -18,7 +18,7 @@
 typedef struct {
     char boot_id[TELEMETRY_JSON_BOOT_ID_SIZE]; /**< Another one for each start of the server. */
     const char *build_id;                      /**< Of the program. */
-    const char *box;                           /**< Name of the simulated box, NULL for real cards. */
+    const char *box; /**< Name of the simulated box, NULL for real cards. */
 } telemetry_identity_t;
 
 /** The caller frees each result with cJSON_Delete(); NULL without memory. */

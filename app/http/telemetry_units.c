@@ -48,7 +48,8 @@ void telemetry_units_matrix(const rigid_t *pose, double matrix[16])
     telemetry_units_point(&pose->translation, translation);
     for (int row = 0; row < 3; row++) {
         for (int column = 0; column < 3; column++) {
-            matrix[(row * 4) + column] = round((double)pose->rotation_q30[row][column] / ONE_Q30 * 1.0e9) / 1.0e9;
+            matrix[(row * 4) + column] =
+                round((double)pose->rotation_q30[row][column] / ONE_Q30 * 1.0e9) / 1.0e9;
         }
         matrix[(row * 4) + 3] = translation[row];
     }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file The border between the core's integers and the mm and degrees that people read. Only for showing. */
+/** @file The border between the core's integers and the mm and degrees that people read. Only for
+ * showing. */
 #ifndef BORESIGHT_TELEMETRY_UNITS_H
 #define BORESIGHT_TELEMETRY_UNITS_H
 

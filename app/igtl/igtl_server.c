@@ -209,12 +209,12 @@ static void receive_from(igtl_server_t *self, uint32_t peer, const igtl_moment_t
 
 void igtl_server_receive(igtl_server_t *self, const igtl_moment_t *moment)
 {
-    accept_peers(self, moment->now_us);
     for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
         if (self->connections[i].descriptor >= 0) {
             receive_from(self, i, moment);
         }
     }
+    accept_peers(self, moment->now_us); /* Last: who has gone makes room. */
 }
 
 void igtl_server_send(igtl_server_t *self, const igtl_moment_t *moment)

@@ -57,11 +57,15 @@ static bool is_aligned(const snapshot_t *snapshot)
     return (distance_nm <= REACHED_NM) && (angle_bam <= REACHED_BAM);
 }
 
+/* The measured speed fades a little after the motion has ended; the order tells at once. */
 static bool is_reached(const snapshot_t *snapshot)
 {
     int32_t distance_nm;
     int32_t angle_bam;
 
+    if (snapshot->next_step == (uint32_t)NEXT_STEP_HOLD_PEDAL) {
+        return false;
+    }
     neuro_pose_difference(&snapshot->scanner_treatment, &snapshot->scanner_target, &distance_nm, &angle_bam);
     return (distance_nm <= REACHED_NM) && (angle_bam <= REACHED_BAM);
 }
@@ -80,9 +84,7 @@ static void tell_reached(workphase_peer_t *peer, const igtl_moment_t *moment)
     const snapshot_t *snapshot = moment->snapshot;
 
     workphase_peer_tell_flag(peer, question_names[QUESTION_REACHED],
-                             (snapshot != NULL) && (snapshot->has_target != 0U) && !igtl_is_moving(moment) &&
-                                 is_reached(snapshot),
-                             moment);
+                             (snapshot != NULL) && (snapshot->has_target != 0U) && is_reached(snapshot), moment);
 }
 
 static void tell_phase(workphase_peer_t *peer, const igtl_moment_t *moment)

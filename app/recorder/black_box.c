@@ -9,6 +9,7 @@
 #include <string.h>
 
 #define PATH_SIZE 512U
+#define NUMBER_MAX 9999U
 #define SECOND_US UINT64_C(1000000)
 
 static void request_checkpoint(black_box_t *self, uint64_t now_us)
@@ -37,18 +38,28 @@ static void fail(black_box_t *self, uint64_t now_us)
     self->retry_us = now_us + BLACK_BOX_RETRY_US;
 }
 
-static void begin_file(black_box_t *self, uint64_t now_us)
+/* A recorder started again in the same second finds the first names taken. */
+static bool open_next(black_box_t *self)
 {
     char path[PATH_SIZE];
+    bool is_open;
 
+    do {
+        self->files++;
+        black_box_name(path, sizeof(path), self->directory, self->header.started_us, self->files);
+        is_open = recording_writer_open(&self->writer, path, &self->header);
+    } while (!is_open && (errno == EEXIST) && (self->files < NUMBER_MAX));
+    return is_open;
+}
+
+static void begin_file(black_box_t *self, uint64_t now_us)
+{
     if (now_us < self->retry_us) {
         return;
     }
     black_box_remove_oldest(self->directory, BLACK_BOX_FILES, BLACK_BOX_BYTES);
     self->header.started_us = black_box_utc_us();
-    self->files++;
-    black_box_name(path, sizeof(path), self->directory, self->header.started_us, self->files);
-    if (!recording_writer_open(&self->writer, path, &self->header)) {
+    if (!open_next(self)) {
         fail(self, now_us);
         return;
     }

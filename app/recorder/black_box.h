@@ -23,7 +23,7 @@ typedef struct {
     exchange_t *exchange;
     recording_header_t header;
     recording_writer_t writer;
-    uint32_t files;          /**< Opened by this process. */
+    uint32_t files;          /**< Number of the newest name tried. */
     uint64_t opened_us;      /**< When the present file was begun. */
     uint64_t requested_us;   /**< When a checkpoint was last asked for; 0 when none is awaited. */
     uint64_t retry_us;       /**< Not before then is another file tried. */

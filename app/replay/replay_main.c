@@ -4,6 +4,7 @@
  * boresight-replay: verifies a recording and executes the controller on it again.
  *
  *     boresight-replay FILE
+ *     boresight-replay --table FILE     writes the motion as comma-separated values instead
  *
  * Exit code 0: every output equal. 1: a difference. 2: damaged, of another layout or robot, or nothing to replay.
  */
@@ -11,6 +12,7 @@
 #include "contract.h"
 #include "recording_reader.h"
 #include "replay.h"
+#include "table.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -36,21 +38,24 @@ void contract_broken(const char *module, uint32_t id)
 static bool check_header(const recording_header_t *header)
 {
     if (header->robot_crc != robot_neuro.crc) {
-        (void)printf("Recorded with robot %s of CRC %08" PRIX32 ", this build has %s of CRC %08" PRIX32
-                     "; replay it with the build that recorded it, \"%s\".\n",
-                     header->robot, header->robot_crc, robot_neuro.name, robot_neuro.crc, header->build);
+        (void)fprintf(stderr,
+                      "Recorded with robot %s of CRC %08" PRIX32 ", this build has %s of CRC %08" PRIX32
+                      "; replay it with the build that recorded it, \"%s\".\n",
+                      header->robot, header->robot_crc, robot_neuro.name, robot_neuro.crc, header->build);
         return false;
     }
     if (!recording_reader_fits(&reader, sizeof(controller_t))) {
-        (void)printf("Recorded with inputs of %" PRIu32 ", outputs of %" PRIu32 " and a state of %" PRIu32
-                     " bytes, this build has %zu, %zu and %zu; replay it with the build that recorded it, \"%s\".\n",
-                     header->inputs_size, header->outputs_size, header->controller_size, sizeof(controller_inputs_t),
-                     sizeof(controller_outputs_t), sizeof(controller_t), header->build);
+        (void)fprintf(stderr,
+                      "Recorded with inputs of %" PRIu32 ", outputs of %" PRIu32 " and a state of %" PRIu32
+                      " bytes, this build has %zu, %zu and %zu; replay it with the build that recorded it, \"%s\".\n",
+                      header->inputs_size, header->outputs_size, header->controller_size,
+                      sizeof(controller_inputs_t), sizeof(controller_outputs_t), sizeof(controller_t), header->build);
         return false;
     }
     if (strcmp(header->build, BUILD_ID) != 0) {
-        (void)printf("Recorded by build \"%s\", replayed by build \"%s\": a difference may come from that.\n",
-                     header->build, BUILD_ID);
+        (void)fprintf(stderr,
+                      "Recorded by build \"%s\", replayed by build \"%s\": a difference may come from that.\n",
+                      header->build, BUILD_ID);
     }
     return true;
 }
@@ -61,7 +66,7 @@ static bool verify(const char *path)
     const recording_verdict_t verdict = recording_reader_open(&reader, path, &finding);
 
     if (verdict != RECORDING_WHOLE) {
-        (void)printf("%s\n", finding.sentence);
+        (void)fprintf(stderr, "%s\n", finding.sentence);
     }
     return (verdict == RECORDING_WHOLE) || (verdict == RECORDING_CUT_SHORT);
 }
@@ -89,16 +94,30 @@ static int replay_all(void)
     return EXIT_EQUAL;
 }
 
+static int print_table(void)
+{
+    table_print_names(&robot_neuro);
+    while (recording_reader_next(&reader, &record)) {
+        table_print_row(&robot_neuro, &record);
+    }
+    return EXIT_EQUAL;
+}
+
 int main(int count, char **arguments)
 {
-    if (count != 2) {
-        (void)fputs("usage: boresight-replay FILE\n", stderr);
+    const bool is_table = (count == 3) && (strcmp(arguments[1], "--table") == 0);
+
+    if ((count != 2) && !is_table) {
+        (void)fputs("usage: boresight-replay [--table] FILE\n", stderr);
         return EXIT_REFUSED;
     }
-    if (!verify(arguments[1])) {
+    if (!verify(arguments[count - 1])) {
         return EXIT_REFUSED;
     }
-    const int code = check_header(&reader.header) ? replay_all() : EXIT_REFUSED;
+    int code = EXIT_REFUSED;
+    if (check_header(&reader.header)) {
+        code = is_table ? print_table() : replay_all();
+    }
     recording_reader_close(&reader);
     return code;
 }

@@ -12,6 +12,7 @@
 #include <string.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
+#include <unistd.h>
 
 #define IDLE_US 1500U
 #define LONGEST_STRIDE_US 2000U /* A pause of the whole machine pauses the simulated world. */
@@ -75,10 +76,25 @@ static int parse_options(int count, char **words, options_t *options)
     return -1;
 }
 
+/*
+ * On the core of the control process: when a virtual machine pauses that core, the simulated world pauses with the
+ * controller, as it would not on another core, and no watchdog trips that would not trip on hardware.
+ */
+static void share_core_with_control(void)
+{
+    const long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    cpu_set_t set;
+
+    CPU_ZERO(&set);
+    CPU_SET((cores > 1) ? ((size_t)cores - 1U) : 0U, &set);
+    (void)sched_setaffinity(0, sizeof(set), &set);
+}
+
 static bool ask_for_real_time(void)
 {
     const struct sched_param parameters = {.sched_priority = PRIORITY};
 
+    share_core_with_control();
     (void)prctl(PR_SET_TIMERSLACK, 1000UL, 0UL, 0UL, 0UL);
     (void)mlockall(MCL_CURRENT | MCL_FUTURE);
     return sched_setscheduler(0, SCHED_FIFO, &parameters) == 0;

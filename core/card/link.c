@@ -13,7 +13,7 @@ static bool are_drives_equal(const card_drive_t *a, const card_drive_t *b)
 
 static void receive(link_t *self, const uint8_t *bytes)
 {
-    card_report_t report;
+    card_report_t report = self->report;
     self->is_fresh = 0U;
     self->last_error = (uint32_t)CARD_FRAME_OK;
     if (bytes == NULL) {

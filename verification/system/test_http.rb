@@ -5,7 +5,6 @@
 # from serving the others. One running system serves all tests of this file.
 
 require 'json'
-require 'minitest/autorun'
 require 'net/http'
 require 'socket'
 require_relative 'support/boresight'
@@ -145,7 +144,7 @@ class TestHttp < Minitest::Test
   LISTENING = '0A'
 
   def self.boresight
-    @boresight ||= Boresight.start.tap { |system| Minitest.after_run { system.stop } }
+    @boresight ||= Boresight.start
   end
 
   def setup
@@ -209,7 +208,7 @@ class TestHttp < Minitest::Test
   end
 
   def test_SWR_HTTP_001_frozen_control_is_visible_by_its_age
-    control = self.class.boresight.pid_of(:control)
+    control = self.class.boresight.pid_of('control')
     Process.kill('STOP', control)
     within(3) { fetch_json('/api/v1/status').fetch('age_ms') > 500 }
   ensure
@@ -230,7 +229,7 @@ class TestHttp < Minitest::Test
   end
 
   def test_SWR_HTTP_002_stop_says_when_control_does_not_answer
-    control = self.class.boresight.pid_of(:control)
+    control = self.class.boresight.pid_of('control')
     Process.kill('STOP', control)
     assert_refused '503', 'NO_ANSWER', post('/api/v1/stop', '{}')
   ensure
@@ -281,10 +280,8 @@ class TestHttp < Minitest::Test
 
   # The kernel buffers some megabytes for the client before a write has to wait: half a minute of frames.
   def test_SWR_HTTP_003_a_client_that_reads_nothing_is_dropped_alone
-    lazy = Socket.new(:INET, :STREAM).tap { |socket| socket.setsockopt(:SOCKET, :RCVBUF, 4096) }
-    lazy.connect(Addrinfo.tcp('127.0.0.1', port))
-    lazy.write("GET /api/v1/events HTTP/1.1\r\nHost: #{host}\r\n\r\n")
     neighbour = open_stream
+    lazy = open_lazy_stream
     within(60) do
       neighbour.next_of('state', 1)
       dropped?(lazy)
@@ -381,6 +378,19 @@ class TestHttp < Minitest::Test
   end
 
   private
+
+  # A stream that reads the first line of the answer and no more.
+  def open_lazy_stream
+    lazy = nil
+    within(5) do
+      lazy&.close
+      lazy = Socket.new(:INET, :STREAM).tap { |socket| socket.setsockopt(:SOCKET, :RCVBUF, 4096) }
+      lazy.connect(Addrinfo.tcp('127.0.0.1', port))
+      lazy.write("GET /api/v1/events HTTP/1.1\r\nHost: #{host}\r\n\r\n")
+      lazy.gets.start_with?('HTTP/1.1 200')
+    end
+    lazy
+  end
 
   # The server's end is the one to look at: what it has sent still stands before its farewell.
   def dropped?(socket)

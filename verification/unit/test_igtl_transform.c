@@ -12,6 +12,7 @@
 #include "igtl_outbox.h"
 #include "igtl_peer.h"
 #include "names.h"
+#include "fixed.h"
 #include "rigid.h"
 #include "robot.h"
 #include "snapshot.h"

@@ -521,7 +521,7 @@ void test_SWR_IGTL_013_polls_by_text_are_answered(void)
     snapshot.scanner_treatment.translation.z_nm = 0;
     say(2U, "HAS_REACHED_TARGET", "");
     EXPECT(2U, "STRING HAS_REACHED_TARGET 1");
-    snapshot.axes[0].speed_ticks_per_s_q8 = 256;
+    snapshot.next_step = (uint32_t)NEXT_STEP_HOLD_PEDAL;
     say(2U, "HAS_REACHED_TARGET", "");
     EXPECT(2U, "STRING HAS_REACHED_TARGET 0");
     say(2U, "CMD_1", "CURRENT_STATUS");

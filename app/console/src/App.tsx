@@ -14,7 +14,7 @@ import type { ConsoleView, TelemetryStore } from "./store";
 
 function Panels({ view, robot }: { view: ConsoleView; robot: RobotState }) {
   return (
-    <main className="panels" data-freshness={view.freshness}>
+    <div className="panels" data-freshness={view.freshness}>
       <Panel title="Lamps" className="panel-lamps">
         <Lamps view={view} robot={robot} />
       </Panel>
@@ -30,7 +30,7 @@ function Panels({ view, robot }: { view: ConsoleView; robot: RobotState }) {
       <Panel title="Log" className="panel-log">
         <Log log={view.log} />
       </Panel>
-    </main>
+    </div>
   );
 }
 
@@ -49,16 +49,10 @@ function Footer({ robot }: { robot: RobotState | null }) {
   );
 }
 
-export function App({ store }: { store: TelemetryStore }) {
-  const view = useSyncExternalStore(store.subscribe, store.getView);
+function Notices({ view }: { view: ConsoleView }) {
   const box = view.robot?.status.box ?? null;
   return (
     <>
-      <h1 className="hidden">Boresight console</h1>
-      <header>
-        <Banner view={view} />
-        <StopButton />
-      </header>
       {box !== null && (
         <p className="notice">
           Simulated control box “{box}”: no robot is connected.
@@ -67,11 +61,23 @@ export function App({ store }: { store: TelemetryStore }) {
       {view.isOutdated && (
         <p className="notice">The server has been updated. Reload this page.</p>
       )}
-      {view.robot === null ? (
-        <main className="panels" />
-      ) : (
-        <Panels view={view} robot={view.robot} />
-      )}
+    </>
+  );
+}
+
+export function App({ store }: { store: TelemetryStore }) {
+  const view = useSyncExternalStore(store.subscribe, store.getView);
+  return (
+    <>
+      <header>
+        <h1 className="hidden">Boresight console</h1>
+        <Banner view={view} />
+        <StopButton />
+      </header>
+      <main>
+        <Notices view={view} />
+        {view.robot !== null && <Panels view={view} robot={view.robot} />}
+      </main>
       <Footer robot={view.robot} />
     </>
   );

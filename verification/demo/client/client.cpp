@@ -55,6 +55,7 @@ struct Received {
     std::string type;
     std::string name;
     int code;
+    std::string text;
     std::vector<float> numbers;
     double t_ms;
 };
@@ -326,7 +327,8 @@ private:
         const Received received = Await(words[1], words[2], std::atoi(words[4].c_str()));
         if (received.code != std::atoi(words[3].c_str())) {
             std::ostringstream message;
-            message << words[1] << " " << words[2] << " has code " << received.code << ", expected " << words[3];
+            message << words[1] << " " << words[2] << " has code " << received.code << " (" << received.text
+                    << "), expected " << words[3];
             throw std::runtime_error(message.str());
         }
     }
@@ -378,7 +380,7 @@ private:
             return false;
         }
         header->Unpack();
-        Received received = {header->GetDeviceType(), header->GetDeviceName(), 0, std::vector<float>(), Now()};
+        Received received = {header->GetDeviceType(), header->GetDeviceName(), 0, "", std::vector<float>(), Now()};
         const std::string content = ReadBody(header, &received);
         std::cout << "{\"t_ms\":" << Number(received.t_ms) << ",\"type\":" << Quote(received.type)
                   << ",\"name\":" << Quote(received.name) << content << "}" << std::endl;
@@ -405,8 +407,9 @@ private:
         if (received->type == "STATUS") {
             igtl::StatusMessage::Pointer message = Body<igtl::StatusMessage>(header);
             received->code = message->GetCode();
+            received->text = message->GetStatusString();
             content << ",\"code\":" << received->code << ",\"error_name\":" << Quote(message->GetErrorName())
-                    << ",\"text\":" << Quote(message->GetStatusString());
+                    << ",\"text\":" << Quote(received->text);
         } else if (received->type == "STRING") {
             content << ",\"text\":" << Quote(Body<igtl::StringMessage>(header)->GetString());
         } else if (received->type == "TRANSFORM") {

@@ -27,8 +27,8 @@ class Boresight
   class TimedOut < StandardError; end
 
   class << self
-    def start(**)
-      new(**).tap(&:start)
+    def start(**options)
+      new(**options).tap(&:start)
     end
 
     def program(name)
@@ -123,7 +123,7 @@ class Boresight
       nil
     end
     children.each_value { |pid| kill_pid(pid) }
-    @process_client&.close
+    [@process_client, @peer].compact.each(&:close)
     Boresight.running.delete(self)
     Dir.glob("/dev/shm/*#{@instance}*").each { |path| FileUtils.rm_f(path) }
     FileUtils.rm_rf(@directory)
@@ -220,13 +220,16 @@ class Boresight
     raise TimedOut, "#{e.message}; Boresight said:\n#{output}"
   end
 
-  # Sends a workphase command as a client of the OpenIGTLink port does.
+  # Sends a workphase command as a client of the OpenIGTLink port does. The connection stays: a server may drop what
+  # a client that has gone asked for. It is made anew when igtl was restarted.
   def command(workphase)
     @commands = (@commands || 0) + 1
-    peer = WorkphasePeer.new(@brp_port)
-    peer.command(format('CMD_%04d', @commands), workphase)
-  ensure
-    peer&.close
+    @peer ||= WorkphasePeer.new(@brp_port)
+    @peer.command(format('CMD_%04d', @commands), workphase)
+  rescue EOFError, SystemCallError
+    @peer&.close
+    @peer = WorkphasePeer.new(@brp_port)
+    @peer.command(format('CMD_%04d', @commands), workphase)
   end
 
   # Homes every axis; the pedal is pressed as long as that takes.

@@ -1,5 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file A peer of the OpenIGTLink dialects in a test: makes messages, and reads an outbox as lines of text. */
+/**
+ * @file
+ * A peer of the OpenIGTLink dialects in a test: makes messages, and reads an outbox as lines of text. In the header
+ * alone, so that only the tests that include it need the outbox.
+ */
 #ifndef BORESIGHT_IGTL_PEER_H
 #define BORESIGHT_IGTL_PEER_H
 
@@ -7,20 +11,108 @@
 #include "igtl_outbox.h"
 
 #include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#define IGTL_PEER_POINT_POSITION 100U
+#define IGTL_PEER_TRANSFORM_POSITION 36U
+
+static char igtl_peer_line[512];
 
 /** A received STRING; `text` must outlive it. */
-igtl_message_t igtl_peer_string(const char *name, const char *text);
+static inline igtl_message_t igtl_peer_string(const char *name, const char *text)
+{
+    igtl_message_t message = {.kind = IGTL_KIND_STRING, .text = text, .text_bytes = (uint32_t)strlen(text)};
+
+    (void)snprintf(message.name, sizeof message.name, "%s", name);
+    return message;
+}
+
+static inline uint32_t igtl_peer_bits_of(float number)
+{
+    uint32_t bits;
+
+    (void)memcpy(&bits, &number, sizeof bits);
+    return bits;
+}
 
 /** A received TRANSFORM: no rotation, translated by (x, y, z) mm. */
-igtl_message_t igtl_peer_transform(const char *name, float x, float y, float z);
+static inline igtl_message_t igtl_peer_transform(const char *name, float x, float y, float z)
+{
+    igtl_message_t message = {.kind = IGTL_KIND_TRANSFORM};
+
+    (void)snprintf(message.name, sizeof message.name, "%s", name);
+    message.numbers[0] = igtl_peer_bits_of(1.0F);
+    message.numbers[4] = igtl_peer_bits_of(1.0F);
+    message.numbers[8] = igtl_peer_bits_of(1.0F);
+    message.numbers[9] = igtl_peer_bits_of(x);
+    message.numbers[10] = igtl_peer_bits_of(y);
+    message.numbers[11] = igtl_peer_bits_of(z);
+    return message;
+}
 
 /** A received message without content. */
-igtl_message_t igtl_peer_query(igtl_kind_t kind, const char *name);
+static inline igtl_message_t igtl_peer_query(igtl_kind_t kind, const char *name)
+{
+    igtl_message_t message = {.kind = kind};
+
+    (void)snprintf(message.name, sizeof message.name, "%s", name);
+    return message;
+}
+
+static inline double igtl_peer_number_at(const uint8_t *bytes)
+{
+    const uint32_t bits = ((uint32_t)bytes[0] << 24U) | ((uint32_t)bytes[1] << 16U) |
+                          ((uint32_t)bytes[2] << 8U) | bytes[3];
+    float number;
+
+    (void)memcpy(&number, &bits, sizeof number);
+    return (double)number;
+}
+
+static inline void igtl_peer_say_position(const char *type, const char *name, const uint8_t *bytes)
+{
+    (void)snprintf(igtl_peer_line, sizeof igtl_peer_line, "%s %s %.3f %.3f %.3f", type, name, igtl_peer_number_at(bytes),
+                   igtl_peer_number_at(&bytes[4]), igtl_peer_number_at(&bytes[8]));
+}
+
+static inline void igtl_peer_say(const uint8_t *bytes, uint32_t length)
+{
+    const uint8_t *body = &bytes[IGTL_HEADER_BYTES];
+    char type[IGTL_TYPE_SIZE] = "";
+    char name[IGTL_NAME_SIZE] = "";
+
+    (void)memcpy(type, &bytes[2], IGTL_TYPE_SIZE - 1U);
+    (void)memcpy(name, &bytes[14], IGTL_NAME_SIZE - 1U);
+    if (strcmp(type, "STATUS") == 0) {
+        (void)snprintf(igtl_peer_line, sizeof igtl_peer_line, "STATUS %s %u %.20s|%s", name,
+                       (unsigned)(((uint32_t)body[0] << 8U) | body[1]), (const char *)&body[10],
+                       (const char *)&body[IGTL_STATUS_BYTES]);
+    } else if (strcmp(type, "STRING") == 0) {
+        (void)snprintf(igtl_peer_line, sizeof igtl_peer_line, "STRING %s %.*s", name, (int)(length - IGTL_HEADER_BYTES - 4U),
+                       (const char *)&body[4]);
+    } else if (strcmp(type, "POINT") == 0) {
+        igtl_peer_say_position(type, name, &body[IGTL_PEER_POINT_POSITION]);
+    } else {
+        igtl_peer_say_position(type, name, &body[IGTL_PEER_TRANSFORM_POSITION]);
+    }
+}
 
 /**
  * The next message of the outbox as "TYPE name ...", or "" when there is none: STATUS with code, error name and text;
  * STRING with its text; TRANSFORM and POINT with their position in mm. Valid until the next call.
  */
-const char *igtl_peer_next(igtl_outbox_t *outbox);
+static inline const char *igtl_peer_next(igtl_outbox_t *outbox)
+{
+    uint32_t length;
+    const uint8_t *bytes = igtl_outbox_next(outbox, &length);
+
+    igtl_peer_line[0] = '\0';
+    if (bytes != NULL) {
+        igtl_peer_say(bytes, length);
+        igtl_outbox_advance(outbox, length);
+    }
+    return igtl_peer_line;
+}
 
 #endif

@@ -93,7 +93,11 @@ interface AxisRowProperties {
 function AxisRow({ axis, shared }: AxisRowProperties) {
   const state = stateOf(axis);
   return (
-    <tr data-axis={axis.name} data-level={state.level}>
+    <tr
+      data-axis={axis.name}
+      data-level={state.level}
+      data-reference={axis.reference}
+    >
       <th scope="row">{axis.name}</th>
       <td className="track-cell">
         <div className="track-row">

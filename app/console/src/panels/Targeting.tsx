@@ -21,9 +21,9 @@ export function Targeting({ targeting }: { targeting: TargetingData }) {
     <dl className="facts">
       <dt>Registration</dt>
       <dd>{targeting.registration === null ? "none" : "accepted"}</dd>
-      <dt>Needle, scanner</dt>
+      <dt>Treatment point, scanner</dt>
       <dd>{pointText(targeting.scanner_treatment, "not registered")}</dd>
-      <dt>Needle, robot base</dt>
+      <dt>Treatment point, base</dt>
       <dd>{pointText(targeting.zframe_treatment, "unknown")}</dd>
       <dt>Target</dt>
       <dd>{pointText(targeting.target, "none")}</dd>

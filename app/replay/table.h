@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Recorded motion as a table of comma-separated values: a row each TABLE_CYCLES cycles; the time in s, then for each
+ * axis commanded and measured position in ticks, commanded and measured speed in ticks/s.
+ */
+#ifndef BORESIGHT_TABLE_H
+#define BORESIGHT_TABLE_H
+
+#include "exchange.h"
+
+#define TABLE_CYCLES 10U
+
+/** Prints the names of the columns. */
+void table_print_names(const robot_t *robot);
+
+/** Prints the row of `record` when it is its turn. */
+void table_print_row(const robot_t *robot, const cycle_record_t *record);
+
+#endif

@@ -1,0 +1,147 @@
+#!/usr/bin/env ruby
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+# Fills the tables of the user manual from their sources, so that the manual says what the programs say.
+#
+#   ruby tools/tables.rb [--root FOLDER]           rewrites the marked blocks of docs/user-manual.md
+#   ruby tools/tables.rb --check [--root FOLDER]   one line per stale block, exit 1 if there is any
+#
+# A block begins with the line `<!-- table:NAME -->` and ends with the line `<!-- end -->`. NAME is an enumeration of
+# a core header in which every enumerator has a sentence, without its `_t`; or `limits`, for those of requirements/.
+
+require 'optparse'
+require_relative 'names'
+require_relative 'trace/requirements'
+
+# What can be shown as a table, read from one project.
+class TableSources
+  def initialize(root)
+    @root = root
+  end
+
+  # Lines of the table, nil when nothing has this name.
+  def table(name)
+    return limits if name == 'limits'
+
+    enumeration = enumerations.find { |candidate| candidate.name == name }
+    enumeration && rows_of(enumeration)
+  end
+
+  def names
+    (enumerations.map(&:name) + ['limits']).sort
+  end
+
+  private
+
+  def enumerations
+    @enumerations ||= Dir[File.join(@root, 'core', '**', '*.h')].sort
+                                                                .flat_map { |header| Enumeration.read_all(header) }
+                                                                .select(&:exported?)
+  end
+
+  def rows_of(enumeration)
+    rows = enumeration.enumerators.map do |enumerator|
+      [enumerator.value, "`#{enumeration.short_name(enumerator)}`", enumerator.sentence]
+    end
+    markdown(['No.', 'Name', 'What it says'], rows)
+  end
+
+  def limits
+    rows = Trace::Requirements.load('requirements', @root).limits.sort_by(&:name).map do |limit|
+      ["`#{limit.name}`", limit.value, limit.unit, limit.requirement]
+    end
+    markdown(%w[Limit Value Unit Requirement], rows)
+  end
+
+  def markdown(heads, rows)
+    [heads, heads.map { '---' }, *rows].map { |cells| "| #{cells.map { |cell| escape(cell) }.join(' | ')} |" }
+  end
+
+  def escape(cell)
+    cell.to_s.gsub('|', '\\|')
+  end
+end
+
+# A document with marked blocks.
+class TabledDocument
+  BEGINNING = /\A<!-- table:(?<name>\w+) -->\s*\z/
+  ENDING = /\A<!-- end -->\s*\z/
+
+  # One marked block: the number of its first line, what it holds and what it should hold.
+  Block = Struct.new(:name, :number, :found, :wanted, keyword_init: true) do
+    def stale?
+      found != wanted
+    end
+  end
+
+  # A mark that leads nowhere.
+  class MarkError < StandardError; end
+
+  attr_reader :blocks
+
+  def initialize(file, text, sources)
+    @file = file
+    @lines = text.lines(chomp: true)
+    @sources = sources
+    @blocks = []
+    read_blocks
+  end
+
+  # The text with every block filled.
+  def text
+    filled = @lines.dup
+    @blocks.reverse_each { |block| filled[block.number, block.found.size] = block.wanted }
+    "#{filled.join("\n")}\n"
+  end
+
+  def findings
+    @blocks.select(&:stale?).map do |block|
+      "#{@file}:#{block.number}: table #{block.name} is stale; run ruby tools/tables.rb"
+    end
+  end
+
+  private
+
+  def read_blocks
+    @lines.each_with_index do |line, index|
+      next unless (mark = BEGINNING.match(line))
+
+      wanted = @sources.table(mark[:name])
+      fail_at(index, "there is no table #{mark[:name]}; there are #{@sources.names.join(', ')}") unless wanted
+      @blocks << Block.new(name: mark[:name], number: index + 1, found: lines_up_to_end(index), wanted: wanted)
+    end
+  end
+
+  def lines_up_to_end(index)
+    rest = @lines.drop(index + 1)
+    size = rest.index { |line| line.match?(ENDING) || line.match?(BEGINNING) }
+    fail_at(index, 'the block has no end; write <!-- end -->') unless size && rest[size].match?(ENDING)
+    rest.take(size)
+  end
+
+  def fail_at(index, what)
+    raise MarkError, "#{@file}:#{index + 1}: #{what}"
+  end
+end
+
+if $PROGRAM_NAME == __FILE__
+  options = { root: File.expand_path('..', __dir__), check: false }
+  begin
+    OptionParser.new do |parser|
+      parser.banner = 'usage: tables.rb [--check] [--root FOLDER]'
+      parser.on('--check') { options[:check] = true }
+      parser.on('--root FOLDER') { |folder| options[:root] = folder }
+    end.parse!
+    path = File.join(options[:root], 'docs', 'user-manual.md')
+    document = TabledDocument.new('docs/user-manual.md', File.read(path, encoding: 'UTF-8'),
+                                  TableSources.new(options[:root]))
+  rescue OptionParser::ParseError, TabledDocument::MarkError, Trace::FormatError, Errno::ENOENT => e
+    abort e.message
+  end
+  if options[:check]
+    puts document.findings
+    exit document.findings.empty?
+  end
+  File.write(path, document.text)
+end

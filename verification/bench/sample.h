@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * The file of samples: single cycles of a recording, each with all that controller_step() needs and what it must say.
+ * Same bytes on every machine of the benchmark; the sizes in the header and the size of the file prove it.
+ */
+#ifndef BORESIGHT_SAMPLE_H
+#define BORESIGHT_SAMPLE_H
+
+#include "controller.h"
+
+#include <stdint.h>
+
+#define SAMPLES_MAGIC 0x504D5342U /**< "BSMP" */
+
+typedef struct {
+    uint32_t magic;
+    uint32_t count;           /**< Samples that follow. */
+    uint32_t sample_size;     /**< sizeof(sample_t). */
+    uint32_t controller_size; /**< sizeof(controller_t). */
+    uint32_t inputs_size;     /**< sizeof(controller_inputs_t). */
+    uint32_t outputs_size;    /**< sizeof(controller_outputs_t). */
+    uint32_t robot_crc;
+    uint32_t reserved;
+} samples_header_t;
+
+typedef struct {
+    controller_t before;          /**< State when the cycle began. */
+    controller_inputs_t inputs;
+    controller_outputs_t outputs; /**< As recorded. */
+} sample_t;
+
+#endif

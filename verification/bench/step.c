@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * bench-step: calls controller_step() once for each sample, for a tool that counts instructions, and compares its
+ * outputs with the recorded ones.
+ *
+ *     bench-step SAMPLES [NUMBER ...]
+ *
+ * Without numbers, all samples in turn; the first has number 0.
+ */
+#include "contract.h"
+#include "sample.h"
+
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static samples_header_t samples;
+static sample_t sample;
+static controller_outputs_t outputs;
+
+void contract_broken(const char *module, uint32_t id)
+{
+    (void)fprintf(stderr, "Contract %s/%u is broken.\n", module, (unsigned)id);
+    _Exit(EXIT_FAILURE);
+}
+
+/* Whoever counts begins at the entry of controller_step() and ends at the return to here. */
+__attribute__((noinline)) static void measure(void)
+{
+    controller_step(&sample.before, &robot_neuro, &sample.inputs, &outputs);
+}
+
+static bool read_header(FILE *file)
+{
+    return (fread(&samples, sizeof(samples), 1U, file) == 1U) && (samples.magic == SAMPLES_MAGIC) &&
+           (samples.sample_size == sizeof(sample_t)) && (samples.controller_size == sizeof(controller_t)) &&
+           (samples.inputs_size == sizeof(controller_inputs_t)) &&
+           (samples.outputs_size == sizeof(controller_outputs_t)) && (samples.robot_crc == robot_neuro.crc);
+}
+
+static bool step(FILE *file, uint32_t number)
+{
+    const long offset = (long)(sizeof(samples) + (number * sizeof(sample)));
+    if ((number >= samples.count) || (fseek(file, offset, SEEK_SET) != 0) ||
+        (fread(&sample, sizeof(sample), 1U, file) != 1U)) {
+        (void)fprintf(stderr, "There is no sample %u.\n", (unsigned)number);
+        return false;
+    }
+    measure();
+    if (memcmp(&outputs, &sample.outputs, sizeof(outputs)) != 0) {
+        (void)fprintf(stderr, "Sample %u does not repeat what was recorded.\n", (unsigned)number);
+        return false;
+    }
+    return true;
+}
+
+static bool step_all(FILE *file, int count, char **numbers)
+{
+    const uint32_t steps = (count > 0) ? (uint32_t)count : samples.count;
+    bool is_equal = true;
+    for (uint32_t i = 0U; is_equal && (i < steps); i++) {
+        is_equal = step(file, (count > 0) ? (uint32_t)strtoul(numbers[i], NULL, 10) : i);
+    }
+    return is_equal;
+}
+
+int main(int count, char **arguments)
+{
+    FILE *const file = (count > 1) ? fopen(arguments[1], "rb") : NULL;
+    if (file == NULL) {
+        (void)fputs("usage: bench-step SAMPLES [NUMBER ...]\n", stderr);
+        return EXIT_FAILURE;
+    }
+    if (!read_header(file)) {
+        (void)fputs("The samples are of another layout or robot; write them anew.\n", stderr);
+        return EXIT_FAILURE;
+    }
+    const bool is_equal = step_all(file, count - 2, &arguments[2]);
+    (void)fclose(file);
+    return is_equal ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+# Rule under test: the console in a real browser shows what a running system does, and says when it does not know.
+# app/console/e2e/console.e2e.ts runs once; each test here is the verdict of its part for one requirement.
+# With BORESIGHT_SCREENSHOT=FILE it leaves a picture of the console.
+
+require 'json'
+require 'open3'
+require 'socket'
+require_relative 'support/boresight'
+
+# Commands START_UP whenever its address is asked for. The peer stays connected: control stops what the peer has
+# armed when it leaves.
+class StartUpService
+  def initialize(port)
+    @peer = WorkphasePeer.new(port)
+    @server = TCPServer.new('127.0.0.1', 0)
+    @thread = Thread.new { serve }
+  end
+
+  def url
+    "http://127.0.0.1:#{@server.addr[1]}/"
+  end
+
+  def close
+    @thread.kill
+    @server.close
+    @peer.close
+  end
+
+  private
+
+  def serve
+    1.step do |number|
+      client = @server.accept
+      nil until client.gets.to_s.strip.empty?
+      @peer.command(format('CMD_%04d', number), 'START_UP')
+      client.write("HTTP/1.1 204 No Content\r\nConnection: close\r\n\r\n")
+      client.close
+    end
+  end
+end
+
+# One run of the browser against one system.
+class BrowserRun
+  FOLDER = File.expand_path('../../app/console', __dir__)
+  REPORT = File.expand_path('../../build/browser-tests.json', __dir__)
+
+  def self.results
+    @results ||= new.results
+  end
+
+  # The verdict of each part by its title.
+  def results
+    FileUtils.rm_f(REPORT)
+    output, = with_system do |boresight, service|
+      Open3.capture2e(environment(boresight, service), 'npm', 'run', '--silent', 'e2e', chdir: FOLDER)
+    end
+    raise "the browser did not run:\n#{output}" unless File.exist?(REPORT)
+
+    parts = JSON.parse(File.read(REPORT)).fetch('testResults').flat_map { |file| file.fetch('assertionResults') }
+    parts.to_h { |part| [part.fetch('title'), verdict(part)] }
+  end
+
+  private
+
+  def with_system
+    boresight = Boresight.start
+    service = StartUpService.new(boresight.brp_port)
+    yield boresight, service
+  ensure
+    service&.close
+    boresight&.kill_all
+  end
+
+  def environment(boresight, service)
+    { 'BORESIGHT_URL' => "http://127.0.0.1:#{boresight.http_port}/",
+      'BORESIGHT_HTTP_PID' => boresight.pid_of('http').to_s,
+      'BORESIGHT_SIMCTL' => "#{Boresight.program('boresight-simctl')} --name #{boresight.box}",
+      'BORESIGHT_START_UP' => service.url }
+  end
+
+  def verdict(part)
+    part.fetch('status') == 'passed' ? 'passed' : "#{part.fetch('status')}: #{part.fetch('failureMessages').join("\n")}"
+  end
+end
+
+class TestConsole < Minitest::Test
+  def assert_parts(requirement)
+    parts = BrowserRun.results.select { |title, _| title.start_with?("#{requirement} ") }
+    refute_empty parts
+    parts.each { |title, verdict| assert_equal 'passed', verdict, title }
+  end
+
+  def test_SWR_CON_001_the_banner_says_what_is_needed_next
+    assert_parts 'SWR-CON-001'
+  end
+
+  def test_SWR_CON_002_lamps_and_buttons_are_for_everybody
+    assert_parts 'SWR-CON-002'
+  end
+
+  def test_SWR_CON_003_the_rows_follow_the_axes
+    assert_parts 'SWR-CON-003'
+  end
+
+  def test_SWR_CON_004_a_frozen_server_is_seen_within_a_second
+    assert_parts 'SWR-CON-004'
+  end
+
+  def test_SWR_CON_005_the_reasons_stand_beside_each_axis
+    assert_parts 'SWR-CON-005'
+  end
+
+  def test_SWR_HTTP_002_stop_by_button_and_by_key
+    assert_parts 'SWR-HTTP-002'
+  end
+
+  def test_SWR_HTTP_004_the_browser_accepts_all_and_asks_nobody_else
+    assert_parts 'SWR-HTTP-004'
+  end
+end

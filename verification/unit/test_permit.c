@@ -1,0 +1,219 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Rule under test: an axis may be driven only when no reason stands against it; each standing reason is named;
+ * whatever is not allowed leaves as zero drive words.
+ */
+#include "unity.h"
+
+#include "limits.h"
+#include "permit.h"
+
+#include <stddef.h>
+#include <string.h>
+
+#define FACTS 15U
+#define COMBINATIONS (1UL << FACTS)
+
+/* Thirteen facts forbid by themselves; two decide together about the fourteenth reason. */
+typedef struct {
+    size_t fact;
+    bool forbids_when;
+    permit_reason_t reason;
+} rule_t;
+
+static const rule_t rules[] = {
+    {offsetof(permit_facts_t, is_estop_pulled), true, PERMIT_REASON_ESTOP_PULLED},
+    {offsetof(permit_facts_t, is_estop_latched), true, PERMIT_REASON_ESTOP_LATCHED},
+    {offsetof(permit_facts_t, is_loop_stopped), true, PERMIT_REASON_LOOP_STOPPED},
+    {offsetof(permit_facts_t, is_link_lost), true, PERMIT_REASON_LINK_LOST},
+    {offsetof(permit_facts_t, is_pedal_faulty), true, PERMIT_REASON_PEDAL_FAULT},
+    {offsetof(permit_facts_t, is_scanner_active), true, PERMIT_REASON_SCANNER_ACTIVE},
+    {offsetof(permit_facts_t, is_axis_faulty), true, PERMIT_REASON_AXIS_FAULT},
+    {offsetof(permit_facts_t, is_axis_enabled), false, PERMIT_REASON_AXIS_DISABLED},
+    {offsetof(permit_facts_t, is_armed), false, PERMIT_REASON_NOTHING_ARMED},
+    {offsetof(permit_facts_t, is_pedal_unproven), true, PERMIT_REASON_PEDAL_UNPROVEN},
+    {offsetof(permit_facts_t, is_pedal_pressed), false, PERMIT_REASON_PEDAL_RELEASED},
+    {offsetof(permit_facts_t, is_towards_switch), true, PERMIT_REASON_LIMIT_SWITCH},
+    {offsetof(permit_facts_t, is_beyond_soft_limit), true, PERMIT_REASON_SOFT_LIMIT},
+};
+
+#define RULES (sizeof rules / sizeof rules[0])
+
+static bool *fact(permit_facts_t *facts, size_t offset)
+{
+    return (bool *)((unsigned char *)facts + offset);
+}
+
+static permit_facts_t combination(uint32_t bits)
+{
+    permit_facts_t facts;
+
+    for (size_t i = 0U; i < RULES; i++) {
+        *fact(&facts, rules[i].fact) = ((bits >> i) & 1U) != 0U;
+    }
+    facts.is_homed = ((bits >> RULES) & 1U) != 0U;
+    facts.is_homing_or_jog = ((bits >> (RULES + 1U)) & 1U) != 0U;
+    return facts;
+}
+
+/* Nothing stands in the way: a homed axis, armed, with the pedal down. */
+static permit_facts_t free_facts(void)
+{
+    permit_facts_t facts;
+
+    (void)memset(&facts, 0, sizeof facts);
+    facts.is_axis_enabled = true;
+    facts.is_armed = true;
+    facts.is_pedal_pressed = true;
+    facts.is_homed = true;
+    return facts;
+}
+
+static uint32_t mask(permit_reason_t reason)
+{
+    return (uint32_t)1U << (uint32_t)reason;
+}
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+void test_SWR_PERMIT_001_every_combination_of_facts_is_decided_by_the_rule(void)
+{
+    uint32_t allowed = 0U;
+
+    TEST_ASSERT_EQUAL_size_t(FACTS * sizeof(bool), sizeof(permit_facts_t));
+    for (uint32_t bits = 0U; bits < COMBINATIONS; bits++) {
+        permit_facts_t facts = combination(bits);
+        const permit_t permit = permit_decide(&facts);
+        uint32_t expected = 0U;
+        for (size_t i = 0U; i < RULES; i++) {
+            if (*fact(&facts, rules[i].fact) == rules[i].forbids_when) {
+                expected |= mask(rules[i].reason);
+            }
+        }
+        if (!(facts.is_homed || facts.is_homing_or_jog)) {
+            expected |= mask(PERMIT_REASON_NOT_HOMED);
+        }
+        TEST_ASSERT_EQUAL_HEX32(expected, permit.reasons);
+        TEST_ASSERT_EQUAL(expected == 0U, permit.is_allowed);
+        TEST_ASSERT_EQUAL(permit.is_allowed, permit.speed_cap_percent > 0U);
+        allowed += permit.is_allowed ? 1U : 0U;
+    }
+    /* Homed in any order, or not homed in a homing or a jog. */
+    TEST_ASSERT_EQUAL_UINT32(3U, allowed);
+}
+
+void test_SWR_PERMIT_002_an_allowed_request_passes_unchanged(void)
+{
+    const permit_facts_t facts = free_facts();
+    const permit_t permit = permit_decide(&facts);
+    const card_drive_t request = {CARD_DRIVE_PWM, 1U, 0x1FFFFU};
+    const card_drive_t drive = permit_apply(&permit, &request);
+
+    TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_PWM, drive.mode);
+    TEST_ASSERT_EQUAL_UINT32(1U, drive.direction);
+    TEST_ASSERT_EQUAL_UINT32(0x1FFFFU, drive.duty);
+}
+
+void test_SWR_PERMIT_002_any_single_reason_makes_every_drive_word_zero(void)
+{
+    const card_drive_t request = {CARD_DRIVE_NON_PWM, 1U, 0x1FFFFU};
+
+    for (size_t i = 0U; i < RULES; i++) {
+        permit_facts_t facts = free_facts();
+        *fact(&facts, rules[i].fact) = rules[i].forbids_when;
+        const permit_t permit = permit_decide(&facts);
+        const card_drive_t drive = permit_apply(&permit, &request);
+        TEST_ASSERT_EQUAL_UINT32(0U, drive.mode);
+        TEST_ASSERT_EQUAL_UINT32(0U, drive.direction);
+        TEST_ASSERT_EQUAL_UINT32(0U, drive.duty);
+    }
+}
+
+void test_SWR_PERMIT_003_each_fact_alone_is_named_by_its_own_reason(void)
+{
+    for (size_t i = 0U; i < RULES; i++) {
+        permit_facts_t facts = free_facts();
+        *fact(&facts, rules[i].fact) = rules[i].forbids_when;
+        TEST_ASSERT_EQUAL_HEX32(mask(rules[i].reason), permit_decide(&facts).reasons);
+    }
+    permit_facts_t facts = free_facts();
+    facts.is_homed = false;
+    TEST_ASSERT_EQUAL_HEX32(mask(PERMIT_REASON_NOT_HOMED), permit_decide(&facts).reasons);
+}
+
+void test_SWR_PERMIT_003_reasons_that_stand_together_are_all_named(void)
+{
+    permit_facts_t facts = free_facts();
+
+    for (size_t i = 0U; i < RULES; i++) {
+        *fact(&facts, rules[i].fact) = rules[i].forbids_when;
+    }
+    facts.is_homed = false;
+    TEST_ASSERT_EQUAL_HEX32(((uint32_t)1U << PERMIT_REASON_COUNT) - 1U, permit_decide(&facts).reasons);
+}
+
+void test_SWR_PERMIT_004_no_axis_is_allowed_while_the_scanner_acquires(void)
+{
+    permit_facts_t facts = free_facts();
+
+    TEST_ASSERT_TRUE(permit_decide(&facts).is_allowed);
+    facts.is_scanner_active = true;
+    TEST_ASSERT_FALSE(permit_decide(&facts).is_allowed);
+    facts.is_homing_or_jog = true;
+    TEST_ASSERT_FALSE(permit_decide(&facts).is_allowed);
+}
+
+void test_SWR_PERMIT_005_a_homed_axis_has_its_full_speed(void)
+{
+    permit_facts_t facts = free_facts();
+
+    TEST_ASSERT_EQUAL_UINT32(100U, permit_decide(&facts).speed_cap_percent);
+    facts.is_homing_or_jog = true;
+    TEST_ASSERT_EQUAL_UINT32(100U, permit_decide(&facts).speed_cap_percent);
+}
+
+void test_SWR_PERMIT_005_an_axis_that_is_not_allowed_has_no_speed(void)
+{
+    permit_facts_t facts = free_facts();
+
+    facts.is_estop_pulled = true;
+    TEST_ASSERT_EQUAL_UINT32(0U, permit_decide(&facts).speed_cap_percent);
+}
+
+void test_SWR_AXIS_006_an_axis_not_homed_homes_and_jogs_at_reduced_speed(void)
+{
+    permit_facts_t facts = free_facts();
+
+    facts.is_homed = false;
+    facts.is_homing_or_jog = true;
+    const permit_t permit = permit_decide(&facts);
+    TEST_ASSERT_TRUE(permit.is_allowed);
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_UNHOMED_SPEED_PERCENT, permit.speed_cap_percent);
+}
+
+void test_SWR_AXIS_006_an_axis_not_homed_does_nothing_else(void)
+{
+    permit_facts_t facts = free_facts();
+
+    facts.is_homed = false;
+    TEST_ASSERT_FALSE(permit_decide(&facts).is_allowed);
+}
+
+void test_SWR_PEDAL_001_without_the_pedal_every_drive_word_is_zero_whatever_else_holds(void)
+{
+    const card_drive_t request = {CARD_DRIVE_PWM, 1U, 0x1FFFFU};
+
+    for (uint32_t bits = 0U; bits < COMBINATIONS; bits++) {
+        permit_facts_t facts = combination(bits);
+        facts.is_pedal_pressed = false;
+        const permit_t permit = permit_decide(&facts);
+        const card_drive_t drive = permit_apply(&permit, &request);
+        TEST_ASSERT_EQUAL_UINT32(0U, drive.mode | drive.direction | drive.duty);
+    }
+}

@@ -1,0 +1,389 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Rule under test: the request pushes towards the set-point, never harder than the axis' largest word, never from one
+ * direction into the other without a rest, and brings a motor with rise time, fall time and a late answer to rest
+ * within the deadband.
+ */
+#include "unity.h"
+
+#include "card_frame.h"
+#include "crc.h"
+#include "fixed.h"
+#include "limits.h"
+#include "profile.h"
+#include "robot.h"
+#include "servo.h"
+
+#include <math.h>
+#include <string.h>
+
+TEST_SOURCE_FILE("robot_neuro.c")
+
+#define CYCLE_US 1000U
+#define FAR_TICKS 100000
+
+static servo_t servo;
+
+static const axis_config_t *const pwm = &robot_neuro.axes[AXIS_INSERTION];
+static const axis_config_t *const inverted_pwm = &robot_neuro.axes[AXIS_YAW];
+static const axis_config_t *const non_pwm = &robot_neuro.axes[AXIS_PITCH];
+static const axis_config_t *const inverted_non_pwm = &robot_neuro.axes[AXIS_HEAD];
+
+static card_drive_t step(const axis_config_t *config, int32_t error_ticks)
+{
+    return servo_step(&servo, config, error_ticks, 0, CYCLE_US);
+}
+
+static card_drive_t step_late(const axis_config_t *config, int32_t error_ticks, uint32_t elapsed_us)
+{
+    return servo_step(&servo, config, error_ticks, 0, elapsed_us);
+}
+
+static bool is_off(const card_drive_t *drive)
+{
+    return (drive->mode == CARD_DRIVE_OFF) && (drive->direction == 0U) && (drive->duty == 0U);
+}
+
+static void expect_off(card_drive_t drive)
+{
+    TEST_ASSERT_TRUE(is_off(&drive));
+}
+
+static void expect_drive(card_drive_t drive, uint32_t mode, uint32_t direction, uint32_t duty)
+{
+    TEST_ASSERT_EQUAL_UINT32(mode, drive.mode);
+    TEST_ASSERT_EQUAL_UINT32(direction, drive.direction);
+    TEST_ASSERT_EQUAL_UINT32(duty, drive.duty);
+}
+
+void setUp(void)
+{
+    (void)memset(&servo, 0x5A, sizeof servo);
+    servo_init(&servo);
+}
+
+void tearDown(void)
+{
+}
+
+void test_SWR_AXIS_007_a_pwm_word_saturates_at_the_configured_maximum(void)
+{
+    expect_drive(step(pwm, FAR_TICKS), CARD_DRIVE_PWM, 1U, pwm->maximum_duty);
+    expect_drive(step(pwm, INT32_MAX), CARD_DRIVE_PWM, 1U, pwm->maximum_duty);
+    servo_init(&servo);
+    expect_drive(step(pwm, -FAR_TICKS), CARD_DRIVE_PWM, 0U, pwm->maximum_duty);
+    expect_drive(step(pwm, INT32_MIN), CARD_DRIVE_PWM, 0U, pwm->maximum_duty);
+}
+
+void test_SWR_AXIS_007_full_speed_is_the_largest_word_and_less_is_less(void)
+{
+    const int32_t full_q8 = pwm->full_speed_ticks_per_s * 256;
+
+    expect_drive(servo_step(&servo, pwm, 0, full_q8, CYCLE_US), CARD_DRIVE_PWM, 1U, pwm->maximum_duty);
+    TEST_ASSERT_TRUE(servo_step(&servo, pwm, 0, full_q8 - 256, CYCLE_US).duty < pwm->maximum_duty);
+    const uint32_t half = pwm->minimum_duty + (pwm->maximum_duty - pwm->minimum_duty) / 2U;
+    expect_drive(servo_step(&servo, pwm, 0, full_q8 / 2, CYCLE_US), CARD_DRIVE_PWM, 1U, half);
+}
+
+void test_SWR_AXIS_007_a_motor_without_pwm_gets_no_duty(void)
+{
+    expect_drive(step(non_pwm, FAR_TICKS), CARD_DRIVE_NON_PWM, 1U, 0U);
+    servo_init(&servo);
+    expect_drive(step(non_pwm, -FAR_TICKS), CARD_DRIVE_NON_PWM, 0U, 0U);
+}
+
+void test_SWR_AXIS_007_no_demand_makes_more_pulses_than_cycles(void)
+{
+    for (uint32_t i = 0U; i < 100U; i++) {
+        expect_drive(step(non_pwm, INT32_MAX), CARD_DRIVE_NON_PWM, 1U, 0U);
+        TEST_ASSERT_EQUAL_INT64(0, servo.pulse_debt_q8);
+    }
+}
+
+void test_SWR_AXIS_007_an_inverted_motor_has_its_direction_bit_the_other_way(void)
+{
+    const card_drive_t bit_0 = {CARD_DRIVE_NON_PWM, 0U, 0U};
+    const card_drive_t bit_1 = {CARD_DRIVE_NON_PWM, 1U, 0U};
+
+    expect_drive(step(inverted_non_pwm, FAR_TICKS), CARD_DRIVE_NON_PWM, 0U, 0U);
+    servo_init(&servo);
+    expect_drive(step(inverted_non_pwm, -FAR_TICKS), CARD_DRIVE_NON_PWM, 1U, 0U);
+    TEST_ASSERT_TRUE(servo_is_upwards(inverted_non_pwm, &bit_0));
+    TEST_ASSERT_FALSE(servo_is_upwards(inverted_non_pwm, &bit_1));
+    TEST_ASSERT_TRUE(servo_is_upwards(non_pwm, &bit_1));
+    TEST_ASSERT_FALSE(servo_is_upwards(non_pwm, &bit_0));
+}
+
+/* Number of cycles without drive after the error has changed its sign. */
+static uint32_t dwell_cycles(const axis_config_t *config, int32_t error_ticks)
+{
+    uint32_t cycles = 0U;
+
+    (void)step(config, error_ticks);
+    card_drive_t drive = step(config, -error_ticks);
+    while (is_off(&drive) && (cycles < 100U)) {
+        cycles++;
+        drive = step(config, -error_ticks);
+    }
+    return cycles;
+}
+
+void test_SWR_AXIS_008_a_reversal_takes_ten_milliseconds_without_drive(void)
+{
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_REVERSAL_DWELL_US / CYCLE_US, dwell_cycles(pwm, FAR_TICKS));
+    servo_init(&servo);
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_REVERSAL_DWELL_US / CYCLE_US, dwell_cycles(non_pwm, -FAR_TICKS));
+}
+
+void test_SWR_AXIS_008_one_microsecond_less_is_not_enough(void)
+{
+    (void)step(pwm, FAR_TICKS);
+    expect_off(step(pwm, -FAR_TICKS));
+    expect_off(step_late(pwm, -FAR_TICKS, LIMIT_REVERSAL_DWELL_US - 1U));
+    expect_drive(step_late(pwm, -FAR_TICKS, 1U), CARD_DRIVE_PWM, 0U, pwm->maximum_duty);
+}
+
+void test_SWR_AXIS_008_the_time_of_the_last_driven_cycle_does_not_count(void)
+{
+    (void)step(pwm, FAR_TICKS);
+    expect_off(step_late(pwm, -FAR_TICKS, LIMIT_REVERSAL_DWELL_US));
+    expect_off(step_late(pwm, -FAR_TICKS, LIMIT_REVERSAL_DWELL_US - 1U));
+}
+
+void test_SWR_AXIS_008_the_time_at_rest_counts(void)
+{
+    (void)step(pwm, FAR_TICKS);
+    servo_rest(&servo, CYCLE_US);
+    servo_rest(&servo, LIMIT_REVERSAL_DWELL_US - 1U);
+    expect_off(step_late(pwm, -FAR_TICKS, 0U));
+    expect_drive(step_late(pwm, -FAR_TICKS, 1U), CARD_DRIVE_PWM, 0U, pwm->maximum_duty);
+}
+
+void test_SWR_AXIS_008_a_long_rest_does_not_wrap(void)
+{
+    (void)step(pwm, FAR_TICKS);
+    servo_rest(&servo, CYCLE_US);
+    servo_rest(&servo, UINT32_MAX - 1U);
+    servo_rest(&servo, 1U);
+    servo_rest(&servo, 1U);
+    servo_rest(&servo, CYCLE_US);
+    expect_drive(step(pwm, -FAR_TICKS), CARD_DRIVE_PWM, 0U, pwm->maximum_duty);
+}
+
+void test_SWR_AXIS_008_the_same_direction_goes_on_at_once(void)
+{
+    (void)step(pwm, FAR_TICKS);
+    servo_rest(&servo, CYCLE_US);
+    expect_drive(step(pwm, FAR_TICKS), CARD_DRIVE_PWM, 1U, pwm->maximum_duty);
+}
+
+void test_SWR_AXIS_008_a_direction_asked_for_but_not_driven_begins_no_dwell(void)
+{
+    (void)step(pwm, FAR_TICKS);
+    expect_off(step(pwm, -FAR_TICKS));
+    expect_drive(step(pwm, FAR_TICKS), CARD_DRIVE_PWM, 1U, pwm->maximum_duty);
+}
+
+void test_SWR_MOTION_004_nothing_is_driven_within_the_deadband(void)
+{
+    for (int32_t error = -pwm->deadband_ticks; error <= pwm->deadband_ticks; error++) {
+        for (uint32_t i = 0U; i < 1000U; i++) {
+            expect_off(step(pwm, error));
+        }
+    }
+}
+
+static uint32_t driven_cycles(const axis_config_t *config, int32_t error_ticks, uint32_t cycles)
+{
+    uint32_t driven = 0U;
+
+    for (uint32_t i = 0U; i < cycles; i++) {
+        const card_drive_t drive = step(config, error_ticks);
+        driven += is_off(&drive) ? 0U : 1U;
+    }
+    return driven;
+}
+
+void test_SWR_MOTION_004_one_tick_outside_of_the_deadband_is_driven_in_pulses(void)
+{
+    TEST_ASSERT_TRUE(driven_cycles(pwm, pwm->deadband_ticks + 1, 1000U) > 0U);
+    servo_init(&servo);
+    TEST_ASSERT_TRUE(driven_cycles(pwm, -pwm->deadband_ticks - 1, 1000U) > 0U);
+    servo_init(&servo);
+    TEST_ASSERT_TRUE(driven_cycles(non_pwm, 1, 1000U) > 0U);
+}
+
+void test_SWR_MOTION_004_pulses_meet_the_demand_on_average(void)
+{
+    const int32_t full_q8 = non_pwm->full_speed_ticks_per_s * 256;
+    uint32_t driven = 0U;
+
+    for (uint32_t i = 0U; i < 1000U; i++) {
+        const card_drive_t drive = servo_step(&servo, non_pwm, 0, full_q8 / 4, CYCLE_US);
+        driven += is_off(&drive) ? 0U : 1U;
+    }
+    TEST_ASSERT_EQUAL_UINT32(250U, driven);
+}
+
+void test_SWR_MOTION_004_a_slow_demand_of_a_pwm_motor_is_pulsed_at_half_speed(void)
+{
+    const int32_t full_q8 = pwm->full_speed_ticks_per_s * 256;
+    const uint32_t half = pwm->minimum_duty + (pwm->maximum_duty - pwm->minimum_duty) / 2U;
+    uint32_t driven = 0U;
+
+    for (uint32_t i = 0U; i < 1000U; i++) {
+        const card_drive_t drive = servo_step(&servo, pwm, 0, full_q8 / 10, CYCLE_US);
+        if (!is_off(&drive)) {
+            expect_drive(drive, CARD_DRIVE_PWM, 1U, half);
+            driven++;
+        }
+    }
+    TEST_ASSERT_EQUAL_UINT32(200U, driven);
+}
+
+void test_SWR_MOTION_004_a_pwm_motor_runs_on_from_15_percent(void)
+{
+    const int32_t full_q8 = pwm->full_speed_ticks_per_s * 256;
+    const int32_t slowest_q8 = full_q8 * 15 / 100;
+
+    expect_off(servo_step(&servo, pwm, 0, slowest_q8 - 256, CYCLE_US));
+    TEST_ASSERT_TRUE(servo.pulse_debt_q8 > 0);
+    const card_drive_t drive = servo_step(&servo, pwm, 0, slowest_q8, CYCLE_US);
+    TEST_ASSERT_TRUE((drive.duty > pwm->minimum_duty) && (drive.duty < pwm->maximum_duty / 3U));
+    TEST_ASSERT_EQUAL_INT64(0, servo.pulse_debt_q8);
+}
+
+void test_SWR_MOTION_004_arriving_and_resting_forget_the_pulses_that_are_due(void)
+{
+    (void)step(non_pwm, 2);
+    TEST_ASSERT_TRUE(servo.pulse_debt_q8 > 0);
+    (void)step(non_pwm, 0);
+    TEST_ASSERT_EQUAL_INT64(0, servo.pulse_debt_q8);
+    (void)step(non_pwm, 2);
+    servo_rest(&servo, CYCLE_US);
+    TEST_ASSERT_EQUAL_INT64(0, servo.pulse_debt_q8);
+}
+
+void test_SWR_MOTION_004_a_moving_set_point_is_followed_within_the_deadband_too(void)
+{
+    const card_drive_t drive = servo_step(&servo, pwm, 1, 256 * 10000, CYCLE_US);
+
+    TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_PWM, drive.mode);
+    TEST_ASSERT_EQUAL_UINT32(1U, drive.direction);
+}
+
+void test_SWR_MOTION_004_an_axis_ahead_of_its_set_point_waits_for_it(void)
+{
+    expect_off(servo_step(&servo, pwm, -10, 256 * 600, CYCLE_US));
+}
+
+/* A motor that gains speed with 15 ms, loses it with 1.5 ms, and hears of a drive after a few cycles. */
+#define DELAY_CYCLES 3U
+#define SUBSTEPS 10U
+#define SUBSTEP_S 0.0001
+#define RISE_S 0.015
+#define FALL_S 0.0015
+#define SLOWEST_SHARE 0.1
+
+typedef struct {
+    card_drive_t late[DELAY_CYCLES];
+    double position_ticks;
+    double speed_ticks_per_s;
+} motor_t;
+
+static double steady_speed(const axis_config_t *config, const card_drive_t *drive)
+{
+    double share = 0.0;
+
+    if (drive->mode == CARD_DRIVE_NON_PWM) {
+        share = 1.0;
+    } else if (drive->mode == CARD_DRIVE_PWM) {
+        share = (double)drive->duty / config->maximum_duty;
+    }
+    share = (share < SLOWEST_SHARE) ? 0.0 : share;
+    return share * config->full_speed_ticks_per_s * (servo_is_upwards(config, drive) ? 1.0 : -1.0);
+}
+
+static void run_motor(motor_t *motor, const axis_config_t *config, const card_drive_t *drive)
+{
+    const double steady = steady_speed(config, &motor->late[DELAY_CYCLES - 1U]);
+
+    for (uint32_t i = 0U; i < SUBSTEPS; i++) {
+        const double time_s = (fabs(steady) > fabs(motor->speed_ticks_per_s)) ? RISE_S : FALL_S;
+        motor->speed_ticks_per_s += (steady - motor->speed_ticks_per_s) * (1.0 - exp(-SUBSTEP_S / time_s));
+        motor->position_ticks += motor->speed_ticks_per_s * SUBSTEP_S;
+    }
+    for (uint32_t i = DELAY_CYCLES - 1U; i > 0U; i--) {
+        motor->late[i] = motor->late[i - 1U];
+    }
+    motor->late[0] = *drive;
+}
+
+/* One cycle of one axis; the error that the servo saw. */
+static int32_t run_axis(motor_t *motor, const axis_config_t *config, const profile_t *profile, uint32_t axis)
+{
+    const int32_t error_ticks =
+        profile_position_ticks(profile, axis) - (int32_t)floor(motor->position_ticks);
+    const card_drive_t drive = servo_step(&servo, config, error_ticks,
+                                          profile_speed_ticks_per_s_q8(profile, axis), CYCLE_US);
+
+    run_motor(motor, config, &drive);
+    return (error_ticks < 0) ? -error_ticks : error_ticks;
+}
+
+/* Moves `axis` from `from` to `to`; it must be there two seconds after the profile's end, and stay. */
+static void expect_arrival(uint32_t axis, int32_t from, int32_t to)
+{
+    const axis_config_t *const config = &robot_neuro.axes[axis];
+    int32_t start[ROBOT_AXIS_COUNT] = {0};
+    int32_t end[ROBOT_AXIS_COUNT] = {0};
+    motor_t motor = {.position_ticks = from + 0.5};
+    profile_t profile;
+
+    start[axis] = from;
+    end[axis] = to;
+    servo_init(&servo);
+    profile_plan(&profile, &robot_neuro, start, end, 100U);
+    while (!profile_is_finished(&profile)) {
+        TEST_ASSERT_TRUE(run_axis(&motor, config, &profile, axis) <= config->following_error_ticks);
+        profile_step(&profile);
+    }
+    for (uint32_t i = 0U; i < 2000U; i++) {
+        (void)run_axis(&motor, config, &profile, axis);
+    }
+    for (uint32_t i = 0U; i < 2000U; i++) {
+        TEST_ASSERT_TRUE(run_axis(&motor, config, &profile, axis) <= config->deadband_ticks);
+    }
+}
+
+static void expect_arrivals(uint32_t axis)
+{
+    const axis_config_t *const config = &robot_neuro.axes[axis];
+    const int32_t minimum = config->minimum_ticks;
+    const int32_t maximum = config->maximum_ticks;
+    const int32_t middle = minimum + (maximum - minimum) / 2;
+
+    expect_arrival(axis, minimum, maximum);
+    expect_arrival(axis, maximum, minimum);
+    expect_arrival(axis, middle, middle + 1 + config->deadband_ticks);
+    expect_arrival(axis, middle, middle - 1 - config->deadband_ticks);
+    expect_arrival(axis, middle, middle + 20);
+    expect_arrival(axis, middle, middle - 200);
+}
+
+void test_SWR_MOTION_004_a_pwm_axis_comes_to_rest_within_its_deadband(void)
+{
+    expect_arrivals(AXIS_INSERTION);
+    expect_arrivals(AXIS_ROTATION);
+    expect_arrivals(AXIS_YAW);
+    TEST_ASSERT_EQUAL_UINT8(CARD_TYPE_PWM, inverted_pwm->card_type);
+}
+
+void test_SWR_MOTION_004_a_non_pwm_axis_comes_to_rest_within_its_deadband(void)
+{
+    expect_arrivals(AXIS_HEAD);
+    expect_arrivals(AXIS_FEET);
+    expect_arrivals(AXIS_LATERAL);
+    expect_arrivals(AXIS_PITCH);
+    TEST_ASSERT_EQUAL_UINT8(CARD_TYPE_NON_PWM, inverted_non_pwm->card_type);
+}
