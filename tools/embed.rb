@@ -16,8 +16,8 @@ class Embedding
   }.freeze
   BYTES_PER_LINE = 20
 
-  # A file named after its content never changes: name-0a1B2c3D.js.
-  HASHED = /-[\w-]{8}\.\w+\z/.freeze
+  # A file named after its content never changes: assets/name-0a1B2c3D.js.
+  HASHED = %r{\Aassets/.*-[\w-]{8}\.\w+\z}.freeze
 
   File = Struct.new(:path, :bytes, :type, :cache, keyword_init: true)
 

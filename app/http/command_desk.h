@@ -29,8 +29,10 @@ typedef struct {
     command_question_t questions[COMMAND_DESK_QUESTIONS];
 } command_desk_t;
 
-/** Starts with nothing asked. `exchange` outlives `self`; nobody else takes answers of
- * COMMAND_SOURCE_HTTP. */
+/**
+ * Starts with nothing asked. `exchange` outlives `self`; nobody else takes answers of
+ * COMMAND_SOURCE_HTTP.
+ */
 void command_desk_init(command_desk_t *self, exchange_t *exchange);
 
 /**

@@ -9,8 +9,7 @@
 
 #define EVENT_TEXT_SIZE 160U /**< Enough for every event. */
 
-/** What the event is about, as a word ("head", "3 (insertion)", "PLANNING"); "" when it is about
- * nothing in particular. */
+/** What the event is about: "head", "3 (insertion)", "PLANNING"; "" for nothing in particular. */
 void event_text_subject(const event_t *event, char *text, size_t size);
 
 /** The event's sentence with its subject and value filled in. */

@@ -92,15 +92,13 @@ static int complain(http_server_result_t result, const http_guard_t *guard)
     case HTTP_SERVER_PORT_IN_USE:
         (void)fprintf(stderr,
                       "boresight-http: port %u of %s is in use; stop the program that has it, or "
-                      "choose another "
-                      "port with HTTP_PORT.\n",
+                      "choose another port with HTTP_PORT.\n",
                       (unsigned)guard->port, guard->address);
         return EXIT_PORT_IN_USE;
     case HTTP_SERVER_BAD_ADDRESS:
         (void)fprintf(stderr,
                       "boresight-http: cannot listen on port %u of %s; give --bind an address of "
-                      "this machine and "
-                      "--port a port you may use.\n",
+                      "this machine and --port a port you may use.\n",
                       (unsigned)guard->port, guard->address);
         return EXIT_FAILURE;
     case HTTP_SERVER_STARTED:
@@ -112,8 +110,7 @@ static int complain(http_server_result_t result, const http_guard_t *guard)
     }
 }
 
-/* The punctuality of the ticks does not matter; sleeping a whole tick needs no catching up after a
- * stop. */
+/* Ticks need not be punctual; sleeping a whole one leaves nothing to catch up with. */
 static void serve(exchange_t *exchange, const sigset_t *ends)
 {
     const struct timespec tick = {.tv_sec = 0, .tv_nsec = TICK_NS};

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file Every answer leaves through here, so that none lacks the headers that keep a browser safe.
- */
+/** @file Every answer leaves through here, so that none lacks the headers that protect browsers. */
 #ifndef BORESIGHT_HTTP_REPLY_H
 #define BORESIGHT_HTTP_REPLY_H
 

@@ -84,31 +84,22 @@ static struct mg_context *start_library(http_server_t *self, const char *address
 {
     static const struct mg_callbacks callbacks = {
         .begin_request = begin_request, .http_error = refuse, .log_message = keep_quiet};
-    const char *options[] = {"listening_ports",
-                             address,
-                             "num_threads",
-                             "16",
-                             "request_timeout_ms",
-                             "2000",
-                             "enable_keep_alive",
-                             "no",
-                             "max_request_size",
-                             "8192",
-                             "enable_directory_listing",
-                             "no",
-                             "enable_auth_domain_check",
-                             "no",
-                             "access_control_allow_origin",
-                             "",
-                             "access_control_allow_methods",
-                             "",
-                             "access_control_allow_headers",
-                             "",
-                             "cgi_pattern",
-                             "",
-                             "ssi_pattern",
-                             "",
-                             NULL};
+    /* clang-format off */
+    const char *options[] = {
+        "listening_ports", address,
+        "num_threads", "16",
+        "request_timeout_ms", "2000",
+        "enable_keep_alive", "no",
+        "max_request_size", "8192",
+        "enable_directory_listing", "no",
+        "enable_auth_domain_check", "no",
+        "access_control_allow_origin", "",
+        "access_control_allow_methods", "",
+        "access_control_allow_headers", "",
+        "cgi_pattern", "",
+        "ssi_pattern", "",
+        NULL};
+    /* clang-format on */
     return mg_start(&callbacks, self, options);
 }
 

@@ -58,8 +58,7 @@ static bool write_text(const client_t *client, const char *text, size_t size)
     return mg_write(client->connection, text, size) == (int)size;
 }
 
-/* Waits for a frame the client has not seen, but not for ever. Returns its size, 0 when there was
- * none. */
+/* Waits, not for ever, for a frame new to the client. Returns its size; 0: there is none. */
 static size_t wait_for_frame(http_stream_t *self, client_t *client)
 {
     struct timespec until;

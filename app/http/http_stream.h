@@ -36,8 +36,7 @@ void http_stream_init(http_stream_t *self, const exchange_t *exchange);
 /** Whether anybody listens. */
 bool http_stream_is_watched(http_stream_t *self);
 
-/** Hands `state`, JSON on one line, to all clients. False when it is too long; it is then not sent.
- */
+/** Hands `state`, JSON on one line, to all clients. False, and nothing sent, when too long. */
 bool http_stream_publish(http_stream_t *self, const char *state);
 
 /**

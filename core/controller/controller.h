@@ -78,7 +78,7 @@ typedef struct {
     uint32_t permit_reasons[ROBOT_AXIS_COUNT];
     uint32_t permit_since_cycle[ROBOT_AXIS_COUNT];
     uint32_t permit_speed_cap_percent[ROBOT_AXIS_COUNT];
-    uint32_t is_driven[ROBOT_AXIS_COUNT]; /**< The permit allowed it and a motion ran, last cycle. */
+    uint32_t is_driven[ROBOT_AXIS_COUNT]; /**< The permit allowed it in the last cycle, so a motion ran. */
     uint32_t jog_axis;
     int32_t jog_ticks;
     uint32_t cycle;

@@ -76,15 +76,12 @@ void controller_drive(controller_t *self, const cycle_t *cycle, const card_drive
 {
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
         const permit_t permit = controller_permit(self, cycle, i, &requests[i]);
-        if ((permit.reasons != self->permit_reasons[i]) || (self->cycle == 0U)) {
+        if (permit.reasons != self->permit_reasons[i]) {
             self->permit_reasons[i] = permit.reasons;
             self->permit_since_cycle[i] = self->cycle;
         }
         self->permit_speed_cap_percent[i] = permit.speed_cap_percent;
-        self->is_driven[i] = 0U;
-        if (permit.is_allowed && workphase_is_moving(&self->workphases)) {
-            self->is_driven[i] = 1U;
-        }
+        self->is_driven[i] = permit.is_allowed ? 1U : 0U;
         send(self, cycle, i, &permit, &requests[i]);
     }
     self->sequence++;

@@ -65,6 +65,12 @@ static void end_order(controller_t *self)
     }
 }
 
+void controller_abandon_order(controller_t *self, const cycle_t *cycle)
+{
+    answer_pending(self, cycle, ANSWER_ABORTED, STATUS_FAULT_PRESENT);
+    end_order(self);
+}
+
 void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t actions, status_t fault)
 {
     if ((actions & WORKPHASES_ACTION_REPORT_DISCARDED) != 0U) {

@@ -135,6 +135,7 @@ void controller_observe(controller_t *self, const cycle_t *cycle)
 {
     if (workphases_chart_check(&self->workphases) != 0U) {
         controller_note(self, cycle, EVENT_CHART_REPAIRED, 0U, 0);
+        controller_abandon_order(self, cycle);
     }
     observe_loop(self, cycle);
     observe_pedal(self, cycle);

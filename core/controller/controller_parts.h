@@ -24,6 +24,9 @@ void controller_observe(controller_t *self, const cycle_t *cycle);
 /** Commands of this cycle, each answered at once. */
 void controller_obey(controller_t *self, const cycle_t *cycle);
 
+/** The workphase chart was damaged and is back in its safe state: what was armed is given up. */
+void controller_abandon_order(controller_t *self, const cycle_t *cycle);
+
 /** What the workphase chart just did: answers and events. `fault`: status for an order given up. */
 void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t actions, status_t fault);
 

@@ -22,20 +22,6 @@ static status_t check_point(const point_t *point)
     return rigid_check(&transform);
 }
 
-static void clamp_to_limits(const robot_t *robot, int32_t ticks[ROBOT_AXIS_COUNT])
-{
-    for (uint32_t i = 0U; i < robot->axis_count; i++) {
-        const axis_config_t *const axis = &robot->axes[i];
-        if (ticks[i] < axis->minimum_ticks) {
-            ticks[i] = axis->minimum_ticks;
-        } else if (ticks[i] > axis->maximum_ticks) {
-            ticks[i] = axis->maximum_ticks;
-        } else {
-            /* Inside. */
-        }
-    }
-}
-
 /* Rounds legal joints to ticks and says where that puts the treatment frame in the scanner. */
 static void settle(const robot_t *robot, const rigid_t *scanner_zframe, const neuro_joints_t *joints,
                    int32_t ticks[ROBOT_AXIS_COUNT], rigid_t *scanner_treatment)
@@ -43,20 +29,9 @@ static void settle(const robot_t *robot, const rigid_t *scanner_zframe, const ne
     neuro_joints_t rounded;
     rigid_t zframe_treatment;
     neuro_ticks_from_joints(robot, joints, ticks);
-    clamp_to_limits(robot, ticks);
     neuro_joints_from_ticks(robot, ticks, &rounded);
     neuro_forward(robot, &rounded, &zframe_treatment);
     rigid_multiply(scanner_zframe, &zframe_treatment, scanner_treatment);
-}
-
-static bool is_closed(const robot_t *robot, const neuro_joints_t *joints, const rigid_t *zframe_treatment)
-{
-    rigid_t reached;
-    int32_t distance_nm = 0;
-    int32_t angle_bam = 0;
-    neuro_forward(robot, joints, &reached);
-    neuro_pose_difference(&reached, zframe_treatment, &distance_nm, &angle_bam);
-    return (distance_nm <= (int32_t)LIMIT_CLOSURE_NM) && (angle_bam <= (int32_t)LIMIT_CLOSURE_BAM);
 }
 
 /* What entry and target point ask for together; shown only. */
@@ -123,16 +98,26 @@ neuro_result_t plan_set_target(plan_t *self, const robot_t *robot, const rigid_t
     rigid_multiply(&zframe_scanner, &exact, &zframe_treatment);
     const point_t entry = rigid_apply(&zframe_scanner, &self->proposed_entry);
     result = neuro_solve(robot, &zframe_treatment, (self->has_proposed_entry != 0U) ? &entry : NULL, &joints);
-    if (result.status != STATUS_OK) {
-        return result;
+    if (result.status == STATUS_OK) {
+        result.status = plan_confirm(robot, &joints, &zframe_treatment);
     }
-    if (!is_closed(robot, &joints, &zframe_treatment)) {
-        result.status = STATUS_CLOSURE;
-        return result;
+    if (result.status == STATUS_OK) {
+        settle(robot, &self->scanner_zframe, &joints, self->target_ticks, &self->scanner_target);
+        self->has_target = 1U;
     }
-    settle(robot, &self->scanner_zframe, &joints, self->target_ticks, &self->scanner_target);
-    self->has_target = 1U;
     return result;
+}
+
+status_t plan_confirm(const robot_t *robot, const neuro_joints_t *joints, const rigid_t *zframe_treatment)
+{
+    rigid_t reached;
+    int32_t distance_nm = 0;
+    int32_t angle_bam = 0;
+    neuro_forward(robot, joints, &reached);
+    neuro_pose_difference(&reached, zframe_treatment, &distance_nm, &angle_bam);
+    const bool is_closed =
+        (distance_nm <= (int32_t)LIMIT_CLOSURE_NM) && (angle_bam <= (int32_t)LIMIT_CLOSURE_BAM);
+    return is_closed ? STATUS_OK : STATUS_CLOSURE;
 }
 
 status_t plan_propose_registration(plan_t *self, const robot_t *robot, const rigid_t *scanner_zframe)

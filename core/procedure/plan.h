@@ -56,6 +56,15 @@ status_t plan_register(plan_t *self, const robot_t *robot, const rigid_t *scanne
  */
 neuro_result_t plan_set_target(plan_t *self, const robot_t *robot, const rigid_t *scanner_treatment);
 
+/**
+ * Computes the way back: whether forward kinematics of `joints` returns `zframe_treatment`.
+ *
+ * @return STATUS_OK, or STATUS_CLOSURE beyond LIMIT_CLOSURE_NM or LIMIT_CLOSURE_BAM
+ *
+ * @satisfies SWR-PLAN-004
+ */
+status_t plan_confirm(const robot_t *robot, const neuro_joints_t *joints, const rigid_t *zframe_treatment);
+
 /** Takes a proposed registration, @return as rigid_check(). */
 status_t plan_propose_registration(plan_t *self, const robot_t *robot, const rigid_t *scanner_zframe);
 

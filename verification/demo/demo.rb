@@ -113,6 +113,8 @@ class Demo
       repeats += 1
       raise if repeats > REPEATS
 
+      @robot.wait_until(5, 'every card answers') { @robot.status['cards'].all? { |card| card['age_cycles'].zero? } }
+
       puts "Stopped (#{e.message}); commanded again."
       retry
     end
@@ -210,6 +212,8 @@ def perform
   rows = Demo.new(robot).run
   robot.stop
   [rows, Dir[File.join(Demo::OUT, '*.bsr')].min]
+ensure
+  robot&.kill_all
 end
 
 def demo

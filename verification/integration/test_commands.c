@@ -339,6 +339,21 @@ void test_SWR_CORE_004_damaged_charts_are_repaired_to_their_safe_states_and_repo
     TEST_ASSERT_EQUAL_UINT32(LOOP_GUARD_STATE_STOPPED, rig.outputs.snapshot.loop);
 }
 
+void test_SWR_CORE_004_a_damaged_workphase_chart_aborts_what_was_armed_once(void)
+{
+    rig_start_targeted(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
+    rig_forget(&rig);
+    rig.controller.workphases.order_inverse ^= 2U;
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.answer_count);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig.answers[0].kind);
+    rig.controller.workphases.order_inverse ^= 2U;
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.answer_count);
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_EMERGENCY, rig.outputs.snapshot.workphase);
+}
+
 void test_SWR_EVENT_002_events_beyond_the_most_of_a_cycle_are_counted(void)
 {
     rig_start_targeted(&rig);

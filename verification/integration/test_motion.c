@@ -384,6 +384,8 @@ void test_SWR_LOOP_002_three_late_cycles_stop_the_motion(void)
     TEST_ASSERT_FALSE(rig_is_driving(&rig));
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_LOOP_STOPPED));
     TEST_ASSERT_EQUAL_UINT32(LIMIT_OVERRUNS_IN_A_ROW, rig.outputs.snapshot.overruns);
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_LOOP_STOPPED));
 }
 
 void test_SWR_LOOP_003_a_late_cycle_advances_the_profile_by_one_cycle(void)
@@ -457,6 +459,24 @@ void test_SWR_MOTION_002_the_needle_is_retracted_before_the_base_moves_again(voi
         TEST_ASSERT_LESS_THAN_UINT32(100000U, rig.controller.cycle);
     }
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 40000U).kind);
+}
+
+void test_SWR_MOTION_004_the_base_also_moves_towards_larger_positions(void)
+{
+    const rigid_t far = rig_pose(-8000000, 185000000, 40000000);
+    const rigid_t near = rig_pose(5000000, 190000000, 60000000);
+    rig_start_targeted(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_target(&rig, &far).status);
+    (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
+    rig_press(&rig);
+    (void)rig_finish(&rig, 40000U);
+    rig_release(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_TARGETING);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_target(&rig, &near).status);
+    (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 40000U).kind);
+    TEST_ASSERT_EQUAL_INT32(rig.controller.plan.target_ticks[AXIS_HEAD], position(AXIS_HEAD));
 }
 
 void test_SWR_CMD_003_no_sequence_of_commands_drives_an_axis_without_the_pedal(void)

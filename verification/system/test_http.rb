@@ -292,7 +292,8 @@ class TestHttp < Minitest::Test
   end
 
   def test_SWR_HTTP_004_other_methods_are_refused
-    assert_refused '405', 'METHOD_NOT_ALLOWED', request(Net::HTTP::Put.new('/api/v1/status').tap { |put| put.body = '' })
+    put = Net::HTTP::Put.new('/api/v1/status').tap { |message| message.body = '' }
+    assert_refused '405', 'METHOD_NOT_ALLOWED', request(put)
     assert_refused '405', 'METHOD_NOT_ALLOWED', request(Net::HTTP::Delete.new('/'))
     assert_refused '405', 'METHOD_NOT_ALLOWED', request(Net::HTTP::Propfind.new('/'))
     assert_refused '405', 'METHOD_NOT_ALLOWED', post('/api/v1/motors', '{}')

@@ -10,20 +10,26 @@ require_relative 'support/boresight'
 class TestIsolation < SystemTest
   CLIENTS = %w[igtl http recorder].freeze
   CARD_WATCHDOG_SECONDS = 0.010 # card_watchdog_us
+  MACHINE_PAUSE_US = 4000
+  ATTEMPTS = 4
+  MORE_OVERRUNS = 3 # Jitter of the machine.
 
-  # Homes again and yields while that moves; returns what the log says of it and how long it took, in cycles.
+  # Homes a new instance and yields while that moves; returns what its log says and how long it took, in cycles.
   def run_homing
+    restart
     boresight.press_and_command('START_UP')
-    first = boresight.status['counts']['events']
-    overruns = boresight.status['counts']['overruns']
-    began = boresight.status['cycle']
     yield if block_given?
-    boresight.patiently(90) { boresight.status['is_homed'] && !boresight.moving? }
-    boresight.simctl('pedal', 'release')
-    events = boresight.log(first)
-    done = events.find { |event| event['name'] == 'ORDER_DONE' }
-    { events: events.map { |event| event['name'] }, cycles: done ? done['cycle'] - began : nil,
-      overruns: boresight.status['counts']['overruns'] - overruns, loop: boresight.status['loop'] }
+    boresight.patiently(60) { boresight.status['is_homed'] && !boresight.moving? }
+    events = boresight.log
+    pressed, done = %w[PEDAL_PRESSED ORDER_DONE].map { |name| events.find { |event| event['name'] == name } }
+    { events: events.map { |event| event['name'] }, cycles: done && (done['cycle'] - pressed['cycle']),
+      overruns: boresight.status['counts']['overruns'], loop: boresight.status['loop'] }
+  end
+
+  def restart
+    @boresight&.kill_all
+    @boresight = nil
+    boresight
   end
 
   def report(title, run)
@@ -42,17 +48,37 @@ class TestIsolation < SystemTest
     signal == 'STOP' ? stop_and_continue(name) : boresight.kill(name, signal)
   end
 
+  # A pause of the whole machine hits control as well, and proves nothing about the disturbance. A disturbance that
+  # itself made control late would do so in every attempt.
+  def machine_paused?(run)
+    run[:loop]['wake_worst_us'] > MACHINE_PAUSE_US || run[:overruns] > MORE_OVERRUNS || run[:events].include?('CARD_LOST')
+  end
+
+  def run_on_a_quiet_machine(&disturbance)
+    (1..ATTEMPTS).each do |attempt|
+      run = run_homing(&disturbance)
+      return run if attempt == ATTEMPTS || !machine_paused?(run)
+
+      puts "SWR-CTRL-001: the machine paused for #{run[:loop]['wake_worst_us']} us; once more"
+    rescue Boresight::TimedOut
+      raise if attempt == ATTEMPTS || boresight.status['loop']['wake_worst_us'] < MACHINE_PAUSE_US
+    end
+  end
+
+  # The same homing without any disturbance; the box' noise has the same seed each time.
+  def quiet_run
+    @@quiet_run ||= run_on_a_quiet_machine.tap { |run| report('undisturbed', run) } # rubocop:disable Style/ClassVars
+  end
+
   # The motion with the disturbance takes as long as the one without and ends as asked.
   def assert_undisturbed(name, signal)
-    boresight.home
-    quiet = run_homing
-    disturbed = run_homing { disturb(name, signal) }
-    report('undisturbed', quiet)
+    quiet = quiet_run
+    disturbed = run_on_a_quiet_machine { disturb(name, signal) }
     report("#{signal} to #{name}", disturbed)
     refute_nil disturbed[:cycles], "the motion did not end as asked: #{disturbed[:events]}"
-    assert_in_delta quiet[:cycles], disturbed[:cycles], 150 + (quiet[:cycles] / 50)
+    assert_in_delta quiet[:cycles], disturbed[:cycles], 100
     assert_empty disturbed[:events] & %w[ORDER_DISCARDED LOOP_STOPPED AXIS_STALLED AXIS_FOLLOWING_ERROR CARD_LOST]
-    assert_operator disturbed[:overruns], :<=, quiet[:overruns] + 2
+    assert_operator disturbed[:overruns], :<=, quiet[:overruns] + MORE_OVERRUNS
   end
 
   CLIENTS.product(%w[KILL STOP]).each do |name, signal|

@@ -39,8 +39,11 @@ class TestRecorder < SystemTest
     expected = []
     record(2000) do
       boresight.simctl('pedal', 'press')
+      boresight.wait_until(2, 'the pedal is seen pressed') { boresight.status['pedal'] == 'pressed' }
       boresight.simctl('pedal', 'release')
-      boresight.wait_until(3, 'the pedal is in the log') { (expected = boresight.log).any? { |e| e['name'] == 'PEDAL_RELEASED' } }
+      boresight.wait_until(3, 'the pedal is in the log') do
+        (expected = boresight.log).any? { |event| event['name'] == 'PEDAL_RELEASED' }
+      end
     end
     lines = boresight.event_lines
     assert_equal (0...lines.size).to_a, lines.map { |line| line.split[1].to_i }

@@ -5,6 +5,7 @@
  * again what changes.
  */
 #include "command.h"
+#include "fixed.h"
 #include "igtl_border.h"
 #include "igtl_codec.h"
 #include "igtl_dialect.h"

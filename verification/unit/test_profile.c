@@ -15,7 +15,7 @@
 
 TEST_SOURCE_FILE("robot_neuro.c")
 
-#define MOVES 150U
+#define MOVES 80U
 #define SLOW_MOVES 3U
 /* Set-points are whole ticks; over this many cycles their rounding is small beside speed and acceleration. */
 #define WINDOW_CYCLES 100U

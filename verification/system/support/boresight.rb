@@ -242,10 +242,21 @@ class Boresight
   # Arms `workphase`, then presses the pedal; returns once an axis is driven.
   def press_and_command(workphase)
     simctl('pedal', 'release')
+    await_released_pedal
     command(workphase)
     wait_until(5, "#{workphase} is armed") { status['order'] != 'none' }
     simctl('pedal', 'press')
     wait_until(5, 'an axis is driven') { moving? }
+  end
+
+  # Its contacts bounce: released for 50 cycles.
+  def await_released_pedal
+    since = nil
+    wait_until(3, 'the pedal is released') do
+      now = status
+      since = now['pedal'] == 'released' ? (since || now['cycle']) : nil
+      since && now['cycle'] >= since + 50
+    end
   end
 
   def moving?

@@ -1,0 +1,33 @@
+#!/usr/bin/env ruby
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+# `make bench`: what a control cycle costs, and how punctually it begins.
+#
+#   ruby verification/bench/bench.rb [instructions] [latency]      without a word: both
+#
+# Nothing here passes or fails. Times of a shared or virtual machine are its own, not the program's, so none of them is
+# a limit. If a bound is to be held by a gate, take the instructions: they are the same on every run of one build with
+# one compiler, so a bound of, say, 1.5 times the worst of build/bench/instructions.json fails on code, never on load.
+
+$stdout.sync = true
+require_relative 'instructions'
+require_relative 'latency'
+
+parts = { 'instructions' => Instructions, 'latency' => Latency }
+unknown = ARGV - parts.keys
+abort "unknown: #{unknown.join(' ')}; usage: bench.rb [instructions] [latency]" unless unknown.empty?
+
+begin
+  tables = (ARGV.empty? ? parts.keys : ARGV.uniq).map { |name| parts[name].new.run }
+  puts '', tables.join("\n\n")
+rescue Interrupt
+  code = 130
+rescue BenchFailed, Boresight::TimedOut, SystemCallError => e
+  warn "bench: #{e.message}"
+  code = 1
+ensure
+  Boresight.running.dup.each(&:kill_all)
+end
+# The harness of the system tests would now run the tests of this program; it has none.
+exit! code || 0

@@ -1,0 +1,847 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Rule under test: an axis drives only while enabled and without fault; it finds its home position at the edge of its
+ * switch; it gives up when it stands still, falls behind or homes for too long, and says so once.
+ */
+#include "unity.h"
+
+#include "axis.h"
+#include "axis_chart.h"
+#include "card_frame.h"
+#include "crc.h"
+#include "encoder.h"
+#include "fixed.h"
+#include "limits.h"
+#include "robot.h"
+#include "servo.h"
+#include "stall_watchdog_chart.h"
+
+#include <stddef.h>
+#include <string.h>
+
+TEST_SOURCE_FILE("robot_neuro.c")
+
+#define CYCLE_US 1000U
+#define STALL_CYCLES (LIMIT_STALL_TIME_US / CYCLE_US)
+#define PROGRESS ((int32_t)LIMIT_STALL_PROGRESS_TICKS)
+#define ABOVE 100
+#define BELOW (-100)
+
+static const axis_config_t *const with_upper_switch = &robot_neuro.axes[AXIS_PITCH];
+static const axis_config_t *const inverted = &robot_neuro.axes[AXIS_HEAD];
+static const axis_config_t *const with_lower_switch = &robot_neuro.axes[AXIS_INSERTION];
+static const axis_config_t *const without_switch = &robot_neuro.axes[AXIS_ROTATION];
+
+static axis_t axis;
+static const axis_config_t *config;
+static card_report_t report;
+static int32_t setpoint_ticks;
+
+/* The card says that the axis has moved by `ticks`. */
+static uint32_t observe_way(int32_t ticks)
+{
+    report.time_us += CYCLE_US;
+    report.encoder_count += (config->is_encoder_inverted != 0U) ? -ticks : ticks;
+    return axis_observe(&axis, config, &report);
+}
+
+static uint32_t observe_switch(bool is_active)
+{
+    const uint32_t bit =
+        (config->limit_switch == LIMIT_SWITCH_LOWER) ? CARD_LIMIT_LOWER : CARD_LIMIT_UPPER;
+
+    report.limits = is_active ? bit : 0U;
+    return observe_way(0);
+}
+
+static void move_to(int32_t position_ticks)
+{
+    while (axis.encoder.position_ticks != position_ticks) {
+        const int32_t way = position_ticks - axis.encoder.position_ticks;
+        const int32_t most = config->jump_ticks;
+        TEST_ASSERT_EQUAL_HEX32(0U, observe_way((way > most) ? most : ((way < -most) ? -most : way)));
+    }
+}
+
+/* An axis that is enabled and stands at 0. */
+static void use(const axis_config_t *which)
+{
+    config = which;
+    (void)memset(&report, 0, sizeof report);
+    axis_init(&axis);
+    TEST_ASSERT_EQUAL_HEX32(0U, axis_observe(&axis, config, &report));
+    axis_enable(&axis, false);
+    TEST_ASSERT_TRUE(axis_is_enabled(&axis));
+    setpoint_ticks = 0;
+}
+
+/* One cycle in which the motor was driven towards the set-point and moved by `ticks`. */
+static uint32_t driven_cycle(int32_t ticks)
+{
+    (void)axis_follow(&axis, config, setpoint_ticks, 0, CYCLE_US);
+    return observe_way(ticks) | axis_supervise(&axis, config, true, CYCLE_US);
+}
+
+/* Notes of `cycles` driven cycles without any movement. */
+static uint32_t push(uint32_t cycles)
+{
+    uint32_t notes = 0U;
+
+    for (uint32_t i = 0U; i < cycles; i++) {
+        notes |= driven_cycle(0);
+    }
+    return notes;
+}
+
+static void begin_homing(void)
+{
+    TEST_ASSERT_EQUAL_HEX32(0U, axis_begin_homing(&axis, config));
+    TEST_ASSERT_TRUE(axis_is_homing(&axis));
+}
+
+static void home_in_place(void)
+{
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_HOMED, axis_begin_homing(&axis, config));
+    TEST_ASSERT_TRUE(axis_is_homed(&axis));
+}
+
+static axis_reference_t reference(void)
+{
+    return axis.chart.reference;
+}
+
+void setUp(void)
+{
+    use(with_upper_switch);
+}
+
+void tearDown(void)
+{
+}
+
+void test_SWR_AXIS_001_an_axis_starts_disabled_and_without_home(void)
+{
+    axis_init(&axis);
+    TEST_ASSERT_FALSE(axis_is_enabled(&axis));
+    TEST_ASSERT_FALSE(axis_is_faulty(&axis));
+    TEST_ASSERT_FALSE(axis_is_homed(&axis));
+    TEST_ASSERT_FALSE(axis_is_homing(&axis));
+}
+
+void test_SWR_AXIS_001_enabling_is_refused_while_the_cause_of_a_fault_is_there(void)
+{
+    axis_init(&axis);
+    axis_enable(&axis, true);
+    TEST_ASSERT_FALSE(axis_is_enabled(&axis));
+    axis_enable(&axis, false);
+    TEST_ASSERT_TRUE(axis_is_enabled(&axis));
+}
+
+void test_SWR_AXIS_001_a_faulty_axis_is_enabled_only_when_the_cause_is_gone(void)
+{
+    setpoint_ticks = config->following_error_ticks + 1;
+    (void)driven_cycle(0);
+    TEST_ASSERT_TRUE(axis_is_faulty(&axis));
+    axis_enable(&axis, true);
+    TEST_ASSERT_TRUE(axis_is_faulty(&axis));
+    TEST_ASSERT_FALSE(axis_is_enabled(&axis));
+    axis_enable(&axis, false);
+    TEST_ASSERT_FALSE(axis_is_faulty(&axis));
+    TEST_ASSERT_TRUE(axis_is_enabled(&axis));
+}
+
+void test_SWR_AXIS_001_disabling_ends_the_homing(void)
+{
+    begin_homing();
+    axis_disable(&axis);
+    TEST_ASSERT_FALSE(axis_is_enabled(&axis));
+    TEST_ASSERT_FALSE(axis_is_faulty(&axis));
+    TEST_ASSERT_FALSE(axis_is_homing(&axis));
+}
+
+void test_SWR_AXIS_002_a_disabled_axis_does_not_home(void)
+{
+    axis_disable(&axis);
+    TEST_ASSERT_EQUAL_HEX32(0U, axis_begin_homing(&axis, config));
+    TEST_ASSERT_FALSE(axis_is_homing(&axis));
+    config = without_switch;
+    TEST_ASSERT_EQUAL_HEX32(0U, axis_begin_homing(&axis, config));
+    TEST_ASSERT_FALSE(axis_is_homed(&axis));
+}
+
+void test_SWR_AXIS_002_homing_goes_to_the_switch_back_off_it_and_to_its_edge(void)
+{
+    begin_homing();
+    TEST_ASSERT_EQUAL(AXIS_REFERENCE_APPROACH, reference());
+    move_to(200);
+    TEST_ASSERT_EQUAL(AXIS_REFERENCE_APPROACH, reference());
+    TEST_ASSERT_EQUAL_HEX32(0U, observe_switch(true));
+    TEST_ASSERT_EQUAL(AXIS_REFERENCE_BACK_OFF, reference());
+    move_to(195);
+    TEST_ASSERT_EQUAL_HEX32(0U, observe_switch(false));
+    TEST_ASSERT_EQUAL(AXIS_REFERENCE_BACK_OFF, reference());
+    move_to(170);
+    TEST_ASSERT_EQUAL(AXIS_REFERENCE_LATCH, reference());
+    move_to(198);
+    TEST_ASSERT_FALSE(axis_is_homed(&axis));
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_HOMED, observe_switch(true));
+    TEST_ASSERT_TRUE(axis_is_homed(&axis));
+    TEST_ASSERT_FALSE(axis_is_homing(&axis));
+}
+
+void test_SWR_AXIS_002_the_position_at_the_second_edge_is_the_home_position(void)
+{
+    begin_homing();
+    move_to(200);
+    (void)observe_switch(true);
+    move_to(195);
+    (void)observe_switch(false);
+    move_to(170);
+    move_to(198);
+    (void)observe_switch(true);
+    TEST_ASSERT_EQUAL_INT32(config->home_ticks, axis.encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(config->home_ticks, axis.setpoint_ticks);
+    TEST_ASSERT_EQUAL_INT32(config->home_ticks - 198, axis.home_correction_ticks);
+    (void)observe_way(-3);
+    TEST_ASSERT_EQUAL_INT32(config->home_ticks - 3, axis.encoder.position_ticks);
+}
+
+void test_SWR_AXIS_002_an_axis_that_stands_on_its_switch_backs_off_first(void)
+{
+    (void)observe_switch(true);
+    begin_homing();
+    TEST_ASSERT_EQUAL(AXIS_REFERENCE_BACK_OFF, reference());
+}
+
+/* Way from the last place with the switch active at which the axis turns: a twentieth of a second and two ticks. */
+static int32_t clear_ticks(void)
+{
+    return config->home_speed_ticks_per_s / 20 + 2;
+}
+
+void test_SWR_AXIS_002_the_axis_backs_off_until_it_is_well_clear_of_the_switch(void)
+{
+    (void)observe_switch(true);
+    begin_homing();
+    (void)observe_switch(false);
+    move_to(1 - clear_ticks());
+    TEST_ASSERT_EQUAL(AXIS_REFERENCE_BACK_OFF, reference());
+    move_to(-clear_ticks());
+    TEST_ASSERT_EQUAL(AXIS_REFERENCE_LATCH, reference());
+}
+
+void test_SWR_AXIS_002_an_axis_with_a_lower_switch_backs_off_upwards(void)
+{
+    use(with_lower_switch);
+    (void)observe_switch(true);
+    begin_homing();
+    (void)observe_switch(false);
+    move_to(clear_ticks() - 1);
+    TEST_ASSERT_EQUAL(AXIS_REFERENCE_BACK_OFF, reference());
+    move_to(clear_ticks());
+    TEST_ASSERT_EQUAL(AXIS_REFERENCE_LATCH, reference());
+}
+
+void test_SWR_AXIS_002_an_axis_that_stays_on_its_switch_does_not_turn(void)
+{
+    (void)observe_switch(true);
+    begin_homing();
+    move_to(-300);
+    TEST_ASSERT_EQUAL(AXIS_REFERENCE_BACK_OFF, reference());
+}
+
+void test_SWR_AXIS_002_the_switch_of_a_homed_axis_does_not_set_its_position(void)
+{
+    use(with_upper_switch);
+    (void)observe_switch(true);
+    begin_homing();
+    (void)observe_switch(false);
+    move_to(-clear_ticks());
+    (void)observe_switch(true);
+    TEST_ASSERT_TRUE(axis_is_homed(&axis));
+    (void)observe_switch(false);
+    move_to(100);
+    TEST_ASSERT_EQUAL_HEX32(0U, observe_switch(true));
+    TEST_ASSERT_EQUAL_INT32(100, axis.encoder.position_ticks);
+    TEST_ASSERT_EQUAL_HEX32(0U, axis_begin_homing(&axis, config));
+    TEST_ASSERT_TRUE(axis_is_homed(&axis));
+}
+
+void test_SWR_AXIS_002_an_axis_without_switch_is_at_home_where_it_stands(void)
+{
+    use(without_switch);
+    move_to(-77);
+    home_in_place();
+    TEST_ASSERT_EQUAL_INT32(config->home_ticks, axis.encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(77, axis.home_correction_ticks);
+}
+
+void test_SWR_AXIS_002_the_home_of_an_axis_without_switch_is_not_taken_twice(void)
+{
+    use(without_switch);
+    home_in_place();
+    move_to(5);
+    TEST_ASSERT_EQUAL_HEX32(0U, axis_begin_homing(&axis, config));
+    TEST_ASSERT_EQUAL_INT32(5, axis.encoder.position_ticks);
+}
+
+void test_SWR_AXIS_002_homing_in_progress_is_not_begun_again(void)
+{
+    begin_homing();
+    axis.homing_us = 5U;
+    (void)observe_switch(true);
+    TEST_ASSERT_EQUAL_HEX32(0U, axis_begin_homing(&axis, config));
+    TEST_ASSERT_EQUAL_UINT32(5U, axis.homing_us);
+    TEST_ASSERT_EQUAL(AXIS_REFERENCE_BACK_OFF, reference());
+}
+
+void test_SWR_AXIS_002_homing_that_was_stopped_begins_anew(void)
+{
+    begin_homing();
+    (void)observe_switch(true);
+    axis_stop_homing(&axis);
+    TEST_ASSERT_FALSE(axis_is_homing(&axis));
+    TEST_ASSERT_TRUE(axis_is_enabled(&axis));
+    (void)observe_switch(false);
+    begin_homing();
+    TEST_ASSERT_EQUAL(AXIS_REFERENCE_APPROACH, reference());
+}
+
+/* Set-point speed of homing after a second in the present state, in ticks/s. */
+static int32_t home_speed(void)
+{
+    for (uint32_t i = 0U; i < 1000U; i++) {
+        (void)axis_home(&axis, config, CYCLE_US);
+    }
+    return axis.setpoint_speed_ticks_per_s_q8 / 256;
+}
+
+void test_SWR_AXIS_002_homing_is_fast_then_back_at_half_then_at_a_quarter_of_the_speed(void)
+{
+    begin_homing();
+    TEST_ASSERT_EQUAL_INT32(config->home_speed_ticks_per_s, home_speed());
+    (void)observe_switch(true);
+    TEST_ASSERT_EQUAL_INT32(-config->home_speed_ticks_per_s / 2, home_speed());
+    (void)observe_switch(false);
+    move_to(-clear_ticks());
+    TEST_ASSERT_EQUAL_INT32(config->home_speed_ticks_per_s / 4, home_speed());
+}
+
+void test_SWR_AXIS_002_homing_to_a_lower_switch_goes_down_up_and_down(void)
+{
+    use(with_lower_switch);
+    begin_homing();
+    TEST_ASSERT_EQUAL_INT32(-config->home_speed_ticks_per_s, home_speed());
+    (void)observe_switch(true);
+    TEST_ASSERT_EQUAL_INT32(config->home_speed_ticks_per_s / 2, home_speed());
+    (void)observe_switch(false);
+    move_to(clear_ticks());
+    TEST_ASSERT_EQUAL_INT32(-config->home_speed_ticks_per_s / 4, home_speed());
+}
+
+void test_SWR_AXIS_002_the_set_point_of_homing_starts_at_the_position_with_zero_speed(void)
+{
+    const int32_t step_q8 = config->acceleration_ticks_per_s2 * 256 / 1000;
+
+    move_to(-150);
+    begin_homing();
+    (void)axis_home(&axis, config, CYCLE_US);
+    TEST_ASSERT_EQUAL_INT32(-150 + 0, axis.setpoint_ticks);
+    TEST_ASSERT_EQUAL_INT32(step_q8, axis.setpoint_speed_ticks_per_s_q8);
+    (void)axis_home(&axis, config, CYCLE_US);
+    TEST_ASSERT_EQUAL_INT32(2 * step_q8, axis.setpoint_speed_ticks_per_s_q8);
+    (void)home_speed();
+    move_to(10);
+    (void)observe_switch(true);
+    (void)axis_home(&axis, config, CYCLE_US);
+    TEST_ASSERT_INT32_WITHIN(1, 10, axis.setpoint_ticks);
+    TEST_ASSERT_EQUAL_INT32(-step_q8, axis.setpoint_speed_ticks_per_s_q8);
+}
+
+void test_SWR_AXIS_002_the_set_point_of_homing_goes_at_home_speed(void)
+{
+    begin_homing();
+    (void)home_speed();
+    const int32_t before = axis.setpoint_ticks;
+    (void)home_speed();
+    TEST_ASSERT_INT32_WITHIN(4, config->home_speed_ticks_per_s, axis.setpoint_ticks - before);
+}
+
+void test_SWR_AXIS_002_homing_drives_towards_the_switch(void)
+{
+    use(inverted);
+    begin_homing();
+    card_drive_t drive = {.mode = CARD_DRIVE_OFF};
+    for (uint32_t i = 0U; (i < 1000U) && (drive.mode == CARD_DRIVE_OFF); i++) {
+        drive = axis_home(&axis, config, CYCLE_US);
+    }
+    TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_NON_PWM, drive.mode);
+    TEST_ASSERT_TRUE(servo_is_upwards(config, &drive));
+}
+
+void test_SWR_AXIS_002_homing_taken_up_after_a_rest_starts_where_the_axis_is(void)
+{
+    begin_homing();
+    (void)home_speed();
+    (void)axis_rest(&axis, CYCLE_US);
+    move_to(40);
+    (void)axis_home(&axis, config, CYCLE_US);
+    TEST_ASSERT_EQUAL_INT32(40, axis.setpoint_ticks);
+    TEST_ASSERT_EQUAL_INT32(config->acceleration_ticks_per_s2 * 256 / 1000, axis.setpoint_speed_ticks_per_s_q8);
+}
+
+/* Homing with the set-point at the position, so that nothing else can end it. */
+static uint32_t homing_cycle(bool is_driven, uint32_t elapsed_us)
+{
+    (void)axis_rest(&axis, CYCLE_US);
+    return axis_supervise(&axis, config, is_driven, elapsed_us);
+}
+
+void test_SWR_AXIS_003_homing_below_the_time_limit_goes_on(void)
+{
+    begin_homing();
+    TEST_ASSERT_EQUAL_HEX32(0U, homing_cycle(true, LIMIT_HOME_TIMEOUT_US - 1U));
+    TEST_ASSERT_TRUE(axis_is_homing(&axis));
+}
+
+void test_SWR_AXIS_003_homing_at_the_time_limit_is_a_fault(void)
+{
+    begin_homing();
+    (void)homing_cycle(true, LIMIT_HOME_TIMEOUT_US - 1U);
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_HOME_TIMEOUT, homing_cycle(true, 1U));
+    TEST_ASSERT_TRUE(axis_is_faulty(&axis));
+    TEST_ASSERT_FALSE(axis_is_homing(&axis));
+    TEST_ASSERT_FALSE(axis_is_homed(&axis));
+}
+
+void test_SWR_AXIS_003_only_driven_time_counts(void)
+{
+    begin_homing();
+    (void)homing_cycle(true, LIMIT_HOME_TIMEOUT_US - 1U);
+    TEST_ASSERT_EQUAL_HEX32(0U, homing_cycle(false, LIMIT_HOME_TIMEOUT_US));
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_HOME_TIMEOUT, homing_cycle(true, 1U));
+}
+
+void test_SWR_AXIS_003_the_time_of_another_motion_does_not_count(void)
+{
+    TEST_ASSERT_EQUAL_HEX32(0U, homing_cycle(true, LIMIT_HOME_TIMEOUT_US));
+    begin_homing();
+    TEST_ASSERT_EQUAL_HEX32(0U, homing_cycle(true, LIMIT_HOME_TIMEOUT_US - 1U));
+}
+
+void test_SWR_AXIS_003_a_new_homing_has_its_full_time(void)
+{
+    begin_homing();
+    (void)homing_cycle(true, LIMIT_HOME_TIMEOUT_US - 1U);
+    axis_stop_homing(&axis);
+    begin_homing();
+    TEST_ASSERT_EQUAL_HEX32(0U, homing_cycle(true, LIMIT_HOME_TIMEOUT_US - 1U));
+}
+
+static card_drive_t drive_up(void)
+{
+    return (card_drive_t){CARD_DRIVE_PWM, (config->is_motor_inverted != 0U) ? 0U : 1U, 0U};
+}
+
+static card_drive_t drive_down(void)
+{
+    return (card_drive_t){CARD_DRIVE_PWM, (config->is_motor_inverted != 0U) ? 1U : 0U, 0U};
+}
+
+static void expect_switch_blocks(bool blocks_up, bool blocks_down)
+{
+    const card_drive_t up = drive_up();
+    const card_drive_t down = drive_down();
+    const card_drive_t off = {CARD_DRIVE_OFF, 0U, 0U};
+
+    TEST_ASSERT_EQUAL(blocks_up, axis_is_towards_switch(&axis, config, &up));
+    TEST_ASSERT_EQUAL(blocks_down, axis_is_towards_switch(&axis, config, &down));
+    TEST_ASSERT_FALSE(axis_is_towards_switch(&axis, config, &off));
+}
+
+void test_SWR_AXIS_005_a_switch_that_is_not_active_blocks_nothing(void)
+{
+    expect_switch_blocks(false, false);
+    (void)observe_switch(true);
+    (void)observe_switch(false);
+    expect_switch_blocks(false, false);
+}
+
+void test_SWR_AXIS_005_an_upper_switch_blocks_upwards_only(void)
+{
+    (void)observe_switch(true);
+    expect_switch_blocks(true, false);
+    use(inverted);
+    (void)observe_switch(true);
+    expect_switch_blocks(true, false);
+}
+
+void test_SWR_AXIS_005_a_lower_switch_blocks_downwards_only(void)
+{
+    use(with_lower_switch);
+    (void)observe_switch(true);
+    expect_switch_blocks(false, true);
+}
+
+void test_SWR_AXIS_005_an_axis_without_switch_is_not_blocked_by_a_stray_bit(void)
+{
+    use(without_switch);
+    (void)observe_switch(true);
+    expect_switch_blocks(false, false);
+}
+
+void test_SWR_AXIS_005_a_switch_stays_active_while_no_report_comes(void)
+{
+    (void)observe_switch(true);
+    TEST_ASSERT_EQUAL_HEX32(0U, axis_observe(&axis, config, NULL));
+    expect_switch_blocks(true, false);
+}
+
+static void expect_limit_blocks(bool blocks_up, bool blocks_down)
+{
+    const card_drive_t up = drive_up();
+    const card_drive_t down = drive_down();
+    const card_drive_t off = {CARD_DRIVE_OFF, 0U, 0U};
+
+    TEST_ASSERT_EQUAL(blocks_up, axis_is_beyond_limit(&axis, config, &up));
+    TEST_ASSERT_EQUAL(blocks_down, axis_is_beyond_limit(&axis, config, &down));
+    TEST_ASSERT_FALSE(axis_is_beyond_limit(&axis, config, &off));
+}
+
+void test_SWR_AXIS_004_a_homed_axis_is_not_driven_further_at_or_beyond_a_soft_limit(void)
+{
+    use(without_switch);
+    home_in_place();
+    expect_limit_blocks(false, false);
+    move_to(config->maximum_ticks - 1);
+    expect_limit_blocks(false, false);
+    move_to(config->maximum_ticks);
+    expect_limit_blocks(true, false);
+    move_to(config->maximum_ticks + 100);
+    expect_limit_blocks(true, false);
+    move_to(config->minimum_ticks + 1);
+    expect_limit_blocks(false, false);
+    move_to(config->minimum_ticks);
+    expect_limit_blocks(false, true);
+    move_to(config->minimum_ticks - 100);
+    expect_limit_blocks(false, true);
+}
+
+void test_SWR_AXIS_006_an_axis_not_homed_knows_no_soft_limits(void)
+{
+    use(without_switch);
+    move_to(config->maximum_ticks + 1);
+    expect_limit_blocks(false, false);
+}
+
+void test_SWR_AXIS_006_an_axis_that_lost_its_reference_is_not_homed(void)
+{
+    use(without_switch);
+    home_in_place();
+    axis_lose_reference(&axis);
+    TEST_ASSERT_FALSE(axis_is_homed(&axis));
+    TEST_ASSERT_TRUE(axis_is_enabled(&axis));
+}
+
+void test_SWR_AXIS_007_following_asks_for_no_more_than_the_largest_word(void)
+{
+    use(with_lower_switch);
+    const card_drive_t drive = axis_follow(&axis, config, config->maximum_ticks, INT32_MAX, CYCLE_US);
+    TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_PWM, drive.mode);
+    TEST_ASSERT_EQUAL_UINT32(config->maximum_duty, drive.duty);
+}
+
+void test_SWR_AXIS_008_the_time_at_rest_is_part_of_the_dwell(void)
+{
+    use(with_lower_switch);
+    (void)axis_follow(&axis, config, 1000, 0, CYCLE_US);
+    card_drive_t drive = axis_rest(&axis, CYCLE_US);
+    TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_OFF, drive.mode);
+    (void)axis_rest(&axis, LIMIT_REVERSAL_DWELL_US - 1U);
+    drive = axis_follow(&axis, config, -1000, 0, 0U);
+    TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_OFF, drive.mode);
+    drive = axis_follow(&axis, config, -1000, 0, 1U);
+    TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_PWM, drive.mode);
+}
+
+void test_SWR_AXIS_009_a_following_error_at_the_limit_is_tolerated(void)
+{
+    setpoint_ticks = config->following_error_ticks;
+    TEST_ASSERT_EQUAL_HEX32(0U, driven_cycle(0));
+    setpoint_ticks = -config->following_error_ticks;
+    TEST_ASSERT_EQUAL_HEX32(0U, driven_cycle(0));
+    TEST_ASSERT_TRUE(axis_is_enabled(&axis));
+}
+
+void test_SWR_AXIS_009_a_following_error_above_the_limit_is_a_fault(void)
+{
+    setpoint_ticks = config->following_error_ticks + 1;
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_FOLLOWING_ERROR, driven_cycle(0));
+    TEST_ASSERT_TRUE(axis_is_faulty(&axis));
+    TEST_ASSERT_FALSE(axis_is_enabled(&axis));
+    use(with_lower_switch);
+    setpoint_ticks = -config->following_error_ticks - 1;
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_FOLLOWING_ERROR, driven_cycle(0));
+    TEST_ASSERT_TRUE(axis_is_faulty(&axis));
+}
+
+void test_SWR_AXIS_009_the_error_is_that_of_the_position_of_this_cycle(void)
+{
+    setpoint_ticks = config->following_error_ticks + 1;
+    TEST_ASSERT_EQUAL_HEX32(0U, driven_cycle(1));
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_FOLLOWING_ERROR, driven_cycle(-1));
+}
+
+void test_SWR_AXIS_009_an_axis_that_is_not_driven_has_no_following_error(void)
+{
+    (void)axis_follow(&axis, config, config->following_error_ticks + 1, 0, CYCLE_US);
+    TEST_ASSERT_EQUAL_HEX32(0U, axis_supervise(&axis, config, false, CYCLE_US));
+    TEST_ASSERT_TRUE(axis_is_enabled(&axis));
+}
+
+void test_SWR_AXIS_009_a_following_error_ends_the_homing(void)
+{
+    begin_homing();
+    setpoint_ticks = config->following_error_ticks + 1;
+    (void)driven_cycle(0);
+    TEST_ASSERT_FALSE(axis_is_homing(&axis));
+}
+
+void test_SWR_AXIS_009_at_rest_the_set_point_is_the_position(void)
+{
+    setpoint_ticks = 50;
+    (void)driven_cycle(-7);
+    const card_drive_t drive = axis_rest(&axis, CYCLE_US);
+    TEST_ASSERT_EQUAL_UINT32(0U, drive.mode | drive.direction | drive.duty);
+    TEST_ASSERT_EQUAL_INT32(-7, axis.setpoint_ticks);
+    TEST_ASSERT_EQUAL_INT32(0, axis.setpoint_speed_ticks_per_s_q8);
+}
+
+void test_SWR_MOTION_004_an_axis_is_at_a_target_within_its_deadband(void)
+{
+    const int32_t deadband = with_lower_switch->deadband_ticks;
+
+    use(with_lower_switch);
+    TEST_ASSERT_TRUE(deadband > 0);
+    TEST_ASSERT_TRUE(axis_is_at(&axis, config, deadband));
+    TEST_ASSERT_TRUE(axis_is_at(&axis, config, -deadband));
+    TEST_ASSERT_FALSE(axis_is_at(&axis, config, deadband + 1));
+    TEST_ASSERT_FALSE(axis_is_at(&axis, config, -deadband - 1));
+    TEST_ASSERT_FALSE(axis_is_at(&axis, config, INT32_MIN));
+}
+
+/* The first of these cycles begins the watch. */
+static void expect_stall_after(uint32_t cycles)
+{
+    TEST_ASSERT_EQUAL_HEX32(0U, push(cycles));
+    TEST_ASSERT_TRUE(axis_is_enabled(&axis));
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_STALLED, push(1U));
+    TEST_ASSERT_TRUE(axis_is_faulty(&axis));
+    TEST_ASSERT_FALSE(axis_is_enabled(&axis));
+}
+
+void test_SWR_STALL_001_a_driven_axis_that_does_not_move_up_stalls_at_the_limit(void)
+{
+    setpoint_ticks = ABOVE;
+    expect_stall_after(STALL_CYCLES);
+}
+
+void test_SWR_STALL_001_a_driven_axis_that_does_not_move_down_stalls_at_the_limit(void)
+{
+    setpoint_ticks = BELOW;
+    expect_stall_after(STALL_CYCLES);
+}
+
+void test_SWR_STALL_001_an_inverted_axis_stalls_in_both_directions(void)
+{
+    use(inverted);
+    setpoint_ticks = ABOVE;
+    expect_stall_after(STALL_CYCLES);
+    use(inverted);
+    setpoint_ticks = BELOW;
+    expect_stall_after(STALL_CYCLES);
+}
+
+void test_SWR_STALL_001_too_little_progress_does_not_count(void)
+{
+    setpoint_ticks = ABOVE;
+    (void)push(STALL_CYCLES - 9U);
+    TEST_ASSERT_EQUAL_HEX32(0U, driven_cycle(PROGRESS - 1));
+    expect_stall_after(8U);
+}
+
+void test_SWR_STALL_001_enough_progress_begins_the_time_anew(void)
+{
+    setpoint_ticks = ABOVE;
+    (void)push(STALL_CYCLES - 9U);
+    (void)driven_cycle(PROGRESS - 1);
+    TEST_ASSERT_EQUAL_HEX32(0U, driven_cycle(1));
+    expect_stall_after(STALL_CYCLES - 1U);
+}
+
+void test_SWR_STALL_001_progress_downwards_begins_the_time_anew(void)
+{
+    setpoint_ticks = BELOW;
+    (void)push(STALL_CYCLES - 1U);
+    TEST_ASSERT_EQUAL_HEX32(0U, driven_cycle(-PROGRESS));
+    expect_stall_after(STALL_CYCLES - 1U);
+}
+
+void test_SWR_STALL_001_moving_the_wrong_way_is_no_progress(void)
+{
+    setpoint_ticks = ABOVE;
+    for (uint32_t i = 0U; i < STALL_CYCLES; i++) {
+        TEST_ASSERT_EQUAL_HEX32(0U, driven_cycle((i % 10U == 0U) ? -1 : 0));
+    }
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_STALLED, driven_cycle(0));
+}
+
+void test_SWR_STALL_001_trembling_is_no_net_progress(void)
+{
+    setpoint_ticks = ABOVE;
+    for (uint32_t i = 0U; i < STALL_CYCLES; i++) {
+        TEST_ASSERT_EQUAL_HEX32(0U, driven_cycle((i % 2U == 0U) ? -5 : 5));
+    }
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_STALLED, driven_cycle(0));
+}
+
+void test_SWR_STALL_001_slow_but_steady_progress_never_stalls(void)
+{
+    setpoint_ticks = ABOVE;
+    for (uint32_t i = 0U; i < 20U; i++) {
+        TEST_ASSERT_EQUAL_HEX32(0U, push(STALL_CYCLES - 2U));
+        TEST_ASSERT_EQUAL_HEX32(0U, driven_cycle(PROGRESS));
+    }
+}
+
+void test_SWR_STALL_001_a_reversal_begins_the_time_anew(void)
+{
+    setpoint_ticks = ABOVE;
+    (void)push(STALL_CYCLES - 1U);
+    setpoint_ticks = BELOW;
+    /* The dwell before the new direction still counts for the old one. */
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_STALLED, push(2U));
+    use(with_upper_switch);
+    setpoint_ticks = ABOVE;
+    (void)push(STALL_CYCLES - 100U);
+    setpoint_ticks = BELOW;
+    TEST_ASSERT_EQUAL_HEX32(0U, push(200U));
+}
+
+void test_SWR_STALL_001_one_tick_beside_the_set_point_cannot_stall(void)
+{
+    setpoint_ticks = PROGRESS - 1;
+    TEST_ASSERT_EQUAL_HEX32(0U, push(2U * STALL_CYCLES));
+    setpoint_ticks = PROGRESS;
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_STALLED, push(STALL_CYCLES + 1U));
+}
+
+void test_SWR_STALL_001_an_axis_within_its_deadband_cannot_stall(void)
+{
+    use(with_lower_switch);
+    setpoint_ticks = config->deadband_ticks;
+    TEST_ASSERT_EQUAL_HEX32(0U, push(2U * STALL_CYCLES));
+    setpoint_ticks = config->deadband_ticks + 1;
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_STALLED, push(STALL_CYCLES + 1U));
+}
+
+void test_SWR_STALL_001_a_stalled_axis_stays_disabled_until_it_is_enabled_anew(void)
+{
+    setpoint_ticks = ABOVE;
+    expect_stall_after(STALL_CYCLES);
+    for (uint32_t i = 0U; i < 100U; i++) {
+        (void)axis_rest(&axis, CYCLE_US);
+        TEST_ASSERT_EQUAL_HEX32(0U, axis_supervise(&axis, config, false, CYCLE_US));
+        TEST_ASSERT_FALSE(axis_is_enabled(&axis));
+    }
+    axis_enable(&axis, true);
+    TEST_ASSERT_EQUAL(STALL_WATCHDOG_STATE_STALLED, axis.stall.state);
+    axis_enable(&axis, false);
+    TEST_ASSERT_EQUAL(STALL_WATCHDOG_STATE_IDLE, axis.stall.state);
+    expect_stall_after(STALL_CYCLES);
+}
+
+void test_SWR_STALL_001_a_stall_ends_the_homing(void)
+{
+    begin_homing();
+    setpoint_ticks = ABOVE;
+    expect_stall_after(STALL_CYCLES);
+    TEST_ASSERT_FALSE(axis_is_homing(&axis));
+}
+
+void test_SWR_STALL_002_one_cycle_without_drive_begins_the_time_anew(void)
+{
+    setpoint_ticks = ABOVE;
+    (void)push(STALL_CYCLES);
+    TEST_ASSERT_EQUAL_UINT32((STALL_CYCLES - 1U) * CYCLE_US, axis.stall.no_progress_us);
+    (void)axis_rest(&axis, CYCLE_US);
+    (void)axis_supervise(&axis, config, false, 0U);
+    TEST_ASSERT_EQUAL_UINT32(0U, axis.stall.no_progress_us);
+    expect_stall_after(STALL_CYCLES);
+}
+
+void test_SWR_STALL_002_time_without_drive_never_stalls(void)
+{
+    (void)axis_follow(&axis, config, ABOVE, 0, CYCLE_US);
+    for (uint32_t i = 0U; i < 10U; i++) {
+        TEST_ASSERT_EQUAL_HEX32(0U, axis_supervise(&axis, config, false, LIMIT_STALL_TIME_US));
+        TEST_ASSERT_EQUAL_UINT32(0U, axis.stall.no_progress_us);
+    }
+}
+
+void test_SWR_STALL_002_what_moved_while_not_driven_is_no_progress(void)
+{
+    setpoint_ticks = ABOVE;
+    (void)push(10U);
+    (void)axis_rest(&axis, CYCLE_US);
+    (void)observe_way(-20);
+    (void)axis_supervise(&axis, config, false, CYCLE_US);
+    (void)push(STALL_CYCLES - 1U);
+    TEST_ASSERT_EQUAL_HEX32(0U, driven_cycle(PROGRESS));
+    TEST_ASSERT_EQUAL_HEX32(0U, push(STALL_CYCLES - 1U));
+}
+
+void test_SWR_STALL_003_a_stall_is_told_exactly_once(void)
+{
+    uint32_t told = 0U;
+
+    setpoint_ticks = ABOVE;
+    for (uint32_t i = 0U; i < 10U * STALL_CYCLES; i++) {
+        const uint32_t notes = driven_cycle(0);
+        told += ((notes & AXIS_NOTE_STALLED) != 0U) ? 1U : 0U;
+    }
+    TEST_ASSERT_EQUAL_UINT32(1U, told);
+}
+
+void test_SWR_ENC_002_a_position_that_cannot_be_trusted_faults_the_axis(void)
+{
+    use(without_switch);
+    home_in_place();
+    TEST_ASSERT_EQUAL_HEX32(0U, observe_way(config->jump_ticks + 1));
+    TEST_ASSERT_TRUE(axis_is_enabled(&axis));
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_ENCODER_FAULT, observe_way(0));
+    TEST_ASSERT_TRUE(axis_is_faulty(&axis));
+    TEST_ASSERT_FALSE(axis_is_homed(&axis));
+}
+
+void test_SWR_CORE_004_a_damaged_axis_chart_leads_to_a_fault_without_home(void)
+{
+    use(without_switch);
+    home_in_place();
+    axis.chart.power_inverse ^= 4U;
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_CHART_REPAIRED, observe_way(0));
+    TEST_ASSERT_TRUE(axis_is_faulty(&axis));
+    TEST_ASSERT_FALSE(axis_is_homed(&axis));
+    TEST_ASSERT_EQUAL_HEX32(0U, observe_way(0));
+}
+
+void test_SWR_CORE_004_an_axis_with_a_damaged_stall_watchdog_is_not_driven_on(void)
+{
+    axis.stall.state_inverse ^= 4U;
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_CHART_REPAIRED, observe_way(0));
+    TEST_ASSERT_TRUE(axis_is_faulty(&axis));
+    TEST_ASSERT_EQUAL_HEX32(0U, observe_way(0));
+    axis_enable(&axis, false);
+    setpoint_ticks = ABOVE;
+    expect_stall_after(STALL_CYCLES);
+}

@@ -1,0 +1,138 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * The plan takes only what is rigid and in range, confirms each target by the way back, and keeps proposals apart.
+ */
+#include "plan.h"
+
+#include "unity.h"
+
+#include "contract_trap.h"
+#include "fixed.h"
+#include "limits.h"
+#include "neuro.h"
+#include "neuro_limits.h"
+#include "rigid.h"
+
+TEST_SOURCE_FILE("robot_neuro.c")
+
+static plan_t plan;
+static rigid_t identity;
+
+void setUp(void)
+{
+    plan_init(&plan);
+    rigid_set_identity(&identity);
+}
+
+void tearDown(void)
+{
+}
+
+static rigid_t needle_down(int32_t x_nm, int32_t y_nm, int32_t z_nm)
+{
+    const rigid_t pose = {
+        .rotation_q30 = {{-FIXED_ONE_Q30, 0, 0}, {0, 0, -FIXED_ONE_Q30}, {0, -FIXED_ONE_Q30, 0}},
+        .translation = {.x_nm = x_nm, .y_nm = y_nm, .z_nm = z_nm},
+    };
+    return pose;
+}
+
+void test_SWR_PLAN_004_a_target_without_registration_is_refused(void)
+{
+    const rigid_t pose = needle_down(5000000, 190000000, 60000000);
+    TEST_ASSERT_EQUAL(STATUS_NOT_REGISTERED, plan_set_target(&plan, &robot_neuro, &pose).status);
+    TEST_ASSERT_EQUAL_UINT32(0U, plan.has_target);
+}
+
+void test_SWR_PLAN_004_a_target_that_is_not_rigid_is_refused(void)
+{
+    rigid_t pose = needle_down(5000000, 190000000, 60000000);
+    pose.rotation_q30[0][0] = 0;
+    TEST_ASSERT_EQUAL(STATUS_NOT_RIGID, plan_set_target(&plan, &robot_neuro, &pose).status);
+}
+
+void test_SWR_PLAN_004_the_way_back_must_return_position_and_direction(void)
+{
+    const int32_t home_ticks[ROBOT_AXIS_COUNT] = {0, 0, 0, 33333, 0, 0, 0};
+    neuro_joints_t joints;
+    rigid_t pose;
+    neuro_joints_from_ticks(&robot_neuro, home_ticks, &joints);
+    neuro_forward(&robot_neuro, &joints, &pose);
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_confirm(&robot_neuro, &joints, &pose));
+    joints.value[AXIS_LATERAL] += (int32_t)LIMIT_CLOSURE_NM - 10;
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_confirm(&robot_neuro, &joints, &pose));
+    joints.value[AXIS_LATERAL] += 20;
+    TEST_ASSERT_EQUAL(STATUS_CLOSURE, plan_confirm(&robot_neuro, &joints, &pose));
+    joints.value[AXIS_LATERAL] -= (int32_t)LIMIT_CLOSURE_NM + 10;
+    joints.value[AXIS_ROTATION] += (int32_t)LIMIT_CLOSURE_BAM + 100;
+    TEST_ASSERT_EQUAL(STATUS_CLOSURE, plan_confirm(&robot_neuro, &joints, &pose));
+}
+
+void test_SWR_PLAN_003_a_refused_target_leaves_the_old_one(void)
+{
+    const rigid_t near = needle_down(5000000, 190000000, 60000000);
+    const rigid_t far = needle_down(300000000, 190000000, 60000000);
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_register(&plan, &robot_neuro, &identity));
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_set_target(&plan, &robot_neuro, &near).status);
+    const plan_t before = plan;
+    TEST_ASSERT_EQUAL(STATUS_AXIS_LIMIT, plan_set_target(&plan, &robot_neuro, &far).status);
+    TEST_ASSERT_EQUAL_MEMORY(&before, &plan, sizeof plan);
+}
+
+void test_SWR_REG_001_a_registration_beyond_its_range_is_refused_and_the_old_one_kept(void)
+{
+    rigid_t far = identity;
+    far.translation.z_nm = (int32_t)LIMIT_REGISTRATION_MAX_NM + 1;
+    TEST_ASSERT_EQUAL(STATUS_OUT_OF_RANGE, plan_register(&plan, &robot_neuro, &far));
+    TEST_ASSERT_EQUAL_UINT32(0U, plan.is_registered);
+    far.translation.z_nm = (int32_t)LIMIT_REGISTRATION_MAX_NM;
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_register(&plan, &robot_neuro, &far));
+    TEST_ASSERT_EQUAL_UINT32(1U, plan.is_registered);
+}
+
+void test_SWR_REG_001_a_registration_is_stored_exactly_orthonormal(void)
+{
+    rigid_t skewed = identity;
+    skewed.rotation_q30[0][1] = 50000;
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_register(&plan, &robot_neuro, &skewed));
+    const int64_t dot = (((int64_t)plan.scanner_zframe.rotation_q30[0][0] * plan.scanner_zframe.rotation_q30[0][1]) +
+                         ((int64_t)plan.scanner_zframe.rotation_q30[1][0] * plan.scanner_zframe.rotation_q30[1][1]) +
+                         ((int64_t)plan.scanner_zframe.rotation_q30[2][0] * plan.scanner_zframe.rotation_q30[2][1])) /
+                        FIXED_ONE_Q30;
+    TEST_ASSERT_INT64_WITHIN(4, 0, dot);
+}
+
+void test_SWR_IGTL_009_points_out_of_range_are_no_proposals(void)
+{
+    const point_t far = {.x_nm = 0, .y_nm = -(int32_t)LIMIT_REGISTRATION_MAX_NM - 1, .z_nm = 0};
+    TEST_ASSERT_EQUAL(STATUS_OUT_OF_RANGE, plan_propose_entry(&plan, &robot_neuro, &far));
+    TEST_ASSERT_EQUAL(STATUS_OUT_OF_RANGE, plan_propose_target(&plan, &robot_neuro, &far));
+    TEST_ASSERT_EQUAL_UINT32(0U, plan.has_proposed_entry + plan.has_proposed_target);
+}
+
+void test_SWR_IGTL_009_entry_and_target_together_give_the_desired_pose(void)
+{
+    const point_t entry = {.x_nm = 0, .y_nm = 246000000, .z_nm = 50000000};
+    const point_t target = {.x_nm = 0, .y_nm = 200000000, .z_nm = 50000000};
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_propose_target(&plan, &robot_neuro, &target));
+    TEST_ASSERT_EQUAL_UINT32(0U, plan.is_proposal_reachable);
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_propose_entry(&plan, &robot_neuro, &entry));
+    TEST_ASSERT_EQUAL_UINT32(1U, plan.is_proposal_reachable);
+    TEST_ASSERT_INT32_WITHIN(38000, target.y_nm, plan.scanner_desired.translation.y_nm);
+    TEST_ASSERT_EQUAL_UINT32(0U, plan.has_target);
+}
+
+void test_SWR_IGTL_009_a_proposed_registration_moves_the_desired_pose_only(void)
+{
+    const point_t entry = {.x_nm = 10000000, .y_nm = 246000000, .z_nm = 50000000};
+    const point_t target = {.x_nm = 10000000, .y_nm = 200000000, .z_nm = 50000000};
+    rigid_t shifted = identity;
+    shifted.translation.x_nm = 10000000;
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_propose_registration(&plan, &robot_neuro, &shifted));
+    (void)plan_propose_entry(&plan, &robot_neuro, &entry);
+    (void)plan_propose_target(&plan, &robot_neuro, &target);
+    /* Lateral = 0 - 18.32 mm in the proposed z-frame: 47.24 ticks a mm. */
+    TEST_ASSERT_INT32_WITHIN(1, -865, plan.desired_ticks[AXIS_LATERAL]);
+    TEST_ASSERT_EQUAL_UINT32(0U, plan.is_registered);
+}
