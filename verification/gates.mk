@@ -23,7 +23,7 @@ unit: $(GENERATED) .tools/gems/bin/ceedling ## Unit and integration tests with c
 misra: $(GENERATED) ## MISRA findings of the core
 	ruby tools/misra.rb
 
-TESTED := $(filter-out %_main.c app/http/% app/supervisor/% app/control/% app/replay/% bsp/sim/bsp_sim.c,$(CORE_SOURCES) $(ALL_APP)) \
+TESTED := $(filter-out %_main.c app/http/% app/supervisor/% app/control/%,$(CORE_SOURCES) $(ALL_APP)) \
     $(GEN)/names/names.c
 $(OUT)/libtest.a: $(call object,$(TESTED))
 	@rm -f $@; ar rcs $@ $^

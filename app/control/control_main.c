@@ -3,6 +3,8 @@
  * @file
  * The control process: wakes once per millisecond, exchanges frames with the cards, steps the controller and
  * publishes. It waits for nobody but the clock and the cards. All its state is here: this file is the RAM map.
+ *
+ * @satisfies SWR-CTRL-001
  */
 #include "bsp.h"
 #include "contract.h"

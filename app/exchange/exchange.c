@@ -7,7 +7,8 @@
 
 #define READ_TRIES 100U
 
-/* A copy under a sequence lock races by design; word by word and atomic, no word is ever half old. */
+/* A copy under a sequence lock races by design; word by word and atomic, no word is ever half old.
+ */
 static void store_words(void *to, const void *from, size_t size)
 {
     uint32_t *words = to;
@@ -131,7 +132,8 @@ static bool take_command(exchange_t *self, uint32_t source, command_t *command)
 {
     uint32_t *tail = &self->segment->control.commands[source].tail;
     const uint32_t taken = __atomic_load_n(tail, __ATOMIC_RELAXED);
-    const uint32_t put = __atomic_load_n(&self->segment->others.commands[source].head, __ATOMIC_ACQUIRE);
+    const uint32_t put =
+        __atomic_load_n(&self->segment->others.commands[source].head, __ATOMIC_ACQUIRE);
 
     if (put == taken) {
         return false;
@@ -174,7 +176,8 @@ bool exchange_push_answer(exchange_t *self, const answer_t *answer)
     }
     uint32_t *head = &control->answers[answer->source].head;
     const uint32_t put = __atomic_load_n(head, __ATOMIC_RELAXED);
-    const uint32_t taken = __atomic_load_n(&self->segment->others.answers[answer->source].tail, __ATOMIC_ACQUIRE);
+    const uint32_t taken =
+        __atomic_load_n(&self->segment->others.answers[answer->source].tail, __ATOMIC_ACQUIRE);
 
     if ((put - taken) >= EXCHANGE_ANSWERS) {
         count_one(&control->answers_lost);
@@ -189,7 +192,8 @@ bool exchange_take_answer(exchange_t *self, command_source_t source, answer_t *a
 {
     uint32_t *tail = &self->segment->others.answers[source].tail;
     const uint32_t taken = __atomic_load_n(tail, __ATOMIC_RELAXED);
-    const uint32_t put = __atomic_load_n(&self->segment->control.answers[source].head, __ATOMIC_ACQUIRE);
+    const uint32_t put =
+        __atomic_load_n(&self->segment->control.answers[source].head, __ATOMIC_ACQUIRE);
 
     if (put == taken) {
         return false;
@@ -213,7 +217,8 @@ void exchange_push_event(exchange_t *self, const event_t *event)
     __atomic_store_n(&control->events_head, event->number + 1U, __ATOMIC_RELEASE);
 }
 
-uint32_t exchange_read_events(const exchange_t *self, uint32_t *next, event_t *events, uint32_t most, uint32_t *lost)
+uint32_t exchange_read_events(const exchange_t *self, uint32_t *next, event_t *events,
+                              uint32_t most, uint32_t *lost)
 {
     const segment_control_t *control = &self->segment->control;
     const uint32_t head = __atomic_load_n(&control->events_head, __ATOMIC_ACQUIRE);
@@ -228,7 +233,8 @@ uint32_t exchange_read_events(const exchange_t *self, uint32_t *next, event_t *e
     }
     while ((*next != head) && (count < most)) {
         const segment_event_t *slot = &control->events[*next % EXCHANGE_EVENTS];
-        const bool is_whole = read_locked(&slot->sequence, &events[count], &slot->event, sizeof(event_t));
+        const bool is_whole =
+            read_locked(&slot->sequence, &events[count], &slot->event, sizeof(event_t));
         if (is_whole && (events[count].number == *next)) {
             count++;
         } else {
@@ -284,7 +290,8 @@ void exchange_request_checkpoint(exchange_t *self)
 bool exchange_take_checkpoint_request(exchange_t *self)
 {
     uint32_t *taken = &self->segment->control.checkpoints_taken;
-    const uint32_t requested = __atomic_load_n(&self->segment->others.checkpoint_requests, __ATOMIC_ACQUIRE);
+    const uint32_t requested =
+        __atomic_load_n(&self->segment->others.checkpoint_requests, __ATOMIC_ACQUIRE);
     const bool is_new = (requested != __atomic_load_n(taken, __ATOMIC_RELAXED));
 
     __atomic_store_n(taken, requested, __ATOMIC_RELEASE);

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The one place where the processes meet: a shared-memory segment of fixed layout. `control` writes and never
- * waits; everyone else reads or asks. One writer and one reader per lane; the event ring has many readers.
+ * The one place where the processes meet: a shared-memory segment of fixed layout. `control` writes
+ * and never waits; everyone else reads or asks. One writer and one reader per lane; the event ring
+ * has many readers.
  */
 #ifndef BORESIGHT_EXCHANGE_H
 #define BORESIGHT_EXCHANGE_H
@@ -22,23 +23,23 @@
 #define EXCHANGE_CYCLES 2048U /**< Capacity of the cycle lane: two seconds. */
 
 /** Real-time rights that control asked for; a set bit was granted. */
-#define EXCHANGE_RIGHT_FIFO 0x1U     /**< SCHED_FIFO. */
-#define EXCHANGE_RIGHT_CORE 0x2U     /**< A core of its own. */
-#define EXCHANGE_RIGHT_MEMORY 0x4U   /**< Locked memory. */
+#define EXCHANGE_RIGHT_FIFO 0x1U   /**< SCHED_FIFO. */
+#define EXCHANGE_RIGHT_CORE 0x2U   /**< A core of its own. */
+#define EXCHANGE_RIGHT_MEMORY 0x4U /**< Locked memory. */
 
 /** The loop's punctuality, measured by control. Times in us. */
 typedef struct {
     uint64_t cycles;
-    uint32_t rights;         /**< EXCHANGE_RIGHT_ bits. */
-    uint32_t overruns;       /**< Intervals above LIMIT_OVERRUN_US. */
-    uint32_t wake_p50_us;    /**< Wake-up latency over the whole run. */
+    uint32_t rights;      /**< EXCHANGE_RIGHT_ bits. */
+    uint32_t overruns;    /**< Intervals above LIMIT_OVERRUN_US. */
+    uint32_t wake_p50_us; /**< Wake-up latency over the whole run. */
     uint32_t wake_p99_us;
     uint32_t wake_p999_us;
     uint32_t wake_worst_us;
-    uint32_t step_p99_us;    /**< Duration of controller_step. */
+    uint32_t step_p99_us; /**< Duration of controller_step. */
     uint32_t step_worst_us;
     uint32_t second_worst_us; /**< Worst wake-up latency of the last full second. */
-    uint32_t cycles_lost;    /**< Cycle records that found the lane full. */
+    uint32_t cycles_lost;     /**< Cycle records that found the lane full. */
 } loop_figures_t;
 
 typedef enum {
@@ -48,8 +49,8 @@ typedef enum {
 
 /** One entry of the cycle lane. */
 typedef struct {
-    uint32_t kind;     /**< cycle_record_kind_t. */
-    uint32_t cycle;    /**< Controller cycle. */
+    uint32_t kind;  /**< cycle_record_kind_t. */
+    uint32_t cycle; /**< Controller cycle. */
     union {
         struct {
             controller_inputs_t inputs;
@@ -73,21 +74,22 @@ typedef enum {
 typedef struct exchange exchange_t;
 
 /**
- * Creates the segment `name` (1 to 62 characters without a slash), replacing one whose creator is dead. NULL with a
- * sentence in `error` when it cannot, or when a living creator has it.
+ * Creates the segment `name` (1 to 62 characters without a slash), replacing one whose creator is
+ * dead. NULL with a sentence in `error` when it cannot, or when a living creator has it.
  */
 exchange_t *exchange_create(const char *name, char *error, uint32_t error_size);
 
 /**
- * Opens the segment `name`. NULL with a sentence in `error` when it is missing or its layout is another build's.
+ * Opens the segment `name`. NULL with a sentence in `error` when it is missing or its layout is
+ * another build's.
  *
  * @satisfies SWR-EXCH-004
  */
 exchange_t *exchange_open(const char *name, char *error, uint32_t error_size);
 
 /**
- * Makes everything that only control writes read-only for this process. Called once after exchange_open() by every
- * process but control and the creator.
+ * Makes everything that only control writes read-only for this process. Called once after
+ * exchange_open() by every process but control and the creator.
  */
 void exchange_protect(exchange_t *self);
 
@@ -98,21 +100,28 @@ void exchange_close(exchange_t *self);
 void exchange_beat(exchange_t *self, exchange_process_t process);
 uint32_t exchange_beats(const exchange_t *self, exchange_process_t process);
 
-/** Publishes; never waits. @satisfies SWR-EXCH-001 */
+/**
+ * Publishes; never waits.
+ *
+ * @satisfies SWR-EXCH-001
+ */
 void exchange_publish_snapshot(exchange_t *self, const snapshot_t *snapshot);
 
-/** Copies the newest whole snapshot. False before the first one, or when the writer kept interfering. */
+/** Copies the newest whole snapshot. False before the first one, or when the writer kept
+ * interfering. */
 bool exchange_read_snapshot(const exchange_t *self, snapshot_t *snapshot);
 
 void exchange_publish_loop(exchange_t *self, const loop_figures_t *figures);
 
-/** Copies the newest loop figures. False before the first ones, or when the writer kept interfering. */
+/** Copies the newest loop figures. False before the first ones, or when the writer kept
+ * interfering. */
 bool exchange_read_loop(const exchange_t *self, loop_figures_t *figures);
 
 /**
  * Puts a command into the lane of its source.
  *
- * @return STATUS_OK; STATUS_BUSY when the lane is full (nothing is queued); STATUS_UNKNOWN_COMMAND for a bad source
+ * @return STATUS_OK; STATUS_BUSY when the lane is full (nothing is queued); STATUS_UNKNOWN_COMMAND
+ * for a bad source
  *
  * @satisfies SWR-EXCH-002
  */
@@ -121,27 +130,30 @@ status_t exchange_send_command(exchange_t *self, const command_t *command);
 /** Takes up to `most` commands, the sources in turn. `source` of each is that of its lane. */
 uint32_t exchange_take_commands(exchange_t *self, command_t *commands, uint32_t most);
 
-/** Puts an answer into the lane of its source; false (and counted) when that reader has let it fill up. */
+/** Puts an answer into the lane of its source; false (and counted) when that reader has let it fill
+ * up. */
 bool exchange_push_answer(exchange_t *self, const answer_t *answer);
 bool exchange_take_answer(exchange_t *self, command_source_t source, answer_t *answer);
 
 /** Answers that found their lane full or had no lane, since the start. */
 uint32_t exchange_answers_lost(const exchange_t *self);
 
-/** Adds an event, numbered by the controller without gaps, to the ring; the oldest is overwritten. */
+/** Adds an event, numbered by the controller without gaps, to the ring; the oldest is overwritten.
+ */
 void exchange_push_event(exchange_t *self, const event_t *event);
 
 /**
- * Copies events from number `*next` on, at most `most`, and advances `*next`. Events already overwritten are
- * skipped and added to `*lost`.
+ * Copies events from number `*next` on, at most `most`, and advances `*next`. Events already
+ * overwritten are skipped and added to `*lost`.
  *
  * @return events copied
  */
-uint32_t exchange_read_events(const exchange_t *self, uint32_t *next, event_t *events, uint32_t most,
-                              uint32_t *lost);
+uint32_t exchange_read_events(const exchange_t *self, uint32_t *next, event_t *events,
+                              uint32_t most, uint32_t *lost);
 
 /**
- * The entry to fill next, NULL when the lane is full (counted). exchange_commit_cycle() hands it over.
+ * The entry to fill next, NULL when the lane is full (counted). exchange_commit_cycle() hands it
+ * over.
  *
  * @satisfies SWR-EXCH-003
  */
@@ -152,7 +164,8 @@ void exchange_commit_cycle(exchange_t *self);
 const cycle_record_t *exchange_peek_cycle(exchange_t *self);
 void exchange_release_cycle(exchange_t *self);
 
-/** Records lost since the start; a reader asks for a checkpoint after a loss or at its own start. */
+/** Records lost since the start; a reader asks for a checkpoint after a loss or at its own start.
+ */
 uint32_t exchange_cycles_lost(const exchange_t *self);
 void exchange_request_checkpoint(exchange_t *self);
 

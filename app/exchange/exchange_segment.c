@@ -115,8 +115,8 @@ static bool set_name(exchange_t *self, const char *name, char *error, uint32_t e
 
     if (!is_good) {
         (void)snprintf(error, error_size,
-                       "\"%s\" cannot name an exchange; use 1 to %u characters without a slash.", name,
-                       SEGMENT_NAME_SIZE - 2U);
+                       "\"%s\" cannot name an exchange; use 1 to %u characters without a slash.",
+                       name, SEGMENT_NAME_SIZE - 2U);
     }
     return is_good;
 }
@@ -134,7 +134,8 @@ static bool remove_stale(const exchange_t *self, char *error, uint32_t error_siz
         (void)shm_unlink(self->name);
     } else {
         (void)snprintf(error, error_size,
-                       "Boresight already runs with the name \"%s\"; end it or choose another name with --instance.",
+                       "Boresight already runs with the name \"%s\"; end it or choose another name "
+                       "with --instance.",
                        &self->name[1]);
     }
     (void)close(file);
@@ -148,15 +149,18 @@ static bool create_file(exchange_t *self, char *error, uint32_t error_size)
     }
     self->file = shm_open(self->name, O_RDWR | O_CREAT | O_EXCL, SEGMENT_MODE);
     if (self->file < 0) {
-        (void)snprintf(error, error_size, "The exchange %s cannot be created (%s); check the rights of /dev/shm.",
+        (void)snprintf(error, error_size,
+                       "The exchange %s cannot be created (%s); check the rights of /dev/shm.",
                        self->name, strerror(errno));
         return false;
     }
     (void)flock(self->file, LOCK_EX | LOCK_NB);
-    /* Allocated now, so that a full /dev/shm is a sentence here and not a SIGBUS in the control loop. */
+    /* Allocated now, so that a full /dev/shm is a sentence here and not a SIGBUS in the control
+     * loop. */
     const int result = posix_fallocate(self->file, 0, (off_t)sizeof(segment_t));
     if (result != 0) {
-        (void)snprintf(error, error_size, "/dev/shm has no room for %zu MiB (%s); free some or mount it larger.",
+        (void)snprintf(error, error_size,
+                       "/dev/shm has no room for %zu MiB (%s); free some or mount it larger.",
                        (sizeof(segment_t) >> 20) + 1U, strerror(result));
         (void)shm_unlink(self->name);
         return false;
@@ -166,10 +170,12 @@ static bool create_file(exchange_t *self, char *error, uint32_t error_size)
 
 static bool map(exchange_t *self, char *error, uint32_t error_size)
 {
-    void *address = mmap(NULL, sizeof(segment_t), PROT_READ | PROT_WRITE, MAP_SHARED, self->file, 0);
+    void *address =
+        mmap(NULL, sizeof(segment_t), PROT_READ | PROT_WRITE, MAP_SHARED, self->file, 0);
 
     if (address == MAP_FAILED) {
-        (void)snprintf(error, error_size, "The exchange %s cannot be mapped (%s); free some memory.", self->name,
+        (void)snprintf(error, error_size,
+                       "The exchange %s cannot be mapped (%s); free some memory.", self->name,
                        strerror(errno));
         return false;
     }
@@ -183,13 +189,16 @@ static bool open_file(exchange_t *self, char *error, uint32_t error_size)
 
     self->file = shm_open(self->name, O_RDWR, 0);
     if (self->file < 0) {
-        (void)snprintf(error, error_size, "There is no exchange %s (%s); start the program boresight first.",
+        (void)snprintf(error, error_size,
+                       "There is no exchange %s (%s); start the program boresight first.",
                        self->name, strerror(errno));
         return false;
     }
     if ((fstat(self->file, &status) != 0) || (status.st_size != (off_t)sizeof(segment_t))) {
-        (void)snprintf(error, error_size,
-                       "The exchange %s has the size of another build; run programs of one build only.", self->name);
+        (void)snprintf(
+            error, error_size,
+            "The exchange %s has the size of another build; run programs of one build only.",
+            self->name);
         return false;
     }
     return true;
@@ -200,13 +209,15 @@ static bool check_header(const exchange_t *self, char *error, uint32_t error_siz
     const segment_header_t *header = &self->segment->header;
 
     if (__atomic_load_n(&header->magic, __ATOMIC_ACQUIRE) != SEGMENT_MAGIC) {
-        (void)snprintf(error, error_size, "%s is not an exchange of Boresight; remove /dev/shm%s.", self->name,
-                       self->name);
+        (void)snprintf(error, error_size, "%s is not an exchange of Boresight; remove /dev/shm%s.",
+                       self->name, self->name);
         return false;
     }
     if (header->layout != segment_layout()) {
-        (void)snprintf(error, error_size,
-                       "The exchange %s has the layout of another build; run programs of one build only.", self->name);
+        (void)snprintf(
+            error, error_size,
+            "The exchange %s has the layout of another build; run programs of one build only.",
+            self->name);
         return false;
     }
     return true;

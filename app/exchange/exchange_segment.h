@@ -3,9 +3,9 @@
  * @file
  * The layout of the exchange's segment, and how it is created and found. Private to app/exchange.
  *
- * Two parts on pages of their own: what control writes, and what everybody else writes. A process that called
- * exchange_protect() cannot write the first, even by a stray pointer. Indices grow for ever and are reduced when
- * used, so that no value found in the segment leads outside of it.
+ * Two parts on pages of their own: what control writes, and what everybody else writes. A process
+ * that called exchange_protect() cannot write the first, even by a stray pointer. Indices grow for
+ * ever and are reduced when used, so that no value found in the segment leads outside of it.
  */
 #ifndef BORESIGHT_EXCHANGE_SEGMENT_H
 #define BORESIGHT_EXCHANGE_SEGMENT_H
@@ -17,7 +17,8 @@
 #define SEGMENT_MAGIC UINT64_C(0x32484358454F5242) /**< "BROEXCH2", little endian. */
 #define SEGMENT_PAGE 4096
 #define SEGMENT_LINE 64
-#define SEGMENT_SNAPSHOTS 4U /**< Copies written in turn: a reader has three cycles for one copy. */
+/** Copies written in turn: a reader has three cycles for one copy. */
+#define SEGMENT_SNAPSHOTS 4U
 #define SEGMENT_NAME_SIZE 64U
 
 #define SEGMENT_ON_PAGE __attribute__((aligned(SEGMENT_PAGE)))
@@ -88,8 +89,8 @@ typedef struct {
 /** A process' view of the segment. */
 struct exchange {
     segment_t *segment;
-    int file;                /**< The creator keeps it locked while it lives. */
-    uint32_t next_source;    /**< Lane that exchange_take_commands() looks at first. */
+    int file;             /**< The creator keeps it locked while it lives. */
+    uint32_t next_source; /**< Lane that exchange_take_commands() looks at first. */
     char name[SEGMENT_NAME_SIZE];
 };
 

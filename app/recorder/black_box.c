@@ -18,7 +18,8 @@ static void request_checkpoint(black_box_t *self, uint64_t now_us)
     self->requested_us = now_us;
 }
 
-void black_box_open(black_box_t *self, const char *directory, exchange_t *exchange, const recording_header_t *header)
+void black_box_open(black_box_t *self, const char *directory, exchange_t *exchange,
+                    const recording_header_t *header)
 {
     (void)memset(self, 0, sizeof(*self));
     self->directory = directory;
@@ -31,7 +32,8 @@ void black_box_open(black_box_t *self, const char *directory, exchange_t *exchan
 static void fail(black_box_t *self, uint64_t now_us)
 {
     if (!self->is_failing) {
-        (void)fprintf(stderr, "recorder: nothing can be recorded in %s (%s); free some space there.\n",
+        (void)fprintf(stderr,
+                      "recorder: nothing can be recorded in %s (%s); free some space there.\n",
                       self->directory, strerror(errno));
     }
     self->is_failing = true;
@@ -77,11 +79,14 @@ static void end_file(black_box_t *self, uint64_t now_us)
 /* Cycles missing before `record`; 0 for a checkpoint. */
 static uint32_t missing_before(const black_box_t *self, const cycle_record_t *record)
 {
-    return (self->has_cycle && (record->kind == CYCLE_RECORD_CYCLE)) ? (record->cycle - self->next_cycle) : 0U;
+    return (self->has_cycle && (record->kind == CYCLE_RECORD_CYCLE))
+               ? (record->cycle - self->next_cycle)
+               : 0U;
 }
 
 /* A new file begins at a checkpoint that was due, and after a loss. */
-static void change_file(black_box_t *self, const cycle_record_t *record, uint32_t missing, uint64_t now_us)
+static void change_file(black_box_t *self, const cycle_record_t *record, uint32_t missing,
+                        uint64_t now_us)
 {
     const bool is_due = (record->kind == CYCLE_RECORD_CHECKPOINT) &&
                         ((now_us - self->opened_us) >= BLACK_BOX_FILE_US);
@@ -93,13 +98,14 @@ static void change_file(black_box_t *self, const cycle_record_t *record, uint32_
         begin_file(self, now_us);
     }
     if (missing != 0U) {
-        (void)fprintf(stderr, "recorder: %" PRIu32 " cycles were lost before cycle %" PRIu32 ".\n", missing,
-                      record->cycle);
+        (void)fprintf(stderr, "recorder: %" PRIu32 " cycles were lost before cycle %" PRIu32 ".\n",
+                      missing, record->cycle);
         request_checkpoint(self, now_us);
     }
 }
 
-static void store(black_box_t *self, const cycle_record_t *record, uint32_t missing, uint64_t now_us)
+static void store(black_box_t *self, const cycle_record_t *record, uint32_t missing,
+                  uint64_t now_us)
 {
     if (self->writer.file < 0) {
         self->unwritten++;
@@ -115,7 +121,8 @@ static void store(black_box_t *self, const cycle_record_t *record, uint32_t miss
         return;
     }
     if (self->is_failing && (self->writer.blocks > 0U)) {
-        (void)fprintf(stderr, "recorder: recording goes on; %" PRIu64 " records are missing.\n", self->unwritten);
+        (void)fprintf(stderr, "recorder: recording goes on; %" PRIu64 " records are missing.\n",
+                      self->unwritten);
         self->is_failing = false;
         self->unwritten = 0U;
         request_checkpoint(self, now_us);
@@ -147,8 +154,10 @@ static void keep_up(black_box_t *self, uint64_t now_us)
             fail(self, now_us);
         }
     }
-    const bool is_file_old = (self->writer.file >= 0) && ((now_us - self->opened_us) >= BLACK_BOX_FILE_US);
-    const bool is_awaited = (self->requested_us != 0U) && ((now_us - self->requested_us) >= SECOND_US);
+    const bool is_file_old =
+        (self->writer.file >= 0) && ((now_us - self->opened_us) >= BLACK_BOX_FILE_US);
+    const bool is_awaited =
+        (self->requested_us != 0U) && ((now_us - self->requested_us) >= SECOND_US);
     if (is_awaited || (is_file_old && (self->requested_us == 0U))) {
         request_checkpoint(self, now_us);
     }

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The black box: a series of recordings in one directory, each beginning with a checkpoint where possible. Old ones
- * are removed so that at most BLACK_BOX_FILES and about BLACK_BOX_BYTES stay. A full disk is said once and counted;
- * recording goes on when there is room again.
+ * The black box: a series of recordings in one directory, each beginning with a checkpoint where
+ * possible. Old ones are removed so that at most BLACK_BOX_FILES and about BLACK_BOX_BYTES stay. A
+ * full disk is said once and counted; recording goes on when there is room again.
  */
 #ifndef BORESIGHT_BLACK_BOX_H
 #define BORESIGHT_BLACK_BOX_H
@@ -19,23 +19,24 @@
 #define BLACK_BOX_RETRY_US UINT64_C(5000000)  /**< Between attempts to write to a full disk. */
 
 typedef struct {
-    const char *directory;   /**< Lives as long as the black box. */
+    const char *directory; /**< Lives as long as the black box. */
     exchange_t *exchange;
     recording_header_t header;
     recording_writer_t writer;
-    uint32_t files;          /**< Number of the newest name tried. */
-    uint64_t opened_us;      /**< When the present file was begun. */
-    uint64_t requested_us;   /**< When a checkpoint was last asked for; 0 when none is awaited. */
-    uint64_t retry_us;       /**< Not before then is another file tried. */
+    uint32_t files;        /**< Number of the newest name tried. */
+    uint64_t opened_us;    /**< When the present file was begun. */
+    uint64_t requested_us; /**< When a checkpoint was last asked for; 0 when none is awaited. */
+    uint64_t retry_us;     /**< Not before then is another file tried. */
     uint64_t flushed_us;
     uint32_t next_cycle;
-    bool has_cycle;          /**< next_cycle is known. */
-    bool is_failing;         /**< The last attempt to write failed, and it was said. */
-    uint64_t unwritten;      /**< Records lost to a full disk. */
+    bool has_cycle;     /**< next_cycle is known. */
+    bool is_failing;    /**< The last attempt to write failed, and it was said. */
+    uint64_t unwritten; /**< Records lost to a full disk. */
 } black_box_t;
 
 /** Begins with an empty file at the first record, and asks control for a checkpoint. */
-void black_box_open(black_box_t *self, const char *directory, exchange_t *exchange, const recording_header_t *header);
+void black_box_open(black_box_t *self, const char *directory, exchange_t *exchange,
+                    const recording_header_t *header);
 
 /** Records everything that waits in the cycle lane. `now_us` is monotonic. */
 void black_box_drain(black_box_t *self, uint64_t now_us);

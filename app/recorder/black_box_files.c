@@ -21,7 +21,8 @@ uint64_t black_box_utc_us(void)
     return ((uint64_t)now.tv_sec * UINT64_C(1000000)) + ((uint64_t)now.tv_nsec / 1000U);
 }
 
-void black_box_name(char *path, size_t size, const char *directory, uint64_t utc_us, uint32_t number)
+void black_box_name(char *path, size_t size, const char *directory, uint64_t utc_us,
+                    uint32_t number)
 {
     const time_t seconds = (time_t)(utc_us / UINT64_C(1000000));
     struct tm utc;

@@ -11,9 +11,11 @@
 uint64_t black_box_utc_us(void);
 
 /** Writes "DIRECTORY/blackbox-<UTC>-<number>.bsr"; names sort by age. */
-void black_box_name(char *path, size_t size, const char *directory, uint64_t utc_us, uint32_t number);
+void black_box_name(char *path, size_t size, const char *directory, uint64_t utc_us,
+                    uint32_t number);
 
-/** Removes the oldest recordings until fewer than `files`, with fewer than `bytes` together, are left. */
+/** Removes the oldest recordings until fewer than `files`, with fewer than `bytes` together, are
+ * left. */
 void black_box_remove_oldest(const char *directory, uint32_t files, uint64_t bytes);
 
 /** Creates `directory` and those above it. False with errno set. */

@@ -29,8 +29,10 @@ void event_log_open(event_log_t *self, const char *directory)
     (void)memset(self, 0, sizeof(*self));
     self->directory = directory;
     if (!reopen(self)) {
-        (void)fprintf(stderr, "recorder: the event log in %s cannot be opened (%s); events are counted only.\n",
-                      directory, strerror(errno));
+        (void)fprintf(
+            stderr,
+            "recorder: the event log in %s cannot be opened (%s); events are counted only.\n",
+            directory, strerror(errno));
     }
 }
 
@@ -47,8 +49,10 @@ static void write_line(event_log_t *self, const char *line)
         }
     } else {
         if ((self->unwritten == 0U) && (self->file >= 0)) {
-            (void)fprintf(stderr, "recorder: the event log in %s cannot be written (%s); free some space there.\n",
-                          self->directory, strerror(errno));
+            (void)fprintf(
+                stderr,
+                "recorder: the event log in %s cannot be written (%s); free some space there.\n",
+                self->directory, strerror(errno));
         }
         self->unwritten++;
     }
@@ -75,8 +79,9 @@ static void write_event(event_log_t *self, const char *when, const event_t *even
     event_text_sentence(event, sentence, sizeof(sentence));
     event_text_subject(event, subject, sizeof(subject));
     (void)snprintf(line, sizeof(line) - 1U, "%s %u cycle=%u %s %s subject=%u value=%d %s", when,
-                   (unsigned)event->number, (unsigned)event->cycle, event_severity_name((int32_t)event->severity),
-                   event_id_name((int32_t)event->id), (unsigned)event->subject, (int)event->value, sentence);
+                   (unsigned)event->number, (unsigned)event->cycle,
+                   event_severity_name((int32_t)event->severity), event_id_name((int32_t)event->id),
+                   (unsigned)event->subject, (int)event->value, sentence);
     (void)strcat(line, "\n");
     write_line(self, line);
 }
@@ -94,7 +99,8 @@ void event_log_drain(event_log_t *self, const exchange_t *exchange)
         stamp(when, sizeof(when));
         if (lost > 0U) {
             char line[LINE_SIZE];
-            (void)snprintf(line, sizeof(line), "%s %u EVENTS_LOST value=%u\n", when, (unsigned)first, (unsigned)lost);
+            (void)snprintf(line, sizeof(line), "%s %u EVENTS_LOST value=%u\n", when,
+                           (unsigned)first, (unsigned)lost);
             write_line(self, line);
         }
         for (uint32_t i = 0U; i < count; i++) {

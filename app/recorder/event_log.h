@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file The event log: one readable line per event, appended to events.log and put on the disk each second. */
+/** @file The event log: one readable line per event, appended to events.log and put on the disk
+ * each second. */
 #ifndef BORESIGHT_EVENT_LOG_H
 #define BORESIGHT_EVENT_LOG_H
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * boresight-recorder: takes every cycle and every event out of the exchange and keeps them in files. It may die at
- * any moment; control does not notice.
+ * boresight-recorder: takes every cycle and every event out of the exchange and keeps them in
+ * files. It may die at any moment; control does not notice.
  *
  *     boresight-recorder --exchange NAME --directory DIRECTORY
  */
@@ -26,7 +26,8 @@
 #define USAGE "usage: boresight-recorder --exchange NAME --directory DIRECTORY\n"
 
 /* A checkpoint must fit where the exchange carries it. */
-typedef char checkpoint_fits[(sizeof(controller_t) <= sizeof(((cycle_record_t *)0)->body)) ? 1 : -1];
+typedef char
+    checkpoint_fits[(sizeof(controller_t) <= sizeof(((cycle_record_t *)0)->body)) ? 1 : -1];
 
 typedef struct {
     const char *exchange;
@@ -107,8 +108,10 @@ int main(int count, char **arguments)
     }
     exchange_protect(exchange);
     if (!black_box_make_directory(options.directory)) {
-        (void)fprintf(stderr, "recorder: the directory %s cannot be made (%s); choose another with --recordings.\n",
-                      options.directory, strerror(errno));
+        (void)fprintf(
+            stderr,
+            "recorder: the directory %s cannot be made (%s); choose another with --recordings.\n",
+            options.directory, strerror(errno));
         return EXIT_CANNOT_START;
     }
     recording_header_t header = {.robot_crc = robot_neuro.crc,

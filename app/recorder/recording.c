@@ -30,7 +30,8 @@ static void put32(uint8_t *bytes, uint32_t value)
 
 static uint32_t get32(const uint8_t *bytes)
 {
-    return (uint32_t)bytes[0] | ((uint32_t)bytes[1] << 8) | ((uint32_t)bytes[2] << 16) | ((uint32_t)bytes[3] << 24);
+    return (uint32_t)bytes[0] | ((uint32_t)bytes[1] << 8) | ((uint32_t)bytes[2] << 16) |
+           ((uint32_t)bytes[3] << 24);
 }
 
 /* Hashes up to three pieces; without memory for it nothing can be trusted, so the process ends. */
@@ -49,7 +50,8 @@ static void digest(const uint8_t *const pieces[3], const size_t sizes[3], uint8_
     }
 }
 
-void recording_hash(const uint8_t *before, const uint8_t *fields, const uint8_t *rest, size_t rest_size, uint8_t *hash)
+void recording_hash(const uint8_t *before, const uint8_t *fields, const uint8_t *rest,
+                    size_t rest_size, uint8_t *hash)
 {
     const uint8_t *const pieces[3] = {before, fields, rest};
     const size_t sizes[3] = {RECORDING_HASH_SIZE, RECORDING_FIELDS_SIZE, rest_size};
@@ -87,7 +89,8 @@ bool recording_decode_header(const uint8_t *bytes, recording_header_t *header)
     uint8_t hash[RECORDING_HASH_SIZE];
 
     hash_header(bytes, hash);
-    if ((memcmp(bytes, magic, sizeof(magic)) != 0) || (get32(&bytes[HEADER_VERSION]) != RECORDING_VERSION) ||
+    if ((memcmp(bytes, magic, sizeof(magic)) != 0) ||
+        (get32(&bytes[HEADER_VERSION]) != RECORDING_VERSION) ||
         (memcmp(hash, &bytes[HEADER_HASHED], sizeof(hash)) != 0)) {
         return false;
     }

@@ -1,21 +1,23 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The recording: what was running, then every cycle's inputs and outputs in compressed blocks, each bound to the one
- * before it by its hash. Every byte of the file is covered. Numbers are little endian.
+ * The recording: what was running, then every cycle's inputs and outputs in compressed blocks, each
+ * bound to the one before it by its hash. Every byte of the file is covered. Numbers are little
+ * endian.
  *
  *     header   256 bytes: magic, sizes, build, robot, zeros, SHA-256 of all that
- *     block    32 bytes of fields, SHA-256, checksums of each RECORDING_CHUNK of the payload, payload (zstd)
+ *     block    32 bytes of fields, SHA-256, a checksum of each RECORDING_CHUNK, payload (zstd)
  *     ...
  *     trailer  32 bytes of fields, SHA-256; missing when the recorder was cut short
  *
- * Fields of a block: magic, number, first cycle, records, raw size, compressed size, cycles lost, CRC-32C of the
- * fields. Those of the trailer: magic, number of blocks, last cycle, records (64 bit), cycles lost, zero, CRC-32C.
- * The SHA-256 of a block is over the hash before it, its own fields, checksums and payload. The checksums only
- * serve to say where in a block a byte was changed.
+ * Fields of a block: magic, number, first cycle, records, raw size, compressed size, cycles lost,
+ * CRC-32C of the fields. Those of the trailer: magic, number of blocks, last cycle, records (64
+ * bit), cycles lost, zero, CRC-32C. The SHA-256 of a block is over the hash before it, its own
+ * fields, checksums and payload. The checksums only serve to say where in a block a byte was
+ * changed.
  *
- * A record is its kind, its cycle and its body. Of a cycle, the body is inputs and outputs, each byte XOR the same
- * byte of the cycle before it in the block.
+ * A record is its kind, its cycle and its body. Of a cycle, the body is inputs and outputs, each
+ * byte XOR the same byte of the cycle before it in the block.
  */
 #ifndef BORESIGHT_RECORDING_H
 #define BORESIGHT_RECORDING_H
@@ -29,9 +31,10 @@
 #define RECORDING_HASH_SIZE 32U
 #define RECORDING_HEADER_SIZE 256U
 #define RECORDING_FIELDS_SIZE 32U
-#define RECORDING_PREFIX_SIZE (RECORDING_FIELDS_SIZE + RECORDING_HASH_SIZE) /**< Fields and hash. */
-#define RECORDING_CHUNK 1024U           /**< Payload bytes under one checksum. */
-#define RECORDING_BLOCK_RECORDS 256U    /**< Most records of one block. */
+/** Fields and hash. */
+#define RECORDING_PREFIX_SIZE (RECORDING_FIELDS_SIZE + RECORDING_HASH_SIZE)
+#define RECORDING_CHUNK 1024U               /**< Payload bytes under one checksum. */
+#define RECORDING_BLOCK_RECORDS 256U        /**< Most records of one block. */
 #define RECORDING_BLOCK_MAGIC 0x4B425342U   /**< "BSBK" */
 #define RECORDING_TRAILER_MAGIC 0x4E455342U /**< "BSEN" */
 
@@ -56,18 +59,20 @@ typedef struct {
 /** Fields of a block or of the trailer. */
 typedef struct {
     uint32_t magic;
-    uint32_t number;          /**< Of the block; of blocks in the trailer. */
-    uint32_t cycle;           /**< Of the first record; of the last one in the trailer. */
+    uint32_t number; /**< Of the block; of blocks in the trailer. */
+    uint32_t cycle;  /**< Of the first record; of the last one in the trailer. */
     uint32_t records;
     uint32_t raw_size;        /**< In the trailer the upper half of the number of records. */
     uint32_t compressed_size; /**< 0 in the trailer. */
     uint32_t cycles_lost;     /**< Before the block; altogether in the trailer. */
 } recording_fields_t;
 
-/** Writes `header` as RECORDING_HEADER_SIZE bytes; the last RECORDING_HASH_SIZE of them are their hash. */
+/** Writes `header` as RECORDING_HEADER_SIZE bytes; the last RECORDING_HASH_SIZE of them are their
+ * hash. */
 void recording_encode_header(const recording_header_t *header, uint8_t *bytes);
 
-/** Reads what recording_encode_header() wrote. False when the magic, the version or the hash is wrong. */
+/** Reads what recording_encode_header() wrote. False when the magic, the version or the hash is
+ * wrong. */
 bool recording_decode_header(const uint8_t *bytes, recording_header_t *header);
 
 void recording_encode_fields(const recording_fields_t *fields, uint8_t *bytes);
@@ -80,9 +85,10 @@ size_t recording_checksums_size(uint32_t compressed_size);
 
 void recording_encode_checksums(const uint8_t *payload, uint32_t compressed_size, uint8_t *bytes);
 
-/** Hash over the hash before it, RECORDING_FIELDS_SIZE bytes of fields, and `rest` (checksums and payload). */
-void recording_hash(const uint8_t *before, const uint8_t *fields, const uint8_t *rest, size_t rest_size,
-                    uint8_t *hash);
+/** Hash over the hash before it, RECORDING_FIELDS_SIZE bytes of fields, and `rest` (checksums and
+ * payload). */
+void recording_hash(const uint8_t *before, const uint8_t *fields, const uint8_t *rest,
+                    size_t rest_size, uint8_t *hash);
 
 /** Size of a record's body. 0 for a kind that does not exist. */
 uint32_t recording_body_size(const recording_header_t *header, uint32_t kind);

@@ -19,22 +19,23 @@ typedef enum {
 
 typedef struct {
     recording_verdict_t verdict;
-    uint64_t first_byte;     /**< Damaged or cut short: offsets of the file between which it is, inclusive. */
+    uint64_t first_byte; /**< Damaged or cut short: offsets of the file between which it is,
+                            inclusive. */
     uint64_t last_byte;
-    uint32_t block;          /**< Number of the block there. */
-    char sentence[256];      /**< What was found, for people. */
+    uint32_t block;     /**< Number of the block there. */
+    char sentence[256]; /**< What was found, for people. */
 } recording_finding_t;
 
 typedef struct {
     recording_header_t header;
-    const uint8_t *bytes;    /**< The whole file, mapped. */
+    const uint8_t *bytes; /**< The whole file, mapped. */
     uint64_t size;
-    uint64_t end;            /**< End of the verified blocks. */
-    uint64_t next;           /**< Offset of the next block. */
+    uint64_t end;  /**< End of the verified blocks. */
+    uint64_t next; /**< Offset of the next block. */
     uint32_t blocks;
     uint64_t records;
     uint32_t cycles_lost;
-    uint8_t *raw;            /**< The present block. */
+    uint8_t *raw; /**< The present block. */
     uint32_t raw_size;
     uint32_t raw_next;
     uint8_t before[sizeof(((cycle_record_t *)0)->body)];
@@ -47,9 +48,11 @@ typedef struct {
  *
  * @satisfies SWR-REPLAY-002
  */
-recording_verdict_t recording_reader_open(recording_reader_t *self, const char *path, recording_finding_t *finding);
+recording_verdict_t recording_reader_open(recording_reader_t *self, const char *path,
+                                          recording_finding_t *finding);
 
-/** Says whether the sizes of the recording are those of this build; otherwise its records cannot be read. */
+/** Says whether the sizes of the recording are those of this build; otherwise its records cannot be
+ * read. */
 bool recording_reader_fits(const recording_reader_t *self, uint32_t controller_size);
 
 /** The next record. False at the end, or when a block does not hold what its fields say. */

@@ -59,11 +59,13 @@ static bool write_header(recording_writer_t *self)
     uint8_t bytes[RECORDING_HEADER_SIZE];
 
     recording_encode_header(&self->header, bytes);
-    (void)memcpy(self->hash, &bytes[RECORDING_HEADER_SIZE - RECORDING_HASH_SIZE], sizeof(self->hash));
+    (void)memcpy(self->hash, &bytes[RECORDING_HEADER_SIZE - RECORDING_HASH_SIZE],
+                 sizeof(self->hash));
     return write_all(self, bytes, sizeof(bytes));
 }
 
-bool recording_writer_open(recording_writer_t *self, const char *path, const recording_header_t *header)
+bool recording_writer_open(recording_writer_t *self, const char *path,
+                           const recording_header_t *header)
 {
     const size_t bound = ZSTD_compressBound(RECORDING_RAW_MAX);
 
@@ -74,7 +76,8 @@ bool recording_writer_open(recording_writer_t *self, const char *path, const rec
     self->compressor = ZSTD_createCCtx();
     self->file = open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, FILE_MODE);
     begin_block(self);
-    if ((self->file < 0) || (self->output == NULL) || (self->compressor == NULL) || !write_header(self)) {
+    if ((self->file < 0) || (self->output == NULL) || (self->compressor == NULL) ||
+        !write_header(self)) {
         release(self);
         return false;
     }
@@ -87,7 +90,8 @@ void recording_writer_note_loss(recording_writer_t *self, uint32_t cycles)
     self->cycles_lost += cycles;
 }
 
-static void append_body(recording_writer_t *self, uint8_t *to, const cycle_record_t *record, uint32_t size)
+static void append_body(recording_writer_t *self, uint8_t *to, const cycle_record_t *record,
+                        uint32_t size)
 {
     if (record->kind != CYCLE_RECORD_CYCLE) {
         (void)memcpy(to, record->body.checkpoint, size);
@@ -126,8 +130,8 @@ static size_t compress_block(recording_writer_t *self)
     const size_t bound = ZSTD_compressBound(self->block.raw_size);
     uint8_t *room = &self->output[self->output_size - bound];
     uint8_t *checksums = &self->output[RECORDING_PREFIX_SIZE];
-    const size_t size =
-        ZSTD_compressCCtx(self->compressor, room, bound, self->raw, self->block.raw_size, COMPRESSION_LEVEL);
+    const size_t size = ZSTD_compressCCtx(self->compressor, room, bound, self->raw,
+                                          self->block.raw_size, COMPRESSION_LEVEL);
 
     if (ZSTD_isError(size) != 0U) {
         return 0U;

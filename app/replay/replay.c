@@ -15,13 +15,14 @@ typedef struct {
 
 static const area_t areas[] = {
     {"counts", "word", 0U, offsetof(controller_outputs_t, answers), sizeof(uint32_t)},
-    {"answers", "answer", offsetof(controller_outputs_t, answers), sizeof(((controller_outputs_t *)0)->answers),
-     sizeof(answer_t)},
-    {"events", "event", offsetof(controller_outputs_t, events), sizeof(((controller_outputs_t *)0)->events),
-     sizeof(event_t)},
-    {"snapshot", "snapshot", offsetof(controller_outputs_t, snapshot), sizeof(snapshot_t), sizeof(snapshot_t)},
-    {"frames", "slot", offsetof(controller_outputs_t, frames), sizeof(((controller_outputs_t *)0)->frames),
-     CARD_FRAME_BYTES},
+    {"answers", "answer", offsetof(controller_outputs_t, answers),
+     sizeof(((controller_outputs_t *)0)->answers), sizeof(answer_t)},
+    {"events", "event", offsetof(controller_outputs_t, events),
+     sizeof(((controller_outputs_t *)0)->events), sizeof(event_t)},
+    {"snapshot", "snapshot", offsetof(controller_outputs_t, snapshot), sizeof(snapshot_t),
+     sizeof(snapshot_t)},
+    {"frames", "slot", offsetof(controller_outputs_t, frames),
+     sizeof(((controller_outputs_t *)0)->frames), CARD_FRAME_BYTES},
 };
 
 void replay_init(replay_t *self)
@@ -70,13 +71,15 @@ void replay_difference(const replay_t *self, const cycle_record_t *record, char 
     while ((offset < sizeof(self->outputs)) && (recorded[offset] == replayed[offset])) {
         offset++;
     }
-    while (((area + 1U) < (sizeof(areas) / sizeof(areas[0]))) && (offset >= areas[area + 1U].offset)) {
+    while (((area + 1U) < (sizeof(areas) / sizeof(areas[0]))) &&
+           (offset >= areas[area + 1U].offset)) {
         area++;
     }
     const size_t inside = offset - areas[area].offset;
     (void)snprintf(text, size,
-                   "Cycle %u differs first at byte %zu of its outputs: %s, %s %zu, byte %zu is 0x%02X, recorded 0x%02X.",
+                   "Cycle %u differs first at byte %zu of its outputs: %s, %s %zu, byte %zu is "
+                   "0x%02X, recorded 0x%02X.",
                    (unsigned)record->cycle, offset, areas[area].name, areas[area].element,
-                   inside / areas[area].element_size, inside % areas[area].element_size, replayed[offset],
-                   recorded[offset]);
+                   inside / areas[area].element_size, inside % areas[area].element_size,
+                   replayed[offset], recorded[offset]);
 }

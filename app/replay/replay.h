@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Executes the controller again on recorded inputs and compares what it says with what was recorded.
+ * Executes the controller again on recorded inputs and compares what it says with what was
+ * recorded.
  */
 #ifndef BORESIGHT_REPLAY_H
 #define BORESIGHT_REPLAY_H
@@ -16,11 +17,11 @@
 typedef struct {
     controller_t controller;
     controller_outputs_t outputs;
-    bool is_running;        /**< A checkpoint was restored and no cycle is missing since. */
+    bool is_running; /**< A checkpoint was restored and no cycle is missing since. */
     uint32_t next_cycle;
-    uint64_t replayed;      /**< Cycles whose outputs were equal. */
-    uint64_t unreplayed;    /**< Cycles without a checkpoint before them. */
-    uint32_t gaps;          /**< Places where cycles are missing. */
+    uint64_t replayed;   /**< Cycles whose outputs were equal. */
+    uint64_t unreplayed; /**< Cycles without a checkpoint before them. */
+    uint32_t gaps;       /**< Places where cycles are missing. */
     uint32_t checkpoints;
 } replay_t;
 
@@ -35,7 +36,8 @@ void replay_init(replay_t *self);
  */
 bool replay_take(replay_t *self, const robot_t *robot, const cycle_record_t *record);
 
-/** Writes where the outputs of the last cycle differ first from those of `record`, as a sentence. */
+/** Writes where the outputs of the last cycle differ first from those of `record`, as a sentence.
+ */
 void replay_difference(const replay_t *self, const cycle_record_t *record, char *text, size_t size);
 
 #endif

@@ -6,7 +6,8 @@
  *     boresight-replay FILE
  *     boresight-replay --table FILE     writes the motion as comma-separated values instead
  *
- * Exit code 0: every output equal. 1: a difference. 2: damaged, of another layout or robot, or nothing to replay.
+ * Exit code 0: every output equal. 1: a difference. 2: damaged, of another layout or robot, or
+ * nothing to replay.
  */
 #include "build_id.h"
 #include "contract.h"
@@ -38,23 +39,27 @@ void contract_broken(const char *module, uint32_t id)
 static bool check_header(const recording_header_t *header)
 {
     if (header->robot_crc != robot_neuro.crc) {
-        (void)fprintf(stderr,
-                      "Recorded with robot %s of CRC %08" PRIX32 ", this build has %s of CRC %08" PRIX32
-                      "; replay it with the build that recorded it, \"%s\".\n",
-                      header->robot, header->robot_crc, robot_neuro.name, robot_neuro.crc, header->build);
+        (void)fprintf(
+            stderr,
+            "Recorded with robot %s of CRC %08" PRIX32 ", this build has %s of CRC %08" PRIX32
+            "; replay it with the build that recorded it, \"%s\".\n",
+            header->robot, header->robot_crc, robot_neuro.name, robot_neuro.crc, header->build);
         return false;
     }
     if (!recording_reader_fits(&reader, sizeof(controller_t))) {
         (void)fprintf(stderr,
-                      "Recorded with inputs of %" PRIu32 ", outputs of %" PRIu32 " and a state of %" PRIu32
-                      " bytes, this build has %zu, %zu and %zu; replay it with the build that recorded it, \"%s\".\n",
+                      "Recorded with inputs of %" PRIu32 ", outputs of %" PRIu32
+                      " and a state of %" PRIu32 " bytes, this build has %zu, %zu and %zu; replay "
+                                                 "it with the build that recorded it, \"%s\".\n",
                       header->inputs_size, header->outputs_size, header->controller_size,
-                      sizeof(controller_inputs_t), sizeof(controller_outputs_t), sizeof(controller_t), header->build);
+                      sizeof(controller_inputs_t), sizeof(controller_outputs_t),
+                      sizeof(controller_t), header->build);
         return false;
     }
     if (strcmp(header->build, BUILD_ID) != 0) {
         (void)fprintf(stderr,
-                      "Recorded by build \"%s\", replayed by build \"%s\": a difference may come from that.\n",
+                      "Recorded by build \"%s\", replayed by build \"%s\": a difference may come "
+                      "from that.\n",
                       header->build, BUILD_ID);
     }
     return true;
@@ -78,12 +83,14 @@ static int replay_all(void)
     while (recording_reader_next(&reader, &record)) {
         if (!replay_take(&replay, &robot_neuro, &record)) {
             replay_difference(&replay, &record, difference, sizeof(difference));
-            (void)printf("%s\n%" PRIu64 " cycles before it were equal.\n", difference, replay.replayed);
+            (void)printf("%s\n%" PRIu64 " cycles before it were equal.\n", difference,
+                         replay.replayed);
             return EXIT_DIFFERENT;
         }
     }
     if (replay.unreplayed > 0U) {
-        (void)printf("%" PRIu64 " cycles follow no checkpoint (%" PRIu32 " gaps) and were not replayed.\n",
+        (void)printf("%" PRIu64 " cycles follow no checkpoint (%" PRIu32
+                     " gaps) and were not replayed.\n",
                      replay.unreplayed, replay.gaps);
     }
     if (replay.replayed == 0U) {

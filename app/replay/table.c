@@ -11,8 +11,8 @@ void table_print_names(const robot_t *robot)
     (void)printf("time_s");
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
         const char *name = robot->axes[i].name;
-        (void)printf(",%s_setpoint_ticks,%s_position_ticks,%s_setpoint_ticks_per_s,%s_ticks_per_s", name, name, name,
-                     name);
+        (void)printf(",%s_setpoint_ticks,%s_position_ticks,%s_setpoint_ticks_per_s,%s_ticks_per_s",
+                     name, name, name, name);
     }
     (void)putchar('\n');
 }

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Recorded motion as a table of comma-separated values: a row each TABLE_CYCLES cycles; the time in s, then for each
- * axis commanded and measured position in ticks, commanded and measured speed in ticks/s.
+ * Recorded motion as a table of comma-separated values: a row each TABLE_CYCLES cycles; the time in
+ * s, then for each axis commanded and measured position in ticks, commanded and measured speed in
+ * ticks/s.
  */
 #ifndef BORESIGHT_TABLE_H
 #define BORESIGHT_TABLE_H

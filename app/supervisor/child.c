@@ -11,7 +11,8 @@
 
 #define EXIT_NOT_EXECUTED 127
 
-/* In the child. A group of its own keeps the terminal's Ctrl-C away: the supervisor stops them in order. */
+/* In the child. A group of its own keeps the terminal's Ctrl-C away: the supervisor stops them in
+ * order. */
 static void become(const child_t *self, pid_t supervisor, int output, int errors)
 {
     const char *words[CHILD_ARGUMENTS + 2U] = {self->path};
@@ -74,7 +75,8 @@ void child_ended(child_t *self, int status, uint64_t now_us)
 void child_describe_end(const child_t *self, char *text, uint32_t size)
 {
     if (WIFSIGNALED(self->status)) {
-        (void)snprintf(text, size, "signal %d (%s)", WTERMSIG(self->status), strsignal(WTERMSIG(self->status)));
+        (void)snprintf(text, size, "signal %d (%s)", WTERMSIG(self->status),
+                       strsignal(WTERMSIG(self->status)));
     } else {
         (void)snprintf(text, size, "exit code %d", WEXITSTATUS(self->status));
     }

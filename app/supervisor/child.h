@@ -11,24 +11,26 @@
 #define CHILD_PATH_SIZE 640U
 #define CHILD_BACKOFF_FIRST_US UINT64_C(200000)
 #define CHILD_BACKOFF_MOST_US UINT64_C(5000000)
-#define CHILD_STEADY_US UINT64_C(10000000) /**< Having run that long, the next restart comes quickly again. */
+/** Having run that long, the next restart comes quickly again. */
+#define CHILD_STEADY_US UINT64_C(10000000)
 
 typedef struct {
     const char *name;
     char path[CHILD_PATH_SIZE];
     const char *arguments[CHILD_ARGUMENTS]; /**< Without the program; ended by NULL. */
-    bool may_restart;      /**< Started again when it ends unasked. */
-    pid_t pid;             /**< 0: not running. */
-    int status;            /**< Of waitpid(), when it has ended. */
+    bool may_restart;                       /**< Started again when it ends unasked. */
+    pid_t pid;                              /**< 0: not running. */
+    int status;                             /**< Of waitpid(), when it has ended. */
     uint64_t started_us;
-    uint64_t restart_us;   /**< When to start it again; 0: not planned. */
+    uint64_t restart_us; /**< When to start it again; 0: not planned. */
     uint64_t backoff_us;
-    uint32_t beats;        /**< Alive counter when last looked at. */
-    uint64_t beaten_us;    /**< When it last changed. */
+    uint32_t beats;     /**< Alive counter when last looked at. */
+    uint64_t beaten_us; /**< When it last changed. */
 } child_t;
 
 /**
- * Starts the program with `output` and `errors` as its standard output and error. It ends when the supervisor ends.
+ * Starts the program with `output` and `errors` as its standard output and error. It ends when the
+ * supervisor ends.
  *
  * @return false with errno set
  */

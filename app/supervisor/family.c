@@ -26,8 +26,8 @@ uint64_t family_now_us(void)
     return ((uint64_t)now.tv_sec * UINT64_C(1000000)) + ((uint64_t)now.tv_nsec / 1000U);
 }
 
-static bool init_member(family_t *self, member_t member, const char *name, const options_t *options, char *error,
-                        uint32_t error_size)
+static bool init_member(family_t *self, member_t member, const char *name, const options_t *options,
+                        char *error, uint32_t error_size)
 {
     child_t *child = &self->members[member];
 
@@ -35,8 +35,8 @@ static bool init_member(family_t *self, member_t member, const char *name, const
     child->may_restart = (member != MEMBER_BOX) && (member != MEMBER_CONTROL);
     (void)snprintf(child->path, sizeof(child->path), "%s/boresight-%s", options->programs, name);
     if (access(child->path, X_OK) != 0) {
-        (void)snprintf(error, error_size, "The program %s is missing (%s); build it with make.", child->path,
-                       strerror(errno));
+        (void)snprintf(error, error_size, "The program %s is missing (%s); build it with make.",
+                       child->path, strerror(errno));
         return false;
     }
     return true;
@@ -47,7 +47,8 @@ static void set_arguments(child_t *child, const char *const arguments[CHILD_ARGU
     (void)memcpy(child->arguments, arguments, sizeof(child->arguments));
 }
 
-bool family_init(family_t *self, const options_t *options, int output, int errors, char *error, uint32_t error_size)
+bool family_init(family_t *self, const options_t *options, int output, int errors, char *error,
+                 uint32_t error_size)
 {
     static const char *const names[FAMILY_SIZE] = {"box", "control", "recorder", "igtl", "http"};
 
@@ -61,13 +62,16 @@ bool family_init(family_t *self, const options_t *options, int output, int error
         }
     }
     const char *const box[CHILD_ARGUMENTS] = {"--name", self->box};
-    const char *const control[CHILD_ARGUMENTS] = {"--exchange", options->instance, "--box", self->box};
+    const char *const control[CHILD_ARGUMENTS] = {"--exchange", options->instance, "--box",
+                                                  self->box};
     const char *const recorder[CHILD_ARGUMENTS] = {"--exchange", options->instance, "--directory",
                                                    options->recordings};
-    const char *const igtl[CHILD_ARGUMENTS] = {"--exchange",  options->instance,  "--brp-port", options->brp_port,
-                                               "--igtl-port", options->igtl_port, "--bind",     options->bind};
-    const char *const http[CHILD_ARGUMENTS] = {"--exchange", options->instance, "--port", options->http_port,
-                                               "--bind",     options->bind,     "--box",  self->box};
+    const char *const igtl[CHILD_ARGUMENTS] = {
+        "--exchange",  options->instance,  "--brp-port", options->brp_port,
+        "--igtl-port", options->igtl_port, "--bind",     options->bind};
+    const char *const http[CHILD_ARGUMENTS] = {
+        "--exchange", options->instance, "--port", options->http_port,
+        "--bind",     options->bind,     "--box",  self->box};
     set_arguments(&self->members[MEMBER_BOX], box);
     set_arguments(&self->members[MEMBER_CONTROL], control);
     set_arguments(&self->members[MEMBER_RECORDER], recorder);
@@ -82,8 +86,8 @@ bool family_start(family_t *self, member_t member, char *error, uint32_t error_s
     const bool is_started = child_start(child, self->output, self->errors, family_now_us());
 
     if (!is_started) {
-        (void)snprintf(error, error_size, "%s cannot be started (%s); end other programs.", child->name,
-                       strerror(errno));
+        (void)snprintf(error, error_size, "%s cannot be started (%s); end other programs.",
+                       child->name, strerror(errno));
     }
     return is_started;
 }
@@ -107,7 +111,8 @@ void family_restart(family_t *self)
 
     for (uint32_t i = 0U; i < FAMILY_SIZE; i++) {
         child_t *child = &self->members[i];
-        const bool is_due = (child->pid == 0) && (child->restart_us != 0U) && (now_us >= child->restart_us);
+        const bool is_due =
+            (child->pid == 0) && (child->restart_us != 0U) && (now_us >= child->restart_us);
         if (is_due && !child_start(child, self->output, self->errors, now_us)) {
             child->restart_us = now_us + CHILD_BACKOFF_MOST_US;
         }

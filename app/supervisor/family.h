@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file The five programs of one Boresight: their command lines, their start, their restart and their end. */
+/** @file The five programs of one Boresight: their command lines, their start, their restart and
+ * their end. */
 #ifndef BORESIGHT_FAMILY_H
 #define BORESIGHT_FAMILY_H
 
@@ -35,12 +36,14 @@ typedef struct {
  *
  * @return false, with a sentence in `error`, when a program is missing
  */
-bool family_init(family_t *self, const options_t *options, int output, int errors, char *error, uint32_t error_size);
+bool family_init(family_t *self, const options_t *options, int output, int errors, char *error,
+                 uint32_t error_size);
 
 /** Starts one. False with a sentence in `error`. */
 bool family_start(family_t *self, member_t member, char *error, uint32_t error_size);
 
-/** Takes note of every member that has ended. Returns one of them, or -1 when there is none (left). Never waits. */
+/** Takes note of every member that has ended. Returns one of them, or -1 when there is none (left).
+ * Never waits. */
 int family_reap(family_t *self);
 
 /** Starts again those whose time has come. @satisfies SWR-SUP-002 */
@@ -50,7 +53,8 @@ void family_restart(family_t *self);
 bool family_is_silent(family_t *self, const exchange_t *exchange, member_t member);
 
 /**
- * Stops igtl and http, then control, then the recorder, then the box; who does not obey in his time is killed.
+ * Stops igtl and http, then control, then the recorder, then the box; who does not obey in his time
+ * is killed.
  *
  * @satisfies SWR-SUP-001
  */

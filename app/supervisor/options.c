@@ -12,18 +12,16 @@
 
 #define INSTANCE_MAX 32U
 
-static const struct option known[] = {{"http-port", required_argument, NULL, 'h'},
-                                      {"igtl-port", required_argument, NULL, 'i'},
-                                      {"brp-port", required_argument, NULL, 'w'},
-                                      {"bind", required_argument, NULL, 'b'},
-                                      {"robot", required_argument, NULL, 'r'},
-                                      {"instance", required_argument, NULL, 'n'},
-                                      {"recordings", required_argument, NULL, 'd'},
-                                      {NULL, 0, NULL, 0}};
+static const struct option known[] = {
+    {"http-port", required_argument, NULL, 'h'},  {"igtl-port", required_argument, NULL, 'i'},
+    {"brp-port", required_argument, NULL, 'w'},   {"bind", required_argument, NULL, 'b'},
+    {"robot", required_argument, NULL, 'r'},      {"instance", required_argument, NULL, 'n'},
+    {"recordings", required_argument, NULL, 'd'}, {NULL, 0, NULL, 0}};
 
 const char *options_usage(void)
 {
-    return "usage: boresight [--http-port 8080] [--igtl-port 18944] [--brp-port 18936] [--bind 127.0.0.1]\n"
+    return "usage: boresight [--http-port 8080] [--igtl-port 18944] [--brp-port 18936] [--bind "
+           "127.0.0.1]\n"
            "                 [--robot neuro] [--instance NAME] [--recordings DIRECTORY]\n"
            "The environment variables HTTP_PORT, IGTL_PORT, BRP_PORT and ROBOT do the same.\n";
 }
@@ -84,7 +82,8 @@ static bool take(options_t *self, int option, const char *value)
         self->instance = value;
         return true;
     case 'd':
-        return (size_t)snprintf(self->recordings, sizeof(self->recordings), "%s", value) < sizeof(self->recordings);
+        return (size_t)snprintf(self->recordings, sizeof(self->recordings), "%s", value) <
+               sizeof(self->recordings);
     default:
         return false;
     }
@@ -95,7 +94,8 @@ static bool is_port(const char *text)
     char *end = NULL;
     const unsigned long number = strtoul(text, &end, 10);
 
-    return (text[0] >= '0') && (text[0] <= '9') && (*end == '\0') && (number >= 1U) && (number <= 65535U);
+    return (text[0] >= '0') && (text[0] <= '9') && (*end == '\0') && (number >= 1U) &&
+           (number <= 65535U);
 }
 
 static bool is_instance(const char *text)
@@ -103,7 +103,8 @@ static bool is_instance(const char *text)
     const size_t length = strlen(text);
 
     return (length > 0U) && (length <= INSTANCE_MAX) &&
-           (strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_") == length);
+           (strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_") ==
+            length);
 }
 
 static bool check_ports(const options_t *self, char *error, uint32_t error_size)
@@ -112,12 +113,14 @@ static bool check_ports(const options_t *self, char *error, uint32_t error_size)
 
     for (size_t i = 0U; i < 3U; i++) {
         if (!is_port(ports[i])) {
-            (void)snprintf(error, error_size, "\"%s\" is no port; give a number from 1 to 65535.", ports[i]);
+            (void)snprintf(error, error_size, "\"%s\" is no port; give a number from 1 to 65535.",
+                           ports[i]);
             return false;
         }
         for (size_t k = 0U; k < i; k++) {
             if (strtoul(ports[i], NULL, 10) == strtoul(ports[k], NULL, 10)) {
-                (void)snprintf(error, error_size, "Port %s is given twice; give each service its own.", ports[i]);
+                (void)snprintf(error, error_size,
+                               "Port %s is given twice; give each service its own.", ports[i]);
                 return false;
             }
         }
@@ -130,16 +133,19 @@ static bool check(const options_t *self, char *error, uint32_t error_size)
     struct in_addr address;
 
     if (inet_pton(AF_INET, self->bind, &address) != 1) {
-        (void)snprintf(error, error_size, "\"%s\" is no IPv4 address; give --bind one of this machine.", self->bind);
+        (void)snprintf(error, error_size,
+                       "\"%s\" is no IPv4 address; give --bind one of this machine.", self->bind);
         return false;
     }
     if (strcmp(self->robot, robot_neuro.name) != 0) {
-        (void)snprintf(error, error_size, "There is no robot \"%s\"; choose %s with --robot or ROBOT.", self->robot,
+        (void)snprintf(error, error_size,
+                       "There is no robot \"%s\"; choose %s with --robot or ROBOT.", self->robot,
                        robot_neuro.name);
         return false;
     }
     if (!is_instance(self->instance)) {
-        (void)snprintf(error, error_size, "\"%s\" names no instance; use up to %u letters, digits, - and _.",
+        (void)snprintf(error, error_size,
+                       "\"%s\" names no instance; use up to %u letters, digits, - and _.",
                        self->instance, INSTANCE_MAX);
         return false;
     }
@@ -158,14 +164,16 @@ bool options_read(options_t *self, int count, char **arguments, char *error, uin
     int option = getopt_long(count, arguments, "", known, NULL);
     while (option != -1) {
         if (!take(self, option, optarg)) {
-            (void)snprintf(error, error_size, "\"%s\" is no option or lacks its value; see boresight --help.",
+            (void)snprintf(error, error_size,
+                           "\"%s\" is no option or lacks its value; see boresight --help.",
                            arguments[optind - 1]);
             return false;
         }
         option = getopt_long(count, arguments, "", known, NULL);
     }
     if (optind != count) {
-        (void)snprintf(error, error_size, "\"%s\" is no option; see boresight --help.", arguments[optind]);
+        (void)snprintf(error, error_size, "\"%s\" is no option; see boresight --help.",
+                       arguments[optind]);
         return false;
     }
     return check(self, error, error_size);

@@ -37,24 +37,29 @@ static int try_bind(const char *address, const char *port)
     return result;
 }
 
-static void explain(const use_t *use, const char *address, int reason, char *error, uint32_t error_size)
+static void explain(const use_t *use, const char *address, int reason, char *error,
+                    uint32_t error_size)
 {
     switch (reason) {
     case EADDRINUSE:
         (void)snprintf(error, error_size,
-                       "Port %s for %s is in use; stop the program that has it, or choose another with %s or %s.",
+                       "Port %s for %s is in use; stop the program that has it, or choose another "
+                       "with %s or %s.",
                        use->port, use->service, use->option, use->variable);
         break;
     case EACCES:
-        (void)snprintf(error, error_size,
-                       "Port %s for %s needs a right this user lacks; choose one above 1023 with %s or %s.", use->port,
-                       use->service, use->option, use->variable);
+        (void)snprintf(
+            error, error_size,
+            "Port %s for %s needs a right this user lacks; choose one above 1023 with %s or %s.",
+            use->port, use->service, use->option, use->variable);
         break;
     case EADDRNOTAVAIL:
-        (void)snprintf(error, error_size, "%s is no address of this machine; give --bind one that is.", address);
+        (void)snprintf(error, error_size,
+                       "%s is no address of this machine; give --bind one that is.", address);
         break;
     default:
-        (void)snprintf(error, error_size, "Port %s for %s cannot be used (%s); choose another with %s or %s.",
+        (void)snprintf(error, error_size,
+                       "Port %s for %s cannot be used (%s); choose another with %s or %s.",
                        use->port, use->service, strerror(reason), use->option, use->variable);
         break;
     }
@@ -62,9 +67,10 @@ static void explain(const use_t *use, const char *address, int reason, char *err
 
 bool ports_check(const options_t *options, char *error, uint32_t error_size)
 {
-    const use_t uses[] = {{options->http_port, "the console", "--http-port", "HTTP_PORT"},
-                          {options->brp_port, "the OpenIGTLink workphases", "--brp-port", "BRP_PORT"},
-                          {options->igtl_port, "the OpenIGTLink transforms", "--igtl-port", "IGTL_PORT"}};
+    const use_t uses[] = {
+        {options->http_port, "the console", "--http-port", "HTTP_PORT"},
+        {options->brp_port, "the OpenIGTLink workphases", "--brp-port", "BRP_PORT"},
+        {options->igtl_port, "the OpenIGTLink transforms", "--igtl-port", "IGTL_PORT"}};
 
     for (size_t i = 0U; i < (sizeof(uses) / sizeof(uses[0])); i++) {
         const int reason = try_bind(options->bind, uses[i].port);

@@ -17,7 +17,8 @@ bool screen_open(screen_t *self)
     (void)memset(self, 0, sizeof(*self));
     self->is_terminal = isatty(STDOUT_FILENO) == 1;
     /* Not blocking at either end: no program ever waits for the supervisor to read. */
-    return (pipe2(self->output, O_CLOEXEC | O_NONBLOCK) == 0) && (pipe2(self->errors, O_CLOEXEC | O_NONBLOCK) == 0);
+    return (pipe2(self->output, O_CLOEXEC | O_NONBLOCK) == 0) &&
+           (pipe2(self->errors, O_CLOEXEC | O_NONBLOCK) == 0);
 }
 
 static void erase_status(screen_t *self)

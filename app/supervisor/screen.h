@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What the operator sees: lines, and below them one line of status that is rewritten in place on a terminal and
- * repeated every five seconds elsewhere. The programs' own lines come in through pipes and stand above it.
+ * What the operator sees: lines, and below them one line of status that is rewritten in place on a
+ * terminal and repeated every five seconds elsewhere. The programs' own lines come in through pipes
+ * and stand above it.
  */
 #ifndef BORESIGHT_SCREEN_H
 #define BORESIGHT_SCREEN_H
@@ -13,11 +14,11 @@
 #define SCREEN_LINE_SIZE 512U
 
 typedef struct {
-    int output[2];       /**< Pipe of the programs' standard output: only looked at for "ready". */
-    int errors[2];       /**< Pipe of their standard error: shown. */
+    int output[2]; /**< Pipe of the programs' standard output: only looked at for "ready". */
+    int errors[2]; /**< Pipe of their standard error: shown. */
     bool is_terminal;
-    bool is_box_ready;   /**< The box said so. */
-    uint64_t shown_us;   /**< When the status was last written. */
+    bool is_box_ready;             /**< The box said so. */
+    uint64_t shown_us;             /**< When the status was last written. */
     char status[SCREEN_LINE_SIZE]; /**< On the terminal now; "" when none. */
 } screen_t;
 

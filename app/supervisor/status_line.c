@@ -14,7 +14,8 @@
 #include <string.h>
 
 /* Appends as much as fits. */
-static void add(char *text, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
+static void add(char *text, size_t size, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
 
 static void add(char *text, size_t size, const char *format, ...)
 {
@@ -124,12 +125,14 @@ void status_line_write(char *text, size_t size, const exchange_t *exchange, fami
         add(text, size, "%s | pedal %s | e-stop %s", workphase_name((int32_t)snapshot.workphase),
             pedal_word(snapshot.pedal), estop_word(snapshot.estop));
         add_permit(text, size, &snapshot);
-        add(text, size, " | links %u/%u", (unsigned)live_links(&snapshot), (unsigned)robot_neuro.axis_count);
+        add(text, size, " | links %u/%u", (unsigned)live_links(&snapshot),
+            (unsigned)robot_neuro.axis_count);
     } else {
         add(text, size, "starting");
     }
     if (exchange_read_loop(exchange, &loop)) {
-        add(text, size, " | loop p99 %u us, worst %u us", (unsigned)loop.wake_p99_us, (unsigned)loop.wake_worst_us);
+        add(text, size, " | loop p99 %u us, worst %u us", (unsigned)loop.wake_p99_us,
+            (unsigned)loop.wake_worst_us);
     }
     add_programs(text, size, exchange, family);
 }

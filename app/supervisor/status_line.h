@@ -8,7 +8,8 @@
 
 #include <stddef.h>
 
-/** Writes the line: workphase, pedal, e-stop, permit, links, loop, and each program with its state. */
+/** Writes the line: workphase, pedal, e-stop, permit, links, loop, and each program with its state.
+ */
 void status_line_write(char *text, size_t size, const exchange_t *exchange, family_t *family);
 
 #endif

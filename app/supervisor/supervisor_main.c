@@ -3,7 +3,8 @@
  * @file
  * boresight: starts the five programs, keeps those that may fail alive, and stops all in order.
  *
- * Exit code 0: stopped as asked. 2: wrong options. 3: could not start. 4: control or the box ended by itself.
+ * Exit code 0: stopped as asked. 2: wrong options. 3: could not start. 4: control or the box ended
+ * by itself.
  */
 #include "black_box_files.h"
 #include "family.h"
@@ -111,7 +112,8 @@ static bool is_control_running(void)
 
 static bool are_clients_running(void)
 {
-    return (exchange_beats(exchange, EXCHANGE_RECORDER) > 0U) && (exchange_beats(exchange, EXCHANGE_IGTL) > 0U) &&
+    return (exchange_beats(exchange, EXCHANGE_RECORDER) > 0U) &&
+           (exchange_beats(exchange, EXCHANGE_IGTL) > 0U) &&
            (exchange_beats(exchange, EXCHANGE_HTTP) > 0U);
 }
 
@@ -128,8 +130,10 @@ static int await(bool (*is_ready)(void), const char *who)
             return EXIT_CANNOT_START;
         }
         if (family_now_us() >= end_us) {
-            screen_say(&screen, "Boresight did not start: %s gave no sign of life in %u s; end other programs.", who,
-                       (unsigned)(START_TIMEOUT_US / UINT64_C(1000000)));
+            screen_say(
+                &screen,
+                "Boresight did not start: %s gave no sign of life in %u s; end other programs.",
+                who, (unsigned)(START_TIMEOUT_US / UINT64_C(1000000)));
             return EXIT_CANNOT_START;
         }
     }
@@ -163,11 +167,11 @@ static void say_where(void)
     const bool is_default = strcmp(options.instance, "boresight") == 0;
 
     screen_say(&screen, "Console:     http://%s:%s/", options.bind, options.http_port);
-    screen_say(&screen, "OpenIGTLink: workphases %s:%s, transforms %s:%s", options.bind, options.brp_port,
-               options.bind, options.igtl_port);
+    screen_say(&screen, "OpenIGTLink: workphases %s:%s, transforms %s:%s", options.bind,
+               options.brp_port, options.bind, options.igtl_port);
     screen_say(&screen, "Recordings:  %s", options.recordings);
-    screen_say(&screen, "Pedal:       %s/boresight-simctl%s%s pedal press (or release)", options.programs,
-               is_default ? "" : " --name ", is_default ? "" : family.box);
+    screen_say(&screen, "Pedal:       %s/boresight-simctl%s%s pedal press (or release)",
+               options.programs, is_default ? "" : " --name ", is_default ? "" : family.box);
     screen_say(&screen, "Stop:        Ctrl-C");
 }
 
@@ -179,12 +183,15 @@ static int judge_end(const child_t *child)
     child_describe_end(child, how, sizeof(how));
     screen_relay(&screen);
     if (!child->may_restart) {
-        screen_say(&screen, "%s ended (%s): the cards have stopped the motors, everything stops. Find the cause, then "
-                            "start boresight again.", child->name, how);
+        screen_say(&screen,
+                   "%s ended (%s): the cards have stopped the motors, everything stops. Find the "
+                   "cause, then "
+                   "start boresight again.",
+                   child->name, how);
         return EXIT_LOST;
     }
-    screen_say(&screen, "%s ended (%s); motion is not affected, it starts again in %u ms.", child->name, how,
-               (unsigned)(child->backoff_us / 1000U));
+    screen_say(&screen, "%s ended (%s); motion is not affected, it starts again in %u ms.",
+               child->name, how, (unsigned)(child->backoff_us / 1000U));
     return RUNNING;
 }
 
@@ -196,7 +203,8 @@ static int next_tick_ms(void)
 
     for (uint32_t i = 0U; i < FAMILY_SIZE; i++) {
         const child_t *child = &family.members[i];
-        if ((child->pid == 0) && (child->restart_us > now_us) && ((child->restart_us - now_us) < wait_us)) {
+        if ((child->pid == 0) && (child->restart_us > now_us) &&
+            ((child->restart_us - now_us) < wait_us)) {
             wait_us = child->restart_us - now_us;
         }
     }
@@ -215,7 +223,8 @@ static int supervise(void)
         if (wait_for_news(next_tick_ms())) {
             return EXIT_STOPPED;
         }
-        for (int ended = family_reap(&family); (ended >= 0) && (result == RUNNING); ended = family_reap(&family)) {
+        for (int ended = family_reap(&family); (ended >= 0) && (result == RUNNING);
+             ended = family_reap(&family)) {
             result = judge_end(&family.members[ended]);
         }
         family_restart(&family);
@@ -227,11 +236,13 @@ static int supervise(void)
 static bool prepare(void)
 {
     if (!screen_open(&screen) || !catch_signals()) {
-        (void)snprintf(error, sizeof(error), "No pipe can be made (%s); end other programs.", strerror(errno));
+        (void)snprintf(error, sizeof(error), "No pipe can be made (%s); end other programs.",
+                       strerror(errno));
         return false;
     }
     if (!black_box_make_directory(options.recordings) || (access(options.recordings, W_OK) != 0)) {
-        (void)snprintf(error, sizeof(error), "Nothing can be recorded in %s (%s); choose another with --recordings.",
+        (void)snprintf(error, sizeof(error),
+                       "Nothing can be recorded in %s (%s); choose another with --recordings.",
                        options.recordings, strerror(errno));
         return false;
     }
@@ -255,7 +266,8 @@ static int run(void)
     family_stop(&family);
     screen_relay(&screen);
     exchange_close(exchange);
-    screen_say(&screen, (result == EXIT_CANNOT_START) ? "Nothing is left running." : "Boresight has stopped.");
+    screen_say(&screen, (result == EXIT_CANNOT_START) ? "Nothing is left running."
+                                                      : "Boresight has stopped.");
     return result;
 }
 

@@ -99,6 +99,7 @@ void controller_init(controller_t *self, const robot_t *robot);
  * One control cycle: frames -> links -> encoders -> interlocks -> commands -> order -> profile and servo -> permit ->
  * frames. `outputs` is completely rewritten. Requires (contract 100) at most CONTROLLER_COMMANDS commands.
  *
+ * @satisfies SWR-CMD-002
  * @satisfies SWR-CORE-002
  */
 void controller_step(controller_t *self, const robot_t *robot, const controller_inputs_t *inputs,

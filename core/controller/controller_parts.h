@@ -15,13 +15,27 @@ typedef struct {
     controller_outputs_t *outputs;
 } cycle_t;
 
-/** Adds an event to this cycle's outputs; counts it as lost when they are full. @satisfies SWR-EVENT-001 */
+/**
+ * Adds an event to this cycle's outputs; counts it as lost when they are full.
+ *
+ * @satisfies SWR-EVENT-001
+ * @satisfies SWR-EVENT-002
+ */
 void controller_note(controller_t *self, const cycle_t *cycle, event_id_t id, uint32_t subject, int32_t value);
 
-/** Links, encoders, interlocks: what the world says in this cycle. */
+/**
+ * Links, encoders, interlocks: what the world says in this cycle. A damaged chart is repaired here.
+ *
+ * @satisfies SWR-CORE-004
+ */
 void controller_observe(controller_t *self, const cycle_t *cycle);
 
-/** Commands of this cycle, each answered at once. */
+/**
+ * Commands of this cycle, each answered at once.
+ *
+ * @satisfies SWR-CMD-001
+ * @satisfies SWR-CMD-004
+ */
 void controller_obey(controller_t *self, const cycle_t *cycle);
 
 /** The workphase chart was damaged and is back in its safe state: what was armed is given up. */
@@ -36,14 +50,25 @@ void controller_tell_order(controller_t *self, const cycle_t *cycle, workphases_
 /** Facts for the guards of the workphase chart. */
 workphases_inputs_t controller_guards(const controller_t *self, const cycle_t *cycle);
 
-/** The armed order: pedal edges, homing, move, jog, its end. Fills one drive request per axis. */
+/**
+ * The armed order: pedal edges, homing, move, jog, its end. Fills one drive request per axis.
+ *
+ * @satisfies SWR-DEMO-001
+ */
 void controller_move(controller_t *self, const cycle_t *cycle, card_drive_t requests[ROBOT_AXIS_COUNT]);
 
 /** The permit of axis `index` for `request`. */
 permit_t controller_permit(const controller_t *self, const cycle_t *cycle, uint32_t index,
                            const card_drive_t *request);
 
-/** Permit and outgoing frames. @satisfies SWR-PERMIT-002 */
+/**
+ * Permit and outgoing frames. Each frame tells its card to switch off by itself when no further frame comes.
+ *
+ * @satisfies SWR-PERMIT-002
+ * @satisfies SWR-PERMIT-003
+ * @satisfies SWR-CMD-003
+ * @satisfies SWR-CTRL-003
+ */
 void controller_drive(controller_t *self, const cycle_t *cycle,
                       const card_drive_t requests[ROBOT_AXIS_COUNT]);
 

@@ -36,6 +36,7 @@ void neuro_ticks_from_joints(const robot_t *robot, const neuro_joints_t *joints,
  * of reach).
  *
  * @satisfies SWR-KIN-001
+ * @satisfies SWR-KIN-003
  * @satisfies SWR-KIN-005
  */
 void neuro_forward(const robot_t *robot, const neuro_joints_t *joints, rigid_t *zframe_treatment);

@@ -42,7 +42,11 @@ typedef enum {
 status_t workphase_request(workphases_chart_t *self, const workphases_inputs_t *inputs, uint32_t workphase,
                            uint32_t *actions);
 
-/** Asks for a jog to be armed. Same meaning. @satisfies SWR-AXIS-010 */
+/**
+ * Asks for a jog to be armed. Same meaning.
+ *
+ * @satisfies SWR-AXIS-010
+ */
 status_t workphase_request_jog(workphases_chart_t *self, const workphases_inputs_t *inputs, uint32_t *actions);
 
 /** The present workphase. */

@@ -98,6 +98,7 @@ typedef struct {
 /**
  * The NeuroRobot, compiled from core/robot/neuro.yaml.
  *
+ * @satisfies SWR-ROBOT-001
  * @satisfies SWR-ROBOT-002
  */
 extern const robot_t robot_neuro;

@@ -36,8 +36,18 @@ class Latency
 
   private
 
+  # Another Boresight has its control loop on the same core, at the same priority.
+  def neighbours?
+    Dir.glob('/proc/[0-9]*/comm').any? do |path|
+      File.read(path).start_with?('boresight-contr')
+    rescue SystemCallError
+      false
+    end
+  end
+
   def announced(what)
     print "  #{what} ... "
+    @is_shared ||= neighbours?
     yield.tap { |figures| puts figures ? "worst #{figures[:worst]} us" : 'not possible' }
   end
 
@@ -123,9 +133,10 @@ class Latency
   end
 
   def remarks
-    lines = ["This is #{machine}: the times are the machine's, only the ratio says something about the program.",
+    lines = ["This is #{machine}: the times are the machine's;", 'only the ratio says something about the program.',
              'The loop ran with its whole system beside it (box, recorder, servers), cyclictest with nothing.']
     lines << "Not granted to the loop: #{@missing.join(', ')}; run as root for a fair comparison." if @missing.any?
+    lines << 'Another Boresight ran on this machine meanwhile; measure again without it.' if @is_shared
     lines << "cyclictest could not run: #{@refusal}" if @refusal
     lines
   end

@@ -270,7 +270,7 @@ void test_SWR_AXIS_006_an_axis_not_homed_jogs_at_reduced_speed(void)
 void test_SWR_ENC_002_an_impossible_count_faults_the_axis_and_loses_its_home(void)
 {
     rig_start_homed(&rig);
-    rig.controller.axes[AXIS_YAW].encoder.reading += 100000;
+    rig.controller.axes[AXIS_YAW].encoder.reading ^= 0x40000000;
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_ENABLED, rig.outputs.snapshot.axes[AXIS_YAW].power);
     rig_cycle(&rig);
@@ -367,7 +367,7 @@ void test_SWR_EVENT_002_events_beyond_the_most_of_a_cycle_are_counted(void)
     rig_box(&rig, "scanner on");
     rig_box(&rig, "estop pull");
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
-        rig.controller.axes[i].encoder.reading += 100000;
+        rig.controller.axes[i].encoder.reading ^= 0x40000000;
         rig.controller.axes[i].encoder.jumps = 1U;
     }
     rig.elapsed_us = 2000U;

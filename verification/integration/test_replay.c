@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: the controller executed again on recorded inputs says the same, and where it does not, the replay
- * says so and where.
+ * Rule under test: the controller executed again on recorded inputs says the same, and where it
+ * does not, the replay says so and where.
  */
 #include "rig.h"
 
@@ -116,8 +116,10 @@ void test_SWR_REPLAY_001_one_other_bit_in_any_area_is_a_difference_with_its_plac
     expect_difference(offsetof(controller_outputs_t, event_count), "counts, word 2, byte 0");
     expect_difference(offsetof(controller_outputs_t, answers[1].status), "answers, answer 1");
     expect_difference(offsetof(controller_outputs_t, events[3].value), "events, event 3");
-    expect_difference(offsetof(controller_outputs_t, snapshot) + 7U, "snapshot, snapshot 0, byte 7");
-    expect_difference(offsetof(controller_outputs_t, frames) + (4U * CARD_FRAME_BYTES) + 9U, "frames, slot 4, byte 9");
+    expect_difference(offsetof(controller_outputs_t, snapshot) + 7U,
+                      "snapshot, snapshot 0, byte 7");
+    expect_difference(offsetof(controller_outputs_t, frames) + (4U * CARD_FRAME_BYTES) + 9U,
+                      "frames, slot 4, byte 9");
     expect_difference(sizeof(controller_outputs_t) - 1U, "frames, slot 9, byte 255");
 }
 

@@ -51,7 +51,8 @@ class TestIsolation < SystemTest
   # A pause of the whole machine hits control as well, and proves nothing about the disturbance. A disturbance that
   # itself made control late would do so in every attempt.
   def machine_paused?(run)
-    run[:loop]['wake_worst_us'] > MACHINE_PAUSE_US || run[:overruns] > MORE_OVERRUNS || run[:events].include?('CARD_LOST')
+    run[:loop]['wake_worst_us'] > MACHINE_PAUSE_US || run[:overruns] > MORE_OVERRUNS ||
+      run[:events].include?('CARD_LOST')
   end
 
   def run_on_a_quiet_machine(&disturbance)
@@ -112,7 +113,9 @@ class TestIsolation < SystemTest
     control = boresight.pid_of('control')
     Process.kill('STOP', boresight.pid) # Otherwise the supervisor would end the box, too.
     Process.kill('KILL', control)
-    rows = wait_until(CARD_WATCHDOG_SECONDS + 0.2, 'every drive is off') { axes.then { |all| driven(all).empty? && all } }
+    rows = wait_until(CARD_WATCHDOG_SECONDS + 0.2, 'every drive is off') do
+      axes.then { |all| driven(all).empty? && all }
+    end
     assert_equal 7, rows.size
     rows.each { |words| assert_operator words.last.to_i, :>=, 1, "no watchdog trip: #{words.join(' ')}" }
   ensure

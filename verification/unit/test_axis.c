@@ -346,7 +346,7 @@ void test_SWR_AXIS_002_the_set_point_of_homing_starts_at_the_position_with_zero_
     move_to(-150);
     begin_homing();
     (void)axis_home(&axis, config, CYCLE_US);
-    TEST_ASSERT_EQUAL_INT32(-150 + 0, axis.setpoint_ticks);
+    TEST_ASSERT_EQUAL_INT32(-150, axis.setpoint_ticks);
     TEST_ASSERT_EQUAL_INT32(step_q8, axis.setpoint_speed_ticks_per_s_q8);
     (void)axis_home(&axis, config, CYCLE_US);
     TEST_ASSERT_EQUAL_INT32(2 * step_q8, axis.setpoint_speed_ticks_per_s_q8);
@@ -699,8 +699,9 @@ void test_SWR_STALL_001_moving_the_wrong_way_is_no_progress(void)
 void test_SWR_STALL_001_trembling_is_no_net_progress(void)
 {
     setpoint_ticks = ABOVE;
-    for (uint32_t i = 0U; i < STALL_CYCLES; i++) {
-        TEST_ASSERT_EQUAL_HEX32(0U, driven_cycle((i % 2U == 0U) ? -5 : 5));
+    (void)push(1U);
+    for (uint32_t i = 1U; i < STALL_CYCLES; i++) {
+        TEST_ASSERT_EQUAL_HEX32(0U, driven_cycle((i % 2U == 0U) ? 5 : -5));
     }
     TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_STALLED, driven_cycle(0));
 }
@@ -741,7 +742,7 @@ void test_SWR_STALL_001_an_axis_within_its_deadband_cannot_stall(void)
     use(with_lower_switch);
     setpoint_ticks = config->deadband_ticks;
     TEST_ASSERT_EQUAL_HEX32(0U, push(2U * STALL_CYCLES));
-    setpoint_ticks = config->deadband_ticks + 1;
+    setpoint_ticks = -config->deadband_ticks - 1;
     TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_STALLED, push(STALL_CYCLES + 1U));
 }
 

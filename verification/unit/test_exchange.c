@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: control publishes without waiting for anybody; what a reader gets is whole, and what it did not
- * get is counted or refused, never silent.
+ * Rule under test: control publishes without waiting for anybody; what a reader gets is whole, and
+ * what it did not get is counted or refused, never silent.
  */
 #include "unity.h"
 
@@ -122,7 +122,8 @@ void test_SWR_EXCH_001_a_reader_gives_up_when_the_newest_snapshot_stays_half_wri
 
 void test_SWR_EXCH_001_loop_figures_come_back_whole(void)
 {
-    const loop_figures_t figures = {.cycles = UINT64_C(5000000000), .rights = 5U, .wake_worst_us = 77U, .cycles_lost = 3U};
+    const loop_figures_t figures = {
+        .cycles = UINT64_C(5000000000), .rights = 5U, .wake_worst_us = 77U, .cycles_lost = 3U};
     loop_figures_t read = {0};
 
     TEST_ASSERT_FALSE(exchange_read_loop(reader, &read));
@@ -144,7 +145,8 @@ void test_SWR_EXCH_002_a_full_command_lane_refuses_and_keeps_what_it_has(void)
     }
     command.id = 99U;
     TEST_ASSERT_EQUAL(STATUS_BUSY, exchange_send_command(reader, &command));
-    TEST_ASSERT_EQUAL_UINT32(EXCHANGE_COMMANDS, exchange_take_commands(control, taken, EXCHANGE_COMMANDS + 1U));
+    TEST_ASSERT_EQUAL_UINT32(EXCHANGE_COMMANDS,
+                             exchange_take_commands(control, taken, EXCHANGE_COMMANDS + 1U));
     for (uint32_t i = 0U; i < EXCHANGE_COMMANDS; i++) {
         TEST_ASSERT_EQUAL_UINT32(i, taken[i].id);
     }
@@ -273,10 +275,12 @@ void test_SWR_EXCH_003_exactly_a_full_event_ring_loses_nothing_and_one_more_lose
     uint32_t lost = 0U;
 
     push_events(0U, EXCHANGE_EVENTS);
-    TEST_ASSERT_EQUAL_UINT32(EXCHANGE_EVENTS, exchange_read_events(reader, &next, events, EXCHANGE_EVENTS, &lost));
+    TEST_ASSERT_EQUAL_UINT32(EXCHANGE_EVENTS,
+                             exchange_read_events(reader, &next, events, EXCHANGE_EVENTS, &lost));
     TEST_ASSERT_EQUAL_UINT32(0U, lost);
     push_events(EXCHANGE_EVENTS, EXCHANGE_EVENTS + 1U);
-    TEST_ASSERT_EQUAL_UINT32(EXCHANGE_EVENTS, exchange_read_events(reader, &next, events, EXCHANGE_EVENTS, &lost));
+    TEST_ASSERT_EQUAL_UINT32(EXCHANGE_EVENTS,
+                             exchange_read_events(reader, &next, events, EXCHANGE_EVENTS, &lost));
     TEST_ASSERT_EQUAL_UINT32(1U, lost);
     TEST_ASSERT_EQUAL_UINT32(EXCHANGE_EVENTS + 1U, events[0].number);
 }
@@ -383,9 +387,11 @@ void test_SWR_EXCH_003_each_cycle_is_either_read_whole_or_counted(void)
     while ((received + exchange_cycles_lost(reader)) < ROUNDS) {
         const cycle_record_t *record = exchange_peek_cycle(reader);
         if (record != NULL) {
-            TEST_ASSERT_EQUAL_HEX8_MESSAGE(record->cycle & 0xFFU, record->body.checkpoint[0], "first byte");
-            TEST_ASSERT_EQUAL_HEX8_MESSAGE(record->cycle & 0xFFU,
-                                           record->body.checkpoint[sizeof(record->body.checkpoint) - 1U], "last byte");
+            TEST_ASSERT_EQUAL_HEX8_MESSAGE(record->cycle & 0xFFU, record->body.checkpoint[0],
+                                           "first byte");
+            TEST_ASSERT_EQUAL_HEX8_MESSAGE(
+                record->cycle & 0xFFU,
+                record->body.checkpoint[sizeof(record->body.checkpoint) - 1U], "last byte");
             exchange_release_cycle(reader);
             received++;
         } else {

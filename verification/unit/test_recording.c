@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: what comes out of a recording is what went in, and no byte of the file can change without being
- * reported at its place.
+ * Rule under test: what comes out of a recording is what went in, and no byte of the file can
+ * change without being reported at its place.
  */
 #include "unity.h"
 
@@ -132,9 +132,11 @@ static void find_blocks(off_t offsets[BLOCKS + 2U])
 
     offsets[0] = RECORDING_HEADER_SIZE;
     for (uint32_t i = 0U; i < BLOCKS; i++) {
-        TEST_ASSERT_EQUAL_INT((int)sizeof(bytes), (int)pread(file, bytes, sizeof(bytes), offsets[i]));
+        TEST_ASSERT_EQUAL_INT((int)sizeof(bytes),
+                              (int)pread(file, bytes, sizeof(bytes), offsets[i]));
         TEST_ASSERT_TRUE(recording_decode_fields(bytes, &fields));
-        offsets[i + 1U] = offsets[i] + (off_t)(RECORDING_PREFIX_SIZE + recording_checksums_size(fields.compressed_size) +
+        offsets[i + 1U] = offsets[i] + (off_t)(RECORDING_PREFIX_SIZE +
+                                               recording_checksums_size(fields.compressed_size) +
                                                fields.compressed_size);
     }
     (void)close(file);
@@ -145,7 +147,8 @@ void test_SWR_REC_002_records_come_back_as_they_were_appended(void)
 {
     write_blocks(BLOCKS);
     TEST_ASSERT_TRUE(recording_writer_close(&writer));
-    TEST_ASSERT_EQUAL_MESSAGE(RECORDING_WHOLE, recording_reader_open(&reader, path, &finding), finding.sentence);
+    TEST_ASSERT_EQUAL_MESSAGE(RECORDING_WHOLE, recording_reader_open(&reader, path, &finding),
+                              finding.sentence);
     TEST_ASSERT_EQUAL_UINT32(BLOCKS, reader.blocks);
     TEST_ASSERT_EQUAL_UINT32(BLOCKS * RECORDS_PER_BLOCK, read_all());
 }
@@ -265,7 +268,8 @@ void test_SWR_REPLAY_002_a_flip_of_any_bit_pattern_in_any_byte_is_reported_with_
             TEST_ASSERT_EQUAL_UINT32_MESSAGE(block, finding.block, finding.sentence);
             TEST_ASSERT_TRUE_MESSAGE(finding.first_byte <= (uint64_t)offset, finding.sentence);
             TEST_ASSERT_TRUE_MESSAGE(finding.last_byte >= (uint64_t)offset, finding.sentence);
-            TEST_ASSERT_TRUE_MESSAGE((finding.last_byte - finding.first_byte) < RECORDING_CHUNK, finding.sentence);
+            TEST_ASSERT_TRUE_MESSAGE((finding.last_byte - finding.first_byte) < RECORDING_CHUNK,
+                                     finding.sentence);
             flip(offset, masks[i]);
         }
     }
@@ -339,6 +343,7 @@ void test_SWR_REPLAY_002_a_block_that_was_taken_out_is_reported(void)
 
 void test_SWR_REPLAY_002_a_missing_file_is_named(void)
 {
-    TEST_ASSERT_EQUAL(RECORDING_UNREADABLE, recording_reader_open(&reader, "/tmp/no-such.bsr", &finding));
+    TEST_ASSERT_EQUAL(RECORDING_UNREADABLE,
+                      recording_reader_open(&reader, "/tmp/no-such.bsr", &finding));
     TEST_ASSERT_NOT_NULL(strstr(finding.sentence, "/tmp/no-such.bsr"));
 }

@@ -218,10 +218,10 @@ void test_SWR_MOTION_004_pulses_meet_the_demand_on_average(void)
     uint32_t driven = 0U;
 
     for (uint32_t i = 0U; i < 1000U; i++) {
-        const card_drive_t drive = servo_step(&servo, non_pwm, 0, full_q8 / 4, CYCLE_US);
+        const card_drive_t drive = servo_step(&servo, non_pwm, 0, full_q8 / 8 * 3, CYCLE_US);
         driven += is_off(&drive) ? 0U : 1U;
     }
-    TEST_ASSERT_EQUAL_UINT32(250U, driven);
+    TEST_ASSERT_EQUAL_UINT32(375U, driven);
 }
 
 void test_SWR_MOTION_004_a_slow_demand_of_a_pwm_motor_is_pulsed_at_half_speed(void)
