@@ -22,8 +22,8 @@ class Instructions
   def run
     puts 'Instructions of a control cycle'
     take_samples
-    puts "  #{@samples.length} cycles of it: #{evens.length} at equal distances, #{@samples.length - evens.length} with " \
-         'commands, answers or events'
+    puts "  #{@samples.length} cycles of it: #{evens.length} at equal distances, " \
+         "#{@samples.length - evens.length} with commands, answers or events"
     @x86 = timed('x86-64 under callgrind') { CallgrindCounter.new.count(SAMPLES, @samples.each_index.to_a) }
     @arm = timed('Cortex-A9 under qemu-arm') { ArmCounter.new.count(SAMPLES, arm_numbers) }
     puts '  every output equal to the recorded one, on both'
@@ -101,7 +101,9 @@ class Instructions
   def result
     @result ||= {
       recording: @recording, samples: @samples.length, samples_cortex_a9: @arm.length,
-      stages: [*STAGES, :all].to_h { |stage| [stage, { x86_64: figures(@x86, stage), cortex_a9: figures(@arm, stage) }] }
+      stages: [*STAGES, :all].to_h do |stage|
+        [stage, { x86_64: figures(@x86, stage), cortex_a9: figures(@arm, stage) }]
+      end
     }
   end
 
@@ -110,13 +112,13 @@ class Instructions
   end
 
   def table
+    head = ['stage', 'x86-64 median', 'worst', 'Cortex-A9 median', 'worst', 'worst cycle (x86-64), what it had']
     rows = result[:stages].map do |stage, of|
       x86, arm = of.values_at(:x86_64, :cortex_a9)
       [stage == :all ? 'controller_step' : stage, x86[:median], x86[:worst], arm[:median], arm[:worst],
        "#{x86[:worst_cycle]} #{shorten(x86[:worst_with])}".rstrip]
     end
-    Table.render(['stage', 'x86-64 median', 'worst', 'Cortex-A9 median', 'worst', 'worst cycle (x86-64), what it had'], rows,
-                 left: [0, 5])
+    Table.render(head, rows, left: [0, 5])
   end
 
   def shorten(text)
@@ -127,11 +129,12 @@ class Instructions
     all = result[:stages][:all][:cortex_a9]
     obey = result[:stages][:obey][:cortex_a9][:worst]
     full = all[:worst] + ((COMMANDS_PER_CYCLE - 1) * obey)
-    ["One instruction per clock at #{CLOCK_MHZ.to_i} MHz would be #{share(all[:median])} of the cycle of 1000 us, at worst " \
-     "#{share(all[:worst])};",
-     "#{COMMANDS_PER_CYCLE} commands as costly as the worst in one cycle, the most there can be: " \
+    ["The median is of the evenly spaced cycles, the worst of all; #{@arm.length} of them ran as Cortex-A9 code.",
+     "At one instruction per clock of #{CLOCK_MHZ.to_i} MHz the Cortex-A9 would need #{share(all[:median])} of the " \
+     "cycle of 1000 us, at worst #{share(all[:worst])}.",
+     "A cycle takes at most #{COMMANDS_PER_CYCLE} commands; if each were as costly as the worst here: " \
      "#{Table.text(full)} instructions, #{share(full)}.",
-     'Instructions are no time: caches and memory are not in them. The medians are of evenly spaced cycles.']
+     'Instructions are not time: waiting for memory is not in them.']
   end
 
   def share(instructions)

@@ -2,7 +2,7 @@
 /**
  * @file
  * The file of samples: single cycles of a recording, each with all that controller_step() needs and what it must say.
- * Same bytes on every machine of the benchmark; the sizes in the header and the size of the file prove it.
+ * Same layout on both machines of the benchmark; whoever reads compares the sizes in the header with its own.
  */
 #ifndef BORESIGHT_SAMPLE_H
 #define BORESIGHT_SAMPLE_H

@@ -24,7 +24,10 @@ module Table
   end
 
   def line(row, widths, left)
-    row.each_with_index.map { |cell, i| left.include?(i) ? cell.ljust(widths[i]) : cell.rjust(widths[i]) }.join('  ').rstrip
+    aligned = row.zip(widths).each_with_index.map do |(cell, width), i|
+      left.include?(i) ? cell.ljust(width) : cell.rjust(width)
+    end
+    aligned.join('  ').rstrip
   end
 
   def text(cell)

@@ -227,6 +227,16 @@ void test_SWR_PEDAL_004_two_short_differences_do_not_add_up(void)
     TEST_ASSERT_FALSE(is_fault());
 }
 
+void test_SWR_PEDAL_004_arming_does_not_extend_the_time_of_a_difference(void)
+{
+    release();
+    differ_for(LIMIT_PEDAL_DISCREPANCY_US - 1U);
+    pedal_gate_renew(&gate);
+    TEST_ASSERT_FALSE(is_fault());
+    pedal_gate_step(&gate, true, false, 1U);
+    TEST_ASSERT_TRUE(is_fault());
+}
+
 void test_SWR_PEDAL_007_releasing_and_pressing_does_not_clear_a_fault(void)
 {
     make_fault();
