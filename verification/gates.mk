@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # What `make test` runs; included by the Makefile.
 
-.PHONY: gate gates unit misra sanitize arm console-test objects trace bench demo coverage-gaps
+.PHONY: gate unit misra sanitize arm console-test objects programs trace demo
 
 test: bootstrap-test ## Run everything that can fail; the last line is `N passed, N failed`
 	@ruby tools/gates.rb
@@ -14,11 +14,17 @@ OBJECTS := $(call object,$(CORE_SOURCES) $(ALL_APP) $(GEN)/names/names.c $(GEN)/
 
 objects: $(OBJECTS)
 
+programs: $(BINARIES) $(BIN)/boresight-client $(BIN)/codec-oracle
+
+demo: bootstrap-test ## The seven targets of the NeuroRobot workflow with a real client
+	@$(MAKE) --no-print-directory -j2 programs
+	@ruby verification/demo/demo.rb
+
 unit: $(GENERATED) .tools/gems/bin/ceedling ## Unit and integration tests with coverage
 	@mkdir -p build/results
-	$(CEEDLING) gcov:all
-	ruby tools/results.rb ceedling build/ceedling/artifacts/gcov/tests_report.json >build/results/unit.json
-	ruby tools/uncovered.rb
+	status=0; $(CEEDLING) gcov:all || status=$$?; \
+	ruby tools/results.rb ceedling build/ceedling/artifacts/gcov/tests_report.json >build/results/unit.json; \
+	ruby tools/uncovered.rb || status=$$?; exit $$status
 
 misra: $(GENERATED) ## MISRA findings of the core
 	ruby tools/misra.rb
@@ -44,8 +50,8 @@ arm: ## The core's tests as Cortex-A9 code
 console-test: app/console/node_modules/.installed $(GENERATED)
 	cd app/console && npm run --silent typecheck && npm run --silent format:check
 	@mkdir -p build/results
-	cd app/console && npm test --silent
-	ruby tools/results.rb vitest build/console-tests.json >build/results/console.json
+	status=0; (cd app/console && npm test --silent) || status=$$?; \
+	ruby tools/results.rb vitest build/console-tests.json >build/results/console.json; exit $$status
 
 trace: ## Every requirement with its parents, places, tests and verdict
 	@ruby tools/trace.rb matrix

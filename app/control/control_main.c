@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The control process: wakes once per millisecond, exchanges frames with the cards, steps the controller and
- * publishes. It waits for nobody but the clock and the cards. All its state is here: this file is the RAM map.
+ * The control process: wakes once per millisecond, exchanges frames with the cards, steps the
+ * controller and publishes. It waits for nobody but the clock and the cards. All its state is here:
+ * this file is the RAM map.
  *
  * @satisfies SWR-CTRL-001
  */
@@ -49,8 +50,8 @@ static void ask_to_stop(int signal_number)
 /* C99 adds no const through an array pointer by itself. */
 static uint32_t exchange_frames(uint8_t received[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES])
 {
-    return bsp_exchange(outputs.frames_to_send, (const uint8_t(*)[CARD_FRAME_BYTES])outputs.frames, received,
-                        EXCHANGE_TIMEOUT_US);
+    return bsp_exchange(outputs.frames_to_send, (const uint8_t(*)[CARD_FRAME_BYTES])outputs.frames,
+                        received, EXCHANGE_TIMEOUT_US);
 }
 
 /* Every card off, at once; used at the end, whatever the reason. */
@@ -72,8 +73,8 @@ static void switch_off(void)
 void contract_broken(const char *module, uint32_t id)
 {
     switch_off();
-    (void)fprintf(stderr, "control: contract %s/%u is broken; all drives are off. Report this.\n", module,
-                  (unsigned)id);
+    (void)fprintf(stderr, "control: contract %s/%u is broken; all drives are off. Report this.\n",
+                  module, (unsigned)id);
     _Exit(EXIT_CONTRACT);
 }
 
@@ -192,8 +193,10 @@ static const char *option(int count, char *const values[], const char *name)
             return values[i + 1];
         }
     }
-    (void)fprintf(stderr, "control: option %s is missing; usage: boresight-control --exchange NAME --box NAME\n",
-                  name);
+    (void)fprintf(
+        stderr,
+        "control: option %s is missing; usage: boresight-control --exchange NAME --box NAME\n",
+        name);
     exit(EXIT_CANNOT_START);
 }
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file The loop's punctuality as histograms of one microsecond, from which the published figures are read. */
+/** @file The loop's punctuality as histograms of one microsecond, from which the published figures
+ * are read. */
 #ifndef BORESIGHT_FIGURES_H
 #define BORESIGHT_FIGURES_H
 

@@ -6,8 +6,8 @@
 #include <stdint.h>
 
 /**
- * Asks for SCHED_FIFO, a core of its own and locked memory. Says on standard error, one sentence each, what was
- * refused and what to do about it.
+ * Asks for SCHED_FIFO, a core of its own and locked memory. Says on standard error, one sentence
+ * each, what was refused and what to do about it.
  *
  * @return EXCHANGE_RIGHT_ bits of what was granted
  *

@@ -7,8 +7,8 @@
 
 /** One file. Everything it points to lives for ever. */
 typedef struct {
-    const char *path; /**< As requested, with its slash in front. */
-    const char *type; /**< Content type. */
+    const char *path;  /**< As requested, with its slash in front. */
+    const char *type;  /**< Content type. */
     const char *cache; /**< Cache-Control: only files named after their content may be kept. */
     const unsigned char *bytes;
     size_t size;

@@ -18,7 +18,8 @@ static int64_t scaled_magnitude(uint32_t bits, int64_t unit)
 {
     const int32_t exponent = (int32_t)((bits >> FRACTION_BITS) & 0xFFU);
     const int64_t fraction = (int64_t)(bits & 0x7FFFFFU);
-    const int64_t mantissa = (exponent == 0) ? fraction : (fraction | (INT64_C(1) << FRACTION_BITS));
+    const int64_t mantissa =
+        (exponent == 0) ? fraction : (fraction | (INT64_C(1) << FRACTION_BITS));
     const int32_t shift = EXPONENT_BIAS + FRACTION_BITS - ((exponent == 0) ? 1 : exponent);
     const int64_t product = mantissa * unit;
 
@@ -114,17 +115,18 @@ void igtl_border_write_point(const point_t *point, uint32_t numbers[3])
     numbers[2] = igtl_border_write_mm(point->z_nm);
 }
 
-static void write_list(const robot_t *robot, const int32_t counts[ROBOT_AXIS_COUNT], double counts_per_tick,
-                       char text[IGTL_LIST_SIZE])
+static void write_list(const robot_t *robot, const int32_t counts[ROBOT_AXIS_COUNT],
+                       double counts_per_tick, char text[IGTL_LIST_SIZE])
 {
     size_t used = 0U;
 
     text[0] = '\0';
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
         const axis_config_t *axis = &robot->axes[i];
-        const double unit = (axis->unit == (uint8_t)AXIS_UNIT_MM) ? (double)NM_PER_MM : BAM_PER_RADIAN;
-        const double value =
-            ((double)counts[i] / counts_per_tick) * ((double)axis->unit_per_tick_q16 / 65536.0) / unit;
+        const double unit =
+            (axis->unit == (uint8_t)AXIS_UNIT_MM) ? (double)NM_PER_MM : BAM_PER_RADIAN;
+        const double value = ((double)counts[i] / counts_per_tick) *
+                             ((double)axis->unit_per_tick_q16 / 65536.0) / unit;
         const int written = snprintf(&text[used], IGTL_LIST_SIZE - used, "%f,", value);
 
         if ((written < 0) || ((size_t)written >= (IGTL_LIST_SIZE - used))) {
@@ -141,7 +143,8 @@ void igtl_border_write_positions(const robot_t *robot, const int32_t ticks[ROBOT
     write_list(robot, ticks, 1.0, text);
 }
 
-void igtl_border_write_speeds(const robot_t *robot, const int32_t speeds_ticks_per_s_q8[ROBOT_AXIS_COUNT],
+void igtl_border_write_speeds(const robot_t *robot,
+                              const int32_t speeds_ticks_per_s_q8[ROBOT_AXIS_COUNT],
                               char text[IGTL_LIST_SIZE])
 {
     write_list(robot, speeds_ticks_per_s_q8, 256.0, text);

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The border between the floats of the network and the integers of the robot. Inwards the bits of an IEEE-754 number
- * are taken apart as integers, so that nothing that is not finite is ever computed with.
+ * The border between the floats of the network and the integers of the robot. Inwards the bits of
+ * an IEEE-754 number are taken apart as integers, so that nothing that is not finite is ever
+ * computed with.
  */
 #ifndef BORESIGHT_IGTL_BORDER_H
 #define BORESIGHT_IGTL_BORDER_H
@@ -54,7 +55,8 @@ void igtl_border_write_positions(const robot_t *robot, const int32_t ticks[ROBOT
                                  char text[IGTL_LIST_SIZE]);
 
 /** Joint speeds as text: "%f," for each axis, mm/s and rad/s. */
-void igtl_border_write_speeds(const robot_t *robot, const int32_t speeds_ticks_per_s_q8[ROBOT_AXIS_COUNT],
+void igtl_border_write_speeds(const robot_t *robot,
+                              const int32_t speeds_ticks_per_s_q8[ROBOT_AXIS_COUNT],
                               char text[IGTL_LIST_SIZE]);
 
 #endif

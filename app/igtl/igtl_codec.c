@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "igtl_codec.h"
 
-#include "limits.h"
+#include "requirement_limits.h"
 
 #include <stdbool.h>
 #include <string.h>
@@ -131,12 +131,9 @@ static igtl_kind_t kind_of(const char *type)
     static const struct {
         char type[IGTL_TYPE_SIZE];
         igtl_kind_t kind;
-    } known[] = {{"TRANSFORM", IGTL_KIND_TRANSFORM},
-                 {"STRING", IGTL_KIND_STRING},
-                 {"STATUS", IGTL_KIND_STATUS},
-                 {"POINT", IGTL_KIND_POINT},
-                 {"GET_TRANS", IGTL_KIND_GET_TRANSFORM},
-                 {"GET_TRANSFOR", IGTL_KIND_GET_TRANSFORM},
+    } known[] = {{"TRANSFORM", IGTL_KIND_TRANSFORM},     {"STRING", IGTL_KIND_STRING},
+                 {"STATUS", IGTL_KIND_STATUS},           {"POINT", IGTL_KIND_POINT},
+                 {"GET_TRANS", IGTL_KIND_GET_TRANSFORM}, {"GET_TRANSFOR", IGTL_KIND_GET_TRANSFORM},
                  {"GET_STATUS", IGTL_KIND_GET_STATUS}};
 
     for (size_t i = 0U; i < (sizeof known / sizeof known[0]); i++) {
@@ -167,8 +164,10 @@ igtl_result_t igtl_decode_header(const uint8_t bytes[IGTL_HEADER_BYTES], igtl_he
     return (header->body_bytes > longest) ? IGTL_TOO_LONG : IGTL_OK;
 }
 
-/* The metadata of `bytes` bytes: a count, the lengths, then keys and values that fill the rest exactly. */
-static igtl_result_t check_metadata(const uint8_t *metadata, uint64_t header_bytes, uint64_t data_bytes)
+/* The metadata of `bytes` bytes: a count, the lengths, then keys and values that fill the rest
+ * exactly. */
+static igtl_result_t check_metadata(const uint8_t *metadata, uint64_t header_bytes,
+                                    uint64_t data_bytes)
 {
     uint64_t entries;
     uint64_t sum = 0U;
@@ -192,7 +191,8 @@ static igtl_result_t check_metadata(const uint8_t *metadata, uint64_t header_byt
 }
 
 /* Finds the content inside a body of version 2. */
-static igtl_result_t open_extension(const uint8_t *body, uint64_t body_bytes, igtl_message_t *message)
+static igtl_result_t open_extension(const uint8_t *body, uint64_t body_bytes,
+                                    igtl_message_t *message)
 {
     uint64_t extension;
     uint64_t metadata_header;
@@ -258,7 +258,8 @@ static igtl_result_t read_status(igtl_message_t *message)
     return IGTL_OK;
 }
 
-igtl_result_t igtl_decode_body(const igtl_header_t *header, const uint8_t *body, igtl_message_t *message)
+igtl_result_t igtl_decode_body(const igtl_header_t *header, const uint8_t *body,
+                               igtl_message_t *message)
 {
     igtl_result_t result = IGTL_OK;
 
@@ -326,7 +327,8 @@ static void finish(igtl_packet_t *packet, const char *type, const char *name, ui
     write_name(&packet->bytes[14], name, IGTL_NAME_SIZE - 1U);
     write_big_endian(&packet->bytes[34], timestamp, 8U);
     write_big_endian(&packet->bytes[42], body_bytes, 8U);
-    write_big_endian(&packet->bytes[50], igtl_crc64(0U, &packet->bytes[IGTL_HEADER_BYTES], body_bytes), 8U);
+    write_big_endian(&packet->bytes[50],
+                     igtl_crc64(0U, &packet->bytes[IGTL_HEADER_BYTES], body_bytes), 8U);
 }
 
 static uint8_t *begin(igtl_packet_t *packet, uint32_t body_bytes)
@@ -347,7 +349,8 @@ void igtl_encode_transform(igtl_packet_t *packet, const char *name,
     finish(packet, "TRANSFORM", name, timestamp);
 }
 
-void igtl_encode_string(igtl_packet_t *packet, const char *name, const char *text, uint64_t timestamp)
+void igtl_encode_string(igtl_packet_t *packet, const char *name, const char *text,
+                        uint64_t timestamp)
 {
     const uint32_t length = bounded_length(text, IGTL_TEXT_MAX);
     uint8_t *body = begin(packet, 4U + length);

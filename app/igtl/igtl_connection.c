@@ -50,7 +50,8 @@ static bool is_only_waiting(void)
     return (errno == EAGAIN) || (errno == EWOULDBLOCK) || (errno == EINTR);
 }
 
-igtl_received_t igtl_connection_receive(igtl_connection_t *self, uint64_t now_us, igtl_inbox_event_t *event)
+igtl_received_t igtl_connection_receive(igtl_connection_t *self, uint64_t now_us,
+                                        igtl_inbox_event_t *event)
 {
     do {
         uint8_t *where;

@@ -30,7 +30,8 @@ void igtl_connection_open(igtl_connection_t *self, int descriptor);
 void igtl_connection_close(igtl_connection_t *self);
 
 /** Reads until something can be said of a message. */
-igtl_received_t igtl_connection_receive(igtl_connection_t *self, uint64_t now_us, igtl_inbox_event_t *event);
+igtl_received_t igtl_connection_receive(igtl_connection_t *self, uint64_t now_us,
+                                        igtl_inbox_event_t *event);
 
 /**
  * Sends what the outbox holds, each message in one write, as far as the peer takes it.

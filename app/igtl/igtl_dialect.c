@@ -72,7 +72,8 @@ void igtl_tell_refusal(igtl_outbox_t *outbox, const char *name, status_t status,
     char text[IGTL_REASON_SIZE];
     const igtl_status_t refusal = {igtl_reason_code(status), status_name((int32_t)status), text};
 
-    (void)snprintf(text, sizeof text, "%s: %s", status_name((int32_t)status), status_text((int32_t)status));
+    (void)snprintf(text, sizeof text, "%s: %s", status_name((int32_t)status),
+                   status_text((int32_t)status));
     igtl_tell_status(outbox, name, &refusal, moment);
 }
 

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What the two dialects share: up to eight peers, one moment at a time. A dialect is called by the server with what
- * arrived and with the time; it puts answers into the peers' outboxes and commands into its orders.
+ * What the two dialects share: up to eight peers, one moment at a time. A dialect is called by the
+ * server with what arrived and with the time; it puts answers into the peers' outboxes and commands
+ * into its orders.
  */
 #ifndef BORESIGHT_IGTL_DIALECT_H
 #define BORESIGHT_IGTL_DIALECT_H
@@ -16,14 +17,14 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define IGTL_PEERS 8U                        /**< Connections per port. */
-#define IGTL_STREAM_US UINT64_C(100000)      /**< Between two poses of a stream. */
+#define IGTL_PEERS 8U                   /**< Connections per port. */
+#define IGTL_STREAM_US UINT64_C(100000) /**< Between two poses of a stream. */
 
 /** The moment in which something happens. */
 typedef struct {
-    uint64_t now_us;             /**< Monotonic. */
-    uint64_t timestamp;          /**< For outgoing messages, units of 2^-32 s since 1970. */
-    const snapshot_t *snapshot;  /**< The newest; NULL before the first. */
+    uint64_t now_us;            /**< Monotonic. */
+    uint64_t timestamp;         /**< For outgoing messages, units of 2^-32 s since 1970. */
+    const snapshot_t *snapshot; /**< The newest; NULL before the first. */
 } igtl_moment_t;
 
 /** Code, and "NAME: sentence" with the axis and limit, of an answer that is not a plain success. */

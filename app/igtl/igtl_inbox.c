@@ -58,7 +58,8 @@ static igtl_inbox_event_t complete(igtl_inbox_t *self)
     if (self->filled < (IGTL_HEADER_BYTES + (uint32_t)self->header.body_bytes)) {
         return IGTL_INBOX_WAITING;
     }
-    self->reason = igtl_decode_body(&self->header, &self->buffer[IGTL_HEADER_BYTES], &self->message);
+    self->reason =
+        igtl_decode_body(&self->header, &self->buffer[IGTL_HEADER_BYTES], &self->message);
     return finish(self, (self->reason == IGTL_OK) ? IGTL_INBOX_MESSAGE : IGTL_INBOX_REFUSED);
 }
 

@@ -1,21 +1,23 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Puts the bytes of one connection together to messages. Nothing of a message is ever thrown away because it is slow;
- * a message that breaks the framing ends the connection. No I/O, no clock, no allocation.
+ * Puts the bytes of one connection together to messages. Nothing of a message is ever thrown away
+ * because it is slow; a message that breaks the framing ends the connection. No I/O, no clock, no
+ * allocation.
  */
 #ifndef BORESIGHT_IGTL_INBOX_H
 #define BORESIGHT_IGTL_INBOX_H
 
 #include "igtl_codec.h"
-#include "limits.h"
+#include "requirement_limits.h"
 
 #include <stdbool.h>
 #include <stdint.h>
 
 typedef enum {
     IGTL_INBOX_WAITING = 0, /**< More bytes are needed. */
-    IGTL_INBOX_MESSAGE = 1, /**< `message` is complete and valid until the next igtl_inbox_room(). */
+    IGTL_INBOX_MESSAGE =
+        1, /**< `message` is complete and valid until the next igtl_inbox_room(). */
     IGTL_INBOX_SKIPPED = 2, /**< A message of an unknown type has passed. */
     IGTL_INBOX_REFUSED = 3, /**< A whole message was wrong (`reason`); the next one can be read. */
     IGTL_INBOX_BROKEN = 4   /**< What follows cannot be read (`reason`): drop the connection. */
@@ -23,19 +25,20 @@ typedef enum {
 
 typedef struct {
     uint8_t buffer[IGTL_HEADER_BYTES + LIMIT_IGTL_BODY_MAX];
-    uint32_t filled;         /**< Bytes of the present message in `buffer`. */
-    uint64_t passed;         /**< Body bytes of a message of unknown type that were skipped. */
+    uint32_t filled; /**< Bytes of the present message in `buffer`. */
+    uint64_t passed; /**< Body bytes of a message of unknown type that were skipped. */
     uint64_t passed_crc;
-    uint64_t begun_us;       /**< When the first byte of the present message came. */
-    bool is_begun;           /**< Some but not all bytes of a message are here. */
-    igtl_header_t header;    /**< Valid once its bytes are here. */
+    uint64_t begun_us;    /**< When the first byte of the present message came. */
+    bool is_begun;        /**< Some but not all bytes of a message are here. */
+    igtl_header_t header; /**< Valid once its bytes are here. */
     igtl_message_t message;
     igtl_result_t reason;
 } igtl_inbox_t;
 
 void igtl_inbox_init(igtl_inbox_t *self);
 
-/** Where the next bytes go and how many are wanted, at least 1: never beyond the end of the present message. */
+/** Where the next bytes go and how many are wanted, at least 1: never beyond the end of the present
+ * message. */
 uint32_t igtl_inbox_room(igtl_inbox_t *self, uint8_t **where);
 
 /**

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The OpenIGTLink process: workphase protocol on one port, bare transforms on another. Waits for sockets, passes
- * commands to the controller and its answers back. It has no part in motion: it may end at any time.
+ * The OpenIGTLink process: workphase protocol on one port, bare transforms on another. Waits for
+ * sockets, passes commands to the controller and its answers back. It has no part in motion: it may
+ * end at any time.
  */
 #include "contract.h"
 #include "exchange.h"
@@ -25,9 +26,9 @@
 #define EXIT_EXCHANGE 4
 #define DEFAULT_BRP_PORT 18936U
 #define DEFAULT_IGTL_PORT 18944U
-#define IDLE_WAIT_MS 50      /* Nobody is connected. */
+#define IDLE_WAIT_MS 50 /* Nobody is connected. */
 #define CONNECTED_WAIT_MS 10
-#define ANSWER_WAIT_MS 1     /* A command is on its way. */
+#define ANSWER_WAIT_MS 1 /* A command is on its way. */
 #define CONTROL_SILENT_US UINT64_C(1000000)
 #define ERROR_SIZE 200U
 
@@ -248,7 +249,8 @@ static void watch_control(void)
 static bool awaits_answer(const igtl_orders_t *orders)
 {
     for (uint32_t i = 0U; i < IGTL_ORDERS; i++) {
-        if ((orders->orders[i].id != 0U) && !orders->orders[i].is_accepted && !orders->orders[i].is_overdue) {
+        if ((orders->orders[i].id != 0U) && !orders->orders[i].is_accepted &&
+            !orders->orders[i].is_overdue) {
             return true;
         }
     }
@@ -287,7 +289,8 @@ static void turn(void)
     igtl_server_send(&process.igtl, &process.moment);
 }
 
-static bool open_port(igtl_server_t *server, const char *address, uint16_t port, const char *variable)
+static bool open_port(igtl_server_t *server, const char *address, uint16_t port,
+                      const char *variable)
 {
     char error[ERROR_SIZE];
 
@@ -295,7 +298,8 @@ static bool open_port(igtl_server_t *server, const char *address, uint16_t port,
         return true;
     }
     if (errno == EADDRINUSE) {
-        (void)fprintf(stderr, "port %u is in use; stop the other program or set %s\n", (unsigned)port, variable);
+        (void)fprintf(stderr, "port %u is in use; stop the other program or set %s\n",
+                      (unsigned)port, variable);
     } else {
         (void)fprintf(stderr, "%s\n", error);
     }
@@ -333,8 +337,9 @@ int main(int count, char **arguments)
     char error[ERROR_SIZE];
 
     if (!read_options(count, arguments, &options)) {
-        (void)fprintf(stderr, "usage: boresight-igtl --exchange NAME [--brp-port PORT] [--igtl-port PORT]"
-                              " [--bind ADDRESS]\n");
+        (void)fprintf(stderr,
+                      "usage: boresight-igtl --exchange NAME [--brp-port PORT] [--igtl-port PORT]"
+                      " [--bind ADDRESS]\n");
         return EXIT_USAGE;
     }
     process.exchange = exchange_open(options.exchange, error, sizeof error);
@@ -342,6 +347,7 @@ int main(int count, char **arguments)
         (void)fprintf(stderr, "%s\n", error);
         return EXIT_EXCHANGE;
     }
+    exchange_protect(process.exchange);
     begin();
     if (!open_port(&process.brp, options.address, options.brp_port, "BRP_PORT") ||
         !open_port(&process.igtl, options.address, options.igtl_port, "IGTL_PORT")) {

@@ -23,7 +23,8 @@ static igtl_order_t *entry_with(igtl_orders_t *self, uint32_t id)
     return NULL;
 }
 
-const igtl_order_t *igtl_orders_add(igtl_orders_t *self, uint32_t peer, command_t *command, uint64_t now_us)
+const igtl_order_t *igtl_orders_add(igtl_orders_t *self, uint32_t peer, command_t *command,
+                                    uint64_t now_us)
 {
     igtl_order_t *order = entry_with(self, 0U);
 

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The commands of one dialect on their way to the controller and back: numbers them, remembers who asked, and notices
- * when no answer comes. The process passes them on (igtl_orders_take()) and hands the answers in.
+ * The commands of one dialect on their way to the controller and back: numbers them, remembers who
+ * asked, and notices when no answer comes. The process passes them on (igtl_orders_take()) and
+ * hands the answers in.
  */
 #ifndef BORESIGHT_IGTL_ORDERS_H
 #define BORESIGHT_IGTL_ORDERS_H
@@ -13,23 +14,24 @@
 #include <stdint.h>
 
 #define IGTL_ORDERS 16U
-#define IGTL_ORDER_ID_STEP 2U               /**< Ids of the two dialects interleave. */
-#define IGTL_ANSWER_TIMEOUT_US UINT64_C(80000) /**< Then the peer is told that there is no answer. */
-#define IGTL_NOBODY UINT32_MAX              /**< The peer has gone. */
+#define IGTL_ORDER_ID_STEP 2U /**< Ids of the two dialects interleave. */
+#define IGTL_ANSWER_TIMEOUT_US                                                                     \
+    UINT64_C(80000)            /**< Then the peer is told that there is no answer. */
+#define IGTL_NOBODY UINT32_MAX /**< The peer has gone. */
 
 typedef struct {
-    uint32_t id;       /**< 0: the entry is free. */
-    uint32_t peer;     /**< Who asked, or IGTL_NOBODY. */
-    uint32_t kind;     /**< command_kind_t. */
+    uint32_t id;   /**< 0: the entry is free. */
+    uint32_t peer; /**< Who asked, or IGTL_NOBODY. */
+    uint32_t kind; /**< command_kind_t. */
     uint32_t argument;
     uint64_t sent_us;
-    bool is_accepted;  /**< Begun; a final answer follows. */
-    bool is_overdue;   /**< The peer was told that there is no answer. */
+    bool is_accepted; /**< Begun; a final answer follows. */
+    bool is_overdue;  /**< The peer was told that there is no answer. */
 } igtl_order_t;
 
 typedef struct {
     uint32_t next_id;
-    uint32_t most;     /**< Orders at a time. */
+    uint32_t most; /**< Orders at a time. */
     igtl_order_t orders[IGTL_ORDERS];
     command_t queue[IGTL_ORDERS]; /**< Not yet passed on, oldest first. */
     uint32_t queued;
@@ -39,7 +41,8 @@ typedef struct {
 void igtl_orders_init(igtl_orders_t *self, uint32_t first_id, uint32_t most);
 
 /** Gives `command` an id and queues it for `peer`. NULL when too many are on their way. */
-const igtl_order_t *igtl_orders_add(igtl_orders_t *self, uint32_t peer, command_t *command, uint64_t now_us);
+const igtl_order_t *igtl_orders_add(igtl_orders_t *self, uint32_t peer, command_t *command,
+                                    uint64_t now_us);
 
 /** The order an answer belongs to, NULL when it is not one of these. */
 igtl_order_t *igtl_orders_find(igtl_orders_t *self, uint32_t id);
@@ -47,7 +50,8 @@ igtl_order_t *igtl_orders_find(igtl_orders_t *self, uint32_t id);
 /** Frees the entry. */
 void igtl_orders_end(igtl_order_t *order);
 
-/** An order without any answer for IGTL_ANSWER_TIMEOUT_US, once each; NULL when there is none (any more). */
+/** An order without any answer for IGTL_ANSWER_TIMEOUT_US, once each; NULL when there is none (any
+ * more). */
 igtl_order_t *igtl_orders_overdue(igtl_orders_t *self, uint64_t now_us);
 
 /** The next command to pass on; false when there is none. */

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What one connection has still to be sent: whole messages, first in, first out. A state message replaces the one of
- * the same type and name that has not left yet, so that a slow peer sees the newest state and costs no memory.
+ * What one connection has still to be sent: whole messages, first in, first out. A state message
+ * replaces the one of the same type and name that has not left yet, so that a slow peer sees the
+ * newest state and costs no memory.
  */
 #ifndef BORESIGHT_IGTL_OUTBOX_H
 #define BORESIGHT_IGTL_OUTBOX_H
@@ -19,7 +20,7 @@ typedef struct {
     bool is_state[IGTL_OUTBOX_PACKETS];
     uint32_t first;
     uint32_t count;
-    uint32_t sent;      /**< Bytes of the first packet that have left. */
+    uint32_t sent;       /**< Bytes of the first packet that have left. */
     bool has_overflowed; /**< A message found no room: the peer is too slow, drop it. */
 } igtl_outbox_t;
 

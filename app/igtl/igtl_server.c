@@ -16,7 +16,8 @@
 #define LOG_INTERVAL_US UINT64_C(1000000)
 
 /* One line per kind and second at most; it says how many there were since the last. */
-static void log_trouble(igtl_server_t *self, igtl_trouble_t kind, const char *reason, uint64_t now_us)
+static void log_trouble(igtl_server_t *self, igtl_trouble_t kind, const char *reason,
+                        uint64_t now_us)
 {
     static const char *const texts[IGTL_TROUBLES] = {
         "refused a connection: all are taken", "dropped a connection", "dropped a connection",
@@ -41,7 +42,8 @@ static bool listen_on(igtl_server_t *self, const char *address, char *error, siz
     int reason;
 
     if (inet_pton(AF_INET, address, &place.sin_addr) != 1) {
-        (void)snprintf(error, error_size, "%s is not an IPv4 address; give one with --bind", address);
+        (void)snprintf(error, error_size, "%s is not an IPv4 address; give one with --bind",
+                       address);
         return false;
     }
     self->listener = socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
@@ -56,13 +58,14 @@ static bool listen_on(igtl_server_t *self, const char *address, char *error, siz
         return true;
     }
     reason = errno;
-    (void)snprintf(error, error_size, "port %u cannot be opened on %s: %s", (unsigned)self->port, address,
-                   strerror(reason));
+    (void)snprintf(error, error_size, "port %u cannot be opened on %s: %s", (unsigned)self->port,
+                   address, strerror(reason));
     errno = reason;
     return false;
 }
 
-bool igtl_server_open(igtl_server_t *self, const char *address, uint16_t port, char *error, size_t error_size)
+bool igtl_server_open(igtl_server_t *self, const char *address, uint16_t port, char *error,
+                      size_t error_size)
 {
     self->port = port;
     self->listener = -1;
@@ -93,9 +96,11 @@ uint32_t igtl_server_polls(const igtl_server_t *self, struct pollfd *polls)
     polls[0] = (struct pollfd){.fd = self->listener, .events = POLLIN};
     for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
         if (self->connections[i].descriptor >= 0) {
-            const int waiting = (self->connections[i].outbox.count > 0U) ? (POLLIN | POLLOUT) : POLLIN;
+            const int waiting =
+                (self->connections[i].outbox.count > 0U) ? (POLLIN | POLLOUT) : POLLIN;
 
-            polls[count] = (struct pollfd){.fd = self->connections[i].descriptor, .events = (short)waiting};
+            polls[count] =
+                (struct pollfd){.fd = self->connections[i].descriptor, .events = (short)waiting};
             count++;
         }
     }
@@ -164,7 +169,8 @@ static void drop_with(igtl_server_t *self, uint32_t peer, igtl_trouble_t kind, i
 }
 
 /* False when the connection has ended. */
-static bool handle(igtl_server_t *self, uint32_t peer, igtl_inbox_event_t event, const igtl_moment_t *moment)
+static bool handle(igtl_server_t *self, uint32_t peer, igtl_inbox_event_t event,
+                   const igtl_moment_t *moment)
 {
     const igtl_inbox_t *inbox = &self->connections[peer].inbox;
 
@@ -192,7 +198,8 @@ static void receive_from(igtl_server_t *self, uint32_t peer, const igtl_moment_t
 
     for (uint32_t i = 0U; i < MESSAGES_PER_TURN; i++) {
         igtl_inbox_event_t event = IGTL_INBOX_WAITING;
-        const igtl_received_t received = igtl_connection_receive(connection, moment->now_us, &event);
+        const igtl_received_t received =
+            igtl_connection_receive(connection, moment->now_us, &event);
 
         if (received == IGTL_RECEIVED_END) {
             drop(self, peer);
@@ -220,7 +227,8 @@ void igtl_server_receive(igtl_server_t *self, const igtl_moment_t *moment)
 void igtl_server_send(igtl_server_t *self, const igtl_moment_t *moment)
 {
     for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
-        if ((self->connections[i].descriptor >= 0) && !igtl_connection_flush(&self->connections[i])) {
+        if ((self->connections[i].descriptor >= 0) &&
+            !igtl_connection_flush(&self->connections[i])) {
             if (self->connections[i].outbox.has_overflowed) {
                 log_trouble(self, IGTL_TROUBLE_SLOW, "", moment->now_us);
             }

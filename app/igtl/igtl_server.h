@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * One listening port and its connections. Reads and writes without waiting, hands whole messages to its dialect, drops
- * who breaks the protocol and leaves everyone else alone.
+ * One listening port and its connections. Reads and writes without waiting, hands whole messages to
+ * its dialect, drops who breaks the protocol and leaves everyone else alone.
  */
 #ifndef BORESIGHT_IGTL_SERVER_H
 #define BORESIGHT_IGTL_SERVER_H
@@ -20,16 +20,17 @@
 typedef struct {
     void (*connected)(void *dialect, uint32_t peer, igtl_outbox_t *outbox);
     void (*disconnected)(void *dialect, uint32_t peer);
-    void (*receive)(void *dialect, uint32_t peer, const igtl_message_t *message, const igtl_moment_t *moment);
+    void (*receive)(void *dialect, uint32_t peer, const igtl_message_t *message,
+                    const igtl_moment_t *moment);
 } igtl_dialect_calls_t;
 
 /** Why peers were not served, counted. */
 typedef enum {
-    IGTL_TROUBLE_FULL = 0,     /**< Refused: all connections are taken. */
-    IGTL_TROUBLE_BROKEN = 1,   /**< Dropped: it does not speak the protocol. */
-    IGTL_TROUBLE_LATE = 2,     /**< Dropped: a message stayed incomplete. */
-    IGTL_TROUBLE_SLOW = 3,     /**< Dropped: it does not read what it is sent. */
-    IGTL_TROUBLE_MESSAGE = 4   /**< A message was refused. */
+    IGTL_TROUBLE_FULL = 0,   /**< Refused: all connections are taken. */
+    IGTL_TROUBLE_BROKEN = 1, /**< Dropped: it does not speak the protocol. */
+    IGTL_TROUBLE_LATE = 2,   /**< Dropped: a message stayed incomplete. */
+    IGTL_TROUBLE_SLOW = 3,   /**< Dropped: it does not read what it is sent. */
+    IGTL_TROUBLE_MESSAGE = 4 /**< A message was refused. */
 } igtl_trouble_t;
 
 #define IGTL_TROUBLES 5U
@@ -54,7 +55,8 @@ typedef struct {
  *
  * @return false with one sentence in `error` and the cause in errno
  */
-bool igtl_server_open(igtl_server_t *self, const char *address, uint16_t port, char *error, size_t error_size);
+bool igtl_server_open(igtl_server_t *self, const char *address, uint16_t port, char *error,
+                      size_t error_size);
 
 /** Closes the port and all connections. */
 void igtl_server_close(igtl_server_t *self);
@@ -66,8 +68,8 @@ uint32_t igtl_server_polls(const igtl_server_t *self, struct pollfd *polls);
 bool igtl_server_has_peers(const igtl_server_t *self);
 
 /**
- * Accepts, reads, and drops whoever stays in the middle of a message. At most a few messages per connection, so that
- * nobody is kept waiting by another.
+ * Accepts, reads, and drops whoever stays in the middle of a message. At most a few messages per
+ * connection, so that nobody is kept waiting by another.
  *
  * @satisfies SWR-IGTL-011
  */

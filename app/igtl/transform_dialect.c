@@ -78,7 +78,8 @@ static void propose(transform_dialect_t *self, uint32_t peer, const igtl_message
     if (command.kind != (uint32_t)COMMAND_NONE) {
         status = igtl_border_read_pose(message->numbers, &command.pose);
     }
-    if ((status == STATUS_OK) && (igtl_orders_add(&self->orders, peer, &command, moment->now_us) == NULL)) {
+    if ((status == STATUS_OK) &&
+        (igtl_orders_add(&self->orders, peer, &command, moment->now_us) == NULL)) {
         status = STATUS_BUSY;
     }
     if (status != STATUS_OK) {
@@ -92,11 +93,12 @@ static bool asks_for_all(const igtl_message_t *message)
     static const char text[] = "START_UP";
 
     return (strcmp(message->name, "start_up") == 0) ||
-           ((message->text_bytes == (sizeof text - 1U)) && (memcmp(message->text, text, sizeof text - 1U) == 0));
+           ((message->text_bytes == (sizeof text - 1U)) &&
+            (memcmp(message->text, text, sizeof text - 1U) == 0));
 }
 
-void transform_dialect_receive(transform_dialect_t *self, uint32_t peer, const igtl_message_t *message,
-                               const igtl_moment_t *moment)
+void transform_dialect_receive(transform_dialect_t *self, uint32_t peer,
+                               const igtl_message_t *message, const igtl_moment_t *moment)
 {
     switch (message->kind) {
     case IGTL_KIND_TRANSFORM:
@@ -106,7 +108,8 @@ void transform_dialect_receive(transform_dialect_t *self, uint32_t peer, const i
         if (asks_for_all(message)) {
             show_all(&self->peers[peer]);
         } else {
-            igtl_tell_refusal(self->peers[peer].outbox, message->name, STATUS_UNKNOWN_COMMAND, moment);
+            igtl_tell_refusal(self->peers[peer].outbox, message->name, STATUS_UNKNOWN_COMMAND,
+                              moment);
         }
         break;
     case IGTL_KIND_GET_TRANSFORM:
@@ -123,8 +126,8 @@ void transform_dialect_receive(transform_dialect_t *self, uint32_t peer, const i
     }
 }
 
-static void tell_refused(transform_dialect_t *self, const igtl_order_t *order, const answer_t *answer,
-                         const igtl_moment_t *moment)
+static void tell_refused(transform_dialect_t *self, const igtl_order_t *order,
+                         const answer_t *answer, const igtl_moment_t *moment)
 {
     char text[IGTL_REASON_SIZE];
     const igtl_status_t refused = {igtl_reason_code((status_t)answer->status),
@@ -134,7 +137,8 @@ static void tell_refused(transform_dialect_t *self, const igtl_order_t *order, c
     igtl_tell_status(self->peers[order->peer].outbox, name_of(order->kind), &refused, moment);
 }
 
-bool transform_dialect_answer(transform_dialect_t *self, const answer_t *answer, const igtl_moment_t *moment)
+bool transform_dialect_answer(transform_dialect_t *self, const answer_t *answer,
+                              const igtl_moment_t *moment)
 {
     igtl_order_t *order = igtl_orders_find(&self->orders, answer->id);
 
@@ -190,7 +194,8 @@ static void send_pose(transform_peer_t *peer, const char *name, const rigid_t *p
     igtl_outbox_add_state(peer->outbox, &packet);
 }
 
-static void send_text(transform_peer_t *peer, const char *name, const char *text, const igtl_moment_t *moment)
+static void send_text(transform_peer_t *peer, const char *name, const char *text,
+                      const igtl_moment_t *moment)
 {
     igtl_packet_t packet;
 
@@ -198,8 +203,8 @@ static void send_text(transform_peer_t *peer, const char *name, const char *text
     igtl_outbox_add_state(peer->outbox, &packet);
 }
 
-static void send_measured(const robot_t *robot, transform_peer_t *peer, const transform_view_t *view,
-                          const igtl_moment_t *moment)
+static void send_measured(const robot_t *robot, transform_peer_t *peer,
+                          const transform_view_t *view, const igtl_moment_t *moment)
 {
     char text[IGTL_LIST_SIZE];
 
@@ -246,7 +251,8 @@ static void send_point(transform_peer_t *peer, const char *name, const transform
     *shown = *point;
 }
 
-static void send_registration(transform_peer_t *peer, const transform_view_t *view, const igtl_moment_t *moment)
+static void send_registration(transform_peer_t *peer, const transform_view_t *view,
+                              const igtl_moment_t *moment)
 {
     if (memcmp(&view->registration, &peer->shown.registration, sizeof view->registration) == 0) {
         return;
@@ -260,7 +266,8 @@ static void send_registration(transform_peer_t *peer, const transform_view_t *vi
 static void show(const robot_t *robot, transform_peer_t *peer, const transform_view_t *view,
                  const igtl_moment_t *moment)
 {
-    const bool has_changed = memcmp(&view->measured, &peer->shown.measured, sizeof view->measured) != 0;
+    const bool has_changed =
+        memcmp(&view->measured, &peer->shown.measured, sizeof view->measured) != 0;
     const bool is_due = moment->now_us >= peer->next_measured_us;
 
     send_registration(peer, view, moment);
@@ -279,7 +286,8 @@ void transform_dialect_step(transform_dialect_t *self, const igtl_moment_t *mome
 
     while (overdue != NULL) {
         if (overdue->peer != IGTL_NOBODY) {
-            igtl_tell_refusal(self->peers[overdue->peer].outbox, name_of(overdue->kind), STATUS_NO_ANSWER, moment);
+            igtl_tell_refusal(self->peers[overdue->peer].outbox, name_of(overdue->kind),
+                              STATUS_NO_ANSWER, moment);
         }
         overdue = igtl_orders_overdue(&self->orders, moment->now_us);
     }

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The dialect of planning clients that send bare transforms (REGISTRATION, ENTRY_POINT, TARGET_POINT) and watch poses
- * and joints (names of CRTK: measured_cp, desired_jp ...). Everything that comes in is a proposal: checked, shown,
- * never motion.
+ * The dialect of planning clients that send bare transforms (REGISTRATION, ENTRY_POINT,
+ * TARGET_POINT) and watch poses and joints (names of CRTK: measured_cp, desired_jp ...). Everything
+ * that comes in is a proposal: checked, shown, never motion.
  */
 #ifndef BORESIGHT_TRANSFORM_DIALECT_H
 #define BORESIGHT_TRANSFORM_DIALECT_H
@@ -19,22 +19,23 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** What is shown to the peers, taken from one snapshot. Only words, no padding: compared as bytes. */
+/** What is shown to the peers, taken from one snapshot. Only words, no padding: compared as bytes.
+ */
 typedef struct {
-    rigid_t pose;                                /**< measured_cp */
-    int32_t ticks[ROBOT_AXIS_COUNT];             /**< measured_jp */
-    int32_t speeds_q8[ROBOT_AXIS_COUNT];         /**< measured_jv */
+    rigid_t pose;                        /**< measured_cp */
+    int32_t ticks[ROBOT_AXIS_COUNT];     /**< measured_jp */
+    int32_t speeds_q8[ROBOT_AXIS_COUNT]; /**< measured_jv */
 } transform_measured_t;
 
 typedef struct {
     uint32_t is_valid;
-    rigid_t pose;                                /**< desired_cp */
-    int32_t ticks[ROBOT_AXIS_COUNT];             /**< desired_jp */
+    rigid_t pose;                    /**< desired_cp */
+    int32_t ticks[ROBOT_AXIS_COUNT]; /**< desired_jp */
 } transform_desired_t;
 
 typedef struct {
     uint32_t is_valid;
-    rigid_t pose;                                /**< scanner_to_robot_reg */
+    rigid_t pose; /**< scanner_to_robot_reg */
 } transform_registration_t;
 
 typedef struct {
@@ -70,18 +71,21 @@ void transform_dialect_connected(transform_dialect_t *self, uint32_t peer, igtl_
 void transform_dialect_disconnected(transform_dialect_t *self, uint32_t peer);
 
 /**
- * A message of `peer`. A proposal goes to the controller; what cannot be one is answered with a STATUS of its name.
+ * A message of `peer`. A proposal goes to the controller; what cannot be one is answered with a
+ * STATUS of its name.
  *
  * @satisfies SWR-IGTL-009
  */
-void transform_dialect_receive(transform_dialect_t *self, uint32_t peer, const igtl_message_t *message,
-                               const igtl_moment_t *moment);
+void transform_dialect_receive(transform_dialect_t *self, uint32_t peer,
+                               const igtl_message_t *message, const igtl_moment_t *moment);
 
 /** An answer of the controller; false when it belongs to another. */
-bool transform_dialect_answer(transform_dialect_t *self, const answer_t *answer, const igtl_moment_t *moment);
+bool transform_dialect_answer(transform_dialect_t *self, const answer_t *answer,
+                              const igtl_moment_t *moment);
 
 /**
- * Time passes: everybody is sent what has changed, and the measured values each IGTL_STREAM_US while moving.
+ * Time passes: everybody is sent what has changed, and the measured values each IGTL_STREAM_US
+ * while moving.
  *
  * @satisfies SWR-IGTL-012
  */

@@ -12,7 +12,8 @@ static bool is_entered_silently(uint32_t phase)
     return (phase == (uint32_t)WORKPHASE_PLANNING) || (phase == (uint32_t)WORKPHASE_CALIBRATION);
 }
 
-static void tell_entered(workphase_peer_t *peer, const answer_t *answer, const igtl_moment_t *moment)
+static void tell_entered(workphase_peer_t *peer, const answer_t *answer,
+                         const igtl_moment_t *moment)
 {
     const char *phase = workphase_name((int32_t)answer->argument);
     const igtl_status_t entered = {IGTL_STATUS_OK, phase, ""};
@@ -30,8 +31,8 @@ static void tell_entered(workphase_peer_t *peer, const answer_t *answer, const i
     }
 }
 
-static void tell_refused(const workphase_dialect_t *self, workphase_peer_t *peer, const answer_t *answer,
-                         const igtl_moment_t *moment)
+static void tell_refused(const workphase_dialect_t *self, workphase_peer_t *peer,
+                         const answer_t *answer, const igtl_moment_t *moment)
 {
     char text[IGTL_REASON_SIZE];
     const igtl_status_t refused = {igtl_reason_code((status_t)answer->status),
@@ -42,14 +43,16 @@ static void tell_refused(const workphase_dialect_t *self, workphase_peer_t *peer
     igtl_tell_status(peer->outbox, workphase_name((int32_t)answer->argument), &refused, moment);
 }
 
-/* A newer command of the same peer has ended this order, or is about to: its own sequence goes first. */
-static bool is_superseded(workphase_dialect_t *self, const igtl_order_t *order, const answer_t *answer)
+/* A newer command of the same peer has ended this order, or is about to: its own sequence goes
+ * first. */
+static bool is_superseded(workphase_dialect_t *self, const igtl_order_t *order,
+                          const answer_t *answer)
 {
     const uint32_t last = self->peers[order->peer].last_order;
     const igtl_order_t *newer = igtl_orders_find(&self->orders, last);
 
-    return (last != order->id) &&
-           (((newer != NULL) && !newer->is_accepted) || (answer->status == (uint32_t)STATUS_DISCARDED));
+    return (last != order->id) && (((newer != NULL) && !newer->is_accepted) ||
+                                   (answer->status == (uint32_t)STATUS_DISCARDED));
 }
 
 static void tell_ended(workphase_dialect_t *self, const igtl_order_t *order, const answer_t *answer,
@@ -78,8 +81,8 @@ static void tell_ended(workphase_dialect_t *self, const igtl_order_t *order, con
     }
 }
 
-static void answer_phase(workphase_dialect_t *self, const igtl_order_t *order, const answer_t *answer,
-                         const igtl_moment_t *moment)
+static void answer_phase(workphase_dialect_t *self, const igtl_order_t *order,
+                         const answer_t *answer, const igtl_moment_t *moment)
 {
     switch (answer->kind) {
     case ANSWER_ACCEPTED:
@@ -96,8 +99,8 @@ static void answer_phase(workphase_dialect_t *self, const igtl_order_t *order, c
     }
 }
 
-static void answer_pose(workphase_dialect_t *self, const igtl_order_t *order, const answer_t *answer,
-                        const igtl_moment_t *moment)
+static void answer_pose(workphase_dialect_t *self, const igtl_order_t *order,
+                        const answer_t *answer, const igtl_moment_t *moment)
 {
     workphase_peer_t *peer = &self->peers[order->peer];
     const bool is_target = (order->kind == (uint32_t)COMMAND_TARGET);
@@ -115,8 +118,8 @@ static void answer_pose(workphase_dialect_t *self, const igtl_order_t *order, co
     }
 }
 
-void workphase_answer_tell(workphase_dialect_t *self, const igtl_order_t *order, const answer_t *answer,
-                           const igtl_moment_t *moment)
+void workphase_answer_tell(workphase_dialect_t *self, const igtl_order_t *order,
+                           const answer_t *answer, const igtl_moment_t *moment)
 {
     if (order->kind == (uint32_t)COMMAND_WORKPHASE) {
         answer_phase(self, order, answer, moment);

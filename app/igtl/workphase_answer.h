@@ -14,7 +14,7 @@
  * @satisfies SWR-IGTL-007
  * @satisfies SWR-IGTL-008
  */
-void workphase_answer_tell(workphase_dialect_t *self, const igtl_order_t *order, const answer_t *answer,
-                           const igtl_moment_t *moment);
+void workphase_answer_tell(workphase_dialect_t *self, const igtl_order_t *order,
+                           const answer_t *answer, const igtl_moment_t *moment);
 
 #endif

@@ -69,21 +69,24 @@ static workphase_t phase_of(const igtl_message_t *message)
     for (uint32_t i = (uint32_t)WORKPHASE_START_UP; i < WORKPHASE_COUNT; i++) {
         const char *name = workphase_name((int32_t)i);
 
-        if ((strlen(name) == message->text_bytes) && (memcmp(name, message->text, message->text_bytes) == 0)) {
+        if ((strlen(name) == message->text_bytes) &&
+            (memcmp(name, message->text, message->text_bytes) == 0)) {
             return (workphase_t)i;
         }
     }
     return WORKPHASE_UNDEFINED;
 }
 
-static void refuse_text(workphase_peer_t *peer, const igtl_message_t *message, const igtl_moment_t *moment)
+static void refuse_text(workphase_peer_t *peer, const igtl_message_t *message,
+                        const igtl_moment_t *moment)
 {
     char name[IGTL_NAME_SIZE] = "";
     const uint32_t length =
         (message->text_bytes < (IGTL_NAME_SIZE - 1U)) ? message->text_bytes : (IGTL_NAME_SIZE - 1U);
 
     (void)memcpy(name, message->text, length);
-    igtl_tell_refusal(peer->outbox, (length > 0U) ? name : message->name, STATUS_UNKNOWN_COMMAND, moment);
+    igtl_tell_refusal(peer->outbox, (length > 0U) ? name : message->name, STATUS_UNKNOWN_COMMAND,
+                      moment);
 }
 
 static void order_phase(workphase_dialect_t *self, uint32_t peer, workphase_t phase,
@@ -93,14 +96,15 @@ static void order_phase(workphase_dialect_t *self, uint32_t peer, workphase_t ph
     const igtl_order_t *order = igtl_orders_add(&self->orders, peer, &command, moment->now_us);
 
     if (order == NULL) {
-        igtl_tell_refusal(self->peers[peer].outbox, workphase_name((int32_t)phase), STATUS_BUSY, moment);
+        igtl_tell_refusal(self->peers[peer].outbox, workphase_name((int32_t)phase), STATUS_BUSY,
+                          moment);
     } else {
         self->peers[peer].last_order = order->id;
     }
 }
 
-static void receive_command(workphase_dialect_t *self, uint32_t index, const igtl_message_t *message,
-                            const igtl_moment_t *moment)
+static void receive_command(workphase_dialect_t *self, uint32_t index,
+                            const igtl_message_t *message, const igtl_moment_t *moment)
 {
     workphase_peer_t *peer = &self->peers[index];
     const workphase_t phase = phase_of(message);
@@ -115,7 +119,8 @@ static void receive_command(workphase_dialect_t *self, uint32_t index, const igt
     workphase_peer_cancel_deferred(peer);
     if (phase == WORKPHASE_UNDEFINED) {
         refuse_text(peer, message, moment);
-    } else if ((phase != WORKPHASE_STOP) && (phase != WORKPHASE_EMERGENCY) && !may_command(self, index)) {
+    } else if ((phase != WORKPHASE_STOP) && (phase != WORKPHASE_EMERGENCY) &&
+               !may_command(self, index)) {
         deny(peer, workphase_name((int32_t)phase), moment);
     } else {
         order_phase(self, index, phase, moment);
@@ -128,7 +133,8 @@ static void receive_pose(workphase_dialect_t *self, uint32_t index, const igtl_m
     workphase_peer_t *peer = &self->peers[index];
     const bool is_registration = (strncmp(message->name, "CLB_", 4U) == 0);
     const char *name = is_registration ? "CALIBRATION" : "TARGET";
-    command_t command = {.kind = (uint32_t)(is_registration ? COMMAND_REGISTRATION : COMMAND_TARGET)};
+    command_t command = {.kind =
+                             (uint32_t)(is_registration ? COMMAND_REGISTRATION : COMMAND_TARGET)};
     status_t status;
 
     workphase_peer_cancel_deferred(peer);
@@ -138,7 +144,8 @@ static void receive_pose(workphase_dialect_t *self, uint32_t index, const igtl_m
         return;
     }
     status = igtl_border_read_pose(message->numbers, &command.pose);
-    if ((status == STATUS_OK) && (igtl_orders_add(&self->orders, index, &command, moment->now_us) == NULL)) {
+    if ((status == STATUS_OK) &&
+        (igtl_orders_add(&self->orders, index, &command, moment->now_us) == NULL)) {
         status = STATUS_BUSY;
     }
     if (status != STATUS_OK) {
@@ -161,8 +168,8 @@ static void receive_string(workphase_dialect_t *self, uint32_t index, const igtl
     }
 }
 
-void workphase_dialect_receive(workphase_dialect_t *self, uint32_t peer, const igtl_message_t *message,
-                               const igtl_moment_t *moment)
+void workphase_dialect_receive(workphase_dialect_t *self, uint32_t peer,
+                               const igtl_message_t *message, const igtl_moment_t *moment)
 {
     workphase_peer_t *asker = &self->peers[peer];
 
@@ -171,7 +178,8 @@ void workphase_dialect_receive(workphase_dialect_t *self, uint32_t peer, const i
         receive_string(self, peer, message, moment);
         break;
     case IGTL_KIND_TRANSFORM:
-        if ((strncmp(message->name, "CLB_", 4U) == 0) || (strncmp(message->name, "TGT_", 4U) == 0)) {
+        if ((strncmp(message->name, "CLB_", 4U) == 0) ||
+            (strncmp(message->name, "TGT_", 4U) == 0)) {
             receive_pose(self, peer, message, moment);
         } else {
             igtl_tell_refusal(asker->outbox, message->name, STATUS_UNKNOWN_COMMAND, moment);
@@ -195,7 +203,8 @@ void workphase_dialect_receive(workphase_dialect_t *self, uint32_t peer, const i
     }
 }
 
-bool workphase_dialect_answer(workphase_dialect_t *self, const answer_t *answer, const igtl_moment_t *moment)
+bool workphase_dialect_answer(workphase_dialect_t *self, const answer_t *answer,
+                              const igtl_moment_t *moment)
 {
     igtl_order_t *order = igtl_orders_find(&self->orders, answer->id);
 
@@ -204,7 +213,8 @@ bool workphase_dialect_answer(workphase_dialect_t *self, const answer_t *answer,
     }
     if (order->peer != IGTL_NOBODY) {
         workphase_answer_tell(self, order, answer, moment);
-    } else if ((answer->status == (uint32_t)STATUS_BUSY) && (order->argument == (uint32_t)WORKPHASE_STOP)) {
+    } else if ((answer->status == (uint32_t)STATUS_BUSY) &&
+               (order->argument == (uint32_t)WORKPHASE_STOP)) {
         self->must_stop = true;
     }
     order->is_accepted = true;
@@ -267,10 +277,12 @@ static const char *subject_of(const igtl_order_t *order)
     }
 }
 
-static void tell_no_answer(workphase_dialect_t *self, const igtl_order_t *order, const igtl_moment_t *moment)
+static void tell_no_answer(workphase_dialect_t *self, const igtl_order_t *order,
+                           const igtl_moment_t *moment)
 {
     if (order->peer != IGTL_NOBODY) {
-        igtl_tell_refusal(self->peers[order->peer].outbox, subject_of(order), STATUS_NO_ANSWER, moment);
+        igtl_tell_refusal(self->peers[order->peer].outbox, subject_of(order), STATUS_NO_ANSWER,
+                          moment);
     }
 }
 

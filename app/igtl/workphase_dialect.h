@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The workphase protocol between navigation and an MRI-guided robot (Tokuda et al.; the protocol of 2013, with the
- * messages added in 2021 sent LIMIT_IGTL_EXTRA_DELAY_US later and withheld when the next command arrives first).
- * One peer controls: the first that commands, until it disconnects. STOP, EMERGENCY and polls are everyone's.
+ * The workphase protocol between navigation and an MRI-guided robot (Tokuda et al.; the protocol of
+ * 2013, with the messages added in 2021 sent LIMIT_IGTL_EXTRA_DELAY_US later and withheld when the
+ * next command arrives first). One peer controls: the first that commands, until it disconnects.
+ * STOP, EMERGENCY and polls are everyone's.
  */
 #ifndef BORESIGHT_WORKPHASE_DIALECT_H
 #define BORESIGHT_WORKPHASE_DIALECT_H
@@ -18,8 +19,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define WORKPHASE_EXTRAS 4U  /**< Deferred messages per peer. */
-#define WORKPHASE_IDS 10U    /**< Command ids remembered per peer. */
+#define WORKPHASE_EXTRAS 4U /**< Deferred messages per peer. */
+#define WORKPHASE_IDS 10U   /**< Command ids remembered per peer. */
 
 /** A message that waits for its time. */
 typedef struct {
@@ -28,10 +29,10 @@ typedef struct {
 } workphase_extra_t;
 
 typedef struct {
-    igtl_outbox_t *outbox; /**< NULL: not connected. */
+    igtl_outbox_t *outbox;                   /**< NULL: not connected. */
     char ids[WORKPHASE_IDS][IGTL_NAME_SIZE]; /**< Names of the last commands, a ring. */
     uint32_t next_id;
-    uint32_t last_order;   /**< Id of its newest workphase command. */
+    uint32_t last_order; /**< Id of its newest workphase command. */
     workphase_extra_t extras[WORKPHASE_EXTRAS];
     uint32_t extra_count;
 } workphase_peer_t;
@@ -42,7 +43,7 @@ typedef struct {
     workphase_peer_t peers[IGTL_PEERS];
     uint32_t controller;       /**< Peer that commands, or IGTL_NOBODY. */
     uint64_t next_position_us; /**< When the next CURRENT_POSITION is due. */
-    bool must_stop;            /**< The controlling peer was lost with an order armed; STOP has still to go. */
+    bool must_stop; /**< The controlling peer was lost with an order armed; STOP has still to go. */
 } workphase_dialect_t;
 
 /** `first_id` numbers the commands, even. */
@@ -60,16 +61,18 @@ void workphase_dialect_disconnected(workphase_dialect_t *self, uint32_t peer);
  * @satisfies SWR-IGTL-008
  * @satisfies SWR-IGTL-013
  */
-void workphase_dialect_receive(workphase_dialect_t *self, uint32_t peer, const igtl_message_t *message,
-                               const igtl_moment_t *moment);
+void workphase_dialect_receive(workphase_dialect_t *self, uint32_t peer,
+                               const igtl_message_t *message, const igtl_moment_t *moment);
 
 /** An answer of the controller; false when it belongs to another. */
-bool workphase_dialect_answer(workphase_dialect_t *self, const answer_t *answer, const igtl_moment_t *moment);
+bool workphase_dialect_answer(workphase_dialect_t *self, const answer_t *answer,
+                              const igtl_moment_t *moment);
 
 /** Time passes: deferred messages, the position stream, missing answers. */
 void workphase_dialect_step(workphase_dialect_t *self, const igtl_moment_t *moment);
 
-/** The controller has ended: whoever waits for the end of an order is told that there will be no answer. */
+/** The controller has ended: whoever waits for the end of an order is told that there will be no
+ * answer. */
 void workphase_dialect_control_lost(workphase_dialect_t *self, const igtl_moment_t *moment);
 
 #endif

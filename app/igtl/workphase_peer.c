@@ -2,7 +2,7 @@
 #include "workphase_peer.h"
 
 #include "igtl_border.h"
-#include "limits.h"
+#include "requirement_limits.h"
 #include "names.h"
 
 #include <string.h>
@@ -21,7 +21,8 @@ void workphase_peer_acknowledge_string(workphase_peer_t *self, const igtl_messag
     igtl_packet_t packet;
     char name[IGTL_NAME_SIZE];
     char text[IGTL_TEXT_MAX + 1U];
-    const uint32_t length = (message->text_bytes < IGTL_TEXT_MAX) ? message->text_bytes : IGTL_TEXT_MAX;
+    const uint32_t length =
+        (message->text_bytes < IGTL_TEXT_MAX) ? message->text_bytes : IGTL_TEXT_MAX;
 
     acknowledgement_name(message, name);
     (void)memcpy(text, message->text, length);
@@ -83,7 +84,8 @@ void workphase_peer_send_deferred(workphase_peer_t *self, uint64_t now_us, bool 
         sent++;
     }
     self->extra_count -= sent;
-    (void)memmove(&self->extras[0], &self->extras[sent], self->extra_count * sizeof self->extras[0]);
+    (void)memmove(&self->extras[0], &self->extras[sent],
+                  self->extra_count * sizeof self->extras[0]);
 }
 
 void workphase_peer_cancel_deferred(workphase_peer_t *self)
@@ -100,8 +102,8 @@ void workphase_peer_tell_position(workphase_peer_t *self, const igtl_moment_t *m
     igtl_tell_pose(self->outbox, "CURRENT_POSITION", &moment->snapshot->scanner_treatment, moment);
 }
 
-void workphase_peer_tell_phase(workphase_peer_t *self, uint32_t code, uint32_t phase, const char *text,
-                               const igtl_moment_t *moment)
+void workphase_peer_tell_phase(workphase_peer_t *self, uint32_t code, uint32_t phase,
+                               const char *text, const igtl_moment_t *moment)
 {
     const igtl_status_t status = {code, workphase_name((int32_t)phase), text};
 

@@ -8,7 +8,8 @@
 
 #include <stdint.h>
 
-/** Acknowledges a STRING: STRING(ACK_x, text as received, cut to what is sent). `message` is named ???_x. */
+/** Acknowledges a STRING: STRING(ACK_x, text as received, cut to what is sent). `message` is named
+ * ???_x. */
 void workphase_peer_acknowledge_string(workphase_peer_t *self, const igtl_message_t *message,
                                        const igtl_moment_t *moment);
 
@@ -32,12 +33,13 @@ void workphase_peer_send_deferred(workphase_peer_t *self, uint64_t now_us, bool 
 /** Forgets what was deferred. */
 void workphase_peer_cancel_deferred(workphase_peer_t *self);
 
-/** Sends the needle's pose as TRANSFORM(CURRENT_POSITION), or a STATUS before the first snapshot. */
+/** Sends the needle's pose as TRANSFORM(CURRENT_POSITION), or a STATUS before the first snapshot.
+ */
 void workphase_peer_tell_position(workphase_peer_t *self, const igtl_moment_t *moment);
 
 /** Sends STATUS(CURRENT_STATUS, `code`, error name = present workphase). */
-void workphase_peer_tell_phase(workphase_peer_t *self, uint32_t code, uint32_t phase, const char *text,
-                               const igtl_moment_t *moment);
+void workphase_peer_tell_phase(workphase_peer_t *self, uint32_t code, uint32_t phase,
+                               const char *text, const igtl_moment_t *moment);
 
 /** Sends STRING(`name`, "1" or "0"). */
 void workphase_peer_tell_flag(workphase_peer_t *self, const char *name, bool value,

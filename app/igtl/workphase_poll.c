@@ -8,8 +8,8 @@
 #include <stddef.h>
 #include <string.h>
 
-#define REACHED_NM 100000     /* 0.1 mm */
-#define REACHED_BAM 6835653   /* 10 mrad */
+#define REACHED_NM 100000   /* 0.1 mm */
+#define REACHED_BAM 6835653 /* 10 mrad */
 
 typedef enum {
     QUESTION_NONE = 0,
@@ -19,13 +19,14 @@ typedef enum {
     QUESTION_REACHED = 4
 } question_t;
 
-static const char *const question_names[] = {"", "CURRENT_POSITION", "CURRENT_STATUS", "IS_IN_TARGETING_POS",
-                                             "HAS_REACHED_TARGET"};
+static const char *const question_names[] = {"", "CURRENT_POSITION", "CURRENT_STATUS",
+                                             "IS_IN_TARGETING_POS", "HAS_REACHED_TARGET"};
 
 static question_t question_of(const char *text, size_t length)
 {
     for (uint32_t i = (uint32_t)QUESTION_POSITION; i <= (uint32_t)QUESTION_REACHED; i++) {
-        if ((strlen(question_names[i]) == length) && (memcmp(question_names[i], text, length) == 0)) {
+        if ((strlen(question_names[i]) == length) &&
+            (memcmp(question_names[i], text, length) == 0)) {
             return (question_t)i;
         }
     }
@@ -66,7 +67,8 @@ static bool is_reached(const snapshot_t *snapshot)
     if (snapshot->next_step == (uint32_t)NEXT_STEP_HOLD_PEDAL) {
         return false;
     }
-    neuro_pose_difference(&snapshot->scanner_treatment, &snapshot->scanner_target, &distance_nm, &angle_bam);
+    neuro_pose_difference(&snapshot->scanner_treatment, &snapshot->scanner_target, &distance_nm,
+                          &angle_bam);
     return (distance_nm <= REACHED_NM) && (angle_bam <= REACHED_BAM);
 }
 
@@ -74,17 +76,18 @@ static void tell_aligned(workphase_peer_t *peer, const igtl_moment_t *moment)
 {
     const snapshot_t *snapshot = moment->snapshot;
 
-    workphase_peer_tell_flag(peer, question_names[QUESTION_ALIGNED],
-                             (snapshot != NULL) && (snapshot->has_target != 0U) && is_aligned(snapshot),
-                             moment);
+    workphase_peer_tell_flag(
+        peer, question_names[QUESTION_ALIGNED],
+        (snapshot != NULL) && (snapshot->has_target != 0U) && is_aligned(snapshot), moment);
 }
 
 static void tell_reached(workphase_peer_t *peer, const igtl_moment_t *moment)
 {
     const snapshot_t *snapshot = moment->snapshot;
 
-    workphase_peer_tell_flag(peer, question_names[QUESTION_REACHED],
-                             (snapshot != NULL) && (snapshot->has_target != 0U) && is_reached(snapshot), moment);
+    workphase_peer_tell_flag(
+        peer, question_names[QUESTION_REACHED],
+        (snapshot != NULL) && (snapshot->has_target != 0U) && is_reached(snapshot), moment);
 }
 
 static void tell_phase(workphase_peer_t *peer, const igtl_moment_t *moment)
@@ -97,7 +100,8 @@ static void tell_phase(workphase_peer_t *peer, const igtl_moment_t *moment)
     workphase_peer_tell_phase(peer, IGTL_STATUS_OK, moment->snapshot->workphase, "", moment);
 }
 
-bool workphase_poll_string(workphase_peer_t *peer, const igtl_message_t *message, const igtl_moment_t *moment)
+bool workphase_poll_string(workphase_peer_t *peer, const igtl_message_t *message,
+                           const igtl_moment_t *moment)
 {
     question_t question = question_of(message->text, message->text_bytes);
 
@@ -127,7 +131,8 @@ bool workphase_poll_string(workphase_peer_t *peer, const igtl_message_t *message
 
 static void tell_not_found(workphase_peer_t *peer, const char *name, const igtl_moment_t *moment)
 {
-    const igtl_status_t status = {IGTL_STATUS_NOT_FOUND, "NOT_FOUND", "NOT_FOUND: There is nothing of this name."};
+    const igtl_status_t status = {IGTL_STATUS_NOT_FOUND, "NOT_FOUND",
+                                  "NOT_FOUND: There is nothing of this name."};
 
     igtl_tell_status(peer->outbox, name, &status, moment);
 }
@@ -145,7 +150,8 @@ void workphase_poll_transform(workphase_peer_t *peer, const igtl_message_t *mess
     }
 }
 
-void workphase_poll_status(workphase_peer_t *peer, const igtl_message_t *message, const igtl_moment_t *moment)
+void workphase_poll_status(workphase_peer_t *peer, const igtl_message_t *message,
+                           const igtl_moment_t *moment)
 {
     if ((message->name[0] == '\0') || (strcmp(message->name, "CURRENT_STATUS") == 0)) {
         tell_phase(peer, moment);

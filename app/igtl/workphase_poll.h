@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file The questions of the workphase protocol: where is the needle, in which workphase are we, has it arrived. */
+/** @file The questions of the workphase protocol: where is the needle, in which workphase are we,
+ * has it arrived. */
 #ifndef BORESIGHT_WORKPHASE_POLL_H
 #define BORESIGHT_WORKPHASE_POLL_H
 
@@ -9,20 +10,23 @@
 #include <stdbool.h>
 
 /**
- * Answers a STRING that asks, by its text or its name: CURRENT_POSITION, CURRENT_STATUS, IS_IN_TARGETING_POS,
- * HAS_REACHED_TARGET.
+ * Answers a STRING that asks, by its text or its name: CURRENT_POSITION, CURRENT_STATUS,
+ * IS_IN_TARGETING_POS, HAS_REACHED_TARGET.
  *
  * @return false when it asks for none of them
  *
  * @satisfies SWR-IGTL-013
  */
-bool workphase_poll_string(workphase_peer_t *peer, const igtl_message_t *message, const igtl_moment_t *moment);
+bool workphase_poll_string(workphase_peer_t *peer, const igtl_message_t *message,
+                           const igtl_moment_t *moment);
 
-/** Answers GET_TRANS of CURRENT_POSITION (or no name) and TARGET; STATUS NOT_FOUND for any other name. */
+/** Answers GET_TRANS of CURRENT_POSITION (or no name) and TARGET; STATUS NOT_FOUND for any other
+ * name. */
 void workphase_poll_transform(workphase_peer_t *peer, const igtl_message_t *message,
                               const igtl_moment_t *moment);
 
 /** Answers GET_STATUS of CURRENT_STATUS (or no name); STATUS NOT_FOUND for any other name. */
-void workphase_poll_status(workphase_peer_t *peer, const igtl_message_t *message, const igtl_moment_t *moment);
+void workphase_poll_status(workphase_peer_t *peer, const igtl_message_t *message,
+                           const igtl_moment_t *moment);
 
 #endif

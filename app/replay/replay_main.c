@@ -50,7 +50,7 @@ static bool check_header(const recording_header_t *header)
         (void)fprintf(stderr,
                       "Recorded with inputs of %" PRIu32 ", outputs of %" PRIu32
                       " and a state of %" PRIu32 " bytes, this build has %zu, %zu and %zu; replay "
-                                                 "it with the build that recorded it, \"%s\".\n",
+                      "it with the build that recorded it, \"%s\".\n",
                       header->inputs_size, header->outputs_size, header->controller_size,
                       sizeof(controller_inputs_t), sizeof(controller_outputs_t),
                       sizeof(controller_t), header->build);

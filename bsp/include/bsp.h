@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Board support: everything the control process may ask of the box around it. One implementation is linked per
- * board: bsp/sim (the simulated control box, another process).
+ * Board support: everything the control process may ask of the box around it. One implementation is
+ * linked per board: bsp/sim (the simulated control box, another process).
  */
 #ifndef BORESIGHT_BSP_H
 #define BORESIGHT_BSP_H
@@ -15,7 +15,7 @@
 
 /** Levels of the digital inputs, sampled once per cycle. */
 typedef struct {
-    bool pedal_a;        /**< Channel A is closed (pressed). */
+    bool pedal_a; /**< Channel A is closed (pressed). */
     bool pedal_b;
     bool estop_open;     /**< The e-stop chain is open (pulled). */
     bool scanner_active; /**< The scanner acquires. */
@@ -29,7 +29,8 @@ typedef struct {
 bool bsp_open(const char *name, char *error, uint32_t error_size);
 
 /**
- * Exchanges all frames at once, full duplex, and returns after at most `timeout_us`. Bit n of `send` selects slot n.
+ * Exchanges all frames at once, full duplex, and returns after at most `timeout_us`. Bit n of
+ * `send` selects slot n.
  *
  * @return bit n set: `received[n]` holds the 256 bytes that came back from slot n
  */

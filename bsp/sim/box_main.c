@@ -77,8 +77,9 @@ static int parse_options(int count, char **words, options_t *options)
 }
 
 /*
- * On the core of the control process: when a virtual machine pauses that core, the simulated world pauses with the
- * controller, as it would not on another core, and no watchdog trips that would not trip on hardware.
+ * On the core of the control process: when a virtual machine pauses that core, the simulated world
+ * pauses with the controller, as it would not on another core, and no watchdog trips that would not
+ * trip on hardware.
  */
 static void share_core_with_control(void)
 {

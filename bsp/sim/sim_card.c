@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "sim_card.h"
 
-#include "limits.h"
+#include "requirement_limits.h"
 #include "sim_motor.h"
 
 #include <string.h>

@@ -13,7 +13,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define SIM_ENCODER_WIDTH_ERROR 0.1 /**< Root mean square of the states' width errors, in states.  \
+#define SIM_ENCODER_WIDTH_ERROR                                                                    \
+    0.1                             /**< Root mean square of the states' width errors, in states.  \
                                      */
 #define SIM_ENCODER_BURSTS_PER_S 5U /**< Bursts of wrong edges while the scanner acquires. */
 #define SIM_ENCODER_BURST_EDGES 20U /**< Longest burst. */

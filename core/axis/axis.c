@@ -2,7 +2,7 @@
 #include "axis.h"
 
 #include "fixed.h"
-#include "limits.h"
+#include "requirement_limits.h"
 
 #include <stddef.h>
 #include <string.h>
@@ -22,7 +22,8 @@ static bool is_switch_active(const axis_t *self)
     return self->limit_switches != 0U;
 }
 
-static uint32_t dispatch(axis_t *self, const axis_config_t *config, axis_event_t event, bool is_fault_present)
+static uint32_t dispatch(axis_t *self, const axis_config_t *config, axis_event_t event,
+                         bool is_fault_present)
 {
     const axis_inputs_t inputs = {.is_fault_present = is_fault_present,
                                   .is_switch_active = is_switch_active(self)};
@@ -85,7 +86,8 @@ uint32_t axis_observe(axis_t *self, const axis_config_t *config, const card_repo
         notes |= AXIS_NOTE_ENCODER_FAULT;
     }
     if (report != NULL) {
-        self->limit_switches = (config->limit_switch == (uint8_t)LIMIT_SWITCH_NONE) ? 0U : report->limits;
+        self->limit_switches =
+            (config->limit_switch == (uint8_t)LIMIT_SWITCH_NONE) ? 0U : report->limits;
         notes |= follow_switch(self, config);
     }
     return notes;
@@ -139,7 +141,8 @@ card_drive_t axis_follow(axis_t *self, const axis_config_t *config, int32_t setp
 {
     self->setpoint_ticks = setpoint_ticks;
     self->setpoint_speed_ticks_per_s_q8 = setpoint_speed_ticks_per_s_q8;
-    return servo_step(&self->servo, config, error_ticks(self), setpoint_speed_ticks_per_s_q8, elapsed_us);
+    return servo_step(&self->servo, config, error_ticks(self), setpoint_speed_ticks_per_s_q8,
+                      elapsed_us);
 }
 
 /* Homing speed wanted in the present state, signed. */
@@ -184,7 +187,8 @@ card_drive_t axis_home(axis_t *self, const axis_config_t *config, uint32_t elaps
     const int32_t speed_q8 = ramp_towards(self->home_speed_ticks_per_s_q8, wanted_q8, step_q8);
     self->home_speed_ticks_per_s_q8 = speed_q8;
     self->home_setpoint_q8 += (int64_t)speed_q8 / 1000;
-    return axis_follow(self, config, fixed_saturate(self->home_setpoint_q8 / 256), speed_q8, elapsed_us);
+    return axis_follow(self, config, fixed_saturate(self->home_setpoint_q8 / 256), speed_q8,
+                       elapsed_us);
 }
 
 static uint32_t as_flag(bool value)
@@ -192,7 +196,8 @@ static uint32_t as_flag(bool value)
     return value ? 1U : 0U;
 }
 
-/* Progress counts in the direction in which the motor is driven; a set-point may be overtaken for a while. */
+/* Progress counts in the direction in which the motor is driven; a set-point may be overtaken for a
+ * while. */
 static bool is_progressing(axis_t *self, const axis_config_t *config)
 {
     const card_drive_t driven = {.mode = 0U, .direction = self->servo.direction, .duty = 0U};
@@ -205,7 +210,8 @@ static bool is_progressing(axis_t *self, const axis_config_t *config)
     return has_turned || (way >= (int64_t)LIMIT_STALL_PROGRESS_TICKS);
 }
 
-static uint32_t watch_stall(axis_t *self, const axis_config_t *config, bool is_pushing, uint32_t elapsed_us)
+static uint32_t watch_stall(axis_t *self, const axis_config_t *config, bool is_pushing,
+                            uint32_t elapsed_us)
 {
     const uint32_t actions = stall_watchdog_chart_advance(&self->stall, elapsed_us);
     if ((actions & STALL_WATCHDOG_ACTION_REPORT_STALL) != 0U) {
@@ -238,7 +244,8 @@ static uint32_t watch_homing(axis_t *self, bool is_driven, uint32_t elapsed_us)
     return AXIS_NOTE_HOME_TIMEOUT;
 }
 
-uint32_t axis_supervise(axis_t *self, const axis_config_t *config, bool is_driven, uint32_t elapsed_us)
+uint32_t axis_supervise(axis_t *self, const axis_config_t *config, bool is_driven,
+                        uint32_t elapsed_us)
 {
     const int64_t distance = magnitude((int64_t)error_ticks(self));
     const bool is_pushing = is_driven && (distance >= (int64_t)LIMIT_STALL_PROGRESS_TICKS) &&
@@ -278,18 +285,21 @@ bool axis_is_at(const axis_t *self, const axis_config_t *config, int32_t target_
            (int64_t)config->deadband_ticks;
 }
 
-bool axis_is_towards_switch(const axis_t *self, const axis_config_t *config, const card_drive_t *drive)
+bool axis_is_towards_switch(const axis_t *self, const axis_config_t *config,
+                            const card_drive_t *drive)
 {
     const bool is_upper = config->limit_switch == (uint8_t)LIMIT_SWITCH_UPPER;
     return (drive->mode != (uint32_t)CARD_DRIVE_OFF) && is_switch_active(self) &&
            (servo_is_upwards(config, drive) == is_upper);
 }
 
-bool axis_is_beyond_limit(const axis_t *self, const axis_config_t *config, const card_drive_t *drive)
+bool axis_is_beyond_limit(const axis_t *self, const axis_config_t *config,
+                          const card_drive_t *drive)
 {
     if ((drive->mode == (uint32_t)CARD_DRIVE_OFF) || !axis_is_homed(self)) {
         return false;
     }
-    return servo_is_upwards(config, drive) ? (self->encoder.position_ticks >= config->maximum_ticks)
-                                           : (self->encoder.position_ticks <= config->minimum_ticks);
+    return servo_is_upwards(config, drive)
+               ? (self->encoder.position_ticks >= config->maximum_ticks)
+               : (self->encoder.position_ticks <= config->minimum_ticks);
 }

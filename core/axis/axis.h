@@ -2,8 +2,9 @@
 /**
  * @file
  * One robot axis: its encoder, its enabling and homing (statecharts/axis.scxml), its stall watchdog
- * (statecharts/stall_watchdog.scxml) and its servo. Each cycle: axis_observe(), then one of axis_rest(),
- * axis_follow(), axis_home() for a drive request, then axis_supervise() with what the permit made of it.
+ * (statecharts/stall_watchdog.scxml) and its servo. Each cycle: axis_observe(), then one of
+ * axis_rest(), axis_follow(), axis_home() for a drive request, then axis_supervise() with what the
+ * permit made of it.
  */
 #ifndef BORESIGHT_AXIS_H
 #define BORESIGHT_AXIS_H
@@ -31,16 +32,16 @@ typedef struct {
     servo_t servo;
     axis_chart_t chart;
     stall_watchdog_chart_t stall;
-    int64_t home_setpoint_q8;        /**< Set-point of homing, ticks. */
+    int64_t home_setpoint_q8; /**< Set-point of homing, ticks. */
     int32_t home_speed_ticks_per_s_q8;
-    int32_t home_correction_ticks;   /**< Shift of the position at the last homing. */
-    int32_t switch_ticks;            /**< Position at which the switch was last seen active. */
+    int32_t home_correction_ticks; /**< Shift of the position at the last homing. */
+    int32_t switch_ticks;          /**< Position at which the switch was last seen active. */
     int32_t setpoint_ticks;
     int32_t setpoint_speed_ticks_per_s_q8;
-    int32_t progress_mark_ticks;     /**< Position at the last progress towards the set-point. */
-    uint32_t homing_us;              /**< Driven time of this homing. */
-    uint32_t limit_switches;         /**< CARD_LIMIT_ bits of the last report. */
-    uint32_t home_reference;         /**< State of the reference region that the homing ramp belongs to. */
+    int32_t progress_mark_ticks; /**< Position at the last progress towards the set-point. */
+    uint32_t homing_us;          /**< Driven time of this homing. */
+    uint32_t limit_switches;     /**< CARD_LIMIT_ bits of the last report. */
+    uint32_t home_reference; /**< State of the reference region that the homing ramp belongs to. */
     uint32_t is_progress_upwards;
 } axis_t;
 
@@ -72,7 +73,8 @@ void axis_lose_reference(axis_t *self);
 /** Gives up a homing in progress. */
 void axis_stop_homing(axis_t *self);
 
-/** Begins homing if the axis is enabled and not homed; an axis homed in place is homed by this. @return notes */
+/** Begins homing if the axis is enabled and not homed; an axis homed in place is homed by this.
+ * @return notes */
 uint32_t axis_begin_homing(axis_t *self, const axis_config_t *config);
 
 /** No motion is wanted: the set-point is the position. */
@@ -86,7 +88,8 @@ card_drive_t axis_follow(axis_t *self, const axis_config_t *config, int32_t setp
 card_drive_t axis_home(axis_t *self, const axis_config_t *config, uint32_t elapsed_us);
 
 /**
- * Stall, following error and homing time. `is_driven`: the permit allowed the axis and a motion runs.
+ * Stall, following error and homing time. `is_driven`: the permit allowed the axis and a motion
+ * runs.
  *
  * @return AXIS_NOTE_ bits
  *
@@ -95,7 +98,8 @@ card_drive_t axis_home(axis_t *self, const axis_config_t *config, uint32_t elaps
  * @satisfies SWR-AXIS-003
  * @satisfies SWR-AXIS-009
  */
-uint32_t axis_supervise(axis_t *self, const axis_config_t *config, bool is_driven, uint32_t elapsed_us);
+uint32_t axis_supervise(axis_t *self, const axis_config_t *config, bool is_driven,
+                        uint32_t elapsed_us);
 
 bool axis_is_enabled(const axis_t *self);
 bool axis_is_faulty(const axis_t *self);
@@ -110,9 +114,11 @@ bool axis_is_at(const axis_t *self, const axis_config_t *config, int32_t target_
  *
  * @satisfies SWR-AXIS-005
  */
-bool axis_is_towards_switch(const axis_t *self, const axis_config_t *config, const card_drive_t *drive);
+bool axis_is_towards_switch(const axis_t *self, const axis_config_t *config,
+                            const card_drive_t *drive);
 
 /** The axis is homed, at or beyond a soft limit, and `drive` would take it further. */
-bool axis_is_beyond_limit(const axis_t *self, const axis_config_t *config, const card_drive_t *drive);
+bool axis_is_beyond_limit(const axis_t *self, const axis_config_t *config,
+                          const card_drive_t *drive);
 
 #endif

@@ -1,21 +1,21 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Why something that was asked for was refused. One enumeration for the whole system: the core returns it,
- * answers carry it to the network, and its names and sentences are generated from this file.
- * On any value but STATUS_OK nothing has changed.
+ * Why something that was asked for was refused. One enumeration for the whole system: the core
+ * returns it, answers carry it to the network, and its names and sentences are generated from this
+ * file. On any value but STATUS_OK nothing has changed.
  */
 #ifndef BORESIGHT_STATUS_H
 #define BORESIGHT_STATUS_H
 
 typedef enum {
-    STATUS_OK = 0,                  /**< Done as asked. */
-    STATUS_UNKNOWN_COMMAND = 1,     /**< No such command, workphase or axis. */
-    STATUS_BUSY = 2,                /**< Too many commands are waiting; send it again. */
-    STATUS_WRONG_WORKPHASE = 3,     /**< The present workphase does not allow it. */
-    STATUS_NOT_HOMED = 4,           /**< An axis is not homed; command START_UP and hold the pedal. */
-    STATUS_NOT_REGISTERED = 5,      /**< There is no registration; send one in CALIBRATION. */
-    STATUS_NO_TARGET = 6,           /**< There is no accepted target; send one in TARGETING. */
+    STATUS_OK = 0,              /**< Done as asked. */
+    STATUS_UNKNOWN_COMMAND = 1, /**< No such command, workphase or axis. */
+    STATUS_BUSY = 2,            /**< Too many commands are waiting; send it again. */
+    STATUS_WRONG_WORKPHASE = 3, /**< The present workphase does not allow it. */
+    STATUS_NOT_HOMED = 4,       /**< An axis is not homed; command START_UP and hold the pedal. */
+    STATUS_NOT_REGISTERED = 5,  /**< There is no registration; send one in CALIBRATION. */
+    STATUS_NO_TARGET = 6,       /**< There is no accepted target; send one in TARGETING. */
     STATUS_HARDWARE_NOT_READY = 7,  /**< A card, the e-stop or the pedal is not ready. */
     STATUS_FAULT_PRESENT = 8,       /**< A fault stands; remove its cause and command START_UP. */
     STATUS_NOT_FINITE = 9,          /**< A number is not finite. */
@@ -25,11 +25,12 @@ typedef enum {
     STATUS_SINGULAR_PITCH = 13,     /**< The needle would lie along the lateral axis. */
     STATUS_UNREACHABLE_HEIGHT = 14, /**< The carriage cannot rise or sink that far. */
     STATUS_AXIS_LIMIT = 15,         /**< An axis would leave its soft limits. */
-    STATUS_SEPARATION_LIMIT = 16,   /**< The two axial carriages would be too close or too far apart. */
-    STATUS_CLOSURE = 17,            /**< Forward kinematics does not return the target; nothing was armed. */
-    STATUS_DISCARDED = 18,          /**< The armed motion was discarded; command it again. */
-    STATUS_EXPIRED = 19,            /**< The pedal was not pressed in time; command it again. */
-    STATUS_NO_ANSWER = 20           /**< The controller did not answer in time. */
+    STATUS_SEPARATION_LIMIT =
+        16,                /**< The two axial carriages would be too close or too far apart. */
+    STATUS_CLOSURE = 17,   /**< Forward kinematics does not return the target; nothing was armed. */
+    STATUS_DISCARDED = 18, /**< The armed motion was discarded; command it again. */
+    STATUS_EXPIRED = 19,   /**< The pedal was not pressed in time; command it again. */
+    STATUS_NO_ANSWER = 20  /**< The controller did not answer in time. */
 } status_t;
 
 #endif

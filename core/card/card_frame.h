@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The frames between controller and daughter card: 64 big-endian words of 32 bit, both ways in one full-duplex
- * exchange. A command goes out, a report comes back; the report speaks of the command of the exchange before.
- * Both directions are coded here, so that the card's side (the simulated box) shares the one layout.
+ * The frames between controller and daughter card: 64 big-endian words of 32 bit, both ways in one
+ * full-duplex exchange. A command goes out, a report comes back; the report speaks of the command
+ * of the exchange before. Both directions are coded here, so that the card's side (the simulated
+ * box) shares the one layout.
  */
 #ifndef BORESIGHT_CARD_FRAME_H
 #define BORESIGHT_CARD_FRAME_H
@@ -17,11 +18,7 @@
 #define CARD_FRAME_PROTOCOL 1U
 
 /** Values of the drive mode, word 10 of a command. */
-typedef enum {
-    CARD_DRIVE_OFF = 0,
-    CARD_DRIVE_PWM = 1,
-    CARD_DRIVE_NON_PWM = 2
-} card_drive_mode_t;
+typedef enum { CARD_DRIVE_OFF = 0, CARD_DRIVE_PWM = 1, CARD_DRIVE_NON_PWM = 2 } card_drive_mode_t;
 
 /** Bits of the system state, word 4 of a command. */
 #define CARD_SYSTEM_PEDAL 0x01U
@@ -46,8 +43,8 @@ typedef enum {
 #define CARD_STATUS_RX_CRC 0x0100U
 #define CARD_STATUS_POWER_BAD 0x0200U
 /** Any of these means that the card must not be trusted to drive. */
-#define CARD_STATUS_FAULTS \
-    (CARD_STATUS_DRIVER_FAULT | CARD_STATUS_WATCHDOG | CARD_STATUS_HOT | CARD_STATUS_OVERSPEED | \
+#define CARD_STATUS_FAULTS                                                                         \
+    (CARD_STATUS_DRIVER_FAULT | CARD_STATUS_WATCHDOG | CARD_STATUS_HOT | CARD_STATUS_OVERSPEED |   \
      CARD_STATUS_GUARD | CARD_STATUS_POWER_BAD)
 
 /** Bits of the debounced limit switches of a report; 1 = active. */
@@ -69,7 +66,8 @@ typedef struct {
     uint32_t system_state; /**< CARD_SYSTEM_ bits, mode in bits 8..15. */
     uint32_t control;      /**< CARD_CONTROL_ bits. */
     card_drive_t drive;
-    uint32_t watchdog_us;  /**< The card switches its drive off after this time without a valid frame. */
+    uint32_t
+        watchdog_us; /**< The card switches its drive off after this time without a valid frame. */
     uint32_t overspeed_ticks_per_s;
     int32_t guard_minimum_ticks; /**< Raw encoder counts beyond which the card switches off. */
     int32_t guard_maximum_ticks;
@@ -89,15 +87,15 @@ typedef struct {
     uint32_t limits_raw;        /**< CARD_LIMIT_ bits. */
     uint32_t limits;            /**< CARD_LIMIT_ bits, debounced. */
     int32_t encoder_count;
-    uint32_t last_edge_us;      /**< Card time of the newest encoder edge. */
-    uint32_t fourth_edge_us;    /**< Card time of the edge four edges earlier. */
-    uint32_t edges;             /**< Since the last report, saturates at 65535. */
-    uint32_t illegal_edges;     /**< Since the last report, saturates at 65535. */
+    uint32_t last_edge_us;         /**< Card time of the newest encoder edge. */
+    uint32_t fourth_edge_us;       /**< Card time of the edge four edges earlier. */
+    uint32_t edges;                /**< Since the last report, saturates at 65535. */
+    uint32_t illegal_edges;        /**< Since the last report, saturates at 65535. */
     int32_t driver_temperature_dc; /**< 0.1 degree Celsius. */
     int32_t motor_temperature_dc;
     uint32_t supply_mv;
     uint32_t current_ma;
-    card_drive_t applied;       /**< What the card's driver applies now. */
+    card_drive_t applied; /**< What the card's driver applies now. */
     uint32_t rx_crc_errors;
     uint32_t sequence_gaps;
     uint32_t watchdog_trips;
@@ -107,11 +105,12 @@ typedef struct {
 /** Why a frame was discarded. */
 typedef enum {
     CARD_FRAME_OK = 0,
-    CARD_FRAME_BAD_START = 1,    /**< Start word, protocol version or length is wrong. */
+    CARD_FRAME_BAD_START = 1, /**< Start word, protocol version or length is wrong. */
     CARD_FRAME_BAD_CRC = 2,
     CARD_FRAME_BAD_SLOT = 3,
     CARD_FRAME_BAD_COMPLEMENT = 4, /**< Word 61 of a command does not complement word 5. */
-    CARD_FRAME_BAD_DRIVE = 5     /**< Mode, direction or duty outside its range. */
+    CARD_FRAME_BAD_DRIVE = 5,      /**< Mode, direction or duty outside its range. */
+    CARD_FRAME_REPEATED = 6        /**< The heartbeat is that of the frame before: an old report. */
 } card_frame_result_t;
 
 /**

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "link.h"
 
-#include "limits.h"
+#include "requirement_limits.h"
 
 #include <stddef.h>
 #include <string.h>
@@ -19,10 +19,13 @@ static void receive(link_t *self, const uint8_t *bytes)
     if (bytes == NULL) {
         return;
     }
-    const card_frame_result_t result = card_frame_decode_report(bytes, self->slot, &report);
+    card_frame_result_t result = card_frame_decode_report(bytes, self->slot, &report);
+    if ((result == CARD_FRAME_OK) && (self->has_report != 0U) &&
+        (report.heartbeat == self->report.heartbeat)) {
+        result = CARD_FRAME_REPEATED;
+    }
     self->last_error = (uint32_t)result;
-    const bool is_repeated = (self->has_report != 0U) && (report.heartbeat == self->report.heartbeat);
-    if ((result != CARD_FRAME_OK) || is_repeated) {
+    if (result != CARD_FRAME_OK) {
         self->frame_errors += (self->frame_errors < UINT32_MAX) ? 1U : 0U;
         return;
     }

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The controller's view of one daughter card: is it alive, what did it say last, does it do as told.
- * The controller owns one per slot and steps it every cycle. Behaviour: statecharts/card_link.scxml.
+ * The controller's view of one daughter card: is it alive, what did it say last, does it do as
+ * told. The controller owns one per slot and steps it every cycle. Behaviour:
+ * statecharts/card_link.scxml.
  */
 #ifndef BORESIGHT_LINK_H
 #define BORESIGHT_LINK_H

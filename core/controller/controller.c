@@ -51,7 +51,8 @@ static event_severity_t severity(event_id_t id)
     return result;
 }
 
-void controller_note(controller_t *self, const cycle_t *cycle, event_id_t id, uint32_t subject, int32_t value)
+void controller_note(controller_t *self, const cycle_t *cycle, event_id_t id, uint32_t subject,
+                     int32_t value)
 {
     controller_outputs_t *const outputs = cycle->outputs;
     if (outputs->event_count >= CONTROLLER_EVENTS) {

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The controller: one pure function of its state and the cycle's inputs. Everything that decides about motion is
- * inside it. No I/O, no clock, no heap, no float; equal inputs give equal outputs, bit for bit.
+ * The controller: one pure function of its state and the cycle's inputs. Everything that decides
+ * about motion is inside it. No I/O, no clock, no heap, no float; equal inputs give equal outputs,
+ * bit for bit.
  */
 #ifndef BORESIGHT_CONTROLLER_H
 #define BORESIGHT_CONTROLLER_H
@@ -12,7 +13,7 @@
 #include "command.h"
 #include "estop_latch.h"
 #include "event.h"
-#include "limits.h"
+#include "requirement_limits.h"
 #include "link.h"
 #include "loop_guard.h"
 #include "pedal_gate.h"
@@ -30,9 +31,10 @@
 
 /** Everything the controller may know of one cycle. Fixed layout, no padding; recorded. */
 typedef struct {
-    uint32_t elapsed_us;      /**< Measured since the wake-up before; 1000 nominally. */
-    uint32_t late_stage;      /**< Stage that took longest in the cycle before, as control numbers them. */
-    uint32_t pedal_a;         /**< Channel A is closed (pressed): 0 or 1. */
+    uint32_t elapsed_us; /**< Measured since the wake-up before; 1000 nominally. */
+    uint32_t
+        late_stage;   /**< Stage that took longest in the cycle before, as control numbers them. */
+    uint32_t pedal_a; /**< Channel A is closed (pressed): 0 or 1. */
     uint32_t pedal_b;
     uint32_t estop_open;      /**< The e-stop chain is open (pulled): 0 or 1. */
     uint32_t scanner_active;  /**< 0 or 1. */
@@ -44,7 +46,7 @@ typedef struct {
 
 /** Everything the controller says in one cycle. Fixed layout, no padding; recorded. */
 typedef struct {
-    uint32_t frames_to_send;  /**< Bit n: frames[n] goes out. */
+    uint32_t frames_to_send; /**< Bit n: frames[n] goes out. */
     uint32_t answer_count;
     uint32_t event_count;
     uint32_t reserved;
@@ -63,7 +65,8 @@ typedef struct {
     uint32_t is_waiting; /**< 0 or 1. */
 } pending_command_t;
 
-/** All state of the controller; holds no pointer, so that it can be stored and compared as bytes. */
+/** All state of the controller; holds no pointer, so that it can be stored and compared as bytes.
+ */
 typedef struct {
     pedal_gate_t pedal;
     loop_guard_t loop;
@@ -73,20 +76,21 @@ typedef struct {
     profile_t profile;
     pending_command_t pending;
     axis_t axes[ROBOT_AXIS_COUNT];
-    link_t links[ROBOT_AXIS_COUNT];      /**< In the order of the axes. */
+    link_t links[ROBOT_AXIS_COUNT];        /**< In the order of the axes. */
     card_drive_t drives[ROBOT_AXIS_COUNT]; /**< As sent in the last cycle. */
     uint32_t permit_reasons[ROBOT_AXIS_COUNT];
     uint32_t permit_since_cycle[ROBOT_AXIS_COUNT];
     uint32_t permit_speed_cap_percent[ROBOT_AXIS_COUNT];
-    uint32_t is_driven[ROBOT_AXIS_COUNT]; /**< The permit allowed it in the last cycle, so a motion ran. */
+    uint32_t is_driven[ROBOT_AXIS_COUNT]; /**< The permit allowed it in the last cycle, so a motion
+                                             ran. */
     uint32_t jog_axis;
     int32_t jog_ticks;
     uint32_t cycle;
     uint32_t time_us;
-    uint32_t sequence;                   /**< Of the outgoing frames. */
-    uint32_t events;                     /**< Number of the next event. */
+    uint32_t sequence; /**< Of the outgoing frames. */
+    uint32_t events;   /**< Number of the next event. */
     uint32_t events_lost;
-    uint32_t settled_cycles;             /**< At the target, in a row. */
+    uint32_t settled_cycles; /**< At the target, in a row. */
     uint32_t is_profile_running;
     uint32_t was_gate_open;
     uint32_t was_scanner_active;
@@ -96,8 +100,9 @@ typedef struct {
 void controller_init(controller_t *self, const robot_t *robot);
 
 /**
- * One control cycle: frames -> links -> encoders -> interlocks -> commands -> order -> profile and servo -> permit ->
- * frames. `outputs` is completely rewritten. Requires (contract 100) at most CONTROLLER_COMMANDS commands.
+ * One control cycle: frames -> links -> encoders -> interlocks -> commands -> order -> profile and
+ * servo -> permit -> frames. `outputs` is completely rewritten. Requires (contract 100) at most
+ * CONTROLLER_COMMANDS commands.
  *
  * @satisfies SWR-CMD-002
  * @satisfies SWR-CORE-002

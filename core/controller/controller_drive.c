@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "controller_parts.h"
 
+#include "permit.h"
+
 static bool is_any_link_lost(const controller_t *self)
 {
     bool is_lost = false;
@@ -10,8 +12,9 @@ static bool is_any_link_lost(const controller_t *self)
     return is_lost;
 }
 
-permit_t controller_permit(const controller_t *self, const cycle_t *cycle, uint32_t index,
-                           const card_drive_t *request)
+/* The permit of one axis for its request. */
+static permit_t decide(const controller_t *self, const cycle_t *cycle, uint32_t index,
+                       const card_drive_t *request)
 {
     const axis_t *const axis = &self->axes[index];
     const axis_config_t *const config = &cycle->robot->axes[index];
@@ -72,10 +75,11 @@ static void send(controller_t *self, const cycle_t *cycle, uint32_t index, const
     self->drives[index] = command.drive;
 }
 
-void controller_drive(controller_t *self, const cycle_t *cycle, const card_drive_t requests[ROBOT_AXIS_COUNT])
+void controller_drive(controller_t *self, const cycle_t *cycle,
+                      const card_drive_t requests[ROBOT_AXIS_COUNT])
 {
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
-        const permit_t permit = controller_permit(self, cycle, i, &requests[i]);
+        const permit_t permit = decide(self, cycle, i, &requests[i]);
         if (permit.reasons != self->permit_reasons[i]) {
             self->permit_reasons[i] = permit.reasons;
             self->permit_since_cycle[i] = self->cycle;

@@ -3,33 +3,25 @@
 
 #include <string.h>
 
-/* Slack around a target inside which an axis counts as aligned when the next leg of a move is chosen. */
+/* Slack around a target inside which an axis counts as aligned when the next leg of a move is
+ * chosen. */
 #define ALIGNED_TICKS 2
-/* The needle counts as retracted in the first 64th of its way, and is retracted to the first 128th. */
+/* The needle counts as retracted in the first 64th of its way, and is retracted to the first 128th.
+ */
 #define RETRACTED_SHARE 64
 #define RETRACT_TO_SHARE 128
 /* At the target for this long before the order is done: the motors' fall time is about 1.5 ms. */
 #define SETTLED_CYCLES 50U
 #define FULL_SPEED_PERCENT 100U
 
-static void rest_all(controller_t *self, const cycle_t *cycle, card_drive_t requests[ROBOT_AXIS_COUNT])
+static void rest_all(controller_t *self, const cycle_t *cycle,
+                     card_drive_t requests[ROBOT_AXIS_COUNT])
 {
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
         requests[i] = axis_rest(&self->axes[i], cycle->inputs->elapsed_us);
     }
     self->is_profile_running = 0U;
     self->settled_cycles = 0U;
-}
-
-/* No reason that does not depend on a direction stands against any axis. */
-static bool may_all_move(const controller_t *self, const cycle_t *cycle)
-{
-    static const card_drive_t no_request = {.mode = 0U, .direction = 0U, .duty = 0U};
-    bool may_move = true;
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
-        may_move = may_move && controller_permit(self, cycle, i, &no_request).is_allowed;
-    }
-    return may_move;
 }
 
 /* Stage 1 homes before stage 2: the needle leaves first. */
@@ -44,7 +36,8 @@ static uint8_t home_stage(const controller_t *self, const robot_t *robot)
     return stage;
 }
 
-static void run_homing(controller_t *self, const cycle_t *cycle, card_drive_t requests[ROBOT_AXIS_COUNT])
+static void run_homing(controller_t *self, const cycle_t *cycle,
+                       card_drive_t requests[ROBOT_AXIS_COUNT])
 {
     const uint8_t stage = home_stage(self, cycle->robot);
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
@@ -76,13 +69,15 @@ static bool is_base_aligned(const controller_t *self, const robot_t *robot)
         const int64_t slack = (int64_t)robot->axes[i].deadband_ticks + ALIGNED_TICKS;
         const int64_t way =
             (int64_t)self->plan.target_ticks[i] - (int64_t)self->axes[i].encoder.position_ticks;
-        is_aligned = is_aligned && ((i == (uint32_t)AXIS_INSERTION) || ((way <= slack) && (way >= -slack)));
+        is_aligned =
+            is_aligned && ((i == (uint32_t)AXIS_INSERTION) || ((way <= slack) && (way >= -slack)));
     }
     return is_aligned;
 }
 
 /* End of the next leg of the move: retract the needle, align everything else, insert. */
-static void choose_leg(const controller_t *self, const robot_t *robot, int32_t ends[ROBOT_AXIS_COUNT])
+static void choose_leg(const controller_t *self, const robot_t *robot,
+                       int32_t ends[ROBOT_AXIS_COUNT])
 {
     const axis_config_t *const needle = &robot->axes[AXIS_INSERTION];
     const int32_t stroke = needle->maximum_ticks - needle->minimum_ticks;
@@ -107,7 +102,8 @@ static uint32_t speed_percent(const controller_t *self)
     return is_everything_homed ? FULL_SPEED_PERCENT : LIMIT_UNHOMED_SPEED_PERCENT;
 }
 
-static bool is_at(const controller_t *self, const robot_t *robot, const int32_t ticks[ROBOT_AXIS_COUNT])
+static bool is_at(const controller_t *self, const robot_t *robot,
+                  const int32_t ticks[ROBOT_AXIS_COUNT])
 {
     bool is_there = true;
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
@@ -133,17 +129,17 @@ static void begin_leg(controller_t *self, const robot_t *robot)
     self->settled_cycles = 0U;
 }
 
-static void follow_profile(controller_t *self, const cycle_t *cycle, card_drive_t requests[ROBOT_AXIS_COUNT])
+static void follow_profile(controller_t *self, const cycle_t *cycle,
+                           card_drive_t requests[ROBOT_AXIS_COUNT])
 {
     if (self->is_profile_running == 0U) {
         begin_leg(self, cycle->robot);
     }
     profile_step(&self->profile);
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
-        requests[i] = axis_follow(&self->axes[i], &cycle->robot->axes[i],
-                                  profile_position_ticks(&self->profile, i),
-                                  profile_speed_ticks_per_s_q8(&self->profile, i),
-                                  cycle->inputs->elapsed_us);
+        requests[i] = axis_follow(
+            &self->axes[i], &cycle->robot->axes[i], profile_position_ticks(&self->profile, i),
+            profile_speed_ticks_per_s_q8(&self->profile, i), cycle->inputs->elapsed_us);
     }
     if (profile_is_finished(&self->profile) && is_at(self, cycle->robot, self->profile.end_ticks)) {
         self->settled_cycles++;
@@ -158,12 +154,14 @@ static bool is_order_at_end(const controller_t *self)
     const workphase_t workphase = workphase_present(&self->workphases);
     bool is_end = true;
     if (workphase == WORKPHASE_MOVE_TO_TARGET) {
-        is_end = memcmp(self->profile.end_ticks, self->plan.target_ticks, sizeof self->plan.target_ticks) == 0;
+        is_end = memcmp(self->profile.end_ticks, self->plan.target_ticks,
+                        sizeof self->plan.target_ticks) == 0;
     }
     return is_end;
 }
 
-static void run_profile(controller_t *self, const cycle_t *cycle, card_drive_t requests[ROBOT_AXIS_COUNT])
+static void run_profile(controller_t *self, const cycle_t *cycle,
+                        card_drive_t requests[ROBOT_AXIS_COUNT])
 {
     follow_profile(self, cycle, requests);
     if (self->settled_cycles >= SETTLED_CYCLES) {
@@ -187,7 +185,8 @@ static void follow_pedal(controller_t *self, const cycle_t *cycle)
     }
 }
 
-void controller_move(controller_t *self, const cycle_t *cycle, card_drive_t requests[ROBOT_AXIS_COUNT])
+void controller_move(controller_t *self, const cycle_t *cycle,
+                     card_drive_t requests[ROBOT_AXIS_COUNT])
 {
     const workphases_inputs_t guards = controller_guards(self, cycle);
     const uint32_t actions =
@@ -198,7 +197,7 @@ void controller_move(controller_t *self, const cycle_t *cycle, card_drive_t requ
     if (is_start_up && guards.is_homed) {
         controller_tell_order(self, cycle, WORKPHASES_EVENT_DONE, STATUS_OK);
     }
-    if (!workphase_is_moving(&self->workphases) || !may_all_move(self, cycle)) {
+    if (!workphase_is_moving(&self->workphases)) {
         rest_all(self, cycle, requests);
     } else if (is_start_up) {
         run_homing(self, cycle, requests);

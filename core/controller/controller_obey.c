@@ -40,7 +40,8 @@ static answer_t *add_answer(const controller_t *self, const cycle_t *cycle)
 }
 
 /* Ends the pending long command, if there is one. */
-static void answer_pending(controller_t *self, const cycle_t *cycle, answer_kind_t kind, status_t status)
+static void answer_pending(controller_t *self, const cycle_t *cycle, answer_kind_t kind,
+                           status_t status)
 {
     if (self->pending.is_waiting == 0U) {
         return;
@@ -71,7 +72,8 @@ void controller_abandon_order(controller_t *self, const cycle_t *cycle)
     end_order(self);
 }
 
-void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t actions, status_t fault)
+void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t actions,
+                             status_t fault)
 {
     if ((actions & WORKPHASES_ACTION_REPORT_DISCARDED) != 0U) {
         controller_note(self, cycle, EVENT_ORDER_DISCARDED, 0U, (int32_t)fault);
@@ -90,18 +92,21 @@ void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t 
     }
     if ((actions & WORKPHASES_ACTION_RENEW_PEDAL) != 0U) {
         pedal_gate_renew(&self->pedal);
-        controller_note(self, cycle, EVENT_ORDER_ARMED, (uint32_t)workphase_present(&self->workphases), 0);
+        controller_note(self, cycle, EVENT_ORDER_ARMED,
+                        (uint32_t)workphase_present(&self->workphases), 0);
     }
 }
 
-void controller_tell_order(controller_t *self, const cycle_t *cycle, workphases_event_t event, status_t fault)
+void controller_tell_order(controller_t *self, const cycle_t *cycle, workphases_event_t event,
+                           status_t fault)
 {
     const workphases_inputs_t guards = controller_guards(self, cycle);
     const workphase_t before = workphase_present(&self->workphases);
     const uint32_t actions = workphases_chart_dispatch(&self->workphases, &guards, event);
     controller_report_order(self, cycle, actions, fault);
     if (workphase_present(&self->workphases) != before) {
-        controller_note(self, cycle, EVENT_WORKPHASE, (uint32_t)workphase_present(&self->workphases), 0);
+        controller_note(self, cycle, EVENT_WORKPHASE,
+                        (uint32_t)workphase_present(&self->workphases), 0);
     }
 }
 
@@ -135,7 +140,8 @@ static status_t obey_workphase(controller_t *self, const cycle_t *cycle, const c
 {
     uint32_t actions = 0U;
     const workphases_inputs_t guards = controller_guards(self, cycle);
-    const status_t status = workphase_request(&self->workphases, &guards, command->argument, &actions);
+    const status_t status =
+        workphase_request(&self->workphases, &guards, command->argument, &actions);
     controller_report_order(self, cycle, actions, STATUS_DISCARDED);
     if (status != STATUS_OK) {
         return status;
@@ -151,7 +157,8 @@ static status_t obey_workphase(controller_t *self, const cycle_t *cycle, const c
     return STATUS_OK;
 }
 
-static status_t obey_jog(controller_t *self, const cycle_t *cycle, const command_t *command, answer_t *answer)
+static status_t obey_jog(controller_t *self, const cycle_t *cycle, const command_t *command,
+                         answer_t *answer)
 {
     uint32_t actions = 0U;
     if (command->argument >= ROBOT_AXIS_COUNT) {
@@ -177,7 +184,8 @@ static status_t obey_jog(controller_t *self, const cycle_t *cycle, const command
     return status;
 }
 
-static status_t obey_registration(controller_t *self, const cycle_t *cycle, const command_t *command)
+static status_t obey_registration(controller_t *self, const cycle_t *cycle,
+                                  const command_t *command)
 {
     if (workphase_present(&self->workphases) != WORKPHASE_CALIBRATION) {
         return STATUS_WRONG_WORKPHASE;
@@ -221,7 +229,8 @@ static status_t obey_proposal(controller_t *self, const cycle_t *cycle, const co
     return status;
 }
 
-static status_t obey(controller_t *self, const cycle_t *cycle, const command_t *command, answer_t *answer)
+static status_t obey(controller_t *self, const cycle_t *cycle, const command_t *command,
+                     answer_t *answer)
 {
     status_t status = STATUS_UNKNOWN_COMMAND;
     switch (command->kind) {

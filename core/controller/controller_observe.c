@@ -23,6 +23,7 @@ static void observe_link(controller_t *self, const cycle_t *cycle, uint32_t inde
         controller_note(self, cycle, EVENT_CARD_LOST, link->slot, (int32_t)link->cause);
         axis_lose_reference(&self->axes[index]);
         axis_disable(&self->axes[index]);
+        plan_forget_target(&self->plan);
         controller_tell_order(self, cycle, WORKPHASES_EVENT_FAULT, STATUS_FAULT_PRESENT);
     }
 }
@@ -38,6 +39,7 @@ static void note_axis(controller_t *self, const cycle_t *cycle, uint32_t index, 
     }
     if ((notes & AXIS_NOTE_ENCODER_FAULT) != 0U) {
         controller_note(self, cycle, EVENT_AXIS_ENCODER_FAULT, index, axis->encoder.jump_ticks);
+        plan_forget_target(&self->plan);
     }
     if ((notes & AXIS_NOTE_STALLED) != 0U) {
         controller_note(self, cycle, EVENT_AXIS_STALLED, index, axis->encoder.position_ticks);
@@ -75,7 +77,8 @@ static void observe_pedal(controller_t *self, const cycle_t *cycle)
                     cycle->inputs->elapsed_us);
     const uint32_t is_open = pedal_gate_is_open(&self->pedal) ? 1U : 0U;
     if (is_open != self->was_gate_open) {
-        controller_note(self, cycle, (is_open != 0U) ? EVENT_PEDAL_PRESSED : EVENT_PEDAL_RELEASED, 0U, 0);
+        controller_note(self, cycle, (is_open != 0U) ? EVENT_PEDAL_PRESSED : EVENT_PEDAL_RELEASED,
+                        0U, 0);
         self->was_gate_open = is_open;
     }
     if ((self->pedal.chart.state == PEDAL_GATE_STATE_FAULT) && !was_faulty) {
@@ -117,14 +120,20 @@ static void observe_loop(controller_t *self, const cycle_t *cycle)
         controller_note(self, cycle, EVENT_OVERRUN, cycle->inputs->late_stage,
                         (int32_t)cycle->inputs->elapsed_us);
     }
-    if ((self->loop.chart.state == LOOP_GUARD_STATE_STOPPED) && (self->loop.chart.state != before)) {
+    if ((self->loop.chart.state == LOOP_GUARD_STATE_STOPPED) &&
+        (self->loop.chart.state != before)) {
         controller_note(self, cycle, EVENT_LOOP_STOPPED, 0U, 0);
         controller_tell_order(self, cycle, WORKPHASES_EVENT_FAULT, STATUS_FAULT_PRESENT);
     }
 }
 
+/* After a scan the pedal must be released and pressed anew: the operator, not the scanner, restarts
+ * a motion. */
 static void observe_scanner(controller_t *self, const cycle_t *cycle)
 {
+    if ((cycle->inputs->scanner_active != 0U) && pedal_gate_is_open(&self->pedal)) {
+        pedal_gate_renew(&self->pedal);
+    }
     if (cycle->inputs->scanner_active != self->was_scanner_active) {
         self->was_scanner_active = cycle->inputs->scanner_active;
         controller_note(self, cycle, EVENT_SCANNER, 0U, (int32_t)self->was_scanner_active);

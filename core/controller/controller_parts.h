@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file The parts of controller_step(), in the order of a cycle. For the files of this folder only. */
+/** @file The parts of controller_step(), in the order of a cycle. For the files of this folder
+ * only. */
 #ifndef BORESIGHT_CONTROLLER_PARTS_H
 #define BORESIGHT_CONTROLLER_PARTS_H
 
 #include "controller.h"
-#include "permit.h"
 
 #include <stdbool.h>
 
@@ -21,7 +21,8 @@ typedef struct {
  * @satisfies SWR-EVENT-001
  * @satisfies SWR-EVENT-002
  */
-void controller_note(controller_t *self, const cycle_t *cycle, event_id_t id, uint32_t subject, int32_t value);
+void controller_note(controller_t *self, const cycle_t *cycle, event_id_t id, uint32_t subject,
+                     int32_t value);
 
 /**
  * Links, encoders, interlocks: what the world says in this cycle. A damaged chart is repaired here.
@@ -42,10 +43,12 @@ void controller_obey(controller_t *self, const cycle_t *cycle);
 void controller_abandon_order(controller_t *self, const cycle_t *cycle);
 
 /** What the workphase chart just did: answers and events. `fault`: status for an order given up. */
-void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t actions, status_t fault);
+void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t actions,
+                             status_t fault);
 
 /** Sends an event to the workphase chart and reports. */
-void controller_tell_order(controller_t *self, const cycle_t *cycle, workphases_event_t event, status_t fault);
+void controller_tell_order(controller_t *self, const cycle_t *cycle, workphases_event_t event,
+                           status_t fault);
 
 /** Facts for the guards of the workphase chart. */
 workphases_inputs_t controller_guards(const controller_t *self, const cycle_t *cycle);
@@ -55,14 +58,12 @@ workphases_inputs_t controller_guards(const controller_t *self, const cycle_t *c
  *
  * @satisfies SWR-DEMO-001
  */
-void controller_move(controller_t *self, const cycle_t *cycle, card_drive_t requests[ROBOT_AXIS_COUNT]);
-
-/** The permit of axis `index` for `request`. */
-permit_t controller_permit(const controller_t *self, const cycle_t *cycle, uint32_t index,
-                           const card_drive_t *request);
+void controller_move(controller_t *self, const cycle_t *cycle,
+                     card_drive_t requests[ROBOT_AXIS_COUNT]);
 
 /**
- * Permit and outgoing frames. Each frame tells its card to switch off by itself when no further frame comes.
+ * Permit and outgoing frames. Each frame tells its card to switch off by itself when no further
+ * frame comes.
  *
  * @satisfies SWR-PERMIT-002
  * @satisfies SWR-PERMIT-003

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "controller_parts.h"
 
+#include "permit.h"
+
 #include <string.h>
 
 static next_step_t step_for_order(const controller_t *self, const cycle_t *cycle)
@@ -37,10 +39,11 @@ static next_step_t next_step(const controller_t *self, const cycle_t *cycle)
 {
     const uint32_t reasons = self->permit_reasons[0];
     const uint32_t card_reasons = (uint32_t)1U << (uint32_t)PERMIT_REASON_LINK_LOST;
-    const uint32_t start_up_reasons =
-        ((uint32_t)1U << (uint32_t)PERMIT_REASON_ESTOP_LATCHED) | ((uint32_t)1U << (uint32_t)PERMIT_REASON_LOOP_STOPPED) |
-        ((uint32_t)1U << (uint32_t)PERMIT_REASON_PEDAL_FAULT) | ((uint32_t)1U << (uint32_t)PERMIT_REASON_AXIS_FAULT) |
-        ((uint32_t)1U << (uint32_t)PERMIT_REASON_AXIS_DISABLED);
+    const uint32_t start_up_reasons = ((uint32_t)1U << (uint32_t)PERMIT_REASON_ESTOP_LATCHED) |
+                                      ((uint32_t)1U << (uint32_t)PERMIT_REASON_LOOP_STOPPED) |
+                                      ((uint32_t)1U << (uint32_t)PERMIT_REASON_PEDAL_FAULT) |
+                                      ((uint32_t)1U << (uint32_t)PERMIT_REASON_AXIS_FAULT) |
+                                      ((uint32_t)1U << (uint32_t)PERMIT_REASON_AXIS_DISABLED);
     next_step_t step = NEXT_STEP_START_UP;
     if (cycle->inputs->estop_open != 0U) {
         step = NEXT_STEP_RELEASE_ESTOP;

@@ -13,22 +13,24 @@ typedef enum {
 
 /** Events. `subject` is an axis, a card slot or a workphase; `value` as said. */
 typedef enum {
-    EVENT_STARTED = 0,            /**< The controller started. */
-    EVENT_WORKPHASE = 1,          /**< Workphase entered (subject). */
-    EVENT_COMMAND_REFUSED = 2,    /**< Command of kind (subject) refused, status (value). */
-    EVENT_PEDAL_PRESSED = 3,      /**< The pedal gate opened. */
-    EVENT_PEDAL_RELEASED = 4,     /**< The pedal gate closed. */
-    EVENT_PEDAL_FAULT = 5,        /**< The pedal's channels disagreed too long. */
-    EVENT_ESTOP_PULLED = 6,       /**< The e-stop was pulled. */
-    EVENT_ESTOP_RELEASED = 7,     /**< The e-stop switch closed; it stays latched. */
-    EVENT_ESTOP_CLEARED = 8,      /**< The e-stop latch was cleared. */
-    EVENT_CARD_LIVE = 9,          /**< Card (subject) answers. */
-    EVENT_CARD_LOST = 10,         /**< Card (subject) lost, cause (value, link_cause_t). */
-    EVENT_FRAME_REFUSED = 11,     /**< Frame of card (subject) discarded, why (value, card_frame_result_t). */
-    EVENT_AXIS_HOMED = 12,        /**< Axis (subject) homed, correction in ticks (value). */
-    EVENT_AXIS_STALLED = 13,      /**< Axis (subject) stalled at position in ticks (value). */
-    EVENT_AXIS_ENCODER_FAULT = 14,   /**< Axis (subject) counted an impossible jump (value, ticks). */
-    EVENT_AXIS_FOLLOWING_ERROR = 15, /**< Axis (subject) strayed from its set-point by (value, ticks). */
+    EVENT_STARTED = 0,         /**< The controller started. */
+    EVENT_WORKPHASE = 1,       /**< Workphase entered (subject). */
+    EVENT_COMMAND_REFUSED = 2, /**< Command of kind (subject) refused, status (value). */
+    EVENT_PEDAL_PRESSED = 3,   /**< The pedal gate opened. */
+    EVENT_PEDAL_RELEASED = 4,  /**< The pedal gate closed. */
+    EVENT_PEDAL_FAULT = 5,     /**< The pedal's channels disagreed too long. */
+    EVENT_ESTOP_PULLED = 6,    /**< The e-stop was pulled. */
+    EVENT_ESTOP_RELEASED = 7,  /**< The e-stop switch closed; it stays latched. */
+    EVENT_ESTOP_CLEARED = 8,   /**< The e-stop latch was cleared. */
+    EVENT_CARD_LIVE = 9,       /**< Card (subject) answers. */
+    EVENT_CARD_LOST = 10,      /**< Card (subject) lost, cause (value, link_cause_t). */
+    EVENT_FRAME_REFUSED =
+        11, /**< Frame of card (subject) discarded, why (value, card_frame_result_t). */
+    EVENT_AXIS_HOMED = 12,         /**< Axis (subject) homed, correction in ticks (value). */
+    EVENT_AXIS_STALLED = 13,       /**< Axis (subject) stalled at position in ticks (value). */
+    EVENT_AXIS_ENCODER_FAULT = 14, /**< Axis (subject) counted an impossible jump (value, ticks). */
+    EVENT_AXIS_FOLLOWING_ERROR =
+        15, /**< Axis (subject) strayed from its set-point by (value, ticks). */
     EVENT_AXIS_HOME_TIMEOUT = 16, /**< Axis (subject) did not find its switch in time. */
     EVENT_ORDER_ARMED = 17,       /**< Motion armed in workphase (subject): press the pedal. */
     EVENT_ORDER_DONE = 18,        /**< The armed motion ended as asked. */
@@ -37,10 +39,11 @@ typedef enum {
     EVENT_REGISTERED = 21,        /**< A registration was accepted. */
     EVENT_TARGET_ACCEPTED = 22,   /**< A target was accepted. */
     EVENT_PROPOSAL = 23,          /**< A proposal of command kind (subject) was received. */
-    EVENT_OVERRUN = 24,           /**< The loop was late, interval in us (value), stage (subject). */
-    EVENT_LOOP_STOPPED = 25,      /**< Late too often in a row. */
-    EVENT_CHART_REPAIRED = 26,    /**< A chart's state was damaged; chart (subject) went to its safe state. */
-    EVENT_SCANNER = 27            /**< The scanner started (value 1) or ended (0) acquiring. */
+    EVENT_OVERRUN = 24,      /**< The loop was late, interval in us (value), stage (subject). */
+    EVENT_LOOP_STOPPED = 25, /**< Late too often in a row. */
+    EVENT_CHART_REPAIRED =
+        26,            /**< A chart's state was damaged; chart (subject) went to its safe state. */
+    EVENT_SCANNER = 27 /**< The scanner started (value 1) or ended (0) acquiring. */
 } event_id_t;
 
 typedef struct {

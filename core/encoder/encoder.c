@@ -2,12 +2,13 @@
 #include "encoder.h"
 
 #include "fixed.h"
-#include "limits.h"
+#include "requirement_limits.h"
 
 #include <stddef.h>
 #include <string.h>
 
-/* Facts of the estimator (M/T over whole edges): shorter spans are dominated by the encoder's state-width error. */
+/* Facts of the estimator (M/T over whole edges): shorter spans are dominated by the encoder's
+ * state-width error. */
 #define SPEED_SPAN_US 6000U
 #define Q8_US_PER_S INT64_C(256000000)
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Position and speed of one axis from its card's encoder counter. Relative: a position means something only after
- * encoder_set_position(). The axis owns one and steps it every cycle.
+ * Position and speed of one axis from its card's encoder counter. Relative: a position means
+ * something only after encoder_set_position(). The axis owns one and steps it every cycle.
  */
 #ifndef BORESIGHT_ENCODER_H
 #define BORESIGHT_ENCODER_H
@@ -14,7 +14,7 @@
 #include <stdint.h>
 
 typedef struct {
-    int32_t reading;              /**< Last believed counter value. */
+    int32_t reading; /**< Last believed counter value. */
     int32_t position_ticks;
     int32_t speed_ticks_per_s_q8; /**< Over at least 6 ms of edges; 0 at rest. */
     int32_t anchor_ticks;         /**< Start of the present speed measurement. */
@@ -29,8 +29,9 @@ typedef struct {
 void encoder_init(encoder_t *self);
 
 /**
- * Takes this cycle's report; NULL when no valid one arrived. A change of more than `config->jump_ticks` for each
- * cycle since the last reading is not believed; the second in a row makes the counter's new value the reference.
+ * Takes this cycle's report; NULL when no valid one arrived. A change of more than
+ * `config->jump_ticks` for each cycle since the last reading is not believed; the second in a row
+ * makes the counter's new value the reference.
  *
  * @return true when the position can no longer be trusted
  *

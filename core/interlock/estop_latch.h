@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The e-stop latch: motion stays forbidden after the switch has closed again, until START_UP is commanded.
- * Behaviour: statecharts/estop_latch.scxml. The power itself is cut by the e-stop chain in hardware.
+ * The e-stop latch: motion stays forbidden after the switch has closed again, until START_UP is
+ * commanded. Behaviour: statecharts/estop_latch.scxml. The power itself is cut by the e-stop chain
+ * in hardware.
  */
 #ifndef BORESIGHT_ESTOP_LATCH_H
 #define BORESIGHT_ESTOP_LATCH_H

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "loop_guard.h"
 
-#include "limits.h"
+#include "requirement_limits.h"
 
 void loop_guard_init(loop_guard_t *self)
 {

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The pedal gate: open only while both channels of the foot pedal are closed and were seen open before.
- * The controller owns one and steps it every cycle. Behaviour: statecharts/pedal_gate.scxml.
+ * The pedal gate: open only while both channels of the foot pedal are closed and were seen open
+ * before. The controller owns one and steps it every cycle. Behaviour:
+ * statecharts/pedal_gate.scxml.
  */
 #ifndef BORESIGHT_PEDAL_GATE_H
 #define BORESIGHT_PEDAL_GATE_H
@@ -29,7 +30,8 @@ void pedal_gate_init(pedal_gate_t *self);
 void pedal_gate_step(pedal_gate_t *self, bool is_a_closed, bool is_b_closed, uint32_t elapsed_us);
 
 /**
- * Shuts the gate until the pedal has been seen released again; called whenever a motion is armed.
+ * Shuts the gate until the pedal has been seen released again; called whenever a motion is armed
+ * and while the scanner acquires.
  *
  * @satisfies SWR-PEDAL-003
  */

@@ -2,7 +2,7 @@
 #include "neuro.h"
 
 #include "fixed.h"
-#include "limits.h"
+#include "requirement_limits.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -2,7 +2,7 @@
 #include "rigid.h"
 
 #include "fixed.h"
-#include "limits.h"
+#include "requirement_limits.h"
 
 #include <stdbool.h>
 

@@ -53,7 +53,8 @@ static void rest_at(profile_t *self, const int32_t position_ticks[ROBOT_AXIS_COU
     self->cycle = 0U;
 }
 
-void profile_plan(profile_t *self, const robot_t *robot, const int32_t start_ticks[ROBOT_AXIS_COUNT],
+void profile_plan(profile_t *self, const robot_t *robot,
+                  const int32_t start_ticks[ROBOT_AXIS_COUNT],
                   const int32_t end_ticks[ROBOT_AXIS_COUNT], uint32_t speed_percent)
 {
     REQUIRE(100U, (speed_percent >= 1U) && (speed_percent <= 100U));

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * A time-true trapezoid that several axes share: all start and end together, each within its own speed and
- * acceleration. Closed form in whole cycles, so it has no drift and ends exactly at the target.
+ * A time-true trapezoid that several axes share: all start and end together, each within its own
+ * speed and acceleration. Closed form in whole cycles, so it has no drift and ends exactly at the
+ * target.
  *
  * With R ramp and C cruise cycles and N = 2R + C the fraction of the way at cycle k is
- * k^2 / (2R(R+C)) on the ramp up, (2k - R) / (2(R+C)) on the cruise, 1 - (N-k)^2 / (2R(R+C)) on the ramp down;
- * the peak speed is distance / (R+C) per cycle.
+ * k^2 / (2R(R+C)) on the ramp up, (2k - R) / (2(R+C)) on the cruise, 1 - (N-k)^2 / (2R(R+C)) on the
+ * ramp down; the peak speed is distance / (R+C) per cycle.
  */
 #ifndef BORESIGHT_PROFILE_H
 #define BORESIGHT_PROFILE_H
@@ -32,7 +33,8 @@ typedef struct {
  * @satisfies SWR-MOTION-002
  * @satisfies SWR-PEDAL-005
  */
-void profile_plan(profile_t *self, const robot_t *robot, const int32_t start_ticks[ROBOT_AXIS_COUNT],
+void profile_plan(profile_t *self, const robot_t *robot,
+                  const int32_t start_ticks[ROBOT_AXIS_COUNT],
                   const int32_t end_ticks[ROBOT_AXIS_COUNT], uint32_t speed_percent);
 
 /**

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "servo.h"
 
-#include "limits.h"
+#include "requirement_limits.h"
 
 #include <string.h>
 
-/* Speed demanded for each tick of error: ticks/s, found on the simulated box (rise time constant 15 ms). */
+/* Speed demanded for each tick of error: ticks/s, found on the simulated box (rise time constant 15
+ * ms). */
 #define GAIN_PER_S INT64_C(60)
 /* A motor below a tenth of its full speed sticks; leave some margin. */
 #define SLOWEST_PERCENT INT64_C(15)

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * From set-point and position to a drive request for one ultrasonic motor. Speed demand = set-point speed + gain x
- * error; a demand below the slowest speed at which the motor runs is met on average by single-cycle pulses.
- * The request is nothing but a wish: only the permit turns it into a drive.
+ * From set-point and position to a drive request for one ultrasonic motor. Speed demand = set-point
+ * speed + gain x error; a demand below the slowest speed at which the motor runs is met on average
+ * by single-cycle pulses. The request is nothing but a wish: only the permit turns it into a drive.
  */
 #ifndef BORESIGHT_SERVO_H
 #define BORESIGHT_SERVO_H
@@ -15,18 +15,18 @@
 #include <stdint.h>
 
 typedef struct {
-    int64_t pulse_debt_q8;  /**< Demand not yet met by pulses. */
-    uint32_t direction;     /**< Last requested drive direction bit. */
-    uint32_t rest_us;       /**< Since the first cycle without a request, saturates. */
-    uint32_t is_driving;    /**< A drive was requested in the last cycle: 0 or 1. */
+    int64_t pulse_debt_q8; /**< Demand not yet met by pulses. */
+    uint32_t direction;    /**< Last requested drive direction bit. */
+    uint32_t rest_us;      /**< Since the first cycle without a request, saturates. */
+    uint32_t is_driving;   /**< A drive was requested in the last cycle: 0 or 1. */
 } servo_t;
 
 /** Starts at rest. */
 void servo_init(servo_t *self);
 
 /**
- * The request for this cycle, `elapsed_us` after the one before. Off inside the deadband with a resting set-point, and for
- * LIMIT_REVERSAL_DWELL_US between the two directions.
+ * The request for this cycle, `elapsed_us` after the one before. Off inside the deadband with a
+ * resting set-point, and for LIMIT_REVERSAL_DWELL_US between the two directions.
  *
  * @satisfies SWR-MOTION-004
  * @satisfies SWR-AXIS-007

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "permit.h"
 
-#include "limits.h"
+#include "requirement_limits.h"
 
 static uint32_t reason(bool stands, permit_reason_t name)
 {

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The motion permit: the one decision whether an axis may be driven in this cycle. A pure function of the
- * cycle's facts. Everything else only requests motion; permit_apply() is the only way a drive reaches a frame.
+ * The motion permit: the one decision whether an axis may be driven in this cycle. A pure function
+ * of the cycle's facts. Everything else only requests motion; permit_apply() is the only way a
+ * drive reaches a frame.
  */
 #ifndef BORESIGHT_PERMIT_H
 #define BORESIGHT_PERMIT_H
@@ -12,13 +13,16 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** Why an axis may not be driven, in the order in which they are told to the operator. Bit n of a mask. */
+/** Why an axis may not be driven, in the order in which they are told to the operator. Bit n of a
+ * mask. */
 typedef enum {
-    PERMIT_REASON_ESTOP_PULLED = 0,    /**< The e-stop is pulled: release it. */
-    PERMIT_REASON_ESTOP_LATCHED = 1,   /**< The e-stop is latched: command START_UP. */
-    PERMIT_REASON_LOOP_STOPPED = 2,    /**< The control loop was late three times in a row: command START_UP. */
-    PERMIT_REASON_LINK_LOST = 3,       /**< A card is lost: check its cable, then command START_UP. */
-    PERMIT_REASON_PEDAL_FAULT = 4,     /**< The pedal's channels disagreed: release it, then command START_UP. */
+    PERMIT_REASON_ESTOP_PULLED = 0,  /**< The e-stop is pulled: release it. */
+    PERMIT_REASON_ESTOP_LATCHED = 1, /**< The e-stop is latched: command START_UP. */
+    PERMIT_REASON_LOOP_STOPPED =
+        2, /**< The control loop was late three times in a row: command START_UP. */
+    PERMIT_REASON_LINK_LOST = 3, /**< A card is lost: check its cable, then command START_UP. */
+    PERMIT_REASON_PEDAL_FAULT =
+        4, /**< The pedal's channels disagreed: release it, then command START_UP. */
     PERMIT_REASON_SCANNER_ACTIVE = 5,  /**< The scanner is acquiring: wait or pause the scan. */
     PERMIT_REASON_AXIS_FAULT = 6,      /**< The axis has a fault: command START_UP. */
     PERMIT_REASON_AXIS_DISABLED = 7,   /**< The axis is disabled: command START_UP. */
@@ -46,16 +50,18 @@ typedef struct {
     bool is_pedal_unproven;
     bool is_pedal_pressed;
     bool is_homed;
-    bool is_homing_or_jog;      /**< The armed order is one that an axis not homed may run. */
-    bool is_towards_switch;     /**< Requested direction is towards an active limit switch. */
-    bool is_beyond_soft_limit;  /**< Homed, at or beyond a soft limit, and requested to go further. */
+    bool is_homing_or_jog;  /**< The armed order is one that an axis not homed may run. */
+    bool is_towards_switch; /**< Requested direction is towards an active limit switch. */
+    bool
+        is_beyond_soft_limit; /**< Homed, at or beyond a soft limit, and requested to go further. */
 } permit_facts_t;
 
 /** The answer for one axis. */
 typedef struct {
-    bool is_allowed;             /**< No reason stands. */
-    uint32_t reasons;            /**< Bit mask of permit_reason_t. */
-    uint32_t speed_cap_percent;  /**< Of the axis' speed: 0 when not allowed, reduced while not homed, else 100. */
+    bool is_allowed;            /**< No reason stands. */
+    uint32_t reasons;           /**< Bit mask of permit_reason_t. */
+    uint32_t speed_cap_percent; /**< Of the axis' speed: 0 when not allowed, reduced while not
+                                   homed, else 100. */
 } permit_t;
 
 /**

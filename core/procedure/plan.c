@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "plan.h"
 
-#include "limits.h"
+#include "requirement_limits.h"
 
 #include <stddef.h>
 #include <string.h>
 
-static void forget_target(plan_t *self)
+void plan_forget_target(plan_t *self)
 {
     self->has_target = 0U;
     self->has_proposed_entry = 0U;
@@ -23,8 +23,9 @@ static status_t check_point(const point_t *point)
 }
 
 /* Rounds legal joints to ticks and says where that puts the treatment frame in the scanner. */
-static void settle(const robot_t *robot, const rigid_t *scanner_zframe, const neuro_joints_t *joints,
-                   int32_t ticks[ROBOT_AXIS_COUNT], rigid_t *scanner_treatment)
+static void settle(const robot_t *robot, const rigid_t *scanner_zframe,
+                   const neuro_joints_t *joints, int32_t ticks[ROBOT_AXIS_COUNT],
+                   rigid_t *scanner_treatment)
 {
     neuro_joints_t rounded;
     rigid_t zframe_treatment;
@@ -37,8 +38,9 @@ static void settle(const robot_t *robot, const rigid_t *scanner_zframe, const ne
 /* What entry and target point ask for together; shown only. */
 static void weigh_proposals(plan_t *self, const robot_t *robot)
 {
-    const rigid_t *const scanner_zframe =
-        (self->has_proposed_registration != 0U) ? &self->proposed_registration : &self->scanner_zframe;
+    const rigid_t *const scanner_zframe = (self->has_proposed_registration != 0U)
+                                              ? &self->proposed_registration
+                                              : &self->scanner_zframe;
     rigid_t zframe_scanner;
     neuro_joints_t joints;
     self->is_proposal_reachable = 0U;
@@ -73,14 +75,15 @@ status_t plan_register(plan_t *self, const robot_t *robot, const rigid_t *scanne
     self->scanner_zframe = *scanner_zframe;
     rigid_orthonormalise(&self->scanner_zframe);
     self->is_registered = 1U;
-    forget_target(self);
+    plan_forget_target(self);
     weigh_proposals(self, robot);
     return STATUS_OK;
 }
 
 neuro_result_t plan_set_target(plan_t *self, const robot_t *robot, const rigid_t *scanner_treatment)
 {
-    neuro_result_t result = {.status = rigid_check(scanner_treatment), .axis = 0U, .is_maximum = 0U};
+    neuro_result_t result = {
+        .status = rigid_check(scanner_treatment), .axis = 0U, .is_maximum = 0U};
     rigid_t exact;
     rigid_t zframe_scanner;
     rigid_t zframe_treatment;
@@ -97,7 +100,8 @@ neuro_result_t plan_set_target(plan_t *self, const robot_t *robot, const rigid_t
     rigid_invert(&self->scanner_zframe, &zframe_scanner);
     rigid_multiply(&zframe_scanner, &exact, &zframe_treatment);
     const point_t entry = rigid_apply(&zframe_scanner, &self->proposed_entry);
-    result = neuro_solve(robot, &zframe_treatment, (self->has_proposed_entry != 0U) ? &entry : NULL, &joints);
+    result = neuro_solve(robot, &zframe_treatment, (self->has_proposed_entry != 0U) ? &entry : NULL,
+                         &joints);
     if (result.status == STATUS_OK) {
         result.status = plan_confirm(robot, &joints, &zframe_treatment);
     }
@@ -108,7 +112,8 @@ neuro_result_t plan_set_target(plan_t *self, const robot_t *robot, const rigid_t
     return result;
 }
 
-status_t plan_confirm(const robot_t *robot, const neuro_joints_t *joints, const rigid_t *zframe_treatment)
+status_t plan_confirm(const robot_t *robot, const neuro_joints_t *joints,
+                      const rigid_t *zframe_treatment)
 {
     rigid_t reached;
     int32_t distance_nm = 0;
@@ -120,7 +125,8 @@ status_t plan_confirm(const robot_t *robot, const neuro_joints_t *joints, const 
     return is_closed ? STATUS_OK : STATUS_CLOSURE;
 }
 
-status_t plan_propose_registration(plan_t *self, const robot_t *robot, const rigid_t *scanner_zframe)
+status_t plan_propose_registration(plan_t *self, const robot_t *robot,
+                                   const rigid_t *scanner_zframe)
 {
     const status_t status = rigid_check(scanner_zframe);
     if (status == STATUS_OK) {

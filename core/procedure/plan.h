@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The plan: where the robot stands in the scanner (registration), where it shall go (target), and what others
- * propose. Proposals are shown and decide an insertion depth; they never become a motion.
+ * The plan: where the robot stands in the scanner (registration), where it shall go (target), and
+ * what others propose. Proposals are shown and decide an insertion depth; they never become a
+ * motion.
  */
 #ifndef BORESIGHT_PLAN_H
 #define BORESIGHT_PLAN_H
@@ -16,15 +17,15 @@
 #include <stdint.h>
 
 typedef struct {
-    rigid_t scanner_zframe;       /**< The registration; identity before one is accepted. */
-    rigid_t scanner_target;       /**< Accepted target as it will be reached: rounded to ticks. */
+    rigid_t scanner_zframe; /**< The registration; identity before one is accepted. */
+    rigid_t scanner_target; /**< Accepted target as it will be reached: rounded to ticks. */
     int32_t target_ticks[ROBOT_AXIS_COUNT];
     rigid_t proposed_registration;
-    point_t proposed_entry;       /**< Scanner coordinates, like everything proposed. */
+    point_t proposed_entry; /**< Scanner coordinates, like everything proposed. */
     point_t proposed_target;
-    rigid_t scanner_desired;      /**< The pose the proposals ask for. */
+    rigid_t scanner_desired; /**< The pose the proposals ask for. */
     int32_t desired_ticks[ROBOT_AXIS_COUNT];
-    uint32_t is_registered;       /**< Each 0 or 1. */
+    uint32_t is_registered; /**< Each 0 or 1. */
     uint32_t has_target;
     uint32_t has_proposed_registration;
     uint32_t has_proposed_entry;
@@ -46,15 +47,24 @@ void plan_init(plan_t *self);
 status_t plan_register(plan_t *self, const robot_t *robot, const rigid_t *scanner_zframe);
 
 /**
- * Takes a treatment pose in scanner coordinates as the target. The depth is decided by neuro_solve(), with the
- * proposed entry point.
+ * Takes a treatment pose in scanner coordinates as the target. The depth is decided by
+ * neuro_solve(), with the proposed entry point.
  *
- * @return status as rigid_check() and neuro_solve(), STATUS_NOT_REGISTERED, or STATUS_CLOSURE when forward
- *         kinematics does not return the pose; the old target then stands
+ * @return status as rigid_check() and neuro_solve(), STATUS_NOT_REGISTERED, or STATUS_CLOSURE when
+ * forward kinematics does not return the pose; the old target then stands
  *
  * @satisfies SWR-PLAN-004
  */
-neuro_result_t plan_set_target(plan_t *self, const robot_t *robot, const rigid_t *scanner_treatment);
+neuro_result_t plan_set_target(plan_t *self, const robot_t *robot,
+                               const rigid_t *scanner_treatment);
+
+/**
+ * The positions can no longer be trusted: the target and what was proposed on the way to it are
+ * forgotten.
+ *
+ * @satisfies SWR-LINK-003
+ */
+void plan_forget_target(plan_t *self);
 
 /**
  * Computes the way back: whether forward kinematics of `joints` returns `zframe_treatment`.
@@ -63,12 +73,15 @@ neuro_result_t plan_set_target(plan_t *self, const robot_t *robot, const rigid_t
  *
  * @satisfies SWR-PLAN-004
  */
-status_t plan_confirm(const robot_t *robot, const neuro_joints_t *joints, const rigid_t *zframe_treatment);
+status_t plan_confirm(const robot_t *robot, const neuro_joints_t *joints,
+                      const rigid_t *zframe_treatment);
 
 /** Takes a proposed registration, @return as rigid_check(). */
-status_t plan_propose_registration(plan_t *self, const robot_t *robot, const rigid_t *scanner_zframe);
+status_t plan_propose_registration(plan_t *self, const robot_t *robot,
+                                   const rigid_t *scanner_zframe);
 
-/** Takes a proposed entry point (scanner coordinates). @return STATUS_OUT_OF_RANGE beyond the registration's range */
+/** Takes a proposed entry point (scanner coordinates). @return STATUS_OUT_OF_RANGE beyond the
+ * registration's range */
 status_t plan_propose_entry(plan_t *self, const robot_t *robot, const point_t *entry);
 
 /** Takes a proposed target point. Same returns. */

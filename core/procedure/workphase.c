@@ -20,19 +20,15 @@ static status_t refusal(uint32_t actions)
     return status;
 }
 
-status_t workphase_request(workphases_chart_t *self, const workphases_inputs_t *inputs, uint32_t workphase,
-                           uint32_t *actions)
+status_t workphase_request(workphases_chart_t *self, const workphases_inputs_t *inputs,
+                           uint32_t workphase, uint32_t *actions)
 {
     static const workphases_event_t requests[WORKPHASE_COUNT] = {
         WORKPHASES_EVENT_REQUEST_STOP, /* UNDEFINED cannot be requested. */
-        WORKPHASES_EVENT_REQUEST_START_UP,
-        WORKPHASES_EVENT_REQUEST_PLANNING,
-        WORKPHASES_EVENT_REQUEST_CALIBRATION,
-        WORKPHASES_EVENT_REQUEST_TARGETING,
-        WORKPHASES_EVENT_REQUEST_MOVE_TO_TARGET,
-        WORKPHASES_EVENT_REQUEST_MANUAL,
-        WORKPHASES_EVENT_REQUEST_STOP,
-        WORKPHASES_EVENT_REQUEST_EMERGENCY,
+        WORKPHASES_EVENT_REQUEST_START_UP,       WORKPHASES_EVENT_REQUEST_PLANNING,
+        WORKPHASES_EVENT_REQUEST_CALIBRATION,    WORKPHASES_EVENT_REQUEST_TARGETING,
+        WORKPHASES_EVENT_REQUEST_MOVE_TO_TARGET, WORKPHASES_EVENT_REQUEST_MANUAL,
+        WORKPHASES_EVENT_REQUEST_STOP,           WORKPHASES_EVENT_REQUEST_EMERGENCY,
     };
     *actions = 0U;
     if ((workphase == (uint32_t)WORKPHASE_UNDEFINED) || (workphase >= WORKPHASE_COUNT)) {
@@ -42,7 +38,8 @@ status_t workphase_request(workphases_chart_t *self, const workphases_inputs_t *
     return refusal(*actions);
 }
 
-status_t workphase_request_jog(workphases_chart_t *self, const workphases_inputs_t *inputs, uint32_t *actions)
+status_t workphase_request_jog(workphases_chart_t *self, const workphases_inputs_t *inputs,
+                               uint32_t *actions)
 {
     *actions = workphases_chart_dispatch(self, inputs, WORKPHASES_EVENT_REQUEST_JOG);
     return refusal(*actions);

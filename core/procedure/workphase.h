@@ -31,23 +31,24 @@ typedef enum {
  * Asks for a workphase.
  *
  * @param actions receives the chart's actions (WORKPHASES_ACTION_ bits)
- * @return STATUS_OK; STATUS_UNKNOWN_COMMAND outside the enumeration or for UNDEFINED; STATUS_WRONG_WORKPHASE,
- *         STATUS_HARDWARE_NOT_READY, STATUS_NOT_REGISTERED, STATUS_NO_TARGET, STATUS_NOT_HOMED as refused by
- *         the chart
+ * @return STATUS_OK; STATUS_UNKNOWN_COMMAND outside the enumeration or for UNDEFINED;
+ * STATUS_WRONG_WORKPHASE, STATUS_HARDWARE_NOT_READY, STATUS_NOT_REGISTERED, STATUS_NO_TARGET,
+ * STATUS_NOT_HOMED as refused by the chart
  *
  * @satisfies SWR-PHASE-001
  * @satisfies SWR-PHASE-002
  * @satisfies SWR-PHASE-006
  */
-status_t workphase_request(workphases_chart_t *self, const workphases_inputs_t *inputs, uint32_t workphase,
-                           uint32_t *actions);
+status_t workphase_request(workphases_chart_t *self, const workphases_inputs_t *inputs,
+                           uint32_t workphase, uint32_t *actions);
 
 /**
  * Asks for a jog to be armed. Same meaning.
  *
  * @satisfies SWR-AXIS-010
  */
-status_t workphase_request_jog(workphases_chart_t *self, const workphases_inputs_t *inputs, uint32_t *actions);
+status_t workphase_request_jog(workphases_chart_t *self, const workphases_inputs_t *inputs,
+                               uint32_t *actions);
 
 /** The present workphase. */
 workphase_t workphase_present(const workphases_chart_t *self);

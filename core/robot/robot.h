@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What a robot is, as data. The tables are compiled from core/robot/<name>.yaml; nothing else describes a robot.
+ * What a robot is, as data. The tables are compiled from core/robot/<name>.yaml; nothing else
+ * describes a robot.
  */
 #ifndef BORESIGHT_ROBOT_H
 #define BORESIGHT_ROBOT_H
@@ -11,7 +12,8 @@
 #define ROBOT_AXIS_COUNT 7U  /**< Most axes of any robot. */
 #define ROBOT_SLOT_COUNT 10U /**< Card slots of the control box. */
 
-/** Index of a NeuroRobot axis; the order of the arguments of forward kinematics (thesis, Listing 16). */
+/** Index of a NeuroRobot axis; the order of the arguments of forward kinematics (thesis, Listing
+ * 16). */
 typedef enum {
     AXIS_HEAD = 0,
     AXIS_FEET = 1,
@@ -24,8 +26,8 @@ typedef enum {
 
 typedef enum {
     CARD_TYPE_NONE = 0,
-    CARD_TYPE_PWM = 1,     /**< Speed by a 17-bit duty word. */
-    CARD_TYPE_NON_PWM = 2  /**< Run or stop, and direction. */
+    CARD_TYPE_PWM = 1,    /**< Speed by a 17-bit duty word. */
+    CARD_TYPE_NON_PWM = 2 /**< Run or stop, and direction. */
 } card_type_t;
 
 typedef enum {
@@ -47,50 +49,51 @@ typedef enum {
 /** One axis. Positions in ticks (encoder counts), home = the position its home method assigns. */
 typedef struct {
     char name[12];
-    uint8_t slot;                  /**< Card slot 0..9. */
-    uint8_t card_type;             /**< card_type_t. */
-    uint8_t unit;                  /**< axis_unit_t. */
-    uint8_t limit_switch;          /**< limit_switch_t. */
-    uint8_t home_method;           /**< home_method_t. */
-    uint8_t home_stage;            /**< 1 or 2: stage 2 homes after stage 1. */
-    uint8_t is_motor_inverted;     /**< 1: direction bit 1 makes the position smaller. */
-    uint8_t is_encoder_inverted;   /**< 1: position grows when the reading falls. */
-    int64_t unit_per_tick_q16;     /**< nm or bam per tick, 16 fraction bits. */
-    int32_t minimum_ticks;         /**< Soft limits, inclusive. */
+    uint8_t slot;                /**< Card slot 0..9. */
+    uint8_t card_type;           /**< card_type_t. */
+    uint8_t unit;                /**< axis_unit_t. */
+    uint8_t limit_switch;        /**< limit_switch_t. */
+    uint8_t home_method;         /**< home_method_t. */
+    uint8_t home_stage;          /**< 1 or 2: stage 2 homes after stage 1. */
+    uint8_t is_motor_inverted;   /**< 1: direction bit 1 makes the position smaller. */
+    uint8_t is_encoder_inverted; /**< 1: position grows when the reading falls. */
+    int64_t unit_per_tick_q16;   /**< nm or bam per tick, 16 fraction bits. */
+    int32_t minimum_ticks;       /**< Soft limits, inclusive. */
     int32_t maximum_ticks;
     int32_t home_ticks;
-    int32_t deadband_ticks;        /**< |set-point - position| at rest that counts as arrived. */
-    int32_t speed_ticks_per_s;     /**< Highest speed of a move. */
+    int32_t deadband_ticks;    /**< |set-point - position| at rest that counts as arrived. */
+    int32_t speed_ticks_per_s; /**< Highest speed of a move. */
     int32_t acceleration_ticks_per_s2;
     int32_t home_speed_ticks_per_s;
-    int32_t full_speed_ticks_per_s; /**< Speed of the motor at the largest drive word (or when running). */
-    int32_t following_error_ticks; /**< Largest |set-point - position| while driven. */
-    int32_t jump_ticks;            /**< Largest believable change of the reading in one cycle. */
-    uint32_t minimum_duty;         /**< Smallest pwm word that moves the motor; 0 for non-pwm. */
-    uint32_t maximum_duty;         /**< Largest pwm word, saturates; 0 for non-pwm. */
+    int32_t full_speed_ticks_per_s; /**< Speed of the motor at the largest drive word (or when
+                                       running). */
+    int32_t following_error_ticks;  /**< Largest |set-point - position| while driven. */
+    int32_t jump_ticks;             /**< Largest believable change of the reading in one cycle. */
+    uint32_t minimum_duty;          /**< Smallest pwm word that moves the motor; 0 for non-pwm. */
+    uint32_t maximum_duty;          /**< Largest pwm word, saturates; 0 for non-pwm. */
 } axis_config_t;
 
 /** Geometry of the NeuroRobot (mechanism of Nycz et al. 2017), nm. */
 typedef struct {
-    int32_t side_link_nm;          /**< L */
-    int32_t top_width_nm;          /**< w */
-    int32_t home_separation_nm;    /**< S0 */
+    int32_t side_link_nm;       /**< L */
+    int32_t top_width_nm;       /**< w */
+    int32_t home_separation_nm; /**< S0 */
     int32_t minimum_separation_nm;
     int32_t maximum_separation_nm;
-    int32_t rcm_home_x_nm;         /**< Remote centre of motion in the z-frame at home. */
+    int32_t rcm_home_x_nm; /**< Remote centre of motion in the z-frame at home. */
     int32_t rcm_home_y_nm;
     int32_t rcm_home_z_nm;
-    int32_t robot_to_rcm_nm;       /**< rho, along the needle. */
-    int32_t probe_treatment_to_tip_nm;    /**< A */
-    int32_t probe_robot_to_entry_nm;      /**< B */
+    int32_t robot_to_rcm_nm;               /**< rho, along the needle. */
+    int32_t probe_treatment_to_tip_nm;     /**< A */
+    int32_t probe_robot_to_entry_nm;       /**< B */
     int32_t probe_cannula_to_treatment_nm; /**< C */
-    int32_t probe_robot_to_treatment_nm;  /**< D, at home */
+    int32_t probe_robot_to_treatment_nm;   /**< D, at home */
 } neuro_geometry_t;
 
 typedef struct {
     char name[12];
     uint32_t axis_count;
-    uint32_t crc;                  /**< CRC-32C of the robot file the table was compiled from. */
+    uint32_t crc; /**< CRC-32C of the robot file the table was compiled from. */
     axis_config_t axes[ROBOT_AXIS_COUNT];
     neuro_geometry_t neuro;
 } robot_t;

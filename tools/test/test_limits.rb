@@ -25,7 +25,7 @@ class TestLimits < Minitest::Test
   def test_SWR_TRACE_001_writes_a_constant_with_requirement_and_unit
     header, json = generate('pedal.yml' => ITEM)
     assert_includes header, "#define LIMIT_PEDAL_DISCREPANCY_US (100000U) /**< SWR-PEDAL-004, us. */\n"
-    assert_includes header, '#ifndef BORESIGHT_LIMITS_H'
+    assert_includes header, '#ifndef BORESIGHT_REQUIREMENT_LIMITS_H'
     assert_equal [{ 'name' => 'pedal_discrepancy_us', 'value' => 100_000, 'unit' => 'us',
                     'status' => 'proposed', 'requirement' => 'SWR-PEDAL-004' }], JSON.parse(json)
   end
@@ -74,7 +74,7 @@ class TestLimits < Minitest::Test
     Dir.mktmpdir do |out|
       output, status = Open3.capture2e('ruby', TOOL, folder, out)
       assert status.success?, output
-      %w[limits.h limits.json].map { |name| File.read(File.join(out, name)) }
+      %w[requirement_limits.h limits.json].map { |name| File.read(File.join(out, name)) }
     end
   end
 

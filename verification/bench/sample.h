@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The file of samples: single cycles of a recording, each with all that controller_step() needs and what it must say.
- * Same layout on both machines of the benchmark; whoever reads compares the sizes in the header with its own.
+ * The file of samples: single cycles of a recording, each with all that controller_step() needs and
+ * what it must say. Same layout on both machines of the benchmark; whoever reads compares the sizes
+ * in the header with its own.
  */
 #ifndef BORESIGHT_SAMPLE_H
 #define BORESIGHT_SAMPLE_H
@@ -25,7 +26,7 @@ typedef struct {
 } samples_header_t;
 
 typedef struct {
-    controller_t before;          /**< State when the cycle began. */
+    controller_t before; /**< State when the cycle began. */
     controller_inputs_t inputs;
     controller_outputs_t outputs; /**< As recorded. */
 } sample_t;

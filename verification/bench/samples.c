@@ -5,9 +5,9 @@
  *
  *     bench-samples RECORDING SAMPLES
  *
- * Kept are SAMPLES_EVEN cycles at equal distances, every cycle that carried a command or an answer (at most
- * SAMPLES_SPOKEN), and every other one with an event (at most SAMPLES_EVENTFUL). Standard output has one line for
- * each, tabulated: "even" or "extra", cycle, what happened in it.
+ * Kept are SAMPLES_EVEN cycles at equal distances, every cycle that carried a command or an answer
+ * (at most SAMPLES_SPOKEN), and every other one with an event (at most SAMPLES_EVENTFUL). Standard
+ * output has one line for each, tabulated: "even" or "extra", cycle, what happened in it.
  */
 #include "contract.h"
 #include "names.h"
@@ -36,7 +36,8 @@ static samples_header_t samples = {.magic = SAMPLES_MAGIC,
 
 void contract_broken(const char *module, uint32_t id)
 {
-    (void)fprintf(stderr, "Cycle %" PRIu32 " breaks contract %s/%" PRIu32 ".\n", record.cycle, module, id);
+    (void)fprintf(stderr, "Cycle %" PRIu32 " breaks contract %s/%" PRIu32 ".\n", record.cycle,
+                  module, id);
     _Exit(EXIT_FAILURE);
 }
 
@@ -54,7 +55,8 @@ static void print_label(const cycle_record_t *from)
     }
     if (inputs->command_count == 0U) {
         for (uint32_t i = 0U; i < outputs->event_count; i++) {
-            (void)printf("%s%s", (i > 0U) ? ", " : "", event_id_name((int32_t)outputs->events[i].id));
+            (void)printf("%s%s", (i > 0U) ? ", " : "",
+                         event_id_name((int32_t)outputs->events[i].id));
         }
     }
     (void)putchar('\n');
@@ -65,7 +67,8 @@ static const char *reason_to_keep(const cycle_record_t *from, uint64_t distance)
 {
     static uint32_t spoken;
     static uint32_t eventful;
-    const bool has_word = (from->body.cycle.inputs.command_count + from->body.cycle.outputs.answer_count) > 0U;
+    const bool has_word =
+        (from->body.cycle.inputs.command_count + from->body.cycle.outputs.answer_count) > 0U;
     if (has_word && (spoken < SAMPLES_SPOKEN)) {
         spoken++;
         return "extra";
@@ -94,13 +97,15 @@ static bool take_all(FILE *file)
 {
     const uint64_t distance = (reader.records / SAMPLES_EVEN) + 1U;
     while (recording_reader_next(&reader, &record)) {
-        const char *const reason = (record.kind == (uint32_t)CYCLE_RECORD_CYCLE) && replay.is_running
-                                       ? reason_to_keep(&record, distance)
-                                       : NULL;
+        const char *const reason =
+            (record.kind == (uint32_t)CYCLE_RECORD_CYCLE) && replay.is_running
+                ? reason_to_keep(&record, distance)
+                : NULL;
         const uint64_t before = replay.replayed;
         sample.before = replay.controller;
         if (!replay_take(&replay, &robot_neuro, &record)) {
-            (void)fprintf(stderr, "Cycle %" PRIu32 " does not repeat what was recorded.\n", record.cycle);
+            (void)fprintf(stderr, "Cycle %" PRIu32 " does not repeat what was recorded.\n",
+                          record.cycle);
             return false;
         }
         if ((reason != NULL) && (replay.replayed > before) && !keep(file, reason)) {
@@ -135,15 +140,18 @@ int main(int count, char **arguments)
         (void)fprintf(stderr, "%s\n", finding.sentence);
         return EXIT_FAILURE;
     }
-    if ((reader.header.robot_crc != robot_neuro.crc) || !recording_reader_fits(&reader, sizeof(controller_t))) {
-        (void)fputs("The recording is of another robot or of another build; make a new one.\n", stderr);
+    if ((reader.header.robot_crc != robot_neuro.crc) ||
+        !recording_reader_fits(&reader, sizeof(controller_t))) {
+        (void)fputs("The recording is of another robot or of another build; make a new one.\n",
+                    stderr);
         return EXIT_FAILURE;
     }
     replay_init(&replay);
     const bool is_done = write_samples(arguments[2]);
     recording_reader_close(&reader);
     if (!is_done) {
-        (void)fprintf(stderr, "No samples of %s could be written to %s.\n", arguments[1], arguments[2]);
+        (void)fprintf(stderr, "No samples of %s could be written to %s.\n", arguments[1],
+                      arguments[2]);
     }
     return is_done ? EXIT_SUCCESS : EXIT_FAILURE;
 }

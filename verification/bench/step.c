@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * bench-step: calls controller_step() once for each sample, for a tool that counts instructions, and compares its
- * outputs with the recorded ones.
+ * bench-step: calls controller_step() once for each sample, for a tool that counts instructions,
+ * and compares its outputs with the recorded ones.
  *
  *     bench-step SAMPLES [NUMBER ...]
  *
@@ -27,8 +27,8 @@ void contract_broken(const char *module, uint32_t id)
     _Exit(EXIT_FAILURE);
 }
 
-/* Whoever counts begins at the entry of controller_step() and ends at the return to here; something must be left to do
- * after it, or the compiler makes the call a jump that returns elsewhere. */
+/* Whoever counts begins at the entry of controller_step() and ends at the return to here; something
+ * must be left to do after it, or the compiler makes the call a jump that returns elsewhere. */
 __attribute__((noinline)) static void measure(void)
 {
     controller_step(&sample.before, &robot_neuro, &sample.inputs, &outputs);
@@ -38,9 +38,11 @@ __attribute__((noinline)) static void measure(void)
 static bool read_header(FILE *file)
 {
     return (fread(&samples, sizeof(samples), 1U, file) == 1U) && (samples.magic == SAMPLES_MAGIC) &&
-           (samples.sample_size == sizeof(sample_t)) && (samples.controller_size == sizeof(controller_t)) &&
+           (samples.sample_size == sizeof(sample_t)) &&
+           (samples.controller_size == sizeof(controller_t)) &&
            (samples.inputs_size == sizeof(controller_inputs_t)) &&
-           (samples.outputs_size == sizeof(controller_outputs_t)) && (samples.robot_crc == robot_neuro.crc);
+           (samples.outputs_size == sizeof(controller_outputs_t)) &&
+           (samples.robot_crc == robot_neuro.crc);
 }
 
 static bool step(FILE *file, uint32_t number)

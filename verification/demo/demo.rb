@@ -67,10 +67,7 @@ class Demo
   def reach(target, number)
     rotation = Geometry.multiply(REGISTRATION[:rotation], Geometry.treatment(target[:yaw], target[:pitch], target[:roll]))
     propose_entry(target, rotation)
-    phase('TARGETING')
-    say('target', *Geometry.rows(rotation, target[:point]))
-    await('TARGET', 2000)
-    move
+    move(Geometry.rows(rotation, target[:point]))
     reached = measured
     row = { number: number, target: target[:point], reached: reached.map { |value| value.round(3) },
             error_mm: Geometry.distance(reached, target[:point]).round(4), thesis_mm: target[:thesis] }
@@ -93,13 +90,13 @@ class Demo
     repeat_when_discarded { under_pedal('START_UP', HOME_MS) }
   end
 
-  def move
+  # Target and move; after a fault both are commanded again, with what START_UP wants homed in between.
+  def move(pose)
     repeat_when_discarded do |repeats|
-      if repeats.positive?
-        phase('STOP')
-        under_pedal('START_UP', HOME_MS)
-        phase('TARGETING')
-      end
+      under_pedal('START_UP', HOME_MS) if repeats.positive?
+      phase('TARGETING')
+      say('target', *pose)
+      await('TARGET', 2000)
       under_pedal('MOVE_TO_TARGET', MOVE_MS)
     end
   end

@@ -61,7 +61,6 @@ void tearDown(void)
     TEST_ASSERT_EQUAL_UINT32_MESSAGE(0U, rig.driven_without_pedal, "driven without the pedal");
 }
 
-
 static command_t proposal(command_kind_t kind, int32_t x_nm, int32_t y_nm, int32_t z_nm)
 {
     const command_t command = {.kind = (uint32_t)kind, .pose = rig_pose(x_nm, y_nm, z_nm)};
@@ -91,7 +90,8 @@ void test_SWR_CMD_002_more_commands_than_a_cycle_takes_break_the_contract(void)
 {
     rig_start(&rig);
     rig.inputs.command_count = CONTROLLER_COMMANDS + 1U;
-    EXPECT_CONTRACT("controller", 100U, controller_step(&rig.controller, &robot_neuro, &rig.inputs, &rig.outputs));
+    EXPECT_CONTRACT("controller", 100U,
+                    controller_step(&rig.controller, &robot_neuro, &rig.inputs, &rig.outputs));
 }
 
 void test_SWR_CMD_004_unknown_commands_workphases_and_axes_are_refused(void)
@@ -104,7 +104,8 @@ void test_SWR_CMD_004_unknown_commands_workphases_and_axes_are_refused(void)
     TEST_ASSERT_EQUAL_UINT32(STATUS_UNKNOWN_COMMAND, rig_command(&rig, nothing).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_UNKNOWN_COMMAND, rig_command(&rig, unknown).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_UNKNOWN_COMMAND, rig_command(&rig, jog).status);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_UNKNOWN_COMMAND, rig_workphase(&rig, WORKPHASE_UNDEFINED).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_UNKNOWN_COMMAND,
+                             rig_workphase(&rig, WORKPHASE_UNDEFINED).status);
     TEST_ASSERT_EQUAL_UINT32(WORKPHASE_MANUAL, rig.outputs.snapshot.workphase);
 }
 
@@ -112,7 +113,8 @@ void test_SWR_PHASE_002_a_refused_request_changes_nothing_but_the_record(void)
 {
     rig_start_homed(&rig);
     const controller_t before = rig.controller;
-    TEST_ASSERT_EQUAL_UINT32(STATUS_WRONG_WORKPHASE, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_WRONG_WORKPHASE,
+                             rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
     TEST_ASSERT_EQUAL_UINT32(before.workphases.phase, rig.controller.workphases.phase);
     TEST_ASSERT_EQUAL_UINT32(before.workphases.order, rig.controller.workphases.order);
     TEST_ASSERT_EQUAL_MEMORY(&before.plan, &rig.controller.plan, sizeof before.plan);
@@ -125,16 +127,19 @@ void test_SWR_PHASE_006_targeting_needs_a_registration_and_moving_a_target(void)
     rigid_set_identity(&identity);
     rig_start_homed(&rig);
     (void)rig_workphase(&rig, WORKPHASE_PLANNING);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_REGISTERED, rig_workphase(&rig, WORKPHASE_TARGETING).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_REGISTERED,
+                             rig_workphase(&rig, WORKPHASE_TARGETING).status);
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_REGISTER, rig.outputs.snapshot.next_step);
     rig_register(&rig, &identity);
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_TARGET, rig.outputs.snapshot.next_step);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_NO_TARGET, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NO_TARGET,
+                             rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
     const rigid_t pose = rig_pose(5000000, 190000000, 60000000);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_target(&rig, &pose).status);
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_MOVE, rig.outputs.snapshot.next_step);
     axis_lose_reference(&rig.controller.axes[AXIS_YAW]);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_HOMED, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_HOMED,
+                             rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_START_UP, rig.outputs.snapshot.next_step);
 }
 
@@ -172,7 +177,8 @@ void test_SWR_PLAN_001_an_entry_point_on_the_axis_decides_the_depth(void)
     const rigid_t pose = rig_pose(5000000, 190000000, 60000000);
     rig_start_targeted(&rig);
     TEST_ASSERT_EQUAL_UINT32(
-        STATUS_OK, rig_command(&rig, proposal(COMMAND_PROPOSE_ENTRY, 5000000, 246000000, 60000000)).status);
+        STATUS_OK,
+        rig_command(&rig, proposal(COMMAND_PROPOSE_ENTRY, 5000000, 246000000, 60000000)).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_target(&rig, &pose).status);
     /* |target - entry| = d + D - B, so d = 56 - 41 + 5 = 20 mm = 66667 ticks. */
     TEST_ASSERT_INT32_WITHIN(1, 66667, rig.controller.plan.target_ticks[AXIS_INSERTION]);
@@ -210,7 +216,9 @@ void test_SWR_IGTL_009_proposals_are_shown_and_never_armed(void)
     (void)rig_command(&rig, proposal(COMMAND_PROPOSE_ENTRY, 0, 246000000, 50000000));
     (void)rig_command(&rig, proposal(COMMAND_PROPOSE_TARGET, 0, 200000000, 50000000));
     TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_proposal_reachable);
-    TEST_ASSERT_EQUAL_INT32(200000000 / 100000, (rig.outputs.snapshot.scanner_desired.translation.y_nm + 50000) / 100000);
+    TEST_ASSERT_EQUAL_INT32(200000000 / 100000,
+                            (rig.outputs.snapshot.scanner_desired.translation.y_nm + 50000) /
+                                100000);
     command_t command = proposal(COMMAND_PROPOSE_REGISTRATION, 0, 0, 0);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, command).status);
     TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.has_proposed_registration);
@@ -257,12 +265,15 @@ void test_SWR_AXIS_006_an_axis_not_homed_jogs_at_reduced_speed(void)
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
     rig_press(&rig);
-    const int32_t most_q8 =
-        (robot_neuro.axes[AXIS_YAW].speed_ticks_per_s * 256 * (int32_t)LIMIT_UNHOMED_SPEED_PERCENT) / 100;
+    const int32_t most_q8 = (robot_neuro.axes[AXIS_YAW].speed_ticks_per_s * 256 *
+                             (int32_t)LIMIT_UNHOMED_SPEED_PERCENT) /
+                            100;
     for (uint32_t i = 0U; i < 1000U; i++) {
         rig_cycle(&rig);
-        TEST_ASSERT_INT32_WITHIN(most_q8 + 256, 0, rig.outputs.snapshot.axes[AXIS_YAW].setpoint_speed_ticks_per_s_q8);
-        TEST_ASSERT_LESS_OR_EQUAL_UINT32(LIMIT_UNHOMED_SPEED_PERCENT, rig.outputs.snapshot.axes[AXIS_YAW].speed_cap_percent);
+        TEST_ASSERT_INT32_WITHIN(most_q8 + 256, 0,
+                                 rig.outputs.snapshot.axes[AXIS_YAW].setpoint_speed_ticks_per_s_q8);
+        TEST_ASSERT_LESS_OR_EQUAL_UINT32(LIMIT_UNHOMED_SPEED_PERCENT,
+                                         rig.outputs.snapshot.axes[AXIS_YAW].speed_cap_percent);
     }
     TEST_ASSERT_NOT_EQUAL_INT32(0, rig.outputs.snapshot.axes[AXIS_YAW].position_ticks);
 }
@@ -297,7 +308,8 @@ void test_SWR_AXIS_009_a_following_error_is_noted_with_its_size(void)
     (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
     rig_press(&rig);
     rig_cycles(&rig, 300U);
-    rig.controller.axes[AXIS_HEAD].setpoint_ticks += robot_neuro.axes[AXIS_HEAD].following_error_ticks + 100;
+    rig.controller.axes[AXIS_HEAD].setpoint_ticks +=
+        robot_neuro.axes[AXIS_HEAD].following_error_ticks + 100;
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_FOLLOWING_ERROR));
     TEST_ASSERT_FALSE(rig_is_driving(&rig));
@@ -375,7 +387,8 @@ void test_SWR_EVENT_002_events_beyond_the_most_of_a_cycle_are_counted(void)
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_UINT32(CONTROLLER_EVENTS, rig.outputs.event_count);
     TEST_ASSERT_GREATER_THAN_UINT32(0U, rig.outputs.snapshot.events_lost);
-    TEST_ASSERT_EQUAL_UINT32(rig.outputs.snapshot.events, rig.outputs.events[CONTROLLER_EVENTS - 1U].number + 1U);
+    TEST_ASSERT_EQUAL_UINT32(rig.outputs.snapshot.events,
+                             rig.outputs.events[CONTROLLER_EVENTS - 1U].number + 1U);
 }
 
 void test_SWR_CORE_002_equal_inputs_give_equal_outputs(void)

@@ -62,7 +62,6 @@ void tearDown(void)
     TEST_ASSERT_EQUAL_UINT32_MESSAGE(0U, rig.driven_without_pedal, "driven without the pedal");
 }
 
-
 static void begin_move(void)
 {
     rig_start_targeted(&rig);
@@ -167,7 +166,8 @@ void test_SWR_PEDAL_005_pressing_again_continues_from_the_actual_position_from_r
     }
     TEST_ASSERT_INT32_WITHIN(1, held, rig.outputs.snapshot.axes[AXIS_HEAD].setpoint_ticks);
     const int32_t limit_q8 = (robot_neuro.axes[AXIS_HEAD].acceleration_ticks_per_s2 * 256) / 500;
-    TEST_ASSERT_INT32_WITHIN(limit_q8, 0, rig.outputs.snapshot.axes[AXIS_HEAD].setpoint_speed_ticks_per_s_q8);
+    TEST_ASSERT_INT32_WITHIN(limit_q8, 0,
+                             rig.outputs.snapshot.axes[AXIS_HEAD].setpoint_speed_ticks_per_s_q8);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 30000U).kind);
 }
 
@@ -195,7 +195,8 @@ void test_SWR_PEDAL_004_disagreeing_channels_stop_the_move_and_latch_a_fault(voi
     rig_forget(&rig);
     TEST_ASSERT_EQUAL_UINT32(STATUS_FAULT_PRESENT, rig_finish(&rig, 120U).status);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_PEDAL_FAULT));
-    TEST_ASSERT_BITS_HIGH(1UL << PERMIT_REASON_PEDAL_FAULT, rig.outputs.snapshot.axes[0].permit_reasons);
+    TEST_ASSERT_BITS_HIGH(1UL << PERMIT_REASON_PEDAL_FAULT,
+                          rig.outputs.snapshot.axes[0].permit_reasons);
 }
 
 void test_SWR_PEDAL_007_a_pedal_fault_is_cleared_by_start_up_with_the_pedal_released(void)
@@ -204,11 +205,14 @@ void test_SWR_PEDAL_007_a_pedal_fault_is_cleared_by_start_up_with_the_pedal_rele
     rig_box(&rig, "pedal b open");
     rig_cycles(&rig, 200U);
     (void)rig_workphase(&rig, WORKPHASE_STOP);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_HARDWARE_NOT_READY, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_HARDWARE_NOT_READY,
+                             rig_workphase(&rig, WORKPHASE_START_UP).status);
     rig_release(&rig);
-    TEST_ASSERT_BITS_HIGH(1UL << PERMIT_REASON_PEDAL_FAULT, rig.outputs.snapshot.axes[0].permit_reasons);
+    TEST_ASSERT_BITS_HIGH(1UL << PERMIT_REASON_PEDAL_FAULT,
+                          rig.outputs.snapshot.axes[0].permit_reasons);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
-    TEST_ASSERT_BITS_LOW(1UL << PERMIT_REASON_PEDAL_FAULT, rig.outputs.snapshot.axes[0].permit_reasons);
+    TEST_ASSERT_BITS_LOW(1UL << PERMIT_REASON_PEDAL_FAULT,
+                         rig.outputs.snapshot.axes[0].permit_reasons);
 }
 
 void test_SWR_ESTOP_001_the_e_stop_zeroes_every_drive_word_in_the_same_cycle(void)
@@ -225,11 +229,13 @@ void test_SWR_ESTOP_002_the_e_stop_stays_latched_until_start_up(void)
     rig_start_homed(&rig);
     rig_box(&rig, "estop pull");
     rig_cycles(&rig, 5U);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_HARDWARE_NOT_READY, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_HARDWARE_NOT_READY,
+                             rig_workphase(&rig, WORKPHASE_START_UP).status);
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_RELEASE_ESTOP, rig.outputs.snapshot.next_step);
     rig_box(&rig, "estop reset");
     rig_cycles(&rig, 20U);
-    TEST_ASSERT_BITS_HIGH(1UL << PERMIT_REASON_ESTOP_LATCHED, rig.outputs.snapshot.axes[0].permit_reasons);
+    TEST_ASSERT_BITS_HIGH(1UL << PERMIT_REASON_ESTOP_LATCHED,
+                          rig.outputs.snapshot.axes[0].permit_reasons);
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_START_UP, rig.outputs.snapshot.next_step);
     (void)rig_workphase(&rig, WORKPHASE_START_UP);
     TEST_ASSERT_EQUAL_UINT32(ESTOP_LATCH_STATE_CLEAR, rig.outputs.snapshot.estop);
@@ -281,12 +287,16 @@ void test_SWR_LINK_003_a_lost_card_returns_only_by_start_up_and_is_homed_again(v
     rig_cycles(&rig, 30U);
     rig_release(&rig);
     (void)rig_workphase(&rig, WORKPHASE_STOP);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_HARDWARE_NOT_READY, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_HARDWARE_NOT_READY,
+                             rig_workphase(&rig, WORKPHASE_START_UP).status);
     rig_box(&rig, "card lateral normal");
     rig_cycles(&rig, 30U);
-    TEST_ASSERT_BITS_HIGH(1UL << PERMIT_REASON_LINK_LOST, rig.outputs.snapshot.axes[0].permit_reasons);
+    TEST_ASSERT_BITS_HIGH(1UL << PERMIT_REASON_LINK_LOST,
+                          rig.outputs.snapshot.axes[0].permit_reasons);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNHOMED, rig.outputs.snapshot.axes[AXIS_LATERAL].reference);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNHOMED,
+                             rig.outputs.snapshot.axes[AXIS_LATERAL].reference);
     TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_HOMED, rig.outputs.snapshot.axes[AXIS_HEAD].reference);
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 40000U).kind);
@@ -306,7 +316,6 @@ void test_SWR_STALL_001_a_blocked_motor_stalls_and_needs_start_up(void)
     rig_cycles(&rig, 300U);
     TEST_ASSERT_FALSE(rig_is_driving(&rig));
     rig_box(&rig, "motor head normal");
-    (void)rig_workphase(&rig, WORKPHASE_STOP);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
     TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_ENABLED, rig.outputs.snapshot.axes[AXIS_HEAD].power);
 }
@@ -317,7 +326,8 @@ void test_SWR_STALL_003_a_stall_is_reported_exactly_once(void)
     rig_box(&rig, "encoder head stuck");
     rig_forget(&rig);
     rig_cycles(&rig, 2000U);
-    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_STALLED) + rig_count(&rig, EVENT_AXIS_FOLLOWING_ERROR));
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_STALLED) +
+                                     rig_count(&rig, EVENT_AXIS_FOLLOWING_ERROR));
 }
 
 void test_SWR_AXIS_009_an_axis_that_runs_the_wrong_way_is_stopped(void)
@@ -337,7 +347,8 @@ void test_SWR_AXIS_003_homing_that_finds_no_switch_gives_up(void)
     (void)rig_workphase(&rig, WORKPHASE_START_UP);
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 31000U).kind);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNHOMED, rig.outputs.snapshot.axes[AXIS_INSERTION].reference);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNHOMED,
+                             rig.outputs.snapshot.axes[AXIS_INSERTION].reference);
 }
 
 void test_SWR_PERMIT_004_the_axes_rest_while_the_scanner_acquires(void)
@@ -349,28 +360,48 @@ void test_SWR_PERMIT_004_the_axes_rest_while_the_scanner_acquires(void)
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_SCANNER, rig.outputs.snapshot.next_step);
     rig_box(&rig, "scanner off");
     rig_cycles(&rig, 300U);
-    TEST_ASSERT_TRUE(rig_is_driving(&rig));
     TEST_ASSERT_EQUAL_UINT32(2U, rig_count(&rig, EVENT_SCANNER));
+}
+
+void test_SWR_PEDAL_003_after_a_scan_the_pedal_must_be_pressed_anew(void)
+{
+    begin_move();
+    rig_box(&rig, "scanner on");
+    rig_cycles(&rig, 50U);
+    rig_box(&rig, "scanner off");
+    for (uint32_t i = 0U; i < 500U; i++) {
+        rig_cycle(&rig);
+        TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    }
+    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_RELEASE_PEDAL, rig.outputs.snapshot.next_step);
+    rig_release(&rig);
+    rig_press(&rig);
+    rig_cycles(&rig, 300U);
+    TEST_ASSERT_TRUE(rig_is_driving(&rig));
 }
 
 void test_SWR_PERMIT_003_each_axis_tells_its_reasons_and_since_when(void)
 {
     rig_start(&rig);
-    TEST_ASSERT_BITS_HIGH(1UL << PERMIT_REASON_AXIS_DISABLED, rig.outputs.snapshot.axes[2].permit_reasons);
+    TEST_ASSERT_BITS_HIGH(1UL << PERMIT_REASON_AXIS_DISABLED,
+                          rig.outputs.snapshot.axes[2].permit_reasons);
     const uint32_t since = rig.outputs.snapshot.axes[2].permit_since_cycle;
     rig_cycles(&rig, 50U);
     TEST_ASSERT_EQUAL_UINT32(since, rig.outputs.snapshot.axes[2].permit_since_cycle);
     (void)rig_workphase(&rig, WORKPHASE_START_UP);
-    TEST_ASSERT_EQUAL_UINT32(rig.outputs.snapshot.cycle, rig.outputs.snapshot.axes[2].permit_since_cycle);
+    TEST_ASSERT_EQUAL_UINT32(rig.outputs.snapshot.cycle,
+                             rig.outputs.snapshot.axes[2].permit_since_cycle);
 }
 
 void test_SWR_PERMIT_002_the_frame_carries_a_drive_only_with_the_permit(void)
 {
     begin_move();
-    TEST_ASSERT_BITS_HIGH(CARD_SYSTEM_PERMIT | CARD_SYSTEM_PEDAL, rig_sent(&rig, AXIS_HEAD).system_state);
+    TEST_ASSERT_BITS_HIGH(CARD_SYSTEM_PERMIT | CARD_SYSTEM_PEDAL,
+                          rig_sent(&rig, AXIS_HEAD).system_state);
     TEST_ASSERT_EQUAL_HEX32(CARD_CONTROL_AMPLIFIER, rig_sent(&rig, AXIS_HEAD).control);
     rig_release(&rig);
-    TEST_ASSERT_BITS_LOW(CARD_SYSTEM_PERMIT | CARD_SYSTEM_PEDAL, rig_sent(&rig, AXIS_HEAD).system_state);
+    TEST_ASSERT_BITS_LOW(CARD_SYSTEM_PERMIT | CARD_SYSTEM_PEDAL,
+                         rig_sent(&rig, AXIS_HEAD).system_state);
     TEST_ASSERT_EQUAL_HEX32(0U, rig_sent(&rig, AXIS_HEAD).control);
 }
 
@@ -430,13 +461,13 @@ void test_SWR_MOTION_004_the_move_ends_at_the_target_with_the_drive_off(void)
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 30000U).kind);
     TEST_ASSERT_FALSE(rig_is_driving(&rig));
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
-        TEST_ASSERT_INT32_WITHIN(robot_neuro.axes[i].deadband_ticks, rig.controller.plan.target_ticks[i],
-                                 position(i));
+        TEST_ASSERT_INT32_WITHIN(robot_neuro.axes[i].deadband_ticks,
+                                 rig.controller.plan.target_ticks[i], position(i));
     }
     int32_t distance_nm = 0;
     int32_t angle_bam = 0;
-    neuro_pose_difference(&rig.outputs.snapshot.scanner_treatment, &rig.controller.plan.scanner_target,
-                          &distance_nm, &angle_bam);
+    neuro_pose_difference(&rig.outputs.snapshot.scanner_treatment,
+                          &rig.controller.plan.scanner_target, &distance_nm, &angle_bam);
     TEST_ASSERT_LESS_OR_EQUAL_INT32(2000, distance_nm);
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_NOTHING, rig.outputs.snapshot.next_step);
 }

@@ -8,7 +8,7 @@
 require 'json'
 require 'open3'
 require 'socket'
-require_relative 'support/boresight'
+require_relative 'support/system_test'
 
 # Commands START_UP whenever its address is asked for. The peer stays connected: control stops what the peer has
 # armed when it leaves.

@@ -7,7 +7,7 @@
 require 'json'
 require 'net/http'
 require 'socket'
-require_relative 'support/boresight'
+require_relative 'support/system_test'
 
 # What the tests share: requests, raw bytes, and patience with a deadline.
 module HttpClient

@@ -6,10 +6,9 @@
 # own library.
 
 require 'json'
-require 'minitest/autorun'
 require 'open3'
 require 'socket'
-require_relative 'support/boresight'
+require_relative 'support/system_test'
 
 # `boresight-client`, driven line by line.
 class IgtlClient

@@ -5,7 +5,7 @@
 # Rule under test: whatever happens to the programs around it, control goes on; when control itself ends, the cards
 # stop the motors.
 
-require_relative 'support/boresight'
+require_relative 'support/system_test'
 
 class TestIsolation < SystemTest
   CLIENTS = %w[igtl http recorder].freeze

@@ -4,7 +4,7 @@
 
 # Rule under test: every cycle that control published is in a file, or its loss is.
 
-require_relative 'support/boresight'
+require_relative 'support/system_test'
 
 class TestRecorder < SystemTest
   BUILD = (16...80)

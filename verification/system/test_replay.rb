@@ -6,7 +6,7 @@
 # is refused with the place of the change.
 
 require 'digest'
-require_relative 'support/boresight'
+require_relative 'support/system_test'
 
 class TestReplay < SystemTest
   PLACES = 50

@@ -6,7 +6,7 @@
 
 require 'io/console'
 require 'pty'
-require_relative 'support/boresight'
+require_relative 'support/system_test'
 
 class TestSupervisor < SystemTest
   STOP_SECONDS = 2.0 # stop_time_us

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: an axis drives only while enabled and without fault; it finds its home position at the edge of its
- * switch; it gives up when it stands still, falls behind or homes for too long, and says so once.
+ * Rule under test: an axis drives only while enabled and without fault; it finds its home position
+ * at the edge of its switch; it gives up when it stands still, falls behind or homes for too long,
+ * and says so once.
  */
 #include "unity.h"
 
@@ -11,7 +12,7 @@
 #include "crc.h"
 #include "encoder.h"
 #include "fixed.h"
-#include "limits.h"
+#include "requirement_limits.h"
 #include "robot.h"
 #include "servo.h"
 #include "stall_watchdog_chart.h"
@@ -59,7 +60,8 @@ static void move_to(int32_t position_ticks)
     while (axis.encoder.position_ticks != position_ticks) {
         const int32_t way = position_ticks - axis.encoder.position_ticks;
         const int32_t most = config->jump_ticks;
-        TEST_ASSERT_EQUAL_HEX32(0U, observe_way((way > most) ? most : ((way < -most) ? -most : way)));
+        TEST_ASSERT_EQUAL_HEX32(0U,
+                                observe_way((way > most) ? most : ((way < -most) ? -most : way)));
     }
 }
 
@@ -213,7 +215,8 @@ void test_SWR_AXIS_002_an_axis_that_stands_on_its_switch_backs_off_first(void)
     TEST_ASSERT_EQUAL(AXIS_REFERENCE_BACK_OFF, reference());
 }
 
-/* Way from the last place with the switch active at which the axis turns: a twentieth of a second and two ticks. */
+/* Way from the last place with the switch active at which the axis turns: a twentieth of a second
+ * and two ticks. */
 static int32_t clear_ticks(void)
 {
     return config->home_speed_ticks_per_s / 20 + 2;
@@ -387,7 +390,8 @@ void test_SWR_AXIS_002_homing_taken_up_after_a_rest_starts_where_the_axis_is(voi
     move_to(40);
     (void)axis_home(&axis, config, CYCLE_US);
     TEST_ASSERT_EQUAL_INT32(40, axis.setpoint_ticks);
-    TEST_ASSERT_EQUAL_INT32(config->acceleration_ticks_per_s2 * 256 / 1000, axis.setpoint_speed_ticks_per_s_q8);
+    TEST_ASSERT_EQUAL_INT32(config->acceleration_ticks_per_s2 * 256 / 1000,
+                            axis.setpoint_speed_ticks_per_s_q8);
 }
 
 /* Homing with the set-point at the position, so that nothing else can end it. */
@@ -546,7 +550,8 @@ void test_SWR_AXIS_006_an_axis_that_lost_its_reference_is_not_homed(void)
 void test_SWR_AXIS_007_following_asks_for_no_more_than_the_largest_word(void)
 {
     use(with_lower_switch);
-    const card_drive_t drive = axis_follow(&axis, config, config->maximum_ticks, INT32_MAX, CYCLE_US);
+    const card_drive_t drive =
+        axis_follow(&axis, config, config->maximum_ticks, INT32_MAX, CYCLE_US);
     TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_PWM, drive.mode);
     TEST_ASSERT_EQUAL_UINT32(config->maximum_duty, drive.duty);
 }

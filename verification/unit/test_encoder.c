@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: the position follows the counter in the configured direction over its wrap; readings that jump are
- * not believed; the speed comes from the times of the edges.
+ * Rule under test: the position follows the counter in the configured direction over its wrap;
+ * readings that jump are not believed; the speed comes from the times of the edges.
  */
 #include "unity.h"
 
 #include "encoder.h"
 #include "fixed.h"
-#include "limits.h"
+#include "requirement_limits.h"
 
 #include <stddef.h>
 #include <string.h>

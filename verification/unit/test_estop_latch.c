@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: an open switch is known in its own cycle, and motion stays forbidden after it has closed again,
- * until a reset while it is closed.
+ * Rule under test: an open switch is known in its own cycle, and motion stays forbidden after it
+ * has closed again, until a reset while it is closed.
  */
 #include "unity.h"
 

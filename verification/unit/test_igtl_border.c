@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Rule under test: only finite numbers within their range and rigid matrices cross the border, to the nearest integer.
+ * Rule under test: only finite numbers within their range and rigid matrices cross the border, to
+ * the nearest integer.
  */
 #include "fixed.h"
 #include "igtl_border.h"
@@ -81,7 +82,8 @@ void test_SWR_IGTL_010_two_metres_is_the_farthest(void)
 {
     int32_t length_nm;
 
-    TEST_ASSERT_EQUAL_INT(STATUS_OUT_OF_RANGE, igtl_border_read_mm(bits_of(2000.0) + 1U, &length_nm));
+    TEST_ASSERT_EQUAL_INT(STATUS_OUT_OF_RANGE,
+                          igtl_border_read_mm(bits_of(2000.0) + 1U, &length_nm));
     TEST_ASSERT_EQUAL_INT(STATUS_OUT_OF_RANGE, igtl_border_read_mm(bits_of(-2047.9), &length_nm));
     TEST_ASSERT_EQUAL_INT(STATUS_OUT_OF_RANGE, igtl_border_read_mm(bits_of(2048.0), &length_nm));
     TEST_ASSERT_EQUAL_INT(STATUS_OUT_OF_RANGE, igtl_border_read_mm(0x7F7FFFFFU, &length_nm));

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Rule under test: a message is understood exactly when every byte of it fits, whichever header version it has, and
- * what is written is what the standard's own library writes.
+ * Rule under test: a message is understood exactly when every byte of it fits, whichever header
+ * version it has, and what is written is what the standard's own library writes.
  */
 #include "igtl_codec.h"
-#include "limits.h"
+#include "requirement_limits.h"
 #include "unity.h"
 
 #include <stdbool.h>
@@ -15,19 +15,25 @@
 #define ONE 0x3F800000U
 
 /* Messages of a client that follows the call order of 3D Slicer, header version 2. */
-static const char slicer_status[] =
-    "000253544154555300000000000000000000000000000000000000000000000000000000000000000000000000000000"
-    "003f6cf69307e59e5ee9000c000a0000000a000000000000000000000000000000000000000000000000000000000000"
-    "00000000000001000500030000000564756d6d7964756d6d79";
-static const char slicer_string[] =
-    "0002535452494e47000000000000434d445f313230303030313233343536000000000000000000000000000000000000"
-    "004210848a6e764d059e000c001200000018000000000003000853544152545f55500002000c00030000000400060003"
-    "000000024d524d4c4e6f64654e616d65546578745374617475734f4b";
+static const char slicer_status[] = "00025354415455530000000000000000000000000000000000000000000000"
+                                    "0000000000000000000000000000000000"
+                                    "003f6cf69307e59e5ee9000c000a0000000a00000000000000000000000000"
+                                    "0000000000000000000000000000000000"
+                                    "00000000000001000500030000000564756d6d7964756d6d79";
+static const char slicer_string[] = "0002535452494e47000000000000434d445f31323030303031323334353600"
+                                    "0000000000000000000000000000000000"
+                                    "004210848a6e764d059e000c00120000001800000000000300085354415254"
+                                    "5f55500002000c00030000000400060003"
+                                    "000000024d524d4c4e6f64654e616d65546578745374617475734f4b";
 static const char slicer_transform[] =
-    "00025452414e53464f524d000000434c425f313230303032313233343536000000000000000000000000000000000000"
-    "00a4572786ba7972dfd9000c002200000046000000003f8000000000000000000000000000003f800000000000000000"
-    "0000000000003f8000003f80000040000000404000000004000c00030000000f000e000300000000000c000300000000"
-    "000f0003000000024d524d4c4e6f64654e616d654c696e6561725472616e73666f726d53545245414d5f49445f46524f"
+    "00025452414e53464f524d000000434c425f3132303030323132333435360000000000000000000000000000000000"
+    "00"
+    "00a4572786ba7972dfd9000c002200000046000000003f8000000000000000000000000000003f8000000000000000"
+    "00"
+    "0000000000003f8000003f80000040000000404000000004000c00030000000f000e000300000000000c0003000000"
+    "00"
+    "000f0003000000024d524d4c4e6f64654e616d654c696e6561725472616e73666f726d53545245414d5f49445f4652"
+    "4f"
     "4d53545245414d5f49445f544f5472616e73666f726d5374617475734f4b";
 
 static uint8_t bytes[IGTL_HEADER_BYTES + LIMIT_IGTL_BODY_MAX];
@@ -80,14 +86,17 @@ static igtl_result_t decode(void)
 {
     const igtl_result_t result = igtl_decode_header(bytes, &header);
 
-    return (result == IGTL_OK) ? igtl_decode_body(&header, &bytes[IGTL_HEADER_BYTES], &message) : result;
+    return (result == IGTL_OK) ? igtl_decode_body(&header, &bytes[IGTL_HEADER_BYTES], &message)
+                               : result;
 }
 
 void test_SWR_IGTL_002_checksum_has_the_check_value_of_ecma_182(void)
 {
     TEST_ASSERT_EQUAL_HEX64(0U, igtl_crc64(0U, NULL, 0U));
-    TEST_ASSERT_EQUAL_HEX64(UINT64_C(0x6C40DF5F0B497347), igtl_crc64(0U, (const uint8_t *)"123456789", 9U));
-    TEST_ASSERT_EQUAL_HEX64(UINT64_C(0x42F0E1EBA9EA3693), igtl_crc64(0U, (const uint8_t *)"\x01", 1U));
+    TEST_ASSERT_EQUAL_HEX64(UINT64_C(0x6C40DF5F0B497347),
+                            igtl_crc64(0U, (const uint8_t *)"123456789", 9U));
+    TEST_ASSERT_EQUAL_HEX64(UINT64_C(0x42F0E1EBA9EA3693),
+                            igtl_crc64(0U, (const uint8_t *)"\x01", 1U));
 }
 
 void test_SWR_IGTL_001_first_message_of_slicer_is_understood(void)
@@ -110,7 +119,8 @@ void test_SWR_IGTL_001_string_of_slicer_is_understood(void)
 
 void test_SWR_IGTL_001_transform_of_slicer_is_understood(void)
 {
-    static const uint32_t expected[12] = {ONE, 0U, 0U, 0U, ONE, 0U, 0U, 0U, ONE, ONE, 0x40000000U, 0x40400000U};
+    static const uint32_t expected[12] = {ONE, 0U, 0U,  0U,  ONE,         0U,
+                                          0U,  0U, ONE, ONE, 0x40000000U, 0x40400000U};
 
     TEST_ASSERT_EQUAL_UINT32(222U, unhex(slicer_transform));
     TEST_ASSERT_EQUAL_INT(IGTL_OK, decode());
@@ -181,7 +191,8 @@ void test_SWR_IGTL_003_known_type_has_a_longest_body(void)
 
 void test_SWR_IGTL_003_huge_lengths_are_refused_without_arithmetic_on_them(void)
 {
-    static const uint64_t lengths[] = {UINT64_C(1) << 31U, UINT64_C(1) << 62U, UINT64_MAX, UINT64_MAX - 57U};
+    static const uint64_t lengths[] = {UINT64_C(1) << 31U, UINT64_C(1) << 62U, UINT64_MAX,
+                                       UINT64_MAX - 57U};
 
     for (uint32_t i = 0U; i < 4U; i++) {
         frame(1U, "TRANSFORM", 0U);
@@ -322,7 +333,8 @@ void test_SWR_IGTL_005_string_has_the_bytes_of_the_standard(void)
 {
     igtl_encode_string(&packet, "ACK_0001", "START_UP", 0U);
     TEST_ASSERT_EQUAL_UINT32(70U, packet.length);
-    TEST_ASSERT_EQUAL_MEMORY("\x00\x01STRING\0\0\0\0\0\0ACK_0001\0\0\0\0\0\0\0\0\0\0\0\0", packet.bytes, 34U);
+    TEST_ASSERT_EQUAL_MEMORY("\x00\x01STRING\0\0\0\0\0\0ACK_0001\0\0\0\0\0\0\0\0\0\0\0\0",
+                             packet.bytes, 34U);
     TEST_ASSERT_EQUAL_MEMORY("\0\0\0\0\0\0\0\x0C", &packet.bytes[42], 8U);
     TEST_ASSERT_EQUAL_MEMORY("\x00\x03\x00\x08START_UP", &packet.bytes[58], 12U);
 }
@@ -333,7 +345,8 @@ void test_SWR_IGTL_005_status_ends_with_nul_and_cuts_its_error_name(void)
 
     igtl_encode_status(&packet, "CURRENT_STATUS", &status, 0U);
     TEST_ASSERT_EQUAL_UINT32(58U + 30U + 5U, packet.length);
-    TEST_ASSERT_EQUAL_MEMORY("\x00\x0D\0\0\0\0\0\0\0\0a name of twenty-tw\0text", &packet.bytes[58], 35U);
+    TEST_ASSERT_EQUAL_MEMORY("\x00\x0D\0\0\0\0\0\0\0\0a name of twenty-tw\0text", &packet.bytes[58],
+                             35U);
 }
 
 void test_SWR_IGTL_005_long_names_and_texts_are_cut(void)

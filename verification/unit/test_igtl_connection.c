@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Rule under test: a connection sends each message in one write, never waits for its peer, and notices its end.
+ * Rule under test: a connection sends each message in one write, never waits for its peer, and
+ * notices its end.
  */
 #include "igtl_codec.h"
 #include "igtl_connection.h"
@@ -62,7 +63,8 @@ void test_SWR_IGTL_003_messages_are_read_one_by_one(void)
     TEST_ASSERT_EQUAL_INT(packet.length, send(peer, packet.bytes, packet.length, 0));
     TEST_ASSERT_EQUAL_INT(packet.length, send(peer, packet.bytes, packet.length, 0));
     for (uint32_t i = 0U; i < 2U; i++) {
-        TEST_ASSERT_EQUAL_INT(IGTL_RECEIVED_EVENT, igtl_connection_receive(&connection, 0U, &event));
+        TEST_ASSERT_EQUAL_INT(IGTL_RECEIVED_EVENT,
+                              igtl_connection_receive(&connection, 0U, &event));
         TEST_ASSERT_EQUAL_INT(IGTL_INBOX_MESSAGE, event);
     }
     TEST_ASSERT_EQUAL_INT(IGTL_RECEIVED_NOTHING, igtl_connection_receive(&connection, 0U, &event));

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Rule under test: messages come out whole however their bytes arrive, what is unknown passes, what is wrong is named,
- * and what stays incomplete is noticed.
+ * Rule under test: messages come out whole however their bytes arrive, what is unknown passes, what
+ * is wrong is named, and what stays incomplete is noticed.
  */
 #include "igtl_codec.h"
 #include "igtl_inbox.h"
-#include "limits.h"
+#include "requirement_limits.h"
 #include "unity.h"
 
 #include <string.h>
@@ -25,7 +25,8 @@ void tearDown(void)
 }
 
 /* Hands in bytes, `piece` at a time; the last event. */
-static igtl_inbox_event_t feed(const uint8_t *bytes, uint32_t length, uint32_t piece, uint64_t now_us)
+static igtl_inbox_event_t feed(const uint8_t *bytes, uint32_t length, uint32_t piece,
+                               uint64_t now_us)
 {
     igtl_inbox_event_t event = IGTL_INBOX_WAITING;
     uint32_t used = 0U;
@@ -120,9 +121,10 @@ void test_SWR_IGTL_002_wrong_checksum_of_an_unknown_type_is_refused(void)
 
 void test_SWR_IGTL_011_garbage_breaks_the_connection(void)
 {
-    TEST_ASSERT_EQUAL_INT(IGTL_INBOX_BROKEN,
-                          feed((const uint8_t *)"GET / HTTP/1.1\r\nHost: robot\r\nUser-Agent: somebody else\r\n\r\n",
-                               58U, 58U, 0U));
+    TEST_ASSERT_EQUAL_INT(
+        IGTL_INBOX_BROKEN,
+        feed((const uint8_t *)"GET / HTTP/1.1\r\nHost: robot\r\nUser-Agent: somebody else\r\n\r\n",
+             58U, 58U, 0U));
     TEST_ASSERT_EQUAL_INT(IGTL_BAD_VERSION, inbox.reason);
 }
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file Rule under test: every answer is sent once and in order, of a state only the newest, and memory is bounded. */
+/** @file Rule under test: every answer is sent once and in order, of a state only the newest, and
+ * memory is bounded. */
 #include "igtl_codec.h"
 #include "igtl_outbox.h"
 #include "unity.h"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Rule under test: bare transforms become proposals and nothing else; every peer is shown the present state once, and
- * again what changes.
+ * Rule under test: bare transforms become proposals and nothing else; every peer is shown the
+ * present state once, and again what changes.
  */
 #include "command.h"
 #include "fixed.h"
@@ -26,8 +26,9 @@
 
 #define EXPECT(peer, expected) TEST_ASSERT_EQUAL_STRING((expected), igtl_peer_next(&outboxes[peer]))
 
-static const robot_t robot = {.axis_count = 1U,
-                              .axes = {{.unit = (uint8_t)AXIS_UNIT_MM, .unit_per_tick_q16 = INT64_C(655360000)}}};
+static const robot_t robot = {
+    .axis_count = 1U,
+    .axes = {{.unit = (uint8_t)AXIS_UNIT_MM, .unit_per_tick_q16 = INT64_C(655360000)}}};
 static transform_dialect_t dialect;
 static igtl_outbox_t outboxes[2];
 static snapshot_t snapshot;
@@ -101,8 +102,9 @@ void test_SWR_IGTL_009_transforms_become_proposals(void)
 
 void test_SWR_IGTL_009_no_message_becomes_any_other_command(void)
 {
-    static const char *const names[] = {"CMD_1",  "TGT_1",        "CLB_1", "CURRENT_POSE", "target_point",
-                                        "TARGET", "ENTRY_POINTS", "",      "MOVE_TO_TARGET"};
+    static const char *const names[] = {"CMD_1",         "TGT_1",  "CLB_1",        "CURRENT_POSE",
+                                        "target_point",  "TARGET", "ENTRY_POINTS", "",
+                                        "MOVE_TO_TARGET"};
 
     for (uint32_t i = 0U; i < (sizeof names / sizeof names[0]); i++) {
         const igtl_message_t text = igtl_peer_string(names[i], "MOVE_TO_TARGET");
@@ -118,9 +120,11 @@ void test_SWR_IGTL_009_no_message_becomes_any_other_command(void)
 void test_SWR_IGTL_010_bad_numbers_never_become_a_proposal(void)
 {
     place("TARGET_POINT", NAN);
-    TEST_ASSERT_EQUAL_STRING_LEN("STATUS TARGET_POINT 10 NOT_FINITE|", igtl_peer_next(&outboxes[0]), 34U);
+    TEST_ASSERT_EQUAL_STRING_LEN("STATUS TARGET_POINT 10 NOT_FINITE|", igtl_peer_next(&outboxes[0]),
+                                 34U);
     place("TARGET_POINT", 1e9F);
-    TEST_ASSERT_EQUAL_STRING_LEN("STATUS TARGET_POINT 10 OUT_OF_RANGE|", igtl_peer_next(&outboxes[0]), 36U);
+    TEST_ASSERT_EQUAL_STRING_LEN("STATUS TARGET_POINT 10 OUT_OF_RANGE|",
+                                 igtl_peer_next(&outboxes[0]), 36U);
     TEST_ASSERT_FALSE(igtl_orders_take(&dialect.orders, &command));
 }
 
@@ -129,7 +133,8 @@ void test_SWR_IGTL_008_refused_proposal_is_answered(void)
     place("ENTRY_POINT", 1.0F);
     TEST_ASSERT_TRUE(igtl_orders_take(&dialect.orders, &command));
     answer(ANSWER_REFUSED, STATUS_SEPARATION_LIMIT);
-    TEST_ASSERT_EQUAL_STRING_LEN("STATUS ENTRY_POINT 10 SEPARATION_LIMIT|", igtl_peer_next(&outboxes[0]), 39U);
+    TEST_ASSERT_EQUAL_STRING_LEN("STATUS ENTRY_POINT 10 SEPARATION_LIMIT|",
+                                 igtl_peer_next(&outboxes[0]), 39U);
 }
 
 void test_SWR_IGTL_008_silence_of_the_controller_is_answered(void)
@@ -138,7 +143,8 @@ void test_SWR_IGTL_008_silence_of_the_controller_is_answered(void)
     expect_measured(0U);
     place("REGISTRATION", 1.0F);
     pass_us(IGTL_ANSWER_TIMEOUT_US);
-    TEST_ASSERT_EQUAL_STRING_LEN("STATUS REGISTRATION 7 NO_ANSWER|", igtl_peer_next(&outboxes[0]), 32U);
+    TEST_ASSERT_EQUAL_STRING_LEN("STATUS REGISTRATION 7 NO_ANSWER|", igtl_peer_next(&outboxes[0]),
+                                 32U);
     EXPECT(0U, "");
 }
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Rule under test: every command is acknowledged at once and its sequence follows the answers of the controller; who
- * may not command is told so; who disappears with a motion armed stops it.
+ * Rule under test: every command is acknowledged at once and its sequence follows the answers of
+ * the controller; who may not command is told so; who disappears with a motion armed stops it.
  */
 #include "command.h"
 #include "fixed.h"
@@ -12,7 +12,7 @@
 #include "igtl_orders.h"
 #include "igtl_outbox.h"
 #include "igtl_peer.h"
-#include "limits.h"
+#include "requirement_limits.h"
 #include "names.h"
 #include "neuro.h"
 #include "neuro_limits.h"
@@ -84,7 +84,8 @@ static void expect_no_command(void)
     TEST_ASSERT_FALSE(igtl_orders_take(&dialect.orders, &command));
 }
 
-static void answer_to(const command_t *asked, answer_kind_t kind, status_t status, uint32_t is_final)
+static void answer_to(const command_t *asked, answer_kind_t kind, status_t status,
+                      uint32_t is_final)
 {
     answer_t answer = {.id = asked->id,
                        .source = asked->source,
@@ -286,16 +287,16 @@ void test_SWR_IGTL_008_discarded_and_expired_moves_are_reported(void)
     start_move();
     snapshot.workphase = (uint32_t)WORKPHASE_EMERGENCY;
     answer_to(&command, ANSWER_ABORTED, STATUS_DISCARDED, 1U);
-    TEST_ASSERT_EQUAL_STRING_LEN("STATUS MOVE_TO_TARGET 13 EMERGENCY|DISCARDED: ",
-                                 igtl_peer_next(&outboxes[0]), 46U);
+    TEST_ASSERT_EQUAL_STRING_LEN(
+        "STATUS MOVE_TO_TARGET 13 EMERGENCY|DISCARDED: ", igtl_peer_next(&outboxes[0]), 46U);
     say(0U, "CMD_2", "MOVE_TO_TARGET");
     expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_MOVE_TO_TARGET);
     accept(0U);
     answer_to(&command, ANSWER_ABORTED, STATUS_EXPIRED, 1U);
     EXPECT(0U, "STRING ACK_2 MOVE_TO_TARGET");
     EXPECT(0U, "STATUS CURRENT_STATUS 1 MOVE_TO_TARGET|");
-    TEST_ASSERT_EQUAL_STRING_LEN("STATUS MOVE_TO_TARGET 7 MOVE_TO_TARGET|EXPIRED: ",
-                                 igtl_peer_next(&outboxes[0]), 48U);
+    TEST_ASSERT_EQUAL_STRING_LEN(
+        "STATUS MOVE_TO_TARGET 7 MOVE_TO_TARGET|EXPIRED: ", igtl_peer_next(&outboxes[0]), 48U);
 }
 
 void test_SWR_IGTL_008_refused_workphase_says_where_it_stays_and_why(void)
@@ -305,8 +306,10 @@ void test_SWR_IGTL_008_refused_workphase_says_where_it_stays_and_why(void)
     expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_TARGETING);
     answer_to(&command, ANSWER_REFUSED, STATUS_NOT_REGISTERED, 1U);
     EXPECT(0U, "STRING ACK_1 TARGETING");
-    EXPECT(0U, "STATUS CURRENT_STATUS 13 PLANNING|NOT_REGISTERED: There is no registration; send one in CALIBRATION.");
-    EXPECT(0U, "STATUS TARGETING 13 PLANNING|NOT_REGISTERED: There is no registration; send one in CALIBRATION.");
+    EXPECT(0U, "STATUS CURRENT_STATUS 13 PLANNING|NOT_REGISTERED: There is no registration; send "
+               "one in CALIBRATION.");
+    EXPECT(0U, "STATUS TARGETING 13 PLANNING|NOT_REGISTERED: There is no registration; send one in "
+               "CALIBRATION.");
     EXPECT(0U, "");
 }
 
@@ -317,7 +320,8 @@ void test_SWR_IGTL_008_unreachable_target_names_axis_and_limit(void)
     expect_command(COMMAND_TARGET, 0U);
     answer_to(&command, ANSWER_REFUSED, STATUS_AXIS_LIMIT, 1U);
     EXPECT(0U, "TRANSFORM ACK_1 1.000 2.000 3.000");
-    EXPECT(0U, "STATUS TARGET 10 TARGETING|AXIS_LIMIT: An axis would leave its soft limits. (insertion, upper limit)");
+    EXPECT(0U, "STATUS TARGET 10 TARGETING|AXIS_LIMIT: An axis would leave its soft limits. "
+               "(insertion, upper limit)");
     EXPECT(0U, "");
 }
 
@@ -365,7 +369,8 @@ void test_SWR_IGTL_008_lost_controller_is_reported_to_who_waits(void)
 {
     start_move();
     workphase_dialect_control_lost(&dialect, &moment);
-    TEST_ASSERT_EQUAL_STRING_LEN("STATUS MOVE_TO_TARGET 7 NO_ANSWER|", igtl_peer_next(&outboxes[0]), 34U);
+    TEST_ASSERT_EQUAL_STRING_LEN("STATUS MOVE_TO_TARGET 7 NO_ANSWER|", igtl_peer_next(&outboxes[0]),
+                                 34U);
     workphase_dialect_control_lost(&dialect, &moment);
     EXPECT(0U, "");
 }
@@ -391,10 +396,12 @@ void test_SWR_IGTL_008_only_the_first_peer_commands(void)
     accept(1U);
     say(1U, "CMD_1", "MANUAL");
     EXPECT(1U, "STRING ACK_1 MANUAL");
-    EXPECT(1U, "STATUS MANUAL 5 ACCESS_DENIED|ACCESS_DENIED: Another connection controls the robot.");
+    EXPECT(1U,
+           "STATUS MANUAL 5 ACCESS_DENIED|ACCESS_DENIED: Another connection controls the robot.");
     place(1U, "TGT_1", 0.0F);
     EXPECT(1U, "TRANSFORM ACK_1 0.000 2.000 3.000");
-    EXPECT(1U, "STATUS TARGET 5 ACCESS_DENIED|ACCESS_DENIED: Another connection controls the robot.");
+    EXPECT(1U,
+           "STATUS TARGET 5 ACCESS_DENIED|ACCESS_DENIED: Another connection controls the robot.");
     expect_no_command();
     workphase_dialect_disconnected(&dialect, 0U);
     say(1U, "CMD_2", "MANUAL");
@@ -481,7 +488,8 @@ void test_SWR_IGTL_010_bad_numbers_never_become_a_command(void)
     message.numbers[0] = 0U;
     workphase_dialect_receive(&dialect, 0U, &message, &moment);
     (void)igtl_peer_next(&outboxes[0]);
-    TEST_ASSERT_EQUAL_STRING_LEN("STATUS CALIBRATION 10 NOT_RIGID|", igtl_peer_next(&outboxes[0]), 32U);
+    TEST_ASSERT_EQUAL_STRING_LEN("STATUS CALIBRATION 10 NOT_RIGID|", igtl_peer_next(&outboxes[0]),
+                                 32U);
     expect_no_command();
 }
 
@@ -534,11 +542,13 @@ void test_SWR_IGTL_013_polls_before_the_first_snapshot_say_so(void)
 {
     moment.snapshot = NULL;
     say(0U, "CURRENT_POSITION", "");
-    TEST_ASSERT_EQUAL_STRING_LEN("STATUS CURRENT_POSITION 7 NO_ANSWER|", igtl_peer_next(&outboxes[0]), 36U);
+    TEST_ASSERT_EQUAL_STRING_LEN("STATUS CURRENT_POSITION 7 NO_ANSWER|",
+                                 igtl_peer_next(&outboxes[0]), 36U);
     EXPECT(0U, "STRING IS_IN_TARGETING_POS 0");
     EXPECT(0U, "STRING HAS_REACHED_TARGET 0");
     say(0U, "CURRENT_STATUS", "");
-    TEST_ASSERT_EQUAL_STRING_LEN("STATUS CURRENT_STATUS 10 UNDEFINED|", igtl_peer_next(&outboxes[0]), 35U);
+    TEST_ASSERT_EQUAL_STRING_LEN("STATUS CURRENT_STATUS 10 UNDEFINED|",
+                                 igtl_peer_next(&outboxes[0]), 35U);
 }
 
 void test_SWR_IGTL_013_greeting_of_slicer_gets_no_answer(void)

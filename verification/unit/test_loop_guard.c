@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: every interval above the limit counts as an overrun; three in a row stop motion until a reset.
+ * Rule under test: every interval above the limit counts as an overrun; three in a row stop motion
+ * until a reset.
  */
 #include "unity.h"
 
-#include "limits.h"
+#include "requirement_limits.h"
 #include "loop_guard.h"
 #include "loop_guard_chart.h"
 

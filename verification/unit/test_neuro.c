@@ -5,7 +5,7 @@
 #include "crc.h"
 #include "fixed.h"
 #include "golden_neuro.h"
-#include "limits.h"
+#include "requirement_limits.h"
 #include "neuro.h"
 #include "neuro_limits.h"
 #include "neuro_reference.h"
@@ -446,7 +446,8 @@ void test_SWR_KIN_004_numbers_that_are_no_rotation_do_no_harm(void)
         }
         memcpy(&pose, words, sizeof pose);
         memcpy(&entry, &words[12], sizeof entry);
-        TEST_ASSERT_LESS_OR_EQUAL(STATUS_SEPARATION_LIMIT, neuro_solve(&robot, &pose, &entry, &joints).status);
+        TEST_ASSERT_LESS_OR_EQUAL(STATUS_SEPARATION_LIMIT,
+                                  neuro_solve(&robot, &pose, &entry, &joints).status);
         TEST_ASSERT_LESS_OR_EQUAL(
             STATUS_SEPARATION_LIMIT,
             neuro_inverse(&robot, &entry, &pose.translation, INT32_MIN, &joints).status);

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: the gate is open only in a cycle in which both channels are closed, and only after both were seen
- * open; channels that differ shut it at once and, after a while, for good.
+ * Rule under test: the gate is open only in a cycle in which both channels are closed, and only
+ * after both were seen open; channels that differ shut it at once and, after a while, for good.
  */
 #include "unity.h"
 
-#include "limits.h"
+#include "requirement_limits.h"
 #include "pedal_gate.h"
 #include "pedal_gate_chart.h"
 

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: an axis may be driven only when no reason stands against it; each standing reason is named;
- * whatever is not allowed leaves as zero drive words.
+ * Rule under test: an axis may be driven only when no reason stands against it; each standing
+ * reason is named; whatever is not allowed leaves as zero drive words.
  */
 #include "unity.h"
 
-#include "limits.h"
+#include "requirement_limits.h"
 #include "permit.h"
 
 #include <stddef.h>
@@ -155,7 +155,8 @@ void test_SWR_PERMIT_003_reasons_that_stand_together_are_all_named(void)
         *fact(&facts, rules[i].fact) = rules[i].forbids_when;
     }
     facts.is_homed = false;
-    TEST_ASSERT_EQUAL_HEX32(((uint32_t)1U << PERMIT_REASON_COUNT) - 1U, permit_decide(&facts).reasons);
+    TEST_ASSERT_EQUAL_HEX32(((uint32_t)1U << PERMIT_REASON_COUNT) - 1U,
+                            permit_decide(&facts).reasons);
 }
 
 void test_SWR_PERMIT_004_no_axis_is_allowed_while_the_scanner_acquires(void)

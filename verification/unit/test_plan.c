@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The plan takes only what is rigid and in range, confirms each target by the way back, and keeps proposals apart.
+ * The plan takes only what is rigid and in range, confirms each target by the way back, and keeps
+ * proposals apart.
  */
 #include "plan.h"
 
@@ -9,7 +10,7 @@
 
 #include "contract_trap.h"
 #include "fixed.h"
-#include "limits.h"
+#include "requirement_limits.h"
 #include "neuro.h"
 #include "neuro_limits.h"
 #include "rigid.h"
@@ -96,9 +97,12 @@ void test_SWR_REG_001_a_registration_is_stored_exactly_orthonormal(void)
     rigid_t skewed = identity;
     skewed.rotation_q30[0][1] = 50000;
     TEST_ASSERT_EQUAL(STATUS_OK, plan_register(&plan, &robot_neuro, &skewed));
-    const int64_t dot = (((int64_t)plan.scanner_zframe.rotation_q30[0][0] * plan.scanner_zframe.rotation_q30[0][1]) +
-                         ((int64_t)plan.scanner_zframe.rotation_q30[1][0] * plan.scanner_zframe.rotation_q30[1][1]) +
-                         ((int64_t)plan.scanner_zframe.rotation_q30[2][0] * plan.scanner_zframe.rotation_q30[2][1])) /
+    const int64_t dot = (((int64_t)plan.scanner_zframe.rotation_q30[0][0] *
+                          plan.scanner_zframe.rotation_q30[0][1]) +
+                         ((int64_t)plan.scanner_zframe.rotation_q30[1][0] *
+                          plan.scanner_zframe.rotation_q30[1][1]) +
+                         ((int64_t)plan.scanner_zframe.rotation_q30[2][0] *
+                          plan.scanner_zframe.rotation_q30[2][1])) /
                         FIXED_ONE_Q30;
     TEST_ASSERT_INT64_WITHIN(4, 0, dot);
 }

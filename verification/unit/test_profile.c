@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: over many moves between random places, every axis stays within its speed and acceleration, all
- * axes go the same share of their way in each cycle, and each ends exactly at its target.
+ * Rule under test: over many moves between random places, every axis stays within its speed and
+ * acceleration, all axes go the same share of their way in each cycle, and each ends exactly at its
+ * target.
  */
 #include "unity.h"
 
@@ -17,7 +18,8 @@ TEST_SOURCE_FILE("robot_neuro.c")
 
 #define MOVES 80U
 #define SLOW_MOVES 3U
-/* Set-points are whole ticks; over this many cycles their rounding is small beside speed and acceleration. */
+/* Set-points are whole ticks; over this many cycles their rounding is small beside speed and
+ * acceleration. */
 #define WINDOW_CYCLES 100U
 #define HISTORY (2U * WINDOW_CYCLES + 1U)
 #define WINDOW_S 0.1
@@ -37,7 +39,8 @@ static uint32_t random_below(uint32_t limit)
 
 static int32_t random_place(const axis_config_t *axis)
 {
-    return axis->minimum_ticks + (int32_t)random_below((uint32_t)(axis->maximum_ticks - axis->minimum_ticks) + 1U);
+    return axis->minimum_ticks +
+           (int32_t)random_below((uint32_t)(axis->maximum_ticks - axis->minimum_ticks) + 1U);
 }
 
 /* Near or far, and some axes not at all. */
@@ -160,7 +163,8 @@ static void check_speeds(void)
         for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
             const double now = speed_of(i);
             TEST_ASSERT_TRUE(fabs(now) <= speed_limit(i) + 1.0 / 256.0);
-            TEST_ASSERT_TRUE(fabs(now - before[i]) <= acceleration_limit(i) * CYCLE_S + 1.0 / 256.0);
+            TEST_ASSERT_TRUE(fabs(now - before[i]) <=
+                             acceleration_limit(i) * CYCLE_S + 1.0 / 256.0);
             before[i] = now;
         }
         profile_step(&profile);
@@ -213,7 +217,8 @@ void test_SWR_MOTION_001_a_percentage_of_the_speed_is_kept(void)
     for (uint32_t k = 0U; k < slow / 2U; k++) {
         profile_step(&profile);
     }
-    TEST_ASSERT_INT32_WITHIN(256 * 2, 256 * 16667 / 4, profile_speed_ticks_per_s_q8(&profile, AXIS_INSERTION));
+    TEST_ASSERT_INT32_WITHIN(256 * 2, 256 * 16667 / 4,
+                             profile_speed_ticks_per_s_q8(&profile, AXIS_INSERTION));
 }
 
 void test_SWR_CORE_003_a_percentage_out_of_range_breaks_the_contract(void)
@@ -232,7 +237,8 @@ static void check_shares(void)
         for (uint32_t i = 1U; i < ROBOT_AXIS_COUNT; i++) {
             longest = (fabs(way_of(i)) > fabs(way_of(longest))) ? i : longest;
         }
-        const double share = (profile_position_ticks(&profile, longest) - start[longest]) / way_of(longest);
+        const double share =
+            (profile_position_ticks(&profile, longest) - start[longest]) / way_of(longest);
         for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
             const double done = profile_position_ticks(&profile, i) - start[i];
             TEST_ASSERT_TRUE(fabs(done - share * way_of(i)) <= 1.0 + 1e-9);
@@ -246,7 +252,8 @@ void test_SWR_MOTION_002_all_axes_go_the_same_share_of_their_way_in_each_cycle(v
     for_many_moves(check_shares);
 }
 
-/* Speed of the first and of the last cycle of a ramp: too small to be seen for the shortest ways. */
+/* Speed of the first and of the last cycle of a ramp: too small to be seen for the shortest ways.
+ */
 static bool is_measurable(uint32_t axis)
 {
     const double ramp = profile.ramp_cycles;

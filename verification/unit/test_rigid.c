@@ -2,7 +2,7 @@
 /* Rule under test: only a rotation and a translation passes for a rigid transform, and products do
  * not wrap. */
 #include "fixed.h"
-#include "limits.h"
+#include "requirement_limits.h"
 #include "rigid.h"
 #include "unity.h"
 

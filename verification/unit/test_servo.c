@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: the request pushes towards the set-point, never harder than the axis' largest word, never from one
- * direction into the other without a rest, and brings a motor with rise time, fall time and a late answer to rest
- * within the deadband.
+ * Rule under test: the request pushes towards the set-point, never harder than the axis' largest
+ * word, never from one direction into the other without a rest, and brings a motor with rise time,
+ * fall time and a late answer to rest within the deadband.
  */
 #include "unity.h"
 
 #include "card_frame.h"
 #include "crc.h"
 #include "fixed.h"
-#include "limits.h"
+#include "requirement_limits.h"
 #include "profile.h"
 #include "robot.h"
 #include "servo.h"
@@ -78,7 +78,8 @@ void test_SWR_AXIS_007_full_speed_is_the_largest_word_and_less_is_less(void)
 {
     const int32_t full_q8 = pwm->full_speed_ticks_per_s * 256;
 
-    expect_drive(servo_step(&servo, pwm, 0, full_q8, CYCLE_US), CARD_DRIVE_PWM, 1U, pwm->maximum_duty);
+    expect_drive(servo_step(&servo, pwm, 0, full_q8, CYCLE_US), CARD_DRIVE_PWM, 1U,
+                 pwm->maximum_duty);
     TEST_ASSERT_TRUE(servo_step(&servo, pwm, 0, full_q8 - 256, CYCLE_US).duty < pwm->maximum_duty);
     const uint32_t half = pwm->minimum_duty + (pwm->maximum_duty - pwm->minimum_duty) / 2U;
     expect_drive(servo_step(&servo, pwm, 0, full_q8 / 2, CYCLE_US), CARD_DRIVE_PWM, 1U, half);
@@ -276,7 +277,8 @@ void test_SWR_MOTION_004_an_axis_ahead_of_its_set_point_waits_for_it(void)
     expect_off(servo_step(&servo, pwm, -10, 256 * 600, CYCLE_US));
 }
 
-/* A motor that gains speed with 15 ms, loses it with 1.5 ms, and hears of a drive after a few cycles. */
+/* A motor that gains speed with 15 ms, loses it with 1.5 ms, and hears of a drive after a few
+ * cycles. */
 #define DELAY_CYCLES 3U
 #define SUBSTEPS 10U
 #define SUBSTEP_S 0.0001
@@ -309,7 +311,8 @@ static void run_motor(motor_t *motor, const axis_config_t *config, const card_dr
 
     for (uint32_t i = 0U; i < SUBSTEPS; i++) {
         const double time_s = (fabs(steady) > fabs(motor->speed_ticks_per_s)) ? RISE_S : FALL_S;
-        motor->speed_ticks_per_s += (steady - motor->speed_ticks_per_s) * (1.0 - exp(-SUBSTEP_S / time_s));
+        motor->speed_ticks_per_s +=
+            (steady - motor->speed_ticks_per_s) * (1.0 - exp(-SUBSTEP_S / time_s));
         motor->position_ticks += motor->speed_ticks_per_s * SUBSTEP_S;
     }
     for (uint32_t i = DELAY_CYCLES - 1U; i > 0U; i--) {
@@ -319,7 +322,8 @@ static void run_motor(motor_t *motor, const axis_config_t *config, const card_dr
 }
 
 /* One cycle of one axis; the error that the servo saw. */
-static int32_t run_axis(motor_t *motor, const axis_config_t *config, const profile_t *profile, uint32_t axis)
+static int32_t run_axis(motor_t *motor, const axis_config_t *config, const profile_t *profile,
+                        uint32_t axis)
 {
     const int32_t error_ticks =
         profile_position_ticks(profile, axis) - (int32_t)floor(motor->position_ticks);
@@ -330,7 +334,8 @@ static int32_t run_axis(motor_t *motor, const axis_config_t *config, const profi
     return (error_ticks < 0) ? -error_ticks : error_ticks;
 }
 
-/* Moves `axis` from `from` to `to`; it must be there two seconds after the profile's end, and stay. */
+/* Moves `axis` from `from` to `to`; it must be there two seconds after the profile's end, and stay.
+ */
 static void expect_arrival(uint32_t axis, int32_t from, int32_t to)
 {
     const axis_config_t *const config = &robot_neuro.axes[axis];

@@ -8,7 +8,7 @@
 
 #include "card_frame.h"
 #include "crc.h"
-#include "limits.h"
+#include "requirement_limits.h"
 #include "sim_card.h"
 #include "sim_encoder.h"
 #include "sim_motor.h"

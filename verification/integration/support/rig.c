@@ -86,7 +86,8 @@ answer_t rig_command(rig_t *self, command_t command)
 
 answer_t rig_workphase(rig_t *self, workphase_t workphase)
 {
-    const command_t command = {.kind = (uint32_t)COMMAND_WORKPHASE, .argument = (uint32_t)workphase};
+    const command_t command = {.kind = (uint32_t)COMMAND_WORKPHASE,
+                               .argument = (uint32_t)workphase};
     return rig_command(self, command);
 }
 
@@ -165,7 +166,8 @@ card_command_t rig_sent(const rig_t *self, uint32_t axis)
 {
     card_command_t command;
     const uint32_t slot = robot_neuro.axes[axis].slot;
-    TEST_ASSERT_EQUAL(CARD_FRAME_OK, card_frame_decode_command(self->outputs.frames[slot], slot, &command));
+    TEST_ASSERT_EQUAL(CARD_FRAME_OK,
+                      card_frame_decode_command(self->outputs.frames[slot], slot, &command));
     return command;
 }
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file The controller on the simulated control box in lock-step: simulated time, the same bytes on every run. */
+/** @file The controller on the simulated control box in lock-step: simulated time, the same bytes
+ * on every run. */
 #ifndef BORESIGHT_RIG_H
 #define BORESIGHT_RIG_H
 
@@ -19,13 +20,14 @@ typedef struct {
     controller_outputs_t outputs;
     command_t commands[CONTROLLER_COMMANDS]; /**< For the next cycle. */
     uint32_t command_count;
-    uint32_t elapsed_us;                     /**< Of every cycle; 1000 unless a test changes it. */
+    uint32_t elapsed_us; /**< Of every cycle; 1000 unless a test changes it. */
     uint32_t next_id;
-    answer_t answers[RIG_ANSWERS];           /**< All since rig_forget(). */
+    answer_t answers[RIG_ANSWERS]; /**< All since rig_forget(). */
     uint32_t answer_count;
     event_t events[RIG_EVENTS];
     uint32_t event_count;
-    uint32_t driven_without_pedal;           /**< Cycles in which any drive word was not zero with the gate shut. */
+    uint32_t driven_without_pedal; /**< Cycles in which any drive word was not zero with the gate
+                                      shut. */
 } rig_t;
 
 /** Powers the box and the controller on and lets the cards come alive. */
@@ -46,7 +48,8 @@ answer_t rig_workphase(rig_t *self, workphase_t workphase);
 void rig_press(rig_t *self);
 void rig_release(rig_t *self);
 
-/** Runs until the pending command is answered for good, at most `most` cycles. @return that answer */
+/** Runs until the pending command is answered for good, at most `most` cycles. @return that answer
+ */
 answer_t rig_finish(rig_t *self, uint32_t most);
 
 /** START_UP with the pedal held until every axis is homed, then the pedal is released. */
@@ -74,7 +77,8 @@ bool rig_is_driving(const rig_t *self);
 uint32_t rig_count(const rig_t *self, event_id_t id);
 void rig_forget(rig_t *self);
 
-/** Registration and a reachable treatment pose for tests: needle straight down, treatment point as given (nm). */
+/** Registration and a reachable treatment pose for tests: needle straight down, treatment point as
+ * given (nm). */
 rigid_t rig_pose(int32_t x_nm, int32_t y_nm, int32_t z_nm);
 
 #endif

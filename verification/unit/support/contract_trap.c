@@ -16,7 +16,8 @@ void contract_broken(const char *module, uint32_t id)
     contract_trap_module = module;
     contract_trap_id = id;
     if (!contract_trap_armed) {
-        (void)fprintf(stderr, "contract %s/%u broken outside EXPECT_CONTRACT\n", module, (unsigned)id);
+        (void)fprintf(stderr, "contract %s/%u broken outside EXPECT_CONTRACT\n", module,
+                      (unsigned)id);
         abort();
     }
     longjmp(contract_trap_jump, 1);

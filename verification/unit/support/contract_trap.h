@@ -13,17 +13,17 @@ extern const char *contract_trap_module;
 extern uint32_t contract_trap_id;
 
 /** Runs `call` and expects it to break contract `id` of `module`. */
-#define EXPECT_CONTRACT(module, id, call)                               \
-    do {                                                                \
-        contract_trap_armed = true;                                     \
-        if (setjmp(contract_trap_jump) == 0) {                          \
-            call;                                                       \
-            contract_trap_armed = false;                                \
-            TEST_FAIL_MESSAGE("the contract was not broken");           \
-        }                                                               \
-        contract_trap_armed = false;                                    \
-        TEST_ASSERT_EQUAL_STRING((module), contract_trap_module);       \
-        TEST_ASSERT_EQUAL_UINT32((id), contract_trap_id);               \
+#define EXPECT_CONTRACT(module, id, call)                                                          \
+    do {                                                                                           \
+        contract_trap_armed = true;                                                                \
+        if (setjmp(contract_trap_jump) == 0) {                                                     \
+            call;                                                                                  \
+            contract_trap_armed = false;                                                           \
+            TEST_FAIL_MESSAGE("the contract was not broken");                                      \
+        }                                                                                          \
+        contract_trap_armed = false;                                                               \
+        TEST_ASSERT_EQUAL_STRING((module), contract_trap_module);                                  \
+        TEST_ASSERT_EQUAL_UINT32((id), contract_trap_id);                                          \
     } while (false)
 
 #endif

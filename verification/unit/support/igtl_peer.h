@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * A peer of the OpenIGTLink dialects in a test: makes messages, and reads an outbox as lines of text. In the header
- * alone, so that only the tests that include it need the outbox.
+ * A peer of the OpenIGTLink dialects in a test: makes messages, and reads an outbox as lines of
+ * text. In the header alone, so that only the tests that include it need the outbox.
  */
 #ifndef BORESIGHT_IGTL_PEER_H
 #define BORESIGHT_IGTL_PEER_H
@@ -22,7 +22,8 @@ static char igtl_peer_line[512];
 /** A received STRING; `text` must outlive it. */
 static inline igtl_message_t igtl_peer_string(const char *name, const char *text)
 {
-    igtl_message_t message = {.kind = IGTL_KIND_STRING, .text = text, .text_bytes = (uint32_t)strlen(text)};
+    igtl_message_t message = {
+        .kind = IGTL_KIND_STRING, .text = text, .text_bytes = (uint32_t)strlen(text)};
 
     (void)snprintf(message.name, sizeof message.name, "%s", name);
     return message;
@@ -72,8 +73,9 @@ static inline double igtl_peer_number_at(const uint8_t *bytes)
 
 static inline void igtl_peer_say_position(const char *type, const char *name, const uint8_t *bytes)
 {
-    (void)snprintf(igtl_peer_line, sizeof igtl_peer_line, "%s %s %.3f %.3f %.3f", type, name, igtl_peer_number_at(bytes),
-                   igtl_peer_number_at(&bytes[4]), igtl_peer_number_at(&bytes[8]));
+    (void)snprintf(igtl_peer_line, sizeof igtl_peer_line, "%s %s %.3f %.3f %.3f", type, name,
+                   igtl_peer_number_at(bytes), igtl_peer_number_at(&bytes[4]),
+                   igtl_peer_number_at(&bytes[8]));
 }
 
 static inline void igtl_peer_say(const uint8_t *bytes, uint32_t length)
@@ -89,8 +91,8 @@ static inline void igtl_peer_say(const uint8_t *bytes, uint32_t length)
                        (unsigned)(((uint32_t)body[0] << 8U) | body[1]), (const char *)&body[10],
                        (const char *)&body[IGTL_STATUS_BYTES]);
     } else if (strcmp(type, "STRING") == 0) {
-        (void)snprintf(igtl_peer_line, sizeof igtl_peer_line, "STRING %s %.*s", name, (int)(length - IGTL_HEADER_BYTES - 4U),
-                       (const char *)&body[4]);
+        (void)snprintf(igtl_peer_line, sizeof igtl_peer_line, "STRING %s %.*s", name,
+                       (int)(length - IGTL_HEADER_BYTES - 4U), (const char *)&body[4]);
     } else if (strcmp(type, "POINT") == 0) {
         igtl_peer_say_position(type, name, &body[IGTL_PEER_POINT_POSITION]);
     } else {
@@ -99,8 +101,9 @@ static inline void igtl_peer_say(const uint8_t *bytes, uint32_t length)
 }
 
 /**
- * The next message of the outbox as "TYPE name ...", or "" when there is none: STATUS with code, error name and text;
- * STRING with its text; TRANSFORM and POINT with their position in mm. Valid until the next call.
+ * The next message of the outbox as "TYPE name ...", or "" when there is none: STATUS with code,
+ * error name and text; STRING with its text; TRANSFORM and POINT with their position in mm. Valid
+ * until the next call.
  */
 static inline const char *igtl_peer_next(igtl_outbox_t *outbox)
 {

@@ -30,10 +30,8 @@ export function Loop({ status }: { status: Status }) {
       </dd>
       <dt>Real-time rights</dt>
       <dd>{rightsText(loop.rights)}</dd>
-      <dt>Events / records lost</dt>
-      <dd>
-        {counts.events} / {counts.cycles_lost}
-      </dd>
+      <dt>Records lost</dt>
+      <dd>{counts.cycles_lost}</dd>
     </dl>
   );
 }

@@ -1,0 +1,46 @@
+# frozen_string_literal: true
+
+# SPDX-License-Identifier: Apache-2.0
+
+require 'minitest/autorun'
+require_relative 'boresight'
+
+Minitest.after_run { Boresight.running.dup.each(&:kill_all) }
+
+# A test of real processes. `boresight` starts one when first asked for it; everything ends with the test.
+class SystemTest < Minitest::Test
+  def boresight(...)
+    @boresight ||= Boresight.start(...)
+  end
+
+  def teardown
+    warn "\n#{name}: Boresight said:\n#{@boresight.output}" if @boresight && !passed?
+    Boresight.running.dup.each(&:kill_all)
+  end
+
+  def wait_until(seconds, reason, &)
+    Boresight.wait_until(seconds, reason, &)
+  end
+
+  # Runs the replay; returns its output and its exit code.
+  def replay(file)
+    text, status = Open3.capture2e(Boresight.program('boresight-replay'), file)
+    [text, status.exitstatus]
+  end
+
+  # A stopped instance leaves no process and no shared memory behind.
+  def assert_nothing_left(instance)
+    wait_until(2, "nothing of #{instance} is left") do
+      Dir.glob("/dev/shm/*#{instance}*").empty? && processes_of(instance).empty?
+    end
+  end
+
+  def processes_of(instance)
+    Dir.glob('/proc/[0-9]*/cmdline').select do |path|
+      words = File.read(path).split("\0")
+      words.first.to_s.include?('boresight') && words.any? { |word| word.include?(instance) }
+    rescue SystemCallError
+      false
+    end
+  end
+end
