@@ -10,6 +10,19 @@ static bool is_hardware_ready(const controller_t *self, const controller_inputs_
     return is_ready;
 }
 
+/* What START_UP clears must be clear before a motion is armed. */
+static bool is_able(const controller_t *self)
+{
+    bool is_every_part_able = (self->estop.state == ESTOP_LATCH_STATE_CLEAR) &&
+                              (self->loop.chart.state != LOOP_GUARD_STATE_STOPPED) &&
+                              (self->pedal.chart.state != PEDAL_GATE_STATE_FAULT);
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        is_every_part_able = is_every_part_able && link_is_usable(&self->links[i]) &&
+                             axis_is_enabled(&self->axes[i]);
+    }
+    return is_every_part_able;
+}
+
 static bool is_homed(const controller_t *self)
 {
     bool is_every_axis_homed = true;
@@ -23,6 +36,7 @@ workphases_inputs_t controller_guards(const controller_t *self, const cycle_t *c
 {
     const workphases_inputs_t guards = {
         .is_hardware_ready = is_hardware_ready(self, cycle->inputs),
+        .is_able = is_able(self),
         .is_homed = is_homed(self),
         .is_registered = (self->plan.is_registered != 0U),
         .has_target = (self->plan.has_target != 0U),

@@ -75,6 +75,7 @@ status_t plan_register(plan_t *self, const robot_t *robot, const rigid_t *scanne
     self->scanner_zframe = *scanner_zframe;
     rigid_orthonormalise(&self->scanner_zframe);
     self->is_registered = 1U;
+    self->has_proposed_registration = 0U;
     plan_forget_target(self);
     weigh_proposals(self, robot);
     return STATUS_OK;
@@ -88,6 +89,7 @@ neuro_result_t plan_set_target(plan_t *self, const robot_t *robot, const rigid_t
     rigid_t zframe_scanner;
     rigid_t zframe_treatment;
     neuro_joints_t joints;
+    self->has_target = 0U;
     if (result.status != STATUS_OK) {
         return result;
     }

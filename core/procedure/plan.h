@@ -51,7 +51,8 @@ status_t plan_register(plan_t *self, const robot_t *robot, const rigid_t *scanne
  * neuro_solve(), with the proposed entry point.
  *
  * @return status as rigid_check() and neuro_solve(), STATUS_NOT_REGISTERED, or STATUS_CLOSURE when
- * forward kinematics does not return the pose; the old target then stands
+ * forward kinematics does not return the pose. There is then no target, not even the one before:
+ * who asked for another target must not be taken to the old one.
  *
  * @satisfies SWR-PLAN-004
  */

@@ -14,6 +14,8 @@ static status_t refusal(uint32_t actions)
         status = STATUS_NO_TARGET;
     } else if ((actions & WORKPHASES_ACTION_REFUSE_NOT_HOMED) != 0U) {
         status = STATUS_NOT_HOMED;
+    } else if ((actions & WORKPHASES_ACTION_REFUSE_FAULT_PRESENT) != 0U) {
+        status = STATUS_FAULT_PRESENT;
     } else {
         /* Not on the allow-list. */
     }

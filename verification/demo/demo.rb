@@ -94,6 +94,7 @@ class Demo
   def move(pose)
     repeat_when_discarded do |repeats|
       under_pedal('START_UP', HOME_MS) if repeats.positive?
+      phase('PLANNING')
       phase('TARGETING')
       say('target', *pose)
       await('TARGET', 2000)

@@ -193,7 +193,53 @@ void test_SWR_PLAN_003_a_target_out_of_reach_is_refused_with_the_nearest_limit(v
     TEST_ASSERT_EQUAL_UINT32(STATUS_AXIS_LIMIT, answer.status);
     TEST_ASSERT_EQUAL_UINT32(AXIS_LATERAL, answer.axis);
     TEST_ASSERT_EQUAL_UINT32(1U, answer.is_maximum);
-    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.has_target);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NO_TARGET,
+                             rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
+}
+
+void test_SWR_PHASE_006_nothing_is_armed_while_anything_stands_that_start_up_clears(void)
+{
+    rig_start_targeted(&rig);
+    rig_box(&rig, "estop pull");
+    rig_cycles(&rig, 5U);
+    (void)rig_workphase(&rig, WORKPHASE_STOP);
+    (void)rig_workphase(&rig, WORKPHASE_TARGETING);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_FAULT_PRESENT,
+                             rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
+    rig_box(&rig, "estop reset");
+    rig_cycles(&rig, 20U);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_FAULT_PRESENT,
+                             rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
+    (void)rig_workphase(&rig, WORKPHASE_START_UP);
+    (void)rig_workphase(&rig, WORKPHASE_PLANNING);
+    (void)rig_workphase(&rig, WORKPHASE_TARGETING);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
+}
+
+void test_SWR_PHASE_006_nothing_is_armed_after_late_cycles_or_a_pedal_fault(void)
+{
+    rig_start_targeted(&rig);
+    rig.elapsed_us = LIMIT_OVERRUN_US + 1U;
+    rig_cycles(&rig, LIMIT_OVERRUNS_IN_A_ROW);
+    rig.elapsed_us = 1000U;
+    TEST_ASSERT_EQUAL_UINT32(STATUS_FAULT_PRESENT,
+                             rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
+    rig_start_targeted(&rig);
+    rig_box(&rig, "pedal b close");
+    rig_cycles(&rig, 150U);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_FAULT_PRESENT,
+                             rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
+}
+
+void test_SWR_AXIS_010_a_jog_is_refused_while_the_axes_are_disabled(void)
+{
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = AXIS_YAW, .value = -200};
+    rig_start_homed(&rig);
+    rig_box(&rig, "card yaw silent");
+    rig_cycles(&rig, 10U);
+    (void)rig_workphase(&rig, WORKPHASE_MANUAL);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_FAULT_PRESENT, rig_command(&rig, jog).status);
 }
 
 void test_SWR_PLAN_004_a_target_is_taken_in_targeting_only_and_returned_as_reachable(void)
@@ -257,7 +303,7 @@ void test_SWR_AXIS_004_a_jog_outside_the_soft_limits_is_refused(void)
     TEST_ASSERT_EQUAL_UINT32(WORKPHASES_ORDER_NONE, rig.outputs.snapshot.order);
 }
 
-void test_SWR_AXIS_006_an_axis_not_homed_jogs_at_reduced_speed(void)
+void test_SWR_PERMIT_005_an_axis_not_homed_jogs_at_reduced_speed(void)
 {
     const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = AXIS_YAW, .value = -300};
     rig_start(&rig);

@@ -310,11 +310,13 @@ void test_SWR_STALL_001_a_blocked_motor_stalls_and_needs_start_up(void)
     TEST_ASSERT_EQUAL_UINT32(STATUS_FAULT_PRESENT, rig_finish(&rig, 700U).status);
     TEST_ASSERT_FALSE(rig_is_driving(&rig));
     TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, rig.outputs.snapshot.axes[AXIS_HEAD].power);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_FAULT_PRESENT,
+                             rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
     rig_release(&rig);
     rig_press(&rig);
     rig_cycles(&rig, 300U);
     TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    rig_release(&rig);
     rig_box(&rig, "motor head normal");
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
     TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_ENABLED, rig.outputs.snapshot.axes[AXIS_HEAD].power);

@@ -70,15 +70,24 @@ void test_SWR_PLAN_004_the_way_back_must_return_position_and_direction(void)
     TEST_ASSERT_EQUAL(STATUS_CLOSURE, plan_confirm(&robot_neuro, &joints, &pose));
 }
 
-void test_SWR_PLAN_003_a_refused_target_leaves_the_old_one(void)
+void test_SWR_PLAN_003_after_a_refused_target_there_is_none(void)
 {
     const rigid_t near = needle_down(5000000, 190000000, 60000000);
     const rigid_t far = needle_down(300000000, 190000000, 60000000);
     TEST_ASSERT_EQUAL(STATUS_OK, plan_register(&plan, &robot_neuro, &identity));
     TEST_ASSERT_EQUAL(STATUS_OK, plan_set_target(&plan, &robot_neuro, &near).status);
-    const plan_t before = plan;
+    TEST_ASSERT_EQUAL_UINT32(1U, plan.has_target);
     TEST_ASSERT_EQUAL(STATUS_AXIS_LIMIT, plan_set_target(&plan, &robot_neuro, &far).status);
-    TEST_ASSERT_EQUAL_MEMORY(&before, &plan, sizeof plan);
+    TEST_ASSERT_EQUAL_UINT32(0U, plan.has_target);
+}
+
+void test_SWR_REG_002_an_accepted_registration_replaces_the_proposed_one(void)
+{
+    rigid_t shifted = identity;
+    shifted.translation.x_nm = 10000000;
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_propose_registration(&plan, &robot_neuro, &shifted));
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_register(&plan, &robot_neuro, &identity));
+    TEST_ASSERT_EQUAL_UINT32(0U, plan.has_proposed_registration);
 }
 
 void test_SWR_REG_001_a_registration_beyond_its_range_is_refused_and_the_old_one_kept(void)
