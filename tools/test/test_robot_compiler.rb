@@ -186,7 +186,7 @@ class TestRobotCompiler < Minitest::Test
   end
 
   def test_SWR_ROBOT_001_speeds_and_windows_that_contradict_each_other_are_refused
-    assert_refused(with('home_speed_ticks_per_s: 197', 'home_speed_ticks_per_s: 788'),
+    assert_refused(with('home_speed_ticks_per_s: 196', 'home_speed_ticks_per_s: 788'),
                    'axes[0].home_speed_ticks_per_s: is 788; expected at most speed_ticks_per_s (787)',
                    at: 'home_speed_ticks_per_s: 788')
     assert_refused(with('full_speed_ticks_per_s: 984', 'full_speed_ticks_per_s: 786'),
