@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # What `make test` runs; included by the Makefile.
 
-.PHONY: gate unit misra sanitize arm console-test objects programs trace demo
+.PHONY: gate generated unit misra sanitize arm console-test objects programs trace demo
 
 test: bootstrap-test ## Run everything that can fail; the last line is `N passed, N failed`
 	@ruby tools/gates.rb
@@ -11,6 +11,8 @@ gate: bootstrap-test ## Run one gate again: make gate NAME=unit
 
 ALL_APP := $(wildcard app/*/*.c bsp/sim/*.c)
 OBJECTS := $(call object,$(CORE_SOURCES) $(ALL_APP) $(GEN)/names/names.c $(GEN)/assets/assets.c $(GEN)/assets/chart_names.c)
+
+generated: $(GENERATED)
 
 objects: $(OBJECTS)
 

@@ -19,7 +19,13 @@
 #endif
 
 /* A worker needs little; the default of 8 MB each would only be address space to fill. */
-#define WORKER_STACK_BYTES (512U * 1024U)
+#define WORKER_STACK_BYTES (256U * 1024U)
+
+/* A client that does not finish its request holds a worker until the timeout; there are enough of
+ * them for a stop to be served meanwhile. The library uses the same timeout for a blocked write;
+ * a stream tries again (http_stream.c). */
+#define WORKERS "64"
+#define REQUEST_TIMEOUT_MS "500"
 
 static void make_boot_id(char *text, size_t size)
 {
@@ -87,8 +93,8 @@ static struct mg_context *start_library(http_server_t *self, const char *address
     /* clang-format off */
     const char *options[] = {
         "listening_ports", address,
-        "num_threads", "16",
-        "request_timeout_ms", "2000",
+        "num_threads", WORKERS,
+        "request_timeout_ms", REQUEST_TIMEOUT_MS,
         "enable_keep_alive", "no",
         "max_request_size", "8192",
         "enable_directory_listing", "no",

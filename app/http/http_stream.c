@@ -11,6 +11,7 @@
 
 #define EVENTS_AT_ONCE 16U
 #define SILENCE_S 1
+#define BLOCKED_WRITES 4U /* In a row, each as long as the server's timeout: then it is gone. */
 
 /* One client and what it has been sent. */
 typedef struct {
@@ -55,7 +56,18 @@ bool http_stream_publish(http_stream_t *self, const char *state)
 
 static bool write_text(const client_t *client, const char *text, size_t size)
 {
-    return mg_write(client->connection, text, size) == (int)size;
+    size_t sent = 0U;
+    uint32_t blocked = 0U;
+    while ((sent < size) && (blocked < BLOCKED_WRITES)) {
+        int count = mg_write(client->connection, &text[sent], size - sent);
+        if (count > 0) {
+            sent += (size_t)count;
+            blocked = 0U;
+        } else {
+            blocked++;
+        }
+    }
+    return sent == size;
 }
 
 /* Waits, not for ever, for a frame new to the client. Returns its size; 0: there is none. */

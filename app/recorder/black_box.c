@@ -41,30 +41,32 @@ static void fail(black_box_t *self, uint64_t now_us)
 }
 
 /* A recorder started again in the same second finds the first names taken. */
-static bool open_next(black_box_t *self)
+static bool open_next(black_box_t *self, char *path, size_t size)
 {
-    char path[PATH_SIZE];
     bool is_open;
 
     do {
         self->files++;
-        black_box_name(path, sizeof(path), self->directory, self->header.started_us, self->files);
+        black_box_name(path, size, self->directory, self->header.started_us, self->files);
         is_open = recording_writer_open(&self->writer, path, &self->header);
     } while (!is_open && (errno == EEXIST) && (self->files < NUMBER_MAX));
     return is_open;
 }
 
+/* Old recordings make room only for one that exists: a failed attempt costs none of them. */
 static void begin_file(black_box_t *self, uint64_t now_us)
 {
+    char path[PATH_SIZE];
+
     if (now_us < self->retry_us) {
         return;
     }
-    black_box_remove_oldest(self->directory, BLACK_BOX_FILES, BLACK_BOX_BYTES);
     self->header.started_us = black_box_utc_us();
-    if (!open_next(self)) {
+    if (!open_next(self, path, sizeof(path))) {
         fail(self, now_us);
         return;
     }
+    black_box_remove_oldest(self->directory, path, BLACK_BOX_FILES, BLACK_BOX_BYTES);
     self->opened_us = now_us;
     self->flushed_us = now_us;
 }

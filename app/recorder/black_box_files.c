@@ -52,7 +52,8 @@ static uint64_t size_of(const char *directory, const char *name)
     return (stat(path, &status) == 0) ? (uint64_t)status.st_size : 0U;
 }
 
-void black_box_remove_oldest(const char *directory, uint32_t files, uint64_t bytes)
+void black_box_remove_oldest(const char *directory, const char *present, uint32_t files,
+                             uint64_t bytes)
 {
     struct dirent **entries = NULL;
     const int count = scandir(directory, &entries, is_recording, alphasort);
@@ -62,9 +63,9 @@ void black_box_remove_oldest(const char *directory, uint32_t files, uint64_t byt
     for (int i = count - 1; i >= 0; i--) { /* The newest first. */
         used += size_of(directory, entries[i]->d_name);
         kept++;
-        if ((kept >= files) || (used >= bytes)) {
-            char path[PATH_SIZE];
-            (void)snprintf(path, sizeof(path), "%s/%s", directory, entries[i]->d_name);
+        char path[PATH_SIZE];
+        (void)snprintf(path, sizeof(path), "%s/%s", directory, entries[i]->d_name);
+        if (((kept > files) || (used >= bytes)) && (strcmp(path, present) != 0)) {
             (void)unlink(path);
         }
         free(entries[i]);

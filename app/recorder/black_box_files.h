@@ -14,9 +14,10 @@ uint64_t black_box_utc_us(void);
 void black_box_name(char *path, size_t size, const char *directory, uint64_t utc_us,
                     uint32_t number);
 
-/** Removes the oldest recordings until fewer than `files`, with fewer than `bytes` together, are
- * left. */
-void black_box_remove_oldest(const char *directory, uint32_t files, uint64_t bytes);
+/** Removes the oldest recordings until at most `files`, with fewer than `bytes` together, are left.
+ * `present` stays even when the clock was set back and its name is the oldest. */
+void black_box_remove_oldest(const char *directory, const char *present, uint32_t files,
+                             uint64_t bytes);
 
 /** Creates `directory` and those above it. False with errno set. */
 bool black_box_make_directory(const char *directory);

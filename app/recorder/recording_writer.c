@@ -64,6 +64,15 @@ static bool write_header(recording_writer_t *self)
     return write_all(self, bytes, sizeof(bytes));
 }
 
+/* A file without header is no recording, and would count as one. */
+static void remove_again(const char *path)
+{
+    const int reason = errno;
+
+    (void)unlink(path);
+    errno = reason;
+}
+
 bool recording_writer_open(recording_writer_t *self, const char *path,
                            const recording_header_t *header)
 {
@@ -76,9 +85,13 @@ bool recording_writer_open(recording_writer_t *self, const char *path,
     self->compressor = ZSTD_createCCtx();
     self->file = open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, FILE_MODE);
     begin_block(self);
-    if ((self->file < 0) || (self->output == NULL) || (self->compressor == NULL) ||
-        !write_header(self)) {
+    if (self->file < 0) {
         release(self);
+        return false;
+    }
+    if ((self->output == NULL) || (self->compressor == NULL) || !write_header(self)) {
+        release(self);
+        remove_again(path);
         return false;
     }
     return true;

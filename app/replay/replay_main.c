@@ -6,8 +6,9 @@
  *     boresight-replay FILE
  *     boresight-replay --table FILE     writes the motion as comma-separated values instead
  *
- * Exit code 0: every output equal. 1: a difference. 2: damaged, of another layout or robot, or
- * nothing to replay.
+ * Exit code 0: every output equal. 1: a difference. 2: damaged, unreadable, not holding the records
+ * it announces, of another layout or robot, or nothing to replay. 3: every output equal, but the
+ * recording is cut short. The table ends with 0, 2 or 3 alike.
  */
 #include "build_id.h"
 #include "contract.h"
@@ -23,10 +24,12 @@
 #define EXIT_EQUAL 0
 #define EXIT_DIFFERENT 1
 #define EXIT_REFUSED 2
+#define EXIT_CUT_SHORT 3
 
 static recording_reader_t reader;
 static replay_t replay;
 static cycle_record_t record;
+static uint64_t taken; /* Records read. */
 
 void contract_broken(const char *module, uint32_t id)
 {
@@ -65,7 +68,7 @@ static bool check_header(const recording_header_t *header)
     return true;
 }
 
-static bool verify(const char *path)
+static recording_verdict_t verify(const char *path)
 {
     recording_finding_t finding;
     const recording_verdict_t verdict = recording_reader_open(&reader, path, &finding);
@@ -73,20 +76,46 @@ static bool verify(const char *path)
     if (verdict != RECORDING_WHOLE) {
         (void)fprintf(stderr, "%s\n", finding.sentence);
     }
-    return (verdict == RECORDING_WHOLE) || (verdict == RECORDING_CUT_SHORT);
+    return verdict;
 }
 
-static int replay_all(void)
+static bool take_record(void)
+{
+    const bool is_taken = recording_reader_next(&reader, &record);
+
+    taken += is_taken ? 1U : 0U;
+    return is_taken;
+}
+
+/* After the last record: says when the blocks do not hold what they announce. */
+static bool check_end(void)
+{
+    if ((taken == reader.records) && (reader.raw_next == reader.raw_size) &&
+        (reader.next == reader.end)) {
+        return true;
+    }
+    (void)fflush(stdout);
+    (void)fprintf(stderr,
+                  "The blocks announce %" PRIu64 " records, %" PRIu64
+                  " could be read; the recording cannot be trusted.\n",
+                  reader.records, taken);
+    return false;
+}
+
+static int replay_all(bool is_cut_short)
 {
     char difference[256];
 
-    while (recording_reader_next(&reader, &record)) {
+    while (take_record()) {
         if (!replay_take(&replay, &robot_neuro, &record)) {
             replay_difference(&replay, &record, difference, sizeof(difference));
             (void)printf("%s\n%" PRIu64 " cycles before it were equal.\n", difference,
                          replay.replayed);
             return EXIT_DIFFERENT;
         }
+    }
+    if (!check_end()) {
+        return EXIT_REFUSED;
     }
     if (replay.unreplayed > 0U) {
         (void)printf("%" PRIu64 " cycles follow no checkpoint (%" PRIu32
@@ -98,16 +127,25 @@ static int replay_all(void)
         return EXIT_REFUSED;
     }
     (void)printf("%" PRIu64 " cycles replayed, every output equal\n", replay.replayed);
+    if (is_cut_short) {
+        (void)printf("The recording is cut short: only the %" PRIu64
+                     " cycles before the cut were replayed.\n",
+                     replay.replayed);
+        return EXIT_CUT_SHORT;
+    }
     return EXIT_EQUAL;
 }
 
-static int print_table(void)
+static int print_table(bool is_cut_short)
 {
     table_print_names(&robot_neuro);
-    while (recording_reader_next(&reader, &record)) {
+    while (take_record()) {
         table_print_row(&robot_neuro, &record);
     }
-    return EXIT_EQUAL;
+    if (!check_end()) {
+        return EXIT_REFUSED;
+    }
+    return is_cut_short ? EXIT_CUT_SHORT : EXIT_EQUAL;
 }
 
 int main(int count, char **arguments)
@@ -118,12 +156,14 @@ int main(int count, char **arguments)
         (void)fputs("usage: boresight-replay [--table] FILE\n", stderr);
         return EXIT_REFUSED;
     }
-    if (!verify(arguments[count - 1])) {
+    const recording_verdict_t verdict = verify(arguments[count - 1]);
+    if ((verdict != RECORDING_WHOLE) && (verdict != RECORDING_CUT_SHORT)) {
         return EXIT_REFUSED;
     }
+    const bool is_cut_short = verdict == RECORDING_CUT_SHORT;
     int code = EXIT_REFUSED;
     if (check_header(&reader.header)) {
-        code = is_table ? print_table() : replay_all();
+        code = is_table ? print_table(is_cut_short) : replay_all(is_cut_short);
     }
     recording_reader_close(&reader);
     return code;

@@ -373,6 +373,18 @@ class TestHttp < Minitest::Test
     slow&.each(&:close)
   end
 
+  def test_SWR_HTTP_004_sixty_half_requests_do_not_delay_a_stop
+    slow = Array.new(60) do
+      TCPSocket.new('127.0.0.1', port).tap { |socket| socket.write("POST /api/v1/stop HTTP/1.1\r\nHost: ") }
+    end
+    start = now
+    assert_equal '200', post('/api/v1/stop', '{}').code
+    assert_operator now - start, :<, 1.0
+    slow.each { |socket| read_until_closed(socket, 3) }
+  ensure
+    slow&.each(&:close)
+  end
+
   def test_SWR_HTTP_005_nothing_listens_on_other_addresses
     listening = sockets.select { |state, here, _| state == LISTENING && here.last == port }
     assert_equal(['127.0.0.1'], listening.map { |_, here, _| here.first })

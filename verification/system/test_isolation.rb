@@ -4,6 +4,12 @@
 
 # Rule under test: whatever happens to the programs around it, control goes on; when control itself ends, the cards
 # stop the motors.
+#
+# Tolerated: these runs share the machine with everything else on it, and control may run without real-time rights. A
+# run in which the machine itself paused (a wake-up later than MACHINE_PAUSE_US, more than MORE_OVERRUNS overruns, or a
+# card lost) is repeated, at most ATTEMPTS runs in all; the last counts as it is. So a disturbance that delays control
+# only now and then could be taken for such a pause; one that does so every time fails. The disturbed motion may last
+# 100 cycles more or less than the quiet one, and may have at most MORE_OVERRUNS overruns more.
 
 require_relative 'support/system_test'
 

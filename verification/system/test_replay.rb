@@ -10,6 +10,9 @@ require_relative 'support/system_test'
 
 class TestReplay < SystemTest
   PLACES = 50
+  HEADER = 256
+  PREFIX = 64
+  CHUNK = 1024
 
   # Stops and returns the recording.
   def end_recording
@@ -25,6 +28,26 @@ class TestReplay < SystemTest
       io.seek(offset)
       io.write((byte ^ 0x20).chr)
     end
+  end
+
+  def crc32c(bytes)
+    bytes.each_byte.reduce(0xFFFFFFFF) do |crc, byte|
+      crc ^= byte
+      8.times { crc = crc[0] == 1 ? (crc >> 1) ^ 0x82F63B78 : crc >> 1 }
+      crc
+    end ^ 0xFFFFFFFF
+  end
+
+  # Changes the first block's number of records, with right checksum and hash, and cuts the file after it.
+  def announce_one_record_more(file)
+    bytes = File.binread(file)
+    compressed = bytes[HEADER + 20, 4].unpack1('V')
+    rest = bytes[HEADER + PREFIX, (compressed.fdiv(CHUNK).ceil * 4) + compressed]
+    fields = bytes[HEADER, 28]
+    fields[12, 4] = [fields[12, 4].unpack1('V') + 1].pack('V')
+    fields << [crc32c(fields)].pack('V')
+    hash = Digest::SHA256.digest(bytes[HEADER - 32, 32] + fields + rest)
+    File.binwrite(file, bytes[0, HEADER] + fields + hash + rest)
   end
 
   def test_SWR_REPLAY_001_a_homing_is_replayed_and_every_output_is_equal
@@ -66,6 +89,27 @@ class TestReplay < SystemTest
       flip(file, offset)
     end
     assert_equal 0, replay(file).last
+  end
+
+  def test_SWR_REPLAY_001_a_recording_cut_short_is_replayed_and_said_to_be_cut
+    boresight.wait_until(10, 'something is recorded') { boresight.status['cycle'] > 2000 }
+    file = end_recording
+    File.truncate(file, File.size(file) - 100)
+    text, code = replay(file)
+    assert_equal 3, code, text
+    cycles = text[/^(\d+) cycles replayed, every output equal$/, 1].to_i
+    assert_operator cycles, :>, 1000
+    assert_includes text, "The recording is cut short: only the #{cycles} cycles before the cut were replayed."
+  end
+
+  def test_SWR_REPLAY_002_a_block_that_does_not_hold_what_it_announces_is_refused
+    boresight.wait_until(10, 'something is recorded') { boresight.status['cycle'] > 1000 }
+    file = end_recording
+    announce_one_record_more(file)
+    text, code = replay(file)
+    assert_equal 2, code, text
+    announced, read = text.match(/announce (\d+) records, (\d+) could be read/).captures.map(&:to_i)
+    assert_equal read + 1, announced
   end
 
   def test_SWR_REPLAY_002_a_missing_file_is_named
