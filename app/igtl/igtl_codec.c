@@ -160,7 +160,7 @@ igtl_result_t igtl_decode_header(const uint8_t bytes[IGTL_HEADER_BYTES], igtl_he
         return IGTL_BAD_NAME;
     }
     header->kind = kind_of(header->type);
-    longest = (header->kind == IGTL_KIND_OTHER) ? IGTL_SKIP_MAX : LIMIT_IGTL_BODY_MAX;
+    longest = (header->kind == IGTL_KIND_OTHER) ? LIMIT_IGTL_SKIP_MAX : LIMIT_IGTL_BODY_MAX;
     return (header->body_bytes > longest) ? IGTL_TOO_LONG : IGTL_OK;
 }
 

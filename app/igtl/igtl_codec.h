@@ -20,7 +20,6 @@
 #define IGTL_STATUS_BYTES 30U /**< Before the text. */
 #define IGTL_TEXT_MAX 255U    /**< Longest text that is sent. */
 #define IGTL_PACKET_MAX (IGTL_HEADER_BYTES + IGTL_STATUS_BYTES + IGTL_TEXT_MAX + 1U)
-#define IGTL_SKIP_MAX UINT64_C(67108864) /**< Longest body of an unknown type that is skipped. */
 
 /** What is understood; everything else is skipped by its length. */
 typedef enum {
@@ -104,7 +103,7 @@ uint32_t igtl_result_code(igtl_result_t result);
 
 /**
  * Reads a header. Says nothing about the body but its bound: LIMIT_IGTL_BODY_MAX for a known type,
- * IGTL_SKIP_MAX for an unknown one.
+ * LIMIT_IGTL_SKIP_MAX for an unknown one.
  *
  * @return IGTL_OK, IGTL_BAD_VERSION, IGTL_BAD_NAME or IGTL_TOO_LONG
  *

@@ -17,6 +17,7 @@
 void igtl_connection_init(igtl_connection_t *self)
 {
     self->descriptor = -1;
+    self->heard_us = 0U;
     igtl_inbox_init(&self->inbox);
     igtl_outbox_init(&self->outbox);
 }
@@ -26,10 +27,11 @@ static void set_option(int descriptor, int level, int option, int value)
     (void)setsockopt(descriptor, level, option, &value, (socklen_t)sizeof value);
 }
 
-void igtl_connection_open(igtl_connection_t *self, int descriptor)
+void igtl_connection_open(igtl_connection_t *self, int descriptor, uint64_t now_us)
 {
     igtl_connection_init(self);
     self->descriptor = descriptor;
+    self->heard_us = now_us;
     (void)fcntl(descriptor, F_SETFL, fcntl(descriptor, F_GETFL) | O_NONBLOCK);
     set_option(descriptor, IPPROTO_TCP, TCP_NODELAY, 1);
     set_option(descriptor, SOL_SOCKET, SO_KEEPALIVE, 1);
@@ -51,12 +53,13 @@ static bool is_only_waiting(void)
 }
 
 igtl_received_t igtl_connection_receive(igtl_connection_t *self, uint64_t now_us,
-                                        igtl_inbox_event_t *event)
+                                        uint32_t *bytes_left, igtl_inbox_event_t *event)
 {
-    do {
+    while (*bytes_left > 0U) {
         uint8_t *where;
         const uint32_t room = igtl_inbox_room(&self->inbox, &where);
-        const ssize_t count = recv(self->descriptor, where, room, 0);
+        const uint32_t most = (room < *bytes_left) ? room : *bytes_left;
+        const ssize_t count = recv(self->descriptor, where, most, 0);
 
         if (count == 0) {
             return IGTL_RECEIVED_END;
@@ -64,9 +67,16 @@ igtl_received_t igtl_connection_receive(igtl_connection_t *self, uint64_t now_us
         if (count < 0) {
             return is_only_waiting() ? IGTL_RECEIVED_NOTHING : IGTL_RECEIVED_END;
         }
+        *bytes_left -= (uint32_t)count;
         *event = igtl_inbox_advance(&self->inbox, (uint32_t)count, now_us);
-    } while (*event == IGTL_INBOX_WAITING);
-    return IGTL_RECEIVED_EVENT;
+        if ((*event == IGTL_INBOX_MESSAGE) || (*event == IGTL_INBOX_SKIPPED)) {
+            self->heard_us = now_us;
+        }
+        if (*event != IGTL_INBOX_WAITING) {
+            return IGTL_RECEIVED_EVENT;
+        }
+    }
+    return IGTL_RECEIVED_NOTHING;
 }
 
 bool igtl_connection_flush(igtl_connection_t *self)

@@ -10,7 +10,8 @@
 #include <stdint.h>
 
 typedef struct {
-    int descriptor; /**< -1: free. */
+    int descriptor;    /**< -1: free. */
+    uint64_t heard_us; /**< When it connected or last sent a valid message. */
     igtl_inbox_t inbox;
     igtl_outbox_t outbox;
 } igtl_connection_t;
@@ -25,13 +26,18 @@ typedef enum {
 void igtl_connection_init(igtl_connection_t *self);
 
 /** Takes over a connected socket: non-blocking, without delay, with keepalive. */
-void igtl_connection_open(igtl_connection_t *self, int descriptor);
+void igtl_connection_open(igtl_connection_t *self, int descriptor, uint64_t now_us);
 
 void igtl_connection_close(igtl_connection_t *self);
 
-/** Reads until something can be said of a message. */
+/**
+ * Reads until something can be said of a message, but no more than `*bytes_left`, which becomes
+ * less by what was read.
+ *
+ * @satisfies SWR-IGTL-011
+ */
 igtl_received_t igtl_connection_receive(igtl_connection_t *self, uint64_t now_us,
-                                        igtl_inbox_event_t *event);
+                                        uint32_t *bytes_left, igtl_inbox_event_t *event);
 
 /**
  * Sends what the outbox holds, each message in one write, as far as the peer takes it.

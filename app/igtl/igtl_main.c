@@ -82,6 +82,11 @@ static void workphase_receive(void *dialect, uint32_t peer, const igtl_message_t
     workphase_dialect_receive(dialect, peer, message, moment);
 }
 
+static bool workphase_is_controlled_by(const void *dialect, uint32_t peer)
+{
+    return workphase_dialect_is_controlled_by(dialect, peer);
+}
+
 static void transform_connected(void *dialect, uint32_t peer, igtl_outbox_t *outbox)
 {
     transform_dialect_connected(dialect, peer, outbox);
@@ -98,10 +103,18 @@ static void transform_receive(void *dialect, uint32_t peer, const igtl_message_t
     transform_dialect_receive(dialect, peer, message, moment);
 }
 
+/* Nobody commands by transforms. */
+static bool transform_is_controlled_by(const void *dialect, uint32_t peer)
+{
+    (void)dialect;
+    (void)peer;
+    return false;
+}
+
 static const igtl_dialect_calls_t workphase_calls = {workphase_connected, workphase_disconnected,
-                                                     workphase_receive};
+                                                     workphase_receive, workphase_is_controlled_by};
 static const igtl_dialect_calls_t transform_calls = {transform_connected, transform_disconnected,
-                                                     transform_receive};
+                                                     transform_receive, transform_is_controlled_by};
 
 static uint64_t clock_us(clockid_t clock)
 {
@@ -166,22 +179,42 @@ static bool read_options(int count, char **arguments, options_t *options)
     return is_good && (options->exchange != NULL) && (optind == count);
 }
 
-/* Commands that find the lane full come back as refused. */
-static void pass_command(const command_t *command, bool (*hand_in)(const answer_t *answer))
+/* A command that was not passed on comes back as refused. */
+static void refuse_command(const command_t *command, status_t status,
+                           bool (*hand_in)(const answer_t *answer))
 {
-    const status_t status = exchange_send_command(process.exchange, command);
+    const answer_t refusal = {.id = command->id,
+                              .source = command->source,
+                              .command = command->kind,
+                              .argument = command->argument,
+                              .kind = (uint32_t)ANSWER_REFUSED,
+                              .status = (uint32_t)status,
+                              .is_final = 1U,
+                              .workphase = process.snapshot.workphase};
 
-    if (status != STATUS_OK) {
-        const answer_t refusal = {.id = command->id,
-                                  .source = command->source,
-                                  .command = command->kind,
-                                  .argument = command->argument,
-                                  .kind = (uint32_t)ANSWER_REFUSED,
-                                  .status = (uint32_t)status,
-                                  .is_final = 1U,
-                                  .workphase = process.snapshot.workphase};
+    (void)hand_in(&refusal);
+}
 
-        (void)hand_in(&refusal);
+/* A full lane: STOP and EMERGENCY wait for the next turn, and until they are through nothing that
+ * was commanded after them goes ahead. */
+static void pass_orders(igtl_orders_t *orders, bool (*hand_in)(const answer_t *answer))
+{
+    bool is_waiting = false;
+    command_t command;
+
+    for (uint32_t left = orders->queued; (left > 0U) && igtl_orders_take(orders, &command);
+         left--) {
+        const status_t status =
+            is_waiting ? STATUS_BUSY : exchange_send_command(process.exchange, &command);
+
+        if ((status == STATUS_BUSY) && igtl_orders_is_urgent(&command)) {
+            igtl_orders_keep(orders, &command);
+            is_waiting = true;
+        } else if (status != STATUS_OK) {
+            refuse_command(&command, status, hand_in);
+        } else {
+            /* It is on its way. */
+        }
     }
 }
 
@@ -197,14 +230,8 @@ static bool answer_transform(const answer_t *answer)
 
 static void pass_commands(void)
 {
-    command_t command;
-
-    while (igtl_orders_take(&process.workphase.orders, &command)) {
-        pass_command(&command, answer_workphase);
-    }
-    while (igtl_orders_take(&process.transform.orders, &command)) {
-        pass_command(&command, answer_transform);
-    }
+    pass_orders(&process.workphase.orders, answer_workphase);
+    pass_orders(&process.transform.orders, answer_transform);
 }
 
 static void look_around(void)

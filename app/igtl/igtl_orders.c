@@ -15,7 +15,7 @@ void igtl_orders_init(igtl_orders_t *self, uint32_t first_id, uint32_t most)
 
 static igtl_order_t *entry_with(igtl_orders_t *self, uint32_t id)
 {
-    for (uint32_t i = 0U; i < self->most; i++) {
+    for (uint32_t i = 0U; i < IGTL_ORDERS; i++) {
         if (self->orders[i].id == id) {
             return &self->orders[i];
         }
@@ -23,12 +23,113 @@ static igtl_order_t *entry_with(igtl_orders_t *self, uint32_t id)
     return NULL;
 }
 
+bool igtl_orders_is_urgent(const command_t *command)
+{
+    return (command->kind == (uint32_t)COMMAND_WORKPHASE) &&
+           ((command->argument == (uint32_t)WORKPHASE_STOP) ||
+            (command->argument == (uint32_t)WORKPHASE_EMERGENCY));
+}
+
+static bool is_urgent(const igtl_order_t *order)
+{
+    const command_t command = {.kind = order->kind, .argument = order->argument};
+
+    return igtl_orders_is_urgent(&command);
+}
+
+static bool is_queued(const igtl_orders_t *self, uint32_t id)
+{
+    for (uint32_t i = 0U; i < self->queued; i++) {
+        if (self->queue[i].id == id) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static void remove_queued(igtl_orders_t *self, uint32_t id)
+{
+    uint32_t kept = 0U;
+
+    for (uint32_t i = 0U; i < self->queued; i++) {
+        if (self->queue[i].id != id) {
+            self->queue[kept] = self->queue[i];
+            kept++;
+        }
+    }
+    self->queued = kept;
+}
+
+/* A place for a command that may be refused. */
+static igtl_order_t *common_place(igtl_orders_t *self, uint32_t peer)
+{
+    uint32_t all = 0U;
+    uint32_t own = 0U;
+
+    for (uint32_t i = 0U; i < IGTL_ORDERS; i++) {
+        const igtl_order_t *order = &self->orders[i];
+
+        if ((order->id != 0U) && !is_urgent(order)) {
+            all++;
+            own += ((order->peer == peer) && !order->is_accepted) ? 1U : 0U;
+        }
+    }
+    return ((all < self->most) && (own < IGTL_ORDERS_PER_PEER)) ? entry_with(self, 0U) : NULL;
+}
+
+/* The newest order of this peer and kind, NULL for none. */
+static igtl_order_t *newest_of(igtl_orders_t *self, uint32_t peer, uint32_t argument)
+{
+    igtl_order_t *newest = NULL;
+
+    for (uint32_t i = 0U; i < IGTL_ORDERS; i++) {
+        igtl_order_t *order = &self->orders[i];
+
+        if ((order->id != 0U) && is_urgent(order) && (order->argument == argument) &&
+            (order->peer == peer) && ((newest == NULL) || (order->sent_us >= newest->sent_us))) {
+            newest = order;
+        }
+    }
+    return newest;
+}
+
+/* A place for STOP or EMERGENCY. When all of its kind are taken and this peer has its share not yet
+ * used up, some are of peers that have gone: nobody waits for their answers. */
+static igtl_order_t *urgent_place(igtl_orders_t *self, uint32_t peer, uint32_t argument)
+{
+    uint32_t all = 0U;
+    uint32_t own = 0U;
+    igtl_order_t *place;
+
+    for (uint32_t i = 0U; i < IGTL_ORDERS; i++) {
+        const igtl_order_t *order = &self->orders[i];
+
+        if ((order->id != 0U) && is_urgent(order) && (order->argument == argument)) {
+            all++;
+            own += (order->peer == peer) ? 1U : 0U;
+        }
+    }
+    if (own >= IGTL_ORDERS_PER_PEER) {
+        place = newest_of(self, peer, argument);
+    } else if (all >= IGTL_ORDERS_URGENT) {
+        place = newest_of(self, IGTL_NOBODY, argument);
+    } else {
+        return entry_with(self, 0U);
+    }
+    if (place != NULL) {
+        remove_queued(self, place->id);
+    }
+    return place;
+}
+
 const igtl_order_t *igtl_orders_add(igtl_orders_t *self, uint32_t peer, command_t *command,
                                     uint64_t now_us)
 {
-    igtl_order_t *order = entry_with(self, 0U);
+    igtl_order_t *order = igtl_orders_is_urgent(command)
+                              ? urgent_place(self, peer, command->argument)
+                              : common_place(self, peer);
 
-    if ((order == NULL) || (self->queued == self->most)) {
+    if (order == NULL) {
         return NULL;
     }
     command->id = self->next_id;
@@ -68,12 +169,18 @@ igtl_order_t *igtl_orders_overdue(igtl_orders_t *self, uint64_t now_us)
                 order->is_overdue = true;
                 return order;
             }
-            if (age_us >= FORGET_US) {
+            if ((age_us >= FORGET_US) && !is_queued(self, order->id)) {
                 igtl_orders_end(order);
             }
         }
     }
     return NULL;
+}
+
+void igtl_orders_keep(igtl_orders_t *self, const command_t *command)
+{
+    self->queue[self->queued] = *command;
+    self->queued++;
 }
 
 bool igtl_orders_take(igtl_orders_t *self, command_t *command)

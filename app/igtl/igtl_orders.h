@@ -13,7 +13,11 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define IGTL_ORDERS 16U
+#define IGTL_ORDERS_PER_PEER 4U /**< Unanswered ones; of STOP and of EMERGENCY as many again. */
+#define IGTL_ORDERS_COMMON 16U  /**< Places for everything but STOP and EMERGENCY. */
+#define IGTL_ORDERS_URGENT                                                                         \
+    32U /**< Places for STOP, and as many for EMERGENCY: all peers' shares. */
+#define IGTL_ORDERS (IGTL_ORDERS_COMMON + (2U * IGTL_ORDERS_URGENT))
 #define IGTL_ORDER_ID_STEP 2U /**< Ids of the two dialects interleave. */
 #define IGTL_ANSWER_TIMEOUT_US                                                                     \
     UINT64_C(80000)            /**< Then the peer is told that there is no answer. */
@@ -31,16 +35,26 @@ typedef struct {
 
 typedef struct {
     uint32_t next_id;
-    uint32_t most; /**< Orders at a time. */
+    uint32_t most; /**< Orders at a time, beside STOP and EMERGENCY. */
     igtl_order_t orders[IGTL_ORDERS];
     command_t queue[IGTL_ORDERS]; /**< Not yet passed on, oldest first. */
     uint32_t queued;
 } igtl_orders_t;
 
-/** Starts with `first_id`, not 0; at most `most` (1..IGTL_ORDERS) at a time. */
+/** Starts with `first_id`, not 0; at most `most` (1..IGTL_ORDERS_COMMON) at a time, and STOP and
+ * EMERGENCY beside them. */
 void igtl_orders_init(igtl_orders_t *self, uint32_t first_id, uint32_t most);
 
-/** Gives `command` an id and queues it for `peer`. NULL when too many are on their way. */
+/** STOP or EMERGENCY: never refused for want of a place. */
+bool igtl_orders_is_urgent(const command_t *command);
+
+/**
+ * Gives `command` an id and queues it for `peer`. NULL when too many are on their way: in all, or
+ * IGTL_ORDERS_PER_PEER unanswered ones of this peer. STOP and EMERGENCY always find a place: beyond
+ * the peer's share the newest one of the same kind gives its place up, and one answer serves both.
+ *
+ * @satisfies SWR-IGTL-006
+ */
 const igtl_order_t *igtl_orders_add(igtl_orders_t *self, uint32_t peer, command_t *command,
                                     uint64_t now_us);
 
@@ -53,6 +67,9 @@ void igtl_orders_end(igtl_order_t *order);
 /** An order without any answer for IGTL_ANSWER_TIMEOUT_US, once each; NULL when there is none (any
  * more). */
 igtl_order_t *igtl_orders_overdue(igtl_orders_t *self, uint64_t now_us);
+
+/** Takes back a command that could not be passed on; it is the last again. */
+void igtl_orders_keep(igtl_orders_t *self, const command_t *command);
 
 /** The next command to pass on; false when there is none. */
 bool igtl_orders_take(igtl_orders_t *self, command_t *command);

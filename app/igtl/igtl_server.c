@@ -20,8 +20,12 @@ static void log_trouble(igtl_server_t *self, igtl_trouble_t kind, const char *re
                         uint64_t now_us)
 {
     static const char *const texts[IGTL_TROUBLES] = {
-        "refused a connection: all are taken", "dropped a connection", "dropped a connection",
-        "dropped a connection: it does not read", "refused a message"};
+        "refused a connection: all are taken",
+        "dropped a connection",
+        "dropped a connection",
+        "dropped a connection: it does not read",
+        "refused a message",
+        "dropped a connection: it was silent and its place is wanted"};
     igtl_trouble_count_t *trouble = &self->troubles[kind];
 
     trouble->count++;
@@ -123,11 +127,44 @@ static void drop(igtl_server_t *self, uint32_t peer)
     self->calls->disconnected(self->dialect, peer);
 }
 
-static bool seat(igtl_server_t *self, int descriptor)
+/* Makes room by dropping who has been silent for longest. */
+static void evict_silent(igtl_server_t *self, uint64_t now_us)
+{
+    uint64_t longest_us = IGTL_SILENT_US;
+    uint32_t silent = IGTL_PEERS;
+
+    for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
+        const uint64_t silent_us = now_us - self->connections[i].heard_us;
+
+        if ((silent_us > longest_us) && !self->calls->is_controlled_by(self->dialect, i)) {
+            longest_us = silent_us;
+            silent = i;
+        }
+    }
+    if (silent < IGTL_PEERS) {
+        log_trouble(self, IGTL_TROUBLE_SILENT, "", now_us);
+        drop(self, silent);
+    }
+}
+
+static bool is_full(const igtl_server_t *self)
 {
     for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
         if (self->connections[i].descriptor < 0) {
-            igtl_connection_open(&self->connections[i], descriptor);
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool seat(igtl_server_t *self, int descriptor, uint64_t now_us)
+{
+    if (is_full(self)) {
+        evict_silent(self, now_us);
+    }
+    for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
+        if (self->connections[i].descriptor < 0) {
+            igtl_connection_open(&self->connections[i], descriptor, now_us);
             self->calls->connected(self->dialect, i, &self->connections[i].outbox);
             return true;
         }
@@ -143,7 +180,7 @@ static void accept_peers(igtl_server_t *self, uint64_t now_us)
         if (descriptor < 0) {
             return;
         }
-        if (!seat(self, descriptor)) {
+        if (!seat(self, descriptor, now_us)) {
             (void)close(descriptor);
             log_trouble(self, IGTL_TROUBLE_FULL, "", now_us);
         }
@@ -195,11 +232,12 @@ static bool handle(igtl_server_t *self, uint32_t peer, igtl_inbox_event_t event,
 static void receive_from(igtl_server_t *self, uint32_t peer, const igtl_moment_t *moment)
 {
     igtl_connection_t *connection = &self->connections[peer];
+    uint32_t bytes_left = IGTL_BYTES_PER_TURN;
 
     for (uint32_t i = 0U; i < MESSAGES_PER_TURN; i++) {
         igtl_inbox_event_t event = IGTL_INBOX_WAITING;
         const igtl_received_t received =
-            igtl_connection_receive(connection, moment->now_us, &event);
+            igtl_connection_receive(connection, moment->now_us, &bytes_left, &event);
 
         if (received == IGTL_RECEIVED_END) {
             drop(self, peer);

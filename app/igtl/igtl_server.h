@@ -15,6 +15,8 @@
 #include <stdint.h>
 
 #define IGTL_SERVER_POLLS (IGTL_PEERS + 1U)
+#define IGTL_BYTES_PER_TURN 65536U        /**< Read of one connection per turn. */
+#define IGTL_SILENT_US UINT64_C(10000000) /**< Who is silent for longer may lose its place. */
 
 /** What a dialect does for a server; `dialect` is its own state. */
 typedef struct {
@@ -22,18 +24,20 @@ typedef struct {
     void (*disconnected)(void *dialect, uint32_t peer);
     void (*receive)(void *dialect, uint32_t peer, const igtl_message_t *message,
                     const igtl_moment_t *moment);
+    bool (*is_controlled_by)(const void *dialect, uint32_t peer);
 } igtl_dialect_calls_t;
 
 /** Why peers were not served, counted. */
 typedef enum {
-    IGTL_TROUBLE_FULL = 0,   /**< Refused: all connections are taken. */
-    IGTL_TROUBLE_BROKEN = 1, /**< Dropped: it does not speak the protocol. */
-    IGTL_TROUBLE_LATE = 2,   /**< Dropped: a message stayed incomplete. */
-    IGTL_TROUBLE_SLOW = 3,   /**< Dropped: it does not read what it is sent. */
-    IGTL_TROUBLE_MESSAGE = 4 /**< A message was refused. */
+    IGTL_TROUBLE_FULL = 0,    /**< Refused: all connections are taken. */
+    IGTL_TROUBLE_BROKEN = 1,  /**< Dropped: it does not speak the protocol. */
+    IGTL_TROUBLE_LATE = 2,    /**< Dropped: a message stayed incomplete. */
+    IGTL_TROUBLE_SLOW = 3,    /**< Dropped: it does not read what it is sent. */
+    IGTL_TROUBLE_MESSAGE = 4, /**< A message was refused. */
+    IGTL_TROUBLE_SILENT = 5   /**< Dropped: it was silent, and another wanted its place. */
 } igtl_trouble_t;
 
-#define IGTL_TROUBLES 5U
+#define IGTL_TROUBLES 6U
 
 typedef struct {
     uint64_t count;
@@ -69,7 +73,9 @@ bool igtl_server_has_peers(const igtl_server_t *self);
 
 /**
  * Accepts, reads, and drops whoever stays in the middle of a message. At most a few messages per
- * connection, so that nobody is kept waiting by another.
+ * connection and at most IGTL_BYTES_PER_TURN, so that nobody is kept waiting by another. When all
+ * places are taken, a new connection gets the place of the one that has sent no valid message for
+ * longest, if for longer than IGTL_SILENT_US and it does not control.
  *
  * @satisfies SWR-IGTL-011
  */

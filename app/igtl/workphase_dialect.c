@@ -15,7 +15,7 @@ void workphase_dialect_init(workphase_dialect_t *self, const robot_t *robot, uin
     (void)memset(self, 0, sizeof *self);
     self->robot = robot;
     self->controller = IGTL_NOBODY;
-    igtl_orders_init(&self->orders, first_id, IGTL_ORDERS);
+    igtl_orders_init(&self->orders, first_id, IGTL_ORDERS_COMMON);
 }
 
 void workphase_dialect_connected(workphase_dialect_t *self, uint32_t peer, igtl_outbox_t *outbox)
@@ -45,6 +45,11 @@ void workphase_dialect_disconnected(workphase_dialect_t *self, uint32_t peer)
             self->must_stop = self->must_stop || is_long(order);
         }
     }
+}
+
+bool workphase_dialect_is_controlled_by(const workphase_dialect_t *self, uint32_t peer)
+{
+    return self->controller == peer;
 }
 
 static bool may_command(workphase_dialect_t *self, uint32_t peer)
@@ -89,12 +94,17 @@ static void refuse_text(workphase_peer_t *peer, const igtl_message_t *message,
                       moment);
 }
 
+/* `id` is what was remembered of it, NULL for nothing. */
 static void order_phase(workphase_dialect_t *self, uint32_t peer, workphase_t phase,
-                        const igtl_moment_t *moment)
+                        workphase_id_t *id, const igtl_moment_t *moment)
 {
     command_t command = {.kind = (uint32_t)COMMAND_WORKPHASE, .argument = (uint32_t)phase};
     const igtl_order_t *order = igtl_orders_add(&self->orders, peer, &command, moment->now_us);
 
+    if (id != NULL) {
+        id->order = (order == NULL) ? 0U : order->id;
+        id->name[0] = (order == NULL) ? '\0' : id->name[0];
+    }
     if (order == NULL) {
         igtl_tell_refusal(self->peers[peer].outbox, workphase_name((int32_t)phase), STATUS_BUSY,
                           moment);
@@ -108,10 +118,15 @@ static void receive_command(workphase_dialect_t *self, uint32_t index,
 {
     workphase_peer_t *peer = &self->peers[index];
     const workphase_t phase = phase_of(message);
+    const bool is_urgent = (phase == WORKPHASE_STOP) || (phase == WORKPHASE_EMERGENCY);
+    workphase_id_t *id = NULL;
 
     workphase_peer_acknowledge_string(peer, message, moment);
-    if (workphase_peer_is_repeated(peer, message->name)) {
-        return;
+    if (!is_urgent) {
+        if (workphase_peer_is_repeated(peer, message)) {
+            return;
+        }
+        id = workphase_peer_remember(peer, message);
     }
     if (workphase_poll_string(peer, message, moment)) {
         return;
@@ -119,11 +134,10 @@ static void receive_command(workphase_dialect_t *self, uint32_t index,
     workphase_peer_cancel_deferred(peer);
     if (phase == WORKPHASE_UNDEFINED) {
         refuse_text(peer, message, moment);
-    } else if ((phase != WORKPHASE_STOP) && (phase != WORKPHASE_EMERGENCY) &&
-               !may_command(self, index)) {
+    } else if (!is_urgent && !may_command(self, index)) {
         deny(peer, workphase_name((int32_t)phase), moment);
     } else {
-        order_phase(self, index, phase, moment);
+        order_phase(self, index, phase, id, moment);
     }
 }
 
@@ -212,6 +226,9 @@ bool workphase_dialect_answer(workphase_dialect_t *self, const answer_t *answer,
         return false;
     }
     if (order->peer != IGTL_NOBODY) {
+        if (answer->status == (uint32_t)STATUS_BUSY) {
+            workphase_peer_forget(&self->peers[order->peer], order->id);
+        }
         workphase_answer_tell(self, order, answer, moment);
     } else if ((answer->status == (uint32_t)STATUS_BUSY) &&
                (order->argument == (uint32_t)WORKPHASE_STOP)) {

@@ -28,9 +28,17 @@ typedef struct {
     igtl_packet_t packet;
 } workphase_extra_t;
 
+/** A command that came. */
 typedef struct {
-    igtl_outbox_t *outbox;                   /**< NULL: not connected. */
-    char ids[WORKPHASE_IDS][IGTL_NAME_SIZE]; /**< Names of the last commands, a ring. */
+    char name[IGTL_NAME_SIZE]; /**< Empty: none. */
+    uint64_t text_crc;
+    uint32_t text_bytes;
+    uint32_t order; /**< Id of what became of it, 0 for nothing. */
+} workphase_id_t;
+
+typedef struct {
+    igtl_outbox_t *outbox;             /**< NULL: not connected. */
+    workphase_id_t ids[WORKPHASE_IDS]; /**< The last commands, a ring. */
     uint32_t next_id;
     uint32_t last_order; /**< Id of its newest workphase command. */
     workphase_extra_t extras[WORKPHASE_EXTRAS];
@@ -53,6 +61,9 @@ void workphase_dialect_connected(workphase_dialect_t *self, uint32_t peer, igtl_
 
 /** Also commands STOP when the peer had an order armed or begun. */
 void workphase_dialect_disconnected(workphase_dialect_t *self, uint32_t peer);
+
+/** It is the one peer that commands. */
+bool workphase_dialect_is_controlled_by(const workphase_dialect_t *self, uint32_t peer);
 
 /**
  * A message of `peer`. Its acknowledgement is in the outbox on return.

@@ -42,16 +42,38 @@ void workphase_peer_acknowledge_transform(workphase_peer_t *self, const igtl_mes
     igtl_outbox_add(self->outbox, &packet);
 }
 
-bool workphase_peer_is_repeated(workphase_peer_t *self, const char name[IGTL_NAME_SIZE])
+bool workphase_peer_is_repeated(const workphase_peer_t *self, const igtl_message_t *message)
 {
+    const uint64_t crc = igtl_crc64(0U, (const uint8_t *)message->text, message->text_bytes);
+
     for (uint32_t i = 0U; i < WORKPHASE_IDS; i++) {
-        if (strcmp(self->ids[i], name) == 0) {
+        if ((strcmp(self->ids[i].name, message->name) == 0) &&
+            (self->ids[i].text_bytes == message->text_bytes) && (self->ids[i].text_crc == crc)) {
             return true;
         }
     }
-    (void)memcpy(self->ids[self->next_id], name, IGTL_NAME_SIZE);
-    self->next_id = (self->next_id + 1U) % WORKPHASE_IDS;
     return false;
+}
+
+workphase_id_t *workphase_peer_remember(workphase_peer_t *self, const igtl_message_t *message)
+{
+    workphase_id_t *id = &self->ids[self->next_id];
+
+    (void)memcpy(id->name, message->name, IGTL_NAME_SIZE);
+    id->text_crc = igtl_crc64(0U, (const uint8_t *)message->text, message->text_bytes);
+    id->text_bytes = message->text_bytes;
+    id->order = 0U;
+    self->next_id = (self->next_id + 1U) % WORKPHASE_IDS;
+    return id;
+}
+
+void workphase_peer_forget(workphase_peer_t *self, uint32_t order)
+{
+    for (uint32_t i = 0U; i < WORKPHASE_IDS; i++) {
+        if (self->ids[i].order == order) {
+            self->ids[i] = (workphase_id_t){.name = ""};
+        }
+    }
 }
 
 void workphase_peer_defer(workphase_peer_t *self, const igtl_packet_t *packet, uint64_t now_us)

@@ -17,8 +17,14 @@ void workphase_peer_acknowledge_string(workphase_peer_t *self, const igtl_messag
 void workphase_peer_acknowledge_transform(workphase_peer_t *self, const igtl_message_t *message,
                                           const igtl_moment_t *moment);
 
-/** True when a command of this name is among the last WORKPHASE_IDS; remembers it otherwise. */
-bool workphase_peer_is_repeated(workphase_peer_t *self, const char name[IGTL_NAME_SIZE]);
+/** A command of this name and text is among the last WORKPHASE_IDS. */
+bool workphase_peer_is_repeated(const workphase_peer_t *self, const igtl_message_t *message);
+
+/** Remembers a command in place of the oldest. */
+workphase_id_t *workphase_peer_remember(workphase_peer_t *self, const igtl_message_t *message);
+
+/** Forgets the command that became this order: it was not taken, and may be sent again. */
+void workphase_peer_forget(workphase_peer_t *self, uint32_t order);
 
 /** Keeps `packet` for LIMIT_IGTL_EXTRA_DELAY_US. */
 void workphase_peer_defer(workphase_peer_t *self, const igtl_packet_t *packet, uint64_t now_us);

@@ -184,6 +184,29 @@ class TestIgtl < Minitest::Test
     end
   end
 
+  def test_SWR_IGTL_008_stop_with_an_id_used_before_is_executed
+    navigation do |client|
+      client.run('phase STOP 4712')
+      client.run('expect STATUS STOP 1 1000')
+      client.phase('MANUAL')
+      client.run('expect STATUS MANUAL 1 1000')
+      client.run('phase STOP 4712')
+      client.run('expect STATUS STOP 1 1000')
+      assert_equal 'STOP', present_phase(client)
+    end
+  end
+
+  def test_SWR_IGTL_006_stop_of_another_is_obeyed_while_the_commanding_client_floods
+    flooding do
+      navigation do |other|
+        20.times do
+          assert_operator other.phase('STOP'), :<, ACK_MS
+          other.run('expect STATUS STOP 1 1000')
+        end
+      end
+    end
+  end
+
   def test_SWR_IGTL_008_refused_workphase_is_answered_with_its_reason
     navigation do |client|
       client.phase('MOVE_TO_TARGET')
@@ -260,7 +283,7 @@ class TestIgtl < Minitest::Test
       [Random.new(1).bytes(5000), "GET / HTTP/1.1\r\n\r\n" * 10,
        RawIgtl.message('TRANSFORM', 'TGT_1', '', length: (2**64) - 58),
        RawIgtl.message('STRING', 'CMD_1', '', length: 4097),
-       RawIgtl.message('IMAGE', 'big', '', length: 2**40)].each { |bytes| assert_dropped bytes }
+       RawIgtl.message('IMAGE', 'big', '', length: (2**20) + 1)].each { |bytes| assert_dropped bytes }
     end
   end
 
@@ -363,6 +386,20 @@ class TestIgtl < Minitest::Test
   ensure
     @fresh&.stop
     @fresh = nil
+  end
+
+  # Meanwhile the commanding client sends commands as fast as it can, and reads the answers.
+  def flooding
+    raw do |socket|
+      reader = Thread.new { loop { socket.readpartial(65_536) } }
+      writer = Thread.new do
+        (1..).each { |id| socket.write(RawIgtl.string("CMD_F#{id}", %w[MANUAL PLANNING][id % 2])) }
+      end
+      reader.report_on_exception = writer.report_on_exception = false
+      yield
+    ensure
+      [reader, writer].each { |thread| thread&.kill }
+    end
   end
 
   def count_poses(command)

@@ -323,9 +323,9 @@ void test_SWR_IGTL_004_unknown_type_is_known_to_be_unknown(void)
     frame(1U, "IMAGE", 100U);
     TEST_ASSERT_EQUAL_INT(IGTL_OK, igtl_decode_header(bytes, &header));
     TEST_ASSERT_EQUAL_INT(IGTL_KIND_OTHER, header.kind);
-    put(42U, IGTL_SKIP_MAX, 8U);
+    put(42U, LIMIT_IGTL_SKIP_MAX, 8U);
     TEST_ASSERT_EQUAL_INT(IGTL_OK, igtl_decode_header(bytes, &header));
-    put(42U, IGTL_SKIP_MAX + 1U, 8U);
+    put(42U, LIMIT_IGTL_SKIP_MAX + 1U, 8U);
     TEST_ASSERT_EQUAL_INT(IGTL_TOO_LONG, igtl_decode_header(bytes, &header));
 }
 

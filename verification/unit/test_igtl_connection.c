@@ -17,6 +17,7 @@ static igtl_connection_t connection;
 static int peer;
 static igtl_packet_t packet;
 static igtl_inbox_event_t event;
+static uint32_t bytes_left;
 
 /* Message boundaries are kept: what one write sends, one read gets. */
 static void connect_by(int type)
@@ -24,7 +25,7 @@ static void connect_by(int type)
     int ends[2];
 
     TEST_ASSERT_EQUAL_INT(0, socketpair(AF_UNIX, type, 0, ends));
-    igtl_connection_open(&connection, ends[0]);
+    igtl_connection_open(&connection, ends[0], 0U);
     peer = ends[1];
 }
 
@@ -33,6 +34,7 @@ void setUp(void)
     igtl_connection_init(&connection);
     igtl_encode_string(&packet, "CMD_1", "STOP", 0U);
     peer = -1;
+    bytes_left = 65536U;
 }
 
 void tearDown(void)
@@ -64,10 +66,11 @@ void test_SWR_IGTL_003_messages_are_read_one_by_one(void)
     TEST_ASSERT_EQUAL_INT(packet.length, send(peer, packet.bytes, packet.length, 0));
     for (uint32_t i = 0U; i < 2U; i++) {
         TEST_ASSERT_EQUAL_INT(IGTL_RECEIVED_EVENT,
-                              igtl_connection_receive(&connection, 0U, &event));
+                              igtl_connection_receive(&connection, 0U, &bytes_left, &event));
         TEST_ASSERT_EQUAL_INT(IGTL_INBOX_MESSAGE, event);
     }
-    TEST_ASSERT_EQUAL_INT(IGTL_RECEIVED_NOTHING, igtl_connection_receive(&connection, 0U, &event));
+    TEST_ASSERT_EQUAL_INT(IGTL_RECEIVED_NOTHING,
+                          igtl_connection_receive(&connection, 0U, &bytes_left, &event));
 }
 
 void test_SWR_IGTL_011_end_of_the_peer_is_noticed(void)
@@ -75,7 +78,8 @@ void test_SWR_IGTL_011_end_of_the_peer_is_noticed(void)
     connect_by(SOCK_STREAM);
     TEST_ASSERT_EQUAL_INT(0, close(peer));
     peer = -1;
-    TEST_ASSERT_EQUAL_INT(IGTL_RECEIVED_END, igtl_connection_receive(&connection, 0U, &event));
+    TEST_ASSERT_EQUAL_INT(IGTL_RECEIVED_END,
+                          igtl_connection_receive(&connection, 0U, &bytes_left, &event));
     igtl_outbox_add(&connection.outbox, &packet);
     TEST_ASSERT_FALSE(igtl_connection_flush(&connection));
 }
@@ -93,4 +97,21 @@ void test_SWR_IGTL_011_peer_that_does_not_read_is_given_up_without_waiting(void)
     }
     TEST_ASSERT_FALSE(is_served);
     TEST_ASSERT_TRUE(connection.outbox.has_overflowed);
+}
+
+void test_SWR_IGTL_011_no_more_is_read_than_its_share(void)
+{
+    connect_by(SOCK_STREAM);
+    TEST_ASSERT_EQUAL_INT(packet.length, send(peer, packet.bytes, packet.length, 0));
+    bytes_left = packet.length - 1U;
+    TEST_ASSERT_EQUAL_INT(IGTL_RECEIVED_NOTHING,
+                          igtl_connection_receive(&connection, 7U, &bytes_left, &event));
+    TEST_ASSERT_EQUAL_UINT32(0U, bytes_left);
+    TEST_ASSERT_EQUAL_UINT64(0U, connection.heard_us);
+    bytes_left = 10U;
+    TEST_ASSERT_EQUAL_INT(IGTL_RECEIVED_EVENT,
+                          igtl_connection_receive(&connection, 7U, &bytes_left, &event));
+    TEST_ASSERT_EQUAL_INT(IGTL_INBOX_MESSAGE, event);
+    TEST_ASSERT_EQUAL_UINT32(9U, bytes_left);
+    TEST_ASSERT_EQUAL_UINT64(7U, connection.heard_us);
 }

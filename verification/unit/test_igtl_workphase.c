@@ -375,18 +375,91 @@ void test_SWR_IGTL_008_lost_controller_is_reported_to_who_waits(void)
     EXPECT(0U, "");
 }
 
-void test_SWR_IGTL_008_too_many_commands_at_a_time_are_refused(void)
+/* As many as one peer may have on their way, and their acknowledgements read. */
+static void flood(uint32_t peer)
 {
     char name[] = "CMD_A";
 
-    for (uint32_t i = 0U; i < IGTL_ORDERS; i++) {
-        say(0U, name, "PLANNING");
+    for (uint32_t i = 0U; i < IGTL_ORDERS_PER_PEER; i++) {
+        say(peer, name, "PLANNING");
         name[4]++;
-        (void)igtl_peer_next(&outboxes[0]);
+        (void)igtl_peer_next(&outboxes[peer]);
     }
+}
+
+void test_SWR_IGTL_008_too_many_commands_at_a_time_are_refused(void)
+{
+    flood(0U);
     say(0U, "CMD_2", "PLANNING");
     EXPECT(0U, "STRING ACK_2 PLANNING");
     TEST_ASSERT_EQUAL_STRING_LEN("STATUS PLANNING 6 BUSY|", igtl_peer_next(&outboxes[0]), 23U);
+}
+
+void test_SWR_IGTL_008_command_refused_as_too_many_may_be_sent_again(void)
+{
+    flood(0U);
+    say(0U, "CMD_2", "PLANNING");
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_PLANNING);
+    answer_to(&command, ANSWER_REFUSED, STATUS_BUSY, 1U); /* CMD_A found the lane full. */
+    while (igtl_orders_take(&dialect.orders, &command)) {
+        accept(1U);
+    }
+    say(0U, "CMD_2", "PLANNING");
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_PLANNING);
+    accept(1U);
+    say(0U, "CMD_A", "PLANNING");
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_PLANNING);
+    accept(1U);
+    say(0U, "CMD_B", "PLANNING");
+    expect_no_command();
+}
+
+void test_SWR_IGTL_006_stop_and_emergency_find_a_place_in_any_flood(void)
+{
+    flood(0U);
+    for (uint32_t round = 0U; round < 20U; round++) {
+        for (uint32_t peer = 0U; peer < IGTL_PEERS; peer++) {
+            say(peer, "CMD_S", "STOP");
+            EXPECT(peer, "STRING ACK_S STOP");
+            say(peer, "CMD_E", "EMERGENCY");
+            EXPECT(peer, "STRING ACK_E EMERGENCY");
+            EXPECT(peer, "");
+        }
+        workphase_dialect_disconnected(&dialect, 7U);
+        workphase_dialect_connected(&dialect, 7U, &outboxes[7]);
+    }
+    while (igtl_orders_take(&dialect.orders, &command)) {
+        TEST_ASSERT_NOT_NULL(igtl_orders_find(&dialect.orders, command.id));
+    }
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_EMERGENCY, command.argument); /* The last that came. */
+}
+
+void test_SWR_IGTL_006_stop_that_was_not_passed_on_is_kept_until_it_is(void)
+{
+    say(1U, "CMD_S", "STOP");
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_STOP);
+    igtl_orders_keep(&dialect.orders, &command);
+    pass_us(60000000U);
+    pass_us(60000000U);
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_STOP);
+    accept(1U);
+    expect_no_command();
+}
+
+void test_SWR_IGTL_008_stop_with_an_id_used_before_is_executed(void)
+{
+    say(0U, "CMD_1", "PLANNING");
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_PLANNING);
+    for (uint32_t i = 0U; i < 2U; i++) {
+        say(0U, "CMD_1", "STOP");
+        expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_STOP);
+        say(0U, "CMD_1", "EMERGENCY");
+        expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_EMERGENCY);
+    }
+    say(0U, "CMD_1", "MANUAL"); /* Another text is another command. */
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_MANUAL);
+    say(0U, "CMD_1", "PLANNING");
+    expect_no_command();
 }
 
 void test_SWR_IGTL_008_only_the_first_peer_commands(void)
@@ -412,6 +485,8 @@ void test_SWR_IGTL_008_stop_is_everyones(void)
 {
     say(0U, "CMD_1", "PLANNING");
     expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_PLANNING);
+    TEST_ASSERT_TRUE(workphase_dialect_is_controlled_by(&dialect, 0U));
+    TEST_ASSERT_FALSE(workphase_dialect_is_controlled_by(&dialect, 1U));
     say(1U, "CMD_1", "STOP");
     expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_STOP);
     accept(1U);
