@@ -46,7 +46,11 @@ bool family_start(family_t *self, member_t member, char *error, uint32_t error_s
  * Never waits. */
 int family_reap(family_t *self);
 
-/** Starts again those whose time has come. @satisfies SWR-SUP-002 */
+/**
+ * Starts again those whose time has come.
+ *
+ * @satisfies SWR-SUP-002
+ */
 void family_restart(family_t *self);
 
 /** Looks at the alive counters: whether `member` has been silent for two seconds. */

@@ -8,7 +8,10 @@
 
 #include <stddef.h>
 
-/** Writes the line: workphase, pedal, e-stop, permit, links, loop, and each program with its state.
+/**
+ * Writes the line: workphase, pedal, e-stop, permit, links, loop, and each program with its state.
+ *
+ * @satisfies SWR-SUP-004
  */
 void status_line_write(char *text, size_t size, const exchange_t *exchange, family_t *family);
 

@@ -78,6 +78,7 @@ module HttpClient
   end
 
   def within(seconds)
+    self.assertions += 1
     deadline = now + seconds
     loop do
       return if yield

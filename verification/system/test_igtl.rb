@@ -221,7 +221,7 @@ class TestIgtl < Minitest::Test
   def test_SWR_IGTL_008_unknown_command_is_answered
     navigation do |client|
       client.phase('DANCE')
-      client.run('expect STATUS DANCE 12 1000')
+      assert client.run('expect STATUS DANCE 12 1000')
       client.run('string RETRACT_NEEDLE')
       client.run('expect STATUS RETRACT_NEEDLE 12 1000')
       client.run("transform NPOS_1 #{IDENTITY}")
@@ -232,7 +232,7 @@ class TestIgtl < Minitest::Test
   def test_SWR_IGTL_008_target_and_registration_at_the_wrong_time_are_answered
     navigation do |client|
       client.run("target #{TARGET}")
-      client.run('expect STATUS TARGET 13 1000')
+      assert client.run('expect STATUS TARGET 13 1000')
       client.run("registration #{IDENTITY}")
       client.run('expect STATUS CALIBRATION 13 1000')
     end
@@ -326,7 +326,7 @@ class TestIgtl < Minitest::Test
         client.run('expect STATUS CURRENT_STATUS 1 1000')
       end
       navigation do |client|
-        boresight.wait_until(2, 'the lost client has stopped the robot') { present_phase(client) == 'STOP' }
+        assert boresight.wait_until(2, 'the lost client has stopped the robot') { present_phase(client) == 'STOP' }
       end
     end
   end

@@ -18,7 +18,9 @@ class SystemTest < Minitest::Test
     Boresight.running.dup.each(&:kill_all)
   end
 
+  # Each condition that was waited for is an assertion: it fails the test when it does not come true.
   def wait_until(seconds, reason, &)
+    self.assertions += 1
     Boresight.wait_until(seconds, reason, &)
   end
 
