@@ -95,11 +95,7 @@ static void choose_leg(const controller_t *self, const robot_t *robot,
 
 static uint32_t speed_percent(const controller_t *self)
 {
-    bool is_everything_homed = true;
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
-        is_everything_homed = is_everything_homed && axis_is_homed(&self->axes[i]);
-    }
-    return is_everything_homed ? FULL_SPEED_PERCENT : LIMIT_UNHOMED_SPEED_PERCENT;
+    return controller_is_homed(self) ? FULL_SPEED_PERCENT : LIMIT_UNHOMED_SPEED_PERCENT;
 }
 
 static bool is_at(const controller_t *self, const robot_t *robot,

@@ -23,7 +23,7 @@ static bool is_able(const controller_t *self)
     return is_every_part_able;
 }
 
-static bool is_homed(const controller_t *self)
+bool controller_is_homed(const controller_t *self)
 {
     bool is_every_axis_homed = true;
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
@@ -37,7 +37,7 @@ workphases_inputs_t controller_guards(const controller_t *self, const cycle_t *c
     const workphases_inputs_t guards = {
         .is_hardware_ready = is_hardware_ready(self, cycle->inputs),
         .is_able = is_able(self),
-        .is_homed = is_homed(self),
+        .is_homed = controller_is_homed(self),
         .is_registered = (self->plan.is_registered != 0U),
         .has_target = (self->plan.has_target != 0U),
     };

@@ -50,6 +50,9 @@ void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t 
 void controller_tell_order(controller_t *self, const cycle_t *cycle, workphases_event_t event,
                            status_t fault);
 
+/** Every axis is homed. */
+bool controller_is_homed(const controller_t *self);
+
 /** Facts for the guards of the workphase chart. */
 workphases_inputs_t controller_guards(const controller_t *self, const cycle_t *cycle);
 

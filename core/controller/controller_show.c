@@ -53,7 +53,7 @@ static next_step_t next_step(const controller_t *self, const cycle_t *cycle)
         step = NEXT_STEP_START_UP;
     } else if (workphase_is_armed(&self->workphases)) {
         step = step_for_order(self, cycle);
-    } else if (!controller_guards(self, cycle).is_homed) {
+    } else if (!controller_is_homed(self)) {
         step = NEXT_STEP_START_UP;
     } else {
         step = step_for_plan(self);
@@ -139,7 +139,7 @@ void controller_show(const controller_t *self, const cycle_t *cycle)
     shown->loop = (uint32_t)self->loop.chart.state;
     shown->next_step = (uint32_t)next_step(self, cycle);
     shown->is_scanner_active = cycle->inputs->scanner_active;
-    shown->is_homed = controller_guards(self, cycle).is_homed ? 1U : 0U;
+    shown->is_homed = controller_is_homed(self) ? 1U : 0U;
     shown->overruns = self->loop.overruns;
     shown->events = self->events;
     shown->events_lost = self->events_lost;

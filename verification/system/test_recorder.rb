@@ -97,14 +97,6 @@ class TestRecorder < SystemTest
     boresight.recording_files.each { |file| replayed(file, 0, 3) }
   end
 
-  def crc32c(bytes)
-    bytes.each_byte.reduce(0xFFFFFFFF) do |crc, byte|
-      crc ^= byte
-      8.times { crc = crc[0] == 1 ? (crc >> 1) ^ 0x82F63B78 : crc >> 1 }
-      crc
-    end ^ 0xFFFFFFFF
-  end
-
   def test_SWR_REC_003_the_recording_names_the_build_and_the_robot
     build = boresight.status['build_id']
     record(500)

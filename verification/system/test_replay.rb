@@ -30,14 +30,6 @@ class TestReplay < SystemTest
     end
   end
 
-  def crc32c(bytes)
-    bytes.each_byte.reduce(0xFFFFFFFF) do |crc, byte|
-      crc ^= byte
-      8.times { crc = crc[0] == 1 ? (crc >> 1) ^ 0x82F63B78 : crc >> 1 }
-      crc
-    end ^ 0xFFFFFFFF
-  end
-
   # Changes the first block's number of records, with right checksum and hash, and cuts the file after it.
   def announce_one_record_more(file)
     bytes = File.binread(file)

@@ -30,6 +30,15 @@ class SystemTest < Minitest::Test
     [text, status.exitstatus]
   end
 
+  # The checksum of a recording's fields, written a second time on purpose.
+  def crc32c(bytes)
+    bytes.each_byte.reduce(0xFFFFFFFF) do |crc, byte|
+      crc ^= byte
+      8.times { crc = crc[0] == 1 ? (crc >> 1) ^ 0x82F63B78 : crc >> 1 }
+      crc
+    end ^ 0xFFFFFFFF
+  end
+
   # A stopped instance leaves no process and no shared memory behind.
   def assert_nothing_left(instance)
     wait_until(2, "nothing of #{instance} is left") do
