@@ -78,7 +78,7 @@ ASSETS := $(GEN)/assets/assets.c
 $(GEN)/limits/requirement_limits.h: $(wildcard requirements/*.yml) tools/limits.rb
 	ruby tools/limits.rb requirements $(GEN)/limits
 
-$(GEN)/charts/charts.json: $(wildcard statecharts/*.scxml tools/chart_compiler.rb tools/chart/*.rb) $(GEN)/limits/requirement_limits.h
+$(GEN)/charts/charts.json: $(wildcard statecharts/*.scxml tools/chart_compiler.rb tools/chart/*.rb tools/chart/*/*.rb tools/chart/*/*/*.rb) $(GEN)/limits/requirement_limits.h
 	ruby tools/chart_compiler.rb statecharts $(GEN)
 
 $(CHART_SOURCES): $(GEN)/charts/charts.json ;
@@ -149,7 +149,7 @@ $(BIN)/codec-oracle: verification/demo/client/codec_oracle.cpp $(call object,app
 
 # --- commands ------------------------------------------------------------------------------------------------
 
-.PHONY: help run test demo bench trace build bootstrap bootstrap-test clean FORCE
+.PHONY: help run charts test demo bench trace build bootstrap bootstrap-test clean FORCE
 FORCE:
 
 help: ## List the commands
@@ -166,6 +166,9 @@ build: bootstrap ## Install what is missing and compile
 
 run: build ## Start the whole system on the simulated control box
 	@exec $(BIN)/boresight
+
+charts: bootstrap $(GEN)/limits/requirement_limits.h ## Draw the statecharts: build/charts/index.html
+	@ruby tools/chart_compiler.rb page statecharts build/charts
 
 clean: ## Remove everything that was built (not the installed tools)
 	rm -rf build

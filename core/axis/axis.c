@@ -247,6 +247,7 @@ static uint32_t watch_homing(axis_t *self, bool is_driven, uint32_t elapsed_us)
 uint32_t axis_supervise(axis_t *self, const axis_config_t *config, bool is_driven,
                         uint32_t elapsed_us)
 {
+    (void)axis_chart_advance(&self->chart, elapsed_us);
     const int64_t distance = magnitude((int64_t)error_ticks(self));
     const bool is_pushing = is_driven && (distance >= (int64_t)LIMIT_STALL_PROGRESS_TICKS) &&
                             (distance > (int64_t)config->deadband_ticks);

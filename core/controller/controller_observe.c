@@ -12,6 +12,7 @@ static void observe_link(controller_t *self, const cycle_t *cycle, uint32_t inde
     if (card_link_chart_check(&link->chart) != 0U) {
         controller_note(self, cycle, EVENT_CHART_REPAIRED, link->slot, 0);
     }
+    (void)card_link_chart_advance(&link->chart, cycle->inputs->elapsed_us);
     link_step(link, is_received ? cycle->inputs->frames[link->slot] : NULL);
     if (link->frame_errors != had_errors) {
         controller_note(self, cycle, EVENT_FRAME_REFUSED, link->slot, (int32_t)link->last_error);
@@ -93,6 +94,7 @@ static void observe_estop(controller_t *self, const cycle_t *cycle)
     if (estop_latch_chart_check(&self->estop) != 0U) {
         controller_note(self, cycle, EVENT_CHART_REPAIRED, 0U, 0);
     }
+    (void)estop_latch_chart_advance(&self->estop, cycle->inputs->elapsed_us);
     estop_latch_step(&self->estop, cycle->inputs->estop_open != 0U);
     if (self->estop.state == before) {
         return;

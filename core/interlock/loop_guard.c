@@ -11,6 +11,7 @@ void loop_guard_init(loop_guard_t *self)
 
 void loop_guard_step(loop_guard_t *self, uint32_t elapsed_us)
 {
+    (void)loop_guard_chart_advance(&self->chart, elapsed_us);
     const loop_guard_event_t event =
         (elapsed_us > LIMIT_OVERRUN_US) ? LOOP_GUARD_EVENT_LATE : LOOP_GUARD_EVENT_PUNCTUAL;
     const uint32_t actions = loop_guard_chart_dispatch(&self->chart, event);

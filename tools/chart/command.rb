@@ -4,41 +4,39 @@
 
 require 'fileutils'
 require 'json'
-require_relative 'c_header'
-require_relative 'c_source'
-require_relative 'c_test'
-require_relative 'diagram'
-require_relative 'parser'
+require_relative 'compiled'
+require_relative 'difference'
+require_relative 'emit/c/header'
+require_relative 'emit/c/source'
+require_relative 'emit/diagram'
+require_relative 'emit/page'
+require_relative 'emit/table'
+require_relative 'emit/tests/walk_test'
 require_relative 'refusal'
-require_relative 'static_checks'
-require_relative 'table'
-require_relative 'walk'
-require_relative 'walk_checks'
 
 module Chart
-  # A chart that passed every rule, with its walk.
-  Compiled = Struct.new(:document, :walk) do
-    def self.from(file, text, limits)
-      document = Parser.parse(file, text, limits)
-      StaticChecks.run(document)
-      walk = Walk.new(document).run
-      WalkChecks.run(document, walk)
-      new(document, walk)
-    end
-  end
-
   # The command line: read all charts, then write all files. One refused chart, and nothing is written.
   class Command
-    USAGE = 'usage: ruby tools/chart_compiler.rb CHART_FOLDER OUTPUT_FOLDER'
+    USAGE = <<~TEXT
+      usage: ruby tools/chart_compiler.rb CHART_FOLDER OUTPUT_FOLDER        compile all charts of a folder
+             ruby tools/chart_compiler.rb page CHART_FOLDER OUTPUT_FOLDER   draw them, and list all that they hold
+             ruby tools/chart_compiler.rb diff OLD_FOLDER NEW_FOLDER        what differs in meaning
+    TEXT
+    LIMITS = 'build/gen/limits/limits.json'
 
     def self.run(arguments)
-      new(*arguments).run
+      verb = %w[page diff].include?(arguments.first) ? arguments.first : 'compile'
+      folders = verb == 'compile' ? arguments : arguments.drop(1)
+      return complain(USAGE, 2) unless folders.length == 2
+
+      new(*folders).public_send(verb)
     rescue Refusal, Diagram::Failed => e
-      warn e.message
-      1
-    rescue ArgumentError
-      warn USAGE
-      2
+      complain(e.message, 1)
+    end
+
+    def self.complain(words, status)
+      warn words
+      status
     end
 
     def initialize(source, target)
@@ -46,22 +44,41 @@ module Chart
       @target = target
     end
 
-    def run
-      charts = Dir[File.join(@source, '*.scxml')].sort.map do |file|
-        Compiled.from(file, File.read(file, encoding: 'UTF-8'), limits)
-      end
-      check_ids_across(charts.map(&:document))
+    def compile
+      @limits_file = File.join(@target, 'limits', 'limits.json')
+      charts = read(@source)
       outputs(charts).each { |path, content| write(path, content) }
       charts.each { |chart| report(chart) }
       0
     end
 
+    def page
+      charts = read(@source)
+      charts.each { |chart| write("#{chart.document.name}.svg", Diagram.svg(Diagram.new(chart.document).dot)) }
+      write('index.html', Page.new(charts, nil).emit)
+      puts "#{File.join(@target, 'index.html')}: #{charts.length} charts"
+      0
+    end
+
+    def diff
+      puts Difference.of_folders(read(@source), read(@target))
+      0
+    end
+
     private
+
+    def read(folder)
+      charts = Dir[File.join(folder, '*.scxml')].sort.map do |file|
+        Compiled.from(file, File.read(file, encoding: 'UTF-8'), limits)
+      end
+      check_ids_across(charts.map(&:document))
+      charts
+    end
 
     # name => value; only the delays of timers are looked up here.
     def limits
       @limits ||= begin
-        file = File.join(@target, 'limits', 'limits.json')
+        file = @limits_file || LIMITS
         raise Refusal.new(file, 1, 15, 'the file is missing; generate the limits first') unless File.exist?(file)
 
         JSON.parse(File.read(file)).to_h { |limit| [limit.fetch('name'), limit.fetch('value')] }
@@ -71,7 +88,7 @@ module Chart
     def check_ids_across(documents)
       seen = {}
       documents.each do |document|
-        (document.transitions + document.invariants).each do |one|
+        (document.transitions + document.properties).each do |one|
           if seen.key?(one.id)
             raise Refusal.new(document.file, one.line, 8, "#{one.id} stands in #{seen[one.id]} already; choose another")
           end
@@ -83,9 +100,9 @@ module Chart
     def outputs(charts)
       charts.each_with_object({}) do |chart, files|
         name = chart.document.name
-        files["charts/#{name}_chart.h"] = CHeader.new(chart.document).emit
-        files["charts/#{name}_chart.c"] = CSource.new(chart.document).emit
-        files["tests/test_#{name}_walk.c"] = CTest.new(chart.document, chart.walk).emit
+        files["charts/#{name}_chart.h"] = C::Header.new(chart.document, chart.walk).emit
+        files["charts/#{name}_chart.c"] = C::Source.new(chart.document, chart.walk).emit
+        files["tests/test_#{name}_walk.c"] = WalkTest.new(chart.document, chart.walk).emit
         files["charts/#{name}.dot"] = Diagram.new(chart.document).dot
         files["charts/#{name}.svg"] = Diagram.svg(files["charts/#{name}.dot"])
       end.merge('charts/charts.json' => Table.emit(charts))

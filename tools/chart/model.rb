@@ -3,24 +3,57 @@
 # SPDX-License-Identifier: Apache-2.0
 
 module Chart
-  # The parsed chart: a tree of states. The interpreter and the C emitter share this and nothing else.
-  State = Struct.new(:id, :kind, :parent, :children, :initial, :transitions, :timers, :req, :line,
-                     :order, :comment, keyword_init: true) do
-    # Ancestors, innermost first, without the state itself.
+  # The parsed chart: a tree of states, every name resolved. The interpreter and the emitters share this and
+  # nothing else.
+  #
+  # kind: :root, :compound, :parallel, :atomic, :final or :history; depth (:shallow, :deep) is for a history.
+  # children stand in document order, histories among them. initial is a Default for :root, :compound and
+  # :history. entry and exit are lists of content (below), all <onentry> or <onexit> blocks joined.
+  # ignores: the events that this state declares to ignore. req and hazards: ids of requirements and hazards.
+  State = Struct.new(:id, :kind, :depth, :parent, :children, :initial, :transitions, :entry, :exit, :req,
+                     :hazards, :ignores, :line, :order, :comment, keyword_init: true) do
+    # Ancestors, innermost first, without the state itself; the last one is the root.
     def ancestors
       parent ? [parent] + parent.ancestors : []
     end
 
+    def inside?(other)
+      ancestors.include?(other)
+    end
+
+    def root?
+      kind == :root
+    end
+
+    def parallel?
+      kind == :parallel
+    end
+
+    def history?
+      kind == :history
+    end
+
+    # A state without states: what a configuration is named by.
     def leaf?
-      kind == :leaf
+      kind == :atomic || kind == :final
+    end
+
+    # Compound as transition domains count it: the root is one, a parallel is none.
+    def compound?
+      kind == :compound || kind == :root
+    end
+
+    # Children that can be active.
+    def substates
+      children.reject(&:history?)
+    end
+
+    def histories
+      children.select(&:history?)
     end
 
     def leaves
-      leaf? ? [self] : children.flat_map(&:leaves)
-    end
-
-    def inside?(other)
-      ancestors.include?(other)
+      leaf? ? [self] : substates.flat_map(&:leaves)
     end
 
     def inspect
@@ -40,62 +73,97 @@ module Chart
     end
   end
 
-  Transition = Struct.new(:id, :number, :source, :event, :guard, :guard_text, :target, :internal,
-                          :actions, :raises, :req, :line, keyword_init: true) do
+  # Where a compound state, the chart or a history without record begins: targets in file order.
+  Default = Struct.new(:targets, :content, :line, keyword_init: true)
+
+  # events: concrete event names (prefixes and wildcards are resolved), [] for an eventless transition.
+  # targets: [] for a targetless one. number counts from 1 in document order. content: see below.
+  Transition = Struct.new(:id, :number, :source, :events, :guard, :guard_text, :targets, :internal, :content,
+                          :req, :hazards, :line, keyword_init: true) do
+    def eventless?
+      events.empty?
+    end
+
+    def targetless?
+      targets.empty?
+    end
+
+    # The names of bs:do, in file order.
+    def actions
+      content.grep(Act).map(&:name)
+    end
+
+    def raises
+      content.grep(Raise).map(&:event)
+    end
+
     def inspect
       "#<Transition #{id}>"
     end
   end
 
-  Timer = Struct.new(:id, :event, :delay_us, :limit, :state, :line, keyword_init: true)
-  Input = Struct.new(:name, :comment, :line, keyword_init: true)
-  Invariant = Struct.new(:id, :req, :expression, :text, :line, keyword_init: true)
+  # Content, in the order of execution. Send starts its timer anew, Cancel stops it.
+  Raise = Struct.new(:event, :line)
+  Send = Struct.new(:timer, :line)
+  Cancel = Struct.new(:timer, :line)
+  Assign = Struct.new(:variable, :expression, :line)
+  Act = Struct.new(:name, :line)
 
-  # A region is what one enum in C holds: the whole chart, or one child of the root parallel.
-  Region = Struct.new(:name, :state) do
-    def leaves
-      state.leaves
-    end
-  end
+  # One <send> with a constant delay. rounding: :down for a watchdog, :up for a hold-off; threshold_us is the delay
+  # rounded so to whole ticks.
+  Timer = Struct.new(:id, :event, :delay_us, :limit, :rounding, :threshold_us, :line, keyword_init: true)
 
-  # One chart file.
-  Document = Struct.new(:name, :file, :comment, :root, :states, :transitions, :timers, :inputs,
-                        :invariants, :safe, :internal_events, keyword_init: true) do
-    def regions
-      @regions ||= if root.initial.kind == :parallel
-                     root.initial.children.map { |child| Region.new(child.id, child) }
-                   else
-                     [Region.new('state', root)]
-                   end
+  # kind :input is a boolean that the caller hands in; :boolean and :integer belong to the chart.
+  Variable = Struct.new(:name, :kind, :initial, :minimum, :maximum, :comment, :line, keyword_init: true)
+
+  # What a complete walk decides.
+  #   :always     expression holds in every reached configuration              (bs:invariant)
+  #   :response   after a step by one of `events`, from `from` if given, expression holds      (bs:response)
+  #   :only       a step from `from` to `expression` is by one of `events`       (bs:only)
+  #   :reachable  from every configuration with `from` (or every one) a configuration with expression is
+  #               reached in at most `steps` steps, or in any number if nil       (bs:reachable)
+  # The expressions read states and the chart's data. text is the property in one line.
+  Property = Struct.new(:id, :kind, :req, :hazards, :events, :from, :expression, :steps, :text, :line, keyword_init: true)
+
+  # One chart file. states: all but the root, histories included, in document order. events: the alphabet in order of
+  # first appearance. internal_events: those that only the chart itself may cause (raised ones named in bs:internal,
+  # events of timers, done.state.*). safe: one leaf per region. mode: :product or :engine.
+  Document = Struct.new(:name, :file, :comment, :root, :states, :transitions, :timers, :variables, :properties,
+                        :safe, :events, :internal_events, :tick_us, :mode, keyword_init: true) do
+    def state(id)
+      (@by_id ||= states.to_h { |state| [state.id, state] })[id]
     end
 
     def leaves
       states.select(&:leaf?)
     end
 
-    # Compound states other than regions, the ones worth asking for by name.
-    def compounds
-      states.select { |state| state.kind == :compound } - regions.map(&:state)
+    def histories
+      states.select(&:history?)
     end
 
-    def region_of(state)
-      regions.find { |region| region.state == state || state.inside?(region.state) }
+    def inputs
+      variables.select { |variable| variable.kind == :input }
     end
 
-    def state(id)
-      states.find { |state| state.id == id }
+    # The chart's own variables.
+    def data
+      variables - inputs
     end
 
-    def events
-      transitions.map(&:event).uniq
+    def invariants
+      properties.select { |property| property.kind == :always }
     end
 
     def actions
-      transitions.flat_map(&:actions).uniq
+      contents.grep(Act).map(&:name).uniq
     end
 
-    def raises?
-      transitions.any? { |transition| transition.raises.any? }
+    # Every piece of content, in document order of its owner.
+    def contents
+      owners = states.sort_by(&:order)
+      defaults = [root, *owners].filter_map(&:initial).flat_map(&:content)
+      owners.flat_map { |state| state.entry + state.exit } + transitions.flat_map(&:content) + defaults
     end
 
     def inspect

@@ -11,34 +11,47 @@ module Chart
     4 => 'every attribute the profile demands is there',
     5 => 'every id is used once',
     6 => 'names are lower-case words joined by underscores, and fit their file',
-    7 => 'every target, initial state, raised and sent event exists',
-    8 => 'every transition and invariant has its own bs:id',
-    9 => 'every transition, leaf state and invariant names its requirements',
-    10 => 'every transition waits for an event',
-    11 => 'events raised by transitions never lead back to themselves',
+    7 => 'every target, initial state, raised, sent, ignored and internal event exists',
+    8 => 'every transition and property has its own id',
+    9 => 'every transition, leaf state and property names its requirements',
+    11 => 'every macrostep ends: no chain of eventless transitions or raised events leads back to itself',
     12 => 'a timer is started by entering a state and cancelled by leaving the same state',
     13 => 'In() names a state of the chart',
-    14 => 'guards are built from In(), declared inputs, ! && || and parentheses',
-    15 => 'a delay equals the limit it names',
-    16 => 'a chart is one region, or one parallel of two or more regions',
-    17 => 'a transition stays inside its region',
+    14 => 'expressions are built from In(), declared data, integers, ! && || comparisons, + - and parentheses',
+    15 => 'a delay is constant and equals the limit it names',
     18 => 'the safe configuration names one leaf of every region',
-    19 => 'a chart has at most 32 actions, 32 timers and 6 inputs',
+    19 => 'a chart has at most 32 actions, 32 timers, 6 inputs and 64 regions',
     20 => 'every state is reached',
     21 => 'every transition is taken',
     22 => 'two transitions of one state are never enabled together',
     23 => 'every invariant holds in every reached configuration',
-    24 => 'every declared input is read'
+    24 => 'every declared input is read',
+    25 => 'every event in every configuration is taken, or declared to be ignored there',
+    26 => 'every declared ignore is needed',
+    27 => 'the guard of an eventless transition reads states and data, not inputs',
+    28 => 'several targets lie in different regions of one parallel',
+    29 => 'a history has one default transition without event and guard, to a state of its parent',
+    30 => 'a transition to a history starts outside the parent of the history',
+    31 => 'a targetless transition outside a parallel has no content whose order the regions inside could change',
+    32 => 'a timer says how it rounds and lasts at least one tick',
+    33 => 'a timer is not started again while it runs',
+    34 => 'an assigned value stays inside the range of its variable',
+    35 => 'every guard is seen true and false where its event arrives',
+    36 => 'every response holds after every step that it speaks of',
+    37 => 'every step between the states of a bs:only is by one of its events',
+    38 => 'every bs:reachable configuration is reached in its number of steps'
   }.freeze
 
   # A chart outside the profile. The message says where, which rule, and what to write instead.
   class Refusal < StandardError
-    attr_reader :file, :line, :rule
+    # counterexample: the Counterexample of a violated property, else nil.
+    attr_reader :file, :line, :rule, :counterexample
 
-    def initialize(file, line, rule, message)
+    def initialize(file, line, rule, message, counterexample: nil)
       @file = file
       @line = line
       @rule = rule
+      @counterexample = counterexample
       super(format('%<file>s:%<line>d: CHART-R%<rule>02d %<message>s',
                    file: file, line: line, rule: rule, message: message))
     end

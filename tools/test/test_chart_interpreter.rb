@@ -3,109 +3,158 @@
 # SPDX-License-Identifier: Apache-2.0
 
 require 'minitest/autorun'
-require_relative '../chart/command'
+require_relative 'own_charts'
 
-# The interpreter against the rules of the SCXML recommendation, and the walk against both.
+# The interpreter against the rules of the SCXML recommendation: what a step leaves, enters and finishes.
 class TestChartInterpreter < Minitest::Test
-  FILE = File.join(__dir__, 'charts', 'sample.scxml')
-  LIMITS = { 'short_us' => 500_000, 'heat_limit_us' => 2_000_000 }.freeze
-  NOTHING = { 'is_allowed' => false, 'is_strong' => false }.freeze
-  ALLOWED = { 'is_allowed' => true, 'is_strong' => false }.freeze
-  STRONG = { 'is_allowed' => true, 'is_strong' => true }.freeze
+  include OwnCharts
 
-  def setup
-    @document = Chart::Parser.parse(FILE, File.read(FILE), LIMITS)
-    @interpreter = Chart::Interpreter.new(@document)
+  # --- entering and leaving ---------------------------------------------------------------------------------------
+
+  def test_SWR_CHART_001_starts_in_the_initial_states_of_all_regions
+    start('<parallel id="p"><state id="a"><state id="a1"/><state id="a2"/></state>
+           <state id="b" initial="b2"><state id="b1"/><state id="b2"/></state></parallel>')
+    assert_equal %w[a1 b2], leaves
   end
 
-  def test_SWR_CHART_001_starts_in_the_initial_state_of_every_region
-    assert_equal [%w[cold idle], []], configuration(@interpreter.start)
+  def test_SWR_CHART_001_leaves_inner_states_first_then_acts_then_enters_outer_states_first
+    start(<<~CHART)
+      <state id="a">#{notes('a')}<parallel id="p">#{notes('p')}<state id="x">#{notes('x')}</state>
+        <state id="y">#{notes('y')}</state></parallel>
+        <transition event="go" target="b1"><raise event="content"/></transition></state>
+      <state id="b">#{notes('b')}<state id="b1">#{notes('b1')}</state></state>
+    CHART
+    assert_equal %w[in_a in_p in_x in_y], @outcome.raised
+    assert_equal %w[out_y out_x out_p out_a content in_b in_b1], event('go').raised
   end
 
-  def test_SWR_CHART_001_a_guard_sees_the_configuration_before_the_step
-    outcome = dispatch(%w[cold idle], [], 'warm', ALLOWED)
-    assert_equal %w[cold idle], outcome.leaves
-    assert_equal %w[low fast], dispatch(%w[cold slow], [], 'warm', ALLOWED).leaves
+  def test_SWR_CHART_001_an_initial_element_acts_after_the_entry_of_its_parent
+    start(<<~CHART)
+      <state id="a">#{notes('a')}<initial><transition target="a2"><raise event="default"/></transition></initial>
+        <state id="a1"/><state id="a2">#{notes('a2')}</state></state>
+    CHART
+    assert_equal %w[a2], leaves
+    assert_equal %w[in_a default in_a2], @outcome.raised
   end
 
-  def test_SWR_CHART_001_a_raised_event_is_taken_in_the_same_macrostep_by_the_other_region
-    outcome = dispatch(%w[cold slow], [], 'warm', ALLOWED)
-    assert_equal %w[SAMPLE-T02 SAMPLE-T11], outcome.taken.map(&:id)
-    assert_equal %w[heat_limit fast_end], outcome.armed
+  def test_SWR_CHART_001_several_targets_enter_their_regions_and_the_others_by_default
+    start('<state id="off"><transition event="go" target="a2 c2"/></state><parallel id="p">
+           <state id="a"><state id="a1"/><state id="a2"/></state><state id="b"><state id="b1"/><state id="b2"/></state>
+           <state id="c"><state id="c1"/><state id="c2"/></state></parallel>')
+    event('go')
+    assert_equal %w[a2 b1 c2], leaves
   end
 
-  def test_SWR_CHART_001_a_chain_of_raised_events_runs_to_its_end
-    outcome = @interpreter.expire(%w[low slow], %w[heat_limit], %w[heat_limit], NOTHING)
-    assert_equal %w[SAMPLE-T03 SAMPLE-T12 SAMPLE-T01], outcome.taken.map(&:id)
-    assert_equal [%w[cold idle], []], configuration(outcome)
-    assert_equal %w[report], outcome.actions
+  def test_SWR_CHART_001_an_external_transition_leaves_its_source_and_an_internal_one_does_not
+    start(<<~CHART)
+      <state id="a">#{notes('a')}<transition event="out" target="a2"/>
+        <transition event="in" target="a2" type="internal"/><state id="a1"/><state id="a2"/></state>
+    CHART
+    assert_equal %w[out_a in_a], event('out').raised
+    assert_empty event('in').raised
+    assert_equal %w[a2], leaves
   end
 
-  def test_SWR_CHART_001_a_descendant_goes_before_its_ancestor
-    armed = %w[heat_limit boost_end]
-    assert_equal %w[SAMPLE-T09], dispatch(%w[high idle], armed, 'adjust', STRONG).taken.map(&:id)
-    assert_equal %w[SAMPLE-T04], dispatch(%w[high idle], armed, 'adjust', ALLOWED).taken.map(&:id)
+  def test_SWR_CHART_001_an_internal_transition_to_the_outside_is_an_external_one
+    start("<state id='a'>#{notes('a')}<transition event='go' target='a' type='internal'/><state id='a1'/></state>")
+    assert_equal %w[out_a in_a], event('go').raised
   end
 
-  def test_SWR_CHART_001_an_internal_transition_keeps_the_timer_of_its_source
-    outcome = dispatch(%w[high idle], %w[heat_limit boost_end], 'adjust', NOTHING)
-    assert_equal [%w[low idle], %w[heat_limit]], configuration(outcome)
-    assert_empty outcome.started
+  # A parallel is no compound state: no transition stays inside one.
+  def test_SWR_CHART_001_an_external_transition_of_a_region_leaves_the_whole_parallel
+    start("<parallel id='p'>#{notes('p')}<state id='a'><transition event='go' target='a'/></state>
+           <state id='b'>#{notes('b')}</state></parallel>")
+    assert_equal %w[out_b out_p in_p in_b], event('go').raised
   end
 
-  def test_SWR_CHART_001_an_external_transition_restarts_the_timer_of_its_source
-    outcome = dispatch(%w[high idle], %w[heat_limit boost_end], 'warm', NOTHING)
-    assert_equal [%w[low idle], %w[heat_limit]], configuration(outcome)
-    assert_equal %w[heat_limit], outcome.started
+  def test_SWR_CHART_001_a_targetless_transition_acts_and_leaves_nothing
+    start("<state id='a'>#{notes('a')}<transition event='go'><raise event='done'/></transition></state>")
+    assert_equal %w[done], event('go').raised
+    assert_equal [%w[a], 1], [leaves, @outcome.taken.length]
   end
 
-  def test_SWR_CHART_001_a_transition_without_target_leaves_nothing
-    outcome = @interpreter.expire(%w[high idle], %w[heat_limit boost_end], %w[boost_end], NOTHING)
-    assert_equal [%w[high idle], %w[heat_limit]], configuration(outcome)
-    assert_equal %w[beep], outcome.actions
+  # --- histories --------------------------------------------------------------------------------------------------
+
+  HISTORY = <<~CHART
+    <state id="out"><transition event="back" target="h"/></state>
+    <state id="a"><transition event="leave" target="out"/>
+      <onentry><raise event="in_a"/></onentry>
+      <history id="h" type="DEPTH"><transition target="a2"><raise event="default"/></transition></history>
+      <state id="a1"><state id="a11"><transition event="on" target="a12"/></state><state id="a12"/></state>
+      <state id="a2"><onentry><raise event="in_a2"/></onentry><transition event="on" target="a12"/></state>
+    </state>
+  CHART
+
+  def test_SWR_CHART_001_a_history_without_record_takes_its_default_after_the_entry_of_its_parent
+    start(HISTORY.sub('DEPTH', 'deep'))
+    assert_equal %w[in_a default in_a2], event('back').raised
+    assert_equal %w[a2], leaves
   end
 
-  def test_SWR_CHART_001_timers_that_expire_together_go_in_document_order
-    outcome = @interpreter.expire(%w[high fast], %w[heat_limit boost_end fast_end], %w[heat_limit fast_end], NOTHING)
-    assert_equal %w[SAMPLE-T03 SAMPLE-T12 SAMPLE-T01], outcome.taken.map(&:id)
+  def test_SWR_CHART_001_a_shallow_history_brings_back_the_child_and_its_initial_state
+    start(HISTORY.sub('DEPTH', 'shallow'))
+    %w[back on leave].each { |name| event(name) }
+    assert_equal({ 'h' => %w[a1] }, @outcome.after.history)
+    assert_equal %w[in_a], event('back').raised
+    assert_equal %w[a11], leaves
   end
 
-  def test_SWR_CHART_001_an_internal_event_from_outside_does_nothing
-    outcome = dispatch(%w[cold slow], [], 'started', ALLOWED)
-    assert_equal %w[cold slow], outcome.leaves
-    assert_empty outcome.taken
+  def test_SWR_CHART_001_a_deep_history_brings_back_the_leaf
+    start(HISTORY.sub('DEPTH', 'deep'))
+    %w[back on leave].each { |name| event(name) }
+    assert_equal({ 'h' => %w[a12] }, @outcome.after.history)
+    event('back')
+    assert_equal %w[a12], leaves
   end
 
-  # The domain of an external transition that starts at a region is the whole chart: a parallel is no
-  # compound state. The compiler refuses such a transition (rule 17), the interpreter obeys the standard.
-  def test_SWR_CHART_001_an_external_transition_of_a_region_leaves_all_regions
-    text = File.read(FILE).sub('target="cold" type="internal"', 'target="cold"')
-    document = Chart::Parser.parse(FILE, text, LIMITS)
-    outcome = Chart::Interpreter.new(document).dispatch(%w[low fast], %w[heat_limit fast_end], 'trip', NOTHING)
-    assert_equal [%w[cold idle], []], configuration(outcome)
+  def test_SWR_CHART_001_histories_of_a_parallel_remember_all_its_regions
+    %w[deep shallow].zip([%w[a2 b2], %w[a1 b1]]) do |depth, expected|
+      start(<<~CHART)
+        <parallel id="p"><history id="h" type="#{depth}"><transition target="a"/></history>
+          <state id="a"><state id="a1"><transition event="on" target="a2"/></state><state id="a2"/></state>
+          <state id="b"><state id="b1"><transition event="on" target="b2"/></state><state id="b2"/></state>
+          <transition event="leave" target="out"/></parallel>
+        <state id="out"><transition event="back" target="h"/></state>
+      CHART
+      %w[on leave back].each { |name| event(name) }
+      assert_equal expected, leaves, depth
+    end
   end
 
-  def test_SWR_CHART_001_the_walk_finds_every_configuration_and_pair
-    walk = Chart::Walk.new(@document).run
-    assert_equal 9, walk.legal_configurations.length
-    assert_equal 8, walk.reached.length
-    assert_equal 360, walk.pair_count
-    assert_equal 'begin', walk.path_to([%w[cold slow], []])
+  # --- done events ------------------------------------------------------------------------------------------------
+
+  DONE = <<~CHART
+    <parallel id="p"><transition event="done.state.p" target="end"/>
+      <state id="a"><transition event="done.state.a"/><state id="a1"><transition event="go" target="a2"/></state>
+        <final id="a2"/></state>
+      <state id="b"><state id="b1"><transition event="on" target="b2"/></state><final id="b2"/></state></parallel>
+    <final id="end"><onentry><raise event="on"/></onentry></final>
+  CHART
+
+  def test_SWR_CHART_001_a_final_state_raises_the_done_event_of_its_parent
+    start(DONE)
+    assert_equal %w[done.state.a], event('go').raised
+    assert_equal %w[a2 b1], leaves
   end
 
-  def test_SWR_CHART_001_the_bound_of_raised_events_is_the_longest_chain
-    assert_equal 2, Chart::Flat.new(@document).raise_bound
-    most = Chart::Walk.new(@document).run.pairs.flat_map(&:outcomes).map(&:raised_count).max
-    assert_equal 2, most
+  def test_SWR_CHART_001_a_parallel_is_done_with_its_last_region
+    start(DONE)
+    event('on')
+    assert_equal %w[done.state.a done.state.p on], event('go').raised
+    assert_equal %w[end], leaves
+  end
+
+  def test_SWR_CHART_001_a_chart_at_its_end_takes_nothing
+    start(DONE)
+    %w[go on].each { |name| event(name) }
+    assert_empty event('go').taken
+    assert_equal %w[end], leaves
   end
 
   private
 
-  def dispatch(leaves, armed, event, inputs)
-    @interpreter.dispatch(leaves, armed, event, inputs)
-  end
-
-  def configuration(outcome)
-    [outcome.leaves, outcome.armed]
+  # Says by raised events when a state is entered and left.
+  def notes(id)
+    "<onentry><raise event='in_#{id}'/></onentry><onexit><raise event='out_#{id}'/></onexit>"
   end
 end

@@ -33,6 +33,7 @@ module Trace
   # Tests that run the whole controller are integration tests, wherever they stand.
   LEVEL_OF_FILE = { %r{\Averification/(?:integration/|unit/test_controller)} => 'integration',
                     %r{\A(?:verification/unit|build/gen/tests)/} => 'unit',
+                    %r{\Averification/(?:conformance|model)/} => 'tool',
                     %r{\Averification/} => 'system',
                     %r{\Aapp/console/} => 'console',
                     %r{\Atools/test/} => 'tool' }.freeze

@@ -1,0 +1,134 @@
+# frozen_string_literal: true
+
+# SPDX-License-Identifier: Apache-2.0
+
+require_relative '../read/expression'
+require_relative '../refusal'
+require_relative 'counterexample'
+
+module Chart
+  # The properties of a chart, decided on its walk.
+  #   invariant  in every reached snapshot
+  #   response   after every step by one of its events (the stimulus' own, or raised), from a snapshot with `from`
+  #   only       every step that takes a transition and leads from `from` to the expression is by one of its events
+  #   reachable  from every snapshot with `from`; a snapshot that has the expression needs no step
+  # A property that speaks of nothing that happens is refused as well: it would hold whatever the chart does.
+  # @satisfies SWR-CHART-002
+  class PropertyChecks
+    RULES = { always: 23, response: 36, only: 37, reachable: 38 }.freeze
+    Verdict = Struct.new(:property, :verdict, :checked, keyword_init: true)
+    Step = Struct.new(:before, :stimulus, :inputs, :outcome)
+
+    # For a chart that check has passed. checked: the number of snapshots or steps that the property speaks of.
+    def self.verdicts(document, walk)
+      properties = new(document, walk)
+      document.properties.map do |property|
+        Verdict.new(property: property, verdict: :holds, checked: properties.subjects(property).length)
+      end
+    end
+
+    def initialize(document, walk)
+      @document = document
+      @walk = walk
+    end
+
+    def check
+      @document.properties.each do |property|
+        subjects = subjects(property)
+        refuse_empty(property) if subjects.empty?
+        violated = violation(property, subjects)
+        refuse(property, violated) if violated
+      end
+    end
+
+    # What the property speaks of: snapshots, or Steps, those of the shortest paths first.
+    def subjects(property)
+      case property.kind
+      when :always then snapshots
+      when :reachable then snapshots.select { |snapshot| from?(property, snapshot) }
+      when :response then steps_from(property) { |outcome| named?(property, outcome) }
+      when :only
+        steps_from(property) { |outcome| outcome.taken.any? && true?(property.expression, outcome.after) }
+      end
+    end
+
+    private
+
+    def snapshots
+      @walk.reached.keys
+    end
+
+    def violation(property, subjects)
+      case property.kind
+      when :always then subjects.find { |snapshot| !true?(property.expression, snapshot) }
+      when :reachable then unreached(property, subjects)
+      when :response then subjects.find { |step| !true?(property.expression, step.outcome.after) }
+      when :only then subjects.find { |step| !named?(property, step.outcome) }
+      end
+    end
+
+    def steps_from(property)
+      @walk.reachable_pairs.flat_map do |pair|
+        next [] unless from?(property, pair.before)
+
+        pair.outcomes.each_with_index.filter_map do |outcome, index|
+          Step.new(pair.before, pair.stimulus, @walk.valuations[index], outcome) if yield outcome
+        end
+      end
+    end
+
+    def from?(property, snapshot)
+      property.from.nil? || true?(property.from, snapshot)
+    end
+
+    def named?(property, outcome)
+      property.events.any? { |event| outcome.events.include?(event) || outcome.raised.include?(event) }
+    end
+
+    def true?(expression, snapshot)
+      active = @walk.active(snapshot.leaves)
+      Expression.value(expression) { |kind, name| kind == :in ? active.include?(name) : snapshot.data.fetch(name) }
+    end
+
+    # Backwards from the snapshots that have the expression, a step at a time.
+    def unreached(property, subjects)
+      found = snapshots.select { |snapshot| true?(property.expression, snapshot) }.to_h { |one| [one, true] }
+      edge = found.keys
+      (property.steps || snapshots.length).times do
+        edge = edge.flat_map { |snapshot| predecessors.fetch(snapshot, []) }.uniq.reject { |one| found.key?(one) }
+        break if edge.empty?
+
+        edge.each { |snapshot| found[snapshot] = true }
+      end
+      subjects.find { |snapshot| !found.key?(snapshot) }
+    end
+
+    def predecessors
+      @predecessors ||= @walk.reachable_pairs.each_with_object({}) do |pair, found|
+        pair.outcomes.uniq(&:object_id).each { |outcome| (found[outcome.after] ||= []) << pair.before }
+      end
+    end
+
+    def refuse_empty(property)
+      words = property.kind == :reachable ? 'configuration with its "from" is reached' : 'step of its kind is taken'
+      raise Refusal.new(@document.file, property.line, RULES.fetch(property.kind),
+                        "#{property.id} holds only because no #{words}; correct the property, or the chart")
+    end
+
+    def refuse(property, violated)
+      example = violated.is_a?(Step) ? of_step(property, violated) : of_snapshot(property, violated)
+      raise Refusal.new(@document.file, property.line, RULES.fetch(property.kind),
+                        "#{property.id} is violated in #{example.snapshot.leaves.join(' ')}, reached by: " \
+                        "#{example.words}; close that path", counterexample: example)
+    end
+
+    def of_snapshot(property, snapshot)
+      Counterexample.new(@document, property, @walk.steps_to(snapshot), snapshot, @walk.path_to(snapshot))
+    end
+
+    def of_step(property, step)
+      steps = @walk.steps_to(step.before) + [[step.stimulus, step.inputs]]
+      Counterexample.new(@document, property, steps, step.outcome.after, @walk.words(steps))
+    end
+  end
+end

@@ -1,0 +1,62 @@
+# frozen_string_literal: true
+
+# SPDX-License-Identifier: Apache-2.0
+
+module Chart
+  module C
+    # Line breaking for generated C: 100 columns, continuation under the opening parenthesis.
+    module Layout
+      WIDTH = 100
+
+      module_function
+
+      def banner(document, what)
+        ['/* SPDX-License-Identifier: Apache-2.0 */',
+         *comment("#{what} of the statechart #{document.name}, generated from statecharts/#{document.name}.scxml by " \
+                  'tools/chart_compiler.rb. Do not edit.')]
+      end
+
+      def comment(text, indent = '')
+        lines = wrap(text, WIDTH - indent.length - 6)
+        return ["#{indent}/* #{lines.first} */"] if lines.length == 1
+
+        ["#{indent}/* #{lines.first}", *lines[1..-2].map { |line| "#{indent}   #{line}" }, "#{indent}   #{lines.last} */"]
+      end
+
+      def wrap(text, width)
+        text.split.each_with_object([+'']) do |word, lines|
+          if lines.last.empty? then lines[-1] = word
+          elsif lines.last.length + 1 + word.length <= width then lines[-1] += " #{word}"
+          else lines << word
+          end
+        end
+      end
+
+      # "type name(" + parameters; broken at commas when it gets too long.
+      def call(head, arguments, tail)
+        line = "#{head}(#{arguments.join(', ')})#{tail}"
+        return [line] if line.length <= WIDTH
+
+        pad = ' ' * (head.length + 1)
+        rows = wrap(arguments.map { |one| one.gsub(' ', "\u0001") }.join(', '), WIDTH - pad.length - tail.length - 1)
+        rows = rows.map.with_index { |row, index| (index.zero? ? "#{head}(" : pad) + row.tr("\u0001", ' ') }
+        rows[-1] = "#{rows[-1]})#{tail}"
+        rows
+      end
+
+      # A long condition, continued at its operators.
+      def at_operators(line, width = 80)
+        return [line] if line.length <= width
+
+        rows = line.split(/(?<= && )|(?<= \|\| )/).each_with_object([+'']) do |part, found|
+          found.last.length + part.length > width && !found.last.empty? ? found << part : found.last << part
+        end
+        rows.map.with_index { |row, index| (index.zero? ? '' : '    ') + row.rstrip }
+      end
+
+      def text(lines)
+        "#{lines.flatten.join("\n")}\n"
+      end
+    end
+  end
+end

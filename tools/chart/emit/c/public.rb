@@ -1,0 +1,214 @@
+# frozen_string_literal: true
+
+# SPDX-License-Identifier: Apache-2.0
+
+require_relative 'layout'
+
+module Chart
+  module C
+    # The public functions of a chart.
+    class Public
+      include Layout
+
+      def initialize(parts, code)
+        @parts = parts
+        @code = code
+        @document = parts.document
+        @names = parts.names
+        @regions = parts.regions
+      end
+
+      def lines
+        [intact_function, leaves_function, reset_function, init_function, dispatch_function, advance_function,
+         sound_function, check_function, @parts.compounds.map { |state| in_function(state) }]
+      end
+
+      private
+
+      def constant_self
+        ["const #{@names.chart_type} *self"]
+      end
+
+      def field(region)
+        "self->#{@names.field(region.name)}"
+      end
+
+      def intact_function
+        tests = @regions.map { |region| "(#{field(region)}_inverse == ~(uint32_t)#{field(region)})" }
+        [call("static bool #{@names.function('is_intact')}", constant_self, ''), '{', joined(tests), '}', '']
+      end
+
+      # Every region is one of its leaves, and "none" just when the parallel around it is not active.
+      def leaves_function
+        tests = @regions.map { |region| "((uint32_t)#{field(region)} <= (uint32_t)#{@names.last_value(region)})" }
+        tests += @regions.reject { |region| @regions.always_active?(region) }.map { |region| presence(region) }
+        [call("static bool #{@names.function('is_in_leaves')}", constant_self, ''), '{', joined(tests), '}', '']
+      end
+
+      def presence(region)
+        around = @parts.expressions.place(region.outer, 'self')
+        "((#{field(region)} != #{@names.value(region, nil)}) == #{around})"
+      end
+
+      def joined(tests, operator = '&&')
+        return ["    return #{tests.first};"] if tests.length == 1
+
+        short = "    return (#{tests.join(" #{operator} ")});"
+        return [short] if short.length <= WIDTH
+
+        rows = tests.map.with_index do |test, index|
+          "#{index.zero? ? '    return (' : '            '}#{test}#{index == tests.length - 1 ? ');' : " #{operator}"}"
+        end
+        [rows]
+      end
+
+      # Everything but the regions that the caller enters next.
+      def reset_function
+        rows = [vanish_lines, memory_lines, data_lines, timer_lines].flatten
+        return [] if rows.empty?
+
+        ["static void #{@names.function('clear')}(#{@names.chart_type} *self)", '{',
+         rows.map { |row| "    #{row}" }, '}', '']
+      end
+
+      def vanish_lines
+        @regions.select { |region| @regions.vanishes?(region) }.flat_map { |region| @parts.steps.lines([Enter.new(region, nil)]) }
+      end
+
+      def memory_lines
+        @regions.memories.map { |memory| "self->#{@names.memory(memory)} = #{@names.value(memory.region, nil)};" }
+      end
+
+      def data_lines
+        @document.data.map { |variable| "self->#{@names.field(variable.name)} = #{variable.initial};" }
+      end
+
+      def timer_lines
+        @document.timers.flat_map { |timer| @parts.steps.lines([Cancel.new(timer)]) }
+      end
+
+      def reset_call
+        [vanish_lines, memory_lines, data_lines, timer_lines].flatten.empty? ? [] : ["#{@names.function('clear')}(self);"]
+      end
+
+      def run_lines
+        return [] unless @parts.run?
+
+        first = @document.actions.empty? ? '.raised = 0U' : '.actions = 0U'
+        ["#{@names.function('run_t')} run = {#{first}};"]
+      end
+
+      def init_function
+        start = "#{@code.invoke('begin', 'run' => '&run', 'inputs' => '&no_inputs')};"
+        body = ['self->now_us = 0U;', 'self->trace.count = 0U;', *reset_call, start]
+        needs = start.match?(/\brun\b/) ? [*run_lines, ''] : []
+        ["void #{@names.chart_function('init')}(#{@names.chart_type} *self)", '{',
+         [*needs, *no_inputs(body), *body].map { |line| line.empty? ? line : "    #{line}" }, '}', '']
+      end
+
+      def no_inputs(body)
+        return [] unless body.any? { |line| line.include?('no_inputs') }
+
+        ["const #{@names.inputs_type} no_inputs = {",
+         *@document.inputs.map { |input| "    .#{@names.field(input.name)} = false," }, '};', '']
+      end
+
+      def dispatch_function
+        inner = @document.internal_events.map { |event| "(event != #{@names.event(event)})" }
+        condition = ["#{@names.function('is_intact')}(self)", *inner].join(' && ')
+        runs = "#{@code.invoke('run_to_completion', 'run' => '&run')};"
+        [call("uint32_t #{@names.chart_function('dispatch')}",
+              @names.public_parameters("#{@names.event_type} event").split(', '), ''), '{',
+         unused('event', [runs, condition]), unused('inputs', [runs]), run_lines.map { |line| ["    #{line}", ''] },
+         at_operators("if (#{condition}) {", 90).map { |line| "    #{line}" }, "        #{runs}", '    }',
+         "    return #{actions};", '}', '']
+      end
+
+      def actions
+        @document.actions.empty? ? '0U' : 'run.actions'
+      end
+
+      def advance_function
+        head = "uint32_t #{@names.chart_function('advance')}"
+        body = @document.timers.empty? ? ['    self->now_us += elapsed_us;', '    return 0U;'] : advance_body
+        [count_function, call(head, @names.advance_parameters.split(', '), ''), '{', unused_in_advance(body), body, '}', '']
+      end
+
+      def unused_in_advance(body)
+        @document.timers.empty? ? [] : unused('inputs', body)
+      end
+
+      def unused(parameter, lines)
+        return [] if parameter == 'inputs' && @document.inputs.empty?
+
+        lines.any? { |line| line.match?(/\b#{parameter}\b/) } ? [] : ["    (void)#{parameter};"]
+      end
+
+      def advance_body
+        [*run_lines.flat_map { |line| ["    #{line}", ''] }, '    self->now_us += elapsed_us;',
+         "    if (#{@names.function('is_intact')}(self)) {",
+         "        #{@names.function('count_time')}(self, elapsed_us);",
+         *@document.timers.flat_map { |timer| expiry_lines(timer) }, '    }', "    return #{actions};"]
+      end
+
+      def count_function
+        return [] if @document.timers.empty?
+
+        rows = @document.timers.map do |timer|
+          time = "self->#{@names.field(timer.id)}_us"
+          ["    if (self->#{@names.field(timer.id)}_is_armed) {",
+           "        #{time} = #{@names.function('add_saturated')}(#{time}, elapsed_us);", '    }']
+        end
+        [saturate, call("static void #{@names.function('count_time')}", ["#{@names.chart_type} *self", 'uint32_t elapsed_us'], ''),
+         '{', rows, '}', '', @document.timers.map { |timer| expired_function(timer) }]
+      end
+
+      def saturate
+        ["static uint32_t #{@names.function('add_saturated')}(uint32_t sum_us, uint32_t elapsed_us)", '{',
+         '    return (elapsed_us > (UINT32_MAX - sum_us)) ? UINT32_MAX : (sum_us + elapsed_us);', '}', '']
+      end
+
+      def expired_function(timer)
+        stem = @names.field(timer.id)
+        [call("static bool #{@names.function("#{stem}_has_expired")}", constant_self, ''), '{',
+         joined(["self->#{stem}_is_armed", "(self->#{stem}_us >= #{@names.delay(timer)})"]), '}', '']
+      end
+
+      def expiry_lines(timer)
+        runs = @code.invoke('run_to_completion', 'event' => @names.event(timer.event), 'run' => '&run')
+        ["        if (#{@names.function("#{@names.field(timer.id)}_has_expired")}(self)) {",
+         *@parts.steps.lines([Cancel.new(timer)]).map { |line| "            #{line}" },
+         "            #{runs};", '        }']
+      end
+
+      def sound_function
+        tests = ["#{@names.function('is_intact')}(self)", "#{@names.function('is_in_leaves')}(self)"]
+        [call("bool #{@names.chart_function('is_sound')}", constant_self, ''), '{', joined(tests), '}', '']
+      end
+
+      def check_function
+        repair = [*reset_call, *@parts.steps.lines(safe_steps), 'chart_trace_add(&self->trace, self->now_us, 0U);',
+                  'repaired = 1U;']
+        ["uint32_t #{@names.chart_function('check')}(#{@names.chart_type} *self)", '{',
+         '    uint32_t repaired = 0U;', '',
+         "    if (!#{@names.function('is_intact')}(self) || !#{@names.function('is_in_leaves')}(self)) {",
+         repair.map { |line| "        #{line}" }, '    }', '    return repaired;', '}', '']
+      end
+
+      # The safe leaves, with the timers of their states.
+      def safe_steps
+        active = @document.safe.flat_map { |leaf| [leaf, *leaf.ancestors] }.uniq.reject(&:root?).sort_by(&:order)
+        enters = active.select { |state| state.leaf? || state.parallel? }.select { |state| @regions.of(state) }
+        enters.map { |state| Enter.new(@regions.of(state), state) } + active.flat_map { |state| state.entry.grep(Send) }
+      end
+
+      def in_function(state)
+        region = @regions.of(state)
+        leaves = region.leaves.select { |leaf| leaf.inside?(state) }
+        tests = leaves.map { |leaf| "(#{field(region)} == #{@names.leaf(leaf)})" }
+        [call("bool #{@names.chart_function("in_#{@names.stem(state.id)}")}", constant_self, ''), '{',
+         joined(tests, '||'), '}', '']
+      end
+    end
+  end
+end

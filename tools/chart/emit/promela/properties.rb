@@ -1,0 +1,73 @@
+# frozen_string_literal: true
+
+# SPDX-License-Identifier: Apache-2.0
+
+require_relative 'text'
+
+module Chart
+  class Promela
+    # Invariants and step properties as assertions. A bs:reachable is none: it speaks of paths.
+    class Properties
+      def initialize(document, names)
+        @document = document
+        @names = names
+        @checked = document.properties.reject { |property| property.kind == :reachable }
+      end
+
+      def marks_used
+        @checked.map { |one| @names.holds(one) } + starting.map { |one| @names.began(one) } +
+          events.map { |event| @names.seen(event) } + ['taken']
+      end
+
+      # Before the step.
+      def begun
+        ['taken = 0', *events.map { |event| "#{@names.seen(event)} = 0" },
+         *starting.map { |property| "#{@names.began(property)} = #{@names.term(property.from)}" }]
+      end
+
+      # Before transitions are selected: what the step is by, from outside, by a timer, or raised.
+      def heard
+        events.map { |event| "#{@names.seen(event)} = #{@names.seen(event)} || event == #{@names.event(event)}" }
+      end
+
+      # After a microstep.
+      def noted
+        ['taken = taken || event != START']
+      end
+
+      # After the step; the mark has a name, so that SPIN's message has it.
+      def asserted
+        @checked.flat_map do |property|
+          ["#{@names.holds(property)} = #{condition(property)}", "assert(#{@names.holds(property)})"]
+        end
+      end
+
+      private
+
+      def condition(property)
+        expression = @names.term(property.expression)
+        case property.kind
+        when :always then expression
+        when :response then "!(#{speaks(property, by(property))}) || #{expression}"
+        when :only then "!(#{speaks(property, 'taken')} && #{expression}) || #{by(property)}"
+        end
+      end
+
+      def speaks(property, what)
+        ['stimulus != START', what, *(property.from ? [@names.began(property)] : [])].join(' && ')
+      end
+
+      def by(property)
+        Text.any(property.events.map { |event| @names.seen(event) })
+      end
+
+      def starting
+        @checked.select(&:from)
+      end
+
+      def events
+        @checked.flat_map { |property| property.events || [] }.uniq
+      end
+    end
+  end
+end

@@ -1,0 +1,277 @@
+# frozen_string_literal: true
+
+# SPDX-License-Identifier: Apache-2.0
+
+require_relative '../c/layout'
+
+module Chart
+  # The tests that are not rows of the table: start, unknown event, compound states, damage, timers.
+  class TestCases
+    include C::Layout
+
+    def initialize(document, walk, parts)
+      @document = document
+      @walk = walk
+      @parts = parts
+      @names = parts.names
+      @regions = parts.regions
+    end
+
+    def emit
+      [start_test, unknown_event_test, internal_event_test, clock_test, compound_test, damage_functions, damage_test, sound_test, timer_tests]
+    end
+
+    private
+
+    def test(requirement, name, body)
+      ["void test_#{requirement}_#{@document.name}_#{name}(void)", '{', body, '}', '']
+    end
+
+    def chart
+      "    #{@names.chart_type} chart;"
+    end
+
+    def inputs?
+      @document.inputs.any?
+    end
+
+    def dispatch(event)
+      "#{@names.chart_function('dispatch')}(&chart, #{inputs? ? '&inputs, ' : ''}#{event})"
+    end
+
+    def advance(microseconds)
+      inputs = inputs? && @document.timers.any? ? '&inputs, ' : ''
+      "#{@names.chart_function('advance')}(&chart, #{inputs}#{microseconds})"
+    end
+
+    def inputs_line
+      inputs? ? ["    const #{@names.inputs_type} inputs = inputs_from(0U);"] : []
+    end
+
+    def expect_leaves(ids)
+      ids.map do |id|
+        state = @document.state(id)
+        "    TEST_ASSERT_EQUAL_UINT32(#{@names.leaf(state)}, chart.#{@regions.of(state).name});"
+      end
+    end
+
+    def expect_armed(timers)
+      return [] if @document.timers.empty?
+
+      mask = @document.timers.each_with_index.sum { |timer, bit| timers.include?(timer.id) ? 1 << bit : 0 }
+      ["    TEST_ASSERT_EQUAL_HEX32(#{mask}U, armed_of(&chart));"]
+    end
+
+    def start_test
+      start = @walk.start.after
+      test('SWR_CHART_001', 'starts_in_its_initial_configuration',
+           [chart, '', '    (void)memset(&chart, 0xA5, sizeof chart);', "    #{@names.chart_function('init')}(&chart);",
+            expect_leaves(start.leaves), expect_armed(start.armed),
+            '    TEST_ASSERT_EQUAL_UINT32(0U, last_transition(&chart));',
+            "    TEST_ASSERT_TRUE(#{@names.chart_function('is_sound')}(&chart));"])
+    end
+
+    def unknown_event_test
+      unknown = "(#{@names.event_type})#{@document.events.length}"
+      test('SWR_CHART_001', 'ignores_an_unknown_event',
+           [chart, inputs_line, '', "    #{@names.chart_function('init')}(&chart);",
+            "    TEST_ASSERT_EQUAL_HEX32(0U, #{dispatch(unknown)});", expect_leaves(@walk.start.after.leaves),
+            '    TEST_ASSERT_EQUAL_UINT32(0U, last_transition(&chart));'])
+    end
+
+    # Events that only the chart itself causes do nothing from outside, in every place of the table.
+    def internal_event_test
+      return [] if @document.internal_events.empty?
+
+      rows = @document.internal_events.map do |event|
+        ["        place(&chart, &pairs[row]);", "        TEST_ASSERT_EQUAL_HEX32(0U, #{dispatch(@names.event(event))});",
+         @regions.map { |region| unmoved(region) }, '        TEST_ASSERT_EQUAL_UINT32(0U, chart.trace.count);']
+      end
+      test('SWR_CHART_001', 'takes_no_internal_event_from_outside',
+           [chart, inputs_line, '', '    for (unsigned row = 0U; row < (sizeof pairs / sizeof pairs[0]); row++) {', rows,
+            '    }'])
+    end
+
+    def unmoved(region)
+      field = @names.field(region.name)
+      "        TEST_ASSERT_EQUAL_UINT32(pairs[row].#{field}, chart.#{field});"
+    end
+
+    def clock_test
+      dispatched = @document.events - @document.internal_events
+      calls = dispatched.map { |event| "    (void)#{dispatch(@names.event(event))};" }
+      test('SWR_CHART_007', 'dates_its_steps',
+           [chart, clock_inputs, '', "    #{@names.chart_function('init')}(&chart);",
+            "    (void)#{advance('3000U')};", "    (void)#{advance('4000U')};",
+            '    TEST_ASSERT_EQUAL_UINT64(7000U, chart.now_us);', '    chart.trace.count = 0U;', calls,
+            '    TEST_ASSERT_NOT_EQUAL_UINT32(0U, chart.trace.count);',
+            '    TEST_ASSERT_EQUAL_UINT64(7000U, chart.trace.steps[0].now_us);'])
+    end
+
+    # All inputs true, so that some guard lets an event through.
+    def clock_inputs
+      inputs? ? ["    const #{@names.inputs_type} inputs = inputs_from(#{(1 << @document.inputs.length) - 1}U);"] : []
+    end
+
+    def compound_test
+      return [] if @parts.compounds.empty?
+
+      rows = @parts.compounds.map do |state|
+        region = @regions.of(state)
+        region.leaves.map do |leaf|
+          expected = state.leaves.include?(leaf).to_s.upcase
+          ["    chart.#{region.name} = #{@names.leaf(leaf)};",
+           "    TEST_ASSERT_#{expected}(#{@names.chart_function("in_#{state.id}")}(&chart));"]
+        end
+      end
+      test('SWR_CHART_001', 'names_its_compound_states',
+           [chart, '', "    #{@names.chart_function('init')}(&chart);", rows])
+    end
+
+    # --- damage -----------------------------------------------------------------------------------
+
+    def damage_functions
+      [repaired_function, frozen_function]
+    end
+
+    # Copies that disagree: no event and no timer gets through, and the check repairs.
+    def frozen_function
+      idle = @document.timers.any? ? ["    TEST_ASSERT_EQUAL_HEX32(0U, #{advance('UINT32_MAX')});"] : []
+      same = @regions.map do |region|
+        "    TEST_ASSERT_EQUAL_UINT32(damaged->#{region.name}, chart.#{region.name});"
+      end
+      ["static void expect_frozen_then_safe(const #{@names.chart_type} *damaged)", '{',
+       "    #{@names.chart_type} chart = *damaged;", inputs_line, '',
+       "    for (uint32_t event = 0U; event < #{@document.events.length}U; event++) {",
+       "        TEST_ASSERT_EQUAL_HEX32(0U, #{dispatch("(#{@names.event_type})event")});", '    }',
+       idle, same, '    expect_repaired(&chart);', '}', '']
+    end
+
+    def repaired_function
+      safe = @document.safe.map(&:id)
+      lines = [expect_leaves(safe), expect_armed(safe_timers)].flatten
+      ["static void expect_repaired(#{@names.chart_type} *chart)", '{',
+       "    TEST_ASSERT_FALSE(#{@names.chart_function('is_sound')}(chart));",
+       "    TEST_ASSERT_EQUAL_UINT32(1U, #{@names.chart_function('check')}(chart));",
+       lines.map { |line| line.gsub('chart.', 'chart->').gsub('&chart', 'chart') },
+       "    TEST_ASSERT_TRUE(#{@names.chart_function('is_sound')}(chart));",
+       "    TEST_ASSERT_EQUAL_UINT32(0U, #{@names.chart_function('check')}(chart));", '}', '']
+    end
+
+    # Timers of the states that the safe configuration is in.
+    def safe_timers
+      active = @document.safe.flat_map { |leaf| [leaf, *leaf.ancestors] }
+      active.reject(&:root?).flat_map(&:entry).grep(Send).map { |send| send.timer.id }
+    end
+
+    def damage_test
+      [test('SWR_CORE_004', 'a_damaged_region_goes_to_the_safe_state',
+            [chart, '', @regions.map { |region| flips_of(region) }]),
+       test('SWR_CORE_004', 'a_leaf_that_does_not_exist_goes_to_the_safe_state',
+            [chart, inputs_line, '', @regions.map { |region| stranger_of(region) },
+             strangers_everywhere])]
+    end
+
+    def flips_of(region)
+      init = begin_chart.map { |line| "    #{line}" }
+      type = @names.region_type(region)
+      ['    for (uint32_t bit = 0U; bit < 32U; bit++) {',
+       '        const uint32_t flip = (uint32_t)1U << bit;', '', init,
+       "        chart.#{region.name} = (#{type})((uint32_t)chart.#{region.name} ^ flip);",
+       '        expect_frozen_then_safe(&chart);', init, "        chart.#{region.name}_inverse ^= flip;",
+       '        expect_frozen_then_safe(&chart);', '    }']
+    end
+
+    # The initial configuration, but with every timer running, so that the repair has something to stop.
+    def begin_chart
+      ["    #{@names.chart_function('init')}(&chart);",
+       *@document.timers.flat_map do |timer|
+         ["    chart.#{timer.id}_us = 5U;", "    chart.#{timer.id}_is_armed = true;"]
+       end]
+    end
+
+    # Both copies agree on a value that is no leaf: the region takes no event, and the check repairs.
+    def stranger_of(region)
+      stranger = "#{region.leaves.length}U"
+      [begin_chart, make_stranger(region),
+       "    for (uint32_t event = 0U; event < #{@document.events.length}U; event++) {",
+       "        (void)#{dispatch("(#{@names.event_type})event")};",
+       "        TEST_ASSERT_EQUAL_UINT32(#{stranger}, chart.#{region.name});", '    }', '    expect_repaired(&chart);']
+    end
+
+    def make_stranger(region)
+      stranger = "#{region.leaves.length}U"
+      ["    chart.#{region.name} = (#{@names.region_type(region)})#{stranger};",
+       "    chart.#{region.name}_inverse = ~(uint32_t)#{stranger};"]
+    end
+
+    # With no region left that could act, there are no actions.
+    def strangers_everywhere
+      [begin_chart, @regions.map { |region| make_stranger(region) },
+       "    for (uint32_t event = 0U; event < #{@document.events.length}U; event++) {",
+       "        TEST_ASSERT_EQUAL_HEX32(0U, #{dispatch("(#{@names.event_type})event")});", '    }',
+       '    expect_repaired(&chart);']
+    end
+
+    def sound_test
+      test('SWR_CORE_004', 'a_sound_chart_is_left_alone',
+           [chart, '', "    #{@names.chart_function('init')}(&chart);",
+            "    TEST_ASSERT_EQUAL_UINT32(0U, #{@names.chart_function('check')}(&chart));",
+            expect_leaves(@walk.start.after.leaves), expect_armed(@walk.start.after.armed)])
+    end
+
+    # --- timers -----------------------------------------------------------------------------------
+
+    def timer_tests
+      @document.timers.filter_map do |timer|
+        pair = @walk.reachable_pairs.find { |one| one.stimulus == [:expire, [timer.id]] }
+        [boundary_test(timer, pair), idle_test(timer)] if pair
+      end
+    end
+
+    def boundary_test(timer, pair)
+      delay = timer.threshold_us
+      test('SWR_CHART_001', "timer_#{timer.id}_expires_at_#{delay}_us_and_not_before",
+           [chart, inputs_line, '', place(pair),
+            expect_no_expiry(timer, delay - 1, pair), expect_expiry('1U', pair),
+            place(pair), expect_expiry("#{delay}U", pair),
+            place(pair), expect_expiry("#{delay + 1}U", pair),
+            '    /* a sum that would wrap saturates instead */',
+            place(pair), "    chart.#{timer.id}_us = 1U;", expect_expiry('UINT32_MAX', pair)])
+    end
+
+    # The leaves where the timer runs, with no other timer running.
+    def place(pair)
+      cells = pair.before.leaves.map do |id|
+        state = @document.state(id)
+        ".#{@regions.of(state).name} = #{@names.leaf(state)}"
+      end
+      ["    place(&chart, &(const pair_t){ #{cells.join(', ')} });",
+       pair.stimulus.last.map { |id| ["    chart.#{id}_is_armed = true;"] }]
+    end
+
+    def expect_no_expiry(timer, microseconds, pair)
+      ["    TEST_ASSERT_EQUAL_HEX32(0U, #{advance("#{microseconds}U")});", expect_leaves(pair.before.leaves),
+       "    TEST_ASSERT_EQUAL_UINT32(#{microseconds}U, chart.#{timer.id}_us);",
+       '    TEST_ASSERT_EQUAL_UINT32(0U, last_transition(&chart));']
+    end
+
+    def expect_expiry(microseconds, pair)
+      outcome = pair.outcomes.first
+      actions = outcome.actions.map { |action| @names.action(action) }
+      expected = actions.empty? ? '0U' : actions.join(' | ')
+      ["    TEST_ASSERT_EQUAL_HEX32(#{expected}, #{advance(microseconds)});", expect_leaves(outcome.after.leaves),
+       expect_armed(outcome.started),
+       "    TEST_ASSERT_EQUAL_UINT32(#{outcome.taken.last&.number || 0}U, last_transition(&chart));"]
+    end
+
+    def idle_test(timer)
+      return [] if @walk.start.after.armed.any?
+
+      test('SWR_CHART_001', "timer_#{timer.id}_stands_still_while_not_armed",
+           [chart, inputs_line, '', "    #{@names.chart_function('init')}(&chart);",
+            "    TEST_ASSERT_EQUAL_HEX32(0U, #{advance('UINT32_MAX')});",
+            "    TEST_ASSERT_EQUAL_UINT32(0U, chart.#{timer.id}_us);", expect_leaves(@walk.start.after.leaves)])
+    end
+  end
+end

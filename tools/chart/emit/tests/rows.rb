@@ -1,0 +1,70 @@
+# frozen_string_literal: true
+
+# SPDX-License-Identifier: Apache-2.0
+
+module Chart
+  # The table of expected results, one row per pair and per group of input values with one result.
+  class TestRows
+    def initialize(document, walk, names)
+      @document = document
+      @walk = walk
+      @names = names
+    end
+
+    def tables
+      ['static const pair_t pairs[] = {', @walk.pairs.flat_map { |pair| rows(pair) }, '};', '']
+    end
+
+    private
+
+    def rows(pair)
+      read = inputs_read(pair.outcomes)
+      groups = pair.outcomes.each_index.group_by { |bits| bits & read }
+      groups.keys.sort.map { |bits| row(pair, read, bits) }
+    end
+
+    # The inputs that change the outcome for some value of the others.
+    def inputs_read(outcomes)
+      @document.inputs.each_index.sum do |bit|
+        differs = outcomes.each_index.any? { |bits| result(outcomes[bits]) != result(outcomes[bits ^ (1 << bit)]) }
+        differs ? 1 << bit : 0
+      end
+    end
+
+    def result(outcome)
+      [outcome.after, outcome.started, outcome.actions, outcome.taken.last&.number]
+    end
+
+    def row(pair, read, bits)
+      outcome = pair.outcomes[bits]
+      kind, what = pair.stimulus
+      event = kind == :event ? what : @document.events.first
+      expiring = kind == :expire ? timer_mask(what) : 0
+      cells = leaf_names(pair.before.leaves)
+      cells += ["#{timer_mask(pair.before.armed)}U", "#{expiring}U"] if timers?
+      cells << @names.event(event)
+      cells += ["#{read}U", "#{bits}U"] if @document.inputs.any?
+      "    { #{(cells + result_cells(outcome, pair.reachable)).join(', ')} },"
+    end
+
+    def result_cells(outcome, reachable)
+      cells = leaf_names(outcome.after.leaves)
+      cells += ["#{timer_mask(outcome.after.armed)}U", "#{timer_mask(outcome.started)}U"] if timers?
+      actions = outcome.actions.map { |action| @names.action(action) }
+      cells << (actions.empty? ? '0U' : actions.join(' | '))
+      cells + ["#{outcome.taken.last&.number || 0}U", reachable.to_s]
+    end
+
+    def timers?
+      @document.timers.any?
+    end
+
+    def leaf_names(ids)
+      ids.map { |id| @names.leaf(@document.state(id)) }
+    end
+
+    def timer_mask(ids)
+      @document.timers.each_with_index.sum { |timer, bit| ids.include?(timer.id) ? 1 << bit : 0 }
+    end
+  end
+end

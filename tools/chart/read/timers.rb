@@ -1,0 +1,114 @@
+# frozen_string_literal: true
+
+# SPDX-License-Identifier: Apache-2.0
+
+require_relative '../model'
+
+module Chart
+  # One timer for each <send> with a delay: its constant, its limit, and how it becomes whole ticks.
+  class Timers
+    UNITS = { 'us' => 1, 'ms' => 1000, 's' => 1_000_000 }.freeze
+    ROUNDING = { 'watchdog' => :down, 'hold_off' => :up }.freeze
+    # The limit that holds the period of the control loop.
+    TICK_LIMIT = 'cycle_us'
+
+    attr_reader :all, :tick_us
+
+    def initialize(context, chart)
+      @context = context
+      @of = {}.compare_by_identity
+      sends = chart.all.select { |element| Timers.delayed?(element) }
+      @tick_us = read_tick(chart, sends.any?)
+      sends.each { |element| @of[element] = read(element, @of.length) }
+      @all = @of.values
+    end
+
+    # A send to the chart itself, without a detour, is a <raise>.
+    def self.delayed?(element)
+      element.name == 'send' && element.attributes['target'].nil?
+    end
+
+    def of(element)
+      @of.fetch(element)
+    end
+
+    def find(id)
+      @all.find { |timer| timer.id == id }
+    end
+
+    private
+
+    def read_tick(chart, needed)
+      text = chart.attributes['bs:tick']
+      return @context.engine? || needed ? default_tick(chart) : nil unless text
+
+      tick = microseconds(text, chart.line, 'bs:tick')
+      nominal = @context.limits.fetch(TICK_LIMIT) { [tick, 1].max }
+      return tick if tick == nominal
+
+      @context.refuse(chart.line, 15, "the tick is #{tick} us but #{TICK_LIMIT} is #{nominal} us; " \
+                                      "write bs:tick=\"#{words(nominal)}\"")
+    end
+
+    def default_tick(chart)
+      return UNITS['ms'] if @context.engine?
+
+      @context.refuse(chart.line, 4, 'a chart with timers needs a tick; add bs:tick="1ms"')
+    end
+
+    def read(element, index)
+      attributes = element.attributes
+      delay = microseconds(attributes.fetch('delay', '0s'), element.line, 'delay')
+      check_limit(element, delay)
+      rounding = rounding(element)
+      Timer.new(id: @context.name(attributes.fetch('id', "send_#{index}"), element.line),
+                event: event(element), delay_us: delay, limit: attributes['bs:limit'], rounding: rounding,
+                threshold_us: threshold(element, delay, rounding), line: element.line)
+    end
+
+    def event(element)
+      @context.name(element.attributes['event'], element.line)
+    end
+
+    def microseconds(text, line, attribute)
+      number, unit = text.match(/\A(\d+)(us|ms|s)\z/)&.captures
+      return number.to_i * UNITS.fetch(unit) if unit
+
+      @context.refuse(line, 15, "#{attribute}=\"#{text}\" is no constant; write a whole number of us, ms or s")
+    end
+
+    def check_limit(element, delay)
+      name = element.attributes['bs:limit'] || return
+      limit = @context.limits.fetch(name) do
+        known = @context.limits.keys.grep(/_us\z/).sort.join(', ')
+        @context.refuse(element.line, 15, "limit #{name} is unknown; write one of: #{known}")
+      end
+      return if delay == limit
+
+      @context.refuse(element.line, 15, "the delay is #{delay} us but #{name} is #{limit} us; " \
+                                        "write delay=\"#{words(limit)}\"")
+    end
+
+    def words(microseconds)
+      unit, size = UNITS.to_a.reverse.find { |_unit, one| (microseconds % one).zero? }
+      "#{microseconds / size}#{unit}"
+    end
+
+    def rounding(element)
+      kind = element.attributes.fetch('bs:kind') { return :up if @context.engine? }
+      ROUNDING.fetch(kind) do
+        @context.refuse(element.line, 32, 'the timer does not say how it rounds to ticks; write bs:kind="watchdog" ' \
+                                          '(down) or bs:kind="hold_off" (up)')
+      end
+    end
+
+    # A conformance chart may send without delay: that lasts one tick.
+    def threshold(element, delay, rounding)
+      ticks = rounding == :down ? delay / tick_us : (delay + tick_us - 1) / tick_us
+      return ticks * tick_us if ticks.positive?
+      return tick_us if @context.engine?
+
+      @context.refuse(element.line, 32, "the delay rounds to no tick; write #{words(tick_us)} at least")
+    end
+  end
+end

@@ -1,0 +1,142 @@
+# frozen_string_literal: true
+
+# SPDX-License-Identifier: Apache-2.0
+
+require 'strscan'
+require_relative '../refusal'
+
+module Chart
+  # One element: name and attributes without the prefix of SCXML and with "bs:" for ours, child elements, line of its
+  # start tag, the comment directly before it, and the line of the first text inside it.
+  Element = Struct.new(:name, :attributes, :children, :line, :comment, :text_line) do
+    # This element and all inside it, in document order.
+    def all
+      [self] + children.flat_map(&:all)
+    end
+
+    def child(name)
+      children.find { |child| child.name == name }
+    end
+  end
+
+  # Reads the small part of XML that charts use, and keeps the line of every element.
+  class XmlReader
+    SCXML = 'http://www.w3.org/2005/07/scxml'
+    OURS = 'urn:boresight:chart'
+    NAME = /[A-Za-z_][\w.-]*(?::[A-Za-z_][\w.-]*)?/.freeze
+    ENTITIES = { '&amp;' => '&', '&lt;' => '<', '&gt;' => '>', '&quot;' => '"', '&apos;' => "'" }.freeze
+
+    def self.read(file, text)
+      new(file, text).read
+    end
+
+    def initialize(file, text)
+      @file = file
+      @scanner = StringScanner.new(text)
+      @comment = nil
+    end
+
+    def read
+      refuse('the file is not UTF-8; save it so') unless @scanner.string.valid_encoding?
+      @scanner.skip(/\s*<\?xml[^?]*\?>/)
+      skip_between
+      root = read_element({})
+      skip_between
+      refuse('something stands after the root element; remove it') unless @scanner.eos?
+      root
+    end
+
+    private
+
+    def line
+      @scanner.string.byteslice(0, @scanner.pos).count("\n") + 1
+    end
+
+    def refuse(message)
+      raise Refusal.new(@file, line, 1, message)
+    end
+
+    def skip_between
+      @comment = nil
+      loop do
+        @scanner.skip(/\s+/)
+        break unless @scanner.skip(/<!--/)
+
+        text = @scanner.scan_until(/-->/) || refuse('comment without end; write -->')
+        @comment = text.delete_suffix('-->').strip.gsub(/\s+/, ' ')
+      end
+    end
+
+    # scope: prefix => namespace, as declared around the element.
+    def read_element(scope)
+      element = Element.new(nil, {}, [], line, @comment)
+      @scanner.skip(/</) || refuse('expected an element; write <name ...>')
+      tag = @scanner.scan(NAME) || refuse('neither an element nor a comment; remove it')
+      read_attributes(element)
+      scope = resolve_names(element, tag, scope)
+      return element if @scanner.skip(%r{/>})
+
+      @scanner.skip(/>/) || refuse("start tag of <#{tag}> does not end; write > or />")
+      read_children(element, tag, scope)
+      element
+    end
+
+    def read_attributes(element)
+      while @scanner.skip(/\s+/) && (name = @scanner.scan(NAME))
+        refuse("attribute #{name} stands twice; write it once") if element.attributes.key?(name)
+        @scanner.skip(/\s*=\s*/) || refuse("attribute #{name} has no value; write #{name}=\"...\"")
+        element.attributes[name] = read_value(name)
+      end
+    end
+
+    def read_value(name)
+      quoted = @scanner.scan(/"[^"<]*"|'[^'<]*'/) || refuse("attribute #{name} is not in quotes")
+      quoted[1..-2].gsub(/&[^;\s]*;?/) do |entity|
+        ENTITIES.fetch(entity) { refuse("#{entity} is not known; write &amp; for &") }
+      end
+    end
+
+    def resolve_names(element, tag, outer)
+      declared = element.attributes.select { |name, _uri| name == 'xmlns' || name.start_with?('xmlns:') }
+      scope = outer.merge(declared.transform_keys { |name| name.delete_prefix('xmlns').delete_prefix(':') })
+      element.name = resolve(tag, scope)
+      element.attributes = element.attributes.transform_keys do |name|
+        name.include?(':') && !declared.key?(name) ? resolve(name, scope) : name
+      end
+      scope
+    end
+
+    def resolve(name, scope)
+      *prefix, local = name.split(':')
+      return local if prefix.empty?
+
+      case scope.fetch(prefix.first) { refuse("prefix #{prefix.first} is unknown; declare xmlns:#{prefix.first}") }
+      when SCXML then local
+      when OURS then "bs:#{local}"
+      else name
+      end
+    end
+
+    def read_children(element, tag, scope)
+      loop do
+        skip_between
+        break if @scanner.check(%r{</})
+        next if skip_text(element)
+
+        element.children << read_element(scope)
+      end
+      name = @scanner.scan(%r{</#{Regexp.escape(tag)}\s*>})
+      refuse("<#{tag}> of line #{element.line} is not closed; write </#{tag}>") unless name
+    end
+
+    # Text is kept by its line only: whether it or its element is refused is for the profile to say.
+    def skip_text(element)
+      here = line
+      found = @scanner.skip(/[^<]+/)
+      element.text_line ||= here if found
+      refuse("<#{element.name}> is not closed") if @scanner.eos?
+      refuse('neither an element nor a comment; remove it') unless found || @scanner.check(/<[A-Za-z_]/)
+      found
+    end
+  end
+end

@@ -1,0 +1,157 @@
+# frozen_string_literal: true
+
+# SPDX-License-Identifier: Apache-2.0
+
+# The rule under test: the difference of two versions of a chart names every change of its meaning, and nothing else.
+
+require 'minitest/autorun'
+require_relative '../chart/compiled'
+require_relative '../chart/difference'
+
+class TestChartDifference < Minitest::Test
+  LIMITS = { 'wait_us' => 20_000, 'slow_us' => 30_000 }.freeze
+  GATE = <<~XML
+    <!-- A gate and its lamp. -->
+    <scxml xmlns="http://www.w3.org/2005/07/scxml" xmlns:bs="urn:boresight:chart" version="1.0" datamodel="ecmascript" name="gate" bs:tick="1ms" initial="all" bs:safe="shut dark">
+      <parallel id="all">
+        <state id="gate" initial="shut">
+          <state id="shut" bs:req="SWR-CHART-001" bs:ignores="push">
+            <transition bs:id="GATE-T01" event="pull" target="ajar" cond="is_free" bs:do="creak squeak" bs:req="SWR-CHART-001"/>
+            <transition bs:id="GATE-T02" event="pull" cond="!is_free" bs:do="creak" bs:req="SWR-CHART-001"/>
+          </state>
+          <state id="ajar" bs:req="SWR-CHART-001" bs:ignores="pull">
+            <onentry><send id="wait" event="slam" delay="20ms" bs:limit="wait_us" bs:kind="watchdog"/></onentry>
+            <onexit><cancel sendid="wait"/></onexit>
+            <transition bs:id="GATE-T03" event="slam" target="shut" bs:req="SWR-CHART-001"/>
+            <transition bs:id="GATE-T04" event="push" target="shut" bs:req="SWR-CHART-001"/>
+          </state>
+        </state>
+        <state id="lamp" initial="dark">
+          <state id="dark" bs:req="SWR-CHART-001"/>
+        </state>
+      </parallel>
+      <datamodel>
+        <!-- Nothing blocks it. -->
+        <data id="is_free" expr="false"/>
+      </datamodel>
+      <bs:invariant id="GATE-I01" bs:req="SWR-CHART-002" expr="In('shut') || In('ajar')"/>
+    </scxml>
+  XML
+
+  def test_SWR_CHART_006_layout_comments_and_order_of_attributes_mean_nothing
+    other = GATE.gsub(/<!--.*?-->/m, '<!-- Other words. -->').gsub(/^ +/, "\n  ")
+    other = other.gsub(/ target="(\w+)"( cond="[^"]*")?/, '\2' "\n" ' target="\1"').sub("') || In", "')||(In").sub("ajar')\"", "ajar'))\"")
+    refute_equal GATE, other
+    assert_equal "gate: no difference in meaning\n", difference(other)
+  end
+
+  def test_SWR_CHART_006_the_place_of_states_and_of_unlike_transitions_means_nothing
+    moved = swap(GATE, 'GATE-T03', 'GATE-T04').sub('initial="shut"', 'initial="shut" ')
+    assert_equal "gate: no difference in meaning\n", difference(moved)
+    shut = GATE[%r{ *<state id="shut".*?</state>\n}m]
+    ajar = GATE[%r{ *<state id="ajar".*?</state>\n}m]
+    assert_equal "gate: no difference in meaning\n", difference(GATE.sub(shut + ajar, ajar + shut))
+  end
+
+  def test_SWR_CHART_006_the_order_of_transitions_that_hear_the_same_event_is_reported
+    assert_equal ['~ order of pull in shut: GATE-T01, GATE-T02 -> GATE-T02, GATE-T01'],
+                 changes(swap(GATE, 'GATE-T01', 'GATE-T02'))
+  end
+
+  def test_SWR_CHART_006_the_order_of_regions_is_reported
+    gate = GATE[%r{ *<state id="gate".*?^    </state>\n}m]
+    lamp = GATE[%r{ *<state id="lamp".*?^    </state>\n}m]
+    assert_equal ['~ order of regions in all: gate, lamp -> lamp, gate'], changes(GATE.sub(gate + lamp, lamp + gate))
+  end
+
+  def test_SWR_CHART_006_a_change_of_a_transition_names_what_changed
+    assert_equal ['~ transition GATE-T04 targets: shut -> ajar'],
+                 changes(GATE.sub('event="push" target="shut"', 'event="push" target="ajar"'))
+    assert_equal ['~ transition GATE-T01 actions: creak, squeak -> squeak'], changes(GATE.sub('"creak squeak"', '"squeak"'))
+    assert_equal ['~ transition GATE-T03 requirements: + SWR-CHART-002'],
+                 changes(GATE.sub(/(GATE-T03.*)SWR-CHART-001/, '\1SWR-CHART-001 SWR-CHART-002'))
+    assert_equal ["~ transition GATE-T01 guard: is_free -> is_free && In('dark')"],
+                 changes(GATE.sub('cond="is_free"', "cond=\"is_free &amp;&amp; In('dark')\""), checked: false)
+    assert_equal ['~ transition GATE-T04 source: ajar -> gate'], changes(GATE.sub(/^ +(<transition bs:id="GATE-T04".*\n)/, '')
+                                                           .sub('<state id="shut"', "#{transition('GATE-T04')}<state id=\"shut\""), checked: false)
+  end
+
+  def test_SWR_CHART_006_what_came_and_what_went_is_told_in_one_line_each
+    added = GATE.sub('<state id="dark" bs:req="SWR-CHART-001"/>',
+                     '<state id="dark" bs:req="SWR-CHART-001" bs:ignores="off"><transition bs:id="GATE-T05" event="on" ' \
+                     'target="lit" bs:req="SWR-CHART-001"/></state><state id="lit" bs:ignores="on" bs:req="SWR-CHART-001" ' \
+                     'bs:hazard="HAZ-01"><transition bs:id="GATE-T06" event="off" target="dark" bs:req="SWR-CHART-001"/></state>')
+    came = ['+ event on: caused by outside', '+ event off: caused by outside', '~ state dark ignores: + off',
+            '+ state lit: kind atomic, in lamp, ignores on, requirements SWR-CHART-001, hazards HAZ-01',
+            '+ transition GATE-T05: source dark, events on, targets lit, requirements SWR-CHART-001',
+            '+ transition GATE-T06: source lit, events off, targets dark, requirements SWR-CHART-001',
+            '~ configurations: 2 -> 4', '~ pairs: 10 -> 36']
+    assert_equal came, changes(added)
+    went = text(added, GATE)
+    assert_includes went, "\n  - state lit: kind atomic"
+    assert_includes went, "\n  ~ configurations: 4 -> 2"
+  end
+
+  def test_SWR_CHART_006_timers_and_their_limits
+    slow = GATE.sub('delay="20ms" bs:limit="wait_us"', 'delay="30ms" bs:limit="slow_us"')
+    assert_equal ['~ timer wait delay: 20 ms -> 30 ms', '~ timer wait limit: wait_us -> slow_us',
+                  '~ timer wait threshold: 20 ms -> 30 ms'], changes(slow)
+    assert_equal ['~ timer wait rounds: down -> up'], changes(GATE.sub('watchdog', 'hold_off'))
+  end
+
+  def test_SWR_CHART_006_properties_and_what_holds_for_the_chart
+    assert_equal ["~ property GATE-I01 expression: In('shut') || In('ajar') -> In('all')"],
+                 changes(GATE.sub("In('shut') || In('ajar')", "In('all')"))
+    assert_equal ['~ safe: - shut, + ajar'], changes(GATE.sub('bs:safe="shut', 'bs:safe="ajar'))
+    assert_equal ['~ state gate initial: shut -> ajar'], changes(GATE.sub('initial="shut"', 'initial="ajar"'))
+  end
+
+  def test_SWR_CHART_006_the_worst_case_is_compared_where_both_versions_have_one
+    old = { 'charts' => { 'gate' => { 'x86_instructions' => 50, 'x86_witness' => 'pull', 'ram_bytes' => 90 } } }
+    new = { 'charts' => { 'gate' => { 'x86_instructions' => 52, 'x86_witness' => 'push', 'ram_bytes' => 90 } } }
+    assert_equal "gate\n  ~ worst case x86-64 instructions: 50 -> 52 (push)\n",
+                 Chart::Difference.between(compiled(GATE), compiled(GATE), old, new)
+    assert_equal "gate: no difference in meaning\n", Chart::Difference.between(compiled(GATE), compiled(GATE), old, nil)
+  end
+
+  def test_SWR_CHART_006_folders_are_compared_chart_by_chart
+    gate = compiled(GATE)
+    door = compiled(GATE.sub('name="gate"', 'name="door"'), file: 'door.scxml')
+    assert_equal "- chart door\ngate: no difference in meaning\n", Chart::Difference.of_folders([gate, door], [gate])
+    assert_equal "+ chart door\n", Chart::Difference.of_folders([], [door])
+  end
+
+  private
+
+  # Some changes here would leave a rule broken elsewhere.
+  def compiled(text, checked: true, file: 'gate.scxml')
+    return Chart::Compiled.from(file, text, LIMITS) if checked
+
+    document = Chart::Parser.parse(file, text, LIMITS)
+    Chart::Compiled.new(document, Chart::Walk.new(document).run)
+  end
+
+  def text(old, new, checked: true)
+    Chart::Difference.between(compiled(old), compiled(new, checked: checked))
+  end
+
+  def difference(new)
+    text(GATE, new)
+  end
+
+  def changes(new, checked: true)
+    lines = text(GATE, new, checked: checked).lines(chomp: true)
+    assert_equal 'gate', lines.first
+    lines.drop(1).map { |line| line.delete_prefix('  ') }
+  end
+
+  def transition(id)
+    GATE[/<transition bs:id="#{id}".*/]
+  end
+
+  def swap(text, one, other)
+    first = text[/ *<transition bs:id="#{one}".*\n/]
+    second = text[/ *<transition bs:id="#{other}".*\n/]
+    text.sub(first + second, second + first)
+  end
+end

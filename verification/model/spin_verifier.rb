@@ -1,0 +1,76 @@
+# frozen_string_literal: true
+
+# SPDX-License-Identifier: Apache-2.0
+
+require 'open3'
+require 'tmpdir'
+require_relative '../../tools/chart/emit/promela/steps'
+
+# One Promela model as SPIN's verifiers: one that prints every step and one that prints nothing.
+class SpinVerifier
+  # SPIN or the compiler refused the model.
+  class Failed < StandardError; end
+
+  # violation: the assertion, nil without one. trail: the lines of the steps that lead to it.
+  Report = Struct.new(:stored, :errors, :violation, :trail, keyword_init: true)
+
+  # Variables that are only written or printed stay part of the state.
+  SPIN = %w[spin -a -o1 -o2 model.pml].freeze
+  # One process and no cycles to look for: nothing to reduce.
+  COMPILER = %w[gcc -O1 -DSAFETY -DNOREDUCE -w pan.c].freeze
+  PREFIX = Chart::Promela::Steps::PREFIX
+
+  def self.open(model, depth)
+    Dir.mktmpdir('spin') do |folder|
+      File.write(File.join(folder, 'model.pml'), model)
+      yield new(folder, depth)
+    end
+  end
+
+  def initialize(folder, depth)
+    @folder = folder
+    @limits = ['-w20', "-m#{depth}"]
+    call(*SPIN)
+    call(*COMPILER, '-o', 'silent')
+    call(*COMPILER, '-DPRINTF', '-o', 'talking')
+  end
+
+  # Yields the line of every step of the search, whatever properties say; whether the search came to its end.
+  def steps
+    report = []
+    IO.popen(['./talking', '-A', '-E', *@limits, { chdir: @folder, err: %i[child out] }]) do |pipe|
+      pipe.each_line(chomp: true) do |line|
+        line.start_with?(PREFIX) ? yield(line.delete_prefix(PREFIX)) : report << line
+      end
+    end
+    complete?(report.join("\n"))
+  end
+
+  # The search without a word, with the properties.
+  def verify
+    output = call('./silent', *@limits)
+    errors = output[/errors: (\d+)/, 1].to_i
+    raise Failed, output unless errors.positive? || complete?(output)
+
+    Report.new(stored: output[/(\d+) states, stored/, 1].to_i, errors: errors,
+               violation: output[/^pan:1: (.*?) \(at depth/, 1], trail: errors.positive? ? trail : [])
+  end
+
+  private
+
+  def complete?(output)
+    output.include?('errors: 0') && !output.match?(/not completed|max search depth|out of memory/)
+  end
+
+  # The last step is printed when it is replayed once more, before the violation.
+  def trail
+    call('./talking', '-r', '-n').lines(chomp: true).grep(/\A#{PREFIX}/o).map { |line| line.delete_prefix(PREFIX) }
+  end
+
+  def call(*command)
+    output, status = Open3.capture2e(*command, chdir: @folder)
+    raise Failed, "#{command.join(' ')}: #{output}" unless status.success? || File.basename(command.first) == 'silent'
+
+    output
+  end
+end
