@@ -121,6 +121,17 @@ class TestChartInterpreter < Minitest::Test
     end
   end
 
+  def test_SWR_CHART_001_a_record_leaves_nothing_of_the_default
+    start(<<~CHART)
+      <state id="a"><history id="h" type="deep"><transition target="a12"/></history>
+        <transition event="leave" target="b"/><state id="a1">#{notes('a1')}<state id="a11"/><state id="a12"/></state>
+        <state id="a2"/><transition event="on" target="a2"/></state>
+      <state id="b"><transition event="back" target="h"/></state>
+    CHART
+    %w[on leave].each { |name| event(name) }
+    assert_equal [[], %w[a2]], [event('back').raised, leaves]
+  end
+
   # --- done events ------------------------------------------------------------------------------------------------
 
   DONE = <<~CHART
@@ -135,6 +146,11 @@ class TestChartInterpreter < Minitest::Test
     start(DONE)
     assert_equal %w[done.state.a], event('go').raised
     assert_equal %w[a2 b1], leaves
+  end
+
+  def test_SWR_CHART_001_a_done_event_that_nobody_waits_for_is_not_raised
+    start('<state id="a"><state id="a1"><transition event="go" target="a2"/></state><final id="a2"/></state>')
+    assert_equal [[], 0], [event('go').raised, @outcome.queued]
   end
 
   def test_SWR_CHART_001_a_parallel_is_done_with_its_last_region

@@ -50,6 +50,12 @@ class TestChartMacrosteps < Minitest::Test
     assert_equal %w[a2 b2], leaves
   end
 
+  def test_SWR_CHART_001_a_transition_that_two_regions_select_is_taken_once
+    start('<parallel id="p"><transition event="go"><raise event="one"/></transition><state id="a"/><state id="b"/>
+           </parallel>')
+    assert_equal [%w[one], 1], [event('go').raised, @outcome.taken.length]
+  end
+
   def test_SWR_CHART_001_guards_see_states_and_data_from_before_the_step
     start('<datamodel><data id="x" expr="0"/></datamodel><parallel id="p">
            <state id="a"><state id="a1"><transition event="go" target="a2"><assign location="x" expr="1"/></transition>
@@ -161,6 +167,13 @@ class TestChartMacrosteps < Minitest::Test
     assert_equal [%w[t], []], [event('go').started, @outcome.faults]
     start(chart.sub('CANCEL', ''))
     assert_equal [33], event('go').faults.map(&:rule)
+  end
+
+  def test_SWR_CHART_001_a_timer_started_and_cancelled_in_one_macrostep_is_not_started
+    start('<state id="a"><transition event="go" target="b"/></state>
+           <state id="b"><onentry><send id="t" event="late"/></onentry><transition target="c"/></state>
+           <state id="c"><onentry><cancel sendid="t"/></onentry></state>')
+    assert_equal [[], []], [event('go').started, @outcome.after.armed]
   end
 
   # --- inputs -----------------------------------------------------------------------------------------------------

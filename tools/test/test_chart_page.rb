@@ -80,6 +80,22 @@ class TestChartPage < Minitest::Test
     </scxml>
   XML
 
+  # A way back into a frame from inside it; decisions that inner states take from outer ones.
+  NEST = <<~XML
+    <scxml xmlns="http://www.w3.org/2005/07/scxml" xmlns:bs="urn:boresight:chart" version="1.0" datamodel="ecmascript" name="nest">
+      <datamodel><data id="bright" expr="false" bs:input="true"/></datamodel>
+      <state id="outer" initial="inner" bs:ignores="rest">
+        <transition event="go" target="last"/>
+        <state id="inner">
+          <transition event="go" cond="bright" target="last"/>
+          <transition event="go" cond="!bright"/>
+          <transition event="rest" target="outer"/>
+        </state>
+        <state id="last"/>
+      </state>
+    </scxml>
+  XML
+
   WORST = { 'charts' => { 'kiln' => { 'x86_instructions' => 1234, 'x86_witness' => 'open in high', 'stack_bytes' => 48,
                                       'ram_bytes' => 320 } } }.freeze
 
@@ -120,6 +136,12 @@ class TestChartPage < Minitest::Test
     assert_includes element(lamp, 'lamp-off'), 'on to high'
   end
 
+  def test_SWR_CHART_005_from_inside_an_arrow_leads_to_where_the_frame_begins
+    dot = Chart::Diagram.new(nest).dot
+    assert_match(/"start of outer" -> "way T4" .*dir=back/, dot)
+    assert_match(/"start of outer" -> "inner"/, dot)
+  end
+
   def test_SWR_CHART_005_the_drawing_is_the_same_on_every_run_and_free_of_styles
     assert_equal svg(kiln), svg(kiln)
     refute_match(/style=|<script|<!--|href=/, svg(kiln))
@@ -128,10 +150,12 @@ class TestChartPage < Minitest::Test
   # --- the page ---
 
   def test_SWR_CHART_005_the_page_tells_all_of_every_state_and_transition
-    assert_row 'States', 'low', 'heat', 'atomic', 'start warming', 'stop warming', 'cool', 'SWR-CHART-001', 'HAZ-01', '15'
+    assert_row 'States', 'low', 'heat', 'atomic', 'start warming', 'stop warming', 'cool', 'SWR-CHART-001',
+               'HAZ-01', '15'
     assert_row 'Transitions', 'KILN-T02', '2', 'off', 'start', '!is_closed', 'stays', 'complain', 'SWR-CHART-002',
                'HAZ-01', '5'
-    assert_row 'Transitions', 'KILN-T01', '1', 'off', 'start', 'is_closed', 'low, shut', 'greet', 'SWR-CHART-001', '', '4'
+    assert_row 'Transitions', 'KILN-T01', '1', 'off', 'start', 'is_closed', 'low, shut', 'greet',
+               'SWR-CHART-001', '', '4'
     assert_row 'Transitions', 'KILN-T09', '9', 'shut', 'open', '', 'ajar', 'raise lost', 'SWR-CHART-001', '', '28'
   end
 
@@ -144,13 +168,20 @@ class TestChartPage < Minitest::Test
     assert_row 'Properties', 'KILN-I01', "always !In('high') || In('shut')", 'holds', "#{reached} configurations",
                'SWR-CHART-002', '', '40'
     steps = Chart::PropertyChecks.verdicts(kiln.document, kiln.walk)[1].checked
-    assert_row 'Properties', 'KILN-P02', "after stop: In('off')", 'holds', "#{steps} steps", 'SWR-CHART-002', 'HAZ-01', '41'
+    assert_row 'Properties', 'KILN-P02', "after stop: In('off')", 'holds', "#{steps} steps", 'SWR-CHART-002',
+               'HAZ-01', '41'
   end
 
   def test_SWR_CHART_005_the_decisions_of_a_region_name_what_every_event_does
     page = text(part('Decisions'))
     assert_match(/off \[is_closed\] →.low, shut \[!is_closed\] complain →.before ignored/, page)
     assert_match(/high .*\[In\('ajar'\)\] →.low/, page)
+  end
+
+  def test_SWR_CHART_005_decisions_end_where_one_is_always_taken
+    rows = Chart::DecisionTable.new(nest, Chart::Regions.of(nest).first).table.to_s.scan(%r{<tr>(.*?)</tr>}m)
+    assert_equal ["inner [bright] →\u00a0last [!bright] taken →\u00a0outer", "last →\u00a0last ignored"],
+                 rows.drop(1).map { |(row)| text(row) }
   end
 
   def test_SWR_CHART_005_the_page_gives_sizes_bounds_and_the_worst_case
@@ -217,6 +248,10 @@ class TestChartPage < Minitest::Test
 
   def lamp
     self.class.compiled('lamp', LAMP)
+  end
+
+  def nest
+    @nest ||= Chart::Parser.parse('nest.scxml', NEST, {}, mode: :engine)
   end
 
   def svg(chart)

@@ -62,9 +62,12 @@ class TestChartProperties < Minitest::Test
   end
 
   def test_SWR_CHART_002_a_property_may_speak_of_raised_events
-    assert_sound([%r{(event="is_warm" target="on" [^>]*)/>}, '\1><raise event="lit"/></transition>'],
-                 ['bs:tick="1ms"', '\0 bs:internal="lit"'], ['on="is_warm"', 'on="lit"'],
-                 [/(?=<transition bs:id="LAMP-T01")/, transition('event="lit"')])
+    changes = [[%r{(event="is_warm" target="on" [^>]*)/>}, '\1><raise event="lit"/></transition>'],
+               ['bs:tick="1ms"', '\0 bs:internal="lit"'], ['on="is_warm"', 'on="lit"'],
+               [/(?=<transition bs:id="LAMP-T01")/, transition('event="lit"')]]
+    assert_sound(*changes)
+    walk = walk_of(changed(*changes))
+    assert_equal [2, 1, 1], [walk.most_microsteps, walk.most_rounds, walk.most_raised]
   end
 
   # One that an earlier expiry cancelled has not happened.

@@ -76,7 +76,7 @@ class TestChartWalk < Minitest::Test
     refusal = refusal_of([%r{(event="pull" target="open" [^>]*)/>}, '\1><raise event="shut"/></transition>'],
                          [%r{(event="shut" target="closed" [^>]*)/>}, '\1><raise event="pull"/></transition>'])
     assert_equal 11, refusal.rule
-    assert_match(/LAMP-T0[12], LAMP-T0[12] lead back .*reached by: pull;/, refusal.message)
+    assert_match(/LAMP-T0[12], LAMP-T0[12] lead back to where they began, reached by: pull;/, refusal.message)
   end
 
   def test_SWR_CHART_002_refuses_a_state_that_is_never_reached
@@ -95,7 +95,11 @@ class TestChartWalk < Minitest::Test
   def test_SWR_CHART_002_a_state_passed_through_is_reached
     passed = '<state id="passed" bs:req="SWR-CHART-001">' \
              '<transition bs:id="LAMP-T10" target="on" bs:req="SWR-CHART-001"/></state>'
-    assert_sound(['target="on"', 'target="passed"'], [/(?=<state id="on")/, passed])
+    changes = [['target="on"', 'target="passed"'], [/(?=<state id="on")/, passed]]
+    assert_sound(*changes)
+    walk = walk_of(changed(*changes))
+    refute_includes walk.pairs.flat_map { |pair| pair.before.leaves }, 'passed'
+    assert_equal [2, 1, 0], [walk.most_microsteps, walk.most_rounds, walk.most_raised]
   end
 
   def test_SWR_CHART_002_refuses_a_transition_that_is_never_taken
@@ -108,6 +112,11 @@ class TestChartWalk < Minitest::Test
     refusal = refusal_of([/(?=<transition bs:id="LAMP-T03")/, transition('event="start" cond="is_kept"')])
     assert_equal 22, refusal.rule
     assert_match(/LAMP-T03 and LAMP-T10 .* by "start" in closed off is_allowed is_kept;/, refusal.message)
+  end
+
+  def test_SWR_CHART_002_a_state_may_take_what_the_state_around_it_would_take
+    assert_sound(['<state id="power" initial="off">', "\\0#{transition('event="stop"')}"],
+                 ['bs:ignores="start stop"', 'bs:ignores="start"'])
   end
 
   def test_SWR_CHART_002_refuses_an_event_that_is_neither_taken_nor_ignored

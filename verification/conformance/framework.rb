@@ -4,6 +4,7 @@
 
 require 'json'
 require_relative 'interpreted'
+require_relative 'judge'
 require_relative 'scenario'
 
 module Conformance

@@ -33,8 +33,9 @@ module Conformance
 
     def title
       "# Conformance of compiled charts\n\n" \
-        "Each chart is compiled to C in every shape of the emitter and driven through its scenario. The configuration " \
-        'must be the golden one after each step, and everything else that can be seen must be what the interpreter has.'
+        'Each chart is compiled to C in every shape of the emitter and driven through its scenario. The ' \
+        'configuration must be the golden one after each step, and everything else that can be seen must be what the ' \
+        'interpreter has.'
     end
 
     def passed(scenarios)
@@ -68,8 +69,9 @@ module Conformance
 
     def refused
       parts = @framework.refused.group_by { |one| one.refusal.rule }.sort.map do |rule, all|
-        rows = all.map { |one| [one.name, reason(one.refusal)] }
-        "### R#{format('%02d', rule)}: #{::Chart::RULES.fetch(rule)} (#{all.length})\n\n#{table(%w[chart reason], rows)}"
+        rows = all.map { |one| [one.name, "`#{reason(one.refusal)}`"] }
+        "### R#{format('%02d', rule)}: #{::Chart::RULES.fetch(rule)} (#{all.length})\n\n" +
+          table(%w[chart reason], rows)
       end
       "## Charts that do not fit, by the rule that refuses them\n\n#{parts.join("\n\n")}"
     end
@@ -81,9 +83,10 @@ module Conformance
 
     def notes
       otherwise = @suite.own.select(&:scion).map { |one| "- `#{one.name.delete_prefix('own_')}`: SCION #{one.scion}." }
+      second = Framework::SECOND_GOLDEN.map { |name| "`#{name}`" }.join(', ')
       "## Where SCION does other than the W3C's algorithm\n\n#{otherwise.join("\n")}\n" \
-        "- #{Framework::SECOND_GOLDEN.map { |name| "`#{name}`" }.join(', ')}: a transition from a child of a parallel to " \
-        'itself leaves the parallel; the framework has that as its second golden configuration.'
+        "- #{second}: a transition from a child of a parallel to itself leaves the parallel; the framework has that " \
+        'as its second golden configuration.'
     end
 
     def table(head, rows)

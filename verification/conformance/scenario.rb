@@ -22,7 +22,9 @@ module Conformance
       document = ::Chart::Parser.parse(file, File.read(file, encoding: 'UTF-8'), {}, mode: :engine,
                                                                                      extra_events: events)
       ::Chart::StaticChecks.run(document)
-      new(document, ::Chart::Walk.new(document).run, ::Chart::C::Source.shapes(document))
+      walk = ::Chart::Walk.new(document).run
+      ::Chart::C::Source.new(document, walk) # the emitter has a rule of its own
+      new(document, walk, ::Chart::C::Source.shapes(document))
     end
   end
 

@@ -20,13 +20,24 @@ class Run {
     this.raised = [];
     this.taken = [];
     this.queue = this.recordingQueue();
-    this.statechart = new scxml.core.Statechart(model, this.options(before, inputs));
-    this.statechart.on("onTransition", (source, targets, index) => this.taken.push([source, index]));
+    this.statechart = new scxml.core.Statechart(
+      model,
+      this.options(before, inputs),
+    );
+    this.statechart.on("onTransition", (source, targets, index) =>
+      this.taken.push([source, index]),
+    );
   }
 
   options(before, inputs) {
     return {
-      snapshot: before && [before.leaves, before.history, false, { ...before.data, ...inputs }, this.queue],
+      snapshot: before && [
+        before.leaves,
+        before.history,
+        false,
+        { ...before.data, ...inputs },
+        this.queue,
+      ],
       sessionRegistry: new Map(),
       console: silent,
       customSend: (event) => this.arm(event.sendid),
@@ -69,7 +80,15 @@ class Run {
   outcome() {
     const [leaves, history, , data] = this.statechart.getSnapshot();
     const { raised, taken } = this;
-    return { leaves, history, data, armed: [...this.armed], started: [...this.started], raised, taken };
+    return {
+      leaves,
+      history,
+      data,
+      armed: [...this.armed],
+      started: [...this.started],
+      raised,
+      taken,
+    };
   }
 }
 
@@ -87,7 +106,10 @@ function load(file) {
   return new Promise((resolve, reject) => {
     scxml.pathToModel(file, (error, factory) => {
       if (error) reject(error);
-      else factory.prepare((error, model) => (error ? reject(error) : resolve(model)));
+      else
+        factory.prepare((error, model) =>
+          error ? reject(error) : resolve(model),
+        );
     });
   });
 }
@@ -96,8 +118,11 @@ async function serve() {
   const models = new Map();
   for await (const line of readline.createInterface({ input: process.stdin })) {
     const request = JSON.parse(line);
-    if (!models.has(request.chart)) models.set(request.chart, await load(request.chart));
-    const outcomes = request.inputs.map((inputs) => outcome(models.get(request.chart), request, inputs));
+    if (!models.has(request.chart))
+      models.set(request.chart, await load(request.chart));
+    const outcomes = request.inputs.map((inputs) =>
+      outcome(models.get(request.chart), request, inputs),
+    );
     process.stdout.write(`${JSON.stringify(outcomes)}\n`);
   }
 }

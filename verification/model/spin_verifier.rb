@@ -18,24 +18,28 @@ class SpinVerifier
   SPIN = %w[spin -a -o1 -o2 model.pml].freeze
   # One process and no cycles to look for: nothing to reduce.
   COMPILER = %w[gcc -O1 -DSAFETY -DNOREDUCE -w pan.c].freeze
+  TOO_SMALL = 'max search depth too small'
   PREFIX = Chart::Promela::Steps::PREFIX
 
-  def self.open(model, depth)
+  # How deep a search may go, tried in turn: every new configuration is some ten moves deeper.
+  DEPTHS = Array.new(6) { |power| 10_000 * 4**power }.freeze
+
+  def self.open(model)
     Dir.mktmpdir('spin') do |folder|
       File.write(File.join(folder, 'model.pml'), model)
-      yield new(folder, depth)
+      yield new(folder)
     end
   end
 
-  def initialize(folder, depth)
+  def initialize(folder)
     @folder = folder
-    @limits = ['-w20', "-m#{depth}"]
     call(*SPIN)
     call(*COMPILER, '-o', 'silent')
     call(*COMPILER, '-DPRINTF', '-o', 'talking')
+    @limits = ['-w20', "-m#{depth}"]
   end
 
-  # Yields the line of every step of the search, whatever properties say; whether the search came to its end.
+  # Yields the line of every step of the search, whatever properties say.
   def steps
     report = []
     IO.popen(['./talking', '-A', '-E', *@limits, { chdir: @folder, err: %i[child out] }]) do |pipe|
@@ -43,23 +47,28 @@ class SpinVerifier
         line.start_with?(PREFIX) ? yield(line.delete_prefix(PREFIX)) : report << line
       end
     end
-    complete?(report.join("\n"))
+    check(report.join("\n"))
   end
 
   # The search without a word, with the properties.
   def verify
     output = call('./silent', *@limits)
     errors = output[/errors: (\d+)/, 1].to_i
-    raise Failed, output unless errors.positive? || complete?(output)
-
+    check(output) if errors.zero?
     Report.new(stored: output[/(\d+) states, stored/, 1].to_i, errors: errors,
                violation: output[/^pan:1: (.*?) \(at depth/, 1], trail: errors.positive? ? trail : [])
   end
 
   private
 
-  def complete?(output)
-    output.include?('errors: 0') && !output.match?(/not completed|max search depth|out of memory/)
+  def depth
+    DEPTHS.find { |depth| !call('./silent', '-A', '-E', '-w20', "-m#{depth}").include?(TOO_SMALL) } ||
+      raise(Failed, "the search is deeper than #{DEPTHS.last}, or a step never ends")
+  end
+
+  def check(output)
+    complete = output.include?('errors: 0') && !output.match?(/not completed|out of memory|#{TOO_SMALL}/o)
+    raise Failed, "the search did not come to its end: #{output}" unless complete
   end
 
   # The last step is printed when it is replayed once more, before the violation.

@@ -66,7 +66,7 @@ module Chart
     def can_finish?(state)
       case state.kind
       when :compound then state.children.any? { |child| child.kind == :final }
-      when :parallel then state.substates.any? && state.substates.all? { |child| can_finish?(child) }
+      when :parallel then state.substates.all? { |child| can_finish?(child) }
       end
     end
   end

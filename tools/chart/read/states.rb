@@ -59,7 +59,14 @@ module Chart
       @of[element] = state
       declare(element, state)
       add_children(element, state)
+      check_regions(state)
       state
+    end
+
+    def check_regions(state)
+      return unless state.parallel? && state.substates.empty?
+
+      @context.refuse(state.line, 2, "parallel \"#{state.id}\" has no regions; write <state> inside it")
     end
 
     def declare(element, state)

@@ -24,7 +24,7 @@ module Chart
   # A broken rule that only running shows; the content that broke it, and what happened, in words.
   Fault = Struct.new(:rule, :content, :words)
 
-  # A macrostep that comes back to where it was, or does not end in MOST_MICROSTEPS; with the transitions that turn.
+  # A macrostep that goes on and on; with the transitions that take turns.
   class Endless < StandardError
     attr_reader :cycle
 

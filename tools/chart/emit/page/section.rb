@@ -101,7 +101,7 @@ module Chart
     end
 
     def work(content)
-      lines(Words.content(content))
+      Words.content(content).join(', ')
     end
 
     def transitions

@@ -22,6 +22,8 @@ module Chart
         @vector = vector
         @timers = document.timers.map(&:id)
         @actions = document.actions
+        @timer_bits = Hash.new { |known, set| known[set] = bits(@timers, set) }
+        @action_bits = Hash.new { |known, set| known[set] = bits(@actions, set) }
       end
 
       def print_before
@@ -48,15 +50,15 @@ module Chart
         kind, what = stimulus
         number = { event: @document.events.index(what).to_i + 1, start: @document.events.length + 1,
                    expire: @document.events.length + 2 }.fetch(kind)
-        "#{number};#{bits(@timers, kind == :expire ? what : [])}"
+        "#{number};#{@timer_bits[kind == :expire ? what : []]}"
       end
 
       # The part of the line that tells an outcome of the walk.
       def outcome(outcome)
         taken = outcome.taken.map { |transition| " #{transition.number}" }.join
         raised = outcome.raised.map { |event| " #{@document.events.index(event) + 1}" }.join
-        [taken, raised, @vector.text(outcome.after), bits(@actions, outcome.actions),
-         bits(@timers, outcome.started)].join(';')
+        [taken, raised, @vector.text(outcome.after), @action_bits[outcome.actions],
+         @timer_bits[outcome.started]].join(';')
       end
 
       # The vector in that part.

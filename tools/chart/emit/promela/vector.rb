@@ -21,6 +21,7 @@ module Chart
         @names = names
         @tree = tree
         @fields = states + memories + timers + data
+        @texts = {}
       end
 
       # Conversions of printf and their arguments.
@@ -34,10 +35,11 @@ module Chart
 
       # The text that the model prints for a snapshot of the walk.
       def text(snapshot)
-        active = snapshot.leaves.flat_map { |id| [id, *@document.state(id).ancestors.map(&:id)] }
-        values = @fields.to_h { |field| [field, value(field.key, snapshot, active)] }
-        numbers = words.map { |word| word.each_with_index.sum { |field, bit| values.fetch(field) << bit }.to_s(16) }
-        (numbers + integers.map { |field| values.fetch(field).to_s }).join(' ')
+        @texts[snapshot] ||= begin
+          set = set_bits(snapshot)
+          numbers = words.each_index.map { |word| (set >> (word * WORD_BITS) & ((1 << WORD_BITS) - 1)).to_s(16) }
+          (numbers + integers.map { |field| snapshot.data.fetch(field.key.last) }).join(' ')
+        end
       end
 
       # The names of the bits that are set, and the integers: what a person reads in a difference.
@@ -56,15 +58,34 @@ module Chart
       private
 
       def bits
-        @fields.select { |field| field.type == 'bit' }
+        @bits ||= @fields.select { |field| field.type == 'bit' }
       end
 
       def integers
-        @fields - bits
+        @integers ||= @fields - bits
       end
 
       def words
-        bits.each_slice(WORD_BITS).to_a
+        @words ||= bits.each_slice(WORD_BITS).to_a
+      end
+
+      def set_bits(snapshot)
+        keys = snapshot.history.flat_map { |history, states| states.map { |state| [:memory, history, state] } }
+        keys += snapshot.armed.map { |timer| [:armed, timer] }
+        keys += snapshot.data.filter_map { |name, value| [:data, name] if value == true }
+        (snapshot.leaves.map { |leaf| active.fetch(leaf) } + keys.map { |key| places.fetch(key) }).reduce(0, :|)
+      end
+
+      # key of a bit => its place, as a number with that bit
+      def places
+        @places ||= bits.each_with_index.to_h { |field, bit| [field.key, 1 << bit] }
+      end
+
+      # id of a leaf => its bit with those of its ancestors
+      def active
+        @active ||= @document.leaves.to_h do |leaf|
+          [leaf.id, (@tree.path(leaf, @document.root)).sum { |state| places.fetch([:state, state.id]) }]
+        end
       end
 
       def states
@@ -87,30 +108,16 @@ module Chart
 
       def data
         @document.data.map do |variable|
-          boolean = variable.kind == :boolean
-          initial = boolean ? number(variable.initial) : variable.initial
-          Field.new(@names.data(variable), boolean ? 'bit' : width(variable), initial, [:data, variable.name])
+          initial = { true => 1, false => 0 }.fetch(variable.initial, variable.initial)
+          Field.new(@names.data(variable), width(variable), initial, [:data, variable.name])
         end
       end
 
       def width(variable)
+        return 'bit' if variable.kind == :boolean
         return 'byte' if variable.minimum >= 0 && variable.maximum <= 255
 
         variable.minimum >= -32_768 && variable.maximum <= 32_767 ? 'short' : 'int'
-      end
-
-      def value(key, snapshot, active)
-        kind, id, inner = key
-        case kind
-        when :state then number(active.include?(id))
-        when :memory then number(snapshot.history.fetch(id, []).include?(inner))
-        when :armed then number(snapshot.armed.include?(id))
-        when :data then number(snapshot.data.fetch(id))
-        end
-      end
-
-      def number(value)
-        { true => 1, false => 0 }.fetch(value, value)
       end
     end
   end

@@ -1,0 +1,51 @@
+# frozen_string_literal: true
+
+# SPDX-License-Identifier: Apache-2.0
+
+# Rule under test: every reachable pair of configuration and stimulus of every product chart gives the same in compiled
+# C, in the interpreter and in SCION. The numbers are printed.
+
+require 'json'
+require 'minitest/autorun'
+require 'tmpdir'
+require_relative '../../tools/chart/compiled'
+require_relative 'compiled_chart'
+require_relative 'pairs'
+require_relative 'scion'
+
+class TestBackToBack < Minitest::Test
+  ROOT = File.expand_path('../..', __dir__)
+  LIMITS = JSON.parse(File.read(File.join(ROOT, 'build/gen/limits/limits.json')))
+               .to_h { |limit| [limit.fetch('name'), limit.fetch('value')] }
+  FILES = Dir[File.join(ROOT, 'statecharts/*.scxml')].sort
+  CHARTS = FILES.to_h do |file|
+    [file, Chart::Compiled.from(file, File.read(file, encoding: 'UTF-8'), LIMITS)]
+  end
+
+  CHARTS.each do |file, chart|
+    name = chart.document.name
+    Chart::C::Source.shapes(chart.document).product(%w[gcc clang]).each do |shape, compiler|
+      define_method("test_SWR_CHART_001_#{name}_#{shape}_by_#{compiler}_equals_the_interpreter") do
+        pairs = Pairs.new(chart.document, chart.walk)
+        Dir.mktmpdir do |folder|
+          CompiledChart.write(folder, chart.document, chart.walk, shape: shape)
+          program = CompiledChart.build(folder, name, kind: compiler)
+          assert_empty pairs.compare(program.run(pairs.commands)).first(3)
+        end
+      end
+    end
+
+    define_method("test_SWR_CHART_001_#{name}_by_scion_equals_the_interpreter") do
+      comparison = Scion.new.compare(chart.document, file, chart.walk)
+      assert_empty comparison.differences.first(3)
+      assert_equal chart.walk.pair_count, comparison.pairs
+    end
+  end
+
+  Minitest.after_run do
+    CHARTS.each_value do |chart|
+      puts format('%-15<name>s %3<reached>d configurations, %5<pairs>d pairs: gcc, clang, interpreter, SCION',
+                  name: chart.document.name, reached: chart.walk.reached.length, pairs: chart.walk.pair_count)
+    end
+  end
+end
