@@ -8,7 +8,8 @@ require_relative 'spin_verifier'
 # Runs SPIN on the Promela of a chart and compares every step that it executes with the walk of the chart.
 class Spin
   # configurations and pairs: what SPIN executed. stored and errors: its own count of states, the one before the start
-  # included, and of violated assertions, from a run that prints nothing. violation and trail: the first one, in words.
+  # included, and of violated assertions, from a run that prints nothing. violation and trail: the first property that
+  # is violated, and the stimuli that lead there, in words.
   Comparison = Struct.new(:configurations, :pairs, :stored, :errors, :violation, :trail, :differences, keyword_init: true)
   # More differences than anybody reads.
   MOST = 1000
@@ -25,6 +26,7 @@ class Spin
   private
 
   def begin_comparison(document, walk)
+    @document = document
     @walk = walk
     @vector = Chart::Promela::Vector.new(document)
     @steps = Chart::Promela::Steps.new(document)
@@ -43,18 +45,17 @@ class Spin
     before, stimulus, expiring, inputs, found = line.split(';', 5)
     @reached[@steps.after(found)] = true
     which = "#{stimulus};#{expiring}"
-    return compare_outcome('the start', @walk.start, found) if which == @start
+    return compare_outcome(line, @walk.start, found) if which == @start
 
     @lines += 1
-    place = -> { "#{@vector.describe(before)}, #{@steps.read_stimulus(stimulus, expiring, inputs)}" }
-    pair = @pairs.fetch(before) { return note("#{place.call}: only SPIN reaches this") }[which]
-    return note("#{place.call}: only SPIN has this stimulus") unless pair
+    pair = @pairs.fetch(before) { return note("#{place(line)}: only SPIN comes here") }[which]
+    return note("#{place(line)}: only SPIN has this stimulus") unless pair
 
     @executed[pair] |= 1 << inputs.to_i
-    compare_outcome(place, pair.outcomes.fetch(inputs.to_i), found)
+    compare_outcome(line, pair.outcomes.fetch(inputs.to_i), found)
   end
 
-  def compare_outcome(place, outcome, found)
+  def compare_outcome(line, outcome, found)
     expected = @texts[outcome] ||= @steps.outcome(outcome)
     return if found == expected
 
@@ -62,24 +63,25 @@ class Spin
     @steps.read_outcome(expected).each do |part, value|
       next if value == others.fetch(part)
 
-      note("#{place.respond_to?(:call) ? place.call : place}: #{part} is #{value.inspect} here and " \
-           "#{others.fetch(part).inspect} with SPIN")
+      note("#{place(line)}: #{part} is #{value.inspect} here and #{others.fetch(part).inspect} with SPIN")
     end
+  end
+
+  def place(line)
+    before, *stimulus = line.split(';', 5).first(4)
+    "#{@vector.describe(before)}, #{@steps.read_stimulus(*stimulus)}"
   end
 
   # Every stimulus in every configuration with every valuation.
   def compare_completeness
-    note("SPIN reaches #{@reached.length} configurations, the walk #{@walk.reached.length}") unless same_number?
+    same = @reached.length == @walk.reached.length
+    note("SPIN reaches #{@reached.length} configurations, the walk #{@walk.reached.length}") unless same
     all = (1 << @walk.valuations.length) - 1
     @walk.reachable_pairs.each do |pair|
       next if @executed[pair] == all
 
       note("#{pair.before.leaves.join(' ')}, #{pair.stimulus.join(' ')}: SPIN did not execute this with all inputs")
     end
-  end
-
-  def same_number?
-    @reached.length == @walk.reached.length
   end
 
   def note(difference)
@@ -91,7 +93,13 @@ class Spin
       note("SPIN stores #{report.stored} states for #{@reached.length} configurations and the one before the start")
     end
     Comparison.new(configurations: @reached.length, pairs: @lines, stored: report.stored, errors: report.errors,
-                   violation: report.violation, trail: words(report.trail), differences: @differences)
+                   violation: property(report.violation), trail: words(report.trail), differences: @differences)
+  end
+
+  # The id of the property that an assertion stands for, or the assertion itself.
+  def property(assertion)
+    names = Chart::Promela::Names.new(@document)
+    @document.properties.find { |property| names.holds(property) == assertion }&.id || assertion
   end
 
   def words(trail)

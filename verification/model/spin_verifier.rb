@@ -11,7 +11,7 @@ class SpinVerifier
   # SPIN or the compiler refused the model.
   class Failed < StandardError; end
 
-  # violation: the assertion, nil without one. trail: the lines of the steps that lead to it.
+  # violation: what was asserted, nil if nothing is violated. trail: the lines of the steps that lead to it.
   Report = Struct.new(:stored, :errors, :violation, :trail, keyword_init: true)
 
   # Variables that are only written or printed stay part of the state.
@@ -56,7 +56,7 @@ class SpinVerifier
     errors = output[/errors: (\d+)/, 1].to_i
     check(output) if errors.zero?
     Report.new(stored: output[/(\d+) states, stored/, 1].to_i, errors: errors,
-               violation: output[/^pan:1: (.*?) \(at depth/, 1], trail: errors.positive? ? trail : [])
+               violation: output[/^pan:1: assertion violated (.*?) \(at depth/, 1], trail: errors.positive? ? trail : [])
   end
 
   private
@@ -71,9 +71,8 @@ class SpinVerifier
     raise Failed, "the search did not come to its end: #{output}" unless complete
   end
 
-  # The last step is printed when it is replayed once more, before the violation.
   def trail
-    call('./talking', '-r', '-n').lines(chomp: true).grep(/\A#{PREFIX}/o).map { |line| line.delete_prefix(PREFIX) }
+    call('./talking', '-S').lines(chomp: true).grep(/\A#{PREFIX}/o).map { |line| line.delete_prefix(PREFIX) }
   end
 
   def call(*command)

@@ -3,14 +3,12 @@
 # SPDX-License-Identifier: Apache-2.0
 
 require_relative 'text'
+require_relative 'vector'
 
 module Chart
   class Promela
     # Executable content as statements.
     class Content
-      # Actions and started timers are gathered in words of so many bits.
-      WORD_BITS = 28
-
       def initialize(document, names)
         @document = document
         @names = names
@@ -58,12 +56,12 @@ module Chart
       end
 
       def gather(words, index)
-        word, bit = index.divmod(WORD_BITS)
+        word, bit = index.divmod(Vector::WORD_BITS)
         "#{words}[#{word}] = #{words}[#{word}] | #{1 << bit}"
       end
 
       def forget(words, index)
-        word, bit = index.divmod(WORD_BITS)
+        word, bit = index.divmod(Vector::WORD_BITS)
         "#{words}[#{word}] = #{words}[#{word}] & ~#{1 << bit}"
       end
     end

@@ -2,7 +2,6 @@
 
 # SPDX-License-Identifier: Apache-2.0
 
-require_relative 'content'
 require_relative 'text'
 require_relative 'vector'
 
@@ -48,9 +47,12 @@ module Chart
       # The part of the line that tells a stimulus of the walk; :start is that before all.
       def stimulus(stimulus)
         kind, what = stimulus
-        number = { event: @document.events.index(what).to_i + 1, start: @document.events.length + 1,
-                   expire: @document.events.length + 2 }.fetch(kind)
-        "#{number};#{@timer_bits[kind == :expire ? what : []]}"
+        last = @document.events.length
+        case kind
+        when :event then "#{@document.events.index(what) + 1};#{@timer_bits[[]]}"
+        when :start then "#{last + 1};#{@timer_bits[[]]}"
+        when :expire then "#{last + 2};#{@timer_bits[what]}"
+        end
       end
 
       # The part of the line that tells an outcome of the walk.
@@ -76,8 +78,9 @@ module Chart
 
       # What the environment did, in words.
       def read_stimulus(stimulus, expiring, inputs)
-        event = @document.events[stimulus.to_i - 1]
-        what = event || (stimulus.to_i > @document.events.length + 1 ? "#{names(@timers, expiring).join(' and ')} expired" : 'start')
+        timers = names(@timers, expiring)
+        start = timers.empty? ? 'start' : "#{timers.join(' and ')} expired"
+        what = @document.events.fetch(stimulus.to_i - 1, start)
         set = @document.inputs.select.with_index { |_, bit| inputs.to_i[bit] == 1 }.map(&:name)
         set.empty? ? what : "#{what} with #{set.join(' and ')}"
       end
@@ -85,7 +88,7 @@ module Chart
       private
 
       def slices(list)
-        list.empty? ? [[]] : list.each_slice(Content::WORD_BITS).to_a
+        list.empty? ? [[]] : list.each_slice(Vector::WORD_BITS).to_a
       end
 
       def hex(words)
