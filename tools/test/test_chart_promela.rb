@@ -19,9 +19,9 @@ class TestChartPromela < Minitest::Test
       <history id="lately"><transition target="a"><raise event="first"/></transition></history>
       <history id="deeply" type="deep"><transition target="b2"/></history>
       <transition event="off" target="rest"/>
-      <state id="a"><transition event="next" target="b"/></state>
+      <state id="a"><transition event="next first" target="b"/></state>
       <state id="b" initial="b1">
-        <state id="b1"><transition event="next" target="b2"/><transition event="first" target="b2"/></state>
+        <state id="b1"><transition event="next" target="b2"/><transition event="again" target="b2"/></state>
         <state id="b2"><transition event="next" target="a"/><onexit><raise event="first"/></onexit></state>
       </state>
     </state>
@@ -74,16 +74,17 @@ class TestChartPromela < Minitest::Test
     <state id="a-b"><transition event="down" target="a.b"><assign location="count" expr="0"/></transition></state>
   XML
 
-  # More timers than expire together; one cancels, one restarts another.
-  TIMERS = <<~XML
-    <parallel id="p">
-      #{(1..5).map do |n|
-          "<state id=\"s#{n}\"><state id=\"w#{n}\"><onentry><send id=\"t#{n}\" event=\"e#{n}\" delay=\"1s\"/></onentry>" \
-            "<onexit><cancel sendid=\"t#{n}\"/></onexit><transition event=\"e#{n}\" target=\"z#{n}\"/>" \
-            "<transition event=\"e#{(n % 5) + 1}\" target=\"w#{n}\"/></state><state id=\"z#{n}\"/></state>"
-        end.join("\n  ")}
-    </parallel>
+  # One region of five: a timer that its own event stops and the event of the next one starts again.
+  TIMED = <<~XML
+    <state id="s%<n>d">
+      <state id="w%<n>d">
+        <onentry><send id="t%<n>d" event="e%<n>d" delay="1s"/></onentry><onexit><cancel sendid="t%<n>d"/></onexit>
+        <transition event="e%<n>d" target="z%<n>d"/><transition event="e%<next>d" target="w%<n>d"/>
+      </state>
+      <state id="z%<n>d"/>
+    </state>
   XML
+  TIMERS = "<parallel id=\"p\">#{(1..5).map { |n| format(TIMED, n: n, next: (n % 5) + 1) }.join}</parallel>"
 
   def test_SWR_CHART_001_spin_agrees_on_every_construct_of_the_product_profile
     file = File.join(__dir__, 'charts', 'sample.scxml')
@@ -91,8 +92,7 @@ class TestChartPromela < Minitest::Test
   end
 
   def test_SWR_CHART_001_spin_agrees_on_histories
-    agreed = assert_agreed engine(HISTORY)
-    assert_operator agreed.configurations, :>, 10
+    assert_agreed engine(HISTORY)
   end
 
   def test_SWR_CHART_001_spin_agrees_on_nested_parallels_and_done_events
@@ -138,7 +138,8 @@ class TestChartPromela < Minitest::Test
     document = engine(HISTORY)
     text = Chart::Promela.new(document).emit.sub('(in_a -> 2', '(in_a -> 3')
     differences = Spin.new.compare(document, Chart::Walk.new(document).run, text).differences
-    assert_includes differences, 'in_on in_a, next: taken is ["T2"] here and ["T3"] with SPIN'
+    assert_equal 'start: taken is ["T2"] here and ["T3"] with SPIN', differences.first
+    assert_includes differences, 'in_on in_a in_b2, next: only SPIN comes here'
   end
 
   def test_SWR_CHART_002_a_violated_property_gives_the_events_that_lead_there

@@ -10,7 +10,8 @@ class Spin
   # configurations and pairs: what SPIN executed. stored and errors: its own count of states, the one before the start
   # included, and of violated assertions, from a run that prints nothing. violation and trail: the first property that
   # is violated, and the stimuli that lead there, in words.
-  Comparison = Struct.new(:configurations, :pairs, :stored, :errors, :violation, :trail, :differences, keyword_init: true)
+  Comparison = Struct.new(:configurations, :pairs, :stored, :errors, :violation, :trail, :differences,
+                          keyword_init: true)
   # More differences than anybody reads.
   MOST = 1000
 
@@ -69,7 +70,7 @@ class Spin
 
   def place(line)
     before, *stimulus = line.split(';', 5).first(4)
-    "#{@vector.describe(before)}, #{@steps.read_stimulus(*stimulus)}"
+    [@vector.describe(before), @steps.read_stimulus(*stimulus)].reject(&:empty?).join(', ')
   end
 
   # Every stimulus in every configuration with every valuation.

@@ -55,8 +55,9 @@ class SpinVerifier
     output = call('./silent', *@limits)
     errors = output[/errors: (\d+)/, 1].to_i
     check(output) if errors.zero?
-    Report.new(stored: output[/(\d+) states, stored/, 1].to_i, errors: errors,
-               violation: output[/^pan:1: assertion violated (.*?) \(at depth/, 1], trail: errors.positive? ? trail : [])
+    violation = output[/^pan:1: assertion violated (.*?) \(at depth/, 1]
+    Report.new(stored: output[/(\d+) states, stored/, 1].to_i, errors: errors, violation: violation,
+               trail: errors.positive? ? trail : [])
   end
 
   private

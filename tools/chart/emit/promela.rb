@@ -49,17 +49,22 @@ module Chart
     end
 
     def constants
-      events = @document.events.map { |event| @names.event(event) }
-      numbered = ['NOTHING', *events, 'START', 'EXPIRY'].each_with_index.map { |name, number| "#define #{name} #{number}" }
-      [*numbered, "#define INITIAL #{last + 1}", '#define UNASKED 0', '#define TAKEN 1', '#define DROPPED 2', ''].join("\n")
+      stimuli = ['NOTHING', *@document.events.map { |event| @names.event(event) }, 'START', 'EXPIRY']
+      "/* Stimuli, the transition that starts the chart, and what becomes of a transition in a microstep. */\n" \
+        "#{define(stimuli)}#define INITIAL #{initial}\n#{define(%w[UNASKED TAKEN DROPPED])}"
     end
 
-    def last
-      @document.transitions.length
+    def define(names)
+      names.each_with_index.map { |name, number| "#define #{name} #{number}\n" }.join
+    end
+
+    # Transitions are numbered from 1.
+    def initial
+      @document.transitions.length + 1
     end
 
     def state
-      fields = @vector.fields.map { |field| "#{field.type} #{field.name} = #{field.initial}" }
+      fields = @vector.fields.map { |field| "#{field.type} #{field.name} = #{field.initial}".delete_suffix(' = 0') }
       "/* What stays between two steps. */\n#{lines(["bit #{@names.active(@document.root)}", *fields])}\n" \
         "/* What the environment chose, and how far the step is: 0 between two steps. */\n" \
         "#{lines(@environment.variables)}"
@@ -67,7 +72,7 @@ module Chart
 
     def scratch
       marks = [@leaving, @entering, @properties].flat_map(&:marks_used)
-      lists = ["short queue[#{QUEUE}]", "short chosen[#{last + 2}]", "byte fate[#{last + 2}]",
+      lists = ["short queue[#{QUEUE}]", "short chosen[#{initial + 1}]", "byte fate[#{initial + 1}]",
                "int actions[#{@steps.gathered('actions', @document.actions).length}]",
                "int started[#{@steps.gathered('started', @document.timers).length}]"]
       counters = %w[event next one place first last fresh value].map { |name| "int #{name}" }
@@ -81,8 +86,9 @@ module Chart
 
     def selection
       add = ['chosen[asked] = next', 'asked++', 'fate[next] = TAKEN']
+      drop = Text.choose([['fate[number] == TAKEN', ['fate[number] = DROPPED']]])
       [Text.inline('add()', 'The transition `next` is chosen.', add),
-       Text.inline('drop(number)', 'A rival has won.', [Text.choose([['fate[number] == TAKEN', ['fate[number] = DROPPED']]])]),
+       Text.inline('drop(number)', 'A rival has won.', [drop]),
        Text.inline('put(number)', 'Raise an event.', ["assert(last < #{QUEUE})", 'queue[last] = number', 'last++']),
        Selection.new(@document, @names, @tree).inline(@properties.heard)].join("\n")
     end
@@ -94,7 +100,7 @@ module Chart
     end
 
     def end_microstep
-      [*@properties.noted, 'event = NOTHING', Text.walk('asked', ['fate[chosen[place]] = UNASKED'])]
+      [*@properties.noted, 'event = NOTHING', Text.each_place('asked', ['fate[chosen[place]] = UNASKED'])]
     end
 
     def next_event

@@ -17,10 +17,12 @@ module Chart
       end
 
       def inlines
-        [Text.inline('take_transitions()', 'Content of the transitions, in the order in which they were chosen.', taking),
+        entries = @tree.states.map { |state| entry(state) }
+        done = told.map { |history| "#{@names.told(history)} = 0" }
+        [Text.inline('take_transitions()', 'Content of the transitions, in their order.', taking),
          Text.inline('mark_targets()', 'Where the transitions lead.', [targets, recalls]),
-         Text.inline('enter_states()', 'In document order. A compound state without a mark inside begins at its initial state.',
-                     [@tree.states.map { |state| entry(state) }, told.map { |history| "#{@names.told(history)} = 0" }])]
+         Text.inline('enter_states()', 'In document order; what is marked without anything inside begins there.',
+                     [entries, done])]
       end
 
       def marks_used
@@ -41,8 +43,9 @@ module Chart
         end
         start = @document.root.initial.content
         options << ['one == INITIAL', @content.statements(start)] unless start.empty?
-        standing = ['fate[one] == TAKEN', [Text.choose([['one != INITIAL', ['printf(" %d", one)']]]), Text.choose(options)]]
-        Text.walk('asked', ['one = chosen[place]', Text.choose([standing])])
+        number = Text.choose([['one != INITIAL', ['printf(" %d", one)']]])
+        standing = ['fate[one] == TAKEN', [number, Text.choose(options)]]
+        Text.each_place('asked', ['one = chosen[place]', Text.choose([standing])])
       end
 
       # state or history => transitions that mark it; nil stands for the start of the chart.
@@ -77,9 +80,9 @@ module Chart
       def recall(history)
         mark = @names.recall(history)
         recorded = @tree.remembered(history)
-        inside = recorded.flat_map { |state| @tree.path(state, history.parent) }.uniq
-        remembered = inside.map do |state|
-          also(@names.enter(state), "#{mark} && #{past(history, recorded.select { |one| one == state || one.inside?(state) })}")
+        remembered = recorded.flat_map { |state| @tree.path(state, history.parent) }.uniq.map do |state|
+          held = recorded.select { |one| one == state || one.inside?(state) }
+          also(@names.enter(state), "#{mark} && #{past(history, held)}")
         end
         first = "#{mark} && !#{past(history, recorded)}"
         due = told.include?(history) ? [also(@names.told(history), first)] : []

@@ -25,7 +25,8 @@ module Chart
 
       # What the environment chooses, and how far the step is.
       def variables
-        @expiring.map { |timer| "bit #{timer}" } + ['short stimulus', 'byte inputs', 'byte room', 'short asked', 'bit settled']
+        @expiring.map { |timer| "bit #{timer}" } +
+          ['short stimulus', 'byte inputs', 'byte room', 'short asked', 'bit settled']
       end
 
       def text

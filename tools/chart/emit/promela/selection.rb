@@ -66,7 +66,8 @@ module Chart
       def ask(candidates, earlier)
         found = Text.first(candidates.map { |one| [one.condition, one.transition.number] })
         duels = candidates.flat_map { |one| duels(one.transition, earlier) }
-        ["next =\n#{Text.indent(found)}", Text.choose([['next && fate[next] == UNASKED', ['add()', Text.choose(duels)]]])]
+        add = Text.choose([['next && fate[next] == UNASKED', ['add()', Text.choose(duels)]]])
+        ["next =\n#{Text.indent(found)}", add]
       end
 
       # Beside an earlier rival a transition stands only if its source lies inside that of the rival, which falls then.
@@ -74,8 +75,7 @@ module Chart
         weaker, stronger = earlier.select { |other| rivals?(transition, other) }
                                   .partition { |other| transition.source.inside?(other.source) }
         this = "next == #{transition.number}"
-        falls = Text.any(stronger.map { |other| "fate[#{other.number}] == TAKEN" })
-        lost = stronger.empty? ? [] : [["#{this} && #{falls}", ['fate[next] = DROPPED']]]
+        lost = stronger.empty? ? [] : [["#{this} && #{Text.taken(stronger)}", ['fate[next] = DROPPED']]]
         won = weaker.empty? ? [] : [[this, weaker.map { |other| "drop(#{other.number})" }]]
         lost + won
       end

@@ -26,7 +26,9 @@ module Chart
       end
 
       def print_before
-        expiring = slices(@document.timers).map { |timers| Vector.packed(timers.map { |timer| @names.expiring(timer) }) }
+        expiring = slices(@document.timers).map do |timers|
+          Vector.packed(timers.map { |timer| @names.expiring(timer) })
+        end
         form = [@vector.format, '%d', hex(expiring), '%d'].join(';')
         "printf(\"#{PREFIX}#{form};\", #{[*@vector.arguments, 'stimulus', *expiring, 'inputs'].join(', ')})"
       end
@@ -35,7 +37,7 @@ module Chart
         actions = gathered('actions', @actions)
         started = gathered('started', @timers)
         form = [@vector.format, hex(actions), hex(started)].join(';')
-        ['printf(";")', Text.walk('last', ['printf(" %d", queue[place])']),
+        ['printf(";")', Text.each_place('last', ['printf(" %d", queue[place])']),
          "printf(\";#{form}\\n\", #{[*@vector.arguments, *actions, *started].join(', ')})"]
       end
 
@@ -96,7 +98,9 @@ module Chart
       end
 
       def bits(all, set)
-        slices(all).map { |slice| slice.each_with_index.sum { |id, bit| set.include?(id) ? 1 << bit : 0 }.to_s(16) }.join(' ')
+        slices(all).map do |slice|
+          slice.each_with_index.sum { |id, bit| set.include?(id) ? 1 << bit : 0 }.to_s(16)
+        end.join(' ')
       end
 
       def names(all, text)

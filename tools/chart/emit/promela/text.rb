@@ -34,7 +34,7 @@ module Chart
       end
 
       # For `place` from 0 to a limit; a d_step cannot end in a loop.
-      def walk(limit, statements)
+      def each_place(limit, statements)
         [repeat("place < #{limit}", [*statements, 'place++']), 'place = 0']
       end
 

@@ -46,7 +46,8 @@ module Chart
       def describe(text)
         parts = text.split
         set = words.zip(parts).flat_map { |word, part| word.select.with_index { |_, bit| part.hex[bit] == 1 } }
-        (set.map(&:name) + integers.zip(parts.drop(words.length)).map { |field, part| "#{field.name}=#{part}" }).join(' ')
+        numbers = integers.zip(parts.drop(words.length)).map { |field, part| "#{field.name}=#{part}" }
+        (set.map(&:name) + numbers).join(' ')
       end
 
       def self.packed(terms)
@@ -84,7 +85,7 @@ module Chart
       # id of a leaf => its bit with those of its ancestors
       def active
         @active ||= @document.leaves.to_h do |leaf|
-          [leaf.id, (@tree.path(leaf, @document.root)).sum { |state| places.fetch([:state, state.id]) }]
+          [leaf.id, @tree.path(leaf, @document.root).sum { |state| places.fetch([:state, state.id]) }]
         end
       end
 
