@@ -151,21 +151,21 @@ static void run_cycle(uint64_t deadline_ns, uint64_t woken_ns, uint64_t elapsed_
     if (exchange_take_checkpoint_request(exchange) || (cycle == 0U)) {
         record_checkpoint();
     }
-    const uint64_t gathered_ns = realtime_now_ns();
+    const uint64_t gathered_ns = bsp_now_ns();
     controller_step(&controller, &robot_neuro, &inputs, &outputs);
-    const uint64_t stepped_ns = realtime_now_ns();
+    const uint64_t stepped_ns = bsp_now_ns();
     figures_add(&figures, (woken_ns - deadline_ns) / 1000U, (stepped_ns - gathered_ns) / 1000U);
     publish(cycle);
     stage_ns[STAGE_WAKE] = woken_ns - deadline_ns;
     stage_ns[STAGE_CARDS] = gathered_ns - woken_ns;
     stage_ns[STAGE_STEP] = stepped_ns - gathered_ns;
-    stage_ns[STAGE_PUBLISH] = realtime_now_ns() - stepped_ns;
+    stage_ns[STAGE_PUBLISH] = bsp_now_ns() - stepped_ns;
 }
 
 /* Missed wake-ups are skipped, never caught up. */
 static uint64_t next_deadline(uint64_t deadline_ns)
 {
-    const uint64_t now_ns = realtime_now_ns();
+    const uint64_t now_ns = bsp_now_ns();
     uint64_t next_ns = deadline_ns + CYCLE_NS;
     if (next_ns < now_ns) {
         next_ns += ((now_ns - next_ns) / CYCLE_NS + 1U) * CYCLE_NS;
@@ -175,11 +175,11 @@ static uint64_t next_deadline(uint64_t deadline_ns)
 
 static void run(void)
 {
-    uint64_t deadline_ns = realtime_now_ns() + CYCLE_NS;
+    uint64_t deadline_ns = bsp_now_ns() + CYCLE_NS;
     uint64_t before_ns = deadline_ns - CYCLE_NS;
     while (is_stopping == 0) {
-        realtime_sleep_until_ns(deadline_ns);
-        const uint64_t woken_ns = realtime_now_ns();
+        bsp_sleep_until_ns(deadline_ns);
+        const uint64_t woken_ns = bsp_now_ns();
         run_cycle(deadline_ns, woken_ns, woken_ns - before_ns);
         before_ns = woken_ns;
         deadline_ns = next_deadline(deadline_ns);

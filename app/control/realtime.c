@@ -3,16 +3,13 @@
 
 #include "exchange.h"
 
-#include <errno.h>
 #include <sched.h>
 #include <stdio.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
-#include <time.h>
 #include <unistd.h>
 
 #define CONTROL_PRIORITY 80
-#define NS_PER_S UINT64_C(1000000000)
 
 static uint32_t acquire_priority(void)
 {
@@ -53,19 +50,4 @@ static uint32_t acquire_memory(void)
 uint32_t realtime_acquire(void)
 {
     return acquire_priority() | acquire_core() | acquire_memory();
-}
-
-uint64_t realtime_now_ns(void)
-{
-    struct timespec now;
-    (void)clock_gettime(CLOCK_MONOTONIC, &now);
-    return ((uint64_t)now.tv_sec * NS_PER_S) + (uint64_t)now.tv_nsec;
-}
-
-void realtime_sleep_until_ns(uint64_t deadline_ns)
-{
-    const struct timespec deadline = {.tv_sec = (time_t)(deadline_ns / NS_PER_S),
-                                      .tv_nsec = (long)(deadline_ns % NS_PER_S)};
-    while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &deadline, NULL) == EINTR) {
-    }
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file What a real-time process asks of the kernel, and absolute time. */
+/** @file What a real-time process asks of the kernel. */
 #ifndef BORESIGHT_REALTIME_H
 #define BORESIGHT_REALTIME_H
 
@@ -14,11 +14,5 @@
  * @satisfies SWR-CTRL-002
  */
 uint32_t realtime_acquire(void);
-
-/** Monotonic time, ns. */
-uint64_t realtime_now_ns(void);
-
-/** Sleeps until `deadline_ns` (monotonic, absolute). */
-void realtime_sleep_until_ns(uint64_t deadline_ns);
 
 #endif

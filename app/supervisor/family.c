@@ -61,7 +61,7 @@ bool family_init(family_t *self, const options_t *options, int output, int error
             return false;
         }
     }
-    const char *const box[CHILD_ARGUMENTS] = {"--name", self->box};
+    const char *const box[CHILD_ARGUMENTS] = {"--name", self->box, "--slow", options->slowness};
     const char *const control[CHILD_ARGUMENTS] = {"--exchange", options->instance, "--box",
                                                   self->box};
     const char *const recorder[CHILD_ARGUMENTS] = {"--exchange", options->instance, "--directory",

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "options.h"
 
+#include "requirement_limits.h"
 #include "robot.h"
 
 #include <arpa/inet.h>
@@ -11,18 +12,24 @@
 #include <unistd.h>
 
 #define INSTANCE_MAX 32U
+#define PORT_MAX 65535U
 
-static const struct option known[] = {
-    {"http-port", required_argument, NULL, 'h'},  {"igtl-port", required_argument, NULL, 'i'},
-    {"brp-port", required_argument, NULL, 'w'},   {"bind", required_argument, NULL, 'b'},
-    {"robot", required_argument, NULL, 'r'},      {"instance", required_argument, NULL, 'n'},
-    {"recordings", required_argument, NULL, 'd'}, {NULL, 0, NULL, 0}};
+static const struct option known[] = {{"http-port", required_argument, NULL, 'h'},
+                                      {"igtl-port", required_argument, NULL, 'i'},
+                                      {"brp-port", required_argument, NULL, 'w'},
+                                      {"bind", required_argument, NULL, 'b'},
+                                      {"robot", required_argument, NULL, 'r'},
+                                      {"instance", required_argument, NULL, 'n'},
+                                      {"recordings", required_argument, NULL, 'd'},
+                                      {"slow", required_argument, NULL, 's'},
+                                      {NULL, 0, NULL, 0}};
 
 const char *options_usage(void)
 {
     return "usage: boresight [--http-port 8080] [--igtl-port 18944] [--brp-port 18936] [--bind "
            "127.0.0.1]\n"
            "                 [--robot neuro] [--instance NAME] [--recordings DIRECTORY]\n"
+           "                 [--slow 1..100]\n"
            "The environment variables HTTP_PORT, IGTL_PORT, BRP_PORT and ROBOT do the same.\n";
 }
 
@@ -54,6 +61,7 @@ static void set_defaults(options_t *self)
     self->robot = from_environment("ROBOT", "neuro");
     self->bind = "127.0.0.1";
     self->instance = "boresight";
+    self->slowness = "1";
     /* build/bin/boresight records into build/recordings, wherever it is started. */
     const char *slash = strrchr(self->programs, '/');
     (void)snprintf(self->recordings, sizeof(self->recordings), "%.*s/recordings",
@@ -81,6 +89,9 @@ static bool take(options_t *self, int option, const char *value)
     case 'n':
         self->instance = value;
         return true;
+    case 's':
+        self->slowness = value;
+        return true;
     case 'd':
         return (size_t)snprintf(self->recordings, sizeof(self->recordings), "%s", value) <
                sizeof(self->recordings);
@@ -89,13 +100,13 @@ static bool take(options_t *self, int option, const char *value)
     }
 }
 
-static bool is_port(const char *text)
+static bool is_number(const char *text, unsigned long maximum)
 {
     char *end = NULL;
     const unsigned long number = strtoul(text, &end, 10);
 
     return (text[0] >= '0') && (text[0] <= '9') && (*end == '\0') && (number >= 1U) &&
-           (number <= 65535U);
+           (number <= maximum);
 }
 
 static bool is_instance(const char *text)
@@ -112,7 +123,7 @@ static bool check_ports(const options_t *self, char *error, uint32_t error_size)
     const char *const ports[] = {self->http_port, self->igtl_port, self->brp_port};
 
     for (size_t i = 0U; i < 3U; i++) {
-        if (!is_port(ports[i])) {
+        if (!is_number(ports[i], PORT_MAX)) {
             (void)snprintf(error, error_size, "\"%s\" is no port; give a number from 1 to 65535.",
                            ports[i]);
             return false;
@@ -147,6 +158,11 @@ static bool check(const options_t *self, char *error, uint32_t error_size)
         (void)snprintf(error, error_size,
                        "\"%s\" names no instance; use up to %u letters, digits, - and _.",
                        self->instance, INSTANCE_MAX);
+        return false;
+    }
+    if (!is_number(self->slowness, LIMIT_BOX_SLOWEST)) {
+        (void)snprintf(error, error_size, "\"%s\" is no slowness; give --slow 1 to %u.",
+                       self->slowness, LIMIT_BOX_SLOWEST);
         return false;
     }
     return check_ports(self, error, error_size);

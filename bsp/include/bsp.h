@@ -40,6 +40,12 @@ uint32_t bsp_exchange(uint32_t send, const uint8_t frames[ROBOT_SLOT_COUNT][CARD
 /** Samples the digital inputs. When the board does not answer: pedal released, e-stop open. */
 bsp_inputs_t bsp_sample_inputs(void);
 
+/** The board's monotonic time, ns; a simulated box may run slower than the world. */
+uint64_t bsp_now_ns(void);
+
+/** Sleeps until `deadline_ns` (absolute, of bsp_now_ns()). */
+void bsp_sleep_until_ns(uint64_t deadline_ns);
+
 /** Closes the board. */
 void bsp_close(void);
 

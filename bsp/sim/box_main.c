@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /** @file boresight-box: the simulated control box as a process, at the box's end of the wire. */
 #include "box.h"
+#include "requirement_limits.h"
 #include "wire.h"
 
 #include <errno.h>
@@ -17,11 +18,12 @@
 #define IDLE_US 1500U
 #define LONGEST_STRIDE_US 2000U /* A pause of the whole machine pauses the simulated world. */
 #define PRIORITY 70
-#define USAGE "usage: boresight-box [--name NAME] [--seed NUMBER]"
+#define USAGE "usage: boresight-box [--name NAME] [--seed NUMBER] [--slow 1..100]"
 
 typedef struct {
     const char *name;
     uint32_t seed;
+    uint32_t slowness;
 } options_t;
 
 static volatile sig_atomic_t must_end;
@@ -33,18 +35,30 @@ static void end(int signal_number)
     must_end = 1;
 }
 
-static bool parse_seed(const char *text, uint32_t *seed)
+static bool parse_number(const char *text, uint32_t minimum, uint32_t maximum, uint32_t *number)
 {
     char *rest = NULL;
 
     errno = 0;
     const unsigned long long value = strtoull(text, &rest, 10);
     if ((errno != 0) || (rest == text) || (*rest != '\0') || (text[0] == '-') ||
-        (value > UINT32_MAX)) {
+        (value < minimum) || (value > maximum)) {
         return false;
     }
-    *seed = (uint32_t)value;
+    *number = (uint32_t)value;
     return true;
+}
+
+static bool take_number(int option, options_t *options)
+{
+    switch (option) {
+    case 's':
+        return parse_number(optarg, 0U, UINT32_MAX, &options->seed);
+    case 'w':
+        return parse_number(optarg, 1U, LIMIT_BOX_SLOWEST, &options->slowness);
+    default:
+        return false;
+    }
 }
 
 /* Returns the exit code, or -1 to go on. */
@@ -52,6 +66,7 @@ static int parse_options(int count, char **words, options_t *options)
 {
     static const struct option known[] = {{"name", required_argument, NULL, 'n'},
                                           {"seed", required_argument, NULL, 's'},
+                                          {"slow", required_argument, NULL, 'w'},
                                           {"help", no_argument, NULL, 'h'},
                                           {NULL, 0, NULL, 0}};
     int option;
@@ -62,11 +77,11 @@ static int parse_options(int count, char **words, options_t *options)
         } else if (option == 'h') {
             (void)puts(USAGE);
             return 0;
-        } else if ((option != 's') || !parse_seed(optarg, &options->seed)) {
+        } else if (!take_number(option, options)) {
             (void)fputs(USAGE "\n", stderr);
             return 2;
         } else {
-            /* seed taken */
+            /* number taken */
         }
     }
     if (optind != count) {
@@ -139,11 +154,11 @@ static void serve_exchange(wire_t *wire)
 
 static void run(wire_t *wire)
 {
-    uint64_t last_us = wire_now_us();
+    uint64_t last_us = wire_box_now_ns(wire) / 1000U;
 
     while (must_end == 0) {
         const uint32_t seen = wire_load(&wire->wake);
-        const uint64_t now_us = wire_now_us();
+        const uint64_t now_us = wire_box_now_ns(wire) / 1000U;
         const uint64_t elapsed_us = now_us - last_us;
         last_us = now_us;
         box_advance(&box,
@@ -168,7 +183,7 @@ static void handle_signals(void)
 int main(int count, char **words)
 {
     const char *named = getenv(WIRE_NAME_VARIABLE);
-    options_t options = {(named != NULL) ? named : WIRE_DEFAULT_NAME, 1U};
+    options_t options = {(named != NULL) ? named : WIRE_DEFAULT_NAME, 1U, 1U};
     wire_port_t port;
     char error[256];
 
@@ -178,7 +193,7 @@ int main(int count, char **words)
     }
     handle_signals();
     box_init(&box, &robot_neuro, options.seed);
-    if (!wire_serve(&port, options.name, error, sizeof error)) {
+    if (!wire_serve(&port, options.name, options.slowness, error, sizeof error)) {
         (void)fprintf(stderr, "boresight-box: %s\n", error);
         return 1;
     }

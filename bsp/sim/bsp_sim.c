@@ -33,7 +33,7 @@ uint32_t bsp_exchange(uint32_t send, const uint8_t frames[ROBOT_SLOT_COUNT][CARD
     (void)memcpy(wire->frames, frames, sizeof wire->frames);
     wire_store(&wire->request, number);
     wire_wake_box(wire);
-    if (!wire_await(&wire->reply, number, timeout_us)) {
+    if (!wire_await(&wire->reply, number, timeout_us * wire->slowness)) {
         return 0U;
     }
     const uint32_t answered = wire->received & send;
@@ -62,6 +62,16 @@ bsp_inputs_t bsp_sample_inputs(void)
                           .pedal_b = (inputs & WIRE_INPUT_PEDAL_B) != 0U,
                           .estop_open = (inputs & WIRE_INPUT_ESTOP_OPEN) != 0U,
                           .scanner_active = (inputs & WIRE_INPUT_SCANNER) != 0U};
+}
+
+uint64_t bsp_now_ns(void)
+{
+    return wire_box_now_ns(port.wire);
+}
+
+void bsp_sleep_until_ns(uint64_t deadline_ns)
+{
+    wire_box_sleep_until_ns(port.wire, deadline_ns);
 }
 
 void bsp_close(void)

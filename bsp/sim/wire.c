@@ -13,7 +13,9 @@
 #include <unistd.h>
 
 /* "BBX" and the layout's version. */
-#define WIRE_MAGIC 0x42425801U
+#define WIRE_MAGIC 0x42425802U
+
+#define NS_PER_S UINT64_C(1000000000)
 
 static const char start_first[] = "start the simulated control box first: boresight-box --name %s";
 
@@ -58,6 +60,24 @@ uint64_t wire_now_us(void)
 
     (void)clock_gettime(CLOCK_MONOTONIC, &now);
     return (uint64_t)now.tv_sec * 1000000U + (uint64_t)now.tv_nsec / 1000U;
+}
+
+uint64_t wire_box_now_ns(const wire_t *wire)
+{
+    struct timespec now;
+
+    (void)clock_gettime(CLOCK_MONOTONIC, &now);
+    return ((uint64_t)now.tv_sec * NS_PER_S + (uint64_t)now.tv_nsec) / wire->slowness;
+}
+
+void wire_box_sleep_until_ns(const wire_t *wire, uint64_t deadline_ns)
+{
+    const uint64_t world_ns = deadline_ns * wire->slowness;
+    const struct timespec deadline = {.tv_sec = (time_t)(world_ns / NS_PER_S),
+                                      .tv_nsec = (long)(world_ns % NS_PER_S)};
+
+    while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &deadline, NULL) == EINTR) {
+    }
 }
 
 bool wire_await(const uint32_t *word, uint32_t value, uint32_t timeout_us)
@@ -158,16 +178,18 @@ static bool size_wire(wire_port_t *port)
     return ftruncate(port->file, (off_t)sizeof(wire_t)) == 0;
 }
 
-static void reset_wire(wire_t *wire)
+static void reset_wire(wire_t *wire, uint32_t slowness)
 {
     /* The counters live on, so that an attached control process finds its next request answered. */
     wire_store(&wire->inputs, 0U);
+    wire_store(&wire->slowness, slowness);
     wire_store(&wire->reply, wire_load(&wire->request));
     wire_store(&wire->order_reply, wire_load(&wire->order_request));
     wire_store(&wire->magic, WIRE_MAGIC);
 }
 
-bool wire_serve(wire_port_t *port, const char *name, char *error, uint32_t error_size)
+bool wire_serve(wire_port_t *port, const char *name, uint32_t slowness, char *error,
+                uint32_t error_size)
 {
     port->wire = NULL;
     if (!set_path(port, name, error, error_size)) {
@@ -190,7 +212,7 @@ bool wire_serve(wire_port_t *port, const char *name, char *error, uint32_t error
         (void)snprintf(error, error_size, "cannot map the shared memory %s: %s", port->path,
                        strerror(errno));
     } else {
-        reset_wire(port->wire);
+        reset_wire(port->wire, slowness);
         return true;
     }
     if (port->file >= 0) {

@@ -147,7 +147,8 @@ class TestSupervisor < SystemTest
 
   def test_SWR_SUP_003_wrong_options_are_named
     { %w[--robot prostatic] => /no robot "prostatic"/, %w[--http-port 0] => /"0" is no port/,
-      %w[--bind nowhere] => /"nowhere" is no IPv4 address/, %w[--colour red] => /"--colour" is no option/,
+      %w[--bind nowhere] => /"nowhere" is no IPv4 address/, %w[--slow 0] => /"0" is no slowness/, %w[--slow 101] => /"101" is no slowness/,
+      %w[--colour red] => /"--colour" is no option/,
       %w[--instance a/b] => %r{"a/b" names no instance} }.each do |words, sentence|
       assert_refuses(Boresight.new(arguments: words), 2, sentence)
     end

@@ -10,6 +10,7 @@
 #include "bsp.h"
 #include "card_frame.h"
 #include "crc.h"
+#include "requirement_limits.h"
 #include "sim_card.h"
 #include "sim_encoder.h"
 #include "sim_motor.h"
@@ -20,6 +21,7 @@
 #include <stdio.h>
 #include <string.h>
 #include <sys/mman.h>
+#include <time.h>
 #include <unistd.h>
 
 TEST_SOURCE_FILE("bsp_sim.c")
@@ -39,7 +41,7 @@ void setUp(void)
 {
     (void)snprintf(name, sizeof name, "boresight-test-%d", (int)getpid());
     error[0] = '\0';
-    is_serving = wire_serve(&served, name, error, sizeof error);
+    is_serving = wire_serve(&served, name, 1U, error, sizeof error);
     TEST_ASSERT_TRUE_MESSAGE(is_serving, error);
 }
 
@@ -54,6 +56,13 @@ static void stop_serving(void)
 {
     wire_close(&served, WIRE_END_BOX);
     is_serving = false;
+}
+
+static void serve_anew(uint32_t slowness)
+{
+    stop_serving();
+    is_serving = wire_serve(&served, name, slowness, error, sizeof error);
+    TEST_ASSERT_TRUE_MESSAGE(is_serving, error);
 }
 
 static uint32_t exchange(uint32_t send, uint32_t timeout_us)
@@ -98,14 +107,14 @@ void test_SWR_SUP_003_a_killed_box_leaves_a_wire_that_does_not_open(void)
     kill_box();
     TEST_ASSERT_FALSE(bsp_open(name, error, sizeof error));
     TEST_ASSERT_NOT_NULL_MESSAGE(strstr(error, "start the simulated control box first"), error);
-    TEST_ASSERT_TRUE_MESSAGE(wire_serve(&served, name, error, sizeof error), error);
+    TEST_ASSERT_TRUE_MESSAGE(wire_serve(&served, name, 1U, error, sizeof error), error);
 }
 
 void test_SWR_SUP_003_a_second_box_of_the_same_name_is_refused(void)
 {
     wire_port_t second;
 
-    TEST_ASSERT_FALSE(wire_serve(&second, name, error, sizeof error));
+    TEST_ASSERT_FALSE(wire_serve(&second, name, 1U, error, sizeof error));
     TEST_ASSERT_NOT_NULL_MESSAGE(strstr(error, "already runs"), error);
 }
 
@@ -209,6 +218,45 @@ void test_SWR_ESTOP_001_inputs_of_a_dead_box_are_pedal_released_and_emergency_st
     bsp_close();
 }
 
+static uint64_t world_now_ns(void)
+{
+    struct timespec now;
+
+    (void)clock_gettime(CLOCK_MONOTONIC, &now);
+    return (uint64_t)now.tv_sec * 1000000000U + (uint64_t)now.tv_nsec;
+}
+
+/* Both clocks are read in turn; then 1 ms of the box' time is slept. */
+static void expect_time_slower_by(uint32_t slowness)
+{
+    serve_anew(slowness);
+    TEST_ASSERT_TRUE(bsp_open(name, error, sizeof error));
+    const uint64_t world_before_ns = world_now_ns();
+    const uint64_t box_ns = bsp_now_ns();
+    TEST_ASSERT_TRUE(box_ns >= world_before_ns / slowness);
+    TEST_ASSERT_TRUE(box_ns <= world_now_ns() / slowness);
+    bsp_sleep_until_ns(box_ns + 1000000U);
+    TEST_ASSERT_TRUE(bsp_now_ns() >= box_ns + 1000000U);
+    bsp_close();
+}
+
+void test_SWR_BOX_005_control_lives_in_the_time_of_a_slow_box(void)
+{
+    expect_time_slower_by(1U);
+    expect_time_slower_by(7U);
+    expect_time_slower_by(LIMIT_BOX_SLOWEST);
+}
+
+void test_SWR_BOX_005_control_waits_longer_for_a_slow_box(void)
+{
+    serve_anew(20U);
+    TEST_ASSERT_TRUE(bsp_open(name, error, sizeof error));
+    const uint64_t before_ns = world_now_ns();
+    TEST_ASSERT_EQUAL_HEX32(0U, exchange(0x3FFU, TIMEOUT_US));
+    TEST_ASSERT_TRUE(world_now_ns() - before_ns >= UINT64_C(20000) * TIMEOUT_US);
+    bsp_close();
+}
+
 void test_SWR_LINK_003_a_box_started_anew_answers_the_control_process_still_attached(void)
 {
     pthread_t answering;
@@ -216,7 +264,7 @@ void test_SWR_LINK_003_a_box_started_anew_answers_the_control_process_still_atta
     TEST_ASSERT_TRUE(bsp_open(name, error, sizeof error));
     (void)exchange(0x3FFU, TIMEOUT_US);
     kill_box();
-    TEST_ASSERT_TRUE_MESSAGE(wire_serve(&served, name, error, sizeof error), error);
+    TEST_ASSERT_TRUE_MESSAGE(wire_serve(&served, name, 1U, error, sizeof error), error);
     TEST_ASSERT_EQUAL_INT(0, pthread_create(&answering, NULL, answer_once, NULL));
     TEST_ASSERT_EQUAL_HEX32(0x00AU, exchange(0x3FFU, LONG_TIMEOUT_US));
     TEST_ASSERT_EQUAL_INT(0, pthread_join(answering, NULL));
