@@ -89,7 +89,11 @@ bool wire_await(const uint32_t *word, uint32_t value, uint32_t timeout_us);
 /** The monotonic clock of the world. */
 uint64_t wire_now_us(void);
 
-/** The box's monotonic clock: 1/slowness of the world's. */
+/**
+ * The box's monotonic clock: 1/slowness of the world's.
+ *
+ * @satisfies SWR-BOX-005
+ */
 uint64_t wire_box_now_ns(const wire_t *wire);
 
 /** Sleeps until `deadline_ns` of the box's clock. */
