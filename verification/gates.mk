@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # What `make test` runs; included by the Makefile.
 
-.PHONY: gate generated unit misra sanitize arm console-test objects programs trace demo
+.PHONY: gate generated unit misra sanitize arm console-test objects programs trace demo worst-case \
+    worst-case-approve
 
 test: bootstrap-test ## Run everything that can fail; the last line is `N passed, N failed`
 	@ruby tools/gates.rb
@@ -30,6 +31,12 @@ unit: $(GENERATED) .tools/gems/bin/ceedling ## Unit and integration tests with c
 
 misra: $(GENERATED) ## MISRA findings of the core
 	ruby tools/misra.rb
+
+worst-case: bootstrap-test generated ## What each chart costs at most, in instructions and bytes
+	@ruby -r ./verification/model/worst_case_table -e 'WorstCase::Table.run'
+
+worst-case-approve: worst-case
+	@cp build/conformance/worst_case.yml verification/model/worst_case.yml
 
 TESTED := $(filter-out %_main.c app/http/% app/supervisor/% app/control/%,$(CORE_SOURCES) $(ALL_APP)) \
     $(GEN)/names/names.c

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The control process: wakes once per millisecond, exchanges frames with the cards, steps the
+ * The control process: wakes once per cycle, exchanges frames with the cards, steps the
  * controller and publishes. It waits for nobody but the clock and the cards. All its state is here:
  * this file is the RAM map.
  *
@@ -13,6 +13,7 @@
 #include "exchange.h"
 #include "figures.h"
 #include "realtime.h"
+#include "requirement_limits.h"
 
 #include <signal.h>
 #include <stdbool.h>
@@ -21,7 +22,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#define CYCLE_NS UINT64_C(1000000)
+#define CYCLE_NS (UINT64_C(1000) * LIMIT_CYCLE_US)
 #define EXCHANGE_TIMEOUT_US 700U
 #define CYCLES_PER_PUBLISH 1000U
 #define EXIT_CANNOT_START 3

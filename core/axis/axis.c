@@ -7,6 +7,8 @@
 #include <stddef.h>
 #include <string.h>
 
+#define CYCLES_PER_S (INT32_C(1000000) / (int32_t)LIMIT_CYCLE_US)
+
 static int32_t error_ticks(const axis_t *self)
 {
     return fixed_saturate((int64_t)self->setpoint_ticks - (int64_t)self->encoder.position_ticks);
@@ -183,10 +185,10 @@ card_drive_t axis_home(axis_t *self, const axis_config_t *config, uint32_t elaps
         self->home_speed_ticks_per_s_q8 = 0;
     }
     const int32_t wanted_q8 = home_speed_wanted_q8(self, config);
-    const int32_t step_q8 = (config->acceleration_ticks_per_s2 * 256) / 1000;
+    const int32_t step_q8 = (config->acceleration_ticks_per_s2 * 256) / CYCLES_PER_S;
     const int32_t speed_q8 = ramp_towards(self->home_speed_ticks_per_s_q8, wanted_q8, step_q8);
     self->home_speed_ticks_per_s_q8 = speed_q8;
-    self->home_setpoint_q8 += (int64_t)speed_q8 / 1000;
+    self->home_setpoint_q8 += (int64_t)speed_q8 / CYCLES_PER_S;
     return axis_follow(self, config, fixed_saturate(self->home_setpoint_q8 / 256), speed_q8,
                        elapsed_us);
 }

@@ -7,10 +7,12 @@ static void observe_link(controller_t *self, const cycle_t *cycle, uint32_t inde
 {
     link_t *const link = &self->links[index];
     const bool is_received = (cycle->inputs->frames_received & ((uint32_t)1U << link->slot)) != 0U;
-    const bool was_usable = link_is_usable(link);
+    bool was_usable = link_is_usable(link);
     const uint32_t had_errors = link->frame_errors;
     if (card_link_chart_check(&link->chart) != 0U) {
         controller_note(self, cycle, EVENT_CHART_REPAIRED, link->slot, 0);
+        /* Its state before is not known; the card is lost now. */
+        was_usable = true;
     }
     (void)card_link_chart_advance(&link->chart, cycle->inputs->elapsed_us);
     link_step(link, is_received ? cycle->inputs->frames[link->slot] : NULL);

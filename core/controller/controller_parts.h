@@ -28,6 +28,7 @@ void controller_note(controller_t *self, const cycle_t *cycle, event_id_t id, ui
  * Links, encoders, interlocks: what the world says in this cycle. A damaged chart is repaired here.
  *
  * @satisfies SWR-CORE-004
+ * @satisfies SWR-CHART-012
  */
 void controller_observe(controller_t *self, const cycle_t *cycle);
 

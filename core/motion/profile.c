@@ -3,10 +3,11 @@
 
 #include "contract.h"
 #include "fixed.h"
+#include "requirement_limits.h"
 
 #include <string.h>
 
-#define CYCLES_PER_S INT64_C(1000)
+#define CYCLES_PER_S (INT64_C(1000000) / (int64_t)LIMIT_CYCLE_US)
 
 static const char contract_module[] = "profile";
 

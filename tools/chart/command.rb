@@ -11,32 +11,46 @@ require_relative 'emit/c/source'
 require_relative 'emit/diagram'
 require_relative 'emit/page'
 require_relative 'emit/table'
+require_relative 'emit/tests/paths_test'
 require_relative 'emit/tests/walk_test'
+require_relative 'output'
 require_relative 'refusal'
 
 module Chart
   # The command line: read all charts, then write all files. One refused chart, and nothing is written.
   class Command
     USAGE = <<~TEXT
-      usage: ruby tools/chart_compiler.rb CHART_FOLDER OUTPUT_FOLDER        compile all charts of a folder
-             ruby tools/chart_compiler.rb page CHART_FOLDER OUTPUT_FOLDER   draw them, and list all that they hold
-             ruby tools/chart_compiler.rb diff OLD_FOLDER NEW_FOLDER        what differs in meaning
+      usage: ruby tools/chart_compiler.rb CHARTS OUTPUT        compile all charts of a folder
+             ruby tools/chart_compiler.rb page CHARTS OUTPUT   draw them, and list all that they hold
+             ruby tools/chart_compiler.rb diff OLD NEW         what differs in meaning, of folders or files;
+                                                               exit code 0: nothing, 1: something, 2: trouble
     TEXT
     LIMITS = 'build/gen/limits/limits.json'
+    COUNTEREXAMPLES = 'counterexamples'
+
+    # No chart where some were promised.
+    class Nothing < StandardError; end
 
     def self.run(arguments)
       verb = %w[page diff].include?(arguments.first) ? arguments.first : 'compile'
-      folders = verb == 'compile' ? arguments : arguments.drop(1)
-      return complain(USAGE, 2) unless folders.length == 2
+      paths = verb == 'compile' ? arguments : arguments.drop(1)
+      return complain(USAGE, 2) unless paths.length == 2
 
-      new(*folders).public_send(verb)
-    rescue Refusal, Diagram::Failed => e
-      complain(e.message, 1)
+      new(*paths).public_send(verb)
+    rescue Refusal, Diagram::Failed, Nothing => e
+      complain(e.message, verb == 'diff' ? 2 : 1)
+    rescue SystemCallError => e
+      complain(unusable(e), verb == 'diff' ? 2 : 1)
     end
 
     def self.complain(words, status)
       warn words
       status
+    end
+
+    # A file or folder that the system did not give.
+    def self.unusable(error)
+      "#{error.message[/ - (.+)\z/m, 1]}: #{error.class.new.message}; correct the path, or what stands there"
     end
 
     def initialize(source, target)
@@ -46,33 +60,51 @@ module Chart
 
     def compile
       @limits_file = File.join(@target, 'limits', 'limits.json')
-      charts = read(@source)
-      outputs(charts).each { |path, content| write(path, content) }
+      FileUtils.rm_rf(File.join(@target, COUNTEREXAMPLES))
+      charts = read
+      Output.write(@target, outputs(charts))
       charts.each { |chart| report(chart) }
       0
+    rescue Refusal => e
+      keep(e.counterexample) if e.counterexample
+      raise
     end
 
     def page
-      charts = read(@source)
-      charts.each { |chart| write("#{chart.document.name}.svg", Diagram.svg(Diagram.new(chart.document).dot)) }
-      write('index.html', Page.new(charts, nil).emit)
+      charts = read
+      drawings = charts.to_h { |chart| ["#{chart.document.name}.svg", Diagram.svg(Diagram.new(chart.document).dot)] }
+      Output.write(@target, drawings.merge('index.html' => Page.new(charts, Version.worst_case(@source)).emit))
       puts "#{File.join(@target, 'index.html')}: #{charts.length} charts"
       0
     end
 
     def diff
-      puts Difference.of_folders(read(@source), read(@target))
-      0
+      versions = [@source, @target].map { |path| files(path) && Version.new(path, limits) }
+      versions.flat_map(&:refusals).each { |refusal| puts "refused by today's profile: #{refusal.message}" }
+      differences = Difference.of(*versions)
+      puts differences.join
+      differences.all?(&:none?) ? 0 : 1
     end
 
     private
 
-    def read(folder)
-      charts = Dir[File.join(folder, '*.scxml')].sort.map do |file|
-        Compiled.from(file, File.read(file, encoding: 'UTF-8'), limits)
-      end
+    def files(path)
+      found = Version.files(path)
+      found.empty? ? raise(Nothing, "#{path} is no chart, and no folder with charts") : found
+    end
+
+    def read
+      charts = files(@source).map { |file| Compiled.from(file, File.read(file, encoding: 'UTF-8'), limits) }
       check_ids_across(charts.map(&:document))
       charts
+    end
+
+    # Beside the message, which tells the same in words.
+    def keep(counterexample)
+      folder = File.join(@target, COUNTEREXAMPLES)
+      Output.write(folder, code(counterexample).merge(counterexample.file_name => counterexample.test))
+      warn "#{File.join(folder, counterexample.file_name)}: the list of events as a test of the code beside it, " \
+           'which fails as long as that path is open'
     end
 
     # name => value; only the delays of timers are looked up here.
@@ -81,8 +113,14 @@ module Chart
         file = @limits_file || LIMITS
         raise Refusal.new(file, 1, 15, 'the file is missing; generate the limits first') unless File.exist?(file)
 
-        JSON.parse(File.read(file)).to_h { |limit| [limit.fetch('name'), limit.fetch('value')] }
+        listed(file)
       end
+    end
+
+    def listed(file)
+      JSON.parse(File.read(file)).to_h { |limit| [limit.fetch('name'), limit.fetch('value')] }
+    rescue JSON::ParserError
+      raise Refusal.new(file, 1, 15, 'the file is no JSON; remove it, and generate the limits anew')
     end
 
     def check_ids_across(documents)
@@ -100,18 +138,18 @@ module Chart
     def outputs(charts)
       charts.each_with_object({}) do |chart, files|
         name = chart.document.name
-        files["charts/#{name}_chart.h"] = C::Header.new(chart.document, chart.walk).emit
-        files["charts/#{name}_chart.c"] = C::Source.new(chart.document, chart.walk).emit
+        code(chart).each { |file, content| files["charts/#{file}"] = content }
         files["tests/test_#{name}_walk.c"] = WalkTest.new(chart.document, chart.walk).emit
+        files["tests/test_#{name}_paths.c"] = PathsTest.new(chart.document, chart.walk).emit
         files["charts/#{name}.dot"] = Diagram.new(chart.document).dot
         files["charts/#{name}.svg"] = Diagram.svg(files["charts/#{name}.dot"])
       end.merge('charts/charts.json' => Table.emit(charts))
     end
 
-    def write(path, content)
-      full = File.join(@target, path)
-      FileUtils.mkdir_p(File.dirname(full))
-      File.write(full, content)
+    # chart: a Compiled, or the counterexample of a refused one.
+    def code(chart)
+      { "#{chart.document.name}_chart.h" => C::Header.new(chart.document, chart.walk).emit,
+        "#{chart.document.name}_chart.c" => C::Source.new(chart.document, chart.walk).emit }
     end
 
     def report(chart)

@@ -8,8 +8,9 @@ require_relative 'read/parser'
 require_relative 'walk/walk'
 
 module Chart
-  # A chart that passed every rule, with its walk.
+  # A chart with its walk.
   Compiled = Struct.new(:document, :walk) do
+    # A chart that passes every rule.
     def self.from(file, text, limits, mode: :product, extra_events: [])
       document = Parser.parse(file, text, limits, mode: mode, extra_events: extra_events)
       StaticChecks.run(document)
@@ -17,5 +18,19 @@ module Chart
       WalkChecks.run(document, walk)
       new(document, walk)
     end
+
+    # What a chart says, whether or not it may be compiled; without a walk where it cannot be walked.
+    def self.leniently(file, text, limits)
+      document = Parser.parse(file, text, limits, mode: :difference)
+      new(document, walked(document))
+    end
+
+    def self.walked(document)
+      StaticChecks.run(document)
+      Walk.new(document).run
+    rescue Refusal
+      nil
+    end
+    private_class_method :walked
   end
 end

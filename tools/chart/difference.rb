@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 
 require_relative 'difference/facts'
+require_relative 'difference/version'
 
 module Chart
   # The difference in meaning of two versions of charts, as text: a line for each change, with + for what came,
@@ -11,50 +12,67 @@ module Chart
   class Difference
     NONE = 'no difference in meaning'
     WORST = { 'x86_instructions' => 'x86-64 instructions', 'arm_instructions' => 'ARM instructions',
+              'x86_check_instructions' => 'x86-64 instructions of the check',
+              'arm_check_instructions' => 'ARM instructions of the check',
               'stack_bytes' => 'stack bytes', 'ram_bytes' => 'RAM bytes' }.freeze
 
-    # Of two versions of one chart; the worst cases are contents of worst_case.yml, or nil.
-    def self.between(old, new, old_worst = nil, new_worst = nil)
-      lines = new(Facts.of(old), Facts.of(new)).lines + worst_lines(old, new, old_worst, new_worst)
-      title = old.document.name
-      title += " -> #{new.document.name}" unless title == new.document.name
-      "#{lines.empty? ? "#{title}: #{NONE}" : [title, *lines.map { |line| "  #{line}" }].join("\n")}\n"
+    # Of each chart of two Versions.
+    def self.of(old, new)
+      new.keep(old.names) if old.file? && !new.file?
+      old.keep(new.names) if new.file? && !old.file?
+      between(old.charts, new.charts, old.worst_case, new.worst_case)
     end
 
-    # Of two versions of a folder of charts.
-    def self.of_folders(old_charts, new_charts, old_worst = nil, new_worst = nil)
+    # The worst cases are contents of worst_case.yml, or nil. One chart is compared with one whatever their names.
+    def self.between(old_charts, new_charts, old_worst = nil, new_worst = nil)
+      return [new(*old_charts, *new_charts, old_worst, new_worst)] if old_charts.one? && new_charts.one?
+
       old, new = [old_charts, new_charts].map { |charts| charts.to_h { |chart| [chart.document.name, chart] } }
-      (old.keys | new.keys).sort.map do |name|
-        next "+ chart #{name}\n" unless old.key?(name)
-        next "- chart #{name}\n" unless new.key?(name)
-
-        between(old[name], new[name], old_worst, new_worst)
-      end.join
+      (old.keys | new.keys).sort.map { |name| new(old[name], new[name], old_worst, new_worst) }
     end
 
-    def self.worst_lines(old, new, old_worst, new_worst)
-      before = old_worst&.dig('charts', old.document.name)
-      after = new_worst&.dig('charts', new.document.name)
-      return [] unless before && after
-
-      WORST.filter_map do |key, title|
-        witness = after[key.sub('instructions', 'witness')] if key.end_with?('instructions')
-        where = " (#{witness})" if witness
-        "~ worst case #{title}: #{before[key]} -> #{after[key]}#{where}" unless before[key] == after[key]
-      end
+    # Two charts; one is nil if the other version has none of its name.
+    def initialize(old, new, old_worst = nil, new_worst = nil)
+      @charts = [old, new]
+      @worst = [old_worst, new_worst]
     end
-    private_class_method :worst_lines
 
-    def initialize(old, new)
-      @old = old
-      @new = new
+    def none?
+      @charts.all? && lines.empty?
+    end
+
+    def to_s
+      old, new = names
+      return "+ chart #{new}\n" unless old
+      return "- chart #{old}\n" unless new
+
+      title = names.uniq.join(' -> ')
+      none? ? "#{title}: #{NONE}\n" : "#{[title, *lines.map { |line| "  #{line}" }].join("\n")}\n"
     end
 
     def lines
-      @old.keys.flat_map { |section| changes(section, @old.fetch(section), @new.fetch(section)) }
+      @lines ||= begin
+        old, new = @charts.map { |chart| Facts.of(chart) }
+        old.keys.flat_map { |section| changes(section, old.fetch(section), new.fetch(section)) } + worst_lines
+      end
     end
 
     private
+
+    def names
+      @charts.map { |chart| chart&.document&.name }
+    end
+
+    def worst_lines
+      before, after = @worst.zip(names).map { |worst, name| worst&.dig('charts', name) }
+      return [] unless before && after
+
+      WORST.filter_map do |key, title|
+        words = change(before[key], after[key]) || next
+        witness = after[key.sub('instructions', 'witness')] if key.end_with?('instructions')
+        "~ worst case #{title}: #{words}#{" (#{witness})" if witness}"
+      end
+    end
 
     def changes(section, old, new)
       (old.keys | new.keys).flat_map do |id|
@@ -69,7 +87,7 @@ module Chart
     end
 
     def aspects(section, name, old, new)
-      old.keys.filter_map do |aspect|
+      (old.keys & new.keys).filter_map do |aspect|
         words = change(old[aspect], new[aspect])
         next unless words
 

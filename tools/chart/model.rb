@@ -123,11 +123,13 @@ module Chart
   #   :reachable  from every configuration with `from` (or every one) a configuration with expression is
   #               reached in at most `steps` steps, or in any number if nil       (bs:reachable)
   # The expressions read states and the chart's data. text is the property in one line.
-  Property = Struct.new(:id, :kind, :req, :hazards, :events, :from, :expression, :steps, :text, :line, keyword_init: true)
+  Property = Struct.new(:id, :kind, :req, :hazards, :events, :from, :expression, :steps, :text, :line,
+                        keyword_init: true)
 
   # One chart file. states: all but the root, histories included, in document order. events: the alphabet in order of
   # first appearance. internal_events: those that only the chart itself may cause (raised ones named in bs:internal,
-  # events of timers, done.state.*). safe: one leaf per region. mode: :product or :engine.
+  # events of timers, done.state.*). safe: one leaf per region. mode: that of
+  # the parser.
   Document = Struct.new(:name, :file, :comment, :root, :states, :transitions, :timers, :variables, :properties,
                         :safe, :events, :internal_events, :tick_us, :mode, keyword_init: true) do
     def state(id)

@@ -11,7 +11,7 @@ module Chart
     4 => 'every attribute the profile demands is there',
     5 => 'every id is used once',
     6 => 'names are lower-case words joined by underscores, and fit their file',
-    7 => 'every target, initial state, raised, sent, ignored and internal event exists',
+    7 => 'a chart waits for an event, and every target, initial state, raised, sent, ignored and internal event exists',
     8 => 'every transition and property has its own id',
     9 => 'every transition, leaf state and property names its requirements',
     11 => 'every macrostep ends: no chain of eventless transitions or raised events leads back to itself',
@@ -20,7 +20,7 @@ module Chart
     14 => 'expressions are built from In(), declared data, integers, ! && || comparisons, + - and parentheses',
     15 => 'a delay is constant and equals the limit it names',
     18 => 'the safe configuration names one leaf of every region',
-    19 => 'a chart has at most 32 actions, 32 timers, 6 inputs and 64 regions',
+    19 => 'a chart has at most 32 actions, 32 timers, 6 inputs and 64 regions, and nests at most 32 deep',
     20 => 'every state is reached',
     21 => 'every transition is taken',
     22 => 'two transitions of one state are never enabled together',
@@ -44,7 +44,7 @@ module Chart
 
   # A chart outside the profile. The message says where, which rule, and what to write instead.
   class Refusal < StandardError
-    # counterexample: the Counterexample of a violated property, else nil.
+    # counterexample: the Counterexample, where one shows what is wrong, else nil.
     attr_reader :file, :line, :rule, :counterexample
 
     def initialize(file, line, rule, message, counterexample: nil)

@@ -4,12 +4,18 @@
 
 # The rule under test: the difference of two versions of a chart names every change of its meaning, and nothing else.
 
+require 'fileutils'
+require 'json'
 require 'minitest/autorun'
+require 'open3'
+require 'rbconfig'
+require 'tmpdir'
 require_relative '../chart/compiled'
 require_relative '../chart/difference'
 
 class TestChartDifference < Minitest::Test
-  LIMITS = { 'wait_us' => 20_000, 'slow_us' => 30_000 }.freeze
+  COMPILER = File.expand_path('../chart_compiler.rb', __dir__)
+  LIMITS = { 'cycle_us' => 1000, 'wait_us' => 20_000, 'slow_us' => 30_000 }.freeze
   GATE = <<~XML
     <!-- A gate and its lamp. -->
     <scxml xmlns="http://www.w3.org/2005/07/scxml" xmlns:bs="urn:boresight:chart" version="1.0" datamodel="ecmascript" name="gate" bs:tick="1ms" initial="all" bs:safe="shut dark">
@@ -80,15 +86,17 @@ class TestChartDifference < Minitest::Test
                  changes(GATE.sub(/(GATE-T03.*)SWR-CHART-001/, '\1SWR-CHART-001 SWR-CHART-002'))
     assert_equal ["~ transition GATE-T01 guard: is_free -> is_free && In('dark')"],
                  changes(GATE.sub('cond="is_free"', "cond=\"is_free &amp;&amp; In('dark')\""), checked: false)
-    assert_equal ['~ transition GATE-T04 source: ajar -> gate'], changes(GATE.sub(/^ +(<transition bs:id="GATE-T04".*\n)/, '')
-                                                           .sub('<state id="shut"', "#{transition('GATE-T04')}<state id=\"shut\""), checked: false)
+    moved = GATE.sub(/^ +(<transition bs:id="GATE-T04".*\n)/, '')
+                .sub('<state id="shut"', "#{transition('GATE-T04')}<state id=\"shut\"")
+    assert_equal ['~ transition GATE-T04 source: ajar -> gate'], changes(moved, checked: false)
   end
 
   def test_SWR_CHART_006_what_came_and_what_went_is_told_in_one_line_each
     added = GATE.sub('<state id="dark" bs:req="SWR-CHART-001"/>',
-                     '<state id="dark" bs:req="SWR-CHART-001" bs:ignores="off"><transition bs:id="GATE-T05" event="on" ' \
-                     'target="lit" bs:req="SWR-CHART-001"/></state><state id="lit" bs:ignores="on" bs:req="SWR-CHART-001" ' \
-                     'bs:hazard="HAZ-01"><transition bs:id="GATE-T06" event="off" target="dark" bs:req="SWR-CHART-001"/></state>')
+                     '<state id="dark" bs:req="SWR-CHART-001" bs:ignores="off"><transition bs:id="GATE-T05" ' \
+                     'event="on" target="lit" bs:req="SWR-CHART-001"/></state><state id="lit" bs:ignores="on" ' \
+                     'bs:req="SWR-CHART-001" bs:hazard="HAZ-01"><transition bs:id="GATE-T06" event="off" ' \
+                     'target="dark" bs:req="SWR-CHART-001"/></state>')
     came = ['+ event on: caused by outside', '+ event off: caused by outside', '~ state dark ignores: + off',
             '+ state lit: kind atomic, in lamp, ignores on, requirements SWR-CHART-001, hazards HAZ-01',
             '+ transition GATE-T05: source dark, events on, targets lit, requirements SWR-CHART-001',
@@ -121,15 +129,90 @@ class TestChartDifference < Minitest::Test
     old = { 'charts' => { 'gate' => { 'x86_instructions' => 50, 'x86_witness' => 'pull', 'ram_bytes' => 90 } } }
     new = { 'charts' => { 'gate' => { 'x86_instructions' => 52, 'x86_witness' => 'push', 'ram_bytes' => 90 } } }
     assert_equal "gate\n  ~ worst case x86-64 instructions: 50 -> 52 (push)\n",
-                 Chart::Difference.between(compiled(GATE), compiled(GATE), old, new)
-    assert_equal "gate: no difference in meaning\n", Chart::Difference.between(compiled(GATE), compiled(GATE), old, nil)
+                 between([compiled(GATE)], [compiled(GATE)], old, new)
+    assert_equal "gate: no difference in meaning\n", between([compiled(GATE)], [compiled(GATE)], old, nil)
   end
 
   def test_SWR_CHART_006_folders_are_compared_chart_by_chart
     gate = compiled(GATE)
     door = compiled(GATE.sub('name="gate"', 'name="door"'), file: 'door.scxml')
-    assert_equal "- chart door\ngate: no difference in meaning\n", Chart::Difference.of_folders([gate, door], [gate])
-    assert_equal "+ chart door\n", Chart::Difference.of_folders([], [door])
+    assert_equal "- chart door\ngate: no difference in meaning\n", between([gate, door], [gate])
+    assert_equal "+ chart door\n", between([], [door])
+    assert_equal "gate -> door: no difference in meaning\n", between([gate], [door])
+  end
+
+  # --- the command line ---
+
+  def test_SWR_CHART_006_the_command_line_ends_as_diff_does
+    with_versions(GATE, GATE) do |old, new|
+      assert_equal ["gate: no difference in meaning\n", '', 0], diff(old, new)
+      assert_equal ["gate: no difference in meaning\n", '', 0], diff(File.join(old, 'gate.scxml'), new)
+      assert_equal ["gate: no difference in meaning\n", '', 0], diff(*[old, new].map { |one| "#{one}/gate.scxml" })
+    end
+    with_versions(GATE, GATE.sub('"creak squeak"', '"squeak"')) do |old, new|
+      assert_equal ["gate\n  ~ transition GATE-T01 actions: creak, squeak -> squeak\n", '', 1], diff(old, new)
+      output, errors, status = diff(old, "#{new}/none")
+      assert_equal ['', "#{new}/none is no chart, and no folder with charts\n", 2], [output, errors, status]
+    end
+    with_versions(GATE, GATE.sub('target="ajar"', 'target="open"')) do |old, new|
+      assert_match(/CHART-R07 target "open" is no state/, diff(old, new)[1])
+      assert_equal 2, diff(old, new).last
+    end
+  end
+
+  def test_SWR_CHART_006_trouble_with_files_is_told_in_one_line
+    with_versions(GATE, GATE) do |old, new|
+      FileUtils.mkdir_p("#{new}/door.scxml")
+      words = "#{new}/door.scxml: Is a directory; correct the path, or what stands there\n"
+      assert_equal ['', words, 2], diff(old, new)
+      File.write('build/gen/limits/limits.json', '{')
+      _output, errors, status = diff(old, new)
+      assert_match(%r{\Abuild/gen/limits/limits\.json:1: CHART-R15 the file is no JSON; [^\n]*\n\z}, errors)
+      assert_equal 2, status
+    end
+  end
+
+  def test_SWR_CHART_006_of_a_folder_only_the_chart_of_the_file_is_compared
+    with_versions(GATE, GATE) do |old, new|
+      File.write(File.join(new, 'door.scxml'), GATE.sub('name="gate"', 'name="door"').gsub('GATE-', 'DOOR-'))
+      assert_equal "+ chart door\ngate: no difference in meaning\n", diff(old, new).first
+      assert_equal "gate: no difference in meaning\n", diff("#{old}/gate.scxml", new).first
+      assert_equal "gate: no difference in meaning\n", diff(new, "#{old}/gate.scxml").first
+    end
+  end
+
+  # What a version of another time lacks, or has besides, or how else it is refused; and what is told of it.
+  REFUSED = {
+    'without_ignores' => [/ bs:ignores="push"/, '', 'CHART-R25', '~ state shut ignores: + push'],
+    'without_rounding' => [' bs:kind="watchdog"', '', 'CHART-R32', '~ timer wait rounds: none -> down'],
+    'without_a_tick' => [' bs:tick="1ms"', '', 'CHART-R04', '~ tick: none -> 1 ms'],
+    'with_an_old_limit' => ['delay="20ms"', 'delay="15ms"', 'CHART-R15', '~ timer wait delay: 15 ms -> 20 ms'],
+    'without_a_requirement' => [/(GATE-T04.*) bs:req="SWR-CHART-001"/, '\1', 'CHART-R09',
+                                '~ transition GATE-T04 requirements: + SWR-CHART-001'],
+    'with_an_old_attribute' => ['bs:tick', 'bs:period="2ms" bs:tick', 'CHART-R03', 'gate: no difference in meaning'],
+    'without_inputs_read' => [/ cond="!?is_free"/, '', 'CHART-R24', '~ transition GATE-T02 guard: none -> !is_free']
+  }.freeze
+
+  REFUSED.each do |name, (pattern, replacement, rule, words)|
+    define_method("test_SWR_CHART_006_a_version_#{name}_is_compared_nevertheless") do
+      old_text = GATE.gsub(pattern, replacement)
+      refute_equal GATE, old_text
+      with_versions(old_text, GATE) do |old, new|
+        output, errors, = diff(old, new)
+        assert_match(/\Arefused by today's profile: #{old}.*: #{rule} /, output)
+        assert_includes output.lines(chomp: true).map(&:strip), words
+        assert_empty errors
+      end
+    end
+  end
+
+  def test_SWR_CHART_006_the_worst_case_is_that_of_the_table_beside_each_folder
+    with_versions(GATE, GATE) do |old, new|
+      write_worst_case(old, 90)
+      assert_equal "gate: no difference in meaning\n", diff(old, new).first
+      write_worst_case(new, 94)
+      assert_equal "gate\n  ~ worst case RAM bytes: 90 -> 94\n", diff(old, new).first
+    end
   end
 
   private
@@ -143,7 +226,41 @@ class TestChartDifference < Minitest::Test
   end
 
   def text(old, new, checked: true)
-    Chart::Difference.between(compiled(old), compiled(new, checked: checked))
+    between([compiled(old)], [compiled(new, checked: checked)])
+  end
+
+  def between(*versions)
+    Chart::Difference.between(*versions).join
+  end
+
+  # Two folders of charts, each in a folder of its own, with the limits beside them.
+  def with_versions(old, new)
+    Dir.mktmpdir do |folder|
+      FileUtils.mkdir_p(File.join(folder, 'build/gen/limits'))
+      listed = LIMITS.map { |name, value| { name: name, value: value } }
+      File.write(File.join(folder, 'build/gen/limits/limits.json'), JSON.generate(listed))
+      Dir.chdir(folder) do
+        yield(*{ 'old' => old, 'new' => new }.map { |version, text| write_chart(version, text) })
+      end
+    end
+  end
+
+  def write_chart(version, text)
+    folder = File.join(version, 'statecharts')
+    FileUtils.mkdir_p(folder)
+    File.write(File.join(folder, 'gate.scxml'), text)
+    folder
+  end
+
+  def write_worst_case(folder, bytes)
+    file = File.join(folder, Chart::Version::WORST_CASE)
+    FileUtils.mkdir_p(File.dirname(file))
+    File.write(file, Psych.dump('charts' => { 'gate' => { 'ram_bytes' => bytes } }))
+  end
+
+  def diff(old, new)
+    output, errors, status = Open3.capture3(RbConfig.ruby, COMPILER, 'diff', old, new)
+    [output, errors, status.exitstatus]
   end
 
   def difference(new)

@@ -96,11 +96,12 @@ class TestChartPage < Minitest::Test
     </scxml>
   XML
 
-  WORST = { 'charts' => { 'kiln' => { 'x86_instructions' => 1234, 'x86_witness' => 'open in high', 'stack_bytes' => 48,
+  WORST = { 'charts' => { 'kiln' => { 'x86_instructions' => 1234, 'x86_witness' => 'open in high',
+                                      'x86_check_instructions' => 17, 'stack_bytes' => 48,
                                       'ram_bytes' => 320 } } }.freeze
 
   def self.compiled(name, text)
-    (@compiled ||= {})[name] ||= Chart::Compiled.from("#{name}.scxml", text, { 'warm_us' => 2500 })
+    (@compiled ||= {})[name] ||= Chart::Compiled.from("#{name}.scxml", text, { 'cycle_us' => 1000, 'warm_us' => 2500 })
   end
 
   # --- the drawing ---
@@ -170,6 +171,12 @@ class TestChartPage < Minitest::Test
     steps = Chart::PropertyChecks.verdicts(kiln.document, kiln.walk)[1].checked
     assert_row 'Properties', 'KILN-P02', "after stop: In('off')", 'holds', "#{steps} steps", 'SWR-CHART-002',
                'HAZ-01', '41'
+    assert_row 'Properties', 'KILN-P04', "In('off') can be reached in 1 step", 'holds', "#{reached} configurations"
+  end
+
+  def test_SWR_CHART_005_the_page_tells_which_elements_stand_for_a_requirement_or_a_hazard
+    assert_row 'Requirements and hazards', 'SWR-CHART-002', '', 'KILN-T02', 'KILN-I01, KILN-P02, KILN-P03, KILN-P04'
+    assert_row 'Requirements and hazards', 'HAZ-01', 'low', 'KILN-T02', 'KILN-P02'
   end
 
   def test_SWR_CHART_005_the_decisions_of_a_region_name_what_every_event_does
@@ -189,7 +196,7 @@ class TestChartPage < Minitest::Test
     assert_row 'Size and bounds', 'Microsteps of one macrostep, at most', kiln.walk.most_microsteps.to_s
     bounds = part('Size and bounds', WORST)
     assert_includes text(bounds), 'x86-64 instructions 1 234 open in high'
-    assert_includes text(bounds), 'Stack bytes 48'
+    assert_includes text(bounds), 'Stack bytes 48 RAM bytes 320 x86-64 instructions of the check 17'
     refute_includes bounds, 'ARM'
     refute_includes page(nil), 'instructions'
   end

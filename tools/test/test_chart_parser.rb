@@ -66,6 +66,15 @@ class TestChartParser < Minitest::Test
     assert_equal 'y', raised.event
   end
 
+  def test_SWR_CHART_001_delays_are_whole_microseconds_in_any_unit
+    { 'delay="1.5s"' => 1_500_000, 'delay=".5s"' => 500_000, 'delay="0.25ms"' => 250, 'delay="3us"' => 3,
+      %q(delayexpr="'1s'") => 1_000_000, %q(delayexpr='".5s"') => 500_000 }.each do |delay, microseconds|
+      assert_equal microseconds, delay_of(delay), delay
+    end
+    ['delay="0.5us"', 'delay="1.s"', 'delay="1.2.3s"', 'delay="-1s"', 'delayexpr="1s"', %q(delayexpr="'1s"),
+     'delayexpr="Var1"'].each { |delay| assert_equal 15, assert_raises(Chart::Refusal) { delay_of(delay) }.rule, delay }
+  end
+
   def test_SWR_CHART_001_actions_come_before_the_other_content
     chart = engine('<state id="a"><transition event="x" bs:do="beep ring"><raise event="y"/></transition></state>')
     assert_equal [Chart::Act, Chart::Act, Chart::Raise], chart.transitions.first.content.map(&:class)
@@ -112,6 +121,22 @@ class TestChartParser < Minitest::Test
     end
   end
 
+  def test_SWR_CHART_003_expressions_are_at_most_32_deep
+    { '!' => '', '(' => ')', 'a && ' => '', '(a || ' => ')', '1 < ' => '' }.each do |before, after|
+      deep = ->(count) { "#{before * count}1#{after * count}" }
+      assert_kind_of Array, Chart::Expression.parse(deep.call(32))
+      [33, 20_000].each do |count|
+        assert_raises(Chart::Expression::TooDeep, before) { Chart::Expression.parse(deep.call(count)) }
+      end
+    end
+  end
+
+  def test_SWR_CHART_003_elements_are_at_most_32_deep
+    nested = ->(count) { "#{'<state>' * count}#{'</state>' * count}" }
+    assert_equal 31, engine(nested.call(31)).states.length
+    [32, 20_000].each { |count| assert_equal 19, assert_raises(Chart::Refusal) { engine(nested.call(count)) }.rule }
+  end
+
   def test_SWR_CHART_003_what_c_would_read_differently_is_no_expression
     ['', '1 +', '01', '1.5', 'a = b', 'a & b', 'i++', '--i', 'f(1)', 'a.b', 'a[0]', '_event', "'x'", "In(x)", 'a b',
      '((a)'].each do |text|
@@ -138,13 +163,18 @@ class TestChartParser < Minitest::Test
     Chart::Parser.parse('c.scxml', text, {}, mode: :engine, extra_events: extra)
   end
 
+  def delay_of(attribute)
+    engine("<state id=\"a\"><onentry><send event=\"x\" #{attribute}/></onentry></state>").timers.first.delay_us
+  end
+
   # Rounding and threshold of a timer, with ticks of 3 ms.
   def timer(kind, delay)
     states = "<state id=\"a\" #{REQ}><onentry><send id=\"t\" event=\"x\" delay=\"#{delay}\" bs:limit=\"l_us\" " \
              "bs:kind=\"#{kind}\"/></onentry></state>"
     root = 'datamodel="ecmascript" name="c" initial="a" bs:safe="a" bs:tick="3ms"'
     limit = delay.to_i * (delay.end_with?('ms') ? 1000 : 1)
-    chart = Chart::Parser.parse('c.scxml', "<scxml #{NAMESPACES} #{root}>#{states}</scxml>", { 'l_us' => limit })
+    limits = { 'cycle_us' => 3000, 'l_us' => limit }
+    chart = Chart::Parser.parse('c.scxml', "<scxml #{NAMESPACES} #{root}>#{states}</scxml>", limits)
     [chart.timers.first.rounding, chart.timers.first.threshold_us]
   end
 end

@@ -10,7 +10,7 @@ require_relative '../chart/compiled'
 class TestChartPromela < Minitest::Test
   HEAD = '<scxml xmlns="http://www.w3.org/2005/07/scxml" xmlns:bs="urn:boresight:chart" version="1.0" ' \
          'datamodel="ecmascript">'
-  LIMITS = { 'short_us' => 500_000, 'heat_limit_us' => 2_000_000 }.freeze
+  LIMITS = { 'cycle_us' => 1000, 'short_us' => 500_000, 'heat_limit_us' => 2_000_000 }.freeze
 
   # Shallow and deep history, with and without record, on the way to it and as an initial state.
   HISTORY = <<~XML

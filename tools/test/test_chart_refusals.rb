@@ -2,12 +2,7 @@
 
 # SPDX-License-Identifier: Apache-2.0
 
-require 'fileutils'
-require 'json'
 require 'minitest/autorun'
-require 'open3'
-require 'rbconfig'
-require 'tmpdir'
 require_relative '../chart/compiled'
 
 # Each file in tools/test/charts whose name starts with a rule breaks that rule once. The line that breaks it says so,
@@ -36,6 +31,12 @@ class TestChartRefusals < Minitest::Test
     ACCEPTED.each { |file| assert_operator compiled(file, File.read(file)).walk.pair_count, :>, 1, file }
   end
 
+  def test_SWR_CHART_003_every_message_of_the_xml_reader_says_what_to_write_instead
+    messages = File.read(File.join(__dir__, '../chart/read/xml_reader.rb')).scan(/refuse\((["'])(.+?)(?<!\\)\1[,)]/)
+    assert_operator messages.length, :>=, 12
+    messages.each { |_quote, message| assert_match REMEDY, message }
+  end
+
   def test_SWR_CHART_003_every_rule_has_a_refused_file
     assert_equal Chart::RULES.keys, REFUSED.map { |file| File.basename(file)[1, 2].to_i }.uniq.sort
   end
@@ -59,6 +60,21 @@ class TestChartRefusals < Minitest::Test
     assert_match(/violated in on open, reached by: go, pull;/, refusal_of('r23_invariant_violated').message)
   end
 
+  def test_SWR_CHART_003_a_tick_that_no_requirement_states_is_refused
+    text = chart('base_timer')
+    refusal = assert_raises(Chart::Refusal) do
+      Chart::Compiled.from('base_timer.scxml', text, LIMITS.reject { |name, _value| name == 'cycle_us' })
+    end
+    assert_equal [15, text.lines.index { |line| line.include?('<scxml') } + 1], [refusal.rule, refusal.line]
+    assert_match(/no requirement states cycle_us, which bs:tick must equal; add the limit/, refusal.message)
+  end
+
+  def test_SWR_CHART_003_a_long_way_is_told_in_few_words
+    text = chart('r34_value_too_large_engine')
+    assert_match(/becomes 32768, reached by: (go, halt, ){6}\(65511 more\), halt, (go, halt, ){5}go;/,
+                 refusal_in('r34_value_too_large_engine', text.sub('bs:max="3"', 'bs:max="32767"')).message)
+  end
+
   def test_SWR_CHART_003_at_most_32_timers_fit
     sends = (0..32).map { |n| send_of("late_#{n}") }
     cancels = (0..32).map { |n| "<cancel sendid=\"late_#{n}\"/>" }
@@ -77,39 +93,6 @@ class TestChartRefusals < Minitest::Test
 
   def test_SWR_CHART_003_a_file_that_is_not_utf_8_is_refused
     assert_match(/:1: CHART-R01 the file is not UTF-8/, refusal_in('base', "<scxml name=\"\xff\"/>").message)
-  end
-
-  def test_SWR_CHART_003_the_same_id_in_two_charts_is_refused
-    with_charts('base', 'twin') do |source, target|
-      File.write(File.join(source, 'twin.scxml'), chart('base').sub('name="base"', 'name="twin"'))
-      _output, errors, status = compile(source, target)
-      assert_equal 1, status.exitstatus
-      assert_match(/twin\.scxml:5: CHART-R08 T-T01 stands in .*base\.scxml/, errors)
-    end
-  end
-
-  def test_SWR_CHART_003_one_refused_chart_and_nothing_is_written
-    with_charts('base', 'r07_unknown_target') do |source, target|
-      _output, errors, status = compile(source, target)
-      assert_equal 1, status.exitstatus
-      assert_match(/CHART-R07/, errors)
-      refute_path_exists File.join(target, 'charts')
-    end
-  end
-
-  def test_SWR_CHART_003_missing_limits_are_named
-    with_charts('base') do |source, target|
-      FileUtils.rm_r(File.join(target, 'limits'))
-      _output, errors, status = compile(source, target)
-      assert_equal 1, status.exitstatus
-      assert_match(/limits\.json:1: CHART-R15 .*generate the limits first/, errors)
-    end
-  end
-
-  def test_SWR_CHART_003_wrong_arguments_get_the_usage
-    _output, errors, status = Open3.capture3(RbConfig.ruby, File.join(__dir__, '..', 'chart_compiler.rb'))
-    assert_equal 2, status.exitstatus
-    assert_match(/\Ausage: /, errors)
   end
 
   private
@@ -134,26 +117,5 @@ class TestChartRefusals < Minitest::Test
 
   def refusal_in(name, text)
     assert_raises(Chart::Refusal) { compiled(File.join(FOLDER, "#{name}.scxml"), text) }
-  end
-
-  def with_charts(*names)
-    Dir.mktmpdir do |folder|
-      source = File.join(folder, 'charts_in')
-      target = File.join(folder, 'gen')
-      FileUtils.mkdir_p([source, File.join(target, 'limits')])
-      names.each { |name| copy(name, source) }
-      listed = LIMITS.map { |name, value| { name: name, value: value } }
-      File.write(File.join(target, 'limits', 'limits.json'), JSON.generate(listed))
-      yield source, target
-    end
-  end
-
-  def copy(name, source)
-    file = File.join(FOLDER, "#{name}.scxml")
-    FileUtils.cp(file, source) if File.exist?(file)
-  end
-
-  def compile(source, target)
-    Open3.capture3(RbConfig.ruby, File.join(__dir__, '..', 'chart_compiler.rb'), source, target)
   end
 end

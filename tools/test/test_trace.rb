@@ -54,7 +54,8 @@ class TestTrace < Minitest::Test
     'statecharts/gate.scxml' => <<~XML,
       <scxml xmlns:bs="x">
         <state id="shut" bs:req="SWR-PEDAL-001">
-          <transition bs:id="GATE-T01" event="a" cond="x > 1" bs:req="SWR-PEDAL-001 SWR-PEDAL-002"/>
+          <transition bs:id="GATE-T01" event="a" cond="x > 1" bs:req="SWR-PEDAL-001 SWR-PEDAL-002"
+                      bs:hazard="HAZ-001"/>
         </state>
       </scxml>
     XML
@@ -208,6 +209,19 @@ class TestTrace < Minitest::Test
       output, status = trace('check', root)
       assert status.success?, output
     end
+  end
+
+  def test_SWR_TRACE_001_e01_unknown_hazard_in_chart
+    ['HAZ-009', 'SWR-PEDAL-009'].each do |id|
+      assert_finding "E01 statecharts/gate.scxml:3: gate GATE-T01 names the unknown hazard #{id}",
+                     'statecharts/gate.scxml', 'HAZ-001', id
+    end
+  end
+
+  def test_SWR_TRACE_001_e17_hazard_in_chart_that_its_requirements_do_not_control
+    finding = 'E17 statecharts/gate.scxml:3: gate GATE-T01 names HAZ-001, which no requirement of it controls'
+    assert_finding finding, 'statecharts/gate.scxml', 'SWR-PEDAL-001 SWR-PEDAL-002', 'SWR-PEDAL-002'
+    assert_finding finding.sub('HAZ-001', 'SWR-PEDAL-001'), 'statecharts/gate.scxml', 'HAZ-001', 'SWR-PEDAL-001'
   end
 
   def test_SWR_TRACE_001_static_check_needs_no_results

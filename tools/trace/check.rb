@@ -33,7 +33,7 @@ module Trace
   # Tests that run the whole controller are integration tests, wherever they stand.
   LEVEL_OF_FILE = { %r{\Averification/(?:integration/|unit/test_controller)} => 'integration',
                     %r{\A(?:verification/unit|build/gen/tests)/} => 'unit',
-                    %r{\Averification/(?:conformance|model)/} => 'tool',
+                    %r{\Averification/(?:conformance|faults|model)/} => 'tool',
                     %r{\Averification/} => 'system',
                     %r{\Aapp/console/} => 'console',
                     %r{\Atools/test/} => 'tool' }.freeze
@@ -125,6 +125,7 @@ module Trace
       check_parents
       check_children
       check_elements
+      check_controls
       check_declarations
       sorted
     end
@@ -232,6 +233,22 @@ module Trace
       end
     end
 
+    # What a chart's element controls must follow from its requirements.
+    def check_controls
+      @project.sources.controls.each do |control|
+        next complain('E01', control.place, "#{control.name} names the unknown hazard #{control.hazard}") \
+          unless known.key?(control.hazard)
+        next if control.requirements.any? { |id| hazards_of(id).include?(control.hazard) }
+
+        complain('E17', control.place, "#{control.name} names #{control.hazard}, which no requirement of it controls")
+      end
+    end
+
+    def hazards_of(requirement)
+      controls = known[requirement]&.parents || []
+      controls.flat_map { |id| known[id]&.parents || [] }
+    end
+
     def check_declarations
       @project.sources.tests.each do |test|
         check_name(test.name, test.place)
@@ -275,7 +292,9 @@ module Trace
     def check_gone(ran)
       declared = @project.sources.tests.map { |test| [test.place.file, test.name] }
       (ran - declared).select { |file, _| file.match?(/\.(?:c|rb)\z/) }.each do |file, name|
-        complain('E13', Place.new(file, 1), "#{name} has a result but is not there") unless defined_at_run_time?(file, name)
+        next if defined_at_run_time?(file, name)
+
+        complain('E13', Place.new(file, 1), "#{name} has a result but is not there")
       end
     end
 

@@ -7,10 +7,13 @@ module Trace
   # Something that claims to fulfil a requirement: a declaration or a chart's element.
   Element = Struct.new(:requirement, :name, :place, keyword_init: true)
 
+  # A hazard that a chart's element says it controls, with the requirements of that element.
+  Control = Struct.new(:hazard, :requirements, :name, :place, keyword_init: true)
+
   # A test as it stands in the sources. `is_empty` is nil where that cannot be seen in the text.
   Declaration = Struct.new(:name, :is_empty, :place, keyword_init: true)
 
-  # Finds `@satisfies`, `bs:req` and tests below a project's root.
+  # Finds `@satisfies`, `bs:req`, `bs:hazard` and tests below a project's root.
   class Sources
     CODE = '{core,bsp,app,tools}/**/*.{h,c,rb,ts,tsx}'
     CHARTS = 'statecharts/*.scxml'
@@ -29,6 +32,14 @@ module Trace
 
     def elements
       @elements ||= code_elements + chart_elements
+    end
+
+    def controls
+      chart_tags.flat_map do |tag|
+        ids(tag, 'bs:hazard').map do |id|
+          Control.new(hazard: id, requirements: ids(tag, 'bs:req'), name: tag[:name], place: tag[:place])
+        end
+      end
     end
 
     def tests
@@ -71,18 +82,26 @@ module Trace
     end
 
     def chart_elements
-      glob(CHARTS).flat_map do |file|
+      chart_tags.flat_map do |tag|
+        ids(tag, 'bs:req').map { |id| Element.new(requirement: id, name: tag[:name], place: tag[:place]) }
+      end
+    end
+
+    # The attributes of every element of a chart, with its name and place.
+    def chart_tags
+      @chart_tags ||= glob(CHARTS).flat_map do |file|
         text = read(file)
-        text.enum_for(:scan, TAG).flat_map do
+        text.enum_for(:scan, TAG).map do
           match = Regexp.last_match
           attributes = match[2].scan(/([\w:]+)\s*=\s*"([^"]*)"/).to_h
-          place = Place.new(file, text[0...match.begin(0)].count("\n") + 1)
-          name = "#{File.basename(file, '.scxml')} #{attributes['bs:id'] || attributes['id'] || match[1]}"
-          attributes.fetch('bs:req', '').split(/[\s,]+/).map do |id|
-            Element.new(requirement: id, name: name, place: place)
-          end
+          { attributes: attributes, place: Place.new(file, text[0...match.begin(0)].count("\n") + 1),
+            name: "#{File.basename(file, '.scxml')} #{attributes['bs:id'] || attributes['id'] || match[1]}" }
         end
       end
+    end
+
+    def ids(tag, attribute)
+      tag[:attributes].fetch(attribute, '').split(/[\s,]+/)
     end
 
     def c_tests

@@ -30,9 +30,10 @@ module Conformance
       [e.message]
     end
 
-    # One Seen for each step; nothing can be seen of a :corrupt.
-    def run(steps)
-      answers = @program.run(steps.map { |step| command(step) })
+    # One Seen for each step; nothing can be seen of a :corrupt. program: the one that was built, or another of the
+    # same chart.
+    def run(steps, program = @program)
+      answers = program.run(steps.map { |step| command(step) })
       steps.map { |step| step.kind == :corrupt ? Seen.new : seen(answers.shift, step) }
     end
 

@@ -23,7 +23,6 @@ module Conformance
                                                                                      extra_events: events)
       ::Chart::StaticChecks.run(document)
       walk = ::Chart::Walk.new(document).run
-      ::Chart::C::Source.new(document, walk) # the emitter has a rule of its own
       new(document, walk, ::Chart::C::Source.shapes(document))
     end
   end

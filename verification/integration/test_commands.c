@@ -397,6 +397,23 @@ void test_SWR_CORE_004_damaged_charts_are_repaired_to_their_safe_states_and_repo
     TEST_ASSERT_EQUAL_UINT32(LOOP_GUARD_STATE_STOPPED, rig.outputs.snapshot.loop);
 }
 
+/* Whatever the damaged copy says, lost and absent among it. */
+void test_SWR_LINK_003_a_damaged_link_is_a_lost_card(void)
+{
+    for (uint32_t state = 0U; state < 8U; state++) {
+        rig_start_targeted(&rig);
+        (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
+        rig.controller.links[2].chart.state ^= (card_link_state_t)(state + 1U);
+        rig_cycle(&rig);
+        TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_CARD_LOST));
+        TEST_ASSERT_EQUAL_UINT32(CARD_LINK_STATE_LOST, rig.controller.links[2].chart.state);
+        TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_DISABLED, rig.outputs.snapshot.axes[2].power);
+        TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNHOMED, rig.outputs.snapshot.axes[2].reference);
+        TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
+        TEST_ASSERT_EQUAL_UINT32(WORKPHASES_ORDER_NONE, rig.outputs.snapshot.order);
+    }
+}
+
 void test_SWR_CORE_004_a_damaged_workphase_chart_aborts_what_was_armed_once(void)
 {
     rig_start_targeted(&rig);

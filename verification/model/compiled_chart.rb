@@ -21,7 +21,8 @@ class CompiledChart
     'gcc' => [%w[gcc], []],
     'clang' => [%w[clang], []],
     'arm-gcc' => [%w[arm-linux-gnueabihf-gcc -mcpu=cortex-a9 -mfpu=vfpv3-d16 -static], %w[qemu-arm -cpu cortex-a9]],
-    'arm-clang' => [%w[clang --target=arm-linux-gnueabihf -mcpu=cortex-a9 -mfpu=vfpv3-d16 -static], %w[qemu-arm -cpu cortex-a9]]
+    'arm-clang' => [%w[clang --target=arm-linux-gnueabihf -mcpu=cortex-a9 -mfpu=vfpv3-d16 -static],
+                    %w[qemu-arm -cpu cortex-a9]]
   }.freeze
 
   # Writes NAME_chart.h, NAME_chart.c and NAME_driver.c; mutate may change the C before.

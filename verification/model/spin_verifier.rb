@@ -24,15 +24,17 @@ class SpinVerifier
   # How deep a search may go, tried in turn: every new configuration is some ten moves deeper.
   DEPTHS = Array.new(6) { |power| 10_000 * 4**power }.freeze
 
-  def self.open(model)
+  # depths: for a model whose depth is known, that one alone.
+  def self.open(model, depths: DEPTHS)
     Dir.mktmpdir('spin') do |folder|
       File.write(File.join(folder, 'model.pml'), model)
-      yield new(folder)
+      yield new(folder, depths)
     end
   end
 
-  def initialize(folder)
+  def initialize(folder, depths)
     @folder = folder
+    @depths = depths
     call(*SPIN)
     call(*COMPILER, '-o', 'silent')
     call(*COMPILER, '-DPRINTF', '-o', 'talking')
@@ -63,8 +65,10 @@ class SpinVerifier
   private
 
   def depth
-    DEPTHS.find { |depth| !call('./silent', '-A', '-E', '-w20', "-m#{depth}").include?(TOO_SMALL) } ||
-      raise(Failed, "the search is deeper than #{DEPTHS.last}, or a step never ends")
+    return @depths.first if @depths.one?
+
+    @depths.find { |depth| !call('./silent', '-A', '-E', '-w20', "-m#{depth}").include?(TOO_SMALL) } ||
+      raise(Failed, "the search is deeper than #{@depths.last}, or a step never ends")
   end
 
   def check(output)

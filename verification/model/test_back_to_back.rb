@@ -5,28 +5,19 @@
 # Rule under test: every reachable pair of configuration and stimulus of every product chart gives the same in compiled
 # C, in the interpreter, in SCION and in SPIN. The numbers are printed.
 
-require 'json'
 require 'minitest/autorun'
 require 'tmpdir'
-require_relative '../../tools/chart/compiled'
 require_relative 'compiled_chart'
 require_relative 'pairs'
+require_relative 'product_charts'
 require_relative 'scion'
 require_relative 'spin'
 
 class TestBackToBack < Minitest::Test
-  ROOT = File.expand_path('../..', __dir__)
-  LIMITS = JSON.parse(File.read(File.join(ROOT, 'build/gen/limits/limits.json')))
-               .to_h { |limit| [limit.fetch('name'), limit.fetch('value')] }
-  FILES = Dir[File.join(ROOT, 'statecharts/*.scxml')].sort
-  CHARTS = FILES.to_h do |file|
-    [file, Chart::Compiled.from(file, File.read(file, encoding: 'UTF-8'), LIMITS)]
-  end
-
-  CHARTS.each do |file, chart|
+  ProductCharts::ALL.each do |file, chart|
     name = chart.document.name
-    Chart::C::Source.shapes(chart.document).product(%w[gcc clang]).each do |shape, compiler|
-      define_method("test_SWR_CHART_001_#{name}_#{shape}_by_#{compiler}_equals_the_interpreter") do
+    Chart::C::Source.shapes(chart.document).product(CompiledChart::KINDS.keys).each do |shape, compiler|
+      define_method("test_SWR_CHART_001_#{name}_#{shape}_by_#{compiler.tr('-', '_')}_equals_the_interpreter") do
         pairs = Pairs.new(chart.document, chart.walk)
         Dir.mktmpdir do |folder|
           CompiledChart.write(folder, chart.document, chart.walk, shape: shape)
@@ -43,7 +34,7 @@ class TestBackToBack < Minitest::Test
     end
   end
 
-  CHARTS.each_value do |chart|
+  ProductCharts::ALL.each_value do |chart|
     define_method("test_SWR_CHART_001_#{chart.document.name}_by_spin_equals_the_interpreter") do
       comparison = Spin.new.compare(chart.document, chart.walk)
       assert_empty comparison.differences.first(3)
@@ -53,8 +44,9 @@ class TestBackToBack < Minitest::Test
   end
 
   Minitest.after_run do
-    CHARTS.each_value do |chart|
-      puts format('%-15<name>s %3<reached>d configurations, %5<pairs>d pairs: gcc, clang, interpreter, SCION, SPIN',
+    ProductCharts::ALL.each_value do |chart|
+      puts format('%-15<name>s %3<reached>d configurations, %5<pairs>d pairs: gcc, clang, Cortex-A9 by both, ' \
+                  'interpreter, SCION, SPIN',
                   name: chart.document.name, reached: chart.walk.reached.length, pairs: chart.walk.pair_count)
     end
   end

@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 
 require_relative '../refusal'
+require_relative 'counterexample'
 
 module Chart
   # Every event from outside, and every timer that expires, in every reached snapshot and with every valuation: a
@@ -29,7 +30,7 @@ module Chart
       return unless event
 
       ignoring = ignoring(pair.before.leaves, event)
-      refuse_open(pair.before.leaves, event, inputs(pair, idle)) if ignoring.empty?
+      refuse_open(pair, idle, event) if ignoring.empty?
       ignoring.each { |state| @needed[[state.id, event]] = true }
     end
 
@@ -52,12 +53,21 @@ module Chart
       states.reject { |state| states.any? { |other| state.inside?(other) } }
     end
 
-    def refuse_open(leaves, event, inputs)
-      state = @document.state(leaves.first)
-      set = inputs.map { |name, value| value ? name : "!#{name}" }
+    def refuse_open(pair, index, event)
+      leaves = pair.before.leaves
+      set = inputs(pair, index).map { |name, value| value ? name : "!#{name}" }
       where = [leaves.join(' '), *(set.join(' ') unless set.empty?)].join(' with ')
-      raise Refusal.new(@document.file, state.line, 25,
-                        "\"#{event}\" does nothing in #{where}; add a transition, or bs:ignores=\"#{event}\"")
+      raise Refusal.new(@document.file, @document.state(leaves.first).line, 25,
+                        "\"#{event}\" does nothing in #{where}, reached by: #{@walk.path_to(pair.before)}; " \
+                        "add a transition, or bs:ignores=\"#{event}\"", counterexample: example(pair, index, event))
+    end
+
+    def example(pair, index, event)
+      state = @document.state(pair.before.leaves.first)
+      steps = @walk.steps_to(pair.before) + [[pair.stimulus, @walk.valuations[index]]]
+      claim = Counterexample::Claim.new(id: "#{state.id}-#{event}", req: state.req, line: state.line, at: :taken,
+                                        says: "a transition takes \"#{event}\" in #{pair.before.leaves.join(' ')}.")
+      Counterexample.new(@document, @walk, claim, steps)
     end
 
     def check_needed

@@ -6,28 +6,35 @@ require_relative '../emit/c/layout'
 require_relative '../emit/c/names'
 
 module Chart
-  # The shortest way to break a property: in words, and as a Ceedling test of the compiled chart that fails as long as
-  # the way is open.
+  # The shortest way to break a property or a rule: in words, and as a Ceedling test of the compiled chart that fails as
+  # long as the way is open.
+  # @satisfies SWR-CHART-013
   class Counterexample
     include C::Layout
 
     BINARY = { and: '&&', or: '||', add: '+', subtract: '-' }.freeze
 
-    attr_reader :property, :snapshot, :words
+    # What is broken. demand: an expression that must hold when the steps are done.
+    # at: :end; :before for guards, which read what stands before the last step; or :taken, when that step must take a
+    # transition, and there is no demand.
+    Claim = Struct.new(:id, :req, :line, :says, :demand, :at, keyword_init: true)
 
-    # steps: [stimulus, inputs] from the start on; the last one leads to the snapshot.
-    def initialize(document, property, steps, snapshot, words)
+    # The refused chart, and the list of events in words.
+    attr_reader :document, :walk, :words
+
+    # steps: [stimulus, inputs] from the start on.
+    def initialize(document, walk, claim, steps)
       @document = document
-      @property = property
+      @walk = walk
+      @claim = claim
       @steps = steps
-      @snapshot = snapshot
-      @words = words
+      @words = walk.words(steps)
       @regions = Regions.new(document)
       @names = C::Names.new(document, @regions)
     end
 
     def file_name
-      "test_#{@names.prefix}_#{@names.stem_of(@property.id)}.c"
+      "test_#{@names.stem_of(@claim.id)}_counterexample.c"
     end
 
     def test
@@ -40,20 +47,37 @@ module Chart
 
     def about
       ['/* SPDX-License-Identifier: Apache-2.0 */',
-       *comment("The shortest way to break #{@property.id} (#{@property.req.join(' ')}) of #{@document.name}.scxml " \
-                "line #{@property.line}, found by tools/chart_compiler.rb: #{@words}."),
-       *comment("The rule under test: #{@property.text}".gsub('*/', '* /'))]
+       *comment("The shortest way to break #{[@claim.id, *requirements].join(' ')} of #{@document.name}.scxml line " \
+                "#{@claim.line}, found by tools/chart_compiler.rb: #{@words}."),
+       *comment("The rule under test: #{@claim.says}".gsub('*/', '* /'))]
+    end
+
+    def requirements
+      @claim.req.empty? ? [] : ["(#{@claim.req.join(' ')})"]
     end
 
     def test_name
-      requirement = @property.req.first&.tr('-', '_')
-      ['test', *requirement, @names.stem_of(@property.id), 'holds'].join('_')
+      ['test', *@claim.req.first&.tr('-', '_'), @names.stem_of(@claim.id), 'holds'].join('_')
     end
 
     def body
       inputs = @document.inputs.empty? ? [] : ["#{@names.inputs_type} inputs;"]
       ["#{@names.chart_type} chart;", *inputs, '', "#{@names.chart_function('init')}(&chart);", '',
-       *@steps.flat_map { |stimulus, values| [*input_lines(values), *step_lines(stimulus), ''] }, *assertion]
+       *@steps[0..-2].flat_map { |stimulus, values| [*input_lines(values), *step_lines(stimulus), ''] }, *ending]
+    end
+
+    def ending
+      return assertion(condition(@claim.demand)) if @steps.empty?
+
+      stimulus, values = @steps.last
+      inputs = input_lines(values)
+      case @claim.at
+      when :end then [*inputs, *step_lines(stimulus), '', *assertion(condition(@claim.demand))]
+      when :before then [*inputs, *assertion(condition(@claim.demand))]
+      when :taken
+        [*inputs, 'const uint32_t before = chart.trace.count;', *step_lines(stimulus), '',
+         *assertion('(chart.trace.count != before)')]
+      end
     end
 
     def input_lines(values)
@@ -77,21 +101,15 @@ module Chart
       "(void)#{@names.chart_function(function)}(#{['&chart', *inputs, last].join(', ')});"
     end
 
-    # What the property demands at the end; from a configuration that should lead on: that it is not entered.
-    def assertion
-      condition = case @property.kind
-                  when :always, :response then condition(@property.expression)
-                  when :only then "!#{condition(@property.expression)}"
-                  when :reachable then "!#{all(@snapshot.leaves.map { |id| place(@document.state(id)) })}"
-                  end
-      [*at_operators("TEST_ASSERT_TRUE_MESSAGE(#{condition},", 90), "    \"#{@property.id}\");"]
+    def assertion(condition)
+      [*at_operators("TEST_ASSERT_TRUE_MESSAGE(#{condition},", 90), "    \"#{@claim.id}\");"]
     end
 
     def condition(expression)
       kind, left, right, last = expression
       case kind
       when :in then place(@document.state(left))
-      when :variable then "chart.#{@names.field(left)}"
+      when :variable then variable(left)
       when :number, :boolean then left.to_s
       when :not then "!#{condition(left)}"
       when :compare then "(#{condition(right)} #{left} #{condition(last)})"
@@ -104,11 +122,13 @@ module Chart
       return 'true' unless region
 
       leaves = region.leaves.select { |leaf| leaf == state || leaf.inside?(state) }
-      "(#{leaves.map { |leaf| "(chart.#{@names.field(region.name)} == #{@names.leaf(leaf)})" }.join(' || ')})"
+      tests = leaves.map { |leaf| "(chart.#{@names.field(region.name)} == #{@names.leaf(leaf)})" }
+      tests.one? ? tests.first : "(#{tests.join(' || ')})"
     end
 
-    def all(conditions)
-      "(#{conditions.join(' && ')})"
+    def variable(name)
+      holder = @document.inputs.any? { |input| input.name == name } ? 'inputs' : 'chart'
+      "#{holder}.#{@names.field(name)}"
     end
   end
 end

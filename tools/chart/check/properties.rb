@@ -116,19 +116,33 @@ module Chart
     end
 
     def refuse(property, violated)
-      example = violated.is_a?(Step) ? of_step(property, violated) : of_snapshot(property, violated)
+      after, steps = violated.is_a?(Step) ? [violated.outcome.after, steps_by(violated)] : [violated, way(violated)]
+      example = Counterexample.new(@document, @walk, claim(property, after), steps)
       raise Refusal.new(@document.file, property.line, RULES.fetch(property.kind),
-                        "#{property.id} is violated in #{example.snapshot.leaves.join(' ')}, reached by: " \
-                        "#{example.words}; close that path", counterexample: example)
+                        "#{property.id} is violated in #{after.leaves.join(' ')}, reached by: #{example.words}; " \
+                        'close that path', counterexample: example)
     end
 
-    def of_snapshot(property, snapshot)
-      Counterexample.new(@document, property, @walk.steps_to(snapshot), snapshot, @walk.path_to(snapshot))
+    def way(snapshot)
+      @walk.steps_to(snapshot)
     end
 
-    def of_step(property, step)
-      steps = @walk.steps_to(step.before) + [[step.stimulus, step.inputs]]
-      Counterexample.new(@document, property, steps, step.outcome.after, @walk.words(steps))
+    def steps_by(step)
+      way(step.before) + [[step.stimulus, step.inputs]]
+    end
+
+    def claim(property, after)
+      Counterexample::Claim.new(id: property.id, req: property.req, line: property.line, says: property.text,
+                                demand: demand(property, after), at: :end)
+    end
+
+    # At the end of the steps; from a configuration that should lead on: that it is not entered.
+    def demand(property, after)
+      case property.kind
+      when :always, :response then property.expression
+      when :only then [:not, property.expression]
+      when :reachable then [:not, after.leaves.map { |id| [:in, id] }.reduce { |one, other| [:and, one, other] }]
+      end
     end
   end
 end

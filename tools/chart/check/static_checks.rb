@@ -44,6 +44,7 @@ module Chart
       check_ignores
       check_timers
       Causes.new(@document).check
+      refuse(@document.root.line, 7, 'nothing happens here; add a transition with an event') if @document.events.empty?
     end
 
     # Several targets are all entered, so no two of them may exclude or contain each other.

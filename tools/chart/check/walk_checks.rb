@@ -4,6 +4,7 @@
 
 require_relative '../refusal'
 require_relative 'completeness'
+require_relative 'overlapping'
 require_relative 'properties'
 
 module Chart
@@ -43,11 +44,7 @@ module Chart
       overlap = @walk.probe.overlaps.first
       return unless overlap
 
-      first, second, leaves, inputs = overlap.to_a
-      set = inputs.map { |name, value| value ? name : "!#{name}" }
-      event = first.eventless? ? 'without event' : "by \"#{(first.events & second.events).first}\""
-      refuse(second.line, 22, "#{second.id} and #{first.id} are both enabled #{event} in " \
-                              "#{[*leaves, *set].join(' ')}; add to one guard the negation of the other")
+      raise Overlapping.new(@document, @walk).refusal(overlap)
     end
 
     def check_states_reached

@@ -32,6 +32,8 @@ module Chart
     end
 
     def sizes
+      return {} unless @walk
+
       { 'configurations' => @walk.reached.length, 'pairs' => @walk.pair_count,
         'microsteps at most' => @walk.most_microsteps, 'raised events at most' => @walk.most_raised }
     end
@@ -94,7 +96,7 @@ module Chart
     def timers
       @document.timers.to_h do |timer|
         [timer.id, { 'event' => timer.event, 'delay' => duration(timer.delay_us), 'limit' => timer.limit,
-                     'rounds' => timer.rounding.to_s, 'threshold' => duration(timer.threshold_us) }]
+                     'rounds' => timer.rounding&.to_s, 'threshold' => duration(timer.threshold_us) }]
       end
     end
 

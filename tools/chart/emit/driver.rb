@@ -11,6 +11,7 @@ module Chart
   #   init | set V.. | event NUMBER INPUTS | expire MASK INPUTS | advance US INPUTS | corrupt FIELD VALUE | check
   # Each but set and corrupt answers "V.. | ACTIONS | TRANSITIONS | SOUND"; the transitions are the last that the trace
   # holds. A chart has one of these programs for each compiler and processor.
+  # @satisfies SWR-CHART-011
   class Driver
     include C::Layout
 
@@ -127,7 +128,9 @@ module Chart
     def expire_command
       return [] if @document.timers.empty?
 
-      command('expire', inputs? ? ['const long mask = next();', 'actions = expire(mask, next());'] : ['actions = expire(next());'])
+      body = ['actions = expire(next());']
+      body = ['const long mask = next();', 'actions = expire(mask, next());'] if inputs?
+      command('expire', body)
     end
 
     def main

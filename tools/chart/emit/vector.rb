@@ -99,7 +99,8 @@ module Chart
     end
 
     def history(pairs)
-      values(pairs, :memory).group_by { |field, _number| field.part.history }.each_with_object({}) do |(history, found), all|
+      memories = values(pairs, :memory).group_by { |field, _number| field.part.history }
+      memories.each_with_object({}) do |(history, found), all|
         leaves = found.filter_map { |field, number| @names.values(field.part.region)[number] }
         all[history.id] = recorded(history, leaves) if leaves.any?
       end

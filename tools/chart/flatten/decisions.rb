@@ -23,6 +23,11 @@ module Chart
       @found[leaf] ||= decide_all(leaf)
     end
 
+    # The regions that wait for one of the events; nil stands for eventless transitions.
+    def waiting(events)
+      @regions.select { |region| region.leaves.any? { |leaf| (of(leaf).keys & events).any? } }
+    end
+
     def eventless?
       @document.transitions.any?(&:eventless?)
     end

@@ -49,7 +49,8 @@ module Chart
 
     # The region and all regions nested in its leaves.
     def with_nested(region)
-      [region] + region.leaves.select(&:parallel?).flat_map { |leaf| children(leaf) }.flat_map { |one| with_nested(one) }
+      inner = region.leaves.select(&:parallel?).flat_map { |leaf| children(leaf) }
+      [region] + inner.flat_map { |one| with_nested(one) }
     end
 
     # Inner regions before the one they are nested in, siblings in document order.

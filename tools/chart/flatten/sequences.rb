@@ -34,7 +34,8 @@ module Chart
 
     def exits(transition)
       scope = domain(transition)
-      scope ? leave_inside(scope, transition.source) : []
+      steps = scope ? leave_inside(scope, transition.source) : []
+      steps.reject { |step| step.is_a?(Cancel) && expired?(step.timer, transition) }
     end
 
     def entries(transition)
@@ -57,6 +58,14 @@ module Chart
     end
 
     private
+
+    # True when only the expiry of this timer, which has stopped it, can lead to the transition.
+    def expired?(timer, transition)
+      return false unless @document.mode == :product && transition.events == [timer.event]
+
+      causes = @document.timers.map(&:event) + @document.contents.grep(Raise).map(&:event)
+      causes.count(timer.event) == 1
+    end
 
     # --- exits: source tells which of the leaves can be active ---------------------------------------------------
 

@@ -2,7 +2,6 @@
 
 # SPDX-License-Identifier: Apache-2.0
 
-require_relative '../refusal'
 require_relative 'sequences'
 
 module Chart
@@ -20,18 +19,6 @@ module Chart
     # The shapes that give the chart its meaning, the better one first.
     def possible
       @together.all? { |first, second| independent?(first, second) } ? %i[direct staged] : %i[staged]
-    end
-
-    # A targetless transition outside a parallel is taken beside those inside; whose content comes first would depend
-    # on which of the regions stepped.
-    def check
-      @together.each do |first, second|
-        next unless nested?(first, second) && [first, second].all? { |one| ordered?(one.content) }
-        next unless first.targetless? || second.targetless?
-
-        raise Refusal.new(@document.file, second.line, 31, "#{second.id} and #{first.id} may be taken together, and " \
-                                                           'the order of their content is open; raise in one of them')
-      end
     end
 
     private

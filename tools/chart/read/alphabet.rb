@@ -42,7 +42,7 @@ module Chart
     end
 
     def check(word, element)
-      return if word.match?(@context.engine? ? Profile::LOOSE_EVENT : Profile::NAME) || word.match?(Profile::DONE)
+      return if word.match?(@context.lenient? ? Profile::LOOSE_EVENT : Profile::NAME) || word.match?(Profile::DONE)
 
       @context.refuse(element.line, 6, "\"#{word}\" is no event here; write lower-case words joined by underscores")
     end

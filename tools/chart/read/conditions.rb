@@ -51,6 +51,9 @@ module Chart
       @context.refuse(line, 14, "\"#{text}\" is of type #{found}; write one of type #{wanted}")
     rescue Expression::Unsupported => e
       @context.refuse(line, 14, "\"#{text}\": #{e.message}; #{HINT}")
+    rescue Expression::TooDeep
+      @context.refuse(line, 19, "more than #{Expression::DEEPEST} operators and parentheses stand inside each other; " \
+                                'split the expression')
     end
 
     # A history is never active; conformance charts ask nevertheless.

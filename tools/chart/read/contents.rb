@@ -37,7 +37,7 @@ module Chart
     end
 
     def internal(element)
-      stray = (element.attributes.keys & %w[delay id bs:limit bs:kind]).first
+      stray = (element.attributes.keys & %w[delay delayexpr id bs:limit bs:kind]).first
       @context.refuse(element.line, 3, "a send to #_internal has no #{stray}; remove it") if stray
       raised(element)
     end

@@ -52,7 +52,7 @@ module Chart
     end
 
     def first_child(element, state)
-      return [state.substates.first] if @context.engine? && state.substates.any?
+      return [state.substates.first] if @context.lenient? && state.substates.any?
 
       @context.refuse(element.line, 4, "\"#{state.id}\" does not say where it begins; " \
                                        "add initial=\"...\", #{@context.choice(state.children.map(&:id))}")

@@ -12,6 +12,11 @@ module Chart
     # What is wrong with an expression, in words.
     class Unsupported < StandardError; end
 
+    # Deeper than DEEPEST.
+    class TooDeep < StandardError; end
+
+    # So many operators and parentheses inside each other.
+    DEEPEST = 32
     COMPARISONS = { '===' => '==', '!==' => '!=' }.freeze
 
     module_function
@@ -47,15 +52,22 @@ module Chart
       expression.drop(1).grep(Array)
     end
 
+    def too_deep?(expression)
+      (0..DEEPEST).reduce([expression]) { |level, _depth| level.flat_map { |one| operands(one) } }.any?
+    end
+
     # Recursive descent; the precedence is that of ECMAScript.
     class Reader
       def initialize(text)
         @scanner = StringScanner.new(text)
+        @depth = 0
       end
 
       def read
         expression = read_or
         fail_at unless @scanner.eos?
+        raise TooDeep if Expression.too_deep?(expression)
+
         expression
       end
 
@@ -71,6 +83,12 @@ module Chart
         found = @scanner.scan(pattern)
         @scanner.skip(/\s*/)
         found
+      end
+
+      def inside
+        raise TooDeep if (@depth += 1) > DEEPEST
+
+        yield.tap { @depth -= 1 }
       end
 
       def read_or
@@ -110,14 +128,14 @@ module Chart
       end
 
       def read_not
-        return [:not, read_not] if take(/!(?!=)/)
+        return [:not, inside { read_not }] if take(/!(?!=)/)
         return read_group if take(/\(/)
 
         read_atom
       end
 
       def read_group
-        inner = read_or
+        inner = inside { read_or }
         take(/\)/) || fail_at
         inner
       end

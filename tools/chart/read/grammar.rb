@@ -23,7 +23,8 @@ module Chart
 
     def check_element(element, parent)
       form = @forms["#{parent&.name}/#{element.name}"] || @forms.fetch(element.name)
-      drop_foreign(element) if @context.engine?
+      drop_foreign(element) if @context.lenient?
+      drop_unknown(element, form) if @context.mode == :difference
       check_attributes(element, form)
       check_values(element)
       check_children(element, form)
@@ -40,6 +41,11 @@ module Chart
     def drop_foreign(element)
       element.attributes.reject! { |name, _value| name.include?(':') && !name.match?(/\A(?:bs|xmlns):/) }
       element.attributes.reject! { |name, _value| name.start_with?('xmlns:') && name != 'xmlns:bs' }
+    end
+
+    # A version of another time may have said what today's profile has no word for.
+    def drop_unknown(element, form)
+      element.attributes.select! { |name, _value| (form.required + form.optional).include?(name) }
     end
 
     def check_attributes(element, form)

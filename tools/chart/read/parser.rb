@@ -19,8 +19,8 @@ require_relative 'xml_reader'
 module Chart
   # Turns a file into a Document: names resolved, ids unique, nothing outside the profile.
   class Parser
-    # limits: name => value. mode: :product, or :engine for conformance charts. extra_events: events that a scenario
-    # sends and the chart may not name.
+    # limits: name => value. mode: :product, :engine for conformance charts, or :difference for versions that are
+    # compared. extra_events: events that a scenario sends and the chart may not name.
     def self.parse(file, text, limits, mode: :product, extra_events: [])
       new(Context.new(file, mode, limits), extra_events).parse(XmlReader.read(file, text))
     end
@@ -81,8 +81,8 @@ module Chart
       expected = File.basename(@context.file, '.scxml')
       return expected.downcase.gsub(/[^a-z0-9]+/, '_').gsub(/\A(?=\d)/, 'chart_') if @context.engine?
 
-      found = @context.name(@chart.attributes['name'], @chart.line)
-      return found if found == expected
+      found = @context.name(@chart.attributes.fetch('name', expected), @chart.line)
+      return found if found == expected || @context.lenient?
 
       @context.refuse(@chart.line, 6, "the chart is named #{found}; write name=\"#{expected}\"")
     end

@@ -53,13 +53,13 @@ module Chart
       'transition' => Form.new([], TRANSITION, CONTENT),
       'onentry' => Form.new([], %w[bs:do], CONTENT),
       'onexit' => Form.new([], %w[bs:do], CONTENT),
-      'send' => Form.new(%w[event], %w[id delay target type bs:limit bs:kind], []),
+      'send' => Form.new(%w[event], %w[id delay delayexpr target type bs:limit bs:kind], []),
       'assign' => Form.new(%w[location expr], [], []),
       'log' => Form.new([], %w[label expr], []),
       'data' => Form.new(%w[id expr], %w[bs:min bs:max bs:input], [])
     ).freeze
 
-    FORMS = { product: PRODUCT, engine: ENGINE }.freeze
+    FORMS = { product: PRODUCT, engine: ENGINE, difference: ENGINE }.freeze
 
     # Attributes that have one value, or a few.
     PROCESSOR = 'http://www.w3.org/TR/scxml/#SCXMLEventProcessor'

@@ -41,7 +41,7 @@ module Chart
 
     def req(element)
       found = @context.claims(element, 'bs:req')
-      return found if found.any? || @context.engine?
+      return found if found.any? || @context.lenient?
 
       @context.refuse(element.line, 9, "#{element.attributes['id']} names no requirement; add bs:req=\"SWR-...\"")
     end
@@ -64,11 +64,12 @@ module Chart
     def text(element)
       from, expression, on, steps = element.attributes.values_at('from', 'expr', 'on', 'steps')
       where = from ? " from #{from}" : ''
+      count = " in #{steps} step#{'s' unless steps == '1'}" if steps
       case KINDS.fetch(element.name)
       when :always then "always #{expression}"
       when :response then "after #{on}#{where}: #{expression}"
       when :only then "only by #{on}#{where} to #{expression}"
-      when :reachable then "#{expression} can be reached#{where}#{" in #{steps} steps" if steps}"
+      when :reachable then "#{expression} can be reached#{where}#{count}"
       end
     end
   end

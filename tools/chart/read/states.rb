@@ -74,7 +74,7 @@ module Chart
       state.hazards = @context.claims(element, 'bs:hazard')
       state.ignores = element.attributes.fetch('bs:ignores', '').split
       state.depth = element.attributes.fetch('type', 'shallow').to_sym if state.history?
-      return if @context.engine? || !state.leaf? || state.req.any?
+      return if @context.lenient? || !state.leaf? || state.req.any?
 
       @context.refuse(element.line, 9, "state \"#{state.id}\" names no requirement; add bs:req=\"SWR-...\"")
     end

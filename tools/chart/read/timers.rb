@@ -8,6 +8,9 @@ module Chart
   # One timer for each <send> with a delay: its constant, its limit, and how it becomes whole ticks.
   class Timers
     UNITS = { 'us' => 1, 'ms' => 1000, 's' => 1_000_000 }.freeze
+    TIME = /(?<number>\d*\.?\d+)(?<unit>us|ms|s)/.freeze
+    PLAIN = /\A#{TIME}\z/.freeze
+    QUOTED = /\A(?<quote>['"])#{TIME}\k<quote>\z/.freeze
     ROUNDING = { 'watchdog' => :down, 'hold_off' => :up }.freeze
     # The limit that holds the period of the control loop.
     TICK_LIMIT = 'cycle_us'
@@ -40,25 +43,33 @@ module Chart
 
     def read_tick(chart, needed)
       text = chart.attributes['bs:tick']
-      return @context.engine? || needed ? default_tick(chart) : nil unless text
+      return default_tick(chart, needed) unless text
 
       tick = microseconds(text, chart.line, 'bs:tick')
-      nominal = @context.limits.fetch(TICK_LIMIT) { [tick, 1].max }
+      nominal = @context.lenient? ? [tick, 1].max : loop_period(chart)
       return tick if tick == nominal
 
       @context.refuse(chart.line, 15, "the tick is #{tick} us but #{TICK_LIMIT} is #{nominal} us; " \
                                       "write bs:tick=\"#{words(nominal)}\"")
     end
 
-    def default_tick(chart)
+    def loop_period(chart)
+      @context.limits.fetch(TICK_LIMIT) do
+        @context.refuse(chart.line, 15, "no requirement states #{TICK_LIMIT}, which bs:tick must equal; " \
+                                        'add the limit to requirements/')
+      end
+    end
+
+    def default_tick(chart, needed)
       return UNITS['ms'] if @context.engine?
+      return unless needed && !@context.lenient?
 
       @context.refuse(chart.line, 4, 'a chart with timers needs a tick; add bs:tick="1ms"')
     end
 
     def read(element, index)
       attributes = element.attributes
-      delay = microseconds(attributes.fetch('delay', '0s'), element.line, 'delay')
+      delay = delay(element)
       check_limit(element, delay)
       rounding = rounding(element)
       Timer.new(id: @context.name(attributes.fetch('id', "send_#{index}"), element.line),
@@ -70,15 +81,28 @@ module Chart
       @context.name(element.attributes['event'], element.line)
     end
 
-    def microseconds(text, line, attribute)
-      number, unit = text.match(/\A(\d+)(us|ms|s)\z/)&.captures
-      return number.to_i * UNITS.fetch(unit) if unit
+    # Only conformance charts have a delayexpr; it must be one quoted time.
+    def delay(element)
+      text, expression = element.attributes.values_at('delay', 'delayexpr')
+      return microseconds(text || '0s', element.line, 'delay') unless expression
+      return microseconds(expression, element.line, 'delayexpr', QUOTED) unless text
 
-      @context.refuse(line, 15, "#{attribute}=\"#{text}\" is no constant; write a whole number of us, ms or s")
+      @context.refuse(element.line, 3, 'the send has delay and delayexpr; remove one')
+    end
+
+    def microseconds(text, line, attribute, pattern = PLAIN)
+      time = text.match(pattern)
+      found = time && (Rational("0#{time[:number]}") * UNITS.fetch(time[:unit]))
+      return found.to_i if found&.denominator == 1
+
+      @context.refuse(line, 15, "#{attribute}=\"#{text}\" is no constant of whole microseconds; " \
+                                'write a number of us, ms or s')
     end
 
     def check_limit(element, delay)
-      name = element.attributes['bs:limit'] || return
+      name = element.attributes['bs:limit']
+      return if name.nil? || @context.lenient?
+
       limit = @context.limits.fetch(name) do
         known = @context.limits.keys.grep(/_us\z/).sort.join(', ')
         @context.refuse(element.line, 15, "limit #{name} is unknown; write one of: #{known}")
@@ -95,18 +119,24 @@ module Chart
     end
 
     def rounding(element)
-      kind = element.attributes.fetch('bs:kind') { return :up if @context.engine? }
+      kind = element.attributes['bs:kind']
+      return :up if kind.nil? && @context.engine?
+
       ROUNDING.fetch(kind) do
+        return if @context.mode == :difference
+
         @context.refuse(element.line, 32, 'the timer does not say how it rounds to ticks; write bs:kind="watchdog" ' \
                                           '(down) or bs:kind="hold_off" (up)')
       end
     end
 
-    # A conformance chart may send without delay: that lasts one tick.
+    # A conformance chart may send without delay: that lasts one tick. nil where a compared version does not tell.
     def threshold(element, delay, rounding)
+      return unless tick_us && rounding
+
       ticks = rounding == :down ? delay / tick_us : (delay + tick_us - 1) / tick_us
       return ticks * tick_us if ticks.positive?
-      return tick_us if @context.engine?
+      return tick_us if @context.lenient?
 
       @context.refuse(element.line, 32, "the delay rounds to no tick; write #{words(tick_us)} at least")
     end

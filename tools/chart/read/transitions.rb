@@ -54,21 +54,21 @@ module Chart
     end
 
     def missing_id(element)
-      return "T#{@all.length + 1}" if @context.engine?
+      return "T#{@all.length + 1}" if @context.lenient?
 
       @context.refuse(element.line, 8, 'the transition has no id; add bs:id="NAME-Tnn"')
     end
 
     def req(element)
       found = @context.claims(element, 'bs:req')
-      return found if found.any? || @context.engine?
+      return found if found.any? || @context.lenient?
 
       @context.refuse(element.line, 9, "#{element.attributes['bs:id']} names no requirement; add bs:req=\"SWR-...\"")
     end
 
     def events(element)
       words = element.attributes.fetch('event') { return [] }.split
-      if words.empty? || (words.length > 1 && !@context.engine?)
+      if words.empty? || (words.length > 1 && !@context.lenient?)
         @context.refuse(element.line, 6, "\"#{words.join(' ')}\" is not one event; write one name, or no event=")
       end
       @alphabet.matching(words)

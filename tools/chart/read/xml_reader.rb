@@ -24,6 +24,8 @@ module Chart
     SCXML = 'http://www.w3.org/2005/07/scxml'
     OURS = 'urn:boresight:chart'
     NAME = /[A-Za-z_][\w.-]*(?::[A-Za-z_][\w.-]*)?/.freeze
+    # So many elements inside each other.
+    DEEPEST = 32
     ENTITIES = { '&amp;' => '&', '&lt;' => '<', '&gt;' => '>', '&quot;' => '"', '&apos;' => "'" }.freeze
 
     def self.read(file, text)
@@ -38,9 +40,10 @@ module Chart
 
     def read
       refuse('the file is not UTF-8; save it so') unless @scanner.string.valid_encoding?
+      refuse('the file begins with a byte order mark; save it without') if @scanner.check(/\uFEFF/)
       @scanner.skip(/\s*<\?xml[^?]*\?>/)
       skip_between
-      root = read_element({})
+      root = read_element({}, 1)
       skip_between
       refuse('something stands after the root element; remove it') unless @scanner.eos?
       root
@@ -52,8 +55,12 @@ module Chart
       @scanner.string.byteslice(0, @scanner.pos).count("\n") + 1
     end
 
-    def refuse(message)
-      raise Refusal.new(@file, line, 1, message)
+    def refuse(message, rule = 1)
+      raise Refusal.new(@file, line, rule, message)
+    end
+
+    def refuse_markup
+      refuse('neither an element nor a comment; remove the DTD, CDATA, instruction or stray <')
     end
 
     def skip_between
@@ -68,16 +75,17 @@ module Chart
     end
 
     # scope: prefix => namespace, as declared around the element.
-    def read_element(scope)
+    def read_element(scope, depth)
+      refuse("more than #{DEEPEST} elements stand inside each other; split the chart", 19) if depth > DEEPEST
       element = Element.new(nil, {}, [], line, @comment)
-      @scanner.skip(/</) || refuse('expected an element; write <name ...>')
-      tag = @scanner.scan(NAME) || refuse('neither an element nor a comment; remove it')
+      @scanner.skip(/</) || refuse('no element stands here; write <scxml ...>')
+      tag = @scanner.scan(NAME) || refuse_markup
       read_attributes(element)
       scope = resolve_names(element, tag, scope)
       return element if @scanner.skip(%r{/>})
 
       @scanner.skip(/>/) || refuse("start tag of <#{tag}> does not end; write > or />")
-      read_children(element, tag, scope)
+      read_children(element, tag, scope, depth)
       element
     end
 
@@ -90,7 +98,7 @@ module Chart
     end
 
     def read_value(name)
-      quoted = @scanner.scan(/"[^"<]*"|'[^'<]*'/) || refuse("attribute #{name} is not in quotes")
+      quoted = @scanner.scan(/"[^"<]*"|'[^'<]*'/) || refuse("attribute #{name} is not in quotes; write #{name}=\"...\"")
       quoted[1..-2].gsub(/&[^;\s]*;?/) do |entity|
         ENTITIES.fetch(entity) { refuse("#{entity} is not known; write &amp; for &") }
       end
@@ -117,13 +125,13 @@ module Chart
       end
     end
 
-    def read_children(element, tag, scope)
+    def read_children(element, tag, scope, depth)
       loop do
         skip_between
         break if @scanner.check(%r{</})
         next if skip_text(element)
 
-        element.children << read_element(scope)
+        element.children << read_element(scope, depth + 1)
       end
       name = @scanner.scan(%r{</#{Regexp.escape(tag)}\s*>})
       refuse("<#{tag}> of line #{element.line} is not closed; write </#{tag}>") unless name
@@ -134,8 +142,8 @@ module Chart
       here = line
       found = @scanner.skip(/[^<]+/)
       element.text_line ||= here if found
-      refuse("<#{element.name}> is not closed") if @scanner.eos?
-      refuse('neither an element nor a comment; remove it') unless found || @scanner.check(/<[A-Za-z_]/)
+      refuse("<#{element.name}> is not closed; add its end tag") if @scanner.eos?
+      refuse_markup unless found || @scanner.check(/<[A-Za-z_]/)
       found
     end
   end

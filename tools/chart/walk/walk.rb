@@ -14,6 +14,7 @@ module Chart
   class Walk
     MOST_SNAPSHOTS = 200_000
     MOST_TOGETHER = 4
+    MOST_WORDS = 24
     REMEDIES = { 11 => 'guard one of them', 33 => 'cancel it before', 34 => 'guard the assignment' }.freeze
 
     # stimulus is [:event, name] or [:expire, timer ids]; outcomes hold one entry per valuation.
@@ -21,7 +22,8 @@ module Chart
 
     # valuations: hashes input name => boolean; bit n of the index is input n. reached: { snapshot => [snapshot before,
     # stimulus, inputs], or nil for the start }, in the order found. probe: what the reachable steps came across.
-    attr_reader :pairs, :start, :reached, :valuations, :probe
+    # overlapping: the shortest list of steps, as of #steps_to, whose last one meets the first overlap of the probe.
+    attr_reader :pairs, :start, :reached, :valuations, :probe, :overlapping
 
     def initialize(document, most_snapshots = MOST_SNAPSHOTS)
       @document = document
@@ -71,7 +73,9 @@ module Chart
     end
 
     def words(steps)
-      steps.empty? ? 'at the start' : steps.map { |stimulus, inputs| step_words(stimulus, inputs) }.join(', ')
+      return 'at the start' if steps.empty?
+
+      shortened(steps.map { |stimulus, inputs| step_words(stimulus, inputs) }).join(', ')
     end
 
     def active(leaves)
@@ -175,20 +179,36 @@ module Chart
       outcome = yield
       fault = outcome.faults.first
       refuse(fault.content.line, fault.rule, fault.words, step) if fault
+      @overlapping ||= steps_by(step) if @probe.overlaps.any?
       outcome
     rescue Endless => e
       refuse(e.cycle.first.line, 11, e.message, step)
     end
 
     def refuse(line, rule, what, step)
+      raise Refusal.new(@document.file, line, rule,
+                        "#{what}, reached by: #{words(steps_by(step))}; #{REMEDIES.fetch(rule)}")
+    end
+
+    def steps_by(step)
       before, stimulus, inputs = step
-      steps = before ? steps_to(before) + [[stimulus, inputs]] : []
-      raise Refusal.new(@document.file, line, rule, "#{what}, reached by: #{words(steps)}; #{REMEDIES.fetch(rule)}")
+      before ? steps_to(before) + [[stimulus, inputs]] : []
     end
 
     def refuse_size
       raise Refusal.new(@document.file, @document.root.line, 19, "more than #{@most_snapshots} configurations are " \
                                                                  'reached; bound the data, or split the chart')
+    end
+
+    # Repetitions are counted; of what is still long, the beginning and the end are told.
+    def shortened(words)
+      runs = words.chunk_while { |one, other| one == other }.flat_map do |run|
+        run.length > 2 ? ["#{run.first} (#{run.length} times)"] : run
+      end
+      return runs if runs.length <= MOST_WORDS
+
+      half = MOST_WORDS / 2
+      [*runs.first(half), "(#{runs.length - (2 * half)} more)", *runs.last(half)]
     end
 
     def step_words(stimulus, inputs)

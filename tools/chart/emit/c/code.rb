@@ -7,11 +7,14 @@ require_relative 'names'
 
 module Chart
   module C
-    # The file-local functions of a chart. A function has the parameters that its body speaks of.
+    # The file-local functions of a chart. Five names are kept for parameters: a function has those that are free in its
+    # body, and no statement of this folder gives one of them to anything else.
     class Code
       include Layout
 
       PARAMETERS = %w[self before inputs event run].freeze
+      # Comments and members (->event, .event) are passed over; what is left and caught is an identifier.
+      IDENTIFIER = %r{/\*.*?\*/|(?:->|\.)\w+|([A-Za-z_]\w*)}m
 
       def initialize(names)
         @names = names
@@ -23,10 +26,10 @@ module Chart
       # also: further parameters.
       def define(type, name, body, comment: [], constant: false, also: [])
         lines = body.flatten
-        words = lines.join("\n").gsub(%r{/\*.*?\*/}m, '')
-        @parameters[name] = PARAMETERS.select { |one| words.match?(/(?<![>.])\b#{one}\b/) }
+        @parameters[name] = PARAMETERS & lines.join("\n").scan(IDENTIFIER).flatten
+        declared = declare(@parameters[name], constant) + also
         head = "static #{type} #{@names.function(name)}"
-        add(name, [comment, call(head, declare(@parameters[name], constant) + also, ''), '{',
+        add(name, [comment, call(head, declared.empty? ? ['void'] : declared, ''), '{',
                    lines.map { |line| line.empty? ? line : "    #{line}" }, '}', ''])
       end
 

@@ -6,7 +6,8 @@ require_relative 'selection'
 
 module Chart
   module C
-    # Each region takes its transition at once. Guards that read other regions read them as they were before the step.
+    # An event moves the regions that wait for it, and each takes its transition at once. Where one event moves several,
+    # guards read the regions as they were before the step.
     class Direct
       def initialize(parts, code)
         @parts = parts
@@ -16,16 +17,31 @@ module Chart
 
       def define
         @parts.document.transitions.each { |transition| define_transition(transition) }
-        @step = define_step(false)
-        @rest = @parts.decisions.eventless? ? define_step(true) : nil
+        @steps = define_steps(false)
+        @steps_at_rest = define_steps(true)
       end
 
-      def call(event)
-        "#{@code.invoke(@step, 'event' => event)};"
+      # The step for an event, `name` in C, that is one of `events`; `run` is what gathers. Only the regions move that
+      # wait for one of them.
+      def step(name, events, run = 'run')
+        together(@steps.slice(*waiting(events)), 'event' => name, 'run' => run)
       end
 
-      def call_at_rest
-        @rest && "#{@code.invoke(@rest)};"
+      def step_from_outside(run)
+        return step('event', @parts.outside_events, run) unless sorts?
+
+        @code.define('void', 'microstep', sorting,
+                     comment: Layout.comment('An event moves only the regions that wait for it.'))
+        ["#{@code.invoke('microstep', 'run' => run)};"]
+      end
+
+      def step_at_rest
+        together(@steps_at_rest)
+      end
+
+      # True when regions wait for different events; then those that are not for the outside are told apart as well.
+      def sorts?
+        groups.length > 1
       end
 
       # The structure of what guards read of other regions and of the data.
@@ -49,9 +65,18 @@ module Chart
                      comment: Layout.comment(@parts.about(transition)))
       end
 
-      # One region needs no picture of the others.
+      def waiting(events)
+        @parts.decisions.waiting(events)
+      end
+
+      # Regions => the events from outside that just these wait for.
+      def groups
+        @groups ||= @parts.outside_events.group_by { |event| waiting([event]) }.reject { |regions, _| regions.empty? }
+      end
+
+      # Regions that step one at a time need no picture of the others.
       def snapshot?
-        @parts.regions.to_a.length > 1
+        [*@parts.document.events, nil].any? { |event| waiting([event]).length > 1 }
       end
 
       def read_fields
@@ -76,21 +101,56 @@ module Chart
         variable ? [[@names.variable_type(variable), @names.field(name)]] : []
       end
 
-      def define_step(eventless)
-        outcome = Outcome.new('step', Result.new('void'), false,
-                              ->(transition) { "#{@code.invoke(take(transition))};" })
+      # Region => its function, for those that have something to take.
+      def define_steps(eventless)
         holder = snapshot? ? 'before' : 'self'
-        steps = @parts.regions.filter_map do |region|
-          @parts.selection.define(@code, region, eventless, holder, outcome)
+        outcome = Outcome.new('step', Result.new('void'), false, holder,
+                              ->(transition) { "#{@code.invoke(take(transition))};" })
+        steps = @parts.regions.to_h do |region|
+          [region, @parts.selection.define(@code, region, eventless, outcome, sorts? ? sent_to(region) : nil)]
         end
-        combine(eventless ? 'microstep_at_rest' : 'microstep', steps)
+        steps.compact
       end
 
-      def combine(name, steps)
-        picture = steps.any? { |step| @code.needs?(step, 'before') }
-        calls = steps.map { |step| "#{@code.invoke(step, 'before' => '&before_step')};" }
-        @code.define('void', name, picture ? [*picture_lines, '', *calls] : calls)
-        name
+      # The events that a region's function is called for where they are sorted: its own, and with its raised ones those
+      # that other regions wait for.
+      def sent_to(region)
+        [@parts.raised_events, *@parts.document.events.map { |event| [event] }]
+          .select { |events| waiting(events).include?(region) }.flatten.uniq
+      end
+
+      # Calls of the regions' functions. Guards of all of them read one picture.
+      def together(steps, replace = {})
+        functions = steps.values
+        return calls(functions, replace) unless functions.any? { |function| @code.needs?(function, 'before') }
+
+        name = "microstep_of_#{functions.map { |function| function.delete_prefix('step_') }.join('_and_')}"
+        define_with_picture(name, functions) unless @code.defined?(name)
+        calls([name], replace)
+      end
+
+      def calls(functions, replace)
+        functions.map { |function| "#{@code.invoke(function, replace)};" }
+      end
+
+      def define_with_picture(name, functions)
+        @code.define('void', name, [*picture_lines, '', *calls(functions, 'before' => '&before_step')])
+      end
+
+      # One switch: which regions an event is for.
+      def sorting
+        cases = groups.map { |regions, events| [labels(events), branch(step('event', events)), '    break;'] }
+        others = @parts.document.events - groups.values.flatten
+        ['switch (event) {', cases, labels(others), 'default:', '    /* nothing waits for it from outside */',
+         '    break;', '}']
+      end
+
+      def labels(events)
+        events.map { |event| "case #{@names.event(event)}:" }
+      end
+
+      def branch(lines)
+        lines.map { |line| "    #{line}" }
       end
 
       def picture_lines

@@ -20,7 +20,8 @@ module Chart
         lines = wrap(text, WIDTH - indent.length - 6)
         return ["#{indent}/* #{lines.first} */"] if lines.length == 1
 
-        ["#{indent}/* #{lines.first}", *lines[1..-2].map { |line| "#{indent}   #{line}" }, "#{indent}   #{lines.last} */"]
+        ["#{indent}/* #{lines.first}", *lines[1..-2].map { |line| "#{indent}   #{line}" },
+         "#{indent}   #{lines.last} */"]
       end
 
       def wrap(text, width)

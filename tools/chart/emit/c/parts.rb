@@ -41,6 +41,17 @@ module Chart
         raises? || document.actions.any?
       end
 
+      # Events that content or the end of a final state raises.
+      def raised_events
+        named = document.contents.grep(Raise).map(&:event)
+        document.events.select { |event| named.include?(event) || event.start_with?('done.state.') }
+      end
+
+      # Events that the caller may send.
+      def outside_events
+        document.events - document.internal_events
+      end
+
       # Compound states other than regions, the ones worth asking for by name.
       def compounds
         document.states.select { |state| state.kind == :compound } - regions.map(&:state)

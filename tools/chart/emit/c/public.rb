@@ -10,9 +10,10 @@ module Chart
     class Public
       include Layout
 
-      def initialize(parts, code)
+      def initialize(parts, code, stepper)
         @parts = parts
         @code = code
+        @stepper = stepper
         @document = parts.document
         @names = parts.names
         @regions = parts.regions
@@ -40,14 +41,18 @@ module Chart
 
       # Every region is one of its leaves, and "none" just when the parallel around it is not active.
       def leaves_function
-        tests = @regions.map { |region| "((uint32_t)#{field(region)} <= (uint32_t)#{@names.last_value(region)})" }
+        tests = @regions.map do |region|
+          operator = @names.values(region).length == 1 ? '==' : '<='
+          "((uint32_t)#{field(region)} #{operator} (uint32_t)#{@names.last_value(region)})"
+        end
         tests += @regions.reject { |region| @regions.always_active?(region) }.map { |region| presence(region) }
         [call("static bool #{@names.function('is_in_leaves')}", constant_self, ''), '{', joined(tests), '}', '']
       end
 
       def presence(region)
         around = @parts.expressions.place(region.outer, 'self')
-        "((#{field(region)} != #{@names.value(region, nil)}) == #{around})"
+        none = @names.value(region, nil)
+        "(#{around} ? (#{field(region)} != #{none}) : (#{field(region)} == #{none}))"
       end
 
       def joined(tests, operator = '&&')
@@ -72,7 +77,8 @@ module Chart
       end
 
       def vanish_lines
-        @regions.select { |region| @regions.vanishes?(region) }.flat_map { |region| @parts.steps.lines([Enter.new(region, nil)]) }
+        vanishing = @regions.select { |region| @regions.vanishes?(region) }
+        vanishing.flat_map { |region| @parts.steps.lines([Enter.new(region, nil)]) }
       end
 
       def memory_lines
@@ -88,7 +94,8 @@ module Chart
       end
 
       def reset_call
-        [vanish_lines, memory_lines, data_lines, timer_lines].flatten.empty? ? [] : ["#{@names.function('clear')}(self);"]
+        lines = [vanish_lines, memory_lines, data_lines, timer_lines].flatten
+        lines.empty? ? [] : ["#{@names.function('clear')}(self);"]
       end
 
       def run_lines
@@ -114,14 +121,26 @@ module Chart
       end
 
       def dispatch_function
-        inner = @document.internal_events.map { |event| "(event != #{@names.event(event)})" }
-        condition = ["#{@names.function('is_intact')}(self)", *inner].join(' && ')
-        runs = "#{@code.invoke('run_to_completion', 'run' => '&run')};"
+        condition = ["#{@names.function('is_intact')}(self)", *from_outside].join(' && ')
+        runs = macrostep(@stepper.step_from_outside('&run'))
         [call("uint32_t #{@names.chart_function('dispatch')}",
               @names.public_parameters("#{@names.event_type} event").split(', '), ''), '{',
-         unused('event', [runs, condition]), unused('inputs', [runs]), run_lines.map { |line| ["    #{line}", ''] },
-         at_operators("if (#{condition}) {", 90).map { |line| "    #{line}" }, "        #{runs}", '    }',
-         "    return #{actions};", '}', '']
+         unused('event', [*runs, condition]), unused('inputs', runs), run_lines.map { |line| ["    #{line}", ''] },
+         at_operators("if (#{condition}) {", 90).map { |line| "    #{line}" }, runs.map { |line| "        #{line}" },
+         '    }', "    return #{actions};", '}', '']
+      end
+
+      def from_outside
+        return [] if @stepper.sorts?
+
+        @document.internal_events.map { |event| "(event != #{@names.event(event)})" }
+      end
+
+      # A first step and all that follows.
+      def macrostep(step)
+        return step unless @code.defined?('run_to_completion')
+
+        [*step, "#{@code.invoke('run_to_completion', 'run' => '&run')};"]
       end
 
       def actions
@@ -131,7 +150,8 @@ module Chart
       def advance_function
         head = "uint32_t #{@names.chart_function('advance')}"
         body = @document.timers.empty? ? ['    self->now_us += elapsed_us;', '    return 0U;'] : advance_body
-        [count_function, call(head, @names.advance_parameters.split(', '), ''), '{', unused_in_advance(body), body, '}', '']
+        [count_function, call(head, @names.advance_parameters.split(', '), ''),
+         '{', unused_in_advance(body), body, '}', '']
       end
 
       def unused_in_advance(body)
@@ -159,7 +179,8 @@ module Chart
           ["    if (self->#{@names.field(timer.id)}_is_armed) {",
            "        #{time} = #{@names.function('add_saturated')}(#{time}, elapsed_us);", '    }']
         end
-        [saturate, call("static void #{@names.function('count_time')}", ["#{@names.chart_type} *self", 'uint32_t elapsed_us'], ''),
+        head = "static void #{@names.function('count_time')}"
+        [saturate, call(head, ["#{@names.chart_type} *self", 'uint32_t elapsed_us'], ''),
          '{', rows, '}', '', @document.timers.map { |timer| expired_function(timer) }]
       end
 
@@ -175,10 +196,17 @@ module Chart
       end
 
       def expiry_lines(timer)
-        runs = @code.invoke('run_to_completion', 'event' => @names.event(timer.event), 'run' => '&run')
+        runs = macrostep(@stepper.step(@names.event(timer.event), [timer.event], '&run'))
         ["        if (#{@names.function("#{@names.field(timer.id)}_has_expired")}(self)) {",
-         *@parts.steps.lines([Cancel.new(timer)]).map { |line| "            #{line}" },
-         "            #{runs};", '        }']
+         *[*@parts.steps.lines([Cancel.new(timer)]), *empty_queue(timer), *runs].map { |line| "            #{line}" },
+         '        }']
+      end
+
+      # What the timers before have raised is done.
+      def empty_queue(timer)
+        return [] if !@parts.raises? || timer == @document.timers.first
+
+        ['run.raised = 0U;', 'run.taken = 0U;']
       end
 
       def sound_function

@@ -18,11 +18,12 @@ module Chart
       end
 
       # Defines the region's functions in code. eventless: the transitions without event, else those with one.
-      # holder: where guards read. Returns the name of the region's function, or nil if there is nothing to select.
-      def define(code, region, eventless, holder, outcome)
+      # only: the events that the functions are called for, nil for any. Returns the name of the region's function, or
+      # nil if there is nothing to select.
+      def define(code, region, eventless, outcome, only = nil)
         @code = code
-        @holder = holder
         @outcome = outcome
+        @only = only
         @result = outcome.result
         busy = region.leaves.reject { |leaf| decisions(leaf, eventless).empty? }
         return nil if busy.empty?
@@ -57,13 +58,25 @@ module Chart
                      constant: @outcome.constant)
       end
 
+      # Where no other event can come, the last one is not asked for.
       def event_chain(found)
-        rows = found.each_with_index.map do |(event, decision), index|
+        last = found.keys.last if @only && (@only - found.keys).empty?
+        asked = found.keys - [last]
+        return decision_lines(found.fetch(last)) if asked.empty?
+
+        rows = asked.each_with_index.map do |event, index|
           opening = index.zero? ? 'if' : '} else if'
-          ["#{opening} (event == #{@names.event(event)}) {", indent(decision_lines(decision))]
+          ["#{opening} (event == #{@names.event(event)}) {", indent(decision_lines(found.fetch(event)))]
         end
-        closing = found.length > 1 ? ['} else {', '    /* not for this state */'] : []
-        [rows, closing, '}']
+        [rows, last ? remaining(last, found.fetch(last)) : others(found), '}']
+      end
+
+      def remaining(event, decision)
+        ['} else {', "    /* #{@names.event(event)}: no other can come */", *indent(decision_lines(decision))]
+      end
+
+      def others(found)
+        found.length > 1 ? ['} else {', '    /* not for this state */'] : []
       end
 
       def indent(lines)
@@ -73,7 +86,7 @@ module Chart
       def decision_lines(decision)
         return [@outcome.line(decision)] unless decision.is_a?(Decisions::Choice)
 
-        condition, yes, no = @expressions.flatten(decision, @holder)
+        condition, yes, no = @expressions.flatten(decision, @outcome.holder)
         [*broken("if (#{condition}) {"), *indent(decision_lines(yes)), *else_lines(no), '}']
       end
 
@@ -81,7 +94,7 @@ module Chart
         return [] if decision.nil?
         return ['} else {', *indent(decision_lines(decision))] unless decision.is_a?(Decisions::Choice)
 
-        condition, yes, no = @expressions.flatten(decision, @holder)
+        condition, yes, no = @expressions.flatten(decision, @outcome.holder)
         rest = no ? else_lines(no) : ['} else {', '    /* no guard holds */']
         [*broken("} else if (#{condition}) {"), *indent(decision_lines(yes)), *rest]
       end
@@ -119,8 +132,8 @@ module Chart
       end
     end
 
-    # verb: how the functions begin; line: a block from a transition to one line of C.
-    Outcome = Struct.new(:verb, :result, :constant, :block) do
+    # verb: how the functions begin; holder: where guards read; line: a block from a transition to one line of C.
+    Outcome = Struct.new(:verb, :result, :constant, :holder, :block) do
       def line(transition)
         block.call(transition)
       end

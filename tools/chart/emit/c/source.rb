@@ -14,6 +14,8 @@ module Chart
   module C
     # The C of one chart. Only the statement forms of this folder can come out; that is the whole list to review.
     # @satisfies SWR-CHART-004
+    # @satisfies SWR-CHART-008
+    # @satisfies SWR-CHART-014
     class Source
       include Layout
 
@@ -27,7 +29,6 @@ module Chart
       def initialize(document, walk, shape: nil)
         @document = document
         @parts = Parts.new(document, walk)
-        @parts.shape.check
         @shape = shape || @parts.shape.possible.first
         @names = @parts.names
       end
@@ -40,7 +41,7 @@ module Chart
         define_timers
         stepper.define
         define_macrostep(stepper)
-        public_lines = Public.new(@parts, @code).lines
+        public_lines = Public.new(@parts, @code, stepper).lines
         text([banner(@document, 'Code'), '', "#include \"#{@document.name}_chart.h\"", '', delays, run_type,
               stepper.types, @code.lines(public_lines), public_lines])[0..-2]
       end
@@ -110,48 +111,37 @@ module Chart
         @code.define('void', "#{verb}_#{field}", ["self->#{field}_us = 0U;", "self->#{field}_is_armed = #{armed};"])
       end
 
-      # The first step, then the rounds that its events and eventless transitions can need; their number is the exact
-      # bound over all reachable pairs.
+      # What follows the first step: the rounds that raised events and eventless transitions can need; their number is
+      # the exact bound over all reachable pairs. Inlined, since every event comes this way.
       def define_macrostep(stepper)
         define_settle(stepper)
-        step = stepper.call('event')
-        rounds = @parts.rounds.zero? ? [] : ["#{@code.invoke('settle')};"] * @parts.rounds
-        @code.define('void', 'run_to_completion', [*empty_queue, step, *rounds, *settled])
-        define_begin
+        @code.define('inline void', 'run_to_completion', settled(@parts.rounds)) if @parts.rounds.positive?
+        @code.define('void', 'begin', @parts.steps.lines(@parts.sequences.start) + settled(@parts.rounds_at_start))
       end
 
-      def define_begin
-        start = @parts.steps.lines(@parts.sequences.start)
-        rounds = @parts.rounds_at_start
-        return @code.define('void', 'begin', start) if rounds.zero?
+      def settled(rounds)
+        return [] if rounds.zero?
 
-        @code.define('void', 'begin', [*empty_queue, *start, *["#{@code.invoke('settle')};"] * rounds, *settled])
-      end
-
-      def empty_queue
-        @parts.raises? ? ['run->raised = 0U;', 'run->taken = 0U;'] : []
-      end
-
-      def settled
-        @parts.raises? ? ['chart_require_settled(run->taken, run->raised);'] : []
+        bound = @parts.raises? ? ['chart_require_settled(run->taken, run->raised);'] : []
+        ["#{@code.invoke('settle')};"] * rounds + bound
       end
 
       def define_settle(stepper)
         return if @parts.rounds.zero?
 
-        rest = stepper.call_at_rest
-        dequeue = @parts.raises? ? dequeue_lines(stepper) : []
-        return @code.define('void', 'settle', dequeue) if rest.nil?
-        return @code.define('void', 'settle', [rest]) if dequeue.empty?
+        rest = stepper.step_at_rest
+        waits = '(run->taken < run->raised)'
+        return @code.define('void', 'settle', rest) unless @parts.raises?
+        return @code.define('void', 'settle', dequeue_lines(stepper, waits)) if rest.empty?
 
-        condition = dequeue.first.sub('if (', 'if ((self->trace.count == count) && ')
-        @code.define('void', 'settle', ['const uint32_t count = self->trace.count;', rest, condition, *dequeue.drop(1)])
+        @code.define('void', 'settle', ['const uint32_t count = self->trace.count;', '', *rest,
+                                        *dequeue_lines(stepper, "((self->trace.count == count) && #{waits})")])
       end
 
-      def dequeue_lines(stepper)
-        step = stepper.call('next')
-        event = step.include?('next') ? ["    const #{@names.event_type} next = run->events[run->taken];", ''] : []
-        ['if (run->taken < run->raised) {', *event, '    run->taken++;', "    #{step}", '}']
+      def dequeue_lines(stepper, condition)
+        step = stepper.step('next', @parts.raised_events)
+        event = step.join.match?(/\bnext\b/) ? ["const #{@names.event_type} next = run->events[run->taken];", ''] : []
+        ["if #{condition} {", *[*event, 'run->taken++;', *step].map { |line| line.empty? ? '' : "    #{line}" }, '}']
       end
     end
   end

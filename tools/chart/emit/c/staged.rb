@@ -30,12 +30,21 @@ module Chart
         define_step('microstep_at_rest', true) if @parts.decisions.eventless?
       end
 
-      def call(event)
-        "#{@code.invoke('microstep', 'event' => event)};"
+      # What follows is what Direct has.
+      def sorts?
+        false
       end
 
-      def call_at_rest
-        @parts.decisions.eventless? ? "#{@code.invoke('microstep_at_rest')};" : nil
+      def step(event, _events, run = 'run')
+        ["#{@code.invoke('microstep', 'event' => event, 'run' => run)};"]
+      end
+
+      def step_from_outside(run)
+        step('event', @parts.outside_events, run)
+      end
+
+      def step_at_rest
+        @parts.decisions.eventless? ? ["#{@code.invoke('microstep_at_rest')};"] : []
       end
 
       private
@@ -56,7 +65,8 @@ module Chart
           ["case #{transition.number}U:", "    reach = #{mask(transition)};", '    break;']
         end
         reach = rows.empty? ? ['const uint64_t reach = 0U;'] : ['uint64_t reach = 0U;', '', *switch('transition', rows)]
-        @claim = [Layout.call("static uint32_t #{@names.function('claim')}", ['uint32_t transition', 'uint64_t *touched'], ''),
+        head = "static uint32_t #{@names.function('claim')}"
+        @claim = [Layout.call(head, ['uint32_t transition', 'uint64_t *touched'], ''),
                   '{', '    uint32_t claimed = 0U;', reach.flatten.map { |line| line.empty? ? line : "    #{line}" },
                   '    if ((reach & *touched) == 0U) {', '        *touched |= reach;', '        claimed = transition;',
                   '    }', '    return claimed;', '}', '']
@@ -83,9 +93,10 @@ module Chart
       end
 
       def define_step(name, eventless)
-        outcome = Outcome.new('select', Result.new('uint32_t'), true, ->(transition) { "found = #{transition.number}U;" })
+        found = ->(transition) { "found = #{transition.number}U;" }
+        outcome = Outcome.new('select', Result.new('uint32_t'), true, 'self', found)
         selects = @order.to_h do |region|
-          [region, @parts.selection.define(@code, region, eventless, 'self', outcome)]
+          [region, @parts.selection.define(@code, region, eventless, outcome)]
         end
         taking = @order.select { |region| selects[region] }
         return @code.define('void', name, []) if taking.empty?

@@ -24,8 +24,9 @@ module Chart
 
       # A timer that is started anew need not be stopped before.
       def without_restarts(steps)
-        started = steps.grep(Send).map(&:timer)
-        steps.reject { |step| step.is_a?(Cancel) && started.include?(step.timer) }
+        steps.reject.with_index do |step, index|
+          step.is_a?(Cancel) && steps.drop(index).grep(Send).map(&:timer).include?(step.timer)
+        end
       end
 
       def acts(group)

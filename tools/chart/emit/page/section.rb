@@ -14,10 +14,17 @@ module Chart
   class Section
     include Html
 
-    CHECKED = { always: 'configurations', response: 'steps', only: 'steps', reachable: 'configurations' }.freeze
+    CHECKED = { always: 'configuration', response: 'step', only: 'step', reachable: 'configuration' }.freeze
 
     WORST = { 'x86_instructions' => 'x86-64 instructions', 'arm_instructions' => 'ARM instructions',
               'stack_bytes' => 'Stack bytes', 'ram_bytes' => 'RAM bytes' }.freeze
+
+    # Told of the chart as a whole; the check runs once a cycle.
+    CHECK = { 'x86_check_instructions' => 'x86-64 instructions of the check',
+              'arm_check_instructions' => 'ARM instructions of the check' }.freeze
+
+    DECIDED = '<p class="quiet">What each state does with each event. An empty field is nothing: the event cannot ' \
+              "come there, or another region takes it.</p>\n"
 
     # worst: the row of this chart in the worst-case table, or nil.
     def initialize(chart, worst)
@@ -35,7 +42,7 @@ module Chart
     def parts
       @parts ||= { 'Drawing' => drawing, 'Decisions' => decisions, 'States' => states, 'Transitions' => transitions,
                    'Inputs' => inputs, 'Events' => events, 'Timers' => timers, 'Properties' => properties,
-                   'Size and bounds' => bounds }.compact
+                   'Requirements and hazards' => traced, 'Size and bounds' => bounds }.compact
     end
 
     def anchor(title)
@@ -77,7 +84,7 @@ module Chart
     def decisions
       found = Regions.of(@document).map { |region| DecisionTable.new(@document, region) }
       found = found.reject { |decisions| decisions.events.empty? }
-      found.map { |decisions| decisions.table.to_s }.join if found.any?
+      "#{DECIDED}#{found.map { |decisions| decisions.table.to_s }.join}" if found.any?
     end
 
     def states
@@ -156,9 +163,31 @@ module Chart
       rows = verdicts.map do |verdict|
         property = verdict.property
         [property.id, property.text, tag('span', verdict.verdict, 'holds'),
-         "#{grouped(verdict.checked)} #{CHECKED.fetch(property.kind)}", *claims(property)]
+         checked(verdict), *claims(property)]
       end
       table(%w[Property Says Verdict Checked\ on Requirements Hazards Line], rows) if rows.any?
+    end
+
+    def checked(verdict)
+      what = CHECKED.fetch(verdict.property.kind)
+      "#{grouped(verdict.checked)} #{what}#{'s' unless verdict.checked == 1}"
+    end
+
+    # Which elements stand for each requirement and each hazard.
+    def traced
+      ids = %i[req hazards].flat_map { |kind| claimants.flat_map { |one| one.public_send(kind) }.uniq.sort }
+      rows = ids.map do |id|
+        [code(id), *[@document.states, @document.transitions, @document.properties].map { |all| naming(all, id) }]
+      end
+      table(%w[Id States Transitions Properties], rows)
+    end
+
+    def claimants
+      @document.states + @document.transitions + @document.properties
+    end
+
+    def naming(elements, id)
+      elements.select { |one| (one.req + one.hazards).include?(id) }.map(&:id).join(', ')
     end
 
     def bounds
@@ -172,8 +201,9 @@ module Chart
     def worst_rows
       return [] unless @worst
 
-      WORST.filter_map do |key, title|
-        [title, @worst[key], @worst[key.sub('instructions', 'witness')].to_s] if @worst[key]
+      WORST.merge(CHECK).filter_map do |key, title|
+        witness = @worst[key.sub(/instructions\z/, 'witness')] if WORST.key?(key) && key.end_with?('instructions')
+        [title, @worst[key], witness] if @worst[key]
       end
     end
   end

@@ -83,7 +83,7 @@ module Chart
         when :variable then variable(left)
         when :number then left.to_s
         when :boolean then left.to_s
-        when :not then "!#{term(left)}"
+        when :not then "(!#{term(left)})"
         when :compare then "(#{term(right)} #{left} #{term(last)})"
         else "(#{term(left)} #{OPERATORS.fetch(kind)} #{term(right)})"
         end

@@ -3,11 +3,13 @@
 # SPDX-License-Identifier: Apache-2.0
 
 require_relative '../c/layout'
+require_relative 'shared'
 
 module Chart
   # The tests that are not rows of the table: start, unknown event, compound states, damage, timers.
   class TestCases
     include C::Layout
+    include TestShared
 
     def initialize(document, walk, parts)
       @document = document
@@ -18,7 +20,8 @@ module Chart
     end
 
     def emit
-      [start_test, unknown_event_test, internal_event_test, clock_test, compound_test, damage_functions, damage_test, sound_test, timer_tests]
+      [start_test, unknown_event_test, internal_event_test, clock_test, compound_test, damage_functions, damage_test,
+       sound_test, timer_tests]
     end
 
     private
@@ -31,16 +34,12 @@ module Chart
       "    #{@names.chart_type} chart;"
     end
 
-    def inputs?
-      @document.inputs.any?
-    end
-
     def dispatch(event)
       "#{@names.chart_function('dispatch')}(&chart, #{inputs? ? '&inputs, ' : ''}#{event})"
     end
 
     def advance(microseconds)
-      inputs = inputs? && @document.timers.any? ? '&inputs, ' : ''
+      inputs = inputs? && timers? ? '&inputs, ' : ''
       "#{@names.chart_function('advance')}(&chart, #{inputs}#{microseconds})"
     end
 
@@ -56,10 +55,7 @@ module Chart
     end
 
     def expect_armed(timers)
-      return [] if @document.timers.empty?
-
-      mask = @document.timers.each_with_index.sum { |timer, bit| timers.include?(timer.id) ? 1 << bit : 0 }
-      ["    TEST_ASSERT_EQUAL_HEX32(#{mask}U, armed_of(&chart));"]
+      timers? ? ["    TEST_ASSERT_EQUAL_HEX32(#{timer_mask(timers)}U, armed_of(&chart));"] : []
     end
 
     def start_test
@@ -68,6 +64,7 @@ module Chart
            [chart, '', '    (void)memset(&chart, 0xA5, sizeof chart);', "    #{@names.chart_function('init')}(&chart);",
             expect_leaves(start.leaves), expect_armed(start.armed),
             '    TEST_ASSERT_EQUAL_UINT32(0U, last_transition(&chart));',
+            '    TEST_ASSERT_EQUAL_UINT64(0U, chart.now_us);',
             "    TEST_ASSERT_TRUE(#{@names.chart_function('is_sound')}(&chart));"])
     end
 
@@ -84,11 +81,13 @@ module Chart
       return [] if @document.internal_events.empty?
 
       rows = @document.internal_events.map do |event|
-        ["        place(&chart, &pairs[row]);", "        TEST_ASSERT_EQUAL_HEX32(0U, #{dispatch(@names.event(event))});",
+        ['        place(&chart, &pairs[row]);',
+         "        TEST_ASSERT_EQUAL_HEX32(0U, #{dispatch(@names.event(event))});",
          @regions.map { |region| unmoved(region) }, '        TEST_ASSERT_EQUAL_UINT32(0U, chart.trace.count);']
       end
       test('SWR_CHART_001', 'takes_no_internal_event_from_outside',
-           [chart, inputs_line, '', '    for (unsigned row = 0U; row < (sizeof pairs / sizeof pairs[0]); row++) {', rows,
+           [chart, inputs_line, '',
+            '    for (unsigned row = 0U; row < (sizeof pairs / sizeof pairs[0]); row++) {', rows,
             '    }'])
     end
 
@@ -136,7 +135,7 @@ module Chart
 
     # Copies that disagree: no event and no timer gets through, and the check repairs.
     def frozen_function
-      idle = @document.timers.any? ? ["    TEST_ASSERT_EQUAL_HEX32(0U, #{advance('UINT32_MAX')});"] : []
+      idle = timers? ? ["    TEST_ASSERT_EQUAL_HEX32(0U, #{advance('UINT32_MAX')});"] : []
       same = @regions.map do |region|
         "    TEST_ASSERT_EQUAL_UINT32(damaged->#{region.name}, chart.#{region.name});"
       end
@@ -151,9 +150,12 @@ module Chart
       safe = @document.safe.map(&:id)
       lines = [expect_leaves(safe), expect_armed(safe_timers)].flatten
       ["static void expect_repaired(#{@names.chart_type} *chart)", '{',
+       '    const uint32_t before = chart->trace.count;', '',
        "    TEST_ASSERT_FALSE(#{@names.chart_function('is_sound')}(chart));",
        "    TEST_ASSERT_EQUAL_UINT32(1U, #{@names.chart_function('check')}(chart));",
        lines.map { |line| line.gsub('chart.', 'chart->').gsub('&chart', 'chart') },
+       '    TEST_ASSERT_EQUAL_UINT32(before + 1U, chart->trace.count);',
+       '    TEST_ASSERT_EQUAL_UINT32(0U, last_transition(chart));',
        "    TEST_ASSERT_TRUE(#{@names.chart_function('is_sound')}(chart));",
        "    TEST_ASSERT_EQUAL_UINT32(0U, #{@names.chart_function('check')}(chart));", '}', '']
     end
@@ -258,10 +260,8 @@ module Chart
 
     def expect_expiry(microseconds, pair)
       outcome = pair.outcomes.first
-      actions = outcome.actions.map { |action| @names.action(action) }
-      expected = actions.empty? ? '0U' : actions.join(' | ')
-      ["    TEST_ASSERT_EQUAL_HEX32(#{expected}, #{advance(microseconds)});", expect_leaves(outcome.after.leaves),
-       expect_armed(outcome.started),
+      ["    TEST_ASSERT_EQUAL_HEX32(#{actions_cell(outcome.actions)}, #{advance(microseconds)});",
+       expect_leaves(outcome.after.leaves), expect_armed(outcome.started),
        "    TEST_ASSERT_EQUAL_UINT32(#{outcome.taken.last&.number || 0}U, last_transition(&chart));"]
     end
 

@@ -2,9 +2,13 @@
 
 # SPDX-License-Identifier: Apache-2.0
 
+require_relative 'shared'
+
 module Chart
   # The table of expected results, one row per pair and per group of input values with one result.
   class TestRows
+    include TestShared
+
     def initialize(document, walk, names)
       @document = document
       @walk = walk
@@ -50,21 +54,12 @@ module Chart
     def result_cells(outcome, reachable)
       cells = leaf_names(outcome.after.leaves)
       cells += ["#{timer_mask(outcome.after.armed)}U", "#{timer_mask(outcome.started)}U"] if timers?
-      actions = outcome.actions.map { |action| @names.action(action) }
-      cells << (actions.empty? ? '0U' : actions.join(' | '))
+      cells << actions_cell(outcome.actions)
       cells + ["#{outcome.taken.last&.number || 0}U", reachable.to_s]
-    end
-
-    def timers?
-      @document.timers.any?
     end
 
     def leaf_names(ids)
       ids.map { |id| @names.leaf(@document.state(id)) }
-    end
-
-    def timer_mask(ids)
-      @document.timers.each_with_index.sum { |timer, bit| ids.include?(timer.id) ? 1 << bit : 0 }
     end
   end
 end

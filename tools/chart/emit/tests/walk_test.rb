@@ -6,12 +6,15 @@ require_relative '../c/layout'
 require_relative '../c/parts'
 require_relative 'cases'
 require_relative 'rows'
+require_relative 'shared'
 
 module Chart
   # The Unity test of one chart: a table of every pair with what the interpreter says, and the code that
-  # runs the compiled chart on it.
+  # runs the compiled chart on it. With the test of the paths it reaches all of the code.
+  # @satisfies SWR-CHART-010
   class WalkTest
     include C::Layout
+    include TestShared
 
     def initialize(document, walk)
       @document = document
@@ -41,14 +44,6 @@ module Chart
       @parts.regions.to_a
     end
 
-    def timers?
-      @document.timers.any?
-    end
-
-    def inputs?
-      @document.inputs.any?
-    end
-
     def row_type
       fields = regions.map { |region| "    #{@names.region_type(region)} #{region.name};" }
       fields += ["    uint32_t armed;", "    uint32_t expiring;"] if timers?
@@ -63,33 +58,14 @@ module Chart
     # --- running one row ------------------------------------------------------------------------
 
     def run_functions
-      [last_function, inputs_function, timer_functions, place_function, stimulate_function, compare_function, each_function]
+      [last_function, inputs_function, timer_functions, place_function, stimulate_function, compare_function,
+       each_function]
     end
 
     def last_function
       ["static uint32_t last_transition(const #{@names.chart_type} *chart)", '{',
        '    const uint32_t count = chart->trace.count;',
        '    return (count == 0U) ? 0U : chart->trace.steps[(count - 1U) % CHART_TRACE_LENGTH].transition;', '}', '']
-    end
-
-    def inputs_function
-      return [] unless inputs?
-
-      rows = @document.inputs.each_with_index.map do |input, bit|
-        "    inputs.#{input.name} = ((bits >> #{bit}U) & 1U) != 0U;"
-      end
-      ["static #{@names.inputs_type} inputs_from(uint32_t bits)", '{', "    #{@names.inputs_type} inputs;", '', rows,
-       '    return inputs;', '}', '']
-    end
-
-    def timer_functions
-      return [] unless timers?
-
-      bits = @document.timers.each_with_index.map do |timer, bit|
-        "(chart->#{timer.id}_is_armed ? #{1 << bit}U : 0U)"
-      end
-      ["static uint32_t armed_of(const #{@names.chart_type} *chart)", '{',
-       "    return #{bits.join(" |\n           ")};", '}', '']
     end
 
     def place_function
@@ -188,7 +164,8 @@ module Chart
 
       checks = @document.invariants.map do |invariant|
         [comment("#{invariant.id} (#{invariant.req.join(' ')}): #{invariant.text}", '    '),
-         '    TEST_ASSERT_TRUE_MESSAGE(', "        #{@parts.expressions.text(invariant.expression, 'chart')},", '        place_name);']
+         '    TEST_ASSERT_TRUE_MESSAGE(', "        #{@parts.expressions.text(invariant.expression, 'chart')},",
+         '        place_name);']
       end
       [call('static void hold_invariants', check_parameters, ''), '{', '    (void)actions;',
        '    if (!pair->is_reachable) {', '        return;', '    }', checks, '}', '',

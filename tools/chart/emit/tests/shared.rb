@@ -1,0 +1,46 @@
+# frozen_string_literal: true
+
+# SPDX-License-Identifier: Apache-2.0
+
+module Chart
+  # What the generated tests of a chart have in common. Expects @document and @names.
+  module TestShared
+    private
+
+    def timers?
+      @document.timers.any?
+    end
+
+    def inputs?
+      @document.inputs.any?
+    end
+
+    def inputs_function
+      return [] unless inputs?
+
+      rows = @document.inputs.each_with_index.map do |input, bit|
+        "    inputs.#{input.name} = ((bits >> #{bit}U) & 1U) != 0U;"
+      end
+      ["static #{@names.inputs_type} inputs_from(uint32_t bits)", '{', "    #{@names.inputs_type} inputs;", '', rows,
+       '    return inputs;', '}', '']
+    end
+
+    def timer_functions
+      return [] unless timers?
+
+      bits = @document.timers.each_with_index.map do |timer, bit|
+        "(chart->#{timer.id}_is_armed ? #{1 << bit}U : 0U)"
+      end
+      ["static uint32_t armed_of(const #{@names.chart_type} *chart)", '{',
+       "    return #{bits.join(" |\n           ")};", '}', '']
+    end
+
+    def timer_mask(ids)
+      @document.timers.each_with_index.sum { |timer, bit| ids.include?(timer.id) ? 1 << bit : 0 }
+    end
+
+    def actions_cell(actions)
+      actions.empty? ? '0U' : actions.map { |action| @names.action(action) }.join(' | ')
+    end
+  end
+end

@@ -1,0 +1,146 @@
+# frozen_string_literal: true
+
+# SPDX-License-Identifier: Apache-2.0
+
+require_relative '../../../tools/chart/emit/c/header'
+require_relative '../../../tools/chart/emit/vector'
+
+# One chart in a composition: its configurations, its compiled code as a step from number to number, and the
+# interpreter's table of the same. Stimuli are numbered: events, then timers.
+class ChartTables
+  def initialize(chart)
+    @document = chart.document
+    @walk = chart.walk
+    @name = @document.name
+    @names = Chart::C::Parts.new(@document, @walk).names
+    @vector = Chart::Vector.new(@document)
+    @numbers = @walk.reached.keys.each_with_index.to_h
+    @pairs = @walk.reachable_pairs.to_h { |pair| [[pair.before, pair.stimulus], pair] }
+  end
+
+  def emit
+    [active, compiled, table].join("\n")
+  end
+
+  # What tells the number of a configuration from the chart's own fields.
+  def numbers
+    [vectors, number].join("\n")
+  end
+
+  private
+
+  def active
+    masks = @numbers.keys.map do |snapshot|
+      ids = @walk.active(snapshot.leaves)
+      format('0x%xU', @document.states.each_with_index.sum { |state, bit| ids.include?(state.id) ? 1 << bit : 0 })
+    end
+    "static const uint64_t #{@name}_active[] = {#{masks.join(', ')}};"
+  end
+
+  def vectors
+    rows = @numbers.keys.map { |snapshot| "    {#{@vector.encode(snapshot).join(', ')}},\n" }
+    "static const int32_t #{@name}_vectors[][#{@vector.fields.length}] = {\n#{rows.join}};\n"
+  end
+
+  def compiled
+    <<~TEXT
+      static uint32_t #{@name}_compiled(uint32_t config, uint32_t event, uint32_t inputs, uint32_t *actions)
+      {
+          const int32_t *const vector = #{@name}_vectors[config];
+          #{@names.chart_type} chart;
+      #{levels}    (void)inputs;
+          #{@names.chart_function('init')}(&chart);
+      #{load}    switch (event) {
+      #{expiries}    default:
+              *actions = #{call('dispatch', "(#{@names.event_type})event")};
+              break;
+          }
+          return #{@name}_number(&chart);
+      }
+    TEXT
+  end
+
+  def number
+    <<~TEXT
+      static inline uint32_t #{@name}_number(const #{@names.chart_type} *chart)
+      {
+          for (uint32_t i = 0U; i < #{@numbers.length}U; i++) {
+              if (#{same}) {
+                  return i;
+              }
+          }
+          return NEVER;
+      }
+    TEXT
+  end
+
+  def call(function, last)
+    "#{@names.chart_function(function)}(&chart#{', &levels' if @document.inputs.any?}, #{last})"
+  end
+
+  def levels
+    values = @document.inputs.each_with_index.map do |input, bit|
+      ".#{@names.field(input.name)} = ((inputs >> #{bit}U) & 1U) != 0U"
+    end
+    values.empty? ? '' : "    const #{@names.inputs_type} levels = {#{values.join(', ')}};\n"
+  end
+
+  def load
+    @vector.fields.each_with_index.map do |field, place|
+      value = field.type == 'bool' ? "vector[#{place}] != 0" : "(#{field.type})vector[#{place}]"
+      inverse = "    chart.#{field.name}_inverse = ~(uint32_t)chart.#{field.name};\n" if field.kind == :region
+      "    chart.#{field.name} = #{value};\n#{inverse}"
+    end.join
+  end
+
+  # The timer has run for all but one tick.
+  def expiries
+    tick = @document.tick_us
+    @document.timers.each_with_index.map do |timer, index|
+      field = @names.field(timer.id)
+      <<~TEXT.gsub(/^/, '    ')
+        case #{@document.events.length + index}U:
+            if (!chart.#{field}_is_armed) {
+                return NEVER;
+            }
+            chart.#{field}_us = #{[timer.threshold_us - tick, 0].max}U;
+            *actions = #{call('advance', "#{tick}U")};
+            break;
+      TEXT
+    end.join
+  end
+
+  def same
+    @vector.fields.each_with_index.map do |field, place|
+      "chart->#{field.name} == (#{field.type})#{@name}_vectors[i][#{place}]"
+    end.join(' && ')
+  end
+
+  def table
+    stimuli = @document.events.map { |event| [:event, event] } + @document.timers.map { |timer| [:expire, [timer.id]] }
+    rows = @numbers.keys.map { |snapshot| "    {\n#{stimuli.map { |one| cells(snapshot, one) }.join}    },\n" }
+    <<~TEXT
+      static const answer_t #{@name}_answers[][#{stimuli.length}][#{@walk.valuations.length}] = {
+      #{rows.join}};
+
+      static uint32_t #{@name}_table(uint32_t config, uint32_t event, uint32_t inputs, uint32_t *actions)
+      {
+          *actions = #{@name}_answers[config][event][inputs].actions;
+          return #{@name}_answers[config][event][inputs].after;
+      }
+    TEXT
+  end
+
+  def cells(snapshot, stimulus)
+    pair = @pairs[[snapshot, stimulus]]
+    outcomes = pair ? pair.outcomes : [nil] * @walk.valuations.length
+    "        {#{outcomes.map { |outcome| cell(outcome) }.join(', ')}},\n"
+  end
+
+  def cell(outcome)
+    return '{NEVER, 0U}' unless outcome
+
+    actions = outcome.actions.sum { |action| 1 << @document.actions.index(action) }
+    "{#{@numbers.fetch(outcome.after)}U, #{actions}U}"
+  end
+end

@@ -1,0 +1,210 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * The controller itself on the simulated control box, with an operator and a world that do anything
+ * at any time: which configurations of the charts it comes into, and what it permits there.
+ *
+ *     controller_run 1|2
+ *
+ * Standard output has a line for each change, of every axis with its card, and with the next axis
+ * for 2: the numbers of loop, pedal, estop, card, axes, stalls, procedure, plan and scanner, and
+ * for each axis whether it may move: 0, 1, or 2 when another card forbids it. The same lines on
+ * every run.
+ */
+#include "numbers.h"
+
+#include "permit.h"
+#include "rig.h"
+#include "unity.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define EPISODES 120U
+#define CYCLES 2500U
+#define COLUMNS 16U
+
+typedef struct {
+    uint32_t numbers[COLUMNS];
+    uint32_t count;
+} row_t;
+
+static rig_t rig;
+static uint32_t random_state = 1U;
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+void contract_broken(const char *module, uint32_t id)
+{
+    printf("contract %s %u is broken\n", module, (unsigned)id);
+    exit(2);
+}
+
+/* xorshift32. */
+static uint32_t random_below(uint32_t bound)
+{
+    random_state ^= random_state << 13;
+    random_state ^= random_state >> 17;
+    random_state ^= random_state << 5;
+    return random_state % bound;
+}
+
+static uint32_t plan_of(const plan_t *plan)
+{
+    plan_chart_t chart;
+    plan_chart_init(&chart);
+    if (plan->is_registered != 0U) {
+        (void)plan_chart_dispatch(&chart, PLAN_EVENT_REGISTER);
+    }
+    if (plan->has_target != 0U) {
+        (void)plan_chart_dispatch(&chart, PLAN_EVENT_TARGET);
+    }
+    return plan_number(&chart);
+}
+
+static uint32_t scanner_of(const controller_inputs_t *inputs)
+{
+    scanner_chart_t chart;
+    scanner_chart_init(&chart);
+    if (inputs->scanner_active != 0U) {
+        (void)scanner_chart_dispatch(&chart, SCANNER_EVENT_ON);
+    }
+    return scanner_number(&chart);
+}
+
+/* Where the axis stands is no part of the composition. */
+static uint32_t permit_of(uint32_t axis, uint32_t card)
+{
+    const uint32_t left_out = (1U << PERMIT_REASON_LIMIT_SWITCH) | (1U << PERMIT_REASON_SOFT_LIMIT);
+    const bool is_allowed = (rig.controller.permit_reasons[axis] & ~left_out) == 0U;
+    bool is_another_lost = false;
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        is_another_lost =
+            is_another_lost || ((i != card) && !link_is_usable(&rig.controller.links[i]));
+    }
+    return is_allowed ? 1U : (is_another_lost ? 2U : 0U);
+}
+
+static void add(row_t *row, uint32_t number)
+{
+    row->numbers[row->count] = number;
+    row->count++;
+}
+
+/* `axis` is with its card; `axes` of them in a row. */
+static row_t row_of(uint32_t axis, uint32_t axes)
+{
+    const controller_t *const self = &rig.controller;
+    row_t row = {{0U}, 0U};
+    add(&row, loop_guard_number(&self->loop.chart));
+    add(&row, pedal_gate_number(&self->pedal.chart));
+    add(&row, estop_latch_number(&self->estop));
+    add(&row, card_link_number(&self->links[axis].chart));
+    for (uint32_t i = 0U; i < axes; i++) {
+        add(&row, axis_number(&self->axes[(axis + i) % ROBOT_AXIS_COUNT].chart));
+    }
+    for (uint32_t i = 0U; i < axes; i++) {
+        add(&row, stall_watchdog_number(&self->axes[(axis + i) % ROBOT_AXIS_COUNT].stall));
+    }
+    add(&row, workphases_number(&self->workphases));
+    add(&row, plan_of(&self->plan));
+    add(&row, scanner_of(&rig.inputs));
+    for (uint32_t i = 0U; i < axes; i++) {
+        add(&row, permit_of((axis + i) % ROBOT_AXIS_COUNT, axis));
+    }
+    return row;
+}
+
+static void note(uint32_t axis, uint32_t axes)
+{
+    static row_t last[ROBOT_AXIS_COUNT];
+    const row_t row = row_of(axis, axes);
+    if (memcmp(&row, &last[axis], sizeof row) != 0) {
+        last[axis] = row;
+        for (uint32_t i = 0U; i < row.count; i++) {
+            printf("%u%c", (unsigned)row.numbers[i], ((i + 1U) < row.count) ? ' ' : '\n');
+        }
+    }
+}
+
+/* Faults of the box are rarer than what heals them, so that motion comes about. */
+static void disturb(void)
+{
+    static const char *const orders[] = {
+        "pedal press",     "pedal press",      "pedal release",      "pedal a open",
+        "pedal b close",   "estop pull",       "estop reset",        "estop reset",
+        "scanner on",      "scanner off",      "card 1 silent",      "card 1 normal",
+        "card 3 corrupt",  "card 3 normal",    "motor 2 stuck",      "motor 2 normal",
+        "encoder 4 stuck", "encoder 4 normal", "encoder 5 reversed", "encoder 5 normal",
+        "pedal press",     "card 1 normal",    "card 3 normal",      "estop reset"};
+    rig_box(&rig, orders[random_below(sizeof orders / sizeof orders[0])]);
+}
+
+static void command(void)
+{
+    command_t one = {.kind = (uint32_t)COMMAND_WORKPHASE, .argument = 1U + random_below(8U)};
+    switch (random_below(5U)) {
+    case 0:
+        one.argument = (uint32_t)WORKPHASE_START_UP;
+        break;
+    case 1:
+        one = (command_t){.kind = (uint32_t)COMMAND_JOG,
+                          .argument = random_below(ROBOT_AXIS_COUNT),
+                          .value = (int32_t)random_below(2000U)};
+        break;
+    case 2:
+        one.kind = (uint32_t)COMMAND_REGISTRATION;
+        rigid_set_identity(&one.pose);
+        break;
+    case 3:
+        one.kind = (uint32_t)COMMAND_TARGET;
+        one.pose = rig_pose(5000000, (random_below(3U) == 0U) ? 900000000 : 190000000, 60000000);
+        break;
+    default:
+        break;
+    }
+    one.id = random_state;
+    rig.commands[0] = one;
+    rig.command_count = 1U;
+}
+
+static void run_episode(uint32_t patience, uint32_t axes)
+{
+    for (uint32_t i = 0U; i < CYCLES; i++) {
+        if (random_below(patience) == 0U) {
+            disturb();
+        }
+        if (random_below(patience) == 0U) {
+            command();
+        }
+        rig.elapsed_us = (random_below(patience * 2U) < 3U) ? 2000U : 1000U;
+        rig_cycle(&rig);
+        for (uint32_t axis = 0U; axis < ROBOT_AXIS_COUNT; axis++) {
+            note(axis, axes);
+        }
+    }
+}
+
+int main(int count, char **arguments)
+{
+    const uint32_t axes = ((count == 2) && (arguments[1][0] == '2')) ? 2U : 1U;
+    UnityBegin("controller_run.c");
+    for (uint32_t episode = 0U; episode < EPISODES; episode++) {
+        if ((episode % 4U) == 0U) {
+            rig_start(&rig);
+        } else if ((episode % 4U) == 1U) {
+            rig_start_homed(&rig);
+        } else {
+            rig_start_targeted(&rig);
+        }
+        run_episode(((episode % 3U) == 0U) ? 20U : 150U, axes);
+    }
+    return 0;
+}

@@ -1,0 +1,132 @@
+# frozen_string_literal: true
+
+# SPDX-License-Identifier: Apache-2.0
+
+# Rule under test: the charts of one card and two axes, connected as the controller connects them, do the same on every
+# reachable pair whoever runs them, and every property of the whole holds. Compiled by gcc and clang they are compared
+# with the interpreter pair by pair; on ARM with one axis (a twelfth of the configurations). SPIN, with one axis, comes
+# into as many configurations and violates no property. The controller itself, on the simulated box with an operator and
+# a world that do anything, comes into no configuration and permits nothing that the composition lacks. SCION has no
+# part of its own here: on every pair of every chart it does what the interpreter does (test_back_to_back.rb), and a
+# pair of the composition is made of these.
+
+require 'minitest/autorun'
+require 'tmpdir'
+require_relative 'composition/composed_chart'
+require_relative 'composition/explorer'
+require_relative 'spin_verifier'
+require_relative '../../tools/chart/emit/promela'
+
+class TestComposition < Minitest::Test
+
+  SPIN_DEPTH = 1_000_000
+
+  def composition(axes)
+    @@compositions ||= {} # rubocop:disable Style/ClassVars
+    @@compositions[axes] ||= Composition.new(axes: axes)
+  end
+
+  def explore(axes, kind, what = composition(axes), asked: [], &mutate)
+    Dir.mktmpdir { |folder| Explorer.new(what).run(folder, kind: kind, asked: asked, &mutate) }
+  end
+
+  def sound(axes, kind)
+    @@reports ||= {} # rubocop:disable Style/ClassVars
+    @@reports[[axes, kind]] ||= explore(axes, kind, asked: controller_run(axes)).tap do |report|
+      assert_empty report.findings.first(3)
+    end
+  end
+
+  def tell(report, who)
+    puts "composition     #{report.configurations} configurations, #{report.pairs} pairs: #{who}"
+  end
+
+  def test_SWR_CHART_012_one_card_and_two_axes_equal_the_interpreter_and_keep_every_property
+    gcc = sound(2, 'gcc')
+    clang = sound(2, 'clang')
+    assert_equal gcc, clang
+    assert_operator gcc.configurations, :>, 300_000
+    tell(gcc, 'gcc, clang, interpreter (two axes)')
+  end
+
+  def test_SWR_CHART_012_one_axis_on_a_cortex_a9_does_what_it_does_here
+    here = sound(1, 'gcc')
+    assert_equal here, sound(1, 'arm-gcc')
+    assert_equal here, sound(1, 'arm-clang')
+    tell(here, 'gcc, interpreter, Cortex-A9 by gcc and clang (one axis)')
+  end
+
+  # The one state more is that before the start.
+  def test_SWR_CHART_012_spin_reaches_the_same_configurations_and_violates_nothing
+    model = Chart::Promela.new(composed(composition(1))).emit
+    report = SpinVerifier.open(model, depths: [SPIN_DEPTH], &:verify)
+    assert_equal [sound(1, 'gcc').configurations + 1, 0, nil], report.to_a.first(3)
+    puts "composition     #{report.stored - 1} configurations: SPIN (one axis)"
+  end
+
+  # composition.yml is a reading of the controller's code; here the code itself is asked.
+  def test_SWR_CHART_012_the_controller_comes_into_no_configuration_and_permits_nothing_that_the_composition_lacks
+    assert_operator controller_run(2).length, :>, 1000
+    assert_empty sound(2, 'gcc').findings
+    puts "composition     #{controller_run(2).length} configurations of it seen in the controller on the simulated box"
+  end
+
+  def test_SWR_CHART_012_a_composition_that_lacks_something_of_the_controller_is_found
+    lacking = changed('  - {tell: pedal.differ}', "  - {tell: pedal.differ, when: In('pedal.fault')}")
+    assert_match(/^not reached: /, explore(1, 'gcc', lacking, asked: controller_run(1)).findings.join("\n"))
+  end
+
+  def test_SWR_CHART_012_a_controller_that_forgets_a_fact_of_the_permit_is_found
+    seen = Dir.mktmpdir do |folder|
+      Explorer.new(composition(1)).controller_run(folder) { |code| code.sub(/(?<=is_pedal_pressed = ).*(?=,)/, 'true') }
+    end
+    assert_match(/^another permit: /, explore(1, 'gcc', asked: seen).findings.join("\n"))
+  end
+
+  def controller_run(axes)
+    @@runs ||= {} # rubocop:disable Style/ClassVars
+    @@runs[axes] ||= Dir.mktmpdir { |folder| Explorer.new(composition(axes)).controller_run(folder) }
+  end
+
+  def composed(composition)
+    text = ComposedChart.new(composition).emit
+    Chart::Parser.parse('composition.scxml', text, ProductCharts::LIMITS, mode: :engine)
+  end
+
+  # A composition.yml with one line changed.
+  def changed(from, to, axes: 1)
+    text = File.read(Composition::FILE)
+    assert_equal 1, text.scan(from).length, "#{from} stands once"
+    Dir.mktmpdir do |folder|
+      file = File.join(folder, 'composition.yml')
+      File.write(file, text.sub(from, to))
+      return Composition.new(axes: axes, file: file)
+    end
+  end
+
+  # What the controller might forget, and the property that shows it with the shortest way there.
+  {
+    'procedure does renew_pedal, tell: [pedal.renew]' => /^COMP-I11\.1: .*procedure\.request_start_up/,
+    'stall_N does report_stall, tell: [axis_N.stalled]' => /^COMP-I02\.1: .*stall_1\.no_progress$/,
+    'estop enters pulled, tell: [axis_N.disable, procedure.estop]' => /^COMP-I05\.1: .*estop\.opened$/,
+    'axis_N hears following_error, tell: [procedure.fault]' => /^COMP-I09\.1: .*axis_1\.following_error$/
+  }.each do |row, finding|
+    define_method("test_SWR_CHART_012_without_#{row[/\w+ \w+ \w+/].tr(' ', '_')}_a_property_is_violated") do
+      report = explore(1, 'gcc', changed(row, row.sub(/\[.*\]/, '[plan.forget]')))
+      assert_match finding, report.findings.join("\n")
+    end
+  end
+
+  def test_SWR_CHART_012_a_permit_that_forgets_the_pedal_is_found
+    forgetful = changed("is_pedal_pressed: In('pedal.pressed')", "is_pedal_pressed: \"!In('pedal.unproven')\"")
+    report = explore(1, 'gcc', forgetful)
+    assert_match(/permit_decide\(\) is not the permit: .*pedal/, report.findings.join("\n"))
+  end
+
+  def test_SWR_CHART_012_a_chart_compiled_wrongly_is_found_with_the_way_there
+    report = explore(1, 'gcc') do |name, source|
+      name == 'estop_latch' ? source.sub('(self, ESTOP_LATCH_STATE_PULLED)', '(self, ESTOP_LATCH_STATE_CLEAR)') : source
+    end
+    assert_match(/\Adifference: .*request_start_up.*, estop\.opened\z/, report.findings.first)
+  end
+end

@@ -1,0 +1,76 @@
+# frozen_string_literal: true
+
+# SPDX-License-Identifier: Apache-2.0
+
+require 'open3'
+require_relative '../../tools/chart/emit/c/header'
+require_relative '../../tools/chart/emit/c/source'
+
+module WorstCase
+  # A compiler refused the code, a tool stopped, or a call did other than the walk says.
+  class Failed < StandardError; end
+
+  ROOT = File.expand_path('../..', __dir__)
+
+  # A chart compiled as in the product, with the program that makes its calls.
+  class Program
+    # CONFIG of the Makefile.
+    CONFIGS = { 'x86' => 'gcc', 'arm' => 'arm' }.freeze
+
+    attr_reader :file, :object, :call_graph
+
+    # Compiler and flags, as the Makefile has them.
+    def self.compiler(processor)
+      @compilers ||= {}
+      @compilers[processor] ||= execute('make', '-s', '--no-print-directory', '-C', ROOT,
+                                        "CONFIG=#{CONFIGS.fetch(processor)}",
+                                        '--eval=flags: ; @echo $(CC) $(CFLAGS)', 'flags').split
+    end
+
+    # Without the warnings: those change no code.
+    def self.describe(processor)
+      command, *flags = compiler(processor)
+      [execute(command, '--version').lines.first.chomp, *flags.grep_v(/\A-(W|pedantic)/)].join(' ')
+    end
+
+    def self.execute(*command)
+      output, status = Open3.capture2e(*command)
+      return output if status.success?
+
+      raise Failed, "#{command.first} gave #{status.exitstatus}: #{output.lines.last(5).join}"
+    end
+
+    # The block may change the chart's C before it is compiled.
+    def initialize(folder, chart, calls, processor, &change)
+      @folder = folder
+      @compiler = self.class.compiler(processor)
+      @name = chart.document.name
+      @file = path("#{@name}-#{processor}")
+      @object = "#{@file}.o"
+      write(chart, calls, &change)
+      compile
+      @call_graph = File.read("#{@file}.ci")
+    end
+
+    private
+
+    def write(chart, calls)
+      source = Chart::C::Source.new(chart.document, chart.walk).emit
+      source = yield source if block_given?
+      File.write(path("#{@name}_chart.c"), source)
+      File.write(path("#{@name}_chart.h"), Chart::C::Header.new(chart.document, chart.walk).emit)
+      File.write(path("#{@name}_calls.c"), calls.emit)
+    end
+
+    # Writing the call graph changes no code.
+    def compile
+      command = [*@compiler, '-I', @folder, '-I', File.join(ROOT, 'core/base')]
+      self.class.execute(*command, '-fcallgraph-info=su', '-c', path("#{@name}_chart.c"), '-o', @object)
+      self.class.execute(*command, '-O0', '-w', @object, path("#{@name}_calls.c"), '-o', @file)
+    end
+
+    def path(file)
+      File.join(@folder, file)
+    end
+  end
+end
