@@ -14,4 +14,5 @@ module ProductCharts
   ALL = Dir[File.join(ROOT, 'statecharts/*.scxml')].sort.to_h do |file|
     [file, Chart::Compiled.from(file, File.read(file, encoding: 'UTF-8'), LIMITS)]
   end.freeze
+  raise 'there are no product charts' if ALL.empty?
 end

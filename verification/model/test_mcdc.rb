@@ -10,11 +10,12 @@ require 'fileutils'
 require 'minitest/autorun'
 require 'tmpdir'
 require_relative 'chart_coverage'
+require_relative 'product_charts'
 
 class TestMcdc < Minitest::Test
   ROOT = File.expand_path('../..', __dir__)
   CHARTS = File.join(ROOT, 'build/gen/charts')
-  NAMES = Dir[File.join(ROOT, 'statecharts/*.scxml')].map { |file| File.basename(file, '.scxml') }.sort
+  NAMES = ProductCharts::ALL.values.map { |chart| chart.document.name }
   REPORT = File.join(ROOT, 'build/conformance/mcdc.md')
   FOUND = {}
 

@@ -6,8 +6,8 @@ require_relative 'selection'
 
 module Chart
   module C
-    # An event moves the regions that wait for it, and each takes its transition at once. Where one event moves several,
-    # guards read the regions as they were before the step.
+    # An event moves the regions that wait for it, and each takes its transition at once. Guards read the regions as they
+    # were before the step.
     class Direct
       def initialize(parts, code)
         @parts = parts
@@ -74,9 +74,9 @@ module Chart
         @groups ||= @parts.outside_events.group_by { |event| waiting([event]) }.reject { |regions, _| regions.empty? }
       end
 
-      # Regions that step one at a time need no picture of the others.
+      # A chart of one region has no others to read.
       def snapshot?
-        [*@parts.document.events, nil].any? { |event| waiting([event]).length > 1 }
+        @parts.regions.to_a.length > 1
       end
 
       def read_fields
