@@ -42,8 +42,8 @@ class TestComposition < Minitest::Test
   end
 
   def test_SWR_CHART_012_one_card_and_two_axes_equal_the_interpreter_and_keep_every_property
-    gcc = sound(2, 'gcc')
-    clang = sound(2, 'clang')
+    controller_run(2)
+    gcc, clang = %w[gcc clang].map { |kind| Thread.new { sound(2, kind) } }.map(&:value)
     assert_equal gcc, clang
     assert_operator gcc.configurations, :>, 300_000
     tell(gcc, 'gcc, clang, interpreter (two axes)')
