@@ -29,7 +29,7 @@ const char *options_usage(void)
     return "usage: boresight [--http-port 8080] [--igtl-port 18944] [--brp-port 18936] [--bind "
            "127.0.0.1]\n"
            "                 [--robot neuro] [--instance NAME] [--recordings DIRECTORY]\n"
-           "                 [--slow 1..100]\n"
+           "                 [--slow TIMES]\n"
            "The environment variables HTTP_PORT, IGTL_PORT, BRP_PORT and ROBOT do the same.\n";
 }
 

@@ -15,7 +15,7 @@ typedef struct {
     const char *bind;      /**< --bind: IPv4 address of this machine. */
     const char *robot;     /**< --robot, ROBOT. */
     const char *instance;  /**< --instance: name of everything this instance creates. */
-    const char *slowness;  /**< --slow: the simulated box runs so many times slower, 1 .. 100. */
+    const char *slowness;  /**< --slow: the simulated box runs so many times slower. */
     char recordings[OPTIONS_PATH_SIZE]; /**< --recordings. */
     char programs[OPTIONS_PATH_SIZE];   /**< Directory of this program and the others. */
 } options_t;

@@ -18,7 +18,7 @@
 #define IDLE_US 1500U
 #define LONGEST_STRIDE_US 2000U /* A pause of the whole machine pauses the simulated world. */
 #define PRIORITY 70
-#define USAGE "usage: boresight-box [--name NAME] [--seed NUMBER] [--slow 1..100]"
+#define USAGE "usage: boresight-box [--name NAME] [--seed NUMBER] [--slow TIMES]"
 
 typedef struct {
     const char *name;

@@ -54,20 +54,22 @@ void wire_sleep(const uint32_t *word, uint32_t value, uint32_t timeout_us)
     (void)syscall(SYS_futex, word, FUTEX_WAIT, value, &timeout, NULL, 0);
 }
 
-uint64_t wire_now_us(void)
+static uint64_t world_now_ns(void)
 {
     struct timespec now;
 
     (void)clock_gettime(CLOCK_MONOTONIC, &now);
-    return (uint64_t)now.tv_sec * 1000000U + (uint64_t)now.tv_nsec / 1000U;
+    return (uint64_t)now.tv_sec * NS_PER_S + (uint64_t)now.tv_nsec;
+}
+
+uint64_t wire_now_us(void)
+{
+    return world_now_ns() / 1000U;
 }
 
 uint64_t wire_box_now_ns(const wire_t *wire)
 {
-    struct timespec now;
-
-    (void)clock_gettime(CLOCK_MONOTONIC, &now);
-    return ((uint64_t)now.tv_sec * NS_PER_S + (uint64_t)now.tv_nsec) / wire->slowness;
+    return world_now_ns() / wire->slowness;
 }
 
 void wire_box_sleep_until_ns(const wire_t *wire, uint64_t deadline_ns)

@@ -72,7 +72,7 @@ class Composition
     end.to_h
   end
 
-  # A row whose subject is of an axis stands for each axis.
+  # A stimulus that names axis_N, and a reaction to axis_N, stand for each axis.
   def spread_rows(name)
     @rows.fetch(name).flat_map do |row|
       subject = row['after'] || row.to_s
