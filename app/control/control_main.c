@@ -24,7 +24,7 @@
 
 #define CYCLE_NS (UINT64_C(1000) * LIMIT_CYCLE_US)
 #define EXCHANGE_TIMEOUT_US 700U
-#define CYCLES_PER_PUBLISH 1000U
+#define FIGURES_NS UINT64_C(1000000000)
 #define EXIT_CANNOT_START 3
 #define EXIT_CONTRACT 5
 
@@ -38,6 +38,8 @@ static controller_inputs_t inputs;
 static controller_outputs_t outputs;
 static figures_t figures;
 static loop_figures_t published;
+static uint64_t told_board_ns; /* When the figures were last published. */
+static uint64_t told_world_ns;
 static exchange_t *exchange;
 static uint64_t stage_ns[STAGE_COUNT];
 static volatile sig_atomic_t is_stopping;
@@ -137,11 +139,22 @@ static void publish(uint32_t cycle)
     }
     record_cycle(cycle);
     exchange_beat(exchange, EXCHANGE_CONTROL);
-    if ((cycle % CYCLES_PER_PUBLISH) == (CYCLES_PER_PUBLISH - 1U)) {
+}
+
+/* Once a second of the world's time, which is looked at for nothing else. */
+static void publish_figures(void)
+{
+    const uint64_t world_ns = realtime_now_ns();
+    const uint64_t elapsed_ns = world_ns - told_world_ns;
+    if (elapsed_ns >= FIGURES_NS) {
+        const uint64_t board_ns = bsp_now_ns();
         figures_publish(&figures, &published);
         published.overruns = controller.loop.overruns;
         published.cycles_lost = exchange_cycles_lost(exchange);
+        published.speed_permille = (uint32_t)(((board_ns - told_board_ns) * 1000U) / elapsed_ns);
         exchange_publish_loop(exchange, &published);
+        told_board_ns = board_ns;
+        told_world_ns = world_ns;
     }
 }
 
@@ -160,6 +173,7 @@ static void run_cycle(uint64_t deadline_ns, uint64_t woken_ns, uint64_t elapsed_
     stage_ns[STAGE_WAKE] = woken_ns - deadline_ns;
     stage_ns[STAGE_CARDS] = gathered_ns - woken_ns;
     stage_ns[STAGE_STEP] = stepped_ns - gathered_ns;
+    publish_figures();
     stage_ns[STAGE_PUBLISH] = bsp_now_ns() - stepped_ns;
 }
 
@@ -172,6 +186,18 @@ static uint64_t next_deadline(uint64_t deadline_ns)
         next_ns += ((now_ns - next_ns) / CYCLE_NS + 1U) * CYCLE_NS;
     }
     return next_ns;
+}
+
+static void begin_figures(uint32_t rights)
+{
+    const bsp_time_t time = bsp_time();
+    published.rights = rights;
+    published.is_elastic = time.is_elastic ? 1U : 0U;
+    published.slowness = time.slowness;
+    published.speed_permille = 1000U / time.slowness;
+    told_board_ns = bsp_now_ns();
+    told_world_ns = realtime_now_ns();
+    exchange_publish_loop(exchange, &published);
 }
 
 static void run(void)
@@ -213,8 +239,7 @@ int main(int argc, char *argv[])
         return EXIT_CANNOT_START;
     }
     controller_init(&controller, &robot_neuro);
-    published.rights = realtime_acquire();
-    exchange_publish_loop(exchange, &published);
+    begin_figures(realtime_acquire());
     run();
     switch_off();
     bsp_close();

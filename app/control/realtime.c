@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
+#include <time.h>
 #include <unistd.h>
 
 #define CONTROL_PRIORITY 80
@@ -50,4 +51,12 @@ static uint32_t acquire_memory(void)
 uint32_t realtime_acquire(void)
 {
     return acquire_priority() | acquire_core() | acquire_memory();
+}
+
+uint64_t realtime_now_ns(void)
+{
+    struct timespec now;
+
+    (void)clock_gettime(CLOCK_MONOTONIC, &now);
+    return ((uint64_t)now.tv_sec * UINT64_C(1000000000)) + (uint64_t)now.tv_nsec;
 }

@@ -15,4 +15,7 @@
  */
 uint32_t realtime_acquire(void);
 
+/** The world's monotonic time, ns. */
+uint64_t realtime_now_ns(void);
+
 #endif

@@ -27,12 +27,15 @@
 #define EXCHANGE_RIGHT_CORE 0x2U   /**< A core of its own. */
 #define EXCHANGE_RIGHT_MEMORY 0x4U /**< Locked memory. */
 
-/** The loop's punctuality, measured by control. Times in us. */
+/** The loop's punctuality, measured by control. Times in us of the board's time. */
 typedef struct {
     uint64_t cycles;
-    uint32_t rights;      /**< EXCHANGE_RIGHT_ bits. */
-    uint32_t overruns;    /**< Intervals above LIMIT_OVERRUN_US. */
-    uint32_t wake_p50_us; /**< Wake-up latency over the whole run. */
+    uint32_t rights;         /**< EXCHANGE_RIGHT_ bits. */
+    uint32_t is_elastic;     /**< bsp_time_t of the board: 0 or 1; then nothing can be late */
+    uint32_t slowness;       /**< and 1 .. LIMIT_BOX_SLOWEST. */
+    uint32_t speed_permille; /**< Board's time per world's time in the last full second. */
+    uint32_t overruns;       /**< Intervals above LIMIT_OVERRUN_US. */
+    uint32_t wake_p50_us;    /**< Wake-up latency over the whole run. */
     uint32_t wake_p99_us;
     uint32_t wake_p999_us;
     uint32_t wake_worst_us;

@@ -7,10 +7,21 @@
 #include <sys/random.h>
 #include <time.h>
 
+#define LOOK_MS 2U
+
 static void pause_briefly(void)
 {
-    struct timespec two_ms = {.tv_sec = 0, .tv_nsec = 2000000L};
-    (void)nanosleep(&two_ms, NULL);
+    struct timespec look = {.tv_sec = 0, .tv_nsec = (long)LOOK_MS * 1000000L};
+    (void)nanosleep(&look, NULL);
+}
+
+/* A pause of the machine, in which control could not answer, is one look; a slow board answers
+ * slowly. */
+static uint32_t looks_in(const command_desk_t *self, uint32_t timeout_ms)
+{
+    loop_figures_t loop;
+    bool is_known = exchange_read_loop(self->exchange, &loop);
+    return (timeout_ms / LOOK_MS) * (is_known ? loop.slowness : 1U);
 }
 
 void command_desk_init(command_desk_t *self, exchange_t *exchange)
@@ -83,9 +94,8 @@ static bool collect(command_desk_t *self, const command_question_t *question, an
 static status_t converse(command_desk_t *self, const command_t *command, uint32_t timeout_ms,
                          const command_question_t *question, answer_t *answer)
 {
-    uint64_t deadline_ms = telemetry_now_ms() + timeout_ms;
     bool is_sent = send_command(self, command);
-    while (telemetry_now_ms() < deadline_ms) {
+    for (uint32_t looks = looks_in(self, timeout_ms); looks > 0U; looks--) {
         is_sent = is_sent || send_command(self, command);
         if (collect(self, question, answer)) {
             return STATUS_OK;

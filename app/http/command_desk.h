@@ -36,8 +36,8 @@ typedef struct {
 void command_desk_init(command_desk_t *self, exchange_t *exchange);
 
 /**
- * Sends `command` (its id and source are filled in) and waits at most `timeout_ms` for the first
- * answer to it.
+ * Sends `command` (its id and source are filled in) and waits at most `timeout_ms` of the board's
+ * time for the first answer to it.
  *
  * @return STATUS_OK with `answer` filled; STATUS_BUSY when the lane stayed full, nothing was sent;
  *         STATUS_NO_ANSWER when control stayed silent

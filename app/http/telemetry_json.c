@@ -67,6 +67,14 @@ static void add_loop(cJSON *object, const telemetry_view_t *view)
     add_flag(rights, "memory", figures->rights & EXCHANGE_RIGHT_MEMORY);
 }
 
+static void add_time(cJSON *object, const loop_figures_t *figures)
+{
+    cJSON *time = cJSON_AddObjectToObject(object, "time");
+    add_flag(time, "is_elastic", figures->is_elastic);
+    add_number(time, "slowness", figures->slowness);
+    add_number(time, "speed_percent", (double)figures->speed_permille / 10.0);
+}
+
 static void add_card_faults(cJSON *card, uint32_t status)
 {
     static const flag_t faults[] = {{CARD_STATUS_DRIVER_FAULT, "driver fault"},
@@ -132,6 +140,7 @@ cJSON *telemetry_json_status(const telemetry_identity_t *identity, const telemet
     add_flag(status, "is_homed", snapshot->is_homed);
     add_flag(status, "is_registered", snapshot->is_registered);
     add_flag(status, "has_target", snapshot->has_target);
+    add_time(status, &view->loop);
     add_loop(status, view);
     add_cards(status, snapshot);
     add_counts(status, view);

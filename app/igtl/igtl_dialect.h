@@ -23,6 +23,7 @@
 /** The moment in which something happens. */
 typedef struct {
     uint64_t now_us;            /**< Monotonic. */
+    uint64_t patience_us;       /**< Of those who wait for control; see igtl_main.c. */
     uint64_t timestamp;         /**< For outgoing messages, units of 2^-32 s since 1970. */
     const snapshot_t *snapshot; /**< The newest; NULL before the first. */
 } igtl_moment_t;

@@ -30,6 +30,7 @@
 #define CONNECTED_WAIT_MS 10
 #define ANSWER_WAIT_MS 1 /* A command is on its way. */
 #define CONTROL_SILENT_US UINT64_C(1000000)
+#define LONGEST_TURN_US UINT64_C(20000)
 #define ERROR_SIZE 200U
 
 typedef struct {
@@ -47,6 +48,7 @@ typedef struct {
     igtl_server_t igtl;
     snapshot_t snapshot;
     igtl_moment_t moment;
+    uint64_t patience_ns;
     uint32_t control_beats;
     uint64_t control_seen_us;
 } process_t;
@@ -234,11 +236,25 @@ static void pass_commands(void)
     pass_orders(&process.transform.orders, answer_transform);
 }
 
+/* Control owes an answer in its own time: the board may be slow, and in a pause of the machine
+ * control could not answer. */
+static void advance_patience(uint64_t elapsed_us)
+{
+    loop_figures_t loop;
+    const uint64_t turn_us = (elapsed_us < LONGEST_TURN_US) ? elapsed_us : LONGEST_TURN_US;
+    const uint32_t slowness = exchange_read_loop(process.exchange, &loop) ? loop.slowness : 1U;
+
+    process.patience_ns += (turn_us * 1000U) / slowness;
+    process.moment.patience_us = process.patience_ns / 1000U;
+}
+
 static void look_around(void)
 {
+    const uint64_t before_us = process.moment.now_us;
     snapshot_t fresh;
 
     process.moment.now_us = clock_us(CLOCK_MONOTONIC);
+    advance_patience(process.moment.now_us - before_us);
     process.moment.timestamp = timestamp_now();
     if (exchange_read_snapshot(process.exchange, &fresh)) {
         process.snapshot = fresh;

@@ -79,7 +79,7 @@ static void propose(transform_dialect_t *self, uint32_t peer, const igtl_message
         status = igtl_border_read_pose(message->numbers, &command.pose);
     }
     if ((status == STATUS_OK) &&
-        (igtl_orders_add(&self->orders, peer, &command, moment->now_us) == NULL)) {
+        (igtl_orders_add(&self->orders, peer, &command, moment->patience_us) == NULL)) {
         status = STATUS_BUSY;
     }
     if (status != STATUS_OK) {
@@ -281,7 +281,7 @@ static void show(const robot_t *robot, transform_peer_t *peer, const transform_v
 
 void transform_dialect_step(transform_dialect_t *self, const igtl_moment_t *moment)
 {
-    igtl_order_t *overdue = igtl_orders_overdue(&self->orders, moment->now_us);
+    igtl_order_t *overdue = igtl_orders_overdue(&self->orders, moment->patience_us);
     transform_view_t view;
 
     while (overdue != NULL) {
@@ -289,7 +289,7 @@ void transform_dialect_step(transform_dialect_t *self, const igtl_moment_t *mome
             igtl_tell_refusal(self->peers[overdue->peer].outbox, name_of(overdue->kind),
                               STATUS_NO_ANSWER, moment);
         }
-        overdue = igtl_orders_overdue(&self->orders, moment->now_us);
+        overdue = igtl_orders_overdue(&self->orders, moment->patience_us);
     }
     if (moment->snapshot == NULL) {
         return;

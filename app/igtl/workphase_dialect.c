@@ -99,7 +99,7 @@ static void order_phase(workphase_dialect_t *self, uint32_t peer, workphase_t ph
                         workphase_id_t *id, const igtl_moment_t *moment)
 {
     command_t command = {.kind = (uint32_t)COMMAND_WORKPHASE, .argument = (uint32_t)phase};
-    const igtl_order_t *order = igtl_orders_add(&self->orders, peer, &command, moment->now_us);
+    const igtl_order_t *order = igtl_orders_add(&self->orders, peer, &command, moment->patience_us);
 
     if (id != NULL) {
         id->order = (order == NULL) ? 0U : order->id;
@@ -159,7 +159,7 @@ static void receive_pose(workphase_dialect_t *self, uint32_t index, const igtl_m
     }
     status = igtl_border_read_pose(message->numbers, &command.pose);
     if ((status == STATUS_OK) &&
-        (igtl_orders_add(&self->orders, index, &command, moment->now_us) == NULL)) {
+        (igtl_orders_add(&self->orders, index, &command, moment->patience_us) == NULL)) {
         status = STATUS_BUSY;
     }
     if (status != STATUS_OK) {
@@ -242,11 +242,12 @@ bool workphase_dialect_answer(workphase_dialect_t *self, const answer_t *answer,
 }
 
 /* Nobody is told: the peer that would be has gone. */
-static void stop_for_lost_peer(workphase_dialect_t *self, uint64_t now_us)
+static void stop_for_lost_peer(workphase_dialect_t *self, uint64_t patience_us)
 {
     command_t stop = {.kind = (uint32_t)COMMAND_WORKPHASE, .argument = (uint32_t)WORKPHASE_STOP};
 
-    if (self->must_stop && (igtl_orders_add(&self->orders, IGTL_NOBODY, &stop, now_us) != NULL)) {
+    if (self->must_stop &&
+        (igtl_orders_add(&self->orders, IGTL_NOBODY, &stop, patience_us) != NULL)) {
         self->must_stop = false;
     }
 }
@@ -305,12 +306,12 @@ static void tell_no_answer(workphase_dialect_t *self, const igtl_order_t *order,
 
 void workphase_dialect_step(workphase_dialect_t *self, const igtl_moment_t *moment)
 {
-    const igtl_order_t *overdue = igtl_orders_overdue(&self->orders, moment->now_us);
+    const igtl_order_t *overdue = igtl_orders_overdue(&self->orders, moment->patience_us);
 
-    stop_for_lost_peer(self, moment->now_us);
+    stop_for_lost_peer(self, moment->patience_us);
     while (overdue != NULL) {
         tell_no_answer(self, overdue, moment);
-        overdue = igtl_orders_overdue(&self->orders, moment->now_us);
+        overdue = igtl_orders_overdue(&self->orders, moment->patience_us);
     }
     for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
         if (self->peers[i].outbox != NULL) {

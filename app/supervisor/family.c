@@ -12,7 +12,7 @@
 #define SILENT_US UINT64_C(2000000)
 #define STOP_STEP_NS 2000000L
 
-/* Together less than LIMIT_STOP_TIME_US. */
+/* Together less than LIMIT_STOP_TIME_US, in the time of the board. */
 #define STOP_CLIENTS_US UINT64_C(300000)
 #define STOP_CONTROL_US UINT64_C(400000)
 #define STOP_RECORDER_US UINT64_C(700000)
@@ -53,6 +53,7 @@ bool family_init(family_t *self, const options_t *options, int output, int error
     static const char *const names[FAMILY_SIZE] = {"box", "control", "recorder", "igtl", "http"};
 
     (void)memset(self, 0, sizeof(*self));
+    self->slowness = options_slowness(options);
     self->output = output;
     self->errors = errors;
     (void)snprintf(self->box, sizeof(self->box), "%s-box", options->instance);
@@ -61,7 +62,8 @@ bool family_init(family_t *self, const options_t *options, int output, int error
             return false;
         }
     }
-    const char *const box[CHILD_ARGUMENTS] = {"--name", self->box, "--slow", options->slowness};
+    const char *const box[CHILD_ARGUMENTS] = {"--name", self->box, "--slow", options->slowness,
+                                              options->is_real_time ? "--real-time" : NULL};
     const char *const control[CHILD_ARGUMENTS] = {"--exchange", options->instance, "--box",
                                                   self->box};
     const char *const recorder[CHILD_ARGUMENTS] = {"--exchange", options->instance, "--directory",
@@ -164,7 +166,7 @@ static void send(const family_t *self, const member_t *members, uint32_t count, 
 static void stop(family_t *self, const member_t *members, uint32_t count, uint64_t timeout_us)
 {
     const struct timespec step = {.tv_sec = 0, .tv_nsec = STOP_STEP_NS};
-    const uint64_t end_us = family_now_us() + timeout_us;
+    const uint64_t end_us = family_now_us() + (timeout_us * self->slowness);
 
     send(self, members, count, SIGTERM);
     send(self, members, count, SIGCONT); /* A stopped one would not hear. */

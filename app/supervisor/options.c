@@ -14,22 +14,24 @@
 #define INSTANCE_MAX 32U
 #define PORT_MAX 65535U
 
-static const struct option known[] = {{"http-port", required_argument, NULL, 'h'},
-                                      {"igtl-port", required_argument, NULL, 'i'},
-                                      {"brp-port", required_argument, NULL, 'w'},
-                                      {"bind", required_argument, NULL, 'b'},
-                                      {"robot", required_argument, NULL, 'r'},
-                                      {"instance", required_argument, NULL, 'n'},
-                                      {"recordings", required_argument, NULL, 'd'},
-                                      {"slow", required_argument, NULL, 's'},
-                                      {NULL, 0, NULL, 0}};
+static const struct option known[] = {
+    {"http-port", required_argument, NULL, 'h'},  {"igtl-port", required_argument, NULL, 'i'},
+    {"brp-port", required_argument, NULL, 'w'},   {"bind", required_argument, NULL, 'b'},
+    {"robot", required_argument, NULL, 'r'},      {"instance", required_argument, NULL, 'n'},
+    {"recordings", required_argument, NULL, 'd'}, {"slow", required_argument, NULL, 's'},
+    {"real-time", no_argument, NULL, 't'},        {NULL, 0, NULL, 0}};
+
+uint32_t options_slowness(const options_t *self)
+{
+    return (uint32_t)strtoul(self->slowness, NULL, 10);
+}
 
 const char *options_usage(void)
 {
     return "usage: boresight [--http-port 8080] [--igtl-port 18944] [--brp-port 18936] [--bind "
            "127.0.0.1]\n"
            "                 [--robot neuro] [--instance NAME] [--recordings DIRECTORY]\n"
-           "                 [--slow TIMES]\n"
+           "                 [--slow TIMES] [--real-time]\n"
            "The environment variables HTTP_PORT, IGTL_PORT, BRP_PORT and ROBOT do the same.\n";
 }
 
@@ -91,6 +93,9 @@ static bool take(options_t *self, int option, const char *value)
         return true;
     case 's':
         self->slowness = value;
+        return true;
+    case 't':
+        self->is_real_time = true;
         return true;
     case 'd':
         return (size_t)snprintf(self->recordings, sizeof(self->recordings), "%s", value) <

@@ -16,9 +16,13 @@ typedef struct {
     const char *robot;     /**< --robot, ROBOT. */
     const char *instance;  /**< --instance: name of everything this instance creates. */
     const char *slowness;  /**< --slow: the simulated box runs so many times slower. */
+    bool is_real_time;     /**< --real-time: the simulated box does not wait for control. */
     char recordings[OPTIONS_PATH_SIZE]; /**< --recordings. */
     char programs[OPTIONS_PATH_SIZE];   /**< Directory of this program and the others. */
 } options_t;
+
+/** --slow as a number, 1 .. LIMIT_BOX_SLOWEST. */
+uint32_t options_slowness(const options_t *self);
 
 /** Says what may be given. */
 const char *options_usage(void);

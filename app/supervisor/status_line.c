@@ -97,6 +97,19 @@ static uint32_t live_links(const snapshot_t *snapshot)
     return live;
 }
 
+/** @satisfies SWR-SUP-005 */
+static void add_time(char *text, size_t size, const loop_figures_t *loop)
+{
+    const unsigned percent = (loop->speed_permille + 5U) / 10U;
+
+    if (loop->is_elastic != 0U) {
+        add(text, size, " | elastic time %u %%", percent);
+    } else {
+        add(text, size, " | real time %u %%, loop p99 %u us, worst %u us", percent,
+            (unsigned)loop->wake_p99_us, (unsigned)loop->wake_worst_us);
+    }
+}
+
 static void add_programs(char *text, size_t size, const exchange_t *exchange, family_t *family)
 {
     add(text, size, " |");
@@ -131,8 +144,7 @@ void status_line_write(char *text, size_t size, const exchange_t *exchange, fami
         add(text, size, "starting");
     }
     if (exchange_read_loop(exchange, &loop)) {
-        add(text, size, " | loop p99 %u us, worst %u us", (unsigned)loop.wake_p99_us,
-            (unsigned)loop.wake_worst_us);
+        add_time(text, size, &loop);
     }
     add_programs(text, size, exchange, family);
 }

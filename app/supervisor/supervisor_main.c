@@ -28,7 +28,7 @@
 #define EXIT_LOST 4
 #define RUNNING (-1)
 #define TICK_MS 200
-#define START_TIMEOUT_US UINT64_C(5000000)
+#define START_TIMEOUT_US UINT64_C(20000000)
 #define ERROR_SIZE 1024U
 
 static options_t options;
@@ -120,7 +120,8 @@ static bool are_clients_running(void)
 /* RUNNING once `is_ready`; otherwise the exit code. */
 static int await(bool (*is_ready)(void), const char *who)
 {
-    const uint64_t end_us = family_now_us() + START_TIMEOUT_US;
+    const uint64_t timeout_us = START_TIMEOUT_US * options_slowness(&options);
+    const uint64_t end_us = family_now_us() + timeout_us;
 
     while (!is_ready()) {
         if (wait_for_news(20)) {
@@ -133,7 +134,7 @@ static int await(bool (*is_ready)(void), const char *who)
             screen_say(
                 &screen,
                 "Boresight did not start: %s gave no sign of life in %u s; end other programs.",
-                who, (unsigned)(START_TIMEOUT_US / UINT64_C(1000000)));
+                who, (unsigned)(timeout_us / UINT64_C(1000000)));
             return EXIT_CANNOT_START;
         }
     }

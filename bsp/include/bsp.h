@@ -21,6 +21,14 @@ typedef struct {
     bool scanner_active; /**< The scanner acquires. */
 } bsp_inputs_t;
 
+/** How the board's time passes beside the world's. */
+typedef struct {
+    /** It waits for control: a cycle passes when control asks for the next exchange, so nobody is
+     * late because the machine paused. Never on a real board. */
+    bool is_elastic;
+    uint32_t slowness; /**< It passes so many times slower, at best; 1 on a real board. */
+} bsp_time_t;
+
 /**
  * Opens the board. `error` receives one sentence that says what to do.
  *
@@ -40,7 +48,10 @@ uint32_t bsp_exchange(uint32_t send, const uint8_t frames[ROBOT_SLOT_COUNT][CARD
 /** Samples the digital inputs. When the board does not answer: pedal released, e-stop open. */
 bsp_inputs_t bsp_sample_inputs(void);
 
-/** The board's monotonic time, ns; a simulated box may run slower than the world. */
+/** How the time of bsp_now_ns() passes. */
+bsp_time_t bsp_time(void);
+
+/** The board's monotonic time, ns. Elastic time stands still between two sleeps. */
 uint64_t bsp_now_ns(void);
 
 /** Sleeps until `deadline_ns` (absolute, of bsp_now_ns()). */

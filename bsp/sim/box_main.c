@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /** @file boresight-box: the simulated control box as a process, at the box's end of the wire. */
 #include "box.h"
+#include "box_clock.h"
 #include "requirement_limits.h"
 #include "wire.h"
 
@@ -15,15 +16,13 @@
 #include <sys/prctl.h>
 #include <unistd.h>
 
-#define IDLE_US 1500U
-#define LONGEST_STRIDE_US 2000U /* A pause of the whole machine pauses the simulated world. */
 #define PRIORITY 70
-#define USAGE "usage: boresight-box [--name NAME] [--seed NUMBER] [--slow TIMES]"
+#define USAGE "usage: boresight-box [--name NAME] [--seed NUMBER] [--slow TIMES] [--real-time]"
 
 typedef struct {
     const char *name;
     uint32_t seed;
-    uint32_t slowness;
+    bsp_time_t time;
 } options_t;
 
 static volatile sig_atomic_t must_end;
@@ -55,7 +54,7 @@ static bool take_number(int option, options_t *options)
     case 's':
         return parse_number(optarg, 0U, UINT32_MAX, &options->seed);
     case 'w':
-        return parse_number(optarg, 1U, LIMIT_BOX_SLOWEST, &options->slowness);
+        return parse_number(optarg, 1U, LIMIT_BOX_SLOWEST, &options->time.slowness);
     default:
         return false;
     }
@@ -64,16 +63,17 @@ static bool take_number(int option, options_t *options)
 /* Returns the exit code, or -1 to go on. */
 static int parse_options(int count, char **words, options_t *options)
 {
-    static const struct option known[] = {{"name", required_argument, NULL, 'n'},
-                                          {"seed", required_argument, NULL, 's'},
-                                          {"slow", required_argument, NULL, 'w'},
-                                          {"help", no_argument, NULL, 'h'},
-                                          {NULL, 0, NULL, 0}};
+    static const struct option known[] = {
+        {"name", required_argument, NULL, 'n'}, {"seed", required_argument, NULL, 's'},
+        {"slow", required_argument, NULL, 'w'}, {"real-time", no_argument, NULL, 'r'},
+        {"help", no_argument, NULL, 'h'},       {NULL, 0, NULL, 0}};
     int option;
 
     while ((option = getopt_long(count, words, "", known, NULL)) != -1) {
         if (option == 'n') {
             options->name = optarg;
+        } else if (option == 'r') {
+            options->time.is_elastic = false;
         } else if (option == 'h') {
             (void)puts(USAGE);
             return 0;
@@ -141,10 +141,8 @@ static void serve_order(wire_t *wire)
     }
 }
 
-static void serve_exchange(wire_t *wire)
+static void serve_exchange(wire_t *wire, uint32_t number)
 {
-    const uint32_t number = wire_load(&wire->request);
-
     if (number != wire_load(&wire->reply)) {
         const uint8_t(*frames)[CARD_FRAME_BYTES] = (const uint8_t(*)[CARD_FRAME_BYTES])wire->frames;
         wire->received = box_exchange(&box, wire->send, frames, wire->replies);
@@ -152,21 +150,22 @@ static void serve_exchange(wire_t *wire)
     }
 }
 
-static void run(wire_t *wire)
+static void run(wire_t *wire, bsp_time_t time)
 {
-    uint64_t last_us = wire_box_now_ns(wire) / 1000U;
+    box_clock_t clock;
 
+    box_clock_init(&clock, time, wire_load_time(wire), wire_now_us());
     while (must_end == 0) {
         const uint32_t seen = wire_load(&wire->wake);
-        const uint64_t now_us = wire_box_now_ns(wire) / 1000U;
-        const uint64_t elapsed_us = now_us - last_us;
-        last_us = now_us;
+        const uint32_t asked = wire_load(&wire->request);
+        const bool is_asked = asked != wire_load(&wire->reply);
         box_advance(&box,
-                    (elapsed_us < LONGEST_STRIDE_US) ? (uint32_t)elapsed_us : LONGEST_STRIDE_US);
+                    box_clock_look(&clock, is_asked ? &wire->wanted_us : NULL, wire_now_us()));
+        wire_store_time(wire, clock.now_us);
         publish_inputs(wire);
-        serve_exchange(wire);
+        serve_exchange(wire, asked);
         serve_order(wire);
-        wire_sleep(&wire->wake, seen, IDLE_US);
+        wire_sleep(&wire->wake, seen, BOX_CLOCK_LOOK_US);
     }
 }
 
@@ -183,7 +182,7 @@ static void handle_signals(void)
 int main(int count, char **words)
 {
     const char *named = getenv(WIRE_NAME_VARIABLE);
-    options_t options = {(named != NULL) ? named : WIRE_DEFAULT_NAME, 1U, 1U};
+    options_t options = {(named != NULL) ? named : WIRE_DEFAULT_NAME, 1U, {true, 1U}};
     wire_port_t port;
     char error[256];
 
@@ -193,7 +192,7 @@ int main(int count, char **words)
     }
     handle_signals();
     box_init(&box, &robot_neuro, options.seed);
-    if (!wire_serve(&port, options.name, options.slowness, error, sizeof error)) {
+    if (!wire_serve(&port, options.name, options.time, error, sizeof error)) {
         (void)fprintf(stderr, "boresight-box: %s\n", error);
         return 1;
     }
@@ -202,7 +201,7 @@ int main(int count, char **words)
                  robot_neuro.name, (unsigned)options.seed,
                  is_real_time ? "SCHED_FIFO 70" : "without real-time scheduling");
     (void)fflush(stdout);
-    run(port.wire);
+    run(port.wire, options.time);
     wire_close(&port, WIRE_END_BOX);
     return 0;
 }

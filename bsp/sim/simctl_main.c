@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define ANSWER_TIMEOUT_US 2000000U
+#define ANSWER_TIMEOUT_US 10000000U
 
 static int usage(FILE *where)
 {

@@ -13,7 +13,7 @@
 #include <unistd.h>
 
 /* "BBX" and the layout's version. */
-#define WIRE_MAGIC 0x42425802U
+#define WIRE_MAGIC 0x42425803U
 
 #define NS_PER_S UINT64_C(1000000000)
 
@@ -27,6 +27,16 @@ uint32_t wire_load(const uint32_t *word)
 void wire_store(uint32_t *word, uint32_t value)
 {
     __atomic_store_n(word, value, __ATOMIC_RELEASE);
+}
+
+uint64_t wire_load_time(const wire_t *wire)
+{
+    return __atomic_load_n(&wire->time_us, __ATOMIC_ACQUIRE);
+}
+
+void wire_store_time(wire_t *wire, uint64_t time_us)
+{
+    __atomic_store_n(&wire->time_us, time_us, __ATOMIC_RELEASE);
 }
 
 static void wake_sleepers(const uint32_t *word)
@@ -54,7 +64,7 @@ void wire_sleep(const uint32_t *word, uint32_t value, uint32_t timeout_us)
     (void)syscall(SYS_futex, word, FUTEX_WAIT, value, &timeout, NULL, 0);
 }
 
-static uint64_t world_now_ns(void)
+uint64_t wire_now_ns(void)
 {
     struct timespec now;
 
@@ -64,22 +74,7 @@ static uint64_t world_now_ns(void)
 
 uint64_t wire_now_us(void)
 {
-    return world_now_ns() / 1000U;
-}
-
-uint64_t wire_box_now_ns(const wire_t *wire)
-{
-    return world_now_ns() / wire->slowness;
-}
-
-void wire_box_sleep_until_ns(const wire_t *wire, uint64_t deadline_ns)
-{
-    const uint64_t world_ns = deadline_ns * wire->slowness;
-    const struct timespec deadline = {.tv_sec = (time_t)(world_ns / NS_PER_S),
-                                      .tv_nsec = (long)(world_ns % NS_PER_S)};
-
-    while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &deadline, NULL) == EINTR) {
-    }
+    return wire_now_ns() / 1000U;
 }
 
 bool wire_await(const uint32_t *word, uint32_t value, uint32_t timeout_us)
@@ -180,17 +175,19 @@ static bool size_wire(wire_port_t *port)
     return ftruncate(port->file, (off_t)sizeof(wire_t)) == 0;
 }
 
-static void reset_wire(wire_t *wire, uint32_t slowness)
+static void reset_wire(wire_t *wire, bsp_time_t time)
 {
-    /* The counters live on, so that an attached control process finds its next request answered. */
+    /* Counters and time live on, so that an attached control process finds its next request
+     * answered. */
     wire_store(&wire->inputs, 0U);
-    wire_store(&wire->slowness, slowness);
+    wire_store(&wire->is_elastic, time.is_elastic ? 1U : 0U);
+    wire_store(&wire->slowness, time.slowness);
     wire_store(&wire->reply, wire_load(&wire->request));
     wire_store(&wire->order_reply, wire_load(&wire->order_request));
     wire_store(&wire->magic, WIRE_MAGIC);
 }
 
-bool wire_serve(wire_port_t *port, const char *name, uint32_t slowness, char *error,
+bool wire_serve(wire_port_t *port, const char *name, bsp_time_t time, char *error,
                 uint32_t error_size)
 {
     port->wire = NULL;
@@ -214,7 +211,7 @@ bool wire_serve(wire_port_t *port, const char *name, uint32_t slowness, char *er
         (void)snprintf(error, error_size, "cannot map the shared memory %s: %s", port->path,
                        strerror(errno));
     } else {
-        reset_wire(port->wire, slowness);
+        reset_wire(port->wire, time);
         return true;
     }
     if (port->file >= 0) {

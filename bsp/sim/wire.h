@@ -26,13 +26,16 @@
 
 /** The segment. Words that both sides touch are accessed by wire_load() and wire_store() only. */
 typedef struct {
-    uint32_t magic;    /**< Set last, when the rest is ready. */
-    uint32_t wake;     /**< Grows with each thing for the box to do; the box sleeps on it. */
-    uint32_t beat;     /**< Grows each time the box has looked around, at least every 1.5 ms. */
-    uint32_t slowness; /**< Real time passed for each unit of the box's, 1 .. LIMIT_BOX_SLOWEST. */
-    uint32_t inputs;   /**< WIRE_INPUT_ bits. */
-    uint32_t request;  /**< Number of the newest exchange asked for. */
-    uint32_t reply;    /**< Number of the newest exchange answered; control sleeps on it. */
+    uint64_t time_us;    /**< The box's time; see box_clock.h. */
+    uint64_t wanted_us;  /**< Elastic time: when, in the box's time, the exchange is to be. */
+    uint32_t magic;      /**< Set last, when the rest is ready. */
+    uint32_t wake;       /**< Grows with each thing for the box to do; the box sleeps on it. */
+    uint32_t beat;       /**< Grows each time the box has looked around, at least every 1.5 ms. */
+    uint32_t is_elastic; /**< bsp_time_t of the box: 0 or 1 */
+    uint32_t slowness;   /**< and 1 .. LIMIT_BOX_SLOWEST. */
+    uint32_t inputs;     /**< WIRE_INPUT_ bits. */
+    uint32_t request;    /**< Number of the newest exchange asked for. */
+    uint32_t reply;      /**< Number of the newest exchange answered; control sleeps on it. */
     uint32_t send;
     uint32_t received;
     uint8_t frames[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES];
@@ -56,9 +59,9 @@ typedef struct {
 
 /**
  * Makes the wire `name` and takes the box's end. A wire left by a killed box is taken over together
- * with whoever is still attached. `slowness`: see wire_t. On false `error` holds a sentence.
+ * with whoever is still attached; then its time goes on. On false `error` holds a sentence.
  */
-bool wire_serve(wire_port_t *port, const char *name, uint32_t slowness, char *error,
+bool wire_serve(wire_port_t *port, const char *name, bsp_time_t time, char *error,
                 uint32_t error_size);
 
 /** Takes another end of the wire `name`; on false `error` holds a sentence that says what to do. */
@@ -73,6 +76,8 @@ void wire_close(wire_port_t *port, wire_end_t end);
 
 uint32_t wire_load(const uint32_t *word);
 void wire_store(uint32_t *word, uint32_t value);
+uint64_t wire_load_time(const wire_t *wire);
+void wire_store_time(wire_t *wire, uint64_t time_us);
 
 /** Tells the box that there is something to do. */
 void wire_wake_box(wire_t *wire);
@@ -87,16 +92,7 @@ void wire_sleep(const uint32_t *word, uint32_t value, uint32_t timeout_us);
 bool wire_await(const uint32_t *word, uint32_t value, uint32_t timeout_us);
 
 /** The monotonic clock of the world. */
+uint64_t wire_now_ns(void);
 uint64_t wire_now_us(void);
-
-/**
- * The box's monotonic clock: 1/slowness of the world's.
- *
- * @satisfies SWR-BOX-005
- */
-uint64_t wire_box_now_ns(const wire_t *wire);
-
-/** Sleeps until `deadline_ns` of the box's clock. */
-void wire_box_sleep_until_ns(const wire_t *wire, uint64_t deadline_ns);
 
 #endif

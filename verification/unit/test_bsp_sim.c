@@ -21,7 +21,6 @@
 #include <stdio.h>
 #include <string.h>
 #include <sys/mman.h>
-#include <time.h>
 #include <unistd.h>
 
 TEST_SOURCE_FILE("bsp_sim.c")
@@ -34,6 +33,7 @@ static char name[40];
 static char error[200];
 static wire_port_t served;
 static bool is_serving;
+static const bsp_time_t real_time = {.is_elastic = false, .slowness = 1U};
 static uint8_t sent[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES];
 static uint8_t received[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES];
 
@@ -41,7 +41,7 @@ void setUp(void)
 {
     (void)snprintf(name, sizeof name, "boresight-test-%d", (int)getpid());
     error[0] = '\0';
-    is_serving = wire_serve(&served, name, 1U, error, sizeof error);
+    is_serving = wire_serve(&served, name, real_time, error, sizeof error);
     TEST_ASSERT_TRUE_MESSAGE(is_serving, error);
 }
 
@@ -58,10 +58,10 @@ static void stop_serving(void)
     is_serving = false;
 }
 
-static void serve_anew(uint32_t slowness)
+static void serve_anew(bool is_elastic, uint32_t slowness)
 {
     stop_serving();
-    is_serving = wire_serve(&served, name, slowness, error, sizeof error);
+    is_serving = wire_serve(&served, name, (bsp_time_t){is_elastic, slowness}, error, sizeof error);
     TEST_ASSERT_TRUE_MESSAGE(is_serving, error);
 }
 
@@ -107,14 +107,14 @@ void test_SWR_SUP_003_a_killed_box_leaves_a_wire_that_does_not_open(void)
     kill_box();
     TEST_ASSERT_FALSE(bsp_open(name, error, sizeof error));
     TEST_ASSERT_NOT_NULL_MESSAGE(strstr(error, "start the simulated control box first"), error);
-    TEST_ASSERT_TRUE_MESSAGE(wire_serve(&served, name, 1U, error, sizeof error), error);
+    TEST_ASSERT_TRUE_MESSAGE(wire_serve(&served, name, real_time, error, sizeof error), error);
 }
 
 void test_SWR_SUP_003_a_second_box_of_the_same_name_is_refused(void)
 {
     wire_port_t second;
 
-    TEST_ASSERT_FALSE(wire_serve(&second, name, 1U, error, sizeof error));
+    TEST_ASSERT_FALSE(wire_serve(&second, name, real_time, error, sizeof error));
     TEST_ASSERT_NOT_NULL_MESSAGE(strstr(error, "already runs"), error);
 }
 
@@ -218,23 +218,15 @@ void test_SWR_ESTOP_001_inputs_of_a_dead_box_are_pedal_released_and_emergency_st
     bsp_close();
 }
 
-static uint64_t world_now_ns(void)
-{
-    struct timespec now;
-
-    (void)clock_gettime(CLOCK_MONOTONIC, &now);
-    return (uint64_t)now.tv_sec * 1000000000U + (uint64_t)now.tv_nsec;
-}
-
 /* Both clocks are read in turn; then 1 ms of the box' time is slept. */
 static void expect_time_slower_by(uint32_t slowness)
 {
-    serve_anew(slowness);
+    serve_anew(false, slowness);
     TEST_ASSERT_TRUE(bsp_open(name, error, sizeof error));
-    const uint64_t world_before_ns = world_now_ns();
+    const uint64_t world_before_ns = wire_now_ns();
     const uint64_t box_ns = bsp_now_ns();
     TEST_ASSERT_TRUE(box_ns >= world_before_ns / slowness);
-    TEST_ASSERT_TRUE(box_ns <= world_now_ns() / slowness);
+    TEST_ASSERT_TRUE(box_ns <= wire_now_ns() / slowness);
     bsp_sleep_until_ns(box_ns + 1000000U);
     TEST_ASSERT_TRUE(bsp_now_ns() >= box_ns + 1000000U);
     bsp_close();
@@ -249,11 +241,11 @@ void test_SWR_BOX_005_control_lives_in_the_time_of_a_slow_box(void)
 
 void test_SWR_BOX_005_control_waits_longer_for_a_slow_box(void)
 {
-    serve_anew(20U);
+    serve_anew(false, 20U);
     TEST_ASSERT_TRUE(bsp_open(name, error, sizeof error));
-    const uint64_t before_ns = world_now_ns();
+    const uint64_t before_ns = wire_now_ns();
     TEST_ASSERT_EQUAL_HEX32(0U, exchange(0x3FFU, TIMEOUT_US));
-    TEST_ASSERT_TRUE(world_now_ns() - before_ns >= UINT64_C(20000) * TIMEOUT_US);
+    TEST_ASSERT_TRUE(wire_now_ns() - before_ns >= UINT64_C(20000) * TIMEOUT_US);
     bsp_close();
 }
 
@@ -264,9 +256,106 @@ void test_SWR_LINK_003_a_box_started_anew_answers_the_control_process_still_atta
     TEST_ASSERT_TRUE(bsp_open(name, error, sizeof error));
     (void)exchange(0x3FFU, TIMEOUT_US);
     kill_box();
-    TEST_ASSERT_TRUE_MESSAGE(wire_serve(&served, name, 1U, error, sizeof error), error);
+    TEST_ASSERT_TRUE_MESSAGE(wire_serve(&served, name, real_time, error, sizeof error), error);
     TEST_ASSERT_EQUAL_INT(0, pthread_create(&answering, NULL, answer_once, NULL));
     TEST_ASSERT_EQUAL_HEX32(0x00AU, exchange(0x3FFU, LONG_TIMEOUT_US));
     TEST_ASSERT_EQUAL_INT(0, pthread_join(answering, NULL));
+    bsp_close();
+}
+
+/* Control has asked for `cycles` cycles of a box that answers each at once. */
+static void *answer_always(void *until)
+{
+    wire_t *wire = served.wire;
+    const uint32_t last = wire_load(&wire->reply) + *(const uint32_t *)until;
+
+    for (uint32_t seen = wire_load(&wire->wake); wire_load(&wire->reply) != last;
+         seen = wire_load(&wire->wake)) {
+        const uint32_t asked = wire_load(&wire->request);
+        if (asked != wire_load(&wire->reply)) {
+            wire_store_time(wire, wire->wanted_us);
+            wire->received = 0x3FFU;
+            wire_announce(&wire->reply, asked);
+        }
+        wire_sleep(&wire->wake, seen, LONG_TIMEOUT_US);
+    }
+    return NULL;
+}
+
+void test_SWR_BOX_006_elastic_time_passes_only_in_sleep_and_is_told_to_the_box(void)
+{
+    uint32_t cycles = 20U;
+    pthread_t answering;
+
+    serve_anew(true, 1U);
+    TEST_ASSERT_TRUE(bsp_open(name, error, sizeof error));
+    TEST_ASSERT_TRUE(bsp_time().is_elastic);
+    const uint64_t start_ns = bsp_now_ns();
+    TEST_ASSERT_EQUAL_INT(0, pthread_create(&answering, NULL, answer_always, &cycles));
+    for (uint32_t i = 1U; i <= cycles; i++) {
+        bsp_sleep_until_ns(start_ns + i * UINT64_C(1000000));
+        TEST_ASSERT_EQUAL_UINT64(start_ns + i * UINT64_C(1000000), bsp_now_ns());
+        TEST_ASSERT_EQUAL_HEX32(0x3FFU, exchange(0x3FFU, TIMEOUT_US));
+        TEST_ASSERT_EQUAL_UINT64(start_ns / 1000U + i * 1000U, wire_load_time(served.wire));
+    }
+    TEST_ASSERT_EQUAL_INT(0, pthread_join(answering, NULL));
+    bsp_close();
+}
+
+/* One sleep may follow a late one at once; from there on the pace is kept. */
+void test_SWR_BOX_006_elastic_time_is_never_faster_than_the_worlds_divided_by_the_slowness(void)
+{
+    serve_anew(true, 3U);
+    TEST_ASSERT_TRUE(bsp_open(name, error, sizeof error));
+    const uint64_t world_ns = wire_now_ns();
+    const uint64_t start_ns = bsp_now_ns();
+    for (uint32_t i = 1U; i <= 20U; i++) {
+        bsp_sleep_until_ns(start_ns + i * UINT64_C(1000000));
+    }
+    TEST_ASSERT_TRUE(wire_now_ns() - world_ns >= UINT64_C(19) * 3U * 1000000U);
+    bsp_close();
+}
+
+void test_SWR_BOX_006_elastic_time_does_not_hurry_after_a_pause(void)
+{
+    serve_anew(true, 1U);
+    TEST_ASSERT_TRUE(bsp_open(name, error, sizeof error));
+    const uint64_t paused_ns = wire_now_ns();
+    while (wire_now_ns() < paused_ns + UINT64_C(30000000)) {
+        /* Control is not called for 30 ms. */
+    }
+    const uint64_t world_ns = wire_now_ns();
+    const uint64_t start_ns = bsp_now_ns();
+    for (uint32_t i = 1U; i <= 10U; i++) {
+        bsp_sleep_until_ns(start_ns + i * UINT64_C(1000000));
+    }
+    TEST_ASSERT_TRUE(wire_now_ns() - world_ns >= UINT64_C(9000000));
+    bsp_close();
+}
+
+void test_SWR_BOX_007_control_follows_a_box_that_went_on_alone(void)
+{
+    serve_anew(true, 1U);
+    TEST_ASSERT_TRUE(bsp_open(name, error, sizeof error));
+    const uint64_t start_ns = bsp_now_ns();
+    wire_store_time(served.wire, wire_load_time(served.wire) + 777000U);
+    bsp_sleep_until_ns(start_ns + UINT64_C(1000000));
+    TEST_ASSERT_EQUAL_UINT64(start_ns + UINT64_C(777000000), bsp_now_ns());
+    bsp_close();
+}
+
+void test_SWR_BOX_006_a_box_that_stops_answering_is_waited_for_once(void)
+{
+    serve_anew(true, 1U);
+    TEST_ASSERT_TRUE(bsp_open(name, error, sizeof error));
+    const uint64_t before_ns = wire_now_ns();
+    TEST_ASSERT_EQUAL_HEX32(0U, exchange(0x3FFU, TIMEOUT_US));
+    const uint64_t patient_ns = wire_now_ns() - before_ns;
+    TEST_ASSERT_TRUE(patient_ns >= UINT64_C(1000) * LIMIT_ELASTIC_PATIENCE_US);
+    for (uint32_t i = 0U; i < 9U; i++) {
+        TEST_ASSERT_EQUAL_HEX32(0U, exchange(0x3FFU, TIMEOUT_US));
+    }
+    /* Ten times the patience would be 5 s: a box given up is not waited for again. */
+    TEST_ASSERT_TRUE(wire_now_ns() - before_ns < 5U * patient_ns);
     bsp_close();
 }

@@ -60,6 +60,7 @@ static void place(const char *name, float x)
 static void pass_us(uint64_t time_us)
 {
     moment.now_us += time_us;
+    moment.patience_us += time_us;
     transform_dialect_step(&dialect, &moment);
 }
 

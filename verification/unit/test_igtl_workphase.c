@@ -112,6 +112,7 @@ static void accept(uint32_t is_final)
 static void pass_us(uint64_t time_us)
 {
     moment.now_us += time_us;
+    moment.patience_us += time_us;
     workphase_dialect_step(&dialect, &moment);
 }
 

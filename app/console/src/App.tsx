@@ -9,8 +9,10 @@ import { StopButton } from "./panels/StopButton";
 import { Targeting } from "./panels/Targeting";
 import { Panel } from "./parts/Panel";
 import { ThemeButton } from "./parts/ThemeButton";
-import type { RobotState } from "./api";
+import type { RobotState, Time } from "./api";
 import type { ConsoleView, TelemetryStore } from "./store";
+
+const SLOW_PERCENT = 95;
 
 function Panels({ view, robot }: { view: ConsoleView; robot: RobotState }) {
   return (
@@ -49,6 +51,14 @@ function Footer({ robot }: { robot: RobotState | null }) {
   );
 }
 
+/** A slow simulation must not be taken for a slow robot. */
+function SlowTime({ time }: { time: Time }) {
+  const percent = Math.round(time.speed_percent);
+  return percent < SLOW_PERCENT ? (
+    <p className="notice">Time passes at {percent} % of its speed.</p>
+  ) : null;
+}
+
 function Notices({ view }: { view: ConsoleView }) {
   const box = view.robot?.status.box ?? null;
   return (
@@ -58,6 +68,7 @@ function Notices({ view }: { view: ConsoleView }) {
           Simulated control box “{box}”: no robot is connected.
         </p>
       )}
+      {view.robot !== null && <SlowTime time={view.robot.status.time} />}
       {view.isOutdated && (
         <p className="notice">The server has been updated. Reload this page.</p>
       )}

@@ -15,6 +15,14 @@ export interface Card {
   faults: string[];
 }
 
+/** How the board's time passes beside the world's. */
+export interface Time {
+  /** It waits for control: nothing can be late. */
+  is_elastic: boolean;
+  slowness: number;
+  speed_percent: number;
+}
+
 export interface Loop {
   state: string;
   cycles: number;
@@ -47,6 +55,7 @@ export interface Status {
   is_homed: boolean;
   is_registered: boolean;
   has_target: boolean;
+  time: Time;
   loop: Loop;
   cards: Card[];
   counts: {

@@ -10,10 +10,16 @@ function rightsText({ fifo, core, memory }: Status["loop"]["rights"]): string {
   return missing.length === 0 ? "all granted" : `without ${missing.join(", ")}`;
 }
 
-export function Loop({ status }: { status: Status }) {
-  const { loop, counts } = status;
+/** @satisfies SWR-SUP-005 */
+function timeText({ is_elastic, speed_percent }: Status["time"]): string {
+  const kind = is_elastic ? "elastic" : "real";
+  return `${kind}, at ${speed_percent.toFixed(1)} % of the world's`;
+}
+
+/** Elastic time waits for control, so these would all be zero. */
+function Punctuality({ loop }: { loop: Status["loop"] }) {
   return (
-    <dl className="facts">
+    <>
       <dt>Worst wake-up, last second</dt>
       <dd>{loop.second_worst_us} µs</dd>
       <dt>Wake-up, 99 % / worst</dt>
@@ -24,6 +30,17 @@ export function Loop({ status }: { status: Status }) {
       <dd>
         {loop.step_p99_us} / {loop.step_worst_us} µs
       </dd>
+    </>
+  );
+}
+
+export function Loop({ status }: { status: Status }) {
+  const { time, loop, counts } = status;
+  return (
+    <dl className="facts">
+      <dt>Time</dt>
+      <dd>{timeText(time)}</dd>
+      {!time.is_elastic && <Punctuality loop={loop} />}
       <dt>Late cycles</dt>
       <dd>
         {counts.overruns} of {loop.cycles}

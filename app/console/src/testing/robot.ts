@@ -64,6 +64,7 @@ export function makeStatus(change: Partial<Status> = {}): Status {
     is_homed: false,
     is_registered: false,
     has_target: false,
+    time: { is_elastic: false, slowness: 1, speed_percent: 100 },
     loop: {
       state: "on_time",
       cycles: 1000,

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rule under test: the panel says how time passes, and shows no punctuality where nothing can be late.
+import { cleanup, render, screen } from "@testing-library/react";
+import { afterEach, expect, test } from "vitest";
+import { makeStatus } from "../testing/robot";
+import { Loop } from "./Loop";
+
+afterEach(cleanup);
+
+test("SWR-SUP-005 elastic time is named with its speed", () => {
+  const time = { is_elastic: true, slowness: 1, speed_percent: 41.26 };
+  render(<Loop status={makeStatus({ time })} />);
+  expect(screen.getByText("elastic, at 41.3 % of the world's")).toBeTruthy();
+  expect(screen.queryByText(/Wake-up/)).toBeNull();
+});
+
+test("SWR-SUP-005 real time is named with its speed and its punctuality", () => {
+  const time = { is_elastic: false, slowness: 5, speed_percent: 20 };
+  render(<Loop status={makeStatus({ time })} />);
+  expect(screen.getByText("real, at 20.0 % of the world's")).toBeTruthy();
+  expect(screen.getByText(/Wake-up, 99 %/)).toBeTruthy();
+});

@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * The clock of the simulated box: how far its world goes on each time the box looks around. In real
+ * time it follows the world's clock. In elastic time it goes on when control asks for an exchange,
+ * just as far as control has come; control keeps the pace. Left alone for LIMIT_ELASTIC_PATIENCE_US
+ * it goes on by itself, so that the cards notice that control is stuck or gone. No I/O; the world's
+ * time is handed in.
+ */
+#ifndef BORESIGHT_BOX_CLOCK_H
+#define BORESIGHT_BOX_CLOCK_H
+
+#include "bsp.h"
+
+#include <stdint.h>
+
+/** The box looks around at least this often. */
+#define BOX_CLOCK_LOOK_US 1500U
+/** The furthest that its world goes on at once: a pause of the machine pauses the world, too. */
+#define BOX_CLOCK_STRIDE_US 2000U
+
+/** State of the clock. */
+typedef struct {
+    bsp_time_t time;
+    uint64_t now_us;       /**< The box's time. */
+    uint64_t looked_us;    /**< World time of the last look. */
+    uint32_t lonely_looks; /**< In a row, in which nobody asked. */
+} box_clock_t;
+
+/** Starts at `now_us`, except in real time, which is the world's divided by the slowness. */
+void box_clock_init(box_clock_t *self, bsp_time_t time, uint64_t now_us, uint64_t world_us);
+
+/**
+ * The box looks around at `world_us`. `wanted_us`: the box's time of the exchange that control asks
+ * for, NULL when it asks for none.
+ *
+ * @return how far the world goes on, 0..BOX_CLOCK_STRIDE_US
+ *
+ * @satisfies SWR-BOX-005
+ * @satisfies SWR-BOX-006
+ * @satisfies SWR-BOX-007
+ */
+uint32_t box_clock_look(box_clock_t *self, const uint64_t *wanted_us, uint64_t world_us);
+
+#endif
