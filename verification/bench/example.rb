@@ -14,8 +14,6 @@ class Example
              '-0.719331 -0.593747 -0.360594 11.173943 -0.074838 0.582304 -0.809519 245.277747 ' \
              '0.690625 -0.555326 -0.463305 66.443691',
              '1 0 0 11 0 1 0 300 0 0 1 66'].freeze
-  HOME_MS = 60_000
-  MOVE_MS = 20_000
 
   # Returns the file.
   def self.make
@@ -25,11 +23,11 @@ class Example
   def make
     @robot = Boresight.start
     @client = @robot.client
-    under_pedal('START_UP', HOME_MS)
-    ['phase PLANNING', 'phase CALIBRATION', "registration #{REGISTRATION}", 'wait STATUS CALIBRATION 2000',
+    under_pedal('START_UP')
+    ['phase PLANNING', 'phase CALIBRATION', "registration #{REGISTRATION}", 'wait STATUS CALIBRATION',
      'phase TARGETING'].each { |line| say(line) }
-    TARGETS.reverse_each { |target| say("target #{target}", 'wait STATUS TARGET 2000') }
-    under_pedal('MOVE_TO_TARGET', MOVE_MS)
+    TARGETS.reverse_each { |target| say("target #{target}", 'wait STATUS TARGET') }
+    under_pedal('MOVE_TO_TARGET')
     keep_recording
   ensure
     @robot&.kill_all
@@ -38,24 +36,24 @@ class Example
   private
 
   # Whether the motion ends well is not our matter: a stop is a cycle like others.
-  def under_pedal(phase, limit_ms)
+  def under_pedal(phase)
     say("phase #{phase}")
     @robot.simctl('pedal', 'press')
-    say("wait STATUS #{phase} #{limit_ms}", seconds: (limit_ms / 1000) + 5)
+    say("wait STATUS #{phase}")
     @robot.simctl('pedal', 'release')
-    @robot.wait_until(2, 'the pedal is seen released') { @robot.status['pedal'] == 'released' }
+    @robot.wait_until('the pedal is seen released') { @robot.status['pedal'] == 'released' }
   end
 
-  def say(*lines, seconds: 10)
+  def say(*lines)
     lines.each do |line|
       @client.write(line)
-      nil until @client.read(seconds).key?('done')
+      nil until @client.read.key?('done')
     end
   end
 
   def keep_recording
     Process.kill('TERM', @robot.pid)
-    @robot.wait_for_end(5)
+    @robot.wait_for_end
     FileUtils.cp(@robot.recording_files.last, FILE)
     FILE
   end

@@ -18,17 +18,9 @@ require_relative '../system/support/boresight'
 
 # One run of the workflow.
 class Demo
-  # An armed motion was given up.
-  class Discarded < StandardError; end
-
   OUT = File.expand_path('../../build/demo', __dir__)
   LIMITS = JSON.parse(File.read(File.expand_path('../../build/gen/limits/limits.json', __dir__)))
   LIMIT_MM = LIMITS.find { |limit| limit['name'] == 'demo_error_nm' }['value'] / 1e6
-  MOVE_MS = 60_000
-  HOME_MS = 90_000
-  # A machine that is not real-time may pause for milliseconds; the loop guard then stops the motion, as it must, and
-  # the operator commands it again.
-  REPEATS = 5
 
   # The frame stands 128 mm below and slightly turned in the scanner; RAS, mm.
   REGISTRATION = { rotation: Geometry.multiply(Geometry.about_x(0.02), Geometry.about_z(-0.03)),
@@ -58,7 +50,7 @@ class Demo
     phase('PLANNING')
     phase('CALIBRATION')
     say('registration', *Geometry.rows(REGISTRATION[:rotation], REGISTRATION[:translation]))
-    await('CALIBRATION', 2000)
+    await('CALIBRATION')
     TARGETS.each_with_index.map { |target, index| reach(target, index + 1) }
   end
 
@@ -82,49 +74,29 @@ class Demo
     entry = target[:point].zip(rotation.map { |row| row[2] }).map { |value, direction| value - (target[:entry] * direction) }
     matrix = Geometry.rows([[1, 0, 0], [0, 1, 0], [0, 0, 1]], entry)
     _, status = Open3.capture2e(Boresight.program('boresight-client'), '--port', @robot.igtl_port.to_s,
-                                "transform ENTRY_POINT #{matrix.join(' ')}", 'wait POINT entry_point 2000')
+                                "transform ENTRY_POINT #{matrix.join(' ')}", 'wait POINT entry_point')
     raise 'the entry point was not taken' unless status.success?
   end
 
   def home
-    repeat_when_discarded { under_pedal('START_UP', HOME_MS) }
+    under_pedal('START_UP')
   end
 
-  # Target and move; after a fault both are commanded again, with what START_UP wants homed in between.
   def move(pose)
-    repeat_when_discarded do |repeats|
-      under_pedal('START_UP', HOME_MS) if repeats.positive?
-      phase('PLANNING')
-      phase('TARGETING')
-      say('target', *pose)
-      await('TARGET', 2000)
-      under_pedal('MOVE_TO_TARGET', MOVE_MS)
-    end
-  end
-
-  def repeat_when_discarded
-    repeats = 0
-    begin
-      yield repeats
-    rescue Discarded => e
-      @robot.simctl('pedal', 'release')
-      repeats += 1
-      raise if repeats > REPEATS
-
-      @robot.wait_until(5, 'every card answers') { @robot.status['cards'].all? { |card| card['age_cycles'].zero? } }
-
-      puts "Stopped (#{e.message}); commanded again."
-      retry
-    end
+    phase('PLANNING')
+    phase('TARGETING')
+    say('target', *pose)
+    await('TARGET')
+    under_pedal('MOVE_TO_TARGET')
   end
 
   # Commands with the pedal up, then holds the pedal until the result is there.
-  def under_pedal(phase, limit_ms)
+  def under_pedal(phase)
     phase(phase)
     @robot.simctl('pedal', 'press')
-    await(phase, limit_ms)
+    await(phase)
     @robot.simctl('pedal', 'release')
-    @robot.wait_until(2, 'the pedal is seen released') { @robot.status['pedal'] == 'released' }
+    @robot.wait_until('the pedal is seen released') { @robot.status['pedal'] == 'released' }
   end
 
   def phase(name)
@@ -132,19 +104,19 @@ class Demo
   end
 
   # Sends one command to the client; returns the messages that arrived until it was done.
-  def say(*words, limit_s: 10)
+  def say(*words)
     @client.write(words.join(' '))
     heard = []
-    heard << @client.read(limit_s) until heard.last&.key?('done')
+    heard << @client.read until heard.last&.key?('done')
     @heard.concat(heard)
     heard
   end
 
   # Waits for STATUS name and demands code 1.
-  def await(name, limit_ms)
-    say('wait', 'STATUS', name, limit_ms, limit_s: (limit_ms / 1000) + 5)
+  def await(name)
+    say('wait', 'STATUS', name)
     message = @heard.reverse.find { |line| line['type'] == 'STATUS' && line['name'] == name }
-    raise Discarded, "#{name}: #{message['text']}" unless message['code'] == 1
+    raise "#{name}: #{message['text']}" unless message['code'] == 1
   end
 
   def measured

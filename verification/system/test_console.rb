@@ -105,7 +105,7 @@ class TestConsole < Minitest::Test
     assert_parts 'SWR-CON-003'
   end
 
-  def test_SWR_CON_004_a_frozen_server_is_seen_within_a_second
+  def test_SWR_CON_004_a_frozen_server_is_seen_to_be_stale
     assert_parts 'SWR-CON-004'
   end
 

@@ -13,11 +13,11 @@ class TestRecorder < SystemTest
 
   # Runs until `cycles` cycles are published; returns the recordings, kept after the end.
   def record(cycles)
-    boresight.wait_until(30, "#{cycles} cycles have run") { boresight.status['cycle'] >= cycles }
+    boresight.wait_until("#{cycles} cycles have run") { boresight.status['cycle'] >= cycles }
     yield if block_given?
     last = boresight.status['cycle']
     Process.kill('TERM', boresight.pid)
-    boresight.wait_for_end(2)
+    boresight.wait_for_end
     last
   end
 
@@ -40,9 +40,9 @@ class TestRecorder < SystemTest
     expected = []
     record(2000) do
       boresight.simctl('pedal', 'press')
-      boresight.wait_until(2, 'the pedal is seen pressed') { boresight.status['pedal'] == 'pressed' }
+      boresight.wait_until('the pedal is seen pressed') { boresight.status['pedal'] == 'pressed' }
       boresight.simctl('pedal', 'release')
-      boresight.wait_until(3, 'the pedal is in the log') do
+      boresight.wait_until('the pedal is in the log') do
         (expected = boresight.log).any? { |event| event['name'] == 'PEDAL_RELEASED' }
       end
     end
@@ -57,9 +57,9 @@ class TestRecorder < SystemTest
   def test_SWR_REC_001_after_a_kill_the_first_file_is_usable_and_a_second_begins
     record(2000) do
       boresight.kill('recorder', 'KILL')
-      boresight.wait_until(4, 'there is a second recording') { boresight.recording_files.size == 2 }
+      boresight.wait_until('there is a second recording') { boresight.recording_files.size == 2 }
       first = boresight.status['cycle']
-      boresight.wait_until(5, 'a second has passed') { boresight.status['cycle'] > first + 1500 }
+      boresight.wait_until('a second has passed') { boresight.status['cycle'] > first + 1500 }
     end
     cut, whole = boresight.recording_files.zip([3, 0]).map { |file, code| replayed(file, code) }
     assert_match(/Cut short/, cut[1])
@@ -72,11 +72,11 @@ class TestRecorder < SystemTest
     record(1000) do
       boresight.kill('recorder', 'STOP')
       missed = boresight.status['counts']['cycles_lost']
-      boresight.wait_until(6, 'cycles are lost') { boresight.status['counts']['cycles_lost'] > missed }
+      boresight.wait_until('cycles are lost') { boresight.status['counts']['cycles_lost'] > missed }
       boresight.kill('recorder', 'CONT')
-      boresight.wait_until(3, 'the recorder says so') { boresight.output.match?(/recorder: \d+ cycles were lost/) }
+      boresight.wait_until('the recorder says so') { boresight.output.match?(/recorder: \d+ cycles were lost/) }
       first = boresight.status['cycle']
-      boresight.wait_until(5, 'a second has passed') { boresight.status['cycle'] > first + 1000 }
+      boresight.wait_until('a second has passed') { boresight.status['cycle'] > first + 1000 }
     end
     assert_operator boresight.recording_files.size, :>=, 2
     boresight.recording_files.each { |file| replayed(file, 0) }
@@ -87,11 +87,11 @@ class TestRecorder < SystemTest
     record(500) do
       limit = ->(bytes) { system('prlimit', '--pid', boresight.pid_of('recorder').to_s, "--fsize=#{bytes}:unlimited") }
       assert limit.call(File.size(boresight.recording_files.last) + 1000)
-      boresight.wait_until(5, 'the recorder says so') { boresight.output.include?('nothing can be recorded') }
+      boresight.wait_until('the recorder says so') { boresight.output.include?('nothing can be recorded') }
       assert limit.call('unlimited')
-      boresight.wait_until(10, 'recording goes on') { boresight.output.include?('recording goes on') }
+      boresight.wait_until('recording goes on') { boresight.output.include?('recording goes on') }
       first = boresight.status['cycle']
-      boresight.wait_until(5, 'a second has passed') { boresight.status['cycle'] > first + 1000 }
+      boresight.wait_until('a second has passed') { boresight.status['cycle'] > first + 1000 }
     end
     assert_equal 1, boresight.output.scan('nothing can be recorded').size
     boresight.recording_files.each { |file| replayed(file, 0, 3) }

@@ -17,7 +17,7 @@ class TestReplay < SystemTest
   # Stops and returns the recording.
   def end_recording
     Process.kill('TERM', boresight.pid)
-    boresight.wait_for_end(2)
+    boresight.wait_for_end
     boresight.recording_files.last
   end
 
@@ -52,7 +52,7 @@ class TestReplay < SystemTest
   end
 
   def test_SWR_REPLAY_001_another_robot_is_refused_by_both_crcs
-    boresight.wait_until(5, 'something is recorded') { boresight.status['cycle'] > 500 }
+    boresight.wait_until('something is recorded') { boresight.status['cycle'] > 500 }
     file = end_recording
     header = File.binread(file, 256)
     header[96, 4] = [0x0BADF00D].pack('V')
@@ -69,7 +69,7 @@ class TestReplay < SystemTest
   end
 
   def test_SWR_REPLAY_002_a_byte_flipped_at_fifty_places_is_reported_with_its_place
-    boresight.wait_until(10, 'something is recorded') { boresight.status['cycle'] > 2000 }
+    boresight.wait_until('something is recorded') { boresight.status['cycle'] > 2000 }
     file = end_recording
     size = File.size(file)
     Array.new(PLACES) { |i| (i * (size - 1)) / (PLACES - 1) }.each do |offset|
@@ -84,7 +84,7 @@ class TestReplay < SystemTest
   end
 
   def test_SWR_REPLAY_001_a_recording_cut_short_is_replayed_and_said_to_be_cut
-    boresight.wait_until(10, 'something is recorded') { boresight.status['cycle'] > 2000 }
+    boresight.wait_until('something is recorded') { boresight.status['cycle'] > 2000 }
     file = end_recording
     File.truncate(file, File.size(file) - 100)
     text, code = replay(file)
@@ -95,7 +95,7 @@ class TestReplay < SystemTest
   end
 
   def test_SWR_REPLAY_002_a_block_that_does_not_hold_what_it_announces_is_refused
-    boresight.wait_until(10, 'something is recorded') { boresight.status['cycle'] > 1000 }
+    boresight.wait_until('something is recorded') { boresight.status['cycle'] > 1000 }
     file = end_recording
     announce_one_record_more(file)
     text, code = replay(file)

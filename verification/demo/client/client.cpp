@@ -32,8 +32,8 @@
 
 namespace {
 
-const int kAcknowledgementMs = 2000;
-const int kAnswerMs = 2000;
+// A bound against hanging, where none is given.
+const int kPatienceMs = 120000;
 
 typedef std::chrono::steady_clock Clock;
 typedef std::vector<std::string> Words;
@@ -101,7 +101,7 @@ public:
             message << "nothing listens on " << host << " port " << port << "; start boresight first";
             throw std::runtime_error(message.str());
         }
-        channel_->SetReceiveTimeout(kAnswerMs);
+        channel_->SetReceiveTimeout(kPatienceMs);
     }
 
     void Run(const std::string &line)
@@ -168,10 +168,10 @@ private:
             Begin();
             SendString(words[1], After(line, 2));
         } else if (verb == "wait") {
-            Need(words, 4, "wait TYPE NAME MS");
-            Await(words[1], words[2], std::atoi(words[3].c_str()));
+            Need(words, 3, "wait TYPE NAME [MS]");
+            Await(words[1], words[2], Patience(words, 3));
         } else if (verb == "expect") {
-            Need(words, 5, "expect STATUS NAME CODE MS");
+            Need(words, 4, "expect STATUS NAME CODE [MS]");
             Expect(words);
         } else if (verb == "get") {
             Need(words, 2, "get NAME");
@@ -188,6 +188,11 @@ private:
         } else {
             throw std::runtime_error("unknown command \"" + verb + "\"");
         }
+    }
+
+    static int Patience(const Words &words, std::size_t place)
+    {
+        return words.size() > place ? std::atoi(words[place].c_str()) : kPatienceMs;
     }
 
     static std::string After(const std::string &line, int words)
@@ -255,7 +260,7 @@ private:
         Begin();
         const double sent_ms = Now();
         SendString("CMD_" + id, phase);
-        ReportAcknowledgement(Await("STRING", "ACK_" + id, kAcknowledgementMs), sent_ms);
+        ReportAcknowledgement(Await("STRING", "ACK_" + id, kPatienceMs), sent_ms);
     }
 
     void SendPose(const std::string &prefix, const Words &words)
@@ -264,7 +269,7 @@ private:
         Begin();
         const double sent_ms = Now();
         SendTransform(prefix + id, words, 1);
-        const Received echo = Await("TRANSFORM", "ACK_" + id, kAcknowledgementMs);
+        const Received echo = Await("TRANSFORM", "ACK_" + id, kPatienceMs);
         ReportAcknowledgement(echo, sent_ms);
         for (std::size_t i = 0; i < 12; i++) {
             const float sent = std::strtof(words[1 + i].c_str(), NULL);
@@ -324,7 +329,7 @@ private:
 
     void Expect(const Words &words)
     {
-        const Received received = Await(words[1], words[2], std::atoi(words[4].c_str()));
+        const Received received = Await(words[1], words[2], Patience(words, 4));
         if (received.code != std::atoi(words[3].c_str())) {
             std::ostringstream message;
             message << words[1] << " " << words[2] << " has code " << received.code << " (" << received.text
@@ -341,13 +346,13 @@ private:
             message->SetDeviceName(name.c_str());
             message->Pack();
             Send(message);
-            Await("STATUS", name, kAnswerMs);
+            Await("STATUS", name, kPatienceMs);
         } else {
             igtl::GetTransformMessage::Pointer message = igtl::GetTransformMessage::New();
             message->SetDeviceName(name.c_str());
             message->Pack();
             Send(message);
-            Await("TRANSFORM", name, kAnswerMs);
+            Await("TRANSFORM", name, kPatienceMs);
         }
     }
 

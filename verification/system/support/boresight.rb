@@ -14,12 +14,13 @@ require 'tmpdir'
 #   boresight = Boresight.start
 #   boresight.command('START_UP')
 #   boresight.simctl('pedal', 'press')
-#   boresight.wait_until(60, 'all axes are homed') { boresight.status['is_homed'] }
+#   boresight.wait_until('all axes are homed') { boresight.status['is_homed'] }
 #   boresight.stop
 class Boresight
   PROGRAMS = ENV.fetch('BORESIGHT_BIN', File.expand_path('../../../build/bin', __dir__))
   NAMES = %w[box control recorder igtl http].freeze
-  START_SECONDS = 15
+  # A bound against hanging, and no judgement: far above what any wait takes on a machine that is busy with other things.
+  PATIENCE_SECONDS = 120
   POLL_SECONDS = 0.02
 
   # What was waited for did not happen.
@@ -47,12 +48,12 @@ class Boresight
     end
 
     # Polls the block until it is true, and returns what it returned.
-    def wait_until(seconds, reason)
-      deadline = now + seconds
+    def wait_until(reason)
+      deadline = now + PATIENCE_SECONDS
       loop do
         result = yield
         return result if result
-        raise TimedOut, "waited #{seconds} s in vain until #{reason}" if now > deadline
+        raise TimedOut, "waited #{PATIENCE_SECONDS} s in vain until #{reason}" if now > deadline
 
         sleep POLL_SECONDS
       end
@@ -83,7 +84,7 @@ class Boresight
   # Starts it and waits until the console answers.
   def start
     launch
-    wait_until(START_SECONDS, 'the console answers') { started? }
+    wait_until('the console answers') { started? }
   rescue StandardError
     warn "Boresight said:\n#{output}"
     kill_all
@@ -97,18 +98,17 @@ class Boresight
     @pid
   end
 
-  # Tells it to stop; returns [exit code, seconds that took].
+  # Tells it to stop; returns its exit code.
   def stop(signal = 'TERM')
-    began = Boresight.now
     Process.kill(signal, @pid)
-    [wait_for_end(5), Boresight.now - began]
+    wait_for_end
   ensure
     kill_all
   end
 
   # Exit code once it has ended by itself.
-  def wait_for_end(seconds)
-    wait_until(seconds, 'the supervisor ends') { ended? }
+  def wait_for_end
+    wait_until('the supervisor ends') { ended? }
     @status.exitstatus
   end
 
@@ -176,8 +176,8 @@ class Boresight
   end
 
   # As soon as http answers again, for a test that has just killed it.
-  def patiently(seconds = 8)
-    wait_until(seconds, 'http answers') do
+  def patiently
+    wait_until('http answers') do
       yield
     rescue SystemCallError, EOFError, Net::ReadTimeout, Net::OpenTimeout, RuntimeError
       nil
@@ -211,8 +211,26 @@ class Boresight
     Process.kill(signal, pid_of(name) || raise("#{name} does not run"))
   end
 
-  def wait_until(seconds, reason, &)
-    Boresight.wait_until(seconds, reason, &)
+  # Rows of "simctl show": slot, axis, ..., drive and the number of watchdog trips.
+  def box_axes
+    simctl('show').lines.map(&:split).select { |words| words.first.to_s.match?(/\A\d+\z/) }
+  end
+
+  def driven_axes
+    box_axes.reject { |words| words.include?('off') }
+  end
+
+  # Holds programs while the block runs.
+  def while_stopped(*names)
+    held = pids.values_at(*names)
+    held.each { |pid| Process.kill('STOP', pid) }
+    yield
+  ensure
+    held&.reverse_each { |pid| Process.kill('CONT', pid) }
+  end
+
+  def wait_until(reason, &)
+    Boresight.wait_until(reason, &)
   rescue TimedOut => e
     raise TimedOut, "#{e.message}; Boresight said:\n#{output}"
   end
@@ -229,21 +247,16 @@ class Boresight
     @peer.command(format('CMD_%04d', @commands), workphase)
   end
 
-  # Homes every axis; the pedal is pressed as long as that takes. After a pause of the machine it is commanded again.
-  def home(seconds = 90, repeats: 3)
+  # Homes every axis; the pedal is pressed as long as that takes.
+  def home
     press_and_command('START_UP')
-    patiently(seconds) { !moving? && (status['is_homed'] || status['order'] == 'none') }
+    wait_for_homing
     simctl('pedal', 'release')
-    return if status['is_homed']
-    raise "homing ended early; Boresight said:\n#{output}" if repeats.zero? || !paused?
-
-    home(seconds, repeats: repeats - 1)
+    raise "homing ended early; Boresight said:\n#{output}" unless status['is_homed']
   end
 
-  # The machine has paused for so long that motion was stopped, as it must be. Only a machine that is not real-time
-  # does this; a test may then, and only then, repeat what was stopped.
-  def paused?
-    log.any? { |entry| %w[LOOP_STOPPED CARD_LOST].include?(entry['name']) }
+  def wait_for_homing
+    patiently { !moving? && (status['is_homed'] || status['order'] == 'none') }
   end
 
   # Arms `workphase`, then presses the pedal; returns once an axis is driven.
@@ -251,15 +264,15 @@ class Boresight
     simctl('pedal', 'release')
     await_released_pedal
     command(workphase)
-    wait_until(5, "#{workphase} is armed") { status['order'] != 'none' }
+    wait_until("#{workphase} is armed") { status['order'] != 'none' }
     simctl('pedal', 'press')
-    wait_until(5, 'an axis is driven') { moving? }
+    wait_until('an axis is driven') { moving? }
   end
 
   # Its contacts bounce: released for 50 cycles.
   def await_released_pedal
     since = nil
-    wait_until(3, 'the pedal is released') do
+    wait_until('the pedal is released') do
       now = status
       since = now['pedal'] == 'released' ? (since || now['cycle']) : nil
       since && now['cycle'] >= since + 50
@@ -309,7 +322,7 @@ class Boresight
   end
 
   def http(&)
-    Net::HTTP.start('127.0.0.1', @http_port, open_timeout: 1, read_timeout: 2, &)
+    Net::HTTP.start('127.0.0.1', @http_port, open_timeout: PATIENCE_SECONDS, read_timeout: PATIENCE_SECONDS, &)
   end
 
   # With a prefix (sh -c, setpriv ...) that executes it, the process is still the same.
@@ -346,7 +359,7 @@ class WorkphasePeer
     body = [3, text.bytesize, text].pack('nna*')
     header = [1, 'STRING', name, 0, body.bytesize, WorkphasePeer.crc64(body)].pack('na12a20Q>Q>Q>')
     @socket.write(header + body)
-    raise 'no answer to the command' unless @socket.wait_readable(2)
+    raise 'no answer to the command' unless @socket.wait_readable(Boresight::PATIENCE_SECONDS)
 
     @socket.readpartial(4096)
   end
@@ -369,8 +382,8 @@ class ProcessClient
   end
 
   # The next line, parsed.
-  def read(seconds = 5)
-    line = Boresight.wait_until(seconds, 'the client says something') { next_line }
+  def read
+    line = Boresight.wait_until('the client says something') { next_line }
     JSON.parse(line)
   end
 

@@ -19,9 +19,9 @@ class SystemTest < Minitest::Test
   end
 
   # Each condition that was waited for is an assertion: it fails the test when it does not come true.
-  def wait_until(seconds, reason, &)
+  def wait_until(reason, &)
     self.assertions += 1
-    Boresight.wait_until(seconds, reason, &)
+    Boresight.wait_until(reason, &)
   end
 
   # Runs the replay; returns its output and its exit code.
@@ -41,7 +41,7 @@ class SystemTest < Minitest::Test
 
   # A stopped instance leaves no process and no shared memory behind.
   def assert_nothing_left(instance)
-    wait_until(2, "nothing of #{instance} is left") do
+    wait_until("nothing of #{instance} is left") do
       Dir.glob("/dev/shm/*#{instance}*").empty? && processes_of(instance).empty?
     end
   end

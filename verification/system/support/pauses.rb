@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+# What the machine, and not the programs, took of the world's time: a program could have run and something else ran on
+# its core (/proc/PID/schedstat), or the hypervisor ran another machine (/proc/stat). A time is judged by the test only
+# after these pauses of the same seconds were taken off.
+#
+#   pauses = Pauses.new(boresight.pids.values)
+#   net = pauses.net_seconds { boresight.post_stop }
+class Pauses
+  TICKS_PER_S = 100.0
+  NS_PER_S = 1e9
+  STEAL = 8 # Word of the line "cpu" in /proc/stat.
+
+  def initialize(pids)
+    @pids = [Process.pid, *pids]
+    @delays = {}
+    look
+    @begun = seconds_since_boot
+  end
+
+  # Takes note of the delays; a process that ends takes its own away.
+  def look
+    @pids.each do |pid|
+      Dir.glob("/proc/#{pid}/task/*/schedstat").each do |path|
+        @delays[path] = File.read(path).split[1].to_i / NS_PER_S
+      rescue SystemCallError
+        next
+      end
+    end
+  end
+
+  # Since this was made.
+  def seconds
+    look
+    seconds_since_boot - @begun
+  end
+
+  # How long the block took, less the pauses meanwhile.
+  def net_seconds
+    paused = seconds
+    began = Boresight.now
+    yield
+    Boresight.now - began - (seconds - paused)
+  end
+
+  private
+
+  def seconds_since_boot
+    @delays.values.sum + (File.read('/proc/stat')[/^cpu .*/].split[STEAL].to_i / TICKS_PER_S)
+  end
+end

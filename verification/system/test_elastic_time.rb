@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+# Rule under test: in elastic time nothing is late because the machine paused, time never hurries, and a control that
+# is stuck is noticed by the cards all the same.
+
+require_relative 'support/system_test'
+
+class TestElasticTime < SystemTest
+  TROUBLE = %w[OVERRUN LOOP_STOPPED CARD_LOST ORDER_DISCARDED AXIS_STALLED AXIS_FOLLOWING_ERROR].freeze
+  PAUSES = [*[0.003] * 20, *[0.03] * 10, 0.3, 1.0].freeze # Seconds.
+  PROGRAMS = %w[control box].freeze
+
+  def trouble
+    boresight.log.map { |event| event['name'] } & TROUBLE
+  end
+
+  # What a busy or paused machine does to them: held together, at any moment; now one, now the other goes on first.
+  def pause_machine(seconds, number)
+    boresight.while_stopped(*PROGRAMS.rotate(number)) { sleep seconds }
+  end
+
+  def test_SWR_BOX_006_a_motion_outlives_the_pauses_of_the_machine
+    boresight.press_and_command('START_UP')
+    PAUSES.each_with_index { |seconds, number| pause_machine(seconds, number) }
+    refute_equal 'none', boresight.status['order'], 'the pauses were not over before the motion'
+    boresight.wait_for_homing
+    assert boresight.status['is_homed']
+    assert_empty trouble
+    assert_equal 0, boresight.status['counts']['overruns']
+  end
+
+  def test_SWR_BOX_006_time_is_never_faster_than_it_should
+    slowness = 4
+    boresight(arguments: ['--slow', slowness.to_s])
+    began = Boresight.now
+    first = boresight.status['cycle']
+    last = boresight.wait_until('some cycles have run') { boresight.status['cycle'].then { |now| now if now > first + 200 } }
+    assert_operator (last - first) * 0.001 * slowness, :<=, Boresight.now - began + (0.002 * slowness)
+  end
+
+  def test_SWR_BOX_007_the_cards_notice_a_control_that_is_stuck
+    boresight.press_and_command('START_UP')
+    refute_empty boresight.driven_axes
+    boresight.while_stopped('control') do
+      wait_until('every drive is off') { boresight.driven_axes.empty? }
+      boresight.box_axes.each { |words| assert_operator words.last.to_i, :>=, 1, "no watchdog trip: #{words.join(' ')}" }
+    end
+    wait_until('control gives the motion up') { boresight.status['order'] == 'none' }
+    assert_empty boresight.driven_axes
+  end
+
+  def test_SWR_BOX_006_the_recording_of_a_paused_motion_is_replayed
+    boresight.press_and_command('START_UP')
+    PAUSES.last(5).each_with_index { |seconds, number| pause_machine(seconds, number) }
+    Process.kill('TERM', boresight.pid)
+    boresight.wait_for_end
+    text, code = replay(boresight.recording_files.last)
+    assert_equal 0, code, text
+  end
+end
