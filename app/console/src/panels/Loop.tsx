@@ -13,7 +13,7 @@ function rightsText({ fifo, core, memory }: Status["loop"]["rights"]): string {
 /** @satisfies SWR-SUP-005 */
 function timeText({ is_elastic, speed_percent }: Status["time"]): string {
   const kind = is_elastic ? "elastic" : "real";
-  return `${kind}, at ${speed_percent.toFixed(1)} % of the world's`;
+  return `${kind}, ${speed_percent.toFixed(1)} % speed`;
 }
 
 /** Elastic time waits for control, so these would all be zero. */
