@@ -236,11 +236,12 @@ cJSON *telemetry_json_targeting(const telemetry_view_t *view)
 {
     const snapshot_t *snapshot = &view->snapshot;
     cJSON *targeting = new_view(view);
-    add_pose(targeting, "zframe_treatment", 1U, &snapshot->zframe_treatment);
-    add_pose(targeting, "scanner_treatment", snapshot->is_registered, &snapshot->scanner_treatment);
+    const uint32_t is_pose_true = (snapshot->pose_status == (uint32_t)STATUS_OK) ? 1U : 0U;
+    add_pose(targeting, "zframe_treatment", snapshot->is_homed, &snapshot->zframe_treatment);
+    add_pose(targeting, "scanner_treatment", is_pose_true, &snapshot->scanner_treatment);
     add_pose(targeting, "registration", snapshot->is_registered, &snapshot->scanner_zframe);
     add_pose(targeting, "target", snapshot->has_target, &snapshot->scanner_target);
-    if (snapshot->has_target != 0U) {
+    if ((snapshot->has_target != 0U) && (is_pose_true != 0U)) {
         add_number(
             targeting, "distance_mm",
             telemetry_units_distance(&snapshot->scanner_treatment, &snapshot->scanner_target));
@@ -253,7 +254,8 @@ cJSON *telemetry_json_targeting(const telemetry_view_t *view)
     add_point(proposals, "entry_mm", snapshot->has_proposed_entry, &snapshot->proposed_entry);
     add_point(proposals, "target_mm", snapshot->has_proposed_target, &snapshot->proposed_target);
     add_flag(proposals, "is_reachable", snapshot->is_proposal_reachable);
-    add_pose(proposals, "desired", snapshot->is_proposal_reachable, &snapshot->scanner_desired);
+    add_pose(proposals, "desired", snapshot->is_proposal_reachable & is_pose_true,
+             &snapshot->scanner_desired);
     return targeting;
 }
 

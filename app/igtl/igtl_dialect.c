@@ -88,6 +88,11 @@ void igtl_tell_pose(igtl_outbox_t *outbox, const char *name, const rigid_t *pose
     igtl_outbox_add(outbox, &packet);
 }
 
+status_t igtl_pose_status(const igtl_moment_t *moment)
+{
+    return (moment->snapshot == NULL) ? STATUS_NO_ANSWER : (status_t)moment->snapshot->pose_status;
+}
+
 bool igtl_is_moving(const igtl_moment_t *moment)
 {
     const snapshot_t *snapshot = moment->snapshot;

@@ -45,6 +45,10 @@ void igtl_tell_refusal(igtl_outbox_t *outbox, const char *name, status_t status,
 void igtl_tell_pose(igtl_outbox_t *outbox, const char *name, const rigid_t *pose,
                     const igtl_moment_t *moment);
 
+/** STATUS_OK while the needle's measured pose is known in scanner coordinates; otherwise why not.
+ */
+status_t igtl_pose_status(const igtl_moment_t *moment);
+
 /** An axis moves, or the pedal is held for an armed order. */
 bool igtl_is_moving(const igtl_moment_t *moment);
 

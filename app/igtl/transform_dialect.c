@@ -158,6 +158,7 @@ bool transform_dialect_answer(transform_dialect_t *self, const answer_t *answer,
 static void take_view(const snapshot_t *snapshot, transform_view_t *view)
 {
     (void)memset(view, 0, sizeof *view);
+    view->measured.pose_status = snapshot->pose_status;
     view->measured.pose = snapshot->scanner_treatment;
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
         view->measured.ticks[i] = snapshot->axes[i].position_ticks;
@@ -165,6 +166,7 @@ static void take_view(const snapshot_t *snapshot, transform_view_t *view)
     }
     if (snapshot->is_proposal_reachable != 0U) {
         view->desired.is_valid = 1U;
+        view->desired.pose_status = snapshot->pose_status;
         view->desired.pose = snapshot->scanner_desired;
         (void)memcpy(view->desired.ticks, snapshot->desired_ticks, sizeof view->desired.ticks);
     }
@@ -208,7 +210,15 @@ static void send_measured(const robot_t *robot, transform_peer_t *peer,
 {
     char text[IGTL_LIST_SIZE];
 
-    send_pose(peer, "measured_cp", &view->measured.pose, moment);
+    if (view->measured.pose_status == (uint32_t)STATUS_OK) {
+        send_pose(peer, "measured_cp", &view->measured.pose, moment);
+    } else if (peer->must_send_measured ||
+               (view->measured.pose_status != peer->shown.measured.pose_status)) {
+        igtl_tell_refusal(peer->outbox, "measured_cp", (status_t)view->measured.pose_status,
+                          moment);
+    } else {
+        /* It was told before. */
+    }
     igtl_border_write_positions(robot, view->measured.ticks, text);
     send_text(peer, "measured_jp", text, moment);
     igtl_border_write_speeds(robot, view->measured.speeds_q8, text);
@@ -226,10 +236,14 @@ static void send_desired(const robot_t *robot, transform_peer_t *peer, const tra
     if (memcmp(&view->desired, &peer->shown.desired, sizeof view->desired) == 0) {
         return;
     }
-    if (view->desired.is_valid != 0U) {
+    if ((view->desired.is_valid != 0U) && (view->desired.pose_status != (uint32_t)STATUS_OK)) {
+        igtl_tell_refusal(peer->outbox, "desired_cp", (status_t)view->desired.pose_status, moment);
+    } else if (view->desired.is_valid != 0U) {
         send_pose(peer, "desired_cp", &view->desired.pose, moment);
         igtl_border_write_positions(robot, view->desired.ticks, text);
         send_text(peer, "desired_jp", text, moment);
+    } else {
+        /* Nothing is proposed any more. */
     }
     peer->shown.desired = view->desired;
 }

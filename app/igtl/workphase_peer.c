@@ -117,8 +117,10 @@ void workphase_peer_cancel_deferred(workphase_peer_t *self)
 
 void workphase_peer_tell_position(workphase_peer_t *self, const igtl_moment_t *moment)
 {
-    if (moment->snapshot == NULL) {
-        igtl_tell_refusal(self->outbox, "CURRENT_POSITION", STATUS_NO_ANSWER, moment);
+    const status_t status = igtl_pose_status(moment);
+
+    if (status != STATUS_OK) {
+        igtl_tell_refusal(self->outbox, "CURRENT_POSITION", status, moment);
         return;
     }
     igtl_tell_pose(self->outbox, "CURRENT_POSITION", &moment->snapshot->scanner_treatment, moment);

@@ -39,7 +39,11 @@ void workphase_peer_send_deferred(workphase_peer_t *self, uint64_t now_us, bool 
 /** Forgets what was deferred. */
 void workphase_peer_cancel_deferred(workphase_peer_t *self);
 
-/** Sends the needle's pose as TRANSFORM(CURRENT_POSITION), or a STATUS before the first snapshot.
+/**
+ * Sends the needle's pose as TRANSFORM(CURRENT_POSITION), or why it is not known as a STATUS of
+ * that name.
+ *
+ * @satisfies SWR-IGTL-014
  */
 void workphase_peer_tell_position(workphase_peer_t *self, const igtl_moment_t *moment);
 

@@ -72,22 +72,26 @@ static bool is_reached(const snapshot_t *snapshot)
     return (distance_nm <= REACHED_NM) && (angle_bam <= REACHED_BAM);
 }
 
+/* Nothing is said of a target by a needle that stands nobody knows where. */
+static bool is_target_judged(const igtl_moment_t *moment)
+{
+    return (igtl_pose_status(moment) == STATUS_OK) && (moment->snapshot->has_target != 0U);
+}
+
 static void tell_aligned(workphase_peer_t *peer, const igtl_moment_t *moment)
 {
     const snapshot_t *snapshot = moment->snapshot;
 
-    workphase_peer_tell_flag(
-        peer, question_names[QUESTION_ALIGNED],
-        (snapshot != NULL) && (snapshot->has_target != 0U) && is_aligned(snapshot), moment);
+    workphase_peer_tell_flag(peer, question_names[QUESTION_ALIGNED],
+                             is_target_judged(moment) && is_aligned(snapshot), moment);
 }
 
 static void tell_reached(workphase_peer_t *peer, const igtl_moment_t *moment)
 {
     const snapshot_t *snapshot = moment->snapshot;
 
-    workphase_peer_tell_flag(
-        peer, question_names[QUESTION_REACHED],
-        (snapshot != NULL) && (snapshot->has_target != 0U) && is_reached(snapshot), moment);
+    workphase_peer_tell_flag(peer, question_names[QUESTION_REACHED],
+                             is_target_judged(moment) && is_reached(snapshot), moment);
 }
 
 static void tell_phase(workphase_peer_t *peer, const igtl_moment_t *moment)

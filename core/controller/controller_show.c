@@ -114,6 +114,19 @@ static void show_plan(const controller_t *self, snapshot_t *shown)
     (void)memcpy(shown->desired_ticks, self->plan.desired_ticks, sizeof shown->desired_ticks);
 }
 
+static status_t pose_status(const controller_t *self)
+{
+    status_t status = STATUS_OK;
+    if (!controller_is_homed(self)) {
+        status = STATUS_NOT_HOMED;
+    } else if (self->plan.is_registered == 0U) {
+        status = STATUS_NOT_REGISTERED;
+    } else {
+        /* Both are known. */
+    }
+    return status;
+}
+
 static void show_pose(const controller_t *self, const robot_t *robot, snapshot_t *shown)
 {
     int32_t ticks[ROBOT_AXIS_COUNT];
@@ -124,6 +137,7 @@ static void show_pose(const controller_t *self, const robot_t *robot, snapshot_t
     neuro_joints_from_ticks(robot, ticks, &joints);
     neuro_forward(robot, &joints, &shown->zframe_treatment);
     rigid_multiply(&self->plan.scanner_zframe, &shown->zframe_treatment, &shown->scanner_treatment);
+    shown->pose_status = (uint32_t)pose_status(self);
 }
 
 void controller_show(const controller_t *self, const cycle_t *cycle)

@@ -76,6 +76,8 @@ typedef struct {
     uint32_t overruns;
     uint32_t events; /**< Number of the next event. */
     uint32_t events_lost;
+    uint32_t pose_status;      /**< status_t: STATUS_OK while the two measured poses below are
+                                  true, otherwise why they are not to be believed. */
     rigid_t zframe_treatment;  /**< Measured pose in the z-frame. */
     rigid_t scanner_treatment; /**< Measured pose in scanner coordinates; identity registration when
                                   none. */

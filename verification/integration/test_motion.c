@@ -280,6 +280,23 @@ void test_SWR_LINK_002_a_corrupt_card_is_refused_and_lost(void)
     TEST_ASSERT_EQUAL_UINT32(LIMIT_LINK_AGE_CYCLES, rig_count(&rig, EVENT_FRAME_REFUSED));
 }
 
+void test_SWR_IGTL_014_the_pose_is_known_only_while_every_axis_is_homed_and_registered(void)
+{
+    const snapshot_t *const shown = &rig.outputs.snapshot;
+    rigid_t identity;
+    rigid_set_identity(&identity);
+    rig_start(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_HOMED, shown->pose_status);
+    rig_start_homed(&rig);
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_REGISTERED, shown->pose_status);
+    rig_register(&rig, &identity);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, shown->pose_status);
+    rig_box(&rig, "card lateral silent");
+    rig_cycles(&rig, LIMIT_LINK_AGE_CYCLES + 2U);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_HOMED, shown->pose_status);
+}
+
 void test_SWR_LINK_003_a_lost_card_returns_only_by_start_up_and_is_homed_again(void)
 {
     begin_move();

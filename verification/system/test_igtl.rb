@@ -36,6 +36,8 @@ class TestIgtl < Minitest::Test
       navigation do |client|
         start_up(client)
         register(client)
+        planning { |watcher| watcher.run('wait TRANSFORM measured_cp') }
+        client.run('get CURRENT_POSITION')
         assert_entered client, 'TARGETING'
         client.run("target #{TARGET}")
         client.run('expect STATUS TARGET 1')
@@ -131,7 +133,7 @@ class TestIgtl < Minitest::Test
       before = joints(client)
       [['REGISTRATION', IDENTITY], ['ENTRY_POINT', TARGET], ['TARGET_POINT', TARGET]].each do |name, matrix|
         client.run("transform #{name} #{matrix}")
-        client.run('wait TRANSFORM measured_cp')
+        client.run('wait STRING measured_jp')
       end
       client.run('listen 1000')
       assert_equal before, joints(client)
@@ -203,23 +205,29 @@ class TestIgtl < Minitest::Test
     end
   end
 
-  def test_SWR_IGTL_012_pose_and_joints_come_to_every_client
+  def test_SWR_IGTL_012_joints_come_to_every_client
     planning do |client|
-      messages = client.run('listen 500')
-      names = messages.map { |message| message['name'] }
-      assert_includes names, 'measured_cp'
-      list = messages.find { |message| message['name'] == 'measured_jp' }.fetch('text')
+      list = client.run('wait STRING measured_jp').last.fetch('text')
       assert_match(/\A(-?\d+\.\d{6},){7}\z/, list)
     end
   end
 
-  def test_SWR_IGTL_012_poses_stream_while_the_robot_moves
+  def test_SWR_IGTL_014_before_homing_every_pose_is_answered_by_its_reason
+    planning { |client| client.run('expect STATUS measured_cp 13') }
+    navigation do |client|
+      client.run('string CURRENT_POSITION')
+      assert_equal [13, 'NOT_HOMED'], client.status('CURRENT_POSITION').values_at('code', 'error_name')
+      assert_equal '0', client.run('wait STRING IS_IN_TARGETING_POS').last['text']
+    end
+  end
+
+  def test_SWR_IGTL_012_joints_stream_while_the_robot_moves
     with_unhomed_robot do
       navigation do |commander|
         commander.phase('START_UP')
         commander.run('expect STATUS CURRENT_STATUS 1')
         boresight.simctl('pedal', 'press')
-        assert_poses_move
+        assert_joints_move
       end
     end
   end
@@ -230,9 +238,8 @@ class TestIgtl < Minitest::Test
       first.run('expect STATUS MANUAL 1')
       navigation do |second|
         assert_equal 'MANUAL', present_phase(second)
-        second.run('get CURRENT_POSITION')
         second.run('string CURRENT_POSITION')
-        second.run('wait TRANSFORM CURRENT_POSITION')
+        second.run('wait STATUS CURRENT_POSITION')
         second.run('wait STRING IS_IN_TARGETING_POS')
         second.run('wait STRING HAS_REACHED_TARGET')
         second.run('string ANY CURRENT_STATUS')
@@ -260,11 +267,11 @@ class TestIgtl < Minitest::Test
     @fresh = nil
   end
 
-  # A watcher is sent one pose after the other, and they are not all the same.
-  def assert_poses_move
+  # A watcher is sent one list after the other, and they are not all the same.
+  def assert_joints_move
     planning do |watcher|
-      poses = Array.new(15) { watcher.run('wait TRANSFORM measured_cp').last.fetch('matrix') }
-      assert_operator poses.uniq.size, :>, 5
+      lists = Array.new(15) { watcher.run('wait STRING measured_jp').last.fetch('text') }
+      assert_operator lists.uniq.size, :>, 5
     end
   end
 

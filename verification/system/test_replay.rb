@@ -42,8 +42,15 @@ class TestReplay < SystemTest
     File.binwrite(file, bytes[0, HEADER] + fields + hash + rest)
   end
 
+  def assert_rigid(matrix)
+    assert_equal 16, matrix.size
+    assert_equal [0, 0, 0, 1], matrix[12, 4]
+    matrix.each_slice(4).first(3).each { |row| assert_in_delta 1.0, row.first(3).sum { |entry| entry * entry }, 1e-6 }
+  end
+
   def test_SWR_REPLAY_001_a_homing_is_replayed_and_every_output_is_equal
     boresight.home
+    assert_rigid boresight.targeting.fetch('zframe_treatment')
     text, code = replay(end_recording)
     assert_equal 0, code, text
     cycles = text[/^(\d+) cycles replayed, every output equal$/, 1].to_i

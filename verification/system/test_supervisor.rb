@@ -36,6 +36,15 @@ class TestSupervisor < SystemTest
     refute_includes text, 'Cut short'
   end
 
+  def test_SWR_SUP_001_the_slowest_motion_starts_and_ends_in_order
+    boresight(arguments: %w[--slow 100])
+    wait_until('some cycles have run') { boresight.status['cycle'] > 20 }
+    Process.kill('TERM', boresight.pid)
+    assert_equal 0, boresight.wait_for_end
+    text, code = replay(boresight.recording_files.last)
+    assert_equal 0, code, text
+  end
+
   def test_SWR_SUP_001_the_programs_end_when_the_supervisor_is_killed
     instance = boresight.instance
     Process.kill('KILL', boresight.pid)

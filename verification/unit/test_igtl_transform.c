@@ -272,3 +272,41 @@ void test_SWR_IGTL_011_answer_for_a_peer_that_has_gone_is_dropped(void)
     pass_us(0U);
     EXPECT(0U, "");
 }
+
+static void expect_refused_pose(const char *name, const char *reason)
+{
+    char begin[60];
+    const int length = snprintf(begin, sizeof begin, "STATUS %s 13 %s|", name, reason);
+
+    TEST_ASSERT_EQUAL_STRING_LEN(begin, igtl_peer_next(&outboxes[0]), (size_t)length);
+}
+
+void test_SWR_IGTL_014_no_pose_is_streamed_before_it_is_known(void)
+{
+    snapshot.pose_status = (uint32_t)STATUS_NOT_HOMED;
+    snapshot.is_proposal_reachable = 1U;
+    pass_us(0U);
+    expect_refused_pose("desired_cp", "NOT_HOMED");
+    expect_refused_pose("measured_cp", "NOT_HOMED");
+    EXPECT(0U, "STRING measured_jp 0.000000,");
+    EXPECT(0U, "STRING measured_jv 0.000000,");
+    snapshot.axes[0].position_ticks = 1;
+    pass_us(IGTL_STREAM_US);
+    EXPECT(0U, "STRING measured_jp 0.010000,"); /* The reason was told. */
+    EXPECT(0U, "STRING measured_jv 0.000000,");
+    EXPECT(0U, "");
+}
+
+void test_SWR_IGTL_014_a_pose_that_becomes_known_or_unknown_is_told_at_once(void)
+{
+    pass_us(0U);
+    expect_measured(0U);
+    snapshot.pose_status = (uint32_t)STATUS_NOT_REGISTERED;
+    pass_us(IGTL_STREAM_US);
+    expect_refused_pose("measured_cp", "NOT_REGISTERED");
+    EXPECT(0U, "STRING measured_jp 0.000000,");
+    EXPECT(0U, "STRING measured_jv 0.000000,");
+    snapshot.pose_status = (uint32_t)STATUS_OK;
+    pass_us(IGTL_STREAM_US);
+    expect_measured(0U);
+}

@@ -643,3 +643,23 @@ void test_SWR_IGTL_007_answers_of_others_are_left_alone(void)
     TEST_ASSERT_FALSE(workphase_dialect_answer(&dialect, &answer, &moment));
     TEST_ASSERT_FALSE(workphase_dialect_answer(&dialect, &none, &moment));
 }
+
+void test_SWR_IGTL_014_a_pose_that_is_not_known_is_answered_by_its_reason(void)
+{
+    snapshot.has_target = 1U;
+    snapshot.scanner_target = snapshot.scanner_treatment;
+    snapshot.pose_status = (uint32_t)STATUS_NOT_HOMED;
+    say(0U, "CURRENT_POSITION", "");
+    TEST_ASSERT_EQUAL_STRING_LEN("STATUS CURRENT_POSITION 13 NOT_HOMED|",
+                                 igtl_peer_next(&outboxes[0]), 37U);
+    EXPECT(0U, "STRING IS_IN_TARGETING_POS 0");
+    EXPECT(0U, "STRING HAS_REACHED_TARGET 0");
+    snapshot.pose_status = (uint32_t)STATUS_NOT_REGISTERED;
+    const igtl_message_t query = igtl_peer_query(IGTL_KIND_GET_TRANSFORM, "CURRENT_POSITION");
+    workphase_dialect_receive(&dialect, 0U, &query, &moment);
+    TEST_ASSERT_EQUAL_STRING_LEN("STATUS CURRENT_POSITION 13 NOT_REGISTERED|",
+                                 igtl_peer_next(&outboxes[0]), 42U);
+    snapshot.pose_status = (uint32_t)STATUS_OK;
+    say(0U, "HAS_REACHED_TARGET", "");
+    EXPECT(0U, "STRING HAS_REACHED_TARGET 1");
+}

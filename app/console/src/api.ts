@@ -108,7 +108,9 @@ export interface Motors {
 export interface Targeting {
   cycle: number;
   age_ms: number;
-  zframe_treatment: number[];
+  /** Null while an axis is not homed. */
+  zframe_treatment: number[] | null;
+  /** Null while an axis is not homed or nothing is registered. */
   scanner_treatment: number[] | null;
   registration: number[] | null;
   target: number[] | null;

@@ -22,9 +22,11 @@ export function Targeting({ targeting }: { targeting: TargetingData }) {
       <dt>Registration</dt>
       <dd>{targeting.registration === null ? "none" : "accepted"}</dd>
       <dt>Treatment point, scanner</dt>
-      <dd>{pointText(targeting.scanner_treatment, "not registered")}</dd>
+      <dd>
+        {pointText(targeting.scanner_treatment, "not homed, or not registered")}
+      </dd>
       <dt>Treatment point, base</dt>
-      <dd>{pointText(targeting.zframe_treatment, "unknown")}</dd>
+      <dd>{pointText(targeting.zframe_treatment, "not homed")}</dd>
       <dt>Target</dt>
       <dd>{pointText(targeting.target, "none")}</dd>
       <dt>Distance to target</dt>
