@@ -21,6 +21,33 @@ class TestSupervisor < SystemTest
     assert_equal times.sort, times
   end
 
+  # A folder of programs, each of which notes its end.
+  def with_noting_programs
+    Dir.mktmpdir do |directory|
+      FileUtils.cp(Boresight.program('boresight'), directory)
+      notes = File.join(directory, 'notes')
+      Boresight::NAMES.each do |name|
+        file = File.join(directory, "boresight-#{name}")
+        File.write(file, <<~SCRIPT, perm: 0o755)
+          #!/bin/sh
+          trap 'kill $program' TERM
+          '#{Boresight.program("boresight-#{name}")}' "$@" & program=$!
+          wait $program; wait $program
+          echo #{name} >>'#{notes}'
+        SCRIPT
+      end
+      yield directory, notes
+    end
+  end
+
+  def test_SWR_SUP_001_they_end_in_order
+    with_noting_programs do |directory, notes|
+      assert_equal 0, Boresight.start(programs: directory).stop
+      clients, rest = File.readlines(notes, chomp: true).partition.with_index { |_, index| index < 2 }
+      assert_equal [%w[http igtl], %w[control recorder box]], [clients.sort, rest]
+    end
+  end
+
   def test_SWR_SUP_001_ctrl_c_stops_all_and_leaves_nothing
     instance = boresight.instance
     assert_equal 0, boresight.stop('INT')
