@@ -10,6 +10,7 @@
 #include "bsp.h"
 #include "contract.h"
 #include "controller.h"
+#include "drives_off.h"
 #include "exchange.h"
 #include "figures.h"
 #include "realtime.h"
@@ -23,7 +24,6 @@
 #include <unistd.h>
 
 #define CYCLE_NS (UINT64_C(1000) * LIMIT_CYCLE_US)
-#define EXCHANGE_TIMEOUT_US 700U
 #define FIGURES_NS UINT64_C(1000000000)
 #define EXIT_CANNOT_START 3
 #define EXIT_CONTRACT 5
@@ -42,43 +42,67 @@ static uint64_t told_board_ns; /* When the figures were last published. */
 static uint64_t told_world_ns;
 static exchange_t *exchange;
 static uint64_t stage_ns[STAGE_COUNT];
-static volatile sig_atomic_t is_stopping;
+static volatile sig_atomic_t stopped_by; /* Signal number. */
+static uint8_t crash_stack[65536];
 
-static void ask_to_stop(int signal_number)
-{
-    (void)signal_number;
-    is_stopping = 1;
-}
+/* What ends control. The first ones end its loop; after the others nothing of it is believed. */
+static const int stop_signals[] = {SIGHUP,  SIGINT,  SIGQUIT, SIGUSR1,   SIGUSR2, SIGPIPE,
+                                   SIGALRM, SIGTERM, SIGXCPU, SIGVTALRM, SIGPROF, SIGIO};
+static const int crash_signals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS};
 
 /* C99 adds no const through an array pointer by itself. */
 static uint32_t exchange_frames(uint8_t received[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES])
 {
     return bsp_exchange(outputs.frames_to_send, (const uint8_t(*)[CARD_FRAME_BYTES])outputs.frames,
-                        received, EXCHANGE_TIMEOUT_US);
+                        received, LIMIT_EXCHANGE_TIMEOUT_US);
 }
 
-/* Every card off, at once; used at the end, whatever the reason. */
-static void switch_off(void)
+/* The only way out once the board is open: `why` is said after every card was told. */
+static void switch_off(const char *why)
 {
-    static uint8_t received[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES];
-    for (uint32_t i = 0; i < ROBOT_AXIS_COUNT; i++) {
-        const card_command_t off = {.slot = controller.links[i].slot,
-                                    .sequence = controller.sequence,
-                                    .time_us = controller.time_us,
-                                    .watchdog_us = LIMIT_CARD_WATCHDOG_US,
-                                    .guard_minimum_ticks = INT32_MIN,
-                                    .guard_maximum_ticks = INT32_MAX};
-        card_frame_encode_command(&off, outputs.frames[off.slot]);
-    }
-    (void)exchange_frames(received);
+    char text[DRIVES_OFF_TEXT_SIZE];
+    char line[2U * DRIVES_OFF_TEXT_SIZE];
+    const drives_off_t done = drives_off(&robot_neuro, controller.sequence, controller.time_us);
+    drives_off_tell(&done, text);
+    const int length = snprintf(line, sizeof line, "control: %s; %s", why, text);
+    (void)!write(STDERR_FILENO, line, (size_t)length);
 }
 
 void contract_broken(const char *module, uint32_t id)
 {
-    switch_off();
-    (void)fprintf(stderr, "control: contract %s/%u is broken; all drives are off. Report this.\n",
-                  module, (unsigned)id);
+    char why[80];
+    (void)snprintf(why, sizeof why, "contract %s/%u is broken, report this", module, (unsigned)id);
+    switch_off(why);
     _Exit(EXIT_CONTRACT);
+}
+
+static void ask_to_stop(int signal_number)
+{
+    stopped_by = signal_number;
+}
+
+/* Ends by the same signal again, so that its parent and a core dump tell what happened. */
+static void crash(int signal_number)
+{
+    char why[40];
+    (void)signal(signal_number, SIG_DFL);
+    (void)snprintf(why, sizeof why, "crashed by signal %d, report this", signal_number);
+    switch_off(why);
+    (void)raise(signal_number);
+}
+
+static void handle_signals(void)
+{
+    const stack_t stack = {.ss_sp = crash_stack, .ss_size = sizeof crash_stack};
+    const struct sigaction stop = {.sa_handler = ask_to_stop};
+    const struct sigaction end = {.sa_handler = crash, .sa_flags = SA_ONSTACK | SA_NODEFER};
+    (void)sigaltstack(&stack, NULL);
+    for (uint32_t i = 0; i < sizeof stop_signals / sizeof stop_signals[0]; i++) {
+        (void)sigaction(stop_signals[i], &stop, NULL);
+    }
+    for (uint32_t i = 0; i < sizeof crash_signals / sizeof crash_signals[0]; i++) {
+        (void)sigaction(crash_signals[i], &end, NULL);
+    }
 }
 
 static uint32_t longest_stage(void)
@@ -204,7 +228,7 @@ static void run(void)
 {
     uint64_t deadline_ns = bsp_now_ns() + CYCLE_NS;
     uint64_t before_ns = deadline_ns - CYCLE_NS;
-    while (is_stopping == 0) {
+    while (stopped_by == 0) {
         bsp_sleep_until_ns(deadline_ns);
         const uint64_t woken_ns = bsp_now_ns();
         run_cycle(deadline_ns, woken_ns, woken_ns - before_ns);
@@ -230,18 +254,18 @@ static const char *option(int count, char *const values[], const char *name)
 int main(int argc, char *argv[])
 {
     char error[256] = "";
-    const struct sigaction stop = {.sa_handler = ask_to_stop};
-    (void)sigaction(SIGTERM, &stop, NULL);
-    (void)sigaction(SIGINT, &stop, NULL);
+    char why[40];
     exchange = exchange_open(option(argc, argv, "--exchange"), error, sizeof error);
     if ((exchange == NULL) || !bsp_open(option(argc, argv, "--box"), error, sizeof error)) {
         (void)fprintf(stderr, "control: %s\n", error);
         return EXIT_CANNOT_START;
     }
+    handle_signals();
     controller_init(&controller, &robot_neuro);
     begin_figures(realtime_acquire());
     run();
-    switch_off();
+    (void)snprintf(why, sizeof why, "told to end by signal %d", (int)stopped_by);
+    switch_off(why);
     bsp_close();
     exchange_close(exchange);
     return 0;

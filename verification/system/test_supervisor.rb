@@ -93,6 +93,16 @@ class TestSupervisor < SystemTest
     assert_nothing_left(boresight.instance)
   end
 
+  def test_SWR_CTRL_005_control_tells_the_cards_and_says_so_whatever_ends_it
+    { 'USR1' => 'told to end by signal 10', 'HUP' => 'told to end by signal 1',
+      'SEGV' => 'crashed by signal 11, report this' }.each do |signal, why|
+      one = Boresight.start
+      one.kill('control', signal)
+      assert_equal 4, one.wait_for_end
+      assert_includes one.output, "control: #{why}; all 7 cards confirm that their drive is off."
+    end
+  end
+
   def test_SWR_SUP_001_when_the_box_dies_everything_stops
     boresight.kill('box', 'KILL')
     assert_equal 4, boresight.wait_for_end

@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "drives_off.h"
+
+#include "bsp.h"
+#include "requirement_limits.h"
+
+#include <stdio.h>
+
+static uint8_t frames[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES];
+static uint8_t received[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES];
+
+static uint32_t write_frames(const robot_t *robot, uint32_t sequence, uint32_t time_us)
+{
+    uint32_t slots = 0U;
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+        const card_command_t off = {.slot = robot->axes[i].slot,
+                                    .sequence = sequence,
+                                    .time_us = time_us,
+                                    .watchdog_us = LIMIT_CARD_WATCHDOG_US,
+                                    .axis_id = i};
+        card_frame_encode_command(&off, frames[off.slot]);
+        slots |= 1U << off.slot;
+    }
+    return slots;
+}
+
+/* A report speaks of the frame before: of those received, the cards that apply "off" since `first`.
+ */
+static uint32_t confirmed(uint32_t answered, uint32_t first, uint32_t sequence)
+{
+    uint32_t slots = 0U;
+    for (uint32_t slot = 0U; slot < ROBOT_SLOT_COUNT; slot++) {
+        card_report_t report;
+        if (((answered & (1U << slot)) != 0U) &&
+            (card_frame_decode_report(received[slot], slot, &report) == CARD_FRAME_OK) &&
+            ((report.accepted_sequence - first) < (sequence - first)) &&
+            (report.applied.mode == (uint32_t)CARD_DRIVE_OFF)) {
+            slots |= 1U << slot;
+        }
+    }
+    return slots;
+}
+
+drives_off_t drives_off(const robot_t *robot, uint32_t sequence, uint32_t time_us)
+{
+    drives_off_t done = {0U, 0U};
+    for (uint32_t i = 0U; i < LIMIT_OFF_EXCHANGES; i++) {
+        done.told = write_frames(robot, sequence + i, time_us);
+        /* C99 adds no const through an array pointer by itself. */
+        const uint32_t answered =
+            bsp_exchange(done.told, (const uint8_t(*)[CARD_FRAME_BYTES])frames, received,
+                         LIMIT_EXCHANGE_TIMEOUT_US);
+        done.confirmed |= confirmed(answered, sequence, sequence + i);
+        if (done.confirmed == done.told) {
+            break;
+        }
+    }
+    return done;
+}
+
+static unsigned count_bits(uint32_t bits)
+{
+    unsigned count = 0U;
+    for (uint32_t left = bits; left != 0U; left &= left - 1U) {
+        count++;
+    }
+    return count;
+}
+
+void drives_off_tell(const drives_off_t *done, char text[DRIVES_OFF_TEXT_SIZE])
+{
+    const unsigned told = count_bits(done->told);
+    const unsigned off = count_bits(done->confirmed);
+    if (off == told) {
+        (void)snprintf(text, DRIVES_OFF_TEXT_SIZE,
+                       "all %u cards confirm that their drive is off.\n", told);
+    } else {
+        (void)snprintf(text, DRIVES_OFF_TEXT_SIZE,
+                       "\"off\" was sent to all %u cards, %u confirm it; the others' own watchdogs "
+                       "switch off within %u ms.\n",
+                       told, off, LIMIT_CARD_WATCHDOG_US / 1000U);
+    }
+}

@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * The last act of control, whatever ends it: every card is told to switch its drive off, and what
+ * they answered is put into words. Needs nothing of the controller's state but two numbers, so that
+ * it may follow a broken contract inside a cycle or a memory fault.
+ */
+#ifndef BORESIGHT_DRIVES_OFF_H
+#define BORESIGHT_DRIVES_OFF_H
+
+#include "robot.h"
+
+#include <stdint.h>
+
+#define DRIVES_OFF_TEXT_SIZE 160U
+
+/** What became of it. */
+typedef struct {
+    uint32_t told;      /**< Bit n: the card in slot n was sent "off". */
+    uint32_t confirmed; /**< Bit n: it has reported since that its drive is off. */
+} drives_off_t;
+
+/**
+ * Tells every card of `robot` "off", again, at most LIMIT_OFF_EXCHANGES times in all, until each
+ * has confirmed it. `sequence` is that of the next frame, `time_us` the controller's time. May be
+ * called in a signal handler.
+ *
+ * @satisfies SWR-CTRL-004
+ */
+drives_off_t drives_off(const robot_t *robot, uint32_t sequence, uint32_t time_us);
+
+/**
+ * Puts into words what was done; ends with a newline. May be called in a signal handler.
+ *
+ * @satisfies SWR-CTRL-005
+ */
+void drives_off_tell(const drives_off_t *done, char text[DRIVES_OFF_TEXT_SIZE]);
+
+#endif

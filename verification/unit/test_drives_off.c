@@ -1,0 +1,136 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Rule under test: whatever ends control, every card is sent "off" whether or not anything was
+ * about to be sent, as often as it takes to hear it confirmed, and only what was heard is said.
+ */
+#include "unity.h"
+
+#include "card_frame.h"
+#include "drives_off.h"
+#include "mock_bsp.h"
+#include "requirement_limits.h"
+
+#include <string.h>
+
+TEST_SOURCE_FILE("crc.c")
+TEST_SOURCE_FILE("robot_neuro.c")
+
+#define SEQUENCE 0xFFFFFFFEU /* Its wrap is inside. */
+#define TIME_US 4711U
+#define ALL_SLOTS 0x0FEU
+
+/* What the cards are like. */
+static uint32_t answering;
+static uint32_t damaged;
+static uint32_t driving; /* Go on, whatever they are told. */
+
+/* What control did. */
+static uint32_t exchanges;
+static card_command_t heard[ROBOT_SLOT_COUNT]; /* The last ones. */
+static uint32_t told[LIMIT_OFF_EXCHANGES];
+
+static void answer(uint32_t slot, uint8_t bytes[CARD_FRAME_BYTES])
+{
+    const bool is_driving = (exchanges == 0U) || ((driving & (1U << slot)) != 0U);
+    const card_report_t report = {
+        .slot = slot,
+        .accepted_sequence = (exchanges == 0U) ? (SEQUENCE - 1U) : heard[slot].sequence,
+        .applied.mode = (uint32_t)(is_driving ? CARD_DRIVE_NON_PWM : CARD_DRIVE_OFF)};
+    card_frame_encode_report(&report, bytes);
+    if ((damaged & (1U << slot)) != 0U) {
+        bytes[40] ^= 1U;
+    }
+}
+
+/* A report is from before the frame is heard. */
+static uint32_t exchange(uint32_t send, const uint8_t frames[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES],
+                         uint8_t received[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES], uint32_t timeout_us,
+                         int calls)
+{
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_EXCHANGE_TIMEOUT_US, timeout_us);
+    TEST_ASSERT_EQUAL_INT((int)exchanges, calls);
+    told[exchanges] = send;
+    for (uint32_t slot = 0U; slot < ROBOT_SLOT_COUNT; slot++) {
+        if ((send & answering & (1U << slot)) != 0U) {
+            answer(slot, received[slot]);
+        }
+        if ((send & (1U << slot)) != 0U) {
+            TEST_ASSERT_EQUAL(CARD_FRAME_OK,
+                              card_frame_decode_command(frames[slot], slot, &heard[slot]));
+            TEST_ASSERT_EQUAL_UINT32(SEQUENCE + exchanges, heard[slot].sequence);
+        }
+    }
+    exchanges++;
+    return send & answering;
+}
+
+static drives_off_t run(void)
+{
+    bsp_exchange_Stub(exchange);
+    return drives_off(&robot_neuro, SEQUENCE, TIME_US);
+}
+
+static void expect_text(const drives_off_t *done, const char *expected)
+{
+    char text[DRIVES_OFF_TEXT_SIZE];
+    drives_off_tell(done, text);
+    TEST_ASSERT_EQUAL_STRING(expected, text);
+}
+
+void setUp(void)
+{
+    answering = ALL_SLOTS;
+    damaged = 0U;
+    driving = 0U;
+    exchanges = 0U;
+}
+
+void tearDown(void)
+{
+}
+
+void test_SWR_CTRL_004_every_card_of_the_robot_is_sent_off(void)
+{
+    const drives_off_t done = run();
+    TEST_ASSERT_EQUAL_HEX32(ALL_SLOTS, told[0]);
+    TEST_ASSERT_EQUAL_HEX32(ALL_SLOTS, done.told);
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        const card_command_t *const command = &heard[robot_neuro.axes[i].slot];
+        TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_OFF, command->drive.mode);
+        TEST_ASSERT_EQUAL_UINT32(0U, command->control);
+        TEST_ASSERT_EQUAL_UINT32(LIMIT_CARD_WATCHDOG_US, command->watchdog_us);
+        TEST_ASSERT_EQUAL_UINT32(TIME_US, command->time_us);
+        TEST_ASSERT_EQUAL_UINT32(i, command->axis_id);
+    }
+}
+
+void test_SWR_CTRL_004_the_exchange_after_the_frame_confirms_it(void)
+{
+    const drives_off_t done = run();
+    TEST_ASSERT_EQUAL_UINT32(2U, exchanges);
+    TEST_ASSERT_EQUAL_HEX32(ALL_SLOTS, done.confirmed);
+    expect_text(&done, "all 7 cards confirm that their drive is off.\n");
+}
+
+void test_SWR_CTRL_004_a_board_that_does_not_answer_is_told_again_and_nothing_is_claimed(void)
+{
+    answering = 0U;
+    const drives_off_t done = run();
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_OFF_EXCHANGES, exchanges);
+    for (uint32_t i = 0U; i < LIMIT_OFF_EXCHANGES; i++) {
+        TEST_ASSERT_EQUAL_HEX32(ALL_SLOTS, told[i]);
+    }
+    TEST_ASSERT_EQUAL_HEX32(0U, done.confirmed);
+    expect_text(&done, "\"off\" was sent to all 7 cards, 0 confirm it; the others' own watchdogs "
+                       "switch off within 10 ms.\n");
+}
+
+void test_SWR_CTRL_004_silent_damaged_and_driving_cards_do_not_count_as_off(void)
+{
+    answering = ALL_SLOTS & ~0x002U;
+    damaged = 0x004U;
+    driving = 0x008U;
+    const drives_off_t done = run();
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_OFF_EXCHANGES, exchanges);
+    TEST_ASSERT_EQUAL_HEX32(0x0F0U, done.confirmed);
+}
