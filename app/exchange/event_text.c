@@ -22,6 +22,22 @@ static void card_name(uint32_t slot, char *text, size_t size)
     (void)snprintf(text, size, "%u (%s)", (unsigned)slot, name);
 }
 
+/* A chart of which there are several, with whose it is. */
+static void chart_text(const event_t *event, char *text, size_t size)
+{
+    const uint32_t number = (uint32_t)event->value;
+    char owner[32] = "";
+    if (event->subject == (uint32_t)EVENT_CHART_CARD) {
+        card_name(number, owner, sizeof owner);
+    } else if (event->subject == (uint32_t)EVENT_CHART_AXIS) {
+        (void)snprintf(owner, sizeof owner, "%s", axis_name(number));
+    } else {
+        /* There is only one. */
+    }
+    (void)snprintf(text, size, "%s%s%s", event_chart_name((int32_t)event->subject),
+                   (owner[0] != '\0') ? " " : "", owner);
+}
+
 void event_text_subject(const event_t *event, char *text, size_t size)
 {
     switch (event->id) {
@@ -45,8 +61,10 @@ void event_text_subject(const event_t *event, char *text, size_t size)
     case EVENT_AXIS_HOME_TIMEOUT:
         (void)snprintf(text, size, "%s", axis_name(event->subject));
         break;
-    case EVENT_OVERRUN:
     case EVENT_CHART_REPAIRED:
+        chart_text(event, text, size);
+        break;
+    case EVENT_OVERRUN:
         (void)snprintf(text, size, "%u", (unsigned)event->subject);
         break;
     default:

@@ -21,6 +21,7 @@
 #include "profile.h"
 #include "robot.h"
 #include "snapshot.h"
+#include "speed_cap.h"
 #include "workphase.h"
 
 #include <stdint.h>
@@ -76,6 +77,7 @@ typedef struct {
     profile_t profile;
     pending_command_t pending;
     axis_t axes[ROBOT_AXIS_COUNT];
+    speed_cap_t speed_caps[ROBOT_AXIS_COUNT];
     link_t links[ROBOT_AXIS_COUNT];        /**< In the order of the axes. */
     card_drive_t drives[ROBOT_AXIS_COUNT]; /**< As sent in the last cycle. */
     uint32_t permit_reasons[ROBOT_AXIS_COUNT];
@@ -92,6 +94,7 @@ typedef struct {
     uint32_t events_lost;
     uint32_t settled_cycles; /**< At the target, in a row. */
     uint32_t is_profile_running;
+    uint32_t is_order_done; /**< The last order ended as asked. */
     uint32_t was_gate_open;
     uint32_t was_scanner_active;
 } controller_t;

@@ -32,6 +32,7 @@ static permit_t decide(const controller_t *self, const cycle_t *cycle, uint32_t 
         .is_pedal_unproven = (pedal == PEDAL_GATE_STATE_UNPROVEN),
         .is_pedal_pressed = pedal_gate_is_open(&self->pedal),
         .is_homed = axis_is_homed(axis),
+        .is_every_axis_homed = controller_is_homed(self),
         .is_homing_or_jog = (workphase_present(&self->workphases) != WORKPHASE_MOVE_TO_TARGET),
         .is_towards_switch = axis_is_towards_switch(axis, config, request),
         .is_beyond_soft_limit = axis_is_beyond_limit(axis, config, request),
@@ -49,6 +50,14 @@ static uint32_t system_state(const controller_t *self, const cycle_t *cycle)
     return state;
 }
 
+/* Stepped in every cycle, with or without a drive. */
+static bool is_too_fast(controller_t *self, const cycle_t *cycle, uint32_t index)
+{
+    return speed_cap_step(&self->speed_caps[index], &cycle->robot->axes[index],
+                          speed_cap_percent(controller_is_homed(self)),
+                          self->axes[index].encoder.position_ticks, cycle->inputs->elapsed_us);
+}
+
 /* The only place where a drive enters an outgoing frame. */
 static void send(controller_t *self, const cycle_t *cycle, uint32_t index, const permit_t *permit,
                  const card_drive_t *request)
@@ -62,7 +71,7 @@ static void send(controller_t *self, const cycle_t *cycle, uint32_t index, const
         .system_state = system_state(self, cycle) | (permit->is_allowed ? CARD_SYSTEM_PERMIT : 0U),
         .control = link_is_usable(link) ? (permit->is_allowed ? CARD_CONTROL_AMPLIFIER : 0U)
                                         : CARD_CONTROL_CLEAR_FAULT,
-        .drive = permit_apply(permit, request),
+        .drive = permit_apply(permit, is_too_fast(self, cycle, index), request),
         .watchdog_us = LIMIT_CARD_WATCHDOG_US,
         .overspeed_ticks_per_s = (uint32_t)config->full_speed_ticks_per_s * 2U,
         .guard_minimum_ticks = INT32_MIN,

@@ -12,7 +12,6 @@
 #define RETRACT_TO_SHARE 128
 /* At the target for this long before the order is done: the motors' fall time is about 1.5 ms. */
 #define SETTLED_CYCLES 50U
-#define FULL_SPEED_PERCENT 100U
 
 static void rest_all(controller_t *self, const cycle_t *cycle,
                      card_drive_t requests[ROBOT_AXIS_COUNT])
@@ -93,11 +92,6 @@ static void choose_leg(const controller_t *self, const robot_t *robot,
     }
 }
 
-static uint32_t speed_percent(const controller_t *self)
-{
-    return controller_is_homed(self) ? FULL_SPEED_PERCENT : LIMIT_UNHOMED_SPEED_PERCENT;
-}
-
 static bool is_at(const controller_t *self, const robot_t *robot,
                   const int32_t ticks[ROBOT_AXIS_COUNT])
 {
@@ -120,7 +114,7 @@ static void begin_leg(controller_t *self, const robot_t *robot)
     } else {
         ends[self->jog_axis] = self->jog_ticks;
     }
-    profile_plan(&self->profile, robot, starts, ends, speed_percent(self));
+    profile_plan(&self->profile, robot, starts, ends, speed_cap_percent(controller_is_homed(self)));
     self->is_profile_running = 1U;
     self->settled_cycles = 0U;
 }

@@ -101,10 +101,12 @@ void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t 
     }
     if ((actions & WORKPHASES_ACTION_REPORT_DONE) != 0U) {
         controller_note(self, cycle, EVENT_ORDER_DONE, 0U, 0);
+        self->is_order_done = 1U;
         answer_pending(self, cycle, ANSWER_DONE, STATUS_OK);
         end_order(self);
     }
     if ((actions & WORKPHASES_ACTION_RENEW_PEDAL) != 0U) {
+        self->is_order_done = 0U;
         pedal_gate_renew(&self->pedal);
         controller_note(self, cycle, EVENT_ORDER_ARMED,
                         (uint32_t)workphase_present(&self->workphases), 0);

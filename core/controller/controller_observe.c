@@ -10,7 +10,8 @@ static void observe_link(controller_t *self, const cycle_t *cycle, uint32_t inde
     bool was_usable = link_is_usable(link);
     const uint32_t had_errors = link->frame_errors;
     if (card_link_chart_check(&link->chart) != 0U) {
-        controller_note(self, cycle, EVENT_CHART_REPAIRED, link->slot, 0);
+        controller_note(self, cycle, EVENT_CHART_REPAIRED, (uint32_t)EVENT_CHART_CARD,
+                        (int32_t)link->slot);
         /* Its state before is not known; the card is lost now. */
         was_usable = true;
     }
@@ -35,7 +36,8 @@ static void note_axis(controller_t *self, const cycle_t *cycle, uint32_t index, 
 {
     const axis_t *const axis = &self->axes[index];
     if ((notes & AXIS_NOTE_CHART_REPAIRED) != 0U) {
-        controller_note(self, cycle, EVENT_CHART_REPAIRED, index, 0);
+        controller_note(self, cycle, EVENT_CHART_REPAIRED, (uint32_t)EVENT_CHART_AXIS,
+                        (int32_t)index);
     }
     if ((notes & AXIS_NOTE_HOMED) != 0U) {
         controller_note(self, cycle, EVENT_AXIS_HOMED, index, axis->home_correction_ticks);
@@ -74,7 +76,7 @@ static void observe_pedal(controller_t *self, const cycle_t *cycle)
 {
     const bool was_faulty = self->pedal.chart.state == PEDAL_GATE_STATE_FAULT;
     if (pedal_gate_chart_check(&self->pedal.chart) != 0U) {
-        controller_note(self, cycle, EVENT_CHART_REPAIRED, 0U, 0);
+        controller_note(self, cycle, EVENT_CHART_REPAIRED, (uint32_t)EVENT_CHART_PEDAL_GATE, 0);
     }
     pedal_gate_step(&self->pedal, cycle->inputs->pedal_a != 0U, cycle->inputs->pedal_b != 0U,
                     cycle->inputs->elapsed_us);
@@ -94,7 +96,7 @@ static void observe_estop(controller_t *self, const cycle_t *cycle)
 {
     const estop_latch_state_t before = self->estop.state;
     if (estop_latch_chart_check(&self->estop) != 0U) {
-        controller_note(self, cycle, EVENT_CHART_REPAIRED, 0U, 0);
+        controller_note(self, cycle, EVENT_CHART_REPAIRED, (uint32_t)EVENT_CHART_ESTOP, 0);
     }
     (void)estop_latch_chart_advance(&self->estop, cycle->inputs->elapsed_us);
     estop_latch_step(&self->estop, cycle->inputs->estop_open != 0U);
@@ -117,7 +119,7 @@ static void observe_loop(controller_t *self, const cycle_t *cycle)
     const uint32_t overruns = self->loop.overruns;
     const loop_guard_state_t before = self->loop.chart.state;
     if (loop_guard_chart_check(&self->loop.chart) != 0U) {
-        controller_note(self, cycle, EVENT_CHART_REPAIRED, 0U, 0);
+        controller_note(self, cycle, EVENT_CHART_REPAIRED, (uint32_t)EVENT_CHART_LOOP_GUARD, 0);
     }
     loop_guard_step(&self->loop, cycle->inputs->elapsed_us);
     if (self->loop.overruns != overruns) {
@@ -147,7 +149,7 @@ static void observe_scanner(controller_t *self, const cycle_t *cycle)
 void controller_observe(controller_t *self, const cycle_t *cycle)
 {
     if (workphases_chart_check(&self->workphases) != 0U) {
-        controller_note(self, cycle, EVENT_CHART_REPAIRED, 0U, 0);
+        controller_note(self, cycle, EVENT_CHART_REPAIRED, (uint32_t)EVENT_CHART_WORKPHASES, 0);
         controller_abandon_order(self, cycle);
     }
     observe_loop(self, cycle);

@@ -29,6 +29,7 @@ void controller_note(controller_t *self, const cycle_t *cycle, event_id_t id, ui
  *
  * @satisfies SWR-CORE-004
  * @satisfies SWR-CHART-012
+ * @satisfies SWR-EVENT-003
  */
 void controller_observe(controller_t *self, const cycle_t *cycle);
 
@@ -77,7 +78,12 @@ void controller_move(controller_t *self, const cycle_t *cycle,
 void controller_drive(controller_t *self, const cycle_t *cycle,
                       const card_drive_t requests[ROBOT_AXIS_COUNT]);
 
-/** Fills the snapshot. */
+/**
+ * Fills the snapshot.
+ *
+ * @satisfies SWR-NEXT-001
+ * @satisfies SWR-NEXT-002
+ */
 void controller_show(const controller_t *self, const cycle_t *cycle);
 
 #endif

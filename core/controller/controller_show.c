@@ -5,60 +5,64 @@
 
 #include <string.h>
 
-static next_step_t step_for_order(const controller_t *self, const cycle_t *cycle)
-{
-    next_step_t step = NEXT_STEP_PRESS_PEDAL;
-    if (cycle->inputs->scanner_active != 0U) {
-        step = NEXT_STEP_SCANNER;
-    } else if (workphase_is_moving(&self->workphases)) {
-        step = NEXT_STEP_HOLD_PEDAL;
-    } else if (self->pedal.chart.state == PEDAL_GATE_STATE_RELEASED) {
-        step = NEXT_STEP_PRESS_PEDAL;
-    } else {
-        step = NEXT_STEP_RELEASE_PEDAL;
-    }
-    return step;
-}
+typedef struct {
+    permit_reason_t reason;
+    next_step_t step;
+} remedy_t;
+
+/* What each reason asks of the operator, the most pressing first. */
+static const remedy_t remedies[PERMIT_REASON_COUNT] = {
+    {PERMIT_REASON_ESTOP_PULLED, NEXT_STEP_RELEASE_ESTOP},
+    {PERMIT_REASON_LINK_LOST, NEXT_STEP_CHECK_CARDS},
+    {PERMIT_REASON_PEDAL_FAULT, NEXT_STEP_PEDAL_FAULT},
+    {PERMIT_REASON_ESTOP_LATCHED, NEXT_STEP_START_UP},
+    {PERMIT_REASON_LOOP_STOPPED, NEXT_STEP_START_UP},
+    {PERMIT_REASON_AXIS_FAULT, NEXT_STEP_START_UP},
+    {PERMIT_REASON_AXIS_DISABLED, NEXT_STEP_START_UP},
+    {PERMIT_REASON_NOTHING_ARMED, NEXT_STEP_NOTHING}, /* The plan decides. */
+    {PERMIT_REASON_NOT_HOMED, NEXT_STEP_START_UP},
+    {PERMIT_REASON_SCANNER_ACTIVE, NEXT_STEP_SCANNER},
+    {PERMIT_REASON_PEDAL_UNPROVEN, NEXT_STEP_RELEASE_PEDAL},
+    {PERMIT_REASON_PEDAL_RELEASED, NEXT_STEP_PRESS_PEDAL},
+    {PERMIT_REASON_LIMIT_SWITCH, NEXT_STEP_HOLD_PEDAL},
+    {PERMIT_REASON_SOFT_LIMIT, NEXT_STEP_HOLD_PEDAL},
+};
 
 static next_step_t step_for_plan(const controller_t *self)
 {
-    next_step_t step = NEXT_STEP_MOVE;
-    if (self->plan.is_registered == 0U) {
+    const workphase_t workphase = workphase_present(&self->workphases);
+    next_step_t step = NEXT_STEP_TARGETING;
+    if ((workphase == WORKPHASE_EMERGENCY) || !controller_is_homed(self)) {
+        step = NEXT_STEP_START_UP;
+    } else if (self->plan.is_registered == 0U) {
         step = NEXT_STEP_REGISTER;
     } else if (self->plan.has_target == 0U) {
         step = NEXT_STEP_TARGET;
-    } else if (workphase_present(&self->workphases) == WORKPHASE_MOVE_TO_TARGET) {
-        step = NEXT_STEP_NOTHING;
-    } else {
+    } else if (workphase == WORKPHASE_TARGETING) {
         step = NEXT_STEP_MOVE;
+    } else if (workphase == WORKPHASE_MOVE_TO_TARGET) {
+        step = (self->is_order_done != 0U) ? NEXT_STEP_NOTHING : NEXT_STEP_MOVE;
+    } else {
+        step = NEXT_STEP_TARGETING;
     }
     return step;
 }
 
-static next_step_t next_step(const controller_t *self, const cycle_t *cycle)
+/* Follows the reasons of every axis, and the workphase when nothing but an order is missing. */
+static next_step_t next_step(const controller_t *self)
 {
-    const uint32_t reasons = self->permit_reasons[0];
-    const uint32_t card_reasons = (uint32_t)1U << (uint32_t)PERMIT_REASON_LINK_LOST;
-    const uint32_t start_up_reasons = ((uint32_t)1U << (uint32_t)PERMIT_REASON_ESTOP_LATCHED) |
-                                      ((uint32_t)1U << (uint32_t)PERMIT_REASON_LOOP_STOPPED) |
-                                      ((uint32_t)1U << (uint32_t)PERMIT_REASON_PEDAL_FAULT) |
-                                      ((uint32_t)1U << (uint32_t)PERMIT_REASON_AXIS_FAULT) |
-                                      ((uint32_t)1U << (uint32_t)PERMIT_REASON_AXIS_DISABLED);
-    next_step_t step = NEXT_STEP_START_UP;
-    if (cycle->inputs->estop_open != 0U) {
-        step = NEXT_STEP_RELEASE_ESTOP;
-    } else if ((reasons & card_reasons) != 0U) {
-        step = NEXT_STEP_CHECK_CARDS;
-    } else if (((reasons & start_up_reasons) != 0U)) {
-        step = NEXT_STEP_START_UP;
-    } else if (workphase_is_armed(&self->workphases)) {
-        step = step_for_order(self, cycle);
-    } else if (!controller_is_homed(self)) {
-        step = NEXT_STEP_START_UP;
-    } else {
-        step = step_for_plan(self);
+    uint32_t reasons = 0U;
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        reasons |= self->permit_reasons[i];
     }
-    return step;
+    next_step_t step = NEXT_STEP_HOLD_PEDAL;
+    for (uint32_t i = PERMIT_REASON_COUNT; i > 0U; i--) {
+        const remedy_t *const remedy = &remedies[i - 1U];
+        if ((reasons & ((uint32_t)1U << (uint32_t)remedy->reason)) != 0U) {
+            step = remedy->step;
+        }
+    }
+    return (step == NEXT_STEP_NOTHING) ? step_for_plan(self) : step;
 }
 
 static void show_axis(const controller_t *self, const cycle_t *cycle, uint32_t index)
@@ -151,7 +155,7 @@ void controller_show(const controller_t *self, const cycle_t *cycle)
     shown->pedal = (uint32_t)self->pedal.chart.state;
     shown->estop = (uint32_t)self->estop.state;
     shown->loop = (uint32_t)self->loop.chart.state;
-    shown->next_step = (uint32_t)next_step(self, cycle);
+    shown->next_step = (uint32_t)next_step(self);
     shown->is_scanner_active = cycle->inputs->scanner_active;
     shown->is_homed = controller_is_homed(self) ? 1U : 0U;
     shown->overruns = self->loop.overruns;

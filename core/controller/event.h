@@ -11,7 +11,17 @@ typedef enum {
     EVENT_SEVERITY_CRITICAL = 2     /**< Motion was stopped by a fault. */
 } event_severity_t;
 
-/** Events. `subject` is an axis, a card slot or a workphase; `value` as said. */
+/** The charts, as the subject of EVENT_CHART_REPAIRED; `value` is the card's slot or the axis. */
+typedef enum {
+    EVENT_CHART_WORKPHASES = 0, /**< Workphases. */
+    EVENT_CHART_LOOP_GUARD = 1, /**< Loop guard. */
+    EVENT_CHART_PEDAL_GATE = 2, /**< Pedal gate. */
+    EVENT_CHART_ESTOP = 3,      /**< E-stop latch. */
+    EVENT_CHART_CARD = 4,       /**< Link of a card. */
+    EVENT_CHART_AXIS = 5        /**< An axis or its stall watchdog. */
+} event_chart_t;
+
+/** Events. `subject` is an axis, a card slot, a workphase or a chart; `value` as said. */
 typedef enum {
     EVENT_STARTED = 0,         /**< The controller started. */
     EVENT_WORKPHASE = 1,       /**< Workphase entered (subject). */

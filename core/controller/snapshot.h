@@ -39,7 +39,7 @@ typedef struct {
     uint32_t card_type;
 } snapshot_card_t;
 
-/** What the armed order waits for. */
+/** What the operator is asked to do next. */
 typedef enum {
     NEXT_STEP_START_UP = 0,      /**< Command START_UP. */
     NEXT_STEP_RELEASE_ESTOP = 1, /**< Release the e-stop. */
@@ -51,7 +51,9 @@ typedef enum {
     NEXT_STEP_REGISTER = 7,      /**< Send a registration in CALIBRATION. */
     NEXT_STEP_TARGET = 8,        /**< Send a target in TARGETING. */
     NEXT_STEP_MOVE = 9,          /**< Command MOVE_TO_TARGET. */
-    NEXT_STEP_NOTHING = 10       /**< Nothing; the target is reached. */
+    NEXT_STEP_NOTHING = 10,      /**< Nothing; the target is reached. */
+    NEXT_STEP_PEDAL_FAULT = 11,  /**< Release the pedal, then command START_UP. */
+    NEXT_STEP_TARGETING = 12     /**< Return to TARGETING, then command MOVE_TO_TARGET. */
 } next_step_t;
 
 typedef struct {

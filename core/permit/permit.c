@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "permit.h"
 
-#include "requirement_limits.h"
+#include "speed_cap.h"
 
 static uint32_t reason(bool stands, permit_reason_t name)
 {
@@ -28,13 +28,13 @@ permit_t permit_decide(const permit_facts_t *facts)
 
     permit_t permit = {.is_allowed = (reasons == 0U), .reasons = reasons, .speed_cap_percent = 0U};
     if (permit.is_allowed) {
-        permit.speed_cap_percent = facts->is_homed ? 100U : LIMIT_UNHOMED_SPEED_PERCENT;
+        permit.speed_cap_percent = speed_cap_percent(facts->is_every_axis_homed);
     }
     return permit;
 }
 
-card_drive_t permit_apply(const permit_t *permit, const card_drive_t *requested)
+card_drive_t permit_apply(const permit_t *permit, bool is_too_fast, const card_drive_t *requested)
 {
     const card_drive_t off = {.mode = (uint32_t)CARD_DRIVE_OFF, .direction = 0U, .duty = 0U};
-    return permit->is_allowed ? *requested : off;
+    return (permit->is_allowed && !is_too_fast) ? *requested : off;
 }

@@ -50,6 +50,7 @@ typedef struct {
     bool is_pedal_unproven;
     bool is_pedal_pressed;
     bool is_homed;
+    bool is_every_axis_homed;
     bool is_homing_or_jog;  /**< The armed order is one that an axis not homed may run. */
     bool is_towards_switch; /**< Requested direction is towards an active limit switch. */
     bool
@@ -60,8 +61,7 @@ typedef struct {
 typedef struct {
     bool is_allowed;            /**< No reason stands. */
     uint32_t reasons;           /**< Bit mask of permit_reason_t. */
-    uint32_t speed_cap_percent; /**< Of the axis' speed: 0 when not allowed, reduced while not
-                                   homed, else 100. */
+    uint32_t speed_cap_percent; /**< speed_cap_percent(), 0 when not allowed. */
 } permit_t;
 
 /**
@@ -69,16 +69,16 @@ typedef struct {
  *
  * @satisfies SWR-PERMIT-001
  * @satisfies SWR-PERMIT-004
- * @satisfies SWR-PERMIT-005
  * @satisfies SWR-PEDAL-001
  */
 permit_t permit_decide(const permit_facts_t *facts);
 
 /**
- * The drive that may go into the card's frame: `requested` if allowed, otherwise off.
+ * The drive that may go into the card's frame: `requested` if it is allowed and the axis is not
+ * faster than its cap, otherwise off.
  *
  * @satisfies SWR-PERMIT-002
  */
-card_drive_t permit_apply(const permit_t *permit, const card_drive_t *requested);
+card_drive_t permit_apply(const permit_t *permit, bool is_too_fast, const card_drive_t *requested);
 
 #endif

@@ -46,6 +46,7 @@ TEST_SOURCE_FILE("sim_card.c")
 TEST_SOURCE_FILE("sim_encoder.c")
 TEST_SOURCE_FILE("sim_motor.c")
 TEST_SOURCE_FILE("sim_switch.c")
+TEST_SOURCE_FILE("speed_cap.c")
 TEST_SOURCE_FILE("stall_watchdog_chart.c")
 TEST_SOURCE_FILE("workphase.c")
 TEST_SOURCE_FILE("workphases_chart.c")
@@ -324,6 +325,30 @@ void test_SWR_PERMIT_005_an_axis_not_homed_jogs_at_reduced_speed(void)
     TEST_ASSERT_NOT_EQUAL_INT32(0, rig.outputs.snapshot.axes[AXIS_YAW].position_ticks);
 }
 
+void test_SWR_PERMIT_005_an_axis_that_has_lagged_catches_up_within_the_cap(void)
+{
+    const int32_t speed_ticks_per_s = robot_neuro.axes[AXIS_LATERAL].speed_ticks_per_s;
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = AXIS_LATERAL, .value = -600};
+    const uint32_t most = LIMIT_UNHOMED_SPEED_PERCENT + LIMIT_SPEED_CAP_TOLERANCE_PERCENT;
+    rig_start(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_START_UP);
+    (void)rig_workphase(&rig, WORKPHASE_MANUAL);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
+    rig_press(&rig);
+    rig_cycles(&rig, 500U);
+    rig_box(&rig, "motor lateral stuck");
+    rig_cycles(&rig, 300U);
+    rig_box(&rig, "motor lateral normal");
+    for (uint32_t i = 0U; i < 10U; i++) {
+        const int32_t before = rig.outputs.snapshot.axes[AXIS_LATERAL].position_ticks;
+        rig_cycles(&rig, 200U);
+        const int32_t way = before - rig.outputs.snapshot.axes[AXIS_LATERAL].position_ticks;
+        /* Two ticks are the motor's fall time. */
+        TEST_ASSERT_LESS_OR_EQUAL_INT32(
+            2 + ((speed_ticks_per_s * (int32_t)most * 25) / (100 * 100)), way);
+    }
+}
+
 void test_SWR_ENC_002_an_impossible_count_faults_the_axis_and_loses_its_home(void)
 {
     rig_start_homed(&rig);
@@ -392,9 +417,41 @@ void test_SWR_CORE_004_damaged_charts_are_repaired_to_their_safe_states_and_repo
     damage_everything();
     rig_cycle(&rig);
     TEST_ASSERT_FALSE(rig_is_driving(&rig));
-    TEST_ASSERT_GREATER_OR_EQUAL_UINT32(18U, rig_count(&rig, EVENT_CHART_REPAIRED));
+    TEST_ASSERT_EQUAL_UINT32(18U, rig_count(&rig, EVENT_CHART_REPAIRED));
     TEST_ASSERT_EQUAL_UINT32(PEDAL_GATE_STATE_FAULT, rig.outputs.snapshot.pedal);
     TEST_ASSERT_EQUAL_UINT32(LOOP_GUARD_STATE_STOPPED, rig.outputs.snapshot.loop);
+}
+
+/* Four charts of which there is one, and each card's and axis'. */
+static void expect_all_charts_named(void)
+{
+    uint32_t single = 0U;
+    uint32_t cards = 0U;
+    uint32_t axes = 0U;
+    for (uint32_t i = 0U; i < rig.outputs.event_count; i++) {
+        const event_t *const event = &rig.outputs.events[i];
+        if (event->id != (uint32_t)EVENT_CHART_REPAIRED) {
+            continue;
+        }
+        if (event->subject == (uint32_t)EVENT_CHART_CARD) {
+            cards |= (uint32_t)1U << (uint32_t)event->value;
+        } else if (event->subject == (uint32_t)EVENT_CHART_AXIS) {
+            axes |= (uint32_t)1U << (uint32_t)event->value;
+        } else {
+            single |= (uint32_t)1U << event->subject;
+        }
+    }
+    TEST_ASSERT_EQUAL_HEX32(0x0FU, single);
+    TEST_ASSERT_EQUAL_HEX32(0xFEU, cards);
+    TEST_ASSERT_EQUAL_HEX32(0x7FU, axes);
+}
+
+void test_SWR_EVENT_003_each_repaired_chart_is_named_with_its_card_or_axis(void)
+{
+    rig_start_homed(&rig);
+    damage_everything();
+    rig_cycle(&rig);
+    expect_all_charts_named();
 }
 
 /* Whatever the damaged copy says, lost and absent among it. */

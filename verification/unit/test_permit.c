@@ -11,10 +11,13 @@
 #include <stddef.h>
 #include <string.h>
 
-#define FACTS 15U
+TEST_SOURCE_FILE("speed_cap.c")
+
+#define FACTS 16U
 #define COMBINATIONS (1UL << FACTS)
 
-/* Thirteen facts forbid by themselves; two decide together about the fourteenth reason. */
+/* Thirteen facts forbid by themselves; two decide together about the fourteenth
+ * reason; one decides about the speed cap. */
 typedef struct {
     size_t fact;
     bool forbids_when;
@@ -53,6 +56,7 @@ static permit_facts_t combination(uint32_t bits)
     }
     facts.is_homed = ((bits >> RULES) & 1U) != 0U;
     facts.is_homing_or_jog = ((bits >> (RULES + 1U)) & 1U) != 0U;
+    facts.is_every_axis_homed = ((bits >> (RULES + 2U)) & 1U) != 0U;
     return facts;
 }
 
@@ -66,6 +70,7 @@ static permit_facts_t free_facts(void)
     facts.is_armed = true;
     facts.is_pedal_pressed = true;
     facts.is_homed = true;
+    facts.is_every_axis_homed = true;
     return facts;
 }
 
@@ -104,8 +109,8 @@ void test_SWR_PERMIT_001_every_combination_of_facts_is_decided_by_the_rule(void)
         TEST_ASSERT_EQUAL(permit.is_allowed, permit.speed_cap_percent > 0U);
         allowed += permit.is_allowed ? 1U : 0U;
     }
-    /* Homed in any order, or not homed in a homing or a jog. */
-    TEST_ASSERT_EQUAL_UINT32(3U, allowed);
+    /* Homed in any order, or not homed in a homing or a jog; each at both speeds. */
+    TEST_ASSERT_EQUAL_UINT32(6U, allowed);
 }
 
 void test_SWR_PERMIT_002_an_allowed_request_passes_unchanged(void)
@@ -113,7 +118,7 @@ void test_SWR_PERMIT_002_an_allowed_request_passes_unchanged(void)
     const permit_facts_t facts = free_facts();
     const permit_t permit = permit_decide(&facts);
     const card_drive_t request = {CARD_DRIVE_PWM, 1U, 0x1FFFFU};
-    const card_drive_t drive = permit_apply(&permit, &request);
+    const card_drive_t drive = permit_apply(&permit, false, &request);
 
     TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_PWM, drive.mode);
     TEST_ASSERT_EQUAL_UINT32(1U, drive.direction);
@@ -128,7 +133,7 @@ void test_SWR_PERMIT_002_any_single_reason_makes_every_drive_word_zero(void)
         permit_facts_t facts = free_facts();
         *fact(&facts, rules[i].fact) = rules[i].forbids_when;
         const permit_t permit = permit_decide(&facts);
-        const card_drive_t drive = permit_apply(&permit, &request);
+        const card_drive_t drive = permit_apply(&permit, false, &request);
         TEST_ASSERT_EQUAL_UINT32(0U, drive.mode);
         TEST_ASSERT_EQUAL_UINT32(0U, drive.direction);
         TEST_ASSERT_EQUAL_UINT32(0U, drive.duty);
@@ -192,10 +197,29 @@ void test_SWR_AXIS_006_an_axis_not_homed_homes_and_jogs_at_reduced_speed(void)
     permit_facts_t facts = free_facts();
 
     facts.is_homed = false;
+    facts.is_every_axis_homed = false;
     facts.is_homing_or_jog = true;
     const permit_t permit = permit_decide(&facts);
     TEST_ASSERT_TRUE(permit.is_allowed);
     TEST_ASSERT_EQUAL_UINT32(LIMIT_UNHOMED_SPEED_PERCENT, permit.speed_cap_percent);
+}
+
+void test_SWR_AXIS_006_a_homed_axis_is_slow_too_while_another_is_not_homed(void)
+{
+    permit_facts_t facts = free_facts();
+
+    facts.is_every_axis_homed = false;
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_UNHOMED_SPEED_PERCENT, permit_decide(&facts).speed_cap_percent);
+}
+
+void test_SWR_PERMIT_005_an_axis_that_is_too_fast_gets_no_drive(void)
+{
+    const card_drive_t request = {CARD_DRIVE_PWM, 1U, 0x1FFFFU};
+    const permit_facts_t facts = free_facts();
+    const permit_t permit = permit_decide(&facts);
+    const card_drive_t drive = permit_apply(&permit, true, &request);
+
+    TEST_ASSERT_EQUAL_UINT32(0U, drive.mode | drive.direction | drive.duty);
 }
 
 void test_SWR_AXIS_006_an_axis_not_homed_does_nothing_else(void)
@@ -214,7 +238,7 @@ void test_SWR_PEDAL_001_without_the_pedal_every_drive_word_is_zero_whatever_else
         permit_facts_t facts = combination(bits);
         facts.is_pedal_pressed = false;
         const permit_t permit = permit_decide(&facts);
-        const card_drive_t drive = permit_apply(&permit, &request);
+        const card_drive_t drive = permit_apply(&permit, false, &request);
         TEST_ASSERT_EQUAL_UINT32(0U, drive.mode | drive.direction | drive.duty);
     }
 }
