@@ -175,3 +175,4 @@ clean: ## Remove everything that was built (not the installed tools)
 
 include verification/gates.mk
 include verification/bench/bench.mk
+include verification/supervise/supervise.mk

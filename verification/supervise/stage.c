@@ -1,0 +1,203 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "stage.h"
+
+#include "workphases_chart.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#define ORDER_SIZE 64U
+#define ORDERS_MOST 32U
+
+/* xorshift32. */
+static uint32_t random_below(stage_t *self, uint32_t bound)
+{
+    self->random ^= self->random << 13;
+    self->random ^= self->random >> 17;
+    self->random ^= self->random << 5;
+    return self->random % bound;
+}
+
+void stage_begin(stage_t *self, rig_t *rig, uint32_t seed)
+{
+    *self = (stage_t){.random = (seed * 2654435761U) | 1U};
+    for (uint32_t i = 0U; i < 8U; i++) {
+        (void)random_below(self, 2U);
+    }
+    const uint32_t start = random_below(self, 4U);
+    if (start == 0U) {
+        rig_start(rig);
+    } else if (start == 1U) {
+        rig_start_homed(rig);
+    } else {
+        rig_start_targeted(rig);
+    }
+    self->is_chaotic = (random_below(self, 3U) == 0U) ? 1U : 0U;
+    self->fault_cycle = (random_below(self, 5U) == 0U) ? UINT32_MAX : random_below(self, 12000U);
+}
+
+/* One of the words between bars: "silent|corrupt|normal". */
+static void pick_word(stage_t *self, const char *words, size_t length, char *picked)
+{
+    uint32_t count = 1U;
+    for (size_t i = 0U; i < length; i++) {
+        count += (words[i] == '|') ? 1U : 0U;
+    }
+    uint32_t left = random_below(self, count);
+    size_t begin = 0U;
+    for (; left > 0U; begin++) {
+        left -= (words[begin] == '|') ? 1U : 0U;
+    }
+    size_t end = begin;
+    while ((end < length) && (words[end] != '|')) {
+        end++;
+    }
+    (void)snprintf(picked, ORDER_SIZE, "%.*s", (int)(end - begin), &words[begin]);
+}
+
+/* Any order that the box knows, whatever its list says today. */
+static void disturb(stage_t *self, rig_t *rig)
+{
+    const char *lines[ORDERS_MOST];
+    uint32_t count = 0U;
+    for (const char *line = box_orders(); (*line != '\0') && (count < ORDERS_MOST);
+         line = strchr(line, '\n') + 1) {
+        if (strncmp(line, "show", 4U) != 0) {
+            lines[count] = line;
+            count++;
+        }
+    }
+    const char *const line = lines[random_below(self, count)];
+    char order[ORDER_SIZE * 3U] = "";
+    for (const char *word = line; *word != '\n';) {
+        const size_t length = strcspn(word, " \n");
+        char picked[ORDER_SIZE];
+        pick_word(self, word, length, picked);
+        if (strcmp(picked, "SLOT") == 0) {
+            (void)snprintf(picked, sizeof picked, "%s",
+                           robot_neuro.axes[random_below(self, ROBOT_AXIS_COUNT)].name);
+        }
+        (void)snprintf(order + strlen(order), sizeof order - strlen(order), "%s%s",
+                       (word == line) ? "" : " ", picked);
+        word += length;
+        word += (*word == ' ') ? 1U : 0U;
+    }
+    rig_box(rig, order);
+}
+
+static void send(stage_t *self, rig_t *rig, command_t command)
+{
+    command.id = 1000U + self->cycle;
+    rig->commands[0] = command;
+    rig->command_count = 1U;
+}
+
+static void send_phase(stage_t *self, rig_t *rig, workphase_t phase)
+{
+    send(self, rig,
+         (command_t){.kind = (uint32_t)COMMAND_WORKPHASE, .argument = (uint32_t)phase});
+}
+
+/* Mostly in reach. */
+static rigid_t some_target(stage_t *self)
+{
+    return rig_pose(((int32_t)random_below(self, 30U) - 15) * 1000000,
+                    175000000 + (int32_t)random_below(self, 25U) * 1000000,
+                    40000000 + (int32_t)random_below(self, 40U) * 1000000);
+}
+
+static void do_anything(stage_t *self, rig_t *rig)
+{
+    command_t command = {.kind = (uint32_t)COMMAND_JOG,
+                         .argument = random_below(self, ROBOT_AXIS_COUNT)};
+    const axis_config_t *const axis = &robot_neuro.axes[command.argument];
+    const uint32_t span = (uint32_t)(axis->maximum_ticks - axis->minimum_ticks);
+    switch (random_below(self, 6U)) {
+    case 0:
+        send_phase(self, rig, (workphase_t)(1U + random_below(self, 8U)));
+        break;
+    case 1:
+        command.value = axis->minimum_ticks + (int32_t)random_below(self, span);
+        send(self, rig, command);
+        break;
+    case 2:
+        send(self, rig,
+             (command_t){.kind = (uint32_t)COMMAND_TARGET, .pose = some_target(self)});
+        break;
+    case 3:
+        rig_box(rig, "pedal press");
+        break;
+    case 4:
+        rig_box(rig, (random_below(self, 2U) == 0U) ? "pedal release" : "estop reset");
+        break;
+    default:
+        send_phase(self, rig, WORKPHASE_MOVE_TO_TARGET);
+        break;
+    }
+}
+
+/* What the console asks for. */
+static void do_next_step(stage_t *self, rig_t *rig)
+{
+    const snapshot_t *const shown = &rig->outputs.snapshot;
+    switch (shown->next_step) {
+    case NEXT_STEP_RELEASE_ESTOP:
+        rig_box(rig, "estop reset");
+        break;
+    case NEXT_STEP_RELEASE_PEDAL:
+        rig_box(rig, "pedal release");
+        break;
+    case NEXT_STEP_PRESS_PEDAL:
+        rig_box(rig, "pedal press");
+        break;
+    case NEXT_STEP_SCANNER:
+        rig_box(rig, "scanner off");
+        break;
+    case NEXT_STEP_REGISTER:
+        send_phase(self, rig, WORKPHASE_CALIBRATION);
+        if (shown->workphase == (uint32_t)WORKPHASE_CALIBRATION) {
+            command_t command = {.kind = (uint32_t)COMMAND_REGISTRATION};
+            rigid_set_identity(&command.pose);
+            send(self, rig, command);
+        }
+        break;
+    case NEXT_STEP_NOTHING:
+    case NEXT_STEP_TARGET:
+        send_phase(self, rig, WORKPHASE_TARGETING);
+        if (shown->workphase == (uint32_t)WORKPHASE_TARGETING) {
+            send(self, rig,
+                 (command_t){.kind = (uint32_t)COMMAND_TARGET, .pose = some_target(self)});
+        }
+        break;
+    case NEXT_STEP_MOVE:
+        send_phase(self, rig, WORKPHASE_MOVE_TO_TARGET);
+        break;
+    case NEXT_STEP_HOLD_PEDAL:
+        if (random_below(self, 8U) == 0U) {
+            rig_box(rig, "pedal release");
+        }
+        break;
+    default:
+        send_phase(self, rig, WORKPHASE_START_UP);
+        break;
+    }
+}
+
+void stage_play(stage_t *self, rig_t *rig)
+{
+    self->cycle++;
+    if (self->cycle == self->fault_cycle) {
+        disturb(self, rig);
+        self->fault_cycle += 200U + random_below(self, 6000U);
+    }
+    if (self->wait_cycles > 0U) {
+        self->wait_cycles--;
+        return;
+    }
+    self->wait_cycles = 30U + random_below(self, 600U);
+    if (self->is_chaotic != 0U) {
+        do_anything(self, rig);
+    } else {
+        do_next_step(self, rig);
+    }
+}

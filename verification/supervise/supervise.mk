@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: Apache-2.0
+# The controller with an operator, a world and faults by chance; included by the Makefile.
+
+.PHONY: supervise
+COUNT ?= 200
+SEED ?= 1
+
+# Unity comes with Ceedling: the rig of the integration tests asserts with it.
+UNITY := .tools/gems/gems/ceedling-1.2.1/vendor/unity/src
+SUPERVISE_SOURCES := $(wildcard verification/supervise/*.c) verification/integration/support/rig.c $(BOX_SOURCES)
+build/gcc/bin/supervise: $(call object,$(SUPERVISE_SOURCES)) $(OUT)/libcore.a
+	@mkdir -p $(@D)
+	@$(CC) $(CFLAGS) -I$(UNITY) $^ $(UNITY)/unity.c -lm -o $@
+	@echo "built $@"
+
+$(OUT)/verification/supervise/%.o $(OUT)/verification/integration/%.o: FLAGS = -D_GNU_SOURCE $(APP_INCLUDES) -Ibsp/sim \
+    -Iverification/integration/support -I$(UNITY)
+
+supervise: bootstrap-test ## The controller in COUNT random scenes from SEED on, watched by one who knows the truth
+	@$(MAKE) --no-print-directory -j2 build/gcc/bin/supervise
+	@build/gcc/bin/supervise $(COUNT) $(SEED)

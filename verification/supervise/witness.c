@@ -1,0 +1,194 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "witness.h"
+
+#include "axis_chart.h"
+#include "workphases_chart.h"
+
+#include <math.h>
+#include <string.h>
+
+#define BELIEVED_MM 1.0
+#define BELIEVED_DEG 9.0
+#define OFF_MM 0.1
+#define OFF_DEG 0.5
+#define OFF_CYCLES 10U
+#define NEEDLE_MM 0.3 /* 0.2 mm, and what the motor runs on in the cycles of the detection. */
+#define REACHED_MM 0.1
+#define REACHED_DEG 1.0
+#define APART_LEAST_MM 74.0 /* Limits of the mechanism, and 1 mm. */
+#define APART_MOST_MM 147.0
+#define APART_HOME_MM 143.0
+#define ENDS_CYCLES 60000U
+
+const char *witness_sentence(sentence_t sentence)
+{
+    static const char *const words[SENTENCE_COUNT] = {
+        "A drive leaves only with pedal, e-stop, scanner, cards and order",
+        "A homed axis without a fault stands where it is believed to (mm, deg)",
+        "An axis that moves while off does not stay homed (mm, deg)",
+        "A move under the pedal ends (s)",
+        "Homing drives the needle forwards by little only (mm)",
+        "\"The target is reached\": it is (mm, deg)",
+        "The axial carriages keep their distance (mm)"};
+    return words[sentence];
+}
+
+void witness_begin(witness_t *self, uint32_t seed)
+{
+    verdict_t kept[SENTENCE_COUNT];
+    (void)memcpy(kept, self->verdicts, sizeof kept);
+    (void)memset(self, 0, sizeof *self);
+    (void)memcpy(self->verdicts, kept, sizeof kept);
+    self->seed = seed;
+}
+
+static void complain(witness_t *self, const rig_t *rig, sentence_t sentence, uint32_t axis,
+                     double figure)
+{
+    verdict_t *const verdict = &self->verdicts[sentence];
+    verdict->worst = (figure > verdict->worst) ? figure : verdict->worst;
+    if (self->is_broken[sentence]) {
+        return;
+    }
+    self->is_broken[sentence] = true;
+    if (verdict->episodes == 0U) {
+        verdict->seed = self->seed;
+        verdict->cycle = rig->outputs.snapshot.cycle;
+        verdict->axis = axis;
+    }
+    verdict->episodes++;
+}
+
+static bool is_length(uint32_t axis)
+{
+    return robot_neuro.axes[axis].unit == (uint8_t)AXIS_UNIT_MM;
+}
+
+/* Ticks in mm or degrees. */
+static double measure(uint32_t axis, double ticks)
+{
+    const double units = ticks * (double)robot_neuro.axes[axis].unit_per_tick_q16 / 65536.0;
+    return is_length(axis) ? (units / 1e6) : (units * 360.0 / 4294967296.0);
+}
+
+static bool is_homed(const rig_t *rig, uint32_t axis)
+{
+    return rig->outputs.snapshot.axes[axis].reference == (uint32_t)AXIS_REFERENCE_HOMED;
+}
+
+/* The system says that this axis is not to be trusted. */
+static bool is_doubted(const rig_t *rig, uint32_t axis)
+{
+    return !is_homed(rig, axis) ||
+           (rig->outputs.snapshot.axes[axis].power == (uint32_t)AXIS_POWER_FAULT);
+}
+
+static bool is_driven(const rig_t *rig, uint32_t axis)
+{
+    return rig->box.axes[axis].card.applied.mode != (uint32_t)CARD_DRIVE_OFF;
+}
+
+static void judge_permit(witness_t *self, const rig_t *rig)
+{
+    const controller_inputs_t *const inputs = &rig->inputs;
+    if (rig_is_driving(rig) &&
+        ((inputs->pedal_a == 0U) || (inputs->pedal_b == 0U) || (inputs->estop_open != 0U) ||
+         (inputs->scanner_active != 0U) ||
+         (rig->outputs.snapshot.order == (uint32_t)WORKPHASES_ORDER_NONE))) {
+        complain(self, rig, SENTENCE_PERMIT, 0U, 1.0);
+    }
+}
+
+/* An axis without a switch may be taken where it stands once: the operator has put it there. */
+static void judge_belief(witness_t *self, const rig_t *rig, uint32_t axis, double truth)
+{
+    const double believed = rig->outputs.snapshot.axes[axis].position_ticks;
+    const double away = fabs(measure(axis, truth - believed));
+    const bool is_astray = !is_doubted(rig, axis) &&
+                           (away > (is_length(axis) ? BELIEVED_MM : BELIEVED_DEG));
+    self->astray_cycles[axis] = is_astray ? (self->astray_cycles[axis] + 1U) : 0U;
+    if (self->astray_cycles[axis] > OFF_CYCLES) {
+        complain(self, rig, SENTENCE_BELIEVED, axis, away);
+    }
+}
+
+static void judge_rest(witness_t *self, const rig_t *rig, uint32_t axis, double truth)
+{
+    const uint32_t place = self->off_cycles[axis] % WITNESS_SECOND;
+    if (is_driven(rig, axis)) {
+        self->off_cycles[axis] = 0U;
+        return;
+    }
+    const bool is_full = self->off_cycles[axis] >= WITNESS_SECOND;
+    const double before = is_full ? self->rest[axis][place] : self->rest[axis][0];
+    const double way = fabs(measure(axis, truth - before));
+    self->rest[axis][place] = truth;
+    self->off_cycles[axis]++;
+    if ((self->off_cycles[axis] > OFF_CYCLES) && !is_doubted(rig, axis) &&
+        (way > 2.0 * (is_length(axis) ? OFF_MM : OFF_DEG))) {
+        complain(self, rig, SENTENCE_OFF, axis, way);
+    }
+}
+
+static void judge_end(witness_t *self, const rig_t *rig)
+{
+    const bool is_moving = rig->outputs.snapshot.order == (uint32_t)WORKPHASES_ORDER_MOVING;
+    self->moving_cycles = is_moving ? (self->moving_cycles + 1U) : 0U;
+    if (self->moving_cycles > ENDS_CYCLES) {
+        complain(self, rig, SENTENCE_ENDS, 0U, self->moving_cycles / 1000.0);
+    }
+}
+
+static void judge_needle(witness_t *self, const rig_t *rig, double truth)
+{
+    const snapshot_t *const shown = &rig->outputs.snapshot;
+    const bool is_homing = (shown->workphase == (uint32_t)WORKPHASE_START_UP) &&
+                           (shown->order == (uint32_t)WORKPHASES_ORDER_MOVING) &&
+                           !is_homed(rig, AXIS_INSERTION);
+    if (!is_homing || !self->was_homing || (truth < self->needle_from)) {
+        self->needle_from = truth;
+    }
+    self->was_homing = is_homing;
+    const double forwards = measure(AXIS_INSERTION, truth - self->needle_from);
+    if (forwards > NEEDLE_MM) {
+        complain(self, rig, SENTENCE_NEEDLE, AXIS_INSERTION, forwards);
+    }
+}
+
+static void judge_reached(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_COUNT])
+{
+    if (rig->outputs.snapshot.next_step != (uint32_t)NEXT_STEP_NOTHING) {
+        return;
+    }
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        const double away = fabs(measure(i, truth[i] - rig->controller.plan.target_ticks[i]));
+        if (!is_homed(rig, i) || (away > (is_length(i) ? REACHED_MM : REACHED_DEG))) {
+            complain(self, rig, SENTENCE_REACHED, i, away);
+        }
+    }
+}
+
+static void judge_distance(witness_t *self, const rig_t *rig,
+                           const double truth[ROBOT_AXIS_COUNT])
+{
+    const double apart = APART_HOME_MM + measure(AXIS_HEAD, truth[AXIS_HEAD]) -
+                         measure(AXIS_FEET, truth[AXIS_FEET]);
+    if (is_homed(rig, AXIS_HEAD) && is_homed(rig, AXIS_FEET) &&
+        ((apart < APART_LEAST_MM) || (apart > APART_MOST_MM))) {
+        complain(self, rig, SENTENCE_APART, AXIS_HEAD,
+                 fmax(APART_LEAST_MM - apart, apart - APART_MOST_MM));
+    }
+}
+
+void witness_look(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_COUNT])
+{
+    judge_permit(self, rig);
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        judge_belief(self, rig, i, truth[i]);
+        judge_rest(self, rig, i, truth[i]);
+    }
+    judge_end(self, rig);
+    judge_needle(self, rig, truth[AXIS_INSERTION]);
+    judge_reached(self, rig, truth);
+    judge_distance(self, rig, truth);
+}

@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Somebody who sees what the controller cannot: where the simulated axes truly stand. Holds a list
+ * of sentences against every cycle, and remembers which were broken, where first and by how much.
+ */
+#ifndef BORESIGHT_WITNESS_H
+#define BORESIGHT_WITNESS_H
+
+#include "rig.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#define WITNESS_SECOND 1000U /**< Cycles. */
+
+/** What must hold in every cycle. */
+typedef enum {
+    SENTENCE_PERMIT = 0,   /**< A drive leaves only with pedal, e-stop, scanner, cards, order. */
+    SENTENCE_BELIEVED = 1, /**< A homed axis without a fault stands where it is believed to. */
+    SENTENCE_OFF = 2,      /**< An axis that moves while off does not stay homed. */
+    SENTENCE_ENDS = 3,     /**< A move under the pedal ends. */
+    SENTENCE_NEEDLE = 4,   /**< Homing drives the needle forwards by little only. */
+    SENTENCE_REACHED = 5,  /**< "Nothing; the target is reached": it is. */
+    SENTENCE_APART = 6     /**< The axial carriages keep their distance. */
+} sentence_t;
+
+#define SENTENCE_COUNT 7U
+
+/** A sentence's record. */
+typedef struct {
+    uint32_t episodes; /**< In which it was broken. */
+    uint32_t seed;     /**< Of the first of them. */
+    uint32_t cycle;
+    uint32_t axis;
+    double worst; /**< In its own unit: mm or degrees, seconds. */
+} verdict_t;
+
+/** State of the witness; one episode at a time. */
+typedef struct {
+    uint32_t seed;
+    verdict_t verdicts[SENTENCE_COUNT];
+    bool is_broken[SENTENCE_COUNT]; /**< In this episode. */
+    double rest[ROBOT_AXIS_COUNT][WITNESS_SECOND]; /**< True positions of the last second. */
+    uint32_t off_cycles[ROBOT_AXIS_COUNT];
+    uint32_t astray_cycles[ROBOT_AXIS_COUNT];
+    uint32_t moving_cycles;
+    double needle_from; /**< Where homing began. */
+    bool was_homing;
+} witness_t;
+
+/** Begins an episode; the verdicts stay. */
+void witness_begin(witness_t *self, uint32_t seed);
+
+/** Looks at the cycle that `rig` has just run; `truth`: the positions when its frames were made. */
+void witness_look(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_COUNT]);
+
+/** The sentence in words, and the unit of `worst`. */
+const char *witness_sentence(sentence_t sentence);
+
+#endif
