@@ -9,16 +9,16 @@
 #
 # `make` has compiled the code under test into build/<way>/libtest.a before.
 
-require 'English'
 require 'etc'
 require 'fileutils'
-require 'json'
 require 'open3'
+require_relative 'results'
 
 # One way to compile and run.
 class CTests
-  UNITY = Dir[".tools/gems/gems/ceedling-*/vendor/unity"].first
-  DEFINES = %w[-D_GNU_SOURCE -DUNITY_INCLUDE_DOUBLE -DUNITY_SUPPORT_64 -DUNITY_INT_WIDTH=32].freeze
+  UNITY = Dir['.tools/gems/gems/ceedling-*/vendor/unity'].first
+  FLAGS = %w[-std=c99 -g -O1 -ffp-contract=off -D_GNU_SOURCE -DUNITY_INCLUDE_DOUBLE -DUNITY_SUPPORT_64
+             -DUNITY_INT_WIDTH=32].freeze
   WAYS = {
     'asan' => { compiler: %w[gcc -fsanitize=address,undefined -fno-sanitize-recover=all], runner: [],
                 libraries: %w[-lzstd -lcrypto -lpthread -lrt -lm] },
@@ -27,75 +27,113 @@ class CTests
   }.freeze
   FOLDERS = Dir['core/*/'] + %w[build/gen/charts build/gen/limits build/gen/robot build/gen/names bsp/include bsp/sim
                                 verification/unit/support verification/integration/support] + Dir['app/*/']
+  SUPPORT = Dir['verification/*/support/*.c'] + ["#{UNITY}/src/unity.c"]
+  # What Unity says of each test.
+  VERDICT = /^(?<file>\S+\.c):(?<line>\d+):(?<test>test_.+?):(?<word>PASS|FAIL|IGNORE)(?:: ?(?<message>.*))?$/
+  WORDS = { 'PASS' => 'pass', 'FAIL' => 'fail', 'IGNORE' => 'ignore' }.freeze
+  LAST_LINES = 25
+
+  # A compiler or a program did not end well.
+  class Failed < StandardError; end
+
+  # One row for each test that a program speaks of, and one more if it did not end as they say.
+  def self.rows(file, output, success)
+    rows = output.lines(chomp: true).filter_map { |line| VERDICT.match(line) }.map do |match|
+      line = match[:line].to_i unless match[:word] == 'PASS'
+      { test: match[:test], file: match[:file], line: line, result: WORDS.fetch(match[:word]), message: match[:message] }
+    end
+    return rows if rows.any? && success == rows.all? { |row| row[:result] == 'pass' }
+
+    rows << { test: File.basename(file, '.c'), file: file, result: 'fail', message: output.lines.last(LAST_LINES).join }
+  end
 
   def initialize(way)
-    @way = way
     @options = WAYS.fetch(way)
     @out = "build/#{way}/tests"
+    @library = "build/#{way}/libtest.a"
+    @tests = tests(way)
+    @done = 0
     FileUtils.mkdir_p(@out)
   end
 
+  # True if every test passed.
   def run
-    queue = Queue.new
-    tests.each { |test| queue << test }
-    results = []
-    workers = Array.new(Etc.nprocessors) { Thread.new { results.concat(work(queue)) } }
-    workers.each(&:join)
-    failed = results.reject { |result| result[:passed] }
-    failed.each { |result| puts "FAILED #{result[:test]}", result[:output].lines.last(25) }
-    puts "#{results.size - failed.size} test programs passed, #{failed.size} failed (#{@way})"
-    failed.empty? && results.any?
+    @support = parallel(SUPPORT) { |source| object(source) }.to_h
+    rows = parallel(@tests) { |test| rows_of(test) }.flatten
+    Results.leave(rows)
+    failed = rows.reject { |row| row[:result] == 'pass' }
+    failed.each { |row| puts "#{row[:file]}:#{row[:line]}: #{row[:test]}: #{row[:message]}" }
+    puts "#{rows.size - failed.size} tests of #{@tests.size} programs passed, #{failed.size} failed"
+    failed.empty? && rows.any?
   end
 
   private
 
-  def tests
+  def tests(way)
     files = Dir['verification/{unit,integration}/test_*.c'] + Dir['build/gen/tests/test_*.c']
-    files.reject! { |file| File.read(file).include?('#include "mock_') } # Ceedling makes the mocks.
-    return files.sort unless @way == 'arm'
-
-    files.reject { |file| needs_app?(file) }.sort
+    files.reject! { |file| File.read(file).include?('#include \"mock_') } # Ceedling makes the mocks.
+    (way == 'arm' ? files.reject { |file| needs_app?(file) } : files).sort
   end
 
   def needs_app?(file)
-    headers = File.read(file).scan(/#include "([^"]+)"/).flatten
-    headers.any? { |header| Dir["app/*/#{header}"].any? }
+    headers_of(file).any? { |header| Dir["app/*/#{header}.h"].any? }
   end
 
-  def work(queue)
+  def headers_of(file)
+    File.read(file).scan(/#include "([^"]+)\.h"/).flatten
+  end
+
+  def parallel(items, &work)
+    queue = Queue.new(items).close
+    Array.new(Etc.nprocessors) { Thread.new { drain(queue, &work) } }.flat_map(&:value)
+  end
+
+  def drain(queue)
     results = []
-    while (test = next_of(queue))
-      results << run_test(test)
+    while (item = queue.pop)
+      results << yield(item)
     end
     results
   end
 
-  def next_of(queue)
-    queue.pop(true)
-  rescue ThreadError
-    nil
+  def rows_of(test)
+    output, status = Open3.capture2e(*@options[:runner], build(test))
+    CTests.rows(test, output.scrub, status.success?)
+  rescue Failed => e
+    CTests.rows(test, e.message.scrub, false)
+  ensure
+    puts "[#{@done += 1}/#{@tests.size}] #{test}"
+    $stdout.flush
   end
 
-  def run_test(test)
+  def build(test)
     program = File.join(@out, File.basename(test, '.c'))
-    output, status = Open3.capture2e('ruby', "#{UNITY}/auto/generate_test_runner.rb", '--use_param_tests=1', test, "#{program}_runner.c")
-    output, status = Open3.capture2e(*compile(test, program)) if status.success?
-    output, status = Open3.capture2e(*@options[:runner], program) if status.success?
-    { test: test, passed: status.success?, output: output }
-  end
-
-  def compile(test, program)
-    [*@options[:compiler], '-std=c99', '-g', '-O1', '-ffp-contract=off', *DEFINES, "-I#{UNITY}/src",
-     *FOLDERS.map { |folder| "-I#{folder}" }, test, "#{program}_runner.c", *sources(test), "#{UNITY}/src/unity.c",
-     "build/#{@way}/libtest.a", *@options[:libraries], '-o', program]
+    call('ruby', "#{UNITY}/auto/generate_test_runner.rb", '--use_param_tests=1', test, "#{program}_runner.c")
+    compile(test, "#{program}_runner.c", *@support.values_at(*sources(test)), @library, *@options[:libraries],
+            '-o', program)
+    program
   end
 
   # What a test brings along by including its header.
   def sources(test)
-    headers = File.read(test).scan(/#include "([^"]+)\.h"/).flatten
-    (headers | ['contract_trap']).filter_map { |name| Dir["verification/*/support/#{name}.c"].first }
+    SUPPORT.select { |source| [*headers_of(test), 'contract_trap', 'unity'].include?(File.basename(source, '.c')) }
+  end
+
+  # Its source and its object.
+  def object(source)
+    object = File.join(@out, "#{File.basename(source, '.c')}.o")
+    compile('-c', source, '-o', object)
+    [source, object]
+  end
+
+  def compile(*arguments)
+    call(*@options[:compiler], *FLAGS, "-I#{UNITY}/src", *FOLDERS.map { |folder| "-I#{folder}" }, *arguments)
+  end
+
+  def call(*command)
+    output, status = Open3.capture2e(*command)
+    raise Failed, output unless status.success?
   end
 end
 
-Dir.chdir(File.expand_path('..', __dir__))
-exit(CTests.new(ARGV.fetch(0)).run ? 0 : 1)
+exit(CTests.new(ARGV.fetch(0)).run ? 0 : 1) if $PROGRAM_NAME == __FILE__

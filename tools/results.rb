@@ -2,81 +2,120 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# Turns the report of a test runner into the list of results that trace.rb reads.
+# Runs a test runner that is not ours, says how far it is, and leaves what its report holds for tools/trace.rb.
 #
-#   ruby tools/results.rb ceedling   REPORT.json > build/results/unit.json
-#   ruby tools/results.rb vitest     REPORT.json > build/results/console.json
-#   ruby tools/results.rb playwright REPORT.json > build/results/browser.json
+#   ruby tools/results.rb ceedling|vitest REPORT.json COMMAND...
 #
-# Minitest needs no converter: tools/test/result_reporter.rb writes the list itself.
+# Each runner leaves its results by `Results.leave`: in build/results/<name of the gate>.json, as
+#
+#   run    where they come from, see origin.rb
+#   tests  test, file, result (pass, fail or ignore), assertions if counted; line and message unless it passed
+#
+# Without the name of a gate in RESULT_NAME nothing is left, so that running a test by hand disturbs nothing.
 
+require 'fileutils'
 require 'json'
 require 'pathname'
+require_relative 'origin'
 
-# One converter per runner; each gives rows of test, file and result.
+# What tests said.
 module Results
   class ReportError < StandardError; end
 
-  def self.ceedling(report)
-    rows = { 'PassedTests' => 'pass', 'FailedTests' => 'fail', 'IgnoredTests' => 'ignore' }.flat_map do |list, result|
-      report.fetch(list).map { |entry| { test: entry['test'], file: entry['file'], result: result } }
+  NAME = 'RESULT_NAME'
+  FOLDER = 'build/results'
+  # What a runner says once for each of its files, and these files.
+  STEPS = { 'ceedling' => [/\ARunning test_/, '{verification,build/gen/tests}/**/test_*.c'],
+            'vitest' => [/\A\s*\S \S+\.test\.tsx? /, 'app/console/src/**/*.test.{ts,tsx}'] }.freeze
+
+  class << self
+    def file(name)
+      "#{FOLDER}/#{name}.json"
     end
-    total = report.fetch('Summary').fetch('total_tests')
-    raise ReportError, "the summary counts #{total} tests, the lists hold #{rows.size}" unless total == rows.size
 
-    rows
-  end
+    # @satisfies SWR-TRACE-002
+    def leave(rows)
+      name = ENV.fetch(NAME, '')
+      return if name.empty?
 
-  VITEST = { 'passed' => 'pass', 'failed' => 'fail' }.freeze
+      FileUtils.mkdir_p(FOLDER)
+      run = Origin.of_run.merge('time' => Time.now.utc.iso8601)
+      File.write(file(name), "#{JSON.pretty_generate(run: run, tests: rows.map(&:compact))}\n")
+    end
 
-  def self.vitest(report)
-    report.fetch('testResults').flat_map do |file|
-      name = relative(file.fetch('name'))
-      rows = file.fetch('assertionResults').map do |test|
-        { test: test.fetch('fullName').strip, file: name, result: VITEST.fetch(test.fetch('status'), 'ignore') }
+    # The tests of a gate; none if it left none.
+    def read(name)
+      File.exist?(file(name)) ? JSON.parse(File.read(file(name))).fetch('tests') : []
+    end
+
+    # Runs the command; true if it ended well and left its report.
+    def run(runner, report, command)
+      FileUtils.rm_f(report)
+      IO.popen(command, err: %i[child out]) { |output| count(output, *STEPS.fetch(runner)) }
+      status = Process.last_status
+      leave(public_send(runner, JSON.parse(File.read(report))))
+      status.success?
+    rescue Errno::ENOENT
+      abort "#{command.first} left no #{report}"
+    end
+
+    def ceedling(report)
+      rows = { 'PassedTests' => 'pass', 'FailedTests' => 'fail', 'IgnoredTests' => 'ignore' }.flat_map do |list, result|
+        report.fetch(list).map do |entry|
+          { test: entry['test'], file: entry['file'], line: entry['line'], result: result, message: entry['message'] }
+        end
       end
-      # A file that cannot be loaded has failed without a single test.
-      broken = file['status'] == 'failed' && rows.none? { |row| row[:result] == 'fail' }
-      broken ? rows << { test: file['message'].to_s.lines.first.to_s.strip, file: name, result: 'fail' } : rows
+      total = report.fetch('Summary').fetch('total_tests')
+      raise ReportError, "the summary counts #{total} tests, the lists hold #{rows.size}" unless total == rows.size
+
+      rows
     end
-  end
 
-  PLAYWRIGHT = { 'expected' => 'pass', 'skipped' => 'ignore' }.freeze
-
-  # A flaky test is a failed test.
-  def self.playwright(report)
-    folder = report.dig('config', 'rootDir').to_s
-    rows = report.fetch('suites').flat_map { |suite| playwright_suite(suite, folder) }
-    report.fetch('errors', []).each do |error|
-      rows << { test: error['message'].to_s.lines.first.to_s.strip, file: relative(folder), result: 'fail' }
-    end
-    rows
-  end
-
-  def self.playwright_suite(suite, folder)
-    rows = suite.fetch('specs', []).flat_map do |spec|
-      spec.fetch('tests').map do |test|
-        { test: spec.fetch('title'), file: relative(File.join(folder, spec.fetch('file'))),
-          result: PLAYWRIGHT.fetch(test.fetch('status'), 'fail') }
+    def vitest(report)
+      report.fetch('testResults').flat_map do |file|
+        name = relative(file.fetch('name'))
+        rows = file.fetch('assertionResults').map { |test| vitest_row(test, name) }
+        # A file that cannot be loaded has failed without a single test.
+        broken = file['status'] == 'failed' && rows.none? { |row| row[:result] == 'fail' }
+        message = file['message'].to_s
+        broken ? rows << { test: message.lines.first.to_s.strip, file: name, result: 'fail', message: message } : rows
       end
     end
-    rows + suite.fetch('suites', []).flat_map { |inner| playwright_suite(inner, folder) }
-  end
 
-  def self.relative(path)
-    path = Pathname.new(path)
-    path.absolute? ? path.relative_path_from(Pathname.pwd).to_s : path.to_s
+    private
+
+    VERDICTS = { 'passed' => 'pass', 'failed' => 'fail' }.freeze
+
+    def vitest_row(test, file)
+      message = test.fetch('failureMessages', []).join("\n")
+      { test: test.fetch('fullName').strip, file: file, line: message[/#{Regexp.escape(file)}:(\d+)/, 1]&.to_i,
+        result: VERDICTS.fetch(test.fetch('status'), 'ignore'),
+        message: message.empty? ? nil : message.lines(chomp: true).grep_v(/\A\s+at /).join("\n") }
+    end
+
+    def count(output, step, files)
+      total = Dir[files].size
+      done = 0
+      output.each_line do |line|
+        print(line.scrub.match?(step) ? "[#{done}/#{total}] #{line}" : line)
+        done += 1 if line.scrub.match?(step)
+        $stdout.flush
+      end
+    end
+
+    def relative(path)
+      path = Pathname.new(path)
+      path.absolute? ? path.relative_path_from(Pathname.pwd).to_s : path.to_s
+    end
   end
 end
 
 if $PROGRAM_NAME == __FILE__
-  runner, file = ARGV
-  abort 'usage: results.rb ceedling|vitest|playwright REPORT.json' \
-    unless %w[ceedling vitest playwright].include?(runner) && ARGV.size == 2
+  runner, report, *command = ARGV
+  abort 'usage: results.rb ceedling|vitest REPORT.json COMMAND...' unless Results::STEPS.key?(runner) && command.any?
   begin
-    rows = Results.public_send(runner, JSON.parse(File.read(file)))
-  rescue Results::ReportError, JSON::ParserError, KeyError, SystemCallError => e
-    abort "#{file}: #{e.message.lines.first.strip}"
+    exit(Results.run(runner, report, command) ? 0 : 1)
+  rescue Results::ReportError, JSON::ParserError, KeyError => e
+    abort "#{report}: #{e.message.lines.first.strip}"
   end
-  puts JSON.pretty_generate(rows)
 end

@@ -14,7 +14,7 @@
 #       passed test                 E09 unknown parent                   E14 requirement without parent
 #   E04 failed test                 E10 not exactly one shall            E15 incomplete or malformed item
 #   E05 ignored test                                                     E16 tested only at a smaller level
-#   E17 hazard in a chart that the element's
+#   E17 hazard in a chart that the element's       E18 results of another tree, checkout or machine
 #       requirements do not control
 
 require 'optparse'

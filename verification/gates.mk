@@ -1,14 +1,22 @@
 # SPDX-License-Identifier: Apache-2.0
 # What `make test` runs; included by the Makefile.
 
-.PHONY: gate generated unit misra sanitize arm console-test objects programs trace demo worst-case \
+.PHONY: gate generated unit coverage misra sanitize arm console-test objects programs trace demo worst-case \
     worst-case-approve
 
 test: bootstrap-test ## Run everything that can fail; the last line is `N passed, N failed`
 	@ruby tools/gates.rb
 
-gate: bootstrap-test ## Run one gate again: make gate NAME=unit
+gate: bootstrap-test ## Run one gate again, and what it needs: make gate NAME=unit
 	@ruby tools/gates.rb $(NAME)
+
+# An unknown gate is refused before anything is installed; there may be no ruby yet.
+GATES := $(shell sed -n 's/^- name: //p' verification/gates.yml)
+ifneq ($(filter gate,$(MAKECMDGOALS)),)
+ifneq ($(if $(NAME),$(filter-out $(GATES),$(NAME)),none),)
+$(error NAME is '$(NAME)', but the gates are: $(GATES))
+endif
+endif
 
 ALL_APP := $(wildcard app/*/*.c bsp/sim/*.c)
 OBJECTS := $(call object,$(CORE_SOURCES) $(ALL_APP) $(GEN)/names/names.c $(GEN)/assets/assets.c $(GEN)/assets/chart_names.c)
@@ -24,10 +32,11 @@ demo: bootstrap-test ## The seven targets of the NeuroRobot workflow with a real
 	@ruby verification/demo/demo.rb
 
 unit: $(GENERATED) .tools/gems/bin/ceedling ## Unit and integration tests with coverage
-	@mkdir -p build/results
-	status=0; $(CEEDLING) gcov:all || status=$$?; \
-	ruby tools/results.rb ceedling build/ceedling/artifacts/gcov/tests_report.json >build/results/unit.json; \
-	ruby tools/uncovered.rb || status=$$?; exit $$status
+	status=0; ruby tools/results.rb ceedling build/ceedling/artifacts/gcov/tests_report.json $(CEEDLING) gcov:all || \
+	status=$$?; ruby tools/uncovered.rb || status=$$?; exit $$status
+
+coverage: bootstrap-test ## What the unit tests reach of the core, for lcov's readers: build/coverage
+	@ruby tools/coverage.rb
 
 misra: $(GENERATED) ## MISRA findings of the core
 	ruby tools/misra.rb
@@ -58,9 +67,7 @@ arm: ## The core's tests as Cortex-A9 code
 
 console-test: app/console/node_modules/.installed $(GENERATED)
 	cd app/console && npm run --silent typecheck && npm run --silent format:check
-	@mkdir -p build/results
-	status=0; (cd app/console && npm test --silent) || status=$$?; \
-	ruby tools/results.rb vitest build/console-tests.json >build/results/console.json; exit $$status
+	ruby tools/results.rb vitest build/console-tests.json npm --prefix app/console test --silent
 
 trace: ## Every requirement with its parents, places, tests and verdict
 	@ruby tools/trace.rb matrix

@@ -1,42 +1,49 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# Leaves the results of a minitest run in build/results/<RESULT_NAME>.json for tools/trace.rb.
-# Without RESULT_NAME nothing is written, so that running one file by hand disturbs nothing.
+# Runs minitest files and leaves their results for tools/trace.rb, saying how many tests are done:
 #
-#   RESULT_NAME=tools ruby -r ./tools/test/result_reporter.rb \
-#     -e 'Dir["tools/test/**/test_*.rb"].sort.each { |file| require "./#{file}" }'
+#   ruby tools/test/result_reporter.rb tools/test/test_*.rb
 
-require 'fileutils'
-require 'json'
-require 'minitest'
-require 'pathname'
+require 'minitest/autorun'
+require_relative '../results'
 
 # Collects one row per test.
 class ResultReporter < Minitest::AbstractReporter
   ROOT = Pathname.new(File.expand_path('../..', __dir__))
 
-  def initialize(name)
-    super()
-    @name = name
+  def initialize
+    super
+    @total = Minitest::Runnable.runnables.sum { |group| group.runnable_methods.size }
     @rows = []
   end
 
+  def prerecord(group, name)
+    puts "[#{@rows.size}/#{@total}] #{group}##{name}"
+    $stdout.flush
+  end
+
   def record(result)
-    @rows << { test: result.name, file: file_of(result), result: verdict(result), assertions: result.assertions }
+    file, line = result.source_location
+    row = { test: result.name, file: relative(file), result: verdict(result), assertions: result.assertions }
+    row.merge!(line: line_in(file, result.failure) || line, message: result.failure.message) unless result.passed?
+    @rows << row
   end
 
   def report
-    folder = ROOT.join('build', 'results')
-    FileUtils.mkdir_p(folder)
-    rows = @rows.sort_by { |row| [row[:file], row[:test]] }
-    File.write(folder.join("#{@name}.json"), "#{JSON.pretty_generate(rows)}\n")
+    Results.leave(@rows.sort_by { |row| [row[:file], row[:test]] })
   end
 
   private
 
-  def file_of(result)
-    Pathname.new(File.expand_path(result.source_location.first)).relative_path_from(ROOT).to_s
+  def relative(file)
+    Pathname.new(File.expand_path(file)).relative_path_from(ROOT).to_s
+  end
+
+  # Where in the test's own file it failed.
+  def line_in(file, failure)
+    place = failure.backtrace.to_a.find { |line| File.expand_path(line[/\A[^:]+/]) == File.expand_path(file) }
+    place && place[/:(\d+)/, 1].to_i
   end
 
   def verdict(result)
@@ -46,12 +53,14 @@ class ResultReporter < Minitest::AbstractReporter
   end
 end
 
-# Minitest's way to add a reporter.
+# Minitest's way to add a reporter; it says more than the dots.
 module Minitest
   def self.plugin_result_file_init(_options)
-    name = ENV.fetch('RESULT_NAME', '')
-    reporter << ResultReporter.new(name) unless name.empty?
+    reporter.reporters.reject! { |one| one.is_a?(ProgressReporter) }
+    reporter << ResultReporter.new
   end
 
   extensions << 'result_file'
 end
+
+ARGV.shift.then { |file| require File.expand_path(file) } while ARGV.first&.end_with?('.rb')

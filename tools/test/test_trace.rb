@@ -10,11 +10,18 @@ require 'json'
 require 'minitest/autorun'
 require 'open3'
 require 'tmpdir'
+require_relative '../origin'
 
 class TestTrace < Minitest::Test
   TOOLS = File.expand_path('..', __dir__)
 
+  RUN = { 'commit' => '1234567890abcdef', 'time' => '2026-01-02T03:04:05Z',
+          'tools' => { 'gcc' => '1.2', 'ruby' => '3.4' },
+          'machine' => { 'processor' => 'Abacus', 'cores' => 3, 'kernel' => 'Kernel 1', 'system' => 'System 2' } }.freeze
+
+  # Of the results, the tests; where they come from is added.
   COMPLETE = {
+    '.gitignore' => "/build/\n",
     'requirements/risk.yml' => <<~YAML,
       - id: HAZ-001
         title: Motion goes on
@@ -255,7 +262,7 @@ class TestTrace < Minitest::Test
       assert_equal 'While the gate is shut, the controller shall wait 7 us.', rows.first['text']
       assert_equal 'HAZ-001', rows.first.dig('parents', 0, 'hazards', 0, 'id')
       sheet = CSV.read(File.join(root, 'build/trace.csv'))
-      assert_equal 'gate_open (core/gate/gate.h:4)', sheet[2][4].lines.first.chomp
+      assert_equal 'gate_open (core/gate/gate.h:4)', sheet[5][4].lines.first.chomp
       html = File.read(File.join(root, 'build/trace.html'))
       assert_match(/<details id="SWR-PEDAL-001" data-verdict="pass">.*test_SWR_PEDAL_001_waits\(1\)/m, html)
       refute_match(/(?:src|href)\s*=/, html, 'the page needs no other file')
@@ -277,54 +284,58 @@ class TestTrace < Minitest::Test
     end
   end
 
-  def test_SWR_TRACE_001_results_of_ceedling
-    report = { 'PassedTests' => [{ 'test' => 'a(1)', 'file' => 'x.c' }],
-               'FailedTests' => [{ 'test' => 'b', 'file' => 'x.c', 'line' => 3, 'message' => '<"&' }],
-               'IgnoredTests' => [{ 'test' => 'c', 'file' => 'x.c' }], 'Summary' => { 'total_tests' => 3 } }
-    assert_equal [%w[a(1) x.c pass], %w[b x.c fail], %w[c x.c ignore]], convert('ceedling', report)
-    report['Summary']['total_tests'] = 4
-    assert_includes convert('ceedling', report), 'the summary counts 4 tests, the lists hold 3'
-  end
-
-  def test_SWR_TRACE_001_results_of_vitest
-    tests = { 'SWR-CON-001 a' => 'passed', 'b' => 'failed', 'c' => 'todo' }
-            .map { |title, status| { 'fullName' => title, 'status' => status } }
-    report = { 'testResults' => { 'a.test.ts' => tests, 'b.test.ts' => [] }.map do |name, list|
-      { 'name' => File.join(Dir.pwd, name), 'status' => 'failed', 'message' => "no\nway", 'assertionResults' => list }
-    end }
-    assert_equal [%w[SWR-CON-001\ a a.test.ts pass], %w[b a.test.ts fail], %w[c a.test.ts ignore],
-                  %w[no b.test.ts fail]], convert('vitest', report)
-  end
-
-  def test_SWR_TRACE_001_results_of_playwright
-    spec = ->(title, status) { { 'title' => title, 'file' => 'a.spec.ts', 'tests' => [{ 'status' => status }] } }
-    inner = [spec.call('b', 'flaky'), spec.call('c', 'skipped'), spec.call('d', 'unexpected')]
-    report = { 'config' => { 'rootDir' => File.join(Dir.pwd, 'e2e') }, 'errors' => [],
-               'suites' => [{ 'specs' => [spec.call('a', 'expected')], 'suites' => [{ 'specs' => inner }] }] }
-    assert_equal [%w[a e2e/a.spec.ts pass], %w[b e2e/a.spec.ts fail], %w[c e2e/a.spec.ts ignore],
-                  %w[d e2e/a.spec.ts fail]], convert('playwright', report)
-  end
-
-  def test_SWR_TRACE_001_results_of_minitest
+  def test_SWR_TRACE_003_results_of_another_tree_do_not_count
     in_project do |root|
-      FileUtils.mkdir_p(File.join(root, 'tools/test'))
-      FileUtils.cp(File.join(TOOLS, 'test/result_reporter.rb'), File.join(root, 'tools/test'))
-      File.write(File.join(root, 'tools/test/test_it.rb'), <<~RUBY)
-        require 'minitest/autorun'
-        class TestIt < Minitest::Test
-          define_method(:test_a) { assert true }
-          define_method(:test_b) { flunk }
-          define_method(:test_c) { skip }
-          define_method(:test_d) { raise 'no' }
-          define_method(:test_e) {}
-        end
-      RUBY
-      Open3.capture2e({ 'RESULT_NAME' => 'it' }, 'ruby', '-r', './tools/test/result_reporter.rb',
-                      'tools/test/test_it.rb', chdir: root)
-      rows = JSON.parse(File.read(File.join(root, 'build/results/it.json')))
-      assert_equal [['test_a', 'pass', 1], ['test_b', 'fail', 1], ['test_c', 'ignore', 0], ['test_d', 'fail', 0],
-                    ['test_e', 'pass', 0]], rows.map { |row| row.values_at('test', 'result', 'assertions') }
-      assert_equal ['tools/test/test_it.rb'], rows.map { |row| row['file'] }.uniq
+      File.write(File.join(root, 'core/gate/new.c'), "int x;\n")
+      assert_doubt(root, 'for they were made of commit 1234567890ab, tree \h{12} at 2026-01-02T03:04:05Z, which is not ' \
+                         'what stands here')
+    end
+  end
+
+  def test_SWR_TRACE_003_results_of_another_checkout_or_machine_do_not_count
+    in_project({}, 'checkout' => 'elsewhere') do |root|
+      assert_doubt(root, 'for they come from another checkout or machine: Abacus, 3 cores, Kernel 1, System 2')
+    end
+  end
+
+  def test_SWR_TRACE_003_results_without_an_origin_do_not_count
+    [{ 'tree' => nil }, { 'checkout' => nil }].each do |run|
+      in_project({}, run) { |root| assert_doubt(root, 'for they do not say where they come from') }
+    end
+    in_project do |root|
+      File.write(File.join(root, 'build/results/unit.json'), COMPLETE.fetch('build/results/unit.json'))
+      assert_doubt(root, 'for they do not say where they come from')
+    end
+  end
+
+  def test_SWR_TRACE_003_a_requirement_with_one_doubtful_result_is_not_verified
+    in_project do |root|
+      more = [{ test: 'test_SWR_PEDAL_001_waits(1)', file: 'verification/unit/test_gate.c', result: 'pass' }]
+      File.write(File.join(root, 'build/results/arm.json'), JSON.generate(more))
+      output, = trace('matrix', root)
+      assert_includes output, "SWR-PEDAL-001  NOT VERIFIED  Shut gate\n    but    arm.json does not count, for they do not"
+      assert_includes output, '2 requirements: 1 pass, 0 fail, 1 not verified'
+    end
+  end
+
+  def test_SWR_TRACE_003_a_failure_elsewhere_is_no_failure_here
+    failed = COMPLETE.fetch('build/results/unit.json').sub('"pass"', '"fail"')
+    in_project({ 'build/results/unit.json' => failed }, 'checkout' => 'elsewhere') do |root|
+      assert_includes trace('matrix', root).first, '2 requirements: 0 pass, 0 fail, 2 not verified'
+    end
+  end
+
+  def test_SWR_TRACE_002_the_matrix_says_once_at_its_head_where_the_results_come_from
+    in_project do |root|
+      text, = trace('matrix', root)
+      head = text.lines(chomp: true).first(3)
+      assert_match(/\AResults of commit 1234567890ab, tree \h{12}, from 2026-01-02T03:04:05Z to 2026-01-02T03:04:05Z\z/,
+                   head.first)
+      assert_equal ['on Abacus, 3 cores, Kernel 1, System 2', 'with gcc 1.2, ruby 3.4'], head.drop(1)
+      assert_equal head, CSV.read(File.join(root, 'build/trace.csv')).first(3).map(&:first)
+      assert_includes File.read(File.join(root, 'build/trace.html')), head.join("<br>\n")
+      origin = JSON.parse(File.read(File.join(root, 'build/trace.json'))).fetch('origin')
+      assert_equal [Origin.tree(root), '3.4'], [origin['tree'], origin.dig('tools', 'ruby')]
     end
   end
 
@@ -342,30 +353,35 @@ class TestTrace < Minitest::Test
     end
   end
 
-  def in_project(changes = {})
+  # run: what the results say of their origin, other than the truth.
+  def in_project(changes = {}, run = {})
     Dir.mktmpdir do |root|
-      COMPLETE.merge(changes).each do |name, text|
-        path = File.join(root, name)
-        FileUtils.mkdir_p(File.dirname(path))
-        File.write(path, text)
-      end
+      results, files = COMPLETE.merge(changes).partition { |name, _text| name.start_with?('build/') }
+      files.each { |name, text| write(root, name, text) }
+      run = RUN.merge('tree' => Origin.tree(root), 'checkout' => Origin.checkout(root)).merge(run)
+      results.each { |name, tests| write(root, name, "{\"run\": #{JSON.generate(run)}, \"tests\": #{tests}}") }
       yield root
     end
+  end
+
+  def write(root, name, text)
+    path = File.join(root, name)
+    FileUtils.mkdir_p(File.dirname(path))
+    File.write(path, text)
   end
 
   def trace(command, root, *options)
     Open3.capture2e('ruby', File.join(TOOLS, 'trace.rb'), command, '--root', root, *options)
   end
 
-  # Rows of test, file and result, or what the converter said.
-  def convert(runner, report)
-    Dir.mktmpdir do |folder|
-      file = File.join(folder, 'report.json')
-      File.write(file, JSON.generate(report))
-      output, status = Open3.capture2e('ruby', File.join(TOOLS, 'results.rb'), runner, file)
-      return output unless status.success?
-
-      JSON.parse(output).map { |row| row.values_at('test', 'file', 'result') }
-    end
+  # Every requirement is not verified, and why.
+  def assert_doubt(root, words)
+    output, status = trace('check', root)
+    assert_equal 1, status.exitstatus, output
+    assert_match(%r{\ATRACE-E18 build/results/unit.json:1: its results do not count, #{words}\ntrace: }, output)
+    output, = trace('matrix', root)
+    assert_match(%r{^not counted: build/results/unit.json, #{words}$}, output)
+    assert_match(/^SWR-PEDAL-001  NOT VERIFIED  Shut gate\n    but    unit.json does not count, #{words}$/, output)
+    assert_includes output, '2 requirements: 0 pass, 0 fail, 2 not verified'
   end
 end

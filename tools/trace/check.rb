@@ -1,66 +1,32 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-require 'json'
+require_relative 'evidence'
 require_relative 'requirements'
 require_relative 'sources'
 
 module Trace
-  # One test that ran, as its runner reported it.
-  Result = Struct.new(:test, :file, :result, :assertions, :source, keyword_init: true) do
-    # Ids in the test's name, with underscores or hyphens.
-    def requirements
-      Trace.ids_in(test)
-    end
-
-    def function
-      test[/\A\w+/]
-    end
-
-    def empty?
-      result == 'pass' && assertions == 0
-    end
-
-    def good?
-      result == 'pass' && !empty?
-    end
-
-    def level
-      LEVEL_OF_FILE.find { |pattern, _| file.match?(pattern) }&.last
-    end
-  end
-
-  # Tests that run the whole controller are integration tests, wherever they stand.
-  LEVEL_OF_FILE = { %r{\Averification/(?:integration/|unit/test_controller)} => 'integration',
-                    %r{\A(?:verification/unit|build/gen/tests)/} => 'unit',
-                    %r{\Averification/(?:conformance|faults|model)/} => 'tool',
-                    %r{\Averification/} => 'system',
-                    %r{\Aapp/console/} => 'console',
-                    %r{\Atools/test/} => 'tool' }.freeze
-
-  ID_IN_NAME = /SWR[_-]([A-Z0-9]+)[_-](\d+)/
-
-  def self.ids_in(name)
-    name.scan(ID_IN_NAME).map { |area, number| "SWR-#{area}-#{number}" }
-  end
-
   # Everything a check or a matrix looks at.
   class Project
-    attr_reader :root, :requirements, :sources, :results
+    attr_reader :root, :requirements, :sources, :evidence
 
     def initialize(root, with_results: true)
       @root = root
       @requirements = Requirements.load('requirements', root)
       @sources = Sources.new(root)
-      @results = with_results ? read_results(File.join(root, 'build', 'results')) : []
+      @evidence = Evidence.new(root, with_results ? Dir.glob('build/results/*.json', base: root).sort : [])
       mark_empty_tests
+    end
+
+    def results
+      @evidence.results
     end
 
     # `pass`, `fail` or `not verified`, the worst of all results that name the requirement.
     def verdict(id)
       mine = results_of(id)
       return 'not verified' if mine.empty?
-      return 'fail' if mine.any? { |result| result.result == 'fail' }
+      return 'fail' if mine.any? { |result| result.result == 'fail' && !result.doubt }
 
       mine.all?(&:good?) ? 'pass' : 'not verified'
     end
@@ -77,17 +43,6 @@ module Trace
     end
 
     private
-
-    def read_results(folder)
-      Dir.glob(File.join(folder, '*.json')).flat_map do |file|
-        JSON.parse(File.read(file)).map do |row|
-          Result.new(test: row.fetch('test'), file: row.fetch('file'), result: row.fetch('result'),
-                     assertions: row['assertions'], source: File.basename(file))
-        end
-      rescue JSON::ParserError, KeyError, TypeError => e
-        raise FormatError, "#{file}:1: not a list of test results (#{e.message[0, 80]})"
-      end
-    end
 
     # Ceedling does not count assertions; what the text shows stands in for the count.
     def mark_empty_tests
@@ -132,6 +87,7 @@ module Trace
 
     def all
       static
+      check_origin
       check_results
       check_executed
       check_verdicts
@@ -262,6 +218,15 @@ module Trace
       ids.reject { |id| known.key?(id) }.each { |id| complain('E01', place, "#{name} names the unknown id #{id}") }
     end
 
+    # What comes from elsewhere shows nothing of what stands here.
+    #
+    # @satisfies SWR-TRACE-003
+    def check_origin
+      @project.evidence.doubts.each do |file, doubt|
+        complain('E18', Place.new(file, 1), "its results do not count, #{doubt}")
+      end
+    end
+
     def check_results
       @project.results.each do |result|
         place = place_of(result)
@@ -310,7 +275,7 @@ module Trace
 
     def check_verdicts
       @project.requirements.of_kind('SWR').each do |item|
-        passed = @project.results_of(item.id).select(&:good?)
+        passed = @project.results_of(item.id).select(&:passed?)
         next complain('E03', item.place, "#{item.id} has no passed test") if passed.empty?
 
         check_level(item, item['verification'].to_h['level'], passed.map(&:level).compact.uniq)

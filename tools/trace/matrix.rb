@@ -13,8 +13,9 @@ module Trace
     TEMPLATE = File.join(__dir__, 'matrix.html.erb')
 
     # A requirement as it is printed, written and shown.
+    # why: what keeps results from counting.
     Row = Struct.new(:id, :title, :text, :place, :source, :level, :parents, :limits, :elements, :tests,
-                     :verdict, keyword_init: true)
+                     :verdict, :why, keyword_init: true)
 
     def initialize(project)
       @project = project
@@ -24,11 +25,16 @@ module Trace
     def text
       lines = @rows.flat_map do |row|
         ["#{row.id}  #{row.verdict.upcase}  #{row.title}",
+         *row.why.map { |reason| "    but    #{reason}" },
          "    from   #{row.parents.map { |parent| parent[:id] }.join(', ')}",
          *row.elements.map { |element| "    by     #{element[:name]} (#{element[:place]})" },
          *row.tests.map { |test| "    tested #{test[:result].ljust(6)} #{test[:test]} (#{test[:file]})" }]
       end
-      "#{lines.join("\n")}\n\n#{summary}"
+      "#{[*head, '', *lines].join("\n")}\n\n#{summary}"
+    end
+
+    def head
+      @project.evidence.head
     end
 
     def summary
@@ -57,7 +63,7 @@ module Trace
               parents: Array(item['parents']).map { |parent| parent_row(parent) },
               limits: item.limits.map { |limit| limit.to_h.slice(:name, :value, :unit, :status) },
               elements: @project.elements_of(item.id).map { |e| { name: e.name, place: e.place.to_s } }.uniq,
-              tests: tests(item.id), verdict: @project.verdict(item.id))
+              tests: tests(item.id), verdict: @project.verdict(item.id), why: why(item.id))
     end
 
     # A risk control with its hazards, or the reason of a derived requirement.
@@ -73,16 +79,26 @@ module Trace
       @by_id ||= @project.requirements.items.to_h { |item| [item.id, item] }
     end
 
+    # One row for each test, with all gates that ran it.
     def tests(id)
-      rows = @project.results_of(id).map do |result|
-        { test: result.test, file: result.file, result: result.empty? ? 'empty' : result.result,
-          assertions: result.assertions, from: result.source }
+      rows = @project.results_of(id).group_by { |result| [result.file, result.test, word(result)] }.map do |key, same|
+        { test: key[1], file: key[0], result: key[2], assertions: same.first.assertions, from: same.map(&:source) }
       end
       rows.sort_by { |test| [test[:file], test[:test]] }
     end
 
+    def word(result)
+      return 'not counted' if result.doubt
+
+      result.empty? ? 'empty' : result.result
+    end
+
+    def why(id)
+      @project.results_of(id).select(&:doubt).map { |result| "#{result.source} does not count, #{result.doubt}" }.uniq
+    end
+
     def document
-      { requirements: @rows.map(&:to_h),
+      { origin: @project.evidence.origin, not_counted: @project.evidence.doubts, requirements: @rows.map(&:to_h),
         risk_controls: @project.requirements.of_kind('RC').map { |item| item_row(item, 'SWR') },
         hazards: @project.requirements.of_kind('HAZ').map { |item| item_row(item, 'RC') } }
     end
@@ -94,6 +110,7 @@ module Trace
 
     def csv
       CSV.generate do |out|
+        head.each { |line| out << [line] }
         out << %w[id title text parents elements tests verdict]
         @rows.each do |row|
           out << [row.id, row.title, row.text, row.parents.map { |parent| parent[:id] }.join(' '),

@@ -1,0 +1,105 @@
+#!/usr/bin/env ruby
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+# Writes the coverage of the unit gate once more for the tools that read lcov's tracefiles, and compares it with what
+# gcovr has counted. The tests run if they have not yet passed on the tree as it stands.
+#
+#   ruby tools/coverage.rb      build/coverage/lcov.info, build/coverage/index.html; beside them gcovr's pages
+#
+# Exit 1 if the two do not count the same.
+
+require 'fileutils'
+require 'json'
+require_relative 'trace/evidence'
+
+# Covered and all lines, functions and branches of each file, as two tools count them.
+class Coverage
+  KINDS = %w[lines functions branches].freeze
+
+  def self.lcov(text)
+    text.split("end_of_record\n").to_h do |record|
+      counts = %w[L FN BR].map { |kind| %w[H F].map { |what| record[/^#{kind}#{what}:(\d+)/, 1].to_i } }
+      [record[/^SF:(.*)/, 1], counts]
+    end
+  end
+
+  def self.gcovr(report)
+    report.fetch('files').to_h do |file|
+      lines = file.fetch('lines').reject { |line| line['gcovr/noncode'] || line['gcovr/excluded'] }
+      counted = [[lines, 'count'], [file.fetch('functions'), 'execution_count'],
+                 [lines.flat_map { |line| line.fetch('branches') }, 'count']]
+      [file.fetch('file'), counted.map { |list, count| [list.count { |one| one[count].positive? }, list.size] }]
+    end
+  end
+
+  def initialize(lcov, gcovr)
+    @lcov = lcov
+    @gcovr = gcovr
+  end
+
+  # One line for each file that they count differently.
+  def differences
+    (@lcov.keys | @gcovr.keys).sort.reject { |file| @lcov[file] == @gcovr[file] }.map do |file|
+      "#{file}: lcov counts #{words(@lcov[file])}, gcovr #{words(@gcovr[file])}"
+    end
+  end
+
+  def summary
+    totals = @lcov.values.transpose.map { |pairs| pairs.transpose.map(&:sum) }
+    "lcov and gcovr count the same in #{@lcov.size} files: #{words(totals)}"
+  end
+
+  private
+
+  def words(counts)
+    return 'nothing' unless counts
+
+    KINDS.zip(counts).map { |kind, (hit, all)| "#{hit} of #{all} #{kind}" }.join(', ')
+  end
+end
+
+# The reports themselves.
+#
+# @satisfies SWR-COVER-001
+class CoverageReport
+  LCOV = %w[lcov --quiet --rc lcov_branch_coverage=1].freeze
+  FOLDER = 'build/coverage'
+  TRACEFILE = "#{FOLDER}/lcov.info".freeze
+  LOG = 'build/log/coverage.log'
+  PLACES = %w[core build/gen/charts].freeze
+  CEEDLING = 'build/ceedling'
+  RESULTS = 'build/results/unit.json'
+  GCOVR = "#{CEEDLING}/artifacts/gcov/gcovr".freeze
+
+  def self.write
+    tested? || system('make', '--no-print-directory', 'gate', 'NAME=unit') || abort
+    FileUtils.rm_rf(FOLDER)
+    FileUtils.mkdir_p([FOLDER, File.dirname(LOG)])
+    capture
+    call('genhtml', '--quiet', '--branch-coverage', '--title', 'Boresight core', '--prefix', Dir.pwd,
+         '--output-directory', FOLDER, TRACEFILE)
+    coverage = Coverage.new(Coverage.lcov(File.read(TRACEFILE)),
+                            Coverage.gcovr(JSON.parse(File.read("#{GCOVR}/GcovCoverage.json"))))
+    abort coverage.differences.join("\n") if coverage.differences.any?
+    puts coverage.summary, "#{TRACEFILE}, #{FOLDER}/index.html; gcovr's pages: #{GCOVR}/GcovCoverageResults.html"
+  end
+
+  def self.tested?
+    File.exist?(RESULTS) && Trace::Evidence.new('.', [RESULTS]).results.all?(&:good?)
+  end
+
+  # What gcovr looks at, with paths that hold on every machine.
+  def self.capture
+    call(*LCOV, '--capture', '--directory', "#{CEEDLING}/gcov", '--no-external', '--base-directory', '.',
+         '--output-file', TRACEFILE)
+    call(*LCOV, '--extract', TRACEFILE, *PLACES.map { |place| "#{Dir.pwd}/#{place}/*" }, '--output-file', TRACEFILE)
+    File.write(TRACEFILE, File.read(TRACEFILE).gsub("SF:#{Dir.pwd}/", 'SF:'))
+  end
+
+  def self.call(*command)
+    system(*command, %i[out err] => [LOG, 'a']) || abort("#{command.first} failed: #{File.readlines(LOG).last}")
+  end
+end
+
+CoverageReport.write if $PROGRAM_NAME == __FILE__

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+require 'etc'
+require 'fileutils'
+require 'json'
+require_relative 'job'
+require_relative 'plan'
+require_relative 'teller'
+
+module Gates
+  def self.now
+    Process.clock_gettime(Process::CLOCK_MONOTONIC)
+  end
+
+  # One run of gates: starts what the plan allows, until all have ended.
+  #
+  # @satisfies SWR-GATE-001
+  class Run
+    # What each gate took when it last passed here.
+    SECONDS = 'build/log/seconds.json'
+    POLL_SECONDS = 0.1
+    SIGNALS = %w[INT TERM HUP].freeze
+
+    def initialize(gates, out, cores: Etc.nprocessors)
+      FileUtils.mkdir_p([File.dirname(SECONDS), Results::FOLDER])
+      @waiting = gates
+      @jobs = []
+      @verdicts = []
+      @expected = gates.to_h { |gate| [gate.name, gate.seconds] }.merge(measured)
+      @plan = Plan.new(cores, @expected)
+      @teller = Teller.new(out, gates.size)
+    end
+
+    # True if every gate has passed.
+    def call
+      Processes.adopt_orphans
+      SIGNALS.each { |signal| trap(signal) { @signal = signal } }
+      @origin = Origin.here
+      step while !@signal && (@waiting.any? || @jobs.any?)
+      return interrupted if @signal
+
+      @teller.finish(@verdicts)
+      @verdicts.all?(&:passed?)
+    ensure
+      Processes.end_tree(Process.pid)
+    end
+
+    private
+
+    def step
+      leave_out
+      @plan.startable(passed, @jobs.map(&:gate), @waiting).each { |gate| start(gate) }
+      raise Refused, "#{@waiting.map(&:name).join(', ')}: what they need never comes" if @jobs.empty? && @waiting.any?
+
+      reap
+      @jobs.each(&:watch)
+      @teller.progress(@jobs, seconds_left) if @jobs.any?
+      sleep POLL_SECONDS
+    end
+
+    def passed
+      @verdicts.select(&:passed?).map(&:gate)
+    end
+
+    def start(gate)
+      @waiting -= [gate]
+      @jobs << Job.new(gate, @origin)
+    end
+
+    # What needs a gate that is red cannot run.
+    def leave_out
+      red = (@verdicts.map(&:gate) - passed).map(&:name)
+      gate = @waiting.find { |one| (one.needs & red).any? } || return
+      @waiting -= [gate]
+      @verdicts << Verdict.new(gate: gate, passed: 0, failed: 1, seconds: 0, complaints: [])
+      @teller.gate_left_out(gate, gate.needs & red)
+      leave_out
+    end
+
+    # Adopted processes end here as well.
+    def reap
+      while (pid, status = Process.wait2(-1, Process::WNOHANG))
+        job = @jobs.find { |one| one.pid == pid }
+        ended(job, job.verdict(status)) if job
+      end
+    rescue Errno::ECHILD
+      nil
+    end
+
+    def ended(job, verdict)
+      @jobs -= [job]
+      @verdicts << verdict
+      @teller.gate_ended(verdict)
+      return unless verdict.passed?
+
+      File.write(SECONDS, JSON.generate(measured.merge(job.gate.name => verdict.seconds.round(1))))
+    end
+
+    def measured
+      File.exist?(SECONDS) ? JSON.parse(File.read(SECONDS)) : {}
+    end
+
+    def seconds_left
+      pace = self.pace
+      running = @jobs.to_h { |job| [job.gate, [@expected[job.gate.name] - (job.seconds / pace), 0].max] }
+      @plan.seconds_left(passed, running, @waiting) * pace
+    end
+
+    # How much longer than expected it takes, by what has ended or should have.
+    def pace
+      known = (@verdicts + @jobs).reject { |one| one.seconds.zero? }
+                                 .select { |one| @verdicts.include?(one) || one.seconds > @expected[one.gate.name] }
+      known.empty? ? 1.0 : known.sum(&:seconds) / known.sum { |one| @expected[one.gate.name] }
+    end
+
+    def interrupted
+      @teller.interrupted(@jobs)
+      false
+    end
+  end
+end
