@@ -80,11 +80,11 @@ uint32_t axis_observe(axis_t *self, const axis_config_t *config, const card_repo
     }
     if (stall_watchdog_chart_check(&self->stall) != 0U) {
         /* Its safe state watches nothing: the axis must not be driven until it is enabled anew. */
-        tell(self, AXIS_EVENT_STALLED, false);
+        tell(self, AXIS_EVENT_FAILED, false);
         notes |= AXIS_NOTE_CHART_REPAIRED;
     }
     if (encoder_step(&self->encoder, config, report)) {
-        tell(self, AXIS_EVENT_ENCODER_FAULT, false);
+        tell(self, AXIS_EVENT_FAILED, false);
         notes |= AXIS_NOTE_ENCODER_FAULT;
     }
     if (report != NULL) {
@@ -217,7 +217,7 @@ static uint32_t watch_stall(axis_t *self, const axis_config_t *config, bool is_p
 {
     const uint32_t actions = stall_watchdog_chart_advance(&self->stall, elapsed_us);
     if ((actions & STALL_WATCHDOG_ACTION_REPORT_STALL) != 0U) {
-        tell(self, AXIS_EVENT_STALLED, false);
+        tell(self, AXIS_EVENT_FAILED, false);
         return AXIS_NOTE_STALLED;
     }
     if (!is_pushing) {
@@ -242,7 +242,7 @@ static uint32_t watch_homing(axis_t *self, bool is_driven, uint32_t elapsed_us)
     if (self->homing_us < LIMIT_HOME_TIMEOUT_US) {
         return 0U;
     }
-    tell(self, AXIS_EVENT_HOME_TIMEOUT, false);
+    tell(self, AXIS_EVENT_FAILED, false);
     return AXIS_NOTE_HOME_TIMEOUT;
 }
 
@@ -256,7 +256,7 @@ uint32_t axis_supervise(axis_t *self, const axis_config_t *config, bool is_drive
     uint32_t notes = watch_stall(self, config, is_pushing, elapsed_us);
     notes |= watch_homing(self, is_driven, elapsed_us);
     if (is_driven && (distance > (int64_t)config->following_error_ticks)) {
-        tell(self, AXIS_EVENT_FOLLOWING_ERROR, false);
+        tell(self, AXIS_EVENT_FAILED, false);
         notes |= AXIS_NOTE_FOLLOWING_ERROR;
     }
     return notes;

@@ -19,7 +19,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** What happened in a cycle; bits of the notes that axis_observe() and axis_supervise() return. */
+/** What happened in a cycle; bits of the notes that axis_observe() and axis_supervise() return. All
+ * but AXIS_NOTE_HOMED are faults: the axis is not homed any more. */
 #define AXIS_NOTE_ENCODER_FAULT 0x01U
 #define AXIS_NOTE_HOMED 0x02U
 #define AXIS_NOTE_STALLED 0x04U
@@ -97,6 +98,7 @@ card_drive_t axis_home(axis_t *self, const axis_config_t *config, uint32_t elaps
  * @satisfies SWR-STALL-002
  * @satisfies SWR-AXIS-003
  * @satisfies SWR-AXIS-009
+ * @satisfies SWR-AXIS-012
  */
 uint32_t axis_supervise(axis_t *self, const axis_config_t *config, bool is_driven,
                         uint32_t elapsed_us);

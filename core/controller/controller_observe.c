@@ -44,7 +44,6 @@ static void note_axis(controller_t *self, const cycle_t *cycle, uint32_t index, 
     }
     if ((notes & AXIS_NOTE_ENCODER_FAULT) != 0U) {
         controller_note(self, cycle, EVENT_AXIS_ENCODER_FAULT, index, axis->encoder.jump_ticks);
-        plan_forget_target(&self->plan);
     }
     if ((notes & AXIS_NOTE_STALLED) != 0U) {
         controller_note(self, cycle, EVENT_AXIS_STALLED, index, axis->encoder.position_ticks);
@@ -55,6 +54,9 @@ static void note_axis(controller_t *self, const cycle_t *cycle, uint32_t index, 
     }
     if ((notes & AXIS_NOTE_HOME_TIMEOUT) != 0U) {
         controller_note(self, cycle, EVENT_AXIS_HOME_TIMEOUT, index, 0);
+    }
+    if ((notes & ~AXIS_NOTE_HOMED) != 0U) {
+        plan_forget_target(&self->plan);
     }
     if (axis_is_faulty(axis)) {
         controller_tell_order(self, cycle, WORKPHASES_EVENT_FAULT, STATUS_FAULT_PRESENT);

@@ -328,7 +328,7 @@ void test_SWR_STALL_001_a_blocked_motor_stalls_and_needs_start_up(void)
     TEST_ASSERT_EQUAL_UINT32(STATUS_FAULT_PRESENT, rig_finish(&rig, 700U).status);
     TEST_ASSERT_FALSE(rig_is_driving(&rig));
     TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, rig.outputs.snapshot.axes[AXIS_HEAD].power);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_FAULT_PRESENT,
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NO_TARGET,
                              rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
     rig_release(&rig);
     rig_press(&rig);
@@ -338,6 +338,39 @@ void test_SWR_STALL_001_a_blocked_motor_stalls_and_needs_start_up(void)
     rig_box(&rig, "motor head normal");
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
     TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_ENABLED, rig.outputs.snapshot.axes[AXIS_HEAD].power);
+}
+
+/* The axis has just faulted; what it stands at is not known any more. */
+static void expect_nothing_known(uint32_t axis)
+{
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, rig.outputs.snapshot.axes[axis].power);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNHOMED, rig.outputs.snapshot.axes[axis].reference);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
+}
+
+void test_SWR_AXIS_012_after_an_encoder_was_gone_in_a_move_the_axis_homes_anew(void)
+{
+    double true_ticks[ROBOT_AXIS_COUNT];
+    begin_move();
+    rig_box(&rig, "encoder head stuck");
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 700U).kind);
+    rig_box(&rig, "encoder head normal");
+    expect_nothing_known(AXIS_HEAD);
+    rig_release(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_ACCEPTED, rig_workphase(&rig, WORKPHASE_START_UP).kind);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.answer_count);
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 40000U).kind);
+    box_true_positions(&rig.box, true_ticks);
+    TEST_ASSERT_DOUBLE_WITHIN(2.0, (double)position(AXIS_HEAD), true_ticks[AXIS_HEAD]);
+}
+
+void test_SWR_AXIS_012_a_stall_loses_reference_and_target(void)
+{
+    begin_move();
+    rig_box(&rig, "motor head stuck");
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 700U).kind);
+    expect_nothing_known(AXIS_HEAD);
 }
 
 void test_SWR_STALL_003_a_stall_is_reported_exactly_once(void)

@@ -107,9 +107,9 @@ class TestComposition < Minitest::Test
   # What the controller might forget, and the property that shows it with the shortest way there.
   {
     'procedure does renew_pedal, tell: [pedal.renew]' => /^COMP-I11\.1: .*procedure\.request_start_up/,
-    'stall_N does report_stall, tell: [axis_N.stalled]' => /^COMP-I02\.1: .*stall_1\.no_progress$/,
+    'stall_N does report_stall, tell: [axis_N.failed]' => /^COMP-I02\.1: .*stall_1\.no_progress$/,
     'estop enters pulled, tell: [axis_N.disable, procedure.estop]' => /^COMP-I05\.1: .*estop\.opened$/,
-    'axis_N hears following_error, tell: [procedure.fault]' => /^COMP-I09\.1: .*axis_1\.following_error$/
+    'axis_N hears failed, tell: [plan.forget, procedure.fault]' => /^COMP-I09\.1: .*axis_1\.failed$/
   }.each do |row, finding|
     define_method("test_SWR_CHART_012_without_#{row[/\w+ \w+ \w+/].tr(' ', '_')}_a_property_is_violated") do
       report = explore(1, 'gcc', changed(row, row.sub(/\[.*\]/, '[plan.forget]')))
