@@ -38,7 +38,8 @@ module Robot
     }.freeze
     PROBE = %w[treatment_to_tip robot_to_entry cannula_to_treatment robot_to_treatment].freeze
     POSITIONS = %w[minimum_ticks maximum_ticks home_ticks deadband_ticks speed_ticks_per_s acceleration_ticks_per_s2
-                   home_speed_ticks_per_s full_speed_ticks_per_s following_error_ticks jump_ticks].freeze
+                   home_speed_ticks_per_s full_speed_ticks_per_s following_error_ticks jump_ticks
+                   switch_hysteresis_ticks].freeze
 
     def initialize(description, text, source)
       @robot = description
@@ -83,6 +84,7 @@ module Robot
         'is_motor_inverted' => flag(axis['motor_inverted']), 'is_encoder_inverted' => flag(axis['encoder_inverted']),
         'unit_per_tick_q16' => "INT64_C(#{unit_per_tick_q16(axis)})"
       }.merge(POSITIONS.to_h { |key| [key, axis[key]] },
+              { 'home_way_ticks' => axis.home_way_ticks, 'home_time_us' => "#{axis['home_time_ms'] * 1000}U" },
               Axis::DUTIES.to_h { |key| [key, "#{axis[key]}U"] })
     end
 

@@ -59,6 +59,8 @@ void event_text_subject(const event_t *event, char *text, size_t size)
     case EVENT_AXIS_ENCODER_FAULT:
     case EVENT_AXIS_FOLLOWING_ERROR:
     case EVENT_AXIS_HOME_TIMEOUT:
+    case EVENT_AXIS_SWITCH_FAULT:
+    case EVENT_AXIS_WRONG_WAY:
         (void)snprintf(text, size, "%s", axis_name(event->subject));
         break;
     case EVENT_CHART_REPAIRED:

@@ -27,6 +27,7 @@ static const char orders[] = "pedal press|release\n"
                              "card SLOT silent|corrupt|normal\n"
                              "encoder SLOT stuck|reversed|normal\n"
                              "motor SLOT stuck|normal\n"
+                             "switch SLOT stuck|open|chatter|reversed|normal\n"
                              "scanner on|off\n"
                              "show\n";
 
@@ -132,73 +133,52 @@ static bool order_level(bool *level, const order_t *order, const char *on, const
     return true;
 }
 
-static bool order_card(box_axis_t *axis, const char *word)
+/* In the order of box_card_fault_t, sim_encoder_fault_t and sim_switch_fault_t. */
+static const char *const card_words[] = {"normal", "silent", "corrupt", NULL};
+static const char *const encoder_words[] = {"normal", "stuck", "reversed", NULL};
+static const char *const motor_words[] = {"normal", "stuck", NULL};
+static const char *const switch_words[] = {"normal", "stuck", "open", "chatter", "reversed", NULL};
+
+/* Number of `word`, or -1. */
+static int number_of(const char *const words[], const char *word)
 {
-    if (strcmp(word, "silent") == 0) {
-        axis->card_fault = BOX_CARD_SILENT;
-    } else if (strcmp(word, "corrupt") == 0) {
-        axis->card_fault = BOX_CARD_CORRUPT;
-    } else if (strcmp(word, "normal") == 0) {
-        axis->card_fault = BOX_CARD_NORMAL;
-    } else {
-        return false;
+    for (int i = 0; words[i] != NULL; i++) {
+        if (strcmp(words[i], word) == 0) {
+            return i;
+        }
     }
-    return true;
+    return -1;
 }
 
-static bool order_encoder(box_axis_t *axis, const char *word)
+/* What of an axis an order speaks of, and the words for its faults. */
+static const char *const *words_of(const order_t *order)
 {
-    if (strcmp(word, "stuck") == 0) {
-        axis->encoder.fault = SIM_ENCODER_STUCK;
-    } else if (strcmp(word, "reversed") == 0) {
-        axis->encoder.fault = SIM_ENCODER_REVERSED;
-    } else if (strcmp(word, "normal") == 0) {
-        axis->encoder.fault = SIM_ENCODER_NORMAL;
-    } else {
-        return false;
-    }
-    return true;
-}
+    const char *const *words = NULL;
 
-static bool order_motor(box_axis_t *axis, const char *word)
-{
-    const bool is_stuck = strcmp(word, "stuck") == 0;
-
-    if (!is_stuck && (strcmp(word, "normal") != 0)) {
-        return false;
-    }
-    axis->motor.is_blocked = is_stuck;
-    return true;
-}
-
-static bool is_axis_order(const order_t *order)
-{
-    return is_word(order, 0U, "card") || is_word(order, 0U, "encoder") ||
-           is_word(order, 0U, "motor");
+    words = is_word(order, 0U, "card") ? card_words : words;
+    words = is_word(order, 0U, "encoder") ? encoder_words : words;
+    words = is_word(order, 0U, "motor") ? motor_words : words;
+    return is_word(order, 0U, "switch") ? switch_words : words;
 }
 
 static bool order_axis(const order_t *order, box_axis_t *axis)
 {
-    const char *word = order->words[2];
+    const char *const *words = words_of(order);
+    const int fault = number_of(words, order->words[2]);
 
-    if (is_word(order, 0U, "card")) {
-        return order_card(axis, word);
+    if (fault < 0) {
+        return false;
     }
-    return is_word(order, 0U, "encoder") ? order_encoder(axis, word) : order_motor(axis, word);
-}
-
-static const char *card_word(const box_axis_t *axis)
-{
-    static const char *const words[] = {"normal", "silent", "corrupt"};
-
-    return words[axis->card_fault];
-}
-
-static const char *encoder_word(const box_axis_t *axis)
-{
-    static const char *const words[] = {"normal", "stuck", "reversed"};
-
-    return words[axis->encoder.fault];
+    if (words == card_words) {
+        axis->card_fault = (box_card_fault_t)fault;
+    } else if (words == encoder_words) {
+        axis->encoder.fault = (sim_encoder_fault_t)fault;
+    } else if (words == motor_words) {
+        axis->motor.is_blocked = fault != 0;
+    } else {
+        axis->limit_switch.fault = (sim_switch_fault_t)fault;
+    }
+    return true;
 }
 
 static void show_axis(const box_axis_t *axis, reply_t *reply)
@@ -223,8 +203,8 @@ static void show_axis(const box_axis_t *axis, reply_t *reply)
         (axis->config->limit_switch == (uint8_t)LIMIT_SWITCH_NONE) ? "none"
         : axis->limit_switch.is_active                             ? "active"
                                                                    : "free",
-        card_word(axis), encoder_word(axis), axis->motor.is_blocked ? "stuck" : "normal",
-        (unsigned)axis->card.watchdog_trips);
+        card_words[axis->card_fault], encoder_words[axis->encoder.fault],
+        axis->motor.is_blocked ? "stuck" : "normal", (unsigned)axis->card.watchdog_trips);
 }
 
 static void show(const box_t *self, reply_t *reply)
@@ -283,7 +263,7 @@ bool box_command(box_t *self, const char *order, char *reply, uint32_t reply_siz
         return true;
     }
     bool is_done;
-    if (is_axis_order(&words) && (words.count == 3U)) {
+    if ((words_of(&words) != NULL) && (words.count == 3U)) {
         box_axis_t *axis = find_axis(self, words.words[1]);
         if (axis == NULL) {
             refuse_slot(self, words.words[1], &answer);

@@ -2,12 +2,9 @@
 #include "axis.h"
 
 #include "fixed.h"
-#include "requirement_limits.h"
 
 #include <stddef.h>
 #include <string.h>
-
-#define CYCLES_PER_S (INT32_C(1000000) / (int32_t)LIMIT_CYCLE_US)
 
 static int32_t error_ticks(const axis_t *self)
 {
@@ -37,6 +34,7 @@ static uint32_t dispatch(axis_t *self, const axis_config_t *config, axis_event_t
         fixed_saturate((int64_t)config->home_ticks - (int64_t)self->encoder.position_ticks);
     encoder_set_position(&self->encoder, config->home_ticks);
     self->setpoint_ticks = config->home_ticks;
+    homing_forget(&self->homing);
     return AXIS_NOTE_HOMED;
 }
 
@@ -52,22 +50,35 @@ void axis_init(axis_t *self)
     encoder_init(&self->encoder);
     servo_init(&self->servo);
     axis_chart_init(&self->chart);
-    stall_watchdog_chart_init(&self->stall);
+    supervision_init(&self->supervision);
+}
+
+/* The axis is in trouble: the `found` faults, if any, are told to its chart. */
+static uint32_t fail(axis_t *self, uint32_t found)
+{
+    if (found != 0U) {
+        tell(self, AXIS_EVENT_FAILED, false);
+    }
+    return found;
 }
 
 static uint32_t follow_switch(axis_t *self, const axis_config_t *config)
 {
     uint32_t notes = 0U;
-    if (is_switch_active(self)) {
-        self->switch_ticks = self->encoder.position_ticks;
+    switch (homing_see(&self->homing, config, self->chart.reference, self->encoder.position_ticks,
+                       is_switch_active(self))) {
+    case HOMING_SWITCH:
         notes = dispatch(self, config, AXIS_EVENT_SWITCH_ON, false);
-    } else {
-        const int64_t clear_ticks = ((int64_t)config->home_speed_ticks_per_s / 20) + 2;
-        const int64_t way_ticks =
-            magnitude((int64_t)self->encoder.position_ticks - (int64_t)self->switch_ticks);
-        if (way_ticks >= clear_ticks) {
-            notes = dispatch(self, config, AXIS_EVENT_CLEAR_OF_SWITCH, false);
-        }
+        break;
+    case HOMING_CLEAR:
+        notes = dispatch(self, config, AXIS_EVENT_CLEAR_OF_SWITCH, false);
+        break;
+    case HOMING_WRONG:
+        notes = fail(self, AXIS_NOTE_SWITCH_FAULT);
+        break;
+    case HOMING_NOTHING:
+    default:
+        break;
     }
     return notes;
 }
@@ -78,14 +89,13 @@ uint32_t axis_observe(axis_t *self, const axis_config_t *config, const card_repo
     if (axis_chart_check(&self->chart) != 0U) {
         notes |= AXIS_NOTE_CHART_REPAIRED;
     }
-    if (stall_watchdog_chart_check(&self->stall) != 0U) {
+    if (stall_watchdog_chart_check(&self->supervision.stall) != 0U) {
         /* Its safe state watches nothing: the axis must not be driven until it is enabled anew. */
-        tell(self, AXIS_EVENT_FAILED, false);
-        notes |= AXIS_NOTE_CHART_REPAIRED;
+        notes |= fail(self, AXIS_NOTE_CHART_REPAIRED);
     }
     if (encoder_step(&self->encoder, config, report)) {
-        tell(self, AXIS_EVENT_FAILED, false);
-        notes |= AXIS_NOTE_ENCODER_FAULT;
+        notes |= fail(self, AXIS_NOTE_ENCODER_FAULT);
+        homing_forget(&self->homing);
     }
     if (report != NULL) {
         self->limit_switches =
@@ -99,7 +109,7 @@ void axis_enable(axis_t *self, bool is_fault_present)
 {
     tell(self, AXIS_EVENT_ENABLE, is_fault_present);
     if (axis_is_enabled(self)) {
-        (void)stall_watchdog_chart_dispatch(&self->stall, STALL_WATCHDOG_EVENT_RESET);
+        supervision_reset(&self->supervision);
     }
 }
 
@@ -123,7 +133,7 @@ uint32_t axis_begin_homing(axis_t *self, const axis_config_t *config)
     if (axis_is_homed(self) || axis_is_homing(self)) {
         return 0U;
     }
-    self->homing_us = 0U;
+    homing_begin(&self->homing, self->encoder.position_ticks);
     const bool has_switch = config->home_method == (uint8_t)HOME_BY_SWITCH;
     return dispatch(self, config, has_switch ? AXIS_EVENT_HOME : AXIS_EVENT_HOME_IN_PLACE, false);
 }
@@ -133,7 +143,7 @@ card_drive_t axis_rest(axis_t *self, uint32_t elapsed_us)
     const card_drive_t off = {.mode = (uint32_t)CARD_DRIVE_OFF, .direction = 0U, .duty = 0U};
     self->setpoint_ticks = self->encoder.position_ticks;
     self->setpoint_speed_ticks_per_s_q8 = 0;
-    self->home_reference = (uint32_t)AXIS_REFERENCE_UNHOMED;
+    homing_rest(&self->homing);
     servo_rest(&self->servo, elapsed_us);
     return off;
 }
@@ -147,119 +157,32 @@ card_drive_t axis_follow(axis_t *self, const axis_config_t *config, int32_t setp
                       elapsed_us);
 }
 
-/* Homing speed wanted in the present state, signed. */
-static int32_t home_speed_wanted_q8(const axis_t *self, const axis_config_t *config)
-{
-    int32_t speed_q8 = 256 * config->home_speed_ticks_per_s;
-    if (config->limit_switch != (uint8_t)LIMIT_SWITCH_UPPER) {
-        speed_q8 = -speed_q8;
-    }
-    if (self->chart.reference == AXIS_REFERENCE_BACK_OFF) {
-        speed_q8 = -speed_q8 / 2;
-    } else if (self->chart.reference == AXIS_REFERENCE_LATCH) {
-        speed_q8 = speed_q8 / 4;
-    } else {
-        /* Fast approach. */
-    }
-    return speed_q8;
-}
-
-static int32_t ramp_towards(int32_t speed_q8, int32_t wanted_q8, int32_t step_q8)
-{
-    int32_t next_q8 = wanted_q8;
-    if ((wanted_q8 - speed_q8) > step_q8) {
-        next_q8 = speed_q8 + step_q8;
-    } else if ((speed_q8 - wanted_q8) > step_q8) {
-        next_q8 = speed_q8 - step_q8;
-    } else {
-        /* The wanted speed is within one step. */
-    }
-    return next_q8;
-}
-
 card_drive_t axis_home(axis_t *self, const axis_config_t *config, uint32_t elapsed_us)
 {
-    if (self->home_reference != (uint32_t)self->chart.reference) {
-        self->home_reference = (uint32_t)self->chart.reference;
-        self->home_setpoint_q8 = (int64_t)self->encoder.position_ticks * 256;
-        self->home_speed_ticks_per_s_q8 = 0;
-    }
-    const int32_t wanted_q8 = home_speed_wanted_q8(self, config);
-    const int32_t step_q8 = (config->acceleration_ticks_per_s2 * 256) / CYCLES_PER_S;
-    const int32_t speed_q8 = ramp_towards(self->home_speed_ticks_per_s_q8, wanted_q8, step_q8);
-    self->home_speed_ticks_per_s_q8 = speed_q8;
-    self->home_setpoint_q8 += (int64_t)speed_q8 / CYCLES_PER_S;
-    return axis_follow(self, config, fixed_saturate(self->home_setpoint_q8 / 256), speed_q8,
-                       elapsed_us);
-}
-
-static uint32_t as_flag(bool value)
-{
-    return value ? 1U : 0U;
-}
-
-/* Progress counts in the direction in which the motor is driven; a set-point may be overtaken for a
- * while. */
-static bool is_progressing(axis_t *self, const axis_config_t *config)
-{
-    const card_drive_t driven = {.mode = 0U, .direction = self->servo.direction, .duty = 0U};
-    const bool is_upwards = servo_is_upwards(config, &driven);
-    int64_t way = (int64_t)self->encoder.position_ticks - (int64_t)self->progress_mark_ticks;
-    way = is_upwards ? way : -way;
-    const uint32_t direction = as_flag(is_upwards);
-    const bool has_turned = direction != self->is_progress_upwards;
-    self->is_progress_upwards = direction;
-    return has_turned || (way >= (int64_t)LIMIT_STALL_PROGRESS_TICKS);
-}
-
-static uint32_t watch_stall(axis_t *self, const axis_config_t *config, bool is_pushing,
-                            uint32_t elapsed_us)
-{
-    const uint32_t actions = stall_watchdog_chart_advance(&self->stall, elapsed_us);
-    if ((actions & STALL_WATCHDOG_ACTION_REPORT_STALL) != 0U) {
-        tell(self, AXIS_EVENT_FAILED, false);
-        return AXIS_NOTE_STALLED;
-    }
-    if (!is_pushing) {
-        (void)stall_watchdog_chart_dispatch(&self->stall, STALL_WATCHDOG_EVENT_NOT_DRIVEN);
-        self->progress_mark_ticks = self->encoder.position_ticks;
-        return 0U;
-    }
-    if (is_progressing(self, config)) {
-        (void)stall_watchdog_chart_dispatch(&self->stall, STALL_WATCHDOG_EVENT_PROGRESS);
-        self->progress_mark_ticks = self->encoder.position_ticks;
-    }
-    (void)stall_watchdog_chart_dispatch(&self->stall, STALL_WATCHDOG_EVENT_DRIVEN);
-    return 0U;
-}
-
-static uint32_t watch_homing(axis_t *self, bool is_driven, uint32_t elapsed_us)
-{
-    if (!is_driven || !axis_is_homing(self)) {
-        return 0U;
-    }
-    self->homing_us += elapsed_us;
-    if (self->homing_us < LIMIT_HOME_TIMEOUT_US) {
-        return 0U;
-    }
-    tell(self, AXIS_EVENT_FAILED, false);
-    return AXIS_NOTE_HOME_TIMEOUT;
+    homing_step(&self->homing, config, self->chart.reference, self->encoder.position_ticks);
+    return axis_follow(self, config, fixed_saturate(self->homing.setpoint_q8 / 256),
+                       self->homing.speed_ticks_per_s_q8, elapsed_us);
 }
 
 uint32_t axis_supervise(axis_t *self, const axis_config_t *config, bool is_driven,
                         uint32_t elapsed_us)
 {
+    const axis_reference_t leg = self->chart.reference;
+    const card_drive_t asked = {.mode = 0U, .direction = self->servo.direction, .duty = 0U};
+    const supervision_view_t view = {.position_ticks = self->encoder.position_ticks,
+                                     .setpoint_ticks = self->setpoint_ticks,
+                                     .is_driven = is_driven,
+                                     .is_upwards = servo_is_upwards(config, &asked),
+                                     .elapsed_us = elapsed_us};
     (void)axis_chart_advance(&self->chart, elapsed_us);
-    const int64_t distance = magnitude((int64_t)error_ticks(self));
-    const bool is_pushing = is_driven && (distance >= (int64_t)LIMIT_STALL_PROGRESS_TICKS) &&
-                            (distance > (int64_t)config->deadband_ticks);
-    uint32_t notes = watch_stall(self, config, is_pushing, elapsed_us);
-    notes |= watch_homing(self, is_driven, elapsed_us);
-    if (is_driven && (distance > (int64_t)config->following_error_ticks)) {
-        tell(self, AXIS_EVENT_FAILED, false);
-        notes |= AXIS_NOTE_FOLLOWING_ERROR;
+    uint32_t found = supervision_step(&self->supervision, config, &view);
+    if (homing_is_too_long(&self->homing, config, leg, is_driven, elapsed_us)) {
+        found |= AXIS_NOTE_HOME_TIMEOUT;
     }
-    return notes;
+    if (homing_is_too_far(&self->homing, config, leg, view.position_ticks)) {
+        found |= AXIS_NOTE_SWITCH_FAULT;
+    }
+    return fail(self, found);
 }
 
 bool axis_is_enabled(const axis_t *self)

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * One robot axis: its encoder, its enabling and homing (statecharts/axis.scxml), its stall watchdog
- * (statecharts/stall_watchdog.scxml) and its servo. Each cycle: axis_observe(), then one of
- * axis_rest(), axis_follow(), axis_home() for a drive request, then axis_supervise() with what the
- * permit made of it.
+ * One robot axis: its encoder, its enabling and homing (statecharts/axis.scxml), its supervision
+ * and its servo. Each cycle: axis_observe(), then one of axis_rest(), axis_follow(), axis_home()
+ * for a drive request, then axis_supervise() with what the permit made of it.
  */
 #ifndef BORESIGHT_AXIS_H
 #define BORESIGHT_AXIS_H
@@ -12,38 +11,24 @@
 #include "axis_chart.h"
 #include "card_frame.h"
 #include "encoder.h"
+#include "homing.h"
 #include "robot.h"
 #include "servo.h"
-#include "stall_watchdog_chart.h"
+#include "supervision.h"
 
 #include <stdbool.h>
 #include <stdint.h>
-
-/** What happened in a cycle; bits of the notes that axis_observe() and axis_supervise() return. All
- * but AXIS_NOTE_HOMED are faults: the axis is not homed any more. */
-#define AXIS_NOTE_ENCODER_FAULT 0x01U
-#define AXIS_NOTE_HOMED 0x02U
-#define AXIS_NOTE_STALLED 0x04U
-#define AXIS_NOTE_FOLLOWING_ERROR 0x08U
-#define AXIS_NOTE_HOME_TIMEOUT 0x10U
-#define AXIS_NOTE_CHART_REPAIRED 0x20U
 
 typedef struct {
     encoder_t encoder;
     servo_t servo;
     axis_chart_t chart;
-    stall_watchdog_chart_t stall;
-    int64_t home_setpoint_q8; /**< Set-point of homing, ticks. */
-    int32_t home_speed_ticks_per_s_q8;
+    homing_t homing;
+    supervision_t supervision;
     int32_t home_correction_ticks; /**< Shift of the position at the last homing. */
-    int32_t switch_ticks;          /**< Position at which the switch was last seen active. */
     int32_t setpoint_ticks;
     int32_t setpoint_speed_ticks_per_s_q8;
-    int32_t progress_mark_ticks; /**< Position at the last progress towards the set-point. */
-    uint32_t homing_us;          /**< Driven time of this homing. */
-    uint32_t limit_switches;     /**< CARD_LIMIT_ bits of the last report. */
-    uint32_t home_reference; /**< State of the reference region that the homing ramp belongs to. */
-    uint32_t is_progress_upwards;
+    uint32_t limit_switches; /**< CARD_LIMIT_ bits of the last report. */
 } axis_t;
 
 /** Starts disabled and not homed. */
@@ -89,15 +74,10 @@ card_drive_t axis_follow(axis_t *self, const axis_config_t *config, int32_t setp
 card_drive_t axis_home(axis_t *self, const axis_config_t *config, uint32_t elapsed_us);
 
 /**
- * Stall, following error and homing time. `is_driven`: the permit allowed the axis and a motion
- * runs.
+ * The checks of supervision and homing. `is_driven`: the permit allowed the axis and a motion runs.
  *
  * @return AXIS_NOTE_ bits
  *
- * @satisfies SWR-STALL-001
- * @satisfies SWR-STALL-002
- * @satisfies SWR-AXIS-003
- * @satisfies SWR-AXIS-009
  * @satisfies SWR-AXIS-012
  */
 uint32_t axis_supervise(axis_t *self, const axis_config_t *config, bool is_driven,

@@ -32,33 +32,63 @@ static void observe_link(controller_t *self, const cycle_t *cycle, uint32_t inde
     }
 }
 
+/* What an event says of its axis, besides its name. */
+static int32_t detail(const axis_t *axis, event_id_t id)
+{
+    int32_t value = 0;
+    switch ((uint32_t)id) {
+    case (uint32_t)EVENT_AXIS_HOMED:
+        value = axis->home_correction_ticks;
+        break;
+    case (uint32_t)EVENT_AXIS_ENCODER_FAULT:
+        value = axis->encoder.jump_ticks;
+        break;
+    case (uint32_t)EVENT_AXIS_STALLED:
+        value = axis->encoder.position_ticks;
+        break;
+    case (uint32_t)EVENT_AXIS_FOLLOWING_ERROR:
+        value = axis->setpoint_ticks - axis->encoder.position_ticks;
+        break;
+    case (uint32_t)EVENT_AXIS_SWITCH_FAULT:
+        value = axis->encoder.position_ticks - axis->homing.start_ticks;
+        break;
+    case (uint32_t)EVENT_AXIS_WRONG_WAY:
+        value = axis->supervision.backwards_ticks;
+        break;
+    default:
+        value = 0;
+        break;
+    }
+    return value;
+}
+
 static void note_axis(controller_t *self, const cycle_t *cycle, uint32_t index, uint32_t notes)
 {
-    const axis_t *const axis = &self->axes[index];
+    static const struct {
+        uint32_t note;
+        event_id_t event;
+    } events[] = {{AXIS_NOTE_CHART_REPAIRED, EVENT_CHART_REPAIRED},
+                  {AXIS_NOTE_HOMED, EVENT_AXIS_HOMED},
+                  {AXIS_NOTE_ENCODER_FAULT, EVENT_AXIS_ENCODER_FAULT},
+                  {AXIS_NOTE_STALLED, EVENT_AXIS_STALLED},
+                  {AXIS_NOTE_FOLLOWING_ERROR, EVENT_AXIS_FOLLOWING_ERROR},
+                  {AXIS_NOTE_HOME_TIMEOUT, EVENT_AXIS_HOME_TIMEOUT},
+                  {AXIS_NOTE_SWITCH_FAULT, EVENT_AXIS_SWITCH_FAULT},
+                  {AXIS_NOTE_WRONG_WAY, EVENT_AXIS_WRONG_WAY}};
     if ((notes & AXIS_NOTE_CHART_REPAIRED) != 0U) {
         controller_note(self, cycle, EVENT_CHART_REPAIRED, (uint32_t)EVENT_CHART_AXIS,
                         (int32_t)index);
     }
-    if ((notes & AXIS_NOTE_HOMED) != 0U) {
-        controller_note(self, cycle, EVENT_AXIS_HOMED, index, axis->home_correction_ticks);
-    }
-    if ((notes & AXIS_NOTE_ENCODER_FAULT) != 0U) {
-        controller_note(self, cycle, EVENT_AXIS_ENCODER_FAULT, index, axis->encoder.jump_ticks);
-    }
-    if ((notes & AXIS_NOTE_STALLED) != 0U) {
-        controller_note(self, cycle, EVENT_AXIS_STALLED, index, axis->encoder.position_ticks);
-    }
-    if ((notes & AXIS_NOTE_FOLLOWING_ERROR) != 0U) {
-        controller_note(self, cycle, EVENT_AXIS_FOLLOWING_ERROR, index,
-                        axis->setpoint_ticks - axis->encoder.position_ticks);
-    }
-    if ((notes & AXIS_NOTE_HOME_TIMEOUT) != 0U) {
-        controller_note(self, cycle, EVENT_AXIS_HOME_TIMEOUT, index, 0);
+    for (uint32_t i = 0U; i < (sizeof events / sizeof events[0]); i++) {
+        if ((notes & events[i].note) != 0U) {
+            controller_note(self, cycle, events[i].event, index,
+                            detail(&self->axes[index], events[i].event));
+        }
     }
     if ((notes & ~AXIS_NOTE_HOMED) != 0U) {
         plan_forget_target(&self->plan);
     }
-    if (axis_is_faulty(axis)) {
+    if (axis_is_faulty(&self->axes[index])) {
         controller_tell_order(self, cycle, WORKPHASES_EVENT_FAULT, STATUS_FAULT_PRESENT);
     }
 }

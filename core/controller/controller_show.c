@@ -71,7 +71,7 @@ static void show_axis(const controller_t *self, const cycle_t *cycle, uint32_t i
     snapshot_axis_t *const shown = &cycle->outputs->snapshot.axes[index];
     shown->power = (uint32_t)axis->chart.power;
     shown->reference = (uint32_t)axis->chart.reference;
-    shown->stall = (uint32_t)axis->stall.state;
+    shown->stall = (uint32_t)axis->supervision.stall.state;
     shown->permit_reasons = self->permit_reasons[index];
     shown->permit_since_cycle = self->permit_since_cycle[index];
     shown->speed_cap_percent = self->permit_speed_cap_percent[index];

@@ -52,8 +52,11 @@ typedef enum {
     EVENT_OVERRUN = 24,      /**< The loop was late, interval in us (value), stage (subject). */
     EVENT_LOOP_STOPPED = 25, /**< Late too often in a row. */
     EVENT_CHART_REPAIRED =
-        26,            /**< A chart's state was damaged; chart (subject) went to its safe state. */
-    EVENT_SCANNER = 27 /**< The scanner started (value 1) or ended (0) acquiring. */
+        26,             /**< A chart's state was damaged; chart (subject) went to its safe state. */
+    EVENT_SCANNER = 27, /**< The scanner started (value 1) or ended (0) acquiring. */
+    EVENT_AXIS_SWITCH_FAULT =
+        28, /**< Axis (subject) homed (value, ticks) and its switch had no edge where it must be. */
+    EVENT_AXIS_WRONG_WAY = 29 /**< Axis (subject) went (value, ticks) against its drive. */
 } event_id_t;
 
 typedef struct {

@@ -9,6 +9,11 @@ module Robot
     UNITS = %w[ticks_per_mm ticks_per_rad].freeze
     DUTIES = %w[minimum_duty maximum_duty].freeze
     LARGEST_DUTY = 0x1FFFF
+    SWITCH = { 'over_travel_ticks' => (0..10_000), 'switch_hysteresis_ticks' => (1..10_000),
+               'home_time_ms' => (1000..600_000) }.freeze
+    # What homing may go away from its switch beyond over-travel and hysteresis, and the needle in all.
+    HOME_MARGIN = { true => Rational('0.1'), false => Rational('0.005236') }.freeze # 0.1 mm or 0.3 degrees
+    LARGEST_NEEDLE_WAY_MM = Rational('0.2')
     POSITION = (-1_000_000..1_000_000)
     SPEED = (1..1_000_000)
     WHOLE = {
@@ -24,12 +29,13 @@ module Robot
 
     def initialize(node)
       @node = node
-      @nodes = node.mapping(['name', *WHOLE.keys, *CHOICES.keys], UNITS + DUTIES)
+      @nodes = node.mapping(['name', *WHOLE.keys, *CHOICES.keys], UNITS + DUTIES + SWITCH.keys)
       @values = { 'name' => @nodes['name'].name }
       WHOLE.each { |key, range| @values[key] = @nodes[key].integer(range) }
       CHOICES.each { |key, values| @values[key] = @nodes[key].choice(values) }
       read_unit
       read_duties
+      read_group(SWITCH, self['limit_switch'] != 'none', 'an axis without a switch')
       check
     end
 
@@ -54,7 +60,20 @@ module Robot
       ticks / self['ticks_per_unit']
     end
 
+    # The farthest that homing goes away from the switch.
+    def home_way_ticks
+      return 0 if self['limit_switch'] == 'none'
+
+      margin = (HOME_MARGIN[linear?] * self['ticks_per_unit']).ceil
+      way = self['over_travel_ticks'] + self['switch_hysteresis_ticks'] + margin
+      needle? ? [way, (LARGEST_NEEDLE_WAY_MM * self['ticks_per_unit']).floor].min : way
+    end
+
     private
+
+    def needle?
+      self['name'] == 'insertion'
+    end
 
     def read_unit
       given = UNITS & @nodes.keys
@@ -63,12 +82,17 @@ module Robot
       @values['ticks_per_unit'] = @nodes[given.first].decimal(1..100_000)
     end
 
-    def read_duties
-      DUTIES.each do |key|
-        refuse(key, 'does not belong to a non_pwm card; expected none') if @nodes.key?(key) && !pwm?
-        @node.refuse("has no #{key}; expected 1 to #{LARGEST_DUTY}") if !@nodes.key?(key) && pwm?
-        @values[key] = pwm? ? @nodes[key].integer(1..LARGEST_DUTY) : 0
+    # Keys that belong to some axes only; 0 for the others.
+    def read_group(ranges, is_wanted, other)
+      ranges.each do |key, range|
+        refuse(key, "does not belong to #{other}; expected none") if @nodes.key?(key) && !is_wanted
+        @node.refuse("has no #{key}; expected #{range.begin} to #{range.end}") if !@nodes.key?(key) && is_wanted
+        @values[key] = is_wanted ? @nodes[key].integer(range) : 0
       end
+    end
+
+    def read_duties
+      read_group(DUTIES.to_h { |key| [key, 1..LARGEST_DUTY] }, pwm?, 'a non_pwm card')
       below('minimum_duty', 'maximum_duty') if pwm?
     end
 

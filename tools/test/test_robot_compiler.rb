@@ -167,6 +167,21 @@ class TestRobotCompiler < Minitest::Test
                    at: 'minimum_duty: 131071')
   end
 
+  def test_SWR_ROBOT_001_data_of_a_switch_belong_to_axes_with_one
+    assert_refused(with('    jump_ticks: 40', "    jump_ticks: 40\n    home_time_ms: 5000", axis: 'feet'),
+                   'axes[1].home_time_ms: does not belong to an axis without a switch; expected none',
+                   at: 'home_time_ms: 5000', axis: 'feet')
+    assert_refused(with("    over_travel_ticks: 60\n", '', axis: 'yaw'),
+                   'axes[6]: has no over_travel_ticks; expected 0 to 10000', axis: 'yaw', at: 'name: yaw')
+  end
+
+  def test_SWR_AXIS_013_homing_goes_away_over_travel_hysteresis_and_a_little_more_but_the_needle_a_fifth_of_a_millimetre
+    ways = compile(TEXT).last.scan(/home_way_ticks = (\d+)/).flatten.map(&:to_i)
+    assert_equal [60 + 8 + 8, 0, 60 + 5 + 5, 666, 0, 60 + 6 + 5, 60 + 6 + 5], ways
+    small = with('switch_hysteresis_ticks: 334', 'switch_hysteresis_ticks: 100')
+    assert_includes compile(small).last, ".home_way_ticks = #{60 + 100 + 334},"
+  end
+
   def test_SWR_ROBOT_001_limits_that_cross_are_refused
     assert_refused(with('minimum_ticks: -370', 'minimum_ticks: 516'),
                    'axes[5].minimum_ticks: is 516; expected less than maximum_ticks (516)', at: 'minimum_ticks: 516')

@@ -29,6 +29,7 @@ TEST_SOURCE_FILE("encoder.c")
 TEST_SOURCE_FILE("estop_latch.c")
 TEST_SOURCE_FILE("estop_latch_chart.c")
 TEST_SOURCE_FILE("fixed.c")
+TEST_SOURCE_FILE("homing.c")
 TEST_SOURCE_FILE("link.c")
 TEST_SOURCE_FILE("loop_guard.c")
 TEST_SOURCE_FILE("loop_guard_chart.c")
@@ -48,6 +49,7 @@ TEST_SOURCE_FILE("sim_motor.c")
 TEST_SOURCE_FILE("sim_switch.c")
 TEST_SOURCE_FILE("speed_cap.c")
 TEST_SOURCE_FILE("stall_watchdog_chart.c")
+TEST_SOURCE_FILE("supervision.c")
 TEST_SOURCE_FILE("workphase.c")
 TEST_SOURCE_FILE("workphases_chart.c")
 
@@ -367,7 +369,8 @@ void test_SWR_AXIS_003_driven_time_of_homing_is_bounded(void)
     (void)rig_workphase(&rig, WORKPHASE_START_UP);
     rig_press(&rig);
     rig_cycles(&rig, 100U);
-    rig.controller.axes[AXIS_INSERTION].homing_us = LIMIT_HOME_TIMEOUT_US - 500U;
+    rig.controller.axes[AXIS_INSERTION].homing.leg_us =
+        robot_neuro.axes[AXIS_INSERTION].home_time_us - 500U;
     rig_cycles(&rig, 2U);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_HOME_TIMEOUT));
     TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, rig.outputs.snapshot.axes[AXIS_INSERTION].power);

@@ -30,6 +30,7 @@ TEST_SOURCE_FILE("encoder.c")
 TEST_SOURCE_FILE("estop_latch.c")
 TEST_SOURCE_FILE("estop_latch_chart.c")
 TEST_SOURCE_FILE("fixed.c")
+TEST_SOURCE_FILE("homing.c")
 TEST_SOURCE_FILE("link.c")
 TEST_SOURCE_FILE("loop_guard.c")
 TEST_SOURCE_FILE("loop_guard_chart.c")
@@ -49,6 +50,7 @@ TEST_SOURCE_FILE("sim_motor.c")
 TEST_SOURCE_FILE("sim_switch.c")
 TEST_SOURCE_FILE("speed_cap.c")
 TEST_SOURCE_FILE("stall_watchdog_chart.c")
+TEST_SOURCE_FILE("supervision.c")
 TEST_SOURCE_FILE("workphase.c")
 TEST_SOURCE_FILE("workphases_chart.c")
 
@@ -402,6 +404,119 @@ void test_SWR_AXIS_003_homing_that_finds_no_switch_gives_up(void)
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 31000U).kind);
     TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNHOMED,
                              rig.outputs.snapshot.axes[AXIS_INSERTION].reference);
+}
+
+/* START_UP with the pedal held, until it ends. @return the farthest forward way of the needle */
+static double needle_way_in_start_up(answer_kind_t expected)
+{
+    const double *const needle = &rig.box.axes[AXIS_INSERTION].motor.position_ticks;
+    const double start = *needle;
+    double most = 0.0;
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    rig_box(&rig, "pedal press");
+    const uint32_t before = rig.answer_count;
+    while (rig.answer_count == before) {
+        rig_cycle(&rig);
+        most = ((*needle - start) > most) ? (*needle - start) : most;
+        TEST_ASSERT_LESS_THAN_UINT32(200000U, rig.controller.cycle);
+    }
+    TEST_ASSERT_EQUAL_UINT32(expected, rig.answers[before % RIG_ANSWERS].kind);
+    rig_release(&rig);
+    return most;
+}
+
+#define NEEDLE_WAY_TICKS 667.0 /* 0.2 mm */
+
+/* The needle stands at 18 mm and its card was lost. */
+static void lose_deep_needle(void)
+{
+    rig_start_homed(&rig);
+    rig.box.axes[AXIS_INSERTION].motor.position_ticks = 60000.0;
+    rig.box.axes[AXIS_INSERTION].encoder.state = 60000;
+    rig_box(&rig, "card insertion silent");
+    rig_cycles(&rig, 20U);
+    rig_box(&rig, "card insertion normal");
+    rig_cycles(&rig, 20U);
+    rig_forget(&rig);
+}
+
+void test_SWR_AXIS_013_a_switch_that_stays_active_drives_no_needle_forwards(void)
+{
+    lose_deep_needle();
+    rig_box(&rig, "switch insertion stuck");
+    const double way = needle_way_in_start_up(ANSWER_ABORTED);
+    TEST_ASSERT_TRUE(way <= NEEDLE_WAY_TICKS + 5.0);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_SWITCH_FAULT));
+    expect_nothing_known(AXIS_INSERTION);
+    TEST_ASSERT_TRUE(needle_way_in_start_up(ANSWER_ABORTED) <= 5.0);
+}
+
+void test_SWR_AXIS_013_a_reversed_switch_drives_no_needle_forwards(void)
+{
+    lose_deep_needle();
+    rig_box(&rig, "switch insertion reversed");
+    TEST_ASSERT_TRUE(needle_way_in_start_up(ANSWER_ABORTED) <= NEEDLE_WAY_TICKS + 5.0);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_SWITCH_FAULT));
+}
+
+void test_SWR_AXIS_014_a_chattering_switch_homes_nowhere(void)
+{
+    for (uint32_t seed = 1U; seed <= 50U; seed++) {
+        lose_deep_needle();
+        rig.box.axes[AXIS_INSERTION].limit_switch.random.state = seed;
+        rig_box(&rig, "switch insertion chatter");
+        TEST_ASSERT_TRUE(needle_way_in_start_up(ANSWER_ABORTED) <= NEEDLE_WAY_TICKS + 5.0);
+        TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_SWITCH_FAULT));
+    }
+}
+
+void test_SWR_AXIS_003_a_switch_that_never_acts_ends_in_a_stall_at_the_stop(void)
+{
+    rig_start(&rig);
+    rig_box(&rig, "switch insertion open");
+    (void)needle_way_in_start_up(ANSWER_ABORTED);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_STALLED));
+}
+
+void test_SWR_AXIS_015_a_reversed_encoder_is_found_in_the_first_leg_of_homing(void)
+{
+    static const char *const reversed[] = {"encoder head reversed", "encoder lateral reversed",
+                                           "encoder insertion reversed", "encoder pitch reversed",
+                                           "encoder yaw reversed"};
+    for (uint32_t i = 0U; i < (sizeof reversed / sizeof reversed[0]); i++) {
+        rig_start(&rig);
+        rig_box(&rig, reversed[i]);
+        (void)rig_workphase(&rig, WORKPHASE_START_UP);
+        rig_press(&rig);
+        TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 40000U).kind);
+        TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_WRONG_WAY));
+    }
+}
+
+void test_SWR_AXIS_013_every_axis_homes_from_both_ends(void)
+{
+    double true_ticks[ROBOT_AXIS_COUNT];
+    for (uint32_t end = 0U; end < 2U; end++) {
+        rig_start(&rig);
+        for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+            sim_motor_t *const motor = &rig.box.axes[i].motor;
+            if (robot_neuro.axes[i].limit_switch != (uint8_t)LIMIT_SWITCH_NONE) {
+                motor->position_ticks = (end == 0U) ? motor->lowest_ticks : motor->highest_ticks;
+                rig.box.axes[i].encoder.state = (int32_t)motor->position_ticks;
+            }
+        }
+        rig_cycles(&rig, 20U);
+        (void)rig_workphase(&rig, WORKPHASE_START_UP);
+        rig_press(&rig);
+        TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 200000U).kind);
+        box_true_positions(&rig.box, true_ticks);
+        for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+            if (robot_neuro.axes[i].limit_switch != (uint8_t)LIMIT_SWITCH_NONE) {
+                TEST_ASSERT_DOUBLE_WITHIN(20.0, (double)position(i), true_ticks[i]);
+            }
+        }
+        rig_release(&rig);
+    }
 }
 
 void test_SWR_PERMIT_004_the_axes_rest_while_the_scanner_acquires(void)

@@ -12,10 +12,12 @@
 #include "crc.h"
 #include "encoder.h"
 #include "fixed.h"
+#include "homing.h"
 #include "requirement_limits.h"
 #include "robot.h"
 #include "servo.h"
 #include "stall_watchdog_chart.h"
+#include "supervision.h"
 
 #include <stddef.h>
 #include <string.h>
@@ -25,6 +27,7 @@ TEST_SOURCE_FILE("robot_neuro.c")
 #define CYCLE_US 1000U
 #define STALL_CYCLES (LIMIT_STALL_TIME_US / CYCLE_US)
 #define PROGRESS ((int32_t)LIMIT_STALL_PROGRESS_TICKS)
+#define WRONG_WAY ((int32_t)LIMIT_WRONG_WAY_TICKS)
 #define ABOVE 100
 #define BELOW (-100)
 
@@ -208,58 +211,154 @@ void test_SWR_AXIS_002_the_position_at_the_second_edge_is_the_home_position(void
     TEST_ASSERT_EQUAL_INT32(config->home_ticks - 3, axis.encoder.position_ticks);
 }
 
-void test_SWR_AXIS_002_an_axis_that_stands_on_its_switch_backs_off_first(void)
+/* The place so many ticks away from the switch. */
+static int32_t away(int32_t ticks)
+{
+    return (config->limit_switch == (uint8_t)LIMIT_SWITCH_UPPER) ? -ticks : ticks;
+}
+
+/* Free for so far, the axis turns. */
+#define CLEAR 3
+
+/* Approaches the switch at 0 and backs off until the axis turns. */
+static void home_until_latch(void)
+{
+    begin_homing();
+    (void)observe_switch(true);
+    (void)observe_switch(false);
+    move_to(away(config->switch_hysteresis_ticks + CLEAR));
+    TEST_ASSERT_EQUAL(AXIS_REFERENCE_LATCH, reference());
+}
+
+void test_SWR_AXIS_014_an_axis_that_stands_on_its_switch_leaves_it_and_approaches_it(void)
 {
     (void)observe_switch(true);
     begin_homing();
+    TEST_ASSERT_EQUAL(AXIS_REFERENCE_LEAVE, reference());
+    (void)observe_switch(false);
+    move_to(away(CLEAR - 1));
+    TEST_ASSERT_EQUAL(AXIS_REFERENCE_LEAVE, reference());
+    move_to(away(CLEAR));
+    TEST_ASSERT_EQUAL(AXIS_REFERENCE_APPROACH, reference());
+    (void)observe_switch(true);
     TEST_ASSERT_EQUAL(AXIS_REFERENCE_BACK_OFF, reference());
 }
 
-/* Way from the last place with the switch active at which the axis turns: a twentieth of a second
- * and two ticks. */
-static int32_t clear_ticks(void)
+static void expect_turn_beyond_the_hysteresis(void)
 {
-    return config->home_speed_ticks_per_s / 20 + 2;
+    begin_homing();
+    (void)observe_switch(true);
+    TEST_ASSERT_EQUAL(AXIS_REFERENCE_BACK_OFF, reference());
+    (void)observe_switch(false);
+    move_to(away(config->switch_hysteresis_ticks + CLEAR - 1));
+    TEST_ASSERT_EQUAL(AXIS_REFERENCE_BACK_OFF, reference());
+    move_to(away(config->switch_hysteresis_ticks + CLEAR));
+    TEST_ASSERT_EQUAL(AXIS_REFERENCE_LATCH, reference());
 }
 
 void test_SWR_AXIS_002_the_axis_backs_off_until_it_is_well_clear_of_the_switch(void)
 {
-    (void)observe_switch(true);
-    begin_homing();
-    (void)observe_switch(false);
-    move_to(1 - clear_ticks());
-    TEST_ASSERT_EQUAL(AXIS_REFERENCE_BACK_OFF, reference());
-    move_to(-clear_ticks());
-    TEST_ASSERT_EQUAL(AXIS_REFERENCE_LATCH, reference());
-}
-
-void test_SWR_AXIS_002_an_axis_with_a_lower_switch_backs_off_upwards(void)
-{
+    expect_turn_beyond_the_hysteresis();
     use(with_lower_switch);
-    (void)observe_switch(true);
-    begin_homing();
-    (void)observe_switch(false);
-    move_to(clear_ticks() - 1);
-    TEST_ASSERT_EQUAL(AXIS_REFERENCE_BACK_OFF, reference());
-    move_to(clear_ticks());
-    TEST_ASSERT_EQUAL(AXIS_REFERENCE_LATCH, reference());
+    expect_turn_beyond_the_hysteresis();
 }
 
 void test_SWR_AXIS_002_an_axis_that_stays_on_its_switch_does_not_turn(void)
 {
     (void)observe_switch(true);
     begin_homing();
-    move_to(-300);
-    TEST_ASSERT_EQUAL(AXIS_REFERENCE_BACK_OFF, reference());
+    move_to(away(60));
+    TEST_ASSERT_EQUAL(AXIS_REFERENCE_LEAVE, reference());
+}
+
+void test_SWR_AXIS_014_an_edge_elsewhere_than_the_first_one_is_a_fault(void)
+{
+    const int32_t spread = config->home_speed_ticks_per_s / 100 + 2;
+
+    home_until_latch();
+    move_to(away(spread));
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_HOMED, observe_switch(true));
+    use(with_upper_switch);
+    home_until_latch();
+    move_to(away(spread + 1));
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_SWITCH_FAULT, observe_switch(true));
+    TEST_ASSERT_TRUE(axis_is_faulty(&axis));
+    TEST_ASSERT_FALSE(axis_is_homed(&axis));
+}
+
+/* Notes of a cycle of homing that nothing else can end. */
+static uint32_t homing_cycle(bool is_driven, uint32_t elapsed_us)
+{
+    (void)axis_rest(&axis, CYCLE_US);
+    return axis_supervise(&axis, config, is_driven, elapsed_us);
+}
+
+static void expect_end_at(int32_t last_ticks, int32_t beyond_ticks)
+{
+    move_to(last_ticks);
+    TEST_ASSERT_EQUAL_HEX32(0U, homing_cycle(false, CYCLE_US));
+    move_to(beyond_ticks);
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_SWITCH_FAULT, homing_cycle(false, CYCLE_US));
+    TEST_ASSERT_TRUE(axis_is_faulty(&axis));
+    TEST_ASSERT_FALSE(axis_is_homing(&axis));
+}
+
+void test_SWR_AXIS_014_a_second_edge_that_does_not_come_is_a_fault(void)
+{
+    const int32_t spread = config->home_speed_ticks_per_s / 100 + 2;
+
+    home_until_latch();
+    expect_end_at(away(-spread), away(-spread - 1));
+}
+
+static void expect_bounded_leaving(void)
+{
+    (void)observe_switch(true);
+    begin_homing();
+    expect_end_at(away(config->home_way_ticks), away(config->home_way_ticks + 1));
+}
+
+void test_SWR_AXIS_013_an_axis_whose_switch_stays_active_leaves_it_no_farther_than_it_can_be(void)
+{
+    expect_bounded_leaving();
+    use(with_lower_switch);
+    expect_bounded_leaving();
+    TEST_ASSERT_LESS_OR_EQUAL_INT32(667, config->home_way_ticks);
+}
+
+void test_SWR_AXIS_013_a_new_attempt_does_not_give_the_way_anew(void)
+{
+    use(with_lower_switch);
+    expect_bounded_leaving();
+    axis_enable(&axis, false);
+    begin_homing();
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_SWITCH_FAULT, homing_cycle(false, CYCLE_US));
+}
+
+void test_SWR_AXIS_013_once_homed_the_way_is_whole_again(void)
+{
+    home_until_latch();
+    move_to(0);
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_HOMED, observe_switch(true));
+    axis_lose_reference(&axis);
+    move_to(config->minimum_ticks);
+    begin_homing();
+    TEST_ASSERT_EQUAL_HEX32(0U, homing_cycle(false, CYCLE_US));
+}
+
+void test_SWR_AXIS_013_the_approach_goes_no_farther_than_the_travel(void)
+{
+    const int32_t travel = config->maximum_ticks - config->minimum_ticks;
+    const int32_t most = travel + travel / 32 + config->home_way_ticks;
+
+    begin_homing();
+    expect_end_at(away(-most), away(-most - 1));
 }
 
 void test_SWR_AXIS_002_the_switch_of_a_homed_axis_does_not_set_its_position(void)
 {
-    use(with_upper_switch);
-    (void)observe_switch(true);
-    begin_homing();
-    (void)observe_switch(false);
-    move_to(-clear_ticks());
+    home_until_latch();
+    move_to(0);
     (void)observe_switch(true);
     TEST_ASSERT_TRUE(axis_is_homed(&axis));
     (void)observe_switch(false);
@@ -291,10 +390,10 @@ void test_SWR_AXIS_002_the_home_of_an_axis_without_switch_is_not_taken_twice(voi
 void test_SWR_AXIS_002_homing_in_progress_is_not_begun_again(void)
 {
     begin_homing();
-    axis.homing_us = 5U;
+    axis.homing.leg_us = 5U;
     (void)observe_switch(true);
     TEST_ASSERT_EQUAL_HEX32(0U, axis_begin_homing(&axis, config));
-    TEST_ASSERT_EQUAL_UINT32(5U, axis.homing_us);
+    TEST_ASSERT_EQUAL_UINT32(5U, axis.homing.leg_us);
     TEST_ASSERT_EQUAL(AXIS_REFERENCE_BACK_OFF, reference());
 }
 
@@ -326,7 +425,7 @@ void test_SWR_AXIS_002_homing_is_fast_then_back_at_half_then_at_a_quarter_of_the
     (void)observe_switch(true);
     TEST_ASSERT_EQUAL_INT32(-config->home_speed_ticks_per_s / 2, home_speed());
     (void)observe_switch(false);
-    move_to(-clear_ticks());
+    move_to(away(config->switch_hysteresis_ticks + CLEAR));
     TEST_ASSERT_EQUAL_INT32(config->home_speed_ticks_per_s / 4, home_speed());
 }
 
@@ -338,7 +437,7 @@ void test_SWR_AXIS_002_homing_to_a_lower_switch_goes_down_up_and_down(void)
     (void)observe_switch(true);
     TEST_ASSERT_EQUAL_INT32(config->home_speed_ticks_per_s / 2, home_speed());
     (void)observe_switch(false);
-    move_to(clear_ticks());
+    move_to(away(config->switch_hysteresis_ticks + CLEAR));
     TEST_ASSERT_EQUAL_INT32(-config->home_speed_ticks_per_s / 4, home_speed());
 }
 
@@ -394,24 +493,17 @@ void test_SWR_AXIS_002_homing_taken_up_after_a_rest_starts_where_the_axis_is(voi
                             axis.setpoint_speed_ticks_per_s_q8);
 }
 
-/* Homing with the set-point at the position, so that nothing else can end it. */
-static uint32_t homing_cycle(bool is_driven, uint32_t elapsed_us)
-{
-    (void)axis_rest(&axis, CYCLE_US);
-    return axis_supervise(&axis, config, is_driven, elapsed_us);
-}
-
 void test_SWR_AXIS_003_homing_below_the_time_limit_goes_on(void)
 {
     begin_homing();
-    TEST_ASSERT_EQUAL_HEX32(0U, homing_cycle(true, LIMIT_HOME_TIMEOUT_US - 1U));
+    TEST_ASSERT_EQUAL_HEX32(0U, homing_cycle(true, config->home_time_us - 1U));
     TEST_ASSERT_TRUE(axis_is_homing(&axis));
 }
 
 void test_SWR_AXIS_003_homing_at_the_time_limit_is_a_fault(void)
 {
     begin_homing();
-    (void)homing_cycle(true, LIMIT_HOME_TIMEOUT_US - 1U);
+    (void)homing_cycle(true, config->home_time_us - 1U);
     TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_HOME_TIMEOUT, homing_cycle(true, 1U));
     TEST_ASSERT_TRUE(axis_is_faulty(&axis));
     TEST_ASSERT_FALSE(axis_is_homing(&axis));
@@ -421,25 +513,25 @@ void test_SWR_AXIS_003_homing_at_the_time_limit_is_a_fault(void)
 void test_SWR_AXIS_003_only_driven_time_counts(void)
 {
     begin_homing();
-    (void)homing_cycle(true, LIMIT_HOME_TIMEOUT_US - 1U);
-    TEST_ASSERT_EQUAL_HEX32(0U, homing_cycle(false, LIMIT_HOME_TIMEOUT_US));
+    (void)homing_cycle(true, config->home_time_us - 1U);
+    TEST_ASSERT_EQUAL_HEX32(0U, homing_cycle(false, config->home_time_us));
     TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_HOME_TIMEOUT, homing_cycle(true, 1U));
 }
 
 void test_SWR_AXIS_003_the_time_of_another_motion_does_not_count(void)
 {
-    TEST_ASSERT_EQUAL_HEX32(0U, homing_cycle(true, LIMIT_HOME_TIMEOUT_US));
+    TEST_ASSERT_EQUAL_HEX32(0U, homing_cycle(true, config->home_time_us));
     begin_homing();
-    TEST_ASSERT_EQUAL_HEX32(0U, homing_cycle(true, LIMIT_HOME_TIMEOUT_US - 1U));
+    TEST_ASSERT_EQUAL_HEX32(0U, homing_cycle(true, config->home_time_us - 1U));
 }
 
 void test_SWR_AXIS_003_a_new_homing_has_its_full_time(void)
 {
     begin_homing();
-    (void)homing_cycle(true, LIMIT_HOME_TIMEOUT_US - 1U);
+    (void)homing_cycle(true, config->home_time_us - 1U);
     axis_stop_homing(&axis);
     begin_homing();
-    TEST_ASSERT_EQUAL_HEX32(0U, homing_cycle(true, LIMIT_HOME_TIMEOUT_US - 1U));
+    TEST_ASSERT_EQUAL_HEX32(0U, homing_cycle(true, config->home_time_us - 1U));
 }
 
 static card_drive_t drive_up(void)
@@ -695,10 +787,9 @@ void test_SWR_STALL_001_progress_downwards_begins_the_time_anew(void)
 void test_SWR_STALL_001_moving_the_wrong_way_is_no_progress(void)
 {
     setpoint_ticks = ABOVE;
-    for (uint32_t i = 0U; i < STALL_CYCLES; i++) {
-        TEST_ASSERT_EQUAL_HEX32(0U, driven_cycle((i % 10U == 0U) ? -1 : 0));
-    }
-    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_STALLED, driven_cycle(0));
+    (void)push(1U);
+    TEST_ASSERT_EQUAL_HEX32(0U, driven_cycle(1 - WRONG_WAY));
+    expect_stall_after(STALL_CYCLES - 2U);
 }
 
 void test_SWR_STALL_001_trembling_is_no_net_progress(void)
@@ -706,7 +797,7 @@ void test_SWR_STALL_001_trembling_is_no_net_progress(void)
     setpoint_ticks = ABOVE;
     (void)push(1U);
     for (uint32_t i = 1U; i < STALL_CYCLES; i++) {
-        TEST_ASSERT_EQUAL_HEX32(0U, driven_cycle((i % 2U == 0U) ? 5 : -5));
+        TEST_ASSERT_EQUAL_HEX32(0U, driven_cycle((i % 2U == 0U) ? WRONG_WAY - 1 : 1 - WRONG_WAY));
     }
     TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_STALLED, driven_cycle(0));
 }
@@ -761,10 +852,32 @@ void test_SWR_STALL_001_a_stalled_axis_stays_disabled_until_it_is_enabled_anew(v
         TEST_ASSERT_FALSE(axis_is_enabled(&axis));
     }
     axis_enable(&axis, true);
-    TEST_ASSERT_EQUAL(STALL_WATCHDOG_STATE_STALLED, axis.stall.state);
+    TEST_ASSERT_EQUAL(STALL_WATCHDOG_STATE_STALLED, axis.supervision.stall.state);
     axis_enable(&axis, false);
-    TEST_ASSERT_EQUAL(STALL_WATCHDOG_STATE_IDLE, axis.stall.state);
+    TEST_ASSERT_EQUAL(STALL_WATCHDOG_STATE_IDLE, axis.supervision.stall.state);
     expect_stall_after(STALL_CYCLES);
+}
+
+void test_SWR_AXIS_015_an_axis_that_goes_against_its_drive_is_a_fault_at_the_limit(void)
+{
+    setpoint_ticks = ABOVE;
+    (void)push(1U);
+    TEST_ASSERT_EQUAL_HEX32(0U, driven_cycle(1 - WRONG_WAY));
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_WRONG_WAY, driven_cycle(-1));
+    TEST_ASSERT_EQUAL_INT32(WRONG_WAY, axis.supervision.backwards_ticks);
+    TEST_ASSERT_TRUE(axis_is_faulty(&axis));
+    use(inverted);
+    setpoint_ticks = BELOW;
+    (void)push(1U);
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_WRONG_WAY, driven_cycle(WRONG_WAY));
+}
+
+void test_SWR_AXIS_015_an_axis_that_is_not_driven_goes_no_wrong_way(void)
+{
+    setpoint_ticks = ABOVE;
+    (void)push(1U);
+    (void)observe_way(-WRONG_WAY);
+    TEST_ASSERT_EQUAL_HEX32(0U, axis_supervise(&axis, config, false, CYCLE_US));
 }
 
 void test_SWR_STALL_001_a_stall_ends_the_homing(void)
@@ -779,10 +892,10 @@ void test_SWR_STALL_002_one_cycle_without_drive_begins_the_time_anew(void)
 {
     setpoint_ticks = ABOVE;
     (void)push(STALL_CYCLES);
-    TEST_ASSERT_EQUAL_UINT32((STALL_CYCLES - 1U) * CYCLE_US, axis.stall.no_progress_us);
+    TEST_ASSERT_EQUAL_UINT32((STALL_CYCLES - 1U) * CYCLE_US, axis.supervision.stall.no_progress_us);
     (void)axis_rest(&axis, CYCLE_US);
     (void)axis_supervise(&axis, config, false, 0U);
-    TEST_ASSERT_EQUAL_UINT32(0U, axis.stall.no_progress_us);
+    TEST_ASSERT_EQUAL_UINT32(0U, axis.supervision.stall.no_progress_us);
     expect_stall_after(STALL_CYCLES);
 }
 
@@ -791,7 +904,7 @@ void test_SWR_STALL_002_time_without_drive_never_stalls(void)
     (void)axis_follow(&axis, config, ABOVE, 0, CYCLE_US);
     for (uint32_t i = 0U; i < 10U; i++) {
         TEST_ASSERT_EQUAL_HEX32(0U, axis_supervise(&axis, config, false, LIMIT_STALL_TIME_US));
-        TEST_ASSERT_EQUAL_UINT32(0U, axis.stall.no_progress_us);
+        TEST_ASSERT_EQUAL_UINT32(0U, axis.supervision.stall.no_progress_us);
     }
 }
 
@@ -843,7 +956,7 @@ void test_SWR_CORE_004_a_damaged_axis_chart_leads_to_a_fault_without_home(void)
 
 void test_SWR_CORE_004_an_axis_with_a_damaged_stall_watchdog_is_not_driven_on(void)
 {
-    axis.stall.state_inverse ^= 4U;
+    axis.supervision.stall.state_inverse ^= 4U;
     TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_CHART_REPAIRED, observe_way(0));
     TEST_ASSERT_TRUE(axis_is_faulty(&axis));
     TEST_ASSERT_EQUAL_HEX32(0U, observe_way(0));

@@ -371,6 +371,23 @@ void test_SWR_BOX_003_a_stuck_motor_stands_until_freed(void)
     TEST_ASSERT_TRUE(position_of(AXIS_YAW) < start - 20);
 }
 
+void test_SWR_BOX_003_switch_faults_obey(void)
+{
+    order("switch insertion stuck");
+    cycles(20U);
+    TEST_ASSERT_EQUAL_HEX32(CARD_LIMIT_LOWER, report_of(AXIS_INSERTION).limits);
+    order("switch 3 open");
+    cycles(20U);
+    TEST_ASSERT_EQUAL_HEX32(0U, report_of(AXIS_INSERTION).limits);
+    order("switch 3 reversed");
+    cycles(20U);
+    TEST_ASSERT_EQUAL_HEX32(CARD_LIMIT_LOWER, report_of(AXIS_INSERTION).limits);
+    order("switch 3 chatter");
+    order("switch 3 normal");
+    cycles(20U);
+    TEST_ASSERT_EQUAL_HEX32(0U, report_of(AXIS_INSERTION).limits);
+}
+
 void test_SWR_BOX_003_show_lists_inputs_and_every_axis(void)
 {
     drive(AXIS_HEAD, true);
@@ -411,6 +428,7 @@ void test_SWR_BOX_003_orders_that_are_unknown_change_nothing_and_are_told_the_kn
                                         "card 3",
                                         "encoder 3 up",
                                         "motor 3 fast",
+                                        "switch 3 loose",
                                         "show me",
                                         "card 3 silent now",
                                         "aVeryLongWordIndeed on"};

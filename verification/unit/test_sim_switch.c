@@ -108,3 +108,39 @@ void test_SWR_BOX_004_contacts_bounce_for_1_to_5_ms_and_change_at_once(void)
     }
     TEST_ASSERT_TRUE(changes_in_all > 200U);
 }
+
+void test_SWR_BOX_004_faults_of_a_switch_show_at_the_card(void)
+{
+    start(LIMIT_SWITCH_UPPER, 0.0, 1U);
+    limit_switch.fault = SIM_SWITCH_STUCK;
+    TEST_ASSERT_TRUE(settled_at(0.0));
+    limit_switch.fault = SIM_SWITCH_REVERSED;
+    TEST_ASSERT_TRUE(settled_at(0.0));
+    TEST_ASSERT_FALSE(settled_at(HOME));
+    limit_switch.fault = SIM_SWITCH_OPEN;
+    TEST_ASSERT_FALSE(settled_at(HOME));
+    limit_switch.fault = SIM_SWITCH_NORMAL;
+    TEST_ASSERT_TRUE(settled_at(HOME));
+}
+
+void test_SWR_BOX_004_a_loose_wire_changes_more_slowly_than_the_card_debounces(void)
+{
+    uint32_t since_us = 0U;
+    uint32_t changes = 0U;
+    bool before = false;
+
+    start(LIMIT_SWITCH_UPPER, 0.0, 1U);
+    limit_switch.fault = SIM_SWITCH_CHATTER;
+    for (uint32_t us = 0U; us < 1000000U; us += SIM_STEP_US) {
+        sim_switch_step(&limit_switch, 0.0);
+        since_us += SIM_STEP_US;
+        if (limit_switch.is_active != before) {
+            TEST_ASSERT_TRUE((changes == 0U) || (since_us >= SIM_SWITCH_CHATTER_MINIMUM_US));
+            TEST_ASSERT_TRUE(since_us <= SIM_SWITCH_CHATTER_MAXIMUM_US + SIM_STEP_US);
+            before = limit_switch.is_active;
+            since_us = 0U;
+            changes++;
+        }
+    }
+    TEST_ASSERT_TRUE(changes > 30U);
+}

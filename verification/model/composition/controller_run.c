@@ -111,7 +111,7 @@ static row_t row_of(uint32_t axis, uint32_t axes)
         add(&row, axis_number(&self->axes[(axis + i) % ROBOT_AXIS_COUNT].chart));
     }
     for (uint32_t i = 0U; i < axes; i++) {
-        add(&row, stall_watchdog_number(&self->axes[(axis + i) % ROBOT_AXIS_COUNT].stall));
+        add(&row, stall_watchdog_number(&self->axes[(axis + i) % ROBOT_AXIS_COUNT].supervision.stall));
     }
     add(&row, workphases_number(&self->workphases));
     add(&row, plan_of(&self->plan));

@@ -1,0 +1,170 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "homing.h"
+
+#include "requirement_limits.h"
+
+#define CYCLES_PER_S (INT32_C(1000000) / (int32_t)LIMIT_CYCLE_US)
+/* Free for so far, the switch has released. */
+#define CLEAR_TICKS INT64_C(3)
+
+/* Grows away from the switch. */
+static int64_t away(const axis_config_t *config, int32_t ticks)
+{
+    return (config->limit_switch == (uint8_t)LIMIT_SWITCH_UPPER) ? -(int64_t)ticks : (int64_t)ticks;
+}
+
+/* How far `to` is away from `from`. */
+static int64_t way(const axis_config_t *config, int32_t from, int32_t to)
+{
+    return away(config, to) - away(config, from);
+}
+
+/* Both edges are late by the debouncing, up to 10 ms, at different speeds. */
+static int64_t edge_spread_ticks(const axis_config_t *config)
+{
+    return ((int64_t)config->home_speed_ticks_per_s / 100) + 2;
+}
+
+static bool is_homing(axis_reference_t leg)
+{
+    return (leg != AXIS_REFERENCE_UNHOMED) && (leg != AXIS_REFERENCE_HOMED);
+}
+
+static bool is_leaving(axis_reference_t leg)
+{
+    return (leg == AXIS_REFERENCE_LEAVE) || (leg == AXIS_REFERENCE_BACK_OFF);
+}
+
+void homing_begin(homing_t *self, int32_t position_ticks)
+{
+    self->start_ticks = position_ticks;
+    self->leg_us = 0U;
+    if (self->has_nearest == 0U) {
+        self->has_nearest = 1U;
+        self->nearest_ticks = position_ticks;
+    }
+}
+
+void homing_forget(homing_t *self)
+{
+    self->has_nearest = 0U;
+}
+
+/* Backing off goes as far as a sound switch may hold on, so that one that flickers is seen to. */
+static bool is_clear(const homing_t *self, const axis_config_t *config, axis_reference_t leg,
+                     int32_t position_ticks)
+{
+    const int64_t held =
+        (leg == AXIS_REFERENCE_BACK_OFF) ? (int64_t)config->switch_hysteresis_ticks : INT64_C(0);
+    return (way(config, self->switch_ticks, position_ticks) >= CLEAR_TICKS) &&
+           (way(config, self->edge_ticks, position_ticks) >= (held + CLEAR_TICKS));
+}
+
+static homing_sight_t see_active(homing_t *self, const axis_config_t *config, axis_reference_t leg,
+                                 int32_t position_ticks)
+{
+    self->switch_ticks = position_ticks;
+    if ((leg == AXIS_REFERENCE_LATCH) &&
+        (way(config, self->edge_ticks, position_ticks) > edge_spread_ticks(config))) {
+        return HOMING_WRONG;
+    }
+    if (leg != AXIS_REFERENCE_BACK_OFF) {
+        self->edge_ticks = position_ticks;
+    }
+    return HOMING_SWITCH;
+}
+
+homing_sight_t homing_see(homing_t *self, const axis_config_t *config, axis_reference_t leg,
+                          int32_t position_ticks, bool is_switch_active)
+{
+    if (is_homing(leg) && (way(config, self->nearest_ticks, position_ticks) < 0)) {
+        self->nearest_ticks = position_ticks;
+    }
+    if (is_switch_active) {
+        return see_active(self, config, leg, position_ticks);
+    }
+    return is_clear(self, config, leg, position_ticks) ? HOMING_CLEAR : HOMING_NOTHING;
+}
+
+bool homing_is_too_far(const homing_t *self, const axis_config_t *config, axis_reference_t leg,
+                       int32_t position_ticks)
+{
+    const int64_t most = (int64_t)config->home_way_ticks;
+    const int64_t soft = (int64_t)config->maximum_ticks - (int64_t)config->minimum_ticks;
+    /* Its other stop lies a little beyond the soft limit. */
+    const int64_t travel = soft + (soft / 32);
+    bool is_far = false;
+    if (is_leaving(leg)) {
+        is_far = way(config, self->nearest_ticks, position_ticks) > most;
+    } else if (leg == AXIS_REFERENCE_APPROACH) {
+        is_far = way(config, position_ticks, self->start_ticks) > (travel + most);
+    } else if (leg == AXIS_REFERENCE_LATCH) {
+        is_far = way(config, position_ticks, self->edge_ticks) > edge_spread_ticks(config);
+    } else {
+        /* Not homing. */
+    }
+    return is_far;
+}
+
+bool homing_is_too_long(homing_t *self, const axis_config_t *config, axis_reference_t leg,
+                        bool is_driven, uint32_t elapsed_us)
+{
+    if (self->leg != (uint32_t)leg) {
+        self->leg = (uint32_t)leg;
+        self->leg_us = 0U;
+    }
+    if (!is_driven || !is_homing(leg)) {
+        return false;
+    }
+    self->leg_us += elapsed_us;
+    return self->leg_us >= config->home_time_us;
+}
+
+/* Speed wanted in a leg, signed. */
+static int32_t speed_wanted_q8(const axis_config_t *config, axis_reference_t leg)
+{
+    int32_t speed_q8 = 256 * config->home_speed_ticks_per_s;
+    if (config->limit_switch != (uint8_t)LIMIT_SWITCH_UPPER) {
+        speed_q8 = -speed_q8;
+    }
+    if (is_leaving(leg)) {
+        speed_q8 = -speed_q8 / 2;
+    } else if (leg == AXIS_REFERENCE_LATCH) {
+        speed_q8 = speed_q8 / 4;
+    } else {
+        /* Fast approach. */
+    }
+    return speed_q8;
+}
+
+static int32_t ramp_towards(int32_t speed_q8, int32_t wanted_q8, int32_t step_q8)
+{
+    int32_t next_q8 = wanted_q8;
+    if ((wanted_q8 - speed_q8) > step_q8) {
+        next_q8 = speed_q8 + step_q8;
+    } else if ((speed_q8 - wanted_q8) > step_q8) {
+        next_q8 = speed_q8 - step_q8;
+    } else {
+        /* The wanted speed is within one step. */
+    }
+    return next_q8;
+}
+
+void homing_step(homing_t *self, const axis_config_t *config, axis_reference_t leg,
+                 int32_t position_ticks)
+{
+    if (self->ramp != (uint32_t)leg) {
+        self->ramp = (uint32_t)leg;
+        self->setpoint_q8 = (int64_t)position_ticks * 256;
+        self->speed_ticks_per_s_q8 = 0;
+    }
+    const int32_t step_q8 = (config->acceleration_ticks_per_s2 * 256) / CYCLES_PER_S;
+    self->speed_ticks_per_s_q8 =
+        ramp_towards(self->speed_ticks_per_s_q8, speed_wanted_q8(config, leg), step_q8);
+    self->setpoint_q8 += (int64_t)self->speed_ticks_per_s_q8 / CYCLES_PER_S;
+}
+
+void homing_rest(homing_t *self)
+{
+    self->ramp = (uint32_t)AXIS_REFERENCE_UNHOMED;
+}

@@ -1,0 +1,81 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * The way of homing by switch: where the present leg goes, and where the edges of the switch must
+ * be. The legs are the states of homing in statecharts/axis.scxml: leave (the axis stands on its
+ * switch), approach, back_off, latch. The axis owns one. "Away" is the direction from the switch
+ * into the travel, for the needle forwards.
+ */
+#ifndef BORESIGHT_HOMING_H
+#define BORESIGHT_HOMING_H
+
+#include "axis_chart.h"
+#include "robot.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/** What a cycle of homing shows. */
+typedef enum {
+    HOMING_NOTHING = 0,
+    HOMING_SWITCH = 1, /**< The switch is active. */
+    HOMING_CLEAR = 2,  /**< The switch is free, and so far away that the axis may turn. */
+    HOMING_WRONG = 3   /**< The switch is active where it must be free. */
+} homing_sight_t;
+
+typedef struct {
+    int64_t setpoint_q8; /**< Ticks. */
+    int32_t speed_ticks_per_s_q8;
+    int32_t start_ticks; /**< Where this homing began. */
+    int32_t
+        nearest_ticks;  /**< Nearest place to the switch in all homing since the last reference. */
+    int32_t edge_ticks; /**< Where the approach met the switch. */
+    int32_t switch_ticks; /**< Where the switch was last seen active. */
+    uint32_t leg;         /**< axis_reference_t of the last cycle. */
+    uint32_t ramp;        /**< Leg that the speed belongs to; AXIS_REFERENCE_UNHOMED: none. */
+    uint32_t leg_us;      /**< Driven time of this leg. */
+    uint32_t has_nearest; /**< 0 or 1. */
+} homing_t;
+
+/** Homing begins at `position_ticks`. What earlier attempts used of the way is not given back. */
+void homing_begin(homing_t *self, int32_t position_ticks);
+
+/** The axis is homed, or its counts have broken: the next homing has its whole way. */
+void homing_forget(homing_t *self);
+
+/**
+ * Takes this cycle's position and switch in leg `leg`. In the latch leg the switch may become
+ * active only where the approach met it.
+ *
+ * @satisfies SWR-AXIS-014
+ */
+homing_sight_t homing_see(homing_t *self, const axis_config_t *config, axis_reference_t leg,
+                          int32_t position_ticks, bool is_switch_active);
+
+/**
+ * The leg has gone farther than the switch can be: away from it `home_way_ticks`, counted over all
+ * attempts; towards it the travel, a thirty-second of it and as much; at last beyond the place of
+ * the first edge.
+ *
+ * @satisfies SWR-AXIS-013
+ */
+bool homing_is_too_far(const homing_t *self, const axis_config_t *config, axis_reference_t leg,
+                       int32_t position_ticks);
+
+/**
+ * The leg was driven for `home_time_us`. To be called once a cycle.
+ *
+ * @satisfies SWR-AXIS-003
+ */
+bool homing_is_too_long(homing_t *self, const axis_config_t *config, axis_reference_t leg,
+                        bool is_driven, uint32_t elapsed_us);
+
+/** Advances set-point and speed of `leg` by one cycle; a new leg begins at the position, at rest.
+ */
+void homing_step(homing_t *self, const axis_config_t *config, axis_reference_t leg,
+                 int32_t position_ticks);
+
+/** Nothing is driven: the next homing_step() begins at the position, at rest. */
+void homing_rest(homing_t *self);
+
+#endif

@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Does the axis do what its drive should make it do? The checks of one axis in each cycle, one
+ * after the other. The axis owns one.
+ */
+#ifndef BORESIGHT_SUPERVISION_H
+#define BORESIGHT_SUPERVISION_H
+
+#include "robot.h"
+#include "stall_watchdog_chart.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/** Notes of an axis: what happened in a cycle. All but AXIS_NOTE_HOMED are faults: the axis is not
+ * homed any more. */
+#define AXIS_NOTE_HOMED 0x001U
+#define AXIS_NOTE_CHART_REPAIRED 0x002U
+#define AXIS_NOTE_ENCODER_FAULT 0x004U
+#define AXIS_NOTE_STALLED 0x008U
+#define AXIS_NOTE_FOLLOWING_ERROR 0x010U
+#define AXIS_NOTE_HOME_TIMEOUT 0x020U
+#define AXIS_NOTE_SWITCH_FAULT 0x040U
+#define AXIS_NOTE_WRONG_WAY 0x080U
+
+/** What a cycle shows of the axis. */
+typedef struct {
+    int32_t position_ticks;
+    int32_t setpoint_ticks;
+    bool is_driven;  /**< The permit allowed the axis and a motion runs. */
+    bool is_upwards; /**< Direction of the last drive that was asked for. */
+    uint32_t elapsed_us;
+} supervision_view_t;
+
+typedef struct {
+    stall_watchdog_chart_t stall;
+    int32_t mark_ticks; /**< Position at the last progress in the direction of the drive. */
+    uint32_t is_upwards;
+    int32_t backwards_ticks; /**< How far it has gone against its drive, for the record. */
+} supervision_t;
+
+void supervision_init(supervision_t *self);
+
+/** The axis was enabled anew. */
+void supervision_reset(supervision_t *self);
+
+/**
+ * One cycle.
+ *
+ * @return AXIS_NOTE_ bits of the checks that failed
+ *
+ * @satisfies SWR-STALL-001
+ * @satisfies SWR-STALL-002
+ * @satisfies SWR-AXIS-009
+ * @satisfies SWR-AXIS-015
+ */
+uint32_t supervision_step(supervision_t *self, const axis_config_t *config,
+                          const supervision_view_t *view);
+
+#endif
