@@ -61,6 +61,7 @@ void event_text_subject(const event_t *event, char *text, size_t size)
     case EVENT_AXIS_HOME_TIMEOUT:
     case EVENT_AXIS_SWITCH_FAULT:
     case EVENT_AXIS_WRONG_WAY:
+    case EVENT_AXIS_MOVED_OFF:
         (void)snprintf(text, size, "%s", axis_name(event->subject));
         break;
     case EVENT_CHART_REPAIRED:

@@ -26,7 +26,7 @@ static const char orders[] = "pedal press|release\n"
                              "estop pull|reset\n"
                              "card SLOT silent|corrupt|normal\n"
                              "encoder SLOT stuck|reversed|normal\n"
-                             "motor SLOT stuck|normal\n"
+                             "motor SLOT stuck|runs|normal\n"
                              "switch SLOT stuck|open|chatter|reversed|normal\n"
                              "scanner on|off\n"
                              "show\n";
@@ -133,10 +133,10 @@ static bool order_level(bool *level, const order_t *order, const char *on, const
     return true;
 }
 
-/* In the order of box_card_fault_t, sim_encoder_fault_t and sim_switch_fault_t. */
+/* In the order of the enumerations of these faults. */
 static const char *const card_words[] = {"normal", "silent", "corrupt", NULL};
 static const char *const encoder_words[] = {"normal", "stuck", "reversed", NULL};
-static const char *const motor_words[] = {"normal", "stuck", NULL};
+static const char *const motor_words[] = {"normal", "stuck", "runs", NULL};
 static const char *const switch_words[] = {"normal", "stuck", "open", "chatter", "reversed", NULL};
 
 /* Number of `word`, or -1. */
@@ -174,7 +174,7 @@ static bool order_axis(const order_t *order, box_axis_t *axis)
     } else if (words == encoder_words) {
         axis->encoder.fault = (sim_encoder_fault_t)fault;
     } else if (words == motor_words) {
-        axis->motor.is_blocked = fault != 0;
+        axis->motor.fault = (sim_motor_fault_t)fault;
     } else {
         axis->limit_switch.fault = (sim_switch_fault_t)fault;
     }
@@ -204,7 +204,7 @@ static void show_axis(const box_axis_t *axis, reply_t *reply)
         : axis->limit_switch.is_active                             ? "active"
                                                                    : "free",
         card_words[axis->card_fault], encoder_words[axis->encoder.fault],
-        axis->motor.is_blocked ? "stuck" : "normal", (unsigned)axis->card.watchdog_trips);
+        motor_words[axis->motor.fault], (unsigned)axis->card.watchdog_trips);
 }
 
 static void show(const box_t *self, reply_t *reply)

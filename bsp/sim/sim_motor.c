@@ -85,12 +85,15 @@ static double approach(double speed, double steady)
 
 void sim_motor_step(sim_motor_t *self, const card_drive_t *drive, bool is_powered)
 {
-    if (!is_powered || self->is_blocked || (drive->mode == (uint32_t)CARD_DRIVE_OFF)) {
+    const bool is_running =
+        (self->fault == SIM_MOTOR_RUNS) || (drive->mode != (uint32_t)CARD_DRIVE_OFF);
+    if (!is_powered || !is_running || (self->fault == SIM_MOTOR_STUCK)) {
         self->speed_ticks_per_s = 0.0;
         return;
     }
-    self->speed_ticks_per_s =
-        approach(self->speed_ticks_per_s, sim_motor_steady_speed(self, drive));
+    const double steady = (self->fault == SIM_MOTOR_RUNS) ? self->full_speed_ticks_per_s / 2.0
+                                                          : sim_motor_steady_speed(self, drive);
+    self->speed_ticks_per_s = approach(self->speed_ticks_per_s, steady);
     self->position_ticks += self->speed_ticks_per_s * STEP_S;
     if (self->position_ticks > self->highest_ticks) {
         self->position_ticks = self->highest_ticks;

@@ -18,6 +18,13 @@
 #define SIM_MOTOR_SLOWEST 0.1    /**< Share of full speed below which friction wins. */
 #define SIM_MOTOR_ASYMMETRY 0.03 /**< Largest difference of the two directions from full speed. */
 
+typedef enum {
+    SIM_MOTOR_NORMAL = 0,
+    SIM_MOTOR_STUCK = 1, /**< The shaft cannot turn. */
+    SIM_MOTOR_RUNS = 2   /**< A driver's transistor is shorted: upwards at half of full speed while
+                            there is a supply, whatever the card says. */
+} sim_motor_fault_t;
+
 /** State and constants of one motor; fields may be set by the box's fault orders. */
 typedef struct {
     double full_speed_ticks_per_s;
@@ -28,8 +35,8 @@ typedef struct {
     double lowest_ticks; /**< Hard stops. */
     double highest_ticks;
     double load; /**< Share 0..1 of the greatest torque that the load takes, in both directions. */
-    bool is_inverted;      /**< Direction bit 1 makes the position smaller. */
-    bool is_blocked;       /**< The shaft cannot turn. */
+    bool is_inverted; /**< Direction bit 1 makes the position smaller. */
+    sim_motor_fault_t fault;
     double position_ticks; /**< True position. */
     double speed_ticks_per_s;
 } sim_motor_t;

@@ -165,14 +165,18 @@ card_drive_t axis_home(axis_t *self, const axis_config_t *config, uint32_t elaps
 }
 
 uint32_t axis_supervise(axis_t *self, const axis_config_t *config, bool is_driven,
-                        uint32_t elapsed_us)
+                        const card_drive_t *sent, uint32_t elapsed_us)
 {
+    /* Before START_UP and after a fault nobody relies on where it is: hands may move it. */
+    const bool is_relied_on = axis_is_enabled(self) || axis_is_homed(self);
     const axis_reference_t leg = self->chart.reference;
     const card_drive_t asked = {.mode = 0U, .direction = self->servo.direction, .duty = 0U};
     const supervision_view_t view = {.position_ticks = self->encoder.position_ticks,
                                      .setpoint_ticks = self->setpoint_ticks,
                                      .is_driven = is_driven,
                                      .is_upwards = servo_is_upwards(config, &asked),
+                                     .is_off =
+                                         is_relied_on && (sent->mode == (uint32_t)CARD_DRIVE_OFF),
                                      .elapsed_us = elapsed_us};
     (void)axis_chart_advance(&self->chart, elapsed_us);
     uint32_t found = supervision_step(&self->supervision, config, &view);
@@ -183,6 +187,29 @@ uint32_t axis_supervise(axis_t *self, const axis_config_t *config, bool is_drive
         found |= AXIS_NOTE_SWITCH_FAULT;
     }
     return fail(self, found);
+}
+
+static int32_t reading_at(const axis_t *self, const axis_config_t *config, int64_t way_ticks)
+{
+    const uint32_t way = (uint32_t)way_ticks;
+    const uint32_t reading = (uint32_t)self->encoder.reading;
+    const uint32_t at = (config->is_encoder_inverted != 0U) ? (reading - way) : (reading + way);
+    return (at > (uint32_t)INT32_MAX) ? (int32_t)((int64_t)at - INT64_C(4294967296)) : (int32_t)at;
+}
+
+void axis_guard(const axis_t *self, const axis_config_t *config, bool is_driven,
+                int32_t *minimum_reading, int32_t *maximum_reading)
+{
+    int64_t below = -2 * (int64_t)supervision_rest_ticks(config);
+    int64_t above = -below;
+    if (is_driven) {
+        const int64_t way = (int64_t)error_ticks(self);
+        below += ((way < 0) ? way : 0) - (int64_t)config->following_error_ticks;
+        above += ((way > 0) ? way : 0) + (int64_t)config->following_error_ticks;
+    }
+    const bool is_inverted = config->is_encoder_inverted != 0U;
+    *minimum_reading = reading_at(self, config, is_inverted ? above : below);
+    *maximum_reading = reading_at(self, config, is_inverted ? below : above);
 }
 
 bool axis_is_enabled(const axis_t *self)

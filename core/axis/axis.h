@@ -75,13 +75,23 @@ card_drive_t axis_home(axis_t *self, const axis_config_t *config, uint32_t elaps
 
 /**
  * The checks of supervision and homing. `is_driven`: the permit allowed the axis and a motion runs.
+ * `sent`: what went to the card in the last cycle.
  *
  * @return AXIS_NOTE_ bits
  *
  * @satisfies SWR-AXIS-012
  */
 uint32_t axis_supervise(axis_t *self, const axis_config_t *config, bool is_driven,
-                        uint32_t elapsed_us);
+                        const card_drive_t *sent, uint32_t elapsed_us);
+
+/**
+ * The readings of the encoder between which the axis may be: about its position, and between
+ * position and set-point with their greatest distance while it is driven.
+ *
+ * @satisfies SWR-AXIS-017
+ */
+void axis_guard(const axis_t *self, const axis_config_t *config, bool is_driven,
+                int32_t *minimum_reading, int32_t *maximum_reading);
 
 bool axis_is_enabled(const axis_t *self);
 bool axis_is_faulty(const axis_t *self);

@@ -1,9 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "supervision.h"
 
+#include "fixed.h"
 #include "requirement_limits.h"
 
 #include <string.h>
+
+#define PLACE_US 100000U
+/* From the drive word to a motor at rest. */
+#define REST_US 10000U
 
 static int64_t error_ticks(const supervision_view_t *view)
 {
@@ -70,6 +75,59 @@ static bool is_backwards(supervision_t *self, const supervision_view_t *view)
     return is_wrong;
 }
 
+int32_t supervision_rest_ticks(const axis_config_t *config)
+{
+    const int64_t way = (config->unit == (uint8_t)AXIS_UNIT_MM) ? (int64_t)LIMIT_REST_WAY_NM
+                                                                : (int64_t)LIMIT_REST_WAY_BAM;
+    return fixed_saturate((way * 65536) / config->unit_per_tick_q16);
+}
+
+static void settle(supervision_t *self, const supervision_view_t *view)
+{
+    for (uint32_t i = 0U; i < SUPERVISION_PLACES; i++) {
+        self->places_ticks[i] = view->position_ticks;
+    }
+    self->place_us = 0U;
+}
+
+static void remember_place(supervision_t *self, const supervision_view_t *view)
+{
+    self->place_us += view->elapsed_us;
+    if (self->place_us >= PLACE_US) {
+        self->place_us = 0U;
+        self->place = (self->place + 1U) % SUPERVISION_PLACES;
+        self->places_ticks[self->place] = view->position_ticks;
+    }
+}
+
+/* From the place of the last second that is farthest from here. */
+static int32_t way_while_off(const supervision_t *self, const supervision_view_t *view)
+{
+    int64_t farthest = 0;
+    for (uint32_t i = 0U; i < SUPERVISION_PLACES; i++) {
+        const int64_t way = (int64_t)view->position_ticks - (int64_t)self->places_ticks[i];
+        if ((way > farthest) || (-way > farthest)) {
+            farthest = (way < 0) ? -way : way;
+        }
+    }
+    return fixed_saturate(farthest);
+}
+
+static bool is_moving_while_off(supervision_t *self, const axis_config_t *config,
+                                const supervision_view_t *view)
+{
+    const uint32_t more_us = view->is_off ? view->elapsed_us : 0U;
+    self->off_us = view->is_off ? self->off_us : 0U;
+    self->off_us += (self->off_us < REST_US) ? more_us : 0U;
+    if (self->off_us < REST_US) {
+        settle(self, view);
+        return false;
+    }
+    remember_place(self, view);
+    self->off_ticks = way_while_off(self, view);
+    return self->off_ticks > supervision_rest_ticks(config);
+}
+
 static uint32_t note(bool is_found, uint32_t name)
 {
     return is_found ? name : 0U;
@@ -93,5 +151,6 @@ uint32_t supervision_step(supervision_t *self, const axis_config_t *config,
     notes |= note(is_stalled(self, config, view), AXIS_NOTE_STALLED);
     notes |= note(is_astray(config, view), AXIS_NOTE_FOLLOWING_ERROR);
     notes |= note(is_backwards(self, view), AXIS_NOTE_WRONG_WAY);
+    notes |= note(is_moving_while_off(self, config, view), AXIS_NOTE_MOVED_OFF);
     return notes;
 }

@@ -23,6 +23,10 @@
 #define AXIS_NOTE_HOME_TIMEOUT 0x020U
 #define AXIS_NOTE_SWITCH_FAULT 0x040U
 #define AXIS_NOTE_WRONG_WAY 0x080U
+#define AXIS_NOTE_MOVED_OFF 0x100U
+
+/** Places that are remembered of an axis that is off: those of the last second. */
+#define SUPERVISION_PLACES 11U
 
 /** What a cycle shows of the axis. */
 typedef struct {
@@ -30,6 +34,7 @@ typedef struct {
     int32_t setpoint_ticks;
     bool is_driven;  /**< The permit allowed the axis and a motion runs. */
     bool is_upwards; /**< Direction of the last drive that was asked for. */
+    bool is_off;     /**< The card was told to be off, and the axis is to stay where it is. */
     uint32_t elapsed_us;
 } supervision_view_t;
 
@@ -38,9 +43,17 @@ typedef struct {
     int32_t mark_ticks; /**< Position at the last progress in the direction of the drive. */
     uint32_t is_upwards;
     int32_t backwards_ticks; /**< How far it has gone against its drive, for the record. */
+    int32_t places_ticks[SUPERVISION_PLACES]; /**< While off, one each tenth of a second. */
+    uint32_t place;                           /**< Index of the newest one. */
+    uint32_t place_us;                        /**< Its age. */
+    uint32_t off_us;                          /**< Off for so long, saturates. */
+    int32_t off_ticks;                        /**< Way while off, for the record. */
 } supervision_t;
 
 void supervision_init(supervision_t *self);
+
+/** The farthest that an axis may move while it is off. */
+int32_t supervision_rest_ticks(const axis_config_t *config);
 
 /** The axis was enabled anew. */
 void supervision_reset(supervision_t *self);
@@ -54,6 +67,7 @@ void supervision_reset(supervision_t *self);
  * @satisfies SWR-STALL-002
  * @satisfies SWR-AXIS-009
  * @satisfies SWR-AXIS-015
+ * @satisfies SWR-AXIS-016
  */
 uint32_t supervision_step(supervision_t *self, const axis_config_t *config,
                           const supervision_view_t *view);

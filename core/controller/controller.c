@@ -21,6 +21,7 @@ static event_severity_t severity(event_id_t id)
     case EVENT_AXIS_HOME_TIMEOUT:
     case EVENT_AXIS_SWITCH_FAULT:
     case EVENT_AXIS_WRONG_WAY:
+    case EVENT_AXIS_MOVED_OFF:
     case EVENT_LOOP_STOPPED:
     case EVENT_CHART_REPAIRED:
         result = EVENT_SEVERITY_CRITICAL;

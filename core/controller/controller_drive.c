@@ -64,7 +64,7 @@ static void send(controller_t *self, const cycle_t *cycle, uint32_t index, const
 {
     const axis_config_t *const config = &cycle->robot->axes[index];
     link_t *const link = &self->links[index];
-    const card_command_t command = {
+    card_command_t command = {
         .slot = link->slot,
         .sequence = self->sequence,
         .time_us = self->time_us,
@@ -74,10 +74,12 @@ static void send(controller_t *self, const cycle_t *cycle, uint32_t index, const
         .drive = permit_apply(permit, is_too_fast(self, cycle, index), request),
         .watchdog_us = LIMIT_CARD_WATCHDOG_US,
         .overspeed_ticks_per_s = (uint32_t)config->full_speed_ticks_per_s * 2U,
-        .guard_minimum_ticks = INT32_MIN,
-        .guard_maximum_ticks = INT32_MAX,
         .axis_id = index,
     };
+    if (link_is_usable(link)) {
+        axis_guard(&self->axes[index], config, permit->is_allowed, &command.guard_minimum_ticks,
+                   &command.guard_maximum_ticks);
+    }
     card_frame_encode_command(&command, cycle->outputs->frames[link->slot]);
     cycle->outputs->frames_to_send |= (uint32_t)1U << link->slot;
     link_note_sent(link, self->sequence, &command.drive);

@@ -55,6 +55,9 @@ static int32_t detail(const axis_t *axis, event_id_t id)
     case (uint32_t)EVENT_AXIS_WRONG_WAY:
         value = axis->supervision.backwards_ticks;
         break;
+    case (uint32_t)EVENT_AXIS_MOVED_OFF:
+        value = axis->supervision.off_ticks;
+        break;
     default:
         value = 0;
         break;
@@ -74,7 +77,8 @@ static void note_axis(controller_t *self, const cycle_t *cycle, uint32_t index, 
                   {AXIS_NOTE_FOLLOWING_ERROR, EVENT_AXIS_FOLLOWING_ERROR},
                   {AXIS_NOTE_HOME_TIMEOUT, EVENT_AXIS_HOME_TIMEOUT},
                   {AXIS_NOTE_SWITCH_FAULT, EVENT_AXIS_SWITCH_FAULT},
-                  {AXIS_NOTE_WRONG_WAY, EVENT_AXIS_WRONG_WAY}};
+                  {AXIS_NOTE_WRONG_WAY, EVENT_AXIS_WRONG_WAY},
+                  {AXIS_NOTE_MOVED_OFF, EVENT_AXIS_MOVED_OFF}};
     if ((notes & AXIS_NOTE_CHART_REPAIRED) != 0U) {
         controller_note(self, cycle, EVENT_CHART_REPAIRED, (uint32_t)EVENT_CHART_AXIS,
                         (int32_t)index);
@@ -100,7 +104,7 @@ static void observe_axis(controller_t *self, const cycle_t *cycle, uint32_t inde
     const card_report_t *const report = (link->is_fresh != 0U) ? &link->report : NULL;
     uint32_t notes = axis_observe(&self->axes[index], config, report);
     notes |= axis_supervise(&self->axes[index], config, self->is_driven[index] != 0U,
-                            cycle->inputs->elapsed_us);
+                            &self->drives[index], cycle->inputs->elapsed_us);
     note_axis(self, cycle, index, notes);
 }
 

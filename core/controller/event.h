@@ -56,7 +56,8 @@ typedef enum {
     EVENT_SCANNER = 27, /**< The scanner started (value 1) or ended (0) acquiring. */
     EVENT_AXIS_SWITCH_FAULT =
         28, /**< Axis (subject) homed (value, ticks) and its switch had no edge where it must be. */
-    EVENT_AXIS_WRONG_WAY = 29 /**< Axis (subject) went (value, ticks) against its drive. */
+    EVENT_AXIS_WRONG_WAY = 29, /**< Axis (subject) went (value, ticks) against its drive. */
+    EVENT_AXIS_MOVED_OFF = 30  /**< Axis (subject) moved (value, ticks) while its drive was off. */
 } event_id_t;
 
 typedef struct {

@@ -11,6 +11,7 @@
 #include "contract_trap.h"
 #include "controller.h"
 #include "permit.h"
+#include "requirement_limits.h"
 
 #include <string.h>
 
@@ -517,6 +518,71 @@ void test_SWR_AXIS_013_every_axis_homes_from_both_ends(void)
         }
         rig_release(&rig);
     }
+}
+
+/* Way of `axis` in 0.1 mm or 0.5 degrees. */
+static double rest_ways(uint32_t axis, double ticks)
+{
+    const axis_config_t *const config = &robot_neuro.axes[axis];
+    const bool is_mm = config->unit == (uint8_t)AXIS_UNIT_MM;
+    const double way = ticks * (double)config->unit_per_tick_q16 / 65536.0;
+    return way / (is_mm ? (double)LIMIT_REST_WAY_NM : (double)LIMIT_REST_WAY_BAM);
+}
+
+/* The motor of `axis` runs by itself. @return cycles from when it had moved too far to the fault */
+static uint32_t cycles_to_notice(uint32_t axis)
+{
+    const double *const at = &rig.box.axes[axis].motor.position_ticks;
+    const double start = *at;
+    uint32_t late = 0U;
+    rig.box.axes[axis].motor.fault = SIM_MOTOR_RUNS;
+    while (rig_count(&rig, EVENT_AXIS_MOVED_OFF) == 0U) {
+        rig_cycle(&rig);
+        late += (rest_ways(axis, *at - start) >= 1.0) ? 1U : 0U;
+        TEST_ASSERT_LESS_THAN_UINT32(200000U, rig.controller.cycle);
+    }
+    return late;
+}
+
+void test_SWR_AXIS_016_a_motor_that_runs_while_off_is_noticed_on_every_axis(void)
+{
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        rig_start_targeted(&rig);
+        TEST_ASSERT_LESS_OR_EQUAL_UINT32(LIMIT_REST_NOTICE_US / LIMIT_CYCLE_US,
+                                         cycles_to_notice(i));
+        expect_nothing_known(i);
+        TEST_ASSERT_EQUAL_HEX32(0U, rig_sent(&rig, i).control);
+    }
+}
+
+void test_SWR_AXIS_016_a_motor_that_runs_on_after_the_release_is_noticed(void)
+{
+    begin_move();
+    rig_release(&rig);
+    TEST_ASSERT_LESS_OR_EQUAL_UINT32(20U, cycles_to_notice(AXIS_FEET));
+    expect_nothing_known(AXIS_FEET);
+}
+
+void test_SWR_AXIS_017_a_card_that_is_told_nothing_more_switches_off_where_it_may_not_be(void)
+{
+    begin_move();
+    const card_command_t sent = rig_sent(&rig, AXIS_HEAD);
+    const uint32_t width = (uint32_t)sent.guard_maximum_ticks - (uint32_t)sent.guard_minimum_ticks;
+    const uint32_t most = 2U * (uint32_t)robot_neuro.axes[AXIS_HEAD].following_error_ticks;
+    TEST_ASSERT_LESS_THAN_UINT32(most + most, width);
+    rig_cycles(&rig, 5U);
+    rig.box.axes[AXIS_HEAD].encoder.count += most;
+    box_advance(&rig.box, 200U);
+    TEST_ASSERT_BITS_HIGH(CARD_STATUS_GUARD, rig.box.axes[AXIS_HEAD].card.faults);
+}
+
+void test_SWR_AXIS_017_a_lost_card_gets_no_guard(void)
+{
+    rig_start(&rig);
+    rig_box(&rig, "card head silent");
+    rig_cycles(&rig, 20U);
+    TEST_ASSERT_EQUAL_INT32(rig_sent(&rig, AXIS_HEAD).guard_minimum_ticks,
+                            rig_sent(&rig, AXIS_HEAD).guard_maximum_ticks);
 }
 
 void test_SWR_PERMIT_004_the_axes_rest_while_the_scanner_acquires(void)

@@ -80,11 +80,17 @@ static void use(const axis_config_t *which)
     setpoint_ticks = 0;
 }
 
+static uint32_t supervise(bool is_driven, uint32_t elapsed_us)
+{
+    const card_drive_t sent = {.mode = is_driven ? CARD_DRIVE_NON_PWM : CARD_DRIVE_OFF};
+    return axis_supervise(&axis, config, is_driven, &sent, elapsed_us);
+}
+
 /* One cycle in which the motor was driven towards the set-point and moved by `ticks`. */
 static uint32_t driven_cycle(int32_t ticks)
 {
     (void)axis_follow(&axis, config, setpoint_ticks, 0, CYCLE_US);
-    return observe_way(ticks) | axis_supervise(&axis, config, true, CYCLE_US);
+    return observe_way(ticks) | supervise(true, CYCLE_US);
 }
 
 /* Notes of `cycles` driven cycles without any movement. */
@@ -290,7 +296,7 @@ void test_SWR_AXIS_014_an_edge_elsewhere_than_the_first_one_is_a_fault(void)
 static uint32_t homing_cycle(bool is_driven, uint32_t elapsed_us)
 {
     (void)axis_rest(&axis, CYCLE_US);
-    return axis_supervise(&axis, config, is_driven, elapsed_us);
+    return supervise(is_driven, elapsed_us);
 }
 
 static void expect_end_at(int32_t last_ticks, int32_t beyond_ticks)
@@ -692,7 +698,7 @@ void test_SWR_AXIS_009_the_error_is_that_of_the_position_of_this_cycle(void)
 void test_SWR_AXIS_009_an_axis_that_is_not_driven_has_no_following_error(void)
 {
     (void)axis_follow(&axis, config, config->following_error_ticks + 1, 0, CYCLE_US);
-    TEST_ASSERT_EQUAL_HEX32(0U, axis_supervise(&axis, config, false, CYCLE_US));
+    TEST_ASSERT_EQUAL_HEX32(0U, supervise(false, CYCLE_US));
     TEST_ASSERT_TRUE(axis_is_enabled(&axis));
 }
 
@@ -848,7 +854,7 @@ void test_SWR_STALL_001_a_stalled_axis_stays_disabled_until_it_is_enabled_anew(v
     expect_stall_after(STALL_CYCLES);
     for (uint32_t i = 0U; i < 100U; i++) {
         (void)axis_rest(&axis, CYCLE_US);
-        TEST_ASSERT_EQUAL_HEX32(0U, axis_supervise(&axis, config, false, CYCLE_US));
+        TEST_ASSERT_EQUAL_HEX32(0U, supervise(false, CYCLE_US));
         TEST_ASSERT_FALSE(axis_is_enabled(&axis));
     }
     axis_enable(&axis, true);
@@ -877,7 +883,122 @@ void test_SWR_AXIS_015_an_axis_that_is_not_driven_goes_no_wrong_way(void)
     setpoint_ticks = ABOVE;
     (void)push(1U);
     (void)observe_way(-WRONG_WAY);
-    TEST_ASSERT_EQUAL_HEX32(0U, axis_supervise(&axis, config, false, CYCLE_US));
+    TEST_ASSERT_EQUAL_HEX32(0U, supervise(false, CYCLE_US));
+}
+
+/* A cycle with the drive off in which the axis moved by `ticks`. */
+static uint32_t off_cycle(int32_t ticks)
+{
+    (void)axis_rest(&axis, CYCLE_US);
+    return observe_way(ticks) | supervise(false, CYCLE_US);
+}
+
+static uint32_t off_cycles(uint32_t cycles)
+{
+    uint32_t notes = 0U;
+    for (uint32_t i = 0U; i < cycles; i++) {
+        notes |= off_cycle(0);
+    }
+    return notes;
+}
+
+void test_SWR_AXIS_016_an_axis_that_moves_while_off_is_a_fault_in_the_cycle_beyond_the_limit(void)
+{
+    const int32_t limits[ROBOT_AXIS_COUNT] = {7, 7, 4, 333, 11, 6, 6};
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        use(&robot_neuro.axes[i]);
+        TEST_ASSERT_EQUAL_HEX32(0U, off_cycles(20U));
+        TEST_ASSERT_EQUAL_HEX32(0U, off_cycle(limits[i]));
+        TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_MOVED_OFF, off_cycle(1));
+        TEST_ASSERT_EQUAL_INT32(limits[i] + 1, axis.supervision.off_ticks);
+        TEST_ASSERT_TRUE(axis_is_faulty(&axis));
+        TEST_ASSERT_EQUAL_HEX32(0U, off_cycle(5));
+    }
+}
+
+void test_SWR_AXIS_016_the_way_of_one_second_counts_in_both_directions(void)
+{
+    use(with_lower_switch);
+    (void)off_cycles(20U);
+    uint32_t notes = 0U;
+    for (uint32_t i = 0U; (i < 1000U) && (notes == 0U); i++) {
+        notes = off_cycle(((i % 3U) == 2U) ? -1 : 0);
+    }
+    TEST_ASSERT_EQUAL_HEX32(0U, notes);
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_MOVED_OFF, off_cycle(-1) | off_cycle(-1));
+}
+
+void test_SWR_AXIS_016_what_drifts_more_slowly_is_no_motion(void)
+{
+    use(with_upper_switch);
+    (void)off_cycles(20U);
+    for (uint32_t i = 0U; i < 100U; i++) {
+        TEST_ASSERT_EQUAL_HEX32(0U, off_cycles(250U));
+        TEST_ASSERT_EQUAL_HEX32(0U, off_cycle(1));
+    }
+}
+
+void test_SWR_AXIS_016_the_last_of_a_driven_motion_does_not_count(void)
+{
+    use(with_lower_switch);
+    setpoint_ticks = ABOVE;
+    (void)push(20U);
+    TEST_ASSERT_EQUAL_HEX32(0U, off_cycle(400));
+    TEST_ASSERT_EQUAL_HEX32(0U, off_cycles(2000U));
+}
+
+void test_SWR_AXIS_016_hands_may_move_an_axis_that_nobody_relies_on(void)
+{
+    axis_disable(&axis);
+    (void)off_cycles(20U);
+    TEST_ASSERT_EQUAL_HEX32(0U, off_cycle(40));
+    use(without_switch);
+    home_in_place();
+    axis_disable(&axis);
+    (void)off_cycles(20U);
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_MOVED_OFF, off_cycle(40));
+    TEST_ASSERT_FALSE(axis_is_homed(&axis));
+}
+
+static void expect_guard(bool is_driven, int32_t below, int32_t above)
+{
+    int32_t lowest = 0;
+    int32_t highest = 0;
+    axis_guard(&axis, config, is_driven, &lowest, &highest);
+    TEST_ASSERT_EQUAL_UINT32((uint32_t)axis.encoder.reading - (uint32_t)below, (uint32_t)lowest);
+    TEST_ASSERT_EQUAL_UINT32((uint32_t)axis.encoder.reading + (uint32_t)above, (uint32_t)highest);
+}
+
+void test_SWR_AXIS_017_the_guard_holds_position_and_set_point(void)
+{
+    use(with_lower_switch);
+    const int32_t rest = 2 * 333;
+    const int32_t driven = rest + config->following_error_ticks;
+
+    move_to(500);
+    expect_guard(false, rest, rest);
+    setpoint_ticks = 540;
+    (void)driven_cycle(0);
+    expect_guard(true, driven, driven + 40);
+    setpoint_ticks = 430;
+    (void)driven_cycle(0);
+    expect_guard(true, driven + 70, driven);
+}
+
+void test_SWR_AXIS_017_the_guard_of_an_inverted_encoder_is_that_of_its_readings(void)
+{
+    use(inverted);
+    const int32_t driven = 2 * 7 + config->following_error_ticks;
+    setpoint_ticks = 40;
+    (void)driven_cycle(0);
+    expect_guard(true, driven + 40, driven);
+}
+
+void test_SWR_AXIS_017_the_guard_stays_right_across_the_wrap_of_the_reading(void)
+{
+    use(with_lower_switch);
+    axis.encoder.reading = INT32_MAX;
+    expect_guard(false, 2 * 333, 2 * 333);
 }
 
 void test_SWR_STALL_001_a_stall_ends_the_homing(void)
@@ -894,7 +1015,7 @@ void test_SWR_STALL_002_one_cycle_without_drive_begins_the_time_anew(void)
     (void)push(STALL_CYCLES);
     TEST_ASSERT_EQUAL_UINT32((STALL_CYCLES - 1U) * CYCLE_US, axis.supervision.stall.no_progress_us);
     (void)axis_rest(&axis, CYCLE_US);
-    (void)axis_supervise(&axis, config, false, 0U);
+    (void)supervise(false, 0U);
     TEST_ASSERT_EQUAL_UINT32(0U, axis.supervision.stall.no_progress_us);
     expect_stall_after(STALL_CYCLES);
 }
@@ -903,7 +1024,7 @@ void test_SWR_STALL_002_time_without_drive_never_stalls(void)
 {
     (void)axis_follow(&axis, config, ABOVE, 0, CYCLE_US);
     for (uint32_t i = 0U; i < 10U; i++) {
-        TEST_ASSERT_EQUAL_HEX32(0U, axis_supervise(&axis, config, false, LIMIT_STALL_TIME_US));
+        TEST_ASSERT_EQUAL_HEX32(0U, supervise(false, LIMIT_STALL_TIME_US));
         TEST_ASSERT_EQUAL_UINT32(0U, axis.supervision.stall.no_progress_us);
     }
 }
@@ -914,7 +1035,7 @@ void test_SWR_STALL_002_what_moved_while_not_driven_is_no_progress(void)
     (void)push(10U);
     (void)axis_rest(&axis, CYCLE_US);
     (void)observe_way(-20);
-    (void)axis_supervise(&axis, config, false, CYCLE_US);
+    (void)supervise(false, CYCLE_US);
     (void)push(STALL_CYCLES - 1U);
     TEST_ASSERT_EQUAL_HEX32(0U, driven_cycle(PROGRESS));
     TEST_ASSERT_EQUAL_HEX32(0U, push(STALL_CYCLES - 1U));

@@ -168,9 +168,19 @@ void test_SWR_BOX_002_an_inverted_motor_turns_the_other_way(void)
 
 void test_SWR_BOX_002_a_blocked_motor_stands_still_while_driven(void)
 {
-    motor.is_blocked = true;
+    motor.fault = SIM_MOTOR_STUCK;
     drive_for(run_up, 100000U);
     TEST_ASSERT_TRUE(motor.position_ticks == 0.0);
+}
+
+void test_SWR_BOX_002_a_motor_with_a_shorted_driver_runs_without_being_asked(void)
+{
+    const card_drive_t off = {CARD_DRIVE_OFF, 0U, 0U};
+    motor.fault = SIM_MOTOR_RUNS;
+    drive_for(off, 200000U);
+    TEST_ASSERT_INT_WITHIN(FULL_SPEED / 100, FULL_SPEED / 2, speed());
+    sim_motor_step(&motor, &off, false);
+    TEST_ASSERT_EQUAL_INT(0, speed());
 }
 
 void test_SWR_BOX_002_a_driven_motor_ends_at_its_hard_stops(void)
