@@ -13,7 +13,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** Levels of the digital inputs, sampled once per cycle. */
+/** The digital inputs, sampled once per cycle. */
 typedef struct {
     bool pedal_a; /**< Channel A is closed (pressed). */
     bool pedal_b;
@@ -45,7 +45,13 @@ bool bsp_open(const char *name, char *error, uint32_t error_size);
 uint32_t bsp_exchange(uint32_t send, const uint8_t frames[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES],
                       uint8_t received[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES], uint32_t timeout_us);
 
-/** Samples the digital inputs. When the board does not answer: pedal released, e-stop open. */
+/**
+ * Samples the digital inputs: each as unsafe (pedal open, e-stop open, scanner active) as it was at
+ * any time since the sample before; the board latches pulses, however short. When the board does
+ * not answer: pedal released, e-stop open.
+ *
+ * @satisfies SWR-ESTOP-004
+ */
 bsp_inputs_t bsp_sample_inputs(void);
 
 /** How the time of bsp_now_ns() passes. */

@@ -43,6 +43,7 @@ void box_init(box_t *self, const robot_t *robot, uint32_t seed)
     (void)memset(self, 0, sizeof *self);
     self->robot = robot;
     self->random.state = seed;
+    self->estop.is_closed = true;
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
         init_axis(&self->axes[i], &robot->axes[i], i, &self->random);
     }
@@ -101,13 +102,27 @@ static void step_contact(box_contact_t *contact)
     }
 }
 
+static void latch(box_t *self)
+{
+    const bsp_inputs_t now = box_inputs(self);
+    bsp_inputs_t *const latched = &self->latched;
+
+    latched->pedal_a = latched->pedal_a && now.pedal_a;
+    latched->pedal_b = latched->pedal_b && now.pedal_b;
+    latched->estop_open = latched->estop_open || now.estop_open;
+    latched->scanner_active = latched->scanner_active || now.scanner_active;
+}
+
 static void step(box_t *self)
 {
+    latch(self);
     step_contact(&self->pedal_a);
     step_contact(&self->pedal_b);
+    step_contact(&self->estop);
     for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
         /* The pulled e-stop takes the drivers' supply away, whatever the cards say. */
-        step_axis(&self->axes[i], (uint32_t)self->time_us, !self->estop_open, self->scanner_active);
+        step_axis(&self->axes[i], (uint32_t)self->time_us, self->estop.is_closed,
+                  self->scanner_active);
     }
     self->time_us += SIM_STEP_US;
 }
@@ -126,8 +141,16 @@ bsp_inputs_t box_inputs(const box_t *self)
 {
     return (bsp_inputs_t){.pedal_a = self->pedal_a.is_closed,
                           .pedal_b = self->pedal_b.is_closed,
-                          .estop_open = self->estop_open,
+                          .estop_open = !self->estop.is_closed,
                           .scanner_active = self->scanner_active};
+}
+
+bsp_inputs_t box_sample(box_t *self)
+{
+    latch(self);
+    const bsp_inputs_t sample = self->latched;
+    self->latched = box_inputs(self);
+    return sample;
 }
 
 void box_true_positions(const box_t *self, double positions_ticks[ROBOT_AXIS_COUNT])

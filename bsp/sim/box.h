@@ -26,6 +26,7 @@
 
 #define BOX_PEDAL_CLOSE_SPREAD_US 4000U /**< `press`: channel A follows channel B. */
 #define BOX_PEDAL_OPEN_SPREAD_US 2000U  /**< `release`: channel B follows channel A. */
+#define BOX_PULSE_US 300U               /**< `pulse`: open for this time. */
 #define BOX_REPLY_SIZE 2048U            /**< Room for any reply. */
 
 typedef enum {
@@ -58,10 +59,11 @@ typedef struct {
     box_axis_t axes[ROBOT_AXIS_COUNT];
     box_contact_t pedal_a;
     box_contact_t pedal_b;
-    bool estop_open;
+    box_contact_t estop; /**< Closed: not pulled. */
     bool scanner_active;
-    uint64_t time_us;    /**< Whole steps done. */
-    uint32_t pending_us; /**< Time not yet stepped, below SIM_STEP_US. */
+    bsp_inputs_t latched; /**< The most unsafe levels since the last sample. */
+    uint64_t time_us;     /**< Whole steps done. */
+    uint32_t pending_us;  /**< Time not yet stepped, below SIM_STEP_US. */
 } box_t;
 
 /** Switches on a box with the axes of `robot`, which must outlive it; all axes off their home
@@ -83,6 +85,9 @@ void box_advance(box_t *self, uint32_t us);
 
 /** Levels of the digital inputs now. */
 bsp_inputs_t box_inputs(const box_t *self);
+
+/** The most unsafe levels since the last call: an opened contact is seen, however short. */
+bsp_inputs_t box_sample(box_t *self);
 
 /** True positions, in ticks, in axis order; entries beyond the robot's axes are 0. */
 void box_true_positions(const box_t *self, double positions_ticks[ROBOT_AXIS_COUNT]);

@@ -118,12 +118,14 @@ static bool ask_for_real_time(void)
 
 static void publish_inputs(wire_t *wire)
 {
-    const bsp_inputs_t inputs = box_inputs(&box);
+    const bsp_inputs_t inputs = box_sample(&box);
+    const uint32_t bits = (inputs.pedal_a ? WIRE_INPUT_PEDAL_A : 0U) |
+                          (inputs.pedal_b ? WIRE_INPUT_PEDAL_B : 0U) |
+                          (inputs.estop_open ? WIRE_INPUT_ESTOP_OPEN : 0U) |
+                          (inputs.scanner_active ? WIRE_INPUT_SCANNER : 0U);
 
-    wire_store(&wire->inputs, (inputs.pedal_a ? WIRE_INPUT_PEDAL_A : 0U) |
-                                  (inputs.pedal_b ? WIRE_INPUT_PEDAL_B : 0U) |
-                                  (inputs.estop_open ? WIRE_INPUT_ESTOP_OPEN : 0U) |
-                                  (inputs.scanner_active ? WIRE_INPUT_SCANNER : 0U));
+    wire_latch(&wire->latched, bits ^ WIRE_SAFE_INPUTS);
+    wire_store(&wire->inputs, bits);
     wire_store(&wire->beat, wire_load(&wire->beat) + 1U);
 }
 

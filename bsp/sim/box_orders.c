@@ -21,9 +21,9 @@ typedef struct {
     size_t length;
 } reply_t;
 
-static const char orders[] = "pedal press|release\n"
+static const char orders[] = "pedal press|release|pulse\n"
                              "pedal a|b open|close\n"
-                             "estop pull|reset\n"
+                             "estop pull|reset|pulse\n"
                              "card SLOT silent|corrupt|normal\n"
                              "encoder SLOT stuck|reversed|normal\n"
                              "motor SLOT stuck|runs|normal\n"
@@ -102,8 +102,22 @@ static box_axis_t *find_axis(box_t *self, const char *word)
     return NULL;
 }
 
+/* Opens `contact` for a moment; then it is as it was. */
+static void pulse(box_contact_t *contact)
+{
+    const bool was_closed = contact->is_closed;
+
+    box_contact_set(contact, false, 0U);
+    box_contact_set(contact, was_closed, BOX_PULSE_US);
+}
+
 static bool order_pedal(box_t *self, const order_t *order)
 {
+    if ((order->count == 2U) && is_word(order, 1U, "pulse")) {
+        pulse(&self->pedal_a);
+        pulse(&self->pedal_b);
+        return true;
+    }
     if (order->count == 2U) {
         const bool is_press = is_word(order, 1U, "press");
         if (!is_press && !is_word(order, 1U, "release")) {
@@ -120,6 +134,23 @@ static bool order_pedal(box_t *self, const order_t *order)
     }
     box_contact_set(is_a ? &self->pedal_a : &self->pedal_b, is_close, 0U);
     return true;
+}
+
+static bool order_estop(box_t *self, const order_t *order)
+{
+    if (order->count != 2U) {
+        return false;
+    }
+    if (is_word(order, 1U, "pulse")) {
+        pulse(&self->estop);
+        return true;
+    }
+    const bool is_pull = is_word(order, 1U, "pull");
+    if (is_pull || is_word(order, 1U, "reset")) {
+        box_contact_set(&self->estop, !is_pull, 0U);
+        return true;
+    }
+    return false;
 }
 
 static bool order_level(bool *level, const order_t *order, const char *on, const char *off)
@@ -211,7 +242,7 @@ static void show(const box_t *self, reply_t *reply)
 {
     say(reply, "%s, %.3f s: pedal a %s, pedal b %s, e-stop %s, scanner %s\n", self->robot->name,
         (double)self->time_us / 1e6, self->pedal_a.is_closed ? "closed" : "open",
-        self->pedal_b.is_closed ? "closed" : "open", self->estop_open ? "pulled" : "closed",
+        self->pedal_b.is_closed ? "closed" : "open", self->estop.is_closed ? "closed" : "pulled",
         self->scanner_active ? "on" : "off");
     say(reply, "%4s  %-10s %11s %-3s %11s  %-9s %-7s %-8s %-9s %-7s %5s\n", "slot", "axis",
         "position", "", "ticks", "drive", "switch", "card", "encoder", "motor", "trips");
@@ -241,7 +272,7 @@ static bool carry_out(box_t *self, const order_t *order)
         return order_pedal(self, order);
     }
     if (is_word(order, 0U, "estop")) {
-        return order_level(&self->estop_open, order, "pull", "reset");
+        return order_estop(self, order);
     }
     if (is_word(order, 0U, "scanner")) {
         return order_level(&self->scanner_active, order, "on", "off");

@@ -82,7 +82,9 @@ uint32_t bsp_exchange(uint32_t send, const uint8_t frames[ROBOT_SLOT_COUNT][CARD
 bsp_inputs_t bsp_sample_inputs(void)
 {
     const uint32_t beat = wire_load(&port.wire->beat);
-    const uint32_t inputs = wire_load(&port.wire->inputs);
+    const uint32_t unsafe =
+        (wire_load(&port.wire->inputs) ^ WIRE_SAFE_INPUTS) | wire_take(&port.wire->latched);
+    const uint32_t inputs = unsafe ^ WIRE_SAFE_INPUTS;
 
     /* Counted in samples, not in time: when the whole machine pauses, nothing grows old. */
     beat_age = (beat == last_beat) ? (beat_age + 1U) : 0U;

@@ -29,6 +29,16 @@ void wire_store(uint32_t *word, uint32_t value)
     __atomic_store_n(word, value, __ATOMIC_RELEASE);
 }
 
+void wire_latch(uint32_t *word, uint32_t bits)
+{
+    (void)__atomic_fetch_or(word, bits, __ATOMIC_SEQ_CST);
+}
+
+uint32_t wire_take(uint32_t *word)
+{
+    return __atomic_exchange_n(word, 0U, __ATOMIC_SEQ_CST);
+}
+
 uint64_t wire_load_time(const wire_t *wire)
 {
     return __atomic_load_n(&wire->time_us, __ATOMIC_ACQUIRE);

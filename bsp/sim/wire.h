@@ -23,6 +23,8 @@
 #define WIRE_INPUT_PEDAL_B 0x2U
 #define WIRE_INPUT_ESTOP_OPEN 0x4U
 #define WIRE_INPUT_SCANNER 0x8U
+#define WIRE_SAFE_INPUTS                                                                           \
+    (WIRE_INPUT_PEDAL_A | WIRE_INPUT_PEDAL_B) /**< The safe value of each bit. */
 
 /** The segment. Words that both sides touch are accessed by wire_load() and wire_store() only. */
 typedef struct {
@@ -34,6 +36,7 @@ typedef struct {
     uint32_t is_elastic; /**< bsp_time_t of the box: 0 or 1 */
     uint32_t slowness;   /**< and 1 .. LIMIT_BOX_SLOWEST. */
     uint32_t inputs;     /**< WIRE_INPUT_ bits. */
+    uint32_t latched;    /**< WIRE_INPUT_ bits that were unsafe since control took them. */
     uint32_t request;    /**< Number of the newest exchange asked for. */
     uint32_t reply;      /**< Number of the newest exchange answered; control sleeps on it. */
     uint32_t send;
@@ -76,6 +79,11 @@ void wire_close(wire_port_t *port, wire_end_t end);
 
 uint32_t wire_load(const uint32_t *word);
 void wire_store(uint32_t *word, uint32_t value);
+
+/** Sets `bits` of a word; takes all of them away. */
+void wire_latch(uint32_t *word, uint32_t bits);
+uint32_t wire_take(uint32_t *word);
+
 uint64_t wire_load_time(const wire_t *wire);
 void wire_store_time(wire_t *wire, uint64_t time_us);
 

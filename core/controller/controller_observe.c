@@ -173,7 +173,7 @@ static void observe_loop(controller_t *self, const cycle_t *cycle)
  * a motion. */
 static void observe_scanner(controller_t *self, const cycle_t *cycle)
 {
-    if ((cycle->inputs->scanner_active != 0U) && pedal_gate_is_open(&self->pedal)) {
+    if (cycle->inputs->scanner_active != 0U) {
         pedal_gate_renew(&self->pedal);
     }
     if (cycle->inputs->scanner_active != self->was_scanner_active) {

@@ -614,6 +614,50 @@ void test_SWR_PEDAL_003_after_a_scan_the_pedal_must_be_pressed_anew(void)
     TEST_ASSERT_TRUE(rig_is_driving(&rig));
 }
 
+void test_SWR_PEDAL_003_a_channel_that_closes_during_a_scan_needs_a_fresh_release(void)
+{
+    begin_move();
+    rig_release(&rig);
+    rig_box(&rig, "scanner on");
+    rig_cycles(&rig, 20U);
+    rig_box(&rig, "pedal a close");
+    rig_cycles(&rig, 20U);
+    rig_box(&rig, "scanner off");
+    rig_cycles(&rig, 5U);
+    rig_box(&rig, "pedal b close");
+    for (uint32_t i = 0U; i < 200U; i++) {
+        rig_cycle(&rig);
+        TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    }
+    rig_release(&rig);
+    rig_press(&rig);
+    rig_cycles(&rig, 300U);
+    TEST_ASSERT_TRUE(rig_is_driving(&rig));
+}
+
+void test_SWR_ESTOP_004_an_e_stop_pulse_shorter_than_a_cycle_stops_and_latches(void)
+{
+    begin_move();
+    rig_box(&rig, "estop pulse");
+    box_advance(&rig.box, 500U);
+    rig_cycles(&rig, 2U);
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_EMERGENCY, rig.outputs.snapshot.workphase);
+    rig_cycles(&rig, 2U);
+    TEST_ASSERT_EQUAL_UINT32(ESTOP_LATCH_STATE_LATCHED, rig.outputs.snapshot.estop);
+}
+
+void test_SWR_ESTOP_004_a_release_of_the_pedal_shorter_than_a_cycle_is_a_release(void)
+{
+    begin_move();
+    rig_forget(&rig);
+    rig_box(&rig, "pedal pulse");
+    box_advance(&rig.box, 500U);
+    rig_cycles(&rig, 4U);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_PEDAL_RELEASED));
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_PEDAL_PRESSED));
+}
+
 void test_SWR_PERMIT_003_each_axis_tells_its_reasons_and_since_when(void)
 {
     rig_start(&rig);

@@ -388,6 +388,27 @@ void test_SWR_BOX_003_switch_faults_obey(void)
     TEST_ASSERT_EQUAL_HEX32(0U, report_of(AXIS_INSERTION).limits);
 }
 
+void test_SWR_ESTOP_004_a_pulse_is_in_the_next_sample_only(void)
+{
+    order("pedal press");
+    box_advance(&box, 10000U);
+    (void)box_sample(&box);
+    order("estop pulse");
+    order("pedal pulse");
+    box_advance(&box, 1000U);
+    TEST_ASSERT_FALSE(box_inputs(&box).estop_open);
+    const bsp_inputs_t pulsed = box_sample(&box);
+    TEST_ASSERT_TRUE(pulsed.estop_open);
+    TEST_ASSERT_FALSE(pulsed.pedal_a);
+    TEST_ASSERT_FALSE(pulsed.pedal_b);
+    box_advance(&box, 1000U);
+    const bsp_inputs_t after = box_sample(&box);
+    TEST_ASSERT_FALSE(after.estop_open);
+    TEST_ASSERT_TRUE(after.pedal_a);
+    TEST_ASSERT_TRUE(after.pedal_b);
+    TEST_ASSERT_FALSE(after.scanner_active);
+}
+
 void test_SWR_BOX_003_show_lists_inputs_and_every_axis(void)
 {
     drive(AXIS_HEAD, true);

@@ -203,6 +203,19 @@ void test_SWR_ESTOP_001_inputs_are_read_while_the_box_lives(void)
     bsp_close();
 }
 
+void test_SWR_ESTOP_004_what_was_unsafe_since_the_last_sample_is_sampled_once(void)
+{
+    TEST_ASSERT_TRUE(bsp_open(name, error, sizeof error));
+    wire_store(&served.wire->inputs, WIRE_SAFE_INPUTS);
+    wire_latch(&served.wire->latched, WIRE_INPUT_PEDAL_B | WIRE_INPUT_ESTOP_OPEN);
+    expect_inputs(true, false, true, false);
+    expect_inputs(true, true, false, false);
+    wire_latch(&served.wire->latched, WIRE_INPUT_PEDAL_A | WIRE_INPUT_SCANNER);
+    expect_inputs(false, true, false, true);
+    expect_inputs(true, true, false, false);
+    bsp_close();
+}
+
 void test_SWR_ESTOP_001_inputs_of_a_dead_box_are_pedal_released_and_emergency_stop_open(void)
 {
     TEST_ASSERT_TRUE(bsp_open(name, error, sizeof error));

@@ -16,7 +16,7 @@ void rig_start(rig_t *self)
 
 static void gather(rig_t *self)
 {
-    const bsp_inputs_t levels = box_inputs(&self->box);
+    const bsp_inputs_t levels = box_sample(&self->box);
     (void)memset(&self->inputs, 0, sizeof self->inputs);
     self->inputs.elapsed_us = self->elapsed_us;
     self->inputs.pedal_a = levels.pedal_a ? 1U : 0U;
