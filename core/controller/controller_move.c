@@ -114,7 +114,8 @@ static void begin_leg(controller_t *self, const robot_t *robot)
     } else {
         ends[self->jog_axis] = self->jog_ticks;
     }
-    profile_plan(&self->profile, robot, starts, ends, speed_cap_percent(controller_is_homed(self)));
+    profile_plan(&self->profile, robot, starts, ends,
+                 speed_cap_allowed_percent(controller_is_homed(self)));
     self->is_profile_running = 1U;
     self->settled_cycles = 0U;
 }

@@ -28,7 +28,7 @@ permit_t permit_decide(const permit_facts_t *facts)
 
     permit_t permit = {.is_allowed = (reasons == 0U), .reasons = reasons, .speed_cap_percent = 0U};
     if (permit.is_allowed) {
-        permit.speed_cap_percent = speed_cap_percent(facts->is_every_axis_homed);
+        permit.speed_cap_percent = speed_cap_allowed_percent(facts->is_every_axis_homed);
     }
     return permit;
 }

@@ -61,7 +61,7 @@ typedef struct {
 typedef struct {
     bool is_allowed;            /**< No reason stands. */
     uint32_t reasons;           /**< Bit mask of permit_reason_t. */
-    uint32_t speed_cap_percent; /**< speed_cap_percent(), 0 when not allowed. */
+    uint32_t speed_cap_percent; /**< speed_cap_allowed_percent(), 0 when not allowed. */
 } permit_t;
 
 /**

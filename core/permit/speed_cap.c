@@ -6,7 +6,7 @@
 #define FULL_PERCENT 100U
 #define TICK ((int64_t)FULL_PERCENT * 1000000)
 
-uint32_t speed_cap_percent(bool is_every_axis_homed)
+uint32_t speed_cap_allowed_percent(bool is_every_axis_homed)
 {
     return is_every_axis_homed ? FULL_PERCENT : LIMIT_UNHOMED_SPEED_PERCENT;
 }

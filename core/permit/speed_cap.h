@@ -25,7 +25,7 @@ typedef struct {
  *
  * @satisfies SWR-AXIS-006
  */
-uint32_t speed_cap_percent(bool is_every_axis_homed);
+uint32_t speed_cap_allowed_percent(bool is_every_axis_homed);
 
 /**
  * One cycle, `elapsed_us` after the one before, with the axis at `position_ticks`. What is not used

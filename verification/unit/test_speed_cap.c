@@ -42,8 +42,8 @@ static uint32_t fast_cycles(uint32_t percent, int32_t ticks_per_cycle, uint32_t 
 
 void test_SWR_AXIS_006_the_cap_is_lower_until_every_axis_is_homed(void)
 {
-    TEST_ASSERT_EQUAL_UINT32(LIMIT_UNHOMED_SPEED_PERCENT, speed_cap_percent(false));
-    TEST_ASSERT_EQUAL_UINT32(100U, speed_cap_percent(true));
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_UNHOMED_SPEED_PERCENT, speed_cap_allowed_percent(false));
+    TEST_ASSERT_EQUAL_UINT32(100U, speed_cap_allowed_percent(true));
 }
 
 void test_SWR_PERMIT_005_an_axis_within_its_cap_is_never_too_fast(void)
