@@ -57,6 +57,7 @@ module Robot
             .name = "#{@robot.name}",
             .axis_count = #{@robot.axes.size}U,
             .crc = 0x#{format('%08X', @crc)}U,
+            .card_firmware = 0x#{format('%06X', @robot.card_firmware)}U,
             .axes = {
         #{@robot.axes.map { |axis| entry(axis) }.join(",\n")}
             },

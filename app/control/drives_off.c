@@ -16,6 +16,7 @@ static uint32_t write_frames(const robot_t *robot, uint32_t sequence, uint32_t t
         const card_command_t off = {.slot = robot->axes[i].slot,
                                     .sequence = sequence,
                                     .time_us = time_us,
+                                    .control = CARD_CONTROL_CLEAR_FAULT, /* Tripped cards hear. */
                                     .watchdog_us = LIMIT_CARD_WATCHDOG_US,
                                     .axis_id = i};
         card_frame_encode_command(&off, frames[off.slot]);

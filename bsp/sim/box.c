@@ -6,6 +6,7 @@
 #define NEAR_WRAP_AXIS 1U
 #define NEAR_WRAP_READING (INT32_MAX - 100)
 #define CORRUPT_BYTE 40U
+#define FOREIGN_FIRMWARE (SIM_CARD_FIRMWARE + 1U)
 
 /* Where the NeuroRobot stands when it is switched on. */
 static const int32_t start_ticks[ROBOT_AXIS_COUNT] = {-1575, 0, -1181, 3333, 0, 100, -300};
@@ -55,6 +56,8 @@ static bool exchange_card(box_axis_t *axis, const uint8_t frame[CARD_FRAME_BYTES
     if (axis->card_fault == BOX_CARD_SILENT) {
         return false;
     }
+    axis->card.firmware =
+        (axis->card_fault == BOX_CARD_FOREIGN) ? FOREIGN_FIRMWARE : SIM_CARD_FIRMWARE;
     sim_card_report(&axis->card, &axis->encoder, received);
     if (axis->card_fault == BOX_CARD_CORRUPT) {
         received[CORRUPT_BYTE] ^= 0x10U;

@@ -31,8 +31,9 @@
 
 typedef enum {
     BOX_CARD_NORMAL = 0,
-    BOX_CARD_SILENT = 1, /**< Hears nothing and answers nothing. */
-    BOX_CARD_CORRUPT = 2 /**< Hears; a byte of each answer is wrong. */
+    BOX_CARD_SILENT = 1,  /**< Hears nothing and answers nothing. */
+    BOX_CARD_CORRUPT = 2, /**< Hears; a byte of each answer is wrong. */
+    BOX_CARD_FOREIGN = 3  /**< One with another firmware. */
 } box_card_fault_t;
 
 /** One axis with the card that drives it. */

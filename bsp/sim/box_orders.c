@@ -24,7 +24,7 @@ typedef struct {
 static const char orders[] = "pedal press|release|pulse\n"
                              "pedal a|b open|close\n"
                              "estop pull|reset|pulse\n"
-                             "card SLOT silent|corrupt|normal\n"
+                             "card SLOT silent|corrupt|foreign|normal\n"
                              "encoder SLOT stuck|reversed|normal\n"
                              "motor SLOT stuck|runs|normal\n"
                              "switch SLOT stuck|open|chatter|reversed|normal\n"
@@ -165,7 +165,7 @@ static bool order_level(bool *level, const order_t *order, const char *on, const
 }
 
 /* In the order of the enumerations of these faults. */
-static const char *const card_words[] = {"normal", "silent", "corrupt", NULL};
+static const char *const card_words[] = {"normal", "silent", "corrupt", "foreign", NULL};
 static const char *const encoder_words[] = {"normal", "stuck", "reversed", NULL};
 static const char *const motor_words[] = {"normal", "stuck", "runs", NULL};
 static const char *const switch_words[] = {"normal", "stuck", "open", "chatter", "reversed", NULL};

@@ -17,6 +17,7 @@ void sim_card_init(sim_card_t *self, const axis_config_t *axis, const sim_encode
 {
     *self = (sim_card_t){.slot = axis->slot,
                          .card_type = axis->card_type,
+                         .firmware = SIM_CARD_FIRMWARE,
                          .limit_bit = axis->limit_switch,
                          .clock_offset_us = UINT32_MAX - 30000000U * (uint32_t)axis->slot,
                          .time_us = time_us,
@@ -34,6 +35,7 @@ static void trip(sim_card_t *self, uint32_t status_bit)
 {
     self->faults |= status_bit;
     self->applied = drive_off;
+    self->has_sequence = false;
 }
 
 static bool is_drive_suitable(const sim_card_t *self, const card_drive_t *drive)
@@ -65,6 +67,18 @@ static void apply_command(sim_card_t *self)
     }
 }
 
+/* The next in sequence, or the first of a new one. */
+static bool is_expected(const sim_card_t *self, const card_command_t *command)
+{
+    const uint32_t step = command->sequence - self->command.sequence;
+
+    if (!self->has_sequence) {
+        return ((command->control & CARD_CONTROL_CLEAR_FAULT) != 0U) &&
+               (command->drive.mode == (uint32_t)CARD_DRIVE_OFF);
+    }
+    return (step >= 1U) && (step <= LIMIT_SEQUENCE_WINDOW);
+}
+
 void sim_card_receive(sim_card_t *self, const uint8_t bytes[CARD_FRAME_BYTES])
 {
     card_command_t command;
@@ -74,14 +88,16 @@ void sim_card_receive(sim_card_t *self, const uint8_t bytes[CARD_FRAME_BYTES])
         self->passing |= CARD_STATUS_RX_CRC;
         return;
     }
-    if (self->has_command && (command.sequence == self->command.sequence)) {
+    if (!is_expected(self, &command)) {
+        self->sequence_gaps++;
         return;
     }
-    if (self->has_command && (command.sequence != self->command.sequence + 1U)) {
+    if (self->has_sequence && (command.sequence != self->command.sequence + 1U)) {
         self->sequence_gaps++;
     }
     self->command = command;
     self->has_command = true;
+    self->has_sequence = true;
     self->is_watched = true;
     self->valid_age_us = 0U;
     apply_command(self);
@@ -223,7 +239,7 @@ void sim_card_report(sim_card_t *self, sim_encoder_t *encoder, uint8_t bytes[CAR
     report.heartbeat = self->heartbeat;
     report.time_us = self->time_us + self->clock_offset_us;
     report.card_type = self->card_type;
-    report.firmware = SIM_CARD_FIRMWARE;
+    report.firmware = self->firmware;
     report.system_state = self->command.system_state;
     report.status = status_bits(self, encoder);
     report.limits_raw = self->limit_raw ? self->limit_bit : 0U;

@@ -2,7 +2,9 @@
 /**
  * @file
  * The firmware of a daughter card, as the simulated box runs it: takes commands, drives the motor,
- * watches over both, reports. It believes only whole frames with a new sequence number.
+ * watches over both, reports. It believes only whole frames whose sequence number is one of the
+ * next; after a start or a trip only one that clears the fault with the drive off begins a new
+ * sequence.
  */
 #ifndef BORESIGHT_SIM_CARD_H
 #define BORESIGHT_SIM_CARD_H
@@ -26,12 +28,14 @@
 typedef struct {
     uint32_t slot;
     uint32_t card_type;
+    uint32_t firmware;
     uint32_t limit_bit;       /**< CARD_LIMIT_ bit of the connected switch, 0 without one. */
     uint32_t clock_offset_us; /**< Card time minus box time. */
     uint32_t time_us;         /**< Box time of the last step's end. */
     uint64_t uptime_us;
     card_command_t command; /**< The last one accepted. */
     bool has_command;
+    bool has_sequence;     /**< No trip since `command` began one. */
     card_drive_t applied;  /**< What the driver does now. */
     uint32_t faults;       /**< Latched CARD_STATUS_ bits. */
     uint32_t passing;      /**< CARD_STATUS_ bits of the next report only. */
@@ -56,8 +60,10 @@ void sim_card_init(sim_card_t *self, const axis_config_t *axis, const sim_encode
                    bool is_limit_active, uint32_t time_us);
 
 /**
- * Takes the 256 bytes of an exchange. A damaged frame, or one that repeats the last sequence
- * number, changes nothing but a count; one whose drive does not suit the card is a driver fault.
+ * Takes the 256 bytes of an exchange. A damaged frame, or one out of sequence, changes nothing but
+ * a count; one whose drive does not suit the card is a driver fault.
+ *
+ * @satisfies SWR-BOX-008
  */
 void sim_card_receive(sim_card_t *self, const uint8_t bytes[CARD_FRAME_BYTES]);
 

@@ -110,7 +110,7 @@ typedef enum {
     CARD_FRAME_BAD_SLOT = 3,
     CARD_FRAME_BAD_COMPLEMENT = 4, /**< Word 61 of a command does not complement word 5. */
     CARD_FRAME_BAD_DRIVE = 5,      /**< Mode, direction or duty outside its range. */
-    CARD_FRAME_REPEATED = 6        /**< The heartbeat is that of the frame before: an old report. */
+    CARD_FRAME_REPEATED = 6        /**< The heartbeat is not one of the next: an old report. */
 } card_frame_result_t;
 
 /**

@@ -11,6 +11,23 @@ static bool are_drives_equal(const card_drive_t *a, const card_drive_t *b)
     return (a->mode == b->mode) && (a->direction == b->direction) && (a->duty == b->duty);
 }
 
+/* A card that is not used yet, or not any more, may have begun to count anew. */
+static bool is_old(const link_t *self, const card_report_t *report)
+{
+    const uint32_t step = report->heartbeat - self->report.heartbeat;
+    return (step == 0U) || (link_is_usable(self) && (step > LIMIT_SEQUENCE_WINDOW));
+}
+
+static bool is_right_card(const link_t *self)
+{
+    return (self->report.card_type == self->card_type) && (self->report.firmware == self->firmware);
+}
+
+static bool is_well(const link_t *self)
+{
+    return (self->is_fresh != 0U) && ((self->report.status & CARD_STATUS_FAULTS) == 0U);
+}
+
 static void receive(link_t *self, const uint8_t *bytes)
 {
     card_report_t report = self->report;
@@ -20,8 +37,7 @@ static void receive(link_t *self, const uint8_t *bytes)
         return;
     }
     card_frame_result_t result = card_frame_decode_report(bytes, self->slot, &report);
-    if ((result == CARD_FRAME_OK) && (self->has_report != 0U) &&
-        (report.heartbeat == self->report.heartbeat)) {
+    if ((result == CARD_FRAME_OK) && (self->has_report != 0U) && is_old(self, &report)) {
         result = CARD_FRAME_REPEATED;
     }
     self->last_error = (uint32_t)result;
@@ -54,11 +70,13 @@ static void give_up(link_t *self, card_link_event_t event, link_cause_t cause)
     }
 }
 
-void link_init(link_t *self, uint32_t slot)
+void link_init(link_t *self, uint32_t slot, uint32_t card_type, uint32_t firmware)
 {
     (void)memset(self, 0, sizeof *self);
     card_link_chart_init(&self->chart);
     self->slot = slot;
+    self->card_type = card_type;
+    self->firmware = firmware;
 }
 
 void link_step(link_t *self, const uint8_t *bytes)
@@ -66,7 +84,7 @@ void link_step(link_t *self, const uint8_t *bytes)
     const card_link_inputs_t inputs = {.is_fresh = false};
     receive(self, bytes);
     compare_echo(self);
-    if (link_is_healthy_now(self)) {
+    if (is_well(self)) {
         self->age_cycles = 0U;
         (void)card_link_chart_dispatch(&self->chart, &inputs, CARD_LINK_EVENT_GOOD);
     } else {
@@ -78,6 +96,9 @@ void link_step(link_t *self, const uint8_t *bytes)
     }
     if ((self->is_fresh != 0U) && ((self->report.status & CARD_STATUS_FAULTS) != 0U)) {
         give_up(self, CARD_LINK_EVENT_CARD_FAULT, LINK_CAUSE_FAULT);
+    }
+    if ((self->is_fresh != 0U) && !is_right_card(self)) {
+        give_up(self, CARD_LINK_EVENT_CARD_FAULT, LINK_CAUSE_WRONG_CARD);
     }
     if (self->echo_mismatches >= LIMIT_ECHO_MISMATCH_CYCLES) {
         give_up(self, CARD_LINK_EVENT_CARD_FAULT, LINK_CAUSE_ECHO);
@@ -106,5 +127,5 @@ bool link_is_usable(const link_t *self)
 
 bool link_is_healthy_now(const link_t *self)
 {
-    return (self->is_fresh != 0U) && ((self->report.status & CARD_STATUS_FAULTS) == 0U);
+    return is_well(self) && is_right_card(self);
 }

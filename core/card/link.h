@@ -16,10 +16,11 @@
 
 /** Why a card was given up. */
 typedef enum {
-    LINK_CAUSE_NONE = 0,  /**< It was not. */
-    LINK_CAUSE_AGE = 1,   /**< No valid frame for LIMIT_LINK_AGE_CYCLES cycles. */
-    LINK_CAUSE_FAULT = 2, /**< The card reported a fault. */
-    LINK_CAUSE_ECHO = 3   /**< The card's driver does not apply what was commanded. */
+    LINK_CAUSE_NONE = 0,      /**< It was not. */
+    LINK_CAUSE_AGE = 1,       /**< No valid frame for LIMIT_LINK_AGE_CYCLES cycles. */
+    LINK_CAUSE_FAULT = 2,     /**< The card reported a fault. */
+    LINK_CAUSE_ECHO = 3,      /**< The card's driver does not apply what was commanded. */
+    LINK_CAUSE_WRONG_CARD = 4 /**< Its type or firmware is not that of the robot's table. */
 } link_cause_t;
 
 typedef struct {
@@ -30,6 +31,8 @@ typedef struct {
     uint32_t sent_sequence;
     uint32_t sent_sequence_before;
     uint32_t slot;
+    uint32_t card_type; /**< What the card must be. */
+    uint32_t firmware;
     uint32_t age_cycles;      /**< Since the last valid frame, saturates. */
     uint32_t frame_errors;    /**< Frames discarded, saturates. */
     uint32_t last_error;      /**< card_frame_result_t of this cycle's frame. */
@@ -39,17 +42,20 @@ typedef struct {
     uint32_t cause;           /**< link_cause_t of the last loss. */
 } link_t;
 
-/** Starts absent. */
-void link_init(link_t *self, uint32_t slot);
+/** Starts absent; only a card of this type and firmware will be trusted. */
+void link_init(link_t *self, uint32_t slot, uint32_t card_type, uint32_t firmware);
 
 /**
- * One cycle. `bytes` is this cycle's frame, NULL when none was received.
+ * One cycle. `bytes` is this cycle's frame, NULL when none was received. While the card is usable,
+ * its heartbeat must be 1 to LIMIT_SEQUENCE_WINDOW after the last one.
  *
  * @satisfies SWR-LINK-001
  * @satisfies SWR-LINK-002
  * @satisfies SWR-LINK-004
  * @satisfies SWR-LINK-005
  * @satisfies SWR-LINK-006
+ * @satisfies SWR-LINK-007
+ * @satisfies SWR-LINK-008
  */
 void link_step(link_t *self, const uint8_t *bytes);
 
@@ -66,7 +72,7 @@ void link_reset(link_t *self);
 /** The card may be given a drive command. */
 bool link_is_usable(const link_t *self);
 
-/** The card sent a valid frame without a fault in this cycle. */
+/** The right card sent a valid frame without a fault in this cycle. */
 bool link_is_healthy_now(const link_t *self);
 
 #endif

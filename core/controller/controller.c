@@ -83,7 +83,8 @@ void controller_init(controller_t *self, const robot_t *robot)
     plan_init(&self->plan);
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
         axis_init(&self->axes[i]);
-        link_init(&self->links[i], (uint32_t)robot->axes[i].slot);
+        link_init(&self->links[i], (uint32_t)robot->axes[i].slot,
+                  (uint32_t)robot->axes[i].card_type, robot->card_firmware);
     }
 }
 

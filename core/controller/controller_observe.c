@@ -7,13 +7,14 @@ static void observe_link(controller_t *self, const cycle_t *cycle, uint32_t inde
 {
     link_t *const link = &self->links[index];
     const bool is_received = (cycle->inputs->frames_received & ((uint32_t)1U << link->slot)) != 0U;
-    bool was_usable = link_is_usable(link);
+    const bool was_usable = link_is_usable(link);
+    bool was_lost = link->chart.state == CARD_LINK_STATE_LOST;
     const uint32_t had_errors = link->frame_errors;
     if (card_link_chart_check(&link->chart) != 0U) {
         controller_note(self, cycle, EVENT_CHART_REPAIRED, (uint32_t)EVENT_CHART_CARD,
                         (int32_t)link->slot);
         /* Its state before is not known; the card is lost now. */
-        was_usable = true;
+        was_lost = false;
     }
     (void)card_link_chart_advance(&link->chart, cycle->inputs->elapsed_us);
     link_step(link, is_received ? cycle->inputs->frames[link->slot] : NULL);
@@ -23,7 +24,7 @@ static void observe_link(controller_t *self, const cycle_t *cycle, uint32_t inde
     if (link_is_usable(link) && !was_usable) {
         controller_note(self, cycle, EVENT_CARD_LIVE, link->slot, 0);
     }
-    if (was_usable && !link_is_usable(link)) {
+    if (!was_lost && (link->chart.state == CARD_LINK_STATE_LOST)) {
         controller_note(self, cycle, EVENT_CARD_LOST, link->slot, (int32_t)link->cause);
         axis_lose_reference(&self->axes[index]);
         axis_disable(&self->axes[index]);

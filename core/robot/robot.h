@@ -98,7 +98,8 @@ typedef struct {
 typedef struct {
     char name[12];
     uint32_t axis_count;
-    uint32_t crc; /**< CRC-32C of the robot file the table was compiled from. */
+    uint32_t crc;           /**< CRC-32C of the robot file the table was compiled from. */
+    uint32_t card_firmware; /**< Of every card: major << 16 | minor << 8 | patch. */
     axis_config_t axes[ROBOT_AXIS_COUNT];
     neuro_geometry_t neuro;
 } robot_t;

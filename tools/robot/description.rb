@@ -146,12 +146,13 @@ module Robot
     LARGEST_DEPTH_MM = 200
     LARGEST_TRAVEL_MM = 2000
 
-    attr_reader :name, :axes, :geometry
+    attr_reader :name, :card_firmware, :axes, :geometry
 
     def initialize(path, text)
-      nodes = Node.parse(path, text).mapping(%w[name kinematics geometry probe axes])
+      nodes = Node.parse(path, text).mapping(%w[name kinematics card_firmware geometry probe axes])
       @name = nodes['name'].name
       nodes['kinematics'].choice(%w[neuro])
+      @card_firmware = nodes['card_firmware'].version
       @geometry = {}
       @places = {}
       read_lengths(nodes['geometry'], GEOMETRY)

@@ -74,6 +74,13 @@ module Robot
       text
     end
 
+    # major << 16 | minor << 8 | patch
+    def version
+      text = plain
+      refuse("is #{text}; expected a version such as 1.2.0") unless text.match?(/\A(?:[0-9]{1,2}\.){2}[0-9]{1,2}\z/)
+      text.split('.').map { |part| Integer(part, 10) }.inject { |sum, part| (sum << 8) | part }
+    end
+
     private
 
     def plain

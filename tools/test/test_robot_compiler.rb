@@ -90,7 +90,7 @@ class TestRobotCompiler < Minitest::Test
 
   def test_SWR_ROBOT_001_an_unknown_key_is_refused
     assert_refused(with('kinematics: neuro', "kinematics: neuro\ncolour: red"),
-                   'colour: is unknown; expected name, kinematics, geometry, probe, axes', at: 'colour')
+                   'colour: is unknown; expected name, kinematics, card_firmware, geometry, probe, axes', at: 'colour')
     text = with('    slot: 4', "    slot: 4\n    slat: 4", axis: 'lateral')
     status, errors, = compile(text)
     assert_equal 1, status
@@ -118,6 +118,7 @@ class TestRobotCompiler < Minitest::Test
     assert_refused(with('18.32', '1e3'), 'geometry.rcm_home_x_mm: is 1e3; expected a number such as 18.32', at: '1e3')
     assert_refused(with('name: neuro', 'name: Neuro!'), 'name: is Neuro!; expected 1 to 11 of a-z, 0-9 and _',
                    at: 'name: Neuro!')
+    assert_refused(with('1.2.0', '1.2'), 'card_firmware: is 1.2; expected a version such as 1.2.0', at: 'card_firmware')
     assert_refused("#{TEXT[/\A.*^axes:/m]} 7\n", 'axes: is not a list', at: 'axes: 7')
     assert_refused("#{TEXT[/\A.*^axes:/m]}\n  - 7\n", 'axes[0]: is not a mapping of keys to values', at: '  - 7')
   end

@@ -11,6 +11,7 @@
 #include "fixed.h"
 
 #include <stdio.h>
+#include <string.h>
 
 TEST_SOURCE_FILE("axis.c")
 TEST_SOURCE_FILE("axis_chart.c")
@@ -175,4 +176,45 @@ void test_SWR_NEXT_002_a_jog_that_is_done_is_no_arrival(void)
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 5000U).kind);
     expect_step(NEXT_STEP_TARGETING);
+}
+
+void test_SWR_LINK_008_a_wrong_card_is_named_whenever_it_is_put_in(void)
+{
+    rig_start(&rig);
+    rig_forget(&rig);
+    rig_box(&rig, "card yaw foreign");
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(EVENT_CARD_LOST, rig.events[0].id);
+    TEST_ASSERT_EQUAL_UINT32(robot_neuro.axes[AXIS_YAW].slot, rig.events[0].subject);
+    TEST_ASSERT_EQUAL_INT32(LINK_CAUSE_WRONG_CARD, rig.events[0].value);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_HARDWARE_NOT_READY,
+                             rig_workphase(&rig, WORKPHASE_START_UP).status);
+    expect_step(NEXT_STEP_CHECK_CARDS);
+    rig_box(&rig, "card yaw normal");
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+}
+
+/* Frames of the lateral card, heard again and again in place of those of now. */
+void test_SWR_BOX_008_a_replay_of_old_frames_moves_no_motor_beyond_the_watchdog(void)
+{
+    static uint8_t old[50][CARD_FRAME_BYTES];
+    const uint32_t slot = robot_neuro.axes[AXIS_LATERAL].slot;
+    double before[ROBOT_AXIS_COUNT];
+    double after[ROBOT_AXIS_COUNT];
+    begin_move();
+    for (uint32_t i = 0U; i < 50U; i++) {
+        (void)memcpy(old[i], rig.outputs.frames[slot], CARD_FRAME_BYTES);
+        rig_cycle(&rig);
+    }
+    for (uint32_t i = 0U; i < 300U; i++) {
+        (void)memcpy(rig.outputs.frames[slot], old[i % 50U], CARD_FRAME_BYTES);
+        rig_cycle(&rig);
+        if (i == ((LIMIT_CARD_WATCHDOG_US / 1000U) + 5U)) {
+            box_true_positions(&rig.box, before);
+        }
+    }
+    box_true_positions(&rig.box, after);
+    TEST_ASSERT_DOUBLE_WITHIN(0.001, before[AXIS_LATERAL], after[AXIS_LATERAL]);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_CARD_LOST));
 }

@@ -29,13 +29,32 @@ static uint8_t sent[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES];
 static uint8_t received[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES];
 static char reply[BOX_REPLY_SIZE];
 
+static uint32_t exchange(uint32_t send);
+
+/* What the cards want to hear first. */
+static void begin_sequence(void)
+{
+    for (uint32_t slot = 0U; slot < ROBOT_SLOT_COUNT; slot++) {
+        commands[slot] = (card_command_t){.slot = slot, .control = CARD_CONTROL_CLEAR_FAULT};
+    }
+    (void)exchange(ALL_SLOTS);
+}
+
+static void start(uint32_t seed)
+{
+    box_init(&box, &robot_neuro, seed);
+    begin_sequence();
+    for (uint32_t slot = 0U; slot < ROBOT_SLOT_COUNT; slot++) {
+        commands[slot] = (card_command_t){.slot = slot,
+                                          .sequence = 1U,
+                                          .control = CARD_CONTROL_AMPLIFIER,
+                                          .watchdog_us = LIMIT_CARD_WATCHDOG_US};
+    }
+}
+
 void setUp(void)
 {
-    box_init(&box, &robot_neuro, 1U);
-    for (uint32_t slot = 0U; slot < ROBOT_SLOT_COUNT; slot++) {
-        commands[slot] = (card_command_t){
-            .slot = slot, .control = CARD_CONTROL_AMPLIFIER, .watchdog_us = LIMIT_CARD_WATCHDOG_US};
-    }
+    start(1U);
 }
 
 void tearDown(void)
@@ -486,8 +505,7 @@ static uint32_t crc_of_a_run(uint32_t seed)
 {
     uint32_t sum = 0U;
 
-    setUp();
-    box_init(&box, &robot_neuro, seed);
+    start(seed);
     drive(AXIS_HEAD, true);
     drive(AXIS_YAW, false);
     order("scanner on");

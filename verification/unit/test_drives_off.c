@@ -97,7 +97,7 @@ void test_SWR_CTRL_004_every_card_of_the_robot_is_sent_off(void)
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
         const card_command_t *const command = &heard[robot_neuro.axes[i].slot];
         TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_OFF, command->drive.mode);
-        TEST_ASSERT_EQUAL_UINT32(0U, command->control);
+        TEST_ASSERT_EQUAL_HEX32(CARD_CONTROL_CLEAR_FAULT, command->control);
         TEST_ASSERT_EQUAL_UINT32(LIMIT_CARD_WATCHDOG_US, command->watchdog_us);
         TEST_ASSERT_EQUAL_UINT32(TIME_US, command->time_us);
         TEST_ASSERT_EQUAL_UINT32(i, command->axis_id);

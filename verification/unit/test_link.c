@@ -11,11 +11,13 @@
 #include "crc.h"
 #include "requirement_limits.h"
 #include "link.h"
+#include "robot.h"
 
 #include <stddef.h>
 #include <string.h>
 
 #define SLOT 4U
+#define FIRMWARE 0x010200U
 #define FIRST_SEQUENCE 100U
 #define HISTORY 3U
 
@@ -102,10 +104,12 @@ void setUp(void)
     (void)memset(&drive, 0, sizeof drive);
     (void)memset(sent, 0, sizeof sent);
     report.slot = SLOT;
+    report.card_type = CARD_TYPE_PWM;
+    report.firmware = FIRMWARE;
     report.encoder_count = 4711;
     report.heartbeat = 41U;
     sequence = FIRST_SEQUENCE;
-    link_init(&card, SLOT);
+    link_init(&card, SLOT, CARD_TYPE_PWM, FIRMWARE);
     repeat(good_cycle, 3U);
 }
 
@@ -115,7 +119,7 @@ void tearDown(void)
 
 void test_SWR_LINK_001_a_card_is_not_usable_before_its_first_frame(void)
 {
-    link_init(&card, SLOT);
+    link_init(&card, SLOT, CARD_TYPE_PWM, FIRMWARE);
     TEST_ASSERT_FALSE(link_is_usable(&card));
     TEST_ASSERT_EQUAL_UINT32(SLOT, card.slot);
     repeat(silent_cycle, 2U * LIMIT_LINK_AGE_CYCLES);
@@ -185,7 +189,7 @@ void test_SWR_LINK_002_a_good_frame_brings_its_data(void)
 
 void test_SWR_LINK_002_the_first_frame_is_no_repetition_whatever_its_heartbeat(void)
 {
-    link_init(&card, SLOT);
+    link_init(&card, SLOT, CARD_TYPE_PWM, FIRMWARE);
     report.heartbeat = UINT32_MAX;
     good_cycle();
     TEST_ASSERT_EQUAL_UINT32(0U, card.report.heartbeat);
@@ -227,7 +231,7 @@ void test_SWR_LINK_002_a_repeated_frame_is_discarded(void)
 
 void test_SWR_LINK_002_a_damaged_first_frame_is_discarded(void)
 {
-    link_init(&card, SLOT);
+    link_init(&card, SLOT, CARD_TYPE_PWM, FIRMWARE);
     bytes[0] ^= 0x80U;
     expect_discarded(CARD_FRAME_BAD_START);
     TEST_ASSERT_FALSE(link_is_usable(&card));
@@ -439,11 +443,79 @@ void test_SWR_LINK_006_other_status_bits_leave_the_card_usable(void)
 
 void test_SWR_LINK_006_a_card_that_starts_with_a_fault_is_not_usable_until_it_is_gone(void)
 {
-    link_init(&card, SLOT);
+    link_init(&card, SLOT, CARD_TYPE_PWM, FIRMWARE);
     report.status = CARD_STATUS_WATCHDOG;
     repeat(good_cycle, 20U);
     TEST_ASSERT_FALSE(link_is_usable(&card));
     report.status = 0U;
     good_cycle();
     TEST_ASSERT_TRUE(link_is_usable(&card));
+}
+
+static void receive_with_heartbeat(uint32_t heartbeat)
+{
+    report.heartbeat = heartbeat;
+    card_frame_encode_report(&report, bytes);
+}
+
+void test_SWR_LINK_007_a_report_from_before_or_far_ahead_is_discarded(void)
+{
+    static const uint32_t steps[] = {0U, UINT32_MAX, LIMIT_SEQUENCE_WINDOW + 1U, 0x80000000U};
+    const uint32_t last = report.heartbeat;
+
+    for (uint32_t i = 0U; i < 4U; i++) {
+        receive_with_heartbeat(last + steps[i]);
+        expect_discarded(CARD_FRAME_REPEATED);
+    }
+    receive_with_heartbeat(last + LIMIT_SEQUENCE_WINDOW);
+    link_step(&card, bytes);
+    TEST_ASSERT_EQUAL_UINT32(1U, card.is_fresh);
+}
+
+void test_SWR_LINK_007_the_heartbeat_wraps(void)
+{
+    link_init(&card, SLOT, CARD_TYPE_PWM, FIRMWARE);
+    report.heartbeat = UINT32_MAX - 1U;
+    repeat(good_cycle, 4U);
+    TEST_ASSERT_EQUAL_UINT32(2U, report.heartbeat);
+    TEST_ASSERT_EQUAL_UINT32(0U, card.frame_errors);
+}
+
+void test_SWR_LINK_007_a_lost_card_may_have_begun_to_count_anew(void)
+{
+    lose_by_silence();
+    receive_with_heartbeat(1U);
+    link_step(&card, bytes);
+    TEST_ASSERT_EQUAL_UINT32(1U, card.is_fresh);
+    link_reset(&card);
+    TEST_ASSERT_TRUE(link_is_usable(&card));
+}
+
+static void expect_wrong_card(void)
+{
+    TEST_ASSERT_FALSE(link_is_usable(&card));
+    TEST_ASSERT_EQUAL_UINT32(CARD_LINK_STATE_LOST, card.chart.state);
+    TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_WRONG_CARD, card.cause);
+    TEST_ASSERT_FALSE(link_is_healthy_now(&card));
+    link_reset(&card);
+    TEST_ASSERT_FALSE(link_is_usable(&card));
+}
+
+void test_SWR_LINK_008_another_type_or_firmware_is_lost_by_name(void)
+{
+    report.card_type = CARD_TYPE_NON_PWM;
+    good_cycle();
+    expect_wrong_card();
+    setUp();
+    report.firmware++;
+    good_cycle();
+    expect_wrong_card();
+}
+
+void test_SWR_LINK_008_a_wrong_card_at_the_start_is_lost_too(void)
+{
+    link_init(&card, SLOT, CARD_TYPE_PWM, FIRMWARE);
+    report.firmware--;
+    good_cycle();
+    expect_wrong_card();
 }

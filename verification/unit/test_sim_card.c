@@ -24,6 +24,17 @@ static uint8_t frame[CARD_FRAME_BYTES];
 static double position;
 static bool is_limit_active;
 
+/* What a card wants to hear first, after a start and after a trip. */
+static void begin_sequence(void)
+{
+    card_command_t first = command;
+
+    first.control = CARD_CONTROL_CLEAR_FAULT;
+    first.drive = (card_drive_t){CARD_DRIVE_OFF, 0U, 0U};
+    card_frame_encode_command(&first, frame);
+    sim_card_receive(&card, frame);
+}
+
 void setUp(void)
 {
     axis_config_t axis;
@@ -42,6 +53,7 @@ void setUp(void)
                                .control = CARD_CONTROL_AMPLIFIER,
                                .drive = {CARD_DRIVE_PWM, 1U, 50000U},
                                .watchdog_us = LIMIT_CARD_WATCHDOG_US};
+    begin_sequence();
 }
 
 void tearDown(void)
@@ -159,9 +171,11 @@ void test_SWR_BOX_001_damaged_and_repeated_frames_do_not_count_as_valid(void)
 
 void test_SWR_BOX_001_a_trip_is_counted_once_and_not_before_the_first_frame(void)
 {
+    sim_card_init(&card, &(axis_config_t){.slot = SLOT, .card_type = CARD_TYPE_PWM}, &encoder,
+                  false, 0U);
     pass(1000000U);
     TEST_ASSERT_EQUAL_UINT32(0U, report().watchdog_trips);
-    send();
+    begin_sequence();
     pass(1000000U);
     TEST_ASSERT_EQUAL_UINT32(1U, report().watchdog_trips);
 }
@@ -178,13 +192,70 @@ void test_SWR_BOX_001_the_frame_after_the_clearing_one_drives(void)
 {
     send();
     pass(LIMIT_CARD_WATCHDOG_US);
-    command.control = CARD_CONTROL_AMPLIFIER | CARD_CONTROL_CLEAR_FAULT;
-    send();
+    begin_sequence();
     TEST_ASSERT_FALSE(is_driving());
-    command.control = CARD_CONTROL_AMPLIFIER;
     send();
     TEST_ASSERT_TRUE(is_driving());
     TEST_ASSERT_EQUAL_HEX32(0U, report().status & CARD_STATUS_FAULTS);
+}
+
+static void replay(uint32_t sequence)
+{
+    card_command_t old = command;
+
+    old.sequence = sequence;
+    card_frame_encode_command(&old, frame);
+    sim_card_receive(&card, frame);
+}
+
+void test_SWR_BOX_008_only_the_next_sequence_numbers_are_heard(void)
+{
+    static const uint32_t steps[] = {0U, LIMIT_SEQUENCE_WINDOW + 1U, 0x80000000U, UINT32_MAX};
+
+    for (uint32_t i = 0U; i < 4U; i++) {
+        replay(command.sequence + steps[i]);
+        TEST_ASSERT_FALSE(is_driving());
+    }
+    TEST_ASSERT_EQUAL_UINT32(4U, report().sequence_gaps);
+    replay(command.sequence + LIMIT_SEQUENCE_WINDOW);
+    TEST_ASSERT_TRUE(is_driving());
+}
+
+void test_SWR_BOX_008_a_sequence_wraps(void)
+{
+    sim_card_init(&card, &(axis_config_t){.slot = SLOT, .card_type = CARD_TYPE_PWM}, &encoder,
+                  false, 0U);
+    command.sequence = UINT32_MAX;
+    begin_sequence();
+    send();
+    TEST_ASSERT_EQUAL_UINT32(0U, card.command.sequence);
+    TEST_ASSERT_TRUE(is_driving());
+}
+
+void test_SWR_BOX_008_replayed_frames_do_not_drive_beyond_the_watchdog(void)
+{
+    send();
+    for (uint32_t i = 0U; i < 50U; i++) {
+        replay(command.sequence - (i % 5U));
+        pass(1000U);
+        TEST_ASSERT_EQUAL(i < 9U, is_driving());
+    }
+}
+
+void test_SWR_BOX_008_after_a_trip_only_a_clearing_frame_without_drive_begins_anew(void)
+{
+    pass(LIMIT_CARD_WATCHDOG_US);
+    send();
+    TEST_ASSERT_FALSE(is_driving());
+    command.control |= CARD_CONTROL_CLEAR_FAULT;
+    send();
+    TEST_ASSERT_BITS_HIGH(CARD_STATUS_WATCHDOG, report().status);
+    command.sequence = 5U;
+    command.control = CARD_CONTROL_AMPLIFIER;
+    begin_sequence();
+    TEST_ASSERT_EQUAL_UINT32(5U, report().accepted_sequence);
+    send();
+    TEST_ASSERT_TRUE(is_driving());
 }
 
 void test_SWR_BOX_001_without_amplifier_nothing_is_driven(void)
