@@ -50,7 +50,7 @@ typedef enum {
     EVENT_TARGET_ACCEPTED = 22,   /**< A target was accepted. */
     EVENT_PROPOSAL = 23,          /**< A proposal of command kind (subject) was received. */
     EVENT_OVERRUN = 24,      /**< The loop was late, interval in us (value), stage (subject). */
-    EVENT_LOOP_STOPPED = 25, /**< Late too often in a row. */
+    EVENT_LOOP_STOPPED = 25, /**< Late too often. */
     EVENT_CHART_REPAIRED =
         26,             /**< A chart's state was damaged; chart (subject) went to its safe state. */
     EVENT_SCANNER = 27, /**< The scanner started (value 1) or ended (0) acquiring. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The loop guard: counts late cycles and stops motion when they come in a row.
+ * The loop guard: counts late cycles and stops motion when they come in a row or too often.
  * Behaviour: statecharts/loop_guard.scxml.
  */
 #ifndef BORESIGHT_LOOP_GUARD_H
@@ -23,6 +23,7 @@ void loop_guard_init(loop_guard_t *self);
  *
  * @satisfies SWR-LOOP-001
  * @satisfies SWR-LOOP-002
+ * @satisfies SWR-LOOP-004
  */
 void loop_guard_step(loop_guard_t *self, uint32_t elapsed_us);
 

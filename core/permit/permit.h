@@ -18,9 +18,8 @@
 typedef enum {
     PERMIT_REASON_ESTOP_PULLED = 0,  /**< The e-stop is pulled: release it. */
     PERMIT_REASON_ESTOP_LATCHED = 1, /**< The e-stop is latched: command START_UP. */
-    PERMIT_REASON_LOOP_STOPPED =
-        2, /**< The control loop was late three times in a row: command START_UP. */
-    PERMIT_REASON_LINK_LOST = 3, /**< A card is lost: check its cable, then command START_UP. */
+    PERMIT_REASON_LOOP_STOPPED = 2,  /**< The control loop was late too often: command START_UP. */
+    PERMIT_REASON_LINK_LOST = 3,     /**< A card is lost: check its cable, then command START_UP. */
     PERMIT_REASON_PEDAL_FAULT =
         4, /**< The pedal's channels disagreed: release it, then command START_UP. */
     PERMIT_REASON_SCANNER_ACTIVE = 5,  /**< The scanner is acquiring: wait or pause the scan. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: every interval above the limit counts as an overrun; three in a row stop motion
- * until a reset.
+ * Rule under test: every interval above the limit counts as an overrun; three more than the punctual
+ * ones stop motion until a reset.
  */
 #include "unity.h"
 
@@ -80,15 +80,42 @@ void test_SWR_LOOP_002_overruns_in_a_row_stop_in_the_last_of_them(void)
     TEST_ASSERT_TRUE(is_stopped());
 }
 
-void test_SWR_LOOP_002_a_punctual_cycle_begins_the_row_anew(void)
+static void punctual(uint32_t cycles)
+{
+    for (uint32_t i = 0U; i < cycles; i++) {
+        loop_guard_step(&guard, PUNCTUAL_US);
+    }
+}
+
+void test_SWR_LOOP_004_each_punctual_cycle_makes_up_for_a_late_one(void)
 {
     for (uint32_t i = 1U; i < LIMIT_OVERRUNS_IN_A_ROW; i++) {
         late(i);
-        loop_guard_step(&guard, PUNCTUAL_US);
+        punctual(i);
         late(LIMIT_OVERRUNS_IN_A_ROW - 1U);
         TEST_ASSERT_FALSE(is_stopped());
-        loop_guard_step(&guard, PUNCTUAL_US);
+        punctual(LIMIT_OVERRUNS_IN_A_ROW);
     }
+}
+
+void test_SWR_LOOP_004_two_late_cycles_of_three_stop_the_motion(void)
+{
+    late(2U);
+    punctual(1U);
+    late(1U);
+    TEST_ASSERT_FALSE(is_stopped());
+    late(1U);
+    TEST_ASSERT_TRUE(is_stopped());
+}
+
+void test_SWR_LOOP_004_one_late_cycle_of_two_is_counted_only(void)
+{
+    for (uint32_t i = 0U; i < 1000U; i++) {
+        late(1U);
+        punctual(1U);
+        TEST_ASSERT_FALSE(is_stopped());
+    }
+    TEST_ASSERT_EQUAL_UINT32(1000U, guard.overruns);
 }
 
 void test_SWR_LOOP_002_punctual_cycles_do_not_end_the_stop(void)
