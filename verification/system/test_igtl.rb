@@ -52,7 +52,7 @@ class TestIgtl < Minitest::Test
     navigation do |client|
       client.phase('PLANNING')
       client.run('expect STATUS CURRENT_STATUS 1')
-      planning = client.run('wait STATUS PLANNING').last
+      planning = client.status('PLANNING')
       assert_equal %w[STATUS PLANNING], planning.values_at('type', 'name')
     end
   end
@@ -207,7 +207,7 @@ class TestIgtl < Minitest::Test
 
   def test_SWR_IGTL_012_joints_come_to_every_client
     planning do |client|
-      list = client.run('wait STRING measured_jp').last.fetch('text')
+      list = client.await('STRING', 'measured_jp').fetch('text')
       assert_match(/\A(-?\d+\.\d{6},){7}\z/, list)
     end
   end
@@ -217,7 +217,7 @@ class TestIgtl < Minitest::Test
     navigation do |client|
       client.run('string CURRENT_POSITION')
       assert_equal [13, 'NOT_HOMED'], client.status('CURRENT_POSITION').values_at('code', 'error_name')
-      assert_equal '0', client.run('wait STRING IS_IN_TARGETING_POS').last['text']
+      assert_equal '0', client.await('STRING', 'IS_IN_TARGETING_POS')['text']
     end
   end
 
@@ -270,8 +270,8 @@ class TestIgtl < Minitest::Test
   # A watcher is sent one list after the other, and they are not all the same.
   def assert_joints_move
     planning do |watcher|
-      lists = Array.new(15) { watcher.run('wait STRING measured_jp').last.fetch('text') }
-      assert_operator lists.uniq.size, :>, 5
+      lists = Array.new(15) { watcher.run('wait STRING measured_jp') }.flatten.select { |m| m['name'] == 'measured_jp' }
+      assert_operator lists.map { |message| message['text'] }.uniq.size, :>, 5
     end
   end
 
@@ -311,8 +311,7 @@ class TestIgtl < Minitest::Test
     assert_operator messages.count { |message| message['name'] == 'CURRENT_POSITION' }, :>, 5
     client.run('wait TRANSFORM CURRENT_POSITION')
     client.run('string HAS_REACHED_TARGET')
-    reached = client.run('wait STRING HAS_REACHED_TARGET').last
-    assert_equal '1', reached['text']
+    assert_equal '1', client.await('STRING', 'HAS_REACHED_TARGET')['text']
   end
 
   def present_phase(client)
@@ -321,7 +320,7 @@ class TestIgtl < Minitest::Test
 
   def joints(client)
     client.run('string start_up START_UP')
-    client.run('wait STRING measured_jp').reverse.find { |message| message['name'] == 'measured_jp' }.fetch('text')
+    client.await('STRING', 'measured_jp').fetch('text')
   end
 
   def raw(port = boresight.brp_port)

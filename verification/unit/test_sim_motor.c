@@ -175,7 +175,6 @@ void test_SWR_BOX_002_a_blocked_motor_stands_still_while_driven(void)
 
 void test_SWR_BOX_002_a_motor_with_a_shorted_driver_runs_without_being_asked(void)
 {
-    const card_drive_t off = {CARD_DRIVE_OFF, 0U, 0U};
     motor.fault = SIM_MOTOR_RUNS;
     drive_for(off, 200000U);
     TEST_ASSERT_INT_WITHIN(FULL_SPEED / 100, FULL_SPEED / 2, speed());

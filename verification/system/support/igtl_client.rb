@@ -40,10 +40,14 @@ class IgtlClient
     run("phase #{name}").find { |message| message['type'] == 'ACK' }.fetch('ack_ms')
   end
 
-  # The next STATUS of this name.
+  # Waits for the next message of this type and name; it may have come before it was waited for.
+  def await(type, name)
+    run("wait #{type} #{name}")
+    @seen.reverse.find { |message| message.values_at('type', 'name') == [type, name] }
+  end
+
   def status(name)
-    run("wait STATUS #{name}").reverse.find { |m| m['type'] == 'STATUS' && m['name'] == name } ||
-      @seen.reverse.find { |m| m['type'] == 'STATUS' && m['name'] == name }
+    await('STATUS', name)
   end
 
   def pid
