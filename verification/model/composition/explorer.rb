@@ -26,7 +26,7 @@ class Explorer
     compiler, runner = CompiledChart::KINDS.fetch(kind)
     explorer = File.join(folder, "explorer-#{kind}")
     call(*compiler, *CompiledChart::FLAGS, '-O2', '-I', folder, *includes(INCLUDES), *Dir["#{folder}/*_chart.c"].sort,
-         "#{ROOT}/core/permit/permit.c", "#{ROOT}/#{HERE}/explorer.c", '-o', explorer)
+         *Dir["#{ROOT}/core/permit/*.c"], "#{ROOT}/#{HERE}/explorer.c", '-o', explorer)
     File.write("#{explorer}.asked", asked.map { |numbers| "#{numbers.join(' ')}\n" }.join)
     read(*Open3.capture2e(*runner, explorer, "#{explorer}.asked"))
   end
