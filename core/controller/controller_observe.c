@@ -71,8 +71,7 @@ static void note_axis(controller_t *self, const cycle_t *cycle, uint32_t index, 
     static const struct {
         uint32_t note;
         event_id_t event;
-    } events[] = {{AXIS_NOTE_CHART_REPAIRED, EVENT_CHART_REPAIRED},
-                  {AXIS_NOTE_HOMED, EVENT_AXIS_HOMED},
+    } events[] = {{AXIS_NOTE_HOMED, EVENT_AXIS_HOMED},
                   {AXIS_NOTE_ENCODER_FAULT, EVENT_AXIS_ENCODER_FAULT},
                   {AXIS_NOTE_STALLED, EVENT_AXIS_STALLED},
                   {AXIS_NOTE_FOLLOWING_ERROR, EVENT_AXIS_FOLLOWING_ERROR},
