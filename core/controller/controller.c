@@ -95,7 +95,8 @@ void controller_step(controller_t *self, const robot_t *robot, const controller_
     const cycle_t cycle = {.robot = robot, .inputs = inputs, .outputs = outputs};
     card_drive_t requests[ROBOT_AXIS_COUNT];
     (void)memset(outputs, 0, sizeof *outputs);
-    if (self->cycle == 0U) {
+    if (self->has_started == 0U) {
+        self->has_started = 1U;
         controller_note(self, &cycle, EVENT_STARTED, 0U, 0);
     }
     self->time_us += inputs->elapsed_us;

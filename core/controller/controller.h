@@ -87,6 +87,7 @@ typedef struct {
                                              ran. */
     uint32_t jog_axis;
     int32_t jog_ticks;
+    uint32_t has_started; /**< cycle, which wraps, does not tell. */
     uint32_t cycle;
     uint32_t time_us;
     uint32_t sequence; /**< Of the outgoing frames. */

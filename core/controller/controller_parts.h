@@ -20,6 +20,7 @@ typedef struct {
  *
  * @satisfies SWR-EVENT-001
  * @satisfies SWR-EVENT-002
+ * @satisfies SWR-EVENT-004
  */
 void controller_note(controller_t *self, const cycle_t *cycle, event_id_t id, uint32_t subject,
                      int32_t value);

@@ -220,3 +220,34 @@ void test_SWR_BOX_008_a_replay_of_old_frames_moves_no_motor_beyond_the_watchdog(
     TEST_ASSERT_DOUBLE_WITHIN(0.001, before[AXIS_LATERAL], after[AXIS_LATERAL]);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_CARD_LOST));
 }
+
+void test_SWR_EVENT_004_counters_that_wrap_in_a_move_repeat_no_event(void)
+{
+    rig_start(&rig);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_STARTED));
+    begin_move();
+    rig_forget(&rig);
+    rig.controller.cycle = UINT32_MAX - 20U;
+    rig.controller.time_us = UINT32_MAX - 20000U;
+    rig.controller.events = UINT32_MAX;
+    rig_cycles(&rig, 100U);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.event_count);
+    TEST_ASSERT_TRUE(rig_is_driving(&rig));
+    rig_release(&rig);
+    TEST_ASSERT_EQUAL_UINT32(UINT32_MAX, rig.events[0].number);
+}
+
+void test_SWR_EVENT_004_the_sequence_of_frames_wraps_without_losing_a_card(void)
+{
+    (void)memset(&rig, 0, sizeof rig);
+    rig.elapsed_us = 1000U;
+    box_init(&rig.box, &robot_neuro, 1U);
+    controller_init(&rig.controller, &robot_neuro);
+    rig.controller.sequence = UINT32_MAX - 30U;
+    rig_cycles(&rig, 100U);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_CARD_LOST));
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        TEST_ASSERT_EQUAL_UINT32(rig.controller.sequence - 3U,
+                                 rig.controller.links[i].report.accepted_sequence);
+    }
+}
