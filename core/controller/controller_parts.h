@@ -75,6 +75,7 @@ void controller_move(controller_t *self, const cycle_t *cycle,
  * @satisfies SWR-PERMIT-003
  * @satisfies SWR-CMD-003
  * @satisfies SWR-CTRL-003
+ * @satisfies SWR-CARD-005
  */
 void controller_drive(controller_t *self, const cycle_t *cycle,
                       const card_drive_t requests[ROBOT_AXIS_COUNT]);

@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Rule under test: what the controller shows is what is so, whichever axis it concerns.
+ * Rule under test: each wire inside the controller is there. What it shows is what is so, whichever
+ * axis it concerns; each fact reaches the permit, the cards and the record.
  */
 #include "rig.h"
 
 #include "unity.h"
 
 #include "controller.h"
-#include "fixed.h"
+#include "controller_parts.h"
+#include "permit.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -250,4 +252,264 @@ void test_SWR_EVENT_004_the_sequence_of_frames_wraps_without_losing_a_card(void)
         TEST_ASSERT_EQUAL_UINT32(rig.controller.sequence - 3U,
                                  rig.controller.links[i].report.accepted_sequence);
     }
+}
+
+/* The reason stands at this axis, and no drive leaves for it. */
+static void expect_reason(permit_reason_t reason, uint32_t axis)
+{
+    const snapshot_axis_t *const shown = &rig.outputs.snapshot.axes[axis];
+    const card_drive_t drive = rig_sent(&rig, axis).drive;
+    TEST_ASSERT_BITS_HIGH(1UL << reason, shown->permit_reasons);
+    TEST_ASSERT_EQUAL_UINT32(0U, drive.mode | drive.direction | drive.duty);
+    TEST_ASSERT_EQUAL_UINT32(0U, shown->speed_cap_percent);
+}
+
+static void expect_everywhere(permit_reason_t reason)
+{
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        expect_reason(reason, i);
+    }
+}
+
+void test_SWR_ESTOP_001_the_e_stop_is_a_reason_at_every_axis(void)
+{
+    begin_move();
+    rig_box(&rig, "estop pull");
+    rig_cycle(&rig);
+    expect_everywhere(PERMIT_REASON_ESTOP_PULLED);
+    rig_box(&rig, "estop reset");
+    rig_cycles(&rig, 2U);
+    expect_everywhere(PERMIT_REASON_ESTOP_LATCHED);
+}
+
+void test_SWR_LOOP_002_a_loop_that_was_late_is_a_reason_at_every_axis(void)
+{
+    begin_move();
+    rig.elapsed_us = LIMIT_OVERRUN_US + 1U;
+    rig_cycles(&rig, LIMIT_OVERRUNS_IN_A_ROW);
+    expect_everywhere(PERMIT_REASON_LOOP_STOPPED);
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_OVERRUNS_IN_A_ROW, rig.outputs.snapshot.overruns);
+}
+
+void test_SWR_LINK_001_one_lost_card_is_a_reason_at_every_axis(void)
+{
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        begin_move();
+        box("card %s corrupt", i);
+        rig_cycles(&rig, LIMIT_LINK_AGE_CYCLES);
+        expect_everywhere(PERMIT_REASON_LINK_LOST);
+        const snapshot_card_t *const card = &rig.outputs.snapshot.cards[robot_neuro.axes[i].slot];
+        TEST_ASSERT_EQUAL_UINT32(LIMIT_LINK_AGE_CYCLES, card->frame_errors);
+        TEST_ASSERT_EQUAL_UINT32(LIMIT_LINK_AGE_CYCLES, card->age_cycles);
+    }
+}
+
+void test_SWR_PEDAL_004_a_pedal_fault_is_a_reason_at_every_axis(void)
+{
+    begin_move();
+    rig_box(&rig, "pedal b open");
+    rig_cycles(&rig, 150U);
+    expect_everywhere(PERMIT_REASON_PEDAL_FAULT);
+}
+
+void test_SWR_PERMIT_004_the_scanner_is_a_reason_at_every_axis(void)
+{
+    begin_move();
+    rig_box(&rig, "scanner on");
+    rig_cycle(&rig);
+    expect_everywhere(PERMIT_REASON_SCANNER_ACTIVE);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_scanner_active);
+}
+
+void test_SWR_PERMIT_003_a_fault_is_a_reason_at_its_axis_alone(void)
+{
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        begin_move();
+        rig.controller.axes[i].encoder.reading ^= 0x40000000;
+        rig_cycles(&rig, 2U);
+        expect_reason(PERMIT_REASON_AXIS_FAULT, i);
+        expect_reason(PERMIT_REASON_AXIS_DISABLED, i);
+        const uint32_t other = (i + 1U) % ROBOT_AXIS_COUNT;
+        TEST_ASSERT_BITS_LOW(1UL << PERMIT_REASON_AXIS_FAULT,
+                             rig.outputs.snapshot.axes[other].permit_reasons);
+    }
+}
+
+void test_SWR_PERMIT_003_nothing_armed_is_a_reason_at_every_axis(void)
+{
+    rig_start_homed(&rig);
+    rig_press(&rig);
+    expect_everywhere(PERMIT_REASON_NOTHING_ARMED);
+}
+
+void test_SWR_PEDAL_003_a_pedal_not_yet_seen_released_is_a_reason_at_every_axis(void)
+{
+    rig_start_targeted(&rig);
+    rig_press(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
+    expect_everywhere(PERMIT_REASON_PEDAL_UNPROVEN);
+    rig_release(&rig);
+    expect_everywhere(PERMIT_REASON_PEDAL_RELEASED);
+}
+
+void test_SWR_AXIS_006_an_axis_that_is_not_homed_has_its_reason_in_a_move(void)
+{
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        begin_move();
+        axis_lose_reference(&rig.controller.axes[i]);
+        rig_cycle(&rig);
+        expect_reason(PERMIT_REASON_NOT_HOMED, i);
+    }
+}
+
+/* Not homed, the pitch believes to be 100 ticks below where it is: the switch comes first. */
+void test_SWR_AXIS_005_an_active_switch_stops_what_drives_towards_it(void)
+{
+    const int32_t maximum_ticks = robot_neuro.axes[AXIS_PITCH].maximum_ticks;
+    const command_t jog = {
+        .kind = (uint32_t)COMMAND_JOG, .argument = AXIS_PITCH, .value = maximum_ticks};
+    double true_ticks[ROBOT_AXIS_COUNT];
+    rig_start(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_START_UP);
+    (void)rig_workphase(&rig, WORKPHASE_MANUAL);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
+    rig_press(&rig);
+    for (uint32_t i = 0U; rig.outputs.snapshot.axes[AXIS_PITCH].limit_switches == 0U; i++) {
+        TEST_ASSERT_LESS_THAN_UINT32(10000U, i);
+        rig_cycle(&rig);
+    }
+    bool has_stood = false;
+    for (uint32_t i = 0U; i < 400U; i++) {
+        const uint32_t switches = rig.outputs.snapshot.axes[AXIS_PITCH].limit_switches;
+        TEST_ASSERT_TRUE((switches == 0U) ||
+                         (rig_sent(&rig, AXIS_PITCH).drive.mode == (uint32_t)CARD_DRIVE_OFF));
+        has_stood = has_stood || ((rig.outputs.snapshot.axes[AXIS_PITCH].permit_reasons &
+                                   (1UL << PERMIT_REASON_LIMIT_SWITCH)) != 0U);
+        rig_cycle(&rig);
+    }
+    TEST_ASSERT_TRUE(has_stood);
+    box_true_positions(&rig.box, true_ticks);
+    TEST_ASSERT_DOUBLE_WITHIN(10.0, (double)maximum_ticks, true_ticks[AXIS_PITCH]);
+}
+
+/* A jog whose end was damaged after it had been accepted. */
+void test_SWR_AXIS_004_the_soft_limit_stops_what_was_accepted(void)
+{
+    const int32_t minimum_ticks = robot_neuro.axes[AXIS_YAW].minimum_ticks;
+    const command_t jog = {
+        .kind = (uint32_t)COMMAND_JOG, .argument = AXIS_YAW, .value = minimum_ticks};
+    bool has_stood = false;
+    rig_start_homed(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_MANUAL);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
+    rig.controller.jog_ticks = minimum_ticks - 300;
+    rig_press(&rig);
+    for (uint32_t i = 0U; i < 4000U; i++) {
+        rig_cycle(&rig);
+        const snapshot_axis_t *const yaw = &rig.outputs.snapshot.axes[AXIS_YAW];
+        TEST_ASSERT_GREATER_OR_EQUAL_INT32(minimum_ticks - 5, yaw->position_ticks);
+        has_stood = has_stood || ((yaw->permit_reasons & (1UL << PERMIT_REASON_SOFT_LIMIT)) != 0U);
+    }
+    TEST_ASSERT_TRUE(has_stood);
+}
+
+static uint32_t told_to_cards(uint32_t axis)
+{
+    return rig_sent(&rig, axis).system_state;
+}
+
+void test_SWR_CARD_005_every_card_is_told_pedal_e_stop_scanner_permit_and_homing(void)
+{
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        begin_move();
+        TEST_ASSERT_EQUAL_HEX32((uint32_t)WORKPHASE_MOVE_TO_TARGET << 8U,
+                                told_to_cards(i) & ~(uint32_t)CARD_SYSTEM_PERMIT &
+                                    ~(uint32_t)CARD_SYSTEM_PEDAL);
+        TEST_ASSERT_BITS_HIGH(CARD_SYSTEM_PERMIT | CARD_SYSTEM_PEDAL, told_to_cards(i));
+        rig_box(&rig, "scanner on");
+        rig_cycle(&rig);
+        TEST_ASSERT_BITS_HIGH(CARD_SYSTEM_SCANNER, told_to_cards(i));
+        TEST_ASSERT_BITS_LOW(CARD_SYSTEM_PERMIT | CARD_SYSTEM_PEDAL, told_to_cards(i));
+        rig_box(&rig, "estop pull");
+        rig_cycle(&rig);
+        TEST_ASSERT_BITS_HIGH(CARD_SYSTEM_ESTOP, told_to_cards(i));
+        rig_start(&rig);
+        (void)rig_workphase(&rig, WORKPHASE_START_UP);
+        TEST_ASSERT_BITS_HIGH(CARD_SYSTEM_HOMING, told_to_cards(i));
+    }
+}
+
+static rig_t arrived;
+
+void test_SWR_MOTION_004_every_axis_must_be_at_its_end_for_an_order_to_be_done(void)
+{
+    begin_move();
+    while ((rig.controller.settled_cycles < 10U) ||
+           (memcmp(rig.controller.profile.end_ticks, rig.controller.plan.target_ticks,
+                   sizeof rig.controller.plan.target_ticks) != 0)) {
+        TEST_ASSERT_LESS_THAN_UINT32(100000U, rig.controller.cycle);
+        rig_cycle(&rig);
+    }
+    arrived = rig;
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        rig = arrived;
+        rig.controller.profile.end_ticks[i] += robot_neuro.axes[i].deadband_ticks + 3;
+        rig_cycle(&rig);
+        TEST_ASSERT_EQUAL_UINT32(0U, rig.controller.settled_cycles);
+    }
+    rig = arrived;
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(11U, rig.controller.settled_cycles);
+}
+
+void test_SWR_MOTION_002_the_needle_is_retracted_before_any_other_axis_moves(void)
+{
+    const axis_config_t *const needle = &robot_neuro.axes[AXIS_INSERTION];
+    begin_move();
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 30000U).kind);
+    rig_release(&rig);
+    arrived = rig;
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        rig = arrived;
+        rig.controller.plan.target_ticks[i] -= 50;
+        (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
+        rig_press(&rig);
+        const int32_t retracted =
+            needle->home_ticks + ((needle->maximum_ticks - needle->minimum_ticks) / 128);
+        const int32_t expected = (i == (uint32_t)AXIS_INSERTION)
+                                     ? rig.controller.plan.target_ticks[AXIS_INSERTION]
+                                     : retracted;
+        TEST_ASSERT_EQUAL_INT32(expected, rig.controller.profile.end_ticks[AXIS_INSERTION]);
+    }
+}
+
+void test_SWR_PHASE_005_a_discarded_order_is_told_with_its_cause(void)
+{
+    begin_move();
+    rig_forget(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_STOP);
+    TEST_ASSERT_EQUAL_UINT32(EVENT_ORDER_DISCARDED, rig.events[0].id);
+    TEST_ASSERT_EQUAL_INT32(STATUS_DISCARDED, rig.events[0].value);
+    begin_move();
+    rig_forget(&rig);
+    rig_box(&rig, "card yaw silent");
+    rig_cycles(&rig, LIMIT_LINK_AGE_CYCLES);
+    TEST_ASSERT_EQUAL_UINT32(EVENT_CARD_LOST, rig.events[0].id);
+    TEST_ASSERT_EQUAL_UINT32(EVENT_ORDER_DISCARDED, rig.events[1].id);
+    TEST_ASSERT_EQUAL_INT32(STATUS_FAULT_PRESENT, rig.events[1].value);
+}
+
+void test_SWR_EVENT_002_events_beyond_the_bound_are_counted(void)
+{
+    rig_start_homed(&rig);
+    const uint32_t next = rig.controller.events;
+    (void)memset(&rig.outputs, 0, sizeof rig.outputs);
+    const cycle_t cycle = {.robot = &robot_neuro, .inputs = &rig.inputs, .outputs = &rig.outputs};
+    for (uint32_t i = 0U; i < (CONTROLLER_EVENTS + 8U); i++) {
+        controller_note(&rig.controller, &cycle, EVENT_PROPOSAL, i, 0);
+    }
+    TEST_ASSERT_EQUAL_UINT32(CONTROLLER_EVENTS, rig.outputs.event_count);
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(8U, rig.outputs.snapshot.events_lost);
+    TEST_ASSERT_EQUAL_UINT32(next + CONTROLLER_EVENTS, rig.outputs.snapshot.events);
 }

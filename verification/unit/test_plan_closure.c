@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Rule under test: the planner asks forward kinematics back, and arms nothing that it contradicts.
+ * The kinematics is a mock here, so that it can be wrong.
+ */
+#include "unity.h"
+
+#include "fixed.h"
+#include "mock_neuro.h"
+#include "plan.h"
+#include "requirement_limits.h"
+#include "rigid.h"
+#include "robot.h"
+
+TEST_SOURCE_FILE("robot_neuro.c")
+
+static plan_t plan;
+static int32_t wrong_by_nm;
+
+static neuro_result_t solve(const robot_t *robot, const rigid_t *pose, const point_t *entry,
+                            neuro_joints_t *joints, int calls)
+{
+    (void)robot;
+    (void)pose;
+    (void)entry;
+    (void)calls;
+    *joints = (neuro_joints_t){0};
+    return (neuro_result_t){.status = STATUS_OK};
+}
+
+static void go_forward(const robot_t *robot, const neuro_joints_t *joints, rigid_t *pose, int calls)
+{
+    (void)robot;
+    (void)joints;
+    (void)calls;
+    rigid_set_identity(pose);
+}
+
+static void differ(const rigid_t *a, const rigid_t *b, int32_t *distance_nm, int32_t *angle_bam,
+                   int calls)
+{
+    (void)a;
+    (void)b;
+    (void)calls;
+    *distance_nm = wrong_by_nm;
+    *angle_bam = 0;
+}
+
+static void to_ticks(const robot_t *robot, const neuro_joints_t *joints,
+                     int32_t ticks[ROBOT_AXIS_COUNT], int calls)
+{
+    (void)robot;
+    (void)joints;
+    (void)calls;
+    ticks[0] = 0;
+}
+
+static void from_ticks(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_COUNT],
+                       neuro_joints_t *joints, int calls)
+{
+    (void)robot;
+    (void)ticks;
+    (void)calls;
+    *joints = (neuro_joints_t){0};
+}
+
+void setUp(void)
+{
+    rigid_t identity;
+    rigid_set_identity(&identity);
+    plan_init(&plan);
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_register(&plan, &robot_neuro, &identity));
+    neuro_solve_Stub(solve);
+    neuro_forward_Stub(go_forward);
+    neuro_pose_difference_Stub(differ);
+    neuro_ticks_from_joints_Stub(to_ticks);
+    neuro_joints_from_ticks_Stub(from_ticks);
+}
+
+void tearDown(void)
+{
+}
+
+static status_t set_target(int32_t nm)
+{
+    rigid_t pose;
+    rigid_set_identity(&pose);
+    wrong_by_nm = nm;
+    return plan_set_target(&plan, &robot_neuro, &pose).status;
+}
+
+void test_SWR_PLAN_004_a_plan_that_forward_kinematics_contradicts_is_refused(void)
+{
+    TEST_ASSERT_EQUAL(STATUS_CLOSURE, set_target((int32_t)LIMIT_CLOSURE_NM + 1));
+    TEST_ASSERT_EQUAL_UINT32(0U, plan.has_target);
+}
+
+void test_SWR_PLAN_004_a_plan_within_the_closure_is_taken(void)
+{
+    TEST_ASSERT_EQUAL(STATUS_OK, set_target((int32_t)LIMIT_CLOSURE_NM));
+    TEST_ASSERT_EQUAL_UINT32(1U, plan.has_target);
+}
