@@ -33,6 +33,7 @@ static uint32_t dispatch(axis_t *self, const axis_config_t *config, axis_event_t
     self->home_correction_ticks =
         fixed_saturate((int64_t)config->home_ticks - (int64_t)self->encoder.position_ticks);
     encoder_set_position(&self->encoder, config->home_ticks);
+    supervision_shift(&self->supervision, self->home_correction_ticks);
     self->setpoint_ticks = config->home_ticks;
     homing_forget(&self->homing);
     return AXIS_NOTE_HOMED;

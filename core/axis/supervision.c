@@ -144,6 +144,19 @@ void supervision_reset(supervision_t *self)
     (void)stall_watchdog_chart_dispatch(&self->stall, STALL_WATCHDOG_EVENT_RESET);
 }
 
+static int32_t shifted(int32_t place_ticks, int32_t ticks)
+{
+    return fixed_saturate((int64_t)place_ticks + (int64_t)ticks);
+}
+
+void supervision_shift(supervision_t *self, int32_t ticks)
+{
+    self->mark_ticks = shifted(self->mark_ticks, ticks);
+    for (uint32_t i = 0U; i < SUPERVISION_PLACES; i++) {
+        self->places_ticks[i] = shifted(self->places_ticks[i], ticks);
+    }
+}
+
 uint32_t supervision_step(supervision_t *self, const axis_config_t *config,
                           const supervision_view_t *view)
 {

@@ -58,6 +58,9 @@ int32_t supervision_rest_ticks(const axis_config_t *config);
 /** The axis was enabled anew. */
 void supervision_reset(supervision_t *self);
 
+/** The position was set: places from before are `ticks` farther up now. */
+void supervision_shift(supervision_t *self, int32_t ticks);
+
 /**
  * One cycle.
  *

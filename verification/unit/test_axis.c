@@ -947,6 +947,16 @@ void test_SWR_AXIS_016_the_last_of_a_driven_motion_does_not_count(void)
     TEST_ASSERT_EQUAL_HEX32(0U, off_cycles(2000U));
 }
 
+void test_SWR_AXIS_016_homing_in_place_is_no_motion(void)
+{
+    use(without_switch);
+    move_to(-77);
+    (void)off_cycles(2000U);
+    home_in_place();
+    TEST_ASSERT_EQUAL_HEX32(0U, off_cycles(2000U));
+    TEST_ASSERT_TRUE(axis_is_homed(&axis));
+}
+
 void test_SWR_AXIS_016_hands_may_move_an_axis_that_nobody_relies_on(void)
 {
     axis_disable(&axis);
