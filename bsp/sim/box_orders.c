@@ -25,8 +25,8 @@ static const char orders[] = "pedal press|release|pulse\n"
                              "pedal a|b open|close\n"
                              "estop pull|reset|pulse\n"
                              "card SLOT silent|corrupt|foreign|normal\n"
-                             "encoder SLOT stuck|reversed|normal\n"
-                             "motor SLOT stuck|runs|normal\n"
+                             "encoder SLOT stuck|reversed|half|normal\n"
+                             "motor SLOT stuck|half|twice|runs|normal\n"
                              "switch SLOT stuck|open|chatter|reversed|normal\n"
                              "scanner on|off\n"
                              "show\n";
@@ -166,8 +166,8 @@ static bool order_level(bool *level, const order_t *order, const char *on, const
 
 /* In the order of the enumerations of these faults. */
 static const char *const card_words[] = {"normal", "silent", "corrupt", "foreign", NULL};
-static const char *const encoder_words[] = {"normal", "stuck", "reversed", NULL};
-static const char *const motor_words[] = {"normal", "stuck", "runs", NULL};
+static const char *const encoder_words[] = {"normal", "stuck", "reversed", "half", NULL};
+static const char *const motor_words[] = {"normal", "stuck", "half", "twice", "runs", NULL};
 static const char *const switch_words[] = {"normal", "stuck", "open", "chatter", "reversed", NULL};
 
 /* Number of `word`, or -1. */

@@ -53,7 +53,10 @@ static void cross_edge(sim_encoder_t *self, int32_t change, uint32_t time_us)
     const bool is_reversed = self->is_inverted != (self->fault == SIM_ENCODER_REVERSED);
 
     self->state += change;
-    if (self->fault != SIM_ENCODER_STUCK) {
+    const bool is_lost =
+        (self->fault == SIM_ENCODER_STUCK) ||
+        ((self->fault == SIM_ENCODER_HALF) && (((uint32_t)self->state & 1U) != 0U));
+    if (!is_lost) {
         record_edge(self, is_reversed ? -change : change, time_us);
     }
 }

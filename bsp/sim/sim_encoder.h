@@ -25,8 +25,9 @@
 
 typedef enum {
     SIM_ENCODER_NORMAL = 0,
-    SIM_ENCODER_STUCK = 1,   /**< Cable cut: no edges. */
-    SIM_ENCODER_REVERSED = 2 /**< Lines swapped: counts the other way. */
+    SIM_ENCODER_STUCK = 1,    /**< Cable cut: no edges. */
+    SIM_ENCODER_REVERSED = 2, /**< Lines swapped: counts the other way. */
+    SIM_ENCODER_HALF = 3      /**< Every other edge is lost. */
 } sim_encoder_fault_t;
 
 /** State of one encoder. */

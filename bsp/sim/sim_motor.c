@@ -56,6 +56,7 @@ double sim_motor_steady_speed(const sim_motor_t *self, const card_drive_t *drive
     } else {
         return 0.0;
     }
+    share *= (self->fault == SIM_MOTOR_HALF) ? 0.5 : (self->fault == SIM_MOTOR_TWICE) ? 2.0 : 1.0;
     share *= 1.0 - self->load;
     if (share < SIM_MOTOR_SLOWEST) {
         return 0.0;

@@ -21,7 +21,9 @@
 typedef enum {
     SIM_MOTOR_NORMAL = 0,
     SIM_MOTOR_STUCK = 1, /**< The shaft cannot turn. */
-    SIM_MOTOR_RUNS = 2   /**< A driver's transistor is shorted: upwards at half of full speed while
+    SIM_MOTOR_HALF = 2,  /**< Half as fast as the robot's table says. */
+    SIM_MOTOR_TWICE = 3, /**< Twice as fast. */
+    SIM_MOTOR_RUNS = 4   /**< A driver's transistor is shorted: upwards at half of full speed while
                             there is a supply, whatever the card says. */
 } sim_motor_fault_t;
 

@@ -176,8 +176,8 @@ uint32_t axis_supervise(axis_t *self, const axis_config_t *config, bool is_drive
                                      .setpoint_ticks = self->setpoint_ticks,
                                      .is_driven = is_driven,
                                      .is_upwards = servo_is_upwards(config, &asked),
-                                     .is_off =
-                                         is_relied_on && (sent->mode == (uint32_t)CARD_DRIVE_OFF),
+                                     .is_relied_on = is_relied_on,
+                                     .drive = *sent,
                                      .elapsed_us = elapsed_us};
     (void)axis_chart_advance(&self->chart, elapsed_us);
     uint32_t found = supervision_step(&self->supervision, config, &view);

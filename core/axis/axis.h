@@ -75,7 +75,7 @@ card_drive_t axis_home(axis_t *self, const axis_config_t *config, uint32_t elaps
 
 /**
  * The checks of supervision and homing. `is_driven`: the permit allowed the axis and a motion runs.
- * `sent`: what went to the card in the last cycle.
+ * `sent`: what the card applied up to this position.
  *
  * @return AXIS_NOTE_ bits
  *

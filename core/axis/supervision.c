@@ -9,6 +9,7 @@
 #define PLACE_US 100000U
 /* From the drive word to a motor at rest. */
 #define REST_US 10000U
+#define HALF_WINDOW_US (LIMIT_SPEED_WINDOW_US / 2U)
 
 static int64_t error_ticks(const supervision_view_t *view)
 {
@@ -75,11 +76,73 @@ static bool is_backwards(supervision_t *self, const supervision_view_t *view)
     return is_wrong;
 }
 
+static int64_t ticks_of(const axis_config_t *config, uint32_t way_nm, uint32_t way_bam)
+{
+    const int64_t way = (int64_t)((config->unit == (uint8_t)AXIS_UNIT_MM) ? way_nm : way_bam);
+    return (way * 65536) / config->unit_per_tick_q16;
+}
+
 int32_t supervision_rest_ticks(const axis_config_t *config)
 {
-    const int64_t way = (config->unit == (uint8_t)AXIS_UNIT_MM) ? (int64_t)LIMIT_REST_WAY_NM
-                                                                : (int64_t)LIMIT_REST_WAY_BAM;
-    return fixed_saturate((way * 65536) / config->unit_per_tick_q16);
+    return fixed_saturate(ticks_of(config, LIMIT_REST_WAY_NM, LIMIT_REST_WAY_BAM));
+}
+
+/* The motor was driven, and nothing was counted in its direction. */
+static bool is_silent(supervision_t *self, const axis_config_t *config,
+                      const supervision_view_t *view, int64_t model_q16)
+{
+    const int64_t counted = (int64_t)view->position_ticks - (int64_t)self->position_ticks;
+    const bool is_counting =
+        ((model_q16 > 0) && (counted > 0)) || ((model_q16 < 0) && (counted < 0));
+    if (!view->is_driven || is_counting) {
+        self->due_q16 = 0;
+        self->silent_us = 0U;
+        return false;
+    }
+    const int64_t blind_q16 = ticks_of(config, LIMIT_BLIND_WAY_NM, LIMIT_BLIND_WAY_BAM) * 65536;
+    self->due_q16 += model_q16;
+    const int64_t due_q16 = (self->due_q16 < 0) ? -self->due_q16 : self->due_q16;
+    const bool is_due = due_q16 >= ((int64_t)LIMIT_SILENT_TICKS * 65536);
+    self->silent_us += is_due ? view->elapsed_us : 0U;
+    return (self->silent_us >= LIMIT_SILENT_TIME_US) || (due_q16 >= blind_q16);
+}
+
+/* Over a window in which the motor ran most of the time, counts and model are of one size. */
+static bool is_window_wrong(supervision_t *self, const axis_config_t *config)
+{
+    const supervision_way_t *const ways = self->ways;
+    const int64_t sign = ((ways[0].model_q16 + ways[1].model_q16) < 0) ? -1 : 1;
+    const int64_t model = (sign * (ways[0].model_q16 + ways[1].model_q16)) / 65536;
+    const int64_t counted = sign * (ways[0].counted_ticks + ways[1].counted_ticks);
+    const bool is_telling = (model >= (int64_t)LIMIT_SPEED_LEAST_TICKS) &&
+                            (model >= (int64_t)supervision_rest_ticks(config)) &&
+                            ((ways[0].driven_us + ways[1].driven_us) >= HALF_WINDOW_US);
+    const int64_t slack = (int64_t)LIMIT_SILENT_TICKS;
+    const int64_t least = ((model * (int64_t)LIMIT_SPEED_LEAST_PERCENT) / 100) - slack;
+    const int64_t most = ((model * (int64_t)LIMIT_SPEED_MOST_PERCENT) / 100) + slack;
+    if (!is_telling || ((counted >= least) && (counted <= most))) {
+        return false;
+    }
+    self->speed_percent = fixed_saturate((counted * 100) / model);
+    return true;
+}
+
+static bool is_speed_wrong(supervision_t *self, const axis_config_t *config,
+                           const supervision_view_t *view, int64_t model_q16)
+{
+    supervision_way_t *const now = &self->ways[0];
+    const bool is_running = view->drive.mode != (uint32_t)CARD_DRIVE_OFF;
+    now->model_q16 += model_q16;
+    now->counted_ticks += (int64_t)view->position_ticks - (int64_t)self->position_ticks;
+    now->time_us += view->elapsed_us;
+    now->driven_us += is_running ? view->elapsed_us : 0U;
+    if (now->time_us < HALF_WINDOW_US) {
+        return false;
+    }
+    const bool is_wrong = is_window_wrong(self, config);
+    self->ways[1] = *now;
+    (void)memset(now, 0, sizeof *now);
+    return is_wrong && view->is_relied_on;
 }
 
 static void settle(supervision_t *self, const supervision_view_t *view)
@@ -116,8 +179,9 @@ static int32_t way_while_off(const supervision_t *self, const supervision_view_t
 static bool is_moving_while_off(supervision_t *self, const axis_config_t *config,
                                 const supervision_view_t *view)
 {
-    const uint32_t more_us = view->is_off ? view->elapsed_us : 0U;
-    self->off_us = view->is_off ? self->off_us : 0U;
+    const bool is_off = view->is_relied_on && (view->drive.mode == (uint32_t)CARD_DRIVE_OFF);
+    const uint32_t more_us = is_off ? view->elapsed_us : 0U;
+    self->off_us = is_off ? self->off_us : 0U;
     self->off_us += (self->off_us < REST_US) ? more_us : 0U;
     if (self->off_us < REST_US) {
         settle(self, view);
@@ -142,6 +206,7 @@ void supervision_init(supervision_t *self)
 void supervision_reset(supervision_t *self)
 {
     (void)stall_watchdog_chart_dispatch(&self->stall, STALL_WATCHDOG_EVENT_RESET);
+    (void)memset(self->ways, 0, sizeof self->ways);
 }
 
 static int32_t shifted(int32_t place_ticks, int32_t ticks)
@@ -152,6 +217,7 @@ static int32_t shifted(int32_t place_ticks, int32_t ticks)
 void supervision_shift(supervision_t *self, int32_t ticks)
 {
     self->mark_ticks = shifted(self->mark_ticks, ticks);
+    self->position_ticks = shifted(self->position_ticks, ticks);
     for (uint32_t i = 0U; i < SUPERVISION_PLACES; i++) {
         self->places_ticks[i] = shifted(self->places_ticks[i], ticks);
     }
@@ -160,10 +226,15 @@ void supervision_shift(supervision_t *self, int32_t ticks)
 uint32_t supervision_step(supervision_t *self, const axis_config_t *config,
                           const supervision_view_t *view)
 {
+    const int64_t model_q16 =
+        motor_model_step_q16(&self->model, config, &view->drive, view->elapsed_us);
     uint32_t notes = 0U;
     notes |= note(is_stalled(self, config, view), AXIS_NOTE_STALLED);
     notes |= note(is_astray(config, view), AXIS_NOTE_FOLLOWING_ERROR);
     notes |= note(is_backwards(self, view), AXIS_NOTE_WRONG_WAY);
     notes |= note(is_moving_while_off(self, config, view), AXIS_NOTE_MOVED_OFF);
+    notes |= note(is_silent(self, config, view, model_q16), AXIS_NOTE_NO_COUNTS);
+    notes |= note(is_speed_wrong(self, config, view, model_q16), AXIS_NOTE_WRONG_SPEED);
+    self->position_ticks = view->position_ticks;
     return notes;
 }

@@ -7,6 +7,8 @@
 #ifndef BORESIGHT_SUPERVISION_H
 #define BORESIGHT_SUPERVISION_H
 
+#include "card_frame.h"
+#include "motor_model.h"
 #include "robot.h"
 #include "stall_watchdog_chart.h"
 
@@ -24,6 +26,8 @@
 #define AXIS_NOTE_SWITCH_FAULT 0x040U
 #define AXIS_NOTE_WRONG_WAY 0x080U
 #define AXIS_NOTE_MOVED_OFF 0x100U
+#define AXIS_NOTE_NO_COUNTS 0x200U
+#define AXIS_NOTE_WRONG_SPEED 0x400U
 
 /** Places that are remembered of an axis that is off: those of the last second. */
 #define SUPERVISION_PLACES 11U
@@ -32,11 +36,20 @@
 typedef struct {
     int32_t position_ticks;
     int32_t setpoint_ticks;
-    bool is_driven;  /**< The permit allowed the axis and a motion runs. */
-    bool is_upwards; /**< Direction of the last drive that was asked for. */
-    bool is_off;     /**< The card was told to be off, and the axis is to stay where it is. */
+    bool is_driven;     /**< The permit allowed the axis and a motion runs. */
+    bool is_upwards;    /**< Direction of the last drive that was asked for. */
+    bool is_relied_on;  /**< Enabled or homed: off, it is to stay where it is. */
+    card_drive_t drive; /**< What the card applied up to this position. */
     uint32_t elapsed_us;
 } supervision_view_t;
+
+/** What half a window of the comparison with the model has brought. */
+typedef struct {
+    int64_t model_q16;
+    int64_t counted_ticks;
+    uint32_t time_us;
+    uint32_t driven_us;
+} supervision_way_t;
 
 typedef struct {
     stall_watchdog_chart_t stall;
@@ -48,6 +61,12 @@ typedef struct {
     uint32_t place_us;                        /**< Its age. */
     uint32_t off_us;                          /**< Off for so long, saturates. */
     int32_t off_ticks;                        /**< Way while off, for the record. */
+    motor_model_t model;
+    int32_t position_ticks;    /**< Of the cycle before. */
+    int64_t due_q16;           /**< Way of the model since the last count in its direction. */
+    uint32_t silent_us;        /**< Since LIMIT_SILENT_TICKS were due without any. */
+    supervision_way_t ways[2]; /**< The present half of the window and the one before. */
+    int32_t speed_percent;     /**< Counts of the window against those of the model, at a fault. */
 } supervision_t;
 
 void supervision_init(supervision_t *self);
@@ -71,6 +90,8 @@ void supervision_shift(supervision_t *self, int32_t ticks);
  * @satisfies SWR-AXIS-009
  * @satisfies SWR-AXIS-015
  * @satisfies SWR-AXIS-016
+ * @satisfies SWR-AXIS-018
+ * @satisfies SWR-AXIS-019
  */
 uint32_t supervision_step(supervision_t *self, const axis_config_t *config,
                           const supervision_view_t *view);

@@ -22,6 +22,8 @@ static event_severity_t severity(event_id_t id)
     case EVENT_AXIS_SWITCH_FAULT:
     case EVENT_AXIS_WRONG_WAY:
     case EVENT_AXIS_MOVED_OFF:
+    case EVENT_AXIS_NO_COUNTS:
+    case EVENT_AXIS_WRONG_SPEED:
     case EVENT_LOOP_STOPPED:
     case EVENT_CHART_REPAIRED:
         result = EVENT_SEVERITY_CRITICAL;

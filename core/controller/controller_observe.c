@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "controller_parts.h"
 
+#include "fixed.h"
+
 #include <stddef.h>
 
 static void observe_link(controller_t *self, const cycle_t *cycle, uint32_t index)
@@ -59,6 +61,12 @@ static int32_t detail(const axis_t *axis, event_id_t id)
     case (uint32_t)EVENT_AXIS_MOVED_OFF:
         value = axis->supervision.off_ticks;
         break;
+    case (uint32_t)EVENT_AXIS_NO_COUNTS:
+        value = fixed_saturate(axis->supervision.due_q16 / 65536);
+        break;
+    case (uint32_t)EVENT_AXIS_WRONG_SPEED:
+        value = axis->supervision.speed_percent;
+        break;
     default:
         value = 0;
         break;
@@ -78,7 +86,9 @@ static void note_axis(controller_t *self, const cycle_t *cycle, uint32_t index, 
                   {AXIS_NOTE_HOME_TIMEOUT, EVENT_AXIS_HOME_TIMEOUT},
                   {AXIS_NOTE_SWITCH_FAULT, EVENT_AXIS_SWITCH_FAULT},
                   {AXIS_NOTE_WRONG_WAY, EVENT_AXIS_WRONG_WAY},
-                  {AXIS_NOTE_MOVED_OFF, EVENT_AXIS_MOVED_OFF}};
+                  {AXIS_NOTE_MOVED_OFF, EVENT_AXIS_MOVED_OFF},
+                  {AXIS_NOTE_NO_COUNTS, EVENT_AXIS_NO_COUNTS},
+                  {AXIS_NOTE_WRONG_SPEED, EVENT_AXIS_WRONG_SPEED}};
     if ((notes & AXIS_NOTE_CHART_REPAIRED) != 0U) {
         controller_note(self, cycle, EVENT_CHART_REPAIRED, (uint32_t)EVENT_CHART_AXIS,
                         (int32_t)index);
@@ -104,7 +114,7 @@ static void observe_axis(controller_t *self, const cycle_t *cycle, uint32_t inde
     const card_report_t *const report = (link->is_fresh != 0U) ? &link->report : NULL;
     uint32_t notes = axis_observe(&self->axes[index], config, report);
     notes |= axis_supervise(&self->axes[index], config, self->is_driven[index] != 0U,
-                            &self->drives[index], cycle->inputs->elapsed_us);
+                            &link->sent_before, cycle->inputs->elapsed_us);
     note_axis(self, cycle, index, notes);
 }
 

@@ -57,7 +57,11 @@ typedef enum {
     EVENT_AXIS_SWITCH_FAULT =
         28, /**< Axis (subject) homed (value, ticks) and its switch had no edge where it must be. */
     EVENT_AXIS_WRONG_WAY = 29, /**< Axis (subject) went (value, ticks) against its drive. */
-    EVENT_AXIS_MOVED_OFF = 30  /**< Axis (subject) moved (value, ticks) while its drive was off. */
+    EVENT_AXIS_MOVED_OFF = 30, /**< Axis (subject) moved (value, ticks) while its drive was off. */
+    EVENT_AXIS_NO_COUNTS =
+        31, /**< Axis (subject) should have made (value, ticks) and counted none. */
+    EVENT_AXIS_WRONG_SPEED =
+        32 /**< Axis (subject) counted (value, percent) of what its motor should make. */
 } event_id_t;
 
 typedef struct {

@@ -13,6 +13,7 @@
 #include "permit.h"
 #include "requirement_limits.h"
 
+#include <stdio.h>
 #include <string.h>
 
 TEST_SOURCE_FILE("axis.c")
@@ -35,6 +36,7 @@ TEST_SOURCE_FILE("homing.c")
 TEST_SOURCE_FILE("link.c")
 TEST_SOURCE_FILE("loop_guard.c")
 TEST_SOURCE_FILE("loop_guard_chart.c")
+TEST_SOURCE_FILE("motor_model.c")
 TEST_SOURCE_FILE("neuro.c")
 TEST_SOURCE_FILE("neuro_limits.c")
 TEST_SOURCE_FILE("pedal_gate.c")
@@ -376,14 +378,26 @@ void test_SWR_AXIS_012_a_stall_loses_reference_and_target(void)
     expect_nothing_known(AXIS_HEAD);
 }
 
-void test_SWR_STALL_003_a_stall_is_reported_exactly_once(void)
+void test_SWR_STALL_003_a_step_too_small_for_the_model_stalls_and_is_reported_once(void)
+{
+    const command_t jog = {.kind = COMMAND_JOG, .argument = AXIS_ROTATION, .value = 3};
+    rig_start_homed(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_MANUAL);
+    (void)rig_command(&rig, jog);
+    rig_box(&rig, "motor rotation stuck");
+    rig_press(&rig);
+    rig_cycles(&rig, 2000U);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_STALLED));
+    expect_nothing_known(AXIS_ROTATION);
+}
+
+void test_SWR_AXIS_018_a_cut_encoder_is_reported_exactly_once(void)
 {
     begin_move();
     rig_box(&rig, "encoder head stuck");
     rig_forget(&rig);
     rig_cycles(&rig, 2000U);
-    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_STALLED) +
-                                     rig_count(&rig, EVENT_AXIS_FOLLOWING_ERROR));
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_NO_COUNTS));
 }
 
 void test_SWR_AXIS_009_an_axis_that_runs_the_wrong_way_is_stopped(void)
@@ -471,12 +485,12 @@ void test_SWR_AXIS_014_a_chattering_switch_homes_nowhere(void)
     }
 }
 
-void test_SWR_AXIS_003_a_switch_that_never_acts_ends_in_a_stall_at_the_stop(void)
+void test_SWR_AXIS_003_a_switch_that_never_acts_ends_in_a_fault_at_the_stop(void)
 {
     rig_start(&rig);
     rig_box(&rig, "switch insertion open");
     (void)needle_way_in_start_up(ANSWER_ABORTED);
-    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_STALLED));
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_NO_COUNTS));
 }
 
 void test_SWR_AXIS_015_a_reversed_encoder_is_found_in_the_first_leg_of_homing(void)
@@ -583,6 +597,129 @@ void test_SWR_AXIS_017_a_lost_card_gets_no_guard(void)
     rig_cycles(&rig, 20U);
     TEST_ASSERT_EQUAL_INT32(rig_sent(&rig, AXIS_HEAD).guard_minimum_ticks,
                             rig_sent(&rig, AXIS_HEAD).guard_maximum_ticks);
+}
+
+/* `axis` is jogged and has run at its speed for a while. */
+static void cruise(uint32_t axis)
+{
+    static const int32_t ends[ROBOT_AXIS_COUNT] = {-5000, 4000, -2000, 60000, 5000, -300, -1100};
+    const command_t jog = {.kind = COMMAND_JOG, .argument = axis, .value = ends[axis]};
+    const int32_t speed_q8 = robot_neuro.axes[axis].speed_ticks_per_s * 230;
+    rig_start_homed(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
+    rig_press(&rig);
+    const snapshot_axis_t *const shown = &rig.outputs.snapshot.axes[axis];
+    while ((shown->setpoint_speed_ticks_per_s_q8 < speed_q8) &&
+           (shown->setpoint_speed_ticks_per_s_q8 > -speed_q8)) {
+        rig_cycle(&rig);
+        TEST_ASSERT_LESS_THAN_UINT32(200000U, rig.controller.cycle);
+    }
+    rig_cycles(&rig, 100U);
+    TEST_ASSERT_TRUE(rig_is_driving(&rig));
+    rig_forget(&rig);
+}
+
+/* A fault, its event, and the figures within which it must come. */
+typedef struct {
+    const char *part;
+    const char *fault;
+    event_id_t event;
+    uint32_t most_ms;
+    double most_ways[2]; /* For lines, 0.1 mm; for turns, 0.5 degrees. */
+} blindness_t;
+
+/* Time to the event, and how far true and believed position have gone apart. */
+static void expect_notice(uint32_t axis, const blindness_t *fault)
+{
+    char order[48];
+    const double *const at = &rig.box.axes[axis].motor.position_ticks;
+    cruise(axis);
+    const double start = *at - (double)position(axis);
+    (void)snprintf(order, sizeof order, "%s %s %s", fault->part, robot_neuro.axes[axis].name,
+                   fault->fault);
+    rig_box(&rig, order);
+    uint32_t cycles = 0U;
+    while (rig_count(&rig, fault->event) == 0U) {
+        rig_cycle(&rig);
+        cycles++;
+        TEST_ASSERT_LESS_OR_EQUAL_UINT32_MESSAGE(fault->most_ms, cycles, order);
+    }
+    rig_cycles(&rig, 200U);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_WRONG_WAY) +
+                                     rig_count(&rig, EVENT_AXIS_NO_COUNTS) +
+                                     rig_count(&rig, EVENT_AXIS_WRONG_SPEED));
+    const double apart = rest_ways(axis, *at - (double)position(axis) - start);
+    const double most = fault->most_ways[robot_neuro.axes[axis].unit];
+    TEST_ASSERT_TRUE_MESSAGE((apart <= most) && (apart >= -most), order);
+    expect_nothing_known(axis);
+}
+
+static void expect_notice_on_every_axis(blindness_t fault)
+{
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        expect_notice(i, &fault);
+    }
+}
+
+void test_SWR_AXIS_018_a_cut_encoder_is_noticed_on_every_axis(void)
+{
+    expect_notice_on_every_axis(
+        (blindness_t){"encoder", "stuck", EVENT_AXIS_NO_COUNTS, 40U, {3.0, 5.0}});
+}
+
+void test_SWR_AXIS_018_a_blocked_shaft_is_noticed_on_every_axis(void)
+{
+    expect_notice_on_every_axis(
+        (blindness_t){"motor", "stuck", EVENT_AXIS_NO_COUNTS, 40U, {0.4, 0.4}});
+}
+
+void test_SWR_AXIS_015_swapped_lines_are_noticed_on_every_axis(void)
+{
+    expect_notice_on_every_axis(
+        (blindness_t){"encoder", "reversed", EVENT_AXIS_WRONG_WAY, 30U, {3.0, 5.0}});
+}
+
+void test_SWR_AXIS_019_half_the_counts_are_noticed_on_every_axis(void)
+{
+    expect_notice_on_every_axis(
+        (blindness_t){"encoder", "half", EVENT_AXIS_WRONG_SPEED, 150U, {8.0, 18.0}});
+}
+
+void test_SWR_AXIS_019_a_motor_half_as_fast_is_noticed_on_every_axis(void)
+{
+    expect_notice_on_every_axis(
+        (blindness_t){"motor", "half", EVENT_AXIS_WRONG_SPEED, 150U, {0.4, 0.4}});
+}
+
+void test_SWR_AXIS_019_a_motor_twice_as_fast_is_noticed_on_every_axis(void)
+{
+    expect_notice_on_every_axis(
+        (blindness_t){"motor", "twice", EVENT_AXIS_WRONG_SPEED, 150U, {0.4, 0.4}});
+}
+
+/* Homing and a move to a target with motors that are `gain` times as fast as the table says. */
+static void move_with_gain(double gain)
+{
+    rigid_t identity;
+    const rigid_t pose = rig_pose(5000000, 190000000, 60000000);
+    rigid_set_identity(&identity);
+    rig_start(&rig);
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        rig.box.axes[i].motor.full_speed_ticks_per_s *= gain;
+    }
+    rig_home(&rig);
+    rig_register(&rig, &identity);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_target(&rig, &pose).status);
+    (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 40000U).kind);
+}
+
+void test_SWR_AXIS_019_motors_a_fifth_slower_or_faster_raise_no_alarm(void)
+{
+    move_with_gain(0.8);
+    move_with_gain(1.2);
 }
 
 void test_SWR_PERMIT_004_the_axes_rest_while_the_scanner_acquires(void)

@@ -13,6 +13,7 @@
 #include "encoder.h"
 #include "fixed.h"
 #include "homing.h"
+#include "motor_model.h"
 #include "requirement_limits.h"
 #include "robot.h"
 #include "servo.h"
@@ -80,9 +81,14 @@ static void use(const axis_config_t *which)
     setpoint_ticks = 0;
 }
 
+/* While driven, the motor gets pulses that are too short to move it. */
 static uint32_t supervise(bool is_driven, uint32_t elapsed_us)
 {
-    const card_drive_t sent = {.mode = is_driven ? CARD_DRIVE_NON_PWM : CARD_DRIVE_OFF};
+    static uint32_t cycle = 0U;
+    cycle++;
+    const bool is_pulse = is_driven && (elapsed_us == CYCLE_US) && ((cycle % 8U) == 0U);
+    const card_drive_t sent = {.mode = is_pulse ? CARD_DRIVE_NON_PWM : CARD_DRIVE_OFF,
+                               .direction = (cycle / 8U) % 2U};
     return axis_supervise(&axis, config, is_driven, &sent, elapsed_us);
 }
 

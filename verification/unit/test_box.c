@@ -371,6 +371,12 @@ void test_SWR_BOX_003_encoder_faults_obey(void)
     order("encoder insertion reversed");
     cycles(50U);
     TEST_ASSERT_TRUE(report_of(AXIS_INSERTION).encoder_count < before - 20);
+    order("encoder 3 half");
+    const int32_t half = report_of(AXIS_INSERTION).encoder_count;
+    const int there = position_of(AXIS_INSERTION);
+    cycles(50U);
+    TEST_ASSERT_INT_WITHIN(2, (position_of(AXIS_INSERTION) - there) / 2,
+                           report_of(AXIS_INSERTION).encoder_count - half);
     order("encoder 3 normal");
     const int32_t middle = report_of(AXIS_INSERTION).encoder_count;
     cycles(50U);
@@ -474,7 +480,7 @@ void test_SWR_BOX_003_orders_that_are_unknown_change_nothing_and_are_told_the_kn
                                         "aVeryLongWordIndeed on"};
 
     for (uint32_t i = 0U; i < sizeof wrong / sizeof wrong[0]; i++) {
-        expect_refused(wrong[i], "encoder SLOT stuck|reversed|normal");
+        expect_refused(wrong[i], "encoder SLOT stuck|reversed|half|normal");
     }
 }
 

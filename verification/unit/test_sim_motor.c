@@ -182,6 +182,14 @@ void test_SWR_BOX_002_a_motor_with_a_shorted_driver_runs_without_being_asked(voi
     TEST_ASSERT_EQUAL_INT(0, speed());
 }
 
+void test_SWR_BOX_002_a_motor_may_be_half_or_twice_as_fast(void)
+{
+    motor.fault = SIM_MOTOR_HALF;
+    TEST_ASSERT_EQUAL_INT(FULL_SPEED / 2, (int)sim_motor_steady_speed(&motor, &run_up));
+    motor.fault = SIM_MOTOR_TWICE;
+    TEST_ASSERT_EQUAL_INT(2 * FULL_SPEED, (int)sim_motor_steady_speed(&motor, &run_up));
+}
+
 void test_SWR_BOX_002_a_driven_motor_ends_at_its_hard_stops(void)
 {
     drive_for(run_up, 3000000U);

@@ -9,6 +9,7 @@
 #include "encoder.h"
 #include "fixed.h"
 #include "homing.h"
+#include "motor_model.h"
 #include "requirement_limits.h"
 #include "robot.h"
 #include "servo.h"

@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * What an ultrasonic motor does with its drive words, as far as one knows without looking: it runs
+ * at the speed of the word, gains it with a time constant, and stops at once. Supervision compares
+ * it with what the encoder counts.
+ */
+#ifndef BORESIGHT_MOTOR_MODEL_H
+#define BORESIGHT_MOTOR_MODEL_H
+
+#include "card_frame.h"
+#include "robot.h"
+
+#include <stdint.h>
+
+typedef struct {
+    int64_t speed_ticks_per_s_q8;
+} motor_model_t;
+
+/** `drive` was applied for `elapsed_us`. @return the way that it should have made, in ticks */
+int64_t motor_model_step_q16(motor_model_t *self, const axis_config_t *config,
+                             const card_drive_t *drive, uint32_t elapsed_us);
+
+#endif

@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* Rule under test: the model makes the way that the motor of the simulated box makes. */
+#include "unity.h"
+
+#include "card_frame.h"
+#include "crc.h"
+#include "motor_model.h"
+#include "requirement_limits.h"
+#include "robot.h"
+#include "servo.h"
+#include "sim_motor.h"
+
+TEST_SOURCE_FILE("robot_neuro.c")
+
+#define CYCLE_US 1000U
+
+static motor_model_t model;
+static sim_motor_t motor;
+static double way_ticks;
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+static void start(const axis_config_t *config)
+{
+    model = (motor_model_t){0};
+    way_ticks = 0.0;
+    sim_motor_init(&motor, config, 0.0, 0.0);
+    motor.lowest_ticks = -1e9;
+    motor.highest_ticks = 1e9;
+}
+
+/* Drives both for so many cycles. */
+static void run(const axis_config_t *config, card_drive_t drive, uint32_t cycles)
+{
+    for (uint32_t i = 0U; i < cycles; i++) {
+        way_ticks += (double)motor_model_step_q16(&model, config, &drive, CYCLE_US) / 65536.0;
+        for (uint32_t us = 0U; us < CYCLE_US; us += SIM_STEP_US) {
+            sim_motor_step(&motor, &drive, true);
+        }
+    }
+}
+
+static void expect_one_way(double within_share)
+{
+    const double way = motor.position_ticks;
+    TEST_ASSERT_DOUBLE_WITHIN(((way < 0.0) ? -way : way) * within_share, way, way_ticks);
+    TEST_ASSERT_TRUE(way != 0.0);
+}
+
+void test_SWR_AXIS_019_the_model_goes_where_the_motor_goes(void)
+{
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        const axis_config_t *const config = &robot_neuro.axes[i];
+        const bool is_pwm = config->card_type == (uint8_t)CARD_TYPE_PWM;
+        const uint32_t duty = (config->minimum_duty + config->maximum_duty) / 2U;
+        card_drive_t drive = {is_pwm ? CARD_DRIVE_PWM : CARD_DRIVE_NON_PWM, 1U, is_pwm ? duty : 0U};
+        start(config);
+        run(config, drive, 30U);
+        expect_one_way(0.05);
+        run(config, (card_drive_t){CARD_DRIVE_OFF, 0U, 0U}, 20U);
+        drive.direction = 0U;
+        run(config, drive, 200U);
+        expect_one_way(0.05);
+    }
+}
+
+void test_SWR_AXIS_019_a_reversal_without_rest_begins_anew(void)
+{
+    const axis_config_t *const config = &robot_neuro.axes[AXIS_PITCH];
+    start(config);
+    run(config, (card_drive_t){CARD_DRIVE_NON_PWM, 1U, 0U}, 100U);
+    const int64_t way_q16 =
+        motor_model_step_q16(&model, config, &(card_drive_t){CARD_DRIVE_NON_PWM, 0U, 0U}, CYCLE_US);
+    TEST_ASSERT_TRUE(way_q16 < 0);
+    run(config, (card_drive_t){CARD_DRIVE_NON_PWM, 0U, 0U}, 100U);
+    TEST_ASSERT_TRUE(motor_model_step_q16(&model, config,
+                                          &(card_drive_t){CARD_DRIVE_NON_PWM, 1U, 0U},
+                                          CYCLE_US) > 0);
+}
+
+void test_SWR_AXIS_019_a_late_cycle_ends_at_the_steady_speed(void)
+{
+    const axis_config_t *const config = &robot_neuro.axes[AXIS_PITCH];
+    start(config);
+    (void)motor_model_step_q16(&model, config, &(card_drive_t){CARD_DRIVE_NON_PWM, 1U, 0U},
+                               1000000U);
+    TEST_ASSERT_EQUAL_INT64(256 * (int64_t)config->full_speed_ticks_per_s,
+                            model.speed_ticks_per_s_q8);
+}
