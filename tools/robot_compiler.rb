@@ -85,7 +85,7 @@ module Robot
         'is_motor_inverted' => flag(axis['motor_inverted']), 'is_encoder_inverted' => flag(axis['encoder_inverted']),
         'unit_per_tick_q16' => "INT64_C(#{unit_per_tick_q16(axis)})"
       }.merge(POSITIONS.to_h { |key| [key, axis[key]] },
-              { 'home_way_ticks' => axis.home_way_ticks, 'home_time_us' => "#{axis['home_time_ms'] * 1000}U" },
+              axis.targets, { 'home_way_ticks' => axis.home_way_ticks, 'home_time_us' => "#{axis['home_time_ms'] * 1000}U" },
               Axis::DUTIES.to_h { |key| [key, "#{axis[key]}U"] })
     end
 

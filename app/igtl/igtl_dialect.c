@@ -27,6 +27,7 @@ uint32_t igtl_reason_code(status_t status)
     case STATUS_UNREACHABLE_HEIGHT:
     case STATUS_AXIS_LIMIT:
     case STATUS_SEPARATION_LIMIT:
+    case STATUS_SWITCH_ZONE:
     case STATUS_CLOSURE:
         return IGTL_STATUS_CONFIG_ERROR;
     case STATUS_WRONG_WORKPHASE:
@@ -49,6 +50,10 @@ void igtl_reason_text(const robot_t *robot, const answer_t *answer, char text[IG
     if ((answer->status == (uint32_t)STATUS_AXIS_LIMIT) && (answer->axis < robot->axis_count)) {
         (void)snprintf(text, IGTL_REASON_SIZE, "%s: %s (%s, %s limit)", status_name(status),
                        status_text(status), robot->axes[answer->axis].name, limit);
+    } else if ((answer->status == (uint32_t)STATUS_SWITCH_ZONE) &&
+               (answer->axis < robot->axis_count)) {
+        (void)snprintf(text, IGTL_REASON_SIZE, "%s: %s (%s)", status_name(status),
+                       status_text(status), robot->axes[answer->axis].name);
     } else if (answer->status == (uint32_t)STATUS_SEPARATION_LIMIT) {
         (void)snprintf(text, IGTL_REASON_SIZE, "%s: %s (%s limit)", status_name(status),
                        status_text(status), limit);

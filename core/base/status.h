@@ -30,7 +30,8 @@ typedef enum {
     STATUS_CLOSURE = 17,   /**< Forward kinematics does not return the target; nothing was armed. */
     STATUS_DISCARDED = 18, /**< The armed motion was discarded; command it again. */
     STATUS_EXPIRED = 19,   /**< The pedal was not pressed in time; command it again. */
-    STATUS_NO_ANSWER = 20  /**< The controller did not answer in time. */
+    STATUS_NO_ANSWER = 20, /**< The controller did not answer in time. */
+    STATUS_SWITCH_ZONE = 21 /**< An axis would end where its limit switch may be active. */
 } status_t;
 
 #endif

@@ -24,6 +24,7 @@ static event_severity_t severity(event_id_t id)
     case EVENT_AXIS_MOVED_OFF:
     case EVENT_AXIS_NO_COUNTS:
     case EVENT_AXIS_WRONG_SPEED:
+    case EVENT_ORDER_OVERDUE:
     case EVENT_LOOP_STOPPED:
     case EVENT_CHART_REPAIRED:
         result = EVENT_SEVERITY_CRITICAL;

@@ -118,6 +118,7 @@ static void begin_leg(controller_t *self, const robot_t *robot)
                  speed_cap_allowed_percent(controller_is_homed(self)));
     self->is_profile_running = 1U;
     self->settled_cycles = 0U;
+    self->overtime_cycles = 0U;
 }
 
 static void follow_profile(controller_t *self, const cycle_t *cycle,
@@ -151,6 +152,30 @@ static bool is_order_at_end(const controller_t *self)
     return is_end;
 }
 
+/* An axis that is not where its profile ended. */
+static uint32_t astray(const controller_t *self, const robot_t *robot)
+{
+    uint32_t index = 0U;
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        if (!axis_is_at(&self->axes[i], &robot->axes[i], self->profile.end_ticks[i])) {
+            index = i;
+        }
+    }
+    return index;
+}
+
+/* A motion that does not end is given up. */
+static void watch_time(controller_t *self, const cycle_t *cycle)
+{
+    self->overtime_cycles = profile_is_finished(&self->profile) ? (self->overtime_cycles + 1U) : 0U;
+    if ((self->overtime_cycles * LIMIT_CYCLE_US) >= LIMIT_OVERTIME_US) {
+        const uint32_t index = astray(self, cycle->robot);
+        controller_note(self, cycle, EVENT_ORDER_OVERDUE, index,
+                        self->profile.end_ticks[index] - self->axes[index].encoder.position_ticks);
+        controller_tell_order(self, cycle, WORKPHASES_EVENT_FAULT, STATUS_FAULT_PRESENT);
+    }
+}
+
 static void run_profile(controller_t *self, const cycle_t *cycle,
                         card_drive_t requests[ROBOT_AXIS_COUNT])
 {
@@ -161,6 +186,8 @@ static void run_profile(controller_t *self, const cycle_t *cycle,
         if (is_end) {
             controller_tell_order(self, cycle, WORKPHASES_EVENT_DONE, STATUS_OK);
         }
+    } else {
+        watch_time(self, cycle);
     }
 }
 

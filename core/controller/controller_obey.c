@@ -188,6 +188,11 @@ static status_t obey_jog(controller_t *self, const cycle_t *cycle, const command
         }
         return STATUS_AXIS_LIMIT;
     }
+    if ((command->value < config->target_minimum_ticks) ||
+        (command->value > config->target_maximum_ticks)) {
+        answer->axis = command->argument;
+        return STATUS_SWITCH_ZONE;
+    }
     const workphases_inputs_t guards = controller_guards(self, cycle);
     const status_t status = workphase_request_jog(&self->workphases, &guards, &actions);
     controller_report_order(self, cycle, actions, STATUS_DISCARDED);

@@ -37,6 +37,7 @@ void controller_observe(controller_t *self, const cycle_t *cycle);
 /**
  * Commands of this cycle, each answered at once.
  *
+ * @satisfies SWR-AXIS-020
  * @satisfies SWR-CMD-001
  * @satisfies SWR-CMD-004
  */
@@ -63,6 +64,7 @@ workphases_inputs_t controller_guards(const controller_t *self, const cycle_t *c
  * The armed order: pedal edges, homing, move, jog, its end. Fills one drive request per axis.
  *
  * @satisfies SWR-DEMO-001
+ * @satisfies SWR-MOTION-005
  */
 void controller_move(controller_t *self, const cycle_t *cycle,
                      card_drive_t requests[ROBOT_AXIS_COUNT]);

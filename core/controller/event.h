@@ -61,7 +61,9 @@ typedef enum {
     EVENT_AXIS_NO_COUNTS =
         31, /**< Axis (subject) should have made (value, ticks) and counted none. */
     EVENT_AXIS_WRONG_SPEED =
-        32 /**< Axis (subject) counted (value, percent) of what its motor should make. */
+        32, /**< Axis (subject) counted (value, percent) of what its motor should make. */
+    EVENT_ORDER_OVERDUE =
+        33 /**< The motion did not end in time: axis (subject) is (value, ticks) off. */
 } event_id_t;
 
 typedef struct {

@@ -81,6 +81,20 @@ status_t plan_register(plan_t *self, const robot_t *robot, const rigid_t *scanne
     return STATUS_OK;
 }
 
+/* Kinematics knows limits only; a switch that is still active would block the last of the way. */
+static void check_switches(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_COUNT],
+                           neuro_result_t *result)
+{
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        const axis_config_t *const config = &robot->axes[i];
+        if ((result->status == STATUS_OK) && ((ticks[i] < config->target_minimum_ticks) ||
+                                              (ticks[i] > config->target_maximum_ticks))) {
+            result->status = STATUS_SWITCH_ZONE;
+            result->axis = (uint8_t)i;
+        }
+    }
+}
+
 neuro_result_t plan_set_target(plan_t *self, const robot_t *robot, const rigid_t *scanner_treatment)
 {
     neuro_result_t result = {
@@ -109,7 +123,8 @@ neuro_result_t plan_set_target(plan_t *self, const robot_t *robot, const rigid_t
     }
     if (result.status == STATUS_OK) {
         settle(robot, &self->scanner_zframe, &joints, self->target_ticks, &self->scanner_target);
-        self->has_target = 1U;
+        check_switches(robot, self->target_ticks, &result);
+        self->has_target = (result.status == STATUS_OK) ? 1U : 0U;
     }
     return result;
 }

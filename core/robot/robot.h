@@ -69,13 +69,17 @@ typedef struct {
                                        running). */
     int32_t following_error_ticks;  /**< Largest |set-point - position| while driven. */
     int32_t jump_ticks;             /**< Largest believable change of the reading in one cycle. */
-    int32_t switch_hysteresis_ticks; /**< Way back until the limit switch releases; 0 without one. */
-    int32_t home_way_ticks;          /**< The farthest that homing goes away from the switch: its
-                                        over-travel, hysteresis and 0.1 mm or 0.3 degrees; the
-                                        needle 0.2 mm at most. */
-    uint32_t home_time_us;           /**< Longest driven time of a leg of homing. */
-    uint32_t minimum_duty;          /**< Smallest pwm word that moves the motor; 0 for non-pwm. */
-    uint32_t maximum_duty;          /**< Largest pwm word, saturates; 0 for non-pwm. */
+    int32_t
+        switch_hysteresis_ticks;  /**< Way back until the limit switch releases; 0 without one. */
+    int32_t home_way_ticks;       /**< The farthest that homing goes away from the switch: its
+                                     over-travel, hysteresis and 0.1 mm or 0.3 degrees; the
+                                     needle 0.2 mm at most. */
+    int32_t target_minimum_ticks; /**< Where a target may lie, inclusive: where the limit switch
+                                     is surely free. */
+    int32_t target_maximum_ticks;
+    uint32_t home_time_us; /**< Longest driven time of a leg of homing. */
+    uint32_t minimum_duty; /**< Smallest pwm word that moves the motor; 0 for non-pwm. */
+    uint32_t maximum_duty; /**< Largest pwm word, saturates; 0 for non-pwm. */
 } axis_config_t;
 
 /** Geometry of the NeuroRobot (mechanism of Nycz et al. 2017), nm. */

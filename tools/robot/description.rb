@@ -14,6 +14,8 @@ module Robot
     # What homing may go away from its switch beyond over-travel and hysteresis, and the needle in all.
     HOME_MARGIN = { true => Rational('0.1'), false => Rational('0.005236') }.freeze # 0.1 mm or 0.3 degrees
     LARGEST_NEEDLE_WAY_MM = Rational('0.2')
+    # A switch may be active up to so far beyond its hysteresis.
+    SWITCH_SLACK_TICKS = 2
     POSITION = (-1_000_000..1_000_000)
     SPEED = (1..1_000_000)
     WHOLE = {
@@ -67,6 +69,15 @@ module Robot
       margin = (HOME_MARGIN[linear?] * self['ticks_per_unit']).ceil
       way = self['over_travel_ticks'] + self['switch_hysteresis_ticks'] + margin
       needle? ? [way, (LARGEST_NEEDLE_WAY_MM * self['ticks_per_unit']).floor].min : way
+    end
+
+    # The positions that a target may have: where the switch is surely free.
+    def targets
+      zone = self['switch_hysteresis_ticks'] + SWITCH_SLACK_TICKS
+      low, high = self['minimum_ticks'], self['maximum_ticks']
+      low = [low, self['home_ticks'] + zone].max if self['limit_switch'] == 'lower'
+      high = [high, self['home_ticks'] - zone].min if self['limit_switch'] == 'upper'
+      { 'target_minimum_ticks' => low, 'target_maximum_ticks' => high }
     end
 
     private

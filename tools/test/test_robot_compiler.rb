@@ -183,6 +183,16 @@ class TestRobotCompiler < Minitest::Test
     assert_includes compile(small).last, ".home_way_ticks = #{60 + 100 + 334},"
   end
 
+  def test_SWR_AXIS_020_targets_keep_clear_of_the_switch_and_its_hysteresis
+    table = compile(TEXT).last
+    assert_equal [-11_418, -5512, -2337, 336, -8073, -370, -1222], ticks(table, 'target_minimum')
+    assert_equal [-10, 5906, -7, 133_334, 8073, 508, 0], ticks(table, 'target_maximum')
+  end
+
+  def ticks(table, name)
+    table.scan(/\.#{name}_ticks = (-?\d+)/).flatten.map(&:to_i)
+  end
+
   def test_SWR_ROBOT_001_limits_that_cross_are_refused
     assert_refused(with('minimum_ticks: -370', 'minimum_ticks: 516'),
                    'axes[5].minimum_ticks: is 516; expected less than maximum_ticks (516)', at: 'minimum_ticks: 516')

@@ -364,6 +364,46 @@ void test_SWR_ENC_002_an_impossible_count_faults_the_axis_and_loses_its_home(voi
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_ENCODER_FAULT));
 }
 
+void test_SWR_AXIS_020_a_jog_to_where_the_switch_may_be_active_is_refused_by_name(void)
+{
+    rig_start_homed(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_MANUAL);
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        const axis_config_t *const config = &robot_neuro.axes[i];
+        const bool is_lower = config->limit_switch == (uint8_t)LIMIT_SWITCH_LOWER;
+        const int32_t zone = config->switch_hysteresis_ticks + 2;
+        const int32_t out = is_lower ? 1 : -1;
+        command_t jog = {.kind = (uint32_t)COMMAND_JOG,
+                         .argument = i,
+                         .value = config->home_ticks + (out * (zone - 1))};
+        if (config->limit_switch != (uint8_t)LIMIT_SWITCH_NONE) {
+            const answer_t answer = rig_command(&rig, jog);
+            TEST_ASSERT_EQUAL_UINT32(STATUS_SWITCH_ZONE, answer.status);
+            TEST_ASSERT_EQUAL_UINT32(i, answer.axis);
+            jog.value += out;
+        }
+        TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
+    }
+}
+
+void test_SWR_AXIS_020_a_target_where_a_switch_may_be_active_is_refused_by_name(void)
+{
+    neuro_joints_t joints;
+    rigid_t pose;
+    int32_t ticks[ROBOT_AXIS_COUNT] = {-3000, -2000, -1, 33334, 0, 0, 0};
+    rig_start_targeted(&rig);
+    neuro_joints_from_ticks(&robot_neuro, ticks, &joints);
+    neuro_forward(&robot_neuro, &joints, &pose);
+    const answer_t answer = rig_target(&rig, &pose);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_SWITCH_ZONE, answer.status);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_LATERAL, answer.axis);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
+    ticks[AXIS_LATERAL] = -20;
+    neuro_joints_from_ticks(&robot_neuro, ticks, &joints);
+    neuro_forward(&robot_neuro, &joints, &pose);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_target(&rig, &pose).status);
+}
+
 void test_SWR_AXIS_003_driven_time_of_homing_is_bounded(void)
 {
     rig_start(&rig);

@@ -722,6 +722,26 @@ void test_SWR_AXIS_019_motors_a_fifth_slower_or_faster_raise_no_alarm(void)
     move_with_gain(1.2);
 }
 
+void test_SWR_MOTION_005_a_move_that_a_switch_blocks_is_discarded_by_name(void)
+{
+    command_t jog = {.kind = COMMAND_JOG, .argument = AXIS_LATERAL, .value = -500};
+    rig_start_homed(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_MANUAL);
+    (void)rig_command(&rig, jog);
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 10000U).kind);
+    rig_release(&rig);
+    rig_box(&rig, "switch lateral stuck");
+    jog.value = -400;
+    (void)rig_command(&rig, jog);
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 7000U).kind);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_ORDER_OVERDUE));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_LATERAL, rig.events[rig.event_count - 2U].subject);
+    TEST_ASSERT_INT32_WITHIN(2, 100, rig.events[rig.event_count - 2U].value);
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+}
+
 void test_SWR_PERMIT_004_the_axes_rest_while_the_scanner_acquires(void)
 {
     begin_move();

@@ -326,6 +326,16 @@ void test_SWR_IGTL_008_unreachable_target_names_axis_and_limit(void)
     EXPECT(0U, "");
 }
 
+void test_SWR_IGTL_008_a_target_at_a_switch_names_its_axis(void)
+{
+    char text[IGTL_REASON_SIZE];
+    const answer_t at_switch = {.status = (uint32_t)STATUS_SWITCH_ZONE, .axis = AXIS_LATERAL};
+
+    igtl_reason_text(&robot_neuro, &at_switch, text);
+    TEST_ASSERT_NOT_NULL(strstr(text, "SWITCH_ZONE"));
+    TEST_ASSERT_NOT_NULL(strstr(text, "(lateral)"));
+}
+
 void test_SWR_IGTL_008_each_reason_has_its_code(void)
 {
     TEST_ASSERT_EQUAL_UINT32(1U, igtl_reason_code(STATUS_OK));
@@ -335,6 +345,7 @@ void test_SWR_IGTL_008_each_reason_has_its_code(void)
     TEST_ASSERT_EQUAL_UINT32(13U, igtl_reason_code(STATUS_HARDWARE_NOT_READY));
     TEST_ASSERT_EQUAL_UINT32(10U, igtl_reason_code(STATUS_NOT_RIGID));
     TEST_ASSERT_EQUAL_UINT32(10U, igtl_reason_code(STATUS_SEPARATION_LIMIT));
+    TEST_ASSERT_EQUAL_UINT32(10U, igtl_reason_code(STATUS_SWITCH_ZONE));
     TEST_ASSERT_EQUAL_UINT32(7U, igtl_reason_code(STATUS_EXPIRED));
     TEST_ASSERT_EQUAL_UINT32(7U, igtl_reason_code(STATUS_NO_ANSWER));
 }
