@@ -117,7 +117,8 @@ static uint32_t longest_stage(void)
 static void gather_inputs(uint64_t elapsed_ns)
 {
     (void)memset(&inputs, 0, sizeof inputs);
-    inputs.elapsed_us = (uint32_t)((elapsed_ns + 500U) / 1000U);
+    const uint64_t elapsed_us = (elapsed_ns + 500U) / 1000U;
+    inputs.elapsed_us = (elapsed_us < UINT32_MAX) ? (uint32_t)elapsed_us : UINT32_MAX;
     inputs.late_stage = longest_stage();
     inputs.frames_received = exchange_frames(inputs.frames);
     const bsp_inputs_t levels = bsp_sample_inputs();
@@ -171,7 +172,7 @@ static void publish_figures(void)
     const uint64_t world_ns = realtime_now_ns();
     const uint64_t elapsed_ns = world_ns - told_world_ns;
     if (elapsed_ns >= FIGURES_NS) {
-        const uint64_t board_ns = bsp_now_ns();
+        const uint64_t board_ns = bsp_reached_ns();
         figures_publish(&figures, &published);
         published.overruns = controller.loop.overruns;
         published.cycles_lost = exchange_cycles_lost(exchange);
@@ -219,7 +220,7 @@ static void begin_figures(uint32_t rights)
     published.is_elastic = time.is_elastic ? 1U : 0U;
     published.slowness = time.slowness;
     published.speed_permille = 1000U / time.slowness;
-    told_board_ns = bsp_now_ns();
+    told_board_ns = bsp_reached_ns();
     told_world_ns = realtime_now_ns();
     exchange_publish_loop(exchange, &published);
 }

@@ -78,7 +78,7 @@ void drives_off_tell(const drives_off_t *done, char text[DRIVES_OFF_TEXT_SIZE])
     } else {
         (void)snprintf(text, DRIVES_OFF_TEXT_SIZE,
                        "\"off\" was sent to all %u cards, %u confirm it; the others' own watchdogs "
-                       "switch off within %u ms.\n",
+                       "switch off within %u ms of their time.\n",
                        told, off, LIMIT_CARD_WATCHDOG_US / 1000U);
     }
 }

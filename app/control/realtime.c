@@ -19,7 +19,7 @@ static uint32_t acquire_priority(void)
         return EXCHANGE_RIGHT_FIFO;
     }
     (void)fprintf(stderr, "control: no real-time priority; run as root or allow it with "
-                          "'ulimit -r 80'. Cycles may be late.\n");
+                          "'ulimit -r 80'. In real time cycles may be late.\n");
     return 0;
 }
 
@@ -44,7 +44,7 @@ static uint32_t acquire_memory(void)
         return EXCHANGE_RIGHT_MEMORY;
     }
     (void)fprintf(stderr, "control: memory is not locked; run as root or allow it with "
-                          "'ulimit -l unlimited'. Cycles may be late.\n");
+                          "'ulimit -l unlimited'. In real time cycles may be late.\n");
     return 0;
 }
 

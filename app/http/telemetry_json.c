@@ -67,12 +67,17 @@ static void add_loop(cJSON *object, const telemetry_view_t *view)
     add_flag(rights, "memory", figures->rights & EXCHANGE_RIGHT_MEMORY);
 }
 
-static void add_time(cJSON *object, const loop_figures_t *figures)
+/* Control that does not come says nothing of its speed either. */
+#define STILL_MS 2000U
+
+static void add_time(cJSON *object, const telemetry_view_t *view)
 {
+    const loop_figures_t *figures = &view->loop;
+    uint32_t speed_permille = (view->age_ms < STILL_MS) ? figures->speed_permille : 0U;
     cJSON *time = cJSON_AddObjectToObject(object, "time");
     add_flag(time, "is_elastic", figures->is_elastic);
     add_number(time, "slowness", figures->slowness);
-    add_number(time, "speed_percent", (double)figures->speed_permille / 10.0);
+    add_number(time, "speed_percent", (double)speed_permille / 10.0);
 }
 
 static void add_card_faults(cJSON *card, uint32_t status)
@@ -140,7 +145,7 @@ cJSON *telemetry_json_status(const telemetry_identity_t *identity, const telemet
     add_flag(status, "is_homed", snapshot->is_homed);
     add_flag(status, "is_registered", snapshot->is_registered);
     add_flag(status, "has_target", snapshot->has_target);
-    add_time(status, &view->loop);
+    add_time(status, view);
     add_loop(status, view);
     add_cards(status, snapshot);
     add_counts(status, view);

@@ -280,10 +280,10 @@ static void watch_control(void)
 
     if (beats != process.control_beats) {
         process.control_beats = beats;
-        process.control_seen_us = process.moment.now_us;
-    } else if ((process.moment.now_us - process.control_seen_us) >= CONTROL_SILENT_US) {
+        process.control_seen_us = process.moment.patience_us;
+    } else if ((process.moment.patience_us - process.control_seen_us) >= CONTROL_SILENT_US) {
         workphase_dialect_control_lost(&process.workphase, &process.moment);
-        process.control_seen_us = process.moment.now_us;
+        process.control_seen_us = process.moment.patience_us;
     } else {
         /* It may be a little late. */
     }

@@ -14,9 +14,9 @@
 
 /* Together less than LIMIT_STOP_TIME_US, in the time of the board. */
 #define STOP_CLIENTS_US UINT64_C(300000)
-#define STOP_CONTROL_US UINT64_C(400000)
-#define STOP_RECORDER_US UINT64_C(700000)
-#define STOP_BOX_US UINT64_C(300000)
+#define STOP_CONTROL_US UINT64_C(900000) /* It may just be waiting for the box. */
+#define STOP_RECORDER_US UINT64_C(500000)
+#define STOP_BOX_US UINT64_C(200000)
 
 uint64_t family_now_us(void)
 {
@@ -166,7 +166,7 @@ static void send(const family_t *self, const member_t *members, uint32_t count, 
 static void stop(family_t *self, const member_t *members, uint32_t count, uint64_t timeout_us)
 {
     const struct timespec step = {.tv_sec = 0, .tv_nsec = STOP_STEP_NS};
-    const uint64_t end_us = family_now_us() + (timeout_us * self->slowness);
+    const uint64_t end_us = family_now_us() + timeout_us;
 
     send(self, members, count, SIGTERM);
     send(self, members, count, SIGCONT); /* A stopped one would not hear. */
@@ -187,7 +187,7 @@ void family_stop(family_t *self)
     static const member_t box[] = {MEMBER_BOX};
 
     stop(self, clients, 2U, STOP_CLIENTS_US);
-    stop(self, control, 1U, STOP_CONTROL_US);
+    stop(self, control, 1U, STOP_CONTROL_US * self->slowness);
     stop(self, recorder, 1U, STOP_RECORDER_US);
-    stop(self, box, 1U, STOP_BOX_US);
+    stop(self, box, 1U, STOP_BOX_US * self->slowness);
 }

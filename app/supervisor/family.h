@@ -27,7 +27,7 @@ typedef enum {
 typedef struct {
     child_t members[FAMILY_SIZE];
     char box[FAMILY_NAME_SIZE]; /**< Name of the box. */
-    uint32_t slowness;          /**< Of the board: their time-outs are as many times longer. */
+    uint32_t slowness;          /**< Of the board: control and box have as many times longer. */
     int output;                 /**< Where their standard output and error go. */
     int errors;
 } family_t;

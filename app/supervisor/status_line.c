@@ -98,9 +98,9 @@ static uint32_t live_links(const snapshot_t *snapshot)
 }
 
 /** @satisfies SWR-SUP-005 */
-static void add_time(char *text, size_t size, const loop_figures_t *loop)
+static void add_time(char *text, size_t size, const loop_figures_t *loop, bool is_silent)
 {
-    const unsigned percent = (loop->speed_permille + 5U) / 10U;
+    const unsigned percent = is_silent ? 0U : ((loop->speed_permille + 5U) / 10U);
 
     if (loop->is_elastic != 0U) {
         add(text, size, " | elastic time %u %%", percent);
@@ -144,7 +144,7 @@ void status_line_write(char *text, size_t size, const exchange_t *exchange, fami
         add(text, size, "starting");
     }
     if (exchange_read_loop(exchange, &loop)) {
-        add_time(text, size, &loop);
+        add_time(text, size, &loop, family_is_silent(family, exchange, MEMBER_CONTROL));
     }
     add_programs(text, size, exchange, family);
 }

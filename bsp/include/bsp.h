@@ -60,6 +60,9 @@ bsp_time_t bsp_time(void);
 /** The board's monotonic time, ns. Elastic time stands still between two sleeps. */
 uint64_t bsp_now_ns(void);
 
+/** The time that the board itself has come to, ns: it stands still while the board does. */
+uint64_t bsp_reached_ns(void);
+
 /** Sleeps until `deadline_ns` (absolute, of bsp_now_ns()). */
 void bsp_sleep_until_ns(uint64_t deadline_ns);
 

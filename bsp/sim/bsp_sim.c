@@ -110,6 +110,11 @@ uint64_t bsp_now_ns(void)
     return board_time.is_elastic ? (elastic_us * NS_PER_US) : (wire_now_ns() / board_time.slowness);
 }
 
+uint64_t bsp_reached_ns(void)
+{
+    return wire_load_time(port.wire) * NS_PER_US;
+}
+
 static void sleep_until_world_ns(uint64_t world_ns)
 {
     const struct timespec deadline = {.tv_sec = (time_t)(world_ns / NS_PER_S),

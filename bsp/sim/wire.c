@@ -112,12 +112,26 @@ static bool lock_end(int file, wire_end_t end)
     return fcntl(file, F_OFD_SETLK, &lock) == 0;
 }
 
-bool wire_is_served(const wire_port_t *port)
+/* Whether a living process holds `end`. */
+static bool is_held(const wire_port_t *port, wire_end_t end)
 {
     struct flock lock = {
-        .l_type = F_WRLCK, .l_whence = SEEK_SET, .l_start = WIRE_END_BOX, .l_len = 1};
+        .l_type = F_WRLCK, .l_whence = SEEK_SET, .l_start = (off_t)end, .l_len = 1};
 
     return (fcntl(port->file, F_OFD_GETLK, &lock) == 0) && (lock.l_type != F_UNLCK);
+}
+
+bool wire_is_served(const wire_port_t *port)
+{
+    return is_held(port, WIRE_END_BOX);
+}
+
+/* Control lives in the time that it found when it opened the board. */
+static bool would_change_time(const wire_port_t *port, bsp_time_t time)
+{
+    return is_held(port, WIRE_END_CONTROL) &&
+           (((wire_load(&port->wire->is_elastic) != 0U) != time.is_elastic) ||
+            (wire_load(&port->wire->slowness) != time.slowness));
 }
 
 static bool set_path(wire_port_t *port, const char *name, char *error, uint32_t error_size)
@@ -220,9 +234,20 @@ bool wire_serve(wire_port_t *port, const char *name, bsp_time_t time, char *erro
     } else if (!size_wire(port) || !map_wire(port)) {
         (void)snprintf(error, error_size, "cannot map the shared memory %s: %s", port->path,
                        strerror(errno));
+    } else if (would_change_time(port, time)) {
+        (void)snprintf(
+            error, error_size,
+            "the control process of \"%s\" lives in another time; stop it first, or give "
+            "--slow and --real-time as before",
+            name);
     } else {
         reset_wire(port->wire, time);
         return true;
+    }
+    /* A mapping would keep the file, and with it the lock. */
+    if (port->wire != NULL) {
+        (void)munmap(port->wire, sizeof(wire_t));
+        port->wire = NULL;
     }
     if (port->file >= 0) {
         (void)close(port->file);

@@ -62,11 +62,24 @@ module Gates
     end
 
     def verdict(status)
-      passed, bad = Results.read(gate.name).partition { |test| test['result'] == 'pass' }
-      complaints = bad.map { |test| Complaint.of_test(test) }
+      passed, bad = results.partition { |test| test['result'] == 'pass' }
+      complaints = bad.map { |test| Complaint.of_test(test) } + @unread.to_a
       complaints << (@hung || Complaint.of_log(gate.log)) if bad.empty? && !status.success?
       count = passed.empty? && complaints.empty? ? 1 : passed.size
       Verdict.new(gate: gate, passed: count, failed: complaints.size, seconds: seconds, complaints: complaints)
+    end
+
+    private
+
+    # A runner that ran no test, or could not say what it ran, has not passed.
+    def results
+      tests = Results.read(gate.name)
+      raise KeyError, 'it holds no test' if tests.empty? && File.exist?(Results.file(gate.name))
+
+      tests
+    rescue JSON::ParserError, KeyError, NoMethodError => e
+      @unread = [Complaint.new(Results.file(gate.name), [e.message.lines.first.to_s.strip])]
+      []
     end
   end
 end

@@ -20,10 +20,13 @@ module Gates
     # What each gate took when it last passed here.
     SECONDS = 'build/log/seconds.json'
     POLL_SECONDS = 0.1
-    SIGNALS = %w[INT TERM HUP].freeze
+    SIGNALS = %w[INT TERM HUP QUIT].freeze
+    LOCK = 'build/.gates'
 
     def initialize(gates, out, cores: Etc.nprocessors)
       FileUtils.mkdir_p([File.dirname(SECONDS), Results::FOLDER])
+      @lock = File.open(LOCK, File::RDWR | File::CREAT)
+      @lock.flock(File::LOCK_EX | File::LOCK_NB) || raise(Refused, 'gates run in this folder already; wait for them')
       @waiting = gates
       @jobs = []
       @verdicts = []
@@ -94,11 +97,14 @@ module Gates
       @teller.gate_ended(verdict)
       return unless verdict.passed?
 
-      File.write(SECONDS, JSON.generate(measured.merge(job.gate.name => verdict.seconds.round(1))))
+      File.write("#{SECONDS}.new", JSON.generate(measured.merge(job.gate.name => [verdict.seconds.round(1), 0.1].max)))
+      File.rename("#{SECONDS}.new", SECONDS)
     end
 
     def measured
       File.exist?(SECONDS) ? JSON.parse(File.read(SECONDS)) : {}
+    rescue JSON::ParserError
+      {}
     end
 
     def seconds_left

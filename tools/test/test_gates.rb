@@ -51,6 +51,30 @@ class TestGates < Minitest::Test
     end
   end
 
+  def test_SWR_GATE_001_a_gate_whose_results_hold_no_test_or_cannot_be_read_fails
+    empty = %(echo '{"run": {}, "tests": []}' >build/results/empty.json)
+    output, status = run_gates('empty' => empty, 'broken' => 'echo { >build/results/broken.json', 'good' => 'ruby leave.rb')
+    refute status.success?
+    assert_includes output, 'it holds no test'
+    assert_equal '2 passed, 2 failed', output.lines.last.chomp
+  end
+
+  def test_SWR_GATE_002_two_runs_in_one_folder_are_refused
+    output, = run_gates({ 'outer' => 'ruby tools/gates.rb inner || true', 'inner' => 'true' }, 'outer') do |folder|
+      assert_includes File.read(File.join(folder, 'build/log/outer.log')), 'gates run in this folder already'
+    end
+    assert_equal '1 passed, 0 failed', output.lines.last.chomp
+  end
+
+  def test_SWR_GATE_003_durations_that_cannot_be_read_are_forgotten
+    Dir.mktmpdir do |folder|
+      prepare(folder, 'a' => 'true')
+      FileUtils.mkdir_p(File.join(folder, 'build/log'))
+      File.write(File.join(folder, 'build/log/seconds.json'), '')
+      assert_equal '1 passed, 0 failed', run_in(folder).first.lines.last.chomp
+    end
+  end
+
   def test_SWR_GATE_002_what_is_asked_for_runs_after_what_it_needs_and_nothing_else_runs
     output, status = run_gates({ 'a' => 'echo a >>ran', 'b' => ['echo b >>ran', %w[a]], 'c' => 'echo c >>ran',
                                  'd' => ['echo d >>ran; cat ran', %w[b]] }, 'd') do |folder|

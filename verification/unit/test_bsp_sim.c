@@ -372,3 +372,28 @@ void test_SWR_BOX_006_a_box_that_stops_answering_is_waited_for_once(void)
     TEST_ASSERT_TRUE(wire_now_ns() - before_ns < 5U * patient_ns);
     bsp_close();
 }
+
+void test_SWR_BOX_006_a_box_of_another_time_is_refused_while_control_lives_in_the_old_one(void)
+{
+    const bsp_time_t slow = {.is_elastic = true, .slowness = 50U};
+
+    serve_anew(true, 1U);
+    TEST_ASSERT_TRUE(bsp_open(name, error, sizeof error));
+    kill_box();
+    is_serving = wire_serve(&served, name, slow, error, sizeof error);
+    TEST_ASSERT_FALSE(is_serving);
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(error, "lives in another time"), error);
+    bsp_close();
+    is_serving = wire_serve(&served, name, slow, error, sizeof error);
+    TEST_ASSERT_TRUE_MESSAGE(is_serving, error);
+}
+
+void test_SWR_SUP_005_the_time_that_the_board_has_come_to_is_its_own(void)
+{
+    serve_anew(true, 1U);
+    TEST_ASSERT_TRUE(bsp_open(name, error, sizeof error));
+    bsp_sleep_until_ns(bsp_now_ns() + UINT64_C(5000000));
+    TEST_ASSERT_EQUAL_UINT64(wire_load_time(served.wire) * 1000U, bsp_reached_ns());
+    TEST_ASSERT_TRUE(bsp_now_ns() > bsp_reached_ns());
+    bsp_close();
+}

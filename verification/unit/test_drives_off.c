@@ -122,7 +122,7 @@ void test_SWR_CTRL_004_a_board_that_does_not_answer_is_told_again_and_nothing_is
     }
     TEST_ASSERT_EQUAL_HEX32(0U, done.confirmed);
     expect_text(&done, "\"off\" was sent to all 7 cards, 0 confirm it; the others' own watchdogs "
-                       "switch off within 10 ms.\n");
+                       "switch off within 10 ms of their time.\n");
 }
 
 void test_SWR_CTRL_004_silent_damaged_and_driving_cards_do_not_count_as_off(void)

@@ -236,14 +236,10 @@ class Boresight
   end
 
   # Sends a workphase command as a client of the OpenIGTLink port does. The connection stays: a server may drop what
-  # a client that has gone asked for. It is made anew when igtl was restarted.
+  # a client that has gone asked for.
   def command(workphase)
     @commands = (@commands || 0) + 1
     @peer ||= WorkphasePeer.new(@brp_port)
-    @peer.command(format('CMD_%04d', @commands), workphase)
-  rescue EOFError, SystemCallError
-    @peer&.close
-    @peer = WorkphasePeer.new(@brp_port)
     @peer.command(format('CMD_%04d', @commands), workphase)
   end
 
