@@ -194,7 +194,10 @@ static int32_t reading_at(const axis_t *self, const axis_config_t *config, int64
 {
     const uint32_t way = (uint32_t)way_ticks;
     const uint32_t reading = (uint32_t)self->encoder.reading;
-    const uint32_t at = (config->is_encoder_inverted != 0U) ? (reading - way) : (reading + way);
+    uint32_t at = reading + way;
+    if (config->is_encoder_inverted != 0U) {
+        at = reading - way;
+    }
     return (at > (uint32_t)INT32_MAX) ? (int32_t)((int64_t)at - INT64_C(4294967296)) : (int32_t)at;
 }
 

@@ -111,8 +111,9 @@ static bool is_silent(supervision_t *self, const axis_config_t *config,
 static bool is_window_wrong(supervision_t *self, const axis_config_t *config)
 {
     const supervision_way_t *const ways = self->ways;
-    const int64_t sign = ((ways[0].model_q16 + ways[1].model_q16) < 0) ? -1 : 1;
-    const int64_t model = (sign * (ways[0].model_q16 + ways[1].model_q16)) / 65536;
+    const int64_t way_q16 = ways[0].model_q16 + ways[1].model_q16;
+    const int64_t sign = (way_q16 < 0) ? INT64_C(-1) : INT64_C(1);
+    const int64_t model = (sign * way_q16) / 65536;
     const int64_t counted = sign * (ways[0].counted_ticks + ways[1].counted_ticks);
     const bool is_telling = (model >= (int64_t)LIMIT_SPEED_LEAST_TICKS) &&
                             (model >= (int64_t)supervision_rest_ticks(config)) &&

@@ -54,7 +54,7 @@ static uint32_t system_state(const controller_t *self, const cycle_t *cycle)
 static bool is_too_fast(controller_t *self, const cycle_t *cycle, uint32_t index)
 {
     return speed_cap_step(&self->speed_caps[index], &cycle->robot->axes[index],
-                          speed_cap_allowed_percent(controller_is_homed(self)),
+                          permit_cap_percent(controller_is_homed(self)),
                           self->axes[index].encoder.position_ticks, cycle->inputs->elapsed_us);
 }
 

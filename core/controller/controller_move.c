@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "controller_parts.h"
 
+#include "permit.h"
+
 #include <string.h>
 
 /* Slack around a target inside which an axis counts as aligned when the next leg of a move is
@@ -115,7 +117,7 @@ static void begin_leg(controller_t *self, const robot_t *robot)
         ends[self->jog_axis] = self->jog_ticks;
     }
     profile_plan(&self->profile, robot, starts, ends,
-                 speed_cap_allowed_percent(controller_is_homed(self)));
+                 permit_cap_percent(controller_is_homed(self)));
     self->is_profile_running = 1U;
     self->settled_cycles = 0U;
     self->overtime_cycles = 0U;

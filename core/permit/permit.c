@@ -1,11 +1,18 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "permit.h"
 
-#include "speed_cap.h"
+#include "requirement_limits.h"
+
+#define FULL_PERCENT 100U
 
 static uint32_t reason(bool stands, permit_reason_t name)
 {
     return stands ? ((uint32_t)1U << (uint32_t)name) : 0U;
+}
+
+uint32_t permit_cap_percent(bool is_every_axis_homed)
+{
+    return is_every_axis_homed ? FULL_PERCENT : LIMIT_UNHOMED_SPEED_PERCENT;
 }
 
 permit_t permit_decide(const permit_facts_t *facts)
@@ -28,7 +35,7 @@ permit_t permit_decide(const permit_facts_t *facts)
 
     permit_t permit = {.is_allowed = (reasons == 0U), .reasons = reasons, .speed_cap_percent = 0U};
     if (permit.is_allowed) {
-        permit.speed_cap_percent = speed_cap_allowed_percent(facts->is_every_axis_homed);
+        permit.speed_cap_percent = permit_cap_percent(facts->is_every_axis_homed);
     }
     return permit;
 }

@@ -60,8 +60,15 @@ typedef struct {
 typedef struct {
     bool is_allowed;            /**< No reason stands. */
     uint32_t reasons;           /**< Bit mask of permit_reason_t. */
-    uint32_t speed_cap_percent; /**< speed_cap_allowed_percent(), 0 when not allowed. */
+    uint32_t speed_cap_percent; /**< permit_cap_percent(), 0 when not allowed. */
 } permit_t;
+
+/**
+ * The one rule how fast an axis may be, in percent of its speed.
+ *
+ * @satisfies SWR-AXIS-006
+ */
+uint32_t permit_cap_percent(bool is_every_axis_homed);
 
 /**
  * Decides.

@@ -3,13 +3,7 @@
 
 #include "requirement_limits.h"
 
-#define FULL_PERCENT 100U
-#define TICK ((int64_t)FULL_PERCENT * 1000000)
-
-uint32_t speed_cap_allowed_percent(bool is_every_axis_homed)
-{
-    return is_every_axis_homed ? FULL_PERCENT : LIMIT_UNHOMED_SPEED_PERCENT;
-}
+#define TICK (INT64_C(100) * 1000000)
 
 bool speed_cap_step(speed_cap_t *self, const axis_config_t *config, uint32_t percent,
                     int32_t position_ticks, uint32_t elapsed_us)

@@ -21,13 +21,6 @@ typedef struct {
 } speed_cap_t;
 
 /**
- * The one rule how fast an axis may be, in percent of its speed.
- *
- * @satisfies SWR-AXIS-006
- */
-uint32_t speed_cap_allowed_percent(bool is_every_axis_homed);
-
-/**
  * One cycle, `elapsed_us` after the one before, with the axis at `position_ticks`. What is not used
  * is kept for LIMIT_SPEED_CAP_US.
  *

@@ -124,7 +124,9 @@ neuro_result_t plan_set_target(plan_t *self, const robot_t *robot, const rigid_t
     if (result.status == STATUS_OK) {
         settle(robot, &self->scanner_zframe, &joints, self->target_ticks, &self->scanner_target);
         check_switches(robot, self->target_ticks, &result);
-        self->has_target = (result.status == STATUS_OK) ? 1U : 0U;
+        if (result.status == STATUS_OK) {
+            self->has_target = 1U;
+        }
     }
     return result;
 }

@@ -440,6 +440,35 @@ void test_SWR_CARD_005_every_card_is_told_pedal_e_stop_scanner_permit_and_homing
     }
 }
 
+void test_SWR_PERMIT_002_the_drive_that_is_shown_is_the_one_that_leaves(void)
+{
+    uint32_t driven = 0U;
+    begin_move();
+    for (uint32_t i = 0U; i < (300U * ROBOT_AXIS_COUNT); i++) {
+        const uint32_t axis = i % ROBOT_AXIS_COUNT;
+        const snapshot_axis_t *const shown = &rig.outputs.snapshot.axes[axis];
+        const card_drive_t drive = rig_sent(&rig, axis).drive;
+        TEST_ASSERT_EQUAL_UINT32(drive.mode, shown->drive_mode);
+        TEST_ASSERT_EQUAL_UINT32(drive.direction, shown->drive_direction);
+        TEST_ASSERT_EQUAL_UINT32(drive.duty, shown->drive_duty);
+        driven += (drive.duty != 0U) ? 1U : 0U;
+        if (axis == 0U) {
+            rig_cycle(&rig);
+        }
+    }
+    TEST_ASSERT_GREATER_THAN_UINT32(10U, driven);
+}
+
+void test_SWR_LINK_008_the_card_that_is_shown_is_the_one_that_answers(void)
+{
+    rig_start(&rig);
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        const axis_config_t *const config = &robot_neuro.axes[i];
+        TEST_ASSERT_EQUAL_UINT32(config->card_type,
+                                 rig.outputs.snapshot.cards[config->slot].card_type);
+    }
+}
+
 static rig_t arrived;
 
 void test_SWR_MOTION_004_every_axis_must_be_at_its_end_for_an_order_to_be_done(void)

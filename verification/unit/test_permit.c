@@ -11,8 +11,6 @@
 #include <stddef.h>
 #include <string.h>
 
-TEST_SOURCE_FILE("speed_cap.c")
-
 #define FACTS 16U
 #define COMBINATIONS (1UL << FACTS)
 
@@ -220,6 +218,12 @@ void test_SWR_PERMIT_005_an_axis_that_is_too_fast_gets_no_drive(void)
     const card_drive_t drive = permit_apply(&permit, true, &request);
 
     TEST_ASSERT_EQUAL_UINT32(0U, drive.mode | drive.direction | drive.duty);
+}
+
+void test_SWR_AXIS_006_the_cap_is_lower_until_every_axis_is_homed(void)
+{
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_UNHOMED_SPEED_PERCENT, permit_cap_percent(false));
+    TEST_ASSERT_EQUAL_UINT32(100U, permit_cap_percent(true));
 }
 
 void test_SWR_AXIS_006_an_axis_not_homed_does_nothing_else(void)

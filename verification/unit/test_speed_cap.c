@@ -40,12 +40,6 @@ static uint32_t fast_cycles(uint32_t percent, int32_t ticks_per_cycle, uint32_t 
     return fast;
 }
 
-void test_SWR_AXIS_006_the_cap_is_lower_until_every_axis_is_homed(void)
-{
-    TEST_ASSERT_EQUAL_UINT32(LIMIT_UNHOMED_SPEED_PERCENT, speed_cap_allowed_percent(false));
-    TEST_ASSERT_EQUAL_UINT32(100U, speed_cap_allowed_percent(true));
-}
-
 void test_SWR_PERMIT_005_an_axis_within_its_cap_is_never_too_fast(void)
 {
     TEST_ASSERT_EQUAL_INT32(TICKS_PER_S, robot_neuro.axes[AXIS_INSERTION].speed_ticks_per_s);
