@@ -858,7 +858,8 @@ void test_SWR_LOOP_003_a_late_cycle_advances_the_profile_by_one_cycle(void)
 {
     begin_move();
     const uint32_t before = rig.controller.profile.cycle;
-    rig.elapsed_us = 20000U;
+    box_advance(&rig.box, 4000U);
+    rig.elapsed_us = 5000U;
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_UINT32(before + 1U, rig.controller.profile.cycle);
 }

@@ -368,7 +368,7 @@ void test_SWR_AXIS_005_an_active_switch_stops_what_drives_towards_it(void)
 {
     const int32_t maximum_ticks = robot_neuro.axes[AXIS_PITCH].maximum_ticks;
     const command_t jog = {
-        .kind = (uint32_t)COMMAND_JOG, .argument = AXIS_PITCH, .value = maximum_ticks};
+        .kind = (uint32_t)COMMAND_JOG, .argument = AXIS_PITCH, .value = maximum_ticks - 40};
     double true_ticks[ROBOT_AXIS_COUNT];
     rig_start(&rig);
     (void)rig_workphase(&rig, WORKPHASE_START_UP);

@@ -29,6 +29,8 @@
 #include <stddef.h>
 #include <string.h>
 
+TEST_SOURCE_FILE("robot_neuro.c")
+
 #define EXPECT(peer, expected) TEST_ASSERT_EQUAL_STRING((expected), igtl_peer_next(&outboxes[peer]))
 
 static const robot_t robot = {.axis_count = 7U, .axes = {[3] = {.name = "insertion"}}};
