@@ -2,11 +2,9 @@
 
 # SPDX-License-Identifier: Apache-2.0
 
-require 'fileutils'
 require 'json'
-require 'open3'
 require 'rbconfig'
-require 'tmpdir'
+require_relative 'fault'
 
 module Faults
   # A fault of the list that cannot be judged: it fits no longer, changes nothing, or ends the emitter.
@@ -19,44 +17,43 @@ module Faults
     end
   end
 
-  # The emitter as it stands, or a copy with a fault in it, run in a process of its own.
+  # The emitter as it stands, or with a fault in it.
   class Emitter
     FOLDER = File.expand_path('../../tools/chart', __dir__)
     PROGRAM = File.join(__dir__, 'emit.rb')
     # What makes C. The rest reads charts and interprets them; it is what the emitter is measured by.
     PARTS = %w[flatten/ emit/c/].freeze
 
-    def self.with(fault)
-      Dir.mktmpdir('fault') do |folder|
-        FileUtils.cp_r(File.join(FOLDER, '.'), folder)
-        seed(folder, fault)
-        yield new(folder)
-      end
+    # Runs until close.
+    def initialize
+      @pipe = IO.popen([RbConfig.ruby, PROGRAM], 'r+')
+      @lock = Mutex.new
     end
 
-    def self.seed(folder, fault)
+    def close
+      @pipe.close
+    end
+
+    # The different versions of each chart.
+    def emit(charts, fault = nil)
+      request = JSON.generate('charts' => charts.map(&:request), 'fault' => fault ? seeded(fault) : {})
+      answer = JSON.parse(@lock.synchronize { @pipe.puts(request) || @pipe.gets })
+      raise Unfit, "it ends the emitter: #{answer}" if answer.is_a?(String)
+
+      charts.zip(answer).to_h { |chart, codes| [chart, codes.map { |code| Code.new(*code) }.uniq] }
+    end
+
+    private
+
+    def seeded(fault)
       raise Unfit, "#{fault.file} is no part of the emitter" unless fault.file.start_with?(*PARTS)
 
-      file = File.join(folder, fault.file)
+      file = File.join(FOLDER, fault.file)
       text = File.read(file, encoding: 'UTF-8')
       found = text.scan(fault.from).length
       raise Unfit, "its place stands #{found} times in #{fault.file}" unless found == 1
 
-      File.write(file, text.sub(fault.from) { fault.to })
-    end
-    private_class_method :seed
-
-    def initialize(folder = FOLDER)
-      @folder = folder
-    end
-
-    # The different versions of each chart.
-    def emit(charts)
-      output, errors, status = Open3.capture3(RbConfig.ruby, PROGRAM, @folder,
-                                              stdin_data: JSON.generate(charts.map(&:request)))
-      raise Unfit, "it ends the emitter: #{errors.lines.first}" unless status.success?
-
-      charts.zip(JSON.parse(output)).to_h { |chart, codes| [chart, codes.map { |code| Code.new(*code) }.uniq] }
+      { 'file' => file, 'text' => text.sub(fault.from) { fault.to } }
     end
   end
 end

@@ -15,10 +15,12 @@ module Faults
     def initialize(charts)
       @subjects = charts.to_h { |name| [name, Subject.named(name)] }
       @workshops = @subjects.values.to_h { |subject| [subject, Workshop.new(subject)] }
-      @sound = Emitter.new.emit(@subjects.values)
+      @emitter = Emitter.new
+      @sound = @emitter.emit(@subjects.values)
     end
 
     def close
+      @emitter.close
       @workshops.each_value(&:close)
     end
 
@@ -50,7 +52,7 @@ module Faults
     end
 
     def result(fault)
-      emitted = Emitter.with(fault) { |emitter| emitter.emit(@subjects.values_at(*fault.charts)) }
+      emitted = @emitter.emit(@subjects.values_at(*fault.charts), fault)
       Result.new(fault, emitted.map { |subject, codes| trials(subject, changed(subject, codes)) }.reduce(:merge))
     rescue Unfit => e
       Result.new(fault, {}, e.message)

@@ -26,7 +26,7 @@ module Faults
       Dir.mktmpdir('trial') do |folder|
         @folder = folder
         found = { 'C compiler' => compile }
-        found = found.merge(behaviour) if File.exist?(object)
+        found = found.merge(behaviour) if File.exist?(library)
         found['MISRA'] = misra if misra?(found)
         found
       end
@@ -38,38 +38,28 @@ module Faults
       File.join(@folder, *names)
     end
 
-    def object
-      path("#{@name}.o")
+    def library
+      path(Workshop::LIBRARY)
     end
 
     # Code with a warning is compiled all the same, for the other checks.
     def compile
       File.write(path("#{@name}.h"), @code.header)
       File.write(path("#{@name}.c"), @code.source)
-      arguments = ['-c', path("#{@name}.c"), '-I', @folder, '-I', Workshop::BASE, '-o', object]
+      arguments = [*Workshop::SHARED, path("#{@name}.c"), '-I', @folder, '-I', Workshop::BASE, '-o', library]
       refused = Workshop.gcc(*CompiledChart::FLAGS, *arguments)
       Workshop.gcc('-std=c99', '-w', *arguments) if refused
       refused
     end
 
     def behaviour
-      programs = @workshop.objects(@code.header).to_h { |name, objects| [name, link(name, objects)] }
-      driver = CompiledChart.new(programs.delete('driver'), 'gcc')
-      found = programs.transform_values { |program| passes?(program) }
+      programs = @workshop.programs(@code.header, library)
+      driver = Linked.new(programs.fetch('driver'), @folder)
+      tests = programs.except('driver')
+      found = tests.transform_values { |program| Linked.new(program, @folder).complaint }
       found['back to back'] = answer { @subject.pairs.compare(driver.run(@subject.pairs.commands)) }
       found['own case'] = answer { own_case(driver) } if @subject.scenario
       found
-    end
-
-    def link(name, objects)
-      program = path(name.tr(' ', '_'))
-      Workshop.gcc!(object, *objects, '-o', program)
-      program
-    end
-
-    def passes?(program)
-      output, status = Open3.capture2e(program)
-      status.success? ? nil : output
     end
 
     def answer

@@ -8,7 +8,7 @@ require_relative 'spin_verifier'
 # Runs SPIN on the Promela of a chart and compares every step that it executes with the walk of the chart.
 class Spin
   # configurations and pairs: what SPIN executed. stored and errors: its own count of states, the one before the start
-  # included, and of violated assertions, from a run that prints nothing. violation and trail: the first property that
+  # included, and of violated assertions, from a run with the properties. violation and trail: the first property that
   # is violated, and the stimuli that lead there, in words.
   Comparison = Struct.new(:configurations, :pairs, :stored, :errors, :violation, :trail, :differences,
                           keyword_init: true)

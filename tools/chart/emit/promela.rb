@@ -75,7 +75,7 @@ module Chart
       lists = ["short queue[#{QUEUE}]", "short chosen[#{initial + 1}]", "byte fate[#{initial + 1}]",
                "int actions[#{@steps.gathered('actions', @document.actions).length}]",
                "int started[#{@steps.gathered('started', @document.timers).length}]"]
-      counters = %w[event next one place first last fresh value].map { |name| "int #{name}" }
+      counters = %w[event next one place first last fresh moves value].map { |name| "int #{name}" }
       all = marks.map { |mark| "byte #{mark}" } + lists + counters
       "/* Used inside a step only. */\n#{lines(all.map { |one| "hidden #{one}" })}"
     end

@@ -15,11 +15,12 @@ class ChartTables
     @names = Chart::C::Parts.new(@document, @walk).names
     @vector = Chart::Vector.new(@document)
     @numbers = @walk.reached.keys.each_with_index.to_h
+    @cells = {}.compare_by_identity
     @pairs = @walk.reachable_pairs.to_h { |pair| [[pair.before, pair.stimulus], pair] }
   end
 
   def emit
-    [active, compiled, table].join("\n")
+    [compiled, table].join("\n")
   end
 
   # What tells the number of a configuration from the chart's own fields.
@@ -29,14 +30,6 @@ class ChartTables
 
   private
 
-  def active
-    masks = @numbers.keys.map do |snapshot|
-      ids = @walk.active(snapshot.leaves)
-      format('0x%xU', @document.states.each_with_index.sum { |state, bit| ids.include?(state.id) ? 1 << bit : 0 })
-    end
-    "static const uint64_t #{@name}_active[] = {#{masks.join(', ')}};"
-  end
-
   def vectors
     rows = @numbers.keys.map { |snapshot| "    {#{@vector.encode(snapshot).join(', ')}},\n" }
     "static const int32_t #{@name}_vectors[][#{@vector.fields.length}] = {\n#{rows.join}};\n"
@@ -44,9 +37,9 @@ class ChartTables
 
   def compiled
     <<~TEXT
-      static uint32_t #{@name}_compiled(uint32_t config, uint32_t event, uint32_t inputs, uint32_t *actions)
+      static uint32_t #{@name}_compiled(uint32_t own, uint32_t event, uint32_t inputs, uint32_t *actions)
       {
-          const int32_t *const vector = #{@name}_vectors[config];
+          const int32_t *const vector = #{@name}_vectors[own];
           #{@names.chart_type} chart;
       #{levels}    (void)inputs;
           #{@names.chart_function('init')}(&chart);
@@ -123,10 +116,10 @@ class ChartTables
       static const answer_t #{@name}_answers[][#{stimuli.length}][#{@walk.valuations.length}] = {
       #{rows.join}};
 
-      static uint32_t #{@name}_table(uint32_t config, uint32_t event, uint32_t inputs, uint32_t *actions)
+      static uint32_t #{@name}_interpreted(uint32_t own, uint32_t event, uint32_t inputs, uint32_t *actions)
       {
-          *actions = #{@name}_answers[config][event][inputs].actions;
-          return #{@name}_answers[config][event][inputs].after;
+          *actions = #{@name}_answers[own][event][inputs].actions;
+          return #{@name}_answers[own][event][inputs].after;
       }
     TEXT
   end
@@ -137,10 +130,13 @@ class ChartTables
     "        {#{outcomes.map { |outcome| cell(outcome) }.join(', ')}},\n"
   end
 
+  # One outcome stands for all valuations that it does not read.
   def cell(outcome)
     return '{NEVER, 0U}' unless outcome
 
-    actions = outcome.actions.sum { |action| 1 << @document.actions.index(action) }
-    "{#{@numbers.fetch(outcome.after)}U, #{actions}U}"
+    @cells[outcome] ||= begin
+      actions = outcome.actions.sum { |action| 1 << @document.actions.index(action) }
+      "{#{@numbers.fetch(outcome.after)}U, #{actions}U}"
+    end
   end
 end

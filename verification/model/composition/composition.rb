@@ -4,6 +4,7 @@
 
 require 'yaml'
 require_relative '../product_charts'
+require_relative 'exchange'
 
 # composition.yml with every axis written out and every name resolved.
 class Composition
@@ -17,14 +18,14 @@ class Composition
   Member = Struct.new(:name, :chart, :configurations, :stimuli)
   # number: of the member's stimulus; condition: expression or nil; free: names "member.input" that it may come to read.
   Stimulus = Struct.new(:name, :member, :number, :condition, :free)
-  # trigger: one of TRIGGERS; what: the id of a state, an action or an event.
-  Reaction = Struct.new(:member, :trigger, :what, :told, :condition)
+  # trigger: one of TRIGGERS; what: the id of a state, an action or an event; of: the axis whose it is alone, or nil.
+  Reaction = Struct.new(:member, :trigger, :what, :told, :condition, :of)
   # kind as in Chart::Property; stimuli: numbers.
   Property = Struct.new(:id, :kind, :stimuli, :from, :expression, :steps)
 
-  attr_reader :axes, :charts, :members, :permits, :inputs, :reactions, :stimuli, :facts, :properties, :free
+  attr_reader :axes, :charts, :members, :permits, :inputs, :reactions, :stimuli, :facts, :properties, :free, :exchange
 
-  def initialize(axes: nil, file: FILE)
+  def initialize(axes: nil, file: FILE, exchange: Exchange)
     @rows = YAML.safe_load_file(file)
     @axes = axes || @rows.fetch('axes')
     read_members
@@ -35,6 +36,7 @@ class Composition
     @stimuli = spread_rows('stimuli').map { |row| stimulus(*resolve(row.fetch('tell')), row['when']) } + expiries
     @facts = (1..@axes).map { |axis| @rows.fetch('facts').transform_values { |text| expression(number(text, axis)) } }
     @properties = @rows.fetch('properties').flat_map { |row| copies(row) }.map { |row| property(row) }
+    @exchange = exchange.new(self)
   end
 
   def member(name)
@@ -137,7 +139,7 @@ class Composition
     internal = member.chart.document.internal_events.include?(member.stimuli[event])
     raise Wrong, "#{name} is internal to its chart" if internal
 
-    Reaction.new(source, trigger, what, [member, event], expression(text))
+    Reaction.new(source, trigger, what, [member, event], expression(text), row['of'])
   end
 
   # Inputs that no condition gives.

@@ -2,15 +2,21 @@
 /**
  * @file
  * Every reachable configuration of composed charts, breadth first, with every stimulus and every
- * value of the free inputs. Each pair is stepped twice: by the compiled charts, and by tables of
- * what the interpreter does. composition.h, which is generated, has the charts and how they act on
- * each other.
+ * value of the free inputs. composition.h, which is generated, has the charts, as compiled and as
+ * tables of what the interpreter does, and how they act on each other.
  *
  *     explorer [SEEN]
  *
- * Prints the numbers, a digest of all pairs, each first difference or violated property with the
- * stimuli that lead there, and what of SEEN differs: configurations that are never
- * reached, and permits.
+ * A chart's step is a function of its configuration, the event and its inputs alone. So each is
+ * taken once by the compiled chart and by the table, and every pair of the composition is made of
+ * such steps. Of two configurations that are each other's when the axes change places, one is
+ * explored for both. Still each of its pairs is taken by both, and must come out alike, unless a
+ * reaction of one axis alone has a part in it; and in the end both are reached by ways of their
+ * own.
+ *
+ * Prints the first differences and violated properties with the stimuli that lead there, what of
+ * SEEN differs (configurations that are never reached, and permits), the numbers, and a digest of
+ * all pairs.
  */
 #include "composition.h"
 
@@ -19,29 +25,31 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #define QUEUE 64U
-#define NOBODY UINT32_MAX
+#define MOST_DIFFERENCES 10U
 
-/* One configuration as it was found. */
+/* One member's step. */
 typedef struct {
-    config_t config;
-    uint32_t before;
-    uint16_t stimulus;
-    uint16_t inputs;
-} found_t;
+    uint64_t reactions; /* Those that it triggers, one bit each. */
+    uint16_t after;
+    uint16_t actions;
+    bool is_same; /* Compiled as interpreted. */
+} cell_t;
 
-static found_t *found;
-static uint32_t found_count;
-static uint32_t found_room;
-static uint32_t *slots;
-static uint32_t slot_count;
-static uint32_t *successors;
-static uint32_t *successors_begin;
-static uint32_t successor_count;
-static uint32_t successor_room;
+/* What a stimulus came to, with all that it made the charts tell each other. */
+typedef struct {
+    config_t after;
+    uint64_t actions;
+    bool can_happen;
+    bool is_same;
+    bool is_of_one_axis;
+} result_t;
+
+static cell_t *cells[MEMBERS];
+static uint64_t spoken_from; /* By which properties, where it is the turn. */
 static uint64_t pairs;
+static uint64_t explored_pairs;
 static uint64_t digest;
 static uint32_t longest_queue;
 static uint32_t errors;
@@ -54,75 +62,6 @@ void contract_broken(const char *module, uint32_t id)
     exit(2);
 }
 
-static void *grown(void *memory, size_t size)
-{
-    void *const larger = realloc(memory, size);
-    if (larger == NULL) {
-        puts("out of memory");
-        exit(2);
-    }
-    return larger;
-}
-
-static uint64_t mixed(uint64_t value)
-{
-    value = (value ^ (value >> 30)) * UINT64_C(0xBF58476D1CE4E5B9);
-    value = (value ^ (value >> 27)) * UINT64_C(0x94D049BB133111EB);
-    return value ^ (value >> 31);
-}
-
-static uint64_t key_of(const config_t *config)
-{
-    uint64_t key = 0U;
-    for (uint32_t i = 0U; i < MEMBERS; i++) {
-        key = (key << 4) | config->of[i];
-    }
-    return key;
-}
-
-static uint32_t *slot_of(const config_t *config)
-{
-    uint32_t place = (uint32_t)mixed(key_of(config)) & (slot_count - 1U);
-    while ((slots[place] != NOBODY) &&
-           (memcmp(&found[slots[place]].config, config, sizeof *config) != 0)) {
-        place = (place + 1U) & (slot_count - 1U);
-    }
-    return &slots[place];
-}
-
-static void enlarge(void)
-{
-    slot_count = (slot_count == 0U) ? 1024U : (slot_count * 2U);
-    found_room = slot_count / 2U;
-    slots = grown(slots, slot_count * sizeof *slots);
-    found = grown(found, found_room * sizeof *found);
-    successors_begin = grown(successors_begin, (found_room + 1U) * sizeof *successors_begin);
-    (void)memset(slots, 0xFF, slot_count * sizeof *slots);
-    for (uint32_t i = 0U; i < found_count; i++) {
-        *slot_of(&found[i].config) = i;
-    }
-}
-
-/* Its number; a new one is noted with what led there. */
-static uint32_t number_of(const config_t *config, uint32_t before, uint32_t stimulus,
-                          uint32_t inputs)
-{
-    uint32_t *const slot = slot_of(config);
-    if (*slot != NOBODY) {
-        return *slot;
-    }
-    *slot = found_count;
-    found[found_count] = (found_t){.config = *config,
-                                   .before = before,
-                                   .stimulus = (uint16_t)stimulus,
-                                   .inputs = (uint16_t)inputs};
-    found_count++;
-    if (found_count == found_room) {
-        enlarge();
-    }
-    return found_count - 1U;
-}
-
 static void tell_step(uint32_t stimulus, uint32_t inputs)
 {
     printf("%s", stimuli[stimulus].name);
@@ -133,199 +72,267 @@ static void tell_step(uint32_t stimulus, uint32_t inputs)
     }
 }
 
-static void tell_path(uint32_t number)
+static const way_t *way_to(uint32_t place)
 {
-    const uint32_t before = found[number].before;
-    if (before != NOBODY) {
-        tell_path(before);
-        printf("%s", (found[before].before != NOBODY) ? ", " : "");
-        tell_step(found[number].stimulus, found[number].inputs);
+    return &found[place / 2U].ways[place % 2U];
+}
+
+static void tell_path(uint32_t place)
+{
+    const way_t *const way = way_to(place);
+    if (way->before != NOBODY) {
+        tell_path(way->before);
+        printf("%s", (way_to(way->before)->before != NOBODY) ? ", " : "");
+        tell_step(way->stimulus, way->inputs);
     }
 }
 
-/* stimulus: STIMULI when it is about the configuration itself. */
-static void complain(const char *what, uint32_t number, uint32_t stimulus, uint32_t inputs)
+/* About a configuration, or about what comes of it by `way`. */
+static void complain(const char *what, uint32_t place, const way_t *way)
 {
     errors++;
     printf("%s: ", what);
-    tell_path(number);
-    if (stimulus < STIMULI) {
-        printf("%s", (found[number].before != NOBODY) ? ", " : "");
-        tell_step(stimulus, inputs);
+    tell_path(place);
+    if (way != NULL) {
+        printf("%s", (way_to(place)->before != NOBODY) ? ", " : "");
+        tell_step(way->stimulus, way->inputs);
     }
     puts("");
 }
 
-static bool is_triggered(const reaction_t *reaction, uint32_t event, uint64_t before,
-                         uint64_t after, uint32_t actions)
+static void complain_of_pair(const char *what, const way_t *way)
+{
+    if (errors < MOST_DIFFERENCES) {
+        complain(what, way->before, way);
+    }
+}
+
+static bool is_triggered(const reaction_t *reaction, uint32_t event, uint32_t before,
+                         const cell_t *cell)
 {
     switch (reaction->trigger) {
     case TRIGGER_ENTERS:
-        return (((after & ~before) >> reaction->what) & 1U) != 0U;
+        return (((reaction->what >> cell->after) & ~(reaction->what >> before)) & 1U) != 0U;
     case TRIGGER_DOES:
-        return ((actions >> reaction->what) & 1U) != 0U;
+        return (((uint32_t)cell->actions >> reaction->what) & 1U) != 0U;
     case TRIGGER_HEARS:
     default:
         return event == reaction->what;
     }
 }
 
-/* One stimulus with all that it makes the charts tell each other; false: it cannot happen. */
-static bool step(config_t *config, step_t *const steps[MEMBERS], uint32_t stimulus, uint32_t free,
-                 uint64_t *actions)
+static cell_t cell_of(uint32_t member, uint32_t before, uint32_t event, uint32_t inputs)
 {
-    uint32_t queue[QUEUE];
+    uint32_t compiled_actions = 0U;
+    uint32_t actions = 0U;
+    const uint32_t compiled = members[member].compiled(before, event, inputs, &compiled_actions);
+    const uint32_t after = members[member].interpreted(before, event, inputs, &actions);
+    cell_t cell = {.after = (uint16_t)after,
+                   .actions = (uint16_t)actions,
+                   .is_same = (compiled == after) && (compiled_actions == actions)};
+    for (uint32_t i = 0U; (i < REACTIONS) && (after != NEVER); i++) {
+        if ((reactions[i].member == member) && is_triggered(&reactions[i], event, before, &cell)) {
+            cell.reactions |= UINT64_C(1) << i;
+        }
+    }
+    return cell;
+}
+
+static cell_t *cell_at(uint32_t member, uint32_t before, uint32_t event, uint32_t inputs)
+{
+    const member_t *const self = &members[member];
+    return &cells[member][(((before * self->events) + event) * self->valuations) + inputs];
+}
+
+static void fill_cells(uint32_t member)
+{
+    const member_t *const self = &members[member];
+    const uint32_t count = self->configurations * self->events * self->valuations;
+    cells[member] = grown(NULL, count * sizeof *cells[member]);
+    for (uint32_t i = 0U; i < self->configurations; i++) {
+        for (uint32_t event = 0U; event < self->events; event++) {
+            for (uint32_t inputs = 0U; inputs < self->valuations; inputs++) {
+                *cell_at(member, i, event, inputs) = cell_of(member, i, event, inputs);
+            }
+        }
+    }
+}
+
+static uint32_t queued(uint8_t queue[QUEUE], uint32_t told, uint64_t triggered)
+{
+    for (uint8_t i = 0U; triggered != 0U; i++, triggered >>= 1) {
+        if ((triggered & 1U) == 0U) {
+            continue;
+        }
+        if (told == QUEUE) {
+            puts("the charts tell each other more than the queue holds");
+            exit(2);
+        }
+        queue[told] = i;
+        told++;
+    }
+    longest_queue = (told > longest_queue) ? told : longest_queue;
+    return told;
+}
+
+static result_t step(config_t before, uint32_t stimulus, uint32_t free)
+{
+    result_t result = {.after = before, .can_happen = true, .is_same = true};
+    uint8_t queue[QUEUE];
     uint32_t told = 0U;
     uint32_t member = stimuli[stimulus].member;
     uint32_t event = stimuli[stimulus].event;
     for (uint32_t next = 0U;; next++) {
-        const uint32_t before = config->of[member];
-        uint32_t done = 0U;
-        const uint32_t after = steps[member](before, event, inputs_of(config, member, free), &done);
-        if (after == NEVER) {
-            return false;
+        const uint32_t inputs = inputs_of(result.after, member, free);
+        const cell_t *const cell = cell_at(member, own(result.after, member), event, inputs);
+        if (cell->after == NEVER) {
+            result.can_happen = false;
+            return result;
         }
-        config->of[member] = (uint8_t)after;
-        *actions = mixed(*actions ^ (((uint64_t)member << 40) | ((uint64_t)event << 32) | done));
-        for (uint32_t i = 0U; i < REACTIONS; i++) {
-            if ((reactions[i].member == member) &&
-                is_triggered(&reactions[i], event, active[member][before], active[member][after],
-                             done)) {
-                if (told == QUEUE) {
-                    puts("the charts tell each other more than the queue holds");
-                    exit(2);
-                }
-                queue[told] = i;
-                told++;
-            }
-        }
-        while ((next < told) && !does_react(config, queue[next])) {
+        result.after = with_own(result.after, member, cell->after);
+        result.actions = mixed(
+            result.actions ^ (((uint64_t)member << 40) | ((uint64_t)event << 32) | cell->actions));
+        result.is_same = result.is_same && cell->is_same;
+        told = queued(queue, told, cell->reactions);
+        while ((next < told) && !does_react(result.after, queue[next])) {
             next++;
         }
-        longest_queue = (told > longest_queue) ? told : longest_queue;
         if (next >= told) {
-            return true;
+            return result;
         }
-        member = reactions[queue[next]].told_member;
-        event = reactions[queue[next]].told_event;
+        const reaction_t *const reaction = &reactions[queue[next]];
+        result.is_of_one_axis = result.is_of_one_axis || reaction->is_of_one_axis;
+        member = reaction->told_member;
+        event = reaction->told_event;
     }
 }
 
-static void check_step(uint32_t number, uint32_t stimulus, uint32_t inputs, const config_t *after)
+/* violated: one bit for each property, as side 0 sees them. */
+static void complain_of_properties(uint64_t violated, uint32_t place, const way_t *way)
 {
-    const uint32_t property = violated_by_step(&found[number].config, stimulus, after);
-    if ((property < PROPERTIES) && !is_violated[property]) {
-        is_violated[property] = true;
-        complain(properties[property].id, number, stimulus, inputs);
+    for (uint32_t i = 0U; violated != 0U; i++, violated >>= 1) {
+        const uint32_t property = ((place % 2U) == 0U) ? i : properties[i].twin;
+        if (((violated & 1U) != 0U) && !is_violated[property]) {
+            is_violated[property] = true;
+            complain(properties[property].id, place, way);
+        }
     }
 }
 
-static void take_pair(uint32_t number, uint32_t stimulus, uint32_t free)
+static uint32_t first_side(uint32_t sides)
 {
-    config_t compiled = found[number].config;
-    config_t expected = found[number].config;
-    uint64_t compiled_actions = 0U;
-    uint64_t expected_actions = 0U;
-    if (!step(&expected, table_steps, stimulus, free, &expected_actions)) {
+    return ((sides & 1U) != 0U) ? 0U : 1U;
+}
+
+/* One pair of each of these sides; the result is that of side 0. */
+static void note_pair(turn_t turn, const way_t ways[2], const result_t *result)
+{
+    const way_t *const way = &ways[first_side(turn.sides)];
+    if (!result->is_same) {
+        complain_of_pair("difference", way);
         return;
     }
-    pairs++;
-    const bool is_done = step(&compiled, compiled_steps, stimulus, free, &compiled_actions);
-    if (!is_done || (memcmp(&compiled, &expected, sizeof compiled) != 0) ||
-        (compiled_actions != expected_actions)) {
-        if (errors < 10U) {
-            complain("difference", number, stimulus, free);
-        }
-        return;
+    pairs += (turn.sides == BOTH_SIDES) ? 2U : 1U;
+    explored_pairs++;
+    digest +=
+        mixed(mixed(found[turn.row].config) ^ mixed(result->after + 1U) ^ result->actions ^
+              (((uint64_t)turn.sides << 32) | ((uint64_t)ways[0].stimulus << 16) | ways[0].inputs));
+    const bool is_elsewhere = result->after != found[turn.row].config;
+    const uint32_t place =
+        is_elsewhere ? found_add(result->after, turn.sides, ways) : (turn.row * 2U);
+    const uint64_t objections = found[place / 2U].objections[place % 2U];
+    complain_of_properties(spoken_from & spoken_of[ways[0].stimulus] & objections, way->before,
+                           way);
+    if (is_elsewhere && !result->is_of_one_axis) {
+        found_succeed(turn.row, place / 2U);
     }
-    digest += mixed(mixed(key_of(&found[number].config)) ^ mixed(key_of(&compiled) + 1U) ^
-                    compiled_actions ^ (((uint64_t)stimulus << 16) | free));
-    check_step(number, stimulus, free, &compiled);
-    const uint32_t next = number_of(&compiled, number, stimulus, free);
-    if (next != number) {
-        if (successor_count == successor_room) {
-            successor_room = (successor_room == 0U) ? 1024U : (successor_room * 2U);
-            successors = grown(successors, successor_room * sizeof *successors);
+}
+
+static void take_pair(turn_t turn, uint32_t stimulus, uint32_t free)
+{
+    const config_t config = found[turn.row].config;
+    const uint32_t twin = stimuli[stimulus].twin;
+    const way_t ways[2] = {
+        {turn.row * 2U, (uint16_t)stimulus, (uint16_t)free},
+        {(turn.row * 2U) + 1U, (uint16_t)twin, (uint16_t)exchanged_inputs(free)}};
+    const result_t here = step(config, stimulus, free);
+    result_t there = here;
+    if (AXES > 1U) {
+        there = step(exchanged(config), twin, ways[1].inputs);
+        there.after = exchanged(there.after);
+    }
+    if (here.is_of_one_axis && there.is_of_one_axis) {
+        const result_t *const results[2] = {&here, &there};
+        for (uint32_t side = 0U; side < 2U; side++) {
+            if (((turn.sides >> side) & 1U) != 0U) {
+                note_pair((turn_t){turn.row, 1U << side}, ways, results[side]);
+            }
         }
-        successors[successor_count] = next;
-        successor_count++;
+    } else if ((here.can_happen != there.can_happen) || (here.after != there.after)) {
+        complain_of_pair("the axes are not alike", &ways[first_side(turn.sides)]);
+    } else if (here.can_happen) {
+        note_pair(turn, ways, &here);
     }
 }
 
 /* Every subset of the free inputs that the stimulus may read. */
-static void take_stimulus(uint32_t number, uint32_t stimulus)
+static void take_stimulus(turn_t turn, uint32_t stimulus)
 {
     const uint32_t mask = stimuli[stimulus].free;
     uint32_t free = 0U;
     do {
-        take_pair(number, stimulus, free);
+        take_pair(turn, stimulus, free);
         free = (free - mask) & mask;
     } while (free != 0U);
 }
 
-static void explore(void)
+static void take_turn(turn_t turn)
 {
-    for (uint32_t number = 0U; number < found_count; number++) {
-        const config_t config = found[number].config;
-        successors_begin[number] = successor_count;
-        for (uint32_t stimulus = 0U; stimulus < STIMULI; stimulus++) {
-            if (may_happen(&config, stimulus)) {
-                take_stimulus(number, stimulus);
+    const config_t config = found[turn.row].config;
+    const uint32_t place = (turn.row * 2U) + first_side(turn.sides);
+    spoken_from = speaks_from(config);
+    for (uint32_t stimulus = 0U; stimulus < STIMULI; stimulus++) {
+        const bool may = may_happen(config, stimulus);
+        if (may != may_happen(exchanged(config), stimuli[stimulus].twin)) {
+            complain("the axes are not alike", place, NULL);
+        } else if (may) {
+            take_stimulus(turn, stimulus);
+        }
+    }
+    found[turn.row].is_explored = true;
+    complain_of_properties(found[turn.row].objections[0] & ALWAYS, place, NULL);
+    if (!does_permit_agree(config) && !is_permit_wrong) {
+        is_permit_wrong = true;
+        complain("permit_decide() is not the permit", place, NULL);
+    }
+}
+
+static config_t config_at(uint32_t place)
+{
+    const config_t config = found[place / 2U].config;
+    return ((place % 2U) == 0U) ? config : exchanged(config);
+}
+
+/* Of every side that was found: it is reached as it is said, without an exchange. */
+static void check_ways(void)
+{
+    for (uint32_t place = 2U; place < (found_count * 2U); place++) {
+        const way_t *const way = way_to(place);
+        if (((found[place / 2U].sides >> (place % 2U)) & 1U) != 0U) {
+            const result_t result = step(config_at(way->before), way->stimulus, way->inputs);
+            if (!result.can_happen || (result.after != config_at(place))) {
+                complain_of_pair("this leads elsewhere", way);
             }
         }
-        const uint32_t property = violated_by(&config);
-        if ((property < PROPERTIES) && !is_violated[property]) {
-            is_violated[property] = true;
-            complain(properties[property].id, number, STIMULI, 0U);
-        }
-        if (!does_permit_agree(&config) && !is_permit_wrong) {
-            is_permit_wrong = true;
-            complain("permit_decide() is not the permit", number, STIMULI, 0U);
-        }
     }
-    successors_begin[found_count] = successor_count;
 }
 
-static bool is_before_reached(uint32_t number, const bool *is_reached)
-{
-    for (uint32_t i = successors_begin[number]; i < successors_begin[number + 1U]; i++) {
-        if (is_reached[successors[i]]) {
-            return true;
-        }
-    }
-    return false;
-}
-
-/* Backwards over all pairs, until nothing changes or for so many steps. */
 static void check_reachable(uint32_t property)
 {
-    bool *is_reached = grown(NULL, found_count);
-    bool *is_next = grown(NULL, found_count);
-    for (uint32_t i = 0U; i < found_count; i++) {
-        is_reached[i] = is_wanted(&found[i].config, property);
+    const uint32_t row = found_lost(property, properties[property].steps);
+    if (row != NOBODY) {
+        complain(properties[property].id, (row * 2U) + first_side(found[row].sides), NULL);
     }
-    bool is_changed = true;
-    for (uint32_t sweep = 0U; is_changed && (sweep < properties[property].steps); sweep++) {
-        is_changed = false;
-        (void)memcpy(is_next, is_reached, found_count);
-        for (uint32_t i = found_count; i-- > 0U;) {
-            if (!is_next[i] && is_before_reached(i, is_reached)) {
-                is_next[i] = true;
-                is_changed = true;
-            }
-        }
-        bool *const swapped = is_reached;
-        is_reached = is_next;
-        is_next = swapped;
-    }
-    for (uint32_t i = 0U; i < found_count; i++) {
-        if (!is_reached[i]) {
-            complain(properties[property].id, i, STIMULI, 0U);
-            break;
-        }
-    }
-    free(is_reached);
-    free(is_next);
 }
 
 static void complain_of_seen(const char *what, const uint32_t numbers[MEMBERS + AXES])
@@ -342,16 +349,18 @@ static void complain_of_seen(const char *what, const uint32_t numbers[MEMBERS + 
  * move; 2: something outside forbade it. */
 static void look_up(const uint32_t numbers[MEMBERS + AXES])
 {
-    config_t config = {{0}};
+    config_t config = 0U;
+    bool is_known = true;
     for (uint32_t i = 0U; i < MEMBERS; i++) {
-        config.of[i] = (uint8_t)numbers[i];
+        is_known = is_known && (numbers[i] < members[i].configurations);
+        config = with_own(config, i, numbers[i] & OWN_MASK);
     }
-    if (*slot_of(&config) == NOBODY) {
+    if (!is_known || !found_is(config)) {
         complain_of_seen("not reached", numbers);
     }
     for (uint32_t axis = 0U; axis < AXES; axis++) {
         const uint32_t seen = numbers[MEMBERS + axis];
-        if ((seen < 2U) && (seen != (is_permitted(&config, axis) ? 1U : 0U))) {
+        if ((seen < 2U) && (seen != (is_permitted(config, axis) ? 1U : 0U))) {
             complain_of_seen("another permit", numbers);
         }
     }
@@ -374,13 +383,26 @@ static void look_up_all(const char *path)
     }
 }
 
+static uint32_t configurations(void)
+{
+    uint32_t count = 0U;
+    for (uint32_t i = 0U; i < found_count; i++) {
+        count += (found[i].sides == BOTH_SIDES) ? 2U : 1U;
+    }
+    return count;
+}
+
 int main(int count, char **arguments)
 {
-    config_t start = {{0}};
-    begin(&start);
-    enlarge();
-    (void)number_of(&start, NOBODY, 0U, 0U);
-    explore();
+    turn_t turn;
+    for (uint32_t i = 0U; i < MEMBERS; i++) {
+        fill_cells(i);
+    }
+    found_begin(start(), exchanged, objects_to);
+    while (found_next(&turn)) {
+        take_turn(turn);
+    }
+    check_ways();
     for (uint32_t i = 0U; i < PROPERTIES; i++) {
         if (properties[i].steps > 0U) {
             check_reachable(i);
@@ -389,7 +411,9 @@ int main(int count, char **arguments)
     if (count == 2) {
         look_up_all(arguments[1]);
     }
-    printf("configurations %u\npairs %llu\ntold %u\ndigest %016llx\n", (unsigned)found_count,
-           (unsigned long long)pairs, (unsigned)longest_queue, (unsigned long long)digest);
+    printf("configurations %u\nof them explored %u\npairs %llu\nof them explored %llu\ntold %u\n"
+           "digest %016llx\n",
+           (unsigned)configurations(), (unsigned)found_count, (unsigned long long)pairs,
+           (unsigned long long)explored_pairs, (unsigned)longest_queue, (unsigned long long)digest);
     return (errors == 0U) ? 0 : 1;
 }

@@ -11,7 +11,6 @@ module Chart
     class Environment
       # Above four running timers only one or two expire together, as in the walk.
       MOST_TOGETHER = 4
-      MICROSTEP = %w[leave_states take_transitions mark_targets enter_states end_microstep].freeze
 
       def initialize(document, names, steps, properties)
         @document = document
@@ -65,13 +64,18 @@ module Chart
       end
 
       def step
-        microstep = MICROSTEP.map { |name| d_step(name) }
-        round = [d_step('select_transitions'), Text.choose([['asked > 0', microstep]], [d_step('next_event')])]
-        [d_step('begin_step'), Text.repeat('!settled', round), d_step('end_step')]
+        round = [d_step(['select_transitions()']), d_step([Text.choose([['asked > 0', microstep]], ['next_event()'])])]
+        [d_step(['begin_step()']), Text.repeat('!settled', round), d_step(['end_step()'])]
       end
 
-      def d_step(inline)
-        "d_step { #{inline}() }"
+      # Transitions without a target leave and enter nothing.
+      def microstep
+        [Text.choose([['moves', ['leave_states()']]]), 'take_transitions()',
+         Text.choose([['moves', ['mark_targets()', 'enter_states()']]]), 'end_microstep()']
+      end
+
+      def d_step(statements)
+        "d_step {\n#{Text.indent(Text.block(statements))}\n}"
       end
 
       # Timers that expire are taken up one after the other.

@@ -21,7 +21,7 @@ module Chart
       # heard: statements that note the event.
       def inline(heard)
         comment = 'The transitions of `event`, in the order of the tracks that ask for them.'
-        Text.inline('select_transitions()', comment, ['asked = 0', *heard, Text.choose(options)])
+        Text.inline('select_transitions()', comment, ['asked = 0', 'moves = 0', *heard, Text.choose(options)])
       end
 
       private
@@ -30,7 +30,7 @@ module Chart
       def options
         final = @document.root.substates.select { |state| state.kind == :final }
         ended = final.empty? ? [] : [[Text.any(final.map { |state| @names.active(state) }), ['skip']]]
-        start = ['event == START', ['next = INITIAL', 'add()']]
+        start = ['event == START', ['next = INITIAL', 'moves = 1', 'add()']]
         ended + [start] + waiting('NOTHING', &:eventless?) + @document.events.flat_map do |event|
           waiting(@names.event(event)) { |transition| transition.events.include?(event) }
         end
@@ -66,7 +66,8 @@ module Chart
       def ask(candidates, earlier)
         found = Text.first(candidates.map { |one| [one.condition, one.transition.number] })
         duels = candidates.flat_map { |one| duels(one.transition, earlier) }
-        add = Text.choose([['next && fate[next] == UNASKED', ['add()', Text.choose(duels)]]])
+        moves = candidates.all? { |one| one.transition.targetless? } ? [] : ['moves = 1']
+        add = Text.choose([['next && fate[next] == UNASKED', ['add()', *moves, Text.choose(duels)]]])
         ["next =\n#{Text.indent(found)}", add]
       end
 
