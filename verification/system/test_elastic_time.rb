@@ -42,7 +42,7 @@ class TestElasticTime < SystemTest
 
   def test_SWR_BOX_007_the_cards_notice_a_control_that_is_stuck
     boresight.press_and_command('START_UP')
-    refute_empty boresight.driven_axes
+    wait_until('an axis is driven') { boresight.driven_axes.any? }
     boresight.while_stopped('control') do
       wait_until('every drive is off') { boresight.driven_axes.empty? }
       boresight.box_axes.each { |words| assert_operator words.last.to_i, :>=, 1, "no watchdog trip: #{words.join(' ')}" }

@@ -12,8 +12,11 @@
 #include "rigid.h"
 #include "robot.h"
 
+#include <string.h>
+
 TEST_SOURCE_FILE("robot_neuro.c")
 
+static int32_t planned_ticks[ROBOT_AXIS_COUNT];
 static plan_t plan;
 static int32_t wrong_by_nm;
 
@@ -52,7 +55,7 @@ static void to_ticks(const robot_t *robot, const neuro_joints_t *joints,
     (void)robot;
     (void)joints;
     (void)calls;
-    ticks[0] = 0;
+    (void)memcpy(ticks, planned_ticks, sizeof planned_ticks);
 }
 
 static void from_ticks(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_COUNT],
@@ -68,6 +71,10 @@ void setUp(void)
 {
     rigid_t identity;
     rigid_set_identity(&identity);
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        const axis_config_t *const config = &robot_neuro.axes[i];
+        planned_ticks[i] = (config->target_minimum_ticks / 2) + (config->target_maximum_ticks / 2);
+    }
     plan_init(&plan);
     TEST_ASSERT_EQUAL(STATUS_OK, plan_register(&plan, &robot_neuro, &identity));
     neuro_solve_Stub(solve);
@@ -99,4 +106,23 @@ void test_SWR_PLAN_004_a_plan_within_the_closure_is_taken(void)
 {
     TEST_ASSERT_EQUAL(STATUS_OK, set_target((int32_t)LIMIT_CLOSURE_NM));
     TEST_ASSERT_EQUAL_UINT32(1U, plan.has_target);
+}
+
+/* Both ends of each axis, inside by nothing and outside by one. */
+void test_SWR_AXIS_020_a_plan_ends_inside_of_every_switch(void)
+{
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        const axis_config_t *const config = &robot_neuro.axes[i];
+        const int32_t middle_ticks = planned_ticks[i];
+        planned_ticks[i] = config->target_minimum_ticks;
+        TEST_ASSERT_EQUAL(STATUS_OK, set_target(0));
+        planned_ticks[i] = config->target_maximum_ticks;
+        TEST_ASSERT_EQUAL(STATUS_OK, set_target(0));
+        planned_ticks[i] = config->target_minimum_ticks - 1;
+        TEST_ASSERT_EQUAL(STATUS_SWITCH_ZONE, set_target(0));
+        planned_ticks[i] = config->target_maximum_ticks + 1;
+        TEST_ASSERT_EQUAL(STATUS_SWITCH_ZONE, set_target(0));
+        TEST_ASSERT_EQUAL_UINT32(0U, plan.has_target);
+        planned_ticks[i] = middle_ticks;
+    }
 }
