@@ -21,6 +21,8 @@ module Gates
     SILENCE_SECONDS = 1800
     PROGRESS = %r{^\[(\d+)/(\d+)\] }
     TAIL_BYTES = 16_384
+    # What an outer `make gate NAME=...` would tell each make of a gate.
+    OUTER_MAKE = %w[MAKEFLAGS MFLAGS MAKEOVERRIDES MAKELEVEL NAME].to_h { |name| [name, nil] }.freeze
 
     attr_reader :gate, :pid
 
@@ -31,7 +33,7 @@ module Gates
       @began = @heard = Gates.now
       @size = 0
       FileUtils.rm_f(Results.file(gate.name))
-      environment = { Results::NAME => gate.name, Origin::ENVIRONMENT => JSON.generate(origin) }
+      environment = OUTER_MAKE.merge(Results::NAME => gate.name, Origin::ENVIRONMENT => JSON.generate(origin))
       @pid = Process.spawn(environment, 'bash', '-euo', 'pipefail', '-c', gate.run, %i[out err] => [gate.log, 'w'],
                                                                                     in: '/dev/null', pgroup: true)
     end

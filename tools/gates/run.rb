@@ -113,11 +113,12 @@ module Gates
       @plan.seconds_left(passed, running, @waiting) * pace
     end
 
-    # How much longer than expected it takes, by what has ended or should have.
+    # How much longer than expected it takes: what has ended or is overdue as it was, the rest as expected.
     def pace
-      known = (@verdicts + @jobs).reject { |one| one.seconds.zero? }
-                                 .select { |one| @verdicts.include?(one) || one.seconds > @expected[one.gate.name] }
-      known.empty? ? 1.0 : known.sum(&:seconds) / known.sum { |one| @expected[one.gate.name] }
+      known = @verdicts + @jobs.select { |job| job.seconds > @expected[job.gate.name] }
+      late = known.sum { |one| one.seconds - @expected[one.gate.name] }
+      all = @expected.values.sum
+      (all + late) / all
     end
 
     def interrupted

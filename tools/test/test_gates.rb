@@ -92,6 +92,16 @@ class TestGates < Minitest::Test
     assert_equal '0 passed, 3 failed', output.lines.last.chomp
   end
 
+  def test_SWR_GATE_002_a_gate_hears_nothing_of_the_make_that_called_it
+    in_folder do
+      with_environment('NAME' => 'a', 'MAKEFLAGS' => 'n') do
+        job = Gates::Job.new(Gates::Gate.new(name: 'a', run: 'echo "[${NAME-}${MAKEFLAGS-}]"'), {})
+        Process.wait(job.pid)
+        assert_equal "[]\n", File.read('build/log/a.log')
+      end
+    end
+  end
+
   def test_SWR_GATE_002_needs_that_go_round_are_refused
     output, status = run_gates('a' => ['true', %w[b]], 'b' => ['true', %w[a]])
     refute status.success?
@@ -268,6 +278,14 @@ class TestGates < Minitest::Test
         yield
       end
     end
+  end
+
+  def with_environment(more)
+    before = ENV.to_h
+    ENV.update(more)
+    yield
+  ensure
+    ENV.replace(before)
   end
 
   # Living processes that began in the folder.
