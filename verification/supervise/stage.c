@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "stage.h"
 
+#include "neuro.h"
 #include "workphases_chart.h"
 
 #include <stdio.h>
@@ -18,12 +19,8 @@ static uint32_t random_below(stage_t *self, uint32_t bound)
     return self->random % bound;
 }
 
-void stage_begin(stage_t *self, rig_t *rig, uint32_t seed)
+static void set_random_scene(stage_t *self, rig_t *rig)
 {
-    *self = (stage_t){.random = (seed * 2654435761U) | 1U};
-    for (uint32_t i = 0U; i < 8U; i++) {
-        (void)random_below(self, 2U);
-    }
     const uint32_t start = random_below(self, 4U);
     if (start == 0U) {
         rig_start(rig);
@@ -34,6 +31,24 @@ void stage_begin(stage_t *self, rig_t *rig, uint32_t seed)
     }
     self->is_chaotic = (random_below(self, 3U) == 0U) ? 1U : 0U;
     self->fault_cycle = (random_below(self, 5U) == 0U) ? UINT32_MAX : random_below(self, 12000U);
+}
+
+void stage_begin(stage_t *self, rig_t *rig, play_t play, uint32_t seed)
+{
+    *self = (stage_t){.play = play, .random = (seed * 2654435761U) | 1U, .fault_cycle = UINT32_MAX};
+    for (uint32_t i = 0U; i < 8U; i++) {
+        (void)random_below(self, 2U);
+    }
+    if (play == PLAY_RANDOM) {
+        set_random_scene(self, rig);
+    } else {
+        rig_start_targeted(rig);
+    }
+}
+
+bool stage_is_disturbed(const stage_t *self)
+{
+    return self->has_fault != 0U;
 }
 
 /* One of the words between bars: "silent|corrupt|normal". */
@@ -88,14 +103,13 @@ static void disturb(stage_t *self, rig_t *rig)
 static void send(stage_t *self, rig_t *rig, command_t command)
 {
     command.id = 1000U + self->cycle;
-    rig->commands[0] = command;
-    rig->command_count = 1U;
+    rig->commands[rig->command_count] = command;
+    rig->command_count++;
 }
 
 static void send_phase(stage_t *self, rig_t *rig, workphase_t phase)
 {
-    send(self, rig,
-         (command_t){.kind = (uint32_t)COMMAND_WORKPHASE, .argument = (uint32_t)phase});
+    send(self, rig, (command_t){.kind = (uint32_t)COMMAND_WORKPHASE, .argument = (uint32_t)phase});
 }
 
 /* Mostly in reach. */
@@ -104,6 +118,62 @@ static rigid_t some_target(stage_t *self)
     return rig_pose(((int32_t)random_below(self, 30U) - 15) * 1000000,
                     175000000 + (int32_t)random_below(self, 25U) * 1000000,
                     40000000 + (int32_t)random_below(self, 40U) * 1000000);
+}
+
+/* An end of the way, or anywhere on it. */
+static int32_t some_end(stage_t *self, const axis_config_t *axis)
+{
+    const int32_t span = axis->target_maximum_ticks - axis->target_minimum_ticks;
+    int32_t ticks = axis->target_minimum_ticks;
+    switch (random_below(self, 4U)) {
+    case 0:
+        break;
+    case 1:
+        ticks = axis->target_maximum_ticks;
+        break;
+    case 2:
+        ticks = axis->home_ticks + (int32_t)random_below(self, 21U) - 10;
+        break;
+    default:
+        ticks += (int32_t)random_below(self, (uint32_t)span);
+        break;
+    }
+    return ticks;
+}
+
+/* A target with some axes at an end of their way, and the entry point that decides its depth. */
+static void send_corner(stage_t *self, rig_t *rig)
+{
+    int32_t ticks[ROBOT_AXIS_COUNT];
+    neuro_joints_t joints;
+    command_t target = {.kind = (uint32_t)COMMAND_TARGET};
+    command_t entry = {.kind = (uint32_t)COMMAND_PROPOSE_ENTRY};
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        ticks[i] = some_end(self, &robot_neuro.axes[i]);
+    }
+    neuro_joints_from_ticks(&robot_neuro, ticks, &joints);
+    neuro_forward(&robot_neuro, &joints, &target.pose);
+    rigid_set_identity(&entry.pose);
+    const int64_t back_nm = joints.value[AXIS_INSERTION] +
+                            robot_neuro.neuro.probe_robot_to_treatment_nm -
+                            robot_neuro.neuro.probe_robot_to_entry_nm;
+    const int32_t way_nm[3] = {(int32_t)(back_nm * target.pose.rotation_q30[0][2] / 1073741824),
+                               (int32_t)(back_nm * target.pose.rotation_q30[1][2] / 1073741824),
+                               (int32_t)(back_nm * target.pose.rotation_q30[2][2] / 1073741824)};
+    entry.pose.translation = (point_t){target.pose.translation.x_nm - way_nm[0],
+                                       target.pose.translation.y_nm - way_nm[1],
+                                       target.pose.translation.z_nm - way_nm[2]};
+    send(self, rig, entry);
+    send(self, rig, target);
+}
+
+static void send_target(stage_t *self, rig_t *rig)
+{
+    if (self->play == PLAY_CORNERS) {
+        send_corner(self, rig);
+    } else {
+        send(self, rig, (command_t){.kind = (uint32_t)COMMAND_TARGET, .pose = some_target(self)});
+    }
 }
 
 static void do_anything(stage_t *self, rig_t *rig)
@@ -121,8 +191,7 @@ static void do_anything(stage_t *self, rig_t *rig)
         send(self, rig, command);
         break;
     case 2:
-        send(self, rig,
-             (command_t){.kind = (uint32_t)COMMAND_TARGET, .pose = some_target(self)});
+        send(self, rig, (command_t){.kind = (uint32_t)COMMAND_TARGET, .pose = some_target(self)});
         break;
     case 3:
         rig_box(rig, "pedal press");
@@ -133,6 +202,16 @@ static void do_anything(stage_t *self, rig_t *rig)
     default:
         send_phase(self, rig, WORKPHASE_MOVE_TO_TARGET);
         break;
+    }
+}
+
+static void send_target_or_phase(stage_t *self, rig_t *rig)
+{
+    if (rig->outputs.snapshot.workphase == (uint32_t)WORKPHASE_TARGETING) {
+        self->wants_target = 0U;
+        send_target(self, rig);
+    } else {
+        send_phase(self, rig, WORKPHASE_TARGETING);
     }
 }
 
@@ -162,18 +241,21 @@ static void do_next_step(stage_t *self, rig_t *rig)
         }
         break;
     case NEXT_STEP_NOTHING:
-    case NEXT_STEP_TARGET:
+        self->wants_target = 1U;
         send_phase(self, rig, WORKPHASE_TARGETING);
-        if (shown->workphase == (uint32_t)WORKPHASE_TARGETING) {
-            send(self, rig,
-                 (command_t){.kind = (uint32_t)COMMAND_TARGET, .pose = some_target(self)});
-        }
+        break;
+    case NEXT_STEP_TARGET:
+        send_target_or_phase(self, rig);
         break;
     case NEXT_STEP_MOVE:
-        send_phase(self, rig, WORKPHASE_MOVE_TO_TARGET);
+        if (self->wants_target != 0U) {
+            send_target_or_phase(self, rig);
+        } else {
+            send_phase(self, rig, WORKPHASE_MOVE_TO_TARGET);
+        }
         break;
     case NEXT_STEP_HOLD_PEDAL:
-        if (random_below(self, 8U) == 0U) {
+        if (random_below(self, (self->play == PLAY_INTERRUPTED) ? 2U : 8U) == 0U) {
             rig_box(rig, "pedal release");
         }
         break;
@@ -188,6 +270,7 @@ void stage_play(stage_t *self, rig_t *rig)
     self->cycle++;
     if (self->cycle == self->fault_cycle) {
         disturb(self, rig);
+        self->has_fault = 1U;
         self->fault_cycle += 200U + random_below(self, 6000U);
     }
     if (self->wait_cycles > 0U) {

@@ -5,19 +5,33 @@
 
 #include "rig.h"
 
+#include <stdbool.h>
 #include <stdint.h>
+
+/** What is played. */
+typedef enum {
+    PLAY_RANDOM = 0,     /**< Anything, with at most one fault at a time. */
+    PLAY_CORNERS = 1,    /**< Moves to targets at the ends of the axes' ways; no fault. */
+    PLAY_INTERRUPTED = 2 /**< Moves under a pedal that is released again and again; no fault. */
+} play_t;
 
 /** State of the players. */
 typedef struct {
+    play_t play;
     uint32_t random;
-    uint32_t wait_cycles; /**< Until the operator does the next thing. */
-    uint32_t fault_cycle; /**< When the fault comes; UINT32_MAX: never. */
-    uint32_t is_chaotic;  /**< 1: the operator does anything at any time. */
+    uint32_t wait_cycles;  /**< Until the operator does the next thing. */
+    uint32_t fault_cycle;  /**< When the fault comes; UINT32_MAX: never. */
+    uint32_t has_fault;    /**< 0 or 1: something was broken. */
+    uint32_t wants_target; /**< 0 or 1: the last target was reached, the next is to be sent. */
+    uint32_t is_chaotic;   /**< 1: the operator does anything at any time. */
     uint32_t cycle;
 } stage_t;
 
-/** Sets the scene `seed`: the rig fresh, homed or targeted, an operator and at most one fault. */
-void stage_begin(stage_t *self, rig_t *rig, uint32_t seed);
+/** Sets the scene `seed`: the rig fresh, homed or targeted, an operator and what may break. */
+void stage_begin(stage_t *self, rig_t *rig, play_t play, uint32_t seed);
+
+/** A fault was or is in the scene. */
+bool stage_is_disturbed(const stage_t *self);
 
 /** What the players do before the next cycle. */
 void stage_play(stage_t *self, rig_t *rig);

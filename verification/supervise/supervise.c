@@ -4,10 +4,10 @@
  * The real controller on the simulated control box, in simulated time, with an operator, a world
  * and faults by chance, and a witness who knows where the axes truly stand.
  *
- *     supervise COUNT [SEED]
+ *     supervise COUNT [SEED [random|corners|interrupted]]
  *
- * Plays COUNT scenes from SEED on (1). Prints how often each sentence was broken, where first, and
- * the worst figure. Ends with 1 when one was broken.
+ * Plays COUNT scenes from SEED on (1), or as many as COUNT moves need. Prints how often each
+ * sentence was broken, where first, and the worst figure. Ends with 1 when one was broken.
  */
 #include "stage.h"
 #include "witness.h"
@@ -16,8 +16,10 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #define SCENE_CYCLES 20000U
+#define MOVES_CYCLES 120000U /* Of a scene that is all moves. */
 
 static rig_t rig;
 static stage_t stage;
@@ -38,23 +40,23 @@ void contract_broken(const char *module, uint32_t id)
     exit(2);
 }
 
-static void play(uint32_t seed)
+static void play_scene(play_t play, uint32_t seed)
 {
     double truth[ROBOT_AXIS_COUNT];
     witness_begin(&witness, seed);
-    stage_begin(&stage, &rig, seed);
-    for (uint32_t i = 0U; i < SCENE_CYCLES; i++) {
+    stage_begin(&stage, &rig, play, seed);
+    for (uint32_t i = 0U; i < ((play == PLAY_RANDOM) ? SCENE_CYCLES : MOVES_CYCLES); i++) {
         stage_play(&stage, &rig);
         box_true_positions(&rig.box, truth);
         rig_cycle(&rig);
-        witness_look(&witness, &rig, truth);
+        witness_look(&witness, &rig, truth, stage_is_disturbed(&stage));
     }
 }
 
 static bool report(uint32_t count)
 {
     bool is_good = true;
-    printf("%u scenes of %u s\n", (unsigned)count, SCENE_CYCLES / 1000U);
+    printf("%u scenes, %u moves\n", (unsigned)count, (unsigned)witness.moves);
     for (uint32_t i = 0U; i < SENTENCE_COUNT; i++) {
         const verdict_t *const verdict = &witness.verdicts[i];
         printf("%-70s ", witness_sentence((sentence_t)i));
@@ -70,17 +72,32 @@ static bool report(uint32_t count)
     return is_good;
 }
 
+/* Number of the play `name`, or -1. */
+static int play_of(const char *name)
+{
+    static const char *const names[] = {"random", "corners", "interrupted"};
+    for (int i = 0; i < 3; i++) {
+        if (strcmp(name, names[i]) == 0) {
+            return i;
+        }
+    }
+    return -1;
+}
+
 int main(int count, char **arguments)
 {
-    const uint32_t scenes = (count > 1) ? (uint32_t)strtoul(arguments[1], NULL, 10) : 0U;
+    const uint32_t wanted = (count > 1) ? (uint32_t)strtoul(arguments[1], NULL, 10) : 0U;
     const uint32_t first = (count > 2) ? (uint32_t)strtoul(arguments[2], NULL, 10) : 1U;
-    if (scenes == 0U) {
-        (void)fprintf(stderr, "usage: supervise COUNT [SEED]\n");
+    const int play = (count > 3) ? play_of(arguments[3]) : (int)PLAY_RANDOM;
+    uint32_t scenes = 0U;
+    if ((wanted == 0U) || (play < 0)) {
+        (void)fprintf(stderr, "usage: supervise COUNT [SEED [random|corners|interrupted]]\n");
         return 2;
     }
     UnityBegin("supervise.c");
-    for (uint32_t i = 0U; i < scenes; i++) {
-        play(first + i);
+    while (((play == (int)PLAY_RANDOM) ? scenes : witness.moves) < wanted) {
+        play_scene((play_t)play, first + scenes);
+        scenes++;
     }
     return report(scenes) ? 0 : 1;
 }

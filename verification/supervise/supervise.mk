@@ -4,6 +4,7 @@
 .PHONY: supervise
 COUNT ?= 200
 SEED ?= 1
+PLAY ?= random
 
 # Unity comes with Ceedling: the rig of the integration tests asserts with it.
 UNITY := .tools/gems/gems/ceedling-1.2.1/vendor/unity/src
@@ -16,6 +17,6 @@ build/gcc/bin/supervise: $(call object,$(SUPERVISE_SOURCES)) $(OUT)/libcore.a
 $(OUT)/verification/supervise/%.o $(OUT)/verification/integration/%.o: FLAGS = -D_GNU_SOURCE $(APP_INCLUDES) -Ibsp/sim \
     -Iverification/integration/support -I$(UNITY)
 
-supervise: bootstrap-test ## The controller in COUNT random scenes from SEED on, watched by one who knows the truth
+supervise: bootstrap-test ## The controller in COUNT scenes from SEED on, PLAY=random, corners or interrupted
 	@$(MAKE) --no-print-directory -j2 build/gcc/bin/supervise
-	@build/gcc/bin/supervise $(COUNT) $(SEED)
+	@build/gcc/bin/supervise $(COUNT) $(SEED) $(PLAY)

@@ -29,16 +29,19 @@ const char *witness_sentence(sentence_t sentence)
         "A move under the pedal ends (s)",
         "Homing drives the needle forwards by little only (mm)",
         "\"The target is reached\": it is (mm, deg)",
-        "The axial carriages keep their distance (mm)"};
+        "The axial carriages keep their distance (mm)",
+        "As long as nothing is broken, no fault is found (event)"};
     return words[sentence];
 }
 
 void witness_begin(witness_t *self, uint32_t seed)
 {
     verdict_t kept[SENTENCE_COUNT];
+    const uint32_t moves = self->moves;
     (void)memcpy(kept, self->verdicts, sizeof kept);
     (void)memset(self, 0, sizeof *self);
     (void)memcpy(self->verdicts, kept, sizeof kept);
+    self->moves = moves;
     self->seed = seed;
 }
 
@@ -91,10 +94,9 @@ static bool is_driven(const rig_t *rig, uint32_t axis)
 static void judge_permit(witness_t *self, const rig_t *rig)
 {
     const controller_inputs_t *const inputs = &rig->inputs;
-    if (rig_is_driving(rig) &&
-        ((inputs->pedal_a == 0U) || (inputs->pedal_b == 0U) || (inputs->estop_open != 0U) ||
-         (inputs->scanner_active != 0U) ||
-         (rig->outputs.snapshot.order == (uint32_t)WORKPHASES_ORDER_NONE))) {
+    if (rig_is_driving(rig) && ((inputs->pedal_a == 0U) || (inputs->pedal_b == 0U) ||
+                                (inputs->estop_open != 0U) || (inputs->scanner_active != 0U) ||
+                                (rig->outputs.snapshot.order == (uint32_t)WORKPHASES_ORDER_NONE))) {
         complain(self, rig, SENTENCE_PERMIT, 0U, 1.0);
     }
 }
@@ -104,8 +106,8 @@ static void judge_belief(witness_t *self, const rig_t *rig, uint32_t axis, doubl
 {
     const double believed = rig->outputs.snapshot.axes[axis].position_ticks;
     const double away = fabs(measure(axis, truth - believed));
-    const bool is_astray = !is_doubted(rig, axis) &&
-                           (away > (is_length(axis) ? BELIEVED_MM : BELIEVED_DEG));
+    const bool is_astray =
+        !is_doubted(rig, axis) && (away > (is_length(axis) ? BELIEVED_MM : BELIEVED_DEG));
     self->astray_cycles[axis] = is_astray ? (self->astray_cycles[axis] + 1U) : 0U;
     if (self->astray_cycles[axis] > OFF_CYCLES) {
         complain(self, rig, SENTENCE_BELIEVED, axis, away);
@@ -168,11 +170,10 @@ static void judge_reached(witness_t *self, const rig_t *rig, const double truth[
     }
 }
 
-static void judge_distance(witness_t *self, const rig_t *rig,
-                           const double truth[ROBOT_AXIS_COUNT])
+static void judge_distance(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_COUNT])
 {
-    const double apart = APART_HOME_MM + measure(AXIS_HEAD, truth[AXIS_HEAD]) -
-                         measure(AXIS_FEET, truth[AXIS_FEET]);
+    const double apart =
+        APART_HOME_MM + measure(AXIS_HEAD, truth[AXIS_HEAD]) - measure(AXIS_FEET, truth[AXIS_FEET]);
     if (is_homed(rig, AXIS_HEAD) && is_homed(rig, AXIS_FEET) &&
         ((apart < APART_LEAST_MM) || (apart > APART_MOST_MM))) {
         complain(self, rig, SENTENCE_APART, AXIS_HEAD,
@@ -180,7 +181,22 @@ static void judge_distance(witness_t *self, const rig_t *rig,
     }
 }
 
-void witness_look(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_COUNT])
+static void judge_events(witness_t *self, const rig_t *rig, bool is_disturbed)
+{
+    for (uint32_t i = 0U; i < rig->outputs.event_count; i++) {
+        const event_t *const event = &rig->outputs.events[i];
+        self->moves += ((event->id == (uint32_t)EVENT_ORDER_DONE) &&
+                        (rig->outputs.snapshot.workphase == (uint32_t)WORKPHASE_MOVE_TO_TARGET))
+                           ? 1U
+                           : 0U;
+        if (!is_disturbed && (event->severity == (uint32_t)EVENT_SEVERITY_CRITICAL)) {
+            complain(self, rig, SENTENCE_CALM, event->subject % ROBOT_AXIS_COUNT, event->id);
+        }
+    }
+}
+
+void witness_look(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_COUNT],
+                  bool is_disturbed)
 {
     judge_permit(self, rig);
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
@@ -191,4 +207,5 @@ void witness_look(witness_t *self, const rig_t *rig, const double truth[ROBOT_AX
     judge_needle(self, rig, truth[AXIS_INSERTION]);
     judge_reached(self, rig, truth);
     judge_distance(self, rig, truth);
+    judge_events(self, rig, is_disturbed);
 }

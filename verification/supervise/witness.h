@@ -22,10 +22,11 @@ typedef enum {
     SENTENCE_ENDS = 3,     /**< A move under the pedal ends. */
     SENTENCE_NEEDLE = 4,   /**< Homing drives the needle forwards by little only. */
     SENTENCE_REACHED = 5,  /**< "Nothing; the target is reached": it is. */
-    SENTENCE_APART = 6     /**< The axial carriages keep their distance. */
+    SENTENCE_APART = 6,    /**< The axial carriages keep their distance. */
+    SENTENCE_CALM = 7      /**< As long as nothing is broken, no fault is found and no move lost. */
 } sentence_t;
 
-#define SENTENCE_COUNT 7U
+#define SENTENCE_COUNT 8U
 
 /** A sentence's record. */
 typedef struct {
@@ -39,8 +40,9 @@ typedef struct {
 /** State of the witness; one episode at a time. */
 typedef struct {
     uint32_t seed;
+    uint32_t moves; /**< That have ended as asked, in all episodes. */
     verdict_t verdicts[SENTENCE_COUNT];
-    bool is_broken[SENTENCE_COUNT]; /**< In this episode. */
+    bool is_broken[SENTENCE_COUNT];                /**< In this episode. */
     double rest[ROBOT_AXIS_COUNT][WITNESS_SECOND]; /**< True positions of the last second. */
     uint32_t off_cycles[ROBOT_AXIS_COUNT];
     uint32_t astray_cycles[ROBOT_AXIS_COUNT];
@@ -52,8 +54,10 @@ typedef struct {
 /** Begins an episode; the verdicts stay. */
 void witness_begin(witness_t *self, uint32_t seed);
 
-/** Looks at the cycle that `rig` has just run; `truth`: the positions when its frames were made. */
-void witness_look(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_COUNT]);
+/** Looks at the cycle that `rig` has just run; `truth`: the positions when its frames were made;
+ * `is_disturbed`: something in the scene is or was broken. */
+void witness_look(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_COUNT],
+                  bool is_disturbed);
 
 /** The sentence in words, and the unit of `worst`. */
 const char *witness_sentence(sentence_t sentence);
