@@ -65,6 +65,7 @@ workphases_inputs_t controller_guards(const controller_t *self, const cycle_t *c
  *
  * @satisfies SWR-DEMO-001
  * @satisfies SWR-MOTION-005
+ * @satisfies SWR-MOTION-006
  */
 void controller_move(controller_t *self, const cycle_t *cycle,
                      card_drive_t requests[ROBOT_AXIS_COUNT]);

@@ -64,8 +64,9 @@ void profile_plan(profile_t *self, const robot_t *robot,
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
         const axis_config_t *const axis = &robot->axes[i];
         const int64_t way = magnitude((int64_t)end_ticks[i] - (int64_t)start_ticks[i]);
-        const int64_t speed = (int64_t)axis->speed_ticks_per_s * (int64_t)speed_percent;
-        ramp_and_cruise = larger(ramp_and_cruise, divide_up(way * CYCLES_PER_S * 100, speed));
+        const int64_t speed = (int64_t)axis->speed_ticks_per_s * (int64_t)speed_percent *
+                              (int64_t)LIMIT_PROFILE_SPEED_PERCENT;
+        ramp_and_cruise = larger(ramp_and_cruise, divide_up(way * CYCLES_PER_S * 10000, speed));
         product = larger(product, divide_up(way * CYCLES_PER_S * CYCLES_PER_S,
                                             (int64_t)axis->acceleration_ticks_per_s2));
     }

@@ -10,19 +10,14 @@
 #define GAIN_PER_S INT64_C(60)
 /* A motor below a tenth of its full speed sticks; leave some margin. */
 #define SLOWEST_PERCENT INT64_C(15)
-#define PWM_PULSE_PERCENT INT64_C(50)
+/* A motor may be faster than its model: 20 %, and its two directions differ by 3. */
+#define FASTEST_PERCENT INT64_C(125)
+/* From an off word to a motor at rest. */
+#define STOP_US INT64_C(1500)
 
 static int64_t magnitude(int64_t value)
 {
     return (value < 0) ? -value : value;
-}
-
-static uint32_t duty_for(const axis_config_t *config, int64_t demand_q8)
-{
-    const int64_t span = (int64_t)config->maximum_duty - (int64_t)config->minimum_duty;
-    const int64_t full_q8 = (int64_t)config->full_speed_ticks_per_s * 256;
-    const int64_t duty = (int64_t)config->minimum_duty + ((span * demand_q8) / full_q8);
-    return (duty > (int64_t)config->maximum_duty) ? config->maximum_duty : (uint32_t)duty;
 }
 
 static uint32_t direction_bit(const axis_config_t *config, bool is_upwards)
@@ -31,28 +26,27 @@ static uint32_t direction_bit(const axis_config_t *config, bool is_upwards)
     return (is_upwards != is_inverted) ? 1U : 0U;
 }
 
-/* Speed of a pulse, or 0 when this cycle pauses. */
-static int64_t pulse(servo_t *self, int64_t demand_q8, int64_t pulse_q8)
+static card_drive_t drive_at(const axis_config_t *config, uint32_t direction, int64_t speed_q8)
 {
-    self->pulse_debt_q8 += demand_q8;
-    if (self->pulse_debt_q8 < pulse_q8) {
-        return 0;
+    card_drive_t drive = {.mode = (uint32_t)CARD_DRIVE_NON_PWM, .direction = direction, .duty = 0U};
+    if (config->card_type == (uint8_t)CARD_TYPE_PWM) {
+        drive.mode = (uint32_t)CARD_DRIVE_PWM;
+        drive.duty = motor_model_duty(config, speed_q8);
     }
-    self->pulse_debt_q8 -= pulse_q8;
-    return pulse_q8;
+    return drive;
 }
 
-static int64_t run_speed(servo_t *self, const axis_config_t *config, int64_t demand_q8)
+/* Stopped after one more cycle of `drive`, even the fastest motor comes no farther than
+ * `way_ticks`. */
+static bool is_short(const servo_t *self, const axis_config_t *config, const card_drive_t *drive,
+                     int64_t way_ticks)
 {
-    const int64_t full_q8 = (int64_t)config->full_speed_ticks_per_s * 256;
-    if (config->card_type == (uint8_t)CARD_TYPE_NON_PWM) {
-        return pulse(self, (demand_q8 > full_q8) ? full_q8 : demand_q8, full_q8);
-    }
-    if (demand_q8 < ((full_q8 * SLOWEST_PERCENT) / 100)) {
-        return pulse(self, demand_q8, (full_q8 * PWM_PULSE_PERCENT) / 100);
-    }
-    self->pulse_debt_q8 = 0;
-    return demand_q8;
+    motor_model_t model = self->model;
+    const int64_t more_q16 = motor_model_step_q16(&model, config, drive, LIMIT_CYCLE_US);
+    const int64_t stop_q16 = (model.speed_ticks_per_s_q8 * 256 * STOP_US) / 1000000;
+    const int64_t farthest_q16 =
+        magnitude(self->unseen_q16 + more_q16 + stop_q16) * FASTEST_PERCENT;
+    return farthest_q16 <= (way_ticks * 65536 * 100);
 }
 
 /* The time up to this cycle counts as rest only if the cycle before asked for nothing. */
@@ -76,7 +70,8 @@ void servo_init(servo_t *self)
 
 void servo_rest(servo_t *self, uint32_t elapsed_us)
 {
-    self->pulse_debt_q8 = 0;
+    self->model.speed_ticks_per_s_q8 = 0;
+    self->unseen_q16 = 0;
     pass_time(self, elapsed_us);
 }
 
@@ -85,34 +80,39 @@ bool servo_is_upwards(const axis_config_t *config, const card_drive_t *drive)
     return (drive->direction != 0U) != (config->is_motor_inverted != 0U);
 }
 
+/* What brings the axis on, `way_ticks` before the set-point that moves at `speed_q8`. */
+static card_drive_t choose(const servo_t *self, const axis_config_t *config, uint32_t direction,
+                           int64_t way_ticks, int64_t speed_q8)
+{
+    const card_drive_t off = {.mode = (uint32_t)CARD_DRIVE_OFF, .direction = 0U, .duty = 0U};
+    const int64_t slowest_q8 =
+        ((int64_t)config->full_speed_ticks_per_s * 256 * SLOWEST_PERCENT) / 100;
+    const int64_t demand_q8 = speed_q8 + (way_ticks * GAIN_PER_S * 256);
+    const bool is_steady =
+        (config->card_type == (uint8_t)CARD_TYPE_PWM) && (demand_q8 >= slowest_q8);
+    const card_drive_t drive = drive_at(config, direction, is_steady ? demand_q8 : slowest_q8);
+    return (is_steady || is_short(self, config, &drive, way_ticks)) ? drive : off;
+}
+
 card_drive_t servo_step(servo_t *self, const axis_config_t *config, int32_t error_ticks,
                         int32_t setpoint_speed_ticks_per_s_q8, uint32_t elapsed_us)
 {
     card_drive_t drive = {.mode = (uint32_t)CARD_DRIVE_OFF, .direction = 0U, .duty = 0U};
-    pass_time(self, elapsed_us);
+    const int64_t speed_q8 = (int64_t)setpoint_speed_ticks_per_s_q8;
     const bool is_arrived = magnitude((int64_t)error_ticks) <= (int64_t)config->deadband_ticks;
-    if (is_arrived && (setpoint_speed_ticks_per_s_q8 == 0)) {
-        self->pulse_debt_q8 = 0;
-        return drive;
+    const bool is_upwards = (speed_q8 != 0) ? (speed_q8 > 0) : (error_ticks > 0);
+    const uint32_t direction = direction_bit(config, is_upwards);
+    pass_time(self, elapsed_us);
+    const bool is_turning =
+        (direction != self->direction) && (self->rest_us < LIMIT_REVERSAL_DWELL_US);
+    if (!is_turning && (!is_arrived || (speed_q8 != 0))) {
+        const int64_t way_ticks = is_upwards ? (int64_t)error_ticks : -(int64_t)error_ticks;
+        drive = choose(self, config, direction, way_ticks, magnitude(speed_q8));
     }
-    const int64_t demand_q8 =
-        (int64_t)setpoint_speed_ticks_per_s_q8 + ((int64_t)error_ticks * GAIN_PER_S * 256);
-    const uint32_t direction = direction_bit(config, demand_q8 > 0);
-    if ((direction != self->direction) && (self->rest_us < LIMIT_REVERSAL_DWELL_US)) {
-        self->pulse_debt_q8 = 0;
-        return drive;
-    }
-    const int64_t speed_q8 = run_speed(self, config, magnitude(demand_q8));
-    if (speed_q8 == 0) {
-        return drive;
-    }
-    self->direction = direction;
-    self->is_driving = 1U;
-    drive.mode = (uint32_t)CARD_DRIVE_NON_PWM;
-    drive.direction = direction;
-    if (config->card_type == (uint8_t)CARD_TYPE_PWM) {
-        drive.mode = (uint32_t)CARD_DRIVE_PWM;
-        drive.duty = duty_for(config, speed_q8);
+    self->unseen_q16 = motor_model_step_q16(&self->model, config, &drive, LIMIT_CYCLE_US);
+    if (drive.mode != (uint32_t)CARD_DRIVE_OFF) {
+        self->direction = direction;
+        self->is_driving = 1U;
     }
     return drive;
 }

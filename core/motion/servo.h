@@ -2,23 +2,27 @@
 /**
  * @file
  * From set-point and position to a drive request for one ultrasonic motor. Speed demand = set-point
- * speed + gain x error; a demand below the slowest speed at which the motor runs is met on average
- * by single-cycle pulses. The request is nothing but a wish: only the permit turns it into a drive.
+ * speed + gain x error. What the motor cannot run slowly enough is done in bursts: it runs as long
+ * as even a motor that is faster than its model does not pass the set-point before it can be
+ * stopped. The request is nothing but a wish: only the permit turns it into a drive.
  */
 #ifndef BORESIGHT_SERVO_H
 #define BORESIGHT_SERVO_H
 
 #include "card_frame.h"
+#include "motor_model.h"
 #include "robot.h"
 
 #include <stdbool.h>
 #include <stdint.h>
 
 typedef struct {
-    int64_t pulse_debt_q8; /**< Demand not yet met by pulses. */
-    uint32_t direction;    /**< Last requested drive direction bit. */
-    uint32_t rest_us;      /**< Since the first cycle without a request, saturates. */
-    uint32_t is_driving;   /**< A drive was requested in the last cycle: 0 or 1. */
+    motor_model_t model; /**< Of a motor that does what is asked for. */
+    int64_t unseen_q16;  /**< Its way in ticks by the request before: no reading shows it yet. */
+    uint32_t direction;  /**< Last requested drive direction bit. */
+    uint32_t rest_us;    /**< Since the first cycle without a request, saturates. */
+    uint32_t is_driving; /**< A drive was requested in the last cycle: 0 or 1. */
+    uint32_t reserved;
 } servo_t;
 
 /** Starts at rest. */
@@ -26,9 +30,11 @@ void servo_init(servo_t *self);
 
 /**
  * The request for this cycle, `elapsed_us` after the one before. Off inside the deadband with a
- * resting set-point, and for LIMIT_REVERSAL_DWELL_US between the two directions.
+ * resting set-point, ahead of a moving one, and for LIMIT_REVERSAL_DWELL_US between the two
+ * directions. The drive of a cycle is seen by the next but one.
  *
  * @satisfies SWR-MOTION-004
+ * @satisfies SWR-MOTION-007
  * @satisfies SWR-AXIS-007
  * @satisfies SWR-AXIS-008
  */

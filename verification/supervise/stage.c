@@ -33,6 +33,14 @@ static void set_random_scene(stage_t *self, rig_t *rig)
     self->fault_cycle = (random_below(self, 5U) == 0U) ? UINT32_MAX : random_below(self, 12000U);
 }
 
+static void spread_motors(stage_t *self, rig_t *rig)
+{
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        rig->box.axes[i].motor.full_speed_ticks_per_s *=
+            0.8 + ((double)random_below(self, 401U) / 1000.0);
+    }
+}
+
 void stage_begin(stage_t *self, rig_t *rig, play_t play, uint32_t seed)
 {
     *self = (stage_t){.play = play, .random = (seed * 2654435761U) | 1U, .fault_cycle = UINT32_MAX};
@@ -43,6 +51,9 @@ void stage_begin(stage_t *self, rig_t *rig, play_t play, uint32_t seed)
         set_random_scene(self, rig);
     } else {
         rig_start_targeted(rig);
+    }
+    if (play == PLAY_SPREAD) {
+        spread_motors(self, rig);
     }
 }
 

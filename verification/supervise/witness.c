@@ -30,18 +30,20 @@ const char *witness_sentence(sentence_t sentence)
         "Homing drives the needle forwards by little only (mm)",
         "\"The target is reached\": it is (mm, deg)",
         "The axial carriages keep their distance (mm)",
-        "As long as nothing is broken, no fault is found (event)"};
+        "As long as nothing is broken, no fault is found (event)",
+        "No axis goes beyond its end by more than its deadband (ticks)",
+        "In the mean of 100 ms no axis is faster than its speed (percent)"};
     return words[sentence];
 }
 
 void witness_begin(witness_t *self, uint32_t seed)
 {
-    verdict_t kept[SENTENCE_COUNT];
-    const uint32_t moves = self->moves;
-    (void)memcpy(kept, self->verdicts, sizeof kept);
+    static witness_t kept;
+    kept = *self;
     (void)memset(self, 0, sizeof *self);
-    (void)memcpy(self->verdicts, kept, sizeof kept);
-    self->moves = moves;
+    (void)memcpy(self->verdicts, kept.verdicts, sizeof kept.verdicts);
+    (void)memcpy(self->late, kept.late, sizeof kept.late);
+    self->moves = kept.moves;
     self->seed = seed;
 }
 
@@ -181,18 +183,70 @@ static void judge_distance(witness_t *self, const rig_t *rig, const double truth
     }
 }
 
+static bool is_moving_to_target(const rig_t *rig)
+{
+    return (rig->outputs.snapshot.workphase == (uint32_t)WORKPHASE_MOVE_TO_TARGET) &&
+           (rig->outputs.snapshot.order == (uint32_t)WORKPHASES_ORDER_MOVING);
+}
+
+static void judge_beyond(witness_t *self, const rig_t *rig)
+{
+    const profile_t *const profile = &rig->controller.profile;
+    for (uint32_t i = 0U; (i < ROBOT_AXIS_COUNT) && is_moving_to_target(rig); i++) {
+        const int32_t way = profile->end_ticks[i] - profile->start_ticks[i];
+        const int32_t beyond = rig->outputs.snapshot.axes[i].position_ticks - profile->end_ticks[i];
+        const int32_t over = (way > 0) ? beyond : -beyond;
+        if ((way != 0) && (over > robot_neuro.axes[i].deadband_ticks)) {
+            complain(self, rig, SENTENCE_BEYOND, i, over);
+        }
+    }
+}
+
+static void judge_speed(witness_t *self, const rig_t *rig, uint32_t axis, double truth)
+{
+    const uint32_t place = self->looks % WITNESS_MEAN;
+    const double way = fabs(truth - self->places[axis][place]);
+    const double most = robot_neuro.axes[axis].speed_ticks_per_s * (WITNESS_MEAN / 1000.0);
+    if ((self->looks >= WITNESS_MEAN) && (way > most)) {
+        complain(self, rig, SENTENCE_SPEED, axis, 100.0 * way / most);
+    }
+    self->places[axis][place] = truth;
+}
+
+static void count_move(witness_t *self, const rig_t *rig)
+{
+    const uint32_t late =
+        (self->over_cycles < WITNESS_LATE) ? self->over_cycles : WITNESS_LATE - 1U;
+    if (rig->outputs.snapshot.workphase == (uint32_t)WORKPHASE_MOVE_TO_TARGET) {
+        self->moves++;
+        self->late[late]++;
+    }
+}
+
 static void judge_events(witness_t *self, const rig_t *rig, bool is_disturbed)
 {
     for (uint32_t i = 0U; i < rig->outputs.event_count; i++) {
         const event_t *const event = &rig->outputs.events[i];
-        self->moves += ((event->id == (uint32_t)EVENT_ORDER_DONE) &&
-                        (rig->outputs.snapshot.workphase == (uint32_t)WORKPHASE_MOVE_TO_TARGET))
-                           ? 1U
-                           : 0U;
+        if (event->id == (uint32_t)EVENT_ORDER_DONE) {
+            count_move(self, rig);
+        }
         if (!is_disturbed && (event->severity == (uint32_t)EVENT_SEVERITY_CRITICAL)) {
             complain(self, rig, SENTENCE_CALM, event->subject % ROBOT_AXIS_COUNT, event->id);
         }
     }
+    const bool is_over = is_moving_to_target(rig) && profile_is_finished(&rig->controller.profile);
+    self->over_cycles = is_over ? (self->over_cycles + 1U) : 0U;
+}
+
+uint32_t witness_late(const witness_t *self, uint32_t percent)
+{
+    uint32_t cycles = 0U;
+    uint32_t count = self->late[0];
+    while ((cycles < (WITNESS_LATE - 1U)) && ((count * 100U) < (self->moves * percent))) {
+        cycles++;
+        count += self->late[cycles];
+    }
+    return cycles;
 }
 
 void witness_look(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_COUNT],
@@ -202,6 +256,13 @@ void witness_look(witness_t *self, const rig_t *rig, const double truth[ROBOT_AX
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
         judge_belief(self, rig, i, truth[i]);
         judge_rest(self, rig, i, truth[i]);
+        if (!is_disturbed) {
+            judge_speed(self, rig, i, truth[i]);
+        }
+    }
+    self->looks++;
+    if (!is_disturbed) {
+        judge_beyond(self, rig);
     }
     judge_end(self, rig);
     judge_needle(self, rig, truth[AXIS_INSERTION]);

@@ -13,6 +13,8 @@
 #include <stdint.h>
 
 #define WITNESS_SECOND 1000U /**< Cycles. */
+#define WITNESS_MEAN 100U    /**< Cycles of a mean speed. */
+#define WITNESS_LATE 10000U  /**< Cycles after the end of a profile that are told apart. */
 
 /** What must hold in every cycle. */
 typedef enum {
@@ -23,10 +25,13 @@ typedef enum {
     SENTENCE_NEEDLE = 4,   /**< Homing drives the needle forwards by little only. */
     SENTENCE_REACHED = 5,  /**< "Nothing; the target is reached": it is. */
     SENTENCE_APART = 6,    /**< The axial carriages keep their distance. */
-    SENTENCE_CALM = 7      /**< As long as nothing is broken, no fault is found and no move lost. */
+    SENTENCE_CALM = 7,     /**< As long as nothing is broken, no fault is found and no move lost. */
+    SENTENCE_BEYOND =
+        8,             /**< No axis goes beyond the end of its profile by more than its deadband. */
+    SENTENCE_SPEED = 9 /**< In the mean of 100 ms no axis is faster than its speed. */
 } sentence_t;
 
-#define SENTENCE_COUNT 8U
+#define SENTENCE_COUNT 10U
 
 /** A sentence's record. */
 typedef struct {
@@ -41,13 +46,18 @@ typedef struct {
 typedef struct {
     uint32_t seed;
     uint32_t moves; /**< That have ended as asked, in all episodes. */
+    uint32_t
+        late[WITNESS_LATE]; /**< How many of them were done so many cycles after their profile. */
     verdict_t verdicts[SENTENCE_COUNT];
     bool is_broken[SENTENCE_COUNT];                /**< In this episode. */
     double rest[ROBOT_AXIS_COUNT][WITNESS_SECOND]; /**< True positions of the last second. */
     uint32_t off_cycles[ROBOT_AXIS_COUNT];
     uint32_t astray_cycles[ROBOT_AXIS_COUNT];
+    double places[ROBOT_AXIS_COUNT][WITNESS_MEAN]; /**< True positions of the last cycles. */
+    uint32_t looks;
     uint32_t moving_cycles;
-    double needle_from; /**< Where homing began. */
+    uint32_t over_cycles; /**< Since the profile of the last leg has ended. */
+    double needle_from;   /**< Where homing began. */
     bool was_homing;
 } witness_t;
 
@@ -58,6 +68,9 @@ void witness_begin(witness_t *self, uint32_t seed);
  * `is_disturbed`: something in the scene is or was broken. */
 void witness_look(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_COUNT],
                   bool is_disturbed);
+
+/** So many cycles after the end of its profile a move is done, in `percent` of all moves. */
+uint32_t witness_late(const witness_t *self, uint32_t percent);
 
 /** The sentence in words, and the unit of `worst`. */
 const char *witness_sentence(sentence_t sentence);

@@ -93,3 +93,22 @@ void test_SWR_AXIS_019_a_late_cycle_ends_at_the_steady_speed(void)
     TEST_ASSERT_EQUAL_INT64(256 * (int64_t)config->full_speed_ticks_per_s,
                             model.speed_ticks_per_s_q8);
 }
+
+void test_SWR_MOTION_004_the_word_for_a_speed_settles_to_it(void)
+{
+    const axis_config_t *const config = &robot_neuro.axes[AXIS_INSERTION];
+    for (int32_t percent = 10; percent <= 100; percent += 5) {
+        const int64_t speed_q8 = (int64_t)config->full_speed_ticks_per_s * 256 * percent / 100;
+        start(config);
+        run(config, (card_drive_t){CARD_DRIVE_PWM, 1U, motor_model_duty(config, speed_q8)}, 300U);
+        TEST_ASSERT_DOUBLE_WITHIN(2.0, (double)speed_q8 / 256.0, motor.speed_ticks_per_s);
+    }
+}
+
+void test_SWR_AXIS_007_the_word_for_a_speed_stays_between_the_smallest_and_the_largest(void)
+{
+    const axis_config_t *const config = &robot_neuro.axes[AXIS_INSERTION];
+    const int64_t full_q8 = (int64_t)config->full_speed_ticks_per_s * 256;
+    TEST_ASSERT_EQUAL_UINT32(config->minimum_duty, motor_model_duty(config, 0));
+    TEST_ASSERT_EQUAL_UINT32(config->maximum_duty, motor_model_duty(config, 2 * full_q8));
+}

@@ -2,8 +2,8 @@
 /**
  * @file
  * What an ultrasonic motor does with its drive words, as far as one knows without looking: it runs
- * at the speed of the word, gains it with a time constant, and stops at once. Supervision compares
- * it with what the encoder counts.
+ * at the speed of the word, gains it with a time constant, and stops at once. The servo plans its
+ * last ticks with it; supervision compares it with what the encoder counts.
  */
 #ifndef BORESIGHT_MOTOR_MODEL_H
 #define BORESIGHT_MOTOR_MODEL_H
@@ -20,5 +20,9 @@ typedef struct {
 /** `drive` was applied for `elapsed_us`. @return the way that it should have made, in ticks */
 int64_t motor_model_step_q16(motor_model_t *self, const axis_config_t *config,
                              const card_drive_t *drive, uint32_t elapsed_us);
+
+/** The pwm word at which the motor settles to `speed_ticks_per_s_q8`, or to the nearest speed that
+ * it has. */
+uint32_t motor_model_duty(const axis_config_t *config, int64_t speed_ticks_per_s_q8);
 
 #endif

@@ -9,6 +9,18 @@
 #define RISE_US INT64_C(15000)
 #define SLOWEST_PERCENT INT64_C(10)
 
+uint32_t motor_model_duty(const axis_config_t *config, int64_t speed_ticks_per_s_q8)
+{
+    const int64_t full_q8 = (int64_t)config->full_speed_ticks_per_s * 256;
+    const int64_t slowest_q8 = (full_q8 * SLOWEST_PERCENT) / 100;
+    const int64_t span = (int64_t)config->maximum_duty - (int64_t)config->minimum_duty;
+    const int64_t above = (span * (speed_ticks_per_s_q8 - slowest_q8)) / (full_q8 - slowest_q8);
+    if (above < 0) {
+        return config->minimum_duty;
+    }
+    return (above > span) ? config->maximum_duty : (config->minimum_duty + (uint32_t)above);
+}
+
 /* Speed that `drive` settles to. */
 static int64_t steady_q8(const axis_config_t *config, const card_drive_t *drive)
 {
