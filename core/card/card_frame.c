@@ -54,7 +54,10 @@
 #define LARGEST_24_BIT 0xFFFFFFU
 #define LARGEST_DUTY 0x1FFFFU
 #define LARGEST_POSITIVE 0x7FFFFFFFU
-#define CRC_LENGTH 252U
+
+/* Reserved in both directions: zeros that the checksums jump over. */
+#define WORD_GAP 29U
+#define WORD_GAP_END (WORD_GAP + (CRC32C_ZEROS / 4U))
 
 static void put_word(uint8_t bytes[CARD_FRAME_BYTES], uint32_t index, uint32_t word)
 {
@@ -115,14 +118,54 @@ static uint32_t header_word(uint32_t slot, uint32_t type)
     return (protocol << 24U) | (fit(slot, LARGEST_8_BIT) << 16U) | (length_words << 8U) | type;
 }
 
+/* Of the words from `first` to before `end`. */
+static uint32_t or_words(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t first, uint32_t end)
+{
+    const uint8_t *at = &bytes[first * 4U];
+    uint32_t bits = 0U;
+
+    for (uint32_t left = end - first; left > 0U; left--) {
+        bits |= get_word(at, 0U);
+        at = &at[4];
+    }
+    return bits;
+}
+
 static uint32_t legacy_sum(const uint8_t bytes[CARD_FRAME_BYTES])
 {
-    uint32_t sum = 0U;
+    const uint8_t *at = bytes;
+    uint32_t sum = get_word(bytes, WORD_GAP_END);
 
-    for (uint32_t index = 0U; index < WORD_LEGACY_SUM; index++) {
-        sum += get_word(bytes, index);
+    for (uint32_t left = WORD_GAP; left > 0U; left--) {
+        sum += get_word(at, 0U);
+        at = &at[4];
     }
     return 0xFFFFFFFFU - sum;
+}
+
+static uint32_t crc_of(const uint8_t bytes[CARD_FRAME_BYTES])
+{
+    const uint32_t head = crc32c_extend_by_zeros(crc32c(bytes, WORD_GAP * 4U));
+
+    return crc32c_extend(head, &bytes[WORD_GAP_END * 4U], (WORD_CRC - WORD_GAP_END) * 4U);
+}
+
+static bool has_reserved_bits(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t type)
+{
+    uint32_t bits = or_words(bytes, WORD_GAP, WORD_GAP_END);
+
+    if (type == TYPE_COMMAND) {
+        bits |= or_words(bytes, WORD_COMMAND_CONTROL + 1U, WORD_COMMAND_MODE) |
+                or_words(bytes, WORD_COMMAND_DUTY + 1U, WORD_COMMAND_WATCHDOG) |
+                or_words(bytes, WORD_COMMAND_AXIS + 1U, WORD_GAP);
+    } else {
+        bits |= or_words(bytes, WORD_REPORT_STATUS + 1U, WORD_REPORT_LIMITS) |
+                or_words(bytes, WORD_REPORT_ENCODER + 1U, WORD_REPORT_LAST_EDGE) |
+                or_words(bytes, WORD_REPORT_EDGES + 1U, WORD_REPORT_TEMPERATURES) |
+                or_words(bytes, WORD_REPORT_SUPPLY + 1U, WORD_REPORT_APPLIED) |
+                or_words(bytes, WORD_GAP_END, WORD_LEGACY_SUM);
+    }
+    return bits != 0U;
 }
 
 static void begin(uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot, uint32_t type)
@@ -135,7 +178,7 @@ static void begin(uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot, uint32_t type)
 static void seal(uint8_t bytes[CARD_FRAME_BYTES])
 {
     put_word(bytes, WORD_LEGACY_SUM, legacy_sum(bytes));
-    put_word(bytes, WORD_CRC, crc32c(bytes, CRC_LENGTH));
+    put_word(bytes, WORD_CRC, crc_of(bytes));
 }
 
 static card_frame_result_t check_frame(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot,
@@ -151,10 +194,11 @@ static card_frame_result_t check_frame(const uint8_t bytes[CARD_FRAME_BYTES], ui
     if ((header | slot_mask) != (expected | slot_mask)) {
         return CARD_FRAME_BAD_START;
     }
-    if (get_word(bytes, WORD_CRC) != crc32c(bytes, CRC_LENGTH)) {
+    if (has_reserved_bits(bytes, type)) {
         return CARD_FRAME_BAD_CRC;
     }
-    if (get_word(bytes, WORD_LEGACY_SUM) != legacy_sum(bytes)) {
+    if ((get_word(bytes, WORD_CRC) != crc_of(bytes)) ||
+        (get_word(bytes, WORD_LEGACY_SUM) != legacy_sum(bytes))) {
         return CARD_FRAME_BAD_CRC;
     }
     if (header != expected) {

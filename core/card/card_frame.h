@@ -106,7 +106,7 @@ typedef struct {
 typedef enum {
     CARD_FRAME_OK = 0,
     CARD_FRAME_BAD_START = 1, /**< Start word, protocol version or length is wrong. */
-    CARD_FRAME_BAD_CRC = 2,
+    CARD_FRAME_BAD_CRC = 2,   /**< A checksum is wrong, or a word without a field is not zero. */
     CARD_FRAME_BAD_SLOT = 3,
     CARD_FRAME_BAD_COMPLEMENT = 4, /**< Word 61 of a command does not complement word 5. */
     CARD_FRAME_BAD_DRIVE = 5,      /**< Mode, direction or duty outside its range. */
@@ -129,6 +129,7 @@ void card_frame_encode_report(const card_report_t *report, uint8_t bytes[CARD_FR
  * Reads a command sent to `slot`. On any result but CARD_FRAME_OK `command` is unchanged.
  *
  * @satisfies SWR-CARD-003
+ * @satisfies SWR-CARD-006
  */
 card_frame_result_t card_frame_decode_command(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot,
                                               card_command_t *command);
@@ -137,6 +138,7 @@ card_frame_result_t card_frame_decode_command(const uint8_t bytes[CARD_FRAME_BYT
  * Reads a report of `slot`. On any result but CARD_FRAME_OK `report` is unchanged.
  *
  * @satisfies SWR-CARD-003
+ * @satisfies SWR-CARD-006
  */
 card_frame_result_t card_frame_decode_report(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot,
                                              card_report_t *report);

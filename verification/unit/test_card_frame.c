@@ -399,3 +399,41 @@ void test_SWR_CARD_004_all_drive_words_are_zero_when_the_drive_is_off(void)
     card_frame_encode_report(&report, bytes);
     TEST_ASSERT_EQUAL_HEX32(0U, word(24U));
 }
+
+/* Each word without a field in turn; `fields` are the others, in order. */
+static void expect_refusal_of_reserved(const uint32_t *fields, uint32_t count, void (*encode)(void),
+                                       void (*expect)(card_frame_result_t expected))
+{
+    uint32_t next = 0U;
+
+    for (uint32_t i = 0U; i < CARD_FRAME_WORDS; i++) {
+        if ((next < count) && (i == fields[next])) {
+            next++;
+            continue;
+        }
+        encode();
+        set_word(i, 0x00010000U);
+        sign_again();
+        expect(CARD_FRAME_BAD_CRC);
+    }
+    TEST_ASSERT_EQUAL_UINT32(count, next);
+    encode();
+    sign_again();
+    expect(CARD_FRAME_OK);
+}
+
+void test_SWR_CARD_006_a_command_with_a_reserved_word_that_is_not_zero_is_refused(void)
+{
+    static const uint32_t fields[] = {0U,  1U,  2U,  3U,  4U,  5U,  10U, 11U,
+                                      13U, 14U, 15U, 16U, 17U, 61U, 62U, 63U};
+    expect_refusal_of_reserved(fields, sizeof fields / sizeof fields[0], encode_command,
+                               expect_command);
+}
+
+void test_SWR_CARD_006_a_report_with_a_reserved_word_that_is_not_zero_is_refused(void)
+{
+    static const uint32_t fields[] = {0U,  1U,  2U,  3U,  4U,  5U,  6U,  7U,  9U,  10U, 13U,
+                                      14U, 15U, 18U, 19U, 24U, 25U, 26U, 27U, 28U, 62U, 63U};
+    expect_refusal_of_reserved(fields, sizeof fields / sizeof fields[0], encode_report,
+                               expect_report);
+}

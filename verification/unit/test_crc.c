@@ -3,6 +3,8 @@
 #include "crc.h"
 #include "unity.h"
 
+#include <string.h>
+
 void setUp(void)
 {
 }
@@ -37,15 +39,56 @@ void test_SWR_CARD_002_checksum_of_nothing_is_zero(void)
     TEST_ASSERT_EQUAL_HEX32(0U, crc32c(&byte, 0U));
 }
 
+/* The definition: one bit a step. */
+static uint32_t by_bits(const uint8_t *bytes, size_t length)
+{
+    uint32_t crc = 0xFFFFFFFFU;
+    for (size_t i = 0U; i < length; i++) {
+        crc ^= bytes[i];
+        for (int bit = 0; bit < 8; bit++) {
+            crc = ((crc & 1U) != 0U) ? ((crc >> 1U) ^ 0x82F63B78U) : (crc >> 1U);
+        }
+    }
+    return crc ^ 0xFFFFFFFFU;
+}
+
+/* A single byte uses the first table, each byte of a word one of the four. */
 void test_SWR_CARD_002_every_table_entry_is_the_remainder_of_its_byte(void)
 {
     for (uint32_t i = 0U; i < 256U; i++) {
-        const uint8_t byte = (uint8_t)i;
-        uint32_t expected = 0xFFFFFFFFU ^ i;
-        for (int bit = 0; bit < 8; bit++) {
-            expected =
-                ((expected & 1U) != 0U) ? ((expected >> 1U) ^ 0x82F63B78U) : (expected >> 1U);
+        uint8_t bytes[4] = {(uint8_t)i, 0U, 0U, 0U};
+        TEST_ASSERT_EQUAL_HEX32(by_bits(bytes, 1U), crc32c(bytes, 1U));
+        for (uint32_t place = 0U; place < 4U; place++) {
+            (void)memset(bytes, 0, sizeof bytes);
+            bytes[place] = (uint8_t)i;
+            TEST_ASSERT_EQUAL_HEX32(by_bits(bytes, 4U), crc32c(bytes, 4U));
         }
-        TEST_ASSERT_EQUAL_HEX32(expected ^ 0xFFFFFFFFU, crc32c(&byte, 1U));
+    }
+}
+
+void test_SWR_CARD_002_a_checksum_goes_on_at_any_byte(void)
+{
+    uint8_t bytes[23];
+    for (uint32_t i = 0U; i < sizeof bytes; i++) {
+        bytes[i] = (uint8_t)(i * 37U + 11U);
+    }
+    for (size_t first = 0U; first <= sizeof bytes; first++) {
+        const uint32_t crc = crc32c(bytes, first);
+        TEST_ASSERT_EQUAL_HEX32(by_bits(bytes, first), crc);
+        TEST_ASSERT_EQUAL_HEX32(by_bits(bytes, sizeof bytes),
+                                crc32c_extend(crc, &bytes[first], sizeof bytes - first));
+    }
+}
+
+/* Each half byte of the state takes each of its values. */
+void test_SWR_CARD_002_zeros_that_are_not_read_count_as_zeros_that_are(void)
+{
+    static const uint8_t zeros[CRC32C_ZEROS];
+    for (uint32_t half = 0U; half < 8U; half++) {
+        for (uint32_t value = 0U; value < 16U; value++) {
+            const uint32_t crc = ~(value << (4U * half));
+            TEST_ASSERT_EQUAL_HEX32(crc32c_extend(crc, zeros, sizeof zeros),
+                                    crc32c_extend_by_zeros(crc));
+        }
     }
 }
