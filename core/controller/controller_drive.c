@@ -14,7 +14,7 @@ static bool is_any_link_lost(const controller_t *self)
 
 /* The permit of one axis for its request. */
 static permit_t decide(const controller_t *self, const cycle_t *cycle, uint32_t index,
-                       const card_drive_t *request)
+                       const card_drive_t *request, bool is_link_lost)
 {
     const axis_t *const axis = &self->axes[index];
     const axis_config_t *const config = &cycle->robot->axes[index];
@@ -23,7 +23,7 @@ static permit_t decide(const controller_t *self, const cycle_t *cycle, uint32_t 
         .is_estop_pulled = (self->estop.state == ESTOP_LATCH_STATE_PULLED),
         .is_estop_latched = (self->estop.state == ESTOP_LATCH_STATE_LATCHED),
         .is_loop_stopped = (self->loop.chart.state == LOOP_GUARD_STATE_STOPPED),
-        .is_link_lost = is_any_link_lost(self),
+        .is_link_lost = is_link_lost,
         .is_pedal_faulty = (pedal == PEDAL_GATE_STATE_FAULT),
         .is_scanner_active = (cycle->inputs->scanner_active != 0U),
         .is_axis_faulty = axis_is_faulty(axis),
@@ -89,8 +89,9 @@ static void send(controller_t *self, const cycle_t *cycle, uint32_t index, const
 void controller_drive(controller_t *self, const cycle_t *cycle,
                       const card_drive_t requests[ROBOT_AXIS_COUNT])
 {
+    const bool is_link_lost = is_any_link_lost(self);
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
-        const permit_t permit = decide(self, cycle, i, &requests[i]);
+        const permit_t permit = decide(self, cycle, i, &requests[i], is_link_lost);
         if (permit.reasons != self->permit_reasons[i]) {
             self->permit_reasons[i] = permit.reasons;
             self->permit_since_cycle[i] = self->cycle;
