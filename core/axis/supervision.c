@@ -82,6 +82,13 @@ static int64_t ticks_of(const axis_config_t *config, uint32_t way_nm, uint32_t w
     return (way * 65536) / config->unit_per_tick_q16;
 }
 
+/* More ticks than ticks_of() the way, found without its division. */
+static bool is_beyond(const axis_config_t *config, int64_t ticks, uint32_t way_nm, uint32_t way_bam)
+{
+    const int64_t way = (int64_t)((config->unit == (uint8_t)AXIS_UNIT_MM) ? way_nm : way_bam);
+    return (ticks * config->unit_per_tick_q16) > (way * 65536);
+}
+
 int32_t supervision_rest_ticks(const axis_config_t *config)
 {
     return fixed_saturate(ticks_of(config, LIMIT_REST_WAY_NM, LIMIT_REST_WAY_BAM));
@@ -99,12 +106,12 @@ static bool is_silent(supervision_t *self, const axis_config_t *config,
         self->silent_us = 0U;
         return false;
     }
-    const int64_t blind_q16 = ticks_of(config, LIMIT_BLIND_WAY_NM, LIMIT_BLIND_WAY_BAM) * 65536;
     self->due_q16 += model_q16;
     const int64_t due_q16 = (self->due_q16 < 0) ? -self->due_q16 : self->due_q16;
     const bool is_due = due_q16 >= ((int64_t)LIMIT_SILENT_TICKS * 65536);
     self->silent_us += is_due ? view->elapsed_us : 0U;
-    return (self->silent_us >= LIMIT_SILENT_TIME_US) || (due_q16 >= blind_q16);
+    return (self->silent_us >= LIMIT_SILENT_TIME_US) ||
+           is_beyond(config, (due_q16 / 65536) + 1, LIMIT_BLIND_WAY_NM, LIMIT_BLIND_WAY_BAM);
 }
 
 /* Over a window in which the motor ran most of the time, counts and model are of one size. */
@@ -190,7 +197,7 @@ static bool is_moving_while_off(supervision_t *self, const axis_config_t *config
     }
     remember_place(self, view);
     self->off_ticks = way_while_off(self, view);
-    return self->off_ticks > supervision_rest_ticks(config);
+    return is_beyond(config, self->off_ticks, LIMIT_REST_WAY_NM, LIMIT_REST_WAY_BAM);
 }
 
 static uint32_t note(bool is_found, uint32_t name)

@@ -2,7 +2,7 @@
 /**
  * @file
  * CRC-32C (Castagnoli; RFC 3720, appendix B.4), the checksum of card frames, of the robot table and
- * of records. Four bytes a step, by tables of 4.5 kB.
+ * of records. Four bytes a step, by tables of 5 kB.
  */
 #ifndef BORESIGHT_CRC_H
 #define BORESIGHT_CRC_H
@@ -10,7 +10,11 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define CRC32C_ZEROS 128U /**< Bytes that crc32c_extend_by_zeros() adds. */
+/** How many zeros crc32c_extend_by_zeros() adds. */
+typedef enum {
+    CRC32C_ZEROS_132 = 0, /**< 132 bytes. */
+    CRC32C_ZEROS_172 = 1  /**< 172 bytes. */
+} crc32c_zeros_t;
 
 /** CRC-32C of `length` bytes; 0 for none. "123456789" gives 0xE3069283. */
 uint32_t crc32c(const uint8_t *bytes, size_t length);
@@ -18,7 +22,7 @@ uint32_t crc32c(const uint8_t *bytes, size_t length);
 /** CRC-32C of what gave `crc`, followed by `length` bytes. */
 uint32_t crc32c_extend(uint32_t crc, const uint8_t *bytes, size_t length);
 
-/** CRC-32C of what gave `crc`, followed by CRC32C_ZEROS bytes of zero, without reading them. */
-uint32_t crc32c_extend_by_zeros(uint32_t crc);
+/** CRC-32C of what gave `crc`, followed by `zeros` bytes of zero, without reading them. */
+uint32_t crc32c_extend_by_zeros(uint32_t crc, crc32c_zeros_t zeros);
 
 #endif

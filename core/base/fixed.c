@@ -153,11 +153,22 @@ int32_t fixed_atan2_bam(int64_t y, int64_t x)
     return signed_bits(angle);
 }
 
+/* Digit by digit; the upper half of the digits needs the upper half of the value only. */
 uint32_t fixed_square_root(uint64_t value)
 {
-    uint64_t rest = value;
-    uint64_t root = 0U;
-    for (uint64_t bit = 0x4000000000000000ULL; bit != 0U; bit >>= 2U) {
+    uint32_t upper_rest = (uint32_t)(value >> 32U);
+    uint32_t upper_root = 0U;
+    for (uint32_t bit = 0x40000000U; bit != 0U; bit >>= 2U) {
+        const uint32_t trial = upper_root + bit;
+        upper_root >>= 1U;
+        if (upper_rest >= trial) {
+            upper_rest -= trial;
+            upper_root += bit;
+        }
+    }
+    uint64_t rest = ((uint64_t)upper_rest << 32U) | (value & 0xFFFFFFFFU);
+    uint64_t root = (uint64_t)upper_root << 32U;
+    for (uint32_t bit = 0x40000000U; bit != 0U; bit >>= 2U) {
         const uint64_t trial = root + bit;
         root >>= 1U;
         if (rest >= trial) {

@@ -55,10 +55,6 @@
 #define LARGEST_DUTY 0x1FFFFU
 #define LARGEST_POSITIVE 0x7FFFFFFFU
 
-/* Reserved in both directions: zeros that the checksums jump over. */
-#define WORD_GAP 29U
-#define WORD_GAP_END (WORD_GAP + (CRC32C_ZEROS / 4U))
-
 static void put_word(uint8_t bytes[CARD_FRAME_BYTES], uint32_t index, uint32_t word)
 {
     const uint32_t at = index * 4U;
@@ -118,54 +114,67 @@ static uint32_t header_word(uint32_t slot, uint32_t type)
     return (protocol << 24U) | (fit(slot, LARGEST_8_BIT) << 16U) | (length_words << 8U) | type;
 }
 
-/* Of the words from `first` to before `end`. */
-static uint32_t or_words(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t first, uint32_t end)
+/* A word from `first` to before `end` is not zero. */
+static bool has_bits(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t first, uint32_t end)
 {
     const uint8_t *at = &bytes[first * 4U];
-    uint32_t bits = 0U;
 
     for (uint32_t left = end - first; left > 0U; left--) {
-        bits |= get_word(at, 0U);
+        if (get_word(at, 0U) != 0U) {
+            return true;
+        }
         at = &at[4];
     }
-    return bits;
+    return false;
 }
 
-static uint32_t legacy_sum(const uint8_t bytes[CARD_FRAME_BYTES])
+/* The reserved words from `first` to before `end`, zeros that the checksums jump over. */
+typedef struct {
+    uint32_t first;
+    uint32_t end;
+    crc32c_zeros_t zeros;
+} gap_t;
+
+static gap_t gap_of(uint32_t type)
+{
+    const gap_t command = {18U, WORD_COMMAND_COMPLEMENT, CRC32C_ZEROS_172};
+    const gap_t report = {29U, WORD_LEGACY_SUM, CRC32C_ZEROS_132};
+
+    return (type == TYPE_COMMAND) ? command : report;
+}
+
+static uint32_t legacy_sum(const uint8_t bytes[CARD_FRAME_BYTES], const gap_t *gap)
 {
     const uint8_t *at = bytes;
-    uint32_t sum = get_word(bytes, WORD_GAP_END);
+    uint32_t sum = (gap->end < WORD_LEGACY_SUM) ? get_word(bytes, gap->end) : 0U;
 
-    for (uint32_t left = WORD_GAP; left > 0U; left--) {
+    for (uint32_t left = gap->first; left > 0U; left--) {
         sum += get_word(at, 0U);
         at = &at[4];
     }
     return 0xFFFFFFFFU - sum;
 }
 
-static uint32_t crc_of(const uint8_t bytes[CARD_FRAME_BYTES])
+static uint32_t crc_of(const uint8_t bytes[CARD_FRAME_BYTES], const gap_t *gap)
 {
-    const uint32_t head = crc32c_extend_by_zeros(crc32c(bytes, WORD_GAP * 4U));
+    const uint32_t head = crc32c(bytes, gap->first * 4U);
 
-    return crc32c_extend(head, &bytes[WORD_GAP_END * 4U], (WORD_CRC - WORD_GAP_END) * 4U);
+    return crc32c_extend(crc32c_extend_by_zeros(head, gap->zeros), &bytes[gap->end * 4U],
+                         (WORD_CRC - gap->end) * 4U);
 }
 
 static bool has_reserved_bits(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t type)
 {
-    uint32_t bits = or_words(bytes, WORD_GAP, WORD_GAP_END);
-
     if (type == TYPE_COMMAND) {
-        bits |= or_words(bytes, WORD_COMMAND_CONTROL + 1U, WORD_COMMAND_MODE) |
-                or_words(bytes, WORD_COMMAND_DUTY + 1U, WORD_COMMAND_WATCHDOG) |
-                or_words(bytes, WORD_COMMAND_AXIS + 1U, WORD_GAP);
-    } else {
-        bits |= or_words(bytes, WORD_REPORT_STATUS + 1U, WORD_REPORT_LIMITS) |
-                or_words(bytes, WORD_REPORT_ENCODER + 1U, WORD_REPORT_LAST_EDGE) |
-                or_words(bytes, WORD_REPORT_EDGES + 1U, WORD_REPORT_TEMPERATURES) |
-                or_words(bytes, WORD_REPORT_SUPPLY + 1U, WORD_REPORT_APPLIED) |
-                or_words(bytes, WORD_GAP_END, WORD_LEGACY_SUM);
+        return has_bits(bytes, WORD_COMMAND_CONTROL + 1U, WORD_COMMAND_MODE) ||
+               has_bits(bytes, WORD_COMMAND_DUTY + 1U, WORD_COMMAND_WATCHDOG) ||
+               has_bits(bytes, WORD_COMMAND_AXIS + 1U, WORD_COMMAND_COMPLEMENT);
     }
-    return bits != 0U;
+    return has_bits(bytes, WORD_REPORT_STATUS + 1U, WORD_REPORT_LIMITS) ||
+           has_bits(bytes, WORD_REPORT_ENCODER + 1U, WORD_REPORT_LAST_EDGE) ||
+           has_bits(bytes, WORD_REPORT_EDGES + 1U, WORD_REPORT_TEMPERATURES) ||
+           has_bits(bytes, WORD_REPORT_SUPPLY + 1U, WORD_REPORT_APPLIED) ||
+           has_bits(bytes, WORD_REPORT_UPTIME + 1U, WORD_LEGACY_SUM);
 }
 
 static void begin(uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot, uint32_t type)
@@ -175,10 +184,12 @@ static void begin(uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot, uint32_t type)
     put_word(bytes, WORD_HEADER, header_word(slot, type));
 }
 
-static void seal(uint8_t bytes[CARD_FRAME_BYTES])
+static void seal(uint8_t bytes[CARD_FRAME_BYTES], uint32_t type)
 {
-    put_word(bytes, WORD_LEGACY_SUM, legacy_sum(bytes));
-    put_word(bytes, WORD_CRC, crc_of(bytes));
+    const gap_t gap = gap_of(type);
+
+    put_word(bytes, WORD_LEGACY_SUM, legacy_sum(bytes, &gap));
+    put_word(bytes, WORD_CRC, crc_of(bytes, &gap));
 }
 
 static card_frame_result_t check_frame(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot,
@@ -187,6 +198,7 @@ static card_frame_result_t check_frame(const uint8_t bytes[CARD_FRAME_BYTES], ui
     const uint32_t slot_mask = 0x00FF0000U;
     const uint32_t header = get_word(bytes, WORD_HEADER);
     const uint32_t expected = header_word(slot, type);
+    const gap_t gap = gap_of(type);
 
     if (get_word(bytes, WORD_START) != CARD_FRAME_START) {
         return CARD_FRAME_BAD_START;
@@ -197,8 +209,8 @@ static card_frame_result_t check_frame(const uint8_t bytes[CARD_FRAME_BYTES], ui
     if (has_reserved_bits(bytes, type)) {
         return CARD_FRAME_BAD_CRC;
     }
-    if ((get_word(bytes, WORD_CRC) != crc_of(bytes)) ||
-        (get_word(bytes, WORD_LEGACY_SUM) != legacy_sum(bytes))) {
+    if ((get_word(bytes, WORD_CRC) != crc_of(bytes, &gap)) ||
+        (get_word(bytes, WORD_LEGACY_SUM) != legacy_sum(bytes, &gap))) {
         return CARD_FRAME_BAD_CRC;
     }
     if (header != expected) {
@@ -252,7 +264,7 @@ void card_frame_encode_command(const card_command_t *command, uint8_t bytes[CARD
     put_word(bytes, WORD_COMMAND_GUARD_MAXIMUM, (uint32_t)command->guard_maximum_ticks);
     put_word(bytes, WORD_COMMAND_AXIS, command->axis_id);
     put_word(bytes, WORD_COMMAND_COMPLEMENT, ~command->control);
-    seal(bytes);
+    seal(bytes, TYPE_COMMAND);
 }
 
 /* Mode, direction and duty share one word here: 4, 4 and 24 bits. */
@@ -297,7 +309,7 @@ void card_frame_encode_report(const card_report_t *report, uint8_t bytes[CARD_FR
     put_word(bytes, WORD_REPORT_GAPS, report->sequence_gaps);
     put_word(bytes, WORD_REPORT_TRIPS, report->watchdog_trips);
     put_word(bytes, WORD_REPORT_UPTIME, report->uptime_s);
-    seal(bytes);
+    seal(bytes, TYPE_REPORT);
 }
 
 static card_drive_t read_command_drive(const uint8_t bytes[CARD_FRAME_BYTES])

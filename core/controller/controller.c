@@ -4,6 +4,7 @@
 #include "contract.h"
 #include "controller_parts.h"
 
+#include <stddef.h>
 #include <string.h>
 
 static const char contract_module[] = "controller";
@@ -97,7 +98,8 @@ void controller_step(controller_t *self, const robot_t *robot, const controller_
     REQUIRE(100U, inputs->command_count <= CONTROLLER_COMMANDS);
     const cycle_t cycle = {.robot = robot, .inputs = inputs, .outputs = outputs};
     card_drive_t requests[ROBOT_AXIS_COUNT];
-    (void)memset(outputs, 0, sizeof *outputs);
+    /* The frames are written, or cleared, by controller_drive(). */
+    (void)memset(outputs, 0, offsetof(controller_outputs_t, frames));
     if (self->has_started == 0U) {
         self->has_started = 1U;
         controller_note(self, &cycle, EVENT_STARTED, 0U, 0);

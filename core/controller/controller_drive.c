@@ -3,6 +3,8 @@
 
 #include "permit.h"
 
+#include <string.h>
+
 static bool is_any_link_lost(const controller_t *self)
 {
     bool is_lost = false;
@@ -12,9 +14,16 @@ static bool is_any_link_lost(const controller_t *self)
     return is_lost;
 }
 
+/* What is the same for every axis. */
+typedef struct {
+    bool is_link_lost;
+    bool is_homed;
+    uint32_t system_state;
+} common_t;
+
 /* The permit of one axis for its request. */
 static permit_t decide(const controller_t *self, const cycle_t *cycle, uint32_t index,
-                       const card_drive_t *request, bool is_link_lost)
+                       const card_drive_t *request, const common_t *common)
 {
     const axis_t *const axis = &self->axes[index];
     const axis_config_t *const config = &cycle->robot->axes[index];
@@ -23,7 +32,7 @@ static permit_t decide(const controller_t *self, const cycle_t *cycle, uint32_t 
         .is_estop_pulled = (self->estop.state == ESTOP_LATCH_STATE_PULLED),
         .is_estop_latched = (self->estop.state == ESTOP_LATCH_STATE_LATCHED),
         .is_loop_stopped = (self->loop.chart.state == LOOP_GUARD_STATE_STOPPED),
-        .is_link_lost = is_link_lost,
+        .is_link_lost = common->is_link_lost,
         .is_pedal_faulty = (pedal == PEDAL_GATE_STATE_FAULT),
         .is_scanner_active = (cycle->inputs->scanner_active != 0U),
         .is_axis_faulty = axis_is_faulty(axis),
@@ -32,7 +41,7 @@ static permit_t decide(const controller_t *self, const cycle_t *cycle, uint32_t 
         .is_pedal_unproven = (pedal == PEDAL_GATE_STATE_UNPROVEN),
         .is_pedal_pressed = pedal_gate_is_open(&self->pedal),
         .is_homed = axis_is_homed(axis),
-        .is_every_axis_homed = controller_is_homed(self),
+        .is_every_axis_homed = common->is_homed,
         .is_homing_or_jog = (workphase_present(&self->workphases) != WORKPHASE_MOVE_TO_TARGET),
         .is_towards_switch = axis_is_towards_switch(axis, config, request),
         .is_beyond_soft_limit = axis_is_beyond_limit(axis, config, request),
@@ -51,33 +60,34 @@ static uint32_t system_state(const controller_t *self, const cycle_t *cycle)
 }
 
 /* Stepped in every cycle, with or without a drive. */
-static bool is_too_fast(controller_t *self, const cycle_t *cycle, uint32_t index)
+static bool is_too_fast(controller_t *self, const cycle_t *cycle, uint32_t index, bool is_homed)
 {
     return speed_cap_step(&self->speed_caps[index], &cycle->robot->axes[index],
-                          permit_cap_percent(controller_is_homed(self)),
-                          self->axes[index].encoder.position_ticks, cycle->inputs->elapsed_us);
+                          permit_cap_percent(is_homed), self->axes[index].encoder.position_ticks,
+                          cycle->inputs->elapsed_us);
 }
 
-/* The only place where a drive enters an outgoing frame. */
-static void send(controller_t *self, const cycle_t *cycle, uint32_t index, const permit_t *permit,
-                 const card_drive_t *request)
+/* The only place where a drive enters an outgoing frame; it comes from the permit. */
+static void send(controller_t *self, const cycle_t *cycle, uint32_t index, uint32_t state,
+                 const card_drive_t *drive)
 {
     const axis_config_t *const config = &cycle->robot->axes[index];
     link_t *const link = &self->links[index];
+    const bool is_allowed = (state & CARD_SYSTEM_PERMIT) != 0U;
     card_command_t command = {
         .slot = link->slot,
         .sequence = self->sequence,
         .time_us = self->time_us,
-        .system_state = system_state(self, cycle) | (permit->is_allowed ? CARD_SYSTEM_PERMIT : 0U),
-        .control = link_is_usable(link) ? (permit->is_allowed ? CARD_CONTROL_AMPLIFIER : 0U)
+        .system_state = state,
+        .control = link_is_usable(link) ? (is_allowed ? CARD_CONTROL_AMPLIFIER : 0U)
                                         : CARD_CONTROL_CLEAR_FAULT,
-        .drive = permit_apply(permit, is_too_fast(self, cycle, index), request),
+        .drive = *drive,
         .watchdog_us = LIMIT_CARD_WATCHDOG_US,
         .overspeed_ticks_per_s = (uint32_t)config->full_speed_ticks_per_s * 2U,
         .axis_id = index,
     };
     if (link_is_usable(link)) {
-        axis_guard(&self->axes[index], config, permit->is_allowed, &command.guard_minimum_ticks,
+        axis_guard(&self->axes[index], config, is_allowed, &command.guard_minimum_ticks,
                    &command.guard_maximum_ticks);
     }
     card_frame_encode_command(&command, cycle->outputs->frames[link->slot]);
@@ -86,19 +96,34 @@ static void send(controller_t *self, const cycle_t *cycle, uint32_t index, const
     self->drives[index] = command.drive;
 }
 
+static void clear_unused_frames(controller_outputs_t *outputs)
+{
+    for (uint32_t i = 0U; i < ROBOT_SLOT_COUNT; i++) {
+        if ((outputs->frames_to_send & ((uint32_t)1U << i)) == 0U) {
+            (void)memset(outputs->frames[i], 0, CARD_FRAME_BYTES);
+        }
+    }
+}
+
 void controller_drive(controller_t *self, const cycle_t *cycle,
                       const card_drive_t requests[ROBOT_AXIS_COUNT])
 {
-    const bool is_link_lost = is_any_link_lost(self);
+    const common_t common = {.is_link_lost = is_any_link_lost(self),
+                             .is_homed = controller_is_homed(self),
+                             .system_state = system_state(self, cycle)};
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
-        const permit_t permit = decide(self, cycle, i, &requests[i], is_link_lost);
+        const permit_t permit = decide(self, cycle, i, &requests[i], &common);
         if (permit.reasons != self->permit_reasons[i]) {
             self->permit_reasons[i] = permit.reasons;
             self->permit_since_cycle[i] = self->cycle;
         }
         self->permit_speed_cap_percent[i] = permit.speed_cap_percent;
         self->is_driven[i] = permit.is_allowed ? 1U : 0U;
-        send(self, cycle, i, &permit, &requests[i]);
+        const card_drive_t drive =
+            permit_apply(&permit, is_too_fast(self, cycle, i, common.is_homed), &requests[i]);
+        send(self, cycle, i, common.system_state | (permit.is_allowed ? CARD_SYSTEM_PERMIT : 0U),
+             &drive);
     }
+    clear_unused_frames(cycle->outputs);
     self->sequence++;
 }

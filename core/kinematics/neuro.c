@@ -179,18 +179,18 @@ static bool find_entry_depth(const needle_t *self, const point_t *entry, int64_t
     return fixed_normalise(off_nm, unit_q30) <= (int64_t)LIMIT_ENTRY_ON_AXIS_NM;
 }
 
-/* The smallest margin at a depth; `still` is that of the joints no depth moves. */
+/* The smallest margin at a depth; `bound` is that of the insertion and of the joints no depth
+ * moves. */
 static neuro_margin_t margin_at_depth(const needle_t *self, const neuro_limits_t *limits,
-                                      int64_t depth_nm, const neuro_margin_t *still)
+                                      int64_t depth_nm, const neuro_margin_t *bound)
 {
-    static const uint32_t moving[5] = {AXIS_HEAD, AXIS_FEET, AXIS_LATERAL, AXIS_INSERTION,
-                                       NEURO_LIMIT_SEPARATION};
+    static const uint32_t moving[4] = {AXIS_HEAD, AXIS_FEET, AXIS_LATERAL, NEURO_LIMIT_SEPARATION};
     int64_t value[NEURO_LIMIT_COUNT];
-    neuro_margin_t margin = *still;
+    neuro_margin_t margin = *bound;
     neuro_margin_t height;
     neuro_margin_init(&height);
     neuro_margin_add(&height, limits, NEURO_LIMIT_HEIGHT, place(self, depth_nm, value));
-    for (uint32_t i = 0U; i < 5U; i++) {
+    for (uint32_t i = 0U; i < 4U; i++) {
         neuro_margin_add(&margin, limits, moving[i], value[moving[i]]);
     }
     /* The height is no joint: room to its ends is worth nothing, but missed it is the cause. */
@@ -215,7 +215,12 @@ static int64_t find_best_depth(const needle_t *self, const neuro_limits_t *limit
     best->margin_q56 = -INT64_MAX;
     for (int64_t depth_nm = 0; depth_nm <= limits->limit[AXIS_INSERTION].maximum;
          depth_nm += DEPTH_STEP_NM) {
-        const neuro_margin_t margin = margin_at_depth(self, limits, depth_nm, &still);
+        neuro_margin_t margin = still;
+        neuro_margin_add(&margin, limits, AXIS_INSERTION, depth_nm);
+        /* Most depths need no closer look. */
+        if (margin.margin_q56 > best->margin_q56) {
+            margin = margin_at_depth(self, limits, depth_nm, &margin);
+        }
         if (margin.margin_q56 > best->margin_q56) {
             *best = margin;
             best_depth_nm = depth_nm;
