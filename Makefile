@@ -174,5 +174,5 @@ clean: ## Remove everything that was built (not the installed tools)
 	rm -rf build
 
 include verification/gates.mk
-include verification/bench/bench.mk
 include verification/supervise/supervise.mk
+include verification/bench/bench.mk

@@ -111,6 +111,7 @@ void controller_init(controller_t *self, const robot_t *robot);
  *
  * @satisfies SWR-CMD-002
  * @satisfies SWR-CORE-002
+ * @satisfies SWR-CTRL-020
  */
 void controller_step(controller_t *self, const robot_t *robot, const controller_inputs_t *inputs,
                      controller_outputs_t *outputs);

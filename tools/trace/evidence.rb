@@ -35,7 +35,7 @@ module Trace
   end
 
   # Tests that run the whole controller are integration tests, wherever they stand.
-  LEVEL_OF_FILE = { %r{\Averification/(?:integration/|supervise/|unit/test_controller)} => 'integration',
+  LEVEL_OF_FILE = { %r{\Averification/(?:integration/|supervise/|bench/|unit/test_controller)} => 'integration',
                     %r{\A(?:verification/unit|build/gen/tests)/} => 'unit',
                     %r{\Averification/(?:conformance|faults|model)/} => 'tool',
                     %r{\Averification/} => 'system',

@@ -1,18 +1,34 @@
 # SPDX-License-Identifier: Apache-2.0
 # What a cycle costs, and how punctually it begins; included by the Makefile.
 
-.PHONY: bench bench-instructions bench-latency bench-programs
+.PHONY: bench bench-instructions bench-latency bench-programs cost-programs cost cost-approve
 
-SOURCES_bench-samples := verification/bench/samples.c app/replay/replay.c app/recorder/recording.c \
-    app/recorder/recording_reader.c $(GEN)/names/names.c
-LIBS_bench-samples := -lzstd -lcrypto
+# The scene is played on the rig of the integration tests, which asserts with Unity.
+BENCH_SCENE := $(call object,verification/bench/samples.c verification/integration/support/rig.c $(BOX_SOURCES) \
+    $(GEN)/names/names.c)
+build/gcc/bin/bench-samples: $(BENCH_SCENE) build/gcc/libcore.a
+	@mkdir -p $(@D)
+	@$(CC) $(CFLAGS) -I$(UNITY) $^ $(UNITY)/unity.c -lm -o $@
+	@echo "built $@"
+$(OUT)/verification/bench/%.o: FLAGS = -D_GNU_SOURCE $(APP_INCLUDES) -Ibsp/sim -Iverification/integration/support \
+    -I$(UNITY)
+
 SOURCES_bench-step := verification/bench/step.c
-$(foreach p,bench-samples bench-step,$(eval $(call program,$(p))))
+$(eval $(call program,bench-step))
 
-bench-programs: bootstrap-test
-	@$(MAKE) --no-print-directory -j2 $(BINARIES) $(BIN)/boresight-client \
-	    build/gcc/bin/bench-samples build/gcc/bin/bench-step
+bench-programs: bootstrap-test cost-programs
+	@$(MAKE) --no-print-directory -j2 $(BINARIES) $(BIN)/boresight-client build/gcc/bin/bench-step
+
+# What the gate needs, without what the latency needs.
+cost-programs:
+	@$(MAKE) --no-print-directory -j2 build/gcc/bin/bench-samples
 	@$(MAKE) --no-print-directory -j2 CONFIG=arm build/arm/bin/bench-step
+
+cost: bootstrap-test cost-programs ## What a cycle costs as Cortex-A9 code, in instructions
+	@ruby verification/bench/cost.rb
+
+cost-approve: cost
+	@cp build/bench/cost.yml verification/bench/cost.yml
 
 bench: bench-programs ## Instructions of a cycle; wake-up latency beside cyclictest (BENCH_SECONDS=10)
 	@ruby verification/bench/bench.rb

@@ -7,8 +7,7 @@
 #   ruby verification/bench/bench.rb [instructions] [latency]      without a word: both
 #
 # Nothing here passes or fails. Times of a shared or virtual machine are its own, not the program's, so none of them is
-# a limit. If a bound is to be held by a gate, take the instructions: they are the same on every run of one build with
-# one compiler, so a bound of, say, 1.5 times the worst of build/bench/instructions.json fails on code, never on load.
+# a limit. Instructions are the same on every run of one build with one compiler: test_cost.rb holds them to a limit.
 
 $stdout.sync = true
 require_relative 'instructions'

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
+require 'io/wait'
 require 'tmpdir'
 require_relative 'support'
 
@@ -39,13 +40,15 @@ class CallgrindCounter
   end
 end
 
-# Cortex-A9: the emulator names the address of every instruction; the stage is known by the addresses where one begins
-# and those of controller_step(), to which it returns.
+# Cortex-A9: the emulator names every block of code when it translates it, with its instructions, and again whenever it
+# executes it. A block ends where a call ends; so the stage is known by the blocks where one begins and by those of
+# controller_step(), to which it returns.
 class ArmCounter
   PROGRAM = File.join(ROOT, 'build/arm/bin/bench-step')
 
   def count(samples, numbers)
     @places = places
+    @sizes = Hash.new(0)
     @counts = []
     @stage = nil
     trace(samples, numbers)
@@ -87,29 +90,44 @@ class ArmCounter
     Dir.mktmpdir('bench') do |directory|
       pipe = File.join(directory, 'trace')
       File.mkfifo(pipe)
-      pid = Process.spawn('qemu-arm', '-cpu', 'cortex-a9', '-singlestep', '-d', 'exec,nochain', '-D', pipe,
+      pid = Process.spawn('qemu-arm', '-cpu', 'cortex-a9', '-d', 'exec,nochain,in_asm', '-D', pipe,
                           PROGRAM, samples, *numbers.map(&:to_s))
       read(pipe, Process.detach(pid))
     end
   end
 
-  # A line is "Trace 0: HOST [FLAGS/ADDRESS/...] SYMBOL".
+  # "IN: SYMBOL", then "0xADDRESS:  CODE  INSTRUCTION" for each, then "Trace 0: HOST [FLAGS/ADDRESS/...] SYMBOL", which
+  # stands there alone when the block is executed again.
   def read(pipe, emulator)
     # Opened without waiting for the emulator, which may fail to start.
     File.open(pipe, File::RDONLY | File::NONBLOCK) do |input|
       input.wait_readable(5)
       input.each_line do |line|
-        bracket = line.index('[')
-        take(line[bracket + 10, 8]) if bracket
+        if line.start_with?('0x')
+          translate(line[2, 8])
+        elsif line.start_with?('IN:')
+          @block = nil
+        elsif line.start_with?('Trace')
+          take(line[line.index('[') + 10, 8])
+        end
       end
     end
     raise BenchFailed, 'bench-step failed on the emulated Cortex-A9' unless emulator.value.success?
   end
 
+  # A block may be translated anew.
+  def translate(address)
+    unless @block
+      @block = address
+      @sizes[address] = 0
+    end
+    @sizes[@block] += 1
+  end
+
   def take(address)
     place = @places[address]
     enter(place, address) if place
-    @counts.last[@stage] += 1 if @stage
+    @counts.last[@stage] += @sizes[address] if @stage
   end
 
   def enter(place, address)

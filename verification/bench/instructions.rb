@@ -2,85 +2,29 @@
 # frozen_string_literal: true
 
 require_relative 'counters'
-require_relative 'example'
-require_relative 'support'
+require_relative 'scene'
 
-# Instructions of controller_step() over a recording, by stage, as x86-64 and as Cortex-A9 code.
+# Instructions of controller_step() over a scene, by stage, as x86-64 and as Cortex-A9 code.
 class Instructions
-  SAMPLER = File.join(ROOT, 'build/gcc/bin/bench-samples')
-  SAMPLES = File.join(BENCH_OUT, 'samples.bin')
   RESULT = File.join(BENCH_OUT, 'instructions.json')
-  ARM_EVEN = 60 # Evenly spaced cycles that are also traced as Cortex-A9 code, and
-  ARM_WORST = 20 # the costliest ones of x86-64.
   CLOCK_MHZ = 667.0 # Of the Zynq-7020 on the controller board.
   COMMANDS_PER_CYCLE = JSON.parse(File.read(File.join(ROOT, 'build/gen/limits/limits.json')))
                            .find { |limit| limit['name'] == 'commands_per_cycle' }.fetch('value')
 
-  Sample = Struct.new(:is_even, :cycle, :label)
-
   # Returns the table.
   def run
     puts 'Instructions of a control cycle'
-    take_samples
-    puts "  #{@samples.length} cycles of it: #{evens.length} at equal distances, " \
-         "#{@samples.length - evens.length} with commands, answers or events"
-    @x86 = timed('x86-64 under callgrind') { CallgrindCounter.new.count(SAMPLES, @samples.each_index.to_a) }
-    @arm = timed('Cortex-A9 under qemu-arm') { ArmCounter.new.count(SAMPLES, arm_numbers) }
-    puts '  every output equal to the recorded one, on both'
+    @scene = Scene.new
+    puts "  #{@scene.samples.length} cycles of a scene: #{@scene.samples.count(&:is_even)} at equal distances, the " \
+         'others with commands, answers or events'
+    @x86 = timed('x86-64 under callgrind') { CallgrindCounter.new.count(@scene.file, @scene.numbers) }
+    @arm = timed('Cortex-A9 under qemu-arm') { ArmCounter.new.count(@scene.file, @scene.numbers) }
+    puts '  every output equal to that of the scene, on both'
     File.write(RESULT, "#{JSON.pretty_generate(result)}\n")
     report
   end
 
   private
-
-  # Of BENCH_RECORDING, or of the demonstration's longest recording, or of one of our own when there is none that this
-  # build repeats.
-  def take_samples
-    candidates.each do |file|
-      return nil if sample(file)
-
-      puts "  #{relative(file)} does not serve: #{@said.strip}"
-    end
-    puts '  no recording of `make demo` serves: making one (about 30 s)'
-    file = Example.make
-    raise BenchFailed, @said unless sample(file)
-  end
-
-  def candidates
-    return [ENV['BENCH_RECORDING']] if ENV['BENCH_RECORDING']
-
-    Dir.glob(File.join(ROOT, 'build/demo/*.bsr')).sort_by { |file| -File.size(file) }
-  end
-
-  def sample(file)
-    @said, errors, status = Open3.capture3(SAMPLER, file, SAMPLES)
-    unless status.success?
-      @said = errors
-      return false
-    end
-    @recording = relative(file)
-    @samples = @said.lines(chomp: true).map do |line|
-      kind, cycle, label = line.split("\t", 3)
-      Sample.new(kind == 'even', cycle.to_i, label)
-    end
-    puts "  recording: #{@recording}"
-    true
-  end
-
-  def relative(file)
-    file.delete_prefix("#{ROOT}/")
-  end
-
-  def evens
-    @samples.each_index.select { |i| @samples[i].is_even }
-  end
-
-  def arm_numbers
-    some = evens.each_slice([evens.length / ARM_EVEN, 1].max).map(&:first)
-    worst = @x86.keys.max_by(ARM_WORST) { |i| @x86[i][:all] }
-    by_stage = STAGES.map { |stage| worst_of(@x86, stage) }
-    (some + worst + by_stage).uniq.sort
-  end
 
   def timed(what)
     print "  counting #{what} ... "
@@ -88,21 +32,11 @@ class Instructions
     yield.tap { |counts| puts format('%<n>d cycles, %<s>.0f s', n: counts.length, s: Boresight.now - began) }
   end
 
-  def worst_of(counts, stage)
-    counts.keys.max_by { |i| counts[i][stage] }
-  end
-
-  def figures(counts, stage)
-    worst = worst_of(counts, stage)
-    { median: median((evens & counts.keys).map { |i| counts[i][stage] }), worst: counts[worst][stage],
-      worst_cycle: @samples[worst].cycle, worst_with: @samples[worst].label }
-  end
-
   def result
     @result ||= {
-      recording: @recording, samples: @samples.length, samples_cortex_a9: @arm.length,
+      samples: @scene.samples.length,
       stages: [*STAGES, :all].to_h do |stage|
-        [stage, { x86_64: figures(@x86, stage), cortex_a9: figures(@arm, stage) }]
+        [stage, { x86_64: @scene.figures(@x86, stage), cortex_a9: @scene.figures(@arm, stage) }]
       end
     }
   end
@@ -129,7 +63,7 @@ class Instructions
     all = result[:stages][:all][:cortex_a9]
     obey = result[:stages][:obey][:cortex_a9][:worst]
     full = all[:worst] + ((COMMANDS_PER_CYCLE - 1) * obey)
-    ["The median is of the evenly spaced cycles, the worst of all; #{@arm.length} of them ran as Cortex-A9 code.",
+    ['The median is of the evenly spaced cycles, the worst of all.',
      "At one instruction per clock of #{CLOCK_MHZ.to_i} MHz the Cortex-A9 would need #{share(all[:median])} of the " \
      "cycle of 1000 us, at worst #{share(all[:worst])}.",
      "A cycle takes at most #{COMMANDS_PER_CYCLE} commands; if each were as costly as the worst here: " \

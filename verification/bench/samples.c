@@ -1,32 +1,31 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * bench-samples: executes a recording again and keeps single cycles of it.
+ * bench-samples: plays one scene with the real controller on the simulated control box, in
+ * simulated time, and keeps single cycles of it. The same bytes on every run.
  *
- *     bench-samples RECORDING SAMPLES
+ *     bench-samples SAMPLES
  *
- * Kept are SAMPLES_EVEN cycles at equal distances, every cycle that carried a command or an answer
- * (at most SAMPLES_SPOKEN), and every other one with an event (at most SAMPLES_EVENTFUL). Standard
- * output has one line for each, tabulated: "even" or "extra", cycle, what happened in it.
+ * Kept is every SAMPLES_DISTANCE-th cycle and every one with a command, an answer or an event.
+ * Standard output has one line for each, tabulated: "even" or "extra", cycle, what happened in it.
  */
 #include "contract.h"
 #include "names.h"
-#include "recording_reader.h"
-#include "replay.h"
+#include "rig.h"
 #include "sample.h"
+
+#include "unity.h"
 
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define SAMPLES_EVEN 300U
-#define SAMPLES_SPOKEN 100U
-#define SAMPLES_EVENTFUL 100U
+#define SAMPLES_DISTANCE 100U
+#define LONGEST_WAIT_CYCLES 40000U
 
-static recording_reader_t reader;
-static replay_t replay;
-static cycle_record_t record;
+static FILE *file;
+static rig_t rig;
 static sample_t sample;
 static samples_header_t samples = {.magic = SAMPLES_MAGIC,
                                    .sample_size = sizeof(sample_t),
@@ -34,124 +33,231 @@ static samples_header_t samples = {.magic = SAMPLES_MAGIC,
                                    .inputs_size = sizeof(controller_inputs_t),
                                    .outputs_size = sizeof(controller_outputs_t)};
 
-void contract_broken(const char *module, uint32_t id)
+void setUp(void)
 {
-    (void)fprintf(stderr, "Cycle %" PRIu32 " breaks contract %s/%" PRIu32 ".\n", record.cycle,
-                  module, id);
+}
+
+void tearDown(void)
+{
+}
+
+static void fail(const char *sentence)
+{
+    (void)fprintf(stderr, "Cycle %" PRIu32 ": %s.\n", rig.controller.cycle, sentence);
     _Exit(EXIT_FAILURE);
 }
 
-/* Names what happened in the cycle, commands first. */
-static void print_label(const cycle_record_t *from)
+void contract_broken(const char *module, uint32_t id)
 {
-    const controller_inputs_t *const inputs = &from->body.cycle.inputs;
-    const controller_outputs_t *const outputs = &from->body.cycle.outputs;
-    for (uint32_t i = 0U; i < inputs->command_count; i++) {
-        const command_t *const command = &inputs->commands[i];
+    (void)fprintf(stderr, "Contract %s/%" PRIu32 " is broken.\n", module, id);
+    fail("a contract is broken");
+}
+
+/* Names what happened in the cycle, commands first. */
+static void print_label(void)
+{
+    for (uint32_t i = 0U; i < sample.inputs.command_count; i++) {
+        const command_t *const command = &sample.inputs.commands[i];
         const bool names_workphase = command->kind == (uint32_t)COMMAND_WORKPHASE;
         (void)printf("%s%s%s", (i > 0U) ? ", " : "", command_kind_name((int32_t)command->kind),
                      names_workphase ? " " : "");
         (void)printf("%s", names_workphase ? workphase_name((int32_t)command->argument) : "");
     }
-    if (inputs->command_count == 0U) {
-        for (uint32_t i = 0U; i < outputs->event_count; i++) {
+    if (sample.inputs.command_count == 0U) {
+        for (uint32_t i = 0U; i < sample.outputs.event_count; i++) {
             (void)printf("%s%s", (i > 0U) ? ", " : "",
-                         event_id_name((int32_t)outputs->events[i].id));
+                         event_id_name((int32_t)sample.outputs.events[i].id));
         }
     }
     (void)putchar('\n');
 }
 
-/* Says whether the cycle is to be kept, and why. */
-static const char *reason_to_keep(const cycle_record_t *from, uint64_t distance)
+static void keep(void)
 {
-    static uint32_t spoken;
-    static uint32_t eventful;
-    const bool has_word =
-        (from->body.cycle.inputs.command_count + from->body.cycle.outputs.answer_count) > 0U;
-    if (has_word && (spoken < SAMPLES_SPOKEN)) {
-        spoken++;
-        return "extra";
+    const bool is_even = (sample.before.cycle % SAMPLES_DISTANCE) == 0U;
+    const bool is_extra = (sample.inputs.command_count + sample.outputs.answer_count +
+                           sample.outputs.event_count) > 0U;
+    if (!is_even && !is_extra) {
+        return;
     }
-    if ((replay.replayed % distance) == 0U) {
-        return "even";
-    }
-    if (!has_word && (from->body.cycle.outputs.event_count > 0U) && (eventful < SAMPLES_EVENTFUL)) {
-        eventful++;
-        return "extra";
-    }
-    return NULL;
-}
-
-static bool keep(FILE *file, const char *reason)
-{
-    sample.inputs = record.body.cycle.inputs;
-    sample.outputs = record.body.cycle.outputs;
     samples.count++;
-    (void)printf("%s\t%" PRIu32 "\t", reason, record.cycle);
-    print_label(&record);
-    return fwrite(&sample, sizeof(sample), 1U, file) == 1U;
+    (void)printf("%s\t%" PRIu32 "\t", is_even ? "even" : "extra", sample.before.cycle);
+    print_label();
+    if (fwrite(&sample, sizeof(sample), 1U, file) != 1U) {
+        fail("the sample cannot be written");
+    }
 }
 
-static bool take_all(FILE *file)
+static void cycles(uint32_t count)
 {
-    const uint64_t distance = (reader.records / SAMPLES_EVEN) + 1U;
-    while (recording_reader_next(&reader, &record)) {
-        const char *const reason =
-            (record.kind == (uint32_t)CYCLE_RECORD_CYCLE) && replay.is_running
-                ? reason_to_keep(&record, distance)
-                : NULL;
-        const uint64_t before = replay.replayed;
-        sample.before = replay.controller;
-        if (!replay_take(&replay, &robot_neuro, &record)) {
-            (void)fprintf(stderr, "Cycle %" PRIu32 " does not repeat what was recorded.\n",
-                          record.cycle);
-            return false;
-        }
-        if ((reason != NULL) && (replay.replayed > before) && !keep(file, reason)) {
-            return false;
-        }
+    for (uint32_t i = 0U; i < count; i++) {
+        sample.before = rig.controller;
+        rig_cycle(&rig);
+        sample.inputs = rig.inputs;
+        sample.outputs = rig.outputs;
+        keep();
     }
-    return samples.count > 0U;
 }
 
-static bool write_samples(const char *path)
+static void order(const char *line)
 {
-    FILE *const file = fopen(path, "wb");
-    if (file == NULL) {
-        return false;
+    rig_box(&rig, line);
+    cycles(20U);
+}
+
+static void say(command_t command)
+{
+    rig.commands[rig.command_count] = command;
+    rig.command_count++;
+}
+
+static void say_phase(workphase_t workphase)
+{
+    say((command_t){.kind = (uint32_t)COMMAND_WORKPHASE, .argument = (uint32_t)workphase});
+    cycles(1U);
+}
+
+static void say_pose(command_kind_t kind, const rigid_t *pose)
+{
+    say((command_t){.kind = (uint32_t)kind, .pose = *pose});
+    cycles(1U);
+}
+
+static void say_point(command_kind_t kind, point_t point)
+{
+    say_pose(kind, &(rigid_t){.translation = point});
+}
+
+static void finish(void)
+{
+    const uint32_t before = rig.answer_count;
+    for (uint32_t i = 0U; rig.answer_count == before; i++) {
+        if (i == LONGEST_WAIT_CYCLES) {
+            fail("the order does not end");
+        }
+        cycles(1U);
     }
-    samples.robot_crc = robot_neuro.crc;
-    bool is_written = fwrite(&samples, sizeof(samples), 1U, file) == 1U;
-    is_written = is_written && take_all(file) && (fseek(file, 0L, SEEK_SET) == 0);
-    is_written = is_written && (fwrite(&samples, sizeof(samples), 1U, file) == 1U);
-    return (fclose(file) == 0) && is_written;
+}
+
+static void start_up(void)
+{
+    say_phase(WORKPHASE_START_UP);
+    order("pedal press");
+    finish();
+    order("pedal release");
+}
+
+/* A needle that is turned about all axes. */
+static rigid_t oblique(void)
+{
+    return (rigid_t){
+        .rotation_q30 = {{-772375762, -637529041, -387184994},
+                         {-80356690, 625246086, -869214385},
+                         {741547560, -596277310, -497470048}},
+        .translation = {.x_nm = 11173943, .y_nm = 225277747, .z_nm = 66443691},
+    };
+}
+
+static void plan(void)
+{
+    rigid_t identity;
+    rigid_set_identity(&identity);
+    say_phase(WORKPHASE_PLANNING);
+    say_point(COMMAND_PROPOSE_ENTRY, (point_t){11000000, 250000000, 90000000});
+    say_point(COMMAND_PROPOSE_TARGET, (point_t){11000000, 190000000, 66000000});
+    say_pose(COMMAND_PROPOSE_REGISTRATION, &identity);
+    say_phase(WORKPHASE_CALIBRATION);
+    say_pose(COMMAND_REGISTRATION, &identity);
+    say_phase(WORKPHASE_TARGETING);
+}
+
+/* Beyond reach, at its border and within, then with an entry point, then four words in a cycle. */
+static void target(void)
+{
+    rigid_t pose = oblique();
+    pose.translation.y_nm = 300000000;
+    say_pose(COMMAND_TARGET, &pose);
+    pose.translation.y_nm = 245277747;
+    say_pose(COMMAND_TARGET, &pose);
+    for (int32_t i = 0; i < 8; i++) {
+        pose = rig_pose((i - 4) * 4000000, 178000000 + (i * 3000000), 45000000 + (i * 4000000));
+        say_pose(COMMAND_TARGET, &pose);
+    }
+    pose = oblique();
+    say_pose(COMMAND_TARGET, &pose);
+    pose = rig_pose(5000000, 190000000, 60000000);
+    say_point(COMMAND_PROPOSE_ENTRY, (point_t){5000000, 255000000, 60000000});
+    for (uint32_t i = 1U; i < CONTROLLER_COMMANDS; i++) {
+        say((command_t){.kind = (uint32_t)COMMAND_JOG, .argument = i});
+    }
+    say_pose(COMMAND_TARGET, &pose);
+    if (rig.controller.plan.has_target == 0U) {
+        fail("the last target is refused");
+    }
+}
+
+/* A move that is interrupted by the pedal and by the scanner. */
+static void move(void)
+{
+    say_phase(WORKPHASE_MOVE_TO_TARGET);
+    order("pedal press");
+    cycles(1500U);
+    order("pedal release");
+    order("pedal press");
+    cycles(500U);
+    order("scanner on");
+    cycles(100U);
+    order("scanner off");
+    order("pedal release");
+    order("pedal press");
+    finish();
+    order("pedal release");
+}
+
+/* All that goes wrong at once. */
+static void lose(void)
+{
+    say_phase(WORKPHASE_TARGETING);
+    say_phase(WORKPHASE_MOVE_TO_TARGET);
+    order("pedal press");
+    cycles(200U);
+    order("estop pull");
+    order("estop reset");
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        char line[64];
+        (void)snprintf(line, sizeof line, "card %s silent", robot_neuro.axes[i].name);
+        rig_box(&rig, line);
+    }
+    cycles(200U);
+}
+
+static void play(void)
+{
+    box_init(&rig.box, &robot_neuro, 1U);
+    controller_init(&rig.controller, &robot_neuro);
+    rig.elapsed_us = LIMIT_CYCLE_US;
+    cycles(50U);
+    start_up();
+    plan();
+    target();
+    move();
+    lose();
 }
 
 int main(int count, char **arguments)
 {
-    recording_finding_t finding;
-    if (count != 3) {
-        (void)fputs("usage: bench-samples RECORDING SAMPLES\n", stderr);
+    file = (count == 2) ? fopen(arguments[1], "wb") : NULL;
+    if (file == NULL) {
+        (void)fputs("usage: bench-samples SAMPLES\n", stderr);
         return EXIT_FAILURE;
     }
-    const recording_verdict_t verdict = recording_reader_open(&reader, arguments[1], &finding);
-    if ((verdict != RECORDING_WHOLE) && (verdict != RECORDING_CUT_SHORT)) {
-        (void)fprintf(stderr, "%s\n", finding.sentence);
-        return EXIT_FAILURE;
+    UnityBegin("samples.c");
+    samples.robot_crc = robot_neuro.crc;
+    if (fwrite(&samples, sizeof(samples), 1U, file) != 1U) {
+        fail("the header cannot be written");
     }
-    if ((reader.header.robot_crc != robot_neuro.crc) ||
-        !recording_reader_fits(&reader, sizeof(controller_t))) {
-        (void)fputs("The recording is of another robot or of another build; make a new one.\n",
-                    stderr);
-        return EXIT_FAILURE;
-    }
-    replay_init(&replay);
-    const bool is_done = write_samples(arguments[2]);
-    recording_reader_close(&reader);
-    if (!is_done) {
-        (void)fprintf(stderr, "No samples of %s could be written to %s.\n", arguments[1],
-                      arguments[2]);
-    }
-    return is_done ? EXIT_SUCCESS : EXIT_FAILURE;
+    play();
+    const bool is_written =
+        (fseek(file, 0L, SEEK_SET) == 0) && (fwrite(&samples, sizeof(samples), 1U, file) == 1U);
+    return ((fclose(file) == 0) && is_written) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+require_relative 'support'
+
+# Cycles of one scene of the whole controller, played on the simulated box in simulated time (samples.c): the same
+# bytes on every run.
+class Scene
+  PROGRAM = File.join(ROOT, 'build/gcc/bin/bench-samples')
+  FILE = File.join(BENCH_OUT, 'samples.bin')
+
+  Sample = Struct.new(:is_even, :cycle, :label)
+
+  attr_reader :samples
+
+  def initialize
+    said, errors, status = Open3.capture3(PROGRAM, FILE)
+    raise BenchFailed, errors unless status.success?
+
+    @samples = said.lines(chomp: true).map do |line|
+      kind, cycle, label = line.split("\t", 3)
+      Sample.new(kind == 'even', cycle.to_i, label)
+    end
+  end
+
+  def file
+    FILE
+  end
+
+  def numbers
+    samples.each_index.to_a
+  end
+
+  # The median is of the evenly spaced cycles, the worst of all.
+  def figures(counts, stage)
+    worst = counts.keys.max_by { |i| counts[i][stage] }
+    evens = counts.keys.select { |i| samples[i].is_even }
+    { median: median(evens.map { |i| counts[i][stage] }), worst: counts[worst][stage],
+      worst_cycle: samples[worst].cycle, worst_with: samples[worst].label }
+  end
+end
