@@ -96,8 +96,9 @@ static void send(controller_t *self, const cycle_t *cycle, uint32_t index, uint3
     self->drives[index] = command.drive;
 }
 
-static void clear_unused_frames(controller_outputs_t *outputs)
+static void clear_unused_frames(const cycle_t *cycle)
 {
+    controller_outputs_t *const outputs = cycle->outputs;
     for (uint32_t i = 0U; i < ROBOT_SLOT_COUNT; i++) {
         if ((outputs->frames_to_send & ((uint32_t)1U << i)) == 0U) {
             (void)memset(outputs->frames[i], 0, CARD_FRAME_BYTES);
@@ -124,6 +125,6 @@ void controller_drive(controller_t *self, const cycle_t *cycle,
         send(self, cycle, i, common.system_state | (permit.is_allowed ? CARD_SYSTEM_PERMIT : 0U),
              &drive);
     }
-    clear_unused_frames(cycle->outputs);
+    clear_unused_frames(cycle);
     self->sequence++;
 }

@@ -7,9 +7,10 @@
 #include <stddef.h>
 #include <string.h>
 
-/* Facts of the estimator (M/T over whole edges): shorter spans are dominated by the encoder's
- * state-width error. */
+/* Facts of the estimator (M/T): shorter spans are dominated by the time stamps; over whole cycles
+ * of the four states their unequal widths cancel. */
 #define SPEED_SPAN_US 6000U
+#define CYCLE_TICKS 4
 #define Q8_US_PER_S INT64_C(256000000)
 
 /* Difference of two counters that wrap. */
@@ -29,20 +30,38 @@ static void anchor(encoder_t *self, const card_report_t *report)
     self->anchor_us = report->last_edge_us;
 }
 
+/* A tick that is long overdue at the last speed: the speed is at most that of a tick just now. */
+static void decay_speed(encoder_t *self, uint32_t quiet_us)
+{
+    const bool is_backwards = self->speed_ticks_per_s_q8 < 0;
+    const int64_t size_q8 =
+        is_backwards ? -(int64_t)self->speed_ticks_per_s_q8 : (int64_t)self->speed_ticks_per_s_q8;
+    const int64_t patience = (Q8_US_PER_S / 100) * (int64_t)LIMIT_SPEED_WAIT_PERCENT;
+    if ((size_q8 * (int64_t)quiet_us) > patience) {
+        const int32_t most_q8 = (int32_t)((uint32_t)Q8_US_PER_S / quiet_us);
+        self->speed_ticks_per_s_q8 = is_backwards ? -most_q8 : most_q8;
+    }
+}
+
 static void estimate_speed(encoder_t *self, const card_report_t *report)
 {
     const uint32_t span_us = report->last_edge_us - self->anchor_us;
     const uint32_t quiet_us = report->time_us - report->last_edge_us;
+    const int64_t travelled = (int64_t)self->position_ticks - (int64_t)self->anchor_ticks;
     if (quiet_us >= LIMIT_SPEED_TIMEOUT_US) {
         self->speed_ticks_per_s_q8 = 0;
+        self->is_at_rest = 1U;
         anchor(self, report);
-    } else if (span_us >= SPEED_SPAN_US) {
-        const int64_t travelled = (int64_t)self->position_ticks - (int64_t)self->anchor_ticks;
+    } else if ((self->is_at_rest != 0U) && (span_us > 0U)) {
+        /* How long it rested says nothing of how fast it is now. */
+        self->is_at_rest = 0U;
+        anchor(self, report);
+    } else if ((span_us >= SPEED_SPAN_US) && ((travelled % CYCLE_TICKS) == 0)) {
         self->speed_ticks_per_s_q8 =
             fixed_saturate(fixed_divide_rounded(travelled * Q8_US_PER_S, (int64_t)span_us));
         anchor(self, report);
     } else {
-        /* Too few edges yet: the last estimate stands. */
+        decay_speed(self, quiet_us);
     }
 }
 
