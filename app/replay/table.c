@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "table.h"
 
+#include "servo.h"
+
+#include <inttypes.h>
 #include <stdio.h>
 
 #define CYCLES_PER_S 1000.0
@@ -13,8 +16,24 @@ void table_print_names(const robot_t *robot)
         const char *name = robot->axes[i].name;
         (void)printf(",%s_setpoint_ticks,%s_position_ticks,%s_setpoint_ticks_per_s,%s_ticks_per_s",
                      name, name, name, name);
+        (void)printf(",%s_output_percent,%s_permit_reasons", name, name);
     }
     (void)putchar('\n');
+}
+
+/* Of the largest drive word, with the sign of the way. */
+static double output_percent(const axis_config_t *config, const snapshot_axis_t *axis)
+{
+    const card_drive_t drive = {axis->drive_mode, axis->drive_direction, axis->drive_duty};
+    double percent = 100.0;
+
+    if (drive.mode == (uint32_t)CARD_DRIVE_OFF) {
+        return 0.0;
+    }
+    if (drive.mode == (uint32_t)CARD_DRIVE_PWM) {
+        percent = (100.0 * (double)drive.duty) / (double)config->maximum_duty;
+    }
+    return servo_is_upwards(config, &drive) ? percent : -percent;
 }
 
 void table_print_row(const robot_t *robot, const cycle_record_t *record)
@@ -30,6 +49,7 @@ void table_print_row(const robot_t *robot, const cycle_record_t *record)
         (void)printf(",%d,%d,%.1f,%.1f", (int)axis->setpoint_ticks, (int)axis->position_ticks,
                      (double)axis->setpoint_speed_ticks_per_s_q8 / SPEED_ONE,
                      (double)axis->speed_ticks_per_s_q8 / SPEED_ONE);
+        (void)printf(",%.1f,%" PRIu32, output_percent(&robot->axes[i], axis), axis->permit_reasons);
     }
     (void)putchar('\n');
 }

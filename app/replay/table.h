@@ -3,7 +3,8 @@
  * @file
  * Recorded motion as a table of comma-separated values: a row each TABLE_CYCLES cycles; the time in
  * s, then for each axis commanded and measured position in ticks, commanded and measured speed in
- * ticks/s.
+ * ticks/s, the drive word in percent of its largest with the sign of the way, and the bit mask of
+ * the reasons that withhold the permit.
  */
 #ifndef BORESIGHT_TABLE_H
 #define BORESIGHT_TABLE_H
@@ -15,7 +16,11 @@
 /** Prints the names of the columns. */
 void table_print_names(const robot_t *robot);
 
-/** Prints the row of `record` when it is its turn. */
+/**
+ * Prints the row of `record` when it is its turn.
+ *
+ * @satisfies SWR-REPLAY-003
+ */
 void table_print_row(const robot_t *robot, const cycle_record_t *record);
 
 #endif

@@ -7,7 +7,8 @@
 #
 #   ruby verification/demo/demo.rb      exits 1 if a target is missed by more than the limit of SWR-DEMO-001
 #
-# Leaves in build/demo: the black box (*.bsr), motion.csv, motion.png and targets.json.
+# Leaves in build/demo: the black box (*.bsr), motion.csv, motion.png, yaw.png (figures 29 to 31 of the thesis) and
+# targets.json.
 
 require 'English'
 require 'fileutils'
@@ -147,11 +148,28 @@ class DemoReport
   end
 
   def draw(csv, picture)
-    script = File.expand_path('motion.gnuplot', __dir__)
-    system('gnuplot', '-e', "source='#{csv}'; picture='#{picture}'", script) || raise('gnuplot could not draw the motion')
+    gnuplot('motion.gnuplot', "source='#{csv}'; picture='#{picture}'")
+  end
+
+  # The yaw axis alone, from half a second before its longest move to half a second after.
+  def draw_yaw(csv, picture)
+    first, last = longest_move(csv, 'yaw_setpoint_ticks_per_s')
+    gnuplot('yaw.gnuplot', "source='#{csv}'; picture='#{picture}'; from=#{first - 0.5}; to=#{last + 0.5}")
   end
 
   private
+
+  def gnuplot(script, settings)
+    system('gnuplot', '-e', settings, File.expand_path(script, __dir__)) || raise("gnuplot could not draw #{script}")
+  end
+
+  # When the speed of the set-point leaves 0 and is there again, in s.
+  def longest_move(csv, column)
+    names, *rows = File.foreach(csv, chomp: true).map { |line| line.split(',') }
+    place = names.index(column)
+    moves = rows.slice_when { |a, b| a[place].to_f.zero? != b[place].to_f.zero? }
+    moves.reject { |move| move.first[place].to_f.zero? }.max_by(&:size).values_at(0, -1).map { |row| row.first.to_f }
+  end
 
   def mean(field)
     @rows.sum { |row| row[field] } / @rows.size
@@ -192,7 +210,8 @@ def demo
   csv = File.join(Demo::OUT, 'motion.csv')
   system(Boresight.program('boresight-replay'), '--table', recording, out: csv) || abort('demo: no table')
   report.draw(csv, File.join(Demo::OUT, 'motion.png'))
-  puts "Black box, table and picture are in #{Demo::OUT.delete_prefix("#{Dir.pwd}/")}."
+  report.draw_yaw(csv, File.join(Demo::OUT, 'yaw.png'))
+  puts "Black box, table and pictures are in #{Demo::OUT.delete_prefix("#{Dir.pwd}/")}."
   leave_result(report.hit?)
   abort 'demo: a target was missed' unless report.hit?
 end

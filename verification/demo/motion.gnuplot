@@ -10,12 +10,12 @@ axes = 'head feet lateral insertion rotation pitch yaw'
 do for [i=1:7] {
     set title word(axes, i).', position'
     set ylabel 'ticks'
-    plot source using 1:(column(4*i-1)) every ::1 with lines lc rgb '#E69F00' lw 3 title 'measured', \
-         source using 1:(column(4*i-2)) every ::1 with lines lc rgb '#0072B2' title 'commanded'
+    plot source using 1:(column(6*i-3)) every ::1 with lines lc rgb '#E69F00' lw 3 title 'measured', \
+         source using 1:(column(6*i-4)) every ::1 with lines lc rgb '#0072B2' title 'commanded'
 }
 do for [i=1:7] {
     set title word(axes, i).', speed'
     set ylabel 'ticks/s'
-    plot source using 1:(column(4*i+1)) every ::1 with lines lc rgb '#E69F00' title 'measured', \
-         source using 1:(column(4*i)) every ::1 with lines lc rgb '#0072B2' lw 2 title 'commanded'
+    plot source using 1:(column(6*i-1)) every ::1 with lines lc rgb '#E69F00' title 'measured', \
+         source using 1:(column(6*i-2)) every ::1 with lines lc rgb '#0072B2' lw 2 title 'commanded'
 }

@@ -58,6 +58,31 @@ class TestReplay < SystemTest
     puts "SWR-REPLAY-001: #{cycles} cycles of a homing replayed"
   end
 
+  # One hash for each row: column => value.
+  def table_of(file)
+    text, status = Open3.capture2e(Boresight.program('boresight-replay'), '--table', file)
+    assert_equal 0, status.exitstatus, text
+    names, *rows = text.lines(chomp: true).map { |line| line.split(',') }
+    rows.map { |row| names.zip(row.map(&:to_f)).to_h }
+  end
+
+  def test_SWR_REPLAY_003_the_table_has_motion_control_output_and_reasons
+    boresight.press_and_command('START_UP')
+    boresight.wait_until('an axis is driven') { boresight.moving? }
+    begun = boresight.status['cycle']
+    boresight.wait_until('it has gone some way') { boresight.status['cycle'] > begun + 500 }
+    boresight.simctl('pedal', 'release')
+    boresight.wait_until('the pedal is seen released') { boresight.status['pedal'] == 'released' }
+    rows = table_of(end_recording)
+    %w[setpoint_ticks position_ticks setpoint_ticks_per_s ticks_per_s output_percent permit_reasons].each do |column|
+      assert rows.first.key?("insertion_#{column}"), column
+    end
+    driven, still = rows.partition { |row| row['insertion_output_percent'] != 0.0 }
+    assert(driven.any? && driven.all? { |row| row['insertion_permit_reasons'].zero? })
+    assert(driven.all? { |row| row['insertion_output_percent'].between?(-100.0, 100.0) })
+    assert(still.any? { |row| row['insertion_permit_reasons'].to_i[10] == 1 }, 'the pedal is a reason')
+  end
+
   def test_SWR_REPLAY_001_another_robot_is_refused_by_both_crcs
     boresight.wait_until('something is recorded') { boresight.status['cycle'] > 500 }
     file = end_recording
