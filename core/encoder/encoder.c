@@ -52,8 +52,8 @@ static void estimate_speed(encoder_t *self, const card_report_t *report)
         self->speed_ticks_per_s_q8 = 0;
         self->is_at_rest = 1U;
         anchor(self, report);
-    } else if ((self->is_at_rest != 0U) && (span_us > 0U)) {
-        /* How long it rested says nothing of how fast it is now. */
+    } else if (self->is_at_rest != 0U) {
+        /* The first edge: how long it rested says nothing of how fast it is now. */
         self->is_at_rest = 0U;
         anchor(self, report);
     } else if ((span_us >= SPEED_SPAN_US) && ((travelled % CYCLE_TICKS) == 0)) {
