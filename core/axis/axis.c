@@ -21,28 +21,42 @@ static bool is_switch_active(const axis_t *self)
     return self->limit_switches != 0U;
 }
 
-static uint32_t dispatch(axis_t *self, const axis_config_t *config, axis_event_t event,
-                         bool is_fault_present)
+static bool has_switch(const axis_config_t *config)
 {
-    const axis_inputs_t inputs = {.is_fault_present = is_fault_present,
-                                  .is_switch_active = is_switch_active(self)};
+    return config->home_method == (uint8_t)HOME_BY_SWITCH;
+}
+
+/* The axis stands at `position_ticks`; what was counted of the way stays true. */
+static void set_position(axis_t *self, int32_t position_ticks)
+{
+    self->home_correction_ticks =
+        fixed_saturate((int64_t)position_ticks - (int64_t)self->encoder.position_ticks);
+    encoder_set_position(&self->encoder, position_ticks);
+    supervision_shift(&self->supervision, self->home_correction_ticks);
+    self->setpoint_ticks = position_ticks;
+    homing_forget(&self->homing);
+}
+
+/* For events that depend on the axis' table; `position_ticks`: where it stands, if they set it. */
+static uint32_t dispatch(axis_t *self, const axis_config_t *config, axis_event_t event,
+                         int32_t position_ticks)
+{
+    const axis_inputs_t inputs = {.is_fault_present = false,
+                                  .is_switch_active = is_switch_active(self),
+                                  .has_switch = has_switch(config)};
     const uint32_t actions = axis_chart_dispatch(&self->chart, &inputs, event);
     if ((actions & AXIS_ACTION_SET_POSITION) == 0U) {
         return 0U;
     }
-    self->home_correction_ticks =
-        fixed_saturate((int64_t)config->home_ticks - (int64_t)self->encoder.position_ticks);
-    encoder_set_position(&self->encoder, config->home_ticks);
-    supervision_shift(&self->supervision, self->home_correction_ticks);
-    self->setpoint_ticks = config->home_ticks;
-    homing_forget(&self->homing);
+    set_position(self, position_ticks);
     return AXIS_NOTE_HOMED;
 }
 
-/* For events that never set the position. */
+/* For the others. */
 static void tell(axis_t *self, axis_event_t event, bool is_fault_present)
 {
-    (void)dispatch(self, NULL, event, is_fault_present);
+    const axis_inputs_t inputs = {.is_fault_present = is_fault_present};
+    (void)axis_chart_dispatch(&self->chart, &inputs, event);
 }
 
 void axis_init(axis_t *self)
@@ -69,10 +83,10 @@ static uint32_t follow_switch(axis_t *self, const axis_config_t *config)
     switch (homing_see(&self->homing, config, self->chart.reference, self->encoder.position_ticks,
                        is_switch_active(self))) {
     case HOMING_SWITCH:
-        notes = dispatch(self, config, AXIS_EVENT_SWITCH_ON, false);
+        notes = dispatch(self, config, AXIS_EVENT_SWITCH_ON, config->home_ticks);
         break;
     case HOMING_CLEAR:
-        notes = dispatch(self, config, AXIS_EVENT_CLEAR_OF_SWITCH, false);
+        tell(self, AXIS_EVENT_CLEAR_OF_SWITCH, false);
         break;
     case HOMING_WRONG:
         notes = fail(self, AXIS_NOTE_SWITCH_FAULT);
@@ -124,6 +138,32 @@ void axis_lose_reference(axis_t *self)
     tell(self, AXIS_EVENT_LOSE_REFERENCE, false);
 }
 
+void axis_doubt(axis_t *self)
+{
+    tell(self, AXIS_EVENT_DOUBT, false);
+}
+
+void axis_restore(axis_t *self, const axis_config_t *config, int32_t position_ticks)
+{
+    (void)dispatch(self, config, AXIS_EVENT_RESTORED, position_ticks);
+}
+
+void axis_forget(axis_t *self)
+{
+    tell(self, AXIS_EVENT_FORGET, false);
+}
+
+bool axis_confirm(axis_t *self, const axis_config_t *config)
+{
+    const bool was_homed = axis_is_homed(self);
+    (void)dispatch(self, config, AXIS_EVENT_CONFIRM, 0);
+    const bool is_confirmed = axis_is_homed(self) && !was_homed;
+    if (is_confirmed) {
+        homing_forget(&self->homing);
+    }
+    return is_confirmed;
+}
+
 void axis_stop_homing(axis_t *self)
 {
     tell(self, AXIS_EVENT_STOP_HOMING, false);
@@ -135,8 +175,8 @@ uint32_t axis_begin_homing(axis_t *self, const axis_config_t *config)
         return 0U;
     }
     homing_begin(&self->homing, self->encoder.position_ticks);
-    const bool has_switch = config->home_method == (uint8_t)HOME_BY_SWITCH;
-    return dispatch(self, config, has_switch ? AXIS_EVENT_HOME : AXIS_EVENT_HOME_IN_PLACE, false);
+    return dispatch(self, config, has_switch(config) ? AXIS_EVENT_HOME : AXIS_EVENT_HOME_IN_PLACE,
+                    config->home_ticks);
 }
 
 card_drive_t axis_rest(axis_t *self, uint32_t elapsed_us)
@@ -165,11 +205,16 @@ card_drive_t axis_home(axis_t *self, const axis_config_t *config, uint32_t elaps
                        self->homing.speed_ticks_per_s_q8, elapsed_us);
 }
 
+static bool is_unverified(const axis_t *self)
+{
+    return self->chart.reference == AXIS_REFERENCE_UNVERIFIED;
+}
+
 uint32_t axis_supervise(axis_t *self, const axis_config_t *config, bool is_driven,
                         const card_drive_t *sent, uint32_t elapsed_us)
 {
     /* Before START_UP and after a fault nobody relies on where it is: hands may move it. */
-    const bool is_relied_on = axis_is_enabled(self) || axis_is_homed(self);
+    const bool is_relied_on = axis_is_enabled(self) || axis_is_homed(self) || is_unverified(self);
     const axis_reference_t leg = self->chart.reference;
     const card_drive_t asked = {.mode = 0U, .direction = self->servo.direction, .duty = 0U};
     const supervision_view_t view = {.position_ticks = self->encoder.position_ticks,
@@ -228,7 +273,13 @@ bool axis_is_faulty(const axis_t *self)
 
 bool axis_is_homed(const axis_t *self)
 {
-    return self->chart.reference == AXIS_REFERENCE_HOMED;
+    return axis_chart_in_homed(&self->chart);
+}
+
+bool axis_needs_confirmation(const axis_t *self, const axis_config_t *config)
+{
+    return !has_switch(config) &&
+           (is_unverified(self) || (self->chart.reference == AXIS_REFERENCE_LOST));
 }
 
 bool axis_is_homing(const axis_t *self)

@@ -31,7 +31,7 @@ typedef struct {
     uint32_t limit_switches; /**< CARD_LIMIT_ bits of the last report. */
 } axis_t;
 
-/** Starts disabled and not homed. */
+/** Starts disabled and fresh: nothing is known of where it is. */
 void axis_init(axis_t *self);
 
 /**
@@ -53,14 +53,51 @@ void axis_enable(axis_t *self, bool is_fault_present);
 /** Disables the axis; a homing in progress is given up. */
 void axis_disable(axis_t *self);
 
-/** The position can no longer be trusted. */
+/** The position can no longer be trusted: lost, if anything was known of it. */
 void axis_lose_reference(axis_t *self);
+
+/**
+ * The position is in doubt: a homed axis becomes unverified, a homing one lost.
+ *
+ * @satisfies SWR-REF-004
+ */
+void axis_doubt(axis_t *self);
+
+/**
+ * A fresh axis stands at `position_ticks`, as somebody remembers: unverified. Otherwise nothing.
+ *
+ * @satisfies SWR-REF-003
+ */
+void axis_restore(axis_t *self, const axis_config_t *config, int32_t position_ticks);
+
+/**
+ * Something was known of a fresh axis that cannot be believed: lost. Otherwise nothing.
+ *
+ * @satisfies SWR-REF-003
+ */
+void axis_forget(axis_t *self);
+
+/**
+ * The operator has compared the position with the robot: an unverified axis, and a lost one without
+ * a switch, is verified where it stands.
+ *
+ * @return true when it was confirmed by this
+ *
+ * @satisfies SWR-REF-005
+ */
+bool axis_confirm(axis_t *self, const axis_config_t *config);
 
 /** Gives up a homing in progress. */
 void axis_stop_homing(axis_t *self);
 
-/** Begins homing if the axis is enabled and not homed; an axis homed in place is homed by this.
- * @return notes */
+/**
+ * Begins homing if the axis is enabled and not homed. An axis without a switch is taken where it
+ * stands by this if it is fresh, and never again.
+ *
+ * @return AXIS_NOTE_ bits
+ *
+ * @satisfies SWR-REF-002
+ */
 uint32_t axis_begin_homing(axis_t *self, const axis_config_t *config);
 
 /** No motion is wanted: the set-point is the position. */
@@ -95,7 +132,17 @@ void axis_guard(const axis_t *self, const axis_config_t *config, bool is_driven,
 
 bool axis_is_enabled(const axis_t *self);
 bool axis_is_faulty(const axis_t *self);
+
+/**
+ * Its position is trusted: taken where it stood, or verified.
+ *
+ * @satisfies SWR-REF-001
+ */
 bool axis_is_homed(const axis_t *self);
+
+/** Lost or unverified without a switch: only axis_confirm() makes it homed. */
+bool axis_needs_confirmation(const axis_t *self, const axis_config_t *config);
+
 bool axis_is_homing(const axis_t *self);
 
 /** Within the deadband of `target_ticks`. */

@@ -25,14 +25,14 @@ static int64_t edge_spread_ticks(const axis_config_t *config)
     return ((int64_t)config->home_speed_ticks_per_s / 100) + 2;
 }
 
-static bool is_homing(axis_reference_t leg)
-{
-    return (leg != AXIS_REFERENCE_UNHOMED) && (leg != AXIS_REFERENCE_HOMED);
-}
-
 static bool is_leaving(axis_reference_t leg)
 {
     return (leg == AXIS_REFERENCE_LEAVE) || (leg == AXIS_REFERENCE_BACK_OFF);
+}
+
+static bool is_homing(axis_reference_t leg)
+{
+    return (leg == AXIS_REFERENCE_APPROACH) || (leg == AXIS_REFERENCE_LATCH) || is_leaving(leg);
 }
 
 void homing_begin(homing_t *self, int32_t position_ticks)
@@ -166,5 +166,5 @@ void homing_step(homing_t *self, const axis_config_t *config, axis_reference_t l
 
 void homing_rest(homing_t *self)
 {
-    self->ramp = (uint32_t)AXIS_REFERENCE_UNHOMED;
+    self->ramp = (uint32_t)AXIS_REFERENCE_FRESH;
 }

@@ -32,7 +32,7 @@ typedef struct {
     int32_t edge_ticks; /**< Where the approach met the switch. */
     int32_t switch_ticks; /**< Where the switch was last seen active. */
     uint32_t leg;         /**< axis_reference_t of the last cycle. */
-    uint32_t ramp;        /**< Leg that the speed belongs to; AXIS_REFERENCE_UNHOMED: none. */
+    uint32_t ramp;        /**< Leg that the speed belongs to; AXIS_REFERENCE_FRESH: none. */
     uint32_t leg_us;      /**< Driven time of this leg. */
     uint32_t has_nearest; /**< 0 or 1. */
 } homing_t;

@@ -360,7 +360,7 @@ void test_SWR_ENC_002_an_impossible_count_faults_the_axis_and_loses_its_home(voi
     TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_ENABLED, rig.outputs.snapshot.axes[AXIS_YAW].power);
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, rig.outputs.snapshot.axes[AXIS_YAW].power);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNHOMED, rig.outputs.snapshot.axes[AXIS_YAW].reference);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, rig.outputs.snapshot.axes[AXIS_YAW].reference);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_ENCODER_FAULT));
 }
 
@@ -509,7 +509,7 @@ void test_SWR_LINK_003_a_damaged_link_is_a_lost_card(void)
         TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_CARD_LOST));
         TEST_ASSERT_EQUAL_UINT32(CARD_LINK_STATE_LOST, rig.controller.links[2].chart.state);
         TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_DISABLED, rig.outputs.snapshot.axes[2].power);
-        TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNHOMED, rig.outputs.snapshot.axes[2].reference);
+        TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, rig.outputs.snapshot.axes[2].reference);
         TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
         TEST_ASSERT_EQUAL_UINT32(WORKPHASES_ORDER_NONE, rig.outputs.snapshot.order);
     }

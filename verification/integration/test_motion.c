@@ -107,7 +107,8 @@ void test_SWR_AXIS_002_the_needle_homes_before_the_other_axes_move(void)
     rig_start(&rig);
     (void)rig_workphase(&rig, WORKPHASE_START_UP);
     rig_press(&rig);
-    while (rig.outputs.snapshot.axes[AXIS_INSERTION].reference != (uint32_t)AXIS_REFERENCE_HOMED) {
+    while (rig.outputs.snapshot.axes[AXIS_INSERTION].reference !=
+           (uint32_t)AXIS_REFERENCE_VERIFIED) {
         TEST_ASSERT_EQUAL_INT32(0, position(AXIS_HEAD));
         rig_cycle(&rig);
         TEST_ASSERT_LESS_THAN_UINT32(40000U, rig.controller.cycle);
@@ -318,9 +319,10 @@ void test_SWR_LINK_003_a_lost_card_returns_only_by_start_up_and_is_homed_again(v
                           rig.outputs.snapshot.axes[0].permit_reasons);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNHOMED,
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST,
                              rig.outputs.snapshot.axes[AXIS_LATERAL].reference);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_HOMED, rig.outputs.snapshot.axes[AXIS_HEAD].reference);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED,
+                             rig.outputs.snapshot.axes[AXIS_HEAD].reference);
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 40000U).kind);
 }
@@ -349,7 +351,7 @@ void test_SWR_STALL_001_a_blocked_motor_stalls_and_needs_start_up(void)
 static void expect_nothing_known(uint32_t axis)
 {
     TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, rig.outputs.snapshot.axes[axis].power);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNHOMED, rig.outputs.snapshot.axes[axis].reference);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, rig.outputs.snapshot.axes[axis].reference);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
 }
 
@@ -430,7 +432,7 @@ void test_SWR_AXIS_003_homing_that_finds_no_switch_gives_up(void)
     (void)rig_workphase(&rig, WORKPHASE_START_UP);
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 31000U).kind);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNHOMED,
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST,
                              rig.outputs.snapshot.axes[AXIS_INSERTION].reference);
 }
 

@@ -78,7 +78,9 @@ static double measure(uint32_t axis, double ticks)
 
 static bool is_homed(const rig_t *rig, uint32_t axis)
 {
-    return rig->outputs.snapshot.axes[axis].reference == (uint32_t)AXIS_REFERENCE_HOMED;
+    const uint32_t grade = rig->outputs.snapshot.axes[axis].reference;
+    return (grade == (uint32_t)AXIS_REFERENCE_TAKEN) ||
+           (grade == (uint32_t)AXIS_REFERENCE_VERIFIED);
 }
 
 /* The system says that this axis is not to be trusted. */

@@ -68,7 +68,7 @@ async function takePicture(): Promise<void> {
   const path = process.env.BORESIGHT_SCREENSHOT;
   if (path !== undefined) {
     await page
-      .locator('[data-axis="insertion"][data-reference="homed"]')
+      .locator('[data-axis="insertion"][data-reference="verified"]')
       .waitFor();
     await page.locator('[data-axis="yaw"][data-level="active"]').waitFor();
     await page.screenshot({ path });

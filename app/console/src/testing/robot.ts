@@ -20,7 +20,7 @@ export function makeAxis(name: string, change: Partial<Axis> = {}): Axis {
     minimum_ticks: 0,
     maximum_ticks: 400,
     power: "enabled",
-    reference: "homed",
+    reference: "verified",
     stall: "idle",
     at_lower_switch: false,
     at_upper_switch: false,

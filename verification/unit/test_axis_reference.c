@@ -1,0 +1,332 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Rule under test: an axis knows how far its position is trusted. What was lost or is in doubt
+ * becomes true again by the edge of a switch or by the operator, and by nothing else.
+ */
+#include "unity.h"
+
+#include "axis.h"
+#include "axis_chart.h"
+#include "card_frame.h"
+#include "crc.h"
+#include "encoder.h"
+#include "fixed.h"
+#include "homing.h"
+#include "motor_model.h"
+#include "requirement_limits.h"
+#include "robot.h"
+#include "servo.h"
+#include "stall_watchdog_chart.h"
+#include "supervision.h"
+
+#include <stddef.h>
+#include <string.h>
+
+TEST_SOURCE_FILE("robot_neuro.c")
+
+#define CYCLE_US 1000U
+#define SOMEWHERE 1234
+
+static const axis_config_t *const with_switch = &robot_neuro.axes[AXIS_INSERTION];
+static const axis_config_t *const without_switch = &robot_neuro.axes[AXIS_ROTATION];
+
+static axis_t axis;
+static const axis_config_t *config;
+static card_report_t report;
+
+/* A cycle at rest in which the axis has moved by `ticks`. */
+static uint32_t rest_cycle(int32_t ticks)
+{
+    const card_drive_t off = {.mode = CARD_DRIVE_OFF};
+    report.time_us += CYCLE_US;
+    report.encoder_count += ticks;
+    const uint32_t notes = axis_observe(&axis, config, &report);
+    (void)axis_rest(&axis, CYCLE_US);
+    return notes | axis_supervise(&axis, config, false, &off, CYCLE_US);
+}
+
+/* Cycles in which the card is silent. */
+static void silent_cycles(uint32_t cycles)
+{
+    const card_drive_t off = {.mode = CARD_DRIVE_OFF};
+    for (uint32_t i = 0U; i < cycles; i++) {
+        TEST_ASSERT_EQUAL_HEX32(0U, axis_observe(&axis, config, NULL));
+        TEST_ASSERT_EQUAL_HEX32(0U, axis_supervise(&axis, config, false, &off, CYCLE_US));
+    }
+}
+
+static void rest_cycles(uint32_t cycles)
+{
+    for (uint32_t i = 0U; i < cycles; i++) {
+        TEST_ASSERT_EQUAL_HEX32(0U, rest_cycle(0));
+    }
+}
+
+/* An axis that is enabled and of which nothing is known. */
+static void use(const axis_config_t *which)
+{
+    config = which;
+    (void)memset(&report, 0, sizeof report);
+    axis_init(&axis);
+    rest_cycles(1U);
+    axis_enable(&axis, false);
+}
+
+static void expect(axis_reference_t grade)
+{
+    TEST_ASSERT_EQUAL(grade, axis.chart.reference);
+    TEST_ASSERT_EQUAL((grade == AXIS_REFERENCE_TAKEN) || (grade == AXIS_REFERENCE_VERIFIED),
+                      axis_is_homed(&axis));
+}
+
+static void make(axis_reference_t grade)
+{
+    switch (grade) {
+    case AXIS_REFERENCE_LOST:
+        axis_forget(&axis);
+        break;
+    case AXIS_REFERENCE_APPROACH:
+        (void)axis_begin_homing(&axis, with_switch);
+        break;
+    case AXIS_REFERENCE_UNVERIFIED:
+        axis_restore(&axis, config, SOMEWHERE);
+        break;
+    case AXIS_REFERENCE_TAKEN:
+        (void)axis_begin_homing(&axis, without_switch);
+        break;
+    case AXIS_REFERENCE_VERIFIED:
+        axis_restore(&axis, config, SOMEWHERE);
+        (void)axis_confirm(&axis, config);
+        break;
+    case AXIS_REFERENCE_FRESH:
+    case AXIS_REFERENCE_LEAVE:
+    case AXIS_REFERENCE_BACK_OFF:
+    case AXIS_REFERENCE_LATCH:
+    default:
+        break;
+    }
+    expect(grade);
+}
+
+static void use_with(const axis_config_t *which, axis_reference_t grade)
+{
+    use(which);
+    make(grade);
+}
+
+void setUp(void)
+{
+    use(with_switch);
+}
+
+void tearDown(void)
+{
+}
+
+void test_SWR_REF_001_nothing_is_known_at_the_start(void)
+{
+    expect(AXIS_REFERENCE_FRESH);
+}
+
+void test_SWR_REF_001_only_taken_and_verified_are_homed(void)
+{
+    static const axis_reference_t grades[] = {AXIS_REFERENCE_FRESH,    AXIS_REFERENCE_LOST,
+                                              AXIS_REFERENCE_APPROACH, AXIS_REFERENCE_UNVERIFIED,
+                                              AXIS_REFERENCE_TAKEN,    AXIS_REFERENCE_VERIFIED};
+    for (uint32_t i = 0U; i < (sizeof grades / sizeof grades[0]); i++) {
+        use_with(without_switch, grades[i]);
+    }
+}
+
+void test_SWR_REF_001_the_edge_of_the_switch_verifies(void)
+{
+    make(AXIS_REFERENCE_APPROACH);
+    report.limits = CARD_LIMIT_LOWER;
+    (void)rest_cycle(0);
+    report.limits = 0U;
+    (void)rest_cycle(config->switch_hysteresis_ticks + 3);
+    report.limits = CARD_LIMIT_LOWER;
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_HOMED, rest_cycle(-config->switch_hysteresis_ticks - 3));
+    expect(AXIS_REFERENCE_VERIFIED);
+}
+
+void test_SWR_REF_002_a_fresh_axis_without_switch_is_taken_where_it_stands(void)
+{
+    use(without_switch);
+    (void)rest_cycle(-5);
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_HOMED, axis_begin_homing(&axis, config));
+    expect(AXIS_REFERENCE_TAKEN);
+    TEST_ASSERT_EQUAL_INT32(config->home_ticks, axis.encoder.position_ticks);
+}
+
+void test_SWR_REF_002_what_was_lost_or_is_in_doubt_is_not_taken_again(void)
+{
+    static const axis_reference_t grades[] = {AXIS_REFERENCE_LOST, AXIS_REFERENCE_UNVERIFIED};
+    for (uint32_t i = 0U; i < (sizeof grades / sizeof grades[0]); i++) {
+        use_with(without_switch, grades[i]);
+        const int32_t before = axis.encoder.position_ticks;
+        TEST_ASSERT_EQUAL_HEX32(0U, axis_begin_homing(&axis, config));
+        expect(grades[i]);
+        TEST_ASSERT_EQUAL_INT32(before, axis.encoder.position_ticks);
+    }
+}
+
+void test_SWR_REF_002_a_fault_before_anything_was_known_loses_nothing(void)
+{
+    use(without_switch);
+    (void)rest_cycle(config->jump_ticks + 1);
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_ENCODER_FAULT, rest_cycle(0));
+    axis_lose_reference(&axis);
+    axis_doubt(&axis);
+    axis_stop_homing(&axis);
+    expect(AXIS_REFERENCE_FRESH);
+}
+
+void test_SWR_REF_002_an_axis_with_a_switch_homes_from_every_grade_that_is_not_homed(void)
+{
+    static const axis_reference_t grades[] = {AXIS_REFERENCE_FRESH, AXIS_REFERENCE_LOST,
+                                              AXIS_REFERENCE_UNVERIFIED};
+    for (uint32_t i = 0U; i < (sizeof grades / sizeof grades[0]); i++) {
+        use_with(with_switch, grades[i]);
+        (void)axis_begin_homing(&axis, config);
+        expect(AXIS_REFERENCE_APPROACH);
+        use_with(with_switch, grades[i]);
+        report.limits = CARD_LIMIT_LOWER;
+        (void)rest_cycle(0);
+        (void)axis_begin_homing(&axis, config);
+        expect(AXIS_REFERENCE_LEAVE);
+    }
+}
+
+void test_SWR_REF_003_a_remembered_position_is_unverified(void)
+{
+    (void)rest_cycle(50);
+    axis_restore(&axis, config, SOMEWHERE);
+    expect(AXIS_REFERENCE_UNVERIFIED);
+    TEST_ASSERT_EQUAL_INT32(SOMEWHERE, axis.encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(SOMEWHERE, axis.setpoint_ticks);
+    (void)rest_cycle(5);
+    TEST_ASSERT_EQUAL_INT32(SOMEWHERE + 5, axis.encoder.position_ticks);
+    rest_cycles(2000U);
+}
+
+void test_SWR_REF_003_memory_counts_only_before_anything_else_is_known(void)
+{
+    static const axis_reference_t grades[] = {AXIS_REFERENCE_LOST, AXIS_REFERENCE_APPROACH,
+                                              AXIS_REFERENCE_TAKEN, AXIS_REFERENCE_VERIFIED};
+    for (uint32_t i = 0U; i < (sizeof grades / sizeof grades[0]); i++) {
+        use_with(with_switch, grades[i]);
+        const int32_t before = axis.encoder.position_ticks;
+        axis_restore(&axis, config, SOMEWHERE + 1);
+        axis_forget(&axis);
+        expect(grades[i]);
+        TEST_ASSERT_EQUAL_INT32(before, axis.encoder.position_ticks);
+    }
+}
+
+void test_SWR_REF_003_what_is_not_to_be_believed_is_lost(void)
+{
+    axis_forget(&axis);
+    expect(AXIS_REFERENCE_LOST);
+}
+
+void test_SWR_REF_004_a_homed_axis_in_doubt_is_unverified(void)
+{
+    use_with(without_switch, AXIS_REFERENCE_TAKEN);
+    axis_doubt(&axis);
+    expect(AXIS_REFERENCE_UNVERIFIED);
+    TEST_ASSERT_TRUE(axis_is_enabled(&axis));
+    use_with(with_switch, AXIS_REFERENCE_VERIFIED);
+    axis_doubt(&axis);
+    expect(AXIS_REFERENCE_UNVERIFIED);
+    axis_doubt(&axis);
+    expect(AXIS_REFERENCE_UNVERIFIED);
+}
+
+void test_SWR_REF_004_homing_in_doubt_is_lost(void)
+{
+    make(AXIS_REFERENCE_APPROACH);
+    axis_doubt(&axis);
+    expect(AXIS_REFERENCE_LOST);
+}
+
+void test_SWR_REF_004_an_unverified_axis_that_came_back_elsewhere_is_lost(void)
+{
+    use_with(without_switch, AXIS_REFERENCE_TAKEN);
+    rest_cycles(20U);
+    axis_doubt(&axis);
+    axis_disable(&axis);
+    silent_cycles(1500U);
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_MOVED_OFF, rest_cycle(supervision_rest_ticks(config) + 1));
+    expect(AXIS_REFERENCE_LOST);
+}
+
+void test_SWR_REF_004_an_unverified_axis_that_came_back_where_it_was_stays_unverified(void)
+{
+    use_with(without_switch, AXIS_REFERENCE_TAKEN);
+    rest_cycles(20U);
+    axis_doubt(&axis);
+    axis_disable(&axis);
+    silent_cycles(1500U);
+    TEST_ASSERT_EQUAL_HEX32(0U, rest_cycle(supervision_rest_ticks(config)));
+    rest_cycles(2000U);
+    expect(AXIS_REFERENCE_UNVERIFIED);
+}
+
+void test_SWR_REF_005_the_operator_verifies_what_is_unverified(void)
+{
+    static const axis_config_t *const configs[] = {&robot_neuro.axes[AXIS_INSERTION],
+                                                   &robot_neuro.axes[AXIS_ROTATION]};
+    for (uint32_t i = 0U; i < 2U; i++) {
+        use_with(configs[i], AXIS_REFERENCE_UNVERIFIED);
+        TEST_ASSERT_TRUE(axis_confirm(&axis, config));
+        expect(AXIS_REFERENCE_VERIFIED);
+        TEST_ASSERT_EQUAL_INT32(SOMEWHERE, axis.encoder.position_ticks);
+        TEST_ASSERT_FALSE(axis_confirm(&axis, config));
+        expect(AXIS_REFERENCE_VERIFIED);
+    }
+}
+
+void test_SWR_REF_005_what_is_lost_is_verified_only_where_no_switch_can_find_it(void)
+{
+    use_with(without_switch, AXIS_REFERENCE_LOST);
+    TEST_ASSERT_TRUE(axis_confirm(&axis, config));
+    expect(AXIS_REFERENCE_VERIFIED);
+    use_with(with_switch, AXIS_REFERENCE_LOST);
+    TEST_ASSERT_FALSE(axis_confirm(&axis, config));
+    expect(AXIS_REFERENCE_LOST);
+}
+
+void test_SWR_REF_005_nothing_else_is_confirmed(void)
+{
+    static const axis_reference_t grades[] = {AXIS_REFERENCE_FRESH, AXIS_REFERENCE_APPROACH,
+                                              AXIS_REFERENCE_TAKEN};
+    for (uint32_t i = 0U; i < (sizeof grades / sizeof grades[0]); i++) {
+        use_with(without_switch, grades[i]);
+        TEST_ASSERT_FALSE(axis_confirm(&axis, config));
+        expect(grades[i]);
+    }
+}
+
+void test_SWR_REF_005_once_confirmed_homing_has_its_whole_way(void)
+{
+    use(without_switch);
+    (void)axis_begin_homing(&axis, with_switch);
+    axis_lose_reference(&axis);
+    TEST_ASSERT_EQUAL_UINT32(1U, axis.homing.has_nearest);
+    TEST_ASSERT_TRUE(axis_confirm(&axis, config));
+    TEST_ASSERT_EQUAL_UINT32(0U, axis.homing.has_nearest);
+}
+
+void test_SWR_REF_005_only_an_axis_without_switch_that_was_known_waits_for_the_operator(void)
+{
+    use_with(without_switch, AXIS_REFERENCE_FRESH);
+    TEST_ASSERT_FALSE(axis_needs_confirmation(&axis, config));
+    use_with(without_switch, AXIS_REFERENCE_TAKEN);
+    TEST_ASSERT_FALSE(axis_needs_confirmation(&axis, config));
+    use_with(without_switch, AXIS_REFERENCE_LOST);
+    TEST_ASSERT_TRUE(axis_needs_confirmation(&axis, config));
+    TEST_ASSERT_FALSE(axis_needs_confirmation(&axis, with_switch));
+    use_with(without_switch, AXIS_REFERENCE_UNVERIFIED);
+    TEST_ASSERT_TRUE(axis_needs_confirmation(&axis, config));
+}
