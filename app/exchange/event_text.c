@@ -64,6 +64,7 @@ void event_text_subject(const event_t *event, char *text, size_t size)
     case EVENT_AXIS_MOVED_OFF:
     case EVENT_AXIS_NO_COUNTS:
     case EVENT_AXIS_WRONG_SPEED:
+    case EVENT_AXIS_CONFIRMED:
     case EVENT_ORDER_OVERDUE:
         (void)snprintf(text, size, "%s", axis_name(event->subject));
         break;

@@ -17,8 +17,9 @@
 typedef struct {
     bool pedal_a; /**< Channel A is closed (pressed). */
     bool pedal_b;
-    bool estop_open;     /**< The e-stop chain is open (pulled). */
-    bool scanner_active; /**< The scanner acquires. */
+    bool estop_open;      /**< The e-stop chain is open (pulled). */
+    bool scanner_active;  /**< The scanner acquires. */
+    bool confirm_pressed; /**< The button with which the operator confirms positions is pressed. */
 } bsp_inputs_t;
 
 /** How the board's time passes beside the world's. */
@@ -46,9 +47,9 @@ uint32_t bsp_exchange(uint32_t send, const uint8_t frames[ROBOT_SLOT_COUNT][CARD
                       uint8_t received[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES], uint32_t timeout_us);
 
 /**
- * Samples the digital inputs: each as unsafe (pedal open, e-stop open, scanner active) as it was at
- * any time since the sample before; the board latches pulses, however short. When the board does
- * not answer: pedal released, e-stop open.
+ * Samples the digital inputs: each as unsafe (pedal open, e-stop open, scanner active, button
+ * released) as it was at any time since the sample before; the board latches pulses, however short.
+ * When the board does not answer: pedal and button released, e-stop open.
  *
  * @satisfies SWR-ESTOP-004
  */

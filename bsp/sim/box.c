@@ -114,6 +114,7 @@ static void latch(box_t *self)
     latched->pedal_b = latched->pedal_b && now.pedal_b;
     latched->estop_open = latched->estop_open || now.estop_open;
     latched->scanner_active = latched->scanner_active || now.scanner_active;
+    latched->confirm_pressed = latched->confirm_pressed && now.confirm_pressed;
 }
 
 static void step(box_t *self)
@@ -145,7 +146,8 @@ bsp_inputs_t box_inputs(const box_t *self)
     return (bsp_inputs_t){.pedal_a = self->pedal_a.is_closed,
                           .pedal_b = self->pedal_b.is_closed,
                           .estop_open = !self->estop.is_closed,
-                          .scanner_active = self->scanner_active};
+                          .scanner_active = self->scanner_active,
+                          .confirm_pressed = self->button_pressed};
 }
 
 bsp_inputs_t box_sample(box_t *self)

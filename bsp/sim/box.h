@@ -2,9 +2,9 @@
 /**
  * @file
  * The simulated control box: daughter cards with their axes in up to ten slots, a two-channel foot
- * pedal, an emergency stop, a scanner signal, and orders that press, pull and break them. It has no
- * clock of its own: box_advance() is its time. The same seed and the same calls give the same
- * bytes.
+ * pedal, a button, an emergency stop, a scanner signal, and orders that press, pull and break them.
+ * It has no clock of its own: box_advance() is its time. The same seed and the same calls give the
+ * same bytes.
  *
  * Direction bit 1 makes a position grow unless the axis' motor is inverted; a reading grows with
  * the position unless its encoder is inverted. Readings start anywhere, that of axis 1 just below
@@ -62,6 +62,7 @@ typedef struct {
     box_contact_t pedal_b;
     box_contact_t estop; /**< Closed: not pulled. */
     bool scanner_active;
+    bool button_pressed;  /**< The operator's, for confirming positions. */
     bsp_inputs_t latched; /**< The most unsafe levels since the last sample. */
     uint64_t time_us;     /**< Whole steps done. */
     uint32_t pending_us;  /**< Time not yet stepped, below SIM_STEP_US. */

@@ -24,6 +24,7 @@ typedef struct {
 static const char orders[] = "pedal press|release|pulse\n"
                              "pedal a|b open|close\n"
                              "estop pull|reset|pulse\n"
+                             "button press|release\n"
                              "card SLOT silent|corrupt|foreign|normal\n"
                              "encoder SLOT stuck|reversed|half|normal\n"
                              "motor SLOT stuck|half|twice|runs|normal\n"
@@ -240,10 +241,10 @@ static void show_axis(const box_axis_t *axis, reply_t *reply)
 
 static void show(const box_t *self, reply_t *reply)
 {
-    say(reply, "%s, %.3f s: pedal a %s, pedal b %s, e-stop %s, scanner %s\n", self->robot->name,
-        (double)self->time_us / 1e6, self->pedal_a.is_closed ? "closed" : "open",
+    say(reply, "%s, %.3f s: pedal a %s, pedal b %s, e-stop %s, button %s, scanner %s\n",
+        self->robot->name, (double)self->time_us / 1e6, self->pedal_a.is_closed ? "closed" : "open",
         self->pedal_b.is_closed ? "closed" : "open", self->estop.is_closed ? "closed" : "pulled",
-        self->scanner_active ? "on" : "off");
+        self->button_pressed ? "pressed" : "released", self->scanner_active ? "on" : "off");
     say(reply, "%4s  %-10s %11s %-3s %11s  %-9s %-7s %-8s %-9s %-7s %5s\n", "slot", "axis",
         "position", "", "ticks", "drive", "switch", "card", "encoder", "motor", "trips");
     for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
@@ -273,6 +274,9 @@ static bool carry_out(box_t *self, const order_t *order)
     }
     if (is_word(order, 0U, "estop")) {
         return order_estop(self, order);
+    }
+    if (is_word(order, 0U, "button")) {
+        return order_level(&self->button_pressed, order, "press", "release");
     }
     if (is_word(order, 0U, "scanner")) {
         return order_level(&self->scanner_active, order, "on", "off");

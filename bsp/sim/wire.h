@@ -23,8 +23,9 @@
 #define WIRE_INPUT_PEDAL_B 0x2U
 #define WIRE_INPUT_ESTOP_OPEN 0x4U
 #define WIRE_INPUT_SCANNER 0x8U
-#define WIRE_SAFE_INPUTS                                                                           \
-    (WIRE_INPUT_PEDAL_A | WIRE_INPUT_PEDAL_B) /**< The safe value of each bit. */
+#define WIRE_INPUT_CONFIRM 0x10U
+/** The safe value of each bit. */
+#define WIRE_SAFE_INPUTS (WIRE_INPUT_PEDAL_A | WIRE_INPUT_PEDAL_B | WIRE_INPUT_CONFIRM)
 
 /** The segment. Words that both sides touch are accessed by wire_load() and wire_store() only. */
 typedef struct {

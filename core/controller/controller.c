@@ -45,6 +45,7 @@ static event_severity_t severity(event_id_t id)
     case EVENT_ESTOP_CLEARED:
     case EVENT_CARD_LIVE:
     case EVENT_AXIS_HOMED:
+    case EVENT_AXIS_CONFIRMED:
     case EVENT_ORDER_ARMED:
     case EVENT_ORDER_DONE:
     case EVENT_REGISTERED:

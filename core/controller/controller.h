@@ -11,6 +11,7 @@
 #include "axis.h"
 #include "card_frame.h"
 #include "command.h"
+#include "confirm_button.h"
 #include "estop_latch.h"
 #include "event.h"
 #include "requirement_limits.h"
@@ -39,6 +40,7 @@ typedef struct {
     uint32_t pedal_b;
     uint32_t estop_open;      /**< The e-stop chain is open (pulled): 0 or 1. */
     uint32_t scanner_active;  /**< 0 or 1. */
+    uint32_t confirm_pressed; /**< The operator's button at the box is pressed: 0 or 1. */
     uint32_t frames_received; /**< Bit n: frames[n] was received in this cycle. */
     uint32_t command_count;   /**< 0..CONTROLLER_COMMANDS. */
     command_t commands[CONTROLLER_COMMANDS];
@@ -71,6 +73,7 @@ typedef struct {
 typedef struct {
     pedal_gate_t pedal;
     loop_guard_t loop;
+    confirm_button_t confirm;
     estop_latch_chart_t estop;
     workphases_chart_t workphases;
     plan_t plan;

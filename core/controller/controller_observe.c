@@ -192,6 +192,22 @@ static void observe_scanner(controller_t *self, const cycle_t *cycle)
     }
 }
 
+/* The operator confirms what is shown; what is shown of a silent card is old. */
+static void observe_button(controller_t *self, const cycle_t *cycle)
+{
+    const bool is_barred =
+        workphase_is_armed(&self->workphases) || (cycle->inputs->estop_open != 0U);
+    if (!confirm_button_step(&self->confirm, cycle->inputs->confirm_pressed != 0U, is_barred)) {
+        return;
+    }
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        axis_t *const axis = &self->axes[i];
+        if (link_is_healthy_now(&self->links[i]) && axis_confirm(axis, &cycle->robot->axes[i])) {
+            controller_note(self, cycle, EVENT_AXIS_CONFIRMED, i, axis->encoder.position_ticks);
+        }
+    }
+}
+
 void controller_observe(controller_t *self, const cycle_t *cycle)
 {
     if (workphases_chart_check(&self->workphases) != 0U) {
@@ -206,4 +222,5 @@ void controller_observe(controller_t *self, const cycle_t *cycle)
         observe_link(self, cycle, i);
         observe_axis(self, cycle, i);
     }
+    observe_button(self, cycle);
 }

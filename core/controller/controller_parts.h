@@ -30,6 +30,8 @@ void controller_note(controller_t *self, const cycle_t *cycle, event_id_t id, ui
  *
  * @satisfies SWR-CORE-004
  * @satisfies SWR-CHART-012
+ * @satisfies SWR-REF-006
+ * @satisfies SWR-REF-007
  * @satisfies SWR-EVENT-003
  */
 void controller_observe(controller_t *self, const cycle_t *cycle);

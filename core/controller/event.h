@@ -63,7 +63,9 @@ typedef enum {
     EVENT_AXIS_WRONG_SPEED =
         32, /**< Axis (subject) counted (value, percent) of what its motor should make. */
     EVENT_ORDER_OVERDUE =
-        33 /**< The motion did not end in time: axis (subject) is (value, ticks) off. */
+        33, /**< The motion did not end in time: axis (subject) is (value, ticks) off. */
+    EVENT_AXIS_CONFIRMED =
+        36 /**< The operator confirmed axis (subject) where it is shown, at (value, ticks). */
 } event_id_t;
 
 typedef struct {

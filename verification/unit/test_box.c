@@ -334,6 +334,30 @@ void test_SWR_BOX_003_emergency_stop_and_scanner_levels_obey(void)
     TEST_ASSERT_FALSE(box_inputs(&box).scanner_active);
 }
 
+void test_SWR_BOX_003_the_button_obeys(void)
+{
+    TEST_ASSERT_FALSE(box_inputs(&box).confirm_pressed);
+    order("button press");
+    TEST_ASSERT_TRUE(box_inputs(&box).confirm_pressed);
+    order("button release");
+    TEST_ASSERT_FALSE(box_inputs(&box).confirm_pressed);
+}
+
+void test_SWR_REF_006_a_button_that_was_released_since_the_last_sample_is_released(void)
+{
+    order("button press");
+    (void)box_sample(&box);
+    box_advance(&box, 1000U);
+    TEST_ASSERT_TRUE(box_sample(&box).confirm_pressed);
+    order("button release");
+    box_advance(&box, SIM_STEP_US);
+    order("button press");
+    box_advance(&box, 1000U);
+    TEST_ASSERT_FALSE(box_sample(&box).confirm_pressed);
+    box_advance(&box, 1000U);
+    TEST_ASSERT_TRUE(box_sample(&box).confirm_pressed);
+}
+
 void test_SWR_BOX_003_a_silent_card_neither_answers_nor_hears(void)
 {
     drive(AXIS_INSERTION, true);
@@ -448,7 +472,11 @@ void test_SWR_BOX_003_show_lists_inputs_and_every_axis(void)
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
         TEST_ASSERT_NOT_NULL(strstr(reply, robot_neuro.axes[i].name));
     }
-    TEST_ASSERT_NOT_NULL(strstr(reply, "pedal a closed, pedal b open, e-stop closed, scanner off"));
+    TEST_ASSERT_NOT_NULL(
+        strstr(reply, "pedal a closed, pedal b open, e-stop closed, button released, scanner off"));
+    order("button press");
+    order("show");
+    TEST_ASSERT_NOT_NULL(strstr(reply, "button pressed"));
     TEST_ASSERT_NOT_NULL(strstr(reply, "-20.0025 mm"));
     TEST_ASSERT_NOT_NULL(strstr(reply, "7.1998 deg"));
     TEST_ASSERT_NOT_NULL(strstr(reply, "- run"));
@@ -470,6 +498,8 @@ void test_SWR_BOX_003_orders_that_are_unknown_change_nothing_and_are_told_the_kn
                                         "estop push",
                                         "estop pull now",
                                         "scanner maybe",
+                                        "button",
+                                        "button push",
                                         "card 3 broken",
                                         "card 3",
                                         "encoder 3 up",

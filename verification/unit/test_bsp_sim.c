@@ -231,6 +231,24 @@ void test_SWR_ESTOP_001_inputs_of_a_dead_box_are_pedal_released_and_emergency_st
     bsp_close();
 }
 
+void test_SWR_REF_006_the_button_is_released_unless_it_was_held_since_the_last_sample(void)
+{
+    TEST_ASSERT_TRUE(bsp_open(name, error, sizeof error));
+    wire_store(&served.wire->inputs, 0U);
+    TEST_ASSERT_FALSE(bsp_sample_inputs().confirm_pressed);
+    wire_store(&served.wire->inputs, WIRE_INPUT_CONFIRM);
+    wire_store(&served.wire->beat, 77U);
+    TEST_ASSERT_TRUE(bsp_sample_inputs().confirm_pressed);
+    wire_latch(&served.wire->latched, WIRE_INPUT_CONFIRM);
+    TEST_ASSERT_FALSE(bsp_sample_inputs().confirm_pressed);
+    TEST_ASSERT_TRUE(bsp_sample_inputs().confirm_pressed);
+    for (uint32_t i = 0U; i < 100U; i++) {
+        (void)bsp_sample_inputs();
+    }
+    TEST_ASSERT_FALSE(bsp_sample_inputs().confirm_pressed);
+    bsp_close();
+}
+
 /* Both clocks are read in turn; then 1 ms of the box' time is slept. */
 static void expect_time_slower_by(uint32_t slowness)
 {
