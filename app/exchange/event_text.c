@@ -64,7 +64,10 @@ void event_text_subject(const event_t *event, char *text, size_t size)
     case EVENT_AXIS_MOVED_OFF:
     case EVENT_AXIS_NO_COUNTS:
     case EVENT_AXIS_WRONG_SPEED:
+    case EVENT_AXIS_TAKEN:
+    case EVENT_AXIS_UNVERIFIED:
     case EVENT_AXIS_CONFIRMED:
+    case EVENT_AXIS_REFERENCE_LOST:
     case EVENT_ORDER_OVERDUE:
         (void)snprintf(text, size, "%s", axis_name(event->subject));
         break;

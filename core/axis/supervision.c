@@ -211,6 +211,11 @@ void supervision_init(supervision_t *self)
     stall_watchdog_chart_init(&self->stall);
 }
 
+bool supervision_is_at_rest(const supervision_t *self)
+{
+    return self->off_us >= REST_US;
+}
+
 void supervision_reset(supervision_t *self)
 {
     (void)stall_watchdog_chart_dispatch(&self->stall, STALL_WATCHDOG_EVENT_RESET);

@@ -74,6 +74,9 @@ void supervision_init(supervision_t *self);
 /** The farthest that an axis may move while it is off. */
 int32_t supervision_rest_ticks(const axis_config_t *config);
 
+/** The drive has been off for so long that the motor has come to rest. */
+bool supervision_is_at_rest(const supervision_t *self);
+
 /** The axis was enabled anew. */
 void supervision_reset(supervision_t *self);
 

@@ -31,7 +31,10 @@ typedef enum {
     STATUS_DISCARDED = 18, /**< The armed motion was discarded; command it again. */
     STATUS_EXPIRED = 19,   /**< The pedal was not pressed in time; command it again. */
     STATUS_NO_ANSWER = 20, /**< The controller did not answer in time. */
-    STATUS_SWITCH_ZONE = 21 /**< An axis would end where its limit switch may be active. */
+    STATUS_SWITCH_ZONE = 21,      /**< An axis would end where its limit switch may be active. */
+    STATUS_CONFIRM_POSITIONS = 22 /**< An axis without a switch has lost its position: compare the
+                                     positions shown with the robot, then hold the button at the
+                                     box. */
 } status_t;
 
 #endif

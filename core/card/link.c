@@ -125,6 +125,13 @@ bool link_is_usable(const link_t *self)
            (self->chart.state == CARD_LINK_STATE_LATE);
 }
 
+bool link_was_only_silent(const link_t *self)
+{
+    const bool is_only_tripped = (self->report.status & CARD_STATUS_FAULTS) == CARD_STATUS_WATCHDOG;
+    return (self->cause == (uint32_t)LINK_CAUSE_AGE) ||
+           ((self->cause == (uint32_t)LINK_CAUSE_FAULT) && is_only_tripped);
+}
+
 bool link_is_healthy_now(const link_t *self)
 {
     return is_well(self) && is_right_card(self);

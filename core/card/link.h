@@ -72,6 +72,10 @@ void link_reset(link_t *self);
 /** The card may be given a drive command. */
 bool link_is_usable(const link_t *self);
 
+/** Nothing was known against the lost card but that frames did not come through, one way or the
+ * other. */
+bool link_was_only_silent(const link_t *self);
+
 /** The right card sent a valid frame without a fault in this cycle. */
 bool link_is_healthy_now(const link_t *self);
 

@@ -32,6 +32,8 @@ static event_severity_t severity(event_id_t id)
         break;
     case EVENT_COMMAND_REFUSED:
     case EVENT_FRAME_REFUSED:
+    case EVENT_AXIS_UNVERIFIED:
+    case EVENT_AXIS_REFERENCE_LOST:
     case EVENT_ORDER_DISCARDED:
     case EVENT_ORDER_EXPIRED:
     case EVENT_OVERRUN:
@@ -45,6 +47,7 @@ static event_severity_t severity(event_id_t id)
     case EVENT_ESTOP_CLEARED:
     case EVENT_CARD_LIVE:
     case EVENT_AXIS_HOMED:
+    case EVENT_AXIS_TAKEN:
     case EVENT_AXIS_CONFIRMED:
     case EVENT_ORDER_ARMED:
     case EVENT_ORDER_DONE:

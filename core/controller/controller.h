@@ -88,6 +88,7 @@ typedef struct {
     uint32_t permit_speed_cap_percent[ROBOT_AXIS_COUNT];
     uint32_t is_driven[ROBOT_AXIS_COUNT]; /**< The permit allowed it in the last cycle, so a motion
                                              ran. */
+    uint32_t grades[ROBOT_AXIS_COUNT];    /**< axis_reference_t, as told. */
     uint32_t jog_axis;
     int32_t jog_ticks;
     uint32_t has_started; /**< cycle, which wraps, does not tell. */

@@ -49,7 +49,7 @@ static void run_homing(controller_t *self, const cycle_t *cycle,
             notes = axis_begin_homing(axis, config);
         }
         if (notes != 0U) {
-            controller_note(self, cycle, EVENT_AXIS_HOMED, i, axis->home_correction_ticks);
+            controller_note(self, cycle, EVENT_AXIS_TAKEN, i, axis->home_correction_ticks);
         }
         requests[i] = axis_is_homing(axis) ? axis_home(axis, config, cycle->inputs->elapsed_us)
                                            : axis_rest(axis, cycle->inputs->elapsed_us);

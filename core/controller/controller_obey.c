@@ -23,6 +23,15 @@ static bool is_able(const controller_t *self)
     return is_every_part_able;
 }
 
+static bool is_confirmation_due(const controller_t *self, const robot_t *robot)
+{
+    bool is_any_due = false;
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        is_any_due = is_any_due || axis_needs_confirmation(&self->axes[i], &robot->axes[i]);
+    }
+    return is_any_due;
+}
+
 bool controller_is_homed(const controller_t *self)
 {
     bool is_every_axis_homed = true;
@@ -36,6 +45,7 @@ workphases_inputs_t controller_guards(const controller_t *self, const cycle_t *c
 {
     const workphases_inputs_t guards = {
         .is_hardware_ready = is_hardware_ready(self, cycle->inputs),
+        .is_confirmation_due = is_confirmation_due(self, cycle->robot),
         .is_able = is_able(self),
         .is_homed = controller_is_homed(self),
         .is_registered = (self->plan.is_registered != 0U),

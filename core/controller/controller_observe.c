@@ -5,18 +5,42 @@
 
 #include <stddef.h>
 
+/* An axis that was off when its card fell silent stands where it was, or shows it when the card is
+ * back. */
+static bool is_only_out_of_sight(const controller_t *self, uint32_t index)
+{
+    const link_t *const link = &self->links[index];
+    return supervision_is_at_rest(&self->axes[index].supervision) &&
+           (link->sent.mode == (uint32_t)CARD_DRIVE_OFF) &&
+           (link->sent_before.mode == (uint32_t)CARD_DRIVE_OFF) && link_was_only_silent(link);
+}
+
+static void lose_card(controller_t *self, const cycle_t *cycle, uint32_t index, bool is_in_doubt)
+{
+    const link_t *const link = &self->links[index];
+    axis_t *const axis = &self->axes[index];
+    controller_note(self, cycle, EVENT_CARD_LOST, link->slot, (int32_t)link->cause);
+    if (is_in_doubt) {
+        axis_doubt(axis);
+    } else {
+        axis_lose_reference(axis);
+    }
+    axis_disable(axis);
+    plan_forget_target(&self->plan);
+    controller_tell_order(self, cycle, WORKPHASES_EVENT_FAULT, STATUS_FAULT_PRESENT);
+}
+
 static void observe_link(controller_t *self, const cycle_t *cycle, uint32_t index)
 {
     link_t *const link = &self->links[index];
     const bool is_received = (cycle->inputs->frames_received & ((uint32_t)1U << link->slot)) != 0U;
     const bool was_usable = link_is_usable(link);
-    bool was_lost = link->chart.state == CARD_LINK_STATE_LOST;
+    const bool was_lost = link->chart.state == CARD_LINK_STATE_LOST;
     const uint32_t had_errors = link->frame_errors;
-    if (card_link_chart_check(&link->chart) != 0U) {
+    const bool is_damaged = card_link_chart_check(&link->chart) != 0U;
+    if (is_damaged) {
         controller_note(self, cycle, EVENT_CHART_REPAIRED, (uint32_t)EVENT_CHART_CARD,
                         (int32_t)link->slot);
-        /* Its state before is not known; the card is lost now. */
-        was_lost = false;
     }
     (void)card_link_chart_advance(&link->chart, cycle->inputs->elapsed_us);
     link_step(link, is_received ? cycle->inputs->frames[link->slot] : NULL);
@@ -26,12 +50,9 @@ static void observe_link(controller_t *self, const cycle_t *cycle, uint32_t inde
     if (link_is_usable(link) && !was_usable) {
         controller_note(self, cycle, EVENT_CARD_LIVE, link->slot, 0);
     }
-    if (!was_lost && (link->chart.state == CARD_LINK_STATE_LOST)) {
-        controller_note(self, cycle, EVENT_CARD_LOST, link->slot, (int32_t)link->cause);
-        axis_lose_reference(&self->axes[index]);
-        axis_disable(&self->axes[index]);
-        plan_forget_target(&self->plan);
-        controller_tell_order(self, cycle, WORKPHASES_EVENT_FAULT, STATUS_FAULT_PRESENT);
+    /* The state before of a damaged chart is not known; the card is lost now. */
+    if ((!was_lost || is_damaged) && (link->chart.state == CARD_LINK_STATE_LOST)) {
+        lose_card(self, cycle, index, !is_damaged && is_only_out_of_sight(self, index));
     }
 }
 
@@ -107,6 +128,30 @@ static void note_axis(controller_t *self, const cycle_t *cycle, uint32_t index, 
     }
 }
 
+/* Tells what became of the trust in a position, whatever was the cause; a fault tells it itself. */
+static void note_grade(controller_t *self, const cycle_t *cycle, uint32_t index)
+{
+    const axis_t *const axis = &self->axes[index];
+    const uint32_t before = self->grades[index];
+    const uint32_t now = (uint32_t)axis->chart.reference;
+    const bool was_known = (before == (uint32_t)AXIS_REFERENCE_UNVERIFIED) ||
+                           (before == (uint32_t)AXIS_REFERENCE_TAKEN) ||
+                           (before == (uint32_t)AXIS_REFERENCE_VERIFIED);
+    self->grades[index] = now;
+    if (now == before) {
+        return;
+    }
+    if (now == (uint32_t)AXIS_REFERENCE_UNVERIFIED) {
+        controller_note(self, cycle, EVENT_AXIS_UNVERIFIED, index, axis->encoder.position_ticks);
+        plan_forget_target(&self->plan);
+        controller_tell_order(self, cycle, WORKPHASES_EVENT_FAULT, STATUS_NOT_HOMED);
+    }
+    if ((now == (uint32_t)AXIS_REFERENCE_LOST) && was_known && !axis_is_faulty(axis)) {
+        controller_note(self, cycle, EVENT_AXIS_REFERENCE_LOST, index,
+                        axis->encoder.position_ticks);
+    }
+}
+
 static void observe_axis(controller_t *self, const cycle_t *cycle, uint32_t index)
 {
     const axis_config_t *const config = &cycle->robot->axes[index];
@@ -116,6 +161,7 @@ static void observe_axis(controller_t *self, const cycle_t *cycle, uint32_t inde
     notes |= axis_supervise(&self->axes[index], config, self->is_driven[index] != 0U,
                             &link->sent_before, cycle->inputs->elapsed_us);
     note_axis(self, cycle, index, notes);
+    note_grade(self, cycle, index);
 }
 
 static void observe_pedal(controller_t *self, const cycle_t *cycle)

@@ -31,6 +31,9 @@ void controller_note(controller_t *self, const cycle_t *cycle, event_id_t id, ui
  * @satisfies SWR-CORE-004
  * @satisfies SWR-CHART-012
  * @satisfies SWR-REF-006
+ * @satisfies SWR-REF-009
+ * @satisfies SWR-REF-010
+ * @satisfies SWR-REF-011
  * @satisfies SWR-REF-007
  * @satisfies SWR-EVENT-003
  */

@@ -65,6 +65,17 @@ static next_step_t next_step(const controller_t *self)
     return (step == NEXT_STEP_NOTHING) ? step_for_plan(self) : step;
 }
 
+/* Where START_UP is wanted, and would be refused for want of a confirmation only. */
+static next_step_t confirmed_first(const controller_t *self, const cycle_t *cycle, next_step_t step)
+{
+    const workphases_inputs_t guards = controller_guards(self, cycle);
+    const bool is_for_start_up = (step == NEXT_STEP_START_UP) || (step == NEXT_STEP_CHECK_CARDS) ||
+                                 (step == NEXT_STEP_PEDAL_FAULT);
+    return (is_for_start_up && guards.is_hardware_ready && guards.is_confirmation_due)
+               ? NEXT_STEP_CONFIRM
+               : step;
+}
+
 static void show_axis(const controller_t *self, const cycle_t *cycle, uint32_t index)
 {
     const axis_t *const axis = &self->axes[index];
@@ -75,6 +86,7 @@ static void show_axis(const controller_t *self, const cycle_t *cycle, uint32_t i
     shown->permit_reasons = self->permit_reasons[index];
     shown->permit_since_cycle = self->permit_since_cycle[index];
     shown->speed_cap_percent = self->permit_speed_cap_percent[index];
+    shown->reading_ticks = axis->encoder.reading;
     shown->position_ticks = axis->encoder.position_ticks;
     shown->setpoint_ticks = axis->setpoint_ticks;
     shown->target_ticks = axis->setpoint_ticks;
@@ -155,7 +167,7 @@ void controller_show(const controller_t *self, const cycle_t *cycle)
     shown->pedal = (uint32_t)self->pedal.chart.state;
     shown->estop = (uint32_t)self->estop.state;
     shown->loop = (uint32_t)self->loop.chart.state;
-    shown->next_step = (uint32_t)next_step(self);
+    shown->next_step = (uint32_t)confirmed_first(self, cycle, next_step(self));
     shown->is_scanner_active = cycle->inputs->scanner_active;
     shown->is_homed = controller_is_homed(self) ? 1U : 0U;
     shown->overruns = self->loop.overruns;

@@ -64,8 +64,14 @@ typedef enum {
         32, /**< Axis (subject) counted (value, percent) of what its motor should make. */
     EVENT_ORDER_OVERDUE =
         33, /**< The motion did not end in time: axis (subject) is (value, ticks) off. */
+    EVENT_AXIS_TAKEN =
+        34, /**< Axis (subject) was taken where it stands, correction (value, ticks). */
+    EVENT_AXIS_UNVERIFIED =
+        35, /**< The position of axis (subject) is in doubt, it is shown at (value, ticks). */
     EVENT_AXIS_CONFIRMED =
-        36 /**< The operator confirmed axis (subject) where it is shown, at (value, ticks). */
+        36, /**< The operator confirmed axis (subject) where it is shown, at (value, ticks). */
+    EVENT_AXIS_REFERENCE_LOST =
+        37 /**< The position of axis (subject) is lost, it was at (value, ticks). */
 } event_id_t;
 
 typedef struct {

@@ -19,6 +19,7 @@ typedef struct {
     uint32_t permit_reasons;     /**< Bit mask of permit_reason_t; 0 = allowed. */
     uint32_t permit_since_cycle; /**< Cycle of the last change of permit_reasons. */
     uint32_t speed_cap_percent;
+    int32_t reading_ticks; /**< The counter of the card, as last believed. */
     int32_t position_ticks;
     int32_t setpoint_ticks; /**< Where the profile wants it now; equals the position at rest. */
     int32_t target_ticks;   /**< The accepted target in MOVE_TO_TARGET; otherwise the set-point. */
@@ -53,7 +54,9 @@ typedef enum {
     NEXT_STEP_MOVE = 9,          /**< Command MOVE_TO_TARGET. */
     NEXT_STEP_NOTHING = 10,      /**< Nothing; the target is reached. */
     NEXT_STEP_PEDAL_FAULT = 11,  /**< Release the pedal, then command START_UP. */
-    NEXT_STEP_TARGETING = 12     /**< Return to TARGETING, then command MOVE_TO_TARGET. */
+    NEXT_STEP_TARGETING = 12,    /**< Return to TARGETING, then command MOVE_TO_TARGET. */
+    NEXT_STEP_CONFIRM = 13 /**< Compare the positions shown with the robot, then hold the button
+                              at the box for a second. */
 } next_step_t;
 
 typedef struct {

@@ -8,6 +8,8 @@ static status_t refusal(uint32_t actions)
         status = STATUS_OK;
     } else if ((actions & WORKPHASES_ACTION_REFUSE_HARDWARE_NOT_READY) != 0U) {
         status = STATUS_HARDWARE_NOT_READY;
+    } else if ((actions & WORKPHASES_ACTION_REFUSE_CONFIRM_POSITIONS) != 0U) {
+        status = STATUS_CONFIRM_POSITIONS;
     } else if ((actions & WORKPHASES_ACTION_REFUSE_NOT_REGISTERED) != 0U) {
         status = STATUS_NOT_REGISTERED;
     } else if ((actions & WORKPHASES_ACTION_REFUSE_NO_TARGET) != 0U) {

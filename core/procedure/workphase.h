@@ -32,12 +32,14 @@ typedef enum {
  *
  * @param actions receives the chart's actions (WORKPHASES_ACTION_ bits)
  * @return STATUS_OK; STATUS_UNKNOWN_COMMAND outside the enumeration or for UNDEFINED;
- * STATUS_WRONG_WORKPHASE, STATUS_HARDWARE_NOT_READY, STATUS_FAULT_PRESENT, STATUS_NOT_REGISTERED,
- * STATUS_NO_TARGET, STATUS_NOT_HOMED as refused by the chart
+ * STATUS_WRONG_WORKPHASE, STATUS_HARDWARE_NOT_READY, STATUS_CONFIRM_POSITIONS,
+ * STATUS_FAULT_PRESENT, STATUS_NOT_REGISTERED, STATUS_NO_TARGET, STATUS_NOT_HOMED as refused by the
+ * chart
  *
  * @satisfies SWR-PHASE-001
  * @satisfies SWR-PHASE-002
  * @satisfies SWR-PHASE-006
+ * @satisfies SWR-REF-008
  */
 status_t workphase_request(workphases_chart_t *self, const workphases_inputs_t *inputs,
                            uint32_t workphase, uint32_t *actions);

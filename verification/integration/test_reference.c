@@ -155,3 +155,318 @@ void test_SWR_REF_007_an_axis_whose_card_is_silent_is_not_confirmed(void)
     TEST_ASSERT_EQUAL_UINT32(1U, hold_button(HOLD_CYCLES + 1U));
     TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED, grade(AXIS_ROTATION));
 }
+
+static void expect_start_up(status_t expected)
+{
+    const uint32_t before = rig.outputs.snapshot.workphase;
+    TEST_ASSERT_EQUAL_UINT32(expected, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    TEST_ASSERT_EQUAL_UINT32((expected == STATUS_OK) ? (uint32_t)WORKPHASE_START_UP : before,
+                             rig.outputs.snapshot.workphase);
+}
+
+static void expect_step(next_step_t expected)
+{
+    TEST_ASSERT_EQUAL_UINT32(expected, rig.outputs.snapshot.next_step);
+}
+
+void test_SWR_REF_008_start_up_waits_for_the_operator_when_an_axis_without_switch_is_in_doubt(void)
+{
+    start_with_doubt(AXIS_FEET);
+    expect_start_up(STATUS_CONFIRM_POSITIONS);
+    expect_step(NEXT_STEP_CONFIRM);
+    (void)hold_button(HOLD_CYCLES + 1U);
+    expect_step(NEXT_STEP_REGISTER);
+    expect_start_up(STATUS_OK);
+}
+
+void test_SWR_REF_008_start_up_waits_for_the_operator_when_an_axis_without_switch_is_lost(void)
+{
+    rig_start_homed(&rig);
+    axis_lose_reference(&rig.controller.axes[AXIS_ROTATION]);
+    rig_cycle(&rig);
+    expect_start_up(STATUS_CONFIRM_POSITIONS);
+    (void)hold_button(HOLD_CYCLES + 1U);
+    expect_start_up(STATUS_OK);
+}
+
+void test_SWR_REF_008_a_refused_start_up_clears_nothing(void)
+{
+    rig_start_homed(&rig);
+    rig_box(&rig, "estop pull");
+    rig_cycles(&rig, 2U);
+    rig_box(&rig, "estop reset");
+    rig_cycles(&rig, 2U);
+    axis_doubt(&rig.controller.axes[AXIS_FEET]);
+    expect_start_up(STATUS_CONFIRM_POSITIONS);
+    TEST_ASSERT_EQUAL_UINT32(ESTOP_LATCH_STATE_LATCHED, rig.outputs.snapshot.estop);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_DISABLED, rig.outputs.snapshot.axes[AXIS_HEAD].power);
+}
+
+void test_SWR_REF_008_what_a_switch_finds_needs_no_operator(void)
+{
+    start_with_doubt(AXIS_YAW);
+    expect_step(NEXT_STEP_START_UP);
+    rig_home(&rig);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED, grade(AXIS_YAW));
+}
+
+void test_SWR_REF_008_a_first_start_up_that_failed_is_repeated_without_the_operator(void)
+{
+    rig_start(&rig);
+    rig_box(&rig, "motor insertion stuck");
+    expect_start_up(STATUS_OK);
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 31000U).kind);
+    rig_release(&rig);
+    rig_box(&rig, "motor insertion normal");
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_FRESH, grade(AXIS_FEET));
+    rig_home(&rig);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_TAKEN, grade(AXIS_FEET));
+}
+
+void test_SWR_NEXT_001_the_cards_and_the_operator_come_before_start_up(void)
+{
+    rig_start_homed(&rig);
+    rig_box(&rig, "card feet silent");
+    rig_cycles(&rig, 20U);
+    expect_step(NEXT_STEP_CHECK_CARDS);
+    expect_start_up(STATUS_HARDWARE_NOT_READY);
+    rig_box(&rig, "card feet normal");
+    rig_cycles(&rig, 20U);
+    expect_step(NEXT_STEP_CONFIRM);
+    (void)hold_button(HOLD_CYCLES + 1U);
+    expect_step(NEXT_STEP_CHECK_CARDS);
+    expect_start_up(STATUS_OK);
+}
+
+void test_SWR_NEXT_001_a_pedal_fault_and_a_lost_position_ask_for_the_operator(void)
+{
+    start_with_doubt(AXIS_FEET);
+    rig_box(&rig, "pedal a close");
+    rig_cycles(&rig, 200U);
+    expect_step(NEXT_STEP_PEDAL_FAULT);
+    rig_box(&rig, "pedal a open");
+    rig_cycles(&rig, 2U);
+    expect_step(NEXT_STEP_CONFIRM);
+}
+
+void test_SWR_REF_009_an_axis_whose_card_falls_silent_at_rest_is_unverified(void)
+{
+    rig_start_homed(&rig);
+    const int32_t position = rig.outputs.snapshot.axes[AXIS_ROTATION].position_ticks;
+    rig_box(&rig, "card rotation silent");
+    rig_cycles(&rig, 3000U);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED, grade(AXIS_ROTATION));
+    rig_box(&rig, "card rotation normal");
+    rig_cycles(&rig, 3000U);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED, grade(AXIS_ROTATION));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_TAKEN, grade(AXIS_FEET));
+    TEST_ASSERT_EQUAL_INT32(position, rig.outputs.snapshot.axes[AXIS_ROTATION].position_ticks);
+}
+
+void test_SWR_REF_009_an_axis_that_comes_back_elsewhere_is_lost(void)
+{
+    rig_start_homed(&rig);
+    rig_box(&rig, "card rotation silent");
+    rig_cycles(&rig, 20U);
+    rig_box(&rig, "motor rotation runs");
+    rig_cycles(&rig, 100U);
+    rig_box(&rig, "motor rotation normal");
+    rig_cycles(&rig, 20U);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED, grade(AXIS_ROTATION));
+    rig_box(&rig, "card rotation normal");
+    rig_cycles(&rig, 2U);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, grade(AXIS_ROTATION));
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_MOVED_OFF));
+}
+
+static void begin_move(void)
+{
+    rig_start_targeted(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
+    rig_press(&rig);
+    rig_cycles(&rig, 300U);
+    TEST_ASSERT_TRUE(rig_is_driving(&rig));
+}
+
+void test_SWR_REF_009_an_axis_whose_card_falls_silent_while_it_is_driven_is_lost(void)
+{
+    begin_move();
+    rig_box(&rig, "card head silent");
+    rig_cycles(&rig, 20U);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, grade(AXIS_HEAD));
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AXIS_UNVERIFIED));
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_REFERENCE_LOST));
+}
+
+/* The pedal was released for so long when the card of the head falls silent. */
+static uint32_t grade_of_silence_after(uint32_t cycles)
+{
+    begin_move();
+    rig_box(&rig, "pedal release");
+    rig_cycles(&rig, cycles);
+    rig_box(&rig, "card head silent");
+    rig_cycles(&rig, 20U);
+    return grade(AXIS_HEAD);
+}
+
+void test_SWR_REF_009_only_what_was_off_in_every_frame_that_may_have_been_applied_is_in_doubt(void)
+{
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, grade_of_silence_after(2U));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, grade_of_silence_after(5U));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED, grade_of_silence_after(15U));
+}
+
+/* The card falls silent with its first frame that drives, or the one after it. */
+void test_SWR_REF_009_an_axis_that_was_just_told_to_move_is_lost(void)
+{
+    for (uint32_t later = 0U; later < 2U; later++) {
+        rig_start_targeted(&rig);
+        (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
+        rig_box(&rig, "pedal press");
+        while (rig_sent(&rig, AXIS_HEAD).drive.mode == (uint32_t)CARD_DRIVE_OFF) {
+            rig_cycle(&rig);
+        }
+        rig_cycles(&rig, later);
+        rig.box.axes[AXIS_HEAD].card.faults |= CARD_STATUS_WATCHDOG;
+        rig_cycle(&rig);
+        TEST_ASSERT_EQUAL_UINT32(CARD_LINK_STATE_LOST, rig.controller.links[AXIS_HEAD].chart.state);
+        TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, grade(AXIS_HEAD));
+        TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_TAKEN, grade(AXIS_FEET));
+    }
+}
+
+void test_SWR_REF_009_a_pause_of_control_at_rest_makes_every_axis_unverified(void)
+{
+    rig_start_homed(&rig);
+    rig_cycles(&rig, 20U);
+    box_advance(&rig.box, 2U * LIMIT_CARD_WATCHDOG_US);
+    rig_cycles(&rig, 3U);
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_FAULT, rig.controller.links[i].cause);
+        TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED, grade(i));
+    }
+    rig_cycles(&rig, 20U);
+    TEST_ASSERT_EQUAL_UINT32(ROBOT_AXIS_COUNT, hold_button(HOLD_CYCLES + 1U));
+    expect_start_up(STATUS_OK);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_homed);
+}
+
+void test_SWR_REF_009_any_other_trouble_of_a_card_at_rest_loses_the_position(void)
+{
+    rig_start_homed(&rig);
+    rig_box(&rig, "card rotation foreign");
+    rig_cycles(&rig, 3U);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, grade(AXIS_ROTATION));
+    rig_start_homed(&rig);
+    rig.box.axes[AXIS_FEET].card.faults |= CARD_STATUS_HOT;
+    rig_cycles(&rig, 3U);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, grade(AXIS_FEET));
+}
+
+/* Why the card was given up the last time says nothing of this time. */
+void test_SWR_REF_009_a_damaged_link_at_rest_loses_the_position(void)
+{
+    rig_start_homed(&rig);
+    rig_box(&rig, "card rotation silent");
+    rig_cycles(&rig, 20U);
+    rig_box(&rig, "card rotation normal");
+    rig_cycles(&rig, 20U);
+    (void)hold_button(HOLD_CYCLES + 1U);
+    expect_start_up(STATUS_OK);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED, grade(AXIS_ROTATION));
+    rig_cycles(&rig, 20U);
+    rig.controller.links[AXIS_ROTATION].chart.state_inverse ^= 4U;
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, grade(AXIS_ROTATION));
+}
+
+void test_SWR_REF_010_a_doubt_ends_the_move_and_forgets_the_target(void)
+{
+    begin_move();
+    axis_doubt(&rig.controller.axes[AXIS_PITCH]);
+    rig_forget(&rig);
+    rig_cycle(&rig);
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASES_ORDER_NONE, rig.outputs.snapshot.order);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_HOMED, rig.answers[0].status);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
+    rig_release(&rig);
+}
+
+void test_SWR_REF_010_nobody_moves_to_a_target_with_an_axis_in_doubt(void)
+{
+    const rigid_t pose = rig_pose(5000000, 190000000, 60000000);
+    rig_start_targeted(&rig);
+    axis_doubt(&rig.controller.axes[AXIS_PITCH]);
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_target(&rig, &pose).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_HOMED,
+                             rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
+}
+
+static const event_t *last_event(event_id_t id)
+{
+    const event_t *found = NULL;
+    for (uint32_t i = 0U; i < rig.event_count; i++) {
+        found = (rig.events[i].id == (uint32_t)id) ? &rig.events[i] : found;
+    }
+    TEST_ASSERT_NOT_NULL(found);
+    return found;
+}
+
+static void expect_told(event_id_t id, uint32_t axis)
+{
+    TEST_ASSERT_EQUAL_UINT32(axis, last_event(id)->subject);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, id));
+}
+
+void test_SWR_REF_011_each_change_of_trust_names_its_axis(void)
+{
+    const uint32_t axis = AXIS_ROTATION;
+    rig_start_homed(&rig);
+    encoder_set_position(&rig.controller.axes[axis].encoder, 12);
+    supervision_shift(&rig.controller.axes[axis].supervision, 12);
+    axis_doubt(&rig.controller.axes[axis]);
+    rig_cycle(&rig);
+    expect_told(EVENT_AXIS_UNVERIFIED, axis);
+    TEST_ASSERT_EQUAL_UINT32(EVENT_SEVERITY_WARNING, last_event(EVENT_AXIS_UNVERIFIED)->severity);
+    (void)hold_button(HOLD_CYCLES + 1U);
+    expect_told(EVENT_AXIS_CONFIRMED, axis);
+    TEST_ASSERT_EQUAL_INT32(12, last_event(EVENT_AXIS_CONFIRMED)->value);
+    axis_lose_reference(&rig.controller.axes[axis]);
+    rig_cycles(&rig, 20U);
+    expect_told(EVENT_AXIS_REFERENCE_LOST, axis);
+    TEST_ASSERT_EQUAL_INT32(12, last_event(EVENT_AXIS_REFERENCE_LOST)->value);
+}
+
+void test_SWR_REF_011_what_an_axis_in_doubt_loses_is_told_and_what_was_never_known_is_not(void)
+{
+    start_with_doubt(AXIS_ROTATION);
+    axis_lose_reference(&rig.controller.axes[AXIS_ROTATION]);
+    rig_cycle(&rig);
+    expect_told(EVENT_AXIS_REFERENCE_LOST, AXIS_ROTATION);
+    rig_start(&rig);
+    axis_forget(&rig.controller.axes[AXIS_ROTATION]);
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AXIS_REFERENCE_LOST));
+}
+
+void test_SWR_REF_011_a_fault_tells_the_loss_itself(void)
+{
+    begin_move();
+    rig_box(&rig, "motor head stuck");
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 700U).kind);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, grade(AXIS_HEAD));
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AXIS_REFERENCE_LOST));
+}
+
+void test_SWR_REF_011_an_axis_without_switch_is_taken_and_not_homed(void)
+{
+    rig_start(&rig);
+    rig_home(&rig);
+    TEST_ASSERT_EQUAL_UINT32(2U, rig_count(&rig, EVENT_AXIS_TAKEN));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_ROTATION, last_event(EVENT_AXIS_TAKEN)->subject);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_TAKEN, grade(AXIS_ROTATION));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED, grade(AXIS_HEAD));
+}

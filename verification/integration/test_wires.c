@@ -96,7 +96,8 @@ void test_SWR_NEXT_001_a_fault_of_any_axis_asks_for_start_up(void)
         rig.controller.profile.start_ticks[i] += 2 * robot_neuro.axes[i].following_error_ticks;
         rig_cycles(&rig, 3U);
         TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, rig.outputs.snapshot.axes[i].power);
-        expect_step(NEXT_STEP_START_UP);
+        const bool has_switch = robot_neuro.axes[i].home_method == (uint8_t)HOME_BY_SWITCH;
+        expect_step(has_switch ? NEXT_STEP_START_UP : NEXT_STEP_CONFIRM);
     }
 }
 

@@ -59,6 +59,33 @@ test("SWR-CON-003 places positions between the limits and never outside", () => 
   expect(percentOf(axis, -11)).toBe(0);
 });
 
+test.each([
+  ["fresh", "enabled, not homed yet"],
+  ["lost", "enabled, position lost"],
+  ["unverified", "enabled, position unverified"],
+  ["taken", "enabled, taken in place"],
+  ["verified", "enabled, verified"],
+  ["back_off", "enabled, back off"],
+])(
+  "SWR-REF-012 says of %s how far the position is trusted",
+  (reference, text) => {
+    render(<Axes axes={[makeAxis("feet", { reference })]} />);
+    const row = rowOf("feet");
+    expect(row.textContent).toContain(text);
+    expect(row.querySelector('[data-field="position"]')).not.toBeNull();
+  },
+);
+
+test("SWR-REF-012 says it of an axis that is not enabled too", () => {
+  const axes = [
+    makeAxis("feet", { power: "fault", reference: "lost" }),
+    makeAxis("head", { power: "disabled", reference: "unverified" }),
+  ];
+  render(<Axes axes={axes} />);
+  expect(rowOf("feet").textContent).toContain("faulty, position lost");
+  expect(rowOf("head").textContent).toContain("disabled, position unverified");
+});
+
 test("SWR-CON-005 shows the reasons of an axis and since when", () => {
   render(<Axes axes={[makeAxis("head"), makeBlockedAxis("yaw", homed)]} />);
   const yaw = within(rowOf("yaw"));

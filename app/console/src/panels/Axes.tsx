@@ -11,15 +11,31 @@ import type { Level } from "../lamps";
 import { Shape } from "../parts/Shape";
 import { Track } from "../parts/Track";
 
+const grades: Record<string, string> = {
+  fresh: "not homed yet",
+  lost: "position lost",
+  unverified: "position unverified",
+  taken: "taken in place",
+};
+
+/**
+ * How far the position is trusted, or the leg of homing.
+ *
+ * @satisfies SWR-REF-012
+ */
+function gradeOf(axis: Axis): string {
+  return grades[axis.reference] ?? words(axis.reference);
+}
+
 function stateOf(axis: Axis): { level: Level; text: string } {
   if (axis.power === "fault") {
     const cause = axis.stall === "stalled" ? "stalled" : "faulty";
-    return { level: "fault", text: `${cause}, ${words(axis.reference)}` };
+    return { level: "fault", text: `${cause}, ${gradeOf(axis)}` };
   }
   if (axis.power !== "enabled") {
-    return { level: "unknown", text: `disabled, ${words(axis.reference)}` };
+    return { level: "unknown", text: `disabled, ${gradeOf(axis)}` };
   }
-  const text = `enabled, ${words(axis.reference)}`;
+  const text = `enabled, ${gradeOf(axis)}`;
   return { level: axis.is_driven ? "active" : "normal", text };
 }
 
