@@ -60,7 +60,7 @@ SOURCES_boresight-igtl := $(wildcard app/igtl/*.c) $(EXCHANGE) $(GEN)/names/name
 SOURCES_boresight-http := $(wildcard app/http/*.c) $(EVENT_TEXT) $(EXCHANGE) $(GEN)/names/names.c $(GEN)/assets/assets.c \
     $(GEN)/assets/chart_names.c
 SOURCES_boresight-recorder := $(wildcard app/recorder/*.c) $(EVENT_TEXT) $(EXCHANGE) $(GEN)/names/names.c
-SOURCES_boresight-replay := $(wildcard app/replay/*.c app/recorder/recording*.c)
+SOURCES_boresight-replay := $(wildcard app/replay/*.c app/recorder/recording*.c) $(EVENT_TEXT) $(GEN)/names/names.c
 SOURCES_boresight := $(wildcard app/supervisor/*.c) app/recorder/black_box_files.c $(EXCHANGE) $(GEN)/names/names.c
 LIBS_boresight-http := -lcivetweb -lcjson -lpthread
 LIBS_boresight-recorder := -lzstd -lcrypto

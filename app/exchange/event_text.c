@@ -96,7 +96,19 @@ static void value_text(const event_t *event, const char *how, char *text, size_t
     }
 }
 
-/* Copies `pattern`, a sentence of event.h, and puts words where it says (subject) or (value...). */
+static void peer_text(const event_t *event, char *text, size_t size)
+{
+    if (event->cause == (uint32_t)EVENT_CAUSE_CARD) {
+        card_name(event->peer, text, size);
+    } else if (event->cause == (uint32_t)EVENT_CAUSE_AXIS) {
+        (void)snprintf(text, size, "%s", axis_name(event->peer));
+    } else {
+        (void)snprintf(text, size, "%u", (unsigned)event->peer);
+    }
+}
+
+/* Copies `pattern`, a sentence of event.h, and puts words where it says (subject), (value...) or
+ * (peer). */
 static void fill_in(const event_t *event, const char *pattern, char *text, size_t size)
 {
     size_t used = 0U;
@@ -110,6 +122,9 @@ static void fill_in(const event_t *event, const char *pattern, char *text, size_
         } else if ((strncmp(pattern, "(value", 6U) == 0) && (end != NULL)) {
             value_text(event, pattern, word, sizeof(word));
             pattern = end + 1;
+        } else if ((strncmp(pattern, "(peer", 5U) == 0) && (end != NULL)) {
+            peer_text(event, word, sizeof(word));
+            pattern = end + 1;
         } else {
             word[0] = *pattern;
             pattern++;
@@ -119,12 +134,30 @@ static void fill_in(const event_t *event, const char *pattern, char *text, size_
     }
 }
 
+void event_text_cause(const event_t *event, char *text, size_t size)
+{
+    if (event->cause == (uint32_t)EVENT_CAUSE_NONE) {
+        text[0] = '\0';
+    } else if ((event->cause == (uint32_t)EVENT_CAUSE_IGTL) && (event->peer == 0U)) {
+        (void)snprintf(text, size, "By the loss of an OpenIGTLink peer.");
+    } else {
+        fill_in(event, event_cause_text((int32_t)event->cause), text, size);
+    }
+}
+
 void event_text_sentence(const event_t *event, char *text, size_t size)
 {
+    char cause[EVENT_TEXT_CAUSE_SIZE];
+
     if (event->id == (uint32_t)EVENT_SCANNER) {
         (void)snprintf(text, size, "The scanner %s acquiring.",
                        (event->value != 0) ? "started" : "ended");
     } else {
         fill_in(event, event_id_text((int32_t)event->id), text, size);
+    }
+    event_text_cause(event, cause, sizeof(cause));
+    if (cause[0] != '\0') {
+        const size_t used = strlen(text);
+        (void)snprintf(&text[used], size - used, " %s", cause);
     }
 }

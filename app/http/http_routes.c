@@ -154,6 +154,7 @@ static int answer_stop(http_server_t *server, struct mg_connection *connection)
 {
     command_t command;
     memset(&command, 0, sizeof(command));
+    command.peer = (uint32_t)mg_get_request_info(connection)->remote_port;
     command.kind = (uint32_t)COMMAND_WORKPHASE;
     command.argument = (uint32_t)WORKPHASE_STOP;
     answer_t answer;

@@ -278,6 +278,8 @@ cJSON *telemetry_json_event(const event_t *event)
     add_text(entry, "severity", event_severity_name((int32_t)event->severity));
     add_text(entry, "subject", subject);
     add_number(entry, "value", event->value);
+    add_text(entry, "cause", event_cause_name((int32_t)event->cause));
+    add_number(entry, "peer", event->peer);
     return entry;
 }
 

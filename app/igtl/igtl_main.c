@@ -68,9 +68,10 @@ static void on_end(int signal_number)
     must_end = 1;
 }
 
-static void workphase_connected(void *dialect, uint32_t peer, igtl_outbox_t *outbox)
+static void workphase_connected(void *dialect, uint32_t peer, uint32_t number,
+                                igtl_outbox_t *outbox)
 {
-    workphase_dialect_connected(dialect, peer, outbox);
+    workphase_dialect_connected(dialect, peer, number, outbox);
 }
 
 static void workphase_disconnected(void *dialect, uint32_t peer)
@@ -89,9 +90,10 @@ static bool workphase_is_controlled_by(const void *dialect, uint32_t peer)
     return workphase_dialect_is_controlled_by(dialect, peer);
 }
 
-static void transform_connected(void *dialect, uint32_t peer, igtl_outbox_t *outbox)
+static void transform_connected(void *dialect, uint32_t peer, uint32_t number,
+                                igtl_outbox_t *outbox)
 {
-    transform_dialect_connected(dialect, peer, outbox);
+    transform_dialect_connected(dialect, peer, number, outbox);
 }
 
 static void transform_disconnected(void *dialect, uint32_t peer)
@@ -359,8 +361,10 @@ static void begin(void)
     transform_dialect_init(&process.transform, &robot_neuro, first_id + 1U);
     process.brp.calls = &workphase_calls;
     process.brp.dialect = &process.workphase;
+    process.brp.next_number = 1U;
     process.igtl.calls = &transform_calls;
     process.igtl.dialect = &process.transform;
+    process.igtl.next_number = 2U;
     while (exchange_take_answer(process.exchange, COMMAND_SOURCE_IGTL, &stale)) {
         /* Answers to an earlier run. */
     }

@@ -157,7 +157,23 @@ static bool is_full(const igtl_server_t *self)
     return true;
 }
 
-static bool seat(igtl_server_t *self, int descriptor, uint64_t now_us)
+/* The log of events names a connection by its number only. */
+static void greet(igtl_server_t *self, uint32_t number, const struct sockaddr_in *place,
+                  uint64_t now_us)
+{
+    char address[INET_ADDRSTRLEN] = "?";
+
+    if (now_us < self->next_greeting_us) {
+        return;
+    }
+    self->next_greeting_us = now_us + LOG_INTERVAL_US;
+    (void)inet_ntop(AF_INET, &place->sin_addr, address, (socklen_t)sizeof address);
+    (void)fprintf(stderr, "boresight-igtl: port %u: peer %u is %s:%u\n", (unsigned)self->port,
+                  (unsigned)number, address, (unsigned)ntohs(place->sin_port));
+}
+
+static bool seat(igtl_server_t *self, int descriptor, const struct sockaddr_in *place,
+                 uint64_t now_us)
 {
     if (is_full(self)) {
         evict_silent(self, now_us);
@@ -165,7 +181,10 @@ static bool seat(igtl_server_t *self, int descriptor, uint64_t now_us)
     for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
         if (self->connections[i].descriptor < 0) {
             igtl_connection_open(&self->connections[i], descriptor, now_us);
-            self->calls->connected(self->dialect, i, &self->connections[i].outbox);
+            greet(self, self->next_number, place, now_us);
+            self->calls->connected(self->dialect, i, self->next_number,
+                                   &self->connections[i].outbox);
+            self->next_number += IGTL_NUMBER_STEP;
             return true;
         }
     }
@@ -175,12 +194,15 @@ static bool seat(igtl_server_t *self, int descriptor, uint64_t now_us)
 static void accept_peers(igtl_server_t *self, uint64_t now_us)
 {
     for (uint32_t i = 0U; i < ACCEPTS_PER_TURN; i++) {
-        const int descriptor = accept4(self->listener, NULL, NULL, SOCK_NONBLOCK | SOCK_CLOEXEC);
+        struct sockaddr_in place = {.sin_family = AF_INET};
+        socklen_t size = (socklen_t)sizeof place;
+        const int descriptor =
+            accept4(self->listener, (struct sockaddr *)&place, &size, SOCK_NONBLOCK | SOCK_CLOEXEC);
 
         if (descriptor < 0) {
             return;
         }
-        if (!seat(self, descriptor, now_us)) {
+        if (!seat(self, descriptor, &place, now_us)) {
             (void)close(descriptor);
             log_trouble(self, IGTL_TROUBLE_FULL, "", now_us);
         }

@@ -15,12 +15,14 @@
 #include <stdint.h>
 
 #define IGTL_SERVER_POLLS (IGTL_PEERS + 1U)
+#define IGTL_NUMBER_STEP 2U               /**< Numbers of the two ports' connections interleave. */
 #define IGTL_BYTES_PER_TURN 65536U        /**< Read of one connection per turn. */
 #define IGTL_SILENT_US UINT64_C(10000000) /**< Who is silent for longer may lose its place. */
 
-/** What a dialect does for a server; `dialect` is its own state. */
+/** What a dialect does for a server; `dialect` is its own state, `peer` a place, `number` never
+ * used again. */
 typedef struct {
-    void (*connected)(void *dialect, uint32_t peer, igtl_outbox_t *outbox);
+    void (*connected)(void *dialect, uint32_t peer, uint32_t number, igtl_outbox_t *outbox);
     void (*disconnected)(void *dialect, uint32_t peer);
     void (*receive)(void *dialect, uint32_t peer, const igtl_message_t *message,
                     const igtl_moment_t *moment);
@@ -50,12 +52,15 @@ typedef struct {
     void *dialect;
     uint16_t port;
     int listener;
+    uint32_t next_number;      /**< Of the next connection. */
+    uint64_t next_greeting_us; /**< Not before this time its number is in the log. */
     igtl_connection_t connections[IGTL_PEERS];
     igtl_trouble_count_t troubles[IGTL_TROUBLES];
 } igtl_server_t;
 
 /**
- * Listens on `address`:`port`.
+ * Listens on `address`:`port`. Connections are numbered from `next_number` (set before, not 0); a
+ * new one is a line on stderr with its address, at most one in a second.
  *
  * @return false with one sentence in `error` and the cause in errno
  */

@@ -24,9 +24,11 @@ static void show_all(transform_peer_t *peer)
     peer->next_measured_us = 0U;
 }
 
-void transform_dialect_connected(transform_dialect_t *self, uint32_t peer, igtl_outbox_t *outbox)
+void transform_dialect_connected(transform_dialect_t *self, uint32_t peer, uint32_t number,
+                                 igtl_outbox_t *outbox)
 {
     self->peers[peer].outbox = outbox;
+    self->peers[peer].number = number;
     show_all(&self->peers[peer]);
 }
 
@@ -72,7 +74,8 @@ static command_kind_t kind_of(const char *name)
 static void propose(transform_dialect_t *self, uint32_t peer, const igtl_message_t *message,
                     const igtl_moment_t *moment)
 {
-    command_t command = {.kind = (uint32_t)kind_of(message->name)};
+    command_t command = {.peer = self->peers[peer].number,
+                         .kind = (uint32_t)kind_of(message->name)};
     status_t status = STATUS_UNKNOWN_COMMAND;
 
     if (command.kind != (uint32_t)COMMAND_NONE) {

@@ -55,6 +55,7 @@ typedef struct {
 
 typedef struct {
     igtl_outbox_t *outbox;     /**< NULL: not connected. */
+    uint32_t number;           /**< Of its connection. */
     transform_view_t shown;    /**< What it has been sent. */
     uint64_t next_measured_us; /**< Not before this time again. */
     bool must_send_measured;   /**< Even if nothing has changed. */
@@ -69,7 +70,8 @@ typedef struct {
 /** `first_id` numbers the commands, odd. */
 void transform_dialect_init(transform_dialect_t *self, const robot_t *robot, uint32_t first_id);
 
-void transform_dialect_connected(transform_dialect_t *self, uint32_t peer, igtl_outbox_t *outbox);
+void transform_dialect_connected(transform_dialect_t *self, uint32_t peer, uint32_t number,
+                                 igtl_outbox_t *outbox);
 void transform_dialect_disconnected(transform_dialect_t *self, uint32_t peer);
 
 /**

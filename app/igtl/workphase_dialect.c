@@ -18,10 +18,12 @@ void workphase_dialect_init(workphase_dialect_t *self, const robot_t *robot, uin
     igtl_orders_init(&self->orders, first_id, IGTL_ORDERS_COMMON);
 }
 
-void workphase_dialect_connected(workphase_dialect_t *self, uint32_t peer, igtl_outbox_t *outbox)
+void workphase_dialect_connected(workphase_dialect_t *self, uint32_t peer, uint32_t number,
+                                 igtl_outbox_t *outbox)
 {
     (void)memset(&self->peers[peer], 0, sizeof self->peers[peer]);
     self->peers[peer].outbox = outbox;
+    self->peers[peer].number = number;
 }
 
 static bool is_long(const igtl_order_t *order)
@@ -98,7 +100,9 @@ static void refuse_text(workphase_peer_t *peer, const igtl_message_t *message,
 static void order_phase(workphase_dialect_t *self, uint32_t peer, workphase_t phase,
                         workphase_id_t *id, const igtl_moment_t *moment)
 {
-    command_t command = {.kind = (uint32_t)COMMAND_WORKPHASE, .argument = (uint32_t)phase};
+    command_t command = {.peer = self->peers[peer].number,
+                         .kind = (uint32_t)COMMAND_WORKPHASE,
+                         .argument = (uint32_t)phase};
     const igtl_order_t *order = igtl_orders_add(&self->orders, peer, &command, moment->patience_us);
 
     if (id != NULL) {
@@ -147,7 +151,8 @@ static void receive_pose(workphase_dialect_t *self, uint32_t index, const igtl_m
     workphase_peer_t *peer = &self->peers[index];
     const bool is_registration = (strncmp(message->name, "CLB_", 4U) == 0);
     const char *name = is_registration ? "CALIBRATION" : "TARGET";
-    command_t command = {.kind =
+    command_t command = {.peer = peer->number,
+                         .kind =
                              (uint32_t)(is_registration ? COMMAND_REGISTRATION : COMMAND_TARGET)};
     status_t status;
 

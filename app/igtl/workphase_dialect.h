@@ -38,6 +38,7 @@ typedef struct {
 
 typedef struct {
     igtl_outbox_t *outbox;             /**< NULL: not connected. */
+    uint32_t number;                   /**< Of its connection. */
     workphase_id_t ids[WORKPHASE_IDS]; /**< The last commands, a ring. */
     uint32_t next_id;
     uint32_t last_order; /**< Id of its newest workphase command. */
@@ -57,7 +58,8 @@ typedef struct {
 /** `first_id` numbers the commands, even. */
 void workphase_dialect_init(workphase_dialect_t *self, const robot_t *robot, uint32_t first_id);
 
-void workphase_dialect_connected(workphase_dialect_t *self, uint32_t peer, igtl_outbox_t *outbox);
+void workphase_dialect_connected(workphase_dialect_t *self, uint32_t peer, uint32_t number,
+                                 igtl_outbox_t *outbox);
 
 /** Also commands STOP when the peer had an order armed or begun. */
 void workphase_dialect_disconnected(workphase_dialect_t *self, uint32_t peer);

@@ -78,10 +78,12 @@ static void write_event(event_log_t *self, const char *when, const event_t *even
 
     event_text_sentence(event, sentence, sizeof(sentence));
     event_text_subject(event, subject, sizeof(subject));
-    (void)snprintf(line, sizeof(line) - 1U, "%s %u cycle=%u %s %s subject=%u value=%d %s", when,
+    (void)snprintf(line, sizeof(line) - 1U,
+                   "%s %u cycle=%u %s %s subject=%u value=%d cause=%s peer=%u %s", when,
                    (unsigned)event->number, (unsigned)event->cycle,
                    event_severity_name((int32_t)event->severity), event_id_name((int32_t)event->id),
-                   (unsigned)event->subject, (int)event->value, sentence);
+                   (unsigned)event->subject, (int)event->value,
+                   event_cause_name((int32_t)event->cause), (unsigned)event->peer, sentence);
     (void)strcat(line, "\n");
     write_line(self, line);
 }

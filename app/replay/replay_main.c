@@ -5,10 +5,11 @@
  *
  *     boresight-replay FILE
  *     boresight-replay --table FILE     writes the motion as comma-separated values instead
+ *     boresight-replay --events FILE    writes the events, a line each, instead
  *
  * Exit code 0: every output equal. 1: a difference. 2: damaged, unreadable, not holding the records
  * it announces, of another layout or robot, or nothing to replay. 3: every output equal, but the
- * recording is cut short. The table ends with 0, 2 or 3 alike.
+ * recording is cut short. Table and events end with 0, 2 or 3 alike.
  */
 #include "build_id.h"
 #include "contract.h"
@@ -148,12 +149,24 @@ static int print_table(bool is_cut_short)
     return is_cut_short ? EXIT_CUT_SHORT : EXIT_EQUAL;
 }
 
+static int print_events(bool is_cut_short)
+{
+    while (take_record()) {
+        table_print_events(&record);
+    }
+    if (!check_end()) {
+        return EXIT_REFUSED;
+    }
+    return is_cut_short ? EXIT_CUT_SHORT : EXIT_EQUAL;
+}
+
 int main(int count, char **arguments)
 {
     const bool is_table = (count == 3) && (strcmp(arguments[1], "--table") == 0);
+    const bool is_events = (count == 3) && (strcmp(arguments[1], "--events") == 0);
 
-    if ((count != 2) && !is_table) {
-        (void)fputs("usage: boresight-replay [--table] FILE\n", stderr);
+    if ((count != 2) && !is_table && !is_events) {
+        (void)fputs("usage: boresight-replay [--table|--events] FILE\n", stderr);
         return EXIT_REFUSED;
     }
     const recording_verdict_t verdict = verify(arguments[count - 1]);
@@ -162,8 +175,14 @@ int main(int count, char **arguments)
     }
     const bool is_cut_short = verdict == RECORDING_CUT_SHORT;
     int code = EXIT_REFUSED;
-    if (check_header(&reader.header)) {
-        code = is_table ? print_table(is_cut_short) : replay_all(is_cut_short);
+    if (!check_header(&reader.header)) {
+        code = EXIT_REFUSED;
+    } else if (is_table) {
+        code = print_table(is_cut_short);
+    } else if (is_events) {
+        code = print_events(is_cut_short);
+    } else {
+        code = replay_all(is_cut_short);
     }
     recording_reader_close(&reader);
     return code;

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "table.h"
 
+#include "event_text.h"
+#include "names.h"
 #include "servo.h"
 
 #include <inttypes.h>
@@ -52,4 +54,21 @@ void table_print_row(const robot_t *robot, const cycle_record_t *record)
         (void)printf(",%.1f,%" PRIu32, output_percent(&robot->axes[i], axis), axis->permit_reasons);
     }
     (void)putchar('\n');
+}
+
+void table_print_events(const cycle_record_t *record)
+{
+    const controller_outputs_t *outputs = &record->body.cycle.outputs;
+    char sentence[EVENT_TEXT_SIZE];
+
+    if (record->kind != CYCLE_RECORD_CYCLE) {
+        return;
+    }
+    for (uint32_t i = 0U; (i < outputs->event_count) && (i < CONTROLLER_EVENTS); i++) {
+        const event_t *event = &outputs->events[i];
+        event_text_sentence(event, sentence, sizeof(sentence));
+        (void)printf("%.3f %u %s %s %s\n", (double)record->cycle / CYCLES_PER_S,
+                     (unsigned)event->number, event_severity_name((int32_t)event->severity),
+                     event_id_name((int32_t)event->id), sentence);
+    }
 }

@@ -4,7 +4,7 @@
  * Recorded motion as a table of comma-separated values: a row each TABLE_CYCLES cycles; the time in
  * s, then for each axis commanded and measured position in ticks, commanded and measured speed in
  * ticks/s, the drive word in percent of its largest with the sign of the way, and the bit mask of
- * the reasons that withhold the permit.
+ * the reasons that withhold the permit. Or its events as lines.
  */
 #ifndef BORESIGHT_TABLE_H
 #define BORESIGHT_TABLE_H
@@ -22,5 +22,12 @@ void table_print_names(const robot_t *robot);
  * @satisfies SWR-REPLAY-003
  */
 void table_print_row(const robot_t *robot, const cycle_record_t *record);
+
+/**
+ * Prints a line for each event of `record`: time in s, number, severity, name, sentence.
+ *
+ * @satisfies SWR-EVENT-007
+ */
+void table_print_events(const cycle_record_t *record);
 
 #endif

@@ -77,8 +77,16 @@ void controller_note(controller_t *self, const cycle_t *cycle, event_id_t id, ui
     event->severity = (uint32_t)severity(id);
     event->subject = subject;
     event->value = value;
+    event->cause = self->cause;
+    event->peer = self->peer;
     outputs->event_count++;
     self->events++;
+}
+
+void controller_because(controller_t *self, event_cause_t cause, uint32_t peer)
+{
+    self->cause = (uint32_t)cause;
+    self->peer = peer;
 }
 
 void controller_init(controller_t *self, const robot_t *robot)

@@ -97,6 +97,8 @@ typedef struct {
     uint32_t sequence; /**< Of the outgoing frames. */
     uint32_t events;   /**< Number of the next event. */
     uint32_t events_lost;
+    uint32_t cause;           /**< event_cause_t of what happens now. */
+    uint32_t peer;            /**< Of the cause. */
     uint32_t settled_cycles;  /**< At the target, in a row. */
     uint32_t overtime_cycles; /**< Since the end of the profile, on the way to the target. */
     uint32_t is_profile_running;

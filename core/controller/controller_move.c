@@ -174,7 +174,7 @@ static void watch_time(controller_t *self, const cycle_t *cycle)
         const uint32_t index = astray(self, cycle->robot);
         controller_note(self, cycle, EVENT_ORDER_OVERDUE, index,
                         self->profile.end_ticks[index] - self->axes[index].encoder.position_ticks);
-        controller_tell_order(self, cycle, WORKPHASES_EVENT_FAULT, STATUS_FAULT_PRESENT);
+        controller_fail_order(self, cycle, EVENT_CAUSE_AXIS, index);
     }
 }
 

@@ -136,6 +136,14 @@ void controller_tell_order(controller_t *self, const cycle_t *cycle, workphases_
     }
 }
 
+void controller_fail_order(controller_t *self, const cycle_t *cycle, event_cause_t cause,
+                           uint32_t peer)
+{
+    controller_because(self, cause, peer);
+    controller_tell_order(self, cycle, WORKPHASES_EVENT_FAULT, STATUS_FAULT_PRESENT);
+    controller_because(self, EVENT_CAUSE_NONE, 0U);
+}
+
 /* START_UP is the operator's act that clears what was latched. */
 static void begin_start_up(controller_t *self, const cycle_t *cycle)
 {
@@ -289,10 +297,17 @@ static status_t obey(controller_t *self, const cycle_t *cycle, const command_t *
     return status;
 }
 
+static event_cause_t cause_of(const command_t *command)
+{
+    return (command->source == (uint32_t)COMMAND_SOURCE_HTTP) ? EVENT_CAUSE_CONSOLE
+                                                              : EVENT_CAUSE_IGTL;
+}
+
 void controller_obey(controller_t *self, const cycle_t *cycle)
 {
     for (uint32_t i = 0U; i < cycle->inputs->command_count; i++) {
         const command_t *const command = &cycle->inputs->commands[i];
+        controller_because(self, cause_of(command), command->peer);
         answer_t draft = {.id = command->id,
                           .source = command->source,
                           .command = command->kind,
@@ -308,4 +323,5 @@ void controller_obey(controller_t *self, const cycle_t *cycle)
         }
         *add_answer(self, cycle) = draft;
     }
+    controller_because(self, EVENT_CAUSE_NONE, 0U);
 }

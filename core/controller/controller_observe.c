@@ -27,7 +27,7 @@ static void lose_card(controller_t *self, const cycle_t *cycle, uint32_t index, 
     }
     axis_disable(axis);
     plan_forget_target(&self->plan);
-    controller_tell_order(self, cycle, WORKPHASES_EVENT_FAULT, STATUS_FAULT_PRESENT);
+    controller_fail_order(self, cycle, EVENT_CAUSE_CARD, link->slot);
 }
 
 static void observe_link(controller_t *self, const cycle_t *cycle, uint32_t index)
@@ -124,7 +124,7 @@ static void note_axis(controller_t *self, const cycle_t *cycle, uint32_t index, 
         plan_forget_target(&self->plan);
     }
     if (axis_is_faulty(&self->axes[index])) {
-        controller_tell_order(self, cycle, WORKPHASES_EVENT_FAULT, STATUS_FAULT_PRESENT);
+        controller_fail_order(self, cycle, EVENT_CAUSE_AXIS, index);
     }
 }
 
@@ -164,6 +164,21 @@ static void observe_axis(controller_t *self, const cycle_t *cycle, uint32_t inde
     note_grade(self, cycle, index);
 }
 
+/* The gate has opened or closed. Arming and scans close it over a pedal that is held. */
+static void note_gate(controller_t *self, const cycle_t *cycle)
+{
+    const bool is_held = (cycle->inputs->pedal_a != 0U) && (cycle->inputs->pedal_b != 0U);
+    event_cause_t cause = EVENT_CAUSE_PEDAL;
+    if ((self->was_gate_open == 0U) && is_held) {
+        cause = (self->was_scanner_active != 0U) ? EVENT_CAUSE_SCANNER : EVENT_CAUSE_NONE;
+    }
+    controller_because(self, cause, 0U);
+    controller_note(self, cycle,
+                    (self->was_gate_open != 0U) ? EVENT_PEDAL_PRESSED : EVENT_PEDAL_RELEASED, 0U,
+                    0);
+    controller_because(self, EVENT_CAUSE_NONE, 0U);
+}
+
 static void observe_pedal(controller_t *self, const cycle_t *cycle)
 {
     const bool was_faulty = self->pedal.chart.state == PEDAL_GATE_STATE_FAULT;
@@ -174,13 +189,12 @@ static void observe_pedal(controller_t *self, const cycle_t *cycle)
                     cycle->inputs->elapsed_us);
     const uint32_t is_open = pedal_gate_is_open(&self->pedal) ? 1U : 0U;
     if (is_open != self->was_gate_open) {
-        controller_note(self, cycle, (is_open != 0U) ? EVENT_PEDAL_PRESSED : EVENT_PEDAL_RELEASED,
-                        0U, 0);
         self->was_gate_open = is_open;
+        note_gate(self, cycle);
     }
     if ((self->pedal.chart.state == PEDAL_GATE_STATE_FAULT) && !was_faulty) {
         controller_note(self, cycle, EVENT_PEDAL_FAULT, 0U, 0);
-        controller_tell_order(self, cycle, WORKPHASES_EVENT_FAULT, STATUS_FAULT_PRESENT);
+        controller_fail_order(self, cycle, EVENT_CAUSE_PEDAL, 0U);
     }
 }
 
@@ -203,7 +217,9 @@ static void observe_estop(controller_t *self, const cycle_t *cycle)
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
         axis_disable(&self->axes[i]);
     }
+    controller_because(self, EVENT_CAUSE_ESTOP, 0U);
     controller_tell_order(self, cycle, WORKPHASES_EVENT_ESTOP, STATUS_DISCARDED);
+    controller_because(self, EVENT_CAUSE_NONE, 0U);
 }
 
 static void observe_loop(controller_t *self, const cycle_t *cycle)
@@ -221,7 +237,7 @@ static void observe_loop(controller_t *self, const cycle_t *cycle)
     if ((self->loop.chart.state == LOOP_GUARD_STATE_STOPPED) &&
         (self->loop.chart.state != before)) {
         controller_note(self, cycle, EVENT_LOOP_STOPPED, 0U, 0);
-        controller_tell_order(self, cycle, WORKPHASES_EVENT_FAULT, STATUS_FAULT_PRESENT);
+        controller_fail_order(self, cycle, EVENT_CAUSE_LOOP, 0U);
     }
 }
 

@@ -26,6 +26,14 @@ void controller_note(controller_t *self, const cycle_t *cycle, event_id_t id, ui
                      int32_t value);
 
 /**
+ * What is noted from now on happens because of this. `peer`: as event_t.
+ *
+ * @satisfies SWR-EVENT-005
+ * @satisfies SWR-EVENT-006
+ */
+void controller_because(controller_t *self, event_cause_t cause, uint32_t peer);
+
+/**
  * Links, encoders, interlocks: what the world says in this cycle. A damaged chart is repaired here.
  *
  * @satisfies SWR-CORE-004
@@ -58,6 +66,10 @@ void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t 
 /** Sends an event to the workphase chart and reports. */
 void controller_tell_order(controller_t *self, const cycle_t *cycle, workphases_event_t event,
                            status_t fault);
+
+/** A fault ends the order; `cause` and `peer` say of what, as event_t. */
+void controller_fail_order(controller_t *self, const cycle_t *cycle, event_cause_t cause,
+                           uint32_t peer);
 
 /** Every axis is homed. */
 bool controller_is_homed(const controller_t *self);

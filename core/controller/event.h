@@ -74,6 +74,19 @@ typedef enum {
         37 /**< The position of axis (subject) is lost, it was at (value, ticks). */
 } event_id_t;
 
+/** What made an event happen that does not say it itself; `peer` as said. */
+typedef enum {
+    EVENT_CAUSE_NONE = 0,    /**< The event says it itself. */
+    EVENT_CAUSE_IGTL = 1,    /**< By OpenIGTLink peer (peer). */
+    EVENT_CAUSE_CONSOLE = 2, /**< By the console at port (peer). */
+    EVENT_CAUSE_ESTOP = 3,   /**< By the e-stop. */
+    EVENT_CAUSE_PEDAL = 4,   /**< By the pedal. */
+    EVENT_CAUSE_SCANNER = 5, /**< By the scanner. */
+    EVENT_CAUSE_CARD = 6,    /**< By card (peer). */
+    EVENT_CAUSE_AXIS = 7,    /**< By axis (peer). */
+    EVENT_CAUSE_LOOP = 8     /**< By late cycles. */
+} event_cause_t;
+
 typedef struct {
     uint32_t number;   /**< Grows by one per event. */
     uint32_t cycle;    /**< Controller cycle. */
@@ -81,6 +94,8 @@ typedef struct {
     uint32_t severity; /**< event_severity_t. */
     uint32_t subject;
     int32_t value;
+    uint32_t cause; /**< event_cause_t. */
+    uint32_t peer; /**< Of the cause: command_t's peer, the card's slot or the axis; otherwise 0. */
 } event_t;
 
 #endif

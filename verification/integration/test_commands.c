@@ -441,6 +441,133 @@ void test_SWR_EVENT_001_events_are_numbered_without_gaps(void)
     TEST_ASSERT_EQUAL_UINT32(rig.event_count, rig.outputs.snapshot.events);
 }
 
+/* The only event `id` since rig_forget(). */
+static const event_t *only(event_id_t id)
+{
+    const event_t *found = NULL;
+    for (uint32_t i = 0U; i < rig.event_count; i++) {
+        if (rig.events[i].id == (uint32_t)id) {
+            TEST_ASSERT_NULL(found);
+            found = &rig.events[i];
+        }
+    }
+    TEST_ASSERT_NOT_NULL(found);
+    return found;
+}
+
+static void expect_cause(event_id_t id, event_cause_t cause, uint32_t peer)
+{
+    TEST_ASSERT_EQUAL_UINT32(cause, only(id)->cause);
+    TEST_ASSERT_EQUAL_UINT32(peer, only(id)->peer);
+}
+
+static void command_by(command_source_t source, uint32_t peer, command_kind_t kind,
+                       uint32_t argument)
+{
+    command_t command = {
+        .source = (uint32_t)source, .peer = peer, .kind = (uint32_t)kind, .argument = argument};
+    rigid_set_identity(&command.pose);
+    rig_forget(&rig);
+    (void)rig_command(&rig, command);
+}
+
+void test_SWR_EVENT_005_what_a_command_caused_names_its_source_and_connection(void)
+{
+    rig_start_homed(&rig);
+    command_by(COMMAND_SOURCE_IGTL, 3U, COMMAND_WORKPHASE, WORKPHASE_CALIBRATION);
+    expect_cause(EVENT_WORKPHASE, EVENT_CAUSE_IGTL, 3U);
+    command_by(COMMAND_SOURCE_IGTL, 3U, COMMAND_REGISTRATION, 0U);
+    expect_cause(EVENT_REGISTERED, EVENT_CAUSE_IGTL, 3U);
+    command_by(COMMAND_SOURCE_IGTL, 5U, COMMAND_TARGET, 0U);
+    expect_cause(EVENT_COMMAND_REFUSED, EVENT_CAUSE_IGTL, 5U);
+    command_by(COMMAND_SOURCE_IGTL, 4U, COMMAND_PROPOSE_ENTRY, 0U);
+    expect_cause(EVENT_PROPOSAL, EVENT_CAUSE_IGTL, 4U);
+    rig_start_targeted(&rig);
+    command_by(COMMAND_SOURCE_IGTL, 7U, COMMAND_WORKPHASE, WORKPHASE_MOVE_TO_TARGET);
+    expect_cause(EVENT_ORDER_ARMED, EVENT_CAUSE_IGTL, 7U);
+    command_by(COMMAND_SOURCE_HTTP, 51234U, COMMAND_WORKPHASE, WORKPHASE_STOP);
+    expect_cause(EVENT_ORDER_DISCARDED, EVENT_CAUSE_CONSOLE, 51234U);
+    expect_cause(EVENT_WORKPHASE, EVENT_CAUSE_CONSOLE, 51234U);
+}
+
+void test_SWR_EVENT_005_a_cleared_e_stop_and_an_accepted_target_name_who_asked(void)
+{
+    const rigid_t pose = rig_pose(5000000, 190000000, 60000000);
+    const command_t target = {.peer = 9U, .kind = COMMAND_TARGET, .pose = pose};
+    rig_start_targeted(&rig);
+    (void)rig_command(&rig, target);
+    expect_cause(EVENT_TARGET_ACCEPTED, EVENT_CAUSE_IGTL, 9U);
+    rig_box(&rig, "estop pull");
+    rig_cycles(&rig, 5U);
+    rig_box(&rig, "estop reset");
+    rig_cycles(&rig, 5U);
+    command_by(COMMAND_SOURCE_IGTL, 3U, COMMAND_WORKPHASE, WORKPHASE_START_UP);
+    expect_cause(EVENT_ESTOP_CLEARED, EVENT_CAUSE_IGTL, 3U);
+}
+
+void test_SWR_EVENT_005_what_happens_after_a_command_is_not_put_down_to_it(void)
+{
+    rig_start_targeted(&rig);
+    command_by(COMMAND_SOURCE_IGTL, 7U, COMMAND_WORKPHASE, WORKPHASE_MOVE_TO_TARGET);
+    rig_cycles(&rig, (LIMIT_ARMED_HOLD_US / 1000U) + 1U);
+    expect_cause(EVENT_ORDER_EXPIRED, EVENT_CAUSE_NONE, 0U);
+}
+
+static void begin_move(void)
+{
+    rig_start_targeted(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
+    rig_press(&rig);
+    rig_cycles(&rig, 300U);
+    TEST_ASSERT_TRUE(rig_is_driving(&rig));
+    rig_forget(&rig);
+}
+
+void test_SWR_EVENT_006_what_ended_a_move_is_named(void)
+{
+    static const struct {
+        const char *order;
+        event_cause_t cause;
+        uint32_t peer;
+    } cases[] = {{"estop pull", EVENT_CAUSE_ESTOP, 0U},
+                 {"pedal a open", EVENT_CAUSE_PEDAL, 0U},
+                 {"motor head stuck", EVENT_CAUSE_AXIS, AXIS_HEAD}};
+    for (uint32_t i = 0U; i < (sizeof cases / sizeof cases[0]); i++) {
+        begin_move();
+        rig_box(&rig, cases[i].order);
+        rig_cycles(&rig, 700U);
+        expect_cause(EVENT_ORDER_DISCARDED, cases[i].cause, cases[i].peer);
+    }
+}
+
+void test_SWR_EVENT_006_a_lost_card_and_late_cycles_are_named(void)
+{
+    begin_move();
+    rig_box(&rig, "card insertion silent");
+    rig_cycles(&rig, 20U);
+    expect_cause(EVENT_ORDER_DISCARDED, EVENT_CAUSE_CARD, robot_neuro.axes[AXIS_INSERTION].slot);
+    begin_move();
+    rig.elapsed_us = LIMIT_OVERRUN_US + 1U;
+    rig_cycles(&rig, LIMIT_OVERRUNS_IN_A_ROW);
+    expect_cause(EVENT_ORDER_DISCARDED, EVENT_CAUSE_LOOP, 0U);
+}
+
+void test_SWR_EVENT_006_a_shut_gate_says_whether_pedal_or_scanner_shut_it(void)
+{
+    begin_move();
+    rig_release(&rig);
+    expect_cause(EVENT_PEDAL_RELEASED, EVENT_CAUSE_PEDAL, 0U);
+    begin_move();
+    rig_box(&rig, "scanner on");
+    rig_cycles(&rig, 3U);
+    expect_cause(EVENT_PEDAL_RELEASED, EVENT_CAUSE_SCANNER, 0U);
+    begin_move();
+    (void)rig_workphase(&rig, WORKPHASE_TARGETING);
+    (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
+    rig_cycles(&rig, 3U);
+    expect_cause(EVENT_PEDAL_RELEASED, EVENT_CAUSE_NONE, 0U); /* Arming shut it. */
+}
+
 static void damage_everything(void)
 {
     rig.controller.pedal.chart.state_inverse ^= 1U;

@@ -217,6 +217,13 @@ class TestHttp < Minitest::Test
     assert_equal 'STOP', fetch_json('/api/v1/status').dig('workphase', 'name')
   end
 
+  def test_SWR_EVENT_007_the_log_says_who_commanded_the_stop
+    post('/api/v1/stop', '{}')
+    stop = fetch_json('/api/v1/log').fetch('entries').reverse.find { |entry| entry['cause'] == 'CONSOLE' }
+    assert_match(/ By the console at port #{stop.fetch('peer')}\.\z/, stop.fetch('text'))
+    assert_operator stop.fetch('peer'), :>, 0
+  end
+
   def test_SWR_HTTP_002_many_stops_at_once_are_each_answered
     codes = Array.new(6) { Thread.new { post('/api/v1/stop', '').code } }.map(&:value)
     assert_equal ['200'] * 6, codes

@@ -83,6 +83,15 @@ class TestReplay < SystemTest
     assert(still.any? { |row| row['insertion_permit_reasons'].to_i[10] == 1 }, 'the pedal is a reason')
   end
 
+  def test_SWR_EVENT_007_the_events_of_a_recording_say_their_causes
+    boresight.simctl('estop', 'pull')
+    boresight.wait_until('the e-stop is seen') { boresight.status['estop'] == 'pulled' }
+    text, code = replay('--events', end_recording)
+    assert_equal 0, code, text
+    assert_match(/ CRITICAL ESTOP_PULLED The e-stop was pulled\.$/, text)
+    assert_match(/ INFORMATION WORKPHASE Workphase entered EMERGENCY\. By the e-stop\.$/, text)
+  end
+
   def test_SWR_REPLAY_001_another_robot_is_refused_by_both_crcs
     boresight.wait_until('something is recorded') { boresight.status['cycle'] > 500 }
     file = end_recording

@@ -31,14 +31,16 @@
 static igtl_server_t server;
 static igtl_moment_t moment;
 static uint32_t messages[IGTL_PEERS];
+static uint32_t numbers[IGTL_PEERS];
 static bool is_connected[IGTL_PEERS];
 static int clients[IGTL_PEERS + 1U];
 static uint16_t port;
 
-static void connected(void *dialect, uint32_t peer, igtl_outbox_t *outbox)
+static void connected(void *dialect, uint32_t peer, uint32_t number, igtl_outbox_t *outbox)
 {
     (void)dialect;
     (void)outbox;
+    numbers[peer] = number;
     is_connected[peer] = true;
 }
 
@@ -75,6 +77,7 @@ void setUp(void)
     (void)memset(is_connected, 0, sizeof is_connected);
     moment = (igtl_moment_t){.now_us = 1000000U};
     server.calls = &calls;
+    server.next_number = 1U;
     TEST_ASSERT_TRUE(igtl_server_open(&server, "127.0.0.1", 0U, error, sizeof error));
     TEST_ASSERT_EQUAL_INT(0, getsockname(server.listener, (struct sockaddr *)&place, &size));
     port = ntohs(place.sin_port);
@@ -176,4 +179,15 @@ void test_SWR_IGTL_004_long_unknown_body_leaves_the_others_their_turn(void)
     TEST_ASSERT_EQUAL_UINT32(1U, messages[1]);
     igtl_server_receive(&server, &moment);
     TEST_ASSERT_GREATER_THAN_UINT64(IGTL_BYTES_PER_TURN, server.connections[0].inbox.passed);
+}
+
+void test_SWR_EVENT_005_no_connection_gets_the_number_of_another(void)
+{
+    fill();
+    moment.now_us += IGTL_SILENT_US;
+    for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
+        TEST_ASSERT_EQUAL_UINT32(1U + (i * IGTL_NUMBER_STEP), numbers[i]);
+    }
+    enter(IGTL_PEERS);
+    TEST_ASSERT_EQUAL_UINT32(1U + (IGTL_PEERS * IGTL_NUMBER_STEP), numbers[0]);
 }

@@ -29,6 +29,8 @@
 static const robot_t robot = {
     .axis_count = 1U,
     .axes = {{.unit = (uint8_t)AXIS_UNIT_MM, .unit_per_tick_q16 = INT64_C(655360000)}}};
+#define NUMBER 21U /* Of the first connection. */
+
 static transform_dialect_t dialect;
 static igtl_outbox_t outboxes[2];
 static snapshot_t snapshot;
@@ -43,7 +45,7 @@ void setUp(void)
     transform_dialect_init(&dialect, &robot, 101U);
     igtl_outbox_init(&outboxes[0]);
     igtl_outbox_init(&outboxes[1]);
-    transform_dialect_connected(&dialect, 0U, &outboxes[0]);
+    transform_dialect_connected(&dialect, 0U, NUMBER + 0U, &outboxes[0]);
 }
 
 void tearDown(void)
@@ -99,6 +101,13 @@ void test_SWR_IGTL_009_transforms_become_proposals(void)
         TEST_ASSERT_EQUAL_INT32(1000000, command.pose.translation.x_nm);
     }
     EXPECT(0U, "");
+}
+
+void test_SWR_EVENT_005_a_proposal_carries_the_number_of_its_connection(void)
+{
+    place("ENTRY_POINT", 1.0F);
+    TEST_ASSERT_TRUE(igtl_orders_take(&dialect.orders, &command));
+    TEST_ASSERT_EQUAL_UINT32(NUMBER, command.peer);
 }
 
 void test_SWR_IGTL_009_no_message_becomes_any_other_command(void)
@@ -180,7 +189,7 @@ void test_SWR_IGTL_012_new_peer_is_shown_everything_there_is(void)
     EXPECT(0U, "STRING measured_jp 0.500000,");
     EXPECT(0U, "STRING measured_jv 0.000000,");
     EXPECT(0U, "");
-    transform_dialect_connected(&dialect, 1U, &outboxes[1]);
+    transform_dialect_connected(&dialect, 1U, NUMBER + 1U, &outboxes[1]);
     pass_us(0U);
     EXPECT(0U, "");
     EXPECT(1U, "TRANSFORM scanner_to_robot_reg 1.000 0.000 0.000");

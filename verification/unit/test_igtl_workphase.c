@@ -34,6 +34,8 @@ TEST_SOURCE_FILE("robot_neuro.c")
 #define EXPECT(peer, expected) TEST_ASSERT_EQUAL_STRING((expected), igtl_peer_next(&outboxes[peer]))
 
 static const robot_t robot = {.axis_count = 7U, .axes = {[3] = {.name = "insertion"}}};
+#define NUMBER 21U /* Of the first connection. */
+
 static workphase_dialect_t dialect;
 static igtl_outbox_t outboxes[IGTL_PEERS];
 static snapshot_t snapshot;
@@ -51,7 +53,7 @@ void setUp(void)
     workphase_dialect_init(&dialect, &robot, 100U);
     for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
         igtl_outbox_init(&outboxes[i]);
-        workphase_dialect_connected(&dialect, i, &outboxes[i]);
+        workphase_dialect_connected(&dialect, i, NUMBER + i, &outboxes[i]);
     }
 }
 
@@ -441,7 +443,7 @@ void test_SWR_IGTL_006_stop_and_emergency_find_a_place_in_any_flood(void)
             EXPECT(peer, "");
         }
         workphase_dialect_disconnected(&dialect, 7U);
-        workphase_dialect_connected(&dialect, 7U, &outboxes[7]);
+        workphase_dialect_connected(&dialect, 7U, NUMBER + 7U, &outboxes[7]);
     }
     while (igtl_orders_take(&dialect.orders, &command)) {
         TEST_ASSERT_NOT_NULL(igtl_orders_find(&dialect.orders, command.id));
@@ -545,6 +547,28 @@ void test_SWR_IGTL_011_losing_the_peer_of_an_armed_move_stops_it(void)
     expect_no_command();
 }
 
+void test_SWR_EVENT_005_a_command_carries_the_number_of_its_connection(void)
+{
+    say(0U, "CMD_1", "CALIBRATION");
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_CALIBRATION);
+    TEST_ASSERT_EQUAL_UINT32(NUMBER, command.peer);
+    place(0U, "CLB_2", 1.0F);
+    expect_command(COMMAND_REGISTRATION, 0U);
+    TEST_ASSERT_EQUAL_UINT32(NUMBER, command.peer);
+    say(2U, "CMD_3", "STOP");
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_STOP);
+    TEST_ASSERT_EQUAL_UINT32(NUMBER + 2U, command.peer);
+}
+
+void test_SWR_EVENT_005_the_stop_for_a_lost_peer_carries_no_number(void)
+{
+    start_move();
+    workphase_dialect_disconnected(&dialect, 0U);
+    pass_us(0U);
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_STOP);
+    TEST_ASSERT_EQUAL_UINT32(0U, command.peer);
+}
+
 void test_SWR_IGTL_011_losing_a_peer_without_an_armed_move_stops_nothing(void)
 {
     start_move();
@@ -561,7 +585,7 @@ void test_SWR_IGTL_011_new_peer_in_the_same_place_gets_nothing_of_the_old_one(vo
     expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_PLANNING);
     workphase_dialect_disconnected(&dialect, 0U);
     igtl_outbox_init(&outboxes[0]);
-    workphase_dialect_connected(&dialect, 0U, &outboxes[0]);
+    workphase_dialect_connected(&dialect, 0U, NUMBER + 0U, &outboxes[0]);
     accept(1U);
     pass_us(LIMIT_IGTL_EXTRA_DELAY_US);
     EXPECT(0U, "");

@@ -132,6 +132,9 @@ export interface LogEntry {
   severity: string;
   subject: string;
   value: number;
+  /** What made it happen, in words at the end of `text`. */
+  cause: string;
+  peer: number;
 }
 
 /** The stream's `hello`. */

@@ -23,6 +23,8 @@ function makeEntry(number: number): LogEntry {
     severity: "INFORMATION",
     subject: "",
     value: 0,
+    cause: "NONE",
+    peer: 0,
   };
 }
 

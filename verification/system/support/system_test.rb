@@ -25,8 +25,8 @@ class SystemTest < Minitest::Test
   end
 
   # Runs the replay; returns its output and its exit code.
-  def replay(file)
-    text, status = Open3.capture2e(Boresight.program('boresight-replay'), file)
+  def replay(*words)
+    text, status = Open3.capture2e(Boresight.program('boresight-replay'), *words)
     [text, status.exitstatus]
   end
 

@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Rule under test: an event reads as a sentence that says what happened to what, and because of
+ * whom.
+ */
+#include "event_text.h"
+
+#include "fixed.h"
+#include "names.h"
+#include "rigid.h"
+#include "robot.h"
+#include "unity.h"
+#include "workphase.h"
+#include "workphases_chart.h"
+
+#include <stdbool.h>
+#include <string.h>
+
+TEST_SOURCE_FILE("robot_neuro.c")
+
+#define LAST_CAUSE ((uint32_t)EVENT_CAUSE_LOOP)
+#define MOST_EVENTS 64U
+
+static char text[EVENT_TEXT_SIZE];
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+static void expect(event_t event, const char *sentence)
+{
+    event_text_sentence(&event, text, sizeof text);
+    TEST_ASSERT_EQUAL_STRING(sentence, text);
+}
+
+void test_SWR_EVENT_007_a_sentence_ends_with_its_cause(void)
+{
+    expect((event_t){.id = EVENT_WORKPHASE,
+                     .subject = WORKPHASE_STOP,
+                     .cause = EVENT_CAUSE_CONSOLE,
+                     .peer = 51234U},
+           "Workphase entered STOP. By the console at port 51234.");
+    expect((event_t){.id = EVENT_ORDER_DISCARDED, .cause = EVENT_CAUSE_IGTL, .peer = 3U},
+           "The armed motion was discarded. By OpenIGTLink peer 3.");
+    expect((event_t){.id = EVENT_ORDER_DISCARDED, .cause = EVENT_CAUSE_IGTL},
+           "The armed motion was discarded. By the loss of an OpenIGTLink peer.");
+    expect((event_t){.id = EVENT_ORDER_DISCARDED, .cause = EVENT_CAUSE_ESTOP},
+           "The armed motion was discarded. By the e-stop.");
+    expect((event_t){.id = EVENT_ORDER_DISCARDED, .cause = EVENT_CAUSE_AXIS, .peer = AXIS_HEAD},
+           "The armed motion was discarded. By axis head.");
+    expect((event_t){.id = EVENT_ORDER_DISCARDED,
+                     .cause = EVENT_CAUSE_CARD,
+                     .peer = robot_neuro.axes[AXIS_INSERTION].slot},
+           "The armed motion was discarded. By card 3 (insertion).");
+}
+
+void test_SWR_EVENT_007_an_event_that_says_its_cause_itself_says_it_once(void)
+{
+    expect((event_t){.id = EVENT_ESTOP_PULLED}, "The e-stop was pulled.");
+}
+
+/* Every number of an event that has a name. */
+void test_SWR_EVENT_007_every_event_fits_with_every_cause(void)
+{
+    for (uint32_t id = 0U; id < MOST_EVENTS; id++) {
+        for (uint32_t cause = 0U; cause <= LAST_CAUSE; cause++) {
+            const event_t event = {.id = id,
+                                   .subject = AXIS_INSERTION,
+                                   .value = INT32_MIN,
+                                   .cause = cause,
+                                   .peer = UINT32_MAX};
+            event_text_sentence(&event, text, sizeof text);
+            const bool is_known = event_id_text((int32_t)id)[0] != '\0';
+            TEST_ASSERT_TRUE(!is_known || (text[strlen(text) - 1U] == '.'));
+            TEST_ASSERT_LESS_THAN_size_t(EVENT_TEXT_SIZE - 1U, strlen(text));
+        }
+    }
+}
