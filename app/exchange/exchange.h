@@ -50,6 +50,12 @@ typedef enum {
     CYCLE_RECORD_CYCLE = 2       /**< Inputs and outputs of one cycle. */
 } cycle_record_kind_t;
 
+/* A checkpoint also shows all bytes of a cycle. */
+#define CYCLE_RECORD_BYTES                                                                         \
+    ((sizeof(controller_t) > (sizeof(controller_inputs_t) + sizeof(controller_outputs_t)))         \
+         ? sizeof(controller_t)                                                                    \
+         : (sizeof(controller_inputs_t) + sizeof(controller_outputs_t)))
+
 /** One entry of the cycle lane. */
 typedef struct {
     uint32_t kind;  /**< cycle_record_kind_t. */
@@ -59,7 +65,7 @@ typedef struct {
             controller_inputs_t inputs;
             controller_outputs_t outputs;
         } cycle;
-        uint8_t checkpoint[sizeof(controller_inputs_t) + sizeof(controller_outputs_t)];
+        uint8_t checkpoint[CYCLE_RECORD_BYTES];
     } body;
 } cycle_record_t;
 

@@ -25,10 +25,6 @@
 #define TICK_NS 50000000L
 #define USAGE "usage: boresight-recorder --exchange NAME --directory DIRECTORY\n"
 
-/* A checkpoint must fit where the exchange carries it. */
-typedef char
-    checkpoint_fits[(sizeof(controller_t) <= sizeof(((cycle_record_t *)0)->body)) ? 1 : -1];
-
 typedef struct {
     const char *exchange;
     const char *directory;
