@@ -20,6 +20,7 @@
 #include "pedal_gate.h"
 #include "plan.h"
 #include "profile.h"
+#include "reason_hold.h"
 #include "robot.h"
 #include "snapshot.h"
 #include "speed_cap.h"
@@ -84,7 +85,8 @@ typedef struct {
     link_t links[ROBOT_AXIS_COUNT];        /**< In the order of the axes. */
     card_drive_t drives[ROBOT_AXIS_COUNT]; /**< As sent in the last cycle. */
     uint32_t permit_reasons[ROBOT_AXIS_COUNT];
-    uint32_t permit_since_cycle[ROBOT_AXIS_COUNT];
+    reason_hold_t reason_holds[ROBOT_AXIS_COUNT];
+    uint32_t permit_since_cycle[ROBOT_AXIS_COUNT]; /**< Of the reasons that are shown. */
     uint32_t permit_speed_cap_percent[ROBOT_AXIS_COUNT];
     uint32_t is_driven[ROBOT_AXIS_COUNT]; /**< The permit allowed it in the last cycle, so a motion
                                              ran. */

@@ -106,6 +106,21 @@ static void clear_unused_frames(const cycle_t *cycle)
     }
 }
 
+/* What is shown of the permit of an axis. */
+static void remember(controller_t *self, const cycle_t *cycle, uint32_t index,
+                     const permit_t *permit)
+{
+    reason_hold_t *const hold = &self->reason_holds[index];
+    const uint32_t shown_before = hold->shown;
+    self->permit_reasons[index] = permit->reasons;
+    reason_hold_step(hold, permit->reasons, cycle->inputs->elapsed_us);
+    if (hold->shown != shown_before) {
+        self->permit_since_cycle[index] = self->cycle;
+    }
+    self->permit_speed_cap_percent[index] = permit->speed_cap_percent;
+    self->is_driven[index] = permit->is_allowed ? 1U : 0U;
+}
+
 void controller_drive(controller_t *self, const cycle_t *cycle,
                       const card_drive_t requests[ROBOT_AXIS_COUNT])
 {
@@ -114,12 +129,7 @@ void controller_drive(controller_t *self, const cycle_t *cycle,
                              .system_state = system_state(self, cycle)};
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
         const permit_t permit = decide(self, cycle, i, &requests[i], &common);
-        if (permit.reasons != self->permit_reasons[i]) {
-            self->permit_reasons[i] = permit.reasons;
-            self->permit_since_cycle[i] = self->cycle;
-        }
-        self->permit_speed_cap_percent[i] = permit.speed_cap_percent;
-        self->is_driven[i] = permit.is_allowed ? 1U : 0U;
+        remember(self, cycle, i, &permit);
         const card_drive_t drive =
             permit_apply(&permit, is_too_fast(self, cycle, i, common.is_homed), &requests[i]);
         send(self, cycle, i, common.system_state | (permit.is_allowed ? CARD_SYSTEM_PERMIT : 0U),

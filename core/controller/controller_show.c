@@ -53,7 +53,7 @@ static next_step_t next_step(const controller_t *self)
 {
     uint32_t reasons = 0U;
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
-        reasons |= self->permit_reasons[i];
+        reasons |= self->reason_holds[i].shown;
     }
     next_step_t step = NEXT_STEP_HOLD_PEDAL;
     for (uint32_t i = PERMIT_REASON_COUNT; i > 0U; i--) {
@@ -83,7 +83,7 @@ static void show_axis(const controller_t *self, const cycle_t *cycle, uint32_t i
     shown->power = (uint32_t)axis->chart.power;
     shown->reference = (uint32_t)axis->chart.reference;
     shown->stall = (uint32_t)axis->supervision.stall.state;
-    shown->permit_reasons = self->permit_reasons[index];
+    shown->permit_reasons = self->reason_holds[index].shown;
     shown->permit_since_cycle = self->permit_since_cycle[index];
     shown->speed_cap_percent = self->permit_speed_cap_percent[index];
     shown->reading_ticks = axis->encoder.reading;

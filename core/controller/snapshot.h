@@ -16,7 +16,8 @@ typedef struct {
     uint32_t power;              /**< axis_power_t. */
     uint32_t reference;          /**< axis_reference_t. */
     uint32_t stall;              /**< stall_watchdog_state_t. */
-    uint32_t permit_reasons;     /**< Bit mask of permit_reason_t; 0 = allowed. */
+    uint32_t permit_reasons;     /**< Bit mask of permit_reason_t; 0 = allowed. One that flickers
+                                    stands. */
     uint32_t permit_since_cycle; /**< Cycle of the last change of permit_reasons. */
     uint32_t speed_cap_percent;
     int32_t reading_ticks; /**< The counter of the card, as last believed. */

@@ -34,6 +34,9 @@ typedef enum {
 } permit_reason_t;
 
 #define PERMIT_REASON_COUNT 14U
+/* From here on they depend on where the axis stands and goes: in one motion they may come and go.
+ */
+#define PERMIT_REASON_FIRST_OF_PLACE ((uint32_t)PERMIT_REASON_LIMIT_SWITCH)
 
 /** The facts of one cycle about one axis. */
 typedef struct {

@@ -44,6 +44,7 @@ TEST_SOURCE_FILE("pedal_gate_chart.c")
 TEST_SOURCE_FILE("permit.c")
 TEST_SOURCE_FILE("plan.c")
 TEST_SOURCE_FILE("profile.c")
+TEST_SOURCE_FILE("reason_hold.c")
 TEST_SOURCE_FILE("rigid.c")
 TEST_SOURCE_FILE("robot_neuro.c")
 TEST_SOURCE_FILE("servo.c")
@@ -393,6 +394,43 @@ void test_SWR_AXIS_005_an_active_switch_stops_what_drives_towards_it(void)
     TEST_ASSERT_TRUE(has_stood);
     box_true_positions(&rig.box, true_ticks);
     TEST_ASSERT_DOUBLE_WITHIN(10.0, (double)maximum_ticks, true_ticks[AXIS_PITCH]);
+}
+
+/* The yaw axis is on its way to its switch, which chatters far from there. */
+void test_SWR_PERMIT_006_the_reason_of_a_chattering_switch_is_shown_as_standing(void)
+{
+    const uint32_t reason = UINT32_C(1) << PERMIT_REASON_LIMIT_SWITCH;
+    const axis_config_t *const config = &robot_neuro.axes[AXIS_YAW];
+    const bool is_upper = config->limit_switch == (uint8_t)LIMIT_SWITCH_UPPER;
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG,
+                           .argument = AXIS_YAW,
+                           .value = is_upper ? config->target_maximum_ticks
+                                             : config->target_minimum_ticks};
+    const command_t away = {.kind = (uint32_t)COMMAND_JOG,
+                            .argument = AXIS_YAW,
+                            .value = (config->minimum_ticks + config->maximum_ticks) / 2};
+    const snapshot_axis_t *const yaw = &rig.outputs.snapshot.axes[AXIS_YAW];
+    uint32_t changes = 0U;
+    rig_start_homed(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_MANUAL);
+    (void)rig_command(&rig, away);
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 20000U).kind);
+    rig_release(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
+    rig_press(&rig);
+    rig_box(&rig, "switch yaw chatter");
+    rig_cycles(&rig, 200U);
+    const uint32_t since = yaw->permit_since_cycle;
+    for (uint32_t i = 0U; i < 300U; i++) {
+        const uint32_t before = rig.controller.permit_reasons[AXIS_YAW];
+        rig_cycle(&rig);
+        changes += (rig.controller.permit_reasons[AXIS_YAW] != before) ? 1U : 0U;
+        TEST_ASSERT_EQUAL_HEX32(reason, yaw->permit_reasons);
+        TEST_ASSERT_EQUAL_UINT32(since, yaw->permit_since_cycle);
+        expect_step(NEXT_STEP_HOLD_PEDAL);
+    }
+    TEST_ASSERT_GREATER_THAN_UINT32(4U, changes); /* The permit itself is not held. */
 }
 
 /* A jog whose end was damaged after it had been accepted. */
