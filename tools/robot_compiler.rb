@@ -38,7 +38,7 @@ module Robot
     }.freeze
     PROBE = %w[treatment_to_tip robot_to_entry cannula_to_treatment robot_to_treatment].freeze
     POSITIONS = %w[minimum_ticks maximum_ticks home_ticks deadband_ticks speed_ticks_per_s acceleration_ticks_per_s2
-                   home_speed_ticks_per_s full_speed_ticks_per_s following_error_ticks jump_ticks
+                   home_speed_ticks_per_s full_speed_ticks_per_s following_error_ticks following_time_ms jump_ticks
                    switch_hysteresis_ticks].freeze
 
     def initialize(description, text, source)

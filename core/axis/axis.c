@@ -16,6 +16,14 @@ static int64_t magnitude(int64_t value)
     return (value < 0) ? -value : value;
 }
 
+/* What the axis may lag grows with how fast it is to be. */
+static int32_t following_error_ticks(const axis_t *self, const axis_config_t *config)
+{
+    const int64_t speed_q8 = magnitude((int64_t)self->setpoint_speed_ticks_per_s_q8);
+    const int64_t way = (speed_q8 * (int64_t)config->following_time_ms) / 256000;
+    return fixed_saturate((int64_t)config->following_error_ticks + way);
+}
+
 static bool is_switch_active(const axis_t *self)
 {
     return self->limit_switches != 0U;
@@ -219,6 +227,7 @@ uint32_t axis_supervise(axis_t *self, const axis_config_t *config, bool is_drive
     const card_drive_t asked = {.mode = 0U, .direction = self->servo.direction, .duty = 0U};
     const supervision_view_t view = {.position_ticks = self->encoder.position_ticks,
                                      .setpoint_ticks = self->setpoint_ticks,
+                                     .following_error_ticks = following_error_ticks(self, config),
                                      .is_driven = is_driven,
                                      .is_upwards = servo_is_upwards(config, &asked),
                                      .is_relied_on = is_relied_on,
@@ -253,8 +262,9 @@ void axis_guard(const axis_t *self, const axis_config_t *config, bool is_driven,
     int64_t above = -below;
     if (is_driven) {
         const int64_t way = (int64_t)error_ticks(self);
-        below += ((way < 0) ? way : 0) - (int64_t)config->following_error_ticks;
-        above += ((way > 0) ? way : 0) + (int64_t)config->following_error_ticks;
+        const int64_t most = (int64_t)following_error_ticks(self, config);
+        below += ((way < 0) ? way : 0) - most;
+        above += ((way > 0) ? way : 0) + most;
     }
     const bool is_inverted = config->is_encoder_inverted != 0U;
     *minimum_reading = reading_at(self, config, is_inverted ? above : below);

@@ -61,9 +61,9 @@ static bool is_stalled(supervision_t *self, const axis_config_t *config,
     return false;
 }
 
-static bool is_astray(const axis_config_t *config, const supervision_view_t *view)
+static bool is_astray(const supervision_view_t *view)
 {
-    return view->is_driven && (error_ticks(view) > (int64_t)config->following_error_ticks);
+    return view->is_driven && (error_ticks(view) > (int64_t)view->following_error_ticks);
 }
 
 static bool is_backwards(supervision_t *self, const supervision_view_t *view)
@@ -243,7 +243,7 @@ uint32_t supervision_step(supervision_t *self, const axis_config_t *config,
         motor_model_step_q16(&self->model, config, &view->drive, view->elapsed_us);
     uint32_t notes = 0U;
     notes |= note(is_stalled(self, config, view), AXIS_NOTE_STALLED);
-    notes |= note(is_astray(config, view), AXIS_NOTE_FOLLOWING_ERROR);
+    notes |= note(is_astray(view), AXIS_NOTE_FOLLOWING_ERROR);
     notes |= note(is_backwards(self, view), AXIS_NOTE_WRONG_WAY);
     notes |= note(is_moving_while_off(self, config, view), AXIS_NOTE_MOVED_OFF);
     notes |= note(is_silent(self, config, view, model_q16), AXIS_NOTE_NO_COUNTS);

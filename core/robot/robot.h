@@ -67,7 +67,8 @@ typedef struct {
     int32_t home_speed_ticks_per_s;
     int32_t full_speed_ticks_per_s; /**< Speed of the motor at the largest drive word (or when
                                        running). */
-    int32_t following_error_ticks;  /**< Largest |set-point - position| while driven. */
+    int32_t following_error_ticks;  /**< Largest |set-point - position| while driven... */
+    int32_t following_time_ms;      /**< ...beside the way of this time at the set-point speed. */
     int32_t jump_ticks;             /**< Largest believable change of the reading in one cycle. */
     int32_t
         switch_hysteresis_ticks;  /**< Way back until the limit switch releases; 0 without one. */

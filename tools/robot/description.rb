@@ -22,7 +22,8 @@ module Robot
       'slot' => (0..9), 'home_stage' => (1..2), 'minimum_ticks' => POSITION, 'maximum_ticks' => POSITION,
       'home_ticks' => POSITION, 'deadband_ticks' => (0..1000), 'speed_ticks_per_s' => SPEED,
       'acceleration_ticks_per_s2' => (1..10_000_000), 'home_speed_ticks_per_s' => SPEED,
-      'full_speed_ticks_per_s' => SPEED, 'following_error_ticks' => (1..1_000_000), 'jump_ticks' => (1..1_000_000)
+      'full_speed_ticks_per_s' => SPEED, 'following_error_ticks' => (1..1_000_000), 'jump_ticks' => (1..1_000_000),
+      'following_time_ms' => (0..1000)
     }.freeze
     CHOICES = {
       'card' => %w[pwm non_pwm], 'limit_switch' => %w[none lower upper], 'home' => %w[switch in_place],

@@ -647,6 +647,12 @@ typedef struct {
     double most_ways[2]; /* For lines, 0.1 mm; for turns, 0.5 degrees. */
 } blindness_t;
 
+/* The fault's event, or the lag that it makes. */
+static bool is_noticed(event_id_t event)
+{
+    return (rig_count(&rig, event) + rig_count(&rig, EVENT_AXIS_FOLLOWING_ERROR)) != 0U;
+}
+
 /* Time to the event, and how far true and believed position have gone apart. */
 static void expect_notice(uint32_t axis, const blindness_t *fault)
 {
@@ -658,7 +664,7 @@ static void expect_notice(uint32_t axis, const blindness_t *fault)
                    fault->fault);
     rig_box(&rig, order);
     uint32_t cycles = 0U;
-    while (rig_count(&rig, fault->event) == 0U) {
+    while (!is_noticed(fault->event)) {
         rig_cycle(&rig);
         cycles++;
         TEST_ASSERT_LESS_OR_EQUAL_UINT32_MESSAGE(fault->most_ms, cycles, order);
@@ -666,6 +672,7 @@ static void expect_notice(uint32_t axis, const blindness_t *fault)
     rig_cycles(&rig, 200U);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_WRONG_WAY) +
                                      rig_count(&rig, EVENT_AXIS_NO_COUNTS) +
+                                     rig_count(&rig, EVENT_AXIS_FOLLOWING_ERROR) +
                                      rig_count(&rig, EVENT_AXIS_WRONG_SPEED));
     const double apart = rest_ways(axis, *at - (double)position(axis) - start);
     const double most = fault->most_ways[robot_neuro.axes[axis].unit];

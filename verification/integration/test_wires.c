@@ -396,20 +396,20 @@ void test_SWR_AXIS_005_an_active_switch_stops_what_drives_towards_it(void)
     TEST_ASSERT_DOUBLE_WITHIN(10.0, (double)maximum_ticks, true_ticks[AXIS_PITCH]);
 }
 
-/* The yaw axis is on its way to its switch, which chatters far from there. */
+/* The lateral axis is on its way to its switch, which chatters far from there. */
 void test_SWR_PERMIT_006_the_reason_of_a_chattering_switch_is_shown_as_standing(void)
 {
     const uint32_t reason = UINT32_C(1) << PERMIT_REASON_LIMIT_SWITCH;
-    const axis_config_t *const config = &robot_neuro.axes[AXIS_YAW];
+    const axis_config_t *const config = &robot_neuro.axes[AXIS_LATERAL];
     const bool is_upper = config->limit_switch == (uint8_t)LIMIT_SWITCH_UPPER;
     const command_t jog = {.kind = (uint32_t)COMMAND_JOG,
-                           .argument = AXIS_YAW,
+                           .argument = AXIS_LATERAL,
                            .value = is_upper ? config->target_maximum_ticks
                                              : config->target_minimum_ticks};
     const command_t away = {.kind = (uint32_t)COMMAND_JOG,
-                            .argument = AXIS_YAW,
+                            .argument = AXIS_LATERAL,
                             .value = (config->minimum_ticks + config->maximum_ticks) / 2};
-    const snapshot_axis_t *const yaw = &rig.outputs.snapshot.axes[AXIS_YAW];
+    const snapshot_axis_t *const lateral = &rig.outputs.snapshot.axes[AXIS_LATERAL];
     uint32_t changes = 0U;
     rig_start_homed(&rig);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
@@ -419,15 +419,15 @@ void test_SWR_PERMIT_006_the_reason_of_a_chattering_switch_is_shown_as_standing(
     rig_release(&rig);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
     rig_press(&rig);
-    rig_box(&rig, "switch yaw chatter");
-    rig_cycles(&rig, 200U);
-    const uint32_t since = yaw->permit_since_cycle;
-    for (uint32_t i = 0U; i < 300U; i++) {
-        const uint32_t before = rig.controller.permit_reasons[AXIS_YAW];
+    rig_box(&rig, "switch lateral chatter");
+    rig_cycles(&rig, 150U);
+    const uint32_t since = lateral->permit_since_cycle;
+    for (uint32_t i = 0U; i < 200U; i++) {
+        const uint32_t before = rig.controller.permit_reasons[AXIS_LATERAL];
         rig_cycle(&rig);
-        changes += (rig.controller.permit_reasons[AXIS_YAW] != before) ? 1U : 0U;
-        TEST_ASSERT_EQUAL_HEX32(reason, yaw->permit_reasons);
-        TEST_ASSERT_EQUAL_UINT32(since, yaw->permit_since_cycle);
+        changes += (rig.controller.permit_reasons[AXIS_LATERAL] != before) ? 1U : 0U;
+        TEST_ASSERT_EQUAL_HEX32(reason, lateral->permit_reasons);
+        TEST_ASSERT_EQUAL_UINT32(since, lateral->permit_since_cycle);
         expect_step(NEXT_STEP_HOLD_PEDAL);
     }
     TEST_ASSERT_GREATER_THAN_UINT32(4U, changes); /* The permit itself is not held. */

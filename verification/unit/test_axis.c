@@ -701,6 +701,22 @@ void test_SWR_AXIS_009_the_error_is_that_of_the_position_of_this_cycle(void)
     TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_FOLLOWING_ERROR, driven_cycle(-1));
 }
 
+/* The needle: 167 ticks and 20 ms of its speed. */
+void test_SWR_AXIS_021_a_faster_axis_may_lag_more(void)
+{
+    const axis_config_t *const needle = &robot_neuro.axes[AXIS_INSERTION];
+    const int32_t speed_q8 = needle->speed_ticks_per_s * 256;
+    const int32_t most = needle->following_error_ticks +
+                         ((needle->speed_ticks_per_s * needle->following_time_ms) / 1000);
+    const card_drive_t off = {0};
+    axis_enable(&axis, false);
+    (void)axis_follow(&axis, needle, most, -speed_q8, CYCLE_US);
+    TEST_ASSERT_EQUAL_HEX32(0U, axis_supervise(&axis, needle, true, &off, CYCLE_US));
+    (void)axis_follow(&axis, needle, most, speed_q8 / 2, CYCLE_US);
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_FOLLOWING_ERROR,
+                            axis_supervise(&axis, needle, true, &off, CYCLE_US));
+}
+
 void test_SWR_AXIS_009_an_axis_that_is_not_driven_has_no_following_error(void)
 {
     (void)axis_follow(&axis, config, config->following_error_ticks + 1, 0, CYCLE_US);
