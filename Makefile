@@ -176,3 +176,4 @@ clean: ## Remove everything that was built (not the installed tools)
 include verification/gates.mk
 include verification/supervise/supervise.mk
 include verification/bench/bench.mk
+include verification/detection/detection.mk

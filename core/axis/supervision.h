@@ -96,6 +96,7 @@ void supervision_shift(supervision_t *self, int32_t ticks);
  * @satisfies SWR-AXIS-016
  * @satisfies SWR-AXIS-018
  * @satisfies SWR-AXIS-019
+ * @satisfies SWR-AXIS-021
  */
 uint32_t supervision_step(supervision_t *self, const axis_config_t *config,
                           const supervision_view_t *view);
