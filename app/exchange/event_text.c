@@ -69,6 +69,8 @@ void event_text_subject(const event_t *event, char *text, size_t size)
     case EVENT_AXIS_CONFIRMED:
     case EVENT_AXIS_REFERENCE_LOST:
     case EVENT_ORDER_OVERDUE:
+    case EVENT_AXIS_DRIFTED:
+    case EVENT_SCAN_DRIFT:
         (void)snprintf(text, size, "%s", axis_name(event->subject));
         break;
     case EVENT_CHART_REPAIRED:

@@ -41,6 +41,7 @@ static void set_position(axis_t *self, int32_t position_ticks)
         fixed_saturate((int64_t)position_ticks - (int64_t)self->encoder.position_ticks);
     encoder_set_position(&self->encoder, position_ticks);
     supervision_shift(&self->supervision, self->home_correction_ticks);
+    drift_audit_settle(&self->drift, position_ticks);
     self->setpoint_ticks = position_ticks;
     homing_forget(&self->homing);
 }
@@ -168,6 +169,7 @@ bool axis_confirm(axis_t *self, const axis_config_t *config)
     const bool is_confirmed = axis_is_homed(self) && !was_homed;
     if (is_confirmed) {
         homing_forget(&self->homing);
+        drift_audit_settle(&self->drift, self->encoder.position_ticks);
     }
     return is_confirmed;
 }
@@ -218,6 +220,18 @@ static bool is_unverified(const axis_t *self)
     return self->chart.reference == AXIS_REFERENCE_UNVERIFIED;
 }
 
+/* Counts of an axis that stands add up to a doubt. */
+static uint32_t audit(axis_t *self, const axis_config_t *config, bool is_off, uint32_t elapsed_us)
+{
+    uint32_t notes = 0U;
+    drift_audit_step(&self->drift, self->encoder.position_ticks, is_off, elapsed_us);
+    if (axis_is_homed(self) && drift_audit_is_beyond(&self->drift, config)) {
+        axis_doubt(self);
+        notes = AXIS_NOTE_DRIFTED;
+    }
+    return notes;
+}
+
 uint32_t axis_supervise(axis_t *self, const axis_config_t *config, bool is_driven,
                         const card_drive_t *sent, uint32_t elapsed_us)
 {
@@ -241,7 +255,9 @@ uint32_t axis_supervise(axis_t *self, const axis_config_t *config, bool is_drive
     if (homing_is_too_far(&self->homing, config, leg, view.position_ticks)) {
         found |= AXIS_NOTE_SWITCH_FAULT;
     }
-    return fail(self, found);
+    const uint32_t faults = fail(self, found);
+    const bool is_off = sent->mode == (uint32_t)CARD_DRIVE_OFF;
+    return faults | audit(self, config, is_off, elapsed_us);
 }
 
 static int32_t reading_at(const axis_t *self, const axis_config_t *config, int64_t way_ticks)

@@ -10,6 +10,7 @@
 
 #include "axis_chart.h"
 #include "card_frame.h"
+#include "drift_audit.h"
 #include "encoder.h"
 #include "homing.h"
 #include "robot.h"
@@ -25,6 +26,7 @@ typedef struct {
     axis_chart_t chart;
     homing_t homing;
     supervision_t supervision;
+    drift_audit_t drift;
     int32_t home_correction_ticks; /**< Shift of the position at the last homing. */
     int32_t setpoint_ticks;
     int32_t setpoint_speed_ticks_per_s_q8;
@@ -117,6 +119,7 @@ card_drive_t axis_home(axis_t *self, const axis_config_t *config, uint32_t elaps
  * @return AXIS_NOTE_ bits
  *
  * @satisfies SWR-AXIS-012
+ * @satisfies SWR-AXIS-022
  */
 uint32_t axis_supervise(axis_t *self, const axis_config_t *config, bool is_driven,
                         const card_drive_t *sent, uint32_t elapsed_us);

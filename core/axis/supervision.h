@@ -15,8 +15,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** Notes of an axis: what happened in a cycle. All but AXIS_NOTE_HOMED are faults: the axis is not
- * homed any more. */
+/** Notes of an axis: what happened in a cycle. All but AXIS_NOTE_HOMED say that it is not homed any
+ * more, and all but that and AXIS_NOTE_DRIFTED are faults. */
 #define AXIS_NOTE_HOMED 0x001U
 #define AXIS_NOTE_CHART_REPAIRED 0x002U
 #define AXIS_NOTE_ENCODER_FAULT 0x004U
@@ -28,6 +28,7 @@
 #define AXIS_NOTE_MOVED_OFF 0x100U
 #define AXIS_NOTE_NO_COUNTS 0x200U
 #define AXIS_NOTE_WRONG_SPEED 0x400U
+#define AXIS_NOTE_DRIFTED 0x800U
 
 /** Places that are remembered of an axis that is off: those of the last second. */
 #define SUPERVISION_PLACES 11U

@@ -30,6 +30,7 @@ static event_severity_t severity(event_id_t id)
     case EVENT_CHART_REPAIRED:
         result = EVENT_SEVERITY_CRITICAL;
         break;
+    case EVENT_AXIS_DRIFTED:
     case EVENT_COMMAND_REFUSED:
     case EVENT_FRAME_REFUSED:
     case EVENT_AXIS_UNVERIFIED:
@@ -55,6 +56,7 @@ static event_severity_t severity(event_id_t id)
     case EVENT_TARGET_ACCEPTED:
     case EVENT_PROPOSAL:
     case EVENT_SCANNER:
+    case EVENT_SCAN_DRIFT:
     default:
         result = EVENT_SEVERITY_INFORMATION;
         break;

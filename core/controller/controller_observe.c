@@ -88,6 +88,9 @@ static int32_t detail(const axis_t *axis, event_id_t id)
     case (uint32_t)EVENT_AXIS_WRONG_SPEED:
         value = axis->supervision.speed_percent;
         break;
+    case (uint32_t)EVENT_AXIS_DRIFTED:
+        value = axis->drift.idle_ticks;
+        break;
     default:
         value = 0;
         break;
@@ -109,7 +112,8 @@ static void note_axis(controller_t *self, const cycle_t *cycle, uint32_t index, 
                   {AXIS_NOTE_WRONG_WAY, EVENT_AXIS_WRONG_WAY},
                   {AXIS_NOTE_MOVED_OFF, EVENT_AXIS_MOVED_OFF},
                   {AXIS_NOTE_NO_COUNTS, EVENT_AXIS_NO_COUNTS},
-                  {AXIS_NOTE_WRONG_SPEED, EVENT_AXIS_WRONG_SPEED}};
+                  {AXIS_NOTE_WRONG_SPEED, EVENT_AXIS_WRONG_SPEED},
+                  {AXIS_NOTE_DRIFTED, EVENT_AXIS_DRIFTED}};
     if ((notes & AXIS_NOTE_CHART_REPAIRED) != 0U) {
         controller_note(self, cycle, EVENT_CHART_REPAIRED, (uint32_t)EVENT_CHART_AXIS,
                         (int32_t)index);
@@ -123,7 +127,7 @@ static void note_axis(controller_t *self, const cycle_t *cycle, uint32_t index, 
     if ((notes & ~AXIS_NOTE_HOMED) != 0U) {
         plan_forget_target(&self->plan);
     }
-    if (axis_is_faulty(&self->axes[index])) {
+    if (axis_is_faulty(&self->axes[index]) || ((notes & AXIS_NOTE_DRIFTED) != 0U)) {
         controller_fail_order(self, cycle, EVENT_CAUSE_AXIS, index);
     }
 }
@@ -241,6 +245,19 @@ static void observe_loop(controller_t *self, const cycle_t *cycle)
     }
 }
 
+/* A scan begins or has ended. */
+static void audit_scan(controller_t *self, const cycle_t *cycle)
+{
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        drift_audit_t *const drift = &self->axes[i].drift;
+        if (self->was_scanner_active != 0U) {
+            drift_audit_begin_scan(drift);
+        } else {
+            controller_note(self, cycle, EVENT_SCAN_DRIFT, i, drift->scan_ticks);
+        }
+    }
+}
+
 /* After a scan the pedal must be released and pressed anew: the operator, not the scanner, restarts
  * a motion. */
 static void observe_scanner(controller_t *self, const cycle_t *cycle)
@@ -251,6 +268,7 @@ static void observe_scanner(controller_t *self, const cycle_t *cycle)
     if (cycle->inputs->scanner_active != self->was_scanner_active) {
         self->was_scanner_active = cycle->inputs->scanner_active;
         controller_note(self, cycle, EVENT_SCANNER, 0U, (int32_t)self->was_scanner_active);
+        audit_scan(self, cycle);
     }
 }
 

@@ -44,6 +44,7 @@ void controller_because(controller_t *self, event_cause_t cause, uint32_t peer);
  * @satisfies SWR-REF-011
  * @satisfies SWR-REF-007
  * @satisfies SWR-EVENT-003
+ * @satisfies SWR-AXIS-023
  */
 void controller_observe(controller_t *self, const cycle_t *cycle);
 

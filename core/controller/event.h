@@ -71,7 +71,10 @@ typedef enum {
     EVENT_AXIS_CONFIRMED =
         36, /**< The operator confirmed axis (subject) where it is shown, at (value, ticks). */
     EVENT_AXIS_REFERENCE_LOST =
-        37 /**< The position of axis (subject) is lost, it was at (value, ticks). */
+        37, /**< The position of axis (subject) is lost, it was at (value, ticks). */
+    EVENT_AXIS_DRIFTED = 42, /**< Axis (subject) has counted (value, ticks) while off since its last
+                                reference and is unverified. */
+    EVENT_SCAN_DRIFT = 43    /**< In the scan axis (subject) has counted (value, ticks). */
 } event_id_t;
 
 /** What made an event happen that does not say it itself; `peer` as said. */

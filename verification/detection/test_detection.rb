@@ -32,6 +32,13 @@ class TestDetection < Minitest::Test
     assert_aim_met('(half the counts|motor half|motor twice)', 21)
   end
 
+  def test_SWR_AXIS_023_ten_minutes_of_scanning_are_accounted_for_and_nothing_is_critical
+    assert_includes self.class.text, "\nCritical events: 0.\n"
+    accounts = rows('\\w+ \\| -?\\d+ ticks').map { |row| row.scan(/(-?[\d.]+) ticks/).flatten.map(&:to_f) }
+    assert_equal 7, accounts.size, self.class.text
+    accounts.each { |counted, apart| assert_in_delta apart, counted, 1.0 }
+  end
+
   def test_SWR_AXIS_018_the_document_holds_the_figures_of_today
     assert_equal File.read(DOCUMENT), self.class.text, 'run make detection'
   end

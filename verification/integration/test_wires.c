@@ -13,6 +13,7 @@
 #include "permit.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 TEST_SOURCE_FILE("axis.c")
@@ -28,6 +29,7 @@ TEST_SOURCE_FILE("controller_obey.c")
 TEST_SOURCE_FILE("controller_observe.c")
 TEST_SOURCE_FILE("controller_show.c")
 TEST_SOURCE_FILE("crc.c")
+TEST_SOURCE_FILE("drift_audit.c")
 TEST_SOURCE_FILE("encoder.c")
 TEST_SOURCE_FILE("estop_latch.c")
 TEST_SOURCE_FILE("estop_latch_chart.c")
@@ -582,4 +584,69 @@ void test_SWR_EVENT_002_events_beyond_the_bound_are_counted(void)
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_UINT32(8U, rig.outputs.snapshot.events_lost);
     TEST_ASSERT_EQUAL_UINT32(next + CONTROLLER_EVENTS, rig.outputs.snapshot.events);
+}
+
+/* Wrong counts of the head, too slow for SWR-AXIS-016. */
+static void creep(int32_t ticks)
+{
+    for (int32_t i = 0; i < ticks; i++) {
+        rig.box.axes[AXIS_HEAD].encoder.count++;
+        rig_cycles(&rig, 300U);
+    }
+}
+
+void test_SWR_AXIS_022_wrong_counts_in_small_steps_make_an_axis_unverified(void)
+{
+    rig_start_targeted(&rig);
+    creep(7);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AXIS_DRIFTED));
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.has_target);
+    (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
+    rig_forget(&rig);
+    creep(1);
+    TEST_ASSERT_EQUAL_UINT32(2U, rig.event_count);
+    TEST_ASSERT_EQUAL_UINT32(EVENT_AXIS_DRIFTED, rig.events[0].id);
+    TEST_ASSERT_EQUAL_UINT32(EVENT_SEVERITY_WARNING, rig.events[0].severity);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_HEAD, rig.events[0].subject);
+    TEST_ASSERT_EQUAL_INT32(8, abs(rig.events[0].value));
+    TEST_ASSERT_EQUAL_UINT32(EVENT_ORDER_DISCARDED, rig.events[1].id);
+    TEST_ASSERT_EQUAL_UINT32(EVENT_CAUSE_AXIS, rig.events[1].cause);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED,
+                             rig.outputs.snapshot.axes[AXIS_HEAD].reference);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
+}
+
+void test_SWR_AXIS_022_homing_ends_the_doubt(void)
+{
+    rig_start_targeted(&rig);
+    creep(8);
+    rig_home(&rig);
+    rig_forget(&rig);
+    creep(7);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AXIS_DRIFTED));
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_homed);
+}
+
+void test_SWR_AXIS_023_a_scan_leaves_an_account_of_each_axis(void)
+{
+    uint32_t axes = 0U;
+    rig_start_homed(&rig);
+    creep(2);
+    rig_box(&rig, "scanner on");
+    rig_cycle(&rig);
+    creep(3);
+    rig_forget(&rig);
+    rig_box(&rig, "scanner off");
+    rig_cycles(&rig, 3U);
+    for (uint32_t i = 0U; i < rig.event_count; i++) {
+        const event_t *const event = &rig.events[i];
+        if (event->id == (uint32_t)EVENT_SCAN_DRIFT) {
+            axes |= 1U << event->subject;
+            TEST_ASSERT_INT32_WITHIN(2, (event->subject == (uint32_t)AXIS_HEAD) ? -3 : 0,
+                                     event->value);
+            TEST_ASSERT_EQUAL_UINT32(EVENT_SEVERITY_INFORMATION, event->severity);
+        }
+    }
+    TEST_ASSERT_EQUAL_HEX32(0x7FU, axes);
+    TEST_ASSERT_EQUAL_UINT32(ROBOT_AXIS_COUNT, rig_count(&rig, EVENT_SCAN_DRIFT));
 }

@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "drift_audit.h"
+
+#include "fixed.h"
+#include "requirement_limits.h"
+
+/* From the drive word to a motor at rest. */
+#define REST_US 10000U
+
+static int32_t sum(int32_t account_ticks, int64_t way_ticks)
+{
+    return fixed_saturate((int64_t)account_ticks + way_ticks);
+}
+
+void drift_audit_step(drift_audit_t *self, int32_t position_ticks, bool is_off, uint32_t elapsed_us)
+{
+    const int64_t way = (int64_t)position_ticks - (int64_t)self->position_ticks;
+    self->position_ticks = position_ticks;
+    if (!is_off) {
+        self->off_us = 0U;
+    } else if (self->off_us < REST_US) {
+        self->off_us += elapsed_us;
+    } else {
+        self->idle_ticks = sum(self->idle_ticks, way);
+        self->scan_ticks = sum(self->scan_ticks, way);
+    }
+}
+
+void drift_audit_settle(drift_audit_t *self, int32_t position_ticks)
+{
+    self->position_ticks = position_ticks;
+    self->idle_ticks = 0;
+}
+
+void drift_audit_begin_scan(drift_audit_t *self)
+{
+    self->scan_ticks = 0;
+}
+
+bool drift_audit_is_beyond(const drift_audit_t *self, const axis_config_t *config)
+{
+    const int64_t most = (config->unit == (uint8_t)AXIS_UNIT_MM) ? (int64_t)LIMIT_DRIFT_WAY_NM
+                                                                 : (int64_t)LIMIT_DRIFT_WAY_BAM;
+    const int64_t way = ((int64_t)self->idle_ticks * config->unit_per_tick_q16) / 65536;
+    return (way > most) || (way < -most);
+}

@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * What an axis counts while its motor is off: it should stand, so each count is one of doubt. The
+ * axis owns one.
+ */
+#ifndef BORESIGHT_DRIFT_AUDIT_H
+#define BORESIGHT_DRIFT_AUDIT_H
+
+#include "robot.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/** At first all zero. */
+typedef struct {
+    int32_t position_ticks; /**< Of the cycle before. */
+    uint32_t off_us;        /**< Off for so long, saturates. */
+    int32_t idle_ticks;     /**< Net counts while off since the last reference. */
+    int32_t scan_ticks;     /**< Net counts while off since the scanner began to acquire. */
+} drift_audit_t;
+
+/** One cycle: the axis is at `position_ticks`; its drive was off up to there or not. */
+void drift_audit_step(drift_audit_t *self, int32_t position_ticks, bool is_off,
+                      uint32_t elapsed_us);
+
+/** The axis stands at `position_ticks`, that is sure: a new account begins. */
+void drift_audit_settle(drift_audit_t *self, int32_t position_ticks);
+
+/** A scan begins. */
+void drift_audit_begin_scan(drift_audit_t *self);
+
+/**
+ * The account is beyond LIMIT_DRIFT_WAY_NM or LIMIT_DRIFT_WAY_BAM.
+ *
+ * @satisfies SWR-AXIS-022
+ */
+bool drift_audit_is_beyond(const drift_audit_t *self, const axis_config_t *config);
+
+#endif

@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Rule under test: what an axis counts at rest is added up, and no more.
+ */
+#include "drift_audit.h"
+
+#include "fixed.h"
+#include "requirement_limits.h"
+#include "robot.h"
+#include "unity.h"
+
+#include <string.h>
+
+TEST_SOURCE_FILE("robot_neuro.c")
+
+#define REST_CYCLES 10U
+
+static const axis_config_t *const head = &robot_neuro.axes[AXIS_HEAD];   /* 78.74 ticks per mm */
+static const axis_config_t *const pitch = &robot_neuro.axes[AXIS_PITCH]; /* 13.9 ticks per degree */
+static drift_audit_t audit;
+
+void setUp(void)
+{
+    (void)memset(&audit, 0, sizeof audit);
+}
+
+void tearDown(void)
+{
+}
+
+static void stand(int32_t position_ticks, uint32_t cycles)
+{
+    for (uint32_t i = 0U; i < cycles; i++) {
+        drift_audit_step(&audit, position_ticks, true, LIMIT_CYCLE_US);
+    }
+}
+
+void test_SWR_AXIS_022_a_tenth_of_a_millimetre_in_small_steps_is_too_much(void)
+{
+    stand(0, REST_CYCLES);
+    for (int32_t i = 1; i <= 7; i++) {
+        stand(i, 5000U);
+    }
+    TEST_ASSERT_FALSE(drift_audit_is_beyond(&audit, head));
+    stand(8, 1U);
+    TEST_ASSERT_TRUE(drift_audit_is_beyond(&audit, head));
+}
+
+void test_SWR_AXIS_022_half_a_degree_is_too_much_in_either_direction(void)
+{
+    stand(0, REST_CYCLES);
+    stand(-6, 1U);
+    TEST_ASSERT_FALSE(drift_audit_is_beyond(&audit, pitch));
+    stand(-7, 1U);
+    TEST_ASSERT_TRUE(drift_audit_is_beyond(&audit, pitch));
+}
+
+void test_SWR_AXIS_022_counts_that_come_back_are_no_drift(void)
+{
+    stand(0, REST_CYCLES);
+    for (uint32_t i = 0U; i < 100U; i++) {
+        stand(5, 1U);
+        stand(0, 1U);
+    }
+    TEST_ASSERT_EQUAL_INT32(0, audit.idle_ticks);
+}
+
+void test_SWR_AXIS_022_what_a_drive_moves_and_its_motor_runs_out_is_no_drift(void)
+{
+    stand(0, REST_CYCLES);
+    drift_audit_step(&audit, 50, false, LIMIT_CYCLE_US);
+    stand(52, REST_CYCLES);
+    stand(52, 100U);
+    TEST_ASSERT_EQUAL_INT32(0, audit.idle_ticks);
+}
+
+void test_SWR_AXIS_022_a_new_reference_begins_a_new_account(void)
+{
+    stand(0, REST_CYCLES);
+    stand(8, 1U);
+    drift_audit_settle(&audit, 500);
+    stand(500, 10U);
+    TEST_ASSERT_FALSE(drift_audit_is_beyond(&audit, head));
+}
+
+void test_SWR_AXIS_023_each_scan_has_an_account_of_its_own(void)
+{
+    stand(0, REST_CYCLES);
+    stand(3, 1U);
+    drift_audit_begin_scan(&audit);
+    stand(5, 1U);
+    TEST_ASSERT_EQUAL_INT32(2, audit.scan_ticks);
+    TEST_ASSERT_EQUAL_INT32(5, audit.idle_ticks);
+}
