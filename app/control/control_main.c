@@ -57,7 +57,11 @@ static uint32_t exchange_frames(uint8_t received[ROBOT_SLOT_COUNT][CARD_FRAME_BY
                         received, LIMIT_EXCHANGE_TIMEOUT_US);
 }
 
-/* The only way out once the board is open: `why` is said after every card was told. */
+/**
+ * The only way out once the board is open: `why` is said after every card was told.
+ *
+ * @satisfies SWR-CTRL-010
+ */
 static void switch_off(const char *why)
 {
     char text[DRIVES_OFF_TEXT_SIZE];
