@@ -38,8 +38,8 @@ static void decay_speed(encoder_t *self, uint32_t quiet_us)
         is_backwards ? -(int64_t)self->speed_ticks_per_s_q8 : (int64_t)self->speed_ticks_per_s_q8;
     const int64_t patience = (Q8_US_PER_S / 100) * (int64_t)LIMIT_SPEED_WAIT_PERCENT;
     if ((size_q8 * (int64_t)quiet_us) > patience) {
-        const int32_t most_q8 = (int32_t)((uint32_t)Q8_US_PER_S / quiet_us);
-        self->speed_ticks_per_s_q8 = is_backwards ? -most_q8 : most_q8;
+        const uint32_t most_q8 = (uint32_t)Q8_US_PER_S / quiet_us;
+        self->speed_ticks_per_s_q8 = is_backwards ? -(int32_t)most_q8 : (int32_t)most_q8;
     }
 }
 
