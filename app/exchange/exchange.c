@@ -144,13 +144,25 @@ static bool take_command(exchange_t *self, uint32_t source, command_t *command)
     return true;
 }
 
+/* These compute kinematics, or check a pose. */
+static bool is_costly(const command_t *command)
+{
+    return (command->kind == (uint32_t)COMMAND_REGISTRATION) ||
+           (command->kind == (uint32_t)COMMAND_TARGET) ||
+           (command->kind == (uint32_t)COMMAND_PROPOSE_REGISTRATION) ||
+           (command->kind == (uint32_t)COMMAND_PROPOSE_ENTRY) ||
+           (command->kind == (uint32_t)COMMAND_PROPOSE_TARGET);
+}
+
 uint32_t exchange_take_commands(exchange_t *self, command_t *commands, uint32_t most)
 {
     uint32_t count = 0U;
     uint32_t empty = 0U;
+    bool is_enough = false;
 
-    while ((count < most) && (empty < COMMAND_SOURCE_COUNT)) {
+    while ((count < most) && (empty < COMMAND_SOURCE_COUNT) && !is_enough) {
         if (take_command(self, self->next_source, &commands[count])) {
+            is_enough = is_costly(&commands[count]);
             count++;
             empty = 0U;
         } else {

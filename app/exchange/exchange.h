@@ -136,7 +136,12 @@ bool exchange_read_loop(const exchange_t *self, loop_figures_t *figures);
  */
 status_t exchange_send_command(exchange_t *self, const command_t *command);
 
-/** Takes up to `most` commands, the sources in turn. `source` of each is that of its lane. */
+/**
+ * Takes up to `most` commands, the sources in turn, and none after one that computes kinematics.
+ * `source` of each is that of its lane.
+ *
+ * @satisfies SWR-CTRL-021
+ */
 uint32_t exchange_take_commands(exchange_t *self, command_t *commands, uint32_t most);
 
 /** Puts an answer into the lane of its source; false (and counted) when that reader has let it fill

@@ -8,8 +8,6 @@ require_relative 'scene'
 class Instructions
   RESULT = File.join(BENCH_OUT, 'instructions.json')
   CLOCK_MHZ = 667.0 # Of the Zynq-7020 on the controller board.
-  COMMANDS_PER_CYCLE = JSON.parse(File.read(File.join(ROOT, 'build/gen/limits/limits.json')))
-                           .find { |limit| limit['name'] == 'commands_per_cycle' }.fetch('value')
 
   # Returns the table.
   def run
@@ -61,13 +59,9 @@ class Instructions
 
   def remarks
     all = result[:stages][:all][:cortex_a9]
-    obey = result[:stages][:obey][:cortex_a9][:worst]
-    full = all[:worst] + ((COMMANDS_PER_CYCLE - 1) * obey)
     ['The median is of the evenly spaced cycles, the worst of all.',
      "At one instruction per clock of #{CLOCK_MHZ.to_i} MHz the Cortex-A9 would need #{share(all[:median])} of the " \
      "cycle of 1000 us, at worst #{share(all[:worst])}.",
-     "A cycle takes at most #{COMMANDS_PER_CYCLE} commands; if each were as costly as the worst here: " \
-     "#{Table.text(full)} instructions, #{share(full)}.",
      'Instructions are not time: waiting for memory is not in them.']
   end
 

@@ -188,6 +188,26 @@ void test_SWR_EXCH_002_a_command_carries_the_source_of_its_lane(void)
     TEST_ASSERT_EQUAL_UINT32(COMMAND_SOURCE_IGTL, taken.source);
 }
 
+void test_SWR_CTRL_021_a_cycle_takes_no_more_after_a_command_that_computes(void)
+{
+    static const command_kind_t costly[] = {COMMAND_REGISTRATION, COMMAND_TARGET,
+                                            COMMAND_PROPOSE_REGISTRATION, COMMAND_PROPOSE_ENTRY,
+                                            COMMAND_PROPOSE_TARGET};
+    command_t taken[4];
+
+    for (uint32_t i = 0U; i < (sizeof costly / sizeof costly[0]); i++) {
+        const command_t cheap = {.source = COMMAND_SOURCE_IGTL, .kind = (uint32_t)COMMAND_JOG};
+        const command_t dear = {.source = COMMAND_SOURCE_IGTL, .kind = (uint32_t)costly[i]};
+        TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &cheap));
+        TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &dear));
+        TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &dear));
+        TEST_ASSERT_EQUAL_UINT32(2U, exchange_take_commands(control, taken, 4U));
+        TEST_ASSERT_EQUAL_UINT32(costly[i], taken[1].kind);
+        TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, taken, 4U));
+        TEST_ASSERT_EQUAL_UINT32(0U, exchange_take_commands(control, taken, 4U));
+    }
+}
+
 static void *send_commands(void *unused)
 {
     (void)unused;
