@@ -7,7 +7,10 @@ bool confirm_button_step(confirm_button_t *self, bool is_pressed, bool is_barred
 {
     if (is_barred || !is_pressed) {
         self->held_cycles = 0U;
-        self->is_proven = is_barred ? 0U : 1U;
+        self->is_proven = 0U;
+        if (!is_barred) {
+            self->is_proven = 1U;
+        }
         return false;
     }
     self->held_cycles += self->is_proven;

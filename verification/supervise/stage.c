@@ -4,6 +4,7 @@
 #include "neuro.h"
 #include "workphases_chart.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -226,6 +227,37 @@ static void send_target_or_phase(stage_t *self, rig_t *rig)
     }
 }
 
+/* Whoever looks at the robot sees it where it is shown: the axes that a confirmation would verify. */
+static bool is_shown_true(const rig_t *rig)
+{
+    double truth[ROBOT_AXIS_COUNT];
+    bool is_true = true;
+    box_true_positions(&rig->box, truth);
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        const axis_config_t *const config = &robot_neuro.axes[i];
+        const snapshot_axis_t *const shown = &rig->outputs.snapshot.axes[i];
+        const bool is_asked =
+            (shown->reference == (uint32_t)AXIS_REFERENCE_UNVERIFIED) ||
+            axis_needs_confirmation(&rig->controller.axes[i], config);
+        const double away = fabs(truth[i] - (double)shown->position_ticks);
+        is_true = is_true && (!is_asked || (away <= (double)supervision_rest_ticks(config)));
+    }
+    return is_true;
+}
+
+/* An operator who is not sure lets go, and leaves the scene waiting. */
+static void confirm(stage_t *self, rig_t *rig)
+{
+    if (rig->box.button_pressed) {
+        rig_box(rig, "button release");
+    } else if (is_shown_true(rig)) {
+        rig_box(rig, "button press");
+        self->wait_cycles += (LIMIT_CONFIRM_HOLD_US / LIMIT_CYCLE_US);
+    } else {
+        /* It waits. */
+    }
+}
+
 /* What the console asks for. */
 static void do_next_step(stage_t *self, rig_t *rig)
 {
@@ -265,6 +297,9 @@ static void do_next_step(stage_t *self, rig_t *rig)
             send_phase(self, rig, WORKPHASE_MOVE_TO_TARGET);
         }
         break;
+    case NEXT_STEP_CONFIRM:
+        confirm(self, rig);
+        break;
     case NEXT_STEP_HOLD_PEDAL:
         if (random_below(self, (self->play == PLAY_INTERRUPTED) ? 2U : 8U) == 0U) {
             rig_box(rig, "pedal release");
@@ -283,6 +318,9 @@ void stage_play(stage_t *self, rig_t *rig)
         disturb(self, rig);
         self->has_fault = 1U;
         self->fault_cycle += 200U + random_below(self, 6000U);
+    }
+    if (rig->box.button_pressed && !is_shown_true(rig)) {
+        rig_box(rig, "button release");
     }
     if (self->wait_cycles > 0U) {
         self->wait_cycles--;

@@ -159,7 +159,8 @@ static void disturb(void)
         "scanner on",      "scanner off",      "card 1 silent",      "card 1 normal",
         "card 3 corrupt",  "card 3 normal",    "motor 2 stuck",      "motor 2 normal",
         "encoder 4 stuck", "encoder 4 normal", "encoder 5 reversed", "encoder 5 normal",
-        "pedal press",     "card 1 normal",    "card 3 normal",      "estop reset"};
+        "pedal press",     "card 1 normal",    "card 3 normal",      "estop reset",
+        "button press",    "button press",     "button release"};
     rig_box(&rig, orders[random_below(sizeof orders / sizeof orders[0])]);
 }
 
