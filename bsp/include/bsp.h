@@ -30,6 +30,13 @@ typedef struct {
     uint32_t slowness; /**< It passes so many times slower, at best; 1 on a real board. */
 } bsp_time_t;
 
+/** One power-on of the box. */
+typedef struct {
+    uint32_t id; /**< Another one each time the box is switched on; never 0. */
+    /** Before bsp_open() frames were exchanged in it, so axes may have moved. */
+    bool was_used;
+} bsp_power_on_t;
+
 /**
  * Opens the board. `error` receives one sentence that says what to do.
  *
@@ -54,6 +61,13 @@ uint32_t bsp_exchange(uint32_t send, const uint8_t frames[ROBOT_SLOT_COUNT][CARD
  * @satisfies SWR-ESTOP-004
  */
 bsp_inputs_t bsp_sample_inputs(void);
+
+/**
+ * The power-on in which the board was opened.
+ *
+ * @satisfies SWR-STORE-001
+ */
+bsp_power_on_t bsp_power_on(void);
 
 /** How the time of bsp_now_ns() passes. */
 bsp_time_t bsp_time(void);

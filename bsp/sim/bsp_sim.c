@@ -16,6 +16,7 @@
 
 static wire_port_t port;
 static bsp_time_t board_time;
+static bsp_power_on_t power_on;
 static uint32_t last_beat;
 static uint32_t beat_age;
 static uint64_t elastic_us; /* Elastic time as control lives in it. */
@@ -31,6 +32,8 @@ bool bsp_open(const char *name, char *error, uint32_t error_size)
     beat_age = 0U;
     board_time = (bsp_time_t){.is_elastic = wire_load(&port.wire->is_elastic) != 0U,
                               .slowness = wire_load(&port.wire->slowness)};
+    power_on = (bsp_power_on_t){.id = wire_load(&port.wire->power_on),
+                                .was_used = wire_load(&port.wire->is_used) != 0U};
     elastic_us = wire_load_time(port.wire);
     paced_ns = wire_now_ns();
     was_answered = true;
@@ -62,6 +65,7 @@ uint32_t bsp_exchange(uint32_t send, const uint8_t frames[ROBOT_SLOT_COUNT][CARD
     wire_t *wire = port.wire;
     const uint32_t number = wire_load(&wire->request) + 1U;
 
+    wire_store(&wire->is_used, 1U);
     wire->send = send;
     wire->wanted_us = elastic_us;
     (void)memcpy(wire->frames, frames, sizeof wire->frames);
@@ -98,6 +102,11 @@ bsp_inputs_t bsp_sample_inputs(void)
                           .estop_open = (inputs & WIRE_INPUT_ESTOP_OPEN) != 0U,
                           .scanner_active = (inputs & WIRE_INPUT_SCANNER) != 0U,
                           .confirm_pressed = (inputs & WIRE_INPUT_CONFIRM) != 0U};
+}
+
+bsp_power_on_t bsp_power_on(void)
+{
+    return power_on;
 }
 
 bsp_time_t bsp_time(void)

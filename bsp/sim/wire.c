@@ -7,13 +7,14 @@
 #include <stdio.h>
 #include <string.h>
 #include <sys/mman.h>
+#include <sys/random.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <time.h>
 #include <unistd.h>
 
 /* "BBX" and the layout's version. */
-#define WIRE_MAGIC 0x42425803U
+#define WIRE_MAGIC 0x42425804U
 
 #define NS_PER_S UINT64_C(1000000000)
 
@@ -199,6 +200,17 @@ static bool size_wire(wire_port_t *port)
     return ftruncate(port->file, (off_t)sizeof(wire_t)) == 0;
 }
 
+/* Never 0. */
+static uint32_t new_power_on(void)
+{
+    uint32_t id = 0U;
+
+    while (id == 0U) {
+        (void)!getrandom(&id, sizeof id, 0U);
+    }
+    return id;
+}
+
 static void reset_wire(wire_t *wire, bsp_time_t time)
 {
     /* Counters and time live on, so that an attached control process finds its next request
@@ -206,6 +218,8 @@ static void reset_wire(wire_t *wire, bsp_time_t time)
     wire_store(&wire->inputs, 0U);
     wire_store(&wire->is_elastic, time.is_elastic ? 1U : 0U);
     wire_store(&wire->slowness, time.slowness);
+    wire_store(&wire->power_on, new_power_on());
+    wire_store(&wire->is_used, 0U);
     wire_store(&wire->reply, wire_load(&wire->request));
     wire_store(&wire->order_reply, wire_load(&wire->order_request));
     wire_store(&wire->magic, WIRE_MAGIC);

@@ -36,6 +36,8 @@ typedef struct {
     uint32_t beat;       /**< Grows each time the box has looked around, at least every 1.5 ms. */
     uint32_t is_elastic; /**< bsp_time_t of the box: 0 or 1 */
     uint32_t slowness;   /**< and 1 .. LIMIT_BOX_SLOWEST. */
+    uint32_t power_on;   /**< bsp_power_on_t of the box: its id, */
+    uint32_t is_used;    /**< and 1 after the first exchange. */
     uint32_t inputs;     /**< WIRE_INPUT_ bits. */
     uint32_t latched;    /**< WIRE_INPUT_ bits that were unsafe since control took them. */
     uint32_t request;    /**< Number of the newest exchange asked for. */
@@ -63,8 +65,8 @@ typedef struct {
 
 /**
  * Makes the wire `name` and takes the box's end. A wire left by a killed box is taken over together
- * with whoever is still attached; then its time goes on, and must pass as before. On false `error`
- * holds a sentence.
+ * with whoever is still attached; then its time goes on, and must pass as before. Each call is a
+ * power-on of its own. On false `error` holds a sentence.
  */
 bool wire_serve(wire_port_t *port, const char *name, bsp_time_t time, char *error,
                 uint32_t error_size);

@@ -415,3 +415,44 @@ void test_SWR_SUP_005_the_time_that_the_board_has_come_to_is_its_own(void)
     TEST_ASSERT_TRUE(bsp_now_ns() > bsp_reached_ns());
     bsp_close();
 }
+
+static bsp_power_on_t power_on_now(void)
+{
+    TEST_ASSERT_TRUE_MESSAGE(bsp_open(name, error, sizeof error), error);
+    const bsp_power_on_t power_on = bsp_power_on();
+    bsp_close();
+    return power_on;
+}
+
+void test_SWR_STORE_001_each_power_on_has_an_id_of_its_own(void)
+{
+    const uint32_t first = power_on_now().id;
+
+    TEST_ASSERT_NOT_EQUAL_UINT32(0U, first);
+    TEST_ASSERT_EQUAL_UINT32(first, power_on_now().id);
+    serve_anew(true, 1U);
+    TEST_ASSERT_NOT_EQUAL_UINT32(0U, power_on_now().id);
+    TEST_ASSERT_NOT_EQUAL_UINT32(first, power_on_now().id);
+}
+
+void test_SWR_STORE_001_a_box_taken_over_from_a_killed_one_is_another_power_on(void)
+{
+    const uint32_t first = power_on_now().id;
+
+    kill_box();
+    TEST_ASSERT_TRUE_MESSAGE(wire_serve(&served, name, real_time, error, sizeof error), error);
+    TEST_ASSERT_NOT_EQUAL_UINT32(first, power_on_now().id);
+}
+
+void test_SWR_STORE_001_who_opens_the_board_learns_whether_frames_were_exchanged_before(void)
+{
+    TEST_ASSERT_FALSE(power_on_now().was_used);
+    TEST_ASSERT_FALSE(power_on_now().was_used);
+    TEST_ASSERT_TRUE(bsp_open(name, error, sizeof error));
+    (void)exchange(0x3FFU, TIMEOUT_US);
+    TEST_ASSERT_FALSE(bsp_power_on().was_used);
+    bsp_close();
+    TEST_ASSERT_TRUE(power_on_now().was_used);
+    serve_anew(true, 1U);
+    TEST_ASSERT_FALSE(power_on_now().was_used);
+}
