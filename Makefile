@@ -39,14 +39,15 @@ upto = $(if $(filter $(1),$(firstword $(2))),$(1),$(firstword $(2)) $(call upto,
 layer_includes = $(foreach l,$(call upto,$(1),$(LAYERS)),-Icore/$(l)) $(GENERATED_INCLUDES)
 CORE_INCLUDES := $(foreach l,$(LAYERS),-Icore/$(l)) $(GENERATED_INCLUDES)
 BSP_INCLUDES := -Icore/base -Icore/card -Icore/robot -Ibsp/include -Ibsp/sim -I$(GEN)/limits -I$(GEN)/robot
-APPS := exchange control igtl http recorder supervisor replay
+APPS := exchange positions control igtl http recorder supervisor replay
 APP_INCLUDES := $(CORE_INCLUDES) -Ibsp/include $(foreach a,$(APPS),-Iapp/$(a)) -I$(GEN)/names -I$(GEN)/assets
 
 CHARTS := $(basename $(notdir $(wildcard statecharts/*.scxml)))
 CHART_SOURCES := $(CHARTS:%=$(GEN)/charts/%_chart.c)
 CORE_SOURCES := $(foreach l,$(LAYERS),$(wildcard core/$(l)/*.c)) $(CHART_SOURCES) $(GEN)/robot/robot_neuro.c
 NAME_HEADERS := core/base/status.h core/robot/robot.h core/card/link.h core/card/card_frame.h core/permit/permit.h \
-    core/procedure/workphase.h core/controller/command.h core/controller/event.h core/controller/snapshot.h
+    core/procedure/workphase.h core/controller/command.h core/controller/event.h core/controller/kept.h \
+    core/controller/snapshot.h
 
 BOX_SOURCES := $(filter-out %_main.c bsp/sim/bsp_sim.c bsp/sim/wire.c,$(wildcard bsp/sim/*.c))
 EXCHANGE := $(wildcard app/exchange/exchange*.c)
@@ -55,11 +56,11 @@ EVENT_TEXT := app/exchange/event_text.c
 # Each program: its own files; what it needs of the core comes from libcore.a.
 SOURCES_boresight-box := $(BOX_SOURCES) bsp/sim/wire.c bsp/sim/box_main.c
 SOURCES_boresight-simctl := $(BOX_SOURCES) bsp/sim/wire.c bsp/sim/simctl_main.c
-SOURCES_boresight-control := $(wildcard app/control/*.c) $(EXCHANGE) bsp/sim/bsp_sim.c bsp/sim/wire.c
+SOURCES_boresight-control := $(wildcard app/control/*.c app/positions/*.c) $(EXCHANGE) bsp/sim/bsp_sim.c bsp/sim/wire.c
 SOURCES_boresight-igtl := $(wildcard app/igtl/*.c) $(EXCHANGE) $(GEN)/names/names.c
 SOURCES_boresight-http := $(wildcard app/http/*.c) $(EVENT_TEXT) $(EXCHANGE) $(GEN)/names/names.c $(GEN)/assets/assets.c \
     $(GEN)/assets/chart_names.c
-SOURCES_boresight-recorder := $(wildcard app/recorder/*.c) $(EVENT_TEXT) $(EXCHANGE) $(GEN)/names/names.c
+SOURCES_boresight-recorder := $(wildcard app/recorder/*.c app/positions/*.c) $(EVENT_TEXT) $(EXCHANGE) $(GEN)/names/names.c
 SOURCES_boresight-replay := $(wildcard app/replay/*.c app/recorder/recording*.c) $(EVENT_TEXT) $(GEN)/names/names.c
 SOURCES_boresight := $(wildcard app/supervisor/*.c) app/recorder/black_box_files.c $(EXCHANGE) $(GEN)/names/names.c
 LIBS_boresight-http := -lcivetweb -lcjson -lpthread

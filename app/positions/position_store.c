@@ -1,0 +1,186 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "position_store.h"
+
+#include "crc.h"
+#include "requirement_limits.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <string.h>
+#include <unistd.h>
+
+#define FILE_MODE 0640
+#define SLOTS 2U
+#define AT_NUMBER 8U
+#define AT_UTC 16U
+#define AT_POWER_ON 24U
+#define AT_ROBOT 28U
+#define AT_AXES 32U
+#define AXIS_SIZE 12U
+#define AT_CRC (POSITION_RECORD_SIZE - 4U)
+#define US_PER_S UINT64_C(1000000)
+
+static const uint8_t magic[8] = {'B', 'S', 'P', 'O', 'S', '0', '0', '1'};
+
+static void put32(uint8_t *bytes, uint32_t value)
+{
+    for (uint32_t i = 0U; i < 4U; i++) {
+        bytes[i] = (uint8_t)(value >> (8U * i));
+    }
+}
+
+static void put64(uint8_t *bytes, uint64_t value)
+{
+    put32(bytes, (uint32_t)value);
+    put32(&bytes[4], (uint32_t)(value >> 32));
+}
+
+static uint32_t get32(const uint8_t *bytes)
+{
+    return (uint32_t)bytes[0] | ((uint32_t)bytes[1] << 8) | ((uint32_t)bytes[2] << 16) |
+           ((uint32_t)bytes[3] << 24);
+}
+
+static uint64_t get64(const uint8_t *bytes)
+{
+    return (uint64_t)get32(bytes) | ((uint64_t)get32(&bytes[4]) << 32);
+}
+
+void position_record_encode(const position_record_t *record, uint8_t *bytes)
+{
+    (void)memcpy(bytes, magic, sizeof(magic));
+    put64(&bytes[AT_NUMBER], record->number);
+    put64(&bytes[AT_UTC], record->utc_us);
+    put32(&bytes[AT_POWER_ON], record->power_on);
+    put32(&bytes[AT_ROBOT], record->robot_crc);
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        uint8_t *axis = &bytes[AT_AXES + (i * AXIS_SIZE)];
+        put32(&axis[0], record->axes[i].grade);
+        put32(&axis[4], (uint32_t)record->axes[i].position_ticks);
+        put32(&axis[8], (uint32_t)record->axes[i].reading_ticks);
+    }
+    put32(&bytes[AT_CRC], crc32c(bytes, AT_CRC));
+}
+
+bool position_record_decode(const uint8_t *bytes, position_record_t *record)
+{
+    if ((memcmp(bytes, magic, sizeof(magic)) != 0) ||
+        (get32(&bytes[AT_CRC]) != crc32c(bytes, AT_CRC))) {
+        return false;
+    }
+    record->number = get64(&bytes[AT_NUMBER]);
+    record->utc_us = get64(&bytes[AT_UTC]);
+    record->power_on = get32(&bytes[AT_POWER_ON]);
+    record->robot_crc = get32(&bytes[AT_ROBOT]);
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        const uint8_t *axis = &bytes[AT_AXES + (i * AXIS_SIZE)];
+        record->axes[i] = (kept_axis_t){.grade = get32(&axis[0]),
+                                        .position_ticks = (int32_t)get32(&axis[4]),
+                                        .reading_ticks = (int32_t)get32(&axis[8])};
+    }
+    return true;
+}
+
+static bool read_slot(int file, uint32_t slot, position_record_t *record)
+{
+    uint8_t bytes[POSITION_RECORD_SIZE];
+    const ssize_t size = pread(file, bytes, sizeof(bytes), (off_t)(slot * POSITION_SLOT_SIZE));
+
+    return (size == (ssize_t)sizeof(bytes)) && position_record_decode(bytes, record);
+}
+
+position_file_t position_store_read(const char *path, position_record_t *record)
+{
+    /* What is no file of ours may not hold up control. */
+    const int file = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    position_file_t result = POSITION_FILE_DAMAGED;
+
+    (void)memset(record, 0, sizeof(*record));
+    if (file < 0) {
+        return (errno == ENOENT) ? POSITION_FILE_NONE : POSITION_FILE_DAMAGED;
+    }
+    for (uint32_t slot = 0U; slot < SLOTS; slot++) {
+        position_record_t found;
+        if (read_slot(file, slot, &found) &&
+            ((result != POSITION_FILE_GOOD) || (found.number > record->number))) {
+            *record = found;
+            result = POSITION_FILE_GOOD;
+        }
+    }
+    (void)close(file);
+    return result;
+}
+
+bool position_store_write(const char *path, const position_record_t *record)
+{
+    uint8_t bytes[POSITION_RECORD_SIZE];
+    const off_t place = (off_t)((record->number % SLOTS) * POSITION_SLOT_SIZE);
+    const int file = open(path, O_WRONLY | O_CREAT | O_CLOEXEC, FILE_MODE);
+
+    if (file < 0) {
+        return false;
+    }
+    position_record_encode(record, bytes);
+    errno = ENOSPC; /* Of a write that is only too short. */
+    const bool is_written = (pwrite(file, bytes, sizeof(bytes), place) == (ssize_t)sizeof(bytes)) &&
+                            (fdatasync(file) == 0);
+    const int reason = errno;
+    (void)close(file);
+    errno = reason;
+    return is_written;
+}
+
+static kept_verdict_t judge(const position_record_t *record, const position_asker_t *asker)
+{
+    kept_verdict_t verdict = KEPT_GOOD;
+
+    if (record->robot_crc != asker->robot_crc) {
+        verdict = KEPT_OTHER_ROBOT;
+    } else if (record->utc_us > asker->utc_us) {
+        verdict = KEPT_FROM_FUTURE;
+    } else if ((asker->utc_us - record->utc_us) > (LIMIT_STORE_AGE_S * US_PER_S)) {
+        verdict = KEPT_TOO_OLD;
+    } else {
+        /* It can be used. */
+    }
+    return verdict;
+}
+
+void position_store_ask(const char *path, const position_asker_t *asker, kept_positions_t *kept)
+{
+    position_record_t record;
+    const position_file_t found = position_store_read(path, &record);
+    kept_verdict_t verdict = KEPT_NOTHING;
+
+    if (found == POSITION_FILE_DAMAGED) {
+        verdict = KEPT_DAMAGED;
+    } else if ((found == POSITION_FILE_GOOD) && (record.power_on == asker->power_on)) {
+        verdict = judge(&record, asker);
+    } else if (asker->was_used) {
+        verdict = KEPT_MISSING;
+    } else {
+        /* The first one in this power-on. */
+    }
+    (void)memset(kept, 0, sizeof(*kept));
+    kept->power_on = asker->power_on;
+    kept->verdict = (uint32_t)verdict;
+    if (verdict == KEPT_GOOD) {
+        (void)memcpy(kept->axes, record.axes, sizeof(kept->axes));
+    }
+}
+
+const char *position_store_why(uint32_t verdict)
+{
+    switch (verdict) {
+    case KEPT_MISSING:
+        return "are missing, although the box was used since its power-on";
+    case KEPT_OTHER_ROBOT:
+        return "are another robot's";
+    case KEPT_TOO_OLD:
+        return "are too old";
+    case KEPT_FROM_FUTURE:
+        return "are from the future, so a clock was set";
+    default:
+        return "are damaged or cannot be read";
+    }
+}

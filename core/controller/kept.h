@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file Positions kept over a restart of the programs. Fixed layout, no padding. */
+#ifndef BORESIGHT_KEPT_H
+#define BORESIGHT_KEPT_H
+
+#include "robot.h"
+
+#include <stdint.h>
+
+/** What was known of an axis. */
+typedef enum {
+    KEPT_FRESH = 0, /**< Nobody has homed or lost it since the power-on. */
+    KEPT_LOST = 1,  /**< Its position was not to be believed. */
+    KEPT_KNOWN = 2  /**< Its position was believed. */
+} kept_grade_t;
+
+typedef struct {
+    uint32_t grade; /**< kept_grade_t; position and reading mean something with KEPT_KNOWN only. */
+    int32_t position_ticks;
+    int32_t reading_ticks; /**< Of the encoder's counter at that position. */
+} kept_axis_t;
+
+/** May kept positions be used? From KEPT_MISSING on every axis is lost. */
+typedef enum {
+    KEPT_NOTHING = 0,     /**< Nothing happened before in this power-on. */
+    KEPT_GOOD = 1,        /**< They are of this power-on. */
+    KEPT_MISSING = 2,     /**< None were kept, although the box was used in this power-on. */
+    KEPT_DAMAGED = 3,     /**< They are damaged or cannot be read. */
+    KEPT_OTHER_ROBOT = 4, /**< They are another robot's. */
+    KEPT_TOO_OLD = 5,     /**< They are too old. */
+    KEPT_FROM_FUTURE = 6  /**< They are from the future: a clock was set. */
+} kept_verdict_t;
+
+typedef struct {
+    uint32_t power_on; /**< The present one. */
+    uint32_t verdict;  /**< kept_verdict_t. */
+    kept_axis_t axes[ROBOT_AXIS_COUNT];
+} kept_positions_t;
+
+#endif
