@@ -71,6 +71,8 @@ void event_text_subject(const event_t *event, char *text, size_t size)
     case EVENT_ORDER_OVERDUE:
     case EVENT_AXIS_DRIFTED:
     case EVENT_SCAN_DRIFT:
+    case EVENT_AXIS_RESTORED:
+    case EVENT_AXIS_CONTRADICTED:
         (void)snprintf(text, size, "%s", axis_name(event->subject));
         break;
     case EVENT_CHART_REPAIRED:
@@ -89,6 +91,8 @@ static void value_text(const event_t *event, const char *how, char *text, size_t
 {
     if (event->id == (uint32_t)EVENT_COMMAND_REFUSED) {
         (void)snprintf(text, size, "%s", status_name(event->value));
+    } else if (event->id == (uint32_t)EVENT_STARTED) {
+        (void)snprintf(text, size, "%s", kept_verdict_name(event->value));
     } else if (event->id == (uint32_t)EVENT_CARD_LOST) {
         (void)snprintf(text, size, "%s", link_cause_name(event->value));
     } else if (strncmp(how, "(value, ticks)", 14U) == 0) {

@@ -38,6 +38,7 @@ static event_severity_t severity(event_id_t id)
     case EVENT_ORDER_DISCARDED:
     case EVENT_ORDER_EXPIRED:
     case EVENT_OVERRUN:
+    case EVENT_AXIS_CONTRADICTED:
         result = EVENT_SEVERITY_WARNING;
         break;
     case EVENT_STARTED:
@@ -50,6 +51,7 @@ static event_severity_t severity(event_id_t id)
     case EVENT_AXIS_HOMED:
     case EVENT_AXIS_TAKEN:
     case EVENT_AXIS_CONFIRMED:
+    case EVENT_AXIS_RESTORED:
     case EVENT_ORDER_ARMED:
     case EVENT_ORDER_DONE:
     case EVENT_REGISTERED:
@@ -116,7 +118,7 @@ void controller_step(controller_t *self, const robot_t *robot, const controller_
     (void)memset(outputs, 0, offsetof(controller_outputs_t, frames));
     if (self->has_started == 0U) {
         self->has_started = 1U;
-        controller_note(self, &cycle, EVENT_STARTED, 0U, 0);
+        controller_note(self, &cycle, EVENT_STARTED, 0U, (int32_t)self->kept.verdict);
     }
     self->time_us += inputs->elapsed_us;
     controller_observe(self, &cycle);

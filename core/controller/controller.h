@@ -14,6 +14,7 @@
 #include "confirm_button.h"
 #include "estop_latch.h"
 #include "event.h"
+#include "kept.h"
 #include "requirement_limits.h"
 #include "link.h"
 #include "loop_guard.h"
@@ -77,6 +78,7 @@ typedef struct {
     confirm_button_t confirm;
     estop_latch_chart_t estop;
     workphases_chart_t workphases;
+    kept_positions_t kept; /**< From before the start; an axis that was compared is KEPT_FRESH. */
     plan_t plan;
     profile_t profile;
     pending_command_t pending;
@@ -111,6 +113,14 @@ typedef struct {
 
 /** Starts in workphase UNDEFINED with nothing enabled. */
 void controller_init(controller_t *self, const robot_t *robot);
+
+/**
+ * Takes what was kept of the positions, once, between controller_init() and the first cycle
+ * (contract 101). A position that is KEPT_KNOWN waits for the first report of its axis.
+ *
+ * @satisfies SWR-STORE-003
+ */
+void controller_restore(controller_t *self, const kept_positions_t *kept);
 
 /**
  * One control cycle: frames -> links -> encoders -> interlocks -> commands -> order -> profile and

@@ -162,6 +162,7 @@ static void observe_axis(controller_t *self, const cycle_t *cycle, uint32_t inde
     const link_t *const link = &self->links[index];
     const card_report_t *const report = (link->is_fresh != 0U) ? &link->report : NULL;
     uint32_t notes = axis_observe(&self->axes[index], config, report);
+    controller_compare(self, cycle, index);
     notes |= axis_supervise(&self->axes[index], config, self->is_driven[index] != 0U,
                             &link->sent_before, cycle->inputs->elapsed_us);
     note_axis(self, cycle, index, notes);

@@ -49,6 +49,18 @@ void controller_because(controller_t *self, event_cause_t cause, uint32_t peer);
 void controller_observe(controller_t *self, const cycle_t *cycle);
 
 /**
+ * At the first report of an axis whose position was kept: has its reading stayed? Then the position
+ * is restored, otherwise it is lost.
+ *
+ * @satisfies SWR-STORE-005
+ * @satisfies SWR-STORE-006
+ */
+void controller_compare(controller_t *self, const cycle_t *cycle, uint32_t index);
+
+/** Axes with a kept position that have not reported yet. */
+uint32_t controller_count_awaited(const controller_t *self);
+
+/**
  * Commands of this cycle, each answered at once.
  *
  * @satisfies SWR-AXIS-020

@@ -86,8 +86,8 @@ static void show_axis(const controller_t *self, const cycle_t *cycle, uint32_t i
     shown->permit_reasons = self->reason_holds[index].shown;
     shown->permit_since_cycle = self->permit_since_cycle[index];
     shown->speed_cap_percent = self->permit_speed_cap_percent[index];
-    shown->reading_ticks = axis->encoder.reading;
     shown->position_ticks = axis->encoder.position_ticks;
+    shown->reading_ticks = axis->encoder.reading;
     shown->setpoint_ticks = axis->setpoint_ticks;
     shown->target_ticks = axis->setpoint_ticks;
     if (workphase_present(&self->workphases) == WORKPHASE_MOVE_TO_TARGET) {
@@ -162,6 +162,8 @@ void controller_show(const controller_t *self, const cycle_t *cycle)
     shown->cycle = self->cycle;
     shown->time_us = self->time_us;
     shown->robot_crc = cycle->robot->crc;
+    shown->power_on = self->kept.power_on;
+    shown->positions_awaited = controller_count_awaited(self);
     shown->workphase = (uint32_t)workphase_present(&self->workphases);
     shown->order = (uint32_t)self->workphases.order;
     shown->pedal = (uint32_t)self->pedal.chart.state;

@@ -23,8 +23,8 @@ typedef enum {
 
 /** Events. `subject` is an axis, a card slot, a workphase or a chart; `value` as said. */
 typedef enum {
-    EVENT_STARTED = 0,         /**< The controller started. */
-    EVENT_WORKPHASE = 1,       /**< Workphase entered (subject). */
+    EVENT_STARTED = 0,   /**< The controller started; kept positions: (value, kept_verdict_t). */
+    EVENT_WORKPHASE = 1, /**< Workphase entered (subject). */
     EVENT_COMMAND_REFUSED = 2, /**< Command of kind (subject) refused, status (value). */
     EVENT_PEDAL_PRESSED = 3,   /**< The pedal gate opened. */
     EVENT_PEDAL_RELEASED = 4,  /**< The pedal gate closed. */
@@ -72,6 +72,10 @@ typedef enum {
         36, /**< The operator confirmed axis (subject) where it is shown, at (value, ticks). */
     EVENT_AXIS_REFERENCE_LOST =
         37, /**< The position of axis (subject) is lost, it was at (value, ticks). */
+    EVENT_AXIS_RESTORED =
+        38, /**< Axis (subject) stands where it was kept, at (value, ticks), unverified. */
+    EVENT_AXIS_CONTRADICTED =
+        39, /**< Axis (subject) is (value, ticks) away from where it was kept: lost. */
     EVENT_AXIS_DRIFTED = 42, /**< Axis (subject) has counted (value, ticks) while off since its last
                                 reference and is unverified. */
     EVENT_SCAN_DRIFT = 43    /**< In the scan axis (subject) has counted (value, ticks). */

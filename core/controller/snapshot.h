@@ -64,12 +64,14 @@ typedef struct {
     uint32_t cycle;
     uint32_t time_us; /**< Controller time, wraps. */
     uint32_t robot_crc;
-    uint32_t workphase; /**< workphase_t. */
-    uint32_t order;     /**< workphases_order_t: none, waiting for the pedal, moving. */
-    uint32_t pedal;     /**< pedal_gate_state_t. */
-    uint32_t estop;     /**< estop_latch_state_t. */
-    uint32_t loop;      /**< loop_guard_state_t. */
-    uint32_t next_step; /**< next_step_t. */
+    uint32_t power_on;          /**< Id of the box's power-on. */
+    uint32_t positions_awaited; /**< Axes whose kept position waits for their first report. */
+    uint32_t workphase;         /**< workphase_t. */
+    uint32_t order;             /**< workphases_order_t: none, waiting for the pedal, moving. */
+    uint32_t pedal;             /**< pedal_gate_state_t. */
+    uint32_t estop;             /**< estop_latch_state_t. */
+    uint32_t loop;              /**< loop_guard_state_t. */
+    uint32_t next_step;         /**< next_step_t. */
     uint32_t is_scanner_active;
     uint32_t is_homed; /**< Every axis. */
     uint32_t is_registered;

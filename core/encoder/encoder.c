@@ -77,6 +77,12 @@ static bool is_believable(const encoder_t *self, const axis_config_t *config, in
     return ((int64_t)change_ticks <= most) && ((int64_t)change_ticks >= -most);
 }
 
+int32_t encoder_way(const axis_config_t *config, int32_t from_reading, int32_t to_reading)
+{
+    return (config->is_encoder_inverted != 0U) ? wrapped_difference(from_reading, to_reading)
+                                               : wrapped_difference(to_reading, from_reading);
+}
+
 bool encoder_step(encoder_t *self, const axis_config_t *config, const card_report_t *report)
 {
     if (report == NULL) {
@@ -104,11 +110,8 @@ bool encoder_step(encoder_t *self, const axis_config_t *config, const card_repor
     }
     self->jumps = 0U;
     self->missed_cycles = 0U;
+    const int64_t moved_ticks = (int64_t)encoder_way(config, self->reading, report->encoder_count);
     self->reading = report->encoder_count;
-    int64_t moved_ticks = (int64_t)change_ticks;
-    if (config->is_encoder_inverted != 0U) {
-        moved_ticks = -moved_ticks;
-    }
     self->position_ticks = fixed_saturate((int64_t)self->position_ticks + moved_ticks);
     estimate_speed(self, report);
     return false;

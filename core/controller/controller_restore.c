@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "contract.h"
+#include "controller_parts.h"
+#include "fixed.h"
+
+static const char contract_module[] = "controller";
+
+static bool is_lost(const kept_positions_t *kept, uint32_t index)
+{
+    return (kept->verdict >= (uint32_t)KEPT_MISSING) ||
+           ((kept->verdict == (uint32_t)KEPT_GOOD) &&
+            (kept->axes[index].grade == (uint32_t)KEPT_LOST));
+}
+
+void controller_restore(controller_t *self, const kept_positions_t *kept)
+{
+    REQUIRE(101U, self->has_started == 0U);
+    self->kept = *kept;
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        if (is_lost(kept, i)) {
+            axis_forget(&self->axes[i]);
+        }
+        if (kept->verdict != (uint32_t)KEPT_GOOD) {
+            self->kept.axes[i].grade = (uint32_t)KEPT_FRESH;
+        }
+    }
+}
+
+static bool is_awaited(const controller_t *self, uint32_t index)
+{
+    return self->kept.axes[index].grade == (uint32_t)KEPT_KNOWN;
+}
+
+void controller_compare(controller_t *self, const cycle_t *cycle, uint32_t index)
+{
+    axis_t *const axis = &self->axes[index];
+    const axis_config_t *const config = &cycle->robot->axes[index];
+    kept_axis_t *const kept = &self->kept.axes[index];
+    if (!is_awaited(self, index) || (axis->encoder.has_reading == 0U)) {
+        return;
+    }
+    kept->grade = (uint32_t)KEPT_FRESH;
+    const int32_t way_ticks = encoder_way(config, kept->reading_ticks, axis->encoder.reading);
+    const int64_t rest_ticks = (int64_t)supervision_rest_ticks(config);
+    if (((int64_t)way_ticks <= rest_ticks) && ((int64_t)way_ticks >= -rest_ticks)) {
+        axis_restore(axis, config,
+                     fixed_saturate((int64_t)kept->position_ticks + (int64_t)way_ticks));
+        controller_note(self, cycle, EVENT_AXIS_RESTORED, index, axis->encoder.position_ticks);
+    } else {
+        axis_forget(axis);
+        controller_note(self, cycle, EVENT_AXIS_CONTRADICTED, index, way_ticks);
+    }
+}
+
+uint32_t controller_count_awaited(const controller_t *self)
+{
+    uint32_t count = 0U;
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        count += is_awaited(self, i) ? 1U : 0U;
+    }
+    return count;
+}

@@ -1,0 +1,289 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Rule under test: over a restart of the programs a position lives on as unverified, and only if
+ * the counts agree; whatever speaks against it makes the axis lost, and nothing makes it fresh
+ * again.
+ */
+#include "rig.h"
+
+#include "unity.h"
+
+#include "contract_trap.h"
+#include "controller.h"
+#include "replay.h"
+
+#include <string.h>
+
+TEST_SOURCE_FILE("axis.c")
+TEST_SOURCE_FILE("axis_chart.c")
+TEST_SOURCE_FILE("box.c")
+TEST_SOURCE_FILE("box_orders.c")
+TEST_SOURCE_FILE("card_frame.c")
+TEST_SOURCE_FILE("card_link_chart.c")
+TEST_SOURCE_FILE("confirm_button.c")
+TEST_SOURCE_FILE("controller_drive.c")
+TEST_SOURCE_FILE("controller_move.c")
+TEST_SOURCE_FILE("controller_obey.c")
+TEST_SOURCE_FILE("controller_observe.c")
+TEST_SOURCE_FILE("controller_restore.c")
+TEST_SOURCE_FILE("controller_show.c")
+TEST_SOURCE_FILE("crc.c")
+TEST_SOURCE_FILE("encoder.c")
+TEST_SOURCE_FILE("estop_latch.c")
+TEST_SOURCE_FILE("estop_latch_chart.c")
+TEST_SOURCE_FILE("fixed.c")
+TEST_SOURCE_FILE("homing.c")
+TEST_SOURCE_FILE("link.c")
+TEST_SOURCE_FILE("loop_guard.c")
+TEST_SOURCE_FILE("loop_guard_chart.c")
+TEST_SOURCE_FILE("motor_model.c")
+TEST_SOURCE_FILE("neuro.c")
+TEST_SOURCE_FILE("neuro_limits.c")
+TEST_SOURCE_FILE("pedal_gate.c")
+TEST_SOURCE_FILE("pedal_gate_chart.c")
+TEST_SOURCE_FILE("permit.c")
+TEST_SOURCE_FILE("plan.c")
+TEST_SOURCE_FILE("profile.c")
+TEST_SOURCE_FILE("rigid.c")
+TEST_SOURCE_FILE("robot_neuro.c")
+TEST_SOURCE_FILE("servo.c")
+TEST_SOURCE_FILE("sim_card.c")
+TEST_SOURCE_FILE("sim_encoder.c")
+TEST_SOURCE_FILE("sim_motor.c")
+TEST_SOURCE_FILE("sim_switch.c")
+TEST_SOURCE_FILE("speed_cap.c")
+TEST_SOURCE_FILE("stall_watchdog_chart.c")
+TEST_SOURCE_FILE("supervision.c")
+TEST_SOURCE_FILE("workphase.c")
+TEST_SOURCE_FILE("workphases_chart.c")
+
+#define POWER_ON 0xCAFE0001U
+#define WAY 2 /* Ticks; less than any axis' way of rest. */
+
+static rig_t rig;
+static kept_positions_t kept;
+
+/* What was kept of the rig's axes. */
+static void keep(uint32_t verdict)
+{
+    kept.power_on = POWER_ON;
+    kept.verdict = verdict;
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        const snapshot_axis_t *const shown = &rig.outputs.snapshot.axes[i];
+        kept.axes[i] = (kept_axis_t){.grade = (uint32_t)KEPT_KNOWN,
+                                     .position_ticks = shown->position_ticks,
+                                     .reading_ticks = shown->reading_ticks};
+    }
+}
+
+/* The programs end; the box is left alone for 20 ms, and they start again. */
+static void end_programs(void)
+{
+    box_advance(&rig.box, 20000U);
+    (void)memset(&rig.outputs, 0, sizeof rig.outputs);
+    controller_init(&rig.controller, &robot_neuro);
+    rig_forget(&rig);
+}
+
+static void restart(void)
+{
+    end_programs();
+    controller_restore(&rig.controller, &kept);
+    rig_cycles(&rig, 50U);
+}
+
+void setUp(void)
+{
+    rig_start_homed(&rig);
+    rig_cycle(&rig);
+    keep((uint32_t)KEPT_GOOD);
+}
+
+void tearDown(void)
+{
+}
+
+static void assert_reference(uint32_t axis, axis_reference_t reference)
+{
+    TEST_ASSERT_EQUAL_UINT32_MESSAGE(reference, rig.outputs.snapshot.axes[axis].reference,
+                                     robot_neuro.axes[axis].name);
+}
+
+static void assert_references(axis_reference_t reference)
+{
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        assert_reference(i, reference);
+    }
+}
+
+static int32_t position(uint32_t axis)
+{
+    return rig.outputs.snapshot.axes[axis].position_ticks;
+}
+
+static const event_t *event_of(event_id_t id, uint32_t axis)
+{
+    for (uint32_t i = 0U; i < rig.event_count; i++) {
+        if ((rig.events[i].id == (uint32_t)id) && (rig.events[i].subject == axis)) {
+            return &rig.events[i];
+        }
+    }
+    TEST_FAIL_MESSAGE("the event was not noted");
+    return NULL;
+}
+
+/* The counter stood `ticks` lower when the position was kept. */
+static void count_up(uint32_t axis, int32_t ticks)
+{
+    kept.axes[axis].reading_ticks =
+        (int32_t)((uint32_t)kept.axes[axis].reading_ticks - (uint32_t)ticks);
+}
+
+static int32_t upwards(uint32_t axis, int32_t ticks)
+{
+    return (robot_neuro.axes[axis].is_encoder_inverted != 0U) ? -ticks : ticks;
+}
+
+void test_SWR_STORE_005_each_axis_stands_where_it_was_kept_and_is_unverified(void)
+{
+    restart();
+    assert_references(AXIS_REFERENCE_UNVERIFIED);
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        TEST_ASSERT_EQUAL_INT32(kept.axes[i].position_ticks, position(i));
+        TEST_ASSERT_EQUAL_INT32(position(i), event_of(EVENT_AXIS_RESTORED, i)->value);
+    }
+    TEST_ASSERT_EQUAL_UINT32(ROBOT_AXIS_COUNT, rig_count(&rig, EVENT_AXIS_RESTORED));
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AXIS_CONTRADICTED));
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.is_homed);
+    TEST_ASSERT_EQUAL_HEX32(POWER_ON, rig.outputs.snapshot.power_on);
+    TEST_ASSERT_EQUAL_INT32(KEPT_GOOD, event_of(EVENT_STARTED, 0U)->value);
+}
+
+void test_SWR_STORE_005_what_was_counted_meanwhile_is_added(void)
+{
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        count_up(i, ((i % 2U) == 0U) ? WAY : -WAY);
+    }
+    restart();
+    assert_references(AXIS_REFERENCE_UNVERIFIED);
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        TEST_ASSERT_EQUAL_INT32(
+            kept.axes[i].position_ticks + upwards(i, ((i % 2U) == 0U) ? WAY : -WAY), position(i));
+    }
+}
+
+void test_SWR_STORE_005_the_way_of_rest_is_still_believed(void)
+{
+    count_up(AXIS_HEAD, supervision_rest_ticks(&robot_neuro.axes[AXIS_HEAD]));
+    count_up(AXIS_YAW, -supervision_rest_ticks(&robot_neuro.axes[AXIS_YAW]));
+    restart();
+    assert_references(AXIS_REFERENCE_UNVERIFIED);
+}
+
+void test_SWR_STORE_005_an_axis_whose_card_is_silent_waits_for_its_first_report(void)
+{
+    rig_box(&rig, "card feet silent");
+    restart();
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.positions_awaited);
+    assert_reference(AXIS_FEET, AXIS_REFERENCE_FRESH);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_HARDWARE_NOT_READY,
+                             rig_workphase(&rig, WORKPHASE_START_UP).status);
+    rig_box(&rig, "card feet normal");
+    rig_cycles(&rig, 20U);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.positions_awaited);
+    assert_references(AXIS_REFERENCE_UNVERIFIED);
+}
+
+void test_SWR_STORE_006_an_axis_with_another_reading_is_lost_by_that_much(void)
+{
+    const int32_t way = supervision_rest_ticks(&robot_neuro.axes[AXIS_ROTATION]) + 1;
+
+    count_up(AXIS_ROTATION, way);
+    count_up(AXIS_INSERTION, -100000);
+    restart();
+    assert_reference(AXIS_ROTATION, AXIS_REFERENCE_LOST);
+    assert_reference(AXIS_INSERTION, AXIS_REFERENCE_LOST);
+    assert_reference(AXIS_FEET, AXIS_REFERENCE_UNVERIFIED);
+    TEST_ASSERT_EQUAL_INT32(upwards(AXIS_ROTATION, way),
+                            event_of(EVENT_AXIS_CONTRADICTED, AXIS_ROTATION)->value);
+    TEST_ASSERT_EQUAL_INT32(upwards(AXIS_INSERTION, -100000),
+                            event_of(EVENT_AXIS_CONTRADICTED, AXIS_INSERTION)->value);
+    TEST_ASSERT_EQUAL_UINT32(EVENT_SEVERITY_WARNING,
+                             event_of(EVENT_AXIS_CONTRADICTED, AXIS_ROTATION)->severity);
+    TEST_ASSERT_EQUAL_UINT32(ROBOT_AXIS_COUNT - 2U, rig_count(&rig, EVENT_AXIS_RESTORED));
+}
+
+void test_SWR_STORE_006_an_axis_that_moved_between_the_programs_is_lost(void)
+{
+    rig_box(&rig, "motor insertion runs");
+    end_programs();
+    box_advance(&rig.box, 500000U);
+    rig_box(&rig, "motor insertion normal");
+    controller_restore(&rig.controller, &kept);
+    rig_cycles(&rig, 50U);
+    assert_reference(AXIS_INSERTION, AXIS_REFERENCE_LOST);
+    assert_reference(AXIS_HEAD, AXIS_REFERENCE_UNVERIFIED);
+}
+
+void test_SWR_STORE_003_what_was_lost_stays_lost_and_what_was_fresh_stays_fresh(void)
+{
+    kept.axes[AXIS_FEET].grade = (uint32_t)KEPT_LOST;
+    kept.axes[AXIS_ROTATION].grade = (uint32_t)KEPT_FRESH;
+    restart();
+    assert_reference(AXIS_FEET, AXIS_REFERENCE_LOST);
+    assert_reference(AXIS_ROTATION, AXIS_REFERENCE_FRESH);
+    assert_reference(AXIS_HEAD, AXIS_REFERENCE_UNVERIFIED);
+}
+
+void test_SWR_STORE_003_with_positions_that_cannot_be_used_every_axis_is_lost(void)
+{
+    static const kept_verdict_t refusals[] = {KEPT_MISSING, KEPT_DAMAGED, KEPT_OTHER_ROBOT,
+                                              KEPT_TOO_OLD, KEPT_FROM_FUTURE};
+
+    for (uint32_t i = 0U; i < (sizeof refusals / sizeof refusals[0]); i++) {
+        keep((uint32_t)refusals[i]);
+        restart();
+        assert_references(AXIS_REFERENCE_LOST);
+        TEST_ASSERT_EQUAL_INT32(refusals[i], event_of(EVENT_STARTED, 0U)->value);
+        TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AXIS_RESTORED));
+        TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.positions_awaited);
+    }
+}
+
+void test_SWR_STORE_004_without_kept_positions_every_axis_is_fresh(void)
+{
+    keep((uint32_t)KEPT_NOTHING);
+    restart();
+    assert_references(AXIS_REFERENCE_FRESH);
+    TEST_ASSERT_EQUAL_HEX32(POWER_ON, rig.outputs.snapshot.power_on);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AXIS_RESTORED));
+}
+
+void test_SWR_STORE_003_positions_are_taken_before_the_first_cycle_only(void)
+{
+    EXPECT_CONTRACT("controller", 101U, controller_restore(&rig.controller, &kept));
+}
+
+void test_SWR_REPLAY_001_a_start_with_kept_positions_is_replayed_from_its_checkpoint(void)
+{
+    static replay_t replay;
+    static cycle_record_t record;
+
+    count_up(AXIS_PITCH, 100000);
+    end_programs();
+    controller_restore(&rig.controller, &kept);
+    replay_init(&replay);
+    record.kind = CYCLE_RECORD_CHECKPOINT;
+    record.cycle = 0U;
+    (void)memcpy(record.body.checkpoint, &rig.controller, sizeof(rig.controller));
+    TEST_ASSERT_TRUE(replay_take(&replay, &robot_neuro, &record));
+    record.kind = CYCLE_RECORD_CYCLE;
+    for (record.cycle = 0U; record.cycle < 50U; record.cycle++) {
+        rig_cycle(&rig);
+        record.body.cycle.inputs = rig.inputs;
+        record.body.cycle.outputs = rig.outputs;
+        TEST_ASSERT_TRUE(replay_take(&replay, &robot_neuro, &record));
+    }
+    assert_reference(AXIS_PITCH, AXIS_REFERENCE_LOST);
+    assert_reference(AXIS_HEAD, AXIS_REFERENCE_UNVERIFIED);
+}
