@@ -31,6 +31,8 @@ static kept_axis_t keep_axis(const snapshot_axis_t *shown)
 
     if (axis.grade == (uint32_t)KEPT_KNOWN) {
         axis.position_ticks = shown->position_ticks;
+    }
+    if (axis.grade != (uint32_t)KEPT_LOST) {
         axis.reading_ticks = shown->reading_ticks;
     }
     return axis;

@@ -78,7 +78,7 @@ typedef struct {
     confirm_button_t confirm;
     estop_latch_chart_t estop;
     workphases_chart_t workphases;
-    kept_positions_t kept; /**< From before the start; an axis that was compared is KEPT_FRESH. */
+    kept_positions_t kept; /**< From before the start; an axis that was compared is KEPT_LOST. */
     plan_t plan;
     profile_t profile;
     pending_command_t pending;
@@ -116,7 +116,7 @@ void controller_init(controller_t *self, const robot_t *robot);
 
 /**
  * Takes what was kept of the positions, once, between controller_init() and the first cycle
- * (contract 101). A position that is KEPT_KNOWN waits for the first report of its axis.
+ * (contract 101). What is not KEPT_LOST waits for the first report of its axis.
  *
  * @satisfies SWR-STORE-003
  */

@@ -49,8 +49,8 @@ void controller_because(controller_t *self, event_cause_t cause, uint32_t peer);
 void controller_observe(controller_t *self, const cycle_t *cycle);
 
 /**
- * At the first report of an axis whose position was kept: has its reading stayed? Then the position
- * is restored, otherwise it is lost.
+ * At the first report of an axis of which a reading was kept: is it the same? Then what was known
+ * is restored, otherwise the axis is lost.
  *
  * @satisfies SWR-STORE-005
  * @satisfies SWR-STORE-006

@@ -5,11 +5,11 @@
 
 static const char contract_module[] = "controller";
 
-static bool is_lost(const kept_positions_t *kept, uint32_t index)
+/* Its counts are to be compared: what is lost stays so whatever they say. */
+static bool is_awaited(const controller_t *self, uint32_t index)
 {
-    return (kept->verdict >= (uint32_t)KEPT_MISSING) ||
-           ((kept->verdict == (uint32_t)KEPT_GOOD) &&
-            (kept->axes[index].grade == (uint32_t)KEPT_LOST));
+    return (self->kept.verdict == (uint32_t)KEPT_GOOD) &&
+           (self->kept.axes[index].grade != (uint32_t)KEPT_LOST);
 }
 
 void controller_restore(controller_t *self, const kept_positions_t *kept)
@@ -17,39 +17,41 @@ void controller_restore(controller_t *self, const kept_positions_t *kept)
     REQUIRE(101U, self->has_started == 0U);
     self->kept = *kept;
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
-        if (is_lost(kept, i)) {
+        if ((kept->verdict != (uint32_t)KEPT_NOTHING) && !is_awaited(self, i)) {
             axis_forget(&self->axes[i]);
-        }
-        if (kept->verdict != (uint32_t)KEPT_GOOD) {
-            self->kept.axes[i].grade = (uint32_t)KEPT_FRESH;
         }
     }
 }
 
-static bool is_awaited(const controller_t *self, uint32_t index)
+/* `way_ticks` from where it was kept. */
+static void restore(controller_t *self, const cycle_t *cycle, uint32_t index, int32_t way_ticks)
 {
-    return self->kept.axes[index].grade == (uint32_t)KEPT_KNOWN;
+    const kept_axis_t *const kept = &self->kept.axes[index];
+    if (kept->grade == (uint32_t)KEPT_KNOWN) {
+        const int32_t position_ticks =
+            fixed_saturate((int64_t)kept->position_ticks + (int64_t)way_ticks);
+        axis_restore(&self->axes[index], &cycle->robot->axes[index], position_ticks);
+        controller_note(self, cycle, EVENT_AXIS_RESTORED, index, position_ticks);
+    }
 }
 
 void controller_compare(controller_t *self, const cycle_t *cycle, uint32_t index)
 {
     axis_t *const axis = &self->axes[index];
     const axis_config_t *const config = &cycle->robot->axes[index];
-    kept_axis_t *const kept = &self->kept.axes[index];
     if (!is_awaited(self, index) || (axis->encoder.has_reading == 0U)) {
         return;
     }
-    kept->grade = (uint32_t)KEPT_FRESH;
-    const int32_t way_ticks = encoder_way(config, kept->reading_ticks, axis->encoder.reading);
+    const int32_t way_ticks =
+        encoder_way(config, self->kept.axes[index].reading_ticks, axis->encoder.reading);
     const int64_t rest_ticks = (int64_t)supervision_rest_ticks(config);
     if (((int64_t)way_ticks <= rest_ticks) && ((int64_t)way_ticks >= -rest_ticks)) {
-        axis_restore(axis, config,
-                     fixed_saturate((int64_t)kept->position_ticks + (int64_t)way_ticks));
-        controller_note(self, cycle, EVENT_AXIS_RESTORED, index, axis->encoder.position_ticks);
+        restore(self, cycle, index, way_ticks);
     } else {
         axis_forget(axis);
         controller_note(self, cycle, EVENT_AXIS_CONTRADICTED, index, way_ticks);
     }
+    self->kept.axes[index].grade = (uint32_t)KEPT_LOST;
 }
 
 uint32_t controller_count_awaited(const controller_t *self)

@@ -15,9 +15,9 @@ typedef enum {
 } kept_grade_t;
 
 typedef struct {
-    uint32_t grade; /**< kept_grade_t; position and reading mean something with KEPT_KNOWN only. */
-    int32_t position_ticks;
-    int32_t reading_ticks; /**< Of the encoder's counter at that position. */
+    uint32_t grade;         /**< kept_grade_t. */
+    int32_t position_ticks; /**< With KEPT_KNOWN. */
+    int32_t reading_ticks;  /**< Of the encoder's counter there; of no meaning with KEPT_LOST. */
 } kept_axis_t;
 
 /** May kept positions be used? From KEPT_MISSING on every axis is lost. */

@@ -65,7 +65,7 @@ typedef struct {
     uint32_t time_us; /**< Controller time, wraps. */
     uint32_t robot_crc;
     uint32_t power_on;          /**< Id of the box's power-on. */
-    uint32_t positions_awaited; /**< Axes whose kept position waits for their first report. */
+    uint32_t positions_awaited; /**< Axes whose kept reading waits for their first report. */
     uint32_t workphase;         /**< workphase_t. */
     uint32_t order;             /**< workphases_order_t: none, waiting for the pedal, moving. */
     uint32_t pedal;             /**< pedal_gate_state_t. */

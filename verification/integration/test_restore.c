@@ -235,6 +235,17 @@ void test_SWR_STORE_003_what_was_lost_stays_lost_and_what_was_fresh_stays_fresh(
     assert_reference(AXIS_HEAD, AXIS_REFERENCE_UNVERIFIED);
 }
 
+void test_SWR_STORE_006_a_fresh_axis_that_was_moved_unseen_is_lost(void)
+{
+    kept.axes[AXIS_FEET].grade = (uint32_t)KEPT_FRESH;
+    kept.axes[AXIS_ROTATION].grade = (uint32_t)KEPT_FRESH;
+    count_up(AXIS_ROTATION, 100000);
+    restart();
+    assert_reference(AXIS_FEET, AXIS_REFERENCE_FRESH);
+    assert_reference(AXIS_ROTATION, AXIS_REFERENCE_LOST);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_CONTRADICTED));
+}
+
 void test_SWR_STORE_003_with_positions_that_cannot_be_used_every_axis_is_lost(void)
 {
     static const kept_verdict_t refusals[] = {KEPT_MISSING, KEPT_DAMAGED, KEPT_OTHER_ROBOT,

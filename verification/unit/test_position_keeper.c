@@ -101,6 +101,8 @@ void test_SWR_STORE_007_each_grade_is_kept_as_what_it_is_worth(void)
         TEST_ASSERT_EQUAL_UINT32(worths[i].grade, found.axes[2].grade);
         TEST_ASSERT_EQUAL_INT32((worths[i].grade == KEPT_KNOWN) ? 200 : 0,
                                 found.axes[2].position_ticks);
+        TEST_ASSERT_EQUAL_INT32((worths[i].grade != KEPT_LOST) ? -14 : 0,
+                                found.axes[2].reading_ticks);
     }
 }
 
