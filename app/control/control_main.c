@@ -13,6 +13,7 @@
 #include "drives_off.h"
 #include "exchange.h"
 #include "figures.h"
+#include "position_store.h"
 #include "realtime.h"
 #include "requirement_limits.h"
 
@@ -21,6 +22,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 #include <unistd.h>
 
 #define CYCLE_NS (UINT64_C(1000) * LIMIT_CYCLE_US)
@@ -252,22 +254,52 @@ static const char *option(int count, char *const values[], const char *name)
     }
     (void)fprintf(
         stderr,
-        "control: option %s is missing; usage: boresight-control --exchange NAME --box NAME\n",
+        "control: option %s is missing; usage: boresight-control --exchange NAME --box NAME "
+        "--positions FILE\n",
         name);
     exit(EXIT_CANNOT_START);
+}
+
+static uint64_t utc_us(void)
+{
+    struct timespec now;
+    (void)clock_gettime(CLOCK_REALTIME, &now);
+    return ((uint64_t)now.tv_sec * UINT64_C(1000000)) + ((uint64_t)now.tv_nsec / 1000U);
+}
+
+/* The state that the first checkpoint holds: what was kept is part of it. */
+static void begin_controller(const char *path)
+{
+    const bsp_power_on_t power_on = bsp_power_on();
+    const position_asker_t asker = {.utc_us = utc_us(),
+                                    .robot_crc = robot_neuro.crc,
+                                    .power_on = power_on.id,
+                                    .was_used = power_on.was_used};
+    kept_positions_t kept;
+    position_store_ask(path, &asker, &kept);
+    if (kept.verdict >= (uint32_t)KEPT_MISSING) {
+        (void)fprintf(
+            stderr,
+            "control: the kept positions (%s) %s; compare every axis with the robot, home "
+            "it, or confirm its position.\n",
+            path, position_store_why(kept.verdict));
+    }
+    controller_init(&controller, &robot_neuro);
+    controller_restore(&controller, &kept);
 }
 
 int main(int argc, char *argv[])
 {
     char error[256] = "";
     char why[40];
+    const char *const positions = option(argc, argv, "--positions");
     exchange = exchange_open(option(argc, argv, "--exchange"), error, sizeof error);
     if ((exchange == NULL) || !bsp_open(option(argc, argv, "--box"), error, sizeof error)) {
         (void)fprintf(stderr, "control: %s\n", error);
         return EXIT_CANNOT_START;
     }
     handle_signals();
-    controller_init(&controller, &robot_neuro);
+    begin_controller(positions);
     begin_figures(realtime_acquire());
     run();
     (void)snprintf(why, sizeof why, "told to end by signal %d", (int)stopped_by);

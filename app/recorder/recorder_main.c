@@ -4,13 +4,14 @@
  * boresight-recorder: takes every cycle and every event out of the exchange and keeps them in
  * files. It may die at any moment; control does not notice.
  *
- *     boresight-recorder --exchange NAME --directory DIRECTORY
+ *     boresight-recorder --exchange NAME --directory DIRECTORY --positions FILE
  */
 #include "black_box.h"
 #include "black_box_files.h"
 #include "build_id.h"
 #include "controller.h"
 #include "event_log.h"
+#include "position_keeper.h"
 #include "robot.h"
 
 #include <errno.h>
@@ -23,20 +24,25 @@
 #define EXIT_USAGE 2
 #define EXIT_CANNOT_START 3
 #define TICK_NS 50000000L
-#define USAGE "usage: boresight-recorder --exchange NAME --directory DIRECTORY\n"
+#define USAGE                                                                                      \
+    "usage: boresight-recorder --exchange NAME --directory DIRECTORY "                             \
+    "--positions FILE\n"
 
 typedef struct {
     const char *exchange;
     const char *directory;
+    const char *positions;
 } options_t;
 
 static black_box_t black_box;
 static event_log_t event_log;
+static position_keeper_t position_keeper;
 
 static bool read_options(int count, char **arguments, options_t *options)
 {
     static const struct option known[] = {{"exchange", required_argument, NULL, 'e'},
                                           {"directory", required_argument, NULL, 'd'},
+                                          {"positions", required_argument, NULL, 'p'},
                                           {NULL, 0, NULL, 0}};
     int option = getopt_long(count, arguments, "", known, NULL);
 
@@ -45,11 +51,14 @@ static bool read_options(int count, char **arguments, options_t *options)
             options->exchange = optarg;
         } else if (option == 'd') {
             options->directory = optarg;
+        } else if (option == 'p') {
+            options->positions = optarg;
         } else {
             return false;
         }
     }
-    return (options->exchange != NULL) && (options->directory != NULL) && (optind == count);
+    return (options->exchange != NULL) && (options->directory != NULL) &&
+           (options->positions != NULL) && (optind == count);
 }
 
 static uint64_t now_us(void)
@@ -58,6 +67,20 @@ static uint64_t now_us(void)
 
     (void)clock_gettime(CLOCK_MONOTONIC, &now);
     return ((uint64_t)now.tv_sec * UINT64_C(1000000)) + ((uint64_t)now.tv_nsec / 1000U);
+}
+
+static void keep_positions(const exchange_t *exchange, bool is_end)
+{
+    snapshot_t snapshot;
+
+    if (!exchange_read_snapshot(exchange, &snapshot)) {
+        return;
+    }
+    if (is_end) {
+        position_keeper_close(&position_keeper, &snapshot, black_box_utc_us());
+    } else {
+        position_keeper_look(&position_keeper, &snapshot, now_us(), black_box_utc_us());
+    }
 }
 
 static void drain(exchange_t *exchange)
@@ -74,17 +97,19 @@ static void record(exchange_t *exchange, const sigset_t *ends)
 
     while (sigtimedwait(ends, NULL, &tick) < 0) {
         drain(exchange);
+        keep_positions(exchange, false);
         if ((now_us() - synced_us) >= UINT64_C(1000000)) {
             event_log_sync(&event_log);
             synced_us = now_us();
         }
     }
     drain(exchange);
+    keep_positions(exchange, true);
 }
 
 int main(int count, char **arguments)
 {
-    options_t options = {NULL, NULL};
+    options_t options = {NULL, NULL, NULL};
     char error[256] = "";
     sigset_t ends;
 
@@ -117,6 +142,7 @@ int main(int count, char **arguments)
     (void)snprintf(header.build, sizeof(header.build), "%s", BUILD_ID);
     (void)snprintf(header.robot, sizeof(header.robot), "%s", robot_neuro.name);
     event_log_open(&event_log, options.directory);
+    position_keeper_open(&position_keeper, options.positions);
     black_box_open(&black_box, options.directory, exchange, &header);
     record(exchange, &ends);
     black_box_close(&black_box);

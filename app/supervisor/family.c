@@ -47,6 +47,19 @@ static void set_arguments(child_t *child, const char *const arguments[CHILD_ARGU
     (void)memcpy(child->arguments, arguments, sizeof(child->arguments));
 }
 
+/* What is kept belongs to the axes of that box, whoever used it last. */
+static void name_box(family_t *self, const options_t *options)
+{
+    self->has_own_box = options->box == NULL;
+    if (self->has_own_box) {
+        (void)snprintf(self->box, sizeof(self->box), "%s-box", options->instance);
+    } else {
+        (void)snprintf(self->box, sizeof(self->box), "%s", options->box);
+    }
+    (void)snprintf(self->positions, sizeof(self->positions), "%s/positions-%s", options->recordings,
+                   self->box);
+}
+
 bool family_init(family_t *self, const options_t *options, int output, int errors, char *error,
                  uint32_t error_size)
 {
@@ -56,7 +69,7 @@ bool family_init(family_t *self, const options_t *options, int output, int error
     self->slowness = options_slowness(options);
     self->output = output;
     self->errors = errors;
-    (void)snprintf(self->box, sizeof(self->box), "%s-box", options->instance);
+    name_box(self, options);
     for (uint32_t i = 0U; i < FAMILY_SIZE; i++) {
         if (!init_member(self, (member_t)i, names[i], options, error, error_size)) {
             return false;
@@ -65,9 +78,10 @@ bool family_init(family_t *self, const options_t *options, int output, int error
     const char *const box[CHILD_ARGUMENTS] = {"--name", self->box, "--slow", options->slowness,
                                               options->is_real_time ? "--real-time" : NULL};
     const char *const control[CHILD_ARGUMENTS] = {"--exchange", options->instance, "--box",
-                                                  self->box};
-    const char *const recorder[CHILD_ARGUMENTS] = {"--exchange", options->instance, "--directory",
-                                                   options->recordings};
+                                                  self->box,    "--positions",     self->positions};
+    const char *const recorder[CHILD_ARGUMENTS] = {"--exchange",  options->instance,
+                                                   "--directory", options->recordings,
+                                                   "--positions", self->positions};
     const char *const igtl[CHILD_ARGUMENTS] = {
         "--exchange",  options->instance,  "--brp-port", options->brp_port,
         "--igtl-port", options->igtl_port, "--bind",     options->bind};

@@ -12,6 +12,7 @@
 #include <stdint.h>
 
 #define FAMILY_NAME_SIZE 48U
+#define FAMILY_PATH_SIZE (OPTIONS_PATH_SIZE + FAMILY_NAME_SIZE + 16U)
 
 /** In the order of their start. */
 typedef enum {
@@ -27,8 +28,10 @@ typedef enum {
 typedef struct {
     child_t members[FAMILY_SIZE];
     char box[FAMILY_NAME_SIZE]; /**< Name of the box. */
+    bool has_own_box;           /**< It is a member; otherwise it ran before and runs on. */
     uint32_t slowness;          /**< Of the board: control and box have as many times longer. */
-    int output;                 /**< Where their standard output and error go. */
+    char positions[FAMILY_PATH_SIZE]; /**< File of the kept positions of this box. */
+    int output;                       /**< Where their standard output and error go. */
     int errors;
 } family_t;
 

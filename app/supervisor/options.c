@@ -11,15 +11,20 @@
 #include <string.h>
 #include <unistd.h>
 
-#define INSTANCE_MAX 32U
+#define NAME_MAX_LENGTH 32U
 #define PORT_MAX 65535U
 
-static const struct option known[] = {
-    {"http-port", required_argument, NULL, 'h'},  {"igtl-port", required_argument, NULL, 'i'},
-    {"brp-port", required_argument, NULL, 'w'},   {"bind", required_argument, NULL, 'b'},
-    {"robot", required_argument, NULL, 'r'},      {"instance", required_argument, NULL, 'n'},
-    {"recordings", required_argument, NULL, 'd'}, {"slow", required_argument, NULL, 's'},
-    {"real-time", no_argument, NULL, 't'},        {NULL, 0, NULL, 0}};
+static const struct option known[] = {{"http-port", required_argument, NULL, 'h'},
+                                      {"igtl-port", required_argument, NULL, 'i'},
+                                      {"brp-port", required_argument, NULL, 'w'},
+                                      {"bind", required_argument, NULL, 'b'},
+                                      {"robot", required_argument, NULL, 'r'},
+                                      {"instance", required_argument, NULL, 'n'},
+                                      {"recordings", required_argument, NULL, 'd'},
+                                      {"slow", required_argument, NULL, 's'},
+                                      {"real-time", no_argument, NULL, 't'},
+                                      {"box", required_argument, NULL, 'x'},
+                                      {NULL, 0, NULL, 0}};
 
 uint32_t options_slowness(const options_t *self)
 {
@@ -31,7 +36,7 @@ const char *options_usage(void)
     return "usage: boresight [--http-port 8080] [--igtl-port 18944] [--brp-port 18936] [--bind "
            "127.0.0.1]\n"
            "                 [--robot neuro] [--instance NAME] [--recordings DIRECTORY]\n"
-           "                 [--slow TIMES] [--real-time]\n"
+           "                 [--slow TIMES] [--real-time] | [--box NAME]\n"
            "The environment variables HTTP_PORT, IGTL_PORT, BRP_PORT and ROBOT do the same.\n";
 }
 
@@ -94,6 +99,9 @@ static bool take(options_t *self, int option, const char *value)
     case 's':
         self->slowness = value;
         return true;
+    case 'x':
+        self->box = value;
+        return true;
     case 't':
         self->is_real_time = true;
         return true;
@@ -114,13 +122,33 @@ static bool is_number(const char *text, unsigned long maximum)
            (number <= maximum);
 }
 
-static bool is_instance(const char *text)
+static bool is_name(const char *text)
 {
     const size_t length = strlen(text);
 
-    return (length > 0U) && (length <= INSTANCE_MAX) &&
+    return (length > 0U) && (length <= NAME_MAX_LENGTH) &&
            (strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_") ==
             length);
+}
+
+/* The box that runs already has its time. */
+static bool check_box(const options_t *self, char *error, uint32_t error_size)
+{
+    if (self->box == NULL) {
+        return true;
+    }
+    if (!is_name(self->box)) {
+        (void)snprintf(error, error_size,
+                       "\"%s\" names no box; use up to %u letters, digits, - and _.", self->box,
+                       NAME_MAX_LENGTH);
+        return false;
+    }
+    if (self->is_real_time || (options_slowness(self) != 1U)) {
+        (void)snprintf(error, error_size,
+                       "--slow and --real-time are of no use with --box; give them to the box.");
+        return false;
+    }
+    return true;
 }
 
 static bool check_ports(const options_t *self, char *error, uint32_t error_size)
@@ -159,10 +187,10 @@ static bool check(const options_t *self, char *error, uint32_t error_size)
                        robot_neuro.name);
         return false;
     }
-    if (!is_instance(self->instance)) {
+    if (!is_name(self->instance)) {
         (void)snprintf(error, error_size,
                        "\"%s\" names no instance; use up to %u letters, digits, - and _.",
-                       self->instance, INSTANCE_MAX);
+                       self->instance, NAME_MAX_LENGTH);
         return false;
     }
     if (!is_number(self->slowness, LIMIT_BOX_SLOWEST)) {
@@ -170,7 +198,7 @@ static bool check(const options_t *self, char *error, uint32_t error_size)
                        self->slowness, LIMIT_BOX_SLOWEST);
         return false;
     }
-    return check_ports(self, error, error_size);
+    return check_box(self, error, error_size) && check_ports(self, error, error_size);
 }
 
 bool options_read(options_t *self, int count, char **arguments, char *error, uint32_t error_size)

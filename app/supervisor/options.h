@@ -15,6 +15,7 @@ typedef struct {
     const char *bind;      /**< --bind: IPv4 address of this machine. */
     const char *robot;     /**< --robot, ROBOT. */
     const char *instance;  /**< --instance: name of everything this instance creates. */
+    const char *box;       /**< --box: a simulated box that runs already; NULL: one of its own. */
     const char *slowness;  /**< --slow: the simulated box runs so many times slower. */
     bool is_real_time;     /**< --real-time: the simulated box does not wait for control. */
     char recordings[OPTIONS_PATH_SIZE]; /**< --recordings. */

@@ -150,13 +150,36 @@ static int start_one(member_t member)
     return RUNNING;
 }
 
+/** @satisfies SWR-STORE-008 */
+static int start_box(void)
+{
+    int result = RUNNING;
+
+    if (family.has_own_box) {
+        result = start_one(MEMBER_BOX);
+        result = (result == RUNNING) ? await(is_box_ready, "the control box") : result;
+    }
+    return result;
+}
+
+/* A box that ran before has a slowness that only control knows. */
+static int start_control(void)
+{
+    loop_figures_t loop;
+    int result = start_one(MEMBER_CONTROL);
+
+    result = (result == RUNNING) ? await(is_control_running, "control") : result;
+    if ((result == RUNNING) && exchange_read_loop(exchange, &loop)) {
+        family.slowness = loop.slowness;
+    }
+    return result;
+}
+
 static int start_all(void)
 {
-    int result = start_one(MEMBER_BOX);
+    int result = start_box();
 
-    result = (result == RUNNING) ? await(is_box_ready, "the control box") : result;
-    result = (result == RUNNING) ? start_one(MEMBER_CONTROL) : result;
-    result = (result == RUNNING) ? await(is_control_running, "control") : result;
+    result = (result == RUNNING) ? start_control() : result;
     result = (result == RUNNING) ? start_one(MEMBER_RECORDER) : result;
     result = (result == RUNNING) ? start_one(MEMBER_IGTL) : result;
     result = (result == RUNNING) ? start_one(MEMBER_HTTP) : result;
@@ -165,7 +188,7 @@ static int start_all(void)
 
 static void say_where(void)
 {
-    const bool is_default = strcmp(options.instance, "boresight") == 0;
+    const bool is_default = strcmp(family.box, "boresight-box") == 0;
 
     screen_say(&screen, "Console:     http://%s:%s/", options.bind, options.http_port);
     screen_say(&screen, "OpenIGTLink: workphases %s:%s, transforms %s:%s", options.bind,

@@ -37,6 +37,7 @@ bool bsp_open(const char *name, char *error, uint32_t error_size)
     elastic_us = wire_load_time(port.wire);
     paced_ns = wire_now_ns();
     was_answered = true;
+    wire_store(&port.wire->openings, wire_load(&port.wire->openings) + 1U);
     return true;
 }
 

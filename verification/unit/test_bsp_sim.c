@@ -444,6 +444,14 @@ void test_SWR_STORE_001_a_box_taken_over_from_a_killed_one_is_another_power_on(v
     TEST_ASSERT_NOT_EQUAL_UINT32(first, power_on_now().id);
 }
 
+void test_SWR_STORE_001_the_box_learns_that_the_board_was_opened(void)
+{
+    const uint32_t before = wire_load(&served.wire->openings);
+
+    (void)power_on_now();
+    TEST_ASSERT_EQUAL_UINT32(before + 1U, wire_load(&served.wire->openings));
+}
+
 void test_SWR_STORE_001_who_opens_the_board_learns_whether_frames_were_exchanged_before(void)
 {
     TEST_ASSERT_FALSE(power_on_now().was_used);

@@ -69,16 +69,19 @@ class Boresight
     end
   end
 
-  attr_reader :directory, :instance, :http_port, :igtl_port, :brp_port, :pid
+  attr_reader :directory, :recordings, :instance, :http_port, :igtl_port, :brp_port, :pid
 
-  # `arguments` are added to the command line; `prefix` goes in front of it.
-  def initialize(arguments: [], prefix: [], programs: PROGRAMS)
+  # `arguments` are added to the command line; `prefix` goes in front of it. `box` and `recordings` are somebody else's.
+  def initialize(arguments: [], prefix: [], programs: PROGRAMS, box: nil, recordings: nil)
     @http_port, @igtl_port, @brp_port = Boresight.free_ports(3)
     @instance = Boresight.next_instance
     @directory = Dir.mktmpdir('boresight')
+    @box = box
+    @recordings = recordings || File.join(@directory, 'recordings')
     @command = [*prefix, File.join(programs, 'boresight'), '--instance', @instance,
                 '--http-port', @http_port.to_s, '--igtl-port', @igtl_port.to_s,
-                '--brp-port', @brp_port.to_s, '--recordings', recordings, *arguments]
+                '--brp-port', @brp_port.to_s, '--recordings', @recordings, *arguments]
+    @command.push('--box', box) if box
   end
 
   # Starts it and waits until the console answers.
@@ -132,10 +135,6 @@ class Boresight
     @last_output.to_s
   end
 
-  def recordings
-    File.join(@directory, 'recordings')
-  end
-
   # Recordings, the oldest first.
   def recording_files
     Dir.glob(File.join(recordings, 'blackbox-*.bsr')).sort
@@ -147,7 +146,7 @@ class Boresight
   end
 
   def box
-    "#{@instance}-box"
+    @box || "#{@instance}-box"
   end
 
   # Gives the box an order; returns its answer.
