@@ -112,34 +112,61 @@ bool exchange_read_loop(const exchange_t *self, loop_figures_t *figures)
 
 status_t exchange_send_command(exchange_t *self, const command_t *command)
 {
-    if (command->source >= COMMAND_SOURCE_COUNT) {
-        return STATUS_UNKNOWN_COMMAND;
-    }
-    uint32_t *head = &self->segment->others.commands[command->source].head;
-    const uint32_t put = __atomic_load_n(head, __ATOMIC_RELAXED);
-    const uint32_t taken =
-        __atomic_load_n(&self->segment->control.commands[command->source].tail, __ATOMIC_ACQUIRE);
+    segment_others_t *others = &self->segment->others;
+    const uint32_t put = __atomic_load_n(&others->commands_head, __ATOMIC_RELAXED);
+    const uint32_t taken = __atomic_load_n(&self->segment->control.commands_tail, __ATOMIC_ACQUIRE);
 
     if ((put - taken) >= EXCHANGE_COMMANDS) {
         return STATUS_BUSY;
     }
-    self->segment->others.commands[command->source].slots[put % EXCHANGE_COMMANDS] = *command;
-    __atomic_store_n(head, put + 1U, __ATOMIC_RELEASE);
+    others->commands[put % EXCHANGE_COMMANDS] = *command;
+    __atomic_store_n(&others->commands_head, put + 1U, __ATOMIC_RELEASE);
     return STATUS_OK;
 }
 
-static bool take_command(exchange_t *self, uint32_t source, command_t *command)
+uint32_t exchange_request_stop(exchange_t *self)
 {
-    uint32_t *tail = &self->segment->control.commands[source].tail;
+    return __atomic_add_fetch(&self->segment->others.stops_requested, 1U, __ATOMIC_RELEASE);
+}
+
+bool exchange_read_stop_answer(const exchange_t *self, uint32_t number, answer_t *answer)
+{
+    const segment_control_t *control = &self->segment->control;
+
+    return read_locked(&control->stop_sequence, answer, &control->stop_answer, sizeof(*answer)) &&
+           ((answer->id - number) <= (uint32_t)INT32_MAX);
+}
+
+/* One command stands for all requests so far. */
+static bool take_stop(exchange_t *self, command_t *command)
+{
+    const uint32_t requested =
+        __atomic_load_n(&self->segment->others.stops_requested, __ATOMIC_ACQUIRE);
+    uint32_t *taken = &self->segment->control.stops_taken;
+
+    if (requested == __atomic_load_n(taken, __ATOMIC_RELAXED)) {
+        return false;
+    }
+    (void)memset(command, 0, sizeof(*command));
+    command->id = requested;
+    command->source = (uint32_t)COMMAND_SOURCE_HTTP;
+    command->kind = (uint32_t)COMMAND_WORKPHASE;
+    command->argument = (uint32_t)WORKPHASE_STOP;
+    __atomic_store_n(taken, requested, __ATOMIC_RELEASE);
+    return true;
+}
+
+static bool take_command(exchange_t *self, command_t *command)
+{
+    uint32_t *tail = &self->segment->control.commands_tail;
     const uint32_t taken = __atomic_load_n(tail, __ATOMIC_RELAXED);
-    const uint32_t put =
-        __atomic_load_n(&self->segment->others.commands[source].head, __ATOMIC_ACQUIRE);
+    const uint32_t put = __atomic_load_n(&self->segment->others.commands_head, __ATOMIC_ACQUIRE);
 
     if (put == taken) {
         return false;
     }
-    *command = self->segment->others.commands[source].slots[taken % EXCHANGE_COMMANDS];
-    command->source = source; /* Nobody speaks for another. */
+    *command = self->segment->others.commands[taken % EXCHANGE_COMMANDS];
+    command->source = (uint32_t)COMMAND_SOURCE_IGTL; /* Nobody speaks for another. */
     __atomic_store_n(tail, taken + 1U, __ATOMIC_RELEASE);
     return true;
 }
@@ -156,19 +183,19 @@ static bool is_costly(const command_t *command)
 
 uint32_t exchange_take_commands(exchange_t *self, command_t *commands, uint32_t most)
 {
+    command_t stop;
+    const bool is_stop = take_stop(self, &stop);
+    const uint32_t others = is_stop ? (most - 1U) : most;
     uint32_t count = 0U;
-    uint32_t empty = 0U;
     bool is_enough = false;
 
-    while ((count < most) && (empty < COMMAND_SOURCE_COUNT) && !is_enough) {
-        if (take_command(self, self->next_source, &commands[count])) {
-            is_enough = is_costly(&commands[count]);
-            count++;
-            empty = 0U;
-        } else {
-            empty++;
-        }
-        self->next_source = (self->next_source + 1U) % COMMAND_SOURCE_COUNT;
+    while ((count < others) && !is_enough && take_command(self, &commands[count])) {
+        is_enough = is_costly(&commands[count]);
+        count++;
+    }
+    if (is_stop) {
+        commands[count] = stop; /* The last one: nothing of the same cycle undoes it. */
+        count++;
     }
     return count;
 }
@@ -178,41 +205,60 @@ static void count_one(uint32_t *counter)
     __atomic_store_n(counter, __atomic_load_n(counter, __ATOMIC_RELAXED) + 1U, __ATOMIC_RELEASE);
 }
 
-bool exchange_push_answer(exchange_t *self, const answer_t *answer)
+static bool push_into_lane(segment_control_t *control, uint32_t taken, const answer_t *answer)
 {
-    segment_control_t *control = &self->segment->control;
-
-    if (answer->source >= COMMAND_SOURCE_COUNT) {
-        count_one(&control->answers_lost);
-        return false;
-    }
-    uint32_t *head = &control->answers[answer->source].head;
-    const uint32_t put = __atomic_load_n(head, __ATOMIC_RELAXED);
-    const uint32_t taken =
-        __atomic_load_n(&self->segment->others.answers[answer->source].tail, __ATOMIC_ACQUIRE);
+    const uint32_t put = __atomic_load_n(&control->answers_head, __ATOMIC_RELAXED);
 
     if ((put - taken) >= EXCHANGE_ANSWERS) {
-        count_one(&control->answers_lost);
         return false;
     }
-    control->answers[answer->source].slots[put % EXCHANGE_ANSWERS] = *answer;
-    __atomic_store_n(head, put + 1U, __ATOMIC_RELEASE);
+    control->answers[put % EXCHANGE_ANSWERS] = *answer;
+    __atomic_store_n(&control->answers_head, put + 1U, __ATOMIC_RELEASE);
     return true;
 }
 
-bool exchange_take_answer(exchange_t *self, command_source_t source, answer_t *answer)
+bool exchange_push_answer(exchange_t *self, const answer_t *answer)
 {
-    uint32_t *tail = &self->segment->others.answers[source].tail;
+    segment_control_t *control = &self->segment->control;
+    const uint32_t taken = __atomic_load_n(&self->segment->others.answers_tail, __ATOMIC_ACQUIRE);
+    bool is_kept = false;
+
+    if (answer->source == (uint32_t)COMMAND_SOURCE_HTTP) {
+        write_locked(&control->stop_sequence, &control->stop_answer, answer, sizeof(*answer));
+        is_kept = true;
+    } else if (answer->source == (uint32_t)COMMAND_SOURCE_IGTL) {
+        is_kept = push_into_lane(control, taken, answer);
+    } else {
+        /* Nobody asked. */
+    }
+    if (!is_kept) {
+        count_one(&control->answers_lost);
+    }
+    return is_kept;
+}
+
+bool exchange_take_answer(exchange_t *self, answer_t *answer)
+{
+    uint32_t *tail = &self->segment->others.answers_tail;
     const uint32_t taken = __atomic_load_n(tail, __ATOMIC_RELAXED);
-    const uint32_t put =
-        __atomic_load_n(&self->segment->control.answers[source].head, __ATOMIC_ACQUIRE);
+    const uint32_t put = __atomic_load_n(&self->segment->control.answers_head, __ATOMIC_ACQUIRE);
 
     if (put == taken) {
         return false;
     }
-    *answer = self->segment->control.answers[source].slots[taken % EXCHANGE_ANSWERS];
+    *answer = self->segment->control.answers[taken % EXCHANGE_ANSWERS];
     __atomic_store_n(tail, taken + 1U, __ATOMIC_RELEASE);
     return true;
+}
+
+void exchange_note_stop_port(exchange_t *self, uint32_t port)
+{
+    __atomic_store_n(&self->segment->others.stop_port, port, __ATOMIC_RELEASE);
+}
+
+uint32_t exchange_stop_port(const exchange_t *self)
+{
+    return __atomic_load_n(&self->segment->others.stop_port, __ATOMIC_ACQUIRE);
 }
 
 uint32_t exchange_answers_lost(const exchange_t *self)

@@ -3,7 +3,7 @@
  * @file
  * The one place where the processes meet: a shared-memory segment of fixed layout. `control` writes
  * and never waits; everyone else reads or asks. One writer and one reader per lane; the event ring
- * has many readers.
+ * has many readers. A stop is no command in a lane but a latch, which cannot be full.
  */
 #ifndef BORESIGHT_EXCHANGE_H
 #define BORESIGHT_EXCHANGE_H
@@ -17,8 +17,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define EXCHANGE_COMMANDS 16U /**< Capacity of a command lane. */
-#define EXCHANGE_ANSWERS 64U  /**< Capacity of an answer lane. */
+#define EXCHANGE_COMMANDS 16U /**< Capacity of the command lane. */
+#define EXCHANGE_ANSWERS 64U  /**< Capacity of the answer lane. */
 #define EXCHANGE_EVENTS 1024U /**< Events kept for slow readers. */
 #define EXCHANGE_CYCLES 2048U /**< Capacity of the cycle lane: two seconds. */
 
@@ -127,29 +127,48 @@ void exchange_publish_loop(exchange_t *self, const loop_figures_t *figures);
 bool exchange_read_loop(const exchange_t *self, loop_figures_t *figures);
 
 /**
- * Puts a command into the lane of its source.
+ * Puts a command into the lane of COMMAND_SOURCE_IGTL, the only source that has one.
  *
- * @return STATUS_OK; STATUS_BUSY when the lane is full (nothing is queued); STATUS_UNKNOWN_COMMAND
- * for a bad source
+ * @return STATUS_OK; STATUS_BUSY when the lane is full (nothing is queued)
  *
  * @satisfies SWR-EXCH-002
  */
 status_t exchange_send_command(exchange_t *self, const command_t *command);
 
 /**
- * Takes up to `most` commands, the sources in turn, and none after one that computes kinematics.
- * `source` of each is that of its lane.
+ * Asks for STOP: all that COMMAND_SOURCE_HTTP can command. It has no lane that could be full. Any
+ * thread of any process.
+ *
+ * @return the request's number
+ *
+ * @satisfies SWR-HTTP-008
+ */
+uint32_t exchange_request_stop(exchange_t *self);
+
+/** Control's answer to the stop request `number` or, as one stop serves all, to a later one. False
+ * while there is none. */
+bool exchange_read_stop_answer(const exchange_t *self, uint32_t number, answer_t *answer);
+
+/** Where stops are listened for, noted for the next run of the HTTP server; 0: not noted. */
+void exchange_note_stop_port(exchange_t *self, uint32_t port);
+uint32_t exchange_stop_port(const exchange_t *self);
+
+/**
+ * Takes up to `most` (1 at least) commands in their order, none after one that computes kinematics,
+ * but a stop that was asked for as the last of them.
  *
  * @satisfies SWR-CTRL-021
  */
 uint32_t exchange_take_commands(exchange_t *self, command_t *commands, uint32_t most);
 
-/** Puts an answer into the lane of its source; false (and counted) when that reader has let it fill
+/** Hands an answer to who asked; false (and counted) when the reader of the lane has let it fill
  * up. */
 bool exchange_push_answer(exchange_t *self, const answer_t *answer);
-bool exchange_take_answer(exchange_t *self, command_source_t source, answer_t *answer);
 
-/** Answers that found their lane full or had no lane, since the start. */
+/** The next answer of the lane of COMMAND_SOURCE_IGTL; false when there is none. */
+bool exchange_take_answer(exchange_t *self, answer_t *answer);
+
+/** Answers that found the lane full or were for nobody, since the start. */
 uint32_t exchange_answers_lost(const exchange_t *self);
 
 /** Adds an event, numbered by the controller without gaps, to the ring; the oldest is overwritten.

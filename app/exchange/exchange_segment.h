@@ -47,14 +47,12 @@ typedef struct {
     struct {
         uint32_t count SEGMENT_ON_LINE;
     } beats[EXCHANGE_PROCESS_COUNT];
-    struct {
-        uint32_t head SEGMENT_ON_LINE; /**< Commands put in. */
-        command_t slots[EXCHANGE_COMMANDS];
-    } commands[COMMAND_SOURCE_COUNT];
-    struct {
-        uint32_t tail SEGMENT_ON_LINE; /**< Answers taken. */
-    } answers[COMMAND_SOURCE_COUNT];
-    uint32_t cycles_tail SEGMENT_ON_LINE; /**< Cycle records released. */
+    uint32_t stops_requested SEGMENT_ON_LINE;
+    uint32_t stop_port SEGMENT_ON_LINE;     /**< 0: none was noted. */
+    uint32_t commands_head SEGMENT_ON_LINE; /**< Commands put in. */
+    command_t commands[EXCHANGE_COMMANDS];
+    uint32_t answers_tail SEGMENT_ON_LINE; /**< Answers taken. */
+    uint32_t cycles_tail SEGMENT_ON_LINE;  /**< Cycle records released. */
     uint32_t checkpoint_requests SEGMENT_ON_LINE;
 } segment_others_t;
 
@@ -64,13 +62,12 @@ typedef struct {
     segment_snapshot_t snapshots[SEGMENT_SNAPSHOTS];
     uint32_t loop_sequence SEGMENT_ON_LINE;
     loop_figures_t loop;
-    struct {
-        uint32_t tail SEGMENT_ON_LINE; /**< Commands taken. */
-    } commands[COMMAND_SOURCE_COUNT];
-    struct {
-        uint32_t head SEGMENT_ON_LINE; /**< Answers put in. */
-        answer_t slots[EXCHANGE_ANSWERS];
-    } answers[COMMAND_SOURCE_COUNT];
+    uint32_t stops_taken SEGMENT_ON_LINE; /**< Stop requests handed to the controller. */
+    uint32_t stop_sequence SEGMENT_ON_LINE;
+    answer_t stop_answer;                   /**< To the newest of them. */
+    uint32_t commands_tail SEGMENT_ON_LINE; /**< Commands taken. */
+    uint32_t answers_head SEGMENT_ON_LINE;  /**< Answers put in. */
+    answer_t answers[EXCHANGE_ANSWERS];
     uint32_t answers_lost SEGMENT_ON_LINE;
     uint32_t checkpoints_taken;
     uint32_t events_head SEGMENT_ON_LINE; /**< Number of the next event. */
@@ -89,8 +86,7 @@ typedef struct {
 /** A process' view of the segment. */
 struct exchange {
     segment_t *segment;
-    int file;             /**< The creator keeps it locked while it lives. */
-    uint32_t next_source; /**< Lane that exchange_take_commands() looks at first. */
+    int file; /**< The creator keeps it locked while it lives. */
     char name[SEGMENT_NAME_SIZE];
 };
 

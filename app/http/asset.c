@@ -1,15 +1,52 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "asset.h"
 
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
-const asset_t *asset_find(const char *path)
+#define PAGE "/index.html"
+#define STOP_PORT "name=\"boresight-stop-port\" content=\""
+#define DIGITS 5U
+
+static asset_t page; /* Once it has been told the port. */
+
+static const asset_t *find(const char *path)
 {
-    const char *wanted = (strcmp(path, "/") == 0) ? "/index.html" : path;
     for (size_t i = 0; i < asset_count; i++) {
-        if (strcmp(assets[i].path, wanted) == 0) {
+        if (strcmp(assets[i].path, path) == 0) {
             return &assets[i];
         }
     }
     return NULL;
+}
+
+void asset_tell_stop_port(uint32_t port)
+{
+    const asset_t *original = find(PAGE);
+    unsigned char *bytes = malloc(original->size);
+    if (bytes == NULL) {
+        return;
+    }
+    memcpy(bytes, original->bytes, original->size);
+    unsigned char *place = memmem(bytes, original->size, STOP_PORT, sizeof(STOP_PORT) - 1U);
+    if (place == NULL) {
+        free(bytes);
+        return;
+    }
+    char digits[16];
+    (void)snprintf(digits, sizeof(digits), "%05u", (unsigned)port);
+    memcpy(&place[sizeof(STOP_PORT) - 1U], digits, DIGITS);
+    page = *original;
+    page.bytes = bytes;
+}
+
+const asset_t *asset_find(const char *path)
+{
+    bool is_page = (strcmp(path, "/") == 0) || (strcmp(path, PAGE) == 0);
+    if (!is_page) {
+        return find(path);
+    }
+    return (page.bytes != NULL) ? &page : find(PAGE);
 }

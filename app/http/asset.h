@@ -4,6 +4,7 @@
 #define BORESIGHT_ASSET_H
 
 #include <stddef.h>
+#include <stdint.h>
 
 /** One file. Everything it points to lives for ever. */
 typedef struct {
@@ -16,6 +17,10 @@ typedef struct {
 
 extern const asset_t assets[];
 extern const size_t asset_count;
+
+/** Writes `port` into the page, where it says 00000: at it the page asks for a stop. To be called
+ * once, before anything is served. */
+void asset_tell_stop_port(uint32_t port);
 
 /** The asset requested by `path`, "/" being the page itself; NULL when there is none. */
 const asset_t *asset_find(const char *path);

@@ -14,7 +14,8 @@
 
 typedef struct {
     char address[HTTP_GUARD_ADDRESS_SIZE]; /**< The address listened on. */
-    uint32_t port;
+    uint32_t port;                         /**< The port listened on. */
+    uint32_t page_port;                    /**< The port from which the console's page comes. */
 } http_guard_t;
 
 /** What a request says of where it comes from; NULL where it says nothing. */
@@ -35,7 +36,7 @@ typedef enum {
 /**
  * Judges a request. The hosts served are the address listened on, 127.0.0.1 and localhost, each
  * with the port. A browser always names the origin when it writes; where no origin is named the
- * sender is no page.
+ * sender is no page. Another port is the same site to a browser, and another origin.
  *
  * @satisfies SWR-HTTP-004
  */

@@ -83,6 +83,7 @@ static bool read_options(int count, char **arguments, options_t *options)
         }
         option = getopt_long(count, arguments, "", known, NULL);
     }
+    options->guard.page_port = options->guard.port;
     return (options->exchange != NULL) && (optind == count);
 }
 

@@ -6,7 +6,7 @@
 
 static const char safety_headers[] =
     "Content-Security-Policy: default-src 'none'; script-src 'self'; style-src 'self'; "
-    "img-src 'self'; connect-src 'self'; "
+    "img-src 'self'; connect-src 'self'%s; "
     "base-uri 'none'; form-action 'none'; frame-ancestors 'none'\r\n"
     "X-Content-Type-Options: nosniff\r\n"
     "X-Frame-Options: DENY\r\n"
@@ -15,13 +15,24 @@ static const char safety_headers[] =
     "Cross-Origin-Resource-Policy: same-origin\r\n"
     "Connection: close\r\n";
 
+static char stop_sources[120]; /* As the policy names them. */
+
+void http_reply_allow_stops(const char *address, uint32_t port)
+{
+    (void)snprintf(stop_sources, sizeof(stop_sources),
+                   " http://%s:%u http://127.0.0.1:%u http://localhost:%u", address, (unsigned)port,
+                   (unsigned)port, (unsigned)port);
+}
+
 static bool write_all(struct mg_connection *connection, const void *bytes, size_t size)
 {
     return (size == 0U) || (mg_write(connection, bytes, size) == (int)size);
 }
 
-int http_reply_send(struct mg_connection *connection, const http_reply_t *reply)
+size_t http_reply_head(const http_reply_t *reply, char head[HTTP_REPLY_HEAD_SIZE])
 {
+    char safety[640];
+    (void)snprintf(safety, sizeof(safety), safety_headers, stop_sources);
     char length[48] = "";
     if (!reply->is_stream) {
         (void)snprintf(length, sizeof(length), "Content-Length: %zu\r\n", reply->size);
@@ -30,13 +41,22 @@ int http_reply_send(struct mg_connection *connection, const http_reply_t *reply)
     if (reply->allow != NULL) {
         (void)snprintf(allow, sizeof(allow), "Allow: %s\r\n", reply->allow);
     }
-    char head[1024];
-    int size = snprintf(head, sizeof(head),
-                        "HTTP/1.1 %d %s\r\nContent-Type: %s\r\nCache-Control: %s\r\n%s%s%s\r\n",
-                        reply->status, mg_get_response_code_text(connection, reply->status),
-                        reply->type, reply->cache, length, allow, safety_headers);
-    if ((size < 0) || ((size_t)size >= sizeof(head)) ||
-        !write_all(connection, head, (size_t)size)) {
+    char origin[120] = "";
+    if (reply->origin != NULL) {
+        (void)snprintf(origin, sizeof(origin),
+                       "Access-Control-Allow-Origin: %s\r\nVary: Origin\r\n", reply->origin);
+    }
+    int size = snprintf(head, HTTP_REPLY_HEAD_SIZE,
+                        "HTTP/1.1 %d %s\r\nContent-Type: %s\r\nCache-Control: %s\r\n%s%s%s%s\r\n",
+                        reply->status, mg_get_response_code_text(NULL, reply->status), reply->type,
+                        reply->cache, length, allow, origin, safety);
+    return (size_t)size;
+}
+
+int http_reply_send(struct mg_connection *connection, const http_reply_t *reply)
+{
+    char head[HTTP_REPLY_HEAD_SIZE];
+    if (!write_all(connection, head, http_reply_head(reply, head))) {
         return 0;
     }
     return (reply->is_stream || write_all(connection, reply->body, reply->size)) ? reply->status

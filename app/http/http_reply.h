@@ -6,20 +6,30 @@
 #include <civetweb.h>
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #define HTTP_REPLY_JSON "application/json"
 #define HTTP_REPLY_NO_STORE "no-store"
+#define HTTP_REPLY_HEAD_SIZE 1280 /**< Room for the head of every answer. */
 
 /** What is particular to one answer. */
 typedef struct {
     int status;
-    const char *type;  /**< Content type. */
-    const char *cache; /**< Cache-Control. */
-    const char *allow; /**< Allow, or NULL. */
+    const char *type;   /**< Content type. */
+    const char *cache;  /**< Cache-Control. */
+    const char *allow;  /**< Allow, or NULL. */
+    const char *origin; /**< Origin that may read the answer though it is another; or NULL. */
     const void *body;
     size_t size;
     bool is_stream; /**< Only the head is sent; the body follows without a known end. */
 } http_reply_t;
+
+/** Lets pages ask for a stop at `port` of the hosts that are served, too. To be called once, before
+ * anything is sent. */
+void http_reply_allow_stops(const char *address, uint32_t port);
+
+/** Writes the head of `reply`, the empty line included. Returns its size. */
+size_t http_reply_head(const http_reply_t *reply, char head[HTTP_REPLY_HEAD_SIZE]);
 
 /** Sends `reply`. Returns its status, or 0 when the client did not take it in time. */
 int http_reply_send(struct mg_connection *connection, const http_reply_t *reply);

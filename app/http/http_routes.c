@@ -3,7 +3,7 @@
 
 #include "asset.h"
 #include "http_reply.h"
-#include "names.h"
+#include "stop_desk.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -139,31 +139,13 @@ static bool read_body(struct mg_connection *connection, long long length)
     return (read == 0) || (strcmp(body, "{}") == 0);
 }
 
-static int reply_answer(struct mg_connection *connection, const answer_t *answer)
-{
-    bool is_refused = answer->kind == (uint32_t)ANSWER_REFUSED;
-    cJSON *object = cJSON_CreateObject();
-    (void)cJSON_AddStringToObject(object, "result", answer_kind_name((int32_t)answer->kind));
-    (void)cJSON_AddStringToObject(object, "code", status_name((int32_t)answer->status));
-    (void)cJSON_AddStringToObject(object, "message", status_text((int32_t)answer->status));
-    (void)cJSON_AddStringToObject(object, "workphase", workphase_name((int32_t)answer->workphase));
-    return reply_object(connection, is_refused ? 409 : 200, object);
-}
-
 static int answer_stop(http_server_t *server, struct mg_connection *connection)
 {
-    command_t command;
-    memset(&command, 0, sizeof(command));
-    command.peer = (uint32_t)mg_get_request_info(connection)->remote_port;
-    command.kind = (uint32_t)COMMAND_WORKPHASE;
-    command.argument = (uint32_t)WORKPHASE_STOP;
+    char json[STOP_DESK_JSON_SIZE];
     answer_t answer;
-    status_t status = command_desk_ask(&server->desk, &command, HTTP_ROUTES_STOP_MS, &answer);
-    if (status == STATUS_OK) {
-        return reply_answer(connection, &answer);
-    }
-    return http_reply_error(connection, 503, status_name((int32_t)status),
-                            status_text((int32_t)status));
+    status_t status = stop_desk_converse(server->exchange, &answer);
+    int told = stop_desk_tell(status, &answer, json);
+    return http_reply_json(connection, told, json);
 }
 
 static const route_t routes[] = {

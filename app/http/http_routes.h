@@ -8,7 +8,6 @@
 #include <civetweb.h>
 
 #define HTTP_ROUTES_BODY_MOST 256 /**< Longest body accepted, bytes. */
-#define HTTP_ROUTES_STOP_MS 500U  /**< Longest wait for control's answer to stop. */
 
 /**
  * Answers one request completely: a file of the console, /api/v1/status, motors, targeting, log or

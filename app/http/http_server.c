@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "http_server.h"
 
+#include "asset.h"
 #include "http_reply.h"
 #include "http_routes.h"
+#include "stop_port.h"
 
 #include <arpa/inet.h>
 #include <errno.h>
@@ -21,11 +23,14 @@
 /* A worker needs little; the default of 8 MB each would only be address space to fill. */
 #define WORKER_STACK_BYTES (256U * 1024U)
 
-/* A client that does not finish its request holds a worker until the timeout; there are enough of
- * them for a stop to be served meanwhile. The library uses the same timeout for a blocked write;
- * a stream tries again (http_stream.c). */
+/* A client that does not finish its request holds a worker until the timeout; stops have a port
+ * of their own (stop_port.c). The library uses the same timeout for a blocked write; a stream tries
+ * again (http_stream.c). */
 #define WORKERS "64"
 #define REQUEST_TIMEOUT_MS "500"
+
+#define UNREAD_BYTES 16384
+#define DESCRIPTORS 64 /* So early few are open. */
 
 static void make_boot_id(char *text, size_t size)
 {
@@ -45,7 +50,6 @@ void http_server_init(http_server_t *self, exchange_t *exchange, const http_guar
     self->identity.build_id = BORESIGHT_BUILD_ID;
     self->identity.box = box;
     telemetry_init(&self->telemetry, exchange);
-    command_desk_init(&self->desk, exchange);
     http_stream_init(&self->stream, exchange);
 }
 
@@ -64,6 +68,32 @@ static int try_to_listen(const http_guard_t *guard)
     }
     (void)close(probe);
     return error;
+}
+
+/* What a client has not read waits in the kernel, by default megabytes of it: half a minute in
+ * which its place in the stream is lost. The library does not hand out its listening socket, from
+ * which every connection inherits the size; it is found among the descriptors. */
+static void bound_unread_bytes(void)
+{
+    const int bytes = UNREAD_BYTES;
+    for (int descriptor = 0; descriptor < DESCRIPTORS; descriptor++) {
+        int is_listening = 0;
+        socklen_t size = sizeof(is_listening);
+        if ((getsockopt(descriptor, SOL_SOCKET, SO_ACCEPTCONN, &is_listening, &size) == 0) &&
+            (is_listening != 0)) {
+            (void)setsockopt(descriptor, SOL_SOCKET, SO_SNDBUF, &bytes, sizeof(bytes));
+        }
+    }
+}
+
+/* Without it, stops pass by the console's port alone. */
+static void open_stop_port(http_server_t *self)
+{
+    const uint32_t port = stop_port_start(self->exchange, &self->guard);
+    if (port != 0U) {
+        http_reply_allow_stops(self->guard.address, port);
+        asset_tell_stop_port(port);
+    }
 }
 
 static int begin_request(struct mg_connection *connection)
@@ -126,7 +156,12 @@ http_server_result_t http_server_start(http_server_t *self)
     (void)snprintf(address, sizeof(address), "%s:%u", self->guard.address,
                    (unsigned)self->guard.port);
     (void)mg_init_library(MG_FEATURES_DEFAULT);
-    return (start_library(self, address) != NULL) ? HTTP_SERVER_STARTED : HTTP_SERVER_FAILED;
+    open_stop_port(self);
+    if (start_library(self, address) == NULL) {
+        return HTTP_SERVER_FAILED;
+    }
+    bound_unread_bytes();
+    return HTTP_SERVER_STARTED;
 }
 
 void http_server_tick(http_server_t *self)

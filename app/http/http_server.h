@@ -7,7 +7,6 @@
 #ifndef BORESIGHT_HTTP_SERVER_H
 #define BORESIGHT_HTTP_SERVER_H
 
-#include "command_desk.h"
 #include "exchange.h"
 #include "http_guard.h"
 #include "http_stream.h"
@@ -23,7 +22,6 @@ typedef struct {
     http_guard_t guard;
     telemetry_identity_t identity;
     telemetry_t telemetry;
-    command_desk_t desk;
     http_stream_t stream;
 } http_server_t;
 

@@ -11,7 +11,7 @@
 
 #define EVENTS_AT_ONCE 16U
 #define SILENCE_S 1
-#define BLOCKED_WRITES 4U /* In a row, each as long as the server's timeout: then it is gone. */
+#define WRITES 4U /* For one message, each as long as the server's timeout: then it is gone. */
 
 /* One client and what it has been sent. */
 typedef struct {
@@ -57,15 +57,9 @@ bool http_stream_publish(http_stream_t *self, const char *state)
 static bool write_text(const client_t *client, const char *text, size_t size)
 {
     size_t sent = 0U;
-    uint32_t blocked = 0U;
-    while ((sent < size) && (blocked < BLOCKED_WRITES)) {
+    for (uint32_t i = 0U; (i < WRITES) && (sent < size); i++) {
         int count = mg_write(client->connection, &text[sent], size - sent);
-        if (count > 0) {
-            sent += (size_t)count;
-            blocked = 0U;
-        } else {
-            blocked++;
-        }
+        sent += (count > 0) ? (size_t)count : 0U;
     }
     return sent == size;
 }

@@ -16,7 +16,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define HTTP_STREAM_CLIENTS 8U /**< Half of the server's threads: the rest answers requests. */
+#define HTTP_STREAM_CLIENTS 8U /**< Each has a thread of the server's to itself. */
 #define HTTP_STREAM_FRAME_SIZE 32768U
 #define HTTP_STREAM_HISTORY 50U /**< Events sent to a new client. */
 
@@ -40,12 +40,14 @@ bool http_stream_is_watched(http_stream_t *self);
 bool http_stream_publish(http_stream_t *self, const char *state);
 
 /**
- * Serves one client until it goes away: `hello` (JSON on one line), the last events, then each new
- * state and event. Refuses the client when there are HTTP_STREAM_CLIENTS already.
+ * Serves one client until it goes away or takes nothing: `hello` (JSON on one line), the last
+ * events, then each new state and event. Refuses the client when there are HTTP_STREAM_CLIENTS
+ * already.
  *
  * @return the status sent
  *
  * @satisfies SWR-HTTP-003
+ * @satisfies SWR-HTTP-010
  */
 int http_stream_serve(http_stream_t *self, struct mg_connection *connection, const char *hello,
                       uint32_t next_event);

@@ -268,7 +268,7 @@ static void take_answers(void)
 {
     answer_t answer;
 
-    while (exchange_take_answer(process.exchange, COMMAND_SOURCE_IGTL, &answer)) {
+    while (exchange_take_answer(process.exchange, &answer)) {
         look_around(); /* A snapshot that is not older than the answer. */
         if (!answer_workphase(&answer)) {
             (void)answer_transform(&answer);
@@ -365,7 +365,7 @@ static void begin(void)
     process.igtl.calls = &transform_calls;
     process.igtl.dialect = &process.transform;
     process.igtl.next_number = 2U;
-    while (exchange_take_answer(process.exchange, COMMAND_SOURCE_IGTL, &stale)) {
+    while (exchange_take_answer(process.exchange, &stale)) {
         /* Answers to an earlier run. */
     }
 }

@@ -85,7 +85,7 @@ typedef enum {
 typedef enum {
     EVENT_CAUSE_NONE = 0,    /**< The event says it itself. */
     EVENT_CAUSE_IGTL = 1,    /**< By OpenIGTLink peer (peer). */
-    EVENT_CAUSE_CONSOLE = 2, /**< By the console at port (peer). */
+    EVENT_CAUSE_CONSOLE = 2, /**< By the console. */
     EVENT_CAUSE_ESTOP = 3,   /**< By the e-stop. */
     EVENT_CAUSE_PEDAL = 4,   /**< By the pedal. */
     EVENT_CAUSE_SCANNER = 5, /**< By the scanner. */

@@ -136,7 +136,7 @@ void test_SWR_EXCH_001_loop_figures_come_back_whole(void)
 
 void test_SWR_EXCH_002_a_full_command_lane_refuses_and_keeps_what_it_has(void)
 {
-    command_t command = {.source = COMMAND_SOURCE_IGTL, .kind = COMMAND_WORKPHASE};
+    command_t command = {.kind = COMMAND_WORKPHASE};
     command_t taken[EXCHANGE_COMMANDS + 1U];
 
     for (uint32_t i = 0U; i < EXCHANGE_COMMANDS; i++) {
@@ -153,37 +153,12 @@ void test_SWR_EXCH_002_a_full_command_lane_refuses_and_keeps_what_it_has(void)
     TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &command));
 }
 
-void test_SWR_EXCH_002_a_command_of_an_unknown_source_is_refused(void)
-{
-    const command_t command = {.source = COMMAND_SOURCE_COUNT};
-    command_t taken;
-
-    TEST_ASSERT_EQUAL(STATUS_UNKNOWN_COMMAND, exchange_send_command(reader, &command));
-    TEST_ASSERT_EQUAL_UINT32(0U, exchange_take_commands(control, &taken, 1U));
-}
-
-void test_SWR_EXCH_002_a_flooding_source_does_not_keep_the_other_waiting(void)
-{
-    command_t command = {.source = COMMAND_SOURCE_IGTL};
-    command_t taken[4];
-
-    for (uint32_t i = 0U; i < EXCHANGE_COMMANDS; i++) {
-        TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &command));
-    }
-    command.source = COMMAND_SOURCE_HTTP;
-    TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &command));
-    TEST_ASSERT_EQUAL_UINT32(4U, exchange_take_commands(control, taken, 4U));
-    TEST_ASSERT_EQUAL_UINT32(COMMAND_SOURCE_IGTL, taken[0].source);
-    TEST_ASSERT_EQUAL_UINT32(COMMAND_SOURCE_HTTP, taken[1].source);
-}
-
 void test_SWR_EXCH_002_a_command_carries_the_source_of_its_lane(void)
 {
-    const command_t command = {.source = COMMAND_SOURCE_IGTL, .id = 4U};
+    const command_t command = {.source = COMMAND_SOURCE_HTTP, .id = 4U};
     command_t taken;
 
     TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &command));
-    reader->segment->others.commands[COMMAND_SOURCE_IGTL].slots[0].source = COMMAND_SOURCE_HTTP;
     TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, &taken, 4U));
     TEST_ASSERT_EQUAL_UINT32(COMMAND_SOURCE_IGTL, taken.source);
 }
@@ -208,11 +183,136 @@ void test_SWR_CTRL_021_a_cycle_takes_no_more_after_a_command_that_computes(void)
     }
 }
 
+static void fill_lane(void)
+{
+    const command_t command = {.kind = COMMAND_PROPOSE_ENTRY};
+
+    while (exchange_send_command(reader, &command) == STATUS_OK) {
+    }
+}
+
+static void expect_stop(uint32_t number, const command_t *command)
+{
+    TEST_ASSERT_EQUAL_UINT32(number, command->id);
+    TEST_ASSERT_EQUAL_UINT32(COMMAND_SOURCE_HTTP, command->source);
+    TEST_ASSERT_EQUAL_UINT32(COMMAND_WORKPHASE, command->kind);
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_STOP, command->argument);
+}
+
+void test_SWR_HTTP_008_a_stop_passes_a_full_lane_and_is_the_last_command_of_its_cycle(void)
+{
+    command_t taken[4];
+
+    fill_lane();
+    const uint32_t number = exchange_request_stop(reader);
+    TEST_ASSERT_EQUAL_UINT32(4U, exchange_take_commands(control, taken, 4U));
+    TEST_ASSERT_EQUAL_UINT32(COMMAND_PROPOSE_ENTRY, taken[2].kind);
+    expect_stop(number, &taken[3]);
+    TEST_ASSERT_EQUAL_UINT32(4U, exchange_take_commands(control, taken, 4U));
+    TEST_ASSERT_EQUAL_UINT32(COMMAND_PROPOSE_ENTRY, taken[3].kind);
+}
+
+void test_SWR_HTTP_008_a_stop_leaves_where_there_is_room_for_one_command_only(void)
+{
+    command_t taken;
+
+    fill_lane();
+    const uint32_t number = exchange_request_stop(reader);
+    TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, &taken, 1U));
+    expect_stop(number, &taken);
+}
+
+void test_SWR_HTTP_008_one_command_and_its_answer_serve_every_stop_requested_before(void)
+{
+    answer_t answer = {.source = COMMAND_SOURCE_HTTP, .workphase = WORKPHASE_STOP};
+    answer_t read;
+    command_t taken[4];
+    uint32_t numbers[1000];
+
+    for (uint32_t i = 0U; i < 1000U; i++) {
+        numbers[i] = exchange_request_stop(reader);
+    }
+    TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, taken, 4U));
+    TEST_ASSERT_FALSE(exchange_read_stop_answer(reader, numbers[0], &read));
+    const uint32_t late = exchange_request_stop(reader);
+    answer.id = taken[0].id;
+    TEST_ASSERT_TRUE(exchange_push_answer(control, &answer));
+    for (uint32_t i = 0U; i < 1000U; i++) {
+        TEST_ASSERT_TRUE(exchange_read_stop_answer(reader, numbers[i], &read));
+        TEST_ASSERT_EQUAL_UINT32(WORKPHASE_STOP, read.workphase);
+    }
+    TEST_ASSERT_FALSE(exchange_read_stop_answer(reader, late, &read));
+    TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, taken, 4U));
+    expect_stop(late, &taken[0]);
+    TEST_ASSERT_EQUAL_UINT32(0U, exchange_take_commands(control, taken, 4U));
+}
+
+void test_SWR_HTTP_008_the_numbers_of_stops_may_wrap(void)
+{
+    answer_t answer = {.source = COMMAND_SOURCE_HTTP};
+    command_t taken;
+
+    reader->segment->others.stops_requested = UINT32_MAX - 1U;
+    control->segment->control.stops_taken = UINT32_MAX - 1U;
+    const uint32_t before = exchange_request_stop(reader);
+    const uint32_t after = exchange_request_stop(reader);
+    TEST_ASSERT_EQUAL_UINT32(0U, after);
+    TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, &taken, 1U));
+    answer.id = taken.id;
+    TEST_ASSERT_TRUE(exchange_push_answer(control, &answer));
+    TEST_ASSERT_TRUE(exchange_read_stop_answer(reader, before, &answer));
+    TEST_ASSERT_TRUE(exchange_read_stop_answer(reader, after, &answer));
+    TEST_ASSERT_FALSE(exchange_read_stop_answer(reader, after + 1U, &answer));
+}
+
+static void *request_stops(void *unused)
+{
+    (void)unused;
+    for (uint32_t i = 0U; i < 50U; i++) {
+        const uint32_t number = exchange_request_stop(reader);
+        answer_t answer;
+        while (!exchange_read_stop_answer(reader, number, &answer)) {
+            (void)sched_yield();
+        }
+        TEST_ASSERT_EQUAL_UINT32(WORKPHASE_STOP, answer.workphase);
+    }
+    return NULL;
+}
+
+void test_SWR_HTTP_008_each_of_a_thousand_stops_of_twenty_threads_is_answered(void)
+{
+    pthread_t threads[20];
+    command_t taken[4] = {0};
+
+    for (uint32_t i = 0U; i < 20U; i++) {
+        TEST_ASSERT_EQUAL_INT(0, pthread_create(&threads[i], NULL, request_stops, NULL));
+    }
+    while (taken[0].id != 1000U) {
+        if (exchange_take_commands(control, taken, 4U) == 0U) {
+            (void)sched_yield();
+            continue;
+        }
+        const answer_t answer = {
+            .id = taken[0].id, .source = taken[0].source, .workphase = taken[0].argument};
+        TEST_ASSERT_TRUE(exchange_push_answer(control, &answer));
+    }
+    for (uint32_t i = 0U; i < 20U; i++) {
+        (void)pthread_join(threads[i], NULL);
+    }
+}
+
+void test_SWR_HTTP_007_the_port_for_stops_is_noted_for_the_next_run(void)
+{
+    TEST_ASSERT_EQUAL_UINT32(0U, exchange_stop_port(reader));
+    exchange_note_stop_port(reader, 40000U);
+    TEST_ASSERT_EQUAL_UINT32(40000U, exchange_stop_port(control));
+}
+
 static void *send_commands(void *unused)
 {
     (void)unused;
     for (uint32_t id = 0U; id < ROUNDS; id++) {
-        command_t command = {.source = id % COMMAND_SOURCE_COUNT, .id = id, .value = (int32_t)id};
+        command_t command = {.id = id, .value = (int32_t)id};
         while (exchange_send_command(reader, &command) == STATUS_BUSY) {
             (void)sched_yield();
         }
@@ -220,10 +320,9 @@ static void *send_commands(void *unused)
     return NULL;
 }
 
-void test_SWR_EXCH_002_every_command_arrives_once_and_in_the_order_of_its_source(void)
+void test_SWR_EXCH_002_every_command_arrives_once_and_in_order(void)
 {
     pthread_t writer;
-    uint32_t expected[COMMAND_SOURCE_COUNT] = {0U, 1U};
     uint32_t received = 0U;
 
     TEST_ASSERT_EQUAL_INT(0, pthread_create(&writer, NULL, send_commands, NULL));
@@ -231,9 +330,8 @@ void test_SWR_EXCH_002_every_command_arrives_once_and_in_the_order_of_its_source
         command_t taken[4];
         const uint32_t count = exchange_take_commands(control, taken, 4U);
         for (uint32_t i = 0U; i < count; i++) {
-            TEST_ASSERT_EQUAL_UINT32(expected[taken[i].source], taken[i].id);
+            TEST_ASSERT_EQUAL_UINT32(received + i, taken[i].id);
             TEST_ASSERT_EQUAL_INT32((int32_t)taken[i].id, taken[i].value);
-            expected[taken[i].source] += COMMAND_SOURCE_COUNT;
         }
         received += count;
     }
@@ -243,7 +341,7 @@ void test_SWR_EXCH_002_every_command_arrives_once_and_in_the_order_of_its_source
 
 void test_SWR_EXCH_003_an_answer_that_finds_its_lane_full_is_counted(void)
 {
-    answer_t answer = {.source = COMMAND_SOURCE_HTTP};
+    answer_t answer = {.source = COMMAND_SOURCE_IGTL};
     answer_t taken;
 
     for (uint32_t i = 0U; i < EXCHANGE_ANSWERS; i++) {
@@ -252,12 +350,11 @@ void test_SWR_EXCH_003_an_answer_that_finds_its_lane_full_is_counted(void)
     }
     TEST_ASSERT_FALSE(exchange_push_answer(control, &answer));
     TEST_ASSERT_EQUAL_UINT32(1U, exchange_answers_lost(reader));
-    TEST_ASSERT_FALSE(exchange_take_answer(reader, COMMAND_SOURCE_IGTL, &taken));
     for (uint32_t i = 0U; i < EXCHANGE_ANSWERS; i++) {
-        TEST_ASSERT_TRUE(exchange_take_answer(reader, COMMAND_SOURCE_HTTP, &taken));
+        TEST_ASSERT_TRUE(exchange_take_answer(reader, &taken));
         TEST_ASSERT_EQUAL_UINT32(i, taken.id);
     }
-    TEST_ASSERT_FALSE(exchange_take_answer(reader, COMMAND_SOURCE_HTTP, &taken));
+    TEST_ASSERT_FALSE(exchange_take_answer(reader, &taken));
     answer.source = COMMAND_SOURCE_COUNT;
     TEST_ASSERT_FALSE(exchange_push_answer(control, &answer));
     TEST_ASSERT_EQUAL_UINT32(2U, exchange_answers_lost(reader));

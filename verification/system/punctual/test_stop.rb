@@ -10,6 +10,8 @@ require_relative '../support/system_test'
 class TestStop < SystemTest
   STOP_SECONDS = 2.0 # stop_time_us
   ANSWER_SECONDS = 1.0
+  LEAVES_SECONDS = 1.0 # stop_leaves_us
+  SLOW_CLIENTS = 400
 
   def setup
     boresight(arguments: ['--real-time'])
@@ -37,6 +39,30 @@ class TestStop < SystemTest
     boresight.kill('http', 'STOP')
     boresight.kill('recorder', 'STOP')
     assert_operator stop('TERM'), :<, STOP_SECONDS
+  end
+
+  # The slow clients come first and hold their places; then the stop is asked for at the port that is there for it.
+  # Returns how long it took, and that less the machine's pauses.
+  def stop_seconds_among(count, port)
+    stop_port = boresight.stop_port
+    slow = Array.new(count) do
+      TCPSocket.new('127.0.0.1', port).tap { |socket| socket.write("POST /api/v1/stop HTTP/1.1\r\nHost: ") }
+    end
+    pauses = Pauses.new(boresight.pids.values)
+    began = Boresight.now
+    net = pauses.net_seconds { assert_equal '200', boresight.post_stop(stop_port).code }
+    [Boresight.now - began, net]
+  ensure
+    slow&.each(&:close)
+  end
+
+  def test_SWR_HTTP_007_a_stop_leaves_among_four_hundred_slow_clients
+    { 'of the console' => boresight.http_port, 'for stops' => boresight.stop_port }.each do |name, port|
+      all, net = Array.new(10) { stop_seconds_among(SLOW_CLIENTS, port) }.transpose.map(&:sort)
+      assert_operator net.last, :<, LEAVES_SECONDS
+      puts format('SWR-HTTP-007: %d slow clients at the port %s: stopped after %.3f s (median), %.3f s (worst of 10), ' \
+                  '%.3f s without the pauses', SLOW_CLIENTS, name, all[5], all.last, net.last)
+    end
   end
 
   def test_SWR_HTTP_004_sixty_half_requests_do_not_delay_a_stop

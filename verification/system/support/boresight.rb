@@ -183,8 +183,14 @@ class Boresight
     end
   end
 
-  def post_stop
-    http { |connection| connection.post('/api/v1/stop', '', 'Content-Type' => 'application/json') }
+  # Asks for a stop at the console's port, or at another.
+  def post_stop(port = http_port)
+    http(port) { |connection| connection.post('/api/v1/stop', '', 'Content-Type' => 'application/json') }
+  end
+
+  # The port for stops, as the page is told.
+  def stop_port
+    Integer(http { |connection| connection.get('/') }.body[/name="boresight-stop-port" content="(\d{5})"/, 1], 10)
   end
 
   # The supervisor's children by name; a zombie is not one.
@@ -316,8 +322,8 @@ class Boresight
     JSON.parse(response.body)
   end
 
-  def http(&)
-    Net::HTTP.start('127.0.0.1', @http_port, open_timeout: PATIENCE_SECONDS, read_timeout: PATIENCE_SECONDS, &)
+  def http(port = @http_port, &)
+    Net::HTTP.start('127.0.0.1', port, open_timeout: PATIENCE_SECONDS, read_timeout: PATIENCE_SECONDS, &)
   end
 
   # With a prefix (sh -c, setpriv ...) that executes it, the process is still the same.

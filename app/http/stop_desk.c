@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "stop_desk.h"
+
+#include "names.h"
+
+#include <stdio.h>
+#include <time.h>
+
+#define PATIENCE_MS 500U
+
+/* A pause of the machine, in which control could not answer, is one look; a slow board answers
+ * slowly. */
+static uint32_t looks_of(const exchange_t *exchange)
+{
+    loop_figures_t loop;
+    const uint32_t slowness = exchange_read_loop(exchange, &loop) ? loop.slowness : 1U;
+    return (PATIENCE_MS / STOP_DESK_LOOK_MS) * slowness;
+}
+
+stop_question_t stop_desk_ask(exchange_t *exchange)
+{
+    const stop_question_t question = {.number = exchange_request_stop(exchange),
+                                      .looks = looks_of(exchange)};
+    return question;
+}
+
+status_t stop_desk_look(const exchange_t *exchange, stop_question_t *question, answer_t *answer)
+{
+    if (exchange_read_stop_answer(exchange, question->number, answer)) {
+        return STATUS_OK;
+    }
+    if (question->looks == 0U) {
+        return STATUS_NO_ANSWER;
+    }
+    question->looks--;
+    return STATUS_BUSY;
+}
+
+status_t stop_desk_converse(exchange_t *exchange, answer_t *answer)
+{
+    const struct timespec look = {.tv_sec = 0, .tv_nsec = (long)STOP_DESK_LOOK_MS * 1000000L};
+    stop_question_t question = stop_desk_ask(exchange);
+    status_t status = stop_desk_look(exchange, &question, answer);
+    while (status == STATUS_BUSY) {
+        (void)nanosleep(&look, NULL);
+        status = stop_desk_look(exchange, &question, answer);
+    }
+    return status;
+}
+
+int stop_desk_tell(status_t status, const answer_t *answer, char json[STOP_DESK_JSON_SIZE])
+{
+    if (status != STATUS_OK) {
+        (void)snprintf(json, STOP_DESK_JSON_SIZE, "{\"code\":\"%s\",\"message\":\"%s\"}",
+                       status_name((int32_t)status), status_text((int32_t)status));
+        return 503;
+    }
+    (void)snprintf(json, STOP_DESK_JSON_SIZE,
+                   "{\"result\":\"%s\",\"code\":\"%s\",\"message\":\"%s\",\"workphase\":\"%s\"}",
+                   answer_kind_name((int32_t)answer->kind), status_name((int32_t)answer->status),
+                   status_text((int32_t)answer->status),
+                   workphase_name((int32_t)answer->workphase));
+    return (answer->kind == (uint32_t)ANSWER_REFUSED) ? 409 : 200;
+}

@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Asks control for STOP and finds its answer. Any number may ask at once: none waits for another,
+ * and none can be refused before control has judged it.
+ */
+#ifndef BORESIGHT_STOP_DESK_H
+#define BORESIGHT_STOP_DESK_H
+
+#include "exchange.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define STOP_DESK_LOOK_MS 2U    /**< From one look for the answer to the next. */
+#define STOP_DESK_JSON_SIZE 384 /**< Room for what stop_desk_tell() writes. */
+
+/** One stop that was asked for. */
+typedef struct {
+    uint32_t number;
+    uint32_t looks; /**< Left before control counts as silent. */
+} stop_question_t;
+
+/** Asks for STOP: it is on its way when this returns. */
+stop_question_t stop_desk_ask(exchange_t *exchange);
+
+/**
+ * Looks once for the answer.
+ *
+ * @return STATUS_OK with `answer` filled; STATUS_BUSY: look again after STOP_DESK_LOOK_MS;
+ *         STATUS_NO_ANSWER after 500 ms of the board's time
+ */
+status_t stop_desk_look(const exchange_t *exchange, stop_question_t *question, answer_t *answer);
+
+/** Asks and looks until STATUS_OK or STATUS_NO_ANSWER, as stop_desk_look(). */
+status_t stop_desk_converse(exchange_t *exchange, answer_t *answer);
+
+/** Writes what the client is told of `status` and, with STATUS_OK, `answer`. Returns the HTTP
+ * status. */
+int stop_desk_tell(status_t status, const answer_t *answer, char json[STOP_DESK_JSON_SIZE]);
+
+#endif

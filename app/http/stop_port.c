@@ -1,0 +1,263 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "stop_port.h"
+
+#include "http_reply.h"
+#include "stop_desk.h"
+#include "stop_request.h"
+#include "telemetry.h"
+
+#include <arpa/inet.h>
+#include <errno.h>
+#include <netinet/in.h>
+#include <poll.h>
+#include <pthread.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#define PATIENCE_MS 2000U /* A client may take so long for its request, and for its answer. */
+#define TURN_MS 100
+
+typedef enum {
+    CLIENT_READS = 0,
+    CLIENT_WAITS = 1, /* For control's answer. */
+    CLIENT_LEAVES = 2 /* It was answered; what else it sends is thrown away until it closes. */
+} client_state_t;
+
+typedef struct {
+    int socket; /* -1: this place is free. */
+    client_state_t state;
+    uint64_t since_ms;
+    size_t size;
+    char bytes[STOP_REQUEST_SIZE + 1U];
+    stop_request_t request;
+    stop_question_t question;
+} client_t;
+
+typedef struct {
+    exchange_t *exchange;
+    http_guard_t guard;
+    int socket;
+    uint64_t looked_ms;
+    client_t clients[STOP_PORT_CLIENTS];
+} stop_port_t;
+
+static stop_port_t stop_port;
+
+static void dismiss(client_t *client)
+{
+    (void)close(client->socket);
+    client->socket = -1;
+}
+
+/* The kernel takes so few bytes at once, or the client is gone. */
+static void answer(client_t *client, int status, const char *json)
+{
+    char text[HTTP_REPLY_HEAD_SIZE + STOP_DESK_JSON_SIZE];
+    const http_reply_t reply = {
+        .status = status,
+        .type = HTTP_REPLY_JSON,
+        .cache = HTTP_REPLY_NO_STORE,
+        .allow = (status == 405) ? "POST" : NULL,
+        .origin = (client->request.origin[0] != '\0') ? client->request.origin : NULL,
+        .size = strlen(json)};
+    const size_t size = http_reply_head(&reply, text);
+    (void)snprintf(&text[size], STOP_DESK_JSON_SIZE, "%s", json);
+    (void)send(client->socket, text, size + reply.size, MSG_NOSIGNAL | MSG_DONTWAIT);
+    (void)shutdown(client->socket, SHUT_WR);
+    client->state = CLIENT_LEAVES;
+    client->since_ms = telemetry_now_ms();
+}
+
+static void take_request(client_t *client)
+{
+    client->request = stop_request_read(&stop_port.guard, client->bytes, client->size);
+    if (!client->request.is_whole) {
+        return;
+    }
+    if (client->request.status == 0) {
+        client->question = stop_desk_ask(stop_port.exchange);
+        client->state = CLIENT_WAITS;
+    } else {
+        char json[STOP_DESK_JSON_SIZE];
+        (void)snprintf(json, sizeof(json), "{\"code\":\"%s\",\"message\":\"%s\"}",
+                       client->request.code, client->request.message);
+        answer(client, client->request.status, json);
+    }
+}
+
+static void listen_to(client_t *client)
+{
+    char waste[STOP_REQUEST_SIZE];
+    const bool is_reading = client->state == CLIENT_READS;
+    char *place = is_reading ? &client->bytes[client->size] : waste;
+    const size_t room = is_reading ? (STOP_REQUEST_SIZE - client->size) : sizeof(waste);
+    const ssize_t count = recv(client->socket, place, room, MSG_DONTWAIT);
+    if ((count == 0) || ((count < 0) && (errno != EAGAIN))) {
+        dismiss(client);
+    } else if ((count > 0) && is_reading) {
+        client->size += (size_t)count;
+        take_request(client);
+    } else {
+        /* Nothing has come, or nothing that counts. */
+    }
+}
+
+static void look_for_answer(client_t *client)
+{
+    char json[STOP_DESK_JSON_SIZE];
+    answer_t found;
+    const status_t status = stop_desk_look(stop_port.exchange, &client->question, &found);
+    if (status != STATUS_BUSY) {
+        const int told = stop_desk_tell(status, &found, json);
+        answer(client, told, json);
+    }
+}
+
+/* A free place, or that of the oldest client whose stop is not under way. */
+static client_t *find_place(void)
+{
+    client_t *place = NULL;
+    for (size_t i = 0U; i < STOP_PORT_CLIENTS; i++) {
+        client_t *client = &stop_port.clients[i];
+        if (client->socket < 0) {
+            return client;
+        }
+        if ((client->state != CLIENT_WAITS) &&
+            ((place == NULL) || (client->since_ms < place->since_ms))) {
+            place = client;
+        }
+    }
+    if (place != NULL) {
+        dismiss(place);
+    }
+    return place;
+}
+
+/* At most half a table at a time: who has just come is heard before its place can be taken. */
+static void welcome(void)
+{
+    for (size_t i = 0U; i < (STOP_PORT_CLIENTS / 2U); i++) {
+        const int socket = accept4(stop_port.socket, NULL, NULL, SOCK_NONBLOCK | SOCK_CLOEXEC);
+        client_t *client = (socket >= 0) ? find_place() : NULL;
+        if (client == NULL) {
+            if (socket >= 0) {
+                (void)close(socket);
+            }
+            return;
+        }
+        client->socket = socket;
+        client->state = CLIENT_READS;
+        client->since_ms = telemetry_now_ms();
+        client->size = 0U;
+        listen_to(client);
+    }
+}
+
+static void attend(client_t *client, bool is_heard, bool is_look_due)
+{
+    if (is_heard && (client->state != CLIENT_WAITS)) {
+        listen_to(client);
+    }
+    if ((client->socket >= 0) && (client->state == CLIENT_WAITS) && is_look_due) {
+        look_for_answer(client);
+    }
+    if ((client->socket >= 0) && (client->state != CLIENT_WAITS) &&
+        ((telemetry_now_ms() - client->since_ms) > PATIENCE_MS)) {
+        dismiss(client);
+    }
+}
+
+static bool is_anybody_waiting(void)
+{
+    bool is_waiting = false;
+    for (size_t i = 0U; i < STOP_PORT_CLIENTS; i++) {
+        is_waiting = is_waiting || ((stop_port.clients[i].socket >= 0) &&
+                                    (stop_port.clients[i].state == CLIENT_WAITS));
+    }
+    return is_waiting;
+}
+
+/* poll() passes over negative descriptors. Who waits is not heard: nothing more is due from it. */
+static void take_turn(void)
+{
+    struct pollfd events[STOP_PORT_CLIENTS + 1U];
+    for (size_t i = 0U; i < STOP_PORT_CLIENTS; i++) {
+        const client_t *client = &stop_port.clients[i];
+        events[i].fd = (client->state == CLIENT_WAITS) ? -1 : client->socket;
+        events[i].events = POLLIN;
+        events[i].revents = 0;
+    }
+    events[STOP_PORT_CLIENTS].fd = stop_port.socket;
+    events[STOP_PORT_CLIENTS].events = POLLIN;
+    events[STOP_PORT_CLIENTS].revents = 0;
+    (void)poll(events, STOP_PORT_CLIENTS + 1U,
+               is_anybody_waiting() ? (int)STOP_DESK_LOOK_MS : TURN_MS);
+    const uint64_t now_ms = telemetry_now_ms();
+    const bool is_look_due = (now_ms - stop_port.looked_ms) >= STOP_DESK_LOOK_MS;
+    stop_port.looked_ms = is_look_due ? now_ms : stop_port.looked_ms;
+    for (size_t i = 0U; i < STOP_PORT_CLIENTS; i++) {
+        if (stop_port.clients[i].socket >= 0) {
+            attend(&stop_port.clients[i], events[i].revents != 0, is_look_due);
+        }
+    }
+    if (events[STOP_PORT_CLIENTS].revents != 0) {
+        welcome();
+    }
+}
+
+static void *serve(void *unused)
+{
+    (void)unused;
+    for (;;) {
+        take_turn();
+    }
+    return NULL;
+}
+
+/* A listening socket on `port`, 0 meaning any; -1 when there is none. */
+static int listen_on(const char *address, uint32_t port)
+{
+    const int yes = 1;
+    struct sockaddr_in place = {.sin_family = AF_INET, .sin_port = htons((uint16_t)port)};
+    const int end = socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+    (void)inet_pton(AF_INET, address, &place.sin_addr);
+    (void)setsockopt(end, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
+    if ((end >= 0) && ((bind(end, (const struct sockaddr *)&place, sizeof(place)) != 0) ||
+                       (listen(end, SOMAXCONN) != 0))) {
+        (void)close(end);
+        return -1;
+    }
+    return end;
+}
+
+static uint32_t port_of(int socket)
+{
+    struct sockaddr_in place = {.sin_port = 0U};
+    socklen_t size = sizeof(place);
+    (void)getsockname(socket, (struct sockaddr *)&place, &size);
+    return ntohs(place.sin_port);
+}
+
+uint32_t stop_port_start(exchange_t *exchange, const http_guard_t *console)
+{
+    pthread_t thread;
+    stop_port.exchange = exchange;
+    stop_port.socket = listen_on(console->address, exchange_stop_port(exchange));
+    if (stop_port.socket < 0) {
+        stop_port.socket = listen_on(console->address, 0U);
+    }
+    for (size_t i = 0U; i < STOP_PORT_CLIENTS; i++) {
+        stop_port.clients[i].socket = -1;
+    }
+    stop_port.guard = *console;
+    stop_port.guard.port = (stop_port.socket >= 0) ? port_of(stop_port.socket) : 0U;
+    exchange_note_stop_port(exchange, stop_port.guard.port);
+    if ((stop_port.socket >= 0) && (pthread_create(&thread, NULL, serve, NULL) != 0)) {
+        (void)close(stop_port.socket);
+        stop_port.guard.port = 0U;
+    }
+    return stop_port.guard.port;
+}

@@ -1,0 +1,169 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "stop_request.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#define BODY_MOST 256U
+
+/* The headers that count. */
+typedef enum {
+    FIELD_HOST = 0,
+    FIELD_ORIGIN = 1,
+    FIELD_FETCH_SITE = 2,
+    FIELD_LENGTH = 3,
+    FIELD_TRANSFER = 4
+} field_t;
+
+#define FIELD_COUNT 5U
+
+static const char *const field_names[FIELD_COUNT] = {"Host", "Origin", "Sec-Fetch-Site",
+                                                     "Content-Length", "Transfer-Encoding"};
+
+static const stop_request_t more_needed;
+
+static stop_request_t refuse(int status, const char *code, const char *message)
+{
+    const stop_request_t refusal = {
+        .is_whole = true, .status = status, .code = code, .message = message};
+    return refusal;
+}
+
+static stop_request_t refuse_as_unreadable(void)
+{
+    return refuse(400, "BAD_REQUEST", "The request cannot be read.");
+}
+
+static stop_request_t judge_line(const char *line)
+{
+    const stop_request_t good = {.is_whole = true};
+    const char *path = strchr(line, ' ');
+    const char *version = (path != NULL) ? strchr(path + 1, ' ') : NULL;
+    if ((version == NULL) || (strncmp(version, " HTTP/1.", 8U) != 0) || (strlen(version) != 9U)) {
+        return refuse_as_unreadable();
+    }
+    if (strncmp(path, " /api/v1/stop HTTP", 18U) != 0) {
+        return refuse(404, "NOT_FOUND", "There is nothing at this path.");
+    }
+    if (strncmp(line, "POST ", 5U) != 0) {
+        return refuse(405, "METHOD_NOT_ALLOWED", "This path has another method.");
+    }
+    return good;
+}
+
+/* Notes a header that counts. False when it cannot be read, or comes a second time. */
+static bool take_field(char *line, const char *fields[FIELD_COUNT])
+{
+    char *colon = strchr(line, ':');
+    if ((colon == NULL) || (strcspn(line, " \t") < (size_t)(colon - line))) {
+        return false;
+    }
+    *colon = '\0';
+    char *value = colon + 1 + strspn(colon + 1, " \t");
+    for (size_t end = strlen(value); (end > 0U) && (strchr(" \t", value[end - 1U]) != NULL);
+         end--) {
+        value[end - 1U] = '\0';
+    }
+    for (size_t i = 0U; i < FIELD_COUNT; i++) {
+        if (strcasecmp(line, field_names[i]) == 0) {
+            const bool is_new = fields[i] == NULL;
+            fields[i] = value;
+            return is_new;
+        }
+    }
+    return true;
+}
+
+/* Cuts the head into lines. False when one of them is no header. */
+static bool take_fields(char *line, const char *fields[FIELD_COUNT])
+{
+    while (*line != '\0') {
+        char *end = strstr(line, "\r\n");
+        *end = '\0';
+        if (!take_field(line, fields)) {
+            return false;
+        }
+        line = end + 2;
+    }
+    return true;
+}
+
+static stop_request_t judge_provenance(const http_guard_t *guard,
+                                       const char *const fields[FIELD_COUNT])
+{
+    const http_provenance_t provenance = {.host = fields[FIELD_HOST],
+                                          .origin = fields[FIELD_ORIGIN],
+                                          .fetch_site = fields[FIELD_FETCH_SITE]};
+    stop_request_t good = {.is_whole = true};
+    switch (http_guard_judge(guard, &provenance)) {
+    case HTTP_GUARD_PASS:
+        (void)snprintf(good.origin, sizeof(good.origin), "%s",
+                       (provenance.origin != NULL) ? provenance.origin : "");
+        return good;
+    case HTTP_GUARD_NO_HOST:
+        return refuse(400, "HOST_MISSING", "The request names no host.");
+    case HTTP_GUARD_HOST:
+        return refuse(403, "HOST_REFUSED", "The request names a host that is not served.");
+    case HTTP_GUARD_ORIGIN:
+    case HTTP_GUARD_CROSS_SITE:
+    default:
+        return refuse(403, "ORIGIN_REFUSED", "The request comes from another site.");
+    }
+}
+
+static stop_request_t judge_body(const char *const fields[FIELD_COUNT], const char *body,
+                                 size_t size)
+{
+    const stop_request_t good = {.is_whole = true};
+    const char *length = fields[FIELD_LENGTH];
+    if ((length == NULL) || (fields[FIELD_TRANSFER] != NULL) || (length[0] == '\0') ||
+        (strspn(length, "0123456789") != strlen(length))) {
+        return refuse(411, "LENGTH_REQUIRED", "The request must say how long its body is.");
+    }
+    if ((strlen(length) > 3U) || (strtoul(length, NULL, 10) > BODY_MOST)) {
+        return refuse(413, "BODY_TOO_LONG", "The request's body is too long.");
+    }
+    const size_t announced = (size_t)strtoul(length, NULL, 10);
+    if (size < announced) {
+        return more_needed;
+    }
+    if ((size > announced) || ((size > 0U) && (strcmp(body, "{}") != 0))) {
+        return refuse(400, "BAD_BODY", "The request's body is neither empty nor {}.");
+    }
+    return good;
+}
+
+stop_request_t stop_request_read(const http_guard_t *guard, char *bytes, size_t size)
+{
+    const char *fields[FIELD_COUNT] = {NULL};
+    char head[STOP_REQUEST_SIZE + 1U];
+    bytes[size] = '\0';
+    const char *head_end = strstr(bytes, "\r\n\r\n");
+    if (memchr(bytes, '\0', size) != NULL) {
+        return refuse_as_unreadable();
+    }
+    if (head_end == NULL) {
+        return (size < STOP_REQUEST_SIZE)
+                   ? more_needed
+                   : refuse(431, "TOO_MANY_HEADERS", "The request has too many headers.");
+    }
+    (void)snprintf(head, sizeof(head), "%.*s", (int)(head_end + 2 - bytes), bytes);
+    char *line_end = strstr(head, "\r\n");
+    *line_end = '\0';
+    stop_request_t request = judge_line(head);
+    if (request.status != 0) {
+        return request;
+    }
+    if (!take_fields(line_end + 2, fields)) {
+        return refuse_as_unreadable();
+    }
+    request = judge_provenance(guard, fields);
+    if (request.status != 0) {
+        return request;
+    }
+    const char *body = head_end + 4;
+    const stop_request_t whole = judge_body(fields, body, size - (size_t)(body - bytes));
+    return (whole.is_whole && (whole.status == 0)) ? request : whole;
+}

@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * The one request of the port for stops: POST /api/v1/stop with an empty body or {}. Whatever
+ * differs is refused.
+ */
+#ifndef BORESIGHT_STOP_REQUEST_H
+#define BORESIGHT_STOP_REQUEST_H
+
+#include "http_guard.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#define STOP_REQUEST_SIZE 4096U      /**< Most bytes of a request, its body included. */
+#define STOP_REQUEST_ORIGIN_SIZE 48U /**< Longer origins are none of ours. */
+
+/** What came of reading. */
+typedef struct {
+    bool is_whole;    /**< False: more bytes are needed, and the rest says nothing. */
+    int status;       /**< Of the refusal, 0: it is a stop. */
+    const char *code; /**< Of the refusal. */
+    const char *message;
+    char origin[STOP_REQUEST_ORIGIN_SIZE]; /**< The console's page that sent it; "" if no page. */
+} stop_request_t;
+
+/**
+ * Reads the `size` bytes that have come so far, at most STOP_REQUEST_SIZE. `bytes` has room for one
+ * more and is changed.
+ *
+ * @satisfies SWR-HTTP-009
+ */
+stop_request_t stop_request_read(const http_guard_t *guard, char *bytes, size_t size);
+
+#endif
