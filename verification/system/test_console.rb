@@ -113,6 +113,30 @@ class TestConsole < Minitest::Test
     assert_parts 'SWR-CON-005'
   end
 
+  def test_SWR_CON_006_tabs_share_a_stream_and_a_stop_leaves_from_each
+    assert_parts 'SWR-CON-006'
+  end
+
+  def test_SWR_CON_007_a_stop_that_failed_cannot_be_overlooked
+    assert_parts 'SWR-CON-007'
+  end
+
+  def test_SWR_CON_008_stopped_is_seen_and_not_remembered
+    assert_parts 'SWR-CON-008'
+  end
+
+  def test_SWR_CON_009_the_stop_is_always_there
+    assert_parts 'SWR-CON-009'
+  end
+
+  def test_SWR_CON_010_one_press_is_one_stop
+    assert_parts 'SWR-CON-010'
+  end
+
+  def test_SWR_CON_011_one_console_too_many_is_told_why
+    assert_parts 'SWR-CON-011'
+  end
+
   def test_SWR_HTTP_002_stop_by_button_and_by_key
     assert_parts 'SWR-HTTP-002'
   end

@@ -9,7 +9,12 @@
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
-import { chromium, type Browser, type Page } from "playwright-core";
+import {
+  chromium,
+  type Browser,
+  type BrowserContext,
+  type Page,
+} from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
 
 function variable(name: string): string {
@@ -31,7 +36,10 @@ const startUpUrl = variable("BORESIGHT_START_UP");
 const patience = { timeout: 120_000 };
 const problems: string[] = [];
 const origins = new Set<string>();
+const STREAMS = 8;
+const stopOrigin = new URL(url);
 let browser: Browser;
+let context: BrowserContext;
 let page: Page;
 
 function simulate(order: string): void {
@@ -59,8 +67,42 @@ function field(axis: string, name: "setpoint" | "position") {
   return page.locator(`[data-axis="${axis}"] [data-field="${name}"]`);
 }
 
-function waitForText(selector: string, text: string) {
-  return page.locator(selector, { hasText: text }).waitFor();
+function waitForText(selector: string, text: string, where = page) {
+  return where.locator(selector, { hasText: text }).waitFor();
+}
+
+function pressStop(where = page) {
+  return where.getByRole("button", { name: "STOP MOTION" }).click();
+}
+
+async function openTab(where = context): Promise<Page> {
+  const tab = await where.newPage();
+  tab.setDefaultTimeout(patience.timeout);
+  await tab.goto(url);
+  return tab;
+}
+
+/** Takes places in the stream until there is none left; returns how to give them back. */
+async function fillStreams(): Promise<() => void> {
+  const end = new AbortController();
+  for (let number = 0; number < STREAMS; number++) {
+    const response = await fetch(new URL("/api/v1/events", url), {
+      signal: end.signal,
+    });
+    if (!response.ok) {
+      break;
+    }
+    void response.body?.pipeTo(new WritableStream()).catch(() => undefined);
+  }
+  return () => end.abort();
+}
+
+/** Pictures for those who want to look: with BORESIGHT_SCREENSHOT=DIR/NAME.png also DIR/NAME-PART.png. */
+async function takePictureOf(part: string, where = page): Promise<void> {
+  const path = process.env.BORESIGHT_SCREENSHOT;
+  if (path !== undefined) {
+    await where.screenshot({ path: path.replace(/(\.png)?$/, `-${part}.png`) });
+  }
 }
 
 /** For the manual, when asked for: the first stage of homing is over, the second runs. */
@@ -80,7 +122,10 @@ beforeAll(async () => {
     executablePath: "/usr/bin/chromium",
     args: ["--no-sandbox", "--disable-gpu"],
   });
-  page = await browser.newPage({ viewport: { width: 1440, height: 980 } });
+  context = await browser.newContext({
+    viewport: { width: 1440, height: 980 },
+  });
+  page = await context.newPage();
   page.setDefaultTimeout(patience.timeout);
   page.on("pageerror", (error) => problems.push(error.message));
   page.on("console", (message) => {
@@ -91,6 +136,13 @@ beforeAll(async () => {
   page.on("request", (request) => origins.add(new URL(request.url()).origin));
   await page.goto(url);
   await page.locator("[data-axis]").first().waitFor();
+  stopOrigin.port = String(
+    Number(
+      await page
+        .locator('meta[name="boresight-stop-port"]')
+        .getAttribute("content"),
+    ),
+  );
   await startUp();
 });
 
@@ -182,20 +234,138 @@ test("SWR-CON-002 what can be pressed is large enough", async () => {
 });
 
 test("SWR-HTTP-002 the stop button stops and says so", async () => {
-  await page.getByRole("button", { name: "STOP MOTION" }).click();
+  await pressStop();
   await waitForText(".stop-result", "Control has stopped all motion.");
   expect(await workphase()).toBe("STOP");
   await waitForText(".banner-state", "STOP");
 });
 
+test("SWR-CON-008 what was stopped is not said to stand when it no longer does", async () => {
+  await startUp();
+  await waitForText(".stop-result", "A software stop.");
+});
+
 test("SWR-HTTP-002 Escape stops from anywhere", async () => {
   await page.reload();
+  await waitForText(".banner-next", "Press and hold the pedal.");
   await page.locator(".log").focus();
   await page.keyboard.press("Escape");
   await waitForText(".stop-result", "Control has stopped all motion.");
 });
 
+test("SWR-CON-010 Escape held down asks once", async () => {
+  const requests: string[] = [];
+  page.on("request", (one) => requests.push(`${one.method()} ${one.url()}`));
+  for (let repeat = 0; repeat < 30; repeat++) {
+    await page.keyboard.down("Escape");
+  }
+  await page.keyboard.up("Escape");
+  await waitForText(".stop-result", "Control has stopped all motion.");
+  expect(requests).toEqual([`POST ${stopOrigin.href}api/v1/stop`]);
+});
+
+test.each([6, 9])(
+  "SWR-CON-006 of %i tabs of one browser each has data, and a stop leaves from the last",
+  async (count) => {
+    const streams: string[] = [];
+    context.on("request", (one) => {
+      if (one.url().endsWith("/events")) {
+        streams.push(one.url());
+      }
+    });
+    const tabs: Page[] = [];
+    try {
+      while (tabs.length < count - 1) {
+        tabs.push(await openTab());
+      }
+      for (const tab of [page, ...tabs]) {
+        await tab.locator('.panels[data-freshness="live"]').waitFor();
+      }
+      await startUp();
+      simulate("pedal press");
+      const last = tabs.at(-1) ?? page;
+      await last.locator('[data-axis][data-level="active"]').first().waitFor();
+      await pressStop(last);
+      for (const tab of [page, ...tabs]) {
+        await waitForText(
+          ".stop-result",
+          "Control has stopped all motion.",
+          tab,
+        );
+      }
+      expect(await workphase()).toBe("STOP");
+      expect(streams).toEqual([]); // It is the shared worker's.
+    } finally {
+      simulate("pedal release");
+      await Promise.all(tabs.map((tab) => tab.close()));
+    }
+  },
+);
+
+test("SWR-CON-011 one console too many is told so, and can stop", async () => {
+  await startUp();
+  const giveBack = await fillStreams();
+  const other = await browser.newContext();
+  try {
+    const ninth = await openTab(other);
+    await waitForText(".banner", "Too many consoles are open", ninth);
+    await takePictureOf("ninth", ninth);
+    await pressStop(ninth);
+    await waitForText(".stop-result", "confirmed the stop", ninth);
+    expect(await workphase()).toBe("STOP");
+    giveBack();
+    await ninth.locator('.panels[data-freshness="live"]').waitFor();
+    await waitForText(".stop-result", "Control has stopped all motion.", ninth);
+  } finally {
+    giveBack();
+    await other.close();
+  }
+});
+
+test("SWR-CON-007 a stop that was not confirmed stands across the page until control has stopped", async () => {
+  await startUp();
+  process.kill(serverPid, "SIGSTOP");
+  try {
+    await pressStop();
+    const alert = page.locator(".stop-failed");
+    await alert.waitFor();
+    expect(await alert.textContent()).toContain("NOT STOPPED");
+    expect((await alert.boundingBox())?.width).toBeGreaterThan(1300);
+    await takePictureOf("not-stopped");
+    await page.locator(".theme-button").click();
+    await takePictureOf("not-stopped-light");
+    await page.locator(".theme-button").click();
+  } finally {
+    process.kill(serverPid, "SIGCONT");
+  }
+  await page.locator('.panels[data-freshness="live"]').waitFor();
+  await pressStop();
+  await page.locator(".stop-failed").waitFor({ state: "detached" });
+});
+
+test("SWR-CON-009 a browser that refuses storage and workers shows the page and stops", async () => {
+  await startUp();
+  const other = await browser.newContext();
+  await other.addInitScript(() => {
+    for (const name of ["localStorage", "SharedWorker"]) {
+      Object.defineProperty(window, name, {
+        get: () => {
+          throw new DOMException("refused", "SecurityError");
+        },
+      });
+    }
+  });
+  try {
+    const tab = await openTab(other);
+    await tab.locator('.panels[data-freshness="live"]').waitFor();
+    await pressStop(tab);
+    await waitForText(".stop-result", "Control has stopped all motion.", tab);
+  } finally {
+    await other.close();
+  }
+});
+
 test("SWR-HTTP-004 the browser has nothing to complain of and asks nobody else", () => {
   expect(problems).toEqual([]);
-  expect([...origins]).toEqual([new URL(url).origin]);
+  expect([...origins]).toEqual([new URL(url).origin, stopOrigin.origin]);
 });

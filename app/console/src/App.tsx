@@ -7,6 +7,7 @@ import { Log } from "./panels/Log";
 import { Loop } from "./panels/Loop";
 import { StopButton } from "./panels/StopButton";
 import { Targeting } from "./panels/Targeting";
+import { Boundary } from "./parts/Boundary";
 import { Panel } from "./parts/Panel";
 import { ThemeButton } from "./parts/ThemeButton";
 import type { RobotState, Time } from "./api";
@@ -76,20 +77,45 @@ function Notices({ view }: { view: ConsoleView }) {
   );
 }
 
+/** What is left when all else has failed. */
+export function Emergency() {
+  return (
+    <header>
+      <p className="panel-failed">
+        The console cannot be shown. Reload the page; the robot is not affected.
+      </p>
+      <StopButton view={null} />
+    </header>
+  );
+}
+
+/**
+ * The whole page. Whatever fails in it is cut out; the stop stays.
+ *
+ * @satisfies SWR-CON-009
+ */
 export function App({ store }: { store: TelemetryStore }) {
   const view = useSyncExternalStore(store.subscribe, store.getView);
   return (
     <>
       <header>
         <h1 className="hidden">Boresight console</h1>
-        <Banner view={view} />
-        <StopButton />
+        <Boundary name="banner">
+          <Banner view={view} />
+        </Boundary>
+        <Boundary name="stop" instead={<StopButton view={null} />}>
+          <StopButton view={view} />
+        </Boundary>
       </header>
       <main>
-        <Notices view={view} />
-        {view.robot !== null && <Panels view={view} robot={view.robot} />}
+        <Boundary name="page">
+          <Notices view={view} />
+          {view.robot !== null && <Panels view={view} robot={view.robot} />}
+        </Boundary>
       </main>
-      <Footer robot={view.robot} />
+      <Boundary name="footer">
+        <Footer robot={view.robot} />
+      </Boundary>
     </>
   );
 }

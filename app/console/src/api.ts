@@ -150,32 +150,8 @@ export interface RobotState {
   targeting: Targeting;
 }
 
-export interface StopResult {
-  isStopped: boolean;
-  message: string;
-}
-
-const STOP_TIMEOUT_MS = 1500;
-
-/** Asks control to stop all motion. Always resolves, with a sentence to show. */
-export async function requestStop(): Promise<StopResult> {
-  try {
-    const response = await fetch("/api/v1/stop", {
-      method: "POST",
-      body: "{}",
-      signal: AbortSignal.timeout(STOP_TIMEOUT_MS),
-    });
-    const answer = (await response.json()) as { message?: string };
-    return response.ok
-      ? { isStopped: true, message: "Control has stopped all motion." }
-      : {
-          isStopped: false,
-          message: `Not stopped: ${answer.message ?? response.statusText}`,
-        };
-  } catch {
-    return {
-      isStopped: false,
-      message: "Not stopped: the server does not answer. Release the pedal.",
-    };
-  }
+/** The body of every refusal. */
+export interface ErrorAnswer {
+  code?: string;
+  message?: string;
 }

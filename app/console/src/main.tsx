@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 import { StrictMode } from "react";
 import { createRoot } from "react-dom/client";
-import { App } from "./App";
+import { App, Emergency } from "./App";
+import { Boundary } from "./parts/Boundary";
 import { applyStoredTheme } from "./parts/ThemeButton";
 import { TelemetryStore } from "./store";
 import "./style.css";
@@ -16,6 +17,8 @@ if (root === null) {
 }
 createRoot(root).render(
   <StrictMode>
-    <App store={store} />
+    <Boundary name="console" instead={<Emergency />}>
+      <App store={store} />
+    </Boundary>
   </StrictMode>,
 );

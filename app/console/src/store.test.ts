@@ -2,7 +2,8 @@
 // Rule under test: data that stops coming is noticed within a second, whatever has stopped it.
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import type { LogEntry } from "./api";
-import { LOG_LENGTH, TelemetryStore } from "./store";
+import { LOG_LENGTH } from "./connection";
+import { TelemetryStore } from "./store";
 import { makeRobot } from "./testing/robot";
 import { FakeSurroundings } from "./testing/surroundings";
 
@@ -95,4 +96,37 @@ test("SWR-CON-001 the last events are kept, newest first", () => {
   const { log } = store.getView();
   expect(log).toHaveLength(LOG_LENGTH);
   expect(log[0]?.number).toBe(LOG_LENGTH + 4);
+});
+
+test("SWR-CON-004 old data is not taken for new when the stream greets again", () => {
+  surroundings.stream.send("state", makeRobot());
+  surroundings.stream.fail();
+  pass(2000);
+  surroundings.stream.send("hello", { boot_id: "1", build_id: "a" });
+  pass(100);
+  expect(store.getView().freshness).toBe("stale");
+});
+
+test("SWR-CON-004 a stream that falls silent is opened again", () => {
+  surroundings.stream.send("state", makeRobot());
+  pass(3000);
+  expect(surroundings.streams[0]?.isClosed).toBe(true);
+  pass(600);
+  expect(surroundings.streams).toHaveLength(2);
+});
+
+test("SWR-CON-011 the reason that the server gives is kept until it greets", () => {
+  surroundings.stream.fail("Too many consoles are open.");
+  expect(store.getView().refusal).toBe("Too many consoles are open.");
+  pass(600);
+  surroundings.stream.send("hello", { boot_id: "1", build_id: "a" });
+  expect(store.getView().refusal).toBeNull();
+});
+
+test("SWR-CON-009 a message that cannot be read asks for another page and harms nothing", () => {
+  const robot = makeRobot();
+  surroundings.stream.send("state", robot);
+  surroundings.stream.send("state", {} as typeof robot);
+  expect(store.getView().isOutdated).toBe(true);
+  expect(store.getView().robot).toEqual(robot);
 });

@@ -1,55 +1,60 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Hello, LogEntry, RobotState } from "./api";
+import {
+  LOG_LENGTH,
+  type StreamEvent,
+  type StreamListener,
+} from "./connection";
 import { freshnessOf, type Freshness } from "./freshness";
+import { SharedStream, type Stream } from "./shared_stream";
 
-export const LOG_LENGTH = 50;
 const CHECK_MS = 100;
 const RECONNECT_MS = 500;
+/** A stream that has brought data and then nothing for so long is opened again. */
+const SILENCE_MS = 3000;
 
 /** All that the panels show. Never changed, only replaced. */
 export interface ConsoleView {
   isConnected: boolean;
+  /** Why there is no stream, if the server has said so. */
+  refusal: string | null;
   freshness: Freshness;
   /** Age of the data: control's share and the time since it arrived. */
   ageMs: number;
-  /** The server is of another build than this page. */
+  /** The server is of another build than this page, or sends what the page cannot read. */
   isOutdated: boolean;
   robot: RobotState | null;
   /** Newest first. */
   log: readonly LogEntry[];
 }
 
-/** The part of EventSource that is used. */
-export interface Stream {
-  addEventListener(
-    type: string,
-    listener: (event: MessageEvent<string>) => void,
-  ): void;
-  onerror: ((event: Event) => void) | null;
-  close(): void;
-}
-
 export interface Surroundings {
-  openStream(): Stream;
+  openStream(listener: StreamListener): Stream;
   now(): number;
 }
 
 export const browserSurroundings: Surroundings = {
-  openStream: () => new EventSource("/api/v1/events") as unknown as Stream,
+  openStream: (listener) => new SharedStream(listener),
   now: () => performance.now(),
 };
 
-/** The one store: listens to the server and notices when it falls silent. */
-export class TelemetryStore {
+/**
+ * The one store: listens to the server and notices when it falls silent.
+ *
+ * @satisfies SWR-CON-011
+ */
+export class TelemetryStore implements StreamListener {
   private readonly listeners = new Set<() => void>();
   private readonly surroundings: Surroundings;
   private stream: Stream | null = null;
   private timer: ReturnType<typeof setInterval> | null = null;
   private arrivedAt = 0;
+  private heardAt = 0;
   private closedAt = 0;
   private buildId: string | null = null;
   private view: ConsoleView = {
     isConnected: false,
+    refusal: null,
     freshness: "stale",
     ageMs: 0,
     isOutdated: false,
@@ -81,25 +86,44 @@ export class TelemetryStore {
     this.stream = null;
   }
 
+  hear(type: StreamEvent, data: string): void {
+    this.heardAt = this.surroundings.now();
+    try {
+      this.read(type, data);
+    } catch {
+      this.replace({ isOutdated: true });
+    }
+  }
+
+  /** A browser does not always reconnect by itself; this does. */
+  lose(reason: string | null): void {
+    this.stream?.close();
+    this.stream = null;
+    this.closedAt = this.surroundings.now();
+    this.replace({ isConnected: false, refusal: reason, freshness: "stale" });
+  }
+
   private open(): void {
-    const stream = this.surroundings.openStream();
-    stream.addEventListener("hello", (event) => {
-      this.greet(JSON.parse(event.data) as Hello);
-    });
-    stream.addEventListener("state", (event) => {
-      this.take(JSON.parse(event.data) as RobotState);
-    });
-    stream.addEventListener("log", (event) => {
-      this.note(JSON.parse(event.data) as LogEntry);
-    });
-    stream.onerror = () => this.lose();
-    this.stream = stream;
+    this.heardAt = this.surroundings.now();
+    this.stream = this.surroundings.openStream(this);
+  }
+
+  private read(type: StreamEvent, data: string): void {
+    switch (type) {
+      case "hello":
+        return this.greet(JSON.parse(data) as Hello);
+      case "state":
+        return this.take(JSON.parse(data) as RobotState);
+      case "log":
+        return this.note(JSON.parse(data) as LogEntry);
+    }
   }
 
   private greet(hello: Hello): void {
     this.buildId ??= hello.build_id;
     this.replace({
       isConnected: true,
+      refusal: null,
       isOutdated: this.buildId !== hello.build_id,
       log: [],
     });
@@ -114,22 +138,24 @@ export class TelemetryStore {
     this.replace({ log: [entry, ...this.view.log].slice(0, LOG_LENGTH) });
   }
 
-  /** A browser does not always reconnect by itself; this does. */
-  private lose(): void {
-    this.stream?.close();
-    this.stream = null;
-    this.closedAt = this.surroundings.now();
-    this.replace({ isConnected: false, freshness: "stale" });
-  }
-
   private check(): void {
     const now = this.surroundings.now();
     if (this.stream === null && now - this.closedAt >= RECONNECT_MS) {
       this.open();
+    } else if (this.isSilent(now)) {
+      this.lose(null);
     }
     if (this.view.robot !== null) {
       this.replace(this.judge(this.view.robot, this.view.isConnected));
     }
+  }
+
+  private isSilent(now: number): boolean {
+    return (
+      this.stream !== null &&
+      this.view.robot !== null &&
+      now - this.heardAt >= SILENCE_MS
+    );
   }
 
   private judge(

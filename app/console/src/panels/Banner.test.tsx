@@ -8,6 +8,7 @@ import { Banner } from "./Banner";
 
 const live: ConsoleView = {
   isConnected: true,
+  refusal: null,
   freshness: "live",
   ageMs: 0,
   isOutdated: false,
@@ -43,4 +44,16 @@ test("SWR-CON-004 says when the server cannot be reached", () => {
   const view: ConsoleView = { ...live, freshness: "stale", isConnected: false };
   render(<Banner view={view} />);
   expect(screen.getByRole("alert").textContent).toContain("cannot be reached");
+});
+
+test("SWR-CON-011 says why the server refuses the data", () => {
+  const refused = {
+    isConnected: false,
+    refusal: "Too many consoles are open.",
+  };
+  render(<Banner view={{ ...live, ...refused, robot: null }} />);
+  expect(screen.getByRole("status").textContent).toContain("Too many consoles");
+  cleanup();
+  render(<Banner view={{ ...live, ...refused, freshness: "stale" }} />);
+  expect(screen.getByRole("alert").textContent).toContain("Too many consoles");
 });

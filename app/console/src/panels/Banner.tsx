@@ -5,10 +5,14 @@ import { ageText } from "../lamps";
 import { Shape } from "../parts/Shape";
 import type { ConsoleView } from "../store";
 
+function absence(view: ConsoleView): string {
+  return view.refusal ?? "The server cannot be reached.";
+}
+
 function StaleBanner({ view }: { view: ConsoleView }) {
   const reason = view.isConnected
     ? `Control has sent nothing new for ${ageText(view.ageMs)}.`
-    : "The server cannot be reached.";
+    : absence(view);
   return (
     <div className="banner banner-stale" role="alert">
       <Shape level="fault" />
@@ -41,17 +45,18 @@ function StateBanner({ status }: { status: Status }) {
  *
  * @satisfies SWR-CON-001
  * @satisfies SWR-CON-004
+ * @satisfies SWR-CON-011
  */
 export function Banner({ view }: { view: ConsoleView }) {
   if (view.robot === null) {
     return (
       <div className="banner" role="status">
         <div>
-          <p className="banner-next">Waiting for control</p>
+          <p className="banner-next">
+            {view.isConnected ? "Waiting for control" : "No data"}
+          </p>
           <p className="banner-state">
-            {view.isConnected
-              ? "The server has no data yet."
-              : "The server cannot be reached."}
+            {view.isConnected ? "The server has no data yet." : absence(view)}
           </p>
         </div>
       </div>

@@ -1,34 +1,107 @@
 // SPDX-License-Identifier: Apache-2.0
-import { useCallback, useEffect, useState } from "react";
-import { requestStop, type StopResult } from "../api";
+import { useCallback, useEffect, useRef, useState } from "react";
+import { Shape } from "../parts/Shape";
+import { isSeenStopped, requestStop } from "../stop";
+import type { ConsoleView } from "../store";
 
-/** Asks for no confirmation. Works with stale data too: the request may get through where the stream does not. */
-export function StopButton() {
-  const [result, setResult] = useState<StopResult | null>(null);
+type View = Pick<ConsoleView, "freshness" | "robot"> | null;
+
+type Outcome =
+  | { kind: "none" }
+  | { kind: "asking" }
+  | { kind: "confirmed" }
+  | { kind: "failed"; reason: string };
+
+/** The last press counts; a stop that control has confirmed counts whichever press it was for. */
+function useStop(isSeen: boolean) {
+  const [outcome, setOutcome] = useState<Outcome>({ kind: "none" });
+  const presses = useRef(0);
   const stop = useCallback(() => {
-    setResult({ isStopped: false, message: "Asking control to stop…" });
-    void requestStop().then(setResult);
+    presses.current += 1;
+    const press = presses.current;
+    setOutcome((before) =>
+      before.kind === "failed" ? before : { kind: "asking" },
+    );
+    void requestStop().then(({ isConfirmed, reason }) => {
+      if (isConfirmed) {
+        setOutcome({ kind: "confirmed" });
+      } else if (press === presses.current) {
+        setOutcome({ kind: "failed", reason });
+      }
+    });
   }, []);
+  const hasFailed = outcome.kind === "failed";
+  useEffect(() => {
+    if (hasFailed && isSeen) {
+      setOutcome({ kind: "none" });
+    }
+  }, [hasFailed, isSeen]);
+  return { outcome, stop };
+}
 
+/** A key that is held repeats itself; only its press counts. */
+function useEscape(stop: () => void): void {
   useEffect(() => {
     const listen = (event: KeyboardEvent) => {
-      if (event.key === "Escape") {
+      if (event.key === "Escape" && !event.repeat) {
         stop();
       }
     };
-    window.addEventListener("keydown", listen);
-    return () => window.removeEventListener("keydown", listen);
+    window.addEventListener("keydown", listen, { capture: true });
+    return () =>
+      window.removeEventListener("keydown", listen, { capture: true });
   }, [stop]);
+}
 
+function sentence(outcome: Outcome, isSeen: boolean, isLive: boolean): string {
+  if (outcome.kind === "asking") {
+    return "Asking control to stop…";
+  }
+  if (isSeen) {
+    return "Control has stopped all motion.";
+  }
+  return outcome.kind === "confirmed" && !isLive
+    ? "Control has confirmed the stop. Whether it still stands is not known."
+    : "A software stop. The e-stop is on the robot.";
+}
+
+function Failure({ reason }: { reason: string }) {
   return (
-    <div className="stop">
-      <button type="button" className="stop-button" onClick={stop}>
-        STOP MOTION
-        <kbd>Esc</kbd>
-      </button>
-      <p className="stop-result" role="status">
-        {result?.message ?? "A software stop. The e-stop is on the robot."}
+    <div className="stop-failed" role="alert">
+      <Shape level="fault" />
+      <p>
+        <strong>NOT STOPPED</strong> {reason} Release the pedal, or pull the
+        e-stop.
       </p>
     </div>
+  );
+}
+
+/**
+ * Asks for no confirmation. Works with stale data too: the request may get through where the stream does not. What it
+ * says of control comes from the data of this moment (`view`, null: there is none).
+ *
+ * @satisfies SWR-CON-007
+ * @satisfies SWR-CON-008
+ * @satisfies SWR-CON-010
+ */
+export function StopButton({ view }: { view: View }) {
+  const isLive = view?.freshness === "live";
+  const isSeen = view !== null && isSeenStopped(view.freshness, view.robot);
+  const { outcome, stop } = useStop(isSeen);
+  useEscape(stop);
+  return (
+    <>
+      <div className="stop">
+        <button type="button" className="stop-button" onClick={stop}>
+          STOP MOTION
+          <kbd>Esc</kbd>
+        </button>
+        <p className="stop-result" role="status">
+          {sentence(outcome, isSeen, isLive)}
+        </p>
+      </div>
+      {outcome.kind === "failed" && <Failure reason={outcome.reason} />}
+    </>
   );
 }

@@ -1,28 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-import { Component, useId, type ReactNode } from "react";
-
-interface BoundaryState {
-  hasFailed: boolean;
-}
-
-/** A panel that fails says so and leaves the others alone. */
-class PanelBoundary extends Component<{ children: ReactNode }, BoundaryState> {
-  override state: BoundaryState = { hasFailed: false };
-
-  static getDerivedStateFromError(): BoundaryState {
-    return { hasFailed: true };
-  }
-
-  override render() {
-    return this.state.hasFailed ? (
-      <p className="panel-failed">
-        This panel cannot be shown. Reload the page; the robot is not affected.
-      </p>
-    ) : (
-      this.props.children
-    );
-  }
-}
+import { useId, type ReactNode } from "react";
+import { Boundary } from "./Boundary";
 
 export interface PanelProperties {
   title: string;
@@ -35,7 +13,7 @@ export function Panel({ title, className, children }: PanelProperties) {
   return (
     <section className={`panel ${className ?? ""}`} aria-labelledby={id}>
       <h2 id={id}>{title}</h2>
-      <PanelBoundary>{children}</PanelBoundary>
+      <Boundary name="panel">{children}</Boundary>
     </section>
   );
 }

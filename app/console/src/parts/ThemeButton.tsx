@@ -5,11 +5,27 @@ type Theme = "dark" | "light";
 
 const KEY = "boresight-theme";
 
+/** A browser may refuse its storage. Then the choice lasts as long as the page. */
+function recall(): string | null {
+  try {
+    return localStorage.getItem(KEY);
+  } catch {
+    return null;
+  }
+}
+
+function remember(theme: Theme): void {
+  try {
+    localStorage.setItem(KEY, theme);
+  } catch {
+    // It was only a convenience.
+  }
+}
+
 /** The theme chosen before; dark for a reading room otherwise. */
 export function applyStoredTheme(): void {
-  const stored = localStorage.getItem(KEY);
   document.documentElement.dataset.theme =
-    stored === "light" ? "light" : "dark";
+    recall() === "light" ? "light" : "dark";
 }
 
 export function ThemeButton() {
@@ -19,7 +35,7 @@ export function ThemeButton() {
   const other: Theme = theme === "dark" ? "light" : "dark";
   const change = () => {
     document.documentElement.dataset.theme = other;
-    localStorage.setItem(KEY, other);
+    remember(other);
     setTheme(other);
   };
   return (

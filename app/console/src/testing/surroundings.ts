@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // A server and a clock that the tests are in charge of.
 import type { Hello, LogEntry, RobotState } from "../api";
-import type { Stream, Surroundings } from "../store";
-
-type Listener = (event: MessageEvent<string>) => void;
+import type { StreamEvent, StreamListener } from "../connection";
+import type { Stream } from "../shared_stream";
+import type { Surroundings } from "../store";
 
 export class FakeStream implements Stream {
-  onerror: ((event: Event) => void) | null = null;
   isClosed = false;
-  private readonly listeners = new Map<string, Listener>();
+  private readonly listener: StreamListener;
 
-  addEventListener(type: string, listener: Listener): void {
-    this.listeners.set(type, listener);
+  constructor(listener: StreamListener) {
+    this.listener = listener;
   }
 
   close(): void {
@@ -21,13 +20,12 @@ export class FakeStream implements Stream {
   send(type: "hello", data: Hello): void;
   send(type: "state", data: RobotState): void;
   send(type: "log", data: LogEntry): void;
-  send(type: string, data: unknown): void {
-    const event = new MessageEvent(type, { data: JSON.stringify(data) });
-    this.listeners.get(type)?.(event as MessageEvent<string>);
+  send(type: StreamEvent, data: unknown): void {
+    this.listener.hear(type, JSON.stringify(data));
   }
 
-  fail(): void {
-    this.onerror?.(new Event("error"));
+  fail(reason: string | null = null): void {
+    this.listener.lose(reason);
   }
 }
 
@@ -44,8 +42,8 @@ export class FakeSurroundings implements Surroundings {
     return stream;
   }
 
-  openStream(): Stream {
-    this.streams.push(new FakeStream());
+  openStream(listener: StreamListener): Stream {
+    this.streams.push(new FakeStream(listener));
     return this.stream;
   }
 

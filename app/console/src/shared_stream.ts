@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a page gets the stream: from the worker that all tabs share, or by itself where there is none or it is dead.
+import {
+  Connection,
+  streamEvents,
+  type StreamEvent,
+  type StreamListener,
+} from "./connection";
+
+/** Messages from the worker to a tab. */
+export type WorkerMessage =
+  | { type: "joined" }
+  | { type: StreamEvent; data: string }
+  | { type: "lost"; reason: string | null };
+
+/** The part of a MessagePort that is used. */
+export interface Port {
+  onmessage: ((event: MessageEvent<WorkerMessage>) => void) | null;
+  postMessage(message: "leave"): void;
+  close(): void;
+}
+
+export interface Stream {
+  close(): void;
+}
+
+/** A worker that has not even greeted for so long is none. */
+export const GREETING_MS = 2000;
+
+function startWorker(onFailure: () => void): Port {
+  const worker = new SharedWorker(
+    new URL("./stream_worker.ts", import.meta.url),
+    { type: "module", name: "boresight-stream" },
+  );
+  worker.onerror = onFailure;
+  return worker.port as unknown as Port;
+}
+
+/** Listens to the stream by the shared worker. Falls back to a connection of its own, for good. */
+export class SharedStream implements Stream {
+  private readonly listener: StreamListener;
+  private readonly openAlone: () => Connection;
+  private port: Port | null = null;
+  private alone: Connection | null = null;
+  private timer: ReturnType<typeof setTimeout> | null = null;
+  private isClosed = false;
+
+  constructor(
+    listener: StreamListener,
+    start: (onFailure: () => void) => Port = startWorker,
+    openAlone: () => Connection = () => new Connection(),
+  ) {
+    this.listener = listener;
+    this.openAlone = openAlone;
+    try {
+      this.port = start(() => this.fallBack());
+      this.port.onmessage = (event) => this.take(event.data);
+      this.timer = setTimeout(() => this.fallBack(), GREETING_MS);
+    } catch {
+      this.fallBack(); // Not supported, or refused with the storage.
+    }
+  }
+
+  close(): void {
+    this.isClosed = true;
+    this.leaveWorker();
+    this.alone?.leave(this.listener);
+  }
+
+  private leaveWorker(): void {
+    this.stopTimer();
+    this.port?.postMessage("leave");
+    this.port?.close();
+    this.port = null;
+  }
+
+  private stopTimer(): void {
+    if (this.timer !== null) {
+      clearTimeout(this.timer);
+      this.timer = null;
+    }
+  }
+
+  private fallBack(): void {
+    if (this.isClosed || this.alone !== null) {
+      return;
+    }
+    this.leaveWorker();
+    this.alone = this.openAlone();
+    this.alone.join(this.listener);
+  }
+
+  private take(message: WorkerMessage): void {
+    this.stopTimer();
+    if (this.port === null || message.type === "joined") {
+      return;
+    }
+    if (message.type === "lost") {
+      this.listener.lose(message.reason);
+    } else if (streamEvents.includes(message.type)) {
+      this.listener.hear(message.type, message.data);
+    }
+  }
+}

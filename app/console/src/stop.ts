@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// Asking control to stop. The port for stops is tried first: whatever the console's port suffers from cannot hold it up.
+import type { ErrorAnswer, RobotState } from "./api";
+import type { Freshness } from "./freshness";
+
+const STOP_PATH = "/api/v1/stop";
+/** Without an answer for so long the other way is tried as well. */
+export const HEDGE_MS = 300;
+export const STOP_TIMEOUT_MS = 1500;
+const SILENCE = "The server does not answer.";
+
+export interface StopResult {
+  isConfirmed: boolean;
+  /** Why not. */
+  reason: string;
+}
+
+/** The server refused, and said why. */
+class Refusal extends Error {}
+
+/** Where a stop can be requested, the best way first. */
+export function stopAddresses(page: Document, host: string): string[] {
+  const told = page.querySelector<HTMLMetaElement>(
+    'meta[name="boresight-stop-port"]',
+  );
+  const port = Number(told?.content);
+  return port > 0
+    ? [`http://${host}:${port}${STOP_PATH}`, STOP_PATH]
+    : [STOP_PATH];
+}
+
+async function request(address: string, signal: AbortSignal): Promise<void> {
+  const response = await fetch(address, {
+    method: "POST",
+    body: "{}",
+    signal,
+  });
+  if (!response.ok) {
+    const answer = (await response.json()) as ErrorAnswer;
+    throw new Refusal(answer.message ?? response.statusText);
+  }
+}
+
+/** Resolves after `ms`, or as soon as `before` has failed. */
+function patience(ms: number, before: Promise<void>): Promise<void> {
+  return new Promise((resolve) => {
+    setTimeout(resolve, ms);
+    before.catch(() => resolve());
+  });
+}
+
+async function requestAfter(
+  before: Promise<void>,
+  address: string,
+  signal: AbortSignal,
+): Promise<void> {
+  await patience(HEDGE_MS, before);
+  signal.throwIfAborted();
+  await request(address, signal);
+}
+
+/** The first request leaves before this returns. */
+function requestAll(addresses: string[], signal: AbortSignal): Promise<void> {
+  const tried: Promise<void>[] = [];
+  for (const address of addresses) {
+    const before = tried.at(-1);
+    tried.push(
+      before === undefined
+        ? request(address, signal)
+        : requestAfter(before, address, signal),
+    );
+  }
+  return Promise.any(tried);
+}
+
+function reasonOf(failure: unknown): string {
+  const reasons = failure instanceof AggregateError ? failure.errors : [];
+  const refusal = reasons.find((one) => one instanceof Refusal) as
+    Refusal | undefined;
+  return refusal?.message ?? SILENCE;
+}
+
+/** Asks control to stop all motion. Always resolves, and what has not left until then never leaves. */
+export async function requestStop(
+  addresses = stopAddresses(document, location.hostname),
+): Promise<StopResult> {
+  const abort = new AbortController();
+  const timer = setTimeout(() => abort.abort(), STOP_TIMEOUT_MS);
+  try {
+    await requestAll(addresses, abort.signal);
+    return { isConfirmed: true, reason: "" };
+  } catch (failure) {
+    return { isConfirmed: false, reason: reasonOf(failure) };
+  } finally {
+    clearTimeout(timer);
+    abort.abort();
+  }
+}
+
+/** Whether control is seen to have stopped: never more than the data of this moment says. */
+export function isSeenStopped(
+  freshness: Freshness,
+  robot: RobotState | null,
+): boolean {
+  return (
+    freshness === "live" &&
+    robot !== null &&
+    robot.status.workphase.name === "STOP" &&
+    robot.motors.axes.every((axis) => !axis.is_driven)
+  );
+}
