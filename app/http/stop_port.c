@@ -29,6 +29,7 @@ typedef enum {
 typedef struct {
     int socket; /* -1: this place is free. */
     client_state_t state;
+    uint64_t number; /* In the order of coming. */
     uint64_t since_ms;
     size_t size;
     char bytes[STOP_REQUEST_SIZE + 1U];
@@ -40,6 +41,7 @@ typedef struct {
     exchange_t *exchange;
     http_guard_t guard;
     int socket;
+    uint64_t welcomed;
     uint64_t looked_ms;
     client_t clients[STOP_PORT_CLIENTS];
 } stop_port_t;
@@ -116,23 +118,26 @@ static void look_for_answer(client_t *client)
     }
 }
 
-/* A free place, or that of the oldest client whose stop is not under way. */
+/* Who waits for an answer goes last: its stop is on its way, but it would not hear of it. */
+static bool is_dearer(const client_t *client, const client_t *other)
+{
+    const bool is_waiting = client->state == CLIENT_WAITS;
+    return (is_waiting != (other->state == CLIENT_WAITS)) ? is_waiting
+                                                          : (client->number > other->number);
+}
+
+/* A free place, or else the oldest client's. */
 static client_t *find_place(void)
 {
-    client_t *place = NULL;
+    client_t *place = &stop_port.clients[0];
     for (size_t i = 0U; i < STOP_PORT_CLIENTS; i++) {
         client_t *client = &stop_port.clients[i];
         if (client->socket < 0) {
             return client;
         }
-        if ((client->state != CLIENT_WAITS) &&
-            ((place == NULL) || (client->since_ms < place->since_ms))) {
-            place = client;
-        }
+        place = is_dearer(place, client) ? client : place;
     }
-    if (place != NULL) {
-        dismiss(place);
-    }
+    dismiss(place);
     return place;
 }
 
@@ -141,15 +146,14 @@ static void welcome(void)
 {
     for (size_t i = 0U; i < (STOP_PORT_CLIENTS / 2U); i++) {
         const int socket = accept4(stop_port.socket, NULL, NULL, SOCK_NONBLOCK | SOCK_CLOEXEC);
-        client_t *client = (socket >= 0) ? find_place() : NULL;
-        if (client == NULL) {
-            if (socket >= 0) {
-                (void)close(socket);
-            }
+        if (socket < 0) {
             return;
         }
+        client_t *client = find_place();
         client->socket = socket;
         client->state = CLIENT_READS;
+        client->number = stop_port.welcomed;
+        stop_port.welcomed++;
         client->since_ms = telemetry_now_ms();
         client->size = 0U;
         listen_to(client);

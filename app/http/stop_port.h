@@ -13,7 +13,7 @@
 
 #include <stdint.h>
 
-#define STOP_PORT_CLIENTS 64U
+#define STOP_PORT_CLIENTS 256U
 
 /**
  * Listens on the address of `console` and serves from a thread of its own until the process ends.

@@ -54,6 +54,7 @@ test("SWR-CON-006 what the worker hears reaches the tab", () => {
   tell({ type: "hello", data: "h" });
   tell({ type: "lost", reason: "Too many." });
   expect(listener.hear).toHaveBeenCalledExactlyOnceWith("hello", "h");
+  expect(port.postMessage).toHaveBeenCalledExactlyOnceWith("ready");
   expect(listener.lose).toHaveBeenCalledExactlyOnceWith("Too many.");
   vi.advanceTimersByTime(GREETING_MS);
   expect(openAlone).not.toHaveBeenCalled();

@@ -13,10 +13,13 @@ export type WorkerMessage =
   | { type: StreamEvent; data: string }
   | { type: "lost"; reason: string | null };
 
+/** From a tab to the worker; `ready` after each message. */
+export type TabMessage = "ready" | "leave";
+
 /** The part of a MessagePort that is used. */
 export interface Port {
   onmessage: ((event: MessageEvent<WorkerMessage>) => void) | null;
-  postMessage(message: "leave"): void;
+  postMessage(message: TabMessage): void;
   close(): void;
 }
 
@@ -99,6 +102,7 @@ export class SharedStream implements Stream {
       this.listener.lose(message.reason);
     } else if (streamEvents.includes(message.type)) {
       this.listener.hear(message.type, message.data);
+      this.port.postMessage("ready");
     }
   }
 }

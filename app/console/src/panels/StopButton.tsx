@@ -93,7 +93,12 @@ export function StopButton({ view }: { view: View }) {
   return (
     <>
       <div className="stop">
-        <button type="button" className="stop-button" onClick={stop}>
+        <button
+          type="button"
+          className="stop-button"
+          onClick={stop}
+          onKeyDown={(event) => event.repeat && event.preventDefault()}
+        >
           STOP MOTION
           <kbd>Esc</kbd>
         </button>
