@@ -108,12 +108,13 @@ module HttpClient
     Boresight.wait_until(reason, &)
   end
 
-  # A stream that reads the first line of the answer and no more.
-  def open_lazy_stream
+  # A stream that reads the first line of the answer and no more. Its kernel keeps `bytes` for it, by default few.
+  def open_lazy_stream(bytes = 4096)
     lazy = nil
     wait_until('a stream is accepted') do
       lazy&.close
-      lazy = Socket.new(:INET, :STREAM).tap { |socket| socket.setsockopt(:SOCKET, :RCVBUF, 4096) }
+      lazy = Socket.new(:INET, :STREAM)
+      lazy.setsockopt(:SOCKET, :RCVBUF, bytes) if bytes
       lazy.connect(Addrinfo.tcp('127.0.0.1', port))
       lazy.write("GET /api/v1/events HTTP/1.1\r\nHost: #{host}\r\n\r\n")
       lazy.gets.start_with?('HTTP/1.1 200')
