@@ -111,9 +111,12 @@ test("SWR-CON-007 a page that was told no port asks the console's", () => {
 test("SWR-CON-008 stopped is what live data shows and nothing else", () => {
   const robot = makeRobot(stopped);
   expect(isSeenStopped("live", robot)).toBe(true);
-  expect(isSeenStopped("late", robot)).toBe(false);
-  expect(isSeenStopped("stale", robot)).toBe(false);
-  expect(isSeenStopped("live", null)).toBe(false);
+  expect(isSeenStopped("late", robot)).toBeNull();
+  expect(isSeenStopped("stale", robot)).toBeNull();
+  expect(isSeenStopped("live", null)).toBeNull();
+  const { status, targeting } = robot;
+  const unreadable = { status, targeting } as typeof robot;
+  expect(isSeenStopped("live", unreadable)).toBeNull();
   expect(isSeenStopped("live", makeRobot())).toBe(false);
   const driven = makeAxis("head", { is_driven: true });
   expect(isSeenStopped("live", makeRobot(stopped, [driven]))).toBe(false);

@@ -97,15 +97,20 @@ export async function requestStop(
   }
 }
 
-/** Whether control is seen to have stopped: never more than the data of this moment says. */
+/** Whether control is seen to have stopped; null where the data of this moment does not say: old, none, unreadable. */
 export function isSeenStopped(
   freshness: Freshness,
   robot: RobotState | null,
-): boolean {
-  return (
-    freshness === "live" &&
-    robot !== null &&
-    robot.status.workphase.name === "STOP" &&
-    robot.motors.axes.every((axis) => !axis.is_driven)
-  );
+): boolean | null {
+  if (freshness !== "live" || robot === null) {
+    return null;
+  }
+  try {
+    return (
+      robot.status.workphase.name === "STOP" &&
+      robot.motors.axes.every((axis) => !axis.is_driven)
+    );
+  } catch {
+    return null; // From a server of another build.
+  }
 }

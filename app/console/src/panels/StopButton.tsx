@@ -13,7 +13,7 @@ type Outcome =
   | { kind: "failed"; reason: string };
 
 /** The last press counts; a stop that control has confirmed counts whichever press it was for. */
-function useStop(isSeen: boolean) {
+function useStop(isSeen: boolean | null) {
   const [outcome, setOutcome] = useState<Outcome>({ kind: "none" });
   const presses = useRef(0);
   const stop = useCallback(() => {
@@ -53,14 +53,14 @@ function useEscape(stop: () => void): void {
   }, [stop]);
 }
 
-function sentence(outcome: Outcome, isSeen: boolean, isLive: boolean): string {
+function sentence(outcome: Outcome, isSeen: boolean | null): string {
   if (outcome.kind === "asking") {
     return "Asking control to stop…";
   }
-  if (isSeen) {
+  if (isSeen === true) {
     return "Control has stopped all motion.";
   }
-  return outcome.kind === "confirmed" && !isLive
+  return outcome.kind === "confirmed" && isSeen === null
     ? "Control has confirmed the stop. Whether it still stands is not known."
     : "A software stop. The e-stop is on the robot.";
 }
@@ -86,8 +86,7 @@ function Failure({ reason }: { reason: string }) {
  * @satisfies SWR-CON-010
  */
 export function StopButton({ view }: { view: View }) {
-  const isLive = view?.freshness === "live";
-  const isSeen = view !== null && isSeenStopped(view.freshness, view.robot);
+  const isSeen = view && isSeenStopped(view.freshness, view.robot);
   const { outcome, stop } = useStop(isSeen);
   useEscape(stop);
   return (
@@ -103,7 +102,7 @@ export function StopButton({ view }: { view: View }) {
           <kbd>Esc</kbd>
         </button>
         <p className="stop-result" role="status">
-          {sentence(outcome, isSeen, isLive)}
+          {sentence(outcome, isSeen)}
         </p>
       </div>
       {outcome.kind === "failed" && <Failure reason={outcome.reason} />}
