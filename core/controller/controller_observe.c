@@ -54,6 +54,10 @@ static void observe_link(controller_t *self, const cycle_t *cycle, uint32_t inde
     if ((!was_lost || is_damaged) && (link->chart.state == CARD_LINK_STATE_LOST)) {
         lose_card(self, cycle, index, !is_damaged && is_only_out_of_sight(self, index));
     }
+    /* Also what was confirmed and fell silent again before START_UP. */
+    if (link->age_cycles >= LIMIT_LINK_AGE_CYCLES) {
+        axis_doubt(&self->axes[index]);
+    }
 }
 
 /* What an event says of its axis, besides its name. */

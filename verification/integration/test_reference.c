@@ -281,6 +281,19 @@ void test_SWR_REF_009_an_axis_that_comes_back_elsewhere_is_lost(void)
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_MOVED_OFF));
 }
 
+void test_SWR_REF_009_an_axis_that_was_confirmed_and_falls_silent_again_is_unverified(void)
+{
+    start_with_doubt(AXIS_FEET);
+    rig_box(&rig, "card feet silent");
+    rig_cycles(&rig, 20U);
+    rig_box(&rig, "card feet normal");
+    rig_cycles(&rig, 20U);
+    TEST_ASSERT_EQUAL_UINT32(1U, hold_button(HOLD_CYCLES + 1U));
+    rig_box(&rig, "card feet silent");
+    rig_cycles(&rig, 20U);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED, grade(AXIS_FEET));
+}
+
 static void begin_move(void)
 {
     rig_start_targeted(&rig);
