@@ -34,7 +34,8 @@ module Robot
       'card' => { 'pwm' => 'CARD_TYPE_PWM', 'non_pwm' => 'CARD_TYPE_NON_PWM' },
       'limit_switch' => { 'none' => 'LIMIT_SWITCH_NONE', 'lower' => 'LIMIT_SWITCH_LOWER',
                           'upper' => 'LIMIT_SWITCH_UPPER' },
-      'home' => { 'switch' => 'HOME_BY_SWITCH', 'in_place' => 'HOME_IN_PLACE' }
+      'home' => { 'switch' => 'HOME_BY_SWITCH', 'in_place' => 'HOME_IN_PLACE' },
+      'needle' => { 'across' => 'NEEDLE_ACROSS', 'along' => 'NEEDLE_ALONG', 'about' => 'NEEDLE_ABOUT' }
     }.freeze
     PROBE = %w[treatment_to_tip robot_to_entry cannula_to_treatment robot_to_treatment].freeze
     POSITIONS = %w[minimum_ticks maximum_ticks home_ticks deadband_ticks speed_ticks_per_s acceleration_ticks_per_s2
@@ -58,6 +59,11 @@ module Robot
             .axis_count = #{@robot.axes.size}U,
             .crc = 0x#{format('%08X', @crc)}U,
             .card_firmware = 0x#{format('%06X', @robot.card_firmware)}U,
+            .needle_axis = #{@robot.needle_axis}U,
+            .coupled_limit_count = #{@robot.coupled_limits.size}U,
+            .coupled_limits = {
+        #{@robot.coupled_limits.map { |limit| coupled(limit) }.join(",\n")}
+            },
             .axes = {
         #{@robot.axes.map { |axis| entry(axis) }.join(",\n")}
             },
@@ -83,10 +89,17 @@ module Robot
         'limit_switch' => enumerator(axis, 'limit_switch'), 'home_method' => enumerator(axis, 'home'),
         'home_stage' => "#{axis['home_stage']}U",
         'is_motor_inverted' => flag(axis['motor_inverted']), 'is_encoder_inverted' => flag(axis['encoder_inverted']),
+        'needle_motion' => enumerator(axis, 'needle'),
         'unit_per_tick_q16' => "INT64_C(#{unit_per_tick_q16(axis)})"
       }.merge(POSITIONS.to_h { |key| [key, axis[key]] },
               axis.targets, { 'home_way_ticks' => axis.home_way_ticks, 'home_time_us' => "#{axis['home_time_ms'] * 1000}U" },
               Axis::DUTIES.to_h { |key| [key, "#{axis[key]}U"] })
+    end
+
+    def coupled(limit)
+      minimum, maximum = limit.range_mm.map { |millimetres| (millimetres * NM_PER_MM).round }
+      "        {.name = \"#{limit.name}\", .first = #{limit.first}U, .second = #{limit.second}U, " \
+        ".minimum_nm = #{minimum}, .maximum_nm = #{maximum}}"
     end
 
     def enumerator(axis, key)

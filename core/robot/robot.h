@@ -9,8 +9,9 @@
 
 #include <stdint.h>
 
-#define ROBOT_AXIS_COUNT 7U  /**< Most axes of any robot. */
-#define ROBOT_SLOT_COUNT 10U /**< Card slots of the control box. */
+#define ROBOT_AXIS_COUNT 7U     /**< Most axes of any robot. */
+#define ROBOT_SLOT_COUNT 10U    /**< Card slots of the control box. */
+#define ROBOT_COUPLED_LIMITS 1U /**< Most coupled limits of any robot. */
 
 /** Index of a NeuroRobot axis; the order of the arguments of forward kinematics (thesis, Listing
  * 16). */
@@ -41,6 +42,13 @@ typedef enum {
     LIMIT_SWITCH_UPPER = 2  /**< At the high end. */
 } limit_switch_t;
 
+/** How an axis moves the needle. */
+typedef enum {
+    NEEDLE_ACROSS = 0, /**< Sideways, or about another line than its own. */
+    NEEDLE_ALONG = 1,  /**< Along its line; larger positions are deeper. */
+    NEEDLE_ABOUT = 2   /**< About its line. */
+} needle_motion_t;
+
 typedef enum {
     AXIS_UNIT_MM = 0, /**< Joint value in nm. */
     AXIS_UNIT_RAD = 1 /**< Joint value in bam. */
@@ -57,6 +65,7 @@ typedef struct {
     uint8_t home_stage;          /**< 1 or 2: stage 2 homes after stage 1. */
     uint8_t is_motor_inverted;   /**< 1: direction bit 1 makes the position smaller. */
     uint8_t is_encoder_inverted; /**< 1: position grows when the reading falls. */
+    uint8_t needle_motion;       /**< needle_motion_t. */
     int64_t unit_per_tick_q16;   /**< nm or bam per tick, 16 fraction bits. */
     int32_t minimum_ticks;       /**< Soft limits, inclusive. */
     int32_t maximum_ticks;
@@ -83,6 +92,16 @@ typedef struct {
     uint32_t maximum_duty; /**< Largest pwm word, saturates; 0 for non-pwm. */
 } axis_config_t;
 
+/** A limit that two axes share: how far the joint value of the first, in nm, may be above that of
+ * the second; both ends inclusive. */
+typedef struct {
+    char name[12];
+    uint32_t first;     /**< axis_index_t. */
+    uint32_t second;    /**< axis_index_t. */
+    int32_t minimum_nm; /**< Below 0 when the first may be below the second. */
+    int32_t maximum_nm;
+} coupled_limit_t;
+
 /** Geometry of the NeuroRobot (mechanism of Nycz et al. 2017), nm. */
 typedef struct {
     int32_t side_link_nm;       /**< L */
@@ -105,6 +124,9 @@ typedef struct {
     uint32_t axis_count;
     uint32_t crc;           /**< CRC-32C of the robot file the table was compiled from. */
     uint32_t card_firmware; /**< Of every card: major << 16 | minor << 8 | patch. */
+    uint32_t needle_axis;   /**< The axis that moves the needle along its line. */
+    uint32_t coupled_limit_count;
+    coupled_limit_t coupled_limits[ROBOT_COUPLED_LIMITS];
     axis_config_t axes[ROBOT_AXIS_COUNT];
     neuro_geometry_t neuro;
 } robot_t;

@@ -27,7 +27,7 @@ module Robot
     }.freeze
     CHOICES = {
       'card' => %w[pwm non_pwm], 'limit_switch' => %w[none lower upper], 'home' => %w[switch in_place],
-      'motor_inverted' => %w[true false], 'encoder_inverted' => %w[true false]
+      'motor_inverted' => %w[true false], 'encoder_inverted' => %w[true false], 'needle' => %w[across along about]
     }.freeze
 
     def initialize(node)
@@ -84,7 +84,7 @@ module Robot
     private
 
     def needle?
-      self['name'] == 'insertion'
+      self['needle'] == 'along'
     end
 
     def read_unit
@@ -140,6 +140,9 @@ module Robot
     end
   end
 
+  # A limit that two axes share: their places, and how far in mm the first may be above the second.
+  CoupledLimit = Struct.new(:name, :first, :second, :range_mm, keyword_init: true)
+
   # A whole robot file, checked.
   class Description
     NEURO = { 'head' => 'mm', 'feet' => 'mm', 'lateral' => 'mm', 'insertion' => 'mm',
@@ -155,13 +158,14 @@ module Robot
       'treatment_to_tip_mm' => PLACE, 'robot_to_entry_mm' => PLACE, 'cannula_to_treatment_mm' => PLACE,
       'robot_to_treatment_mm' => PLACE
     }.freeze
+    COUPLED = [%w[separation head feet]].freeze
     LARGEST_DEPTH_MM = 200
     LARGEST_TRAVEL_MM = 2000
 
-    attr_reader :name, :card_firmware, :axes, :geometry
+    attr_reader :name, :card_firmware, :axes, :geometry, :coupled_limits
 
     def initialize(path, text)
-      nodes = Node.parse(path, text).mapping(%w[name kinematics card_firmware geometry probe axes])
+      nodes = Node.parse(path, text).mapping(%w[name kinematics card_firmware geometry probe coupled_limits axes])
       @name = nodes['name'].name
       nodes['kinematics'].choice(%w[neuro])
       @card_firmware = nodes['card_firmware'].version
@@ -169,12 +173,35 @@ module Robot
       @places = {}
       read_lengths(nodes['geometry'], GEOMETRY)
       read_lengths(nodes['probe'], PROBE)
+      @coupled_limits = read_coupled_limits(nodes['coupled_limits'])
       @axes = read_axes(nodes['axes'])
       check_geometry
       check_axes
     end
 
+    def needle_axis
+      @axes.index { |axis| axis['needle'] == 'along' }
+    end
+
     private
+
+    def read_coupled_limits(node)
+      limits = node.sequence.map { |limit| limit.mapping(%w[name first second]).values_at('name', 'first', 'second') }
+      limits.map! { |limit| limit.map(&:name) }
+      node.refuse("are #{words(limits)}; expected #{words(COUPLED)}") unless limits == COUPLED
+      limits.map do |name, first, second|
+        CoupledLimit.new(name: name, first: NEURO.keys.index(first), second: NEURO.keys.index(second),
+                         range_mm: coupled_range_mm(name))
+      end
+    end
+
+    def words(limits)
+      limits.map { |limit| limit.join(' ') }.join(', ')
+    end
+
+    def coupled_range_mm(name)
+      %w[minimum maximum].map { |side| @geometry["#{side}_#{name}_mm"] - @geometry["home_#{name}_mm"] }
+    end
 
     def read_lengths(node, ranges)
       node.mapping(ranges.keys).each do |key, length|
@@ -228,11 +255,20 @@ module Robot
 
     def check_axes
       @axes.each { |axis| check_unit(axis) }
+      check_needle
       insertion = @axes[NEURO.keys.index('insertion')]
       insertion.refuse('minimum_ticks', 'is negative; expected 0 or more, 0 is fully out') \
         if insertion['minimum_ticks'].negative?
       insertion.refuse('maximum_ticks', "is deeper than #{LARGEST_DEPTH_MM} mm; expected less") \
         if insertion.units(insertion['maximum_ticks']) > LARGEST_DEPTH_MM
+    end
+
+    # Kinematics knows which axes they are.
+    def check_needle
+      @axes.each do |axis|
+        expected = { 'insertion' => 'along', 'rotation' => 'about' }.fetch(axis['name'], 'across')
+        axis.refuse('needle', "is #{axis['needle']}; expected #{expected}") unless axis['needle'] == expected
+      end
     end
 
     def check_unit(axis)

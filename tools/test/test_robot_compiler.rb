@@ -90,7 +90,8 @@ class TestRobotCompiler < Minitest::Test
 
   def test_SWR_ROBOT_001_an_unknown_key_is_refused
     assert_refused(with('kinematics: neuro', "kinematics: neuro\ncolour: red"),
-                   'colour: is unknown; expected name, kinematics, card_firmware, geometry, probe, axes', at: 'colour')
+                   'colour: is unknown; expected name, kinematics, card_firmware, geometry, probe, coupled_limits, ' \
+                   'axes', at: 'colour')
     text = with('    slot: 4', "    slot: 4\n    slat: 4", axis: 'lateral')
     status, errors, = compile(text)
     assert_equal 1, status
@@ -251,6 +252,30 @@ class TestRobotCompiler < Minitest::Test
                    'geometry.maximum_separation_mm: is 150; expected between 75 and 150', at: 'maximum_separation_mm')
     assert_refused(with('home_separation_mm: 143', 'home_separation_mm: 30'),
                    'geometry.home_separation_mm: is 30; expected between 30 and 150', at: 'home_separation_mm')
+  end
+
+  def test_SWR_ROBOT_002_a_coupled_limit_has_the_range_of_its_geometry
+    entry = '.name = "separation", .first = 0U, .second = 1U, .minimum_nm = %d, .maximum_nm = %d}'
+    assert_includes compile(TEXT).last, format(entry, -68_000_000, 3_000_000)
+    assert_includes compile(with('maximum_separation_mm: 146', 'maximum_separation_mm: 144.5')).last,
+                    format(entry, -68_000_000, 1_500_000)
+  end
+
+  def test_SWR_ROBOT_001_coupled_limits_other_than_that_of_the_kinematics_are_refused
+    message = 'coupled_limits: are separation feet head; expected separation head feet'
+    swapped = with("    first: head\n    second: feet", "    first: feet\n    second: head")
+    assert_refused(swapped, message, at: 'coupled_limits:')
+    assert_refused(with("    second: feet\n", ''), 'coupled_limits[0].second: is missing', at: '- name: separation')
+  end
+
+  def test_SWR_ROBOT_001_the_needle_is_moved_as_the_kinematics_says
+    table = compile(TEXT).last
+    assert_includes table, '.needle_axis = 3U'
+    assert_equal %w[ACROSS ACROSS ACROSS ALONG ABOUT ACROSS ACROSS], table.scan(/NEEDLE_([A-Z]+),/).flatten
+    assert_refused(with('needle: across', 'needle: along', axis: 'yaw'), 'axes[6].needle: is along; expected across',
+                   axis: 'yaw', at: 'needle: along')
+    assert_refused(with('needle: along', 'needle: about'), 'axes[3].needle: is about; expected along',
+                   axis: 'insertion', at: 'needle: about')
   end
 
   def test_SWR_ROBOT_001_a_home_outside_the_separation_limits_is_refused
