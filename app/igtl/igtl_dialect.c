@@ -38,6 +38,9 @@ uint32_t igtl_reason_code(status_t status)
     case STATUS_CONFIRM_POSITIONS:
     case STATUS_FAULT_PRESENT:
     case STATUS_DISCARDED:
+    case STATUS_NEEDLE_IN:
+    case STATUS_JOG_TOO_FAR:
+    case STATUS_NOT_ALLOWED:
     default:
         return IGTL_STATUS_NOT_READY;
     }

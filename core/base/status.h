@@ -31,10 +31,13 @@ typedef enum {
     STATUS_DISCARDED = 18, /**< The armed motion was discarded; command it again. */
     STATUS_EXPIRED = 19,   /**< The pedal was not pressed in time; command it again. */
     STATUS_NO_ANSWER = 20, /**< The controller did not answer in time. */
-    STATUS_SWITCH_ZONE = 21,      /**< An axis would end where its limit switch may be active. */
-    STATUS_CONFIRM_POSITIONS = 22 /**< An axis without a switch has lost its position: compare the
+    STATUS_SWITCH_ZONE = 21,       /**< An axis would end where its limit switch may be active. */
+    STATUS_CONFIRM_POSITIONS = 22, /**< An axis without a switch has lost its position: compare the
                                      positions shown with the robot, then hold the button at the
                                      box. */
+    STATUS_NEEDLE_IN = 23,         /**< The needle is in, or may be: home or retract it first. */
+    STATUS_JOG_TOO_FAR = 24,       /**< Before homing, an axis jogs a short way only. */
+    STATUS_NOT_ALLOWED = 25        /**< Who sent the command may not send it. */
 } status_t;
 
 #endif

@@ -26,10 +26,12 @@ typedef enum {
                        its end. */
 } command_kind_t;
 
-/** Who asks. */
+#define COMMAND_KIND_COUNT 8U
+
+/** Who asks. What each may send stands in controller_obey.c. */
 typedef enum {
-    COMMAND_SOURCE_IGTL = 0, /**< The OpenIGTLink process. */
-    COMMAND_SOURCE_HTTP = 1  /**< The console. */
+    COMMAND_SOURCE_IGTL = 0, /**< The OpenIGTLink process: everything but jogs. */
+    COMMAND_SOURCE_HTTP = 1  /**< The console: STOP, EMERGENCY and jogs. */
 } command_source_t;
 
 #define COMMAND_SOURCE_COUNT 2U
@@ -62,7 +64,8 @@ typedef struct {
     uint32_t kind;     /**< answer_kind_t. */
     uint32_t status;   /**< status_t. */
     uint32_t is_final; /**< 1: no further answer follows. */
-    uint32_t axis;     /**< axis_index_t when status is STATUS_AXIS_LIMIT. */
+    uint32_t axis;     /**< axis_index_t of STATUS_AXIS_LIMIT, STATUS_SWITCH_ZONE and, in a
+                          jog, STATUS_SEPARATION_LIMIT. */
     uint32_t
         is_maximum; /**< 1: the upper limit, with STATUS_AXIS_LIMIT and STATUS_SEPARATION_LIMIT. */
     uint32_t workphase; /**< The workphase after the command. */

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "controller_parts.h"
 
+#include "coupled_guard.h"
+#include "needle.h"
 #include "permit.h"
 
 #include <string.h>
@@ -21,11 +23,21 @@ typedef struct {
     uint32_t system_state;
 } common_t;
 
+static bool is_needle_in(const controller_t *self, const robot_t *robot, uint32_t index,
+                         const card_drive_t *request)
+{
+    const bool is_upwards = (request->mode != (uint32_t)CARD_DRIVE_OFF) &&
+                            servo_is_upwards(&robot->axes[index], request);
+    return controller_is_jogged(self, index) &&
+           needle_forbids_jog(robot, self->axes, index, is_upwards);
+}
+
 /* The permit of one axis for its request. */
 static permit_t decide(const controller_t *self, const cycle_t *cycle, uint32_t index,
-                       const card_drive_t *request, const common_t *common)
+                       const coupled_view_t *view, const common_t *common)
 {
     const axis_t *const axis = &self->axes[index];
+    const card_drive_t *const request = &view->requests[index];
     const axis_config_t *const config = &cycle->robot->axes[index];
     const pedal_gate_state_t pedal = self->pedal.chart.state;
     const permit_facts_t facts = {
@@ -45,6 +57,8 @@ static permit_t decide(const controller_t *self, const cycle_t *cycle, uint32_t 
         .is_homing_or_jog = (workphase_present(&self->workphases) != WORKPHASE_MOVE_TO_TARGET),
         .is_towards_switch = axis_is_towards_switch(axis, config, request),
         .is_beyond_soft_limit = axis_is_beyond_limit(axis, config, request),
+        .is_coupled_limit = coupled_guard_blocks(cycle->robot, view, index),
+        .is_needle_in = is_needle_in(self, cycle->robot, index, request),
     };
     return permit_decide(&facts);
 }
@@ -124,11 +138,14 @@ static void remember(controller_t *self, const cycle_t *cycle, uint32_t index,
 void controller_drive(controller_t *self, const cycle_t *cycle,
                       const card_drive_t requests[ROBOT_AXIS_COUNT])
 {
+    card_drive_t sent[ROBOT_AXIS_COUNT];
+    const coupled_view_t view = {.axes = self->axes, .sent = sent, .requests = requests};
     const common_t common = {.is_link_lost = is_any_link_lost(self),
                              .is_homed = controller_is_homed(self),
                              .system_state = system_state(self, cycle)};
+    (void)memcpy(sent, self->drives, sizeof sent);
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
-        const permit_t permit = decide(self, cycle, i, &requests[i], &common);
+        const permit_t permit = decide(self, cycle, i, &view, &common);
         remember(self, cycle, i, &permit);
         const card_drive_t drive =
             permit_apply(&permit, is_too_fast(self, cycle, i, common.is_homed), &requests[i]);

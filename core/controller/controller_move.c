@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "controller_parts.h"
 
+#include "needle.h"
 #include "permit.h"
 
 #include <string.h>
@@ -8,10 +9,6 @@
 /* Slack around a target inside which an axis counts as aligned when the next leg of a move is
  * chosen. */
 #define ALIGNED_TICKS 2
-/* The needle counts as retracted in the first 64th of its way, and is retracted to the first 128th.
- */
-#define RETRACTED_SHARE 64
-#define RETRACT_TO_SHARE 128
 /* At the target for this long before the order is done: the motors' fall time is about 1.5 ms. */
 #define SETTLED_CYCLES 50U
 
@@ -80,18 +77,26 @@ static bool is_base_aligned(const controller_t *self, const robot_t *robot)
 static void choose_leg(const controller_t *self, const robot_t *robot,
                        int32_t ends[ROBOT_AXIS_COUNT])
 {
-    const axis_config_t *const needle = &robot->axes[AXIS_INSERTION];
-    const int32_t stroke = needle->maximum_ticks - needle->minimum_ticks;
+    const int32_t out_ticks = needle_out_ticks(robot);
+    const int32_t home_ticks = robot->axes[AXIS_INSERTION].home_ticks;
     const int32_t needle_ticks = self->axes[AXIS_INSERTION].encoder.position_ticks;
     if (is_base_aligned(self, robot)) {
         (void)memcpy(ends, self->plan.target_ticks, sizeof self->plan.target_ticks);
-    } else if (needle_ticks > (needle->home_ticks + (stroke / RETRACTED_SHARE))) {
+    } else if (needle_ticks > out_ticks) {
         positions(self, ends);
-        ends[AXIS_INSERTION] = needle->home_ticks + (stroke / RETRACT_TO_SHARE);
+        /* Halfway, so that it surely counts as out. */
+        ends[AXIS_INSERTION] = home_ticks + ((out_ticks - home_ticks) / 2);
     } else {
         (void)memcpy(ends, self->plan.target_ticks, sizeof self->plan.target_ticks);
         ends[AXIS_INSERTION] = needle_ticks;
     }
+}
+
+/* A jog leaves the other axes alone; a move holds them all. */
+static bool is_moved(const controller_t *self, uint32_t index)
+{
+    return (workphase_present(&self->workphases) == WORKPHASE_MOVE_TO_TARGET) ||
+           controller_is_jogged(self, index);
 }
 
 static bool is_at(const controller_t *self, const robot_t *robot,
@@ -99,7 +104,8 @@ static bool is_at(const controller_t *self, const robot_t *robot,
 {
     bool is_there = true;
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
-        is_there = is_there && axis_is_at(&self->axes[i], &robot->axes[i], ticks[i]);
+        is_there = is_there &&
+                   (!is_moved(self, i) || axis_is_at(&self->axes[i], &robot->axes[i], ticks[i]));
     }
     return is_there;
 }
@@ -131,9 +137,12 @@ static void follow_profile(controller_t *self, const cycle_t *cycle,
     }
     profile_step(&self->profile);
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
-        requests[i] = axis_follow(
-            &self->axes[i], &cycle->robot->axes[i], profile_position_ticks(&self->profile, i),
-            profile_speed_ticks_per_s_q8(&self->profile, i), cycle->inputs->elapsed_us);
+        requests[i] = is_moved(self, i)
+                          ? axis_follow(&self->axes[i], &cycle->robot->axes[i],
+                                        profile_position_ticks(&self->profile, i),
+                                        profile_speed_ticks_per_s_q8(&self->profile, i),
+                                        cycle->inputs->elapsed_us)
+                          : axis_rest(&self->axes[i], cycle->inputs->elapsed_us);
     }
     if (profile_is_finished(&self->profile) && is_at(self, cycle->robot, self->profile.end_ticks)) {
         self->settled_cycles++;
@@ -159,7 +168,8 @@ static uint32_t astray(const controller_t *self, const robot_t *robot)
 {
     uint32_t index = 0U;
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
-        if (!axis_is_at(&self->axes[i], &robot->axes[i], self->profile.end_ticks[i])) {
+        if (is_moved(self, i) &&
+            !axis_is_at(&self->axes[i], &robot->axes[i], self->profile.end_ticks[i])) {
             index = i;
         }
     }

@@ -1,6 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "controller_parts.h"
 
+/* What a source may send. */
+typedef struct {
+    bool kinds[COMMAND_KIND_COUNT];
+    bool workphases[WORKPHASE_COUNT];
+} rights_t;
+
 static bool is_hardware_ready(const controller_t *self, const controller_inputs_t *inputs)
 {
     bool is_ready = (inputs->estop_open == 0U) && (inputs->pedal_a == inputs->pedal_b);
@@ -195,24 +201,12 @@ static status_t obey_jog(controller_t *self, const cycle_t *cycle, const command
                          answer_t *answer)
 {
     uint32_t actions = 0U;
-    if (command->argument >= ROBOT_AXIS_COUNT) {
-        return STATUS_UNKNOWN_COMMAND;
-    }
-    const axis_config_t *const config = &cycle->robot->axes[command->argument];
-    if ((command->value < config->minimum_ticks) || (command->value > config->maximum_ticks)) {
-        answer->axis = command->argument;
-        if (command->value > config->maximum_ticks) {
-            answer->is_maximum = 1U;
-        }
-        return STATUS_AXIS_LIMIT;
-    }
-    if ((command->value < config->target_minimum_ticks) ||
-        (command->value > config->target_maximum_ticks)) {
-        answer->axis = command->argument;
-        return STATUS_SWITCH_ZONE;
+    status_t status = controller_judge_jog(self, cycle->robot, command, answer);
+    if (status != STATUS_OK) {
+        return status;
     }
     const workphases_inputs_t guards = controller_guards(self, cycle);
-    const status_t status = workphase_request_jog(&self->workphases, &guards, &actions);
+    status = workphase_request_jog(&self->workphases, &guards, &actions);
     controller_report_order(self, cycle, actions, STATUS_DISCARDED);
     if (status == STATUS_OK) {
         self->jog_axis = command->argument;
@@ -268,10 +262,54 @@ static status_t obey_proposal(controller_t *self, const cycle_t *cycle, const co
     return status;
 }
 
+static bool is_known(const command_t *command)
+{
+    const bool is_workphase = command->kind == (uint32_t)COMMAND_WORKPHASE;
+    return (command->kind > (uint32_t)COMMAND_NONE) && (command->kind < COMMAND_KIND_COUNT) &&
+           (!is_workphase || ((command->argument > (uint32_t)WORKPHASE_UNDEFINED) &&
+                              (command->argument < WORKPHASE_COUNT)));
+}
+
+/* What is not known at all is left to be refused as unknown. */
+static bool is_allowed(const command_t *command)
+{
+    static const rights_t rights[COMMAND_SOURCE_COUNT] = {
+        [COMMAND_SOURCE_IGTL] = {.kinds = {[COMMAND_REGISTRATION] = true,
+                                           [COMMAND_TARGET] = true,
+                                           [COMMAND_PROPOSE_REGISTRATION] = true,
+                                           [COMMAND_PROPOSE_ENTRY] = true,
+                                           [COMMAND_PROPOSE_TARGET] = true},
+                                 .workphases = {[WORKPHASE_START_UP] = true,
+                                                [WORKPHASE_PLANNING] = true,
+                                                [WORKPHASE_CALIBRATION] = true,
+                                                [WORKPHASE_TARGETING] = true,
+                                                [WORKPHASE_MOVE_TO_TARGET] = true,
+                                                [WORKPHASE_MANUAL] = true,
+                                                [WORKPHASE_STOP] = true,
+                                                [WORKPHASE_EMERGENCY] = true}},
+        [COMMAND_SOURCE_HTTP] = {
+            .kinds = {[COMMAND_JOG] = true},
+            .workphases = {[WORKPHASE_STOP] = true, [WORKPHASE_EMERGENCY] = true}}};
+    bool is_right = false;
+    if (command->source >= COMMAND_SOURCE_COUNT) {
+        is_right = false;
+    } else if (is_known(command)) {
+        is_right = (command->kind == (uint32_t)COMMAND_WORKPHASE)
+                       ? rights[command->source].workphases[command->argument]
+                       : rights[command->source].kinds[command->kind];
+    } else {
+        is_right = true;
+    }
+    return is_right;
+}
+
 static status_t obey(controller_t *self, const cycle_t *cycle, const command_t *command,
                      answer_t *answer)
 {
     status_t status = STATUS_UNKNOWN_COMMAND;
+    if (!is_allowed(command)) {
+        return STATUS_NOT_ALLOWED;
+    }
     switch (command->kind) {
     case (uint32_t)COMMAND_WORKPHASE:
         status = obey_workphase(self, cycle, command, &answer->is_final);

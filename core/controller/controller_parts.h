@@ -66,6 +66,7 @@ uint32_t controller_count_awaited(const controller_t *self);
  * @satisfies SWR-AXIS-020
  * @satisfies SWR-CMD-001
  * @satisfies SWR-CMD-004
+ * @satisfies SWR-CMD-005
  */
 void controller_obey(controller_t *self, const cycle_t *cycle);
 
@@ -87,6 +88,22 @@ void controller_fail_order(controller_t *self, const cycle_t *cycle, event_cause
 /** Every axis is homed. */
 bool controller_is_homed(const controller_t *self);
 
+/** A jog of axis `index` is armed. */
+bool controller_is_jogged(const controller_t *self, uint32_t index);
+
+/**
+ * May the jog be armed, wherever the workphase stands? `answer` receives axis and limit.
+ *
+ * @return STATUS_OK; STATUS_UNKNOWN_COMMAND for no axis; STATUS_NEEDLE_IN; of a homed axis
+ * STATUS_AXIS_LIMIT, STATUS_SWITCH_ZONE, STATUS_SEPARATION_LIMIT; STATUS_JOG_TOO_FAR while it or
+ * one that shares a limit with it is not homed
+ *
+ * @satisfies SWR-AXIS-004
+ * @satisfies SWR-JOG-002
+ */
+status_t controller_judge_jog(const controller_t *self, const robot_t *robot,
+                              const command_t *command, answer_t *answer);
+
 /** Facts for the guards of the workphase chart. */
 workphases_inputs_t controller_guards(const controller_t *self, const cycle_t *cycle);
 
@@ -94,6 +111,7 @@ workphases_inputs_t controller_guards(const controller_t *self, const cycle_t *c
  * The armed order: pedal edges, homing, move, jog, its end. Fills one drive request per axis.
  *
  * @satisfies SWR-DEMO-001
+ * @satisfies SWR-JOG-004
  * @satisfies SWR-MOTION-005
  * @satisfies SWR-MOTION-006
  */

@@ -32,6 +32,8 @@ permit_t permit_decide(const permit_facts_t *facts)
     reasons |= reason(!facts->is_homed && !facts->is_homing_or_jog, PERMIT_REASON_NOT_HOMED);
     reasons |= reason(facts->is_towards_switch, PERMIT_REASON_LIMIT_SWITCH);
     reasons |= reason(facts->is_beyond_soft_limit, PERMIT_REASON_SOFT_LIMIT);
+    reasons |= reason(facts->is_coupled_limit, PERMIT_REASON_COUPLED_LIMIT);
+    reasons |= reason(facts->is_needle_in, PERMIT_REASON_NEEDLE_IN);
 
     permit_t permit = {.is_allowed = (reasons == 0U), .reasons = reasons, .speed_cap_percent = 0U};
     if (permit.is_allowed) {

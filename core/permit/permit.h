@@ -30,10 +30,13 @@ typedef enum {
     PERMIT_REASON_PEDAL_RELEASED = 10, /**< The pedal is not pressed: press it. */
     PERMIT_REASON_NOT_HOMED = 11,      /**< The axis is not homed: command START_UP. */
     PERMIT_REASON_LIMIT_SWITCH = 12,   /**< The limit switch blocks this direction. */
-    PERMIT_REASON_SOFT_LIMIT = 13      /**< The soft limit blocks this direction. */
+    PERMIT_REASON_SOFT_LIMIT = 13,     /**< The soft limit blocks this direction. */
+    PERMIT_REASON_COUPLED_LIMIT =
+        14, /**< The limit that this axis shares with another one blocks this direction. */
+    PERMIT_REASON_NEEDLE_IN = 15 /**< The needle is in, or may be: home or retract it first. */
 } permit_reason_t;
 
-#define PERMIT_REASON_COUNT 14U
+#define PERMIT_REASON_COUNT 16U
 /* From here on they depend on where the axis stands and goes: in one motion they may come and go.
  */
 #define PERMIT_REASON_FIRST_OF_PLACE ((uint32_t)PERMIT_REASON_LIMIT_SWITCH)
@@ -57,6 +60,8 @@ typedef struct {
     bool is_towards_switch; /**< Requested direction is towards an active limit switch. */
     bool
         is_beyond_soft_limit; /**< Homed, at or beyond a soft limit, and requested to go further. */
+    bool is_coupled_limit;    /**< coupled_guard_blocks(). */
+    bool is_needle_in;        /**< needle_forbids_jog() of the jog that is armed. */
 } permit_facts_t;
 
 /** The answer for one axis. */

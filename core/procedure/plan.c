@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "plan.h"
 
+#include "coupled_limit.h"
 #include "requirement_limits.h"
 
 #include <stddef.h>
@@ -81,9 +82,10 @@ status_t plan_register(plan_t *self, const robot_t *robot, const rigid_t *scanne
     return STATUS_OK;
 }
 
-/* Kinematics knows limits only; a switch that is still active would block the last of the way. */
-static void check_switches(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_COUNT],
-                           neuro_result_t *result)
+/* Kinematics knows limits only; a switch that is still active, or the permit at a coupled limit,
+ * would block the last of the way. */
+static void check_ends(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_COUNT],
+                       neuro_result_t *result)
 {
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
         const axis_config_t *const config = &robot->axes[i];
@@ -92,6 +94,11 @@ static void check_switches(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_
             result->status = STATUS_SWITCH_ZONE;
             result->axis = (uint8_t)i;
         }
+    }
+    const coupled_side_t side = coupled_limit_judge(robot, ticks);
+    if ((result->status == STATUS_OK) && (side != COUPLED_LIMIT_INSIDE)) {
+        result->status = STATUS_SEPARATION_LIMIT;
+        result->is_maximum = (side == COUPLED_LIMIT_ABOVE) ? 1U : 0U;
     }
 }
 
@@ -123,7 +130,7 @@ neuro_result_t plan_set_target(plan_t *self, const robot_t *robot, const rigid_t
     }
     if (result.status == STATUS_OK) {
         settle(robot, &self->scanner_zframe, &joints, self->target_ticks, &self->scanner_target);
-        check_switches(robot, self->target_ticks, &result);
+        check_ends(robot, self->target_ticks, &result);
         if (result.status == STATUS_OK) {
             self->has_target = 1U;
         }

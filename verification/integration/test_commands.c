@@ -21,11 +21,14 @@ TEST_SOURCE_FILE("card_frame.c")
 TEST_SOURCE_FILE("card_link_chart.c")
 TEST_SOURCE_FILE("confirm_button.c")
 TEST_SOURCE_FILE("controller_drive.c")
+TEST_SOURCE_FILE("controller_jog.c")
 TEST_SOURCE_FILE("controller_move.c")
 TEST_SOURCE_FILE("controller_obey.c")
 TEST_SOURCE_FILE("controller_observe.c")
 TEST_SOURCE_FILE("controller_restore.c")
 TEST_SOURCE_FILE("controller_show.c")
+TEST_SOURCE_FILE("coupled_guard.c")
+TEST_SOURCE_FILE("coupled_limit.c")
 TEST_SOURCE_FILE("crc.c")
 TEST_SOURCE_FILE("drift_audit.c")
 TEST_SOURCE_FILE("encoder.c")
@@ -37,6 +40,7 @@ TEST_SOURCE_FILE("link.c")
 TEST_SOURCE_FILE("loop_guard.c")
 TEST_SOURCE_FILE("loop_guard_chart.c")
 TEST_SOURCE_FILE("motor_model.c")
+TEST_SOURCE_FILE("needle.c")
 TEST_SOURCE_FILE("neuro.c")
 TEST_SOURCE_FILE("neuro_limits.c")
 TEST_SOURCE_FILE("pedal_gate.c")
@@ -90,7 +94,10 @@ void test_SWR_CMD_001_each_command_is_answered_once_with_its_id_and_source(void)
     for (uint32_t i = 0U; i < CONTROLLER_COMMANDS; i++) {
         TEST_ASSERT_EQUAL_UINT32(700U + i, rig.outputs.answers[i].id);
         TEST_ASSERT_EQUAL_UINT32(i % COMMAND_SOURCE_COUNT, rig.outputs.answers[i].source);
-        TEST_ASSERT_EQUAL_UINT32(STATUS_WRONG_WORKPHASE, rig.outputs.answers[i].status);
+        TEST_ASSERT_EQUAL_UINT32((i % COMMAND_SOURCE_COUNT) == COMMAND_SOURCE_IGTL
+                                     ? STATUS_WRONG_WORKPHASE
+                                     : STATUS_NOT_ALLOWED,
+                                 rig.outputs.answers[i].status);
     }
 }
 
@@ -242,7 +249,7 @@ void test_SWR_PHASE_006_nothing_is_armed_after_late_cycles_or_a_pedal_fault(void
 
 void test_SWR_AXIS_010_a_jog_is_refused_while_the_axes_are_disabled(void)
 {
-    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = AXIS_YAW, .value = -200};
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = AXIS_PITCH, .value = -200};
     rig_start_homed(&rig);
     rig_box(&rig, "card yaw silent");
     rig_cycles(&rig, 10U);
@@ -313,10 +320,10 @@ void test_SWR_AXIS_004_a_jog_outside_the_soft_limits_is_refused(void)
 
 void test_SWR_PERMIT_005_an_axis_not_homed_jogs_at_reduced_speed(void)
 {
-    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = AXIS_YAW, .value = -300};
-    rig_start(&rig);
-    (void)rig_workphase(&rig, WORKPHASE_START_UP);
-    (void)rig_workphase(&rig, WORKPHASE_MANUAL);
+    command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = AXIS_YAW};
+    rig_start_needle_homed(&rig);
+    const int32_t start = rig.outputs.snapshot.axes[AXIS_YAW].position_ticks;
+    jog.value = start - 27;
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
     rig_press(&rig);
     const int32_t most_q8 = (robot_neuro.axes[AXIS_YAW].speed_ticks_per_s * 256 *
@@ -329,17 +336,16 @@ void test_SWR_PERMIT_005_an_axis_not_homed_jogs_at_reduced_speed(void)
         TEST_ASSERT_LESS_OR_EQUAL_UINT32(LIMIT_UNHOMED_SPEED_PERCENT,
                                          rig.outputs.snapshot.axes[AXIS_YAW].speed_cap_percent);
     }
-    TEST_ASSERT_NOT_EQUAL_INT32(0, rig.outputs.snapshot.axes[AXIS_YAW].position_ticks);
+    TEST_ASSERT_EQUAL_INT32(start - 27, rig.outputs.snapshot.axes[AXIS_YAW].position_ticks);
 }
 
 void test_SWR_PERMIT_005_an_axis_that_has_lagged_catches_up_within_the_cap(void)
 {
     const int32_t speed_ticks_per_s = robot_neuro.axes[AXIS_LATERAL].speed_ticks_per_s;
-    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = AXIS_LATERAL, .value = -600};
+    command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = AXIS_LATERAL};
     const uint32_t most = LIMIT_UNHOMED_SPEED_PERCENT + LIMIT_SPEED_CAP_TOLERANCE_PERCENT;
-    rig_start(&rig);
-    (void)rig_workphase(&rig, WORKPHASE_START_UP);
-    (void)rig_workphase(&rig, WORKPHASE_MANUAL);
+    rig_start_needle_homed(&rig);
+    jog.value = rig.outputs.snapshot.axes[AXIS_LATERAL].position_ticks - 94;
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
     rig_press(&rig);
     rig_cycles(&rig, 500U);

@@ -24,11 +24,14 @@ TEST_SOURCE_FILE("card_frame.c")
 TEST_SOURCE_FILE("card_link_chart.c")
 TEST_SOURCE_FILE("confirm_button.c")
 TEST_SOURCE_FILE("controller_drive.c")
+TEST_SOURCE_FILE("controller_jog.c")
 TEST_SOURCE_FILE("controller_move.c")
 TEST_SOURCE_FILE("controller_obey.c")
 TEST_SOURCE_FILE("controller_observe.c")
 TEST_SOURCE_FILE("controller_restore.c")
 TEST_SOURCE_FILE("controller_show.c")
+TEST_SOURCE_FILE("coupled_guard.c")
+TEST_SOURCE_FILE("coupled_limit.c")
 TEST_SOURCE_FILE("crc.c")
 TEST_SOURCE_FILE("drift_audit.c")
 TEST_SOURCE_FILE("encoder.c")
@@ -40,6 +43,7 @@ TEST_SOURCE_FILE("link.c")
 TEST_SOURCE_FILE("loop_guard.c")
 TEST_SOURCE_FILE("loop_guard_chart.c")
 TEST_SOURCE_FILE("motor_model.c")
+TEST_SOURCE_FILE("needle.c")
 TEST_SOURCE_FILE("neuro.c")
 TEST_SOURCE_FILE("neuro_limits.c")
 TEST_SOURCE_FILE("pedal_gate.c")
@@ -369,16 +373,22 @@ void test_SWR_AXIS_006_an_axis_that_is_not_homed_has_its_reason_in_a_move(void)
     }
 }
 
-/* Not homed, the pitch believes to be 100 ticks below where it is: the switch comes first. */
+/* Homing was given up just before the switch: it comes first. */
 void test_SWR_AXIS_005_an_active_switch_stops_what_drives_towards_it(void)
 {
     const int32_t maximum_ticks = robot_neuro.axes[AXIS_PITCH].maximum_ticks;
-    const command_t jog = {
-        .kind = (uint32_t)COMMAND_JOG, .argument = AXIS_PITCH, .value = maximum_ticks - 40};
+    command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = AXIS_PITCH};
     double true_ticks[ROBOT_AXIS_COUNT];
     rig_start(&rig);
     (void)rig_workphase(&rig, WORKPHASE_START_UP);
+    rig_press(&rig);
+    while (rig.box.axes[AXIS_PITCH].motor.position_ticks < (maximum_ticks - 15)) {
+        TEST_ASSERT_LESS_THAN_UINT32(20000U, rig.controller.cycle);
+        rig_cycle(&rig);
+    }
+    rig_release(&rig);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
+    jog.value = rig.outputs.snapshot.axes[AXIS_PITCH].position_ticks + 27;
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
     rig_press(&rig);
     for (uint32_t i = 0U; rig.outputs.snapshot.axes[AXIS_PITCH].limit_switches == 0U; i++) {

@@ -11,10 +11,10 @@
 #include <stddef.h>
 #include <string.h>
 
-#define FACTS 16U
+#define FACTS 18U
 #define COMBINATIONS (1UL << FACTS)
 
-/* Thirteen facts forbid by themselves; two decide together about the fourteenth
+/* Fifteen facts forbid by themselves; two decide together about the sixteenth
  * reason; one decides about the speed cap. */
 typedef struct {
     size_t fact;
@@ -36,6 +36,8 @@ static const rule_t rules[] = {
     {offsetof(permit_facts_t, is_pedal_pressed), false, PERMIT_REASON_PEDAL_RELEASED},
     {offsetof(permit_facts_t, is_towards_switch), true, PERMIT_REASON_LIMIT_SWITCH},
     {offsetof(permit_facts_t, is_beyond_soft_limit), true, PERMIT_REASON_SOFT_LIMIT},
+    {offsetof(permit_facts_t, is_coupled_limit), true, PERMIT_REASON_COUPLED_LIMIT},
+    {offsetof(permit_facts_t, is_needle_in), true, PERMIT_REASON_NEEDLE_IN},
 };
 
 #define RULES (sizeof rules / sizeof rules[0])

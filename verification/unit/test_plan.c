@@ -15,6 +15,7 @@
 #include "neuro_limits.h"
 #include "rigid.h"
 
+TEST_SOURCE_FILE("coupled_limit.c")
 TEST_SOURCE_FILE("robot_neuro.c")
 
 static plan_t plan;

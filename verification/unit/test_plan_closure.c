@@ -14,8 +14,12 @@
 
 #include <string.h>
 
+TEST_SOURCE_FILE("coupled_limit.c")
+TEST_SOURCE_FILE("neuro_limits.c")
 TEST_SOURCE_FILE("robot_neuro.c")
 
+/* The two carriages apart: here the coupled limit is looked at by itself. */
+static robot_t lone;
 static int32_t planned_ticks[ROBOT_AXIS_COUNT];
 static plan_t plan;
 static int32_t wrong_by_nm;
@@ -75,6 +79,8 @@ void setUp(void)
         const axis_config_t *const config = &robot_neuro.axes[i];
         planned_ticks[i] = (config->target_minimum_ticks / 2) + (config->target_maximum_ticks / 2);
     }
+    lone = robot_neuro;
+    lone.coupled_limit_count = 0U;
     plan_init(&plan);
     TEST_ASSERT_EQUAL(STATUS_OK, plan_register(&plan, &robot_neuro, &identity));
     neuro_solve_Stub(solve);
@@ -93,7 +99,7 @@ static status_t set_target(int32_t nm)
     rigid_t pose;
     rigid_set_identity(&pose);
     wrong_by_nm = nm;
-    return plan_set_target(&plan, &robot_neuro, &pose).status;
+    return plan_set_target(&plan, &lone, &pose).status;
 }
 
 void test_SWR_PLAN_004_a_plan_that_forward_kinematics_contradicts_is_refused(void)
@@ -125,4 +131,29 @@ void test_SWR_AXIS_020_a_plan_ends_inside_of_every_switch(void)
         TEST_ASSERT_EQUAL_UINT32(0U, plan.has_target);
         planned_ticks[i] = middle_ticks;
     }
+}
+
+/* The margin of 0.2 mm and half a tick of each axis inside, and the next tick. */
+void test_SWR_COUPLE_002_a_plan_ends_inside_of_the_coupled_limit(void)
+{
+    rigid_t pose;
+    rigid_set_identity(&pose);
+    wrong_by_nm = 0;
+    planned_ticks[AXIS_FEET] = 0;
+    planned_ticks[AXIS_HEAD] = -5338;
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_set_target(&plan, &robot_neuro, &pose).status);
+    planned_ticks[AXIS_HEAD] = -5339;
+    neuro_result_t result = plan_set_target(&plan, &robot_neuro, &pose);
+    TEST_ASSERT_EQUAL(STATUS_SEPARATION_LIMIT, result.status);
+    TEST_ASSERT_EQUAL_UINT8(0U, result.is_maximum);
+    planned_ticks[AXIS_HEAD] = -1000;
+    planned_ticks[AXIS_FEET] = -1220;
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_set_target(&plan, &robot_neuro, &pose).status);
+    planned_ticks[AXIS_FEET] = -1221;
+    result = plan_set_target(&plan, &robot_neuro, &pose);
+    TEST_ASSERT_EQUAL(STATUS_SEPARATION_LIMIT, result.status);
+    TEST_ASSERT_EQUAL_UINT8(1U, result.is_maximum);
+    TEST_ASSERT_EQUAL_UINT32(0U, plan.has_target);
+    planned_ticks[AXIS_LATERAL] = 0;
+    TEST_ASSERT_EQUAL(STATUS_SWITCH_ZONE, plan_set_target(&plan, &robot_neuro, &pose).status);
 }

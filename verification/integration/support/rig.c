@@ -69,10 +69,17 @@ void rig_box(rig_t *self, const char *order)
     TEST_ASSERT_TRUE_MESSAGE(box_command(&self->box, order, reply, sizeof reply), order);
 }
 
+uint32_t rig_source(uint32_t kind)
+{
+    return (kind == (uint32_t)COMMAND_JOG) ? (uint32_t)COMMAND_SOURCE_HTTP
+                                           : (uint32_t)COMMAND_SOURCE_IGTL;
+}
+
 answer_t rig_command(rig_t *self, command_t command)
 {
     self->next_id++;
     command.id = self->next_id;
+    command.source = rig_source(command.kind);
     self->commands[0] = command;
     self->command_count = 1U;
     rig_cycle(self);
@@ -123,6 +130,20 @@ void rig_home(rig_t *self)
     rig_press(self);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(self, 40000U).kind);
     rig_release(self);
+}
+
+void rig_start_needle_homed(rig_t *self)
+{
+    rig_start(self);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(self, WORKPHASE_START_UP).status);
+    rig_press(self);
+    while (!axis_is_homed(&self->controller.axes[AXIS_INSERTION])) {
+        TEST_ASSERT_LESS_THAN_UINT32(20000U, self->controller.cycle);
+        rig_cycle(self);
+    }
+    rig_release(self);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(self, WORKPHASE_MANUAL).status);
+    rig_forget(self);
 }
 
 void rig_start_homed(rig_t *self)

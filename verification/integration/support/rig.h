@@ -40,7 +40,11 @@ void rig_cycles(rig_t *self, uint32_t count);
 /** An order to the box, as simctl takes it; fails the test when the box refuses it. */
 void rig_box(rig_t *self, const char *order);
 
-/** Queues a command for the next cycle and runs that cycle. @return its immediate answer */
+/** Who sends commands of this kind: the console jogs, OpenIGTLink does all else. */
+uint32_t rig_source(uint32_t kind);
+
+/** Queues a command of its usual source for the next cycle and runs that cycle. @return its
+ * immediate answer */
 answer_t rig_command(rig_t *self, command_t command);
 answer_t rig_workphase(rig_t *self, workphase_t workphase);
 
@@ -54,6 +58,10 @@ answer_t rig_finish(rig_t *self, uint32_t most);
 
 /** START_UP with the pedal held until every axis is homed, then the pedal is released. */
 void rig_home(rig_t *self);
+
+/** START_UP with the pedal held until the needle is homed; then MANUAL. Feet and rotation, which
+ * are taken where they stand, are homed as well. */
+void rig_start_needle_homed(rig_t *self);
 
 /** A rig that is homed; homed once and copied. */
 void rig_start_homed(rig_t *self);

@@ -95,10 +95,12 @@ static uint32_t scanner_of(const controller_inputs_t *inputs)
     return scanner_number(&chart);
 }
 
-/* Where the axis stands is no part of the composition. */
+/* Where the axes stand is no part of the composition. */
 static uint32_t permit_of(uint32_t axis, uint32_t card)
 {
-    const uint32_t left_out = (1U << PERMIT_REASON_LIMIT_SWITCH) | (1U << PERMIT_REASON_SOFT_LIMIT);
+    const uint32_t left_out = (1U << PERMIT_REASON_LIMIT_SWITCH) |
+                              (1U << PERMIT_REASON_SOFT_LIMIT) |
+                              (1U << PERMIT_REASON_COUPLED_LIMIT) | (1U << PERMIT_REASON_NEEDLE_IN);
     const bool is_allowed = (rig.controller.permit_reasons[axis] & ~left_out) == 0U;
     bool is_another_lost = false;
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
@@ -188,6 +190,7 @@ static void command(void)
         break;
     }
     one.id = random_state;
+    one.source = rig_source(one.kind);
     rig.commands[0] = one;
     rig.command_count = 1U;
 }

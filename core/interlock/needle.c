@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "needle.h"
+
+#include "requirement_limits.h"
+
+int32_t needle_out_ticks(const robot_t *robot)
+{
+    const axis_config_t *const needle = &robot->axes[robot->needle_axis];
+    return needle->home_ticks +
+           (int32_t)(((int64_t)LIMIT_NEEDLE_OUT_NM * 65536) / needle->unit_per_tick_q16);
+}
+
+/* A switch alone, which may be broken, does not say so. */
+static bool is_out(const robot_t *robot, const axis_t axes[ROBOT_AXIS_COUNT])
+{
+    const axis_t *const needle = &axes[robot->needle_axis];
+    return axis_is_homed(needle) && (needle->encoder.position_ticks <= needle_out_ticks(robot));
+}
+
+bool needle_forbids_jog(const robot_t *robot, const axis_t axes[ROBOT_AXIS_COUNT], uint32_t index,
+                        bool is_upwards)
+{
+    const uint8_t motion = robot->axes[index].needle_motion;
+    bool is_forbidden = false;
+    if (motion == (uint8_t)NEEDLE_ACROSS) {
+        is_forbidden = !is_out(robot, axes);
+    } else if (motion == (uint8_t)NEEDLE_ALONG) {
+        is_forbidden = is_upwards && !axis_is_homed(&axes[index]);
+    } else {
+        /* It turns about its own line. */
+    }
+    return is_forbidden;
+}

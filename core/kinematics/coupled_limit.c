@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "coupled_limit.h"
+
+#include "neuro_limits.h"
+#include "requirement_limits.h"
+
+int64_t coupled_limit_nm(const robot_t *robot, const coupled_limit_t *limit, int32_t first_ticks,
+                         int32_t second_ticks)
+{
+    return neuro_limits_value(&robot->axes[limit->first], first_ticks) -
+           neuro_limits_value(&robot->axes[limit->second], second_ticks);
+}
+
+coupled_side_t coupled_limit_side(const coupled_limit_t *limit, int64_t above_nm)
+{
+    const int64_t margin_nm = (int64_t)LIMIT_COUPLED_MARGIN_NM;
+    coupled_side_t side = COUPLED_LIMIT_INSIDE;
+    if (above_nm < ((int64_t)limit->minimum_nm + margin_nm)) {
+        side = COUPLED_LIMIT_BELOW;
+    } else if (above_nm > ((int64_t)limit->maximum_nm - margin_nm)) {
+        side = COUPLED_LIMIT_ABOVE;
+    } else {
+        side = COUPLED_LIMIT_INSIDE;
+    }
+    return side;
+}
+
+coupled_side_t coupled_limit_judge(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_COUNT])
+{
+    coupled_side_t side = COUPLED_LIMIT_INSIDE;
+    for (uint32_t i = robot->coupled_limit_count; i > 0U; i--) {
+        const coupled_limit_t *const limit = &robot->coupled_limits[i - 1U];
+        const coupled_side_t found = coupled_limit_side(
+            limit, coupled_limit_nm(robot, limit, ticks[limit->first], ticks[limit->second]));
+        side = (found != COUPLED_LIMIT_INSIDE) ? found : side;
+    }
+    return side;
+}

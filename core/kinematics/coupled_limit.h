@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Limits that two axes share (coupled_limits of the robot), and where positions are to them.
+ */
+#ifndef BORESIGHT_COUPLED_LIMIT_H
+#define BORESIGHT_COUPLED_LIMIT_H
+
+#include "robot.h"
+
+#include <stdint.h>
+
+typedef enum {
+    COUPLED_LIMIT_INSIDE = 0,
+    COUPLED_LIMIT_BELOW = 1,
+    COUPLED_LIMIT_ABOVE = 2
+} coupled_side_t;
+
+/** How far the first axis is above the second, nm. */
+int64_t coupled_limit_nm(const robot_t *robot, const coupled_limit_t *limit, int32_t first_ticks,
+                         int32_t second_ticks);
+
+/** May a motion end at `above_nm`? Inside: LIMIT_COUPLED_MARGIN_NM or more from both ends. */
+coupled_side_t coupled_limit_side(const coupled_limit_t *limit, int64_t above_nm);
+
+/**
+ * May a motion end with all axes at `ticks`? @return of the first limit that is missed, otherwise
+ * COUPLED_LIMIT_INSIDE
+ *
+ * @satisfies SWR-COUPLE-002
+ */
+coupled_side_t coupled_limit_judge(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_COUNT]);
+
+#endif

@@ -1,0 +1,175 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Rule under test: a drive away from the range of a coupled limit is blocked when the two axes
+ * might leave it before off frames act. The ways are exact: nm of whole ticks, against ends that a
+ * test sets.
+ */
+#include "unity.h"
+
+#include "axis.h"
+#include "coupled_guard.h"
+#include "coupled_limit.h"
+#include "neuro_limits.h"
+#include "requirement_limits.h"
+
+TEST_SOURCE_FILE("axis_chart.c")
+TEST_SOURCE_FILE("encoder.c")
+TEST_SOURCE_FILE("fixed.c")
+TEST_SOURCE_FILE("homing.c")
+TEST_SOURCE_FILE("motor_model.c")
+TEST_SOURCE_FILE("robot_neuro.c")
+TEST_SOURCE_FILE("servo.c")
+TEST_SOURCE_FILE("stall_watchdog_chart.c")
+TEST_SOURCE_FILE("supervision.c")
+
+/* 984 ticks/s for 4.5 ms, rounded up, and the tick of a count. */
+#define DRIVEN_TICKS 6
+#define RESTING_TICKS 1
+
+static robot_t robot;
+static axis_t axes[ROBOT_AXIS_COUNT];
+static card_drive_t sent[ROBOT_AXIS_COUNT];
+static card_drive_t requests[ROBOT_AXIS_COUNT];
+static const coupled_view_t view = {axes, sent, requests};
+
+void setUp(void)
+{
+    robot = robot_neuro;
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        axis_init(&axes[i]);
+        axes[i].chart.reference = AXIS_REFERENCE_VERIFIED;
+        sent[i] = (card_drive_t){0U, 0U, 0U};
+        requests[i] = sent[i];
+    }
+}
+
+void tearDown(void)
+{
+}
+
+static card_drive_t drive(uint32_t axis, bool is_upwards)
+{
+    const bool is_inverted = robot.axes[axis].is_motor_inverted != 0U;
+    return (card_drive_t){CARD_DRIVE_NON_PWM, (is_upwards != is_inverted) ? 1U : 0U, 0U};
+}
+
+static int32_t nm(int32_t ticks)
+{
+    return (int32_t)neuro_limits_value(&robot.axes[AXIS_HEAD], ticks);
+}
+
+/* Blocked when the range ends one nm nearer than `ticks` and free when it ends there. */
+static void expect_way(uint32_t axis, bool is_growing, int32_t first_ticks, int32_t second_ticks)
+{
+    const int32_t way = nm(first_ticks) + nm(second_ticks);
+    robot.coupled_limits[0].minimum_nm = is_growing ? -1000000000 : -way;
+    robot.coupled_limits[0].maximum_nm = is_growing ? way : 1000000000;
+    TEST_ASSERT_FALSE(coupled_guard_blocks(&robot, &view, axis));
+    robot.coupled_limits[0].minimum_nm += is_growing ? 0 : 1;
+    robot.coupled_limits[0].maximum_nm -= is_growing ? 1 : 0;
+    TEST_ASSERT_TRUE(coupled_guard_blocks(&robot, &view, axis));
+}
+
+void test_SWR_COUPLE_001_one_axis_is_stopped_its_way_before_the_end(void)
+{
+    requests[AXIS_HEAD] = drive(AXIS_HEAD, true);
+    expect_way(AXIS_HEAD, true, DRIVEN_TICKS, RESTING_TICKS);
+    requests[AXIS_HEAD] = drive(AXIS_HEAD, false);
+    expect_way(AXIS_HEAD, false, DRIVEN_TICKS, RESTING_TICKS);
+    requests[AXIS_HEAD] = (card_drive_t){0U, 0U, 0U};
+    requests[AXIS_FEET] = drive(AXIS_FEET, true);
+    expect_way(AXIS_FEET, false, RESTING_TICKS, DRIVEN_TICKS);
+    requests[AXIS_FEET] = drive(AXIS_FEET, false);
+    expect_way(AXIS_FEET, true, RESTING_TICKS, DRIVEN_TICKS);
+}
+
+void test_SWR_COUPLE_001_what_the_other_axis_is_driven_adds_up(void)
+{
+    requests[AXIS_HEAD] = drive(AXIS_HEAD, true);
+    requests[AXIS_FEET] = drive(AXIS_FEET, false);
+    expect_way(AXIS_HEAD, true, DRIVEN_TICKS, DRIVEN_TICKS);
+    expect_way(AXIS_FEET, true, DRIVEN_TICKS, DRIVEN_TICKS);
+    requests[AXIS_FEET] = (card_drive_t){0U, 0U, 0U};
+    sent[AXIS_FEET] = drive(AXIS_FEET, false);
+    expect_way(AXIS_HEAD, true, DRIVEN_TICKS, DRIVEN_TICKS);
+}
+
+void test_SWR_COUPLE_001_that_the_other_axis_comes_back_counts_for_nothing(void)
+{
+    requests[AXIS_HEAD] = drive(AXIS_HEAD, true);
+    requests[AXIS_FEET] = drive(AXIS_FEET, true);
+    sent[AXIS_FEET] = drive(AXIS_FEET, true);
+    axes[AXIS_FEET].encoder.speed_ticks_per_s_q8 = 900 * 256;
+    expect_way(AXIS_HEAD, true, DRIVEN_TICKS, RESTING_TICKS);
+}
+
+/* 3000 ticks/s for 4.5 ms are 13.5. */
+void test_SWR_COUPLE_001_an_axis_that_is_faster_than_its_motor_is_believed(void)
+{
+    requests[AXIS_HEAD] = drive(AXIS_HEAD, false);
+    axes[AXIS_HEAD].encoder.speed_ticks_per_s_q8 = -3000 * 256;
+    axes[AXIS_FEET].encoder.speed_ticks_per_s_q8 = 3000 * 256;
+    expect_way(AXIS_HEAD, false, 15, 15);
+}
+
+void test_SWR_COUPLE_001_outside_of_the_range_the_way_back_is_free(void)
+{
+    axes[AXIS_HEAD].encoder.position_ticks = -8000;
+    requests[AXIS_HEAD] = drive(AXIS_HEAD, true);
+    requests[AXIS_FEET] = drive(AXIS_FEET, false);
+    TEST_ASSERT_FALSE(coupled_guard_blocks(&robot, &view, AXIS_HEAD));
+    TEST_ASSERT_FALSE(coupled_guard_blocks(&robot, &view, AXIS_FEET));
+    requests[AXIS_HEAD] = drive(AXIS_HEAD, false);
+    requests[AXIS_FEET] = drive(AXIS_FEET, true);
+    TEST_ASSERT_TRUE(coupled_guard_blocks(&robot, &view, AXIS_HEAD));
+    TEST_ASSERT_TRUE(coupled_guard_blocks(&robot, &view, AXIS_FEET));
+}
+
+void test_SWR_COUPLE_001_a_limit_is_in_force_for_its_own_axes_once_both_are_homed(void)
+{
+    axes[AXIS_HEAD].encoder.position_ticks = -8000;
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        const bool is_of_limit = (i == (uint32_t)AXIS_HEAD) || (i == (uint32_t)AXIS_FEET);
+        TEST_ASSERT_FALSE(coupled_guard_blocks(&robot, &view, i));
+        requests[i] = drive(i, i != (uint32_t)AXIS_HEAD);
+        TEST_ASSERT_EQUAL(is_of_limit, coupled_guard_blocks(&robot, &view, i));
+    }
+    axes[AXIS_HEAD].chart.reference = AXIS_REFERENCE_LOST;
+    TEST_ASSERT_FALSE(coupled_guard_blocks(&robot, &view, AXIS_FEET));
+    TEST_ASSERT_EQUAL(COUPLED_LIMIT_INSIDE, coupled_guard_judge(&robot, axes, AXIS_FEET, 0));
+    axes[AXIS_HEAD].chart.reference = AXIS_REFERENCE_VERIFIED;
+    axes[AXIS_FEET].chart.reference = AXIS_REFERENCE_LOST;
+    TEST_ASSERT_FALSE(coupled_guard_blocks(&robot, &view, AXIS_HEAD));
+    TEST_ASSERT_EQUAL(COUPLED_LIMIT_INSIDE, coupled_guard_judge(&robot, axes, AXIS_HEAD, -8000));
+}
+
+void test_SWR_JOG_002_an_axis_is_known_when_it_and_its_partners_are_homed(void)
+{
+    TEST_ASSERT_TRUE(coupled_guard_is_known(&robot, axes, AXIS_HEAD));
+    axes[AXIS_FEET].chart.reference = AXIS_REFERENCE_LOST;
+    TEST_ASSERT_FALSE(coupled_guard_is_known(&robot, axes, AXIS_HEAD));
+    TEST_ASSERT_FALSE(coupled_guard_is_known(&robot, axes, AXIS_FEET));
+    TEST_ASSERT_TRUE(coupled_guard_is_known(&robot, axes, AXIS_LATERAL));
+    axes[AXIS_LATERAL].chart.reference = AXIS_REFERENCE_LOST;
+    TEST_ASSERT_FALSE(coupled_guard_is_known(&robot, axes, AXIS_LATERAL));
+}
+
+void test_SWR_COUPLE_002_an_end_is_judged_with_the_other_axis_where_it_stands(void)
+{
+    axes[AXIS_HEAD].encoder.position_ticks = -5000;
+    TEST_ASSERT_EQUAL(COUPLED_LIMIT_INSIDE, coupled_guard_judge(&robot, axes, AXIS_FEET, 0));
+    TEST_ASSERT_EQUAL(COUPLED_LIMIT_BELOW, coupled_guard_judge(&robot, axes, AXIS_FEET, 500));
+    TEST_ASSERT_EQUAL(COUPLED_LIMIT_ABOVE, coupled_guard_judge(&robot, axes, AXIS_FEET, -5300));
+    TEST_ASSERT_EQUAL(COUPLED_LIMIT_INSIDE,
+                      coupled_guard_judge(&robot, axes, AXIS_LATERAL, -90000));
+    axes[AXIS_FEET].encoder.position_ticks = 500;
+    TEST_ASSERT_EQUAL(COUPLED_LIMIT_BELOW, coupled_guard_judge(&robot, axes, AXIS_HEAD, -5000));
+    TEST_ASSERT_EQUAL(COUPLED_LIMIT_INSIDE, coupled_guard_judge(&robot, axes, AXIS_HEAD, -4000));
+    TEST_ASSERT_EQUAL(COUPLED_LIMIT_ABOVE, coupled_guard_judge(&robot, axes, AXIS_HEAD, 800));
+}
+
+/* Otherwise the permit would block the last of the way to a legal end. */
+void test_SWR_COUPLE_002_the_margin_of_ends_holds_what_both_axes_may_run_on(void)
+{
+    TEST_ASSERT_GREATER_THAN_INT32(2 * nm(DRIVEN_TICKS), (int32_t)LIMIT_COUPLED_MARGIN_NM);
+}

@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Rule under test: where two axes are to the limit that they share, exact to the nanometre.
+ */
+#include "unity.h"
+
+#include "coupled_limit.h"
+#include "neuro_limits.h"
+#include "requirement_limits.h"
+
+TEST_SOURCE_FILE("fixed.c")
+TEST_SOURCE_FILE("robot_neuro.c")
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+void test_SWR_ROBOT_001_the_coupled_limit_is_that_of_the_geometry(void)
+{
+    const coupled_limit_t *const limit = &robot_neuro.coupled_limits[0];
+    const neuro_geometry_t *const geometry = &robot_neuro.neuro;
+    TEST_ASSERT_EQUAL_UINT32(1U, robot_neuro.coupled_limit_count);
+    TEST_ASSERT_EQUAL_STRING("separation", limit->name);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_HEAD, limit->first);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_FEET, limit->second);
+    TEST_ASSERT_EQUAL_INT32(geometry->minimum_separation_nm - geometry->home_separation_nm,
+                            limit->minimum_nm);
+    TEST_ASSERT_EQUAL_INT32(geometry->maximum_separation_nm - geometry->home_separation_nm,
+                            limit->maximum_nm);
+}
+
+void test_SWR_COUPLE_002_the_first_axis_counts_upwards_and_the_second_downwards(void)
+{
+    const coupled_limit_t *const limit = &robot_neuro.coupled_limits[0];
+    TEST_ASSERT_EQUAL_INT64(12700025, coupled_limit_nm(&robot_neuro, limit, 1000, 0));
+    TEST_ASSERT_EQUAL_INT64(-12700025, coupled_limit_nm(&robot_neuro, limit, 0, 1000));
+    TEST_ASSERT_EQUAL_INT64(0, coupled_limit_nm(&robot_neuro, limit, -7000, -7000));
+}
+
+void test_SWR_COUPLE_002_an_end_has_the_margin_to_both_ends_of_the_range(void)
+{
+    const coupled_limit_t *const limit = &robot_neuro.coupled_limits[0];
+    const int64_t margin = (int64_t)LIMIT_COUPLED_MARGIN_NM;
+    const int64_t least = (int64_t)limit->minimum_nm + margin;
+    const int64_t most = (int64_t)limit->maximum_nm - margin;
+    TEST_ASSERT_EQUAL(COUPLED_LIMIT_BELOW, coupled_limit_side(limit, least - 1));
+    TEST_ASSERT_EQUAL(COUPLED_LIMIT_INSIDE, coupled_limit_side(limit, least));
+    TEST_ASSERT_EQUAL(COUPLED_LIMIT_INSIDE, coupled_limit_side(limit, most));
+    TEST_ASSERT_EQUAL(COUPLED_LIMIT_ABOVE, coupled_limit_side(limit, most + 1));
+}
+
+void test_SWR_COUPLE_002_positions_of_all_axes_are_judged_by_the_limit_of_two(void)
+{
+    const int32_t near_ticks[ROBOT_AXIS_COUNT] = {-8000, 0, 0, 0, 0, 0, 0};
+    const int32_t far_ticks[ROBOT_AXIS_COUNT] = {0, -5000, 0, 0, 0, 0, 0};
+    const int32_t legal_ticks[ROBOT_AXIS_COUNT] = {-3000, 0, 0, 0, 0, 0, 0};
+    TEST_ASSERT_EQUAL(COUPLED_LIMIT_BELOW, coupled_limit_judge(&robot_neuro, near_ticks));
+    TEST_ASSERT_EQUAL(COUPLED_LIMIT_ABOVE, coupled_limit_judge(&robot_neuro, far_ticks));
+    TEST_ASSERT_EQUAL(COUPLED_LIMIT_INSIDE, coupled_limit_judge(&robot_neuro, legal_ticks));
+}
