@@ -30,6 +30,10 @@ static void set_random_scene(stage_t *self, rig_t *rig)
     } else {
         rig_start_targeted(rig);
     }
+    if (self->play == PLAY_JOGS) {
+        self->is_chaotic = 1U;
+        return;
+    }
     self->is_chaotic = (random_below(self, 3U) == 0U) ? 1U : 0U;
     self->fault_cycle = (random_below(self, 5U) == 0U) ? UINT32_MAX : random_below(self, 12000U);
 }
@@ -48,7 +52,7 @@ void stage_begin(stage_t *self, rig_t *rig, play_t play, uint32_t seed)
     for (uint32_t i = 0U; i < 8U; i++) {
         (void)random_below(self, 2U);
     }
-    if (play == PLAY_RANDOM) {
+    if ((play == PLAY_RANDOM) || (play == PLAY_JOGS)) {
         set_random_scene(self, rig);
     } else {
         rig_start_targeted(rig);
@@ -115,6 +119,7 @@ static void disturb(stage_t *self, rig_t *rig)
 static void send(stage_t *self, rig_t *rig, command_t command)
 {
     command.id = 1000U + self->cycle;
+    command.source = rig_source(command.kind);
     rig->commands[rig->command_count] = command;
     rig->command_count++;
 }
@@ -188,19 +193,30 @@ static void send_target(stage_t *self, rig_t *rig)
     }
 }
 
-static void do_anything(stage_t *self, rig_t *rig)
+/* Anywhere, or near where the axis stands, as one that is not homed is jogged. */
+static void send_jog(stage_t *self, rig_t *rig)
 {
     command_t command = {.kind = (uint32_t)COMMAND_JOG,
                          .argument = random_below(self, ROBOT_AXIS_COUNT)};
     const axis_config_t *const axis = &robot_neuro.axes[command.argument];
-    const uint32_t span = (uint32_t)(axis->maximum_ticks - axis->minimum_ticks);
+    const int32_t span = axis->maximum_ticks - axis->minimum_ticks;
+    if (random_below(self, 2U) == 0U) {
+        command.value = axis->minimum_ticks + (int32_t)random_below(self, (uint32_t)span);
+    } else {
+        command.value = rig->outputs.snapshot.axes[command.argument].position_ticks - (span / 20) +
+                        (int32_t)random_below(self, (uint32_t)span / 10U);
+    }
+    send(self, rig, command);
+}
+
+static void do_anything(stage_t *self, rig_t *rig)
+{
     switch (random_below(self, 6U)) {
     case 0:
         send_phase(self, rig, (workphase_t)(1U + random_below(self, 8U)));
         break;
     case 1:
-        command.value = axis->minimum_ticks + (int32_t)random_below(self, span);
-        send(self, rig, command);
+        send_jog(self, rig);
         break;
     case 2:
         send(self, rig, (command_t){.kind = (uint32_t)COMMAND_TARGET, .pose = some_target(self)});
@@ -217,6 +233,27 @@ static void do_anything(stage_t *self, rig_t *rig)
     }
 }
 
+/* One jog after the other, each under a pedal that is pressed anew and sometimes released. */
+static void do_jog(stage_t *self, rig_t *rig)
+{
+    const snapshot_t *const shown = &rig->outputs.snapshot;
+    if ((shown->workphase == (uint32_t)WORKPHASE_UNDEFINED) ||
+        (shown->workphase == (uint32_t)WORKPHASE_EMERGENCY)) {
+        send_phase(self, rig, WORKPHASE_START_UP);
+    } else if (shown->workphase != (uint32_t)WORKPHASE_MANUAL) {
+        send_phase(self, rig, WORKPHASE_MANUAL);
+    } else if (shown->order == (uint32_t)WORKPHASES_ORDER_NONE) {
+        rig_box(rig, "pedal release");
+        send_jog(self, rig);
+    } else if (shown->order == (uint32_t)WORKPHASES_ORDER_WAITING) {
+        rig_box(rig, "pedal press");
+    } else if (random_below(self, 4U) == 0U) {
+        rig_box(rig, "pedal release");
+    } else {
+        /* It goes on. */
+    }
+}
+
 static void send_target_or_phase(stage_t *self, rig_t *rig)
 {
     if (rig->outputs.snapshot.workphase == (uint32_t)WORKPHASE_TARGETING) {
@@ -227,7 +264,8 @@ static void send_target_or_phase(stage_t *self, rig_t *rig)
     }
 }
 
-/* Whoever looks at the robot sees it where it is shown: the axes that a confirmation would verify. */
+/* Whoever looks at the robot sees it where it is shown: the axes that a confirmation would verify.
+ */
 static bool is_shown_true(const rig_t *rig)
 {
     double truth[ROBOT_AXIS_COUNT];
@@ -236,9 +274,8 @@ static bool is_shown_true(const rig_t *rig)
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
         const axis_config_t *const config = &robot_neuro.axes[i];
         const snapshot_axis_t *const shown = &rig->outputs.snapshot.axes[i];
-        const bool is_asked =
-            (shown->reference == (uint32_t)AXIS_REFERENCE_UNVERIFIED) ||
-            axis_needs_confirmation(&rig->controller.axes[i], config);
+        const bool is_asked = (shown->reference == (uint32_t)AXIS_REFERENCE_UNVERIFIED) ||
+                              axis_needs_confirmation(&rig->controller.axes[i], config);
         const double away = fabs(truth[i] - (double)shown->position_ticks);
         is_true = is_true && (!is_asked || (away <= (double)supervision_rest_ticks(config)));
     }
@@ -327,7 +364,9 @@ void stage_play(stage_t *self, rig_t *rig)
         return;
     }
     self->wait_cycles = 30U + random_below(self, 600U);
-    if (self->is_chaotic != 0U) {
+    if ((self->play == PLAY_JOGS) && (random_below(self, 5U) != 0U)) {
+        do_jog(self, rig);
+    } else if (self->is_chaotic != 0U) {
         do_anything(self, rig);
     } else {
         do_next_step(self, rig);

@@ -13,7 +13,8 @@ typedef enum {
     PLAY_RANDOM = 0,      /**< Anything, with at most one fault at a time. */
     PLAY_CORNERS = 1,     /**< Moves to targets at the ends of the axes' ways; no fault. */
     PLAY_INTERRUPTED = 2, /**< Moves under a pedal that is released again and again; no fault. */
-    PLAY_SPREAD = 3       /**< Moves of motors up to a fifth faster or slower than their table. */
+    PLAY_SPREAD = 3,      /**< Moves of motors up to a fifth faster or slower than their table. */
+    PLAY_JOGS = 4         /**< Anything, most of it jogs, before homing and after it; no fault. */
 } play_t;
 
 /** State of the players. */

@@ -4,7 +4,7 @@
  * The real controller on the simulated control box, in simulated time, with an operator, a world
  * and faults by chance, and a witness who knows where the axes truly stand.
  *
- *     supervise COUNT [SEED [random|corners|interrupted|spread]]
+ *     supervise COUNT [SEED [random|corners|interrupted|spread|jogs]]
  *
  * Plays COUNT scenes from SEED on (1), or as many as COUNT moves need. Prints how often each
  * sentence was broken, where first, and the worst figure. Ends with 1 when one was broken.
@@ -40,12 +40,18 @@ void contract_broken(const char *module, uint32_t id)
     exit(2);
 }
 
+/* COUNT is of scenes, not of moves. */
+static bool is_of_scenes(play_t play)
+{
+    return (play == PLAY_RANDOM) || (play == PLAY_JOGS);
+}
+
 static void play_scene(play_t play, uint32_t seed)
 {
     double truth[ROBOT_AXIS_COUNT];
     witness_begin(&witness, seed);
     stage_begin(&stage, &rig, play, seed);
-    for (uint32_t i = 0U; i < ((play == PLAY_RANDOM) ? SCENE_CYCLES : MOVES_CYCLES); i++) {
+    for (uint32_t i = 0U; i < (is_of_scenes(play) ? SCENE_CYCLES : MOVES_CYCLES); i++) {
         stage_play(&stage, &rig);
         box_true_positions(&rig.box, truth);
         rig_cycle(&rig);
@@ -78,8 +84,8 @@ static bool report(uint32_t count)
 /* Number of the play `name`, or -1. */
 static int play_of(const char *name)
 {
-    static const char *const names[] = {"random", "corners", "interrupted", "spread"};
-    for (int i = 0; i < 4; i++) {
+    static const char *const names[] = {"random", "corners", "interrupted", "spread", "jogs"};
+    for (int i = 0; i < 5; i++) {
         if (strcmp(name, names[i]) == 0) {
             return i;
         }
@@ -95,11 +101,11 @@ int main(int count, char **arguments)
     uint32_t scenes = 0U;
     if ((wanted == 0U) || (play < 0)) {
         (void)fprintf(stderr,
-                      "usage: supervise COUNT [SEED [random|corners|interrupted|spread]]\n");
+                      "usage: supervise COUNT [SEED [random|corners|interrupted|spread|jogs]]\n");
         return 2;
     }
     UnityBegin("supervise.c");
-    while (((play == (int)PLAY_RANDOM) ? scenes : witness.moves) < wanted) {
+    while ((is_of_scenes((play_t)play) ? scenes : witness.moves) < wanted) {
         play_scene((play_t)play, first + scenes);
         scenes++;
     }

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# Rule under test: in no scene (an operator, a world, a fault now and then; moves into the corners of the workspace; moves
-# under a pedal that is released again and again, or of motors that are not as the robot's table says) does the controller break one of the sentences of the witness, who knows
-# where the simulated axes truly stand. `make supervise COUNT=n SEED=n PLAY=name` plays more.
+# Rule under test: in no scene (an operator, a world, a fault now and then; jogs; moves into the corners of the workspace,
+# under a pedal that is released again and again, or of motors that are not as the robot's table says) does the controller
+# break one of the sentences of the witness, who knows where the simulated axes truly stand.
+# `make supervise COUNT=n SEED=n PLAY=name` plays more.
 
 require 'minitest/autorun'
 require 'open3'
@@ -11,7 +12,7 @@ require 'open3'
 class TestSupervise < Minitest::Test
   PROGRAM = File.expand_path('../../build/gcc/bin/supervise', __dir__)
   # How many scenes, or moves.
-  PLAYS = { random: 100, corners: 30, interrupted: 30, spread: 40 }.freeze
+  PLAYS = { random: 100, corners: 30, interrupted: 30, spread: 40, jogs: 30 }.freeze
   SENTENCES = {
     SWR_PERMIT_002_a_drive_leaves_only_with_the_permit: /A drive leaves only with/,
     SWR_AXIS_012_an_axis_held_for_homed_stands_where_it_is_believed_to: /A homed axis without a fault/,
@@ -19,6 +20,9 @@ class TestSupervise < Minitest::Test
     SWR_MOTION_005_a_move_ends: /under the pedal ends/,
     SWR_AXIS_013_homing_drives_the_needle_forwards_by_little_only: /drives the needle forwards/,
     SWR_NEXT_002_an_arrival_that_is_shown_is_true: /is reached": it is/,
+    SWR_COUPLE_001_the_carriages_keep_their_distance: /carriages keep their distance/,
+    SWR_JOG_001_nothing_is_jogged_across_a_needle_that_is_in: /across a needle that is in/,
+    SWR_JOG_003_a_needle_that_is_not_homed_is_not_jogged_inwards: /is not jogged inwards/,
     SWR_AXIS_019_no_fault_is_found_where_there_is_none: /nothing is broken, no fault/,
     SWR_MOTION_007_no_axis_goes_beyond_its_end: /beyond its end/,
     SWR_MOTION_007_no_axis_is_faster_than_its_speed: /faster than its speed/
@@ -29,7 +33,7 @@ class TestSupervise < Minitest::Test
     @lines[play] ||= Open3.capture2e(PROGRAM, PLAYS[play].to_s, '1', play.to_s).first.lines(chomp: true)
   end
 
-  (PLAYS.keys - [:random]).each do |play|
+  (PLAYS.keys - %i[random jogs]).each do |play|
     define_method("test_SWR_MOTION_006_moves_are_done_soon_after_their_profiles_#{play}") do
       milliseconds = self.class.lines(play).first[/99 % by (\d+) ms/, 1].to_i
       assert_includes 1..100, milliseconds, self.class.lines(play).first

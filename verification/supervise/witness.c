@@ -15,9 +15,11 @@
 #define NEEDLE_MM 0.3 /* 0.2 mm, and what the motor runs on in the cycles of the detection. */
 #define REACHED_MM 0.1
 #define REACHED_DEG 1.0
-#define APART_LEAST_MM 74.0 /* Limits of the mechanism, and 1 mm. */
-#define APART_MOST_MM 147.0
+#define APART_LEAST_MM 75.0
+#define APART_MOST_MM 146.0
 #define APART_HOME_MM 143.0
+#define NEEDLE_OUT_MM 0.625
+#define HOME_MM 0.05 /* Of the place where homing sees a switch. */
 #define ENDS_CYCLES 60000U
 
 const char *witness_sentence(sentence_t sentence)
@@ -32,7 +34,9 @@ const char *witness_sentence(sentence_t sentence)
         "The axial carriages keep their distance (mm)",
         "As long as nothing is broken, no fault is found (event)",
         "No axis goes beyond its end by more than its deadband (ticks)",
-        "In the mean of 100 ms no axis is faster than its speed (percent)"};
+        "In the mean of 100 ms no axis is faster than its speed (percent)",
+        "A jog drives nothing across a needle that is in (mm)",
+        "A needle that is not homed is not jogged inwards"};
     return words[sentence];
 }
 
@@ -174,14 +178,47 @@ static void judge_reached(witness_t *self, const rig_t *rig, const double truth[
     }
 }
 
-static void judge_distance(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_COUNT])
+/* What a broken part may hide until it is found is the matter of another sentence. */
+static double slack_mm(bool is_disturbed)
+{
+    return is_disturbed ? BELIEVED_MM : HOME_MM;
+}
+
+/* Homing one of them, or jogging it before, may bring them beyond; then they come back. */
+static void judge_distance(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_COUNT],
+                           bool is_disturbed)
 {
     const double apart =
         APART_HOME_MM + measure(AXIS_HEAD, truth[AXIS_HEAD]) - measure(AXIS_FEET, truth[AXIS_FEET]);
-    if (is_homed(rig, AXIS_HEAD) && is_homed(rig, AXIS_FEET) &&
-        ((apart < APART_LEAST_MM) || (apart > APART_MOST_MM))) {
-        complain(self, rig, SENTENCE_APART, AXIS_HEAD,
-                 fmax(APART_LEAST_MM - apart, apart - APART_MOST_MM));
+    const double beyond = fmax(0.0, fmax(APART_LEAST_MM - apart, apart - APART_MOST_MM));
+    const bool is_known = !is_doubted(rig, AXIS_HEAD) && !is_doubted(rig, AXIS_FEET);
+    if (!is_known || !self->was_apart_known) {
+        self->apart_beyond = beyond;
+    }
+    self->was_apart_known = is_known;
+    self->apart_beyond = fmin(self->apart_beyond, beyond);
+    if (beyond > (self->apart_beyond + slack_mm(is_disturbed))) {
+        complain(self, rig, SENTENCE_APART, AXIS_HEAD, beyond - self->apart_beyond);
+    }
+}
+
+static void judge_jog(witness_t *self, const rig_t *rig, double depth_ticks, bool is_disturbed)
+{
+    const double in = measure(AXIS_INSERTION, depth_ticks) - NEEDLE_OUT_MM;
+    const card_drive_t needle = rig_sent(rig, AXIS_INSERTION).drive;
+    if (rig->outputs.snapshot.workphase != (uint32_t)WORKPHASE_MANUAL) {
+        return;
+    }
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        if ((robot_neuro.axes[i].needle_motion == (uint8_t)NEEDLE_ACROSS) &&
+            (rig_sent(rig, i).drive.mode != (uint32_t)CARD_DRIVE_OFF) &&
+            (in > slack_mm(is_disturbed))) {
+            complain(self, rig, SENTENCE_ACROSS, i, in);
+        }
+    }
+    if ((needle.mode != (uint32_t)CARD_DRIVE_OFF) && !is_homed(rig, AXIS_INSERTION) &&
+        servo_is_upwards(&robot_neuro.axes[AXIS_INSERTION], &needle)) {
+        complain(self, rig, SENTENCE_INWARDS, AXIS_INSERTION, 1.0);
     }
 }
 
@@ -232,7 +269,11 @@ static void judge_events(witness_t *self, const rig_t *rig, bool is_disturbed)
         if (event->id == (uint32_t)EVENT_ORDER_DONE) {
             count_move(self, rig);
         }
-        if (!is_disturbed && (event->severity == (uint32_t)EVENT_SEVERITY_CRITICAL)) {
+        /* What is not homed may be jogged against its switch. */
+        const bool is_jog_blocked =
+            (event->id == (uint32_t)EVENT_ORDER_OVERDUE) && !is_homed(rig, event->subject);
+        if (!is_disturbed && !is_jog_blocked &&
+            (event->severity == (uint32_t)EVENT_SEVERITY_CRITICAL)) {
             complain(self, rig, SENTENCE_CALM, event->subject % ROBOT_AXIS_COUNT, event->id);
         }
     }
@@ -269,6 +310,7 @@ void witness_look(witness_t *self, const rig_t *rig, const double truth[ROBOT_AX
     judge_end(self, rig);
     judge_needle(self, rig, truth[AXIS_INSERTION]);
     judge_reached(self, rig, truth);
-    judge_distance(self, rig, truth);
+    judge_distance(self, rig, truth, is_disturbed);
+    judge_jog(self, rig, truth[AXIS_INSERTION], is_disturbed);
     judge_events(self, rig, is_disturbed);
 }

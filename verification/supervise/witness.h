@@ -24,14 +24,16 @@ typedef enum {
     SENTENCE_ENDS = 3,     /**< A move under the pedal ends. */
     SENTENCE_NEEDLE = 4,   /**< Homing drives the needle forwards by little only. */
     SENTENCE_REACHED = 5,  /**< "Nothing; the target is reached": it is. */
-    SENTENCE_APART = 6,    /**< The axial carriages keep their distance. */
+    SENTENCE_APART = 6,    /**< The axial carriages keep their distance, or come back to it. */
     SENTENCE_CALM = 7,     /**< As long as nothing is broken, no fault is found and no move lost. */
     SENTENCE_BEYOND =
-        8,             /**< No axis goes beyond the end of its profile by more than its deadband. */
-    SENTENCE_SPEED = 9 /**< In the mean of 100 ms no axis is faster than its speed. */
+        8, /**< No axis goes beyond the end of its profile by more than its deadband. */
+    SENTENCE_SPEED = 9,   /**< In the mean of 100 ms no axis is faster than its speed. */
+    SENTENCE_ACROSS = 10, /**< No jog drives anything across a needle that is in. */
+    SENTENCE_INWARDS = 11 /**< A needle that is not homed is not jogged inwards. */
 } sentence_t;
 
-#define SENTENCE_COUNT 10U
+#define SENTENCE_COUNT 12U
 
 /** A sentence's record. */
 typedef struct {
@@ -59,6 +61,8 @@ typedef struct {
     uint32_t over_cycles; /**< Since the profile of the last leg has ended. */
     double needle_from;   /**< Where homing began. */
     bool was_homing;
+    double apart_beyond; /**< How far beyond their distance the carriages may be, mm. */
+    bool was_apart_known;
 } witness_t;
 
 /** Begins an episode; the verdicts stay. */
