@@ -23,6 +23,7 @@
 #undef main
 
 TEST_SOURCE_FILE("crc.c")
+TEST_SOURCE_FILE("position_store.c")
 TEST_SOURCE_FILE("robot_neuro.c")
 
 #define ALL_SLOTS 0x0FEU
@@ -120,6 +121,19 @@ static void step(controller_t *self, const robot_t *robot, const controller_inpu
     self->cycle++;
 }
 
+static bsp_power_on_t tell_power_on(int calls)
+{
+    (void)calls;
+    return (bsp_power_on_t){.id = 1U, .was_used = false};
+}
+
+static void restore(controller_t *self, const kept_positions_t *kept, int calls)
+{
+    (void)self;
+    (void)kept;
+    (void)calls;
+}
+
 static void init(controller_t *self, const robot_t *robot, int calls)
 {
     (void)robot;
@@ -190,7 +204,9 @@ void setUp(void)
     bsp_reached_ns_Stub(tell_now);
     bsp_sleep_until_ns_Stub(sleep_until);
     bsp_close_Stub(close_board);
+    bsp_power_on_Stub(tell_power_on);
     controller_init_Stub(init);
+    controller_restore_Stub(restore);
     controller_step_Stub(step);
     realtime_acquire_Stub(acquire);
     realtime_now_ns_Stub(tell_now);
@@ -205,7 +221,7 @@ void tearDown(void)
 /* Runs control until `how` and `signal_number` end it. @return as waitpid() gives it */
 static int control_ends(end_t how, int signal_number)
 {
-    char *arguments[] = {"control", "--exchange", name, "--box", "y"};
+    char *arguments[] = {"control", "--exchange", name, "--box", "y", "--positions", "no-file"};
     int ends[2];
     int status = 0;
     end = how;
@@ -214,7 +230,7 @@ static int control_ends(end_t how, int signal_number)
     const pid_t child = fork();
     if (child == 0) {
         (void)dup2(ends[1], STDERR_FILENO);
-        _Exit(control_main(5, arguments));
+        _Exit(control_main(7, arguments));
     }
     (void)close(ends[1]);
     size_t length = 0U;

@@ -6,6 +6,7 @@
 #include "unity.h"
 
 #include "axis.h"
+#include "drift_audit.h"
 #include "needle.h"
 
 TEST_SOURCE_FILE("axis_chart.c")
