@@ -131,7 +131,7 @@ static void note_axis(controller_t *self, const cycle_t *cycle, uint32_t index, 
     if ((notes & ~AXIS_NOTE_HOMED) != 0U) {
         plan_forget_target(&self->plan);
     }
-    if (axis_is_faulty(&self->axes[index]) || ((notes & AXIS_NOTE_DRIFTED) != 0U)) {
+    if (axis_is_faulty(&self->axes[index])) {
         controller_fail_order(self, cycle, EVENT_CAUSE_AXIS, index);
     }
 }
@@ -152,7 +152,9 @@ static void note_grade(controller_t *self, const cycle_t *cycle, uint32_t index)
     if (now == (uint32_t)AXIS_REFERENCE_UNVERIFIED) {
         controller_note(self, cycle, EVENT_AXIS_UNVERIFIED, index, axis->encoder.position_ticks);
         plan_forget_target(&self->plan);
+        controller_because(self, EVENT_CAUSE_AXIS, index);
         controller_tell_order(self, cycle, WORKPHASES_EVENT_FAULT, STATUS_NOT_HOMED);
+        controller_because(self, EVENT_CAUSE_NONE, 0U);
     }
     if ((now == (uint32_t)AXIS_REFERENCE_LOST) && was_known && !axis_is_faulty(axis)) {
         controller_note(self, cycle, EVENT_AXIS_REFERENCE_LOST, index,

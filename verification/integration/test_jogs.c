@@ -133,6 +133,7 @@ static void shift(uint32_t axis, int32_t ticks)
     axis_t *const shifted = &rig.controller.axes[axis];
     encoder_set_position(&shifted->encoder, shifted->encoder.position_ticks + ticks);
     supervision_shift(&shifted->supervision, ticks);
+    drift_audit_settle(&shifted->drift, shifted->encoder.position_ticks);
 }
 
 /* A jog whose end was damaged after it had been accepted, until it is given up. */

@@ -614,13 +614,14 @@ void test_SWR_AXIS_022_wrong_counts_in_small_steps_make_an_axis_unverified(void)
     (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
     rig_forget(&rig);
     creep(1);
-    TEST_ASSERT_EQUAL_UINT32(2U, rig.event_count);
+    TEST_ASSERT_EQUAL_UINT32(3U, rig.event_count);
     TEST_ASSERT_EQUAL_UINT32(EVENT_AXIS_DRIFTED, rig.events[0].id);
     TEST_ASSERT_EQUAL_UINT32(EVENT_SEVERITY_WARNING, rig.events[0].severity);
     TEST_ASSERT_EQUAL_UINT32(AXIS_HEAD, rig.events[0].subject);
     TEST_ASSERT_EQUAL_INT32(8, abs(rig.events[0].value));
-    TEST_ASSERT_EQUAL_UINT32(EVENT_ORDER_DISCARDED, rig.events[1].id);
-    TEST_ASSERT_EQUAL_UINT32(EVENT_CAUSE_AXIS, rig.events[1].cause);
+    TEST_ASSERT_EQUAL_UINT32(EVENT_AXIS_UNVERIFIED, rig.events[1].id);
+    TEST_ASSERT_EQUAL_UINT32(EVENT_ORDER_DISCARDED, rig.events[2].id);
+    TEST_ASSERT_EQUAL_UINT32(EVENT_CAUSE_AXIS, rig.events[2].cause);
     TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED,
                              rig.outputs.snapshot.axes[AXIS_HEAD].reference);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);

@@ -185,7 +185,7 @@ void test_SWR_CTRL_021_a_cycle_takes_no_more_after_a_command_that_computes(void)
 
 static void fill_lane(void)
 {
-    const command_t command = {.kind = COMMAND_PROPOSE_ENTRY};
+    const command_t command = {.kind = COMMAND_JOG};
 
     while (exchange_send_command(reader, &command) == STATUS_OK) {
     }
@@ -206,10 +206,10 @@ void test_SWR_HTTP_008_a_stop_passes_a_full_lane_and_is_the_last_command_of_its_
     fill_lane();
     const uint32_t number = exchange_request_stop(reader);
     TEST_ASSERT_EQUAL_UINT32(4U, exchange_take_commands(control, taken, 4U));
-    TEST_ASSERT_EQUAL_UINT32(COMMAND_PROPOSE_ENTRY, taken[2].kind);
+    TEST_ASSERT_EQUAL_UINT32(COMMAND_JOG, taken[2].kind);
     expect_stop(number, &taken[3]);
     TEST_ASSERT_EQUAL_UINT32(4U, exchange_take_commands(control, taken, 4U));
-    TEST_ASSERT_EQUAL_UINT32(COMMAND_PROPOSE_ENTRY, taken[3].kind);
+    TEST_ASSERT_EQUAL_UINT32(COMMAND_JOG, taken[3].kind);
 }
 
 void test_SWR_HTTP_008_a_stop_leaves_where_there_is_room_for_one_command_only(void)

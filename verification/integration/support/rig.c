@@ -79,7 +79,9 @@ answer_t rig_command(rig_t *self, command_t command)
 {
     self->next_id++;
     command.id = self->next_id;
-    command.source = rig_source(command.kind);
+    if (command.source == (uint32_t)COMMAND_SOURCE_IGTL) {
+        command.source = rig_source(command.kind);
+    }
     self->commands[0] = command;
     self->command_count = 1U;
     rig_cycle(self);
