@@ -317,11 +317,12 @@ void test_SWR_JOG_001_no_axis_is_jogged_across_a_needle_that_is_not_homed(void)
 void test_SWR_JOG_001_a_needle_that_comes_in_stops_the_jog_that_runs(void)
 {
     start_manual();
+    shift(AXIS_INSERTION, needle_out_ticks(&robot_neuro) - position(AXIS_INSERTION));
     expect_jog(AXIS_LATERAL, -2000, STATUS_OK);
     rig_press(&rig);
     rig_cycles(&rig, 500U);
     TEST_ASSERT_FALSE(has_reason(AXIS_LATERAL, PERMIT_REASON_NEEDLE_IN));
-    shift(AXIS_INSERTION, 3000);
+    shift(AXIS_INSERTION, 100);
     for (uint32_t i = 0U; i < 500U; i++) {
         rig_cycle(&rig);
         TEST_ASSERT_FALSE(rig_is_driving(&rig));
