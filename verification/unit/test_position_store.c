@@ -77,9 +77,13 @@ static void spoil(uint32_t offset, uint8_t value, uint32_t size)
 static void assert_read(uint64_t number)
 {
     const position_record_t expected = record_of(number);
+    uint8_t wanted[POSITION_RECORD_SIZE];
+    uint8_t read[POSITION_RECORD_SIZE];
 
     TEST_ASSERT_EQUAL(POSITION_FILE_GOOD, position_store_read(path, &found));
-    TEST_ASSERT_EQUAL_MEMORY(&expected, &found, sizeof expected);
+    position_record_encode(&expected, wanted);
+    position_record_encode(&found, read);
+    TEST_ASSERT_EQUAL_MEMORY(wanted, read, sizeof wanted);
 }
 
 static uint32_t ask(uint64_t utc_us, uint32_t robot_crc, uint32_t power_on, bool was_used)
