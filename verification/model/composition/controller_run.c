@@ -12,7 +12,6 @@
  */
 #include "numbers.h"
 
-#include "crc.h"
 #include "permit.h"
 #include "rig.h"
 #include "unity.h"
@@ -45,22 +44,6 @@ void contract_broken(const char *module, uint32_t id)
 {
     printf("contract %s %u is broken\n", module, (unsigned)id);
     exit(2);
-}
-
-/* In the place of core/base/crc.c, with which three quarters of the time went by: the processor's
- * own CRC-32C. */
-__attribute__((target("sse4.2"))) uint32_t crc32c(const uint8_t *bytes, size_t length)
-{
-    uint32_t crc = UINT32_MAX;
-    size_t i = 0U;
-    for (uint64_t word; (i + sizeof word) <= length; i += sizeof word) {
-        (void)memcpy(&word, &bytes[i], sizeof word);
-        crc = (uint32_t)__builtin_ia32_crc32di(crc, word);
-    }
-    for (; i < length; i++) {
-        crc = __builtin_ia32_crc32qi(crc, bytes[i]);
-    }
-    return ~crc;
 }
 
 /* xorshift32. */
