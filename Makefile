@@ -84,7 +84,7 @@ $(GEN)/charts/charts.json: $(wildcard statecharts/*.scxml tools/chart_compiler.r
 
 $(CHART_SOURCES): $(GEN)/charts/charts.json ;
 
-$(GEN)/robot/robot_neuro.c: core/robot/neuro.yaml tools/robot_compiler.rb
+$(GEN)/robot/robot_neuro.c: core/robot/neuro.yaml core/robot/robot.h tools/robot_compiler.rb $(wildcard tools/robot/*.rb)
 	ruby tools/robot_compiler.rb core/robot/neuro.yaml $(GEN)/robot
 
 $(GEN)/names/names.c: $(NAME_HEADERS) tools/names.rb

@@ -8,6 +8,7 @@
 
 require 'fileutils'
 require_relative 'robot/description'
+require_relative 'robot/layout'
 
 module Robot
   # CRC-32C, as core/base/crc.c computes it.
@@ -55,20 +56,16 @@ module Robot
         #include "robot.h"
 
         const robot_t robot_#{@robot.name} = {
-            .name = "#{@robot.name}",
-            .axis_count = #{@robot.axes.size}U,
-            .crc = 0x#{format('%08X', @crc)}U,
-            .card_firmware = 0x#{format('%06X', @robot.card_firmware)}U,
-            .needle_axis = #{@robot.needle_axis}U,
-            .coupled_limit_count = #{@robot.coupled_limits.size}U,
+        #{head.map { |field, value| "    .#{field} = #{value}," }.join("\n")}
             .coupled_limits = {
-        #{@robot.coupled_limits.map { |limit| coupled(limit) }.join(",\n")}
-            },
-            .axes = {
-        #{@robot.axes.map { |axis| entry(axis) }.join(",\n")}
+        #{coupled_limits.map { |limit| "        {#{initializers(limit)}}" }.join(",\n")}
             },
             .neuro = {
         #{geometry.map { |field, nm| "        .#{field} = #{nm}" }.join(",\n")}
+            },
+            .seal = #{seal('robot_t', head.merge('coupled_limits' => coupled_limits, 'neuro' => geometry))},
+            .axes = {
+        #{@robot.axes.map { |axis| entry(axis) }.join(",\n")}
             }
         };
       TABLE
@@ -76,9 +73,21 @@ module Robot
 
     private
 
+    def head
+      { 'name' => "\"#{@robot.name}\"", 'axis_count' => "#{@robot.axes.size}U", 'crc' => "0x#{format('%08X', @crc)}U",
+        'card_firmware' => "0x#{format('%06X', @robot.card_firmware)}U", 'needle_axis' => "#{@robot.needle_axis}U",
+        'coupled_limit_count' => "#{@robot.coupled_limits.size}U" }
+    end
+
     def entry(axis)
-      lines = fields(axis).map { |field, value| "            .#{field} = #{value}" }
+      values = fields(axis)
+      values['seal'] = seal('axis_config_t', values)
+      lines = values.map { |field, value| "            .#{field} = #{value}" }
       "        {\n#{lines.join(",\n")}\n        }"
+    end
+
+    def seal(structure, values)
+      "0x#{format('%08X', Layout.seal(structure, values))}U"
     end
 
     def fields(axis)
@@ -89,17 +98,23 @@ module Robot
         'limit_switch' => enumerator(axis, 'limit_switch'), 'home_method' => enumerator(axis, 'home'),
         'home_stage' => "#{axis['home_stage']}U",
         'is_motor_inverted' => flag(axis['motor_inverted']), 'is_encoder_inverted' => flag(axis['encoder_inverted']),
-        'needle_motion' => enumerator(axis, 'needle'),
+        'needle_motion' => "(uint32_t)#{ENUMERATORS['needle'][axis['needle']]}",
         'unit_per_tick_q16' => "INT64_C(#{unit_per_tick_q16(axis)})"
       }.merge(POSITIONS.to_h { |key| [key, axis[key]] },
               axis.targets, { 'home_way_ticks' => axis.home_way_ticks, 'home_time_us' => "#{axis['home_time_ms'] * 1000}U" },
               Axis::DUTIES.to_h { |key| [key, "#{axis[key]}U"] })
     end
 
-    def coupled(limit)
-      minimum, maximum = limit.range_mm.map { |millimetres| (millimetres * NM_PER_MM).round }
-      "        {.name = \"#{limit.name}\", .first = #{limit.first}U, .second = #{limit.second}U, " \
-        ".minimum_nm = #{minimum}, .maximum_nm = #{maximum}}"
+    def coupled_limits
+      @robot.coupled_limits.map do |limit|
+        minimum, maximum = limit.range_mm.map { |millimetres| (millimetres * NM_PER_MM).round }
+        { 'name' => "\"#{limit.name}\"", 'first' => "#{limit.first}U", 'second' => "#{limit.second}U",
+          'minimum_nm' => minimum, 'maximum_nm' => maximum }
+      end
+    end
+
+    def initializers(values)
+      values.map { |field, value| ".#{field} = #{value}" }.join(', ')
     end
 
     def enumerator(axis, key)

@@ -4,6 +4,7 @@
 #include "names.h"
 #include "robot.h"
 
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -36,6 +37,21 @@ static void chart_text(const event_t *event, char *text, size_t size)
     }
     (void)snprintf(text, size, "%s%s%s", event_chart_name((int32_t)event->subject),
                    (owner[0] != '\0') ? " " : "", owner);
+}
+
+/* A section of the state; of an axis or its card, with the axis. */
+static void memory_text(const event_t *event, char *text, size_t size)
+{
+    const bool is_of_axis = (event->subject == (uint32_t)EVENT_MEMORY_AXIS) ||
+                            (event->subject == (uint32_t)EVENT_MEMORY_CARD);
+    (void)snprintf(text, size, "%s%s%s", event_memory_name((int32_t)event->subject),
+                   is_of_axis ? " " : "", is_of_axis ? axis_name((uint32_t)event->value) : "");
+}
+
+/* A part of the robot's table. */
+static const char *part_name(uint32_t part)
+{
+    return (part < robot_neuro.axis_count) ? axis_name(part) : "geometry";
 }
 
 void event_text_subject(const event_t *event, char *text, size_t size)
@@ -77,6 +93,12 @@ void event_text_subject(const event_t *event, char *text, size_t size)
         break;
     case EVENT_CHART_REPAIRED:
         chart_text(event, text, size);
+        break;
+    case EVENT_MEMORY_DAMAGED:
+        memory_text(event, text, size);
+        break;
+    case EVENT_ROBOT_TABLE_DAMAGED:
+        (void)snprintf(text, size, "%s", part_name(event->subject));
         break;
     case EVENT_OVERRUN:
         (void)snprintf(text, size, "%u", (unsigned)event->subject);

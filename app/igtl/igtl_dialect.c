@@ -41,6 +41,7 @@ uint32_t igtl_reason_code(status_t status)
     case STATUS_NEEDLE_IN:
     case STATUS_JOG_TOO_FAR:
     case STATUS_NOT_ALLOWED:
+    case STATUS_MEMORY_DAMAGED:
     default:
         return IGTL_STATUS_NOT_READY;
     }

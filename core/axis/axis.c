@@ -174,6 +174,16 @@ bool axis_confirm(axis_t *self, const axis_config_t *config)
     return is_confirmed;
 }
 
+void axis_distrust(axis_t *self)
+{
+    const axis_chart_t chart = self->chart;
+    axis_init(self);
+    self->chart = chart;
+    tell(self, AXIS_EVENT_FAILED, false);
+    axis_forget(self);
+    axis_lose_reference(self);
+}
+
 void axis_stop_homing(axis_t *self)
 {
     tell(self, AXIS_EVENT_STOP_HOMING, false);

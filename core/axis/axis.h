@@ -21,16 +21,16 @@
 #include <stdint.h>
 
 typedef struct {
+    axis_chart_t chart;
     encoder_t encoder;
     servo_t servo;
-    axis_chart_t chart;
     homing_t homing;
-    supervision_t supervision;
     drift_audit_t drift;
     int32_t home_correction_ticks; /**< Shift of the position at the last homing. */
     int32_t setpoint_ticks;
     int32_t setpoint_speed_ticks_per_s_q8;
     uint32_t limit_switches; /**< CARD_LIMIT_ bits of the last report. */
+    supervision_t supervision;
 } axis_t;
 
 /** Starts disabled and fresh: nothing is known of where it is. */
@@ -88,6 +88,12 @@ void axis_forget(axis_t *self);
  * @satisfies SWR-REF-005
  */
 bool axis_confirm(axis_t *self, const axis_config_t *config);
+
+/**
+ * What it remembers was damaged: all but its chart, which has its own complement, starts anew; the
+ * axis is faulty and lost, also if it was fresh.
+ */
+void axis_distrust(axis_t *self);
 
 /** Gives up a homing in progress. */
 void axis_stop_homing(axis_t *self);

@@ -54,7 +54,6 @@ typedef struct {
 } supervision_way_t;
 
 typedef struct {
-    stall_watchdog_chart_t stall;
     int32_t mark_ticks; /**< Position at the last progress in the direction of the drive. */
     uint32_t is_upwards;
     int32_t backwards_ticks; /**< How far it has gone against its drive, for the record. */
@@ -69,6 +68,7 @@ typedef struct {
     uint32_t silent_us;        /**< Since LIMIT_SILENT_TICKS were due without any. */
     supervision_way_t ways[2]; /**< The present half of the window and the one before. */
     int32_t speed_percent;     /**< Counts of the window against those of the model, at a fault. */
+    stall_watchdog_chart_t stall;
 } supervision_t;
 
 void supervision_init(supervision_t *self);

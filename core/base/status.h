@@ -37,7 +37,8 @@ typedef enum {
                                      box. */
     STATUS_NEEDLE_IN = 23,         /**< The needle is in, or may be: home or retract it first. */
     STATUS_JOG_TOO_FAR = 24,       /**< Before homing, an axis jogs a short way only. */
-    STATUS_NOT_ALLOWED = 25        /**< Who sent the command may not send it. */
+    STATUS_NOT_ALLOWED = 25,       /**< Who sent the command may not send it. */
+    STATUS_MEMORY_DAMAGED = 26     /**< Memory was damaged; what it held is not used. */
 } status_t;
 
 #endif

@@ -79,6 +79,14 @@ void link_init(link_t *self, uint32_t slot, uint32_t card_type, uint32_t firmwar
     self->firmware = firmware;
 }
 
+void link_distrust(link_t *self, uint32_t slot, uint32_t card_type, uint32_t firmware)
+{
+    const card_link_chart_t chart = self->chart;
+    link_init(self, slot, card_type, firmware);
+    self->chart = chart;
+    give_up(self, CARD_LINK_EVENT_CARD_FAULT, LINK_CAUSE_MEMORY);
+}
+
 void link_step(link_t *self, const uint8_t *bytes)
 {
     const card_link_inputs_t inputs = {.is_fresh = false};

@@ -16,11 +16,12 @@
 
 /** Why a card was given up. */
 typedef enum {
-    LINK_CAUSE_NONE = 0,      /**< It was not. */
-    LINK_CAUSE_AGE = 1,       /**< No valid frame for LIMIT_LINK_AGE_CYCLES cycles. */
-    LINK_CAUSE_FAULT = 2,     /**< The card reported a fault. */
-    LINK_CAUSE_ECHO = 3,      /**< The card's driver does not apply what was commanded. */
-    LINK_CAUSE_WRONG_CARD = 4 /**< Its type or firmware is not that of the robot's table. */
+    LINK_CAUSE_NONE = 0,       /**< It was not. */
+    LINK_CAUSE_AGE = 1,        /**< No valid frame for LIMIT_LINK_AGE_CYCLES cycles. */
+    LINK_CAUSE_FAULT = 2,      /**< The card reported a fault. */
+    LINK_CAUSE_ECHO = 3,       /**< The card's driver does not apply what was commanded. */
+    LINK_CAUSE_WRONG_CARD = 4, /**< Its type or firmware is not that of the robot's table. */
+    LINK_CAUSE_MEMORY = 5      /**< What was known of it was damaged. */
 } link_cause_t;
 
 typedef struct {
@@ -68,6 +69,10 @@ void link_note_sent(link_t *self, uint32_t sequence, const card_drive_t *drive);
  * @satisfies SWR-LINK-003
  */
 void link_reset(link_t *self);
+
+/** What it remembers was damaged: all but its chart, which has its own complement, starts anew as
+ * link_init(); a card in use is given up. */
+void link_distrust(link_t *self, uint32_t slot, uint32_t card_type, uint32_t firmware);
 
 /** The card may be given a drive command. */
 bool link_is_usable(const link_t *self);

@@ -28,6 +28,8 @@ static event_severity_t severity(event_id_t id)
     case EVENT_ORDER_OVERDUE:
     case EVENT_LOOP_STOPPED:
     case EVENT_CHART_REPAIRED:
+    case EVENT_MEMORY_DAMAGED:
+    case EVENT_ROBOT_TABLE_DAMAGED:
         result = EVENT_SEVERITY_CRITICAL;
         break;
     case EVENT_AXIS_DRIFTED:
@@ -106,6 +108,7 @@ void controller_init(controller_t *self, const robot_t *robot)
         link_init(&self->links[i], (uint32_t)robot->axes[i].slot,
                   (uint32_t)robot->axes[i].card_type, robot->card_firmware);
     }
+    controller_seal(self);
 }
 
 void controller_step(controller_t *self, const robot_t *robot, const controller_inputs_t *inputs,
@@ -116,6 +119,7 @@ void controller_step(controller_t *self, const robot_t *robot, const controller_
     card_drive_t requests[ROBOT_AXIS_COUNT];
     /* The frames are written, or cleared, by controller_drive(). */
     (void)memset(outputs, 0, offsetof(controller_outputs_t, frames));
+    controller_check_memory(self, &cycle);
     if (self->has_started == 0U) {
         self->has_started = 1U;
         controller_note(self, &cycle, EVENT_STARTED, 0U, (int32_t)self->kept.verdict);
@@ -127,4 +131,5 @@ void controller_step(controller_t *self, const robot_t *robot, const controller_
     controller_drive(self, &cycle, requests);
     controller_show(self, &cycle);
     self->cycle++;
+    controller_seal(self);
 }

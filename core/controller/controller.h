@@ -70,21 +70,25 @@ typedef struct {
     uint32_t is_waiting; /**< 0 or 1. */
 } pending_command_t;
 
+/** Sections of the state, each under its seal: axes, their cards, and four more. */
+#define CONTROLLER_SECTIONS ((2U * ROBOT_AXIS_COUNT) + 4U)
+
 /** All state of the controller; holds no pointer, so that it can be stored and compared as bytes.
- */
+ * Its sections are those of event_memory_t, each in one piece. */
 typedef struct {
     pedal_gate_t pedal;
     loop_guard_t loop;
     confirm_button_t confirm;
     estop_latch_chart_t estop;
     workphases_chart_t workphases;
-    kept_positions_t kept; /**< From before the start; an axis that was compared is KEPT_LOST. */
     plan_t plan;
     profile_t profile;
-    pending_command_t pending;
+    uint32_t jog_axis;
+    int32_t jog_ticks;
     axis_t axes[ROBOT_AXIS_COUNT];
+    link_t links[ROBOT_AXIS_COUNT]; /**< In the order of the axes. */
+    pending_command_t pending;
     speed_cap_t speed_caps[ROBOT_AXIS_COUNT];
-    link_t links[ROBOT_AXIS_COUNT];        /**< In the order of the axes. */
     card_drive_t drives[ROBOT_AXIS_COUNT]; /**< As sent in the last cycle. */
     uint32_t permit_reasons[ROBOT_AXIS_COUNT];
     reason_hold_t reason_holds[ROBOT_AXIS_COUNT];
@@ -93,14 +97,7 @@ typedef struct {
     uint32_t is_driven[ROBOT_AXIS_COUNT]; /**< The permit allowed it in the last cycle, so a motion
                                              ran. */
     uint32_t grades[ROBOT_AXIS_COUNT];    /**< axis_reference_t, as told. */
-    uint32_t jog_axis;
-    int32_t jog_ticks;
-    uint32_t has_started; /**< cycle, which wraps, does not tell. */
-    uint32_t cycle;
-    uint32_t time_us;
-    uint32_t sequence; /**< Of the outgoing frames. */
-    uint32_t events;   /**< Number of the next event. */
-    uint32_t events_lost;
+    kept_positions_t kept;    /**< From before the start; an axis that was compared is KEPT_LOST. */
     uint32_t cause;           /**< event_cause_t of what happens now. */
     uint32_t peer;            /**< Of the cause. */
     uint32_t settled_cycles;  /**< At the target, in a row. */
@@ -109,10 +106,21 @@ typedef struct {
     uint32_t is_order_done; /**< The last order ended as asked. */
     uint32_t was_gate_open;
     uint32_t was_scanner_active;
+    uint32_t table_damage; /**< As robot_damage() ever said: nothing moves any more. */
+    uint32_t has_started;  /**< cycle, which wraps, does not tell. */
+    uint32_t cycle;        /**< This and what follows counts only: any value is as good. */
+    uint32_t time_us;
+    uint32_t sequence; /**< Of the outgoing frames. */
+    uint32_t events;   /**< Number of the next event. */
+    uint32_t events_lost;
+    uint32_t seals[CONTROLLER_SECTIONS];
 } controller_t;
 
 /** Starts in workphase UNDEFINED with nothing enabled. */
 void controller_init(controller_t *self, const robot_t *robot);
+
+/** Seals the state; whoever writes into it from outside does so after it. */
+void controller_seal(controller_t *self);
 
 /**
  * Takes what was kept of the positions, once, between controller_init() and the first cycle

@@ -40,6 +40,7 @@ static permit_t decide(const controller_t *self, const cycle_t *cycle, uint32_t 
     const card_drive_t *const request = &view->requests[index];
     const axis_config_t *const config = &cycle->robot->axes[index];
     const pedal_gate_state_t pedal = self->pedal.chart.state;
+    const bool is_blind = controller_is_blind(self);
     const permit_facts_t facts = {
         .is_estop_pulled = (self->estop.state == ESTOP_LATCH_STATE_PULLED),
         .is_estop_latched = (self->estop.state == ESTOP_LATCH_STATE_LATCHED),
@@ -54,10 +55,11 @@ static permit_t decide(const controller_t *self, const cycle_t *cycle, uint32_t 
         .is_pedal_pressed = pedal_gate_is_open(&self->pedal),
         .is_homed = axis_is_homed(axis),
         .is_every_axis_homed = common->is_homed,
+        .is_memory_damaged = is_blind,
         .is_homing_or_jog = (workphase_present(&self->workphases) != WORKPHASE_MOVE_TO_TARGET),
         .is_towards_switch = axis_is_towards_switch(axis, config, request),
         .is_beyond_soft_limit = axis_is_beyond_limit(axis, config, request),
-        .is_coupled_limit = coupled_guard_blocks(cycle->robot, view, index),
+        .is_coupled_limit = !is_blind && coupled_guard_blocks(cycle->robot, view, index),
         .is_needle_in = is_needle_in(self, cycle->robot, index, request),
     };
     return permit_decide(&facts);
@@ -88,8 +90,9 @@ static void send(controller_t *self, const cycle_t *cycle, uint32_t index, uint3
     const axis_config_t *const config = &cycle->robot->axes[index];
     link_t *const link = &self->links[index];
     const bool is_allowed = (state & CARD_SYSTEM_PERMIT) != 0U;
+    const uint32_t slot = controller_slot(self, index);
     card_command_t command = {
-        .slot = link->slot,
+        .slot = slot,
         .sequence = self->sequence,
         .time_us = self->time_us,
         .system_state = state,
@@ -100,12 +103,12 @@ static void send(controller_t *self, const cycle_t *cycle, uint32_t index, uint3
         .overspeed_ticks_per_s = (uint32_t)config->full_speed_ticks_per_s * 2U,
         .axis_id = index,
     };
-    if (link_is_usable(link)) {
+    if (link_is_usable(link) && !controller_is_blind(self)) {
         axis_guard(&self->axes[index], config, is_allowed, &command.guard_minimum_ticks,
                    &command.guard_maximum_ticks);
     }
-    card_frame_encode_command(&command, cycle->outputs->frames[link->slot]);
-    cycle->outputs->frames_to_send |= (uint32_t)1U << link->slot;
+    card_frame_encode_command(&command, cycle->outputs->frames[slot]);
+    cycle->outputs->frames_to_send |= (uint32_t)1U << slot;
     link_note_sent(link, self->sequence, &command.drive);
     self->drives[index] = command.drive;
 }

@@ -120,7 +120,7 @@ static void begin_leg(controller_t *self, const robot_t *robot)
     if (workphase_present(&self->workphases) == WORKPHASE_MOVE_TO_TARGET) {
         choose_leg(self, robot, ends);
     } else {
-        ends[self->jog_axis] = self->jog_ticks;
+        ends[self->jog_axis % ROBOT_AXIS_COUNT] = self->jog_ticks;
     }
     profile_plan(&self->profile, robot, starts, ends,
                  permit_cap_percent(controller_is_homed(self)));

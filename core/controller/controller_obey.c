@@ -179,6 +179,11 @@ static status_t obey_workphase(controller_t *self, const cycle_t *cycle, const c
                                uint32_t *is_final)
 {
     uint32_t actions = 0U;
+    if ((command->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET) &&
+        !plan_is_proved(&self->plan, cycle->robot)) {
+        plan_forget_target(&self->plan);
+        return STATUS_MEMORY_DAMAGED;
+    }
     const workphases_inputs_t guards = controller_guards(self, cycle);
     const status_t status =
         workphase_request(&self->workphases, &guards, command->argument, &actions);
@@ -303,12 +308,22 @@ static bool is_allowed(const command_t *command)
     return is_right;
 }
 
+/* Changes of the workphase that drive nothing do without the robot's table. */
+static bool needs_table(const command_t *command)
+{
+    return (command->kind != (uint32_t)COMMAND_WORKPHASE) ||
+           (command->argument == (uint32_t)WORKPHASE_START_UP);
+}
+
 static status_t obey(controller_t *self, const cycle_t *cycle, const command_t *command,
                      answer_t *answer)
 {
     status_t status = STATUS_UNKNOWN_COMMAND;
     if (!is_allowed(command)) {
         return STATUS_NOT_ALLOWED;
+    }
+    if (controller_is_blind(self) && needs_table(command)) {
+        return STATUS_MEMORY_DAMAGED;
     }
     switch (command->kind) {
     case (uint32_t)COMMAND_WORKPHASE:

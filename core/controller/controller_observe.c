@@ -15,7 +15,8 @@ static bool is_only_out_of_sight(const controller_t *self, uint32_t index)
            (link->sent_before.mode == (uint32_t)CARD_DRIVE_OFF) && link_was_only_silent(link);
 }
 
-static void lose_card(controller_t *self, const cycle_t *cycle, uint32_t index, bool is_in_doubt)
+void controller_lose_card(controller_t *self, const cycle_t *cycle, uint32_t index,
+                          bool is_in_doubt)
 {
     const link_t *const link = &self->links[index];
     axis_t *const axis = &self->axes[index];
@@ -33,7 +34,8 @@ static void lose_card(controller_t *self, const cycle_t *cycle, uint32_t index, 
 static void observe_link(controller_t *self, const cycle_t *cycle, uint32_t index)
 {
     link_t *const link = &self->links[index];
-    const bool is_received = (cycle->inputs->frames_received & ((uint32_t)1U << link->slot)) != 0U;
+    const uint32_t slot = controller_slot(self, index);
+    const bool is_received = (cycle->inputs->frames_received & ((uint32_t)1U << slot)) != 0U;
     const bool was_usable = link_is_usable(link);
     const bool was_lost = link->chart.state == CARD_LINK_STATE_LOST;
     const uint32_t had_errors = link->frame_errors;
@@ -43,7 +45,7 @@ static void observe_link(controller_t *self, const cycle_t *cycle, uint32_t inde
                         (int32_t)link->slot);
     }
     (void)card_link_chart_advance(&link->chart, cycle->inputs->elapsed_us);
-    link_step(link, is_received ? cycle->inputs->frames[link->slot] : NULL);
+    link_step(link, is_received ? cycle->inputs->frames[slot] : NULL);
     if (link->frame_errors != had_errors) {
         controller_note(self, cycle, EVENT_FRAME_REFUSED, link->slot, (int32_t)link->last_error);
     }
@@ -52,7 +54,7 @@ static void observe_link(controller_t *self, const cycle_t *cycle, uint32_t inde
     }
     /* The state before of a damaged chart is not known; the card is lost now. */
     if ((!was_lost || is_damaged) && (link->chart.state == CARD_LINK_STATE_LOST)) {
-        lose_card(self, cycle, index, !is_damaged && is_only_out_of_sight(self, index));
+        controller_lose_card(self, cycle, index, !is_damaged && is_only_out_of_sight(self, index));
     }
     /* Also what was confirmed and fell silent again before START_UP. */
     if (link->age_cycles >= LIMIT_LINK_AGE_CYCLES) {
@@ -275,15 +277,17 @@ static void observe_scanner(controller_t *self, const cycle_t *cycle)
     if (cycle->inputs->scanner_active != self->was_scanner_active) {
         self->was_scanner_active = cycle->inputs->scanner_active;
         controller_note(self, cycle, EVENT_SCANNER, 0U, (int32_t)self->was_scanner_active);
-        audit_scan(self, cycle);
+        if (!controller_is_blind(self)) {
+            audit_scan(self, cycle);
+        }
     }
 }
 
 /* The operator confirms what is shown; what is shown of a silent card is old. */
 static void observe_button(controller_t *self, const cycle_t *cycle)
 {
-    const bool is_barred =
-        workphase_is_armed(&self->workphases) || (cycle->inputs->estop_open != 0U);
+    const bool is_barred = workphase_is_armed(&self->workphases) ||
+                           (cycle->inputs->estop_open != 0U) || controller_is_blind(self);
     if (!confirm_button_step(&self->confirm, cycle->inputs->confirm_pressed != 0U, is_barred)) {
         return;
     }
@@ -307,7 +311,9 @@ void controller_observe(controller_t *self, const cycle_t *cycle)
     observe_scanner(self, cycle);
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
         observe_link(self, cycle, i);
-        observe_axis(self, cycle, i);
+        if (!controller_is_blind(self)) {
+            observe_axis(self, cycle, i);
+        }
     }
     observe_button(self, cycle);
 }

@@ -34,6 +34,33 @@ void controller_note(controller_t *self, const cycle_t *cycle, event_id_t id, ui
 void controller_because(controller_t *self, event_cause_t cause, uint32_t peer);
 
 /**
+ * Compares the state with its seals, and the robot's table with its own, before anything is used.
+ * A damaged section is forgotten and brought to its safe state; a damaged table forbids all motion
+ * until the programs are restarted.
+ *
+ * @satisfies SWR-MEMORY-001
+ * @satisfies SWR-MEMORY-002
+ * @satisfies SWR-MEMORY-003
+ * @satisfies SWR-MEMORY-004
+ */
+void controller_check_memory(controller_t *self, const cycle_t *cycle);
+
+/** The robot's table was damaged: nothing of it may be used. */
+bool controller_is_blind(const controller_t *self);
+
+/**
+ * Slot of the card of axis `index`, bounded: an index of frames, whatever the memory says.
+ *
+ * @satisfies SWR-MEMORY-006
+ */
+uint32_t controller_slot(const controller_t *self, uint32_t index);
+
+/** The card of axis `index` was lost: so are the target, the order and, unless it is only
+ * `is_in_doubt`, its reference. */
+void controller_lose_card(controller_t *self, const cycle_t *cycle, uint32_t index,
+                          bool is_in_doubt);
+
+/**
  * Links, encoders, interlocks: what the world says in this cycle. A damaged chart is repaired here.
  *
  * @satisfies SWR-CORE-004

@@ -21,6 +21,7 @@ void controller_restore(controller_t *self, const kept_positions_t *kept)
             axis_forget(&self->axes[i]);
         }
     }
+    controller_seal(self);
 }
 
 /* `way_ticks` from where it was kept. */

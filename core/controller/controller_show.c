@@ -11,7 +11,8 @@ typedef struct {
 } remedy_t;
 
 /* What each reason asks of the operator, the most pressing first. */
-static const remedy_t remedies[PERMIT_REASON_COUNT] = {
+static const remedy_t remedies[] = {
+    {PERMIT_REASON_MEMORY, NEXT_STEP_MEMORY},
     {PERMIT_REASON_ESTOP_PULLED, NEXT_STEP_RELEASE_ESTOP},
     {PERMIT_REASON_LINK_LOST, NEXT_STEP_CHECK_CARDS},
     {PERMIT_REASON_PEDAL_FAULT, NEXT_STEP_PEDAL_FAULT},
@@ -58,7 +59,7 @@ static next_step_t next_step(const controller_t *self)
         reasons |= self->reason_holds[i].shown;
     }
     next_step_t step = NEXT_STEP_HOLD_PEDAL;
-    for (uint32_t i = PERMIT_REASON_COUNT; i > 0U; i--) {
+    for (uint32_t i = (uint32_t)(sizeof(remedies) / sizeof(remedies[0])); i > 0U; i--) {
         const remedy_t *const remedy = &remedies[i - 1U];
         if ((reasons & ((uint32_t)1U << (uint32_t)remedy->reason)) != 0U) {
             step = remedy->step;
@@ -106,7 +107,7 @@ static void show_axis(const controller_t *self, const cycle_t *cycle, uint32_t i
 static void show_card(const controller_t *self, const cycle_t *cycle, uint32_t index)
 {
     const link_t *const link = &self->links[index];
-    snapshot_card_t *const shown = &cycle->outputs->snapshot.cards[link->slot];
+    snapshot_card_t *const shown = &cycle->outputs->snapshot.cards[controller_slot(self, index)];
     shown->link = (uint32_t)link->chart.state;
     shown->age_cycles = link->age_cycles;
     shown->frame_errors = link->frame_errors;
@@ -135,7 +136,9 @@ static void show_plan(const controller_t *self, snapshot_t *shown)
 static status_t pose_status(const controller_t *self)
 {
     status_t status = STATUS_OK;
-    if (!controller_is_homed(self)) {
+    if (controller_is_blind(self)) {
+        status = STATUS_MEMORY_DAMAGED;
+    } else if (!controller_is_homed(self)) {
         status = STATUS_NOT_HOMED;
     } else if (self->plan.is_registered == 0U) {
         status = STATUS_NOT_REGISTERED;
@@ -149,13 +152,16 @@ static void show_pose(const controller_t *self, const robot_t *robot, snapshot_t
 {
     int32_t ticks[ROBOT_AXIS_COUNT];
     neuro_joints_t joints;
+    shown->pose_status = (uint32_t)pose_status(self);
+    if (controller_is_blind(self)) {
+        return;
+    }
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
         ticks[i] = self->axes[i].encoder.position_ticks;
     }
     neuro_joints_from_ticks(robot, ticks, &joints);
     neuro_forward(robot, &joints, &shown->zframe_treatment);
     rigid_multiply(&self->plan.scanner_zframe, &shown->zframe_treatment, &shown->scanner_treatment);
-    shown->pose_status = (uint32_t)pose_status(self);
 }
 
 void controller_show(const controller_t *self, const cycle_t *cycle)

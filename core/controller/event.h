@@ -21,6 +21,17 @@ typedef enum {
     EVENT_CHART_AXIS = 5        /**< An axis or its stall watchdog. */
 } event_chart_t;
 
+/** Sections of the controller's state, as the subject of EVENT_MEMORY_DAMAGED; `value` is the axis.
+ */
+typedef enum {
+    EVENT_MEMORY_AXIS = 0,       /**< What is known of an axis. */
+    EVENT_MEMORY_CARD = 1,       /**< What is known of an axis' card. */
+    EVENT_MEMORY_PLAN = 2,       /**< Registration and target. */
+    EVENT_MEMORY_PROFILE = 3,    /**< The present motion. */
+    EVENT_MEMORY_INTERLOCKS = 4, /**< Pedal, e-stop, loop guard, workphase. */
+    EVENT_MEMORY_REST = 5        /**< The command that is waited for, counters. */
+} event_memory_t;
+
 /** Events. `subject` is an axis, a card slot, a workphase or a chart; `value` as said. */
 typedef enum {
     EVENT_STARTED = 0,   /**< The controller started; kept positions: (value, kept_verdict_t). */
@@ -76,6 +87,9 @@ typedef enum {
         38, /**< Axis (subject) stands where it was kept, at (value, ticks), unverified. */
     EVENT_AXIS_CONTRADICTED =
         39, /**< Axis (subject) is (value, ticks) away from where it was kept: lost. */
+    EVENT_MEMORY_DAMAGED = 40, /**< Memory was damaged and forgotten: (subject). */
+    EVENT_ROBOT_TABLE_DAMAGED =
+        41, /**< The table of the robot is damaged in (subject): restart the programs. */
     EVENT_AXIS_DRIFTED = 42, /**< Axis (subject) has counted (value, ticks) while off since its last
                                 reference and is unverified. */
     EVENT_SCAN_DRIFT = 43    /**< In the scan axis (subject) has counted (value, ticks). */

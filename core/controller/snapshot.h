@@ -56,8 +56,9 @@ typedef enum {
     NEXT_STEP_NOTHING = 10,      /**< Nothing; the target is reached. */
     NEXT_STEP_PEDAL_FAULT = 11,  /**< Release the pedal, then command START_UP. */
     NEXT_STEP_TARGETING = 12,    /**< Return to TARGETING, then command MOVE_TO_TARGET. */
-    NEXT_STEP_CONFIRM = 13 /**< Compare the positions shown with the robot, then hold the button
+    NEXT_STEP_CONFIRM = 13, /**< Compare the positions shown with the robot, then hold the button
                               at the box for a second. */
+    NEXT_STEP_MEMORY = 14   /**< Restart the programs: the table of the robot is damaged. */
 } next_step_t;
 
 typedef struct {

@@ -12,8 +12,8 @@
 #include <stdint.h>
 
 typedef struct {
-    loop_guard_chart_t chart;
     uint32_t overruns; /**< Late cycles since the start, saturates. */
+    loop_guard_chart_t chart;
 } loop_guard_t;
 
 void loop_guard_init(loop_guard_t *self);

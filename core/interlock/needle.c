@@ -20,11 +20,11 @@ static bool is_out(const robot_t *robot, const axis_t axes[ROBOT_AXIS_COUNT])
 bool needle_forbids_jog(const robot_t *robot, const axis_t axes[ROBOT_AXIS_COUNT], uint32_t index,
                         bool is_upwards)
 {
-    const uint8_t motion = robot->axes[index].needle_motion;
+    const uint32_t motion = robot->axes[index].needle_motion;
     bool is_forbidden = false;
-    if (motion == (uint8_t)NEEDLE_ACROSS) {
+    if (motion == (uint32_t)NEEDLE_ACROSS) {
         is_forbidden = !is_out(robot, axes);
-    } else if (motion == (uint8_t)NEEDLE_ALONG) {
+    } else if (motion == (uint32_t)NEEDLE_ALONG) {
         is_forbidden = is_upwards && !axis_is_homed(&axes[index]);
     } else {
         /* It turns about its own line. */

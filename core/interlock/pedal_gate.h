@@ -14,8 +14,8 @@
 #include <stdint.h>
 
 typedef struct {
-    pedal_gate_chart_t chart;
     uint32_t is_open_circuit; /**< Both channels were open (released) at the last step: 0 or 1. */
+    pedal_gate_chart_t chart;
 } pedal_gate_t;
 
 /** Starts unproven: the pedal must be seen released first. */

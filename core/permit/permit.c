@@ -34,6 +34,7 @@ permit_t permit_decide(const permit_facts_t *facts)
     reasons |= reason(facts->is_beyond_soft_limit, PERMIT_REASON_SOFT_LIMIT);
     reasons |= reason(facts->is_coupled_limit, PERMIT_REASON_COUPLED_LIMIT);
     reasons |= reason(facts->is_needle_in, PERMIT_REASON_NEEDLE_IN);
+    reasons |= reason(facts->is_memory_damaged, PERMIT_REASON_MEMORY);
 
     permit_t permit = {.is_allowed = (reasons == 0U), .reasons = reasons, .speed_cap_percent = 0U};
     if (permit.is_allowed) {

@@ -33,10 +33,11 @@ typedef enum {
     PERMIT_REASON_SOFT_LIMIT = 13,     /**< The soft limit blocks this direction. */
     PERMIT_REASON_COUPLED_LIMIT =
         14, /**< The limit that this axis shares with another one blocks this direction. */
-    PERMIT_REASON_NEEDLE_IN = 15 /**< The needle is in, or may be: home or retract it first. */
+    PERMIT_REASON_NEEDLE_IN = 15, /**< The needle is in, or may be: home or retract it first. */
+    PERMIT_REASON_MEMORY = 16     /**< The table of the robot is damaged: restart the programs. */
 } permit_reason_t;
 
-#define PERMIT_REASON_COUNT 16U
+#define PERMIT_REASON_COUNT 17U
 /* From here on they depend on where the axis stands and goes: in one motion they may come and go.
  */
 #define PERMIT_REASON_FIRST_OF_PLACE ((uint32_t)PERMIT_REASON_LIMIT_SWITCH)
@@ -56,6 +57,7 @@ typedef struct {
     bool is_pedal_pressed;
     bool is_homed;
     bool is_every_axis_homed;
+    bool is_memory_damaged; /**< The table of the robot is. */
     bool is_homing_or_jog;  /**< The armed order is one that an axis not homed may run. */
     bool is_towards_switch; /**< Requested direction is towards an active limit switch. */
     bool

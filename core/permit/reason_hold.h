@@ -18,7 +18,7 @@ typedef struct {
     uint32_t shown;      /**< Bit mask of permit_reason_t. */
     uint32_t flickering; /**< Those that came back soon after they had gone. */
     uint32_t
-        left_us[PERMIT_REASON_COUNT]; /**< LIMIT_REASON_HOLD_US while it stands, then down to 0. */
+        left_us[REASON_HOLD_COUNT]; /**< LIMIT_REASON_HOLD_US while it stands, then down to 0. */
 } reason_hold_t;
 
 /**

@@ -23,17 +23,24 @@ static status_t check_point(const point_t *point)
     return rigid_check(&transform);
 }
 
+/* Where the axes put the treatment frame in the scanner. */
+static void find_pose(const robot_t *robot, const rigid_t *scanner_zframe,
+                      const int32_t ticks[ROBOT_AXIS_COUNT], rigid_t *scanner_treatment)
+{
+    neuro_joints_t joints;
+    rigid_t zframe_treatment;
+    neuro_joints_from_ticks(robot, ticks, &joints);
+    neuro_forward(robot, &joints, &zframe_treatment);
+    rigid_multiply(scanner_zframe, &zframe_treatment, scanner_treatment);
+}
+
 /* Rounds legal joints to ticks and says where that puts the treatment frame in the scanner. */
 static void settle(const robot_t *robot, const rigid_t *scanner_zframe,
                    const neuro_joints_t *joints, int32_t ticks[ROBOT_AXIS_COUNT],
                    rigid_t *scanner_treatment)
 {
-    neuro_joints_t rounded;
-    rigid_t zframe_treatment;
     neuro_ticks_from_joints(robot, joints, ticks);
-    neuro_joints_from_ticks(robot, ticks, &rounded);
-    neuro_forward(robot, &rounded, &zframe_treatment);
-    rigid_multiply(scanner_zframe, &zframe_treatment, scanner_treatment);
+    find_pose(robot, scanner_zframe, ticks, scanner_treatment);
 }
 
 /* What entry and target point ask for together; shown only. */
@@ -149,6 +156,16 @@ status_t plan_confirm(const robot_t *robot, const neuro_joints_t *joints,
     const bool is_closed =
         (distance_nm <= (int32_t)LIMIT_CLOSURE_NM) && (angle_bam <= (int32_t)LIMIT_CLOSURE_BAM);
     return is_closed ? STATUS_OK : STATUS_CLOSURE;
+}
+
+bool plan_is_proved(const plan_t *self, const robot_t *robot)
+{
+    rigid_t reached;
+    int32_t distance_nm = 0;
+    int32_t angle_bam = 0;
+    find_pose(robot, &self->scanner_zframe, self->target_ticks, &reached);
+    neuro_pose_difference(&reached, &self->scanner_target, &distance_nm, &angle_bam);
+    return (self->has_target == 0U) || ((distance_nm == 0) && (angle_bam == 0));
 }
 
 status_t plan_propose_registration(plan_t *self, const robot_t *robot,

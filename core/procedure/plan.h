@@ -79,6 +79,16 @@ void plan_forget_target(plan_t *self);
 status_t plan_confirm(const robot_t *robot, const neuro_joints_t *joints,
                       const rigid_t *zframe_treatment);
 
+/**
+ * Before a move is armed: forward kinematics of the target's ticks returns its pose
+ * exactly. The ticks came from inverse kinematics and rounding, which share no code with this way
+ * back; that the pose is the one that was asked for was confirmed when it was accepted. True
+ * without a target.
+ *
+ * @satisfies SWR-MEMORY-005
+ */
+bool plan_is_proved(const plan_t *self, const robot_t *robot);
+
 /** Takes a proposed registration, @return as rigid_check(). */
 status_t plan_propose_registration(plan_t *self, const robot_t *robot,
                                    const rigid_t *scanner_zframe);

@@ -54,8 +54,10 @@ typedef enum {
     AXIS_UNIT_RAD = 1 /**< Joint value in bam. */
 } axis_unit_t;
 
-/** One axis. Positions in ticks (encoder counts), home = the position its home method assigns. */
+/** One axis. Positions in ticks (encoder counts), home = the position its home method assigns. No
+ * padding before `seal`. */
 typedef struct {
+    int64_t unit_per_tick_q16; /**< nm or bam per tick, 16 fraction bits. */
     char name[12];
     uint8_t slot;                /**< Card slot 0..9. */
     uint8_t card_type;           /**< card_type_t. */
@@ -65,8 +67,7 @@ typedef struct {
     uint8_t home_stage;          /**< 1 or 2: stage 2 homes after stage 1. */
     uint8_t is_motor_inverted;   /**< 1: direction bit 1 makes the position smaller. */
     uint8_t is_encoder_inverted; /**< 1: position grows when the reading falls. */
-    uint8_t needle_motion;       /**< needle_motion_t. */
-    int64_t unit_per_tick_q16;   /**< nm or bam per tick, 16 fraction bits. */
+    uint32_t needle_motion;      /**< needle_motion_t. */
     int32_t minimum_ticks;       /**< Soft limits, inclusive. */
     int32_t maximum_ticks;
     int32_t home_ticks;
@@ -90,6 +91,7 @@ typedef struct {
     uint32_t home_time_us; /**< Longest driven time of a leg of homing. */
     uint32_t minimum_duty; /**< Smallest pwm word that moves the motor; 0 for non-pwm. */
     uint32_t maximum_duty; /**< Largest pwm word, saturates; 0 for non-pwm. */
+    uint32_t seal;         /**< seal_of() all before it; the last field. */
 } axis_config_t;
 
 /** A limit that two axes share: how far the joint value of the first, in nm, may be above that of
@@ -119,6 +121,7 @@ typedef struct {
     int32_t probe_robot_to_treatment_nm;   /**< D, at home */
 } neuro_geometry_t;
 
+/** A robot. No padding before `seal`. */
 typedef struct {
     char name[12];
     uint32_t axis_count;
@@ -127,8 +130,9 @@ typedef struct {
     uint32_t needle_axis;   /**< The axis that moves the needle along its line. */
     uint32_t coupled_limit_count;
     coupled_limit_t coupled_limits[ROBOT_COUPLED_LIMITS];
-    axis_config_t axes[ROBOT_AXIS_COUNT];
     neuro_geometry_t neuro;
+    uint32_t seal; /**< seal_of() all before it. */
+    axis_config_t axes[ROBOT_AXIS_COUNT];
 } robot_t;
 
 /**

@@ -234,7 +234,8 @@ static void lose(void)
 static void play(void)
 {
     box_init(&rig.box, &robot_neuro, 1U);
-    controller_init(&rig.controller, &robot_neuro);
+    rig.robot = robot_neuro;
+    controller_init(&rig.controller, &rig.robot);
     rig.elapsed_us = LIMIT_CYCLE_US;
     cycles(50U);
     start_up();

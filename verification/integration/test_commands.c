@@ -22,6 +22,7 @@ TEST_SOURCE_FILE("card_link_chart.c")
 TEST_SOURCE_FILE("confirm_button.c")
 TEST_SOURCE_FILE("controller_drive.c")
 TEST_SOURCE_FILE("controller_jog.c")
+TEST_SOURCE_FILE("controller_memory.c")
 TEST_SOURCE_FILE("controller_move.c")
 TEST_SOURCE_FILE("controller_obey.c")
 TEST_SOURCE_FILE("controller_observe.c")
@@ -49,7 +50,9 @@ TEST_SOURCE_FILE("plan.c")
 TEST_SOURCE_FILE("profile.c")
 TEST_SOURCE_FILE("reason_hold.c")
 TEST_SOURCE_FILE("rigid.c")
+TEST_SOURCE_FILE("robot_damage.c")
 TEST_SOURCE_FILE("robot_neuro.c")
+TEST_SOURCE_FILE("seal.c")
 TEST_SOURCE_FILE("servo.c")
 TEST_SOURCE_FILE("sim_card.c")
 TEST_SOURCE_FILE("sim_encoder.c")
@@ -152,6 +155,7 @@ void test_SWR_PHASE_006_targeting_needs_a_registration_and_moving_a_target(void)
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_target(&rig, &pose).status);
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_MOVE, rig.outputs.snapshot.next_step);
     axis_lose_reference(&rig.controller.axes[AXIS_YAW]);
+    controller_seal(&rig.controller);
     TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_HOMED,
                              rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_START_UP, rig.outputs.snapshot.next_step);
@@ -365,6 +369,7 @@ void test_SWR_ENC_002_an_impossible_count_faults_the_axis_and_loses_its_home(voi
 {
     rig_start_homed(&rig);
     rig.controller.axes[AXIS_YAW].encoder.reading ^= 0x40000000;
+    controller_seal(&rig.controller);
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_ENABLED, rig.outputs.snapshot.axes[AXIS_YAW].power);
     rig_cycle(&rig);
@@ -421,6 +426,7 @@ void test_SWR_AXIS_003_driven_time_of_homing_is_bounded(void)
     rig_cycles(&rig, 100U);
     rig.controller.axes[AXIS_INSERTION].homing.leg_us =
         robot_neuro.axes[AXIS_INSERTION].home_time_us - 500U;
+    controller_seal(&rig.controller);
     rig_cycles(&rig, 2U);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_HOME_TIMEOUT));
     TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, rig.outputs.snapshot.axes[AXIS_INSERTION].power);
@@ -434,6 +440,7 @@ void test_SWR_AXIS_009_a_following_error_is_noted_with_its_size(void)
     rig_cycles(&rig, 300U);
     rig.controller.axes[AXIS_HEAD].setpoint_ticks +=
         robot_neuro.axes[AXIS_HEAD].following_error_ticks + 100;
+    controller_seal(&rig.controller);
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_FOLLOWING_ERROR));
     TEST_ASSERT_FALSE(rig_is_driving(&rig));
@@ -682,6 +689,7 @@ void test_SWR_EVENT_002_events_beyond_the_most_of_a_cycle_are_counted(void)
         rig.controller.axes[i].encoder.reading ^= 0x40000000;
         rig.controller.axes[i].encoder.jumps = 1U;
     }
+    controller_seal(&rig.controller);
     rig.elapsed_us = 2000U;
     rig.command_count = CONTROLLER_COMMANDS;
     rig_cycle(&rig);

@@ -22,6 +22,7 @@ TEST_SOURCE_FILE("card_link_chart.c")
 TEST_SOURCE_FILE("confirm_button.c")
 TEST_SOURCE_FILE("controller_drive.c")
 TEST_SOURCE_FILE("controller_jog.c")
+TEST_SOURCE_FILE("controller_memory.c")
 TEST_SOURCE_FILE("controller_move.c")
 TEST_SOURCE_FILE("controller_obey.c")
 TEST_SOURCE_FILE("controller_observe.c")
@@ -48,7 +49,9 @@ TEST_SOURCE_FILE("plan.c")
 TEST_SOURCE_FILE("profile.c")
 TEST_SOURCE_FILE("reason_hold.c")
 TEST_SOURCE_FILE("rigid.c")
+TEST_SOURCE_FILE("robot_damage.c")
 TEST_SOURCE_FILE("robot_neuro.c")
+TEST_SOURCE_FILE("seal.c")
 TEST_SOURCE_FILE("servo.c")
 TEST_SOURCE_FILE("sim_card.c")
 TEST_SOURCE_FILE("sim_encoder.c")
@@ -134,6 +137,7 @@ static void shift(uint32_t axis, int32_t ticks)
     encoder_set_position(&shifted->encoder, shifted->encoder.position_ticks + ticks);
     supervision_shift(&shifted->supervision, ticks);
     drift_audit_settle(&shifted->drift, shifted->encoder.position_ticks);
+    controller_seal(&rig.controller);
 }
 
 /* A jog whose end was damaged after it had been accepted, until it is given up. */
@@ -143,6 +147,7 @@ static void run_into_limit(uint32_t axis, int32_t accepted, int32_t damaged)
     start_manual();
     expect_jog(axis, accepted, STATUS_OK);
     rig.controller.jog_ticks = damaged;
+    controller_seal(&rig.controller);
     rig_press(&rig);
     while (rig.outputs.snapshot.order != (uint32_t)WORKPHASES_ORDER_NONE) {
         cycle_apart();
@@ -171,6 +176,7 @@ static void begin_wrong_move(int32_t head_ticks, int32_t feet_ticks)
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
     rig.controller.plan.target_ticks[AXIS_HEAD] = head_ticks;
     rig.controller.plan.target_ticks[AXIS_FEET] = feet_ticks;
+    controller_seal(&rig.controller);
 }
 
 void test_SWR_COUPLE_001_two_carriages_that_move_at_once_stop_inside_of_the_limit(void)
@@ -218,6 +224,7 @@ void test_SWR_COUPLE_001_from_outside_of_the_limit_only_the_way_back_is_free(voi
     shift(AXIS_HEAD, -1000);
     expect_jog(AXIS_HEAD, -5000, STATUS_OK);
     rig.controller.jog_ticks = -7000;
+    controller_seal(&rig.controller);
     rig_press(&rig);
     const int32_t start = position(AXIS_HEAD);
     rig_cycles(&rig, 2000U);
@@ -278,7 +285,7 @@ void test_SWR_COUPLE_002_a_target_and_a_jog_at_the_margin_are_reached(void)
 static void expect_needle(bool is_in)
 {
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
-        const bool is_across = robot_neuro.axes[i].needle_motion == (uint8_t)NEEDLE_ACROSS;
+        const bool is_across = robot_neuro.axes[i].needle_motion == (uint32_t)NEEDLE_ACROSS;
         expect_jog(i, position(i) + (((i == AXIS_FEET) || (i == AXIS_INSERTION)) ? 20 : -20),
                    (is_in && is_across) ? STATUS_NEEDLE_IN : STATUS_OK);
     }
@@ -394,6 +401,7 @@ void test_SWR_JOG_003_a_needle_that_is_not_homed_is_never_driven_inwards(void)
     start_unhomed();
     expect_jog(AXIS_INSERTION, position(AXIS_INSERTION) - 100, STATUS_OK);
     rig.controller.jog_ticks = 5000;
+    controller_seal(&rig.controller);
     rig_press(&rig);
     for (uint32_t i = 0U; i < 1000U; i++) {
         rig_cycle(&rig);

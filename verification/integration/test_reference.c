@@ -19,6 +19,7 @@ TEST_SOURCE_FILE("card_link_chart.c")
 TEST_SOURCE_FILE("confirm_button.c")
 TEST_SOURCE_FILE("controller_drive.c")
 TEST_SOURCE_FILE("controller_jog.c")
+TEST_SOURCE_FILE("controller_memory.c")
 TEST_SOURCE_FILE("controller_move.c")
 TEST_SOURCE_FILE("controller_obey.c")
 TEST_SOURCE_FILE("controller_observe.c")
@@ -47,7 +48,9 @@ TEST_SOURCE_FILE("plan.c")
 TEST_SOURCE_FILE("profile.c")
 TEST_SOURCE_FILE("reason_hold.c")
 TEST_SOURCE_FILE("rigid.c")
+TEST_SOURCE_FILE("robot_damage.c")
 TEST_SOURCE_FILE("robot_neuro.c")
+TEST_SOURCE_FILE("seal.c")
 TEST_SOURCE_FILE("servo.c")
 TEST_SOURCE_FILE("sim_card.c")
 TEST_SOURCE_FILE("sim_encoder.c")
@@ -119,6 +122,7 @@ void test_SWR_REF_006_a_button_that_is_held_from_the_start_confirms_nothing(void
     rig_box(&rig, "button press");
     rig_cycle(&rig);
     rig.controller.confirm = (confirm_button_t){0U, 0U};
+    controller_seal(&rig.controller);
     TEST_ASSERT_EQUAL_UINT32(0U, hold_button(3U * HOLD_CYCLES));
     TEST_ASSERT_EQUAL_UINT32(1U, hold_button(HOLD_CYCLES + 1U));
 }
@@ -450,6 +454,7 @@ void test_SWR_REF_011_each_change_of_trust_names_its_axis(void)
     rig_start_homed(&rig);
     encoder_set_position(&rig.controller.axes[axis].encoder, 12);
     supervision_shift(&rig.controller.axes[axis].supervision, 12);
+    controller_seal(&rig.controller);
     axis_doubt(&rig.controller.axes[axis]);
     rig_cycle(&rig);
     expect_told(EVENT_AXIS_UNVERIFIED, axis);

@@ -25,6 +25,7 @@ TEST_SOURCE_FILE("card_link_chart.c")
 TEST_SOURCE_FILE("confirm_button.c")
 TEST_SOURCE_FILE("controller_drive.c")
 TEST_SOURCE_FILE("controller_jog.c")
+TEST_SOURCE_FILE("controller_memory.c")
 TEST_SOURCE_FILE("controller_move.c")
 TEST_SOURCE_FILE("controller_obey.c")
 TEST_SOURCE_FILE("controller_observe.c")
@@ -52,7 +53,9 @@ TEST_SOURCE_FILE("plan.c")
 TEST_SOURCE_FILE("profile.c")
 TEST_SOURCE_FILE("reason_hold.c")
 TEST_SOURCE_FILE("rigid.c")
+TEST_SOURCE_FILE("robot_damage.c")
 TEST_SOURCE_FILE("robot_neuro.c")
+TEST_SOURCE_FILE("seal.c")
 TEST_SOURCE_FILE("servo.c")
 TEST_SOURCE_FILE("sim_card.c")
 TEST_SOURCE_FILE("sim_encoder.c")
@@ -101,6 +104,7 @@ void test_SWR_NEXT_001_a_fault_of_any_axis_asks_for_start_up(void)
         begin_move();
         rig.controller.axes[i].setpoint_ticks += 2 * robot_neuro.axes[i].following_error_ticks;
         rig.controller.profile.start_ticks[i] += 2 * robot_neuro.axes[i].following_error_ticks;
+        controller_seal(&rig.controller);
         rig_cycles(&rig, 3U);
         TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, rig.outputs.snapshot.axes[i].power);
         const bool has_switch = robot_neuro.axes[i].home_method == (uint8_t)HOME_BY_SWITCH;
@@ -242,6 +246,7 @@ void test_SWR_EVENT_004_counters_that_wrap_in_a_move_repeat_no_event(void)
     rig.controller.cycle = UINT32_MAX - 20U;
     rig.controller.time_us = UINT32_MAX - 20000U;
     rig.controller.events = UINT32_MAX;
+    controller_seal(&rig.controller);
     rig_cycles(&rig, 100U);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.event_count);
     TEST_ASSERT_TRUE(rig_is_driving(&rig));
@@ -254,8 +259,10 @@ void test_SWR_EVENT_004_the_sequence_of_frames_wraps_without_losing_a_card(void)
     (void)memset(&rig, 0, sizeof rig);
     rig.elapsed_us = 1000U;
     box_init(&rig.box, &robot_neuro, 1U);
-    controller_init(&rig.controller, &robot_neuro);
+    rig.robot = robot_neuro;
+    controller_init(&rig.controller, &rig.robot);
     rig.controller.sequence = UINT32_MAX - 30U;
+    controller_seal(&rig.controller);
     rig_cycles(&rig, 100U);
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_CARD_LOST));
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
@@ -336,6 +343,7 @@ void test_SWR_PERMIT_003_a_fault_is_a_reason_at_its_axis_alone(void)
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
         begin_move();
         rig.controller.axes[i].encoder.reading ^= 0x40000000;
+        controller_seal(&rig.controller);
         rig_cycles(&rig, 2U);
         expect_reason(PERMIT_REASON_AXIS_FAULT, i);
         expect_reason(PERMIT_REASON_AXIS_DISABLED, i);
@@ -367,6 +375,7 @@ void test_SWR_AXIS_006_an_axis_that_is_not_homed_has_its_reason_in_a_move(void)
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
         begin_move();
         axis_lose_reference(&rig.controller.axes[i]);
+        controller_seal(&rig.controller);
         rig_cycle(&rig);
         expect_reason(PERMIT_REASON_NOT_HOMED, i);
     }
@@ -456,6 +465,7 @@ void test_SWR_AXIS_004_the_soft_limit_stops_what_was_accepted(void)
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
     rig.controller.jog_ticks = minimum_ticks - 300;
+    controller_seal(&rig.controller);
     rig_press(&rig);
     for (uint32_t i = 0U; i < 4000U; i++) {
         rig_cycle(&rig);
@@ -536,12 +546,22 @@ void test_SWR_MOTION_004_every_axis_must_be_at_its_end_for_an_order_to_be_done(v
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
         rig = arrived;
         rig.controller.profile.end_ticks[i] += robot_neuro.axes[i].deadband_ticks + 3;
+        controller_seal(&rig.controller);
         rig_cycle(&rig);
         TEST_ASSERT_EQUAL_UINT32(0U, rig.controller.settled_cycles);
     }
     rig = arrived;
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_UINT32(11U, rig.controller.settled_cycles);
+}
+
+/* The pose of the plan's ticks, registered by the identity. */
+static void settle_target(void)
+{
+    neuro_joints_t joints;
+    neuro_joints_from_ticks(&robot_neuro, rig.controller.plan.target_ticks, &joints);
+    neuro_forward(&robot_neuro, &joints, &rig.controller.plan.scanner_target);
+    controller_seal(&rig.controller);
 }
 
 void test_SWR_MOTION_002_the_needle_is_retracted_before_any_other_axis_moves(void)
@@ -554,6 +574,7 @@ void test_SWR_MOTION_002_the_needle_is_retracted_before_any_other_axis_moves(voi
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
         rig = arrived;
         rig.controller.plan.target_ticks[i] -= 50;
+        settle_target();
         (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
         rig_press(&rig);
         const int32_t retracted =
@@ -591,6 +612,7 @@ void test_SWR_EVENT_002_events_beyond_the_bound_are_counted(void)
         controller_note(&rig.controller, &cycle, EVENT_PROPOSAL, i, 0);
     }
     TEST_ASSERT_EQUAL_UINT32(CONTROLLER_EVENTS, rig.outputs.event_count);
+    controller_seal(&rig.controller);
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_UINT32(8U, rig.outputs.snapshot.events_lost);
     TEST_ASSERT_EQUAL_UINT32(next + CONTROLLER_EVENTS, rig.outputs.snapshot.events);

@@ -210,7 +210,7 @@ static void judge_jog(witness_t *self, const rig_t *rig, double depth_ticks, boo
         return;
     }
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
-        if ((robot_neuro.axes[i].needle_motion == (uint8_t)NEEDLE_ACROSS) &&
+        if ((robot_neuro.axes[i].needle_motion == (uint32_t)NEEDLE_ACROSS) &&
             (rig_sent(rig, i).drive.mode != (uint32_t)CARD_DRIVE_OFF) &&
             (in > slack_mm(is_disturbed))) {
             complain(self, rig, SENTENCE_ACROSS, i, in);

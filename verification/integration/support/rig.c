@@ -9,7 +9,8 @@ void rig_start(rig_t *self)
 {
     (void)memset(self, 0, sizeof *self);
     box_init(&self->box, &robot_neuro, 1U);
-    controller_init(&self->controller, &robot_neuro);
+    self->robot = robot_neuro;
+    controller_init(&self->controller, &self->robot);
     self->elapsed_us = 1000U;
     rig_cycles(self, 20U);
 }
@@ -51,7 +52,7 @@ static void keep(rig_t *self)
 void rig_cycle(rig_t *self)
 {
     gather(self);
-    controller_step(&self->controller, &robot_neuro, &self->inputs, &self->outputs);
+    controller_step(&self->controller, &self->robot, &self->inputs, &self->outputs);
     keep(self);
     box_advance(&self->box, 1000U);
 }

@@ -16,6 +16,7 @@
 typedef struct {
     box_t box;
     controller_t controller;
+    robot_t robot; /**< The controller's table; the box has its own. */
     controller_inputs_t inputs;
     controller_outputs_t outputs;
     command_t commands[CONTROLLER_COMMANDS]; /**< For the next cycle. */

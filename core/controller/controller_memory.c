@@ -1,0 +1,194 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "controller_parts.h"
+
+#include "robot_damage.h"
+#include "seal.h"
+
+#include <stddef.h>
+#include <string.h>
+
+#define CARDS ROBOT_AXIS_COUNT
+#define PLAN (CARDS + ROBOT_AXIS_COUNT)
+#define PROFILE (PLAN + 1U)
+#define INTERLOCKS (PROFILE + 1U)
+#define REST (INTERLOCKS + 1U)
+
+typedef struct {
+    size_t from;
+    size_t to;
+} range_t;
+
+/* Charts without timers carry all of themselves twice; how one came to its state decides nothing.
+ */
+static const range_t axis_range = {offsetof(axis_t, encoder),
+                                   offsetof(axis_t, supervision.stall.trace)};
+/* A report decides only in the cycle in which it came. */
+static const range_t link_range = {offsetof(link_t, sent), sizeof(link_t)};
+
+static const range_t plan_range = {offsetof(controller_t, plan), offsetof(controller_t, profile)};
+static const range_t profile_range = {offsetof(controller_t, profile),
+                                      offsetof(controller_t, axes)};
+static const range_t interlock_ranges[] = {
+    {offsetof(controller_t, pedal), offsetof(controller_t, pedal.chart.trace)},
+    {offsetof(controller_t, loop), offsetof(controller_t, loop.chart.trace)},
+    {offsetof(controller_t, confirm), offsetof(controller_t, estop)},
+    {offsetof(controller_t, workphases), offsetof(controller_t, workphases.trace)},
+};
+static const range_t rest_range = {offsetof(controller_t, pending), offsetof(controller_t, seals)};
+static const range_t confirm_range = {offsetof(controller_t, confirm),
+                                      offsetof(controller_t, estop)};
+/* Of the rest, what is more than a count. */
+static const range_t forgotten_range = {offsetof(controller_t, pending),
+                                        offsetof(controller_t, has_started)};
+
+static uint32_t seal(uint32_t start, const uint8_t *bytes, const range_t *range)
+{
+    return seal_of(start, &bytes[range->from], range->to - range->from);
+}
+
+static void compute(const controller_t *self, uint32_t seals[CONTROLLER_SECTIONS])
+{
+    const uint8_t *const bytes = (const uint8_t *)self;
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        seals[i] = seal(SEAL_START, (const uint8_t *)&self->axes[i], &axis_range);
+        seals[CARDS + i] = seal(SEAL_START, (const uint8_t *)&self->links[i], &link_range);
+    }
+    seals[PLAN] = seal(SEAL_START, bytes, &plan_range);
+    seals[PROFILE] = seal(SEAL_START, bytes, &profile_range);
+    seals[INTERLOCKS] = SEAL_START;
+    for (uint32_t i = 0U; i < (sizeof(interlock_ranges) / sizeof(interlock_ranges[0])); i++) {
+        seals[INTERLOCKS] = seal(seals[INTERLOCKS], bytes, &interlock_ranges[i]);
+    }
+    seals[REST] = seal(SEAL_START, bytes, &rest_range);
+}
+
+void controller_seal(controller_t *self)
+{
+    compute(self, self->seals);
+}
+
+bool controller_is_blind(const controller_t *self)
+{
+    return self->table_damage != 0U;
+}
+
+uint32_t controller_slot(const controller_t *self, uint32_t index)
+{
+    return self->links[index].slot % ROBOT_SLOT_COUNT;
+}
+
+static void disable_all(controller_t *self)
+{
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        axis_disable(&self->axes[i]);
+    }
+}
+
+static void clear(controller_t *self, const range_t *range)
+{
+    uint8_t *const bytes = (uint8_t *)self;
+    (void)memset(&bytes[range->from], 0, range->to - range->from);
+}
+
+/* What was kept from before the start may be among it: an axis that waits for that is lost. */
+static void forget_rest(controller_t *self)
+{
+    clear(self, &forgotten_range);
+    self->has_started = 1U;
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        axis_forget(&self->axes[i]);
+    }
+    disable_all(self);
+}
+
+static void forget_interlocks(controller_t *self)
+{
+    self->pedal.is_open_circuit = 0U;
+    pedal_gate_renew(&self->pedal);
+    clear(self, &confirm_range);
+    disable_all(self);
+}
+
+static void forget_card(controller_t *self, const cycle_t *cycle, uint32_t index)
+{
+    const axis_config_t *const config = &cycle->robot->axes[index];
+    link_t *const link = &self->links[index];
+    link_distrust(link, (uint32_t)config->slot, (uint32_t)config->card_type,
+                  cycle->robot->card_firmware);
+    controller_lose_card(self, cycle, index, false);
+}
+
+/* One of the sections of which there is one. */
+static void forget_single(controller_t *self, uint32_t section)
+{
+    switch (section) {
+    case PLAN:
+        plan_init(&self->plan);
+        break;
+    case PROFILE:
+        clear(self, &profile_range);
+        break;
+    case INTERLOCKS:
+        forget_interlocks(self);
+        break;
+    case REST:
+    default:
+        forget_rest(self);
+        break;
+    }
+}
+
+static void forget(controller_t *self, const cycle_t *cycle, uint32_t section)
+{
+    static const event_memory_t names[] = {EVENT_MEMORY_PLAN, EVENT_MEMORY_PROFILE,
+                                           EVENT_MEMORY_INTERLOCKS, EVENT_MEMORY_REST};
+    const uint32_t index = section % ROBOT_AXIS_COUNT;
+    if (section < CARDS) {
+        controller_note(self, cycle, EVENT_MEMORY_DAMAGED, (uint32_t)EVENT_MEMORY_AXIS,
+                        (int32_t)index);
+        axis_distrust(&self->axes[index]);
+        plan_forget_target(&self->plan);
+        controller_fail_order(self, cycle, EVENT_CAUSE_AXIS, index);
+    } else if (section < PLAN) {
+        controller_note(self, cycle, EVENT_MEMORY_DAMAGED, (uint32_t)EVENT_MEMORY_CARD,
+                        (int32_t)index);
+        forget_card(self, cycle, index);
+    } else {
+        controller_note(self, cycle, EVENT_MEMORY_DAMAGED, (uint32_t)names[section - PLAN], 0);
+        forget_single(self, section);
+    }
+    controller_tell_order(self, cycle, WORKPHASES_EVENT_FAULT, STATUS_FAULT_PRESENT);
+}
+
+static void check_table(controller_t *self, const cycle_t *cycle)
+{
+    const uint32_t damage = robot_damage(cycle->robot);
+    if ((damage == 0U) || controller_is_blind(self)) {
+        return;
+    }
+    self->table_damage = damage;
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        axis_distrust(&self->axes[i]);
+    }
+    for (uint32_t i = 0U; i <= ROBOT_PART_GEOMETRY; i++) {
+        if ((damage & ((uint32_t)1U << i)) != 0U) {
+            controller_note(self, cycle, EVENT_ROBOT_TABLE_DAMAGED, i, 0);
+        }
+    }
+    plan_forget_target(&self->plan);
+    controller_tell_order(self, cycle, WORKPHASES_EVENT_FAULT, STATUS_MEMORY_DAMAGED);
+}
+
+void controller_check_memory(controller_t *self, const cycle_t *cycle)
+{
+    uint32_t seals[CONTROLLER_SECTIONS];
+    compute(self, seals);
+    controller_because(self, EVENT_CAUSE_NONE, 0U);
+    for (uint32_t i = CONTROLLER_SECTIONS; i > 0U; i--) {
+        /* The rest first: it counts the events. */
+        if (seals[i - 1U] != self->seals[i - 1U]) {
+            forget(self, cycle, i - 1U);
+        }
+    }
+    check_table(self, cycle);
+}

@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "robot_damage.h"
+
+#include "seal.h"
+
+#include <stddef.h>
+
+uint32_t robot_damage(const robot_t *robot)
+{
+    uint32_t damage = 0U;
+    const uint32_t seal = seal_of(SEAL_START, (const uint8_t *)robot, offsetof(robot_t, seal));
+    if (seal != robot->seal) {
+        damage |= (uint32_t)1U << ROBOT_PART_GEOMETRY;
+    }
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        const axis_config_t *const row = &robot->axes[i];
+        if (seal_of(SEAL_START, (const uint8_t *)row, offsetof(axis_config_t, seal)) != row->seal) {
+            damage |= (uint32_t)1U << i;
+        }
+    }
+    return damage;
+}

@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file Whether a table of the robot is still as it was compiled. */
+#ifndef BORESIGHT_ROBOT_DAMAGE_H
+#define BORESIGHT_ROBOT_DAMAGE_H
+
+#include "robot.h"
+
+#include <stdint.h>
+
+/** What robot_damage() calls all that is no axis. */
+#define ROBOT_PART_GEOMETRY ROBOT_AXIS_COUNT
+
+/**
+ * Compares the seals that were compiled into the table with it; cheap enough for every cycle.
+ *
+ * @return bit n: the row of axis n is damaged; bit ROBOT_PART_GEOMETRY: what stands before the rows
+ *
+ * @satisfies SWR-MEMORY-004
+ */
+uint32_t robot_damage(const robot_t *robot);
+
+#endif

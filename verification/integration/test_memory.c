@@ -1,0 +1,393 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Rule under test: memory that has changed by itself is found before it is used, named, forgotten,
+ * and moves nothing.
+ */
+#include "rig.h"
+
+#include "unity.h"
+
+#include "controller.h"
+#include "permit.h"
+#include "robot_damage.h"
+
+#include <stddef.h>
+#include <string.h>
+
+TEST_SOURCE_FILE("axis.c")
+TEST_SOURCE_FILE("axis_chart.c")
+TEST_SOURCE_FILE("box.c")
+TEST_SOURCE_FILE("box_orders.c")
+TEST_SOURCE_FILE("card_frame.c")
+TEST_SOURCE_FILE("card_link_chart.c")
+TEST_SOURCE_FILE("confirm_button.c")
+TEST_SOURCE_FILE("controller_drive.c")
+TEST_SOURCE_FILE("controller_jog.c")
+TEST_SOURCE_FILE("controller_memory.c")
+TEST_SOURCE_FILE("controller_move.c")
+TEST_SOURCE_FILE("controller_obey.c")
+TEST_SOURCE_FILE("controller_observe.c")
+TEST_SOURCE_FILE("controller_restore.c")
+TEST_SOURCE_FILE("controller_show.c")
+TEST_SOURCE_FILE("coupled_guard.c")
+TEST_SOURCE_FILE("coupled_limit.c")
+TEST_SOURCE_FILE("crc.c")
+TEST_SOURCE_FILE("drift_audit.c")
+TEST_SOURCE_FILE("encoder.c")
+TEST_SOURCE_FILE("estop_latch.c")
+TEST_SOURCE_FILE("estop_latch_chart.c")
+TEST_SOURCE_FILE("fixed.c")
+TEST_SOURCE_FILE("homing.c")
+TEST_SOURCE_FILE("link.c")
+TEST_SOURCE_FILE("loop_guard.c")
+TEST_SOURCE_FILE("loop_guard_chart.c")
+TEST_SOURCE_FILE("motor_model.c")
+TEST_SOURCE_FILE("needle.c")
+TEST_SOURCE_FILE("neuro.c")
+TEST_SOURCE_FILE("neuro_limits.c")
+TEST_SOURCE_FILE("pedal_gate.c")
+TEST_SOURCE_FILE("pedal_gate_chart.c")
+TEST_SOURCE_FILE("permit.c")
+TEST_SOURCE_FILE("plan.c")
+TEST_SOURCE_FILE("profile.c")
+TEST_SOURCE_FILE("reason_hold.c")
+TEST_SOURCE_FILE("rigid.c")
+TEST_SOURCE_FILE("robot_damage.c")
+TEST_SOURCE_FILE("robot_neuro.c")
+TEST_SOURCE_FILE("seal.c")
+TEST_SOURCE_FILE("servo.c")
+TEST_SOURCE_FILE("sim_card.c")
+TEST_SOURCE_FILE("sim_encoder.c")
+TEST_SOURCE_FILE("sim_motor.c")
+TEST_SOURCE_FILE("sim_switch.c")
+TEST_SOURCE_FILE("speed_cap.c")
+TEST_SOURCE_FILE("stall_watchdog_chart.c")
+TEST_SOURCE_FILE("supervision.c")
+TEST_SOURCE_FILE("workphase.c")
+TEST_SOURCE_FILE("workphases_chart.c")
+
+static rig_t rig;
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+    TEST_ASSERT_EQUAL_UINT32_MESSAGE(0U, rig.driven_without_pedal, "driven without the pedal");
+}
+
+static void begin_move(void)
+{
+    rig_start_targeted(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
+    rig_press(&rig);
+    rig_cycles(&rig, 300U);
+    TEST_ASSERT_TRUE(rig_is_driving(&rig));
+    rig_forget(&rig);
+}
+
+/* The first event of the cycle names the section; nothing moves, and the order is given up. */
+static void expect_noticed(event_memory_t section, uint32_t index)
+{
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(EVENT_MEMORY_DAMAGED, rig.events[0].id);
+    TEST_ASSERT_EQUAL_UINT32(EVENT_SEVERITY_CRITICAL, rig.events[0].severity);
+    TEST_ASSERT_EQUAL_UINT32(section, rig.events[0].subject);
+    TEST_ASSERT_EQUAL_INT32(index, rig.events[0].value);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMORY_DAMAGED));
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASES_ORDER_NONE, rig.outputs.snapshot.order);
+    rig_cycles(&rig, 100U);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMORY_DAMAGED));
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+}
+
+static void expect_aborted(void)
+{
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.answer_count);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig.answers[0].kind);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_FAULT_PRESENT, rig.answers[0].status);
+}
+
+void test_SWR_MEMORY_002_a_damaged_axis_is_faulty_and_not_homed_and_its_numbers_are_gone(void)
+{
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        begin_move();
+        rig.controller.axes[i].encoder.position_ticks ^= 0x00100000;
+        expect_noticed(EVENT_MEMORY_AXIS, i);
+        expect_aborted();
+        TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, rig.outputs.snapshot.axes[i].power);
+        TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, rig.outputs.snapshot.axes[i].reference);
+        TEST_ASSERT_INT32_WITHIN(100, 0, rig.outputs.snapshot.axes[i].position_ticks);
+        TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
+    }
+}
+
+void test_SWR_MEMORY_002_a_fresh_axis_that_is_damaged_is_lost(void)
+{
+    rig_start(&rig);
+    rig_forget(&rig);
+    rig.controller.axes[AXIS_FEET].encoder.reading ^= 0x40;
+    expect_noticed(EVENT_MEMORY_AXIS, AXIS_FEET);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, rig.outputs.snapshot.axes[AXIS_FEET].reference);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_FRESH,
+                             rig.outputs.snapshot.axes[AXIS_ROTATION].reference);
+}
+
+void test_SWR_MEMORY_002_what_was_damaged_can_be_started_and_homed_again(void)
+{
+    begin_move();
+    rig.controller.axes[AXIS_YAW].setpoint_ticks ^= 0x8000;
+    expect_noticed(EVENT_MEMORY_AXIS, AXIS_YAW);
+    rig_release(&rig);
+    rig_home(&rig);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_homed);
+}
+
+void test_SWR_MEMORY_002_a_damaged_card_is_lost_and_known_again_from_the_table(void)
+{
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        begin_move();
+        rig.controller.links[i].slot ^= 0x04U;
+        expect_noticed(EVENT_MEMORY_CARD, i);
+        TEST_ASSERT_EQUAL_UINT32(EVENT_CARD_LOST, rig.events[1].id);
+        TEST_ASSERT_EQUAL_INT32(LINK_CAUSE_MEMORY, rig.events[1].value);
+        TEST_ASSERT_EQUAL_UINT32(robot_neuro.axes[i].slot, rig.controller.links[i].slot);
+        TEST_ASSERT_EQUAL_UINT32(CARD_LINK_STATE_LOST, rig.controller.links[i].chart.state);
+        TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, rig.outputs.snapshot.axes[i].reference);
+        expect_aborted();
+    }
+}
+
+void test_SWR_MEMORY_002_a_damaged_plan_is_no_plan(void)
+{
+    begin_move();
+    rig.controller.plan.target_ticks[AXIS_INSERTION] ^= 0x1000;
+    expect_noticed(EVENT_MEMORY_PLAN, 0U);
+    expect_aborted();
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.is_registered);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_homed);
+}
+
+void test_SWR_MEMORY_002_a_damaged_profile_ends_its_motion(void)
+{
+    begin_move();
+    rig.controller.profile.end_ticks[AXIS_HEAD] ^= 0x100;
+    expect_noticed(EVENT_MEMORY_PROFILE, 0U);
+    expect_aborted();
+    TEST_ASSERT_EQUAL_INT32(0, rig.controller.profile.end_ticks[AXIS_HEAD]);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.has_target);
+}
+
+static void expect_all_disabled(void)
+{
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_DISABLED, rig.outputs.snapshot.axes[i].power);
+    }
+}
+
+void test_SWR_MEMORY_002_damaged_interlocks_ask_for_start_up(void)
+{
+    begin_move();
+    rig.controller.pedal.is_open_circuit ^= 1U;
+    expect_noticed(EVENT_MEMORY_INTERLOCKS, 0U);
+    expect_aborted();
+    expect_all_disabled();
+    begin_move();
+    rig.controller.workphases.pedal_missing_us ^= 1U;
+    expect_noticed(EVENT_MEMORY_INTERLOCKS, 0U);
+    begin_move();
+    rig.controller.loop.overruns ^= 1U;
+    expect_noticed(EVENT_MEMORY_INTERLOCKS, 0U);
+    begin_move();
+    rig.controller.confirm.held_cycles ^= 0x100U;
+    expect_noticed(EVENT_MEMORY_INTERLOCKS, 0U);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.controller.confirm.held_cycles);
+}
+
+void test_SWR_MEMORY_002_a_damaged_rest_is_forgotten_and_asks_for_start_up(void)
+{
+    begin_move();
+    rig.controller.pending.id ^= 0x100U;
+    expect_noticed(EVENT_MEMORY_REST, 0U);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.answer_count);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.controller.pending.is_waiting);
+    expect_all_disabled();
+    begin_move();
+    rig.controller.table_damage ^= 2U;
+    expect_noticed(EVENT_MEMORY_REST, 0U);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.controller.table_damage);
+}
+
+void test_SWR_MEMORY_002_axes_that_wait_for_a_kept_position_that_is_damaged_are_lost(void)
+{
+    const kept_positions_t kept = {.verdict = (uint32_t)KEPT_GOOD};
+    (void)memset(&rig, 0, sizeof rig);
+    rig.elapsed_us = 1000U;
+    rig.robot = robot_neuro;
+    box_init(&rig.box, &robot_neuro, 1U);
+    controller_init(&rig.controller, &rig.robot);
+    controller_restore(&rig.controller, &kept);
+    rig.controller.kept.axes[AXIS_FEET].position_ticks ^= 0x10;
+    expect_noticed(EVENT_MEMORY_REST, 0U);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.positions_awaited);
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, rig.outputs.snapshot.axes[i].reference);
+    }
+}
+
+void test_SWR_MEMORY_002_a_damaged_seal_is_damage(void)
+{
+    begin_move();
+    rig.controller.seals[AXIS_PITCH] ^= 1U;
+    expect_noticed(EVENT_MEMORY_AXIS, AXIS_PITCH);
+}
+
+/* One bit of each word of the state in turn; the charts and what only records are not under seal.
+ */
+void test_SWR_MEMORY_003_the_numbers_of_every_axis_and_card_are_under_seal(void)
+{
+    static rig_t moving;
+    begin_move();
+    moving = rig;
+    for (size_t i = offsetof(axis_t, encoder); i < offsetof(axis_t, supervision.stall.trace);
+         i += 4U) {
+        rig = moving;
+        ((uint8_t *)&rig.controller.axes[AXIS_LATERAL])[i] ^= 0x10U;
+        rig_cycle(&rig);
+        TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMORY_DAMAGED));
+    }
+    for (size_t i = offsetof(link_t, sent); i < sizeof(link_t); i += 4U) {
+        rig = moving;
+        ((uint8_t *)&rig.controller.links[AXIS_LATERAL])[i] ^= 0x10U;
+        rig_cycle(&rig);
+        TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMORY_DAMAGED));
+    }
+}
+
+static void expect_blind(uint32_t part)
+{
+    const snapshot_t *const shown = &rig.outputs.snapshot;
+    TEST_ASSERT_EQUAL_UINT32(EVENT_ROBOT_TABLE_DAMAGED, rig.events[0].id);
+    TEST_ASSERT_EQUAL_UINT32(part, rig.events[0].subject);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_ROBOT_TABLE_DAMAGED));
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_MEMORY, shown->next_step);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_MEMORY_DAMAGED, shown->pose_status);
+    TEST_ASSERT_EQUAL_UINT32(0U, shown->is_homed | shown->has_target);
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        TEST_ASSERT_BITS_HIGH(1UL << PERMIT_REASON_MEMORY, shown->axes[i].permit_reasons);
+    }
+}
+
+void test_SWR_MEMORY_004_a_damaged_table_stops_all_motion_until_the_programs_are_restarted(void)
+{
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        begin_move();
+        rig.robot.axes[i].unit_per_tick_q16 = 0;
+        rig_cycle(&rig);
+        expect_blind(i);
+        TEST_ASSERT_EQUAL_UINT32(1U, rig.answer_count);
+        TEST_ASSERT_EQUAL_UINT32(STATUS_MEMORY_DAMAGED, rig.answers[0].status);
+        rig.robot = robot_neuro;
+        rig_cycles(&rig, 100U);
+        expect_blind(i);
+        TEST_ASSERT_EQUAL_UINT32(STATUS_MEMORY_DAMAGED,
+                                 rig_workphase(&rig, WORKPHASE_START_UP).status);
+        TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_CARD_LOST));
+    }
+}
+
+void test_SWR_MEMORY_004_a_damaged_geometry_is_a_damaged_table(void)
+{
+    begin_move();
+    rig.robot.neuro.side_link_nm ^= 0x100;
+    rig_cycle(&rig);
+    expect_blind(ROBOT_PART_GEOMETRY);
+}
+
+void test_SWR_MEMORY_004_without_a_table_stop_is_obeyed_and_nothing_that_needs_it(void)
+{
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = AXIS_YAW, .value = -200};
+    const rigid_t pose = rig_pose(5000000, 190000000, 60000000);
+    begin_move();
+    rig.robot.axes[AXIS_YAW].slot = 255U;
+    rig_cycle(&rig);
+    expect_blind(AXIS_YAW);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_STOP).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_MEMORY_DAMAGED, rig_command(&rig, jog).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_MEMORY_DAMAGED, rig_target(&rig, &pose).status);
+    TEST_ASSERT_TRUE(rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status != STATUS_OK);
+}
+
+void test_SWR_MEMORY_004_without_a_table_nothing_is_confirmed_and_no_drift_is_told(void)
+{
+    begin_move();
+    rig.robot.coupled_limits[0].first = UINT32_MAX;
+    rig_cycle(&rig);
+    expect_blind(ROBOT_PART_GEOMETRY);
+    rig_release(&rig);
+    rig_box(&rig, "scanner on");
+    rig_cycles(&rig, 5U);
+    rig_box(&rig, "scanner off");
+    rig_box(&rig, "button press");
+    rig_cycles(&rig, 2000U);
+    TEST_ASSERT_EQUAL_UINT32(2U, rig_count(&rig, EVENT_SCANNER));
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_SCAN_DRIFT));
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AXIS_CONFIRMED));
+}
+
+void test_SWR_MEMORY_004_a_table_that_is_damaged_at_the_start_moves_nothing(void)
+{
+    (void)memset(&rig, 0, sizeof rig);
+    rig.elapsed_us = 1000U;
+    rig.robot = robot_neuro;
+    rig.robot.axes[AXIS_PITCH].maximum_ticks ^= 0x20;
+    box_init(&rig.box, &robot_neuro, 1U);
+    controller_init(&rig.controller, &rig.robot);
+    rig_cycles(&rig, 20U);
+    expect_blind(AXIS_PITCH);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_MEMORY_DAMAGED, rig_workphase(&rig, WORKPHASE_START_UP).status);
+}
+
+void test_SWR_MEMORY_005_a_target_that_does_not_lead_to_its_pose_is_not_armed(void)
+{
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        rig_start_targeted(&rig);
+        rig.controller.plan.target_ticks[i] += 1;
+        controller_seal(&rig.controller);
+        TEST_ASSERT_EQUAL_UINT32(STATUS_MEMORY_DAMAGED,
+                                 rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
+        TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
+        TEST_ASSERT_EQUAL_UINT32(WORKPHASE_TARGETING, rig.outputs.snapshot.workphase);
+        TEST_ASSERT_EQUAL_UINT32(STATUS_NO_TARGET,
+                                 rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
+    }
+}
+
+/* Wild numbers that the seal does not tell of: they came within a cycle. */
+void test_SWR_MEMORY_006_a_wild_slot_or_axis_stays_within_its_array(void)
+{
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = AXIS_YAW, .value = -200};
+    rig_start_homed(&rig);
+    for (uint32_t bit = 4U; bit < 32U; bit++) {
+        rig.controller.links[AXIS_YAW].slot = ((uint32_t)1U << bit) + 3U;
+        controller_seal(&rig.controller);
+        controller_step(&rig.controller, &rig.robot, &rig.inputs, &rig.outputs);
+        TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.frames_to_send >> ROBOT_SLOT_COUNT);
+    }
+    (void)memset(&rig.robot.axes[AXIS_PITCH], 0xFF, sizeof rig.robot.axes[0]);
+    controller_init(&rig.controller, &rig.robot);
+    controller_step(&rig.controller, &rig.robot, &rig.inputs, &rig.outputs);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.frames_to_send >> ROBOT_SLOT_COUNT);
+    rig_start_homed(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_MANUAL);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
+    rig.controller.jog_axis = UINT32_MAX;
+    controller_seal(&rig.controller);
+    rig_press(&rig);
+    rig_cycles(&rig, 20U);
+}
