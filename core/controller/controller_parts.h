@@ -42,6 +42,7 @@ void controller_because(controller_t *self, event_cause_t cause, uint32_t peer);
  * @satisfies SWR-MEMORY-002
  * @satisfies SWR-MEMORY-003
  * @satisfies SWR-MEMORY-004
+ * @satisfies SWR-MEMORY-007
  */
 void controller_check_memory(controller_t *self, const cycle_t *cycle);
 

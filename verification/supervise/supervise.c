@@ -4,13 +4,14 @@
  * The real controller on the simulated control box, in simulated time, with an operator, a world
  * and faults by chance, and a witness who knows where the axes truly stand.
  *
- *     supervise COUNT [SEED [random|corners|interrupted|spread|jogs]]
+ *     supervise COUNT [SEED [random|corners|interrupted|spread|jogs|flips]]
  *
  * Plays COUNT scenes from SEED on (1), or as many as COUNT moves need. Prints how often each
- * sentence was broken, where first, and the worst figure. Ends with 1 when one was broken.
+ * sentence was broken, where first, and the worst figure. Ends with 1 when one was broken. With
+ * "flips", COUNT times up to 3 bits of a word of the controller's memory change in random scenes.
  */
-#include "stage.h"
-#include "witness.h"
+#include "flips.h"
+#include "scene.h"
 
 #include "unity.h"
 
@@ -19,11 +20,10 @@
 #include <string.h>
 
 #define SCENE_CYCLES 20000U
+#define FLIPS 5              /* After the plays of a stage. */
 #define MOVES_CYCLES 120000U /* Of a scene that is all moves. */
 
-static rig_t rig;
-static stage_t stage;
-static witness_t witness;
+static scene_t scene;
 
 void setUp(void)
 {
@@ -36,7 +36,7 @@ void tearDown(void)
 void contract_broken(const char *module, uint32_t id)
 {
     printf("contract %s/%u is broken in scene %u, cycle %u\n", module, (unsigned)id,
-           (unsigned)witness.seed, (unsigned)stage.cycle);
+           (unsigned)scene.witness.seed, (unsigned)scene.stage.cycle);
     exit(2);
 }
 
@@ -48,14 +48,9 @@ static bool is_of_scenes(play_t play)
 
 static void play_scene(play_t play, uint32_t seed)
 {
-    double truth[ROBOT_AXIS_COUNT];
-    witness_begin(&witness, seed);
-    stage_begin(&stage, &rig, play, seed);
+    scene_begin(&scene, play, seed);
     for (uint32_t i = 0U; i < (is_of_scenes(play) ? SCENE_CYCLES : MOVES_CYCLES); i++) {
-        stage_play(&stage, &rig);
-        box_true_positions(&rig.box, truth);
-        rig_cycle(&rig);
-        witness_look(&witness, &rig, truth, stage_is_disturbed(&stage));
+        scene_cycle(&scene);
     }
 }
 
@@ -64,10 +59,10 @@ static bool report(uint32_t count)
     bool is_good = true;
     printf(
         "%u scenes, %u moves, done after their profiles: half of them by %u ms, 99 %% by %u ms\n",
-        (unsigned)count, (unsigned)witness.moves, (unsigned)witness_late(&witness, 50U),
-        (unsigned)witness_late(&witness, 99U));
+        (unsigned)count, (unsigned)scene.witness.moves, (unsigned)witness_late(&scene.witness, 50U),
+        (unsigned)witness_late(&scene.witness, 99U));
     for (uint32_t i = 0U; i < SENTENCE_COUNT; i++) {
-        const verdict_t *const verdict = &witness.verdicts[i];
+        const verdict_t *const verdict = &scene.witness.verdicts[i];
         printf("%-70s ", witness_sentence((sentence_t)i));
         if (verdict->episodes == 0U) {
             printf("holds\n");
@@ -84,8 +79,9 @@ static bool report(uint32_t count)
 /* Number of the play `name`, or -1. */
 static int play_of(const char *name)
 {
-    static const char *const names[] = {"random", "corners", "interrupted", "spread", "jogs"};
-    for (int i = 0; i < 5; i++) {
+    static const char *const names[] = {"random", "corners", "interrupted",
+                                        "spread", "jogs",    "flips"};
+    for (int i = 0; i < 6; i++) {
         if (strcmp(name, names[i]) == 0) {
             return i;
         }
@@ -100,12 +96,16 @@ int main(int count, char **arguments)
     const int play = (count > 3) ? play_of(arguments[3]) : (int)PLAY_RANDOM;
     uint32_t scenes = 0U;
     if ((wanted == 0U) || (play < 0)) {
-        (void)fprintf(stderr,
-                      "usage: supervise COUNT [SEED [random|corners|interrupted|spread|jogs]]\n");
+        (void)fprintf(
+            stderr,
+            "usage: supervise COUNT [SEED [random|corners|interrupted|spread|jogs|flips]]\n");
         return 2;
     }
     UnityBegin("supervise.c");
-    while ((is_of_scenes((play_t)play) ? scenes : witness.moves) < wanted) {
+    if (play == FLIPS) {
+        return flips_play(&scene, wanted, first) ? 0 : 1;
+    }
+    while ((is_of_scenes((play_t)play) ? scenes : scene.witness.moves) < wanted) {
         play_scene((play_t)play, first + scenes);
         scenes++;
     }

@@ -40,6 +40,14 @@ class TestSupervise < Minitest::Test
     end
   end
 
+  # 1 to 3 bits of the controller's memory change, at rest and in motion.
+  FLIPS = 100
+
+  def test_SWR_MEMORY_007_no_bit_flip_ends_elsewhere_or_crashes
+    text = Open3.capture2e(PROGRAM, FLIPS.to_s, '1', 'flips').first
+    assert_equal 2, text.scan(/[1-9]\d* noticed, .* 0 wrong, 0 crashed$/).size, text
+  end
+
   PLAYS.each_key do |play|
     SENTENCES.each do |name, sentence|
       define_method("test_#{name}_#{play}") do

@@ -51,6 +51,11 @@ void witness_begin(witness_t *self, uint32_t seed)
     self->seed = seed;
 }
 
+void witness_forgive(witness_t *self)
+{
+    (void)memset(self->is_broken, 0, sizeof self->is_broken);
+}
+
 static void complain(witness_t *self, const rig_t *rig, sentence_t sentence, uint32_t axis,
                      double figure)
 {
@@ -165,13 +170,27 @@ static void judge_needle(witness_t *self, const rig_t *rig, double truth)
     }
 }
 
+/* What the controller remembers later may have been damaged. */
+static void remember_target(witness_t *self, const rig_t *rig)
+{
+    bool is_new = !self->has_looked;
+    for (uint32_t i = 0U; i < rig->outputs.event_count; i++) {
+        is_new = is_new || (rig->outputs.events[i].id == (uint32_t)EVENT_TARGET_ACCEPTED);
+    }
+    if (is_new) {
+        (void)memcpy(self->target_ticks, rig->controller.plan.target_ticks,
+                     sizeof self->target_ticks);
+    }
+    self->has_looked = true;
+}
+
 static void judge_reached(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_COUNT])
 {
     if (rig->outputs.snapshot.next_step != (uint32_t)NEXT_STEP_NOTHING) {
         return;
     }
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
-        const double away = fabs(measure(i, truth[i] - rig->controller.plan.target_ticks[i]));
+        const double away = fabs(measure(i, truth[i] - self->target_ticks[i]));
         if (!is_homed(rig, i) || (away > (is_length(i) ? REACHED_MM : REACHED_DEG))) {
             complain(self, rig, SENTENCE_REACHED, i, away);
         }
@@ -295,6 +314,7 @@ uint32_t witness_late(const witness_t *self, uint32_t percent)
 void witness_look(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_COUNT],
                   bool is_disturbed)
 {
+    remember_target(self, rig);
     judge_permit(self, rig);
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
         judge_belief(self, rig, i, truth[i]);

@@ -58,8 +58,10 @@ typedef struct {
     double places[ROBOT_AXIS_COUNT][WITNESS_MEAN]; /**< True positions of the last cycles. */
     uint32_t looks;
     uint32_t moving_cycles;
-    uint32_t over_cycles; /**< Since the profile of the last leg has ended. */
-    double needle_from;   /**< Where homing began. */
+    uint32_t over_cycles;                   /**< Since the profile of the last leg has ended. */
+    double needle_from;                     /**< Where homing began. */
+    int32_t target_ticks[ROBOT_AXIS_COUNT]; /**< As accepted. */
+    bool has_looked;
     bool was_homing;
     double apart_beyond; /**< How far beyond their distance the carriages may be, mm. */
     bool was_apart_known;
@@ -67,6 +69,9 @@ typedef struct {
 
 /** Begins an episode; the verdicts stay. */
 void witness_begin(witness_t *self, uint32_t seed);
+
+/** Forgets what this episode has broken so far. */
+void witness_forgive(witness_t *self);
 
 /** Looks at the cycle that `rig` has just run; `truth`: the positions when its frames were made;
  * `is_disturbed`: something in the scene is or was broken. */

@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "scene.h"
+
+void scene_begin(scene_t *self, play_t play, uint32_t seed)
+{
+    witness_begin(&self->witness, seed);
+    stage_begin(&self->stage, &self->rig, play, seed);
+}
+
+void scene_cycle(scene_t *self)
+{
+    double truth[ROBOT_AXIS_COUNT];
+    stage_play(&self->stage, &self->rig);
+    box_true_positions(&self->rig.box, truth);
+    rig_cycle(&self->rig);
+    witness_look(&self->witness, &self->rig, truth, stage_is_disturbed(&self->stage));
+}

@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file One scene: the rig, the players on its stage, and the witness. */
+#ifndef BORESIGHT_SCENE_H
+#define BORESIGHT_SCENE_H
+
+#include "stage.h"
+#include "witness.h"
+
+/** Owned by the program. */
+typedef struct {
+    rig_t rig;
+    stage_t stage;
+    witness_t witness;
+} scene_t;
+
+/** Sets the scene `seed`; what the witness has seen before stays. */
+void scene_begin(scene_t *self, play_t play, uint32_t seed);
+
+/** One cycle under the eyes of the witness. */
+void scene_cycle(scene_t *self);
+
+#endif
