@@ -173,6 +173,15 @@ void rig_start_targeted(rig_t *self)
     rig_forget(self);
 }
 
+void rig_start_moving(rig_t *self)
+{
+    rig_start_targeted(self);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(self, WORKPHASE_MOVE_TO_TARGET).status);
+    rig_press(self);
+    rig_cycles(self, 400U);
+    TEST_ASSERT_TRUE(rig_is_driving(self));
+}
+
 answer_t rig_target(rig_t *self, const rigid_t *scanner_treatment)
 {
     const command_t command = {.kind = (uint32_t)COMMAND_TARGET, .pose = *scanner_treatment};
@@ -185,6 +194,18 @@ void rig_register(rig_t *self, const rigid_t *scanner_zframe)
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(self, WORKPHASE_CALIBRATION).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(self, command).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(self, WORKPHASE_TARGETING).status);
+}
+
+int32_t rig_position(const rig_t *self, uint32_t axis)
+{
+    return self->outputs.snapshot.axes[axis].position_ticks;
+}
+
+void rig_expect_nothing_known(const rig_t *self, uint32_t axis)
+{
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, self->outputs.snapshot.axes[axis].power);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, self->outputs.snapshot.axes[axis].reference);
+    TEST_ASSERT_EQUAL_UINT32(0U, self->outputs.snapshot.has_target);
 }
 
 card_command_t rig_sent(const rig_t *self, uint32_t axis)

@@ -70,11 +70,20 @@ void rig_start_homed(rig_t *self);
 /** A homed rig, registered by the identity, with an accepted target, in TARGETING. */
 void rig_start_targeted(rig_t *self);
 
+/** A targeted rig in the middle of MOVE_TO_TARGET, the pedal held. */
+void rig_start_moving(rig_t *self);
+
 /** CALIBRATION with a registration, then TARGETING. */
 void rig_register(rig_t *self, const rigid_t *scanner_zframe);
 
 /** Commands `pose` as the target. @return the answer */
 answer_t rig_target(rig_t *self, const rigid_t *scanner_treatment);
+
+/** Where the controller believes `axis` to be. */
+int32_t rig_position(const rig_t *self, uint32_t axis);
+
+/** `axis` has faulted: what it stands at is not known any more, and there is no target. */
+void rig_expect_nothing_known(const rig_t *self, uint32_t axis);
 
 /** The frame that goes to the card of `axis`, decoded. */
 card_command_t rig_sent(const rig_t *self, uint32_t axis);
