@@ -124,9 +124,11 @@ void controller_seal(controller_t *self);
 
 /**
  * Takes what was kept of the positions, once, between controller_init() and the first cycle
- * (contract 101). What is not KEPT_LOST waits for the first report of its axis.
+ * (contract 101). KEPT_FRESH and KEPT_KNOWN wait for the first report of their axis;
+ * any other grade is lost.
  *
  * @satisfies SWR-STORE-003
+ * @satisfies SWR-STORE-019
  */
 void controller_restore(controller_t *self, const kept_positions_t *kept);
 

@@ -5,11 +5,13 @@
 
 static const char contract_module[] = "controller";
 
-/* Its counts are to be compared: what is lost stays so whatever they say. */
+/* Its counts are to be compared: what is lost stays so whatever they say, and so does what has a
+ * grade that nobody knows. */
 static bool is_awaited(const controller_t *self, uint32_t index)
 {
+    const uint32_t grade = self->kept.axes[index].grade;
     return (self->kept.verdict == (uint32_t)KEPT_GOOD) &&
-           (self->kept.axes[index].grade != (uint32_t)KEPT_LOST);
+           ((grade == (uint32_t)KEPT_FRESH) || (grade == (uint32_t)KEPT_KNOWN));
 }
 
 void controller_restore(controller_t *self, const kept_positions_t *kept)

@@ -7,7 +7,7 @@
 
 #include <stdint.h>
 
-/** What was known of an axis. */
+/** What was known of an axis. Any other value counts as KEPT_LOST. */
 typedef enum {
     KEPT_FRESH = 0, /**< Nobody has homed or lost it since the power-on. */
     KEPT_LOST = 1,  /**< Its position was not to be believed. */

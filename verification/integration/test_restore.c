@@ -192,6 +192,16 @@ void test_SWR_STORE_003_what_was_lost_stays_lost_and_what_was_fresh_stays_fresh(
     assert_reference(AXIS_HEAD, AXIS_REFERENCE_UNVERIFIED);
 }
 
+void test_SWR_STORE_019_an_axis_with_an_unknown_grade_is_lost(void)
+{
+    kept.axes[AXIS_FEET].grade = (uint32_t)KEPT_KNOWN + 1U;
+    kept.axes[AXIS_ROTATION].grade = UINT32_MAX;
+    restart();
+    assert_reference(AXIS_FEET, AXIS_REFERENCE_LOST);
+    assert_reference(AXIS_ROTATION, AXIS_REFERENCE_LOST);
+    assert_reference(AXIS_LATERAL, AXIS_REFERENCE_UNVERIFIED);
+}
+
 void test_SWR_STORE_006_a_fresh_axis_that_was_moved_unseen_is_lost(void)
 {
     kept.axes[AXIS_FEET].grade = (uint32_t)KEPT_FRESH;
