@@ -40,8 +40,8 @@ typedef struct {
     uint32_t id;     /**< The sender's; echoed in every answer. */
     uint32_t source; /**< command_source_t. */
     uint32_t peer;   /**< Whose it is, for the record: the number of an OpenIGTLink connection, as
-                        boresight-igtl says it, 0 when its peer has gone; the TCP port of the
-                        console's   browser. */
+                        boresight-igtl says it, 0 when its peer has gone; 0 for the console's stop,
+                        which stands for all pages that asked. */
     uint32_t kind;   /**< command_kind_t. */
     uint32_t argument;
     int32_t value;
