@@ -31,7 +31,7 @@ typedef enum {
 /** Who asks. What each may send stands in controller_obey.c. */
 typedef enum {
     COMMAND_SOURCE_IGTL = 0, /**< The OpenIGTLink process: everything but jogs. */
-    COMMAND_SOURCE_HTTP = 1  /**< The console: STOP, EMERGENCY and jogs. */
+    COMMAND_SOURCE_HTTP = 1  /**< The console: STOP and jogs. */
 } command_source_t;
 
 #define COMMAND_SOURCE_COUNT 2U

@@ -292,9 +292,8 @@ static bool is_allowed(const command_t *command)
                                                 [WORKPHASE_MANUAL] = true,
                                                 [WORKPHASE_STOP] = true,
                                                 [WORKPHASE_EMERGENCY] = true}},
-        [COMMAND_SOURCE_HTTP] = {
-            .kinds = {[COMMAND_JOG] = true},
-            .workphases = {[WORKPHASE_STOP] = true, [WORKPHASE_EMERGENCY] = true}}};
+        [COMMAND_SOURCE_HTTP] = {.kinds = {[COMMAND_JOG] = true},
+                                 .workphases = {[WORKPHASE_STOP] = true}}};
     bool is_right = false;
     if (command->source >= COMMAND_SOURCE_COUNT) {
         is_right = false;
