@@ -110,16 +110,25 @@ bool exchange_read_loop(const exchange_t *self, loop_figures_t *figures)
     return false;
 }
 
+static bool is_stop(const command_t *command)
+{
+    return (command->kind == (uint32_t)COMMAND_WORKPHASE) &&
+           ((command->argument == (uint32_t)WORKPHASE_STOP) ||
+            (command->argument == (uint32_t)WORKPHASE_EMERGENCY));
+}
+
 status_t exchange_send_command(exchange_t *self, const command_t *command)
 {
     segment_others_t *others = &self->segment->others;
     const uint32_t put = __atomic_load_n(&others->commands_head, __ATOMIC_RELAXED);
     const uint32_t taken = __atomic_load_n(&self->segment->control.commands_tail, __ATOMIC_ACQUIRE);
 
-    if ((put - taken) >= EXCHANGE_COMMANDS) {
+    const uint32_t places = is_stop(command) ? SEGMENT_COMMANDS : EXCHANGE_COMMANDS;
+
+    if ((put - taken) >= places) {
         return STATUS_BUSY;
     }
-    others->commands[put % EXCHANGE_COMMANDS] = *command;
+    others->commands[put % SEGMENT_COMMANDS] = *command;
     __atomic_store_n(&others->commands_head, put + 1U, __ATOMIC_RELEASE);
     return STATUS_OK;
 }
@@ -165,7 +174,7 @@ static bool take_command(exchange_t *self, command_t *command)
     if (put == taken) {
         return false;
     }
-    *command = self->segment->others.commands[taken % EXCHANGE_COMMANDS];
+    *command = self->segment->others.commands[taken % SEGMENT_COMMANDS];
     command->source = (uint32_t)COMMAND_SOURCE_IGTL; /* Nobody speaks for another. */
     __atomic_store_n(tail, taken + 1U, __ATOMIC_RELEASE);
     return true;
@@ -181,19 +190,62 @@ static bool is_costly(const command_t *command)
            (command->kind == (uint32_t)COMMAND_PROPOSE_TARGET);
 }
 
+/* What a stop discards: the first `count` of the waiting commands; the stops among them stay. */
+typedef struct {
+    uint32_t count;
+    uint32_t workphase; /* Of the stop. */
+} discarded_t;
+
+static discarded_t discarded_by_stop(const exchange_t *self, bool is_stop_requested)
+{
+    const segment_others_t *others = &self->segment->others;
+    const uint32_t taken = __atomic_load_n(&self->segment->control.commands_tail, __ATOMIC_RELAXED);
+    const uint32_t put = __atomic_load_n(&others->commands_head, __ATOMIC_ACQUIRE);
+    const uint32_t waiting = ((put - taken) < SEGMENT_COMMANDS) ? (put - taken) : SEGMENT_COMMANDS;
+    discarded_t discarded = {is_stop_requested ? waiting : 0U, (uint32_t)WORKPHASE_STOP};
+
+    for (uint32_t i = 0U; (i < waiting) && !is_stop_requested; i++) {
+        const command_t *command = &others->commands[(taken + i) % SEGMENT_COMMANDS];
+        if (is_stop(command)) {
+            discarded = (discarded_t){i + 1U, command->argument};
+        }
+    }
+    return discarded;
+}
+
+static void refuse(exchange_t *self, const command_t *command, uint32_t workphase)
+{
+    const answer_t refusal = {.id = command->id,
+                              .source = command->source,
+                              .command = command->kind,
+                              .argument = command->argument,
+                              .kind = (uint32_t)ANSWER_REFUSED,
+                              .status = (uint32_t)STATUS_DISCARDED,
+                              .is_final = 1U,
+                              .workphase = workphase};
+
+    (void)exchange_push_answer(self, &refusal);
+}
+
 uint32_t exchange_take_commands(exchange_t *self, command_t *commands, uint32_t most)
 {
     command_t stop;
-    const bool is_stop = take_stop(self, &stop);
-    const uint32_t others = is_stop ? (most - 1U) : most;
+    const bool is_stop_requested = take_stop(self, &stop);
+    const uint32_t others = is_stop_requested ? (most - 1U) : most;
+    const discarded_t discarded = discarded_by_stop(self, is_stop_requested);
     uint32_t count = 0U;
     bool is_enough = false;
 
-    while ((count < others) && !is_enough && take_command(self, &commands[count])) {
-        is_enough = is_costly(&commands[count]);
-        count++;
+    for (uint32_t i = 0U; (count < others) && !is_enough && take_command(self, &commands[count]);
+         i++) {
+        if ((i < discarded.count) && !is_stop(&commands[count])) {
+            refuse(self, &commands[count], discarded.workphase);
+        } else {
+            is_enough = is_costly(&commands[count]);
+            count++;
+        }
     }
-    if (is_stop) {
+    if (is_stop_requested) {
         commands[count] = stop; /* The last one: nothing of the same cycle undoes it. */
         count++;
     }

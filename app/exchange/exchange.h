@@ -18,6 +18,7 @@
 #include <stdint.h>
 
 #define EXCHANGE_COMMANDS 16U /**< Capacity of the command lane. */
+#define EXCHANGE_STOPS 16U    /**< Its places for STOP and EMERGENCY alone. */
 #define EXCHANGE_ANSWERS 64U  /**< Capacity of the answer lane. */
 #define EXCHANGE_EVENTS 1024U /**< Events kept for slow readers. */
 #define EXCHANGE_CYCLES 2048U /**< Capacity of the cycle lane: two seconds. */
@@ -129,7 +130,8 @@ bool exchange_read_loop(const exchange_t *self, loop_figures_t *figures);
 /**
  * Puts a command into the lane of COMMAND_SOURCE_IGTL, the only source that has one.
  *
- * @return STATUS_OK; STATUS_BUSY when the lane is full (nothing is queued)
+ * @return STATUS_OK; STATUS_BUSY when EXCHANGE_COMMANDS wait, for STOP and EMERGENCY EXCHANGE_STOPS
+ * more (nothing is queued)
  *
  * @satisfies SWR-EXCH-002
  */
@@ -155,9 +157,11 @@ uint32_t exchange_stop_port(const exchange_t *self);
 
 /**
  * Takes up to `most` (1 at least) commands in their order, none after one that computes kinematics,
- * but a stop that was asked for as the last of them.
+ * but a stop that was asked for as the last of them. What came before a stop, or before STOP or
+ * EMERGENCY in the lane, is answered as refused with STATUS_DISCARDED instead.
  *
  * @satisfies SWR-CTRL-021
+ * @satisfies SWR-EXCH-015
  */
 uint32_t exchange_take_commands(exchange_t *self, command_t *commands, uint32_t most);
 

@@ -37,7 +37,7 @@ static const size_t layout[] = {
     offsetof(segment_control_t, cycles),
     EXCHANGE_PROCESS_COUNT,
     SEGMENT_SNAPSHOTS,
-    EXCHANGE_COMMANDS,
+    SEGMENT_COMMANDS,
     EXCHANGE_ANSWERS,
     EXCHANGE_EVENTS,
     EXCHANGE_CYCLES,

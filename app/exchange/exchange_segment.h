@@ -19,6 +19,7 @@
 #define SEGMENT_LINE 64
 /** Copies written in turn: a reader has three cycles for one copy. */
 #define SEGMENT_SNAPSHOTS 4U
+#define SEGMENT_COMMANDS (EXCHANGE_COMMANDS + EXCHANGE_STOPS) /**< A power of 2. */
 #define SEGMENT_NAME_SIZE 64U
 
 #define SEGMENT_ON_PAGE __attribute__((aligned(SEGMENT_PAGE)))
@@ -50,7 +51,7 @@ typedef struct {
     uint32_t stops_requested SEGMENT_ON_LINE;
     uint32_t stop_port SEGMENT_ON_LINE;     /**< 0: none was noted. */
     uint32_t commands_head SEGMENT_ON_LINE; /**< Commands put in. */
-    command_t commands[EXCHANGE_COMMANDS];
+    command_t commands[SEGMENT_COMMANDS];
     uint32_t answers_tail SEGMENT_ON_LINE; /**< Answers taken. */
     uint32_t cycles_tail SEGMENT_ON_LINE;  /**< Cycle records released. */
     uint32_t checkpoint_requests SEGMENT_ON_LINE;

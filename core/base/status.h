@@ -28,7 +28,7 @@ typedef enum {
     STATUS_SEPARATION_LIMIT =
         16,                /**< The two axial carriages would be too close or too far apart. */
     STATUS_CLOSURE = 17,   /**< Forward kinematics does not return the target; nothing was armed. */
-    STATUS_DISCARDED = 18, /**< The armed motion was discarded; command it again. */
+    STATUS_DISCARDED = 18, /**< Discarded before it was done; command it again. */
     STATUS_EXPIRED = 19,   /**< The pedal was not pressed in time; command it again. */
     STATUS_NO_ANSWER = 20, /**< The controller did not answer in time. */
     STATUS_SWITCH_ZONE = 21,       /**< An axis would end where its limit switch may be active. */

@@ -201,15 +201,16 @@ static void expect_stop(uint32_t number, const command_t *command)
 
 void test_SWR_HTTP_008_a_stop_passes_a_full_lane_and_is_the_last_command_of_its_cycle(void)
 {
+    const command_t emergency = {.kind = COMMAND_WORKPHASE, .argument = WORKPHASE_EMERGENCY};
     command_t taken[4];
 
     fill_lane();
+    TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &emergency));
     const uint32_t number = exchange_request_stop(reader);
-    TEST_ASSERT_EQUAL_UINT32(4U, exchange_take_commands(control, taken, 4U));
-    TEST_ASSERT_EQUAL_UINT32(COMMAND_JOG, taken[2].kind);
-    expect_stop(number, &taken[3]);
-    TEST_ASSERT_EQUAL_UINT32(4U, exchange_take_commands(control, taken, 4U));
-    TEST_ASSERT_EQUAL_UINT32(COMMAND_JOG, taken[3].kind);
+    TEST_ASSERT_EQUAL_UINT32(2U, exchange_take_commands(control, taken, 4U));
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_EMERGENCY, taken[0].argument);
+    expect_stop(number, &taken[1]);
+    TEST_ASSERT_EQUAL_UINT32(0U, exchange_take_commands(control, taken, 4U));
 }
 
 void test_SWR_HTTP_008_a_stop_leaves_where_there_is_room_for_one_command_only(void)
@@ -263,6 +264,97 @@ void test_SWR_HTTP_008_the_numbers_of_stops_may_wrap(void)
     TEST_ASSERT_TRUE(exchange_read_stop_answer(reader, before, &answer));
     TEST_ASSERT_TRUE(exchange_read_stop_answer(reader, after, &answer));
     TEST_ASSERT_FALSE(exchange_read_stop_answer(reader, after + 1U, &answer));
+}
+
+static void send(uint32_t kind, uint32_t argument)
+{
+    const command_t command = {.id = kind, .kind = kind, .argument = argument};
+
+    TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &command));
+}
+
+static void expect_refusals(uint32_t count, workphase_t workphase)
+{
+    answer_t answer;
+
+    for (uint32_t i = 0U; i < count; i++) {
+        TEST_ASSERT_TRUE(exchange_take_answer(reader, &answer));
+        TEST_ASSERT_EQUAL_UINT32(ANSWER_REFUSED, answer.kind);
+        TEST_ASSERT_EQUAL_UINT32(STATUS_DISCARDED, answer.status);
+        TEST_ASSERT_EQUAL_UINT32(1U, answer.is_final);
+        TEST_ASSERT_EQUAL_UINT32(answer.command, answer.id);
+        TEST_ASSERT_EQUAL_UINT32(workphase, answer.workphase);
+    }
+    TEST_ASSERT_FALSE(exchange_take_answer(reader, &answer));
+}
+
+void test_SWR_EXCH_015_stop_or_emergency_behind_a_full_lane_leaves_in_the_next_cycle(void)
+{
+    static const workphase_t stops[] = {WORKPHASE_STOP, WORKPHASE_EMERGENCY};
+    command_t taken[4];
+
+    for (uint32_t i = 0U; i < 2U; i++) {
+        for (uint32_t j = 0U; j < EXCHANGE_COMMANDS; j++) {
+            send((uint32_t)COMMAND_TARGET, 0U);
+        }
+        send((uint32_t)COMMAND_WORKPHASE, (uint32_t)stops[i]);
+        TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, taken, 4U));
+        TEST_ASSERT_EQUAL_UINT32(stops[i], taken[0].argument);
+        TEST_ASSERT_EQUAL_UINT32(COMMAND_SOURCE_IGTL, taken[0].source);
+        expect_refusals(EXCHANGE_COMMANDS, stops[i]);
+    }
+}
+
+void test_SWR_EXCH_015_a_requested_stop_discards_what_came_before_it(void)
+{
+    command_t taken[4];
+
+    for (uint32_t j = 0U; j < EXCHANGE_COMMANDS; j++) {
+        send((uint32_t)COMMAND_WORKPHASE, (uint32_t)WORKPHASE_MOVE_TO_TARGET);
+    }
+    const uint32_t number = exchange_request_stop(reader);
+    TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, taken, 4U));
+    expect_stop(number, &taken[0]);
+    expect_refusals(EXCHANGE_COMMANDS, WORKPHASE_STOP);
+    TEST_ASSERT_EQUAL_UINT32(0U, exchange_take_commands(control, taken, 4U));
+}
+
+void test_SWR_EXCH_015_what_came_after_a_stop_follows_it(void)
+{
+    command_t taken[4];
+
+    send((uint32_t)COMMAND_JOG, 0U);
+    send((uint32_t)COMMAND_WORKPHASE, (uint32_t)WORKPHASE_STOP);
+    send((uint32_t)COMMAND_WORKPHASE, (uint32_t)WORKPHASE_PLANNING);
+    TEST_ASSERT_EQUAL_UINT32(2U, exchange_take_commands(control, taken, 4U));
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_STOP, taken[0].argument);
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_PLANNING, taken[1].argument);
+    expect_refusals(1U, WORKPHASE_STOP);
+}
+
+void test_SWR_EXCH_015_every_stop_is_handed_over_and_none_refused_for_another(void)
+{
+    command_t taken[4];
+
+    for (uint32_t i = 0U; i < (EXCHANGE_COMMANDS + EXCHANGE_STOPS); i++) {
+        send((uint32_t)COMMAND_WORKPHASE, (uint32_t)WORKPHASE_STOP);
+    }
+    const command_t more = {.kind = COMMAND_WORKPHASE, .argument = WORKPHASE_STOP};
+    TEST_ASSERT_EQUAL(STATUS_BUSY, exchange_send_command(reader, &more));
+    for (uint32_t i = 0U; i < ((EXCHANGE_COMMANDS + EXCHANGE_STOPS) / 4U); i++) {
+        TEST_ASSERT_EQUAL_UINT32(4U, exchange_take_commands(control, taken, 4U));
+    }
+    expect_refusals(0U, WORKPHASE_STOP);
+}
+
+void test_SWR_EXCH_015_a_lane_that_tells_nonsense_is_not_followed_out_of_it(void)
+{
+    command_t taken[4];
+
+    reader->segment->others.commands_head = UINT32_MAX;
+    (void)exchange_request_stop(reader);
+    TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, taken, 1U));
+    TEST_ASSERT_EQUAL_UINT32(4U, exchange_take_commands(control, taken, 4U));
 }
 
 static void *request_stops(void *unused)
