@@ -54,6 +54,8 @@ void stage_begin(stage_t *self, rig_t *rig, play_t play, uint32_t seed)
     }
     if ((play == PLAY_RANDOM) || (play == PLAY_JOGS)) {
         set_random_scene(self, rig);
+    } else if (play == PLAY_TAPS) {
+        foe_begin(&self->foe, rig, seed);
     } else {
         rig_start_targeted(rig);
     }
@@ -132,6 +134,11 @@ static void send_phase(stage_t *self, rig_t *rig, workphase_t phase)
 /* Mostly in reach. */
 static rigid_t some_target(stage_t *self)
 {
+    if ((self->play == PLAY_TAPS) && (self->foe.wish == FOE_ASKS_NEAR)) {
+        return rig_pose((int32_t)random_below(self, 9U) * 250000,
+                        190000000 + (int32_t)random_below(self, 9U) * 250000,
+                        60000000 + (int32_t)random_below(self, 9U) * 250000);
+    }
     return rig_pose(((int32_t)random_below(self, 30U) - 15) * 1000000,
                     175000000 + (int32_t)random_below(self, 25U) * 1000000,
                     40000000 + (int32_t)random_below(self, 40U) * 1000000);
@@ -348,14 +355,39 @@ static void do_next_step(stage_t *self, rig_t *rig)
     }
 }
 
-void stage_play(stage_t *self, rig_t *rig)
+/* Every axis is homed, nothing is armed, and nothing is in the way of a jog. */
+static bool is_free(const snapshot_t *shown)
 {
-    self->cycle++;
-    if (self->cycle == self->fault_cycle) {
-        disturb(self, rig);
-        self->has_fault = 1U;
-        self->fault_cycle += 200U + random_below(self, 6000U);
+    return (shown->is_homed != 0U) && (shown->order == (uint32_t)WORKPHASES_ORDER_NONE) &&
+           ((shown->next_step == (uint32_t)NEXT_STEP_TARGETING) ||
+            ((shown->next_step >= (uint32_t)NEXT_STEP_REGISTER) &&
+             (shown->next_step <= (uint32_t)NEXT_STEP_NOTHING)));
+}
+
+/* What the console asks for, or jogs where it asks for none. */
+static void do_wish(stage_t *self, rig_t *rig)
+{
+    self->wait_cycles = 20U + random_below(self, 120U);
+    if ((self->foe.wish < FOE_ASKS_JOGS) || !is_free(&rig->outputs.snapshot)) {
+        do_next_step(self, rig);
+    } else if (rig->outputs.snapshot.workphase != (uint32_t)WORKPHASE_MANUAL) {
+        send_phase(self, rig, WORKPHASE_MANUAL);
+    } else {
+        rig_box(rig, "pedal release");
+        send(self, rig, foe_jog(&self->foe, rig));
     }
+}
+
+static void let_foe_play(stage_t *self, rig_t *rig)
+{
+    if ((self->play == PLAY_TAPS) && foe_play(&self->foe, rig)) {
+        self->has_fault = 1U;
+    }
+}
+
+/* Before the next cycle, and before the enemy. */
+static void play_operator(stage_t *self, rig_t *rig)
+{
     if (rig->box.button_pressed && !is_shown_true(rig)) {
         rig_box(rig, "button release");
     }
@@ -364,11 +396,25 @@ void stage_play(stage_t *self, rig_t *rig)
         return;
     }
     self->wait_cycles = 30U + random_below(self, 600U);
-    if ((self->play == PLAY_JOGS) && (random_below(self, 5U) != 0U)) {
+    if (self->play == PLAY_TAPS) {
+        do_wish(self, rig);
+    } else if ((self->play == PLAY_JOGS) && (random_below(self, 5U) != 0U)) {
         do_jog(self, rig);
     } else if (self->is_chaotic != 0U) {
         do_anything(self, rig);
     } else {
         do_next_step(self, rig);
     }
+}
+
+void stage_play(stage_t *self, rig_t *rig)
+{
+    self->cycle++;
+    if (self->cycle == self->fault_cycle) {
+        disturb(self, rig);
+        self->has_fault = 1U;
+        self->fault_cycle += 200U + random_below(self, 6000U);
+    }
+    play_operator(self, rig);
+    let_foe_play(self, rig);
 }

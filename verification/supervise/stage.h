@@ -3,6 +3,7 @@
 #ifndef BORESIGHT_STAGE_H
 #define BORESIGHT_STAGE_H
 
+#include "foe.h"
 #include "rig.h"
 
 #include <stdbool.h>
@@ -14,7 +15,8 @@ typedef enum {
     PLAY_CORNERS = 1,     /**< Moves to targets at the ends of the axes' ways; no fault. */
     PLAY_INTERRUPTED = 2, /**< Moves under a pedal that is released again and again; no fault. */
     PLAY_SPREAD = 3,      /**< Moves of motors up to a fifth faster or slower than their table. */
-    PLAY_JOGS = 4         /**< Anything, most of it jogs, before homing and after it; no fault. */
+    PLAY_JOGS = 4,        /**< Anything, most of it jogs, before homing and after it; no fault. */
+    PLAY_TAPS = 5         /**< An enemy at the pedal and the fault keyboard: one plan a scene. */
 } play_t;
 
 /** State of the players. */
@@ -27,6 +29,7 @@ typedef struct {
     uint32_t wants_target; /**< 0 or 1: the last target was reached, the next is to be sent. */
     uint32_t is_chaotic;   /**< 1: the operator does anything at any time. */
     uint32_t cycle;
+    foe_t foe; /**< Of PLAY_TAPS. */
 } stage_t;
 
 /** Sets the scene `seed`: the rig fresh, homed or targeted, an operator and what may break. */

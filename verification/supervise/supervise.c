@@ -4,11 +4,12 @@
  * The real controller on the simulated control box, in simulated time, with an operator, a world
  * and faults by chance, and a witness who knows where the axes truly stand.
  *
- *     supervise COUNT [SEED [random|corners|interrupted|spread|jogs|flips]]
+ *     supervise COUNT [SEED [random|corners|interrupted|spread|jogs|taps|flips]]
  *
  * Plays COUNT scenes from SEED on (1), or as many as COUNT moves need. Prints how often each
  * sentence was broken, where first, and the worst figure. Ends with 1 when one was broken. With
- * "flips", COUNT times up to 3 bits of a word of the controller's memory change in random scenes.
+ * "taps" also tells the enemy's plan of each such scene. With "flips", COUNT times up to 3 bits of
+ * a word of the controller's memory change in random scenes.
  */
 #include "flips.h"
 #include "scene.h"
@@ -20,7 +21,9 @@
 #include <string.h>
 
 #define SCENE_CYCLES 20000U
-#define FLIPS 5              /* After the plays of a stage. */
+#define FLIPS 6 /* After the plays of a stage. */
+#define TAPS_CYCLES 40000U
+#define PLAN_SIZE 256U
 #define MOVES_CYCLES 120000U /* Of a scene that is all moves. */
 
 static scene_t scene;
@@ -43,18 +46,33 @@ void contract_broken(const char *module, uint32_t id)
 /* COUNT is of scenes, not of moves. */
 static bool is_of_scenes(play_t play)
 {
-    return (play == PLAY_RANDOM) || (play == PLAY_JOGS);
+    return (play == PLAY_RANDOM) || (play == PLAY_JOGS) || (play == PLAY_TAPS);
+}
+
+static uint32_t cycles_of(play_t play)
+{
+    const uint32_t cycles = is_of_scenes(play) ? SCENE_CYCLES : MOVES_CYCLES;
+    return (play == PLAY_TAPS) ? TAPS_CYCLES : cycles;
 }
 
 static void play_scene(play_t play, uint32_t seed)
 {
     scene_begin(&scene, play, seed);
-    for (uint32_t i = 0U; i < (is_of_scenes(play) ? SCENE_CYCLES : MOVES_CYCLES); i++) {
+    for (uint32_t i = 0U; i < cycles_of(play); i++) {
         scene_cycle(&scene);
     }
 }
 
-static bool report(uint32_t count)
+/* What the enemy of the scene `seed` does. */
+static void tell_plan(uint32_t seed)
+{
+    char text[PLAN_SIZE];
+    scene_begin(&scene, PLAY_TAPS, seed);
+    foe_describe(&scene.stage.foe, text, sizeof text);
+    printf("    scene %u: %s\n", (unsigned)seed, text);
+}
+
+static bool report(play_t play, uint32_t count)
 {
     bool is_good = true;
     printf(
@@ -71,6 +89,9 @@ static bool report(uint32_t count)
             printf("broken in %u, first in scene %u, cycle %u, axis %s; worst %.3f\n",
                    (unsigned)verdict->episodes, (unsigned)verdict->seed, (unsigned)verdict->cycle,
                    robot_neuro.axes[verdict->axis].name, verdict->worst);
+            if (play == PLAY_TAPS) {
+                tell_plan(verdict->seed);
+            }
         }
     }
     return is_good;
@@ -79,9 +100,9 @@ static bool report(uint32_t count)
 /* Number of the play `name`, or -1. */
 static int play_of(const char *name)
 {
-    static const char *const names[] = {"random", "corners", "interrupted",
-                                        "spread", "jogs",    "flips"};
-    for (int i = 0; i < 6; i++) {
+    static const char *const names[] = {"random", "corners", "interrupted", "spread",
+                                        "jogs",   "taps",    "flips"};
+    for (int i = 0; i < 7; i++) {
         if (strcmp(name, names[i]) == 0) {
             return i;
         }
@@ -98,7 +119,7 @@ int main(int count, char **arguments)
     if ((wanted == 0U) || (play < 0)) {
         (void)fprintf(
             stderr,
-            "usage: supervise COUNT [SEED [random|corners|interrupted|spread|jogs|flips]]\n");
+            "usage: supervise COUNT [SEED [random|corners|interrupted|spread|jogs|taps|flips]]\n");
         return 2;
     }
     UnityBegin("supervise.c");
@@ -109,5 +130,5 @@ int main(int count, char **arguments)
         play_scene((play_t)play, first + scenes);
         scenes++;
     }
-    return report(scenes) ? 0 : 1;
+    return report((play_t)play, scenes) ? 0 : 1;
 }
