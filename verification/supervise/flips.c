@@ -76,7 +76,6 @@ static void go_on(scene_t *scene, const flip_t *flip)
     int end = (int)FLIP_HARMLESS;
     bool is_seen = false;
     witness_forgive(&scene->witness);
-    scene->stage.has_fault = 1U;
     do_flip(&scene->rig, flip);
     for (uint32_t i = 0U; i < CYCLES_AFTER; i++) {
         rig_forget(&scene->rig);

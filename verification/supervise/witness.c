@@ -184,16 +184,36 @@ static void remember_target(witness_t *self, const rig_t *rig)
     self->has_looked = true;
 }
 
-static void judge_reached(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_COUNT])
+/* What is shown is at the target, and what is true no farther from it than a broken part may hide.
+ */
+static double beyond_target(const witness_t *self, const rig_t *rig, uint32_t axis, double truth,
+                            bool is_disturbed)
 {
-    if (rig->outputs.snapshot.next_step != (uint32_t)NEXT_STEP_NOTHING) {
-        return;
+    const double hidden = is_length(axis) ? BELIEVED_MM : BELIEVED_DEG;
+    const double shown = rig->outputs.snapshot.axes[axis].position_ticks;
+    const double target = self->target_ticks[axis];
+    const double away = fabs(measure(axis, truth - target));
+    const bool is_there =
+        fabs(measure(axis, shown - target)) <= (is_length(axis) ? REACHED_MM : REACHED_DEG);
+    const double most =
+        (is_length(axis) ? REACHED_MM : REACHED_DEG) + (is_disturbed ? hidden : 0.0);
+    return (is_there && is_homed(rig, axis) && (away <= most)) ? 0.0 : away;
+}
+
+static void judge_reached(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_COUNT],
+                          bool is_disturbed)
+{
+    const bool is_said = rig->outputs.snapshot.next_step == (uint32_t)NEXT_STEP_NOTHING;
+    uint32_t axis = 0U;
+    double away = 0.0;
+    for (uint32_t i = 0U; is_said && (i < ROBOT_AXIS_COUNT); i++) {
+        const double beyond = beyond_target(self, rig, i, truth[i], is_disturbed);
+        axis = (beyond > away) ? i : axis;
+        away = fmax(away, beyond);
     }
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
-        const double away = fabs(measure(i, truth[i] - self->target_ticks[i]));
-        if (!is_homed(rig, i) || (away > (is_length(i) ? REACHED_MM : REACHED_DEG))) {
-            complain(self, rig, SENTENCE_REACHED, i, away);
-        }
+    self->untrue_cycles = (away > 0.0) ? (self->untrue_cycles + 1U) : 0U;
+    if (self->untrue_cycles > OFF_CYCLES) {
+        complain(self, rig, SENTENCE_REACHED, axis, away);
     }
 }
 
@@ -329,7 +349,7 @@ void witness_look(witness_t *self, const rig_t *rig, const double truth[ROBOT_AX
     }
     judge_end(self, rig);
     judge_needle(self, rig, truth[AXIS_INSERTION]);
-    judge_reached(self, rig, truth);
+    judge_reached(self, rig, truth, is_disturbed);
     judge_distance(self, rig, truth, is_disturbed);
     judge_jog(self, rig, truth[AXIS_INSERTION], is_disturbed);
     judge_events(self, rig, is_disturbed);

@@ -55,6 +55,7 @@ typedef struct {
     double rest[ROBOT_AXIS_COUNT][WITNESS_SECOND]; /**< True positions of the last second. */
     uint32_t off_cycles[ROBOT_AXIS_COUNT];
     uint32_t astray_cycles[ROBOT_AXIS_COUNT];
+    uint32_t untrue_cycles;                        /**< An arrival is shown that is none. */
     double places[ROBOT_AXIS_COUNT][WITNESS_MEAN]; /**< True positions of the last cycles. */
     uint32_t looks;
     uint32_t moving_cycles;
