@@ -223,7 +223,16 @@ static double slack_mm(bool is_disturbed)
     return is_disturbed ? BELIEVED_MM : HOME_MM;
 }
 
-/* Homing one of them, or jogging it before, may bring them beyond; then they come back. */
+/* An order drives a carriage, as it should: neither runs by itself. */
+static bool is_carriage_ordered(const rig_t *rig)
+{
+    const bool is_any = is_driven(rig, AXIS_HEAD) || is_driven(rig, AXIS_FEET);
+    return is_any && (rig->box.axes[AXIS_HEAD].motor.fault != SIM_MOTOR_RUNS) &&
+           (rig->box.axes[AXIS_FEET].motor.fault != SIM_MOTOR_RUNS);
+}
+
+/* Who jogs a carriage that is not known may bring it beyond, and so may a motor that runs by
+ * itself; then they come back. No other order takes them farther out, not even homing. */
 static void judge_distance(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_COUNT],
                            bool is_disturbed)
 {
@@ -231,10 +240,10 @@ static void judge_distance(witness_t *self, const rig_t *rig, const double truth
         APART_HOME_MM + measure(AXIS_HEAD, truth[AXIS_HEAD]) - measure(AXIS_FEET, truth[AXIS_FEET]);
     const double beyond = fmax(0.0, fmax(APART_LEAST_MM - apart, apart - APART_MOST_MM));
     const bool is_known = !is_doubted(rig, AXIS_HEAD) && !is_doubted(rig, AXIS_FEET);
-    if (!is_known || !self->was_apart_known) {
+    const bool is_jogged = rig->outputs.snapshot.workphase == (uint32_t)WORKPHASE_MANUAL;
+    if (!is_known && (is_jogged || !is_carriage_ordered(rig))) {
         self->apart_beyond = beyond;
     }
-    self->was_apart_known = is_known;
     self->apart_beyond = fmin(self->apart_beyond, beyond);
     if (beyond > (self->apart_beyond + slack_mm(is_disturbed))) {
         complain(self, rig, SENTENCE_APART, AXIS_HEAD, beyond - self->apart_beyond);

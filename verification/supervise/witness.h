@@ -65,7 +65,6 @@ typedef struct {
     bool has_looked;
     bool was_homing;
     double apart_beyond; /**< How far beyond their distance the carriages may be, mm. */
-    bool was_apart_known;
 } witness_t;
 
 /** Begins an episode; the verdicts stay. */
