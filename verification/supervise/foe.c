@@ -9,9 +9,11 @@
 #include <string.h>
 
 #define ORDER_SIZE 48U
-#define LOST_CYCLES 60U    /* A card is silent for so long. */
-#define MERCY_CYCLES 3000U /* Until it is broken again. */
-#define STRAY_CYCLES 200U  /* An impostor stays pressed after homing. */
+#define LOST_CYCLES 60U          /* A card is silent for so long. */
+#define MERCY_CYCLES 3000U       /* Until it is broken again. */
+#define CARRIAGES_WAY_TICKS 5200 /* 66 mm: at 77 of their 75 to 146. */
+#define CARRIAGES_OUT_TICKS 2500.0
+#define STRAY_CYCLES 200U /* An impostor stays pressed after homing. */
 
 enum { PART_ENCODER = 0, PART_MOTOR = 1, PART_SWITCH = 2, PART_LOAD = 3 };
 
@@ -131,7 +133,7 @@ static void plan_carriages(foe_t *self)
     self->start = 1U;
     self->wish = FOE_ASKS_APART;
     self->lost_axis = (below(self, 4U) == 0U) ? (uint32_t)AXIS_FEET : (uint32_t)AXIS_HEAD;
-    self->lose_cycle = between(self, 6000U, 20000U);
+    self->lose_cycle = between(self, 6000U, 18000U);
 }
 
 static void plan_rest(foe_t *self)
@@ -264,8 +266,13 @@ static void work_pedal(foe_t *self, rig_t *rig)
     rig_box(rig, self->is_pressing ? "pedal b close" : "pedal b open");
 }
 
-static void lose(const foe_t *self, rig_t *rig)
+static void lose(foe_t *self, rig_t *rig)
 {
+    const double feet_ticks = rig->box.axes[AXIS_FEET].motor.position_ticks;
+    if ((self->plan == FOE_CARRIAGES) && (self->lose_cycle == self->cycle) &&
+        (feet_ticks > -CARRIAGES_OUT_TICKS)) {
+        self->lose_cycle++;
+    }
     if (self->lose_cycle == self->cycle) {
         order(rig, "card", self->lost_axis, "silent");
     }
@@ -315,24 +322,44 @@ bool foe_play(foe_t *self, rig_t *rig)
     return self->is_broken || (self->cycle >= self->lose_cycle);
 }
 
+static int32_t clamped(const axis_config_t *axis, int32_t ticks)
+{
+    const int32_t least = axis->target_minimum_ticks;
+    const int32_t most = axis->target_maximum_ticks;
+    return (ticks < least) ? least : (ticks > most) ? most : ticks;
+}
+
+/* The carriages count alike. They follow each other out, the head first: as far from the feet as it
+ * may, then the feet close behind. */
+static command_t carriage_jog(foe_t *self, const rig_t *rig)
+{
+    const int32_t head = rig->outputs.snapshot.axes[AXIS_HEAD].position_ticks;
+    const int32_t feet = rig->outputs.snapshot.axes[AXIS_FEET].position_ticks;
+    const int32_t way = (int32_t)between(self, 1U, CARRIAGES_WAY_TICKS / 2U);
+    const bool is_head = head > (feet - (CARRIAGES_WAY_TICKS / 2));
+    const uint32_t index = is_head ? (uint32_t)AXIS_HEAD : (uint32_t)AXIS_FEET;
+    const int32_t ticks = is_head ? (feet - (CARRIAGES_WAY_TICKS / 2) - way) : (head + (way / 2));
+    return (command_t){.kind = (uint32_t)COMMAND_JOG,
+                       .argument = index,
+                       .value = clamped(&robot_neuro.axes[index], ticks)};
+}
+
 command_t foe_jog(foe_t *self, const rig_t *rig)
 {
-    command_t command = {.kind = (uint32_t)COMMAND_JOG, .argument = self->axis};
     if (self->wish == FOE_ASKS_APART) {
-        command.argument = (below(self, 2U) == 0U) ? (uint32_t)AXIS_HEAD : (uint32_t)AXIS_FEET;
+        return carriage_jog(self, rig);
     }
-    const axis_config_t *const axis = &robot_neuro.axes[command.argument];
+    const axis_config_t *const axis = &robot_neuro.axes[self->axis];
     const uint32_t span = (uint32_t)(axis->target_maximum_ticks - axis->target_minimum_ticks);
-    const int32_t at = rig->outputs.snapshot.axes[command.argument].position_ticks;
+    const int32_t at = rig->outputs.snapshot.axes[self->axis].position_ticks;
+    int32_t ticks = axis->target_minimum_ticks + (int32_t)below(self, span + 1U);
     if (self->wish == FOE_ASKS_SHORT) {
-        command.value = at + ((at > ((axis->minimum_ticks + axis->maximum_ticks) / 2)) ? -1 : 1) *
-                                 (int32_t)between(self, 1U, (span / 500U) + 8U);
-    } else if (self->wish == FOE_ASKS_APART) {
-        command.value = axis->target_minimum_ticks + (int32_t)below(self, (span / 2U) + 1U);
-    } else {
-        command.value = axis->target_minimum_ticks + (int32_t)below(self, span + 1U);
+        const int32_t way = (int32_t)between(self, 1U, (span / 500U) + 8U);
+        const bool is_high = at > ((axis->minimum_ticks + axis->maximum_ticks) / 2);
+        self->is_outwards = (below(self, 16U) == 0U) ? !is_high : self->is_outwards;
+        ticks = clamped(axis, at + (self->is_outwards ? way : -way));
     }
-    return command;
+    return (command_t){.kind = (uint32_t)COMMAND_JOG, .argument = self->axis, .value = ticks};
 }
 
 static void add(char *text, size_t size, const char *format, ...)

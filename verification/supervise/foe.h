@@ -75,7 +75,8 @@ typedef struct {
     uint32_t mercy_cycles;
     bool is_pressing;
     uint32_t pedal_cycles;
-    uint32_t leg; /**< axis_reference_t of the cycle before. */
+    bool is_outwards; /**< Short jogs go upwards. */
+    uint32_t leg;     /**< axis_reference_t of the cycle before. */
     uint32_t leg_cycles;
     double edge_ticks;
 } foe_t;
