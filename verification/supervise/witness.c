@@ -223,14 +223,10 @@ static double slack_mm(bool is_disturbed)
     return is_disturbed ? BELIEVED_MM : HOME_MM;
 }
 
-/* An order that is no jog moves, and no carriage runs by itself. */
-static bool is_carriage_ordered(const rig_t *rig)
+static bool is_carriage_running(const rig_t *rig)
 {
-    const snapshot_t *const shown = &rig->outputs.snapshot;
-    return (shown->order == (uint32_t)WORKPHASES_ORDER_MOVING) &&
-           (shown->workphase != (uint32_t)WORKPHASE_MANUAL) &&
-           (rig->box.axes[AXIS_HEAD].motor.fault != SIM_MOTOR_RUNS) &&
-           (rig->box.axes[AXIS_FEET].motor.fault != SIM_MOTOR_RUNS);
+    return (rig->box.axes[AXIS_HEAD].motor.fault == SIM_MOTOR_RUNS) ||
+           (rig->box.axes[AXIS_FEET].motor.fault == SIM_MOTOR_RUNS);
 }
 
 /* Who jogs a carriage that is not known may bring it beyond, and so may a motor that runs by
@@ -242,7 +238,8 @@ static void judge_distance(witness_t *self, const rig_t *rig, const double truth
         APART_HOME_MM + measure(AXIS_HEAD, truth[AXIS_HEAD]) - measure(AXIS_FEET, truth[AXIS_FEET]);
     const double beyond = fmax(0.0, fmax(APART_LEAST_MM - apart, apart - APART_MOST_MM));
     const bool is_known = !is_doubted(rig, AXIS_HEAD) && !is_doubted(rig, AXIS_FEET);
-    if (!is_known && !is_carriage_ordered(rig)) {
+    const bool is_jogged = rig->outputs.snapshot.workphase == (uint32_t)WORKPHASE_MANUAL;
+    if (!is_known && (is_jogged || is_carriage_running(rig))) {
         self->apart_beyond = beyond;
     }
     self->apart_beyond = fmin(self->apart_beyond, beyond);
