@@ -17,6 +17,7 @@ void sim_motor_init(sim_motor_t *self, const axis_config_t *axis, double positio
 
     *self = (sim_motor_t){.full_speed_ticks_per_s = axis->full_speed_ticks_per_s,
                           .asymmetry = asymmetry,
+                          .rise_share = RISE_SHARE,
                           .minimum_duty = axis->minimum_duty,
                           .maximum_duty = axis->maximum_duty,
                           .lowest_ticks = (double)axis->minimum_ticks - beyond,
@@ -68,13 +69,14 @@ double sim_motor_steady_speed(const sim_motor_t *self, const card_drive_t *drive
 
 static bool is_gaining(double speed, double steady)
 {
-    return (speed >= 0.0) ? (steady > speed) : (steady < speed);
+    const double most = (speed < 0.0) ? -speed : speed;
+    return (steady > most) || (steady < -most);
 }
 
-static double approach(double speed, double steady)
+static double approach(const sim_motor_t *self, double speed, double steady)
 {
     if ((speed * steady >= 0.0) && is_gaining(speed, steady)) {
-        return speed + (steady - speed) * RISE_SHARE;
+        return speed + (steady - speed) * self->rise_share;
     }
     if (speed * steady < 0.0) {
         /* A reversal first stops: the fall ends at zero, from where the new direction rises. */
@@ -94,7 +96,7 @@ void sim_motor_step(sim_motor_t *self, const card_drive_t *drive, bool is_powere
     }
     const double steady = (self->fault == SIM_MOTOR_RUNS) ? self->full_speed_ticks_per_s / 2.0
                                                           : sim_motor_steady_speed(self, drive);
-    self->speed_ticks_per_s = approach(self->speed_ticks_per_s, steady);
+    self->speed_ticks_per_s = approach(self, self->speed_ticks_per_s, steady);
     self->position_ticks += self->speed_ticks_per_s * STEP_S;
     if (self->position_ticks > self->highest_ticks) {
         self->position_ticks = self->highest_ticks;

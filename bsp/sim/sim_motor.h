@@ -32,6 +32,7 @@ typedef struct {
     double full_speed_ticks_per_s;
     double asymmetry;    /**< Speed is (1 + asymmetry) times nominal upwards, (1 - asymmetry)
                             downwards. */
+    double rise_share;   /**< Part of what is missing of the speed that it gains in a step. */
     double minimum_duty; /**< Duty that turns the motor at SIM_MOTOR_SLOWEST of full speed. */
     double maximum_duty; /**< Duty of full speed. */
     double lowest_ticks; /**< Hard stops. */

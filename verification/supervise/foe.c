@@ -103,15 +103,13 @@ static void plan_impostor(foe_t *self)
     self->axis = some_switched(self);
     self->part = (uint32_t)PART_SWITCH;
     self->fault = (below(self, 6U) == 0U) ? between(self, 1U, 2U) : 0U;
-    self->start = (below(self, 4U) == 0U) ? 0U : 2U;
+    self->start = 2U; /* At the first homing nothing is known that it could contradict. */
     self->wish = (below(self, 2U) == 0U) ? FOE_ASKS_TARGETS : FOE_ASKS_JOGS;
     self->approach_ms = below(self, 3000U);
     self->free_ms = below(self, 80U);
     self->past_ticks = (int32_t)below(self, 15U) - 7;
-    if (self->start != 0U) {
-        self->lose_cycle = between(self, 2000U, 12000U);
-        self->lost_axis = self->axis;
-    }
+    self->lose_cycle = between(self, 2000U, 12000U);
+    self->lost_axis = self->axis;
 }
 
 static void plan_motor(foe_t *self)
@@ -163,8 +161,9 @@ static void start(foe_t *self, rig_t *rig)
     } else {
         rig_start_targeted(rig);
     }
-    /* Some motors are as their table says, others nearly. */
-    for (uint32_t i = 0U; (i < ROBOT_AXIS_COUNT) && (below(self, 2U) == 0U); i++) {
+    /* Some motors are as their table says, others nearly; but none becomes another one later. */
+    const uint32_t count = (self->start == 0U) ? ROBOT_AXIS_COUNT : 0U;
+    for (uint32_t i = 0U; (i < count) && (below(self, 2U) == 0U); i++) {
         rig->box.axes[i].motor.full_speed_ticks_per_s *=
             1.0 + (0.2 * sim_random_signed(&self->random));
     }
@@ -319,7 +318,7 @@ bool foe_play(foe_t *self, rig_t *rig)
     } else {
         keep_rhythm(self, rig);
     }
-    return self->is_broken || (self->cycle >= self->lose_cycle);
+    return self->is_broken || (self->on_ms != 0U) || (self->cycle >= self->lose_cycle);
 }
 
 static int32_t clamped(const axis_config_t *axis, int32_t ticks)

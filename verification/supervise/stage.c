@@ -41,8 +41,11 @@ static void set_random_scene(stage_t *self, rig_t *rig)
 static void spread_motors(stage_t *self, rig_t *rig)
 {
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
-        rig->box.axes[i].motor.full_speed_ticks_per_s *=
-            0.8 + ((double)random_below(self, 401U) / 1000.0);
+        sim_motor_t *const motor = &rig->box.axes[i].motor;
+        const double span = motor->maximum_duty - motor->minimum_duty;
+        motor->full_speed_ticks_per_s *= 0.8 + ((double)random_below(self, 401U) / 1000.0);
+        motor->rise_share *= 0.9 + ((double)random_below(self, 211U) / 1000.0);
+        motor->minimum_duty += span * (((double)random_below(self, 11U) - 5.0) / 1000.0);
     }
 }
 
@@ -54,13 +57,13 @@ void stage_begin(stage_t *self, rig_t *rig, play_t play, uint32_t seed)
     }
     if ((play == PLAY_RANDOM) || (play == PLAY_JOGS)) {
         set_random_scene(self, rig);
+    } else if (play == PLAY_SPREAD) {
+        rig_start(rig);
+        spread_motors(self, rig);
     } else if (play == PLAY_TAPS) {
         foe_begin(&self->foe, rig, seed);
     } else {
         rig_start_targeted(rig);
-    }
-    if (play == PLAY_SPREAD) {
-        spread_motors(self, rig);
     }
 }
 
@@ -293,15 +296,16 @@ static bool is_shown_true(const rig_t *rig)
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
         const axis_config_t *const config = &robot_neuro.axes[i];
         const snapshot_axis_t *const shown = &rig->outputs.snapshot.axes[i];
+        const axis_t *const axis = &rig->controller.axes[i];
         const bool is_asked = (shown->reference == (uint32_t)AXIS_REFERENCE_UNVERIFIED) ||
-                              axis_needs_confirmation(&rig->controller.axes[i], config);
+                              axis_needs_confirmation(axis, config) || axis_is_contradicted(axis);
         const double away = fabs(truth[i] - (double)shown->position_ticks);
         is_true = is_true && (!is_asked || (away <= (double)supervision_rest_ticks(config)));
     }
     return is_true;
 }
 
-/* An operator who is not sure lets go, and leaves the scene waiting. */
+/* An operator who sees another place than is shown lets go, and homes again if that is allowed. */
 static void confirm(stage_t *self, rig_t *rig)
 {
     if (rig->box.button_pressed) {
@@ -310,7 +314,7 @@ static void confirm(stage_t *self, rig_t *rig)
         rig_box(rig, "button press");
         self->wait_cycles += (LIMIT_CONFIRM_HOLD_US / LIMIT_CYCLE_US);
     } else {
-        /* It waits. */
+        send_phase(self, rig, WORKPHASE_START_UP);
     }
 }
 
