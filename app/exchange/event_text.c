@@ -89,6 +89,8 @@ void event_text_subject(const event_t *event, char *text, size_t size)
     case EVENT_SCAN_DRIFT:
     case EVENT_AXIS_RESTORED:
     case EVENT_AXIS_CONTRADICTED:
+    case EVENT_HOMING_BARRED:
+    case EVENT_AXIS_SWITCH_ELSEWHERE:
         (void)snprintf(text, size, "%s", axis_name(event->subject));
         break;
     case EVENT_CHART_REPAIRED:

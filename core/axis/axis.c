@@ -2,6 +2,7 @@
 #include "axis.h"
 
 #include "fixed.h"
+#include "requirement_limits.h"
 
 #include <stddef.h>
 #include <string.h>
@@ -34,6 +35,14 @@ static bool has_switch(const axis_config_t *config)
     return config->home_method == (uint8_t)HOME_BY_SWITCH;
 }
 
+/* How far switch and counts may differ. */
+static int64_t switch_margin_ticks(const axis_config_t *config)
+{
+    const bool is_length = config->unit == (uint8_t)AXIS_UNIT_MM;
+    const int64_t margin = (int64_t)(is_length ? LIMIT_SWITCH_MARGIN_NM : LIMIT_SWITCH_MARGIN_BAM);
+    return (margin * 65536) / config->unit_per_tick_q16;
+}
+
 /* The axis stands at `position_ticks`; what was counted of the way stays true. */
 static void set_position(axis_t *self, int32_t position_ticks)
 {
@@ -41,8 +50,10 @@ static void set_position(axis_t *self, int32_t position_ticks)
         fixed_saturate((int64_t)position_ticks - (int64_t)self->encoder.position_ticks);
     encoder_set_position(&self->encoder, position_ticks);
     supervision_shift(&self->supervision, self->home_correction_ticks);
+    supervision_settle(&self->supervision);
     drift_audit_settle(&self->drift, position_ticks);
     self->setpoint_ticks = position_ticks;
+    self->has_place = 1U;
     homing_forget(&self->homing);
 }
 
@@ -52,7 +63,8 @@ static uint32_t dispatch(axis_t *self, const axis_config_t *config, axis_event_t
 {
     const axis_inputs_t inputs = {.is_fault_present = false,
                                   .is_switch_active = is_switch_active(self),
-                                  .has_switch = has_switch(config)};
+                                  .is_confirmable =
+                                      !has_switch(config) || axis_is_contradicted(self)};
     const uint32_t actions = axis_chart_dispatch(&self->chart, &inputs, event);
     if ((actions & AXIS_ACTION_SET_POSITION) == 0U) {
         return 0U;
@@ -86,13 +98,46 @@ static uint32_t fail(axis_t *self, uint32_t found)
     return found;
 }
 
+/* The switch was met at home. Where the counts had that, the axis is homed; elsewhere, one of the
+ * two is wrong. */
+static uint32_t arrive(axis_t *self, const axis_config_t *config)
+{
+    const int64_t away = (int64_t)config->home_ticks - (int64_t)self->encoder.position_ticks +
+                         (int64_t)self->elsewhere_ticks;
+    if ((self->has_place != 0U) && (magnitude(away) > switch_margin_ticks(config))) {
+        set_position(self, config->home_ticks);
+        self->elsewhere_ticks = fixed_saturate(away);
+        self->contradiction_ticks = self->elsewhere_ticks;
+        return fail(self, AXIS_NOTE_SWITCH_ELSEWHERE);
+    }
+    self->elsewhere_ticks = 0;
+    return dispatch(self, config, AXIS_EVENT_SWITCH_ON, config->home_ticks);
+}
+
+/* A homed axis knows where its switch is. */
+static uint32_t compare_switch(axis_t *self, const axis_config_t *config)
+{
+    const int64_t away = homing_way_from_switch(config, self->encoder.position_ticks);
+    const int64_t margin = switch_margin_ticks(config);
+    const int64_t farthest = (int64_t)config->switch_hysteresis_ticks + margin;
+    const bool is_wrong = is_switch_active(self) ? (away > farthest) : (away < -margin);
+    if (!has_switch(config) || !axis_is_homed(self) || !is_wrong) {
+        return 0U;
+    }
+    self->contradiction_ticks = fixed_saturate(away);
+    return fail(self, AXIS_NOTE_SWITCH_ELSEWHERE);
+}
+
 static uint32_t follow_switch(axis_t *self, const axis_config_t *config)
 {
+    const axis_reference_t leg = self->chart.reference;
     uint32_t notes = 0U;
-    switch (homing_see(&self->homing, config, self->chart.reference, self->encoder.position_ticks,
+    switch (homing_see(&self->homing, config, leg, self->encoder.position_ticks,
                        is_switch_active(self))) {
     case HOMING_SWITCH:
-        notes = dispatch(self, config, AXIS_EVENT_SWITCH_ON, config->home_ticks);
+        notes = (leg == AXIS_REFERENCE_LATCH)
+                    ? arrive(self, config)
+                    : dispatch(self, config, AXIS_EVENT_SWITCH_ON, config->home_ticks);
         break;
     case HOMING_CLEAR:
         tell(self, AXIS_EVENT_CLEAR_OF_SWITCH, false);
@@ -104,7 +149,7 @@ static uint32_t follow_switch(axis_t *self, const axis_config_t *config)
     default:
         break;
     }
-    return notes;
+    return notes | compare_switch(self, config);
 }
 
 uint32_t axis_observe(axis_t *self, const axis_config_t *config, const card_report_t *report)
@@ -133,7 +178,7 @@ void axis_enable(axis_t *self, bool is_fault_present)
 {
     tell(self, AXIS_EVENT_ENABLE, is_fault_present);
     if (axis_is_enabled(self)) {
-        supervision_reset(&self->supervision);
+        supervision_reset(&self->supervision, axis_is_homed(self));
     }
 }
 
@@ -168,7 +213,10 @@ bool axis_confirm(axis_t *self, const axis_config_t *config)
     (void)dispatch(self, config, AXIS_EVENT_CONFIRM, 0);
     const bool is_confirmed = axis_is_homed(self) && !was_homed;
     if (is_confirmed) {
+        self->has_place = 1U;
+        self->elsewhere_ticks = 0;
         homing_forget(&self->homing);
+        supervision_settle(&self->supervision);
         drift_audit_settle(&self->drift, self->encoder.position_ticks);
     }
     return is_confirmed;
@@ -192,6 +240,9 @@ void axis_stop_homing(axis_t *self)
 uint32_t axis_begin_homing(axis_t *self, const axis_config_t *config)
 {
     if (axis_is_homed(self) || axis_is_homing(self)) {
+        return 0U;
+    }
+    if (!has_switch(config) && !encoder_is_at_rest(&self->encoder)) {
         return 0U;
     }
     homing_begin(&self->homing, self->encoder.position_ticks);
@@ -316,6 +367,17 @@ bool axis_needs_confirmation(const axis_t *self, const axis_config_t *config)
 {
     return !has_switch(config) &&
            (is_unverified(self) || (self->chart.reference == AXIS_REFERENCE_LOST));
+}
+
+bool axis_is_contradicted(const axis_t *self)
+{
+    return self->elsewhere_ticks != 0;
+}
+
+bool axis_is_moving_in_doubt(const axis_t *self)
+{
+    const bool is_lost = self->chart.reference == AXIS_REFERENCE_LOST;
+    return (is_unverified(self) || is_lost) && !encoder_is_at_rest(&self->encoder);
 }
 
 bool axis_is_homing(const axis_t *self)

@@ -27,6 +27,10 @@ typedef struct {
     homing_t homing;
     drift_audit_t drift;
     int32_t home_correction_ticks; /**< Shift of the position at the last homing. */
+    uint32_t has_place;            /**< Its position has meant something since the start: 0 or 1. */
+    int32_t elsewhere_ticks; /**< How far it was shifted against what its counts knew, until that
+                                is resolved. */
+    int32_t contradiction_ticks; /**< Between switch and counts at a fault, for the record. */
     int32_t setpoint_ticks;
     int32_t setpoint_speed_ticks_per_s_q8;
     uint32_t limit_switches; /**< CARD_LIMIT_ bits of the last report. */
@@ -42,6 +46,8 @@ void axis_init(axis_t *self);
  * @return AXIS_NOTE_ bits
  *
  * @satisfies SWR-AXIS-002
+ * @satisfies SWR-AXIS-025
+ * @satisfies SWR-AXIS-026
  */
 uint32_t axis_observe(axis_t *self, const axis_config_t *config, const card_report_t *report);
 
@@ -81,7 +87,7 @@ void axis_forget(axis_t *self);
 
 /**
  * The operator has compared the position with the robot: an unverified axis, and a lost one without
- * a switch, is verified where it stands.
+ * a switch or that is contradicted, is verified where it stands.
  *
  * @return true when it was confirmed by this
  *
@@ -100,11 +106,12 @@ void axis_stop_homing(axis_t *self);
 
 /**
  * Begins homing if the axis is enabled and not homed. An axis without a switch is taken where it
- * stands by this if it is fresh, and never again.
+ * stands by this if it is fresh and at rest, and never again.
  *
  * @return AXIS_NOTE_ bits
  *
  * @satisfies SWR-REF-002
+ * @satisfies SWR-REF-013
  */
 uint32_t axis_begin_homing(axis_t *self, const axis_config_t *config);
 
@@ -151,6 +158,13 @@ bool axis_is_homed(const axis_t *self);
 
 /** Lost or unverified without a switch: only axis_confirm() makes it homed. */
 bool axis_needs_confirmation(const axis_t *self, const axis_config_t *config);
+
+/** Homing met its switch where the counts did not have it: it is shown there, and lost. The next
+ * homing that meets the switch where they had it homes it, or the operator's confirmation. */
+bool axis_is_contradicted(const axis_t *self);
+
+/** Lost or unverified, and counting: nobody can compare where it is. */
+bool axis_is_moving_in_doubt(const axis_t *self);
 
 bool axis_is_homing(const axis_t *self);
 

@@ -35,6 +35,11 @@ static bool is_homing(axis_reference_t leg)
     return (leg == AXIS_REFERENCE_APPROACH) || (leg == AXIS_REFERENCE_LATCH) || is_leaving(leg);
 }
 
+int64_t homing_way_from_switch(const axis_config_t *config, int32_t position_ticks)
+{
+    return way(config, config->home_ticks, position_ticks);
+}
+
 void homing_begin(homing_t *self, int32_t position_ticks)
 {
     self->start_ticks = position_ticks;

@@ -37,6 +37,9 @@ typedef struct {
     uint32_t has_nearest; /**< 0 or 1. */
 } homing_t;
 
+/** How far `position_ticks` is away from the switch of a homed axis; below 0 beyond its edge. */
+int64_t homing_way_from_switch(const axis_config_t *config, int32_t position_ticks);
+
 /** Homing begins at `position_ticks`. What earlier attempts used of the way is not given back. */
 void homing_begin(homing_t *self, int32_t position_ticks);
 

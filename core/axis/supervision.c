@@ -9,7 +9,6 @@
 #define PLACE_US 100000U
 /* From the drive word to a motor at rest. */
 #define REST_US 10000U
-#define HALF_WINDOW_US (LIMIT_SPEED_WINDOW_US / 2U)
 
 static int64_t error_ticks(const supervision_view_t *view)
 {
@@ -94,63 +93,44 @@ int32_t supervision_rest_ticks(const axis_config_t *config)
     return fixed_saturate(ticks_of(config, LIMIT_REST_WAY_NM, LIMIT_REST_WAY_BAM));
 }
 
-/* The motor was driven, and nothing was counted in its direction. */
-static bool is_silent(supervision_t *self, const axis_config_t *config,
-                      const supervision_view_t *view, int64_t model_q16)
+static int64_t due_ticks(const supervision_t *self)
 {
-    const int64_t counted = (int64_t)view->position_ticks - (int64_t)self->position_ticks;
-    const bool is_counting =
-        ((model_q16 > 0) && (counted > 0)) || ((model_q16 < 0) && (counted < 0));
-    if (!view->is_driven || is_counting) {
+    return ((self->due_q16 < 0) ? -self->due_q16 : self->due_q16) / 65536;
+}
+
+/* The motor was driven, and nothing was counted in its direction. A pause makes nothing good. */
+static bool is_silent(supervision_t *self, const axis_config_t *config, int64_t model_q16,
+                      int64_t counted_ticks, uint32_t elapsed_us)
+{
+    if ((counted_ticks * (int64_t)self->account.direction) > 0) {
         self->due_q16 = 0;
         self->silent_us = 0U;
         return false;
     }
     self->due_q16 += model_q16;
-    const int64_t due_q16 = (self->due_q16 < 0) ? -self->due_q16 : self->due_q16;
-    const bool is_due = due_q16 >= ((int64_t)LIMIT_SILENT_TICKS * 65536);
-    self->silent_us += is_due ? view->elapsed_us : 0U;
+    const bool is_due = (model_q16 != 0) && (due_ticks(self) >= (int64_t)LIMIT_SILENT_TICKS);
+    self->silent_us += is_due ? elapsed_us : 0U;
     return (self->silent_us >= LIMIT_SILENT_TIME_US) ||
-           is_beyond(config, (due_q16 / 65536) + 1, LIMIT_BLIND_WAY_NM, LIMIT_BLIND_WAY_BAM);
+           is_beyond(config, due_ticks(self) + 1, LIMIT_BLIND_WAY_NM, LIMIT_BLIND_WAY_BAM);
 }
 
-/* Over a window in which the motor ran most of the time, counts and model are of one size. */
-static bool is_window_wrong(supervision_t *self, const axis_config_t *config)
+static uint32_t note(bool is_found, uint32_t name)
 {
-    const supervision_way_t *const ways = self->ways;
-    const int64_t way_q16 = ways[0].model_q16 + ways[1].model_q16;
-    const int64_t sign = (way_q16 < 0) ? INT64_C(-1) : INT64_C(1);
-    const int64_t model = (sign * way_q16) / 65536;
-    const int64_t counted = sign * (ways[0].counted_ticks + ways[1].counted_ticks);
-    const bool is_telling = (model >= (int64_t)LIMIT_SPEED_LEAST_TICKS) &&
-                            (model >= (int64_t)supervision_rest_ticks(config)) &&
-                            ((ways[0].driven_us + ways[1].driven_us) >= HALF_WINDOW_US);
-    const int64_t slack = (int64_t)LIMIT_SILENT_TICKS;
-    const int64_t least = ((model * (int64_t)LIMIT_SPEED_LEAST_PERCENT) / 100) - slack;
-    const int64_t most = ((model * (int64_t)LIMIT_SPEED_MOST_PERCENT) / 100) + slack;
-    if (!is_telling || ((counted >= least) && (counted <= most))) {
-        return false;
-    }
-    self->speed_percent = fixed_saturate((counted * 100) / model);
-    return true;
+    return is_found ? name : 0U;
 }
 
-static bool is_speed_wrong(supervision_t *self, const axis_config_t *config,
-                           const supervision_view_t *view, int64_t model_q16)
+/* What is missing is called by its name if nothing at all is counted any more. */
+static uint32_t watch_counts(supervision_t *self, const axis_config_t *config, int64_t model_q16,
+                             int64_t counted_ticks, uint32_t elapsed_us)
 {
-    supervision_way_t *const now = &self->ways[0];
-    const bool is_running = view->drive.mode != (uint32_t)CARD_DRIVE_OFF;
-    now->model_q16 += model_q16;
-    now->counted_ticks += (int64_t)view->position_ticks - (int64_t)self->position_ticks;
-    now->time_us += view->elapsed_us;
-    now->driven_us += is_running ? view->elapsed_us : 0U;
-    if (now->time_us < HALF_WINDOW_US) {
-        return false;
+    const bool is_wrong =
+        count_account_step(&self->account, config, model_q16, counted_ticks, elapsed_us);
+    const bool is_none = is_silent(self, config, model_q16, counted_ticks, elapsed_us);
+    const bool is_due = due_ticks(self) >= (int64_t)LIMIT_SILENT_TICKS;
+    if (is_none || (is_wrong && is_due)) {
+        return AXIS_NOTE_NO_COUNTS;
     }
-    const bool is_wrong = is_window_wrong(self, config);
-    self->ways[1] = *now;
-    (void)memset(now, 0, sizeof *now);
-    return is_wrong && view->is_relied_on;
+    return note(is_wrong, AXIS_NOTE_WRONG_SPEED);
 }
 
 static void settle(supervision_t *self, const supervision_view_t *view)
@@ -200,15 +180,11 @@ static bool is_moving_while_off(supervision_t *self, const axis_config_t *config
     return is_beyond(config, self->off_ticks, LIMIT_REST_WAY_NM, LIMIT_REST_WAY_BAM);
 }
 
-static uint32_t note(bool is_found, uint32_t name)
-{
-    return is_found ? name : 0U;
-}
-
 void supervision_init(supervision_t *self)
 {
     (void)memset(self, 0, sizeof *self);
     stall_watchdog_chart_init(&self->stall);
+    count_account_init(&self->account);
 }
 
 bool supervision_is_at_rest(const supervision_t *self)
@@ -216,10 +192,20 @@ bool supervision_is_at_rest(const supervision_t *self)
     return self->off_us >= REST_US;
 }
 
-void supervision_reset(supervision_t *self)
+void supervision_settle(supervision_t *self)
+{
+    self->due_q16 = 0;
+    self->silent_us = 0U;
+    count_account_settle(&self->account);
+}
+
+void supervision_reset(supervision_t *self, bool is_trusted)
 {
     (void)stall_watchdog_chart_dispatch(&self->stall, STALL_WATCHDOG_EVENT_RESET);
-    (void)memset(self->ways, 0, sizeof self->ways);
+    if (!is_trusted) {
+        supervision_settle(self);
+        count_account_init(&self->account);
+    }
 }
 
 static int32_t shifted(int32_t place_ticks, int32_t ticks)
@@ -239,15 +225,16 @@ void supervision_shift(supervision_t *self, int32_t ticks)
 uint32_t supervision_step(supervision_t *self, const axis_config_t *config,
                           const supervision_view_t *view)
 {
-    const int64_t model_q16 =
-        motor_model_step_q16(&self->model, config, &view->drive, view->elapsed_us);
+    const uint32_t driven_us =
+        (view->elapsed_us < LIMIT_CARD_WATCHDOG_US) ? view->elapsed_us : LIMIT_CARD_WATCHDOG_US;
+    const int64_t model_q16 = motor_model_step_q16(&self->model, config, &view->drive, driven_us);
+    const int64_t counted = (int64_t)view->position_ticks - (int64_t)self->position_ticks;
     uint32_t notes = 0U;
     notes |= note(is_stalled(self, config, view), AXIS_NOTE_STALLED);
     notes |= note(is_astray(view), AXIS_NOTE_FOLLOWING_ERROR);
     notes |= note(is_backwards(self, view), AXIS_NOTE_WRONG_WAY);
     notes |= note(is_moving_while_off(self, config, view), AXIS_NOTE_MOVED_OFF);
-    notes |= note(is_silent(self, config, view, model_q16), AXIS_NOTE_NO_COUNTS);
-    notes |= note(is_speed_wrong(self, config, view, model_q16), AXIS_NOTE_WRONG_SPEED);
+    notes |= watch_counts(self, config, model_q16, counted, driven_us);
     self->position_ticks = view->position_ticks;
     return notes;
 }

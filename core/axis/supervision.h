@@ -8,6 +8,7 @@
 #define BORESIGHT_SUPERVISION_H
 
 #include "card_frame.h"
+#include "count_account.h"
 #include "motor_model.h"
 #include "robot.h"
 #include "stall_watchdog_chart.h"
@@ -29,6 +30,7 @@
 #define AXIS_NOTE_NO_COUNTS 0x200U
 #define AXIS_NOTE_WRONG_SPEED 0x400U
 #define AXIS_NOTE_DRIFTED 0x800U
+#define AXIS_NOTE_SWITCH_ELSEWHERE 0x1000U
 
 /** Places that are remembered of an axis that is off: those of the last second. */
 #define SUPERVISION_PLACES 11U
@@ -45,14 +47,6 @@ typedef struct {
     uint32_t elapsed_us;
 } supervision_view_t;
 
-/** What half a window of the comparison with the model has brought. */
-typedef struct {
-    int64_t model_q16;
-    int64_t counted_ticks;
-    uint32_t time_us;
-    uint32_t driven_us;
-} supervision_way_t;
-
 typedef struct {
     int32_t mark_ticks; /**< Position at the last progress in the direction of the drive. */
     uint32_t is_upwards;
@@ -63,11 +57,10 @@ typedef struct {
     uint32_t off_us;                          /**< Off for so long, saturates. */
     int32_t off_ticks;                        /**< Way while off, for the record. */
     motor_model_t model;
-    int32_t position_ticks;    /**< Of the cycle before. */
-    int64_t due_q16;           /**< Way of the model since the last count in its direction. */
-    uint32_t silent_us;        /**< Since LIMIT_SILENT_TICKS were due without any. */
-    supervision_way_t ways[2]; /**< The present half of the window and the one before. */
-    int32_t speed_percent;     /**< Counts of the window against those of the model, at a fault. */
+    int32_t position_ticks; /**< Of the cycle before. */
+    int64_t due_q16;        /**< Way of the model since the last count in its direction. */
+    uint32_t silent_us;     /**< Since LIMIT_SILENT_TICKS were due without any. */
+    count_account_t account;
     stall_watchdog_chart_t stall;
 } supervision_t;
 
@@ -79,8 +72,12 @@ int32_t supervision_rest_ticks(const axis_config_t *config);
 /** The drive has been off for so long that the motor has come to rest. */
 bool supervision_is_at_rest(const supervision_t *self);
 
-/** The axis was enabled anew. */
-void supervision_reset(supervision_t *self);
+/** The axis was enabled anew: a stall is over. Unless its position is trusted all the same, what
+ * was missing of counts before does not matter any more, and its motor may be another. */
+void supervision_reset(supervision_t *self, bool is_trusted);
+
+/** The position is sure: what was missing of counts before does not matter any more. */
+void supervision_settle(supervision_t *self);
 
 /** The position was set: places from before are `ticks` farther up now. */
 void supervision_shift(supervision_t *self, int32_t ticks);
@@ -96,7 +93,6 @@ void supervision_shift(supervision_t *self, int32_t ticks);
  * @satisfies SWR-AXIS-015
  * @satisfies SWR-AXIS-016
  * @satisfies SWR-AXIS-018
- * @satisfies SWR-AXIS-019
  * @satisfies SWR-AXIS-021
  */
 uint32_t supervision_step(supervision_t *self, const axis_config_t *config,

@@ -25,7 +25,9 @@ static event_severity_t severity(event_id_t id)
     case EVENT_AXIS_MOVED_OFF:
     case EVENT_AXIS_NO_COUNTS:
     case EVENT_AXIS_WRONG_SPEED:
+    case EVENT_AXIS_SWITCH_ELSEWHERE:
     case EVENT_ORDER_OVERDUE:
+    case EVENT_HOMING_BARRED:
     case EVENT_LOOP_STOPPED:
     case EVENT_CHART_REPAIRED:
     case EVENT_MEMORY_DAMAGED:
@@ -33,6 +35,7 @@ static event_severity_t severity(event_id_t id)
         result = EVENT_SEVERITY_CRITICAL;
         break;
     case EVENT_AXIS_DRIFTED:
+    case EVENT_AXIS_CONTRADICTED:
     case EVENT_COMMAND_REFUSED:
     case EVENT_FRAME_REFUSED:
     case EVENT_AXIS_UNVERIFIED:
@@ -40,7 +43,6 @@ static event_severity_t severity(event_id_t id)
     case EVENT_ORDER_DISCARDED:
     case EVENT_ORDER_EXPIRED:
     case EVENT_OVERRUN:
-    case EVENT_AXIS_CONTRADICTED:
         result = EVENT_SEVERITY_WARNING;
         break;
     case EVENT_STARTED:

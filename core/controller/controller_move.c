@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "controller_parts.h"
 
+#include "coupled_guard.h"
 #include "needle.h"
 #include "permit.h"
 
@@ -34,6 +35,16 @@ static uint8_t home_stage(const controller_t *self, const robot_t *robot)
     return stage;
 }
 
+static bool is_barred(controller_t *self, const cycle_t *cycle, uint32_t index)
+{
+    const bool is_found = coupled_guard_bars_homing(cycle->robot, self->axes, index);
+    if (is_found) {
+        controller_note(self, cycle, EVENT_HOMING_BARRED, index, 0);
+        controller_fail_order(self, cycle, EVENT_CAUSE_AXIS, index);
+    }
+    return is_found;
+}
+
 static void run_homing(controller_t *self, const cycle_t *cycle,
                        card_drive_t requests[ROBOT_AXIS_COUNT])
 {
@@ -42,7 +53,7 @@ static void run_homing(controller_t *self, const cycle_t *cycle,
         axis_t *const axis = &self->axes[i];
         const axis_config_t *const config = &cycle->robot->axes[i];
         uint32_t notes = 0U;
-        if (config->home_stage == stage) {
+        if ((config->home_stage == stage) && !is_barred(self, cycle, i)) {
             notes = axis_begin_homing(axis, config);
         }
         if (notes != 0U) {

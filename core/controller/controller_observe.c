@@ -92,7 +92,10 @@ static int32_t detail(const axis_t *axis, event_id_t id)
         value = fixed_saturate(axis->supervision.due_q16 / 65536);
         break;
     case (uint32_t)EVENT_AXIS_WRONG_SPEED:
-        value = axis->supervision.speed_percent;
+        value = axis->supervision.account.percent;
+        break;
+    case (uint32_t)EVENT_AXIS_SWITCH_ELSEWHERE:
+        value = axis->contradiction_ticks;
         break;
     case (uint32_t)EVENT_AXIS_DRIFTED:
         value = axis->drift.idle_ticks;
@@ -119,7 +122,8 @@ static void note_axis(controller_t *self, const cycle_t *cycle, uint32_t index, 
                   {AXIS_NOTE_MOVED_OFF, EVENT_AXIS_MOVED_OFF},
                   {AXIS_NOTE_NO_COUNTS, EVENT_AXIS_NO_COUNTS},
                   {AXIS_NOTE_WRONG_SPEED, EVENT_AXIS_WRONG_SPEED},
-                  {AXIS_NOTE_DRIFTED, EVENT_AXIS_DRIFTED}};
+                  {AXIS_NOTE_DRIFTED, EVENT_AXIS_DRIFTED},
+                  {AXIS_NOTE_SWITCH_ELSEWHERE, EVENT_AXIS_SWITCH_ELSEWHERE}};
     if ((notes & AXIS_NOTE_CHART_REPAIRED) != 0U) {
         controller_note(self, cycle, EVENT_CHART_REPAIRED, (uint32_t)EVENT_CHART_AXIS,
                         (int32_t)index);
@@ -286,8 +290,11 @@ static void observe_scanner(controller_t *self, const cycle_t *cycle)
 /* The operator confirms what is shown; what is shown of a silent card is old. */
 static void observe_button(controller_t *self, const cycle_t *cycle)
 {
-    const bool is_barred = workphase_is_armed(&self->workphases) ||
-                           (cycle->inputs->estop_open != 0U) || controller_is_blind(self);
+    bool is_barred = workphase_is_armed(&self->workphases) || (cycle->inputs->estop_open != 0U) ||
+                     controller_is_blind(self);
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        is_barred = is_barred || axis_is_moving_in_doubt(&self->axes[i]);
+    }
     if (!confirm_button_step(&self->confirm, cycle->inputs->confirm_pressed != 0U, is_barred)) {
         return;
     }

@@ -68,15 +68,24 @@ static next_step_t next_step(const controller_t *self)
     return (step == NEXT_STEP_NOTHING) ? step_for_plan(self) : step;
 }
 
-/* Where START_UP is wanted, and would be refused for want of a confirmation only. */
+static bool is_any_contradicted(const controller_t *self)
+{
+    bool is_any = false;
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        is_any = is_any || axis_is_contradicted(&self->axes[i]);
+    }
+    return is_any;
+}
+
+/* Where START_UP is wanted, and would be refused for want of a confirmation, or may not be enough.
+ */
 static next_step_t confirmed_first(const controller_t *self, const cycle_t *cycle, next_step_t step)
 {
     const workphases_inputs_t guards = controller_guards(self, cycle);
     const bool is_for_start_up = (step == NEXT_STEP_START_UP) || (step == NEXT_STEP_CHECK_CARDS) ||
                                  (step == NEXT_STEP_PEDAL_FAULT);
-    return (is_for_start_up && guards.is_hardware_ready && guards.is_confirmation_due)
-               ? NEXT_STEP_CONFIRM
-               : step;
+    const bool is_due = guards.is_confirmation_due || is_any_contradicted(self);
+    return (is_for_start_up && guards.is_hardware_ready && is_due) ? NEXT_STEP_CONFIRM : step;
 }
 
 static void show_axis(const controller_t *self, const cycle_t *cycle, uint32_t index)

@@ -92,7 +92,11 @@ typedef enum {
         41, /**< The table of the robot is damaged in (subject): restart the programs. */
     EVENT_AXIS_DRIFTED = 42, /**< Axis (subject) has counted (value, ticks) while off since its last
                                 reference and is unverified. */
-    EVENT_SCAN_DRIFT = 43    /**< In the scan axis (subject) has counted (value, ticks). */
+    EVENT_SCAN_DRIFT = 43,   /**< In the scan axis (subject) has counted (value, ticks). */
+    EVENT_HOMING_BARRED = 44, /**< Axis (subject) would leave a limit that it shares if it were
+                                homed: jog the other back. */
+    EVENT_AXIS_SWITCH_ELSEWHERE =
+        45 /**< The switch of axis (subject) is (value, ticks) from where its counts have it. */
 } event_id_t;
 
 /** What made an event happen that does not say it itself; `peer` as said. */

@@ -117,6 +117,11 @@ bool encoder_step(encoder_t *self, const axis_config_t *config, const card_repor
     return false;
 }
 
+bool encoder_is_at_rest(const encoder_t *self)
+{
+    return self->is_at_rest != 0U;
+}
+
 void encoder_set_position(encoder_t *self, int32_t position_ticks)
 {
     const int64_t shift = (int64_t)position_ticks - (int64_t)self->position_ticks;

@@ -48,6 +48,9 @@ bool encoder_step(encoder_t *self, const axis_config_t *config, const card_repor
 /** The way from one reading of the counter to another, which wraps, in ticks of the position. */
 int32_t encoder_way(const axis_config_t *config, int32_t from_reading, int32_t to_reading);
 
+/** No edge for so long that the speed counts as zero. */
+bool encoder_is_at_rest(const encoder_t *self);
+
 /** The axis now stands at `position_ticks`. */
 void encoder_set_position(encoder_t *self, int32_t position_ticks);
 

@@ -62,10 +62,38 @@ static bool may_leave(const robot_t *robot, const coupled_limit_t *limit,
                       : ((now_nm - more_nm) < (int64_t)limit->minimum_nm);
 }
 
+/* Nobody knows where an axis is that is not homed, but where its switch is. */
+static bool is_home_beyond(const robot_t *robot, const coupled_limit_t *limit,
+                           const axis_t axes[ROBOT_AXIS_COUNT], uint32_t index)
+{
+    const bool is_first = limit->first == index;
+    const uint32_t other = is_first ? limit->second : limit->first;
+    const axis_config_t *const config = &robot->axes[index];
+    const int32_t there = axes[other].encoder.position_ticks;
+    const int64_t above_nm = coupled_limit_nm(robot, limit, is_first ? config->home_ticks : there,
+                                              is_first ? there : config->home_ticks);
+    return (config->limit_switch != (uint8_t)LIMIT_SWITCH_NONE) && is_of(limit, index) &&
+           !axis_is_homed(&axes[index]) && axis_is_homed(&axes[other]) &&
+           ((above_nm < (int64_t)limit->minimum_nm) || (above_nm > (int64_t)limit->maximum_nm));
+}
+
+bool coupled_guard_bars_homing(const robot_t *robot, const axis_t axes[ROBOT_AXIS_COUNT],
+                               uint32_t index)
+{
+    bool is_barred = false;
+    for (uint32_t i = 0U; i < robot->coupled_limit_count; i++) {
+        is_barred = is_barred || is_home_beyond(robot, &robot->coupled_limits[i], axes, index);
+    }
+    return is_barred;
+}
+
 bool coupled_guard_blocks(const robot_t *robot, const coupled_view_t *view, uint32_t index)
 {
     const card_drive_t *const request = &view->requests[index];
-    const bool is_upwards = servo_is_upwards(&robot->axes[index], request);
+    const axis_config_t *const config = &robot->axes[index];
+    const bool is_upwards = servo_is_upwards(config, request);
+    const bool is_towards_switch =
+        is_upwards == (config->limit_switch == (uint8_t)LIMIT_SWITCH_UPPER);
     bool is_blocked = false;
     if (request->mode == (uint32_t)CARD_DRIVE_OFF) {
         return false;
@@ -75,6 +103,9 @@ bool coupled_guard_blocks(const robot_t *robot, const coupled_view_t *view, uint
         const bool is_first = limit->first == index;
         const bool is_growing = is_upwards == is_first;
         if (is_in_force(limit, view->axes, index) && may_leave(robot, limit, view, is_growing)) {
+            is_blocked = true;
+        }
+        if (is_towards_switch && is_home_beyond(robot, limit, view->axes, index)) {
             is_blocked = true;
         }
     }

@@ -44,7 +44,10 @@ int64_t motor_model_step_q16(motor_model_t *self, const axis_config_t *config,
     const int64_t time_us = ((int64_t)elapsed_us < RISE_US) ? (int64_t)elapsed_us : RISE_US;
     const bool goes_on = ((steady > 0) && (self->speed_ticks_per_s_q8 > 0)) ||
                          ((steady < 0) && (self->speed_ticks_per_s_q8 < 0));
-    const int64_t before = goes_on ? self->speed_ticks_per_s_q8 : 0;
+    int64_t before = goes_on ? self->speed_ticks_per_s_q8 : 0;
+    if (((steady >= 0) && (before > steady)) || ((steady <= 0) && (before < steady))) {
+        before = steady;
+    }
     self->speed_ticks_per_s_q8 = before + (((steady - before) * time_us) / RISE_US);
     return (((before + self->speed_ticks_per_s_q8) / 2) * 256 * (int64_t)elapsed_us) / 1000000;
 }

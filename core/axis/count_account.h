@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Counts against drive words, added up. What the counts of an axis fall short of its motor's way,
+ * or exceed it, is kept until its next reference or fault, so that no pause and no slowness hides
+ * it. The supervision of an axis owns one.
+ */
+#ifndef BORESIGHT_COUNT_ACCOUNT_H
+#define BORESIGHT_COUNT_ACCOUNT_H
+
+#include "robot.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/** How the motor runs: gaining speed, for a model knows less of that, or steadily. */
+typedef enum { COUNT_REGIME_RISING = 0, COUNT_REGIME_STEADY = 1, COUNT_REGIMES = 2 } count_regime_t;
+
+/** What the motor has shown of itself in a regime. */
+typedef struct {
+    int64_t model_q16; /**< Way of the model, until it has been compared. */
+    int64_t counted_ticks;
+    uint32_t time_us;
+    uint32_t least_percent; /**< Of the model's way, that must be counted. */
+    uint32_t most_percent;  /**< That may be counted. */
+} count_calibration_t;
+
+typedef struct {
+    int64_t model_q16;     /**< Way of the model in this window, without sign. */
+    uint32_t window_us;    /**< Driven time of the window. */
+    int64_t least_e2_q16;  /**< The least of it that must be counted, times 100. */
+    int64_t most_e2_q16;   /**< The most, times 100. */
+    int64_t counted_ticks; /**< In the direction of the drive. */
+    int64_t short_e2_q16;  /**< Sum of what was missing, times 100. */
+    int64_t over_e2_q16;   /**< Sum of what was too much, times 100. */
+    int32_t direction;     /**< 1, or -1, of the last drive; 0: none yet. */
+    uint32_t run_us;       /**< Driven this way for so long without a pause, saturates. */
+    uint32_t rest_us;      /**< Not driven for so long, saturates. */
+    uint32_t regime;       /**< count_regime_t of the last drive. */
+    int32_t percent;       /**< Counts of the last window against the model, for the record. */
+    count_calibration_t calibrations[COUNT_REGIMES];
+} count_account_t;
+
+/** Nothing is known of the motor. */
+void count_account_init(count_account_t *self);
+
+/** The position is sure: both sums are empty. What the motor has shown of itself stays. */
+void count_account_settle(count_account_t *self);
+
+/**
+ * One cycle: the model made `model_q16` ticks with the applied drive, and `counted_ticks` were
+ * counted.
+ *
+ * @return true when a sum is beyond LIMIT_REST_WAY_NM or LIMIT_REST_WAY_BAM and LIMIT_ACCOUNT_TICKS
+ *
+ * @satisfies SWR-AXIS-019
+ * @satisfies SWR-AXIS-024
+ */
+bool count_account_step(count_account_t *self, const axis_config_t *config, int64_t model_q16,
+                        int64_t counted_ticks, uint32_t elapsed_us);
+
+#endif
