@@ -9,6 +9,7 @@
 #include "axis_chart.h"
 #include "card_frame.h"
 #include "crc.h"
+#include "count_account.h"
 #include "drift_audit.h"
 #include "encoder.h"
 #include "fixed.h"

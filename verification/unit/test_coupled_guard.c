@@ -7,6 +7,7 @@
 #include "unity.h"
 
 #include "axis.h"
+#include "count_account.h"
 #include "drift_audit.h"
 #include "coupled_guard.h"
 #include "coupled_limit.h"

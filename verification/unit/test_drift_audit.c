@@ -3,6 +3,7 @@
  * @file
  * Rule under test: what an axis counts at rest is added up, and no more.
  */
+#include "count_account.h"
 #include "drift_audit.h"
 
 #include "fixed.h"

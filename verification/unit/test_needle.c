@@ -6,6 +6,7 @@
 #include "unity.h"
 
 #include "axis.h"
+#include "count_account.h"
 #include "drift_audit.h"
 #include "needle.h"
 

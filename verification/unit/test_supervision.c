@@ -3,6 +3,7 @@
 #include "unity.h"
 
 #include "axis.h"
+#include "count_account.h"
 #include "drift_audit.h"
 #include "axis_chart.h"
 #include "card_frame.h"
