@@ -119,18 +119,29 @@ static uint32_t note(bool is_found, uint32_t name)
     return is_found ? name : 0U;
 }
 
-/* What is missing is called by its name if nothing at all is counted any more. */
+void supervision_settle(supervision_t *self)
+{
+    self->due_q16 = 0;
+    self->silent_us = 0U;
+    count_account_settle(&self->account);
+}
+
+/* What is missing is called by its name if nothing at all is counted any more. Once told, it is
+ * settled: the axis is lost. */
 static uint32_t watch_counts(supervision_t *self, const axis_config_t *config, int64_t model_q16,
                              int64_t counted_ticks, uint32_t elapsed_us)
 {
     const bool is_wrong =
         count_account_step(&self->account, config, model_q16, counted_ticks, elapsed_us);
     const bool is_none = is_silent(self, config, model_q16, counted_ticks, elapsed_us);
-    const bool is_due = due_ticks(self) >= (int64_t)LIMIT_SILENT_TICKS;
-    if (is_none || (is_wrong && is_due)) {
-        return AXIS_NOTE_NO_COUNTS;
+    const int64_t due = due_ticks(self);
+    if (!is_none && !is_wrong) {
+        return 0U;
     }
-    return note(is_wrong, AXIS_NOTE_WRONG_SPEED);
+    self->missing_ticks = fixed_saturate(due);
+    supervision_settle(self);
+    return (is_none || (due >= (int64_t)LIMIT_SILENT_TICKS)) ? AXIS_NOTE_NO_COUNTS
+                                                             : AXIS_NOTE_WRONG_SPEED;
 }
 
 static void settle(supervision_t *self, const supervision_view_t *view)
@@ -190,13 +201,6 @@ void supervision_init(supervision_t *self)
 bool supervision_is_at_rest(const supervision_t *self)
 {
     return self->off_us >= REST_US;
-}
-
-void supervision_settle(supervision_t *self)
-{
-    self->due_q16 = 0;
-    self->silent_us = 0U;
-    count_account_settle(&self->account);
 }
 
 void supervision_reset(supervision_t *self, bool is_trusted)

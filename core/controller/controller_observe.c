@@ -89,7 +89,7 @@ static int32_t detail(const axis_t *axis, event_id_t id)
         value = axis->supervision.off_ticks;
         break;
     case (uint32_t)EVENT_AXIS_NO_COUNTS:
-        value = fixed_saturate(axis->supervision.due_q16 / 65536);
+        value = axis->supervision.missing_ticks;
         break;
     case (uint32_t)EVENT_AXIS_WRONG_SPEED:
         value = axis->supervision.account.percent;
