@@ -114,11 +114,6 @@ static bool is_silent(supervision_t *self, const axis_config_t *config, int64_t 
            is_beyond(config, due_ticks(self) + 1, LIMIT_BLIND_WAY_NM, LIMIT_BLIND_WAY_BAM);
 }
 
-static uint32_t note(bool is_found, uint32_t name)
-{
-    return is_found ? name : 0U;
-}
-
 void supervision_settle(supervision_t *self)
 {
     self->due_q16 = 0;
@@ -189,6 +184,11 @@ static bool is_moving_while_off(supervision_t *self, const axis_config_t *config
     remember_place(self, view);
     self->off_ticks = way_while_off(self, view);
     return is_beyond(config, self->off_ticks, LIMIT_REST_WAY_NM, LIMIT_REST_WAY_BAM);
+}
+
+static uint32_t note(bool is_found, uint32_t name)
+{
+    return is_found ? name : 0U;
 }
 
 void supervision_init(supervision_t *self)

@@ -60,7 +60,7 @@ typedef struct {
     int32_t position_ticks; /**< Of the cycle before. */
     int64_t due_q16;        /**< Way of the model since the last count in its direction. */
     uint32_t silent_us;     /**< Since LIMIT_SILENT_TICKS were due without any. */
-    int32_t missing_ticks;     /**< What was due of them at a fault, for the record. */
+    int32_t missing_ticks;  /**< What was due of them at a fault, for the record. */
     count_account_t account;
     stall_watchdog_chart_t stall;
 } supervision_t;

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "controller_parts.h"
 
-#include "fixed.h"
-
 #include <stddef.h>
 
 /* An axis that was off when its card fell silent stands where it was, or shows it when the card is
