@@ -7,6 +7,7 @@
  *
  *     detection
  */
+#include "requirement_limits.h"
 #include "rig.h"
 
 #include "unity.h"
@@ -105,7 +106,8 @@ static void cruise(uint32_t axis)
 {
     static const int32_t ends[ROBOT_AXIS_COUNT] = {-5000, 4000, -2000, 60000, 5000, -300, -1100};
     const command_t jog = {.kind = COMMAND_JOG, .argument = axis, .value = ends[axis]};
-    const int32_t speed_q8 = config_of(axis)->speed_ticks_per_s * 230;
+    const int32_t almost_percent = (int32_t)LIMIT_PROFILE_SPEED_PERCENT - 1;
+    const int32_t speed_q8 = config_of(axis)->speed_ticks_per_s * 256 / 100 * almost_percent;
     const snapshot_axis_t *const shown = &rig.outputs.snapshot.axes[axis];
     rig_start_homed(&rig);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);

@@ -185,7 +185,8 @@ static void cruise(uint32_t axis)
 {
     static const int32_t ends[ROBOT_AXIS_COUNT] = {-5000, 4000, -2000, 60000, 5000, -300, -1100};
     const command_t jog = {.kind = COMMAND_JOG, .argument = axis, .value = ends[axis]};
-    const int32_t speed_q8 = robot_neuro.axes[axis].speed_ticks_per_s * 230;
+    const int32_t almost_percent = (int32_t)LIMIT_PROFILE_SPEED_PERCENT - 1;
+    const int32_t speed_q8 = robot_neuro.axes[axis].speed_ticks_per_s * 256 / 100 * almost_percent;
     rig_start_homed(&rig);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);

@@ -2,6 +2,7 @@
 #include "stage.h"
 
 #include "neuro.h"
+#include "requirement_limits.h"
 #include "workphases_chart.h"
 
 #include <math.h>
@@ -10,6 +11,9 @@
 
 #define ORDER_SIZE 64U
 #define ORDERS_MOST 32U
+#define SHARE_STEPS 1000000U
+#define RISE_SPREAD 0.1
+#define DEAD_ZONE_SPREAD 0.005 /* Of all words. */
 
 /* xorshift32. */
 static uint32_t random_below(stage_t *self, uint32_t bound)
@@ -38,14 +42,22 @@ static void set_random_scene(stage_t *self, rig_t *rig)
     self->fault_cycle = (random_below(self, 5U) == 0U) ? UINT32_MAX : random_below(self, 12000U);
 }
 
+/* Anywhere within `part` of one. */
+static double near_one(stage_t *self, double part)
+{
+    const double share = (double)random_below(self, SHARE_STEPS + 1U) / SHARE_STEPS;
+    return 1.0 - part + (2.0 * part * share);
+}
+
+/* Other motors: full speed, time of gaining it, and the smallest word that turns them. */
 static void spread_motors(stage_t *self, rig_t *rig)
 {
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
         sim_motor_t *const motor = &rig->box.axes[i].motor;
         const double span = motor->maximum_duty - motor->minimum_duty;
-        motor->full_speed_ticks_per_s *= 0.8 + ((double)random_below(self, 401U) / 1000.0);
-        motor->rise_share *= 0.9 + ((double)random_below(self, 211U) / 1000.0);
-        motor->minimum_duty += span * (((double)random_below(self, 11U) - 5.0) / 1000.0);
+        motor->full_speed_ticks_per_s *= near_one(self, LIMIT_MOTOR_SPREAD_PERCENT / 100.0);
+        motor->rise_share *= near_one(self, RISE_SPREAD);
+        motor->minimum_duty += span * (near_one(self, DEAD_ZONE_SPREAD) - 1.0);
     }
 }
 

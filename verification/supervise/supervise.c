@@ -75,10 +75,12 @@ static void tell_plan(uint32_t seed)
 static bool report(play_t play, uint32_t count)
 {
     bool is_good = true;
-    printf(
-        "%u scenes, %u moves, done after their profiles: half of them by %u ms, 99 %% by %u ms\n",
-        (unsigned)count, (unsigned)scene.witness.moves, (unsigned)witness_late(&scene.witness, 50U),
-        (unsigned)witness_late(&scene.witness, 99U));
+    const uint32_t latest = witness_late(&scene.witness, 99U);
+    printf("%u scenes, %u moves, done after their profiles: half of them by %u ms, 99 %% by %u ms, "
+           "%s\n",
+           (unsigned)count, (unsigned)scene.witness.moves,
+           (unsigned)witness_late(&scene.witness, 50U), (unsigned)latest,
+           (latest <= (LIMIT_DONE_TIME_US / LIMIT_CYCLE_US)) ? "in time" : "late");
     for (uint32_t i = 0U; i < SENTENCE_COUNT; i++) {
         const verdict_t *const verdict = &scene.witness.verdicts[i];
         printf("%-70s ", witness_sentence((sentence_t)i));

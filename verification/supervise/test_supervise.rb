@@ -35,8 +35,7 @@ class TestSupervise < Minitest::Test
 
   (PLAYS.keys - %i[random jogs]).each do |play|
     define_method("test_SWR_MOTION_006_moves_are_done_soon_after_their_profiles_#{play}") do
-      milliseconds = self.class.lines(play).first[/99 % by (\d+) ms/, 1].to_i
-      assert_includes 1..100, milliseconds, self.class.lines(play).first
+      assert_match(/99 % by \d+ ms, in time\z/, self.class.lines(play).first)
     end
   end
 

@@ -34,7 +34,7 @@ const char *witness_sentence(sentence_t sentence)
         "The axial carriages keep their distance (mm)",
         "As long as nothing is broken, no fault is found (event)",
         "No axis goes beyond its end by more than its deadband (ticks)",
-        "In the mean of 100 ms no axis is faster than its speed (percent)",
+        "In a short mean no axis is faster than its speed (percent)",
         "A jog drives nothing across a needle that is in (mm)",
         "A needle that is not homed is not jogged inwards"};
     return words[sentence];
@@ -291,7 +291,7 @@ static void judge_speed(witness_t *self, const rig_t *rig, uint32_t axis, double
 {
     const uint32_t place = self->looks % WITNESS_MEAN;
     const double way = fabs(truth - self->places[axis][place]);
-    const double most = robot_neuro.axes[axis].speed_ticks_per_s * (WITNESS_MEAN / 1000.0);
+    const double most = robot_neuro.axes[axis].speed_ticks_per_s * (LIMIT_MEAN_SPEED_TIME_US / 1e6);
     if ((self->looks >= WITNESS_MEAN) && (way > most)) {
         complain(self, rig, SENTENCE_SPEED, axis, 100.0 * way / most);
     }

@@ -7,14 +7,15 @@
 #ifndef BORESIGHT_WITNESS_H
 #define BORESIGHT_WITNESS_H
 
+#include "requirement_limits.h"
 #include "rig.h"
 
 #include <stdbool.h>
 #include <stdint.h>
 
-#define WITNESS_SECOND 1000U /**< Cycles. */
-#define WITNESS_MEAN 100U    /**< Cycles of a mean speed. */
-#define WITNESS_LATE 10000U  /**< Cycles after the end of a profile that are told apart. */
+#define WITNESS_SECOND 1000U                                     /**< Cycles. */
+#define WITNESS_MEAN (LIMIT_MEAN_SPEED_TIME_US / LIMIT_CYCLE_US) /**< Cycles of a mean speed. */
+#define WITNESS_LATE 10000U /**< Cycles after the end of a profile that are told apart. */
 
 /** What must hold in every cycle. */
 typedef enum {
@@ -28,7 +29,7 @@ typedef enum {
     SENTENCE_CALM = 7,     /**< As long as nothing is broken, no fault is found and no move lost. */
     SENTENCE_BEYOND =
         8, /**< No axis goes beyond the end of its profile by more than its deadband. */
-    SENTENCE_SPEED = 9,   /**< In the mean of 100 ms no axis is faster than its speed. */
+    SENTENCE_SPEED = 9,   /**< In a short mean no axis is faster than its speed. */
     SENTENCE_ACROSS = 10, /**< No jog drives anything across a needle that is in. */
     SENTENCE_INWARDS = 11 /**< A needle that is not homed is not jogged inwards. */
 } sentence_t;

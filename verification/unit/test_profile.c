@@ -219,7 +219,7 @@ void test_SWR_MOTION_001_a_percentage_of_the_speed_is_kept(void)
     for (uint32_t k = 0U; k < slow / 2U; k++) {
         profile_step(&profile);
     }
-    TEST_ASSERT_INT32_WITHIN(256 * 2, 256 * 16667 / 4 * 9 / 10,
+    TEST_ASSERT_INT32_WITHIN(256 * 2, 256 * 16667 / 4 * (int32_t)LIMIT_PROFILE_SPEED_PERCENT / 100,
                              profile_speed_ticks_per_s_q8(&profile, AXIS_INSERTION));
 }
 
