@@ -30,16 +30,39 @@ static void anchor(encoder_t *self, const card_report_t *report)
     self->anchor_us = report->last_edge_us;
 }
 
-/* A tick that is long overdue at the last speed: the speed is at most that of a tick just now. */
-static void decay_speed(encoder_t *self, uint32_t quiet_us)
+static void measure(encoder_t *self, const card_report_t *report, int32_t speed_ticks_per_s_q8)
 {
-    const bool is_backwards = self->speed_ticks_per_s_q8 < 0;
-    const int64_t size_q8 =
-        is_backwards ? -(int64_t)self->speed_ticks_per_s_q8 : (int64_t)self->speed_ticks_per_s_q8;
+    self->measured_ticks_per_s_q8 = speed_ticks_per_s_q8;
+    self->speed_ticks_per_s_q8 = speed_ticks_per_s_q8;
+    anchor(self, report);
+}
+
+static int64_t magnitude(int64_t value)
+{
+    return (value < 0) ? -value : value;
+}
+
+/* The speed measured last, but no more than `ticks` in `time_us`. */
+static void limit_speed(encoder_t *self, int64_t ticks, uint32_t time_us)
+{
+    const int64_t measured_q8 = (int64_t)self->measured_ticks_per_s_q8;
+    const int64_t most_q8 = (ticks * Q8_US_PER_S) / (int64_t)time_us;
+    const int64_t size_q8 = (magnitude(measured_q8) > most_q8) ? most_q8 : magnitude(measured_q8);
+    self->speed_ticks_per_s_q8 = (int32_t)((measured_q8 < 0) ? -size_q8 : size_q8);
+}
+
+/* A tick that is long overdue: the speed is at most that of a tick just now. Once it has come, the
+ * ticks since the measurement say how fast the axis may be: in bursts the next ones come early. */
+static void wait_for_ticks(encoder_t *self, uint32_t quiet_us, uint32_t span_us, int64_t travelled)
+{
+    const int64_t size_q8 = magnitude((int64_t)self->measured_ticks_per_s_q8);
     const int64_t patience = (Q8_US_PER_S / 100) * (int64_t)LIMIT_SPEED_WAIT_PERCENT;
     if ((size_q8 * (int64_t)quiet_us) > patience) {
-        const uint32_t most_q8 = (uint32_t)Q8_US_PER_S / quiet_us;
-        self->speed_ticks_per_s_q8 = is_backwards ? -(int32_t)most_q8 : (int32_t)most_q8;
+        limit_speed(self, 1, quiet_us);
+    } else if ((self->speed_ticks_per_s_q8 != self->measured_ticks_per_s_q8) && (span_us > 0U)) {
+        limit_speed(self, magnitude(travelled) + 1, span_us);
+    } else {
+        /* Nothing was or is overdue. */
     }
 }
 
@@ -49,19 +72,17 @@ static void estimate_speed(encoder_t *self, const card_report_t *report)
     const uint32_t quiet_us = report->time_us - report->last_edge_us;
     const int64_t travelled = (int64_t)self->position_ticks - (int64_t)self->anchor_ticks;
     if (quiet_us >= LIMIT_SPEED_TIMEOUT_US) {
-        self->speed_ticks_per_s_q8 = 0;
         self->is_at_rest = 1U;
-        anchor(self, report);
+        measure(self, report, 0);
     } else if (self->is_at_rest != 0U) {
         /* The first edge: how long it rested says nothing of how fast it is now. */
         self->is_at_rest = 0U;
         anchor(self, report);
     } else if ((span_us >= SPEED_SPAN_US) && ((travelled % CYCLE_TICKS) == 0)) {
-        self->speed_ticks_per_s_q8 =
-            fixed_saturate(fixed_divide_rounded(travelled * Q8_US_PER_S, (int64_t)span_us));
-        anchor(self, report);
+        measure(self, report,
+                fixed_saturate(fixed_divide_rounded(travelled * Q8_US_PER_S, (int64_t)span_us)));
     } else {
-        decay_speed(self, quiet_us);
+        wait_for_ticks(self, quiet_us, span_us, travelled);
     }
 }
 

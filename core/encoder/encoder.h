@@ -16,15 +16,16 @@
 typedef struct {
     int32_t reading; /**< Last believed counter value. */
     int32_t position_ticks;
-    int32_t
-        speed_ticks_per_s_q8; /**< Over at least 6 ms and whole cycles of four edges; 0 at rest. */
-    int32_t anchor_ticks;     /**< Start of the present speed measurement. */
-    uint32_t anchor_us;       /**< Card time of that edge. */
-    int32_t jump_ticks;       /**< The last unbelievable change, for the record. */
-    uint32_t jumps;           /**< Unbelievable readings in a row. */
-    uint32_t missed_cycles;   /**< Since the last reading. */
-    uint32_t has_reading;     /**< 0 or 1. */
-    uint32_t is_at_rest;      /**< No edge since the timeout: 0 or 1. */
+    int32_t speed_ticks_per_s_q8;    /**< The measured one, less while ticks are late. */
+    int32_t measured_ticks_per_s_q8; /**< Over at least 6 ms and whole cycles of four edges; 0 at
+                                        rest. */
+    int32_t anchor_ticks;            /**< Start of the present speed measurement. */
+    uint32_t anchor_us;              /**< Card time of that edge. */
+    int32_t jump_ticks;              /**< The last unbelievable change, for the record. */
+    uint32_t jumps;                  /**< Unbelievable readings in a row. */
+    uint32_t missed_cycles;          /**< Since the last reading. */
+    uint32_t has_reading;            /**< 0 or 1. */
+    uint32_t is_at_rest;             /**< No edge since the timeout: 0 or 1. */
 } encoder_t;
 
 /** Starts at position 0 without a reading. */
@@ -42,6 +43,7 @@ void encoder_init(encoder_t *self);
  * @satisfies SWR-ENC-003
  * @satisfies SWR-ENC-004
  * @satisfies SWR-ENC-005
+ * @satisfies SWR-ENC-010
  */
 bool encoder_step(encoder_t *self, const axis_config_t *config, const card_report_t *report);
 

@@ -439,3 +439,68 @@ void test_SWR_ENC_005_then_it_is_that_of_a_tick_just_now(void)
     quiet(50000U);
     TEST_ASSERT_EQUAL_INT32(-5120, speed());
 }
+
+/* Mean of the speed that is reported of an axis that goes `burst_ticks` in `burst_us` and then
+ * rests as long as it takes to be `ticks_per_s` fast in the mean, in percent of that. */
+static double mean_of_bursts(double ticks_per_s, double burst_ticks, double burst_us)
+{
+    sim_encoder_t shaft;
+    double place = 0.5;
+    double sum = 0.0;
+    uint32_t now_us = 1000U;
+    const double period_us = burst_ticks * 1e6 / fabs(ticks_per_s);
+    const double step = burst_ticks * SIM_STEP_US / burst_us * ((ticks_per_s < 0.0) ? -1.0 : 1.0);
+    sim_encoder_init(&shaft, &config, place, 0, 1U);
+    encoder_init(&encoder);
+    (void)memset(&report, 0, sizeof report);
+    for (uint32_t cycle = 0U; cycle < 2000U; cycle++) {
+        for (uint32_t i = 0U; i < (1000U / SIM_STEP_US); i++) {
+            const double next = place + ((fmod(now_us, period_us) < burst_us) ? step : 0.0);
+            sim_encoder_step(&shaft, place, next, now_us, false);
+            place = next;
+            now_us += SIM_STEP_US;
+        }
+        report.time_us = now_us;
+        report.last_edge_us = shaft.stamps_us[0];
+        report.encoder_count = sim_encoder_count(&shaft);
+        TEST_ASSERT_FALSE(encoder_step(&encoder, &config, &report));
+        sum += (cycle >= 1000U) ? ((double)speed() / 256.0) : 0.0;
+    }
+    return sum / 1000.0 * 100.0 / ticks_per_s;
+}
+
+void test_SWR_ENC_010_a_late_tick_brings_back_no_more_than_the_way_since_the_measurement(void)
+{
+    run(8, 18U);
+    quiet(49000U);
+    run(1, 1U);
+    /* Two ticks in 50 ms. */
+    TEST_ASSERT_EQUAL_INT32(2 * 5120, speed());
+    start_at(0);
+    run(-8, 18U);
+    quiet(49000U);
+    run(-1, 1U);
+    TEST_ASSERT_EQUAL_INT32(-2 * 5120, speed());
+}
+
+void test_SWR_ENC_010_a_clock_that_goes_back_changes_nothing(void)
+{
+    run(8, 18U);
+    quiet(1000U);
+    TEST_ASSERT_EQUAL_INT32(256000, speed());
+    quiet(UINT32_MAX - 999U);
+    TEST_ASSERT_EQUAL_INT32(256000, speed());
+}
+
+void test_SWR_ENC_010_the_speed_of_an_axis_in_bursts_is_right_in_the_mean(void)
+{
+    for (double burst = 1.1; burst <= (double)LIMIT_SPEED_BURST_TICKS; burst += 0.2) {
+        for (double rate = 90.0; rate < 700.0; rate *= 1.37) {
+            const double burst_us = 400000.0 * burst / rate;
+            TEST_ASSERT_DOUBLE_WITHIN(LIMIT_SPEED_MEAN_PERCENT, 100.0,
+                                      mean_of_bursts(rate, burst, burst_us));
+            TEST_ASSERT_DOUBLE_WITHIN(LIMIT_SPEED_MEAN_PERCENT, 100.0,
+                                      mean_of_bursts(-rate, burst, burst_us));
+        }
+    }
+}
