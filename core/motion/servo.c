@@ -9,7 +9,7 @@
  * ms). */
 #define GAIN_PER_S INT64_C(60)
 /* A motor below a tenth of its full speed sticks; leave some margin. */
-#define SLOWEST_PERCENT INT64_C(15)
+#define SLOWEST_PERCENT 15U
 /* A motor may be faster than its model: 20 %, and its two directions differ by 3. */
 #define FASTEST_PERCENT INT64_C(125)
 /* From an off word to a motor at rest. */
@@ -26,13 +26,15 @@ static uint32_t direction_bit(const axis_config_t *config, bool is_upwards)
     return (is_upwards != is_inverted) ? 1U : 0U;
 }
 
-static card_drive_t drive_at(const axis_config_t *config, uint32_t direction, int64_t speed_q8)
+static bool is_pwm(const axis_config_t *config)
 {
-    card_drive_t drive = {.mode = (uint32_t)CARD_DRIVE_NON_PWM, .direction = direction, .duty = 0U};
-    if (config->card_type == (uint8_t)CARD_TYPE_PWM) {
-        drive.mode = (uint32_t)CARD_DRIVE_PWM;
-        drive.duty = motor_model_duty(config, speed_q8);
-    }
+    return config->card_type == (uint8_t)CARD_TYPE_PWM;
+}
+
+static card_drive_t drive_with(const axis_config_t *config, uint32_t direction, uint32_t duty)
+{
+    const card_drive_mode_t mode = is_pwm(config) ? CARD_DRIVE_PWM : CARD_DRIVE_NON_PWM;
+    const card_drive_t drive = {.mode = (uint32_t)mode, .direction = direction, .duty = duty};
     return drive;
 }
 
@@ -47,6 +49,15 @@ static bool is_short(const servo_t *self, const axis_config_t *config, const car
     const int64_t farthest_q16 =
         magnitude(self->unseen_q16 + more_q16 + stop_q16) * FASTEST_PERCENT;
     return farthest_q16 <= (way_ticks * 65536 * 100);
+}
+
+/* A late cycle: the motor ran on in it. */
+static void catch_up(servo_t *self, const axis_config_t *config, uint32_t elapsed_us)
+{
+    if ((elapsed_us > LIMIT_OVERRUN_US) && (self->is_driving != 0U)) {
+        const card_drive_t drive = drive_with(config, self->direction, self->duty);
+        (void)motor_model_step_q16(&self->model, config, &drive, elapsed_us - LIMIT_CYCLE_US);
+    }
 }
 
 /* The time up to this cycle counts as rest only if the cycle before asked for nothing. */
@@ -85,12 +96,14 @@ static card_drive_t choose(const servo_t *self, const axis_config_t *config, uin
                            int64_t way_ticks, int64_t speed_q8)
 {
     const card_drive_t off = {.mode = (uint32_t)CARD_DRIVE_OFF, .direction = 0U, .duty = 0U};
-    const int64_t slowest_q8 =
-        ((int64_t)config->full_speed_ticks_per_s * 256 * SLOWEST_PERCENT) / 100;
+    const uint32_t full_speed = (uint32_t)config->full_speed_ticks_per_s; /* At most a million. */
+    const uint32_t slowest = (full_speed * 256U * SLOWEST_PERCENT) / 100U;
+    const int64_t slowest_q8 = (int64_t)slowest;
     const int64_t demand_q8 = speed_q8 + (way_ticks * GAIN_PER_S * 256);
-    const bool is_steady =
-        (config->card_type == (uint8_t)CARD_TYPE_PWM) && (demand_q8 >= slowest_q8);
-    const card_drive_t drive = drive_at(config, direction, is_steady ? demand_q8 : slowest_q8);
+    const bool is_steady = is_pwm(config) && (demand_q8 >= slowest_q8);
+    const int64_t wanted_q8 = is_steady ? demand_q8 : slowest_q8;
+    const uint32_t duty = is_pwm(config) ? motor_model_duty(config, wanted_q8) : 0U;
+    const card_drive_t drive = drive_with(config, direction, duty);
     return (is_steady || is_short(self, config, &drive, way_ticks)) ? drive : off;
 }
 
@@ -102,6 +115,7 @@ card_drive_t servo_step(servo_t *self, const axis_config_t *config, int32_t erro
     const bool is_arrived = magnitude((int64_t)error_ticks) <= (int64_t)config->deadband_ticks;
     const bool is_upwards = (speed_q8 != 0) ? (speed_q8 > 0) : (error_ticks > 0);
     const uint32_t direction = direction_bit(config, is_upwards);
+    catch_up(self, config, elapsed_us);
     pass_time(self, elapsed_us);
     const bool is_turning =
         (direction != self->direction) && (self->rest_us < LIMIT_REVERSAL_DWELL_US);
@@ -112,6 +126,7 @@ card_drive_t servo_step(servo_t *self, const axis_config_t *config, int32_t erro
     self->unseen_q16 = motor_model_step_q16(&self->model, config, &drive, LIMIT_CYCLE_US);
     if (drive.mode != (uint32_t)CARD_DRIVE_OFF) {
         self->direction = direction;
+        self->duty = drive.duty;
         self->is_driving = 1U;
     }
     return drive;

@@ -22,7 +22,7 @@ typedef struct {
     uint32_t direction;  /**< Last requested drive direction bit. */
     uint32_t rest_us;    /**< Since the first cycle without a request, saturates. */
     uint32_t is_driving; /**< A drive was requested in the last cycle: 0 or 1. */
-    uint32_t reserved;
+    uint32_t duty;       /**< Of the last request. */
 } servo_t;
 
 /** Starts at rest. */
@@ -35,6 +35,7 @@ void servo_init(servo_t *self);
  *
  * @satisfies SWR-MOTION-004
  * @satisfies SWR-MOTION-007
+ * @satisfies SWR-MOTION-020
  * @satisfies SWR-AXIS-007
  * @satisfies SWR-AXIS-008
  */

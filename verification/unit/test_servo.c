@@ -257,6 +257,30 @@ void test_SWR_MOTION_004_a_burst_takes_not_even_a_fast_motor_beyond_and_a_slow_o
     TEST_ASSERT_TRUE(way_of(non_pwm, cycles, 80.0) >= 0.1);
 }
 
+/* The request `way_ticks` before the set-point, after one driven cycle of `elapsed_us`. */
+static card_drive_t after_cycle(const axis_config_t *config, int32_t way_ticks, uint32_t elapsed_us)
+{
+    servo_init(&servo);
+    (void)step(config, FAR_TICKS);
+    return step_late(config, way_ticks, elapsed_us);
+}
+
+void test_SWR_MOTION_020_a_motor_that_ran_on_in_a_late_cycle_is_stopped_in_time(void)
+{
+    const uint32_t late_us = 9000U;
+
+    TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_NON_PWM, after_cycle(non_pwm, 1, CYCLE_US).mode);
+    expect_off(after_cycle(non_pwm, 1, late_us));
+    TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_PWM, after_cycle(pwm, 25, CYCLE_US).mode);
+    expect_off(after_cycle(pwm, 25, late_us));
+}
+
+void test_SWR_MOTION_020_a_late_cycle_at_rest_changes_nothing(void)
+{
+    (void)step_late(non_pwm, 0, 9000U);
+    TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_NON_PWM, step_late(non_pwm, 1, 9000U).mode);
+}
+
 void test_SWR_MOTION_004_a_slow_demand_of_a_pwm_motor_is_met_in_bursts_of_its_slowest_speed(void)
 {
     const int32_t full_q8 = pwm->full_speed_ticks_per_s * 256;
