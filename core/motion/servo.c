@@ -5,9 +5,6 @@
 
 #include <string.h>
 
-/* Speed demanded for each tick of error: ticks/s, found on the simulated box (rise time constant 15
- * ms). */
-#define GAIN_PER_S INT64_C(60)
 /* A motor below a tenth of its full speed sticks; leave some margin. */
 #define SLOWEST_PERCENT 15U
 /* A motor may be faster than its model: 20 %, and its two directions differ by 3. */
@@ -99,7 +96,7 @@ static card_drive_t choose(const servo_t *self, const axis_config_t *config, uin
     const uint32_t full_speed = (uint32_t)config->full_speed_ticks_per_s; /* At most a million. */
     const uint32_t slowest = (full_speed * 256U * SLOWEST_PERCENT) / 100U;
     const int64_t slowest_q8 = (int64_t)slowest;
-    const int64_t demand_q8 = speed_q8 + (way_ticks * GAIN_PER_S * 256);
+    const int64_t demand_q8 = speed_q8 + (way_ticks * (int64_t)config->gain_per_s * 256);
     const bool is_steady = is_pwm(config) && (demand_q8 >= slowest_q8);
     const int64_t wanted_q8 = is_steady ? demand_q8 : slowest_q8;
     const uint32_t duty = is_pwm(config) ? motor_model_duty(config, wanted_q8) : 0U;

@@ -2,9 +2,9 @@
 /**
  * @file
  * From set-point and position to a drive request for one ultrasonic motor. Speed demand = set-point
- * speed + gain x error. What the motor cannot run slowly enough is done in bursts: it runs as long
- * as even a motor that is faster than its model does not pass the set-point before it can be
- * stopped. The request is nothing but a wish: only the permit turns it into a drive.
+ * speed + gain of the axis x error. What the motor cannot run slowly enough is done in bursts: it
+ * runs as long as even a motor that is faster than its model does not pass the set-point before it
+ * can be stopped. The request is nothing but a wish: only the permit turns it into a drive.
  */
 #ifndef BORESIGHT_SERVO_H
 #define BORESIGHT_SERVO_H
@@ -36,6 +36,7 @@ void servo_init(servo_t *self);
  * @satisfies SWR-MOTION-004
  * @satisfies SWR-MOTION-007
  * @satisfies SWR-MOTION-020
+ * @satisfies SWR-MOTION-021
  * @satisfies SWR-AXIS-007
  * @satisfies SWR-AXIS-008
  */

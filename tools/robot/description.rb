@@ -7,8 +7,8 @@ module Robot
   # An axis as the file gives it: values by key, and the nodes they came from.
   class Axis
     UNITS = %w[ticks_per_mm ticks_per_rad].freeze
-    DUTIES = %w[minimum_duty maximum_duty].freeze
-    LARGEST_DUTY = 0x1FFFF
+    DUTY = (1..0x1FFFF)
+    PWM = { 'minimum_duty' => DUTY, 'maximum_duty' => DUTY, 'gain_per_s' => (1..200) }.freeze
     SWITCH = { 'over_travel_ticks' => (0..10_000), 'switch_hysteresis_ticks' => (1..10_000),
                'home_time_ms' => (1000..600_000) }.freeze
     # What homing may go away from its switch beyond over-travel and hysteresis, and the needle in all.
@@ -32,12 +32,12 @@ module Robot
 
     def initialize(node)
       @node = node
-      @nodes = node.mapping(['name', *WHOLE.keys, *CHOICES.keys], UNITS + DUTIES + SWITCH.keys)
+      @nodes = node.mapping(['name', *WHOLE.keys, *CHOICES.keys], UNITS + PWM.keys + SWITCH.keys)
       @values = { 'name' => @nodes['name'].name }
       WHOLE.each { |key, range| @values[key] = @nodes[key].integer(range) }
       CHOICES.each { |key, values| @values[key] = @nodes[key].choice(values) }
       read_unit
-      read_duties
+      read_pwm
       read_group(SWITCH, self['limit_switch'] != 'none', 'an axis without a switch')
       check
     end
@@ -103,8 +103,8 @@ module Robot
       end
     end
 
-    def read_duties
-      read_group(DUTIES.to_h { |key| [key, 1..LARGEST_DUTY] }, pwm?, 'a non_pwm card')
+    def read_pwm
+      read_group(PWM, pwm?, 'a non_pwm card')
       below('minimum_duty', 'maximum_duty') if pwm?
     end
 

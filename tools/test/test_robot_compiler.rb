@@ -169,6 +169,15 @@ class TestRobotCompiler < Minitest::Test
                    at: 'minimum_duty: 131071')
   end
 
+  def test_SWR_ROBOT_001_a_gain_belongs_to_pwm_cards
+    assert_refused(with('    jump_ticks: 40', "    jump_ticks: 40\n    gain_per_s: 5"),
+                   'axes[0].gain_per_s: does not belong to a non_pwm card; expected none', at: 'gain_per_s: 5')
+    assert_refused(with("    gain_per_s: 90\n", '', axis: 'yaw'), 'axes[6]: has no gain_per_s; expected 1 to 200',
+                   axis: 'yaw', at: 'name: yaw')
+    assert_refused(with('gain_per_s: 90', 'gain_per_s: 201'), 'axes[3].gain_per_s: is 201; expected 1 to 200',
+                   at: 'gain_per_s: 201')
+  end
+
   def test_SWR_ROBOT_001_data_of_a_switch_belong_to_axes_with_one
     assert_refused(with('    jump_ticks: 40', "    jump_ticks: 40\n    home_time_ms: 5000", axis: 'feet'),
                    'axes[1].home_time_ms: does not belong to an axis without a switch; expected none',

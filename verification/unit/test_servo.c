@@ -193,6 +193,20 @@ void test_SWR_AXIS_008_a_direction_asked_for_but_not_driven_begins_no_dwell(void
     expect_drive(step(pwm, FAR_TICKS), CARD_DRIVE_PWM, 1U, pwm->maximum_duty);
 }
 
+void test_SWR_MOTION_021_a_lag_is_made_up_for_with_the_gain_of_the_axis(void)
+{
+    const int32_t speed = 10000;
+    const int32_t lag_ticks = 30;
+    axis_config_t config = *pwm;
+
+    for (config.gain_per_s = 20U; config.gain_per_s <= 100U; config.gain_per_s += 40U) {
+        const int32_t demand = speed + (lag_ticks * (int32_t)config.gain_per_s);
+        servo_init(&servo);
+        expect_drive(servo_step(&servo, &config, lag_ticks, speed * 256, CYCLE_US), CARD_DRIVE_PWM,
+                     1U, motor_model_duty(&config, demand * 256));
+    }
+}
+
 void test_SWR_MOTION_004_nothing_is_driven_within_the_deadband(void)
 {
     for (int32_t error = -pwm->deadband_ticks; error <= pwm->deadband_ticks; error++) {
