@@ -72,15 +72,22 @@ static void tell_plan(uint32_t seed)
     printf("    scene %u: %s\n", (unsigned)seed, text);
 }
 
+static void report_endings(ending_t ending, const char *words)
+{
+    const witness_t *const witness = &scene.witness;
+    const uint32_t latest = witness_late(witness, ending, 99U);
+    printf("%u %s, done after their profiles: half of them by %u ms, 99 %% by %u ms, %s\n",
+           (unsigned)witness->endings[ending].count, words,
+           (unsigned)witness_late(witness, ending, 50U), (unsigned)latest,
+           (latest <= (LIMIT_DONE_TIME_US / LIMIT_CYCLE_US)) ? "in time" : "late");
+}
+
 static bool report(play_t play, uint32_t count)
 {
     bool is_good = true;
-    const uint32_t latest = witness_late(&scene.witness, 99U);
-    printf("%u scenes, %u moves, done after their profiles: half of them by %u ms, 99 %% by %u ms, "
-           "%s\n",
-           (unsigned)count, (unsigned)scene.witness.moves,
-           (unsigned)witness_late(&scene.witness, 50U), (unsigned)latest,
-           (latest <= (LIMIT_DONE_TIME_US / LIMIT_CYCLE_US)) ? "in time" : "late");
+    printf("%u scenes\n", (unsigned)count);
+    report_endings(ENDING_MOVE, "moves");
+    report_endings(ENDING_NON_PWM, "legs with axes without pwm");
     for (uint32_t i = 0U; i < SENTENCE_COUNT; i++) {
         const verdict_t *const verdict = &scene.witness.verdicts[i];
         printf("%-70s ", witness_sentence((sentence_t)i));
@@ -128,7 +135,8 @@ int main(int count, char **arguments)
     if (play == FLIPS) {
         return flips_play(&scene, wanted, first) ? 0 : 1;
     }
-    while ((is_of_scenes((play_t)play) ? scenes : scene.witness.moves) < wanted) {
+    while ((is_of_scenes((play_t)play) ? scenes : scene.witness.endings[ENDING_MOVE].count) <
+           wanted) {
         play_scene((play_t)play, first + scenes);
         scenes++;
     }

@@ -46,8 +46,7 @@ void witness_begin(witness_t *self, uint32_t seed)
     kept = *self;
     (void)memset(self, 0, sizeof *self);
     (void)memcpy(self->verdicts, kept.verdicts, sizeof kept.verdicts);
-    (void)memcpy(self->late, kept.late, sizeof kept.late);
-    self->moves = kept.moves;
+    (void)memcpy(self->endings, kept.endings, sizeof kept.endings);
     self->seed = seed;
 }
 
@@ -298,23 +297,47 @@ static void judge_speed(witness_t *self, const rig_t *rig, uint32_t axis, double
     self->places[axis][place] = truth;
 }
 
-static void count_move(witness_t *self, const rig_t *rig)
+static void count_ending(witness_t *self, ending_t ending)
 {
+    endings_t *const endings = &self->endings[ending];
     const uint32_t late =
         (self->over_cycles < WITNESS_LATE) ? self->over_cycles : WITNESS_LATE - 1U;
-    if (rig->outputs.snapshot.workphase == (uint32_t)WORKPHASE_MOVE_TO_TARGET) {
-        self->moves++;
-        self->late[late]++;
+    endings->count++;
+    endings->late[late]++;
+}
+
+static bool has_non_pwm_way(const profile_t *profile)
+{
+    bool has_way = false;
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        has_way = has_way || ((robot_neuro.axes[i].card_type == (uint8_t)CARD_TYPE_NON_PWM) &&
+                              (profile->start_ticks[i] != profile->end_ticks[i]));
     }
+    return has_way;
+}
+
+/* A leg ends when the next one begins or the move is done, not when the pedal is released. */
+static void judge_endings(witness_t *self, const rig_t *rig, bool is_done)
+{
+    const profile_t *const profile = &rig->controller.profile;
+    const bool is_over = is_moving_to_target(rig) && profile_is_finished(profile);
+    const bool is_next = is_moving_to_target(rig) && (self->over_cycles > 0U) && !is_over;
+    if (is_done) {
+        count_ending(self, ENDING_MOVE);
+    }
+    if ((is_done || is_next) && self->is_non_pwm_over) {
+        count_ending(self, ENDING_NON_PWM);
+    }
+    self->over_cycles = is_over ? (self->over_cycles + 1U) : 0U;
+    self->is_non_pwm_over = is_over && has_non_pwm_way(profile);
 }
 
 static void judge_events(witness_t *self, const rig_t *rig, bool is_disturbed)
 {
+    bool is_done = false;
     for (uint32_t i = 0U; i < rig->outputs.event_count; i++) {
         const event_t *const event = &rig->outputs.events[i];
-        if (event->id == (uint32_t)EVENT_ORDER_DONE) {
-            count_move(self, rig);
-        }
+        is_done = is_done || (event->id == (uint32_t)EVENT_ORDER_DONE);
         /* What is not homed may be jogged against its switch. */
         const bool is_jog_blocked =
             (event->id == (uint32_t)EVENT_ORDER_OVERDUE) && !is_homed(rig, event->subject);
@@ -323,17 +346,18 @@ static void judge_events(witness_t *self, const rig_t *rig, bool is_disturbed)
             complain(self, rig, SENTENCE_CALM, event->subject % ROBOT_AXIS_COUNT, event->id);
         }
     }
-    const bool is_over = is_moving_to_target(rig) && profile_is_finished(&rig->controller.profile);
-    self->over_cycles = is_over ? (self->over_cycles + 1U) : 0U;
+    const uint32_t workphase = rig->outputs.snapshot.workphase;
+    judge_endings(self, rig, is_done && (workphase == (uint32_t)WORKPHASE_MOVE_TO_TARGET));
 }
 
-uint32_t witness_late(const witness_t *self, uint32_t percent)
+uint32_t witness_late(const witness_t *self, ending_t ending, uint32_t percent)
 {
+    const endings_t *const endings = &self->endings[ending];
     uint32_t cycles = 0U;
-    uint32_t count = self->late[0];
-    while ((cycles < (WITNESS_LATE - 1U)) && ((count * 100U) < (self->moves * percent))) {
+    uint32_t count = endings->late[0];
+    while ((cycles < (WITNESS_LATE - 1U)) && ((count * 100U) < (endings->count * percent))) {
         cycles++;
-        count += self->late[cycles];
+        count += endings->late[cycles];
     }
     return cycles;
 }

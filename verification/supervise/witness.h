@@ -45,12 +45,24 @@ typedef struct {
     double worst; /**< In its own unit: mm or degrees, seconds. */
 } verdict_t;
 
+/** What ends after a profile. */
+typedef enum {
+    ENDING_MOVE = 0,   /**< A move. */
+    ENDING_NON_PWM = 1 /**< A leg of a move in which an axis without pwm has a way. */
+} ending_t;
+
+#define ENDING_COUNT 2U
+
+/** How many ended so many cycles after their profile, in all episodes. */
+typedef struct {
+    uint32_t count;
+    uint32_t late[WITNESS_LATE];
+} endings_t;
+
 /** State of the witness; one episode at a time. */
 typedef struct {
     uint32_t seed;
-    uint32_t moves; /**< That have ended as asked, in all episodes. */
-    uint32_t
-        late[WITNESS_LATE]; /**< How many of them were done so many cycles after their profile. */
+    endings_t endings[ENDING_COUNT];
     verdict_t verdicts[SENTENCE_COUNT];
     bool is_broken[SENTENCE_COUNT];                /**< In this episode. */
     double rest[ROBOT_AXIS_COUNT][WITNESS_SECOND]; /**< True positions of the last second. */
@@ -61,6 +73,7 @@ typedef struct {
     uint32_t looks;
     uint32_t moving_cycles;
     uint32_t over_cycles;                   /**< Since the profile of the last leg has ended. */
+    bool is_non_pwm_over;                   /**< An axis without pwm had a way in it. */
     double needle_from;                     /**< Where homing began. */
     int32_t target_ticks[ROBOT_AXIS_COUNT]; /**< As accepted. */
     bool has_looked;
@@ -79,8 +92,8 @@ void witness_forgive(witness_t *self);
 void witness_look(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_COUNT],
                   bool is_disturbed);
 
-/** So many cycles after the end of its profile a move is done, in `percent` of all moves. */
-uint32_t witness_late(const witness_t *self, uint32_t percent);
+/** So many cycles after the end of its profile an `ending` came, in `percent` of all. */
+uint32_t witness_late(const witness_t *self, ending_t ending, uint32_t percent);
 
 /** The sentence in words, and the unit of `worst`. */
 const char *witness_sentence(sentence_t sentence);
