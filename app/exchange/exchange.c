@@ -183,7 +183,9 @@ static bool take_command(exchange_t *self, command_t *command)
 /* These compute kinematics, or check a pose. */
 static bool is_costly(const command_t *command)
 {
-    return (command->kind == (uint32_t)COMMAND_REGISTRATION) ||
+    const bool is_move = (command->kind == (uint32_t)COMMAND_WORKPHASE) &&
+                         (command->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET);
+    return is_move || (command->kind == (uint32_t)COMMAND_REGISTRATION) ||
            (command->kind == (uint32_t)COMMAND_TARGET) ||
            (command->kind == (uint32_t)COMMAND_PROPOSE_REGISTRATION) ||
            (command->kind == (uint32_t)COMMAND_PROPOSE_ENTRY) ||

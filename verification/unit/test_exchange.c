@@ -165,14 +165,16 @@ void test_SWR_EXCH_002_a_command_carries_the_source_of_its_lane(void)
 
 void test_SWR_CTRL_021_a_cycle_takes_no_more_after_a_command_that_computes(void)
 {
-    static const command_kind_t costly[] = {COMMAND_REGISTRATION, COMMAND_TARGET,
+    static const command_kind_t costly[] = {COMMAND_REGISTRATION,         COMMAND_TARGET,
                                             COMMAND_PROPOSE_REGISTRATION, COMMAND_PROPOSE_ENTRY,
-                                            COMMAND_PROPOSE_TARGET};
+                                            COMMAND_PROPOSE_TARGET,       COMMAND_WORKPHASE};
     command_t taken[4];
 
     for (uint32_t i = 0U; i < (sizeof costly / sizeof costly[0]); i++) {
         const command_t cheap = {.source = COMMAND_SOURCE_IGTL, .kind = (uint32_t)COMMAND_JOG};
-        const command_t dear = {.source = COMMAND_SOURCE_IGTL, .kind = (uint32_t)costly[i]};
+        const command_t dear = {.source = COMMAND_SOURCE_IGTL,
+                                .kind = (uint32_t)costly[i],
+                                .argument = (uint32_t)WORKPHASE_MOVE_TO_TARGET};
         TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &cheap));
         TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &dear));
         TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &dear));
@@ -181,6 +183,17 @@ void test_SWR_CTRL_021_a_cycle_takes_no_more_after_a_command_that_computes(void)
         TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, taken, 4U));
         TEST_ASSERT_EQUAL_UINT32(0U, exchange_take_commands(control, taken, 4U));
     }
+}
+
+void test_SWR_CTRL_021_a_workphase_that_computes_nothing_lets_others_follow(void)
+{
+    const command_t cheap = {.source = COMMAND_SOURCE_IGTL,
+                             .kind = (uint32_t)COMMAND_WORKPHASE,
+                             .argument = (uint32_t)WORKPHASE_TARGETING};
+    command_t taken[4];
+    TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &cheap));
+    TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &cheap));
+    TEST_ASSERT_EQUAL_UINT32(2U, exchange_take_commands(control, taken, 4U));
 }
 
 static void fill_lane(void)
