@@ -160,12 +160,29 @@ static uint32_t after_byte(uint32_t state, uint8_t byte)
     return remainders[0][(state ^ byte) & 0xFFU] ^ (state >> 8U);
 }
 
-static uint32_t after_word(uint32_t state, const uint8_t *at)
+static uint32_t get_word(const uint8_t *at)
 {
-    const uint32_t mixed = state ^ ((uint32_t)at[0] | ((uint32_t)at[1] << 8U) |
-                                    ((uint32_t)at[2] << 16U) | ((uint32_t)at[3] << 24U));
-    return remainders[3][mixed & 0xFFU] ^ remainders[2][(mixed >> 8U) & 0xFFU] ^
-           remainders[1][(mixed >> 16U) & 0xFFU] ^ remainders[0][mixed >> 24U];
+    return (uint32_t)at[0] | ((uint32_t)at[1] << 8U) | ((uint32_t)at[2] << 16U) |
+           ((uint32_t)at[3] << 24U);
+}
+
+/* After `count` words. */
+static uint32_t after_words(uint32_t start, const uint8_t *bytes, size_t count)
+{
+    /* Each in a register of its own, so that no entry's address must be added up. */
+    const uint32_t *const first = remainders[3];
+    const uint32_t *const second = remainders[2];
+    const uint32_t *const third = remainders[1];
+    const uint32_t *const last = remainders[0];
+    const uint8_t *at = bytes;
+    uint32_t state = start;
+    for (size_t left = count; left > 0U; left--) {
+        const uint32_t mixed = state ^ get_word(at);
+        state = first[mixed & 0xFFU] ^ second[(mixed >> 8U) & 0xFFU] ^
+                third[(mixed >> 16U) & 0xFFU] ^ last[mixed >> 24U];
+        at = &at[4];
+    }
+    return state;
 }
 
 uint32_t crc32c(const uint8_t *bytes, size_t length)
@@ -175,18 +192,10 @@ uint32_t crc32c(const uint8_t *bytes, size_t length)
 
 uint32_t crc32c_extend(uint32_t crc, const uint8_t *bytes, size_t length)
 {
-    const uint8_t *at = bytes;
-    size_t left = length;
-    uint32_t state = ~crc;
-    while (left >= 4U) {
-        state = after_word(state, at);
-        at = &at[4];
-        left -= 4U;
-    }
-    while (left > 0U) {
-        state = after_byte(state, *at);
-        at = &at[1];
-        left--;
+    const size_t words = length / 4U;
+    uint32_t state = after_words(~crc, bytes, words);
+    for (size_t i = words * 4U; i < length; i++) {
+        state = after_byte(state, bytes[i]);
     }
     return ~state;
 }
