@@ -57,10 +57,35 @@ int64_t fixed_normalise(const int64_t vector[3], int32_t unit_q30[3]);
  *
  * @satisfies SWR-FIX-003
  */
-int32_t fixed_saturate(int64_t value);
+static inline int32_t fixed_saturate(int64_t value)
+{
+    if (value > INT32_MAX) {
+        return INT32_MAX;
+    }
+    return (value < INT32_MIN) ? INT32_MIN : (int32_t)value;
+}
 
 /** `value` modulo one turn: the angle it stands for, whichever number of turns it counts. */
 int32_t fixed_wrap_bam(int64_t value);
+
+/**
+ * `value / divisor` as C rounds it, towards zero; `divisor` 2..65536. With a constant divisor a
+ * quarter of the instructions of a division of 64 bits: three digits of 16 bits, each divided as
+ * the compiler divides 32 bits by a constant.
+ *
+ * @satisfies SWR-FIX-003
+ */
+static inline int64_t fixed_divide_by(int64_t value, uint32_t divisor)
+{
+    const uint64_t size = (value < 0) ? (0ULL - (uint64_t)value) : (uint64_t)value;
+    const uint32_t upper = (uint32_t)(size >> 32U);
+    const uint32_t lower = (uint32_t)(size & 0xFFFFFFFFU);
+    const uint32_t middle = ((upper % divisor) << 16U) | (lower >> 16U);
+    const uint32_t last = ((middle % divisor) << 16U) | (lower & 0xFFFFU);
+    const uint64_t quotient = ((uint64_t)(upper / divisor) << 32U) |
+                              ((uint64_t)(middle / divisor) << 16U) | (last / divisor);
+    return (value < 0) ? -(int64_t)quotient : (int64_t)quotient;
+}
 
 /** `numerator / denominator` rounded half away from zero. Requires (contract 100) denominator > 0.
  */

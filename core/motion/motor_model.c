@@ -1,18 +1,26 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "motor_model.h"
 
+#include "fixed.h"
 #include "servo.h"
 
 #include <stdbool.h>
 
 /* Facts of the motors: time constant of gaining speed, share of full speed at the smallest word. */
-#define RISE_US INT64_C(15000)
-#define SLOWEST_PERCENT INT64_C(10)
+#define RISE_US 15000U
+#define SLOWEST_PERCENT 10
+
+#define US_PER_S 1000000U
+
+static int64_t slowest_of(int64_t full_q8)
+{
+    return fixed_divide_by(full_q8 * SLOWEST_PERCENT, 100U);
+}
 
 uint32_t motor_model_duty(const axis_config_t *config, int64_t speed_ticks_per_s_q8)
 {
     const int64_t full_q8 = (int64_t)config->full_speed_ticks_per_s * 256;
-    const int64_t slowest_q8 = (full_q8 * SLOWEST_PERCENT) / 100;
+    const int64_t slowest_q8 = slowest_of(full_q8);
     const int64_t span = (int64_t)config->maximum_duty - (int64_t)config->minimum_duty;
     const int64_t above = (span * (speed_ticks_per_s_q8 - slowest_q8)) / (full_q8 - slowest_q8);
     if (above < 0) {
@@ -21,17 +29,14 @@ uint32_t motor_model_duty(const axis_config_t *config, int64_t speed_ticks_per_s
     return (above > span) ? config->maximum_duty : (config->minimum_duty + (uint32_t)above);
 }
 
-/* Speed that `drive` settles to. */
+/* Speed that `drive`, which is not off, settles to. */
 static int64_t steady_q8(const axis_config_t *config, const card_drive_t *drive)
 {
     int64_t speed_q8 = (int64_t)config->full_speed_ticks_per_s * 256;
-    if (drive->mode == (uint32_t)CARD_DRIVE_OFF) {
-        return 0;
-    }
     if (config->card_type == (uint8_t)CARD_TYPE_PWM) {
         const int64_t span = (int64_t)config->maximum_duty - (int64_t)config->minimum_duty;
         const int64_t above = (int64_t)drive->duty - (int64_t)config->minimum_duty;
-        const int64_t slowest_q8 = (speed_q8 * SLOWEST_PERCENT) / 100;
+        const int64_t slowest_q8 = slowest_of(speed_q8);
         speed_q8 = slowest_q8 + (((speed_q8 - slowest_q8) * above) / span);
     }
     return servo_is_upwards(config, drive) ? speed_q8 : -speed_q8;
@@ -40,14 +45,19 @@ static int64_t steady_q8(const axis_config_t *config, const card_drive_t *drive)
 int64_t motor_model_step_q16(motor_model_t *self, const axis_config_t *config,
                              const card_drive_t *drive, uint32_t elapsed_us)
 {
+    if (drive->mode == (uint32_t)CARD_DRIVE_OFF) {
+        self->speed_ticks_per_s_q8 = 0;
+        return 0;
+    }
     const int64_t steady = steady_q8(config, drive);
-    const int64_t time_us = ((int64_t)elapsed_us < RISE_US) ? (int64_t)elapsed_us : RISE_US;
+    const int64_t time_us = (int64_t)((elapsed_us < RISE_US) ? elapsed_us : RISE_US);
     const bool goes_on = ((steady > 0) && (self->speed_ticks_per_s_q8 > 0)) ||
                          ((steady < 0) && (self->speed_ticks_per_s_q8 < 0));
     int64_t before = goes_on ? self->speed_ticks_per_s_q8 : 0;
-    if (((steady >= 0) && (before > steady)) || ((steady <= 0) && (before < steady))) {
+    if (((steady > 0) && (before > steady)) || ((steady < 0) && (before < steady))) {
         before = steady;
     }
-    self->speed_ticks_per_s_q8 = before + (((steady - before) * time_us) / RISE_US);
-    return (((before + self->speed_ticks_per_s_q8) / 2) * 256 * (int64_t)elapsed_us) / 1000000;
+    self->speed_ticks_per_s_q8 = before + fixed_divide_by((steady - before) * time_us, RISE_US);
+    const int64_t mean_q8 = (before + self->speed_ticks_per_s_q8) / 2;
+    return fixed_divide_by(mean_q8 * 4 * (int64_t)elapsed_us, US_PER_S / 64U);
 }

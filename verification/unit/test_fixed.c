@@ -159,6 +159,21 @@ void test_SWR_FIX_002_square_root_is_the_largest_integer_not_above(void)
     }
 }
 
+void test_SWR_FIX_003_division_by_a_small_number_is_that_of_c(void)
+{
+    static const int64_t ends[] = {0, 1, -1, 65535, INT64_C(-4294967296), INT64_MAX, INT64_MIN};
+    for (uint32_t divisor = 2U; divisor <= 65536U; divisor += 97U) {
+        for (size_t i = 0U; i < sizeof ends / sizeof ends[0]; i++) {
+            TEST_ASSERT_EQUAL_INT64(ends[i] / (int64_t)divisor, fixed_divide_by(ends[i], divisor));
+        }
+        for (int i = 0; i < 64; i++) {
+            const int64_t value = (int64_t)next_random() >> i;
+            TEST_ASSERT_EQUAL_INT64(value / (int64_t)divisor, fixed_divide_by(value, divisor));
+        }
+    }
+    TEST_ASSERT_EQUAL_INT64(INT64_MIN / 65536, fixed_divide_by(INT64_MIN, 65536U));
+}
+
 void test_SWR_FIX_003_saturation_stops_at_the_ends_of_int32(void)
 {
     TEST_ASSERT_EQUAL_INT32(INT32_MAX, fixed_saturate(INT64_MAX));
