@@ -30,7 +30,7 @@ static bool is_well(const link_t *self)
 
 static void receive(link_t *self, const uint8_t *bytes)
 {
-    card_report_t report = self->report;
+    card_report_t report;
     self->is_fresh = 0U;
     self->last_error = (uint32_t)CARD_FRAME_OK;
     if (bytes == NULL) {
@@ -125,12 +125,6 @@ void link_reset(link_t *self)
 {
     const card_link_inputs_t inputs = {.is_fresh = link_is_healthy_now(self)};
     (void)card_link_chart_dispatch(&self->chart, &inputs, CARD_LINK_EVENT_RESET);
-}
-
-bool link_is_usable(const link_t *self)
-{
-    return (self->chart.state == CARD_LINK_STATE_LIVE) ||
-           (self->chart.state == CARD_LINK_STATE_LATE);
 }
 
 bool link_was_only_silent(const link_t *self)

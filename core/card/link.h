@@ -75,7 +75,11 @@ void link_reset(link_t *self);
 void link_distrust(link_t *self, uint32_t slot, uint32_t card_type, uint32_t firmware);
 
 /** The card may be given a drive command. */
-bool link_is_usable(const link_t *self);
+static inline bool link_is_usable(const link_t *self)
+{
+    return (self->chart.state == CARD_LINK_STATE_LIVE) ||
+           (self->chart.state == CARD_LINK_STATE_LATE);
+}
 
 /** Nothing was known against the lost card but that frames did not come through, one way or the
  * other. */

@@ -17,11 +17,25 @@ static bool is_any_link_lost(const controller_t *self)
 }
 
 /* What is the same for every axis. */
-typedef struct {
-    bool is_link_lost;
-    bool is_homed;
-    uint32_t system_state;
-} common_t;
+static permit_facts_t common_facts(const controller_t *self, const cycle_t *cycle)
+{
+    const pedal_gate_state_t pedal = self->pedal.chart.state;
+    const permit_facts_t facts = {
+        .is_estop_pulled = (self->estop.state == ESTOP_LATCH_STATE_PULLED),
+        .is_estop_latched = (self->estop.state == ESTOP_LATCH_STATE_LATCHED),
+        .is_loop_stopped = (self->loop.chart.state == LOOP_GUARD_STATE_STOPPED),
+        .is_link_lost = is_any_link_lost(self),
+        .is_pedal_faulty = (pedal == PEDAL_GATE_STATE_FAULT),
+        .is_scanner_active = (cycle->inputs->scanner_active != 0U),
+        .is_armed = workphase_is_armed(&self->workphases),
+        .is_pedal_unproven = (pedal == PEDAL_GATE_STATE_UNPROVEN),
+        .is_pedal_pressed = pedal_gate_is_open(&self->pedal),
+        .is_every_axis_homed = controller_is_homed(self),
+        .is_memory_damaged = controller_is_blind(self),
+        .is_homing_or_jog = (workphase_present(&self->workphases) != WORKPHASE_MOVE_TO_TARGET),
+    };
+    return facts;
+}
 
 static bool is_needle_in(const controller_t *self, const robot_t *robot, uint32_t index,
                          const card_drive_t *request)
@@ -34,34 +48,20 @@ static bool is_needle_in(const controller_t *self, const robot_t *robot, uint32_
 
 /* The permit of one axis for its request. */
 static permit_t decide(const controller_t *self, const cycle_t *cycle, uint32_t index,
-                       const coupled_view_t *view, const common_t *common)
+                       const coupled_view_t *view, const permit_facts_t *common)
 {
     const axis_t *const axis = &self->axes[index];
     const card_drive_t *const request = &view->requests[index];
     const axis_config_t *const config = &cycle->robot->axes[index];
-    const pedal_gate_state_t pedal = self->pedal.chart.state;
-    const bool is_blind = controller_is_blind(self);
-    const permit_facts_t facts = {
-        .is_estop_pulled = (self->estop.state == ESTOP_LATCH_STATE_PULLED),
-        .is_estop_latched = (self->estop.state == ESTOP_LATCH_STATE_LATCHED),
-        .is_loop_stopped = (self->loop.chart.state == LOOP_GUARD_STATE_STOPPED),
-        .is_link_lost = common->is_link_lost,
-        .is_pedal_faulty = (pedal == PEDAL_GATE_STATE_FAULT),
-        .is_scanner_active = (cycle->inputs->scanner_active != 0U),
-        .is_axis_faulty = axis_is_faulty(axis),
-        .is_axis_enabled = axis_is_enabled(axis),
-        .is_armed = workphase_is_armed(&self->workphases),
-        .is_pedal_unproven = (pedal == PEDAL_GATE_STATE_UNPROVEN),
-        .is_pedal_pressed = pedal_gate_is_open(&self->pedal),
-        .is_homed = axis_is_homed(axis),
-        .is_every_axis_homed = common->is_homed,
-        .is_memory_damaged = is_blind,
-        .is_homing_or_jog = (workphase_present(&self->workphases) != WORKPHASE_MOVE_TO_TARGET),
-        .is_towards_switch = axis_is_towards_switch(axis, config, request),
-        .is_beyond_soft_limit = axis_is_beyond_limit(axis, config, request),
-        .is_coupled_limit = !is_blind && coupled_guard_blocks(cycle->robot, view, index),
-        .is_needle_in = is_needle_in(self, cycle->robot, index, request),
-    };
+    permit_facts_t facts = *common;
+    facts.is_axis_faulty = axis_is_faulty(axis);
+    facts.is_axis_enabled = axis_is_enabled(axis);
+    facts.is_homed = axis_is_homed(axis);
+    facts.is_towards_switch = axis_is_towards_switch(axis, config, request);
+    facts.is_beyond_soft_limit = axis_is_beyond_limit(axis, config, request);
+    facts.is_coupled_limit =
+        !common->is_memory_damaged && coupled_guard_blocks(cycle->robot, view, index);
+    facts.is_needle_in = is_needle_in(self, cycle->robot, index, request);
     return permit_decide(&facts);
 }
 
@@ -101,6 +101,8 @@ static void send(controller_t *self, const cycle_t *cycle, uint32_t index, uint3
         .drive = *drive,
         .watchdog_us = LIMIT_CARD_WATCHDOG_US,
         .overspeed_ticks_per_s = (uint32_t)config->full_speed_ticks_per_s * 2U,
+        .guard_minimum_ticks = 0,
+        .guard_maximum_ticks = 0,
         .axis_id = index,
     };
     if (link_is_usable(link) && !controller_is_blind(self)) {
@@ -143,17 +145,15 @@ void controller_drive(controller_t *self, const cycle_t *cycle,
 {
     card_drive_t sent[ROBOT_AXIS_COUNT];
     const coupled_view_t view = {.axes = self->axes, .sent = sent, .requests = requests};
-    const common_t common = {.is_link_lost = is_any_link_lost(self),
-                             .is_homed = controller_is_homed(self),
-                             .system_state = system_state(self, cycle)};
+    const permit_facts_t common = common_facts(self, cycle);
+    const uint32_t state = system_state(self, cycle);
     (void)memcpy(sent, self->drives, sizeof sent);
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
         const permit_t permit = decide(self, cycle, i, &view, &common);
         remember(self, cycle, i, &permit);
-        const card_drive_t drive =
-            permit_apply(&permit, is_too_fast(self, cycle, i, common.is_homed), &requests[i]);
-        send(self, cycle, i, common.system_state | (permit.is_allowed ? CARD_SYSTEM_PERMIT : 0U),
-             &drive);
+        const card_drive_t drive = permit_apply(
+            &permit, is_too_fast(self, cycle, i, common.is_every_axis_homed), &requests[i]);
+        send(self, cycle, i, state | (permit.is_allowed ? CARD_SYSTEM_PERMIT : 0U), &drive);
     }
     clear_unused_frames(cycle);
     self->sequence++;

@@ -67,16 +67,6 @@ void controller_seal(controller_t *self)
     compute(self, self->seals);
 }
 
-bool controller_is_blind(const controller_t *self)
-{
-    return self->table_damage != 0U;
-}
-
-uint32_t controller_slot(const controller_t *self, uint32_t index)
-{
-    return self->links[index].slot % ROBOT_SLOT_COUNT;
-}
-
 static void disable_all(controller_t *self)
 {
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {

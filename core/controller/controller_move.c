@@ -140,6 +140,20 @@ static void begin_leg(controller_t *self, const robot_t *robot)
     self->overtime_cycles = 0U;
 }
 
+/* An axis that the profile leaves where it is costs no division. */
+static card_drive_t follow(controller_t *self, const cycle_t *cycle, uint32_t index)
+{
+    const profile_t *const profile = &self->profile;
+    int32_t position_ticks = profile->end_ticks[index];
+    int32_t speed_q8 = 0;
+    if (profile->start_ticks[index] != position_ticks) {
+        position_ticks = profile_position_ticks(profile, index);
+        speed_q8 = profile_speed_ticks_per_s_q8(profile, index);
+    }
+    return axis_follow(&self->axes[index], &cycle->robot->axes[index], position_ticks, speed_q8,
+                       cycle->inputs->elapsed_us);
+}
+
 static void follow_profile(controller_t *self, const cycle_t *cycle,
                            card_drive_t requests[ROBOT_AXIS_COUNT])
 {
@@ -148,12 +162,8 @@ static void follow_profile(controller_t *self, const cycle_t *cycle,
     }
     profile_step(&self->profile);
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
-        requests[i] = is_moved(self, i)
-                          ? axis_follow(&self->axes[i], &cycle->robot->axes[i],
-                                        profile_position_ticks(&self->profile, i),
-                                        profile_speed_ticks_per_s_q8(&self->profile, i),
-                                        cycle->inputs->elapsed_us)
-                          : axis_rest(&self->axes[i], cycle->inputs->elapsed_us);
+        requests[i] = is_moved(self, i) ? follow(self, cycle, i)
+                                        : axis_rest(&self->axes[i], cycle->inputs->elapsed_us);
     }
     if (profile_is_finished(&self->profile) && is_at(self, cycle->robot, self->profile.end_ticks)) {
         self->settled_cycles++;

@@ -47,14 +47,20 @@ void controller_because(controller_t *self, event_cause_t cause, uint32_t peer);
 void controller_check_memory(controller_t *self, const cycle_t *cycle);
 
 /** The robot's table was damaged: nothing of it may be used. */
-bool controller_is_blind(const controller_t *self);
+static inline bool controller_is_blind(const controller_t *self)
+{
+    return self->table_damage != 0U;
+}
 
 /**
  * Slot of the card of axis `index`, bounded: an index of frames, whatever the memory says.
  *
  * @satisfies SWR-MEMORY-006
  */
-uint32_t controller_slot(const controller_t *self, uint32_t index);
+static inline uint32_t controller_slot(const controller_t *self, uint32_t index)
+{
+    return self->links[index].slot % ROBOT_SLOT_COUNT;
+}
 
 /** The card of axis `index` was lost: so are the target, the order and, unless it is only
  * `is_in_doubt`, its reference. */

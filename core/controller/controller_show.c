@@ -81,11 +81,14 @@ static bool is_any_contradicted(const controller_t *self)
  */
 static next_step_t confirmed_first(const controller_t *self, const cycle_t *cycle, next_step_t step)
 {
-    const workphases_inputs_t guards = controller_guards(self, cycle);
     const bool is_for_start_up = (step == NEXT_STEP_START_UP) || (step == NEXT_STEP_CHECK_CARDS) ||
                                  (step == NEXT_STEP_PEDAL_FAULT);
+    if (!is_for_start_up) {
+        return step;
+    }
+    const workphases_inputs_t guards = controller_guards(self, cycle);
     const bool is_due = guards.is_confirmation_due || is_any_contradicted(self);
-    return (is_for_start_up && guards.is_hardware_ready && is_due) ? NEXT_STEP_CONFIRM : step;
+    return (guards.is_hardware_ready && is_due) ? NEXT_STEP_CONFIRM : step;
 }
 
 static void show_axis(const controller_t *self, const cycle_t *cycle, uint32_t index)
