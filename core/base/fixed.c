@@ -35,6 +35,57 @@ static uint64_t multiply_q32(uint64_t a, uint64_t b)
     return (a * b) >> 32U;
 }
 
+/* Moves a number whose highest `bits` are zero up by so many; returns how many. */
+static inline uint32_t lift(uint64_t *value, uint32_t bits)
+{
+    if ((*value >> (64U - bits)) != 0U) {
+        return 0U;
+    }
+    *value <<= bits;
+    return bits;
+}
+
+/* 1 / `value_q32` of a half to one, q31, too small by less than 16: Newton's method from a straight
+ * line that is at most 6 % off, of which each step leaves the square. */
+static uint32_t reciprocal_q31(uint64_t value_q32)
+{
+    uint64_t reciprocal = 6063482000ULL - multiply_q32(value_q32, 4042322000ULL);
+    for (uint32_t i = 0U; i < 3U; i++) {
+        reciprocal = (reciprocal * (ONE_Q32 - multiply_q32(reciprocal, value_q32))) >> 31U;
+    }
+    return (uint32_t)(reciprocal - 8U);
+}
+
+uint64_t fixed_divide(uint64_t numerator, uint64_t divisor)
+{
+    uint64_t wide = divisor << 32U;
+    uint32_t shift = 0U;
+    if (divisor > UINT32_MAX) {
+        return numerator / divisor;
+    }
+    shift += lift(&wide, 16U);
+    shift += lift(&wide, 8U);
+    shift += lift(&wide, 4U);
+    shift += lift(&wide, 2U);
+    shift += lift(&wide, 1U);
+    const uint64_t reciprocal = reciprocal_q31(wide >> 32U);
+    const uint32_t below = 31U - shift;
+    uint64_t quotient = 0U;
+    uint64_t rest = numerator;
+    /* The first step leaves a 2^28th of the quotient, the second one a 2^28th of that. */
+    for (uint32_t i = 0U; i < 2U; i++) {
+        const uint64_t part =
+            (((rest >> 32U) * reciprocal) + multiply_q32(rest & 0xFFFFFFFFU, reciprocal)) >> below;
+        quotient += part;
+        rest -= part * divisor;
+    }
+    while (rest >= divisor) {
+        rest -= divisor;
+        quotient++;
+    }
+    return quotient;
+}
+
 static uint32_t bit_length(uint64_t value)
 {
     uint32_t length = 0U;
@@ -118,7 +169,7 @@ static uint32_t octant_angle(uint64_t smaller, uint64_t larger)
         0U,         42667331U,  85004756U,  126697423U, 167458907U, 207041579U,
         245243172U, 281909457U, 316933406U, 350251643U, 381839095U, 411702716U,
         439875013U, 466407904U, 491367227U, 514828063U, 536870912U};
-    const uint64_t sixteenth = (smaller * 16U) / larger;
+    const uint64_t sixteenth = fixed_divide(smaller * 16U, larger);
     const uint64_t above = (smaller * 16U) - (sixteenth * larger);
     const uint64_t rest_q32 = (above << 32U) / ((larger * 16U) + (sixteenth * smaller));
     const uint64_t square_q32 = multiply_q32(rest_q32, rest_q32);
@@ -185,16 +236,6 @@ static uint32_t root_of_wide(uint64_t value)
     return (uint32_t)root;
 }
 
-/* Moves a number whose highest `bits` are zero up by so many; returns how many. */
-static inline uint32_t lift(uint64_t *value, uint32_t bits)
-{
-    if ((*value >> (64U - bits)) != 0U) {
-        return 0U;
-    }
-    *value <<= bits;
-    return bits;
-}
-
 uint32_t fixed_square_root(uint64_t value)
 {
     uint64_t wide = value;
@@ -217,40 +258,62 @@ int32_t fixed_multiply_q30(int32_t a, int32_t b_q30)
 
 int64_t fixed_dot_q30(const int32_t a[3], const int32_t b_q30[3])
 {
-    int64_t sum = 0;
-    for (uint32_t i = 0U; i < 3U; i++) {
-        sum += ((int64_t)a[i] * b_q30[i]) / 2;
-    }
+    const int64_t sum = (((int64_t)a[0] * b_q30[0]) / 2) + (((int64_t)a[1] * b_q30[1]) / 2) +
+                        (((int64_t)a[2] * b_q30[2]) / 2);
     return fixed_shift_rounded(sum, 29U);
+}
+
+/* A vector scaled so that its widest coordinate has 31 bits. */
+typedef struct {
+    uint64_t size[3];
+    uint32_t length; /* Bits of the widest coordinate before. */
+    uint64_t norm;   /* Of the scaled vector. */
+} scaled_t;
+
+static scaled_t scale(const int64_t vector[3])
+{
+    scaled_t scaled;
+    uint64_t sum = 0U;
+    const uint64_t widest = magnitude(vector[0]) | magnitude(vector[1]) | magnitude(vector[2]);
+    scaled.length = bit_length(widest);
+    for (uint32_t i = 0U; i < 3U; i++) {
+        scaled.size[i] = to_31_bits(magnitude(vector[i]), scaled.length);
+        sum += scaled.size[i] * scaled.size[i];
+    }
+    scaled.norm = fixed_square_root(sum);
+    return scaled;
+}
+
+static int64_t length_of(const scaled_t *scaled)
+{
+    if (scaled->length > 31U) {
+        const uint32_t excess = scaled->length - 31U;
+        const uint64_t size = scaled->norm << excess;
+        return (int64_t)size;
+    }
+    const uint32_t lack = 31U - scaled->length;
+    const uint64_t one = 1ULL << lack;
+    const uint64_t size = (scaled->norm + (one / 2U)) >> lack;
+    return (int64_t)size;
+}
+
+int64_t fixed_length(const int64_t vector[3])
+{
+    const scaled_t scaled = scale(vector);
+    return length_of(&scaled);
 }
 
 int64_t fixed_normalise(const int64_t vector[3], int32_t unit_q30[3])
 {
-    uint64_t widest = 0U;
+    const scaled_t scaled = scale(vector);
     for (uint32_t i = 0U; i < 3U; i++) {
-        widest |= magnitude(vector[i]);
-    }
-    const uint32_t length = bit_length(widest);
-    uint64_t scaled[3];
-    uint64_t sum = 0U;
-    for (uint32_t i = 0U; i < 3U; i++) {
-        scaled[i] = to_31_bits(magnitude(vector[i]), length);
-        sum += scaled[i] * scaled[i];
-    }
-    const uint64_t norm = fixed_square_root(sum);
-    for (uint32_t i = 0U; i < 3U; i++) {
-        const uint64_t size = (norm == 0U) ? 0U : (((scaled[i] << 30U) + (norm / 2U)) / norm);
+        const uint64_t size =
+            (scaled.norm == 0U)
+                ? 0U
+                : fixed_divide((scaled.size[i] << 30U) + (scaled.norm / 2U), scaled.norm);
         unit_q30[i] = (int32_t)with_sign(size, vector[i] < 0);
     }
-    if (length > 31U) {
-        const uint32_t excess = length - 31U;
-        const uint64_t size = norm << excess;
-        return (int64_t)size;
-    }
-    const uint32_t lack = 31U - length;
-    const uint64_t one = 1ULL << lack;
-    const uint64_t size = (norm + (one / 2U)) >> lack;
-    return (int64_t)size;
+    return length_of(&scaled);
 }
 
 int32_t fixed_wrap_bam(int64_t value)
@@ -268,8 +331,9 @@ int64_t fixed_divide_rounded(int64_t numerator, int64_t denominator)
     if (size == 0U) {
         return 0;
     }
-    uint64_t quotient = size / divisor;
-    if ((size % divisor) >= (divisor - (size % divisor))) {
+    uint64_t quotient = fixed_divide(size, divisor);
+    const uint64_t rest = size - (quotient * divisor);
+    if (rest >= (divisor - rest)) {
         quotient++;
     }
     return with_sign(quotient, numerator < 0);
@@ -279,5 +343,6 @@ int64_t fixed_shift_rounded(int64_t value, uint32_t bits)
 {
     const uint32_t below = bits - 1U;
     const uint64_t half = 1ULL << below;
-    return with_sign((magnitude(value) + half) >> bits, value < 0);
+    const uint64_t size = (magnitude(value) + half) >> bits;
+    return (value < 0) ? -(int64_t)size : (int64_t)size;
 }

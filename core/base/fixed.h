@@ -26,6 +26,14 @@ typedef struct {
 fixed_direction_t fixed_direction(int32_t angle_bam);
 
 /**
+ * `numerator / divisor`, the divisor not 0. For a processor without a division: by the reciprocal,
+ * half of the instructions, if the divisor has 32 bits.
+ *
+ * @satisfies SWR-FIX-003
+ */
+uint64_t fixed_divide(uint64_t numerator, uint64_t divisor);
+
+/**
  * Angle of the vector (x, y), in [-half a turn, half a turn), within 4 bam of the true value; (0,
  * 0) gives 0. x and y may have any equal scale.
  *
@@ -51,6 +59,9 @@ int64_t fixed_dot_q30(const int32_t a[3], const int32_t b_q30[3]);
  * |coordinate| <= 2^60. The zero vector gives length 0 and the zero vector.
  */
 int64_t fixed_normalise(const int64_t vector[3], int32_t unit_q30[3]);
+
+/** Length of `vector` as fixed_normalise() gives it, without its divisions. */
+int64_t fixed_length(const int64_t vector[3]);
 
 /**
  * `value` limited to int32.

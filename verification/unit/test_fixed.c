@@ -174,6 +174,32 @@ void test_SWR_FIX_003_division_by_a_small_number_is_that_of_c(void)
     TEST_ASSERT_EQUAL_INT64(INT64_MIN / 65536, fixed_divide_by(INT64_MIN, 65536U));
 }
 
+void test_SWR_FIX_003_division_is_that_of_c_at_and_around_multiples(void)
+{
+    for (int i = 0; i < 50000; i++) {
+        const uint64_t numerator = next_random() >> (unsigned)(i % 64);
+        const uint64_t divisor = (next_random() >> (unsigned)(30 + ((i / 64) % 34))) | 1U;
+        const uint64_t multiple = (numerator / divisor) * divisor;
+        TEST_ASSERT_EQUAL_UINT64(numerator / divisor, fixed_divide(numerator, divisor));
+        TEST_ASSERT_EQUAL_UINT64(multiple / divisor, fixed_divide(multiple, divisor));
+        TEST_ASSERT_EQUAL_UINT64((multiple - 1U) / divisor, fixed_divide(multiple - 1U, divisor));
+    }
+    TEST_ASSERT_EQUAL_UINT64(UINT64_MAX, fixed_divide(UINT64_MAX, 1U));
+    TEST_ASSERT_EQUAL_UINT64(UINT64_C(4294967297), fixed_divide(UINT64_MAX, UINT32_MAX));
+    TEST_ASSERT_EQUAL_UINT64(UINT32_MAX, fixed_divide(UINT64_MAX, UINT64_C(4294967296)));
+}
+
+void test_SWR_FIX_003_a_length_is_that_of_the_normalised_vector(void)
+{
+    for (int i = 0; i < 5000; i++) {
+        const int64_t vector[3] = {(int64_t)next_random() >> (i % 60 + 4),
+                                   (int64_t)next_random() >> (i % 57 + 4),
+                                   (int64_t)next_random() >> (i % 53 + 4)};
+        int32_t unit[3];
+        TEST_ASSERT_EQUAL_INT64(fixed_normalise(vector, unit), fixed_length(vector));
+    }
+}
+
 void test_SWR_FIX_003_saturation_stops_at_the_ends_of_int32(void)
 {
     TEST_ASSERT_EQUAL_INT32(INT32_MAX, fixed_saturate(INT64_MAX));
