@@ -21,7 +21,11 @@ static int64_t magnitude(int64_t value)
 static int32_t following_error_ticks(const axis_t *self, const axis_config_t *config)
 {
     const int64_t speed_q8 = magnitude((int64_t)self->setpoint_speed_ticks_per_s_q8);
-    const int64_t way_q8 = fixed_divide_by(speed_q8 * (int64_t)config->following_time_ms, 1000U);
+    const int64_t product = speed_q8 * (int64_t)config->following_time_ms;
+    if (product == 0) {
+        return config->following_error_ticks;
+    }
+    const int64_t way_q8 = fixed_divide_by(product, 1000U);
     return fixed_saturate((int64_t)config->following_error_ticks + (way_q8 / 256));
 }
 

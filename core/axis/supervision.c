@@ -160,14 +160,16 @@ static void remember_place(supervision_t *self, const supervision_view_t *view)
 /* From the place of the last second that is farthest from here. */
 static int32_t way_while_off(const supervision_t *self, const supervision_view_t *view)
 {
-    int64_t farthest = 0;
+    int32_t least = view->position_ticks;
+    int32_t most = view->position_ticks;
     for (uint32_t i = 0U; i < SUPERVISION_PLACES; i++) {
-        const int64_t way = (int64_t)view->position_ticks - (int64_t)self->places_ticks[i];
-        if ((way > farthest) || (-way > farthest)) {
-            farthest = (way < 0) ? -way : way;
-        }
+        const int32_t place = self->places_ticks[i];
+        least = (place < least) ? place : least;
+        most = (place > most) ? place : most;
     }
-    return fixed_saturate(farthest);
+    const int64_t up = (int64_t)view->position_ticks - (int64_t)least;
+    const int64_t down = (int64_t)most - (int64_t)view->position_ticks;
+    return fixed_saturate((up > down) ? up : down);
 }
 
 static bool is_moving_while_off(supervision_t *self, const axis_config_t *config,
