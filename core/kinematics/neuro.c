@@ -105,9 +105,8 @@ static bool aim_at_pose(needle_t *self, const robot_t *robot, const rigid_t *pos
     return has_yaw;
 }
 
-/* Joint values of the carriages and the insertion at a depth, and the separation; returns the
-   height, from which the carriages are taken at the end of reach if it is beyond. */
-static int64_t place(const needle_t *self, int64_t depth_nm, int64_t value[NEURO_LIMIT_COUNT])
+/* Insertion, lateral axis and height at a depth; returns twice the way of the carriages along. */
+static int64_t reach(const needle_t *self, int64_t depth_nm, int64_t value[NEURO_LIMIT_COUNT])
 {
     const neuro_geometry_t *const geometry = &self->robot->neuro;
     const int32_t lever_nm = lever_at(geometry, depth_nm);
@@ -117,19 +116,27 @@ static int64_t place(const needle_t *self, int64_t depth_nm, int64_t value[NEURO
         (int64_t)self->target.y_nm - fixed_multiply_q30(lever_nm, self->direction_q30[1]);
     const int64_t z_nm =
         (int64_t)self->target.z_nm - fixed_multiply_q30(lever_nm, self->direction_q30[2]);
-    const int64_t height_nm = self->home_height_nm + y_nm - geometry->rcm_home_y_nm;
-    const int64_t reached_nm = within(height_nm, 0, geometry->side_link_nm);
-    const int64_t separation_nm =
-        other_side_twice(geometry, reached_nm * 2) + geometry->top_width_nm;
-    const int64_t opened_nm = separation_nm - geometry->home_separation_nm;
-    const int64_t axial_nm = (z_nm - geometry->rcm_home_z_nm) * 2;
-    value[AXIS_HEAD] = fixed_shift_rounded(axial_nm + opened_nm, 1U);
-    value[AXIS_FEET] = fixed_shift_rounded(axial_nm - opened_nm, 1U);
     value[AXIS_LATERAL] = x_nm - geometry->rcm_home_x_nm;
     value[AXIS_INSERTION] = depth_nm;
-    value[NEURO_LIMIT_SEPARATION] = separation_nm;
-    value[NEURO_LIMIT_HEIGHT] = height_nm;
-    return height_nm;
+    value[NEURO_LIMIT_HEIGHT] = self->home_height_nm + y_nm - geometry->rcm_home_y_nm;
+    return (z_nm - geometry->rcm_home_z_nm) * 2;
+}
+
+/* The separation at the height; beyond the linkage's reach it is taken at its end. */
+static void separate(const needle_t *self, int64_t value[NEURO_LIMIT_COUNT])
+{
+    const neuro_geometry_t *const geometry = &self->robot->neuro;
+    const int64_t reached_nm = within(value[NEURO_LIMIT_HEIGHT], 0, geometry->side_link_nm);
+    value[NEURO_LIMIT_SEPARATION] =
+        other_side_twice(geometry, reached_nm * 2) + geometry->top_width_nm;
+}
+
+/* Joint values of the carriages at the separation. */
+static void spread(const needle_t *self, int64_t axial_nm, int64_t value[NEURO_LIMIT_COUNT])
+{
+    const int64_t opened_nm = value[NEURO_LIMIT_SEPARATION] - self->robot->neuro.home_separation_nm;
+    value[AXIS_HEAD] = fixed_shift_rounded(axial_nm + opened_nm, 1U);
+    value[AXIS_FEET] = fixed_shift_rounded(axial_nm - opened_nm, 1U);
 }
 
 /* Joints at the depth, refused if one would stand outside its limits at the nearest ticks. */
@@ -138,7 +145,9 @@ static neuro_result_t finish(const needle_t *self, const neuro_limits_t *limits,
 {
     int64_t value[NEURO_LIMIT_COUNT];
     int32_t ticks[ROBOT_AXIS_COUNT];
-    const int64_t height_nm = place(self, depth_nm, value);
+    const int64_t axial_nm = reach(self, depth_nm, value);
+    separate(self, value);
+    spread(self, axial_nm, value);
     value[AXIS_ROTATION] = self->rotation_bam;
     value[AXIS_PITCH] = self->pitch_bam;
     value[AXIS_YAW] = self->yaw_bam;
@@ -147,7 +156,7 @@ static neuro_result_t finish(const needle_t *self, const neuro_limits_t *limits,
     }
     neuro_margin_t margin;
     neuro_margin_init(&margin);
-    neuro_margin_add(&margin, limits, NEURO_LIMIT_HEIGHT, height_nm);
+    neuro_margin_add(&margin, limits, NEURO_LIMIT_HEIGHT, value[NEURO_LIMIT_HEIGHT]);
     if (margin.margin_q56 < 0) {
         return margin.nearest;
     }
@@ -170,57 +179,55 @@ static bool find_entry_depth(const needle_t *self, const point_t *entry, int64_t
                                fixed_saturate((int64_t)self->target.z_nm - entry->z_nm)};
     const int32_t along_nm = fixed_saturate(fixed_dot_q30(way_nm, self->direction_q30));
     int64_t off_nm[3];
-    int32_t unit_q30[3];
     for (uint32_t i = 0U; i < 3U; i++) {
         off_nm[i] = (int64_t)way_nm[i] - fixed_multiply_q30(along_nm, self->direction_q30[i]);
     }
     *depth_nm = (int64_t)along_nm - geometry->probe_robot_to_treatment_nm +
                 geometry->probe_robot_to_entry_nm;
-    return fixed_normalise(off_nm, unit_q30) <= (int64_t)LIMIT_ENTRY_ON_AXIS_NM;
+    return fixed_length(off_nm) <= (int64_t)LIMIT_ENTRY_ON_AXIS_NM;
 }
 
-/* The smallest margin at a depth; `bound` is that of the insertion and of the joints no depth
- * moves. */
+/* The smallest margin of what the depth moves, as soon as it is not above `least_q56`. */
 static neuro_margin_t margin_at_depth(const needle_t *self, const neuro_limits_t *limits,
-                                      int64_t depth_nm, const neuro_margin_t *bound)
+                                      int64_t depth_nm, int64_t least_q56)
 {
-    static const uint32_t moving[4] = {AXIS_HEAD, AXIS_FEET, AXIS_LATERAL, NEURO_LIMIT_SEPARATION};
     int64_t value[NEURO_LIMIT_COUNT];
-    neuro_margin_t margin = *bound;
-    neuro_margin_t height;
-    neuro_margin_init(&height);
-    neuro_margin_add(&height, limits, NEURO_LIMIT_HEIGHT, place(self, depth_nm, value));
-    for (uint32_t i = 0U; i < 4U; i++) {
-        neuro_margin_add(&margin, limits, moving[i], value[moving[i]]);
+    neuro_margin_t margin;
+    neuro_margin_init(&margin);
+    neuro_margin_add(&margin, limits, AXIS_INSERTION, depth_nm);
+    if (margin.margin_q56 <= least_q56) {
+        return margin;
     }
-    /* The height is no joint: room to its ends is worth nothing, but missed it is the cause. */
-    if (height.margin_q56 < 0) {
-        margin.nearest = height.nearest;
-        margin.margin_q56 =
-            (height.margin_q56 < margin.margin_q56) ? height.margin_q56 : margin.margin_q56;
+    const int64_t axial_nm = reach(self, depth_nm, value);
+    neuro_margin_add(&margin, limits, AXIS_LATERAL, value[AXIS_LATERAL]);
+    /* The height is no joint: room to its ends is worth nothing. */
+    neuro_margin_add_missed(&margin, limits, NEURO_LIMIT_HEIGHT, value[NEURO_LIMIT_HEIGHT]);
+    if (margin.margin_q56 <= least_q56) {
+        return margin;
     }
+    separate(self, value);
+    neuro_margin_add(&margin, limits, NEURO_LIMIT_SEPARATION, value[NEURO_LIMIT_SEPARATION]);
+    if (margin.margin_q56 <= least_q56) {
+        return margin;
+    }
+    spread(self, axial_nm, value);
+    neuro_margin_add(&margin, limits, AXIS_HEAD, value[AXIS_HEAD]);
+    neuro_margin_add(&margin, limits, AXIS_FEET, value[AXIS_FEET]);
     return margin;
 }
 
-/* The depth with the largest smallest margin, and that margin. */
-static int64_t find_best_depth(const needle_t *self, const neuro_limits_t *limits,
-                               neuro_margin_t *best)
+/* The largest depth with room, or the one with most; `best` receives its margin. Where the target
+ * is out of reach, one end of the depths is mostly the best one: with both known first, few others
+ * need a close look. */
+static int64_t find_depth(const needle_t *self, const neuro_limits_t *limits, neuro_margin_t *best)
 {
+    const int64_t enough_q56 = (NEURO_ONE_Q56 / 100) * (int64_t)LIMIT_DEPTH_MARGIN_PERCENT;
+    const int64_t whole = limits->limit[AXIS_INSERTION].maximum / DEPTH_STEP_NM;
     int64_t best_depth_nm = 0;
-    neuro_margin_t still;
-    neuro_margin_init(&still);
-    neuro_margin_add(&still, limits, AXIS_ROTATION, self->rotation_bam);
-    neuro_margin_add(&still, limits, AXIS_PITCH, self->pitch_bam);
-    neuro_margin_add(&still, limits, AXIS_YAW, self->yaw_bam);
-    best->margin_q56 = -INT64_MAX;
-    for (int64_t depth_nm = 0; depth_nm <= limits->limit[AXIS_INSERTION].maximum;
-         depth_nm += DEPTH_STEP_NM) {
-        neuro_margin_t margin = still;
-        neuro_margin_add(&margin, limits, AXIS_INSERTION, depth_nm);
-        /* Most depths need no closer look. */
-        if (margin.margin_q56 > best->margin_q56) {
-            margin = margin_at_depth(self, limits, depth_nm, &margin);
-        }
+    *best = margin_at_depth(self, limits, 0, -INT64_MAX);
+    for (int64_t i = whole; (i > 0) && (best->margin_q56 < enough_q56); i--) {
+        const int64_t depth_nm = i * DEPTH_STEP_NM;
+        const neuro_margin_t margin = margin_at_depth(self, limits, depth_nm, best->margin_q56);
         if (margin.margin_q56 > best->margin_q56) {
             *best = margin;
             best_depth_nm = depth_nm;
@@ -232,13 +239,12 @@ static int64_t find_best_depth(const needle_t *self, const neuro_limits_t *limit
 static int32_t angle_between_bam(const int32_t a_q30[3], const int32_t b_q30[3])
 {
     int32_t cross_q30[3];
-    int32_t unit_q30[3];
     int64_t wide_q30[3];
     rigid_cross(a_q30, b_q30, cross_q30);
     for (uint32_t i = 0U; i < 3U; i++) {
         wide_q30[i] = cross_q30[i];
     }
-    const int64_t sine_q30 = fixed_normalise(wide_q30, unit_q30);
+    const int64_t sine_q30 = fixed_length(wide_q30);
     const int32_t angle_bam = fixed_atan2_bam(sine_q30, fixed_dot_q30(a_q30, b_q30));
     /* Half a turn has no positive bam. */
     return (angle_bam < 0) ? INT32_MAX : angle_bam;
@@ -343,9 +349,15 @@ neuro_result_t neuro_solve(const robot_t *robot, const rigid_t *pose, const poin
     if ((entry != NULL) && find_entry_depth(&needle, entry, &depth_nm)) {
         return finish(&needle, &limits, depth_nm, joints);
     }
-    depth_nm = find_best_depth(&needle, &limits, &best);
+    depth_nm = find_depth(&needle, &limits, &best);
+    neuro_margin_add(&best, &limits, AXIS_ROTATION, needle.rotation_bam);
+    neuro_margin_add(&best, &limits, AXIS_PITCH, needle.pitch_bam);
+    neuro_margin_add(&best, &limits, AXIS_YAW, needle.yaw_bam);
     const neuro_result_t result = finish(&needle, &limits, depth_nm, joints);
-    return (result.status == STATUS_OK) ? result : best.nearest;
+    /* A height that is missed is the cause of whatever else is. */
+    const bool is_told =
+        (result.status == STATUS_OK) || (result.status == STATUS_UNREACHABLE_HEIGHT);
+    return is_told ? result : best.nearest;
 }
 
 void neuro_pose_difference(const rigid_t *a, const rigid_t *b, int32_t *distance_nm,
@@ -354,7 +366,6 @@ void neuro_pose_difference(const rigid_t *a, const rigid_t *b, int32_t *distance
     const int64_t way_nm[3] = {(int64_t)a->translation.x_nm - b->translation.x_nm,
                                (int64_t)a->translation.y_nm - b->translation.y_nm,
                                (int64_t)a->translation.z_nm - b->translation.z_nm};
-    int32_t unit_q30[3];
     int32_t largest_bam = 0;
     for (uint32_t column = 0U; column < 3U; column++) {
         int32_t a_q30[3];
@@ -366,6 +377,6 @@ void neuro_pose_difference(const rigid_t *a, const rigid_t *b, int32_t *distance
         const int32_t between_bam = angle_between_bam(a_q30, b_q30);
         largest_bam = (between_bam > largest_bam) ? between_bam : largest_bam;
     }
-    *distance_nm = fixed_saturate(fixed_normalise(way_nm, unit_q30));
+    *distance_nm = fixed_saturate(fixed_length(way_nm));
     *angle_bam = largest_bam;
 }

@@ -71,9 +71,9 @@ neuro_result_t neuro_inverse_at_depth(const robot_t *robot, const rigid_t *pose,
 /**
  * Joints for `pose`. With `entry` (not NULL, in the z-frame) within LIMIT_ENTRY_ON_AXIS_NM of the
  * needle's axis the depth is the one that puts the entry point there. Otherwise the depth is free:
- * of the whole millimetres inside the insertion limits the one whose smallest joint margin
- * (distance to the nearer limit as a fraction of the axis' range, the separation counting as an
- * axis) is largest, the smaller depth on a tie.
+ * of the whole millimetres inside the insertion limits the largest one with a margin (distance to
+ * the nearer limit as a fraction of the range, the smallest of insertion, carriages, lateral axis
+ * and separation) of LIMIT_DEPTH_MARGIN_PERCENT; without one the depth whose margin is largest.
  *
  * @return as neuro_inverse_at_depth(); without a legal free depth the limit that is missed by the
  * least
@@ -81,6 +81,7 @@ neuro_result_t neuro_inverse_at_depth(const robot_t *robot, const rigid_t *pose,
  * @satisfies SWR-PLAN-001
  * @satisfies SWR-PLAN-002
  * @satisfies SWR-PLAN-003
+ * @satisfies SWR-PLAN-014
  */
 neuro_result_t neuro_solve(const robot_t *robot, const rigid_t *pose, const point_t *entry,
                            neuro_joints_t *joints);

@@ -6,8 +6,6 @@
 
 #include <stdbool.h>
 
-#define ONE_Q56 INT64_C(0x100000000000000)
-
 /* Beyond this many ranges outside, all is equally far: keeps the product with the reciprocal below
  * 2^63. */
 #define FARTHEST_RANGES INT64_C(64)
@@ -18,7 +16,9 @@ static void set_limit(neuro_limits_t *self, uint32_t index, int64_t minimum, int
     REQUIRE(100U, minimum < maximum);
     self->limit[index].minimum = minimum;
     self->limit[index].maximum = maximum;
-    self->limit[index].reciprocal_q56 = ONE_Q56 / (maximum - minimum);
+    self->limit[index].reciprocal_q56 =
+        (int64_t)fixed_divide((uint64_t)NEURO_ONE_Q56, (uint64_t)(maximum - minimum));
+    self->limit[index].farthest = (minimum - maximum) * FARTHEST_RANGES;
 }
 
 static neuro_result_t result_of(uint32_t index, bool is_maximum)
@@ -64,17 +64,25 @@ void neuro_margin_add(neuro_margin_t *self, const neuro_limits_t *limits, uint32
                       int64_t value)
 {
     const neuro_limit_t *const limit = &limits->limit[index];
-    const int64_t farthest = (limit->minimum - limit->maximum) * FARTHEST_RANGES;
     const int64_t above_minimum = value - limit->minimum;
     const int64_t below_maximum = limit->maximum - value;
     const bool is_maximum = below_maximum < above_minimum;
     int64_t distance = is_maximum ? below_maximum : above_minimum;
-    if (distance < farthest) {
-        distance = farthest;
+    if (distance < limit->farthest) {
+        distance = limit->farthest;
     }
     const int64_t margin_q56 = distance * limit->reciprocal_q56;
     if (margin_q56 < self->margin_q56) {
         self->margin_q56 = margin_q56;
         self->nearest = result_of(index, is_maximum);
+    }
+}
+
+void neuro_margin_add_missed(neuro_margin_t *self, const neuro_limits_t *limits, uint32_t index,
+                             int64_t value)
+{
+    const neuro_limit_t *const limit = &limits->limit[index];
+    if ((value < limit->minimum) || (value > limit->maximum)) {
+        neuro_margin_add(self, limits, index, value);
     }
 }

@@ -17,6 +17,9 @@
 #define NEURO_LIMIT_HEIGHT (ROBOT_AXIS_COUNT + 1U)
 #define NEURO_LIMIT_COUNT (ROBOT_AXIS_COUNT + 2U)
 
+/** A margin of the whole range. */
+#define NEURO_ONE_Q56 INT64_C(0x100000000000000)
+
 /** What stands in the way of a pose: the limit that is missed, the one missed by most if there are
  * several. */
 typedef struct {
@@ -30,6 +33,7 @@ typedef struct {
 typedef struct {
     int64_t minimum;
     int64_t maximum;
+    int64_t farthest;       /**< Distance outside from which on all is equally far; below 0. */
     int64_t reciprocal_q56; /**< 1 / (maximum - minimum): a margin costs no division. */
 } neuro_limit_t;
 
@@ -57,5 +61,9 @@ void neuro_margin_init(neuro_margin_t *self);
  * smaller. */
 void neuro_margin_add(neuro_margin_t *self, const neuro_limits_t *limits, uint32_t index,
                       int64_t value);
+
+/** The same, but only if `value` is outside its limits. */
+void neuro_margin_add_missed(neuro_margin_t *self, const neuro_limits_t *limits, uint32_t index,
+                             int64_t value);
 
 #endif

@@ -455,7 +455,7 @@ void test_SWR_PERMIT_002_the_drive_that_is_shown_is_the_one_that_leaves(void)
 {
     uint32_t driven = 0U;
     begin_move();
-    for (uint32_t i = 0U; i < (300U * ROBOT_AXIS_COUNT); i++) {
+    for (uint32_t i = 0U; i < (600U * ROBOT_AXIS_COUNT); i++) {
         const uint32_t axis = i % ROBOT_AXIS_COUNT;
         const snapshot_axis_t *const shown = &rig.outputs.snapshot.axes[axis];
         const card_drive_t drive = rig_sent(&rig, axis).drive;

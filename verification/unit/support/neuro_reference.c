@@ -150,6 +150,19 @@ double neuro_reference_margin(const robot_t *robot, const double joint[ROBOT_AXI
     return smallest;
 }
 
+double neuro_reference_depth_margin(const robot_t *robot, const double joint[ROBOT_AXIS_COUNT])
+{
+    double others[ROBOT_AXIS_COUNT];
+    memcpy(others, joint, sizeof others);
+    for (unsigned i = AXIS_ROTATION; i <= AXIS_YAW; i++) {
+        const axis_config_t *axis = &robot->axes[i];
+        others[i] = (neuro_reference_limit(axis, axis->minimum_ticks) +
+                     neuro_reference_limit(axis, axis->maximum_ticks)) /
+                    2.0;
+    }
+    return neuro_reference_margin(robot, others);
+}
+
 void neuro_reference_difference(const neuro_reference_pose_t *reference, const rigid_t *pose,
                                 double *distance_mm, double *angle_rad)
 {

@@ -40,6 +40,9 @@ bool neuro_reference_inverse(const robot_t *robot, const neuro_reference_pose_t 
 /** Smallest joint margin at `joint`, separation included. */
 double neuro_reference_margin(const robot_t *robot, const double joint[ROBOT_AXIS_COUNT]);
 
+/** The same of what a depth moves: insertion, carriages, lateral axis and separation. */
+double neuro_reference_depth_margin(const robot_t *robot, const double joint[ROBOT_AXIS_COUNT]);
+
 /** Distance (mm) between the origins, and largest angle (rad) between the axes, of two poses. */
 void neuro_reference_difference(const neuro_reference_pose_t *reference, const rigid_t *pose,
                                 double *distance_mm, double *angle_rad);
