@@ -210,7 +210,6 @@ void supervision_reset(supervision_t *self, bool is_trusted)
     (void)stall_watchdog_chart_dispatch(&self->stall, STALL_WATCHDOG_EVENT_RESET);
     if (!is_trusted) {
         supervision_settle(self);
-        count_account_init(&self->account);
     }
 }
 

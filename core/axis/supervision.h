@@ -74,7 +74,7 @@ int32_t supervision_rest_ticks(const axis_config_t *config);
 bool supervision_is_at_rest(const supervision_t *self);
 
 /** The axis was enabled anew: a stall is over. Unless its position is trusted all the same, what
- * was missing of counts before does not matter any more, and its motor may be another. */
+ * was missing of counts before does not matter any more. */
 void supervision_reset(supervision_t *self, bool is_trusted);
 
 /** The position is sure: what was missing of counts before does not matter any more. */
