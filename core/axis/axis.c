@@ -39,12 +39,12 @@ static bool has_switch(const axis_config_t *config)
     return config->home_method == (uint8_t)HOME_BY_SWITCH;
 }
 
-/* How far switch and counts may differ. */
-static int64_t switch_margin_ticks(const axis_config_t *config)
+/* Farther apart than switch and counts may be. */
+static bool is_beyond_margin(const axis_config_t *config, int64_t apart_ticks)
 {
     const bool is_length = config->unit == (uint8_t)AXIS_UNIT_MM;
     const int64_t margin = (int64_t)(is_length ? LIMIT_SWITCH_MARGIN_NM : LIMIT_SWITCH_MARGIN_BAM);
-    return (margin * 65536) / config->unit_per_tick_q16;
+    return (apart_ticks > 0) && ((apart_ticks * config->unit_per_tick_q16) > (margin * 65536));
 }
 
 /* The axis stands at `position_ticks`; what was counted of the way stays true. */
@@ -108,7 +108,7 @@ static uint32_t arrive(axis_t *self, const axis_config_t *config)
 {
     const int64_t away = (int64_t)config->home_ticks - (int64_t)self->encoder.position_ticks +
                          (int64_t)self->elsewhere_ticks;
-    if ((self->has_place != 0U) && (magnitude(away) > switch_margin_ticks(config))) {
+    if ((self->has_place != 0U) && is_beyond_margin(config, magnitude(away))) {
         set_position(self, config->home_ticks);
         self->elsewhere_ticks = fixed_saturate(away);
         self->contradiction_ticks = self->elsewhere_ticks;
@@ -122,10 +122,9 @@ static uint32_t arrive(axis_t *self, const axis_config_t *config)
 static uint32_t compare_switch(axis_t *self, const axis_config_t *config)
 {
     const int64_t away = homing_way_from_switch(config, self->encoder.position_ticks);
-    const int64_t margin = switch_margin_ticks(config);
-    const int64_t farthest = (int64_t)config->switch_hysteresis_ticks + margin;
-    const bool is_wrong = is_switch_active(self) ? (away > farthest) : (away < -margin);
-    if (!has_switch(config) || !axis_is_homed(self) || !is_wrong) {
+    const int64_t apart =
+        is_switch_active(self) ? (away - (int64_t)config->switch_hysteresis_ticks) : -away;
+    if (!has_switch(config) || !axis_is_homed(self) || !is_beyond_margin(config, apart)) {
         return 0U;
     }
     self->contradiction_ticks = fixed_saturate(away);

@@ -79,16 +79,28 @@ static bool is_calibrated(const count_calibration_t *shown)
     return (shown->time_us >= LIMIT_CALIBRATION_TIME_US) && (shown->model_q16 >= CALIBRATION_Q16);
 }
 
-/* A motor that has shown for a while how fast it is must stay so. */
+static void clear_calibration(count_calibration_t *shown)
+{
+    shown->model_q16 = 0;
+    shown->counted_ticks = 0;
+    shown->time_us = 0U;
+}
+
+/* A motor that has shown for a while how fast it is must stay so. What no motor of the table shows
+ * is a fault, and nothing to go by. */
 static bool narrow(count_calibration_t *shown, const regime_facts_t *facts)
 {
     const int32_t counted = fixed_saturate((shown->counted_ticks * ONE_E2_Q16) / shown->model_q16);
     const uint32_t percent = (counted < 0) ? 0U : (uint32_t)counted;
     const uint32_t kept = (percent * facts->kept) / 100U;
     const uint32_t more = (percent * facts->more) / 100U;
+    if ((percent < facts->shown_least) || (percent > facts->shown_most)) {
+        clear_calibration(shown);
+        return false;
+    }
     shown->least_percent = (kept > shown->least_percent) ? kept : shown->least_percent;
     shown->most_percent = (more < shown->most_percent) ? more : shown->most_percent;
-    return (percent >= facts->shown_least) && (percent <= facts->shown_most);
+    return true;
 }
 
 static bool calibrate(count_account_t *self, int64_t way_q16, int64_t counted_ticks,
