@@ -338,11 +338,3 @@ int64_t fixed_divide_rounded(int64_t numerator, int64_t denominator)
     }
     return with_sign(quotient, numerator < 0);
 }
-
-int64_t fixed_shift_rounded(int64_t value, uint32_t bits)
-{
-    const uint32_t below = bits - 1U;
-    const uint64_t half = 1ULL << below;
-    const uint64_t size = (magnitude(value) + half) >> bits;
-    return (value < 0) ? -(int64_t)size : (int64_t)size;
-}

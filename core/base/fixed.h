@@ -103,6 +103,13 @@ static inline int64_t fixed_divide_by(int64_t value, uint32_t divisor)
 int64_t fixed_divide_rounded(int64_t numerator, int64_t denominator);
 
 /** `value / 2^bits` rounded half away from zero, bits 1..62. */
-int64_t fixed_shift_rounded(int64_t value, uint32_t bits);
+static inline int64_t fixed_shift_rounded(int64_t value, uint32_t bits)
+{
+    const uint32_t below = bits - 1U;
+    const uint64_t half = 1ULL << below;
+    const uint64_t size = (value < 0) ? (0ULL - (uint64_t)value) : (uint64_t)value;
+    const uint64_t shifted = (size + half) >> bits;
+    return (value < 0) ? -(int64_t)shifted : (int64_t)shifted;
+}
 
 #endif

@@ -151,7 +151,7 @@ static gap_t gap_of(uint32_t type)
     return (type == TYPE_COMMAND) ? command : report;
 }
 
-static uint32_t legacy_sum(const uint8_t bytes[CARD_FRAME_BYTES], const gap_t *gap)
+static inline uint32_t legacy_sum(const uint8_t bytes[CARD_FRAME_BYTES], const gap_t *gap)
 {
     const uint8_t *at = bytes;
     uint32_t left = gap->first;
@@ -168,7 +168,7 @@ static uint32_t legacy_sum(const uint8_t bytes[CARD_FRAME_BYTES], const gap_t *g
     return 0xFFFFFFFFU - sum;
 }
 
-static uint32_t crc_of(const uint8_t bytes[CARD_FRAME_BYTES], const gap_t *gap)
+static inline uint32_t crc_of(const uint8_t bytes[CARD_FRAME_BYTES], const gap_t *gap)
 {
     const uint32_t head = crc32c(bytes, gap->first * 4U);
 
