@@ -161,7 +161,7 @@ static void remember_place(supervision_t *self, const supervision_view_t *view)
 static int32_t way_while_off(const supervision_t *self, const supervision_view_t *view)
 {
     int32_t least = view->position_ticks;
-    int32_t most = view->position_ticks;
+    int32_t most = least;
     for (uint32_t i = 0U; i < SUPERVISION_PLACES; i++) {
         const int32_t place = self->places_ticks[i];
         least = (place < least) ? place : least;

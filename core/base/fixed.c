@@ -270,18 +270,16 @@ typedef struct {
     uint64_t norm;   /* Of the scaled vector. */
 } scaled_t;
 
-static scaled_t scale(const int64_t vector[3])
+static void scale(const int64_t vector[3], scaled_t *scaled)
 {
-    scaled_t scaled;
     uint64_t sum = 0U;
     const uint64_t widest = magnitude(vector[0]) | magnitude(vector[1]) | magnitude(vector[2]);
-    scaled.length = bit_length(widest);
+    scaled->length = bit_length(widest);
     for (uint32_t i = 0U; i < 3U; i++) {
-        scaled.size[i] = to_31_bits(magnitude(vector[i]), scaled.length);
-        sum += scaled.size[i] * scaled.size[i];
+        scaled->size[i] = to_31_bits(magnitude(vector[i]), scaled->length);
+        sum += scaled->size[i] * scaled->size[i];
     }
-    scaled.norm = fixed_square_root(sum);
-    return scaled;
+    scaled->norm = fixed_square_root(sum);
 }
 
 static int64_t length_of(const scaled_t *scaled)
@@ -299,13 +297,15 @@ static int64_t length_of(const scaled_t *scaled)
 
 int64_t fixed_length(const int64_t vector[3])
 {
-    const scaled_t scaled = scale(vector);
+    scaled_t scaled;
+    scale(vector, &scaled);
     return length_of(&scaled);
 }
 
 int64_t fixed_normalise(const int64_t vector[3], int32_t unit_q30[3])
 {
-    const scaled_t scaled = scale(vector);
+    scaled_t scaled;
+    scale(vector, &scaled);
     for (uint32_t i = 0U; i < 3U; i++) {
         const uint64_t size =
             (scaled.norm == 0U)

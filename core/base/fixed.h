@@ -93,8 +93,9 @@ static inline int64_t fixed_divide_by(int64_t value, uint32_t divisor)
     const uint32_t lower = (uint32_t)(size & 0xFFFFFFFFU);
     const uint32_t middle = ((upper % divisor) << 16U) | (lower >> 16U);
     const uint32_t last = ((middle % divisor) << 16U) | (lower & 0xFFFFU);
-    const uint64_t quotient = ((uint64_t)(upper / divisor) << 32U) |
-                              ((uint64_t)(middle / divisor) << 16U) | (last / divisor);
+    const uint32_t high = upper / divisor;
+    const uint32_t low = ((middle / divisor) << 16U) | (last / divisor);
+    const uint64_t quotient = ((uint64_t)high << 32U) | low;
     return (value < 0) ? -(int64_t)quotient : (int64_t)quotient;
 }
 
@@ -108,8 +109,8 @@ static inline int64_t fixed_shift_rounded(int64_t value, uint32_t bits)
     const uint32_t below = bits - 1U;
     const uint64_t half = 1ULL << below;
     const uint64_t size = (value < 0) ? (0ULL - (uint64_t)value) : (uint64_t)value;
-    const uint64_t shifted = (size + half) >> bits;
-    return (value < 0) ? -(int64_t)shifted : (int64_t)shifted;
+    const uint64_t moved = (size + half) >> bits;
+    return (value < 0) ? -(int64_t)moved : (int64_t)moved;
 }
 
 #endif

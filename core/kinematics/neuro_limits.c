@@ -14,11 +14,12 @@ static void set_limit(neuro_limits_t *self, uint32_t index, int64_t minimum, int
 {
     static const char contract_module[] = "neuro_limits";
     REQUIRE(100U, minimum < maximum);
+    const int64_t range = maximum - minimum;
+    const uint64_t reciprocal_q56 = fixed_divide((uint64_t)NEURO_ONE_Q56, (uint64_t)range);
     self->limit[index].minimum = minimum;
     self->limit[index].maximum = maximum;
-    self->limit[index].reciprocal_q56 =
-        (int64_t)fixed_divide((uint64_t)NEURO_ONE_Q56, (uint64_t)(maximum - minimum));
-    self->limit[index].farthest = (minimum - maximum) * FARTHEST_RANGES;
+    self->limit[index].reciprocal_q56 = (int64_t)reciprocal_q56;
+    self->limit[index].farthest = -range * FARTHEST_RANGES;
 }
 
 static neuro_result_t result_of(uint32_t index, bool is_maximum)
