@@ -111,7 +111,7 @@ static uint32_t arrive(axis_t *self, const axis_config_t *config)
     if ((self->has_place != 0U) && is_beyond_margin(config, magnitude(away))) {
         set_position(self, config->home_ticks);
         self->elsewhere_ticks = fixed_saturate(away);
-        self->contradiction_ticks = self->elsewhere_ticks;
+        self->contradiction_ticks = fixed_saturate(-away);
         return fail(self, AXIS_NOTE_SWITCH_ELSEWHERE);
     }
     self->elsewhere_ticks = 0;
@@ -127,7 +127,8 @@ static uint32_t compare_switch(axis_t *self, const axis_config_t *config)
     if (!has_switch(config) || !axis_is_homed(self) || !is_beyond_margin(config, apart)) {
         return 0U;
     }
-    self->contradiction_ticks = fixed_saturate(away);
+    self->contradiction_ticks =
+        fixed_saturate((int64_t)self->encoder.position_ticks - (int64_t)config->home_ticks);
     return fail(self, AXIS_NOTE_SWITCH_ELSEWHERE);
 }
 

@@ -30,7 +30,8 @@ typedef struct {
     uint32_t has_place;            /**< Its position has meant something since the start: 0 or 1. */
     int32_t elsewhere_ticks; /**< How far it was shifted against what its counts knew, until that
                                 is resolved. */
-    int32_t contradiction_ticks; /**< Between switch and counts at a fault, for the record. */
+    int32_t contradiction_ticks; /**< From home to where the counts were at a fault of the two, for
+                                    the record. */
     int32_t setpoint_ticks;
     int32_t setpoint_speed_ticks_per_s_q8;
     uint32_t limit_switches; /**< CARD_LIMIT_ bits of the last report. */
