@@ -1,0 +1,307 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Rule under test: an axis that is driven and not counted is told, and one whose counts fall short
+ * of its motor, whether it runs on or is tapped; told once, and called by what it is.
+ */
+#include "unity.h"
+
+#include "axis.h"
+#include "axis_chart.h"
+#include "card_frame.h"
+#include "count_account.h"
+#include "crc.h"
+#include "drift_audit.h"
+#include "encoder.h"
+#include "fixed.h"
+#include "homing.h"
+#include "motor_model.h"
+#include "requirement_limits.h"
+#include "robot.h"
+#include "servo.h"
+#include "stall_watchdog_chart.h"
+#include "supervision.h"
+
+#include <string.h>
+
+TEST_SOURCE_FILE("robot_neuro.c")
+
+#define CYCLE_US 1000U
+#define LONG_CYCLES 20000U
+#define SILENT_CYCLES (LIMIT_SILENT_TIME_US / CYCLE_US)
+
+static const axis_config_t *const head = &robot_neuro.axes[AXIS_HEAD];
+static const axis_config_t *const needle = &robot_neuro.axes[AXIS_INSERTION];
+
+static supervision_t supervision;
+static const axis_config_t *config;
+static motor_model_t motor;
+static int64_t way_q16;
+static int32_t position_ticks;
+static uint32_t driven_cycles;
+
+static void use(const axis_config_t *which)
+{
+    config = which;
+    supervision_init(&supervision);
+    motor = (motor_model_t){0};
+    way_q16 = 0;
+    position_ticks = 0;
+    driven_cycles = 0U;
+}
+
+void setUp(void)
+{
+    use(head);
+}
+
+void tearDown(void)
+{
+}
+
+/* At full speed. */
+static card_drive_t drive(bool is_upwards)
+{
+    const bool is_pwm = config->card_type == (uint8_t)CARD_TYPE_PWM;
+    const bool is_inverted = config->is_motor_inverted != 0U;
+    return (card_drive_t){.mode = is_pwm ? CARD_DRIVE_PWM : CARD_DRIVE_NON_PWM,
+                          .direction = (is_upwards != is_inverted) ? 1U : 0U,
+                          .duty = is_pwm ? config->maximum_duty : 0U};
+}
+
+static uint32_t step(card_drive_t sent, int32_t ticks, uint32_t elapsed_us)
+{
+    position_ticks += ticks;
+    const supervision_view_t view = {.position_ticks = position_ticks,
+                                     .setpoint_ticks = position_ticks,
+                                     .following_error_ticks = config->following_error_ticks,
+                                     .drive = sent,
+                                     .elapsed_us = elapsed_us};
+    return supervision_step(&supervision, config, &view);
+}
+
+/* A cycle of a motor of which so much is counted. */
+static uint32_t cycle(card_drive_t sent, int32_t percent)
+{
+    driven_cycles += (sent.mode != (uint32_t)CARD_DRIVE_OFF) ? 1U : 0U;
+    way_q16 += (motor_model_step_q16(&motor, config, &sent, CYCLE_US) * percent) / 100;
+    return step(sent, (int32_t)(way_q16 / 65536) - position_ticks, CYCLE_US);
+}
+
+/* Notes of the first cycle that has any. */
+static uint32_t run(card_drive_t sent, int32_t percent, uint32_t cycles)
+{
+    uint32_t notes = 0U;
+    for (uint32_t i = 0U; (i < cycles) && (notes == 0U); i++) {
+        notes = cycle(sent, percent);
+    }
+    return notes;
+}
+
+static uint32_t rest(uint32_t cycles)
+{
+    return run((card_drive_t){CARD_DRIVE_OFF, 0U, 0U}, 0, cycles);
+}
+
+/* Up so often for a short while, with pauses. */
+static uint32_t tap(int32_t percent, uint32_t cycles, uint32_t taps)
+{
+    uint32_t notes = 0U;
+    for (uint32_t i = 0U; (i < taps) && (notes == 0U); i++) {
+        notes = run(drive(true), percent, cycles);
+        notes |= (notes == 0U) ? rest(50U) : 0U;
+    }
+    return notes;
+}
+
+/* 984 ticks/s with a rise of 15 ms make 4 ticks within 14 ms. */
+void test_SWR_AXIS_018_without_any_count_a_driven_axis_is_told(void)
+{
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_NO_COUNTS, run(drive(true), 0, LONG_CYCLES));
+    TEST_ASSERT_LESS_OR_EQUAL_UINT32(14U + SILENT_CYCLES, driven_cycles);
+    TEST_ASSERT_GREATER_THAN_INT32(LIMIT_SILENT_TICKS, supervision.missing_ticks);
+    use(needle);
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_NO_COUNTS, run(drive(false), 0, LONG_CYCLES));
+    TEST_ASSERT_LESS_OR_EQUAL_UINT32(4U + SILENT_CYCLES, driven_cycles);
+}
+
+/* 0.25 mm of the head are 19.7 ticks: at full speed they are due within 21 ms. */
+void test_SWR_AXIS_018_a_blind_way_is_told_before_the_time(void)
+{
+    TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), 100, 100U));
+    driven_cycles = 0U;
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_NO_COUNTS, run(drive(true), 0, LONG_CYCLES));
+    TEST_ASSERT_LESS_OR_EQUAL_UINT32(21U, driven_cycles);
+    TEST_ASSERT_EQUAL_INT32(19, supervision.missing_ticks);
+}
+
+void test_SWR_AXIS_018_a_pause_makes_nothing_good(void)
+{
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_NO_COUNTS, tap(0, 10U, 100U));
+    TEST_ASSERT_LESS_OR_EQUAL_UINT32(3U * 10U + SILENT_CYCLES, driven_cycles);
+    use(needle);
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_NO_COUNTS, tap(0, 3U, 1000U));
+    TEST_ASSERT_LESS_OR_EQUAL_UINT32(3U * 3U + SILENT_CYCLES, driven_cycles);
+}
+
+void test_SWR_AXIS_018_time_that_is_not_driven_does_not_count(void)
+{
+    TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), 0, 20U));
+    TEST_ASSERT_GREATER_THAN_UINT32(0U, supervision.silent_us);
+    TEST_ASSERT_LESS_THAN_UINT32(20000U, supervision.silent_us);
+    TEST_ASSERT_EQUAL_HEX32(0U, rest(LONG_CYCLES));
+}
+
+void test_SWR_AXIS_018_a_count_in_the_direction_of_the_drive_begins_anew(void)
+{
+    TEST_ASSERT_EQUAL_HEX32(0U, run(drive(false), 0, 15U));
+    TEST_ASSERT_GREATER_THAN_UINT32(0U, supervision.silent_us);
+    TEST_ASSERT_EQUAL_HEX32(0U, step((card_drive_t){CARD_DRIVE_OFF, 0U, 0U}, -1, CYCLE_US));
+    TEST_ASSERT_EQUAL_UINT32(0U, supervision.silent_us);
+    TEST_ASSERT_EQUAL_INT64(0, supervision.due_q16);
+}
+
+void test_SWR_AXIS_018_a_count_against_the_drive_is_none(void)
+{
+    TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), 0, 15U));
+    const uint32_t silent_us = supervision.silent_us;
+    TEST_ASSERT_EQUAL_HEX32(0U, step(drive(true), -1, CYCLE_US));
+    TEST_ASSERT_EQUAL_UINT32(silent_us + CYCLE_US, supervision.silent_us);
+}
+
+void test_SWR_AXIS_018_missing_counts_are_told_once(void)
+{
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_NO_COUNTS, run(drive(true), 0, LONG_CYCLES));
+    TEST_ASSERT_EQUAL_INT64(0, supervision.due_q16);
+    TEST_ASSERT_EQUAL_UINT32(0U, supervision.silent_us);
+    TEST_ASSERT_EQUAL_INT64(0, supervision.account.short_e2_q16);
+    TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), 0, 3U));
+}
+
+/* A card that is not fed stops its motor after that time. */
+void test_SWR_AXIS_018_a_late_cycle_drives_no_longer_than_the_card(void)
+{
+    TEST_ASSERT_EQUAL_HEX32(0U, step(drive(true), 0, 1000000U));
+    const int64_t most_q16 =
+        (int64_t)head->full_speed_ticks_per_s * 65536 * (int64_t)LIMIT_CARD_WATCHDOG_US / 1000000;
+    TEST_ASSERT_LESS_OR_EQUAL_INT64(most_q16, supervision.due_q16);
+    TEST_ASSERT_GREATER_THAN_INT64(most_q16 / 4, supervision.due_q16);
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_CARD_WATCHDOG_US, supervision.account.window_us);
+}
+
+void test_SWR_AXIS_019_half_the_counts_are_a_wrong_speed(void)
+{
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        use(&robot_neuro.axes[i]);
+        TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_WRONG_SPEED, run(drive(true), 50, LONG_CYCLES));
+        TEST_ASSERT_LESS_OR_EQUAL_UINT32(200U, driven_cycles);
+        TEST_ASSERT_INT32_WITHIN(10, 50, supervision.account.percent);
+        use(&robot_neuro.axes[i]);
+        TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_WRONG_SPEED, tap(50, 20U, LONG_CYCLES));
+        use(&robot_neuro.axes[i]);
+        TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_WRONG_SPEED, run(drive(false), 200, LONG_CYCLES));
+    }
+}
+
+void test_SWR_AXIS_019_motors_a_fifth_faster_or_slower_are_right(void)
+{
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        for (int32_t percent = 80; percent <= 120; percent += 10) {
+            use(&robot_neuro.axes[i]);
+            TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), percent, 2000U));
+            TEST_ASSERT_EQUAL_HEX32(0U, run(drive(false), percent, 2000U));
+            TEST_ASSERT_EQUAL_HEX32(0U, tap(percent, 20U, 200U));
+        }
+    }
+}
+
+/* The first half of the sum is of a weak encoder; then it breaks. */
+void test_SWR_AXIS_019_a_sum_is_called_missing_counts_while_nothing_is_counted(void)
+{
+    TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), 50, 60U));
+    TEST_ASSERT_GREATER_THAN_INT64(0, supervision.account.short_e2_q16);
+    const uint32_t before = driven_cycles;
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_NO_COUNTS, run(drive(true), 0, LONG_CYCLES));
+    TEST_ASSERT_LESS_THAN_UINT32(SILENT_CYCLES, driven_cycles - before);
+}
+
+void test_SWR_AXIS_019_a_wrong_speed_is_told_once(void)
+{
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_WRONG_SPEED, run(drive(true), 50, LONG_CYCLES));
+    TEST_ASSERT_EQUAL_INT64(0, supervision.account.short_e2_q16);
+    TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), 50, 10U));
+}
+
+/* What is missing of counts, in hundredths of ticks; the motor has shown what it is. */
+static void lose_counts(supervision_t *which)
+{
+    which->account.short_e2_q16 = 100;
+    which->due_q16 = 100;
+    which->account.calibrations[COUNT_REGIME_STEADY].least_percent = 90U;
+}
+
+static void expect_kept(const supervision_t *which, bool is_kept)
+{
+    TEST_ASSERT_EQUAL_INT64(is_kept ? 100 : 0, which->account.short_e2_q16);
+    TEST_ASSERT_EQUAL_INT64(is_kept ? 100 : 0, which->due_q16);
+}
+
+static void expect_shown(const supervision_t *which, bool is_kept)
+{
+    TEST_ASSERT_EQUAL_UINT32(is_kept ? 90U : LIMIT_SPEED_LEAST_PERCENT,
+                             which->account.calibrations[COUNT_REGIME_STEADY].least_percent);
+}
+
+static void use_axis(axis_t *axis, axis_reference_t grade)
+{
+    card_report_t report;
+    (void)memset(&report, 0, sizeof report);
+    axis_init(axis);
+    (void)axis_observe(axis, head, &report);
+    axis_enable(axis, false);
+    axis->chart.reference = grade;
+    axis->chart.reference_inverse = ~(uint32_t)grade;
+    lose_counts(&axis->supervision);
+}
+
+void test_SWR_AXIS_019_a_new_start_of_a_homed_axis_makes_nothing_good(void)
+{
+    axis_t axis;
+    use_axis(&axis, AXIS_REFERENCE_VERIFIED);
+    axis_enable(&axis, false);
+    expect_kept(&axis.supervision, true);
+    expect_shown(&axis.supervision, true);
+    axis_disable(&axis);
+    axis_enable(&axis, false);
+    expect_kept(&axis.supervision, true);
+    expect_shown(&axis.supervision, true);
+}
+
+void test_SWR_AXIS_024_an_axis_enabled_without_a_reference_may_have_another_motor(void)
+{
+    axis_t axis;
+    use_axis(&axis, AXIS_REFERENCE_LOST);
+    axis_enable(&axis, true);
+    expect_shown(&axis.supervision, false);
+    use_axis(&axis, AXIS_REFERENCE_UNVERIFIED);
+    axis_disable(&axis);
+    axis_enable(&axis, true);
+    expect_shown(&axis.supervision, true);
+    axis_enable(&axis, false);
+    expect_kept(&axis.supervision, false);
+    expect_shown(&axis.supervision, false);
+}
+
+void test_SWR_AXIS_019_a_new_reference_empties_the_sums_and_the_motor_stays_known(void)
+{
+    axis_t axis;
+    use_axis(&axis, AXIS_REFERENCE_FRESH);
+    axis_restore(&axis, head, 1000);
+    expect_kept(&axis.supervision, false);
+    lose_counts(&axis.supervision);
+    TEST_ASSERT_TRUE(axis_confirm(&axis, head));
+    expect_kept(&axis.supervision, false);
+    expect_shown(&axis.supervision, true);
+    lose_counts(&axis.supervision);
+    TEST_ASSERT_FALSE(axis_confirm(&axis, head));
+    expect_kept(&axis.supervision, true);
+}
