@@ -41,6 +41,9 @@ static uint32_t rest_cycle(int32_t ticks)
 {
     const card_drive_t off = {.mode = CARD_DRIVE_OFF};
     report.time_us += CYCLE_US;
+    if (ticks != 0) {
+        report.last_edge_us = report.time_us;
+    }
     report.encoder_count += ticks;
     const uint32_t notes = axis_observe(&axis, config, &report);
     (void)axis_rest(&axis, CYCLE_US);
@@ -64,13 +67,21 @@ static void rest_cycles(uint32_t cycles)
     }
 }
 
-/* An axis that is enabled and of which nothing is known. */
+/* No edge for so long that the axis is at rest. */
+static void stand_still(void)
+{
+    report.time_us += LIMIT_SPEED_TIMEOUT_US - CYCLE_US;
+    rest_cycles(1U);
+}
+
+/* An axis that is enabled, stands, and of which nothing is known. */
 static void use(const axis_config_t *which)
 {
     config = which;
     (void)memset(&report, 0, sizeof report);
     axis_init(&axis);
     rest_cycles(1U);
+    stand_still();
     axis_enable(&axis, false);
 }
 
@@ -156,6 +167,7 @@ void test_SWR_REF_002_a_fresh_axis_without_switch_is_taken_where_it_stands(void)
 {
     use(without_switch);
     (void)rest_cycle(-5);
+    stand_still();
     TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_HOMED, axis_begin_homing(&axis, config));
     expect(AXIS_REFERENCE_TAKEN);
     TEST_ASSERT_EQUAL_INT32(config->home_ticks, axis.encoder.position_ticks);
@@ -173,15 +185,76 @@ void test_SWR_REF_002_what_was_lost_or_is_in_doubt_is_not_taken_again(void)
     }
 }
 
-void test_SWR_REF_002_a_fault_before_anything_was_known_loses_nothing(void)
+void test_SWR_REF_002_where_nothing_was_known_nothing_is_lost_without_a_fault(void)
 {
     use(without_switch);
-    (void)rest_cycle(config->jump_ticks + 1);
-    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_ENCODER_FAULT, rest_cycle(0));
     axis_lose_reference(&axis);
     axis_doubt(&axis);
     axis_stop_homing(&axis);
     expect(AXIS_REFERENCE_FRESH);
+}
+
+void test_SWR_AXIS_012_a_fault_before_anything_was_known_makes_the_axis_lost(void)
+{
+    use(without_switch);
+    (void)rest_cycle(config->jump_ticks + 1);
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_ENCODER_FAULT, rest_cycle(0));
+    expect(AXIS_REFERENCE_LOST);
+    axis_enable(&axis, false);
+    stand_still();
+    TEST_ASSERT_EQUAL_HEX32(0U, axis_begin_homing(&axis, config));
+    axis_restore(&axis, config, SOMEWHERE);
+    expect(AXIS_REFERENCE_LOST);
+    TEST_ASSERT_TRUE(axis_confirm(&axis, config));
+}
+
+void test_SWR_REF_013_an_axis_that_counts_is_not_taken(void)
+{
+    use(without_switch);
+    for (uint32_t i = 0U; i < 8U; i++) {
+        (void)rest_cycle(1);
+        report.time_us += LIMIT_SPEED_TIMEOUT_US - (2U * CYCLE_US);
+        (void)rest_cycle(0);
+        TEST_ASSERT_EQUAL_HEX32(0U, axis_begin_homing(&axis, config));
+        expect(AXIS_REFERENCE_FRESH);
+    }
+    (void)rest_cycle(0);
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_HOMED, axis_begin_homing(&axis, config));
+    expect(AXIS_REFERENCE_TAKEN);
+}
+
+void test_SWR_REF_013_an_axis_that_never_told_its_counts_is_not_taken(void)
+{
+    axis_init(&axis);
+    axis_enable(&axis, false);
+    TEST_ASSERT_EQUAL_HEX32(0U, axis_begin_homing(&axis, without_switch));
+    expect(AXIS_REFERENCE_FRESH);
+}
+
+void test_SWR_REF_013_an_axis_with_a_switch_may_count_when_it_begins_to_home(void)
+{
+    (void)rest_cycle(5);
+    make(AXIS_REFERENCE_APPROACH);
+}
+
+static void expect_moving_in_doubt(axis_reference_t grade, bool is_in_doubt)
+{
+    use_with(without_switch, grade);
+    TEST_ASSERT_FALSE(axis_is_moving_in_doubt(&axis));
+    (void)rest_cycle(1);
+    TEST_ASSERT_EQUAL(is_in_doubt, axis_is_moving_in_doubt(&axis));
+    report.time_us += LIMIT_SPEED_TIMEOUT_US - CYCLE_US;
+    (void)rest_cycle(0);
+    TEST_ASSERT_FALSE(axis_is_moving_in_doubt(&axis));
+}
+
+void test_SWR_REF_006_a_lost_or_unverified_axis_that_counts_cannot_be_compared(void)
+{
+    expect_moving_in_doubt(AXIS_REFERENCE_LOST, true);
+    expect_moving_in_doubt(AXIS_REFERENCE_UNVERIFIED, true);
+    expect_moving_in_doubt(AXIS_REFERENCE_FRESH, false);
+    expect_moving_in_doubt(AXIS_REFERENCE_TAKEN, false);
+    expect_moving_in_doubt(AXIS_REFERENCE_VERIFIED, false);
 }
 
 void test_SWR_REF_002_an_axis_with_a_switch_homes_from_every_grade_that_is_not_homed(void)

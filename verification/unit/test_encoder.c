@@ -321,6 +321,22 @@ void test_SWR_ENC_003_the_speed_is_zero_at_the_timeout(void)
     TEST_ASSERT_EQUAL_INT32(0, speed());
 }
 
+void test_SWR_ENC_003_an_axis_is_at_rest_from_the_timeout_to_the_next_edge(void)
+{
+    encoder_init(&encoder);
+    TEST_ASSERT_FALSE(encoder_is_at_rest(&encoder));
+    start_at(1000);
+    run(7, 20U);
+    quiet(LIMIT_SPEED_TIMEOUT_US - 1U);
+    TEST_ASSERT_FALSE(encoder_is_at_rest(&encoder));
+    quiet(1U);
+    TEST_ASSERT_TRUE(encoder_is_at_rest(&encoder));
+    quiet(1U);
+    TEST_ASSERT_TRUE(encoder_is_at_rest(&encoder));
+    run(1, 1U);
+    TEST_ASSERT_FALSE(encoder_is_at_rest(&encoder));
+}
+
 void test_SWR_ENC_003_after_a_rest_the_first_speed_counts_from_its_first_edge(void)
 {
     run(7, 20U);
