@@ -145,6 +145,81 @@ void test_SWR_COUPLE_001_a_limit_is_in_force_for_its_own_axes_once_both_are_home
     TEST_ASSERT_EQUAL(COUPLED_LIMIT_INSIDE, coupled_guard_judge(&robot, axes, AXIS_HEAD, -8000));
 }
 
+/* The feet stand so far out that the head, were it at its switch, would leave the limit. */
+static void put_feet_out(int32_t beyond_ticks)
+{
+    axes[AXIS_HEAD].chart.reference = AXIS_REFERENCE_LOST;
+    axes[AXIS_FEET].encoder.position_ticks = -100 - beyond_ticks;
+    robot.coupled_limits[0].maximum_nm = nm(100);
+}
+
+static void expect_barred(bool is_barred)
+{
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        const bool is_head = i == (uint32_t)AXIS_HEAD;
+        TEST_ASSERT_EQUAL(is_head && is_barred, coupled_guard_bars_homing(&robot, axes, i));
+        requests[i] = drive(i, true);
+        TEST_ASSERT_EQUAL(is_head && is_barred, coupled_guard_blocks(&robot, &view, i));
+        requests[i] = drive(i, false);
+        TEST_ASSERT_FALSE(coupled_guard_blocks(&robot, &view, i));
+        requests[i] = (card_drive_t){0U, 0U, 0U};
+        TEST_ASSERT_FALSE(coupled_guard_blocks(&robot, &view, i));
+    }
+}
+
+void test_SWR_COUPLE_003_an_axis_does_not_go_to_a_switch_that_is_beyond_the_limit(void)
+{
+    put_feet_out(0);
+    expect_barred(false);
+    put_feet_out(1);
+    expect_barred(true);
+    /* It may be beyond below as well. */
+    robot.coupled_limits[0].maximum_nm = nm(1000);
+    robot.coupled_limits[0].minimum_nm = nm(101);
+    expect_barred(false);
+    robot.coupled_limits[0].minimum_nm = nm(101) + 1;
+    expect_barred(true);
+}
+
+void test_SWR_COUPLE_003_the_second_axis_of_a_limit_is_barred_as_the_first(void)
+{
+    robot.axes[AXIS_FEET].limit_switch = (uint8_t)LIMIT_SWITCH_LOWER;
+    robot.axes[AXIS_FEET].home_ticks = -50;
+    axes[AXIS_FEET].chart.reference = AXIS_REFERENCE_LOST;
+    axes[AXIS_FEET].encoder.position_ticks = -9999;
+    axes[AXIS_HEAD].encoder.position_ticks = 50;
+    robot.coupled_limits[0].maximum_nm = nm(100);
+    requests[AXIS_FEET] = drive(AXIS_FEET, false);
+    TEST_ASSERT_FALSE(coupled_guard_bars_homing(&robot, axes, AXIS_FEET));
+    TEST_ASSERT_FALSE(coupled_guard_blocks(&robot, &view, AXIS_FEET));
+    axes[AXIS_HEAD].encoder.position_ticks = 51;
+    TEST_ASSERT_TRUE(coupled_guard_bars_homing(&robot, axes, AXIS_FEET));
+    TEST_ASSERT_FALSE(coupled_guard_bars_homing(&robot, axes, AXIS_HEAD));
+    TEST_ASSERT_TRUE(coupled_guard_blocks(&robot, &view, AXIS_FEET));
+    requests[AXIS_FEET] = drive(AXIS_FEET, true);
+    TEST_ASSERT_FALSE(coupled_guard_blocks(&robot, &view, AXIS_FEET));
+}
+
+void test_SWR_COUPLE_003_nothing_is_barred_unless_just_the_other_axis_is_homed(void)
+{
+    put_feet_out(1);
+    axes[AXIS_FEET].chart.reference = AXIS_REFERENCE_UNVERIFIED;
+    expect_barred(false);
+    put_feet_out(1);
+    axes[AXIS_FEET].chart.reference = AXIS_REFERENCE_TAKEN;
+    expect_barred(true);
+    axes[AXIS_HEAD].chart.reference = AXIS_REFERENCE_VERIFIED;
+    TEST_ASSERT_FALSE(coupled_guard_bars_homing(&robot, axes, AXIS_HEAD));
+}
+
+void test_SWR_COUPLE_003_an_axis_without_a_switch_or_without_a_limit_is_not_barred(void)
+{
+    axes[AXIS_FEET].chart.reference = AXIS_REFERENCE_LOST;
+    axes[AXIS_LATERAL].chart.reference = AXIS_REFERENCE_LOST;
+    axes[AXIS_HEAD].encoder.position_ticks = -9999;
+    expect_barred(false);
+}
+
 void test_SWR_JOG_002_an_axis_is_known_when_it_and_its_partners_are_homed(void)
 {
     TEST_ASSERT_TRUE(coupled_guard_is_known(&robot, axes, AXIS_HEAD));
