@@ -128,6 +128,24 @@ void test_SWR_BOX_002_it_gains_speed_with_15_ms(void)
     TEST_ASSERT_INT_WITHIN(FULL_SPEED / 100, FULL_SPEED * 950 / 1000, speed());
 }
 
+void test_SWR_BOX_002_it_starts_downwards_as_slowly_as_upwards(void)
+{
+    sim_motor_t other = motor;
+    for (uint32_t i = 0U; i < 1000U; i++) {
+        sim_motor_step(&motor, &run_down, true);
+        sim_motor_step(&other, &run_up, true);
+        TEST_ASSERT_TRUE(motor.speed_ticks_per_s == -other.speed_ticks_per_s);
+        TEST_ASSERT_TRUE(motor.position_ticks == -other.position_ticks);
+    }
+}
+
+void test_SWR_BOX_002_motors_differ_in_how_fast_they_gain_speed(void)
+{
+    motor.rise_share *= 2.0;
+    drive_for(run_down, SIM_MOTOR_RISE_US / 2U);
+    TEST_ASSERT_INT_WITHIN(FULL_SPEED / 100, -FULL_SPEED * 632 / 1000, speed());
+}
+
 void test_SWR_BOX_002_it_loses_speed_with_1500_us(void)
 {
     const card_drive_t slow = {CARD_DRIVE_PWM, 1U, MINIMUM_DUTY};
