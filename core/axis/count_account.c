@@ -56,16 +56,20 @@ void count_account_settle(count_account_t *self)
 /* Longer than a pause or a run is, a time needs not be known. */
 static uint32_t longer(uint32_t time_us, uint32_t elapsed_us)
 {
-    return (time_us < LIMIT_RISING_TIME_US) ? (time_us + elapsed_us) : time_us;
+    const uint32_t more_us = (time_us < LIMIT_RISING_TIME_US) ? elapsed_us : 0U;
+    return time_us + more_us;
 }
 
 static void follow_drive(count_account_t *self, int64_t model_q16, uint32_t elapsed_us)
 {
-    const int32_t direction = (model_q16 < 0) ? -1 : 1;
+    int32_t direction = 1;
     if (model_q16 == 0) {
         self->run_us = 0U;
         self->rest_us = longer(self->rest_us, elapsed_us);
         return;
+    }
+    if (model_q16 < 0) {
+        direction = -1;
     }
     self->run_us = (direction == self->direction) ? longer(self->run_us, elapsed_us) : 0U;
     self->rest_us = 0U;
@@ -122,7 +126,8 @@ static int64_t summed(int64_t sum_e2_q16, int64_t missing_e2_q16)
 {
     const int64_t more_e2_q16 =
         (missing_e2_q16 > 0) ? missing_e2_q16 : (missing_e2_q16 / (int64_t)LIMIT_ACCOUNT_GIVE_BACK);
-    return ((sum_e2_q16 + more_e2_q16) > 0) ? (sum_e2_q16 + more_e2_q16) : 0;
+    const int64_t next_e2_q16 = sum_e2_q16 + more_e2_q16;
+    return (next_e2_q16 > 0) ? next_e2_q16 : 0;
 }
 
 static void close_window(count_account_t *self)

@@ -92,8 +92,8 @@ bool coupled_guard_blocks(const robot_t *robot, const coupled_view_t *view, uint
     const card_drive_t *const request = &view->requests[index];
     const axis_config_t *const config = &robot->axes[index];
     const bool is_upwards = servo_is_upwards(config, request);
-    const bool is_towards_switch =
-        is_upwards == (config->limit_switch == (uint8_t)LIMIT_SWITCH_UPPER);
+    const bool is_upper = config->limit_switch == (uint8_t)LIMIT_SWITCH_UPPER;
+    const bool is_towards_switch = is_upwards == is_upper;
     bool is_blocked = false;
     if (request->mode == (uint32_t)CARD_DRIVE_OFF) {
         return false;
