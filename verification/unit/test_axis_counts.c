@@ -214,14 +214,14 @@ void test_SWR_AXIS_019_motors_a_fifth_faster_or_slower_are_right(void)
     }
 }
 
-/* The first half of the sum is of a weak encoder; then it breaks. */
+/* The needle at full speed lacks 17 ticks in a cycle: its sum is full before the silence is. */
 void test_SWR_AXIS_019_a_sum_is_called_missing_counts_while_nothing_is_counted(void)
 {
-    TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), 50, 60U));
-    TEST_ASSERT_GREATER_THAN_INT64(0, supervision.account.short_e2_q16);
-    const uint32_t before = driven_cycles;
+    use(needle);
+    TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), 100, 100U));
+    driven_cycles = 0U;
     TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_NO_COUNTS, run(drive(true), 0, LONG_CYCLES));
-    TEST_ASSERT_LESS_THAN_UINT32(SILENT_CYCLES, driven_cycles - before);
+    TEST_ASSERT_LESS_OR_EQUAL_UINT32(24U, driven_cycles);
 }
 
 void test_SWR_AXIS_019_a_wrong_speed_is_told_once(void)

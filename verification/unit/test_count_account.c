@@ -301,6 +301,15 @@ void test_SWR_AXIS_019_noise_at_rest_is_nothing(void)
     TEST_ASSERT_EQUAL_INT32(0, over_ticks());
 }
 
+void test_SWR_AXIS_019_a_rest_of_any_length_is_one(void)
+{
+    TEST_ASSERT_FALSE(run(1U, FULL, FULL));
+    for (uint32_t i = 0U; i < (1U << 12U); i++) {
+        TEST_ASSERT_FALSE(count_account_step(&account, config, 0, 1, 1U << 20U));
+    }
+    TEST_ASSERT_EQUAL_INT64(FULL, account.counted_ticks);
+}
+
 void test_SWR_AXIS_019_what_is_counted_while_the_motor_comes_to_rest_is_of_its_drive(void)
 {
     TEST_ASSERT_FALSE(run(1U, -FULL, 0));
