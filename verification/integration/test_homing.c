@@ -186,3 +186,154 @@ void test_SWR_AXIS_013_every_axis_homes_from_both_ends(void)
         rig_release(&rig);
     }
 }
+
+/* The axis counts, but not what its motor makes of the order. */
+static void move_uncounted(uint32_t axis, double ticks)
+{
+    rig.box.axes[axis].motor.position_ticks += ticks;
+    rig.box.axes[axis].encoder.state += (int32_t)ticks;
+}
+
+static void lose_needle(void)
+{
+    rig_box(&rig, "card insertion silent");
+    rig_cycles(&rig, 20U);
+    rig_box(&rig, "card insertion normal");
+    rig_cycles(&rig, 20U);
+    rig_forget(&rig);
+}
+
+static void jog_to(uint32_t axis, int32_t ticks)
+{
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = axis, .value = ticks};
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 30000U).kind);
+    rig_release(&rig);
+}
+
+static axis_reference_t needle_grade(void)
+{
+    return (axis_reference_t)rig.outputs.snapshot.axes[AXIS_INSERTION].reference;
+}
+
+static void cycle_while(axis_reference_t leg)
+{
+    while (needle_grade() == leg) {
+        TEST_ASSERT_LESS_THAN_UINT32(200000U, rig.controller.cycle);
+        rig_cycle(&rig);
+    }
+}
+
+/* At `place`, far from home, the switch of the needle acts as if it were there: twice alike. */
+static void home_at_impostor(double place)
+{
+    const double *const needle = &rig.box.axes[AXIS_INSERTION].motor.position_ticks;
+    rig_start_homed(&rig);
+    jog_to(AXIS_INSERTION, 20000);
+    lose_needle();
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    rig_press(&rig);
+    while (*needle > place) {
+        rig_cycle(&rig);
+    }
+    rig_box(&rig, "switch insertion stuck");
+    cycle_while(AXIS_REFERENCE_APPROACH);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_BACK_OFF, needle_grade());
+    rig_cycles(&rig, 10U);
+    rig_box(&rig, "switch insertion normal");
+    cycle_while(AXIS_REFERENCE_BACK_OFF);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LATCH, needle_grade());
+    while (*needle > place) {
+        rig_cycle(&rig);
+    }
+    rig_box(&rig, "switch insertion stuck");
+    cycle_while(AXIS_REFERENCE_LATCH);
+    rig_box(&rig, "switch insertion normal");
+    rig_release(&rig);
+}
+
+static void expect_elsewhere(uint32_t axis, int32_t ticks, int32_t within)
+{
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_SWITCH_ELSEWHERE));
+    for (uint32_t i = 0U; i < rig.event_count; i++) {
+        if (rig.events[i].id == (uint32_t)EVENT_AXIS_SWITCH_ELSEWHERE) {
+            TEST_ASSERT_EQUAL_UINT32(axis, rig.events[i].subject);
+            TEST_ASSERT_INT32_WITHIN(within, ticks, rig.events[i].value);
+        }
+    }
+    rig_expect_nothing_known(&rig, axis);
+}
+
+static void expect_needle_where_shown(void)
+{
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED, needle_grade());
+    TEST_ASSERT_DOUBLE_WITHIN(60.0, (double)rig_position(&rig, AXIS_INSERTION),
+                              rig.box.axes[AXIS_INSERTION].motor.position_ticks);
+}
+
+void test_SWR_AXIS_026_a_switch_that_poses_as_another_twice_is_not_believed(void)
+{
+    home_at_impostor(15000.0);
+    expect_elsewhere(AXIS_INSERTION, -15000, 100);
+    TEST_ASSERT_EQUAL_INT32(NEXT_STEP_CONFIRM, rig.outputs.snapshot.next_step);
+}
+
+void test_SWR_AXIS_026_homing_at_the_true_switch_heals_a_contradiction(void)
+{
+    home_at_impostor(15000.0);
+    rig_home(&rig);
+    expect_needle_where_shown();
+}
+
+static void hold_button(void)
+{
+    rig_box(&rig, "button press");
+    rig_cycles(&rig, 2U + (LIMIT_CONFIRM_HOLD_US / LIMIT_CYCLE_US));
+    rig_box(&rig, "button release");
+    rig_cycles(&rig, 2U);
+}
+
+/* The switch is right, and the counts are wrong by 3 mm. */
+void test_SWR_AXIS_026_what_the_counts_contradict_for_good_the_operator_decides(void)
+{
+    rig_start_homed(&rig);
+    jog_to(AXIS_INSERTION, 20000);
+    move_uncounted(AXIS_INSERTION, 10000.0);
+    lose_needle();
+    for (uint32_t i = 0U; i < 2U; i++) {
+        rig_forget(&rig);
+        TEST_ASSERT_TRUE(needle_way_in_start_up(ANSWER_ABORTED) <= NEEDLE_WAY_TICKS + 5.0);
+        expect_elsewhere(AXIS_INSERTION, 10000, 100);
+    }
+    rig_cycles(&rig, LIMIT_SPEED_TIMEOUT_US / LIMIT_CYCLE_US);
+    hold_button();
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_CONFIRMED));
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    expect_needle_where_shown();
+}
+
+void test_SWR_AXIS_025_a_switch_that_is_active_far_from_home_is_a_fault_at_once(void)
+{
+    rig_start_homed(&rig);
+    jog_to(AXIS_LATERAL, -500);
+    rig_box(&rig, "switch lateral stuck");
+    rig_cycles(&rig, 20U);
+    expect_elsewhere(AXIS_LATERAL, 500, 1);
+    TEST_ASSERT_EQUAL_HEX32(0U, rig_sent(&rig, AXIS_LATERAL).control);
+}
+
+/* The counts have it beyond home, where the switch must have acted. */
+void test_SWR_AXIS_025_a_switch_that_is_free_beyond_home_is_a_fault(void)
+{
+    axis_t *const lateral = &rig.controller.axes[AXIS_LATERAL];
+    rig_start_homed(&rig);
+    jog_to(AXIS_LATERAL, -500);
+    encoder_set_position(&lateral->encoder, 30);
+    supervision_shift(&lateral->supervision, 530);
+    drift_audit_settle(&lateral->drift, 30);
+    controller_seal(&rig.controller);
+    rig_cycle(&rig);
+    expect_elsewhere(AXIS_LATERAL, -30, 1);
+}

@@ -244,12 +244,12 @@ static void expect_needle(bool is_in)
 void test_SWR_JOG_001_no_axis_is_jogged_across_a_needle_that_is_in(void)
 {
     start_manual();
-    go(AXIS_INSERTION, 2000);
     for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
         if (robot_neuro.axes[i].limit_switch == (uint8_t)LIMIT_SWITCH_UPPER) {
-            shift(i, -100);
+            go(i, robot_neuro.axes[i].home_ticks - 100);
         }
     }
+    go(AXIS_INSERTION, 2000);
     shift(AXIS_INSERTION, needle_out_ticks(&robot_neuro) - position(AXIS_INSERTION));
     rig_cycle(&rig);
     expect_needle(false);
@@ -270,10 +270,73 @@ void test_SWR_JOG_001_no_axis_is_jogged_across_a_needle_that_is_not_homed(void)
     expect_jog(AXIS_ROTATION, -20, STATUS_OK);
 }
 
+/* Both carriages are far out, and the head is in doubt: at its switch they would be too far apart.
+ */
+static void lose_head_far_out(void)
+{
+    start_manual();
+    go(AXIS_HEAD, -3500);
+    go(AXIS_FEET, -3000);
+    rig_box(&rig, "card head silent");
+    rig_cycles(&rig, 20U);
+    rig_box(&rig, "card head normal");
+    rig_cycles(&rig, 20U);
+    rig_forget(&rig);
+    TEST_ASSERT_FALSE(axis_is_homed(&rig.controller.axes[AXIS_HEAD]));
+}
+
+/* START_UP with the pedal held, until it ends. */
+static void start_up_apart(answer_kind_t expected)
+{
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    rig_press(&rig);
+    while (rig.outputs.snapshot.order != (uint32_t)WORKPHASES_ORDER_NONE) {
+        cycle_apart();
+    }
+    rig_release(&rig);
+    TEST_ASSERT_EQUAL_UINT32(expected, rig.answers[rig.answer_count - 1U].kind);
+}
+
+void test_SWR_COUPLE_003_homing_that_the_limit_bars_is_discarded_by_name(void)
+{
+    lose_head_far_out();
+    const double before = true_mm(AXIS_HEAD);
+    start_up_apart(ANSWER_ABORTED);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_HOMING_BARRED));
+    TEST_ASSERT_EQUAL_DOUBLE(before, true_mm(AXIS_HEAD));
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
+    while (position(AXIS_FEET) < -200) {
+        go(AXIS_FEET, position(AXIS_FEET) + 150); /* A short way only. */
+    }
+    rig_forget(&rig);
+    start_up_apart(ANSWER_DONE);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_HOMING_BARRED));
+    TEST_ASSERT_DOUBLE_WITHIN(0.1, 0.0, true_mm(AXIS_HEAD));
+}
+
+void test_SWR_COUPLE_003_no_jog_drives_the_head_towards_a_switch_that_the_limit_bars(void)
+{
+    lose_head_far_out();
+    const double before = true_mm(AXIS_HEAD);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
+    expect_jog(AXIS_HEAD, position(AXIS_HEAD) + 100, STATUS_OK);
+    rig_press(&rig);
+    for (uint32_t i = 0U; i < 500U; i++) {
+        rig_cycle(&rig);
+        TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    }
+    TEST_ASSERT_TRUE(has_reason(AXIS_HEAD, PERMIT_REASON_COUPLED_LIMIT));
+    rig_release(&rig);
+    go(AXIS_HEAD, position(AXIS_HEAD) - 100);
+    TEST_ASSERT_DOUBLE_WITHIN(0.1, before - (100.0 / 78.74), true_mm(AXIS_HEAD));
+}
+
 /* Told at the jogged axis in every cycle, whether it is driven just then or not. */
 void test_SWR_JOG_001_a_needle_that_comes_in_stops_the_jog_that_runs(void)
 {
     start_manual();
+    go(AXIS_INSERTION, 2000);
     shift(AXIS_INSERTION, needle_out_ticks(&robot_neuro) - position(AXIS_INSERTION));
     expect_jog(AXIS_LATERAL, -2000, STATUS_OK);
     rig_press(&rig);

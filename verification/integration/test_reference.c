@@ -321,7 +321,7 @@ void test_SWR_REF_009_a_pause_of_control_at_rest_makes_every_axis_unverified(voi
         TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_FAULT, rig.controller.links[i].cause);
         TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED, grade(i));
     }
-    rig_cycles(&rig, 20U);
+    rig_cycles(&rig, LIMIT_SPEED_TIMEOUT_US / LIMIT_CYCLE_US);
     TEST_ASSERT_EQUAL_UINT32(ROBOT_AXIS_COUNT, hold_button(HOLD_CYCLES + 1U));
     expect_start_up(STATUS_OK);
     TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_homed);
@@ -445,4 +445,44 @@ void test_SWR_REF_011_an_axis_without_switch_is_taken_and_not_homed(void)
     TEST_ASSERT_EQUAL_UINT32(AXIS_ROTATION, last_event(EVENT_AXIS_TAKEN)->subject);
     TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_TAKEN, grade(AXIS_ROTATION));
     TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED, grade(AXIS_HEAD));
+}
+
+void test_SWR_REF_006_nothing_is_confirmed_while_an_axis_in_doubt_moves(void)
+{
+    start_with_doubt(AXIS_FEET);
+    axis_lose_reference(&rig.controller.axes[AXIS_ROTATION]);
+    rig_cycle(&rig);
+    const uint32_t before = rig_count(&rig, EVENT_AXIS_CONFIRMED);
+    rig_box(&rig, "button press");
+    for (uint32_t i = 0U; i < (2U * HOLD_CYCLES); i++) {
+        rig.box.axes[AXIS_ROTATION].motor.position_ticks += 0.05;
+        rig_cycle(&rig);
+    }
+    rig_cycles(&rig, 2U * HOLD_CYCLES);
+    TEST_ASSERT_EQUAL_UINT32(before, rig_count(&rig, EVENT_AXIS_CONFIRMED));
+    rig_box(&rig, "button release");
+    rig_cycles(&rig, 2U);
+    TEST_ASSERT_EQUAL_UINT32(2U, hold_button(HOLD_CYCLES + 1U));
+}
+
+/* A motor that runs by itself from the first START_UP on, and ends at its stop. */
+void test_SWR_REF_013_an_axis_that_runs_by_itself_at_power_on_is_never_taken(void)
+{
+    rig_start(&rig);
+    rig_box(&rig, "motor rotation runs");
+    expect_start_up(STATUS_OK);
+    rig_press(&rig);
+    rig_cycles(&rig, 20000U);
+    rig_release(&rig);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, grade(AXIS_ROTATION));
+    for (uint32_t i = 0U; i < rig.event_count; i++) {
+        TEST_ASSERT_FALSE((rig.events[i].id == (uint32_t)EVENT_AXIS_TAKEN) &&
+                          (rig.events[i].subject == (uint32_t)AXIS_ROTATION));
+    }
+    rig_box(&rig, "motor rotation normal");
+    rig_cycles(&rig, 200U);
+    expect_start_up(STATUS_CONFIRM_POSITIONS);
+    TEST_ASSERT_EQUAL_UINT32(1U, hold_button(HOLD_CYCLES + 1U));
+    rig_home(&rig);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED, grade(AXIS_ROTATION));
 }

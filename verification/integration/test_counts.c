@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Rule under test: what the counts of an axis fall short of its motor's way is added up. No pause
+ * of the pedal, no fault that comes and goes, no slow axis and no START_UP hides it, on the
+ * simulated box, whose true positions are compared with those believed.
+ */
+#include "rig.h"
+
+#include "unity.h"
+
+#include "controller.h"
+
+#include <stdio.h>
+
+#define MOST_CYCLES 120000U
+#define ALWAYS MOST_CYCLES
+
+static rig_t rig;
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+    TEST_ASSERT_EQUAL_UINT32_MESSAGE(0U, rig.driven_without_pedal, "driven without the pedal");
+}
+
+/* True against believed position, in micrometres or thousandths of a degree, without sign. */
+static double apart(uint32_t axis)
+{
+    const axis_config_t *const config = &robot_neuro.axes[axis];
+    const double ticks = rig.box.axes[axis].motor.position_ticks - (double)rig_position(&rig, axis);
+    const double units = ((ticks < 0.0) ? -ticks : ticks) * (double)config->unit_per_tick_q16;
+    const bool is_mm = config->unit == (uint8_t)AXIS_UNIT_MM;
+    return is_mm ? (units / 65536.0 / 1000.0) : (units / 65536.0 / 4294967296.0 * 360000.0);
+}
+
+/* A millimetre; an axis that turns counts more coarsely. */
+static double most_apart(uint32_t axis)
+{
+    const bool is_mm = robot_neuro.axes[axis].unit == (uint8_t)AXIS_UNIT_MM;
+    return is_mm ? 1000.0 : 2500.0;
+}
+
+static void set_encoder(uint32_t axis, const char *fault)
+{
+    char order[48];
+    (void)snprintf(order, sizeof order, "encoder %s %s", robot_neuro.axes[axis].name, fault);
+    rig_box(&rig, order);
+}
+
+static bool is_at_fault(uint32_t axis)
+{
+    return rig.outputs.snapshot.axes[axis].power == (uint32_t)AXIS_POWER_FAULT;
+}
+
+/* Ordered at the edges only: an order that is repeated begins anew. */
+static void tap_pedal(uint32_t cycle, uint32_t on, uint32_t of)
+{
+    if ((cycle % of) == 0U) {
+        rig_box(&rig, "pedal press");
+    } else if ((cycle % of) == on) {
+        rig_box(&rig, "pedal release");
+    } else {
+        /* As it is. */
+    }
+}
+
+typedef struct {
+    uint32_t axis;
+    uint32_t pedal_on; /* ms of each pedal_of */
+    uint32_t pedal_of;
+    const char *fault;
+    uint32_t broken_ms; /* of each 100 */
+} play_t;
+
+/* Plays until the axis is at fault. @return how far true and believed position have been apart */
+static double play(const play_t *self)
+{
+    double most = 0.0;
+    for (uint32_t i = 0U; !is_at_fault(self->axis); i++) {
+        TEST_ASSERT_LESS_THAN_UINT32(MOST_CYCLES, i);
+        TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_ORDER_DONE));
+        set_encoder(self->axis, ((i % 100U) < self->broken_ms) ? self->fault : "normal");
+        tap_pedal(i, self->pedal_on, self->pedal_of);
+        rig_cycle(&rig);
+        most = (apart(self->axis) > most) ? apart(self->axis) : most;
+    }
+    rig_release(&rig);
+    rig_expect_nothing_known(&rig, self->axis);
+    return most;
+}
+
+static void begin_jog(uint32_t axis, int32_t ticks)
+{
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = axis, .value = ticks};
+    rig_start_homed(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
+}
+
+static void begin_move(int32_t x_nm, int32_t y_nm, int32_t z_nm)
+{
+    rigid_t identity;
+    const rigid_t pose = rig_pose(x_nm, y_nm, z_nm);
+    rigid_set_identity(&identity);
+    rig_start_homed(&rig);
+    rig_register(&rig, &identity);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_target(&rig, &pose).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
+    rig_forget(&rig);
+}
+
+void test_SWR_AXIS_018_an_encoder_that_is_stuck_under_a_tapped_pedal_is_found(void)
+{
+    begin_jog(AXIS_INSERTION, 60000);
+    TEST_ASSERT_TRUE(play(&(play_t){AXIS_INSERTION, 35U, 95U, "stuck", 100U}) <= 500.0);
+}
+
+void test_SWR_AXIS_019_half_the_counts_under_a_tapped_pedal_are_found(void)
+{
+    begin_jog(AXIS_INSERTION, 60000);
+    TEST_ASSERT_TRUE(play(&(play_t){AXIS_INSERTION, 80U, 180U, "half", 100U}) <=
+                     most_apart(AXIS_INSERTION));
+}
+
+void test_SWR_AXIS_019_a_carriage_that_counts_half_beside_others_never_arrives(void)
+{
+    begin_move(-20000000, 170000000, 70000000);
+    TEST_ASSERT_TRUE(play(&(play_t){AXIS_FEET, ALWAYS, ALWAYS, "half", 100U}) <=
+                     most_apart(AXIS_FEET));
+}
+
+void test_SWR_AXIS_019_an_encoder_that_is_stuck_now_and_then_is_found(void)
+{
+    static const int32_t ends[ROBOT_AXIS_COUNT] = {-5000, 4000, -2000, 100000, 5000, -300, -1100};
+    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        begin_jog(i, ends[i]);
+        TEST_ASSERT_TRUE(play(&(play_t){i, ALWAYS, ALWAYS, "stuck", 10U}) <= most_apart(i));
+    }
+}
+
+/* Its profile is so slow that its motor runs in short pushes. */
+void test_SWR_AXIS_019_half_the_counts_of_an_axis_that_is_slower_than_its_motor_are_found(void)
+{
+    begin_move(16000000, 190000000, 60000000);
+    const int32_t cruise_q8 = robot_neuro.axes[AXIS_LATERAL].full_speed_ticks_per_s * 256 / 10;
+    TEST_ASSERT_TRUE(play(&(play_t){AXIS_LATERAL, ALWAYS, ALWAYS, "half", 100U}) <=
+                     most_apart(AXIS_LATERAL));
+    TEST_ASSERT_INT32_WITHIN(cruise_q8, 0,
+                             rig.outputs.snapshot.axes[AXIS_LATERAL].setpoint_speed_ticks_per_s_q8);
+}
+
+/* A short jog, and START_UP: it enables every axis anew, and a homed one is not homed again. */
+static void push_and_start_up(void)
+{
+    const command_t jog = {
+        .kind = (uint32_t)COMMAND_JOG, .argument = AXIS_INSERTION, .value = 60000};
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
+    rig_box(&rig, "pedal press");
+    rig_cycles(&rig, 80U);
+    rig_release(&rig);
+    if (!is_at_fault(AXIS_INSERTION)) {
+        TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+        TEST_ASSERT_TRUE(axis_is_homed(&rig.controller.axes[AXIS_INSERTION]));
+    }
+}
+
+void test_SWR_AXIS_019_start_up_makes_no_missing_count_good(void)
+{
+    uint32_t pushes = 0U;
+    rig_start_homed(&rig);
+    set_encoder(AXIS_INSERTION, "half");
+    while (!is_at_fault(AXIS_INSERTION)) {
+        TEST_ASSERT_LESS_THAN_UINT32(40U, pushes);
+        push_and_start_up();
+        pushes++;
+    }
+    TEST_ASSERT_GREATER_THAN_UINT32(1U, pushes);
+    TEST_ASSERT_TRUE(apart(AXIS_INSERTION) <= most_apart(AXIS_INSERTION));
+}
