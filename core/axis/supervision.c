@@ -144,31 +144,34 @@ static void settle(supervision_t *self, const supervision_view_t *view)
     for (uint32_t i = 0U; i < SUPERVISION_PLACES; i++) {
         self->places_ticks[i] = view->position_ticks;
     }
+    self->lowest_ticks = view->position_ticks;
+    self->highest_ticks = view->position_ticks;
     self->place_us = 0U;
 }
 
 static void remember_place(supervision_t *self, const supervision_view_t *view)
 {
     self->place_us += view->elapsed_us;
-    if (self->place_us >= PLACE_US) {
-        self->place_us = 0U;
-        self->place = (self->place + 1U) % SUPERVISION_PLACES;
-        self->places_ticks[self->place] = view->position_ticks;
+    if (self->place_us < PLACE_US) {
+        return;
+    }
+    self->place_us = 0U;
+    self->place = (self->place + 1U) % SUPERVISION_PLACES;
+    self->places_ticks[self->place] = view->position_ticks;
+    self->lowest_ticks = view->position_ticks;
+    self->highest_ticks = view->position_ticks;
+    for (uint32_t i = 0U; i < SUPERVISION_PLACES; i++) {
+        const int32_t place = self->places_ticks[i];
+        self->lowest_ticks = (place < self->lowest_ticks) ? place : self->lowest_ticks;
+        self->highest_ticks = (place > self->highest_ticks) ? place : self->highest_ticks;
     }
 }
 
 /* From the place of the last second that is farthest from here. */
 static int32_t way_while_off(const supervision_t *self, const supervision_view_t *view)
 {
-    int32_t least = view->position_ticks;
-    int32_t most = least;
-    for (uint32_t i = 0U; i < SUPERVISION_PLACES; i++) {
-        const int32_t place = self->places_ticks[i];
-        least = (place < least) ? place : least;
-        most = (place > most) ? place : most;
-    }
-    const int64_t up = (int64_t)view->position_ticks - (int64_t)least;
-    const int64_t down = (int64_t)most - (int64_t)view->position_ticks;
+    const int64_t up = (int64_t)view->position_ticks - (int64_t)self->lowest_ticks;
+    const int64_t down = (int64_t)self->highest_ticks - (int64_t)view->position_ticks;
     return fixed_saturate((up > down) ? up : down);
 }
 
@@ -225,6 +228,8 @@ void supervision_shift(supervision_t *self, int32_t ticks)
     for (uint32_t i = 0U; i < SUPERVISION_PLACES; i++) {
         self->places_ticks[i] = shifted(self->places_ticks[i], ticks);
     }
+    self->lowest_ticks = shifted(self->lowest_ticks, ticks);
+    self->highest_ticks = shifted(self->highest_ticks, ticks);
 }
 
 uint32_t supervision_step(supervision_t *self, const axis_config_t *config,

@@ -52,10 +52,12 @@ typedef struct {
     uint32_t is_upwards;
     int32_t backwards_ticks; /**< How far it has gone against its drive, for the record. */
     int32_t places_ticks[SUPERVISION_PLACES]; /**< While off, one each tenth of a second. */
-    uint32_t place;                           /**< Index of the newest one. */
-    uint32_t place_us;                        /**< Its age. */
-    uint32_t off_us;                          /**< Off for so long, saturates. */
-    int32_t off_ticks;                        /**< Way while off, for the record. */
+    int32_t lowest_ticks;                     /**< Of these places. */
+    int32_t highest_ticks;
+    uint32_t place;    /**< Index of the newest one. */
+    uint32_t place_us; /**< Its age. */
+    uint32_t off_us;   /**< Off for so long, saturates. */
+    int32_t off_ticks; /**< Way while off, for the record. */
     motor_model_t model;
     int32_t position_ticks; /**< Of the cycle before. */
     int64_t due_q16;        /**< Way of the model since the last count in its direction. */
