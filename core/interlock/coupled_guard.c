@@ -82,7 +82,9 @@ bool coupled_guard_bars_homing(const robot_t *robot, const axis_t axes[ROBOT_AXI
 {
     bool is_barred = false;
     for (uint32_t i = 0U; i < robot->coupled_limit_count; i++) {
-        is_barred = is_barred || is_home_beyond(robot, &robot->coupled_limits[i], axes, index);
+        if (is_home_beyond(robot, &robot->coupled_limits[i], axes, index)) {
+            is_barred = true;
+        }
     }
     return is_barred;
 }

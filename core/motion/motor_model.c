@@ -6,8 +6,10 @@
 
 #include <stdbool.h>
 
-/* Facts of the motors: time constant of gaining speed, share of full speed at the smallest word. */
+/* Facts of the motors: time constants of gaining and losing speed while driven, share of full speed
+ * at the smallest word. */
 #define RISE_US 15000U
+#define FALL_US 1500U
 #define SLOWEST_PERCENT 10
 
 #define US_PER_S 1000000U
@@ -42,6 +44,15 @@ static int64_t steady_q8(const axis_config_t *config, const card_drive_t *drive)
     return servo_is_upwards(config, drive) ? speed_q8 : -speed_q8;
 }
 
+/* What is gained or lost of the `missing_q8` until the steady speed. */
+static int64_t change_q8(int64_t missing_q8, bool is_gaining, uint32_t elapsed_us)
+{
+    const uint32_t rise_us = (elapsed_us < RISE_US) ? elapsed_us : RISE_US;
+    const uint32_t fall_us = (elapsed_us < FALL_US) ? elapsed_us : FALL_US;
+    return is_gaining ? fixed_divide_by(missing_q8 * (int64_t)rise_us, RISE_US)
+                      : fixed_divide_by(missing_q8 * (int64_t)fall_us, FALL_US);
+}
+
 int64_t motor_model_step_q16(motor_model_t *self, const axis_config_t *config,
                              const card_drive_t *drive, uint32_t elapsed_us)
 {
@@ -50,14 +61,11 @@ int64_t motor_model_step_q16(motor_model_t *self, const axis_config_t *config,
         return 0;
     }
     const int64_t steady = steady_q8(config, drive);
-    const int64_t time_us = (int64_t)((elapsed_us < RISE_US) ? elapsed_us : RISE_US);
     const bool goes_on = ((steady > 0) && (self->speed_ticks_per_s_q8 > 0)) ||
                          ((steady < 0) && (self->speed_ticks_per_s_q8 < 0));
-    int64_t before = goes_on ? self->speed_ticks_per_s_q8 : 0;
-    if (((steady > 0) && (before > steady)) || ((steady < 0) && (before < steady))) {
-        before = steady;
-    }
-    self->speed_ticks_per_s_q8 = before + fixed_divide_by((steady - before) * time_us, RISE_US);
+    const int64_t before = goes_on ? self->speed_ticks_per_s_q8 : 0;
+    const bool is_gaining = (steady > 0) ? (before <= steady) : (before >= steady);
+    self->speed_ticks_per_s_q8 = before + change_q8(steady - before, is_gaining, elapsed_us);
     const int64_t mean_q8 = (before + self->speed_ticks_per_s_q8) / 2;
     return fixed_divide_by(mean_q8 * 4 * (int64_t)elapsed_us, US_PER_S / 64U);
 }

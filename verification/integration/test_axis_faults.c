@@ -97,6 +97,23 @@ void test_SWR_AXIS_019_an_axis_that_trembles_in_place_is_reported_once(void)
     rig_expect_nothing_known(&rig, AXIS_INSERTION);
 }
 
+/* What its watchdog finds is told, whatever else has found nothing. */
+void test_SWR_STALL_003_a_stall_is_told_with_its_place(void)
+{
+    stall_watchdog_chart_t *const stall = &rig.controller.axes[AXIS_HEAD].supervision.stall;
+    rig_start_moving(&rig);
+    while (stall->state != (uint32_t)STALL_WATCHDOG_STATE_WATCHING) {
+        rig_cycle(&rig);
+    }
+    stall->no_progress_us = LIMIT_STALL_TIME_US - 1U;
+    controller_seal(&rig.controller);
+    rig_forget(&rig);
+    rig_cycles(&rig, 5U);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_STALLED));
+    TEST_ASSERT_INT32_WITHIN(5, rig_position(&rig, AXIS_HEAD), rig.events[0].value);
+    rig_expect_nothing_known(&rig, AXIS_HEAD);
+}
+
 void test_SWR_AXIS_018_a_cut_encoder_is_reported_exactly_once(void)
 {
     rig_start_moving(&rig);

@@ -276,7 +276,7 @@ static void expect_needle_where_shown(void)
 void test_SWR_AXIS_026_a_switch_that_poses_as_another_twice_is_not_believed(void)
 {
     home_at_impostor(15000.0);
-    expect_elsewhere(AXIS_INSERTION, -15000, 100);
+    expect_elsewhere(AXIS_INSERTION, 15000, 100);
     TEST_ASSERT_EQUAL_INT32(NEXT_STEP_CONFIRM, rig.outputs.snapshot.next_step);
 }
 
@@ -305,7 +305,7 @@ void test_SWR_AXIS_026_what_the_counts_contradict_for_good_the_operator_decides(
     for (uint32_t i = 0U; i < 2U; i++) {
         rig_forget(&rig);
         TEST_ASSERT_TRUE(needle_way_in_start_up(ANSWER_ABORTED) <= NEEDLE_WAY_TICKS + 5.0);
-        expect_elsewhere(AXIS_INSERTION, 10000, 100);
+        expect_elsewhere(AXIS_INSERTION, -10000, 100);
     }
     rig_cycles(&rig, LIMIT_SPEED_TIMEOUT_US / LIMIT_CYCLE_US);
     hold_button();
@@ -320,7 +320,7 @@ void test_SWR_AXIS_025_a_switch_that_is_active_far_from_home_is_a_fault_at_once(
     jog_to(AXIS_LATERAL, -500);
     rig_box(&rig, "switch lateral stuck");
     rig_cycles(&rig, 20U);
-    expect_elsewhere(AXIS_LATERAL, 500, 1);
+    expect_elsewhere(AXIS_LATERAL, -500, 1);
     TEST_ASSERT_EQUAL_HEX32(0U, rig_sent(&rig, AXIS_LATERAL).control);
 }
 
@@ -335,5 +335,5 @@ void test_SWR_AXIS_025_a_switch_that_is_free_beyond_home_is_a_fault(void)
     drift_audit_settle(&lateral->drift, 30);
     controller_seal(&rig.controller);
     rig_cycle(&rig);
-    expect_elsewhere(AXIS_LATERAL, -30, 1);
+    expect_elsewhere(AXIS_LATERAL, 30, 1);
 }
