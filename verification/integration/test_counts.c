@@ -117,6 +117,7 @@ void test_SWR_AXIS_018_an_encoder_that_is_stuck_under_a_tapped_pedal_is_found(vo
 {
     begin_jog(AXIS_INSERTION, 60000);
     TEST_ASSERT_TRUE(play(&(play_t){AXIS_INSERTION, 35U, 95U, "stuck", 100U}) <= 500.0);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_NO_COUNTS));
 }
 
 void test_SWR_AXIS_019_half_the_counts_under_a_tapped_pedal_are_found(void)

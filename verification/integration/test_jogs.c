@@ -290,7 +290,8 @@ static void start_up_apart(answer_kind_t expected)
 {
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
     rig_press(&rig);
-    while (rig.outputs.snapshot.order != (uint32_t)WORKPHASES_ORDER_NONE) {
+    for (uint32_t i = 0U; rig.outputs.snapshot.order != (uint32_t)WORKPHASES_ORDER_NONE; i++) {
+        TEST_ASSERT_LESS_THAN_UINT32(100000U, i);
         cycle_apart();
     }
     rig_release(&rig);
