@@ -34,35 +34,36 @@ BUILD_ID := $(shell git rev-parse --short=12 HEAD 2>/dev/null || echo unknown)$(
 
 # Core layers, lowest first: a layer sees itself and those before it.
 LAYERS := base card robot encoder motion axis kinematics interlock procedure permit controller
-GENERATED_INCLUDES := -I$(GEN)/charts -I$(GEN)/limits -I$(GEN)/robot
+GENERATED_INCLUDES := -I$(GEN)/charts -I$(GEN)/limits -I$(GEN)/robot -I$(GEN)/interface
 upto = $(if $(filter $(1),$(firstword $(2))),$(1),$(firstword $(2)) $(call upto,$(1),$(wordlist 2,99,$(2))))
 layer_includes = $(foreach l,$(call upto,$(1),$(LAYERS)),-Icore/$(l)) $(GENERATED_INCLUDES)
 CORE_INCLUDES := $(foreach l,$(LAYERS),-Icore/$(l)) $(GENERATED_INCLUDES)
-BSP_INCLUDES := -Icore/base -Icore/card -Icore/robot -Ibsp/include -Ibsp/sim -I$(GEN)/limits -I$(GEN)/robot
+BSP_INCLUDES := -Icore/base -Icore/card -Icore/robot -Ibsp/include -Ibsp/sim -I$(GEN)/limits -I$(GEN)/robot \
+    -I$(GEN)/interface
 APPS := exchange positions control igtl http recorder supervisor replay
-APP_INCLUDES := $(CORE_INCLUDES) -Ibsp/include $(foreach a,$(APPS),-Iapp/$(a)) -I$(GEN)/names -I$(GEN)/assets
+APP_INCLUDES := $(CORE_INCLUDES) -Ibsp/include $(foreach a,$(APPS),-Iapp/$(a)) -I$(GEN)/interface/app -I$(GEN)/assets
 
 CHARTS := $(basename $(notdir $(wildcard statecharts/*.scxml)))
 CHART_SOURCES := $(CHARTS:%=$(GEN)/charts/%_chart.c)
-CORE_SOURCES := $(foreach l,$(LAYERS),$(wildcard core/$(l)/*.c)) $(CHART_SOURCES) $(GEN)/robot/robot_neuro.c
-NAME_HEADERS := core/base/status.h core/robot/robot.h core/card/link.h core/card/card_frame.h core/permit/permit.h \
-    core/procedure/workphase.h core/controller/command.h core/controller/event.h core/controller/kept.h \
-    core/controller/snapshot.h
+CORE_SOURCES := $(foreach l,$(LAYERS),$(wildcard core/$(l)/*.c)) $(CHART_SOURCES) $(GEN)/robot/robot_neuro.c \
+    $(GEN)/interface/event.c
+# What the processes call things.
+NAMES := $(GEN)/interface/app/names.c
 
 BOX_SOURCES := $(filter-out %_main.c bsp/sim/bsp_sim.c bsp/sim/wire.c,$(wildcard bsp/sim/*.c))
 EXCHANGE := $(wildcard app/exchange/exchange*.c)
-EVENT_TEXT := app/exchange/event_text.c
+EVENT_TEXT := app/exchange/event_text.c $(GEN)/interface/app/event_words.c
 
 # Each program: its own files; what it needs of the core comes from libcore.a.
 SOURCES_boresight-box := $(BOX_SOURCES) bsp/sim/wire.c bsp/sim/box_main.c
 SOURCES_boresight-simctl := $(BOX_SOURCES) bsp/sim/wire.c bsp/sim/simctl_main.c
 SOURCES_boresight-control := $(wildcard app/control/*.c app/positions/*.c) $(EXCHANGE) bsp/sim/bsp_sim.c bsp/sim/wire.c
-SOURCES_boresight-igtl := $(wildcard app/igtl/*.c) $(EXCHANGE) $(GEN)/names/names.c
-SOURCES_boresight-http := $(wildcard app/http/*.c) $(EVENT_TEXT) $(EXCHANGE) $(GEN)/names/names.c $(GEN)/assets/assets.c \
+SOURCES_boresight-igtl := $(wildcard app/igtl/*.c) $(EXCHANGE) $(NAMES)
+SOURCES_boresight-http := $(wildcard app/http/*.c) $(EVENT_TEXT) $(EXCHANGE) $(NAMES) $(GEN)/assets/assets.c \
     $(GEN)/assets/chart_names.c
-SOURCES_boresight-recorder := $(wildcard app/recorder/*.c app/positions/*.c) $(EVENT_TEXT) $(EXCHANGE) $(GEN)/names/names.c
-SOURCES_boresight-replay := $(wildcard app/replay/*.c app/recorder/recording*.c) $(EVENT_TEXT) $(GEN)/names/names.c
-SOURCES_boresight := $(wildcard app/supervisor/*.c) app/recorder/black_box_files.c $(EXCHANGE) $(GEN)/names/names.c
+SOURCES_boresight-recorder := $(wildcard app/recorder/*.c app/positions/*.c) $(EVENT_TEXT) $(EXCHANGE) $(NAMES)
+SOURCES_boresight-replay := $(wildcard app/replay/*.c app/recorder/recording*.c) $(EVENT_TEXT) $(NAMES)
+SOURCES_boresight := $(wildcard app/supervisor/*.c) app/recorder/black_box_files.c $(EXCHANGE) $(NAMES)
 LIBS_boresight-http := -lcivetweb -lcjson -lpthread
 LIBS_boresight-recorder := -lzstd -lcrypto
 LIBS_boresight-replay := -lzstd -lcrypto
@@ -72,7 +73,7 @@ BINARIES := $(PROGRAMS:%=$(BIN)/%)
 
 # --- generated sources ---------------------------------------------------------------------------------------
 
-GENERATED := $(GEN)/limits/requirement_limits.h $(GEN)/charts/charts.json $(GEN)/robot/robot_neuro.c $(GEN)/names/names.c \
+GENERATED := $(GEN)/limits/requirement_limits.h $(GEN)/charts/charts.json $(GEN)/robot/robot_neuro.c $(GEN)/interface/.compiled \
     $(GEN)/assets/chart_names.c
 ASSETS := $(GEN)/assets/assets.c
 
@@ -87,8 +88,13 @@ $(CHART_SOURCES): $(GEN)/charts/charts.json ;
 $(GEN)/robot/robot_neuro.c: core/robot/neuro.yaml core/robot/robot.h tools/robot_compiler.rb $(wildcard tools/robot/*.rb)
 	ruby tools/robot_compiler.rb core/robot/neuro.yaml $(GEN)/robot
 
-$(GEN)/names/names.c: $(NAME_HEADERS) tools/names.rb
-	ruby tools/names.rb $(GEN)/names $(NAME_HEADERS)
+INTERFACE_PARTS := $(wildcard core/interface/*.yml tools/interface_compiler.rb tools/interface/*.rb)
+$(GEN)/interface/.compiled: $(INTERFACE_PARTS) $(GEN)/charts/charts.json
+	ruby tools/interface_compiler.rb core/interface $(GEN)/charts/charts.json $(GEN)/interface
+	@touch $@
+
+$(GEN)/interface/%.c: $(GEN)/interface/.compiled ;
+$(GEN)/interface/%.h: $(GEN)/interface/.compiled ;
 
 CONSOLE_SOURCES := $(shell find app/console -path '*/node_modules' -prune -o -type f -print 2>/dev/null)
 
@@ -108,7 +114,7 @@ $(GEN)/assets/chart_names.c: $(GEN)/charts/charts.json app/http/chart_names.rb
 object = $(patsubst %.c,$(OUT)/%.o,$(1))
 
 $(foreach l,$(LAYERS),$(eval $(OUT)/core/$(l)/%.o: FLAGS = $(call layer_includes,$(l))))
-$(OUT)/$(GEN)/%.o: FLAGS = $(CORE_INCLUDES) -I$(GEN)/assets -I$(GEN)/names -Iapp/http
+$(OUT)/$(GEN)/%.o: FLAGS = $(APP_INCLUDES)
 $(OUT)/bsp/%.o: FLAGS = -D_GNU_SOURCE $(BSP_INCLUDES)
 $(OUT)/app/%.o: FLAGS = -D_GNU_SOURCE $(APP_INCLUDES) -DBORESIGHT_BUILD_ID='"$(BUILD_ID)"'
 $(OUT)/verification/%.o: FLAGS = -D_GNU_SOURCE $(APP_INCLUDES) -Ibsp/sim -Iverification/unit/support

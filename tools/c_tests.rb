@@ -26,8 +26,9 @@ class CTests
     'arm' => { compiler: %w[arm-linux-gnueabihf-gcc -mcpu=cortex-a9 -mfpu=vfpv3-d16 -static], runner: %w[qemu-arm],
                libraries: %w[-lm] }
   }.freeze
-  FOLDERS = Dir['core/*/'] + %w[build/gen/charts build/gen/limits build/gen/robot build/gen/names bsp/include bsp/sim
-                                verification/unit/support verification/integration/support] + Dir['app/*/']
+  FOLDERS = Dir['core/*/'] + %w[build/gen/charts build/gen/limits build/gen/robot build/gen/interface
+                                build/gen/interface/app bsp/include bsp/sim verification/unit/support
+                                verification/integration/support] + Dir['app/*/']
   SUPPORT = Dir['verification/*/support/*.c'] + ["#{UNITY}/src/unity.c", "#{CMOCK}/src/cmock.c"]
   ALWAYS = %w[contract_trap unity cmock].freeze
   # As project.yml says it to Ceedling.

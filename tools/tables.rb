@@ -7,11 +7,11 @@
 #   ruby tools/tables.rb [--root FOLDER]           rewrites the marked blocks of docs/user-manual.md
 #   ruby tools/tables.rb --check [--root FOLDER]   one line per stale block, exit 1 if there is any
 #
-# A block begins with the line `<!-- table:NAME -->` and ends with the line `<!-- end -->`. NAME is an enumeration of
-# a core header in which every enumerator has a sentence, without its `_t`; or `limits`, for those of requirements/.
+# A block begins with the line `<!-- table:NAME -->` and ends with the line `<!-- end -->`. NAME is an enumeration or a
+# structure of core/interface; or `limits`, for those of requirements/.
 
 require 'optparse'
-require_relative 'names'
+require_relative 'interface/model'
 require_relative 'trace/requirements'
 
 # What can be shown as a table, read from one project.
@@ -24,27 +24,38 @@ class TableSources
   def table(name)
     return limits if name == 'limits'
 
-    enumeration = enumerations.find { |candidate| candidate.name == name }
-    enumeration && rows_of(enumeration)
+    enumeration = interface.enumeration(name)
+    return values_of(enumeration) if enumeration
+
+    structure = interface.structure(name)
+    structure && fields_of(structure)
   end
 
   def names
-    (enumerations.map(&:name) + ['limits']).sort
+    ((interface.enumerations + interface.structures).map(&:name) + ['limits']).sort
   end
 
   private
 
-  def enumerations
-    @enumerations ||= Dir[File.join(@root, 'core', '**', '*.h')].sort
-                                                                .flat_map { |header| Enumeration.read_all(header) }
-                                                                .select(&:exported?)
+  def interface
+    @interface ||= Interface::Model.new(File.join(@root, 'core', 'interface'))
   end
 
-  def rows_of(enumeration)
-    rows = enumeration.enumerators.map do |enumerator|
-      [enumerator.value, "`#{enumeration.short_name(enumerator)}`", enumerator.sentence]
+  # Of events also how much they matter.
+  def values_of(enumeration)
+    severities = enumeration.name == 'event_id' ? interface.events.severities : {}
+    rows = enumeration.values.map do |value|
+      [value.code, "`#{value.name}`", *severities[value], value.says]
     end
-    markdown(['No.', 'Name', 'What it says'], rows)
+    markdown(['No.', 'Name', *('Severity' if severities.any?), 'What it says'], rows)
+  end
+
+  def fields_of(structure)
+    rows = structure.fields.map do |field|
+      shown = field.shown.map { |one| "`#{one.message}.#{one.key}`" }
+      ["`#{field.name}`", "#{field.type.c}#{"[#{field.count}]" if field.count}", field.comment, shown.join(', ')]
+    end
+    markdown(['Field', 'Type', 'What it says', 'JSON'], rows)
   end
 
   def limits
@@ -136,7 +147,7 @@ if $PROGRAM_NAME == __FILE__
     path = File.join(options[:root], 'docs', 'user-manual.md')
     document = TabledDocument.new('docs/user-manual.md', File.read(path, encoding: 'UTF-8'),
                                   TableSources.new(options[:root]))
-  rescue OptionParser::ParseError, TabledDocument::MarkError, Trace::FormatError, Errno::ENOENT => e
+  rescue OptionParser::ParseError, TabledDocument::MarkError, Trace::FormatError, Interface::Refused, Errno::ENOENT => e
     abort e.message
   end
   if options[:check]

@@ -19,7 +19,7 @@ endif
 endif
 
 ALL_APP := $(wildcard app/*/*.c bsp/sim/*.c)
-OBJECTS := $(call object,$(CORE_SOURCES) $(ALL_APP) $(GEN)/names/names.c $(GEN)/assets/assets.c $(GEN)/assets/chart_names.c)
+OBJECTS := $(call object,$(CORE_SOURCES) $(ALL_APP) $(NAMES) $(GEN)/assets/assets.c $(GEN)/assets/chart_names.c)
 
 generated: $(GENERATED)
 
@@ -48,7 +48,7 @@ worst-case-approve: worst-case
 	@cp build/conformance/worst_case.yml verification/model/worst_case.yml
 
 TESTED := $(filter-out %_main.c app/http/% app/supervisor/%,$(CORE_SOURCES) $(ALL_APP)) \
-    $(GEN)/names/names.c
+    $(NAMES)
 $(OUT)/libtest.a: $(call object,$(TESTED))
 	@rm -f $@; ar rcs $@ $^
 

@@ -8,9 +8,11 @@
 #ifndef BORESIGHT_EXCHANGE_H
 #define BORESIGHT_EXCHANGE_H
 
+#include "answer.h"
 #include "command.h"
 #include "controller.h"
 #include "event.h"
+#include "loop_figures.h"
 #include "snapshot.h"
 #include "status.h"
 
@@ -27,24 +29,6 @@
 #define EXCHANGE_RIGHT_FIFO 0x1U   /**< SCHED_FIFO. */
 #define EXCHANGE_RIGHT_CORE 0x2U   /**< A core of its own. */
 #define EXCHANGE_RIGHT_MEMORY 0x4U /**< Locked memory. */
-
-/** The loop's punctuality, measured by control. Times in us of the board's time. */
-typedef struct {
-    uint64_t cycles;
-    uint32_t rights;         /**< EXCHANGE_RIGHT_ bits. */
-    uint32_t is_elastic;     /**< bsp_time_t of the board: 0 or 1; then nothing can be late */
-    uint32_t slowness;       /**< and 1 .. LIMIT_BOX_SLOWEST. */
-    uint32_t speed_permille; /**< Board's time per world's time in the last full second. */
-    uint32_t overruns;       /**< Intervals above LIMIT_OVERRUN_US. */
-    uint32_t wake_p50_us;    /**< Wake-up latency over the whole run. */
-    uint32_t wake_p99_us;
-    uint32_t wake_p999_us;
-    uint32_t wake_worst_us;
-    uint32_t step_p99_us; /**< Duration of controller_step. */
-    uint32_t step_worst_us;
-    uint32_t second_worst_us; /**< Worst wake-up latency of the last full second. */
-    uint32_t cycles_lost;     /**< Cycle records that found the lane full. */
-} loop_figures_t;
 
 typedef enum {
     CYCLE_RECORD_CHECKPOINT = 1, /**< controller state before the next cycle. */

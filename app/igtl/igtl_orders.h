@@ -8,6 +8,7 @@
 #ifndef BORESIGHT_IGTL_ORDERS_H
 #define BORESIGHT_IGTL_ORDERS_H
 
+#include "answer.h"
 #include "command.h"
 
 #include <stdbool.h>

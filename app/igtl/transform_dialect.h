@@ -8,6 +8,7 @@
 #ifndef BORESIGHT_TRANSFORM_DIALECT_H
 #define BORESIGHT_TRANSFORM_DIALECT_H
 
+#include "answer.h"
 #include "command.h"
 #include "igtl_codec.h"
 #include "igtl_dialect.h"

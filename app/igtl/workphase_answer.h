@@ -3,6 +3,7 @@
 #ifndef BORESIGHT_WORKPHASE_ANSWER_H
 #define BORESIGHT_WORKPHASE_ANSWER_H
 
+#include "answer.h"
 #include "command.h"
 #include "igtl_dialect.h"
 #include "igtl_orders.h"

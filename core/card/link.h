@@ -10,19 +10,10 @@
 
 #include "card_frame.h"
 #include "card_link_chart.h"
+#include "link_cause.h"
 
 #include <stdbool.h>
 #include <stdint.h>
-
-/** Why a card was given up. */
-typedef enum {
-    LINK_CAUSE_NONE = 0,       /**< It was not. */
-    LINK_CAUSE_AGE = 1,        /**< No valid frame for LIMIT_LINK_AGE_CYCLES cycles. */
-    LINK_CAUSE_FAULT = 2,      /**< The card reported a fault. */
-    LINK_CAUSE_ECHO = 3,       /**< The card's driver does not apply what was commanded. */
-    LINK_CAUSE_WRONG_CARD = 4, /**< Its type or firmware is not that of the robot's table. */
-    LINK_CAUSE_MEMORY = 5      /**< What was known of it was damaged. */
-} link_cause_t;
 
 typedef struct {
     card_link_chart_t chart;

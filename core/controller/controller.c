@@ -9,67 +9,6 @@
 
 static const char contract_module[] = "controller";
 
-static event_severity_t severity(event_id_t id)
-{
-    event_severity_t result = EVENT_SEVERITY_INFORMATION;
-    switch (id) {
-    case EVENT_PEDAL_FAULT:
-    case EVENT_ESTOP_PULLED:
-    case EVENT_CARD_LOST:
-    case EVENT_AXIS_STALLED:
-    case EVENT_AXIS_ENCODER_FAULT:
-    case EVENT_AXIS_FOLLOWING_ERROR:
-    case EVENT_AXIS_HOME_TIMEOUT:
-    case EVENT_AXIS_SWITCH_FAULT:
-    case EVENT_AXIS_WRONG_WAY:
-    case EVENT_AXIS_MOVED_OFF:
-    case EVENT_AXIS_NO_COUNTS:
-    case EVENT_AXIS_WRONG_SPEED:
-    case EVENT_AXIS_SWITCH_ELSEWHERE:
-    case EVENT_ORDER_OVERDUE:
-    case EVENT_HOMING_BARRED:
-    case EVENT_LOOP_STOPPED:
-    case EVENT_CHART_REPAIRED:
-    case EVENT_MEMORY_DAMAGED:
-    case EVENT_ROBOT_TABLE_DAMAGED:
-        result = EVENT_SEVERITY_CRITICAL;
-        break;
-    case EVENT_AXIS_DRIFTED:
-    case EVENT_AXIS_CONTRADICTED:
-    case EVENT_COMMAND_REFUSED:
-    case EVENT_FRAME_REFUSED:
-    case EVENT_AXIS_UNVERIFIED:
-    case EVENT_AXIS_REFERENCE_LOST:
-    case EVENT_ORDER_DISCARDED:
-    case EVENT_ORDER_EXPIRED:
-    case EVENT_OVERRUN:
-        result = EVENT_SEVERITY_WARNING;
-        break;
-    case EVENT_STARTED:
-    case EVENT_WORKPHASE:
-    case EVENT_PEDAL_PRESSED:
-    case EVENT_PEDAL_RELEASED:
-    case EVENT_ESTOP_RELEASED:
-    case EVENT_ESTOP_CLEARED:
-    case EVENT_CARD_LIVE:
-    case EVENT_AXIS_HOMED:
-    case EVENT_AXIS_TAKEN:
-    case EVENT_AXIS_CONFIRMED:
-    case EVENT_AXIS_RESTORED:
-    case EVENT_ORDER_ARMED:
-    case EVENT_ORDER_DONE:
-    case EVENT_REGISTERED:
-    case EVENT_TARGET_ACCEPTED:
-    case EVENT_PROPOSAL:
-    case EVENT_SCANNER:
-    case EVENT_SCAN_DRIFT:
-    default:
-        result = EVENT_SEVERITY_INFORMATION;
-        break;
-    }
-    return result;
-}
-
 void controller_note(controller_t *self, const cycle_t *cycle, event_id_t id, uint32_t subject,
                      int32_t value)
 {
@@ -82,7 +21,7 @@ void controller_note(controller_t *self, const cycle_t *cycle, event_id_t id, ui
     event->number = self->events;
     event->cycle = self->cycle;
     event->id = (uint32_t)id;
-    event->severity = (uint32_t)severity(id);
+    event->severity = (uint32_t)event_severity(id);
     event->subject = subject;
     event->value = value;
     event->cause = self->cause;

@@ -8,6 +8,7 @@
 #ifndef BORESIGHT_CONTROLLER_H
 #define BORESIGHT_CONTROLLER_H
 
+#include "answer.h"
 #include "axis.h"
 #include "card_frame.h"
 #include "command.h"

@@ -3,6 +3,7 @@
 #ifndef BORESIGHT_KEPT_H
 #define BORESIGHT_KEPT_H
 
+#include "kept_verdict.h"
 #include "robot.h"
 
 #include <stdint.h>
@@ -19,17 +20,6 @@ typedef struct {
     int32_t position_ticks; /**< With KEPT_KNOWN. */
     int32_t reading_ticks;  /**< Of the encoder's counter there; of no meaning with KEPT_LOST. */
 } kept_axis_t;
-
-/** May kept positions be used? From KEPT_MISSING on every axis is lost. */
-typedef enum {
-    KEPT_NOTHING = 0,     /**< Nothing happened before in this power-on. */
-    KEPT_GOOD = 1,        /**< They are of this power-on. */
-    KEPT_MISSING = 2,     /**< None were kept, although the box was used in this power-on. */
-    KEPT_DAMAGED = 3,     /**< They are damaged or cannot be read. */
-    KEPT_OTHER_ROBOT = 4, /**< They are another robot's. */
-    KEPT_TOO_OLD = 5,     /**< They are too old. */
-    KEPT_FROM_FUTURE = 6  /**< They are from the future: a clock was set. */
-} kept_verdict_t;
 
 typedef struct {
     uint32_t power_on; /**< The present one. */

@@ -9,35 +9,11 @@
 #define BORESIGHT_PERMIT_H
 
 #include "card_frame.h"
+#include "permit_reason.h"
 
 #include <stdbool.h>
 #include <stdint.h>
 
-/** Why an axis may not be driven, in the order in which they are told to the operator. Bit n of a
- * mask. */
-typedef enum {
-    PERMIT_REASON_ESTOP_PULLED = 0,  /**< The e-stop is pulled: release it. */
-    PERMIT_REASON_ESTOP_LATCHED = 1, /**< The e-stop is latched: command START_UP. */
-    PERMIT_REASON_LOOP_STOPPED = 2,  /**< The control loop was late too often: command START_UP. */
-    PERMIT_REASON_LINK_LOST = 3,     /**< A card is lost: check its cable, then command START_UP. */
-    PERMIT_REASON_PEDAL_FAULT =
-        4, /**< The pedal's channels disagreed: release it, then command START_UP. */
-    PERMIT_REASON_SCANNER_ACTIVE = 5,  /**< The scanner is acquiring: wait or pause the scan. */
-    PERMIT_REASON_AXIS_FAULT = 6,      /**< The axis has a fault: command START_UP. */
-    PERMIT_REASON_AXIS_DISABLED = 7,   /**< The axis is disabled: command START_UP. */
-    PERMIT_REASON_NOTHING_ARMED = 8,   /**< Nothing is armed: command a motion. */
-    PERMIT_REASON_PEDAL_UNPROVEN = 9,  /**< The pedal must be seen released first: release it. */
-    PERMIT_REASON_PEDAL_RELEASED = 10, /**< The pedal is not pressed: press it. */
-    PERMIT_REASON_NOT_HOMED = 11,      /**< The axis is not homed: command START_UP. */
-    PERMIT_REASON_LIMIT_SWITCH = 12,   /**< The limit switch blocks this direction. */
-    PERMIT_REASON_SOFT_LIMIT = 13,     /**< The soft limit blocks this direction. */
-    PERMIT_REASON_COUPLED_LIMIT =
-        14, /**< The limit that this axis shares with another one blocks this direction. */
-    PERMIT_REASON_NEEDLE_IN = 15, /**< The needle is in, or may be: home or retract it first. */
-    PERMIT_REASON_MEMORY = 16     /**< The table of the robot is damaged: restart the programs. */
-} permit_reason_t;
-
-#define PERMIT_REASON_COUNT 17U
 /* From here on they depend on where the axis stands and goes: in one motion they may come and go.
  */
 #define PERMIT_REASON_FIRST_OF_PLACE ((uint32_t)PERMIT_REASON_LIMIT_SWITCH)

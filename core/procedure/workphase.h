@@ -7,25 +7,11 @@
 #define BORESIGHT_WORKPHASE_H
 
 #include "status.h"
+#include "workphase_list.h"
 #include "workphases_chart.h"
 
 #include <stdbool.h>
 #include <stdint.h>
-
-/** Workphases (Tokuda et al.). */
-typedef enum {
-    WORKPHASE_UNDEFINED = 0,      /**< Switched on; command START_UP. */
-    WORKPHASE_START_UP = 1,       /**< The axes home while the pedal is pressed. */
-    WORKPHASE_PLANNING = 2,       /**< The plan is made outside; the robot does not move. */
-    WORKPHASE_CALIBRATION = 3,    /**< Waits for a registration. */
-    WORKPHASE_TARGETING = 4,      /**< Waits for a target. */
-    WORKPHASE_MOVE_TO_TARGET = 5, /**< Moves to the accepted target while the pedal is pressed. */
-    WORKPHASE_MANUAL = 6,         /**< Single axes are jogged. */
-    WORKPHASE_STOP = 7,           /**< Stopped by command. */
-    WORKPHASE_EMERGENCY = 8       /**< Stopped by the e-stop or an emergency command. */
-} workphase_t;
-
-#define WORKPHASE_COUNT 9U
 
 /**
  * Asks for a workphase.

@@ -47,7 +47,7 @@ module Robot
 
     def sequence
       refuse('is not a list') unless @yaml.is_a?(Psych::Nodes::Sequence)
-      @yaml.children.each_with_index.map { |child, i| Node.new(@file, "#{@field}[#{i}]", child) }
+      @yaml.children.each_with_index.map { |child, i| self.class.new(@file, "#{@field}[#{i}]", child) }
     end
 
     def integer(range)
@@ -100,7 +100,7 @@ module Robot
         name = key.is_a?(Psych::Nodes::Scalar) ? key.value : '?'
         refuse_key(name, line, "is unknown; expected #{allowed.join(', ')}") unless allowed.include?(name)
         refuse_key(name, line, 'is given twice') if nodes.key?(name)
-        nodes[name] = Node.new(@file, child_field(name), value, line: line)
+        nodes[name] = self.class.new(@file, child_field(name), value, line: line)
       end
     end
 

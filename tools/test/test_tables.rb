@@ -11,13 +11,26 @@ require 'tmpdir'
 class TestTables < Minitest::Test
   TOOL = File.expand_path('../tables.rb', __dir__)
 
-  HEADER = <<~C
-    /** Why not. */
-    typedef enum {
-        COLOUR_RED = 0,   /**< It is red: wait. */
-        COLOUR_BLUE = 1   /**< It is blue | green: go. */
-    } colour_t;
-  C
+  COLOURS = <<~YAML
+    header: colour
+    says: Colours.
+    enumerations:
+      - name: colour
+        says: Why not.
+        values:
+          - {code: 0, name: RED, says: "It is red: wait."}
+          - {code: 1, name: BLUE, says: "It is blue | green: go."}
+    structures:
+      - name: paint
+        fields:
+          - {name: colour, type: colour, says: "Of the paint.", shown: {in: tin, as: name}}
+          - {name: tins, type: uint32, count: TIN_COUNT}
+  YAML
+
+  MESSAGES = <<~YAML
+    messages:
+      - {name: tin, says: A tin.}
+  YAML
 
   LIMITS = <<~YAML
     - id: SWR-AREA-001
@@ -38,6 +51,9 @@ class TestTables < Minitest::Test
     <!-- table:limits -->
     <!-- end -->
     After.
+
+    <!-- table:paint -->
+    <!-- end -->
   MARKDOWN
 
   FILLED = <<~'MARKDOWN'
@@ -58,6 +74,13 @@ class TestTables < Minitest::Test
     | `wait_us` | 250 | us | SWR-AREA-001 |
     <!-- end -->
     After.
+
+    <!-- table:paint -->
+    | Field | Type | What it says | JSON |
+    | --- | --- | --- | --- |
+    | `colour` | uint32_t | colour_t. Of the paint. | `tin.colour` |
+    | `tins` | uint32_t[TIN_COUNT] |  |  |
+    <!-- end -->
   MARKDOWN
 
   def test_SWR_TRACE_001_manual_of_this_project_is_not_stale
@@ -86,13 +109,14 @@ class TestTables < Minitest::Test
       assert_equal <<~TEXT, output
         docs/user-manual.md:3: table colour is stale; run ruby tools/tables.rb
         docs/user-manual.md:9: table limits is stale; run ruby tools/tables.rb
+        docs/user-manual.md:13: table paint is stale; run ruby tools/tables.rb
       TEXT
       assert_equal MANUAL, File.read(File.join(root, 'docs', 'user-manual.md'))
     end
   end
 
   def test_SWR_TRACE_001_check_finds_a_changed_sentence
-    in_project(FILLED, header: HEADER.sub('wait.', 'wait longer.')) do |root|
+    in_project(FILLED, colours: COLOURS.sub('wait.', 'wait longer.')) do |root|
       output, is_passed = run_tool(root, '--check')
       refute is_passed
       assert_equal "docs/user-manual.md:3: table colour is stale; run ruby tools/tables.rb\n", output
@@ -109,7 +133,7 @@ class TestTables < Minitest::Test
     in_project("<!-- table:shape -->\n<!-- end -->\n") do |root|
       output, is_passed = run_tool(root)
       refute is_passed
-      assert_equal "docs/user-manual.md:1: there is no table shape; there are colour, limits\n", output
+      assert_equal "docs/user-manual.md:1: there is no table shape; there are colour, limits, paint\n", output
     end
   end
 
@@ -128,14 +152,14 @@ class TestTables < Minitest::Test
     [output, status.success?]
   end
 
-  def in_project(manual, header: HEADER)
+  def in_project(manual, colours: COLOURS)
     Dir.mktmpdir do |root|
-      { 'core/base/colour.h' => header, 'requirements/area.yml' => LIMITS, 'docs/user-manual.md' => manual }
-        .each do |file, text|
-          path = File.join(root, file)
-          FileUtils.mkdir_p(File.dirname(path))
-          File.write(path, text)
-        end
+      { 'core/interface/colours.yml' => colours, 'core/interface/messages.yml' => MESSAGES,
+        'requirements/area.yml' => LIMITS, 'docs/user-manual.md' => manual }.each do |file, text|
+        path = File.join(root, file)
+        FileUtils.mkdir_p(File.dirname(path))
+        File.write(path, text)
+      end
       yield root
     end
   end

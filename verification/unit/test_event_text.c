@@ -6,15 +6,19 @@
  */
 #include "event_text.h"
 
+#include "event_words.h"
+#include "command.h"
 #include "fixed.h"
 #include "names.h"
 #include "rigid.h"
 #include "robot.h"
+#include "status.h"
 #include "unity.h"
 #include "workphase.h"
 #include "workphases_chart.h"
 
 #include <stdbool.h>
+#include <stdio.h>
 #include <string.h>
 
 TEST_SOURCE_FILE("robot_neuro.c")
@@ -62,6 +66,35 @@ void test_SWR_EVENT_007_a_sentence_ends_with_its_cause(void)
 void test_SWR_EVENT_007_an_event_that_says_its_cause_itself_says_it_once(void)
 {
     expect((event_t){.id = EVENT_ESTOP_PULLED}, "The e-stop was pulled.");
+}
+
+void test_SWR_EVENT_007_numbers_are_told_as_what_they_are(void)
+{
+    const uint32_t slot = robot_neuro.axes[AXIS_YAW].slot;
+    char card[EVENT_TEXT_SIZE];
+
+    expect((event_t){.id = EVENT_COMMAND_REFUSED, .subject = COMMAND_JOG, .value = STATUS_BUSY},
+           "Command of kind JOG refused, status BUSY.");
+    expect((event_t){.id = EVENT_SCANNER, .value = 1}, "The scanner started acquiring.");
+    expect((event_t){.id = EVENT_SCANNER}, "The scanner ended acquiring.");
+    expect((event_t){.id = EVENT_AXIS_MOVED_OFF, .subject = AXIS_YAW, .value = -7},
+           "Axis yaw moved -7 ticks while its drive was off.");
+    expect((event_t){.id = EVENT_AXIS_WRONG_SPEED, .subject = AXIS_YAW, .value = 31},
+           "Axis yaw counted 31 percent of what its motor should make.");
+    expect((event_t){.id = EVENT_OVERRUN, .subject = 2U, .value = 1700},
+           "The loop was late, interval in us 1700, stage 2.");
+    expect((event_t){.id = EVENT_CHART_REPAIRED, .subject = EVENT_CHART_ESTOP},
+           "A chart's state was damaged; chart ESTOP went to its safe state.");
+    (void)snprintf(card, sizeof card,
+                   "A chart's state was damaged; chart CARD %u (yaw) went to its safe state.",
+                   (unsigned)slot);
+    expect(
+        (event_t){.id = EVENT_CHART_REPAIRED, .subject = EVENT_CHART_CARD, .value = (int32_t)slot},
+        card);
+    expect((event_t){.id = EVENT_MEMORY_DAMAGED, .subject = EVENT_MEMORY_CARD, .value = AXIS_YAW},
+           "Memory was damaged and forgotten: CARD yaw.");
+    expect((event_t){.id = EVENT_ROBOT_TABLE_DAMAGED, .subject = UINT32_MAX},
+           "The table of the robot is damaged in geometry: restart the programs.");
 }
 
 /* Every number of an event that has a name. */

@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+require_relative 'c'
+
+module Interface
+  # The headers of the core: enumerations and structures with their documentation.
+  #
+  # @satisfies SWR-TOOL-011
+  class Headers
+    def initialize(model)
+      @model = model
+    end
+
+    def files
+      @model.headers.to_h { |header| ["#{header.name}.h", text(header)] }
+            .merge('event.c' => severities).compact
+    end
+
+    private
+
+    def text(header)
+      body = [includes(header), *header.enumerations.map { |one| enumeration(one) },
+              *header.structures.map { |one| structure(one) }, prototypes(header)].compact.join("\n")
+      "#{C.file(header.says, "core/interface/#{File.basename(header.file)}")}#{C.guard(header.name, body)}"
+    end
+
+    def includes(header)
+      types = header.structures.flat_map(&:fields).map(&:type)
+      own = types.filter_map(&:header).uniq.sort - [header.name]
+      own << 'robot' if header.structures.flat_map(&:fields).any?(&:count)
+      lines = own.sort.map { |name| "#include \"#{name}.h\"\n" }.join
+      lines += "#{"\n" unless lines.empty?}#include <stdint.h>\n" unless header.structures.empty?
+      lines unless lines.empty?
+    end
+
+    def enumeration(enumeration)
+      values = enumeration.values.map do |value|
+        "#{C.comment(value.says, '    ')}    #{enumeration.constant(value)} = #{value.code}"
+      end
+      count = "\n#define #{enumeration.name.upcase}_COUNT #{enumeration.values.size}U\n" if enumeration.counted?
+      "#{C.comment(enumeration.says)}typedef enum {\n#{values.join(",\n")}\n} #{enumeration.c_type};\n#{count}"
+    end
+
+    def structure(structure)
+      fields = structure.fields.map do |field|
+        about = field.comment
+        "#{C.comment(about, '    ') unless about.empty?}    #{field.type.c} #{field.name}" \
+          "#{"[#{field.count}]" if field.count};\n"
+      end
+      "#{C.comment(structure.says) if structure.says}typedef struct {\n#{fields.join}} #{structure.name}_t;\n"
+    end
+
+    def prototypes(header)
+      return unless header.enumerations.any? { |one| one.name == 'event_id' }
+
+      <<~CODE
+        /** How much an event matters: CRITICAL when it is not known. */
+        event_severity_t event_severity(event_id_t id);
+      CODE
+    end
+
+    def severities
+      return unless @model.events
+
+      ids = @model.enumeration('event_id')
+      rows = @model.events.events.sort_by { |event| event.value.code }.map do |event|
+        "        EVENT_SEVERITY_#{event.severity.upcase}, /* #{ids.constant(event.value)} */\n"
+      end
+      <<~CODE
+        #{C.file('How much events matter.', 'core/interface/events.yml').chomp}
+        #include "event.h"
+
+        #include <stdint.h>
+
+        event_severity_t event_severity(event_id_t id)
+        {
+            static const event_severity_t severities[EVENT_ID_COUNT] = {
+        #{rows.join}    };
+            return ((uint32_t)id < EVENT_ID_COUNT) ? severities[id] : EVENT_SEVERITY_CRITICAL;
+        }
+      CODE
+    end
+  end
+end

@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+require_relative 'events'
+require_relative 'message'
+require_relative 'structure'
+
+module Interface
+  # One `enum`: the only source of its names, numbers and sentences.
+  class Enumeration
+    KEYS = %w[severity subject value of peer].freeze
+    Value = Struct.new(:code, :name, :says, :node, :more, keyword_init: true)
+
+    attr_reader :name, :prefix, :says, :values, :header
+
+    def initialize(node, header)
+      nodes = node.mapping(%w[name says values], %w[prefix count])
+      @header = header
+      @name = nodes['name'].identifier
+      @says = nodes['says'].text
+      @prefix = nodes.key?('prefix') ? nodes['prefix'].identifier(capitals: true) : @name.upcase
+      @is_counted = nodes.key?('count') && nodes['count'].true?
+      @values = nodes['values'].sequence.map { |value| read(value) }
+      node.refuse('has no values') if @values.empty?
+      unique(:code)
+      unique(:name)
+      check_gaps if counted?
+    end
+
+    def counted?
+      @is_counted
+    end
+
+    def c_type
+      "#{name}_t"
+    end
+
+    def constant(value)
+      "#{prefix}_#{value.name}"
+    end
+
+    # What two programs must agree on.
+    def layout
+      "enum #{name} #{values.map { |value| "#{constant(value)}=#{value.code}" }.join(' ')}"
+    end
+
+    private
+
+    def read(node)
+      nodes = node.mapping(%w[code name says], KEYS)
+      Value.new(code: nodes['code'].number, name: nodes['name'].identifier(capitals: true), says: nodes['says'].text,
+                node: node, more: nodes.slice(*KEYS))
+    end
+
+    # What is counted is an index, or a bit.
+    def check_gaps
+      gap = values.each_with_index.find { |value, index| value.code != index }
+      gap&.first&.node&.refuse("has the code #{gap.first.code}; expected #{gap.last}, as it is counted")
+    end
+
+    def unique(key)
+      values.group_by(&key).each_value do |same|
+        same.drop(1).each { |other| other.node.refuse("has the #{key} of #{same.first.name}: #{other[key]}") }
+      end
+    end
+  end
+
+  # Everything that core/interface says.
+  class Model
+    Header = Struct.new(:name, :says, :enumerations, :structures, :file)
+
+    attr_reader :headers, :messages, :charts
+
+    # `charts`: the leaves of "axis.power" in their order, as the chart compiler lists them; nil if nobody asks.
+    def initialize(folder, charts = nil)
+      @charts = charts
+      files = Dir[File.join(folder, '*.yml')].sort
+      raise Refused.new(folder, 'folder', 'holds no *.yml') if files.empty?
+
+      nodes = files.map { |file| [file, Node.parse(file, File.read(file, encoding: 'UTF-8'))] }
+      @messages = []
+      @headers = nodes.filter_map { |file, node| read(file, node) }
+      check
+    end
+
+    def enumerations
+      headers.flat_map(&:enumerations)
+    end
+
+    def structures
+      headers.flat_map(&:structures)
+    end
+
+    def enumeration(name)
+      enumerations.find { |enumeration| enumeration.name == name }
+    end
+
+    def structure(name)
+      structures.find { |structure| structure.name == name }
+    end
+
+    def message(name)
+      messages.find { |message| message.name == name }
+    end
+
+    def events
+      @events ||= Events.new(self) if enumeration('event_id')
+    end
+
+    # The structures whose fields are shown in `message`, each with these fields and how.
+    def sources(message)
+      structures.to_h { |structure| [structure, structure.shown_in(message.name)] }.reject { |_, fields| fields.empty? }
+    end
+
+    private
+
+    def read(file, node)
+      if file.end_with?('messages.yml')
+        @messages = node.mapping(%w[messages])['messages'].sequence.map { |message| Message.new(message) }
+        return
+      end
+      nodes = node.mapping(%w[header says], %w[enumerations structures])
+      header = nodes['header'].identifier
+      Header.new(header, nodes['says'].text,
+                 list(nodes['enumerations']).map { |one| Enumeration.new(one, header) },
+                 list(nodes['structures']).map { |one| Structure.new(one, header) }, file)
+    end
+
+    def list(node)
+      node ? node.sequence : []
+    end
+
+    def check
+      names = (enumerations + structures).map(&:name)
+      twice = names.find { |name| names.count(name) > 1 }
+      raise Refused.new('core/interface', twice, 'is defined twice') if twice
+
+      structures.each { |structure| structure.check(self) }
+      messages.each { |message| message.check(self) }
+      events
+    end
+  end
+end

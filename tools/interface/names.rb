@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+require_relative 'c'
+
+module Interface
+  # Names and sentences of enumerations, for the processes.
+  #
+  # @satisfies SWR-CMD-004
+  class Names
+    FROM = 'core/interface'
+
+    def initialize(model)
+      @enumerations = model.enumerations.sort_by(&:name)
+    end
+
+    def files
+      { 'names.h' => header, 'names.c' => source }
+    end
+
+    private
+
+    def header
+      declarations = @enumerations.map do |one|
+        <<~CODE
+          /** Name of the #{one.name} `value`, or "UNKNOWN". Lives for ever. */
+          const char *#{one.name}_name(int32_t value);
+
+          /** Sentence for the #{one.name} `value`, or "Unknown.". Lives for ever. */
+          const char *#{one.name}_text(int32_t value);
+        CODE
+      end
+      C.file('Names and sentences of enumerations.', FROM) +
+        C.guard('names', "#include <stdint.h>\n\n#{declarations.join("\n")}")
+    end
+
+    def source
+      functions = @enumerations.flat_map do |one|
+        [function(one, 'name', 'UNKNOWN', &:name), function(one, 'text', 'Unknown.', &:says)]
+      end
+      "#{C.file('Names and sentences of enumerations.', FROM)}#include \"names.h\"\n\n#{functions.join("\n")}"
+    end
+
+    def function(enumeration, suffix, unknown)
+      cases = enumeration.values.map { |value| "    case #{value.code}:\n        return #{C.string(yield(value))};\n" }
+      <<~CODE
+        const char *#{enumeration.name}_#{suffix}(int32_t value)
+        {
+            switch (value) {
+        #{cases.join.chomp}
+            default:
+                return "#{unknown}";
+            }
+        }
+      CODE
+    end
+  end
+end

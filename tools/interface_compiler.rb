@@ -1,0 +1,67 @@
+#!/usr/bin/env ruby
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+# Turns core/interface/*.yml, the only source of what the processes tell each other, into what they are compiled from:
+#
+#   DIRECTORY       the headers of the core with their documentation, event.c
+#   DIRECTORY/app   names and sentences, and what an event's numbers are
+#
+#   ruby tools/interface_compiler.rb core/interface build/gen/charts/charts.json build/gen/interface
+#
+# A wrong file is refused with file and line.
+
+require 'fileutils'
+require 'json'
+require_relative 'interface/event_words'
+require_relative 'interface/headers'
+require_relative 'interface/model'
+require_relative 'interface/names'
+
+module Interface
+  # The command line.
+  module Command
+    USAGE = 'usage: ruby tools/interface_compiler.rb FOLDER CHARTS_JSON DIRECTORY'
+    APP = [Names, EventWords].freeze
+
+    # Returns the exit status.
+    def self.run(arguments, errors: $stderr)
+      return usage(errors) unless arguments.size == 3
+
+      folder, charts, directory = arguments
+      model = Model.new(folder, leaves(charts))
+      write(directory, Headers.new(model).files)
+      write(File.join(directory, 'app'), APP.map { |part| part.new(model).files }.inject(:merge))
+      0
+    rescue Refused, SystemCallError, JSON::ParserError => e
+      errors.puts(e.message)
+      1
+    end
+
+    def self.usage(errors)
+      errors.puts(USAGE)
+      2
+    end
+
+    # The leaves of each region, at their values.
+    def self.leaves(file)
+      JSON.parse(File.read(file)).fetch('charts').each_with_object({}) do |chart, regions|
+        chart.fetch('regions').each do |region|
+          leaves = region.fetch('leaves').sort_by { |leaf| leaf.fetch('value') }
+          regions["#{chart.fetch('name')}.#{region.fetch('name')}"] = leaves.map { |leaf| leaf.fetch('id') }
+        end
+      end
+    end
+
+    # What has not changed keeps its time, so that nothing is compiled again for it.
+    def self.write(directory, files)
+      FileUtils.mkdir_p(directory)
+      files.each do |name, text|
+        file = File.join(directory, name)
+        File.write(file, text) unless File.exist?(file) && File.read(file, encoding: 'UTF-8') == text
+      end
+    end
+  end
+end
+
+exit Interface::Command.run(ARGV) if $PROGRAM_NAME == __FILE__

@@ -1,0 +1,268 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+# The rule under test: what core/interface says of a value is what operator and network are told, and a wrong file is
+# refused with its line.
+
+require 'json'
+require 'minitest/autorun'
+require 'open3'
+require 'tmpdir'
+
+class TestInterfaceCompiler < Minitest::Test
+  ROOT = File.expand_path('../..', __dir__)
+  TOOL = File.join(ROOT, 'tools/interface_compiler.rb')
+  CHARTS = { 'charts' => [{ 'name' => 'lamp', 'regions' => [
+    { 'name' => 'state', 'leaves' => [{ 'id' => 'bright', 'value' => 1 }, { 'id' => 'dark', 'value' => 0 }] }
+  ] }] }.freeze
+
+  COLOURS = <<~YAML
+    header: colour
+    says: Colours.
+    enumerations:
+      - name: colour
+        says: Why something was refused.
+        values:
+          - {code: 0, name: OK, says: "Done."}
+          - code: 1
+            name: NOT_RED
+            says: >-
+              It is not "red", but
+              another colour.
+          - {code: 7, name: LAST, of: axis, says: "The last."}
+    structures:
+      - name: paint
+        says: What is painted with.
+        fields:
+          - {name: colour, type: colour, says: "Of the paint."}
+          - {name: lamp, type: chart lamp.state}
+          - {name: rest_ml, type: uint32, says: "Left in the tin."}
+          - {name: is_dry, type: flag}
+  YAML
+
+  MESSAGES = <<~YAML
+    messages:
+      - name: tin
+        says: A tin of paint.
+        members:
+          - {name: maker, type: text, or_null: true}
+  YAML
+
+  EVENTS = <<~YAML
+    header: event
+    says: Events.
+    enumerations:
+      - name: event_severity
+        says: How much.
+        values:
+          - {code: 0, name: LOW, says: "Low."}
+          - {code: 1, name: CRITICAL, says: "High."}
+      - name: event_cause
+        says: Why.
+        values:
+          - {code: 0, name: NONE, says: "By itself."}
+          - {code: 1, name: AXIS, peer: axis, says: "By axis {peer}."}
+      - name: event_id
+        prefix: EVENT
+        says: What.
+        count: true
+        values:
+          - {code: 0, name: SPILT, severity: critical, subject: colour, value: ticks, says: "{subject} by {value}."}
+          - {code: 1, name: DRIED, severity: low, subject: axis, value: [not_yet, at_last], says: "{subject} {value}."}
+  YAML
+
+  def test_SWR_CMD_004_compiled_names_and_sentences_are_those_of_the_file
+    with_output do |folder|
+      File.write(File.join(folder, 'main.c'), <<~CODE)
+        #include "colour.h"
+        #include "names.h"
+        #include <stdio.h>
+        int main(void)
+        {
+            for (int value = -1; value < 3; value++) {
+                (void)printf("%s|%s\\n", colour_name(value), colour_text(value));
+            }
+            (void)printf("%s|%s\\n", colour_name(COLOUR_LAST), colour_text(COLOUR_LAST));
+            return 0;
+        }
+      CODE
+      assert_equal <<~TEXT, output_of(folder, 'main.c', 'app/names.c')
+        UNKNOWN|Unknown.
+        OK|Done.
+        NOT_RED|It is not "red", but another colour.
+        UNKNOWN|Unknown.
+        LAST|The last.
+      TEXT
+    end
+  end
+
+  def test_SWR_TOOL_011_structures_keep_their_documentation
+    with_output do |folder|
+      header = File.read(File.join(folder, 'colour.h'))
+      assert_includes header, <<~CODE
+        /** What is painted with. */
+        typedef struct {
+            /** colour_t. Of the paint. */
+            uint32_t colour;
+            /** lamp_state_t. */
+            uint32_t lamp;
+            /** Left in the tin. */
+            uint32_t rest_ml;
+            /** 0 or 1. */
+            uint32_t is_dry;
+        } paint_t;
+      CODE
+    end
+  end
+
+  def test_SWR_TOOL_011_an_event_has_severity_subject_and_value
+    with_output do |folder|
+      File.write(File.join(folder, 'main.c'), <<~CODE)
+        #include "colour.h"
+        #include "event_words.h"
+        #include <stdio.h>
+        int main(void)
+        {
+            (void)printf("%d %d %d\\n", (int)event_severity(EVENT_SPILT), (int)event_severity(EVENT_DRIED),
+                         (int)event_severity((event_id_t)2));
+            (void)printf("%s%s\\n", event_subject_name(EVENT_SPILT, 7U), event_value_unit(EVENT_SPILT));
+            (void)printf("%d\\n", event_subject_owner(EVENT_SPILT, COLOUR_LAST) == EVENT_WORD_AXIS);
+            (void)printf("%d %s\\n", event_subject_word(EVENT_DRIED) == EVENT_WORD_AXIS,
+                         event_value_name(EVENT_DRIED, 1));
+            (void)printf("%d\\n", event_peer_word(EVENT_CAUSE_AXIS) == EVENT_WORD_AXIS);
+            return 0;
+        }
+      CODE
+      assert_equal "1 0 1\nLAST ticks\n1\n1 at_last\n1\n",
+                   output_of(folder, 'main.c', 'event.c', 'app/event_words.c', 'app/names.c')
+    end
+  end
+
+  def test_SWR_TOOL_011_same_bytes_on_every_run
+    outputs = Array.new(2) { with_output { |folder| contents(folder) } }
+    assert_equal outputs.first, outputs.last
+  end
+
+  # [what is written instead of what, the line, what the refusal says]
+  REFUSALS = {
+    'a value used twice' => ['code: 7', 'code: 1', 13, 'has the code of NOT_RED: 1'],
+    'a name used twice' => ['name: LAST', 'name: OK', 13, 'has the name of OK: OK'],
+    'a value without a sentence' => [', says: "The last."', '', 13, 'says: is missing'],
+    'an empty sentence' => ['"The last."', '""', 13, 'is empty; expected a text'],
+    'a name that is none in C' => ['name: LAST', 'name: Last', 13, 'is Last; expected a name of A-Z, 0-9 and _'],
+    'a code that is no number' => ['code: 7', 'code: seven', 13, 'is seven; expected a whole number'],
+    'an unknown key' => ['code: 7', 'codes: 7', 13, 'codes: is unknown'],
+    'a gap in what is counted' => ["says: Why something was refused.\n", "says: Why.\n    count: true\n", 14,
+                                   'has the code 7; expected 2, as it is counted'],
+    'an unknown type' => ['type: uint32', 'type: uint33', 20, 'is uint33; expected uint32, int32'],
+    'a chart that is none' => ['chart lamp.state', 'chart lamp.hue', 19, 'is of lamp.hue; expected one of lamp.state'],
+    'bits of nothing' => ['type: uint32', 'type: bits shape', 20, 'is bits of shape, which is no enumeration'],
+    'two fields of one name' => ['name: is_dry', 'name: rest_ml', 21, 'is the second rest_ml'],
+    'padding behind it' => ['type: uint32', 'type: uint64', 21, 'has padding behind it'],
+    'padding before a field' => ['{name: colour, type: colour',
+                                 "{name: age, type: uint32}\n      - {name: c, type: uint64",
+                                 19, 'has padding before c'],
+    'a message that is none' => ['"Left in the tin."', '"x", shown: box', 20, 'is in box, which is no message'],
+    'a form that is none' => ['"Left in the tin."', '"x", shown: {in: tin, as: cube}', 20, 'has the form cube'],
+    'a form that does not fit' => ['"Left in the tin."', '"x", shown: {in: tin, as: named}', 20, 'uint32 has not'],
+    'a condition that is none' => ['"Left in the tin."', '"x", shown: {in: tin, when: [colour]}', 20,
+                                   'is shown when colour, which is no flag and no status'],
+    'the end of a comment' => ['"Left in the tin."', '"x */"', 20, 'holds the end of a comment']
+  }.freeze
+
+  REFUSALS.each do |what, (old, new, line, reason)|
+    define_method("test_SWR_TOOL_012_refuses_#{what.tr(' ', '_')}") do
+      assert_refused('colours.yml', COLOURS, old, new, line, reason)
+    end
+  end
+
+  EVENT_REFUSALS = {
+    'an event without severity' => [', severity: low', '', 20, 'has no severity'],
+    'a severity that is none' => ['severity: low', 'severity: high', 20, 'is high; expected low or critical'],
+    'a subject that is none' => ['subject: axis', 'subject: shape', 20, 'is shape; expected axis, card, part, number'],
+    'a value that is none' => ['value: ticks', 'value: miles', 19, 'is miles; expected ticks, percent, number'],
+    'three words for a flag' => ['[not_yet, at_last]', '[a, b, c]', 20, 'has 3 words; expected 2, for 0 and 1'],
+    'a sentence with what is not there' => [', value: ticks', '', 19, 'says {value}, which it has not'],
+    'a sentence without its value' => [' by {value}', '', 19, 'does not say {value}'],
+    'a cause with what is not there' => [', peer: axis', '', 13, 'says {peer}, which it has not']
+  }.freeze
+
+  EVENT_REFUSALS.each do |what, (old, new, line, reason)|
+    define_method("test_SWR_TOOL_012_refuses_#{what.tr(' ', '_')}") do
+      assert_refused('events.yml', EVENTS, old, new, line, reason)
+    end
+  end
+
+  def test_SWR_TOOL_012_refuses_a_key_used_twice_in_a_message
+    message = refusal('colours.yml' => COLOURS.sub('"Left in the tin."', '"x", shown: {in: tin, key: maker}'))
+    assert_match(/messages\.yml:5: .* is the second maker in tin/, message)
+  end
+
+  def test_SWR_TOOL_012_refuses_a_name_defined_in_two_files
+    assert_includes refusal('other.yml' => COLOURS.sub('header: colour', 'header: other')), 'colour: is defined twice'
+  end
+
+  def test_SWR_TOOL_012_refuses_what_is_no_yaml
+    assert_match(/colours\.yml:\d+: file: is not YAML/, refusal('colours.yml' => "a: [\n"))
+  end
+
+  def test_SWR_TOOL_012_a_refusal_writes_nothing
+    in_folder('colours.yml' => COLOURS.sub('code: 7', 'code: 1')) do |folder, output|
+      run_tool(folder, output)
+      refute File.exist?(output)
+    end
+  end
+
+  private
+
+  def assert_refused(file, text, old, new, line, reason)
+    changed = text.sub(old, new)
+    refute_equal text, changed
+    message = refusal(file => changed)
+    assert_match(/#{file}:#{line}: /, message)
+    assert_includes message, reason
+  end
+
+  def refusal(files)
+    in_folder(files) do |folder, output|
+      text, status = run_tool(folder, output)
+      refute status.success?
+      text
+    end
+  end
+
+  def with_output(files = {})
+    in_folder(files) do |folder, output|
+      text, status = run_tool(folder, output)
+      assert status.success?, text
+      yield output
+    end
+  end
+
+  def in_folder(files)
+    Dir.mktmpdir do |folder|
+      { 'colours.yml' => COLOURS, 'messages.yml' => MESSAGES, 'events.yml' => EVENTS }.merge(files).each do |name, text|
+        File.write(File.join(folder, name), text)
+      end
+      File.write(File.join(folder, 'charts.json'), JSON.generate(CHARTS))
+      yield folder, File.join(folder, 'output')
+    end
+  end
+
+  def run_tool(folder, output)
+    Open3.capture2e('ruby', TOOL, folder, File.join(folder, 'charts.json'), output)
+  end
+
+  def contents(folder)
+    Dir[File.join(folder, '**/*.*')].to_h { |file| [file.delete_prefix(folder), File.read(file)] }
+  end
+
+  def output_of(folder, *sources)
+    program = File.join(folder, 'main')
+    output, status = Open3.capture2e('gcc', '-std=c99', '-pedantic', '-Wall', '-Wextra', '-Werror', '-Wconversion',
+                                     '-Wmissing-prototypes', "-I#{folder}", "-I#{folder}/app", '-o', program,
+                                     *sources.map { |source| File.join(folder, source) })
+    assert status.success?, output
+    `#{program}`
+  end
+end
