@@ -4,43 +4,41 @@
 
 # Turns core/interface/*.yml, the only source of what the processes tell each other, into what they are compiled from:
 #
-#   DIRECTORY       the headers of the core with their documentation, event.c
+#   DIRECTORY       the headers of the core with their documentation, event.c, interface_layout.h
 #   DIRECTORY/app   names and sentences, and what an event's numbers are
 #
-#   ruby tools/interface_compiler.rb core/interface build/gen/charts/charts.json build/gen/interface
+#   ruby tools/interface_compiler.rb core/interface build/gen/charts/charts.json build/gen/interface [HEADER...]
 #
-# A wrong file is refused with file and line.
+# The declarations of each HEADER count for the layout too. A wrong file is refused with file and line.
 
 require 'fileutils'
 require 'json'
 require_relative 'interface/event_words'
 require_relative 'interface/headers'
+require_relative 'interface/layout'
 require_relative 'interface/model'
 require_relative 'interface/names'
 
 module Interface
   # The command line.
   module Command
-    USAGE = 'usage: ruby tools/interface_compiler.rb FOLDER CHARTS_JSON DIRECTORY'
+    USAGE = 'usage: ruby tools/interface_compiler.rb FOLDER CHARTS_JSON DIRECTORY [HEADER...]'
     APP = [Names, EventWords].freeze
 
     # Returns the exit status.
     def self.run(arguments, errors: $stderr)
-      return usage(errors) unless arguments.size == 3
-
-      folder, charts, directory = arguments
+      folder, charts, directory, *headers = arguments
+      unless directory
+        errors.puts(USAGE)
+        return 2
+      end
       model = Model.new(folder, leaves(charts))
-      write(directory, Headers.new(model).files)
+      write(directory, Headers.new(model).files.merge(Layout.new(model, headers).files))
       write(File.join(directory, 'app'), APP.map { |part| part.new(model).files }.inject(:merge))
       0
     rescue Refused, SystemCallError, JSON::ParserError => e
       errors.puts(e.message)
       1
-    end
-
-    def self.usage(errors)
-      errors.puts(USAGE)
-      2
     end
 
     # The leaves of each region, at their values.

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "exchange_segment.h"
 
+#include "interface_layout.h"
+
 #include <errno.h>
 #include <fcntl.h>
-#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,105 +15,9 @@
 
 #define SEGMENT_MODE 0600
 
-static const size_t layout[] = {
-    sizeof(segment_t),
-    offsetof(segment_t, others),
-    offsetof(segment_t, control),
-    offsetof(segment_others_t, commands),
-    offsetof(segment_others_t, stops_requested),
-    offsetof(segment_others_t, stop_port),
-    offsetof(segment_others_t, answers_tail),
-    offsetof(segment_others_t, cycles_tail),
-    offsetof(segment_others_t, checkpoint_requests),
-    offsetof(segment_control_t, snapshots),
-    offsetof(segment_control_t, loop),
-    offsetof(segment_control_t, stops_taken),
-    offsetof(segment_control_t, stop_answer),
-    offsetof(segment_control_t, commands_tail),
-    offsetof(segment_control_t, answers),
-    offsetof(segment_control_t, answers_lost),
-    offsetof(segment_control_t, events_head),
-    offsetof(segment_control_t, events),
-    offsetof(segment_control_t, cycles_head),
-    offsetof(segment_control_t, cycles),
-    EXCHANGE_PROCESS_COUNT,
-    SEGMENT_SNAPSHOTS,
-    SEGMENT_COMMANDS,
-    EXCHANGE_ANSWERS,
-    EXCHANGE_EVENTS,
-    EXCHANGE_CYCLES,
-    sizeof(command_t),
-    offsetof(command_t, peer),
-    offsetof(command_t, argument),
-    offsetof(command_t, value),
-    offsetof(command_t, pose),
-    sizeof(answer_t),
-    offsetof(answer_t, status),
-    offsetof(answer_t, axis),
-    offsetof(answer_t, workphase),
-    offsetof(answer_t, pose),
-    sizeof(event_t),
-    offsetof(event_t, id),
-    offsetof(event_t, subject),
-    offsetof(event_t, value),
-    offsetof(event_t, cause),
-    sizeof(snapshot_t),
-    offsetof(snapshot_t, robot_crc),
-    offsetof(snapshot_t, workphase),
-    offsetof(snapshot_t, next_step),
-    offsetof(snapshot_t, is_homed),
-    offsetof(snapshot_t, overruns),
-    offsetof(snapshot_t, events),
-    offsetof(snapshot_t, zframe_treatment),
-    offsetof(snapshot_t, scanner_treatment),
-    offsetof(snapshot_t, scanner_zframe),
-    offsetof(snapshot_t, scanner_target),
-    offsetof(snapshot_t, proposed_registration),
-    offsetof(snapshot_t, proposed_entry),
-    offsetof(snapshot_t, proposed_target),
-    offsetof(snapshot_t, scanner_desired),
-    offsetof(snapshot_t, desired_ticks),
-    offsetof(snapshot_t, axes),
-    offsetof(snapshot_t, cards),
-    sizeof(snapshot_axis_t),
-    offsetof(snapshot_axis_t, permit_reasons),
-    offsetof(snapshot_axis_t, position_ticks),
-    offsetof(snapshot_axis_t, setpoint_ticks),
-    offsetof(snapshot_axis_t, drive_mode),
-    offsetof(snapshot_axis_t, limit_switches),
-    sizeof(snapshot_card_t),
-    offsetof(snapshot_card_t, frame_errors),
-    offsetof(snapshot_card_t, card_type),
-    sizeof(loop_figures_t),
-    offsetof(loop_figures_t, rights),
-    offsetof(loop_figures_t, is_elastic),
-    offsetof(loop_figures_t, slowness),
-    offsetof(loop_figures_t, speed_permille),
-    offsetof(loop_figures_t, wake_p50_us),
-    offsetof(loop_figures_t, step_worst_us),
-    offsetof(loop_figures_t, cycles_lost),
-    sizeof(cycle_record_t),
-    offsetof(cycle_record_t, body),
-    sizeof(controller_inputs_t),
-    offsetof(controller_inputs_t, commands),
-    offsetof(controller_inputs_t, frames),
-    sizeof(controller_outputs_t),
-    offsetof(controller_outputs_t, answers),
-    offsetof(controller_outputs_t, events),
-    offsetof(controller_outputs_t, snapshot),
-    offsetof(controller_outputs_t, frames),
-};
-
 uint64_t segment_layout(void)
 {
-    uint64_t hash = UINT64_C(0xCBF29CE484222325); /* FNV-1a */
-
-    for (size_t i = 0U; i < (sizeof(layout) / sizeof(layout[0])); i++) {
-        for (uint32_t shift = 0U; shift < 64U; shift += 8U) {
-            hash = (hash ^ (((uint64_t)layout[i] >> shift) & 0xFFU)) * UINT64_C(0x00000100000001B3);
-        }
-    }
-    return hash;
+    return INTERFACE_LAYOUT ^ (uint64_t)sizeof(segment_t);
 }
 
 static bool set_name(exchange_t *self, const char *name, char *error, uint32_t error_size)

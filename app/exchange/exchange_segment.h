@@ -91,7 +91,10 @@ struct exchange {
     char name[SEGMENT_NAME_SIZE];
 };
 
-/** A number that differs when the size or the place of anything in the segment differs. */
+/**
+ * A number that differs when the name, type or place of anything in the segment differs, or the
+ * meaning of a number in it.
+ */
 uint64_t segment_layout(void);
 
 #endif

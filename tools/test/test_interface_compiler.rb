@@ -143,6 +143,34 @@ class TestInterfaceCompiler < Minitest::Test
     assert_equal outputs.first, outputs.last
   end
 
+  AGREED = {
+    'a field has another name' => ['name: rest_ml', 'name: left_ml'],
+    'a field has another type' => ['type: uint32', 'type: int32'],
+    'a field is gone' => [/^ *- {name: is_dry, type: flag}\n/, ''],
+    'an enumerator has another name' => ['name: LAST', 'name: FINAL'],
+    'an enumerator has another number' => ['code: 7', 'code: 8']
+  }.freeze
+
+  AGREED.each do |what, (old, new)|
+    define_method("test_SWR_TOOL_013_layout_differs_when_#{what.tr(' ', '_')}") do
+      refute_equal layout, layout('colours.yml' => COLOURS.sub(old, new))
+    end
+  end
+
+  def test_SWR_TOOL_013_layout_differs_when_a_chart_has_another_state
+    refute_equal layout, layout('charts.json' => JSON.generate(CHARTS).sub('dark', 'dim'))
+  end
+
+  def test_SWR_TOOL_013_layout_differs_when_a_further_header_declares_something_else
+    headers = ['int a;', 'int b;', "/* Words. */\nint   a;"].map { |text| layout({ 'more.h' => text }, 'more.h') }
+    assert_equal headers.first, headers.last
+    refute_equal headers.first, headers[1]
+  end
+
+  def test_SWR_TOOL_013_layout_is_the_same_when_words_differ
+    assert_equal layout, layout('colours.yml' => COLOURS.gsub('The last.', 'The very last.').gsub('tin.', 'can.'))
+  end
+
   # [what is written instead of what, the line, what the refusal says]
   REFUSALS = {
     'a value used twice' => ['code: 7', 'code: 1', 13, 'has the code of NOT_RED: 1'],
@@ -241,16 +269,26 @@ class TestInterfaceCompiler < Minitest::Test
 
   def in_folder(files)
     Dir.mktmpdir do |folder|
-      { 'colours.yml' => COLOURS, 'messages.yml' => MESSAGES, 'events.yml' => EVENTS }.merge(files).each do |name, text|
+      { 'colours.yml' => COLOURS, 'messages.yml' => MESSAGES, 'events.yml' => EVENTS,
+        'charts.json' => JSON.generate(CHARTS) }.merge(files).each do |name, text|
         File.write(File.join(folder, name), text)
       end
-      File.write(File.join(folder, 'charts.json'), JSON.generate(CHARTS))
       yield folder, File.join(folder, 'output')
     end
   end
 
-  def run_tool(folder, output)
-    Open3.capture2e('ruby', TOOL, folder, File.join(folder, 'charts.json'), output)
+  def run_tool(folder, output, *headers)
+    Open3.capture2e('ruby', TOOL, folder, File.join(folder, 'charts.json'), output,
+                    *headers.map { |header| File.join(folder, header) })
+  end
+
+  # The number that all processes must have.
+  def layout(files = {}, *headers)
+    in_folder(files) do |folder, output|
+      text, status = run_tool(folder, output, *headers)
+      assert status.success?, text
+      File.read(File.join(output, 'interface_layout.h'))[/UINT64_C\(0x(\h{16})\)/, 1]
+    end
   end
 
   def contents(folder)
