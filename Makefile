@@ -59,7 +59,7 @@ SOURCES_boresight-box := $(BOX_SOURCES) bsp/sim/wire.c bsp/sim/box_main.c
 SOURCES_boresight-simctl := $(BOX_SOURCES) bsp/sim/wire.c bsp/sim/simctl_main.c
 SOURCES_boresight-control := $(wildcard app/control/*.c app/positions/*.c) $(EXCHANGE) bsp/sim/bsp_sim.c bsp/sim/wire.c
 SOURCES_boresight-igtl := $(wildcard app/igtl/*.c) $(EXCHANGE) $(NAMES)
-SOURCES_boresight-http := $(wildcard app/http/*.c) $(EVENT_TEXT) $(EXCHANGE) $(NAMES) $(GEN)/assets/assets.c \
+SOURCES_boresight-http := $(wildcard app/http/*.c) $(GEN)/interface/app/messages.c $(EVENT_TEXT) $(EXCHANGE) $(NAMES) $(GEN)/assets/assets.c \
     $(GEN)/assets/chart_names.c
 SOURCES_boresight-recorder := $(wildcard app/recorder/*.c app/positions/*.c) $(EVENT_TEXT) $(EXCHANGE) $(NAMES)
 SOURCES_boresight-replay := $(wildcard app/replay/*.c app/recorder/recording*.c) $(EVENT_TEXT) $(NAMES)

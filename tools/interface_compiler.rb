@@ -5,7 +5,7 @@
 # Turns core/interface/*.yml, the only source of what the processes tell each other, into what they are compiled from:
 #
 #   DIRECTORY       the headers of the core with their documentation, event.c, interface_layout.h
-#   DIRECTORY/app   names and sentences, and what an event's numbers are
+#   DIRECTORY/app   names and sentences, what an event's numbers are, the JSON writer and its types for the console
 #
 #   ruby tools/interface_compiler.rb core/interface build/gen/charts/charts.json build/gen/interface [HEADER...]
 #
@@ -15,15 +15,17 @@ require 'fileutils'
 require 'json'
 require_relative 'interface/event_words'
 require_relative 'interface/headers'
+require_relative 'interface/json'
 require_relative 'interface/layout'
 require_relative 'interface/model'
 require_relative 'interface/names'
+require_relative 'interface/typescript'
 
 module Interface
   # The command line.
   module Command
     USAGE = 'usage: ruby tools/interface_compiler.rb FOLDER CHARTS_JSON DIRECTORY [HEADER...]'
-    APP = [Names, EventWords].freeze
+    APP = [Names, EventWords, Json, Typescript].freeze
 
     # Returns the exit status.
     def self.run(arguments, errors: $stderr)

@@ -19,7 +19,7 @@ endif
 endif
 
 ALL_APP := $(wildcard app/*/*.c bsp/sim/*.c)
-OBJECTS := $(call object,$(CORE_SOURCES) $(ALL_APP) $(NAMES) $(GEN)/assets/assets.c $(GEN)/assets/chart_names.c)
+OBJECTS := $(call object,$(CORE_SOURCES) $(ALL_APP) $(NAMES) $(GEN)/interface/app/messages.c $(GEN)/assets/assets.c $(GEN)/assets/chart_names.c)
 
 generated: $(GENERATED)
 

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "http_reply.h"
 
+#include "messages.h"
+
 #include <stdio.h>
 #include <string.h>
 
@@ -76,7 +78,10 @@ int http_reply_json(struct mg_connection *connection, int status, const char *js
 int http_reply_error(struct mg_connection *connection, int status, const char *code,
                      const char *message)
 {
+    const json_error_answer_t answer = {.code = code, .message = message};
     char json[512];
-    (void)snprintf(json, sizeof(json), "{\"code\":\"%s\",\"message\":\"%s\"}", code, message);
-    return http_reply_json(connection, status, json);
+    cJSON *object = json_error_answer(&answer);
+    const bool is_whole = cJSON_PrintPreallocated(object, json, (int)sizeof(json), 0) != 0;
+    cJSON_Delete(object);
+    return http_reply_json(connection, status, is_whole ? json : "{}");
 }

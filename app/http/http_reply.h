@@ -37,7 +37,7 @@ int http_reply_send(struct mg_connection *connection, const http_reply_t *reply)
 /** Sends JSON text. Returns as http_reply_send(). */
 int http_reply_json(struct mg_connection *connection, int status, const char *json);
 
-/** Sends an error as JSON: a code to compare, and a sentence to read. Neither needs escaping. */
+/** Sends an error as JSON: a code to compare, and a sentence to read. */
 int http_reply_error(struct mg_connection *connection, int status, const char *code,
                      const char *message);
 

@@ -3,6 +3,7 @@
 
 #include "asset.h"
 #include "http_reply.h"
+#include "messages.h"
 #include "stop_desk.h"
 
 #include <stdio.h>
@@ -88,14 +89,12 @@ static int reply_log(http_server_t *server, struct mg_connection *connection, ui
     event_t events[EVENTS_MOST];
     uint32_t lost = 0U;
     uint32_t count = exchange_read_events(server->exchange, &next, events, EVENTS_MOST, &lost);
-    cJSON *log = cJSON_CreateObject();
-    cJSON *entries = cJSON_AddArrayToObject(log, "entries");
+    cJSON *entries = cJSON_CreateArray();
     for (uint32_t i = 0U; i < count; i++) {
         (void)cJSON_AddItemToArray(entries, telemetry_json_event(&events[i]));
     }
-    (void)cJSON_AddNumberToObject(log, "next", next);
-    (void)cJSON_AddNumberToObject(log, "lost", lost);
-    return reply_object(connection, 200, log);
+    const json_log_t log = {.entries = entries, .next = next, .lost = lost};
+    return reply_object(connection, 200, json_log(&log));
 }
 
 static int answer_log(http_server_t *server, struct mg_connection *connection)
@@ -121,9 +120,12 @@ static int answer_events(http_server_t *server, struct mg_connection *connection
     telemetry_look(&server->telemetry, &view);
     uint32_t events = view.snapshot.events;
     uint32_t first = (events > HTTP_STREAM_HISTORY) ? (events - HTTP_STREAM_HISTORY) : 0U;
-    char hello[160];
-    (void)snprintf(hello, sizeof(hello), "{\"boot_id\":\"%s\",\"build_id\":\"%s\"}",
-                   server->identity.boot_id, server->identity.build_id);
+    const json_hello_t identity = {.boot_id = server->identity.boot_id,
+                                   .build_id = server->identity.build_id};
+    char hello[160] = "{}";
+    cJSON *object = json_hello(&identity);
+    (void)cJSON_PrintPreallocated(object, hello, (int)sizeof(hello), 0);
+    cJSON_Delete(object);
     return http_stream_serve(&server->stream, connection, hello, first);
 }
 

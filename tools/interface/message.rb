@@ -16,7 +16,7 @@ module Interface
                              '%<of>s_text((int32_t)%<value>s))', typescript: 'Named<%<union>s>', needs: :enumeration),
       'name' => Form.new(c: 'json_add_text(object, %<key>s, %<of>s_name((int32_t)%<value>s))', typescript: '%<union>s',
                          needs: :enumeration),
-      'set' => Form.new(c: 'json_add_set(object, %<key>s, %<value>s, %<of>s_name, %<of>s_text)',
+      'set' => Form.new(c: 'json_add_set(object, %<key>s, %<value>s, %<count>dU, %<of>s_name, %<of>s_text)',
                         typescript: 'Named<%<union>s>[]', needs: :enumeration),
       'state' => Form.new(c: 'json_add_text(object, %<key>s, chart_%<of>s_name(%<value>s))', typescript: '%<union>s',
                           needs: :leaves),

@@ -138,6 +138,47 @@ class TestInterfaceCompiler < Minitest::Test
     end
   end
 
+  SHOWN = COLOURS.sub('says: "Of the paint."', 'says: "Of the paint.", shown: {in: tin, as: name, when: [is_dry]}')
+                 .sub('lamp.state}', 'lamp.state, shown: tin}')
+                 .sub('tin."}', 'tin.", shown: {in: tin, key: litres}}')
+
+  def test_SWR_TOOL_011_console_knows_each_message_as_the_server_writes_it
+    with_output('colours.yml' => SHOWN) do |folder|
+      assert_includes File.read(File.join(folder, 'app/messages.c')), <<~CODE
+        cJSON *json_tin(const paint_t *paint, const json_tin_t *also)
+        {
+            cJSON *const object = cJSON_CreateObject();
+            if ((paint->is_dry != 0U)) {
+                json_add_text(object, "colour", colour_name((int32_t)paint->colour));
+            } else {
+                json_add_null(object, "colour");
+            }
+            json_add_text(object, "lamp", chart_lamp_state_name(paint->lamp));
+            json_add_number(object, "litres", (double)paint->rest_ml);
+            if (also->maker != NULL) {
+                json_add_text(object, "maker", also->maker);
+            } else {
+                json_add_null(object, "maker");
+            }
+            return object;
+        }
+      CODE
+      types = File.read(File.join(folder, 'app/api.ts'))
+      assert_includes types, <<~CODE
+        export interface Tin {
+          /** Of the paint. */
+          colour: Colour | null;
+          lamp: LampState;
+          /** Left in the tin. */
+          litres: number;
+          maker: string | null;
+        }
+      CODE
+      assert_includes types, %(export type Colour =\n  | "OK"\n  | "NOT_RED"\n  | "LAST";)
+      assert_includes types, %(export type LampState =\n  | "dark"\n  | "bright";)
+    end
+  end
+
   def test_SWR_TOOL_011_same_bytes_on_every_run
     outputs = Array.new(2) { with_output { |folder| contents(folder) } }
     assert_equal outputs.first, outputs.last

@@ -8,7 +8,7 @@ import {
   screen,
 } from "@testing-library/react";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import type { RobotState } from "./api";
+import type { RobotState } from "@interface";
 import { App, Emergency } from "./App";
 import { Boundary } from "./parts/Boundary";
 import { applyStoredTheme } from "./parts/ThemeButton";

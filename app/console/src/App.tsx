@@ -10,7 +10,7 @@ import { Targeting } from "./panels/Targeting";
 import { Boundary } from "./parts/Boundary";
 import { Panel } from "./parts/Panel";
 import { ThemeButton } from "./parts/ThemeButton";
-import type { RobotState, Time } from "./api";
+import type { RobotState, Time } from "@interface";
 import type { ConsoleView, TelemetryStore } from "./store";
 
 const SLOW_PERCENT = 95;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The one connection to the server's stream, and the tabs that share it. Runs in a shared worker, or in the page where
 // there is none.
-import type { ErrorAnswer } from "./api";
+import type { ErrorAnswer } from "@interface";
 
 export const LOG_LENGTH = 50;
 
@@ -41,7 +41,7 @@ async function askReason(): Promise<string | null> {
     const response = await fetch(EVENTS_PATH, { signal: abort.signal });
     return response.ok
       ? null
-      : (((await response.json()) as ErrorAnswer).message ?? null);
+      : (((await response.json()) as Partial<ErrorAnswer>).message ?? null);
   } catch {
     return null;
   } finally {

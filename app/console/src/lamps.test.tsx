@@ -47,7 +47,7 @@ test("SWR-CON-002 a pulled e-stop is a fault and a pressed pedal is not", () => 
 });
 
 test("SWR-CON-002 a state that is not known is shown as such", () => {
-  const lamps = systemLamps(makeStatus({ pedal: "melted" }));
+  const lamps = systemLamps(makeStatus({ pedal: "melted" as "fault" }));
   expect(lamps[0]).toMatchObject({ level: "unknown", word: "MELTED" });
 });
 

@@ -1,5 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { Card, Status } from "./api";
+import type {
+  Card,
+  CardLinkState,
+  EstopLatchState,
+  LoopGuardState,
+  PedalGateState,
+  Status,
+} from "@interface";
 import type { Freshness } from "./freshness";
 
 /**
@@ -14,9 +21,10 @@ export interface LampState {
   word: string;
 }
 
-type Table = Readonly<Record<string, LampState>>;
+/** A state without its lamp does not compile. */
+type Table<State extends string = string> = Readonly<Record<State, LampState>>;
 
-const pedal: Table = {
+const pedal: Table<PedalGateState> = {
   unproven: { level: "attention", word: "RELEASE ONCE" },
   released: { level: "normal", word: "RELEASED" },
   closing: { level: "attention", word: "ONE CHANNEL" },
@@ -25,20 +33,20 @@ const pedal: Table = {
   fault: { level: "fault", word: "FAULT" },
 };
 
-const estop: Table = {
+const estop: Table<EstopLatchState> = {
   clear: { level: "normal", word: "CLEAR" },
   pulled: { level: "fault", word: "PULLED" },
   latched: { level: "attention", word: "LATCHED" },
 };
 
-const loop: Table = {
+const loop: Table<LoopGuardState> = {
   on_time: { level: "normal", word: "ON TIME" },
   late_once: { level: "attention", word: "LATE" },
   late_twice: { level: "attention", word: "LATE TWICE" },
   stopped: { level: "fault", word: "STOPPED" },
 };
 
-const link: Table = {
+const link: Table<CardLinkState> = {
   absent: { level: "unknown", word: "ABSENT" },
   live: { level: "normal", word: "LIVE" },
   late: { level: "attention", word: "LATE" },

@@ -12,7 +12,9 @@ import { makeAxis, makeRobot } from "./testing/robot";
 
 const OWN = "http://127.0.0.1:40000/api/v1/stop";
 const CONSOLE = "/api/v1/stop";
-const stopped = { workphase: { name: "STOP", text: "Stopped by command." } };
+const stopped = {
+  workphase: { name: "STOP", text: "Stopped by command." },
+} as const;
 
 type Answer = "accepted" | "refused" | "unreachable" | "silent";
 let asked: string[];

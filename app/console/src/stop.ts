@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Asking control to stop. The port for stops is tried first: whatever the console's port suffers from cannot hold it up.
-import type { ErrorAnswer, RobotState } from "./api";
+import type { ErrorAnswer, RobotState } from "@interface";
 import type { Freshness } from "./freshness";
 
 const STOP_PATH = "/api/v1/stop";
@@ -36,7 +36,7 @@ async function request(address: string, signal: AbortSignal): Promise<void> {
     signal,
   });
   if (!response.ok) {
-    const answer = (await response.json()) as ErrorAnswer;
+    const answer = (await response.json()) as Partial<ErrorAnswer>;
     throw new Refusal(answer.message ?? response.statusText);
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rule under test: data that stops coming is noticed within a second, whatever has stopped it.
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import type { LogEntry } from "./api";
+import type { LogEntry } from "@interface";
 import { LOG_LENGTH } from "./connection";
 import { TelemetryStore } from "./store";
 import { makeRobot } from "./testing/robot";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { Hello, LogEntry, RobotState } from "./api";
+import type { Hello, LogEntry, RobotState } from "@interface";
 import {
   LOG_LENGTH,
   type StreamEvent,

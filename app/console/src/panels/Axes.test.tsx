@@ -6,8 +6,8 @@ import { percentOf } from "../parts/Track";
 import { makeAxis, makeBlockedAxis } from "../testing/robot";
 import { Axes } from "./Axes";
 
-const estop = { name: "ESTOP_PULLED", text: "The e-stop is pulled." };
-const homed = { name: "NOT_HOMED", text: "The axis is not homed." };
+const estop = { name: "ESTOP_PULLED", text: "The e-stop is pulled." } as const;
+const homed = { name: "NOT_HOMED", text: "The axis is not homed." } as const;
 
 function rowOf(name: string): HTMLElement {
   const row = screen.getByRole("rowheader", { name }).closest("tr");
@@ -66,7 +66,7 @@ test.each([
   ["taken", "enabled, taken in place"],
   ["verified", "enabled, verified"],
   ["back_off", "enabled, back off"],
-])(
+] as const)(
   "SWR-REF-012 says of %s how far the position is trusted",
   (reference, text) => {
     render(<Axes axes={[makeAxis("feet", { reference })]} />);

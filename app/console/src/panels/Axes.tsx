@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { Axis, Named, Permit } from "../api";
+import type { Axis, Named, Permit } from "@interface";
 import {
   formatDuration,
   formatNumber,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { Status } from "../api";
+import type { Status } from "@interface";
 import { words } from "../format";
 import { ageText } from "../lamps";
 import { Shape } from "../parts/Shape";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { cardLamp, dataLamp, systemLamps } from "../lamps";
-import type { RobotState } from "../api";
+import type { RobotState } from "@interface";
 import type { ConsoleView } from "../store";
 import { Lamp } from "../parts/Lamp";
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { memo } from "react";
-import type { LogEntry } from "../api";
+import type { LogEntry } from "@interface";
 import type { Level } from "../lamps";
 import { Shape } from "../parts/Shape";
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { Status } from "../api";
+import type { Status } from "@interface";
 
 function rightsText({ fifo, core, memory }: Status["loop"]["rights"]): string {
   const missing = [

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { Targeting as TargetingData } from "../api";
+import type { Targeting as TargetingData } from "@interface";
 import { formatNumber, formatPoint, originOf } from "../format";
 
 function pointText(matrix: readonly number[] | null, missing: string): string {

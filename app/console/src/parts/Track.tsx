@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { Axis } from "../api";
+import type { Axis } from "@interface";
 import { formatValue } from "../format";
 
 /** Where `value` lies between the soft limits, 0 to 100. */

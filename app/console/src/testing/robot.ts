@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A robot for the tests, as the server would describe it.
-import type { Axis, Named, RobotState, Status } from "../api";
+import type { Axis, Named, PermitReason, RobotState, Status } from "@interface";
 
 const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
@@ -36,7 +36,10 @@ export function makeAxis(name: string, change: Partial<Axis> = {}): Axis {
 }
 
 /** An axis that may not move. */
-export function makeBlockedAxis(name: string, ...reasons: Named[]): Axis {
+export function makeBlockedAxis(
+  name: string,
+  ...reasons: Named<PermitReason>[]
+): Axis {
   return makeAxis(name, {
     permit: {
       allowed: false,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A server and a clock that the tests are in charge of.
-import type { Hello, LogEntry, RobotState } from "../api";
+import type { Hello, LogEntry, RobotState } from "@interface";
 import type { StreamEvent, StreamListener } from "../connection";
 import type { Stream } from "../shared_stream";
 import type { Surroundings } from "../store";
