@@ -62,7 +62,7 @@ SOURCES_boresight-igtl := $(wildcard app/igtl/*.c) $(EXCHANGE) $(NAMES)
 SOURCES_boresight-http := $(wildcard app/http/*.c) $(GEN)/interface/app/messages.c $(EVENT_TEXT) $(EXCHANGE) $(NAMES) $(GEN)/assets/assets.c \
     $(GEN)/assets/chart_names.c
 SOURCES_boresight-recorder := $(wildcard app/recorder/*.c app/positions/*.c) $(EVENT_TEXT) $(EXCHANGE) $(NAMES)
-SOURCES_boresight-replay := $(wildcard app/replay/*.c app/recorder/recording*.c) $(EVENT_TEXT) $(NAMES)
+SOURCES_boresight-replay := $(wildcard app/replay/*.c app/recorder/recording*.c) $(GEN)/interface/app/columns.c $(EVENT_TEXT) $(NAMES)
 SOURCES_boresight := $(wildcard app/supervisor/*.c) app/recorder/black_box_files.c $(EXCHANGE) $(NAMES)
 LIBS_boresight-http := -lcivetweb -lcjson -lpthread
 LIBS_boresight-recorder := -lzstd -lcrypto
@@ -98,6 +98,7 @@ $(GEN)/interface/.compiled: $(INTERFACE_PARTS) $(LAYOUT_HEADERS) $(GEN)/charts/c
 
 $(GEN)/interface/%.c: $(GEN)/interface/.compiled ;
 $(GEN)/interface/%.h: $(GEN)/interface/.compiled ;
+.PRECIOUS: $(GEN)/interface/%.c $(GEN)/interface/%.h
 
 CONSOLE_SOURCES := $(shell find app/console -path '*/node_modules' -prune -o -type f -print 2>/dev/null)
 

@@ -5,7 +5,8 @@
 # Turns core/interface/*.yml, the only source of what the processes tell each other, into what they are compiled from:
 #
 #   DIRECTORY       the headers of the core with their documentation, event.c, interface_layout.h
-#   DIRECTORY/app   names and sentences, what an event's numbers are, the JSON writer and its types for the console
+#   DIRECTORY/app   names and sentences, what an event's numbers are, the JSON writer and its types for the console, the
+#                   columns of boresight-replay
 #
 #   ruby tools/interface_compiler.rb core/interface build/gen/charts/charts.json build/gen/interface [HEADER...]
 #
@@ -13,6 +14,7 @@
 
 require 'fileutils'
 require 'json'
+require_relative 'interface/columns'
 require_relative 'interface/event_words'
 require_relative 'interface/headers'
 require_relative 'interface/json'
@@ -25,7 +27,7 @@ module Interface
   # The command line.
   module Command
     USAGE = 'usage: ruby tools/interface_compiler.rb FOLDER CHARTS_JSON DIRECTORY [HEADER...]'
-    APP = [Names, EventWords, Json, Typescript].freeze
+    APP = [Names, EventWords, Json, Typescript, Columns].freeze
 
     # Returns the exit status.
     def self.run(arguments, errors: $stderr)

@@ -53,9 +53,10 @@ class TableSources
   def fields_of(structure)
     rows = structure.fields.map do |field|
       shown = field.shown.map { |one| "`#{one.message}.#{one.key}`" }
-      ["`#{field.name}`", "#{field.type.c}#{"[#{field.count}]" if field.count}", field.comment, shown.join(', ')]
+      ["`#{field.name}`", "#{field.type.c}#{"[#{field.count}]" if field.count}", field.comment, shown.join(', '),
+       field.column && "`#{field.column.name}`"]
     end
-    markdown(['Field', 'Type', 'What it says', 'JSON'], rows)
+    markdown(['Field', 'Type', 'What it says', 'JSON', 'Column of the replay'], rows)
   end
 
   def limits

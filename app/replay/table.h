@@ -2,9 +2,7 @@
 /**
  * @file
  * Recorded motion as a table of comma-separated values: a row each TABLE_CYCLES cycles; the time in
- * s, then for each axis commanded and measured position in ticks, commanded and measured speed in
- * ticks/s, the drive word in percent of its largest with the sign of the way, and the bit mask of
- * the reasons that withhold the permit. Or its events as lines.
+ * s, then the columns that core/interface/snapshot.yml names. Or its events as lines.
  */
 #ifndef BORESIGHT_TABLE_H
 #define BORESIGHT_TABLE_H
@@ -12,6 +10,9 @@
 #include "exchange.h"
 
 #define TABLE_CYCLES 10U
+
+/** The drive word of `axis` in percent of its largest, with the sign of the way. */
+double table_output_percent(const axis_config_t *config, const snapshot_axis_t *axis);
 
 /** Prints the names of the columns. */
 void table_print_names(const robot_t *robot);

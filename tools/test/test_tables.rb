@@ -25,6 +25,7 @@ class TestTables < Minitest::Test
         fields:
           - {name: colour, type: colour, says: "Of the paint.", shown: {in: tin, as: name}}
           - {name: tins, type: uint32, count: TIN_COUNT}
+          - {name: price, type: int32, column: {place: 1, name: costs}}
   YAML
 
   MESSAGES = <<~YAML
@@ -76,10 +77,11 @@ class TestTables < Minitest::Test
     After.
 
     <!-- table:paint -->
-    | Field | Type | What it says | JSON |
-    | --- | --- | --- | --- |
-    | `colour` | uint32_t | colour_t. Of the paint. | `tin.colour` |
-    | `tins` | uint32_t[TIN_COUNT] |  |  |
+    | Field | Type | What it says | JSON | Column of the replay |
+    | --- | --- | --- | --- | --- |
+    | `colour` | uint32_t | colour_t. Of the paint. | `tin.colour` |  |
+    | `tins` | uint32_t[TIN_COUNT] |  |  |  |
+    | `price` | int32_t |  |  | `costs` |
     <!-- end -->
   MARKDOWN
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A robot for the tests, as the server would describe it.
+// A robot for the tests, as the server would describe it. What no test looks at may be missing.
 import type { Axis, Named, PermitReason, RobotState, Status } from "@interface";
 
 const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
@@ -32,7 +32,7 @@ export function makeAxis(name: string, change: Partial<Axis> = {}): Axis {
       reasons: [],
     },
     ...change,
-  };
+  } as Axis;
 }
 
 /** An axis that may not move. */
@@ -94,7 +94,7 @@ export function makeStatus(change: Partial<Status> = {}): Status {
     counts: { events: 0, events_lost: 0, overruns: 0, cycles_lost: 0 },
     processes: { igtl: true, recorder: true },
     ...change,
-  };
+  } as Status;
 }
 
 export function makeRobot(
@@ -120,5 +120,5 @@ export function makeRobot(
         desired: null,
       },
     },
-  };
+  } as RobotState;
 }
