@@ -65,7 +65,7 @@ module Robot
             },
             .seal = #{seal('robot_t', head.merge('coupled_limits' => coupled_limits, 'neuro' => geometry))},
             .axes = {
-        #{@robot.axes.map { |axis| entry(axis) }.join(",\n")}
+        #{@robot.axes.each_with_index.map { |axis, i| entry(axis, i) }.join(",\n")}
             }
         };
       TABLE
@@ -79,11 +79,11 @@ module Robot
         'coupled_limit_count' => "#{@robot.coupled_limits.size}U" }
     end
 
-    def entry(axis)
+    def entry(axis, index)
       values = fields(axis)
       values['seal'] = seal('axis_config_t', values)
       lines = values.map { |field, value| "            .#{field} = #{value}" }
-      "        {\n#{lines.join(",\n")}\n        }"
+      "        [#{index}] = {\n#{lines.join(",\n")}\n        }"
     end
 
     def seal(structure, values)

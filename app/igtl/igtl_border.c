@@ -115,7 +115,7 @@ void igtl_border_write_point(const point_t *point, uint32_t numbers[3])
     numbers[2] = igtl_border_write_mm(point->z_nm);
 }
 
-static void write_list(const robot_t *robot, const int32_t counts[ROBOT_AXIS_COUNT],
+static void write_list(const robot_t *robot, const int32_t counts[ROBOT_AXIS_MAX],
                        double counts_per_tick, char text[IGTL_LIST_SIZE])
 {
     size_t used = 0U;
@@ -137,14 +137,14 @@ static void write_list(const robot_t *robot, const int32_t counts[ROBOT_AXIS_COU
     }
 }
 
-void igtl_border_write_positions(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_COUNT],
+void igtl_border_write_positions(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX],
                                  char text[IGTL_LIST_SIZE])
 {
     write_list(robot, ticks, 1.0, text);
 }
 
 void igtl_border_write_speeds(const robot_t *robot,
-                              const int32_t speeds_ticks_per_s_q8[ROBOT_AXIS_COUNT],
+                              const int32_t speeds_ticks_per_s_q8[ROBOT_AXIS_MAX],
                               char text[IGTL_LIST_SIZE])
 {
     write_list(robot, speeds_ticks_per_s_q8, 256.0, text);

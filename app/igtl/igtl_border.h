@@ -51,12 +51,12 @@ void igtl_border_write_pose(const rigid_t *pose, uint32_t numbers[IGTL_TRANSFORM
 void igtl_border_write_point(const point_t *point, uint32_t numbers[3]);
 
 /** Joint values of positions in ticks as text: "%f," for each axis, mm and radians. */
-void igtl_border_write_positions(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_COUNT],
+void igtl_border_write_positions(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX],
                                  char text[IGTL_LIST_SIZE]);
 
 /** Joint speeds as text: "%f," for each axis, mm/s and rad/s. */
 void igtl_border_write_speeds(const robot_t *robot,
-                              const int32_t speeds_ticks_per_s_q8[ROBOT_AXIS_COUNT],
+                              const int32_t speeds_ticks_per_s_q8[ROBOT_AXIS_MAX],
                               char text[IGTL_LIST_SIZE]);
 
 #endif

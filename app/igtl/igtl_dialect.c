@@ -110,7 +110,7 @@ bool igtl_is_moving(const igtl_moment_t *moment)
     if (snapshot == NULL) {
         return false;
     }
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < snapshot->axis_count; i++) {
         if ((snapshot->axes[i].setpoint_speed_ticks_per_s_q8 != 0) ||
             (snapshot->axes[i].speed_ticks_per_s_q8 != 0)) {
             return true;

@@ -163,7 +163,7 @@ static void take_view(const snapshot_t *snapshot, transform_view_t *view)
     (void)memset(view, 0, sizeof *view);
     view->measured.pose_status = snapshot->pose_status;
     view->measured.pose = snapshot->scanner_treatment;
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < snapshot->axis_count; i++) {
         view->measured.ticks[i] = snapshot->axes[i].position_ticks;
         view->measured.speeds_q8[i] = snapshot->axes[i].speed_ticks_per_s_q8;
     }

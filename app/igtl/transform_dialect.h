@@ -23,17 +23,17 @@
 /** What is shown to the peers, taken from one snapshot. Only words, no padding: compared as bytes.
  */
 typedef struct {
-    uint32_t pose_status;                /**< status_t: why there is no measured_cp. */
-    rigid_t pose;                        /**< measured_cp */
-    int32_t ticks[ROBOT_AXIS_COUNT];     /**< measured_jp */
-    int32_t speeds_q8[ROBOT_AXIS_COUNT]; /**< measured_jv */
+    uint32_t pose_status;              /**< status_t: why there is no measured_cp. */
+    rigid_t pose;                      /**< measured_cp */
+    int32_t ticks[ROBOT_AXIS_MAX];     /**< measured_jp */
+    int32_t speeds_q8[ROBOT_AXIS_MAX]; /**< measured_jv */
 } transform_measured_t;
 
 typedef struct {
     uint32_t is_valid;
-    uint32_t pose_status;            /**< status_t: why there is no desired_cp. */
-    rigid_t pose;                    /**< desired_cp */
-    int32_t ticks[ROBOT_AXIS_COUNT]; /**< desired_jp */
+    uint32_t pose_status;          /**< status_t: why there is no desired_cp. */
+    rigid_t pose;                  /**< desired_cp */
+    int32_t ticks[ROBOT_AXIS_MAX]; /**< desired_jp */
 } transform_desired_t;
 
 typedef struct {

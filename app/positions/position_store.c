@@ -53,7 +53,7 @@ void position_record_encode(const position_record_t *record, uint8_t *bytes)
     put64(&bytes[AT_UTC], record->utc_us);
     put32(&bytes[AT_POWER_ON], record->power_on);
     put32(&bytes[AT_ROBOT], record->robot_crc);
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < ROBOT_AXIS_MAX; i++) {
         uint8_t *axis = &bytes[AT_AXES + (i * AXIS_SIZE)];
         put32(&axis[0], record->axes[i].grade);
         put32(&axis[4], (uint32_t)record->axes[i].position_ticks);
@@ -72,7 +72,7 @@ bool position_record_decode(const uint8_t *bytes, position_record_t *record)
     record->utc_us = get64(&bytes[AT_UTC]);
     record->power_on = get32(&bytes[AT_POWER_ON]);
     record->robot_crc = get32(&bytes[AT_ROBOT]);
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < ROBOT_AXIS_MAX; i++) {
         const uint8_t *axis = &bytes[AT_AXES + (i * AXIS_SIZE)];
         record->axes[i] = (kept_axis_t){.grade = get32(&axis[0]),
                                         .position_ticks = (int32_t)get32(&axis[4]),

@@ -17,14 +17,14 @@
 #include <stdint.h>
 
 #define POSITION_SLOT_SIZE 4096U
-#define POSITION_RECORD_SIZE (36U + (12U * ROBOT_AXIS_COUNT))
+#define POSITION_RECORD_SIZE (36U + (12U * ROBOT_AXIS_MAX))
 
 typedef struct {
     uint64_t number; /**< Grows by one per record; the slot is its lowest bit. */
     uint64_t utc_us;
     uint32_t power_on;
     uint32_t robot_crc;
-    kept_axis_t axes[ROBOT_AXIS_COUNT];
+    kept_axis_t axes[ROBOT_AXIS_MAX];
 } position_record_t;
 
 typedef enum {

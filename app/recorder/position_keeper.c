@@ -43,7 +43,7 @@ static bool is_moving(const snapshot_t *snapshot)
 {
     bool is_one_moving = false;
 
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < snapshot->axis_count; i++) {
         const snapshot_axis_t *axis = &snapshot->axes[i];
         is_one_moving =
             is_one_moving || (axis->drive_mode != (uint32_t)CARD_DRIVE_OFF) ||
@@ -60,7 +60,7 @@ static position_record_t record_of(const position_keeper_t *self, const snapshot
                                 .power_on = snapshot->power_on,
                                 .robot_crc = snapshot->robot_crc};
 
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < snapshot->axis_count; i++) {
         record.axes[i] = keep_axis(&snapshot->axes[i]);
     }
     return record;

@@ -63,7 +63,7 @@ static uint32_t first_reason(const snapshot_t *snapshot)
     uint32_t reasons = 0U;
     uint32_t reason = 0U;
 
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < snapshot->axis_count; i++) {
         reasons |= snapshot->axes[i].permit_reasons;
     }
     while ((reason < PERMIT_REASON_COUNT) && ((reasons & (1U << reason)) == 0U)) {

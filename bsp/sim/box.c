@@ -9,7 +9,7 @@
 #define FOREIGN_FIRMWARE (SIM_CARD_FIRMWARE + 1U)
 
 /* Where the NeuroRobot stands when it is switched on. */
-static const int32_t start_ticks[ROBOT_AXIS_COUNT] = {-1575, 0, -1181, 3333, 0, 100, -300};
+static const int32_t start_ticks[ROBOT_AXIS_MAX] = {-1575, 0, -1181, 3333, 0, 100, -300};
 
 static double start_position(const axis_config_t *config, uint32_t index)
 {
@@ -158,9 +158,9 @@ bsp_inputs_t box_sample(box_t *self)
     return sample;
 }
 
-void box_true_positions(const box_t *self, double positions_ticks[ROBOT_AXIS_COUNT])
+void box_true_positions(const box_t *self, double positions_ticks[ROBOT_AXIS_MAX])
 {
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < ROBOT_AXIS_MAX; i++) {
         positions_ticks[i] = self->axes[i].motor.position_ticks;
     }
 }

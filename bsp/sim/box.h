@@ -57,7 +57,7 @@ typedef struct {
 typedef struct {
     const robot_t *robot;
     sim_random_t random;
-    box_axis_t axes[ROBOT_AXIS_COUNT];
+    box_axis_t axes[ROBOT_AXIS_MAX];
     box_contact_t pedal_a;
     box_contact_t pedal_b;
     box_contact_t estop; /**< Closed: not pulled. */
@@ -92,7 +92,7 @@ bsp_inputs_t box_inputs(const box_t *self);
 bsp_inputs_t box_sample(box_t *self);
 
 /** True positions, in ticks, in axis order; entries beyond the robot's axes are 0. */
-void box_true_positions(const box_t *self, double positions_ticks[ROBOT_AXIS_COUNT]);
+void box_true_positions(const box_t *self, double positions_ticks[ROBOT_AXIS_MAX]);
 
 /**
  * Carries out one order, for example "card 3 silent" or "pedal press"; box_orders() lists them. A

@@ -44,7 +44,8 @@ void controller_init(controller_t *self, const robot_t *robot)
     estop_latch_chart_init(&self->estop);
     workphases_chart_init(&self->workphases);
     plan_init(&self->plan);
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    self->axis_count = robot->axis_count;
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
         axis_init(&self->axes[i]);
         link_init(&self->links[i], (uint32_t)robot->axes[i].slot,
                   (uint32_t)robot->axes[i].card_type, robot->card_firmware);
@@ -57,7 +58,7 @@ void controller_step(controller_t *self, const robot_t *robot, const controller_
 {
     REQUIRE(100U, inputs->command_count <= CONTROLLER_COMMANDS);
     const cycle_t cycle = {.robot = robot, .inputs = inputs, .outputs = outputs};
-    card_drive_t requests[ROBOT_AXIS_COUNT];
+    card_drive_t requests[ROBOT_AXIS_MAX];
     /* The frames are written, or cleared, by controller_drive(). */
     (void)memset(outputs, 0, offsetof(controller_outputs_t, frames));
     controller_check_memory(self, &cycle);

@@ -72,7 +72,7 @@ typedef struct {
 } pending_command_t;
 
 /** Sections of the state, each under its seal: axes, their cards, and four more. */
-#define CONTROLLER_SECTIONS ((2U * ROBOT_AXIS_COUNT) + 4U)
+#define CONTROLLER_SECTIONS ((2U * ROBOT_AXIS_MAX) + 4U)
 
 /** All state of the controller; holds no pointer, so that it can be stored and compared as bytes.
  * Its sections are those of event_memory_t, each in one piece. */
@@ -86,18 +86,18 @@ typedef struct {
     profile_t profile;
     uint32_t jog_axis;
     int32_t jog_ticks;
-    axis_t axes[ROBOT_AXIS_COUNT];
-    link_t links[ROBOT_AXIS_COUNT]; /**< In the order of the axes. */
+    axis_t axes[ROBOT_AXIS_MAX];
+    link_t links[ROBOT_AXIS_MAX]; /**< In the order of the axes. */
     pending_command_t pending;
-    speed_cap_t speed_caps[ROBOT_AXIS_COUNT];
-    card_drive_t drives[ROBOT_AXIS_COUNT]; /**< As sent in the last cycle. */
-    uint32_t permit_reasons[ROBOT_AXIS_COUNT];
-    reason_hold_t reason_holds[ROBOT_AXIS_COUNT];
-    uint32_t permit_since_cycle[ROBOT_AXIS_COUNT]; /**< Of the reasons that are shown. */
-    uint32_t permit_speed_cap_percent[ROBOT_AXIS_COUNT];
-    uint32_t is_driven[ROBOT_AXIS_COUNT]; /**< The permit allowed it in the last cycle, so a motion
+    speed_cap_t speed_caps[ROBOT_AXIS_MAX];
+    card_drive_t drives[ROBOT_AXIS_MAX]; /**< As sent in the last cycle. */
+    uint32_t permit_reasons[ROBOT_AXIS_MAX];
+    reason_hold_t reason_holds[ROBOT_AXIS_MAX];
+    uint32_t permit_since_cycle[ROBOT_AXIS_MAX]; /**< Of the reasons that are shown. */
+    uint32_t permit_speed_cap_percent[ROBOT_AXIS_MAX];
+    uint32_t is_driven[ROBOT_AXIS_MAX]; /**< The permit allowed it in the last cycle, so a motion
                                              ran. */
-    uint32_t grades[ROBOT_AXIS_COUNT];    /**< axis_reference_t, as told. */
+    uint32_t grades[ROBOT_AXIS_MAX];    /**< axis_reference_t, as told. */
     kept_positions_t kept;    /**< From before the start; an axis that was compared is KEPT_LOST. */
     uint32_t cause;           /**< event_cause_t of what happens now. */
     uint32_t peer;            /**< Of the cause. */
@@ -109,6 +109,8 @@ typedef struct {
     uint32_t was_scanner_active;
     uint32_t table_damage; /**< As robot_damage() ever said: nothing moves any more. */
     uint32_t has_started;  /**< cycle, which wraps, does not tell. */
+    uint32_t axis_count;   /**< Of the robot, as its undamaged table said last; at most
+                              ROBOT_AXIS_MAX. */
     uint32_t cycle;        /**< This and what follows counts only: any value is as good. */
     uint32_t time_us;
     uint32_t sequence; /**< Of the outgoing frames. */
@@ -141,6 +143,7 @@ void controller_restore(controller_t *self, const kept_positions_t *kept);
  * @satisfies SWR-CMD-002
  * @satisfies SWR-CORE-002
  * @satisfies SWR-CTRL-020
+ * @satisfies SWR-ROBOT-013
  */
 void controller_step(controller_t *self, const robot_t *robot, const controller_inputs_t *inputs,
                      controller_outputs_t *outputs);

@@ -10,7 +10,7 @@
 static bool is_any_link_lost(const controller_t *self)
 {
     bool is_lost = false;
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
         is_lost = is_lost || !link_is_usable(&self->links[i]);
     }
     return is_lost;
@@ -141,14 +141,14 @@ static void remember(controller_t *self, const cycle_t *cycle, uint32_t index,
 }
 
 void controller_drive(controller_t *self, const cycle_t *cycle,
-                      const card_drive_t requests[ROBOT_AXIS_COUNT])
+                      const card_drive_t requests[ROBOT_AXIS_MAX])
 {
-    card_drive_t sent[ROBOT_AXIS_COUNT];
+    card_drive_t sent[ROBOT_AXIS_MAX];
     const coupled_view_t view = {.axes = self->axes, .sent = sent, .requests = requests};
     const permit_facts_t common = common_facts(self, cycle);
     const uint32_t state = system_state(self, cycle);
     (void)memcpy(sent, self->drives, sizeof sent);
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
         const permit_t permit = decide(self, cycle, i, &view, &common);
         remember(self, cycle, i, &permit);
         const card_drive_t drive = permit_apply(

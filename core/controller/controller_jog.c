@@ -50,7 +50,7 @@ static status_t judge_unknown(const axis_config_t *config, int64_t way_ticks)
 status_t controller_judge_jog(const controller_t *self, const robot_t *robot,
                               const command_t *command, answer_t *answer)
 {
-    if (command->argument >= ROBOT_AXIS_COUNT) {
+    if (command->argument >= robot->axis_count) {
         return STATUS_UNKNOWN_COMMAND;
     }
     const axis_t *const axis = &self->axes[command->argument];

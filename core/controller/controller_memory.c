@@ -7,8 +7,8 @@
 #include <stddef.h>
 #include <string.h>
 
-#define CARDS ROBOT_AXIS_COUNT
-#define PLAN (CARDS + ROBOT_AXIS_COUNT)
+#define CARDS ROBOT_AXIS_MAX
+#define PLAN (CARDS + ROBOT_AXIS_MAX)
 #define PROFILE (PLAN + 1U)
 #define INTERLOCKS (PROFILE + 1U)
 #define REST (INTERLOCKS + 1U)
@@ -49,7 +49,7 @@ static uint32_t seal(uint32_t start, const uint8_t *bytes, const range_t *range)
 static void compute(const controller_t *self, uint32_t seals[CONTROLLER_SECTIONS])
 {
     const uint8_t *const bytes = (const uint8_t *)self;
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
         seals[i] = seal(SEAL_START, (const uint8_t *)&self->axes[i], &axis_range);
         seals[CARDS + i] = seal(SEAL_START, (const uint8_t *)&self->links[i], &link_range);
     }
@@ -69,7 +69,7 @@ void controller_seal(controller_t *self)
 
 static void disable_all(controller_t *self)
 {
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
         axis_disable(&self->axes[i]);
     }
 }
@@ -85,7 +85,7 @@ static void forget_rest(controller_t *self)
 {
     clear(self, &forgotten_range);
     self->has_started = 1U;
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
         axis_forget(&self->axes[i]);
     }
     disable_all(self);
@@ -132,7 +132,7 @@ static void forget(controller_t *self, const cycle_t *cycle, uint32_t section)
 {
     static const event_memory_t names[] = {EVENT_MEMORY_PLAN, EVENT_MEMORY_PROFILE,
                                            EVENT_MEMORY_INTERLOCKS, EVENT_MEMORY_REST};
-    const uint32_t index = section % ROBOT_AXIS_COUNT;
+    const uint32_t index = (section < CARDS) ? section : (section - CARDS);
     if (section < CARDS) {
         controller_note(self, cycle, EVENT_MEMORY_DAMAGED, (uint32_t)EVENT_MEMORY_AXIS,
                         (int32_t)index);
@@ -150,14 +150,33 @@ static void forget(controller_t *self, const cycle_t *cycle, uint32_t section)
     controller_tell_order(self, cycle, WORKPHASES_EVENT_FAULT, STATUS_FAULT_PRESENT);
 }
 
-static void check_table(controller_t *self, const cycle_t *cycle)
+static void check_section(controller_t *self, const cycle_t *cycle,
+                          const uint32_t seals[CONTROLLER_SECTIONS], uint32_t section)
 {
-    const uint32_t damage = robot_damage(cycle->robot);
+    if (seals[section] != self->seals[section]) {
+        forget(self, cycle, section);
+    }
+}
+
+/* How many axes there are says a table that is whole; one that is not is not asked. */
+static void take_axis_count(controller_t *self, const robot_t *robot, uint32_t damage)
+{
+    if (damage == 0U) {
+        self->axis_count = robot->axis_count;
+    } else if (self->axis_count > ROBOT_AXIS_MAX) {
+        self->axis_count = ROBOT_AXIS_MAX;
+    } else {
+        /* As before. */
+    }
+}
+
+static void check_table(controller_t *self, const cycle_t *cycle, uint32_t damage)
+{
     if ((damage == 0U) || controller_is_blind(self)) {
         return;
     }
     self->table_damage = damage;
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
         axis_distrust(&self->axes[i]);
     }
     for (uint32_t i = 0U; i <= ROBOT_PART_GEOMETRY; i++) {
@@ -172,13 +191,19 @@ static void check_table(controller_t *self, const cycle_t *cycle)
 void controller_check_memory(controller_t *self, const cycle_t *cycle)
 {
     uint32_t seals[CONTROLLER_SECTIONS];
+    const uint32_t damage = robot_damage(cycle->robot);
+    take_axis_count(self, cycle->robot, damage);
     compute(self, seals);
     controller_because(self, EVENT_CAUSE_NONE, 0U);
-    for (uint32_t i = CONTROLLER_SECTIONS; i > 0U; i--) {
-        /* The rest first: it counts the events. */
-        if (seals[i - 1U] != self->seals[i - 1U]) {
-            forget(self, cycle, i - 1U);
-        }
+    /* The rest first: it counts the events. */
+    for (uint32_t i = CONTROLLER_SECTIONS; i > PLAN; i--) {
+        check_section(self, cycle, seals, i - 1U);
     }
-    check_table(self, cycle);
+    for (uint32_t i = self->axis_count; i > 0U; i--) {
+        check_section(self, cycle, seals, CARDS + (i - 1U));
+    }
+    for (uint32_t i = self->axis_count; i > 0U; i--) {
+        check_section(self, cycle, seals, i - 1U);
+    }
+    check_table(self, cycle, damage);
 }

@@ -14,9 +14,9 @@
 #define SETTLED_CYCLES 50U
 
 static void rest_all(controller_t *self, const cycle_t *cycle,
-                     card_drive_t requests[ROBOT_AXIS_COUNT])
+                     card_drive_t requests[ROBOT_AXIS_MAX])
 {
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
         requests[i] = axis_rest(&self->axes[i], cycle->inputs->elapsed_us);
     }
     self->is_profile_running = 0U;
@@ -27,7 +27,7 @@ static void rest_all(controller_t *self, const cycle_t *cycle,
 static uint8_t home_stage(const controller_t *self, const robot_t *robot)
 {
     uint8_t stage = 2U;
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
         if (!axis_is_homed(&self->axes[i]) && (robot->axes[i].home_stage < stage)) {
             stage = robot->axes[i].home_stage;
         }
@@ -46,10 +46,10 @@ static bool is_barred(controller_t *self, const cycle_t *cycle, uint32_t index)
 }
 
 static void run_homing(controller_t *self, const cycle_t *cycle,
-                       card_drive_t requests[ROBOT_AXIS_COUNT])
+                       card_drive_t requests[ROBOT_AXIS_MAX])
 {
     const uint8_t stage = home_stage(self, cycle->robot);
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
         axis_t *const axis = &self->axes[i];
         const axis_config_t *const config = &cycle->robot->axes[i];
         uint32_t notes = 0U;
@@ -64,9 +64,9 @@ static void run_homing(controller_t *self, const cycle_t *cycle,
     }
 }
 
-static void positions(const controller_t *self, int32_t ticks[ROBOT_AXIS_COUNT])
+static void positions(const controller_t *self, int32_t ticks[ROBOT_AXIS_MAX])
 {
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
         ticks[i] = self->axes[i].encoder.position_ticks;
     }
 }
@@ -74,32 +74,32 @@ static void positions(const controller_t *self, int32_t ticks[ROBOT_AXIS_COUNT])
 static bool is_base_aligned(const controller_t *self, const robot_t *robot)
 {
     bool is_aligned = true;
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
         const int64_t slack = (int64_t)robot->axes[i].deadband_ticks + ALIGNED_TICKS;
         const int64_t way =
             (int64_t)self->plan.target_ticks[i] - (int64_t)self->axes[i].encoder.position_ticks;
         is_aligned =
-            is_aligned && ((i == (uint32_t)AXIS_INSERTION) || ((way <= slack) && (way >= -slack)));
+            is_aligned && ((i == robot->needle_axis) || ((way <= slack) && (way >= -slack)));
     }
     return is_aligned;
 }
 
 /* End of the next leg of the move: retract the needle, align everything else, insert. */
-static void choose_leg(const controller_t *self, const robot_t *robot,
-                       int32_t ends[ROBOT_AXIS_COUNT])
+static void choose_leg(const controller_t *self, const robot_t *robot, int32_t ends[ROBOT_AXIS_MAX])
 {
+    const uint32_t needle = robot->needle_axis;
     const int32_t out_ticks = needle_out_ticks(robot);
-    const int32_t home_ticks = robot->axes[AXIS_INSERTION].home_ticks;
-    const int32_t needle_ticks = self->axes[AXIS_INSERTION].encoder.position_ticks;
+    const int32_t home_ticks = robot->axes[needle].home_ticks;
+    const int32_t needle_ticks = self->axes[needle].encoder.position_ticks;
     if (is_base_aligned(self, robot)) {
         (void)memcpy(ends, self->plan.target_ticks, sizeof self->plan.target_ticks);
     } else if (needle_ticks > out_ticks) {
         positions(self, ends);
         /* Halfway, so that it surely counts as out. */
-        ends[AXIS_INSERTION] = home_ticks + ((out_ticks - home_ticks) / 2);
+        ends[needle] = home_ticks + ((out_ticks - home_ticks) / 2);
     } else {
         (void)memcpy(ends, self->plan.target_ticks, sizeof self->plan.target_ticks);
-        ends[AXIS_INSERTION] = needle_ticks;
+        ends[needle] = needle_ticks;
     }
 }
 
@@ -111,10 +111,10 @@ static bool is_moved(const controller_t *self, uint32_t index)
 }
 
 static bool is_at(const controller_t *self, const robot_t *robot,
-                  const int32_t ticks[ROBOT_AXIS_COUNT])
+                  const int32_t ticks[ROBOT_AXIS_MAX])
 {
     bool is_there = true;
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
         is_there = is_there &&
                    (!is_moved(self, i) || axis_is_at(&self->axes[i], &robot->axes[i], ticks[i]));
     }
@@ -124,14 +124,14 @@ static bool is_at(const controller_t *self, const robot_t *robot,
 /* Begins the next leg from the actual position, at rest. */
 static void begin_leg(controller_t *self, const robot_t *robot)
 {
-    int32_t starts[ROBOT_AXIS_COUNT];
-    int32_t ends[ROBOT_AXIS_COUNT];
+    int32_t starts[ROBOT_AXIS_MAX] = {0};
+    int32_t ends[ROBOT_AXIS_MAX] = {0};
     positions(self, starts);
     positions(self, ends);
     if (workphase_present(&self->workphases) == WORKPHASE_MOVE_TO_TARGET) {
         choose_leg(self, robot, ends);
     } else {
-        ends[self->jog_axis % ROBOT_AXIS_COUNT] = self->jog_ticks;
+        ends[self->jog_axis % ROBOT_AXIS_MAX] = self->jog_ticks;
     }
     profile_plan(&self->profile, robot, starts, ends,
                  permit_cap_percent(controller_is_homed(self)));
@@ -155,13 +155,13 @@ static card_drive_t follow(controller_t *self, const cycle_t *cycle, uint32_t in
 }
 
 static void follow_profile(controller_t *self, const cycle_t *cycle,
-                           card_drive_t requests[ROBOT_AXIS_COUNT])
+                           card_drive_t requests[ROBOT_AXIS_MAX])
 {
     if (self->is_profile_running == 0U) {
         begin_leg(self, cycle->robot);
     }
     profile_step(&self->profile);
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
         requests[i] = is_moved(self, i) ? follow(self, cycle, i)
                                         : axis_rest(&self->axes[i], cycle->inputs->elapsed_us);
     }
@@ -188,7 +188,7 @@ static bool is_order_at_end(const controller_t *self)
 static uint32_t astray(const controller_t *self, const robot_t *robot)
 {
     uint32_t index = 0U;
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
         if (is_moved(self, i) &&
             !axis_is_at(&self->axes[i], &robot->axes[i], self->profile.end_ticks[i])) {
             index = i;
@@ -210,7 +210,7 @@ static void watch_time(controller_t *self, const cycle_t *cycle)
 }
 
 static void run_profile(controller_t *self, const cycle_t *cycle,
-                        card_drive_t requests[ROBOT_AXIS_COUNT])
+                        card_drive_t requests[ROBOT_AXIS_MAX])
 {
     follow_profile(self, cycle, requests);
     if (self->settled_cycles >= SETTLED_CYCLES) {
@@ -237,7 +237,7 @@ static void follow_pedal(controller_t *self, const cycle_t *cycle)
 }
 
 void controller_move(controller_t *self, const cycle_t *cycle,
-                     card_drive_t requests[ROBOT_AXIS_COUNT])
+                     card_drive_t requests[ROBOT_AXIS_MAX])
 {
     const workphases_inputs_t guards = controller_guards(self, cycle);
     const uint32_t actions =

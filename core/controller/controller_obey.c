@@ -10,7 +10,7 @@ typedef struct {
 static bool is_hardware_ready(const controller_t *self, const controller_inputs_t *inputs)
 {
     bool is_ready = (inputs->estop_open == 0U) && (inputs->pedal_a == inputs->pedal_b);
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
         is_ready = is_ready && link_is_healthy_now(&self->links[i]);
     }
     return is_ready;
@@ -22,7 +22,7 @@ static bool is_able(const controller_t *self)
     bool is_every_part_able = (self->estop.state == ESTOP_LATCH_STATE_CLEAR) &&
                               (self->loop.chart.state != LOOP_GUARD_STATE_STOPPED) &&
                               (self->pedal.chart.state != PEDAL_GATE_STATE_FAULT);
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
         is_every_part_able = is_every_part_able && link_is_usable(&self->links[i]) &&
                              axis_is_enabled(&self->axes[i]);
     }
@@ -32,7 +32,7 @@ static bool is_able(const controller_t *self)
 static bool is_confirmation_due(const controller_t *self, const robot_t *robot)
 {
     bool is_any_due = false;
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
         is_any_due = is_any_due || axis_needs_confirmation(&self->axes[i], &robot->axes[i]);
     }
     return is_any_due;
@@ -41,7 +41,7 @@ static bool is_confirmation_due(const controller_t *self, const robot_t *robot)
 bool controller_is_homed(const controller_t *self)
 {
     bool is_every_axis_homed = true;
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
         is_every_axis_homed = is_every_axis_homed && axis_is_homed(&self->axes[i]);
     }
     return is_every_axis_homed;
@@ -91,7 +91,7 @@ static void end_order(controller_t *self)
 {
     self->is_profile_running = 0U;
     self->settled_cycles = 0U;
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
         axis_stop_homing(&self->axes[i]);
     }
 }
@@ -160,7 +160,7 @@ static void begin_start_up(controller_t *self, const cycle_t *cycle)
     }
     pedal_gate_reset(&self->pedal);
     loop_guard_reset(&self->loop);
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
         link_reset(&self->links[i]);
         axis_enable(&self->axes[i], !link_is_usable(&self->links[i]));
     }

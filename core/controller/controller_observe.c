@@ -229,7 +229,7 @@ static void observe_estop(controller_t *self, const cycle_t *cycle)
         return;
     }
     controller_note(self, cycle, EVENT_ESTOP_PULLED, 0U, 0);
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
         axis_disable(&self->axes[i]);
     }
     controller_because(self, EVENT_CAUSE_ESTOP, 0U);
@@ -259,7 +259,7 @@ static void observe_loop(controller_t *self, const cycle_t *cycle)
 /* A scan begins or has ended. */
 static void audit_scan(controller_t *self, const cycle_t *cycle)
 {
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
         drift_audit_t *const drift = &self->axes[i].drift;
         if (self->was_scanner_active != 0U) {
             drift_audit_begin_scan(drift);
@@ -290,13 +290,13 @@ static void observe_button(controller_t *self, const cycle_t *cycle)
 {
     bool is_barred = workphase_is_armed(&self->workphases) || (cycle->inputs->estop_open != 0U) ||
                      controller_is_blind(self);
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
         is_barred = is_barred || axis_is_moving_in_doubt(&self->axes[i]);
     }
     if (!confirm_button_step(&self->confirm, cycle->inputs->confirm_pressed != 0U, is_barred)) {
         return;
     }
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
         axis_t *const axis = &self->axes[i];
         if (link_is_healthy_now(&self->links[i]) && axis_confirm(axis, &cycle->robot->axes[i])) {
             controller_note(self, cycle, EVENT_AXIS_CONFIRMED, i, axis->encoder.position_ticks);
@@ -314,7 +314,7 @@ void controller_observe(controller_t *self, const cycle_t *cycle)
     observe_pedal(self, cycle);
     observe_estop(self, cycle);
     observe_scanner(self, cycle);
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
         observe_link(self, cycle, i);
         if (!controller_is_blind(self)) {
             observe_axis(self, cycle, i);

@@ -150,7 +150,7 @@ workphases_inputs_t controller_guards(const controller_t *self, const cycle_t *c
  * @satisfies SWR-MOTION-006
  */
 void controller_move(controller_t *self, const cycle_t *cycle,
-                     card_drive_t requests[ROBOT_AXIS_COUNT]);
+                     card_drive_t requests[ROBOT_AXIS_MAX]);
 
 /**
  * Permit and outgoing frames. Each frame tells its card to switch off by itself when no further
@@ -163,7 +163,7 @@ void controller_move(controller_t *self, const cycle_t *cycle,
  * @satisfies SWR-CARD-005
  */
 void controller_drive(controller_t *self, const cycle_t *cycle,
-                      const card_drive_t requests[ROBOT_AXIS_COUNT]);
+                      const card_drive_t requests[ROBOT_AXIS_MAX]);
 
 /**
  * Fills the snapshot.

@@ -18,7 +18,7 @@ void controller_restore(controller_t *self, const kept_positions_t *kept)
 {
     REQUIRE(101U, self->has_started == 0U);
     self->kept = *kept;
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
         if ((kept->verdict != (uint32_t)KEPT_NOTHING) && !is_awaited(self, i)) {
             axis_forget(&self->axes[i]);
         }
@@ -60,7 +60,7 @@ void controller_compare(controller_t *self, const cycle_t *cycle, uint32_t index
 uint32_t controller_count_awaited(const controller_t *self)
 {
     uint32_t count = 0U;
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
         count += is_awaited(self, i) ? 1U : 0U;
     }
     return count;

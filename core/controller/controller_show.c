@@ -55,7 +55,7 @@ static next_step_t step_for_plan(const controller_t *self)
 static next_step_t next_step(const controller_t *self)
 {
     uint32_t reasons = 0U;
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
         reasons |= self->reason_holds[i].shown;
     }
     next_step_t step = NEXT_STEP_HOLD_PEDAL;
@@ -71,7 +71,7 @@ static next_step_t next_step(const controller_t *self)
 static bool is_any_contradicted(const controller_t *self)
 {
     bool is_any = false;
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
         is_any = is_any || axis_is_contradicted(&self->axes[i]);
     }
     return is_any;
@@ -162,13 +162,13 @@ static status_t pose_status(const controller_t *self)
 
 static void show_pose(const controller_t *self, const robot_t *robot, snapshot_t *shown)
 {
-    int32_t ticks[ROBOT_AXIS_COUNT];
-    neuro_joints_t joints;
+    int32_t ticks[ROBOT_AXIS_MAX];
+    neuro_joints_t joints = {{0}};
     shown->pose_status = (uint32_t)pose_status(self);
     if (controller_is_blind(self)) {
         return;
     }
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
         ticks[i] = self->axes[i].encoder.position_ticks;
     }
     neuro_joints_from_ticks(robot, ticks, &joints);
@@ -182,6 +182,7 @@ void controller_show(const controller_t *self, const cycle_t *cycle)
     shown->cycle = self->cycle;
     shown->time_us = self->time_us;
     shown->robot_crc = cycle->robot->crc;
+    shown->axis_count = self->axis_count;
     shown->power_on = self->kept.power_on;
     shown->positions_awaited = controller_count_awaited(self);
     shown->workphase = (uint32_t)workphase_present(&self->workphases);
@@ -197,7 +198,7 @@ void controller_show(const controller_t *self, const cycle_t *cycle)
     shown->events_lost = self->events_lost;
     show_plan(self, shown);
     show_pose(self, cycle->robot, shown);
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
         show_axis(self, cycle, i);
         show_card(self, cycle, i);
     }

@@ -24,7 +24,7 @@ typedef struct {
 typedef struct {
     uint32_t power_on; /**< The present one. */
     uint32_t verdict;  /**< kept_verdict_t. */
-    kept_axis_t axes[ROBOT_AXIS_COUNT];
+    kept_axis_t axes[ROBOT_AXIS_MAX];
 } kept_positions_t;
 
 #endif

@@ -13,12 +13,12 @@ static bool is_of(const coupled_limit_t *limit, uint32_t index)
     return (limit->first == index) || (limit->second == index);
 }
 
-static bool is_known(const coupled_limit_t *limit, const axis_t axes[ROBOT_AXIS_COUNT])
+static bool is_known(const coupled_limit_t *limit, const axis_t axes[ROBOT_AXIS_MAX])
 {
     return axis_is_homed(&axes[limit->first]) && axis_is_homed(&axes[limit->second]);
 }
 
-static bool is_in_force(const coupled_limit_t *limit, const axis_t axes[ROBOT_AXIS_COUNT],
+static bool is_in_force(const coupled_limit_t *limit, const axis_t axes[ROBOT_AXIS_MAX],
                         uint32_t index)
 {
     return is_of(limit, index) && is_known(limit, axes);
@@ -64,7 +64,7 @@ static bool may_leave(const robot_t *robot, const coupled_limit_t *limit,
 
 /* Nobody knows where an axis is that is not homed, but where its switch is. */
 static bool is_home_beyond(const robot_t *robot, const coupled_limit_t *limit,
-                           const axis_t axes[ROBOT_AXIS_COUNT], uint32_t index)
+                           const axis_t axes[ROBOT_AXIS_MAX], uint32_t index)
 {
     const bool is_first = limit->first == index;
     const uint32_t other = is_first ? limit->second : limit->first;
@@ -77,7 +77,7 @@ static bool is_home_beyond(const robot_t *robot, const coupled_limit_t *limit,
            ((above_nm < (int64_t)limit->minimum_nm) || (above_nm > (int64_t)limit->maximum_nm));
 }
 
-bool coupled_guard_bars_homing(const robot_t *robot, const axis_t axes[ROBOT_AXIS_COUNT],
+bool coupled_guard_bars_homing(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
                                uint32_t index)
 {
     bool is_barred = false;
@@ -114,8 +114,7 @@ bool coupled_guard_blocks(const robot_t *robot, const coupled_view_t *view, uint
     return is_blocked;
 }
 
-bool coupled_guard_is_known(const robot_t *robot, const axis_t axes[ROBOT_AXIS_COUNT],
-                            uint32_t index)
+bool coupled_guard_is_known(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX], uint32_t index)
 {
     bool is_every_known = axis_is_homed(&axes[index]);
     for (uint32_t i = 0U; i < robot->coupled_limit_count; i++) {
@@ -125,7 +124,7 @@ bool coupled_guard_is_known(const robot_t *robot, const axis_t axes[ROBOT_AXIS_C
     return is_every_known;
 }
 
-coupled_side_t coupled_guard_judge(const robot_t *robot, const axis_t axes[ROBOT_AXIS_COUNT],
+coupled_side_t coupled_guard_judge(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
                                    uint32_t index, int32_t ticks)
 {
     coupled_side_t side = COUPLED_LIMIT_INSIDE;

@@ -37,11 +37,11 @@ bool coupled_guard_blocks(const robot_t *robot, const coupled_view_t *view, uint
  *
  * @satisfies SWR-COUPLE-003
  */
-bool coupled_guard_bars_homing(const robot_t *robot, const axis_t axes[ROBOT_AXIS_COUNT],
+bool coupled_guard_bars_homing(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
                                uint32_t index);
 
 /** Axis `index` and all that share a limit with it are homed. */
-bool coupled_guard_is_known(const robot_t *robot, const axis_t axes[ROBOT_AXIS_COUNT],
+bool coupled_guard_is_known(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
                             uint32_t index);
 
 /**
@@ -49,7 +49,7 @@ bool coupled_guard_is_known(const robot_t *robot, const axis_t axes[ROBOT_AXIS_C
  *
  * @satisfies SWR-COUPLE-002
  */
-coupled_side_t coupled_guard_judge(const robot_t *robot, const axis_t axes[ROBOT_AXIS_COUNT],
+coupled_side_t coupled_guard_judge(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
                                    uint32_t index, int32_t ticks);
 
 #endif

@@ -11,13 +11,13 @@ int32_t needle_out_ticks(const robot_t *robot)
 }
 
 /* A switch alone, which may be broken, does not say so. */
-static bool is_out(const robot_t *robot, const axis_t axes[ROBOT_AXIS_COUNT])
+static bool is_out(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX])
 {
     const axis_t *const needle = &axes[robot->needle_axis];
     return axis_is_homed(needle) && (needle->encoder.position_ticks <= needle_out_ticks(robot));
 }
 
-bool needle_forbids_jog(const robot_t *robot, const axis_t axes[ROBOT_AXIS_COUNT], uint32_t index,
+bool needle_forbids_jog(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX], uint32_t index,
                         bool is_upwards)
 {
     const uint32_t motion = robot->axes[index].needle_motion;

@@ -22,7 +22,7 @@ int32_t needle_out_ticks(const robot_t *robot);
  * @satisfies SWR-JOG-001
  * @satisfies SWR-JOG-003
  */
-bool needle_forbids_jog(const robot_t *robot, const axis_t axes[ROBOT_AXIS_COUNT], uint32_t index,
+bool needle_forbids_jog(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX], uint32_t index,
                         bool is_upwards);
 
 #endif

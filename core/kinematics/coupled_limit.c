@@ -25,7 +25,7 @@ coupled_side_t coupled_limit_side(const coupled_limit_t *limit, int64_t above_nm
     return side;
 }
 
-coupled_side_t coupled_limit_judge(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_COUNT])
+coupled_side_t coupled_limit_judge(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX])
 {
     coupled_side_t side = COUPLED_LIMIT_INSIDE;
     for (uint32_t i = robot->coupled_limit_count; i > 0U; i--) {

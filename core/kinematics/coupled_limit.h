@@ -29,6 +29,6 @@ coupled_side_t coupled_limit_side(const coupled_limit_t *limit, int64_t above_nm
  *
  * @satisfies SWR-COUPLE-002
  */
-coupled_side_t coupled_limit_judge(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_COUNT]);
+coupled_side_t coupled_limit_judge(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX]);
 
 #endif

@@ -144,14 +144,14 @@ static neuro_result_t finish(const needle_t *self, const neuro_limits_t *limits,
                              neuro_joints_t *joints)
 {
     int64_t value[NEURO_LIMIT_COUNT];
-    int32_t ticks[ROBOT_AXIS_COUNT];
+    int32_t ticks[ROBOT_AXIS_MAX];
     const int64_t axial_nm = reach(self, depth_nm, value);
     separate(self, value);
     spread(self, axial_nm, value);
     value[AXIS_ROTATION] = self->rotation_bam;
     value[AXIS_PITCH] = self->pitch_bam;
     value[AXIS_YAW] = self->yaw_bam;
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
         joints->value[i] = fixed_saturate(value[i]);
     }
     neuro_margin_t margin;
@@ -161,7 +161,7 @@ static neuro_result_t finish(const needle_t *self, const neuro_limits_t *limits,
         return margin.nearest;
     }
     neuro_ticks_from_joints(self->robot, joints, ticks);
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
         value[i] = neuro_limits_value(&self->robot->axes[i], ticks[i]);
         neuro_margin_add(&margin, limits, i, value[i]);
     }
@@ -250,10 +250,10 @@ static int32_t angle_between_bam(const int32_t a_q30[3], const int32_t b_q30[3])
     return (angle_bam < 0) ? INT32_MAX : angle_bam;
 }
 
-void neuro_joints_from_ticks(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_COUNT],
+void neuro_joints_from_ticks(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX],
                              neuro_joints_t *joints)
 {
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
         const axis_config_t *const axis = &robot->axes[i];
         const int64_t value = neuro_limits_value(axis, ticks[i]);
         joints->value[i] =
@@ -262,9 +262,9 @@ void neuro_joints_from_ticks(const robot_t *robot, const int32_t ticks[ROBOT_AXI
 }
 
 void neuro_ticks_from_joints(const robot_t *robot, const neuro_joints_t *joints,
-                             int32_t ticks[ROBOT_AXIS_COUNT])
+                             int32_t ticks[ROBOT_AXIS_MAX])
 {
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
         const int64_t value_q16 = (int64_t)joints->value[i] * 65536;
         ticks[i] =
             fixed_saturate(fixed_divide_rounded(value_q16, robot->axes[i].unit_per_tick_q16));

@@ -18,17 +18,17 @@
 
 /** Joint values, nm or bam. */
 typedef struct {
-    int32_t value[ROBOT_AXIS_COUNT];
+    int32_t value[ROBOT_AXIS_MAX];
 } neuro_joints_t;
 
 /** Joint values of the positions `ticks`. An angle of more than half a turn is given as the one
  * that looks the same. */
-void neuro_joints_from_ticks(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_COUNT],
+void neuro_joints_from_ticks(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX],
                              neuro_joints_t *joints);
 
 /** Positions in ticks nearest to `joints`, half away from zero. */
 void neuro_ticks_from_joints(const robot_t *robot, const neuro_joints_t *joints,
-                             int32_t ticks[ROBOT_AXIS_COUNT]);
+                             int32_t ticks[ROBOT_AXIS_MAX]);
 
 /**
  * Pose of the treatment frame in the z-frame: origin the treatment point, z axis the needle's

@@ -45,7 +45,7 @@ int64_t neuro_limits_value(const axis_config_t *axis, int32_t ticks)
 void neuro_limits_init(neuro_limits_t *self, const robot_t *robot)
 {
     const neuro_geometry_t *const geometry = &robot->neuro;
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
         const axis_config_t *const axis = &robot->axes[i];
         set_limit(self, i, neuro_limits_value(axis, axis->minimum_ticks),
                   neuro_limits_value(axis, axis->maximum_ticks));

@@ -45,7 +45,7 @@ static int64_t total_cycles(const profile_t *self)
     return (2 * (int64_t)self->ramp_cycles) + (int64_t)self->cruise_cycles;
 }
 
-static void rest_at(profile_t *self, const int32_t position_ticks[ROBOT_AXIS_COUNT])
+static void rest_at(profile_t *self, const int32_t position_ticks[ROBOT_AXIS_MAX])
 {
     (void)memcpy(self->start_ticks, position_ticks, sizeof self->start_ticks);
     (void)memcpy(self->end_ticks, position_ticks, sizeof self->end_ticks);
@@ -54,9 +54,8 @@ static void rest_at(profile_t *self, const int32_t position_ticks[ROBOT_AXIS_COU
     self->cycle = 0U;
 }
 
-void profile_plan(profile_t *self, const robot_t *robot,
-                  const int32_t start_ticks[ROBOT_AXIS_COUNT],
-                  const int32_t end_ticks[ROBOT_AXIS_COUNT], uint32_t speed_percent)
+void profile_plan(profile_t *self, const robot_t *robot, const int32_t start_ticks[ROBOT_AXIS_MAX],
+                  const int32_t end_ticks[ROBOT_AXIS_MAX], uint32_t speed_percent)
 {
     REQUIRE(100U, (speed_percent >= 1U) && (speed_percent <= 100U));
     int64_t ramp_and_cruise = 0; /* R + C */

@@ -18,8 +18,8 @@
 #include <stdint.h>
 
 typedef struct {
-    int32_t start_ticks[ROBOT_AXIS_COUNT];
-    int32_t end_ticks[ROBOT_AXIS_COUNT];
+    int32_t start_ticks[ROBOT_AXIS_MAX];
+    int32_t end_ticks[ROBOT_AXIS_MAX];
     uint32_t ramp_cycles;   /**< R, at least 1 while anything moves. */
     uint32_t cruise_cycles; /**< C. */
     uint32_t cycle;         /**< k, 0..2R+C. */
@@ -33,9 +33,8 @@ typedef struct {
  * @satisfies SWR-MOTION-002
  * @satisfies SWR-PEDAL-005
  */
-void profile_plan(profile_t *self, const robot_t *robot,
-                  const int32_t start_ticks[ROBOT_AXIS_COUNT],
-                  const int32_t end_ticks[ROBOT_AXIS_COUNT], uint32_t speed_percent);
+void profile_plan(profile_t *self, const robot_t *robot, const int32_t start_ticks[ROBOT_AXIS_MAX],
+                  const int32_t end_ticks[ROBOT_AXIS_MAX], uint32_t speed_percent);
 
 /**
  * Advances by one nominal cycle, whatever time has passed; does nothing when finished.

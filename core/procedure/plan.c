@@ -25,7 +25,7 @@ static status_t check_point(const point_t *point)
 
 /* Where the axes put the treatment frame in the scanner. */
 static void find_pose(const robot_t *robot, const rigid_t *scanner_zframe,
-                      const int32_t ticks[ROBOT_AXIS_COUNT], rigid_t *scanner_treatment)
+                      const int32_t ticks[ROBOT_AXIS_MAX], rigid_t *scanner_treatment)
 {
     neuro_joints_t joints;
     rigid_t zframe_treatment;
@@ -36,7 +36,7 @@ static void find_pose(const robot_t *robot, const rigid_t *scanner_zframe,
 
 /* Rounds legal joints to ticks and says where that puts the treatment frame in the scanner. */
 static void settle(const robot_t *robot, const rigid_t *scanner_zframe,
-                   const neuro_joints_t *joints, int32_t ticks[ROBOT_AXIS_COUNT],
+                   const neuro_joints_t *joints, int32_t ticks[ROBOT_AXIS_MAX],
                    rigid_t *scanner_treatment)
 {
     neuro_ticks_from_joints(robot, joints, ticks);
@@ -91,10 +91,10 @@ status_t plan_register(plan_t *self, const robot_t *robot, const rigid_t *scanne
 
 /* Kinematics knows limits only; a switch that is still active, or the permit at a coupled limit,
  * would block the last of the way. */
-static void check_ends(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_COUNT],
+static void check_ends(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX],
                        neuro_result_t *result)
 {
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
         const axis_config_t *const config = &robot->axes[i];
         if ((result->status == STATUS_OK) && ((ticks[i] < config->target_minimum_ticks) ||
                                               (ticks[i] > config->target_maximum_ticks))) {
@@ -163,9 +163,12 @@ bool plan_is_proved(const plan_t *self, const robot_t *robot)
     rigid_t reached;
     int32_t distance_nm = 0;
     int32_t angle_bam = 0;
+    if (self->has_target == 0U) {
+        return true;
+    }
     find_pose(robot, &self->scanner_zframe, self->target_ticks, &reached);
     neuro_pose_difference(&reached, &self->scanner_target, &distance_nm, &angle_bam);
-    return (self->has_target == 0U) || ((distance_nm == 0) && (angle_bam == 0));
+    return (distance_nm == 0) && (angle_bam == 0);
 }
 
 status_t plan_propose_registration(plan_t *self, const robot_t *robot,

@@ -19,12 +19,12 @@
 typedef struct {
     rigid_t scanner_zframe; /**< The registration; identity before one is accepted. */
     rigid_t scanner_target; /**< Accepted target as it will be reached: rounded to ticks. */
-    int32_t target_ticks[ROBOT_AXIS_COUNT];
+    int32_t target_ticks[ROBOT_AXIS_MAX];
     rigid_t proposed_registration;
     point_t proposed_entry; /**< Scanner coordinates, like everything proposed. */
     point_t proposed_target;
     rigid_t scanner_desired; /**< The pose the proposals ask for. */
-    int32_t desired_ticks[ROBOT_AXIS_COUNT];
+    int32_t desired_ticks[ROBOT_AXIS_MAX];
     uint32_t is_registered; /**< Each 0 or 1. */
     uint32_t has_target;
     uint32_t has_proposed_registration;

@@ -9,7 +9,7 @@
 
 #include <stdint.h>
 
-#define ROBOT_AXIS_COUNT 7U     /**< Most axes of any robot. */
+#define ROBOT_AXIS_MAX 10U      /**< Most axes of any robot; what a robot has is axis_count. */
 #define ROBOT_SLOT_COUNT 10U    /**< Card slots of the control box. */
 #define ROBOT_COUPLED_LIMITS 1U /**< Most coupled limits of any robot. */
 
@@ -134,7 +134,7 @@ typedef struct {
     coupled_limit_t coupled_limits[ROBOT_COUPLED_LIMITS];
     neuro_geometry_t neuro;
     uint32_t seal; /**< seal_of() all before it. */
-    axis_config_t axes[ROBOT_AXIS_COUNT];
+    axis_config_t axes[ROBOT_AXIS_MAX];
 } robot_t;
 
 /**

@@ -10,9 +10,9 @@ uint32_t robot_damage(const robot_t *robot)
     uint32_t damage = 0U;
     const uint32_t seal = seal_of(SEAL_START, (const uint8_t *)robot, offsetof(robot_t, seal));
     if (seal != robot->seal) {
-        damage |= (uint32_t)1U << ROBOT_PART_GEOMETRY;
+        return (uint32_t)1U << ROBOT_PART_GEOMETRY;
     }
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
         const axis_config_t *const row = &robot->axes[i];
         if (seal_of(SEAL_START, (const uint8_t *)row, offsetof(axis_config_t, seal)) != row->seal) {
             damage |= (uint32_t)1U << i;

@@ -8,12 +8,13 @@
 #include <stdint.h>
 
 /** What robot_damage() calls all that is no axis. */
-#define ROBOT_PART_GEOMETRY ROBOT_AXIS_COUNT
+#define ROBOT_PART_GEOMETRY ROBOT_AXIS_MAX
 
 /**
  * Compares the seals that were compiled into the table with it; cheap enough for every cycle.
  *
- * @return bit n: the row of axis n is damaged; bit ROBOT_PART_GEOMETRY: what stands before the rows
+ * @return bit n: the row of axis n is damaged; bit ROBOT_PART_GEOMETRY: what stands before the
+ * rows, whose number is then not known, so none is looked at
  *
  * @satisfies SWR-MEMORY-004
  */

@@ -223,7 +223,7 @@ static void lose(void)
     cycles(200U);
     order("estop pull");
     order("estop reset");
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         char line[64];
         (void)snprintf(line, sizeof line, "card %s silent", robot_neuro.axes[i].name);
         rig_box(&rig, line);

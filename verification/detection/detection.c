@@ -104,7 +104,7 @@ static double belief(uint32_t axis)
 /* `axis` is jogged and has run at its speed for a while. */
 static void cruise(uint32_t axis)
 {
-    static const int32_t ends[ROBOT_AXIS_COUNT] = {-5000, 4000, -2000, 60000, 5000, -300, -1100};
+    static const int32_t ends[ROBOT_AXIS_MAX] = {-5000, 4000, -2000, 60000, 5000, -300, -1100};
     const command_t jog = {.kind = COMMAND_JOG, .argument = axis, .value = ends[axis]};
     const int32_t almost_percent = (int32_t)LIMIT_PROFILE_SPEED_PERCENT - 1;
     const int32_t speed_q8 = config_of(axis)->speed_ticks_per_s * 256 / 100 * almost_percent;
@@ -174,10 +174,10 @@ static void print_row(uint32_t axis, const fault_t *fault)
 /* Wrong counts that a scanner leaves behind: the account at the end against the truth. */
 static void print_scan(void)
 {
-    double before[ROBOT_AXIS_COUNT];
+    double before[ROBOT_AXIS_MAX];
     uint32_t criticals = 0U;
     rig_start_homed(&rig);
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         before[i] = truth(i) - belief(i);
     }
     rig_box(&rig, "scanner on");
@@ -211,7 +211,7 @@ int main(void)
                "| Fault | Axis | Found after | Moved | Apart | By | Aim met |\n"
                "| --- | --- | --- | --- | --- | --- | --- |");
     for (uint32_t i = 0U; i < (sizeof faults / sizeof faults[0]); i++) {
-        for (uint32_t axis = 0U; axis < ROBOT_AXIS_COUNT; axis++) {
+        for (uint32_t axis = 0U; axis < robot_neuro.axis_count; axis++) {
             print_row(axis, &faults[i]);
         }
     }

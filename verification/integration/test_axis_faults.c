@@ -47,7 +47,7 @@ void test_SWR_STALL_001_a_blocked_motor_stalls_and_needs_start_up(void)
 
 void test_SWR_AXIS_012_after_an_encoder_was_gone_in_a_move_the_axis_homes_anew(void)
 {
-    double true_ticks[ROBOT_AXIS_COUNT];
+    double true_ticks[ROBOT_AXIS_MAX];
     rig_start_moving(&rig);
     rig_box(&rig, "encoder head stuck");
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 700U).kind);
@@ -159,7 +159,7 @@ static uint32_t cycles_to_notice(uint32_t axis)
 
 void test_SWR_AXIS_016_a_motor_that_runs_while_off_is_noticed_on_every_axis(void)
 {
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         rig_start_targeted(&rig);
         TEST_ASSERT_LESS_OR_EQUAL_UINT32(LIMIT_REST_NOTICE_US / LIMIT_CYCLE_US,
                                          cycles_to_notice(i));
@@ -201,7 +201,7 @@ void test_SWR_AXIS_017_a_lost_card_gets_no_guard(void)
 /* `axis` is jogged and has run at its speed for a while. */
 static void cruise(uint32_t axis)
 {
-    static const int32_t ends[ROBOT_AXIS_COUNT] = {-5000, 4000, -2000, 60000, 5000, -300, -1100};
+    static const int32_t ends[ROBOT_AXIS_MAX] = {-5000, 4000, -2000, 60000, 5000, -300, -1100};
     const command_t jog = {.kind = COMMAND_JOG, .argument = axis, .value = ends[axis]};
     const int32_t almost_percent = (int32_t)LIMIT_PROFILE_SPEED_PERCENT - 1;
     const int32_t speed_q8 = robot_neuro.axes[axis].speed_ticks_per_s * 256 / 100 * almost_percent;
@@ -264,7 +264,7 @@ static void expect_notice(uint32_t axis, const blindness_t *fault)
 
 static void expect_notice_on_every_axis(blindness_t fault)
 {
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         expect_notice(i, &fault);
     }
 }
@@ -312,7 +312,7 @@ static void move_with_gain(double gain)
     const rigid_t pose = rig_pose(5000000, 190000000, 60000000);
     rigid_set_identity(&identity);
     rig_start(&rig);
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         rig.box.axes[i].motor.full_speed_ticks_per_s *= gain;
     }
     rig_home(&rig);

@@ -66,7 +66,7 @@ void test_SWR_CMD_004_unknown_commands_workphases_and_axes_are_refused(void)
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
     const command_t nothing = {.kind = (uint32_t)COMMAND_NONE};
     const command_t unknown = {.kind = 99U};
-    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = ROBOT_AXIS_COUNT};
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = robot_neuro.axis_count};
     TEST_ASSERT_EQUAL_UINT32(STATUS_UNKNOWN_COMMAND, rig_command(&rig, nothing).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_UNKNOWN_COMMAND, rig_command(&rig, unknown).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_UNKNOWN_COMMAND, rig_command(&rig, jog).status);
@@ -331,7 +331,7 @@ void test_SWR_AXIS_020_a_jog_to_where_the_switch_may_be_active_is_refused_by_nam
 {
     rig_start_homed(&rig);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         const axis_config_t *const config = &robot_neuro.axes[i];
         const bool is_lower = config->limit_switch == (uint8_t)LIMIT_SWITCH_LOWER;
         const int32_t zone = config->switch_hysteresis_ticks + 2;
@@ -353,7 +353,7 @@ void test_SWR_AXIS_020_a_target_where_a_switch_may_be_active_is_refused_by_name(
 {
     neuro_joints_t joints;
     rigid_t pose;
-    int32_t ticks[ROBOT_AXIS_COUNT] = {-3000, -2000, -1, 33334, 0, 0, 0};
+    int32_t ticks[ROBOT_AXIS_MAX] = {-3000, -2000, -1, 33334, 0, 0, 0};
     rig_start_targeted(&rig);
     neuro_joints_from_ticks(&robot_neuro, ticks, &joints);
     neuro_forward(&robot_neuro, &joints, &pose);
@@ -538,7 +538,7 @@ static void damage_everything(void)
     rig.controller.estop.state_inverse ^= 1U;
     rig.controller.loop.chart.state_inverse ^= 1U;
     rig.controller.workphases.phase_inverse ^= 1U;
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         rig.controller.axes[i].chart.power_inverse ^= 1U;
         rig.controller.links[i].chart.state_inverse ^= 1U;
     }
@@ -634,7 +634,7 @@ void test_SWR_EVENT_002_events_beyond_the_most_of_a_cycle_are_counted(void)
     damage_everything();
     rig_box(&rig, "scanner on");
     rig_box(&rig, "estop pull");
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         rig.controller.axes[i].encoder.reading ^= 0x40000000;
         rig.controller.axes[i].encoder.jumps = 1U;
     }

@@ -136,8 +136,8 @@ void test_SWR_AXIS_019_a_carriage_that_counts_half_beside_others_never_arrives(v
 
 void test_SWR_AXIS_019_an_encoder_that_is_stuck_now_and_then_is_found(void)
 {
-    static const int32_t ends[ROBOT_AXIS_COUNT] = {-5000, 4000, -2000, 100000, 5000, -300, -1100};
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    static const int32_t ends[ROBOT_AXIS_MAX] = {-5000, 4000, -2000, 100000, 5000, -300, -1100};
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         begin_jog(i, ends[i]);
         TEST_ASSERT_TRUE(play(&(play_t){i, ALWAYS, ALWAYS, "stuck", 10U}) <= most_apart(i));
     }

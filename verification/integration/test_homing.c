@@ -31,9 +31,9 @@ void test_SWR_PHASE_003_start_up_homes_every_axis_while_the_pedal_is_down(void)
     rig_press(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 40000U).kind);
     TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_homed);
-    TEST_ASSERT_EQUAL_UINT32(ROBOT_AXIS_COUNT - 2U, rig_count(&rig, EVENT_AXIS_HOMED));
+    TEST_ASSERT_EQUAL_UINT32(robot_neuro.axis_count - 2U, rig_count(&rig, EVENT_AXIS_HOMED));
     TEST_ASSERT_EQUAL_UINT32(2U, rig_count(&rig, EVENT_AXIS_TAKEN));
-    double true_ticks[ROBOT_AXIS_COUNT];
+    double true_ticks[ROBOT_AXIS_MAX];
     box_true_positions(&rig.box, true_ticks);
     TEST_ASSERT_DOUBLE_WITHIN(2.0, 0.0, true_ticks[AXIS_HEAD]);
     TEST_ASSERT_DOUBLE_WITHIN(2.0, 0.0, true_ticks[AXIS_LATERAL]);
@@ -163,10 +163,10 @@ void test_SWR_AXIS_015_a_reversed_encoder_is_found_in_the_first_leg_of_homing(vo
 
 void test_SWR_AXIS_013_every_axis_homes_from_both_ends(void)
 {
-    double true_ticks[ROBOT_AXIS_COUNT];
+    double true_ticks[ROBOT_AXIS_MAX];
     for (uint32_t end = 0U; end < 2U; end++) {
         rig_start(&rig);
-        for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
             sim_motor_t *const motor = &rig.box.axes[i].motor;
             if (robot_neuro.axes[i].limit_switch != (uint8_t)LIMIT_SWITCH_NONE) {
                 motor->position_ticks = (end == 0U) ? motor->lowest_ticks : motor->highest_ticks;
@@ -178,7 +178,7 @@ void test_SWR_AXIS_013_every_axis_homes_from_both_ends(void)
         rig_press(&rig);
         TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 200000U).kind);
         box_true_positions(&rig.box, true_ticks);
-        for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
             if (robot_neuro.axes[i].limit_switch != (uint8_t)LIMIT_SWITCH_NONE) {
                 TEST_ASSERT_DOUBLE_WITHIN(20.0, (double)rig_position(&rig, i), true_ticks[i]);
             }

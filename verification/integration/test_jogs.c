@@ -234,7 +234,7 @@ void test_SWR_COUPLE_002_a_target_and_a_jog_at_the_margin_are_reached(void)
 
 static void expect_needle(bool is_in)
 {
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         const bool is_across = robot_neuro.axes[i].needle_motion == (uint32_t)NEEDLE_ACROSS;
         expect_jog(i, position(i) + (((i == AXIS_FEET) || (i == AXIS_INSERTION)) ? 20 : -20),
                    (is_in && is_across) ? STATUS_NEEDLE_IN : STATUS_OK);
@@ -244,7 +244,7 @@ static void expect_needle(bool is_in)
 void test_SWR_JOG_001_no_axis_is_jogged_across_a_needle_that_is_in(void)
 {
     start_manual();
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         if (robot_neuro.axes[i].limit_switch == (uint8_t)LIMIT_SWITCH_UPPER) {
             go(i, robot_neuro.axes[i].home_ticks - 100);
         }
@@ -357,9 +357,9 @@ void test_SWR_JOG_001_a_needle_that_comes_in_stops_the_jog_that_runs(void)
 
 void test_SWR_JOG_002_an_axis_that_is_not_homed_is_jogged_a_short_way_only(void)
 {
-    static const int32_t most[ROBOT_AXIS_COUNT] = {157, 157, 94, 6666, 44, 27, 27};
+    static const int32_t most[ROBOT_AXIS_MAX] = {157, 157, 94, 6666, 44, 27, 27};
     rig_start_needle_homed(&rig);
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         if (i != (uint32_t)AXIS_INSERTION) {
             axis_lose_reference(&rig.controller.axes[i]);
             expect_jog(i, position(i) + most[i], STATUS_OK);
@@ -442,14 +442,14 @@ void test_SWR_JOG_004_a_jog_drives_no_other_axis(void)
     expect_jog(AXIS_INSERTION, 20000, STATUS_OK);
     rig_press(&rig);
     rig_cycles(&rig, 100U);
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         if (i != (uint32_t)AXIS_INSERTION) {
             shift(i, 5);
         }
     }
     while (rig.outputs.snapshot.order != (uint32_t)WORKPHASES_ORDER_NONE) {
         rig_cycle(&rig);
-        for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
             TEST_ASSERT_TRUE((i == (uint32_t)AXIS_INSERTION) ||
                              (rig_sent(&rig, i).drive.mode == (uint32_t)CARD_DRIVE_OFF));
         }

@@ -61,7 +61,7 @@ static void expect_aborted(void)
 
 void test_SWR_MEMORY_002_a_damaged_axis_is_faulty_and_not_homed_and_its_numbers_are_gone(void)
 {
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         begin_move();
         rig.controller.axes[i].encoder.position_ticks ^= 0x00100000;
         expect_noticed(EVENT_MEMORY_AXIS, i);
@@ -96,7 +96,7 @@ void test_SWR_MEMORY_002_what_was_damaged_can_be_started_and_homed_again(void)
 
 void test_SWR_MEMORY_002_a_damaged_card_is_lost_and_known_again_from_the_table(void)
 {
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         begin_move();
         rig.controller.links[i].slot ^= 0x04U;
         expect_noticed(EVENT_MEMORY_CARD, i);
@@ -132,7 +132,7 @@ void test_SWR_MEMORY_002_a_damaged_profile_ends_its_motion(void)
 
 static void expect_all_disabled(void)
 {
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_DISABLED, rig.outputs.snapshot.axes[i].power);
     }
 }
@@ -182,7 +182,7 @@ void test_SWR_MEMORY_002_axes_that_wait_for_a_kept_position_that_is_damaged_are_
     rig.controller.kept.axes[AXIS_FEET].position_ticks ^= 0x10;
     expect_noticed(EVENT_MEMORY_REST, 0U);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.positions_awaited);
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, rig.outputs.snapshot.axes[i].reference);
     }
 }
@@ -226,14 +226,14 @@ static void expect_blind(uint32_t part)
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_MEMORY, shown->next_step);
     TEST_ASSERT_EQUAL_UINT32(STATUS_MEMORY_DAMAGED, shown->pose_status);
     TEST_ASSERT_EQUAL_UINT32(0U, shown->is_homed | shown->has_target);
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         TEST_ASSERT_BITS_HIGH(1UL << PERMIT_REASON_MEMORY, shown->axes[i].permit_reasons);
     }
 }
 
 void test_SWR_MEMORY_004_a_damaged_table_stops_all_motion_until_the_programs_are_restarted(void)
 {
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         begin_move();
         rig.robot.axes[i].unit_per_tick_q16 = 0;
         rig_cycle(&rig);
@@ -303,7 +303,7 @@ void test_SWR_MEMORY_004_a_table_that_is_damaged_at_the_start_moves_nothing(void
 
 void test_SWR_MEMORY_005_a_target_that_does_not_lead_to_its_pose_is_not_armed(void)
 {
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         rig_start_targeted(&rig);
         rig.controller.plan.target_ticks[i] += 1;
         controller_seal(&rig.controller);

@@ -101,7 +101,7 @@ void test_SWR_MOTION_004_the_move_ends_at_the_target_with_the_drive_off(void)
     rig_start_moving(&rig);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 30000U).kind);
     TEST_ASSERT_FALSE(rig_is_driving(&rig));
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         TEST_ASSERT_INT32_WITHIN(robot_neuro.axes[i].deadband_ticks,
                                  rig.controller.plan.target_ticks[i], rig_position(&rig, i));
     }

@@ -317,12 +317,12 @@ void test_SWR_REF_009_a_pause_of_control_at_rest_makes_every_axis_unverified(voi
     rig_cycles(&rig, 20U);
     box_advance(&rig.box, 2U * LIMIT_CARD_WATCHDOG_US);
     rig_cycles(&rig, 3U);
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_FAULT, rig.controller.links[i].cause);
         TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED, grade(i));
     }
     rig_cycles(&rig, LIMIT_SPEED_TIMEOUT_US / LIMIT_CYCLE_US);
-    TEST_ASSERT_EQUAL_UINT32(ROBOT_AXIS_COUNT, hold_button(HOLD_CYCLES + 1U));
+    TEST_ASSERT_EQUAL_UINT32(robot_neuro.axis_count, hold_button(HOLD_CYCLES + 1U));
     expect_start_up(STATUS_OK);
     TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_homed);
 }

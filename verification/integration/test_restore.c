@@ -25,7 +25,7 @@ static void keep(uint32_t verdict)
 {
     kept.power_on = POWER_ON;
     kept.verdict = verdict;
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         const snapshot_axis_t *const shown = &rig.outputs.snapshot.axes[i];
         kept.axes[i] = (kept_axis_t){.grade = (uint32_t)KEPT_KNOWN,
                                      .position_ticks = shown->position_ticks,
@@ -68,7 +68,7 @@ static void assert_reference(uint32_t axis, axis_reference_t reference)
 
 static void assert_references(axis_reference_t reference)
 {
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         assert_reference(i, reference);
     }
 }
@@ -105,11 +105,11 @@ void test_SWR_STORE_005_each_axis_stands_where_it_was_kept_and_is_unverified(voi
 {
     restart();
     assert_references(AXIS_REFERENCE_UNVERIFIED);
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         TEST_ASSERT_EQUAL_INT32(kept.axes[i].position_ticks, position(i));
         TEST_ASSERT_EQUAL_INT32(position(i), event_of(EVENT_AXIS_RESTORED, i)->value);
     }
-    TEST_ASSERT_EQUAL_UINT32(ROBOT_AXIS_COUNT, rig_count(&rig, EVENT_AXIS_RESTORED));
+    TEST_ASSERT_EQUAL_UINT32(robot_neuro.axis_count, rig_count(&rig, EVENT_AXIS_RESTORED));
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AXIS_CONTRADICTED));
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.is_homed);
     TEST_ASSERT_EQUAL_HEX32(POWER_ON, rig.outputs.snapshot.power_on);
@@ -118,12 +118,12 @@ void test_SWR_STORE_005_each_axis_stands_where_it_was_kept_and_is_unverified(voi
 
 void test_SWR_STORE_005_what_was_counted_meanwhile_is_added(void)
 {
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         count_up(i, ((i % 2U) == 0U) ? WAY : -WAY);
     }
     restart();
     assert_references(AXIS_REFERENCE_UNVERIFIED);
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         TEST_ASSERT_EQUAL_INT32(
             kept.axes[i].position_ticks + upwards(i, ((i % 2U) == 0U) ? WAY : -WAY), position(i));
     }
@@ -167,7 +167,7 @@ void test_SWR_STORE_006_an_axis_with_another_reading_is_lost_by_that_much(void)
                             event_of(EVENT_AXIS_CONTRADICTED, AXIS_INSERTION)->value);
     TEST_ASSERT_EQUAL_UINT32(EVENT_SEVERITY_WARNING,
                              event_of(EVENT_AXIS_CONTRADICTED, AXIS_ROTATION)->severity);
-    TEST_ASSERT_EQUAL_UINT32(ROBOT_AXIS_COUNT - 2U, rig_count(&rig, EVENT_AXIS_RESTORED));
+    TEST_ASSERT_EQUAL_UINT32(robot_neuro.axis_count - 2U, rig_count(&rig, EVENT_AXIS_RESTORED));
 }
 
 void test_SWR_STORE_006_an_axis_that_moved_between_the_programs_is_lost(void)

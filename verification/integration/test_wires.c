@@ -49,7 +49,7 @@ static void box(const char *format, uint32_t axis)
 
 void test_SWR_NEXT_001_a_fault_of_any_axis_asks_for_start_up(void)
 {
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         begin_move();
         rig.controller.axes[i].setpoint_ticks += 2 * robot_neuro.axes[i].following_error_ticks;
         rig.controller.profile.start_ticks[i] += 2 * robot_neuro.axes[i].following_error_ticks;
@@ -63,7 +63,7 @@ void test_SWR_NEXT_001_a_fault_of_any_axis_asks_for_start_up(void)
 
 void test_SWR_NEXT_001_a_lost_card_is_looked_after_before_start_up(void)
 {
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         rig_start_homed(&rig);
         box("card %s silent", i);
         rig_cycles(&rig, LIMIT_LINK_AGE_CYCLES);
@@ -167,8 +167,8 @@ void test_SWR_BOX_008_a_replay_of_old_frames_moves_no_motor_beyond_the_watchdog(
 {
     static uint8_t old[50][CARD_FRAME_BYTES];
     const uint32_t slot = robot_neuro.axes[AXIS_LATERAL].slot;
-    double before[ROBOT_AXIS_COUNT];
-    double after[ROBOT_AXIS_COUNT];
+    double before[ROBOT_AXIS_MAX];
+    double after[ROBOT_AXIS_MAX];
     begin_move();
     for (uint32_t i = 0U; i < 50U; i++) {
         (void)memcpy(old[i], rig.outputs.frames[slot], CARD_FRAME_BYTES);
@@ -214,7 +214,7 @@ void test_SWR_EVENT_004_the_sequence_of_frames_wraps_without_losing_a_card(void)
     controller_seal(&rig.controller);
     rig_cycles(&rig, 100U);
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_CARD_LOST));
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         TEST_ASSERT_EQUAL_UINT32(rig.controller.sequence - 3U,
                                  rig.controller.links[i].report.accepted_sequence);
     }
@@ -232,7 +232,7 @@ static void expect_reason(permit_reason_t reason, uint32_t axis)
 
 static void expect_everywhere(permit_reason_t reason)
 {
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         expect_reason(reason, i);
     }
 }
@@ -259,7 +259,7 @@ void test_SWR_LOOP_002_a_loop_that_was_late_is_a_reason_at_every_axis(void)
 
 void test_SWR_LINK_001_one_lost_card_is_a_reason_at_every_axis(void)
 {
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         begin_move();
         box("card %s corrupt", i);
         rig_cycles(&rig, LIMIT_LINK_AGE_CYCLES);
@@ -289,14 +289,14 @@ void test_SWR_PERMIT_004_the_scanner_is_a_reason_at_every_axis(void)
 
 void test_SWR_PERMIT_003_a_fault_is_a_reason_at_its_axis_alone(void)
 {
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         begin_move();
         rig.controller.axes[i].encoder.reading ^= 0x40000000;
         controller_seal(&rig.controller);
         rig_cycles(&rig, 2U);
         expect_reason(PERMIT_REASON_AXIS_FAULT, i);
         expect_reason(PERMIT_REASON_AXIS_DISABLED, i);
-        const uint32_t other = (i + 1U) % ROBOT_AXIS_COUNT;
+        const uint32_t other = (i + 1U) % robot_neuro.axis_count;
         TEST_ASSERT_BITS_LOW(1UL << PERMIT_REASON_AXIS_FAULT,
                              rig.outputs.snapshot.axes[other].permit_reasons);
     }
@@ -321,7 +321,7 @@ void test_SWR_PEDAL_003_a_pedal_not_yet_seen_released_is_a_reason_at_every_axis(
 
 void test_SWR_AXIS_006_an_axis_that_is_not_homed_has_its_reason_in_a_move(void)
 {
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         begin_move();
         axis_lose_reference(&rig.controller.axes[i]);
         controller_seal(&rig.controller);
@@ -335,7 +335,7 @@ void test_SWR_AXIS_005_an_active_switch_stops_what_drives_towards_it(void)
 {
     const int32_t maximum_ticks = robot_neuro.axes[AXIS_PITCH].maximum_ticks;
     command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = AXIS_PITCH};
-    double true_ticks[ROBOT_AXIS_COUNT];
+    double true_ticks[ROBOT_AXIS_MAX];
     rig_start(&rig);
     (void)rig_workphase(&rig, WORKPHASE_START_UP);
     rig_press(&rig);
@@ -429,7 +429,7 @@ static uint32_t told_to_cards(uint32_t axis)
 
 void test_SWR_CARD_005_every_card_is_told_pedal_e_stop_scanner_permit_and_homing(void)
 {
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         begin_move();
         TEST_ASSERT_EQUAL_HEX32((uint32_t)WORKPHASE_MOVE_TO_TARGET << 8U,
                                 told_to_cards(i) & ~(uint32_t)CARD_SYSTEM_PERMIT &
@@ -452,8 +452,8 @@ void test_SWR_PERMIT_002_the_drive_that_is_shown_is_the_one_that_leaves(void)
 {
     uint32_t driven = 0U;
     begin_move();
-    for (uint32_t i = 0U; i < (600U * ROBOT_AXIS_COUNT); i++) {
-        const uint32_t axis = i % ROBOT_AXIS_COUNT;
+    for (uint32_t i = 0U; i < (600U * robot_neuro.axis_count); i++) {
+        const uint32_t axis = i % robot_neuro.axis_count;
         const snapshot_axis_t *const shown = &rig.outputs.snapshot.axes[axis];
         const card_drive_t drive = rig_sent(&rig, axis).drive;
         TEST_ASSERT_EQUAL_UINT32(drive.mode, shown->drive_mode);
@@ -470,7 +470,7 @@ void test_SWR_PERMIT_002_the_drive_that_is_shown_is_the_one_that_leaves(void)
 void test_SWR_LINK_008_the_card_that_is_shown_is_the_one_that_answers(void)
 {
     rig_start(&rig);
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         const axis_config_t *const config = &robot_neuro.axes[i];
         TEST_ASSERT_EQUAL_UINT32(config->card_type,
                                  rig.outputs.snapshot.cards[config->slot].card_type);
@@ -489,7 +489,7 @@ void test_SWR_MOTION_004_every_axis_must_be_at_its_end_for_an_order_to_be_done(v
         rig_cycle(&rig);
     }
     arrived = rig;
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         rig = arrived;
         rig.controller.profile.end_ticks[i] += robot_neuro.axes[i].deadband_ticks + 3;
         controller_seal(&rig.controller);
@@ -517,7 +517,7 @@ void test_SWR_MOTION_002_the_needle_is_retracted_before_any_other_axis_moves(voi
     TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 30000U).kind);
     rig_release(&rig);
     arrived = rig;
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         rig = arrived;
         rig.controller.plan.target_ticks[i] -= 50;
         settle_target();
@@ -627,5 +627,5 @@ void test_SWR_AXIS_023_a_scan_leaves_an_account_of_each_axis(void)
         }
     }
     TEST_ASSERT_EQUAL_HEX32(0x7FU, axes);
-    TEST_ASSERT_EQUAL_UINT32(ROBOT_AXIS_COUNT, rig_count(&rig, EVENT_SCAN_DRIFT));
+    TEST_ASSERT_EQUAL_UINT32(robot_neuro.axis_count, rig_count(&rig, EVENT_SCAN_DRIFT));
 }

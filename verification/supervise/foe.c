@@ -162,7 +162,7 @@ static void start(foe_t *self, rig_t *rig)
         rig_start_targeted(rig);
     }
     /* Some motors are as their table says, others nearly; but none becomes another one later. */
-    const uint32_t count = (self->start == 0U) ? ROBOT_AXIS_COUNT : 0U;
+    const uint32_t count = (self->start == 0U) ? robot_neuro.axis_count : 0U;
     for (uint32_t i = 0U; (i < count) && (below(self, 2U) == 0U); i++) {
         rig->box.axes[i].motor.full_speed_ticks_per_s *=
             1.0 + (0.2 * sim_random_signed(&self->random));
@@ -175,7 +175,8 @@ void foe_begin(foe_t *self, rig_t *rig, uint32_t seed)
         plan_taps, plan_flicker, plan_impostor, plan_motor, plan_carriages, plan_rest, plan_short};
     *self = (foe_t){.random = {seed}, .lose_cycle = UINT32_MAX};
     self->plan = (foe_plan_t)below(self, FOE_PLANS);
-    self->axis = (below(self, 3U) == 0U) ? (uint32_t)AXIS_INSERTION : below(self, ROBOT_AXIS_COUNT);
+    self->axis =
+        (below(self, 3U) == 0U) ? (uint32_t)AXIS_INSERTION : below(self, robot_neuro.axis_count);
     self->start = below(self, 3U);
     self->from_cycle = (below(self, 2U) == 0U) ? 0U : below(self, 8000U);
     self->has_mercy = below(self, 2U) == 0U;

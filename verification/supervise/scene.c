@@ -9,7 +9,7 @@ void scene_begin(scene_t *self, play_t play, uint32_t seed)
 
 void scene_cycle(scene_t *self)
 {
-    double truth[ROBOT_AXIS_COUNT];
+    double truth[ROBOT_AXIS_MAX];
     stage_play(&self->stage, &self->rig);
     box_true_positions(&self->rig.box, truth);
     rig_cycle(&self->rig);

@@ -52,7 +52,7 @@ static double near_one(stage_t *self, double part)
 /* Other motors: full speed, time of gaining it, and the smallest word that turns them. */
 static void spread_motors(stage_t *self, rig_t *rig)
 {
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         sim_motor_t *const motor = &rig->box.axes[i].motor;
         const double span = motor->maximum_duty - motor->minimum_duty;
         motor->full_speed_ticks_per_s *= near_one(self, LIMIT_MOTOR_SPREAD_PERCENT / 100.0);
@@ -123,7 +123,7 @@ static void disturb(stage_t *self, rig_t *rig)
         pick_word(self, word, length, picked);
         if (strcmp(picked, "SLOT") == 0) {
             (void)snprintf(picked, sizeof picked, "%s",
-                           robot_neuro.axes[random_below(self, ROBOT_AXIS_COUNT)].name);
+                           robot_neuro.axes[random_below(self, robot_neuro.axis_count)].name);
         }
         (void)snprintf(order + strlen(order), sizeof order - strlen(order), "%s%s",
                        (word == line) ? "" : " ", picked);
@@ -137,7 +137,7 @@ static void disturb(stage_t *self, rig_t *rig)
  * no more than the frames: two faults, which no supervision can tell from rest. */
 static void part_hidden_pairs(rig_t *rig)
 {
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         box_axis_t *const axis = &rig->box.axes[i];
         if ((axis->encoder.fault == SIM_ENCODER_STUCK) && (axis->motor.fault == SIM_MOTOR_RUNS)) {
             axis->motor.fault = SIM_MOTOR_NORMAL;
@@ -195,11 +195,11 @@ static int32_t some_end(stage_t *self, const axis_config_t *axis)
 /* A target with some axes at an end of their way, and the entry point that decides its depth. */
 static void send_corner(stage_t *self, rig_t *rig)
 {
-    int32_t ticks[ROBOT_AXIS_COUNT];
+    int32_t ticks[ROBOT_AXIS_MAX];
     neuro_joints_t joints;
     command_t target = {.kind = (uint32_t)COMMAND_TARGET};
     command_t entry = {.kind = (uint32_t)COMMAND_PROPOSE_ENTRY};
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         ticks[i] = some_end(self, &robot_neuro.axes[i]);
     }
     neuro_joints_from_ticks(&robot_neuro, ticks, &joints);
@@ -231,7 +231,7 @@ static void send_target(stage_t *self, rig_t *rig)
 static void send_jog(stage_t *self, rig_t *rig)
 {
     command_t command = {.kind = (uint32_t)COMMAND_JOG,
-                         .argument = random_below(self, ROBOT_AXIS_COUNT)};
+                         .argument = random_below(self, robot_neuro.axis_count)};
     const axis_config_t *const axis = &robot_neuro.axes[command.argument];
     const int32_t span = axis->maximum_ticks - axis->minimum_ticks;
     if (random_below(self, 2U) == 0U) {
@@ -302,10 +302,10 @@ static void send_target_or_phase(stage_t *self, rig_t *rig)
  */
 static bool is_shown_true(const rig_t *rig)
 {
-    double truth[ROBOT_AXIS_COUNT];
+    double truth[ROBOT_AXIS_MAX];
     bool is_true = true;
     box_true_positions(&rig->box, truth);
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         const axis_config_t *const config = &robot_neuro.axes[i];
         const snapshot_axis_t *const shown = &rig->outputs.snapshot.axes[i];
         const axis_t *const axis = &rig->controller.axes[i];

@@ -199,13 +199,13 @@ static double beyond_target(const witness_t *self, const rig_t *rig, uint32_t ax
     return (is_there && is_homed(rig, axis) && (away <= most)) ? 0.0 : away;
 }
 
-static void judge_reached(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_COUNT],
+static void judge_reached(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_MAX],
                           bool is_disturbed)
 {
     const bool is_said = rig->outputs.snapshot.next_step == (uint32_t)NEXT_STEP_NOTHING;
     uint32_t axis = 0U;
     double away = 0.0;
-    for (uint32_t i = 0U; is_said && (i < ROBOT_AXIS_COUNT); i++) {
+    for (uint32_t i = 0U; is_said && (i < robot_neuro.axis_count); i++) {
         const double beyond = beyond_target(self, rig, i, truth[i], is_disturbed);
         axis = (beyond > away) ? i : axis;
         away = fmax(away, beyond);
@@ -230,7 +230,7 @@ static bool is_carriage_running(const rig_t *rig)
 
 /* Who jogs a carriage that is not known may bring it beyond, and so may a motor that runs by
  * itself; then they come back. No other order takes them farther out, not even homing. */
-static void judge_distance(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_COUNT],
+static void judge_distance(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_MAX],
                            bool is_disturbed)
 {
     const double apart =
@@ -254,7 +254,7 @@ static void judge_jog(witness_t *self, const rig_t *rig, double depth_ticks, boo
     if (rig->outputs.snapshot.workphase != (uint32_t)WORKPHASE_MANUAL) {
         return;
     }
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         if ((robot_neuro.axes[i].needle_motion == (uint32_t)NEEDLE_ACROSS) &&
             (rig_sent(rig, i).drive.mode != (uint32_t)CARD_DRIVE_OFF) &&
             (in > slack_mm(is_disturbed))) {
@@ -276,7 +276,7 @@ static bool is_moving_to_target(const rig_t *rig)
 static void judge_beyond(witness_t *self, const rig_t *rig)
 {
     const profile_t *const profile = &rig->controller.profile;
-    for (uint32_t i = 0U; (i < ROBOT_AXIS_COUNT) && is_moving_to_target(rig); i++) {
+    for (uint32_t i = 0U; (i < robot_neuro.axis_count) && is_moving_to_target(rig); i++) {
         const int32_t way = profile->end_ticks[i] - profile->start_ticks[i];
         const int32_t beyond = rig->outputs.snapshot.axes[i].position_ticks - profile->end_ticks[i];
         const int32_t over = (way > 0) ? beyond : -beyond;
@@ -309,7 +309,7 @@ static void count_ending(witness_t *self, ending_t ending)
 static bool has_non_pwm_way(const profile_t *profile)
 {
     bool has_way = false;
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         has_way = has_way || ((robot_neuro.axes[i].card_type == (uint8_t)CARD_TYPE_NON_PWM) &&
                               (profile->start_ticks[i] != profile->end_ticks[i]));
     }
@@ -343,7 +343,7 @@ static void judge_events(witness_t *self, const rig_t *rig, bool is_disturbed)
             (event->id == (uint32_t)EVENT_ORDER_OVERDUE) && !is_homed(rig, event->subject);
         if (!is_disturbed && !is_jog_blocked &&
             (event->severity == (uint32_t)EVENT_SEVERITY_CRITICAL)) {
-            complain(self, rig, SENTENCE_CALM, event->subject % ROBOT_AXIS_COUNT, event->id);
+            complain(self, rig, SENTENCE_CALM, event->subject % robot_neuro.axis_count, event->id);
         }
     }
     const uint32_t workphase = rig->outputs.snapshot.workphase;
@@ -362,12 +362,12 @@ uint32_t witness_late(const witness_t *self, ending_t ending, uint32_t percent)
     return cycles;
 }
 
-void witness_look(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_COUNT],
+void witness_look(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_MAX],
                   bool is_disturbed)
 {
     remember_target(self, rig);
     judge_permit(self, rig);
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         judge_belief(self, rig, i, truth[i]);
         judge_rest(self, rig, i, truth[i]);
         if (!is_disturbed) {

@@ -64,18 +64,18 @@ typedef struct {
     uint32_t seed;
     endings_t endings[ENDING_COUNT];
     verdict_t verdicts[SENTENCE_COUNT];
-    bool is_broken[SENTENCE_COUNT];                /**< In this episode. */
-    double rest[ROBOT_AXIS_COUNT][WITNESS_SECOND]; /**< True positions of the last second. */
-    uint32_t off_cycles[ROBOT_AXIS_COUNT];
-    uint32_t astray_cycles[ROBOT_AXIS_COUNT];
-    uint32_t untrue_cycles;                        /**< An arrival is shown that is none. */
-    double places[ROBOT_AXIS_COUNT][WITNESS_MEAN]; /**< True positions of the last cycles. */
+    bool is_broken[SENTENCE_COUNT];              /**< In this episode. */
+    double rest[ROBOT_AXIS_MAX][WITNESS_SECOND]; /**< True positions of the last second. */
+    uint32_t off_cycles[ROBOT_AXIS_MAX];
+    uint32_t astray_cycles[ROBOT_AXIS_MAX];
+    uint32_t untrue_cycles;                      /**< An arrival is shown that is none. */
+    double places[ROBOT_AXIS_MAX][WITNESS_MEAN]; /**< True positions of the last cycles. */
     uint32_t looks;
     uint32_t moving_cycles;
-    uint32_t over_cycles;                   /**< Since the profile of the last leg has ended. */
-    bool is_non_pwm_over;                   /**< An axis without pwm had a way in it. */
-    double needle_from;                     /**< Where homing began. */
-    int32_t target_ticks[ROBOT_AXIS_COUNT]; /**< As accepted. */
+    uint32_t over_cycles;                 /**< Since the profile of the last leg has ended. */
+    bool is_non_pwm_over;                 /**< An axis without pwm had a way in it. */
+    double needle_from;                   /**< Where homing began. */
+    int32_t target_ticks[ROBOT_AXIS_MAX]; /**< As accepted. */
     bool has_looked;
     bool was_homing;
     double apart_beyond; /**< How far beyond their distance the carriages may be, mm. */
@@ -89,7 +89,7 @@ void witness_forgive(witness_t *self);
 
 /** Looks at the cycle that `rig` has just run; `truth`: the positions when its frames were made;
  * `is_disturbed`: something in the scene is or was broken. */
-void witness_look(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_COUNT],
+void witness_look(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_MAX],
                   bool is_disturbed);
 
 /** So many cycles after the end of its profile an `ending` came, in `percent` of all. */

@@ -951,8 +951,8 @@ static uint32_t off_cycles(uint32_t cycles)
 
 void test_SWR_AXIS_016_an_axis_that_moves_while_off_is_a_fault_in_the_cycle_beyond_the_limit(void)
 {
-    const int32_t limits[ROBOT_AXIS_COUNT] = {7, 7, 4, 333, 11, 6, 6};
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    const int32_t limits[ROBOT_AXIS_MAX] = {7, 7, 4, 333, 11, 6, 6};
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         use(&robot_neuro.axes[i]);
         TEST_ASSERT_EQUAL_HEX32(0U, off_cycles(20U));
         TEST_ASSERT_EQUAL_HEX32(0U, off_cycle(limits[i]));

@@ -190,7 +190,7 @@ void test_SWR_AXIS_018_a_late_cycle_drives_no_longer_than_the_card(void)
 
 void test_SWR_AXIS_019_half_the_counts_are_a_wrong_speed(void)
 {
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         use(&robot_neuro.axes[i]);
         TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_WRONG_SPEED, run(drive(true), 50, LONG_CYCLES));
         TEST_ASSERT_LESS_OR_EQUAL_UINT32(200U, driven_cycles);
@@ -204,7 +204,7 @@ void test_SWR_AXIS_019_half_the_counts_are_a_wrong_speed(void)
 
 void test_SWR_AXIS_019_motors_a_fifth_faster_or_slower_are_right(void)
 {
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         for (int32_t percent = 80; percent <= 120; percent += 10) {
             use(&robot_neuro.axes[i]);
             TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), percent, 2000U));

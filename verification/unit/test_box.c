@@ -102,7 +102,7 @@ static void drive(axis_index_t axis, bool is_upwards)
 
 static int position_of(axis_index_t axis)
 {
-    double positions[ROBOT_AXIS_COUNT];
+    double positions[ROBOT_AXIS_MAX];
 
     box_true_positions(&box, positions);
     return (int)positions[axis];
@@ -174,7 +174,7 @@ void test_SWR_BOX_002_a_pulled_emergency_stop_takes_the_torque_and_blames_no_car
 
 void test_SWR_BOX_004_axes_start_away_from_home_with_arbitrary_readings(void)
 {
-    static const int starts[ROBOT_AXIS_COUNT] = {-1575, 0, -1181, 3333, 0, 100, -300};
+    static const int starts[ROBOT_AXIS_MAX] = {-1575, 0, -1181, 3333, 0, 100, -300};
 
     for (axis_index_t axis = AXIS_HEAD; axis <= AXIS_YAW; axis++) {
         const int reading =
@@ -469,7 +469,7 @@ void test_SWR_BOX_003_show_lists_inputs_and_every_axis(void)
     order("motor rotation stuck");
     order("pedal a close");
     order("show");
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         TEST_ASSERT_NOT_NULL(strstr(reply, robot_neuro.axes[i].name));
     }
     TEST_ASSERT_NOT_NULL(

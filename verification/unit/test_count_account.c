@@ -231,8 +231,8 @@ void test_SWR_AXIS_019_of_what_is_more_than_enough_one_twelfth_is_given_back(voi
 /* As many ticks as 0.1 mm are; where these are fewer, eight. */
 void test_SWR_AXIS_019_a_sum_is_a_fault_beyond_the_way_and_from_eight_ticks_on(void)
 {
-    const int32_t most[ROBOT_AXIS_COUNT] = {8, 8, 8, 334, 12, 8, 8};
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    const int32_t most[ROBOT_AXIS_MAX] = {8, 8, 8, 334, 12, 8, 8};
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         for (int32_t missing = most[i] - 1; missing <= most[i]; missing++) {
             setUp();
             config = &robot_neuro.axes[i];

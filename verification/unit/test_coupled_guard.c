@@ -29,15 +29,15 @@ TEST_SOURCE_FILE("supervision.c")
 #define RESTING_TICKS 1
 
 static robot_t robot;
-static axis_t axes[ROBOT_AXIS_COUNT];
-static card_drive_t sent[ROBOT_AXIS_COUNT];
-static card_drive_t requests[ROBOT_AXIS_COUNT];
+static axis_t axes[ROBOT_AXIS_MAX];
+static card_drive_t sent[ROBOT_AXIS_MAX];
+static card_drive_t requests[ROBOT_AXIS_MAX];
 static const coupled_view_t view = {axes, sent, requests};
 
 void setUp(void)
 {
     robot = robot_neuro;
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         axis_init(&axes[i]);
         axes[i].chart.reference = AXIS_REFERENCE_VERIFIED;
         sent[i] = (card_drive_t){0U, 0U, 0U};
@@ -130,7 +130,7 @@ void test_SWR_COUPLE_001_outside_of_the_range_the_way_back_is_free(void)
 void test_SWR_COUPLE_001_a_limit_is_in_force_for_its_own_axes_once_both_are_homed(void)
 {
     axes[AXIS_HEAD].encoder.position_ticks = -8000;
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         const bool is_of_limit = (i == (uint32_t)AXIS_HEAD) || (i == (uint32_t)AXIS_FEET);
         TEST_ASSERT_FALSE(coupled_guard_blocks(&robot, &view, i));
         requests[i] = drive(i, i != (uint32_t)AXIS_HEAD);
@@ -155,7 +155,7 @@ static void put_feet_out(int32_t beyond_ticks)
 
 static void expect_barred(bool is_barred)
 {
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         const bool is_head = i == (uint32_t)AXIS_HEAD;
         TEST_ASSERT_EQUAL(is_head && is_barred, coupled_guard_bars_homing(&robot, axes, i));
         requests[i] = drive(i, true);

@@ -55,9 +55,9 @@ void test_SWR_COUPLE_002_an_end_has_the_margin_to_both_ends_of_the_range(void)
 
 void test_SWR_COUPLE_002_positions_of_all_axes_are_judged_by_the_limit_of_two(void)
 {
-    const int32_t near_ticks[ROBOT_AXIS_COUNT] = {-8000, 0, 0, 0, 0, 0, 0};
-    const int32_t far_ticks[ROBOT_AXIS_COUNT] = {0, -5000, 0, 0, 0, 0, 0};
-    const int32_t legal_ticks[ROBOT_AXIS_COUNT] = {-3000, 0, 0, 0, 0, 0, 0};
+    const int32_t near_ticks[ROBOT_AXIS_MAX] = {-8000, 0, 0, 0, 0, 0, 0};
+    const int32_t far_ticks[ROBOT_AXIS_MAX] = {0, -5000, 0, 0, 0, 0, 0};
+    const int32_t legal_ticks[ROBOT_AXIS_MAX] = {-3000, 0, 0, 0, 0, 0, 0};
     TEST_ASSERT_EQUAL(COUPLED_LIMIT_BELOW, coupled_limit_judge(&robot_neuro, near_ticks));
     TEST_ASSERT_EQUAL(COUPLED_LIMIT_ABOVE, coupled_limit_judge(&robot_neuro, far_ticks));
     TEST_ASSERT_EQUAL(COUPLED_LIMIT_INSIDE, coupled_limit_judge(&robot_neuro, legal_ticks));

@@ -94,7 +94,7 @@ void test_SWR_CTRL_004_every_card_of_the_robot_is_sent_off(void)
     const drives_off_t done = run();
     TEST_ASSERT_EQUAL_HEX32(ALL_SLOTS, told[0]);
     TEST_ASSERT_EQUAL_HEX32(ALL_SLOTS, done.told);
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         const card_command_t *const command = &heard[robot_neuro.axes[i].slot];
         TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_OFF, command->drive.mode);
         TEST_ASSERT_EQUAL_HEX32(CARD_CONTROL_CLEAR_FAULT, command->control);

@@ -170,7 +170,7 @@ static const robot_t robot = {
 
 void test_SWR_IGTL_012_joints_go_out_in_millimetres_and_radians(void)
 {
-    static const int32_t ticks[ROBOT_AXIS_COUNT] = {-250, 1024};
+    static const int32_t ticks[ROBOT_AXIS_MAX] = {-250, 1024};
     char text[IGTL_LIST_SIZE];
 
     igtl_border_write_positions(&robot, ticks, text);
@@ -179,7 +179,7 @@ void test_SWR_IGTL_012_joints_go_out_in_millimetres_and_radians(void)
 
 void test_SWR_IGTL_012_speeds_go_out_per_second(void)
 {
-    static const int32_t speeds_q8[ROBOT_AXIS_COUNT] = {25600, -262144};
+    static const int32_t speeds_q8[ROBOT_AXIS_MAX] = {25600, -262144};
     char text[IGTL_LIST_SIZE];
 
     igtl_border_write_speeds(&robot, speeds_q8, text);

@@ -40,6 +40,7 @@ static command_t command;
 void setUp(void)
 {
     (void)memset(&snapshot, 0, sizeof snapshot);
+    snapshot.axis_count = 7U;
     rigid_set_identity(&snapshot.scanner_treatment);
     moment = (igtl_moment_t){.now_us = 1000000U, .snapshot = &snapshot};
     transform_dialect_init(&dialect, &robot, 101U);

@@ -45,6 +45,7 @@ static command_t command;
 void setUp(void)
 {
     (void)memset(&snapshot, 0, sizeof snapshot);
+    snapshot.axis_count = 7U;
     (void)memset(&command, 0, sizeof command);
     rigid_set_identity(&snapshot.scanner_treatment);
     rigid_set_identity(&snapshot.scanner_target);

@@ -55,7 +55,7 @@ static void expect_one_way(double within_share)
 
 void test_SWR_AXIS_019_the_model_goes_where_the_motor_goes(void)
 {
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         const axis_config_t *const config = &robot_neuro.axes[i];
         const bool is_pwm = config->card_type == (uint8_t)CARD_TYPE_PWM;
         const uint32_t duty = (config->minimum_duty + config->maximum_duty) / 2U;

@@ -23,11 +23,11 @@ TEST_SOURCE_FILE("supervision.c")
 /* 0.625 mm of 3333.34 ticks. */
 #define OUT_TICKS 2083
 
-static axis_t axes[ROBOT_AXIS_COUNT];
+static axis_t axes[ROBOT_AXIS_MAX];
 
 void setUp(void)
 {
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         axis_init(&axes[i]);
     }
     axes[AXIS_INSERTION].chart.reference = AXIS_REFERENCE_VERIFIED;

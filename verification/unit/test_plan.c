@@ -56,7 +56,7 @@ void test_SWR_PLAN_004_a_target_that_is_not_rigid_is_refused(void)
 
 void test_SWR_PLAN_004_the_way_back_must_return_position_and_direction(void)
 {
-    const int32_t home_ticks[ROBOT_AXIS_COUNT] = {0, 0, 0, 33333, 0, 0, 0};
+    const int32_t home_ticks[ROBOT_AXIS_MAX] = {0, 0, 0, 33333, 0, 0, 0};
     neuro_joints_t joints;
     rigid_t pose;
     neuro_joints_from_ticks(&robot_neuro, home_ticks, &joints);

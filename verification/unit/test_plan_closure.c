@@ -20,7 +20,7 @@ TEST_SOURCE_FILE("robot_neuro.c")
 
 /* The two carriages apart: here the coupled limit is looked at by itself. */
 static robot_t lone;
-static int32_t planned_ticks[ROBOT_AXIS_COUNT];
+static int32_t planned_ticks[ROBOT_AXIS_MAX];
 static plan_t plan;
 static int32_t wrong_by_nm;
 
@@ -54,7 +54,7 @@ static void differ(const rigid_t *a, const rigid_t *b, int32_t *distance_nm, int
 }
 
 static void to_ticks(const robot_t *robot, const neuro_joints_t *joints,
-                     int32_t ticks[ROBOT_AXIS_COUNT], int calls)
+                     int32_t ticks[ROBOT_AXIS_MAX], int calls)
 {
     (void)robot;
     (void)joints;
@@ -62,7 +62,7 @@ static void to_ticks(const robot_t *robot, const neuro_joints_t *joints,
     (void)memcpy(ticks, planned_ticks, sizeof planned_ticks);
 }
 
-static void from_ticks(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_COUNT],
+static void from_ticks(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX],
                        neuro_joints_t *joints, int calls)
 {
     (void)robot;
@@ -75,7 +75,7 @@ void setUp(void)
 {
     rigid_t identity;
     rigid_set_identity(&identity);
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         const axis_config_t *const config = &robot_neuro.axes[i];
         planned_ticks[i] = (config->target_minimum_ticks / 2) + (config->target_maximum_ticks / 2);
     }
@@ -117,7 +117,7 @@ void test_SWR_PLAN_004_a_plan_within_the_closure_is_taken(void)
 /* Both ends of each axis, inside by nothing and outside by one. */
 void test_SWR_AXIS_020_a_plan_ends_inside_of_every_switch(void)
 {
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         const axis_config_t *const config = &robot_neuro.axes[i];
         const int32_t middle_ticks = planned_ticks[i];
         planned_ticks[i] = config->target_minimum_ticks;

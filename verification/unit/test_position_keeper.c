@@ -39,9 +39,10 @@ void setUp(void)
     position_keeper_open(&keeper, path);
     passed_us = 0U;
     (void)memset(&snapshot, 0, sizeof snapshot);
+    snapshot.axis_count = 7U;
     snapshot.power_on = POWER_ON;
     snapshot.robot_crc = ROBOT;
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < snapshot.axis_count; i++) {
         snapshot.axes[i].reference = (uint32_t)AXIS_REFERENCE_VERIFIED;
         snapshot.axes[i].position_ticks = 100 * (int32_t)i;
         snapshot.axes[i].reading_ticks = -7 * (int32_t)i;
@@ -76,7 +77,7 @@ void test_SWR_STORE_007_what_is_shown_is_kept(void)
     TEST_ASSERT_EQUAL_UINT64(UTC_US, found.utc_us);
     TEST_ASSERT_EQUAL_HEX32(POWER_ON, found.power_on);
     TEST_ASSERT_EQUAL_HEX32(ROBOT, found.robot_crc);
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < snapshot.axis_count; i++) {
         TEST_ASSERT_EQUAL_UINT32(KEPT_KNOWN, found.axes[i].grade);
         TEST_ASSERT_EQUAL_INT32(100 * (int32_t)i, found.axes[i].position_ticks);
         TEST_ASSERT_EQUAL_INT32(-7 * (int32_t)i, found.axes[i].reading_ticks);

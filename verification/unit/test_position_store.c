@@ -47,7 +47,7 @@ static position_record_t record_of(uint64_t number)
     position_record_t record = {
         .number = number, .utc_us = NOW_US, .power_on = POWER_ON, .robot_crc = ROBOT};
 
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < ROBOT_AXIS_MAX; i++) {
         record.axes[i] =
             (kept_axis_t){.grade = (uint32_t)KEPT_KNOWN,
                           .position_ticks = -1000 * (int32_t)i - (int32_t)number,
@@ -99,7 +99,7 @@ static uint32_t ask(uint64_t utc_us, uint32_t robot_crc, uint32_t power_on, bool
 
 static void assert_no_axis_is_kept(void)
 {
-    static const kept_axis_t none[ROBOT_AXIS_COUNT];
+    static const kept_axis_t none[ROBOT_AXIS_MAX];
 
     TEST_ASSERT_EQUAL_MEMORY(none, kept.axes, sizeof none);
 }

@@ -27,8 +27,8 @@ TEST_SOURCE_FILE("robot_neuro.c")
 #define CYCLE_S 0.001
 
 static profile_t profile;
-static int32_t start[ROBOT_AXIS_COUNT];
-static int32_t end[ROBOT_AXIS_COUNT];
+static int32_t start[ROBOT_AXIS_MAX];
+static int32_t end[ROBOT_AXIS_MAX];
 static uint32_t percent;
 static uint32_t random_state;
 
@@ -60,7 +60,7 @@ static int32_t random_end(const axis_config_t *axis, int32_t from)
 static void random_move(uint32_t slowest_percent, uint32_t fastest_percent)
 {
     percent = slowest_percent + random_below(fastest_percent - slowest_percent + 1U);
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         start[i] = random_place(&robot_neuro.axes[i]);
         end[i] = random_end(&robot_neuro.axes[i], start[i]);
     }
@@ -120,7 +120,7 @@ void tearDown(void)
 }
 
 /* Set-points of the last cycles, before the start at rest there. */
-static int32_t history[ROBOT_AXIS_COUNT][HISTORY];
+static int32_t history[ROBOT_AXIS_MAX][HISTORY];
 
 static void check_window(uint32_t axis, uint32_t now)
 {
@@ -139,13 +139,13 @@ static void check_positions(void)
     uint32_t now = 0U;
     uint32_t cycles_at_end = 0U;
 
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         for (uint32_t k = 0U; k < HISTORY; k++) {
             history[i][k] = start[i];
         }
     }
     while (cycles_at_end < HISTORY) {
-        for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
             history[i][now % HISTORY] = profile_position_ticks(&profile, i);
             check_window(i, now);
         }
@@ -157,12 +157,12 @@ static void check_positions(void)
 
 static void check_speeds(void)
 {
-    double before[ROBOT_AXIS_COUNT] = {0.0};
+    double before[ROBOT_AXIS_MAX] = {0.0};
     bool is_end = false;
 
     while (!is_end) {
         is_end = profile_is_finished(&profile);
-        for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
             const double now = speed_of(i);
             TEST_ASSERT_TRUE(fabs(now) <= speed_limit(i) + 1.0 / 256.0);
             TEST_ASSERT_TRUE(fabs(now - before[i]) <=
@@ -171,7 +171,7 @@ static void check_speeds(void)
         }
         profile_step(&profile);
     }
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         TEST_ASSERT_TRUE(before[i] == 0.0);
     }
 }
@@ -189,11 +189,11 @@ void test_SWR_MOTION_001_set_point_speeds_keep_speed_and_acceleration_of_each_ax
 /* The area under the speed is the way, up to the rounding of both. */
 static void check_area(void)
 {
-    double area[ROBOT_AXIS_COUNT] = {0.0};
+    double area[ROBOT_AXIS_MAX] = {0.0};
 
     while (!profile_is_finished(&profile)) {
         const double slack = 0.5 + (profile.cycle + 1.0) * CYCLE_S / 512.0;
-        for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
             const double half = speed_of(i) * CYCLE_S / 2.0;
             const double done = profile_position_ticks(&profile, i) - start[i];
             area[i] += half;
@@ -236,12 +236,12 @@ static void check_shares(void)
 {
     while (!profile_is_finished(&profile)) {
         uint32_t longest = 0U;
-        for (uint32_t i = 1U; i < ROBOT_AXIS_COUNT; i++) {
+        for (uint32_t i = 1U; i < robot_neuro.axis_count; i++) {
             longest = (fabs(way_of(i)) > fabs(way_of(longest))) ? i : longest;
         }
         const double share =
             (profile_position_ticks(&profile, longest) - start[longest]) / way_of(longest);
-        for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
             const double done = profile_position_ticks(&profile, i) - start[i];
             TEST_ASSERT_TRUE(fabs(done - share * way_of(i)) <= 1.0 + 1e-9);
         }
@@ -267,7 +267,7 @@ static bool is_measurable(uint32_t axis)
 static void check_common_time(void)
 {
     while (!profile_is_finished(&profile)) {
-        for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
             if ((profile.cycle == 0U) || (way_of(i) == 0.0)) {
                 TEST_ASSERT_TRUE(speed_of(i) == 0.0);
             } else if (is_measurable(i)) {
@@ -276,7 +276,7 @@ static void check_common_time(void)
         }
         profile_step(&profile);
     }
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         TEST_ASSERT_TRUE(speed_of(i) == 0.0);
     }
 }
@@ -292,7 +292,7 @@ static void check_duration(void)
     double plateau = 0.0;
     double product = 0.0;
 
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         plateau = fmax(plateau, fabs(way_of(i)) / speed_limit(i));
         product = fmax(product, fabs(way_of(i)) / acceleration_limit(i));
     }
@@ -338,7 +338,7 @@ static void check_end(void)
     }
     for (uint32_t k = 0U; k < 5U; k++) {
         TEST_ASSERT_TRUE(profile_is_finished(&profile));
-        for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
             TEST_ASSERT_EQUAL_INT32(end[i], profile_position_ticks(&profile, i));
         }
         profile_step(&profile);
@@ -352,15 +352,15 @@ void test_SWR_MOTION_003_the_last_set_point_is_the_target(void)
 
 static void check_monotone(void)
 {
-    int32_t before[ROBOT_AXIS_COUNT];
+    int32_t before[ROBOT_AXIS_MAX];
 
     (void)memcpy(before, start, sizeof before);
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         TEST_ASSERT_EQUAL_INT32(start[i], profile_position_ticks(&profile, i));
     }
     while (!profile_is_finished(&profile)) {
         profile_step(&profile);
-        for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
             const int32_t now = profile_position_ticks(&profile, i);
             TEST_ASSERT_TRUE((end[i] >= start[i]) ? (now >= before[i]) : (now <= before[i]));
             before[i] = now;
@@ -428,11 +428,11 @@ void test_SWR_PEDAL_005_a_move_taken_up_again_starts_where_the_axes_are_with_zer
         for (uint32_t k = 0U; k < stop; k++) {
             profile_step(&profile);
         }
-        for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
             start[i] = profile_position_ticks(&profile, i) + (int32_t)random_below(5U) - 2;
         }
         profile_plan(&profile, &robot_neuro, start, end, percent);
-        for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+        for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
             TEST_ASSERT_EQUAL_INT32(start[i], profile_position_ticks(&profile, i));
             TEST_ASSERT_TRUE(speed_of(i) == 0.0);
         }

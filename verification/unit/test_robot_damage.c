@@ -44,7 +44,7 @@ void test_SWR_MEMORY_004_every_byte_belongs_to_a_part_whose_damage_is_named(void
             const size_t row = (i - offsetof(robot_t, axes)) / sizeof(axis_config_t);
             const size_t place = (i - offsetof(robot_t, axes)) % sizeof(axis_config_t);
             const bool is_used = place < (offsetof(axis_config_t, seal) + 4U);
-            expected = is_used ? ((uint32_t)1U << row) : 0U;
+            expected = (is_used && (row < robot.axis_count)) ? ((uint32_t)1U << row) : 0U;
         }
         ((uint8_t *)&robot)[i] ^= (uint8_t)(1U << (i % 8U));
         TEST_ASSERT_EQUAL_HEX32(expected, robot_damage(&robot));

@@ -375,8 +375,8 @@ static int32_t run_axis(motor_t *motor, const axis_config_t *config, const profi
 static void expect_arrival(uint32_t axis, int32_t from, int32_t to)
 {
     const axis_config_t *const config = &robot_neuro.axes[axis];
-    int32_t start[ROBOT_AXIS_COUNT] = {0};
-    int32_t end[ROBOT_AXIS_COUNT] = {0};
+    int32_t start[ROBOT_AXIS_MAX] = {0};
+    int32_t end[ROBOT_AXIS_MAX] = {0};
     motor_t motor = {.position_ticks = from + 0.5};
     profile_t profile;
 
@@ -415,7 +415,7 @@ static void expect_arrivals_with(card_type_t card_type, uint32_t axes)
 {
     uint32_t checked = 0U;
 
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         if (robot_neuro.axes[i].card_type == (uint8_t)card_type) {
             expect_arrivals(i);
             checked++;

@@ -5,14 +5,19 @@
 
 #include <string.h>
 
-void rig_start(rig_t *self)
+void rig_start_robot(rig_t *self, const robot_t *robot)
 {
     (void)memset(self, 0, sizeof *self);
-    box_init(&self->box, &robot_neuro, 1U);
-    self->robot = robot_neuro;
+    box_init(&self->box, robot, 1U);
+    self->robot = *robot;
     controller_init(&self->controller, &self->robot);
     self->elapsed_us = 1000U;
     rig_cycles(self, 20U);
+}
+
+void rig_start(rig_t *self)
+{
+    rig_start_robot(self, &robot_neuro);
 }
 
 static void gather(rig_t *self)
@@ -211,7 +216,7 @@ void rig_expect_nothing_known(const rig_t *self, uint32_t axis)
 card_command_t rig_sent(const rig_t *self, uint32_t axis)
 {
     card_command_t command;
-    const uint32_t slot = robot_neuro.axes[axis].slot;
+    const uint32_t slot = self->box.robot->axes[axis].slot;
     TEST_ASSERT_EQUAL(CARD_FRAME_OK,
                       card_frame_decode_command(self->outputs.frames[slot], slot, &command));
     return command;
@@ -219,7 +224,7 @@ card_command_t rig_sent(const rig_t *self, uint32_t axis)
 
 bool rig_is_driving(const rig_t *self)
 {
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < self->box.robot->axis_count; i++) {
         const card_drive_t drive = rig_sent(self, i).drive;
         if ((drive.mode != 0U) || (drive.direction != 0U) || (drive.duty != 0U)) {
             return true;

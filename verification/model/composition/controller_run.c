@@ -86,7 +86,7 @@ static uint32_t permit_of(uint32_t axis, uint32_t card)
                               (1U << PERMIT_REASON_COUPLED_LIMIT) | (1U << PERMIT_REASON_NEEDLE_IN);
     const bool is_allowed = (rig.controller.permit_reasons[axis] & ~left_out) == 0U;
     bool is_another_lost = false;
-    for (uint32_t i = 0U; i < ROBOT_AXIS_COUNT; i++) {
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         is_another_lost =
             is_another_lost || ((i != card) && !link_is_usable(&rig.controller.links[i]));
     }
@@ -108,24 +108,24 @@ static row_t row_of(uint32_t axis)
     add(&row, estop_latch_number(&self->estop));
     add(&row, card_link_number(&self->links[axis].chart));
     for (uint32_t i = 0U; i < AXES; i++) {
-        add(&row, axis_number(&self->axes[(axis + i) % ROBOT_AXIS_COUNT].chart));
+        add(&row, axis_number(&self->axes[(axis + i) % robot_neuro.axis_count].chart));
     }
     for (uint32_t i = 0U; i < AXES; i++) {
-        add(&row,
-            stall_watchdog_number(&self->axes[(axis + i) % ROBOT_AXIS_COUNT].supervision.stall));
+        add(&row, stall_watchdog_number(
+                      &self->axes[(axis + i) % robot_neuro.axis_count].supervision.stall));
     }
     add(&row, workphases_number(&self->workphases));
     add(&row, plan_of(&self->plan));
     add(&row, scanner_of(&rig.inputs));
     for (uint32_t i = 0U; i < AXES; i++) {
-        add(&row, permit_of((axis + i) % ROBOT_AXIS_COUNT, axis));
+        add(&row, permit_of((axis + i) % robot_neuro.axis_count, axis));
     }
     return row;
 }
 
 static void note(uint32_t axis)
 {
-    static row_t last[ROBOT_AXIS_COUNT];
+    static row_t last[ROBOT_AXIS_MAX];
     const row_t row = row_of(axis);
     if (memcmp(&row, &last[axis], sizeof row) != 0) {
         last[axis] = row;
@@ -158,7 +158,7 @@ static void command(void)
         break;
     case 1:
         one = (command_t){.kind = (uint32_t)COMMAND_JOG,
-                          .argument = random_below(ROBOT_AXIS_COUNT),
+                          .argument = random_below(robot_neuro.axis_count),
                           .value = (int32_t)random_below(2000U)};
         break;
     case 2:
@@ -189,7 +189,7 @@ static void run_episode(uint32_t patience)
         }
         rig.elapsed_us = (random_below(patience * 2U) < 3U) ? 2000U : 1000U;
         rig_cycle(&rig);
-        for (uint32_t axis = 0U; axis < ROBOT_AXIS_COUNT; axis++) {
+        for (uint32_t axis = 0U; axis < robot_neuro.axis_count; axis++) {
             note(axis);
         }
     }

@@ -36,7 +36,7 @@ static double height(const robot_t *robot, double separation_mm)
     return sqrt(link * link - half * half);
 }
 
-static void rcm(const robot_t *robot, const double joint[ROBOT_AXIS_COUNT], double point_mm[3])
+static void rcm(const robot_t *robot, const double joint[ROBOT_AXIS_MAX], double point_mm[3])
 {
     const double home = robot->neuro.home_separation_nm / NM_PER_MM;
     const double separation = home + joint[AXIS_HEAD] - joint[AXIS_FEET];
@@ -48,9 +48,9 @@ static void rcm(const robot_t *robot, const double joint[ROBOT_AXIS_COUNT], doub
 }
 
 void neuro_reference_joints(const robot_t *robot, const neuro_joints_t *joints,
-                            double joint[ROBOT_AXIS_COUNT])
+                            double joint[ROBOT_AXIS_MAX])
 {
-    for (unsigned i = 0; i < ROBOT_AXIS_COUNT; i++) {
+    for (unsigned i = 0; i < robot->axis_count; i++) {
         const bool is_angle = robot->axes[i].unit == AXIS_UNIT_RAD;
         joint[i] = is_angle ? joints->value[i] * (PI / 2147483648.0) : joints->value[i] / NM_PER_MM;
     }
@@ -62,7 +62,7 @@ double neuro_reference_limit(const axis_config_t *axis, int32_t ticks)
     return (axis->unit == AXIS_UNIT_RAD) ? units * (PI / 2147483648.0) : units / NM_PER_MM;
 }
 
-void neuro_reference_forward(const robot_t *robot, const double joint[ROBOT_AXIS_COUNT],
+void neuro_reference_forward(const robot_t *robot, const double joint[ROBOT_AXIS_MAX],
                              neuro_reference_pose_t *pose)
 {
     const double roll = joint[AXIS_ROTATION];
@@ -80,7 +80,7 @@ void neuro_reference_forward(const robot_t *robot, const double joint[ROBOT_AXIS
     }
 }
 
-void neuro_reference_entry(const robot_t *robot, const double joint[ROBOT_AXIS_COUNT],
+void neuro_reference_entry(const robot_t *robot, const double joint[ROBOT_AXIS_MAX],
                            double entry_mm[3])
 {
     const double lever =
@@ -94,7 +94,7 @@ void neuro_reference_entry(const robot_t *robot, const double joint[ROBOT_AXIS_C
 }
 
 bool neuro_reference_inverse(const robot_t *robot, const neuro_reference_pose_t *pose,
-                             double depth_mm, double joint[ROBOT_AXIS_COUNT])
+                             double depth_mm, double joint[ROBOT_AXIS_MAX])
 {
     const double lever =
         depth_mm +
@@ -135,13 +135,13 @@ static double margin_of(double value, double minimum, double maximum)
     return fmin(value - minimum, maximum - value) / (maximum - minimum);
 }
 
-double neuro_reference_margin(const robot_t *robot, const double joint[ROBOT_AXIS_COUNT])
+double neuro_reference_margin(const robot_t *robot, const double joint[ROBOT_AXIS_MAX])
 {
     const double separation =
         robot->neuro.home_separation_nm / NM_PER_MM + joint[AXIS_HEAD] - joint[AXIS_FEET];
     double smallest = margin_of(separation, robot->neuro.minimum_separation_nm / NM_PER_MM,
                                 robot->neuro.maximum_separation_nm / NM_PER_MM);
-    for (unsigned i = 0; i < ROBOT_AXIS_COUNT; i++) {
+    for (unsigned i = 0; i < robot->axis_count; i++) {
         const axis_config_t *axis = &robot->axes[i];
         smallest =
             fmin(smallest, margin_of(joint[i], neuro_reference_limit(axis, axis->minimum_ticks),
@@ -150,9 +150,9 @@ double neuro_reference_margin(const robot_t *robot, const double joint[ROBOT_AXI
     return smallest;
 }
 
-double neuro_reference_depth_margin(const robot_t *robot, const double joint[ROBOT_AXIS_COUNT])
+double neuro_reference_depth_margin(const robot_t *robot, const double joint[ROBOT_AXIS_MAX])
 {
-    double others[ROBOT_AXIS_COUNT];
+    double others[ROBOT_AXIS_MAX];
     memcpy(others, joint, sizeof others);
     for (unsigned i = AXIS_ROTATION; i <= AXIS_YAW; i++) {
         const axis_config_t *axis = &robot->axes[i];
