@@ -85,13 +85,13 @@ $(GEN)/charts/charts.json: $(wildcard statecharts/*.scxml tools/chart_compiler.r
 
 $(CHART_SOURCES): $(GEN)/charts/charts.json ;
 
-$(GEN)/robot/robot_neuro.c: core/robot/neuro.yaml core/robot/robot.h tools/robot_compiler.rb $(wildcard tools/robot/*.rb)
+$(GEN)/robot/robot_neuro.c: core/robot/neuro.yaml core/card/card.h core/robot/robot.h tools/robot_compiler.rb $(wildcard tools/robot/*.rb)
 	ruby tools/robot_compiler.rb core/robot/neuro.yaml $(GEN)/robot
 
 INTERFACE_PARTS := $(wildcard core/interface/*.yml tools/interface_compiler.rb tools/interface/*.rb)
 # What of the exchange's segment is declared elsewhere.
 LAYOUT_HEADERS := app/exchange/exchange.h app/exchange/exchange_segment.h core/controller/controller.h \
-    core/kinematics/rigid.h core/robot/robot.h $(GEN)/limits/requirement_limits.h
+    core/kinematics/rigid.h core/robot/robot.h core/card/card.h $(GEN)/limits/requirement_limits.h
 $(GEN)/interface/.compiled: $(INTERFACE_PARTS) $(LAYOUT_HEADERS) $(GEN)/charts/charts.json
 	ruby tools/interface_compiler.rb core/interface $(GEN)/charts/charts.json $(GEN)/interface $(LAYOUT_HEADERS)
 	@touch $@

@@ -53,7 +53,7 @@ static const int stop_signals[] = {SIGHUP,  SIGINT,  SIGQUIT, SIGUSR1,   SIGUSR2
 static const int crash_signals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS};
 
 /* C99 adds no const through an array pointer by itself. */
-static uint32_t exchange_frames(uint8_t received[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES])
+static uint32_t exchange_frames(uint8_t received[CARD_SLOT_COUNT][CARD_FRAME_BYTES])
 {
     return bsp_exchange(outputs.frames_to_send, (const uint8_t(*)[CARD_FRAME_BYTES])outputs.frames,
                         received, LIMIT_EXCHANGE_TIMEOUT_US);

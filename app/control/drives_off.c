@@ -6,8 +6,8 @@
 
 #include <stdio.h>
 
-static uint8_t frames[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES];
-static uint8_t received[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES];
+static uint8_t frames[CARD_SLOT_COUNT][CARD_FRAME_BYTES];
+static uint8_t received[CARD_SLOT_COUNT][CARD_FRAME_BYTES];
 
 static uint32_t write_frames(const robot_t *robot, uint32_t sequence, uint32_t time_us)
 {
@@ -30,7 +30,7 @@ static uint32_t write_frames(const robot_t *robot, uint32_t sequence, uint32_t t
 static uint32_t confirmed(uint32_t answered, uint32_t first, uint32_t sequence)
 {
     uint32_t slots = 0U;
-    for (uint32_t slot = 0U; slot < ROBOT_SLOT_COUNT; slot++) {
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
         card_report_t report;
         if (((answered & (1U << slot)) != 0U) &&
             (card_frame_decode_report(received[slot], slot, &report) == CARD_FRAME_OK) &&

@@ -8,7 +8,7 @@
 #define BORESIGHT_BSP_H
 
 #include "card_frame.h"
-#include "robot.h"
+#include "card.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -50,8 +50,8 @@ bool bsp_open(const char *name, char *error, uint32_t error_size);
  *
  * @return bit n set: `received[n]` holds the 256 bytes that came back from slot n
  */
-uint32_t bsp_exchange(uint32_t send, const uint8_t frames[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES],
-                      uint8_t received[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES], uint32_t timeout_us);
+uint32_t bsp_exchange(uint32_t send, const uint8_t frames[CARD_SLOT_COUNT][CARD_FRAME_BYTES],
+                      uint8_t received[CARD_SLOT_COUNT][CARD_FRAME_BYTES], uint32_t timeout_us);
 
 /**
  * Samples the digital inputs: each as unsafe (pedal open, e-stop open, scanner active, button

@@ -67,8 +67,8 @@ static bool exchange_card(box_axis_t *axis, const uint8_t frame[CARD_FRAME_BYTES
 }
 
 uint32_t box_exchange(box_t *self, uint32_t send,
-                      const uint8_t frames[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES],
-                      uint8_t received[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES])
+                      const uint8_t frames[CARD_SLOT_COUNT][CARD_FRAME_BYTES],
+                      uint8_t received[CARD_SLOT_COUNT][CARD_FRAME_BYTES])
 {
     uint32_t answered = 0U;
 

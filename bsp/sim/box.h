@@ -79,8 +79,8 @@ void box_init(box_t *self, const robot_t *robot, uint32_t seed);
  * @return bit n set: `received[n]` was filled by slot n
  */
 uint32_t box_exchange(box_t *self, uint32_t send,
-                      const uint8_t frames[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES],
-                      uint8_t received[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES]);
+                      const uint8_t frames[CARD_SLOT_COUNT][CARD_FRAME_BYTES],
+                      uint8_t received[CARD_SLOT_COUNT][CARD_FRAME_BYTES]);
 
 /** Lets `us` pass, in steps of SIM_STEP_US; a rest is kept for the next call. */
 void box_advance(box_t *self, uint32_t us);

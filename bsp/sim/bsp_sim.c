@@ -60,8 +60,8 @@ static bool await_reply(uint32_t number, uint32_t timeout_us)
     return is_answered;
 }
 
-uint32_t bsp_exchange(uint32_t send, const uint8_t frames[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES],
-                      uint8_t received[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES], uint32_t timeout_us)
+uint32_t bsp_exchange(uint32_t send, const uint8_t frames[CARD_SLOT_COUNT][CARD_FRAME_BYTES],
+                      uint8_t received[CARD_SLOT_COUNT][CARD_FRAME_BYTES], uint32_t timeout_us)
 {
     wire_t *wire = port.wire;
     const uint32_t number = wire_load(&wire->request) + 1U;
@@ -76,7 +76,7 @@ uint32_t bsp_exchange(uint32_t send, const uint8_t frames[ROBOT_SLOT_COUNT][CARD
         return 0U;
     }
     const uint32_t answered = wire->received & send;
-    for (uint32_t slot = 0U; slot < ROBOT_SLOT_COUNT; slot++) {
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
         if ((answered & (1U << slot)) != 0U) {
             (void)memcpy(received[slot], wire->replies[slot], CARD_FRAME_BYTES);
         }

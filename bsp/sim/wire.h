@@ -45,8 +45,8 @@ typedef struct {
     uint32_t reply;      /**< Number of the newest exchange answered; control sleeps on it. */
     uint32_t send;
     uint32_t received;
-    uint8_t frames[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES];
-    uint8_t replies[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES];
+    uint8_t frames[CARD_SLOT_COUNT][CARD_FRAME_BYTES];
+    uint8_t replies[CARD_SLOT_COUNT][CARD_FRAME_BYTES];
     uint32_t order_request; /**< The same for orders. */
     uint32_t order_reply;
     uint32_t order_done; /**< 1: carried out, 0: refused. */

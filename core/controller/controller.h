@@ -47,7 +47,7 @@ typedef struct {
     uint32_t frames_received; /**< Bit n: frames[n] was received in this cycle. */
     uint32_t command_count;   /**< 0..CONTROLLER_COMMANDS. */
     command_t commands[CONTROLLER_COMMANDS];
-    uint8_t frames[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES];
+    uint8_t frames[CARD_SLOT_COUNT][CARD_FRAME_BYTES];
 } controller_inputs_t;
 
 /** Everything the controller says in one cycle. Fixed layout, no padding; recorded. */
@@ -59,7 +59,7 @@ typedef struct {
     answer_t answers[CONTROLLER_ANSWERS];
     event_t events[CONTROLLER_EVENTS];
     snapshot_t snapshot;
-    uint8_t frames[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES];
+    uint8_t frames[CARD_SLOT_COUNT][CARD_FRAME_BYTES];
 } controller_outputs_t;
 
 /** The long command that will be answered again. */

@@ -118,7 +118,7 @@ static void send(controller_t *self, const cycle_t *cycle, uint32_t index, uint3
 static void clear_unused_frames(const cycle_t *cycle)
 {
     controller_outputs_t *const outputs = cycle->outputs;
-    for (uint32_t i = 0U; i < ROBOT_SLOT_COUNT; i++) {
+    for (uint32_t i = 0U; i < CARD_SLOT_COUNT; i++) {
         if ((outputs->frames_to_send & ((uint32_t)1U << i)) == 0U) {
             (void)memset(outputs->frames[i], 0, CARD_FRAME_BYTES);
         }

@@ -59,7 +59,7 @@ static inline bool controller_is_blind(const controller_t *self)
  */
 static inline uint32_t controller_slot(const controller_t *self, uint32_t index)
 {
-    return self->links[index].slot % ROBOT_SLOT_COUNT;
+    return self->links[index].slot % CARD_SLOT_COUNT;
 }
 
 /** The card of axis `index` was lost: so are the target, the order and, unless it is only

@@ -7,10 +7,11 @@
 #ifndef BORESIGHT_ROBOT_H
 #define BORESIGHT_ROBOT_H
 
+#include "card.h"
+
 #include <stdint.h>
 
 #define ROBOT_AXIS_MAX 10U      /**< Most axes of any robot; what a robot has is axis_count. */
-#define ROBOT_SLOT_COUNT 10U    /**< Card slots of the control box. */
 #define ROBOT_COUPLED_LIMITS 1U /**< Most coupled limits of any robot. */
 
 /** Index of a NeuroRobot axis; the order of the arguments of forward kinematics (thesis, Listing
@@ -24,12 +25,6 @@ typedef enum {
     AXIS_PITCH = 5,
     AXIS_YAW = 6
 } axis_index_t;
-
-typedef enum {
-    CARD_TYPE_NONE = 0,
-    CARD_TYPE_PWM = 1,    /**< Speed by a 17-bit duty word. */
-    CARD_TYPE_NON_PWM = 2 /**< Run or stop, and direction. */
-} card_type_t;
 
 typedef enum {
     HOME_BY_SWITCH = 0, /**< Drives to its limit switch. */

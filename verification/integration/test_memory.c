@@ -325,12 +325,12 @@ void test_SWR_MEMORY_006_a_wild_slot_or_axis_stays_within_its_array(void)
         rig.controller.links[AXIS_YAW].slot = ((uint32_t)1U << bit) + 3U;
         controller_seal(&rig.controller);
         controller_step(&rig.controller, &rig.robot, &rig.inputs, &rig.outputs);
-        TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.frames_to_send >> ROBOT_SLOT_COUNT);
+        TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.frames_to_send >> CARD_SLOT_COUNT);
     }
     (void)memset(&rig.robot.axes[AXIS_PITCH], 0xFF, sizeof rig.robot.axes[0]);
     controller_init(&rig.controller, &rig.robot);
     controller_step(&rig.controller, &rig.robot, &rig.inputs, &rig.outputs);
-    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.frames_to_send >> ROBOT_SLOT_COUNT);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.frames_to_send >> CARD_SLOT_COUNT);
     rig_start_homed(&rig);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);

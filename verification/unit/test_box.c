@@ -24,9 +24,9 @@ TEST_SOURCE_FILE("robot_neuro.c")
 #define USED_SLOTS 0x0FEU /* 1..7 */
 
 static box_t box;
-static card_command_t commands[ROBOT_SLOT_COUNT];
-static uint8_t sent[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES];
-static uint8_t received[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES];
+static card_command_t commands[CARD_SLOT_COUNT];
+static uint8_t sent[CARD_SLOT_COUNT][CARD_FRAME_BYTES];
+static uint8_t received[CARD_SLOT_COUNT][CARD_FRAME_BYTES];
 static char reply[BOX_REPLY_SIZE];
 
 static uint32_t exchange(uint32_t send);
@@ -34,7 +34,7 @@ static uint32_t exchange(uint32_t send);
 /* What the cards want to hear first. */
 static void begin_sequence(void)
 {
-    for (uint32_t slot = 0U; slot < ROBOT_SLOT_COUNT; slot++) {
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
         commands[slot] = (card_command_t){.slot = slot, .control = CARD_CONTROL_CLEAR_FAULT};
     }
     (void)exchange(ALL_SLOTS);
@@ -44,7 +44,7 @@ static void start(uint32_t seed)
 {
     box_init(&box, &robot_neuro, seed);
     begin_sequence();
-    for (uint32_t slot = 0U; slot < ROBOT_SLOT_COUNT; slot++) {
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
         commands[slot] = (card_command_t){.slot = slot,
                                           .sequence = 1U,
                                           .control = CARD_CONTROL_AMPLIFIER,
@@ -63,7 +63,7 @@ void tearDown(void)
 
 static uint32_t exchange(uint32_t send)
 {
-    for (uint32_t slot = 0U; slot < ROBOT_SLOT_COUNT; slot++) {
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
         commands[slot].sequence++;
         card_frame_encode_command(&commands[slot], sent[slot]);
     }

@@ -34,8 +34,8 @@ static char error[200];
 static wire_port_t served;
 static bool is_serving;
 static const bsp_time_t real_time = {.is_elastic = false, .slowness = 1U};
-static uint8_t sent[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES];
-static uint8_t received[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES];
+static uint8_t sent[CARD_SLOT_COUNT][CARD_FRAME_BYTES];
+static uint8_t received[CARD_SLOT_COUNT][CARD_FRAME_BYTES];
 
 void setUp(void)
 {

@@ -56,7 +56,7 @@ static end_t end;
 static int end_signal;
 static bool is_box_lost;
 static uint64_t now_ns;
-static card_command_t before[ROBOT_SLOT_COUNT];
+static card_command_t before[CARD_SLOT_COUNT];
 static char said[TEXT_SIZE];
 
 static void report(uint32_t slot, uint8_t bytes[CARD_FRAME_BYTES])
@@ -67,16 +67,15 @@ static void report(uint32_t slot, uint8_t bytes[CARD_FRAME_BYTES])
 }
 
 /* A report is from before the frame is heard. */
-static uint32_t exchange_all(uint32_t send,
-                             const uint8_t frames[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES],
-                             uint8_t received[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES],
+static uint32_t exchange_all(uint32_t send, const uint8_t frames[CARD_SLOT_COUNT][CARD_FRAME_BYTES],
+                             uint8_t received[CARD_SLOT_COUNT][CARD_FRAME_BYTES],
                              uint32_t timeout_us, int calls)
 {
     heard_t *const heard = &record->heard[record->count % MOST_EXCHANGES];
     (void)timeout_us;
     (void)calls;
     *heard = (heard_t){.lowest_sequence = UINT32_MAX};
-    for (uint32_t slot = 0U; slot < ROBOT_SLOT_COUNT; slot++) {
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
         card_command_t command;
         report(slot, received[slot]);
         if (((send & (1U << slot)) == 0U) ||

@@ -26,7 +26,7 @@ static uint32_t driving; /* Go on, whatever they are told. */
 
 /* What control did. */
 static uint32_t exchanges;
-static card_command_t heard[ROBOT_SLOT_COUNT]; /* The last ones. */
+static card_command_t heard[CARD_SLOT_COUNT]; /* The last ones. */
 static uint32_t told[LIMIT_OFF_EXCHANGES];
 
 static void answer(uint32_t slot, uint8_t bytes[CARD_FRAME_BYTES])
@@ -43,14 +43,14 @@ static void answer(uint32_t slot, uint8_t bytes[CARD_FRAME_BYTES])
 }
 
 /* A report is from before the frame is heard. */
-static uint32_t exchange(uint32_t send, const uint8_t frames[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES],
-                         uint8_t received[ROBOT_SLOT_COUNT][CARD_FRAME_BYTES], uint32_t timeout_us,
+static uint32_t exchange(uint32_t send, const uint8_t frames[CARD_SLOT_COUNT][CARD_FRAME_BYTES],
+                         uint8_t received[CARD_SLOT_COUNT][CARD_FRAME_BYTES], uint32_t timeout_us,
                          int calls)
 {
     TEST_ASSERT_EQUAL_UINT32(LIMIT_EXCHANGE_TIMEOUT_US, timeout_us);
     TEST_ASSERT_EQUAL_INT((int)exchanges, calls);
     told[exchanges] = send;
-    for (uint32_t slot = 0U; slot < ROBOT_SLOT_COUNT; slot++) {
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
         if ((send & answering & (1U << slot)) != 0U) {
             answer(slot, received[slot]);
         }

@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file What the control box can hold: slots with daughter cards. Nothing here is of a robot. */
+#ifndef BORESIGHT_CARD_H
+#define BORESIGHT_CARD_H
+
+#define CARD_SLOT_COUNT 10U /**< Card slots of the control box. */
+
+typedef enum {
+    CARD_TYPE_NONE = 0,
+    CARD_TYPE_PWM = 1,    /**< Speed by a 17-bit duty word. */
+    CARD_TYPE_NON_PWM = 2 /**< Run or stop, and direction. */
+} card_type_t;
+
+#endif
