@@ -6,7 +6,6 @@
 #include "messages.h"
 #include "stop_desk.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -14,7 +14,7 @@ module Interface
     }.freeze
     KINDS = %w[chart bits].freeze
 
-    attr_reader :of
+    attr_reader :enumeration, :structure, :leaves
 
     def initialize(node)
       @node = node
@@ -38,8 +38,6 @@ module Interface
                      'core/interface') unless @enumeration || @structure
       end
     end
-
-    attr_reader :enumeration, :structure, :leaves
 
     def c
       return PLAIN[@kind].first if PLAIN.key?(@kind)
