@@ -19,7 +19,8 @@ endif
 endif
 
 ALL_APP := $(wildcard app/*/*.c bsp/sim/*.c)
-OBJECTS := $(call object,$(CORE_SOURCES) $(ALL_APP) $(NAMES) $(GEN)/interface/app/messages.c $(GEN)/assets/assets.c $(GEN)/assets/chart_names.c)
+OBJECTS := $(call object,$(CORE_SOURCES) $(ALL_APP) $(NAMES) $(GEN)/interface/app/event_words.c \
+    $(GEN)/interface/app/messages.c $(GEN)/interface/app/columns.c $(GEN)/assets/assets.c $(GEN)/assets/chart_names.c)
 
 generated: $(GENERATED)
 
@@ -48,7 +49,7 @@ worst-case-approve: worst-case
 	@cp build/conformance/worst_case.yml verification/model/worst_case.yml
 
 TESTED := $(filter-out %_main.c app/http/% app/supervisor/%,$(CORE_SOURCES) $(ALL_APP)) \
-    $(NAMES)
+    $(NAMES) $(GEN)/interface/app/event_words.c
 $(OUT)/libtest.a: $(call object,$(TESTED))
 	@rm -f $@; ar rcs $@ $^
 

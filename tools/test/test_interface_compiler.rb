@@ -7,11 +7,11 @@
 require 'json'
 require 'minitest/autorun'
 require 'open3'
+require 'stringio'
 require 'tmpdir'
+require_relative '../interface_compiler'
 
 class TestInterfaceCompiler < Minitest::Test
-  ROOT = File.expand_path('../..', __dir__)
-  TOOL = File.join(ROOT, 'tools/interface_compiler.rb')
   CHARTS = { 'charts' => [{ 'name' => 'lamp', 'regions' => [
     { 'name' => 'state', 'leaves' => [{ 'id' => 'bright', 'value' => 1 }, { 'id' => 'dark', 'value' => 0 }] }
   ] }] }.freeze
@@ -294,16 +294,16 @@ class TestInterfaceCompiler < Minitest::Test
 
   def refusal(files)
     in_folder(files) do |folder, output|
-      text, status = run_tool(folder, output)
-      refute status.success?
+      text, is_content = run_tool(folder, output)
+      refute is_content
       text
     end
   end
 
   def with_output(files = {})
     in_folder(files) do |folder, output|
-      text, status = run_tool(folder, output)
-      assert status.success?, text
+      text, is_content = run_tool(folder, output)
+      assert is_content, text
       yield output
     end
   end
@@ -318,16 +318,19 @@ class TestInterfaceCompiler < Minitest::Test
     end
   end
 
+  # What it says, and whether it is content.
   def run_tool(folder, output, *headers)
-    Open3.capture2e('ruby', TOOL, folder, File.join(folder, 'charts.json'), output,
-                    *headers.map { |header| File.join(folder, header) })
+    errors = StringIO.new
+    status = Interface::Command.run([folder, File.join(folder, 'charts.json'), output,
+                                     *headers.map { |header| File.join(folder, header) }], errors: errors)
+    [errors.string, status.zero?]
   end
 
   # The number that all processes must have.
   def layout(files = {}, *headers)
     in_folder(files) do |folder, output|
-      text, status = run_tool(folder, output, *headers)
-      assert status.success?, text
+      text, is_content = run_tool(folder, output, *headers)
+      assert is_content, text
       File.read(File.join(output, 'interface_layout.h'))[/UINT64_C\(0x(\h{16})\)/, 1]
     end
   end
