@@ -33,7 +33,7 @@ BUILD_ID := $(shell git rev-parse --short=12 HEAD 2>/dev/null || echo unknown)$(
 # --- what there is -------------------------------------------------------------------------------------------
 
 # Core layers, lowest first: a layer sees itself and those before it.
-LAYERS := base card robot encoder motion axis kinematics interlock procedure permit controller
+LAYERS := base card robot encoder motion axis interlock procedure permit controller
 GENERATED_INCLUDES := -I$(GEN)/charts -I$(GEN)/limits -I$(GEN)/robot -I$(GEN)/interface
 upto = $(if $(filter $(1),$(firstword $(2))),$(1),$(firstword $(2)) $(call upto,$(1),$(wordlist 2,99,$(2))))
 layer_includes = $(foreach l,$(call upto,$(1),$(LAYERS)),-Icore/$(l)) $(GENERATED_INCLUDES)
@@ -45,8 +45,8 @@ APP_INCLUDES := $(CORE_INCLUDES) -Ibsp/include $(foreach a,$(APPS),-Iapp/$(a)) -
 
 CHARTS := $(basename $(notdir $(wildcard statecharts/*.scxml)))
 CHART_SOURCES := $(CHARTS:%=$(GEN)/charts/%_chart.c)
-CORE_SOURCES := $(foreach l,$(LAYERS),$(wildcard core/$(l)/*.c)) $(CHART_SOURCES) $(GEN)/robot/robot_neuro.c \
-    $(GEN)/interface/event.c
+CORE_SOURCES := $(foreach l,$(LAYERS),$(wildcard core/$(l)/*.c core/$(l)/*/*.c)) $(CHART_SOURCES) $(GEN)/robot/robot_neuro.c \
+    $(GEN)/robot/kinematics.c $(GEN)/interface/event.c
 # What the processes call things.
 NAMES := $(GEN)/interface/app/names.c
 
@@ -73,7 +73,7 @@ BINARIES := $(PROGRAMS:%=$(BIN)/%)
 
 # --- generated sources ---------------------------------------------------------------------------------------
 
-GENERATED := $(GEN)/limits/requirement_limits.h $(GEN)/charts/charts.json $(GEN)/robot/robot_neuro.c $(GEN)/interface/.compiled \
+GENERATED := $(GEN)/limits/requirement_limits.h $(GEN)/charts/charts.json $(GEN)/robot/robot_neuro.c $(GEN)/robot/kinematics.c $(GEN)/interface/.compiled \
     $(GEN)/assets/chart_names.c
 ASSETS := $(GEN)/assets/assets.c
 
@@ -85,13 +85,16 @@ $(GEN)/charts/charts.json: $(wildcard statecharts/*.scxml tools/chart_compiler.r
 
 $(CHART_SOURCES): $(GEN)/charts/charts.json ;
 
-$(GEN)/robot/robot_neuro.c: core/robot/neuro.yaml core/card/card.h core/robot/robot.h tools/robot_compiler.rb $(wildcard tools/robot/*.rb)
-	ruby tools/robot_compiler.rb core/robot/neuro.yaml $(GEN)/robot
+$(GEN)/robot/robot_neuro.c: core/robot/neuro/robot.yml core/card/card.h core/robot/robot.h tools/robot_compiler.rb $(wildcard tools/robot/*.rb)
+	ruby tools/robot_compiler.rb core/robot/neuro/robot.yml $(GEN)/robot
+
+$(GEN)/robot/kinematics.c: $(wildcard core/robot/*/robot.yml) tools/robots.rb $(wildcard tools/robot/*.rb)
+	ruby tools/robots.rb core/robot $(GEN)/robot
 
 INTERFACE_PARTS := $(wildcard core/interface/*.yml tools/interface_compiler.rb tools/interface/*.rb)
 # What of the exchange's segment is declared elsewhere.
 LAYOUT_HEADERS := app/exchange/exchange.h app/exchange/exchange_segment.h core/controller/controller.h \
-    core/kinematics/rigid.h core/robot/robot.h core/card/card.h $(GEN)/limits/requirement_limits.h
+    core/base/rigid.h core/robot/robot.h core/card/card.h $(GEN)/limits/requirement_limits.h
 $(GEN)/interface/.compiled: $(INTERFACE_PARTS) $(LAYOUT_HEADERS) $(GEN)/charts/charts.json
 	ruby tools/interface_compiler.rb core/interface $(GEN)/charts/charts.json $(GEN)/interface $(LAYOUT_HEADERS)
 	@touch $@

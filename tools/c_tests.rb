@@ -26,7 +26,7 @@ class CTests
     'arm' => { compiler: %w[arm-linux-gnueabihf-gcc -mcpu=cortex-a9 -mfpu=vfpv3-d16 -static], runner: %w[qemu-arm],
                libraries: %w[-lm] }
   }.freeze
-  FOLDERS = Dir['core/*/'] + %w[build/gen/charts build/gen/limits build/gen/robot build/gen/interface
+  FOLDERS = Dir['core/*/', 'core/*/*/'] + %w[build/gen/charts build/gen/limits build/gen/robot build/gen/interface
                                 build/gen/interface/app bsp/include bsp/sim verification/unit/support
                                 verification/integration/support] + Dir['app/*/']
   SUPPORT = Dir['verification/*/support/*.c'] + ["#{UNITY}/src/unity.c", "#{CMOCK}/src/cmock.c"]
@@ -128,7 +128,7 @@ class CTests
   # A mock has every function of its header, so that the library's own stay out. @return their sources
   def make_mocks
     names = @tests.flat_map { |test| headers_of(test) }.grep(MOCK).uniq
-    headers = names.map { |name| Dir["{core/*,app/*,bsp/include}/#{name.sub(MOCK, '')}.h"].fetch(0) }
+    headers = names.map { |name| Dir["{core/*,core/*/*,app/*,bsp/include}/#{name.sub(MOCK, '')}.h"].fetch(0) }
     call('ruby', "#{CMOCK}/lib/cmock.rb", '-oproject.yml', "--mock_path=#{@mocks}", *headers)
     names.map { |name| "#{@mocks}/#{name}.c" }
   end

@@ -94,7 +94,7 @@ class Cppcheck
   end
 
   def includes
-    (glob(%w[core/*/]).map { |folder| folder.chomp('/') } + glob(FOLDERS)).map { |folder| "-I#{folder}" }
+    (glob(%w[core/*/ core/*/*/]).map { |folder| folder.chomp('/') } + glob(FOLDERS)).map { |folder| "-I#{folder}" }
   end
 
   def finding(error, folder)

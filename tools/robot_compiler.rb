@@ -4,28 +4,15 @@
 
 # Turns the description of a robot into the constant table of core/robot/robot.h, or refuses it with file and line.
 #
-#   ruby tools/robot_compiler.rb core/robot/neuro.yaml build/gen/robot
+#   ruby tools/robot_compiler.rb core/robot/neuro/robot.yml build/gen/robot
 
 require 'fileutils'
+require_relative 'robot/crc'
 require_relative 'robot/description'
+require_relative 'robot/kind'
 require_relative 'robot/layout'
 
 module Robot
-  # CRC-32C, as core/base/crc.c computes it.
-  module Crc
-    POLYNOMIAL = 0x82F63B78
-
-    def self.of(bytes)
-      crc = bytes.each_byte.inject(0xFFFFFFFF) { |sum, byte| divide(sum ^ byte) }
-      crc ^ 0xFFFFFFFF
-    end
-
-    def self.divide(sum)
-      8.times { sum = sum.odd? ? (sum >> 1) ^ POLYNOMIAL : sum >> 1 }
-      sum
-    end
-  end
-
   # Renders a description as C.
   class Table
     # 2^32 / (2 pi), to 40 digits of pi.
@@ -75,7 +62,7 @@ module Robot
 
     def head
       { 'name' => "\"#{@robot.name}\"", 'axis_count' => "#{@robot.axes.size}U", 'crc' => "0x#{format('%08X', @crc)}U",
-        'card_firmware' => "0x#{format('%06X', @robot.card_firmware)}U", 'needle_axis' => "#{@robot.needle_axis}U",
+        'kind' => "0x#{format('%08X', Kind.number(@robot.kinematics))}U", 'card_firmware' => "0x#{format('%06X', @robot.card_firmware)}U", 'needle_axis' => "#{@robot.needle_axis}U",
         'coupled_limit_count' => "#{@robot.coupled_limits.size}U" }
     end
 
@@ -139,7 +126,7 @@ module Robot
 
   # The command line.
   module Command
-    USAGE = 'usage: ruby tools/robot_compiler.rb ROBOT.yaml DIRECTORY'
+    USAGE = 'usage: ruby tools/robot_compiler.rb ROBOT.yml DIRECTORY'
 
     # Returns the exit status.
     def self.run(arguments, errors: $stderr)
@@ -149,7 +136,7 @@ module Robot
       text = File.binread(path).force_encoding(Encoding::UTF_8)
       robot = Description.new(path, text)
       FileUtils.mkdir_p(directory)
-      table = Table.new(robot, text, "core/robot/#{File.basename(path)}")
+      table = Table.new(robot, text, "core/robot/#{robot.name}/#{File.basename(path)}")
       File.write(File.join(directory, "robot_#{robot.name}.c"), table.c)
       0
     rescue Refused, SystemCallError => e

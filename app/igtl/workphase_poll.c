@@ -2,7 +2,7 @@
 #include "workphase_poll.h"
 
 #include "fixed.h"
-#include "neuro.h"
+#include "rigid.h"
 #include "workphase_peer.h"
 
 #include <stddef.h>
@@ -54,7 +54,7 @@ static bool is_aligned(const snapshot_t *snapshot)
     goal.translation.x_nm += fixed_multiply_q30(fixed_saturate(along), axis_q30[0]);
     goal.translation.y_nm += fixed_multiply_q30(fixed_saturate(along), axis_q30[1]);
     goal.translation.z_nm += fixed_multiply_q30(fixed_saturate(along), axis_q30[2]);
-    neuro_pose_difference(now, &goal, &distance_nm, &angle_bam);
+    rigid_difference(now, &goal, &distance_nm, &angle_bam);
     return (distance_nm <= REACHED_NM) && (angle_bam <= REACHED_BAM);
 }
 
@@ -67,8 +67,8 @@ static bool is_reached(const snapshot_t *snapshot)
     if (snapshot->next_step == (uint32_t)NEXT_STEP_HOLD_PEDAL) {
         return false;
     }
-    neuro_pose_difference(&snapshot->scanner_treatment, &snapshot->scanner_target, &distance_nm,
-                          &angle_bam);
+    rigid_difference(&snapshot->scanner_treatment, &snapshot->scanner_target, &distance_nm,
+                     &angle_bam);
     return (distance_nm <= REACHED_NM) && (angle_bam <= REACHED_BAM);
 }
 

@@ -241,7 +241,7 @@ static status_t obey_target(controller_t *self, const cycle_t *cycle, const comm
     if (workphase_present(&self->workphases) != WORKPHASE_TARGETING) {
         return STATUS_WRONG_WORKPHASE;
     }
-    const neuro_result_t result = plan_set_target(&self->plan, cycle->robot, &command->pose);
+    const solution_t result = plan_set_target(&self->plan, cycle->robot, &command->pose);
     answer->axis = (uint32_t)result.axis;
     answer->is_maximum = (uint32_t)result.is_maximum;
     if (result.status == STATUS_OK) {

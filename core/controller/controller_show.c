@@ -163,7 +163,7 @@ static status_t pose_status(const controller_t *self)
 static void show_pose(const controller_t *self, const robot_t *robot, snapshot_t *shown)
 {
     int32_t ticks[ROBOT_AXIS_MAX];
-    neuro_joints_t joints = {{0}};
+    joints_t joints;
     shown->pose_status = (uint32_t)pose_status(self);
     if (controller_is_blind(self)) {
         return;
@@ -171,8 +171,8 @@ static void show_pose(const controller_t *self, const robot_t *robot, snapshot_t
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         ticks[i] = self->axes[i].encoder.position_ticks;
     }
-    neuro_joints_from_ticks(robot, ticks, &joints);
-    neuro_forward(robot, &joints, &shown->zframe_treatment);
+    joints_from_ticks(robot, ticks, &joints);
+    kinematics_forward(robot, &joints, &shown->zframe_treatment);
     rigid_multiply(&self->plan.scanner_zframe, &shown->zframe_treatment, &shown->scanner_treatment);
 }
 

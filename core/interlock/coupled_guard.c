@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "coupled_guard.h"
 
-#include "neuro_limits.h"
+#include "joints.h"
 #include "requirement_limits.h"
 
 #define TICK_Q8_US INT64_C(256000000)
@@ -47,7 +47,7 @@ static int64_t way_nm(const robot_t *robot, const coupled_view_t *view, uint32_t
     }
     const int64_t ticks =
         ((speed_q8 * (int64_t)LIMIT_COUPLED_STOP_US) + TICK_Q8_US - 1) / TICK_Q8_US;
-    return neuro_limits_value(config, (int32_t)(ticks + COUNT_TICKS));
+    return joints_value(config, (int32_t)(ticks + COUNT_TICKS));
 }
 
 static bool may_leave(const robot_t *robot, const coupled_limit_t *limit,

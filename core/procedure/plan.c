@@ -27,19 +27,18 @@ static status_t check_point(const point_t *point)
 static void find_pose(const robot_t *robot, const rigid_t *scanner_zframe,
                       const int32_t ticks[ROBOT_AXIS_MAX], rigid_t *scanner_treatment)
 {
-    neuro_joints_t joints;
+    joints_t joints;
     rigid_t zframe_treatment;
-    neuro_joints_from_ticks(robot, ticks, &joints);
-    neuro_forward(robot, &joints, &zframe_treatment);
+    joints_from_ticks(robot, ticks, &joints);
+    kinematics_forward(robot, &joints, &zframe_treatment);
     rigid_multiply(scanner_zframe, &zframe_treatment, scanner_treatment);
 }
 
 /* Rounds legal joints to ticks and says where that puts the treatment frame in the scanner. */
-static void settle(const robot_t *robot, const rigid_t *scanner_zframe,
-                   const neuro_joints_t *joints, int32_t ticks[ROBOT_AXIS_MAX],
-                   rigid_t *scanner_treatment)
+static void settle(const robot_t *robot, const rigid_t *scanner_zframe, const joints_t *joints,
+                   int32_t ticks[ROBOT_AXIS_MAX], rigid_t *scanner_treatment)
 {
-    neuro_ticks_from_joints(robot, joints, ticks);
+    joints_to_ticks(robot, joints, ticks);
     find_pose(robot, scanner_zframe, ticks, scanner_treatment);
 }
 
@@ -50,7 +49,7 @@ static void weigh_proposals(plan_t *self, const robot_t *robot)
                                               ? &self->proposed_registration
                                               : &self->scanner_zframe;
     rigid_t zframe_scanner;
-    neuro_joints_t joints;
+    joints_t joints;
     self->is_proposal_reachable = 0U;
     if ((self->has_proposed_entry == 0U) || (self->has_proposed_target == 0U)) {
         return;
@@ -58,7 +57,7 @@ static void weigh_proposals(plan_t *self, const robot_t *robot)
     rigid_invert(scanner_zframe, &zframe_scanner);
     const point_t entry = rigid_apply(&zframe_scanner, &self->proposed_entry);
     const point_t target = rigid_apply(&zframe_scanner, &self->proposed_target);
-    const neuro_result_t result = neuro_inverse(robot, &entry, &target, 0, &joints);
+    const solution_t result = kinematics_inverse(robot, &entry, &target, 0, &joints);
     if (result.status == STATUS_OK) {
         settle(robot, scanner_zframe, &joints, self->desired_ticks, &self->scanner_desired);
         self->is_proposal_reachable = 1U;
@@ -92,7 +91,7 @@ status_t plan_register(plan_t *self, const robot_t *robot, const rigid_t *scanne
 /* Kinematics knows limits only; a switch that is still active, or the permit at a coupled limit,
  * would block the last of the way. */
 static void check_ends(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX],
-                       neuro_result_t *result)
+                       solution_t *result)
 {
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
         const axis_config_t *const config = &robot->axes[i];
@@ -109,14 +108,13 @@ static void check_ends(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX]
     }
 }
 
-neuro_result_t plan_set_target(plan_t *self, const robot_t *robot, const rigid_t *scanner_treatment)
+solution_t plan_set_target(plan_t *self, const robot_t *robot, const rigid_t *scanner_treatment)
 {
-    neuro_result_t result = {
-        .status = rigid_check(scanner_treatment), .axis = 0U, .is_maximum = 0U};
+    solution_t result = {.status = rigid_check(scanner_treatment), .axis = 0U, .is_maximum = 0U};
     rigid_t exact;
     rigid_t zframe_scanner;
     rigid_t zframe_treatment;
-    neuro_joints_t joints;
+    joints_t joints;
     self->has_target = 0U;
     if (result.status != STATUS_OK) {
         return result;
@@ -130,8 +128,8 @@ neuro_result_t plan_set_target(plan_t *self, const robot_t *robot, const rigid_t
     rigid_invert(&self->scanner_zframe, &zframe_scanner);
     rigid_multiply(&zframe_scanner, &exact, &zframe_treatment);
     const point_t entry = rigid_apply(&zframe_scanner, &self->proposed_entry);
-    result = neuro_solve(robot, &zframe_treatment, (self->has_proposed_entry != 0U) ? &entry : NULL,
-                         &joints);
+    result = kinematics_solve(robot, &zframe_treatment,
+                              (self->has_proposed_entry != 0U) ? &entry : NULL, &joints);
     if (result.status == STATUS_OK) {
         result.status = plan_confirm(robot, &joints, &zframe_treatment);
     }
@@ -145,14 +143,13 @@ neuro_result_t plan_set_target(plan_t *self, const robot_t *robot, const rigid_t
     return result;
 }
 
-status_t plan_confirm(const robot_t *robot, const neuro_joints_t *joints,
-                      const rigid_t *zframe_treatment)
+status_t plan_confirm(const robot_t *robot, const joints_t *joints, const rigid_t *zframe_treatment)
 {
     rigid_t reached;
     int32_t distance_nm = 0;
     int32_t angle_bam = 0;
-    neuro_forward(robot, joints, &reached);
-    neuro_pose_difference(&reached, zframe_treatment, &distance_nm, &angle_bam);
+    kinematics_forward(robot, joints, &reached);
+    rigid_difference(&reached, zframe_treatment, &distance_nm, &angle_bam);
     const bool is_closed =
         (distance_nm <= (int32_t)LIMIT_CLOSURE_NM) && (angle_bam <= (int32_t)LIMIT_CLOSURE_BAM);
     return is_closed ? STATUS_OK : STATUS_CLOSURE;
@@ -167,7 +164,7 @@ bool plan_is_proved(const plan_t *self, const robot_t *robot)
         return true;
     }
     find_pose(robot, &self->scanner_zframe, self->target_ticks, &reached);
-    neuro_pose_difference(&reached, &self->scanner_target, &distance_nm, &angle_bam);
+    rigid_difference(&reached, &self->scanner_target, &distance_nm, &angle_bam);
     return (distance_nm == 0) && (angle_bam == 0);
 }
 

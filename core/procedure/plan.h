@@ -8,7 +8,7 @@
 #ifndef BORESIGHT_PLAN_H
 #define BORESIGHT_PLAN_H
 
-#include "neuro.h"
+#include "kinematics.h"
 #include "rigid.h"
 #include "robot.h"
 #include "status.h"
@@ -48,18 +48,17 @@ status_t plan_register(plan_t *self, const robot_t *robot, const rigid_t *scanne
 
 /**
  * Takes a treatment pose in scanner coordinates as the target. The depth is decided by
- * neuro_solve(), with the proposed entry point.
+ * kinematics_solve(), with the proposed entry point.
  *
- * @return status as rigid_check() and neuro_solve(), STATUS_NOT_REGISTERED, STATUS_CLOSURE when
- * forward kinematics does not return the pose, STATUS_SWITCH_ZONE when an axis would end where
+ * @return status as rigid_check() and kinematics_solve(), STATUS_NOT_REGISTERED, STATUS_CLOSURE
+ * when forward kinematics does not return the pose, STATUS_SWITCH_ZONE when an axis would end where
  * its limit switch may be active, or STATUS_SEPARATION_LIMIT at a coupled limit. There is then no
  * target, not even the one before: who asked for another target must not be taken to the old one.
  *
  * @satisfies SWR-PLAN-004
  * @satisfies SWR-AXIS-020
  */
-neuro_result_t plan_set_target(plan_t *self, const robot_t *robot,
-                               const rigid_t *scanner_treatment);
+solution_t plan_set_target(plan_t *self, const robot_t *robot, const rigid_t *scanner_treatment);
 
 /**
  * The positions can no longer be trusted: the target and what was proposed on the way to it are
@@ -76,7 +75,7 @@ void plan_forget_target(plan_t *self);
  *
  * @satisfies SWR-PLAN-004
  */
-status_t plan_confirm(const robot_t *robot, const neuro_joints_t *joints,
+status_t plan_confirm(const robot_t *robot, const joints_t *joints,
                       const rigid_t *zframe_treatment);
 
 /**

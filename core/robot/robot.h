@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What a robot is, as data. The tables are compiled from core/robot/<name>.yaml; nothing else
+ * What a robot is, as data. The tables are compiled from core/robot/<name>/robot.yml; nothing else
  * describes a robot.
  */
 #ifndef BORESIGHT_ROBOT_H
@@ -123,6 +123,7 @@ typedef struct {
     char name[12];
     uint32_t axis_count;
     uint32_t crc;           /**< CRC-32C of the robot file the table was compiled from. */
+    uint32_t kind;          /**< ROBOT_KIND_: whose kinematics. */
     uint32_t card_firmware; /**< Of every card: major << 16 | minor << 8 | patch. */
     uint32_t needle_axis;   /**< The axis that moves the needle along its line. */
     uint32_t coupled_limit_count;
@@ -133,7 +134,7 @@ typedef struct {
 } robot_t;
 
 /**
- * The NeuroRobot, compiled from core/robot/neuro.yaml.
+ * The NeuroRobot, compiled from core/robot/neuro/robot.yml.
  *
  * @satisfies SWR-ROBOT-001
  * @satisfies SWR-ROBOT-002

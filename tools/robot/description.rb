@@ -162,12 +162,12 @@ module Robot
     LARGEST_DEPTH_MM = 200
     LARGEST_TRAVEL_MM = 2000
 
-    attr_reader :name, :card_firmware, :axes, :geometry, :coupled_limits
+    attr_reader :name, :kinematics, :card_firmware, :axes, :geometry, :coupled_limits
 
     def initialize(path, text)
       nodes = Node.parse(path, text).mapping(%w[name kinematics card_firmware geometry probe coupled_limits axes])
       @name = nodes['name'].name
-      nodes['kinematics'].choice(%w[neuro])
+      @kinematics = nodes['kinematics'].choice(%w[neuro])
       @card_firmware = nodes['card_firmware'].version
       @geometry = {}
       @places = {}

@@ -9,7 +9,7 @@ require 'tmpdir'
 require_relative '../robot_compiler'
 
 class TestRobotCompiler < Minitest::Test
-  ROBOT = File.expand_path('../../core/robot/neuro.yaml', __dir__)
+  ROBOT = File.expand_path('../../core/robot/neuro/robot.yml', __dir__)
   TEXT = File.read(ROBOT)
 
   def compile(text)

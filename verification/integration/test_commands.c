@@ -216,7 +216,7 @@ void test_SWR_PLAN_004_a_target_is_taken_in_targeting_only_and_returned_as_reach
     const answer_t answer = rig_target(&rig, &pose);
     int32_t distance_nm = 0;
     int32_t angle_bam = 0;
-    neuro_pose_difference(&answer.pose, &pose, &distance_nm, &angle_bam);
+    rigid_difference(&answer.pose, &pose, &distance_nm, &angle_bam);
     TEST_ASSERT_LESS_OR_EQUAL_INT32(38000, distance_nm);
     (void)rig_workphase(&rig, WORKPHASE_PLANNING);
     TEST_ASSERT_EQUAL_UINT32(STATUS_WRONG_WORKPHASE, rig_target(&rig, &pose).status);
@@ -351,19 +351,19 @@ void test_SWR_AXIS_020_a_jog_to_where_the_switch_may_be_active_is_refused_by_nam
 
 void test_SWR_AXIS_020_a_target_where_a_switch_may_be_active_is_refused_by_name(void)
 {
-    neuro_joints_t joints;
+    joints_t joints;
     rigid_t pose;
     int32_t ticks[ROBOT_AXIS_MAX] = {-3000, -2000, -1, 33334, 0, 0, 0};
     rig_start_targeted(&rig);
-    neuro_joints_from_ticks(&robot_neuro, ticks, &joints);
-    neuro_forward(&robot_neuro, &joints, &pose);
+    joints_from_ticks(&robot_neuro, ticks, &joints);
+    kinematics_forward(&robot_neuro, &joints, &pose);
     const answer_t answer = rig_target(&rig, &pose);
     TEST_ASSERT_EQUAL_UINT32(STATUS_SWITCH_ZONE, answer.status);
     TEST_ASSERT_EQUAL_UINT32(AXIS_LATERAL, answer.axis);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
     ticks[AXIS_LATERAL] = -20;
-    neuro_joints_from_ticks(&robot_neuro, ticks, &joints);
-    neuro_forward(&robot_neuro, &joints, &pose);
+    joints_from_ticks(&robot_neuro, ticks, &joints);
+    kinematics_forward(&robot_neuro, &joints, &pose);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_target(&rig, &pose).status);
 }
 

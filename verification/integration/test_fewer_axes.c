@@ -29,6 +29,7 @@ void setUp(void)
     robot.axes[NEEDLE].slot = 0U;
     robot.axes[SIDE] = robot_neuro.axes[AXIS_LATERAL];
     robot.axis_count = 2U;
+    robot.kind = 0U; /* Nobody's kinematics. */
     robot.needle_axis = NEEDLE;
     robot.coupled_limit_count = 0U;
     robot.seal = seal_of(SEAL_START, (const uint8_t *)&robot, offsetof(robot_t, seal));

@@ -504,9 +504,9 @@ void test_SWR_MOTION_004_every_axis_must_be_at_its_end_for_an_order_to_be_done(v
 /* The pose of the plan's ticks, registered by the identity. */
 static void settle_target(void)
 {
-    neuro_joints_t joints;
-    neuro_joints_from_ticks(&robot_neuro, rig.controller.plan.target_ticks, &joints);
-    neuro_forward(&robot_neuro, &joints, &rig.controller.plan.scanner_target);
+    joints_t joints;
+    joints_from_ticks(&robot_neuro, rig.controller.plan.target_ticks, &joints);
+    kinematics_forward(&robot_neuro, &joints, &rig.controller.plan.scanner_target);
     controller_seal(&rig.controller);
 }
 

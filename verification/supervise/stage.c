@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "stage.h"
 
-#include "neuro.h"
+#include "kinematics.h"
 #include "requirement_limits.h"
 #include "workphases_chart.h"
 
@@ -196,14 +196,14 @@ static int32_t some_end(stage_t *self, const axis_config_t *axis)
 static void send_corner(stage_t *self, rig_t *rig)
 {
     int32_t ticks[ROBOT_AXIS_MAX];
-    neuro_joints_t joints;
+    joints_t joints;
     command_t target = {.kind = (uint32_t)COMMAND_TARGET};
     command_t entry = {.kind = (uint32_t)COMMAND_PROPOSE_ENTRY};
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         ticks[i] = some_end(self, &robot_neuro.axes[i]);
     }
-    neuro_joints_from_ticks(&robot_neuro, ticks, &joints);
-    neuro_forward(&robot_neuro, &joints, &target.pose);
+    joints_from_ticks(&robot_neuro, ticks, &joints);
+    kinematics_forward(&robot_neuro, &joints, &target.pose);
     rigid_set_identity(&entry.pose);
     const int64_t back_nm = joints.value[AXIS_INSERTION] +
                             robot_neuro.neuro.probe_robot_to_treatment_nm -

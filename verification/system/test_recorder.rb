@@ -101,7 +101,7 @@ class TestRecorder < SystemTest
     build = boresight.status['build_id']
     record(500)
     header = File.binread(boresight.recording_files.first, 256)
-    robot = File.binread(File.expand_path('../../core/robot/neuro.yaml', __dir__))
+    robot = File.binread(File.expand_path('../../core/robot/neuro/robot.yml', __dir__))
     assert_equal build, header[BUILD].delete("\0")
     assert_equal 'neuro', header[ROBOT].delete("\0")
     assert_equal crc32c(robot), header[ROBOT_CRC].unpack1('V')

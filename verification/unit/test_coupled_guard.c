@@ -11,7 +11,7 @@
 #include "drift_audit.h"
 #include "coupled_guard.h"
 #include "coupled_limit.h"
-#include "neuro_limits.h"
+#include "joints.h"
 #include "requirement_limits.h"
 
 TEST_SOURCE_FILE("axis_chart.c")
@@ -57,7 +57,7 @@ static card_drive_t drive(uint32_t axis, bool is_upwards)
 
 static int32_t nm(int32_t ticks)
 {
-    return (int32_t)neuro_limits_value(&robot.axes[AXIS_HEAD], ticks);
+    return (int32_t)joints_value(&robot.axes[AXIS_HEAD], ticks);
 }
 
 /* Blocked when the range ends one nm nearer than `ticks` and free when it ends there. */

@@ -5,7 +5,7 @@
 #include "unity.h"
 
 #include "coupled_limit.h"
-#include "neuro_limits.h"
+#include "joints.h"
 #include "requirement_limits.h"
 
 TEST_SOURCE_FILE("fixed.c")

@@ -14,8 +14,6 @@
 #include "igtl_peer.h"
 #include "requirement_limits.h"
 #include "names.h"
-#include "neuro.h"
-#include "neuro_limits.h"
 #include "rigid.h"
 #include "robot.h"
 #include "snapshot.h"

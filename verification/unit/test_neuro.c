@@ -7,7 +7,8 @@
 #include "golden_neuro.h"
 #include "requirement_limits.h"
 #include "neuro.h"
-#include "neuro_limits.h"
+#include "joints.h"
+#include "margin.h"
 #include "neuro_reference.h"
 #include "rigid.h"
 #include "robot.h"
@@ -26,7 +27,7 @@ TEST_SOURCE_FILE("robot_neuro.c")
 
 static uint64_t seed;
 static robot_t robot;
-static neuro_joints_t joints;
+static joints_t joints;
 
 static uint32_t random_below(uint32_t range)
 {
@@ -47,8 +48,8 @@ static point_t point_of(const double millimetres[3])
 static bool is_separation_legal(const int32_t ticks[ROBOT_AXIS_MAX])
 {
     const int64_t separation = robot.neuro.home_separation_nm +
-                               neuro_limits_value(&robot.axes[AXIS_HEAD], ticks[AXIS_HEAD]) -
-                               neuro_limits_value(&robot.axes[AXIS_FEET], ticks[AXIS_FEET]);
+                               joints_value(&robot.axes[AXIS_HEAD], ticks[AXIS_HEAD]) -
+                               joints_value(&robot.axes[AXIS_FEET], ticks[AXIS_FEET]);
     return separation >= robot.neuro.minimum_separation_nm &&
            separation <= robot.neuro.maximum_separation_nm;
 }
@@ -71,7 +72,7 @@ static int32_t grid_ticks(uint32_t axis, uint32_t step)
     return minimum + (((robot.axes[axis].maximum_ticks - minimum) * (int32_t)step) / 4);
 }
 
-static void joints_of_reference(const double joint[ROBOT_AXIS_MAX], neuro_joints_t *result)
+static void joints_of_reference(const double joint[ROBOT_AXIS_MAX], joints_t *result)
 {
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         const bool is_angle = robot.axes[i].unit == AXIS_UNIT_RAD;
@@ -80,7 +81,7 @@ static void joints_of_reference(const double joint[ROBOT_AXIS_MAX], neuro_joints
     }
 }
 
-static void expect_forward_equals_reference(const neuro_joints_t *values)
+static void expect_forward_equals_reference(const joints_t *values)
 {
     double joint[ROBOT_AXIS_MAX];
     neuro_reference_pose_t expected;
@@ -95,13 +96,13 @@ static void expect_forward_equals_reference(const neuro_joints_t *values)
     TEST_ASSERT_TRUE(angle_rad <= RAD_10_MICRO);
 }
 
-static void expect_same_pose(const rigid_t *expected, const neuro_joints_t *values)
+static void expect_same_pose(const rigid_t *expected, const joints_t *values)
 {
     rigid_t pose;
     int32_t distance_nm;
     int32_t angle_bam;
     neuro_forward(&robot, values, &pose);
-    neuro_pose_difference(expected, &pose, &distance_nm, &angle_bam);
+    rigid_difference(expected, &pose, &distance_nm, &angle_bam);
     TEST_ASSERT_LESS_OR_EQUAL_INT32((int32_t)LIMIT_CLOSURE_NM, distance_nm);
     TEST_ASSERT_LESS_OR_EQUAL_INT32((int32_t)LIMIT_CLOSURE_BAM, angle_bam);
 }
@@ -111,10 +112,10 @@ static void expect_closure(const int32_t ticks[ROBOT_AXIS_MAX])
 {
     double joint[ROBOT_AXIS_MAX];
     double entry_mm[3];
-    neuro_joints_t start;
-    neuro_joints_t back;
+    joints_t start;
+    joints_t back;
     rigid_t pose;
-    neuro_joints_from_ticks(&robot, ticks, &start);
+    joints_from_ticks(&robot, ticks, &start);
     neuro_forward(&robot, &start, &pose);
     neuro_reference_joints(&robot, &start, joint);
     neuro_reference_entry(&robot, joint, entry_mm);
@@ -129,7 +130,7 @@ static void expect_closure(const int32_t ticks[ROBOT_AXIS_MAX])
     expect_same_pose(&pose, &back);
 }
 
-static void expect_refusal(neuro_result_t expected, neuro_result_t actual)
+static void expect_refusal(solution_t expected, solution_t actual)
 {
     TEST_ASSERT_EQUAL(expected.status, actual.status);
     TEST_ASSERT_EQUAL_UINT8(expected.axis, actual.axis);
@@ -139,9 +140,9 @@ static void expect_refusal(neuro_result_t expected, neuro_result_t actual)
 /* The pose at these positions, in ticks, whether they are legal or not. */
 static rigid_t pose_at(const int32_t ticks[ROBOT_AXIS_MAX])
 {
-    neuro_joints_t values;
+    joints_t values;
     rigid_t pose;
-    neuro_joints_from_ticks(&robot, ticks, &values);
+    joints_from_ticks(&robot, ticks, &values);
     neuro_forward(&robot, &values, &pose);
     return pose;
 }
@@ -171,7 +172,7 @@ void test_SWR_KIN_001_forward_equals_the_reference_on_a_grid_over_the_workspace(
             rest /= 5U;
         }
         if (is_separation_legal(ticks)) {
-            neuro_joints_from_ticks(&robot, ticks, &joints);
+            joints_from_ticks(&robot, ticks, &joints);
             expect_forward_equals_reference(&joints);
             poses++;
         }
@@ -184,7 +185,7 @@ void test_SWR_KIN_001_forward_equals_the_reference_at_random_joints(void)
     for (int i = 0; i < 10000; i++) {
         int32_t ticks[ROBOT_AXIS_MAX];
         set_random_legal_ticks(ticks);
-        neuro_joints_from_ticks(&robot, ticks, &joints);
+        joints_from_ticks(&robot, ticks, &joints);
         joints.value[AXIS_HEAD] += (int32_t)random_below(10000U) - 5000;
         joints.value[AXIS_PITCH] += (int32_t)random_below(100000U);
         expect_forward_equals_reference(&joints);
@@ -239,12 +240,12 @@ void test_SWR_KIN_002_inverse_returns_the_joints_it_came_from(void)
         set_random_legal_ticks(ticks);
         ticks[AXIS_ROTATION] /= 2;
         const rigid_t pose = pose_at(ticks);
-        neuro_joints_t start;
-        neuro_joints_from_ticks(&robot, ticks, &start);
+        joints_t start;
+        joints_from_ticks(&robot, ticks, &start);
         TEST_ASSERT_EQUAL(
             STATUS_OK,
             neuro_inverse_at_depth(&robot, &pose, start.value[AXIS_INSERTION], &joints).status);
-        neuro_ticks_from_joints(&robot, &joints, back);
+        joints_to_ticks(&robot, &joints, back);
         TEST_ASSERT_EQUAL_INT32_ARRAY(ticks, back, robot_neuro.axis_count);
     }
 }
@@ -287,7 +288,7 @@ void test_SWR_KIN_003_golden_entries_and_targets_give_the_golden_joints(void)
         const golden_neuro_t *golden = &golden_neuro[i];
         const point_t entry = point_of(golden->entry_mm);
         const point_t target = point_of(golden->target_mm);
-        neuro_joints_t expected;
+        joints_t expected;
         use_probe(golden->probe_mm);
         joints_of_reference(golden->joints, &expected);
         TEST_ASSERT_EQUAL_MESSAGE(
@@ -306,7 +307,7 @@ void test_SWR_KIN_003_golden_poses_and_depths_give_the_golden_joints(void)
 {
     for (size_t i = 0U; i < sizeof golden_neuro / sizeof golden_neuro[0]; i++) {
         const golden_neuro_t *golden = &golden_neuro[i];
-        neuro_joints_t expected;
+        joints_t expected;
         rigid_t pose;
         use_probe(golden->probe_mm);
         joints_of_reference(golden->joints, &expected);
@@ -326,7 +327,7 @@ void test_SWR_KIN_003_golden_poses_and_depths_give_the_golden_joints(void)
 void test_SWR_KIN_004_entry_equal_to_target_is_a_degenerate_line(void)
 {
     const point_t point = {0, 200000000, 50000000};
-    expect_refusal((neuro_result_t){STATUS_DEGENERATE_LINE, 0U, 0U},
+    expect_refusal((solution_t){STATUS_DEGENERATE_LINE, 0U, 0U},
                    neuro_inverse(&robot, &point, &point, 0, &joints));
 }
 
@@ -340,7 +341,7 @@ void test_SWR_KIN_004_a_needle_along_the_lateral_axis_is_singular(void)
     pose.rotation_q30[0][2] = FIXED_ONE_Q30;
     pose.rotation_q30[2][0] = -FIXED_ONE_Q30;
     pose.rotation_q30[2][2] = 0;
-    const neuro_result_t expected = {STATUS_SINGULAR_PITCH, 0U, 0U};
+    const solution_t expected = {STATUS_SINGULAR_PITCH, 0U, 0U};
     expect_refusal(expected, neuro_inverse(&robot, &entry, &target, 0, &joints));
     expect_refusal(expected, neuro_inverse_at_depth(&robot, &pose, 0, &joints));
     expect_refusal(expected, neuro_solve(&robot, &pose, NULL, &joints));
@@ -350,7 +351,7 @@ void test_SWR_KIN_004_a_target_too_high_is_an_unreachable_height(void)
 {
     const point_t entry = {0, 400000000, 50000000};
     const point_t target = {0, 350000000, 50000000};
-    expect_refusal((neuro_result_t){STATUS_UNREACHABLE_HEIGHT, 0U, 1U},
+    expect_refusal((solution_t){STATUS_UNREACHABLE_HEIGHT, 0U, 1U},
                    neuro_inverse(&robot, &entry, &target, 0, &joints));
 }
 
@@ -358,7 +359,7 @@ void test_SWR_KIN_004_a_target_too_low_is_an_unreachable_height(void)
 {
     const point_t entry = {0, 150000000, 50000000};
     const point_t target = {0, 100000000, 50000000};
-    expect_refusal((neuro_result_t){STATUS_UNREACHABLE_HEIGHT, 0U, 0U},
+    expect_refusal((solution_t){STATUS_UNREACHABLE_HEIGHT, 0U, 0U},
                    neuro_inverse(&robot, &entry, &target, 0, &joints));
 }
 
@@ -377,13 +378,13 @@ static void expect_limit(uint8_t axis, bool is_maximum)
     robot.axes[AXIS_FEET].minimum_ticks -= (axis == (uint8_t)AXIS_HEAD) ? 20000 : 0;
     robot.axes[AXIS_FEET].maximum_ticks += (axis == (uint8_t)AXIS_HEAD) ? 20000 : 0;
     rigid_t pose = pose_at(ticks);
-    int64_t depth = neuro_limits_value(&robot.axes[AXIS_INSERTION], ticks[AXIS_INSERTION]);
+    int64_t depth = joints_value(&robot.axes[AXIS_INSERTION], ticks[AXIS_INSERTION]);
     TEST_ASSERT_EQUAL(STATUS_OK,
                       neuro_inverse_at_depth(&robot, &pose, (int32_t)depth, &joints).status);
     ticks[axis] += is_maximum ? 1 : -1;
     pose = pose_at(ticks);
-    depth = neuro_limits_value(&robot.axes[AXIS_INSERTION], ticks[AXIS_INSERTION]);
-    expect_refusal((neuro_result_t){STATUS_AXIS_LIMIT, axis, is_maximum ? 1U : 0U},
+    depth = joints_value(&robot.axes[AXIS_INSERTION], ticks[AXIS_INSERTION]);
+    expect_refusal((solution_t){STATUS_AXIS_LIMIT, axis, is_maximum ? 1U : 0U},
                    neuro_inverse_at_depth(&robot, &pose, (int32_t)depth, &joints));
 }
 
@@ -408,11 +409,11 @@ void test_SWR_KIN_004_carriages_too_close_or_too_far_apart_are_refused_by_separa
     memcpy(ticks, middle, sizeof ticks);
     ticks[AXIS_HEAD] = ticks[AXIS_FEET] - 5360;
     rigid_t pose = pose_at(ticks);
-    expect_refusal((neuro_result_t){STATUS_SEPARATION_LIMIT, 0U, 0U},
+    expect_refusal((solution_t){STATUS_SEPARATION_LIMIT, 0U, 0U},
                    neuro_inverse_at_depth(&robot, &pose, depth, &joints));
     ticks[AXIS_HEAD] = ticks[AXIS_FEET] + 240;
     pose = pose_at(ticks);
-    expect_refusal((neuro_result_t){STATUS_SEPARATION_LIMIT, 0U, 1U},
+    expect_refusal((solution_t){STATUS_SEPARATION_LIMIT, 0U, 1U},
                    neuro_inverse_at_depth(&robot, &pose, depth, &joints));
     ticks[AXIS_HEAD] = ticks[AXIS_FEET] + 230;
     pose = pose_at(ticks);
@@ -464,7 +465,7 @@ static uint32_t sweep_checksum(void)
     uint32_t checksum = 0U;
     for (uint32_t i = 0U; i < 3000U; i++) {
         int32_t ticks[ROBOT_AXIS_MAX];
-        neuro_result_t result;
+        solution_t result;
         memset(words, 0, sizeof words);
         set_random_legal_ticks(ticks);
         rigid_t pose = pose_at(ticks);
@@ -497,9 +498,9 @@ static point_t entry_at(const int32_t ticks[ROBOT_AXIS_MAX], double sideways_mm)
 {
     double joint[ROBOT_AXIS_MAX];
     double entry_mm[3];
-    neuro_joints_t values;
+    joints_t values;
     neuro_reference_pose_t pose;
-    neuro_joints_from_ticks(&robot, ticks, &values);
+    joints_from_ticks(&robot, ticks, &values);
     neuro_reference_joints(&robot, &values, joint);
     neuro_reference_entry(&robot, joint, entry_mm);
     neuro_reference_forward(&robot, joint, &pose);
@@ -519,14 +520,14 @@ void test_SWR_PLAN_001_an_entry_on_the_axis_decides_the_depth(void)
         const rigid_t pose = pose_at(ticks);
         const point_t entry = entry_at(ticks, ((i % 2) == 0) ? 0.0 : 0.09);
         TEST_ASSERT_EQUAL(STATUS_OK, neuro_solve(&robot, &pose, &entry, &joints).status);
-        neuro_ticks_from_joints(&robot, &joints, solved);
+        joints_to_ticks(&robot, &joints, solved);
         TEST_ASSERT_EQUAL_INT32_ARRAY(ticks, solved, robot_neuro.axis_count);
     }
 }
 
 void test_SWR_PLAN_001_an_entry_is_on_the_axis_up_to_the_limit(void)
 {
-    neuro_joints_t free_joints;
+    joints_t free_joints;
     const rigid_t pose = pose_at(middle);
     const double limit_mm = LIMIT_ENTRY_ON_AXIS_NM / NM_PER_MM;
     const point_t inside = entry_at(middle, limit_mm - 0.00001);
@@ -541,7 +542,7 @@ void test_SWR_PLAN_001_an_entry_is_on_the_axis_up_to_the_limit(void)
 
 void test_SWR_PLAN_001_an_entry_off_the_axis_by_0_11_mm_is_ignored(void)
 {
-    neuro_joints_t free_joints;
+    joints_t free_joints;
     const rigid_t pose = pose_at(middle);
     const point_t entry = entry_at(middle, 0.11);
     (void)neuro_solve(&robot, &pose, NULL, &free_joints);
@@ -560,7 +561,7 @@ void test_SWR_PLAN_001_an_entry_that_asks_for_an_illegal_depth_is_refused(void)
     entry.x_nm += pose.translation.x_nm - retracted.translation.x_nm;
     entry.y_nm += pose.translation.y_nm - retracted.translation.y_nm;
     entry.z_nm += pose.translation.z_nm - retracted.translation.z_nm;
-    expect_refusal((neuro_result_t){STATUS_AXIS_LIMIT, AXIS_INSERTION, 0U},
+    expect_refusal((solution_t){STATUS_AXIS_LIMIT, AXIS_INSERTION, 0U},
                    neuro_solve(&robot, &pose, &entry, &joints));
 }
 
@@ -602,7 +603,7 @@ void test_SWR_PLAN_014_the_free_depth_is_the_largest_whole_millimetre_with_room(
         int32_t ticks[ROBOT_AXIS_MAX];
         set_random_legal_ticks(ticks);
         const rigid_t target = pose_at(ticks);
-        const neuro_result_t result = neuro_solve(&robot, &target, NULL, &joints);
+        const solution_t result = neuro_solve(&robot, &target, NULL, &joints);
         const depths_t depths = depths_of(&target, joints.value[AXIS_INSERTION]);
         if ((result.status == STATUS_OK) && (depths.largest > (ENOUGH + 1.0e-6))) {
             TEST_ASSERT_TRUE(depths.chosen >= (ENOUGH - 1.0e-6));
@@ -632,7 +633,7 @@ void test_SWR_PLAN_002_without_that_room_the_depth_has_the_largest_margin_of_all
         set_random_legal_ticks(ticks);
         ticks[AXIS_LATERAL] /= 40;
         const rigid_t target = pose_at(ticks);
-        const neuro_result_t result = neuro_solve(&robot, &target, NULL, &joints);
+        const solution_t result = neuro_solve(&robot, &target, NULL, &joints);
         const depths_t depths = depths_of(&target, joints.value[AXIS_INSERTION]);
         if ((result.status == STATUS_OK) && (depths.largest < (ENOUGH - 1.0e-6))) {
             TEST_ASSERT_TRUE(depths.chosen >= (depths.largest - 1.0e-6));
@@ -662,21 +663,22 @@ void test_SWR_PLAN_002_a_joint_that_no_depth_moves_does_not_decide_it(void)
 
 void test_SWR_PLAN_002_a_margin_is_the_part_of_the_range_to_the_nearer_limit(void)
 {
-    neuro_limits_t limits;
-    neuro_margin_t margin;
-    neuro_limits_init(&limits, &robot);
-    neuro_margin_init(&margin);
+    joint_limits_t limits;
+    margin_t margin;
+    neuro_limits(&robot, &limits);
+    margin_init(&margin);
     const int64_t range = limits.limit[AXIS_LATERAL].maximum - limits.limit[AXIS_LATERAL].minimum;
-    neuro_margin_add(&margin, &limits, AXIS_LATERAL, -range / 4);
+    margin_add(&margin, &limits, AXIS_LATERAL, -range / 4);
     TEST_ASSERT_TRUE(fabs((double)margin.margin_q56 / 72057594037927936.0 - 0.25) < 1.0e-7);
-    expect_refusal((neuro_result_t){STATUS_AXIS_LIMIT, AXIS_LATERAL, 1U}, margin.nearest);
-    neuro_margin_add(&margin, &limits, AXIS_LATERAL, -range / 2);
+    expect_refusal((solution_t){STATUS_AXIS_LIMIT, AXIS_LATERAL, 1U},
+                   margin_limit(&margin, &limits));
+    margin_add(&margin, &limits, AXIS_LATERAL, -range / 2);
     TEST_ASSERT_TRUE(fabs((double)margin.margin_q56 / 72057594037927936.0 - 0.25) < 1.0e-7);
-    neuro_margin_add(&margin, &limits, NEURO_LIMIT_SEPARATION, 75000000);
+    margin_add(&margin, &limits, NEURO_LIMIT_SEPARATION, 75000000);
     TEST_ASSERT_EQUAL_INT64(0, margin.margin_q56);
-    expect_refusal((neuro_result_t){STATUS_SEPARATION_LIMIT, 0U, 0U}, margin.nearest);
-    neuro_margin_add(&margin, &limits, NEURO_LIMIT_HEIGHT, INT64_C(8000000000));
-    expect_refusal((neuro_result_t){STATUS_UNREACHABLE_HEIGHT, 0U, 1U}, margin.nearest);
+    expect_refusal((solution_t){STATUS_SEPARATION_LIMIT, 0U, 0U}, margin_limit(&margin, &limits));
+    margin_add(&margin, &limits, NEURO_LIMIT_HEIGHT, INT64_C(8000000000));
+    expect_refusal((solution_t){STATUS_UNREACHABLE_HEIGHT, 0U, 1U}, margin_limit(&margin, &limits));
 }
 
 void test_SWR_PLAN_003_without_a_legal_depth_the_nearest_limit_is_named(void)
@@ -685,13 +687,13 @@ void test_SWR_PLAN_003_without_a_legal_depth_the_nearest_limit_is_named(void)
     memcpy(ticks, middle, sizeof ticks);
     ticks[AXIS_YAW] = 100;
     rigid_t pose = pose_at(ticks);
-    expect_refusal((neuro_result_t){STATUS_AXIS_LIMIT, AXIS_YAW, 1U},
+    expect_refusal((solution_t){STATUS_AXIS_LIMIT, AXIS_YAW, 1U},
                    neuro_solve(&robot, &pose, NULL, &joints));
     memcpy(ticks, middle, sizeof ticks);
     ticks[AXIS_PITCH] = 0;
     ticks[AXIS_LATERAL] = -4000;
     pose = pose_at(ticks);
-    expect_refusal((neuro_result_t){STATUS_AXIS_LIMIT, AXIS_LATERAL, 0U},
+    expect_refusal((solution_t){STATUS_AXIS_LIMIT, AXIS_LATERAL, 0U},
                    neuro_solve(&robot, &pose, NULL, &joints));
 }
 
@@ -703,13 +705,13 @@ void test_SWR_PLAN_003_the_depth_that_misses_by_least_decides_which_limit_is_nam
     /* Straight down: the height needed grows by 1 mm with each mm of depth. */
     rigid_t pose = pose_at(ticks);
     pose.translation.y_nm += 30000000;
-    expect_refusal((neuro_result_t){STATUS_SEPARATION_LIMIT, 0U, 0U},
+    expect_refusal((solution_t){STATUS_SEPARATION_LIMIT, 0U, 0U},
                    neuro_solve(&robot, &pose, NULL, &joints));
     pose.translation.y_nm += 10000000;
-    expect_refusal((neuro_result_t){STATUS_UNREACHABLE_HEIGHT, 0U, 1U},
+    expect_refusal((solution_t){STATUS_UNREACHABLE_HEIGHT, 0U, 1U},
                    neuro_solve(&robot, &pose, NULL, &joints));
     pose.translation.y_nm -= 200000000;
-    expect_refusal((neuro_result_t){STATUS_UNREACHABLE_HEIGHT, 0U, 0U},
+    expect_refusal((solution_t){STATUS_UNREACHABLE_HEIGHT, 0U, 0U},
                    neuro_solve(&robot, &pose, NULL, &joints));
 }
 
@@ -722,7 +724,7 @@ void test_SWR_PLAN_004_the_difference_of_poses_is_their_distance_and_largest_ang
     const fixed_direction_t turn = fixed_direction(123456);
     rigid_set_identity(&a);
     rigid_set_identity(&b);
-    neuro_pose_difference(&a, &b, &distance_nm, &angle_bam);
+    rigid_difference(&a, &b, &distance_nm, &angle_bam);
     TEST_ASSERT_EQUAL_INT32(0, distance_nm);
     TEST_ASSERT_EQUAL_INT32(0, angle_bam);
     b.translation = (point_t){300, -400, 1200};
@@ -730,7 +732,7 @@ void test_SWR_PLAN_004_the_difference_of_poses_is_their_distance_and_largest_ang
     b.rotation_q30[0][1] = -turn.sine_q30;
     b.rotation_q30[1][0] = turn.sine_q30;
     b.rotation_q30[1][1] = turn.cosine_q30;
-    neuro_pose_difference(&a, &b, &distance_nm, &angle_bam);
+    rigid_difference(&a, &b, &distance_nm, &angle_bam);
     TEST_ASSERT_EQUAL_INT32(1300, distance_nm);
     TEST_ASSERT_INT32_WITHIN(6, 123456, angle_bam);
 }
@@ -747,7 +749,7 @@ void test_SWR_PLAN_004_opposite_axes_and_the_farthest_points_differ_by_the_large
     b.rotation_q30[1][1] = -FIXED_ONE_Q30;
     a.translation.x_nm = INT32_MAX;
     b.translation.x_nm = INT32_MIN;
-    neuro_pose_difference(&a, &b, &distance_nm, &angle_bam);
+    rigid_difference(&a, &b, &distance_nm, &angle_bam);
     TEST_ASSERT_EQUAL_INT32(INT32_MAX, distance_nm);
     TEST_ASSERT_EQUAL_INT32(INT32_MAX, angle_bam);
 }
@@ -756,14 +758,14 @@ void test_SWR_FIX_003_ticks_and_joints_of_the_farthest_positions_do_not_wrap(voi
 {
     static const int32_t farthest[ROBOT_AXIS_MAX] = {INT32_MAX, INT32_MIN, 1, -1, 8073, 0, 0};
     int32_t ticks[ROBOT_AXIS_MAX];
-    neuro_joints_from_ticks(&robot, farthest, &joints);
+    joints_from_ticks(&robot, farthest, &joints);
     TEST_ASSERT_EQUAL_INT32(INT32_MAX, joints.value[AXIS_HEAD]);
     TEST_ASSERT_EQUAL_INT32(INT32_MIN, joints.value[AXIS_FEET]);
     TEST_ASSERT_EQUAL_INT32(21169, joints.value[AXIS_LATERAL]);
     TEST_ASSERT_EQUAL_INT32(-300, joints.value[AXIS_INSERTION]);
     /* 6.280047 rad is 0.003138 rad short of a turn. */
     TEST_ASSERT_INT32_WITHIN(2000, -2145000, joints.value[AXIS_ROTATION]);
-    neuro_ticks_from_joints(&robot, &joints, ticks);
+    joints_to_ticks(&robot, &joints, ticks);
     TEST_ASSERT_EQUAL_INT32(169093, ticks[AXIS_HEAD]);
     TEST_ASSERT_EQUAL_INT32(-169093, ticks[AXIS_FEET]);
     TEST_ASSERT_EQUAL_INT32(-4, ticks[AXIS_ROTATION]);
@@ -771,9 +773,9 @@ void test_SWR_FIX_003_ticks_and_joints_of_the_farthest_positions_do_not_wrap(voi
 
 void test_SWR_CORE_003_a_robot_whose_limits_cross_breaks_contract_100(void)
 {
-    neuro_limits_t limits;
+    joint_limits_t limits;
     robot.axes[AXIS_YAW].minimum_ticks = robot.axes[AXIS_YAW].maximum_ticks;
-    EXPECT_CONTRACT("neuro_limits", 100U, neuro_limits_init(&limits, &robot));
+    EXPECT_CONTRACT("margin", 100U, neuro_limits(&robot, &limits));
 }
 
 void test_SWR_ROBOT_002_the_robot_table_names_its_robot_and_the_file_it_came_from(void)

@@ -12,7 +12,9 @@
 #include "fixed.h"
 #include "requirement_limits.h"
 #include "neuro.h"
-#include "neuro_limits.h"
+#include "joints.h"
+#include "kinematics.h"
+#include "margin.h"
 #include "rigid.h"
 
 TEST_SOURCE_FILE("coupled_limit.c")
@@ -57,9 +59,9 @@ void test_SWR_PLAN_004_a_target_that_is_not_rigid_is_refused(void)
 void test_SWR_PLAN_004_the_way_back_must_return_position_and_direction(void)
 {
     const int32_t home_ticks[ROBOT_AXIS_MAX] = {0, 0, 0, 33333, 0, 0, 0};
-    neuro_joints_t joints;
+    joints_t joints;
     rigid_t pose;
-    neuro_joints_from_ticks(&robot_neuro, home_ticks, &joints);
+    joints_from_ticks(&robot_neuro, home_ticks, &joints);
     neuro_forward(&robot_neuro, &joints, &pose);
     TEST_ASSERT_EQUAL(STATUS_OK, plan_confirm(&robot_neuro, &joints, &pose));
     joints.value[AXIS_LATERAL] += (int32_t)LIMIT_CLOSURE_NM - 10;

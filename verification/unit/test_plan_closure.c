@@ -6,7 +6,8 @@
 #include "unity.h"
 
 #include "fixed.h"
-#include "mock_neuro.h"
+#include "mock_joints.h"
+#include "mock_kinematics.h"
 #include "plan.h"
 #include "requirement_limits.h"
 #include "rigid.h"
@@ -15,7 +16,6 @@
 #include <string.h>
 
 TEST_SOURCE_FILE("coupled_limit.c")
-TEST_SOURCE_FILE("neuro_limits.c")
 TEST_SOURCE_FILE("robot_neuro.c")
 
 /* The two carriages apart: here the coupled limit is looked at by itself. */
@@ -24,37 +24,35 @@ static int32_t planned_ticks[ROBOT_AXIS_MAX];
 static plan_t plan;
 static int32_t wrong_by_nm;
 
-static neuro_result_t solve(const robot_t *robot, const rigid_t *pose, const point_t *entry,
-                            neuro_joints_t *joints, int calls)
+static solution_t solve(const robot_t *robot, const rigid_t *pose, const point_t *entry,
+                        joints_t *joints, int calls)
 {
     (void)robot;
     (void)pose;
     (void)entry;
     (void)calls;
-    *joints = (neuro_joints_t){0};
-    return (neuro_result_t){.status = STATUS_OK};
+    *joints = (joints_t){0};
+    return (solution_t){.status = STATUS_OK};
 }
 
-static void go_forward(const robot_t *robot, const neuro_joints_t *joints, rigid_t *pose, int calls)
+static void go_forward(const robot_t *robot, const joints_t *joints, rigid_t *pose, int calls)
 {
     (void)robot;
     (void)joints;
     (void)calls;
     rigid_set_identity(pose);
+    pose->translation.x_nm = wrong_by_nm;
 }
 
-static void differ(const rigid_t *a, const rigid_t *b, int32_t *distance_nm, int32_t *angle_bam,
-                   int calls)
+/* As core/robot/joints.c, to the nanometre. */
+static int64_t value_of(const axis_config_t *axis, int32_t ticks, int calls)
 {
-    (void)a;
-    (void)b;
     (void)calls;
-    *distance_nm = wrong_by_nm;
-    *angle_bam = 0;
+    return fixed_shift_rounded(ticks * axis->unit_per_tick_q16, 16U);
 }
 
-static void to_ticks(const robot_t *robot, const neuro_joints_t *joints,
-                     int32_t ticks[ROBOT_AXIS_MAX], int calls)
+static void to_ticks(const robot_t *robot, const joints_t *joints, int32_t ticks[ROBOT_AXIS_MAX],
+                     int calls)
 {
     (void)robot;
     (void)joints;
@@ -62,13 +60,13 @@ static void to_ticks(const robot_t *robot, const neuro_joints_t *joints,
     (void)memcpy(ticks, planned_ticks, sizeof planned_ticks);
 }
 
-static void from_ticks(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX],
-                       neuro_joints_t *joints, int calls)
+static void from_ticks(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX], joints_t *joints,
+                       int calls)
 {
     (void)robot;
     (void)ticks;
     (void)calls;
-    *joints = (neuro_joints_t){0};
+    *joints = (joints_t){0};
 }
 
 void setUp(void)
@@ -83,11 +81,11 @@ void setUp(void)
     lone.coupled_limit_count = 0U;
     plan_init(&plan);
     TEST_ASSERT_EQUAL(STATUS_OK, plan_register(&plan, &robot_neuro, &identity));
-    neuro_solve_Stub(solve);
-    neuro_forward_Stub(go_forward);
-    neuro_pose_difference_Stub(differ);
-    neuro_ticks_from_joints_Stub(to_ticks);
-    neuro_joints_from_ticks_Stub(from_ticks);
+    kinematics_solve_Stub(solve);
+    kinematics_forward_Stub(go_forward);
+    joints_value_Stub(value_of);
+    joints_to_ticks_Stub(to_ticks);
+    joints_from_ticks_Stub(from_ticks);
 }
 
 void tearDown(void)
@@ -143,7 +141,7 @@ void test_SWR_COUPLE_002_a_plan_ends_inside_of_the_coupled_limit(void)
     planned_ticks[AXIS_HEAD] = -5338;
     TEST_ASSERT_EQUAL(STATUS_OK, plan_set_target(&plan, &robot_neuro, &pose).status);
     planned_ticks[AXIS_HEAD] = -5339;
-    neuro_result_t result = plan_set_target(&plan, &robot_neuro, &pose);
+    solution_t result = plan_set_target(&plan, &robot_neuro, &pose);
     TEST_ASSERT_EQUAL(STATUS_SEPARATION_LIMIT, result.status);
     TEST_ASSERT_EQUAL_UINT8(0U, result.is_maximum);
     planned_ticks[AXIS_HEAD] = -1000;

@@ -47,7 +47,7 @@ static void rcm(const robot_t *robot, const double joint[ROBOT_AXIS_MAX], double
         robot->neuro.rcm_home_z_nm / NM_PER_MM + (joint[AXIS_HEAD] + joint[AXIS_FEET]) / 2.0;
 }
 
-void neuro_reference_joints(const robot_t *robot, const neuro_joints_t *joints,
+void neuro_reference_joints(const robot_t *robot, const joints_t *joints,
                             double joint[ROBOT_AXIS_MAX])
 {
     for (unsigned i = 0; i < robot->axis_count; i++) {

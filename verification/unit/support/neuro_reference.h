@@ -19,7 +19,7 @@ typedef struct {
 } neuro_reference_pose_t;
 
 /** The same joints in mm and rad. */
-void neuro_reference_joints(const robot_t *robot, const neuro_joints_t *joints,
+void neuro_reference_joints(const robot_t *robot, const joints_t *joints,
                             double joint[ROBOT_AXIS_MAX]);
 
 /** Limits of an axis in mm or rad. */

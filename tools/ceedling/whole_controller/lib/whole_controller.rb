@@ -7,7 +7,7 @@ require 'ceedling/plugins/plugin'
 # names a source. What a test includes is linked by Ceedling itself.
 class WholeController < Plugin
   TESTS = %r{(?:\A|/)verification/integration/}
-  SOURCES = %w[core/*/*.c build/gen/{charts,robot,interface}/*.c bsp/sim/{box,sim}_*.c bsp/sim/box.c].freeze
+  SOURCES = %w[core/*/*.c core/*/*/*.c build/gen/{charts,robot,interface}/*.c bsp/sim/{box,sim}_*.c bsp/sim/box.c].freeze
 
   # Ceedling's hook, before it chooses the sources of a test.
   def pre_test(test)

@@ -54,4 +54,10 @@ point_t rigid_apply(const rigid_t *self, const point_t *point);
 /** Vector product of `a` and `b_q30`, in the unit of `a`, saturated. `result` may be neither. */
 void rigid_cross(const int32_t a[3], const int32_t b_q30[3], int32_t result[3]);
 
+/**
+ * Distance (nm) between the origins, and largest angle (bam) between the axes of the same name, of
+ * two poses. Both saturate at INT32_MAX.
+ */
+void rigid_difference(const rigid_t *a, const rigid_t *b, int32_t *distance_nm, int32_t *angle_bam);
+
 #endif

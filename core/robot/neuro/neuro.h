@@ -9,26 +9,20 @@
 #ifndef BORESIGHT_NEURO_H
 #define BORESIGHT_NEURO_H
 
-#include "neuro_limits.h"
+#include "joints.h"
+#include "margin.h"
 #include "rigid.h"
 #include "robot.h"
 #include "status.h"
 
 #include <stdint.h>
 
-/** Joint values, nm or bam. */
-typedef struct {
-    int32_t value[ROBOT_AXIS_MAX];
-} neuro_joints_t;
+/** The separation of the axial carriages and the height of the linkage count as joints. */
+#define NEURO_LIMIT_SEPARATION JOINT_LIMIT_FURTHER
+#define NEURO_LIMIT_HEIGHT (JOINT_LIMIT_FURTHER + 1U)
 
-/** Joint values of the positions `ticks`. An angle of more than half a turn is given as the one
- * that looks the same. */
-void neuro_joints_from_ticks(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX],
-                             neuro_joints_t *joints);
-
-/** Positions in ticks nearest to `joints`, half away from zero. */
-void neuro_ticks_from_joints(const robot_t *robot, const neuro_joints_t *joints,
-                             int32_t ticks[ROBOT_AXIS_MAX]);
+/** The limits of all joints of `robot`. */
+void neuro_limits(const robot_t *robot, joint_limits_t *limits);
 
 /**
  * Pose of the treatment frame in the z-frame: origin the treatment point, z axis the needle's
@@ -39,7 +33,7 @@ void neuro_ticks_from_joints(const robot_t *robot, const neuro_joints_t *joints,
  * @satisfies SWR-KIN-003
  * @satisfies SWR-KIN-005
  */
-void neuro_forward(const robot_t *robot, const neuro_joints_t *joints, rigid_t *zframe_treatment);
+void neuro_forward(const robot_t *robot, const joints_t *joints, rigid_t *zframe_treatment);
 
 /**
  * Joints for an entry point, a treatment point and a roll about the needle, all in the z-frame.
@@ -53,8 +47,8 @@ void neuro_forward(const robot_t *robot, const neuro_joints_t *joints, rigid_t *
  * @satisfies SWR-KIN-002
  * @satisfies SWR-KIN-004
  */
-neuro_result_t neuro_inverse(const robot_t *robot, const point_t *entry, const point_t *target,
-                             int32_t roll_bam, neuro_joints_t *joints);
+solution_t neuro_inverse(const robot_t *robot, const point_t *entry, const point_t *target,
+                         int32_t roll_bam, joints_t *joints);
 
 /**
  * Joints that put the treatment frame at `pose`, which passed rigid_check(), with the given
@@ -65,8 +59,8 @@ neuro_result_t neuro_inverse(const robot_t *robot, const point_t *entry, const p
  * @satisfies SWR-KIN-002
  * @satisfies SWR-KIN-004
  */
-neuro_result_t neuro_inverse_at_depth(const robot_t *robot, const rigid_t *pose, int32_t depth_nm,
-                                      neuro_joints_t *joints);
+solution_t neuro_inverse_at_depth(const robot_t *robot, const rigid_t *pose, int32_t depth_nm,
+                                  joints_t *joints);
 
 /**
  * Joints for `pose`. With `entry` (not NULL, in the z-frame) within LIMIT_ENTRY_ON_AXIS_NM of the
@@ -83,14 +77,7 @@ neuro_result_t neuro_inverse_at_depth(const robot_t *robot, const rigid_t *pose,
  * @satisfies SWR-PLAN-003
  * @satisfies SWR-PLAN-014
  */
-neuro_result_t neuro_solve(const robot_t *robot, const rigid_t *pose, const point_t *entry,
-                           neuro_joints_t *joints);
-
-/**
- * Distance (nm) between the origins, and largest angle (bam) between the axes of the same name, of
- * two poses. Both saturate at INT32_MAX.
- */
-void neuro_pose_difference(const rigid_t *a, const rigid_t *b, int32_t *distance_nm,
-                           int32_t *angle_bam);
+solution_t neuro_solve(const robot_t *robot, const rigid_t *pose, const point_t *entry,
+                       joints_t *joints);
 
 #endif

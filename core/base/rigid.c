@@ -161,3 +161,37 @@ void rigid_cross(const int32_t a[3], const int32_t b_q30[3], int32_t result[3])
         result[i] = fixed_saturate(fixed_shift_rounded(halved, 29U));
     }
 }
+
+static int32_t angle_between_bam(const int32_t a_q30[3], const int32_t b_q30[3])
+{
+    int32_t cross_q30[3];
+    int64_t wide_q30[3];
+    rigid_cross(a_q30, b_q30, cross_q30);
+    for (uint32_t i = 0U; i < 3U; i++) {
+        wide_q30[i] = cross_q30[i];
+    }
+    const int64_t sine_q30 = fixed_length(wide_q30);
+    const int32_t angle_bam = fixed_atan2_bam(sine_q30, fixed_dot_q30(a_q30, b_q30));
+    /* Half a turn has no positive bam. */
+    return (angle_bam < 0) ? INT32_MAX : angle_bam;
+}
+
+void rigid_difference(const rigid_t *a, const rigid_t *b, int32_t *distance_nm, int32_t *angle_bam)
+{
+    const int64_t way_nm[3] = {(int64_t)a->translation.x_nm - b->translation.x_nm,
+                               (int64_t)a->translation.y_nm - b->translation.y_nm,
+                               (int64_t)a->translation.z_nm - b->translation.z_nm};
+    int32_t largest_bam = 0;
+    for (uint32_t column = 0U; column < 3U; column++) {
+        int32_t a_q30[3];
+        int32_t b_q30[3];
+        for (uint32_t row = 0U; row < 3U; row++) {
+            a_q30[row] = a->rotation_q30[row][column];
+            b_q30[row] = b->rotation_q30[row][column];
+        }
+        const int32_t between_bam = angle_between_bam(a_q30, b_q30);
+        largest_bam = (between_bam > largest_bam) ? between_bam : largest_bam;
+    }
+    *distance_nm = fixed_saturate(fixed_length(way_nm));
+    *angle_bam = largest_bam;
+}

@@ -2,6 +2,7 @@
 #include "neuro.h"
 
 #include "fixed.h"
+#include "margin.h"
 #include "requirement_limits.h"
 
 #include <stdbool.h>
@@ -23,9 +24,9 @@ typedef struct {
     int32_t yaw_bam;
 } needle_t;
 
-static neuro_result_t result_of(status_t status)
+static solution_t result_of(status_t status)
 {
-    return (neuro_result_t){status, 0U, 0U};
+    return (solution_t){status, 0U, 0U};
 }
 
 static int64_t within(int64_t value, int64_t minimum, int64_t maximum)
@@ -106,7 +107,7 @@ static bool aim_at_pose(needle_t *self, const robot_t *robot, const rigid_t *pos
 }
 
 /* Insertion, lateral axis and height at a depth; returns twice the way of the carriages along. */
-static int64_t reach(const needle_t *self, int64_t depth_nm, int64_t value[NEURO_LIMIT_COUNT])
+static int64_t reach(const needle_t *self, int64_t depth_nm, int64_t value[JOINT_LIMIT_COUNT])
 {
     const neuro_geometry_t *const geometry = &self->robot->neuro;
     const int32_t lever_nm = lever_at(geometry, depth_nm);
@@ -123,7 +124,7 @@ static int64_t reach(const needle_t *self, int64_t depth_nm, int64_t value[NEURO
 }
 
 /* The separation at the height; beyond the linkage's reach it is taken at its end. */
-static void separate(const needle_t *self, int64_t value[NEURO_LIMIT_COUNT])
+static void separate(const needle_t *self, int64_t value[JOINT_LIMIT_COUNT])
 {
     const neuro_geometry_t *const geometry = &self->robot->neuro;
     const int64_t reached_nm = within(value[NEURO_LIMIT_HEIGHT], 0, geometry->side_link_nm);
@@ -132,7 +133,7 @@ static void separate(const needle_t *self, int64_t value[NEURO_LIMIT_COUNT])
 }
 
 /* Joint values of the carriages at the separation. */
-static void spread(const needle_t *self, int64_t axial_nm, int64_t value[NEURO_LIMIT_COUNT])
+static void spread(const needle_t *self, int64_t axial_nm, int64_t value[JOINT_LIMIT_COUNT])
 {
     const int64_t opened_nm = value[NEURO_LIMIT_SEPARATION] - self->robot->neuro.home_separation_nm;
     value[AXIS_HEAD] = fixed_shift_rounded(axial_nm + opened_nm, 1U);
@@ -140,10 +141,10 @@ static void spread(const needle_t *self, int64_t axial_nm, int64_t value[NEURO_L
 }
 
 /* Joints at the depth, refused if one would stand outside its limits at the nearest ticks. */
-static neuro_result_t finish(const needle_t *self, const neuro_limits_t *limits, int64_t depth_nm,
-                             neuro_joints_t *joints)
+static solution_t finish(const needle_t *self, const joint_limits_t *limits, int64_t depth_nm,
+                         joints_t *joints)
 {
-    int64_t value[NEURO_LIMIT_COUNT];
+    int64_t value[JOINT_LIMIT_COUNT];
     int32_t ticks[ROBOT_AXIS_MAX];
     const int64_t axial_nm = reach(self, depth_nm, value);
     separate(self, value);
@@ -154,20 +155,20 @@ static neuro_result_t finish(const needle_t *self, const neuro_limits_t *limits,
     for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
         joints->value[i] = fixed_saturate(value[i]);
     }
-    neuro_margin_t margin;
-    neuro_margin_init(&margin);
-    neuro_margin_add(&margin, limits, NEURO_LIMIT_HEIGHT, value[NEURO_LIMIT_HEIGHT]);
+    margin_t margin;
+    margin_init(&margin);
+    margin_add(&margin, limits, NEURO_LIMIT_HEIGHT, value[NEURO_LIMIT_HEIGHT]);
     if (margin.margin_q56 < 0) {
-        return margin.nearest;
+        return margin_limit(&margin, limits);
     }
-    neuro_ticks_from_joints(self->robot, joints, ticks);
+    joints_to_ticks(self->robot, joints, ticks);
     for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
-        value[i] = neuro_limits_value(&self->robot->axes[i], ticks[i]);
-        neuro_margin_add(&margin, limits, i, value[i]);
+        value[i] = joints_value(&self->robot->axes[i], ticks[i]);
+        margin_add(&margin, limits, i, value[i]);
     }
-    neuro_margin_add(&margin, limits, NEURO_LIMIT_SEPARATION,
-                     (value[AXIS_HEAD] - value[AXIS_FEET]) + self->robot->neuro.home_separation_nm);
-    return (margin.margin_q56 < 0) ? margin.nearest : result_of(STATUS_OK);
+    margin_add(&margin, limits, NEURO_LIMIT_SEPARATION,
+               (value[AXIS_HEAD] - value[AXIS_FEET]) + self->robot->neuro.home_separation_nm);
+    return (margin.margin_q56 < 0) ? margin_limit(&margin, limits) : result_of(STATUS_OK);
 }
 
 /* Depth that puts the entry point where it belongs; false when it is off the needle's axis. */
@@ -188,46 +189,46 @@ static bool find_entry_depth(const needle_t *self, const point_t *entry, int64_t
 }
 
 /* The smallest margin of what the depth moves, as soon as it is not above `least_q56`. */
-static neuro_margin_t margin_at_depth(const needle_t *self, const neuro_limits_t *limits,
-                                      int64_t depth_nm, int64_t least_q56)
+static margin_t margin_at_depth(const needle_t *self, const joint_limits_t *limits,
+                                int64_t depth_nm, int64_t least_q56)
 {
-    int64_t value[NEURO_LIMIT_COUNT];
-    neuro_margin_t margin;
-    neuro_margin_init(&margin);
-    neuro_margin_add(&margin, limits, AXIS_INSERTION, depth_nm);
+    int64_t value[JOINT_LIMIT_COUNT];
+    margin_t margin;
+    margin_init(&margin);
+    margin_add(&margin, limits, AXIS_INSERTION, depth_nm);
     if (margin.margin_q56 <= least_q56) {
         return margin;
     }
     const int64_t axial_nm = reach(self, depth_nm, value);
-    neuro_margin_add(&margin, limits, AXIS_LATERAL, value[AXIS_LATERAL]);
+    margin_add(&margin, limits, AXIS_LATERAL, value[AXIS_LATERAL]);
     /* The height is no joint: room to its ends is worth nothing. */
-    neuro_margin_add_missed(&margin, limits, NEURO_LIMIT_HEIGHT, value[NEURO_LIMIT_HEIGHT]);
+    margin_add_missed(&margin, limits, NEURO_LIMIT_HEIGHT, value[NEURO_LIMIT_HEIGHT]);
     if (margin.margin_q56 <= least_q56) {
         return margin;
     }
     separate(self, value);
-    neuro_margin_add(&margin, limits, NEURO_LIMIT_SEPARATION, value[NEURO_LIMIT_SEPARATION]);
+    margin_add(&margin, limits, NEURO_LIMIT_SEPARATION, value[NEURO_LIMIT_SEPARATION]);
     if (margin.margin_q56 <= least_q56) {
         return margin;
     }
     spread(self, axial_nm, value);
-    neuro_margin_add(&margin, limits, AXIS_HEAD, value[AXIS_HEAD]);
-    neuro_margin_add(&margin, limits, AXIS_FEET, value[AXIS_FEET]);
+    margin_add(&margin, limits, AXIS_HEAD, value[AXIS_HEAD]);
+    margin_add(&margin, limits, AXIS_FEET, value[AXIS_FEET]);
     return margin;
 }
 
 /* The largest depth with room, or the one with most; `best` receives its margin. Where the target
  * is out of reach, one end of the depths is mostly the best one: with both known first, few others
  * need a close look. */
-static int64_t find_depth(const needle_t *self, const neuro_limits_t *limits, neuro_margin_t *best)
+static int64_t find_depth(const needle_t *self, const joint_limits_t *limits, margin_t *best)
 {
-    const int64_t enough_q56 = (NEURO_ONE_Q56 / 100) * (int64_t)LIMIT_DEPTH_MARGIN_PERCENT;
+    const int64_t enough_q56 = (MARGIN_ONE_Q56 / 100) * (int64_t)LIMIT_DEPTH_MARGIN_PERCENT;
     const int64_t whole = limits->limit[AXIS_INSERTION].maximum / DEPTH_STEP_NM;
     int64_t best_depth_nm = 0;
     *best = margin_at_depth(self, limits, 0, -INT64_MAX);
     for (int64_t i = whole; (i > 0) && (best->margin_q56 < enough_q56); i--) {
         const int64_t depth_nm = i * DEPTH_STEP_NM;
-        const neuro_margin_t margin = margin_at_depth(self, limits, depth_nm, best->margin_q56);
+        const margin_t margin = margin_at_depth(self, limits, depth_nm, best->margin_q56);
         if (margin.margin_q56 > best->margin_q56) {
             *best = margin;
             best_depth_nm = depth_nm;
@@ -236,42 +237,17 @@ static int64_t find_depth(const needle_t *self, const neuro_limits_t *limits, ne
     return best_depth_nm;
 }
 
-static int32_t angle_between_bam(const int32_t a_q30[3], const int32_t b_q30[3])
+void neuro_limits(const robot_t *robot, joint_limits_t *limits)
 {
-    int32_t cross_q30[3];
-    int64_t wide_q30[3];
-    rigid_cross(a_q30, b_q30, cross_q30);
-    for (uint32_t i = 0U; i < 3U; i++) {
-        wide_q30[i] = cross_q30[i];
-    }
-    const int64_t sine_q30 = fixed_length(wide_q30);
-    const int32_t angle_bam = fixed_atan2_bam(sine_q30, fixed_dot_q30(a_q30, b_q30));
-    /* Half a turn has no positive bam. */
-    return (angle_bam < 0) ? INT32_MAX : angle_bam;
+    const neuro_geometry_t *const geometry = &robot->neuro;
+    margin_set_axes(limits, robot);
+    margin_set_limit(limits, NEURO_LIMIT_SEPARATION, STATUS_SEPARATION_LIMIT,
+                     geometry->minimum_separation_nm, geometry->maximum_separation_nm);
+    margin_set_limit(limits, NEURO_LIMIT_HEIGHT, STATUS_UNREACHABLE_HEIGHT, 1,
+                     (int64_t)geometry->side_link_nm - 1);
 }
 
-void neuro_joints_from_ticks(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX],
-                             neuro_joints_t *joints)
-{
-    for (uint32_t i = 0U; i < robot->axis_count; i++) {
-        const axis_config_t *const axis = &robot->axes[i];
-        const int64_t value = neuro_limits_value(axis, ticks[i]);
-        joints->value[i] =
-            (axis->unit == (uint8_t)AXIS_UNIT_RAD) ? fixed_wrap_bam(value) : fixed_saturate(value);
-    }
-}
-
-void neuro_ticks_from_joints(const robot_t *robot, const neuro_joints_t *joints,
-                             int32_t ticks[ROBOT_AXIS_MAX])
-{
-    for (uint32_t i = 0U; i < robot->axis_count; i++) {
-        const int64_t value_q16 = (int64_t)joints->value[i] * 65536;
-        ticks[i] =
-            fixed_saturate(fixed_divide_rounded(value_q16, robot->axes[i].unit_per_tick_q16));
-    }
-}
-
-void neuro_forward(const robot_t *robot, const neuro_joints_t *joints, rigid_t *zframe_treatment)
+void neuro_forward(const robot_t *robot, const joints_t *joints, rigid_t *zframe_treatment)
 {
     const neuro_geometry_t *const geometry = &robot->neuro;
     const int64_t head_nm = joints->value[AXIS_HEAD];
@@ -300,15 +276,15 @@ void neuro_forward(const robot_t *robot, const neuro_joints_t *joints, rigid_t *
     zframe_treatment->translation = (point_t){origin_nm[0], origin_nm[1], origin_nm[2]};
 }
 
-neuro_result_t neuro_inverse(const robot_t *robot, const point_t *entry, const point_t *target,
-                             int32_t roll_bam, neuro_joints_t *joints)
+solution_t neuro_inverse(const robot_t *robot, const point_t *entry, const point_t *target,
+                         int32_t roll_bam, joints_t *joints)
 {
     const neuro_geometry_t *const geometry = &robot->neuro;
     const int64_t way_nm[3] = {(int64_t)target->x_nm - entry->x_nm,
                                (int64_t)target->y_nm - entry->y_nm,
                                (int64_t)target->z_nm - entry->z_nm};
     needle_t needle = {robot, 0, *target, {0, 0, 0}, roll_bam, 0, 0};
-    neuro_limits_t limits;
+    joint_limits_t limits;
     const int64_t length_nm = fixed_normalise(way_nm, needle.direction_q30);
     if (length_nm == 0) {
         return result_of(STATUS_DEGENERATE_LINE);
@@ -316,67 +292,46 @@ neuro_result_t neuro_inverse(const robot_t *robot, const point_t *entry, const p
     if (!aim(&needle)) {
         return result_of(STATUS_SINGULAR_PITCH);
     }
-    neuro_limits_init(&limits, robot);
+    neuro_limits(robot, &limits);
     return finish(&needle, &limits,
                   length_nm - geometry->probe_robot_to_treatment_nm +
                       geometry->probe_robot_to_entry_nm,
                   joints);
 }
 
-neuro_result_t neuro_inverse_at_depth(const robot_t *robot, const rigid_t *pose, int32_t depth_nm,
-                                      neuro_joints_t *joints)
+solution_t neuro_inverse_at_depth(const robot_t *robot, const rigid_t *pose, int32_t depth_nm,
+                                  joints_t *joints)
 {
     needle_t needle;
-    neuro_limits_t limits;
+    joint_limits_t limits;
     if (!aim_at_pose(&needle, robot, pose)) {
         return result_of(STATUS_SINGULAR_PITCH);
     }
-    neuro_limits_init(&limits, robot);
+    neuro_limits(robot, &limits);
     return finish(&needle, &limits, depth_nm, joints);
 }
 
-neuro_result_t neuro_solve(const robot_t *robot, const rigid_t *pose, const point_t *entry,
-                           neuro_joints_t *joints)
+solution_t neuro_solve(const robot_t *robot, const rigid_t *pose, const point_t *entry,
+                       joints_t *joints)
 {
     needle_t needle;
-    neuro_limits_t limits;
-    neuro_margin_t best;
+    joint_limits_t limits;
+    margin_t best;
     int64_t depth_nm;
     if (!aim_at_pose(&needle, robot, pose)) {
         return result_of(STATUS_SINGULAR_PITCH);
     }
-    neuro_limits_init(&limits, robot);
+    neuro_limits(robot, &limits);
     if ((entry != NULL) && find_entry_depth(&needle, entry, &depth_nm)) {
         return finish(&needle, &limits, depth_nm, joints);
     }
     depth_nm = find_depth(&needle, &limits, &best);
-    neuro_margin_add(&best, &limits, AXIS_ROTATION, needle.rotation_bam);
-    neuro_margin_add(&best, &limits, AXIS_PITCH, needle.pitch_bam);
-    neuro_margin_add(&best, &limits, AXIS_YAW, needle.yaw_bam);
-    const neuro_result_t result = finish(&needle, &limits, depth_nm, joints);
+    margin_add(&best, &limits, AXIS_ROTATION, needle.rotation_bam);
+    margin_add(&best, &limits, AXIS_PITCH, needle.pitch_bam);
+    margin_add(&best, &limits, AXIS_YAW, needle.yaw_bam);
+    const solution_t result = finish(&needle, &limits, depth_nm, joints);
     /* A height that is missed is the cause of whatever else is. */
     const bool is_told =
         (result.status == STATUS_OK) || (result.status == STATUS_UNREACHABLE_HEIGHT);
-    return is_told ? result : best.nearest;
-}
-
-void neuro_pose_difference(const rigid_t *a, const rigid_t *b, int32_t *distance_nm,
-                           int32_t *angle_bam)
-{
-    const int64_t way_nm[3] = {(int64_t)a->translation.x_nm - b->translation.x_nm,
-                               (int64_t)a->translation.y_nm - b->translation.y_nm,
-                               (int64_t)a->translation.z_nm - b->translation.z_nm};
-    int32_t largest_bam = 0;
-    for (uint32_t column = 0U; column < 3U; column++) {
-        int32_t a_q30[3];
-        int32_t b_q30[3];
-        for (uint32_t row = 0U; row < 3U; row++) {
-            a_q30[row] = a->rotation_q30[row][column];
-            b_q30[row] = b->rotation_q30[row][column];
-        }
-        const int32_t between_bam = angle_between_bam(a_q30, b_q30);
-        largest_bam = (between_bam > largest_bam) ? between_bam : largest_bam;
-    }
-    *distance_nm = fixed_saturate(fixed_length(way_nm));
-    *angle_bam = largest_bam;
+    return is_told ? result : margin_limit(&best, &limits);
 }

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "coupled_limit.h"
 
-#include "neuro_limits.h"
+#include "joints.h"
 #include "requirement_limits.h"
 
 int64_t coupled_limit_nm(const robot_t *robot, const coupled_limit_t *limit, int32_t first_ticks,
                          int32_t second_ticks)
 {
-    return neuro_limits_value(&robot->axes[limit->first], first_ticks) -
-           neuro_limits_value(&robot->axes[limit->second], second_ticks);
+    return joints_value(&robot->axes[limit->first], first_ticks) -
+           joints_value(&robot->axes[limit->second], second_ticks);
 }
 
 coupled_side_t coupled_limit_side(const coupled_limit_t *limit, int64_t above_nm)

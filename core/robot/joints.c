@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "joints.h"
+
+#include "fixed.h"
+
+#include <string.h>
+
+int64_t joints_value(const axis_config_t *axis, int32_t ticks)
+{
+    const int64_t whole = axis->unit_per_tick_q16 / 65536;
+    const int64_t fraction_q16 = axis->unit_per_tick_q16 % 65536;
+    return (ticks * whole) + fixed_shift_rounded(ticks * fraction_q16, 16U);
+}
+
+void joints_from_ticks(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX], joints_t *joints)
+{
+    (void)memset(joints, 0, sizeof *joints);
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+        const axis_config_t *const axis = &robot->axes[i];
+        const int64_t value = joints_value(axis, ticks[i]);
+        joints->value[i] =
+            (axis->unit == (uint8_t)AXIS_UNIT_RAD) ? fixed_wrap_bam(value) : fixed_saturate(value);
+    }
+}
+
+void joints_to_ticks(const robot_t *robot, const joints_t *joints, int32_t ticks[ROBOT_AXIS_MAX])
+{
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+        const int64_t value_q16 = (int64_t)joints->value[i] * 65536;
+        ticks[i] =
+            fixed_saturate(fixed_divide_rounded(value_q16, robot->axes[i].unit_per_tick_q16));
+    }
+}

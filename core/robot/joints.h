@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Joint values of any robot, in the order of its axes: nm of a linear axis, bam of a turning one.
+ */
+#ifndef BORESIGHT_JOINTS_H
+#define BORESIGHT_JOINTS_H
+
+#include "robot.h"
+#include "status.h"
+
+#include <stdint.h>
+
+/** Joint values, nm or bam; 0 beyond the robot's axes. */
+typedef struct {
+    int32_t value[ROBOT_AXIS_MAX];
+} joints_t;
+
+/** What stands in the way of a pose: the limit that is missed, the one missed by most if there are
+ * several. */
+typedef struct {
+    status_t status;    /**< STATUS_OK, or the reason. */
+    uint8_t axis;       /**< Index of the axis of STATUS_AXIS_LIMIT; 0 otherwise. */
+    uint8_t is_maximum; /**< 1: the upper end of the limit, 0: the lower. */
+} solution_t;
+
+/** Joint value (nm, or bam counted over more than one turn) of `ticks` counts of `axis`. */
+int64_t joints_value(const axis_config_t *axis, int32_t ticks);
+
+/** Joint values of the positions `ticks`. An angle of more than half a turn is given as the one
+ * that looks the same. */
+void joints_from_ticks(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX], joints_t *joints);
+
+/** Positions in ticks nearest to `joints`, half away from zero; beyond the robot's axes nothing is
+ * written. */
+void joints_to_ticks(const robot_t *robot, const joints_t *joints, int32_t ticks[ROBOT_AXIS_MAX]);
+
+#endif

@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * The kinematics of any robot: one switch on robot->kind, made by tools/robots.rb from the folders
+ * of core/robot. There is no function pointer, so the call graph stays as it is written. Each
+ * function does what that of the robot's own folder with the same end of its name says.
+ */
+#ifndef BORESIGHT_KINEMATICS_H
+#define BORESIGHT_KINEMATICS_H
+
+#include "joints.h"
+#include "rigid.h"
+#include "robot.h"
+
+#include <stdint.h>
+
+/** Pose of the treatment frame in the z-frame; the identity for a kind that nobody knows. */
+void kinematics_forward(const robot_t *robot, const joints_t *joints, rigid_t *zframe_treatment);
+
+/**
+ * Joints for an entry point, a treatment point and a roll about the needle, all in the z-frame.
+ *
+ * @return as the robot's kinematics; STATUS_MEMORY_DAMAGED for a kind that nobody knows
+ */
+solution_t kinematics_inverse(const robot_t *robot, const point_t *entry, const point_t *target,
+                              int32_t roll_bam, joints_t *joints);
+
+/**
+ * Joints for `pose`, with `entry` (in the z-frame) or without (NULL).
+ *
+ * @return as the robot's kinematics; STATUS_MEMORY_DAMAGED for a kind that nobody knows
+ */
+solution_t kinematics_solve(const robot_t *robot, const rigid_t *pose, const point_t *entry,
+                            joints_t *joints);
+
+#endif
