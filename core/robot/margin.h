@@ -38,8 +38,8 @@ typedef struct {
 /** The smallest margin of those looked at, and the limit it belongs to. */
 typedef struct {
     int64_t margin_q56;
-    uint32_t nearest;    /**< The joint of that limit. */
-    uint32_t is_maximum; /**< 1: its upper limit. */
+    uint32_t nearest;   /**< The joint of that limit. */
+    uint8_t is_maximum; /**< 1: its upper limit. */
 } margin_t;
 
 /** Takes a range for joint `index` (below JOINT_LIMIT_COUNT); `status` says that it is missed.
