@@ -40,9 +40,12 @@ static permit_facts_t common_facts(const controller_t *self, const cycle_t *cycl
 static bool is_needle_in(const controller_t *self, const robot_t *robot, uint32_t index,
                          const card_drive_t *request)
 {
-    const bool is_upwards = (request->mode != (uint32_t)CARD_DRIVE_OFF) &&
-                            servo_is_upwards(&robot->axes[index], request);
-    return controller_is_jogged(self, index) &&
+    const bool is_on = request->mode != (uint32_t)CARD_DRIVE_OFF;
+    const bool is_upwards = is_on && servo_is_upwards(&robot->axes[index], request);
+    const bool is_homing_across = is_on &&
+                                  (workphase_present(&self->workphases) == WORKPHASE_START_UP) &&
+                                  (robot->axes[index].needle_motion == (uint32_t)NEEDLE_ACROSS);
+    return (controller_is_jogged(self, index) || is_homing_across) &&
            needle_forbids_jog(robot, self->axes, index, is_upwards);
 }
 

@@ -84,29 +84,35 @@ static bool is_base_aligned(const controller_t *self, const robot_t *robot)
     return is_aligned;
 }
 
+/* Halfway, so that it surely counts as out. */
+static int32_t retracted_ticks(const robot_t *robot)
+{
+    const int32_t home_ticks = robot->axes[robot->needle_axis].home_ticks;
+    return home_ticks + ((needle_out_ticks(robot) - home_ticks) / 2);
+}
+
 /* End of the next leg of the move: retract the needle, align everything else, insert. */
 static void choose_leg(const controller_t *self, const robot_t *robot, int32_t ends[ROBOT_AXIS_MAX])
 {
     const uint32_t needle = robot->needle_axis;
-    const int32_t out_ticks = needle_out_ticks(robot);
-    const int32_t home_ticks = robot->axes[needle].home_ticks;
     const int32_t needle_ticks = self->axes[needle].encoder.position_ticks;
     if (is_base_aligned(self, robot)) {
         (void)memcpy(ends, self->plan.target_ticks, sizeof self->plan.target_ticks);
-    } else if (needle_ticks > out_ticks) {
+    } else if (needle_ticks > needle_out_ticks(robot)) {
         positions(self, ends);
-        /* Halfway, so that it surely counts as out. */
-        ends[needle] = home_ticks + ((out_ticks - home_ticks) / 2);
+        ends[needle] = retracted_ticks(robot);
     } else {
         (void)memcpy(ends, self->plan.target_ticks, sizeof self->plan.target_ticks);
         ends[needle] = needle_ticks;
     }
 }
 
-/* A jog leaves the other axes alone; a move holds them all. */
-static bool is_moved(const controller_t *self, uint32_t index)
+/* A jog leaves the other axes alone, so does the needle that leaves; a move holds them all. */
+static bool is_moved(const controller_t *self, const robot_t *robot, uint32_t index)
 {
-    return (workphase_present(&self->workphases) == WORKPHASE_MOVE_TO_TARGET) ||
+    const workphase_t workphase = workphase_present(&self->workphases);
+    const bool is_leaving = (workphase == WORKPHASE_START_UP) && (index == robot->needle_axis);
+    return (workphase == WORKPHASE_MOVE_TO_TARGET) || is_leaving ||
            controller_is_jogged(self, index);
 }
 
@@ -115,8 +121,8 @@ static bool is_at(const controller_t *self, const robot_t *robot,
 {
     bool is_there = true;
     for (uint32_t i = 0U; i < self->axis_count; i++) {
-        is_there = is_there &&
-                   (!is_moved(self, i) || axis_is_at(&self->axes[i], &robot->axes[i], ticks[i]));
+        is_there = is_there && (!is_moved(self, robot, i) ||
+                                axis_is_at(&self->axes[i], &robot->axes[i], ticks[i]));
     }
     return is_there;
 }
@@ -128,8 +134,11 @@ static void begin_leg(controller_t *self, const robot_t *robot)
     int32_t ends[ROBOT_AXIS_MAX] = {0};
     positions(self, starts);
     positions(self, ends);
-    if (workphase_present(&self->workphases) == WORKPHASE_MOVE_TO_TARGET) {
+    const workphase_t workphase = workphase_present(&self->workphases);
+    if (workphase == WORKPHASE_MOVE_TO_TARGET) {
         choose_leg(self, robot, ends);
+    } else if (workphase == WORKPHASE_START_UP) {
+        ends[robot->needle_axis] = retracted_ticks(robot);
     } else {
         ends[self->jog_axis % ROBOT_AXIS_MAX] = self->jog_ticks;
     }
@@ -162,8 +171,9 @@ static void follow_profile(controller_t *self, const cycle_t *cycle,
     }
     profile_step(&self->profile);
     for (uint32_t i = 0U; i < self->axis_count; i++) {
-        requests[i] = is_moved(self, i) ? follow(self, cycle, i)
-                                        : axis_rest(&self->axes[i], cycle->inputs->elapsed_us);
+        requests[i] = is_moved(self, cycle->robot, i)
+                          ? follow(self, cycle, i)
+                          : axis_rest(&self->axes[i], cycle->inputs->elapsed_us);
     }
     if (profile_is_finished(&self->profile) && is_at(self, cycle->robot, self->profile.end_ticks)) {
         self->settled_cycles++;
@@ -189,7 +199,7 @@ static uint32_t astray(const controller_t *self, const robot_t *robot)
 {
     uint32_t index = 0U;
     for (uint32_t i = 0U; i < self->axis_count; i++) {
-        if (is_moved(self, i) &&
+        if (is_moved(self, robot, i) &&
             !axis_is_at(&self->axes[i], &robot->axes[i], self->profile.end_ticks[i])) {
             index = i;
         }
@@ -250,7 +260,11 @@ void controller_move(controller_t *self, const cycle_t *cycle,
     }
     if (!workphase_is_moving(&self->workphases)) {
         rest_all(self, cycle, requests);
+    } else if (is_start_up && needle_must_leave(cycle->robot, self->axes)) {
+        follow_profile(self, cycle, requests);
+        watch_time(self, cycle);
     } else if (is_start_up) {
+        self->is_profile_running = 0U;
         run_homing(self, cycle, requests);
     } else {
         run_profile(self, cycle, requests);

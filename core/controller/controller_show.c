@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "controller_parts.h"
 
+#include "coupled_guard.h"
+
 #include "permit.h"
 
 #include <string.h>
@@ -68,11 +70,15 @@ static next_step_t next_step(const controller_t *self)
     return (step == NEXT_STEP_NOTHING) ? step_for_plan(self) : step;
 }
 
-static bool is_any_contradicted(const controller_t *self)
+/* START_UP alone does not help an axis whose switch and counts contradict each other, nor one in
+ * doubt that must not be homed. */
+static bool is_confirmation_better(const controller_t *self, const robot_t *robot)
 {
     bool is_any = false;
     for (uint32_t i = 0U; i < self->axis_count; i++) {
-        is_any = is_any || axis_is_contradicted(&self->axes[i]);
+        const bool is_in_doubt = self->axes[i].chart.reference == AXIS_REFERENCE_UNVERIFIED;
+        const bool is_stuck = is_in_doubt && coupled_guard_bars_homing(robot, self->axes, i);
+        is_any = is_any || is_stuck || axis_is_contradicted(&self->axes[i]);
     }
     return is_any;
 }
@@ -87,7 +93,7 @@ static next_step_t confirmed_first(const controller_t *self, const cycle_t *cycl
         return step;
     }
     const workphases_inputs_t guards = controller_guards(self, cycle);
-    const bool is_due = guards.is_confirmation_due || is_any_contradicted(self);
+    const bool is_due = guards.is_confirmation_due || is_confirmation_better(self, cycle->robot);
     return (guards.is_hardware_ready && is_due) ? NEXT_STEP_CONFIRM : step;
 }
 

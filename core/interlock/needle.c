@@ -17,6 +17,18 @@ static bool is_out(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX])
     return axis_is_homed(needle) && (needle->encoder.position_ticks <= needle_out_ticks(robot));
 }
 
+bool needle_must_leave(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX])
+{
+    bool is_base_unknown = false;
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+        const bool is_across = robot->axes[i].needle_motion == (uint32_t)NEEDLE_ACROSS;
+        if (is_across && !axis_is_homed(&axes[i])) {
+            is_base_unknown = true;
+        }
+    }
+    return is_base_unknown && axis_is_homed(&axes[robot->needle_axis]) && !is_out(robot, axes);
+}
+
 bool needle_forbids_jog(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX], uint32_t index,
                         bool is_upwards)
 {

@@ -9,6 +9,12 @@
 #include "unity.h"
 
 #include "controller.h"
+#include "controller_parts.h"
+#include "needle.h"
+#include "permit.h"
+#include "requirement_limits.h"
+
+#include <stdio.h>
 
 static rig_t rig;
 
@@ -53,6 +59,95 @@ void test_SWR_AXIS_002_the_needle_homes_before_the_other_axes_move(void)
         rig_cycle(&rig);
         TEST_ASSERT_LESS_THAN_UINT32(40000U, rig.controller.cycle);
     }
+}
+
+/* At its target, `axis` was out of sight for a while and is to be homed again. */
+static void lose_at_target(uint32_t axis)
+{
+    char order[32];
+    rig_start_targeted(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 60000U).kind);
+    rig_release(&rig);
+    (void)snprintf(order, sizeof order, "card %s silent", robot_neuro.axes[axis].name);
+    rig_box(&rig, order);
+    rig_cycles(&rig, 200U);
+    (void)snprintf(order, sizeof order, "card %s normal", robot_neuro.axes[axis].name);
+    rig_box(&rig, order);
+    rig_cycles(&rig, 50U);
+}
+
+void test_SWR_JOG_016_the_needle_leaves_before_the_base_homes(void)
+{
+    static const uint32_t lost[] = {AXIS_LATERAL, AXIS_PITCH, AXIS_YAW};
+    const double *const needle = &rig.box.axes[AXIS_INSERTION].motor.position_ticks;
+    for (uint32_t i = 0U; i < (sizeof lost / sizeof lost[0]); i++) {
+        const double *const place = &rig.box.axes[lost[i]].motor.position_ticks;
+        lose_at_target(lost[i]);
+        const double start = *place;
+        TEST_ASSERT_TRUE(*needle > 10000.0);
+        TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+        rig_press(&rig);
+        while (*needle > 3000.0) {
+            rig_cycle(&rig);
+            TEST_ASSERT_DOUBLE_WITHIN(0.5, start, *place);
+            TEST_ASSERT_EQUAL(CARD_DRIVE_OFF, rig_sent(&rig, lost[i]).drive.mode);
+            TEST_ASSERT_LESS_THAN_UINT32(200000U, rig.controller.cycle);
+        }
+        TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 60000U).kind);
+        TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED,
+                                 rig.outputs.snapshot.axes[lost[i]].reference);
+        TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_HOMING_BARRED));
+    }
+}
+
+/* Homed, the head would open the carriages too far; but who sees it may say that it stands there.
+ */
+void test_SWR_COUPLE_003_a_barred_axis_in_doubt_may_be_confirmed(void)
+{
+    const command_t jog = {.kind = COMMAND_JOG, .argument = AXIS_FEET, .value = -2000};
+    const command_t follow = {.kind = COMMAND_JOG, .argument = AXIS_HEAD, .value = -2000};
+    rig_start_homed(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
+    for (uint32_t i = 0U; i < 2U; i++) {
+        TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, (i == 0U) ? follow : jog).status);
+        rig_release(&rig);
+        rig_press(&rig);
+        TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 60000U).kind);
+    }
+    rig_release(&rig);
+    rig_box(&rig, "card head silent");
+    rig_cycles(&rig, 200U);
+    rig_box(&rig, "card head normal");
+    rig_cycles(&rig, 200U);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED,
+                             rig.outputs.snapshot.axes[AXIS_HEAD].reference);
+    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_CONFIRM, rig.outputs.snapshot.next_step);
+    rig_box(&rig, "button press");
+    rig_cycles(&rig, (LIMIT_CONFIRM_HOLD_US / LIMIT_CYCLE_US) + 100U);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED,
+                             rig.outputs.snapshot.axes[AXIS_HEAD].reference);
+    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_CHECK_CARDS, rig.outputs.snapshot.next_step);
+}
+
+/* Whoever asks: the permit allows no drive across a needle that is in. */
+void test_SWR_JOG_016_the_permit_drives_nothing_across_a_needle_that_is_in(void)
+{
+    const cycle_t cycle = {.robot = &rig.robot, .inputs = &rig.inputs, .outputs = &rig.outputs};
+    card_drive_t requests[ROBOT_AXIS_MAX] = {{0}};
+    lose_at_target(AXIS_LATERAL);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    rig_press(&rig);
+    rig_cycles(&rig, 100U);
+    requests[AXIS_LATERAL].mode = CARD_DRIVE_NON_PWM;
+    requests[AXIS_INSERTION] = rig_sent(&rig, AXIS_INSERTION).drive;
+    TEST_ASSERT_NOT_EQUAL(CARD_DRIVE_OFF, requests[AXIS_INSERTION].mode);
+    controller_drive(&rig.controller, &cycle, requests);
+    TEST_ASSERT_EQUAL_HEX32(1UL << PERMIT_REASON_NEEDLE_IN,
+                            rig.controller.permit_reasons[AXIS_LATERAL]);
+    TEST_ASSERT_EQUAL(CARD_DRIVE_OFF, rig_sent(&rig, AXIS_LATERAL).drive.mode);
+    TEST_ASSERT_NOT_EQUAL(CARD_DRIVE_OFF, rig_sent(&rig, AXIS_INSERTION).drive.mode);
 }
 
 void test_SWR_PHASE_003_start_up_again_when_homed_ends_at_once(void)

@@ -35,7 +35,7 @@ const char *witness_sentence(sentence_t sentence)
         "As long as nothing is broken, no fault is found (event)",
         "No axis goes beyond its end by more than its deadband (ticks)",
         "In a short mean no axis is faster than its speed (percent)",
-        "A jog drives nothing across a needle that is in (mm)",
+        "Neither jog nor homing drives across a needle that is in (mm)",
         "A needle that is not homed is not jogged inwards"};
     return words[sentence];
 }
@@ -251,7 +251,8 @@ static void judge_jog(witness_t *self, const rig_t *rig, double depth_ticks, boo
 {
     const double in = measure(AXIS_INSERTION, depth_ticks) - NEEDLE_OUT_MM;
     const card_drive_t needle = rig_sent(rig, AXIS_INSERTION).drive;
-    if (rig->outputs.snapshot.workphase != (uint32_t)WORKPHASE_MANUAL) {
+    const uint32_t phase = rig->outputs.snapshot.workphase;
+    if ((phase != (uint32_t)WORKPHASE_MANUAL) && (phase != (uint32_t)WORKPHASE_START_UP)) {
         return;
     }
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
@@ -261,7 +262,8 @@ static void judge_jog(witness_t *self, const rig_t *rig, double depth_ticks, boo
             complain(self, rig, SENTENCE_ACROSS, i, in);
         }
     }
-    if ((needle.mode != (uint32_t)CARD_DRIVE_OFF) && !is_homed(rig, AXIS_INSERTION) &&
+    if ((phase == (uint32_t)WORKPHASE_MANUAL) && (needle.mode != (uint32_t)CARD_DRIVE_OFF) &&
+        !is_homed(rig, AXIS_INSERTION) &&
         servo_is_upwards(&robot_neuro.axes[AXIS_INSERTION], &needle)) {
         complain(self, rig, SENTENCE_INWARDS, AXIS_INSERTION, 1.0);
     }
