@@ -339,7 +339,7 @@ static int32_t reading_at(const axis_t *self, const axis_config_t *config, int64
 void axis_guard(const axis_t *self, const axis_config_t *config, bool is_driven,
                 int32_t *minimum_reading, int32_t *maximum_reading)
 {
-    int64_t below = -2 * (int64_t)supervision_rest_ticks(config);
+    int64_t below = -2 * (int64_t)self->supervision.rest_ticks;
     int64_t above = -below;
     if (is_driven) {
         const int64_t way = (int64_t)error_ticks(self);

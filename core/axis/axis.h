@@ -140,7 +140,7 @@ uint32_t axis_supervise(axis_t *self, const axis_config_t *config, bool is_drive
 
 /**
  * The readings of the encoder between which the axis may be: about its position, and between
- * position and set-point with their greatest distance while it is driven.
+ * position and set-point with their greatest distance while it is driven. After axis_supervise().
  *
  * @satisfies SWR-AXIS-017
  */

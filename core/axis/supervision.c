@@ -240,6 +240,9 @@ uint32_t supervision_step(supervision_t *self, const axis_config_t *config,
     const int64_t model_q16 = motor_model_step_q16(&self->model, config, &view->drive, driven_us);
     const int64_t counted = (int64_t)view->position_ticks - (int64_t)self->position_ticks;
     uint32_t notes = 0U;
+    if (self->rest_ticks == 0) {
+        self->rest_ticks = supervision_rest_ticks(config);
+    }
     notes |= note(is_stalled(self, config, view), AXIS_NOTE_STALLED);
     notes |= note(is_astray(view), AXIS_NOTE_FOLLOWING_ERROR);
     notes |= note(is_backwards(self, view), AXIS_NOTE_WRONG_WAY);

@@ -48,6 +48,7 @@ typedef struct {
 } supervision_view_t;
 
 typedef struct {
+    int32_t rest_ticks; /**< supervision_rest_ticks(), from the first cycle on. */
     int32_t mark_ticks; /**< Position at the last progress in the direction of the drive. */
     uint32_t is_upwards;
     int32_t backwards_ticks; /**< How far it has gone against its drive, for the record. */

@@ -1021,6 +1021,7 @@ static void expect_guard(bool is_driven, int32_t below, int32_t above)
 {
     int32_t lowest = 0;
     int32_t highest = 0;
+    (void)supervise(false, 0U);
     axis_guard(&axis, config, is_driven, &lowest, &highest);
     TEST_ASSERT_EQUAL_UINT32((uint32_t)axis.encoder.reading - (uint32_t)below, (uint32_t)lowest);
     TEST_ASSERT_EQUAL_UINT32((uint32_t)axis.encoder.reading + (uint32_t)above, (uint32_t)highest);
