@@ -2,6 +2,7 @@
 #include "axis.h"
 
 #include "fixed.h"
+#include "joints.h"
 #include "requirement_limits.h"
 
 #include <stddef.h>
@@ -42,9 +43,7 @@ static bool has_switch(const axis_config_t *config)
 /* Farther apart than switch and counts may be. */
 static bool is_beyond_margin(const axis_config_t *config, int64_t apart_ticks)
 {
-    const bool is_length = config->unit == (uint8_t)AXIS_UNIT_MM;
-    const int64_t margin = (int64_t)(is_length ? LIMIT_SWITCH_MARGIN_NM : LIMIT_SWITCH_MARGIN_BAM);
-    return (apart_ticks > 0) && ((apart_ticks * config->unit_per_tick_q16) > (margin * 65536));
+    return joints_is_beyond(config, apart_ticks, LIMIT_SWITCH_MARGIN_NM, LIMIT_SWITCH_MARGIN_BAM);
 }
 
 /* The axis stands at `position_ticks`; what was counted of the way stays true. */

@@ -2,15 +2,16 @@
 #include "count_account.h"
 
 #include "fixed.h"
+#include "joints.h"
+#include "motor_model.h"
 #include "requirement_limits.h"
 
 #include <string.h>
 
 #define ONE_E2_Q16 INT64_C(6553600)
 #define WINDOW_Q16 ((int64_t)LIMIT_ACCOUNT_WINDOW_TICKS * 65536)
+/* In fewer ticks one more or less would say too much of a motor. */
 #define CALIBRATION_Q16 (3 * WINDOW_Q16)
-/* From the drive word to a motor at rest: counts until then are of that drive. */
-#define REST_US 10000U
 
 /* All in percent. */
 typedef struct {
@@ -139,7 +140,8 @@ static void close_window(count_account_t *self)
     clear_window(self);
 }
 
-/* A window ends with a count, so that a part of a tick is not taken for a missing one. */
+/* A window ends with a count, so that a part of a tick is not taken for a missing one; at twice its
+ * way it ends without. */
 static bool is_window_full(const count_account_t *self, int64_t counted_ticks)
 {
     const bool is_long =
@@ -149,18 +151,17 @@ static bool is_window_full(const count_account_t *self, int64_t counted_ticks)
 
 static bool is_beyond(const axis_config_t *config, int64_t sum_e2_q16)
 {
-    const bool is_length = config->unit == (uint8_t)AXIS_UNIT_MM;
-    const int64_t most = (int64_t)(is_length ? LIMIT_REST_WAY_NM : LIMIT_REST_WAY_BAM);
     const int64_t ticks = sum_e2_q16 / ONE_E2_Q16;
     return (ticks >= (int64_t)LIMIT_ACCOUNT_TICKS) &&
-           ((ticks * config->unit_per_tick_q16) > (most * 65536));
+           joints_is_beyond(config, ticks, LIMIT_REST_WAY_NM, LIMIT_REST_WAY_BAM);
 }
 
 bool count_account_step(count_account_t *self, const axis_config_t *config, int64_t model_q16,
                         int64_t counted_ticks, uint32_t elapsed_us)
 {
     follow_drive(self, model_q16, elapsed_us);
-    if (self->rest_us > REST_US) {
+    /* Until the motor rests, counts are of its last drive. */
+    if (self->rest_us > MOTOR_REST_US) {
         return false;
     }
     const count_calibration_t *const shown = &self->calibrations[self->regime];

@@ -2,10 +2,9 @@
 #include "drift_audit.h"
 
 #include "fixed.h"
+#include "joints.h"
+#include "motor_model.h"
 #include "requirement_limits.h"
-
-/* From the drive word to a motor at rest. */
-#define REST_US 10000U
 
 static int32_t sum(int32_t account_ticks, int64_t way_ticks)
 {
@@ -18,7 +17,7 @@ void drift_audit_step(drift_audit_t *self, int32_t position_ticks, bool is_off, 
     self->position_ticks = position_ticks;
     if (!is_off) {
         self->off_us = 0U;
-    } else if (self->off_us < REST_US) {
+    } else if (self->off_us < MOTOR_REST_US) {
         self->off_us += elapsed_us;
     } else {
         self->idle_ticks = sum(self->idle_ticks, way);
@@ -39,8 +38,7 @@ void drift_audit_begin_scan(drift_audit_t *self)
 
 bool drift_audit_is_beyond(const drift_audit_t *self, const axis_config_t *config)
 {
-    const int64_t most = (config->unit == (uint8_t)AXIS_UNIT_MM) ? (int64_t)LIMIT_DRIFT_WAY_NM
-                                                                 : (int64_t)LIMIT_DRIFT_WAY_BAM;
-    const int64_t way = ((int64_t)self->idle_ticks * config->unit_per_tick_q16) / 65536;
-    return (way > most) || (way < -most);
+    const int64_t idle = (int64_t)self->idle_ticks;
+    return joints_is_beyond(config, (idle < 0) ? -idle : idle, LIMIT_DRIFT_WAY_NM,
+                            LIMIT_DRIFT_WAY_BAM);
 }

@@ -2,13 +2,12 @@
 #include "supervision.h"
 
 #include "fixed.h"
+#include "joints.h"
 #include "requirement_limits.h"
 
 #include <string.h>
 
 #define PLACE_US 100000U
-/* From the drive word to a motor at rest. */
-#define REST_US 10000U
 
 static int64_t error_ticks(const supervision_view_t *view)
 {
@@ -81,13 +80,6 @@ static int64_t ticks_of(const axis_config_t *config, uint32_t way_nm, uint32_t w
     return (way * 65536) / config->unit_per_tick_q16;
 }
 
-/* More ticks than ticks_of() the way, found without its division. */
-static bool is_beyond(const axis_config_t *config, int64_t ticks, uint32_t way_nm, uint32_t way_bam)
-{
-    const int64_t way = (int64_t)((config->unit == (uint8_t)AXIS_UNIT_MM) ? way_nm : way_bam);
-    return (ticks * config->unit_per_tick_q16) > (way * 65536);
-}
-
 int32_t supervision_rest_ticks(const axis_config_t *config)
 {
     return fixed_saturate(ticks_of(config, LIMIT_REST_WAY_NM, LIMIT_REST_WAY_BAM));
@@ -111,7 +103,7 @@ static bool is_silent(supervision_t *self, const axis_config_t *config, int64_t 
     const bool is_due = (model_q16 != 0) && (due_ticks(self) >= (int64_t)LIMIT_SILENT_TICKS);
     self->silent_us += is_due ? elapsed_us : 0U;
     return (self->silent_us >= LIMIT_SILENT_TIME_US) ||
-           is_beyond(config, due_ticks(self) + 1, LIMIT_BLIND_WAY_NM, LIMIT_BLIND_WAY_BAM);
+           joints_is_beyond(config, due_ticks(self) + 1, LIMIT_BLIND_WAY_NM, LIMIT_BLIND_WAY_BAM);
 }
 
 void supervision_settle(supervision_t *self)
@@ -181,14 +173,14 @@ static bool is_moving_while_off(supervision_t *self, const axis_config_t *config
     const bool is_off = view->is_relied_on && (view->drive.mode == (uint32_t)CARD_DRIVE_OFF);
     const uint32_t more_us = is_off ? view->elapsed_us : 0U;
     self->off_us = is_off ? self->off_us : 0U;
-    self->off_us += (self->off_us < REST_US) ? more_us : 0U;
-    if (self->off_us < REST_US) {
+    self->off_us += (self->off_us < MOTOR_REST_US) ? more_us : 0U;
+    if (self->off_us < MOTOR_REST_US) {
         settle(self, view);
         return false;
     }
     remember_place(self, view);
     self->off_ticks = way_while_off(self, view);
-    return is_beyond(config, self->off_ticks, LIMIT_REST_WAY_NM, LIMIT_REST_WAY_BAM);
+    return joints_is_beyond(config, self->off_ticks, LIMIT_REST_WAY_NM, LIMIT_REST_WAY_BAM);
 }
 
 static uint32_t note(bool is_found, uint32_t name)
@@ -205,7 +197,7 @@ void supervision_init(supervision_t *self)
 
 bool supervision_is_at_rest(const supervision_t *self)
 {
-    return self->off_us >= REST_US;
+    return self->off_us >= MOTOR_REST_US;
 }
 
 void supervision_reset(supervision_t *self, bool is_trusted)

@@ -2,9 +2,9 @@
 /**
  * @file
  * What an ultrasonic motor does with its drive words, as far as one knows without looking: it runs
- * at the speed of the word, gains it with one time constant, loses it with a shorter one, and
- * stops at once. The servo plans
- * its last ticks with it; supervision compares it with what the encoder counts.
+ * at the speed of the word, gains it with one time constant, loses it with a shorter one, and stops
+ * at once. The servo plans its last ticks with it; supervision compares it with what the encoder
+ * counts.
  */
 #ifndef BORESIGHT_MOTOR_MODEL_H
 #define BORESIGHT_MOTOR_MODEL_H
@@ -13,6 +13,9 @@
 #include "robot.h"
 
 #include <stdint.h>
+
+/** From an off word that is sent to a motor that surely rests. */
+#define MOTOR_REST_US 10000U
 
 typedef struct {
     int64_t speed_ticks_per_s_q8;

@@ -9,6 +9,7 @@
 #include "robot.h"
 #include "status.h"
 
+#include <stdbool.h>
 #include <stdint.h>
 
 /** Joint values, nm or bam; 0 beyond the robot's axes. */
@@ -23,6 +24,14 @@ typedef struct {
     uint8_t axis;       /**< Index of the axis of STATUS_AXIS_LIMIT; 0 otherwise. */
     uint8_t is_maximum; /**< 1: the upper end of the limit, 0: the lower. */
 } solution_t;
+
+/** `ticks` of `axis` are more than `way_nm`, or of a turning axis than `way_bam`. */
+static inline bool joints_is_beyond(const axis_config_t *axis, int64_t ticks, uint32_t way_nm,
+                                    uint32_t way_bam)
+{
+    const int64_t way = (int64_t)((axis->unit == (uint8_t)AXIS_UNIT_MM) ? way_nm : way_bam);
+    return (ticks * axis->unit_per_tick_q16) > (way * 65536);
+}
 
 /** Joint value (nm, or bam counted over more than one turn) of `ticks` counts of `axis`. */
 int64_t joints_value(const axis_config_t *axis, int32_t ticks);
