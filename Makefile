@@ -32,38 +32,35 @@ BUILD_ID := $(shell git rev-parse --short=12 HEAD 2>/dev/null || echo unknown)$(
 
 # --- what there is -------------------------------------------------------------------------------------------
 
-# Core layers, lowest first: a layer sees itself and those before it.
-LAYERS := base card robot encoder motion axis interlock procedure permit controller
-GENERATED_INCLUDES := -I$(GEN)/charts -I$(GEN)/limits -I$(GEN)/robot -I$(GEN)/interface
-upto = $(if $(filter $(1),$(firstword $(2))),$(1),$(firstword $(2)) $(call upto,$(1),$(wordlist 2,99,$(2))))
-layer_includes = $(foreach l,$(call upto,$(1),$(LAYERS)),-Icore/$(l)) $(GENERATED_INCLUDES)
-CORE_INCLUDES := $(foreach l,$(LAYERS),-Icore/$(l)) $(GENERATED_INCLUDES)
-BSP_INCLUDES := -Icore/base -Icore/card -Icore/robot -Ibsp/include -Ibsp/sim -I$(GEN)/limits -I$(GEN)/robot \
-    -I$(GEN)/interface
-APPS := exchange positions control igtl http recorder supervisor replay
-APP_INCLUDES := $(CORE_INCLUDES) -Ibsp/include $(foreach a,$(APPS),-Iapp/$(a)) -I$(GEN)/interface/app -I$(GEN)/assets
+# An include names the room (`#include "axis/axis.h"`); tools/rooms.yml says which room may see which.
+# core/base also by itself, for what the chart compiler writes.
+CORE_INCLUDES := -Icore -Icore/base -I$(GEN)
+BSP_INCLUDES := $(CORE_INCLUDES) -Ibsp -Ibsp/include
+APP_INCLUDES := $(CORE_INCLUDES) -Ibsp/include -Iapp
+TEST_INCLUDES := $(APP_INCLUDES) -Ibsp -Iverification
 
 CHARTS := $(basename $(notdir $(wildcard statecharts/*.scxml)))
 CHART_SOURCES := $(CHARTS:%=$(GEN)/charts/%_chart.c)
-CORE_SOURCES := $(foreach l,$(LAYERS),$(wildcard core/$(l)/*.c core/$(l)/*/*.c)) $(CHART_SOURCES) $(GEN)/robot/robot_neuro.c \
+CORE_SOURCES := $(wildcard core/*/*.c core/*/*/*.c) $(CHART_SOURCES) $(GEN)/robot/robot_neuro.c \
     $(GEN)/robot/kinematics.c $(GEN)/interface/event.c
 # What the processes call things.
 NAMES := $(GEN)/interface/app/names.c
 
 BOX_SOURCES := $(filter-out %_main.c bsp/sim/bsp_sim.c bsp/sim/wire.c,$(wildcard bsp/sim/*.c))
+CLOCK := app/common/clock.c
 EXCHANGE := $(wildcard app/exchange/exchange*.c)
-EVENT_TEXT := app/exchange/event_text.c $(GEN)/interface/app/event_words.c
+EVENT_TEXT := app/common/event_text.c $(GEN)/interface/app/event_words.c
 
 # Each program: its own files; what it needs of the core comes from libcore.a.
 SOURCES_boresight-box := $(BOX_SOURCES) bsp/sim/wire.c bsp/sim/box_main.c
 SOURCES_boresight-simctl := $(BOX_SOURCES) bsp/sim/wire.c bsp/sim/simctl_main.c
-SOURCES_boresight-control := $(wildcard app/control/*.c app/positions/*.c) $(EXCHANGE) bsp/sim/bsp_sim.c bsp/sim/wire.c
-SOURCES_boresight-igtl := $(wildcard app/igtl/*.c) $(EXCHANGE) $(NAMES)
-SOURCES_boresight-http := $(wildcard app/http/*.c) $(GEN)/interface/app/messages.c $(EVENT_TEXT) $(EXCHANGE) $(NAMES) $(GEN)/assets/assets.c \
+SOURCES_boresight-control := $(wildcard app/control/*.c app/positions/*.c) $(CLOCK) $(EXCHANGE) bsp/sim/bsp_sim.c bsp/sim/wire.c
+SOURCES_boresight-igtl := $(wildcard app/igtl/*.c) $(CLOCK) $(EXCHANGE) $(NAMES)
+SOURCES_boresight-http := $(wildcard app/http/*.c) $(CLOCK) $(GEN)/interface/app/messages.c $(EVENT_TEXT) $(EXCHANGE) $(NAMES) $(GEN)/assets/assets.c \
     $(GEN)/assets/chart_names.c
-SOURCES_boresight-recorder := $(wildcard app/recorder/*.c app/positions/*.c) $(EVENT_TEXT) $(EXCHANGE) $(NAMES)
-SOURCES_boresight-replay := $(wildcard app/replay/*.c app/recorder/recording*.c) $(GEN)/interface/app/columns.c $(EVENT_TEXT) $(NAMES)
-SOURCES_boresight := $(wildcard app/supervisor/*.c) app/recorder/black_box_files.c $(EXCHANGE) $(NAMES)
+SOURCES_boresight-recorder := $(wildcard app/recorder/*.c app/recording/*.c app/positions/*.c) $(CLOCK) app/common/directory.c $(EVENT_TEXT) $(EXCHANGE) $(NAMES)
+SOURCES_boresight-replay := $(wildcard app/replay/*.c app/recording/*.c) $(GEN)/interface/app/columns.c $(EVENT_TEXT) $(NAMES)
+SOURCES_boresight := $(wildcard app/supervisor/*.c) $(CLOCK) app/common/directory.c $(EXCHANGE) $(NAMES)
 LIBS_boresight-http := -lcivetweb -lcjson -lpthread
 LIBS_boresight-recorder := -lzstd -lcrypto
 LIBS_boresight-replay := -lzstd -lcrypto
@@ -120,11 +117,11 @@ $(GEN)/assets/chart_names.c: $(GEN)/charts/charts.json app/http/chart_names.rb
 
 object = $(patsubst %.c,$(OUT)/%.o,$(1))
 
-$(foreach l,$(LAYERS),$(eval $(OUT)/core/$(l)/%.o: FLAGS = $(call layer_includes,$(l))))
+$(OUT)/core/%.o: FLAGS = $(CORE_INCLUDES)
 $(OUT)/$(GEN)/%.o: FLAGS = $(APP_INCLUDES)
 $(OUT)/bsp/%.o: FLAGS = -D_GNU_SOURCE $(BSP_INCLUDES)
 $(OUT)/app/%.o: FLAGS = -D_GNU_SOURCE $(APP_INCLUDES) -DBORESIGHT_BUILD_ID='"$(BUILD_ID)"'
-$(OUT)/verification/%.o: FLAGS = -D_GNU_SOURCE $(APP_INCLUDES) -Ibsp/sim -Iverification/unit/support
+$(OUT)/verification/%.o: FLAGS = -D_GNU_SOURCE $(TEST_INCLUDES)
 
 $(OUT)/%.o: %.c | $(GENERATED)
 	@mkdir -p $(@D)
@@ -157,7 +154,7 @@ $(BIN)/boresight-client: $(CLIENT_SOURCES)
 # Our codec against the standard's own library.
 $(BIN)/codec-oracle: verification/demo/client/codec_oracle.cpp $(call object,app/igtl/igtl_codec.c)
 	@mkdir -p $(BIN)
-	g++ -std=c++14 -Wall -O1 -Iapp/igtl -isystem /usr/include/openigtlink $^ -lOpenIGTLink -lpthread -o $@
+	g++ -std=c++14 -Wall -O1 -Iapp -isystem /usr/include/openigtlink $^ -lOpenIGTLink -lpthread -o $@
 
 -include $(shell find build -name '*.d' -not -path 'build/ceedling/*' 2>/dev/null)
 

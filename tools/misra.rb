@@ -44,8 +44,7 @@ class Cppcheck
   # All that belongs to the program; users outside of the core are seen, but not reported on.
   FILES = %w[core/**/*.c build/gen/charts/*.c build/gen/robot/*.c build/gen/interface/*.c].freeze
   USERS = %w[bsp/sim/*.c app/control/*.c app/replay/*.c].freeze
-  FOLDERS = %w[build/gen/charts build/gen/limits build/gen/robot build/gen/interface build/gen/interface/app bsp/include
-               bsp/sim app/exchange app/control app/replay app/recorder].freeze
+  FOLDERS = %w[core core/base app bsp bsp/include build/gen].freeze
   COPIED = %w[core/**/*.{c,h} build/gen/**/*.{c,h} bsp/**/*.{c,h} app/*/*.{c,h} verification/misra/*.cfg].freeze
   # What would leave a file out.
   UNREAD = %w[syntaxError internalError internalAstError preprocessorErrorDirective cppcheckError].freeze
@@ -94,7 +93,7 @@ class Cppcheck
   end
 
   def includes
-    (glob(%w[core/*/ core/*/*/]).map { |folder| folder.chomp('/') } + glob(FOLDERS)).map { |folder| "-I#{folder}" }
+    FOLDERS.map { |folder| "-I#{folder}" }
   end
 
   def finding(error, folder)

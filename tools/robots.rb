@@ -46,10 +46,10 @@ class Robots
     <<~SOURCE
       /* SPDX-License-Identifier: Apache-2.0 */
       #{NOTE}
-      #include "kinematics.h"
+      #include "robot/kinematics.h"
 
-      #include "robot_kind.h"
-      #{@names.map { |name| "#include \"#{name}/#{name}.h\"" }.join("\n")}
+      #include "robot/robot_kind.h"
+      #{@names.map { |name| "#include \"robot/#{name}/#{name}.h\"" }.join("\n")}
 
       void kinematics_forward(const robot_t *robot, const joints_t *joints, rigid_t *zframe_treatment)
       {

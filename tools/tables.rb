@@ -2,16 +2,17 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# Fills the tables of the user manual from their sources, so that the manual says what the programs say.
+# Fills the tables of the documents from their sources, so that they say what the programs say.
 #
-#   ruby tools/tables.rb [--root FOLDER]           rewrites the marked blocks of docs/user-manual.md
+#   ruby tools/tables.rb [--root FOLDER]           rewrites the marked blocks of docs/*.md
 #   ruby tools/tables.rb --check [--root FOLDER]   one line per stale block, exit 1 if there is any
 #
 # A block begins with the line `<!-- table:NAME -->` and ends with the line `<!-- end -->`. NAME is an enumeration or a
-# structure of core/interface; or `limits`, for those of requirements/.
+# structure of core/interface; `limits`, for those of requirements/; or `rooms`, for tools/rooms.yml.
 
 require 'optparse'
 require_relative 'interface/model'
+require_relative 'rooms'
 require_relative 'trace/requirements'
 
 # What can be shown as a table, read from one project.
@@ -23,6 +24,7 @@ class TableSources
   # Lines of the table, nil when nothing has this name.
   def table(name)
     return limits if name == 'limits'
+    return rooms if name == 'rooms'
 
     enumeration = interface.enumeration(name)
     return values_of(enumeration) if enumeration
@@ -32,7 +34,7 @@ class TableSources
   end
 
   def names
-    ((interface.enumerations + interface.structures).map(&:name) + ['limits']).sort
+    ((interface.enumerations + interface.structures).map(&:name) + %w[limits rooms]).sort
   end
 
   private
@@ -64,6 +66,13 @@ class TableSources
       ["`#{limit.name}`", limit.value, limit.unit, limit.requirement]
     end
     markdown(%w[Limit Value Unit Requirement], rows)
+  end
+
+  def rooms
+    rows = Rooms.new(@root).rooms.map do |room|
+      ["`#{room.folder}`", room.holds, room.sees.map { |seen| "`#{seen}`" }.join(', ')]
+    end
+    markdown(%w[Folder Holds Sees], rows)
   end
 
   def markdown(heads, rows)
@@ -145,15 +154,17 @@ if $PROGRAM_NAME == __FILE__
       parser.on('--check') { options[:check] = true }
       parser.on('--root FOLDER') { |folder| options[:root] = folder }
     end.parse!
-    path = File.join(options[:root], 'docs', 'user-manual.md')
-    document = TabledDocument.new('docs/user-manual.md', File.read(path, encoding: 'UTF-8'),
-                                  TableSources.new(options[:root]))
+    sources = TableSources.new(options[:root])
+    documents = Dir.glob('docs/*.md', base: options[:root]).sort.to_h do |file|
+      [file, TabledDocument.new(file, File.read(File.join(options[:root], file), encoding: 'UTF-8'), sources)]
+    end
   rescue OptionParser::ParseError, TabledDocument::MarkError, Trace::FormatError, Interface::Refused, Errno::ENOENT => e
     abort e.message
   end
   if options[:check]
-    puts document.findings
-    exit document.findings.empty?
+    findings = documents.values.flat_map(&:findings)
+    puts findings
+    exit findings.empty?
   end
-  File.write(path, document.text)
+  documents.each { |file, document| File.write(File.join(options[:root], file), document.text) if document.blocks.any? }
 end

@@ -7,15 +7,16 @@
  *
  * @satisfies SWR-CTRL-001
  */
+#include "base/contract.h"
 #include "bsp.h"
-#include "contract.h"
-#include "controller.h"
-#include "drives_off.h"
-#include "exchange.h"
-#include "figures.h"
-#include "position_store.h"
-#include "realtime.h"
-#include "requirement_limits.h"
+#include "common/clock.h"
+#include "control/drives_off.h"
+#include "control/figures.h"
+#include "control/realtime.h"
+#include "controller/controller.h"
+#include "exchange/exchange.h"
+#include "limits/requirement_limits.h"
+#include "positions/position_store.h"
 
 #include <signal.h>
 #include <stdbool.h>
@@ -260,18 +261,11 @@ static const char *option(int count, char *const values[], const char *name)
     exit(EXIT_CANNOT_START);
 }
 
-static uint64_t utc_us(void)
-{
-    struct timespec now;
-    (void)clock_gettime(CLOCK_REALTIME, &now);
-    return ((uint64_t)now.tv_sec * UINT64_C(1000000)) + ((uint64_t)now.tv_nsec / 1000U);
-}
-
 /* The state that the first checkpoint holds: what was kept is part of it. */
 static void begin_controller(const char *path)
 {
     const bsp_power_on_t power_on = bsp_power_on();
-    const position_asker_t asker = {.utc_us = utc_us(),
+    const position_asker_t asker = {.utc_us = clock_utc_us(),
                                     .robot_crc = robot_neuro.crc,
                                     .power_on = power_on.id,
                                     .was_used = power_on.was_used};

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "drives_off.h"
+#include "control/drives_off.h"
 
 #include "bsp.h"
-#include "requirement_limits.h"
+#include "limits/requirement_limits.h"
 
 #include <stdio.h>
 

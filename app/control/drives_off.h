@@ -8,7 +8,7 @@
 #ifndef BORESIGHT_DRIVES_OFF_H
 #define BORESIGHT_DRIVES_OFF_H
 
-#include "robot.h"
+#include "robot/robot.h"
 
 #include <stdint.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "figures.h"
+#include "control/figures.h"
 
 void histogram_add(histogram_t *self, uint64_t value_us)
 {

@@ -4,7 +4,7 @@
 #ifndef BORESIGHT_FIGURES_H
 #define BORESIGHT_FIGURES_H
 
-#include "exchange.h"
+#include "exchange/exchange.h"
 
 #include <stdint.h>
 

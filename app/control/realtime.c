@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "realtime.h"
+#include "control/realtime.h"
 
-#include "exchange.h"
+#include "exchange/exchange.h"
 
 #include <sched.h>
 #include <stdio.h>

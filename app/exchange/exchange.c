@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "exchange.h"
+#include "exchange/exchange.h"
 
-#include "exchange_segment.h"
+#include "exchange/exchange_segment.h"
 
 #include <string.h>
 

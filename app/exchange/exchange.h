@@ -8,13 +8,13 @@
 #ifndef BORESIGHT_EXCHANGE_H
 #define BORESIGHT_EXCHANGE_H
 
-#include "answer.h"
-#include "command.h"
-#include "controller.h"
-#include "event.h"
-#include "loop_figures.h"
-#include "snapshot.h"
-#include "status.h"
+#include "controller/controller.h"
+#include "interface/answer.h"
+#include "interface/command.h"
+#include "interface/event.h"
+#include "interface/loop_figures.h"
+#include "interface/snapshot.h"
+#include "interface/status.h"
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "exchange_segment.h"
+#include "exchange/exchange_segment.h"
 
-#include "interface_layout.h"
+#include "interface/interface_layout.h"
 
 #include <errno.h>
 #include <fcntl.h>

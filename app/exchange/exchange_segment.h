@@ -10,7 +10,7 @@
 #ifndef BORESIGHT_EXCHANGE_SEGMENT_H
 #define BORESIGHT_EXCHANGE_SEGMENT_H
 
-#include "exchange.h"
+#include "exchange/exchange.h"
 
 #include <stdint.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "asset.h"
+#include "http/asset.h"
 
 #include <stdbool.h>
 #include <stdio.h>

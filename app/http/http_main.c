@@ -6,9 +6,9 @@
  *
  *     boresight-http --exchange NAME [--port 8080] [--bind 127.0.0.1] [--box NAME]
  */
-#include "exchange.h"
-#include "http_guard.h"
-#include "http_server.h"
+#include "exchange/exchange.h"
+#include "http/http_guard.h"
+#include "http/http_server.h"
 
 #include <arpa/inet.h>
 #include <getopt.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "http_reply.h"
+#include "http/http_reply.h"
 
-#include "messages.h"
+#include "interface/app/messages.h"
 
 #include <stdio.h>
 #include <string.h>

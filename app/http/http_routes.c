@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "http_routes.h"
+#include "http/http_routes.h"
 
-#include "asset.h"
-#include "http_reply.h"
-#include "messages.h"
-#include "stop_desk.h"
+#include "http/asset.h"
+#include "http/http_reply.h"
+#include "http/stop_desk.h"
+#include "interface/app/messages.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -3,7 +3,7 @@
 #ifndef BORESIGHT_HTTP_ROUTES_H
 #define BORESIGHT_HTTP_ROUTES_H
 
-#include "http_server.h"
+#include "http/http_server.h"
 
 #include <civetweb.h>
 

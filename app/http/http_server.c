@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "http_server.h"
+#include "http/http_server.h"
 
-#include "asset.h"
-#include "http_reply.h"
-#include "http_routes.h"
-#include "stop_port.h"
+#include "common/build_id.h"
+#include "http/asset.h"
+#include "http/http_reply.h"
+#include "http/http_routes.h"
+#include "http/stop_port.h"
 
 #include <arpa/inet.h>
 #include <errno.h>
@@ -15,10 +16,6 @@
 #include <sys/random.h>
 #include <sys/socket.h>
 #include <unistd.h>
-
-#ifndef BORESIGHT_BUILD_ID
-#define BORESIGHT_BUILD_ID "development"
-#endif
 
 /* A worker needs little; the default of 8 MB each would only be address space to fill. */
 #define WORKER_STACK_BYTES (256U * 1024U)
@@ -47,7 +44,7 @@ void http_server_init(http_server_t *self, exchange_t *exchange, const http_guar
     self->exchange = exchange;
     self->guard = *guard;
     make_boot_id(self->identity.boot_id, sizeof(self->identity.boot_id));
-    self->identity.build_id = BORESIGHT_BUILD_ID;
+    self->identity.build_id = BUILD_ID;
     self->identity.box = box;
     telemetry_init(&self->telemetry, exchange);
     http_stream_init(&self->stream, exchange);

@@ -7,11 +7,11 @@
 #ifndef BORESIGHT_HTTP_SERVER_H
 #define BORESIGHT_HTTP_SERVER_H
 
-#include "exchange.h"
-#include "http_guard.h"
-#include "http_stream.h"
-#include "telemetry.h"
-#include "telemetry_json.h"
+#include "exchange/exchange.h"
+#include "http/http_guard.h"
+#include "http/http_stream.h"
+#include "http/telemetry.h"
+#include "http/telemetry_json.h"
 
 #include <civetweb.h>
 #include <stdbool.h>

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "http_stream.h"
+#include "http/http_stream.h"
 
-#include "http_reply.h"
-#include "telemetry_json.h"
+#include "http/http_reply.h"
+#include "http/telemetry_json.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -8,7 +8,7 @@
 #ifndef BORESIGHT_HTTP_STREAM_H
 #define BORESIGHT_HTTP_STREAM_H
 
-#include "exchange.h"
+#include "exchange/exchange.h"
 
 #include <civetweb.h>
 #include <pthread.h>

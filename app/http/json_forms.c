@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "json_forms.h"
+#include "http/json_forms.h"
 
-#include "telemetry_units.h"
+#include "http/telemetry_units.h"
 
 void json_add_number(cJSON *object, const char *key, double value)
 {

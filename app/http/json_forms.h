@@ -7,7 +7,7 @@
 #ifndef BORESIGHT_JSON_FORMS_H
 #define BORESIGHT_JSON_FORMS_H
 
-#include "rigid.h"
+#include "base/rigid.h"
 
 #include <cjson/cJSON.h>
 #include <stdbool.h>

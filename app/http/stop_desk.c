@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "stop_desk.h"
+#include "http/stop_desk.h"
 
-#include "names.h"
+#include "interface/app/names.h"
 
 #include <stdio.h>
 #include <time.h>

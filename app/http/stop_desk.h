@@ -7,7 +7,7 @@
 #ifndef BORESIGHT_STOP_DESK_H
 #define BORESIGHT_STOP_DESK_H
 
-#include "exchange.h"
+#include "exchange/exchange.h"
 
 #include <stddef.h>
 #include <stdint.h>

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "stop_port.h"
+#include "http/stop_port.h"
 
-#include "http_reply.h"
-#include "stop_desk.h"
-#include "stop_request.h"
-#include "telemetry.h"
+#include "http/http_reply.h"
+#include "http/stop_desk.h"
+#include "http/stop_request.h"
+#include "http/telemetry.h"
 
 #include <arpa/inet.h>
 #include <errno.h>

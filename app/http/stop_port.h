@@ -8,8 +8,8 @@
 #ifndef BORESIGHT_STOP_PORT_H
 #define BORESIGHT_STOP_PORT_H
 
-#include "exchange.h"
-#include "http_guard.h"
+#include "exchange/exchange.h"
+#include "http/http_guard.h"
 
 #include <stdint.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "stop_request.h"
+#include "http/stop_request.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -7,7 +7,7 @@
 #ifndef BORESIGHT_STOP_REQUEST_H
 #define BORESIGHT_STOP_REQUEST_H
 
-#include "http_guard.h"
+#include "http/http_guard.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,17 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "telemetry.h"
+#include "http/telemetry.h"
+
+#include "common/clock.h"
 
 #include <string.h>
-#include <time.h>
 
 /* A process that has not beaten for so long is shown as not running. */
 #define SILENCE_MS 3000U
 
 uint64_t telemetry_now_ms(void)
 {
-    struct timespec now;
-    (void)clock_gettime(CLOCK_MONOTONIC, &now);
-    return ((uint64_t)now.tv_sec * 1000U) + ((uint64_t)now.tv_nsec / 1000000U);
+    return clock_monotonic_us() / 1000U;
 }
 
 void telemetry_init(telemetry_t *self, exchange_t *exchange)

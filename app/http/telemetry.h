@@ -8,7 +8,7 @@
 #ifndef BORESIGHT_TELEMETRY_H
 #define BORESIGHT_TELEMETRY_H
 
-#include "exchange.h"
+#include "exchange/exchange.h"
 
 #include <pthread.h>
 #include <stdbool.h>

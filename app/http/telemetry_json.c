@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "telemetry_json.h"
+#include "http/telemetry_json.h"
 
-#include "event_text.h"
-#include "messages.h"
-#include "telemetry_units.h"
+#include "common/event_text.h"
+#include "http/telemetry_units.h"
+#include "interface/app/messages.h"
 
 #include <stddef.h>
 

@@ -7,7 +7,7 @@
 #ifndef BORESIGHT_TELEMETRY_JSON_H
 #define BORESIGHT_TELEMETRY_JSON_H
 
-#include "telemetry.h"
+#include "http/telemetry.h"
 
 #include <cjson/cJSON.h>
 #include <stdint.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "telemetry_units.h"
+#include "http/telemetry_units.h"
 
 #include <math.h>
 

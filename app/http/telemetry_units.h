@@ -4,8 +4,8 @@
 #ifndef BORESIGHT_TELEMETRY_UNITS_H
 #define BORESIGHT_TELEMETRY_UNITS_H
 
-#include "rigid.h"
-#include "robot.h"
+#include "base/rigid.h"
+#include "robot/robot.h"
 
 #include <stdint.h>
 

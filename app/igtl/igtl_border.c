@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "igtl_border.h"
+#include "igtl/igtl_border.h"
 
-#include "fixed.h"
+#include "base/fixed.h"
 
 #include <stdbool.h>
 #include <stdio.h>

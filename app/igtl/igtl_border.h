@@ -8,10 +8,10 @@
 #ifndef BORESIGHT_IGTL_BORDER_H
 #define BORESIGHT_IGTL_BORDER_H
 
-#include "igtl_codec.h"
-#include "rigid.h"
-#include "robot.h"
-#include "status.h"
+#include "base/rigid.h"
+#include "igtl/igtl_codec.h"
+#include "interface/status.h"
+#include "robot/robot.h"
 
 #include <stdint.h>
 

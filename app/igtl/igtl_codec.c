@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "igtl_codec.h"
+#include "igtl/igtl_codec.h"
 
-#include "requirement_limits.h"
+#include "limits/requirement_limits.h"
 
 #include <stdbool.h>
 #include <string.h>

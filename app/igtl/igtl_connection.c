@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "igtl_connection.h"
+#include "igtl/igtl_connection.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -3,8 +3,8 @@
 #ifndef BORESIGHT_IGTL_CONNECTION_H
 #define BORESIGHT_IGTL_CONNECTION_H
 
-#include "igtl_inbox.h"
-#include "igtl_outbox.h"
+#include "igtl/igtl_inbox.h"
+#include "igtl/igtl_outbox.h"
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -8,8 +8,8 @@
 #ifndef BORESIGHT_IGTL_INBOX_H
 #define BORESIGHT_IGTL_INBOX_H
 
-#include "igtl_codec.h"
-#include "requirement_limits.h"
+#include "igtl/igtl_codec.h"
+#include "limits/requirement_limits.h"
 
 #include <stdbool.h>
 #include <stdint.h>

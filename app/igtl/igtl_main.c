@@ -5,11 +5,12 @@
  * sockets, passes commands to the controller and its answers back. It has no part in motion: it may
  * end at any time.
  */
-#include "contract.h"
-#include "exchange.h"
-#include "igtl_server.h"
-#include "transform_dialect.h"
-#include "workphase_dialect.h"
+#include "base/contract.h"
+#include "common/clock.h"
+#include "exchange/exchange.h"
+#include "igtl/igtl_server.h"
+#include "igtl/transform_dialect.h"
+#include "igtl/workphase_dialect.h"
 
 #include <errno.h>
 #include <getopt.h>
@@ -119,14 +120,6 @@ static const igtl_dialect_calls_t workphase_calls = {workphase_connected, workph
                                                      workphase_receive, workphase_is_controlled_by};
 static const igtl_dialect_calls_t transform_calls = {transform_connected, transform_disconnected,
                                                      transform_receive, transform_is_controlled_by};
-
-static uint64_t clock_us(clockid_t clock)
-{
-    struct timespec now;
-
-    (void)clock_gettime(clock, &now);
-    return ((uint64_t)now.tv_sec * 1000000U) + ((uint64_t)now.tv_nsec / 1000U);
-}
 
 static uint64_t timestamp_now(void)
 {
@@ -255,7 +248,7 @@ static void look_around(void)
     const uint64_t before_us = process.moment.now_us;
     snapshot_t fresh;
 
-    process.moment.now_us = clock_us(CLOCK_MONOTONIC);
+    process.moment.now_us = clock_monotonic_us();
     advance_patience(process.moment.now_us - before_us);
     process.moment.timestamp = timestamp_now();
     if (exchange_read_snapshot(process.exchange, &fresh)) {
@@ -354,7 +347,7 @@ static bool open_port(igtl_server_t *server, const char *address, uint16_t port,
 /* Ids go on where no earlier run of this process can have left an answer behind. */
 static void begin(void)
 {
-    const uint32_t first_id = ((uint32_t)clock_us(CLOCK_REALTIME) | 2U) & ~1U;
+    const uint32_t first_id = ((uint32_t)clock_utc_us() | 2U) & ~1U;
     answer_t stale;
 
     workphase_dialect_init(&process.workphase, &robot_neuro, first_id);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "igtl_orders.h"
+#include "igtl/igtl_orders.h"
 
 #include <stddef.h>
 #include <string.h>

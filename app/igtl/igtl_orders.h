@@ -8,8 +8,8 @@
 #ifndef BORESIGHT_IGTL_ORDERS_H
 #define BORESIGHT_IGTL_ORDERS_H
 
-#include "answer.h"
-#include "command.h"
+#include "interface/answer.h"
+#include "interface/command.h"
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "igtl_server.h"
+#include "igtl/igtl_server.h"
 
 #include <arpa/inet.h>
 #include <errno.h>

@@ -7,8 +7,8 @@
 #ifndef BORESIGHT_IGTL_SERVER_H
 #define BORESIGHT_IGTL_SERVER_H
 
-#include "igtl_connection.h"
-#include "igtl_dialect.h"
+#include "igtl/igtl_connection.h"
+#include "igtl/igtl_dialect.h"
 
 #include <poll.h>
 #include <stdbool.h>

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "transform_dialect.h"
+#include "igtl/transform_dialect.h"
 
-#include "igtl_border.h"
-#include "names.h"
+#include "igtl/igtl_border.h"
+#include "interface/app/names.h"
 
 #include <stddef.h>
 #include <string.h>

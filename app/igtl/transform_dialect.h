@@ -8,14 +8,14 @@
 #ifndef BORESIGHT_TRANSFORM_DIALECT_H
 #define BORESIGHT_TRANSFORM_DIALECT_H
 
-#include "answer.h"
-#include "command.h"
-#include "igtl_codec.h"
-#include "igtl_dialect.h"
-#include "igtl_orders.h"
-#include "igtl_outbox.h"
-#include "robot.h"
-#include "snapshot.h"
+#include "igtl/igtl_codec.h"
+#include "igtl/igtl_dialect.h"
+#include "igtl/igtl_orders.h"
+#include "igtl/igtl_outbox.h"
+#include "interface/answer.h"
+#include "interface/command.h"
+#include "interface/snapshot.h"
+#include "robot/robot.h"
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "workphase_answer.h"
+#include "igtl/workphase_answer.h"
 
-#include "names.h"
-#include "workphase_peer.h"
+#include "igtl/workphase_peer.h"
+#include "interface/app/names.h"
 
 #include <stddef.h>
 

@@ -3,11 +3,11 @@
 #ifndef BORESIGHT_WORKPHASE_ANSWER_H
 #define BORESIGHT_WORKPHASE_ANSWER_H
 
-#include "answer.h"
-#include "command.h"
-#include "igtl_dialect.h"
-#include "igtl_orders.h"
-#include "workphase_dialect.h"
+#include "igtl/igtl_dialect.h"
+#include "igtl/igtl_orders.h"
+#include "igtl/workphase_dialect.h"
+#include "interface/answer.h"
+#include "interface/command.h"
 
 /**
  * Tells the peer of `order`, who is connected.

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "workphase_dialect.h"
+#include "igtl/workphase_dialect.h"
 
-#include "igtl_border.h"
-#include "names.h"
-#include "workphase_answer.h"
-#include "workphase_peer.h"
-#include "workphase_poll.h"
+#include "igtl/igtl_border.h"
+#include "igtl/workphase_answer.h"
+#include "igtl/workphase_peer.h"
+#include "igtl/workphase_poll.h"
+#include "interface/app/names.h"
 
 #include <stddef.h>
 #include <string.h>

@@ -9,12 +9,12 @@
 #ifndef BORESIGHT_WORKPHASE_DIALECT_H
 #define BORESIGHT_WORKPHASE_DIALECT_H
 
-#include "command.h"
-#include "igtl_codec.h"
-#include "igtl_dialect.h"
-#include "igtl_orders.h"
-#include "igtl_outbox.h"
-#include "robot.h"
+#include "igtl/igtl_codec.h"
+#include "igtl/igtl_dialect.h"
+#include "igtl/igtl_orders.h"
+#include "igtl/igtl_outbox.h"
+#include "interface/command.h"
+#include "robot/robot.h"
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "workphase_peer.h"
+#include "igtl/workphase_peer.h"
 
-#include "igtl_border.h"
-#include "requirement_limits.h"
-#include "names.h"
+#include "igtl/igtl_border.h"
+#include "interface/app/names.h"
+#include "limits/requirement_limits.h"
 
 #include <string.h>
 

@@ -3,8 +3,8 @@
 #ifndef BORESIGHT_WORKPHASE_PEER_H
 #define BORESIGHT_WORKPHASE_PEER_H
 
-#include "igtl_dialect.h"
-#include "workphase_dialect.h"
+#include "igtl/igtl_dialect.h"
+#include "igtl/workphase_dialect.h"
 
 #include <stdint.h>
 

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "workphase_poll.h"
+#include "igtl/workphase_poll.h"
 
-#include "fixed.h"
-#include "rigid.h"
-#include "workphase_peer.h"
+#include "base/fixed.h"
+#include "base/rigid.h"
+#include "igtl/workphase_peer.h"
 
 #include <stddef.h>
 #include <string.h>

@@ -4,8 +4,8 @@
 #ifndef BORESIGHT_WORKPHASE_POLL_H
 #define BORESIGHT_WORKPHASE_POLL_H
 
-#include "igtl_dialect.h"
-#include "workphase_dialect.h"
+#include "igtl/igtl_dialect.h"
+#include "igtl/workphase_dialect.h"
 
 #include <stdbool.h>
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "position_store.h"
+#include "positions/position_store.h"
 
-#include "crc.h"
-#include "requirement_limits.h"
+#include "base/crc.h"
+#include "limits/requirement_limits.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -11,7 +11,7 @@
 #ifndef BORESIGHT_POSITION_STORE_H
 #define BORESIGHT_POSITION_STORE_H
 
-#include "kept.h"
+#include "controller/kept.h"
 
 #include <stdbool.h>
 #include <stdint.h>

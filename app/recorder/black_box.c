@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "black_box.h"
+#include "recorder/black_box.h"
 
-#include "black_box_files.h"
+#include "common/clock.h"
+#include "recorder/black_box_files.h"
 
 #include <errno.h>
 #include <inttypes.h>
@@ -61,7 +62,7 @@ static void begin_file(black_box_t *self, uint64_t now_us)
     if (now_us < self->retry_us) {
         return;
     }
-    self->header.started_us = black_box_utc_us();
+    self->header.started_us = clock_utc_us();
     if (!open_next(self, path, sizeof(path))) {
         fail(self, now_us);
         return;

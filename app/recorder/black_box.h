@@ -8,8 +8,8 @@
 #ifndef BORESIGHT_BLACK_BOX_H
 #define BORESIGHT_BLACK_BOX_H
 
-#include "exchange.h"
-#include "recording_writer.h"
+#include "exchange/exchange.h"
+#include "recording/recording_writer.h"
 
 #include <stdbool.h>
 

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "black_box_files.h"
+#include "recorder/black_box_files.h"
 
 #include <dirent.h>
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,15 +10,6 @@
 #include <unistd.h>
 
 #define PATH_SIZE 512U
-#define DIRECTORY_MODE 0750
-
-uint64_t black_box_utc_us(void)
-{
-    struct timespec now;
-
-    (void)clock_gettime(CLOCK_REALTIME, &now);
-    return ((uint64_t)now.tv_sec * UINT64_C(1000000)) + ((uint64_t)now.tv_nsec / 1000U);
-}
 
 void black_box_name(char *path, size_t size, const char *directory, uint64_t utc_us,
                     uint32_t number)
@@ -71,17 +61,4 @@ void black_box_remove_oldest(const char *directory, const char *present, uint32_
         free(entries[i]);
     }
     free(entries);
-}
-
-bool black_box_make_directory(const char *directory)
-{
-    char path[PATH_SIZE];
-
-    (void)snprintf(path, sizeof(path), "%s", directory);
-    for (char *slash = strchr(&path[1], '/'); slash != NULL; slash = strchr(&slash[1], '/')) {
-        *slash = '\0';
-        (void)mkdir(path, DIRECTORY_MODE);
-        *slash = '/';
-    }
-    return (mkdir(path, DIRECTORY_MODE) == 0) || (errno == EEXIST);
 }

@@ -3,12 +3,8 @@
 #ifndef BORESIGHT_BLACK_BOX_FILES_H
 #define BORESIGHT_BLACK_BOX_FILES_H
 
-#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-
-/** UTC in us since 1970. */
-uint64_t black_box_utc_us(void);
 
 /** Writes "DIRECTORY/blackbox-<UTC>-<number>.bsr"; names sort by age. */
 void black_box_name(char *path, size_t size, const char *directory, uint64_t utc_us,
@@ -18,8 +14,5 @@ void black_box_name(char *path, size_t size, const char *directory, uint64_t utc
  * `present` stays even when the clock was set back and its name is the oldest. */
 void black_box_remove_oldest(const char *directory, const char *present, uint32_t files,
                              uint64_t bytes);
-
-/** Creates `directory` and those above it. False with errno set. */
-bool black_box_make_directory(const char *directory);
 
 #endif

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "event_log.h"
+#include "recorder/event_log.h"
 
-#include "event_text.h"
-#include "names.h"
+#include "common/event_text.h"
+#include "interface/app/names.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -4,7 +4,7 @@
 #ifndef BORESIGHT_EVENT_LOG_H
 #define BORESIGHT_EVENT_LOG_H
 
-#include "exchange.h"
+#include "exchange/exchange.h"
 
 #include <stdbool.h>
 

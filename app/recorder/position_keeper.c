@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "position_keeper.h"
+#include "recorder/position_keeper.h"
 
-#include "axis_chart.h"
-#include "card_frame.h"
-#include "requirement_limits.h"
+#include "card/card_frame.h"
+#include "charts/axis_chart.h"
+#include "limits/requirement_limits.h"
 
 #include <errno.h>
 #include <stdio.h>

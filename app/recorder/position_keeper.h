@@ -8,8 +8,8 @@
 #ifndef BORESIGHT_POSITION_KEEPER_H
 #define BORESIGHT_POSITION_KEEPER_H
 
-#include "position_store.h"
-#include "snapshot.h"
+#include "interface/snapshot.h"
+#include "positions/position_store.h"
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -6,13 +6,15 @@
  *
  *     boresight-recorder --exchange NAME --directory DIRECTORY --positions FILE
  */
-#include "black_box.h"
-#include "black_box_files.h"
-#include "build_id.h"
-#include "controller.h"
-#include "event_log.h"
-#include "position_keeper.h"
-#include "robot.h"
+#include "common/build_id.h"
+#include "common/clock.h"
+#include "common/directory.h"
+#include "controller/controller.h"
+#include "recorder/black_box.h"
+#include "recorder/black_box_files.h"
+#include "recorder/event_log.h"
+#include "recorder/position_keeper.h"
+#include "robot/robot.h"
 
 #include <errno.h>
 #include <getopt.h>
@@ -61,14 +63,6 @@ static bool read_options(int count, char **arguments, options_t *options)
            (options->positions != NULL) && (optind == count);
 }
 
-static uint64_t now_us(void)
-{
-    struct timespec now;
-
-    (void)clock_gettime(CLOCK_MONOTONIC, &now);
-    return ((uint64_t)now.tv_sec * UINT64_C(1000000)) + ((uint64_t)now.tv_nsec / 1000U);
-}
-
 static void keep_positions(const exchange_t *exchange, bool is_end)
 {
     snapshot_t snapshot;
@@ -77,15 +71,15 @@ static void keep_positions(const exchange_t *exchange, bool is_end)
         return;
     }
     if (is_end) {
-        position_keeper_close(&position_keeper, &snapshot, black_box_utc_us());
+        position_keeper_close(&position_keeper, &snapshot, clock_utc_us());
     } else {
-        position_keeper_look(&position_keeper, &snapshot, now_us(), black_box_utc_us());
+        position_keeper_look(&position_keeper, &snapshot, clock_monotonic_us(), clock_utc_us());
     }
 }
 
 static void drain(exchange_t *exchange)
 {
-    black_box_drain(&black_box, now_us());
+    black_box_drain(&black_box, clock_monotonic_us());
     event_log_drain(&event_log, exchange);
     exchange_beat(exchange, EXCHANGE_RECORDER);
 }
@@ -93,14 +87,14 @@ static void drain(exchange_t *exchange)
 static void record(exchange_t *exchange, const sigset_t *ends)
 {
     const struct timespec tick = {.tv_sec = 0, .tv_nsec = TICK_NS};
-    uint64_t synced_us = now_us();
+    uint64_t synced_us = clock_monotonic_us();
 
     while (sigtimedwait(ends, NULL, &tick) < 0) {
         drain(exchange);
         keep_positions(exchange, false);
-        if ((now_us() - synced_us) >= UINT64_C(1000000)) {
+        if ((clock_monotonic_us() - synced_us) >= UINT64_C(1000000)) {
             event_log_sync(&event_log);
-            synced_us = now_us();
+            synced_us = clock_monotonic_us();
         }
     }
     drain(exchange);
@@ -128,7 +122,7 @@ int main(int count, char **arguments)
         return EXIT_CANNOT_START;
     }
     exchange_protect(exchange);
-    if (!black_box_make_directory(options.directory)) {
+    if (!directory_make(options.directory)) {
         (void)fprintf(
             stderr,
             "recorder: the directory %s cannot be made (%s); choose another with --recordings.\n",

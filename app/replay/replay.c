@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "replay.h"
+#include "replay/replay.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -7,8 +7,8 @@
 #ifndef BORESIGHT_REPLAY_H
 #define BORESIGHT_REPLAY_H
 
-#include "controller.h"
-#include "exchange.h"
+#include "controller/controller.h"
+#include "exchange/exchange.h"
 
 #include <stdbool.h>
 #include <stddef.h>

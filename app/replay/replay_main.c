@@ -11,11 +11,11 @@
  * it announces, of another layout or robot, or nothing to replay. 3: every output equal, but the
  * recording is cut short. Table and events end with 0, 2 or 3 alike.
  */
-#include "build_id.h"
-#include "contract.h"
-#include "recording_reader.h"
-#include "replay.h"
-#include "table.h"
+#include "base/contract.h"
+#include "common/build_id.h"
+#include "recording/recording_reader.h"
+#include "replay/replay.h"
+#include "replay/table.h"
 
 #include <inttypes.h>
 #include <stdio.h>

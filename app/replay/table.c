@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "table.h"
+#include "replay/table.h"
 
-#include "columns.h"
-#include "event_text.h"
-#include "names.h"
-#include "servo.h"
+#include "common/event_text.h"
+#include "interface/app/columns.h"
+#include "interface/app/names.h"
+#include "motion/servo.h"
 
 #include <stdio.h>
 

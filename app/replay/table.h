@@ -7,7 +7,7 @@
 #ifndef BORESIGHT_TABLE_H
 #define BORESIGHT_TABLE_H
 
-#include "exchange.h"
+#include "exchange/exchange.h"
 
 #define TABLE_CYCLES 10U
 

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "family.h"
+#include "supervisor/family.h"
+
+#include "common/clock.h"
 
 #include <errno.h>
 #include <signal.h>
@@ -17,14 +19,6 @@
 #define STOP_CONTROL_US UINT64_C(900000) /* It may just be waiting for the box. */
 #define STOP_RECORDER_US UINT64_C(500000)
 #define STOP_BOX_US UINT64_C(200000)
-
-uint64_t family_now_us(void)
-{
-    struct timespec now;
-
-    (void)clock_gettime(CLOCK_MONOTONIC, &now);
-    return ((uint64_t)now.tv_sec * UINT64_C(1000000)) + ((uint64_t)now.tv_nsec / 1000U);
-}
 
 static bool init_member(family_t *self, member_t member, const char *name, const options_t *options,
                         char *error, uint32_t error_size)
@@ -99,7 +93,7 @@ bool family_init(family_t *self, const options_t *options, int output, int error
 bool family_start(family_t *self, member_t member, char *error, uint32_t error_size)
 {
     child_t *child = &self->members[member];
-    const bool is_started = child_start(child, self->output, self->errors, family_now_us());
+    const bool is_started = child_start(child, self->output, self->errors, clock_monotonic_us());
 
     if (!is_started) {
         (void)snprintf(error, error_size, "%s cannot be started (%s); end other programs.",
@@ -114,7 +108,7 @@ int family_reap(family_t *self)
         child_t *child = &self->members[i];
         int status = 0;
         if ((child->pid != 0) && (waitpid(child->pid, &status, WNOHANG) == child->pid)) {
-            child_ended(child, status, family_now_us());
+            child_ended(child, status, clock_monotonic_us());
             return (int)i;
         }
     }
@@ -123,7 +117,7 @@ int family_reap(family_t *self)
 
 void family_restart(family_t *self)
 {
-    const uint64_t now_us = family_now_us();
+    const uint64_t now_us = clock_monotonic_us();
 
     for (uint32_t i = 0U; i < FAMILY_SIZE; i++) {
         child_t *child = &self->members[i];
@@ -151,9 +145,9 @@ bool family_is_silent(family_t *self, const exchange_t *exchange, member_t membe
     const uint32_t beats = exchange_beats(exchange, processes[member]);
     if (beats != child->beats) {
         child->beats = beats;
-        child->beaten_us = family_now_us();
+        child->beaten_us = clock_monotonic_us();
     }
-    return (family_now_us() - child->beaten_us) >= SILENT_US;
+    return (clock_monotonic_us() - child->beaten_us) >= SILENT_US;
 }
 
 static bool is_running(family_t *self, const member_t *members, uint32_t count)
@@ -180,11 +174,11 @@ static void send(const family_t *self, const member_t *members, uint32_t count, 
 static void stop(family_t *self, const member_t *members, uint32_t count, uint64_t timeout_us)
 {
     const struct timespec step = {.tv_sec = 0, .tv_nsec = STOP_STEP_NS};
-    const uint64_t end_us = family_now_us() + timeout_us;
+    const uint64_t end_us = clock_monotonic_us() + timeout_us;
 
     send(self, members, count, SIGTERM);
     send(self, members, count, SIGCONT); /* A stopped one would not hear. */
-    while (is_running(self, members, count) && (family_now_us() < end_us)) {
+    while (is_running(self, members, count) && (clock_monotonic_us() < end_us)) {
         (void)nanosleep(&step, NULL);
     }
     send(self, members, count, SIGKILL);

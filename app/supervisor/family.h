@@ -4,9 +4,9 @@
 #ifndef BORESIGHT_FAMILY_H
 #define BORESIGHT_FAMILY_H
 
-#include "child.h"
-#include "exchange.h"
-#include "options.h"
+#include "exchange/exchange.h"
+#include "supervisor/child.h"
+#include "supervisor/options.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -67,8 +67,5 @@ bool family_is_silent(family_t *self, const exchange_t *exchange, member_t membe
  * @satisfies SWR-SUP-001
  */
 void family_stop(family_t *self);
-
-/** Monotonic time. */
-uint64_t family_now_us(void);
 
 #endif

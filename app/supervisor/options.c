@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "options.h"
+#include "supervisor/options.h"
 
-#include "requirement_limits.h"
-#include "robot.h"
+#include "limits/requirement_limits.h"
+#include "robot/robot.h"
 
 #include <arpa/inet.h>
 #include <getopt.h>

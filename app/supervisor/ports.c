@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "ports.h"
+#include "supervisor/ports.h"
 
 #include <arpa/inet.h>
 #include <errno.h>

@@ -3,7 +3,7 @@
 #ifndef BORESIGHT_PORTS_H
 #define BORESIGHT_PORTS_H
 
-#include "options.h"
+#include "supervisor/options.h"
 
 /**
  * Binds each port for a moment.

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "screen.h"
+#include "supervisor/screen.h"
 
 #include <fcntl.h>
 #include <stdarg.h>

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "status_line.h"
+#include "supervisor/status_line.h"
 
-#include "card_link_chart.h"
-#include "estop_latch_chart.h"
-#include "names.h"
-#include "pedal_gate_chart.h"
-#include "permit.h"
-#include "robot.h"
+#include "charts/card_link_chart.h"
+#include "charts/estop_latch_chart.h"
+#include "charts/pedal_gate_chart.h"
+#include "interface/app/names.h"
+#include "robot/robot.h"
+#include "safety/permit.h"
 
 #include <ctype.h>
 #include <stdarg.h>

@@ -3,8 +3,8 @@
 #ifndef BORESIGHT_STATUS_LINE_H
 #define BORESIGHT_STATUS_LINE_H
 
-#include "exchange.h"
-#include "family.h"
+#include "exchange/exchange.h"
+#include "supervisor/family.h"
 
 #include <stddef.h>
 

@@ -6,12 +6,13 @@
  * Exit code 0: stopped as asked. 2: wrong options. 3: could not start. 4: control or the box ended
  * by itself.
  */
-#include "black_box_files.h"
-#include "family.h"
-#include "options.h"
-#include "ports.h"
-#include "screen.h"
-#include "status_line.h"
+#include "common/clock.h"
+#include "common/directory.h"
+#include "supervisor/family.h"
+#include "supervisor/options.h"
+#include "supervisor/ports.h"
+#include "supervisor/screen.h"
+#include "supervisor/status_line.h"
 
 #include <errno.h>
 #include <poll.h>
@@ -121,7 +122,7 @@ static bool are_clients_running(void)
 static int await(bool (*is_ready)(void), const char *who)
 {
     const uint64_t timeout_us = START_TIMEOUT_US * options_slowness(&options);
-    const uint64_t end_us = family_now_us() + timeout_us;
+    const uint64_t end_us = clock_monotonic_us() + timeout_us;
 
     while (!is_ready()) {
         if (wait_for_news(20)) {
@@ -130,7 +131,7 @@ static int await(bool (*is_ready)(void), const char *who)
         if (has_lost_one()) {
             return EXIT_CANNOT_START;
         }
-        if (family_now_us() >= end_us) {
+        if (clock_monotonic_us() >= end_us) {
             screen_say(
                 &screen,
                 "Boresight did not start: %s gave no sign of life in %u s; end other programs.",
@@ -222,7 +223,7 @@ static int judge_end(const child_t *child)
 /* Time until something is due, at most one tick. */
 static int next_tick_ms(void)
 {
-    const uint64_t now_us = family_now_us();
+    const uint64_t now_us = clock_monotonic_us();
     uint64_t wait_us = (uint64_t)TICK_MS * 1000U;
 
     for (uint32_t i = 0U; i < FAMILY_SIZE; i++) {
@@ -242,7 +243,7 @@ static int supervise(void)
 
     while (result == RUNNING) {
         status_line_write(line, sizeof(line), exchange, &family);
-        screen_show_status(&screen, line, family_now_us());
+        screen_show_status(&screen, line, clock_monotonic_us());
         exchange_beat(exchange, EXCHANGE_SUPERVISOR);
         if (wait_for_news(next_tick_ms())) {
             return EXIT_STOPPED;
@@ -264,7 +265,7 @@ static bool prepare(void)
                        strerror(errno));
         return false;
     }
-    if (!black_box_make_directory(options.recordings) || (access(options.recordings, W_OK) != 0)) {
+    if (!directory_make(options.recordings) || (access(options.recordings, W_OK) != 0)) {
         (void)snprintf(error, sizeof(error),
                        "Nothing can be recorded in %s (%s); choose another with --recordings.",
                        options.recordings, strerror(errno));

@@ -7,8 +7,8 @@
 #ifndef BORESIGHT_BSP_H
 #define BORESIGHT_BSP_H
 
-#include "card_frame.h"
-#include "card.h"
+#include "card/card.h"
+#include "card/card_frame.h"
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -14,12 +14,12 @@
 #define BORESIGHT_BOX_H
 
 #include "bsp.h"
-#include "card_frame.h"
-#include "robot.h"
-#include "sim_card.h"
-#include "sim_encoder.h"
-#include "sim_motor.h"
-#include "sim_switch.h"
+#include "card/card_frame.h"
+#include "robot/robot.h"
+#include "sim/sim_card.h"
+#include "sim/sim_encoder.h"
+#include "sim/sim_motor.h"
+#include "sim/sim_switch.h"
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "box_clock.h"
+#include "sim/box_clock.h"
 
-#include "requirement_limits.h"
+#include "limits/requirement_limits.h"
 
 #include <stddef.h>
 

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /** @file boresight-box: the simulated control box as a process, at the box's end of the wire. */
-#include "box.h"
-#include "box_clock.h"
-#include "requirement_limits.h"
-#include "wire.h"
+#include "limits/requirement_limits.h"
+#include "sim/box.h"
+#include "sim/box_clock.h"
+#include "sim/wire.h"
 
 #include <errno.h>
 #include <getopt.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "box.h"
+#include "sim/box.h"
 
 #include <stdarg.h>
 #include <stdio.h>

@@ -2,8 +2,8 @@
 /** @file The board support of the simulated control box: bsp.h at the control end of its wire. */
 #include "bsp.h"
 
-#include "requirement_limits.h"
-#include "wire.h"
+#include "limits/requirement_limits.h"
+#include "sim/wire.h"
 
 #include <errno.h>
 #include <string.h>

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "sim_card.h"
+#include "sim/sim_card.h"
 
-#include "requirement_limits.h"
-#include "sim_motor.h"
+#include "limits/requirement_limits.h"
+#include "sim/sim_motor.h"
 
 #include <string.h>
 

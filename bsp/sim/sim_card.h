@@ -9,8 +9,8 @@
 #ifndef BORESIGHT_SIM_CARD_H
 #define BORESIGHT_SIM_CARD_H
 
-#include "card_frame.h"
-#include "sim_encoder.h"
+#include "card/card_frame.h"
+#include "sim/sim_encoder.h"
 
 #include <stdbool.h>
 #include <stdint.h>

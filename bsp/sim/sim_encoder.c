@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "sim_encoder.h"
+#include "sim/sim_encoder.h"
 
-#include "sim_motor.h"
+#include "sim/sim_motor.h"
 
 #include <string.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "sim_motor.h"
+#include "sim/sim_motor.h"
 
 /* 1 - exp(-step / time constant), written out so that no mathematics library decides about the last
  * bit. */

@@ -7,8 +7,8 @@
 #ifndef BORESIGHT_SIM_MOTOR_H
 #define BORESIGHT_SIM_MOTOR_H
 
-#include "card_frame.h"
-#include "robot.h"
+#include "card/card_frame.h"
+#include "robot/robot.h"
 
 #include <stdbool.h>
 

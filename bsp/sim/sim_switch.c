@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "sim_switch.h"
+#include "sim/sim_switch.h"
 
-#include "sim_motor.h"
+#include "sim/sim_motor.h"
 
 static bool is_pressed(const sim_switch_t *self, double position_ticks)
 {

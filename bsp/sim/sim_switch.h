@@ -4,8 +4,8 @@
 #ifndef BORESIGHT_SIM_SWITCH_H
 #define BORESIGHT_SIM_SWITCH_H
 
-#include "sim_random.h"
-#include "robot.h"
+#include "robot/robot.h"
+#include "sim/sim_random.h"
 
 #include <stdbool.h>
 #include <stdint.h>

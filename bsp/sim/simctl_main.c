@@ -4,7 +4,7 @@
  * boresight-simctl: hands one order to a running simulated control box and prints its answer.
  * Exit code 0: carried out, 1: no box or no answer, 2: refused.
  */
-#include "wire.h"
+#include "sim/wire.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "wire.h"
+#include "sim/wire.h"
 
 #include <errno.h>
 #include <fcntl.h>

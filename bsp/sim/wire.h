@@ -9,8 +9,8 @@
 #ifndef BORESIGHT_WIRE_H
 #define BORESIGHT_WIRE_H
 
-#include "box.h"
 #include "bsp.h"
+#include "sim/box.h"
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "axis.h"
+#include "axis/axis.h"
 
-#include "fixed.h"
-#include "joints.h"
-#include "requirement_limits.h"
+#include "base/fixed.h"
+#include "limits/requirement_limits.h"
+#include "robot/joints.h"
 
 #include <stddef.h>
 #include <string.h>

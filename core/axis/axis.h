@@ -8,14 +8,14 @@
 #ifndef BORESIGHT_AXIS_H
 #define BORESIGHT_AXIS_H
 
-#include "axis_chart.h"
-#include "card_frame.h"
-#include "drift_audit.h"
-#include "encoder.h"
-#include "homing.h"
-#include "robot.h"
-#include "servo.h"
-#include "supervision.h"
+#include "axis/drift_audit.h"
+#include "axis/encoder.h"
+#include "axis/homing.h"
+#include "axis/supervision.h"
+#include "card/card_frame.h"
+#include "charts/axis_chart.h"
+#include "motion/servo.h"
+#include "robot/robot.h"
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "count_account.h"
+#include "axis/count_account.h"
 
-#include "fixed.h"
-#include "joints.h"
-#include "motor_model.h"
-#include "requirement_limits.h"
+#include "base/fixed.h"
+#include "limits/requirement_limits.h"
+#include "motion/motor_model.h"
+#include "robot/joints.h"
 
 #include <string.h>
 

@@ -8,7 +8,7 @@
 #ifndef BORESIGHT_COUNT_ACCOUNT_H
 #define BORESIGHT_COUNT_ACCOUNT_H
 
-#include "robot.h"
+#include "robot/robot.h"
 
 #include <stdbool.h>
 #include <stdint.h>

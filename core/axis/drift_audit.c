@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "drift_audit.h"
+#include "axis/drift_audit.h"
 
-#include "fixed.h"
-#include "joints.h"
-#include "motor_model.h"
-#include "requirement_limits.h"
+#include "base/fixed.h"
+#include "limits/requirement_limits.h"
+#include "motion/motor_model.h"
+#include "robot/joints.h"
 
 static int32_t sum(int32_t account_ticks, int64_t way_ticks)
 {

@@ -7,7 +7,7 @@
 #ifndef BORESIGHT_DRIFT_AUDIT_H
 #define BORESIGHT_DRIFT_AUDIT_H
 
-#include "robot.h"
+#include "robot/robot.h"
 
 #include <stdbool.h>
 #include <stdint.h>

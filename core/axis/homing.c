@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "homing.h"
+#include "axis/homing.h"
 
-#include "requirement_limits.h"
+#include "limits/requirement_limits.h"
 
 #define CYCLES_PER_S (INT32_C(1000000) / (int32_t)LIMIT_CYCLE_US)
 /* Free for so far, the switch has released. */

@@ -9,8 +9,8 @@
 #ifndef BORESIGHT_HOMING_H
 #define BORESIGHT_HOMING_H
 
-#include "axis_chart.h"
-#include "robot.h"
+#include "charts/axis_chart.h"
+#include "robot/robot.h"
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -7,11 +7,11 @@
 #ifndef BORESIGHT_SUPERVISION_H
 #define BORESIGHT_SUPERVISION_H
 
-#include "card_frame.h"
-#include "count_account.h"
-#include "motor_model.h"
-#include "robot.h"
-#include "stall_watchdog_chart.h"
+#include "axis/count_account.h"
+#include "card/card_frame.h"
+#include "charts/stall_watchdog_chart.h"
+#include "motion/motor_model.h"
+#include "robot/robot.h"
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -7,7 +7,7 @@
 #ifndef BORESIGHT_CHART_H
 #define BORESIGHT_CHART_H
 
-#include "contract.h"
+#include "base/contract.h"
 
 #include <stdint.h>
 

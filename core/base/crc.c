@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "crc.h"
+#include "base/crc.h"
 
 /* The polynomial 0x1EDC6F41 bit-reversed is 0x82F63B78. Entry i of table k is the remainder of the
  * byte i with k bytes of zero after it ("slicing"; M. E. Kounavis, F. L. Berry, A systematic

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "fixed.h"
+#include "base/fixed.h"
 
-#include "contract.h"
+#include "base/contract.h"
 
 #include <stdbool.h>
 

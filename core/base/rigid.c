@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "rigid.h"
+#include "base/rigid.h"
 
-#include "fixed.h"
-#include "requirement_limits.h"
+#include "base/fixed.h"
+#include "limits/requirement_limits.h"
 
 #include <stdbool.h>
 

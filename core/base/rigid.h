@@ -7,7 +7,7 @@
 #ifndef BORESIGHT_RIGID_H
 #define BORESIGHT_RIGID_H
 
-#include "status.h"
+#include "interface/status.h"
 
 #include <stdint.h>
 

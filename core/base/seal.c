@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "seal.h"
+#include "base/seal.h"
 
 #define WORD ((size_t)4U)
 #define FOUR_WORDS (4U * WORD)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "card_frame.h"
+#include "card/card_frame.h"
 
-#include "crc.h"
+#include "base/crc.h"
 
 #include <string.h>
 

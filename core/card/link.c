@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "link.h"
+#include "card/link.h"
 
-#include "requirement_limits.h"
+#include "limits/requirement_limits.h"
 
 #include <stddef.h>
 #include <string.h>

@@ -8,9 +8,9 @@
 #ifndef BORESIGHT_LINK_H
 #define BORESIGHT_LINK_H
 
-#include "card_frame.h"
-#include "card_link_chart.h"
-#include "link_cause.h"
+#include "card/card_frame.h"
+#include "charts/card_link_chart.h"
+#include "interface/link_cause.h"
 
 #include <stdbool.h>
 #include <stdint.h>

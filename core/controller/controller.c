@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "controller.h"
+#include "controller/controller.h"
 
-#include "contract.h"
-#include "controller_parts.h"
+#include "base/contract.h"
+#include "controller/controller_parts.h"
 
 #include <stddef.h>
 #include <string.h>

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "controller_parts.h"
+#include "controller/controller_parts.h"
 
-#include "coupled_guard.h"
-#include "needle.h"
-#include "permit.h"
+#include "safety/coupled_guard.h"
+#include "safety/needle.h"
+#include "safety/permit.h"
 
 #include <string.h>
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "controller_parts.h"
+#include "controller/controller_parts.h"
 
-#include "coupled_guard.h"
-#include "needle.h"
+#include "safety/coupled_guard.h"
+#include "safety/needle.h"
 
 bool controller_is_jogged(const controller_t *self, uint32_t index)
 {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "controller_parts.h"
+#include "controller/controller_parts.h"
 
-#include "robot_damage.h"
-#include "seal.h"
+#include "base/seal.h"
+#include "robot/robot_damage.h"
 
 #include <stddef.h>
 #include <string.h>

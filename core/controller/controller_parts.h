@@ -4,7 +4,7 @@
 #ifndef BORESIGHT_CONTROLLER_PARTS_H
 #define BORESIGHT_CONTROLLER_PARTS_H
 
-#include "controller.h"
+#include "controller/controller.h"
 
 #include <stdbool.h>
 

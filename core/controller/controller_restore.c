@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "contract.h"
-#include "controller_parts.h"
-#include "fixed.h"
+#include "base/contract.h"
+#include "base/fixed.h"
+#include "controller/controller_parts.h"
 
 static const char contract_module[] = "controller";
 

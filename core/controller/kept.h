@@ -3,8 +3,8 @@
 #ifndef BORESIGHT_KEPT_H
 #define BORESIGHT_KEPT_H
 
-#include "kept_verdict.h"
-#include "robot.h"
+#include "interface/kept_verdict.h"
+#include "robot/robot.h"
 
 #include <stdint.h>
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "motor_model.h"
+#include "motion/motor_model.h"
 
-#include "fixed.h"
-#include "servo.h"
+#include "base/fixed.h"
+#include "motion/servo.h"
 
 #include <stdbool.h>
 

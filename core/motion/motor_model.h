@@ -9,8 +9,8 @@
 #ifndef BORESIGHT_MOTOR_MODEL_H
 #define BORESIGHT_MOTOR_MODEL_H
 
-#include "card_frame.h"
-#include "robot.h"
+#include "card/card_frame.h"
+#include "robot/robot.h"
 
 #include <stdint.h>
 

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "profile.h"
+#include "motion/profile.h"
 
-#include "contract.h"
-#include "fixed.h"
-#include "requirement_limits.h"
+#include "base/contract.h"
+#include "base/fixed.h"
+#include "limits/requirement_limits.h"
 
 #include <string.h>
 

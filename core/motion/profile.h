@@ -12,7 +12,7 @@
 #ifndef BORESIGHT_PROFILE_H
 #define BORESIGHT_PROFILE_H
 
-#include "robot.h"
+#include "robot/robot.h"
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "servo.h"
+#include "motion/servo.h"
 
-#include "requirement_limits.h"
+#include "limits/requirement_limits.h"
 
 #include <string.h>
 

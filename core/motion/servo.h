@@ -9,9 +9,9 @@
 #ifndef BORESIGHT_SERVO_H
 #define BORESIGHT_SERVO_H
 
-#include "card_frame.h"
-#include "motor_model.h"
-#include "robot.h"
+#include "card/card_frame.h"
+#include "motion/motor_model.h"
+#include "robot/robot.h"
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "plan.h"
+#include "procedure/plan.h"
 
-#include "coupled_limit.h"
-#include "requirement_limits.h"
+#include "limits/requirement_limits.h"
+#include "robot/coupled_limit.h"
 
 #include <stddef.h>
 #include <string.h>

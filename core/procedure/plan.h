@@ -8,10 +8,10 @@
 #ifndef BORESIGHT_PLAN_H
 #define BORESIGHT_PLAN_H
 
-#include "kinematics.h"
-#include "rigid.h"
-#include "robot.h"
-#include "status.h"
+#include "base/rigid.h"
+#include "interface/status.h"
+#include "robot/kinematics.h"
+#include "robot/robot.h"
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "workphase.h"
+#include "procedure/workphase.h"
 
 static status_t refusal(uint32_t actions)
 {

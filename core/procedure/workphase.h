@@ -6,9 +6,9 @@
 #ifndef BORESIGHT_WORKPHASE_H
 #define BORESIGHT_WORKPHASE_H
 
-#include "status.h"
-#include "workphase_list.h"
-#include "workphases_chart.h"
+#include "charts/workphases_chart.h"
+#include "interface/status.h"
+#include "interface/workphase_list.h"
 
 #include <stdbool.h>
 #include <stdint.h>

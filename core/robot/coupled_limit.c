@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "coupled_limit.h"
+#include "robot/coupled_limit.h"
 
-#include "joints.h"
-#include "requirement_limits.h"
+#include "limits/requirement_limits.h"
+#include "robot/joints.h"
 
 int64_t coupled_limit_nm(const robot_t *robot, const coupled_limit_t *limit, int32_t first_ticks,
                          int32_t second_ticks)

@@ -6,7 +6,7 @@
 #ifndef BORESIGHT_COUPLED_LIMIT_H
 #define BORESIGHT_COUPLED_LIMIT_H
 
-#include "robot.h"
+#include "robot/robot.h"
 
 #include <stdint.h>
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "joints.h"
+#include "robot/joints.h"
 
-#include "fixed.h"
+#include "base/fixed.h"
 
 #include <string.h>
 

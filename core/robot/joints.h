@@ -6,8 +6,8 @@
 #ifndef BORESIGHT_JOINTS_H
 #define BORESIGHT_JOINTS_H
 
-#include "robot.h"
-#include "status.h"
+#include "interface/status.h"
+#include "robot/robot.h"
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -8,9 +8,9 @@
 #ifndef BORESIGHT_KINEMATICS_H
 #define BORESIGHT_KINEMATICS_H
 
-#include "joints.h"
-#include "rigid.h"
-#include "robot.h"
+#include "base/rigid.h"
+#include "robot/joints.h"
+#include "robot/robot.h"
 
 #include <stdint.h>
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "margin.h"
+#include "robot/margin.h"
 
-#include "contract.h"
-#include "fixed.h"
+#include "base/contract.h"
+#include "base/fixed.h"
 
 #include <stdbool.h>
 

@@ -8,9 +8,9 @@
 #ifndef BORESIGHT_MARGIN_H
 #define BORESIGHT_MARGIN_H
 
-#include "joints.h"
-#include "robot.h"
-#include "status.h"
+#include "interface/status.h"
+#include "robot/joints.h"
+#include "robot/robot.h"
 
 #include <stdint.h>
 

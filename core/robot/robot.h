@@ -7,7 +7,7 @@
 #ifndef BORESIGHT_ROBOT_H
 #define BORESIGHT_ROBOT_H
 
-#include "card.h"
+#include "card/card.h"
 
 #include <stdint.h>
 

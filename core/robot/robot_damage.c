@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "robot_damage.h"
+#include "robot/robot_damage.h"
 
-#include "seal.h"
+#include "base/seal.h"
 
 #include <stddef.h>
 

@@ -3,7 +3,7 @@
 #ifndef BORESIGHT_ROBOT_DAMAGE_H
 #define BORESIGHT_ROBOT_DAMAGE_H
 
-#include "robot.h"
+#include "robot/robot.h"
 
 #include <stdint.h>
 

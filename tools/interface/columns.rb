@@ -31,8 +31,8 @@ module Interface
 
     def header
       C.file(SAYS, FROM) + C.guard('columns', <<~CODE)
-        #include "robot.h"
-        #include "snapshot.h"
+        #include "interface/snapshot.h"
+        #include "robot/robot.h"
 
         /** Prints the names of the columns, each after a comma. */
         void columns_print_names(const robot_t *robot);
@@ -47,7 +47,7 @@ module Interface
         #{C.file(SAYS, FROM).chomp}
         #include "columns.h"
 
-        #include "table.h"
+        #include "replay/table.h"
 
         #include <stdio.h>
 

@@ -5,7 +5,7 @@ require_relative 'c'
 require_relative 'events'
 
 module Interface
-  # What subject, value and peer of an event are, for app/exchange/event_text.c.
+  # What subject, value and peer of an event are, for app/common/event_text.c.
   class EventWords
     FROM = 'core/interface/events.yml'
     SAYS = 'What the numbers of an event are.'
@@ -25,7 +25,7 @@ module Interface
 
     def header
       C.file(SAYS, FROM) + C.guard('event_words', <<~CODE)
-        #include "event.h"
+        #include "interface/event.h"
 
         #include <stdint.h>
 
@@ -60,7 +60,7 @@ module Interface
         #{C.file(SAYS, FROM).chomp}
         #include "event_words.h"
 
-        #{(@events.owned.map(&:header) - ['event'] + ['names']).sort.map { |name| "#include \"#{name}.h\"" }.join("\n")}
+        #{(@events.owned.map(&:header) - ['event'] + ['app/names']).sort.map { |name| "#include \"interface/#{name}.h\"" }.join("\n")}
 
         #include <stddef.h>
 

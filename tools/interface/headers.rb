@@ -27,8 +27,8 @@ module Interface
 
     def includes(header)
       types = header.structures.flat_map(&:fields).map(&:type)
-      own = types.filter_map(&:header).uniq.sort - [header.name]
-      own << 'robot' if header.structures.flat_map(&:fields).any?(&:count)
+      own = types.filter_map(&:header).uniq - [header.name]
+      own << 'robot/robot' if header.structures.flat_map(&:fields).any?(&:count)
       lines = own.sort.map { |name| "#include \"#{name}.h\"\n" }.join
       lines += "#{"\n" unless lines.empty?}#include <stdint.h>\n" unless header.structures.empty?
       lines unless lines.empty?

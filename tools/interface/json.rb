@@ -12,7 +12,8 @@ module Interface
     FROM = 'core/interface'
     SAYS = 'What the HTTP server sends, as JSON.'
     # For the names, for the forms, and for the constants of the form bit.
-    INCLUDES = %w[card_frame chart_names exchange json_forms names telemetry_units].freeze
+    INCLUDES = %w[assets/chart_names card/card_frame exchange/exchange http/json_forms http/telemetry_units
+                  interface/app/names].freeze
 
     def initialize(model)
       @model = model
@@ -25,7 +26,7 @@ module Interface
     private
 
     def header
-      own = @model.structures.map(&:header).push('robot').uniq.sort
+      own = @model.structures.map { |one| "interface/#{one.header}" }.push('robot/robot').uniq.sort
       body = "#{includes(own)}\n#include <cjson/cJSON.h>\n#include <stdbool.h>\n#include <stdint.h>\n\n" \
              "#{@model.messages.map { |message| declaration(message) }.join("\n")}"
       C.file("#{SAYS} The caller owns each result and gives away the objects that it puts into another; " \

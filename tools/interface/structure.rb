@@ -10,7 +10,7 @@ module Interface
     PLAIN = {
       'uint32' => ['uint32_t', nil, 4, 'number'], 'int32' => ['int32_t', nil, 4, 'number'],
       'uint64' => ['uint64_t', nil, 8, 'number'], 'flag' => ['uint32_t', nil, 4, 'flag'],
-      'point' => ['point_t', 'rigid', 12, 'point'], 'rigid' => ['rigid_t', 'rigid', 48, 'matrix']
+      'point' => ['point_t', 'base/rigid', 12, 'point'], 'rigid' => ['rigid_t', 'base/rigid', 48, 'matrix']
     }.freeze
     KINDS = %w[chart bits].freeze
 

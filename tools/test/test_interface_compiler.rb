@@ -314,7 +314,7 @@ class TestInterfaceCompiler < Minitest::Test
         'charts.json' => JSON.generate(CHARTS) }.merge(files).each do |name, text|
         File.write(File.join(folder, name), text)
       end
-      yield folder, File.join(folder, 'output')
+      yield folder, File.join(folder, 'interface')
     end
   end
 
@@ -342,7 +342,8 @@ class TestInterfaceCompiler < Minitest::Test
   def output_of(folder, *sources)
     program = File.join(folder, 'main')
     output, status = Open3.capture2e('gcc', '-std=c99', '-pedantic', '-Wall', '-Wextra', '-Werror', '-Wconversion',
-                                     '-Wmissing-prototypes', "-I#{folder}", "-I#{folder}/app", '-o', program,
+                                     '-Wmissing-prototypes', "-I#{folder}", "-I#{folder}/app", "-I#{File.dirname(folder)}", '-o',
+                                     program,
                                      *sources.map { |source| File.join(folder, source) })
     assert status.success?, output
     `#{program}`

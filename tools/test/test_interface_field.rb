@@ -21,10 +21,10 @@ class TestInterfaceField < Minitest::Test
   AFTER = 'shown->power = (uint32_t)axis->chart.power;'
 
   MAIN = <<~CODE
-    #include "controller.h"
-    #include "table.h"
-    #include "telemetry_json.h"
-    #include "contract.h"
+    #include "base/contract.h"
+    #include "controller/controller.h"
+    #include "http/telemetry_json.h"
+    #include "replay/table.h"
     #include <stdio.h>
     #include <stdlib.h>
     void contract_broken(const char *module, uint32_t id)
@@ -50,10 +50,10 @@ class TestInterfaceField < Minitest::Test
   CODE
 
   # What sees a snapshot; the rest of the core is in the library.
-  SOURCES = %w[core/controller/*.c app/http/telemetry_{json,units}.c app/http/json_forms.c app/exchange/event_text.c
+  SOURCES = %w[core/controller/*.c app/http/telemetry_{json,units}.c app/http/json_forms.c app/common/event_text.c
                app/replay/table.c build/gen/assets/chart_names.c].freeze
   GENERATED = %w[event app/names app/event_words app/messages app/columns].freeze
-  FOLDERS = %w[core/*/ app/*/ bsp/include build/gen/charts build/gen/limits build/gen/robot build/gen/assets].freeze
+  FOLDERS = %w[core core/base app bsp/include build/gen].freeze
   LIBRARY = 'build/gcc/libcore.a'
 
   def setup
@@ -90,8 +90,7 @@ class TestInterfaceField < Minitest::Test
     File.write(path('main.c'), MAIN)
     own = Dir.glob(SOURCES, base: ROOT).map { |file| File.exist?(path(file)) ? path(file) : "#{ROOT}/#{file}" }
     sources = [path('main.c'), *own, *GENERATED.map { |name| path("interface/#{name}.c") }]
-    folders = Dir.glob(FOLDERS, base: ROOT).map { |name| "#{ROOT}/#{name}" }
-    includes = [path('interface'), path('interface/app'), *folders]
+    includes = [@folder, *FOLDERS.map { |name| "#{ROOT}/#{name}" }]
     call('make', '--no-print-directory', '-C', ROOT, LIBRARY)
     call('gcc', '-std=c99', '-O0', '-D_GNU_SOURCE', *includes.map { |folder| "-I#{folder}" }, *sources,
          "#{ROOT}/#{LIBRARY}", '-lcjson', '-lm', '-o', path('main'))

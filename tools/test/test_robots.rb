@@ -21,7 +21,7 @@ class RobotsTest < Minitest::Test
     source = made('neuro', 'bench2').source
     %w[bench2 neuro].each do |name|
       %w[forward inverse solve].each { |act| assert_includes(source, "#{name}_#{act}(robot, ") }
-      assert_includes(source, "#include \"#{name}/#{name}.h\"")
+      assert_includes(source, "#include \"robot/#{name}/#{name}.h\"")
       assert_equal(3, source.scan("case ROBOT_KIND_#{name.upcase}:").size)
     end
   end

@@ -10,8 +10,7 @@ build/gcc/bin/bench-samples: $(BENCH_SCENE) build/gcc/libcore.a
 	@mkdir -p $(@D)
 	@$(CC) $(CFLAGS) -I$(UNITY) $^ $(UNITY)/unity.c -lm -o $@
 	@echo "built $@"
-$(OUT)/verification/bench/%.o: FLAGS = -D_GNU_SOURCE $(APP_INCLUDES) -Ibsp/sim -Iverification/integration/support \
-    -I$(UNITY)
+$(OUT)/verification/bench/%.o: FLAGS = -D_GNU_SOURCE $(TEST_INCLUDES) -I$(UNITY)
 
 SOURCES_bench-step := verification/bench/step.c
 $(eval $(call program,bench-step))

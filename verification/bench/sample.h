@@ -8,7 +8,7 @@
 #ifndef BORESIGHT_SAMPLE_H
 #define BORESIGHT_SAMPLE_H
 
-#include "controller.h"
+#include "controller/controller.h"
 
 #include <stdint.h>
 

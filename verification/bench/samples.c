@@ -9,10 +9,10 @@
  * Kept is every SAMPLES_DISTANCE-th cycle and every one with a command, an answer or an event.
  * Standard output has one line for each, tabulated: "even" or "extra", cycle, what happened in it.
  */
-#include "contract.h"
-#include "names.h"
-#include "rig.h"
-#include "sample.h"
+#include "base/contract.h"
+#include "bench/sample.h"
+#include "integration/support/rig.h"
+#include "interface/app/names.h"
 
 #include "unity.h"
 

@@ -8,8 +8,8 @@
  *
  * Without numbers, all samples in turn; the first has number 0.
  */
-#include "contract.h"
-#include "sample.h"
+#include "base/contract.h"
+#include "bench/sample.h"
 
 #include <stdbool.h>
 #include <stdio.h>

@@ -7,8 +7,8 @@
  *
  *     detection
  */
-#include "requirement_limits.h"
-#include "rig.h"
+#include "integration/support/rig.h"
+#include "limits/requirement_limits.h"
 
 #include "unity.h"
 

@@ -8,8 +8,7 @@ build/gcc/bin/detection: $(call object,$(DETECTION_SOURCES)) $(OUT)/libcore.a
 	@$(CC) $(CFLAGS) -I$(UNITY) $^ $(UNITY)/unity.c -lm -o $@
 	@echo "built $@"
 
-$(OUT)/verification/detection/%.o: FLAGS = -D_GNU_SOURCE $(APP_INCLUDES) -Ibsp/sim -Iverification/integration/support \
-    -I$(UNITY)
+$(OUT)/verification/detection/%.o: FLAGS = -D_GNU_SOURCE $(TEST_INCLUDES) -I$(UNITY)
 
 detection: bootstrap-test ## Time and way until a fault of an encoder or a motor is found, into docs/detection.md
 	@$(MAKE) --no-print-directory -j2 build/gcc/bin/detection

@@ -5,12 +5,12 @@
  * soon it is noticed, and what is known of the axis afterwards.
  * In every test the rig counts cycles that drive without the pedal; there must be none.
  */
-#include "rig.h"
+#include "integration/support/rig.h"
 
 #include "unity.h"
 
-#include "controller.h"
-#include "requirement_limits.h"
+#include "controller/controller.h"
+#include "limits/requirement_limits.h"
 
 #include <stdio.h>
 

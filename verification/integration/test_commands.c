@@ -3,13 +3,13 @@
  * @file
  * Commands, answers, events and the plan, on the simulated box.
  */
-#include "rig.h"
+#include "integration/support/rig.h"
 
 #include "unity.h"
 
-#include "contract_trap.h"
-#include "controller.h"
-#include "fixed.h"
+#include "base/fixed.h"
+#include "controller/controller.h"
+#include "unit/support/contract_trap.h"
 
 #include <string.h>
 

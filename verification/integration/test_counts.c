@@ -5,11 +5,11 @@
  * of the pedal, no fault that comes and goes, no slow axis and no START_UP hides it, on the
  * simulated box, whose true positions are compared with those believed.
  */
-#include "rig.h"
+#include "integration/support/rig.h"
 
 #include "unity.h"
 
-#include "controller.h"
+#include "controller/controller.h"
 
 #include <stdio.h>
 

@@ -4,12 +4,12 @@
  * Rule under test: a robot has the axes of its table and no other. Room for more is no axis: it
  * waits for no card, homes before nothing and writes no frame.
  */
-#include "rig.h"
+#include "integration/support/rig.h"
 
 #include "unity.h"
 
-#include "controller.h"
-#include "seal.h"
+#include "base/seal.h"
+#include "controller/controller.h"
 
 #include <stddef.h>
 #include <string.h>

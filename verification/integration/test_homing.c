@@ -4,15 +4,15 @@
  * START_UP on the simulated box: homing finds every reference, or ends in a named fault.
  * In every test the rig counts cycles that drive without the pedal; there must be none.
  */
-#include "rig.h"
+#include "integration/support/rig.h"
 
 #include "unity.h"
 
-#include "controller.h"
-#include "controller_parts.h"
-#include "needle.h"
-#include "permit.h"
-#include "requirement_limits.h"
+#include "controller/controller.h"
+#include "controller/controller_parts.h"
+#include "limits/requirement_limits.h"
+#include "safety/needle.h"
+#include "safety/permit.h"
 
 #include <stdio.h>
 

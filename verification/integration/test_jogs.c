@@ -5,13 +5,13 @@
  * and a jog does nothing with the needle, with an axis that is not homed, or for a sender that is
  * not entitled, that it must not do. On the simulated box, whose true positions are looked at.
  */
-#include "rig.h"
+#include "integration/support/rig.h"
 
 #include "unity.h"
 
-#include "controller.h"
-#include "needle.h"
-#include "permit.h"
+#include "controller/controller.h"
+#include "safety/needle.h"
+#include "safety/permit.h"
 
 #define HOME_MM 143.0
 #define LEAST_MM 75.0

@@ -4,13 +4,13 @@
  * Rule under test: memory that has changed by itself is found before it is used, named, forgotten,
  * and moves nothing.
  */
-#include "rig.h"
+#include "integration/support/rig.h"
 
 #include "unity.h"
 
-#include "controller.h"
-#include "permit.h"
-#include "robot_damage.h"
+#include "controller/controller.h"
+#include "robot/robot_damage.h"
+#include "safety/permit.h"
 
 #include <stddef.h>
 #include <string.h>

@@ -4,13 +4,13 @@
  * Moves to a target on the simulated box: their legs and their end, and what they need.
  * In every test the rig counts cycles that drive without the pedal; there must be none.
  */
-#include "rig.h"
+#include "integration/support/rig.h"
 
 #include "unity.h"
 
-#include "controller.h"
-#include "permit.h"
-#include "requirement_limits.h"
+#include "controller/controller.h"
+#include "limits/requirement_limits.h"
+#include "safety/permit.h"
 
 static rig_t rig;
 

@@ -4,11 +4,11 @@
  * How far the controller trusts the position of an axis, and what makes it trusted again, on the
  * simulated box.
  */
-#include "rig.h"
+#include "integration/support/rig.h"
 
 #include "unity.h"
 
-#include "controller.h"
+#include "controller/controller.h"
 
 #define HOLD_CYCLES (LIMIT_CONFIRM_HOLD_US / LIMIT_CYCLE_US)
 

@@ -3,12 +3,12 @@
  * Rule under test: the controller executed again on recorded inputs says the same, and where it
  * does not, the replay says so and where.
  */
-#include "rig.h"
+#include "integration/support/rig.h"
 
 #include "unity.h"
 
-#include "controller.h"
-#include "replay.h"
+#include "controller/controller.h"
+#include "replay/replay.h"
 
 #include <string.h>
 

@@ -4,13 +4,13 @@
  * the counts agree; whatever speaks against it makes the axis lost, and nothing makes it fresh
  * again.
  */
-#include "rig.h"
+#include "integration/support/rig.h"
 
 #include "unity.h"
 
-#include "contract_trap.h"
-#include "controller.h"
-#include "replay.h"
+#include "controller/controller.h"
+#include "replay/replay.h"
+#include "unit/support/contract_trap.h"
 
 #include <string.h>
 

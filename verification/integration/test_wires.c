@@ -4,13 +4,13 @@
  * Rule under test: each wire inside the controller is there. What it shows is what is so, whichever
  * axis it concerns; each fact reaches the permit, the cards and the record.
  */
-#include "rig.h"
+#include "integration/support/rig.h"
 
 #include "unity.h"
 
-#include "controller.h"
-#include "controller_parts.h"
-#include "permit.h"
+#include "controller/controller.h"
+#include "controller/controller_parts.h"
+#include "safety/permit.h"
 
 #include <stdio.h>
 #include <stdlib.h>

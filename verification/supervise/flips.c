@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "flips.h"
+#include "supervise/flips.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -8,7 +8,7 @@
 #ifndef BORESIGHT_FLIPS_H
 #define BORESIGHT_FLIPS_H
 
-#include "scene.h"
+#include "supervise/scene.h"
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "foe.h"
+#include "supervise/foe.h"
 
-#include "axis_chart.h"
-#include "workphases_chart.h"
+#include "charts/axis_chart.h"
+#include "charts/workphases_chart.h"
 
 #include <stdarg.h>
 #include <stdio.h>

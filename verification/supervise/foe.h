@@ -8,8 +8,8 @@
 #ifndef BORESIGHT_FOE_H
 #define BORESIGHT_FOE_H
 
-#include "rig.h"
-#include "sim_random.h"
+#include "integration/support/rig.h"
+#include "sim/sim_random.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "scene.h"
+#include "supervise/scene.h"
 
 void scene_begin(scene_t *self, play_t play, uint32_t seed)
 {

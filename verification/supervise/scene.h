@@ -3,8 +3,8 @@
 #ifndef BORESIGHT_SCENE_H
 #define BORESIGHT_SCENE_H
 
-#include "stage.h"
-#include "witness.h"
+#include "supervise/stage.h"
+#include "supervise/witness.h"
 
 /** Owned by the program. */
 typedef struct {

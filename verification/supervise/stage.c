@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "stage.h"
+#include "supervise/stage.h"
 
-#include "kinematics.h"
-#include "requirement_limits.h"
-#include "workphases_chart.h"
+#include "charts/workphases_chart.h"
+#include "limits/requirement_limits.h"
+#include "robot/kinematics.h"
 
 #include <math.h>
 #include <stdio.h>

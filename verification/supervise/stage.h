@@ -3,8 +3,8 @@
 #ifndef BORESIGHT_STAGE_H
 #define BORESIGHT_STAGE_H
 
-#include "foe.h"
-#include "rig.h"
+#include "integration/support/rig.h"
+#include "supervise/foe.h"
 
 #include <stdbool.h>
 #include <stdint.h>

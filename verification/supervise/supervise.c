@@ -11,8 +11,8 @@
  * "taps" also tells the enemy's plan of each such scene. With "flips", COUNT times up to 3 bits of
  * a word of the controller's memory change in random scenes.
  */
-#include "flips.h"
-#include "scene.h"
+#include "supervise/flips.h"
+#include "supervise/scene.h"
 
 #include "unity.h"
 

@@ -14,8 +14,7 @@ build/gcc/bin/supervise: $(call object,$(SUPERVISE_SOURCES)) $(OUT)/libcore.a
 	@$(CC) $(CFLAGS) -I$(UNITY) $^ $(UNITY)/unity.c -lm -o $@
 	@echo "built $@"
 
-$(OUT)/verification/supervise/%.o $(OUT)/verification/integration/%.o: FLAGS = -D_GNU_SOURCE $(APP_INCLUDES) -Ibsp/sim \
-    -Iverification/integration/support -I$(UNITY)
+$(OUT)/verification/supervise/%.o $(OUT)/verification/integration/%.o: FLAGS = -D_GNU_SOURCE $(TEST_INCLUDES) -I$(UNITY)
 
 supervise: bootstrap-test ## The controller in COUNT scenes from SEED on, PLAY=random, jogs, corners, interrupted, spread, taps or flips
 	@$(MAKE) --no-print-directory -j2 build/gcc/bin/supervise

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "witness.h"
+#include "supervise/witness.h"
 
-#include "axis_chart.h"
-#include "workphases_chart.h"
+#include "charts/axis_chart.h"
+#include "charts/workphases_chart.h"
 
 #include <math.h>
 #include <string.h>

@@ -7,8 +7,8 @@
 #ifndef BORESIGHT_WITNESS_H
 #define BORESIGHT_WITNESS_H
 
-#include "requirement_limits.h"
-#include "rig.h"
+#include "integration/support/rig.h"
+#include "limits/requirement_limits.h"
 
 #include <stdbool.h>
 #include <stdint.h>

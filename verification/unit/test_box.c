@@ -5,14 +5,14 @@
  */
 #include "unity.h"
 
-#include "box.h"
-#include "card_frame.h"
-#include "crc.h"
-#include "requirement_limits.h"
-#include "sim_card.h"
-#include "sim_encoder.h"
-#include "sim_motor.h"
-#include "sim_switch.h"
+#include "base/crc.h"
+#include "card/card_frame.h"
+#include "limits/requirement_limits.h"
+#include "sim/box.h"
+#include "sim/sim_card.h"
+#include "sim/sim_encoder.h"
+#include "sim/sim_motor.h"
+#include "sim/sim_switch.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -6,8 +6,8 @@
  */
 #include "unity.h"
 
-#include "box_clock.h"
-#include "requirement_limits.h"
+#include "limits/requirement_limits.h"
+#include "sim/box_clock.h"
 
 #include <stddef.h>
 

@@ -6,16 +6,16 @@
  */
 #include "unity.h"
 
-#include "box.h"
+#include "base/crc.h"
 #include "bsp.h"
-#include "card_frame.h"
-#include "crc.h"
-#include "requirement_limits.h"
-#include "sim_card.h"
-#include "sim_encoder.h"
-#include "sim_motor.h"
-#include "sim_switch.h"
-#include "wire.h"
+#include "card/card_frame.h"
+#include "limits/requirement_limits.h"
+#include "sim/box.h"
+#include "sim/sim_card.h"
+#include "sim/sim_encoder.h"
+#include "sim/sim_motor.h"
+#include "sim/sim_switch.h"
+#include "sim/wire.h"
 
 #include <pthread.h>
 #include <stdio.h>

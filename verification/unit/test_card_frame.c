@@ -6,8 +6,8 @@
  */
 #include "unity.h"
 
-#include "card_frame.h"
-#include "crc.h"
+#include "base/crc.h"
+#include "card/card_frame.h"
 
 #include <string.h>
 

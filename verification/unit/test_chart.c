@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Rule under test: a compiled chart's trace keeps its last steps, and its queue ends in the safe
  * state rather than lose an event. */
-#include "chart.h"
-#include "contract_trap.h"
+#include "base/chart.h"
+#include "unit/support/contract_trap.h"
 #include "unity.h"
 
 void setUp(void)

@@ -5,8 +5,8 @@
  */
 #include "unity.h"
 
-#include "confirm_button.h"
-#include "requirement_limits.h"
+#include "limits/requirement_limits.h"
+#include "safety/confirm_button.h"
 
 #include <string.h>
 

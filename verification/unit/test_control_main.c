@@ -6,11 +6,12 @@
  */
 #include "unity.h"
 
-#include "card_frame.h"
-#include "drives_off.h"
-#include "exchange.h"
-#include "exchange_segment.h"
-#include "figures.h"
+#include "card/card_frame.h"
+#include "common/clock.h"
+#include "control/drives_off.h"
+#include "control/figures.h"
+#include "exchange/exchange.h"
+#include "exchange/exchange_segment.h"
 #include "mock_bsp.h"
 #include "mock_controller.h"
 #include "mock_realtime.h"

@@ -9,10 +9,10 @@
  */
 #include "unity.h"
 
-#include "count_account.h"
-#include "fixed.h"
-#include "requirement_limits.h"
-#include "robot.h"
+#include "axis/count_account.h"
+#include "base/fixed.h"
+#include "limits/requirement_limits.h"
+#include "robot/robot.h"
 
 #include <string.h>
 

@@ -6,13 +6,13 @@
  */
 #include "unity.h"
 
-#include "axis.h"
-#include "count_account.h"
-#include "drift_audit.h"
-#include "coupled_guard.h"
-#include "coupled_limit.h"
-#include "joints.h"
-#include "requirement_limits.h"
+#include "axis/axis.h"
+#include "axis/count_account.h"
+#include "axis/drift_audit.h"
+#include "limits/requirement_limits.h"
+#include "robot/coupled_limit.h"
+#include "robot/joints.h"
+#include "safety/coupled_guard.h"
 
 TEST_SOURCE_FILE("axis_chart.c")
 TEST_SOURCE_FILE("encoder.c")

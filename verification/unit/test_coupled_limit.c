@@ -4,9 +4,9 @@
  */
 #include "unity.h"
 
-#include "coupled_limit.h"
-#include "joints.h"
-#include "requirement_limits.h"
+#include "limits/requirement_limits.h"
+#include "robot/coupled_limit.h"
+#include "robot/joints.h"
 
 TEST_SOURCE_FILE("fixed.c")
 TEST_SOURCE_FILE("robot_neuro.c")

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Rule under test: the checksum of frames is CRC-32C. */
-#include "crc.h"
+#include "base/crc.h"
 #include "unity.h"
 
 #include <string.h>

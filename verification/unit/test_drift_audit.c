@@ -3,12 +3,12 @@
  * @file
  * Rule under test: what an axis counts at rest is added up, and no more.
  */
-#include "count_account.h"
-#include "drift_audit.h"
+#include "axis/count_account.h"
+#include "axis/drift_audit.h"
 
-#include "fixed.h"
-#include "requirement_limits.h"
-#include "robot.h"
+#include "base/fixed.h"
+#include "limits/requirement_limits.h"
+#include "robot/robot.h"
 #include "unity.h"
 
 #include <string.h>

@@ -5,10 +5,10 @@
  */
 #include "unity.h"
 
-#include "card_frame.h"
-#include "drives_off.h"
+#include "card/card_frame.h"
+#include "control/drives_off.h"
+#include "limits/requirement_limits.h"
 #include "mock_bsp.h"
-#include "requirement_limits.h"
 
 #include <string.h>
 

@@ -5,11 +5,11 @@
  */
 #include "unity.h"
 
-#include "encoder.h"
-#include "fixed.h"
-#include "requirement_limits.h"
-#include "sim_encoder.h"
-#include "sim_motor.h"
+#include "axis/encoder.h"
+#include "base/fixed.h"
+#include "limits/requirement_limits.h"
+#include "sim/sim_encoder.h"
+#include "sim/sim_motor.h"
 
 #include <math.h>
 #include <stddef.h>

@@ -5,8 +5,8 @@
  */
 #include "unity.h"
 
-#include "estop_latch.h"
-#include "estop_latch_chart.h"
+#include "charts/estop_latch_chart.h"
+#include "safety/estop_latch.h"
 
 static estop_latch_chart_t latch;
 

@@ -4,18 +4,18 @@
  * Rule under test: an event reads as a sentence that says what happened to what, and because of
  * whom.
  */
-#include "event_text.h"
+#include "common/event_text.h"
 
-#include "event_words.h"
-#include "command.h"
-#include "fixed.h"
-#include "names.h"
-#include "rigid.h"
-#include "robot.h"
-#include "status.h"
+#include "base/fixed.h"
+#include "base/rigid.h"
+#include "charts/workphases_chart.h"
+#include "interface/app/event_words.h"
+#include "interface/app/names.h"
+#include "interface/command.h"
+#include "interface/status.h"
+#include "procedure/workphase.h"
+#include "robot/robot.h"
 #include "unity.h"
-#include "workphase.h"
-#include "workphases_chart.h"
 
 #include <stdbool.h>
 #include <stdio.h>

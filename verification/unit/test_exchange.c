@@ -5,8 +5,8 @@
  */
 #include "unity.h"
 
-#include "exchange.h"
-#include "exchange_segment.h"
+#include "exchange/exchange.h"
+#include "exchange/exchange_segment.h"
 
 #include <fcntl.h>
 #include <pthread.h>

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Rule under test: fixed-point functions are as exact as they say, for every argument, and never
  * wrap. */
-#include "contract_trap.h"
-#include "fixed.h"
+#include "base/fixed.h"
+#include "unit/support/contract_trap.h"
 #include "unity.h"
 
 #include <math.h>

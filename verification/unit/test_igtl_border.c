@@ -4,11 +4,11 @@
  * Rule under test: only finite numbers within their range and rigid matrices cross the border, to
  * the nearest integer.
  */
-#include "fixed.h"
-#include "igtl_border.h"
-#include "igtl_codec.h"
-#include "rigid.h"
-#include "robot.h"
+#include "base/fixed.h"
+#include "base/rigid.h"
+#include "igtl/igtl_border.h"
+#include "igtl/igtl_codec.h"
+#include "robot/robot.h"
 #include "unity.h"
 
 #include <math.h>

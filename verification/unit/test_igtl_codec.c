@@ -4,8 +4,8 @@
  * Rule under test: a message is understood exactly when every byte of it fits, whichever header
  * version it has, and what is written is what the standard's own library writes.
  */
-#include "igtl_codec.h"
-#include "requirement_limits.h"
+#include "igtl/igtl_codec.h"
+#include "limits/requirement_limits.h"
 #include "unity.h"
 
 #include <stdbool.h>

@@ -4,10 +4,10 @@
  * Rule under test: a connection sends each message in one write, never waits for its peer, and
  * notices its end.
  */
-#include "igtl_codec.h"
-#include "igtl_connection.h"
-#include "igtl_inbox.h"
-#include "igtl_outbox.h"
+#include "igtl/igtl_codec.h"
+#include "igtl/igtl_connection.h"
+#include "igtl/igtl_inbox.h"
+#include "igtl/igtl_outbox.h"
 #include "unity.h"
 
 #include <sys/socket.h>

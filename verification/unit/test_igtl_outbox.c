@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /** @file Rule under test: every answer is sent once and in order, of a state only the newest, and
  * memory is bounded. */
-#include "igtl_codec.h"
-#include "igtl_outbox.h"
+#include "igtl/igtl_codec.h"
+#include "igtl/igtl_outbox.h"
 #include "unity.h"
 
 #include <string.h>

@@ -6,12 +6,12 @@
  */
 #include "unity.h"
 
-#include "card_frame.h"
-#include "card_link_chart.h"
-#include "crc.h"
-#include "requirement_limits.h"
-#include "link.h"
-#include "robot.h"
+#include "base/crc.h"
+#include "card/card_frame.h"
+#include "card/link.h"
+#include "charts/card_link_chart.h"
+#include "limits/requirement_limits.h"
+#include "robot/robot.h"
 
 #include <stddef.h>
 #include <string.h>

@@ -5,9 +5,9 @@
  */
 #include "unity.h"
 
-#include "requirement_limits.h"
-#include "loop_guard.h"
-#include "loop_guard_chart.h"
+#include "charts/loop_guard_chart.h"
+#include "limits/requirement_limits.h"
+#include "safety/loop_guard.h"
 
 #define PUNCTUAL_US LIMIT_OVERRUN_US
 #define LATE_US (LIMIT_OVERRUN_US + 1U)

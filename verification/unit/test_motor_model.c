@@ -2,13 +2,13 @@
 /* Rule under test: the model makes the way that the motor of the simulated box makes. */
 #include "unity.h"
 
-#include "card_frame.h"
-#include "crc.h"
-#include "motor_model.h"
-#include "requirement_limits.h"
-#include "robot.h"
-#include "servo.h"
-#include "sim_motor.h"
+#include "base/crc.h"
+#include "card/card_frame.h"
+#include "limits/requirement_limits.h"
+#include "motion/motor_model.h"
+#include "motion/servo.h"
+#include "robot/robot.h"
+#include "sim/sim_motor.h"
 
 TEST_SOURCE_FILE("robot_neuro.c")
 

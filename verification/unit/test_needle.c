@@ -5,10 +5,10 @@
  */
 #include "unity.h"
 
-#include "axis.h"
-#include "count_account.h"
-#include "drift_audit.h"
-#include "needle.h"
+#include "axis/axis.h"
+#include "axis/count_account.h"
+#include "axis/drift_audit.h"
+#include "safety/needle.h"
 
 TEST_SOURCE_FILE("axis_chart.c")
 TEST_SOURCE_FILE("encoder.c")

@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Rule under test: the integer kinematics equals the mechanism, forward and inverse, and refuses
  * what it cannot reach. */
-#include "contract_trap.h"
-#include "crc.h"
-#include "fixed.h"
-#include "golden_neuro.h"
-#include "requirement_limits.h"
-#include "neuro.h"
-#include "joints.h"
-#include "margin.h"
-#include "neuro_reference.h"
-#include "rigid.h"
-#include "robot.h"
+#include "base/crc.h"
+#include "base/fixed.h"
+#include "base/rigid.h"
+#include "limits/requirement_limits.h"
+#include "robot/joints.h"
+#include "robot/margin.h"
+#include "robot/neuro/neuro.h"
+#include "robot/robot.h"
+#include "unit/support/contract_trap.h"
+#include "unit/support/golden_neuro.h"
+#include "unit/support/neuro_reference.h"
 #include "unity.h"
 
 #include <math.h>

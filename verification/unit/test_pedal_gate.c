@@ -5,9 +5,9 @@
  */
 #include "unity.h"
 
-#include "requirement_limits.h"
-#include "pedal_gate.h"
-#include "pedal_gate_chart.h"
+#include "charts/pedal_gate_chart.h"
+#include "limits/requirement_limits.h"
+#include "safety/pedal_gate.h"
 
 #define CYCLE_US 1000U
 

@@ -5,8 +5,8 @@
  */
 #include "unity.h"
 
-#include "requirement_limits.h"
-#include "permit.h"
+#include "limits/requirement_limits.h"
+#include "safety/permit.h"
 
 #include <stddef.h>
 #include <string.h>

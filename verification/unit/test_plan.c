@@ -4,18 +4,18 @@
  * The plan takes only what is rigid and in range, confirms each target by the way back, and keeps
  * proposals apart.
  */
-#include "plan.h"
+#include "procedure/plan.h"
 
 #include "unity.h"
 
-#include "contract_trap.h"
-#include "fixed.h"
-#include "requirement_limits.h"
-#include "neuro.h"
-#include "joints.h"
-#include "kinematics.h"
-#include "margin.h"
-#include "rigid.h"
+#include "base/fixed.h"
+#include "base/rigid.h"
+#include "limits/requirement_limits.h"
+#include "robot/joints.h"
+#include "robot/kinematics.h"
+#include "robot/margin.h"
+#include "robot/neuro/neuro.h"
+#include "unit/support/contract_trap.h"
 
 TEST_SOURCE_FILE("coupled_limit.c")
 TEST_SOURCE_FILE("robot_neuro.c")

@@ -5,13 +5,13 @@
  */
 #include "unity.h"
 
-#include "fixed.h"
+#include "base/fixed.h"
+#include "base/rigid.h"
+#include "limits/requirement_limits.h"
 #include "mock_joints.h"
 #include "mock_kinematics.h"
-#include "plan.h"
-#include "requirement_limits.h"
-#include "rigid.h"
-#include "robot.h"
+#include "procedure/plan.h"
+#include "robot/robot.h"
 
 #include <string.h>
 

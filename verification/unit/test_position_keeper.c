@@ -5,12 +5,12 @@
  */
 #include "unity.h"
 
-#include "axis_chart.h"
-#include "card_frame.h"
-#include "crc.h"
-#include "position_keeper.h"
-#include "position_store.h"
-#include "requirement_limits.h"
+#include "base/crc.h"
+#include "card/card_frame.h"
+#include "charts/axis_chart.h"
+#include "limits/requirement_limits.h"
+#include "positions/position_store.h"
+#include "recorder/position_keeper.h"
 
 #include <stdio.h>
 #include <stdlib.h>

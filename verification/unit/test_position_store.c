@@ -5,9 +5,9 @@
  */
 #include "unity.h"
 
-#include "crc.h"
-#include "position_store.h"
-#include "requirement_limits.h"
+#include "base/crc.h"
+#include "limits/requirement_limits.h"
+#include "positions/position_store.h"
 
 #include <fcntl.h>
 #include <stdio.h>

@@ -6,11 +6,11 @@
  */
 #include "unity.h"
 
-#include "contract_trap.h"
-#include "fixed.h"
-#include "profile.h"
-#include "requirement_limits.h"
-#include "robot.h"
+#include "base/fixed.h"
+#include "limits/requirement_limits.h"
+#include "motion/profile.h"
+#include "robot/robot.h"
+#include "unit/support/contract_trap.h"
 
 #include <math.h>
 #include <string.h>

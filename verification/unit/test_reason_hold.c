@@ -3,9 +3,9 @@
  * @file
  * Rule under test: what flickers is shown as standing, everything else as it is.
  */
-#include "reason_hold.h"
+#include "safety/reason_hold.h"
 
-#include "requirement_limits.h"
+#include "limits/requirement_limits.h"
 #include "unity.h"
 
 #include <string.h>

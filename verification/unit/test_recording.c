@@ -5,10 +5,10 @@
  */
 #include "unity.h"
 
-#include "crc.h"
-#include "recording.h"
-#include "recording_reader.h"
-#include "recording_writer.h"
+#include "base/crc.h"
+#include "recording/recording.h"
+#include "recording/recording_reader.h"
+#include "recording/recording_writer.h"
 
 #include <errno.h>
 #include <fcntl.h>

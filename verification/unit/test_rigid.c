@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Rule under test: only a rotation and a translation passes for a rigid transform, and products do
  * not wrap. */
-#include "fixed.h"
-#include "requirement_limits.h"
-#include "rigid.h"
+#include "base/fixed.h"
+#include "base/rigid.h"
+#include "limits/requirement_limits.h"
 #include "unity.h"
 
 #include <string.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Rule under test: a table of the robot that is not as it was compiled is found, and in which part.
  */
-#include "robot_damage.h"
+#include "robot/robot_damage.h"
 #include "unity.h"
 
 #include <stdbool.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Rule under test: a seal tells of every change within one word. */
-#include "seal.h"
+#include "base/seal.h"
 #include "unity.h"
 
 #include <string.h>

@@ -6,14 +6,14 @@
  */
 #include "unity.h"
 
-#include "card_frame.h"
-#include "crc.h"
-#include "fixed.h"
-#include "motor_model.h"
-#include "requirement_limits.h"
-#include "profile.h"
-#include "robot.h"
-#include "servo.h"
+#include "base/crc.h"
+#include "base/fixed.h"
+#include "card/card_frame.h"
+#include "limits/requirement_limits.h"
+#include "motion/motor_model.h"
+#include "motion/profile.h"
+#include "motion/servo.h"
+#include "robot/robot.h"
 
 #include <math.h>
 #include <string.h>

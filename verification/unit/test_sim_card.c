@@ -6,12 +6,12 @@
  */
 #include "unity.h"
 
-#include "card_frame.h"
-#include "crc.h"
-#include "requirement_limits.h"
-#include "sim_card.h"
-#include "sim_encoder.h"
-#include "sim_motor.h"
+#include "base/crc.h"
+#include "card/card_frame.h"
+#include "limits/requirement_limits.h"
+#include "sim/sim_card.h"
+#include "sim/sim_encoder.h"
+#include "sim/sim_motor.h"
 
 #include <string.h>
 

@@ -5,8 +5,8 @@
  */
 #include "unity.h"
 
-#include "sim_encoder.h"
-#include "sim_motor.h"
+#include "sim/sim_encoder.h"
+#include "sim/sim_motor.h"
 
 #include <string.h>
 

@@ -5,9 +5,9 @@
  */
 #include "unity.h"
 
-#include "card_frame.h"
-#include "crc.h"
-#include "sim_motor.h"
+#include "base/crc.h"
+#include "card/card_frame.h"
+#include "sim/sim_motor.h"
 
 #include <string.h>
 

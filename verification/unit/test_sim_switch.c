@@ -3,8 +3,8 @@
  * bouncing 1 to 5 ms. */
 #include "unity.h"
 
-#include "sim_motor.h"
-#include "sim_switch.h"
+#include "sim/sim_motor.h"
+#include "sim/sim_switch.h"
 
 #include <string.h>
 

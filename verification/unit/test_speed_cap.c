@@ -4,9 +4,9 @@
  */
 #include "unity.h"
 
-#include "requirement_limits.h"
-#include "robot.h"
-#include "speed_cap.h"
+#include "limits/requirement_limits.h"
+#include "robot/robot.h"
+#include "safety/speed_cap.h"
 
 TEST_SOURCE_FILE("robot_neuro.c")
 

@@ -3,11 +3,11 @@
  * @file
  * Workphases are entered only by the allow-list, stated here a second time as a table.
  */
-#include "workphase.h"
+#include "procedure/workphase.h"
 
 #include "unity.h"
 
-#include "workphases_chart.h"
+#include "charts/workphases_chart.h"
 
 static workphases_chart_t chart;
 static workphases_inputs_t inputs;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "neuro.h"
+#include "robot/neuro/neuro.h"
 
-#include "fixed.h"
-#include "margin.h"
-#include "requirement_limits.h"
+#include "base/fixed.h"
+#include "limits/requirement_limits.h"
+#include "robot/margin.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -9,11 +9,11 @@
 #ifndef BORESIGHT_NEURO_H
 #define BORESIGHT_NEURO_H
 
-#include "joints.h"
-#include "margin.h"
-#include "rigid.h"
-#include "robot.h"
-#include "status.h"
+#include "base/rigid.h"
+#include "interface/status.h"
+#include "robot/joints.h"
+#include "robot/margin.h"
+#include "robot/robot.h"
 
 #include <stdint.h>
 

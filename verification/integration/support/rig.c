@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "rig.h"
+#include "integration/support/rig.h"
 
 #include "unity.h"
 

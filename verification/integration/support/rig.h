@@ -4,8 +4,8 @@
 #ifndef BORESIGHT_RIG_H
 #define BORESIGHT_RIG_H
 
-#include "box.h"
-#include "controller.h"
+#include "controller/controller.h"
+#include "sim/box.h"
 
 #include <stdbool.h>
 #include <stdint.h>

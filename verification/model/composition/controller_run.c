@@ -12,8 +12,8 @@
  */
 #include "numbers.h"
 
-#include "permit.h"
-#include "rig.h"
+#include "integration/support/rig.h"
+#include "safety/permit.h"
 #include "unity.h"
 
 #include <stdio.h>

@@ -8,7 +8,7 @@
 #define BORESIGHT_EXPLORER_H
 
 #include "found.h"
-#include "permit.h"
+#include "safety/permit.h"
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -16,8 +16,8 @@ class Explorer
 
   ROOT = CompiledChart::ROOT
   HERE = "#{ROOT}/verification/model/composition".freeze
-  PARTS = ["#{HERE}/found.c", *Dir["#{ROOT}/core/permit/*.c"].sort].freeze
-  FOLDERS = %w[core/base core/card core/permit core/robot build/gen/limits build/gen/robot build/gen/interface].freeze
+  PARTS = ["#{HERE}/found.c", *Dir["#{ROOT}/core/safety/permit.c"].sort].freeze
+  FOLDERS = %w[core core/base build/gen].freeze
   # [kind, source] => file
   OBJECTS = {}
   private_constant :OBJECTS

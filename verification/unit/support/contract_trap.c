@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "contract_trap.h"
+#include "unit/support/contract_trap.h"
 
-#include "contract.h"
+#include "base/contract.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "neuro_reference.h"
+#include "unit/support/neuro_reference.h"
 
 #include <math.h>
 #include <string.h>

@@ -7,9 +7,9 @@
 #ifndef BORESIGHT_NEURO_REFERENCE_H
 #define BORESIGHT_NEURO_REFERENCE_H
 
-#include "neuro.h"
-#include "rigid.h"
-#include "robot.h"
+#include "base/rigid.h"
+#include "robot/neuro/neuro.h"
+#include "robot/robot.h"
 
 #include <stdbool.h>
 

@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * The recording: what was running, then every cycle's inputs and outputs in compressed blocks, each
+ * bound to the one before it by its hash. Every byte of the file is covered. Numbers are little
+ * endian.
+ *
+ *     header   256 bytes: magic, sizes, build, robot, zeros, SHA-256 of all that
+ *     block    32 bytes of fields, SHA-256, a checksum of each RECORDING_CHUNK, payload (zstd)
+ *     ...
+ *     trailer  32 bytes of fields, SHA-256; missing when the recorder was cut short
+ *
+ * Fields of a block: magic, number, first cycle, records, raw size, compressed size, cycles lost,
+ * CRC-32C of the fields. Those of the trailer: magic, number of blocks, last cycle, records (64
+ * bit), cycles lost, zero, CRC-32C. The SHA-256 of a block is over the hash before it, its own
+ * fields, checksums and payload. The checksums only serve to say where in a block a byte was
+ * changed.
+ *
+ * A record is its kind, its cycle and its body. Of a cycle, the body is inputs and outputs, each
+ * byte XOR the same byte of the cycle before it in the block.
+ */
+#ifndef BORESIGHT_RECORDING_H
+#define BORESIGHT_RECORDING_H
+
+#include "exchange/exchange.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define RECORDING_VERSION 1U
+#define RECORDING_HASH_SIZE 32U
+#define RECORDING_HEADER_SIZE 256U
+#define RECORDING_FIELDS_SIZE 32U
+/** Fields and hash. */
+#define RECORDING_PREFIX_SIZE (RECORDING_FIELDS_SIZE + RECORDING_HASH_SIZE)
+#define RECORDING_CHUNK 1024U               /**< Payload bytes under one checksum. */
+#define RECORDING_BLOCK_RECORDS 256U        /**< Most records of one block. */
+#define RECORDING_BLOCK_MAGIC 0x4B425342U   /**< "BSBK" */
+#define RECORDING_TRAILER_MAGIC 0x4E455342U /**< "BSEN" */
+
+/** Largest raw size of a block: its records, each with kind and cycle. */
+#define RECORDING_RAW_MAX (RECORDING_BLOCK_RECORDS * (8U + sizeof(((cycle_record_t *)0)->body)))
+
+/**
+ * What was running.
+ *
+ * @satisfies SWR-REC-003
+ */
+typedef struct {
+    char build[64];           /**< Name of the build. */
+    char robot[16];           /**< Name of the robot. */
+    uint32_t robot_crc;       /**< CRC of its description. */
+    uint32_t inputs_size;     /**< sizeof(controller_inputs_t). */
+    uint32_t outputs_size;    /**< sizeof(controller_outputs_t). */
+    uint32_t controller_size; /**< sizeof(controller_t), the size of a checkpoint. */
+    uint64_t started_us;      /**< UTC since 1970. */
+} recording_header_t;
+
+/** Fields of a block or of the trailer. */
+typedef struct {
+    uint32_t magic;
+    uint32_t number; /**< Of the block; of blocks in the trailer. */
+    uint32_t cycle;  /**< Of the first record; of the last one in the trailer. */
+    uint32_t records;
+    uint32_t raw_size;        /**< In the trailer the upper half of the number of records. */
+    uint32_t compressed_size; /**< 0 in the trailer. */
+    uint32_t cycles_lost;     /**< Before the block; altogether in the trailer. */
+} recording_fields_t;
+
+/** Writes `header` as RECORDING_HEADER_SIZE bytes; the last RECORDING_HASH_SIZE of them are their
+ * hash. */
+void recording_encode_header(const recording_header_t *header, uint8_t *bytes);
+
+/** Reads what recording_encode_header() wrote. False when the magic, the version or the hash is
+ * wrong. */
+bool recording_decode_header(const uint8_t *bytes, recording_header_t *header);
+
+void recording_encode_fields(const recording_fields_t *fields, uint8_t *bytes);
+
+/** False when the checksum of the fields is wrong. */
+bool recording_decode_fields(const uint8_t *bytes, recording_fields_t *fields);
+
+/** Bytes of the checksums of a payload. */
+size_t recording_checksums_size(uint32_t compressed_size);
+
+void recording_encode_checksums(const uint8_t *payload, uint32_t compressed_size, uint8_t *bytes);
+
+/** Hash over the hash before it, RECORDING_FIELDS_SIZE bytes of fields, and `rest` (checksums and
+ * payload). */
+void recording_hash(const uint8_t *before, const uint8_t *fields, const uint8_t *rest,
+                    size_t rest_size, uint8_t *hash);
+
+/** Size of a record's body. 0 for a kind that does not exist. */
+uint32_t recording_body_size(const recording_header_t *header, uint32_t kind);
+
+#endif

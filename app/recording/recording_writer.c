@@ -1,0 +1,200 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "recording/recording_writer.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include <zstd.h>
+
+#define FILE_MODE 0640
+#define COMPRESSION_LEVEL 1
+
+static void release(recording_writer_t *self)
+{
+    const int reason = errno;
+
+    if (self->file >= 0) {
+        (void)close(self->file);
+    }
+    (void)ZSTD_freeCCtx(self->compressor);
+    free(self->output);
+    self->file = -1;
+    self->compressor = NULL;
+    self->output = NULL;
+    errno = reason;
+}
+
+/* All or nothing: a block that does not fit is taken back. */
+static bool write_all(recording_writer_t *self, const uint8_t *bytes, size_t size)
+{
+    size_t written = 0U;
+
+    while (written < size) {
+        const ssize_t count = write(self->file, &bytes[written], size - written);
+        if (count > 0) {
+            written += (size_t)count;
+        } else if ((count == 0) || (errno != EINTR)) {
+            const int reason = (count == 0) ? ENOSPC : errno;
+            (void)!ftruncate(self->file, (off_t)self->size);
+            errno = reason;
+            return false;
+        } else {
+            /* Interrupted: again. */
+        }
+    }
+    self->size += size;
+    return true;
+}
+
+static void begin_block(recording_writer_t *self)
+{
+    (void)memset(&self->block, 0, sizeof(self->block));
+    (void)memset(self->before, 0, sizeof(self->before));
+}
+
+static bool write_header(recording_writer_t *self)
+{
+    uint8_t bytes[RECORDING_HEADER_SIZE];
+
+    recording_encode_header(&self->header, bytes);
+    (void)memcpy(self->hash, &bytes[RECORDING_HEADER_SIZE - RECORDING_HASH_SIZE],
+                 sizeof(self->hash));
+    return write_all(self, bytes, sizeof(bytes));
+}
+
+/* A file without header is no recording, and would count as one. */
+static void remove_again(const char *path)
+{
+    const int reason = errno;
+
+    (void)unlink(path);
+    errno = reason;
+}
+
+bool recording_writer_open(recording_writer_t *self, const char *path,
+                           const recording_header_t *header)
+{
+    const size_t bound = ZSTD_compressBound(RECORDING_RAW_MAX);
+
+    (void)memset(self, 0, offsetof(recording_writer_t, raw));
+    self->header = *header;
+    self->output_size = RECORDING_PREFIX_SIZE + recording_checksums_size((uint32_t)bound) + bound;
+    self->output = malloc(self->output_size);
+    self->compressor = ZSTD_createCCtx();
+    self->file = open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, FILE_MODE);
+    begin_block(self);
+    if (self->file < 0) {
+        release(self);
+        return false;
+    }
+    if ((self->output == NULL) || (self->compressor == NULL) || !write_header(self)) {
+        release(self);
+        remove_again(path);
+        return false;
+    }
+    return true;
+}
+
+void recording_writer_note_loss(recording_writer_t *self, uint32_t cycles)
+{
+    self->block.cycles_lost += cycles;
+    self->cycles_lost += cycles;
+}
+
+static void append_body(recording_writer_t *self, uint8_t *to, const cycle_record_t *record,
+                        uint32_t size)
+{
+    if (record->kind != CYCLE_RECORD_CYCLE) {
+        (void)memcpy(to, record->body.checkpoint, size);
+        return;
+    }
+    for (uint32_t i = 0U; i < size; i++) {
+        to[i] = (uint8_t)(record->body.checkpoint[i] ^ self->before[i]);
+    }
+    (void)memcpy(self->before, record->body.checkpoint, size);
+}
+
+bool recording_writer_append(recording_writer_t *self, const cycle_record_t *record)
+{
+    const uint32_t size = recording_body_size(&self->header, record->kind);
+    uint8_t *to = &self->raw[self->block.raw_size];
+
+    if (size == 0U) {
+        return true;
+    }
+    if (self->block.records == 0U) {
+        self->block.cycle = record->cycle;
+    }
+    (void)memcpy(&to[0], &record->kind, sizeof(record->kind));
+    (void)memcpy(&to[4], &record->cycle, sizeof(record->cycle));
+    append_body(self, &to[8], record, size);
+    self->block.raw_size += 8U + size;
+    self->block.records++;
+    self->records++;
+    self->cycle = record->cycle;
+    return (self->block.records < RECORDING_BLOCK_RECORDS) || recording_writer_flush(self);
+}
+
+/* Payload first, at the end of the room for its checksums; those are then moved up to it. */
+static size_t compress_block(recording_writer_t *self)
+{
+    const size_t bound = ZSTD_compressBound(self->block.raw_size);
+    uint8_t *room = &self->output[self->output_size - bound];
+    uint8_t *checksums = &self->output[RECORDING_PREFIX_SIZE];
+    const size_t size = ZSTD_compressCCtx(self->compressor, room, bound, self->raw,
+                                          self->block.raw_size, COMPRESSION_LEVEL);
+
+    if (ZSTD_isError(size) != 0U) {
+        return 0U;
+    }
+    self->block.compressed_size = (uint32_t)size;
+    recording_encode_checksums(room, (uint32_t)size, checksums);
+    (void)memmove(&checksums[recording_checksums_size((uint32_t)size)], room, size);
+    return recording_checksums_size((uint32_t)size) + size;
+}
+
+bool recording_writer_flush(recording_writer_t *self)
+{
+    if (self->block.records == 0U) {
+        return true;
+    }
+    const size_t rest = compress_block(self);
+    self->block.magic = RECORDING_BLOCK_MAGIC;
+    self->block.number = self->blocks;
+    recording_encode_fields(&self->block, self->output);
+    recording_hash(self->hash, self->output, &self->output[RECORDING_PREFIX_SIZE], rest,
+                   &self->output[RECORDING_FIELDS_SIZE]);
+    if (rest == 0U) {
+        errno = ENOMEM;
+    }
+    if ((rest == 0U) || !write_all(self, self->output, RECORDING_PREFIX_SIZE + rest)) {
+        release(self);
+        return false;
+    }
+    (void)memcpy(self->hash, &self->output[RECORDING_FIELDS_SIZE], sizeof(self->hash));
+    self->blocks++;
+    begin_block(self);
+    return true;
+}
+
+bool recording_writer_close(recording_writer_t *self)
+{
+    uint8_t bytes[RECORDING_PREFIX_SIZE];
+
+    if (!recording_writer_flush(self)) {
+        return false;
+    }
+    const recording_fields_t trailer = {.magic = RECORDING_TRAILER_MAGIC,
+                                        .number = self->blocks,
+                                        .cycle = self->cycle,
+                                        .records = (uint32_t)self->records,
+                                        .raw_size = (uint32_t)(self->records >> 32),
+                                        .cycles_lost = self->cycles_lost};
+    recording_encode_fields(&trailer, bytes);
+    recording_hash(self->hash, bytes, bytes, 0U, &bytes[RECORDING_FIELDS_SIZE]);
+    const bool is_written = write_all(self, bytes, sizeof(bytes));
+    release(self);
+    return is_written;
+}

@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Writes one recording. Owned by the recorder; one writer per file. A write that fails leaves the
+ * file with whole blocks only, and the writer closed.
+ */
+#ifndef BORESIGHT_RECORDING_WRITER_H
+#define BORESIGHT_RECORDING_WRITER_H
+
+#include "recording/recording.h"
+
+#include <stdbool.h>
+
+typedef struct {
+    int file; /**< -1: closed. */
+    recording_header_t header;
+    uint8_t hash[RECORDING_HASH_SIZE]; /**< Of the block before. */
+    recording_fields_t block;          /**< The block being filled. */
+    uint32_t cycle;                    /**< Of the last record. */
+    uint32_t blocks;                   /**< Written. */
+    uint64_t records;                  /**< Appended. */
+    uint64_t size;                     /**< Bytes written. */
+    uint32_t cycles_lost;
+    void *compressor;
+    uint8_t
+        before[sizeof(((cycle_record_t *)0)->body)]; /**< Body of the cycle before in this block. */
+    uint8_t raw[RECORDING_RAW_MAX];
+    uint8_t *output; /**< Prefix, checksums and payload of one block. */
+    size_t output_size;
+} recording_writer_t;
+
+/**
+ * Creates the file `path` and writes its header. The sizes of `header` may not exceed those of
+ * cycle_record_t.
+ *
+ * @return false with errno set when it cannot; the writer is closed
+ */
+bool recording_writer_open(recording_writer_t *self, const char *path,
+                           const recording_header_t *header);
+
+/** Notes that `cycles` cycles before the next record are missing. */
+void recording_writer_note_loss(recording_writer_t *self, uint32_t cycles);
+
+/**
+ * Adds a record; a full block is written.
+ *
+ * @return false with errno set when the block could not be written; its records are gone and the
+ * writer is closed
+ *
+ * @satisfies SWR-REC-001
+ * @satisfies SWR-REC-002
+ */
+bool recording_writer_append(recording_writer_t *self, const cycle_record_t *record);
+
+/** Writes the records that wait for a full block. Same result. */
+bool recording_writer_flush(recording_writer_t *self);
+
+/** Writes what waits and the trailer, and closes. False with errno set when it could not write. */
+bool recording_writer_close(recording_writer_t *self);
+
+#endif

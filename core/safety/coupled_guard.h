@@ -1,0 +1,55 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Keeps two axes inside the limit that they share, wherever they would stop. Limits are in force
+ * once both of their axes are homed, in every workphase. Without state.
+ */
+#ifndef BORESIGHT_COUPLED_GUARD_H
+#define BORESIGHT_COUPLED_GUARD_H
+
+#include "axis/axis.h"
+#include "robot/coupled_limit.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/** The axes in a cycle; arrays in the order of axis_index_t. */
+typedef struct {
+    const axis_t *axes;
+    const card_drive_t *sent;     /**< What the cards apply now. */
+    const card_drive_t *requests; /**< What they would apply next. */
+} coupled_view_t;
+
+/**
+ * The request of axis `index` takes a limit away from its range, and within LIMIT_COUPLED_STOP_US
+ * the two axes might leave it: each as fast as it is measured or, if driven that way, as its motor
+ * can be. That the other one comes towards the range counts for nothing. Of two axes of which only
+ * the other is homed, the request goes towards its switch, and that is outside the range.
+ *
+ * @satisfies SWR-COUPLE-001
+ * @satisfies SWR-COUPLE-003
+ */
+bool coupled_guard_blocks(const robot_t *robot, const coupled_view_t *view, uint32_t index);
+
+/**
+ * Axis `index` is not homed, another is that shares a limit with it, and homing it would leave
+ * that.
+ *
+ * @satisfies SWR-COUPLE-003
+ */
+bool coupled_guard_bars_homing(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
+                               uint32_t index);
+
+/** Axis `index` and all that share a limit with it are homed. */
+bool coupled_guard_is_known(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
+                            uint32_t index);
+
+/**
+ * May axis `index` be jogged to `ticks`, with the others where they are?
+ *
+ * @satisfies SWR-COUPLE-002
+ */
+coupled_side_t coupled_guard_judge(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
+                                   uint32_t index, int32_t ticks);
+
+#endif

@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * The loop guard: counts late cycles and stops motion when they come in a row or too often.
+ * Behaviour: statecharts/loop_guard.scxml.
+ */
+#ifndef BORESIGHT_LOOP_GUARD_H
+#define BORESIGHT_LOOP_GUARD_H
+
+#include "charts/loop_guard_chart.h"
+
+#include <stdint.h>
+
+typedef struct {
+    uint32_t overruns; /**< Late cycles since the start, saturates. */
+    loop_guard_chart_t chart;
+} loop_guard_t;
+
+void loop_guard_init(loop_guard_t *self);
+
+/**
+ * One cycle that came `elapsed_us` after the one before. Late above LIMIT_OVERRUN_US.
+ *
+ * @satisfies SWR-LOOP-001
+ * @satisfies SWR-LOOP-002
+ * @satisfies SWR-LOOP-004
+ */
+void loop_guard_step(loop_guard_t *self, uint32_t elapsed_us);
+
+/** Lets motion be armed again after a stop. */
+void loop_guard_reset(loop_guard_t *self);
+
+#endif

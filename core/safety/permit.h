@@ -1,0 +1,76 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * The motion permit: the one decision whether an axis may be driven in this cycle. A pure function
+ * of the cycle's facts. Everything else only requests motion; permit_apply() is the only way a
+ * drive reaches a frame.
+ */
+#ifndef BORESIGHT_PERMIT_H
+#define BORESIGHT_PERMIT_H
+
+#include "card/card_frame.h"
+#include "interface/permit_reason.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/* From here on they depend on where the axis stands and goes: in one motion they may come and go.
+ */
+#define PERMIT_REASON_FIRST_OF_PLACE ((uint32_t)PERMIT_REASON_LIMIT_SWITCH)
+
+/** The facts of one cycle about one axis. */
+typedef struct {
+    bool is_estop_pulled;
+    bool is_estop_latched;
+    bool is_loop_stopped;
+    bool is_link_lost;
+    bool is_pedal_faulty;
+    bool is_scanner_active;
+    bool is_axis_faulty;
+    bool is_axis_enabled;
+    bool is_armed;
+    bool is_pedal_unproven;
+    bool is_pedal_pressed;
+    bool is_homed;
+    bool is_every_axis_homed;
+    bool is_memory_damaged; /**< The table of the robot is. */
+    bool is_homing_or_jog;  /**< The armed order is one that an axis not homed may run. */
+    bool is_towards_switch; /**< Requested direction is towards an active limit switch. */
+    bool
+        is_beyond_soft_limit; /**< Homed, at or beyond a soft limit, and requested to go further. */
+    bool is_coupled_limit;    /**< coupled_guard_blocks(). */
+    bool is_needle_in;        /**< needle_forbids_jog() of the jog that is armed. */
+} permit_facts_t;
+
+/** The answer for one axis. */
+typedef struct {
+    bool is_allowed;            /**< No reason stands. */
+    uint32_t reasons;           /**< Bit mask of permit_reason_t. */
+    uint32_t speed_cap_percent; /**< permit_cap_percent(), 0 when not allowed. */
+} permit_t;
+
+/**
+ * The one rule how fast an axis may be, in percent of its speed.
+ *
+ * @satisfies SWR-AXIS-006
+ */
+uint32_t permit_cap_percent(bool is_every_axis_homed);
+
+/**
+ * Decides.
+ *
+ * @satisfies SWR-PERMIT-001
+ * @satisfies SWR-PERMIT-004
+ * @satisfies SWR-PEDAL-001
+ */
+permit_t permit_decide(const permit_facts_t *facts);
+
+/**
+ * The drive that may go into the card's frame: `requested` if it is allowed and the axis is not
+ * faster than its cap, otherwise off.
+ *
+ * @satisfies SWR-PERMIT-002
+ */
+card_drive_t permit_apply(const permit_t *permit, bool is_too_fast, const card_drive_t *requested);
+
+#endif

@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * The reasons against motion as they are shown: one that flickers is shown as standing. For eyes
+ * only; the permit itself is never held. The controller owns one per axis and steps it every cycle.
+ */
+#ifndef BORESIGHT_REASON_HOLD_H
+#define BORESIGHT_REASON_HOLD_H
+
+#include "safety/permit.h"
+
+#include <stdint.h>
+
+#define REASON_HOLD_COUNT (PERMIT_REASON_COUNT - PERMIT_REASON_FIRST_OF_PLACE)
+
+/** At first all zero. */
+typedef struct {
+    uint32_t shown;      /**< Bit mask of permit_reason_t. */
+    uint32_t flickering; /**< Those that came back soon after they had gone. */
+    uint32_t
+        left_us[REASON_HOLD_COUNT]; /**< LIMIT_REASON_HOLD_US while it stands, then down to 0. */
+} reason_hold_t;
+
+/**
+ * One cycle, `elapsed_us` after the one before, with the `reasons` of the permit. A reason that is
+ * back within LIMIT_REASON_HOLD_US is shown from then on, until it has been gone for as long.
+ *
+ * @satisfies SWR-PERMIT-006
+ */
+void reason_hold_step(reason_hold_t *self, uint32_t reasons, uint32_t elapsed_us);
+
+#endif

@@ -1,0 +1,97 @@
+#!/usr/bin/env ruby
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+# Holds the includes of the product against tools/rooms.yml: an include names the room that it enters, each room enters
+# those alone that it may, and no two rooms enter each other.
+#
+#   ruby tools/rooms.rb [--root FOLDER]     one line for each include that must not be, exit 1 if there is any
+
+require 'optparse'
+require 'tsort'
+require 'yaml'
+
+# The rooms, and which arrows between them are allowed.
+#
+# @satisfies SWR-TOOL-014
+class Rooms
+  include TSort
+
+  Room = Struct.new(:folder, :holds, :sees, keyword_init: true) do
+    # What stands before the slash of an include.
+    def name
+      File.basename(folder)
+    end
+
+    def may?(header)
+      [name, *sees].include?(header[%r{\A[^/]+(?=/)}]) || sees.include?(header)
+    end
+  end
+
+  FILE = 'tools/rooms.yml'
+  INCLUDE = /^\s*#\s*include\s+"(?<header>[^"]+)"/
+
+  def initialize(root)
+    @root = root
+    @rooms = YAML.safe_load_file(File.join(root, FILE)).map do |folder, about|
+      Room.new(folder: folder, holds: about.fetch('holds'), sees: about.fetch('sees'))
+    end
+  end
+
+  attr_reader :rooms
+
+  # One line for each thing that is not as it must be.
+  def problems
+    unknown_folders + circles + files.flat_map { |room, file| wrong_includes(room, file) }
+  end
+
+  private
+
+  # The deepest room that holds the file.
+  def files
+    Dir.glob('{core,bsp,app}/**/*.{c,h}', base: @root).grep_v(/node_modules/).sort.map do |file|
+      [@rooms.select { |room| file.start_with?("#{room.folder}/") }.max_by { |room| room.folder.size }, file]
+    end
+  end
+
+  def unknown_folders
+    files.reject(&:first).map { |_, file| "#{file}: its folder is no room of #{FILE}" }
+  end
+
+  def wrong_includes(room, file)
+    return [] unless room
+
+    File.foreach(File.join(@root, file)).with_index(1).filter_map do |line, number|
+      header = line[INCLUDE, :header]
+      next if header.nil? || room.may?(header)
+
+      "#{file}:#{number}: #{room.folder} must not include \"#{header}\"#{' without its room' unless header.include?('/')}"
+    end
+  end
+
+  def circles
+    each_strongly_connected_component.select { |group| group.size > 1 }.map do |group|
+      "#{FILE}: #{group.map(&:folder).sort.join(' and ')} see each other"
+    end
+  end
+
+  def tsort_each_node(&)
+    @rooms.each(&)
+  end
+
+  def tsort_each_child(room)
+    room.sees.each do |seen|
+      other = @rooms.find { |one| one.name == seen.split('/').first }
+      yield other if other && other != room
+    end
+  end
+end
+
+if $PROGRAM_NAME == __FILE__
+  root = File.expand_path('..', __dir__)
+  OptionParser.new { |options| options.on('--root FOLDER') { |folder| root = folder } }.parse!
+  problems = Rooms.new(root).problems
+  puts problems
+  puts 'The rooms see what they may see.' if problems.empty?
+  exit(problems.empty? ? 0 : 1)
+end

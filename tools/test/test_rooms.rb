@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+# The rule under test: what a source includes shows in the line, and is what its room may see.
+
+require 'fileutils'
+require 'minitest/autorun'
+require 'tmpdir'
+require_relative '../rooms'
+
+class TestRooms < Minitest::Test
+  ROOT = File.expand_path('../..', __dir__)
+  RULES = <<~YAML
+    core/low: {holds: stones, sees: []}
+    core/high: {holds: bricks, sees: [low/open.h]}
+    bsp: {holds: a board, sees: []}
+    app/top: {holds: tiles, sees: [bsp.h, high]}
+  YAML
+
+  def test_SWR_TOOL_014_the_house_keeps_its_rules
+    assert_empty Rooms.new(ROOT).problems
+  end
+
+  def test_SWR_TOOL_014_a_room_sees_itself_and_what_it_may
+    assert_empty problems('core/high/a.c' => "#include \"high/a.h\"\n#include <stdio.h>\n#include \"low/open.h\"\n",
+                          'app/top/b.c' => "#include \"high/any/deep.h\"\n#include \"bsp.h\"\n")
+  end
+
+  def test_SWR_TOOL_014_finds_an_arrow_upwards
+    assert_equal ['core/low/a.h:2: core/low must not include "high/a.h"'],
+                 problems('core/low/a.h' => "\n#include \"high/a.h\"\n")
+  end
+
+  def test_SWR_TOOL_014_finds_another_header_of_a_room_of_which_one_is_allowed
+    assert_equal ['core/high/a.c:1: core/high must not include "low/inner.h"'],
+                 problems('core/high/a.c' => "  # include \"low/inner.h\"\n")
+  end
+
+  def test_SWR_TOOL_014_finds_an_include_without_its_room
+    assert_equal ['app/top/a.c:1: app/top must not include "a.h" without its room'],
+                 problems('app/top/a.c' => "#include \"a.h\"\n")
+  end
+
+  def test_SWR_TOOL_014_finds_a_folder_that_is_no_room
+    assert_equal ['core/cellar/a.c: its folder is no room of tools/rooms.yml'], problems('core/cellar/a.c' => '')
+  end
+
+  def test_SWR_TOOL_014_finds_rooms_that_may_see_each_other
+    circle = "#{RULES}core/ring: {holds: a way back, sees: [loop]}\ncore/loop: {holds: another, sees: [ring/a.h]}\n"
+    assert_equal ['tools/rooms.yml: core/loop and core/ring see each other'], problems({}, circle)
+  end
+
+  private
+
+  def problems(files, rules = RULES)
+    Dir.mktmpdir do |root|
+      { Rooms::FILE => rules, **files }.each do |file, text|
+        FileUtils.mkdir_p(File.dirname(File.join(root, file)))
+        File.write(File.join(root, file), text)
+      end
+      Rooms.new(root).problems
+    end
+  end
+end
