@@ -1,5 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "controller/controller_parts.h"
+#include "controller/controller_drive.h"
+
+#include "controller/controller_facts.h"
+#include "controller/controller_jog.h"
 
 #include "safety/coupled_guard.h"
 #include "safety/needle.h"

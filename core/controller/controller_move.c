@@ -1,5 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "controller/controller_parts.h"
+#include "controller/controller_move.h"
+
+#include "controller/controller_facts.h"
+#include "controller/controller_jog.h"
+#include "controller/controller_order.h"
 
 #include "safety/coupled_guard.h"
 #include "safety/needle.h"

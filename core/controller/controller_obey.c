@@ -1,154 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "controller/controller_parts.h"
+#include "controller/controller_obey.h"
+
+#include "controller/controller_facts.h"
+#include "controller/controller_jog.h"
+#include "controller/controller_order.h"
 
 /* What a source may send. */
 typedef struct {
     bool kinds[COMMAND_KIND_COUNT];
     bool workphases[WORKPHASE_COUNT];
 } rights_t;
-
-static bool is_hardware_ready(const controller_t *self, const controller_inputs_t *inputs)
-{
-    bool is_ready = (inputs->estop_open == 0U) && (inputs->pedal_a == inputs->pedal_b);
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
-        is_ready = is_ready && link_is_healthy_now(&self->links[i]);
-    }
-    return is_ready;
-}
-
-/* What START_UP clears must be clear before a motion is armed. */
-static bool is_able(const controller_t *self)
-{
-    bool is_every_part_able = (self->estop.state == ESTOP_LATCH_STATE_CLEAR) &&
-                              (self->loop.chart.state != LOOP_GUARD_STATE_STOPPED) &&
-                              (self->pedal.chart.state != PEDAL_GATE_STATE_FAULT);
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
-        is_every_part_able = is_every_part_able && link_is_usable(&self->links[i]) &&
-                             axis_is_enabled(&self->axes[i]);
-    }
-    return is_every_part_able;
-}
-
-static bool is_confirmation_due(const controller_t *self, const robot_t *robot)
-{
-    bool is_any_due = false;
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
-        is_any_due = is_any_due || axis_needs_confirmation(&self->axes[i], &robot->axes[i]);
-    }
-    return is_any_due;
-}
-
-bool controller_is_homed(const controller_t *self)
-{
-    bool is_every_axis_homed = true;
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
-        is_every_axis_homed = is_every_axis_homed && axis_is_homed(&self->axes[i]);
-    }
-    return is_every_axis_homed;
-}
-
-workphases_inputs_t controller_guards(const controller_t *self, const cycle_t *cycle)
-{
-    const workphases_inputs_t guards = {
-        .is_hardware_ready = is_hardware_ready(self, cycle->inputs),
-        .is_confirmation_due = is_confirmation_due(self, cycle->robot),
-        .is_able = is_able(self),
-        .is_homed = controller_is_homed(self),
-        .is_registered = (self->plan.is_registered != 0U),
-        .has_target = (self->plan.has_target != 0U),
-    };
-    return guards;
-}
-
-static answer_t *add_answer(const controller_t *self, const cycle_t *cycle)
-{
-    answer_t *const answer = &cycle->outputs->answers[cycle->outputs->answer_count];
-    cycle->outputs->answer_count++;
-    answer->workphase = (uint32_t)workphase_present(&self->workphases);
-    rigid_set_identity(&answer->pose);
-    return answer;
-}
-
-/* Ends the pending long command, if there is one. */
-static void answer_pending(controller_t *self, const cycle_t *cycle, answer_kind_t kind,
-                           status_t status)
-{
-    if (self->pending.is_waiting == 0U) {
-        return;
-    }
-    self->pending.is_waiting = 0U;
-    answer_t *const answer = add_answer(self, cycle);
-    answer->id = self->pending.id;
-    answer->source = self->pending.source;
-    answer->command = self->pending.kind;
-    answer->argument = self->pending.argument;
-    answer->kind = (uint32_t)kind;
-    answer->status = (uint32_t)status;
-    answer->is_final = 1U;
-}
-
-static void end_order(controller_t *self)
-{
-    self->is_profile_running = 0U;
-    self->settled_cycles = 0U;
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
-        axis_stop_homing(&self->axes[i]);
-    }
-}
-
-void controller_abandon_order(controller_t *self, const cycle_t *cycle)
-{
-    answer_pending(self, cycle, ANSWER_ABORTED, STATUS_FAULT_PRESENT);
-    end_order(self);
-}
-
-void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t actions,
-                             status_t fault)
-{
-    if ((actions & WORKPHASES_ACTION_REPORT_DISCARDED) != 0U) {
-        controller_note(self, cycle, EVENT_ORDER_DISCARDED, 0U, (int32_t)fault);
-        answer_pending(self, cycle, ANSWER_ABORTED, fault);
-        end_order(self);
-    }
-    if ((actions & WORKPHASES_ACTION_REPORT_EXPIRED) != 0U) {
-        controller_note(self, cycle, EVENT_ORDER_EXPIRED, 0U, 0);
-        answer_pending(self, cycle, ANSWER_ABORTED, STATUS_EXPIRED);
-        end_order(self);
-    }
-    if ((actions & WORKPHASES_ACTION_REPORT_DONE) != 0U) {
-        controller_note(self, cycle, EVENT_ORDER_DONE, 0U, 0);
-        self->is_order_done = 1U;
-        answer_pending(self, cycle, ANSWER_DONE, STATUS_OK);
-        end_order(self);
-    }
-    if ((actions & WORKPHASES_ACTION_RENEW_PEDAL) != 0U) {
-        self->is_order_done = 0U;
-        pedal_gate_renew(&self->pedal);
-        controller_note(self, cycle, EVENT_ORDER_ARMED,
-                        (uint32_t)workphase_present(&self->workphases), 0);
-    }
-}
-
-void controller_tell_order(controller_t *self, const cycle_t *cycle, workphases_event_t event,
-                           status_t fault)
-{
-    const workphases_inputs_t guards = controller_guards(self, cycle);
-    const workphase_t before = workphase_present(&self->workphases);
-    const uint32_t actions = workphases_chart_dispatch(&self->workphases, &guards, event);
-    controller_report_order(self, cycle, actions, fault);
-    if (workphase_present(&self->workphases) != before) {
-        controller_note(self, cycle, EVENT_WORKPHASE,
-                        (uint32_t)workphase_present(&self->workphases), 0);
-    }
-}
-
-void controller_fail_order(controller_t *self, const cycle_t *cycle, event_cause_t cause,
-                           uint32_t peer)
-{
-    controller_because(self, cause, peer);
-    controller_tell_order(self, cycle, WORKPHASES_EVENT_FAULT, STATUS_FAULT_PRESENT);
-    controller_because(self, EVENT_CAUSE_NONE, 0U);
-}
 
 /* START_UP is the operator's act that clears what was latched. */
 static void begin_start_up(controller_t *self, const cycle_t *cycle)
@@ -164,15 +25,6 @@ static void begin_start_up(controller_t *self, const cycle_t *cycle)
         link_reset(&self->links[i]);
         axis_enable(&self->axes[i], !link_is_usable(&self->links[i]));
     }
-}
-
-static void remember_pending(controller_t *self, const command_t *command)
-{
-    self->pending.id = command->id;
-    self->pending.source = command->source;
-    self->pending.kind = command->kind;
-    self->pending.argument = command->argument;
-    self->pending.is_waiting = 1U;
 }
 
 static status_t obey_workphase(controller_t *self, const cycle_t *cycle, const command_t *command,
@@ -196,7 +48,7 @@ static status_t obey_workphase(controller_t *self, const cycle_t *cycle, const c
         begin_start_up(self, cycle);
     }
     if ((actions & WORKPHASES_ACTION_RENEW_PEDAL) != 0U) {
-        remember_pending(self, command);
+        controller_await_order(self, command);
         *is_final = 0U;
     }
     return STATUS_OK;
@@ -216,7 +68,7 @@ static status_t obey_jog(controller_t *self, const cycle_t *cycle, const command
     if (status == STATUS_OK) {
         self->jog_axis = command->argument;
         self->jog_ticks = command->value;
-        remember_pending(self, command);
+        controller_await_order(self, command);
         answer->is_final = 0U;
     }
     return status;
@@ -373,7 +225,7 @@ void controller_obey(controller_t *self, const cycle_t *cycle)
         if (status != STATUS_OK) {
             controller_note(self, cycle, EVENT_COMMAND_REFUSED, command->kind, (int32_t)status);
         }
-        *add_answer(self, cycle) = draft;
+        *controller_add_answer(self, cycle) = draft;
     }
     controller_because(self, EVENT_CAUSE_NONE, 0U);
 }

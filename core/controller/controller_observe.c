@@ -1,5 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "controller/controller_parts.h"
+#include "controller/controller_observe.h"
+
+#include "controller/controller_facts.h"
+#include "controller/controller_order.h"
+#include "controller/controller_restore.h"
 
 #include <stddef.h>
 

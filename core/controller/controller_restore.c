@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
+#include "controller/controller_restore.h"
+
 #include "base/contract.h"
 #include "base/fixed.h"
-#include "controller/controller_parts.h"
 
 static const char contract_module[] = "controller";
 

@@ -1,5 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "controller/controller_parts.h"
+#include "controller/controller_show.h"
+
+#include "controller/controller_facts.h"
+#include "controller/controller_restore.h"
 
 #include "safety/coupled_guard.h"
 

@@ -9,7 +9,7 @@
 #include "unity.h"
 
 #include "controller/controller.h"
-#include "controller/controller_parts.h"
+#include "controller/controller_drive.h"
 #include "limits/requirement_limits.h"
 #include "safety/needle.h"
 #include "safety/permit.h"

@@ -9,7 +9,7 @@
 #include "unity.h"
 
 #include "controller/controller.h"
-#include "controller/controller_parts.h"
+#include "controller/controller_events.h"
 #include "safety/permit.h"
 
 #include <stdio.h>

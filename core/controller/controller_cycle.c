@@ -2,39 +2,18 @@
 #include "controller/controller.h"
 
 #include "base/contract.h"
-#include "controller/controller_parts.h"
+#include "controller/controller_drive.h"
+#include "controller/controller_events.h"
+#include "controller/controller_memory.h"
+#include "controller/controller_move.h"
+#include "controller/controller_obey.h"
+#include "controller/controller_observe.h"
+#include "controller/controller_show.h"
 
 #include <stddef.h>
 #include <string.h>
 
 static const char contract_module[] = "controller";
-
-void controller_note(controller_t *self, const cycle_t *cycle, event_id_t id, uint32_t subject,
-                     int32_t value)
-{
-    controller_outputs_t *const outputs = cycle->outputs;
-    if (outputs->event_count >= CONTROLLER_EVENTS) {
-        self->events_lost++;
-        return;
-    }
-    event_t *const event = &outputs->events[outputs->event_count];
-    event->number = self->events;
-    event->cycle = self->cycle;
-    event->id = (uint32_t)id;
-    event->severity = (uint32_t)event_severity(id);
-    event->subject = subject;
-    event->value = value;
-    event->cause = self->cause;
-    event->peer = self->peer;
-    outputs->event_count++;
-    self->events++;
-}
-
-void controller_because(controller_t *self, event_cause_t cause, uint32_t peer)
-{
-    self->cause = (uint32_t)cause;
-    self->peer = peer;
-}
 
 void controller_init(controller_t *self, const robot_t *robot)
 {

@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "controller/controller_events.h"
+
+void controller_note(controller_t *self, const cycle_t *cycle, event_id_t id, uint32_t subject,
+                     int32_t value)
+{
+    controller_outputs_t *const outputs = cycle->outputs;
+    if (outputs->event_count >= CONTROLLER_EVENTS) {
+        self->events_lost++;
+        return;
+    }
+    event_t *const event = &outputs->events[outputs->event_count];
+    event->number = self->events;
+    event->cycle = self->cycle;
+    event->id = (uint32_t)id;
+    event->severity = (uint32_t)event_severity(id);
+    event->subject = subject;
+    event->value = value;
+    event->cause = self->cause;
+    event->peer = self->peer;
+    outputs->event_count++;
+    self->events++;
+}
+
+void controller_because(controller_t *self, event_cause_t cause, uint32_t peer)
+{
+    self->cause = (uint32_t)cause;
+    self->peer = peer;
+}

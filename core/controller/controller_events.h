@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file What the controller notes in a cycle, and what all parts of a cycle share. For the files
+ * of this folder only, as are the headers of the other parts. */
+#ifndef BORESIGHT_CONTROLLER_EVENTS_H
+#define BORESIGHT_CONTROLLER_EVENTS_H
+
+#include "controller/controller.h"
+
+/** What the parts of one cycle share. */
+typedef struct {
+    const robot_t *robot;
+    const controller_inputs_t *inputs;
+    controller_outputs_t *outputs;
+} cycle_t;
+
+/**
+ * Adds an event to this cycle's outputs; counts it as lost when they are full.
+ *
+ * @satisfies SWR-EVENT-001
+ * @satisfies SWR-EVENT-002
+ * @satisfies SWR-EVENT-004
+ */
+void controller_note(controller_t *self, const cycle_t *cycle, event_id_t id, uint32_t subject,
+                     int32_t value);
+
+/**
+ * What is noted from now on happens because of this. `peer`: as event_t.
+ *
+ * @satisfies SWR-EVENT-005
+ * @satisfies SWR-EVENT-006
+ */
+void controller_because(controller_t *self, event_cause_t cause, uint32_t peer);
+
+#endif

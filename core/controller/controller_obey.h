@@ -1,0 +1,18 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file The commands of a cycle. */
+#ifndef BORESIGHT_CONTROLLER_OBEY_H
+#define BORESIGHT_CONTROLLER_OBEY_H
+
+#include "controller/controller_events.h"
+
+/**
+ * Commands of this cycle, each answered at once.
+ *
+ * @satisfies SWR-AXIS-020
+ * @satisfies SWR-CMD-001
+ * @satisfies SWR-CMD-004
+ * @satisfies SWR-CMD-005
+ */
+void controller_obey(controller_t *self, const cycle_t *cycle);
+
+#endif

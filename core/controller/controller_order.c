@@ -1,0 +1,103 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "controller/controller_order.h"
+
+#include "controller/controller_facts.h"
+
+answer_t *controller_add_answer(const controller_t *self, const cycle_t *cycle)
+{
+    answer_t *const answer = &cycle->outputs->answers[cycle->outputs->answer_count];
+    cycle->outputs->answer_count++;
+    answer->workphase = (uint32_t)workphase_present(&self->workphases);
+    rigid_set_identity(&answer->pose);
+    return answer;
+}
+
+void controller_await_order(controller_t *self, const command_t *command)
+{
+    self->pending.id = command->id;
+    self->pending.source = command->source;
+    self->pending.kind = command->kind;
+    self->pending.argument = command->argument;
+    self->pending.is_waiting = 1U;
+}
+
+/* Ends the pending long command, if there is one. */
+static void answer_pending(controller_t *self, const cycle_t *cycle, answer_kind_t kind,
+                           status_t status)
+{
+    if (self->pending.is_waiting == 0U) {
+        return;
+    }
+    self->pending.is_waiting = 0U;
+    answer_t *const answer = controller_add_answer(self, cycle);
+    answer->id = self->pending.id;
+    answer->source = self->pending.source;
+    answer->command = self->pending.kind;
+    answer->argument = self->pending.argument;
+    answer->kind = (uint32_t)kind;
+    answer->status = (uint32_t)status;
+    answer->is_final = 1U;
+}
+
+static void end_order(controller_t *self)
+{
+    self->is_profile_running = 0U;
+    self->settled_cycles = 0U;
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
+        axis_stop_homing(&self->axes[i]);
+    }
+}
+
+void controller_abandon_order(controller_t *self, const cycle_t *cycle)
+{
+    answer_pending(self, cycle, ANSWER_ABORTED, STATUS_FAULT_PRESENT);
+    end_order(self);
+}
+
+void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t actions,
+                             status_t fault)
+{
+    if ((actions & WORKPHASES_ACTION_REPORT_DISCARDED) != 0U) {
+        controller_note(self, cycle, EVENT_ORDER_DISCARDED, 0U, (int32_t)fault);
+        answer_pending(self, cycle, ANSWER_ABORTED, fault);
+        end_order(self);
+    }
+    if ((actions & WORKPHASES_ACTION_REPORT_EXPIRED) != 0U) {
+        controller_note(self, cycle, EVENT_ORDER_EXPIRED, 0U, 0);
+        answer_pending(self, cycle, ANSWER_ABORTED, STATUS_EXPIRED);
+        end_order(self);
+    }
+    if ((actions & WORKPHASES_ACTION_REPORT_DONE) != 0U) {
+        controller_note(self, cycle, EVENT_ORDER_DONE, 0U, 0);
+        self->is_order_done = 1U;
+        answer_pending(self, cycle, ANSWER_DONE, STATUS_OK);
+        end_order(self);
+    }
+    if ((actions & WORKPHASES_ACTION_RENEW_PEDAL) != 0U) {
+        self->is_order_done = 0U;
+        pedal_gate_renew(&self->pedal);
+        controller_note(self, cycle, EVENT_ORDER_ARMED,
+                        (uint32_t)workphase_present(&self->workphases), 0);
+    }
+}
+
+void controller_tell_order(controller_t *self, const cycle_t *cycle, workphases_event_t event,
+                           status_t fault)
+{
+    const workphases_inputs_t guards = controller_guards(self, cycle);
+    const workphase_t before = workphase_present(&self->workphases);
+    const uint32_t actions = workphases_chart_dispatch(&self->workphases, &guards, event);
+    controller_report_order(self, cycle, actions, fault);
+    if (workphase_present(&self->workphases) != before) {
+        controller_note(self, cycle, EVENT_WORKPHASE,
+                        (uint32_t)workphase_present(&self->workphases), 0);
+    }
+}
+
+void controller_fail_order(controller_t *self, const cycle_t *cycle, event_cause_t cause,
+                           uint32_t peer)
+{
+    controller_because(self, cause, peer);
+    controller_tell_order(self, cycle, WORKPHASES_EVENT_FAULT, STATUS_FAULT_PRESENT);
+    controller_because(self, EVENT_CAUSE_NONE, 0U);
+}

@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file The order: the one motion that is armed, from the command for it to its last answer. */
+#ifndef BORESIGHT_CONTROLLER_ORDER_H
+#define BORESIGHT_CONTROLLER_ORDER_H
+
+#include "controller/controller_events.h"
+
+/** Adds an answer to this cycle's outputs. */
+answer_t *controller_add_answer(const controller_t *self, const cycle_t *cycle);
+
+/** The order that is armed now is to be answered for good later: by `command`. */
+void controller_await_order(controller_t *self, const command_t *command);
+
+/** The workphase chart was damaged and is back in its safe state: what was armed is given up. */
+void controller_abandon_order(controller_t *self, const cycle_t *cycle);
+
+/** What the workphase chart just did: answers and events. `fault`: status for an order given up. */
+void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t actions,
+                             status_t fault);
+
+/** Sends an event to the workphase chart and reports. */
+void controller_tell_order(controller_t *self, const cycle_t *cycle, workphases_event_t event,
+                           status_t fault);
+
+/** A fault ends the order; `cause` and `peer` say of what, as event_t. */
+void controller_fail_order(controller_t *self, const cycle_t *cycle, event_cause_t cause,
+                           uint32_t peer);
+
+#endif

@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file What is shown of a cycle. */
+#ifndef BORESIGHT_CONTROLLER_SHOW_H
+#define BORESIGHT_CONTROLLER_SHOW_H
+
+#include "controller/controller_events.h"
+
+/**
+ * Fills the snapshot.
+ *
+ * @satisfies SWR-NEXT-001
+ * @satisfies SWR-NEXT-002
+ */
+void controller_show(const controller_t *self, const cycle_t *cycle);
+
+#endif
