@@ -90,6 +90,19 @@ class TestWorstCase < Minitest::Test
     assert_equal 'the stack of dispatch is unknown', error.message
   end
 
+  def test_SWR_CHART_008_a_function_that_gcc_made_one_with_its_like_needs_the_stack_of_that
+    graph = <<~GRAPH
+      node: { title: "dispatch" label: "dispatch\\na.c:9:1\\n40 bytes (static)" }
+      node: { title: "a.c:one" label: "one\\na.c:5:1\\n16 bytes (static)" }
+      edge: { sourcename: "dispatch" targetname: "a.c:two" label: "a.c:11:5" }
+    GRAPH
+    places = { 'dispatch' => [0, 8], 'one' => [8, 4], 'two' => [8, 4], 'three' => [12, 4] }
+    assert_equal 56, WorstCase::Stack.new(graph, places).deepest(%w[dispatch])
+    [graph.gsub('two', 'three'), graph.gsub('two', 'four')].each do |strange|
+      assert_raises(WorstCase::Failed) { WorstCase::Stack.new(strange, places).deepest(%w[dispatch]) }
+    end
+  end
+
   def test_SWR_CHART_008_a_call_that_does_other_than_the_walk_says_is_not_counted
     error = assert_raises(WorstCase::Failed) do
       WorstCase::Measurement.new(CHARTS.fetch('card_link')) do |source|

@@ -50,7 +50,8 @@ module WorstCase
     end
 
     def bytes(program)
-      { 'stack_bytes' => Stack.new(program.call_graph).deepest(@calls.functions),
+      places = Counters.symbols(program.object)
+      { 'stack_bytes' => Stack.new(program.call_graph, places).deepest(@calls.functions),
         'ram_bytes' => Counters.symbols(program.file).fetch('chart').last }
     end
   end

@@ -13,7 +13,9 @@ module WorstCase
     # It ends in the safe state and does not return; what it needs is not the chart's.
     ENDS = 'contract_broken'
 
-    def initialize(call_graph)
+    # places: of the functions in the code, by name.
+    def initialize(call_graph, places = {})
+      @places = places
       @bytes = call_graph.scan(NODE).to_h { |name, bytes| [name, bytes.to_i] }
       @called = call_graph.scan(EDGE).uniq.group_by(&:first).transform_values { |edges| edges.map(&:last) - [ENDS] }
     end
@@ -25,9 +27,14 @@ module WorstCase
     private
 
     def depth(name)
-      raise Failed, "the stack of #{name} is unknown" unless @bytes.key?(name)
+      node = @bytes.key?(name) ? name : twin(name)
+      @bytes[node] + deepest(@called.fetch(node, [])).to_i
+    end
 
-      @bytes[name] + deepest(@called.fetch(name, [])).to_i
+    # Of functions that are alike gcc keeps one, under all their names.
+    def twin(name)
+      place = @places.fetch(name) { raise Failed, "the stack of #{name} is unknown" }
+      @bytes.keys.find { |other| @places[other] == place } || raise(Failed, "the stack of #{name} is unknown")
     end
   end
 end
