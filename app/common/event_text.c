@@ -3,45 +3,45 @@
 
 #include "interface/app/event_words.h"
 #include "interface/app/names.h"
-#include "robot/robot.h"
 
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
-static const char *axis_name(uint32_t axis)
+static const char *axis_name(const robot_t *robot, uint32_t axis)
 {
-    return (axis < robot_neuro.axis_count) ? robot_neuro.axes[axis].name : "?";
+    return (axis < robot->axis_count) ? robot->axes[axis].name : "?";
 }
 
 /* The number of a card's slot and the axis it drives. */
-static void card_name(uint32_t slot, char *text, size_t size)
+static void card_name(const robot_t *robot, uint32_t slot, char *text, size_t size)
 {
     const char *name = "no axis";
-    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
-        name = (robot_neuro.axes[i].slot == slot) ? robot_neuro.axes[i].name : name;
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+        name = (robot->axes[i].slot == slot) ? robot->axes[i].name : name;
     }
     (void)snprintf(text, size, "%u (%s)", (unsigned)slot, name);
 }
 
 /* A part of the robot's table. */
-static const char *part_name(uint32_t part)
+static const char *part_name(const robot_t *robot, uint32_t part)
 {
-    return (part < robot_neuro.axis_count) ? axis_name(part) : "geometry";
+    return (part < robot->axis_count) ? axis_name(robot, part) : "geometry";
 }
 
 /* A number that no enumeration names. */
-static void word_text(event_word_t word, uint32_t number, char *text, size_t size)
+static void word_text(const robot_t *robot, event_word_t word, uint32_t number, char *text,
+                      size_t size)
 {
     switch (word) {
     case EVENT_WORD_AXIS:
-        (void)snprintf(text, size, "%s", axis_name(number));
+        (void)snprintf(text, size, "%s", axis_name(robot, number));
         break;
     case EVENT_WORD_CARD:
-        card_name(number, text, size);
+        card_name(robot, number, text, size);
         break;
     case EVENT_WORD_PART:
-        (void)snprintf(text, size, "%s", part_name(number));
+        (void)snprintf(text, size, "%s", part_name(robot, number));
         break;
     case EVENT_WORD_NUMBER:
         (void)snprintf(text, size, "%u", (unsigned)number);
@@ -53,16 +53,16 @@ static void word_text(event_word_t word, uint32_t number, char *text, size_t siz
     }
 }
 
-void event_text_subject(const event_t *event, char *text, size_t size)
+void event_text_subject(const robot_t *robot, const event_t *event, char *text, size_t size)
 {
     const char *name = event_subject_name(event->id, event->subject);
 
     if (name == NULL) {
-        word_text(event_subject_word(event->id), event->subject, text, size);
+        word_text(robot, event_subject_word(event->id), event->subject, text, size);
     } else {
         char owner[32];
-        word_text(event_subject_owner(event->id, event->subject), (uint32_t)event->value, owner,
-                  sizeof owner);
+        word_text(robot, event_subject_owner(event->id, event->subject), (uint32_t)event->value,
+                  owner, sizeof owner);
         (void)snprintf(text, size, "%s%s%s", name, (owner[0] != '\0') ? " " : "", owner);
     }
 }
@@ -85,7 +85,8 @@ static bool begins_with(const char *pattern, const char *place)
 
 /* Copies `pattern`, a sentence of core/interface/events.yml, and puts words for {subject}, {value}
  * and {peer}. */
-static void fill_in(const event_t *event, const char *pattern, char *text, size_t size)
+static void fill_in(const robot_t *robot, const event_t *event, const char *pattern, char *text,
+                    size_t size)
 {
     size_t used = 0U;
     text[0] = '\0';
@@ -93,11 +94,11 @@ static void fill_in(const event_t *event, const char *pattern, char *text, size_
         char word[48] = "";
         const char *end = strchr(pattern, '}');
         if (begins_with(pattern, "{subject}")) {
-            event_text_subject(event, word, sizeof(word));
+            event_text_subject(robot, event, word, sizeof(word));
         } else if (begins_with(pattern, "{value}")) {
             value_text(event, word, sizeof(word));
         } else if (begins_with(pattern, "{peer}")) {
-            word_text(event_peer_word(event->cause), event->peer, word, sizeof(word));
+            word_text(robot, event_peer_word(event->cause), event->peer, word, sizeof(word));
         } else {
             word[0] = *pattern;
             end = pattern;
@@ -108,23 +109,23 @@ static void fill_in(const event_t *event, const char *pattern, char *text, size_
     }
 }
 
-void event_text_cause(const event_t *event, char *text, size_t size)
+void event_text_cause(const robot_t *robot, const event_t *event, char *text, size_t size)
 {
     if (event->cause == (uint32_t)EVENT_CAUSE_NONE) {
         text[0] = '\0';
     } else if ((event->cause == (uint32_t)EVENT_CAUSE_IGTL) && (event->peer == 0U)) {
         (void)snprintf(text, size, "By the loss of an OpenIGTLink peer.");
     } else {
-        fill_in(event, event_cause_text((int32_t)event->cause), text, size);
+        fill_in(robot, event, event_cause_text((int32_t)event->cause), text, size);
     }
 }
 
-void event_text_sentence(const event_t *event, char *text, size_t size)
+void event_text_sentence(const robot_t *robot, const event_t *event, char *text, size_t size)
 {
     char cause[EVENT_TEXT_CAUSE_SIZE];
 
-    fill_in(event, event_id_text((int32_t)event->id), text, size);
-    event_text_cause(event, cause, sizeof(cause));
+    fill_in(robot, event, event_id_text((int32_t)event->id), text, size);
+    event_text_cause(robot, event, cause, sizeof(cause));
     if (cause[0] != '\0') {
         const size_t used = strlen(text);
         (void)snprintf(&text[used], size - used, " %s", cause);

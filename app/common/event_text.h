@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file An event as a sentence for the log. */
+/** @file An event as a sentence for the log, with the names of a robot. */
 #ifndef BORESIGHT_EVENT_TEXT_H
 #define BORESIGHT_EVENT_TEXT_H
 
 #include "interface/event.h"
+#include "robot/robot.h"
 
 #include <stddef.h>
 
@@ -11,16 +12,16 @@
 #define EVENT_TEXT_CAUSE_SIZE 48U /**< Enough for every cause. */
 
 /** What the event is about: "head", "3 (insertion)", "PLANNING"; "" for nothing in particular. */
-void event_text_subject(const event_t *event, char *text, size_t size);
+void event_text_subject(const robot_t *robot, const event_t *event, char *text, size_t size);
 
 /** What made it happen: "By OpenIGTLink peer 3."; "" when the event says it itself. */
-void event_text_cause(const event_t *event, char *text, size_t size);
+void event_text_cause(const robot_t *robot, const event_t *event, char *text, size_t size);
 
 /**
  * The event's sentence with its subject and value filled in, and what made it happen.
  *
  * @satisfies SWR-EVENT-007
  */
-void event_text_sentence(const event_t *event, char *text, size_t size);
+void event_text_sentence(const robot_t *robot, const event_t *event, char *text, size_t size);
 
 #endif

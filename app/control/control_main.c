@@ -293,6 +293,7 @@ int main(int argc, char *argv[])
         return EXIT_CANNOT_START;
     }
     handle_signals();
+    exchange_publish_robot(exchange, &robot_neuro);
     begin_controller(positions);
     begin_figures(realtime_acquire());
     run();

@@ -91,6 +91,21 @@ bool exchange_read_snapshot(const exchange_t *self, snapshot_t *snapshot)
     return false;
 }
 
+void exchange_publish_robot(exchange_t *self, const robot_t *robot)
+{
+    robot_t *published = &self->segment->control.robot;
+    robot_t copy = *robot;
+
+    copy.axis_count = 0U;
+    *published = copy;
+    __atomic_store_n(&published->axis_count, robot->axis_count, __ATOMIC_RELEASE);
+}
+
+const robot_t *exchange_robot(const exchange_t *self)
+{
+    return &self->segment->control.robot;
+}
+
 void exchange_publish_loop(exchange_t *self, const loop_figures_t *figures)
 {
     segment_control_t *control = &self->segment->control;

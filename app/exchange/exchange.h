@@ -94,6 +94,17 @@ void exchange_close(exchange_t *self);
 void exchange_beat(exchange_t *self, exchange_process_t process);
 uint32_t exchange_beats(const exchange_t *self, exchange_process_t process);
 
+/** Publishes `robot`, once, before anything else. */
+void exchange_publish_robot(exchange_t *self, const robot_t *robot);
+
+/**
+ * The robot that control drives, as long as the exchange is open; of no axes until control has
+ * published it, which it does before its first snapshot. No process but control needs a table.
+ *
+ * @satisfies SWR-ROBOT-015
+ */
+const robot_t *exchange_robot(const exchange_t *self);
+
 /**
  * Publishes; never waits.
  *

@@ -59,6 +59,7 @@ typedef struct {
 
 /** Written by control only. */
 typedef struct {
+    robot_t robot;                      /**< Written once, axis_count last. */
     uint32_t published SEGMENT_ON_LINE; /**< Snapshots published. */
     segment_snapshot_t snapshots[SEGMENT_SNAPSHOTS];
     uint32_t loop_sequence SEGMENT_ON_LINE;

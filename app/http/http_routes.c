@@ -88,9 +88,10 @@ static int reply_log(http_server_t *server, struct mg_connection *connection, ui
     event_t events[EVENTS_MOST];
     uint32_t lost = 0U;
     uint32_t count = exchange_read_events(server->exchange, &next, events, EVENTS_MOST, &lost);
+    const robot_t *robot = exchange_robot(server->exchange);
     cJSON *entries = cJSON_CreateArray();
     for (uint32_t i = 0U; i < count; i++) {
-        (void)cJSON_AddItemToArray(entries, telemetry_json_event(&events[i]));
+        (void)cJSON_AddItemToArray(entries, telemetry_json_event(robot, &events[i]));
     }
     const json_log_t log = {.entries = entries, .next = next, .lost = lost};
     return reply_object(connection, 200, json_log(&log));

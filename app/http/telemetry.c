@@ -18,6 +18,7 @@ void telemetry_init(telemetry_t *self, exchange_t *exchange)
     memset(self, 0, sizeof(*self));
     self->exchange = exchange;
     self->moved_ms = telemetry_now_ms();
+    self->view.robot = exchange_robot(exchange);
     (void)pthread_mutex_init(&self->lock, NULL);
     for (uint32_t i = 0U; i < EXCHANGE_PROCESS_COUNT; i++) {
         self->beats[i] = exchange_beats(exchange, (exchange_process_t)i);

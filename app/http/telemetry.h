@@ -16,8 +16,9 @@
 
 /** One consistent view. */
 typedef struct {
-    bool has_snapshot; /**< Control has published at least once. */
-    uint64_t age_ms;   /**< Since the cycle counter was last seen to move. */
+    bool has_snapshot;    /**< Control has published at least once. */
+    uint64_t age_ms;      /**< Since the cycle counter was last seen to move. */
+    const robot_t *robot; /**< As control published it; of no axes before that. */
     snapshot_t snapshot;
     loop_figures_t loop;
     bool is_running[EXCHANGE_PROCESS_COUNT]; /**< Its alive counter moved lately. */

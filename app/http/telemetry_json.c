@@ -48,12 +48,12 @@ static cJSON *new_faults(uint32_t status)
     return list;
 }
 
-static cJSON *new_cards(const snapshot_t *snapshot)
+static cJSON *new_cards(const telemetry_view_t *view)
 {
     cJSON *cards = cJSON_CreateArray();
-    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
-        const axis_config_t *axis = &robot_neuro.axes[i];
-        const snapshot_card_t *card = &snapshot->cards[axis->slot];
+    for (uint32_t i = 0U; i < view->robot->axis_count; i++) {
+        const axis_config_t *axis = &view->robot->axes[i];
+        const snapshot_card_t *card = &view->snapshot.cards[axis->slot];
         const json_card_t also = {
             .slot = axis->slot, .axis = axis->name, .faults = new_faults(card->status)};
         (void)cJSON_AddItemToArray(cards, json_card(card, &also));
@@ -68,19 +68,20 @@ cJSON *telemetry_json_status(const telemetry_identity_t *identity, const telemet
     const json_status_t also = {.age_ms = view->age_ms,
                                 .boot_id = identity->boot_id,
                                 .build_id = identity->build_id,
-                                .robot = robot_neuro.name,
+                                .robot = view->robot->name,
                                 .box = identity->box,
                                 .time = new_time(view),
                                 .loop = new_loop(view),
-                                .cards = new_cards(&view->snapshot),
+                                .cards = new_cards(view),
                                 .counts = json_counts(&view->loop, &view->snapshot),
                                 .processes = json_processes(&processes)};
     return json_status(&view->snapshot, &also);
 }
 
-static cJSON *new_axis(const snapshot_t *snapshot, uint32_t index)
+static cJSON *new_axis(const telemetry_view_t *view, uint32_t index)
 {
-    const axis_config_t *config = &robot_neuro.axes[index];
+    const axis_config_t *config = &view->robot->axes[index];
+    const snapshot_t *snapshot = &view->snapshot;
     const snapshot_axis_t *axis = &snapshot->axes[index];
     const json_permit_t permit = {.since_ms =
                                       (snapshot->cycle - axis->permit_since_cycle) / CYCLES_PER_MS};
@@ -97,8 +98,8 @@ static cJSON *new_axis(const snapshot_t *snapshot, uint32_t index)
 cJSON *telemetry_json_motors(const telemetry_view_t *view)
 {
     cJSON *axes = cJSON_CreateArray();
-    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
-        (void)cJSON_AddItemToArray(axes, new_axis(&view->snapshot, i));
+    for (uint32_t i = 0U; i < view->robot->axis_count; i++) {
+        (void)cJSON_AddItemToArray(axes, new_axis(view, i));
     }
     const json_motors_t also = {.age_ms = view->age_ms, .axes = axes};
     return json_motors(&view->snapshot, &also);
@@ -117,12 +118,12 @@ cJSON *telemetry_json_targeting(const telemetry_view_t *view)
     return json_targeting(snapshot, &also);
 }
 
-cJSON *telemetry_json_event(const event_t *event)
+cJSON *telemetry_json_event(const robot_t *robot, const event_t *event)
 {
     char subject[EVENT_TEXT_SIZE];
     char sentence[EVENT_TEXT_SIZE];
-    event_text_subject(event, subject, sizeof(subject));
-    event_text_sentence(event, sentence, sizeof(sentence));
+    event_text_subject(robot, event, subject, sizeof(subject));
+    event_text_sentence(robot, event, sentence, sizeof(sentence));
     const json_log_entry_t also = {.text = sentence, .subject = subject};
     return json_log_entry(event, &also);
 }

@@ -348,10 +348,11 @@ static bool open_port(igtl_server_t *server, const char *address, uint16_t port,
 static void begin(void)
 {
     const uint32_t first_id = ((uint32_t)clock_utc_us() | 2U) & ~1U;
+    const robot_t *robot = exchange_robot(process.exchange);
     answer_t stale;
 
-    workphase_dialect_init(&process.workphase, &robot_neuro, first_id);
-    transform_dialect_init(&process.transform, &robot_neuro, first_id + 1U);
+    workphase_dialect_init(&process.workphase, robot, first_id);
+    transform_dialect_init(&process.transform, robot, first_id + 1U);
     process.brp.calls = &workphase_calls;
     process.brp.dialect = &process.workphase;
     process.brp.next_number = 1U;

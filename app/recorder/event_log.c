@@ -70,14 +70,15 @@ static void stamp(char *text, size_t size)
     (void)snprintf(text, size, "%s.%03ldZ", seconds, now.tv_nsec / 1000000L);
 }
 
-static void write_event(event_log_t *self, const char *when, const event_t *event)
+static void write_event(event_log_t *self, const robot_t *robot, const char *when,
+                        const event_t *event)
 {
     char sentence[EVENT_TEXT_SIZE];
     char subject[EVENT_TEXT_SIZE];
     char line[LINE_SIZE];
 
-    event_text_sentence(event, sentence, sizeof(sentence));
-    event_text_subject(event, subject, sizeof(subject));
+    event_text_sentence(robot, event, sentence, sizeof(sentence));
+    event_text_subject(robot, event, subject, sizeof(subject));
     (void)snprintf(line, sizeof(line) - 1U,
                    "%s %u cycle=%u %s %s subject=%u value=%d cause=%s peer=%u %s", when,
                    (unsigned)event->number, (unsigned)event->cycle,
@@ -106,7 +107,7 @@ void event_log_drain(event_log_t *self, const exchange_t *exchange)
             write_line(self, line);
         }
         for (uint32_t i = 0U; i < count; i++) {
-            write_event(self, when, &events[i]);
+            write_event(self, exchange_robot(exchange), when, &events[i]);
         }
     } while (count == BATCH);
 }

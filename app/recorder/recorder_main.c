@@ -84,6 +84,21 @@ static void drain(exchange_t *exchange)
     exchange_beat(exchange, EXCHANGE_RECORDER);
 }
 
+/* What is recorded begins with whose it is. NULL: told to end before control has said it. */
+static const robot_t *await_robot(exchange_t *exchange, const sigset_t *ends)
+{
+    const struct timespec tick = {.tv_sec = 0, .tv_nsec = TICK_NS};
+    const robot_t *robot = exchange_robot(exchange);
+
+    while (robot->axis_count == 0U) {
+        if (sigtimedwait(ends, NULL, &tick) >= 0) {
+            return NULL;
+        }
+        exchange_beat(exchange, EXCHANGE_RECORDER);
+    }
+    return robot;
+}
+
 static void record(exchange_t *exchange, const sigset_t *ends)
 {
     const struct timespec tick = {.tv_sec = 0, .tv_nsec = TICK_NS};
@@ -129,12 +144,17 @@ int main(int count, char **arguments)
             options.directory, strerror(errno));
         return EXIT_CANNOT_START;
     }
-    recording_header_t header = {.robot_crc = robot_neuro.crc,
+    const robot_t *robot = await_robot(exchange, &ends);
+    if (robot == NULL) {
+        exchange_close(exchange);
+        return 0;
+    }
+    recording_header_t header = {.robot_crc = robot->crc,
                                  .inputs_size = sizeof(controller_inputs_t),
                                  .outputs_size = sizeof(controller_outputs_t),
                                  .controller_size = sizeof(controller_t)};
     (void)snprintf(header.build, sizeof(header.build), "%s", BUILD_ID);
-    (void)snprintf(header.robot, sizeof(header.robot), "%s", robot_neuro.name);
+    (void)snprintf(header.robot, sizeof(header.robot), "%s", robot->name);
     event_log_open(&event_log, options.directory);
     position_keeper_open(&position_keeper, options.positions);
     black_box_open(&black_box, options.directory, exchange, &header);

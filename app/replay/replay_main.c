@@ -152,7 +152,7 @@ static int print_table(bool is_cut_short)
 static int print_events(bool is_cut_short)
 {
     while (take_record()) {
-        table_print_events(&record);
+        table_print_events(&robot_neuro, &record);
     }
     if (!check_end()) {
         return EXIT_REFUSED;

@@ -29,6 +29,6 @@ void table_print_row(const robot_t *robot, const cycle_record_t *record);
  *
  * @satisfies SWR-EVENT-007
  */
-void table_print_events(const cycle_record_t *record);
+void table_print_events(const robot_t *robot, const cycle_record_t *record);
 
 #endif

@@ -87,12 +87,12 @@ static void add_permit(char *text, size_t size, const snapshot_t *snapshot)
     }
 }
 
-static uint32_t live_links(const snapshot_t *snapshot)
+static uint32_t live_links(const robot_t *robot, const snapshot_t *snapshot)
 {
     uint32_t live = 0U;
 
-    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
-        live += (snapshot->cards[robot_neuro.axes[i].slot].link == CARD_LINK_STATE_LIVE) ? 1U : 0U;
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+        live += (snapshot->cards[robot->axes[i].slot].link == CARD_LINK_STATE_LIVE) ? 1U : 0U;
     }
     return live;
 }
@@ -132,6 +132,7 @@ static void add_programs(char *text, size_t size, const exchange_t *exchange, fa
 
 void status_line_write(char *text, size_t size, const exchange_t *exchange, family_t *family)
 {
+    const robot_t *robot = exchange_robot(exchange);
     snapshot_t snapshot;
     loop_figures_t loop;
 
@@ -140,8 +141,8 @@ void status_line_write(char *text, size_t size, const exchange_t *exchange, fami
         add(text, size, "%s | pedal %s | e-stop %s", workphase_name((int32_t)snapshot.workphase),
             pedal_word(snapshot.pedal), estop_word(snapshot.estop));
         add_permit(text, size, &snapshot);
-        add(text, size, " | links %u/%u", (unsigned)live_links(&snapshot),
-            (unsigned)robot_neuro.axis_count);
+        add(text, size, " | links %u/%u", (unsigned)live_links(robot, &snapshot),
+            (unsigned)robot->axis_count);
     } else {
         add(text, size, "starting");
     }

@@ -12,9 +12,12 @@
 #include <pthread.h>
 #include <stdio.h>
 #include <string.h>
+#include <signal.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+TEST_SOURCE_FILE("robot_neuro.c")
 
 #define ROUNDS 20000U
 
@@ -722,4 +725,27 @@ void test_SWR_EXCH_004_the_segment_of_a_dead_creator_is_replaced(void)
     TEST_ASSERT_NOT_NULL_MESSAGE(successor, error);
     TEST_ASSERT_FALSE(exchange_read_snapshot(successor, &copy));
     exchange_close(successor);
+}
+
+void test_SWR_ROBOT_015_readers_see_the_robot_that_control_drives(void)
+{
+    const robot_t *const seen = exchange_robot(reader);
+    TEST_ASSERT_EQUAL_UINT32(0U, seen->axis_count);
+    exchange_publish_robot(control, &robot_neuro);
+    TEST_ASSERT_EQUAL_MEMORY(&robot_neuro, seen, sizeof *seen);
+}
+
+void test_SWR_ROBOT_015_no_reader_can_change_the_robot(void)
+{
+    exchange_publish_robot(control, &robot_neuro);
+    const pid_t child = fork();
+    if (child == 0) {
+        exchange_protect(reader);
+        ((robot_t *)exchange_robot(reader))->axis_count = 0U;
+        _Exit(0);
+    }
+    int status = 0;
+    TEST_ASSERT_EQUAL_INT(child, waitpid(child, &status, 0));
+    TEST_ASSERT_TRUE(WIFSIGNALED(status) && (WTERMSIG(status) == SIGSEGV));
+    TEST_ASSERT_EQUAL_UINT32(robot_neuro.axis_count, exchange_robot(control)->axis_count);
 }
