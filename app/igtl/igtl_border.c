@@ -77,12 +77,6 @@ status_t igtl_border_read_pose(const uint32_t numbers[IGTL_TRANSFORM_NUMBERS], r
     for (uint32_t i = 0U; (i < 3U) && (status == STATUS_OK); i++) {
         status = igtl_border_read_mm(numbers[9U + i], translation[i]);
     }
-    if (status == STATUS_OK) {
-        status = rigid_check(pose);
-    }
-    if (status == STATUS_OK) {
-        rigid_orthonormalise(pose);
-    }
     return status;
 }
 

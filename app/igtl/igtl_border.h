@@ -33,9 +33,11 @@ status_t igtl_border_read_mm(uint32_t bits, int32_t *length_nm);
 status_t igtl_border_read_entry(uint32_t bits, int32_t *entry_q30);
 
 /**
- * The matrix of a TRANSFORM. `pose` is complete and orthonormal, or unspecified when refused.
+ * The matrix of a TRANSFORM, each number by itself: whether it is rigid, the controller finds
+ * (rigid_check()). `pose` is complete, or unspecified when refused.
  *
- * @return STATUS_OK, STATUS_NOT_FINITE, STATUS_OUT_OF_RANGE, STATUS_NOT_RIGID
+ * @return STATUS_OK, STATUS_NOT_FINITE, STATUS_OUT_OF_RANGE of the translation, STATUS_NOT_RIGID
+ * for an entry that no rotation has
  *
  * @satisfies SWR-IGTL-010
  */

@@ -69,57 +69,11 @@ static void on_end(int signal_number)
     must_end = 1;
 }
 
-static void workphase_connected(void *dialect, uint32_t peer, uint32_t number,
-                                igtl_outbox_t *outbox)
-{
-    workphase_dialect_connected(dialect, peer, number, outbox);
-}
-
-static void workphase_disconnected(void *dialect, uint32_t peer)
-{
-    workphase_dialect_disconnected(dialect, peer);
-}
-
-static void workphase_receive(void *dialect, uint32_t peer, const igtl_message_t *message,
-                              const igtl_moment_t *moment)
-{
-    workphase_dialect_receive(dialect, peer, message, moment);
-}
-
-static bool workphase_is_controlled_by(const void *dialect, uint32_t peer)
-{
-    return workphase_dialect_is_controlled_by(dialect, peer);
-}
-
-static void transform_connected(void *dialect, uint32_t peer, uint32_t number,
-                                igtl_outbox_t *outbox)
-{
-    transform_dialect_connected(dialect, peer, number, outbox);
-}
-
-static void transform_disconnected(void *dialect, uint32_t peer)
-{
-    transform_dialect_disconnected(dialect, peer);
-}
-
-static void transform_receive(void *dialect, uint32_t peer, const igtl_message_t *message,
-                              const igtl_moment_t *moment)
-{
-    transform_dialect_receive(dialect, peer, message, moment);
-}
-
-/* Nobody commands by transforms. */
-static bool transform_is_controlled_by(const void *dialect, uint32_t peer)
-{
-    (void)dialect;
-    (void)peer;
-    return false;
-}
-
-static const igtl_dialect_calls_t workphase_calls = {workphase_connected, workphase_disconnected,
-                                                     workphase_receive, workphase_is_controlled_by};
-static const igtl_dialect_calls_t transform_calls = {transform_connected, transform_disconnected,
-                                                     transform_receive, transform_is_controlled_by};
+static const igtl_dialect_calls_t workphase_calls = {
+    workphase_dialect_connected, workphase_dialect_disconnected, workphase_dialect_receive,
+    workphase_dialect_is_controlled_by};
+static const igtl_dialect_calls_t transform_calls = {
+    transform_dialect_connected, transform_dialect_disconnected, transform_dialect_receive, NULL};
 
 static uint64_t timestamp_now(void)
 {

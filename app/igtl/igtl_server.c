@@ -135,8 +135,10 @@ static void evict_silent(igtl_server_t *self, uint64_t now_us)
 
     for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
         const uint64_t silent_us = now_us - self->connections[i].heard_us;
+        const bool is_in_control = (self->calls->is_controlled_by != NULL) &&
+                                   self->calls->is_controlled_by(self->dialect, i);
 
-        if ((silent_us > longest_us) && !self->calls->is_controlled_by(self->dialect, i)) {
+        if ((silent_us > longest_us) && !is_in_control) {
             longest_us = silent_us;
             silent = i;
         }

@@ -26,7 +26,7 @@ typedef struct {
     void (*disconnected)(void *dialect, uint32_t peer);
     void (*receive)(void *dialect, uint32_t peer, const igtl_message_t *message,
                     const igtl_moment_t *moment);
-    bool (*is_controlled_by)(const void *dialect, uint32_t peer);
+    bool (*is_controlled_by)(const void *dialect, uint32_t peer); /**< NULL: by nobody. */
 } igtl_dialect_calls_t;
 
 /** Why peers were not served, counted. */

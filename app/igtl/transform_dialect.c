@@ -24,16 +24,20 @@ static void show_all(transform_peer_t *peer)
     peer->next_measured_us = 0U;
 }
 
-void transform_dialect_connected(transform_dialect_t *self, uint32_t peer, uint32_t number,
+void transform_dialect_connected(void *dialect, uint32_t peer, uint32_t number,
                                  igtl_outbox_t *outbox)
 {
+    transform_dialect_t *self = dialect;
+
     self->peers[peer].outbox = outbox;
     self->peers[peer].number = number;
     show_all(&self->peers[peer]);
 }
 
-void transform_dialect_disconnected(transform_dialect_t *self, uint32_t peer)
+void transform_dialect_disconnected(void *dialect, uint32_t peer)
 {
+    transform_dialect_t *self = dialect;
+
     self->peers[peer].outbox = NULL;
     for (uint32_t i = 0U; i < IGTL_ORDERS; i++) {
         if (self->orders.orders[i].peer == peer) {
@@ -100,9 +104,11 @@ static bool asks_for_all(const igtl_message_t *message)
             (memcmp(message->text, text, sizeof text - 1U) == 0));
 }
 
-void transform_dialect_receive(transform_dialect_t *self, uint32_t peer,
-                               const igtl_message_t *message, const igtl_moment_t *moment)
+void transform_dialect_receive(void *dialect, uint32_t peer, const igtl_message_t *message,
+                               const igtl_moment_t *moment)
 {
+    transform_dialect_t *self = dialect;
+
     switch (message->kind) {
     case IGTL_KIND_TRANSFORM:
         propose(self, peer, message, moment);

@@ -71,9 +71,9 @@ typedef struct {
 /** `first_id` numbers the commands, odd. */
 void transform_dialect_init(transform_dialect_t *self, const robot_t *robot, uint32_t first_id);
 
-void transform_dialect_connected(transform_dialect_t *self, uint32_t peer, uint32_t number,
+void transform_dialect_connected(void *dialect, uint32_t peer, uint32_t number,
                                  igtl_outbox_t *outbox);
-void transform_dialect_disconnected(transform_dialect_t *self, uint32_t peer);
+void transform_dialect_disconnected(void *dialect, uint32_t peer);
 
 /**
  * A message of `peer`. A proposal goes to the controller; what cannot be one is answered with a
@@ -81,8 +81,8 @@ void transform_dialect_disconnected(transform_dialect_t *self, uint32_t peer);
  *
  * @satisfies SWR-IGTL-009
  */
-void transform_dialect_receive(transform_dialect_t *self, uint32_t peer,
-                               const igtl_message_t *message, const igtl_moment_t *moment);
+void transform_dialect_receive(void *dialect, uint32_t peer, const igtl_message_t *message,
+                               const igtl_moment_t *moment);
 
 /** An answer of the controller; false when it belongs to another. */
 bool transform_dialect_answer(transform_dialect_t *self, const answer_t *answer,

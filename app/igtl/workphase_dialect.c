@@ -18,9 +18,11 @@ void workphase_dialect_init(workphase_dialect_t *self, const robot_t *robot, uin
     igtl_orders_init(&self->orders, first_id, IGTL_ORDERS_COMMON);
 }
 
-void workphase_dialect_connected(workphase_dialect_t *self, uint32_t peer, uint32_t number,
+void workphase_dialect_connected(void *dialect, uint32_t peer, uint32_t number,
                                  igtl_outbox_t *outbox)
 {
+    workphase_dialect_t *self = dialect;
+
     (void)memset(&self->peers[peer], 0, sizeof self->peers[peer]);
     self->peers[peer].outbox = outbox;
     self->peers[peer].number = number;
@@ -33,8 +35,10 @@ static bool is_long(const igtl_order_t *order)
             (order->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET));
 }
 
-void workphase_dialect_disconnected(workphase_dialect_t *self, uint32_t peer)
+void workphase_dialect_disconnected(void *dialect, uint32_t peer)
 {
+    workphase_dialect_t *self = dialect;
+
     self->peers[peer].outbox = NULL;
     if (self->controller == peer) {
         self->controller = IGTL_NOBODY;
@@ -49,8 +53,10 @@ void workphase_dialect_disconnected(workphase_dialect_t *self, uint32_t peer)
     }
 }
 
-bool workphase_dialect_is_controlled_by(const workphase_dialect_t *self, uint32_t peer)
+bool workphase_dialect_is_controlled_by(const void *dialect, uint32_t peer)
 {
+    const workphase_dialect_t *self = dialect;
+
     return self->controller == peer;
 }
 
@@ -187,9 +193,11 @@ static void receive_string(workphase_dialect_t *self, uint32_t index, const igtl
     }
 }
 
-void workphase_dialect_receive(workphase_dialect_t *self, uint32_t peer,
-                               const igtl_message_t *message, const igtl_moment_t *moment)
+void workphase_dialect_receive(void *dialect, uint32_t peer, const igtl_message_t *message,
+                               const igtl_moment_t *moment)
 {
+    workphase_dialect_t *self = dialect;
+
     workphase_peer_t *asker = &self->peers[peer];
 
     switch (message->kind) {

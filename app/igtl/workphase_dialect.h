@@ -58,14 +58,14 @@ typedef struct {
 /** `first_id` numbers the commands, even. */
 void workphase_dialect_init(workphase_dialect_t *self, const robot_t *robot, uint32_t first_id);
 
-void workphase_dialect_connected(workphase_dialect_t *self, uint32_t peer, uint32_t number,
+void workphase_dialect_connected(void *dialect, uint32_t peer, uint32_t number,
                                  igtl_outbox_t *outbox);
 
 /** Also commands STOP when the peer had an order armed or begun. */
-void workphase_dialect_disconnected(workphase_dialect_t *self, uint32_t peer);
+void workphase_dialect_disconnected(void *dialect, uint32_t peer);
 
 /** It is the one peer that commands. */
-bool workphase_dialect_is_controlled_by(const workphase_dialect_t *self, uint32_t peer);
+bool workphase_dialect_is_controlled_by(const void *dialect, uint32_t peer);
 
 /**
  * A message of `peer`. Its acknowledgement is in the outbox on return.
@@ -74,8 +74,8 @@ bool workphase_dialect_is_controlled_by(const workphase_dialect_t *self, uint32_
  * @satisfies SWR-IGTL-008
  * @satisfies SWR-IGTL-013
  */
-void workphase_dialect_receive(workphase_dialect_t *self, uint32_t peer,
-                               const igtl_message_t *message, const igtl_moment_t *moment);
+void workphase_dialect_receive(void *dialect, uint32_t peer, const igtl_message_t *message,
+                               const igtl_moment_t *moment);
 
 /** An answer of the controller; false when it belongs to another. */
 bool workphase_dialect_answer(workphase_dialect_t *self, const answer_t *answer,

@@ -598,7 +598,7 @@ void test_SWR_IGTL_010_bad_numbers_never_become_a_command(void)
     TEST_ASSERT_EQUAL_STRING_LEN("TRANSFORM ACK_1 ", igtl_peer_next(&outboxes[0]), 16U);
     TEST_ASSERT_EQUAL_STRING_LEN("STATUS TARGET 10 NOT_FINITE|", igtl_peer_next(&outboxes[0]), 28U);
     message = igtl_peer_transform("CLB_1", 1.0F, 0.0F, 0.0F);
-    message.numbers[0] = 0U;
+    message.numbers[0] = 0x40000000U; /* 2.0 */
     workphase_dialect_receive(&dialect, 0U, &message, &moment);
     (void)igtl_peer_next(&outboxes[0]);
     TEST_ASSERT_EQUAL_STRING_LEN("STATUS CALIBRATION 10 NOT_RIGID|", igtl_peer_next(&outboxes[0]),
