@@ -46,15 +46,15 @@ CORE_SOURCES := $(wildcard core/*/*.c core/*/*/*.c) $(CHART_SOURCES) $(GEN)/robo
 # What the processes call things.
 NAMES := $(GEN)/interface/app/names.c
 
-BOX_SOURCES := $(filter-out %_main.c bsp/sim/bsp_sim.c bsp/sim/wire.c,$(wildcard bsp/sim/*.c))
+# The board that control is linked with: what it is made of and which programs come with it.
+BOARD ?= sim
+include bsp/$(BOARD)/board.mk
 CLOCK := app/common/clock.c
 EXCHANGE := $(wildcard app/exchange/exchange*.c)
 EVENT_TEXT := app/common/event_text.c $(GEN)/interface/app/event_words.c
 
 # Each program: its own files; what it needs of the core comes from libcore.a.
-SOURCES_boresight-box := $(BOX_SOURCES) bsp/sim/wire.c bsp/sim/box_main.c
-SOURCES_boresight-simctl := $(BOX_SOURCES) bsp/sim/wire.c bsp/sim/simctl_main.c
-SOURCES_boresight-control := $(wildcard app/control/*.c app/positions/*.c) $(CLOCK) $(EXCHANGE) bsp/sim/bsp_sim.c bsp/sim/wire.c
+SOURCES_boresight-control := $(wildcard app/control/*.c app/positions/*.c) $(CLOCK) $(EXCHANGE) $(BOARD_SOURCES)
 SOURCES_boresight-igtl := $(wildcard app/igtl/*.c) $(CLOCK) $(EXCHANGE) $(NAMES)
 SOURCES_boresight-http := $(wildcard app/http/*.c) $(CLOCK) $(GEN)/interface/app/messages.c $(EVENT_TEXT) $(EXCHANGE) $(NAMES) $(GEN)/assets/assets.c \
     $(GEN)/assets/chart_names.c
@@ -64,7 +64,7 @@ SOURCES_boresight := $(wildcard app/supervisor/*.c) $(CLOCK) app/common/director
 LIBS_boresight-http := -lcivetweb -lcjson -lpthread
 LIBS_boresight-recorder := -lzstd -lcrypto
 LIBS_boresight-replay := -lzstd -lcrypto
-PROGRAMS := boresight boresight-box boresight-simctl boresight-control boresight-igtl boresight-http \
+PROGRAMS := boresight $(BOARD_PROGRAMS) boresight-control boresight-igtl boresight-http \
     boresight-recorder boresight-replay
 BINARIES := $(PROGRAMS:%=$(BIN)/%)
 

@@ -4,11 +4,11 @@
 #include "common/event_text.h"
 #include "http/telemetry_units.h"
 #include "interface/app/messages.h"
+#include "limits/requirement_limits.h"
 
 #include <stddef.h>
 
-/* A cycle lasts 1000 us. */
-#define CYCLES_PER_MS 1U
+#define CYCLES_PER_MS (1000U / LIMIT_CYCLE_US)
 
 typedef struct {
     uint32_t bit;

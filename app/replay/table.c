@@ -4,11 +4,12 @@
 #include "common/event_text.h"
 #include "interface/app/columns.h"
 #include "interface/app/names.h"
+#include "limits/requirement_limits.h"
 #include "motion/servo.h"
 
 #include <stdio.h>
 
-#define CYCLES_PER_S 1000.0
+#define CYCLES_PER_S (1e6 / LIMIT_CYCLE_US)
 
 void table_print_names(const robot_t *robot)
 {
