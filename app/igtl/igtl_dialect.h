@@ -3,13 +3,13 @@
  * @file
  * What the two dialects share: up to eight peers, one moment at a time. A dialect is called by the
  * server with what arrived and with the time; it puts answers into the peers' outboxes and commands
- * into its orders.
+ * into its requests.
  */
 #ifndef BORESIGHT_IGTL_DIALECT_H
 #define BORESIGHT_IGTL_DIALECT_H
 
 #include "igtl/igtl_codec.h"
-#include "igtl/igtl_orders.h"
+#include "igtl/igtl_requests.h"
 #include "igtl/igtl_outbox.h"
 #include "interface/answer.h"
 #include "interface/command.h"
@@ -50,7 +50,7 @@ void igtl_tell_pose(igtl_outbox_t *outbox, const char *name, const rigid_t *pose
  */
 status_t igtl_pose_status(const igtl_moment_t *moment);
 
-/** An axis moves, or the pedal is held for an armed order. */
+/** An axis moves, or the pedal is held for an armed command. */
 bool igtl_is_moving(const igtl_moment_t *moment);
 
 #endif

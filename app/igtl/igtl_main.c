@@ -148,18 +148,18 @@ static void refuse_command(const command_t *command, status_t status,
 
 /* A full lane: STOP and EMERGENCY wait for the next turn, and until they are through nothing that
  * was commanded after them goes ahead. */
-static void pass_orders(igtl_orders_t *orders, bool (*hand_in)(const answer_t *answer))
+static void pass_requests(igtl_requests_t *requests, bool (*hand_in)(const answer_t *answer))
 {
     bool is_waiting = false;
     command_t command;
 
-    for (uint32_t left = orders->queued; (left > 0U) && igtl_orders_take(orders, &command);
+    for (uint32_t left = requests->queued; (left > 0U) && igtl_requests_take(requests, &command);
          left--) {
         const status_t status =
             is_waiting ? STATUS_BUSY : exchange_send_command(process.exchange, &command);
 
-        if ((status == STATUS_BUSY) && igtl_orders_is_urgent(&command)) {
-            igtl_orders_keep(orders, &command);
+        if ((status == STATUS_BUSY) && igtl_requests_is_urgent(&command)) {
+            igtl_requests_keep(requests, &command);
             is_waiting = true;
         } else if (status != STATUS_OK) {
             refuse_command(&command, status, hand_in);
@@ -181,8 +181,8 @@ static bool answer_transform(const answer_t *answer)
 
 static void pass_commands(void)
 {
-    pass_orders(&process.workphase.orders, answer_workphase);
-    pass_orders(&process.transform.orders, answer_transform);
+    pass_requests(&process.workphase.requests, answer_workphase);
+    pass_requests(&process.transform.requests, answer_transform);
 }
 
 /* Control owes an answer in its own time: the board may be slow, and in a pause of the machine
@@ -238,11 +238,11 @@ static void watch_control(void)
     }
 }
 
-static bool awaits_answer(const igtl_orders_t *orders)
+static bool awaits_answer(const igtl_requests_t *requests)
 {
-    for (uint32_t i = 0U; i < IGTL_ORDERS; i++) {
-        if ((orders->orders[i].id != 0U) && !orders->orders[i].is_accepted &&
-            !orders->orders[i].is_overdue) {
+    for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
+        if ((requests->requests[i].id != 0U) && !requests->requests[i].is_accepted &&
+            !requests->requests[i].is_overdue) {
             return true;
         }
     }
@@ -251,7 +251,7 @@ static bool awaits_answer(const igtl_orders_t *orders)
 
 static int wait_ms(void)
 {
-    if (awaits_answer(&process.workphase.orders) || awaits_answer(&process.transform.orders)) {
+    if (awaits_answer(&process.workphase.requests) || awaits_answer(&process.transform.requests)) {
         return ANSWER_WAIT_MS;
     }
     if (igtl_server_has_peers(&process.brp) || igtl_server_has_peers(&process.igtl)) {

@@ -13,7 +13,7 @@ void transform_dialect_init(transform_dialect_t *self, const robot_t *robot, uin
 {
     (void)memset(self, 0, sizeof *self);
     self->robot = robot;
-    igtl_orders_init(&self->orders, first_id, PROPOSALS_AT_A_TIME);
+    igtl_requests_init(&self->requests, first_id, PROPOSALS_AT_A_TIME);
 }
 
 /* Forgets what was shown: the next step sends everything. */
@@ -39,9 +39,9 @@ void transform_dialect_disconnected(void *dialect, uint32_t peer)
     transform_dialect_t *self = dialect;
 
     self->peers[peer].outbox = NULL;
-    for (uint32_t i = 0U; i < IGTL_ORDERS; i++) {
-        if (self->orders.orders[i].peer == peer) {
-            self->orders.orders[i].peer = IGTL_NOBODY;
+    for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
+        if (self->requests.requests[i].peer == peer) {
+            self->requests.requests[i].peer = IGTL_NOBODY;
         }
     }
 }
@@ -86,7 +86,7 @@ static void propose(transform_dialect_t *self, uint32_t peer, const igtl_message
         status = igtl_border_read_pose(message->numbers, &command.pose);
     }
     if ((status == STATUS_OK) &&
-        (igtl_orders_add(&self->orders, peer, &command, moment->patience_us) == NULL)) {
+        (igtl_requests_add(&self->requests, peer, &command, moment->patience_us) == NULL)) {
         status = STATUS_BUSY;
     }
     if (status != STATUS_OK) {
@@ -135,7 +135,7 @@ void transform_dialect_receive(void *dialect, uint32_t peer, const igtl_message_
     }
 }
 
-static void tell_refused(transform_dialect_t *self, const igtl_order_t *order,
+static void tell_refused(transform_dialect_t *self, const igtl_request_t *request,
                          const answer_t *answer, const igtl_moment_t *moment)
 {
     char text[IGTL_REASON_SIZE];
@@ -143,24 +143,24 @@ static void tell_refused(transform_dialect_t *self, const igtl_order_t *order,
                                    status_name((int32_t)answer->status), text};
 
     igtl_reason_text(self->robot, answer, text);
-    igtl_tell_status(self->peers[order->peer].outbox, name_of(order->kind), &refused, moment);
+    igtl_tell_status(self->peers[request->peer].outbox, name_of(request->kind), &refused, moment);
 }
 
 bool transform_dialect_answer(transform_dialect_t *self, const answer_t *answer,
                               const igtl_moment_t *moment)
 {
-    igtl_order_t *order = igtl_orders_find(&self->orders, answer->id);
+    igtl_request_t *request = igtl_requests_find(&self->requests, answer->id);
 
-    if (order == NULL) {
+    if (request == NULL) {
         return false;
     }
-    if (order->peer != IGTL_NOBODY) {
-        self->peers[order->peer].must_send_measured = true;
+    if (request->peer != IGTL_NOBODY) {
+        self->peers[request->peer].must_send_measured = true;
         if (answer->kind == (uint32_t)ANSWER_REFUSED) {
-            tell_refused(self, order, answer, moment);
+            tell_refused(self, request, answer, moment);
         }
     }
-    igtl_orders_end(order);
+    igtl_requests_end(request);
     return true;
 }
 
@@ -304,7 +304,7 @@ static void show(const robot_t *robot, transform_peer_t *peer, const transform_v
 
 void transform_dialect_step(transform_dialect_t *self, const igtl_moment_t *moment)
 {
-    igtl_order_t *overdue = igtl_orders_overdue(&self->orders, moment->patience_us);
+    igtl_request_t *overdue = igtl_requests_overdue(&self->requests, moment->patience_us);
     transform_view_t view;
 
     while (overdue != NULL) {
@@ -312,7 +312,7 @@ void transform_dialect_step(transform_dialect_t *self, const igtl_moment_t *mome
             igtl_tell_refusal(self->peers[overdue->peer].outbox, name_of(overdue->kind),
                               STATUS_NO_ANSWER, moment);
         }
-        overdue = igtl_orders_overdue(&self->orders, moment->patience_us);
+        overdue = igtl_requests_overdue(&self->requests, moment->patience_us);
     }
     if (moment->snapshot == NULL) {
         return;

@@ -10,7 +10,7 @@
 
 #include "igtl/igtl_codec.h"
 #include "igtl/igtl_dialect.h"
-#include "igtl/igtl_orders.h"
+#include "igtl/igtl_requests.h"
 #include "igtl/igtl_outbox.h"
 #include "interface/answer.h"
 #include "interface/command.h"
@@ -64,7 +64,7 @@ typedef struct {
 
 typedef struct {
     const robot_t *robot;
-    igtl_orders_t orders;
+    igtl_requests_t requests;
     transform_peer_t peers[IGTL_PEERS];
 } transform_dialect_t;
 

@@ -43,23 +43,23 @@ static void tell_refused(const workphase_dialect_t *self, workphase_peer_t *peer
     igtl_tell_status(peer->outbox, workphase_name((int32_t)answer->argument), &refused, moment);
 }
 
-/* A newer command of the same peer has ended this order, or is about to: its own sequence goes
+/* A newer command of the same peer has ended this request, or is about to: its own sequence goes
  * first. */
-static bool is_superseded(workphase_dialect_t *self, const igtl_order_t *order,
+static bool is_superseded(workphase_dialect_t *self, const igtl_request_t *request,
                           const answer_t *answer)
 {
-    const uint32_t last = self->peers[order->peer].last_order;
-    const igtl_order_t *newer = igtl_orders_find(&self->orders, last);
+    const uint32_t last = self->peers[request->peer].last_request;
+    const igtl_request_t *newer = igtl_requests_find(&self->requests, last);
 
-    return (last != order->id) && (((newer != NULL) && !newer->is_accepted) ||
-                                   (answer->status == (uint32_t)STATUS_DISCARDED));
+    return (last != request->id) && (((newer != NULL) && !newer->is_accepted) ||
+                                     (answer->status == (uint32_t)STATUS_DISCARDED));
 }
 
-static void tell_ended(workphase_dialect_t *self, const igtl_order_t *order, const answer_t *answer,
-                       const igtl_moment_t *moment)
+static void tell_ended(workphase_dialect_t *self, const igtl_request_t *request,
+                       const answer_t *answer, const igtl_moment_t *moment)
 {
-    workphase_peer_t *peer = &self->peers[order->peer];
-    const char *phase = workphase_name((int32_t)order->argument);
+    workphase_peer_t *peer = &self->peers[request->peer];
+    const char *phase = workphase_name((int32_t)request->argument);
     const bool is_done = (answer->kind == (uint32_t)ANSWER_DONE);
     char text[IGTL_REASON_SIZE] = "";
     const igtl_status_t ended = {is_done ? (uint32_t)IGTL_STATUS_OK
@@ -71,39 +71,39 @@ static void tell_ended(workphase_dialect_t *self, const igtl_order_t *order, con
         igtl_reason_text(self->robot, answer, text);
     }
     igtl_encode_status(&packet, phase, &ended, moment->timestamp);
-    if (is_superseded(self, order, answer)) {
+    if (is_superseded(self, request, answer)) {
         workphase_peer_defer(peer, &packet, moment->now_us);
         return;
     }
     igtl_outbox_add(peer->outbox, &packet);
-    if (is_done && (order->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET)) {
+    if (is_done && (request->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET)) {
         workphase_peer_tell_position(peer, moment);
     }
 }
 
-static void answer_phase(workphase_dialect_t *self, const igtl_order_t *order,
+static void answer_phase(workphase_dialect_t *self, const igtl_request_t *request,
                          const answer_t *answer, const igtl_moment_t *moment)
 {
     switch (answer->kind) {
     case ANSWER_ACCEPTED:
-        tell_entered(&self->peers[order->peer], answer, moment);
+        tell_entered(&self->peers[request->peer], answer, moment);
         break;
     case ANSWER_REFUSED:
-        tell_refused(self, &self->peers[order->peer], answer, moment);
+        tell_refused(self, &self->peers[request->peer], answer, moment);
         break;
     case ANSWER_DONE:
     case ANSWER_ABORTED:
     default:
-        tell_ended(self, order, answer, moment);
+        tell_ended(self, request, answer, moment);
         break;
     }
 }
 
-static void answer_pose(workphase_dialect_t *self, const igtl_order_t *order,
+static void answer_pose(workphase_dialect_t *self, const igtl_request_t *request,
                         const answer_t *answer, const igtl_moment_t *moment)
 {
-    workphase_peer_t *peer = &self->peers[order->peer];
-    const bool is_target = (order->kind == (uint32_t)COMMAND_TARGET);
+    workphase_peer_t *peer = &self->peers[request->peer];
+    const bool is_target = (request->kind == (uint32_t)COMMAND_TARGET);
     char text[IGTL_REASON_SIZE] = "";
     const igtl_status_t status = {igtl_reason_code((status_t)answer->status),
                                   workphase_name((int32_t)answer->workphase), text};
@@ -118,12 +118,12 @@ static void answer_pose(workphase_dialect_t *self, const igtl_order_t *order,
     }
 }
 
-void workphase_answer_tell(workphase_dialect_t *self, const igtl_order_t *order,
+void workphase_answer_tell(workphase_dialect_t *self, const igtl_request_t *request,
                            const answer_t *answer, const igtl_moment_t *moment)
 {
-    if (order->kind == (uint32_t)COMMAND_WORKPHASE) {
-        answer_phase(self, order, answer, moment);
+    if (request->kind == (uint32_t)COMMAND_WORKPHASE) {
+        answer_phase(self, request, answer, moment);
     } else {
-        answer_pose(self, order, answer, moment);
+        answer_pose(self, request, answer, moment);
     }
 }

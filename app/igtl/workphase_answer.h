@@ -4,18 +4,18 @@
 #define BORESIGHT_WORKPHASE_ANSWER_H
 
 #include "igtl/igtl_dialect.h"
-#include "igtl/igtl_orders.h"
+#include "igtl/igtl_requests.h"
 #include "igtl/workphase_dialect.h"
 #include "interface/answer.h"
 #include "interface/command.h"
 
 /**
- * Tells the peer of `order`, who is connected.
+ * Tells the peer of `request`, who is connected.
  *
  * @satisfies SWR-IGTL-007
  * @satisfies SWR-IGTL-008
  */
-void workphase_answer_tell(workphase_dialect_t *self, const igtl_order_t *order,
+void workphase_answer_tell(workphase_dialect_t *self, const igtl_request_t *request,
                            const answer_t *answer, const igtl_moment_t *moment);
 
 #endif

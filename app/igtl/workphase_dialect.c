@@ -15,7 +15,7 @@ void workphase_dialect_init(workphase_dialect_t *self, const robot_t *robot, uin
     (void)memset(self, 0, sizeof *self);
     self->robot = robot;
     self->controller = IGTL_NOBODY;
-    igtl_orders_init(&self->orders, first_id, IGTL_ORDERS_COMMON);
+    igtl_requests_init(&self->requests, first_id, IGTL_REQUESTS_COMMON);
 }
 
 void workphase_dialect_connected(void *dialect, uint32_t peer, uint32_t number,
@@ -28,11 +28,11 @@ void workphase_dialect_connected(void *dialect, uint32_t peer, uint32_t number,
     self->peers[peer].number = number;
 }
 
-static bool is_long(const igtl_order_t *order)
+static bool is_long(const igtl_request_t *request)
 {
-    return (order->kind == (uint32_t)COMMAND_WORKPHASE) &&
-           ((order->argument == (uint32_t)WORKPHASE_START_UP) ||
-            (order->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET));
+    return (request->kind == (uint32_t)COMMAND_WORKPHASE) &&
+           ((request->argument == (uint32_t)WORKPHASE_START_UP) ||
+            (request->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET));
 }
 
 void workphase_dialect_disconnected(void *dialect, uint32_t peer)
@@ -43,12 +43,12 @@ void workphase_dialect_disconnected(void *dialect, uint32_t peer)
     if (self->controller == peer) {
         self->controller = IGTL_NOBODY;
     }
-    for (uint32_t i = 0U; i < IGTL_ORDERS; i++) {
-        igtl_order_t *order = &self->orders.orders[i];
+    for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
+        igtl_request_t *request = &self->requests.requests[i];
 
-        if ((order->id != 0U) && (order->peer == peer)) {
-            order->peer = IGTL_NOBODY;
-            self->must_stop = self->must_stop || is_long(order);
+        if ((request->id != 0U) && (request->peer == peer)) {
+            request->peer = IGTL_NOBODY;
+            self->must_stop = self->must_stop || is_long(request);
         }
     }
 }
@@ -103,23 +103,24 @@ static void refuse_text(workphase_peer_t *peer, const igtl_message_t *message,
 }
 
 /* `id` is what was remembered of it, NULL for nothing. */
-static void order_phase(workphase_dialect_t *self, uint32_t peer, workphase_t phase,
-                        workphase_id_t *id, const igtl_moment_t *moment)
+static void request_phase(workphase_dialect_t *self, uint32_t peer, workphase_t phase,
+                          workphase_id_t *id, const igtl_moment_t *moment)
 {
     command_t command = {.peer = self->peers[peer].number,
                          .kind = (uint32_t)COMMAND_WORKPHASE,
                          .argument = (uint32_t)phase};
-    const igtl_order_t *order = igtl_orders_add(&self->orders, peer, &command, moment->patience_us);
+    const igtl_request_t *request =
+        igtl_requests_add(&self->requests, peer, &command, moment->patience_us);
 
     if (id != NULL) {
-        id->order = (order == NULL) ? 0U : order->id;
-        id->name[0] = (order == NULL) ? '\0' : id->name[0];
+        id->request = (request == NULL) ? 0U : request->id;
+        id->name[0] = (request == NULL) ? '\0' : id->name[0];
     }
-    if (order == NULL) {
+    if (request == NULL) {
         igtl_tell_refusal(self->peers[peer].outbox, workphase_name((int32_t)phase), STATUS_BUSY,
                           moment);
     } else {
-        self->peers[peer].last_order = order->id;
+        self->peers[peer].last_request = request->id;
     }
 }
 
@@ -147,7 +148,7 @@ static void receive_command(workphase_dialect_t *self, uint32_t index,
     } else if (!is_urgent && !may_command(self, index)) {
         deny(peer, workphase_name((int32_t)phase), moment);
     } else {
-        order_phase(self, index, phase, id, moment);
+        request_phase(self, index, phase, id, moment);
     }
 }
 
@@ -170,7 +171,7 @@ static void receive_pose(workphase_dialect_t *self, uint32_t index, const igtl_m
     }
     status = igtl_border_read_pose(message->numbers, &command.pose);
     if ((status == STATUS_OK) &&
-        (igtl_orders_add(&self->orders, index, &command, moment->patience_us) == NULL)) {
+        (igtl_requests_add(&self->requests, index, &command, moment->patience_us) == NULL)) {
         status = STATUS_BUSY;
     }
     if (status != STATUS_OK) {
@@ -233,23 +234,23 @@ void workphase_dialect_receive(void *dialect, uint32_t peer, const igtl_message_
 bool workphase_dialect_answer(workphase_dialect_t *self, const answer_t *answer,
                               const igtl_moment_t *moment)
 {
-    igtl_order_t *order = igtl_orders_find(&self->orders, answer->id);
+    igtl_request_t *request = igtl_requests_find(&self->requests, answer->id);
 
-    if (order == NULL) {
+    if (request == NULL) {
         return false;
     }
-    if (order->peer != IGTL_NOBODY) {
+    if (request->peer != IGTL_NOBODY) {
         if (answer->status == (uint32_t)STATUS_BUSY) {
-            workphase_peer_forget(&self->peers[order->peer], order->id);
+            workphase_peer_forget(&self->peers[request->peer], request->id);
         }
-        workphase_answer_tell(self, order, answer, moment);
+        workphase_answer_tell(self, request, answer, moment);
     } else if ((answer->status == (uint32_t)STATUS_BUSY) &&
-               (order->argument == (uint32_t)WORKPHASE_STOP)) {
+               (request->argument == (uint32_t)WORKPHASE_STOP)) {
         self->must_stop = true;
     }
-    order->is_accepted = true;
+    request->is_accepted = true;
     if (answer->is_final != 0U) {
-        igtl_orders_end(order);
+        igtl_requests_end(request);
     }
     return true;
 }
@@ -260,18 +261,18 @@ static void stop_for_lost_peer(workphase_dialect_t *self, uint64_t patience_us)
     command_t stop = {.kind = (uint32_t)COMMAND_WORKPHASE, .argument = (uint32_t)WORKPHASE_STOP};
 
     if (self->must_stop &&
-        (igtl_orders_add(&self->orders, IGTL_NOBODY, &stop, patience_us) != NULL)) {
+        (igtl_requests_add(&self->requests, IGTL_NOBODY, &stop, patience_us) != NULL)) {
         self->must_stop = false;
     }
 }
 
 static bool has_unanswered_phase(const workphase_dialect_t *self, uint32_t peer)
 {
-    for (uint32_t i = 0U; i < IGTL_ORDERS; i++) {
-        const igtl_order_t *order = &self->orders.orders[i];
+    for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
+        const igtl_request_t *request = &self->requests.requests[i];
 
-        if ((order->id != 0U) && (order->peer == peer) && !order->is_accepted &&
-            (order->kind == (uint32_t)COMMAND_WORKPHASE)) {
+        if ((request->id != 0U) && (request->peer == peer) && !request->is_accepted &&
+            (request->kind == (uint32_t)COMMAND_WORKPHASE)) {
             return true;
         }
     }
@@ -284,47 +285,47 @@ static void stream_position(workphase_dialect_t *self, const igtl_moment_t *mome
     if ((moment->now_us < self->next_position_us) || !igtl_is_moving(moment)) {
         return;
     }
-    for (uint32_t i = 0U; i < IGTL_ORDERS; i++) {
-        const igtl_order_t *order = &self->orders.orders[i];
+    for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
+        const igtl_request_t *request = &self->requests.requests[i];
 
-        if ((order->id != 0U) && order->is_accepted && (order->peer != IGTL_NOBODY) &&
-            (order->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET) &&
-            !has_unanswered_phase(self, order->peer)) {
+        if ((request->id != 0U) && request->is_accepted && (request->peer != IGTL_NOBODY) &&
+            (request->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET) &&
+            !has_unanswered_phase(self, request->peer)) {
             self->next_position_us = moment->now_us + IGTL_STREAM_US;
-            workphase_peer_tell_position(&self->peers[order->peer], moment);
+            workphase_peer_tell_position(&self->peers[request->peer], moment);
         }
     }
 }
 
-static const char *subject_of(const igtl_order_t *order)
+static const char *subject_of(const igtl_request_t *request)
 {
-    switch (order->kind) {
+    switch (request->kind) {
     case COMMAND_REGISTRATION:
         return "CALIBRATION";
     case COMMAND_TARGET:
         return "TARGET";
     default:
-        return workphase_name((int32_t)order->argument);
+        return workphase_name((int32_t)request->argument);
     }
 }
 
-static void tell_no_answer(workphase_dialect_t *self, const igtl_order_t *order,
+static void tell_no_answer(workphase_dialect_t *self, const igtl_request_t *request,
                            const igtl_moment_t *moment)
 {
-    if (order->peer != IGTL_NOBODY) {
-        igtl_tell_refusal(self->peers[order->peer].outbox, subject_of(order), STATUS_NO_ANSWER,
+    if (request->peer != IGTL_NOBODY) {
+        igtl_tell_refusal(self->peers[request->peer].outbox, subject_of(request), STATUS_NO_ANSWER,
                           moment);
     }
 }
 
 void workphase_dialect_step(workphase_dialect_t *self, const igtl_moment_t *moment)
 {
-    const igtl_order_t *overdue = igtl_orders_overdue(&self->orders, moment->patience_us);
+    const igtl_request_t *overdue = igtl_requests_overdue(&self->requests, moment->patience_us);
 
     stop_for_lost_peer(self, moment->patience_us);
     while (overdue != NULL) {
         tell_no_answer(self, overdue, moment);
-        overdue = igtl_orders_overdue(&self->orders, moment->patience_us);
+        overdue = igtl_requests_overdue(&self->requests, moment->patience_us);
     }
     for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
         if (self->peers[i].outbox != NULL) {
@@ -336,12 +337,12 @@ void workphase_dialect_step(workphase_dialect_t *self, const igtl_moment_t *mome
 
 void workphase_dialect_control_lost(workphase_dialect_t *self, const igtl_moment_t *moment)
 {
-    for (uint32_t i = 0U; i < IGTL_ORDERS; i++) {
-        igtl_order_t *order = &self->orders.orders[i];
+    for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
+        igtl_request_t *request = &self->requests.requests[i];
 
-        if ((order->id != 0U) && order->is_accepted) {
-            tell_no_answer(self, order, moment);
-            igtl_orders_end(order);
+        if ((request->id != 0U) && request->is_accepted) {
+            tell_no_answer(self, request, moment);
+            igtl_requests_end(request);
         }
     }
 }

@@ -11,7 +11,7 @@
 
 #include "igtl/igtl_codec.h"
 #include "igtl/igtl_dialect.h"
-#include "igtl/igtl_orders.h"
+#include "igtl/igtl_requests.h"
 #include "igtl/igtl_outbox.h"
 #include "interface/command.h"
 #include "robot/robot.h"
@@ -33,7 +33,7 @@ typedef struct {
     char name[IGTL_NAME_SIZE]; /**< Empty: none. */
     uint64_t text_crc;
     uint32_t text_bytes;
-    uint32_t order; /**< Id of what became of it, 0 for nothing. */
+    uint32_t request; /**< Id of what became of it, 0 for nothing. */
 } workphase_id_t;
 
 typedef struct {
@@ -41,18 +41,19 @@ typedef struct {
     uint32_t number;                   /**< Of its connection. */
     workphase_id_t ids[WORKPHASE_IDS]; /**< The last commands, a ring. */
     uint32_t next_id;
-    uint32_t last_order; /**< Id of its newest workphase command. */
+    uint32_t last_request; /**< Id of its newest workphase command. */
     workphase_extra_t extras[WORKPHASE_EXTRAS];
     uint32_t extra_count;
 } workphase_peer_t;
 
 typedef struct {
     const robot_t *robot;
-    igtl_orders_t orders;
+    igtl_requests_t requests;
     workphase_peer_t peers[IGTL_PEERS];
     uint32_t controller;       /**< Peer that commands, or IGTL_NOBODY. */
     uint64_t next_position_us; /**< When the next CURRENT_POSITION is due. */
-    bool must_stop; /**< The controlling peer was lost with an order armed; STOP has still to go. */
+    bool
+        must_stop; /**< The controlling peer was lost with a command armed; STOP has still to go. */
 } workphase_dialect_t;
 
 /** `first_id` numbers the commands, even. */
@@ -61,7 +62,7 @@ void workphase_dialect_init(workphase_dialect_t *self, const robot_t *robot, uin
 void workphase_dialect_connected(void *dialect, uint32_t peer, uint32_t number,
                                  igtl_outbox_t *outbox);
 
-/** Also commands STOP when the peer had an order armed or begun. */
+/** Also commands STOP when the peer had a command armed or begun. */
 void workphase_dialect_disconnected(void *dialect, uint32_t peer);
 
 /** It is the one peer that commands. */
@@ -84,7 +85,7 @@ bool workphase_dialect_answer(workphase_dialect_t *self, const answer_t *answer,
 /** Time passes: deferred messages, the position stream, missing answers. */
 void workphase_dialect_step(workphase_dialect_t *self, const igtl_moment_t *moment);
 
-/** The controller has ended: whoever waits for the end of an order is told that there will be no
+/** The controller has ended: whoever waits for the end of a request is told that there will be no
  * answer. */
 void workphase_dialect_control_lost(workphase_dialect_t *self, const igtl_moment_t *moment);
 

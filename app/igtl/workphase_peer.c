@@ -62,15 +62,15 @@ workphase_id_t *workphase_peer_remember(workphase_peer_t *self, const igtl_messa
     (void)memcpy(id->name, message->name, IGTL_NAME_SIZE);
     id->text_crc = igtl_crc64(0U, (const uint8_t *)message->text, message->text_bytes);
     id->text_bytes = message->text_bytes;
-    id->order = 0U;
+    id->request = 0U;
     self->next_id = (self->next_id + 1U) % WORKPHASE_IDS;
     return id;
 }
 
-void workphase_peer_forget(workphase_peer_t *self, uint32_t order)
+void workphase_peer_forget(workphase_peer_t *self, uint32_t request)
 {
     for (uint32_t i = 0U; i < WORKPHASE_IDS; i++) {
-        if (self->ids[i].order == order) {
+        if (self->ids[i].request == request) {
             self->ids[i] = (workphase_id_t){.name = ""};
         }
     }

@@ -23,8 +23,8 @@ bool workphase_peer_is_repeated(const workphase_peer_t *self, const igtl_message
 /** Remembers a command in place of the oldest. */
 workphase_id_t *workphase_peer_remember(workphase_peer_t *self, const igtl_message_t *message);
 
-/** Forgets the command that became this order: it was not taken, and may be sent again. */
-void workphase_peer_forget(workphase_peer_t *self, uint32_t order);
+/** Forgets the command that became this request: it was not taken, and may be sent again. */
+void workphase_peer_forget(workphase_peer_t *self, uint32_t request);
 
 /** Keeps `packet` for LIMIT_IGTL_EXTRA_DELAY_US. */
 void workphase_peer_defer(workphase_peer_t *self, const igtl_packet_t *packet, uint64_t now_us);

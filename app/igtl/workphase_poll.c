@@ -58,7 +58,7 @@ static bool is_aligned(const snapshot_t *snapshot)
     return (distance_nm <= REACHED_NM) && (angle_bam <= REACHED_BAM);
 }
 
-/* The measured speed fades a little after the motion has ended; the order tells at once. */
+/* The measured speed fades a little after the motion has ended; the request tells at once. */
 static bool is_reached(const snapshot_t *snapshot)
 {
     int32_t distance_nm;

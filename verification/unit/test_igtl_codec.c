@@ -14,7 +14,7 @@
 
 #define ONE 0x3F800000U
 
-/* Messages of a client that follows the call order of 3D Slicer, header version 2. */
+/* Messages of a client that follows the call request of 3D Slicer, header version 2. */
 static const char slicer_status[] = "00025354415455530000000000000000000000000000000000000000000000"
                                     "0000000000000000000000000000000000"
                                     "003f6cf69307e59e5ee9000c000a0000000a00000000000000000000000000"

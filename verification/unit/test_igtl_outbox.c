@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file Rule under test: every answer is sent once and in order, of a state only the newest, and
+/** @file Rule under test: every answer is sent once and in request, of a state only the newest, and
  * memory is bounded. */
 #include "igtl/igtl_codec.h"
 #include "igtl/igtl_outbox.h"
@@ -50,7 +50,7 @@ static void expect_nothing(void)
     TEST_ASSERT_EQUAL_UINT32(0U, length);
 }
 
-void test_SWR_IGTL_005_messages_leave_whole_and_in_order(void)
+void test_SWR_IGTL_005_messages_leave_whole_and_in_request(void)
 {
     add("A", "one");
     add("A", "two");

@@ -11,7 +11,7 @@
 #include "igtl/igtl_connection.h"
 #include "igtl/igtl_dialect.h"
 #include "igtl/igtl_inbox.h"
-#include "igtl/igtl_orders.h"
+#include "igtl/igtl_requests.h"
 #include "igtl/igtl_outbox.h"
 #include "igtl/igtl_server.h"
 #include "interface/app/names.h"

@@ -10,7 +10,7 @@
 #include "igtl/igtl_border.h"
 #include "igtl/igtl_codec.h"
 #include "igtl/igtl_dialect.h"
-#include "igtl/igtl_orders.h"
+#include "igtl/igtl_requests.h"
 #include "igtl/igtl_outbox.h"
 #include "igtl/transform_dialect.h"
 #include "interface/app/names.h"
@@ -97,7 +97,7 @@ void test_SWR_IGTL_009_transforms_become_proposals(void)
 
     for (uint32_t i = 0U; i < 3U; i++) {
         place(cases[i].name, 1.0F);
-        TEST_ASSERT_TRUE(igtl_orders_take(&dialect.orders, &command));
+        TEST_ASSERT_TRUE(igtl_requests_take(&dialect.requests, &command));
         TEST_ASSERT_EQUAL_UINT32(cases[i].kind, command.kind);
         TEST_ASSERT_EQUAL_INT32(1000000, command.pose.translation.x_nm);
     }
@@ -107,7 +107,7 @@ void test_SWR_IGTL_009_transforms_become_proposals(void)
 void test_SWR_EVENT_005_a_proposal_carries_the_number_of_its_connection(void)
 {
     place("ENTRY_POINT", 1.0F);
-    TEST_ASSERT_TRUE(igtl_orders_take(&dialect.orders, &command));
+    TEST_ASSERT_TRUE(igtl_requests_take(&dialect.requests, &command));
     TEST_ASSERT_EQUAL_UINT32(NUMBER, command.peer);
 }
 
@@ -125,7 +125,7 @@ void test_SWR_IGTL_009_no_message_becomes_any_other_command(void)
         TEST_ASSERT_NOT_NULL(strstr(igtl_peer_next(&outboxes[0]), " 12 UNKNOWN_COMMAND|"));
         TEST_ASSERT_NOT_NULL(strstr(igtl_peer_next(&outboxes[0]), " 12 UNKNOWN_COMMAND|"));
     }
-    TEST_ASSERT_FALSE(igtl_orders_take(&dialect.orders, &command));
+    TEST_ASSERT_FALSE(igtl_requests_take(&dialect.requests, &command));
 }
 
 void test_SWR_IGTL_010_bad_numbers_never_become_a_proposal(void)
@@ -136,13 +136,13 @@ void test_SWR_IGTL_010_bad_numbers_never_become_a_proposal(void)
     place("TARGET_POINT", 1e9F);
     TEST_ASSERT_EQUAL_STRING_LEN("STATUS TARGET_POINT 10 OUT_OF_RANGE|",
                                  igtl_peer_next(&outboxes[0]), 36U);
-    TEST_ASSERT_FALSE(igtl_orders_take(&dialect.orders, &command));
+    TEST_ASSERT_FALSE(igtl_requests_take(&dialect.requests, &command));
 }
 
 void test_SWR_IGTL_008_refused_proposal_is_answered(void)
 {
     place("ENTRY_POINT", 1.0F);
-    TEST_ASSERT_TRUE(igtl_orders_take(&dialect.orders, &command));
+    TEST_ASSERT_TRUE(igtl_requests_take(&dialect.requests, &command));
     answer(ANSWER_REFUSED, STATUS_SEPARATION_LIMIT);
     TEST_ASSERT_EQUAL_STRING_LEN("STATUS ENTRY_POINT 10 SEPARATION_LIMIT|",
                                  igtl_peer_next(&outboxes[0]), 39U);
@@ -231,7 +231,7 @@ void test_SWR_IGTL_012_measured_pose_follows_every_target_point(void)
     pass_us(0U);
     expect_measured(0U);
     place("TARGET_POINT", 1.0F);
-    TEST_ASSERT_TRUE(igtl_orders_take(&dialect.orders, &command));
+    TEST_ASSERT_TRUE(igtl_requests_take(&dialect.requests, &command));
     answer(ANSWER_ACCEPTED, STATUS_OK);
     pass_us(0U);
     expect_measured(0U);
@@ -263,7 +263,7 @@ void test_SWR_IGTL_013_start_up_and_queries_show_everything_again(void)
     transform_dialect_receive(&dialect, 0U, &query, &moment);
     pass_us(0U);
     expect_measured(0U);
-    TEST_ASSERT_FALSE(igtl_orders_take(&dialect.orders, &command));
+    TEST_ASSERT_FALSE(igtl_requests_take(&dialect.requests, &command));
 }
 
 void test_SWR_IGTL_012_nothing_is_sent_before_the_first_snapshot(void)
@@ -276,7 +276,7 @@ void test_SWR_IGTL_012_nothing_is_sent_before_the_first_snapshot(void)
 void test_SWR_IGTL_011_answer_for_a_peer_that_has_gone_is_dropped(void)
 {
     place("TARGET_POINT", 1.0F);
-    TEST_ASSERT_TRUE(igtl_orders_take(&dialect.orders, &command));
+    TEST_ASSERT_TRUE(igtl_requests_take(&dialect.requests, &command));
     transform_dialect_disconnected(&dialect, 0U);
     answer(ANSWER_REFUSED, STATUS_BUSY);
     pass_us(0U);

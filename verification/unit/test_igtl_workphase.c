@@ -9,7 +9,7 @@
 #include "igtl/igtl_border.h"
 #include "igtl/igtl_codec.h"
 #include "igtl/igtl_dialect.h"
-#include "igtl/igtl_orders.h"
+#include "igtl/igtl_requests.h"
 #include "igtl/igtl_outbox.h"
 #include "igtl/workphase_answer.h"
 #include "igtl/workphase_dialect.h"
@@ -76,7 +76,7 @@ static void place(uint32_t peer, const char *name, float x)
 
 static void expect_command(command_kind_t kind, uint32_t argument)
 {
-    TEST_ASSERT_TRUE(igtl_orders_take(&dialect.orders, &command));
+    TEST_ASSERT_TRUE(igtl_requests_take(&dialect.requests, &command));
     TEST_ASSERT_EQUAL_UINT32(kind, command.kind);
     TEST_ASSERT_EQUAL_UINT32(argument, command.argument);
     TEST_ASSERT_EQUAL_UINT32(COMMAND_SOURCE_IGTL, command.source);
@@ -84,7 +84,7 @@ static void expect_command(command_kind_t kind, uint32_t argument)
 
 static void expect_no_command(void)
 {
-    TEST_ASSERT_FALSE(igtl_orders_take(&dialect.orders, &command));
+    TEST_ASSERT_FALSE(igtl_requests_take(&dialect.requests, &command));
 }
 
 static void answer_to(const command_t *asked, answer_kind_t kind, status_t status,
@@ -396,7 +396,7 @@ static void flood(uint32_t peer)
 {
     char name[] = "CMD_A";
 
-    for (uint32_t i = 0U; i < IGTL_ORDERS_PER_PEER; i++) {
+    for (uint32_t i = 0U; i < IGTL_REQUESTS_PER_PEER; i++) {
         say(peer, name, "PLANNING");
         name[4]++;
         (void)igtl_peer_next(&outboxes[peer]);
@@ -417,7 +417,7 @@ void test_SWR_IGTL_008_command_refused_as_too_many_may_be_sent_again(void)
     say(0U, "CMD_2", "PLANNING");
     expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_PLANNING);
     answer_to(&command, ANSWER_REFUSED, STATUS_BUSY, 1U); /* CMD_A found the lane full. */
-    while (igtl_orders_take(&dialect.orders, &command)) {
+    while (igtl_requests_take(&dialect.requests, &command)) {
         accept(1U);
     }
     say(0U, "CMD_2", "PLANNING");
@@ -444,8 +444,8 @@ void test_SWR_IGTL_006_stop_and_emergency_find_a_place_in_any_flood(void)
         workphase_dialect_disconnected(&dialect, 7U);
         workphase_dialect_connected(&dialect, 7U, NUMBER + 7U, &outboxes[7]);
     }
-    while (igtl_orders_take(&dialect.orders, &command)) {
-        TEST_ASSERT_NOT_NULL(igtl_orders_find(&dialect.orders, command.id));
+    while (igtl_requests_take(&dialect.requests, &command)) {
+        TEST_ASSERT_NOT_NULL(igtl_requests_find(&dialect.requests, command.id));
     }
     TEST_ASSERT_EQUAL_UINT32(WORKPHASE_EMERGENCY, command.argument); /* The last that came. */
 }
@@ -454,7 +454,7 @@ void test_SWR_IGTL_006_stop_that_was_not_passed_on_is_kept_until_it_is(void)
 {
     say(1U, "CMD_S", "STOP");
     expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_STOP);
-    igtl_orders_keep(&dialect.orders, &command);
+    igtl_requests_keep(&dialect.requests, &command);
     pass_us(60000000U);
     pass_us(60000000U);
     expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_STOP);
