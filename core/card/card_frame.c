@@ -55,7 +55,7 @@
 #define LARGEST_DUTY 0x1FFFFU
 #define LARGEST_POSITIVE 0x7FFFFFFFU
 
-static void put_word(uint8_t bytes[CARD_FRAME_BYTES], uint32_t index, uint32_t word)
+static inline void put_word(uint8_t bytes[CARD_FRAME_BYTES], uint32_t index, uint32_t word)
 {
     const uint32_t at = index * 4U;
 
@@ -65,7 +65,7 @@ static void put_word(uint8_t bytes[CARD_FRAME_BYTES], uint32_t index, uint32_t w
     bytes[at + 3U] = (uint8_t)(word & LARGEST_8_BIT);
 }
 
-static uint32_t get_word(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t index)
+static inline uint32_t get_word(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t index)
 {
     const uint32_t at = index * 4U;
 
@@ -143,29 +143,33 @@ typedef struct {
     crc32c_zeros_t zeros;
 } gap_t;
 
-static gap_t gap_of(uint32_t type)
-{
-    const gap_t command = {18U, WORD_COMMAND_COMPLEMENT, CRC32C_ZEROS_172};
-    const gap_t report = {29U, WORD_LEGACY_SUM, CRC32C_ZEROS_132};
+static const gap_t command_gap = {18U, WORD_COMMAND_COMPLEMENT, CRC32C_ZEROS_172};
+static const gap_t report_gap = {29U, WORD_LEGACY_SUM, CRC32C_ZEROS_132};
 
-    return (type == TYPE_COMMAND) ? command : report;
+static inline uint32_t two_words(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t first)
+{
+    return get_word(bytes, first) + get_word(bytes, first + 1U);
 }
 
-static inline uint32_t legacy_sum(const uint8_t bytes[CARD_FRAME_BYTES], const gap_t *gap)
+static inline uint32_t four_words(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t first)
 {
-    const uint8_t *at = bytes;
-    uint32_t left = gap->first;
-    uint32_t sum = (gap->end < WORD_LEGACY_SUM) ? get_word(&bytes[gap->end * 4U], 0U) : 0U;
+    return two_words(bytes, first) + two_words(bytes, first + 2U);
+}
 
-    for (; left >= 4U; left -= 4U) {
-        sum += get_word(at, 0U) + get_word(at, 1U) + get_word(at, 2U) + get_word(at, 3U);
-        at = &at[16];
-    }
-    for (; left > 0U; left--) {
-        sum += get_word(at, 0U);
-        at = &at[4];
-    }
-    return 0xFFFFFFFFU - sum;
+/* The sum of a frame whose reserved words are zero: of all others. */
+static uint32_t command_sum(const uint8_t bytes[CARD_FRAME_BYTES])
+{
+    return four_words(bytes, WORD_START) + two_words(bytes, WORD_COMMAND_SYSTEM) +
+           two_words(bytes, WORD_COMMAND_MODE) + four_words(bytes, WORD_COMMAND_WATCHDOG) +
+           get_word(bytes, WORD_COMMAND_AXIS) + get_word(bytes, WORD_COMMAND_COMPLEMENT);
+}
+
+static uint32_t report_sum(const uint8_t bytes[CARD_FRAME_BYTES])
+{
+    return four_words(bytes, WORD_START) + four_words(bytes, WORD_REPORT_TIME) +
+           two_words(bytes, WORD_REPORT_LIMITS) + two_words(bytes, WORD_REPORT_LAST_EDGE) +
+           get_word(bytes, WORD_REPORT_EDGES) + two_words(bytes, WORD_REPORT_TEMPERATURES) +
+           four_words(bytes, WORD_REPORT_APPLIED) + get_word(bytes, WORD_REPORT_UPTIME);
 }
 
 static inline uint32_t crc_of(const uint8_t bytes[CARD_FRAME_BYTES], const gap_t *gap)
@@ -176,13 +180,15 @@ static inline uint32_t crc_of(const uint8_t bytes[CARD_FRAME_BYTES], const gap_t
                          (WORD_CRC - gap->end) * 4U);
 }
 
-static bool has_reserved_bits(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t type)
+static bool has_command_reserved_bits(const uint8_t bytes[CARD_FRAME_BYTES])
 {
-    if (type == TYPE_COMMAND) {
-        return has_bits(bytes, WORD_COMMAND_CONTROL + 1U, WORD_COMMAND_MODE) ||
-               has_bits(bytes, WORD_COMMAND_DUTY + 1U, WORD_COMMAND_WATCHDOG) ||
-               has_bits(bytes, WORD_COMMAND_AXIS + 1U, WORD_COMMAND_COMPLEMENT);
-    }
+    return has_bits(bytes, WORD_COMMAND_CONTROL + 1U, WORD_COMMAND_MODE) ||
+           has_bits(bytes, WORD_COMMAND_DUTY + 1U, WORD_COMMAND_WATCHDOG) ||
+           has_bits(bytes, WORD_COMMAND_AXIS + 1U, WORD_COMMAND_COMPLEMENT);
+}
+
+static bool has_report_reserved_bits(const uint8_t bytes[CARD_FRAME_BYTES])
+{
     return has_bits(bytes, WORD_REPORT_STATUS + 1U, WORD_REPORT_LIMITS) ||
            has_bits(bytes, WORD_REPORT_ENCODER + 1U, WORD_REPORT_LAST_EDGE) ||
            has_bits(bytes, WORD_REPORT_EDGES + 1U, WORD_REPORT_TEMPERATURES) ||
@@ -190,28 +196,48 @@ static bool has_reserved_bits(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t ty
            has_bits(bytes, WORD_REPORT_UPTIME + 1U, WORD_LEGACY_SUM);
 }
 
-static void begin(uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot, uint32_t type)
+/* A frame that is being written; its sum is that of the words so far. */
+typedef struct {
+    uint8_t *bytes;
+    uint32_t sum;
+} writer_t;
+
+static inline void write_word(writer_t *self, uint32_t index, uint32_t word)
 {
+    put_word(self->bytes, index, word);
+    self->sum += word;
+}
+
+static inline writer_t begin(uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot, uint32_t type)
+{
+    writer_t writer = {.bytes = bytes, .sum = 0U};
+
     (void)memset(bytes, 0, CARD_FRAME_BYTES);
-    put_word(bytes, WORD_START, CARD_FRAME_START);
-    put_word(bytes, WORD_HEADER, header_word(slot, type));
+    write_word(&writer, WORD_START, CARD_FRAME_START);
+    write_word(&writer, WORD_HEADER, header_word(slot, type));
+    return writer;
 }
 
-static void seal(uint8_t bytes[CARD_FRAME_BYTES], uint32_t type)
+static inline void seal(const writer_t *self, const gap_t *gap)
 {
-    const gap_t gap = gap_of(type);
-
-    put_word(bytes, WORD_LEGACY_SUM, legacy_sum(bytes, &gap));
-    put_word(bytes, WORD_CRC, crc_of(bytes, &gap));
+    put_word(self->bytes, WORD_LEGACY_SUM, ~self->sum);
+    put_word(self->bytes, WORD_CRC, crc_of(self->bytes, gap));
 }
+
+/* What a direction makes of the bytes, whatever they are. */
+typedef struct {
+    uint32_t type;
+    const gap_t *gap;
+    bool has_reserved_bits;
+    uint32_t sum;
+} frame_view_t;
 
 static card_frame_result_t check_frame(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot,
-                                       uint32_t type)
+                                       const frame_view_t *view)
 {
     const uint32_t slot_mask = 0x00FF0000U;
     const uint32_t header = get_word(bytes, WORD_HEADER);
-    const uint32_t expected = header_word(slot, type);
-    const gap_t gap = gap_of(type);
+    const uint32_t expected = header_word(slot, view->type);
 
     if (get_word(bytes, WORD_START) != CARD_FRAME_START) {
         return CARD_FRAME_BAD_START;
@@ -219,11 +245,10 @@ static card_frame_result_t check_frame(const uint8_t bytes[CARD_FRAME_BYTES], ui
     if ((header | slot_mask) != (expected | slot_mask)) {
         return CARD_FRAME_BAD_START;
     }
-    if (has_reserved_bits(bytes, type)) {
+    if (view->has_reserved_bits || (get_word(bytes, WORD_LEGACY_SUM) != ~view->sum)) {
         return CARD_FRAME_BAD_CRC;
     }
-    if ((get_word(bytes, WORD_CRC) != crc_of(bytes, &gap)) ||
-        (get_word(bytes, WORD_LEGACY_SUM) != legacy_sum(bytes, &gap))) {
+    if (get_word(bytes, WORD_CRC) != crc_of(bytes, view->gap)) {
         return CARD_FRAME_BAD_CRC;
     }
     if (header != expected) {
@@ -260,24 +285,25 @@ static bool is_drive_valid(const card_drive_t *drive)
 
 void card_frame_encode_command(const card_command_t *command, uint8_t bytes[CARD_FRAME_BYTES])
 {
-    begin(bytes, command->slot, TYPE_COMMAND);
-    put_word(bytes, WORD_COMMAND_SEQUENCE, command->sequence);
-    put_word(bytes, WORD_COMMAND_TIME, command->time_us);
-    put_word(bytes, WORD_COMMAND_SYSTEM, command->system_state);
-    put_word(bytes, WORD_COMMAND_CONTROL, command->control);
+    writer_t writer = begin(bytes, command->slot, TYPE_COMMAND);
+
+    write_word(&writer, WORD_COMMAND_SEQUENCE, command->sequence);
+    write_word(&writer, WORD_COMMAND_TIME, command->time_us);
+    write_word(&writer, WORD_COMMAND_SYSTEM, command->system_state);
+    write_word(&writer, WORD_COMMAND_CONTROL, command->control);
     if (!is_drive_off(&command->drive)) {
-        put_word(bytes, WORD_COMMAND_MODE,
-                 (fit(command->drive.mode, LARGEST_8_BIT) << 24U) |
-                     (fit(command->drive.direction, LARGEST_8_BIT) << 16U));
-        put_word(bytes, WORD_COMMAND_DUTY, command->drive.duty);
+        write_word(&writer, WORD_COMMAND_MODE,
+                   (fit(command->drive.mode, LARGEST_8_BIT) << 24U) |
+                       (fit(command->drive.direction, LARGEST_8_BIT) << 16U));
+        write_word(&writer, WORD_COMMAND_DUTY, command->drive.duty);
     }
-    put_word(bytes, WORD_COMMAND_WATCHDOG, command->watchdog_us);
-    put_word(bytes, WORD_COMMAND_OVERSPEED, command->overspeed_ticks_per_s);
-    put_word(bytes, WORD_COMMAND_GUARD_MINIMUM, (uint32_t)command->guard_minimum_ticks);
-    put_word(bytes, WORD_COMMAND_GUARD_MAXIMUM, (uint32_t)command->guard_maximum_ticks);
-    put_word(bytes, WORD_COMMAND_AXIS, command->axis_id);
-    put_word(bytes, WORD_COMMAND_COMPLEMENT, ~command->control);
-    seal(bytes, TYPE_COMMAND);
+    write_word(&writer, WORD_COMMAND_WATCHDOG, command->watchdog_us);
+    write_word(&writer, WORD_COMMAND_OVERSPEED, command->overspeed_ticks_per_s);
+    write_word(&writer, WORD_COMMAND_GUARD_MINIMUM, (uint32_t)command->guard_minimum_ticks);
+    write_word(&writer, WORD_COMMAND_GUARD_MAXIMUM, (uint32_t)command->guard_maximum_ticks);
+    write_word(&writer, WORD_COMMAND_AXIS, command->axis_id);
+    write_word(&writer, WORD_COMMAND_COMPLEMENT, ~command->control);
+    seal(&writer, &command_gap);
 }
 
 /* Mode, direction and duty share one word here: 4, 4 and 24 bits. */
@@ -294,35 +320,36 @@ static uint32_t applied_word(const card_drive_t *drive)
 
 void card_frame_encode_report(const card_report_t *report, uint8_t bytes[CARD_FRAME_BYTES])
 {
-    begin(bytes, report->slot, TYPE_REPORT);
-    put_word(bytes, WORD_REPORT_ACCEPTED, report->accepted_sequence);
-    put_word(bytes, WORD_REPORT_HEARTBEAT, report->heartbeat);
-    put_word(bytes, WORD_REPORT_TIME, report->time_us);
-    put_word(bytes, WORD_REPORT_IDENTITY,
-             (fit(report->card_type, LARGEST_8_BIT) << 24U) |
-                 fit(report->firmware, LARGEST_24_BIT));
-    put_word(bytes, WORD_REPORT_SYSTEM, report->system_state);
-    put_word(bytes, WORD_REPORT_STATUS, report->status);
-    put_word(bytes, WORD_REPORT_LIMITS,
-             (fit(report->limits, LARGEST_8_BIT) << 8U) | fit(report->limits_raw, LARGEST_8_BIT));
-    put_word(bytes, WORD_REPORT_ENCODER, (uint32_t)report->encoder_count);
-    put_word(bytes, WORD_REPORT_LAST_EDGE, report->last_edge_us);
-    put_word(bytes, WORD_REPORT_FOURTH_EDGE, report->fourth_edge_us);
-    put_word(bytes, WORD_REPORT_EDGES,
-             (fit(report->edges, LARGEST_16_BIT) << 16U) |
-                 fit(report->illegal_edges, LARGEST_16_BIT));
-    put_word(bytes, WORD_REPORT_TEMPERATURES,
-             (fit_int16(report->driver_temperature_dc) << 16U) |
-                 fit_int16(report->motor_temperature_dc));
-    put_word(bytes, WORD_REPORT_SUPPLY,
-             (fit(report->supply_mv, LARGEST_16_BIT) << 16U) |
-                 fit(report->current_ma, LARGEST_16_BIT));
-    put_word(bytes, WORD_REPORT_APPLIED, applied_word(&report->applied));
-    put_word(bytes, WORD_REPORT_CRC_ERRORS, report->rx_crc_errors);
-    put_word(bytes, WORD_REPORT_GAPS, report->sequence_gaps);
-    put_word(bytes, WORD_REPORT_TRIPS, report->watchdog_trips);
-    put_word(bytes, WORD_REPORT_UPTIME, report->uptime_s);
-    seal(bytes, TYPE_REPORT);
+    writer_t writer = begin(bytes, report->slot, TYPE_REPORT);
+
+    write_word(&writer, WORD_REPORT_ACCEPTED, report->accepted_sequence);
+    write_word(&writer, WORD_REPORT_HEARTBEAT, report->heartbeat);
+    write_word(&writer, WORD_REPORT_TIME, report->time_us);
+    write_word(&writer, WORD_REPORT_IDENTITY,
+               (fit(report->card_type, LARGEST_8_BIT) << 24U) |
+                   fit(report->firmware, LARGEST_24_BIT));
+    write_word(&writer, WORD_REPORT_SYSTEM, report->system_state);
+    write_word(&writer, WORD_REPORT_STATUS, report->status);
+    write_word(&writer, WORD_REPORT_LIMITS,
+               (fit(report->limits, LARGEST_8_BIT) << 8U) | fit(report->limits_raw, LARGEST_8_BIT));
+    write_word(&writer, WORD_REPORT_ENCODER, (uint32_t)report->encoder_count);
+    write_word(&writer, WORD_REPORT_LAST_EDGE, report->last_edge_us);
+    write_word(&writer, WORD_REPORT_FOURTH_EDGE, report->fourth_edge_us);
+    write_word(&writer, WORD_REPORT_EDGES,
+               (fit(report->edges, LARGEST_16_BIT) << 16U) |
+                   fit(report->illegal_edges, LARGEST_16_BIT));
+    write_word(&writer, WORD_REPORT_TEMPERATURES,
+               (fit_int16(report->driver_temperature_dc) << 16U) |
+                   fit_int16(report->motor_temperature_dc));
+    write_word(&writer, WORD_REPORT_SUPPLY,
+               (fit(report->supply_mv, LARGEST_16_BIT) << 16U) |
+                   fit(report->current_ma, LARGEST_16_BIT));
+    write_word(&writer, WORD_REPORT_APPLIED, applied_word(&report->applied));
+    write_word(&writer, WORD_REPORT_CRC_ERRORS, report->rx_crc_errors);
+    write_word(&writer, WORD_REPORT_GAPS, report->sequence_gaps);
+    write_word(&writer, WORD_REPORT_TRIPS, report->watchdog_trips);
+    write_word(&writer, WORD_REPORT_UPTIME, report->uptime_s);
+    seal(&writer, &report_gap);
 }
 
 static card_drive_t read_command_drive(const uint8_t bytes[CARD_FRAME_BYTES])
@@ -339,7 +366,9 @@ static card_drive_t read_command_drive(const uint8_t bytes[CARD_FRAME_BYTES])
 card_frame_result_t card_frame_decode_command(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot,
                                               card_command_t *command)
 {
-    const card_frame_result_t result = check_frame(bytes, slot, TYPE_COMMAND);
+    const frame_view_t view = {TYPE_COMMAND, &command_gap, has_command_reserved_bits(bytes),
+                               command_sum(bytes)};
+    const card_frame_result_t result = check_frame(bytes, slot, &view);
     const uint32_t control = get_word(bytes, WORD_COMMAND_CONTROL);
     const card_drive_t drive = read_command_drive(bytes);
 
@@ -404,10 +433,17 @@ static void read_health(const uint8_t bytes[CARD_FRAME_BYTES], card_report_t *re
     report->uptime_s = get_word(bytes, WORD_REPORT_UPTIME);
 }
 
+uint32_t card_frame_heartbeat(const uint8_t bytes[CARD_FRAME_BYTES])
+{
+    return get_word(bytes, WORD_REPORT_HEARTBEAT);
+}
+
 card_frame_result_t card_frame_decode_report(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot,
                                              card_report_t *report)
 {
-    const card_frame_result_t result = check_frame(bytes, slot, TYPE_REPORT);
+    const frame_view_t view = {TYPE_REPORT, &report_gap, has_report_reserved_bits(bytes),
+                               report_sum(bytes)};
+    const card_frame_result_t result = check_frame(bytes, slot, &view);
     const uint32_t identity = get_word(bytes, WORD_REPORT_IDENTITY);
     const card_drive_t applied = read_applied(bytes);
 

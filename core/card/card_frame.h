@@ -134,6 +134,9 @@ void card_frame_encode_report(const card_report_t *report, uint8_t bytes[CARD_FR
 card_frame_result_t card_frame_decode_command(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot,
                                               card_command_t *command);
 
+/** The heartbeat of a report, whether it is valid or not. */
+uint32_t card_frame_heartbeat(const uint8_t bytes[CARD_FRAME_BYTES]);
+
 /**
  * Reads a report of `slot`. On any result but CARD_FRAME_OK `report` is unchanged.
  *

@@ -12,10 +12,11 @@ static bool are_drives_equal(const card_drive_t *a, const card_drive_t *b)
 }
 
 /* A card that is not used yet, or not any more, may have begun to count anew. */
-static bool is_old(const link_t *self, const card_report_t *report)
+static bool is_old(const link_t *self, uint32_t heartbeat)
 {
-    const uint32_t step = report->heartbeat - self->report.heartbeat;
-    return (step == 0U) || (link_is_usable(self) && (step > LIMIT_SEQUENCE_WINDOW));
+    const uint32_t step = heartbeat - self->report.heartbeat;
+    return (self->has_report != 0U) &&
+           ((step == 0U) || (link_is_usable(self) && (step > LIMIT_SEQUENCE_WINDOW)));
 }
 
 static bool is_right_card(const link_t *self)
@@ -30,14 +31,17 @@ static bool is_well(const link_t *self)
 
 static void receive(link_t *self, const uint8_t *bytes)
 {
-    card_report_t report;
+    card_report_t old;
     self->is_fresh = 0U;
     self->last_error = (uint32_t)CARD_FRAME_OK;
     if (bytes == NULL) {
         return;
     }
-    card_frame_result_t result = card_frame_decode_report(bytes, self->slot, &report);
-    if ((result == CARD_FRAME_OK) && (self->has_report != 0U) && is_old(self, &report)) {
+    /* An old report must not replace the last one. */
+    const bool is_repeated = is_old(self, card_frame_heartbeat(bytes));
+    card_report_t *const report = is_repeated ? &old : &self->report;
+    card_frame_result_t result = card_frame_decode_report(bytes, self->slot, report);
+    if ((result == CARD_FRAME_OK) && is_repeated) {
         result = CARD_FRAME_REPEATED;
     }
     self->last_error = (uint32_t)result;
@@ -45,7 +49,6 @@ static void receive(link_t *self, const uint8_t *bytes)
         self->frame_errors += (self->frame_errors < UINT32_MAX) ? 1U : 0U;
         return;
     }
-    self->report = report;
     self->has_report = 1U;
     self->is_fresh = 1U;
 }
