@@ -29,41 +29,47 @@ static const range_t axis_range = {offsetof(axis_t, encoder),
 /* A report decides only in the cycle in which it came. */
 static const range_t link_range = {offsetof(link_t, sent), sizeof(link_t)};
 
-static const range_t plan_range = {offsetof(controller_t, plan), offsetof(controller_t, profile)};
 static const range_t profile_range = {offsetof(controller_t, profile),
                                       offsetof(controller_t, axes)};
-static const range_t interlock_ranges[] = {
-    {offsetof(controller_t, pedal), offsetof(controller_t, pedal.chart.trace)},
-    {offsetof(controller_t, loop), offsetof(controller_t, loop.chart.trace)},
-    {offsetof(controller_t, confirm), offsetof(controller_t, estop)},
-    {offsetof(controller_t, workphases), offsetof(controller_t, workphases.trace)},
+/* What there is once. A section of several pieces is sealed in one go. */
+typedef struct {
+    uint32_t section;
+    range_t range;
+} piece_t;
+
+static const piece_t pieces[] = {
+    {PLAN, {offsetof(controller_t, plan), offsetof(controller_t, profile)}},
+    {PROFILE, {offsetof(controller_t, profile), offsetof(controller_t, axes)}},
+    {INTERLOCKS, {offsetof(controller_t, pedal), offsetof(controller_t, pedal.chart.trace)}},
+    {INTERLOCKS, {offsetof(controller_t, loop), offsetof(controller_t, loop.chart.trace)}},
+    {INTERLOCKS, {offsetof(controller_t, confirm), offsetof(controller_t, estop)}},
+    {INTERLOCKS, {offsetof(controller_t, workphases), offsetof(controller_t, workphases.trace)}},
+    {REST, {offsetof(controller_t, pending), offsetof(controller_t, seals)}},
 };
-static const range_t rest_range = {offsetof(controller_t, pending), offsetof(controller_t, seals)};
 static const range_t confirm_range = {offsetof(controller_t, confirm),
                                       offsetof(controller_t, estop)};
 /* Of the rest, what is more than a count. */
 static const range_t forgotten_range = {offsetof(controller_t, pending),
                                         offsetof(controller_t, has_started)};
 
-static uint32_t seal(uint32_t start, const uint8_t *bytes, const range_t *range)
-{
-    return seal_of(start, &bytes[range->from], range->to - range->from);
-}
-
 static void compute(const controller_t *self, uint32_t seals[CONTROLLER_SECTIONS])
 {
     const uint8_t *const bytes = (const uint8_t *)self;
+    for (uint32_t i = PLAN; i < CONTROLLER_SECTIONS; i++) {
+        seals[i] = SEAL_START;
+    }
+    for (uint32_t i = 0U; i < (sizeof(pieces) / sizeof(pieces[0])); i++) {
+        const range_t *const range = &pieces[i].range;
+        uint32_t *const seal = &seals[pieces[i].section];
+        *seal = seal_of(*seal, &bytes[range->from], range->to - range->from);
+    }
     for (uint32_t i = 0U; i < self->axis_count; i++) {
-        seals[i] = seal(SEAL_START, (const uint8_t *)&self->axes[i], &axis_range);
-        seals[CARDS + i] = seal(SEAL_START, (const uint8_t *)&self->links[i], &link_range);
+        const uint8_t *const axis = (const uint8_t *)&self->axes[i];
+        const uint8_t *const link = (const uint8_t *)&self->links[i];
+        seals[i] = seal_of(SEAL_START, &axis[axis_range.from], axis_range.to - axis_range.from);
+        seals[CARDS + i] =
+            seal_of(SEAL_START, &link[link_range.from], link_range.to - link_range.from);
     }
-    seals[PLAN] = seal(SEAL_START, bytes, &plan_range);
-    seals[PROFILE] = seal(SEAL_START, bytes, &profile_range);
-    seals[INTERLOCKS] = SEAL_START;
-    for (uint32_t i = 0U; i < (sizeof(interlock_ranges) / sizeof(interlock_ranges[0])); i++) {
-        seals[INTERLOCKS] = seal(seals[INTERLOCKS], bytes, &interlock_ranges[i]);
-    }
-    seals[REST] = seal(SEAL_START, bytes, &rest_range);
 }
 
 void controller_seal(controller_t *self)
