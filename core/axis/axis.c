@@ -351,21 +351,6 @@ void axis_guard(const axis_t *self, const axis_config_t *config, bool is_driven,
     *maximum_reading = reading_at(self, config, is_inverted ? below : above);
 }
 
-bool axis_is_enabled(const axis_t *self)
-{
-    return self->chart.power == AXIS_POWER_ENABLED;
-}
-
-bool axis_is_faulty(const axis_t *self)
-{
-    return self->chart.power == AXIS_POWER_FAULT;
-}
-
-bool axis_is_homed(const axis_t *self)
-{
-    return axis_chart_in_homed(&self->chart);
-}
-
 bool axis_needs_confirmation(const axis_t *self, const axis_config_t *config)
 {
     return !has_switch(config) &&
@@ -381,11 +366,6 @@ bool axis_is_moving_in_doubt(const axis_t *self)
 {
     const bool is_lost = self->chart.reference == AXIS_REFERENCE_LOST;
     return (is_unverified(self) || is_lost) && !encoder_is_at_rest(&self->encoder);
-}
-
-bool axis_is_homing(const axis_t *self)
-{
-    return axis_chart_in_homing(&self->chart);
 }
 
 bool axis_is_at(const axis_t *self, const axis_config_t *config, int32_t target_ticks)

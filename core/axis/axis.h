@@ -147,15 +147,25 @@ uint32_t axis_supervise(axis_t *self, const axis_config_t *config, bool is_drive
 void axis_guard(const axis_t *self, const axis_config_t *config, bool is_driven,
                 int32_t *minimum_reading, int32_t *maximum_reading);
 
-bool axis_is_enabled(const axis_t *self);
-bool axis_is_faulty(const axis_t *self);
+static inline bool axis_is_enabled(const axis_t *self)
+{
+    return self->chart.power == AXIS_POWER_ENABLED;
+}
+
+static inline bool axis_is_faulty(const axis_t *self)
+{
+    return self->chart.power == AXIS_POWER_FAULT;
+}
 
 /**
  * Its position is trusted: taken where it stood, or verified.
  *
  * @satisfies SWR-REF-001
  */
-bool axis_is_homed(const axis_t *self);
+static inline bool axis_is_homed(const axis_t *self)
+{
+    return axis_chart_in_homed(&self->chart);
+}
 
 /** Lost or unverified without a switch: only axis_confirm() makes it homed. */
 bool axis_needs_confirmation(const axis_t *self, const axis_config_t *config);
@@ -167,7 +177,10 @@ bool axis_is_contradicted(const axis_t *self);
 /** Lost or unverified, and counting: nobody can compare where it is. */
 bool axis_is_moving_in_doubt(const axis_t *self);
 
-bool axis_is_homing(const axis_t *self);
+static inline bool axis_is_homing(const axis_t *self)
+{
+    return axis_chart_in_homing(&self->chart);
+}
 
 /** Within the deadband of `target_ticks`. */
 bool axis_is_at(const axis_t *self, const axis_config_t *config, int32_t target_ticks);

@@ -158,10 +158,17 @@ module Chart
 
       def in_functions
         @parts.compounds.map do |state|
-          leaves = @regions.of(state).leaves.select { |leaf| leaf.inside?(state) }.map(&:id).join(', ')
-          [comment("True in #{state.id}, that is in: #{leaves}."),
-           prototype('bool', "in_#{@names.stem(state.id)}", "const #{@names.chart_type} *self")]
+          leaves = @regions.of(state).leaves.select { |leaf| leaf.inside?(state) }
+          [comment("True in #{state.id}, that is in: #{leaves.map(&:id).join(', ')}."), in_function(state, leaves), '']
         end
+      end
+
+      # Here, so that asking is cheaper than a call.
+      def in_function(state, leaves)
+        field = "self->#{@names.field(@regions.of(state).name)}"
+        [call("static inline bool #{@names.chart_function("in_#{@names.stem(state.id)}")}",
+              ["const #{@names.chart_type} *self"], ''), '{',
+         joined(leaves.map { |leaf| "(#{field} == #{@names.leaf(leaf)})" }, '||'), '}']
       end
     end
   end

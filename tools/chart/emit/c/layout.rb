@@ -55,6 +55,19 @@ module Chart
         rows.map.with_index { |row, index| (index.zero? ? '' : '    ') + row.rstrip }
       end
 
+      # The body of a function that returns whether its tests are true.
+      def joined(tests, operator = '&&')
+        return ["    return #{tests.first};"] if tests.length == 1
+
+        short = "    return (#{tests.join(" #{operator} ")});"
+        return [short] if short.length <= WIDTH
+
+        rows = tests.map.with_index do |test, index|
+          "#{index.zero? ? '    return (' : '            '}#{test}#{index == tests.length - 1 ? ');' : " #{operator}"}"
+        end
+        [rows]
+      end
+
       def text(lines)
         "#{lines.flatten.join("\n")}\n"
       end

@@ -21,7 +21,7 @@ module Chart
 
       def lines
         [intact_function, leaves_function, reset_function, init_function, dispatch_function, advance_function,
-         sound_function, check_function, @parts.compounds.map { |state| in_function(state) }]
+         sound_function, check_function]
       end
 
       private
@@ -53,18 +53,6 @@ module Chart
         around = @parts.expressions.place(region.outer, 'self')
         none = @names.value(region, nil)
         "(#{around} ? (#{field(region)} != #{none}) : (#{field(region)} == #{none}))"
-      end
-
-      def joined(tests, operator = '&&')
-        return ["    return #{tests.first};"] if tests.length == 1
-
-        short = "    return (#{tests.join(" #{operator} ")});"
-        return [short] if short.length <= WIDTH
-
-        rows = tests.map.with_index do |test, index|
-          "#{index.zero? ? '    return (' : '            '}#{test}#{index == tests.length - 1 ? ');' : " #{operator}"}"
-        end
-        [rows]
       end
 
       # Everything but the regions that the caller enters next.
@@ -228,14 +216,6 @@ module Chart
         active = @document.safe.flat_map { |leaf| [leaf, *leaf.ancestors] }.uniq.reject(&:root?).sort_by(&:order)
         enters = active.select { |state| state.leaf? || state.parallel? }.select { |state| @regions.of(state) }
         enters.map { |state| Enter.new(@regions.of(state), state) } + active.flat_map { |state| state.entry.grep(Send) }
-      end
-
-      def in_function(state)
-        region = @regions.of(state)
-        leaves = region.leaves.select { |leaf| leaf.inside?(state) }
-        tests = leaves.map { |leaf| "(#{field(region)} == #{@names.leaf(leaf)})" }
-        [call("bool #{@names.chart_function("in_#{@names.stem(state.id)}")}", constant_self, ''), '{',
-         joined(tests, '||'), '}', '']
       end
     end
   end
