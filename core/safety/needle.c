@@ -2,6 +2,7 @@
 #include "safety/needle.h"
 
 #include "limits/requirement_limits.h"
+#include "robot/joints.h"
 
 int32_t needle_out_ticks(const robot_t *robot)
 {
@@ -14,7 +15,10 @@ int32_t needle_out_ticks(const robot_t *robot)
 static bool is_out(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX])
 {
     const axis_t *const needle = &axes[robot->needle_axis];
-    return axis_is_homed(needle) && (needle->encoder.position_ticks <= needle_out_ticks(robot));
+    const axis_config_t *const config = &robot->axes[robot->needle_axis];
+    const int64_t in_ticks = (int64_t)needle->encoder.position_ticks - (int64_t)config->home_ticks;
+    return axis_is_homed(needle) &&
+           !joints_is_beyond(config, in_ticks, LIMIT_NEEDLE_OUT_NM, LIMIT_NEEDLE_OUT_NM);
 }
 
 bool needle_must_leave(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX])
