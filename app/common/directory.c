@@ -13,7 +13,7 @@ bool directory_make(const char *directory)
 {
     char path[PATH_SIZE];
 
-    (void)snprintf(path, sizeof(path), "%s", directory);
+    (void)snprintf(path, sizeof path, "%s", directory);
     for (char *slash = strchr(&path[1], '/'); slash != NULL; slash = strchr(&slash[1], '/')) {
         *slash = '\0';
         (void)mkdir(path, DIRECTORY_MODE);

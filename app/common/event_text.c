@@ -94,11 +94,11 @@ static void fill_in(const robot_t *robot, const event_t *event, const char *patt
         char word[48] = "";
         const char *end = strchr(pattern, '}');
         if (begins_with(pattern, "{subject}")) {
-            event_text_subject(robot, event, word, sizeof(word));
+            event_text_subject(robot, event, word, sizeof word);
         } else if (begins_with(pattern, "{value}")) {
-            value_text(event, word, sizeof(word));
+            value_text(event, word, sizeof word);
         } else if (begins_with(pattern, "{peer}")) {
-            word_text(robot, event_peer_word(event->cause), event->peer, word, sizeof(word));
+            word_text(robot, event_peer_word(event->cause), event->peer, word, sizeof word);
         } else {
             word[0] = *pattern;
             end = pattern;
@@ -125,7 +125,7 @@ void event_text_sentence(const robot_t *robot, const event_t *event, char *text,
     char cause[EVENT_TEXT_CAUSE_SIZE];
 
     fill_in(robot, event, event_id_text((int32_t)event->id), text, size);
-    event_text_cause(robot, event, cause, sizeof(cause));
+    event_text_cause(robot, event, cause, sizeof cause);
     if (cause[0] != '\0') {
         const size_t used = strlen(text);
         (void)snprintf(&text[used], size - used, " %s", cause);

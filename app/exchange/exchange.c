@@ -16,7 +16,7 @@ static void store_words(void *to, const void *from, size_t size)
 
     for (size_t i = 0U; i < (size / sizeof(uint32_t)); i++) {
         uint32_t word;
-        (void)memcpy(&word, &bytes[i * sizeof(word)], sizeof(word));
+        (void)memcpy(&word, &bytes[i * sizeof word], sizeof word);
         __atomic_store_n(&words[i], word, __ATOMIC_RELAXED);
     }
 }
@@ -28,7 +28,7 @@ static void load_words(void *to, const void *from, size_t size)
 
     for (size_t i = 0U; i < (size / sizeof(uint32_t)); i++) {
         const uint32_t word = __atomic_load_n(&words[i], __ATOMIC_RELAXED);
-        (void)memcpy(&bytes[i * sizeof(word)], &word, sizeof(word));
+        (void)memcpy(&bytes[i * sizeof word], &word, sizeof word);
     }
 }
 
@@ -73,7 +73,7 @@ void exchange_publish_snapshot(exchange_t *self, const snapshot_t *snapshot)
     const uint32_t published = __atomic_load_n(&control->published, __ATOMIC_RELAXED);
     segment_snapshot_t *slot = &control->snapshots[published % SEGMENT_SNAPSHOTS];
 
-    write_locked(&slot->sequence, &slot->snapshot, snapshot, sizeof(*snapshot));
+    write_locked(&slot->sequence, &slot->snapshot, snapshot, sizeof *snapshot);
     __atomic_store_n(&control->published, published + 1U, __ATOMIC_RELEASE);
 }
 
@@ -84,7 +84,7 @@ bool exchange_read_snapshot(const exchange_t *self, snapshot_t *snapshot)
     for (uint32_t tries = 0U; tries < READ_TRIES; tries++) {
         const uint32_t published = __atomic_load_n(&control->published, __ATOMIC_ACQUIRE);
         const segment_snapshot_t *slot = &control->snapshots[(published - 1U) % SEGMENT_SNAPSHOTS];
-        if (read_locked(&slot->sequence, snapshot, &slot->snapshot, sizeof(*snapshot))) {
+        if (read_locked(&slot->sequence, snapshot, &slot->snapshot, sizeof *snapshot)) {
             return true;
         }
     }
@@ -110,7 +110,7 @@ void exchange_publish_loop(exchange_t *self, const loop_figures_t *figures)
 {
     segment_control_t *control = &self->segment->control;
 
-    write_locked(&control->loop_sequence, &control->loop, figures, sizeof(*figures));
+    write_locked(&control->loop_sequence, &control->loop, figures, sizeof *figures);
 }
 
 bool exchange_read_loop(const exchange_t *self, loop_figures_t *figures)
@@ -118,7 +118,7 @@ bool exchange_read_loop(const exchange_t *self, loop_figures_t *figures)
     const segment_control_t *control = &self->segment->control;
 
     for (uint32_t tries = 0U; tries < READ_TRIES; tries++) {
-        if (read_locked(&control->loop_sequence, figures, &control->loop, sizeof(*figures))) {
+        if (read_locked(&control->loop_sequence, figures, &control->loop, sizeof *figures)) {
             return true;
         }
     }
@@ -157,7 +157,7 @@ bool exchange_read_stop_answer(const exchange_t *self, uint32_t number, answer_t
 {
     const segment_control_t *control = &self->segment->control;
 
-    return read_locked(&control->stop_sequence, answer, &control->stop_answer, sizeof(*answer)) &&
+    return read_locked(&control->stop_sequence, answer, &control->stop_answer, sizeof *answer) &&
            ((answer->id - number) <= (uint32_t)INT32_MAX);
 }
 
@@ -171,7 +171,7 @@ static bool take_stop(exchange_t *self, command_t *command)
     if (requested == __atomic_load_n(taken, __ATOMIC_RELAXED)) {
         return false;
     }
-    (void)memset(command, 0, sizeof(*command));
+    (void)memset(command, 0, sizeof *command);
     command->id = requested;
     command->source = (uint32_t)COMMAND_SOURCE_HTTP;
     command->kind = (uint32_t)COMMAND_WORKPHASE;
@@ -293,7 +293,7 @@ bool exchange_push_answer(exchange_t *self, const answer_t *answer)
     bool is_kept = false;
 
     if (answer->source == (uint32_t)COMMAND_SOURCE_HTTP) {
-        write_locked(&control->stop_sequence, &control->stop_answer, answer, sizeof(*answer));
+        write_locked(&control->stop_sequence, &control->stop_answer, answer, sizeof *answer);
         is_kept = true;
     } else if (answer->source == (uint32_t)COMMAND_SOURCE_IGTL) {
         is_kept = push_into_lane(control, taken, answer);
@@ -340,7 +340,7 @@ void exchange_push_event(exchange_t *self, const event_t *event)
     segment_control_t *control = &self->segment->control;
     segment_event_t *slot = &control->events[event->number % EXCHANGE_EVENTS];
 
-    write_locked(&slot->sequence, &slot->event, event, sizeof(*event));
+    write_locked(&slot->sequence, &slot->event, event, sizeof *event);
     __atomic_store_n(&control->events_head, event->number + 1U, __ATOMIC_RELEASE);
 }
 

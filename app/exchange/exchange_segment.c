@@ -22,9 +22,9 @@ uint64_t segment_layout(void)
 
 static bool set_name(exchange_t *self, const char *name, char *error, uint32_t error_size)
 {
-    const int length = snprintf(self->name, sizeof(self->name), "/%s", name);
+    const int length = snprintf(self->name, sizeof self->name, "/%s", name);
     const bool is_good = (name[0] != '\0') && (strchr(name, '/') == NULL) && (length > 0) &&
-                         ((size_t)length < sizeof(self->name));
+                         ((size_t)length < sizeof self->name);
 
     if (!is_good) {
         (void)snprintf(error, error_size,
@@ -150,7 +150,7 @@ static exchange_t *discard(exchange_t *self)
 
 static exchange_t *allocate(char *error, uint32_t error_size)
 {
-    exchange_t *self = calloc(1U, sizeof(*self));
+    exchange_t *self = calloc(1U, sizeof *self);
 
     if (self == NULL) {
         (void)snprintf(error, error_size, "There is no memory left; end other programs.");
@@ -197,8 +197,8 @@ exchange_t *exchange_open(const char *name, char *error, uint32_t error_size)
 
 void exchange_protect(exchange_t *self)
 {
-    (void)mprotect(&self->segment->header, sizeof(self->segment->header), PROT_READ);
-    (void)mprotect(&self->segment->control, sizeof(self->segment->control), PROT_READ);
+    (void)mprotect(&self->segment->header, sizeof self->segment->header, PROT_READ);
+    (void)mprotect(&self->segment->control, sizeof self->segment->control, PROT_READ);
 }
 
 void exchange_close(exchange_t *self)

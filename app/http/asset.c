@@ -29,15 +29,15 @@ void asset_tell_stop_port(uint32_t port)
     if (bytes == NULL) {
         return;
     }
-    memcpy(bytes, original->bytes, original->size);
-    unsigned char *place = memmem(bytes, original->size, STOP_PORT, sizeof(STOP_PORT) - 1U);
+    (void)memcpy(bytes, original->bytes, original->size);
+    unsigned char *place = memmem(bytes, original->size, STOP_PORT, sizeof STOP_PORT - 1U);
     if (place == NULL) {
         free(bytes);
         return;
     }
     char digits[16];
-    (void)snprintf(digits, sizeof(digits), "%05u", (unsigned)port);
-    memcpy(&place[sizeof(STOP_PORT) - 1U], digits, DIGITS);
+    (void)snprintf(digits, sizeof digits, "%05u", (unsigned)port);
+    (void)memcpy(&place[sizeof STOP_PORT - 1U], digits, DIGITS);
     page = *original;
     page.bytes = bytes;
 }

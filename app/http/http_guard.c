@@ -9,7 +9,7 @@
 static bool is_host(const char *name, uint32_t port, const char *host)
 {
     char expected[64];
-    (void)snprintf(expected, sizeof(expected), "%s:%u", name, (unsigned)port);
+    (void)snprintf(expected, sizeof expected, "%s:%u", name, (unsigned)port);
     bool is_default_port = (port == 80U) && (strcasecmp(host, name) == 0);
     return is_default_port || (strcasecmp(host, expected) == 0);
 }
@@ -23,7 +23,7 @@ static bool is_served(const http_guard_t *self, uint32_t port, const char *host)
 static bool is_own_origin(const http_guard_t *self, const char *origin)
 {
     static const char scheme[] = "http://";
-    size_t length = sizeof(scheme) - 1U;
+    size_t length = sizeof scheme - 1U;
     return (strncmp(origin, scheme, length) == 0) &&
            is_served(self, self->page_port, origin + length);
 }

@@ -73,7 +73,7 @@ static bool read_options(int count, char **arguments, options_t *options)
                                           {"bind", required_argument, NULL, 'b'},
                                           {"box", required_argument, NULL, 'x'},
                                           {NULL, 0, NULL, 0}};
-    memset(options, 0, sizeof(*options));
+    (void)memset(options, 0, sizeof *options);
     options->guard.port = DEFAULT_PORT;
     (void)read_address("127.0.0.1", options->guard.address);
     int option = getopt_long(count, arguments, "", known, NULL);
@@ -131,7 +131,7 @@ int main(int count, char **arguments)
         return EXIT_USAGE;
     }
     char error[256];
-    exchange_t *exchange = exchange_open(options.exchange, error, (uint32_t)sizeof(error));
+    exchange_t *exchange = exchange_open(options.exchange, error, (uint32_t)sizeof error);
     if (exchange == NULL) {
         (void)fprintf(stderr, "boresight-http: %s\n", error);
         return EXIT_FAILURE;

@@ -21,7 +21,7 @@ static char stop_sources[120]; /* As the policy names them. */
 
 void http_reply_allow_stops(const char *address, uint32_t port)
 {
-    (void)snprintf(stop_sources, sizeof(stop_sources),
+    (void)snprintf(stop_sources, sizeof stop_sources,
                    " http://%s:%u http://127.0.0.1:%u http://localhost:%u", address, (unsigned)port,
                    (unsigned)port, (unsigned)port);
 }
@@ -34,19 +34,19 @@ static bool write_all(struct mg_connection *connection, const void *bytes, size_
 size_t http_reply_head(const http_reply_t *reply, char head[HTTP_REPLY_HEAD_SIZE])
 {
     char safety[640];
-    (void)snprintf(safety, sizeof(safety), safety_headers, stop_sources);
+    (void)snprintf(safety, sizeof safety, safety_headers, stop_sources);
     char length[48] = "";
     if (!reply->is_stream) {
-        (void)snprintf(length, sizeof(length), "Content-Length: %zu\r\n", reply->size);
+        (void)snprintf(length, sizeof length, "Content-Length: %zu\r\n", reply->size);
     }
     char allow[48] = "";
     if (reply->allow != NULL) {
-        (void)snprintf(allow, sizeof(allow), "Allow: %s\r\n", reply->allow);
+        (void)snprintf(allow, sizeof allow, "Allow: %s\r\n", reply->allow);
     }
     char origin[120] = "";
     if (reply->origin != NULL) {
-        (void)snprintf(origin, sizeof(origin),
-                       "Access-Control-Allow-Origin: %s\r\nVary: Origin\r\n", reply->origin);
+        (void)snprintf(origin, sizeof origin, "Access-Control-Allow-Origin: %s\r\nVary: Origin\r\n",
+                       reply->origin);
     }
     int size = snprintf(head, HTTP_REPLY_HEAD_SIZE,
                         "HTTP/1.1 %d %s\r\nContent-Type: %s\r\nCache-Control: %s\r\n%s%s%s%s\r\n",
@@ -81,7 +81,7 @@ int http_reply_error(struct mg_connection *connection, int status, const char *c
     const json_error_answer_t answer = {.code = code, .message = message};
     char json[512];
     cJSON *object = json_error_answer(&answer);
-    const bool is_whole = cJSON_PrintPreallocated(object, json, (int)sizeof(json), 0) != 0;
+    const bool is_whole = cJSON_PrintPreallocated(object, json, (int)sizeof json, 0) != 0;
     cJSON_Delete(object);
     return http_reply_json(connection, status, is_whole ? json : "{}");
 }

@@ -70,7 +70,7 @@ static bool read_query(struct mg_connection *connection, const char *name, bool 
 {
     const char *query = mg_get_request_info(connection)->query_string;
     char text[QUERY_NUMBER_SIZE];
-    int size = (query != NULL) ? mg_get_var(query, strlen(query), name, text, sizeof(text)) : -1;
+    int size = (query != NULL) ? mg_get_var(query, strlen(query), name, text, sizeof text) : -1;
     *is_given = size >= 0;
     if (size == -1) {
         return true;
@@ -124,7 +124,7 @@ static int answer_events(http_server_t *server, struct mg_connection *connection
                                    .build_id = server->identity.build_id};
     char hello[160] = "{}";
     cJSON *object = json_hello(&identity);
-    (void)cJSON_PrintPreallocated(object, hello, (int)sizeof(hello), 0);
+    (void)cJSON_PrintPreallocated(object, hello, (int)sizeof hello, 0);
     cJSON_Delete(object);
     return http_stream_serve(&server->stream, connection, hello, first);
 }
@@ -157,7 +157,7 @@ static const route_t routes[] = {
 
 static const route_t *find_route(const char *path)
 {
-    for (size_t i = 0; i < (sizeof(routes) / sizeof(routes[0])); i++) {
+    for (size_t i = 0; i < (sizeof routes / sizeof routes[0]); i++) {
         if (strcmp(routes[i].path, path) == 0) {
             return &routes[i];
         }
@@ -174,7 +174,7 @@ static int refuse_method(struct mg_connection *connection, const char *allowed)
                           .cache = HTTP_REPLY_NO_STORE,
                           .allow = allowed,
                           .body = body,
-                          .size = sizeof(body) - 1U};
+                          .size = sizeof body - 1U};
     return http_reply_send(connection, &reply);
 }
 

@@ -32,7 +32,7 @@
 static void make_boot_id(char *text, size_t size)
 {
     uint64_t number = 0U;
-    if (getrandom(&number, sizeof(number), 0U) != (ssize_t)sizeof(number)) {
+    if (getrandom(&number, sizeof number, 0U) != (ssize_t)sizeof number) {
         number = telemetry_now_ms();
     }
     (void)snprintf(text, size, "%016llx", (unsigned long long)number);
@@ -43,7 +43,7 @@ void http_server_init(http_server_t *self, exchange_t *exchange, const http_guar
 {
     self->exchange = exchange;
     self->guard = *guard;
-    make_boot_id(self->identity.boot_id, sizeof(self->identity.boot_id));
+    make_boot_id(self->identity.boot_id, sizeof self->identity.boot_id);
     self->identity.build_id = BUILD_ID;
     self->identity.box = box;
     telemetry_init(&self->telemetry, exchange);
@@ -57,9 +57,9 @@ static int try_to_listen(const http_guard_t *guard)
     (void)inet_pton(AF_INET, guard->address, &address.sin_addr);
     int yes = 1;
     int probe = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    (void)setsockopt(probe, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
+    (void)setsockopt(probe, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
     int error = 0;
-    if ((bind(probe, (const struct sockaddr *)&address, sizeof(address)) != 0) ||
+    if ((bind(probe, (const struct sockaddr *)&address, sizeof address) != 0) ||
         (listen(probe, 1) != 0)) {
         error = errno;
     }
@@ -75,10 +75,10 @@ static void bound_unread_bytes(void)
     const int bytes = UNREAD_BYTES;
     for (int descriptor = 0; descriptor < DESCRIPTORS; descriptor++) {
         int is_listening = 0;
-        socklen_t size = sizeof(is_listening);
+        socklen_t size = sizeof is_listening;
         if ((getsockopt(descriptor, SOL_SOCKET, SO_ACCEPTCONN, &is_listening, &size) == 0) &&
             (is_listening != 0)) {
-            (void)setsockopt(descriptor, SOL_SOCKET, SO_SNDBUF, &bytes, sizeof(bytes));
+            (void)setsockopt(descriptor, SOL_SOCKET, SO_SNDBUF, &bytes, sizeof bytes);
         }
     }
 }
@@ -150,7 +150,7 @@ http_server_result_t http_server_start(http_server_t *self)
     (void)pthread_attr_setstacksize(&attributes, WORKER_STACK_BYTES);
     (void)pthread_setattr_default_np(&attributes);
     char address[HTTP_GUARD_ADDRESS_SIZE + 8U];
-    (void)snprintf(address, sizeof(address), "%s:%u", self->guard.address,
+    (void)snprintf(address, sizeof address, "%s:%u", self->guard.address,
                    (unsigned)self->guard.port);
     (void)mg_init_library(MG_FEATURES_DEFAULT);
     open_stop_port(self);

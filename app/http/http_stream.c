@@ -23,7 +23,7 @@ typedef struct {
 
 void http_stream_init(http_stream_t *self, const exchange_t *exchange)
 {
-    memset(self, 0, sizeof(*self));
+    (void)memset(self, 0, sizeof *self);
     self->exchange = exchange;
     (void)pthread_mutex_init(&self->lock, NULL);
     pthread_condattr_t attributes;
@@ -43,8 +43,8 @@ bool http_stream_is_watched(http_stream_t *self)
 bool http_stream_publish(http_stream_t *self, const char *state)
 {
     (void)pthread_mutex_lock(&self->lock);
-    int size = snprintf(self->frame, sizeof(self->frame), "event: state\ndata: %s\n\n", state);
-    bool is_whole = (size > 0) && ((size_t)size < sizeof(self->frame));
+    int size = snprintf(self->frame, sizeof self->frame, "event: state\ndata: %s\n\n", state);
+    bool is_whole = (size > 0) && ((size_t)size < sizeof self->frame);
     if (is_whole) {
         self->size = (size_t)size;
         self->number++;
@@ -79,7 +79,7 @@ static size_t wait_for_frame(http_stream_t *self, client_t *client)
     if (client->frame_number != self->number) {
         client->frame_number = self->number;
         size = self->size;
-        memcpy(client->frame, self->frame, size);
+        (void)memcpy(client->frame, self->frame, size);
     }
     (void)pthread_mutex_unlock(&self->lock);
     return size;
@@ -89,7 +89,7 @@ static bool send_frame(const client_t *client, size_t size)
 {
     static const char nothing_new[] = ": nothing new\n\n";
     return (size > 0U) ? write_text(client, client->frame, size)
-                       : write_text(client, nothing_new, sizeof(nothing_new) - 1U);
+                       : write_text(client, nothing_new, sizeof nothing_new - 1U);
 }
 
 static bool send_event(const client_t *client, const robot_t *robot, const event_t *event)
@@ -97,9 +97,9 @@ static bool send_event(const client_t *client, const robot_t *robot, const event
     char json[1024];
     char message[1100];
     cJSON *entry = telemetry_json_event(robot, event);
-    bool is_whole = cJSON_PrintPreallocated(entry, json, (int)sizeof(json), 0) != 0;
+    bool is_whole = cJSON_PrintPreallocated(entry, json, (int)sizeof json, 0) != 0;
     cJSON_Delete(entry);
-    int size = snprintf(message, sizeof(message), "event: log\nid: %u\ndata: %s\n\n",
+    int size = snprintf(message, sizeof message, "event: log\nid: %u\ndata: %s\n\n",
                         (unsigned)event->number, is_whole ? json : "{}");
     return is_whole && write_text(client, message, (size_t)size);
 }
@@ -123,7 +123,7 @@ static bool send_events(const http_stream_t *self, client_t *client)
 
 static bool send_hello(client_t *client, const char *hello)
 {
-    int size = snprintf(client->frame, sizeof(client->frame), "event: hello\ndata: %s\n\n", hello);
+    int size = snprintf(client->frame, sizeof client->frame, "event: hello\ndata: %s\n\n", hello);
     return write_text(client, client->frame, (size_t)size);
 }
 
@@ -162,7 +162,7 @@ int http_stream_serve(http_stream_t *self, struct mg_connection *connection, con
                          .type = "text/event-stream",
                          .cache = HTTP_REPLY_NO_STORE,
                          .is_stream = true};
-    client_t *client = calloc(1U, sizeof(*client));
+    client_t *client = calloc(1U, sizeof *client);
     if ((client != NULL) && (http_reply_send(connection, &head) != 0)) {
         client->connection = connection;
         client->next_event = next_event;

@@ -84,7 +84,7 @@ static void take_request(client_t *client)
         client->state = CLIENT_WAITS;
     } else {
         char json[STOP_DESK_JSON_SIZE];
-        (void)snprintf(json, sizeof(json), "{\"code\":\"%s\",\"message\":\"%s\"}",
+        (void)snprintf(json, sizeof json, "{\"code\":\"%s\",\"message\":\"%s\"}",
                        client->request.code, client->request.message);
         answer(client, client->request.status, json);
     }
@@ -95,7 +95,7 @@ static void listen_to(client_t *client)
     char waste[STOP_REQUEST_SIZE];
     const bool is_reading = client->state == CLIENT_READS;
     char *place = is_reading ? &client->bytes[client->size] : waste;
-    const size_t room = is_reading ? (STOP_REQUEST_SIZE - client->size) : sizeof(waste);
+    const size_t room = is_reading ? (STOP_REQUEST_SIZE - client->size) : sizeof waste;
     const ssize_t count = recv(client->socket, place, room, MSG_DONTWAIT);
     if ((count == 0) || ((count < 0) && (errno != EAGAIN))) {
         dismiss(client);
@@ -228,8 +228,8 @@ static int listen_on(const char *address, uint32_t port)
     struct sockaddr_in place = {.sin_family = AF_INET, .sin_port = htons((uint16_t)port)};
     const int end = socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     (void)inet_pton(AF_INET, address, &place.sin_addr);
-    (void)setsockopt(end, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
-    if ((end >= 0) && ((bind(end, (const struct sockaddr *)&place, sizeof(place)) != 0) ||
+    (void)setsockopt(end, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+    if ((end >= 0) && ((bind(end, (const struct sockaddr *)&place, sizeof place) != 0) ||
                        (listen(end, SOMAXCONN) != 0))) {
         (void)close(end);
         return -1;
@@ -240,7 +240,7 @@ static int listen_on(const char *address, uint32_t port)
 static uint32_t port_of(int socket)
 {
     struct sockaddr_in place = {.sin_port = 0U};
-    socklen_t size = sizeof(place);
+    socklen_t size = sizeof place;
     (void)getsockname(socket, (struct sockaddr *)&place, &size);
     return ntohs(place.sin_port);
 }

@@ -99,7 +99,7 @@ static stop_request_t judge_provenance(const http_guard_t *guard,
     stop_request_t good = {.is_whole = true};
     switch (http_guard_judge(guard, &provenance)) {
     case HTTP_GUARD_PASS:
-        (void)snprintf(good.origin, sizeof(good.origin), "%s",
+        (void)snprintf(good.origin, sizeof good.origin, "%s",
                        (provenance.origin != NULL) ? provenance.origin : "");
         return good;
     case HTTP_GUARD_NO_HOST:
@@ -149,7 +149,7 @@ stop_request_t stop_request_read(const http_guard_t *guard, char *bytes, size_t 
                    ? more_needed
                    : refuse(431, "TOO_MANY_HEADERS", "The request has too many headers.");
     }
-    (void)snprintf(head, sizeof(head), "%.*s", (int)(head_end + 2 - bytes), bytes);
+    (void)snprintf(head, sizeof head, "%.*s", (int)(head_end + 2 - bytes), bytes);
     char *line_end = strstr(head, "\r\n");
     *line_end = '\0';
     stop_request_t request = judge_line(head);

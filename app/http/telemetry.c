@@ -15,7 +15,7 @@ uint64_t telemetry_now_ms(void)
 
 void telemetry_init(telemetry_t *self, exchange_t *exchange)
 {
-    memset(self, 0, sizeof(*self));
+    (void)memset(self, 0, sizeof *self);
     self->exchange = exchange;
     self->moved_ms = telemetry_now_ms();
     self->view.robot = exchange_robot(exchange);

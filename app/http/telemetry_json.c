@@ -40,7 +40,7 @@ static cJSON *new_faults(uint32_t status)
                                     {CARD_STATUS_GUARD, "position guard"},
                                     {CARD_STATUS_POWER_BAD, "bad supply"}};
     cJSON *list = cJSON_CreateArray();
-    for (size_t i = 0; i < (sizeof(faults) / sizeof(faults[0])); i++) {
+    for (size_t i = 0; i < (sizeof faults / sizeof faults[0]); i++) {
         if ((status & faults[i].bit) != 0U) {
             (void)cJSON_AddItemToArray(list, cJSON_CreateString(faults[i].name));
         }
@@ -122,8 +122,8 @@ cJSON *telemetry_json_event(const robot_t *robot, const event_t *event)
 {
     char subject[EVENT_TEXT_SIZE];
     char sentence[EVENT_TEXT_SIZE];
-    event_text_subject(robot, event, subject, sizeof(subject));
-    event_text_sentence(robot, event, sentence, sizeof(sentence));
+    event_text_subject(robot, event, subject, sizeof subject);
+    event_text_sentence(robot, event, sentence, sizeof sentence);
     const json_log_entry_t also = {.text = sentence, .subject = subject};
     return json_log_entry(event, &also);
 }

@@ -48,7 +48,7 @@ static uint64_t get64(const uint8_t *bytes)
 
 void position_record_encode(const position_record_t *record, uint8_t *bytes)
 {
-    (void)memcpy(bytes, magic, sizeof(magic));
+    (void)memcpy(bytes, magic, sizeof magic);
     put64(&bytes[AT_NUMBER], record->number);
     put64(&bytes[AT_UTC], record->utc_us);
     put32(&bytes[AT_POWER_ON], record->power_on);
@@ -64,7 +64,7 @@ void position_record_encode(const position_record_t *record, uint8_t *bytes)
 
 bool position_record_decode(const uint8_t *bytes, position_record_t *record)
 {
-    if ((memcmp(bytes, magic, sizeof(magic)) != 0) ||
+    if ((memcmp(bytes, magic, sizeof magic) != 0) ||
         (get32(&bytes[AT_CRC]) != crc32c(bytes, AT_CRC))) {
         return false;
     }
@@ -84,9 +84,9 @@ bool position_record_decode(const uint8_t *bytes, position_record_t *record)
 static bool read_slot(int file, uint32_t slot, position_record_t *record)
 {
     uint8_t bytes[POSITION_RECORD_SIZE];
-    const ssize_t size = pread(file, bytes, sizeof(bytes), (off_t)(slot * POSITION_SLOT_SIZE));
+    const ssize_t size = pread(file, bytes, sizeof bytes, (off_t)(slot * POSITION_SLOT_SIZE));
 
-    return (size == (ssize_t)sizeof(bytes)) && position_record_decode(bytes, record);
+    return (size == (ssize_t)sizeof bytes) && position_record_decode(bytes, record);
 }
 
 position_file_t position_store_read(const char *path, position_record_t *record)
@@ -95,7 +95,7 @@ position_file_t position_store_read(const char *path, position_record_t *record)
     const int file = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     position_file_t result = POSITION_FILE_DAMAGED;
 
-    (void)memset(record, 0, sizeof(*record));
+    (void)memset(record, 0, sizeof *record);
     if (file < 0) {
         return (errno == ENOENT) ? POSITION_FILE_NONE : POSITION_FILE_DAMAGED;
     }
@@ -122,7 +122,7 @@ bool position_store_write(const char *path, const position_record_t *record)
     }
     position_record_encode(record, bytes);
     errno = ENOSPC; /* Of a write that is only too short. */
-    const bool is_written = (pwrite(file, bytes, sizeof(bytes), place) == (ssize_t)sizeof(bytes)) &&
+    const bool is_written = (pwrite(file, bytes, sizeof bytes, place) == (ssize_t)sizeof bytes) &&
                             (fdatasync(file) == 0);
     const int reason = errno;
     (void)close(file);
@@ -161,11 +161,11 @@ void position_store_ask(const char *path, const position_asker_t *asker, kept_po
     } else {
         /* The first one in this power-on. */
     }
-    (void)memset(kept, 0, sizeof(*kept));
+    (void)memset(kept, 0, sizeof *kept);
     kept->power_on = asker->power_on;
     kept->verdict = (uint32_t)verdict;
     if (verdict == KEPT_GOOD) {
-        (void)memcpy(kept->axes, record.axes, sizeof(kept->axes));
+        (void)memcpy(kept->axes, record.axes, sizeof kept->axes);
     }
 }
 

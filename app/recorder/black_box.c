@@ -22,7 +22,7 @@ static void request_checkpoint(black_box_t *self, uint64_t now_us)
 void black_box_open(black_box_t *self, const char *directory, exchange_t *exchange,
                     const recording_header_t *header)
 {
-    (void)memset(self, 0, sizeof(*self));
+    (void)memset(self, 0, sizeof *self);
     self->directory = directory;
     self->exchange = exchange;
     self->header = *header;
@@ -63,7 +63,7 @@ static void begin_file(black_box_t *self, uint64_t now_us)
         return;
     }
     self->header.started_us = clock_utc_us();
-    if (!open_next(self, path, sizeof(path))) {
+    if (!open_next(self, path, sizeof path)) {
         fail(self, now_us);
         return;
     }

@@ -19,7 +19,7 @@ void black_box_name(char *path, size_t size, const char *directory, uint64_t utc
     char stamp[32];
 
     (void)gmtime_r(&seconds, &utc);
-    (void)strftime(stamp, sizeof(stamp), "%Y%m%dT%H%M%SZ", &utc);
+    (void)strftime(stamp, sizeof stamp, "%Y%m%dT%H%M%SZ", &utc);
     (void)snprintf(path, size, "%s/blackbox-%s-%04u.bsr", directory, stamp, (unsigned)number);
 }
 
@@ -38,7 +38,7 @@ static uint64_t size_of(const char *directory, const char *name)
     char path[PATH_SIZE];
     struct stat status;
 
-    (void)snprintf(path, sizeof(path), "%s/%s", directory, name);
+    (void)snprintf(path, sizeof path, "%s/%s", directory, name);
     return (stat(path, &status) == 0) ? (uint64_t)status.st_size : 0U;
 }
 
@@ -54,7 +54,7 @@ void black_box_remove_oldest(const char *directory, const char *present, uint32_
         used += size_of(directory, entries[i]->d_name);
         kept++;
         char path[PATH_SIZE];
-        (void)snprintf(path, sizeof(path), "%s/%s", directory, entries[i]->d_name);
+        (void)snprintf(path, sizeof path, "%s/%s", directory, entries[i]->d_name);
         if (((kept > files) || (used >= bytes)) && (strcmp(path, present) != 0)) {
             (void)unlink(path);
         }

@@ -19,14 +19,14 @@ static bool reopen(event_log_t *self)
 {
     char path[512];
 
-    (void)snprintf(path, sizeof(path), "%s/events.log", self->directory);
+    (void)snprintf(path, sizeof path, "%s/events.log", self->directory);
     self->file = open(path, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, FILE_MODE);
     return self->file >= 0;
 }
 
 void event_log_open(event_log_t *self, const char *directory)
 {
-    (void)memset(self, 0, sizeof(*self));
+    (void)memset(self, 0, sizeof *self);
     self->directory = directory;
     if (!reopen(self)) {
         (void)fprintf(
@@ -66,7 +66,7 @@ static void stamp(char *text, size_t size)
 
     (void)clock_gettime(CLOCK_REALTIME, &now);
     (void)gmtime_r(&now.tv_sec, &utc);
-    (void)strftime(seconds, sizeof(seconds), "%Y-%m-%dT%H:%M:%S", &utc);
+    (void)strftime(seconds, sizeof seconds, "%Y-%m-%dT%H:%M:%S", &utc);
     (void)snprintf(text, size, "%s.%03ldZ", seconds, now.tv_nsec / 1000000L);
 }
 
@@ -77,9 +77,9 @@ static void write_event(event_log_t *self, const robot_t *robot, const char *whe
     char subject[EVENT_TEXT_SIZE];
     char line[LINE_SIZE];
 
-    event_text_sentence(robot, event, sentence, sizeof(sentence));
-    event_text_subject(robot, event, subject, sizeof(subject));
-    (void)snprintf(line, sizeof(line) - 1U,
+    event_text_sentence(robot, event, sentence, sizeof sentence);
+    event_text_subject(robot, event, subject, sizeof subject);
+    (void)snprintf(line, sizeof line - 1U,
                    "%s %u cycle=%u %s %s subject=%u value=%d cause=%s peer=%u %s", when,
                    (unsigned)event->number, (unsigned)event->cycle,
                    event_severity_name((int32_t)event->severity), event_id_name((int32_t)event->id),
@@ -99,11 +99,11 @@ void event_log_drain(event_log_t *self, const exchange_t *exchange)
         uint32_t lost = 0U;
         const uint32_t first = self->next;
         count = exchange_read_events(exchange, &self->next, events, BATCH, &lost);
-        stamp(when, sizeof(when));
+        stamp(when, sizeof when);
         if (lost > 0U) {
             char line[LINE_SIZE];
-            (void)snprintf(line, sizeof(line), "%s %u EVENTS_LOST value=%u\n", when,
-                           (unsigned)first, (unsigned)lost);
+            (void)snprintf(line, sizeof line, "%s %u EVENTS_LOST value=%u\n", when, (unsigned)first,
+                           (unsigned)lost);
             write_line(self, line);
         }
         for (uint32_t i = 0U; i < count; i++) {

@@ -71,7 +71,7 @@ static position_record_t record_of(const position_keeper_t *self, const snapshot
 static bool is_news(const position_record_t *kept, const position_record_t *record)
 {
     return (record->power_on != kept->power_on) || (record->robot_crc != kept->robot_crc) ||
-           (memcmp(record->axes, kept->axes, sizeof(record->axes)) != 0) ||
+           (memcmp(record->axes, kept->axes, sizeof record->axes) != 0) ||
            ((record->utc_us - kept->utc_us) >= (LIMIT_STORE_REFRESH_S * US_PER_S));
 }
 
@@ -95,7 +95,7 @@ static void keep(position_keeper_t *self, const position_record_t *record)
 
 void position_keeper_open(position_keeper_t *self, const char *path)
 {
-    (void)memset(self, 0, sizeof(*self));
+    (void)memset(self, 0, sizeof *self);
     self->path = path;
     (void)position_store_read(path, &self->kept);
 }

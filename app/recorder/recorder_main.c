@@ -131,7 +131,7 @@ int main(int count, char **arguments)
     (void)sigaddset(&ends, SIGINT);
     (void)sigprocmask(SIG_BLOCK, &ends, NULL);
     (void)signal(SIGXFSZ, SIG_IGN);
-    exchange_t *exchange = exchange_open(options.exchange, error, sizeof(error));
+    exchange_t *exchange = exchange_open(options.exchange, error, sizeof error);
     if (exchange == NULL) {
         (void)fprintf(stderr, "recorder: %s\n", error);
         return EXIT_CANNOT_START;
@@ -153,8 +153,8 @@ int main(int count, char **arguments)
                                  .inputs_size = sizeof(controller_inputs_t),
                                  .outputs_size = sizeof(controller_outputs_t),
                                  .controller_size = sizeof(controller_t)};
-    (void)snprintf(header.build, sizeof(header.build), "%s", BUILD_ID);
-    (void)snprintf(header.robot, sizeof(header.robot), "%s", robot->name);
+    (void)snprintf(header.build, sizeof header.build, "%s", BUILD_ID);
+    (void)snprintf(header.robot, sizeof header.robot, "%s", robot->name);
     event_log_open(&event_log, options.directory);
     position_keeper_open(&position_keeper, options.positions);
     black_box_open(&black_box, options.directory, exchange, &header);

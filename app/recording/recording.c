@@ -70,11 +70,11 @@ static void hash_header(const uint8_t *bytes, uint8_t *hash)
 void recording_encode_header(const recording_header_t *header, uint8_t *bytes)
 {
     (void)memset(bytes, 0, RECORDING_HEADER_SIZE);
-    (void)memcpy(bytes, magic, sizeof(magic));
+    (void)memcpy(bytes, magic, sizeof magic);
     put32(&bytes[HEADER_VERSION], RECORDING_VERSION);
     put32(&bytes[HEADER_SIZE_FIELD], RECORDING_HEADER_SIZE);
-    (void)memcpy(&bytes[HEADER_BUILD], header->build, sizeof(header->build));
-    (void)memcpy(&bytes[HEADER_ROBOT], header->robot, sizeof(header->robot));
+    (void)memcpy(&bytes[HEADER_BUILD], header->build, sizeof header->build);
+    (void)memcpy(&bytes[HEADER_ROBOT], header->robot, sizeof header->robot);
     put32(&bytes[HEADER_ROBOT_CRC], header->robot_crc);
     put32(&bytes[HEADER_INPUTS], header->inputs_size);
     put32(&bytes[HEADER_OUTPUTS], header->outputs_size);
@@ -89,15 +89,15 @@ bool recording_decode_header(const uint8_t *bytes, recording_header_t *header)
     uint8_t hash[RECORDING_HASH_SIZE];
 
     hash_header(bytes, hash);
-    if ((memcmp(bytes, magic, sizeof(magic)) != 0) ||
+    if ((memcmp(bytes, magic, sizeof magic) != 0) ||
         (get32(&bytes[HEADER_VERSION]) != RECORDING_VERSION) ||
-        (memcmp(hash, &bytes[HEADER_HASHED], sizeof(hash)) != 0)) {
+        (memcmp(hash, &bytes[HEADER_HASHED], sizeof hash) != 0)) {
         return false;
     }
-    (void)memcpy(header->build, &bytes[HEADER_BUILD], sizeof(header->build));
-    (void)memcpy(header->robot, &bytes[HEADER_ROBOT], sizeof(header->robot));
-    header->build[sizeof(header->build) - 1U] = '\0';
-    header->robot[sizeof(header->robot) - 1U] = '\0';
+    (void)memcpy(header->build, &bytes[HEADER_BUILD], sizeof header->build);
+    (void)memcpy(header->robot, &bytes[HEADER_ROBOT], sizeof header->robot);
+    header->build[sizeof header->build - 1U] = '\0';
+    header->robot[sizeof header->robot - 1U] = '\0';
     header->robot_crc = get32(&bytes[HEADER_ROBOT_CRC]);
     header->inputs_size = get32(&bytes[HEADER_INPUTS]);
     header->outputs_size = get32(&bytes[HEADER_OUTPUTS]);

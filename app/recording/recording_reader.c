@@ -22,7 +22,7 @@ static recording_verdict_t find(recording_finding_t *finding, recording_verdict_
     va_list arguments;
 
     va_start(arguments, format);
-    (void)vsnprintf(finding->sentence, sizeof(finding->sentence), format, arguments);
+    (void)vsnprintf(finding->sentence, sizeof finding->sentence, format, arguments);
     va_end(arguments);
     finding->verdict = verdict;
     return verdict;
@@ -73,7 +73,7 @@ static bool is_payload_intact(const uint8_t *block, const recording_fields_t *fi
     (void)memcpy(&computed[checksums_size], &block[RECORDING_PREFIX_SIZE + checksums_size],
                  fields->compressed_size);
     recording_hash(before, block, computed, checksums_size + fields->compressed_size, hash);
-    return memcmp(hash, &block[RECORDING_FIELDS_SIZE], sizeof(hash)) == 0;
+    return memcmp(hash, &block[RECORDING_FIELDS_SIZE], sizeof hash) == 0;
 }
 
 /* Where in a block of valid fields the hash went wrong: the hash itself, a checksum, or a chunk of
@@ -119,7 +119,7 @@ static bool is_hash_right(const uint8_t *block, const uint8_t *before, uint64_t 
     uint8_t hash[RECORDING_HASH_SIZE];
 
     recording_hash(before, block, &block[RECORDING_PREFIX_SIZE], rest_size, hash);
-    return memcmp(hash, &block[RECORDING_FIELDS_SIZE], sizeof(hash)) == 0;
+    return memcmp(hash, &block[RECORDING_FIELDS_SIZE], sizeof hash) == 0;
 }
 
 static recording_verdict_t verify_trailer(const recording_reader_t *self, uint64_t offset,
@@ -201,8 +201,8 @@ static recording_verdict_t map_file(recording_reader_t *self, const char *path,
 recording_verdict_t recording_reader_open(recording_reader_t *self, const char *path,
                                           recording_finding_t *finding)
 {
-    (void)memset(self, 0, sizeof(*self));
-    (void)memset(finding, 0, sizeof(*finding));
+    (void)memset(self, 0, sizeof *self);
+    (void)memset(finding, 0, sizeof *finding);
     if (map_file(self, path, finding) != RECORDING_WHOLE) {
         return finding->verdict;
     }
@@ -253,7 +253,7 @@ static bool load_block(recording_reader_t *self)
                         &block[RECORDING_PREFIX_SIZE + checksums_size], fields.compressed_size);
     self->raw_size = fields.raw_size;
     self->raw_next = 0U;
-    (void)memset(self->before, 0, sizeof(self->before));
+    (void)memset(self->before, 0, sizeof self->before);
     return size == fields.raw_size;
 }
 
@@ -278,10 +278,10 @@ bool recording_reader_next(recording_reader_t *self, cycle_record_t *record)
     if ((self->raw_size - self->raw_next) < 8U) {
         return false;
     }
-    (void)memcpy(&record->kind, &from[0], sizeof(record->kind));
-    (void)memcpy(&record->cycle, &from[4], sizeof(record->cycle));
+    (void)memcpy(&record->kind, &from[0], sizeof record->kind);
+    (void)memcpy(&record->cycle, &from[4], sizeof record->cycle);
     const uint32_t size = recording_body_size(&self->header, record->kind);
-    if ((size == 0U) || (size > sizeof(record->body)) ||
+    if ((size == 0U) || (size > sizeof record->body) ||
         ((self->raw_size - self->raw_next - 8U) < size)) {
         return false;
     }

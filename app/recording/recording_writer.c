@@ -50,8 +50,8 @@ static bool write_all(recording_writer_t *self, const uint8_t *bytes, size_t siz
 
 static void begin_block(recording_writer_t *self)
 {
-    (void)memset(&self->block, 0, sizeof(self->block));
-    (void)memset(self->before, 0, sizeof(self->before));
+    (void)memset(&self->block, 0, sizeof self->block);
+    (void)memset(self->before, 0, sizeof self->before);
 }
 
 static bool write_header(recording_writer_t *self)
@@ -60,8 +60,8 @@ static bool write_header(recording_writer_t *self)
 
     recording_encode_header(&self->header, bytes);
     (void)memcpy(self->hash, &bytes[RECORDING_HEADER_SIZE - RECORDING_HASH_SIZE],
-                 sizeof(self->hash));
-    return write_all(self, bytes, sizeof(bytes));
+                 sizeof self->hash);
+    return write_all(self, bytes, sizeof bytes);
 }
 
 /* A file without header is no recording, and would count as one. */
@@ -127,8 +127,8 @@ bool recording_writer_append(recording_writer_t *self, const cycle_record_t *rec
     if (self->block.records == 0U) {
         self->block.cycle = record->cycle;
     }
-    (void)memcpy(&to[0], &record->kind, sizeof(record->kind));
-    (void)memcpy(&to[4], &record->cycle, sizeof(record->cycle));
+    (void)memcpy(&to[0], &record->kind, sizeof record->kind);
+    (void)memcpy(&to[4], &record->cycle, sizeof record->cycle);
     append_body(self, &to[8], record, size);
     self->block.raw_size += 8U + size;
     self->block.records++;
@@ -173,7 +173,7 @@ bool recording_writer_flush(recording_writer_t *self)
         release(self);
         return false;
     }
-    (void)memcpy(self->hash, &self->output[RECORDING_FIELDS_SIZE], sizeof(self->hash));
+    (void)memcpy(self->hash, &self->output[RECORDING_FIELDS_SIZE], sizeof self->hash);
     self->blocks++;
     begin_block(self);
     return true;
@@ -194,7 +194,7 @@ bool recording_writer_close(recording_writer_t *self)
                                         .cycles_lost = self->cycles_lost};
     recording_encode_fields(&trailer, bytes);
     recording_hash(self->hash, bytes, bytes, 0U, &bytes[RECORDING_FIELDS_SIZE]);
-    const bool is_written = write_all(self, bytes, sizeof(bytes));
+    const bool is_written = write_all(self, bytes, sizeof bytes);
     release(self);
     return is_written;
 }

@@ -27,12 +27,12 @@ static const area_t areas[] = {
 
 void replay_init(replay_t *self)
 {
-    (void)memset(self, 0, sizeof(*self));
+    (void)memset(self, 0, sizeof *self);
 }
 
 static void restore(replay_t *self, const cycle_record_t *record)
 {
-    (void)memcpy(&self->controller, record->body.checkpoint, sizeof(self->controller));
+    (void)memcpy(&self->controller, record->body.checkpoint, sizeof self->controller);
     self->next_cycle = record->cycle;
     self->is_running = true;
     self->checkpoints++;
@@ -54,7 +54,7 @@ bool replay_take(replay_t *self, const robot_t *robot, const cycle_record_t *rec
     }
     controller_step(&self->controller, robot, &record->body.cycle.inputs, &self->outputs);
     self->next_cycle = record->cycle + 1U;
-    if (memcmp(&self->outputs, &record->body.cycle.outputs, sizeof(self->outputs)) != 0) {
+    if (memcmp(&self->outputs, &record->body.cycle.outputs, sizeof self->outputs) != 0) {
         return false;
     }
     self->replayed++;
@@ -68,10 +68,10 @@ void replay_difference(const replay_t *self, const cycle_record_t *record, char 
     size_t offset = 0U;
     size_t area = 0U;
 
-    while ((offset < sizeof(self->outputs)) && (recorded[offset] == replayed[offset])) {
+    while ((offset < sizeof self->outputs) && (recorded[offset] == replayed[offset])) {
         offset++;
     }
-    while (((area + 1U) < (sizeof(areas) / sizeof(areas[0]))) &&
+    while (((area + 1U) < (sizeof areas / sizeof areas[0])) &&
            (offset >= areas[area + 1U].offset)) {
         area++;
     }

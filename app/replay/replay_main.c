@@ -109,7 +109,7 @@ static int replay_all(bool is_cut_short)
 
     while (take_record()) {
         if (!replay_take(&replay, &robot_neuro, &record)) {
-            replay_difference(&replay, &record, difference, sizeof(difference));
+            replay_difference(&replay, &record, difference, sizeof difference);
             (void)printf("%s\n%" PRIu64 " cycles before it were equal.\n", difference,
                          replay.replayed);
             return EXIT_DIFFERENT;

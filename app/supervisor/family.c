@@ -27,7 +27,7 @@ static bool init_member(family_t *self, member_t member, const char *name, const
 
     child->name = name;
     child->may_restart = (member != MEMBER_BOX) && (member != MEMBER_CONTROL);
-    (void)snprintf(child->path, sizeof(child->path), "%s/boresight-%s", options->programs, name);
+    (void)snprintf(child->path, sizeof child->path, "%s/boresight-%s", options->programs, name);
     if (access(child->path, X_OK) != 0) {
         (void)snprintf(error, error_size, "The program %s is missing (%s); build it with make.",
                        child->path, strerror(errno));
@@ -38,7 +38,7 @@ static bool init_member(family_t *self, member_t member, const char *name, const
 
 static void set_arguments(child_t *child, const char *const arguments[CHILD_ARGUMENTS])
 {
-    (void)memcpy(child->arguments, arguments, sizeof(child->arguments));
+    (void)memcpy(child->arguments, arguments, sizeof child->arguments);
 }
 
 /* What is kept belongs to the axes of that box, whoever used it last. */
@@ -46,11 +46,11 @@ static void name_box(family_t *self, const options_t *options)
 {
     self->has_own_box = options->box == NULL;
     if (self->has_own_box) {
-        (void)snprintf(self->box, sizeof(self->box), "%s-box", options->instance);
+        (void)snprintf(self->box, sizeof self->box, "%s-box", options->instance);
     } else {
-        (void)snprintf(self->box, sizeof(self->box), "%s", options->box);
+        (void)snprintf(self->box, sizeof self->box, "%s", options->box);
     }
-    (void)snprintf(self->positions, sizeof(self->positions), "%s/positions-%s", options->recordings,
+    (void)snprintf(self->positions, sizeof self->positions, "%s/positions-%s", options->recordings,
                    self->box);
 }
 
@@ -59,7 +59,7 @@ bool family_init(family_t *self, const options_t *options, int output, int error
 {
     static const char *const names[FAMILY_SIZE] = {"box", "control", "recorder", "igtl", "http"};
 
-    (void)memset(self, 0, sizeof(*self));
+    (void)memset(self, 0, sizeof *self);
     self->slowness = options_slowness(options);
     self->output = output;
     self->errors = errors;

@@ -49,7 +49,7 @@ static const char *from_environment(const char *name, const char *otherwise)
 
 static bool find_programs(options_t *self)
 {
-    const ssize_t length = readlink("/proc/self/exe", self->programs, sizeof(self->programs) - 1U);
+    const ssize_t length = readlink("/proc/self/exe", self->programs, sizeof self->programs - 1U);
 
     if (length <= 0) {
         return false;
@@ -71,7 +71,7 @@ static void set_defaults(options_t *self)
     self->slowness = "1";
     /* build/bin/boresight records into build/recordings, wherever it is started. */
     const char *slash = strrchr(self->programs, '/');
-    (void)snprintf(self->recordings, sizeof(self->recordings), "%.*s/recordings",
+    (void)snprintf(self->recordings, sizeof self->recordings, "%.*s/recordings",
                    (slash != NULL) ? (int)(slash - self->programs) : 0, self->programs);
 }
 
@@ -106,8 +106,8 @@ static bool take(options_t *self, int option, const char *value)
         self->is_real_time = true;
         return true;
     case 'd':
-        return (size_t)snprintf(self->recordings, sizeof(self->recordings), "%s", value) <
-               sizeof(self->recordings);
+        return (size_t)snprintf(self->recordings, sizeof self->recordings, "%s", value) <
+               sizeof self->recordings;
     default:
         return false;
     }
@@ -203,7 +203,7 @@ static bool check(const options_t *self, char *error, uint32_t error_size)
 
 bool options_read(options_t *self, int count, char **arguments, char *error, uint32_t error_size)
 {
-    (void)memset(self, 0, sizeof(*self));
+    (void)memset(self, 0, sizeof *self);
     if (!find_programs(self)) {
         (void)snprintf(error, error_size, "The program does not find its own place; mount /proc.");
         return false;

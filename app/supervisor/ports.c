@@ -29,8 +29,8 @@ static int try_bind(const char *address, const char *port)
         return errno;
     }
     (void)inet_pton(AF_INET, address, &place.sin_addr);
-    (void)setsockopt(end, SOL_SOCKET, SO_REUSEADDR, &is_reused, sizeof(is_reused));
-    if ((bind(end, (const struct sockaddr *)&place, sizeof(place)) != 0) || (listen(end, 1) != 0)) {
+    (void)setsockopt(end, SOL_SOCKET, SO_REUSEADDR, &is_reused, sizeof is_reused);
+    if ((bind(end, (const struct sockaddr *)&place, sizeof place) != 0) || (listen(end, 1) != 0)) {
         result = errno;
     }
     (void)close(end);
@@ -72,7 +72,7 @@ bool ports_check(const options_t *options, char *error, uint32_t error_size)
         {options->brp_port, "the OpenIGTLink workphases", "--brp-port", "BRP_PORT"},
         {options->igtl_port, "the OpenIGTLink transforms", "--igtl-port", "IGTL_PORT"}};
 
-    for (size_t i = 0U; i < (sizeof(uses) / sizeof(uses[0])); i++) {
+    for (size_t i = 0U; i < (sizeof uses / sizeof uses[0]); i++) {
         const int reason = try_bind(options->bind, uses[i].port);
         if (reason != 0) {
             explain(&uses[i], options->bind, reason, error, error_size);

@@ -14,7 +14,7 @@
 
 bool screen_open(screen_t *self)
 {
-    (void)memset(self, 0, sizeof(*self));
+    (void)memset(self, 0, sizeof *self);
     self->is_terminal = isatty(STDOUT_FILENO) == 1;
     /* Not blocking at either end: no program ever waits for the supervisor to read. */
     return (pipe2(self->output, O_CLOEXEC | O_NONBLOCK) == 0) &&
@@ -54,13 +54,13 @@ void screen_say(screen_t *self, const char *format, ...)
 static void relay_errors(screen_t *self)
 {
     char text[4096];
-    ssize_t count = read(self->errors[0], text, sizeof(text));
+    ssize_t count = read(self->errors[0], text, sizeof text);
 
     if (count > 0) {
         erase_status(self);
         while (count > 0) {
             (void)fwrite(text, 1U, (size_t)count, stdout);
-            count = read(self->errors[0], text, sizeof(text));
+            count = read(self->errors[0], text, sizeof text);
         }
         draw_status(self);
     }
@@ -69,12 +69,12 @@ static void relay_errors(screen_t *self)
 static void watch_output(screen_t *self)
 {
     char text[4096];
-    ssize_t count = read(self->output[0], text, sizeof(text) - 1U);
+    ssize_t count = read(self->output[0], text, sizeof text - 1U);
 
     while (count > 0) {
         text[count] = '\0';
         self->is_box_ready = self->is_box_ready || (strstr(text, READY) != NULL);
-        count = read(self->output[0], text, sizeof(text) - 1U);
+        count = read(self->output[0], text, sizeof text - 1U);
     }
 }
 
@@ -88,7 +88,7 @@ void screen_show_status(screen_t *self, const char *status, uint64_t now_us)
 {
     const bool is_changed = strcmp(status, self->status) != 0;
 
-    (void)snprintf(self->status, sizeof(self->status), "%s", status);
+    (void)snprintf(self->status, sizeof self->status, "%s", status);
     if (self->is_terminal) {
         if (is_changed) {
             draw_status(self);

@@ -45,9 +45,9 @@ static void leave_a_core(void)
     const long cores = sysconf(_SC_NPROCESSORS_ONLN);
     cpu_set_t set;
 
-    if ((cores > 1) && (sched_getaffinity(0, sizeof(set), &set) == 0)) {
+    if ((cores > 1) && (sched_getaffinity(0, sizeof set, &set) == 0)) {
         CPU_CLR((size_t)cores - 1U, &set);
-        (void)sched_setaffinity(0, sizeof(set), &set);
+        (void)sched_setaffinity(0, sizeof set, &set);
     }
 }
 
@@ -76,7 +76,7 @@ static bool wait_for_news(int timeout_ms)
     bool is_asked = false;
 
     (void)poll(sources, 3U, timeout_ms);
-    while (read(signals, &news, sizeof(news)) == (ssize_t)sizeof(news)) {
+    while (read(signals, &news, sizeof news) == (ssize_t)sizeof news) {
         is_asked = is_asked || (news.ssi_signo != (uint32_t)SIGCHLD);
     }
     screen_relay(&screen);
@@ -92,7 +92,7 @@ static bool has_lost_one(void)
     if (lost < 0) {
         return false;
     }
-    child_describe_end(&family.members[lost], how, sizeof(how));
+    child_describe_end(&family.members[lost], how, sizeof how);
     screen_relay(&screen);
     screen_say(&screen, "Boresight did not start: %s ended (%s); the line above says what to do.",
                family.members[lost].name, how);
@@ -144,7 +144,7 @@ static int await(bool (*is_ready)(void), const char *who)
 
 static int start_one(member_t member)
 {
-    if (!family_start(&family, member, error, sizeof(error))) {
+    if (!family_start(&family, member, error, sizeof error)) {
         screen_say(&screen, "Boresight did not start: %s", error);
         return EXIT_CANNOT_START;
     }
@@ -205,7 +205,7 @@ static int judge_end(const child_t *child)
 {
     char how[64];
 
-    child_describe_end(child, how, sizeof(how));
+    child_describe_end(child, how, sizeof how);
     screen_relay(&screen);
     if (!child->may_restart) {
         screen_say(&screen,
@@ -242,7 +242,7 @@ static int supervise(void)
     int result = RUNNING;
 
     while (result == RUNNING) {
-        status_line_write(line, sizeof(line), exchange, &family);
+        status_line_write(line, sizeof line, exchange, &family);
         screen_show_status(&screen, line, clock_monotonic_us());
         exchange_beat(exchange, EXCHANGE_SUPERVISOR);
         if (wait_for_news(next_tick_ms())) {
@@ -261,21 +261,21 @@ static int supervise(void)
 static bool prepare(void)
 {
     if (!screen_open(&screen) || !catch_signals()) {
-        (void)snprintf(error, sizeof(error), "No pipe can be made (%s); end other programs.",
+        (void)snprintf(error, sizeof error, "No pipe can be made (%s); end other programs.",
                        strerror(errno));
         return false;
     }
     if (!directory_make(options.recordings) || (access(options.recordings, W_OK) != 0)) {
-        (void)snprintf(error, sizeof(error),
+        (void)snprintf(error, sizeof error,
                        "Nothing can be recorded in %s (%s); choose another with --recordings.",
                        options.recordings, strerror(errno));
         return false;
     }
-    if (!family_init(&family, &options, screen.output[1], screen.errors[1], error, sizeof(error)) ||
-        !ports_check(&options, error, sizeof(error))) {
+    if (!family_init(&family, &options, screen.output[1], screen.errors[1], error, sizeof error) ||
+        !ports_check(&options, error, sizeof error)) {
         return false;
     }
-    exchange = exchange_create(options.instance, error, sizeof(error));
+    exchange = exchange_create(options.instance, error, sizeof error);
     return exchange != NULL;
 }
 
@@ -302,7 +302,7 @@ int main(int count, char **arguments)
         (void)fputs(options_usage(), stdout);
         return EXIT_STOPPED;
     }
-    if (!options_read(&options, count, arguments, error, sizeof(error))) {
+    if (!options_read(&options, count, arguments, error, sizeof error)) {
         (void)fprintf(stderr, "Boresight did not start: %s\n", error);
         return EXIT_USAGE;
     }

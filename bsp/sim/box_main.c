@@ -103,7 +103,7 @@ static void share_core_with_control(void)
 
     CPU_ZERO(&set);
     CPU_SET((cores > 1) ? ((size_t)cores - 1U) : 0U, &set);
-    (void)sched_setaffinity(0, sizeof(set), &set);
+    (void)sched_setaffinity(0, sizeof set, &set);
 }
 
 static bool ask_for_real_time(void)

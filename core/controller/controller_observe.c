@@ -130,7 +130,7 @@ static void note_axis(controller_t *self, const cycle_t *cycle, uint32_t index, 
         controller_note(self, cycle, EVENT_CHART_REPAIRED, (uint32_t)EVENT_CHART_AXIS,
                         (int32_t)index);
     }
-    for (uint32_t i = 0U; (notes != 0U) && (i < (sizeof(events) / sizeof(events[0]))); i++) {
+    for (uint32_t i = 0U; (notes != 0U) && (i < (sizeof events / sizeof events[0])); i++) {
         if ((notes & events[i].note) != 0U) {
             controller_note(self, cycle, events[i].event, index,
                             detail(&self->axes[index], events[i].event));
