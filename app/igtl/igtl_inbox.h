@@ -16,8 +16,8 @@
 
 typedef enum {
     IGTL_INBOX_WAITING = 0, /**< More bytes are needed. */
-    IGTL_INBOX_MESSAGE =
-        1, /**< `message` is complete and valid until the next igtl_inbox_room(). */
+    /** `message` is complete and valid until the next igtl_inbox_room(). */
+    IGTL_INBOX_MESSAGE = 1,
     IGTL_INBOX_SKIPPED = 2, /**< A message of an unknown type has passed. */
     IGTL_INBOX_REFUSED = 3, /**< A whole message was wrong (`reason`); the next one can be read. */
     IGTL_INBOX_BROKEN = 4   /**< What follows cannot be read (`reason`): drop the connection. */

@@ -16,12 +16,12 @@
 
 #define IGTL_REQUESTS_PER_PEER 4U /**< Unanswered ones; of STOP and of EMERGENCY as many again. */
 #define IGTL_REQUESTS_COMMON 16U  /**< Places for everything but STOP and EMERGENCY. */
-#define IGTL_REQUESTS_URGENT                                                                       \
-    32U /**< Places for STOP, and as many for EMERGENCY: all peers' shares. */
+/** Places for STOP, and as many for EMERGENCY: all peers' shares. */
+#define IGTL_REQUESTS_URGENT 32U
 #define IGTL_REQUESTS (IGTL_REQUESTS_COMMON + (2U * IGTL_REQUESTS_URGENT))
 #define IGTL_REQUEST_ID_STEP 2U /**< Ids of the two dialects interleave. */
-#define IGTL_ANSWER_TIMEOUT_US                                                                     \
-    UINT64_C(80000)            /**< Then the peer is told that there is no answer. */
+/** Then the peer is told that there is no answer. */
+#define IGTL_ANSWER_TIMEOUT_US UINT64_C(80000)
 #define IGTL_NOBODY UINT32_MAX /**< The peer has gone. */
 
 typedef struct {

@@ -52,8 +52,8 @@ typedef struct {
     workphase_peer_t peers[IGTL_PEERS];
     uint32_t controller;       /**< Peer that commands, or IGTL_NOBODY. */
     uint64_t next_position_us; /**< When the next CURRENT_POSITION is due. */
-    bool
-        must_stop; /**< The controlling peer was lost with a command armed; STOP has still to go. */
+    /** The controlling peer was lost with a command armed; STOP has still to go. */
+    bool must_stop;
 } workphase_dialect_t;
 
 /** `first_id` numbers the commands, even. */

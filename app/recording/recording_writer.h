@@ -22,8 +22,8 @@ typedef struct {
     uint64_t size;                     /**< Bytes written. */
     uint32_t cycles_lost;
     void *compressor;
-    uint8_t
-        before[sizeof(((cycle_record_t *)0)->body)]; /**< Body of the cycle before in this block. */
+    /** Body of the cycle before in this block. */
+    uint8_t before[sizeof(((cycle_record_t *)0)->body)];
     uint8_t raw[RECORDING_RAW_MAX];
     uint8_t *output; /**< Prefix, checksums and payload of one block. */
     size_t output_size;

@@ -17,9 +17,8 @@
 
 #define SIM_CARD_FIRMWARE 0x010200U /**< 1.2.0 */
 #define SIM_CARD_DEBOUNCE_US 3000U  /**< A limit switch counts after this time without a change. */
-#define SIM_CARD_SPEED_WINDOW_US                                                                   \
-    10000U                        /**< The overspeed guard compares counts over this time.         \
-                                   */
+/** The overspeed guard compares counts over this time. */
+#define SIM_CARD_SPEED_WINDOW_US 10000U
 #define SIM_CARD_SPEED_STEPS 100U /**< The same in steps. */
 #define SIM_CARD_MOVING_US 20000U /**< "Moving" lasts this long after an edge. */
 #define SIM_CARD_SUPPLY_MV 24000U

@@ -13,15 +13,14 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define SIM_ENCODER_WIDTH_ERROR                                                                    \
-    0.1                             /**< Root mean square of the states' width errors, in states.  \
-                                     */
+/** Root mean square of the states' width errors, in states. */
+#define SIM_ENCODER_WIDTH_ERROR 0.1
 #define SIM_ENCODER_BURSTS_PER_S 5U /**< Bursts of wrong edges while the scanner acquires. */
 #define SIM_ENCODER_BURST_EDGES 20U /**< Longest burst. */
-#define SIM_ENCODER_ILLEGAL_PERCENT                                                                \
-    10U /**< Wrong edges at which both lines change: not counted, but flagged. */
-#define SIM_ENCODER_DRIFT_PERCENT                                                                  \
-    5U /**< Bursts that leave one count behind if they end beside the true count. */
+/** Wrong edges at which both lines change: not counted, but flagged. */
+#define SIM_ENCODER_ILLEGAL_PERCENT 10U
+/** Bursts that leave one count behind if they end beside the true count. */
+#define SIM_ENCODER_DRIFT_PERCENT 5U
 
 typedef enum {
     SIM_ENCODER_NORMAL = 0,

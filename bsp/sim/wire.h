@@ -16,8 +16,8 @@
 #include <stdint.h>
 
 #define WIRE_DEFAULT_NAME "boresight-box"
-#define WIRE_NAME_VARIABLE                                                                         \
-    "BORESIGHT_BOX" /**< Environment variable that selects another instance. */
+/** Environment variable that selects another instance. */
+#define WIRE_NAME_VARIABLE "BORESIGHT_BOX"
 #define WIRE_ORDER_SIZE 128U
 #define WIRE_INPUT_PEDAL_A 0x1U
 #define WIRE_INPUT_PEDAL_B 0x2U

@@ -27,9 +27,9 @@ typedef struct {
     int64_t setpoint_q8; /**< Ticks. */
     int32_t speed_ticks_per_s_q8;
     int32_t start_ticks; /**< Where this homing began. */
-    int32_t
-        nearest_ticks;  /**< Nearest place to the switch in all homing since the last reference. */
-    int32_t edge_ticks; /**< Where the approach met the switch. */
+    /** Nearest place to the switch in all homing since the last reference. */
+    int32_t nearest_ticks;
+    int32_t edge_ticks;   /**< Where the approach met the switch. */
     int32_t switch_ticks; /**< Where the switch was last seen active. */
     uint32_t leg;         /**< axis_reference_t of the last cycle. */
     uint32_t ramp;        /**< Leg that the speed belongs to; AXIS_REFERENCE_FRESH: none. */

@@ -66,8 +66,8 @@ typedef struct {
     uint32_t system_state; /**< CARD_SYSTEM_ bits, mode in bits 8..15. */
     uint32_t control;      /**< CARD_CONTROL_ bits. */
     card_drive_t drive;
-    uint32_t
-        watchdog_us; /**< The card switches its drive off after this time without a valid frame. */
+    /** The card switches its drive off after this time without a valid frame. */
+    uint32_t watchdog_us;
     uint32_t overspeed_ticks_per_s;
     int32_t guard_minimum_ticks; /**< Raw encoder counts beyond which the card switches off. */
     int32_t guard_maximum_ticks;

@@ -37,8 +37,8 @@
 /** Everything the controller may know of one cycle. Fixed layout, no padding; recorded. */
 typedef struct {
     uint32_t elapsed_us; /**< Measured since the wake-up before; LIMIT_CYCLE_US nominally. */
-    uint32_t
-        late_stage;   /**< Stage that took longest in the cycle before, as control numbers them. */
+    /** Stage that took longest in the cycle before, as control numbers them. */
+    uint32_t late_stage;
     uint32_t pedal_a; /**< Channel A is closed (pressed): 0 or 1. */
     uint32_t pedal_b;
     uint32_t estop_open;      /**< The e-stop chain is open (pulled): 0 or 1. */

@@ -75,8 +75,8 @@ typedef struct {
     int32_t following_error_ticks;  /**< Largest |set-point - position| while driven... */
     int32_t following_time_ms;      /**< ...beside the way of this time at the set-point speed. */
     int32_t jump_ticks;             /**< Largest believable change of the reading in one cycle. */
-    int32_t
-        switch_hysteresis_ticks;  /**< Way back until the limit switch releases; 0 without one. */
+    /** Way back until the limit switch releases; 0 without one. */
+    int32_t switch_hysteresis_ticks;
     int32_t home_way_ticks;       /**< The farthest that homing goes away from the switch: its
                                      over-travel, hysteresis and 0.1 mm or 0.3 degrees; the
                                      needle 0.2 mm at most. */

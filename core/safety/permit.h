@@ -36,10 +36,10 @@ typedef struct {
     bool is_memory_damaged; /**< The table of the robot is. */
     bool is_homing_or_jog;  /**< The armed order is one that an axis not homed may run. */
     bool is_towards_switch; /**< Requested direction is towards an active limit switch. */
-    bool
-        is_beyond_soft_limit; /**< Homed, at or beyond a soft limit, and requested to go further. */
-    bool is_coupled_limit;    /**< coupled_guard_blocks(). */
-    bool is_needle_in;        /**< needle_forbids_jog() of the jog that is armed. */
+    /** Homed, at or beyond a soft limit, and requested to go further. */
+    bool is_beyond_soft_limit;
+    bool is_coupled_limit; /**< coupled_guard_blocks(). */
+    bool is_needle_in;     /**< needle_forbids_jog() of the jog that is armed. */
 } permit_facts_t;
 
 /** The answer for one axis. */

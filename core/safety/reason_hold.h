@@ -17,8 +17,8 @@
 typedef struct {
     uint32_t shown;      /**< Bit mask of permit_reason_t. */
     uint32_t flickering; /**< Those that came back soon after they had gone. */
-    uint32_t
-        left_us[REASON_HOLD_COUNT]; /**< LIMIT_REASON_HOLD_US while it stands, then down to 0. */
+    /** LIMIT_REASON_HOLD_US while it stands, then down to 0. */
+    uint32_t left_us[REASON_HOLD_COUNT];
 } reason_hold_t;
 
 /**
