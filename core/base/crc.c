@@ -166,21 +166,30 @@ static uint32_t get_word(const uint8_t *at)
            ((uint32_t)at[3] << 24U);
 }
 
-/* After `count` words. */
-static uint32_t after_words(uint32_t start, const uint8_t *bytes, size_t count)
+/* Each table in a register of its own, so that no entry's address must be added up. */
+static inline uint32_t after_word(uint32_t state, const uint8_t *at)
 {
-    /* Each in a register of its own, so that no entry's address must be added up. */
     const uint32_t *const first = remainders[3];
     const uint32_t *const second = remainders[2];
     const uint32_t *const third = remainders[1];
     const uint32_t *const last = remainders[0];
+    const uint32_t mixed = state ^ get_word(at);
+    return first[mixed & 0xFFU] ^ second[(mixed >> 8U) & 0xFFU] ^ third[(mixed >> 16U) & 0xFFU] ^
+           last[mixed >> 24U];
+}
+
+/* After `count` words. */
+static inline uint32_t after_words(uint32_t start, const uint8_t *bytes, size_t count)
+{
     const uint8_t *at = bytes;
+    size_t left = count;
     uint32_t state = start;
-    for (size_t left = count; left > 0U; left--) {
-        const uint32_t mixed = state ^ get_word(at);
-        state = first[mixed & 0xFFU] ^ second[(mixed >> 8U) & 0xFFU] ^
-                third[(mixed >> 16U) & 0xFFU] ^ last[mixed >> 24U];
-        at = &at[4];
+    for (; left >= 2U; left -= 2U) {
+        state = after_word(after_word(state, at), &at[4]);
+        at = &at[8];
+    }
+    if (left > 0U) {
+        state = after_word(state, at);
     }
     return state;
 }
@@ -201,7 +210,7 @@ uint32_t crc32c_extend(uint32_t crc, const uint8_t *bytes, size_t length)
 }
 
 /* Zeros change the state linearly: each of its eight half bytes has its own share in the result. */
-uint32_t crc32c_extend_by_zeros(uint32_t crc, crc32c_zeros_t zeros)
+static inline uint32_t after_zeros(uint32_t state, crc32c_zeros_t zeros)
 {
     static const uint32_t shares[2][8][16] = {
         {{0x00000000U, 0x6577B245U, 0xCAEF648AU, 0xAF98D6CFU, 0x9032BFE5U, 0xF5450DA0U, 0x5ADDDB6FU,
@@ -252,10 +261,17 @@ uint32_t crc32c_extend_by_zeros(uint32_t crc, crc32c_zeros_t zeros)
          {0x00000000U, 0xEE9E6669U, 0xD8D0BA23U, 0x364EDC4AU, 0xB44D02B7U, 0x5AD364DEU, 0x6C9DB894U,
           0x8203DEFDU, 0x6D76739FU, 0x83E815F6U, 0xB5A6C9BCU, 0x5B38AFD5U, 0xD93B7128U, 0x37A51741U,
           0x01EBCB0BU, 0xEF75AD62U}}};
-    const uint32_t state = ~crc;
     const uint32_t(*const share)[16] = shares[(uint32_t)zeros];
-    return ~(share[0][state & 0xFU] ^ share[1][(state >> 4U) & 0xFU] ^
-             share[2][(state >> 8U) & 0xFU] ^ share[3][(state >> 12U) & 0xFU] ^
-             share[4][(state >> 16U) & 0xFU] ^ share[5][(state >> 20U) & 0xFU] ^
-             share[6][(state >> 24U) & 0xFU] ^ share[7][state >> 28U]);
+    return share[0][state & 0xFU] ^ share[1][(state >> 4U) & 0xFU] ^
+           share[2][(state >> 8U) & 0xFU] ^ share[3][(state >> 12U) & 0xFU] ^
+           share[4][(state >> 16U) & 0xFU] ^ share[5][(state >> 20U) & 0xFU] ^
+           share[6][(state >> 24U) & 0xFU] ^ share[7][state >> 28U];
+}
+
+uint32_t crc32c_extend_over_zeros(uint32_t crc, const uint8_t *bytes, size_t before,
+                                  crc32c_zeros_t zeros, size_t after)
+{
+    const size_t count = (zeros == CRC32C_ZEROS_132) ? 132U : 172U;
+    const uint32_t state = after_zeros(after_words(~crc, bytes, before / 4U), zeros);
+    return ~after_words(state, &bytes[before + count], after / 4U);
 }

@@ -10,7 +10,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/** How many zeros crc32c_extend_by_zeros() adds. */
+/** How many zeros crc32c_extend_over_zeros() passes. */
 typedef enum {
     CRC32C_ZEROS_132 = 0, /**< 132 bytes. */
     CRC32C_ZEROS_172 = 1  /**< 172 bytes. */
@@ -22,7 +22,9 @@ uint32_t crc32c(const uint8_t *bytes, size_t length);
 /** CRC-32C of what gave `crc`, followed by `length` bytes. */
 uint32_t crc32c_extend(uint32_t crc, const uint8_t *bytes, size_t length);
 
-/** CRC-32C of what gave `crc`, followed by `zeros` bytes of zero, without reading them. */
-uint32_t crc32c_extend_by_zeros(uint32_t crc, crc32c_zeros_t zeros);
+/** CRC-32C of what gave `crc`, followed by `before` bytes, by `zeros`, which are not read, and by
+ * `after` bytes; both are multiples of 4. */
+uint32_t crc32c_extend_over_zeros(uint32_t crc, const uint8_t *bytes, size_t before,
+                                  crc32c_zeros_t zeros, size_t after);
 
 #endif

@@ -225,35 +225,69 @@ void test_SWR_CARD_001_temperatures_below_zero_come_back(void)
 
 void test_SWR_CARD_002_word_63_is_the_crc_of_the_252_bytes_before_it(void)
 {
-    encode_command();
-    TEST_ASSERT_EQUAL_HEX32(crc32c(bytes, 252U), word(63U));
-    encode_report();
-    TEST_ASSERT_EQUAL_HEX32(crc32c(bytes, 252U), word(63U));
+    card_command_t command = a_command();
+    card_report_t report = a_report();
+
+    for (uint32_t slot = 0U; slot < 256U; slot++) {
+        command.slot = slot;
+        card_frame_encode_command(&command, bytes);
+        TEST_ASSERT_EQUAL_HEX32(crc32c(bytes, 252U), word(63U));
+        report.slot = slot;
+        card_frame_encode_report(&report, bytes);
+        TEST_ASSERT_EQUAL_HEX32(crc32c(bytes, 252U), word(63U));
+    }
+}
+
+static uint32_t sum_of_63_words(void)
+{
+    uint32_t sum = 0U;
+
+    for (uint32_t i = 0U; i < 63U; i++) {
+        sum += word(i);
+    }
+    return sum;
 }
 
 void test_SWR_CARD_002_word_62_completes_the_sum_of_all_words_before_it(void)
 {
-    uint32_t sum = 0U;
-
     encode_command();
-    for (uint32_t i = 0U; i < 63U; i++) {
-        sum += word(i);
-    }
-    TEST_ASSERT_EQUAL_HEX32(0xFFFFFFFFU, sum);
+    TEST_ASSERT_EQUAL_HEX32(0xFFFFFFFFU, sum_of_63_words());
+    encode_report();
+    TEST_ASSERT_EQUAL_HEX32(0xFFFFFFFFU, sum_of_63_words());
 }
 
 void test_SWR_CARD_002_every_single_bit_error_is_found(void)
 {
     card_command_t command;
+    card_report_t report;
 
-    encode_command();
     for (uint32_t bit = 0U; bit < CARD_FRAME_BYTES * 8U; bit++) {
         const uint8_t mask = (uint8_t)(1U << (bit % 8U));
+        encode_command();
         bytes[bit / 8U] ^= mask;
         TEST_ASSERT_NOT_EQUAL(CARD_FRAME_OK, card_frame_decode_command(bytes, SLOT, &command));
+        encode_report();
         bytes[bit / 8U] ^= mask;
+        TEST_ASSERT_NOT_EQUAL(CARD_FRAME_OK, card_frame_decode_report(bytes, SLOT, &report));
     }
-    TEST_ASSERT_EQUAL_INT(CARD_FRAME_OK, card_frame_decode_command(bytes, SLOT, &command));
+}
+
+/* A word that neither is summed nor must be zero would be a hole. */
+void test_SWR_CARD_002_every_word_counts_in_the_sum_under_a_right_crc(void)
+{
+    card_command_t command;
+    card_report_t report;
+
+    for (uint32_t i = 0U; i < 63U; i++) {
+        encode_command();
+        set_word(i, word(i) ^ 0x00000100U);
+        set_word(63U, crc32c(bytes, 252U));
+        TEST_ASSERT_NOT_EQUAL(CARD_FRAME_OK, card_frame_decode_command(bytes, SLOT, &command));
+        encode_report();
+        set_word(i, word(i) ^ 0x00000100U);
+        set_word(63U, crc32c(bytes, 252U));
+        TEST_ASSERT_NOT_EQUAL(CARD_FRAME_OK, card_frame_decode_report(bytes, SLOT, &report));
+    }
 }
 
 void test_SWR_CARD_003_a_wrong_start_word_is_named(void)

@@ -88,9 +88,26 @@ void test_SWR_CARD_002_zeros_that_are_not_read_count_as_zeros_that_are(void)
         for (uint32_t value = 0U; value < 16U; value++) {
             const uint32_t crc = ~(value << (4U * half));
             TEST_ASSERT_EQUAL_HEX32(crc32c_extend(crc, zeros, 132U),
-                                    crc32c_extend_by_zeros(crc, CRC32C_ZEROS_132));
+                                    crc32c_extend_over_zeros(crc, zeros, 0U, CRC32C_ZEROS_132, 0U));
             TEST_ASSERT_EQUAL_HEX32(crc32c_extend(crc, zeros, 172U),
-                                    crc32c_extend_by_zeros(crc, CRC32C_ZEROS_172));
+                                    crc32c_extend_over_zeros(crc, zeros, 0U, CRC32C_ZEROS_172, 0U));
+        }
+    }
+}
+
+void test_SWR_CARD_002_a_checksum_goes_on_before_and_after_zeros_that_are_not_read(void)
+{
+    uint8_t bytes[12U + 172U + 12U];
+    for (size_t before = 0U; before <= 12U; before += 4U) {
+        (void)memset(bytes, 0, sizeof bytes);
+        for (size_t i = 0U; i < 12U; i++) {
+            bytes[i] = (i < before) ? (uint8_t)((i * 37U) + 11U) : 0U;
+            bytes[before + 172U + i] = (uint8_t)((i * 29U) + 5U);
+        }
+        for (size_t after = 0U; after <= 12U; after += 4U) {
+            TEST_ASSERT_EQUAL_HEX32(
+                crc32c_extend(7U, bytes, before + 172U + after),
+                crc32c_extend_over_zeros(7U, bytes, before, CRC32C_ZEROS_172, after));
         }
     }
 }
