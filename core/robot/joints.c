@@ -5,10 +5,14 @@
 
 #include <string.h>
 
+/* A unit is not negative, and a whole turn or a metre at most: each product is one of 32 bits. */
 int64_t joints_value(const axis_config_t *axis, int32_t ticks)
 {
-    const int64_t whole = axis->unit_per_tick_q16 / 65536;
-    const int64_t fraction_q16 = axis->unit_per_tick_q16 % 65536;
+    const uint64_t unit_q16 = (uint64_t)axis->unit_per_tick_q16;
+    const uint64_t upper = unit_q16 >> 16U;
+    const uint64_t lower = unit_q16 & 0xFFFFU;
+    const int64_t whole = (int64_t)(int32_t)upper;
+    const int64_t fraction_q16 = (int64_t)(int32_t)lower;
     return (ticks * whole) + fixed_shift_rounded(ticks * fraction_q16, 16U);
 }
 
