@@ -256,13 +256,6 @@ int32_t fixed_multiply_q30(int32_t a, int32_t b_q30)
     return fixed_saturate(fixed_shift_rounded((int64_t)a * b_q30, 30U));
 }
 
-int64_t fixed_dot_q30(const int32_t a[3], const int32_t b_q30[3])
-{
-    const int64_t sum = (((int64_t)a[0] * b_q30[0]) / 2) + (((int64_t)a[1] * b_q30[1]) / 2) +
-                        (((int64_t)a[2] * b_q30[2]) / 2);
-    return fixed_shift_rounded(sum, 29U);
-}
-
 /* A vector scaled so that its widest coordinate has 31 bits. */
 typedef struct {
     uint64_t size[3];

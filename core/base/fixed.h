@@ -51,9 +51,6 @@ uint32_t fixed_square_root(uint64_t value);
 /** `a * b` where `b_q30` is a fraction, rounded half away from zero, saturated to int32. */
 int32_t fixed_multiply_q30(int32_t a, int32_t b_q30);
 
-/** Scalar product of `a` and `b_q30`, rounded; in the unit of `a`. */
-int64_t fixed_dot_q30(const int32_t a[3], const int32_t b_q30[3]);
-
 /**
  * Length of `vector`, rounded, and the unit vector along it, each coordinate within 4 units of q30.
  * |coordinate| <= 2^60. The zero vector gives length 0 and the zero vector.
@@ -111,6 +108,14 @@ static inline int64_t fixed_shift_rounded(int64_t value, uint32_t bits)
     const uint64_t size = (value < 0) ? (0ULL - (uint64_t)value) : (uint64_t)value;
     const uint64_t moved = (size + half) >> bits;
     return (value < 0) ? -(int64_t)moved : (int64_t)moved;
+}
+
+/** Scalar product of `a` and `b_q30`, rounded; in the unit of `a`. */
+static inline int64_t fixed_dot_q30(const int32_t a[3], const int32_t b_q30[3])
+{
+    const int64_t sum = (((int64_t)a[0] * b_q30[0]) / 2) + (((int64_t)a[1] * b_q30[1]) / 2) +
+                        (((int64_t)a[2] * b_q30[2]) / 2);
+    return fixed_shift_rounded(sum, 29U);
 }
 
 #endif

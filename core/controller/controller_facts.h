@@ -21,7 +21,8 @@ static inline bool controller_is_blind(const controller_t *self)
  */
 static inline uint32_t controller_slot(const controller_t *self, uint32_t index)
 {
-    return self->links[index].slot % CARD_SLOT_COUNT;
+    const uint32_t slot = self->links[index].slot;
+    return (slot < CARD_SLOT_COUNT) ? slot : 0U;
 }
 
 /** Every axis is homed. */

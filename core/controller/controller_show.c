@@ -154,12 +154,12 @@ static void show_plan(const controller_t *self, snapshot_t *shown)
     (void)memcpy(shown->desired_ticks, self->plan.desired_ticks, sizeof shown->desired_ticks);
 }
 
-static status_t pose_status(const controller_t *self)
+static status_t pose_status(const controller_t *self, bool is_homed)
 {
     status_t status = STATUS_OK;
     if (controller_is_blind(self)) {
         status = STATUS_MEMORY_DAMAGED;
-    } else if (!controller_is_homed(self)) {
+    } else if (!is_homed) {
         status = STATUS_NOT_HOMED;
     } else if (self->plan.is_registered == 0U) {
         status = STATUS_NOT_REGISTERED;
@@ -173,7 +173,7 @@ static void show_pose(const controller_t *self, const robot_t *robot, snapshot_t
 {
     int32_t ticks[ROBOT_AXIS_MAX];
     joints_t joints;
-    shown->pose_status = (uint32_t)pose_status(self);
+    shown->pose_status = (uint32_t)pose_status(self, shown->is_homed != 0U);
     if (controller_is_blind(self)) {
         return;
     }
