@@ -19,16 +19,6 @@ static bool is_old(const link_t *self, uint32_t heartbeat)
            ((step == 0U) || (link_is_usable(self) && (step > LIMIT_SEQUENCE_WINDOW)));
 }
 
-static bool is_right_card(const link_t *self)
-{
-    return (self->report.card_type == self->card_type) && (self->report.firmware == self->firmware);
-}
-
-static bool is_well(const link_t *self)
-{
-    return (self->is_fresh != 0U) && ((self->report.status & CARD_STATUS_FAULTS) == 0U);
-}
-
 static void receive(link_t *self, const uint8_t *bytes)
 {
     card_report_t old;
@@ -95,7 +85,7 @@ void link_step(link_t *self, const uint8_t *bytes)
     const card_link_inputs_t inputs = {.is_fresh = false};
     receive(self, bytes);
     compare_echo(self);
-    if (is_well(self)) {
+    if (link_is_well(self)) {
         self->age_cycles = 0U;
         (void)card_link_chart_dispatch(&self->chart, &inputs, CARD_LINK_EVENT_GOOD);
     } else {
@@ -108,7 +98,7 @@ void link_step(link_t *self, const uint8_t *bytes)
     if ((self->is_fresh != 0U) && ((self->report.status & CARD_STATUS_FAULTS) != 0U)) {
         give_up(self, CARD_LINK_EVENT_CARD_FAULT, LINK_CAUSE_FAULT);
     }
-    if ((self->is_fresh != 0U) && !is_right_card(self)) {
+    if ((self->is_fresh != 0U) && !link_is_right_card(self)) {
         give_up(self, CARD_LINK_EVENT_CARD_FAULT, LINK_CAUSE_WRONG_CARD);
     }
     if (self->echo_mismatches >= LIMIT_ECHO_MISMATCH_CYCLES) {
@@ -135,9 +125,4 @@ bool link_was_only_silent(const link_t *self)
     const bool is_only_tripped = (self->report.status & CARD_STATUS_FAULTS) == CARD_STATUS_WATCHDOG;
     return (self->cause == (uint32_t)LINK_CAUSE_AGE) ||
            ((self->cause == (uint32_t)LINK_CAUSE_FAULT) && is_only_tripped);
-}
-
-bool link_is_healthy_now(const link_t *self)
-{
-    return is_well(self) && is_right_card(self);
 }

@@ -76,7 +76,22 @@ static inline bool link_is_usable(const link_t *self)
  * other. */
 bool link_was_only_silent(const link_t *self);
 
+/** The last report is of the card that must be there. */
+static inline bool link_is_right_card(const link_t *self)
+{
+    return (self->report.card_type == self->card_type) && (self->report.firmware == self->firmware);
+}
+
+/** A valid frame without a fault arrived in this cycle. */
+static inline bool link_is_well(const link_t *self)
+{
+    return (self->is_fresh != 0U) && ((self->report.status & CARD_STATUS_FAULTS) == 0U);
+}
+
 /** The right card sent a valid frame without a fault in this cycle. */
-bool link_is_healthy_now(const link_t *self);
+static inline bool link_is_healthy_now(const link_t *self)
+{
+    return link_is_well(self) && link_is_right_card(self);
+}
 
 #endif

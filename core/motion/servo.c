@@ -83,11 +83,6 @@ void servo_rest(servo_t *self, uint32_t elapsed_us)
     pass_time(self, elapsed_us);
 }
 
-bool servo_is_upwards(const axis_config_t *config, const card_drive_t *drive)
-{
-    return (drive->direction != 0U) != (config->is_motor_inverted != 0U);
-}
-
 /* What brings the axis on, `way_ticks` before the set-point that moves at `speed_q8`. */
 static card_drive_t choose(const servo_t *self, const axis_config_t *config, uint32_t direction,
                            int64_t way_ticks, int64_t speed_q8)

@@ -48,19 +48,3 @@ status_t workphase_request_jog(workphases_chart_t *self, const workphases_inputs
     *actions = workphases_chart_dispatch(self, inputs, WORKPHASES_EVENT_REQUEST_JOG);
     return refusal(*actions);
 }
-
-workphase_t workphase_present(const workphases_chart_t *self)
-{
-    /* The chart's states stand in the order of workphase_t. */
-    return (workphase_t)self->phase;
-}
-
-bool workphase_is_armed(const workphases_chart_t *self)
-{
-    return self->order != WORKPHASES_ORDER_NONE;
-}
-
-bool workphase_is_moving(const workphases_chart_t *self)
-{
-    return self->order == WORKPHASES_ORDER_MOVING;
-}

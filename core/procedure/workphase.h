@@ -39,12 +39,22 @@ status_t workphase_request_jog(workphases_chart_t *self, const workphases_inputs
                                uint32_t *actions);
 
 /** The present workphase. */
-workphase_t workphase_present(const workphases_chart_t *self);
+static inline workphase_t workphase_present(const workphases_chart_t *self)
+{
+    /* The chart's states stand in the order of workphase_t. */
+    return (workphase_t)self->phase;
+}
 
 /** An order is armed: waiting for the pedal or moving. */
-bool workphase_is_armed(const workphases_chart_t *self);
+static inline bool workphase_is_armed(const workphases_chart_t *self)
+{
+    return self->order != WORKPHASES_ORDER_NONE;
+}
 
 /** The armed order runs in this cycle. */
-bool workphase_is_moving(const workphases_chart_t *self);
+static inline bool workphase_is_moving(const workphases_chart_t *self)
+{
+    return self->order == WORKPHASES_ORDER_MOVING;
+}
 
 #endif
