@@ -55,15 +55,15 @@ typedef struct {
     int32_t places_ticks[SUPERVISION_PLACES]; /**< While off, one each tenth of a second. */
     int32_t lowest_ticks;                     /**< Of these places. */
     int32_t highest_ticks;
-    uint32_t place;    /**< Index of the newest one. */
-    uint32_t place_us; /**< Its age. */
-    uint32_t off_us;   /**< Off for so long, saturates. */
-    int32_t off_ticks; /**< Way while off, for the record. */
-    motor_model_t model;
+    uint32_t place;         /**< Index of the newest one. */
+    uint32_t place_us;      /**< Its age. */
+    uint32_t off_us;        /**< Off for so long, saturates. */
+    int32_t off_ticks;      /**< Way while off, for the record. */
     int32_t position_ticks; /**< Of the cycle before. */
-    int64_t due_q16;        /**< Way of the model since the last count in its direction. */
-    uint32_t silent_us;     /**< Since LIMIT_SILENT_TICKS were due without any. */
-    int32_t missing_ticks;  /**< What was due of them at a fault, for the record. */
+    motor_model_t model;
+    int64_t due_q16;       /**< Way of the model since the last count in its direction. */
+    uint32_t silent_us;    /**< Since LIMIT_SILENT_TICKS were due without any. */
+    int32_t missing_ticks; /**< What was due of them at a fault, for the record. */
     count_account_t account;
     stall_watchdog_chart_t stall;
 } supervision_t;
