@@ -38,8 +38,8 @@ void controller_step(controller_t *self, const robot_t *robot, const controller_
     REQUIRE(100U, inputs->command_count <= CONTROLLER_COMMANDS);
     const cycle_t cycle = {.robot = robot, .inputs = inputs, .outputs = outputs};
     card_drive_t requests[ROBOT_AXIS_MAX];
-    /* The frames are written, or cleared, by controller_drive(). */
-    (void)memset(outputs, 0, offsetof(controller_outputs_t, frames));
+    /* The rest is written, or cleared, by controller_show() and controller_drive(). */
+    (void)memset(outputs, 0, offsetof(controller_outputs_t, snapshot));
     controller_check_memory(self, &cycle);
     if (self->has_started == 0U) {
         self->has_started = 1U;

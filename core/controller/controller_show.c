@@ -175,6 +175,8 @@ static void show_pose(const controller_t *self, const robot_t *robot, snapshot_t
     joints_t joints;
     shown->pose_status = (uint32_t)pose_status(self, shown->is_homed != 0U);
     if (controller_is_blind(self)) {
+        (void)memset(&shown->zframe_treatment, 0, sizeof shown->zframe_treatment);
+        (void)memset(&shown->scanner_treatment, 0, sizeof shown->scanner_treatment);
         return;
     }
     for (uint32_t i = 0U; i < self->axis_count; i++) {
@@ -183,6 +185,14 @@ static void show_pose(const controller_t *self, const robot_t *robot, snapshot_t
     joints_from_ticks(robot, ticks, &joints);
     kinematics_forward(robot, &joints, &shown->zframe_treatment);
     rigid_multiply(&self->plan.scanner_zframe, &shown->zframe_treatment, &shown->scanner_treatment);
+}
+
+/* Slots without a card, and axes that the robot has not. */
+static void clear_unused(const controller_t *self, snapshot_t *shown)
+{
+    (void)memset(shown->cards, 0, sizeof shown->cards);
+    (void)memset(&shown->axes[self->axis_count], 0,
+                 (ROBOT_AXIS_MAX - self->axis_count) * sizeof shown->axes[0]);
 }
 
 void controller_show(const controller_t *self, const cycle_t *cycle)
@@ -207,6 +217,7 @@ void controller_show(const controller_t *self, const cycle_t *cycle)
     shown->events_lost = self->events_lost;
     show_plan(self, shown);
     show_pose(self, cycle->robot, shown);
+    clear_unused(self, shown);
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         show_axis(self, cycle, i);
         show_card(self, cycle, i);

@@ -663,3 +663,24 @@ void test_SWR_CORE_002_equal_inputs_give_equal_outputs(void)
         TEST_ASSERT_EQUAL_MEMORY(&rig.outputs, &twin.outputs, sizeof rig.outputs);
     }
 }
+
+/* A cycle of the rig, and the same one into outputs that hold something else. */
+static void expect_rewritten(void)
+{
+    static controller_t controller;
+    static controller_outputs_t outputs;
+    controller = rig.controller;
+    (void)memset(&outputs, 0xA5, sizeof outputs);
+    rig_cycle(&rig);
+    controller_step(&controller, &rig.robot, &rig.inputs, &outputs);
+    TEST_ASSERT_EQUAL_MEMORY(&rig.outputs, &outputs, sizeof outputs);
+}
+
+void test_SWR_CORE_002_outputs_do_not_depend_on_what_was_in_them(void)
+{
+    rig_start_moving(&rig);
+    expect_rewritten();
+    rig.robot.axes[0].home_ticks++;
+    expect_rewritten();
+    expect_rewritten();
+}
