@@ -91,18 +91,21 @@ homing_sight_t homing_see(homing_t *self, const axis_config_t *config, axis_refe
     return is_clear(self, config, leg, position_ticks) ? HOMING_CLEAR : HOMING_NOTHING;
 }
 
+/* Its other stop lies a little beyond the soft limit. */
+static int64_t longest_approach_ticks(const axis_config_t *config)
+{
+    const int64_t soft = (int64_t)config->maximum_ticks - (int64_t)config->minimum_ticks;
+    return soft + (soft / 32) + (int64_t)config->home_way_ticks;
+}
+
 bool homing_is_too_far(const homing_t *self, const axis_config_t *config, axis_reference_t leg,
                        int32_t position_ticks)
 {
-    const int64_t most = (int64_t)config->home_way_ticks;
-    const int64_t soft = (int64_t)config->maximum_ticks - (int64_t)config->minimum_ticks;
-    /* Its other stop lies a little beyond the soft limit. */
-    const int64_t travel = soft + (soft / 32);
     bool is_far = false;
     if (is_leaving(leg)) {
-        is_far = way(config, self->nearest_ticks, position_ticks) > most;
+        is_far = way(config, self->nearest_ticks, position_ticks) > (int64_t)config->home_way_ticks;
     } else if (leg == AXIS_REFERENCE_APPROACH) {
-        is_far = way(config, position_ticks, self->start_ticks) > (travel + most);
+        is_far = way(config, position_ticks, self->start_ticks) > longest_approach_ticks(config);
     } else if (leg == AXIS_REFERENCE_LATCH) {
         is_far = way(config, position_ticks, self->edge_ticks) > edge_spread_ticks(config);
     } else {

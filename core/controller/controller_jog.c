@@ -4,12 +4,6 @@
 #include "safety/coupled_guard.h"
 #include "safety/needle.h"
 
-bool controller_is_jogged(const controller_t *self, uint32_t index)
-{
-    return (workphase_present(&self->workphases) == WORKPHASE_MANUAL) &&
-           workphase_is_armed(&self->workphases) && (self->jog_axis == index);
-}
-
 static status_t judge_homed(const controller_t *self, const robot_t *robot,
                             const command_t *command, answer_t *answer)
 {

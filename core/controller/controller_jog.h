@@ -9,7 +9,11 @@
 #include <stdint.h>
 
 /** A jog of axis `index` is armed. */
-bool controller_is_jogged(const controller_t *self, uint32_t index);
+static inline bool controller_is_jogged(const controller_t *self, uint32_t index)
+{
+    return (workphase_present(&self->workphases) == WORKPHASE_MANUAL) &&
+           workphase_is_armed(&self->workphases) && (self->jog_axis == index);
+}
 
 /**
  * May the jog be armed, wherever the workphase stands? `answer` receives axis and limit.

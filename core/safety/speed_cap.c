@@ -8,12 +8,13 @@
 bool speed_cap_step(speed_cap_t *self, const axis_config_t *config, uint32_t percent,
                     int32_t position_ticks, uint32_t elapsed_us)
 {
-    const int64_t rate = (int64_t)config->speed_ticks_per_s *
-                         ((int64_t)percent + (int64_t)LIMIT_SPEED_CAP_TOLERANCE_PERCENT);
-    const int64_t most = rate * (int64_t)LIMIT_SPEED_CAP_US;
+    /* A speed is a million at most, and so are both in 32 bits. */
+    const int32_t share = (int32_t)percent + (int32_t)LIMIT_SPEED_CAP_TOLERANCE_PERCENT;
+    const int32_t rate = config->speed_ticks_per_s * share;
+    const int64_t most = (int64_t)rate * (int32_t)LIMIT_SPEED_CAP_US;
     const int64_t way = (int64_t)position_ticks - (int64_t)self->position_ticks;
     self->position_ticks = position_ticks;
-    self->left += (rate * (int64_t)elapsed_us) - (TICK * ((way < 0) ? -way : way));
+    self->left += ((int64_t)rate * (int64_t)elapsed_us) - (TICK * ((way < 0) ? -way : way));
     if (self->left > most) {
         self->left = most;
     }
