@@ -89,7 +89,7 @@ module Robot
         'unit_per_tick_q16' => "INT64_C(#{unit_per_tick_q16(axis)})"
       }.merge(POSITIONS.to_h { |key| [key, axis[key]] },
               axis.targets, { 'home_way_ticks' => axis.home_way_ticks, 'home_time_us' => "#{axis['home_time_ms'] * 1000}U" },
-              Axis::PWM.keys.to_h { |key| [key, "#{axis[key]}U"] })
+              Axis::MAGNITUDE.keys.to_h { |key| [key, "#{axis[key]}U"] })
     end
 
     def coupled_limits

@@ -5,6 +5,7 @@
 #include "interface/app/columns.h"
 #include "interface/app/names.h"
 #include "limits/requirement_limits.h"
+#include "motion/motor_model.h"
 #include "motion/servo.h"
 
 #include <stdio.h>
@@ -26,7 +27,7 @@ double table_output_percent(const axis_config_t *config, const snapshot_axis_t *
     if (drive.mode == (uint32_t)CARD_DRIVE_OFF) {
         return 0.0;
     }
-    if (drive.mode == (uint32_t)CARD_DRIVE_PWM) {
+    if (motor_model_has_magnitudes(config)) {
         percent = (100.0 * (double)drive.duty) / (double)config->maximum_duty;
     }
     return servo_is_upwards(config, &drive) ? percent : -percent;

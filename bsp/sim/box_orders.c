@@ -222,12 +222,13 @@ static void show_axis(const box_axis_t *axis, reply_t *reply)
     const card_drive_t *drive = &axis->card.applied;
     char driven[24] = "off";
 
-    if (drive->mode == (uint32_t)CARD_DRIVE_PWM) {
+    if ((drive->mode == (uint32_t)CARD_DRIVE_NON_PWM) && (drive->duty == 0U)) {
+        (void)snprintf(driven, sizeof driven, "%c run", (drive->direction != 0U) ? '+' : '-');
+    } else if (drive->mode != (uint32_t)CARD_DRIVE_OFF) {
         (void)snprintf(driven, sizeof driven, "%c %u", (drive->direction != 0U) ? '+' : '-',
                        (unsigned)drive->duty);
-    }
-    if (drive->mode == (uint32_t)CARD_DRIVE_NON_PWM) {
-        (void)snprintf(driven, sizeof driven, "%c run", (drive->direction != 0U) ? '+' : '-');
+    } else {
+        /* It is off. */
     }
     say(reply, "%4u  %-10s %11.4f %-3s %11.1f  %-9s %-7s %-8s %-9s %-7s %5u\n",
         (unsigned)axis->config->slot, axis->config->name, shown, is_mm ? "mm" : "deg",

@@ -17,6 +17,7 @@ void sim_card_init(sim_card_t *self, const axis_config_t *axis, const sim_encode
 {
     *self = (sim_card_t){.slot = axis->slot,
                          .card_type = axis->card_type,
+                         .has_magnitudes = axis->maximum_duty != 0U,
                          .firmware = SIM_CARD_FIRMWARE,
                          .limit_bit = axis->limit_switch,
                          .clock_offset_us = UINT32_MAX - 30000000U * (uint32_t)axis->slot,
@@ -46,7 +47,8 @@ static bool is_drive_suitable(const sim_card_t *self, const card_drive_t *drive)
     return ((drive->mode == (uint32_t)CARD_DRIVE_PWM) &&
             (self->card_type == (uint32_t)CARD_TYPE_PWM)) ||
            ((drive->mode == (uint32_t)CARD_DRIVE_NON_PWM) &&
-            (self->card_type == (uint32_t)CARD_TYPE_NON_PWM));
+            (self->card_type == (uint32_t)CARD_TYPE_NON_PWM) &&
+            ((drive->duty == 0U) || self->has_magnitudes));
 }
 
 static void apply_command(sim_card_t *self)

@@ -27,6 +27,7 @@
 typedef struct {
     uint32_t slot;
     uint32_t card_type;
+    bool has_magnitudes; /**< Its driver obeys those of a drive without pwm. */
     uint32_t firmware;
     uint32_t limit_bit;       /**< CARD_LIMIT_ bit of the connected switch, 0 without one. */
     uint32_t clock_offset_us; /**< Card time minus box time. */
@@ -63,6 +64,7 @@ void sim_card_init(sim_card_t *self, const axis_config_t *axis, const sim_encode
  * a count; one whose drive does not suit the card is a driver fault.
  *
  * @satisfies SWR-BOX-008
+ * @satisfies SWR-BOX-009
  */
 void sim_card_receive(sim_card_t *self, const uint8_t bytes[CARD_FRAME_BYTES]);
 

@@ -32,7 +32,7 @@ void sim_motor_init(sim_motor_t *self, const axis_config_t *axis, double positio
     }
 }
 
-static double pwm_share(const sim_motor_t *self, uint32_t duty)
+static double magnitude_share(const sim_motor_t *self, uint32_t duty)
 {
     const double span = self->maximum_duty - self->minimum_duty;
     const double above = (double)duty - self->minimum_duty;
@@ -48,13 +48,11 @@ static double pwm_share(const sim_motor_t *self, uint32_t duty)
 
 double sim_motor_steady_speed(const sim_motor_t *self, const card_drive_t *drive)
 {
-    double share = 0.0;
+    const bool is_run =
+        (drive->mode == (uint32_t)CARD_DRIVE_NON_PWM) && (self->maximum_duty <= 0.0);
+    double share = is_run ? 1.0 : magnitude_share(self, drive->duty);
 
-    if (drive->mode == (uint32_t)CARD_DRIVE_PWM) {
-        share = pwm_share(self, drive->duty);
-    } else if (drive->mode == (uint32_t)CARD_DRIVE_NON_PWM) {
-        share = 1.0;
-    } else {
+    if (drive->mode == (uint32_t)CARD_DRIVE_OFF) {
         return 0.0;
     }
     share *= (self->fault == SIM_MOTOR_HALF) ? 0.5 : (self->fault == SIM_MOTOR_TWICE) ? 2.0 : 1.0;

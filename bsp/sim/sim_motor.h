@@ -34,7 +34,7 @@ typedef struct {
                             downwards. */
     double rise_share;   /**< Part of what is missing of the speed that it gains in a step. */
     double minimum_duty; /**< Duty that turns the motor at SIM_MOTOR_SLOWEST of full speed. */
-    double maximum_duty; /**< Duty of full speed. */
+    double maximum_duty; /**< Duty of full speed; 0: run or stop. */
     double lowest_ticks; /**< Hard stops. */
     double highest_ticks;
     double load; /**< Share 0..1 of the greatest torque that the load takes, in both directions. */
@@ -51,6 +51,8 @@ void sim_motor_init(sim_motor_t *self, const axis_config_t *axis, double positio
 /**
  * Signed speed that `drive` settles to, ticks/s; 0 when off, in the dead zone or overloaded.
  * From the dead zone's edge (SIM_MOTOR_SLOWEST) to `maximum_duty` it is linear in the duty.
+ *
+ * @satisfies SWR-BOX-009
  */
 double sim_motor_steady_speed(const sim_motor_t *self, const card_drive_t *drive);
 

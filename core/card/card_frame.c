@@ -288,10 +288,8 @@ static bool is_drive_valid(const card_drive_t *drive)
         is_valid = (drive->direction == 0U) && (drive->duty == 0U);
         break;
     case (uint32_t)CARD_DRIVE_PWM:
-        is_valid = (drive->direction <= 1U) && (drive->duty <= LARGEST_DUTY);
-        break;
     case (uint32_t)CARD_DRIVE_NON_PWM:
-        is_valid = (drive->direction <= 1U) && (drive->duty == 0U);
+        is_valid = (drive->direction <= 1U) && (drive->duty <= LARGEST_DUTY);
         break;
     default:
         is_valid = false;

@@ -55,7 +55,7 @@ typedef enum { CARD_DRIVE_OFF = 0, CARD_DRIVE_PWM = 1, CARD_DRIVE_NON_PWM = 2 } 
 typedef struct {
     uint32_t mode;      /**< card_drive_mode_t. */
     uint32_t direction; /**< 0 or 1; the meaning is the robot's. */
-    uint32_t duty;      /**< 0..0x1FFFF, pwm only. */
+    uint32_t duty;      /**< 0..0x1FFFF; without pwm a magnitude, 0 if the card runs or stops. */
 } card_drive_t;
 
 /** Controller to card. */
@@ -119,6 +119,7 @@ typedef enum {
  * @satisfies SWR-CARD-001
  * @satisfies SWR-CARD-002
  * @satisfies SWR-CARD-004
+ * @satisfies SWR-CARD-007
  */
 void card_frame_encode_command(const card_command_t *command, uint8_t bytes[CARD_FRAME_BYTES]);
 

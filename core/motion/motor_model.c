@@ -4,8 +4,6 @@
 #include "base/fixed.h"
 #include "motion/servo.h"
 
-#include <stdbool.h>
-
 /* Facts of the motors: time constants of gaining and losing speed while driven, share of full speed
  * at the smallest word. */
 #define RISE_US 15000U
@@ -35,7 +33,7 @@ uint32_t motor_model_duty(const axis_config_t *config, int64_t speed_ticks_per_s
 static int64_t steady_q8(const axis_config_t *config, const card_drive_t *drive)
 {
     int64_t speed_q8 = (int64_t)config->full_speed_ticks_per_s * 256;
-    if (config->card_type == (uint8_t)CARD_TYPE_PWM) {
+    if (motor_model_has_magnitudes(config)) {
         const int64_t span = (int64_t)config->maximum_duty - (int64_t)config->minimum_duty;
         const int64_t above = (int64_t)drive->duty - (int64_t)config->minimum_duty;
         const int64_t slowest_q8 = slowest_of(speed_q8);

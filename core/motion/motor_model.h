@@ -12,6 +12,7 @@
 #include "card/card_frame.h"
 #include "robot/robot.h"
 
+#include <stdbool.h>
 #include <stdint.h>
 
 /** From an off word that is sent to a motor that surely rests. */
@@ -21,12 +22,19 @@ typedef struct {
     int64_t speed_ticks_per_s_q8;
 } motor_model_t;
 
+/** The drive of this axis has magnitudes, its `duty`: always with pwm, without pwm if its table has
+ * them. Otherwise it is run or stop. */
+static inline bool motor_model_has_magnitudes(const axis_config_t *config)
+{
+    return config->maximum_duty != 0U;
+}
+
 /** `drive` was applied for `elapsed_us`. @return the way that it should have made, in ticks */
 int64_t motor_model_step_q16(motor_model_t *self, const axis_config_t *config,
                              const card_drive_t *drive, uint32_t elapsed_us);
 
-/** The pwm word at which the motor settles to `speed_ticks_per_s_q8`, or to the nearest speed that
- * it has. */
+/** @return the magnitude at which a motor that has magnitudes settles to `speed_ticks_per_s_q8`, or
+ * to the nearest speed that it has */
 uint32_t motor_model_duty(const axis_config_t *config, int64_t speed_ticks_per_s_q8);
 
 #endif

@@ -23,14 +23,10 @@ static uint32_t direction_bit(const axis_config_t *config, bool is_upwards)
     return (is_upwards != is_inverted) ? 1U : 0U;
 }
 
-static bool is_pwm(const axis_config_t *config)
-{
-    return config->card_type == (uint8_t)CARD_TYPE_PWM;
-}
-
 static card_drive_t drive_with(const axis_config_t *config, uint32_t direction, uint32_t duty)
 {
-    const card_drive_mode_t mode = is_pwm(config) ? CARD_DRIVE_PWM : CARD_DRIVE_NON_PWM;
+    const bool is_pwm = config->card_type == (uint8_t)CARD_TYPE_PWM;
+    const card_drive_mode_t mode = is_pwm ? CARD_DRIVE_PWM : CARD_DRIVE_NON_PWM;
     const card_drive_t drive = {.mode = (uint32_t)mode, .direction = direction, .duty = duty};
     return drive;
 }
@@ -92,9 +88,10 @@ static card_drive_t choose(const servo_t *self, const axis_config_t *config, uin
     const uint32_t slowest = (full_speed * 256U * SLOWEST_PERCENT) / 100U;
     const int64_t slowest_q8 = (int64_t)slowest;
     const int64_t demand_q8 = speed_q8 + (way_ticks * (int64_t)config->gain_per_s * 256);
-    const bool is_steady = is_pwm(config) && (demand_q8 >= slowest_q8);
+    const bool has_magnitudes = motor_model_has_magnitudes(config);
+    const bool is_steady = has_magnitudes && (demand_q8 >= slowest_q8);
     const int64_t wanted_q8 = is_steady ? demand_q8 : slowest_q8;
-    const uint32_t duty = is_pwm(config) ? motor_model_duty(config, wanted_q8) : 0U;
+    const uint32_t duty = has_magnitudes ? motor_model_duty(config, wanted_q8) : 0U;
     const card_drive_t drive = drive_with(config, direction, duty);
     return (is_steady || is_short(self, config, &drive, way_ticks)) ? drive : off;
 }

@@ -22,7 +22,7 @@ typedef struct {
     uint32_t direction;  /**< Last requested drive direction bit. */
     uint32_t rest_us;    /**< Since the first cycle without a request, saturates. */
     uint32_t is_driving; /**< A drive was requested in the last cycle: 0 or 1. */
-    uint32_t duty;       /**< Of the last request. */
+    uint32_t duty;       /**< Of the last request; 0 for an axis without magnitudes. */
 } servo_t;
 
 /** Starts at rest. */
@@ -37,6 +37,7 @@ void servo_init(servo_t *self);
  * @satisfies SWR-MOTION-007
  * @satisfies SWR-MOTION-020
  * @satisfies SWR-MOTION-021
+ * @satisfies SWR-MOTION-022
  * @satisfies SWR-AXIS-007
  * @satisfies SWR-AXIS-008
  */

@@ -84,10 +84,10 @@ typedef struct {
                                      is surely free. */
     int32_t target_maximum_ticks;
     uint32_t home_time_us; /**< Longest driven time of a leg of homing. */
-    uint32_t minimum_duty; /**< Smallest pwm word that moves the motor; 0 for non-pwm. */
-    uint32_t maximum_duty; /**< Largest pwm word, saturates; 0 for non-pwm. */
-    uint32_t gain_per_s;   /**< Speed demanded of a pwm motor for each tick of error, ticks/s; 0 for
-                              non-pwm. */
+    uint32_t minimum_duty; /**< Smallest magnitude of a drive that moves the motor. */
+    uint32_t maximum_duty; /**< Largest one, saturates; 0: the drive has none, it is run or stop. */
+    uint32_t gain_per_s;   /**< Speed demanded for each tick of error, ticks/s; 0 without
+                              magnitudes. */
     uint32_t seal;         /**< seal_of() all before it; the last field. */
 } axis_config_t;
 

@@ -8,7 +8,8 @@ module Robot
   class Axis
     UNITS = %w[ticks_per_mm ticks_per_rad].freeze
     DUTY = (1..0x1FFFF)
-    PWM = { 'minimum_duty' => DUTY, 'maximum_duty' => DUTY, 'gain_per_s' => (1..200) }.freeze
+    # Of each pwm card, and of a non_pwm card that takes a magnitude.
+    MAGNITUDE = { 'minimum_duty' => DUTY, 'maximum_duty' => DUTY, 'gain_per_s' => (1..200) }.freeze
     SWITCH = { 'over_travel_ticks' => (0..10_000), 'switch_hysteresis_ticks' => (1..10_000),
                'home_time_ms' => (1000..600_000) }.freeze
     # What homing may go away from its switch beyond over-travel and hysteresis, and the needle in all.
@@ -32,13 +33,13 @@ module Robot
 
     def initialize(node)
       @node = node
-      @nodes = node.mapping(['name', *WHOLE.keys, *CHOICES.keys], UNITS + PWM.keys + SWITCH.keys)
+      @nodes = node.mapping(['name', *WHOLE.keys, *CHOICES.keys], UNITS + MAGNITUDE.keys + SWITCH.keys)
       @values = { 'name' => @nodes['name'].name }
       WHOLE.each { |key, range| @values[key] = @nodes[key].integer(range) }
       CHOICES.each { |key, values| @values[key] = @nodes[key].choice(values) }
       read_unit
-      read_pwm
-      read_group(SWITCH, self['limit_switch'] != 'none', 'an axis without a switch')
+      read_magnitude
+      read_switch
       check
     end
 
@@ -52,10 +53,6 @@ module Robot
 
     def linear?
       @nodes.key?('ticks_per_mm')
-    end
-
-    def pwm?
-      self['card'] == 'pwm'
     end
 
     # The axis moved by `ticks`, in mm or rad.
@@ -95,17 +92,24 @@ module Robot
     end
 
     # Keys that belong to some axes only; 0 for the others.
-    def read_group(ranges, is_wanted, other)
+    def read_group(ranges, is_wanted)
       ranges.each do |key, range|
-        refuse(key, "does not belong to #{other}; expected none") if @nodes.key?(key) && !is_wanted
         @node.refuse("has no #{key}; expected #{range.begin} to #{range.end}") if !@nodes.key?(key) && is_wanted
         @values[key] = is_wanted ? @nodes[key].integer(range) : 0
       end
     end
 
-    def read_pwm
-      read_group(PWM, pwm?, 'a non_pwm card')
-      below('minimum_duty', 'maximum_duty') if pwm?
+    def read_magnitude
+      is_wanted = self['card'] == 'pwm' || MAGNITUDE.keys.any? { |key| @nodes.key?(key) }
+      read_group(MAGNITUDE, is_wanted)
+      below('minimum_duty', 'maximum_duty') if is_wanted
+    end
+
+    def read_switch
+      has_switch = self['limit_switch'] != 'none'
+      stray = SWITCH.keys.find { |key| @nodes.key?(key) } unless has_switch
+      refuse(stray, 'does not belong to an axis without a switch; expected none') if stray
+      read_group(SWITCH, has_switch)
     end
 
     def check

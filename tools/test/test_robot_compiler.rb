@@ -159,9 +159,7 @@ class TestRobotCompiler < Minitest::Test
                    'axes[0].name: is head in rad; expected ticks_per_mm', axis: 'head', at: 'name: head')
   end
 
-  def test_SWR_ROBOT_001_duty_belongs_to_pwm_cards
-    assert_refused(with('    jump_ticks: 40', "    jump_ticks: 40\n    minimum_duty: 5"),
-                   'axes[0].minimum_duty: does not belong to a non_pwm card; expected none', at: 'minimum_duty: 5')
+  def test_SWR_ROBOT_001_a_pwm_card_has_duties_a_smaller_and_a_larger
     assert_refused(with("    minimum_duty: 13107\n", ''), 'axes[3]: has no minimum_duty; expected 1 to 131071',
                    axis: 'insertion', at: 'name: insertion')
     assert_refused(with('minimum_duty: 13107', 'minimum_duty: 131071'),
@@ -169,13 +167,32 @@ class TestRobotCompiler < Minitest::Test
                    at: 'minimum_duty: 131071')
   end
 
-  def test_SWR_ROBOT_001_a_gain_belongs_to_pwm_cards
-    assert_refused(with('    jump_ticks: 40', "    jump_ticks: 40\n    gain_per_s: 5"),
-                   'axes[0].gain_per_s: does not belong to a non_pwm card; expected none', at: 'gain_per_s: 5')
+  def test_SWR_ROBOT_001_a_pwm_card_has_a_gain
     assert_refused(with("    gain_per_s: 90\n", '', axis: 'yaw'), 'axes[6]: has no gain_per_s; expected 1 to 200',
                    axis: 'yaw', at: 'name: yaw')
     assert_refused(with('gain_per_s: 90', 'gain_per_s: 201'), 'axes[3].gain_per_s: is 201; expected 1 to 200',
                    at: 'gain_per_s: 201')
+  end
+
+  # The file whose first axis, which has a non_pwm card, says this as well.
+  def head_with(*lines)
+    with("    jump_ticks: 40\n", ['jump_ticks: 40', *lines].map { |line| "    #{line}\n" }.join)
+  end
+
+  def test_SWR_ROBOT_001_a_non_pwm_card_has_magnitudes_and_a_gain_or_none_of_them
+    whole = ['minimum_duty: 5', 'maximum_duty: 50', 'gain_per_s: 70']
+    assert_match(/minimum_duty = 5U,\s*\.maximum_duty = 50U,\s*\.gain_per_s = 70U/, compile(head_with(*whole)).last)
+    assert_equal 4, compile(TEXT).last.scan(/minimum_duty = 0U,\s*\.maximum_duty = 0U,\s*\.gain_per_s = 0U/).size
+    { 'minimum_duty' => '1 to 131071', 'maximum_duty' => '1 to 131071', 'gain_per_s' => '1 to 200' }.each do |key, range|
+      assert_refused(head_with(*whole.grep_v(/#{key}/)), "axes[0]: has no #{key}; expected #{range}", at: 'name: head')
+    end
+  end
+
+  def test_SWR_ROBOT_001_magnitudes_of_a_non_pwm_card_are_checked_as_duties_are
+    assert_refused(head_with('minimum_duty: 50', 'maximum_duty: 50', 'gain_per_s: 70'),
+                   'axes[0].minimum_duty: is 50; expected less than maximum_duty (50)', at: 'minimum_duty: 50')
+    assert_refused(head_with('minimum_duty: 0', 'maximum_duty: 50', 'gain_per_s: 70'),
+                   'axes[0].minimum_duty: is 0; expected 1 to 131071', at: 'minimum_duty: 0')
   end
 
   def test_SWR_ROBOT_001_data_of_a_switch_belong_to_axes_with_one

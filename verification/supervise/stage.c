@@ -72,6 +72,10 @@ void stage_begin(stage_t *self, rig_t *rig, play_t play, uint32_t seed)
     } else if (play == PLAY_SPREAD) {
         rig_start(rig);
         spread_motors(self, rig);
+    } else if (play == PLAY_MAGNITUDE) {
+        rig_set_magnitude_robot(&self->robot);
+        rig_start_robot(rig, &self->robot);
+        spread_motors(self, rig);
     } else if (play == PLAY_TAPS) {
         foe_begin(&self->foe, rig, seed);
     } else {

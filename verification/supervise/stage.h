@@ -16,7 +16,8 @@ typedef enum {
     PLAY_INTERRUPTED = 2, /**< Moves under a pedal that is released again and again; no fault. */
     PLAY_SPREAD = 3,      /**< Moves of motors up to a fifth faster or slower than their table. */
     PLAY_JOGS = 4,        /**< Anything, most of it jogs, before homing and after it; no fault. */
-    PLAY_TAPS = 5         /**< An enemy at the pedal and the fault keyboard: one plan a scene. */
+    PLAY_TAPS = 5,        /**< An enemy at the pedal and the fault keyboard: one plan a scene. */
+    PLAY_MAGNITUDE = 6    /**< As PLAY_SPREAD; cards without pwm take magnitudes. */
 } play_t;
 
 /** State of the players. */
@@ -29,7 +30,8 @@ typedef struct {
     uint32_t wants_target; /**< 0 or 1: the last target was reached, the next is to be sent. */
     uint32_t is_chaotic;   /**< 1: the operator does anything at any time. */
     uint32_t cycle;
-    foe_t foe; /**< Of PLAY_TAPS. */
+    foe_t foe;     /**< Of PLAY_TAPS. */
+    robot_t robot; /**< Of PLAY_MAGNITUDE. */
 } stage_t;
 
 /** Sets the scene `seed`: the rig fresh, homed or targeted, an operator and what may break. */

@@ -4,7 +4,7 @@
  * The real controller on the simulated control box, in simulated time, with an operator, a world
  * and faults by chance, and a witness who knows where the axes truly stand.
  *
- *     supervise COUNT [SEED [random|corners|interrupted|spread|jogs|taps|flips]]
+ *     supervise COUNT [SEED [random|corners|interrupted|spread|jogs|taps|magnitude|flips]]
  *
  * Plays COUNT scenes from SEED on (1), or as many as COUNT moves need. Prints how often each
  * sentence was broken, where first, and the worst figure. Ends with 1 when one was broken. With
@@ -21,7 +21,7 @@
 #include <string.h>
 
 #define SCENE_CYCLES 20000U
-#define FLIPS 6 /* After the plays of a stage. */
+#define FLIPS 7 /* After the plays of a stage. */
 #define TAPS_CYCLES 40000U
 #define PLAN_SIZE 256U
 #define MOVES_CYCLES 120000U /* Of a scene that is all moves. */
@@ -110,8 +110,8 @@ static bool report(play_t play, uint32_t count)
 static int play_of(const char *name)
 {
     static const char *const names[] = {"random", "corners", "interrupted", "spread",
-                                        "jogs",   "taps",    "flips"};
-    for (int i = 0; i < 7; i++) {
+                                        "jogs",   "taps",    "magnitude",   "flips"};
+    for (int i = 0; i < 8; i++) {
         if (strcmp(name, names[i]) == 0) {
             return i;
         }
@@ -126,9 +126,8 @@ int main(int count, char **arguments)
     const int play = (count > 3) ? play_of(arguments[3]) : (int)PLAY_RANDOM;
     uint32_t scenes = 0U;
     if ((wanted == 0U) || (play < 0)) {
-        (void)fprintf(
-            stderr,
-            "usage: supervise COUNT [SEED [random|corners|interrupted|spread|jogs|taps|flips]]\n");
+        (void)fprintf(stderr, "usage: supervise COUNT [SEED "
+                              "[random|corners|interrupted|spread|jogs|taps|magnitude|flips]]\n");
         return 2;
     }
     UnityBegin("supervise.c");

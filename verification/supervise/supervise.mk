@@ -16,6 +16,6 @@ build/gcc/bin/supervise: $(call object,$(SUPERVISE_SOURCES)) $(OUT)/libcore.a
 
 $(OUT)/verification/supervise/%.o $(OUT)/verification/integration/%.o: FLAGS = -D_GNU_SOURCE $(TEST_INCLUDES) -I$(UNITY)
 
-supervise: bootstrap-test ## The controller in COUNT scenes from SEED on, PLAY=random, jogs, corners, interrupted, spread, taps or flips
+supervise: bootstrap-test ## The controller in COUNT scenes from SEED on, PLAY=random, jogs, corners, interrupted, spread, magnitude, taps or flips
 	@$(MAKE) --no-print-directory -j2 build/gcc/bin/supervise
 	@build/gcc/bin/supervise $(COUNT) $(SEED) $(PLAY)

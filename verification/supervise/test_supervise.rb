@@ -3,7 +3,7 @@
 
 # Rule under test: in no scene (an operator, a world, a fault now and then; an enemy at the pedal and the fault
 # keyboard; jogs; moves into the corners of the workspace, under a pedal that is released again and again, or of motors
-# that are not as the robot's table says) does the controller break one of the sentences of the witness, who knows where
+# that are not as the robot's table says, with run and stop or magnitudes for cards without pwm) does the controller break one of the sentences of the witness, who knows where
 # the simulated axes truly stand.
 # `make supervise COUNT=n SEED=n PLAY=name` plays more.
 
@@ -14,7 +14,7 @@ class TestSupervise < Minitest::Test
   PROGRAM = File.expand_path('../../build/gcc/bin/supervise', __dir__)
   # How many scenes, or moves. In scene 65 of taps an encoder flickers so fast and so little that nothing finds it, as the
   # user manual says under "Known limits".
-  PLAYS = { random: 100, corners: 30, interrupted: 30, spread: 40, jogs: 30, taps: 60 }.freeze
+  PLAYS = { random: 100, corners: 30, interrupted: 30, spread: 40, magnitude: 40, jogs: 30, taps: 60 }.freeze
   SENTENCES = {
     SWR_PERMIT_002_a_drive_leaves_only_with_the_permit: /A drive leaves only with/,
     SWR_AXIS_012_an_axis_held_for_homed_stands_where_it_is_believed_to: /A homed axis without a fault/,

@@ -484,6 +484,9 @@ void test_SWR_BOX_003_show_lists_inputs_and_every_axis(void)
     TEST_ASSERT_NOT_NULL(strstr(reply, "reversed"));
     TEST_ASSERT_NOT_NULL(strstr(reply, "silent"));
     TEST_ASSERT_NOT_NULL(strstr(reply, "stuck"));
+    box.axes[AXIS_HEAD].card.applied.duty = 4321U;
+    order("show");
+    TEST_ASSERT_NOT_NULL(strstr(reply, "- 4321 "));
 }
 
 void test_SWR_BOX_003_orders_that_are_unknown_change_nothing_and_are_told_the_known_ones(void)

@@ -133,6 +133,21 @@ void test_SWR_MOTION_004_the_word_for_a_speed_settles_to_it(void)
     }
 }
 
+void test_SWR_MOTION_022_the_model_goes_where_a_motor_with_magnitudes_but_without_pwm_goes(void)
+{
+    axis_config_t config = robot_neuro.axes[AXIS_PITCH];
+    config.minimum_duty = 6144U;
+    config.maximum_duty = 61439U;
+    for (int32_t percent = 10; percent <= 100; percent += 30) {
+        const int64_t speed_q8 = (int64_t)config.full_speed_ticks_per_s * 256 * percent / 100;
+        const uint32_t duty = motor_model_duty(&config, speed_q8);
+        start(&config);
+        run(&config, (card_drive_t){CARD_DRIVE_NON_PWM, 1U, duty}, 200U);
+        expect_one_way(0.05);
+        TEST_ASSERT_INT64_WITHIN(512, speed_q8, model.speed_ticks_per_s_q8);
+    }
+}
+
 void test_SWR_AXIS_007_the_word_for_a_speed_stays_between_the_smallest_and_the_largest(void)
 {
     const axis_config_t *const config = &robot_neuro.axes[AXIS_INSERTION];

@@ -38,6 +38,17 @@ static const axis_config_t *const pwm = &robot_neuro.axes[AXIS_INSERTION];
 static const axis_config_t *const non_pwm = &robot_neuro.axes[AXIS_PITCH];
 static const axis_config_t *const inverted_non_pwm = &robot_neuro.axes[AXIS_HEAD];
 
+/* A non-pwm axis whose card takes the magnitudes of the needle's. */
+static axis_config_t with_magnitudes(const axis_config_t *config)
+{
+    axis_config_t other = *config;
+
+    other.minimum_duty = pwm->minimum_duty;
+    other.maximum_duty = pwm->maximum_duty;
+    other.gain_per_s = pwm->gain_per_s;
+    return other;
+}
+
 static card_drive_t step(const axis_config_t *config, int32_t error_ticks)
 {
     return servo_step(&servo, config, error_ticks, 0, CYCLE_US);
@@ -100,6 +111,18 @@ void test_SWR_AXIS_007_a_motor_without_pwm_gets_no_duty(void)
     expect_drive(step(non_pwm, FAR_TICKS), CARD_DRIVE_NON_PWM, 1U, 0U);
     servo_init(&servo);
     expect_drive(step(non_pwm, -FAR_TICKS), CARD_DRIVE_NON_PWM, 0U, 0U);
+}
+
+void test_SWR_MOTION_022_a_card_without_pwm_that_takes_magnitudes_gets_them(void)
+{
+    const axis_config_t config = with_magnitudes(non_pwm);
+    const int32_t half_q8 = config.full_speed_ticks_per_s * 128;
+
+    expect_drive(step(&config, FAR_TICKS), CARD_DRIVE_NON_PWM, 1U, config.maximum_duty);
+    expect_drive(servo_step(&servo, &config, 0, half_q8, CYCLE_US), CARD_DRIVE_NON_PWM, 1U,
+                 motor_model_duty(&config, half_q8));
+    servo_init(&servo);
+    expect_drive(step(&config, -FAR_TICKS), CARD_DRIVE_NON_PWM, 0U, config.maximum_duty);
 }
 
 void test_SWR_AXIS_007_no_demand_makes_more_pulses_than_cycles(void)
@@ -330,9 +353,9 @@ static double steady_speed(const axis_config_t *config, const card_drive_t *driv
 {
     double share = 0.0;
 
-    if (drive->mode == CARD_DRIVE_NON_PWM) {
+    if ((drive->mode != CARD_DRIVE_OFF) && (config->maximum_duty == 0U)) {
         share = 1.0;
-    } else if (drive->mode == CARD_DRIVE_PWM) {
+    } else if (drive->mode != CARD_DRIVE_OFF) {
         share =
             SLOWEST_SHARE + ((1.0 - SLOWEST_SHARE) * ((double)drive->duty - config->minimum_duty) /
                              (config->maximum_duty - config->minimum_duty));
@@ -370,11 +393,10 @@ static int32_t run_axis(motor_t *motor, const axis_config_t *config, const profi
     return (error_ticks < 0) ? -error_ticks : error_ticks;
 }
 
-/* Moves `axis` from `from` to `to`; it must be there two seconds after the profile's end, and stay.
- */
-static void expect_arrival(uint32_t axis, int32_t from, int32_t to)
+/* Moves `axis`, that is as `config` says, from `from` to `to`; it must be there two seconds after
+ * the profile's end, and stay. */
+static void expect_arrival(uint32_t axis, const axis_config_t *config, int32_t from, int32_t to)
 {
-    const axis_config_t *const config = &robot_neuro.axes[axis];
     int32_t start[ROBOT_AXIS_MAX] = {0};
     int32_t end[ROBOT_AXIS_MAX] = {0};
     motor_t motor = {.position_ticks = from + 0.5};
@@ -396,19 +418,18 @@ static void expect_arrival(uint32_t axis, int32_t from, int32_t to)
     }
 }
 
-static void expect_arrivals(uint32_t axis)
+static void expect_arrivals(uint32_t axis, const axis_config_t *config)
 {
-    const axis_config_t *const config = &robot_neuro.axes[axis];
     const int32_t minimum = config->minimum_ticks;
     const int32_t maximum = config->maximum_ticks;
     const int32_t middle = minimum + (maximum - minimum) / 2;
 
-    expect_arrival(axis, minimum, maximum);
-    expect_arrival(axis, maximum, minimum);
-    expect_arrival(axis, middle, middle + 1 + config->deadband_ticks);
-    expect_arrival(axis, middle, middle - 1 - config->deadband_ticks);
-    expect_arrival(axis, middle, middle + 20);
-    expect_arrival(axis, middle, middle - 200);
+    expect_arrival(axis, config, minimum, maximum);
+    expect_arrival(axis, config, maximum, minimum);
+    expect_arrival(axis, config, middle, middle + 1 + config->deadband_ticks);
+    expect_arrival(axis, config, middle, middle - 1 - config->deadband_ticks);
+    expect_arrival(axis, config, middle, middle + 20);
+    expect_arrival(axis, config, middle, middle - 200);
 }
 
 static void expect_arrivals_with(card_type_t card_type, uint32_t axes)
@@ -417,7 +438,7 @@ static void expect_arrivals_with(card_type_t card_type, uint32_t axes)
 
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         if (robot_neuro.axes[i].card_type == (uint8_t)card_type) {
-            expect_arrivals(i);
+            expect_arrivals(i, &robot_neuro.axes[i]);
             checked++;
         }
     }
@@ -432,4 +453,14 @@ void test_SWR_MOTION_004_a_pwm_axis_comes_to_rest_within_its_deadband(void)
 void test_SWR_MOTION_004_a_non_pwm_axis_comes_to_rest_within_its_deadband(void)
 {
     expect_arrivals_with(CARD_TYPE_NON_PWM, 4U);
+}
+
+void test_SWR_MOTION_022_an_axis_with_magnitudes_comes_to_rest_within_its_deadband(void)
+{
+    const uint32_t axes[] = {AXIS_HEAD, AXIS_FEET, AXIS_LATERAL, AXIS_PITCH};
+
+    for (uint32_t i = 0U; i < (sizeof axes / sizeof axes[0]); i++) {
+        const axis_config_t config = with_magnitudes(&robot_neuro.axes[axes[i]]);
+        expect_arrivals(axes[i], &config);
+    }
 }

@@ -273,6 +273,33 @@ void test_SWR_BOX_001_a_drive_for_another_card_type_is_a_driver_fault(void)
     expect_off_with(CARD_STATUS_DRIVER_FAULT);
 }
 
+/* A card without pwm that hears of `drive`; its axis has magnitudes up to `maximum_duty`. */
+static void drive_without_pwm(uint32_t maximum_duty, card_drive_t drive)
+{
+    const axis_config_t axis = {
+        .slot = SLOT, .card_type = CARD_TYPE_NON_PWM, .maximum_duty = maximum_duty};
+
+    sim_card_init(&card, &axis, &encoder, false, 0U);
+    begin_sequence();
+    command.drive = drive;
+    send();
+}
+
+void test_SWR_BOX_009_a_magnitude_that_the_axis_has_not_is_a_driver_fault(void)
+{
+    drive_without_pwm(0U, (card_drive_t){CARD_DRIVE_NON_PWM, 1U, 0U});
+    TEST_ASSERT_TRUE(is_driving());
+    drive_without_pwm(0U, (card_drive_t){CARD_DRIVE_NON_PWM, 1U, 1U});
+    expect_off_with(CARD_STATUS_DRIVER_FAULT);
+}
+
+void test_SWR_BOX_009_a_magnitude_that_the_axis_has_is_applied(void)
+{
+    drive_without_pwm(50000U, (card_drive_t){CARD_DRIVE_NON_PWM, 1U, 40000U});
+    TEST_ASSERT_TRUE(is_driving());
+    TEST_ASSERT_EQUAL_UINT32(40000U, report().applied.duty);
+}
+
 void test_SWR_BOX_001_speed_above_the_guard_trips(void)
 {
     command.overspeed_ticks_per_s = 10000U;

@@ -17,8 +17,8 @@
 
 static sim_motor_t motor;
 static const card_drive_t off = {CARD_DRIVE_OFF, 0U, 0U};
-static const card_drive_t run_up = {CARD_DRIVE_NON_PWM, 1U, 0U};
-static const card_drive_t run_down = {CARD_DRIVE_NON_PWM, 0U, 0U};
+static const card_drive_t run_up = {CARD_DRIVE_PWM, 1U, MAXIMUM_DUTY};
+static const card_drive_t run_down = {CARD_DRIVE_PWM, 0U, MAXIMUM_DUTY};
 
 static axis_config_t an_axis(void)
 {
@@ -56,12 +56,17 @@ static int speed(void)
     return (int)motor.speed_ticks_per_s;
 }
 
-static int steady(uint32_t duty)
+static int steady_in(card_drive_mode_t mode, uint32_t duty)
 {
-    const card_drive_t drive = {CARD_DRIVE_PWM, 1U, duty};
+    const card_drive_t drive = {mode, 1U, duty};
     const double value = sim_motor_steady_speed(&motor, &drive);
 
     return (int)(value + 0.5);
+}
+
+static int steady(uint32_t duty)
+{
+    return steady_in(CARD_DRIVE_PWM, duty);
 }
 
 void test_SWR_BOX_002_a_motor_that_is_off_holds_its_position(void)
@@ -108,6 +113,21 @@ void test_SWR_BOX_002_a_motor_without_a_duty_range_does_not_obey_pwm(void)
     motor.minimum_duty = 0.0;
     motor.maximum_duty = 0.0;
     TEST_ASSERT_EQUAL_INT(0, steady(0x1FFFFU));
+}
+
+void test_SWR_BOX_009_without_magnitudes_a_motor_without_pwm_runs_at_full_speed(void)
+{
+    motor.minimum_duty = 0.0;
+    motor.maximum_duty = 0.0;
+    TEST_ASSERT_EQUAL_INT(FULL_SPEED, steady_in(CARD_DRIVE_NON_PWM, 0U));
+}
+
+void test_SWR_BOX_009_with_magnitudes_a_motor_without_pwm_turns_as_fast_as_they_say(void)
+{
+    TEST_ASSERT_EQUAL_INT(0, steady_in(CARD_DRIVE_NON_PWM, MINIMUM_DUTY - 1U));
+    for (uint32_t duty = MINIMUM_DUTY; duty <= MAXIMUM_DUTY; duty += 10000U) {
+        TEST_ASSERT_EQUAL_INT(steady(duty), steady_in(CARD_DRIVE_NON_PWM, duty));
+    }
 }
 
 void test_SWR_BOX_002_a_load_slows_it_and_sticks_it_below_a_tenth(void)

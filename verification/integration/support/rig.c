@@ -1,9 +1,28 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "integration/support/rig.h"
 
+#include "base/seal.h"
 #include "unity.h"
 
+#include <stddef.h>
 #include <string.h>
+
+/* So low that at home_speed a tick ahead still leaves more than the slowest speed. */
+#define MAGNITUDE_GAIN_PER_S 24U
+
+void rig_set_magnitude_robot(robot_t *robot)
+{
+    *robot = robot_neuro;
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+        axis_config_t *const row = &robot->axes[i];
+        if (row->card_type == (uint8_t)CARD_TYPE_NON_PWM) {
+            row->minimum_duty = robot_neuro.axes[AXIS_YAW].minimum_duty;
+            row->maximum_duty = robot_neuro.axes[AXIS_YAW].maximum_duty;
+            row->gain_per_s = MAGNITUDE_GAIN_PER_S;
+            row->seal = seal_of(SEAL_START, (const uint8_t *)row, offsetof(axis_config_t, seal));
+        }
+    }
+}
 
 void rig_start_robot(rig_t *self, const robot_t *robot)
 {

@@ -37,6 +37,9 @@ void rig_start(rig_t *self);
 /** The same with another robot than the NeuroRobot; `robot` must outlive the rig. */
 void rig_start_robot(rig_t *self, const robot_t *robot);
 
+/** The NeuroRobot, but for magnitudes that its cards without pwm take. */
+void rig_set_magnitude_robot(robot_t *robot);
+
 /** One cycle: frames, inputs, controller, 1 ms of physics. */
 void rig_cycle(rig_t *self);
 void rig_cycles(rig_t *self, uint32_t count);
