@@ -52,9 +52,14 @@ module Chart
         document.events - document.internal_events
       end
 
-      # Compound states other than regions, the ones worth asking for by name.
+      # Compound states other than regions, the ones worth asking for by name: the chart is not always in them.
       def compounds
-        document.states.select { |state| state.kind == :compound } - regions.map(&:state)
+        states = document.states.select { |state| state.kind == :compound } - regions.map(&:state)
+        states.reject { |state| always?(state, regions.of(state)) }
+      end
+
+      def always?(state, region)
+        regions.always_active?(region) && region.leaves == state.leaves
       end
 
       # "T01 (SWR-...), axis.scxml line 7: power to fault on stalled if ...": what stands above a transition's code.

@@ -69,26 +69,26 @@ module Chart
     end
 
     def unknown_event_test
-      unknown = "(#{@names.event_type})#{@document.events.length}"
       test('SWR_CHART_001', 'ignores_an_unknown_event',
-           [chart, inputs_line, '', "    #{@names.chart_function('init')}(&chart);",
-            "    TEST_ASSERT_EQUAL_HEX32(0U, #{dispatch(unknown)});", expect_leaves(@walk.start.after.leaves),
-            '    TEST_ASSERT_EQUAL_UINT32(0U, last_transition(&chart));'])
+           nothing_everywhere(["(#{@names.event_type})#{@document.events.length}"]))
     end
 
-    # Events that only the chart itself causes do nothing from outside, in every place of the table.
+    # Events that only the chart itself causes do nothing from outside.
     def internal_event_test
       return [] if @document.internal_events.empty?
 
-      rows = @document.internal_events.map do |event|
-        ['        place(&chart, &pairs[row]);',
-         "        TEST_ASSERT_EQUAL_HEX32(0U, #{dispatch(@names.event(event))});",
+      test('SWR_CHART_001', 'takes_no_internal_event_from_outside',
+           nothing_everywhere(@document.internal_events.map { |event| @names.event(event) }))
+    end
+
+    # In every place of the table.
+    def nothing_everywhere(events)
+      rows = events.map do |event|
+        ['        place(&chart, &pairs[row]);', "        TEST_ASSERT_EQUAL_HEX32(0U, #{dispatch(event)});",
          @regions.map { |region| unmoved(region) }, '        TEST_ASSERT_EQUAL_UINT32(0U, chart.trace.count);']
       end
-      test('SWR_CHART_001', 'takes_no_internal_event_from_outside',
-           [chart, inputs_line, '',
-            '    for (unsigned row = 0U; row < (sizeof pairs / sizeof pairs[0]); row++) {', rows,
-            '    }'])
+      [chart, inputs_line, '', '    for (unsigned row = 0U; row < (sizeof pairs / sizeof pairs[0]); row++) {', rows,
+       '    }']
     end
 
     def unmoved(region)
