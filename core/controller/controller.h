@@ -19,7 +19,7 @@
 #include "limits/requirement_limits.h"
 #include "motion/profile.h"
 #include "procedure/plan.h"
-#include "procedure/workphase.h"
+#include "procedure/procedure.h"
 #include "robot/robot.h"
 #include "safety/confirm_button.h"
 #include "safety/estop_latch.h"
@@ -81,7 +81,7 @@ typedef struct {
     loop_guard_t loop;
     confirm_button_t confirm;
     estop_latch_chart_t estop;
-    workphases_chart_t workphases;
+    procedure_t procedure;
     plan_t plan;
     profile_t profile;
     uint32_t jog_axis;

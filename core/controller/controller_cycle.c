@@ -21,7 +21,7 @@ void controller_init(controller_t *self, const robot_t *robot)
     pedal_gate_init(&self->pedal);
     loop_guard_init(&self->loop);
     estop_latch_chart_init(&self->estop);
-    workphases_chart_init(&self->workphases);
+    procedure_init(&self->procedure);
     plan_init(&self->plan);
     self->axis_count = robot->axis_count;
     for (uint32_t i = 0U; i < self->axis_count; i++) {

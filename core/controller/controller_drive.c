@@ -30,12 +30,12 @@ static permit_facts_t common_facts(const controller_t *self, const cycle_t *cycl
         .is_link_lost = is_any_link_lost(self),
         .is_pedal_faulty = (pedal == PEDAL_GATE_STATE_FAULT),
         .is_scanner_active = (cycle->inputs->scanner_active != 0U),
-        .is_armed = workphase_is_armed(&self->workphases),
+        .is_armed = procedure_is_armed(&self->procedure),
         .is_pedal_unproven = (pedal == PEDAL_GATE_STATE_UNPROVEN),
         .is_pedal_pressed = pedal_gate_is_open(&self->pedal),
         .is_every_axis_homed = controller_is_homed(self),
         .is_memory_damaged = controller_is_blind(self),
-        .is_homing_or_jog = (workphase_present(&self->workphases) != WORKPHASE_MOVE_TO_TARGET),
+        .is_homing_or_jog = (procedure_workphase(&self->procedure) != WORKPHASE_MOVE_TO_TARGET),
     };
     return facts;
 }
@@ -46,7 +46,7 @@ static bool is_needle_in(const controller_t *self, const robot_t *robot, uint32_
     const bool is_on = request->mode != (uint32_t)CARD_DRIVE_OFF;
     const bool is_upwards = is_on && servo_is_upwards(&robot->axes[index], request);
     const bool is_homing_across = is_on &&
-                                  (workphase_present(&self->workphases) == WORKPHASE_START_UP) &&
+                                  (procedure_workphase(&self->procedure) == WORKPHASE_START_UP) &&
                                   (robot->axes[index].needle_motion == (uint32_t)NEEDLE_ACROSS);
     return (controller_is_jogged(self, index) || is_homing_across) &&
            needle_forbids_jog(robot, self->axes, index, is_upwards);
@@ -73,11 +73,12 @@ static permit_t decide(const controller_t *self, const cycle_t *cycle, uint32_t 
 
 static uint32_t system_state(const controller_t *self, const cycle_t *cycle)
 {
-    uint32_t state = (uint32_t)workphase_present(&self->workphases) << 8U;
+    uint32_t state = (uint32_t)procedure_workphase(&self->procedure) << 8U;
     state |= pedal_gate_is_open(&self->pedal) ? CARD_SYSTEM_PEDAL : 0U;
     state |= (cycle->inputs->estop_open != 0U) ? CARD_SYSTEM_ESTOP : 0U;
     state |= (cycle->inputs->scanner_active != 0U) ? CARD_SYSTEM_SCANNER : 0U;
-    state |= (workphase_present(&self->workphases) == WORKPHASE_START_UP) ? CARD_SYSTEM_HOMING : 0U;
+    state |=
+        (procedure_workphase(&self->procedure) == WORKPHASE_START_UP) ? CARD_SYSTEM_HOMING : 0U;
     return state;
 }
 

@@ -41,9 +41,9 @@ bool controller_is_homed(const controller_t *self)
     return is_every_axis_homed;
 }
 
-workphases_inputs_t controller_guards(const controller_t *self, const cycle_t *cycle)
+workphase_inputs_t controller_guards(const controller_t *self, const cycle_t *cycle)
 {
-    const workphases_inputs_t guards = {
+    const workphase_inputs_t guards = {
         .is_hardware_ready = is_hardware_ready(self, cycle->inputs),
         .is_confirmation_due = is_confirmation_due(self, cycle->robot),
         .is_able = is_able(self),

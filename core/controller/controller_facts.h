@@ -29,6 +29,6 @@ static inline uint32_t controller_slot(const controller_t *self, uint32_t index)
 bool controller_is_homed(const controller_t *self);
 
 /** Facts for the guards of the workphase chart. */
-workphases_inputs_t controller_guards(const controller_t *self, const cycle_t *cycle);
+workphase_inputs_t controller_guards(const controller_t *self, const cycle_t *cycle);
 
 #endif

@@ -11,8 +11,8 @@
 /** A jog of axis `index` is armed. */
 static inline bool controller_is_jogged(const controller_t *self, uint32_t index)
 {
-    return (workphase_present(&self->workphases) == WORKPHASE_MANUAL) &&
-           workphase_is_armed(&self->workphases) && (self->jog_axis == index);
+    return (procedure_workphase(&self->procedure) == WORKPHASE_MANUAL) &&
+           procedure_is_armed(&self->procedure) && (self->jog_axis == index);
 }
 
 /**

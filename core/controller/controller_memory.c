@@ -43,7 +43,10 @@ static const piece_t pieces[] = {
     {INTERLOCKS, {offsetof(controller_t, pedal), offsetof(controller_t, pedal.chart.trace)}},
     {INTERLOCKS, {offsetof(controller_t, loop), offsetof(controller_t, loop.chart.trace)}},
     {INTERLOCKS, {offsetof(controller_t, confirm), offsetof(controller_t, estop)}},
-    {INTERLOCKS, {offsetof(controller_t, workphases), offsetof(controller_t, workphases.trace)}},
+    {INTERLOCKS,
+     {offsetof(controller_t, procedure), offsetof(controller_t, procedure.workphase.trace)}},
+    {INTERLOCKS,
+     {offsetof(controller_t, procedure.arming), offsetof(controller_t, procedure.arming.trace)}},
     {REST, {offsetof(controller_t, pending), offsetof(controller_t, seals)}},
 };
 static const range_t confirm_range = {offsetof(controller_t, confirm),
@@ -157,7 +160,7 @@ static void forget(controller_t *self, const cycle_t *cycle, uint32_t section)
         controller_note(self, cycle, EVENT_MEMORY_DAMAGED, (uint32_t)names[section - PLAN], 0);
         forget_single(self, section);
     }
-    controller_tell_order(self, cycle, WORKPHASES_EVENT_FAULT, STATUS_FAULT_PRESENT);
+    controller_tell_order(self, cycle, ARMING_EVENT_FAULT, STATUS_FAULT_PRESENT);
 }
 
 static void check_section(controller_t *self, const cycle_t *cycle,
@@ -195,7 +198,7 @@ static void check_table(controller_t *self, const cycle_t *cycle, uint32_t damag
         }
     }
     plan_forget_target(&self->plan);
-    controller_tell_order(self, cycle, WORKPHASES_EVENT_FAULT, STATUS_MEMORY_DAMAGED);
+    controller_tell_order(self, cycle, ARMING_EVENT_FAULT, STATUS_MEMORY_DAMAGED);
 }
 
 void controller_check_memory(controller_t *self, const cycle_t *cycle)

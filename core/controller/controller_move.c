@@ -114,7 +114,7 @@ static void choose_leg(const controller_t *self, const robot_t *robot, int32_t e
 /* A jog leaves the other axes alone, so does the needle that leaves; a move holds them all. */
 static bool is_moved(const controller_t *self, const robot_t *robot, uint32_t index)
 {
-    const workphase_t workphase = workphase_present(&self->workphases);
+    const workphase_t workphase = procedure_workphase(&self->procedure);
     const bool is_leaving = (workphase == WORKPHASE_START_UP) && (index == robot->needle_axis);
     return (workphase == WORKPHASE_MOVE_TO_TARGET) || is_leaving ||
            controller_is_jogged(self, index);
@@ -138,7 +138,7 @@ static void begin_leg(controller_t *self, const robot_t *robot)
     int32_t ends[ROBOT_AXIS_MAX] = {0};
     positions(self, starts);
     positions(self, ends);
-    const workphase_t workphase = workphase_present(&self->workphases);
+    const workphase_t workphase = procedure_workphase(&self->procedure);
     if (workphase == WORKPHASE_MOVE_TO_TARGET) {
         choose_leg(self, robot, ends);
     } else if (workphase == WORKPHASE_START_UP) {
@@ -189,7 +189,7 @@ static void follow_profile(controller_t *self, const cycle_t *cycle,
 /* The end of the whole order, not only of a leg. */
 static bool is_order_at_end(const controller_t *self)
 {
-    const workphase_t workphase = workphase_present(&self->workphases);
+    const workphase_t workphase = procedure_workphase(&self->procedure);
     bool is_end = true;
     if (workphase == WORKPHASE_MOVE_TO_TARGET) {
         is_end = memcmp(self->profile.end_ticks, self->plan.target_ticks,
@@ -231,7 +231,7 @@ static void run_profile(controller_t *self, const cycle_t *cycle,
         const bool is_end = is_order_at_end(self);
         rest_all(self, cycle, requests);
         if (is_end) {
-            controller_tell_order(self, cycle, WORKPHASES_EVENT_DONE, STATUS_OK);
+            controller_tell_order(self, cycle, ARMING_EVENT_DONE, STATUS_OK);
         }
     } else {
         watch_time(self, cycle);
@@ -241,10 +241,10 @@ static void run_profile(controller_t *self, const cycle_t *cycle,
 static void follow_pedal(controller_t *self, const cycle_t *cycle)
 {
     const bool is_open = pedal_gate_is_open(&self->pedal);
-    if (is_open && !workphase_is_moving(&self->workphases)) {
-        controller_tell_order(self, cycle, WORKPHASES_EVENT_PEDAL_DOWN, STATUS_OK);
-    } else if (!is_open && workphase_is_moving(&self->workphases)) {
-        controller_tell_order(self, cycle, WORKPHASES_EVENT_PEDAL_UP, STATUS_OK);
+    if (is_open && !procedure_is_moving(&self->procedure)) {
+        controller_tell_order(self, cycle, ARMING_EVENT_PEDAL_DOWN, STATUS_OK);
+    } else if (!is_open && procedure_is_moving(&self->procedure)) {
+        controller_tell_order(self, cycle, ARMING_EVENT_PEDAL_UP, STATUS_OK);
     } else {
         /* Nothing has changed. */
     }
@@ -253,16 +253,14 @@ static void follow_pedal(controller_t *self, const cycle_t *cycle)
 void controller_move(controller_t *self, const cycle_t *cycle,
                      card_drive_t requests[ROBOT_AXIS_MAX])
 {
-    const workphases_inputs_t guards = controller_guards(self, cycle);
-    const uint32_t actions =
-        workphases_chart_advance(&self->workphases, &guards, cycle->inputs->elapsed_us);
+    const uint32_t actions = procedure_advance(&self->procedure, cycle->inputs->elapsed_us);
     controller_report_order(self, cycle, actions, STATUS_OK);
     follow_pedal(self, cycle);
-    const bool is_start_up = workphase_present(&self->workphases) == WORKPHASE_START_UP;
-    if (is_start_up && guards.is_homed) {
-        controller_tell_order(self, cycle, WORKPHASES_EVENT_DONE, STATUS_OK);
+    const bool is_start_up = procedure_workphase(&self->procedure) == WORKPHASE_START_UP;
+    if (is_start_up && controller_is_homed(self)) {
+        controller_tell_order(self, cycle, ARMING_EVENT_DONE, STATUS_OK);
     }
-    if (!workphase_is_moving(&self->workphases)) {
+    if (!procedure_is_moving(&self->procedure)) {
         rest_all(self, cycle, requests);
     } else if (is_start_up && needle_must_leave(cycle->robot, self->axes)) {
         follow_profile(self, cycle, requests);

@@ -30,24 +30,24 @@ static void begin_start_up(controller_t *self, const cycle_t *cycle)
 static status_t obey_workphase(controller_t *self, const cycle_t *cycle, const command_t *command,
                                uint32_t *is_final)
 {
-    uint32_t actions = 0U;
+    procedure_actions_t actions;
     if ((command->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET) &&
         !plan_is_proved(&self->plan, cycle->robot)) {
         plan_forget_target(&self->plan);
         return STATUS_MEMORY_DAMAGED;
     }
-    const workphases_inputs_t guards = controller_guards(self, cycle);
+    const workphase_inputs_t guards = controller_guards(self, cycle);
     const status_t status =
-        workphase_request(&self->workphases, &guards, command->argument, &actions);
-    controller_report_order(self, cycle, actions, STATUS_DISCARDED);
+        procedure_request(&self->procedure, &guards, command->argument, &actions);
+    controller_report_order(self, cycle, actions.arming, STATUS_DISCARDED);
     if (status != STATUS_OK) {
         return status;
     }
     controller_note(self, cycle, EVENT_WORKPHASE, command->argument, 0);
-    if ((actions & WORKPHASES_ACTION_BEGIN_START_UP) != 0U) {
+    if ((actions.workphase & WORKPHASE_ACTION_BEGIN_START_UP) != 0U) {
         begin_start_up(self, cycle);
     }
-    if ((actions & WORKPHASES_ACTION_RENEW_PEDAL) != 0U) {
+    if ((actions.arming & ARMING_ACTION_RENEW_PEDAL) != 0U) {
         controller_await_order(self, command);
         *is_final = 0U;
     }
@@ -57,14 +57,14 @@ static status_t obey_workphase(controller_t *self, const cycle_t *cycle, const c
 static status_t obey_jog(controller_t *self, const cycle_t *cycle, const command_t *command,
                          answer_t *answer)
 {
-    uint32_t actions = 0U;
+    procedure_actions_t actions;
     status_t status = controller_judge_jog(self, cycle->robot, command, answer);
     if (status != STATUS_OK) {
         return status;
     }
-    const workphases_inputs_t guards = controller_guards(self, cycle);
-    status = workphase_request_jog(&self->workphases, &guards, &actions);
-    controller_report_order(self, cycle, actions, STATUS_DISCARDED);
+    const workphase_inputs_t guards = controller_guards(self, cycle);
+    status = procedure_request_jog(&self->procedure, &guards, &actions);
+    controller_report_order(self, cycle, actions.arming, STATUS_DISCARDED);
     if (status == STATUS_OK) {
         self->jog_axis = command->argument;
         self->jog_ticks = command->value;
@@ -77,7 +77,7 @@ static status_t obey_jog(controller_t *self, const cycle_t *cycle, const command
 static status_t obey_registration(controller_t *self, const cycle_t *cycle,
                                   const command_t *command)
 {
-    if (workphase_present(&self->workphases) != WORKPHASE_CALIBRATION) {
+    if (procedure_workphase(&self->procedure) != WORKPHASE_CALIBRATION) {
         return STATUS_WRONG_WORKPHASE;
     }
     const status_t status = plan_register(&self->plan, cycle->robot, &command->pose);
@@ -90,7 +90,7 @@ static status_t obey_registration(controller_t *self, const cycle_t *cycle,
 static status_t obey_target(controller_t *self, const cycle_t *cycle, const command_t *command,
                             answer_t *answer)
 {
-    if (workphase_present(&self->workphases) != WORKPHASE_TARGETING) {
+    if (procedure_workphase(&self->procedure) != WORKPHASE_TARGETING) {
         return STATUS_WRONG_WORKPHASE;
     }
     const solution_t result = plan_set_target(&self->plan, cycle->robot, &command->pose);
@@ -221,7 +221,7 @@ void controller_obey(controller_t *self, const cycle_t *cycle)
         const status_t status = obey(self, cycle, command, &draft);
         draft.kind = (status == STATUS_OK) ? (uint32_t)ANSWER_ACCEPTED : (uint32_t)ANSWER_REFUSED;
         draft.status = (uint32_t)status;
-        draft.workphase = (uint32_t)workphase_present(&self->workphases);
+        draft.workphase = (uint32_t)procedure_workphase(&self->procedure);
         if (status != STATUS_OK) {
             controller_note(self, cycle, EVENT_COMMAND_REFUSED, command->kind, (int32_t)status);
         }

@@ -161,7 +161,7 @@ static void note_grade(controller_t *self, const cycle_t *cycle, uint32_t index)
         controller_note(self, cycle, EVENT_AXIS_UNVERIFIED, index, axis->encoder.position_ticks);
         plan_forget_target(&self->plan);
         controller_because(self, EVENT_CAUSE_AXIS, index);
-        controller_tell_order(self, cycle, WORKPHASES_EVENT_FAULT, STATUS_NOT_HOMED);
+        controller_tell_order(self, cycle, ARMING_EVENT_FAULT, STATUS_NOT_HOMED);
         controller_because(self, EVENT_CAUSE_NONE, 0U);
     }
     if ((now == (uint32_t)AXIS_REFERENCE_LOST) && was_known && !axis_is_faulty(axis)) {
@@ -237,7 +237,7 @@ static void observe_estop(controller_t *self, const cycle_t *cycle)
         axis_disable(&self->axes[i]);
     }
     controller_because(self, EVENT_CAUSE_ESTOP, 0U);
-    controller_tell_order(self, cycle, WORKPHASES_EVENT_ESTOP, STATUS_DISCARDED);
+    controller_enter_emergency(self, cycle);
     controller_because(self, EVENT_CAUSE_NONE, 0U);
 }
 
@@ -292,7 +292,7 @@ static void observe_scanner(controller_t *self, const cycle_t *cycle)
 /* The operator confirms what is shown; what is shown of a silent card is old. */
 static void observe_button(controller_t *self, const cycle_t *cycle)
 {
-    bool is_barred = workphase_is_armed(&self->workphases) || (cycle->inputs->estop_open != 0U) ||
+    bool is_barred = procedure_is_armed(&self->procedure) || (cycle->inputs->estop_open != 0U) ||
                      controller_is_blind(self);
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         is_barred = is_barred || axis_is_moving_in_doubt(&self->axes[i]);
@@ -308,12 +308,23 @@ static void observe_button(controller_t *self, const cycle_t *cycle)
     }
 }
 
-void controller_observe(controller_t *self, const cycle_t *cycle)
+static void observe_procedure(controller_t *self, const cycle_t *cycle)
 {
-    if (workphases_chart_check(&self->workphases) != 0U) {
+    const uint32_t repaired = procedure_check(&self->procedure);
+    if ((repaired & PROCEDURE_WORKPHASE_REPAIRED) != 0U) {
         controller_note(self, cycle, EVENT_CHART_REPAIRED, (uint32_t)EVENT_CHART_WORKPHASES, 0);
+    }
+    if ((repaired & PROCEDURE_ARMING_REPAIRED) != 0U) {
+        controller_note(self, cycle, EVENT_CHART_REPAIRED, (uint32_t)EVENT_CHART_ARMING, 0);
+    }
+    if (repaired != 0U) {
         controller_abandon_order(self, cycle);
     }
+}
+
+void controller_observe(controller_t *self, const cycle_t *cycle)
+{
+    observe_procedure(self, cycle);
     observe_loop(self, cycle);
     observe_pedal(self, cycle);
     observe_estop(self, cycle);

@@ -7,7 +7,7 @@ answer_t *controller_add_answer(const controller_t *self, const cycle_t *cycle)
 {
     answer_t *const answer = &cycle->outputs->answers[cycle->outputs->answer_count];
     cycle->outputs->answer_count++;
-    answer->workphase = (uint32_t)workphase_present(&self->workphases);
+    answer->workphase = (uint32_t)procedure_workphase(&self->procedure);
     rigid_set_identity(&answer->pose);
     return answer;
 }
@@ -57,40 +57,43 @@ void controller_abandon_order(controller_t *self, const cycle_t *cycle)
 void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t actions,
                              status_t fault)
 {
-    if ((actions & WORKPHASES_ACTION_REPORT_DISCARDED) != 0U) {
+    if ((actions & ARMING_ACTION_REPORT_DISCARDED) != 0U) {
         controller_note(self, cycle, EVENT_ORDER_DISCARDED, 0U, (int32_t)fault);
         answer_pending(self, cycle, ANSWER_ABORTED, fault);
         end_order(self);
     }
-    if ((actions & WORKPHASES_ACTION_REPORT_EXPIRED) != 0U) {
+    if ((actions & ARMING_ACTION_REPORT_EXPIRED) != 0U) {
         controller_note(self, cycle, EVENT_ORDER_EXPIRED, 0U, 0);
         answer_pending(self, cycle, ANSWER_ABORTED, STATUS_EXPIRED);
         end_order(self);
     }
-    if ((actions & WORKPHASES_ACTION_REPORT_DONE) != 0U) {
+    if ((actions & ARMING_ACTION_REPORT_DONE) != 0U) {
         controller_note(self, cycle, EVENT_ORDER_DONE, 0U, 0);
         self->is_order_done = 1U;
         answer_pending(self, cycle, ANSWER_DONE, STATUS_OK);
         end_order(self);
     }
-    if ((actions & WORKPHASES_ACTION_RENEW_PEDAL) != 0U) {
+    if ((actions & ARMING_ACTION_RENEW_PEDAL) != 0U) {
         self->is_order_done = 0U;
         pedal_gate_renew(&self->pedal);
         controller_note(self, cycle, EVENT_ORDER_ARMED,
-                        (uint32_t)workphase_present(&self->workphases), 0);
+                        (uint32_t)procedure_workphase(&self->procedure), 0);
     }
 }
 
-void controller_tell_order(controller_t *self, const cycle_t *cycle, workphases_event_t event,
+void controller_tell_order(controller_t *self, const cycle_t *cycle, arming_event_t event,
                            status_t fault)
 {
-    const workphases_inputs_t guards = controller_guards(self, cycle);
-    const workphase_t before = workphase_present(&self->workphases);
-    const uint32_t actions = workphases_chart_dispatch(&self->workphases, &guards, event);
-    controller_report_order(self, cycle, actions, fault);
-    if (workphase_present(&self->workphases) != before) {
+    controller_report_order(self, cycle, procedure_tell(&self->procedure, event), fault);
+}
+
+void controller_enter_emergency(controller_t *self, const cycle_t *cycle)
+{
+    const workphase_t before = procedure_workphase(&self->procedure);
+    controller_report_order(self, cycle, procedure_estop(&self->procedure), STATUS_DISCARDED);
+    if (procedure_workphase(&self->procedure) != before) {
         controller_note(self, cycle, EVENT_WORKPHASE,
-                        (uint32_t)workphase_present(&self->workphases), 0);
+                        (uint32_t)procedure_workphase(&self->procedure), 0);
     }
 }
 
@@ -98,6 +101,6 @@ void controller_fail_order(controller_t *self, const cycle_t *cycle, event_cause
                            uint32_t peer)
 {
     controller_because(self, cause, peer);
-    controller_tell_order(self, cycle, WORKPHASES_EVENT_FAULT, STATUS_FAULT_PRESENT);
+    controller_tell_order(self, cycle, ARMING_EVENT_FAULT, STATUS_FAULT_PRESENT);
     controller_because(self, EVENT_CAUSE_NONE, 0U);
 }

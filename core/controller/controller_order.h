@@ -11,16 +11,21 @@ answer_t *controller_add_answer(const controller_t *self, const cycle_t *cycle);
 /** The order that is armed now is to be answered for good later: by `command`. */
 void controller_await_order(controller_t *self, const command_t *command);
 
-/** The workphase chart was damaged and is back in its safe state: what was armed is given up. */
+/** The workphase or the order was damaged, and both are in their safe states: what was armed is
+ * given up. */
 void controller_abandon_order(controller_t *self, const cycle_t *cycle);
 
-/** What the workphase chart just did: answers and events. `fault`: status for an order given up. */
+/** What became of the order, in ARMING_ACTION_ bits: answers and events. `fault`: status for one
+ * given up. */
 void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t actions,
                              status_t fault);
 
-/** Sends an event to the workphase chart and reports. */
-void controller_tell_order(controller_t *self, const cycle_t *cycle, workphases_event_t event,
+/** Tells the order an event and reports. */
+void controller_tell_order(controller_t *self, const cycle_t *cycle, arming_event_t event,
                            status_t fault);
+
+/** The e-stop was pulled. */
+void controller_enter_emergency(controller_t *self, const cycle_t *cycle);
 
 /** A fault ends the order; `cause` and `peer` say of what, as event_t. */
 void controller_fail_order(controller_t *self, const cycle_t *cycle, event_cause_t cause,

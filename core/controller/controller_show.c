@@ -38,7 +38,7 @@ static const remedy_t remedies[] = {
 
 static next_step_t step_for_plan(const controller_t *self)
 {
-    const workphase_t workphase = workphase_present(&self->workphases);
+    const workphase_t workphase = procedure_workphase(&self->procedure);
     next_step_t step = NEXT_STEP_TARGETING;
     if ((workphase == WORKPHASE_EMERGENCY) || !controller_is_homed(self)) {
         step = NEXT_STEP_START_UP;
@@ -95,7 +95,7 @@ static next_step_t confirmed_first(const controller_t *self, const cycle_t *cycl
     if (!is_for_start_up) {
         return step;
     }
-    const workphases_inputs_t guards = controller_guards(self, cycle);
+    const workphase_inputs_t guards = controller_guards(self, cycle);
     const bool is_due = guards.is_confirmation_due || is_confirmation_better(self, cycle->robot);
     return (guards.is_hardware_ready && is_due) ? NEXT_STEP_CONFIRM : step;
 }
@@ -114,7 +114,7 @@ static void show_axis(const controller_t *self, const cycle_t *cycle, uint32_t i
     shown->reading_ticks = axis->encoder.reading;
     shown->setpoint_ticks = axis->setpoint_ticks;
     shown->target_ticks = axis->setpoint_ticks;
-    if (workphase_present(&self->workphases) == WORKPHASE_MOVE_TO_TARGET) {
+    if (procedure_workphase(&self->procedure) == WORKPHASE_MOVE_TO_TARGET) {
         shown->target_ticks = self->plan.target_ticks[index];
     }
     shown->speed_ticks_per_s_q8 = axis->encoder.speed_ticks_per_s_q8;
@@ -204,8 +204,8 @@ void controller_show(const controller_t *self, const cycle_t *cycle)
     shown->axis_count = self->axis_count;
     shown->power_on = self->kept.power_on;
     shown->positions_awaited = controller_count_awaited(self);
-    shown->workphase = (uint32_t)workphase_present(&self->workphases);
-    shown->order = (uint32_t)self->workphases.order;
+    shown->workphase = (uint32_t)procedure_workphase(&self->procedure);
+    shown->order = (uint32_t)self->procedure.arming.state;
     shown->pedal = (uint32_t)self->pedal.chart.state;
     shown->estop = (uint32_t)self->estop.state;
     shown->loop = (uint32_t)self->loop.chart.state;

@@ -81,8 +81,9 @@ void test_SWR_PHASE_002_a_refused_request_changes_nothing_but_the_record(void)
     const controller_t before = rig.controller;
     TEST_ASSERT_EQUAL_UINT32(STATUS_WRONG_WORKPHASE,
                              rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
-    TEST_ASSERT_EQUAL_UINT32(before.workphases.phase, rig.controller.workphases.phase);
-    TEST_ASSERT_EQUAL_UINT32(before.workphases.order, rig.controller.workphases.order);
+    TEST_ASSERT_EQUAL_UINT32(before.procedure.workphase.state,
+                             rig.controller.procedure.workphase.state);
+    TEST_ASSERT_EQUAL_UINT32(before.procedure.arming.state, rig.controller.procedure.arming.state);
     TEST_ASSERT_EQUAL_MEMORY(&before.plan, &rig.controller.plan, sizeof before.plan);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_COMMAND_REFUSED));
 }
@@ -238,7 +239,7 @@ void test_SWR_IGTL_009_proposals_are_shown_and_never_armed(void)
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.is_proposal_reachable);
     command.pose.rotation_q30[1][1] = FIXED_ONE_Q30;
     TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_RIGID, rig_command(&rig, command).status);
-    TEST_ASSERT_EQUAL_UINT32(WORKPHASES_ORDER_NONE, rig.outputs.snapshot.order);
+    TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
 }
 
 void test_SWR_AXIS_010_a_jog_goes_to_its_position_in_manual_only(void)
@@ -267,7 +268,7 @@ void test_SWR_AXIS_004_a_jog_outside_the_soft_limits_is_refused(void)
     answer = rig_command(&rig, jog);
     TEST_ASSERT_EQUAL_UINT32(STATUS_AXIS_LIMIT, answer.status);
     TEST_ASSERT_EQUAL_UINT32(0U, answer.is_maximum);
-    TEST_ASSERT_EQUAL_UINT32(WORKPHASES_ORDER_NONE, rig.outputs.snapshot.order);
+    TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
 }
 
 void test_SWR_PERMIT_005_an_axis_not_homed_jogs_at_reduced_speed(void)
@@ -537,7 +538,8 @@ static void damage_everything(void)
     rig.controller.pedal.chart.state_inverse ^= 1U;
     rig.controller.estop.state_inverse ^= 1U;
     rig.controller.loop.chart.state_inverse ^= 1U;
-    rig.controller.workphases.phase_inverse ^= 1U;
+    rig.controller.procedure.workphase.state_inverse ^= 1U;
+    rig.controller.procedure.arming.state_inverse ^= 1U;
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         rig.controller.axes[i].chart.power_inverse ^= 1U;
         rig.controller.links[i].chart.state_inverse ^= 1U;
@@ -553,12 +555,12 @@ void test_SWR_CORE_004_damaged_charts_are_repaired_to_their_safe_states_and_repo
     damage_everything();
     rig_cycle(&rig);
     TEST_ASSERT_FALSE(rig_is_driving(&rig));
-    TEST_ASSERT_EQUAL_UINT32(18U, rig_count(&rig, EVENT_CHART_REPAIRED));
+    TEST_ASSERT_EQUAL_UINT32(19U, rig_count(&rig, EVENT_CHART_REPAIRED));
     TEST_ASSERT_EQUAL_UINT32(PEDAL_GATE_STATE_FAULT, rig.outputs.snapshot.pedal);
     TEST_ASSERT_EQUAL_UINT32(LOOP_GUARD_STATE_STOPPED, rig.outputs.snapshot.loop);
 }
 
-/* Four charts of which there is one, and each card's and axis'. */
+/* Five charts of which there is one, and each card's and axis'. */
 static void expect_all_charts_named(void)
 {
     uint32_t single = 0U;
@@ -577,7 +579,7 @@ static void expect_all_charts_named(void)
             single |= (uint32_t)1U << event->subject;
         }
     }
-    TEST_ASSERT_EQUAL_HEX32(0x0FU, single);
+    TEST_ASSERT_EQUAL_HEX32(0x4FU, single);
     TEST_ASSERT_EQUAL_HEX32(0xFEU, cards);
     TEST_ASSERT_EQUAL_HEX32(0x7FU, axes);
 }
@@ -603,23 +605,31 @@ void test_SWR_LINK_003_a_damaged_link_is_a_lost_card(void)
         TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_DISABLED, rig.outputs.snapshot.axes[2].power);
         TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, rig.outputs.snapshot.axes[2].reference);
         TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
-        TEST_ASSERT_EQUAL_UINT32(WORKPHASES_ORDER_NONE, rig.outputs.snapshot.order);
+        TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
     }
 }
 
-void test_SWR_CORE_004_a_damaged_workphase_chart_aborts_what_was_armed_once(void)
+/* One bit of one of the two charts. */
+static void expect_aborted_once(uint32_t *word)
 {
     rig_start_targeted(&rig);
     (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
     rig_forget(&rig);
-    rig.controller.workphases.order_inverse ^= 2U;
+    *word ^= 2U;
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_UINT32(1U, rig.answer_count);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig.answers[0].kind);
-    rig.controller.workphases.order_inverse ^= 2U;
+    *word ^= 2U;
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_UINT32(1U, rig.answer_count);
     TEST_ASSERT_EQUAL_UINT32(WORKPHASE_EMERGENCY, rig.outputs.snapshot.workphase);
+    TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
+}
+
+void test_SWR_CORE_004_a_damaged_workphase_or_order_aborts_what_was_armed_once(void)
+{
+    expect_aborted_once(&rig.controller.procedure.workphase.state_inverse);
+    expect_aborted_once(&rig.controller.procedure.arming.state_inverse);
 }
 
 void test_SWR_EVENT_002_events_beyond_the_most_of_a_cycle_are_counted(void)

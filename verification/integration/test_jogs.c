@@ -99,7 +99,7 @@ static void run_into_limit(uint32_t axis, int32_t accepted, int32_t damaged)
     rig.controller.jog_ticks = damaged;
     controller_seal(&rig.controller);
     rig_press(&rig);
-    while (rig.outputs.snapshot.order != (uint32_t)WORKPHASES_ORDER_NONE) {
+    while (rig.outputs.snapshot.order != (uint32_t)ARMING_STATE_NONE) {
         cycle_apart();
         has_stood = has_stood || has_reason(axis, PERMIT_REASON_COUPLED_LIMIT);
     }
@@ -135,7 +135,7 @@ void test_SWR_COUPLE_001_two_carriages_that_move_at_once_stop_inside_of_the_limi
     for (uint32_t i = 0U; i < (sizeof ends / sizeof ends[0]); i++) {
         begin_wrong_move(ends[i][0], ends[i][1]);
         rig_press(&rig);
-        while (rig.outputs.snapshot.order != (uint32_t)WORKPHASES_ORDER_NONE) {
+        while (rig.outputs.snapshot.order != (uint32_t)ARMING_STATE_NONE) {
             cycle_apart();
         }
         TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_ORDER_DONE));
@@ -217,7 +217,7 @@ void test_SWR_COUPLE_002_a_jog_that_would_end_beyond_the_limit_is_refused_by_nam
     answer = jog(AXIS_FEET, -5513);
     TEST_ASSERT_EQUAL_UINT32(STATUS_AXIS_LIMIT, answer.status);
     TEST_ASSERT_EQUAL_UINT32(0U, answer.is_maximum);
-    TEST_ASSERT_EQUAL_UINT32(WORKPHASES_ORDER_NONE, rig.outputs.snapshot.order);
+    TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
     expect_jog(AXIS_HEAD, -5338, STATUS_OK);
     expect_jog(AXIS_HEAD, -5339, STATUS_SEPARATION_LIMIT);
 }
@@ -290,7 +290,7 @@ static void start_up_apart(answer_kind_t expected)
 {
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
     rig_press(&rig);
-    for (uint32_t i = 0U; rig.outputs.snapshot.order != (uint32_t)WORKPHASES_ORDER_NONE; i++) {
+    for (uint32_t i = 0U; rig.outputs.snapshot.order != (uint32_t)ARMING_STATE_NONE; i++) {
         TEST_ASSERT_LESS_THAN_UINT32(100000U, i);
         cycle_apart();
     }
@@ -447,7 +447,7 @@ void test_SWR_JOG_004_a_jog_drives_no_other_axis(void)
             shift(i, 5);
         }
     }
-    while (rig.outputs.snapshot.order != (uint32_t)WORKPHASES_ORDER_NONE) {
+    while (rig.outputs.snapshot.order != (uint32_t)ARMING_STATE_NONE) {
         rig_cycle(&rig);
         for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
             TEST_ASSERT_TRUE((i == (uint32_t)AXIS_INSERTION) ||

@@ -46,7 +46,7 @@ static void expect_noticed(event_memory_t section, uint32_t index)
     TEST_ASSERT_EQUAL_INT32(index, rig.events[0].value);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMORY_DAMAGED));
     TEST_ASSERT_FALSE(rig_is_driving(&rig));
-    TEST_ASSERT_EQUAL_UINT32(WORKPHASES_ORDER_NONE, rig.outputs.snapshot.order);
+    TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
     rig_cycles(&rig, 100U);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMORY_DAMAGED));
     TEST_ASSERT_FALSE(rig_is_driving(&rig));
@@ -145,7 +145,10 @@ void test_SWR_MEMORY_002_damaged_interlocks_ask_for_start_up(void)
     expect_aborted();
     expect_all_disabled();
     begin_move();
-    rig.controller.workphases.pedal_missing_us ^= 1U;
+    rig.controller.procedure.arming.pedal_missing_us ^= 1U;
+    expect_noticed(EVENT_MEMORY_INTERLOCKS, 0U);
+    begin_move();
+    rig.controller.procedure.workphase.state_inverse ^= 1U;
     expect_noticed(EVENT_MEMORY_INTERLOCKS, 0U);
     begin_move();
     rig.controller.loop.overruns ^= 1U;

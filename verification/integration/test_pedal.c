@@ -68,7 +68,7 @@ void test_SWR_PEDAL_005_pressing_again_continues_from_the_actual_position_from_r
     rig_cycles(&rig, 500U);
     TEST_ASSERT_EQUAL_INT32(held, rig_position(&rig, AXIS_HEAD));
     rig_box(&rig, "pedal press");
-    while (rig.outputs.snapshot.order != (uint32_t)WORKPHASES_ORDER_MOVING) {
+    while (rig.outputs.snapshot.order != (uint32_t)ARMING_STATE_MOVING) {
         rig_cycle(&rig);
     }
     TEST_ASSERT_INT32_WITHIN(1, held, rig.outputs.snapshot.axes[AXIS_HEAD].setpoint_ticks);

@@ -363,7 +363,7 @@ void test_SWR_REF_010_a_doubt_ends_the_move_and_forgets_the_target(void)
     rig_forget(&rig);
     rig_cycle(&rig);
     TEST_ASSERT_FALSE(rig_is_driving(&rig));
-    TEST_ASSERT_EQUAL_UINT32(WORKPHASES_ORDER_NONE, rig.outputs.snapshot.order);
+    TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
     TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_HOMED, rig.answers[0].status);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
     rig_release(&rig);

@@ -57,7 +57,7 @@ void test_SWR_ESTOP_003_the_e_stop_disables_the_axes_and_discards_the_move(void)
     rig_box(&rig, "estop pull");
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 3U).kind);
     TEST_ASSERT_EQUAL_UINT32(WORKPHASE_EMERGENCY, rig.outputs.snapshot.workphase);
-    TEST_ASSERT_EQUAL_UINT32(WORKPHASES_ORDER_NONE, rig.outputs.snapshot.order);
+    TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_DISABLED, rig.outputs.snapshot.axes[i].power);
     }

@@ -52,8 +52,8 @@ class TestComposition < Minitest::Test
   end
 
   # Without these stimuli two axes can be explored without exchanging them.
-  RARE = %w[loop.late pedal.differ scanner.on plan.register axis_N.home procedure.request_planning
-            procedure.request_manual procedure.request_jog].freeze
+  RARE = %w[loop.late pedal.differ scanner.on plan.register axis_N.home workphase.request_planning
+            workphase.request_manual workphase.request_jog].freeze
   NEVER = "when: In('plan.empty') && In('plan.targeted')"
   UNCHANGED = Class.new(Exchange) do
     def name(text)
@@ -86,7 +86,7 @@ class TestComposition < Minitest::Test
   {
     'a_reaction_of_one_axis_that_is_not_said_to_be' => ['of: axis_1, ', '', /\Areaction card enters lost axis_1/],
     'a_condition_on_one_axis' => ['when: permit_N', 'when: permit_1', /\Astimulus stall_1\.driven/],
-    'an_input_from_one_axis' => ["any && In('axis_N.homed')", "any && In('axis_1.homed')", /\Ainput procedure\./],
+    'an_input_from_one_axis' => ["any && In('axis_N.homed')", "any && In('axis_1.homed')", /\Ainput workphase\./],
     'a_fact_of_one_axis' => ["is_homed: In('axis_N.homed')", "is_homed: In('axis_1.homed')", /\Afacts permit_1/],
     'a_property_of_one_axis' => ["In('stall_N.stalled') || !In('axis_N", "In('stall_N.stalled') || !In('axis_1",
                                  /\Aproperty COMP-I02/]
@@ -156,10 +156,11 @@ class TestComposition < Minitest::Test
 
   # What the controller might forget, and the property that shows it with the shortest way there.
   {
-    'procedure does renew_pedal, tell: [pedal.renew]' => /^COMP-I11\.1: .*procedure\.request_start_up/,
+    'arming does renew_pedal, tell: [pedal.renew]' => /^COMP-I11\.1: .*workphase\.request_start_up/,
+    'workphase does discard_order, tell: [arming.discard]' => /^COMP-I10\.1: .*workphase\.request_stop$/,
     'stall_N does report_stall, tell: [axis_N.failed]' => /^COMP-I02\.1: .*stall_1\.no_progress$/,
-    'estop enters pulled, tell: [axis_N.disable, procedure.estop]' => /^COMP-I05\.1: .*estop\.opened$/,
-    'axis_N hears failed, tell: [plan.forget, procedure.fault]' => /^COMP-I09\.1: .*axis_1\.failed$/
+    'estop enters pulled, tell: [axis_N.disable, workphase.estop]' => /^COMP-I05\.1: .*estop\.opened$/,
+    'axis_N hears failed, tell: [plan.forget, arming.fault]' => /^COMP-I09\.1: .*axis_1\.failed$/
   }.each do |row, finding|
     define_method("test_SWR_CHART_012_without_#{row[/\w+ \w+ \w+/].tr(' ', '_')}_a_property_is_violated") do
       report = explore(1, 'gcc', changed(row, row.sub(/\[.*\]/, '[plan.forget]')))

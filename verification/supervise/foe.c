@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "supervise/foe.h"
 
+#include "charts/arming_chart.h"
 #include "charts/axis_chart.h"
-#include "charts/workphases_chart.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -203,10 +203,10 @@ static bool is_time(const foe_t *self, const rig_t *rig)
         is_now = is_now && self->was_homed;
         break;
     case FOE_MOVING:
-        is_now = is_now && (armed == (uint32_t)WORKPHASES_ORDER_MOVING);
+        is_now = is_now && (armed == (uint32_t)ARMING_STATE_MOVING);
         break;
     case FOE_IDLE:
-        is_now = is_now && self->was_homed && (armed == (uint32_t)WORKPHASES_ORDER_NONE);
+        is_now = is_now && self->was_homed && (armed == (uint32_t)ARMING_STATE_NONE);
         break;
     case FOE_ALWAYS:
     default:
@@ -252,7 +252,7 @@ static void have_mercy(foe_t *self, const rig_t *rig)
 
 static void work_pedal(foe_t *self, rig_t *rig)
 {
-    const bool is_armed = rig->outputs.snapshot.order != (uint32_t)WORKPHASES_ORDER_NONE;
+    const bool is_armed = rig->outputs.snapshot.order != (uint32_t)ARMING_STATE_NONE;
     if (self->on_ms == 0U) {
         return;
     }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "supervise/stage.h"
 
-#include "charts/workphases_chart.h"
+#include "charts/arming_chart.h"
 #include "limits/requirement_limits.h"
 #include "robot/kinematics.h"
 
@@ -280,10 +280,10 @@ static void do_jog(stage_t *self, rig_t *rig)
         send_phase(self, rig, WORKPHASE_START_UP);
     } else if (shown->workphase != (uint32_t)WORKPHASE_MANUAL) {
         send_phase(self, rig, WORKPHASE_MANUAL);
-    } else if (shown->order == (uint32_t)WORKPHASES_ORDER_NONE) {
+    } else if (shown->order == (uint32_t)ARMING_STATE_NONE) {
         rig_box(rig, "pedal release");
         send_jog(self, rig);
-    } else if (shown->order == (uint32_t)WORKPHASES_ORDER_WAITING) {
+    } else if (shown->order == (uint32_t)ARMING_STATE_WAITING) {
         rig_box(rig, "pedal press");
     } else if (random_below(self, 4U) == 0U) {
         rig_box(rig, "pedal release");
@@ -390,7 +390,7 @@ static void do_next_step(stage_t *self, rig_t *rig)
 /* Every axis is homed, nothing is armed, and nothing is in the way of a jog. */
 static bool is_free(const snapshot_t *shown)
 {
-    return (shown->is_homed != 0U) && (shown->order == (uint32_t)WORKPHASES_ORDER_NONE) &&
+    return (shown->is_homed != 0U) && (shown->order == (uint32_t)ARMING_STATE_NONE) &&
            ((shown->next_step == (uint32_t)NEXT_STEP_TARGETING) ||
             ((shown->next_step >= (uint32_t)NEXT_STEP_REGISTER) &&
              (shown->next_step <= (uint32_t)NEXT_STEP_NOTHING)));

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "supervise/witness.h"
 
+#include "charts/arming_chart.h"
 #include "charts/axis_chart.h"
-#include "charts/workphases_chart.h"
 
 #include <math.h>
 #include <string.h>
@@ -108,7 +108,7 @@ static void judge_permit(witness_t *self, const rig_t *rig)
     const controller_inputs_t *const inputs = &rig->inputs;
     if (rig_is_driving(rig) && ((inputs->pedal_a == 0U) || (inputs->pedal_b == 0U) ||
                                 (inputs->estop_open != 0U) || (inputs->scanner_active != 0U) ||
-                                (rig->outputs.snapshot.order == (uint32_t)WORKPHASES_ORDER_NONE))) {
+                                (rig->outputs.snapshot.order == (uint32_t)ARMING_STATE_NONE))) {
         complain(self, rig, SENTENCE_PERMIT, 0U, 1.0);
     }
 }
@@ -146,7 +146,7 @@ static void judge_rest(witness_t *self, const rig_t *rig, uint32_t axis, double 
 
 static void judge_end(witness_t *self, const rig_t *rig)
 {
-    const bool is_moving = rig->outputs.snapshot.order == (uint32_t)WORKPHASES_ORDER_MOVING;
+    const bool is_moving = rig->outputs.snapshot.order == (uint32_t)ARMING_STATE_MOVING;
     self->moving_cycles = is_moving ? (self->moving_cycles + 1U) : 0U;
     if (self->moving_cycles > ENDS_CYCLES) {
         complain(self, rig, SENTENCE_ENDS, 0U, self->moving_cycles / 1000.0);
@@ -157,7 +157,7 @@ static void judge_needle(witness_t *self, const rig_t *rig, double truth)
 {
     const snapshot_t *const shown = &rig->outputs.snapshot;
     const bool is_homing = (shown->workphase == (uint32_t)WORKPHASE_START_UP) &&
-                           (shown->order == (uint32_t)WORKPHASES_ORDER_MOVING) &&
+                           (shown->order == (uint32_t)ARMING_STATE_MOVING) &&
                            !is_homed(rig, AXIS_INSERTION);
     if (!is_homing || !self->was_homing || (truth < self->needle_from)) {
         self->needle_from = truth;
@@ -272,7 +272,7 @@ static void judge_jog(witness_t *self, const rig_t *rig, double depth_ticks, boo
 static bool is_moving_to_target(const rig_t *rig)
 {
     return (rig->outputs.snapshot.workphase == (uint32_t)WORKPHASE_MOVE_TO_TARGET) &&
-           (rig->outputs.snapshot.order == (uint32_t)WORKPHASES_ORDER_MOVING);
+           (rig->outputs.snapshot.order == (uint32_t)ARMING_STATE_MOVING);
 }
 
 static void judge_beyond(witness_t *self, const rig_t *rig)

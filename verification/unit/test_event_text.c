@@ -13,7 +13,7 @@
 #include "interface/app/names.h"
 #include "interface/command.h"
 #include "interface/status.h"
-#include "procedure/workphase.h"
+#include "interface/workphase_list.h"
 #include "robot/robot.h"
 #include "unity.h"
 

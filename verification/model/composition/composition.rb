@@ -11,7 +11,7 @@ class Composition
   # Something that composition.yml names does not exist.
   class Wrong < StandardError; end
 
-  FILE = File.join(__dir__, 'composition.yml')
+  FILE = File.join(ProductCharts::ROOT, 'statecharts/composition.yml')
   TRIGGERS = %w[enters does hears].freeze
 
   # configurations: the snapshots that the chart's own walk reaches; stimuli: its events, then its timers.

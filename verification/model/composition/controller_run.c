@@ -7,8 +7,9 @@
  *     controller_run EPISODES
  *
  * Standard output has a line for each change, of every axis with its card and with the next axis:
- * the numbers of loop, pedal, estop, card, axes, stalls, procedure, plan and scanner, and for each
- * axis whether it may move: 0, 1, or 2 when another card forbids it. The same lines on every run.
+ * the numbers of loop, pedal, estop, card, axes, stalls, workphase, arming, plan and scanner, and
+ * for each axis whether it may move: 0, 1, or 2 when another card forbids it. The same lines on
+ * every run.
  */
 #include "numbers.h"
 
@@ -22,7 +23,7 @@
 
 #define CYCLES 2500U
 #define AXES 2U
-#define COLUMNS 13U
+#define COLUMNS 14U
 
 typedef struct {
     uint32_t numbers[COLUMNS];
@@ -114,7 +115,8 @@ static row_t row_of(uint32_t axis)
         add(&row, stall_watchdog_number(
                       &self->axes[(axis + i) % robot_neuro.axis_count].supervision.stall));
     }
-    add(&row, workphases_number(&self->workphases));
+    add(&row, workphase_number(&self->procedure.workphase));
+    add(&row, arming_number(&self->procedure.arming));
     add(&row, plan_of(&self->plan));
     add(&row, scanner_of(&rig.inputs));
     for (uint32_t i = 0U; i < AXES; i++) {
