@@ -155,16 +155,22 @@ static uint32_t follow_switch(axis_t *self, const axis_config_t *config)
     return notes | compare_switch(self, config);
 }
 
-uint32_t axis_observe(axis_t *self, const axis_config_t *config, const card_report_t *report)
+bool axis_check(axis_t *self)
+{
+    const bool is_repaired = axis_chart_check(&self->chart) != 0U;
+    const bool is_unwatched = supervision_check(&self->supervision);
+    if (is_unwatched) {
+        /* The axis must not be driven until it is enabled anew. */
+        tell(self, AXIS_EVENT_FAILED, false);
+    }
+    return is_repaired || is_unwatched;
+}
+
+uint32_t axis_observe(axis_t *self, const axis_config_t *config, const card_report_t *report,
+                      uint32_t elapsed_us)
 {
     uint32_t notes = 0U;
-    if (axis_chart_check(&self->chart) != 0U) {
-        notes |= AXIS_NOTE_CHART_REPAIRED;
-    }
-    if (stall_watchdog_chart_check(&self->supervision.stall) != 0U) {
-        /* Its safe state watches nothing: the axis must not be driven until it is enabled anew. */
-        notes |= fail(self, AXIS_NOTE_CHART_REPAIRED);
-    }
+    (void)axis_chart_advance(&self->chart, elapsed_us);
     if (encoder_step(&self->encoder, config, report)) {
         notes |= fail(self, AXIS_NOTE_ENCODER_FAULT);
         homing_forget(&self->homing);
@@ -311,7 +317,6 @@ uint32_t axis_supervise(axis_t *self, const axis_config_t *config, bool is_drive
                                      .is_relied_on = is_relied_on,
                                      .drive = *sent,
                                      .elapsed_us = elapsed_us};
-    (void)axis_chart_advance(&self->chart, elapsed_us);
     uint32_t found = supervision_step(&self->supervision, config, &view);
     if (homing_is_too_long(&self->homing, config, leg, is_driven, elapsed_us)) {
         found |= AXIS_NOTE_HOME_TIMEOUT;

@@ -2,8 +2,8 @@
 /**
  * @file
  * One robot axis: its encoder, its enabling and homing (statecharts/axis.scxml), its supervision
- * and its servo. Each cycle: axis_observe(), then one of axis_rest(), axis_follow(), axis_home()
- * for a drive request, then axis_supervise() with what the permit made of it.
+ * and its servo. Each cycle: axis_check(), axis_observe(), then one of axis_rest(), axis_follow(),
+ * axis_home() for a drive request, then axis_supervise() with what the permit made of it.
  */
 #ifndef BORESIGHT_AXIS_H
 #define BORESIGHT_AXIS_H
@@ -41,8 +41,12 @@ typedef struct {
 /** Starts disabled and fresh: nothing is known of where it is. */
 void axis_init(axis_t *self);
 
+/** Before each cycle: what was damaged of its charts leaves a fault. True when something was. */
+bool axis_check(axis_t *self);
+
 /**
- * Takes this cycle's report (NULL when none is valid): position, switches, homing.
+ * Takes this cycle's report (NULL when none is valid): position, switches, homing; `elapsed_us`
+ * since the one before.
  *
  * @return AXIS_NOTE_ bits
  *
@@ -50,7 +54,8 @@ void axis_init(axis_t *self);
  * @satisfies SWR-AXIS-025
  * @satisfies SWR-AXIS-026
  */
-uint32_t axis_observe(axis_t *self, const axis_config_t *config, const card_report_t *report);
+uint32_t axis_observe(axis_t *self, const axis_config_t *config, const card_report_t *report,
+                      uint32_t elapsed_us);
 
 /**
  * Enables the axis unless `is_fault_present`; clears a stall.

@@ -19,7 +19,6 @@
 /** Notes of an axis: what happened in a cycle. All but AXIS_NOTE_HOMED say that it is not homed any
  * more, and all but that and AXIS_NOTE_DRIFTED are faults. */
 #define AXIS_NOTE_HOMED 0x001U
-#define AXIS_NOTE_CHART_REPAIRED 0x002U
 #define AXIS_NOTE_ENCODER_FAULT 0x004U
 #define AXIS_NOTE_STALLED 0x008U
 #define AXIS_NOTE_FOLLOWING_ERROR 0x010U
@@ -69,6 +68,13 @@ typedef struct {
 } supervision_t;
 
 void supervision_init(supervision_t *self);
+
+/** Before each step: a damaged stall watchdog is stalled and watches nothing. True when it was
+ * damaged. */
+static inline bool supervision_check(supervision_t *self)
+{
+    return stall_watchdog_chart_check(&self->stall) != 0U;
+}
 
 /** The farthest that an axis may move while it is off. */
 int32_t supervision_rest_ticks(const axis_config_t *config);

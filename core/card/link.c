@@ -80,9 +80,10 @@ void link_distrust(link_t *self, uint32_t slot, uint32_t card_type, uint32_t fir
     give_up(self, CARD_LINK_EVENT_CARD_FAULT, LINK_CAUSE_MEMORY);
 }
 
-void link_step(link_t *self, const uint8_t *bytes)
+void link_step(link_t *self, const uint8_t *bytes, uint32_t elapsed_us)
 {
     const card_link_inputs_t inputs = {.is_fresh = false};
+    (void)card_link_chart_advance(&self->chart, elapsed_us);
     receive(self, bytes);
     compare_echo(self);
     if (link_is_well(self)) {

@@ -37,9 +37,16 @@ typedef struct {
 /** Starts absent; only a card of this type and firmware will be trusted. */
 void link_init(link_t *self, uint32_t slot, uint32_t card_type, uint32_t firmware);
 
+/** Before each step: a damaged link is a lost card. True when it was damaged. */
+static inline bool link_check(link_t *self)
+{
+    return card_link_chart_check(&self->chart) != 0U;
+}
+
 /**
- * One cycle. `bytes` is this cycle's frame, NULL when none was received. While the card is usable,
- * its heartbeat must be 1 to LIMIT_SEQUENCE_WINDOW after the last one.
+ * One cycle; `elapsed_us` since the one before. `bytes` is this cycle's frame, NULL when none was
+ * received. While the card is usable, its heartbeat must be 1 to LIMIT_SEQUENCE_WINDOW after the
+ * last one.
  *
  * @satisfies SWR-LINK-001
  * @satisfies SWR-LINK-002
@@ -49,7 +56,7 @@ void link_init(link_t *self, uint32_t slot, uint32_t card_type, uint32_t firmwar
  * @satisfies SWR-LINK-007
  * @satisfies SWR-LINK-008
  */
-void link_step(link_t *self, const uint8_t *bytes);
+void link_step(link_t *self, const uint8_t *bytes, uint32_t elapsed_us);
 
 /** Remembers what goes out in this cycle, for the comparison with the card's read-back. */
 void link_note_sent(link_t *self, uint32_t sequence, const card_drive_t *drive);

@@ -41,13 +41,12 @@ static void observe_link(controller_t *self, const cycle_t *cycle, uint32_t inde
     const bool was_usable = link_is_usable(link);
     const bool was_lost = link->chart.state == CARD_LINK_STATE_LOST;
     const uint32_t had_errors = link->frame_errors;
-    const bool is_damaged = card_link_chart_check(&link->chart) != 0U;
+    const bool is_damaged = link_check(link);
     if (is_damaged) {
         controller_note(self, cycle, EVENT_CHART_REPAIRED, (uint32_t)EVENT_CHART_CARD,
                         (int32_t)link->slot);
     }
-    (void)card_link_chart_advance(&link->chart, cycle->inputs->elapsed_us);
-    link_step(link, is_received ? cycle->inputs->frames[slot] : NULL);
+    link_step(link, is_received ? cycle->inputs->frames[slot] : NULL, cycle->inputs->elapsed_us);
     if (link->frame_errors != had_errors) {
         controller_note(self, cycle, EVENT_FRAME_REFUSED, link->slot, (int32_t)link->last_error);
     }
@@ -126,10 +125,6 @@ static void note_axis(controller_t *self, const cycle_t *cycle, uint32_t index, 
                   {AXIS_NOTE_WRONG_SPEED, EVENT_AXIS_WRONG_SPEED},
                   {AXIS_NOTE_DRIFTED, EVENT_AXIS_DRIFTED},
                   {AXIS_NOTE_SWITCH_ELSEWHERE, EVENT_AXIS_SWITCH_ELSEWHERE}};
-    if ((notes & AXIS_NOTE_CHART_REPAIRED) != 0U) {
-        controller_note(self, cycle, EVENT_CHART_REPAIRED, (uint32_t)EVENT_CHART_AXIS,
-                        (int32_t)index);
-    }
     for (uint32_t i = 0U; (notes != 0U) && (i < (sizeof events / sizeof events[0])); i++) {
         if ((notes & events[i].note) != 0U) {
             controller_note(self, cycle, events[i].event, index,
@@ -175,7 +170,12 @@ static void observe_axis(controller_t *self, const cycle_t *cycle, uint32_t inde
     const axis_config_t *const config = &cycle->robot->axes[index];
     const link_t *const link = &self->links[index];
     const card_report_t *const report = (link->is_fresh != 0U) ? &link->report : NULL;
-    uint32_t notes = axis_observe(&self->axes[index], config, report);
+    if (axis_check(&self->axes[index])) {
+        controller_note(self, cycle, EVENT_CHART_REPAIRED, (uint32_t)EVENT_CHART_AXIS,
+                        (int32_t)index);
+        plan_forget_target(&self->plan);
+    }
+    uint32_t notes = axis_observe(&self->axes[index], config, report, cycle->inputs->elapsed_us);
     controller_compare(self, cycle, index);
     notes |= axis_supervise(&self->axes[index], config, self->is_driven[index] != 0U,
                             &link->sent_before, cycle->inputs->elapsed_us);
@@ -201,7 +201,7 @@ static void note_gate(controller_t *self, const cycle_t *cycle)
 static void observe_pedal(controller_t *self, const cycle_t *cycle)
 {
     const bool was_faulty = self->pedal.chart.state == PEDAL_GATE_STATE_FAULT;
-    if (pedal_gate_chart_check(&self->pedal.chart) != 0U) {
+    if (pedal_gate_check(&self->pedal)) {
         controller_note(self, cycle, EVENT_CHART_REPAIRED, (uint32_t)EVENT_CHART_PEDAL_GATE, 0);
     }
     pedal_gate_step(&self->pedal, cycle->inputs->pedal_a != 0U, cycle->inputs->pedal_b != 0U,
@@ -220,11 +220,10 @@ static void observe_pedal(controller_t *self, const cycle_t *cycle)
 static void observe_estop(controller_t *self, const cycle_t *cycle)
 {
     const estop_latch_state_t before = self->estop.state;
-    if (estop_latch_chart_check(&self->estop) != 0U) {
+    if (estop_latch_check(&self->estop)) {
         controller_note(self, cycle, EVENT_CHART_REPAIRED, (uint32_t)EVENT_CHART_ESTOP, 0);
     }
-    (void)estop_latch_chart_advance(&self->estop, cycle->inputs->elapsed_us);
-    estop_latch_step(&self->estop, cycle->inputs->estop_open != 0U);
+    estop_latch_step(&self->estop, cycle->inputs->estop_open != 0U, cycle->inputs->elapsed_us);
     if (self->estop.state == before) {
         return;
     }
@@ -245,7 +244,7 @@ static void observe_loop(controller_t *self, const cycle_t *cycle)
 {
     const uint32_t overruns = self->loop.overruns;
     const loop_guard_state_t before = self->loop.chart.state;
-    if (loop_guard_chart_check(&self->loop.chart) != 0U) {
+    if (loop_guard_check(&self->loop)) {
         controller_note(self, cycle, EVENT_CHART_REPAIRED, (uint32_t)EVENT_CHART_LOOP_GUARD, 0);
     }
     loop_guard_step(&self->loop, cycle->inputs->elapsed_us);

@@ -11,13 +11,26 @@
 #include "charts/estop_latch_chart.h"
 
 #include <stdbool.h>
+#include <stdint.h>
+
+/** Starts latched. */
+static inline void estop_latch_init(estop_latch_chart_t *self)
+{
+    estop_latch_chart_init(self);
+}
+
+/** Before each step: a damaged latch is latched. True when it was damaged. */
+static inline bool estop_latch_check(estop_latch_chart_t *self)
+{
+    return estop_latch_chart_check(self) != 0U;
+}
 
 /**
- * One cycle with the level of this cycle.
+ * One cycle with the level of this cycle; `elapsed_us` since the step before.
  *
  * @satisfies SWR-ESTOP-001
  */
-void estop_latch_step(estop_latch_chart_t *self, bool is_open);
+void estop_latch_step(estop_latch_chart_t *self, bool is_open, uint32_t elapsed_us);
 
 /**
  * Clears the latch if the switch is closed.

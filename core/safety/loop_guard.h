@@ -9,6 +9,7 @@
 
 #include "charts/loop_guard_chart.h"
 
+#include <stdbool.h>
 #include <stdint.h>
 
 typedef struct {
@@ -17,6 +18,12 @@ typedef struct {
 } loop_guard_t;
 
 void loop_guard_init(loop_guard_t *self);
+
+/** Before each step: a damaged guard has stopped the loop. True when it was damaged. */
+static inline bool loop_guard_check(loop_guard_t *self)
+{
+    return loop_guard_chart_check(&self->chart) != 0U;
+}
 
 /**
  * One cycle that came `elapsed_us` after the one before. Late above LIMIT_OVERRUN_US.

@@ -21,6 +21,12 @@ typedef struct {
 /** Starts unproven: the pedal must be seen released first. */
 void pedal_gate_init(pedal_gate_t *self);
 
+/** Before each step: a damaged gate is in its fault. True when it was damaged. */
+static inline bool pedal_gate_check(pedal_gate_t *self)
+{
+    return pedal_gate_chart_check(&self->chart) != 0U;
+}
+
 /**
  * One cycle with the levels of this cycle; `elapsed_us` since the step before.
  *

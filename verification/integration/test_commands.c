@@ -560,6 +560,23 @@ void test_SWR_CORE_004_damaged_charts_are_repaired_to_their_safe_states_and_repo
     TEST_ASSERT_EQUAL_UINT32(LOOP_GUARD_STATE_STOPPED, rig.outputs.snapshot.loop);
 }
 
+void test_SWR_CHART_007_every_chart_is_advanced_in_every_cycle(void)
+{
+    rig_start_homed(&rig);
+    const controller_t *const self = &rig.controller;
+    const uint64_t now_us = self->loop.chart.now_us;
+    TEST_ASSERT_GREATER_THAN_UINT64(0U, now_us);
+    TEST_ASSERT_EQUAL_UINT64(now_us, self->pedal.chart.now_us);
+    TEST_ASSERT_EQUAL_UINT64(now_us, self->estop.now_us);
+    TEST_ASSERT_EQUAL_UINT64(now_us, self->procedure.workphase.now_us);
+    TEST_ASSERT_EQUAL_UINT64(now_us, self->procedure.arming.now_us);
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
+        TEST_ASSERT_EQUAL_UINT64(now_us, self->links[i].chart.now_us);
+        TEST_ASSERT_EQUAL_UINT64(now_us, self->axes[i].chart.now_us);
+        TEST_ASSERT_EQUAL_UINT64(now_us, self->axes[i].supervision.stall.now_us);
+    }
+}
+
 /* Five charts of which there is one, and each card's and axis'. */
 static void expect_all_charts_named(void)
 {

@@ -255,7 +255,7 @@ static void use_axis(axis_t *axis, axis_reference_t grade)
     card_report_t report;
     (void)memset(&report, 0, sizeof report);
     axis_init(axis);
-    (void)axis_observe(axis, head, &report);
+    (void)axis_observe(axis, head, &report, CYCLE_US);
     axis_enable(axis, false);
     axis->chart.reference = grade;
     axis->chart.reference_inverse = ~(uint32_t)grade;

@@ -45,7 +45,7 @@ static uint32_t rest_cycle(int32_t ticks)
         report.last_edge_us = report.time_us;
     }
     report.encoder_count += ticks;
-    const uint32_t notes = axis_observe(&axis, config, &report);
+    const uint32_t notes = axis_observe(&axis, config, &report, CYCLE_US);
     (void)axis_rest(&axis, CYCLE_US);
     return notes | axis_supervise(&axis, config, false, &off, CYCLE_US);
 }
@@ -55,7 +55,7 @@ static void silent_cycles(uint32_t cycles)
 {
     const card_drive_t off = {.mode = CARD_DRIVE_OFF};
     for (uint32_t i = 0U; i < cycles; i++) {
-        TEST_ASSERT_EQUAL_HEX32(0U, axis_observe(&axis, config, NULL));
+        TEST_ASSERT_EQUAL_HEX32(0U, axis_observe(&axis, config, NULL, CYCLE_US));
         TEST_ASSERT_EQUAL_HEX32(0U, axis_supervise(&axis, config, false, &off, CYCLE_US));
     }
 }

@@ -51,7 +51,7 @@ static uint32_t observe_way(int32_t ticks)
     report.time_us += CYCLE_US;
     report.last_edge_us = report.time_us;
     report.encoder_count += (config->is_encoder_inverted != 0U) ? -ticks : ticks;
-    return axis_observe(&axis, config, &report);
+    return axis_observe(&axis, config, &report, CYCLE_US);
 }
 
 static uint32_t observe_switch(bool is_active)
@@ -85,7 +85,7 @@ static void use(const subject_t *subject)
     margin = subject->margin;
     (void)memset(&report, 0, sizeof report);
     axis_init(&axis);
-    TEST_ASSERT_EQUAL_HEX32(0U, axis_observe(&axis, config, &report));
+    TEST_ASSERT_EQUAL_HEX32(0U, axis_observe(&axis, config, &report, CYCLE_US));
     axis_enable(&axis, false);
 }
 
@@ -204,7 +204,7 @@ void test_SWR_AXIS_025_an_axis_without_a_switch_has_none_to_compare(void)
     const subject_t rotation = {&robot_neuro.axes[AXIS_ROTATION], 55};
     use(&rotation);
     report.time_us += LIMIT_SPEED_TIMEOUT_US;
-    TEST_ASSERT_EQUAL_HEX32(0U, axis_observe(&axis, config, &report));
+    TEST_ASSERT_EQUAL_HEX32(0U, axis_observe(&axis, config, &report, CYCLE_US));
     TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_HOMED, axis_begin_homing(&axis, config));
     report.limits = CARD_LIMIT_LOWER | CARD_LIMIT_UPPER;
     TEST_ASSERT_EQUAL_HEX32(0U, move_to(-1000));

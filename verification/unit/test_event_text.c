@@ -8,7 +8,6 @@
 
 #include "base/fixed.h"
 #include "base/rigid.h"
-#include "charts/workphases_chart.h"
 #include "interface/app/event_words.h"
 #include "interface/app/names.h"
 #include "interface/command.h"

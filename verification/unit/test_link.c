@@ -54,7 +54,7 @@ static void make_report(void)
 static void receive(void)
 {
     card_frame_encode_report(&report, bytes);
-    link_step(&card, bytes);
+    link_step(&card, bytes, LIMIT_CYCLE_US);
 }
 
 static void good_cycle(void)
@@ -67,7 +67,7 @@ static void good_cycle(void)
 static void silent_cycle(void)
 {
     make_report();
-    link_step(&card, NULL);
+    link_step(&card, NULL, LIMIT_CYCLE_US);
     command();
 }
 
@@ -90,7 +90,7 @@ static void expect_discarded(card_frame_result_t result)
     const card_report_t before = card.report;
     const uint32_t errors = card.frame_errors;
 
-    link_step(&card, bytes);
+    link_step(&card, bytes, LIMIT_CYCLE_US);
     TEST_ASSERT_EQUAL_UINT32(result, card.last_error);
     TEST_ASSERT_EQUAL_UINT32(errors + 1U, card.frame_errors);
     TEST_ASSERT_EQUAL_UINT32(0U, card.is_fresh);
@@ -162,7 +162,7 @@ void test_SWR_LINK_001_discarded_frames_count_as_silence(void)
         make_report();
         card_frame_encode_report(&report, bytes);
         bytes[100] ^= 1U;
-        link_step(&card, bytes);
+        link_step(&card, bytes, LIMIT_CYCLE_US);
     }
     TEST_ASSERT_FALSE(link_is_usable(&card));
 }
@@ -468,7 +468,7 @@ void test_SWR_LINK_007_a_report_from_before_or_far_ahead_is_discarded(void)
         expect_discarded(CARD_FRAME_REPEATED);
     }
     receive_with_heartbeat(last + LIMIT_SEQUENCE_WINDOW);
-    link_step(&card, bytes);
+    link_step(&card, bytes, LIMIT_CYCLE_US);
     TEST_ASSERT_EQUAL_UINT32(1U, card.is_fresh);
 }
 
@@ -485,7 +485,7 @@ void test_SWR_LINK_007_a_lost_card_may_have_begun_to_count_anew(void)
 {
     lose_by_silence();
     receive_with_heartbeat(1U);
-    link_step(&card, bytes);
+    link_step(&card, bytes, LIMIT_CYCLE_US);
     TEST_ASSERT_EQUAL_UINT32(1U, card.is_fresh);
     link_reset(&card);
     TEST_ASSERT_TRUE(link_is_usable(&card));

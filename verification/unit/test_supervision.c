@@ -55,7 +55,7 @@ static uint32_t scan(const axis_config_t *config, uint32_t seed)
         }
         report.time_us += CYCLE_US;
         report.encoder_count = sim_encoder_count(&encoder);
-        notes |= axis_observe(&axis, config, &report);
+        notes |= axis_observe(&axis, config, &report, CYCLE_US);
         (void)axis_rest(&axis, CYCLE_US);
         notes |= axis_supervise(&axis, config, false, &off, CYCLE_US);
     }
