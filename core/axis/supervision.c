@@ -111,6 +111,7 @@ void supervision_settle(supervision_t *self)
     self->due_q16 = 0;
     self->silent_us = 0U;
     count_account_settle(&self->account);
+    edge_pace_settle(&self->pace);
 }
 
 /* What is missing is called by its name if nothing at all is counted any more. Once told, it is
@@ -129,6 +130,30 @@ static uint32_t watch_counts(supervision_t *self, const axis_config_t *config, i
     supervision_settle(self);
     return (is_none || (due >= (int64_t)LIMIT_SILENT_TICKS)) ? AXIS_NOTE_NO_COUNTS
                                                              : AXIS_NOTE_WRONG_SPEED;
+}
+
+/* Told once, as all that is missing. */
+static bool is_uneven(supervision_t *self, const axis_config_t *config,
+                      const supervision_view_t *view, int64_t counted_ticks)
+{
+    const int64_t speed_q8 = self->model.speed_ticks_per_s_q8;
+    if ((speed_q8 != 0) && (counted_ticks == 0)) {
+        return false;
+    }
+    const int64_t size_q8 = (speed_q8 < 0) ? -speed_q8 : speed_q8;
+    const int64_t ticks = (speed_q8 < 0) ? -counted_ticks : counted_ticks;
+    const int32_t least_q8 =
+        config->full_speed_ticks_per_s * (256 / (int32_t)LIMIT_PACE_LEAST_SHARE);
+    if ((size_q8 < (int64_t)least_q8) || (ticks < 0)) {
+        edge_pace_rest(&self->pace);
+        return false;
+    }
+    const bool is_found =
+        edge_pace_step(&self->pace, (uint32_t)ticks, view->edge_us, (uint32_t)size_q8);
+    if (is_found) {
+        supervision_settle(self);
+    }
+    return is_found;
 }
 
 static void settle(supervision_t *self, const supervision_view_t *view)
@@ -240,6 +265,7 @@ uint32_t supervision_step(supervision_t *self, const axis_config_t *config,
     notes |= note(is_backwards(self, view), AXIS_NOTE_WRONG_WAY);
     notes |= note(is_moving_while_off(self, config, view), AXIS_NOTE_MOVED_OFF);
     notes |= watch_counts(self, config, model_q16, counted, driven_us);
+    notes |= note(is_uneven(self, config, view, counted), AXIS_NOTE_UNEVEN_COUNTS);
     self->position_ticks = view->position_ticks;
     return notes;
 }

@@ -8,6 +8,7 @@
 #define BORESIGHT_SUPERVISION_H
 
 #include "axis/count_account.h"
+#include "axis/edge_pace.h"
 #include "card/card_frame.h"
 #include "charts/stall_watchdog_chart.h"
 #include "motion/motor_model.h"
@@ -30,6 +31,7 @@
 #define AXIS_NOTE_WRONG_SPEED 0x400U
 #define AXIS_NOTE_DRIFTED 0x800U
 #define AXIS_NOTE_SWITCH_ELSEWHERE 0x1000U
+#define AXIS_NOTE_UNEVEN_COUNTS 0x2000U
 
 /** Places that are remembered of an axis that is off: those of the last second. */
 #define SUPERVISION_PLACES 11U
@@ -43,6 +45,7 @@ typedef struct {
     bool is_upwards;               /**< Direction of the last drive that was asked for. */
     bool is_relied_on;  /**< Enabled, homed or unverified: off, it is to stay where it is. */
     card_drive_t drive; /**< What the card applied up to this position. */
+    uint32_t edge_us;   /**< Card time of its newest edge. */
     uint32_t elapsed_us;
 } supervision_view_t;
 
@@ -64,6 +67,7 @@ typedef struct {
     uint32_t silent_us;    /**< Since LIMIT_SILENT_TICKS were due without any. */
     int32_t missing_ticks; /**< What was due of them at a fault, for the record. */
     count_account_t account;
+    edge_pace_t pace;
     stall_watchdog_chart_t stall;
 } supervision_t;
 

@@ -44,6 +44,7 @@ static const struct {
 } events[] = {{EVENT_AXIS_WRONG_WAY, "wrong way"},
               {EVENT_AXIS_NO_COUNTS, "no counts"},
               {EVENT_AXIS_WRONG_SPEED, "wrong speed"},
+              {EVENT_AXIS_UNEVEN_COUNTS, "uneven counts"},
               {EVENT_AXIS_FOLLOWING_ERROR, "following error"},
               {EVENT_AXIS_STALLED, "stall"}};
 

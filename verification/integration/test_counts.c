@@ -143,6 +143,46 @@ void test_SWR_AXIS_019_an_encoder_that_is_stuck_now_and_then_is_found(void)
     }
 }
 
+/* Half of the counts are lost for so many ms of each few, from the first cycle of a move on. */
+static double flicker(uint32_t axis, uint32_t broken_ms, uint32_t of_ms)
+{
+    double most = 0.0;
+    rig_box(&rig, "pedal press");
+    for (uint32_t i = 0U; !is_at_fault(axis); i++) {
+        TEST_ASSERT_LESS_THAN_UINT32(MOST_CYCLES, i);
+        TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_ORDER_DONE));
+        set_encoder(axis, ((i % of_ms) < broken_ms) ? "half" : "normal");
+        rig_cycle(&rig);
+        most = (apart(axis) > most) ? apart(axis) : most;
+    }
+    rig_release(&rig);
+    rig_expect_nothing_known(&rig, axis);
+    return most;
+}
+
+/* Their motors have not yet shown how fast they are, of most axes not even in homing. */
+void test_SWR_AXIS_027_counts_that_come_and_go_in_a_first_jog_are_found(void)
+{
+    static const int32_t ends[ROBOT_AXIS_MAX] = {-2400, 2400, -2300, 120000, 7000, -360, -1200};
+    static const uint32_t rhythms[][2] = {{1U, 2U}, {1U, 10U}, {3U, 10U}, {4U, 8U}, {1U, 20U}};
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
+        for (uint32_t k = 0U; k < (sizeof rhythms / sizeof rhythms[0]); k++) {
+            begin_jog(i, ends[i]);
+            TEST_ASSERT_TRUE(flicker(i, rhythms[k][0], rhythms[k][1]) <= (most_apart(i) / 2.0));
+        }
+    }
+}
+
+void test_SWR_AXIS_027_a_target_is_not_reached_with_counts_that_come_and_go(void)
+{
+    begin_move(-8000000, 200000000, 90000000);
+    TEST_ASSERT_TRUE(flicker(AXIS_FEET, 4U, 8U) <= (most_apart(AXIS_FEET) / 2.0));
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_UNEVEN_COUNTS));
+    begin_move(-8000000, 195000000, 40000000);
+    TEST_ASSERT_TRUE(flicker(AXIS_HEAD, 3U, 10U) <= (most_apart(AXIS_HEAD) / 2.0));
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_UNEVEN_COUNTS));
+}
+
 /* Its profile is so slow that its motor runs in short pushes. */
 void test_SWR_AXIS_019_half_the_counts_of_an_axis_that_is_slower_than_its_motor_are_found(void)
 {

@@ -80,10 +80,12 @@ static void plan_taps(foe_t *self)
 static void plan_flicker(foe_t *self)
 {
     static const foe_wish_t wishes[] = {FOE_ASKS_TARGETS, FOE_ASKS_TARGETS, FOE_ASKS_JOGS};
-    const uint32_t period_ms = between(self, 10U, 200U);
+    const bool is_fast = below(self, 2U) == 0U;
+    const uint32_t period_ms = is_fast ? between(self, 2U, 20U) : between(self, 10U, 200U);
     break_encoder(self, 2U);
     self->wish = wishes[below(self, 3U)];
-    self->when = (foe_when_t)below(self, 3U);
+    /* The fast ones from the first move on, before a motor has shown much of itself. */
+    self->when = is_fast ? FOE_HOMED : (foe_when_t)below(self, 3U);
     self->broken_ms = between(self, 1U, (period_ms < 60U) ? period_ms - 1U : 60U);
     self->whole_ms = period_ms - self->broken_ms;
     if (below(self, 4U) == 0U) {

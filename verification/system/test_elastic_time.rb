@@ -8,7 +8,7 @@ require_relative 'support/system_test'
 
 class TestElasticTime < SystemTest
   TROUBLE = %w[OVERRUN LOOP_STOPPED CARD_LOST ORDER_DISCARDED ORDER_OVERDUE AXIS_STALLED AXIS_FOLLOWING_ERROR
-               AXIS_WRONG_WAY AXIS_MOVED_OFF AXIS_NO_COUNTS AXIS_WRONG_SPEED].freeze
+               AXIS_WRONG_WAY AXIS_MOVED_OFF AXIS_NO_COUNTS AXIS_WRONG_SPEED AXIS_UNEVEN_COUNTS].freeze
   PAUSES = [*[0.003] * 20, *[0.03] * 10, 0.3, 1.0].freeze # Seconds.
   PROGRAMS = %w[control box].freeze
 

@@ -8,6 +8,7 @@
 #include "axis/axis.h"
 #include "axis/count_account.h"
 #include "axis/drift_audit.h"
+#include "axis/edge_pace.h"
 #include "axis/encoder.h"
 #include "axis/homing.h"
 #include "axis/supervision.h"
@@ -27,6 +28,8 @@ TEST_SOURCE_FILE("robot_neuro.c")
 
 #define CYCLE_US 1000U
 #define LONG_CYCLES 20000U
+#define BROKEN_CYCLES 3U
+#define RHYTHM_CYCLES 10U
 #define SILENT_CYCLES (LIMIT_SILENT_TIME_US / CYCLE_US)
 
 static const axis_config_t *const head = &robot_neuro.axes[AXIS_HEAD];
@@ -37,6 +40,7 @@ static const axis_config_t *config;
 static motor_model_t motor;
 static int64_t way_q16;
 static int32_t position_ticks;
+static uint32_t edge_us;
 static uint32_t driven_cycles;
 
 static void use(const axis_config_t *which)
@@ -46,6 +50,7 @@ static void use(const axis_config_t *which)
     motor = (motor_model_t){0};
     way_q16 = 0;
     position_ticks = 0;
+    edge_us = 0U;
     driven_cycles = 0U;
 }
 
@@ -75,6 +80,7 @@ static uint32_t step(card_drive_t sent, int32_t ticks, uint32_t elapsed_us)
                                      .setpoint_ticks = position_ticks,
                                      .following_error_ticks = config->following_error_ticks,
                                      .drive = sent,
+                                     .edge_us = edge_us,
                                      .elapsed_us = elapsed_us};
     return supervision_step(&supervision, config, &view);
 }
@@ -229,6 +235,47 @@ void test_SWR_AXIS_019_a_wrong_speed_is_told_once(void)
     TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_WRONG_SPEED, run(drive(true), 50, LONG_CYCLES));
     TEST_ASSERT_EQUAL_INT64(0, supervision.account.short_e2_q16);
     TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), 50, 10U));
+}
+
+/* Half of the counts are lost for some cycles of each few. @return notes of the first cycle that
+ * has any */
+static uint32_t flicker(card_drive_t sent, uint32_t cycles)
+{
+    uint32_t notes = 0U;
+    for (uint32_t i = 0U; (i < cycles) && (notes == 0U); i++) {
+        edge_us += CYCLE_US;
+        notes = cycle(sent, ((i % RHYTHM_CYCLES) < BROKEN_CYCLES) ? 50 : 100);
+    }
+    return notes;
+}
+
+void test_SWR_AXIS_027_counts_that_come_and_go_are_told_once(void)
+{
+    use(needle);
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_UNEVEN_COUNTS, flicker(drive(true), LONG_CYCLES));
+    TEST_ASSERT_LESS_OR_EQUAL_UINT32(3U * RHYTHM_CYCLES, driven_cycles);
+    TEST_ASSERT_EQUAL_UINT32(0U, supervision.pace.uneven);
+    TEST_ASSERT_EQUAL_INT64(0, supervision.account.short_e2_q16);
+    use(needle);
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_UNEVEN_COUNTS, flicker(drive(false), LONG_CYCLES));
+}
+
+void test_SWR_AXIS_027_below_an_eighth_of_its_speed_a_motor_has_no_pace(void)
+{
+    use(needle);
+    card_drive_t slow = drive(true);
+    slow.duty = motor_model_duty(needle, (int64_t)needle->full_speed_ticks_per_s * 256 / 9);
+    TEST_ASSERT_EQUAL_HEX32(0U, flicker(slow, 20U * RHYTHM_CYCLES));
+    TEST_ASSERT_EQUAL_UINT32(0U, supervision.pace.uneven);
+}
+
+void test_SWR_AXIS_027_a_count_against_the_drive_begins_anew(void)
+{
+    use(needle);
+    TEST_ASSERT_EQUAL_HEX32(0U, flicker(drive(true), 5U));
+    TEST_ASSERT_GREATER_THAN_UINT32(0U, supervision.pace.speed_ticks_per_s_q8);
+    TEST_ASSERT_EQUAL_HEX32(0U, step(drive(true), -1, CYCLE_US));
+    TEST_ASSERT_EQUAL_UINT32(0U, supervision.pace.speed_ticks_per_s_q8);
 }
 
 /* What is missing of counts, in hundredths of ticks; the motor has shown what it is. */

@@ -8,6 +8,7 @@
 #include "axis/axis.h"
 #include "axis/count_account.h"
 #include "axis/drift_audit.h"
+#include "axis/edge_pace.h"
 #include "axis/encoder.h"
 #include "axis/homing.h"
 #include "axis/supervision.h"

@@ -9,6 +9,7 @@
 #include "axis/axis.h"
 #include "axis/count_account.h"
 #include "axis/drift_audit.h"
+#include "axis/edge_pace.h"
 #include "limits/requirement_limits.h"
 #include "robot/coupled_limit.h"
 #include "robot/joints.h"

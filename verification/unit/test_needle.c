@@ -8,6 +8,7 @@
 #include "axis/axis.h"
 #include "axis/count_account.h"
 #include "axis/drift_audit.h"
+#include "axis/edge_pace.h"
 #include "safety/needle.h"
 
 TEST_SOURCE_FILE("axis_chart.c")
