@@ -12,6 +12,7 @@
 #define WINDOW_Q16 ((int64_t)LIMIT_ACCOUNT_WINDOW_TICKS * 65536)
 /* In fewer ticks one more or less would say too much of a motor. */
 #define CALIBRATION_Q16 (3 * WINDOW_Q16)
+#define NO_COUNT UINT32_MAX
 
 /* All in percent. */
 typedef struct {
@@ -32,6 +33,7 @@ static const regime_facts_t regimes[COUNT_REGIMES] = {
 void count_account_init(count_account_t *self)
 {
     (void)memset(self, 0, sizeof *self);
+    self->since_q16 = NO_COUNT;
     for (uint32_t i = 0U; i < (uint32_t)COUNT_REGIMES; i++) {
         self->calibrations[i].least_percent = regimes[i].least;
         self->calibrations[i].most_percent = regimes[i].most;
@@ -67,6 +69,7 @@ static void follow_drive(count_account_t *self, int64_t model_q16, uint32_t elap
     if (model_q16 == 0) {
         self->run_us = 0U;
         self->rest_us = longer(self->rest_us, elapsed_us);
+        self->since_q16 = NO_COUNT;
         return;
     }
     if (model_q16 < 0) {
@@ -95,7 +98,8 @@ static void clear_calibration(count_calibration_t *shown)
  * is a fault, and nothing to go by. */
 static bool narrow(count_calibration_t *shown, const regime_facts_t *facts)
 {
-    const int32_t counted = fixed_saturate((shown->counted_ticks * ONE_E2_Q16) / shown->model_q16);
+    const int32_t counted =
+        fixed_saturate(((int64_t)shown->counted_ticks * ONE_E2_Q16) / shown->model_q16);
     const uint32_t percent = (counted < 0) ? 0U : (uint32_t)counted;
     const uint32_t kept = (percent * facts->kept) / 100U;
     const uint32_t more = (percent * facts->more) / 100U;
@@ -108,16 +112,39 @@ static bool narrow(count_calibration_t *shown, const regime_facts_t *facts)
     return true;
 }
 
-static bool calibrate(count_account_t *self, int64_t way_q16, int64_t counted_ticks,
+/* Steady speed from count to count: a run that a servo ends with one would have half a tick too
+ * many of its short steady part. */
+static void show_steady(count_account_t *self, count_calibration_t *shown, uint32_t way_q16,
+                        int32_t counted_ticks)
+{
+    const bool is_counting = self->since_q16 != NO_COUNT;
+    if (is_counting) {
+        self->since_q16 += way_q16;
+    }
+    if ((counted_ticks == 0) || (way_q16 == 0U)) {
+        return;
+    }
+    if (is_counting) {
+        shown->model_q16 += (int64_t)self->since_q16;
+        shown->counted_ticks += counted_ticks;
+    }
+    self->since_q16 = 0U;
+}
+
+static bool calibrate(count_account_t *self, uint32_t way_q16, int32_t counted_ticks,
                       uint32_t elapsed_us)
 {
     count_calibration_t *const shown = &self->calibrations[self->regime];
     if (is_calibrated(shown)) {
         return true;
     }
-    shown->model_q16 += way_q16;
-    shown->counted_ticks += counted_ticks;
-    shown->time_us += (way_q16 != 0) ? elapsed_us : 0U;
+    shown->time_us += (way_q16 != 0U) ? elapsed_us : 0U;
+    if (self->regime == (uint32_t)COUNT_REGIME_STEADY) {
+        show_steady(self, shown, way_q16, counted_ticks);
+    } else {
+        shown->model_q16 += (int64_t)way_q16;
+        shown->counted_ticks += counted_ticks;
+    }
     return !is_calibrated(shown) || narrow(shown, &regimes[self->regime]);
 }
 
@@ -133,7 +160,7 @@ static int64_t summed(int64_t sum_e2_q16, int64_t missing_e2_q16)
 
 static void close_window(count_account_t *self)
 {
-    const int64_t counted_e2_q16 = self->counted_ticks * ONE_E2_Q16;
+    const int64_t counted_e2_q16 = (int64_t)self->counted_ticks * ONE_E2_Q16;
     self->short_e2_q16 = summed(self->short_e2_q16, self->least_e2_q16 - counted_e2_q16);
     self->over_e2_q16 = summed(self->over_e2_q16, counted_e2_q16 - self->most_e2_q16);
     self->percent = fixed_saturate(counted_e2_q16 / self->model_q16);
@@ -142,7 +169,7 @@ static void close_window(count_account_t *self)
 
 /* A window ends with a count, so that a part of a tick is not taken for a missing one; at twice its
  * way it ends without. */
-static bool is_window_full(const count_account_t *self, int64_t counted_ticks)
+static bool is_window_full(const count_account_t *self, int32_t counted_ticks)
 {
     const bool is_long =
         (self->model_q16 >= WINDOW_Q16) && (self->window_us >= LIMIT_ACCOUNT_WINDOW_US);
@@ -166,13 +193,13 @@ bool count_account_step(count_account_t *self, const axis_config_t *config, int6
     }
     const count_calibration_t *const shown = &self->calibrations[self->regime];
     const int64_t way_q16 = (model_q16 < 0) ? -model_q16 : model_q16;
-    const int64_t counted = counted_ticks * (int64_t)self->direction;
+    const int32_t counted = fixed_saturate(counted_ticks * (int64_t)self->direction);
     self->window_us += (way_q16 != 0) ? elapsed_us : 0U;
     self->model_q16 += way_q16;
-    self->counted_ticks += counted;
+    self->counted_ticks = fixed_saturate((int64_t)self->counted_ticks + (int64_t)counted);
     self->least_e2_q16 += way_q16 * (int64_t)shown->least_percent;
     self->most_e2_q16 += way_q16 * (int64_t)shown->most_percent;
-    if (!calibrate(self, way_q16, counted, elapsed_us)) {
+    if (!calibrate(self, (uint32_t)way_q16, counted, elapsed_us)) {
         return true;
     }
     if (!is_window_full(self, counted)) {

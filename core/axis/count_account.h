@@ -18,8 +18,8 @@ typedef enum { COUNT_REGIME_RISING = 0, COUNT_REGIME_STEADY = 1, COUNT_REGIMES =
 
 /** What the motor has shown of itself in a regime. */
 typedef struct {
-    int64_t model_q16; /**< Way of the model, until it has been compared. */
-    int64_t counted_ticks;
+    int64_t model_q16;     /**< Way of the model, until it has been compared. */
+    int32_t counted_ticks; /**< In the direction of the drive. */
     uint32_t time_us;
     uint32_t least_percent; /**< Of the model's way, that must be counted. */
     uint32_t most_percent;  /**< That may be counted. */
@@ -28,15 +28,17 @@ typedef struct {
 typedef struct {
     int64_t model_q16;     /**< Way of the model in this window, without sign. */
     uint32_t window_us;    /**< Driven time of the window. */
+    int32_t counted_ticks; /**< In the direction of the drive. */
     int64_t least_e2_q16;  /**< The least of it that must be counted, times 100. */
     int64_t most_e2_q16;   /**< The most, times 100. */
-    int64_t counted_ticks; /**< In the direction of the drive. */
     int64_t short_e2_q16;  /**< Sum of what was missing, times 100. */
     int64_t over_e2_q16;   /**< Sum of what was too much, times 100. */
     int32_t direction;     /**< 1, or -1, of the last drive; 0: none yet. */
     uint32_t run_us;       /**< Driven this way for so long without a pause, saturates. */
     uint32_t rest_us;      /**< Not driven for so long, saturates. */
     uint32_t regime;       /**< count_regime_t of the last drive. */
+    uint32_t since_q16;    /**< Way of the model since the last count of a steady run; UINT32_MAX:
+                              there was none. */
     int32_t percent;       /**< Counts of the last window against the model, for the record. */
     count_calibration_t calibrations[COUNT_REGIMES];
 } count_account_t;
