@@ -207,27 +207,29 @@ static bool is_costly(const command_t *command)
            (command->kind == (uint32_t)COMMAND_PROPOSE_TARGET);
 }
 
-/* What a stop discards: the first `count` of the waiting commands; the stops among them stay. */
-typedef struct {
-    uint32_t count;
-    uint32_t workphase; /* Of the stop. */
-} discarded_t;
-
-static discarded_t discarded_by_stop(const exchange_t *self, bool is_stop_requested)
+/* What a stop refuses are all commands before it but the stops among them, in this cycle and, where
+ * those fill it, in later ones. */
+static void find_refused(exchange_t *self, bool is_stop_requested)
 {
     const segment_others_t *others = &self->segment->others;
     const uint32_t taken = __atomic_load_n(&self->segment->control.commands_tail, __ATOMIC_RELAXED);
     const uint32_t put = __atomic_load_n(&others->commands_head, __ATOMIC_ACQUIRE);
     const uint32_t waiting = ((put - taken) < SEGMENT_COMMANDS) ? (put - taken) : SEGMENT_COMMANDS;
-    discarded_t discarded = {is_stop_requested ? waiting : 0U, (uint32_t)WORKPHASE_STOP};
 
-    for (uint32_t i = 0U; (i < waiting) && !is_stop_requested; i++) {
+    if ((self->refused_until - taken) > waiting) {
+        self->refused_until = taken; /* All of them have been refused. */
+    }
+    for (uint32_t i = self->refused_until - taken; (i < waiting) && !is_stop_requested; i++) {
         const command_t *command = &others->commands[(taken + i) % SEGMENT_COMMANDS];
         if (is_stop(command)) {
-            discarded = (discarded_t){i + 1U, command->argument};
+            self->refused_until = taken + i + 1U;
+            self->refused_for = command->argument;
         }
     }
-    return discarded;
+    if (is_stop_requested) {
+        self->refused_until = taken + waiting;
+        self->refused_for = (uint32_t)WORKPHASE_STOP;
+    }
 }
 
 static void refuse(exchange_t *self, const command_t *command, uint32_t workphase)
@@ -249,14 +251,17 @@ uint32_t exchange_take_commands(exchange_t *self, command_t *commands, uint32_t 
     command_t stop;
     const bool is_stop_requested = take_stop(self, &stop);
     const uint32_t others = is_stop_requested ? (most - 1U) : most;
-    const discarded_t discarded = discarded_by_stop(self, is_stop_requested);
     uint32_t count = 0U;
     bool is_enough = false;
 
-    for (uint32_t i = 0U; (count < others) && !is_enough && take_command(self, &commands[count]);
-         i++) {
-        if ((i < discarded.count) && !is_stop(&commands[count])) {
-            refuse(self, &commands[count], discarded.workphase);
+    find_refused(self, is_stop_requested);
+    uint32_t refused = self->refused_until -
+                       __atomic_load_n(&self->segment->control.commands_tail, __ATOMIC_RELAXED);
+    while ((count < others) && !is_enough && take_command(self, &commands[count])) {
+        const bool is_refused = (refused > 0U) && !is_stop(&commands[count]);
+        refused -= (refused > 0U) ? 1U : 0U;
+        if (is_refused) {
+            refuse(self, &commands[count], self->refused_for);
         } else {
             is_enough = is_costly(&commands[count]);
             count++;

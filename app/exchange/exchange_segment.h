@@ -88,7 +88,10 @@ typedef struct {
 /** A process' view of the segment. */
 struct exchange {
     segment_t *segment;
-    int file; /**< The creator keeps it locked while it lives. */
+    int file;               /**< The creator keeps it locked while it lives. */
+    uint32_t refused_until; /**< Of control: the commands before this number that are no stops are
+                               refused, for a stop came after them. */
+    uint32_t refused_for;   /**< workphase_t of that stop. */
     char name[SEGMENT_NAME_SIZE];
 };
 

@@ -348,6 +348,26 @@ void test_SWR_EXCH_015_what_came_after_a_stop_follows_it(void)
     expect_refusals(1U, WORKPHASE_STOP);
 }
 
+/* More stops than leave in a cycle. */
+void test_SWR_EXCH_015_what_came_before_a_requested_stop_never_follows_it(void)
+{
+    command_t taken[4];
+
+    for (uint32_t i = 0U; i < 9U; i++) {
+        send((uint32_t)COMMAND_WORKPHASE, (uint32_t)WORKPHASE_STOP);
+    }
+    send((uint32_t)COMMAND_WORKPHASE, (uint32_t)WORKPHASE_START_UP);
+    const uint32_t number = exchange_request_stop(reader);
+    TEST_ASSERT_EQUAL_UINT32(4U, exchange_take_commands(control, taken, 4U));
+    expect_stop(number, &taken[3]);
+    send((uint32_t)COMMAND_WORKPHASE, (uint32_t)WORKPHASE_PLANNING);
+    TEST_ASSERT_EQUAL_UINT32(4U, exchange_take_commands(control, taken, 4U));
+    TEST_ASSERT_EQUAL_UINT32(3U, exchange_take_commands(control, taken, 4U));
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_STOP, taken[1].argument);
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_PLANNING, taken[2].argument);
+    expect_refusals(1U, WORKPHASE_STOP);
+}
+
 void test_SWR_EXCH_015_every_stop_is_handed_over_and_none_refused_for_another(void)
 {
     command_t taken[4];
