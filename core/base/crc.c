@@ -179,17 +179,19 @@ static inline uint32_t after_word(uint32_t state, const uint8_t *at)
 }
 
 /* After `count` words. */
-static inline uint32_t after_words(uint32_t start, const uint8_t *bytes, size_t count)
+static uint32_t after_words(uint32_t start, const uint8_t *bytes, size_t count)
 {
     const uint8_t *at = bytes;
     size_t left = count;
     uint32_t state = start;
-    for (; left >= 2U; left -= 2U) {
+    for (; left >= 4U; left -= 4U) {
         state = after_word(after_word(state, at), &at[4]);
-        at = &at[8];
+        state = after_word(after_word(state, &at[8]), &at[12]);
+        at = &at[16];
     }
-    if (left > 0U) {
+    for (; left > 0U; left--) {
         state = after_word(state, at);
+        at = &at[4];
     }
     return state;
 }

@@ -249,8 +249,8 @@ typedef struct {
     uint32_t sum;
 } frame_view_t;
 
-static card_frame_result_t check_frame(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot,
-                                       const frame_view_t *view)
+static inline card_frame_result_t check_frame(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot,
+                                              const frame_view_t *view)
 {
     const uint32_t slot_mask = 0x00FF0000U;
     const uint32_t header = get_word(bytes, WORD_HEADER);
@@ -279,7 +279,7 @@ static bool is_drive_off(const card_drive_t *drive)
     return drive->mode == (uint32_t)CARD_DRIVE_OFF;
 }
 
-static bool is_drive_valid(const card_drive_t *drive)
+static inline bool is_drive_valid(const card_drive_t *drive)
 {
     bool is_valid;
 
