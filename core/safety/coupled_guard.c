@@ -70,11 +70,13 @@ static bool is_home_beyond(const robot_t *robot, const coupled_limit_t *limit,
     const uint32_t other = is_first ? limit->second : limit->first;
     const axis_config_t *const config = &robot->axes[index];
     const int32_t there = axes[other].encoder.position_ticks;
+    if ((config->limit_switch == (uint8_t)LIMIT_SWITCH_NONE) || !is_of(limit, index) ||
+        axis_is_homed(&axes[index]) || !axis_is_homed(&axes[other])) {
+        return false;
+    }
     const int64_t above_nm = coupled_limit_nm(robot, limit, is_first ? config->home_ticks : there,
                                               is_first ? there : config->home_ticks);
-    return (config->limit_switch != (uint8_t)LIMIT_SWITCH_NONE) && is_of(limit, index) &&
-           !axis_is_homed(&axes[index]) && axis_is_homed(&axes[other]) &&
-           ((above_nm < (int64_t)limit->minimum_nm) || (above_nm > (int64_t)limit->maximum_nm));
+    return (above_nm < (int64_t)limit->minimum_nm) || (above_nm > (int64_t)limit->maximum_nm);
 }
 
 bool coupled_guard_bars_homing(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
