@@ -106,7 +106,7 @@ static void forget_rest(controller_t *self)
 
 static void forget_interlocks(controller_t *self)
 {
-    self->pedal.is_open_circuit = 0U;
+    self->pedal.is_released = 0U;
     pedal_gate_renew(&self->pedal);
     clear(self, &confirm_range);
     disable_all(self);

@@ -3,26 +3,26 @@
 
 static pedal_gate_inputs_t chart_inputs(const pedal_gate_t *self)
 {
-    const pedal_gate_inputs_t inputs = {.is_open = (self->is_open_circuit != 0U)};
+    const pedal_gate_inputs_t inputs = {.is_released = (self->is_released != 0U)};
     return inputs;
 }
 
 void pedal_gate_init(pedal_gate_t *self)
 {
     pedal_gate_chart_init(&self->chart);
-    self->is_open_circuit = 0U;
+    self->is_released = 0U;
 }
 
 void pedal_gate_step(pedal_gate_t *self, bool is_a_closed, bool is_b_closed, uint32_t elapsed_us)
 {
-    self->is_open_circuit = 1U;
+    self->is_released = 1U;
     if (is_a_closed || is_b_closed) {
-        self->is_open_circuit = 0U;
+        self->is_released = 0U;
     }
     const pedal_gate_inputs_t inputs = chart_inputs(self);
     (void)pedal_gate_chart_advance(&self->chart, &inputs, elapsed_us);
     pedal_gate_event_t event = PEDAL_GATE_EVENT_DIFFER;
-    if (inputs.is_open) {
+    if (inputs.is_released) {
         event = PEDAL_GATE_EVENT_BOTH_OPEN;
     } else if (is_a_closed == is_b_closed) {
         event = PEDAL_GATE_EVENT_BOTH_CLOSED;

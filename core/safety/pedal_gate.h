@@ -14,7 +14,7 @@
 #include <stdint.h>
 
 typedef struct {
-    uint32_t is_open_circuit; /**< Both channels were open (released) at the last step: 0 or 1. */
+    uint32_t is_released; /**< Both channels were open at the last step: 0 or 1. */
     pedal_gate_chart_t chart;
 } pedal_gate_t;
 
@@ -50,7 +50,8 @@ void pedal_gate_renew(pedal_gate_t *self);
  */
 void pedal_gate_reset(pedal_gate_t *self);
 
-/** True in the cycles in which the pedal permits motion. */
+/** @return true in the cycles in which the pedal permits motion: pressed, and seen released before
+ */
 bool pedal_gate_is_open(const pedal_gate_t *self);
 
 #endif

@@ -140,7 +140,7 @@ static void expect_all_disabled(void)
 void test_SWR_MEMORY_002_damaged_interlocks_ask_for_start_up(void)
 {
     begin_move();
-    rig.controller.pedal.is_open_circuit ^= 1U;
+    rig.controller.pedal.is_released ^= 1U;
     expect_noticed(EVENT_MEMORY_INTERLOCKS, 0U);
     expect_aborted();
     expect_all_disabled();
