@@ -82,7 +82,8 @@ $(GEN)/charts/charts.json: $(wildcard statecharts/*.scxml tools/chart_compiler.r
 
 $(CHART_SOURCES): $(GEN)/charts/charts.json ;
 
-$(GEN)/robot/robot_neuro.c: core/robot/neuro/robot.yml core/card/card.h core/robot/robot.h tools/robot_compiler.rb $(wildcard tools/robot/*.rb)
+$(GEN)/robot/robot_neuro.c: core/robot/neuro/robot.yml core/card/card.h core/robot/robot.h tools/robot_compiler.rb $(wildcard tools/robot/*.rb) \
+    $(GEN)/limits/requirement_limits.h
 	ruby tools/robot_compiler.rb core/robot/neuro/robot.yml $(GEN)/robot
 
 $(GEN)/robot/kinematics.c: $(wildcard core/robot/*/robot.yml) tools/robots.rb $(wildcard tools/robot/*.rb)

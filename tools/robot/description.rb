@@ -2,6 +2,7 @@
 # frozen_string_literal: true
 
 require_relative 'document'
+require_relative 'limit'
 
 module Robot
   # An axis as the file gives it: values by key, and the nodes they came from.
@@ -118,7 +119,7 @@ module Robot
         refuse('home_ticks', "is #{self['home_ticks']}; expected #{self['minimum_ticks']} to #{self['maximum_ticks']}")
       end
       refuse('home', 'is switch, but the axis has none; expected in_place') if homes_without_switch?
-      at_most('home_speed_ticks_per_s', 'speed_ticks_per_s')
+      check_home_speed
       at_most('speed_ticks_per_s', 'full_speed_ticks_per_s')
       below('deadband_ticks', 'following_error_ticks')
       check_jump
@@ -126,6 +127,15 @@ module Robot
 
     def homes_without_switch?
       self['home'] == 'switch' && self['limit_switch'] == 'none'
+    end
+
+    def check_home_speed
+      percent = Limit.of('unhomed_speed_percent')
+      most = self['speed_ticks_per_s'] * percent / 100
+      return if self['home_speed_ticks_per_s'] <= most
+
+      refuse('home_speed_ticks_per_s', "is #{self['home_speed_ticks_per_s']}; expected at most #{most}, " \
+                                       "#{percent} percent of speed_ticks_per_s (#{self['speed_ticks_per_s']})")
     end
 
     def check_jump

@@ -239,9 +239,6 @@ class TestRobotCompiler < Minitest::Test
   end
 
   def test_SWR_ROBOT_001_speeds_and_windows_that_contradict_each_other_are_refused
-    assert_refused(with('home_speed_ticks_per_s: 196', 'home_speed_ticks_per_s: 788'),
-                   'axes[0].home_speed_ticks_per_s: is 788; expected at most speed_ticks_per_s (787)',
-                   at: 'home_speed_ticks_per_s: 788')
     assert_refused(with('full_speed_ticks_per_s: 984', 'full_speed_ticks_per_s: 786'),
                    'axes[0].speed_ticks_per_s: is 787; expected at most full_speed_ticks_per_s (786)',
                    at: ' speed_ticks_per_s: 787')
@@ -251,6 +248,14 @@ class TestRobotCompiler < Minitest::Test
     assert_refused(with('jump_ticks: 520', 'jump_ticks: 25'),
                    'axes[3].jump_ticks: is 25; expected more than the 25 of a cycle at full speed',
                    at: 'jump_ticks: 25')
+  end
+
+  def test_SWR_ROBOT_001_homing_faster_than_an_axis_may_be_before_it_is_homed_is_refused
+    assert_equal 25, Robot::Limit.of('unhomed_speed_percent')
+    assert_refused(with('home_speed_ticks_per_s: 196', 'home_speed_ticks_per_s: 197'),
+                   'axes[0].home_speed_ticks_per_s: is 197; expected at most 196, 25 percent of speed_ticks_per_s (787)',
+                   at: 'home_speed_ticks_per_s: 197')
+    assert_equal 0, compile(with('home_speed_ticks_per_s: 196', 'home_speed_ticks_per_s: 100')).first
   end
 
   def test_SWR_ROBOT_001_two_axes_on_one_slot_are_refused
