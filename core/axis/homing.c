@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "axis/homing.h"
 
+#include "base/fixed.h"
 #include "limits/requirement_limits.h"
 
 #define CYCLES_PER_S (INT32_C(1000000) / (int32_t)LIMIT_CYCLE_US)
@@ -128,6 +129,11 @@ bool homing_is_too_long(homing_t *self, const axis_config_t *config, axis_refere
     return self->leg_us >= config->home_time_us;
 }
 
+static int32_t part_of(int32_t speed_q8, uint32_t percent)
+{
+    return (int32_t)fixed_divide_by((int64_t)speed_q8 * (int64_t)percent, 100U);
+}
+
 /* Speed wanted in a leg, signed. */
 static int32_t speed_wanted_q8(const axis_config_t *config, axis_reference_t leg)
 {
@@ -136,9 +142,9 @@ static int32_t speed_wanted_q8(const axis_config_t *config, axis_reference_t leg
         speed_q8 = -speed_q8;
     }
     if (is_leaving(leg)) {
-        speed_q8 = -speed_q8 / 2;
+        speed_q8 = part_of(-speed_q8, LIMIT_HOME_LEAVE_PERCENT);
     } else if (leg == AXIS_REFERENCE_LATCH) {
-        speed_q8 = speed_q8 / 4;
+        speed_q8 = part_of(speed_q8, LIMIT_HOME_LATCH_PERCENT);
     } else {
         /* Fast approach. */
     }

@@ -444,15 +444,21 @@ static int32_t home_speed(void)
     return axis.setpoint_speed_ticks_per_s_q8 / 256;
 }
 
-void test_SWR_AXIS_002_homing_is_fast_then_back_at_half_then_at_a_quarter_of_the_speed(void)
+/* So many percent of the axis' home speed. */
+static int32_t part_of_home_speed(int32_t percent)
+{
+    return config->home_speed_ticks_per_s * percent / 100;
+}
+
+void test_SWR_AXIS_002_homing_is_fast_then_back_more_slowly_then_there_most_slowly(void)
 {
     begin_homing();
     TEST_ASSERT_EQUAL_INT32(config->home_speed_ticks_per_s, home_speed());
     (void)observe_switch(true);
-    TEST_ASSERT_EQUAL_INT32(-config->home_speed_ticks_per_s / 2, home_speed());
+    TEST_ASSERT_EQUAL_INT32(-part_of_home_speed(LIMIT_HOME_LEAVE_PERCENT), home_speed());
     (void)observe_switch(false);
     move_to(away(config->switch_hysteresis_ticks + CLEAR));
-    TEST_ASSERT_EQUAL_INT32(config->home_speed_ticks_per_s / 4, home_speed());
+    TEST_ASSERT_EQUAL_INT32(part_of_home_speed(LIMIT_HOME_LATCH_PERCENT), home_speed());
 }
 
 void test_SWR_AXIS_002_homing_to_a_lower_switch_goes_down_up_and_down(void)
@@ -461,10 +467,10 @@ void test_SWR_AXIS_002_homing_to_a_lower_switch_goes_down_up_and_down(void)
     begin_homing();
     TEST_ASSERT_EQUAL_INT32(-config->home_speed_ticks_per_s, home_speed());
     (void)observe_switch(true);
-    TEST_ASSERT_EQUAL_INT32(config->home_speed_ticks_per_s / 2, home_speed());
+    TEST_ASSERT_EQUAL_INT32(part_of_home_speed(LIMIT_HOME_LEAVE_PERCENT), home_speed());
     (void)observe_switch(false);
     move_to(away(config->switch_hysteresis_ticks + CLEAR));
-    TEST_ASSERT_EQUAL_INT32(-config->home_speed_ticks_per_s / 4, home_speed());
+    TEST_ASSERT_EQUAL_INT32(-part_of_home_speed(LIMIT_HOME_LATCH_PERCENT), home_speed());
 }
 
 void test_SWR_AXIS_002_the_set_point_of_homing_starts_at_the_position_with_zero_speed(void)
