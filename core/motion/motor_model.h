@@ -10,13 +10,14 @@
 #define BORESIGHT_MOTOR_MODEL_H
 
 #include "card/card_frame.h"
+#include "limits/requirement_limits.h"
 #include "robot/robot.h"
 
 #include <stdbool.h>
 #include <stdint.h>
 
-/** From an off word that is sent to a motor that surely rests. */
-#define MOTOR_REST_US 10000U
+/** From an off word that is sent to a motor that surely rests: it may then be reversed. */
+#define MOTOR_REST_US LIMIT_REVERSAL_DWELL_US
 
 typedef struct {
     int64_t speed_ticks_per_s_q8;

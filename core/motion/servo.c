@@ -7,8 +7,8 @@
 
 /* A motor below a tenth of its full speed sticks; leave some margin. */
 #define SLOWEST_PERCENT 15U
-/* A motor may be faster than its model: 20 %, and its two directions differ by 3. */
-#define FASTEST_PERCENT INT64_C(125)
+/* A motor may be faster than its model; its two directions differ by 3 % more, and a little. */
+#define FASTEST_PERCENT (INT64_C(105) + (int64_t)LIMIT_MOTOR_SPREAD_PERCENT)
 /* From an off word to a motor at rest. */
 #define STOP_US INT64_C(1500)
 
