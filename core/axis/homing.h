@@ -37,7 +37,8 @@ typedef struct {
     uint32_t has_nearest; /**< 0 or 1. */
 } homing_t;
 
-/** How far `position_ticks` is away from the switch of a homed axis; below 0 beyond its edge. */
+/** @return how far `position_ticks` is away from the switch of a homed axis, ticks; below 0 beyond
+ * its edge */
 int64_t homing_way_from_switch(const axis_config_t *config, int32_t position_ticks);
 
 /** Homing begins at `position_ticks`. What earlier attempts used of the way is not given back. */
@@ -47,8 +48,11 @@ void homing_begin(homing_t *self, int32_t position_ticks);
 void homing_forget(homing_t *self);
 
 /**
- * Takes this cycle's position and switch in leg `leg`. In the latch leg the switch may become
- * active only where the approach met it.
+ * Takes this cycle's position and switch in leg `leg`.
+ *
+ * @return HOMING_WRONG when the switch is active in the latch leg elsewhere than the approach met
+ * it, else HOMING_SWITCH when it is active, HOMING_CLEAR when it is free and surely left behind,
+ * HOMING_NOTHING when it is free
  *
  * @satisfies SWR-AXIS-014
  */
@@ -56,9 +60,9 @@ homing_sight_t homing_see(homing_t *self, const axis_config_t *config, axis_refe
                           int32_t position_ticks, bool is_switch_active);
 
 /**
- * The leg has gone farther than the switch can be: away from it `home_way_ticks`, counted over all
- * attempts; towards it the travel, a thirty-second of it and as much; at last beyond the place of
- * the first edge.
+ * @return true when the leg has gone farther than the switch can be: away from it `home_way_ticks`,
+ * counted over all attempts; towards it the travel, a thirty-second of it and as much; at last
+ * beyond the place of the first edge
  *
  * @satisfies SWR-AXIS-013
  */
@@ -66,7 +70,9 @@ bool homing_is_too_far(const homing_t *self, const axis_config_t *config, axis_r
                        int32_t position_ticks);
 
 /**
- * The leg was driven for `home_time_us`. To be called once a cycle.
+ * To be called once a cycle.
+ *
+ * @return true when the leg was driven for `home_time_us`
  *
  * @satisfies SWR-AXIS-003
  */

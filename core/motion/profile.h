@@ -43,17 +43,17 @@ void profile_plan(profile_t *self, const robot_t *robot, const int32_t start_tic
  */
 void profile_step(profile_t *self);
 
-/** Every axis has arrived at its end. */
+/** @return true when the set-point of every axis is at its end */
 bool profile_is_finished(const profile_t *self);
 
 /**
- * Set-point of axis `axis` in this cycle.
+ * @return set-point of axis `axis` in this cycle, between start and end; the end when finished
  *
  * @satisfies SWR-MOTION-003
  */
 int32_t profile_position_ticks(const profile_t *self, uint32_t axis);
 
-/** Set-point speed of axis `axis` in this cycle. */
+/** @return set-point speed of axis `axis` in this cycle, signed; 0 at both ends */
 int32_t profile_speed_ticks_per_s_q8(const profile_t *self, uint32_t axis);
 
 #endif

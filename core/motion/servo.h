@@ -29,9 +29,11 @@ typedef struct {
 void servo_init(servo_t *self);
 
 /**
- * The request for this cycle, `elapsed_us` after the one before. Off inside the deadband with a
- * resting set-point, ahead of a moving one, and for LIMIT_REVERSAL_DWELL_US between the two
- * directions. The drive of a cycle is seen by the next but one.
+ * One cycle, `elapsed_us` after the one before. The drive of a cycle is seen by the next but one.
+ *
+ * @return the request: off inside the deadband with a resting set-point, ahead of a moving one, and
+ * for LIMIT_REVERSAL_DWELL_US between the two directions; otherwise towards the set-point, with a
+ * duty of 0 or between the axis' smallest and largest
  *
  * @satisfies SWR-MOTION-004
  * @satisfies SWR-MOTION-007

@@ -21,10 +21,12 @@ typedef struct {
 } coupled_view_t;
 
 /**
- * The request of axis `index` takes a limit away from its range, and within LIMIT_COUPLED_STOP_US
+ * Looks ahead of the request of axis `index`.
+ *
+ * @return true when it takes a limit away from its range, and within LIMIT_COUPLED_STOP_US
  * the two axes might leave it: each as fast as it is measured or, if driven that way, as its motor
  * can be. That the other one comes towards the range counts for nothing. Of two axes of which only
- * the other is homed, the request goes towards its switch, and that is outside the range.
+ * the other is homed, true when the request goes towards its switch, and that is outside the range.
  *
  * @satisfies SWR-COUPLE-001
  * @satisfies SWR-COUPLE-003
@@ -32,20 +34,23 @@ typedef struct {
 bool coupled_guard_blocks(const robot_t *robot, const coupled_view_t *view, uint32_t index);
 
 /**
- * Axis `index` is not homed, another is that shares a limit with it, and homing it would leave
- * that.
+ * @return true when axis `index` is not homed, another is that shares a limit with it, and homing
+ * it would leave that
  *
  * @satisfies SWR-COUPLE-003
  */
 bool coupled_guard_bars_homing(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
                                uint32_t index);
 
-/** Axis `index` and all that share a limit with it are homed. */
+/** @return true when axis `index` and all that share a limit with it are homed */
 bool coupled_guard_is_known(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
                             uint32_t index);
 
 /**
  * May axis `index` be jogged to `ticks`, with the others where they are?
+ *
+ * @return COUPLED_LIMIT_BELOW or COUPLED_LIMIT_ABOVE of the first limit in force that it would
+ * miss, otherwise COUPLED_LIMIT_INSIDE
  *
  * @satisfies SWR-COUPLE-002
  */

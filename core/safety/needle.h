@@ -12,19 +12,20 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** The deepest position that counts as out: LIMIT_NEEDLE_OUT_NM from home. */
+/** @return the deepest position that counts as out, ticks: LIMIT_NEEDLE_OUT_NM from home */
 int32_t needle_out_ticks(const robot_t *robot);
 
 /**
- * The needle is homed and in, and an axis across it is not homed: it must leave before that homes.
+ * @return true when the needle is homed and in, and an axis across it is not homed: it must leave
+ * before that homes
  *
  * @satisfies SWR-JOG-016
  */
 bool needle_must_leave(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX]);
 
 /**
- * Axis `index` must not be jogged this way: across a needle that is not homed and out, or the
- * needle itself deeper from where nobody knows.
+ * @return true when axis `index` must not be jogged this way: across a needle that is not homed and
+ * out, or the needle itself deeper from where nobody knows
  *
  * @satisfies SWR-JOG-001
  * @satisfies SWR-JOG-003
