@@ -253,8 +253,6 @@ static void follow_pedal(controller_t *self, const cycle_t *cycle)
 void controller_move(controller_t *self, const cycle_t *cycle,
                      card_drive_t requests[ROBOT_AXIS_MAX])
 {
-    const uint32_t actions = procedure_advance(&self->procedure, cycle->inputs->elapsed_us);
-    controller_report_order(self, cycle, actions, STATUS_OK);
     follow_pedal(self, cycle);
     const bool is_start_up = procedure_workphase(&self->procedure) == WORKPHASE_START_UP;
     if (is_start_up && controller_is_homed(self)) {

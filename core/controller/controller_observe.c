@@ -320,6 +320,8 @@ static void observe_procedure(controller_t *self, const cycle_t *cycle)
     if (repaired != 0U) {
         controller_abandon_order(self, cycle);
     }
+    const uint32_t actions = procedure_step(&self->procedure, cycle->inputs->elapsed_us);
+    controller_report_order(self, cycle, actions, STATUS_OK);
 }
 
 void controller_observe(controller_t *self, const cycle_t *cycle)

@@ -60,7 +60,7 @@ uint32_t procedure_check(procedure_t *self)
     return repaired;
 }
 
-uint32_t procedure_advance(procedure_t *self, uint32_t elapsed_us)
+uint32_t procedure_step(procedure_t *self, uint32_t elapsed_us)
 {
     (void)workphase_chart_advance(&self->workphase, elapsed_us);
     return arming_chart_advance(&self->arming, elapsed_us);

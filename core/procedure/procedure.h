@@ -34,15 +34,16 @@ typedef struct {
 void procedure_init(procedure_t *self);
 
 /**
- * Once a cycle, before any request: when a chart was damaged, the workphase is EMERGENCY
- * and nothing is armed.
+ * Before each step: where a chart was damaged, the workphase is EMERGENCY and nothing is armed.
  *
  * @return PROCEDURE_..._REPAIRED bits; 0 when both were sound
  */
 uint32_t procedure_check(procedure_t *self);
 
-/** Once a cycle; `elapsed_us` since the one before. Returns ARMING_ACTION_ bits. */
-uint32_t procedure_advance(procedure_t *self, uint32_t elapsed_us);
+/** Once a cycle, before any event; `elapsed_us` since the one before. Returns ARMING_ACTION_
+ * bits.
+ */
+uint32_t procedure_step(procedure_t *self, uint32_t elapsed_us);
 
 /**
  * Asks for a workphase.

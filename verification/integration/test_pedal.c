@@ -93,6 +93,28 @@ void test_SWR_PEDAL_006_sixty_seconds_without_the_pedal_discard_the_move(void)
     TEST_ASSERT_FALSE(rig_is_driving(&rig));
 }
 
+/* The cycle of the last event of this kind. */
+static uint32_t cycle_of(event_id_t id)
+{
+    uint32_t cycle = 0U;
+    for (uint32_t i = 0U; i < rig.event_count; i++) {
+        if (rig.events[i].id == (uint32_t)id) {
+            cycle = rig.events[i].cycle;
+        }
+    }
+    return cycle;
+}
+
+void test_SWR_PEDAL_006_the_sixty_seconds_begin_in_the_cycle_in_which_it_was_armed(void)
+{
+    rig_start_targeted(&rig);
+    rig_forget(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
+    (void)rig_finish(&rig, (LIMIT_ARMED_HOLD_US / LIMIT_CYCLE_US) + 1U);
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_ARMED_HOLD_US / LIMIT_CYCLE_US,
+                             cycle_of(EVENT_ORDER_EXPIRED) - cycle_of(EVENT_ORDER_ARMED));
+}
+
 void test_SWR_PEDAL_004_disagreeing_channels_stop_the_move_and_latch_a_fault(void)
 {
     rig_start_moving(&rig);

@@ -164,11 +164,10 @@ void test_SWR_AXIS_010_a_second_jog_discards_the_first_one(void)
 void test_SWR_PEDAL_006_an_order_that_waits_too_long_expires(void)
 {
     arm();
-    TEST_ASSERT_EQUAL_HEX32(0U,
-                            procedure_advance(&procedure, LIMIT_ARMED_HOLD_US - LIMIT_CYCLE_US));
+    TEST_ASSERT_EQUAL_HEX32(0U, procedure_step(&procedure, LIMIT_ARMED_HOLD_US - LIMIT_CYCLE_US));
     TEST_ASSERT_TRUE(procedure_is_armed(&procedure));
     TEST_ASSERT_EQUAL_HEX32(ARMING_ACTION_REPORT_EXPIRED,
-                            procedure_advance(&procedure, LIMIT_CYCLE_US));
+                            procedure_step(&procedure, LIMIT_CYCLE_US));
     TEST_ASSERT_FALSE(procedure_is_armed(&procedure));
     TEST_ASSERT_EQUAL(WORKPHASE_MOVE_TO_TARGET, procedure_workphase(&procedure));
 }
