@@ -6,9 +6,9 @@
  */
 #include "integration/support/rig.h"
 
-
 #include "controller/controller.h"
 #include "limits/requirement_limits.h"
+#include "unity.h"
 
 #define MOVES 6U
 

@@ -3,10 +3,9 @@
  * Rule under test: a running axis whose counts come and go is told, whatever its motor's speed; one
  * whose states are of unequal width, or whose speed changes as the model's does, never.
  */
-
-
 #include "axis/edge_pace.h"
 #include "limits/requirement_limits.h"
+#include "unity.h"
 
 #include <string.h>
 

@@ -9,6 +9,7 @@
 #include "charts/arming_chart.h"
 #include "charts/workphase_chart.h"
 #include "limits/requirement_limits.h"
+#include "unity.h"
 
 static procedure_t procedure;
 static procedure_actions_t actions;
