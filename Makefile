@@ -39,12 +39,19 @@ BSP_INCLUDES := $(CORE_INCLUDES) -Ibsp -Ibsp/include
 APP_INCLUDES := $(CORE_INCLUDES) -Ibsp/include -Iapp
 TEST_INCLUDES := $(APP_INCLUDES) -Ibsp -Iverification
 
+# A folder of core/robot is a robot; `make run` starts the default one, ROBOT=NAME another.
+ROBOTS := $(patsubst core/robot/%/robot.yml,%,$(sort $(wildcard core/robot/*/robot.yml)))
+DEFAULT_ROBOT := neuro
+ROBOT_TABLES := $(ROBOTS:%=$(GEN)/robot/robot_%.c)
+
 CHARTS := $(basename $(notdir $(wildcard statecharts/*.scxml)))
 CHART_SOURCES := $(CHARTS:%=$(GEN)/charts/%_chart.c)
-CORE_SOURCES := $(wildcard core/*/*.c core/*/*/*.c) $(CHART_SOURCES) $(GEN)/robot/robot_neuro.c \
+CORE_SOURCES := $(wildcard core/*/*.c core/*/*/*.c) $(CHART_SOURCES) $(ROBOT_TABLES) \
     $(GEN)/robot/kinematics.c $(GEN)/interface/event.c
 # What the processes call things.
 NAMES := $(GEN)/interface/app/names.c
+# Who drives, is driven or drives again finds its robot among all.
+FIND_ROBOT := $(GEN)/robot/app/robots.c $(GEN)/robot/app/robot_names.c
 
 # The board that control is linked with: what it is made of and which programs come with it.
 BOARD ?= sim
@@ -54,13 +61,13 @@ EXCHANGE := $(wildcard app/exchange/exchange*.c)
 EVENT_TEXT := app/common/event_text.c $(GEN)/interface/app/event_words.c
 
 # Each program: its own files; what it needs of the core comes from libcore.a.
-SOURCES_boresight-control := $(wildcard app/control/*.c app/positions/*.c) $(CLOCK) $(EXCHANGE) $(BOARD_SOURCES)
+SOURCES_boresight-control := $(wildcard app/control/*.c app/positions/*.c) $(CLOCK) $(EXCHANGE) $(BOARD_SOURCES) $(FIND_ROBOT)
 SOURCES_boresight-igtl := $(wildcard app/igtl/*.c) $(CLOCK) $(EXCHANGE) $(NAMES)
 SOURCES_boresight-http := $(wildcard app/http/*.c) $(CLOCK) $(GEN)/interface/app/messages.c $(EVENT_TEXT) $(EXCHANGE) $(NAMES) $(GEN)/assets/assets.c \
     $(GEN)/assets/chart_names.c
 SOURCES_boresight-recorder := $(wildcard app/recorder/*.c app/recording/*.c app/positions/*.c) $(CLOCK) app/common/directory.c $(EVENT_TEXT) $(EXCHANGE) $(NAMES)
-SOURCES_boresight-replay := $(wildcard app/replay/*.c app/recording/*.c) $(GEN)/interface/app/columns.c $(EVENT_TEXT) $(NAMES)
-SOURCES_boresight := $(wildcard app/supervisor/*.c) $(CLOCK) app/common/directory.c $(EXCHANGE) $(NAMES)
+SOURCES_boresight-replay := $(wildcard app/replay/*.c app/recording/*.c) $(GEN)/interface/app/columns.c $(EVENT_TEXT) $(NAMES) $(FIND_ROBOT)
+SOURCES_boresight := $(wildcard app/supervisor/*.c) $(CLOCK) app/common/directory.c $(EXCHANGE) $(NAMES) $(GEN)/robot/app/robot_names.c
 LIBS_boresight-http := -lcivetweb -lcjson -lpthread
 LIBS_boresight-recorder := -lzstd -lcrypto
 LIBS_boresight-replay := -lzstd -lcrypto
@@ -70,7 +77,8 @@ BINARIES := $(PROGRAMS:%=$(BIN)/%)
 
 # --- generated sources ---------------------------------------------------------------------------------------
 
-GENERATED := $(GEN)/limits/requirement_limits.h $(GEN)/charts/charts.json $(GEN)/robot/robot_neuro.c $(GEN)/robot/kinematics.c $(GEN)/interface/.compiled \
+GENERATED := $(GEN)/limits/requirement_limits.h $(GEN)/charts/charts.json $(ROBOT_TABLES) $(GEN)/robot/kinematics.c \
+    $(GEN)/interface/.compiled \
     $(GEN)/assets/chart_names.c
 ASSETS := $(GEN)/assets/assets.c
 
@@ -82,12 +90,19 @@ $(GEN)/charts/charts.json: $(wildcard statecharts/*.scxml tools/chart_compiler.r
 
 $(CHART_SOURCES): $(GEN)/charts/charts.json ;
 
-$(GEN)/robot/robot_neuro.c: core/robot/neuro/robot.yml core/card/card.h core/robot/robot.h tools/robot_compiler.rb $(wildcard tools/robot/*.rb) \
+$(ROBOT_TABLES): $(GEN)/robot/robot_%.c: core/robot/%/robot.yml core/robot/%/kinematics.yml core/card/card.h core/robot/robot.h \
+    tools/robot_compiler.rb $(wildcard tools/robot/*.rb) \
     $(GEN)/limits/requirement_limits.h
-	ruby tools/robot_compiler.rb core/robot/neuro/robot.yml $(GEN)/robot
+	ruby tools/robot_compiler.rb $< $(GEN)/robot
 
-$(GEN)/robot/kinematics.c: $(wildcard core/robot/*/robot.yml) tools/robots.rb $(wildcard tools/robot/*.rb)
-	ruby tools/robots.rb core/robot $(GEN)/robot
+# Which robots there are; a folder that is gone changes no other file.
+build/robots: FORCE
+	@mkdir -p build; echo '$(ROBOTS)' | cmp -s - $@ || echo '$(ROBOTS)' >$@
+
+$(GEN)/robot/kinematics.c: build/robots tools/robots.rb $(wildcard tools/robot/*.rb)
+	ruby tools/robots.rb core/robot $(DEFAULT_ROBOT) $(GEN)/robot
+
+$(FIND_ROBOT): $(GEN)/robot/kinematics.c ;
 
 INTERFACE_PARTS := $(wildcard core/interface/*.yml tools/interface_compiler.rb tools/interface/*.rb)
 # What of the exchange's segment is declared elsewhere.

@@ -20,7 +20,7 @@ endif
 
 ALL_APP := $(wildcard app/*/*.c bsp/sim/*.c)
 OBJECTS := $(call object,$(CORE_SOURCES) $(ALL_APP) $(NAMES) $(GEN)/interface/app/event_words.c \
-    $(GEN)/interface/app/messages.c $(GEN)/interface/app/columns.c $(GEN)/assets/assets.c $(GEN)/assets/chart_names.c)
+    $(FIND_ROBOT) $(GEN)/interface/app/messages.c $(GEN)/interface/app/columns.c $(GEN)/assets/assets.c $(GEN)/assets/chart_names.c)
 
 generated: $(GENERATED)
 

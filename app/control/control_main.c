@@ -17,6 +17,8 @@
 #include "exchange/exchange.h"
 #include "limits/requirement_limits.h"
 #include "positions/position_store.h"
+#include "robot/app/robot_names.h"
+#include "robot/app/robots.h"
 
 #include <signal.h>
 #include <stdbool.h>
@@ -36,6 +38,7 @@ typedef enum { STAGE_WAKE = 0, STAGE_CARDS = 1, STAGE_STEP = 2, STAGE_PUBLISH = 
 
 #define STAGE_COUNT 4U
 
+static const robot_t *our_robot;
 static controller_t controller;
 static controller_inputs_t inputs;
 static controller_outputs_t outputs;
@@ -69,7 +72,7 @@ static void switch_off(const char *why)
 {
     char text[DRIVES_OFF_TEXT_SIZE];
     char line[2U * DRIVES_OFF_TEXT_SIZE];
-    const drives_off_t done = drives_off(&robot_neuro, controller.sequence, controller.time_us);
+    const drives_off_t done = drives_off(our_robot, controller.sequence, controller.time_us);
     drives_off_tell(&done, text);
     const int length = snprintf(line, sizeof line, "control: %s; %s", why, text);
     (void)!write(STDERR_FILENO, line, (size_t)length);
@@ -199,7 +202,7 @@ static void run_cycle(uint64_t deadline_ns, uint64_t woken_ns, uint64_t elapsed_
         record_checkpoint();
     }
     const uint64_t gathered_ns = bsp_now_ns();
-    controller_step(&controller, &robot_neuro, &inputs, &outputs);
+    controller_step(&controller, our_robot, &inputs, &outputs);
     const uint64_t stepped_ns = bsp_now_ns();
     figures_add(&figures, (woken_ns - deadline_ns) / 1000U, (stepped_ns - gathered_ns) / 1000U);
     publish(cycle);
@@ -255,10 +258,21 @@ static const char *option(int count, char *const values[], const char *name)
     }
     (void)fprintf(
         stderr,
-        "control: option %s is missing; usage: boresight-control --exchange NAME --box NAME "
-        "--positions FILE\n",
+        "control: option %s is missing; usage: boresight-control --robot NAME --exchange NAME "
+        "--box NAME --positions FILE\n",
         name);
     exit(EXIT_CANNOT_START);
+}
+
+static const robot_t *find_robot(const char *name)
+{
+    const robot_t *const found = robots_find(name);
+    if (found == NULL) {
+        (void)fprintf(stderr, "control: there is no robot \"%s\"; choose %s with --robot.\n", name,
+                      robot_names_list());
+        exit(EXIT_CANNOT_START);
+    }
+    return found;
 }
 
 /* The state that the first checkpoint holds: what was kept is part of it. */
@@ -266,7 +280,7 @@ static void begin_controller(const char *path)
 {
     const bsp_power_on_t power_on = bsp_power_on();
     const position_asker_t asker = {.utc_us = clock_utc_us(),
-                                    .robot_crc = robot_neuro.crc,
+                                    .robot_crc = our_robot->crc,
                                     .power_on = power_on.id,
                                     .was_used = power_on.was_used};
     kept_positions_t kept;
@@ -278,7 +292,7 @@ static void begin_controller(const char *path)
             "it, or confirm its position.\n",
             path, position_store_why(kept.verdict));
     }
-    controller_init(&controller, &robot_neuro);
+    controller_init(&controller, our_robot);
     controller_restore(&controller, &kept);
 }
 
@@ -287,13 +301,14 @@ int main(int argc, char *argv[])
     char error[256] = "";
     char why[40];
     const char *const positions = option(argc, argv, "--positions");
+    our_robot = find_robot(option(argc, argv, "--robot"));
     exchange = exchange_open(option(argc, argv, "--exchange"), error, sizeof error);
     if ((exchange == NULL) || !bsp_open(option(argc, argv, "--box"), error, sizeof error)) {
         (void)fprintf(stderr, "control: %s\n", error);
         return EXIT_CANNOT_START;
     }
     handle_signals();
-    exchange_publish_robot(exchange, &robot_neuro);
+    exchange_publish_robot(exchange, our_robot);
     begin_controller(positions);
     begin_figures(realtime_acquire());
     run();

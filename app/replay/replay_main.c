@@ -16,6 +16,8 @@
 #include "recording/recording_reader.h"
 #include "replay/replay.h"
 #include "replay/table.h"
+#include "robot/app/robot_names.h"
+#include "robot/app/robots.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -27,6 +29,7 @@
 #define EXIT_REFUSED 2
 #define EXIT_CUT_SHORT 3
 
+static const robot_t *robot;
 static recording_reader_t reader;
 static replay_t replay;
 static cycle_record_t record;
@@ -39,15 +42,32 @@ void contract_broken(const char *module, uint32_t id)
     _Exit(EXIT_DIFFERENT);
 }
 
+/* Finds the robot; says why it is not the recorded one. */
+static bool find_robot(const recording_header_t *header)
+{
+    robot = robots_find(header->robot);
+    if (robot == NULL) {
+        (void)fprintf(stderr,
+                      "Recorded with robot %s, this build has %s; replay it with the build that "
+                      "recorded it, \"%s\".\n",
+                      header->robot, robot_names_list(), header->build);
+        return false;
+    }
+    if (header->robot_crc != robot->crc) {
+        (void)fprintf(stderr,
+                      "Recorded with robot %s of CRC %08" PRIX32
+                      ", this build has %s of CRC %08" PRIX32
+                      "; replay it with the build that recorded it, \"%s\".\n",
+                      header->robot, header->robot_crc, robot->name, robot->crc, header->build);
+        return false;
+    }
+    return true;
+}
+
 /* Says why this build must not replay the recording. */
 static bool check_header(const recording_header_t *header)
 {
-    if (header->robot_crc != robot_neuro.crc) {
-        (void)fprintf(
-            stderr,
-            "Recorded with robot %s of CRC %08" PRIX32 ", this build has %s of CRC %08" PRIX32
-            "; replay it with the build that recorded it, \"%s\".\n",
-            header->robot, header->robot_crc, robot_neuro.name, robot_neuro.crc, header->build);
+    if (!find_robot(header)) {
         return false;
     }
     if (!recording_reader_fits(&reader, sizeof(controller_t))) {
@@ -108,7 +128,7 @@ static int replay_all(bool is_cut_short)
     char difference[256];
 
     while (take_record()) {
-        if (!replay_take(&replay, &robot_neuro, &record)) {
+        if (!replay_take(&replay, robot, &record)) {
             replay_difference(&replay, &record, difference, sizeof difference);
             (void)printf("%s\n%" PRIu64 " cycles before it were equal.\n", difference,
                          replay.replayed);
@@ -139,9 +159,9 @@ static int replay_all(bool is_cut_short)
 
 static int print_table(bool is_cut_short)
 {
-    table_print_names(&robot_neuro);
+    table_print_names(robot);
     while (take_record()) {
-        table_print_row(&robot_neuro, &record);
+        table_print_row(robot, &record);
     }
     if (!check_end()) {
         return EXIT_REFUSED;
@@ -152,7 +172,7 @@ static int print_table(bool is_cut_short)
 static int print_events(bool is_cut_short)
 {
     while (take_record()) {
-        table_print_events(&robot_neuro, &record);
+        table_print_events(robot, &record);
     }
     if (!check_end()) {
         return EXIT_REFUSED;

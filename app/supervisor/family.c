@@ -69,10 +69,16 @@ bool family_init(family_t *self, const options_t *options, int output, int error
             return false;
         }
     }
-    const char *const box[CHILD_ARGUMENTS] = {"--name", self->box, "--slow", options->slowness,
+    const char *const box[CHILD_ARGUMENTS] = {"--robot",
+                                              options->robot,
+                                              "--name",
+                                              self->box,
+                                              "--slow",
+                                              options->slowness,
                                               options->is_real_time ? "--real-time" : NULL};
-    const char *const control[CHILD_ARGUMENTS] = {"--exchange", options->instance, "--box",
-                                                  self->box,    "--positions",     self->positions};
+    const char *const control[CHILD_ARGUMENTS] = {"--robot",         options->robot, "--exchange",
+                                                  options->instance, "--box",        self->box,
+                                                  "--positions",     self->positions};
     const char *const recorder[CHILD_ARGUMENTS] = {"--exchange",  options->instance,
                                                    "--directory", options->recordings,
                                                    "--positions", self->positions};

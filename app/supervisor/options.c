@@ -2,7 +2,7 @@
 #include "supervisor/options.h"
 
 #include "limits/requirement_limits.h"
-#include "robot/robot.h"
+#include "robot/app/robot_names.h"
 
 #include <arpa/inet.h>
 #include <getopt.h>
@@ -35,7 +35,8 @@ const char *options_usage(void)
 {
     return "usage: boresight [--http-port 8080] [--igtl-port 18944] [--brp-port 18936] [--bind "
            "127.0.0.1]\n"
-           "                 [--robot neuro] [--instance NAME] [--recordings DIRECTORY]\n"
+           "                 [--robot " ROBOT_NAMES_DEFAULT
+           "] [--instance NAME] [--recordings DIRECTORY]\n"
            "                 [--slow TIMES] [--real-time] | [--box NAME]\n"
            "The environment variables HTTP_PORT, IGTL_PORT, BRP_PORT and ROBOT do the same.\n";
 }
@@ -65,7 +66,7 @@ static void set_defaults(options_t *self)
     self->http_port = from_environment("HTTP_PORT", "8080");
     self->igtl_port = from_environment("IGTL_PORT", "18944");
     self->brp_port = from_environment("BRP_PORT", "18936");
-    self->robot = from_environment("ROBOT", "neuro");
+    self->robot = from_environment("ROBOT", ROBOT_NAMES_DEFAULT);
     self->bind = "127.0.0.1";
     self->instance = "boresight";
     self->slowness = "1";
@@ -181,10 +182,10 @@ static bool check(const options_t *self, char *error, uint32_t error_size)
                        "\"%s\" is no IPv4 address; give --bind one of this machine.", self->bind);
         return false;
     }
-    if (strcmp(self->robot, robot_neuro.name) != 0) {
+    if (!robot_names_has(self->robot)) {
         (void)snprintf(error, error_size,
                        "There is no robot \"%s\"; choose %s with --robot or ROBOT.", self->robot,
-                       robot_neuro.name);
+                       robot_names_list());
         return false;
     }
     if (!is_name(self->instance)) {

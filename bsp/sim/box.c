@@ -8,26 +8,10 @@
 #define CORRUPT_BYTE 40U
 #define FOREIGN_FIRMWARE (SIM_CARD_FIRMWARE + 1U)
 
-/* Where the NeuroRobot stands when it is switched on. */
-static const int32_t start_ticks[ROBOT_AXIS_MAX] = {-1575, 0, -1181, 3333, 0, 100, -300};
-
-static double start_position(const axis_config_t *config, uint32_t index)
+static void init_axis(box_axis_t *self, const robot_t *robot, uint32_t index, sim_random_t *random)
 {
-    int32_t position = start_ticks[index];
-
-    if (position < config->minimum_ticks) {
-        position = config->minimum_ticks;
-    }
-    if (position > config->maximum_ticks) {
-        position = config->maximum_ticks;
-    }
-    return position;
-}
-
-static void init_axis(box_axis_t *self, const axis_config_t *config, uint32_t index,
-                      sim_random_t *random)
-{
-    const double position = start_position(config, index);
+    const axis_config_t *const config = &robot->axes[index];
+    const double position = robot->start_ticks[index];
     const int32_t reading =
         (index == NEAR_WRAP_AXIS) ? NEAR_WRAP_READING : 1000 * ((int32_t)config->slot + 1);
 
@@ -46,7 +30,7 @@ void box_init(box_t *self, const robot_t *robot, uint32_t seed)
     self->random.state = seed;
     self->estop.is_closed = true;
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
-        init_axis(&self->axes[i], &robot->axes[i], i, &self->random);
+        init_axis(&self->axes[i], robot, i, &self->random);
     }
 }
 

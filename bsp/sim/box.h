@@ -68,8 +68,7 @@ typedef struct {
     uint32_t pending_us;  /**< Time not yet stepped, below SIM_STEP_US. */
 } box_t;
 
-/** Switches on a box with the axes of `robot`, which must outlive it; all axes off their home
- * positions. */
+/** Switches on a box with the axes of `robot`, which must outlive it; they stand at start_ticks. */
 void box_init(box_t *self, const robot_t *robot, uint32_t seed);
 
 /**

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /** @file boresight-box: the simulated control box as a process, at the box's end of the wire. */
 #include "limits/requirement_limits.h"
+#include "robot/app/robot_names.h"
+#include "robot/app/robots.h"
 #include "sim/box.h"
 #include "sim/box_clock.h"
 #include "sim/wire.h"
@@ -17,10 +19,13 @@
 #include <unistd.h>
 
 #define PRIORITY 70
-#define USAGE "usage: boresight-box [--name NAME] [--seed NUMBER] [--slow TIMES] [--real-time]"
+#define USAGE                                                                                      \
+    "usage: boresight-box [--robot NAME] [--name NAME] [--seed NUMBER] [--slow TIMES] "            \
+    "[--real-time]"
 
 typedef struct {
     const char *name;
+    const char *robot;
     uint32_t seed;
     bsp_time_t time;
 } options_t;
@@ -63,15 +68,20 @@ static bool take_number(int option, options_t *options)
 /* Returns the exit code, or -1 to go on. */
 static int parse_options(int count, char **words, options_t *options)
 {
-    static const struct option known[] = {
-        {"name", required_argument, NULL, 'n'}, {"seed", required_argument, NULL, 's'},
-        {"slow", required_argument, NULL, 'w'}, {"real-time", no_argument, NULL, 'r'},
-        {"help", no_argument, NULL, 'h'},       {NULL, 0, NULL, 0}};
+    static const struct option known[] = {{"name", required_argument, NULL, 'n'},
+                                          {"seed", required_argument, NULL, 's'},
+                                          {"slow", required_argument, NULL, 'w'},
+                                          {"real-time", no_argument, NULL, 'r'},
+                                          {"help", no_argument, NULL, 'h'},
+                                          {"robot", required_argument, NULL, 'b'},
+                                          {NULL, 0, NULL, 0}};
     int option;
 
     while ((option = getopt_long(count, words, "", known, NULL)) != -1) {
         if (option == 'n') {
             options->name = optarg;
+        } else if (option == 'b') {
+            options->robot = optarg;
         } else if (option == 'r') {
             options->time.is_elastic = false;
         } else if (option == 'h') {
@@ -201,7 +211,8 @@ static void handle_signals(void)
 int main(int count, char **words)
 {
     const char *named = getenv(WIRE_NAME_VARIABLE);
-    options_t options = {(named != NULL) ? named : WIRE_DEFAULT_NAME, 1U, {true, 1U}};
+    options_t options = {
+        (named != NULL) ? named : WIRE_DEFAULT_NAME, ROBOT_NAMES_DEFAULT, 1U, {true, 1U}};
     wire_port_t port;
     char error[256];
 
@@ -209,15 +220,21 @@ int main(int count, char **words)
     if (code >= 0) {
         return code;
     }
+    const robot_t *const robot = robots_find(options.robot);
+    if (robot == NULL) {
+        (void)fprintf(stderr, "boresight-box: there is no robot \"%s\"; choose %s with --robot.\n",
+                      options.robot, robot_names_list());
+        return 2;
+    }
     handle_signals();
-    box_init(&box, &robot_neuro, options.seed);
+    box_init(&box, robot, options.seed);
     if (!wire_serve(&port, options.name, options.time, error, sizeof error)) {
         (void)fprintf(stderr, "boresight-box: %s\n", error);
         return 1;
     }
     const bool is_real_time = ask_for_real_time();
     (void)printf("boresight-box: ready as \"%s\", robot %s, seed %u, %s\n", options.name,
-                 robot_neuro.name, (unsigned)options.seed,
+                 robot->name, (unsigned)options.seed,
                  is_real_time ? "SCHED_FIFO 70" : "without real-time scheduling");
     (void)fflush(stdout);
     run(port.wire, options.time);

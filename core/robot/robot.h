@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What a robot is, as data. The tables are compiled from core/robot/<name>/robot.yml; nothing else
- * describes a robot.
+ * What a robot is, as data. tools/robot_compiler.rb makes of core/robot/<name>/robot.yml the table
+ * robot_<name>, and a header of the same name with the order of its axes and lengths; nothing else
+ * describes a robot. Programs find the tables by robots_find().
  */
 #ifndef BORESIGHT_ROBOT_H
 #define BORESIGHT_ROBOT_H
@@ -13,18 +14,7 @@
 
 #define ROBOT_AXIS_MAX 10U      /**< Most axes of any robot; what a robot has is axis_count. */
 #define ROBOT_COUPLED_LIMITS 1U /**< Most coupled limits of any robot. */
-
-/** Index of a NeuroRobot axis; the order of the arguments of forward kinematics (thesis, Listing
- * 16). */
-typedef enum {
-    AXIS_HEAD = 0,
-    AXIS_FEET = 1,
-    AXIS_LATERAL = 2,
-    AXIS_INSERTION = 3,
-    AXIS_ROTATION = 4,
-    AXIS_PITCH = 5,
-    AXIS_YAW = 6
-} axis_index_t;
+#define ROBOT_GEOMETRY_MAX 13U  /**< Most lengths of the geometry of any robot. */
 
 typedef enum {
     HOME_BY_SWITCH = 0, /**< Drives to its limit switch. */
@@ -95,28 +85,11 @@ typedef struct {
  * the second; both ends inclusive. */
 typedef struct {
     char name[12];
-    uint32_t first;     /**< axis_index_t. */
-    uint32_t second;    /**< axis_index_t. */
+    uint32_t first;     /**< Index of an axis. */
+    uint32_t second;    /**< Index of an axis. */
     int32_t minimum_nm; /**< Below 0 when the first may be below the second. */
     int32_t maximum_nm;
 } coupled_limit_t;
-
-/** Geometry of the NeuroRobot (mechanism of Nycz et al. 2017), nm. */
-typedef struct {
-    int32_t side_link_nm;       /**< L */
-    int32_t top_width_nm;       /**< w */
-    int32_t home_separation_nm; /**< S0 */
-    int32_t minimum_separation_nm;
-    int32_t maximum_separation_nm;
-    int32_t rcm_home_x_nm; /**< Remote centre of motion in the z-frame at home. */
-    int32_t rcm_home_y_nm;
-    int32_t rcm_home_z_nm;
-    int32_t robot_to_rcm_nm;               /**< rho, along the needle. */
-    int32_t probe_treatment_to_tip_nm;     /**< A */
-    int32_t probe_robot_to_entry_nm;       /**< B */
-    int32_t probe_cannula_to_treatment_nm; /**< C */
-    int32_t probe_robot_to_treatment_nm;   /**< D, at home */
-} neuro_geometry_t;
 
 /** A robot. No padding before `seal`. */
 typedef struct {
@@ -128,17 +101,13 @@ typedef struct {
     uint32_t needle_axis;   /**< The axis that moves the needle along its line. */
     uint32_t coupled_limit_count;
     coupled_limit_t coupled_limits[ROBOT_COUPLED_LIMITS];
-    neuro_geometry_t neuro;
-    uint32_t seal; /**< seal_of() all before it. */
+    int32_t geometry_nm[ROBOT_GEOMETRY_MAX]; /**< In the order of the robot file; named by the
+                                                robot's own header. */
+    uint32_t seal;                           /**< seal_of() all before it. */
     axis_config_t axes[ROBOT_AXIS_MAX];
+    int32_t
+        start_ticks[ROBOT_AXIS_MAX]; /**< Where the simulated axes stand when their box is
+                                        switched on; nothing else reads it, so it has no seal. */
 } robot_t;
-
-/**
- * The NeuroRobot, compiled from core/robot/neuro/robot.yml.
- *
- * @satisfies SWR-ROBOT-001
- * @satisfies SWR-ROBOT-002
- */
-extern const robot_t robot_neuro;
 
 #endif

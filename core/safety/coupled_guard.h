@@ -13,7 +13,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** The axes in a cycle; arrays in the order of axis_index_t. */
+/** The axes in a cycle; arrays in the order of the robot's axes. */
 typedef struct {
     const axis_t *axes;
     const card_drive_t *sent;     /**< What the cards apply now. */

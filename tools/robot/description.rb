@@ -2,6 +2,7 @@
 # frozen_string_literal: true
 
 require_relative 'document'
+require_relative 'kinematics'
 require_relative 'limit'
 
 module Robot
@@ -22,7 +23,7 @@ module Robot
     SPEED = (1..1_000_000)
     WHOLE = {
       'slot' => (0..9), 'home_stage' => (1..2), 'minimum_ticks' => POSITION, 'maximum_ticks' => POSITION,
-      'home_ticks' => POSITION, 'deadband_ticks' => (0..1000), 'speed_ticks_per_s' => SPEED,
+      'home_ticks' => POSITION, 'start_ticks' => POSITION, 'deadband_ticks' => (0..1000), 'speed_ticks_per_s' => SPEED,
       'acceleration_ticks_per_s2' => (1..10_000_000), 'home_speed_ticks_per_s' => SPEED,
       'full_speed_ticks_per_s' => SPEED, 'following_error_ticks' => (1..1_000_000), 'jump_ticks' => (1..1_000_000),
       'following_time_ms' => (0..1000)
@@ -79,11 +80,11 @@ module Robot
       { 'target_minimum_ticks' => low, 'target_maximum_ticks' => high }
     end
 
-    private
-
     def needle?
       self['needle'] == 'along'
     end
+
+    private
 
     def read_unit
       given = UNITS & @nodes.keys
@@ -115,14 +116,18 @@ module Robot
 
     def check
       below('minimum_ticks', 'maximum_ticks')
-      unless self['home_ticks'].between?(self['minimum_ticks'], self['maximum_ticks'])
-        refuse('home_ticks', "is #{self['home_ticks']}; expected #{self['minimum_ticks']} to #{self['maximum_ticks']}")
-      end
+      %w[home_ticks start_ticks].each { |key| check_inside(key) }
       refuse('home', 'is switch, but the axis has none; expected in_place') if homes_without_switch?
       check_home_speed
       at_most('speed_ticks_per_s', 'full_speed_ticks_per_s')
       below('deadband_ticks', 'following_error_ticks')
       check_jump
+    end
+
+    def check_inside(key)
+      return if self[key].between?(self['minimum_ticks'], self['maximum_ticks'])
+
+      refuse(key, "is #{self[key]}; expected #{self['minimum_ticks']} to #{self['maximum_ticks']}")
     end
 
     def homes_without_switch?
@@ -158,21 +163,9 @@ module Robot
   CoupledLimit = Struct.new(:name, :first, :second, :range_mm, keyword_init: true)
 
   # A whole robot file, checked.
+  #
+  # @satisfies SWR-ROBOT-001
   class Description
-    NEURO = { 'head' => 'mm', 'feet' => 'mm', 'lateral' => 'mm', 'insertion' => 'mm',
-              'rotation' => 'rad', 'pitch' => 'rad', 'yaw' => 'rad' }.freeze
-    SIZE = (1..1000)
-    PLACE = (-1000..1000)
-    GEOMETRY = {
-      'side_link_mm' => SIZE, 'top_width_mm' => SIZE, 'home_separation_mm' => SIZE, 'minimum_separation_mm' => SIZE,
-      'maximum_separation_mm' => SIZE, 'rcm_home_x_mm' => PLACE, 'rcm_home_y_mm' => PLACE, 'rcm_home_z_mm' => PLACE,
-      'robot_to_rcm_mm' => (0..1000)
-    }.freeze
-    PROBE = {
-      'treatment_to_tip_mm' => PLACE, 'robot_to_entry_mm' => PLACE, 'cannula_to_treatment_mm' => PLACE,
-      'robot_to_treatment_mm' => PLACE
-    }.freeze
-    COUPLED = [%w[separation head feet]].freeze
     LARGEST_DEPTH_MM = 200
     LARGEST_TRAVEL_MM = 2000
 
@@ -181,20 +174,27 @@ module Robot
     def initialize(path, text)
       nodes = Node.parse(path, text).mapping(%w[name kinematics card_firmware geometry probe coupled_limits axes])
       @name = nodes['name'].name
-      @kinematics = nodes['kinematics'].choice(%w[neuro])
+      @kinematics = nodes['kinematics'].choice(Kinematics.names)
+      @expected = Kinematics.new(@kinematics)
       @card_firmware = nodes['card_firmware'].version
       @geometry = {}
       @places = {}
-      read_lengths(nodes['geometry'], GEOMETRY)
-      read_lengths(nodes['probe'], PROBE)
+      %w[geometry probe].each { |part| read_lengths(nodes[part], @expected.lengths(part)) }
       @coupled_limits = read_coupled_limits(nodes['coupled_limits'])
       @axes = read_axes(nodes['axes'])
-      check_geometry
+      check_lengths
+      check_coupled_limits
       check_axes
     end
 
     def needle_axis
-      @axes.index { |axis| axis['needle'] == 'along' }
+      @axes.index(&:needle?)
+    end
+
+    # The lengths as C calls them.
+    def length_names
+      probe = @expected.lengths('probe')
+      @geometry.keys.map { |key| "#{'probe_' if probe.key?(key)}#{key.delete_suffix('_mm')}" }
     end
 
     private
@@ -202,15 +202,16 @@ module Robot
     def read_coupled_limits(node)
       limits = node.sequence.map { |limit| limit.mapping(%w[name first second]).values_at('name', 'first', 'second') }
       limits.map! { |limit| limit.map(&:name) }
-      node.refuse("are #{words(limits)}; expected #{words(COUPLED)}") unless limits == COUPLED
+      expected = @expected.coupled_limits
+      node.refuse("are #{words(limits)}; expected #{words(expected)}") unless limits == expected
       limits.map do |name, first, second|
-        CoupledLimit.new(name: name, first: NEURO.keys.index(first), second: NEURO.keys.index(second),
+        CoupledLimit.new(name: name, first: @expected.axes.index(first), second: @expected.axes.index(second),
                          range_mm: coupled_range_mm(name))
       end
     end
 
     def words(limits)
-      limits.map { |limit| limit.join(' ') }.join(', ')
+      limits.empty? ? 'none' : limits.map { |limit| limit.join(' ') }.join(', ')
     end
 
     def coupled_range_mm(name)
@@ -218,7 +219,7 @@ module Robot
     end
 
     def read_lengths(node, ranges)
-      node.mapping(ranges.keys).each do |key, length|
+      node.mapping(ranges.keys).then { |nodes| ranges.keys.to_h { |key| [key, nodes[key]] } }.each do |key, length|
         @geometry[key] = length.decimal(ranges[key])
         @places[key] = length
       end
@@ -228,9 +229,9 @@ module Robot
       axes = node.sequence.map { |axis| Axis.new(axis) }
       unique(axes, 'name')
       unique(axes, 'slot')
-      return axes if axes.map { |axis| axis['name'] } == NEURO.keys
-
-      node.refuse("are #{axes.map { |axis| axis['name'] }.join(', ')}; expected #{NEURO.keys.join(', ')}")
+      names = axes.map { |axis| axis['name'] }
+      node.refuse("are #{names.join(', ')}; expected #{@expected.axes.join(', ')}") unless names == @expected.axes
+      axes
     end
 
     def unique(axes, key)
@@ -241,52 +242,44 @@ module Robot
       end
     end
 
-    def check_geometry
-      inside('minimum_separation_mm', @geometry['top_width_mm'], @geometry['maximum_separation_mm'])
-      reach = @geometry['top_width_mm'] + (2 * @geometry['side_link_mm'])
-      inside('maximum_separation_mm', @geometry['minimum_separation_mm'], reach)
-      inside('home_separation_mm', @geometry['top_width_mm'], reach)
-      check_home_separation
+    def check_lengths
+      @expected.between.each do |key, (below, above)|
+        low, high = @geometry[below], @geometry.values_at(*above).sum
+        next if @geometry[key] > low && @geometry[key] < high
+
+        @places[key].refuse("is #{decimal(@geometry[key])}; expected between #{decimal(low)} and #{decimal(high)}")
+      end
     end
 
-    def inside(key, low, high)
-      value = @geometry[key]
-      return if value > low && value < high
+    # Where the two axes of a limit are homed, they stand inside it.
+    def check_coupled_limits
+      @coupled_limits.each do |limit|
+        first, second = [limit.first, limit.second].map { |index| @axes[index].units(@axes[index]['home_ticks']) }
+        next if (first - second).between?(*limit.range_mm)
 
-      @places[key].refuse("is #{decimal(value)}; expected between #{decimal(low)} and #{decimal(high)}")
-    end
-
-    def check_home_separation
-      head, feet = @axes.first(2).map { |axis| axis.units(axis['home_ticks']) }
-      separation = @geometry['home_separation_mm'] + head - feet
-      low, high = @geometry.values_at('minimum_separation_mm', 'maximum_separation_mm')
-      return if separation.between?(low, high)
-
-      @places['home_separation_mm'].refuse(
-        "puts the homed carriages #{decimal(separation)} apart; expected #{decimal(low)} to #{decimal(high)}"
-      )
+        home, low, high = %w[home minimum maximum].map { |side| @geometry["#{side}_#{limit.name}_mm"] }
+        @places["home_#{limit.name}_mm"].refuse("puts the homed axes #{decimal(home + first - second)} apart; " \
+                                                "expected #{decimal(low)} to #{decimal(high)}")
+      end
     end
 
     def check_axes
       @axes.each { |axis| check_unit(axis) }
-      check_needle
-      insertion = @axes[NEURO.keys.index('insertion')]
-      insertion.refuse('minimum_ticks', 'is negative; expected 0 or more, 0 is fully out') \
-        if insertion['minimum_ticks'].negative?
-      insertion.refuse('maximum_ticks', "is deeper than #{LARGEST_DEPTH_MM} mm; expected less") \
-        if insertion.units(insertion['maximum_ticks']) > LARGEST_DEPTH_MM
+      @axes.each { |axis| check_needle(axis) }
+      needle = @axes[needle_axis]
+      needle.refuse('minimum_ticks', 'is negative; expected 0 or more, 0 is fully out') \
+        if needle['minimum_ticks'].negative?
+      needle.refuse('maximum_ticks', "is deeper than #{LARGEST_DEPTH_MM} mm; expected less") \
+        if needle.units(needle['maximum_ticks']) > LARGEST_DEPTH_MM
     end
 
-    # Kinematics knows which axes they are.
-    def check_needle
-      @axes.each do |axis|
-        expected = { 'insertion' => 'along', 'rotation' => 'about' }.fetch(axis['name'], 'across')
-        axis.refuse('needle', "is #{axis['needle']}; expected #{expected}") unless axis['needle'] == expected
-      end
+    def check_needle(axis)
+      expected = @expected.needle(axis['name'])
+      axis.refuse('needle', "is #{axis['needle']}; expected #{expected}") unless axis['needle'] == expected
     end
 
     def check_unit(axis)
-      unit = NEURO[axis['name']]
+      unit = @expected.unit(axis['name'])
       axis.refuse('name', "is #{axis['name']} in #{axis.linear? ? 'mm' : 'rad'}; expected ticks_per_#{unit}") \
         unless axis.linear? == (unit == 'mm')
       %w[minimum_ticks maximum_ticks].each do |key|

@@ -30,7 +30,7 @@ module Robot
       end
     end
 
-    # `value`: one structure as a hash, or an array of them that is filled up with zeros.
+    # `value`: one structure as a hash, or an array of structures that is filled up with zeros.
     def self.structures(type, value, length)
       return bytes(type, value) unless length
 
@@ -39,9 +39,10 @@ module Robot
     end
 
     def self.packed(type, value, length)
-      return [value.delete('"')].pack("a#{length}") if length
+      return [value.delete('"')].pack("a#{length}") if type == 'char'
 
-      [number(value)].pack(FORMATS.fetch(type))
+      bytes = Array(value).map { |one| [number(one)].pack(FORMATS.fetch(type)) }.join
+      bytes.ljust(SIZES.fetch(type) * number(length || 1), "\0")
     end
 
     # 12, "12U", "0x1AU", "INT64_C(12)", "(uint8_t)NAME", or the name of a constant.

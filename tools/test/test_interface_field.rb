@@ -25,6 +25,7 @@ class TestInterfaceField < Minitest::Test
     #include "controller/controller.h"
     #include "http/telemetry_json.h"
     #include "replay/table.h"
+    #include "robot/robot_neuro.h"
     #include <stdio.h>
     #include <stdlib.h>
     void contract_broken(const char *module, uint32_t id)
@@ -37,7 +38,7 @@ class TestInterfaceField < Minitest::Test
         static controller_t controller;
         static controller_inputs_t inputs;
         static cycle_record_t record = {.kind = CYCLE_RECORD_CYCLE};
-        static telemetry_view_t view;
+        static telemetry_view_t view = {.robot = &robot_neuro};
         controller_init(&controller, &robot_neuro);
         controller_step(&controller, &robot_neuro, &inputs, &record.body.cycle.outputs);
         view.snapshot = record.body.cycle.outputs.snapshot;

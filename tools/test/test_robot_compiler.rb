@@ -59,8 +59,8 @@ class TestRobotCompiler < Minitest::Test
 
   def test_SWR_ROBOT_002_the_table_holds_the_values_in_the_units_of_the_core
     table = compile(TEXT).last
-    assert_includes table, '.rcm_home_x_nm = 18320000'
-    assert_includes table, '.probe_robot_to_entry_nm = 5000000'
+    assert_includes table, '[NEURO_RCM_HOME_X] = 18320000'
+    assert_includes table, '[NEURO_PROBE_ROBOT_TO_ENTRY] = 5000000'
     assert_includes table, "INT64_C(#{(1_000_000 * 65_536 / 78.74).round})"
     assert_in_delta (2**32) / (2 * Math::PI) * 65_536 / 795.8, table.scan(/INT64_C\((\d+)\)/).last.first.to_i, 1
     assert_equal 3, table.scan('(uint8_t)CARD_TYPE_PWM').size
@@ -232,6 +232,13 @@ class TestRobotCompiler < Minitest::Test
                    'axes[5].home_ticks: is -371; expected -370 to 516', at: 'home_ticks: -371')
   end
 
+  def test_SWR_ROBOT_001_a_simulated_axis_that_starts_outside_the_limits_is_refused
+    assert_refused(with('start_ticks: 100', 'start_ticks: 517'), 'axes[5].start_ticks: is 517; expected -370 to 516',
+                   at: 'start_ticks: 517')
+    starts = compile(TEXT).last[/\.start_ticks = {.*?}/m]
+    assert_equal([-1575, 0, -1181, 3333, 0, 100, -300], starts.scan(/\] = (-?\d+)/).flatten.map(&:to_i))
+  end
+
   def test_SWR_ROBOT_001_homing_to_a_switch_needs_a_switch
     assert_refused(with('home: in_place', 'home: switch'),
                    'axes[1].home: is switch, but the axis has none; expected in_place',
@@ -311,7 +318,7 @@ class TestRobotCompiler < Minitest::Test
 
   def test_SWR_ROBOT_001_a_home_outside_the_separation_limits_is_refused
     assert_refused(with('home_separation_mm: 143', 'home_separation_mm: 146.5'),
-                   'geometry.home_separation_mm: puts the homed carriages 146.5 apart; expected 75 to 146',
+                   'geometry.home_separation_mm: puts the homed axes 146.5 apart; expected 75 to 146',
                    at: 'home_separation_mm')
   end
 

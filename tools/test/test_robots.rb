@@ -2,18 +2,23 @@
 # frozen_string_literal: true
 
 require 'minitest/autorun'
+require 'open3'
 require 'tmpdir'
 require_relative '../robots'
 
 # Rule under test: what names all robots is made from their folders, and a robot more changes nothing of the others.
 class RobotsTest < Minitest::Test
+  ROOT = File.expand_path('../..', __dir__)
+  ROBOTS = File.join(ROOT, 'core/robot')
+  BINARIES = File.join(ROOT, 'build/bin')
+
   def made(*names)
     Dir.mktmpdir do |folder|
       names.each do |name|
         FileUtils.mkdir_p(File.join(folder, name))
         File.write(File.join(folder, name, 'robot.yml'), '')
       end
-      return Robots.new(folder)
+      return Robots.new(folder, 'neuro')
     end
   end
 
@@ -41,10 +46,43 @@ class RobotsTest < Minitest::Test
     refute_includes(made('neuro', 'bench2').source, '(*')
   end
 
+  def test_SWR_ROBOT_016_a_robot_is_found_by_its_name_among_all
+    tables = made('neuro', 'bench2').tables
+    assert_includes(tables, 'robots[] = {&robot_bench2, &robot_neuro};')
+    assert_includes(made('neuro', 'bench2').names, 'names[] = {"bench2", "neuro"};')
+  end
+
+  def test_SWR_ROBOT_016_the_names_are_listed_as_words
+    { %w[neuro] => 'neuro', %w[neuro bench2] => 'bench2 or neuro', %w[neuro aa bench2] => 'aa, bench2 or neuro' }
+      .each { |names, words| assert_includes(made(*names).names, "return \"#{words}\";") }
+  end
+
+  # Symbols that are the table of a robot.
+  TABLE = /^\h+ [rRdD] robot_(?:#{Dir.glob('*/robot.yml', base: ROBOTS).map { |path| File.dirname(path) }.join('|')})$/
+
+  def linked(program)
+    symbols, status = Open3.capture2('nm', File.join(BINARIES, program))
+    assert(status.success?)
+    symbols.scan(TABLE).size
+  end
+
+  def test_SWR_ROBOT_017_control_box_and_replay_link_all_robots_and_no_other_program_any
+    all = Dir.glob('*/robot.yml', base: ROBOTS).size
+    %w[-control -box -replay].each { |name| assert_equal(all, linked("boresight#{name}"), name) }
+    ['', '-simctl', '-igtl', '-http', '-recorder'].each { |name| assert_equal(0, linked("boresight#{name}"), name) }
+  end
+
+  def test_SWR_ROBOT_017_no_source_of_core_board_and_programs_names_a_robot
+    names = Dir.glob('*/robot.yml', base: ROBOTS).map { |path| "robot_#{File.dirname(path)}" }
+    sources = Dir.glob('{core,bsp,app}/**/*.[ch]', base: ROOT).reject { |path| path.match?(%r{\Acore/robot/\w+/}) }
+    refute_empty(sources)
+    sources.each { |path| refute_match(/\b(?:#{names.join('|')})\b/, File.read(File.join(ROOT, path)), path) }
+  end
+
   def test_SWR_ROBOT_014_a_folder_without_a_robot_is_none
     Dir.mktmpdir do |folder|
       FileUtils.mkdir_p(File.join(folder, 'notes'))
-      refute_includes(Robots.new(folder).source, 'notes')
+      refute_includes(Robots.new(folder, 'neuro').source, 'notes')
     end
   end
 end

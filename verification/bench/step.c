@@ -10,6 +10,7 @@
  */
 #include "base/contract.h"
 #include "bench/sample.h"
+#include "robot/robot_neuro.h"
 
 #include <stdbool.h>
 #include <stdio.h>

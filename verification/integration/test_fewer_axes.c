@@ -28,6 +28,8 @@ void setUp(void)
     robot.axes[NEEDLE] = robot_neuro.axes[AXIS_INSERTION];
     robot.axes[NEEDLE].slot = 0U;
     robot.axes[SIDE] = robot_neuro.axes[AXIS_LATERAL];
+    robot.start_ticks[NEEDLE] = robot_neuro.start_ticks[AXIS_INSERTION];
+    robot.start_ticks[SIDE] = robot_neuro.start_ticks[AXIS_LATERAL];
     robot.axis_count = 2U;
     robot.kind = 0U; /* Nobody's kinematics. */
     robot.needle_axis = NEEDLE;

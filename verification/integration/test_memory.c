@@ -255,7 +255,7 @@ void test_SWR_MEMORY_004_a_damaged_table_stops_all_motion_until_the_programs_are
 void test_SWR_MEMORY_004_a_damaged_geometry_is_a_damaged_table(void)
 {
     begin_move();
-    rig.robot.neuro.side_link_nm ^= 0x100;
+    rig.robot.geometry_nm[NEURO_SIDE_LINK] ^= 0x100;
     rig_cycle(&rig);
     expect_blind(ROBOT_PART_GEOMETRY);
 }

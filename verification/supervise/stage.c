@@ -4,6 +4,7 @@
 #include "charts/arming_chart.h"
 #include "limits/requirement_limits.h"
 #include "robot/kinematics.h"
+#include "robot/robot_neuro.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -210,8 +211,8 @@ static void send_corner(stage_t *self, rig_t *rig)
     kinematics_forward(&robot_neuro, &joints, &target.pose);
     rigid_set_identity(&entry.pose);
     const int64_t back_nm = joints.value[AXIS_INSERTION] +
-                            robot_neuro.neuro.probe_robot_to_treatment_nm -
-                            robot_neuro.neuro.probe_robot_to_entry_nm;
+                            robot_neuro.geometry_nm[NEURO_PROBE_ROBOT_TO_TREATMENT] -
+                            robot_neuro.geometry_nm[NEURO_PROBE_ROBOT_TO_ENTRY];
     const int32_t way_nm[3] = {(int32_t)(back_nm * target.pose.rotation_q30[0][2] / 1073741824),
                                (int32_t)(back_nm * target.pose.rotation_q30[1][2] / 1073741824),
                                (int32_t)(back_nm * target.pose.rotation_q30[2][2] / 1073741824)};

@@ -11,6 +11,7 @@
  * "taps" also tells the enemy's plan of each such scene. With "flips", COUNT times up to 3 bits of
  * a word of the controller's memory change in random scenes.
  */
+#include "robot/robot_neuro.h"
 #include "supervise/flips.h"
 #include "supervise/scene.h"
 

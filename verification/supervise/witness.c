@@ -3,6 +3,7 @@
 
 #include "charts/arming_chart.h"
 #include "charts/axis_chart.h"
+#include "robot/robot_neuro.h"
 
 #include <math.h>
 #include <string.h>

@@ -92,6 +92,18 @@ class TestReplay < SystemTest
     assert_match(/ INFORMATION WORKPHASE Workphase entered EMERGENCY\. By the e-stop\.$/, text)
   end
 
+  def test_SWR_REPLAY_001_a_robot_that_this_build_does_not_have_is_refused_by_its_name
+    boresight.wait_until('something is recorded') { boresight.status['cycle'] > 500 }
+    file = end_recording
+    header = File.binread(file, 256)
+    header[80, 16] = 'scara'.ljust(16, "\0")
+    header[224, 32] = Digest::SHA256.digest(header[0, 224])
+    File.binwrite(file, header)
+    text, code = replay(file)
+    assert_equal 2, code
+    assert_match(/^Recorded with robot scara, this build has .*neuro; replay it with the build that recorded it, "/, text)
+  end
+
   def test_SWR_REPLAY_001_another_robot_is_refused_by_both_crcs
     boresight.wait_until('something is recorded') { boresight.status['cycle'] > 500 }
     file = end_recording

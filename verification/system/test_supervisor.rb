@@ -187,6 +187,20 @@ class TestSupervisor < SystemTest
     end
   end
 
+  def test_SWR_ROBOT_016_an_unknown_robot_is_refused_with_the_names_of_those_there_are
+    folders = Dir.glob(File.expand_path('../../core/robot/*/robot.yml', __dir__)).sort.map { |path| File.dirname(path) }
+    names = folders.map { |folder| File.basename(folder) }
+    list = [names[..-2].join(', '), names.last].reject(&:empty?).join(' or ')
+    assert_refuses(Boresight.new(arguments: %w[--robot scara]), 2,
+                   /no robot "scara"; choose #{list} with --robot or ROBOT/)
+    { 'boresight-box' => %w[--robot scara],
+      'boresight-control' => %w[--robot scara --exchange x --box x --positions x] }.each do |program, words|
+      text, status = Open3.capture2e(Boresight.program(program), *words)
+      refute status.success?
+      assert_match(/there is no robot "scara"; choose #{list} with --robot/, text)
+    end
+  end
+
   def test_SWR_SUP_003_an_address_of_another_machine_is_named
     assert_refuses(Boresight.new(arguments: %w[--bind 203.0.113.1]), 3, /203.0.113.1 is no address of this machine/)
   end

@@ -21,12 +21,10 @@
 #include "limits/requirement_limits.h"
 #include "motion/motor_model.h"
 #include "motion/servo.h"
-#include "robot/robot.h"
+#include "robot/robot_neuro.h"
 
 #include <stddef.h>
 #include <string.h>
-
-TEST_SOURCE_FILE("robot_neuro.c")
 
 #define CYCLE_US 1000U
 #define STALL_CYCLES (LIMIT_STALL_TIME_US / CYCLE_US)

@@ -20,12 +20,10 @@
 #include "limits/requirement_limits.h"
 #include "motion/motor_model.h"
 #include "motion/servo.h"
-#include "robot/robot.h"
+#include "robot/robot_neuro.h"
 
 #include <stddef.h>
 #include <string.h>
-
-TEST_SOURCE_FILE("robot_neuro.c")
 
 #define CYCLE_US 1000U
 #define SOMEWHERE 1234

@@ -21,11 +21,9 @@
 #include "limits/requirement_limits.h"
 #include "motion/motor_model.h"
 #include "motion/servo.h"
-#include "robot/robot.h"
+#include "robot/robot_neuro.h"
 
 #include <string.h>
-
-TEST_SOURCE_FILE("robot_neuro.c")
 
 #define CYCLE_US 1000U
 #define ELSEWHERE 3000

@@ -15,6 +15,7 @@
 #include "mock_bsp.h"
 #include "mock_controller.h"
 #include "mock_realtime.h"
+#include "robot/robot_neuro.h"
 
 #include <sys/mman.h>
 #include <sys/wait.h>
@@ -25,7 +26,6 @@
 
 TEST_SOURCE_FILE("crc.c")
 TEST_SOURCE_FILE("position_store.c")
-TEST_SOURCE_FILE("robot_neuro.c")
 
 #define ALL_SLOTS 0x0FEU
 #define LAST_CYCLE 20U
@@ -59,6 +59,16 @@ static bool is_box_lost;
 static uint64_t now_ns;
 static card_command_t before[CARD_SLOT_COUNT];
 static char said[TEXT_SIZE];
+
+const robot_t *robots_find(const char *wanted)
+{
+    return (strcmp(wanted, robot_neuro.name) == 0) ? &robot_neuro : NULL;
+}
+
+const char *robot_names_list(void)
+{
+    return "neuro";
+}
 
 static void report(uint32_t slot, uint8_t bytes[CARD_FRAME_BYTES])
 {
@@ -221,7 +231,8 @@ void tearDown(void)
 /* Runs control until `how` and `signal_number` end it. @return as waitpid() gives it */
 static int control_ends(end_t how, int signal_number)
 {
-    char *arguments[] = {"control", "--exchange", name, "--box", "y", "--positions", "no-file"};
+    char *arguments[] = {"control", "--robot", "neuro",       "--exchange", name,
+                         "--box",   "y",       "--positions", "no-file"};
     int ends[2];
     int status = 0;
     end = how;
@@ -230,7 +241,7 @@ static int control_ends(end_t how, int signal_number)
     const pid_t child = fork();
     if (child == 0) {
         (void)dup2(ends[1], STDERR_FILENO);
-        _Exit(control_main(7, arguments));
+        _Exit(control_main(9, arguments));
     }
     (void)close(ends[1]);
     size_t length = 0U;

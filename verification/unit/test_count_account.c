@@ -12,11 +12,9 @@
 #include "axis/count_account.h"
 #include "base/fixed.h"
 #include "limits/requirement_limits.h"
-#include "robot/robot.h"
+#include "robot/robot_neuro.h"
 
 #include <string.h>
-
-TEST_SOURCE_FILE("robot_neuro.c")
 
 #define CYCLE_US 1000U
 #define FULL 25

@@ -13,6 +13,7 @@
 #include "limits/requirement_limits.h"
 #include "robot/coupled_limit.h"
 #include "robot/joints.h"
+#include "robot/robot_neuro.h"
 #include "safety/coupled_guard.h"
 
 TEST_SOURCE_FILE("axis_chart.c")
@@ -20,7 +21,6 @@ TEST_SOURCE_FILE("encoder.c")
 TEST_SOURCE_FILE("fixed.c")
 TEST_SOURCE_FILE("homing.c")
 TEST_SOURCE_FILE("motor_model.c")
-TEST_SOURCE_FILE("robot_neuro.c")
 TEST_SOURCE_FILE("servo.c")
 TEST_SOURCE_FILE("stall_watchdog_chart.c")
 TEST_SOURCE_FILE("supervision.c")

@@ -7,9 +7,9 @@
 #include "limits/requirement_limits.h"
 #include "robot/coupled_limit.h"
 #include "robot/joints.h"
+#include "robot/robot_neuro.h"
 
 TEST_SOURCE_FILE("fixed.c")
-TEST_SOURCE_FILE("robot_neuro.c")
 
 void setUp(void)
 {
@@ -22,15 +22,14 @@ void tearDown(void)
 void test_SWR_ROBOT_001_the_coupled_limit_is_that_of_the_geometry(void)
 {
     const coupled_limit_t *const limit = &robot_neuro.coupled_limits[0];
-    const neuro_geometry_t *const geometry = &robot_neuro.neuro;
+    const int32_t *const geometry_nm = robot_neuro.geometry_nm;
+    const int32_t home_nm = geometry_nm[NEURO_HOME_SEPARATION];
     TEST_ASSERT_EQUAL_UINT32(1U, robot_neuro.coupled_limit_count);
     TEST_ASSERT_EQUAL_STRING("separation", limit->name);
     TEST_ASSERT_EQUAL_UINT32(AXIS_HEAD, limit->first);
     TEST_ASSERT_EQUAL_UINT32(AXIS_FEET, limit->second);
-    TEST_ASSERT_EQUAL_INT32(geometry->minimum_separation_nm - geometry->home_separation_nm,
-                            limit->minimum_nm);
-    TEST_ASSERT_EQUAL_INT32(geometry->maximum_separation_nm - geometry->home_separation_nm,
-                            limit->maximum_nm);
+    TEST_ASSERT_EQUAL_INT32(geometry_nm[NEURO_MINIMUM_SEPARATION] - home_nm, limit->minimum_nm);
+    TEST_ASSERT_EQUAL_INT32(geometry_nm[NEURO_MAXIMUM_SEPARATION] - home_nm, limit->maximum_nm);
 }
 
 void test_SWR_COUPLE_002_the_first_axis_counts_upwards_and_the_second_downwards(void)

@@ -8,12 +8,10 @@
 
 #include "base/fixed.h"
 #include "limits/requirement_limits.h"
-#include "robot/robot.h"
+#include "robot/robot_neuro.h"
 #include "unity.h"
 
 #include <string.h>
-
-TEST_SOURCE_FILE("robot_neuro.c")
 
 #define REST_CYCLES 10U
 

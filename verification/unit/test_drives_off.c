@@ -9,11 +9,11 @@
 #include "control/drives_off.h"
 #include "limits/requirement_limits.h"
 #include "mock_bsp.h"
+#include "robot/robot_neuro.h"
 
 #include <string.h>
 
 TEST_SOURCE_FILE("crc.c")
-TEST_SOURCE_FILE("robot_neuro.c")
 
 #define SEQUENCE 0xFFFFFFFEU /* Its wrap is inside. */
 #define TIME_US 4711U

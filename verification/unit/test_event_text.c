@@ -13,14 +13,12 @@
 #include "interface/command.h"
 #include "interface/status.h"
 #include "interface/workphase_list.h"
-#include "robot/robot.h"
+#include "robot/robot_neuro.h"
 #include "unity.h"
 
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
-
-TEST_SOURCE_FILE("robot_neuro.c")
 
 #define LAST_CAUSE ((uint32_t)EVENT_CAUSE_LOOP)
 #define MOST_EVENTS 64U

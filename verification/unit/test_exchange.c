@@ -7,6 +7,7 @@
 
 #include "exchange/exchange.h"
 #include "exchange/exchange_segment.h"
+#include "robot/robot_neuro.h"
 
 #include <fcntl.h>
 #include <pthread.h>
@@ -16,8 +17,6 @@
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-TEST_SOURCE_FILE("robot_neuro.c")
 
 #define ROUNDS 20000U
 

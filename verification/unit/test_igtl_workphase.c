@@ -19,15 +19,13 @@
 #include "interface/command.h"
 #include "interface/snapshot.h"
 #include "limits/requirement_limits.h"
-#include "robot/robot.h"
+#include "robot/robot_neuro.h"
 #include "unit/support/igtl_peer.h"
 #include "unity.h"
 
 #include <math.h>
 #include <stddef.h>
 #include <string.h>
-
-TEST_SOURCE_FILE("robot_neuro.c")
 
 #define EXPECT(peer, expected) TEST_ASSERT_EQUAL_STRING((expected), igtl_peer_next(&outboxes[peer]))
 

@@ -7,10 +7,8 @@
 #include "limits/requirement_limits.h"
 #include "motion/motor_model.h"
 #include "motion/servo.h"
-#include "robot/robot.h"
+#include "robot/robot_neuro.h"
 #include "sim/sim_motor.h"
-
-TEST_SOURCE_FILE("robot_neuro.c")
 
 #define CYCLE_US 1000U
 

@@ -9,6 +9,7 @@
 #include "axis/count_account.h"
 #include "axis/drift_audit.h"
 #include "axis/edge_pace.h"
+#include "robot/robot_neuro.h"
 #include "safety/needle.h"
 
 TEST_SOURCE_FILE("axis_chart.c")
@@ -16,7 +17,6 @@ TEST_SOURCE_FILE("encoder.c")
 TEST_SOURCE_FILE("fixed.c")
 TEST_SOURCE_FILE("homing.c")
 TEST_SOURCE_FILE("motor_model.c")
-TEST_SOURCE_FILE("robot_neuro.c")
 TEST_SOURCE_FILE("servo.c")
 TEST_SOURCE_FILE("stall_watchdog_chart.c")
 TEST_SOURCE_FILE("supervision.c")

@@ -8,7 +8,7 @@
 #include "robot/joints.h"
 #include "robot/margin.h"
 #include "robot/neuro/neuro.h"
-#include "robot/robot.h"
+#include "robot/robot_neuro.h"
 #include "unit/support/contract_trap.h"
 #include "unit/support/golden_neuro.h"
 #include "unit/support/neuro_reference.h"
@@ -17,8 +17,6 @@
 #include <math.h>
 #include <stdbool.h>
 #include <string.h>
-
-TEST_SOURCE_FILE("robot_neuro.c")
 
 #define NM_PER_MM 1.0e6
 #define MICROMETRE_MM 1.0e-3
@@ -47,11 +45,11 @@ static point_t point_of(const double millimetres[3])
 
 static bool is_separation_legal(const int32_t ticks[ROBOT_AXIS_MAX])
 {
-    const int64_t separation = robot.neuro.home_separation_nm +
+    const int64_t separation = robot.geometry_nm[NEURO_HOME_SEPARATION] +
                                joints_value(&robot.axes[AXIS_HEAD], ticks[AXIS_HEAD]) -
                                joints_value(&robot.axes[AXIS_FEET], ticks[AXIS_FEET]);
-    return separation >= robot.neuro.minimum_separation_nm &&
-           separation <= robot.neuro.maximum_separation_nm;
+    return separation >= robot.geometry_nm[NEURO_MINIMUM_SEPARATION] &&
+           separation <= robot.geometry_nm[NEURO_MAXIMUM_SEPARATION];
 }
 
 static void set_random_legal_ticks(int32_t ticks[ROBOT_AXIS_MAX])
@@ -252,10 +250,10 @@ void test_SWR_KIN_002_inverse_returns_the_joints_it_came_from(void)
 
 static void use_probe(const double probe_mm[4])
 {
-    robot.neuro.probe_treatment_to_tip_nm = nm(probe_mm[0]);
-    robot.neuro.probe_robot_to_entry_nm = nm(probe_mm[1]);
-    robot.neuro.probe_cannula_to_treatment_nm = nm(probe_mm[2]);
-    robot.neuro.probe_robot_to_treatment_nm = nm(probe_mm[3]);
+    robot.geometry_nm[NEURO_PROBE_TREATMENT_TO_TIP] = nm(probe_mm[0]);
+    robot.geometry_nm[NEURO_PROBE_ROBOT_TO_ENTRY] = nm(probe_mm[1]);
+    robot.geometry_nm[NEURO_PROBE_CANNULA_TO_TREATMENT] = nm(probe_mm[2]);
+    robot.geometry_nm[NEURO_PROBE_ROBOT_TO_TREATMENT] = nm(probe_mm[3]);
 }
 
 void test_SWR_KIN_003_golden_joints_give_the_golden_poses(void)

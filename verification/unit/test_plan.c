@@ -15,10 +15,10 @@
 #include "robot/kinematics.h"
 #include "robot/margin.h"
 #include "robot/neuro/neuro.h"
+#include "robot/robot_neuro.h"
 #include "unit/support/contract_trap.h"
 
 TEST_SOURCE_FILE("coupled_limit.c")
-TEST_SOURCE_FILE("robot_neuro.c")
 
 static plan_t plan;
 static rigid_t identity;

@@ -11,12 +11,11 @@
 #include "mock_joints.h"
 #include "mock_kinematics.h"
 #include "procedure/plan.h"
-#include "robot/robot.h"
+#include "robot/robot_neuro.h"
 
 #include <string.h>
 
 TEST_SOURCE_FILE("coupled_limit.c")
-TEST_SOURCE_FILE("robot_neuro.c")
 
 /* The two carriages apart: here the coupled limit is looked at by itself. */
 static robot_t lone;

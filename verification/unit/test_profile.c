@@ -9,13 +9,11 @@
 #include "base/fixed.h"
 #include "limits/requirement_limits.h"
 #include "motion/profile.h"
-#include "robot/robot.h"
+#include "robot/robot_neuro.h"
 #include "unit/support/contract_trap.h"
 
 #include <math.h>
 #include <string.h>
-
-TEST_SOURCE_FILE("robot_neuro.c")
 
 #define MOVES 80U
 #define SLOW_MOVES 3U

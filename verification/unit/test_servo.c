@@ -13,12 +13,10 @@
 #include "motion/motor_model.h"
 #include "motion/profile.h"
 #include "motion/servo.h"
-#include "robot/robot.h"
+#include "robot/robot_neuro.h"
 
 #include <math.h>
 #include <string.h>
-
-TEST_SOURCE_FILE("robot_neuro.c")
 
 #define CYCLE_US 1000U
 #define FAR_TICKS 100000

@@ -5,10 +5,8 @@
 #include "unity.h"
 
 #include "limits/requirement_limits.h"
-#include "robot/robot.h"
+#include "robot/robot_neuro.h"
 #include "safety/speed_cap.h"
-
-TEST_SOURCE_FILE("robot_neuro.c")
 
 #define CYCLE_US 1000U
 #define TICKS_PER_S 16667 /* The needle's speed. */

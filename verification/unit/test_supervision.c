@@ -17,13 +17,11 @@
 #include "limits/requirement_limits.h"
 #include "motion/motor_model.h"
 #include "motion/servo.h"
-#include "robot/robot.h"
+#include "robot/robot_neuro.h"
 #include "sim/sim_encoder.h"
 #include "sim/sim_motor.h"
 
 #include <string.h>
-
-TEST_SOURCE_FILE("robot_neuro.c")
 
 #define CYCLE_US 1000U
 #define TEN_MINUTES_CYCLES 600000U

@@ -4,6 +4,7 @@
 #include "base/fixed.h"
 #include "limits/requirement_limits.h"
 #include "robot/margin.h"
+#include "robot/robot_neuro.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -38,25 +39,25 @@ static int64_t within(int64_t value, int64_t minimum, int64_t maximum)
 }
 
 /* The other short side of the right triangle on a side link, both short sides taken twice. */
-static int64_t other_side_twice(const neuro_geometry_t *geometry, int64_t side_twice_nm)
+static int64_t other_side_twice(const robot_t *robot, int64_t side_twice_nm)
 {
-    const int64_t link_twice_nm = (int64_t)geometry->side_link_nm * 2;
+    const int64_t link_twice_nm = (int64_t)robot->geometry_nm[NEURO_SIDE_LINK] * 2;
     const int64_t side_nm = within(side_twice_nm, -link_twice_nm, link_twice_nm);
     const int64_t square = (link_twice_nm * link_twice_nm) - (side_nm * side_nm);
     return (int64_t)fixed_square_root((uint64_t)square);
 }
 
-static int64_t height_of(const neuro_geometry_t *geometry, int64_t separation_nm)
+static int64_t height_of(const robot_t *robot, int64_t separation_nm)
 {
-    return fixed_shift_rounded(other_side_twice(geometry, separation_nm - geometry->top_width_nm),
-                               1U);
+    return fixed_shift_rounded(
+        other_side_twice(robot, separation_nm - robot->geometry_nm[NEURO_TOP_WIDTH]), 1U);
 }
 
 /* From the remote centre of motion to the treatment point, along the needle. */
-static int32_t lever_at(const neuro_geometry_t *geometry, int64_t depth_nm)
+static int32_t lever_at(const robot_t *robot, int64_t depth_nm)
 {
-    return fixed_saturate(depth_nm + geometry->probe_robot_to_treatment_nm -
-                          geometry->robot_to_rcm_nm);
+    return fixed_saturate(depth_nm + robot->geometry_nm[NEURO_PROBE_ROBOT_TO_TREATMENT] -
+                          robot->geometry_nm[NEURO_ROBOT_TO_RCM]);
 }
 
 /* Columns of R0 Rx(yaw) Ry(pitch); the third is the needle's direction. */
@@ -85,7 +86,7 @@ static bool aim(needle_t *self)
     const uint32_t across_q30 = fixed_square_root((uint64_t)square_y + (uint64_t)square_z);
     self->pitch_bam = fixed_atan2_bam(-(int64_t)self->direction_q30[0], (int64_t)across_q30);
     self->yaw_bam = fixed_atan2_bam(z, -y);
-    self->home_height_nm = height_of(&self->robot->neuro, self->robot->neuro.home_separation_nm);
+    self->home_height_nm = height_of(self->robot, self->robot->geometry_nm[NEURO_HOME_SEPARATION]);
     return across_q30 > SINGULAR_Q30;
 }
 
@@ -109,33 +110,35 @@ static bool aim_at_pose(needle_t *self, const robot_t *robot, const rigid_t *pos
 /* Insertion, lateral axis and height at a depth; returns twice the way of the carriages along. */
 static int64_t reach(const needle_t *self, int64_t depth_nm, int64_t value[JOINT_LIMIT_COUNT])
 {
-    const neuro_geometry_t *const geometry = &self->robot->neuro;
-    const int32_t lever_nm = lever_at(geometry, depth_nm);
+    const robot_t *const robot = self->robot;
+    const int32_t lever_nm = lever_at(robot, depth_nm);
     const int64_t x_nm =
         (int64_t)self->target.x_nm - fixed_multiply_q30(lever_nm, self->direction_q30[0]);
     const int64_t y_nm =
         (int64_t)self->target.y_nm - fixed_multiply_q30(lever_nm, self->direction_q30[1]);
     const int64_t z_nm =
         (int64_t)self->target.z_nm - fixed_multiply_q30(lever_nm, self->direction_q30[2]);
-    value[AXIS_LATERAL] = x_nm - geometry->rcm_home_x_nm;
+    value[AXIS_LATERAL] = x_nm - robot->geometry_nm[NEURO_RCM_HOME_X];
     value[AXIS_INSERTION] = depth_nm;
-    value[NEURO_LIMIT_HEIGHT] = self->home_height_nm + y_nm - geometry->rcm_home_y_nm;
-    return (z_nm - geometry->rcm_home_z_nm) * 2;
+    value[NEURO_LIMIT_HEIGHT] = self->home_height_nm + y_nm - robot->geometry_nm[NEURO_RCM_HOME_Y];
+    return (z_nm - robot->geometry_nm[NEURO_RCM_HOME_Z]) * 2;
 }
 
 /* The separation at the height; beyond the linkage's reach it is taken at its end. */
 static void separate(const needle_t *self, int64_t value[JOINT_LIMIT_COUNT])
 {
-    const neuro_geometry_t *const geometry = &self->robot->neuro;
-    const int64_t reached_nm = within(value[NEURO_LIMIT_HEIGHT], 0, geometry->side_link_nm);
+    const robot_t *const robot = self->robot;
+    const int64_t reached_nm =
+        within(value[NEURO_LIMIT_HEIGHT], 0, robot->geometry_nm[NEURO_SIDE_LINK]);
     value[NEURO_LIMIT_SEPARATION] =
-        other_side_twice(geometry, reached_nm * 2) + geometry->top_width_nm;
+        other_side_twice(robot, reached_nm * 2) + robot->geometry_nm[NEURO_TOP_WIDTH];
 }
 
 /* Joint values of the carriages at the separation. */
 static void spread(const needle_t *self, int64_t axial_nm, int64_t value[JOINT_LIMIT_COUNT])
 {
-    const int64_t opened_nm = value[NEURO_LIMIT_SEPARATION] - self->robot->neuro.home_separation_nm;
+    const int64_t opened_nm =
+        value[NEURO_LIMIT_SEPARATION] - self->robot->geometry_nm[NEURO_HOME_SEPARATION];
     value[AXIS_HEAD] = fixed_shift_rounded(axial_nm + opened_nm, 1U);
     value[AXIS_FEET] = fixed_shift_rounded(axial_nm - opened_nm, 1U);
 }
@@ -167,14 +170,15 @@ static solution_t finish(const needle_t *self, const joint_limits_t *limits, int
         margin_add(&margin, limits, i, value[i]);
     }
     margin_add(&margin, limits, NEURO_LIMIT_SEPARATION,
-               (value[AXIS_HEAD] - value[AXIS_FEET]) + self->robot->neuro.home_separation_nm);
+               (value[AXIS_HEAD] - value[AXIS_FEET]) +
+                   self->robot->geometry_nm[NEURO_HOME_SEPARATION]);
     return (margin.margin_q56 < 0) ? margin_limit(&margin, limits) : result_of(STATUS_OK);
 }
 
 /* Depth that puts the entry point where it belongs; false when it is off the needle's axis. */
 static bool find_entry_depth(const needle_t *self, const point_t *entry, int64_t *depth_nm)
 {
-    const neuro_geometry_t *const geometry = &self->robot->neuro;
+    const robot_t *const robot = self->robot;
     const int32_t way_nm[3] = {fixed_saturate((int64_t)self->target.x_nm - entry->x_nm),
                                fixed_saturate((int64_t)self->target.y_nm - entry->y_nm),
                                fixed_saturate((int64_t)self->target.z_nm - entry->z_nm)};
@@ -183,8 +187,8 @@ static bool find_entry_depth(const needle_t *self, const point_t *entry, int64_t
     for (uint32_t i = 0U; i < 3U; i++) {
         off_nm[i] = (int64_t)way_nm[i] - fixed_multiply_q30(along_nm, self->direction_q30[i]);
     }
-    *depth_nm = (int64_t)along_nm - geometry->probe_robot_to_treatment_nm +
-                geometry->probe_robot_to_entry_nm;
+    *depth_nm = (int64_t)along_nm - robot->geometry_nm[NEURO_PROBE_ROBOT_TO_TREATMENT] +
+                robot->geometry_nm[NEURO_PROBE_ROBOT_TO_ENTRY];
     return fixed_length(off_nm) <= (int64_t)LIMIT_ENTRY_ON_AXIS_NM;
 }
 
@@ -239,30 +243,29 @@ static int64_t find_depth(const needle_t *self, const joint_limits_t *limits, ma
 
 void neuro_limits(const robot_t *robot, joint_limits_t *limits)
 {
-    const neuro_geometry_t *const geometry = &robot->neuro;
     margin_set_axes(limits, robot);
     margin_set_limit(limits, NEURO_LIMIT_SEPARATION, STATUS_SEPARATION_LIMIT,
-                     geometry->minimum_separation_nm, geometry->maximum_separation_nm);
+                     robot->geometry_nm[NEURO_MINIMUM_SEPARATION],
+                     robot->geometry_nm[NEURO_MAXIMUM_SEPARATION]);
     margin_set_limit(limits, NEURO_LIMIT_HEIGHT, STATUS_UNREACHABLE_HEIGHT, 1,
-                     (int64_t)geometry->side_link_nm - 1);
+                     (int64_t)robot->geometry_nm[NEURO_SIDE_LINK] - 1);
 }
 
 void neuro_forward(const robot_t *robot, const joints_t *joints, rigid_t *zframe_treatment)
 {
-    const neuro_geometry_t *const geometry = &robot->neuro;
     const int64_t head_nm = joints->value[AXIS_HEAD];
     const int64_t feet_nm = joints->value[AXIS_FEET];
     const int64_t height_nm =
-        height_of(geometry, (head_nm - feet_nm) + geometry->home_separation_nm);
-    const int64_t home_height_nm = height_of(geometry, geometry->home_separation_nm);
-    const int32_t lever_nm = lever_at(geometry, joints->value[AXIS_INSERTION]);
+        height_of(robot, (head_nm - feet_nm) + robot->geometry_nm[NEURO_HOME_SEPARATION]);
+    const int64_t home_height_nm = height_of(robot, robot->geometry_nm[NEURO_HOME_SEPARATION]);
+    const int32_t lever_nm = lever_at(robot, joints->value[AXIS_INSERTION]);
     const fixed_direction_t roll = fixed_direction(joints->value[AXIS_ROTATION]);
     const int32_t x_q30[3] = {roll.cosine_q30, roll.sine_q30, 0};
     const int32_t y_q30[3] = {-roll.sine_q30, roll.cosine_q30, 0};
-    const int64_t rcm_nm[3] = {(int64_t)geometry->rcm_home_x_nm + joints->value[AXIS_LATERAL],
-                               geometry->rcm_home_y_nm + height_nm - home_height_nm,
-                               geometry->rcm_home_z_nm +
-                                   fixed_shift_rounded(head_nm + feet_nm, 1U)};
+    const int64_t rcm_nm[3] = {
+        (int64_t)robot->geometry_nm[NEURO_RCM_HOME_X] + joints->value[AXIS_LATERAL],
+        robot->geometry_nm[NEURO_RCM_HOME_Y] + height_nm - home_height_nm,
+        robot->geometry_nm[NEURO_RCM_HOME_Z] + fixed_shift_rounded(head_nm + feet_nm, 1U)};
     int32_t frame_q30[3][3];
     int32_t origin_nm[3];
     frame_of_angles(joints->value[AXIS_PITCH], joints->value[AXIS_YAW], frame_q30);
@@ -279,7 +282,6 @@ void neuro_forward(const robot_t *robot, const joints_t *joints, rigid_t *zframe
 solution_t neuro_inverse(const robot_t *robot, const point_t *entry, const point_t *target,
                          int32_t roll_bam, joints_t *joints)
 {
-    const neuro_geometry_t *const geometry = &robot->neuro;
     const int64_t way_nm[3] = {(int64_t)target->x_nm - entry->x_nm,
                                (int64_t)target->y_nm - entry->y_nm,
                                (int64_t)target->z_nm - entry->z_nm};
@@ -294,8 +296,8 @@ solution_t neuro_inverse(const robot_t *robot, const point_t *entry, const point
     }
     neuro_limits(robot, &limits);
     return finish(&needle, &limits,
-                  length_nm - geometry->probe_robot_to_treatment_nm +
-                      geometry->probe_robot_to_entry_nm,
+                  length_nm - robot->geometry_nm[NEURO_PROBE_ROBOT_TO_TREATMENT] +
+                      robot->geometry_nm[NEURO_PROBE_ROBOT_TO_ENTRY],
                   joints);
 }
 

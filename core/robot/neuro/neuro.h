@@ -4,7 +4,7 @@
  * Forward and inverse kinematics of the NeuroRobot, in the z-frame. Yaw is the outer, pitch the
  * inner rotation: R = R0 Rx(yaw) Ry(pitch) Rz(rotation). Equations: mechanism of Nycz et al. 2017,
  * closed form. Joint values are nm (head, feet, lateral, insertion) or bam (rotation, pitch, yaw),
- * in the order of axis_index_t.
+ * in the order of the axes in robot.yml.
  */
 #ifndef BORESIGHT_NEURO_H
 #define BORESIGHT_NEURO_H

@@ -10,7 +10,7 @@
 typedef struct {
     const char *name;
     double probe_mm[4]; /* A, B, C, D */
-    double joints[10];  /* In the order of axis_index_t. */
+    double joints[10];  /* In the order of the axes. */
     double entry_mm[3];
     double target_mm[3];
     double pose[12];

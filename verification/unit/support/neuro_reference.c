@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "unit/support/neuro_reference.h"
 
+#include "robot/robot_neuro.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -31,20 +33,20 @@ static void frame(double pitch, double yaw, double result[3][3])
 
 static double height(const robot_t *robot, double separation_mm)
 {
-    const double link = robot->neuro.side_link_nm / NM_PER_MM;
-    const double half = (separation_mm - robot->neuro.top_width_nm / NM_PER_MM) / 2.0;
+    const double link = robot->geometry_nm[NEURO_SIDE_LINK] / NM_PER_MM;
+    const double half = (separation_mm - robot->geometry_nm[NEURO_TOP_WIDTH] / NM_PER_MM) / 2.0;
     return sqrt(link * link - half * half);
 }
 
 static void rcm(const robot_t *robot, const double joint[ROBOT_AXIS_MAX], double point_mm[3])
 {
-    const double home = robot->neuro.home_separation_nm / NM_PER_MM;
+    const double home = robot->geometry_nm[NEURO_HOME_SEPARATION] / NM_PER_MM;
     const double separation = home + joint[AXIS_HEAD] - joint[AXIS_FEET];
-    point_mm[0] = robot->neuro.rcm_home_x_nm / NM_PER_MM + joint[AXIS_LATERAL];
-    point_mm[1] =
-        robot->neuro.rcm_home_y_nm / NM_PER_MM + height(robot, separation) - height(robot, home);
-    point_mm[2] =
-        robot->neuro.rcm_home_z_nm / NM_PER_MM + (joint[AXIS_HEAD] + joint[AXIS_FEET]) / 2.0;
+    point_mm[0] = robot->geometry_nm[NEURO_RCM_HOME_X] / NM_PER_MM + joint[AXIS_LATERAL];
+    point_mm[1] = robot->geometry_nm[NEURO_RCM_HOME_Y] / NM_PER_MM + height(robot, separation) -
+                  height(robot, home);
+    point_mm[2] = robot->geometry_nm[NEURO_RCM_HOME_Z] / NM_PER_MM +
+                  (joint[AXIS_HEAD] + joint[AXIS_FEET]) / 2.0;
 }
 
 void neuro_reference_joints(const robot_t *robot, const joints_t *joints,
@@ -69,8 +71,9 @@ void neuro_reference_forward(const robot_t *robot, const double joint[ROBOT_AXIS
     const double about_z[3][3] = {
         {cos(roll), -sin(roll), 0.0}, {sin(roll), cos(roll), 0.0}, {0.0, 0.0, 1.0}};
     const double lever =
-        joint[AXIS_INSERTION] +
-        (robot->neuro.probe_robot_to_treatment_nm - robot->neuro.robot_to_rcm_nm) / NM_PER_MM;
+        joint[AXIS_INSERTION] + (robot->geometry_nm[NEURO_PROBE_ROBOT_TO_TREATMENT] -
+                                 robot->geometry_nm[NEURO_ROBOT_TO_RCM]) /
+                                    NM_PER_MM;
     double needle[3][3];
     frame(joint[AXIS_PITCH], joint[AXIS_YAW], needle);
     multiply((const double(*)[3])needle, about_z, pose->rotation);
@@ -84,7 +87,8 @@ void neuro_reference_entry(const robot_t *robot, const double joint[ROBOT_AXIS_M
                            double entry_mm[3])
 {
     const double lever =
-        (robot->neuro.probe_robot_to_entry_nm - robot->neuro.robot_to_rcm_nm) / NM_PER_MM;
+        (robot->geometry_nm[NEURO_PROBE_ROBOT_TO_ENTRY] - robot->geometry_nm[NEURO_ROBOT_TO_RCM]) /
+        NM_PER_MM;
     double needle[3][3];
     frame(joint[AXIS_PITCH], joint[AXIS_YAW], needle);
     rcm(robot, joint, entry_mm);
@@ -96,11 +100,11 @@ void neuro_reference_entry(const robot_t *robot, const double joint[ROBOT_AXIS_M
 bool neuro_reference_inverse(const robot_t *robot, const neuro_reference_pose_t *pose,
                              double depth_mm, double joint[ROBOT_AXIS_MAX])
 {
-    const double lever =
-        depth_mm +
-        (robot->neuro.probe_robot_to_treatment_nm - robot->neuro.robot_to_rcm_nm) / NM_PER_MM;
-    const double link = robot->neuro.side_link_nm / NM_PER_MM;
-    const double home = robot->neuro.home_separation_nm / NM_PER_MM;
+    const double lever = depth_mm + (robot->geometry_nm[NEURO_PROBE_ROBOT_TO_TREATMENT] -
+                                     robot->geometry_nm[NEURO_ROBOT_TO_RCM]) /
+                                        NM_PER_MM;
+    const double link = robot->geometry_nm[NEURO_SIDE_LINK] / NM_PER_MM;
+    const double home = robot->geometry_nm[NEURO_HOME_SEPARATION] / NM_PER_MM;
     double needle[3][3];
     double point[3];
     double cosine = 0.0;
@@ -117,14 +121,15 @@ bool neuro_reference_inverse(const robot_t *robot, const neuro_reference_pose_t 
     }
     joint[AXIS_ROTATION] = atan2(sine, cosine);
     joint[AXIS_INSERTION] = depth_mm;
-    joint[AXIS_LATERAL] = point[0] - robot->neuro.rcm_home_x_nm / NM_PER_MM;
-    const double risen = height(robot, home) + point[1] - robot->neuro.rcm_home_y_nm / NM_PER_MM;
+    joint[AXIS_LATERAL] = point[0] - robot->geometry_nm[NEURO_RCM_HOME_X] / NM_PER_MM;
+    const double risen =
+        height(robot, home) + point[1] - robot->geometry_nm[NEURO_RCM_HOME_Y] / NM_PER_MM;
     if (risen <= 0.0 || risen >= link) {
         return false;
     }
-    const double opened =
-        2.0 * sqrt(link * link - risen * risen) + robot->neuro.top_width_nm / NM_PER_MM - home;
-    const double moved = point[2] - robot->neuro.rcm_home_z_nm / NM_PER_MM;
+    const double opened = 2.0 * sqrt(link * link - risen * risen) +
+                          robot->geometry_nm[NEURO_TOP_WIDTH] / NM_PER_MM - home;
+    const double moved = point[2] - robot->geometry_nm[NEURO_RCM_HOME_Z] / NM_PER_MM;
     joint[AXIS_HEAD] = moved + opened / 2.0;
     joint[AXIS_FEET] = moved - opened / 2.0;
     return true;
@@ -138,9 +143,10 @@ static double margin_of(double value, double minimum, double maximum)
 double neuro_reference_margin(const robot_t *robot, const double joint[ROBOT_AXIS_MAX])
 {
     const double separation =
-        robot->neuro.home_separation_nm / NM_PER_MM + joint[AXIS_HEAD] - joint[AXIS_FEET];
-    double smallest = margin_of(separation, robot->neuro.minimum_separation_nm / NM_PER_MM,
-                                robot->neuro.maximum_separation_nm / NM_PER_MM);
+        robot->geometry_nm[NEURO_HOME_SEPARATION] / NM_PER_MM + joint[AXIS_HEAD] - joint[AXIS_FEET];
+    double smallest =
+        margin_of(separation, robot->geometry_nm[NEURO_MINIMUM_SEPARATION] / NM_PER_MM,
+                  robot->geometry_nm[NEURO_MAXIMUM_SEPARATION] / NM_PER_MM);
     for (unsigned i = 0; i < robot->axis_count; i++) {
         const axis_config_t *axis = &robot->axes[i];
         smallest =

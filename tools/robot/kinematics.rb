@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+require 'psych'
+
+module Robot
+  # What a kinematics takes for granted of its robots: kinematics.yml in its folder.
+  class Kinematics
+    FOLDER = File.expand_path('../../core/robot', __dir__)
+
+    # Of all robots.
+    def self.names(folder = FOLDER)
+      Dir.glob('*/kinematics.yml', base: folder).map { |path| File.dirname(path) }.sort
+    end
+
+    def initialize(name, folder = FOLDER)
+      @parts = Psych.safe_load_file(File.join(folder, name, 'kinematics.yml'))
+    end
+
+    # Their names, in order.
+    def axes
+      @parts.fetch('axes').keys
+    end
+
+    # mm or rad.
+    def unit(axis)
+      @parts.fetch('axes').fetch(axis).first
+    end
+
+    def needle(axis)
+      @parts.fetch('axes').fetch(axis).last
+    end
+
+    # Ranges of the lengths of `part`, geometry or probe, in order.
+    def lengths(part)
+      @parts.fetch(part).transform_values { |least, most| (least..most) }
+    end
+
+    # For each length that lies between others: the one below, and those whose sum is above.
+    def between
+      @parts.fetch('between')
+    end
+
+    # Name, first and second axis of each.
+    def coupled_limits
+      @parts.fetch('coupled_limits').map { |name, axes| [name, *axes] }
+    end
+  end
+end
