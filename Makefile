@@ -33,8 +33,7 @@ BUILD_ID := $(shell git rev-parse --short=12 HEAD 2>/dev/null || echo unknown)$(
 # --- what there is -------------------------------------------------------------------------------------------
 
 # An include names the room (`#include "axis/axis.h"`); tools/rooms.yml says which room may see which.
-# core/base also by itself, for what the chart compiler writes.
-CORE_INCLUDES := -Icore -Icore/base -I$(GEN)
+CORE_INCLUDES := -Icore -I$(GEN)
 BSP_INCLUDES := $(CORE_INCLUDES) -Ibsp -Ibsp/include
 APP_INCLUDES := $(CORE_INCLUDES) -Ibsp/include -Iapp
 TEST_INCLUDES := $(APP_INCLUDES) -Ibsp -Iverification

@@ -26,7 +26,7 @@ class CTests
     'arm' => { compiler: %w[arm-linux-gnueabihf-gcc -mcpu=cortex-a9 -mfpu=vfpv3-d16 -static], runner: %w[qemu-arm],
                libraries: %w[-lm] }
   }.freeze
-  FOLDERS = %w[core core/base app bsp bsp/include build/gen verification].freeze
+  FOLDERS = %w[core app bsp bsp/include build/gen verification].freeze
   SUPPORT = Dir['verification/*/support/*.c'] + ["#{UNITY}/src/unity.c", "#{CMOCK}/src/cmock.c"]
   ALWAYS = %w[contract_trap unity cmock].freeze
   # As project.yml says it to Ceedling.
@@ -123,10 +123,12 @@ class CTests
     @support.keys.select { |source| [*headers_of(test).map { |header| File.basename(header) }, *ALWAYS].include?(File.basename(source, '.c')) }
   end
 
-  # A mock has every function of its header, so that the library's own stay out. @return their sources
+  # A mock has every function of its header, so that the library's own stay out; it includes that by its bare name.
+  # @return their sources
   def make_mocks
     names = @tests.flat_map { |test| headers_of(test) }.grep(MOCK).uniq
     headers = names.map { |name| Dir["{core/*,core/*/*,app/*,bsp/include}/#{name.sub(MOCK, '')}.h"].fetch(0) }
+    @mocked = headers.map { |header| File.dirname(header) }.uniq
     call('ruby', "#{CMOCK}/lib/cmock.rb", '-oproject.yml', "--mock_path=#{@mocks}", *headers)
     names.map { |name| "#{@mocks}/#{name}.c" }
   end
@@ -139,7 +141,7 @@ class CTests
   end
 
   def compile(*arguments)
-    folders = ["#{UNITY}/src", "#{CMOCK}/src", @mocks, *FOLDERS]
+    folders = ["#{UNITY}/src", "#{CMOCK}/src", @mocks, *FOLDERS, *@mocked]
     call(*@options[:compiler], *FLAGS, *folders.map { |folder| "-I#{folder}" }, *arguments)
   end
 

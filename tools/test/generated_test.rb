@@ -11,7 +11,7 @@ class GeneratedTest
   UNITY = File.join(Gem::Specification.find_by_name('ceedling').gem_dir, 'vendor', 'unity')
   SUPPORT = File.join(ROOT, 'verification/unit/support')
   DEFINES = %w[-D_GNU_SOURCE -DUNITY_INCLUDE_DOUBLE -DUNITY_SUPPORT_64 -DUNITY_INT_WIDTH=32].freeze
-  INCLUDES = ["#{UNITY}/src", "#{ROOT}/core/base", SUPPORT].map { |folder| "-I#{folder}" }.freeze
+  INCLUDES = ["#{UNITY}/src", "#{ROOT}/core", SUPPORT].map { |folder| "-I#{folder}" }.freeze
   require "#{UNITY}/auto/generate_test_runner"
 
   # All that a program needs beside the chart.

@@ -13,7 +13,7 @@ require_relative '../chart/command'
 # What the compiler writes for one chart: C without a warning, the same bytes every time, drawing and table to match.
 class TestChartCode < Minitest::Test
   CHART = File.join(__dir__, 'charts', 'sample.scxml')
-  BASE = File.join(__dir__, '..', '..', 'core', 'base')
+  CORE = File.join(__dir__, '..', '..', 'core')
   COMPILER = File.join(__dir__, '..', 'chart_compiler.rb')
   WARNINGS = %w[-std=c99 -pedantic -Wall -Wextra -Werror -Wconversion -Wsign-conversion -Wshadow -Wswitch-enum
                 -Wcast-qual -Wmissing-prototypes].freeze
@@ -45,7 +45,7 @@ class TestChartCode < Minitest::Test
   %w[gcc clang].each do |compiler|
     define_method("test_SWR_CHART_001_#{compiler}_compiles_the_code_without_a_warning") do
       file = path('gen', 'charts', 'sample_chart.c')
-      output, status = Open3.capture2e(compiler, *WARNINGS, '-O2', '-I', BASE, '-c', file, '-o', File::NULL)
+      output, status = Open3.capture2e(compiler, *WARNINGS, '-O2', '-I', CORE, '-c', file, '-o', File::NULL)
       assert status.success?, output
       assert_empty output
     end

@@ -169,8 +169,8 @@ class TestChartProperties < Minitest::Test
   end
 
   def compile(folder)
-    base = File.join(__dir__, '..', '..', 'core', 'base')
-    output, status = Open3.capture2e('gcc', '-std=c99', '-Wall', '-Wextra', '-Werror', "-I#{folder}", "-I#{base}",
+    core = File.join(__dir__, '..', '..', 'core')
+    output, status = Open3.capture2e('gcc', '-std=c99', '-Wall', '-Wextra', '-Werror', "-I#{folder}", "-I#{core}",
                                      *Dir[File.join(folder, '*.c')], '-o', File.join(folder, 'test'))
     assert status.success?, output
   end

@@ -54,7 +54,7 @@ class TestInterfaceField < Minitest::Test
   SOURCES = %w[core/controller/*.c app/http/telemetry_{json,units}.c app/http/json_forms.c app/common/event_text.c
                app/replay/table.c build/gen/assets/chart_names.c].freeze
   GENERATED = %w[event app/names app/event_words app/messages app/columns].freeze
-  FOLDERS = %w[core core/base app bsp/include build/gen].freeze
+  FOLDERS = %w[core app bsp/include build/gen].freeze
   LIBRARY = 'build/gcc/libcore.a'
 
   def setup

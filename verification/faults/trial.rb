@@ -46,7 +46,7 @@ module Faults
     def compile
       File.write(path("#{@name}.h"), @code.header)
       File.write(path("#{@name}.c"), @code.source)
-      arguments = [*Workshop::SHARED, path("#{@name}.c"), '-I', @folder, '-I', Workshop::BASE, '-o', library]
+      arguments = [*Workshop::SHARED, path("#{@name}.c"), '-I', @folder, '-I', Workshop::CORE, '-o', library]
       refused = Workshop.gcc(*CompiledChart::FLAGS, *arguments)
       Workshop.gcc('-std=c99', '-w', *arguments) if refused
       refused

@@ -37,7 +37,7 @@ module Faults
   # What is compiled once for all versions of a chart's code, which are shared libraries: the driver and the tests that
   # the untouched compiler generates. They include the version's header, which is the same for nearly all.
   class Workshop
-    BASE = File.join(CompiledChart::ROOT, 'core/base')
+    CORE = File.join(CompiledChart::ROOT, 'core')
     LIBRARY = 'chart.so'.freeze
     SHARED = ['-shared', '-fPIC', '-nostdlib', "-Wl,-soname,#{LIBRARY}"].freeze
     TESTS = { 'walk test' => Chart::WalkTest, 'path test' => Chart::PathsTest }.freeze
@@ -94,7 +94,7 @@ module Faults
     def driver(folder)
       file = File.join(folder, 'driver.c')
       File.write(file, Chart::Driver.new(@subject.document, @subject.walk).emit)
-      Workshop.gcc!('-std=c99', '-c', file, '-I', folder, '-I', BASE, '-o', "#{file}.o")
+      Workshop.gcc!('-std=c99', '-c', file, '-I', folder, '-I', CORE, '-o', "#{file}.o")
       "#{file}.o"
     end
   end

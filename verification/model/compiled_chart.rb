@@ -38,7 +38,7 @@ class CompiledChart
 
   def self.build(folder, name, kind: 'gcc', optimise: '-O2', warnings: FLAGS)
     program = File.join(folder, "#{name}-#{kind}")
-    command = [*KINDS.fetch(kind).first, *warnings, optimise, '-I', folder, '-I', File.join(ROOT, 'core/base'),
+    command = [*KINDS.fetch(kind).first, *warnings, optimise, '-I', folder, '-I', File.join(ROOT, 'core'),
                File.join(folder, "#{name}_chart.c"), File.join(folder, "#{name}_driver.c"),
                '-o', program]
     output, status = Open3.capture2e(*command)

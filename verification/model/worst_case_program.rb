@@ -64,7 +64,7 @@ module WorstCase
 
     # Writing the call graph changes no code.
     def compile
-      command = [*@compiler, '-I', @folder, '-I', File.join(ROOT, 'core/base')]
+      command = [*@compiler, '-I', @folder, '-I', File.join(ROOT, 'core')]
       self.class.execute(*command, '-fcallgraph-info=su', '-c', path("#{@name}_chart.c"), '-o', @object)
       self.class.execute(*command, '-O0', '-w', @object, path("#{@name}_calls.c"), '-o', @file)
     end

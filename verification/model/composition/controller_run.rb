@@ -10,7 +10,7 @@ require_relative 'program'
 class ControllerRun
   ROOT = CompiledChart::ROOT
   SOURCES = %w[verification/model/composition/controller_run.c verification/integration/support/rig.c].freeze
-  SUPPORT = %w[core core/base app bsp bsp/include build/gen verification].freeze
+  SUPPORT = %w[core app bsp bsp/include build/gen verification].freeze
   COLUMNS = %w[loop pedal estop card axis_1 axis_2 stall_1 stall_2 workphase arming plan scanner permit_1 permit_2].freeze
   EPISODES = 120
 

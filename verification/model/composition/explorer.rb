@@ -17,7 +17,7 @@ class Explorer
   ROOT = CompiledChart::ROOT
   HERE = "#{ROOT}/verification/model/composition".freeze
   PARTS = ["#{HERE}/found.c", *Dir["#{ROOT}/core/safety/permit.c"].sort].freeze
-  FOLDERS = %w[core core/base build/gen].freeze
+  FOLDERS = %w[core build/gen].freeze
   # [kind, source] => file
   OBJECTS = {}
   private_constant :OBJECTS

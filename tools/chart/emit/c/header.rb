@@ -20,7 +20,7 @@ module Chart
 
       def emit
         guard = "BORESIGHT_#{@names.macro}_CHART_H"
-        text([banner(@document, 'Interface'), about, "#ifndef #{guard}", "#define #{guard}", '', '#include "chart.h"',
+        text([banner(@document, 'Interface'), about, "#ifndef #{guard}", "#define #{guard}", '', '#include "base/chart.h"',
               '', '#include <stdbool.h>', '#include <stdint.h>', '', region_enums, event_enum, actions, inputs,
               chart_struct, functions, "#endif /* #{guard} */"])
       end
