@@ -109,6 +109,33 @@ void test_SWR_PHASE_002_a_workphase_outside_the_enumeration_is_unknown(void)
     TEST_ASSERT_EQUAL(WORKPHASE_PLANNING, procedure_workphase(&procedure));
 }
 
+/* In TARGETING, with all that is asked for but one thing. */
+static void expect_refused(workphase_t to, bool *missing, bool value, status_t status)
+{
+    enter(WORKPHASE_TARGETING);
+    *missing = value;
+    TEST_ASSERT_EQUAL(status, request(to));
+    TEST_ASSERT_EQUAL(WORKPHASE_TARGETING, procedure_workphase(&procedure));
+    *missing = !value;
+    TEST_ASSERT_EQUAL(STATUS_OK, request(to));
+}
+
+void test_SWR_PHASE_006_a_refusal_names_what_is_missing(void)
+{
+    const workphase_t move = WORKPHASE_MOVE_TO_TARGET;
+    expect_refused(WORKPHASE_TARGETING, &inputs.is_registered, false, STATUS_NOT_REGISTERED);
+    expect_refused(move, &inputs.has_target, false, STATUS_NO_TARGET);
+    expect_refused(move, &inputs.is_homed, false, STATUS_NOT_HOMED);
+    expect_refused(move, &inputs.is_able, false, STATUS_FAULT_PRESENT);
+}
+
+void test_SWR_PHASE_002_start_up_is_refused_with_the_reason(void)
+{
+    const workphase_t start_up = WORKPHASE_START_UP;
+    expect_refused(start_up, &inputs.is_hardware_ready, false, STATUS_HARDWARE_NOT_READY);
+    expect_refused(start_up, &inputs.is_confirmation_due, true, STATUS_CONFIRM_POSITIONS);
+}
+
 /* Whatever is armed, in whatever workphase, whether it waits or moves. */
 void test_SWR_PHASE_005_every_change_discards_what_was_armed_and_a_refusal_does_not(void)
 {
