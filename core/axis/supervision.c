@@ -137,19 +137,21 @@ static bool is_uneven(supervision_t *self, const axis_config_t *config,
                       const supervision_view_t *view, int64_t counted_ticks)
 {
     const int64_t speed_q8 = self->model.speed_ticks_per_s_q8;
-    if ((speed_q8 != 0) && (counted_ticks == 0)) {
-        return false;
-    }
-    const int64_t size_q8 = (speed_q8 < 0) ? -speed_q8 : speed_q8;
-    const int64_t ticks = (speed_q8 < 0) ? -counted_ticks : counted_ticks;
-    const int32_t least_q8 =
-        config->full_speed_ticks_per_s * (256 / (int32_t)LIMIT_PACE_LEAST_SHARE);
-    if ((size_q8 < (int64_t)least_q8) || (ticks < 0)) {
+    if (speed_q8 == 0) {
         edge_pace_rest(&self->pace);
         return false;
     }
-    const bool is_found =
-        edge_pace_step(&self->pace, (uint32_t)ticks, view->edge_us, (uint32_t)size_q8);
+    if (counted_ticks == 0) {
+        return false;
+    }
+    const int32_t ticks = fixed_saturate((speed_q8 < 0) ? -counted_ticks : counted_ticks);
+    const uint32_t size_q8 = (uint32_t)((speed_q8 < 0) ? -speed_q8 : speed_q8);
+    const uint32_t full = (uint32_t)config->full_speed_ticks_per_s;
+    if ((ticks < 0) || (size_q8 < (full * (256U / LIMIT_PACE_LEAST_SHARE)))) {
+        edge_pace_rest(&self->pace);
+        return false;
+    }
+    const bool is_found = edge_pace_step(&self->pace, (uint32_t)ticks, view->edge_us, size_q8);
     if (is_found) {
         supervision_settle(self);
     }
