@@ -316,7 +316,7 @@ uint32_t axis_supervise(axis_t *self, const axis_config_t *config, bool is_drive
                                      .is_upwards = servo_is_upwards(config, &asked),
                                      .is_relied_on = is_relied_on,
                                      .drive = *sent,
-                                     .edge_us = self->encoder.edge_us,
+                                     .edge_age_us = self->encoder.edge_age_us,
                                      .elapsed_us = elapsed_us};
     uint32_t found = supervision_step(&self->supervision, config, &view);
     if (homing_is_too_long(&self->homing, config, leg, is_driven, elapsed_us)) {

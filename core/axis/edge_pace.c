@@ -3,16 +3,24 @@
 
 #include "limits/requirement_limits.h"
 
-#define DUE_SHIFT 15U
+#include <string.h>
+
+#define UNKNOWN UINT32_MAX
+
+void edge_pace_init(edge_pace_t *self)
+{
+    (void)memset(self, 0, sizeof *self);
+    self->since_q16 = UNKNOWN;
+}
 
 void edge_pace_settle(edge_pace_t *self)
 {
     self->uneven = 0U;
 }
 
-void edge_pace_rest(edge_pace_t *self)
+void edge_pace_begin(edge_pace_t *self)
 {
-    self->speed_ticks_per_s_q8 = 0U;
+    self->since_q16 = UNKNOWN;
 }
 
 static bool is_much_more(uint64_t one, uint64_t other)
@@ -20,11 +28,11 @@ static bool is_much_more(uint64_t one, uint64_t other)
     return (one * 100U) > (other * LIMIT_PACE_CHANGE_PERCENT);
 }
 
-/* Way by time of the two, crosswise, without a quotient. */
-static void compare(edge_pace_t *self, uint32_t ticks, uint32_t due)
+/* Way by counts of the two, crosswise. */
+static void compare(edge_pace_t *self, uint32_t ticks, uint32_t due_q16)
 {
-    const uint64_t one = (uint64_t)due * self->ticks;
-    const uint64_t other = (uint64_t)self->due * ticks;
+    const uint64_t one = (uint64_t)due_q16 * self->ticks;
+    const uint64_t other = (uint64_t)self->due_q16 * ticks;
     if (is_much_more(one, other) || is_much_more(other, one)) {
         self->uneven += LIMIT_UNEVEN_WEIGHT;
     } else {
@@ -32,22 +40,23 @@ static void compare(edge_pace_t *self, uint32_t ticks, uint32_t due)
     }
 }
 
-bool edge_pace_step(edge_pace_t *self, uint32_t ticks, uint32_t edge_us,
-                    uint32_t speed_ticks_per_s_q8)
+bool edge_pace_step(edge_pace_t *self, const edge_pace_view_t *view)
 {
-    const uint32_t time_us = edge_us - self->edge_us;
-    const uint32_t before_q8 = self->speed_ticks_per_s_q8;
-    self->edge_us = edge_us;
-    self->speed_ticks_per_s_q8 = speed_ticks_per_s_q8;
-    if ((before_q8 == 0U) || (time_us >= LIMIT_SPEED_TIMEOUT_US)) {
+    const bool is_known = self->since_q16 != UNKNOWN;
+    const uint32_t after_q16 = (view->after_q16 < view->way_q16) ? view->after_q16 : view->way_q16;
+    if (view->ticks == 0U) {
+        self->since_q16 += is_known ? view->way_q16 : 0U;
         return false;
     }
-    const uint64_t speeds_q8 = (uint64_t)before_q8 + speed_ticks_per_s_q8;
-    const uint32_t due = (uint32_t)((speeds_q8 * time_us) >> DUE_SHIFT);
-    if (self->ticks != 0U) {
-        compare(self, ticks, due);
+    const uint32_t due_q16 = self->since_q16 + (view->way_q16 - after_q16);
+    self->since_q16 = after_q16;
+    if (!is_known) {
+        return false;
     }
-    self->ticks = ticks;
-    self->due = due;
+    if (self->ticks != 0U) {
+        compare(self, view->ticks, due_q16);
+    }
+    self->ticks = view->ticks;
+    self->due_q16 = due_q16;
     return self->uneven >= LIMIT_UNEVEN_MOST;
 }

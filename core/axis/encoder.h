@@ -21,7 +21,7 @@ typedef struct {
                                         rest. */
     int32_t anchor_ticks;            /**< Start of the present speed measurement. */
     uint32_t anchor_us;              /**< Card time of that edge. */
-    uint32_t edge_us;                /**< Card time of the newest edge. */
+    uint32_t edge_age_us;            /**< Time since the newest edge. */
     int32_t jump_ticks;              /**< The last unbelievable change, for the record. */
     uint32_t jumps;                  /**< Unbelievable readings in a row. */
     uint32_t missed_cycles;          /**< Since the last reading. */

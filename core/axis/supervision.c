@@ -8,6 +8,14 @@
 #include <string.h>
 
 #define PLACE_US 100000U
+#define US_PER_S 1000000U
+
+/* Of a cycle. */
+typedef struct {
+    int64_t before_q8; /* Speed of the model when it began. */
+    int64_t model_q16; /* Its way. */
+    int64_t counted_ticks;
+} way_t;
 
 static int64_t error_ticks(const supervision_view_t *view)
 {
@@ -132,30 +140,38 @@ static uint32_t watch_counts(supervision_t *self, const axis_config_t *config, i
                                                              : AXIS_NOTE_WRONG_SPEED;
 }
 
-/* Told once, as all that is missing. */
-static bool is_uneven(supervision_t *self, const axis_config_t *config,
-                      const supervision_view_t *view, int64_t counted_ticks)
+/* Way of the model in the last `age_us` of a cycle at the start of which it had another speed. */
+static uint32_t way_after(int64_t before_q8, int64_t speed_q8, uint32_t age_us)
 {
+    const uint32_t gaining_us = (age_us < LIMIT_CYCLE_US) ? age_us : LIMIT_CYCLE_US;
+    const int64_t gained_q8 = (speed_q8 - before_q8) * (int64_t)gaining_us;
+    const int64_t mean_q8 = speed_q8 - fixed_divide_by(gained_q8, 2U * LIMIT_CYCLE_US);
+    const int64_t way_q16 = fixed_divide_by(mean_q8 * 4 * (int64_t)age_us, US_PER_S / 64U);
+    return (uint32_t)((way_q16 < 0) ? -way_q16 : way_q16);
+}
+
+/* Before count_account_step(): that one knows the direction of the cycle before. */
+static bool is_uneven(supervision_t *self, const supervision_view_t *view, const way_t *way)
+{
+    const int32_t direction = (way->model_q16 < 0) ? -1 : 1;
+    const int32_t ticks = fixed_saturate(way->counted_ticks * (int64_t)direction);
+    if (way->model_q16 == 0) {
+        if (ticks != 0) {
+            edge_pace_begin(&self->pace);
+        }
+        return false;
+    }
+    if ((ticks < 0) || (direction != self->account.direction)) {
+        edge_pace_begin(&self->pace);
+        return false;
+    }
     const int64_t speed_q8 = self->model.speed_ticks_per_s_q8;
-    if (speed_q8 == 0) {
-        edge_pace_rest(&self->pace);
-        return false;
-    }
-    if (counted_ticks == 0) {
-        return false;
-    }
-    const int32_t ticks = fixed_saturate((speed_q8 < 0) ? -counted_ticks : counted_ticks);
-    const uint32_t size_q8 = (uint32_t)((speed_q8 < 0) ? -speed_q8 : speed_q8);
-    const uint32_t full = (uint32_t)config->full_speed_ticks_per_s;
-    if ((ticks < 0) || (size_q8 < (full * (256U / LIMIT_PACE_LEAST_SHARE)))) {
-        edge_pace_rest(&self->pace);
-        return false;
-    }
-    const bool is_found = edge_pace_step(&self->pace, (uint32_t)ticks, view->edge_us, size_q8);
-    if (is_found) {
-        supervision_settle(self);
-    }
-    return is_found;
+    const edge_pace_view_t cycle = {
+        .way_q16 = (uint32_t)(way->model_q16 * (int64_t)direction),
+        .after_q16 = (ticks > 0) ? way_after(way->before_q8, speed_q8, view->edge_age_us) : 0U,
+        .ticks = (uint32_t)ticks,
+    };
+    return edge_pace_step(&self->pace, &cycle);
 }
 
 static void settle(supervision_t *self, const supervision_view_t *view)
@@ -220,6 +236,7 @@ void supervision_init(supervision_t *self)
     (void)memset(self, 0, sizeof *self);
     stall_watchdog_chart_init(&self->stall);
     count_account_init(&self->account);
+    edge_pace_init(&self->pace);
 }
 
 bool supervision_is_at_rest(const supervision_t *self)
@@ -256,8 +273,12 @@ uint32_t supervision_step(supervision_t *self, const axis_config_t *config,
 {
     const uint32_t driven_us =
         (view->elapsed_us < LIMIT_CARD_WATCHDOG_US) ? view->elapsed_us : LIMIT_CARD_WATCHDOG_US;
-    const int64_t model_q16 = motor_model_step_q16(&self->model, config, &view->drive, driven_us);
-    const int64_t counted = (int64_t)view->position_ticks - (int64_t)self->position_ticks;
+    const int64_t before_q8 = self->model.speed_ticks_per_s_q8;
+    const way_t way = {
+        .before_q8 = before_q8,
+        .model_q16 = motor_model_step_q16(&self->model, config, &view->drive, driven_us),
+        .counted_ticks = (int64_t)view->position_ticks - (int64_t)self->position_ticks,
+    };
     uint32_t notes = 0U;
     if (self->rest_ticks == 0) {
         self->rest_ticks = supervision_rest_ticks(config);
@@ -266,8 +287,11 @@ uint32_t supervision_step(supervision_t *self, const axis_config_t *config,
     notes |= note(is_astray(view), AXIS_NOTE_FOLLOWING_ERROR);
     notes |= note(is_backwards(self, view), AXIS_NOTE_WRONG_WAY);
     notes |= note(is_moving_while_off(self, config, view), AXIS_NOTE_MOVED_OFF);
-    notes |= watch_counts(self, config, model_q16, counted, driven_us);
-    notes |= note(is_uneven(self, config, view, counted), AXIS_NOTE_UNEVEN_COUNTS);
+    const uint32_t uneven = note(is_uneven(self, view, &way), AXIS_NOTE_UNEVEN_COUNTS);
+    notes |= watch_counts(self, config, way.model_q16, way.counted_ticks, driven_us) | uneven;
+    if (uneven != 0U) {
+        supervision_settle(self);
+    }
     self->position_ticks = view->position_ticks;
     return notes;
 }

@@ -43,9 +43,9 @@ typedef struct {
     int32_t following_error_ticks; /**< Largest distance of the two while driven. */
     bool is_driven;                /**< The permit allowed the axis and a motion runs. */
     bool is_upwards;               /**< Direction of the last drive that was asked for. */
-    bool is_relied_on;  /**< Enabled, homed or unverified: off, it is to stay where it is. */
-    card_drive_t drive; /**< What the card applied up to this position. */
-    uint32_t edge_us;   /**< Card time of its newest edge. */
+    bool is_relied_on;    /**< Enabled, homed or unverified: off, it is to stay where it is. */
+    card_drive_t drive;   /**< What the card applied up to this position. */
+    uint32_t edge_age_us; /**< Of its newest edge. */
     uint32_t elapsed_us;
 } supervision_view_t;
 

@@ -38,7 +38,7 @@ static const axis_config_t *config;
 static motor_model_t motor;
 static int64_t way_q16;
 static int32_t position_ticks;
-static uint32_t edge_us;
+static uint32_t edge_age_us;
 static uint32_t driven_cycles;
 
 static void use(const axis_config_t *which)
@@ -48,7 +48,7 @@ static void use(const axis_config_t *which)
     motor = (motor_model_t){0};
     way_q16 = 0;
     position_ticks = 0;
-    edge_us = 0U;
+    edge_age_us = 0U;
     driven_cycles = 0U;
 }
 
@@ -78,17 +78,24 @@ static uint32_t step(card_drive_t sent, int32_t ticks, uint32_t elapsed_us)
                                      .setpoint_ticks = position_ticks,
                                      .following_error_ticks = config->following_error_ticks,
                                      .drive = sent,
-                                     .edge_us = edge_us,
+                                     .edge_age_us = edge_age_us,
                                      .elapsed_us = elapsed_us};
     return supervision_step(&supervision, config, &view);
 }
 
-/* A cycle of a motor of which so much is counted. */
+/* A cycle of a motor of which so much is counted, at the whole ticks. */
 static uint32_t cycle(card_drive_t sent, int32_t percent)
 {
     driven_cycles += (sent.mode != (uint32_t)CARD_DRIVE_OFF) ? 1U : 0U;
-    way_q16 += (motor_model_step_q16(&motor, config, &sent, CYCLE_US) * percent) / 100;
-    return step(sent, (int32_t)(way_q16 / 65536) - position_ticks, CYCLE_US);
+    const int64_t made_q16 =
+        (motor_model_step_q16(&motor, config, &sent, CYCLE_US) * percent) / 100;
+    way_q16 += made_q16;
+    const int64_t beyond_q16 = ((way_q16 % 65536) + 65536) % 65536;
+    if (made_q16 != 0) {
+        const int64_t after_q16 = (made_q16 > 0) ? beyond_q16 : (beyond_q16 - 65536);
+        edge_age_us = (uint32_t)((after_q16 * (int64_t)CYCLE_US) / made_q16);
+    }
+    return step(sent, (int32_t)((way_q16 - beyond_q16) / 65536) - position_ticks, CYCLE_US);
 }
 
 /* Notes of the first cycle that has any. */
@@ -241,7 +248,6 @@ static uint32_t flicker(card_drive_t sent, uint32_t cycles)
 {
     uint32_t notes = 0U;
     for (uint32_t i = 0U; (i < cycles) && (notes == 0U); i++) {
-        edge_us += CYCLE_US;
         notes = cycle(sent, ((i % RHYTHM_CYCLES) < BROKEN_CYCLES) ? 50 : 100);
     }
     return notes;
@@ -258,22 +264,41 @@ void test_SWR_AXIS_027_counts_that_come_and_go_are_told_once(void)
     TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_UNEVEN_COUNTS, flicker(drive(false), LONG_CYCLES));
 }
 
-void test_SWR_AXIS_027_below_an_eighth_of_its_speed_a_motor_has_no_pace(void)
+/* A tick in pushes that make no more than one or two. */
+void test_SWR_AXIS_027_pauses_are_no_way(void)
 {
-    use(needle);
-    card_drive_t slow = drive(true);
-    slow.duty = motor_model_duty(needle, (int64_t)needle->full_speed_ticks_per_s * 256 / 9);
-    TEST_ASSERT_EQUAL_HEX32(0U, flicker(slow, 20U * RHYTHM_CYCLES));
+    uint32_t notes = 0U;
+    for (uint32_t i = 0U; (i < 400U) && (notes == 0U); i++) {
+        notes = run(drive(true), ((i % 8U) < 4U) ? 50 : 100, 6U);
+        notes |= (notes == 0U) ? rest(20U) : 0U;
+    }
+    TEST_ASSERT_EQUAL_HEX32(AXIS_NOTE_UNEVEN_COUNTS, notes);
+    use(head);
+    TEST_ASSERT_EQUAL_HEX32(0U, tap(100, 6U, 400U));
     TEST_ASSERT_EQUAL_UINT32(0U, supervision.pace.uneven);
 }
 
-void test_SWR_AXIS_027_a_count_against_the_drive_begins_anew(void)
+static void expect_begun(bool has_begun)
+{
+    TEST_ASSERT_EQUAL(has_begun, supervision.pace.since_q16 == UINT32_MAX);
+}
+
+void test_SWR_AXIS_027_a_turn_or_a_count_that_is_not_of_the_drive_begins_anew(void)
 {
     use(needle);
-    TEST_ASSERT_EQUAL_HEX32(0U, flicker(drive(true), 5U));
-    TEST_ASSERT_GREATER_THAN_UINT32(0U, supervision.pace.speed_ticks_per_s_q8);
+    expect_begun(true);
+    TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), 100, 20U));
+    expect_begun(false);
     TEST_ASSERT_EQUAL_HEX32(0U, step(drive(true), -1, CYCLE_US));
-    TEST_ASSERT_EQUAL_UINT32(0U, supervision.pace.speed_ticks_per_s_q8);
+    expect_begun(true);
+    TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), 100, 20U));
+    TEST_ASSERT_EQUAL_HEX32(0U, rest(20U));
+    expect_begun(false);
+    TEST_ASSERT_EQUAL_HEX32(0U, step((card_drive_t){CARD_DRIVE_OFF, 0U, 0U}, 1, CYCLE_US));
+    expect_begun(true);
+    TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), 100, 20U));
+    TEST_ASSERT_EQUAL_HEX32(0U, step(drive(false), 0, CYCLE_US));
+    expect_begun(true);
 }
 
 /* What is missing of counts, in hundredths of ticks; the motor has shown what it is. */
