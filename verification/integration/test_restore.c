@@ -265,3 +265,30 @@ void test_SWR_REPLAY_001_a_start_with_kept_positions_is_replayed_from_its_checkp
     assert_reference(AXIS_PITCH, AXIS_REFERENCE_LOST);
     assert_reference(AXIS_HEAD, AXIS_REFERENCE_UNVERIFIED);
 }
+
+/* Its motor has shown nothing of itself since the start of the programs. */
+void test_SWR_AXIS_027_counts_that_come_and_go_are_found_where_a_kept_position_was_confirmed(void)
+{
+    const command_t jog = {
+        .kind = (uint32_t)COMMAND_JOG, .argument = AXIS_INSERTION, .value = 120000};
+    uint32_t cycle = 0U;
+    restart();
+    rig_cycles(&rig, LIMIT_SPEED_TIMEOUT_US / LIMIT_CYCLE_US);
+    rig_box(&rig, "button press");
+    rig_cycles(&rig, 2U * LIMIT_CONFIRM_HOLD_US / LIMIT_CYCLE_US);
+    rig_box(&rig, "button release");
+    assert_references(AXIS_REFERENCE_VERIFIED);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
+    rig_box(&rig, "pedal press");
+    while (rig_count(&rig, EVENT_AXIS_UNEVEN_COUNTS) == 0U) {
+        TEST_ASSERT_LESS_THAN_UINT32(1000U, cycle);
+        rig_box(&rig, ((cycle % 10U) < 2U) ? "encoder insertion half" : "encoder insertion normal");
+        rig_cycle(&rig);
+        cycle++;
+    }
+    assert_reference(AXIS_INSERTION, AXIS_REFERENCE_LOST);
+    TEST_ASSERT_DOUBLE_WITHIN(300.0, (double)position(AXIS_INSERTION),
+                              rig.box.axes[AXIS_INSERTION].motor.position_ticks);
+}
