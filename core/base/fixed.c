@@ -35,6 +35,12 @@ static uint64_t multiply_q32(uint64_t a, uint64_t b)
     return (a * b) >> 32U;
 }
 
+/* Of two numbers of 32 bits it is a quarter of the instructions. */
+static uint32_t multiply_short_q32(uint32_t a, uint32_t b)
+{
+    return (uint32_t)(((uint64_t)a * b) >> 32U);
+}
+
 /* Moves a number whose highest `bits` are zero up by so many; returns how many. */
 static inline uint32_t lift(uint64_t *value, uint32_t bits)
 {
@@ -111,24 +117,23 @@ static uint64_t to_31_bits(uint64_t value, uint32_t length)
 }
 
 /* Taylor series, the angle at most an eighth of a turn: the first term left out is below 2^-37. */
-static uint64_t sine_q32(uint64_t angle_q32, uint64_t square_q32)
+static uint64_t sine_q32(uint32_t angle_q32, uint32_t square_q32)
 {
-    uint64_t sum = 0x2E3CULL - multiply_q32(square_q32, 0x6CULL);
-    sum = 0xD00D0ULL - multiply_q32(square_q32, sum);
-    sum = 0x2222222ULL - multiply_q32(square_q32, sum);
-    sum = 0x2AAAAAABULL - multiply_q32(square_q32, sum);
-    sum = ONE_Q32 - multiply_q32(square_q32, sum);
-    return multiply_q32(angle_q32, sum);
+    uint32_t sum = 0x2E3CU - multiply_short_q32(square_q32, 0x6CU);
+    sum = 0xD00D0U - multiply_short_q32(square_q32, sum);
+    sum = 0x2222222U - multiply_short_q32(square_q32, sum);
+    sum = 0x2AAAAAABU - multiply_short_q32(square_q32, sum);
+    return multiply_q32(angle_q32, ONE_Q32 - multiply_short_q32(square_q32, sum));
 }
 
-static uint64_t cosine_q32(uint64_t square_q32)
+static uint64_t cosine_q32(uint32_t square_q32)
 {
-    uint64_t sum = 0x4A0ULL - multiply_q32(square_q32, 0x9ULL);
-    sum = 0x1A01AULL - multiply_q32(square_q32, sum);
-    sum = 0x5B05B0ULL - multiply_q32(square_q32, sum);
-    sum = 0xAAAAAABULL - multiply_q32(square_q32, sum);
-    sum = 0x80000000ULL - multiply_q32(square_q32, sum);
-    return ONE_Q32 - multiply_q32(square_q32, sum);
+    uint32_t sum = 0x4A0U - multiply_short_q32(square_q32, 0x9U);
+    sum = 0x1A01AU - multiply_short_q32(square_q32, sum);
+    sum = 0x5B05B0U - multiply_short_q32(square_q32, sum);
+    sum = 0xAAAAAABU - multiply_short_q32(square_q32, sum);
+    sum = 0x80000000U - multiply_short_q32(square_q32, sum);
+    return ONE_Q32 - multiply_short_q32(square_q32, sum);
 }
 
 fixed_direction_t fixed_direction(int32_t angle_bam)
@@ -136,8 +141,8 @@ fixed_direction_t fixed_direction(int32_t angle_bam)
     const uint32_t turned = (uint32_t)angle_bam + 0x20000000U;
     const uint32_t in_quadrant = turned & 0x3FFFFFFFU;
     const int32_t offset = (int32_t)in_quadrant - 0x20000000;
-    const uint64_t angle_q32 = (magnitude(offset) * TWO_PI_Q29) >> 29U;
-    const uint64_t square_q32 = multiply_q32(angle_q32, angle_q32);
+    const uint32_t angle_q32 = (uint32_t)((magnitude(offset) * TWO_PI_Q29) >> 29U);
+    const uint32_t square_q32 = multiply_short_q32(angle_q32, angle_q32);
     const uint64_t cosine_q30 = (cosine_q32(square_q32) + 2U) >> 2U;
     const uint64_t sine_q30 = (sine_q32(angle_q32, square_q32) + 2U) >> 2U;
     const int32_t cosine = (int32_t)cosine_q30;
@@ -209,13 +214,13 @@ int32_t fixed_atan2_bam(int64_t y, int64_t x)
  */
 static uint32_t reciprocal_root_q30(uint32_t value_q32)
 {
-    uint64_t root_q30 = 2290000000ULL - multiply_q32(value_q32, 1310000000ULL);
+    uint32_t root_q30 = 2290000000U - multiply_short_q32(value_q32, 1310000000U);
     for (uint32_t i = 0U; i < 3U; i++) {
-        const uint64_t square_q28 = multiply_q32(root_q30, root_q30);
-        const uint64_t rest_q28 = 0x30000000ULL - multiply_q32(square_q28, value_q32);
-        root_q30 = (root_q30 * rest_q28) >> 29U;
+        const uint32_t square_q28 = multiply_short_q32(root_q30, root_q30);
+        const uint32_t rest_q28 = 0x30000000U - multiply_short_q32(square_q28, value_q32);
+        root_q30 = (uint32_t)(((uint64_t)root_q30 * rest_q28) >> 29U);
     }
-    return (uint32_t)root_q30;
+    return root_q30;
 }
 
 /* The root of a number of which one of the two highest bits is set. The first root is surely too
