@@ -17,7 +17,7 @@
 #include "interface/event.h"
 #include "interface/snapshot.h"
 #include "limits/requirement_limits.h"
-#include "motion/profile.h"
+#include "mode/mode.h"
 #include "procedure/plan.h"
 #include "procedure/procedure.h"
 #include "robot/robot.h"
@@ -83,9 +83,7 @@ typedef struct {
     estop_latch_chart_t estop;
     procedure_t procedure;
     plan_t plan;
-    profile_t profile;
-    uint32_t jog_axis;
-    int32_t jog_ticks;
+    mode_state_t mode;
     axis_t axes[ROBOT_AXIS_MAX];
     link_t links[ROBOT_AXIS_MAX]; /**< In the order of the axes. */
     pending_command_t pending;
@@ -95,15 +93,11 @@ typedef struct {
     reason_hold_t reason_holds[ROBOT_AXIS_MAX];
     uint32_t permit_since_cycle[ROBOT_AXIS_MAX]; /**< Of the reasons that are shown. */
     uint32_t permit_speed_cap_percent[ROBOT_AXIS_MAX];
-    uint32_t is_driven[ROBOT_AXIS_MAX]; /**< The permit allowed it in the last cycle, so a motion
-                                             ran. */
-    uint32_t grades[ROBOT_AXIS_MAX];    /**< axis_reference_t, as told. */
-    kept_positions_t kept;    /**< From before the start; an axis that was compared is KEPT_LOST. */
-    uint32_t cause;           /**< event_cause_t of what happens now. */
-    uint32_t peer;            /**< Of the cause. */
-    uint32_t settled_cycles;  /**< At the target, in a row. */
-    uint32_t overtime_cycles; /**< Since the end of the profile, on the way to the target. */
-    uint32_t is_profile_running;
+    uint32_t was_allowed[ROBOT_AXIS_MAX]; /**< The permit's answer in the last cycle. */
+    uint32_t grades[ROBOT_AXIS_MAX];      /**< axis_reference_t, as told. */
+    kept_positions_t kept;  /**< From before the start; an axis that was compared is KEPT_LOST. */
+    uint32_t cause;         /**< event_cause_t of what happens now. */
+    uint32_t peer;          /**< Of the cause. */
     uint32_t is_order_done; /**< The last order ended as asked. */
     uint32_t was_gate_open;
     uint32_t was_scanner_active;
@@ -136,8 +130,8 @@ void controller_seal(controller_t *self);
 void controller_restore(controller_t *self, const kept_positions_t *kept);
 
 /**
- * One control cycle: frames -> links -> encoders -> interlocks -> commands -> order -> profile and
- * servo -> permit -> frames. `outputs` is completely rewritten. Requires (contract 100) at most
+ * One control cycle: frames -> links -> encoders -> interlocks -> commands -> mode -> permit ->
+ * frames. `outputs` is completely rewritten. Requires (contract 100) at most
  * CONTROLLER_COMMANDS commands.
  *
  * @satisfies SWR-CMD-002

@@ -37,7 +37,7 @@ void controller_step(controller_t *self, const robot_t *robot, const controller_
 {
     REQUIRE(100U, inputs->command_count <= CONTROLLER_COMMANDS);
     const cycle_t cycle = {.robot = robot, .inputs = inputs, .outputs = outputs};
-    card_drive_t requests[ROBOT_AXIS_MAX];
+    mode_result_t result;
     /* The rest is written, or cleared, by controller_show() and controller_drive(). */
     (void)memset(outputs, 0, offsetof(controller_outputs_t, snapshot));
     controller_check_memory(self, &cycle);
@@ -48,8 +48,8 @@ void controller_step(controller_t *self, const robot_t *robot, const controller_
     self->time_us += inputs->elapsed_us;
     controller_observe(self, &cycle);
     controller_obey(self, &cycle);
-    controller_move(self, &cycle, requests);
-    controller_drive(self, &cycle, requests);
+    controller_move(self, &cycle, &result);
+    controller_drive(self, &cycle, result.requests);
     controller_show(self, &cycle);
     self->cycle++;
     controller_seal(self);

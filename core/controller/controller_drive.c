@@ -2,7 +2,6 @@
 #include "controller/controller_drive.h"
 
 #include "controller/controller_facts.h"
-#include "controller/controller_jog.h"
 
 #include "safety/coupled_guard.h"
 #include "safety/needle.h"
@@ -20,7 +19,7 @@ static bool is_any_link_lost(const controller_t *self)
 }
 
 /* What is the same for every axis. */
-static permit_facts_t common_facts(const controller_t *self, const cycle_t *cycle)
+static permit_facts_t common_facts(const controller_t *self, const cycle_t *cycle, mode_kind_t kind)
 {
     const pedal_gate_state_t pedal = self->pedal.chart.state;
     const permit_facts_t facts = {
@@ -35,39 +34,45 @@ static permit_facts_t common_facts(const controller_t *self, const cycle_t *cycl
         .is_pedal_pressed = pedal_gate_is_open(&self->pedal),
         .is_every_axis_homed = controller_is_homed(self),
         .is_memory_damaged = controller_is_blind(self),
-        .is_homing_or_jog = (procedure_workphase(&self->procedure) != WORKPHASE_MOVE_TO_TARGET),
+        .may_be_unhomed = mode_may_be_unhomed(kind),
     };
     return facts;
 }
 
+/* What the parts of this file share about all axes. */
+typedef struct {
+    permit_facts_t facts;
+    coupled_view_t axes;
+    mode_kind_t kind;
+} view_t;
+
 static bool is_needle_in(const controller_t *self, const robot_t *robot, uint32_t index,
-                         const card_drive_t *request)
+                         const view_t *view)
 {
+    const axis_config_t *const config = &robot->axes[index];
+    const card_drive_t *const request = &view->axes.requests[index];
     const bool is_on = request->mode != (uint32_t)CARD_DRIVE_OFF;
-    const bool is_upwards = is_on && servo_is_upwards(&robot->axes[index], request);
-    const bool is_homing_across = is_on &&
-                                  (procedure_workphase(&self->procedure) == WORKPHASE_START_UP) &&
-                                  (robot->axes[index].needle_motion == (uint32_t)NEEDLE_ACROSS);
-    return (controller_is_jogged(self, index) || is_homing_across) &&
-           needle_forbids_jog(robot, self->axes, index, is_upwards);
+    return view->facts.is_armed &&
+           mode_heeds_needle(&self->mode, view->kind, config, index, is_on) &&
+           needle_forbids_jog(robot, self->axes, index, is_on && servo_is_upwards(config, request));
 }
 
 /* The permit of one axis for its request. */
 static permit_t decide(const controller_t *self, const cycle_t *cycle, uint32_t index,
-                       const coupled_view_t *view, const permit_facts_t *common)
+                       const view_t *view)
 {
     const axis_t *const axis = &self->axes[index];
-    const card_drive_t *const request = &view->requests[index];
+    const card_drive_t *const request = &view->axes.requests[index];
     const axis_config_t *const config = &cycle->robot->axes[index];
-    permit_facts_t facts = *common;
+    permit_facts_t facts = view->facts;
     facts.is_axis_faulty = axis_is_faulty(axis);
     facts.is_axis_enabled = axis_is_enabled(axis);
     facts.is_homed = axis_is_homed(axis);
     facts.is_towards_switch = axis_is_towards_switch(axis, config, request);
     facts.is_beyond_soft_limit = axis_is_beyond_limit(axis, config, request);
     facts.is_coupled_limit =
-        !common->is_memory_damaged && coupled_guard_blocks(cycle->robot, view, index);
-    facts.is_needle_in = is_needle_in(self, cycle->robot, index, request);
+        !facts.is_memory_damaged && coupled_guard_blocks(cycle->robot, &view->axes, index);
+    facts.is_needle_in = is_needle_in(self, cycle->robot, index, view);
     return permit_decide(&facts);
 }
 
@@ -144,22 +149,24 @@ static void remember(controller_t *self, const cycle_t *cycle, uint32_t index,
         self->permit_since_cycle[index] = self->cycle;
     }
     self->permit_speed_cap_percent[index] = permit->speed_cap_percent;
-    self->is_driven[index] = permit->is_allowed ? 1U : 0U;
+    self->was_allowed[index] = permit->is_allowed ? 1U : 0U;
 }
 
 void controller_drive(controller_t *self, const cycle_t *cycle,
                       const card_drive_t requests[ROBOT_AXIS_MAX])
 {
     card_drive_t sent[ROBOT_AXIS_MAX];
-    const coupled_view_t view = {.axes = self->axes, .sent = sent, .requests = requests};
-    const permit_facts_t common = common_facts(self, cycle);
+    const mode_kind_t kind = mode_in(&self->mode, procedure_workphase(&self->procedure));
+    const view_t view = {.facts = common_facts(self, cycle, kind),
+                         .axes = {.axes = self->axes, .sent = sent, .requests = requests},
+                         .kind = kind};
     const uint32_t state = system_state(self, cycle);
     (void)memcpy(sent, self->drives, sizeof sent);
     for (uint32_t i = 0U; i < self->axis_count; i++) {
-        const permit_t permit = decide(self, cycle, i, &view, &common);
+        const permit_t permit = decide(self, cycle, i, &view);
         remember(self, cycle, i, &permit);
         const card_drive_t drive = permit_apply(
-            &permit, is_too_fast(self, cycle, i, common.is_every_axis_homed), &requests[i]);
+            &permit, is_too_fast(self, cycle, i, view.facts.is_every_axis_homed), &requests[i]);
         send(self, cycle, i, state | (permit.is_allowed ? CARD_SYSTEM_PERMIT : 0U), &drive);
     }
     clear_unused_frames(cycle);

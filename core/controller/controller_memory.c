@@ -13,8 +13,8 @@
 
 #define CARDS ROBOT_AXIS_MAX
 #define PLAN (CARDS + ROBOT_AXIS_MAX)
-#define PROFILE (PLAN + 1U)
-#define INTERLOCKS (PROFILE + 1U)
+#define MODE (PLAN + 1U)
+#define INTERLOCKS (MODE + 1U)
 #define REST (INTERLOCKS + 1U)
 
 typedef struct {
@@ -29,8 +29,7 @@ static const range_t axis_range = {offsetof(axis_t, encoder),
 /* A report decides only in the cycle in which it came. */
 static const range_t link_range = {offsetof(link_t, sent), sizeof(link_t)};
 
-static const range_t profile_range = {offsetof(controller_t, profile),
-                                      offsetof(controller_t, axes)};
+static const range_t mode_range = {offsetof(controller_t, mode), offsetof(controller_t, axes)};
 /* What there is once. A section of several pieces is sealed in one go. */
 typedef struct {
     uint32_t section;
@@ -38,8 +37,8 @@ typedef struct {
 } piece_t;
 
 static const piece_t pieces[] = {
-    {PLAN, {offsetof(controller_t, plan), offsetof(controller_t, profile)}},
-    {PROFILE, {offsetof(controller_t, profile), offsetof(controller_t, axes)}},
+    {PLAN, {offsetof(controller_t, plan), offsetof(controller_t, mode)}},
+    {MODE, {offsetof(controller_t, mode), offsetof(controller_t, axes)}},
     {INTERLOCKS, {offsetof(controller_t, pedal), offsetof(controller_t, pedal.chart.trace)}},
     {INTERLOCKS, {offsetof(controller_t, loop), offsetof(controller_t, loop.chart.trace)}},
     {INTERLOCKS, {offsetof(controller_t, confirm), offsetof(controller_t, estop)}},
@@ -128,8 +127,8 @@ static void forget_single(controller_t *self, uint32_t section)
     case PLAN:
         plan_init(&self->plan);
         break;
-    case PROFILE:
-        clear(self, &profile_range);
+    case MODE:
+        clear(self, &mode_range);
         break;
     case INTERLOCKS:
         forget_interlocks(self);

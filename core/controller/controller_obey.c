@@ -2,14 +2,32 @@
 #include "controller/controller_obey.h"
 
 #include "controller/controller_facts.h"
-#include "controller/controller_jog.h"
 #include "controller/controller_order.h"
+
+#include <string.h>
 
 /* What a source may send. */
 typedef struct {
     bool kinds[COMMAND_KIND_COUNT];
     bool workphases[WORKPHASE_COUNT];
 } rights_t;
+
+static const rights_t rights[COMMAND_SOURCE_COUNT] = {
+    [COMMAND_SOURCE_IGTL] = {.kinds = {[COMMAND_REGISTRATION] = true,
+                                       [COMMAND_TARGET] = true,
+                                       [COMMAND_PROPOSE_REGISTRATION] = true,
+                                       [COMMAND_PROPOSE_ENTRY] = true,
+                                       [COMMAND_PROPOSE_TARGET] = true},
+                             .workphases = {[WORKPHASE_START_UP] = true,
+                                            [WORKPHASE_PLANNING] = true,
+                                            [WORKPHASE_CALIBRATION] = true,
+                                            [WORKPHASE_TARGETING] = true,
+                                            [WORKPHASE_MOVE_TO_TARGET] = true,
+                                            [WORKPHASE_MANUAL] = true,
+                                            [WORKPHASE_STOP] = true,
+                                            [WORKPHASE_EMERGENCY] = true}},
+    [COMMAND_SOURCE_HTTP] = {.kinds = {[COMMAND_JOG] = true},
+                             .workphases = {[WORKPHASE_STOP] = true}}};
 
 /* START_UP is the operator's act that clears what was latched. */
 static void begin_start_up(controller_t *self, const cycle_t *cycle)
@@ -25,6 +43,23 @@ static void begin_start_up(controller_t *self, const cycle_t *cycle)
         link_reset(&self->links[i]);
         axis_enable(&self->axes[i], !link_is_usable(&self->links[i]));
     }
+}
+
+/* The chart has armed a motion: this one. */
+static void arm(controller_t *self, const command_t *command, mode_kind_t kind,
+                const mode_request_t *request)
+{
+    mode_begin(&self->mode, kind, request);
+    controller_await_order(self, command);
+}
+
+/* The mode that belongs to the workphase, to the target if it is a move. */
+static void arm_workphase(controller_t *self, const command_t *command)
+{
+    mode_request_t request = {.jog = {0U, 0}};
+    (void)memcpy(request.move.target_ticks, self->plan.target_ticks,
+                 sizeof request.move.target_ticks);
+    arm(self, command, mode_of((workphase_t)command->argument), &request);
 }
 
 static status_t obey_workphase(controller_t *self, const cycle_t *cycle, const command_t *command,
@@ -48,7 +83,7 @@ static status_t obey_workphase(controller_t *self, const cycle_t *cycle, const c
         begin_start_up(self, cycle);
     }
     if ((actions.arming & ARMING_ACTION_RENEW_PEDAL) != 0U) {
-        controller_await_order(self, command);
+        arm_workphase(self, command);
         *is_final = 0U;
     }
     return STATUS_OK;
@@ -57,18 +92,19 @@ static status_t obey_workphase(controller_t *self, const cycle_t *cycle, const c
 static status_t obey_jog(controller_t *self, const cycle_t *cycle, const command_t *command,
                          answer_t *answer)
 {
+    const mode_request_t request = {.jog = {.axis = command->argument, .ticks = command->value}};
+    const solution_t judged = mode_judge(MODE_JOG, &request, cycle->robot, self->axes);
     procedure_actions_t actions;
-    status_t status = controller_judge_jog(self, cycle->robot, command, answer);
-    if (status != STATUS_OK) {
-        return status;
+    answer->axis = (uint32_t)judged.axis;
+    answer->is_maximum = (uint32_t)judged.is_maximum;
+    if (judged.status != STATUS_OK) {
+        return judged.status;
     }
     const workphase_inputs_t guards = controller_guards(self, cycle);
-    status = procedure_request_jog(&self->procedure, &guards, &actions);
+    const status_t status = procedure_request_jog(&self->procedure, &guards, &actions);
     controller_report_order(self, cycle, actions.arming, STATUS_DISCARDED);
     if (status == STATUS_OK) {
-        self->jog_axis = command->argument;
-        self->jog_ticks = command->value;
-        controller_await_order(self, command);
+        arm(self, command, MODE_JOG, &request);
         answer->is_final = 0U;
     }
     return status;
@@ -130,22 +166,6 @@ static bool is_known(const command_t *command)
 /* What is not known at all is left to be refused as unknown. */
 static bool is_allowed(const command_t *command)
 {
-    static const rights_t rights[COMMAND_SOURCE_COUNT] = {
-        [COMMAND_SOURCE_IGTL] = {.kinds = {[COMMAND_REGISTRATION] = true,
-                                           [COMMAND_TARGET] = true,
-                                           [COMMAND_PROPOSE_REGISTRATION] = true,
-                                           [COMMAND_PROPOSE_ENTRY] = true,
-                                           [COMMAND_PROPOSE_TARGET] = true},
-                                 .workphases = {[WORKPHASE_START_UP] = true,
-                                                [WORKPHASE_PLANNING] = true,
-                                                [WORKPHASE_CALIBRATION] = true,
-                                                [WORKPHASE_TARGETING] = true,
-                                                [WORKPHASE_MOVE_TO_TARGET] = true,
-                                                [WORKPHASE_MANUAL] = true,
-                                                [WORKPHASE_STOP] = true,
-                                                [WORKPHASE_EMERGENCY] = true}},
-        [COMMAND_SOURCE_HTTP] = {.kinds = {[COMMAND_JOG] = true},
-                                 .workphases = {[WORKPHASE_STOP] = true}}};
     bool is_right = false;
     if (command->source >= COMMAND_SOURCE_COUNT) {
         is_right = false;

@@ -178,7 +178,7 @@ static void observe_axis(controller_t *self, const cycle_t *cycle, uint32_t inde
     }
     uint32_t notes = axis_observe(&self->axes[index], config, report, cycle->inputs->elapsed_us);
     controller_compare(self, cycle, index);
-    notes |= axis_supervise(&self->axes[index], config, self->is_driven[index] != 0U,
+    notes |= axis_supervise(&self->axes[index], config, self->was_allowed[index] != 0U,
                             &link->sent_before, cycle->inputs->elapsed_us);
     note_axis(self, cycle, index, notes);
     note_grade(self, cycle, index);

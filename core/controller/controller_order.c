@@ -39,19 +39,10 @@ static void answer_pending(controller_t *self, const cycle_t *cycle, answer_kind
     answer->is_final = 1U;
 }
 
-static void end_order(controller_t *self)
-{
-    self->is_profile_running = 0U;
-    self->settled_cycles = 0U;
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
-        axis_stop_homing(&self->axes[i]);
-    }
-}
-
 void controller_abandon_order(controller_t *self, const cycle_t *cycle)
 {
     answer_pending(self, cycle, ANSWER_ABORTED, STATUS_FAULT_PRESENT);
-    end_order(self);
+    mode_stop(&self->mode, self->axes, self->axis_count);
 }
 
 void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t actions,
@@ -60,18 +51,18 @@ void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t 
     if ((actions & ARMING_ACTION_REPORT_DISCARDED) != 0U) {
         controller_note(self, cycle, EVENT_ORDER_DISCARDED, 0U, (int32_t)fault);
         answer_pending(self, cycle, ANSWER_ABORTED, fault);
-        end_order(self);
+        mode_stop(&self->mode, self->axes, self->axis_count);
     }
     if ((actions & ARMING_ACTION_REPORT_EXPIRED) != 0U) {
         controller_note(self, cycle, EVENT_ORDER_EXPIRED, 0U, 0);
         answer_pending(self, cycle, ANSWER_ABORTED, STATUS_EXPIRED);
-        end_order(self);
+        mode_stop(&self->mode, self->axes, self->axis_count);
     }
     if ((actions & ARMING_ACTION_REPORT_DONE) != 0U) {
         controller_note(self, cycle, EVENT_ORDER_DONE, 0U, 0);
         self->is_order_done = 1U;
         answer_pending(self, cycle, ANSWER_DONE, STATUS_OK);
-        end_order(self);
+        mode_stop(&self->mode, self->axes, self->axis_count);
     }
     if ((actions & ARMING_ACTION_RENEW_PEDAL) != 0U) {
         self->is_order_done = 0U;

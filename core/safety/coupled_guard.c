@@ -24,7 +24,7 @@ static bool is_in_force(const coupled_limit_t *limit, const axis_t axes[ROBOT_AX
     return is_of(limit, index) && is_known(limit, axes);
 }
 
-static bool is_driven(const axis_config_t *config, const card_drive_t *drive, bool is_upwards)
+static bool drives(const axis_config_t *config, const card_drive_t *drive, bool is_upwards)
 {
     return (drive->mode != (uint32_t)CARD_DRIVE_OFF) &&
            (servo_is_upwards(config, drive) == is_upwards);
@@ -38,8 +38,8 @@ static int64_t way_nm(const robot_t *robot, const coupled_view_t *view, uint32_t
     const int64_t full_q8 = (int64_t)config->full_speed_ticks_per_s * 256;
     const int64_t measured_q8 = (int64_t)view->axes[index].encoder.speed_ticks_per_s_q8;
     int64_t speed_q8 = 0;
-    if (is_driven(config, &view->sent[index], is_upwards) ||
-        is_driven(config, &view->requests[index], is_upwards)) {
+    if (drives(config, &view->sent[index], is_upwards) ||
+        drives(config, &view->requests[index], is_upwards)) {
         speed_q8 = full_q8;
     }
     if ((is_upwards ? measured_q8 : -measured_q8) > speed_q8) {

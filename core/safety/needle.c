@@ -11,6 +11,12 @@ int32_t needle_out_ticks(const robot_t *robot)
            (int32_t)(((int64_t)LIMIT_NEEDLE_OUT_NM * 65536) / needle->unit_per_tick_q16);
 }
 
+int32_t needle_retracted_ticks(const robot_t *robot)
+{
+    const int32_t home_ticks = robot->axes[robot->needle_axis].home_ticks;
+    return home_ticks + ((needle_out_ticks(robot) - home_ticks) / 2);
+}
+
 /* A switch alone, which may be broken, does not say so. */
 static bool is_out(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX])
 {
@@ -24,13 +30,16 @@ static bool is_out(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX])
 bool needle_must_leave(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX])
 {
     bool is_base_unknown = false;
+    if (!axis_is_homed(&axes[robot->needle_axis]) || is_out(robot, axes)) {
+        return false;
+    }
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
         const bool is_across = robot->axes[i].needle_motion == (uint32_t)NEEDLE_ACROSS;
         if (is_across && !axis_is_homed(&axes[i])) {
             is_base_unknown = true;
         }
     }
-    return is_base_unknown && axis_is_homed(&axes[robot->needle_axis]) && !is_out(robot, axes);
+    return is_base_unknown;
 }
 
 bool needle_forbids_jog(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX], uint32_t index,

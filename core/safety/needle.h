@@ -15,6 +15,10 @@
 /** @return the deepest position that counts as out, ticks: LIMIT_NEEDLE_OUT_NM from home */
 int32_t needle_out_ticks(const robot_t *robot);
 
+/** Where a needle that is to be out is taken: halfway from home, so that it surely counts as out.
+ */
+int32_t needle_retracted_ticks(const robot_t *robot);
+
 /**
  * @return true when the needle is homed and in, and an axis across it is not homed: it must leave
  * before that homes

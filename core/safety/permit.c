@@ -29,7 +29,7 @@ permit_t permit_decide(const permit_facts_t *facts)
     reasons |= reason(!facts->is_armed, PERMIT_REASON_NOTHING_ARMED);
     reasons |= reason(facts->is_pedal_unproven, PERMIT_REASON_PEDAL_UNPROVEN);
     reasons |= reason(!facts->is_pedal_pressed, PERMIT_REASON_PEDAL_RELEASED);
-    reasons |= reason(!facts->is_homed && !facts->is_homing_or_jog, PERMIT_REASON_NOT_HOMED);
+    reasons |= reason(!facts->is_homed && !facts->may_be_unhomed, PERMIT_REASON_NOT_HOMED);
     reasons |= reason(facts->is_towards_switch, PERMIT_REASON_LIMIT_SWITCH);
     reasons |= reason(facts->is_beyond_soft_limit, PERMIT_REASON_SOFT_LIMIT);
     reasons |= reason(facts->is_coupled_limit, PERMIT_REASON_COUPLED_LIMIT);

@@ -34,7 +34,7 @@ typedef struct {
     bool is_homed;
     bool is_every_axis_homed;
     bool is_memory_damaged; /**< The table of the robot is. */
-    bool is_homing_or_jog;  /**< The armed order is one that an axis not homed may run. */
+    bool may_be_unhomed;    /**< What is armed may drive an axis that is not homed. */
     bool is_towards_switch; /**< Requested direction is towards an active limit switch. */
     /** Homed, at or beyond a soft limit, and requested to go further. */
     bool is_beyond_soft_limit;

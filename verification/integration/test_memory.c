@@ -123,10 +123,10 @@ void test_SWR_MEMORY_002_a_damaged_plan_is_no_plan(void)
 void test_SWR_MEMORY_002_a_damaged_profile_ends_its_motion(void)
 {
     begin_move();
-    rig.controller.profile.end_ticks[AXIS_HEAD] ^= 0x100;
+    rig.controller.mode.leg.profile.end_ticks[AXIS_HEAD] ^= 0x100;
     expect_noticed(EVENT_MEMORY_PROFILE, 0U);
     expect_aborted();
-    TEST_ASSERT_EQUAL_INT32(0, rig.controller.profile.end_ticks[AXIS_HEAD]);
+    TEST_ASSERT_EQUAL_INT32(0, rig.controller.mode.leg.profile.end_ticks[AXIS_HEAD]);
     TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.has_target);
 }
 
@@ -337,8 +337,24 @@ void test_SWR_MEMORY_006_a_wild_slot_or_axis_stays_within_its_array(void)
     rig_start_homed(&rig);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
-    rig.controller.jog_axis = UINT32_MAX;
+    rig.controller.mode.jog.axis = UINT32_MAX;
     controller_seal(&rig.controller);
     rig_press(&rig);
     rig_cycles(&rig, 20U);
+}
+
+/* A damage that came after the check of its cycle is under seal. */
+void test_SWR_MEMORY_002_an_armed_motion_of_no_known_mode_is_discarded_at_rest(void)
+{
+    rig_start_moving(&rig);
+    rig_forget(&rig);
+    rig.controller.mode.kind ^= 0x100U;
+    controller_seal(&rig.controller);
+    rig_cycle(&rig);
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.event_count);
+    TEST_ASSERT_EQUAL_UINT32(EVENT_ORDER_DISCARDED, rig.events[0].id);
+    TEST_ASSERT_EQUAL_INT32(STATUS_FAULT_PRESENT, rig.events[0].value);
+    TEST_ASSERT_EQUAL_UINT32(EVENT_CAUSE_NONE, rig.events[0].cause);
 }

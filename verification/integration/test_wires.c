@@ -52,7 +52,8 @@ void test_SWR_NEXT_001_a_fault_of_any_axis_asks_for_start_up(void)
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         begin_move();
         rig.controller.axes[i].setpoint_ticks += 2 * robot_neuro.axes[i].following_error_ticks;
-        rig.controller.profile.start_ticks[i] += 2 * robot_neuro.axes[i].following_error_ticks;
+        rig.controller.mode.leg.profile.start_ticks[i] +=
+            2 * robot_neuro.axes[i].following_error_ticks;
         controller_seal(&rig.controller);
         rig_cycles(&rig, 3U);
         TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, rig.outputs.snapshot.axes[i].power);
@@ -410,7 +411,7 @@ void test_SWR_AXIS_004_the_soft_limit_stops_what_was_accepted(void)
     rig_start_homed(&rig);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
-    rig.controller.jog_ticks = minimum_ticks - 300;
+    rig.controller.mode.jog.ticks = minimum_ticks - 300;
     controller_seal(&rig.controller);
     rig_press(&rig);
     for (uint32_t i = 0U; i < 4000U; i++) {
@@ -482,8 +483,8 @@ static rig_t arrived;
 void test_SWR_MOTION_004_every_axis_must_be_at_its_end_for_an_order_to_be_done(void)
 {
     begin_move();
-    while ((rig.controller.settled_cycles < 10U) ||
-           (memcmp(rig.controller.profile.end_ticks, rig.controller.plan.target_ticks,
+    while ((rig.controller.mode.leg.settled_cycles < 10U) ||
+           (memcmp(rig.controller.mode.leg.profile.end_ticks, rig.controller.plan.target_ticks,
                    sizeof rig.controller.plan.target_ticks) != 0)) {
         TEST_ASSERT_LESS_THAN_UINT32(100000U, rig.controller.cycle);
         rig_cycle(&rig);
@@ -491,14 +492,14 @@ void test_SWR_MOTION_004_every_axis_must_be_at_its_end_for_an_order_to_be_done(v
     arrived = rig;
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         rig = arrived;
-        rig.controller.profile.end_ticks[i] += robot_neuro.axes[i].deadband_ticks + 3;
+        rig.controller.mode.leg.profile.end_ticks[i] += robot_neuro.axes[i].deadband_ticks + 3;
         controller_seal(&rig.controller);
         rig_cycle(&rig);
-        TEST_ASSERT_EQUAL_UINT32(0U, rig.controller.settled_cycles);
+        TEST_ASSERT_EQUAL_UINT32(0U, rig.controller.mode.leg.settled_cycles);
     }
     rig = arrived;
     rig_cycle(&rig);
-    TEST_ASSERT_EQUAL_UINT32(11U, rig.controller.settled_cycles);
+    TEST_ASSERT_EQUAL_UINT32(11U, rig.controller.mode.leg.settled_cycles);
 }
 
 /* The pose of the plan's ticks, registered by the identity. */
@@ -528,7 +529,8 @@ void test_SWR_MOTION_002_the_needle_is_retracted_before_any_other_axis_moves(voi
         const int32_t expected = (i == (uint32_t)AXIS_INSERTION)
                                      ? rig.controller.plan.target_ticks[AXIS_INSERTION]
                                      : retracted;
-        TEST_ASSERT_EQUAL_INT32(expected, rig.controller.profile.end_ticks[AXIS_INSERTION]);
+        TEST_ASSERT_EQUAL_INT32(expected,
+                                rig.controller.mode.leg.profile.end_ticks[AXIS_INSERTION]);
     }
 }
 

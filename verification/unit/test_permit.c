@@ -56,7 +56,7 @@ static permit_facts_t combination(uint32_t bits)
         *fact(&facts, rules[i].fact) = ((bits >> i) & 1U) != 0U;
     }
     facts.is_homed = ((bits >> RULES) & 1U) != 0U;
-    facts.is_homing_or_jog = ((bits >> (RULES + 1U)) & 1U) != 0U;
+    facts.may_be_unhomed = ((bits >> (RULES + 1U)) & 1U) != 0U;
     facts.is_every_axis_homed = ((bits >> (RULES + 2U)) & 1U) != 0U;
     return facts;
 }
@@ -102,7 +102,7 @@ void test_SWR_PERMIT_001_every_combination_of_facts_is_decided_by_the_rule(void)
                 expected |= mask(rules[i].reason);
             }
         }
-        if (!(facts.is_homed || facts.is_homing_or_jog)) {
+        if (!(facts.is_homed || facts.may_be_unhomed)) {
             expected |= mask(PERMIT_REASON_NOT_HOMED);
         }
         TEST_ASSERT_EQUAL_HEX32(expected, permit.reasons);
@@ -173,7 +173,7 @@ void test_SWR_PERMIT_004_no_axis_is_allowed_while_the_scanner_acquires(void)
     TEST_ASSERT_TRUE(permit_decide(&facts).is_allowed);
     facts.is_scanner_active = true;
     TEST_ASSERT_FALSE(permit_decide(&facts).is_allowed);
-    facts.is_homing_or_jog = true;
+    facts.may_be_unhomed = true;
     TEST_ASSERT_FALSE(permit_decide(&facts).is_allowed);
 }
 
@@ -182,7 +182,7 @@ void test_SWR_PERMIT_005_a_homed_axis_has_its_full_speed(void)
     permit_facts_t facts = free_facts();
 
     TEST_ASSERT_EQUAL_UINT32(100U, permit_decide(&facts).speed_cap_percent);
-    facts.is_homing_or_jog = true;
+    facts.may_be_unhomed = true;
     TEST_ASSERT_EQUAL_UINT32(100U, permit_decide(&facts).speed_cap_percent);
 }
 
@@ -200,7 +200,7 @@ void test_SWR_AXIS_006_an_axis_not_homed_homes_and_jogs_at_reduced_speed(void)
 
     facts.is_homed = false;
     facts.is_every_axis_homed = false;
-    facts.is_homing_or_jog = true;
+    facts.may_be_unhomed = true;
     const permit_t permit = permit_decide(&facts);
     TEST_ASSERT_TRUE(permit.is_allowed);
     TEST_ASSERT_EQUAL_UINT32(LIMIT_UNHOMED_SPEED_PERCENT, permit.speed_cap_percent);

@@ -1,0 +1,76 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "mode/jog_mode.h"
+
+#include "limits/requirement_limits.h"
+#include "safety/coupled_guard.h"
+#include "safety/needle.h"
+
+#include <stdbool.h>
+
+static solution_t judge_homed(const jog_mode_t *asked, const robot_t *robot,
+                              const axis_t axes[ROBOT_AXIS_MAX])
+{
+    const axis_config_t *const config = &robot->axes[asked->axis];
+    const coupled_side_t side = coupled_guard_judge(robot, axes, asked->axis, asked->ticks);
+    solution_t result = {.status = STATUS_OK, .axis = (uint8_t)asked->axis, .is_maximum = 0U};
+    if ((asked->ticks < config->minimum_ticks) || (asked->ticks > config->maximum_ticks)) {
+        result.status = STATUS_AXIS_LIMIT;
+        result.is_maximum = (asked->ticks > config->maximum_ticks) ? 1U : 0U;
+    } else if ((asked->ticks < config->target_minimum_ticks) ||
+               (asked->ticks > config->target_maximum_ticks)) {
+        result.status = STATUS_SWITCH_ZONE;
+    } else if (side != COUPLED_LIMIT_INSIDE) {
+        result.status = STATUS_SEPARATION_LIMIT;
+        result.is_maximum = (side == COUPLED_LIMIT_ABOVE) ? 1U : 0U;
+    } else {
+        result.axis = 0U;
+    }
+    return result;
+}
+
+/* A short way only. */
+static status_t judge_unknown(const axis_config_t *config, int64_t way_ticks)
+{
+    const int64_t most = (config->unit == (uint8_t)AXIS_UNIT_MM) ? (int64_t)LIMIT_UNHOMED_JOG_NM
+                                                                 : (int64_t)LIMIT_UNHOMED_JOG_BAM;
+    const int64_t most_ticks = (most * 65536) / config->unit_per_tick_q16;
+    return ((way_ticks <= most_ticks) && (way_ticks >= -most_ticks)) ? STATUS_OK
+                                                                     : STATUS_JOG_TOO_FAR;
+}
+
+solution_t jog_mode_judge(const jog_mode_t *asked, const robot_t *robot,
+                          const axis_t axes[ROBOT_AXIS_MAX])
+{
+    solution_t result = {.status = STATUS_UNKNOWN_COMMAND, .axis = 0U, .is_maximum = 0U};
+    if (asked->axis >= robot->axis_count) {
+        return result;
+    }
+    const axis_t *const axis = &axes[asked->axis];
+    const int64_t way_ticks = (int64_t)asked->ticks - (int64_t)axis->encoder.position_ticks;
+    result.status = STATUS_OK;
+    if (needle_forbids_jog(robot, axes, asked->axis, way_ticks > 0)) {
+        result.status = STATUS_NEEDLE_IN;
+    } else if (axis_is_homed(axis)) {
+        result = judge_homed(asked, robot, axes);
+    } else {
+        /* Its limits mean nothing yet. */
+    }
+    if ((result.status == STATUS_OK) && !coupled_guard_is_known(robot, axes, asked->axis)) {
+        result.status = judge_unknown(&robot->axes[asked->axis], way_ticks);
+    }
+    return result;
+}
+
+void jog_mode_step(const jog_mode_t *self, leg_t *leg, const mode_frame_t *frame,
+                   mode_result_t *result)
+{
+    if (leg->is_running == 0U) {
+        int32_t ends[ROBOT_AXIS_MAX] = {0};
+        const uint32_t axis = self->axis % ROBOT_AXIS_MAX;
+        ends[axis] = self->ticks;
+        leg_begin(leg, frame, (axis == self->axis) ? LEG_AXIS(axis) : 0U, ends);
+    }
+    if (leg_step(leg, frame, result)) {
+        result->progress = MODE_DONE;
+    }
+}

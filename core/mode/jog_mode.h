@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file A jog: one axis goes where it was told to, the others are left alone. */
+#ifndef BORESIGHT_JOG_MODE_H
+#define BORESIGHT_JOG_MODE_H
+
+#include "mode/leg.h"
+#include "mode/mode_frame.h"
+#include "robot/joints.h"
+#include "robot/robot.h"
+
+#include <stdint.h>
+
+typedef struct {
+    uint32_t axis;
+    int32_t ticks; /**< Where to. */
+} jog_mode_t;
+
+/**
+ * May the jog be armed?
+ *
+ * @return status STATUS_OK; STATUS_UNKNOWN_COMMAND for no axis; STATUS_NEEDLE_IN; of a homed axis
+ * STATUS_AXIS_LIMIT, STATUS_SWITCH_ZONE, STATUS_SEPARATION_LIMIT, with axis and limit;
+ * STATUS_JOG_TOO_FAR while it or one that shares a limit with it is not homed
+ *
+ * @satisfies SWR-AXIS-004
+ * @satisfies SWR-JOG-002
+ */
+solution_t jog_mode_judge(const jog_mode_t *asked, const robot_t *robot,
+                          const axis_t axes[ROBOT_AXIS_MAX]);
+
+/**
+ * One cycle; done once the axis has arrived. An axis that the robot does not have is not driven.
+ *
+ * @satisfies SWR-JOG-004
+ */
+void jog_mode_step(const jog_mode_t *self, leg_t *leg, const mode_frame_t *frame,
+                   mode_result_t *result);
+
+#endif

@@ -1,0 +1,122 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "mode/mode.h"
+
+/* Which axes must not be driven across a needle that is in. */
+typedef enum {
+    NEEDLE_HEEDED_BY_NONE = 0,   /* The mode itself takes the needle out first. */
+    NEEDLE_HEEDED_BY_ACROSS = 1, /* Those that move it sideways, when they are to be driven. */
+    NEEDLE_HEEDED_BY_JOGGED = 2  /* The jogged one, from its arming on. */
+} needle_heed_t;
+
+/* What is special about each mode. */
+typedef struct {
+    workphase_t workphase; /* Where it runs. */
+    bool may_be_unhomed;
+    needle_heed_t needle;
+} mode_row_t;
+
+static const mode_row_t table[MODE_COUNT] = {
+    [MODE_NONE] = {WORKPHASE_UNDEFINED, true, NEEDLE_HEEDED_BY_NONE},
+    [MODE_HOMING] = {WORKPHASE_START_UP, true, NEEDLE_HEEDED_BY_ACROSS},
+    [MODE_MOVE] = {WORKPHASE_MOVE_TO_TARGET, false, NEEDLE_HEEDED_BY_NONE},
+    [MODE_JOG] = {WORKPHASE_MANUAL, true, NEEDLE_HEEDED_BY_JOGGED},
+};
+
+mode_kind_t mode_of(workphase_t workphase)
+{
+    mode_kind_t kind = MODE_NONE;
+    for (uint32_t i = 0U; i < MODE_COUNT; i++) {
+        if (table[i].workphase == workphase) {
+            kind = (mode_kind_t)i;
+        }
+    }
+    return kind;
+}
+
+mode_kind_t mode_in(const mode_state_t *self, workphase_t workphase)
+{
+    const bool is_of_it = (self->kind < MODE_COUNT) && (table[self->kind].workphase == workphase);
+    return is_of_it ? (mode_kind_t)self->kind : MODE_NONE;
+}
+
+solution_t mode_judge(mode_kind_t kind, const mode_request_t *request, const robot_t *robot,
+                      const axis_t axes[ROBOT_AXIS_MAX])
+{
+    const solution_t fine = {.status = STATUS_OK, .axis = 0U, .is_maximum = 0U};
+    return (kind == MODE_JOG) ? jog_mode_judge(&request->jog, robot, axes) : fine;
+}
+
+void mode_begin(mode_state_t *self, mode_kind_t kind, const mode_request_t *request)
+{
+    self->kind = (uint32_t)kind;
+    self->move = request->move;
+    self->jog = request->jog;
+    leg_stop(&self->leg);
+}
+
+static void run(mode_state_t *self, mode_kind_t kind, const mode_frame_t *frame,
+                mode_result_t *result)
+{
+    switch (kind) {
+    case MODE_HOMING:
+        homing_mode_step(&self->leg, frame, result);
+        break;
+    case MODE_MOVE:
+        move_mode_step(&self->move, &self->leg, frame, result);
+        break;
+    case MODE_JOG:
+        jog_mode_step(&self->jog, &self->leg, frame, result);
+        break;
+    case MODE_NONE:
+    default:
+        /* What was armed is not known any more. */
+        mode_rest(frame, result);
+        result->progress = MODE_FAILED;
+        result->status = STATUS_FAULT_PRESENT;
+        break;
+    }
+}
+
+void mode_step(mode_state_t *self, const mode_frame_t *frame, mode_result_t *result)
+{
+    const mode_kind_t kind = mode_in(self, frame->workphase);
+    /* Homing is done with or without the pedal. */
+    const bool is_done = (kind == MODE_HOMING) && frame->is_every_axis_homed;
+    mode_clear(result);
+    if (frame->is_moving && !is_done) {
+        run(self, kind, frame, result);
+    } else {
+        leg_stop(&self->leg);
+        mode_rest(frame, result);
+        result->progress = is_done ? MODE_DONE : MODE_RUNNING;
+    }
+}
+
+void mode_stop(mode_state_t *self, axis_t axes[ROBOT_AXIS_MAX], uint32_t axis_count)
+{
+    leg_stop(&self->leg);
+    for (uint32_t i = 0U; i < axis_count; i++) {
+        axis_stop_homing(&axes[i]);
+    }
+}
+
+bool mode_may_be_unhomed(mode_kind_t kind)
+{
+    return table[kind].may_be_unhomed;
+}
+
+bool mode_heeds_needle(const mode_state_t *self, mode_kind_t kind, const axis_config_t *config,
+                       uint32_t index, bool is_requested)
+{
+    const needle_heed_t needle = table[kind].needle;
+    const bool is_across = config->needle_motion == (uint32_t)NEEDLE_ACROSS;
+    bool must_heed = false;
+    if (needle == NEEDLE_HEEDED_BY_ACROSS) {
+        must_heed = is_requested && is_across;
+    } else if (needle == NEEDLE_HEEDED_BY_JOGGED) {
+        must_heed = self->jog.axis == index;
+    } else {
+        /* Nothing to heed. */
+    }
+    return must_heed;
+}

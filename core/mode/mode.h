@@ -1,0 +1,90 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * What the armed order does once the pedal is pressed: one of several modes, each a module of its
+ * own with a row in the table of mode.c. The controller owns one mode_state_t
+ * and steps it every cycle.
+ */
+#ifndef BORESIGHT_MODE_H
+#define BORESIGHT_MODE_H
+
+#include "mode/homing_mode.h"
+#include "mode/jog_mode.h"
+#include "mode/leg.h"
+#include "mode/mode_frame.h"
+#include "mode/move_mode.h"
+#include "robot/robot.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#define MODE_COUNT 4U
+
+typedef enum {
+    MODE_NONE = 0, /**< Does nothing. */
+    MODE_HOMING = 1,
+    MODE_MOVE = 2,
+    MODE_JOG = 3
+} mode_kind_t;
+
+/** What a mode is asked for; each reads what it needs. */
+typedef struct {
+    jog_mode_t jog;
+    move_mode_t move;
+} mode_request_t;
+
+/** At first all zero. */
+typedef struct {
+    uint32_t kind; /**< mode_kind_t of the order that was armed last. */
+    leg_t leg;
+    move_mode_t move;
+    jog_mode_t jog;
+} mode_state_t;
+
+/** The mode that a command for `workphase` arms there, or MODE_NONE. */
+mode_kind_t mode_of(workphase_t workphase);
+
+/** The mode that was begun last, in the workphase it belongs to; in all others MODE_NONE. */
+mode_kind_t mode_in(const mode_state_t *self, workphase_t workphase);
+
+/**
+ * May `kind` be armed with this request? What every mode needs is asked by the workphase chart.
+ *
+ * @return STATUS_OK; of MODE_JOG as jog_mode_judge()
+ */
+solution_t mode_judge(mode_kind_t kind, const mode_request_t *request, const robot_t *robot,
+                      const axis_t axes[ROBOT_AXIS_MAX]);
+
+/** `kind` was armed. */
+void mode_begin(mode_state_t *self, mode_kind_t kind, const mode_request_t *request);
+
+/**
+ * One cycle. Unless `frame->is_moving` every axis rests, and the mode goes on from there. Done and
+ * failed are told in the cycle in which they are found.
+ *
+ * @satisfies SWR-DEMO-001
+ * @satisfies SWR-PEDAL-005
+ */
+void mode_step(mode_state_t *self, const mode_frame_t *frame, mode_result_t *result);
+
+/** The order has ended or was given up: whatever runs stops, and homing is given up. */
+void mode_stop(mode_state_t *self, axis_t axes[ROBOT_AXIS_MAX], uint32_t axis_count);
+
+/**
+ * `kind` may drive an axis that is not homed.
+ *
+ * @satisfies SWR-AXIS-006
+ */
+bool mode_may_be_unhomed(mode_kind_t kind);
+
+/**
+ * Axis `index` must heed needle_forbids_jog() in this mode; `is_requested`: it asks for a drive.
+ *
+ * @satisfies SWR-JOG-001
+ * @satisfies SWR-JOG-003
+ * @satisfies SWR-JOG-016
+ */
+bool mode_heeds_needle(const mode_state_t *self, mode_kind_t kind, const axis_config_t *config,
+                       uint32_t index, bool is_requested);
+
+#endif

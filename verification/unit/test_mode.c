@@ -1,0 +1,242 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Rule under test: the table says where each mode runs and what is special about it; the mode that
+ * was begun runs there under the pedal, and rests without it.
+ */
+#include "unity.h"
+
+#include "axis/axis.h"
+#include "mode/homing_mode.h"
+#include "mode/jog_mode.h"
+#include "mode/leg.h"
+#include "mode/mode.h"
+#include "mode/mode_frame.h"
+#include "mode/move_mode.h"
+#include "robot/coupled_limit.h"
+#include "robot/joints.h"
+#include "safety/coupled_guard.h"
+#include "safety/needle.h"
+#include "unit/support/mode_world.h"
+
+TEST_SOURCE_FILE("axis_chart.c")
+TEST_SOURCE_FILE("count_account.c")
+TEST_SOURCE_FILE("drift_audit.c")
+TEST_SOURCE_FILE("encoder.c")
+TEST_SOURCE_FILE("fixed.c")
+TEST_SOURCE_FILE("homing.c")
+TEST_SOURCE_FILE("motor_model.c")
+TEST_SOURCE_FILE("profile.c")
+TEST_SOURCE_FILE("robot_neuro.c")
+TEST_SOURCE_FILE("servo.c")
+TEST_SOURCE_FILE("stall_watchdog_chart.c")
+TEST_SOURCE_FILE("supervision.c")
+
+static mode_state_t mode;
+static const mode_request_t request = {.jog = {.axis = AXIS_YAW, .ticks = 200},
+                                       .move = {{-400, 150, -200, 0, 500, 30, -60}}};
+
+void setUp(void)
+{
+    world_start();
+    mode = (mode_state_t){.kind = MODE_NONE};
+}
+
+void tearDown(void)
+{
+}
+
+static void begin(mode_kind_t kind, workphase_t workphase)
+{
+    mode_begin(&mode, kind, &request);
+    frame.workphase = workphase;
+}
+
+static void steps(uint32_t count)
+{
+    for (uint32_t i = 0U; i < count; i++) {
+        mode_step(&mode, &frame, &result);
+        world_follow();
+    }
+}
+
+static void run(void)
+{
+    uint32_t cycles = 0U;
+    do {
+        TEST_ASSERT_LESS_THAN_UINT32(100000U, cycles);
+        cycles++;
+        steps(1U);
+    } while (result.progress == MODE_RUNNING);
+}
+
+static void expect_rest(void)
+{
+    for (uint32_t i = 0U; i < robot.axis_count; i++) {
+        TEST_ASSERT_TRUE(world_rests(i));
+    }
+}
+
+void test_SWR_PHASE_001_each_mode_has_its_workphase(void)
+{
+    for (uint32_t i = 0U; i < WORKPHASE_COUNT; i++) {
+        const workphase_t workphase = (workphase_t)i;
+        const mode_kind_t kind = mode_of(workphase);
+        for (uint32_t begun = 0U; begun < MODE_COUNT; begun++) {
+            mode_begin(&mode, (mode_kind_t)begun, &request);
+            TEST_ASSERT_EQUAL((begun == (uint32_t)kind) ? kind : MODE_NONE,
+                              mode_in(&mode, workphase));
+        }
+    }
+    TEST_ASSERT_EQUAL(MODE_HOMING, mode_of(WORKPHASE_START_UP));
+    TEST_ASSERT_EQUAL(MODE_MOVE, mode_of(WORKPHASE_MOVE_TO_TARGET));
+    TEST_ASSERT_EQUAL(MODE_JOG, mode_of(WORKPHASE_MANUAL));
+    TEST_ASSERT_EQUAL(MODE_NONE, mode_of(WORKPHASE_STOP));
+}
+
+void test_SWR_MEMORY_006_a_mode_that_there_is_not_is_none(void)
+{
+    mode.kind = MODE_COUNT;
+    TEST_ASSERT_EQUAL(MODE_NONE, mode_in(&mode, WORKPHASE_MANUAL));
+    mode.kind = UINT32_MAX;
+    TEST_ASSERT_EQUAL(MODE_NONE, mode_in(&mode, WORKPHASE_MANUAL));
+}
+
+void test_SWR_AXIS_006_only_a_move_needs_every_axis_homed(void)
+{
+    TEST_ASSERT_TRUE(mode_may_be_unhomed(MODE_HOMING));
+    TEST_ASSERT_TRUE(mode_may_be_unhomed(MODE_JOG));
+    TEST_ASSERT_TRUE(mode_may_be_unhomed(MODE_NONE));
+    TEST_ASSERT_FALSE(mode_may_be_unhomed(MODE_MOVE));
+}
+
+static bool heeds(mode_kind_t kind, uint32_t axis, bool is_driven)
+{
+    return mode_heeds_needle(&mode, kind, &robot.axes[axis], axis, is_driven);
+}
+
+void test_SWR_JOG_001_the_jogged_axis_heeds_the_needle(void)
+{
+    mode_begin(&mode, MODE_JOG, &request);
+    TEST_ASSERT_TRUE(heeds(MODE_JOG, AXIS_YAW, true));
+    TEST_ASSERT_TRUE(heeds(MODE_JOG, AXIS_YAW, false));
+    TEST_ASSERT_FALSE(heeds(MODE_JOG, AXIS_LATERAL, true));
+}
+
+void test_SWR_JOG_016_whatever_homes_across_the_needle_heeds_it(void)
+{
+    TEST_ASSERT_TRUE(heeds(MODE_HOMING, AXIS_LATERAL, true));
+    TEST_ASSERT_FALSE(heeds(MODE_HOMING, AXIS_LATERAL, false));
+    TEST_ASSERT_FALSE(heeds(MODE_HOMING, AXIS_INSERTION, true));
+    TEST_ASSERT_FALSE(heeds(MODE_HOMING, AXIS_ROTATION, true));
+}
+
+void test_SWR_JOG_001_a_move_takes_the_needle_out_itself(void)
+{
+    TEST_ASSERT_FALSE(heeds(MODE_MOVE, AXIS_LATERAL, true));
+    TEST_ASSERT_FALSE(heeds(MODE_NONE, AXIS_LATERAL, true));
+}
+
+void test_SWR_JOG_002_a_jog_is_judged_before_it_is_armed_and_nothing_else_is(void)
+{
+    const mode_request_t no_axis = {.jog = {.axis = 9U, .ticks = 0}};
+    TEST_ASSERT_EQUAL(STATUS_UNKNOWN_COMMAND, mode_judge(MODE_JOG, &no_axis, &robot, axes).status);
+    TEST_ASSERT_EQUAL(STATUS_OK, mode_judge(MODE_HOMING, &no_axis, &robot, axes).status);
+    TEST_ASSERT_EQUAL(STATUS_OK, mode_judge(MODE_MOVE, &no_axis, &robot, axes).status);
+}
+
+void test_SWR_PEDAL_005_without_the_pedal_every_mode_rests_and_goes_on_from_there(void)
+{
+    begin(MODE_MOVE, WORKPHASE_MOVE_TO_TARGET);
+    steps(300U);
+    TEST_ASSERT_EQUAL_UINT32(1U, mode.leg.is_running);
+    frame.is_moving = false;
+    steps(1U);
+    expect_rest();
+    TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
+    frame.is_moving = true;
+    const int32_t there = axes[AXIS_HEAD].encoder.position_ticks;
+    TEST_ASSERT_INT32_WITHIN(390, -200, there);
+    steps(1U);
+    TEST_ASSERT_EQUAL_INT32(there, mode.leg.profile.start_ticks[AXIS_HEAD]);
+    run();
+    TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
+    TEST_ASSERT_EQUAL_INT32(-400, axes[AXIS_HEAD].encoder.position_ticks);
+    expect_rest();
+}
+
+void test_SWR_JOG_004_a_jog_runs_to_its_end(void)
+{
+    begin(MODE_JOG, WORKPHASE_MANUAL);
+    run();
+    TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
+    TEST_ASSERT_EQUAL_INT32(200, axes[AXIS_YAW].encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(0, axes[AXIS_HEAD].encoder.position_ticks);
+}
+
+void test_SWR_AXIS_006_homing_is_done_once_every_axis_is_homed_even_without_the_pedal(void)
+{
+    begin(MODE_HOMING, WORKPHASE_START_UP);
+    frame.is_moving = false;
+    steps(1U);
+    TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
+    frame.is_moving = true;
+    steps(1U);
+    TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
+    expect_rest();
+    world_lose(AXIS_LATERAL);
+    frame.is_moving = false;
+    steps(1U);
+    TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
+    expect_rest();
+    frame.is_moving = true;
+    steps(1U);
+    TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
+    TEST_ASSERT_TRUE(axis_is_homing(&axes[AXIS_LATERAL]));
+}
+
+void test_SWR_MEMORY_002_an_armed_motion_that_is_not_known_any_more_fails_at_rest(void)
+{
+    begin(MODE_MOVE, WORKPHASE_MOVE_TO_TARGET);
+    mode.kind ^= 4U;
+    mode_step(&mode, &frame, &result);
+    TEST_ASSERT_EQUAL(MODE_FAILED, result.progress);
+    TEST_ASSERT_EQUAL(STATUS_FAULT_PRESENT, result.status);
+    TEST_ASSERT_EQUAL_UINT32(MODE_NO_AXIS, result.axis);
+    TEST_ASSERT_EQUAL_UINT32(0U, result.note_count);
+    expect_rest();
+}
+
+void test_SWR_PHASE_005_what_was_given_up_homes_no_axis_and_runs_no_leg(void)
+{
+    world_lose(AXIS_LATERAL);
+    begin(MODE_HOMING, WORKPHASE_START_UP);
+    steps(1U);
+    TEST_ASSERT_TRUE(axis_is_homing(&axes[AXIS_LATERAL]));
+    mode.leg.is_running = 1U;
+    mode.leg.settled_cycles = 3U;
+    mode_stop(&mode, axes, robot.axis_count);
+    TEST_ASSERT_FALSE(axis_is_homing(&axes[AXIS_LATERAL]));
+    TEST_ASSERT_EQUAL_UINT32(0U, mode.leg.is_running);
+    TEST_ASSERT_EQUAL_UINT32(0U, mode.leg.settled_cycles);
+}
+
+void test_SWR_PHASE_005_a_mode_that_is_begun_does_not_go_on_with_the_leg_of_another(void)
+{
+    begin(MODE_MOVE, WORKPHASE_MOVE_TO_TARGET);
+    steps(100U);
+    begin(MODE_JOG, WORKPHASE_MANUAL);
+    TEST_ASSERT_EQUAL_UINT32(0U, mode.leg.is_running);
+    steps(1U);
+    TEST_ASSERT_EQUAL_HEX32(LEG_AXIS(AXIS_YAW), mode.leg.axes);
+}
+
+void test_SWR_EVENT_001_a_mode_notes_in_order_and_one_note_too_many_is_dropped(void)
+{
+    for (uint32_t i = 0U; i < MODE_NOTES; i++) {
+        mode_note(&result, EVENT_AXIS_TAKEN, i, (int32_t)i);
+        TEST_ASSERT_EQUAL_INT32(i, result.notes[i].value);
+    }
+    mode_fail(&result, EVENT_HOMING_BARRED, AXIS_HEAD, 0);
+    TEST_ASSERT_EQUAL_UINT32(MODE_NOTES, result.note_count);
+    TEST_ASSERT_EQUAL(MODE_FAILED, result.progress);
+}
