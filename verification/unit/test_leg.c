@@ -14,6 +14,7 @@
 TEST_SOURCE_FILE("axis_chart.c")
 TEST_SOURCE_FILE("count_account.c")
 TEST_SOURCE_FILE("drift_audit.c")
+TEST_SOURCE_FILE("edge_pace.c")
 TEST_SOURCE_FILE("encoder.c")
 TEST_SOURCE_FILE("fixed.c")
 TEST_SOURCE_FILE("homing.c")

@@ -14,6 +14,7 @@
 #include "mode/move_mode.h"
 #include "robot/coupled_limit.h"
 #include "robot/joints.h"
+#include "robot/robot_neuro.h"
 #include "safety/coupled_guard.h"
 #include "safety/needle.h"
 #include "unit/support/mode_world.h"
@@ -21,6 +22,7 @@
 TEST_SOURCE_FILE("axis_chart.c")
 TEST_SOURCE_FILE("count_account.c")
 TEST_SOURCE_FILE("drift_audit.c")
+TEST_SOURCE_FILE("edge_pace.c")
 TEST_SOURCE_FILE("encoder.c")
 TEST_SOURCE_FILE("fixed.c")
 TEST_SOURCE_FILE("homing.c")

@@ -11,7 +11,7 @@
 #include "axis/axis.h"
 #include "limits/requirement_limits.h"
 #include "mode/mode_frame.h"
-#include "robot/robot.h"
+#include "robot/robot_neuro.h"
 
 #include <stdbool.h>
 #include <stdint.h>
