@@ -216,6 +216,11 @@ void axis_forget(axis_t *self)
     tell(self, AXIS_EVENT_FORGET, false);
 }
 
+void axis_remember(axis_t *self, int32_t position_ticks)
+{
+    set_position(self, position_ticks);
+}
+
 bool axis_confirm(axis_t *self, const axis_config_t *config)
 {
     const bool was_homed = axis_is_homed(self);

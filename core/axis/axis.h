@@ -28,7 +28,7 @@ typedef struct {
     homing_t homing;
     drift_audit_t drift;
     int32_t home_correction_ticks; /**< Shift of the position at the last homing. */
-    uint32_t has_place;            /**< Its position has meant something since the start: 0 or 1. */
+    uint32_t has_place;            /**< Its counts have meant something since the start: 0 or 1. */
     int32_t elsewhere_ticks; /**< How far it was shifted against what its counts knew, until that
                                 is resolved. */
     int32_t contradiction_ticks; /**< From home to where the counts were at a fault of the two, for
@@ -90,6 +90,9 @@ void axis_restore(axis_t *self, const axis_config_t *config, int32_t position_ti
  * @satisfies SWR-REF-003
  */
 void axis_forget(axis_t *self);
+
+/** What is lost would stand at `position_ticks` by its counts: homing compares it with that. */
+void axis_remember(axis_t *self, int32_t position_ticks);
 
 /**
  * The operator has compared the position with the robot: an unverified axis, and a lost one without

@@ -27,33 +27,42 @@ void controller_restore(controller_t *self, const kept_positions_t *kept)
     controller_seal(self);
 }
 
-/* `way_ticks` from where it was kept. */
-static void restore(controller_t *self, const cycle_t *cycle, uint32_t index, int32_t way_ticks)
+static void restore(controller_t *self, const cycle_t *cycle, uint32_t index,
+                    int32_t position_ticks)
 {
-    const kept_axis_t *const kept = &self->kept.axes[index];
-    if (kept->grade == (uint32_t)KEPT_KNOWN) {
-        const int32_t position_ticks =
-            fixed_saturate((int64_t)kept->position_ticks + (int64_t)way_ticks);
+    if (self->kept.axes[index].grade == (uint32_t)KEPT_KNOWN) {
         axis_restore(&self->axes[index], &cycle->robot->axes[index], position_ticks);
         controller_note(self, cycle, EVENT_AXIS_RESTORED, index, position_ticks);
     }
 }
 
+/* It was moved, or its counter was. */
+static void contradict(controller_t *self, const cycle_t *cycle, uint32_t index,
+                       int32_t position_ticks, int32_t way_ticks)
+{
+    axis_forget(&self->axes[index]);
+    if (self->kept.axes[index].grade == (uint32_t)KEPT_KNOWN) {
+        axis_remember(&self->axes[index], position_ticks);
+    }
+    controller_note(self, cycle, EVENT_AXIS_CONTRADICTED, index, way_ticks);
+}
+
 void controller_compare(controller_t *self, const cycle_t *cycle, uint32_t index)
 {
-    axis_t *const axis = &self->axes[index];
+    const axis_t *const axis = &self->axes[index];
     const axis_config_t *const config = &cycle->robot->axes[index];
     if (!is_awaited(self, index) || (axis->encoder.has_reading == 0U)) {
         return;
     }
-    const int32_t way_ticks =
-        encoder_way(config, self->kept.axes[index].reading_ticks, axis->encoder.reading);
+    const kept_axis_t *const kept = &self->kept.axes[index];
+    const int32_t way_ticks = encoder_way(config, kept->reading_ticks, axis->encoder.reading);
     const int64_t rest_ticks = (int64_t)supervision_rest_ticks(config);
+    const int32_t position_ticks =
+        fixed_saturate((int64_t)kept->position_ticks + (int64_t)way_ticks);
     if (((int64_t)way_ticks <= rest_ticks) && ((int64_t)way_ticks >= -rest_ticks)) {
-        restore(self, cycle, index, way_ticks);
+        restore(self, cycle, index, position_ticks);
     } else {
-        axis_forget(axis);
-        controller_note(self, cycle, EVENT_AXIS_CONTRADICTED, index, way_ticks);
+        contradict(self, cycle, index, position_ticks, way_ticks);
     }
     self->kept.axes[index].grade = (uint32_t)KEPT_LOST;
 }

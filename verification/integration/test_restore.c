@@ -266,6 +266,15 @@ void test_SWR_REPLAY_001_a_start_with_kept_positions_is_replayed_from_its_checkp
     assert_reference(AXIS_HEAD, AXIS_REFERENCE_UNVERIFIED);
 }
 
+/* The operator does, once everything has come to rest. */
+static void confirm(void)
+{
+    rig_cycles(&rig, LIMIT_SPEED_TIMEOUT_US / LIMIT_CYCLE_US);
+    rig_box(&rig, "button press");
+    rig_cycles(&rig, 2U * LIMIT_CONFIRM_HOLD_US / LIMIT_CYCLE_US);
+    rig_box(&rig, "button release");
+}
+
 /* Its motor has shown nothing of itself since the start of the programs. */
 void test_SWR_AXIS_027_counts_that_come_and_go_are_found_where_a_kept_position_was_confirmed(void)
 {
@@ -273,10 +282,7 @@ void test_SWR_AXIS_027_counts_that_come_and_go_are_found_where_a_kept_position_w
         .kind = (uint32_t)COMMAND_JOG, .argument = AXIS_INSERTION, .value = 120000};
     uint32_t cycle = 0U;
     restart();
-    rig_cycles(&rig, LIMIT_SPEED_TIMEOUT_US / LIMIT_CYCLE_US);
-    rig_box(&rig, "button press");
-    rig_cycles(&rig, 2U * LIMIT_CONFIRM_HOLD_US / LIMIT_CYCLE_US);
-    rig_box(&rig, "button release");
+    confirm();
     assert_references(AXIS_REFERENCE_VERIFIED);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
@@ -291,4 +297,33 @@ void test_SWR_AXIS_027_counts_that_come_and_go_are_found_where_a_kept_position_w
     assert_reference(AXIS_INSERTION, AXIS_REFERENCE_LOST);
     TEST_ASSERT_DOUBLE_WITHIN(300.0, (double)position(AXIS_INSERTION),
                               rig.box.axes[AXIS_INSERTION].motor.position_ticks);
+}
+
+/* The carriage stands where its counts have it: `ticks` from where the true switch is. */
+static void home_contradicted_lateral(int32_t ticks)
+{
+    count_up(AXIS_LATERAL, upwards(AXIS_LATERAL, -100));
+    kept.axes[AXIS_LATERAL].position_ticks += ticks + 100;
+    restart();
+    assert_reference(AXIS_LATERAL, AXIS_REFERENCE_LOST);
+    TEST_ASSERT_EQUAL_INT32(kept.axes[AXIS_LATERAL].position_ticks - 100, position(AXIS_LATERAL));
+    confirm();
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    rig_press(&rig);
+    rig_finish(&rig, 60000U);
+    rig_release(&rig);
+}
+
+void test_SWR_AXIS_026_homing_is_compared_with_counts_that_contradict_a_kept_position(void)
+{
+    home_contradicted_lateral(0);
+    assert_reference(AXIS_LATERAL, AXIS_REFERENCE_VERIFIED);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AXIS_SWITCH_ELSEWHERE));
+}
+
+void test_SWR_AXIS_026_homing_elsewhere_than_counts_that_contradict_a_kept_position_is_lost(void)
+{
+    home_contradicted_lateral(100);
+    assert_reference(AXIS_LATERAL, AXIS_REFERENCE_LOST);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_SWITCH_ELSEWHERE));
 }
