@@ -75,7 +75,7 @@ class CTests
   private
 
   def tests(way)
-    files = Dir['verification/{unit,integration}/test_*.c'] + Dir['build/gen/tests/test_*.c']
+    files = Dir['verification/{unit,integration}/test_*.c', 'core/robot/*/test/test_*.c', 'build/gen/tests/test_*.c']
     (way == 'arm' ? files.reject { |file| needs_app?(file) } : files).sort
   end
 

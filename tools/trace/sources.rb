@@ -17,7 +17,7 @@ module Trace
   class Sources
     CODE = '{core,bsp,app,tools}/**/*.{h,c,rb,ts,tsx}'
     CHARTS = 'statecharts/*.scxml'
-    C_TESTS = '{verification/unit,verification/integration,build/gen/tests}/**/test_*.c'
+    C_TESTS = '{verification/unit,verification/integration,core/robot/*/test,build/gen/tests}/**/test_*.c'
     RUBY_TESTS = '{verification,tools/test}/**/test_*.rb'
     SUPPORT = 'verification/unit/support/*.{h,c}'
     LEFT_OUT = %r{node_modules/|/dist/|tools/test/|\.test\.tsx?\z|\.spec\.ts\z}
