@@ -121,7 +121,7 @@ app/console/node_modules/.installed: app/console/package-lock.json
 	cd app/console && npm ci --ignore-scripts --no-audit --no-fund
 	touch $@
 
-$(GEN)/assets/assets.c: $(CONSOLE_SOURCES) $(GENERATED) app/console/node_modules/.installed tools/embed.rb
+$(GEN)/assets/assets.c: $(CONSOLE_SOURCES) $(GEN)/interface/.compiled app/console/node_modules/.installed tools/embed.rb
 	cd app/console && npm run --silent build
 	ruby tools/embed.rb build/console $(GEN)/assets
 

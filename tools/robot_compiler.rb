@@ -46,9 +46,8 @@ module Robot
 
         const robot_t robot_#{@robot.name} = {
         #{head.map { |field, value| "    .#{field} = #{value}," }.join("\n")}
-        #{block('coupled_limits', coupled_limits.map { |limit| "{#{initializers(limit)}}" })}
-        #{block('geometry_nm', geometry.map { |name, nm| "[#{name}] = #{nm}" })}
-            .seal = #{seal('robot_t', head.merge('coupled_limits' => coupled_limits, 'geometry_nm' => geometry.values))},
+        #{block('coupled_limits', coupled_limits.map { |limit| "{#{initializers(limit)}}" }) +
+          block('geometry_nm', geometry.map { |name, nm| "[#{name}] = #{nm}" })}    .seal = #{seal('robot_t', head.merge('coupled_limits' => coupled_limits, 'geometry_nm' => geometry.values))},
             .axes = {
         #{@robot.axes.each_with_index.map { |axis, i| entry(axis, i) }.join(",\n")}
             },
@@ -89,8 +88,9 @@ module Robot
 
     # An array; C knows none without an element.
     def block(field, values)
-      values = ['0'] if values.empty?
-      "    .#{field} = {\n#{values.map { |value| "        #{value}" }.join(",\n")}\n    },"
+      return '' if values.empty?
+
+      "    .#{field} = {\n#{values.map { |value| "        #{value}" }.join(",\n")}\n    },\n"
     end
 
     def head

@@ -137,7 +137,9 @@ class TestRobotCompiler < Minitest::Test
   end
 
   def test_SWR_ROBOT_001_a_wrong_word_is_refused
-    assert_refused(with('kinematics: neuro', 'kinematics: scara'), 'kinematics: is scara; expected neuro', at: 'scara')
+    assert_refused(with('kinematics: neuro', 'kinematics: scara'), 'kinematics: is scara; expected ' \
+                                                                  "#{Robot::Kinematics.names.join(' or ')}",
+                   at: 'scara')
     assert_refused(with('card: non_pwm', 'card: analog'), 'axes[0].card: is analog; expected pwm or non_pwm',
                    at: 'analog')
     assert_refused(with('home: switch', 'home: sweet'), 'axes[0].home: is sweet; expected switch or in_place',

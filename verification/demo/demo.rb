@@ -14,7 +14,9 @@ require 'English'
 require 'fileutils'
 require 'json'
 require 'open3'
+require 'yaml'
 require_relative 'geometry'
+require_relative 'workflow'
 require_relative '../../tools/results'
 require_relative '../system/support/boresight'
 
@@ -28,31 +30,18 @@ class Demo
   REGISTRATION = { rotation: Geometry.multiply(Geometry.about_x(0.02), Geometry.about_z(-0.03)),
                    translation: [-4.0, -128.0, -33.0] }.freeze
 
-  # Target (RAS, mm) and the error that the thesis measured there; its row 6 prints 2.19, its points give 2.91.
   # Yaw, pitch and roll (radians) choose the line to the target; entry: the depth is decided by an entry point.
-  TARGETS = [
-    { point: [-3.523, 61.989, 11.74], thesis: 2.19, yaw: -0.10, pitch: 0.05, roll: 0.0 },
-    { point: [7.336, 61.989, 11.74], thesis: 2.68, yaw: -0.25, pitch: -0.10, roll: 0.5 },
-    { point: [-13.954, 61.989, -10.05], thesis: 3.14, yaw: -0.05, pitch: 0.15, roll: -0.5, entry: 52.0 },
-    { point: [-14.726, 61.989, 33.837], thesis: 1.93, yaw: -0.40, pitch: 0.10, roll: 1.0 },
-    { point: [-26.786, 62.989, 19.032], thesis: 2.51, yaw: -0.15, pitch: 0.20, roll: 0.0 },
-    { point: [-7.085, 61.989, -10.516], thesis: 2.91, yaw: -0.20, pitch: 0.00, roll: -1.0, entry: 54.0 },
-    { point: [-17.752, 61.989, 9.283], thesis: 1.97, yaw: -0.30, pitch: -0.05, roll: 0.0 }
-  ].freeze
+  TARGETS = YAML.safe_load_file(File.expand_path('../../core/robot/neuro/targets.yml', __dir__), symbolize_names: true)
 
   def initialize(robot)
     @robot = robot
-    @client = robot.client
-    @heard = []
+    @workflow = Workflow.new(robot)
   end
 
   def run
     puts 'Homing with the pedal held ...'
-    home
-    phase('PLANNING')
-    phase('CALIBRATION')
-    say('registration', *Geometry.rows(REGISTRATION[:rotation], REGISTRATION[:translation]))
-    await('CALIBRATION')
+    @workflow.home
+    @workflow.register(Geometry.rows(REGISTRATION[:rotation], REGISTRATION[:translation]))
     TARGETS.each_with_index.map { |target, index| reach(target, index + 1) }
   end
 
@@ -61,8 +50,8 @@ class Demo
   def reach(target, number)
     rotation = Geometry.multiply(REGISTRATION[:rotation], Geometry.treatment(target[:yaw], target[:pitch], target[:roll]))
     propose_entry(target, rotation)
-    move(Geometry.rows(rotation, target[:point]))
-    reached = measured
+    @workflow.move(Geometry.rows(rotation, target[:point]))
+    reached = @workflow.measured
     row = { number: number, target: target[:point], reached: reached.map { |value| value.round(3) },
             error_mm: Geometry.distance(reached, target[:point]).round(4), thesis_mm: target[:thesis] }
     puts "Target #{number}: #{row[:error_mm]} mm"
@@ -78,52 +67,6 @@ class Demo
     _, status = Open3.capture2e(Boresight.program('boresight-client'), '--port', @robot.igtl_port.to_s,
                                 "transform ENTRY_POINT #{matrix.join(' ')}", 'wait POINT entry_point')
     raise 'the entry point was not taken' unless status.success?
-  end
-
-  def home
-    under_pedal('START_UP')
-  end
-
-  def move(pose)
-    phase('PLANNING')
-    phase('TARGETING')
-    say('target', *pose)
-    await('TARGET')
-    under_pedal('MOVE_TO_TARGET')
-  end
-
-  # Commands with the pedal up, then holds the pedal until the result is there.
-  def under_pedal(phase)
-    phase(phase)
-    @robot.simctl('pedal', 'press')
-    await(phase)
-    @robot.simctl('pedal', 'release')
-    @robot.wait_until('the pedal is seen released') { @robot.status['pedal'] == 'released' }
-  end
-
-  def phase(name)
-    say('phase', name)
-  end
-
-  # Sends one command to the client; returns the messages that arrived until it was done.
-  def say(*words)
-    @client.write(words.join(' '))
-    heard = []
-    heard << @client.read until heard.last&.key?('done')
-    @heard.concat(heard)
-    heard
-  end
-
-  # Waits for STATUS name and demands code 1.
-  def await(name)
-    say('wait', 'STATUS', name)
-    message = @heard.reverse.find { |line| line['type'] == 'STATUS' && line['name'] == name }
-    raise "#{name}: #{message['text']}" unless message['code'] == 1
-  end
-
-  def measured
-    matrix = say('get', 'CURRENT_POSITION').reverse.find { |line| line['type'] == 'TRANSFORM' }['matrix']
-    [matrix[3], matrix[7], matrix[11]]
   end
 end
 

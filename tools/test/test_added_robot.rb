@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+# Rule under test: a robot is one folder. A copy of the project is built without it; then the folder is added, and
+# nothing else, and the programs home the robot, move it to its targets and replay what was recorded.
+
+require 'fileutils'
+require 'yaml'
+require_relative '../../verification/system/support/system_test'
+require_relative '../../verification/demo/workflow'
+
+class TestAddedRobot < SystemTest
+  ROOT = File.expand_path('../..', __dir__)
+  ROBOT = 'bench2'
+  FOLDER = "core/robot/#{ROBOT}".freeze
+  # What a build reads, and what stays true of the last one.
+  COPIED = %w[Makefile app bsp core requirements statecharts tools verification build/gcc build/gen build/build-id].freeze
+  LINKED = %w[.tools app/console/node_modules].freeze
+  PROGRAMS = %w[boresight boresight-box boresight-control boresight-http boresight-igtl boresight-recorder
+                boresight-replay boresight-simctl].freeze
+  IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0].freeze
+  NEAR_MM = 0.01
+
+  def setup
+    @copy = Dir.mktmpdir
+    copy
+  end
+
+  def teardown
+    super
+    FileUtils.rm_rf(@copy)
+  end
+
+  def test_SWR_ROBOT_018_a_folder_that_is_added_is_a_robot_that_homes_moves_and_is_replayed
+    build_without_it
+    build
+    robot = boresight(arguments: ['--robot', ROBOT], programs: programs)
+    assert_reaches_its_targets(robot)
+    assert_equal(ROBOT, robot.status['robot'])
+    assert_equal(given('robot.yml')['axes'].map { |axis| axis['name'] }, robot.motors['axes'].map { |axis| axis['name'] })
+    assert_replayed(robot)
+  end
+
+  private
+
+  def programs
+    path('build/bin')
+  end
+
+  def path(name)
+    File.join(@copy, name)
+  end
+
+  def given(file)
+    YAML.safe_load_file(path("#{FOLDER}/#{file}"))
+  end
+
+  # With the times of the files, by which make knows what is up to date.
+  def copy
+    call("tar -C #{ROOT} --exclude=node_modules -cf - #{COPIED.join(' ')} | tar -C #{@copy} -xf -")
+    LINKED.each { |name| File.symlink(File.join(ROOT, name), path(name)) }
+  end
+
+  # Nothing of it is left, and no program knows it.
+  def build_without_it
+    FileUtils.mv(path(FOLDER), path('later'))
+    FileUtils.rm_rf(Dir.glob(path("build/**/*#{ROBOT}*")))
+    build
+    text = call("#{programs}/boresight --robot #{ROBOT}", fails: true)
+    assert_match(/There is no robot "#{ROBOT}"; choose neuro/, text)
+    FileUtils.mv(path('later'), path(FOLDER))
+  end
+
+  def build
+    names = PROGRAMS.map { |name| "build/bin/#{name}" }
+    call("make -C #{@copy} BUILD_ID=#{File.read(path('build/build-id')).strip} -j2 #{names.join(' ')}")
+  end
+
+  def call(command, fails: false)
+    text, status = Open3.capture2e(command)
+    assert_equal(fails, !status.success?, text)
+    text
+  end
+
+  def assert_reaches_its_targets(robot)
+    workflow = Workflow.new(robot)
+    workflow.home
+    workflow.register(IDENTITY)
+    given('targets.yml').map { |target| target['point'] }.each do |point|
+      x, y, z = point
+      workflow.move([-1, 0, 0, x, 0, 0, -1, y, 0, -1, 0, z])
+      workflow.measured.zip(point).each { |reached, wanted| assert_in_delta(wanted, reached, NEAR_MM) }
+    end
+  end
+
+  def assert_replayed(robot)
+    Process.kill('TERM', robot.pid)
+    robot.wait_for_end
+    text = call("#{programs}/boresight-replay #{robot.recording_files.last}")
+    assert_match(/^\d+ cycles replayed, every output equal$/, text)
+  end
+end

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+# The workflow of an OpenIGTLink client under the foot pedal: home, register, aim, move, read back. For any robot.
+class Workflow
+  def initialize(robot)
+    @robot = robot
+    @client = robot.client
+    @heard = []
+  end
+
+  def home
+    under_pedal('START_UP')
+  end
+
+  # Rows of the matrix from the z-frame to the scanner.
+  def register(rows)
+    phase('PLANNING')
+    phase('CALIBRATION')
+    say('registration', *rows)
+    await('CALIBRATION')
+  end
+
+  def move(pose)
+    phase('PLANNING')
+    phase('TARGETING')
+    say('target', *pose)
+    await('TARGET')
+    under_pedal('MOVE_TO_TARGET')
+  end
+
+  # Where the treatment point is, mm.
+  def measured
+    matrix = say('get', 'CURRENT_POSITION').reverse.find { |line| line['type'] == 'TRANSFORM' }['matrix']
+    [matrix[3], matrix[7], matrix[11]]
+  end
+
+  private
+
+  # Commands with the pedal up, then holds the pedal until the result is there.
+  def under_pedal(phase)
+    phase(phase)
+    @robot.simctl('pedal', 'press')
+    await(phase)
+    @robot.simctl('pedal', 'release')
+    @robot.wait_until('the pedal is seen released') { @robot.status['pedal'] == 'released' }
+  end
+
+  def phase(name)
+    say('phase', name)
+  end
+
+  # Sends one command to the client; returns the messages that arrived until it was done.
+  def say(*words)
+    @client.write(words.join(' '))
+    heard = []
+    heard << @client.read until heard.last&.key?('done')
+    @heard.concat(heard)
+    heard
+  end
+
+  # Waits for STATUS name and demands code 1.
+  def await(name)
+    say('wait', 'STATUS', name)
+    message = @heard.reverse.find { |line| line['type'] == 'STATUS' && line['name'] == name }
+    raise "#{name}: #{message['text']}" unless message['code'] == 1
+  end
+end
