@@ -45,15 +45,7 @@ module Robot
         #include "robot/robot_#{@robot.name}.h"
 
         const robot_t robot_#{@robot.name} = {
-        #{head.map { |field, value| "    .#{field} = #{value}," }.join("\n")}
-        #{block('coupled_limits', coupled_limits.map { |limit| "{#{initializers(limit)}}" }) +
-          block('geometry_nm', geometry.map { |name, nm| "[#{name}] = #{nm}" })}    .seal = #{seal('robot_t', head.merge('coupled_limits' => coupled_limits, 'geometry_nm' => geometry.values))},
-            .axes = {
-        #{@robot.axes.each_with_index.map { |axis, i| entry(axis, i) }.join(",\n")}
-            },
-            .start_ticks = {
-        #{@robot.axes.each_with_index.map { |axis, i| "        [#{i}] = #{axis['start_ticks']}" }.join(",\n")}
-            }
+        #{parts.join(",\n")}
         };
       TABLE
     end
@@ -86,16 +78,26 @@ module Robot
       names.each_with_index.map { |name, i| "#define #{name} #{i}U" }.join("\n")
     end
 
-    # An array; C knows none without an element.
-    def block(field, values)
-      return '' if values.empty?
+    # What stands in the table, in order.
+    def parts
+      sealed = head.merge('coupled_limits' => coupled_limits, 'geometry_nm' => geometry.values)
+      [*head.map { |field, value| "    .#{field} = #{value}" },
+       *array('coupled_limits', coupled_limits.map { |limit| "        {#{initializers(limit)}}" }),
+       *array('geometry_nm', geometry.map { |name, nm| "        [#{name}] = #{nm}" }),
+       "    .seal = #{seal('robot_t', sealed)}",
+       *array('axes', @robot.axes.each_with_index.map { |axis, i| entry(axis, i) }),
+       *array('start_ticks', @robot.axes.each_with_index.map { |axis, i| "        [#{i}] = #{axis['start_ticks']}" })]
+    end
 
-      "    .#{field} = {\n#{values.map { |value| "        #{value}" }.join(",\n")}\n    },\n"
+    # C knows no array without an element.
+    def array(field, values)
+      values.empty? ? [] : ["    .#{field} = {\n#{values.join(",\n")}\n    }"]
     end
 
     def head
       { 'name' => "\"#{@robot.name}\"", 'axis_count' => "#{@robot.axes.size}U", 'crc' => "0x#{format('%08X', @crc)}U",
-        'kind' => "0x#{format('%08X', Kind.number(@robot.kinematics))}U", 'card_firmware' => "0x#{format('%06X', @robot.card_firmware)}U", 'needle_axis' => "#{@robot.needle_axis}U",
+        'kind' => "0x#{format('%08X', Kind.number(@robot.kinematics))}U",
+        'card_firmware' => "0x#{format('%06X', @robot.card_firmware)}U", 'needle_axis' => "#{@robot.needle_axis}U",
         'coupled_limit_count' => "#{@robot.coupled_limits.size}U" }
     end
 

@@ -68,7 +68,8 @@ class Robots
   def write(folder)
     FileUtils.mkdir_p(File.join(folder, 'app'))
     { 'robot_kind.h' => header, 'kinematics.c' => source, 'app/robots.h' => TABLES_HEADER, 'app/robots.c' => tables,
-      'app/robot_names.h' => format(NAMES_HEADER, default: @default), 'app/robot_names.c' => names }.each do |name, text|
+      'app/robot_names.h' => format(NAMES_HEADER, default: @default),
+      'app/robot_names.c' => names }.each do |name, text|
       File.write(File.join(folder, name), text)
     end
   end

@@ -2,6 +2,7 @@
 # frozen_string_literal: true
 
 require 'psych'
+require_relative 'document'
 
 module Robot
   # What a kinematics takes for granted of its robots: kinematics.yml in its folder.
@@ -14,7 +15,10 @@ module Robot
     end
 
     def initialize(name, folder = FOLDER)
-      @parts = Psych.safe_load_file(File.join(folder, name, 'kinematics.yml'))
+      path = File.join(folder, name, 'kinematics.yml')
+      @parts = Psych.safe_load_file(path)
+      needles = axes.count { |axis| needle(axis) == 'along' }
+      raise Refused.new(path, 'axes', "are #{needles} along the needle; expected 1") unless needles == 1
     end
 
     # Their names, in order.

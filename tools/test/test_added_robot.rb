@@ -14,7 +14,8 @@ class TestAddedRobot < SystemTest
   ROBOT = 'bench2'
   FOLDER = "core/robot/#{ROBOT}".freeze
   # What a build reads, and what stays true of the last one.
-  COPIED = %w[Makefile app bsp core requirements statecharts tools verification build/gcc build/gen build/build-id].freeze
+  COPIED = %w[Makefile app bsp core requirements statecharts tools verification build/gcc build/gen
+              build/build-id].freeze
   LINKED = %w[.tools app/console/node_modules].freeze
   PROGRAMS = %w[boresight boresight-box boresight-control boresight-http boresight-igtl boresight-recorder
                 boresight-replay boresight-simctl].freeze
@@ -37,7 +38,8 @@ class TestAddedRobot < SystemTest
     robot = boresight(arguments: ['--robot', ROBOT], programs: programs)
     assert_reaches_its_targets(robot)
     assert_equal(ROBOT, robot.status['robot'])
-    assert_equal(given('robot.yml')['axes'].map { |axis| axis['name'] }, robot.motors['axes'].map { |axis| axis['name'] })
+    names = given('robot.yml')['axes'].map { |axis| axis['name'] }
+    assert_equal(names, robot.motors['axes'].map { |axis| axis['name'] })
     assert_replayed(robot)
   end
 

@@ -318,6 +318,16 @@ class TestRobotCompiler < Minitest::Test
                    axis: 'insertion', at: 'needle: about')
   end
 
+  def test_SWR_ROBOT_001_a_kinematics_has_one_axis_along_the_needle
+    Dir.mktmpdir do |folder|
+      FileUtils.mkdir_p(File.join(folder, 'two'))
+      path = File.join(folder, 'two', 'kinematics.yml')
+      File.write(path, 'axes: {a: [mm, along], b: [mm, along]}')
+      error = assert_raises(Robot::Refused) { Robot::Kinematics.new('two', folder) }
+      assert_equal "#{path}: axes: are 2 along the needle; expected 1", error.message
+    end
+  end
+
   def test_SWR_ROBOT_001_a_home_outside_the_separation_limits_is_refused
     assert_refused(with('home_separation_mm: 143', 'home_separation_mm: 146.5'),
                    'geometry.home_separation_mm: puts the homed axes 146.5 apart; expected 75 to 146',
