@@ -47,9 +47,9 @@ class Rooms
 
   private
 
-  # The deepest room that holds the file.
+  # The deepest room that holds the file; a robot's tests are none.
   def files
-    Dir.glob('{core,bsp,app}/**/*.{c,h}', base: @root).grep_v(/node_modules/).sort.map do |file|
+    Dir.glob('{core,bsp,app}/**/*.{c,h}', base: @root).grep_v(%r{node_modules/|/test/}).sort.map do |file|
       [@rooms.select { |room| file.start_with?("#{room.folder}/") }.max_by { |room| room.folder.size }, file]
     end
   end
