@@ -113,9 +113,9 @@ static inline int64_t fixed_shift_rounded(int64_t value, uint32_t bits)
 /** Scalar product of `a` and `b_q30`, rounded; in the unit of `a`. */
 static inline int64_t fixed_dot_q30(const int32_t a[3], const int32_t b_q30[3])
 {
-    const int64_t sum = (((int64_t)a[0] * b_q30[0]) / 2) + (((int64_t)a[1] * b_q30[1]) / 2) +
-                        (((int64_t)a[2] * b_q30[2]) / 2);
-    return fixed_shift_rounded(sum, 29U);
+    const int64_t halved = (((int64_t)a[0] * b_q30[0]) / 2) + (((int64_t)a[1] * b_q30[1]) / 2) +
+                           (((int64_t)a[2] * b_q30[2]) / 2);
+    return fixed_shift_rounded(halved, 29U);
 }
 
 #endif
