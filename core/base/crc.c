@@ -198,13 +198,8 @@ static uint32_t after_words(uint32_t start, const uint8_t *bytes, size_t count)
 
 uint32_t crc32c(const uint8_t *bytes, size_t length)
 {
-    return crc32c_extend(0U, bytes, length);
-}
-
-uint32_t crc32c_extend(uint32_t crc, const uint8_t *bytes, size_t length)
-{
     const size_t words = length / 4U;
-    uint32_t state = after_words(~crc, bytes, words);
+    uint32_t state = after_words(~0U, bytes, words);
     for (size_t i = words * 4U; i < length; i++) {
         state = after_byte(state, bytes[i]);
     }
@@ -273,7 +268,10 @@ static inline uint32_t after_zeros(uint32_t state, crc32c_zeros_t zeros)
 uint32_t crc32c_extend_over_zeros(uint32_t crc, const uint8_t *bytes, size_t before,
                                   crc32c_zeros_t zeros, size_t after)
 {
-    const size_t count = (zeros == CRC32C_ZEROS_132) ? 132U : 172U;
+    uint32_t count = 172U;
+    if (zeros == CRC32C_ZEROS_132) {
+        count = 132U;
+    }
     const uint32_t state = after_zeros(after_words(~crc, bytes, before / 4U), zeros);
     return ~after_words(state, &bytes[before + count], after / 4U);
 }

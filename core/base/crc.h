@@ -19,9 +19,6 @@ typedef enum {
 /** CRC-32C of `length` bytes; 0 for none. "123456789" gives 0xE3069283. */
 uint32_t crc32c(const uint8_t *bytes, size_t length);
 
-/** CRC-32C of what gave `crc`, followed by `length` bytes. */
-uint32_t crc32c_extend(uint32_t crc, const uint8_t *bytes, size_t length);
-
 /** CRC-32C of what gave `crc`, followed by `before` bytes, by `zeros`, which are not read, and by
  * `after` bytes; both are multiples of 4. */
 uint32_t crc32c_extend_over_zeros(uint32_t crc, const uint8_t *bytes, size_t before,

@@ -29,7 +29,10 @@ static void receive(link_t *self, const uint8_t *bytes)
     }
     /* An old report must not replace the last one. */
     const bool is_repeated = is_old(self, card_frame_heartbeat(bytes));
-    card_report_t *const report = is_repeated ? &old : &self->report;
+    card_report_t *report = &self->report;
+    if (is_repeated) {
+        report = &old;
+    }
     card_frame_result_t result = card_frame_decode_report(bytes, self->slot, report);
     if ((result == CARD_FRAME_OK) && is_repeated) {
         result = CARD_FRAME_REPEATED;
