@@ -5,7 +5,8 @@
 
 #include <string.h>
 
-#define WORDS 11U
+/* A step of sixteen, one of four, and three of one. */
+#define WORDS 23U
 
 static uint32_t words[WORDS];
 
