@@ -60,7 +60,7 @@ static void compute(const controller_t *self, uint32_t seals[CONTROLLER_SECTIONS
     for (uint32_t i = PLAN; i < CONTROLLER_SECTIONS; i++) {
         seals[i] = SEAL_START;
     }
-    for (uint32_t i = 0U; i < (sizeof pieces / sizeof pieces[0]); i++) {
+    for (uint32_t i = 0U; i < (sizeof(pieces) / sizeof(pieces[0])); i++) {
         const range_t *const range = &pieces[i].range;
         uint32_t *const seal = &seals[pieces[i].section];
         *seal = seal_of(*seal, &bytes[range->from], range->to - range->from);

@@ -126,7 +126,7 @@ static void note_axis(controller_t *self, const cycle_t *cycle, uint32_t index, 
                   {AXIS_NOTE_DRIFTED, EVENT_AXIS_DRIFTED},
                   {AXIS_NOTE_SWITCH_ELSEWHERE, EVENT_AXIS_SWITCH_ELSEWHERE},
                   {AXIS_NOTE_UNEVEN_COUNTS, EVENT_AXIS_UNEVEN_COUNTS}};
-    for (uint32_t i = 0U; (notes != 0U) && (i < (sizeof events / sizeof events[0])); i++) {
+    for (uint32_t i = 0U; (notes != 0U) && (i < (sizeof(events) / sizeof(events[0]))); i++) {
         if ((notes & events[i].note) != 0U) {
             controller_note(self, cycle, events[i].event, index,
                             detail(&self->axes[index], events[i].event));

@@ -64,7 +64,7 @@ static next_step_t next_step(const controller_t *self)
         reasons |= self->reason_holds[i].shown;
     }
     next_step_t step = NEXT_STEP_HOLD_PEDAL;
-    for (uint32_t i = (uint32_t)(sizeof remedies / sizeof remedies[0]); i > 0U; i--) {
+    for (uint32_t i = (uint32_t)(sizeof(remedies) / sizeof(remedies[0])); i > 0U; i--) {
         const remedy_t *const remedy = &remedies[i - 1U];
         if ((reasons & ((uint32_t)1U << (uint32_t)remedy->reason)) != 0U) {
             step = remedy->step;
