@@ -40,14 +40,13 @@ static void observe_link(controller_t *self, const cycle_t *cycle, uint32_t inde
     const bool is_received = (cycle->inputs->frames_received & ((uint32_t)1U << slot)) != 0U;
     const bool was_usable = link_is_usable(link);
     const bool was_lost = link->chart.state == CARD_LINK_STATE_LOST;
-    const uint32_t had_errors = link->frame_errors;
     const bool is_damaged = link_check(link);
     if (is_damaged) {
         controller_note(self, cycle, EVENT_CHART_REPAIRED, (uint32_t)EVENT_CHART_CARD,
                         (int32_t)link->slot);
     }
     link_step(link, is_received ? cycle->inputs->frames[slot] : NULL, cycle->inputs->elapsed_us);
-    if (link->frame_errors != had_errors) {
+    if (link->last_error != (uint32_t)CARD_FRAME_OK) {
         controller_note(self, cycle, EVENT_FRAME_REFUSED, link->slot, (int32_t)link->last_error);
     }
     if (link_is_usable(link) && !was_usable) {

@@ -12,8 +12,7 @@ require 'open3'
 
 class TestSupervise < Minitest::Test
   PROGRAM = File.expand_path('../../build/gcc/bin/supervise', __dir__)
-  # How many scenes, or moves. In scene 65 of taps an encoder flickers so fast and so little that nothing finds it, as the
-  # user manual says under "Known limits".
+  # How many scenes, or moves.
   PLAYS = { random: 100, corners: 30, interrupted: 30, spread: 40, magnitude: 40, jogs: 30, taps: 60 }.freeze
   SENTENCES = {
     SWR_PERMIT_002_a_drive_leaves_only_with_the_permit: /A drive leaves only with/,

@@ -465,3 +465,12 @@ void test_SWR_AXIS_024_runs_that_end_with_a_count_show_no_faster_motor(void)
     TEST_ASSERT_INT32_WITHIN(2, 113 * (int32_t)LIMIT_SPEED_KEPT_PERCENT / 100,
                              account.calibrations[steady].least_percent);
 }
+
+void test_SWR_AXIS_024_a_count_at_rest_shows_nothing_of_a_steady_motor(void)
+{
+    run_up();
+    TEST_ASSERT_FALSE(run(2U, FULL, FULL));
+    TEST_ASSERT_FALSE(run(1U, 0, 1));
+    TEST_ASSERT_EQUAL_UINT32(UINT32_MAX, account.since_q16);
+    TEST_ASSERT_EQUAL_INT32(FULL, account.calibrations[COUNT_REGIME_STEADY].counted_ticks);
+}
