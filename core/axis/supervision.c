@@ -153,21 +153,22 @@ static uint32_t way_after(int64_t before_q8, int64_t speed_q8, uint32_t age_us)
 /* Before count_account_step(): that one knows the direction of the cycle before. */
 static bool is_uneven(supervision_t *self, const supervision_view_t *view, const way_t *way)
 {
-    const int32_t direction = (way->model_q16 < 0) ? -1 : 1;
-    const int32_t ticks = fixed_saturate(way->counted_ticks * (int64_t)direction);
-    if (way->model_q16 == 0) {
+    const bool is_upwards = way->model_q16 > 0;
+    const int64_t way_q16 = is_upwards ? way->model_q16 : -way->model_q16;
+    const int32_t ticks = fixed_saturate(is_upwards ? way->counted_ticks : -way->counted_ticks);
+    if (way_q16 == 0) {
         if (ticks != 0) {
             edge_pace_begin(&self->pace);
         }
         return false;
     }
-    if ((ticks < 0) || (direction != self->account.direction)) {
+    if ((ticks < 0) || ((self->account.direction > 0) != is_upwards)) {
         edge_pace_begin(&self->pace);
         return false;
     }
     const int64_t speed_q8 = self->model.speed_ticks_per_s_q8;
     const edge_pace_view_t cycle = {
-        .way_q16 = (uint32_t)(way->model_q16 * (int64_t)direction),
+        .way_q16 = (uint32_t)way_q16,
         .after_q16 = (ticks > 0) ? way_after(way->before_q8, speed_q8, view->edge_age_us) : 0U,
         .ticks = (uint32_t)ticks,
     };
