@@ -68,6 +68,7 @@ class CoverageReport
   TRACEFILE = "#{FOLDER}/lcov.info".freeze
   LOG = 'build/log/coverage.log'
   PLACES = %w[core build/gen/charts].freeze
+  TESTS = '*/core/robot/*/test/*'
   CEEDLING = 'build/ceedling'
   RESULTS = 'build/results/unit.json'
   GCOVR = "#{CEEDLING}/artifacts/gcov/gcovr".freeze
@@ -94,6 +95,7 @@ class CoverageReport
     call(*LCOV, '--capture', '--directory', "#{CEEDLING}/gcov", '--no-external', '--base-directory', '.',
          '--output-file', TRACEFILE)
     call(*LCOV, '--extract', TRACEFILE, *PLACES.map { |place| "#{Dir.pwd}/#{place}/*" }, '--output-file', TRACEFILE)
+    call(*LCOV, '--remove', TRACEFILE, TESTS, '--output-file', TRACEFILE)
     File.write(TRACEFILE, File.read(TRACEFILE).gsub("SF:#{Dir.pwd}/", 'SF:'))
   end
 
