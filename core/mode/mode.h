@@ -2,8 +2,8 @@
 /**
  * @file
  * What the armed order does once the pedal is pressed: one of several modes, each a module of its
- * own with a row in the table of mode.c. The controller owns one mode_state_t
- * and steps it every cycle.
+ * own with a row in the table of mode.c. The controller owns one mode_state_t, steps it every cycle
+ * and seals it.
  */
 #ifndef BORESIGHT_MODE_H
 #define BORESIGHT_MODE_H
