@@ -12,7 +12,6 @@
 #define WINDOW_Q16 ((int64_t)LIMIT_ACCOUNT_WINDOW_TICKS * 65536)
 /* In fewer ticks one more or less would say too much of a motor. */
 #define CALIBRATION_Q16 (3 * WINDOW_Q16)
-#define NO_COUNT UINT32_MAX
 
 /* All in percent. */
 typedef struct {
@@ -33,7 +32,6 @@ static const regime_facts_t regimes[COUNT_REGIMES] = {
 void count_account_init(count_account_t *self)
 {
     (void)memset(self, 0, sizeof *self);
-    self->since_q16 = NO_COUNT;
     for (uint32_t i = 0U; i < (uint32_t)COUNT_REGIMES; i++) {
         self->calibrations[i].least_percent = regimes[i].least;
         self->calibrations[i].most_percent = regimes[i].most;
@@ -69,7 +67,6 @@ static void follow_drive(count_account_t *self, int64_t model_q16, uint32_t elap
     if (model_q16 == 0) {
         self->run_us = 0U;
         self->rest_us = longer(self->rest_us, elapsed_us);
-        self->since_q16 = NO_COUNT;
         return;
     }
     if (model_q16 < 0) {
@@ -112,25 +109,6 @@ static bool narrow(count_calibration_t *shown, const regime_facts_t *facts)
     return true;
 }
 
-/* Steady speed from count to count: a run that a servo ends with one would have half a tick too
- * many of its short steady part. */
-static void show_steady(count_account_t *self, count_calibration_t *shown, uint32_t way_q16,
-                        int32_t counted_ticks)
-{
-    const bool is_counting = self->since_q16 != NO_COUNT;
-    if (is_counting) {
-        self->since_q16 += way_q16;
-    }
-    if ((counted_ticks == 0) || (way_q16 == 0U)) {
-        return;
-    }
-    if (is_counting) {
-        shown->model_q16 += (int64_t)self->since_q16;
-        shown->counted_ticks += counted_ticks;
-    }
-    self->since_q16 = 0U;
-}
-
 static bool calibrate(count_account_t *self, uint32_t way_q16, int32_t counted_ticks,
                       uint32_t elapsed_us)
 {
@@ -139,12 +117,8 @@ static bool calibrate(count_account_t *self, uint32_t way_q16, int32_t counted_t
         return true;
     }
     shown->time_us += (way_q16 != 0U) ? elapsed_us : 0U;
-    if (self->regime == (uint32_t)COUNT_REGIME_STEADY) {
-        show_steady(self, shown, way_q16, counted_ticks);
-    } else {
-        shown->model_q16 += (int64_t)way_q16;
-        shown->counted_ticks += counted_ticks;
-    }
+    shown->model_q16 += (int64_t)way_q16;
+    shown->counted_ticks += counted_ticks;
     return !is_calibrated(shown) || narrow(shown, &regimes[self->regime]);
 }
 

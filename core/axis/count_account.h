@@ -37,8 +37,6 @@ typedef struct {
     uint32_t run_us;       /**< Driven this way for so long without a pause, saturates. */
     uint32_t rest_us;      /**< Not driven for so long, saturates. */
     uint32_t regime;       /**< count_regime_t of the last drive. */
-    uint32_t since_q16;    /**< Way of the model since the last count of a steady run; UINT32_MAX:
-                              there was none. */
     int32_t percent;       /**< Counts of the last window against the model, for the record. */
     count_calibration_t calibrations[COUNT_REGIMES];
 } count_account_t;
