@@ -19,9 +19,11 @@ void drift_audit_step(drift_audit_t *self, int32_t position_ticks, bool is_off, 
         self->off_us = 0U;
     } else if (self->off_us < MOTOR_REST_US) {
         self->off_us += elapsed_us;
-    } else {
+    } else if (way != 0) {
         self->idle_ticks = sum(self->idle_ticks, way);
         self->scan_ticks = sum(self->scan_ticks, way);
+    } else {
+        /* It stands. */
     }
 }
 
@@ -39,6 +41,6 @@ void drift_audit_begin_scan(drift_audit_t *self)
 bool drift_audit_is_beyond(const drift_audit_t *self, const axis_config_t *config)
 {
     const int64_t idle = (int64_t)self->idle_ticks;
-    return joints_is_beyond(config, (idle < 0) ? -idle : idle, LIMIT_DRIFT_WAY_NM,
-                            LIMIT_DRIFT_WAY_BAM);
+    return (idle != 0) && joints_is_beyond(config, (idle < 0) ? -idle : idle, LIMIT_DRIFT_WAY_NM,
+                                           LIMIT_DRIFT_WAY_BAM);
 }

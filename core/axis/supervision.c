@@ -108,6 +108,9 @@ static bool is_silent(supervision_t *self, const axis_config_t *config, int64_t 
         return false;
     }
     self->due_q16 += model_q16;
+    if (self->due_q16 == 0) {
+        return false;
+    }
     const bool is_due = (model_q16 != 0) && (due_ticks(self) >= (int64_t)LIMIT_SILENT_TICKS);
     self->silent_us += is_due ? elapsed_us : 0U;
     return (self->silent_us >= LIMIT_SILENT_TIME_US) ||
@@ -130,10 +133,10 @@ static uint32_t watch_counts(supervision_t *self, const axis_config_t *config, i
     const bool is_wrong =
         count_account_step(&self->account, config, model_q16, counted_ticks, elapsed_us);
     const bool is_none = is_silent(self, config, model_q16, counted_ticks, elapsed_us);
-    const int64_t due = due_ticks(self);
     if (!is_none && !is_wrong) {
         return 0U;
     }
+    const int64_t due = due_ticks(self);
     self->missing_ticks = fixed_saturate(due);
     supervision_settle(self);
     return (is_none || (due >= (int64_t)LIMIT_SILENT_TICKS)) ? AXIS_NOTE_NO_COUNTS
