@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "igtl/igtl_dialect.h"
 
+#include "charts/arming_chart.h"
 #include "igtl/igtl_border.h"
 #include "interface/app/names.h"
 
@@ -116,5 +117,5 @@ bool igtl_is_moving(const igtl_moment_t *moment)
             return true;
         }
     }
-    return snapshot->next_step == (uint32_t)NEXT_STEP_HOLD_PEDAL;
+    return snapshot->order == (uint32_t)ARMING_STATE_MOVING;
 }

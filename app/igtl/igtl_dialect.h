@@ -50,7 +50,7 @@ void igtl_tell_pose(igtl_outbox_t *outbox, const char *name, const rigid_t *pose
  */
 status_t igtl_pose_status(const igtl_moment_t *moment);
 
-/** An axis moves, or the pedal is held for an armed command. */
+/** An axis moves, or what is armed runs under the pedal. */
 bool igtl_is_moving(const igtl_moment_t *moment);
 
 #endif

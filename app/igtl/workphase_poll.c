@@ -3,13 +3,12 @@
 
 #include "base/fixed.h"
 #include "base/rigid.h"
+#include "charts/arming_chart.h"
 #include "igtl/workphase_peer.h"
+#include "limits/requirement_limits.h"
 
 #include <stddef.h>
 #include <string.h>
-
-#define REACHED_NM 100000   /* 0.1 mm */
-#define REACHED_BAM 6835653 /* 10 mrad */
 
 typedef enum {
     QUESTION_NONE = 0,
@@ -33,6 +32,16 @@ static question_t question_of(const char *text, size_t length)
     return QUESTION_NONE;
 }
 
+static bool is_near(const rigid_t *now, const rigid_t *goal)
+{
+    int32_t distance_nm;
+    int32_t angle_bam;
+
+    rigid_difference(now, goal, &distance_nm, &angle_bam);
+    return (distance_nm <= (int32_t)LIMIT_REACHED_WAY_NM) &&
+           (angle_bam <= (int32_t)LIMIT_REACHED_TURN_BAM);
+}
+
 /* The needle lies along the line of the target; its depth may differ. */
 static bool is_aligned(const snapshot_t *snapshot)
 {
@@ -41,8 +50,6 @@ static bool is_aligned(const snapshot_t *snapshot)
     int32_t axis_q30[3];
     int32_t away[3];
     int64_t along;
-    int32_t distance_nm;
-    int32_t angle_bam;
 
     for (uint32_t i = 0U; i < 3U; i++) {
         axis_q30[i] = goal.rotation_q30[i][2];
@@ -54,22 +61,14 @@ static bool is_aligned(const snapshot_t *snapshot)
     goal.translation.x_nm += fixed_multiply_q30(fixed_saturate(along), axis_q30[0]);
     goal.translation.y_nm += fixed_multiply_q30(fixed_saturate(along), axis_q30[1]);
     goal.translation.z_nm += fixed_multiply_q30(fixed_saturate(along), axis_q30[2]);
-    rigid_difference(now, &goal, &distance_nm, &angle_bam);
-    return (distance_nm <= REACHED_NM) && (angle_bam <= REACHED_BAM);
+    return is_near(now, &goal);
 }
 
-/* The measured speed fades a little after the motion has ended; the request tells at once. */
+/* The measured speed fades a little after the motion has ended; the order tells at once. */
 static bool is_reached(const snapshot_t *snapshot)
 {
-    int32_t distance_nm;
-    int32_t angle_bam;
-
-    if (snapshot->next_step == (uint32_t)NEXT_STEP_HOLD_PEDAL) {
-        return false;
-    }
-    rigid_difference(&snapshot->scanner_treatment, &snapshot->scanner_target, &distance_nm,
-                     &angle_bam);
-    return (distance_nm <= REACHED_NM) && (angle_bam <= REACHED_BAM);
+    return (snapshot->order != (uint32_t)ARMING_STATE_MOVING) &&
+           is_near(&snapshot->scanner_treatment, &snapshot->scanner_target);
 }
 
 /* Nothing is said of a target by a needle that stands nobody knows where. */

@@ -16,6 +16,7 @@
  * @return false when it asks for none of them
  *
  * @satisfies SWR-IGTL-013
+ * @satisfies SWR-IGTL-017
  */
 bool workphase_poll_string(workphase_peer_t *peer, const igtl_message_t *message,
                            const igtl_moment_t *moment);

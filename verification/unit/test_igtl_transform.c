@@ -5,8 +5,8 @@
  * present state once, and again what changes.
  */
 #include "base/fixed.h"
-#include "base/fixed.h"
 #include "base/rigid.h"
+#include "charts/arming_chart.h"
 #include "igtl/igtl_border.h"
 #include "igtl/igtl_codec.h"
 #include "igtl/igtl_dialect.h"
@@ -219,7 +219,7 @@ void test_SWR_IGTL_012_motion_is_streamed(void)
 {
     pass_us(0U);
     expect_measured(0U);
-    snapshot.next_step = (uint32_t)NEXT_STEP_HOLD_PEDAL;
+    snapshot.order = (uint32_t)ARMING_STATE_MOVING;
     for (uint32_t i = 0U; i < 5U; i++) {
         pass_us(IGTL_STREAM_US);
         expect_measured(0U);

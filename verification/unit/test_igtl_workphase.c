@@ -6,6 +6,7 @@
  */
 #include "base/fixed.h"
 #include "base/rigid.h"
+#include "charts/arming_chart.h"
 #include "igtl/igtl_border.h"
 #include "igtl/igtl_codec.h"
 #include "igtl/igtl_dialect.h"
@@ -248,7 +249,7 @@ void test_SWR_IGTL_007_move_streams_positions_while_it_moves(void)
     start_move();
     pass_us(500000U);
     EXPECT(0U, ""); /* Waiting for the pedal. */
-    snapshot.next_step = (uint32_t)NEXT_STEP_HOLD_PEDAL;
+    snapshot.order = (uint32_t)ARMING_STATE_MOVING;
     pass_us(0U);
     EXPECT(0U, "TRANSFORM CURRENT_POSITION 5.000 0.000 0.000");
     pass_us(IGTL_STREAM_US - 1U);
@@ -269,7 +270,7 @@ void test_SWR_IGTL_007_stop_has_its_own_sequence_before_the_end_of_the_move(void
 
     start_move();
     move = command;
-    snapshot.next_step = (uint32_t)NEXT_STEP_HOLD_PEDAL;
+    snapshot.order = (uint32_t)ARMING_STATE_MOVING;
     say(0U, "CMD_S", "STOP");
     pass_us(1000U);
     EXPECT(0U, "STRING ACK_S STOP");
@@ -640,13 +641,45 @@ void test_SWR_IGTL_013_polls_by_text_are_answered(void)
     snapshot.scanner_treatment.translation.z_nm = 0;
     say(2U, "HAS_REACHED_TARGET", "");
     EXPECT(2U, "STRING HAS_REACHED_TARGET 1");
-    snapshot.next_step = (uint32_t)NEXT_STEP_HOLD_PEDAL;
+    snapshot.order = (uint32_t)ARMING_STATE_MOVING;
     say(2U, "HAS_REACHED_TARGET", "");
     EXPECT(2U, "STRING HAS_REACHED_TARGET 0");
     say(2U, "CMD_1", "CURRENT_STATUS");
     EXPECT(2U, "STRING ACK_1 CURRENT_STATUS");
     EXPECT(2U, "STATUS CURRENT_STATUS 1 UNDEFINED|");
     EXPECT(2U, "");
+}
+
+static void expect_poll(const char *question, bool is_affirmed)
+{
+    char answer[48];
+
+    (void)snprintf(answer, sizeof answer, "STRING %s %u", question, is_affirmed ? 1U : 0U);
+    say(2U, question, "");
+    EXPECT(2U, answer);
+}
+
+void test_SWR_IGTL_017_near_enough_is_aligned_and_reached(void)
+{
+    snapshot.has_target = 1U;
+    snapshot.scanner_treatment.translation = (point_t){LIMIT_REACHED_WAY_NM, 0, 0};
+    expect_poll("IS_IN_TARGETING_POS", true);
+    expect_poll("HAS_REACHED_TARGET", true);
+    snapshot.scanner_treatment.translation.x_nm++;
+    expect_poll("IS_IN_TARGETING_POS", false);
+    expect_poll("HAS_REACHED_TARGET", false);
+    snapshot.scanner_treatment.translation = (point_t){0, 0, LIMIT_REACHED_WAY_NM + 1};
+    expect_poll("IS_IN_TARGETING_POS", true);
+    expect_poll("HAS_REACHED_TARGET", false);
+}
+
+void test_SWR_IGTL_017_nothing_is_reached_while_it_moves(void)
+{
+    snapshot.has_target = 1U;
+    snapshot.order = (uint32_t)ARMING_STATE_MOVING;
+    snapshot.scanner_treatment.translation = (point_t){0, 0, 0};
+    expect_poll("IS_IN_TARGETING_POS", true);
+    expect_poll("HAS_REACHED_TARGET", false);
 }
 
 void test_SWR_IGTL_013_polls_before_the_first_snapshot_say_so(void)
