@@ -26,7 +26,8 @@ class CTests
     'arm' => { compiler: %w[arm-linux-gnueabihf-gcc -mcpu=cortex-a9 -mfpu=vfpv3-d16 -static], runner: %w[qemu-arm],
                libraries: %w[-lm] }
   }.freeze
-  FOLDERS = %w[core app bsp bsp/include build/gen verification].freeze
+  # The tests of a chart are as generated: beside it.
+  FOLDERS = %w[core app bsp bsp/include build/gen build/gen/charts verification].freeze
   SUPPORT = Dir['verification/*/support/*.c'] + ["#{UNITY}/src/unity.c", "#{CMOCK}/src/cmock.c"]
   ALWAYS = %w[contract_trap unity cmock].freeze
   # As project.yml says it to Ceedling.

@@ -9,9 +9,8 @@ require 'tempfile'
 class GeneratedTest
   ROOT = File.expand_path('../..', __dir__)
   UNITY = File.join(Gem::Specification.find_by_name('ceedling').gem_dir, 'vendor', 'unity')
-  SUPPORT = File.join(ROOT, 'verification/unit/support')
   DEFINES = %w[-D_GNU_SOURCE -DUNITY_INCLUDE_DOUBLE -DUNITY_SUPPORT_64 -DUNITY_INT_WIDTH=32].freeze
-  INCLUDES = ["#{UNITY}/src", "#{ROOT}/core", SUPPORT].map { |folder| "-I#{folder}" }.freeze
+  INCLUDES = ["#{UNITY}/src", "#{ROOT}/core", "#{ROOT}/verification"].map { |folder| "-I#{folder}" }.freeze
   require "#{UNITY}/auto/generate_test_runner"
 
   # All that a program needs beside the chart.
@@ -19,7 +18,7 @@ class GeneratedTest
 
   # What is the same in every test, compiled once by each compiler.
   module Framework
-    SOURCES = ["#{UNITY}/src/unity.c", "#{SUPPORT}/contract_trap.c"].freeze
+    SOURCES = ["#{UNITY}/src/unity.c", "#{ROOT}/verification/unit/support/contract_trap.c"].freeze
     LOCK = Mutex.new
 
     def self.objects(compiler)
