@@ -7,6 +7,7 @@
 
 #include <string.h>
 
+/* Between two of the places that are remembered: all of them are of the last second. */
 #define PLACE_US 100000U
 #define US_PER_S 1000000U
 
