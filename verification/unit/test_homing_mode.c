@@ -15,20 +15,6 @@
 #include "safety/needle.h"
 #include "unit/support/mode_world.h"
 
-TEST_SOURCE_FILE("axis_chart.c")
-TEST_SOURCE_FILE("count_account.c")
-TEST_SOURCE_FILE("drift_audit.c")
-TEST_SOURCE_FILE("edge_pace.c")
-TEST_SOURCE_FILE("encoder.c")
-TEST_SOURCE_FILE("fixed.c")
-TEST_SOURCE_FILE("homing.c")
-TEST_SOURCE_FILE("motor_model.c")
-TEST_SOURCE_FILE("profile.c")
-TEST_SOURCE_FILE("robot_neuro.c")
-TEST_SOURCE_FILE("servo.c")
-TEST_SOURCE_FILE("stall_watchdog_chart.c")
-TEST_SOURCE_FILE("supervision.c")
-
 static leg_t leg;
 
 void setUp(void)

@@ -19,20 +19,6 @@
 #include "safety/needle.h"
 #include "unit/support/mode_world.h"
 
-TEST_SOURCE_FILE("axis_chart.c")
-TEST_SOURCE_FILE("count_account.c")
-TEST_SOURCE_FILE("drift_audit.c")
-TEST_SOURCE_FILE("edge_pace.c")
-TEST_SOURCE_FILE("encoder.c")
-TEST_SOURCE_FILE("fixed.c")
-TEST_SOURCE_FILE("homing.c")
-TEST_SOURCE_FILE("motor_model.c")
-TEST_SOURCE_FILE("profile.c")
-TEST_SOURCE_FILE("robot_neuro.c")
-TEST_SOURCE_FILE("servo.c")
-TEST_SOURCE_FILE("stall_watchdog_chart.c")
-TEST_SOURCE_FILE("supervision.c")
-
 static mode_state_t mode;
 static const mode_request_t request = {.jog = {.axis = AXIS_YAW, .ticks = 200},
                                        .move = {{-400, 150, -200, 0, 500, 30, -60}}};

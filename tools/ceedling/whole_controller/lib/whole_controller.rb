@@ -3,11 +3,11 @@
 
 require 'ceedling/plugins/plugin'
 
-# Links the whole core with its charts and its robots, and the simulated box, into every integration test: none of them
-# names a source. A unit test with the switch of kinematics gets what it chooses among, the kinematics of all robots. What
+# Links the whole core with its charts and its robots, and the simulated box, into every integration test, and into the
+# tests of modes, which work on axes: none of them names a source. A unit test with the switch of kinematics gets what it chooses among, the kinematics of all robots. What
 # a test includes is linked by Ceedling itself.
 class WholeController < Plugin
-  TESTS = %r{(?:\A|/)verification/integration/}
+  TESTS = %r{(?:\A|/)verification/(?:integration/|unit/test_(?:leg|mode|\w+_mode)\.c)}
   SOURCES = %w[core/*/*.c core/*/*/*.c build/gen/{charts,robot,interface}/*.c bsp/sim/{box,sim}_*.c bsp/sim/box.c].freeze
 
   KINEMATICS = 'core/robot/*/*.c'
