@@ -23,13 +23,18 @@ class Rooms
       File.basename(folder)
     end
 
+    # Its own headers, those of the folders that it sees, and single ones.
     def may?(header)
-      [name, *sees].include?(header[%r{\A[^/]+(?=/)}]) || sees.include?(header)
+      folder = File.dirname(header)
+      folder == name || folder.start_with?("#{name}/") || sees.include?(folder) || sees.include?(header)
     end
   end
 
   FILE = 'tools/rooms.yml'
-  INCLUDE = /^\s*#\s*include\s+"(?<header>[^"]+)"/
+  # However it is written: whatever else stands there is not what a room may see.
+  INCLUDE = %r{^\s*(?:/\*.*?\*/\s*)*(?:\#|%:|\?\?=)\s*include\w*(?<rest>.*)}
+  NAMED = /\A\s+"(?<header>[\w\/]+\.h)"/
+  OF_THE_SYSTEM = /\A\s+<(?<header>[\w\/.]+)>/
 
   def initialize(root)
     @root = root
@@ -62,11 +67,20 @@ class Rooms
     return [] unless room
 
     File.foreach(File.join(@root, file)).with_index(1).filter_map do |line, number|
-      header = line[INCLUDE, :header]
-      next if header.nil? || room.may?(header)
+      rest = line[INCLUDE, :rest]
+      next if rest.nil? || fine?(room, rest)
 
-      "#{file}:#{number}: #{room.folder} must not include \"#{header}\"#{' without its room' unless header.include?('/')}"
+      header = rest[NAMED, :header]
+      "#{file}:#{number}: #{room.folder} must not include#{rest.chomp}#{' without its room' if header && !header.include?('/')}"
     end
+  end
+
+  def fine?(room, rest)
+    header = rest[OF_THE_SYSTEM, :header]
+    return @rooms.none? { |one| one.name == header.split('/').first } && !header.include?('..') if header
+
+    header = rest[NAMED, :header]
+    !header.nil? && room.may?(header)
   end
 
   def circles

@@ -23,7 +23,8 @@ class TestRooms < Minitest::Test
 
   def test_SWR_TOOL_014_a_room_sees_itself_and_what_it_may
     assert_empty problems('core/high/a.c' => "#include \"high/a.h\"\n#include <stdio.h>\n#include \"low/open.h\"\n",
-                          'app/top/b.c' => "#include \"high/any/deep.h\"\n#include \"bsp.h\"\n")
+                          'core/high/deep/b.c' => "#include \"high/deep/b.h\"\n",
+                          'app/top/b.c' => "#include \"high/any.h\"\n#include \"bsp.h\"\n#include <sys/types.h>\n")
   end
 
   def test_SWR_TOOL_014_finds_an_arrow_upwards
@@ -34,6 +35,20 @@ class TestRooms < Minitest::Test
   def test_SWR_TOOL_014_finds_another_header_of_a_room_of_which_one_is_allowed
     assert_equal ['core/high/a.c:1: core/high must not include "low/inner.h"'],
                  problems('core/high/a.c' => "  # include \"low/inner.h\"\n")
+  end
+
+  def test_SWR_TOOL_014_finds_what_lies_below_a_folder_that_is_seen
+    assert_equal ['app/top/a.c:1: app/top must not include "high/deep/b.h"'],
+                 problems('app/top/a.c' => "#include \"high/deep/b.h\"\n")
+  end
+
+  def test_SWR_TOOL_014_finds_an_include_however_it_is_written
+    ['#include"high/a.h"', '#include <high/a.h>', '#include "low/../high/a.h"', '/* so */ #include "high/a.h"', '%:include "high/a.h"',
+     '#include HIGH', '#include_next "high/a.h"', '#include "low/a.inc"'].each do |line|
+      found = problems('core/low/a.h' => "#{line}\n")
+      assert_equal 1, found.size, line
+      assert_match(%r{\Acore/low/a.h:1: core/low must not include}, found.first)
+    end
   end
 
   def test_SWR_TOOL_014_finds_an_include_without_its_room
