@@ -77,6 +77,7 @@ static void follow_drive(count_account_t *self, int64_t model_q16, uint32_t elap
     self->direction = direction;
     self->regime = (uint32_t)((self->run_us < LIMIT_RISING_TIME_US) ? COUNT_REGIME_RISING
                                                                     : COUNT_REGIME_STEADY);
+    self->has_count = (self->regime == (uint32_t)COUNT_REGIME_STEADY) ? self->has_count : 0U;
 }
 
 static bool is_calibrated(const count_calibration_t *shown)
@@ -109,16 +110,39 @@ static bool narrow(count_calibration_t *shown, const regime_facts_t *facts)
     return true;
 }
 
+static void add(count_calibration_t *shown, uint32_t way_q16, int32_t counted_ticks)
+{
+    shown->model_q16 += (int64_t)way_q16;
+    shown->counted_ticks += counted_ticks;
+}
+
+/* Steadily from one count to the next: short runs that end with a count, or just before one, would
+ * have a part of a tick too much each, or too little. */
+static void show_steady(count_account_t *self, count_calibration_t *shown, uint32_t due_q16,
+                        int32_t counted_ticks)
+{
+    if (due_q16 == 0U) {
+        return;
+    }
+    if (self->has_count != 0U) {
+        add(shown, due_q16, counted_ticks);
+    }
+    self->has_count = 1U;
+}
+
 static bool calibrate(count_account_t *self, uint32_t way_q16, int32_t counted_ticks,
-                      uint32_t elapsed_us)
+                      const count_cycle_t *cycle)
 {
     count_calibration_t *const shown = &self->calibrations[self->regime];
     if (is_calibrated(shown)) {
         return true;
     }
-    shown->time_us += (way_q16 != 0U) ? elapsed_us : 0U;
-    shown->model_q16 += (int64_t)way_q16;
-    shown->counted_ticks += counted_ticks;
+    shown->time_us += (way_q16 != 0U) ? cycle->elapsed_us : 0U;
+    if (self->regime == (uint32_t)COUNT_REGIME_STEADY) {
+        show_steady(self, shown, cycle->due_q16, counted_ticks);
+    } else {
+        add(shown, way_q16, counted_ticks);
+    }
     return !is_calibrated(shown) || narrow(shown, &regimes[self->regime]);
 }
 
@@ -157,23 +181,24 @@ static bool is_beyond(const axis_config_t *config, int64_t sum_e2_q16)
            joints_is_beyond(config, ticks, LIMIT_REST_WAY_NM, LIMIT_REST_WAY_BAM);
 }
 
-bool count_account_step(count_account_t *self, const axis_config_t *config, int64_t model_q16,
-                        int64_t counted_ticks, uint32_t elapsed_us)
+bool count_account_step(count_account_t *self, const axis_config_t *config,
+                        const count_cycle_t *cycle)
 {
-    follow_drive(self, model_q16, elapsed_us);
+    const int64_t model_q16 = cycle->model_q16;
+    follow_drive(self, model_q16, cycle->elapsed_us);
     /* Until the motor rests, counts are of its last drive. */
     if (self->rest_us > MOTOR_REST_US) {
         return false;
     }
     const count_calibration_t *const shown = &self->calibrations[self->regime];
     const int64_t way_q16 = (model_q16 < 0) ? -model_q16 : model_q16;
-    const int32_t counted = fixed_saturate(counted_ticks * (int64_t)self->direction);
-    self->window_us += (way_q16 != 0) ? elapsed_us : 0U;
+    const int32_t counted = fixed_saturate(cycle->counted_ticks * (int64_t)self->direction);
+    self->window_us += (way_q16 != 0) ? cycle->elapsed_us : 0U;
     self->model_q16 += way_q16;
     self->counted_ticks = fixed_saturate((int64_t)self->counted_ticks + (int64_t)counted);
     self->least_e2_q16 += way_q16 * (int64_t)shown->least_percent;
     self->most_e2_q16 += way_q16 * (int64_t)shown->most_percent;
-    if (!calibrate(self, (uint32_t)way_q16, counted, elapsed_us)) {
+    if (!calibrate(self, (uint32_t)way_q16, counted, cycle)) {
         return true;
     }
     if (!is_window_full(self, counted)) {

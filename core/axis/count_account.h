@@ -37,9 +37,19 @@ typedef struct {
     uint32_t run_us;       /**< Driven this way for so long without a pause, saturates. */
     uint32_t rest_us;      /**< Not driven for so long, saturates. */
     uint32_t regime;       /**< count_regime_t of the last drive. */
+    uint32_t has_count;    /**< 0 or 1: a way has ended since it runs steadily. */
     int32_t percent;       /**< Counts of the last window against the model, for the record. */
     count_calibration_t calibrations[COUNT_REGIMES];
 } count_account_t;
+
+/** What a cycle shows of the axis. */
+typedef struct {
+    int64_t model_q16; /**< Way that the model made with the applied drive, in ticks. */
+    int64_t counted_ticks;
+    uint32_t due_q16; /**< Way of the model from the count before these to the newest of them,
+                         without sign; 0: none came, or nobody knows. */
+    uint32_t elapsed_us;
+} count_cycle_t;
 
 /** Nothing is known of the motor. */
 void count_account_init(count_account_t *self);
@@ -48,15 +58,14 @@ void count_account_init(count_account_t *self);
 void count_account_settle(count_account_t *self);
 
 /**
- * One cycle: the model made `model_q16` ticks with the applied drive, and `counted_ticks` were
- * counted.
+ * One cycle.
  *
  * @return true when a sum is beyond LIMIT_REST_WAY_NM or LIMIT_REST_WAY_BAM and LIMIT_ACCOUNT_TICKS
  *
  * @satisfies SWR-AXIS-019
  * @satisfies SWR-AXIS-024
  */
-bool count_account_step(count_account_t *self, const axis_config_t *config, int64_t model_q16,
-                        int64_t counted_ticks, uint32_t elapsed_us);
+bool count_account_step(count_account_t *self, const axis_config_t *config,
+                        const count_cycle_t *cycle);
 
 #endif

@@ -21,6 +21,7 @@ void edge_pace_settle(edge_pace_t *self)
 void edge_pace_begin(edge_pace_t *self)
 {
     self->since_q16 = UNKNOWN;
+    self->ended_q16 = 0U;
 }
 
 static bool is_much_more(uint64_t one, uint64_t other)
@@ -44,6 +45,7 @@ bool edge_pace_step(edge_pace_t *self, const edge_pace_view_t *view)
 {
     const bool is_known = self->since_q16 != UNKNOWN;
     const uint32_t after_q16 = (view->after_q16 < view->way_q16) ? view->after_q16 : view->way_q16;
+    self->ended_q16 = 0U;
     if (view->ticks == 0U) {
         self->since_q16 += is_known ? view->way_q16 : 0U;
         return false;
@@ -58,5 +60,6 @@ bool edge_pace_step(edge_pace_t *self, const edge_pace_view_t *view)
     }
     self->ticks = view->ticks;
     self->due_q16 = due_q16;
+    self->ended_q16 = due_q16;
     return self->uneven >= LIMIT_UNEVEN_MOST;
 }

@@ -11,13 +11,6 @@
 #define PLACE_US 100000U
 #define US_PER_S 1000000U
 
-/* Of a cycle. */
-typedef struct {
-    int64_t before_q8; /* Speed of the model when it began. */
-    int64_t model_q16; /* Its way. */
-    int64_t counted_ticks;
-} way_t;
-
 static int64_t error_ticks(const supervision_view_t *view)
 {
     const int64_t error = (int64_t)view->setpoint_ticks - (int64_t)view->position_ticks;
@@ -100,20 +93,19 @@ static int64_t due_ticks(const supervision_t *self)
 }
 
 /* The motor was driven, and nothing was counted in its direction. A pause makes nothing good. */
-static bool is_silent(supervision_t *self, const axis_config_t *config, int64_t model_q16,
-                      int64_t counted_ticks, uint32_t elapsed_us)
+static bool is_silent(supervision_t *self, const axis_config_t *config, const count_cycle_t *cycle)
 {
-    if ((counted_ticks * (int64_t)self->account.direction) > 0) {
+    if ((cycle->counted_ticks * (int64_t)self->account.direction) > 0) {
         self->due_q16 = 0;
         self->silent_us = 0U;
         return false;
     }
-    self->due_q16 += model_q16;
+    self->due_q16 += cycle->model_q16;
     if (self->due_q16 == 0) {
         return false;
     }
-    const bool is_due = (model_q16 != 0) && (due_ticks(self) >= (int64_t)LIMIT_SILENT_TICKS);
-    self->silent_us += is_due ? elapsed_us : 0U;
+    const bool is_due = (cycle->model_q16 != 0) && (due_ticks(self) >= (int64_t)LIMIT_SILENT_TICKS);
+    self->silent_us += is_due ? cycle->elapsed_us : 0U;
     return (self->silent_us >= LIMIT_SILENT_TIME_US) ||
            joints_is_beyond(config, due_ticks(self) + 1, LIMIT_BLIND_WAY_NM, LIMIT_BLIND_WAY_BAM);
 }
@@ -128,12 +120,11 @@ void supervision_settle(supervision_t *self)
 
 /* What is missing is called by its name if nothing at all is counted any more. Once told, it is
  * settled: the axis is lost. */
-static uint32_t watch_counts(supervision_t *self, const axis_config_t *config, int64_t model_q16,
-                             int64_t counted_ticks, uint32_t elapsed_us)
+static uint32_t watch_counts(supervision_t *self, const axis_config_t *config,
+                             const count_cycle_t *cycle)
 {
-    const bool is_wrong =
-        count_account_step(&self->account, config, model_q16, counted_ticks, elapsed_us);
-    const bool is_none = is_silent(self, config, model_q16, counted_ticks, elapsed_us);
+    const bool is_wrong = count_account_step(&self->account, config, cycle);
+    const bool is_none = is_silent(self, config, cycle);
     if (!is_none && !is_wrong) {
         return 0U;
     }
@@ -155,11 +146,12 @@ static uint32_t way_after(int64_t before_q8, int64_t speed_q8, uint32_t age_us)
 }
 
 /* Before count_account_step(): that one knows the direction of the cycle before. */
-static bool is_uneven(supervision_t *self, const supervision_view_t *view, const way_t *way)
+static bool is_uneven(supervision_t *self, const supervision_view_t *view, int64_t before_q8,
+                      const count_cycle_t *cycle)
 {
-    const bool is_upwards = way->model_q16 > 0;
-    const int64_t way_q16 = is_upwards ? way->model_q16 : -way->model_q16;
-    const int32_t ticks = fixed_saturate(is_upwards ? way->counted_ticks : -way->counted_ticks);
+    const bool is_upwards = cycle->model_q16 > 0;
+    const int64_t way_q16 = is_upwards ? cycle->model_q16 : -cycle->model_q16;
+    const int32_t ticks = fixed_saturate(is_upwards ? cycle->counted_ticks : -cycle->counted_ticks);
     if (way_q16 == 0) {
         if (ticks != 0) {
             edge_pace_begin(&self->pace);
@@ -171,12 +163,12 @@ static bool is_uneven(supervision_t *self, const supervision_view_t *view, const
         return false;
     }
     const int64_t speed_q8 = self->model.speed_ticks_per_s_q8;
-    const edge_pace_view_t cycle = {
+    const edge_pace_view_t pace = {
         .way_q16 = (uint32_t)way_q16,
-        .after_q16 = (ticks > 0) ? way_after(way->before_q8, speed_q8, view->edge_age_us) : 0U,
+        .after_q16 = (ticks > 0) ? way_after(before_q8, speed_q8, view->edge_age_us) : 0U,
         .ticks = (uint32_t)ticks,
     };
-    return edge_pace_step(&self->pace, &cycle);
+    return edge_pace_step(&self->pace, &pace);
 }
 
 static void settle(supervision_t *self, const supervision_view_t *view)
@@ -279,10 +271,11 @@ uint32_t supervision_step(supervision_t *self, const axis_config_t *config,
     const uint32_t driven_us =
         (view->elapsed_us < LIMIT_CARD_WATCHDOG_US) ? view->elapsed_us : LIMIT_CARD_WATCHDOG_US;
     const int64_t before_q8 = self->model.speed_ticks_per_s_q8;
-    const way_t way = {
-        .before_q8 = before_q8,
+    count_cycle_t cycle = {
         .model_q16 = motor_model_step_q16(&self->model, config, &view->drive, driven_us),
         .counted_ticks = (int64_t)view->position_ticks - (int64_t)self->position_ticks,
+        .due_q16 = 0U,
+        .elapsed_us = driven_us,
     };
     uint32_t notes = 0U;
     if (self->rest_ticks == 0) {
@@ -292,8 +285,9 @@ uint32_t supervision_step(supervision_t *self, const axis_config_t *config,
     notes |= note(is_astray(view), AXIS_NOTE_FOLLOWING_ERROR);
     notes |= note(is_backwards(self, view), AXIS_NOTE_WRONG_WAY);
     notes |= note(is_moving_while_off(self, config, view), AXIS_NOTE_MOVED_OFF);
-    const uint32_t uneven = note(is_uneven(self, view, &way), AXIS_NOTE_UNEVEN_COUNTS);
-    notes |= watch_counts(self, config, way.model_q16, way.counted_ticks, driven_us) | uneven;
+    const uint32_t uneven = note(is_uneven(self, view, before_q8, &cycle), AXIS_NOTE_UNEVEN_COUNTS);
+    cycle.due_q16 = (cycle.model_q16 != 0) ? self->pace.ended_q16 : 0U;
+    notes |= watch_counts(self, config, &cycle) | uneven;
     if (uneven != 0U) {
         supervision_settle(self);
     }

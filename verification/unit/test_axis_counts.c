@@ -28,6 +28,8 @@
 #define LONG_CYCLES 20000U
 #define BROKEN_CYCLES 3U
 #define RHYTHM_CYCLES 10U
+/* A few more than a motor needs to be steady. */
+#define SHORT_CYCLES ((LIMIT_RISING_TIME_US / CYCLE_US) + 12U)
 #define SILENT_CYCLES (LIMIT_SILENT_TIME_US / CYCLE_US)
 
 static const axis_config_t *const head = &robot_neuro.axes[AXIS_HEAD];
@@ -359,6 +361,57 @@ void test_SWR_AXIS_024_what_a_motor_has_shown_stays_when_its_axis_is_enabled_wit
     axis_enable(&axis, false);
     expect_kept(&axis.supervision, false);
     expect_shown(&axis.supervision);
+}
+
+/* The yaw at the servo's slowest speed, a tick in 5 cycles. */
+static card_drive_t slow_drive(void)
+{
+    card_drive_t slow = drive(true);
+    slow.duty =
+        motor_model_duty(config, ((int64_t)config->full_speed_ticks_per_s * 256 * 15) / 100);
+    return slow;
+}
+
+/* What a motor has shown that runs steadily for a short while, again and again, each time until it
+ * stands between so much of a tick and so much. */
+static int32_t shown_percent(int32_t percent, int64_t least_q16, int64_t most_q16)
+{
+    use(&robot_neuro.axes[AXIS_YAW]);
+    const card_drive_t slow = slow_drive();
+    const count_calibration_t *const shown = &supervision.account.calibrations[COUNT_REGIME_STEADY];
+    for (uint32_t i = 0U; (i < LONG_CYCLES) && (shown->least_percent == LIMIT_SPEED_LEAST_PERCENT);
+         i++) {
+        uint32_t notes = run(slow, percent, SHORT_CYCLES);
+        while (((way_q16 % 65536) < least_q16) || ((way_q16 % 65536) >= most_q16)) {
+            notes |= cycle(slow, percent);
+        }
+        TEST_ASSERT_EQUAL_HEX32(0U, notes | rest(50U));
+    }
+    return (int32_t)(((int64_t)shown->counted_ticks * 6553600) / shown->model_q16);
+}
+
+/* The servo ends a run as soon as a count shows the axis ahead. */
+void test_SWR_AXIS_024_runs_that_end_with_a_count_or_before_one_show_the_true_motor(void)
+{
+    const int32_t percents[] = {82, 100, 115};
+    for (uint32_t i = 0U; i < 3U; i++) {
+        TEST_ASSERT_INT32_WITHIN(2, percents[i], shown_percent(percents[i], 0, 16384));
+        TEST_ASSERT_INT32_WITHIN(2, percents[i], shown_percent(percents[i], 49152, 65536));
+    }
+}
+
+/* The cycle before the pause ended a way. */
+void test_SWR_AXIS_024_a_pause_shows_nothing(void)
+{
+    TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), 100, 2U * SHORT_CYCLES));
+    while (supervision.pace.ended_q16 == 0U) {
+        TEST_ASSERT_EQUAL_HEX32(0U, cycle(drive(true), 100));
+    }
+    const count_calibration_t shown = supervision.account.calibrations[COUNT_REGIME_STEADY];
+    TEST_ASSERT_GREATER_THAN_INT32(0, shown.counted_ticks);
+    TEST_ASSERT_EQUAL_HEX32(0U, rest(50U));
+    TEST_ASSERT_EQUAL_MEMORY(&shown, &supervision.account.calibrations[COUNT_REGIME_STEADY],
+                             sizeof shown);
 }
 
 void test_SWR_AXIS_019_a_new_reference_empties_the_sums_and_the_motor_stays_known(void)

@@ -31,12 +31,14 @@ static const axis_config_t *const head = &robot_neuro.axes[AXIS_HEAD];
 
 static count_account_t account;
 static const axis_config_t *config;
+static uint32_t since_q16;
 static uint32_t cycles_run;
 
 void setUp(void)
 {
     count_account_init(&account);
     config = needle;
+    since_q16 = 0U;
     cycles_run = 0U;
 }
 
@@ -44,11 +46,23 @@ void tearDown(void)
 {
 }
 
+/* The counts at its end. */
+static bool step(int64_t model_q16, int32_t counted_ticks, uint32_t elapsed_us)
+{
+    const bool is_counted = (model_q16 != 0) && (counted_ticks != 0);
+    since_q16 += (uint32_t)((model_q16 < 0) ? -model_q16 : model_q16);
+    const count_cycle_t cycle = {.model_q16 = model_q16,
+                                 .counted_ticks = counted_ticks,
+                                 .due_q16 = is_counted ? since_q16 : 0U,
+                                 .elapsed_us = elapsed_us};
+    since_q16 = is_counted ? 0U : since_q16;
+    return count_account_step(&account, config, &cycle);
+}
+
 static bool cycle(int32_t model_ticks, int32_t counted_ticks)
 {
     cycles_run++;
-    return count_account_step(&account, config, (int64_t)model_ticks * 65536, counted_ticks,
-                              CYCLE_US);
+    return step((int64_t)model_ticks * 65536, counted_ticks, CYCLE_US);
 }
 
 /* True when one of these cycles is told, the last one then. */
@@ -303,7 +317,7 @@ void test_SWR_AXIS_019_a_rest_of_any_length_is_one(void)
 {
     TEST_ASSERT_FALSE(run(1U, FULL, FULL));
     for (uint32_t i = 0U; i < (1U << 12U); i++) {
-        TEST_ASSERT_FALSE(count_account_step(&account, config, 0, 1, 1U << 20U));
+        TEST_ASSERT_FALSE(step(0, 1, 1U << 20U));
     }
     TEST_ASSERT_EQUAL_INT64(FULL, account.counted_ticks);
 }
@@ -322,8 +336,7 @@ void test_SWR_AXIS_019_what_is_counted_while_the_motor_comes_to_rest_is_of_its_d
 void test_SWR_AXIS_019_late_cycles_are_no_missing_counts(void)
 {
     for (uint32_t i = 0U; i < LONG_CYCLES; i++) {
-        TEST_ASSERT_FALSE(
-            count_account_step(&account, config, INT64_C(3) * FULL * 65536, 3 * FULL, 3000U));
+        TEST_ASSERT_FALSE(step(INT64_C(3) * FULL * 65536, 3 * FULL, 3000U));
         TEST_ASSERT_FALSE(cycle(FULL, 0));
         TEST_ASSERT_FALSE(cycle(FULL, 2 * FULL));
     }
@@ -435,11 +448,24 @@ void test_SWR_AXIS_024_a_motor_that_counts_backwards_has_shown_nothing(void)
 void test_SWR_AXIS_024_a_motor_has_shown_itself_over_a_way_too(void)
 {
     run_up();
-    for (uint32_t i = 1U; i < 480U; i++) {
-        TEST_ASSERT_FALSE(
-            count_account_step(&account, config, 6554, ((i % 10U) == 0U) ? 1 : 0, CYCLE_US));
+    for (uint32_t i = 1U; i < 490U; i++) {
+        TEST_ASSERT_FALSE(step(6554, ((i % 10U) == 0U) ? 1 : 0, CYCLE_US));
     }
     expect_shares(COUNT_REGIME_STEADY, 68U, 140U);
-    TEST_ASSERT_FALSE(count_account_step(&account, config, 6554, 1, CYCLE_US));
+    TEST_ASSERT_FALSE(step(6554, 1, CYCLE_US));
     expect_shares(COUNT_REGIME_STEADY, 89U, 138U);
+}
+
+/* The way to the first count of a steady run began before it. */
+void test_SWR_AXIS_024_a_steady_motor_shows_itself_from_count_to_count(void)
+{
+    const count_calibration_t *const shown = &account.calibrations[COUNT_REGIME_STEADY];
+    for (int32_t i = 1; i <= 3; i++) {
+        const int32_t way = ((i % 2) == 0) ? FULL : -FULL;
+        TEST_ASSERT_FALSE(run(RISING_CYCLES + 1U, way, way));
+        TEST_ASSERT_EQUAL_INT32((i - 1) * 2 * FULL, shown->counted_ticks);
+        TEST_ASSERT_FALSE(cycle(way, 0) || cycle(way, 2 * way) || cycle(way, 0));
+        TEST_ASSERT_EQUAL_INT64((int64_t)i * 2 * FULL * 65536, shown->model_q16);
+        TEST_ASSERT_EQUAL_INT32(i * 2 * FULL, shown->counted_ticks);
+    }
 }

@@ -182,3 +182,17 @@ void test_SWR_AXIS_027_once_the_position_is_sure_nothing_is_uneven(void)
     edge_pace_settle(&pace);
     TEST_ASSERT_EQUAL_UINT32(0U, pace.uneven);
 }
+
+void test_SWR_AXIS_024_a_way_is_shown_in_the_cycle_in_which_it_ends(void)
+{
+    TEST_ASSERT_FALSE(cycle(TICK, 1U));
+    TEST_ASSERT_EQUAL_UINT32(0U, pace.ended_q16);
+    TEST_ASSERT_FALSE(cycle(TICK / 2U, 0U));
+    TEST_ASSERT_FALSE(cycle(TICK / 4U, 1U));
+    TEST_ASSERT_EQUAL_UINT32(TICK * 3U / 4U, pace.ended_q16);
+    TEST_ASSERT_FALSE(cycle(TICK, 0U));
+    TEST_ASSERT_EQUAL_UINT32(0U, pace.ended_q16);
+    TEST_ASSERT_FALSE(cycle(TICK, 1U));
+    edge_pace_begin(&pace);
+    TEST_ASSERT_EQUAL_UINT32(0U, pace.ended_q16);
+}
