@@ -145,9 +145,9 @@ static status_t obey_proposal(controller_t *self, const cycle_t *cycle, const co
     if (command->kind == (uint32_t)COMMAND_PROPOSE_REGISTRATION) {
         status = plan_propose_registration(&self->plan, cycle->robot, &command->pose);
     } else if (command->kind == (uint32_t)COMMAND_PROPOSE_ENTRY) {
-        status = plan_propose_entry(&self->plan, cycle->robot, &command->pose.translation);
+        status = plan_propose_entry(&self->plan, cycle->robot, &command->pose);
     } else {
-        status = plan_propose_target(&self->plan, cycle->robot, &command->pose.translation);
+        status = plan_propose_target(&self->plan, cycle->robot, &command->pose);
     }
     if (status == STATUS_OK) {
         controller_note(self, cycle, EVENT_PROPOSAL, command->kind, 0);

@@ -15,14 +15,6 @@ void plan_forget_target(plan_t *self)
     self->is_proposal_reachable = 0U;
 }
 
-static status_t check_point(const point_t *point)
-{
-    rigid_t transform;
-    rigid_set_identity(&transform);
-    transform.translation = *point;
-    return rigid_check(&transform);
-}
-
 /* Where the axes put the treatment frame in the scanner. */
 static void find_pose(const robot_t *robot, const rigid_t *scanner_zframe,
                       const int32_t ticks[ROBOT_AXIS_MAX], rigid_t *scanner_treatment)
@@ -181,22 +173,22 @@ status_t plan_propose_registration(plan_t *self, const robot_t *robot,
     return status;
 }
 
-status_t plan_propose_entry(plan_t *self, const robot_t *robot, const point_t *entry)
+status_t plan_propose_entry(plan_t *self, const robot_t *robot, const rigid_t *pose)
 {
-    const status_t status = check_point(entry);
+    const status_t status = rigid_check(pose);
     if (status == STATUS_OK) {
-        self->proposed_entry = *entry;
+        self->proposed_entry = pose->translation;
         self->has_proposed_entry = 1U;
         weigh_proposals(self, robot);
     }
     return status;
 }
 
-status_t plan_propose_target(plan_t *self, const robot_t *robot, const point_t *target)
+status_t plan_propose_target(plan_t *self, const robot_t *robot, const rigid_t *pose)
 {
-    const status_t status = check_point(target);
+    const status_t status = rigid_check(pose);
     if (status == STATUS_OK) {
-        self->proposed_target = *target;
+        self->proposed_target = pose->translation;
         self->has_proposed_target = 1U;
         weigh_proposals(self, robot);
     }

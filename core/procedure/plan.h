@@ -92,11 +92,11 @@ bool plan_is_proved(const plan_t *self, const robot_t *robot);
 status_t plan_propose_registration(plan_t *self, const robot_t *robot,
                                    const rigid_t *scanner_zframe);
 
-/** Takes a proposed entry point (scanner coordinates). @return STATUS_OUT_OF_RANGE beyond the
- * registration's range */
-status_t plan_propose_entry(plan_t *self, const robot_t *robot, const point_t *entry);
+/** Takes the place of `pose` as proposed entry point (scanner coordinates), @return as
+ * rigid_check(). */
+status_t plan_propose_entry(plan_t *self, const robot_t *robot, const rigid_t *pose);
 
 /** Takes a proposed target point. Same returns. */
-status_t plan_propose_target(plan_t *self, const robot_t *robot, const point_t *target);
+status_t plan_propose_target(plan_t *self, const robot_t *robot, const rigid_t *pose);
 
 #endif

@@ -119,9 +119,25 @@ void test_SWR_REG_001_a_registration_is_stored_exactly_orthonormal(void)
     TEST_ASSERT_INT64_WITHIN(4, 0, dot);
 }
 
+static rigid_t pose_at(int32_t x_nm, int32_t y_nm, int32_t z_nm)
+{
+    rigid_t pose = identity;
+    pose.translation = (point_t){x_nm, y_nm, z_nm};
+    return pose;
+}
+
+void test_SWR_IGTL_009_a_point_whose_matrix_is_not_rigid_is_no_proposal(void)
+{
+    rigid_t mirrored = pose_at(0, 246000000, 50000000);
+    mirrored.rotation_q30[2][2] = -FIXED_ONE_Q30;
+    TEST_ASSERT_EQUAL(STATUS_NOT_RIGID, plan_propose_entry(&plan, &robot_neuro, &mirrored));
+    TEST_ASSERT_EQUAL(STATUS_NOT_RIGID, plan_propose_target(&plan, &robot_neuro, &mirrored));
+    TEST_ASSERT_EQUAL_UINT32(0U, plan.has_proposed_entry + plan.has_proposed_target);
+}
+
 void test_SWR_IGTL_009_points_out_of_range_are_no_proposals(void)
 {
-    const point_t far = {.x_nm = 0, .y_nm = -(int32_t)LIMIT_REGISTRATION_MAX_NM - 1, .z_nm = 0};
+    const rigid_t far = pose_at(0, -(int32_t)LIMIT_REGISTRATION_MAX_NM - 1, 0);
     TEST_ASSERT_EQUAL(STATUS_OUT_OF_RANGE, plan_propose_entry(&plan, &robot_neuro, &far));
     TEST_ASSERT_EQUAL(STATUS_OUT_OF_RANGE, plan_propose_target(&plan, &robot_neuro, &far));
     TEST_ASSERT_EQUAL_UINT32(0U, plan.has_proposed_entry + plan.has_proposed_target);
@@ -129,20 +145,20 @@ void test_SWR_IGTL_009_points_out_of_range_are_no_proposals(void)
 
 void test_SWR_IGTL_009_entry_and_target_together_give_the_desired_pose(void)
 {
-    const point_t entry = {.x_nm = 0, .y_nm = 246000000, .z_nm = 50000000};
-    const point_t target = {.x_nm = 0, .y_nm = 200000000, .z_nm = 50000000};
+    const rigid_t entry = pose_at(0, 246000000, 50000000);
+    const rigid_t target = pose_at(0, 200000000, 50000000);
     TEST_ASSERT_EQUAL(STATUS_OK, plan_propose_target(&plan, &robot_neuro, &target));
     TEST_ASSERT_EQUAL_UINT32(0U, plan.is_proposal_reachable);
     TEST_ASSERT_EQUAL(STATUS_OK, plan_propose_entry(&plan, &robot_neuro, &entry));
     TEST_ASSERT_EQUAL_UINT32(1U, plan.is_proposal_reachable);
-    TEST_ASSERT_INT32_WITHIN(38000, target.y_nm, plan.scanner_desired.translation.y_nm);
+    TEST_ASSERT_INT32_WITHIN(38000, target.translation.y_nm, plan.scanner_desired.translation.y_nm);
     TEST_ASSERT_EQUAL_UINT32(0U, plan.has_target);
 }
 
 void test_SWR_IGTL_009_a_proposed_registration_moves_the_desired_pose_only(void)
 {
-    const point_t entry = {.x_nm = 10000000, .y_nm = 246000000, .z_nm = 50000000};
-    const point_t target = {.x_nm = 10000000, .y_nm = 200000000, .z_nm = 50000000};
+    const rigid_t entry = pose_at(10000000, 246000000, 50000000);
+    const rigid_t target = pose_at(10000000, 200000000, 50000000);
     rigid_t shifted = identity;
     shifted.translation.x_nm = 10000000;
     TEST_ASSERT_EQUAL(STATUS_OK, plan_propose_registration(&plan, &robot_neuro, &shifted));
