@@ -275,6 +275,24 @@ static const robot_t *find_robot(const char *name)
     return found;
 }
 
+/*
+ * The cards of two robots may look alike.
+ *
+ * @satisfies SWR-ROBOT-019
+ */
+static bool is_box_of_robot(const char *box)
+{
+    const uint32_t crc = bsp_robot_crc();
+    const bool is_of_it = (crc == 0U) || (crc == our_robot->crc);
+    if (!is_of_it) {
+        (void)fprintf(stderr,
+                      "control: the box \"%s\" is not that of this robot %s; start the box with "
+                      "--robot %s, or choose its robot.\n",
+                      box, our_robot->name, our_robot->name);
+    }
+    return is_of_it;
+}
+
 /* The state that the first checkpoint holds: what was kept is part of it. */
 static void begin_controller(const char *path)
 {
@@ -305,6 +323,10 @@ int main(int argc, char *argv[])
     exchange = exchange_open(option(argc, argv, "--exchange"), error, sizeof error);
     if ((exchange == NULL) || !bsp_open(option(argc, argv, "--box"), error, sizeof error)) {
         (void)fprintf(stderr, "control: %s\n", error);
+        return EXIT_CANNOT_START;
+    }
+    if (!is_box_of_robot(option(argc, argv, "--box"))) {
+        bsp_close();
         return EXIT_CANNOT_START;
     }
     handle_signals();

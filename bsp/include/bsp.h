@@ -69,6 +69,9 @@ bsp_inputs_t bsp_sample_inputs(void);
  */
 bsp_power_on_t bsp_power_on(void);
 
+/** CRC of the description of the robot that the board belongs to; 0 when the board cannot tell. */
+uint32_t bsp_robot_crc(void);
+
 /** How the time of bsp_now_ns() passes. */
 bsp_time_t bsp_time(void);
 

@@ -232,6 +232,7 @@ int main(int count, char **words)
         (void)fprintf(stderr, "boresight-box: %s\n", error);
         return 1;
     }
+    wire_store(&port.wire->robot_crc, robot->crc);
     const bool is_real_time = ask_for_real_time();
     (void)printf("boresight-box: ready as \"%s\", robot %s, seed %u, %s\n", options.name,
                  robot->name, (unsigned)options.seed,

@@ -105,6 +105,11 @@ bsp_inputs_t bsp_sample_inputs(void)
                           .confirm_pressed = (inputs & WIRE_INPUT_CONFIRM) != 0U};
 }
 
+uint32_t bsp_robot_crc(void)
+{
+    return wire_load(&port.wire->robot_crc);
+}
+
 bsp_power_on_t bsp_power_on(void)
 {
     return power_on;

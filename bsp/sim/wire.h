@@ -38,6 +38,7 @@ typedef struct {
     uint32_t slowness;   /**< and 1 .. LIMIT_BOX_SLOWEST. */
     uint32_t power_on;   /**< bsp_power_on_t of the box: its id, */
     uint32_t is_used;    /**< and 1 after the first exchange. */
+    uint32_t robot_crc;  /**< Of the description of the robot that is simulated. */
     uint32_t openings;   /**< Grows when control takes its end. */
     uint32_t inputs;     /**< WIRE_INPUT_ bits. */
     uint32_t latched;    /**< WIRE_INPUT_ bits that were unsafe since control took them. */

@@ -110,6 +110,14 @@ class TestPositionStore < SystemTest
     end
   end
 
+  # It simulates the default robot.
+  def test_SWR_ROBOT_019_the_box_of_another_robot_is_refused
+    other = Boresight.new(box: @box, arguments: %w[--robot bench2])
+    other.launch
+    assert_equal 3, other.wait_for_end
+    assert_match(/the box "#{@box}" is not that of this robot bench2; start the box with --robot bench2/, other.output)
+  end
+
   def test_SWR_STORE_008_a_box_in_use_is_refused_and_the_first_goes_on
     programs
     second = Boresight.new(box: @box)

@@ -137,6 +137,14 @@ static bsp_power_on_t tell_power_on(int calls)
     return (bsp_power_on_t){.id = 1U, .was_used = false};
 }
 
+static uint32_t board_robot_crc; /* 0: the board cannot tell. */
+
+static uint32_t tell_robot(int calls)
+{
+    (void)calls;
+    return board_robot_crc;
+}
+
 static void restore(controller_t *self, const kept_positions_t *kept, int calls)
 {
     (void)self;
@@ -215,6 +223,8 @@ void setUp(void)
     bsp_sleep_until_ns_Stub(sleep_until);
     bsp_close_Stub(close_board);
     bsp_power_on_Stub(tell_power_on);
+    bsp_robot_crc_Stub(tell_robot);
+    board_robot_crc = 0U;
     controller_init_Stub(init);
     controller_restore_Stub(restore);
     controller_step_Stub(step);
@@ -306,6 +316,24 @@ void test_SWR_CTRL_010_a_crash_sends_off_to_every_card_and_stays_a_crash(void)
         expect_off(2U);
         TEST_ASSERT_NOT_NULL(strstr(said, "crashed by signal"));
     }
+}
+
+void test_SWR_ROBOT_019_the_box_of_this_robot_is_taken(void)
+{
+    board_robot_crc = robot_neuro.crc;
+    const int status = control_ends(BY_SIGNAL, SIGTERM);
+    TEST_ASSERT_EQUAL_INT(0, WEXITSTATUS(status));
+    expect_off(2U);
+}
+
+void test_SWR_ROBOT_019_the_box_of_another_robot_hears_nothing(void)
+{
+    board_robot_crc = robot_neuro.crc ^ 1U;
+    const int status = control_ends(BY_SIGNAL, SIGTERM);
+    TEST_ASSERT_TRUE(WIFEXITED(status));
+    TEST_ASSERT_EQUAL_INT(EXIT_CANNOT_START, WEXITSTATUS(status));
+    TEST_ASSERT_EQUAL_UINT32(0U, record->count);
+    TEST_ASSERT_NOT_NULL(strstr(said, "the box \"y\" is not that of this robot neuro"));
 }
 
 void test_SWR_CTRL_010_a_box_that_answers_nothing_is_told_off_and_nothing_is_claimed(void)
