@@ -32,7 +32,8 @@ class Rooms
 
   FILE = 'tools/rooms.yml'
   # However it is written: whatever else stands there is not what a room may see.
-  INCLUDE = %r{^\s*(?:/\*.*?\*/\s*)*(?:\#|%:|\?\?=)\s*include\w*(?<rest>.*)}
+  BETWEEN = %r{(?:\s|/\*.*?\*/)*}
+  INCLUDE = /^#{BETWEEN}(?:\#|%:|\?\?=)#{BETWEEN}include\w*(?<rest>.*)/
   NAMED = /\A\s+"(?<header>[\w\/]+\.h)"/
   OF_THE_SYSTEM = /\A\s+<(?<header>[\w\/.]+)>/
 
@@ -54,7 +55,7 @@ class Rooms
 
   # The deepest room that holds the file; a robot's tests are none.
   def files
-    Dir.glob('{core,bsp,app}/**/*.{c,h}', base: @root).grep_v(%r{node_modules/|/test/}).sort.map do |file|
+    Dir.glob('{core,bsp,app}/**/*.{c,h,inc}', base: @root).grep_v(%r{node_modules/|\Acore/robot/\w+/test/}).sort.map do |file|
       [@rooms.select { |room| file.start_with?("#{room.folder}/") }.max_by { |room| room.folder.size }, file]
     end
   end

@@ -43,12 +43,18 @@ class TestRooms < Minitest::Test
   end
 
   def test_SWR_TOOL_014_finds_an_include_however_it_is_written
-    ['#include"high/a.h"', '#include <high/a.h>', '#include "low/../high/a.h"', '/* so */ #include "high/a.h"', '%:include "high/a.h"',
-     '#include HIGH', '#include_next "high/a.h"', '#include "low/a.inc"'].each do |line|
+    ['#include"high/a.h"', '#include <high/a.h>', '#include "low/../high/a.h"', '/* so */ #include "high/a.h"',
+     '#/**/include "high/a.h"', "#include \\\n", '%:include "high/a.h"', '#include HIGH', '#include_next "high/a.h"',
+     '#include "low/a.inc"'].each do |line|
       found = problems('core/low/a.h' => "#{line}\n")
       assert_equal 1, found.size, line
       assert_match(%r{\Acore/low/a.h:1: core/low must not include}, found.first)
     end
+  end
+
+  def test_SWR_TOOL_014_knows_tests_of_robots_alone
+    assert_empty problems('core/robot/any/test/test_any.c' => "#include \"unity.h\"\n")
+    assert_equal 1, problems('core/low/test/a.c' => "#include \"high/a.h\"\n").size
   end
 
   def test_SWR_TOOL_014_finds_an_include_without_its_room
