@@ -28,9 +28,9 @@ objects: $(OBJECTS)
 
 programs: $(BINARIES) $(BIN)/boresight-client $(BIN)/codec-oracle
 
-demo: bootstrap-test ## The seven targets of the NeuroRobot workflow with a real client
+demo: bootstrap-test ## The targets of the thesis with a real client; ROBOT=NAME chooses the robot
 	@$(MAKE) --no-print-directory -j2 programs
-	@ruby verification/demo/demo.rb
+	@ruby verification/demo/demo.rb $(or $(ROBOT),$(DEFAULT_ROBOT))
 
 unit: $(GENERATED) .tools/gems/bin/ceedling ## Unit and integration tests with coverage
 	status=0; ruby tools/results.rb ceedling build/ceedling/artifacts/gcov/tests_report.json $(CEEDLING) gcov:all || \

@@ -63,6 +63,7 @@ void mode_begin(mode_state_t *self, mode_kind_t kind, const mode_request_t *requ
  * failed are told in the cycle in which they are found.
  *
  * @satisfies SWR-DEMO-001
+ * @satisfies SWR-DEMO-002
  * @satisfies SWR-PEDAL-005
  */
 void mode_step(mode_state_t *self, const mode_frame_t *frame, mode_result_t *result);

@@ -6,8 +6,9 @@
 
 require 'fileutils'
 require 'yaml'
-require_relative '../../verification/system/support/system_test'
+require_relative '../../verification/demo/targets'
 require_relative '../../verification/demo/workflow'
+require_relative '../../verification/system/support/system_test'
 
 class TestAddedRobot < SystemTest
   ROOT = File.expand_path('../..', __dir__)
@@ -19,7 +20,6 @@ class TestAddedRobot < SystemTest
   LINKED = %w[.tools app/console/node_modules].freeze
   PROGRAMS = %w[boresight boresight-box boresight-control boresight-http boresight-igtl boresight-recorder
                 boresight-replay boresight-simctl].freeze
-  IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0].freeze
   NEAR_MM = 0.01
 
   def setup
@@ -38,7 +38,7 @@ class TestAddedRobot < SystemTest
     robot = boresight(arguments: ['--robot', ROBOT], programs: programs)
     assert_reaches_its_targets(robot)
     assert_equal(ROBOT, robot.status['robot'])
-    names = given('robot.yml')['axes'].map { |axis| axis['name'] }
+    names = YAML.safe_load_file(path("#{FOLDER}/robot.yml"))['axes'].map { |axis| axis['name'] }
     assert_equal(names, robot.motors['axes'].map { |axis| axis['name'] })
     assert_replayed(robot)
   end
@@ -51,10 +51,6 @@ class TestAddedRobot < SystemTest
 
   def path(name)
     File.join(@copy, name)
-  end
-
-  def given(file)
-    YAML.safe_load_file(path("#{FOLDER}/#{file}"))
   end
 
   # With the times of the files, by which make knows what is up to date.
@@ -86,12 +82,12 @@ class TestAddedRobot < SystemTest
 
   def assert_reaches_its_targets(robot)
     workflow = Workflow.new(robot)
+    targets = Targets.new(path("#{FOLDER}/targets.yml"))
     workflow.home
-    workflow.register(IDENTITY)
-    given('targets.yml').map { |target| target['point'] }.each do |point|
-      x, y, z = point
-      workflow.move([-1, 0, 0, x, 0, 0, -1, y, 0, -1, 0, z])
-      workflow.measured.zip(point).each { |reached, wanted| assert_in_delta(wanted, reached, NEAR_MM) }
+    workflow.register(targets.registration)
+    targets.each_target.each do |target|
+      workflow.move(Geometry.rows(target.rotation, target.point))
+      workflow.measured.zip(target.point).each { |reached, wanted| assert_in_delta(wanted, reached, NEAR_MM) }
     end
   end
 
