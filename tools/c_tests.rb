@@ -28,7 +28,9 @@ class CTests
   }.freeze
   # The tests of a chart are as generated: beside it.
   FOLDERS = %w[core app bsp bsp/include build/gen build/gen/charts verification].freeze
-  SUPPORT = Dir['verification/*/support/*.c'] + ["#{UNITY}/src/unity.c", "#{CMOCK}/src/cmock.c"]
+  ROBOT_TESTS = 'core/robot/*/test'
+  SUPPORT = Dir['verification/*/support/*.c'] + Dir["#{ROBOT_TESTS}/*.c"].grep_v(%r{/test_\w+\.c\z}) +
+            ["#{UNITY}/src/unity.c", "#{CMOCK}/src/cmock.c"]
   ALWAYS = %w[contract_trap unity cmock].freeze
   # As project.yml says it to Ceedling.
   RUNNER = %w[--use_param_tests=1 --mock_prefix=mock_ --enforce_strict_ordering=1].freeze
@@ -76,7 +78,7 @@ class CTests
   private
 
   def tests(way)
-    files = Dir['verification/{unit,integration}/test_*.c', 'core/robot/*/test/test_*.c', 'build/gen/tests/test_*.c']
+    files = Dir['verification/{unit,integration}/test_*.c', "#{ROBOT_TESTS}/test_*.c", 'build/gen/tests/test_*.c']
     (way == 'arm' ? files.reject { |file| needs_app?(file) } : files).sort
   end
 

@@ -10,8 +10,8 @@
 #include "robot/neuro/neuro.h"
 #include "robot/robot_neuro.h"
 #include "unit/support/contract_trap.h"
-#include "unit/support/golden_neuro.h"
-#include "unit/support/neuro_reference.h"
+#include "robot/neuro/test/golden_neuro.h"
+#include "robot/neuro/test/neuro_reference.h"
 #include "unity.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "unit/support/neuro_reference.h"
+#include "robot/neuro/test/neuro_reference.h"
 
 #include "robot/robot_neuro.h"
 

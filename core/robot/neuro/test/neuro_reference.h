@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The NeuroRobot in double precision, written from the mechanism and not from core/kinematics: the
- * judge of the integer kinematics. mm and rad.
+ * The NeuroRobot in double precision, written from the mechanism and not from neuro.c: the judge
+ * of the integer kinematics. mm and rad.
  */
 #ifndef BORESIGHT_NEURO_REFERENCE_H
 #define BORESIGHT_NEURO_REFERENCE_H
