@@ -103,11 +103,11 @@ $(GEN)/robot/kinematics.c: build/robots tools/robots.rb $(wildcard tools/robot/*
 
 $(FIND_ROBOT): $(GEN)/robot/kinematics.c ;
 
-INTERFACE_PARTS := $(wildcard core/interface/*.yml tools/interface_compiler.rb tools/interface/*.rb)
+INTERFACE_PARTS := $(wildcard core/interface/*.yml core/robot/*/kinematics.yml tools/interface_compiler.rb tools/interface/*.rb)
 # What of the exchange's segment is declared elsewhere.
 LAYOUT_HEADERS := app/exchange/exchange.h app/exchange/exchange_segment.h core/controller/controller.h \
     core/base/rigid.h core/robot/robot.h core/card/card.h $(GEN)/limits/requirement_limits.h
-$(GEN)/interface/.compiled: $(INTERFACE_PARTS) $(LAYOUT_HEADERS) $(GEN)/charts/charts.json
+$(GEN)/interface/.compiled: $(INTERFACE_PARTS) build/robots $(LAYOUT_HEADERS) $(GEN)/charts/charts.json
 	ruby tools/interface_compiler.rb core/interface $(GEN)/charts/charts.json $(GEN)/interface $(LAYOUT_HEADERS)
 	@touch $@
 

@@ -130,7 +130,7 @@ module Robot
     def coupled_limits
       @robot.coupled_limits.map do |limit|
         minimum, maximum = limit.range_mm.map { |millimetres| (millimetres * NM_PER_MM).round }
-        { 'name' => "\"#{limit.name}\"", 'first' => "#{limit.first}U", 'second' => "#{limit.second}U",
+        { 'name' => "\"#{limit.name}\"", 'refusal' => "#{limit.refusal}U", 'first' => "#{limit.first}U", 'second' => "#{limit.second}U",
           'minimum_nm' => minimum, 'maximum_nm' => maximum }
       end
     end

@@ -3,7 +3,7 @@
 # frozen_string_literal: true
 
 # Holds the includes of the product against tools/rooms.yml: an include names the room that it enters, each room enters
-# those alone that it may, and no two rooms enter each other.
+# those alone that it may, no two rooms enter each other, and the refusals of a robot stay in its folder.
 #
 #   ruby tools/rooms.rb [--root FOLDER]     one line for each include that must not be, exit 1 if there is any
 
@@ -48,7 +48,7 @@ class Rooms
 
   # One line for each thing that is not as it must be.
   def problems
-    unknown_folders + circles + files.flat_map { |room, file| wrong_includes(room, file) }
+    unknown_folders + circles + files.flat_map { |room, file| wrong_includes(room, file) + strays(file) }
   end
 
   private
@@ -82,6 +82,23 @@ class Rooms
 
     header = rest[NAMED, :header]
     !header.nil? && room.may?(header)
+  end
+
+  # Each refusal that belongs to one robot alone, with its folder.
+  def refusals
+    @refusals ||= Dir.glob('core/robot/*/kinematics.yml', base: @root).flat_map do |path|
+      own = YAML.safe_load_file(File.join(@root, path))['refusals'] || []
+      own.map { |refusal| ["STATUS_#{refusal['name']}", "#{File.dirname(path)}/"] }
+    end.to_h
+  end
+
+  def strays(file)
+    File.foreach(File.join(@root, file), encoding: 'UTF-8').with_index(1).flat_map do |line, number|
+      line.scan(/\bSTATUS_\w+/).uniq.filter_map do |status|
+        folder = refusals[status]
+        "#{file}:#{number}: #{status} belongs to #{folder} alone" if folder && !file.start_with?(folder)
+      end
+    end
   end
 
   def circles

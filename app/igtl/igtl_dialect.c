@@ -10,7 +10,10 @@
 
 uint32_t igtl_reason_code(status_t status)
 {
-    switch (status) {
+    if (status_is_of_robot((int32_t)status)) {
+        return IGTL_STATUS_CONFIG_ERROR;
+    }
+    switch ((int)status) {
     case STATUS_OK:
         return IGTL_STATUS_OK;
     case STATUS_UNKNOWN_COMMAND:
@@ -24,10 +27,7 @@ uint32_t igtl_reason_code(status_t status)
     case STATUS_OUT_OF_RANGE:
     case STATUS_NOT_RIGID:
     case STATUS_DEGENERATE_LINE:
-    case STATUS_SINGULAR_PITCH:
-    case STATUS_UNREACHABLE_HEIGHT:
     case STATUS_AXIS_LIMIT:
-    case STATUS_SEPARATION_LIMIT:
     case STATUS_SWITCH_ZONE:
     case STATUS_CLOSURE:
         return IGTL_STATUS_CONFIG_ERROR;
@@ -48,6 +48,15 @@ uint32_t igtl_reason_code(status_t status)
     }
 }
 
+static bool is_of_coupled_limit(const robot_t *robot, uint32_t status)
+{
+    bool is_one = false;
+    for (uint32_t i = 0U; (i < robot->coupled_limit_count) && (i < ROBOT_COUPLED_LIMITS); i++) {
+        is_one = is_one || (robot->coupled_limits[i].refusal == status);
+    }
+    return is_one;
+}
+
 void igtl_reason_text(const robot_t *robot, const answer_t *answer, char text[IGTL_REASON_SIZE])
 {
     const int32_t status = (int32_t)answer->status;
@@ -60,7 +69,7 @@ void igtl_reason_text(const robot_t *robot, const answer_t *answer, char text[IG
                (answer->axis < robot->axis_count)) {
         (void)snprintf(text, IGTL_REASON_SIZE, "%s: %s (%s)", status_name(status),
                        status_text(status), robot->axes[answer->axis].name);
-    } else if (answer->status == (uint32_t)STATUS_SEPARATION_LIMIT) {
+    } else if (is_of_coupled_limit(robot, answer->status)) {
         (void)snprintf(text, IGTL_REASON_SIZE, "%s: %s (%s limit)", status_name(status),
                        status_text(status), limit);
     } else {

@@ -11,7 +11,6 @@ static solution_t judge_homed(const jog_mode_t *asked, const robot_t *robot,
                               const axis_t axes[ROBOT_AXIS_MAX])
 {
     const axis_config_t *const config = &robot->axes[asked->axis];
-    const coupled_side_t side = coupled_guard_judge(robot, axes, asked->axis, asked->ticks);
     solution_t result = {.status = STATUS_OK, .axis = (uint8_t)asked->axis, .is_maximum = 0U};
     if ((asked->ticks < config->minimum_ticks) || (asked->ticks > config->maximum_ticks)) {
         result.status = STATUS_AXIS_LIMIT;
@@ -19,11 +18,8 @@ static solution_t judge_homed(const jog_mode_t *asked, const robot_t *robot,
     } else if ((asked->ticks < config->target_minimum_ticks) ||
                (asked->ticks > config->target_maximum_ticks)) {
         result.status = STATUS_SWITCH_ZONE;
-    } else if (side != COUPLED_LIMIT_INSIDE) {
-        result.status = STATUS_SEPARATION_LIMIT;
-        result.is_maximum = (side == COUPLED_LIMIT_ABOVE) ? 1U : 0U;
     } else {
-        result.axis = 0U;
+        result = coupled_guard_judge(robot, axes, asked->axis, asked->ticks);
     }
     return result;
 }

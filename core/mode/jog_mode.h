@@ -19,7 +19,7 @@ typedef struct {
  * May the jog be armed?
  *
  * @return status STATUS_OK; STATUS_UNKNOWN_COMMAND for no axis; STATUS_NEEDLE_IN; of a homed axis
- * STATUS_AXIS_LIMIT, STATUS_SWITCH_ZONE, STATUS_SEPARATION_LIMIT, with axis and limit;
+ * STATUS_AXIS_LIMIT, STATUS_SWITCH_ZONE, the refusal of a coupled limit, with axis and limit;
  * STATUS_JOG_TOO_FAR while it or one that shares a limit with it is not homed
  *
  * @satisfies SWR-AXIS-004

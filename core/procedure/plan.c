@@ -93,10 +93,8 @@ static void check_ends(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX]
             result->axis = (uint8_t)i;
         }
     }
-    const coupled_side_t side = coupled_limit_judge(robot, ticks);
-    if ((result->status == STATUS_OK) && (side != COUPLED_LIMIT_INSIDE)) {
-        result->status = STATUS_SEPARATION_LIMIT;
-        result->is_maximum = (side == COUPLED_LIMIT_ABOVE) ? 1U : 0U;
+    if (result->status == STATUS_OK) {
+        *result = coupled_limit_judge(robot, ticks);
     }
 }
 

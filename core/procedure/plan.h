@@ -52,8 +52,8 @@ status_t plan_register(plan_t *self, const robot_t *robot, const rigid_t *scanne
  *
  * @return status as rigid_check() and kinematics_solve(), STATUS_NOT_REGISTERED, STATUS_CLOSURE
  * when forward kinematics does not return the pose, STATUS_SWITCH_ZONE when an axis would end where
- * its limit switch may be active, or STATUS_SEPARATION_LIMIT at a coupled limit. There is then no
- * target, not even the one before: who asked for another target must not be taken to the old one.
+ * its limit switch may be active, or the refusal of a coupled limit. There is then no target, not
+ * even the one before: who asked for another target must not be taken to the old one.
  *
  * @satisfies SWR-PLAN-004
  * @satisfies SWR-AXIS-020

@@ -2,7 +2,6 @@
 #include "robot/coupled_limit.h"
 
 #include "limits/requirement_limits.h"
-#include "robot/joints.h"
 
 int64_t coupled_limit_nm(const robot_t *robot, const coupled_limit_t *limit, int32_t first_ticks,
                          int32_t second_ticks)
@@ -25,14 +24,22 @@ coupled_side_t coupled_limit_side(const coupled_limit_t *limit, int64_t above_nm
     return side;
 }
 
-coupled_side_t coupled_limit_judge(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX])
+solution_t coupled_limit_refusal(const coupled_limit_t *limit, coupled_side_t side)
 {
-    coupled_side_t side = COUPLED_LIMIT_INSIDE;
-    for (uint32_t i = robot->coupled_limit_count; i > 0U; i--) {
-        const coupled_limit_t *const limit = &robot->coupled_limits[i - 1U];
-        const coupled_side_t found = coupled_limit_side(
-            limit, coupled_limit_nm(robot, limit, ticks[limit->first], ticks[limit->second]));
-        side = (found != COUPLED_LIMIT_INSIDE) ? found : side;
+    return (solution_t){.status =
+                            (side == COUPLED_LIMIT_INSIDE) ? STATUS_OK : (status_t)limit->refusal,
+                        .axis = 0U,
+                        .is_maximum = (side == COUPLED_LIMIT_ABOVE) ? 1U : 0U};
+}
+
+solution_t coupled_limit_judge(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX])
+{
+    solution_t result = {STATUS_OK, 0U, 0U};
+    for (uint32_t i = 0U; (i < robot->coupled_limit_count) && (result.status == STATUS_OK); i++) {
+        const coupled_limit_t *const limit = &robot->coupled_limits[i];
+        const int64_t above_nm =
+            coupled_limit_nm(robot, limit, ticks[limit->first], ticks[limit->second]);
+        result = coupled_limit_refusal(limit, coupled_limit_side(limit, above_nm));
     }
-    return side;
+    return result;
 }

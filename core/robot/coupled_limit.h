@@ -6,6 +6,7 @@
 #ifndef BORESIGHT_COUPLED_LIMIT_H
 #define BORESIGHT_COUPLED_LIMIT_H
 
+#include "robot/joints.h"
 #include "robot/robot.h"
 
 #include <stdint.h>
@@ -23,12 +24,15 @@ int64_t coupled_limit_nm(const robot_t *robot, const coupled_limit_t *limit, int
 /** May a motion end at `above_nm`? Inside: LIMIT_COUPLED_MARGIN_NM or more from both ends. */
 coupled_side_t coupled_limit_side(const coupled_limit_t *limit, int64_t above_nm);
 
+/** What who would end on that side of `limit` is told: STATUS_OK inside, otherwise its refusal. */
+solution_t coupled_limit_refusal(const coupled_limit_t *limit, coupled_side_t side);
+
 /**
- * May a motion end with all axes at `ticks`? @return of the first limit that is missed, otherwise
- * COUPLED_LIMIT_INSIDE
+ * May a motion end with all axes at `ticks`? @return STATUS_OK, or the refusal of the first limit
+ * that is missed
  *
  * @satisfies SWR-COUPLE-002
  */
-coupled_side_t coupled_limit_judge(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX]);
+solution_t coupled_limit_judge(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX]);
 
 #endif

@@ -85,6 +85,7 @@ typedef struct {
  * the second; both ends inclusive. */
 typedef struct {
     char name[12];
+    uint32_t refusal;   /**< status_t of who would miss it. */
     uint32_t first;     /**< Index of an axis. */
     uint32_t second;    /**< Index of an axis. */
     int32_t minimum_nm; /**< Below 0 when the first may be below the second. */

@@ -126,18 +126,20 @@ bool coupled_guard_is_known(const robot_t *robot, const axis_t axes[ROBOT_AXIS_M
     return is_every_known;
 }
 
-coupled_side_t coupled_guard_judge(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
-                                   uint32_t index, int32_t ticks)
+solution_t coupled_guard_judge(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
+                               uint32_t index, int32_t ticks)
 {
-    coupled_side_t side = COUPLED_LIMIT_INSIDE;
-    for (uint32_t i = robot->coupled_limit_count; i > 0U; i--) {
-        const coupled_limit_t *const limit = &robot->coupled_limits[i - 1U];
+    solution_t result = {STATUS_OK, 0U, 0U};
+    for (uint32_t i = 0U; (i < robot->coupled_limit_count) && (result.status == STATUS_OK); i++) {
+        const coupled_limit_t *const limit = &robot->coupled_limits[i];
         const bool is_first = limit->first == index;
         const int32_t first = is_first ? ticks : axes[limit->first].encoder.position_ticks;
         const int32_t second = is_first ? axes[limit->second].encoder.position_ticks : ticks;
         if (is_in_force(limit, axes, index)) {
-            side = coupled_limit_side(limit, coupled_limit_nm(robot, limit, first, second));
+            result = coupled_limit_refusal(
+                limit, coupled_limit_side(limit, coupled_limit_nm(robot, limit, first, second)));
         }
     }
-    return side;
+    result.axis = (result.status == STATUS_OK) ? 0U : (uint8_t)index;
+    return result;
 }

@@ -49,12 +49,11 @@ bool coupled_guard_is_known(const robot_t *robot, const axis_t axes[ROBOT_AXIS_M
 /**
  * May axis `index` be jogged to `ticks`, with the others where they are?
  *
- * @return COUPLED_LIMIT_BELOW or COUPLED_LIMIT_ABOVE of the first limit in force that it would
- * miss, otherwise COUPLED_LIMIT_INSIDE
+ * @return STATUS_OK; or the refusal of the first limit in force that it would miss, with the axis
  *
  * @satisfies SWR-COUPLE-002
  */
-coupled_side_t coupled_guard_judge(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
-                                   uint32_t index, int32_t ticks);
+solution_t coupled_guard_judge(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
+                               uint32_t index, int32_t ticks);
 
 #endif

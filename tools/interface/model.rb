@@ -9,22 +9,32 @@ module Interface
   # One `enum`: the only source of its names, numbers and sentences.
   class Enumeration
     KEYS = %w[severity subject value of peer].freeze
-    Value = Struct.new(:code, :name, :says, :node, :more, keyword_init: true)
+    # `robot`: whose own it is, nil for all.
+    Value = Struct.new(:code, :name, :says, :node, :more, :robot, keyword_init: true)
 
     attr_reader :name, :prefix, :says, :values, :header
 
-    def initialize(node, header)
-      nodes = node.mapping(%w[name says values], %w[prefix count])
+    # `robots`: what the folder of each robot adds to an enumeration that asks for it, lists of nodes by robot.
+    def initialize(node, header, robots = {})
+      nodes = node.mapping(%w[name says values], %w[prefix count robots])
       @header = header
       @name = nodes['name'].identifier
       @says = nodes['says'].text
       @prefix = nodes.key?('prefix') ? nodes['prefix'].identifier(capitals: true) : @name.upcase
       @is_counted = nodes.key?('count') && nodes['count'].true?
+      @has_robots = nodes.key?('robots') && nodes['robots'].choice(%w[refusals]) == 'refusals'
       @values = nodes['values'].sequence.map { |value| read(value) }
       node.refuse('has no values') if @values.empty?
+      add(robots) if robots?
       unique(:code)
       unique(:name)
+      @values.sort_by!(&:code) if robots?
       check_gaps if counted?
+    end
+
+    # Some of its values may belong to one robot alone.
+    def robots?
+      @has_robots
     end
 
     def counted?
@@ -52,6 +62,10 @@ module Interface
                 node: node, more: nodes.slice(*KEYS))
     end
 
+    def add(robots)
+      robots.each { |robot, nodes| nodes.each { |node| @values << read(node).tap { |value| value.robot = robot } } }
+    end
+
     # What is counted is an index, or a bit.
     def check_gaps
       gap = values.each_with_index.find { |value, index| value.code != index }
@@ -65,7 +79,21 @@ module Interface
     end
   end
 
-  # Everything that core/interface says.
+  # What the folders of robots add: the refusals that belong to one of them alone.
+  #
+  # @satisfies SWR-ROBOT-020
+  module Robots
+    # The nodes of each robot by its name, none without folders.
+    def self.refusals(folder)
+      Dir.glob('*/kinematics.yml', base: folder).sort.to_h do |path|
+        file = File.join(folder, path)
+        refusals = Node.parse(file, File.read(file, encoding: 'UTF-8')).at('refusals')
+        [File.dirname(path), refusals ? refusals.sequence : []]
+      end
+    end
+  end
+
+  # Everything that core/interface says, and core/robot beside it.
   class Model
     Header = Struct.new(:name, :says, :enumerations, :structures, :file)
 
@@ -78,6 +106,7 @@ module Interface
       raise Refused.new(folder, 'folder', 'holds no *.yml') if files.empty?
 
       nodes = files.map { |file| [file, Node.parse(file, File.read(file, encoding: 'UTF-8'))] }
+      @robots = Robots.refusals(File.join(folder, '../robot'))
       @messages = []
       @headers = nodes.filter_map { |file, node| read(file, node) }
       check
@@ -122,7 +151,7 @@ module Interface
       nodes = node.mapping(%w[header says], %w[enumerations structures])
       header = nodes['header'].identifier
       Header.new(header, nodes['says'].text,
-                 list(nodes['enumerations']).map { |one| Enumeration.new(one, header) },
+                 list(nodes['enumerations']).map { |one| Enumeration.new(one, header, @robots) },
                  list(nodes['structures']).map { |one| Structure.new(one, header) }, file)
     end
 

@@ -30,14 +30,21 @@ module Interface
           const char *#{one.name}_text(int32_t value);
         CODE
       end
+      declarations += @enumerations.select(&:robots?).map do |one|
+        <<~CODE
+          /** The #{one.name} `value` belongs to one robot alone. */
+          bool #{one.name}_is_of_robot(int32_t value);
+        CODE
+      end
       C.file('Names and sentences of enumerations.', FROM) +
-        C.guard('names', "#include <stdint.h>\n\n#{declarations.join("\n")}")
+        C.guard('names', "#include <stdbool.h>\n#include <stdint.h>\n\n#{declarations.join("\n")}")
     end
 
     def source
       functions = @enumerations.flat_map do |one|
         [function(one, 'name', 'UNKNOWN', &:name), function(one, 'text', 'Unknown.', &:says)]
       end
+      functions += @enumerations.select(&:robots?).map { |one| robots(one) }
       "#{C.file('Names and sentences of enumerations.', FROM)}#include \"names.h\"\n\n#{functions.join("\n")}"
     end
 
@@ -50,6 +57,19 @@ module Interface
         #{cases.join.chomp}
             default:
                 return "#{unknown}";
+            }
+        }
+      CODE
+    end
+
+    def robots(enumeration)
+      cases = enumeration.values.select(&:robot).map { |value| "    case #{value.code}:\n" }
+      <<~CODE
+        bool #{enumeration.name}_is_of_robot(int32_t value)
+        {
+            switch (value) {
+        #{"#{cases.join}        return true;\n" if cases.any?}    default:
+                return false;
             }
         }
       CODE

@@ -27,6 +27,12 @@ module Interface
       plain
     end
 
+    # The node of `key` in a mapping that may hold others; nil without it.
+    def at(key)
+      pair = @yaml.children.each_slice(2).find { |name, _| name.value == key } if @yaml.is_a?(Psych::Nodes::Mapping)
+      pair && self.class.new(@file, child_field(key), pair.last)
+    end
+
     # Words between spaces.
     def words
       plain.split

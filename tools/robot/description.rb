@@ -160,7 +160,7 @@ module Robot
   end
 
   # A limit that two axes share: their places, and how far in mm the first may be above the second.
-  CoupledLimit = Struct.new(:name, :first, :second, :range_mm, keyword_init: true)
+  CoupledLimit = Struct.new(:name, :refusal, :first, :second, :range_mm, keyword_init: true)
 
   # A whole robot file, checked.
   #
@@ -205,8 +205,7 @@ module Robot
       expected = @expected.coupled_limits
       node.refuse("are #{words(limits)}; expected #{words(expected)}") unless limits == expected
       limits.map do |name, first, second|
-        CoupledLimit.new(name: name, first: @expected.axes.index(first), second: @expected.axes.index(second),
-                         range_mm: coupled_range_mm(name))
+        CoupledLimit.new(name: name, refusal: @expected.refusal(name), first: @expected.axes.index(first), second: @expected.axes.index(second), range_mm: coupled_range_mm(name))
       end
     end
 

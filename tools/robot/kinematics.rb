@@ -16,6 +16,7 @@ module Robot
 
     def initialize(name, folder = FOLDER)
       path = File.join(folder, name, 'kinematics.yml')
+      @path = path
       @parts = Psych.safe_load_file(path)
       needles = axes.count { |axis| needle(axis) == 'along' }
       raise Refused.new(path, 'axes', "are #{needles} along the needle; expected 1") unless needles == 1
@@ -47,7 +48,14 @@ module Robot
 
     # Name, first and second axis of each.
     def coupled_limits
-      @parts.fetch('coupled_limits').map { |name, axes| [name, *axes] }
+      @parts.fetch('coupled_limits').map { |name, about| [name, *about.fetch('axes')] }
+    end
+
+    # The code of the status that says that the coupled limit `name` is missed.
+    def refusal(name)
+      own = @parts.fetch('coupled_limits').fetch(name).fetch('refusal')
+      found = @parts.fetch('refusals', []).find { |refusal| refusal['name'] == own }
+      found ? found.fetch('code') : raise(Refused.new(@path, "coupled_limits.#{name}", "has the refusal #{own}; expected one of refusals"))
     end
   end
 end

@@ -4,6 +4,7 @@
 # The rule under test: what core/interface says of a value is what operator and network are told, and a wrong file is
 # refused with its line.
 
+require 'fileutils'
 require 'json'
 require 'minitest/autorun'
 require 'open3'
@@ -93,6 +94,66 @@ class TestInterfaceCompiler < Minitest::Test
         UNKNOWN|Unknown.
         LAST|The last.
       TEXT
+    end
+  end
+
+  # What two robots add to the colours.
+  ROBOTS = {
+    'colours.yml' => COLOURS.sub("says: Why something was refused.\n", "says: Why.\n    robots: refusals\n"),
+    '../robot/ant/kinematics.yml' => <<~YAML,
+      axes: {}
+      refusals:
+        - {code: 9, name: TOO_STEEP, says: "An ant cannot climb that."}
+        - {code: 3, name: TOO_WET, says: "An ant cannot swim."}
+    YAML
+    '../robot/bee/kinematics.yml' => "axes: {}\n",
+    '../robot/cat/kinematics.yml' => "refusals:\n  - {code: 8, name: TOO_COLD, says: \"No.\"}\n"
+  }.freeze
+
+  def test_SWR_ROBOT_020_what_robots_refuse_stands_among_the_others_by_its_code
+    with_output(ROBOTS) do |folder|
+      values = File.read(File.join(folder, 'colour.h')).scan(/COLOUR_\w+ = \d+/)
+      assert_equal ['COLOUR_OK = 0', 'COLOUR_NOT_RED = 1', 'COLOUR_TOO_WET = 3', 'COLOUR_LAST = 7',
+                    'COLOUR_TOO_COLD = 8', 'COLOUR_TOO_STEEP = 9'], values
+      File.write(File.join(folder, 'main.c'), <<~CODE)
+        #include "names.h"
+        #include <stdio.h>
+        int main(void)
+        {
+            (void)printf("%s|%s", colour_name(3), colour_text(9));
+            for (int value = -1; value < 11; value++) {
+                (void)printf("%s%d", colour_is_of_robot(value) ? "|" : " ", value);
+            }
+            return 0;
+        }
+      CODE
+      assert_equal 'TOO_WET|An ant cannot climb that. -1 0 1 2|3 4 5 6 7|8|9 10',
+                   output_of(folder, 'main.c', 'app/names.c')
+    end
+  end
+
+  def test_SWR_ROBOT_020_what_is_shared_is_the_same_wherever_it_stands
+    alone = COLOURS.sub('      - {code: 7', %(      - {code: 3, name: TOO_WET, says: "An ant cannot swim."}\n\\0))
+    with_robot = ROBOTS.slice('colours.yml').merge(
+      '../robot/ant/kinematics.yml' => %(refusals:\n  - {code: 3, name: TOO_WET, says: "An ant cannot swim."}\n)
+    )
+    assert_equal layout('colours.yml' => alone), layout(with_robot)
+  end
+
+  def test_SWR_ROBOT_020_a_robot_has_no_code_and_no_name_that_another_has
+    { 'code: 8' => ['code: 3', 'has the code of TOO_WET: 3'], 'name: TOO_COLD' => ['name: OK', 'has the name of OK: OK'],
+      'says:' => ['said:', 'said: is unknown'] }.each do |old, (new, reason)|
+      file = '../robot/cat/kinematics.yml'
+      message = refusal(ROBOTS.merge(file => ROBOTS.fetch(file).sub(old, new)))
+      assert_match(%r{cat/kinematics\.yml:2: }, message)
+      assert_includes message, reason
+    end
+  end
+
+  def test_SWR_ROBOT_020_robots_add_to_what_asks_for_it_alone
+    with_output(ROBOTS.merge('colours.yml' => COLOURS)) do |folder|
+      refute_includes File.read(File.join(folder, 'colour.h')), 'TOO_WET'
+      refute_includes File.read(File.join(folder, 'app/names.h')), 'is_of_robot'
     end
   end
 
@@ -309,9 +370,11 @@ class TestInterfaceCompiler < Minitest::Test
   end
 
   def in_folder(files)
-    Dir.mktmpdir do |folder|
+    Dir.mktmpdir do |core|
+      folder = File.join(core, 'interface')
       { 'colours.yml' => COLOURS, 'messages.yml' => MESSAGES, 'events.yml' => EVENTS,
         'charts.json' => JSON.generate(CHARTS) }.merge(files).each do |name, text|
+        FileUtils.mkdir_p(File.dirname(File.join(folder, name)))
         File.write(File.join(folder, name), text)
       end
       yield folder, File.join(folder, 'interface')

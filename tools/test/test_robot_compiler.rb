@@ -295,7 +295,7 @@ class TestRobotCompiler < Minitest::Test
   end
 
   def test_SWR_ROBOT_002_a_coupled_limit_has_the_range_of_its_geometry
-    entry = '.name = "separation", .first = 0U, .second = 1U, .minimum_nm = %d, .maximum_nm = %d}'
+    entry = '.name = "separation", .refusal = 16U, .first = 0U, .second = 1U, .minimum_nm = %d, .maximum_nm = %d}'
     assert_includes compile(TEXT).last, format(entry, -68_000_000, 3_000_000)
     assert_includes compile(with('maximum_separation_mm: 146', 'maximum_separation_mm: 144.5')).last,
                     format(entry, -68_000_000, 1_500_000)

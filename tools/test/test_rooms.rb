@@ -71,6 +71,17 @@ class TestRooms < Minitest::Test
     assert_equal ['tools/rooms.yml: core/loop and core/ring see each other'], problems({}, circle)
   end
 
+  def test_SWR_ROBOT_020_finds_a_refusal_of_one_robot_outside_of_its_folder
+    ant = { 'core/robot/ant/kinematics.yml' => "refusals:\n  - {code: 3, name: TOO_WET, says: No.}\n",
+            'core/robot/ant/ant.c' => "return STATUS_TOO_WET;\n" }
+    rules = "#{RULES}core/robot: {holds: robots, sees: []}\n"
+    assert_empty problems(ant.merge('app/top/a.c' => "STATUS_TOO_WET_TODAY\n"), rules)
+    assert_equal ['app/top/a.c:2: STATUS_TOO_WET belongs to core/robot/ant/ alone',
+                  'core/robot/bee/bee.h:1: STATUS_TOO_WET belongs to core/robot/ant/ alone'],
+                 problems(ant.merge('app/top/a.c' => "\nx = STATUS_TOO_WET;\n",
+                                    'core/robot/bee/bee.h' => "/* STATUS_TOO_WET */\n"), rules)
+  end
+
   private
 
   def problems(files, rules = RULES)

@@ -128,6 +128,15 @@ void test_SWR_COUPLE_001_outside_of_the_range_the_way_back_is_free(void)
     TEST_ASSERT_TRUE(coupled_guard_blocks(&robot, &view, AXIS_FEET));
 }
 
+static void expect_end(uint32_t axis, int32_t ticks, coupled_side_t side)
+{
+    const solution_t judged = coupled_guard_judge(&robot, axes, axis, ticks);
+    const bool is_inside = side == COUPLED_LIMIT_INSIDE;
+    TEST_ASSERT_EQUAL(is_inside ? STATUS_OK : STATUS_SEPARATION_LIMIT, judged.status);
+    TEST_ASSERT_EQUAL_UINT8(is_inside ? 0U : axis, judged.axis);
+    TEST_ASSERT_EQUAL_UINT8((side == COUPLED_LIMIT_ABOVE) ? 1U : 0U, judged.is_maximum);
+}
+
 void test_SWR_COUPLE_001_a_limit_is_in_force_for_its_own_axes_once_both_are_homed(void)
 {
     axes[AXIS_HEAD].encoder.position_ticks = -8000;
@@ -139,11 +148,11 @@ void test_SWR_COUPLE_001_a_limit_is_in_force_for_its_own_axes_once_both_are_home
     }
     axes[AXIS_HEAD].chart.reference = AXIS_REFERENCE_LOST;
     TEST_ASSERT_FALSE(coupled_guard_blocks(&robot, &view, AXIS_FEET));
-    TEST_ASSERT_EQUAL(COUPLED_LIMIT_INSIDE, coupled_guard_judge(&robot, axes, AXIS_FEET, 0));
+    expect_end(AXIS_FEET, 0, COUPLED_LIMIT_INSIDE);
     axes[AXIS_HEAD].chart.reference = AXIS_REFERENCE_VERIFIED;
     axes[AXIS_FEET].chart.reference = AXIS_REFERENCE_LOST;
     TEST_ASSERT_FALSE(coupled_guard_blocks(&robot, &view, AXIS_HEAD));
-    TEST_ASSERT_EQUAL(COUPLED_LIMIT_INSIDE, coupled_guard_judge(&robot, axes, AXIS_HEAD, -8000));
+    expect_end(AXIS_HEAD, -8000, COUPLED_LIMIT_INSIDE);
 }
 
 /* The feet stand so far out that the head, were it at its switch, would leave the limit. */
@@ -235,15 +244,14 @@ void test_SWR_JOG_002_an_axis_is_known_when_it_and_its_partners_are_homed(void)
 void test_SWR_COUPLE_002_an_end_is_judged_with_the_other_axis_where_it_stands(void)
 {
     axes[AXIS_HEAD].encoder.position_ticks = -5000;
-    TEST_ASSERT_EQUAL(COUPLED_LIMIT_INSIDE, coupled_guard_judge(&robot, axes, AXIS_FEET, 0));
-    TEST_ASSERT_EQUAL(COUPLED_LIMIT_BELOW, coupled_guard_judge(&robot, axes, AXIS_FEET, 500));
-    TEST_ASSERT_EQUAL(COUPLED_LIMIT_ABOVE, coupled_guard_judge(&robot, axes, AXIS_FEET, -5300));
-    TEST_ASSERT_EQUAL(COUPLED_LIMIT_INSIDE,
-                      coupled_guard_judge(&robot, axes, AXIS_LATERAL, -90000));
+    expect_end(AXIS_FEET, 0, COUPLED_LIMIT_INSIDE);
+    expect_end(AXIS_FEET, 500, COUPLED_LIMIT_BELOW);
+    expect_end(AXIS_FEET, -5300, COUPLED_LIMIT_ABOVE);
+    expect_end(AXIS_LATERAL, -90000, COUPLED_LIMIT_INSIDE);
     axes[AXIS_FEET].encoder.position_ticks = 500;
-    TEST_ASSERT_EQUAL(COUPLED_LIMIT_BELOW, coupled_guard_judge(&robot, axes, AXIS_HEAD, -5000));
-    TEST_ASSERT_EQUAL(COUPLED_LIMIT_INSIDE, coupled_guard_judge(&robot, axes, AXIS_HEAD, -4000));
-    TEST_ASSERT_EQUAL(COUPLED_LIMIT_ABOVE, coupled_guard_judge(&robot, axes, AXIS_HEAD, 800));
+    expect_end(AXIS_HEAD, -5000, COUPLED_LIMIT_BELOW);
+    expect_end(AXIS_HEAD, -4000, COUPLED_LIMIT_INSIDE);
+    expect_end(AXIS_HEAD, 800, COUPLED_LIMIT_ABOVE);
 }
 
 /* Otherwise the permit would block the last of the way to a legal end. */

@@ -26,6 +26,7 @@ void test_SWR_ROBOT_001_the_coupled_limit_is_that_of_the_geometry(void)
     const int32_t home_nm = geometry_nm[NEURO_HOME_SEPARATION];
     TEST_ASSERT_EQUAL_UINT32(1U, robot_neuro.coupled_limit_count);
     TEST_ASSERT_EQUAL_STRING("separation", limit->name);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_SEPARATION_LIMIT, limit->refusal);
     TEST_ASSERT_EQUAL_UINT32(AXIS_HEAD, limit->first);
     TEST_ASSERT_EQUAL_UINT32(AXIS_FEET, limit->second);
     TEST_ASSERT_EQUAL_INT32(geometry_nm[NEURO_MINIMUM_SEPARATION] - home_nm, limit->minimum_nm);
@@ -52,12 +53,21 @@ void test_SWR_COUPLE_002_an_end_has_the_margin_to_both_ends_of_the_range(void)
     TEST_ASSERT_EQUAL(COUPLED_LIMIT_ABOVE, coupled_limit_side(limit, most + 1));
 }
 
+static void expect_end(coupled_side_t side, const int32_t ticks[ROBOT_AXIS_MAX])
+{
+    const solution_t judged = coupled_limit_judge(&robot_neuro, ticks);
+    TEST_ASSERT_EQUAL((side == COUPLED_LIMIT_INSIDE) ? STATUS_OK : STATUS_SEPARATION_LIMIT,
+                      judged.status);
+    TEST_ASSERT_EQUAL_UINT8(0U, judged.axis);
+    TEST_ASSERT_EQUAL_UINT8((side == COUPLED_LIMIT_ABOVE) ? 1U : 0U, judged.is_maximum);
+}
+
 void test_SWR_COUPLE_002_positions_of_all_axes_are_judged_by_the_limit_of_two(void)
 {
     const int32_t near_ticks[ROBOT_AXIS_MAX] = {-8000, 0, 0, 0, 0, 0, 0};
     const int32_t far_ticks[ROBOT_AXIS_MAX] = {0, -5000, 0, 0, 0, 0, 0};
     const int32_t legal_ticks[ROBOT_AXIS_MAX] = {-3000, 0, 0, 0, 0, 0, 0};
-    TEST_ASSERT_EQUAL(COUPLED_LIMIT_BELOW, coupled_limit_judge(&robot_neuro, near_ticks));
-    TEST_ASSERT_EQUAL(COUPLED_LIMIT_ABOVE, coupled_limit_judge(&robot_neuro, far_ticks));
-    TEST_ASSERT_EQUAL(COUPLED_LIMIT_INSIDE, coupled_limit_judge(&robot_neuro, legal_ticks));
+    expect_end(COUPLED_LIMIT_BELOW, near_ticks);
+    expect_end(COUPLED_LIMIT_ABOVE, far_ticks);
+    expect_end(COUPLED_LIMIT_INSIDE, legal_ticks);
 }
