@@ -7,7 +7,7 @@
 
 typedef enum {
     CARD_TYPE_NONE = 0,
-    CARD_TYPE_PWM = 1,    /**< Speed by a 17-bit duty word. */
+    CARD_TYPE_PWM = 1,    /**< Speed by a duty word of 23 bits, of which its axis may use fewer. */
     CARD_TYPE_NON_PWM = 2 /**< Run or stop, and direction; some take a magnitude, too. */
 } card_type_t;
 

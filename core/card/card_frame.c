@@ -54,7 +54,8 @@
 #define LARGEST_8_BIT 0xFFU
 #define LARGEST_16_BIT 0xFFFFU
 #define LARGEST_24_BIT 0xFFFFFFU
-#define LARGEST_DUTY 0x1FFFFU
+/* One bit less than a report has for it: a larger one is told as one that is too large. */
+#define LARGEST_DUTY 0x7FFFFFU
 #define LARGEST_POSITIVE 0x7FFFFFFFU
 
 static inline void put_word(uint8_t bytes[CARD_FRAME_BYTES], uint32_t index, uint32_t word)

@@ -55,7 +55,7 @@ typedef enum { CARD_DRIVE_OFF = 0, CARD_DRIVE_PWM = 1, CARD_DRIVE_NON_PWM = 2 } 
 typedef struct {
     uint32_t mode;      /**< card_drive_mode_t. */
     uint32_t direction; /**< 0 or 1; the meaning is the robot's. */
-    uint32_t duty;      /**< 0..0x1FFFF; without pwm a magnitude, 0 if the card runs or stops. */
+    uint32_t duty;      /**< 0..0x7FFFFF; without pwm a magnitude, 0 if the card runs or stops. */
 } card_drive_t;
 
 /** Controller to card. */

@@ -9,7 +9,7 @@ module Robot
   # An axis as the file gives it: values by key, and the nodes they came from.
   class Axis
     UNITS = %w[ticks_per_mm ticks_per_rad].freeze
-    DUTY = (1..0x1FFFF)
+    DUTY = (1..0x7FFFFF)
     # Of each pwm card, and of a non_pwm card that takes a magnitude.
     MAGNITUDE = { 'minimum_duty' => DUTY, 'maximum_duty' => DUTY, 'gain_per_s' => (1..200) }.freeze
     SWITCH = { 'over_travel_ticks' => (0..10_000), 'switch_hysteresis_ticks' => (1..10_000),

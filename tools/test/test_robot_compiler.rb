@@ -132,8 +132,8 @@ class TestRobotCompiler < Minitest::Test
     assert_refused(with('side_link_mm: 60', 'side_link_mm: 0.5'),
                    'geometry.side_link_mm: is 0.5; expected 1 to 1000', at: 'side_link_mm')
     assert_refused(with('78.74', '0.1'), 'axes[0].ticks_per_mm: is 0.1; expected 1 to 100000', at: 'ticks_per_mm: 0.1')
-    assert_refused(with('maximum_duty: 131071', 'maximum_duty: 131072'),
-                   'axes[3].maximum_duty: is 131072; expected 1 to 131071', at: 'maximum_duty: 131072')
+    assert_refused(with('maximum_duty: 131071', 'maximum_duty: 8388608'),
+                   'axes[3].maximum_duty: is 8388608; expected 1 to 8388607', at: 'maximum_duty: 8388608')
   end
 
   def test_SWR_ROBOT_001_a_wrong_word_is_refused
@@ -162,7 +162,7 @@ class TestRobotCompiler < Minitest::Test
   end
 
   def test_SWR_ROBOT_001_a_pwm_card_has_duties_a_smaller_and_a_larger
-    assert_refused(with("    minimum_duty: 13107\n", ''), 'axes[3]: has no minimum_duty; expected 1 to 131071',
+    assert_refused(with("    minimum_duty: 13107\n", ''), 'axes[3]: has no minimum_duty; expected 1 to 8388607',
                    axis: 'insertion', at: 'name: insertion')
     assert_refused(with('minimum_duty: 13107', 'minimum_duty: 131071'),
                    'axes[3].minimum_duty: is 131071; expected less than maximum_duty (131071)',
@@ -185,7 +185,7 @@ class TestRobotCompiler < Minitest::Test
     whole = ['minimum_duty: 5', 'maximum_duty: 50', 'gain_per_s: 70']
     assert_match(/minimum_duty = 5U,\s*\.maximum_duty = 50U,\s*\.gain_per_s = 70U/, compile(head_with(*whole)).last)
     assert_equal 4, compile(TEXT).last.scan(/minimum_duty = 0U,\s*\.maximum_duty = 0U,\s*\.gain_per_s = 0U/).size
-    { 'minimum_duty' => '1 to 131071', 'maximum_duty' => '1 to 131071', 'gain_per_s' => '1 to 200' }.each do |key, range|
+    { 'minimum_duty' => '1 to 8388607', 'maximum_duty' => '1 to 8388607', 'gain_per_s' => '1 to 200' }.each do |key, range|
       assert_refused(head_with(*whole.grep_v(/#{key}/)), "axes[0]: has no #{key}; expected #{range}", at: 'name: head')
     end
   end
@@ -194,7 +194,7 @@ class TestRobotCompiler < Minitest::Test
     assert_refused(head_with('minimum_duty: 50', 'maximum_duty: 50', 'gain_per_s: 70'),
                    'axes[0].minimum_duty: is 50; expected less than maximum_duty (50)', at: 'minimum_duty: 50')
     assert_refused(head_with('minimum_duty: 0', 'maximum_duty: 50', 'gain_per_s: 70'),
-                   'axes[0].minimum_duty: is 0; expected 1 to 131071', at: 'minimum_duty: 0')
+                   'axes[0].minimum_duty: is 0; expected 1 to 8388607', at: 'minimum_duty: 0')
   end
 
   def test_SWR_ROBOT_001_data_of_a_switch_belong_to_axes_with_one

@@ -378,23 +378,23 @@ static void expect_drive(uint32_t mode, uint32_t direction, uint32_t duty,
 void test_SWR_CARD_003_a_drive_outside_its_range_is_named(void)
 {
     expect_drive(CARD_DRIVE_PWM, 0U, 0U, CARD_FRAME_OK);
-    expect_drive(CARD_DRIVE_PWM, 1U, 0x1FFFFU, CARD_FRAME_OK);
-    expect_drive(CARD_DRIVE_PWM, 2U, 0x1FFFFU, CARD_FRAME_BAD_DRIVE);
+    expect_drive(CARD_DRIVE_PWM, 1U, 0x7FFFFFU, CARD_FRAME_OK);
+    expect_drive(CARD_DRIVE_PWM, 2U, 0x7FFFFFU, CARD_FRAME_BAD_DRIVE);
     expect_drive(CARD_DRIVE_PWM, 256U, 0U, CARD_FRAME_BAD_DRIVE);
-    expect_drive(CARD_DRIVE_PWM, 1U, 0x20000U, CARD_FRAME_BAD_DRIVE);
-    expect_drive(CARD_DRIVE_PWM, 1U, 0x1000000U, CARD_FRAME_BAD_DRIVE);
+    expect_drive(CARD_DRIVE_PWM, 1U, 0x800000U, CARD_FRAME_BAD_DRIVE);
     expect_drive(CARD_DRIVE_NON_PWM, 1U, 0U, CARD_FRAME_OK);
     expect_drive(CARD_DRIVE_NON_PWM, 2U, 0U, CARD_FRAME_BAD_DRIVE);
     expect_drive(3U, 0U, 0U, CARD_FRAME_BAD_DRIVE);
     expect_drive(257U, 0U, 0U, CARD_FRAME_BAD_DRIVE);
 }
 
-void test_SWR_CARD_007_a_drive_without_pwm_has_a_magnitude_of_17_bits_or_none(void)
+void test_SWR_CARD_007_a_drive_without_pwm_has_a_magnitude_of_23_bits_or_none(void)
 {
     expect_drive(CARD_DRIVE_NON_PWM, 0U, 0U, CARD_FRAME_OK);
     expect_drive(CARD_DRIVE_NON_PWM, 0U, 1U, CARD_FRAME_OK);
-    expect_drive(CARD_DRIVE_NON_PWM, 1U, 0x1FFFFU, CARD_FRAME_OK);
-    expect_drive(CARD_DRIVE_NON_PWM, 1U, 0x20000U, CARD_FRAME_BAD_DRIVE);
+    expect_drive(CARD_DRIVE_NON_PWM, 1U, 0x7FFFFFU, CARD_FRAME_OK);
+    expect_drive(CARD_DRIVE_NON_PWM, 1U, 0x800000U, CARD_FRAME_BAD_DRIVE);
+    expect_drive(CARD_DRIVE_NON_PWM, 1U, 0x1000000U, CARD_FRAME_BAD_DRIVE);
     expect_drive(CARD_DRIVE_NON_PWM, 1U, UINT32_MAX, CARD_FRAME_BAD_DRIVE);
 }
 
@@ -403,17 +403,17 @@ void test_SWR_CARD_007_the_magnitude_stands_where_that_of_pwm_stands(void)
     card_command_t command = a_command();
     card_report_t report = a_report();
 
-    command.drive = (card_drive_t){CARD_DRIVE_NON_PWM, 1U, 0x1ABCDU};
+    command.drive = (card_drive_t){CARD_DRIVE_NON_PWM, 1U, 0x7ABCDEU};
     card_frame_encode_command(&command, bytes);
     TEST_ASSERT_EQUAL_HEX32(0x02010000U, word(10U));
-    TEST_ASSERT_EQUAL_HEX32(0x0001ABCDU, word(11U));
+    TEST_ASSERT_EQUAL_HEX32(0x007ABCDEU, word(11U));
     TEST_ASSERT_EQUAL_INT(CARD_FRAME_OK, card_frame_decode_command(bytes, SLOT, &command));
-    TEST_ASSERT_EQUAL_HEX32(0x1ABCDU, command.drive.duty);
+    TEST_ASSERT_EQUAL_HEX32(0x7ABCDEU, command.drive.duty);
     report.applied = command.drive;
     card_frame_encode_report(&report, bytes);
-    TEST_ASSERT_EQUAL_HEX32(0x2101ABCDU, word(24U));
+    TEST_ASSERT_EQUAL_HEX32(0x217ABCDEU, word(24U));
     TEST_ASSERT_EQUAL_INT(CARD_FRAME_OK, card_frame_decode_report(bytes, SLOT, &report));
-    TEST_ASSERT_EQUAL_HEX32(0x1ABCDU, report.applied.duty);
+    TEST_ASSERT_EQUAL_HEX32(0x7ABCDEU, report.applied.duty);
 }
 
 static void expect_drive_words(uint32_t mode_word, uint32_t duty_word)
