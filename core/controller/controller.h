@@ -71,6 +71,16 @@ typedef struct {
     uint32_t is_waiting; /**< 0 or 1. */
 } pending_command_t;
 
+/** What was decided about an axis in the last cycle, and told. */
+typedef struct {
+    speed_cap_t speed_cap;
+    uint32_t permit_reasons; /**< Bit mask of permit_reason_t. */
+    reason_hold_t reason_hold;
+    uint32_t permit_since_cycle; /**< Of the reasons that are shown. */
+    uint32_t speed_cap_percent;  /**< permit_t's: 0 when it was not allowed. */
+    uint32_t grade;              /**< axis_reference_t, as told. */
+} axis_record_t;
+
 /** Sections of the state, each under its seal: axes, their cards, and four more. */
 #define CONTROLLER_SECTIONS ((2U * ROBOT_AXIS_MAX) + 4U)
 
@@ -86,15 +96,8 @@ typedef struct {
     mode_state_t mode;
     axis_t axes[ROBOT_AXIS_MAX];
     link_t links[ROBOT_AXIS_MAX]; /**< In the order of the axes. */
+    axis_record_t records[ROBOT_AXIS_MAX];
     pending_command_t pending;
-    speed_cap_t speed_caps[ROBOT_AXIS_MAX];
-    card_drive_t drives[ROBOT_AXIS_MAX]; /**< As sent in the last cycle. */
-    uint32_t permit_reasons[ROBOT_AXIS_MAX];
-    reason_hold_t reason_holds[ROBOT_AXIS_MAX];
-    uint32_t permit_since_cycle[ROBOT_AXIS_MAX]; /**< Of the reasons that are shown. */
-    uint32_t permit_speed_cap_percent[ROBOT_AXIS_MAX];
-    uint32_t was_allowed[ROBOT_AXIS_MAX]; /**< The permit's answer in the last cycle. */
-    uint32_t grades[ROBOT_AXIS_MAX];      /**< axis_reference_t, as told. */
     kept_positions_t kept;  /**< From before the start; an axis that was compared is KEPT_LOST. */
     uint32_t cause;         /**< event_cause_t of what happens now. */
     uint32_t peer;          /**< Of the cause. */

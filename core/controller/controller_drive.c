@@ -19,10 +19,11 @@ static bool is_any_link_lost(const controller_t *self)
 }
 
 /* What is the same for every axis. */
-static permit_facts_t common_facts(const controller_t *self, const cycle_t *cycle, mode_kind_t kind)
+static permit_common_facts_t common_facts(const controller_t *self, const cycle_t *cycle,
+                                          mode_kind_t kind)
 {
     const pedal_gate_state_t pedal = self->pedal.chart.state;
-    const permit_facts_t facts = {
+    const permit_common_facts_t facts = {
         .is_estop_pulled = (self->estop.state == ESTOP_LATCH_STATE_PULLED),
         .is_estop_latched = (self->estop.state == ESTOP_LATCH_STATE_LATCHED),
         .is_loop_stopped = (self->loop.chart.state == LOOP_GUARD_STATE_STOPPED),
@@ -41,7 +42,8 @@ static permit_facts_t common_facts(const controller_t *self, const cycle_t *cycl
 
 /* What the parts of this file share about all axes. */
 typedef struct {
-    permit_facts_t facts;
+    permit_common_facts_t facts;
+    permit_common_t common;
     coupled_view_t axes;
     mode_kind_t kind;
 } view_t;
@@ -64,16 +66,17 @@ static permit_t decide(const controller_t *self, const cycle_t *cycle, uint32_t 
     const axis_t *const axis = &self->axes[index];
     const card_drive_t *const request = &view->axes.requests[index];
     const axis_config_t *const config = &cycle->robot->axes[index];
-    permit_facts_t facts = view->facts;
-    facts.is_axis_faulty = axis_is_faulty(axis);
-    facts.is_axis_enabled = axis_is_enabled(axis);
-    facts.is_homed = axis_is_homed(axis);
-    facts.is_towards_switch = axis_is_towards_switch(axis, config, request);
-    facts.is_beyond_soft_limit = axis_is_beyond_limit(axis, config, request);
-    facts.is_coupled_limit =
-        !facts.is_memory_damaged && coupled_guard_blocks(cycle->robot, &view->axes, index);
-    facts.is_needle_in = is_needle_in(self, cycle->robot, index, view);
-    return permit_decide(&facts);
+    const permit_facts_t facts = {
+        .is_axis_faulty = axis_is_faulty(axis),
+        .is_axis_enabled = axis_is_enabled(axis),
+        .is_homed = axis_is_homed(axis),
+        .is_towards_switch = axis_is_towards_switch(axis, config, request),
+        .is_beyond_soft_limit = axis_is_beyond_limit(axis, config, request),
+        .is_coupled_limit = !view->facts.is_memory_damaged &&
+                            coupled_guard_blocks(cycle->robot, &view->axes, index),
+        .is_needle_in = is_needle_in(self, cycle->robot, index, view),
+    };
+    return permit_decide(&view->common, &facts);
 }
 
 static uint32_t system_state(const controller_t *self, const cycle_t *cycle)
@@ -90,7 +93,7 @@ static uint32_t system_state(const controller_t *self, const cycle_t *cycle)
 /* Stepped in every cycle, with or without a drive. */
 static bool is_too_fast(controller_t *self, const cycle_t *cycle, uint32_t index, bool is_homed)
 {
-    return speed_cap_step(&self->speed_caps[index], &cycle->robot->axes[index],
+    return speed_cap_step(&self->records[index].speed_cap, &cycle->robot->axes[index],
                           permit_cap_percent(is_homed), self->axes[index].encoder.position_ticks,
                           cycle->inputs->elapsed_us);
 }
@@ -124,7 +127,6 @@ static void send(controller_t *self, const cycle_t *cycle, uint32_t index, uint3
     card_frame_encode_command(&command, cycle->outputs->frames[slot]);
     cycle->outputs->frames_to_send |= (uint32_t)1U << slot;
     link_note_sent(link, self->sequence, &command.drive);
-    self->drives[index] = command.drive;
 }
 
 static void clear_unused_frames(const cycle_t *cycle)
@@ -141,15 +143,14 @@ static void clear_unused_frames(const cycle_t *cycle)
 static void remember(controller_t *self, const cycle_t *cycle, uint32_t index,
                      const permit_t *permit)
 {
-    reason_hold_t *const hold = &self->reason_holds[index];
-    const uint32_t shown_before = hold->shown;
-    self->permit_reasons[index] = permit->reasons;
-    reason_hold_step(hold, permit->reasons, cycle->inputs->elapsed_us);
-    if (hold->shown != shown_before) {
-        self->permit_since_cycle[index] = self->cycle;
+    axis_record_t *const record = &self->records[index];
+    const uint32_t shown_before = record->reason_hold.shown;
+    record->permit_reasons = permit->reasons;
+    reason_hold_step(&record->reason_hold, permit->reasons, cycle->inputs->elapsed_us);
+    if (record->reason_hold.shown != shown_before) {
+        record->permit_since_cycle = self->cycle;
     }
-    self->permit_speed_cap_percent[index] = permit->speed_cap_percent;
-    self->was_allowed[index] = permit->is_allowed ? 1U : 0U;
+    record->speed_cap_percent = permit->speed_cap_percent;
 }
 
 void controller_drive(controller_t *self, const cycle_t *cycle,
@@ -157,11 +158,15 @@ void controller_drive(controller_t *self, const cycle_t *cycle,
 {
     card_drive_t sent[ROBOT_AXIS_MAX];
     const mode_kind_t kind = mode_in(&self->mode, procedure_workphase(&self->procedure));
-    const view_t view = {.facts = common_facts(self, cycle, kind),
+    const permit_common_facts_t facts = common_facts(self, cycle, kind);
+    const view_t view = {.facts = facts,
+                         .common = permit_decide_common(&facts),
                          .axes = {.axes = self->axes, .sent = sent, .requests = requests},
                          .kind = kind};
     const uint32_t state = system_state(self, cycle);
-    (void)memcpy(sent, self->drives, sizeof sent);
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
+        sent[i] = self->links[i].sent;
+    }
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         const permit_t permit = decide(self, cycle, i, &view);
         remember(self, cycle, i, &permit);

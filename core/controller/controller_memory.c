@@ -50,7 +50,7 @@ static const piece_t pieces[] = {
 };
 static const range_t confirm_range = {offsetof(controller_t, confirm),
                                       offsetof(controller_t, estop)};
-/* Of the rest, what is more than a count. */
+/* Of the rest, what is more than a count, beside the records. */
 static const range_t forgotten_range = {offsetof(controller_t, pending),
                                         offsetof(controller_t, has_started)};
 
@@ -65,6 +65,8 @@ static void compute(const controller_t *self, uint32_t seals[CONTROLLER_SECTIONS
         uint32_t *const seal = &seals[pieces[i].section];
         *seal = seal_of(*seal, &bytes[range->from], range->to - range->from);
     }
+    seals[REST] = seal_of(seals[REST], (const uint8_t *)self->records,
+                          self->axis_count * sizeof self->records[0]);
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         const uint8_t *const axis = (const uint8_t *)&self->axes[i];
         const uint8_t *const link = (const uint8_t *)&self->links[i];
@@ -96,6 +98,7 @@ static void clear(controller_t *self, const range_t *range)
 static void forget_rest(controller_t *self)
 {
     clear(self, &forgotten_range);
+    (void)memset(self->records, 0, sizeof self->records);
     self->has_started = 1U;
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         axis_forget(&self->axes[i]);

@@ -143,12 +143,12 @@ static void note_axis(controller_t *self, const cycle_t *cycle, uint32_t index, 
 static void note_grade(controller_t *self, const cycle_t *cycle, uint32_t index)
 {
     const axis_t *const axis = &self->axes[index];
-    const uint32_t before = self->grades[index];
+    const uint32_t before = self->records[index].grade;
     const uint32_t now = (uint32_t)axis->chart.reference;
     const bool was_known = (before == (uint32_t)AXIS_REFERENCE_UNVERIFIED) ||
                            (before == (uint32_t)AXIS_REFERENCE_TAKEN) ||
                            (before == (uint32_t)AXIS_REFERENCE_VERIFIED);
-    self->grades[index] = now;
+    self->records[index].grade = now;
     if (now == before) {
         return;
     }
@@ -177,8 +177,9 @@ static void observe_axis(controller_t *self, const cycle_t *cycle, uint32_t inde
     }
     uint32_t notes = axis_observe(&self->axes[index], config, report, cycle->inputs->elapsed_us);
     controller_compare(self, cycle, index);
-    notes |= axis_supervise(&self->axes[index], config, self->was_allowed[index] != 0U,
-                            &link->sent_before, cycle->inputs->elapsed_us);
+    notes |=
+        axis_supervise(&self->axes[index], config, self->records[index].speed_cap_percent != 0U,
+                       &link->sent_before, cycle->inputs->elapsed_us);
     note_axis(self, cycle, index, notes);
     note_grade(self, cycle, index);
 }

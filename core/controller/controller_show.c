@@ -61,7 +61,7 @@ static next_step_t next_step(const controller_t *self)
 {
     uint32_t reasons = 0U;
     for (uint32_t i = 0U; i < self->axis_count; i++) {
-        reasons |= self->reason_holds[i].shown;
+        reasons |= self->records[i].reason_hold.shown;
     }
     next_step_t step = NEXT_STEP_HOLD_PEDAL;
     for (uint32_t i = (uint32_t)(sizeof(remedies) / sizeof(remedies[0])); i > 0U; i--) {
@@ -103,13 +103,15 @@ static next_step_t confirmed_first(const controller_t *self, const cycle_t *cycl
 static void show_axis(const controller_t *self, const cycle_t *cycle, uint32_t index)
 {
     const axis_t *const axis = &self->axes[index];
+    const axis_record_t *const record = &self->records[index];
+    const card_drive_t *const sent = &self->links[index].sent;
     snapshot_axis_t *const shown = &cycle->outputs->snapshot.axes[index];
     shown->power = (uint32_t)axis->chart.power;
     shown->reference = (uint32_t)axis->chart.reference;
     shown->stall = (uint32_t)axis->supervision.stall.state;
-    shown->permit_reasons = self->reason_holds[index].shown;
-    shown->permit_since_cycle = self->permit_since_cycle[index];
-    shown->speed_cap_percent = self->permit_speed_cap_percent[index];
+    shown->permit_reasons = record->reason_hold.shown;
+    shown->permit_since_cycle = record->permit_since_cycle;
+    shown->speed_cap_percent = record->speed_cap_percent;
     shown->position_ticks = axis->encoder.position_ticks;
     shown->reading_ticks = axis->encoder.reading;
     shown->setpoint_ticks = axis->setpoint_ticks;
@@ -119,9 +121,9 @@ static void show_axis(const controller_t *self, const cycle_t *cycle, uint32_t i
     }
     shown->speed_ticks_per_s_q8 = axis->encoder.speed_ticks_per_s_q8;
     shown->setpoint_speed_ticks_per_s_q8 = axis->setpoint_speed_ticks_per_s_q8;
-    shown->drive_mode = self->drives[index].mode;
-    shown->drive_direction = self->drives[index].direction;
-    shown->drive_duty = self->drives[index].duty;
+    shown->drive_mode = sent->mode;
+    shown->drive_direction = sent->direction;
+    shown->drive_duty = sent->duty;
     shown->limit_switches = axis->limit_switches;
 }
 

@@ -18,7 +18,7 @@
  */
 #define PERMIT_REASON_FIRST_OF_PLACE ((uint32_t)PERMIT_REASON_LIMIT_SWITCH)
 
-/** The facts of one cycle about one axis. */
+/** The facts of one cycle that are the same for every axis. */
 typedef struct {
     bool is_estop_pulled;
     bool is_estop_latched;
@@ -26,15 +26,26 @@ typedef struct {
     bool is_link_lost;
     bool is_pedal_faulty;
     bool is_scanner_active;
-    bool is_axis_faulty;
-    bool is_axis_enabled;
     bool is_armed;
     bool is_pedal_unproven;
     bool is_pedal_pressed;
-    bool is_homed;
     bool is_every_axis_homed;
     bool is_memory_damaged; /**< The table of the robot is. */
     bool may_be_unhomed;    /**< What is armed may drive an axis that is not homed. */
+} permit_common_facts_t;
+
+/** What they decide. */
+typedef struct {
+    uint32_t reasons;           /**< Against every axis; bit mask of permit_reason_t. */
+    uint32_t unhomed_reasons;   /**< Against an axis that is not homed. */
+    uint32_t speed_cap_percent; /**< permit_cap_percent(). */
+} permit_common_t;
+
+/** The facts of one cycle about one axis. */
+typedef struct {
+    bool is_axis_faulty;
+    bool is_axis_enabled;
+    bool is_homed;
     bool is_towards_switch; /**< Requested direction is towards an active limit switch. */
     /** Homed, at or beyond a soft limit, and requested to go further. */
     bool is_beyond_soft_limit;
@@ -57,13 +68,19 @@ typedef struct {
 uint32_t permit_cap_percent(bool is_every_axis_homed);
 
 /**
- * Decides.
+ * Decides what is the same for every axis, once a cycle.
  *
- * @satisfies SWR-PERMIT-001
  * @satisfies SWR-PERMIT-004
  * @satisfies SWR-PEDAL-001
  */
-permit_t permit_decide(const permit_facts_t *facts);
+permit_common_t permit_decide_common(const permit_common_facts_t *facts);
+
+/**
+ * Decides for one axis.
+ *
+ * @satisfies SWR-PERMIT-001
+ */
+permit_t permit_decide(const permit_common_t *common, const permit_facts_t *facts);
 
 /**
  * The drive that may go into the card's frame: `requested` if it is allowed and the axis is not

@@ -145,7 +145,7 @@ void test_SWR_JOG_016_the_permit_drives_nothing_across_a_needle_that_is_in(void)
     TEST_ASSERT_NOT_EQUAL(CARD_DRIVE_OFF, requests[AXIS_INSERTION].mode);
     controller_drive(&rig.controller, &cycle, requests);
     TEST_ASSERT_EQUAL_HEX32(1UL << PERMIT_REASON_NEEDLE_IN,
-                            rig.controller.permit_reasons[AXIS_LATERAL]);
+                            rig.controller.records[AXIS_LATERAL].permit_reasons);
     TEST_ASSERT_EQUAL(CARD_DRIVE_OFF, rig_sent(&rig, AXIS_LATERAL).drive.mode);
     TEST_ASSERT_NOT_EQUAL(CARD_DRIVE_OFF, rig_sent(&rig, AXIS_INSERTION).drive.mode);
 }

@@ -391,9 +391,9 @@ void test_SWR_PERMIT_006_the_reason_of_a_chattering_switch_is_shown_as_standing(
     rig_cycles(&rig, 150U);
     const uint32_t since = lateral->permit_since_cycle;
     for (uint32_t i = 0U; i < 200U; i++) {
-        const uint32_t before = rig.controller.permit_reasons[AXIS_LATERAL];
+        const uint32_t before = rig.controller.records[AXIS_LATERAL].permit_reasons;
         rig_cycle(&rig);
-        changes += (rig.controller.permit_reasons[AXIS_LATERAL] != before) ? 1U : 0U;
+        changes += (rig.controller.records[AXIS_LATERAL].permit_reasons != before) ? 1U : 0U;
         TEST_ASSERT_EQUAL_HEX32(reason, lateral->permit_reasons);
         TEST_ASSERT_EQUAL_UINT32(since, lateral->permit_since_cycle);
         expect_step(NEXT_STEP_HOLD_PEDAL);

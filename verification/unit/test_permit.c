@@ -14,6 +14,12 @@
 #define FACTS 19U
 #define COMBINATIONS (1UL << FACTS)
 
+/* Those of every axis and those of one. */
+typedef struct {
+    permit_common_facts_t common;
+    permit_facts_t axis;
+} facts_t;
+
 /* Sixteen facts forbid by themselves; two decide together about the seventeenth
  * reason; one decides about the speed cap. */
 typedef struct {
@@ -23,55 +29,61 @@ typedef struct {
 } rule_t;
 
 static const rule_t rules[] = {
-    {offsetof(permit_facts_t, is_estop_pulled), true, PERMIT_REASON_ESTOP_PULLED},
-    {offsetof(permit_facts_t, is_estop_latched), true, PERMIT_REASON_ESTOP_LATCHED},
-    {offsetof(permit_facts_t, is_loop_stopped), true, PERMIT_REASON_LOOP_STOPPED},
-    {offsetof(permit_facts_t, is_link_lost), true, PERMIT_REASON_LINK_LOST},
-    {offsetof(permit_facts_t, is_pedal_faulty), true, PERMIT_REASON_PEDAL_FAULT},
-    {offsetof(permit_facts_t, is_scanner_active), true, PERMIT_REASON_SCANNER_ACTIVE},
-    {offsetof(permit_facts_t, is_axis_faulty), true, PERMIT_REASON_AXIS_FAULT},
-    {offsetof(permit_facts_t, is_axis_enabled), false, PERMIT_REASON_AXIS_DISABLED},
-    {offsetof(permit_facts_t, is_armed), false, PERMIT_REASON_NOTHING_ARMED},
-    {offsetof(permit_facts_t, is_pedal_unproven), true, PERMIT_REASON_PEDAL_UNPROVEN},
-    {offsetof(permit_facts_t, is_pedal_pressed), false, PERMIT_REASON_PEDAL_RELEASED},
-    {offsetof(permit_facts_t, is_towards_switch), true, PERMIT_REASON_LIMIT_SWITCH},
-    {offsetof(permit_facts_t, is_beyond_soft_limit), true, PERMIT_REASON_SOFT_LIMIT},
-    {offsetof(permit_facts_t, is_coupled_limit), true, PERMIT_REASON_COUPLED_LIMIT},
-    {offsetof(permit_facts_t, is_needle_in), true, PERMIT_REASON_NEEDLE_IN},
-    {offsetof(permit_facts_t, is_memory_damaged), true, PERMIT_REASON_MEMORY},
+    {offsetof(facts_t, common.is_estop_pulled), true, PERMIT_REASON_ESTOP_PULLED},
+    {offsetof(facts_t, common.is_estop_latched), true, PERMIT_REASON_ESTOP_LATCHED},
+    {offsetof(facts_t, common.is_loop_stopped), true, PERMIT_REASON_LOOP_STOPPED},
+    {offsetof(facts_t, common.is_link_lost), true, PERMIT_REASON_LINK_LOST},
+    {offsetof(facts_t, common.is_pedal_faulty), true, PERMIT_REASON_PEDAL_FAULT},
+    {offsetof(facts_t, common.is_scanner_active), true, PERMIT_REASON_SCANNER_ACTIVE},
+    {offsetof(facts_t, axis.is_axis_faulty), true, PERMIT_REASON_AXIS_FAULT},
+    {offsetof(facts_t, axis.is_axis_enabled), false, PERMIT_REASON_AXIS_DISABLED},
+    {offsetof(facts_t, common.is_armed), false, PERMIT_REASON_NOTHING_ARMED},
+    {offsetof(facts_t, common.is_pedal_unproven), true, PERMIT_REASON_PEDAL_UNPROVEN},
+    {offsetof(facts_t, common.is_pedal_pressed), false, PERMIT_REASON_PEDAL_RELEASED},
+    {offsetof(facts_t, axis.is_towards_switch), true, PERMIT_REASON_LIMIT_SWITCH},
+    {offsetof(facts_t, axis.is_beyond_soft_limit), true, PERMIT_REASON_SOFT_LIMIT},
+    {offsetof(facts_t, axis.is_coupled_limit), true, PERMIT_REASON_COUPLED_LIMIT},
+    {offsetof(facts_t, axis.is_needle_in), true, PERMIT_REASON_NEEDLE_IN},
+    {offsetof(facts_t, common.is_memory_damaged), true, PERMIT_REASON_MEMORY},
 };
 
 #define RULES (sizeof rules / sizeof rules[0])
 
-static bool *fact(permit_facts_t *facts, size_t offset)
+static permit_t decide(const facts_t *facts)
+{
+    const permit_common_t common = permit_decide_common(&facts->common);
+    return permit_decide(&common, &facts->axis);
+}
+
+static bool *fact(facts_t *facts, size_t offset)
 {
     return (bool *)((unsigned char *)facts + offset);
 }
 
-static permit_facts_t combination(uint32_t bits)
+static facts_t combination(uint32_t bits)
 {
-    permit_facts_t facts;
+    facts_t facts;
 
     for (size_t i = 0U; i < RULES; i++) {
         *fact(&facts, rules[i].fact) = ((bits >> i) & 1U) != 0U;
     }
-    facts.is_homed = ((bits >> RULES) & 1U) != 0U;
-    facts.may_be_unhomed = ((bits >> (RULES + 1U)) & 1U) != 0U;
-    facts.is_every_axis_homed = ((bits >> (RULES + 2U)) & 1U) != 0U;
+    facts.axis.is_homed = ((bits >> RULES) & 1U) != 0U;
+    facts.common.may_be_unhomed = ((bits >> (RULES + 1U)) & 1U) != 0U;
+    facts.common.is_every_axis_homed = ((bits >> (RULES + 2U)) & 1U) != 0U;
     return facts;
 }
 
 /* Nothing stands in the way: a homed axis, armed, with the pedal down. */
-static permit_facts_t free_facts(void)
+static facts_t free_facts(void)
 {
-    permit_facts_t facts;
+    facts_t facts;
 
     (void)memset(&facts, 0, sizeof facts);
-    facts.is_axis_enabled = true;
-    facts.is_armed = true;
-    facts.is_pedal_pressed = true;
-    facts.is_homed = true;
-    facts.is_every_axis_homed = true;
+    facts.axis.is_axis_enabled = true;
+    facts.common.is_armed = true;
+    facts.common.is_pedal_pressed = true;
+    facts.axis.is_homed = true;
+    facts.common.is_every_axis_homed = true;
     return facts;
 }
 
@@ -92,17 +104,17 @@ void test_SWR_PERMIT_001_every_combination_of_facts_is_decided_by_the_rule(void)
 {
     uint32_t allowed = 0U;
 
-    TEST_ASSERT_EQUAL_size_t(FACTS * sizeof(bool), sizeof(permit_facts_t));
+    TEST_ASSERT_EQUAL_size_t(FACTS * sizeof(bool), sizeof(facts_t));
     for (uint32_t bits = 0U; bits < COMBINATIONS; bits++) {
-        permit_facts_t facts = combination(bits);
-        const permit_t permit = permit_decide(&facts);
+        facts_t facts = combination(bits);
+        const permit_t permit = decide(&facts);
         uint32_t expected = 0U;
         for (size_t i = 0U; i < RULES; i++) {
             if (*fact(&facts, rules[i].fact) == rules[i].forbids_when) {
                 expected |= mask(rules[i].reason);
             }
         }
-        if (!(facts.is_homed || facts.may_be_unhomed)) {
+        if (!(facts.axis.is_homed || facts.common.may_be_unhomed)) {
             expected |= mask(PERMIT_REASON_NOT_HOMED);
         }
         TEST_ASSERT_EQUAL_HEX32(expected, permit.reasons);
@@ -116,8 +128,8 @@ void test_SWR_PERMIT_001_every_combination_of_facts_is_decided_by_the_rule(void)
 
 void test_SWR_PERMIT_002_an_allowed_request_passes_unchanged(void)
 {
-    const permit_facts_t facts = free_facts();
-    const permit_t permit = permit_decide(&facts);
+    const facts_t facts = free_facts();
+    const permit_t permit = decide(&facts);
     const card_drive_t request = {CARD_DRIVE_PWM, 1U, 0x1FFFFU};
     const card_drive_t drive = permit_apply(&permit, false, &request);
 
@@ -131,9 +143,9 @@ void test_SWR_PERMIT_002_any_single_reason_makes_every_drive_word_zero(void)
     const card_drive_t request = {CARD_DRIVE_NON_PWM, 1U, 0x1FFFFU};
 
     for (size_t i = 0U; i < RULES; i++) {
-        permit_facts_t facts = free_facts();
+        facts_t facts = free_facts();
         *fact(&facts, rules[i].fact) = rules[i].forbids_when;
-        const permit_t permit = permit_decide(&facts);
+        const permit_t permit = decide(&facts);
         const card_drive_t drive = permit_apply(&permit, false, &request);
         TEST_ASSERT_EQUAL_UINT32(0U, drive.mode);
         TEST_ASSERT_EQUAL_UINT32(0U, drive.direction);
@@ -144,81 +156,81 @@ void test_SWR_PERMIT_002_any_single_reason_makes_every_drive_word_zero(void)
 void test_SWR_PERMIT_003_each_fact_alone_is_named_by_its_own_reason(void)
 {
     for (size_t i = 0U; i < RULES; i++) {
-        permit_facts_t facts = free_facts();
+        facts_t facts = free_facts();
         *fact(&facts, rules[i].fact) = rules[i].forbids_when;
-        TEST_ASSERT_EQUAL_HEX32(mask(rules[i].reason), permit_decide(&facts).reasons);
+        TEST_ASSERT_EQUAL_HEX32(mask(rules[i].reason), decide(&facts).reasons);
     }
-    permit_facts_t facts = free_facts();
-    facts.is_homed = false;
-    TEST_ASSERT_EQUAL_HEX32(mask(PERMIT_REASON_NOT_HOMED), permit_decide(&facts).reasons);
+    facts_t facts = free_facts();
+    facts.axis.is_homed = false;
+    TEST_ASSERT_EQUAL_HEX32(mask(PERMIT_REASON_NOT_HOMED), decide(&facts).reasons);
 }
 
 void test_SWR_PERMIT_003_reasons_that_stand_together_are_all_named(void)
 {
-    permit_facts_t facts = free_facts();
+    facts_t facts = free_facts();
     uint32_t all = mask(PERMIT_REASON_NOT_HOMED);
 
     for (size_t i = 0U; i < RULES; i++) {
         *fact(&facts, rules[i].fact) = rules[i].forbids_when;
         all |= mask(rules[i].reason);
     }
-    facts.is_homed = false;
-    TEST_ASSERT_EQUAL_HEX32(all, permit_decide(&facts).reasons);
+    facts.axis.is_homed = false;
+    TEST_ASSERT_EQUAL_HEX32(all, decide(&facts).reasons);
 }
 
 void test_SWR_PERMIT_004_no_axis_is_allowed_while_the_scanner_acquires(void)
 {
-    permit_facts_t facts = free_facts();
+    facts_t facts = free_facts();
 
-    TEST_ASSERT_TRUE(permit_decide(&facts).is_allowed);
-    facts.is_scanner_active = true;
-    TEST_ASSERT_FALSE(permit_decide(&facts).is_allowed);
-    facts.may_be_unhomed = true;
-    TEST_ASSERT_FALSE(permit_decide(&facts).is_allowed);
+    TEST_ASSERT_TRUE(decide(&facts).is_allowed);
+    facts.common.is_scanner_active = true;
+    TEST_ASSERT_FALSE(decide(&facts).is_allowed);
+    facts.common.may_be_unhomed = true;
+    TEST_ASSERT_FALSE(decide(&facts).is_allowed);
 }
 
 void test_SWR_PERMIT_005_a_homed_axis_has_its_full_speed(void)
 {
-    permit_facts_t facts = free_facts();
+    facts_t facts = free_facts();
 
-    TEST_ASSERT_EQUAL_UINT32(100U, permit_decide(&facts).speed_cap_percent);
-    facts.may_be_unhomed = true;
-    TEST_ASSERT_EQUAL_UINT32(100U, permit_decide(&facts).speed_cap_percent);
+    TEST_ASSERT_EQUAL_UINT32(100U, decide(&facts).speed_cap_percent);
+    facts.common.may_be_unhomed = true;
+    TEST_ASSERT_EQUAL_UINT32(100U, decide(&facts).speed_cap_percent);
 }
 
 void test_SWR_PERMIT_005_an_axis_that_is_not_allowed_has_no_speed(void)
 {
-    permit_facts_t facts = free_facts();
+    facts_t facts = free_facts();
 
-    facts.is_estop_pulled = true;
-    TEST_ASSERT_EQUAL_UINT32(0U, permit_decide(&facts).speed_cap_percent);
+    facts.common.is_estop_pulled = true;
+    TEST_ASSERT_EQUAL_UINT32(0U, decide(&facts).speed_cap_percent);
 }
 
 void test_SWR_AXIS_006_an_axis_not_homed_homes_and_jogs_at_reduced_speed(void)
 {
-    permit_facts_t facts = free_facts();
+    facts_t facts = free_facts();
 
-    facts.is_homed = false;
-    facts.is_every_axis_homed = false;
-    facts.may_be_unhomed = true;
-    const permit_t permit = permit_decide(&facts);
+    facts.axis.is_homed = false;
+    facts.common.is_every_axis_homed = false;
+    facts.common.may_be_unhomed = true;
+    const permit_t permit = decide(&facts);
     TEST_ASSERT_TRUE(permit.is_allowed);
     TEST_ASSERT_EQUAL_UINT32(LIMIT_UNHOMED_SPEED_PERCENT, permit.speed_cap_percent);
 }
 
 void test_SWR_AXIS_006_a_homed_axis_is_slow_too_while_another_is_not_homed(void)
 {
-    permit_facts_t facts = free_facts();
+    facts_t facts = free_facts();
 
-    facts.is_every_axis_homed = false;
-    TEST_ASSERT_EQUAL_UINT32(LIMIT_UNHOMED_SPEED_PERCENT, permit_decide(&facts).speed_cap_percent);
+    facts.common.is_every_axis_homed = false;
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_UNHOMED_SPEED_PERCENT, decide(&facts).speed_cap_percent);
 }
 
 void test_SWR_PERMIT_005_an_axis_that_is_too_fast_gets_no_drive(void)
 {
     const card_drive_t request = {CARD_DRIVE_PWM, 1U, 0x1FFFFU};
-    const permit_facts_t facts = free_facts();
-    const permit_t permit = permit_decide(&facts);
+    const facts_t facts = free_facts();
+    const permit_t permit = decide(&facts);
     const card_drive_t drive = permit_apply(&permit, true, &request);
 
     TEST_ASSERT_EQUAL_UINT32(0U, drive.mode | drive.direction | drive.duty);
@@ -232,10 +244,10 @@ void test_SWR_AXIS_006_the_cap_is_lower_until_every_axis_is_homed(void)
 
 void test_SWR_AXIS_006_an_axis_not_homed_does_nothing_else(void)
 {
-    permit_facts_t facts = free_facts();
+    facts_t facts = free_facts();
 
-    facts.is_homed = false;
-    TEST_ASSERT_FALSE(permit_decide(&facts).is_allowed);
+    facts.axis.is_homed = false;
+    TEST_ASSERT_FALSE(decide(&facts).is_allowed);
 }
 
 void test_SWR_PEDAL_001_without_the_pedal_every_drive_word_is_zero_whatever_else_holds(void)
@@ -243,9 +255,9 @@ void test_SWR_PEDAL_001_without_the_pedal_every_drive_word_is_zero_whatever_else
     const card_drive_t request = {CARD_DRIVE_PWM, 1U, 0x1FFFFU};
 
     for (uint32_t bits = 0U; bits < COMBINATIONS; bits++) {
-        permit_facts_t facts = combination(bits);
-        facts.is_pedal_pressed = false;
-        const permit_t permit = permit_decide(&facts);
+        facts_t facts = combination(bits);
+        facts.common.is_pedal_pressed = false;
+        const permit_t permit = decide(&facts);
         const card_drive_t drive = permit_apply(&permit, false, &request);
         TEST_ASSERT_EQUAL_UINT32(0U, drive.mode | drive.direction | drive.duty);
     }

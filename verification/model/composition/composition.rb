@@ -23,7 +23,8 @@ class Composition
   # kind as in Chart::Property; stimuli: numbers.
   Property = Struct.new(:id, :kind, :stimuli, :from, :expression, :steps)
 
-  attr_reader :axes, :charts, :members, :permits, :inputs, :reactions, :stimuli, :facts, :properties, :free, :exchange
+  attr_reader :axes, :charts, :members, :permits, :inputs, :reactions, :stimuli, :facts, :common_facts, :properties, :free,
+              :exchange
 
   def initialize(axes: nil, file: FILE, exchange: Exchange)
     @rows = YAML.safe_load_file(file)
@@ -34,7 +35,10 @@ class Composition
     @reactions = spread_rows('reactions').flat_map { |row| reaction(row) }
     @free = free_inputs
     @stimuli = spread_rows('stimuli').map { |row| stimulus(*resolve(row.fetch('tell')), row['when']) } + expiries
-    @facts = (1..@axes).map { |axis| @rows.fetch('facts').transform_values { |text| expression(number(text, axis)) } }
+    @common_facts = @rows.fetch('facts').fetch('common').keys
+    @facts = (1..@axes).map do |axis|
+      @rows.fetch('facts').values.reduce(:merge).transform_values { |text| expression(number(text, axis)) }
+    end
     @properties = @rows.fetch('properties').flat_map { |row| copies(row) }.map { |row| property(row) }
     @exchange = exchange.new(self)
   end

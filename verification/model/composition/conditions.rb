@@ -124,18 +124,25 @@ class CompositionConditions
 
   # permit_N, and whether the product's own decision on the facts is the same.
   def permit
-    axes = @composition.facts.each_with_index.map do |facts, axis|
-      rows = facts.map { |name, condition| "        .#{name} = #{term(condition)},\n" }
-      "    facts = (permit_facts_t){\n#{rows.join}    };\n" \
-        "    is_same = is_same && (permit_decide(&facts).is_allowed == is_permitted(config, #{axis}U));\n"
-    end
+    axes = @composition.facts.each_with_index.map { |facts, axis| decision(facts, axis) }
     [choices('is_permitted', @composition.permits.values), <<~TEXT]
       static bool does_permit_agree(config_t config)
       {
-          permit_facts_t facts;
+          permit_common_t common;
           bool is_same = true;
       #{axes.join}    return is_same;
       }
     TEXT
+  end
+
+  def decision(facts, axis)
+    common, own = facts.partition { |name, _condition| @composition.common_facts.include?(name) }
+    "    common = permit_decide_common(&(permit_common_facts_t){\n#{initializers(common)}    });\n" \
+      "    is_same = is_same && (permit_decide(&common, &(permit_facts_t){\n#{initializers(own)}    })" \
+      ".is_allowed == is_permitted(config, #{axis}U));\n"
+  end
+
+  def initializers(facts)
+    facts.map { |name, condition| "        .#{name} = #{term(condition)},\n" }.join
   end
 end

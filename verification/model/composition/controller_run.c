@@ -85,7 +85,7 @@ static uint32_t permit_of(uint32_t axis, uint32_t card)
     const uint32_t left_out = (1U << PERMIT_REASON_LIMIT_SWITCH) |
                               (1U << PERMIT_REASON_SOFT_LIMIT) |
                               (1U << PERMIT_REASON_COUPLED_LIMIT) | (1U << PERMIT_REASON_NEEDLE_IN);
-    const bool is_allowed = (rig.controller.permit_reasons[axis] & ~left_out) == 0U;
+    const bool is_allowed = (rig.controller.records[axis].permit_reasons & ~left_out) == 0U;
     bool is_another_lost = false;
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         is_another_lost =
