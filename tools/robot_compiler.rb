@@ -86,6 +86,7 @@ module Robot
        *array('geometry_nm', geometry.map { |name, nm| "        [#{name}] = #{nm}" }),
        "    .seal = #{seal('robot_t', sealed)}",
        *array('axes', @robot.axes.each_with_index.map { |axis, i| entry(axis, i) }),
+       *array('poses', @robot.poses.map { |name, ticks| pose(name, ticks) }),
        *array('start_ticks', @robot.axes.each_with_index.map { |axis, i| "        [#{i}] = #{axis['start_ticks']}" })]
     end
 
@@ -98,14 +99,23 @@ module Robot
       { 'name' => "\"#{@robot.name}\"", 'axis_count' => "#{@robot.axes.size}U", 'crc' => "0x#{format('%08X', @crc)}U",
         'kind' => "0x#{format('%08X', Kind.number(@robot.kinematics))}U",
         'card_firmware' => "0x#{format('%06X', @robot.card_firmware)}U", 'needle_axis' => "#{@robot.needle_axis}U",
+        'pose_mask' => "#{@robot.poses.keys.sum { |name| 1 << Pose::NAMES.index(name) }}U",
         'coupled_limit_count' => "#{@robot.coupled_limits.size}U" }
     end
 
     def entry(axis, index)
       values = fields(axis)
       values['seal'] = seal('axis_config_t', values)
-      lines = values.map { |field, value| "            .#{field} = #{value}" }
+      lines = values.map { |field, value| "            .#{field} = #{initializer(value)}" }
       "        [#{index}] = {\n#{lines.join(",\n")}\n        }"
+    end
+
+    def initializer(value)
+      value.is_a?(Array) ? "{#{value.join(', ')}}" : value
+    end
+
+    def pose(name, ticks)
+      "        [POSE_#{name.upcase}] = {.ticks = #{initializer(ticks)}, .seal = #{seal('pose_t', 'ticks' => ticks)}}"
     end
 
     def seal(structure, values)
@@ -119,6 +129,7 @@ module Robot
         'unit' => axis.linear? ? '(uint8_t)AXIS_UNIT_MM' : '(uint8_t)AXIS_UNIT_RAD',
         'limit_switch' => enumerator(axis, 'limit_switch'), 'home_method' => enumerator(axis, 'home'),
         'home_stage' => "#{axis['home_stage']}U",
+        'leaders' => @robot.followers.leaders(axis).map { |leader| "#{leader}U" },
         'is_motor_inverted' => flag(axis['motor_inverted']), 'is_encoder_inverted' => flag(axis['encoder_inverted']),
         'needle_motion' => "(uint32_t)#{ENUMERATORS['needle'][axis['needle']]}",
         'unit_per_tick_q16' => "INT64_C(#{unit_per_tick_q16(axis)})"

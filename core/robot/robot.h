@@ -15,6 +15,8 @@
 #define ROBOT_AXIS_MAX 10U      /**< Most axes of any robot; what a robot has is axis_count. */
 #define ROBOT_COUPLED_LIMITS 1U /**< Most coupled limits of any robot. */
 #define ROBOT_GEOMETRY_MAX 13U  /**< Most lengths of the geometry of any robot. */
+#define ROBOT_HOME_STAGES 4U    /**< Most stages of homing. */
+#define ROBOT_POSES 1U          /**< How many poses have a name. */
 
 typedef enum {
     HOME_BY_SWITCH = 0, /**< Drives to its limit switch. */
@@ -49,11 +51,14 @@ typedef struct {
     uint8_t unit;                /**< axis_unit_t. */
     uint8_t limit_switch;        /**< limit_switch_t. */
     uint8_t home_method;         /**< home_method_t. */
-    uint8_t home_stage;          /**< 1 or 2: stage 2 homes after stage 1. */
+    uint8_t home_stage;          /**< 1..ROBOT_HOME_STAGES, one after the other. */
     uint8_t is_motor_inverted;   /**< 1: direction bit 1 makes the position smaller. */
     uint8_t is_encoder_inverted; /**< 1: position grows when the reading falls. */
-    uint32_t needle_motion;      /**< needle_motion_t. */
-    int32_t minimum_ticks;       /**< Soft limits, inclusive. */
+    /** At n - 1, of stage n: 1 + index of the axis that it follows while that homes by its switch;
+     * 0: none. Both have the same ticks a unit. */
+    uint8_t leaders[ROBOT_HOME_STAGES];
+    uint32_t needle_motion; /**< needle_motion_t. */
+    int32_t minimum_ticks;  /**< Soft limits, inclusive. */
     int32_t maximum_ticks;
     int32_t home_ticks;
     int32_t deadband_ticks;    /**< |set-point - position| at rest that counts as arrived. */
@@ -92,6 +97,17 @@ typedef struct {
     int32_t maximum_nm;
 } coupled_limit_t;
 
+/** The poses that have a name. */
+typedef enum {
+    POSE_HOME = 0 /**< Where START_UP takes all axes once they are homed. */
+} pose_name_t;
+
+/** A pose: where each axis stands, surely free of its limit switch. */
+typedef struct {
+    int32_t ticks[ROBOT_AXIS_MAX];
+    uint32_t seal; /**< seal_of() all before it. */
+} pose_t;
+
 /** A robot. No padding before `seal`. */
 typedef struct {
     char name[12];
@@ -100,12 +116,14 @@ typedef struct {
     uint32_t kind;          /**< ROBOT_KIND_: whose kinematics. */
     uint32_t card_firmware; /**< Of every card: major << 16 | minor << 8 | patch. */
     uint32_t needle_axis;   /**< The axis that moves the needle along its line. */
+    uint32_t pose_mask;     /**< Bit n: it has the pose n of pose_name_t. */
     uint32_t coupled_limit_count;
     coupled_limit_t coupled_limits[ROBOT_COUPLED_LIMITS];
     int32_t geometry_nm[ROBOT_GEOMETRY_MAX]; /**< In the order of the robot file; named by the
                                                 robot's own header. */
     uint32_t seal;                           /**< seal_of() all before it. */
     axis_config_t axes[ROBOT_AXIS_MAX];
+    pose_t poses[ROBOT_POSES]; /**< By pose_name_t. */
     int32_t
         start_ticks[ROBOT_AXIS_MAX]; /**< Where the simulated axes stand when their box is
                                         switched on; nothing else reads it, so it has no seal. */

@@ -13,8 +13,8 @@
 /**
  * Compares the seals that were compiled into the table with it; cheap enough for every cycle.
  *
- * @return bit n: the row of axis n is damaged; bit ROBOT_PART_GEOMETRY: what stands before the
- * rows, whose number is then not known, so none is looked at
+ * @return bit n: the row of axis n is damaged; bit ROBOT_PART_GEOMETRY: a pose, or
+ * what stands before the rows, whose number is then not known, so none is looked at
  *
  * @satisfies SWR-MEMORY-004
  */

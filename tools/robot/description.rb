@@ -2,8 +2,10 @@
 # frozen_string_literal: true
 
 require_relative 'document'
+require_relative 'followers'
 require_relative 'kinematics'
 require_relative 'limit'
+require_relative 'pose'
 
 module Robot
   # An axis as the file gives it: values by key, and the nodes they came from.
@@ -22,7 +24,7 @@ module Robot
     POSITION = (-1_000_000..1_000_000)
     SPEED = (1..1_000_000)
     WHOLE = {
-      'slot' => (0..9), 'home_stage' => (1..2), 'minimum_ticks' => POSITION, 'maximum_ticks' => POSITION,
+      'slot' => (0..9), 'home_stage' => Followers::STAGES, 'minimum_ticks' => POSITION, 'maximum_ticks' => POSITION,
       'home_ticks' => POSITION, 'start_ticks' => POSITION, 'deadband_ticks' => (0..1000), 'speed_ticks_per_s' => SPEED,
       'acceleration_ticks_per_s2' => (1..10_000_000), 'home_speed_ticks_per_s' => SPEED,
       'full_speed_ticks_per_s' => SPEED, 'following_error_ticks' => (1..1_000_000), 'jump_ticks' => (1..1_000_000),
@@ -35,10 +37,11 @@ module Robot
 
     def initialize(node)
       @node = node
-      @nodes = node.mapping(['name', *WHOLE.keys, *CHOICES.keys], UNITS + MAGNITUDE.keys + SWITCH.keys)
+      @nodes = node.mapping(['name', *WHOLE.keys, *CHOICES.keys], UNITS + MAGNITUDE.keys + SWITCH.keys + ['follows'])
       @values = { 'name' => @nodes['name'].name }
       WHOLE.each { |key, range| @values[key] = @nodes[key].integer(range) }
       CHOICES.each { |key, values| @values[key] = @nodes[key].choice(values) }
+      @values['follows'] = Followers.read(@nodes['follows'])
       read_unit
       read_magnitude
       read_switch
@@ -169,10 +172,11 @@ module Robot
     LARGEST_DEPTH_MM = 200
     LARGEST_TRAVEL_MM = 2000
 
-    attr_reader :name, :kinematics, :card_firmware, :axes, :geometry, :coupled_limits
+    attr_reader :name, :kinematics, :card_firmware, :axes, :geometry, :coupled_limits, :followers, :poses
 
     def initialize(path, text)
-      nodes = Node.parse(path, text).mapping(%w[name kinematics card_firmware geometry probe coupled_limits axes])
+      nodes = Node.parse(path, text).mapping(%w[name kinematics card_firmware geometry probe coupled_limits axes],
+                                             ['poses'])
       @name = nodes['name'].name
       @kinematics = nodes['kinematics'].choice(Kinematics.names)
       @expected = Kinematics.new(@kinematics)
@@ -185,6 +189,8 @@ module Robot
       check_lengths
       check_coupled_limits
       check_axes
+      @followers = Followers.new(@axes)
+      @poses = read_poses(nodes['poses'])
     end
 
     def needle_axis
@@ -231,6 +237,11 @@ module Robot
       names = axes.map { |axis| axis['name'] }
       node.refuse("are #{names.join(', ')}; expected #{@expected.axes.join(', ')}") unless names == @expected.axes
       axes
+    end
+
+    def read_poses(node)
+      poses = node ? node.mapping([], Pose::NAMES) : {}
+      poses.transform_values { |pose| Pose.new(pose, @axes, @coupled_limits).ticks }
     end
 
     def unique(axes, key)

@@ -74,6 +74,15 @@ module Robot
       text
     end
 
+    # A number and one of `units`.
+    def quantity(units)
+      number, unit = plain.split(' ', 2)
+      is_whole = unit != 'ticks' || number.match?(/\A-?[0-9]+\z/)
+      refuse("is #{plain}; expected a number and #{units.join(' or ')}") \
+        unless number.match?(/\A-?[0-9]+(\.[0-9]+)?\z/) && units.include?(unit) && is_whole
+      [Rational(number), unit]
+    end
+
     # major << 16 | minor << 8 | patch
     def version
       text = plain

@@ -91,7 +91,7 @@ class TestRobotCompiler < Minitest::Test
   def test_SWR_ROBOT_001_an_unknown_key_is_refused
     assert_refused(with('kinematics: neuro', "kinematics: neuro\ncolour: red"),
                    'colour: is unknown; expected name, kinematics, card_firmware, geometry, probe, coupled_limits, ' \
-                   'axes', at: 'colour')
+                   'axes, poses', at: 'colour')
     text = with('    slot: 4', "    slot: 4\n    slat: 4", axis: 'lateral')
     status, errors, = compile(text)
     assert_equal 1, status
@@ -127,8 +127,8 @@ class TestRobotCompiler < Minitest::Test
   def test_SWR_ROBOT_001_a_number_out_of_range_is_refused
     assert_refused(with('slot: 7', 'slot: 10'), 'axes[0].slot: is 10; expected 0 to 9', at: 'slot: 10')
     assert_refused(with('slot: 7', 'slot: -1'), 'axes[0].slot: is -1; expected 0 to 9', at: 'slot: -1')
-    assert_refused(with('home_stage: 2', 'home_stage: 3'), 'axes[0].home_stage: is 3; expected 1 to 2',
-                   at: 'home_stage: 3')
+    assert_refused(with('home_stage: 2', 'home_stage: 5'), 'axes[0].home_stage: is 5; expected 1 to 4',
+                   at: 'home_stage: 5')
     assert_refused(with('side_link_mm: 60', 'side_link_mm: 0.5'),
                    'geometry.side_link_mm: is 0.5; expected 1 to 1000', at: 'side_link_mm')
     assert_refused(with('78.74', '0.1'), 'axes[0].ticks_per_mm: is 0.1; expected 1 to 100000', at: 'ticks_per_mm: 0.1')
@@ -306,6 +306,114 @@ class TestRobotCompiler < Minitest::Test
     swapped = with("    first: head\n    second: feet", "    first: feet\n    second: head")
     assert_refused(swapped, message, at: 'coupled_limits:')
     assert_refused(with("    second: feet\n", ''), 'coupled_limits[0].second: is missing', at: '- name: separation')
+  end
+
+  # The head homes in the third stage, and `axis` follows it.
+  def with_follower(axis, leaders, text = TEXT)
+    text = text.sub('home_stage: 2', 'home_stage: 3')
+    head, mark, tail = text.partition("- name: #{axis}\n")
+    head + mark + tail.sub('    home_stage: ') { "    follows: {#{leaders}}\n    home_stage: " }
+  end
+
+  def assert_no_leader(text, field, message, axis: 'feet')
+    assert_refused(text, "#{field}: #{message}", at: 'follows:', axis: axis)
+  end
+
+  def test_SWR_ROBOT_022_the_table_holds_who_follows_whom_in_which_stage
+    assert_equal ['{0U, 0U, 0U, 0U}'], compile(TEXT).last.scan(/\.leaders = (\{.*\})/).flatten.uniq
+    leaders = compile(with_follower('feet', '3: head')).last.scan(/\.leaders = (\{.*\})/).flatten
+    assert_equal '{0U, 0U, 1U, 0U}', leaders.delete_at(1)
+    assert_equal ['{0U, 0U, 0U, 0U}'], leaders.uniq
+  end
+
+  def test_SWR_ROBOT_022_a_leader_that_does_not_home_in_that_stage_by_its_switch_is_refused
+    field = 'axes[1].follows.3'
+    assert_no_leader(with_follower('feet', '3: tail'), field, 'is tail; expected an axis of this robot')
+    expected = 'expected an axis that homes in stage 3 by its switch'
+    assert_no_leader(with_follower('feet', '3: lateral'), field, "is lateral; #{expected}")
+    rotation = with_follower('feet', '3: rotation').sub(/(name: rotation.*?)home_stage: 2/m, '\1home_stage: 3')
+    assert_no_leader(rotation, field, "is rotation; #{expected}")
+    assert_no_leader(with_follower('feet', '4: head'), 'axes[1].follows.4',
+                     'is head; expected an axis that homes in stage 4 by its switch')
+    assert_no_leader(with_follower('feet', '5: head'), 'axes[1].follows.5', 'is unknown; expected 1, 2, 3, 4')
+  end
+
+  def test_SWR_ROBOT_022_who_homes_in_a_stage_follows_nobody_in_it_so_there_is_no_chain
+    assert_no_leader(with_follower('head', '3: head'), 'axes[0].follows.3',
+                     'follows in stage 3, in which head homes itself; expected another stage', axis: 'head')
+    assert_no_leader(with_follower('feet', '2: lateral'), 'axes[1].follows.2',
+                     'follows in stage 2, in which feet homes itself; expected another stage')
+  end
+
+  def test_SWR_ROBOT_022_axes_that_cannot_travel_as_one_are_refused
+    field = 'axes[1].follows.3'
+    feet = ->(before, after) { with_follower('feet', '3: head').sub(/(name: feet.*?)#{before}/m, "\\1#{after}") }
+    other = 'is head, whose ticks are others; expected the unit and ticks of feet'
+    assert_no_leader(feet['ticks_per_mm: 78.74', 'ticks_per_mm: 78.7'], field, other)
+    assert_no_leader(with_follower('pitch', '3: head'), 'axes[5].follows.3', other.sub('feet', 'pitch'), axis: 'pitch')
+    assert_no_leader(feet['home_speed_ticks_per_s: 196', 'home_speed_ticks_per_s: 195'], field,
+                     'is head with home_speed_ticks_per_s 196; expected at most the 195 of feet')
+    assert_no_leader(feet['acceleration_ticks_per_s2: 3150', 'acceleration_ticks_per_s2: 3149'], field,
+                     'is head with acceleration_ticks_per_s2 3150; expected at most the 3149 of feet')
+  end
+
+  def test_SWR_ROBOT_022_the_needle_follows_nobody_and_nobody_follows_it
+    needle = 'expected two axes across the needle'
+    assert_no_leader(with_follower('insertion', '3: head'), 'axes[3].follows.3', "ties insertion to head; #{needle}",
+                     axis: 'insertion')
+    assert_no_leader(with_follower('feet', '1: insertion'), 'axes[1].follows.1', "ties feet to insertion; #{needle}")
+    assert_no_leader(with_follower('rotation', '3: head'), 'axes[4].follows.3', "ties rotation to head; #{needle}",
+                     axis: 'rotation')
+  end
+
+  HOME = { head: '-20 mm', feet: '-1575 ticks', lateral: '-7 ticks', insertion: '2083 ticks', rotation: '0 rad',
+           pitch: '0.1 rad', yaw: '-300 ticks' }.freeze
+
+  def with_pose(home)
+    "#{TEXT}poses:\n  home:\n#{home.map { |axis, place| "    #{axis}: #{place}\n" }.join}"
+  end
+
+  def assert_no_pose(axis, place, message)
+    assert_refused(with_pose(HOME.merge(axis => place)), "poses.home.#{axis}: is #{message}",
+                   at: "    #{axis}: #{place}")
+  end
+
+  def test_SWR_ROBOT_023_the_table_holds_a_pose_in_ticks
+    assert_includes compile(TEXT).last, '.pose_mask = 0U'
+    table = compile(with_pose(HOME)).last
+    assert_includes table, '.pose_mask = 1U'
+    assert_includes table, '[POSE_HOME] = {.ticks = {-1575, -1575, -7, 2083, 0, 80, -300}, .seal = 0x'
+    assert_equal 0, compile(with_pose(HOME.merge(insertion: '336 ticks'))).first
+  end
+
+  def test_SWR_ROBOT_023_a_pose_of_other_axes_or_another_name_is_refused
+    assert_refused(with_pose(HOME.except(:yaw)), 'poses.home.yaw: is missing', at: "  home:\n")
+    assert_refused(with_pose(HOME).sub("\n  home:\n", "\n  park:\n"), 'poses.park: is unknown; expected home', at: '  park:')
+  end
+
+  def test_SWR_ROBOT_023_a_place_that_is_no_place_is_refused
+    expected = 'expected a number and ticks or'
+    assert_no_pose(:head, '-20', "-20; #{expected} mm")
+    assert_no_pose(:head, '-20 rad', "-20 rad; #{expected} mm")
+    assert_no_pose(:head, '-20.5 ticks', "-20.5 ticks; #{expected} mm")
+    assert_no_pose(:head, 'far mm', "far mm; #{expected} mm")
+    assert_no_pose(:pitch, '1 mm', "1 mm; #{expected} rad")
+  end
+
+  def test_SWR_ROBOT_023_a_place_beyond_a_limit_or_at_a_switch_is_refused
+    assert_no_pose(:feet, '-5513 ticks', '-5513 ticks; expected -5512 to 5906')
+    assert_no_pose(:lateral, '-6 ticks', '-6 ticks; expected -2337 to -7')
+    assert_no_pose(:insertion, '335 ticks', '335 ticks; expected 336 to 2083')
+  end
+
+  def test_SWR_ROBOT_023_a_pose_with_the_needle_in_is_refused
+    assert_no_pose(:insertion, '2084 ticks', '2084 ticks; expected 336 to 2083')
+  end
+
+  def test_SWR_ROBOT_023_a_pose_that_misses_a_coupled_limit_is_refused
+    message = 'poses.home: misses the coupled limit separation; expected -67.8 to 2.8 mm from feet to head'
+    assert_refused(with_pose(HOME.merge(feet: '-22.9 mm')), message, at: "  home:\n")
+    assert_equal 0, compile(with_pose(HOME.merge(feet: '-22.7 mm'))).first
   end
 
   def test_SWR_ROBOT_001_the_needle_is_moved_as_the_kinematics_says

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Rule under test: a table of the robot that is not as it was compiled is found, and in which part.
  */
+#include "base/seal.h"
 #include "robot/robot_damage.h"
 #include "robot/robot_neuro.h"
 #include "unity.h"
@@ -31,7 +32,8 @@ void test_SWR_MEMORY_004_the_structures_have_no_field_outside_the_seals_and_no_p
 {
     TEST_ASSERT_LESS_OR_EQUAL_size_t(offsetof(robot_t, seal) + 8U, offsetof(robot_t, axes));
     TEST_ASSERT_EQUAL_size_t(offsetof(robot_t, start_ticks),
-                             offsetof(robot_t, axes) + sizeof robot.axes);
+                             offsetof(robot_t, axes) + sizeof robot.axes + sizeof robot.poses);
+    TEST_ASSERT_EQUAL_size_t(offsetof(pose_t, seal) + 4U, sizeof(pose_t));
     TEST_ASSERT_LESS_OR_EQUAL_size_t(offsetof(axis_config_t, seal) + 8U, sizeof(axis_config_t));
 }
 
@@ -41,7 +43,7 @@ void test_SWR_MEMORY_004_every_byte_belongs_to_a_part_whose_damage_is_named(void
         /* What the compiler leaves free after a seal is no part of the table. */
         const bool is_head = i < (offsetof(robot_t, seal) + 4U);
         uint32_t expected = is_head ? ((uint32_t)1U << ROBOT_PART_GEOMETRY) : 0U;
-        if ((i >= offsetof(robot_t, axes)) && (i < offsetof(robot_t, start_ticks))) {
+        if ((i >= offsetof(robot_t, axes)) && (i < offsetof(robot_t, poses))) {
             const size_t row = (i - offsetof(robot_t, axes)) / sizeof(axis_config_t);
             const size_t place = (i - offsetof(robot_t, axes)) % sizeof(axis_config_t);
             const bool is_used = place < (offsetof(axis_config_t, seal) + 4U);
@@ -51,4 +53,15 @@ void test_SWR_MEMORY_004_every_byte_belongs_to_a_part_whose_damage_is_named(void
         TEST_ASSERT_EQUAL_HEX32(expected, robot_damage(&robot));
         ((uint8_t *)&robot)[i] = ((const uint8_t *)&robot_neuro)[i];
     }
+}
+
+void test_SWR_MEMORY_004_a_pose_belongs_to_the_geometry_if_there_is_one(void)
+{
+    pose_t *const pose = &robot.poses[POSE_HOME];
+    robot.pose_mask = (uint32_t)1U << POSE_HOME;
+    robot.seal = seal_of(SEAL_START, (const uint8_t *)&robot, offsetof(robot_t, seal));
+    pose->seal = seal_of(SEAL_START, (const uint8_t *)pose, offsetof(pose_t, seal));
+    TEST_ASSERT_EQUAL_HEX32(0U, robot_damage(&robot));
+    pose->ticks[AXIS_YAW] ^= 4;
+    TEST_ASSERT_EQUAL_HEX32((uint32_t)1U << ROBOT_PART_GEOMETRY, robot_damage(&robot));
 }
