@@ -8,23 +8,56 @@
 #   ruby tools/tables.rb --check [--root FOLDER]   one line per stale block, exit 1 if there is any
 #
 # A block begins with the line `<!-- table:NAME -->` and ends with the line `<!-- end -->`. NAME is an enumeration or a
-# structure of core/interface; `limits`, for those of requirements/; or `rooms`, for tools/rooms.yml.
+# structure of core/interface; `limits`, for those of requirements/; `rooms`, for tools/rooms.yml; or `robots`, for the
+# axes of core/robot/*/robot.yml.
 
 require 'optparse'
 require_relative 'interface/model'
+require_relative 'robot/description'
 require_relative 'rooms'
 require_relative 'trace/requirements'
 
+# A row for each axis of each robot, for the operator.
+class RobotRows
+  HOMES = { 'in_place' => 'where it stands', 'lower' => 'switch, lower end', 'upper' => 'switch, upper end' }.freeze
+
+  def initialize(file)
+    @robot = Robot::Description.new(file, File.read(file, encoding: 'UTF-8'))
+  end
+
+  def rows
+    @robot.axes.map do |axis|
+      ["`#{@robot.name}`", axis['name'], axis['slot'], range(axis), HOMES[axis['home']] || HOMES[axis['limit_switch']],
+       axis['home_stage'], followed(axis)]
+    end
+  end
+
+  private
+
+  def range(axis)
+    low, high = %w[minimum_ticks maximum_ticks].map { |key| axis.units(axis[key]) }
+    return format('%<low>.1f to %<high>.1f mm', low: low, high: high) if axis.linear?
+
+    format('%<low>.1f to %<high>.1f degrees', low: low * 180 / Math::PI, high: high * 180 / Math::PI)
+  end
+
+  def followed(axis)
+    axis['follows'].map { |stage, leader| "#{leader.name} in #{stage}" }.join(', ')
+  end
+end
+
 # What can be shown as a table, read from one project.
 class TableSources
+  # What is no enumeration and no structure: a method of the same name.
+  OTHERS = %w[limits robots rooms].freeze
+
   def initialize(root)
     @root = root
   end
 
   # Lines of the table, nil when nothing has this name.
   def table(name)
-    return limits if name == 'limits'
-    return rooms if name == 'rooms'
+    return send(name) if OTHERS.include?(name)
 
     enumeration = interface.enumeration(name)
     return values_of(enumeration) if enumeration
@@ -34,7 +67,7 @@ class TableSources
   end
 
   def names
-    ((interface.enumerations + interface.structures).map(&:name) + %w[limits rooms]).sort
+    ((interface.enumerations + interface.structures).map(&:name) + OTHERS).sort
   end
 
   private
@@ -66,6 +99,12 @@ class TableSources
       ["`#{limit.name}`", limit.value, limit.unit, limit.requirement]
     end
     markdown(%w[Limit Value Unit Requirement], rows)
+  end
+
+  def robots
+    files = Dir.glob(File.join(@root, 'core/robot/*/robot.yml')).sort
+    markdown(['Robot', 'Axis', 'Slot', 'Range', 'Homes by', 'Stage', 'Follows'],
+             files.flat_map { |file| RobotRows.new(file).rows })
   end
 
   def rooms
@@ -158,7 +197,8 @@ if $PROGRAM_NAME == __FILE__
     documents = Dir.glob('docs/*.md', base: options[:root]).sort.to_h do |file|
       [file, TabledDocument.new(file, File.read(File.join(options[:root], file), encoding: 'UTF-8'), sources)]
     end
-  rescue OptionParser::ParseError, TabledDocument::MarkError, Trace::FormatError, Interface::Refused, Errno::ENOENT => e
+  rescue OptionParser::ParseError, TabledDocument::MarkError, Trace::FormatError, Interface::Refused, Robot::Refused,
+         Errno::ENOENT => e
     abort e.message
   end
   if options[:check]

@@ -131,11 +131,23 @@ class TestTables < Minitest::Test
     end
   end
 
+  def test_SWR_TRACE_001_axes_are_those_of_the_robots
+    in_project("<!-- table:robots -->\n<!-- end -->\n") do |root|
+      folder = File.join(root, 'core/robot/bench2')
+      FileUtils.mkdir_p(folder)
+      text = File.read(File.expand_path('../../core/robot/bench2/robot.yml', __dir__))
+      File.write(File.join(folder, 'robot.yml'), text.sub('minimum_ticks: -6000', 'minimum_ticks: -6100'))
+      assert_empty run_tool(root).first
+      assert_includes File.read(File.join(root, 'docs', 'user-manual.md')),
+                      '| `bench2` | slide | 2 | -61.0 to 0.0 mm | switch, upper end | 2 |  |'
+    end
+  end
+
   def test_SWR_TRACE_001_refuses_a_table_without_source
     in_project("<!-- table:shape -->\n<!-- end -->\n") do |root|
       output, is_passed = run_tool(root)
       refute is_passed
-      assert_equal "docs/user-manual.md:1: there is no table shape; there are colour, limits, paint, rooms\n", output
+      assert_equal "docs/user-manual.md:1: there is no table shape; there are colour, limits, paint, robots, rooms\n", output
     end
   end
 
