@@ -10,8 +10,6 @@
 
 #define BELIEVED_MM 1.0
 #define BELIEVED_DEG 9.0
-#define OFF_MM 0.1
-#define OFF_DEG 0.5
 #define OFF_CYCLES 10U
 #define NEEDLE_MM 0.3 /* 0.2 mm, and what the motor runs on in the cycles of the detection. */
 #define REACHED_MM 0.1
@@ -78,11 +76,16 @@ static bool is_length(uint32_t axis)
     return robot_neuro.axes[axis].unit == (uint8_t)AXIS_UNIT_MM;
 }
 
+/* nm in mm, or bam in degrees. */
+static double in_words(uint32_t axis, double units)
+{
+    return is_length(axis) ? (units / 1e6) : (units * 360.0 / 4294967296.0);
+}
+
 /* Ticks in mm or degrees. */
 static double measure(uint32_t axis, double ticks)
 {
-    const double units = ticks * (double)robot_neuro.axes[axis].unit_per_tick_q16 / 65536.0;
-    return is_length(axis) ? (units / 1e6) : (units * 360.0 / 4294967296.0);
+    return in_words(axis, ticks * (double)robot_neuro.axes[axis].unit_per_tick_q16 / 65536.0);
 }
 
 static bool is_homed(const rig_t *rig, uint32_t axis)
@@ -127,9 +130,23 @@ static void judge_belief(witness_t *self, const rig_t *rig, uint32_t axis, doubl
     }
 }
 
+/* What is allowed, and what the motor runs until it is noticed. Who shows half of a way is found
+ * out after twice as much. */
+static double most_off(witness_t *self, const rig_t *rig, uint32_t axis)
+{
+    const double allowed = in_words(axis, is_length(axis) ? LIMIT_REST_WAY_NM : LIMIT_REST_WAY_BAM);
+    const double running = robot_neuro.axes[axis].full_speed_ticks_per_s;
+    const bool is_half = rig->box.axes[axis].encoder.fault == SIM_ENCODER_HALF;
+    const uint32_t left = self->half_cycles[axis];
+    self->half_cycles[axis] = is_half ? WITNESS_SECOND : ((left > 0U) ? (left - 1U) : 0U);
+    return (allowed * ((self->half_cycles[axis] > 0U) ? 2.0 : 1.0)) +
+           measure(axis, running * LIMIT_REST_NOTICE_US / 1e6);
+}
+
 static void judge_rest(witness_t *self, const rig_t *rig, uint32_t axis, double truth)
 {
     const uint32_t place = self->off_cycles[axis] % WITNESS_SECOND;
+    const double most = most_off(self, rig, axis);
     if (is_driven(rig, axis)) {
         self->off_cycles[axis] = 0U;
         return;
@@ -139,8 +156,7 @@ static void judge_rest(witness_t *self, const rig_t *rig, uint32_t axis, double 
     const double way = fabs(measure(axis, truth - before));
     self->rest[axis][place] = truth;
     self->off_cycles[axis]++;
-    if ((self->off_cycles[axis] > OFF_CYCLES) && !is_doubted(rig, axis) &&
-        (way > 2.0 * (is_length(axis) ? OFF_MM : OFF_DEG))) {
+    if ((self->off_cycles[axis] > OFF_CYCLES) && !is_doubted(rig, axis) && (way > most)) {
         complain(self, rig, SENTENCE_OFF, axis, way);
     }
 }

@@ -67,6 +67,7 @@ typedef struct {
     bool is_broken[SENTENCE_COUNT];              /**< In this episode. */
     double rest[ROBOT_AXIS_MAX][WITNESS_SECOND]; /**< True positions of the last second. */
     uint32_t off_cycles[ROBOT_AXIS_MAX];
+    uint32_t half_cycles[ROBOT_AXIS_MAX]; /**< Left of a second after half counts. */
     uint32_t astray_cycles[ROBOT_AXIS_MAX];
     uint32_t untrue_cycles;                      /**< An arrival is shown that is none. */
     double places[ROBOT_AXIS_MAX][WITNESS_MEAN]; /**< True positions of the last cycles. */
