@@ -19,7 +19,7 @@ static bool is_old(const link_t *self, uint32_t heartbeat)
            ((step == 0U) || (link_is_usable(self) && (step > LIMIT_SEQUENCE_WINDOW)));
 }
 
-static void receive(link_t *self, const uint8_t *bytes)
+static void receive(link_t *self, uint32_t slot, const uint8_t *bytes)
 {
     card_report_t old;
     self->is_fresh = 0U;
@@ -33,7 +33,7 @@ static void receive(link_t *self, const uint8_t *bytes)
     if (is_repeated) {
         report = &old;
     }
-    card_frame_result_t result = card_frame_decode_report(bytes, self->slot, report);
+    card_frame_result_t result = card_frame_decode_report(bytes, slot, report);
     if ((result == CARD_FRAME_OK) && is_repeated) {
         result = CARD_FRAME_REPEATED;
     }
@@ -66,28 +66,27 @@ static void give_up(link_t *self, card_link_event_t event, link_cause_t cause)
     }
 }
 
-void link_init(link_t *self, uint32_t slot, uint32_t card_type, uint32_t firmware)
+void link_init(link_t *self, uint32_t card_type, uint32_t firmware)
 {
     (void)memset(self, 0, sizeof *self);
     card_link_chart_init(&self->chart);
-    self->slot = slot;
     self->card_type = card_type;
     self->firmware = firmware;
 }
 
-void link_distrust(link_t *self, uint32_t slot, uint32_t card_type, uint32_t firmware)
+void link_distrust(link_t *self, uint32_t card_type, uint32_t firmware)
 {
     const card_link_chart_t chart = self->chart;
-    link_init(self, slot, card_type, firmware);
+    link_init(self, card_type, firmware);
     self->chart = chart;
     give_up(self, CARD_LINK_EVENT_CARD_FAULT, LINK_CAUSE_MEMORY);
 }
 
-void link_step(link_t *self, const uint8_t *bytes, uint32_t elapsed_us)
+void link_step(link_t *self, uint32_t slot, const uint8_t *bytes, uint32_t elapsed_us)
 {
     const card_link_inputs_t inputs = {.is_fresh = false};
     (void)card_link_chart_advance(&self->chart, elapsed_us);
-    receive(self, bytes);
+    receive(self, slot, bytes);
     compare_echo(self);
     if (link_is_well(self)) {
         self->age_cycles = 0U;

@@ -22,7 +22,6 @@ typedef struct {
     card_drive_t sent_before; /**< Of the one before: the one that a report speaks of. */
     uint32_t sent_sequence;
     uint32_t sent_sequence_before;
-    uint32_t slot;
     uint32_t card_type; /**< What the card must be. */
     uint32_t firmware;
     uint32_t age_cycles;      /**< Since the last valid frame, saturates. */
@@ -35,7 +34,7 @@ typedef struct {
 } link_t;
 
 /** Starts absent; only a card of this type and firmware will be trusted. */
-void link_init(link_t *self, uint32_t slot, uint32_t card_type, uint32_t firmware);
+void link_init(link_t *self, uint32_t card_type, uint32_t firmware);
 
 /** Before each step: a damaged link is a lost card. True when it was damaged. */
 static inline bool link_check(link_t *self)
@@ -44,9 +43,9 @@ static inline bool link_check(link_t *self)
 }
 
 /**
- * One cycle; `elapsed_us` since the one before. `bytes` is this cycle's frame, NULL when none was
- * received. While the card is usable, its heartbeat must be 1 to LIMIT_SEQUENCE_WINDOW after the
- * last one.
+ * One cycle; `elapsed_us` since the one before. `bytes` is this cycle's frame of `slot`, NULL when
+ * none was received. While the card is usable, its heartbeat must be 1 to LIMIT_SEQUENCE_WINDOW
+ * after the last one.
  *
  * @satisfies SWR-LINK-001
  * @satisfies SWR-LINK-002
@@ -56,7 +55,7 @@ static inline bool link_check(link_t *self)
  * @satisfies SWR-LINK-007
  * @satisfies SWR-LINK-008
  */
-void link_step(link_t *self, const uint8_t *bytes, uint32_t elapsed_us);
+void link_step(link_t *self, uint32_t slot, const uint8_t *bytes, uint32_t elapsed_us);
 
 /** Remembers what goes out in this cycle, for the comparison with the card's read-back. */
 void link_note_sent(link_t *self, uint32_t sequence, const card_drive_t *drive);
@@ -70,7 +69,7 @@ void link_reset(link_t *self);
 
 /** What it remembers was damaged: all but its chart, which has its own complement, starts anew as
  * link_init(); a card in use is given up. */
-void link_distrust(link_t *self, uint32_t slot, uint32_t card_type, uint32_t firmware);
+void link_distrust(link_t *self, uint32_t card_type, uint32_t firmware);
 
 /** The card may be given a drive command. */
 static inline bool link_is_usable(const link_t *self)

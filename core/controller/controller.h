@@ -74,7 +74,6 @@ typedef struct {
 /** What was decided about an axis in the last cycle, and told. */
 typedef struct {
     speed_cap_t speed_cap;
-    uint32_t permit_reasons; /**< Bit mask of permit_reason_t. */
     reason_hold_t reason_hold;
     uint32_t permit_since_cycle; /**< Of the reasons that are shown. */
     uint32_t speed_cap_percent;  /**< permit_t's: 0 when it was not allowed. */
@@ -95,7 +94,7 @@ typedef struct {
     plan_t plan;
     mode_state_t mode;
     axis_t axes[ROBOT_AXIS_MAX];
-    link_t links[ROBOT_AXIS_MAX]; /**< In the order of the axes. */
+    link_t links[CARD_SLOT_COUNT]; /**< By slot. */
     axis_record_t records[ROBOT_AXIS_MAX];
     pending_command_t pending;
     kept_positions_t kept;  /**< From before the start; an axis that was compared is KEPT_LOST. */
@@ -114,6 +113,8 @@ typedef struct {
     uint32_t events;   /**< Number of the next event. */
     uint32_t events_lost;
     uint32_t seals[CONTROLLER_SECTIONS];
+    uint8_t slots[ROBOT_AXIS_MAX]; /**< Of the axes' cards, as the undamaged table says in each
+                                      cycle. */
 } controller_t;
 
 /** Starts in workphase UNDEFINED with nothing enabled. */

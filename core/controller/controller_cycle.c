@@ -9,6 +9,7 @@
 #include "controller/controller_obey.h"
 #include "controller/controller_observe.h"
 #include "controller/controller_show.h"
+#include "robot/robot_cards.h"
 
 #include <stddef.h>
 #include <string.h>
@@ -26,8 +27,10 @@ void controller_init(controller_t *self, const robot_t *robot)
     self->axis_count = robot->axis_count;
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         axis_init(&self->axes[i]);
-        link_init(&self->links[i], (uint32_t)robot->axes[i].slot,
-                  (uint32_t)robot->axes[i].card_type, robot->card_firmware);
+        self->slots[i] = robot->axes[i].slot;
+    }
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+        link_init(&self->links[slot], robot_cards_type(robot, slot), robot->card_firmware);
     }
     controller_seal(self);
 }
@@ -36,7 +39,7 @@ void controller_step(controller_t *self, const robot_t *robot, const controller_
                      controller_outputs_t *outputs)
 {
     REQUIRE(100U, inputs->command_count <= CONTROLLER_COMMANDS);
-    const cycle_t cycle = {.robot = robot, .inputs = inputs, .outputs = outputs};
+    cycle_t cycle = {.robot = robot, .inputs = inputs, .outputs = outputs};
     mode_result_t result;
     /* The rest is written, or cleared, by controller_show() and controller_drive(). */
     (void)memset(outputs, 0, offsetof(controller_outputs_t, snapshot));

@@ -9,11 +9,11 @@
 
 #include <string.h>
 
-static bool is_any_link_lost(const controller_t *self)
+static bool is_any_link_lost(const controller_t *self, const cycle_t *cycle)
 {
     bool is_lost = false;
     for (uint32_t i = 0U; i < self->axis_count; i++) {
-        is_lost = is_lost || !link_is_usable(&self->links[i]);
+        is_lost = is_lost || !link_is_usable(controller_link(self, cycle, i));
     }
     return is_lost;
 }
@@ -27,7 +27,7 @@ static permit_common_facts_t common_facts(const controller_t *self, const cycle_
         .is_estop_pulled = (self->estop.state == ESTOP_LATCH_STATE_PULLED),
         .is_estop_latched = (self->estop.state == ESTOP_LATCH_STATE_LATCHED),
         .is_loop_stopped = (self->loop.chart.state == LOOP_GUARD_STATE_STOPPED),
-        .is_link_lost = is_any_link_lost(self),
+        .is_link_lost = is_any_link_lost(self, cycle),
         .is_pedal_faulty = (pedal == PEDAL_GATE_STATE_FAULT),
         .is_scanner_active = (cycle->inputs->scanner_active != 0U),
         .is_armed = procedure_is_armed(&self->procedure),
@@ -103,9 +103,9 @@ static void send(controller_t *self, const cycle_t *cycle, uint32_t index, uint3
                  const card_drive_t *drive)
 {
     const axis_config_t *const config = &cycle->robot->axes[index];
-    link_t *const link = &self->links[index];
+    const uint32_t slot = cycle->slots[index];
+    link_t *const link = &self->links[slot];
     const bool is_allowed = (state & CARD_SYSTEM_PERMIT) != 0U;
-    const uint32_t slot = controller_slot(self, index);
     card_command_t command = {
         .slot = slot,
         .sequence = self->sequence,
@@ -145,7 +145,6 @@ static void remember(controller_t *self, const cycle_t *cycle, uint32_t index,
 {
     axis_record_t *const record = &self->records[index];
     const uint32_t shown_before = record->reason_hold.shown;
-    record->permit_reasons = permit->reasons;
     reason_hold_step(&record->reason_hold, permit->reasons, cycle->inputs->elapsed_us);
     if (record->reason_hold.shown != shown_before) {
         record->permit_since_cycle = self->cycle;
@@ -165,7 +164,7 @@ void controller_drive(controller_t *self, const cycle_t *cycle,
                          .kind = kind};
     const uint32_t state = system_state(self, cycle);
     for (uint32_t i = 0U; i < self->axis_count; i++) {
-        sent[i] = self->links[i].sent;
+        sent[i] = controller_link(self, cycle, i)->sent;
     }
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         const permit_t permit = decide(self, cycle, i, &view);

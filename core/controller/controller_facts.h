@@ -14,15 +14,11 @@ static inline bool controller_is_blind(const controller_t *self)
     return self->table_damage != 0U;
 }
 
-/**
- * Slot of the card of axis `index`, bounded: an index of frames, whatever the memory says.
- *
- * @satisfies SWR-MEMORY-006
- */
-static inline uint32_t controller_slot(const controller_t *self, uint32_t index)
+/** The link to the card of axis `index`. */
+static inline const link_t *controller_link(const controller_t *self, const cycle_t *cycle,
+                                            uint32_t index)
 {
-    const uint32_t slot = self->links[index].slot;
-    return (slot < CARD_SLOT_COUNT) ? slot : 0U;
+    return &self->links[cycle->slots[index]];
 }
 
 /** Every axis is homed. */

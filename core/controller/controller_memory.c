@@ -11,7 +11,7 @@
 #include <stddef.h>
 #include <string.h>
 
-#define CARDS ROBOT_AXIS_MAX
+#define CARDS ROBOT_AXIS_MAX /* In the order of the axes. */
 #define PLAN (CARDS + ROBOT_AXIS_MAX)
 #define MODE (PLAN + 1U)
 #define INTERLOCKS (MODE + 1U)
@@ -54,7 +54,15 @@ static const range_t confirm_range = {offsetof(controller_t, confirm),
 static const range_t forgotten_range = {offsetof(controller_t, pending),
                                         offsetof(controller_t, has_started)};
 
-static void compute(const controller_t *self, uint32_t seals[CONTROLLER_SECTIONS])
+/* Bounded, whatever the memory says. */
+static uint32_t kept_slot(const controller_t *self, uint32_t index)
+{
+    const uint32_t slot = (uint32_t)self->slots[index];
+    return (slot < CARD_SLOT_COUNT) ? slot : 0U;
+}
+
+static void compute(const controller_t *self, const uint32_t slots[ROBOT_AXIS_MAX],
+                    uint32_t seals[CONTROLLER_SECTIONS])
 {
     const uint8_t *const bytes = (const uint8_t *)self;
     for (uint32_t i = PLAN; i < CONTROLLER_SECTIONS; i++) {
@@ -69,7 +77,7 @@ static void compute(const controller_t *self, uint32_t seals[CONTROLLER_SECTIONS
                           self->axis_count * sizeof self->records[0]);
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         const uint8_t *const axis = (const uint8_t *)&self->axes[i];
-        const uint8_t *const link = (const uint8_t *)&self->links[i];
+        const uint8_t *const link = (const uint8_t *)&self->links[slots[i]];
         seals[i] = seal_of(SEAL_START, &axis[axis_range.from], axis_range.to - axis_range.from);
         seals[CARDS + i] =
             seal_of(SEAL_START, &link[link_range.from], link_range.to - link_range.from);
@@ -78,7 +86,11 @@ static void compute(const controller_t *self, uint32_t seals[CONTROLLER_SECTIONS
 
 void controller_seal(controller_t *self)
 {
-    compute(self, self->seals);
+    uint32_t slots[ROBOT_AXIS_MAX];
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
+        slots[i] = kept_slot(self, i);
+    }
+    compute(self, slots, self->seals);
 }
 
 static void disable_all(controller_t *self)
@@ -114,13 +126,23 @@ static void forget_interlocks(controller_t *self)
     disable_all(self);
 }
 
+static void forget_axis(controller_t *self, const cycle_t *cycle, uint32_t index)
+{
+    controller_note(self, cycle, EVENT_MEMORY_DAMAGED, (uint32_t)EVENT_MEMORY_AXIS, (int32_t)index);
+    axis_distrust(&self->axes[index]);
+    plan_forget_target(&self->plan);
+    controller_fail_order(self, cycle, EVENT_CAUSE_AXIS, index);
+    controller_tell_order(self, cycle, ARMING_EVENT_FAULT, STATUS_FAULT_PRESENT);
+}
+
+/* The card of axis `index`. */
 static void forget_card(controller_t *self, const cycle_t *cycle, uint32_t index)
 {
-    const axis_config_t *const config = &cycle->robot->axes[index];
-    link_t *const link = &self->links[index];
-    link_distrust(link, (uint32_t)config->slot, (uint32_t)config->card_type,
+    controller_note(self, cycle, EVENT_MEMORY_DAMAGED, (uint32_t)EVENT_MEMORY_CARD, (int32_t)index);
+    link_distrust(&self->links[cycle->slots[index]], (uint32_t)cycle->robot->axes[index].card_type,
                   cycle->robot->card_firmware);
     controller_lose_card(self, cycle, index, false);
+    controller_tell_order(self, cycle, ARMING_EVENT_FAULT, STATUS_FAULT_PRESENT);
 }
 
 /* One of the sections of which there is one. */
@@ -147,41 +169,30 @@ static void forget(controller_t *self, const cycle_t *cycle, uint32_t section)
 {
     static const event_memory_t names[] = {EVENT_MEMORY_PLAN, EVENT_MEMORY_PROFILE,
                                            EVENT_MEMORY_INTERLOCKS, EVENT_MEMORY_REST};
-    const uint32_t index = (section < CARDS) ? section : (section - CARDS);
-    if (section < CARDS) {
-        controller_note(self, cycle, EVENT_MEMORY_DAMAGED, (uint32_t)EVENT_MEMORY_AXIS,
-                        (int32_t)index);
-        axis_distrust(&self->axes[index]);
-        plan_forget_target(&self->plan);
-        controller_fail_order(self, cycle, EVENT_CAUSE_AXIS, index);
-    } else if (section < PLAN) {
-        controller_note(self, cycle, EVENT_MEMORY_DAMAGED, (uint32_t)EVENT_MEMORY_CARD,
-                        (int32_t)index);
-        forget_card(self, cycle, index);
-    } else {
-        controller_note(self, cycle, EVENT_MEMORY_DAMAGED, (uint32_t)names[section - PLAN], 0);
-        forget_single(self, section);
-    }
+    controller_note(self, cycle, EVENT_MEMORY_DAMAGED, (uint32_t)names[section - PLAN], 0);
+    forget_single(self, section);
     controller_tell_order(self, cycle, ARMING_EVENT_FAULT, STATUS_FAULT_PRESENT);
 }
 
-static void check_section(controller_t *self, const cycle_t *cycle,
-                          const uint32_t seals[CONTROLLER_SECTIONS], uint32_t section)
+/* How many axes there are, and where their cards, says a table that is whole. */
+static void take_axes(controller_t *self, cycle_t *cycle)
 {
-    if (seals[section] != self->seals[section]) {
-        forget(self, cycle, section);
+    self->axis_count = cycle->robot->axis_count;
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
+        const uint8_t slot = cycle->robot->axes[i].slot;
+        self->slots[i] = slot;
+        cycle->slots[i] = slot;
     }
 }
 
-/* How many axes there are says a table that is whole; one that is not is not asked. */
-static void take_axis_count(controller_t *self, const robot_t *robot, uint32_t damage)
+/* One that is damaged is not asked. */
+static void keep_axes(controller_t *self, cycle_t *cycle)
 {
-    if (damage == 0U) {
-        self->axis_count = robot->axis_count;
-    } else if (self->axis_count > ROBOT_AXIS_MAX) {
+    if (self->axis_count > ROBOT_AXIS_MAX) {
         self->axis_count = ROBOT_AXIS_MAX;
-    } else {
-        /* As before. */
+    }
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
+        cycle->slots[i] = kept_slot(self, i);
     }
 }
 
@@ -203,22 +214,38 @@ static void check_table(controller_t *self, const cycle_t *cycle, uint32_t damag
     controller_tell_order(self, cycle, ARMING_EVENT_FAULT, STATUS_MEMORY_DAMAGED);
 }
 
-void controller_check_memory(controller_t *self, const cycle_t *cycle)
+/* The rest first: it counts the events. */
+static void check_state(controller_t *self, const cycle_t *cycle,
+                        const uint32_t seals[CONTROLLER_SECTIONS])
+{
+    for (uint32_t i = CONTROLLER_SECTIONS; i > PLAN; i--) {
+        if (seals[i - 1U] != self->seals[i - 1U]) {
+            forget(self, cycle, i - 1U);
+        }
+    }
+    for (uint32_t i = self->axis_count; i > 0U; i--) {
+        if (seals[CARDS + i - 1U] != self->seals[CARDS + i - 1U]) {
+            forget_card(self, cycle, i - 1U);
+        }
+    }
+    for (uint32_t i = self->axis_count; i > 0U; i--) {
+        if (seals[i - 1U] != self->seals[i - 1U]) {
+            forget_axis(self, cycle, i - 1U);
+        }
+    }
+}
+
+void controller_check_memory(controller_t *self, cycle_t *cycle)
 {
     uint32_t seals[CONTROLLER_SECTIONS];
     const uint32_t damage = robot_damage(cycle->robot);
-    take_axis_count(self, cycle->robot, damage);
-    compute(self, seals);
+    if (damage == 0U) {
+        take_axes(self, cycle);
+    } else {
+        keep_axes(self, cycle);
+    }
+    compute(self, cycle->slots, seals);
     controller_because(self, EVENT_CAUSE_NONE, 0U);
-    /* The rest first: it counts the events. */
-    for (uint32_t i = CONTROLLER_SECTIONS; i > PLAN; i--) {
-        check_section(self, cycle, seals, i - 1U);
-    }
-    for (uint32_t i = self->axis_count; i > 0U; i--) {
-        check_section(self, cycle, seals, CARDS + (i - 1U));
-    }
-    for (uint32_t i = self->axis_count; i > 0U; i--) {
-        check_section(self, cycle, seals, i - 1U);
-    }
+    check_state(self, cycle, seals);
     check_table(self, cycle, damage);
 }

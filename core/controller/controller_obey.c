@@ -40,8 +40,9 @@ static void begin_start_up(controller_t *self, const cycle_t *cycle)
     pedal_gate_reset(&self->pedal);
     loop_guard_reset(&self->loop);
     for (uint32_t i = 0U; i < self->axis_count; i++) {
-        link_reset(&self->links[i]);
-        axis_enable(&self->axes[i], !link_is_usable(&self->links[i]));
+        link_t *const link = &self->links[cycle->slots[i]];
+        link_reset(link);
+        axis_enable(&self->axes[i], !link_is_usable(link));
     }
 }
 

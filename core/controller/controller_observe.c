@@ -9,9 +9,9 @@
 
 /* An axis that was off when its card fell silent stands where it was, or shows it when the card is
  * back. */
-static bool is_only_out_of_sight(const controller_t *self, uint32_t index)
+static bool is_only_out_of_sight(const controller_t *self, const cycle_t *cycle, uint32_t index)
 {
-    const link_t *const link = &self->links[index];
+    const link_t *const link = controller_link(self, cycle, index);
     return supervision_is_at_rest(&self->axes[index].supervision) &&
            (link->sent.mode == (uint32_t)CARD_DRIVE_OFF) &&
            (link->sent_before.mode == (uint32_t)CARD_DRIVE_OFF) && link_was_only_silent(link);
@@ -20,9 +20,9 @@ static bool is_only_out_of_sight(const controller_t *self, uint32_t index)
 void controller_lose_card(controller_t *self, const cycle_t *cycle, uint32_t index,
                           bool is_in_doubt)
 {
-    const link_t *const link = &self->links[index];
+    const uint32_t slot = cycle->slots[index];
     axis_t *const axis = &self->axes[index];
-    controller_note(self, cycle, EVENT_CARD_LOST, link->slot, (int32_t)link->cause);
+    controller_note(self, cycle, EVENT_CARD_LOST, slot, (int32_t)self->links[slot].cause);
     if (is_in_doubt) {
         axis_doubt(axis);
     } else {
@@ -30,34 +30,49 @@ void controller_lose_card(controller_t *self, const cycle_t *cycle, uint32_t ind
     }
     axis_disable(axis);
     plan_forget_target(&self->plan);
-    controller_fail_order(self, cycle, EVENT_CAUSE_CARD, link->slot);
+    controller_fail_order(self, cycle, EVENT_CAUSE_CARD, slot);
 }
 
-static void observe_link(controller_t *self, const cycle_t *cycle, uint32_t index)
+/* What the step of a cycle made of a link. */
+typedef struct {
+    bool is_lost;
+    bool is_damaged; /* Its chart was. */
+} link_step_t;
+
+static link_step_t step_link(controller_t *self, const cycle_t *cycle, uint32_t slot)
 {
-    link_t *const link = &self->links[index];
-    const uint32_t slot = controller_slot(self, index);
+    link_t *const link = &self->links[slot];
     const bool is_received = (cycle->inputs->frames_received & ((uint32_t)1U << slot)) != 0U;
     const bool was_usable = link_is_usable(link);
     const bool was_lost = link->chart.state == CARD_LINK_STATE_LOST;
     const bool is_damaged = link_check(link);
     if (is_damaged) {
         controller_note(self, cycle, EVENT_CHART_REPAIRED, (uint32_t)EVENT_CHART_CARD,
-                        (int32_t)link->slot);
+                        (int32_t)slot);
     }
-    link_step(link, is_received ? cycle->inputs->frames[slot] : NULL, cycle->inputs->elapsed_us);
+    link_step(link, slot, is_received ? cycle->inputs->frames[slot] : NULL,
+              cycle->inputs->elapsed_us);
     if (link->last_error != (uint32_t)CARD_FRAME_OK) {
-        controller_note(self, cycle, EVENT_FRAME_REFUSED, link->slot, (int32_t)link->last_error);
+        controller_note(self, cycle, EVENT_FRAME_REFUSED, slot, (int32_t)link->last_error);
     }
     if (link_is_usable(link) && !was_usable) {
-        controller_note(self, cycle, EVENT_CARD_LIVE, link->slot, 0);
+        controller_note(self, cycle, EVENT_CARD_LIVE, slot, 0);
     }
     /* The state before of a damaged chart is not known; the card is lost now. */
-    if ((!was_lost || is_damaged) && (link->chart.state == CARD_LINK_STATE_LOST)) {
-        controller_lose_card(self, cycle, index, !is_damaged && is_only_out_of_sight(self, index));
+    const bool is_lost = (!was_lost || is_damaged) && (link->chart.state == CARD_LINK_STATE_LOST);
+    return (link_step_t){.is_lost = is_lost, .is_damaged = is_damaged};
+}
+
+static void observe_card(controller_t *self, const cycle_t *cycle, uint32_t index)
+{
+    const uint32_t slot = cycle->slots[index];
+    const link_step_t step = step_link(self, cycle, slot);
+    if (step.is_lost) {
+        controller_lose_card(self, cycle, index,
+                             !step.is_damaged && is_only_out_of_sight(self, cycle, index));
     }
     /* Also what was confirmed and fell silent again before START_UP. */
-    if (link->age_cycles >= LIMIT_LINK_AGE_CYCLES) {
+    if (self->links[slot].age_cycles >= LIMIT_LINK_AGE_CYCLES) {
         axis_doubt(&self->axes[index]);
     }
 }
@@ -168,7 +183,7 @@ static void note_grade(controller_t *self, const cycle_t *cycle, uint32_t index)
 static void observe_axis(controller_t *self, const cycle_t *cycle, uint32_t index)
 {
     const axis_config_t *const config = &cycle->robot->axes[index];
-    const link_t *const link = &self->links[index];
+    const link_t *const link = controller_link(self, cycle, index);
     const card_report_t *const report = (link->is_fresh != 0U) ? &link->report : NULL;
     if (axis_check(&self->axes[index])) {
         controller_note(self, cycle, EVENT_CHART_REPAIRED, (uint32_t)EVENT_CHART_AXIS,
@@ -302,7 +317,8 @@ static void observe_button(controller_t *self, const cycle_t *cycle)
     }
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         axis_t *const axis = &self->axes[i];
-        if (link_is_healthy_now(&self->links[i]) && axis_confirm(axis, &cycle->robot->axes[i])) {
+        if (link_is_healthy_now(controller_link(self, cycle, i)) &&
+            axis_confirm(axis, &cycle->robot->axes[i])) {
             controller_note(self, cycle, EVENT_AXIS_CONFIRMED, i, axis->encoder.position_ticks);
         }
     }
@@ -332,7 +348,7 @@ void controller_observe(controller_t *self, const cycle_t *cycle)
     observe_estop(self, cycle);
     observe_scanner(self, cycle);
     for (uint32_t i = 0U; i < self->axis_count; i++) {
-        observe_link(self, cycle, i);
+        observe_card(self, cycle, i);
         if (!controller_is_blind(self)) {
             observe_axis(self, cycle, i);
         }

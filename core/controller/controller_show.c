@@ -64,10 +64,10 @@ static next_step_t next_step(const controller_t *self)
         reasons |= self->records[i].reason_hold.shown;
     }
     next_step_t step = NEXT_STEP_HOLD_PEDAL;
-    for (uint32_t i = (uint32_t)(sizeof(remedies) / sizeof(remedies[0])); i > 0U; i--) {
-        const remedy_t *const remedy = &remedies[i - 1U];
-        if ((reasons & ((uint32_t)1U << (uint32_t)remedy->reason)) != 0U) {
-            step = remedy->step;
+    for (uint32_t i = 0U; (reasons != 0U) && (i < (sizeof(remedies) / sizeof(remedies[0]))); i++) {
+        if ((reasons & ((uint32_t)1U << (uint32_t)remedies[i].reason)) != 0U) {
+            step = remedies[i].step;
+            reasons = 0U;
         }
     }
     return (step == NEXT_STEP_NOTHING) ? step_for_plan(self) : step;
@@ -104,7 +104,7 @@ static void show_axis(const controller_t *self, const cycle_t *cycle, uint32_t i
 {
     const axis_t *const axis = &self->axes[index];
     const axis_record_t *const record = &self->records[index];
-    const card_drive_t *const sent = &self->links[index].sent;
+    const card_drive_t *const sent = &controller_link(self, cycle, index)->sent;
     snapshot_axis_t *const shown = &cycle->outputs->snapshot.axes[index];
     shown->power = (uint32_t)axis->chart.power;
     shown->reference = (uint32_t)axis->chart.reference;
@@ -127,10 +127,10 @@ static void show_axis(const controller_t *self, const cycle_t *cycle, uint32_t i
     shown->limit_switches = axis->limit_switches;
 }
 
-static void show_card(const controller_t *self, const cycle_t *cycle, uint32_t index)
+static void show_card(const controller_t *self, const cycle_t *cycle, uint32_t slot)
 {
-    const link_t *const link = &self->links[index];
-    snapshot_card_t *const shown = &cycle->outputs->snapshot.cards[controller_slot(self, index)];
+    const link_t *const link = &self->links[slot];
+    snapshot_card_t *const shown = &cycle->outputs->snapshot.cards[slot];
     shown->link = (uint32_t)link->chart.state;
     shown->age_cycles = link->age_cycles;
     shown->frame_errors = link->frame_errors;
@@ -189,10 +189,9 @@ static void show_pose(const controller_t *self, const robot_t *robot, snapshot_t
     rigid_multiply(&self->plan.scanner_zframe, &shown->zframe_treatment, &shown->scanner_treatment);
 }
 
-/* Slots without a card, and axes that the robot has not. */
+/* Axes that the robot has not. */
 static void clear_unused(const controller_t *self, snapshot_t *shown)
 {
-    (void)memset(shown->cards, 0, sizeof shown->cards);
     (void)memset(&shown->axes[self->axis_count], 0,
                  (ROBOT_AXIS_MAX - self->axis_count) * sizeof shown->axes[0]);
 }
@@ -222,6 +221,8 @@ void controller_show(const controller_t *self, const cycle_t *cycle)
     clear_unused(self, shown);
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         show_axis(self, cycle, i);
-        show_card(self, cycle, i);
+    }
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+        show_card(self, cycle, slot);
     }
 }

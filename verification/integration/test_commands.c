@@ -542,7 +542,7 @@ static void damage_everything(void)
     rig.controller.procedure.arming.state_inverse ^= 1U;
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         rig.controller.axes[i].chart.power_inverse ^= 1U;
-        rig.controller.links[i].chart.state_inverse ^= 1U;
+        rig_link(&rig, i)->chart.state_inverse ^= 1U;
     }
 }
 
@@ -571,7 +571,7 @@ void test_SWR_CHART_007_every_chart_is_advanced_in_every_cycle(void)
     TEST_ASSERT_EQUAL_UINT64(now_us, self->procedure.workphase.now_us);
     TEST_ASSERT_EQUAL_UINT64(now_us, self->procedure.arming.now_us);
     for (uint32_t i = 0U; i < self->axis_count; i++) {
-        TEST_ASSERT_EQUAL_UINT64(now_us, self->links[i].chart.now_us);
+        TEST_ASSERT_EQUAL_UINT64(now_us, rig_link(&rig, i)->chart.now_us);
         TEST_ASSERT_EQUAL_UINT64(now_us, self->axes[i].chart.now_us);
         TEST_ASSERT_EQUAL_UINT64(now_us, self->axes[i].supervision.stall.now_us);
     }
@@ -615,10 +615,10 @@ void test_SWR_LINK_003_a_damaged_link_is_a_lost_card(void)
     for (uint32_t state = 0U; state < 8U; state++) {
         rig_start_targeted(&rig);
         (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
-        rig.controller.links[2].chart.state ^= (card_link_state_t)(state + 1U);
+        rig_link(&rig, 2U)->chart.state ^= (card_link_state_t)(state + 1U);
         rig_cycle(&rig);
         TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_CARD_LOST));
-        TEST_ASSERT_EQUAL_UINT32(CARD_LINK_STATE_LOST, rig.controller.links[2].chart.state);
+        TEST_ASSERT_EQUAL_UINT32(CARD_LINK_STATE_LOST, rig_link(&rig, 2U)->chart.state);
         TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_DISABLED, rig.outputs.snapshot.axes[2].power);
         TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, rig.outputs.snapshot.axes[2].reference);
         TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);

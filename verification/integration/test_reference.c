@@ -305,7 +305,7 @@ void test_SWR_REF_009_an_axis_that_was_just_told_to_move_is_lost(void)
         }
         rig.box.axes[AXIS_HEAD].card.faults |= CARD_STATUS_WATCHDOG;
         rig_cycle(&rig);
-        TEST_ASSERT_EQUAL_UINT32(CARD_LINK_STATE_LOST, rig.controller.links[AXIS_HEAD].chart.state);
+        TEST_ASSERT_EQUAL_UINT32(CARD_LINK_STATE_LOST, rig_link(&rig, AXIS_HEAD)->chart.state);
         TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, grade(AXIS_HEAD));
         TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_TAKEN, grade(AXIS_FEET));
     }
@@ -318,7 +318,7 @@ void test_SWR_REF_009_a_pause_of_control_at_rest_makes_every_axis_unverified(voi
     box_advance(&rig.box, 2U * LIMIT_CARD_WATCHDOG_US);
     rig_cycles(&rig, 3U);
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
-        TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_FAULT, rig.controller.links[i].cause);
+        TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_FAULT, rig_link(&rig, i)->cause);
         TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED, grade(i));
     }
     rig_cycles(&rig, LIMIT_SPEED_TIMEOUT_US / LIMIT_CYCLE_US);
@@ -351,7 +351,7 @@ void test_SWR_REF_009_a_damaged_link_at_rest_loses_the_position(void)
     expect_start_up(STATUS_OK);
     TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED, grade(AXIS_ROTATION));
     rig_cycles(&rig, 20U);
-    rig.controller.links[AXIS_ROTATION].chart.state_inverse ^= 4U;
+    rig_link(&rig, AXIS_ROTATION)->chart.state_inverse ^= 4U;
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_LOST, grade(AXIS_ROTATION));
 }

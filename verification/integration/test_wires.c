@@ -217,7 +217,7 @@ void test_SWR_EVENT_004_the_sequence_of_frames_wraps_without_losing_a_card(void)
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_CARD_LOST));
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         TEST_ASSERT_EQUAL_UINT32(rig.controller.sequence - 3U,
-                                 rig.controller.links[i].report.accepted_sequence);
+                                 rig_link(&rig, i)->report.accepted_sequence);
     }
 }
 
@@ -391,9 +391,9 @@ void test_SWR_PERMIT_006_the_reason_of_a_chattering_switch_is_shown_as_standing(
     rig_cycles(&rig, 150U);
     const uint32_t since = lateral->permit_since_cycle;
     for (uint32_t i = 0U; i < 200U; i++) {
-        const uint32_t before = rig.controller.records[AXIS_LATERAL].permit_reasons;
+        const uint32_t before = rig.controller.records[AXIS_LATERAL].speed_cap_percent;
         rig_cycle(&rig);
-        changes += (rig.controller.records[AXIS_LATERAL].permit_reasons != before) ? 1U : 0U;
+        changes += (rig.controller.records[AXIS_LATERAL].speed_cap_percent != before) ? 1U : 0U;
         TEST_ASSERT_EQUAL_HEX32(reason, lateral->permit_reasons);
         TEST_ASSERT_EQUAL_UINT32(since, lateral->permit_since_cycle);
         expect_step(NEXT_STEP_HOLD_PEDAL);

@@ -54,7 +54,7 @@ static void make_report(void)
 static void receive(void)
 {
     card_frame_encode_report(&report, bytes);
-    link_step(&card, bytes, LIMIT_CYCLE_US);
+    link_step(&card, SLOT, bytes, LIMIT_CYCLE_US);
 }
 
 static void good_cycle(void)
@@ -67,7 +67,7 @@ static void good_cycle(void)
 static void silent_cycle(void)
 {
     make_report();
-    link_step(&card, NULL, LIMIT_CYCLE_US);
+    link_step(&card, SLOT, NULL, LIMIT_CYCLE_US);
     command();
 }
 
@@ -90,7 +90,7 @@ static void expect_discarded(card_frame_result_t result)
     const card_report_t before = card.report;
     const uint32_t errors = card.frame_errors;
 
-    link_step(&card, bytes, LIMIT_CYCLE_US);
+    link_step(&card, SLOT, bytes, LIMIT_CYCLE_US);
     TEST_ASSERT_EQUAL_UINT32(result, card.last_error);
     TEST_ASSERT_EQUAL_UINT32(errors + 1U, card.frame_errors);
     TEST_ASSERT_EQUAL_UINT32(0U, card.is_fresh);
@@ -109,7 +109,7 @@ void setUp(void)
     report.encoder_count = 4711;
     report.heartbeat = 41U;
     sequence = FIRST_SEQUENCE;
-    link_init(&card, SLOT, CARD_TYPE_PWM, FIRMWARE);
+    link_init(&card, CARD_TYPE_PWM, FIRMWARE);
     repeat(good_cycle, 3U);
 }
 
@@ -119,9 +119,8 @@ void tearDown(void)
 
 void test_SWR_LINK_001_a_card_is_not_usable_before_its_first_frame(void)
 {
-    link_init(&card, SLOT, CARD_TYPE_PWM, FIRMWARE);
+    link_init(&card, CARD_TYPE_PWM, FIRMWARE);
     TEST_ASSERT_FALSE(link_is_usable(&card));
-    TEST_ASSERT_EQUAL_UINT32(SLOT, card.slot);
     repeat(silent_cycle, 2U * LIMIT_LINK_AGE_CYCLES);
     TEST_ASSERT_FALSE(link_is_usable(&card));
     TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_NONE, card.cause);
@@ -162,7 +161,7 @@ void test_SWR_LINK_001_discarded_frames_count_as_silence(void)
         make_report();
         card_frame_encode_report(&report, bytes);
         bytes[100] ^= 1U;
-        link_step(&card, bytes, LIMIT_CYCLE_US);
+        link_step(&card, SLOT, bytes, LIMIT_CYCLE_US);
     }
     TEST_ASSERT_FALSE(link_is_usable(&card));
 }
@@ -189,7 +188,7 @@ void test_SWR_LINK_002_a_good_frame_brings_its_data(void)
 
 void test_SWR_LINK_002_the_first_frame_is_no_repetition_whatever_its_heartbeat(void)
 {
-    link_init(&card, SLOT, CARD_TYPE_PWM, FIRMWARE);
+    link_init(&card, CARD_TYPE_PWM, FIRMWARE);
     report.heartbeat = UINT32_MAX;
     good_cycle();
     TEST_ASSERT_EQUAL_UINT32(0U, card.report.heartbeat);
@@ -231,7 +230,7 @@ void test_SWR_LINK_002_a_repeated_frame_is_discarded(void)
 
 void test_SWR_LINK_002_a_damaged_first_frame_is_discarded(void)
 {
-    link_init(&card, SLOT, CARD_TYPE_PWM, FIRMWARE);
+    link_init(&card, CARD_TYPE_PWM, FIRMWARE);
     bytes[0] ^= 0x80U;
     expect_discarded(CARD_FRAME_BAD_START);
     TEST_ASSERT_FALSE(link_is_usable(&card));
@@ -443,7 +442,7 @@ void test_SWR_LINK_006_other_status_bits_leave_the_card_usable(void)
 
 void test_SWR_LINK_006_a_card_that_starts_with_a_fault_is_not_usable_until_it_is_gone(void)
 {
-    link_init(&card, SLOT, CARD_TYPE_PWM, FIRMWARE);
+    link_init(&card, CARD_TYPE_PWM, FIRMWARE);
     report.status = CARD_STATUS_WATCHDOG;
     repeat(good_cycle, 20U);
     TEST_ASSERT_FALSE(link_is_usable(&card));
@@ -468,13 +467,13 @@ void test_SWR_LINK_007_a_report_from_before_or_far_ahead_is_discarded(void)
         expect_discarded(CARD_FRAME_REPEATED);
     }
     receive_with_heartbeat(last + LIMIT_SEQUENCE_WINDOW);
-    link_step(&card, bytes, LIMIT_CYCLE_US);
+    link_step(&card, SLOT, bytes, LIMIT_CYCLE_US);
     TEST_ASSERT_EQUAL_UINT32(1U, card.is_fresh);
 }
 
 void test_SWR_LINK_007_the_heartbeat_wraps(void)
 {
-    link_init(&card, SLOT, CARD_TYPE_PWM, FIRMWARE);
+    link_init(&card, CARD_TYPE_PWM, FIRMWARE);
     report.heartbeat = UINT32_MAX - 1U;
     repeat(good_cycle, 4U);
     TEST_ASSERT_EQUAL_UINT32(2U, report.heartbeat);
@@ -485,7 +484,7 @@ void test_SWR_LINK_007_a_lost_card_may_have_begun_to_count_anew(void)
 {
     lose_by_silence();
     receive_with_heartbeat(1U);
-    link_step(&card, bytes, LIMIT_CYCLE_US);
+    link_step(&card, SLOT, bytes, LIMIT_CYCLE_US);
     TEST_ASSERT_EQUAL_UINT32(1U, card.is_fresh);
     link_reset(&card);
     TEST_ASSERT_TRUE(link_is_usable(&card));
@@ -514,7 +513,7 @@ void test_SWR_LINK_008_another_type_or_firmware_is_lost_by_name(void)
 
 void test_SWR_LINK_008_a_wrong_card_at_the_start_is_lost_too(void)
 {
-    link_init(&card, SLOT, CARD_TYPE_PWM, FIRMWARE);
+    link_init(&card, CARD_TYPE_PWM, FIRMWARE);
     report.firmware--;
     good_cycle();
     expect_wrong_card();

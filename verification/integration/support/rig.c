@@ -220,6 +220,11 @@ void rig_register(rig_t *self, const rigid_t *scanner_zframe)
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(self, WORKPHASE_TARGETING).status);
 }
 
+link_t *rig_link(rig_t *self, uint32_t axis)
+{
+    return &self->controller.links[self->box.robot->axes[axis].slot];
+}
+
 int32_t rig_position(const rig_t *self, uint32_t axis)
 {
     return self->outputs.snapshot.axes[axis].position_ticks;

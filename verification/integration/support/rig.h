@@ -86,6 +86,9 @@ void rig_register(rig_t *self, const rigid_t *scanner_zframe);
 /** Commands `pose` as the target. @return the answer */
 answer_t rig_target(rig_t *self, const rigid_t *scanner_treatment);
 
+/** The controller's link to the card of `axis`. */
+link_t *rig_link(rig_t *self, uint32_t axis);
+
 /** Where the controller believes `axis` to be. */
 int32_t rig_position(const rig_t *self, uint32_t axis);
 

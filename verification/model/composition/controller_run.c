@@ -79,17 +79,16 @@ static uint32_t scanner_of(const controller_inputs_t *inputs)
     return scanner_number(&chart);
 }
 
-/* Where the axes stand is no part of the composition. */
+/* Where the axes stand is no part of the composition, and only such reasons are held. */
 static uint32_t permit_of(uint32_t axis, uint32_t card)
 {
     const uint32_t left_out = (1U << PERMIT_REASON_LIMIT_SWITCH) |
                               (1U << PERMIT_REASON_SOFT_LIMIT) |
                               (1U << PERMIT_REASON_COUPLED_LIMIT) | (1U << PERMIT_REASON_NEEDLE_IN);
-    const bool is_allowed = (rig.controller.records[axis].permit_reasons & ~left_out) == 0U;
+    const bool is_allowed = (rig.controller.records[axis].reason_hold.shown & ~left_out) == 0U;
     bool is_another_lost = false;
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
-        is_another_lost =
-            is_another_lost || ((i != card) && !link_is_usable(&rig.controller.links[i]));
+        is_another_lost = is_another_lost || ((i != card) && !link_is_usable(rig_link(&rig, i)));
     }
     return is_allowed ? 1U : (is_another_lost ? 2U : 0U);
 }
@@ -107,7 +106,7 @@ static row_t row_of(uint32_t axis)
     add(&row, loop_guard_number(&self->loop.chart));
     add(&row, pedal_gate_number(&self->pedal.chart));
     add(&row, estop_latch_number(&self->estop));
-    add(&row, card_link_number(&self->links[axis].chart));
+    add(&row, card_link_number(&rig_link(&rig, axis)->chart));
     for (uint32_t i = 0U; i < AXES; i++) {
         add(&row, axis_number(&self->axes[(axis + i) % robot_neuro.axis_count].chart));
     }
