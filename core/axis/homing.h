@@ -26,7 +26,7 @@ typedef enum {
 typedef struct {
     int64_t setpoint_q8; /**< Ticks. */
     int32_t speed_ticks_per_s_q8;
-    int32_t start_ticks; /**< Where this homing began. */
+    int32_t start_ticks; /**< Where this homing began, or that of the axis which it follows. */
     /** Nearest place to the switch in all homing since the last reference. */
     int32_t nearest_ticks;
     int32_t edge_ticks;   /**< Where the approach met the switch. */

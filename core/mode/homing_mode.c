@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "mode/homing_mode.h"
 
+#include "axis/follower.h"
+#include "mode/move_mode.h"
 #include "safety/coupled_guard.h"
 #include "safety/needle.h"
 
-#include <stdbool.h>
+#include <string.h>
 
 static void leave(leg_t *leg, const mode_frame_t *frame, mode_result_t *result)
 {
@@ -17,10 +19,10 @@ static void leave(leg_t *leg, const mode_frame_t *frame, mode_result_t *result)
     (void)leg_step(leg, frame, result);
 }
 
-/* Stage 1 homes before stage 2: the needle leaves first. */
+/* One stage homes after the other: the needle leaves first. */
 static uint8_t present_stage(const mode_frame_t *frame)
 {
-    uint8_t stage = 2U;
+    uint8_t stage = ROBOT_HOME_STAGES;
     for (uint32_t i = 0U; i < frame->axis_count; i++) {
         const uint8_t own = frame->robot->axes[i].home_stage;
         if (!axis_is_homed(&frame->axes[i]) && (own < stage)) {
@@ -33,33 +35,96 @@ static uint8_t present_stage(const mode_frame_t *frame)
 static void begin(const mode_frame_t *frame, uint32_t index, mode_result_t *result)
 {
     axis_t *const axis = &frame->axes[index];
+    const bool was_homing = axis_is_homing(axis);
     if (coupled_guard_bars_homing(frame->robot, frame->axes, index)) {
         mode_fail(result, EVENT_HOMING_BARRED, index, 0);
     } else if (axis_begin_homing(axis, &frame->robot->axes[index]) != 0U) {
         mode_note(result, EVENT_AXIS_TAKEN, index, axis->home_correction_ticks);
+    } else if (axis_is_homing(axis) && !was_homing) {
+        follower_tie(frame->robot, frame->axes, index);
     } else {
         /* It is on its way. */
     }
 }
 
-static void home(const mode_frame_t *frame, mode_result_t *result)
+static void begin_stage(const mode_frame_t *frame, mode_result_t *result)
 {
     const uint8_t stage = present_stage(frame);
     for (uint32_t i = 0U; i < frame->axis_count; i++) {
-        axis_t *const axis = &frame->axes[i];
-        const axis_config_t *const config = &frame->robot->axes[i];
-        const bool is_due = (config->home_stage == stage) && !axis_is_homed(axis);
+        const bool is_due =
+            (frame->robot->axes[i].home_stage == stage) && !axis_is_homed(&frame->axes[i]);
         if (is_due && (result->progress == MODE_RUNNING)) {
             begin(frame, i, result);
         }
-        result->requests[i] = axis_is_homing(axis) ? axis_home(axis, config, frame->elapsed_us)
-                                                   : axis_rest(axis, frame->elapsed_us);
     }
+}
+
+static void follow(const mode_frame_t *frame, uint32_t index, const axis_t *leader,
+                   mode_result_t *result)
+{
+    axis_t *const axis = &frame->axes[index];
+    const axis_config_t *const config = &frame->robot->axes[index];
+    card_drive_t *const request = &result->requests[index];
+    *request = follower_step(axis, config, leader, frame->elapsed_us);
+    if ((result->progress == MODE_RUNNING) && follower_is_stuck(axis, config, leader, request)) {
+        mode_fail(result, EVENT_FOLLOWER_STUCK, index, follower_apart_ticks(axis, leader));
+    }
+}
+
+/* Whoever leads has its set-point of this cycle before those that follow. */
+static void home(const mode_frame_t *frame, mode_result_t *result)
+{
+    uint32_t leaders[ROBOT_AXIS_MAX];
+    begin_stage(frame, result);
+    for (uint32_t i = 0U; i < frame->axis_count; i++) {
+        axis_t *const axis = &frame->axes[i];
+        leaders[i] = follower_leader(frame->robot, frame->axes, i);
+        if (axis_is_homing(axis)) {
+            result->requests[i] = axis_home(axis, &frame->robot->axes[i], frame->elapsed_us);
+        } else if (leaders[i] == i) {
+            result->requests[i] = axis_rest(axis, frame->elapsed_us);
+        } else {
+            /* It follows. */
+        }
+    }
+    for (uint32_t i = 0U; i < frame->axis_count; i++) {
+        if (leaders[i] != i) {
+            follow(frame, i, &frame->axes[leaders[i]], result);
+        }
+    }
+}
+
+static bool has_pose(const mode_frame_t *frame)
+{
+    return (frame->robot->pose_mask & ((uint32_t)1U << (uint32_t)POSE_HOME)) != 0U;
+}
+
+static void go_home(leg_t *leg, const mode_frame_t *frame, mode_result_t *result)
+{
+    move_mode_t move;
+    (void)memcpy(move.target_ticks, frame->robot->poses[POSE_HOME].ticks, sizeof move.target_ticks);
+    move_mode_step(&move, leg, frame, result);
+}
+
+bool homing_mode_is_done(const leg_t *leg, const mode_frame_t *frame)
+{
+    const pose_t *const pose = &frame->robot->poses[POSE_HOME];
+    bool is_done = frame->is_every_axis_homed;
+    if (is_done && has_pose(frame)) {
+        is_done = leg->is_running == 0U;
+        for (uint32_t i = 0U; i < frame->axis_count; i++) {
+            is_done =
+                is_done && axis_is_at(&frame->axes[i], &frame->robot->axes[i], pose->ticks[i]);
+        }
+    }
+    return is_done;
 }
 
 void homing_mode_step(leg_t *leg, const mode_frame_t *frame, mode_result_t *result)
 {
-    if (needle_must_leave(frame->robot, frame->axes)) {
+    if (frame->is_every_axis_homed && has_pose(frame)) {
+        go_home(leg, frame, result);
+    } else if (needle_must_leave(frame->robot, frame->axes)) {
         leave(leg, frame, result);
     } else {
         leg_stop(leg);

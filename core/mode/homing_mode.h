@@ -2,7 +2,9 @@
 /**
  * @file
  * Homing: the needle leaves if it is in, then the axes find their home positions, stage after stage
- * of the robot's table (core/axis/homing.h says how one does). Its state is that of the axes.
+ * of the robot's table (core/axis/homing.h says how one does), with those that follow them
+ * (core/axis/follower.h). At last all go to the pose home, if the robot has one. Its state is that
+ * of the axes.
  */
 #ifndef BORESIGHT_HOMING_MODE_H
 #define BORESIGHT_HOMING_MODE_H
@@ -10,11 +12,23 @@
 #include "mode/leg.h"
 #include "mode/mode_frame.h"
 
+#include <stdbool.h>
+
 /**
- * One cycle. Fails when a coupled limit bars an axis from homing.
+ * All is done: every axis is homed, and the leg has taken them to the pose home, if there is one.
  *
+ * @satisfies SWR-ROBOT-024
+ */
+bool homing_mode_is_done(const leg_t *leg, const mode_frame_t *frame);
+
+/**
+ * One cycle. Fails when a coupled limit bars an axis from homing, or one cannot follow.
+ *
+ * @satisfies SWR-AXIS-029
+ * @satisfies SWR-AXIS-030
  * @satisfies SWR-COUPLE-003
  * @satisfies SWR-JOG-016
+ * @satisfies SWR-ROBOT-024
  */
 void homing_mode_step(leg_t *leg, const mode_frame_t *frame, mode_result_t *result);
 

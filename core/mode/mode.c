@@ -81,7 +81,7 @@ void mode_step(mode_state_t *self, const mode_frame_t *frame, mode_result_t *res
 {
     const mode_kind_t kind = mode_in(self, frame->workphase);
     /* Homing is done with or without the pedal. */
-    const bool is_done = (kind == MODE_HOMING) && frame->is_every_axis_homed;
+    const bool is_done = (kind == MODE_HOMING) && homing_mode_is_done(&self->leg, frame);
     mode_clear(result);
     if (frame->is_moving && !is_done) {
         run(self, kind, frame, result);

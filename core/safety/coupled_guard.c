@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "safety/coupled_guard.h"
 
+#include "axis/follower.h"
 #include "limits/requirement_limits.h"
 #include "robot/joints.h"
 
@@ -62,12 +63,17 @@ static bool may_leave(const robot_t *robot, const coupled_limit_t *limit,
                       : ((now_nm - more_nm) < (int64_t)limit->minimum_nm);
 }
 
+static uint32_t other_of(const coupled_limit_t *limit, uint32_t index)
+{
+    return (limit->first == index) ? limit->second : limit->first;
+}
+
 /* Nobody knows where an axis is that is not homed, but where its switch is. */
 static bool is_home_beyond(const robot_t *robot, const coupled_limit_t *limit,
                            const axis_t axes[ROBOT_AXIS_MAX], uint32_t index)
 {
     const bool is_first = limit->first == index;
-    const uint32_t other = is_first ? limit->second : limit->first;
+    const uint32_t other = other_of(limit, index);
     const axis_config_t *const config = &robot->axes[index];
     const int32_t there = axes[other].encoder.position_ticks;
     if ((config->limit_switch == (uint8_t)LIMIT_SWITCH_NONE) || !is_of(limit, index) ||
@@ -79,12 +85,21 @@ static bool is_home_beyond(const robot_t *robot, const coupled_limit_t *limit,
     return (above_nm < (int64_t)limit->minimum_nm) || (above_nm > (int64_t)limit->maximum_nm);
 }
 
+/* Both follow one, or one the other: what is between them stays. */
+static bool is_block(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX], uint32_t index,
+                     uint32_t other)
+{
+    return follower_leader(robot, axes, index) == follower_leader(robot, axes, other);
+}
+
 bool coupled_guard_bars_homing(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
                                uint32_t index)
 {
     bool is_barred = false;
     for (uint32_t i = 0U; i < robot->coupled_limit_count; i++) {
-        if (is_home_beyond(robot, &robot->coupled_limits[i], axes, index)) {
+        const coupled_limit_t *const limit = &robot->coupled_limits[i];
+        if (is_home_beyond(robot, limit, axes, index) &&
+            !follower_is_of(robot, other_of(limit, index), index)) {
             is_barred = true;
         }
     }
@@ -109,7 +124,8 @@ bool coupled_guard_blocks(const robot_t *robot, const coupled_view_t *view, uint
         if (is_in_force(limit, view->axes, index) && may_leave(robot, limit, view, is_growing)) {
             is_blocked = true;
         }
-        if (is_towards_switch && is_home_beyond(robot, limit, view->axes, index)) {
+        if (is_towards_switch && is_home_beyond(robot, limit, view->axes, index) &&
+            !is_block(robot, view->axes, index, other_of(limit, index))) {
             is_blocked = true;
         }
     }

@@ -26,7 +26,8 @@ typedef struct {
  * @return true when it takes a limit away from its range, and within LIMIT_COUPLED_STOP_US
  * the two axes might leave it: each as fast as it is measured or, if driven that way, as its motor
  * can be. That the other one comes towards the range counts for nothing. Of two axes of which only
- * the other is homed, true when the request goes towards its switch, and that is outside the range.
+ * the other is homed, true when the request goes towards its switch, and that is outside the range,
+ * unless the two travel as a block (core/axis/follower.h).
  *
  * @satisfies SWR-COUPLE-001
  * @satisfies SWR-COUPLE-003
@@ -35,7 +36,7 @@ bool coupled_guard_blocks(const robot_t *robot, const coupled_view_t *view, uint
 
 /**
  * @return true when axis `index` is not homed, another is that shares a limit with it, and homing
- * it would leave that
+ * it would leave that; that axis does not follow it
  *
  * @satisfies SWR-COUPLE-003
  */

@@ -186,10 +186,10 @@ module Robot
       %w[geometry probe].each { |part| read_lengths(nodes[part], @expected.lengths(part)) }
       @coupled_limits = read_coupled_limits(nodes['coupled_limits'])
       @axes = read_axes(nodes['axes'])
+      @followers = Followers.new(@axes)
       check_lengths
       check_coupled_limits
       check_axes
-      @followers = Followers.new(@axes)
       @poses = read_poses(nodes['poses'])
     end
 
@@ -261,9 +261,11 @@ module Robot
       end
     end
 
-    # Where the two axes of a limit are homed, they stand inside it.
+    # Where the two axes of a limit are homed, they stand inside it; those that home as a block are not both there.
     def check_coupled_limits
       @coupled_limits.each do |limit|
+        next if @followers.block?(*[limit.first, limit.second].map { |index| @axes[index] })
+
         first, second = [limit.first, limit.second].map { |index| @axes[index].units(@axes[index]['home_ticks']) }
         next if (first - second).between?(*limit.range_mm)
 

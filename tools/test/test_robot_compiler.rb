@@ -357,6 +357,18 @@ class TestRobotCompiler < Minitest::Test
                      'is head with acceleration_ticks_per_s2 3150; expected at most the 3149 of feet')
   end
 
+  # They are never both at home, so their homes may be out of the limit that they share.
+  def test_SWR_ROBOT_022_homes_of_a_block_are_not_held_against_its_coupled_limit
+    far = ->(text) { text.sub(/(name: feet.*?home_ticks:) 0/m, '\\1 -1000') }
+    assert_refused(far[TEXT], 'geometry.home_separation_mm: puts the homed axes 155.7 apart; expected 75 to 146',
+                   at: 'home_separation_mm')
+    assert_equal 0, compile(far[with_follower('feet', '3: head')]).first
+    switch = "limit_switch: lower\n    over_travel_ticks: 60\n    switch_hysteresis_ticks: 8\n" \
+             "    home_time_ms: 75000\n    home: switch"
+    head = with_follower('head', '2: feet').sub(/limit_switch: none\s+home: in_place/, switch)
+    assert_equal 0, compile(far[head]).first
+  end
+
   def test_SWR_ROBOT_022_the_needle_follows_nobody_and_nobody_follows_it
     needle = 'expected two axes across the needle'
     assert_no_leader(with_follower('insertion', '3: head'), 'axes[3].follows.3', "ties insertion to head; #{needle}",
@@ -388,7 +400,8 @@ class TestRobotCompiler < Minitest::Test
 
   def test_SWR_ROBOT_023_a_pose_of_other_axes_or_another_name_is_refused
     assert_refused(with_pose(HOME.except(:yaw)), 'poses.home.yaw: is missing', at: "  home:\n")
-    assert_refused(with_pose(HOME).sub("\n  home:\n", "\n  park:\n"), 'poses.park: is unknown; expected home', at: '  park:')
+    park = with_pose(HOME).sub("\n  home:\n", "\n  park:\n")
+    assert_refused(park, 'poses.park: is unknown; expected home', at: '  park:')
   end
 
   def test_SWR_ROBOT_023_a_place_that_is_no_place_is_refused

@@ -10,6 +10,7 @@
 #include "axis/count_account.h"
 #include "axis/drift_audit.h"
 #include "axis/edge_pace.h"
+#include "axis/follower.h"
 #include "limits/requirement_limits.h"
 #include "robot/coupled_limit.h"
 #include "robot/joints.h"
@@ -228,6 +229,32 @@ void test_SWR_COUPLE_003_an_axis_without_a_switch_or_without_a_limit_is_not_barr
     axes[AXIS_LATERAL].chart.reference = AXIS_REFERENCE_LOST;
     axes[AXIS_HEAD].encoder.position_ticks = -9999;
     expect_barred(false);
+}
+
+/* What is between two that travel as one stays; a jog of the one takes nobody along. */
+void test_SWR_COUPLE_003_an_axis_that_homes_with_the_other_behind_it_is_not_barred(void)
+{
+    put_feet_out(1);
+    robot.axes[AXIS_FEET].leaders[1] = 1U + AXIS_HEAD;
+    requests[AXIS_HEAD] = drive(AXIS_HEAD, true);
+    TEST_ASSERT_FALSE(coupled_guard_bars_homing(&robot, axes, AXIS_HEAD));
+    TEST_ASSERT_TRUE(coupled_guard_blocks(&robot, &view, AXIS_HEAD));
+    axes[AXIS_HEAD].chart.reference = AXIS_REFERENCE_APPROACH;
+    TEST_ASSERT_FALSE(coupled_guard_blocks(&robot, &view, AXIS_HEAD));
+    robot.axes[AXIS_FEET].leaders[1] = 1U + AXIS_LATERAL;
+    TEST_ASSERT_TRUE(coupled_guard_bars_homing(&robot, axes, AXIS_HEAD));
+    TEST_ASSERT_TRUE(coupled_guard_blocks(&robot, &view, AXIS_HEAD));
+}
+
+void test_SWR_COUPLE_003_two_that_follow_a_third_are_not_barred(void)
+{
+    put_feet_out(1);
+    robot.axes[AXIS_HEAD].leaders[1] = 1U + AXIS_LATERAL;
+    robot.axes[AXIS_FEET].leaders[1] = 1U + AXIS_LATERAL;
+    requests[AXIS_HEAD] = drive(AXIS_HEAD, true);
+    TEST_ASSERT_TRUE(coupled_guard_blocks(&robot, &view, AXIS_HEAD));
+    axes[AXIS_LATERAL].chart.reference = AXIS_REFERENCE_LATCH;
+    TEST_ASSERT_FALSE(coupled_guard_blocks(&robot, &view, AXIS_HEAD));
 }
 
 void test_SWR_JOG_002_an_axis_is_known_when_it_and_its_partners_are_homed(void)

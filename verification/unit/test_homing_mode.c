@@ -1,14 +1,17 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
  * Rule under test: homing goes by the stages of the robot's table, takes the needle out before the
- * base homes, takes axes without a switch where they stand, and fails when a coupled limit bars it.
+ * base homes, takes axes without a switch where they stand, and fails when a coupled limit bars it
+ * or one that follows cannot. A robot with the pose home ends there.
  */
 #include "unity.h"
 
 #include "axis/axis.h"
+#include "axis/follower.h"
 #include "mode/homing_mode.h"
 #include "mode/leg.h"
 #include "mode/mode_frame.h"
+#include "mode/move_mode.h"
 #include "robot/coupled_limit.h"
 #include "robot/joints.h"
 #include "safety/coupled_guard.h"
@@ -120,6 +123,146 @@ void test_SWR_COUPLE_003_an_axis_that_is_barred_fails_it_and_no_other_begins(voi
     TEST_ASSERT_EQUAL_UINT32(AXIS_HEAD, result.notes[0].axis);
     for (uint32_t i = 0U; i < robot.axis_count; i++) {
         TEST_ASSERT_FALSE(axis_is_homing(&axes[i]));
+        TEST_ASSERT_TRUE(world_rests(i));
+    }
+}
+
+/* The feet follow the head, which homes last. */
+static void start_with_followers(void)
+{
+    static const int32_t home[] = {-500, 100, -200, 1000, 0, 30, -60};
+    robot.axes[AXIS_HEAD].home_stage = ROBOT_HOME_STAGES;
+    robot.axes[AXIS_FEET].leaders[ROBOT_HOME_STAGES - 1U] = 1U + AXIS_HEAD;
+    for (uint32_t i = 0U; i < robot.axis_count; i++) {
+        robot.poses[POSE_HOME].ticks[i] = home[i];
+    }
+    world_lose(AXIS_HEAD);
+    world_put(AXIS_HEAD, -40);
+    world_put(AXIS_FEET, 3000);
+}
+
+void test_SWR_AXIS_028_a_follower_goes_the_way_of_its_leader_and_the_others_rest(void)
+{
+    start_with_followers();
+    for (uint32_t i = 0U; i < 1000U; i++) {
+        step();
+        TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
+        TEST_ASSERT_EQUAL_INT32(3040,
+                                axes[AXIS_FEET].setpoint_ticks - axes[AXIS_HEAD].setpoint_ticks);
+        TEST_ASSERT_EQUAL_INT32(axes[AXIS_HEAD].setpoint_speed_ticks_per_s_q8,
+                                axes[AXIS_FEET].setpoint_speed_ticks_per_s_q8);
+        TEST_ASSERT_TRUE(world_rests(AXIS_LATERAL));
+        TEST_ASSERT_TRUE(world_rests(AXIS_YAW));
+        world_follow();
+    }
+    TEST_ASSERT_TRUE(axes[AXIS_FEET].setpoint_ticks > 3100);
+    TEST_ASSERT_EQUAL_UINT32(0U, result.note_count);
+}
+
+void test_SWR_AXIS_030_a_follower_rests_once_its_leader_does_not_home_any_more(void)
+{
+    start_with_followers();
+    step();
+    TEST_ASSERT_FALSE(world_rests(AXIS_FEET));
+    world_grade(AXIS_HEAD, AXIS_REFERENCE_VERIFIED);
+    step();
+    TEST_ASSERT_TRUE(world_rests(AXIS_FEET));
+    TEST_ASSERT_TRUE(world_rests(AXIS_HEAD));
+}
+
+void test_SWR_AXIS_031_the_distance_outlasts_a_pause_but_not_a_new_homing(void)
+{
+    start_with_followers();
+    step();
+    mode_rest(&frame, &result);
+    world_put(AXIS_HEAD, -38);
+    step();
+    TEST_ASSERT_EQUAL_INT32(3002, axes[AXIS_FEET].setpoint_ticks);
+    axis_stop_homing(&axes[AXIS_HEAD]);
+    mode_rest(&frame, &result);
+    step();
+    TEST_ASSERT_EQUAL_INT32(3000, axes[AXIS_FEET].setpoint_ticks);
+}
+
+void test_SWR_AXIS_029_a_follower_that_cannot_follow_fails_it_by_name(void)
+{
+    start_with_followers();
+    step();
+    world_put(AXIS_FEET, 2900);
+    step();
+    TEST_ASSERT_EQUAL(MODE_FAILED, result.progress);
+    TEST_ASSERT_EQUAL(STATUS_FAULT_PRESENT, result.status);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_FEET, result.axis);
+    TEST_ASSERT_EQUAL_UINT32(1U, result.note_count);
+    TEST_ASSERT_EQUAL(EVENT_FOLLOWER_STUCK, result.notes[0].id);
+    TEST_ASSERT_EQUAL_INT32(-100, result.notes[0].value);
+}
+
+void test_SWR_AXIS_029_the_first_that_cannot_follow_is_named_alone(void)
+{
+    start_with_followers();
+    robot.axes[AXIS_LATERAL].leaders[ROBOT_HOME_STAGES - 1U] = 1U + AXIS_HEAD;
+    step();
+    world_put(AXIS_FEET, 2900);
+    world_put(AXIS_LATERAL, -500);
+    step();
+    TEST_ASSERT_EQUAL_UINT32(1U, result.note_count);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_FEET, result.axis);
+}
+
+static bool is_done(void)
+{
+    return homing_mode_is_done(&leg, &frame);
+}
+
+void test_SWR_ROBOT_024_without_a_pose_homing_is_done_when_every_axis_is_homed(void)
+{
+    TEST_ASSERT_TRUE(is_done());
+    world_lose(AXIS_HEAD);
+    TEST_ASSERT_FALSE(is_done());
+    robot.pose_mask = (uint32_t)1U << POSE_HOME;
+    TEST_ASSERT_FALSE(is_done());
+}
+
+void test_SWR_ROBOT_024_with_a_pose_it_is_done_when_every_axis_rests_there(void)
+{
+    start_with_followers();
+    world_grade(AXIS_HEAD, AXIS_REFERENCE_VERIFIED);
+    frame.is_every_axis_homed = true;
+    robot.pose_mask = (uint32_t)1U << POSE_HOME;
+    for (uint32_t i = 0U; i < robot.axis_count; i++) {
+        TEST_ASSERT_FALSE(is_done());
+        world_put(i, robot.poses[POSE_HOME].ticks[i]);
+    }
+    TEST_ASSERT_TRUE(is_done());
+    leg.is_running = 1U;
+    TEST_ASSERT_FALSE(is_done());
+}
+
+void test_SWR_ROBOT_024_all_axes_go_to_the_pose_with_the_needle_out(void)
+{
+    uint32_t cycles = 0U;
+    start_with_followers();
+    world_grade(AXIS_HEAD, AXIS_REFERENCE_VERIFIED);
+    frame.is_every_axis_homed = true;
+    robot.pose_mask = (uint32_t)1U << POSE_HOME;
+    world_put(AXIS_INSERTION, 20000);
+    do {
+        const bool is_out = axes[AXIS_INSERTION].encoder.position_ticks <= needle_out_ticks(&robot);
+        step();
+        TEST_ASSERT_TRUE(is_out || world_rests(AXIS_FEET));
+        TEST_ASSERT_LESS_THAN_UINT32(20000U, cycles);
+        cycles++;
+        world_follow();
+    } while (result.progress == MODE_RUNNING);
+    TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
+    TEST_ASSERT_TRUE(is_done());
+}
+
+void test_SWR_ROBOT_024_without_a_pose_homed_axes_stay_where_they_are(void)
+{
+    step();
+    for (uint32_t i = 0U; i < robot.axis_count; i++) {
         TEST_ASSERT_TRUE(world_rests(i));
     }
 }

@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "axis/follower.h"
+
+#include "base/fixed.h"
+#include "limits/requirement_limits.h"
+#include "robot/joints.h"
+
+bool follower_is_of(const robot_t *robot, uint32_t index, uint32_t leader)
+{
+    const uint32_t stage = (uint32_t)robot->axes[leader].home_stage;
+    return (uint32_t)robot->axes[index].leaders[(stage - 1U) % ROBOT_HOME_STAGES] == (leader + 1U);
+}
+
+uint32_t follower_leader(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX], uint32_t index)
+{
+    uint32_t found = index;
+    for (uint32_t i = 0U; i < ROBOT_HOME_STAGES; i++) {
+        const uint32_t leader = (uint32_t)robot->axes[index].leaders[i];
+        if ((leader != 0U) && axis_is_homing(&axes[leader - 1U])) {
+            found = leader - 1U;
+        }
+    }
+    return found;
+}
+
+void follower_tie(const robot_t *robot, axis_t axes[ROBOT_AXIS_MAX], uint32_t leader)
+{
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+        if (follower_is_of(robot, i, leader)) {
+            axes[i].homing.start_ticks = axes[i].encoder.position_ticks;
+        }
+    }
+}
+
+static int64_t way_ticks(const axis_t *self, int32_t ticks)
+{
+    return (int64_t)ticks - (int64_t)self->homing.start_ticks;
+}
+
+int32_t follower_apart_ticks(const axis_t *self, const axis_t *leader)
+{
+    return fixed_saturate(way_ticks(self, self->encoder.position_ticks) -
+                          way_ticks(leader, leader->encoder.position_ticks));
+}
+
+card_drive_t follower_step(axis_t *self, const axis_config_t *config, const axis_t *leader,
+                           uint32_t elapsed_us)
+{
+    const int64_t setpoint =
+        (int64_t)self->homing.start_ticks + way_ticks(leader, leader->setpoint_ticks);
+    return axis_follow(self, config, fixed_saturate(setpoint),
+                       leader->setpoint_speed_ticks_per_s_q8, elapsed_us);
+}
+
+bool follower_is_stuck(const axis_t *self, const axis_config_t *config, const axis_t *leader,
+                       const card_drive_t *request)
+{
+    const int64_t apart = (int64_t)follower_apart_ticks(self, leader);
+    return joints_is_beyond(config, (apart < 0) ? -apart : apart, LIMIT_FOLLOWER_WAY_NM,
+                            LIMIT_FOLLOWER_WAY_BAM) ||
+           axis_is_towards_switch(self, config, request) ||
+           axis_is_beyond_limit(self, config, request);
+}

@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Axes that carry one linkage home as a block: while one homes by its switch, those that follow it
+ * (axis_config_t.leaders) go the same way, each at the distance from it that they had when that
+ * homing began. No length between them changes while nobody knows yet where they are. Without state
+ * but homing_t.start_ticks of each axis, which its owner seals.
+ */
+#ifndef BORESIGHT_FOLLOWER_H
+#define BORESIGHT_FOLLOWER_H
+
+#include "axis/axis.h"
+#include "robot/robot.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/** @return true when axis `index` follows axis `leader` whenever that homes */
+bool follower_is_of(const robot_t *robot, uint32_t index, uint32_t leader);
+
+/** @return with which axis axis `index` travels now: the one that homes and that it follows;
+ * itself when there is none */
+uint32_t follower_leader(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX], uint32_t index);
+
+/**
+ * Axis `leader` has begun to home: its followers keep their distance from here on.
+ *
+ * @satisfies SWR-AXIS-028
+ * @satisfies SWR-AXIS-031
+ */
+void follower_tie(const robot_t *robot, axis_t axes[ROBOT_AXIS_MAX], uint32_t leader);
+
+/** @return how far the follower is above where its leader has it, ticks */
+int32_t follower_apart_ticks(const axis_t *self, const axis_t *leader);
+
+/**
+ * Request for following `leader`, which homes and has been asked for its request of this cycle.
+ *
+ * @satisfies SWR-AXIS-028
+ */
+card_drive_t follower_step(axis_t *self, const axis_config_t *config, const axis_t *leader,
+                           uint32_t elapsed_us);
+
+/**
+ * @return true when it cannot follow: it is LIMIT_FOLLOWER_WAY_NM or LIMIT_FOLLOWER_WAY_BAM from
+ * where its leader has it, or `request` is towards its active switch or beyond a soft limit
+ *
+ * @satisfies SWR-AXIS-029
+ */
+bool follower_is_stuck(const axis_t *self, const axis_config_t *config, const axis_t *leader,
+                       const card_drive_t *request);
+
+#endif

@@ -1,0 +1,433 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Rule under test: axes that carry one linkage home as a block, stage after stage, and end at the
+ * pose home. The robot is a table of this test: two stages of two sliders each, a needle and its
+ * rotation. Each pair of sliders carries a linkage, whose length must not change by more than 0.2
+ * mm. In every test the rig counts cycles that drive without the pedal; there must be none.
+ */
+#include "integration/support/rig.h"
+
+#include "unity.h"
+
+#include "base/seal.h"
+#include "controller/controller.h"
+#include "limits/requirement_limits.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <string.h>
+
+#define FRONT_LEFT 0U
+#define FRONT_RIGHT 1U
+#define REAR_LEFT 2U
+#define REAR_RIGHT 3U
+#define NEEDLE 4U
+#define ROTATION 5U
+#define SLIDERS 4U
+
+#define TICKS_PER_MM 2500
+#define NM_PER_TICK 400
+#define HOME_SPEED 3125   /* A quarter of 5 mm/s. */
+#define APART_TICKS 500.0 /* 0.2 mm */
+#define MOST_CYCLES 150000U
+
+static robot_t robot;
+static rig_t rig;
+static double start_ticks[ROBOT_AXIS_MAX]; /* Where the axes truly stood before anything homed. */
+
+static void set_slider(uint32_t index, const char *name, uint8_t slot, uint8_t limit_switch,
+                       int32_t home_ticks)
+{
+    axis_config_t *const row = &robot.axes[index];
+    const bool is_left = home_ticks > 0;
+    *row = robot_neuro.axes[AXIS_INSERTION];
+    (void)memset(row->name, 0, sizeof row->name);
+    (void)strcpy(row->name, name);
+    row->slot = slot;
+    row->limit_switch = limit_switch;
+    row->home_method =
+        (limit_switch == (uint8_t)LIMIT_SWITCH_NONE) ? HOME_IN_PLACE : HOME_BY_SWITCH;
+    row->needle_motion = NEEDLE_ACROSS;
+    row->is_motor_inverted = is_left ? 0U : 1U;
+    row->is_encoder_inverted = is_left ? 1U : 0U;
+    row->unit_per_tick_q16 = INT64_C(65536) * NM_PER_TICK;
+    row->minimum_ticks = is_left ? 100000 : home_ticks;
+    row->maximum_ticks = is_left ? home_ticks : -100000;
+    row->home_ticks = home_ticks;
+    row->deadband_ticks = 20;
+    row->speed_ticks_per_s = 4 * HOME_SPEED;
+    row->acceleration_ticks_per_s2 = 16 * HOME_SPEED;
+    row->home_speed_ticks_per_s = HOME_SPEED;
+    row->full_speed_ticks_per_s = 6 * HOME_SPEED;
+    row->following_error_ticks = 125;
+    row->jump_ticks = 395;
+    row->switch_hysteresis_ticks = 250;
+    row->home_way_ticks = 560;
+    row->target_minimum_ticks = row->minimum_ticks;
+    row->target_maximum_ticks = row->maximum_ticks;
+    row->home_time_us = 150000000U;
+}
+
+static void set_pose(void)
+{
+    static const int32_t home[] = {375000, -375000, 375000, -375000, 1000, 0};
+    robot.pose_mask = (uint32_t)1U << POSE_HOME;
+    (void)memcpy(robot.poses[POSE_HOME].ticks, home, sizeof home);
+}
+
+static void set_robot(void)
+{
+    static const int32_t starts[] = {400000, -350000, 375000, -375000, 3333, 0};
+    robot = robot_neuro;
+    robot.axis_count = 6U;
+    robot.kind = 0U; /* Nobody's kinematics. */
+    robot.needle_axis = NEEDLE;
+    set_slider(FRONT_LEFT, "front_left", 4U, LIMIT_SWITCH_UPPER, 472225);
+    set_slider(FRONT_RIGHT, "front_right", 6U, LIMIT_SWITCH_LOWER, -472225);
+    set_slider(REAR_LEFT, "rear_left", 2U, LIMIT_SWITCH_NONE, 375000);
+    set_slider(REAR_RIGHT, "rear_right", 5U, LIMIT_SWITCH_LOWER, -463475);
+    robot.axes[REAR_LEFT].maximum_ticks = 468475;
+    robot.axes[NEEDLE] = robot_neuro.axes[AXIS_INSERTION];
+    robot.axes[NEEDLE].slot = 1U;
+    robot.axes[ROTATION] = robot_neuro.axes[AXIS_ROTATION];
+    robot.axes[ROTATION].slot = 0U;
+    robot.axes[REAR_LEFT].home_stage = 1U;
+    robot.axes[FRONT_LEFT].home_stage = 2U;
+    robot.axes[FRONT_RIGHT].home_stage = 3U;
+    robot.axes[REAR_RIGHT].home_stage = 3U;
+    for (uint32_t i = 0U; i < SLIDERS; i++) {
+        robot.axes[i].leaders[1] = (i == FRONT_LEFT) ? 0U : (1U + FRONT_LEFT);
+    }
+    robot.axes[FRONT_LEFT].leaders[2] = 1U + FRONT_RIGHT;
+    robot.axes[REAR_LEFT].leaders[2] = 1U + REAR_RIGHT;
+    robot.coupled_limits[0] = (coupled_limit_t){.name = "front",
+                                                .first = FRONT_LEFT,
+                                                .second = FRONT_RIGHT,
+                                                .minimum_nm = 88000000,
+                                                .maximum_nm = 308000000};
+    (void)memcpy(robot.start_ticks, starts, sizeof starts);
+    set_pose();
+}
+
+static void seal_robot(void)
+{
+    robot.seal = seal_of(SEAL_START, (const uint8_t *)&robot, offsetof(robot_t, seal));
+    for (uint32_t i = 0U; i < robot.axis_count; i++) {
+        axis_config_t *const row = &robot.axes[i];
+        row->seal = seal_of(SEAL_START, (const uint8_t *)row, offsetof(axis_config_t, seal));
+    }
+    pose_t *const pose = &robot.poses[POSE_HOME];
+    pose->seal = seal_of(SEAL_START, (const uint8_t *)pose, offsetof(pose_t, seal));
+}
+
+/* START_UP of the robot as it stands in `robot`, with the pedal pressed. */
+static void start(void)
+{
+    seal_robot();
+    rig_start_robot(&rig, &robot);
+    box_true_positions(&rig.box, start_ticks);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    rig_press(&rig);
+}
+
+void setUp(void)
+{
+    set_robot();
+}
+
+void tearDown(void)
+{
+    TEST_ASSERT_EQUAL_UINT32_MESSAGE(0U, rig.driven_without_pedal, "driven without the pedal");
+}
+
+static double true_ticks(uint32_t axis)
+{
+    return rig.box.axes[axis].motor.position_ticks;
+}
+
+/* How much longer what two axes carry has become. */
+static double stretch_ticks(uint32_t first, uint32_t second)
+{
+    return (true_ticks(first) - start_ticks[first]) - (true_ticks(second) - start_ticks[second]);
+}
+
+static void expect_pairs_keep(void)
+{
+    TEST_ASSERT_DOUBLE_WITHIN(APART_TICKS, 0.0, stretch_ticks(FRONT_LEFT, FRONT_RIGHT));
+    TEST_ASSERT_DOUBLE_WITHIN(APART_TICKS, 0.0, stretch_ticks(REAR_LEFT, REAR_RIGHT));
+}
+
+static bool is_homed(uint32_t axis)
+{
+    return axis_is_homed(&rig.controller.axes[axis]);
+}
+
+static bool is_homing(uint32_t axis)
+{
+    return axis_is_homing(&rig.controller.axes[axis]);
+}
+
+/* On until `axis` homes, and then for `more` cycles. */
+static void run_until_homing(uint32_t axis, uint32_t more)
+{
+    while (!is_homing(axis)) {
+        TEST_ASSERT_LESS_THAN_UINT32(MOST_CYCLES, rig.controller.cycle);
+        rig_cycle(&rig);
+    }
+    rig_cycles(&rig, more);
+}
+
+static void run_until_homed(uint32_t axis)
+{
+    while (!is_homed(axis)) {
+        TEST_ASSERT_LESS_THAN_UINT32(MOST_CYCLES, rig.controller.cycle);
+        rig_cycle(&rig);
+    }
+}
+
+/* START_UP is discarded because `axis` cannot follow; nobody is driven any more. */
+static void expect_stuck(uint32_t axis)
+{
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, MOST_CYCLES).kind);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_FOLLOWER_STUCK));
+    for (uint32_t i = 0U; i < rig.event_count; i++) {
+        if (rig.events[i].id == (uint32_t)EVENT_FOLLOWER_STUCK) {
+            TEST_ASSERT_EQUAL_UINT32(axis, rig.events[i].subject);
+        }
+    }
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    rig_cycles(&rig, 20U);
+    expect_pairs_keep();
+}
+
+/* A released pedal stops every axis, and a pressed one takes them on. */
+static void expect_pedal_stops(uint32_t leader)
+{
+    double stopped[ROBOT_AXIS_MAX];
+    double now[ROBOT_AXIS_MAX];
+    TEST_ASSERT_TRUE(rig_is_driving(&rig));
+    rig_release(&rig);
+    box_true_positions(&rig.box, stopped);
+    for (uint32_t i = 0U; i < 300U; i++) {
+        TEST_ASSERT_FALSE(rig_is_driving(&rig));
+        rig_cycle(&rig);
+    }
+    box_true_positions(&rig.box, now);
+    for (uint32_t i = 0U; i < robot.axis_count; i++) {
+        TEST_ASSERT_DOUBLE_WITHIN(0.5, stopped[i], now[i]);
+    }
+    rig_press(&rig);
+    rig_cycles(&rig, 400U);
+    TEST_ASSERT_TRUE(fabs(true_ticks(leader) - stopped[leader]) > 500.0);
+}
+
+void test_SWR_AXIS_028_the_pairs_keep_their_length_and_the_stages_come_in_order(void)
+{
+    start();
+    while (!is_homed(FRONT_RIGHT) || !is_homed(REAR_RIGHT)) {
+        rig_cycle(&rig);
+        TEST_ASSERT_LESS_THAN_UINT32(MOST_CYCLES, rig.controller.cycle);
+        TEST_ASSERT_TRUE(is_homed(NEEDLE) || !is_homing(FRONT_LEFT));
+        TEST_ASSERT_TRUE(is_homed(REAR_LEFT) || !is_homing(FRONT_LEFT));
+        TEST_ASSERT_TRUE(is_homed(FRONT_LEFT) || !is_homing(FRONT_RIGHT));
+        TEST_ASSERT_TRUE(is_homed(FRONT_LEFT) || !is_homing(REAR_RIGHT));
+        expect_pairs_keep();
+        if (is_homing(FRONT_LEFT)) {
+            TEST_ASSERT_DOUBLE_WITHIN(APART_TICKS, 0.0, stretch_ticks(FRONT_LEFT, REAR_LEFT));
+        }
+    }
+    TEST_ASSERT_DOUBLE_WITHIN(30.0, -472225.0, true_ticks(FRONT_RIGHT));
+    TEST_ASSERT_DOUBLE_WITHIN(30.0, -463475.0, true_ticks(REAR_RIGHT));
+    TEST_ASSERT_DOUBLE_WITHIN(APART_TICKS, -472225.0 + 750000.0, true_ticks(FRONT_LEFT));
+    TEST_ASSERT_EQUAL_UINT32(4U, rig_count(&rig, EVENT_AXIS_HOMED));
+    TEST_ASSERT_EQUAL_UINT32(2U, rig_count(&rig, EVENT_AXIS_TAKEN));
+}
+
+/* START_UP, the pedal released for a while in each stage, until it is done. */
+static void home_with_pauses(void)
+{
+    start();
+    run_until_homing(NEEDLE, 300U);
+    expect_pedal_stops(NEEDLE);
+    run_until_homing(FRONT_LEFT, 2000U);
+    expect_pedal_stops(FRONT_LEFT);
+    expect_pairs_keep();
+    run_until_homing(FRONT_RIGHT, 2000U);
+    expect_pedal_stops(FRONT_RIGHT);
+    expect_pairs_keep();
+    run_until_homed(FRONT_RIGHT);
+    run_until_homed(REAR_RIGHT);
+    rig_cycles(&rig, 500U);
+    expect_pedal_stops(FRONT_RIGHT);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_ORDER_DONE));
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, MOST_CYCLES).kind);
+}
+
+/* At the pose home; once, and copied. */
+static void start_at_home(void)
+{
+    static rig_t at_home;
+    static bool is_ready = false;
+    if (!is_ready) {
+        home_with_pauses();
+        rig_release(&rig);
+        at_home = rig;
+        is_ready = true;
+    }
+    seal_robot();
+    rig = at_home;
+    rig_forget(&rig);
+}
+
+static void expect_at_home(void)
+{
+    for (uint32_t i = 0U; i < robot.axis_count; i++) {
+        TEST_ASSERT_INT32_WITHIN(robot.axes[i].deadband_ticks, robot.poses[POSE_HOME].ticks[i],
+                                 rig_position(&rig, i));
+    }
+}
+
+void test_SWR_AXIS_030_the_pedal_stops_every_stage_and_takes_it_on(void)
+{
+    start_at_home();
+    expect_at_home();
+}
+
+void test_SWR_ROBOT_024_start_up_ends_at_the_pose_home_and_at_once_when_all_stand_there(void)
+{
+    start_at_home();
+    expect_at_home();
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    TEST_ASSERT_EQUAL_UINT32(2U, rig.outputs.answer_count);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig.outputs.answers[1].kind);
+}
+
+/* A homed robot that stands elsewhere goes there, at the speed of homed axes. */
+void test_SWR_ROBOT_024_a_homed_robot_that_stands_elsewhere_is_taken_home(void)
+{
+    const command_t jog = {.kind = COMMAND_JOG, .argument = FRONT_LEFT, .value = 350000};
+    int32_t fastest = 0;
+    start_at_home();
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, MOST_CYCLES).kind);
+    rig_release(&rig);
+    rig_forget(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.answer_count);
+    rig_press(&rig);
+    while (rig_count(&rig, EVENT_ORDER_DONE) == 0U) {
+        const int32_t speed_q8 = rig.controller.axes[FRONT_LEFT].setpoint_speed_ticks_per_s_q8;
+        fastest = (speed_q8 > fastest) ? speed_q8 : fastest;
+        rig_cycle(&rig);
+        TEST_ASSERT_LESS_THAN_UINT32(MOST_CYCLES, rig.controller.cycle);
+    }
+    TEST_ASSERT_GREATER_THAN_INT32(3 * HOME_SPEED * 256, fastest);
+    expect_at_home();
+}
+
+void test_SWR_AXIS_028_an_axis_that_is_homed_again_takes_its_own_followers_along(void)
+{
+    double before[ROBOT_AXIS_MAX];
+    start_at_home();
+    rig_box(&rig, "card front_right silent");
+    rig_cycles(&rig, 200U);
+    rig_box(&rig, "card front_right normal");
+    rig_cycles(&rig, 50U);
+    TEST_ASSERT_FALSE(is_homed(FRONT_RIGHT));
+    box_true_positions(&rig.box, before);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    rig_press(&rig);
+    run_until_homing(FRONT_RIGHT, 5000U);
+    TEST_ASSERT_DOUBLE_WITHIN(APART_TICKS, true_ticks(FRONT_RIGHT) - before[FRONT_RIGHT],
+                              true_ticks(FRONT_LEFT) - before[FRONT_LEFT]);
+    TEST_ASSERT_TRUE(true_ticks(FRONT_LEFT) < (before[FRONT_LEFT] - 10000.0));
+    TEST_ASSERT_DOUBLE_WITHIN(0.5, before[REAR_LEFT], true_ticks(REAR_LEFT));
+    TEST_ASSERT_DOUBLE_WITHIN(0.5, before[REAR_RIGHT], true_ticks(REAR_RIGHT));
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, MOST_CYCLES).kind);
+    expect_at_home();
+}
+
+/* Its own supervision finds it. */
+void test_SWR_AXIS_029_a_stuck_follower_stops_its_leader(void)
+{
+    static const char *const orders[] = {"motor front_right stuck", "motor rear_left stuck",
+                                         "motor rear_right stuck"};
+    for (uint32_t i = 0U; i < 3U; i++) {
+        start();
+        run_until_homing(FRONT_LEFT, 2000U);
+        rig_box(&rig, orders[i]);
+        TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 1000U).kind);
+        TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_NO_COUNTS));
+        TEST_ASSERT_FALSE(rig_is_driving(&rig));
+        rig_cycles(&rig, 20U);
+        expect_pairs_keep();
+    }
+}
+
+void test_SWR_AXIS_029_a_leader_that_is_stuck_stops_its_followers(void)
+{
+    start();
+    run_until_homing(FRONT_LEFT, 2000U);
+    rig_box(&rig, "motor front_left stuck");
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 1000U).kind);
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    rig_cycles(&rig, 20U);
+    expect_pairs_keep();
+}
+
+/* Its permit is missing, so that its own supervision has nothing to say. */
+void test_SWR_AXIS_029_a_follower_that_stays_behind_is_named_and_stops_all(void)
+{
+    robot.coupled_limits[0] = (coupled_limit_t){
+        .name = "block", .first = REAR_LEFT, .second = NEEDLE, .maximum_nm = 380000 * NM_PER_TICK};
+    start();
+    expect_stuck(REAR_LEFT);
+    TEST_ASSERT_TRUE(true_ticks(REAR_LEFT) < 380000.0);
+    TEST_ASSERT_TRUE(stretch_ticks(REAR_RIGHT, REAR_LEFT) > 300.0);
+}
+
+void test_SWR_AXIS_029_a_homed_follower_keeps_its_soft_limit_and_all_stop_there(void)
+{
+    robot.axes[REAR_LEFT].maximum_ticks = 380000;
+    start();
+    expect_stuck(REAR_LEFT);
+    TEST_ASSERT_DOUBLE_WITHIN(30.0, 380000.0, true_ticks(REAR_LEFT));
+}
+
+void test_SWR_AXIS_029_a_follower_that_meets_its_switch_stops_all(void)
+{
+    robot.axes[REAR_RIGHT].limit_switch = LIMIT_SWITCH_UPPER;
+    robot.axes[REAR_RIGHT].home_ticks = -370000;
+    start();
+    expect_stuck(REAR_RIGHT);
+    TEST_ASSERT_DOUBLE_WITHIN(100.0, -370000.0, true_ticks(REAR_RIGHT));
+}
+
+/* The block was another one when it stopped. */
+void test_SWR_AXIS_031_a_homing_that_was_interrupted_begins_anew_from_where_the_axes_are(void)
+{
+    command_t jog = {.kind = COMMAND_JOG, .argument = FRONT_RIGHT};
+    start();
+    run_until_homing(FRONT_LEFT, 2000U);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_STOP).status);
+    rig_release(&rig);
+    TEST_ASSERT_FALSE(is_homing(FRONT_LEFT));
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
+    jog.value = rig_position(&rig, FRONT_RIGHT) - (TICKS_PER_MM / 2);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, MOST_CYCLES).kind);
+    rig_release(&rig);
+    box_true_positions(&rig.box, start_ticks);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    rig_press(&rig);
+    while (!is_homed(FRONT_LEFT)) {
+        rig_cycle(&rig);
+        TEST_ASSERT_LESS_THAN_UINT32(MOST_CYCLES, rig.controller.cycle);
+        expect_pairs_keep();
+    }
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_FOLLOWER_STUCK));
+}
