@@ -98,7 +98,7 @@ $(ROBOT_TABLES): $(GEN)/robot/robot_%.c: core/robot/%/robot.yml core/robot/%/kin
 build/robots: FORCE
 	@mkdir -p build; echo '$(ROBOTS)' | cmp -s - $@ || echo '$(ROBOTS)' >$@
 
-$(GEN)/robot/kinematics.c: build/robots tools/robots.rb $(wildcard tools/robot/*.rb)
+$(GEN)/robot/kinematics.c: build/robots $(wildcard core/robot/*/kinematics.yml) tools/robots.rb $(wildcard tools/robot/*.rb)
 	ruby tools/robots.rb core/robot $(DEFAULT_ROBOT) $(GEN)/robot
 
 $(FIND_ROBOT): $(GEN)/robot/kinematics.c ;

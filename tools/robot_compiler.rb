@@ -82,7 +82,7 @@ module Robot
     def parts
       sealed = head.merge('coupled_limits' => coupled_limits, 'geometry_nm' => geometry.values)
       [*head.map { |field, value| "    .#{field} = #{value}" },
-       *array('coupled_limits', coupled_limits.map { |limit| "        {#{initializers(limit)}}" }),
+       *array('coupled_limits', coupled_limits.each_with_index.map { |limit, i| "        [#{i}] = {#{initializers(limit)}}" }),
        *array('geometry_nm', geometry.map { |name, nm| "        [#{name}] = #{nm}" }),
        "    .seal = #{seal('robot_t', sealed)}",
        *array('axes', @robot.axes.each_with_index.map { |axis, i| entry(axis, i) }),
@@ -140,9 +140,11 @@ module Robot
 
     def coupled_limits
       @robot.coupled_limits.map do |limit|
-        minimum, maximum = limit.range_mm.map { |millimetres| (millimetres * NM_PER_MM).round }
-        { 'name' => "\"#{limit.name}\"", 'refusal' => "#{limit.refusal}U", 'first' => "#{limit.first}U", 'second' => "#{limit.second}U",
-          'minimum_nm' => minimum, 'maximum_nm' => maximum }
+        unit, scale = limit.is_length ? ['AXIS_UNIT_MM', NM_PER_MM] : ['AXIS_UNIT_RAD', Rational(2**32, 360)]
+        { 'name' => "\"#{limit.name}\"", 'unit' => "(uint8_t)#{unit}", 'refusal' => "#{limit.refusal}U",
+          'is_curved' => flag(limit.is_curved.to_s), 'reserved' => '0U',
+          'axes' => "0x#{format('%03X', limit.mask)}U", 'minimum' => (limit.minimum * scale).round,
+          'maximum' => [(limit.maximum * scale).round, (2**31) - 1].min }
       end
     end
 

@@ -7,11 +7,12 @@
 #
 #   ruby tools/robots.rb core/robot neuro build/gen/robot      neuro is the default one
 #
-# A robot is a folder NAME with robot.yml, kinematics.yml and NAME.{h,c}, which hold NAME_forward(), NAME_inverse() and
-# NAME_solve().
+# A robot is a folder NAME with robot.yml, kinematics.yml and NAME.{h,c}, which hold NAME_forward(), NAME_inverse(),
+# NAME_solve() and, if it has coupled limits, NAME_coupled().
 
 require 'fileutils'
 require_relative 'robot/kind'
+require_relative 'robot/kinematics'
 
 # Writes robot_kind.h and kinematics.c for the core, robots.{h,c} and robot_names.{h,c} for the programs.
 #
@@ -63,6 +64,7 @@ class Robots
   def initialize(folder, default)
     @default = default
     @names = Dir.glob('*/robot.yml', base: folder).map { |path| File.dirname(path) }.sort
+    @coupled = @names.select { |name| Robot::Kinematics.new(name, folder).coupled_limits.any? }
   end
 
   def write(folder)
@@ -112,6 +114,13 @@ class Robots
       solution_t kinematics_solve(const robot_t *robot, const rigid_t *pose, const point_t *entry, joints_t *joints)
       {
       #{solution('solve(robot, pose, entry, joints)')}
+      }
+
+      int64_t kinematics_coupled(const robot_t *robot, uint32_t index, const joints_t *joints)
+      {
+          int64_t value = 0;
+      #{switch('coupled(robot, index, joints)', '/* None, or a damaged table. */', 'value = ', names: @coupled)}
+          return value;
       }
     SOURCE
   end
@@ -172,8 +181,8 @@ class Robots
       "#{switch(call, '/* A damaged table. */', 'solution = ')}\n    return solution;"
   end
 
-  def switch(call, otherwise, result = '')
-    cases = @names.map do |name|
+  def switch(call, otherwise, result = '', names: @names)
+    cases = names.map do |name|
       "    case #{Robot::Kind.name(name)}:\n        #{result}#{name}_#{call};\n        break;"
     end
     otherwise += ';' unless otherwise.start_with?('/*')

@@ -45,6 +45,7 @@ typedef struct {
     permit_common_facts_t facts;
     permit_common_t common;
     coupled_view_t axes;
+    uint32_t at_coupled_limit; /* coupled_guard_blocks(); nothing without a table. */
     mode_kind_t kind;
 } view_t;
 
@@ -72,8 +73,7 @@ static permit_t decide(const controller_t *self, const cycle_t *cycle, uint32_t 
         .is_homed = axis_is_homed(axis),
         .is_towards_switch = axis_is_towards_switch(axis, config, request),
         .is_beyond_soft_limit = axis_is_beyond_limit(axis, config, request),
-        .is_coupled_limit = !view->facts.is_memory_damaged &&
-                            coupled_guard_blocks(cycle->robot, &view->axes, index),
+        .is_coupled_limit = (view->at_coupled_limit & ((uint32_t)1U << index)) != 0U,
         .is_needle_in = is_needle_in(self, cycle->robot, index, view),
     };
     return permit_decide(&view->common, &facts);
@@ -158,13 +158,16 @@ void controller_drive(controller_t *self, const cycle_t *cycle,
     card_drive_t sent[ROBOT_AXIS_MAX];
     const mode_kind_t kind = mode_in(&self->mode, procedure_workphase(&self->procedure));
     const permit_common_facts_t facts = common_facts(self, cycle, kind);
-    const view_t view = {.facts = facts,
-                         .common = permit_decide_common(&facts),
-                         .axes = {.axes = self->axes, .sent = sent, .requests = requests},
-                         .kind = kind};
+    view_t view = {.facts = facts,
+                   .common = permit_decide_common(&facts),
+                   .axes = {.axes = self->axes, .sent = sent, .requests = requests},
+                   .kind = kind};
     const uint32_t state = system_state(self, cycle);
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         sent[i] = controller_link(self, cycle, i)->sent;
+    }
+    if (!facts.is_memory_damaged) {
+        view.at_coupled_limit = coupled_guard_blocks(cycle->robot, &view.axes);
     }
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         const permit_t permit = decide(self, cycle, i, &view);

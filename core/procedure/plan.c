@@ -15,23 +15,22 @@ void plan_forget_target(plan_t *self)
     self->is_proposal_reachable = 0U;
 }
 
-/* Where the axes put the treatment frame in the scanner. */
-static void find_pose(const robot_t *robot, const rigid_t *scanner_zframe,
-                      const int32_t ticks[ROBOT_AXIS_MAX], rigid_t *scanner_treatment)
+/* Where the joints put the treatment frame in the scanner. */
+static void find_pose(const robot_t *robot, const rigid_t *scanner_zframe, const joints_t *joints,
+                      rigid_t *scanner_treatment)
 {
-    joints_t joints;
     rigid_t zframe_treatment;
-    joints_from_ticks(robot, ticks, &joints);
-    kinematics_forward(robot, &joints, &zframe_treatment);
+    kinematics_forward(robot, joints, &zframe_treatment);
     rigid_multiply(scanner_zframe, &zframe_treatment, scanner_treatment);
 }
 
 /* Rounds legal joints to ticks and says where that puts the treatment frame in the scanner. */
-static void settle(const robot_t *robot, const rigid_t *scanner_zframe, const joints_t *joints,
+static void settle(const robot_t *robot, const rigid_t *scanner_zframe, joints_t *joints,
                    int32_t ticks[ROBOT_AXIS_MAX], rigid_t *scanner_treatment)
 {
     joints_to_ticks(robot, joints, ticks);
-    find_pose(robot, scanner_zframe, ticks, scanner_treatment);
+    joints_from_ticks(robot, ticks, joints);
+    find_pose(robot, scanner_zframe, joints, scanner_treatment);
 }
 
 /* What entry and target point ask for together; shown only. */
@@ -83,7 +82,7 @@ status_t plan_register(plan_t *self, const robot_t *robot, const rigid_t *scanne
 /* Kinematics knows limits only; a switch that is still active, or the permit at a coupled limit,
  * would block the last of the way. */
 static void check_ends(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX],
-                       solution_t *result)
+                       const joints_t *joints, solution_t *result)
 {
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
         const axis_config_t *const config = &robot->axes[i];
@@ -94,7 +93,7 @@ static void check_ends(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX]
         }
     }
     if (result->status == STATUS_OK) {
-        *result = coupled_limit_judge(robot, ticks);
+        *result = coupled_limit_judge(robot, joints);
     }
 }
 
@@ -125,7 +124,7 @@ solution_t plan_set_target(plan_t *self, const robot_t *robot, const rigid_t *sc
     }
     if (result.status == STATUS_OK) {
         settle(robot, &self->scanner_zframe, &joints, self->target_ticks, &self->scanner_target);
-        check_ends(robot, self->target_ticks, &result);
+        check_ends(robot, self->target_ticks, &joints, &result);
         if (result.status == STATUS_OK) {
             self->has_target = 1U;
         }
@@ -148,12 +147,14 @@ status_t plan_confirm(const robot_t *robot, const joints_t *joints, const rigid_
 bool plan_is_proved(const plan_t *self, const robot_t *robot)
 {
     rigid_t reached;
+    joints_t joints;
     int32_t distance_nm = 0;
     int32_t angle_bam = 0;
     if (self->has_target == 0U) {
         return true;
     }
-    find_pose(robot, &self->scanner_zframe, self->target_ticks, &reached);
+    joints_from_ticks(robot, self->target_ticks, &joints);
+    find_pose(robot, &self->scanner_zframe, &joints, &reached);
     rigid_difference(&reached, &self->scanner_target, &distance_nm, &angle_bam);
     return (distance_nm == 0) && (angle_bam == 0);
 }

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Limits that two axes share (coupled_limits of the robot), and where positions are to them.
+ * Limits that axes share (coupled_limits of the robot), and where positions are to them. What is
+ * measured is the robot's own: kinematics_coupled().
  */
 #ifndef BORESIGHT_COUPLED_LIMIT_H
 #define BORESIGHT_COUPLED_LIMIT_H
@@ -9,6 +10,7 @@
 #include "robot/joints.h"
 #include "robot/robot.h"
 
+#include <stdbool.h>
 #include <stdint.h>
 
 typedef enum {
@@ -17,22 +19,26 @@ typedef enum {
     COUPLED_LIMIT_ABOVE = 2
 } coupled_side_t;
 
-/** How far the first axis is above the second, nm. */
-int64_t coupled_limit_nm(const robot_t *robot, const coupled_limit_t *limit, int32_t first_ticks,
-                         int32_t second_ticks);
-
-/** May a motion end at `above_nm`? Inside: LIMIT_COUPLED_MARGIN_NM or more from both ends. */
-coupled_side_t coupled_limit_side(const coupled_limit_t *limit, int64_t above_nm);
-
-/** What who would end on that side of `limit` is told: STATUS_OK inside, otherwise its refusal. */
-solution_t coupled_limit_refusal(const coupled_limit_t *limit, coupled_side_t side);
+/** Axis `index` has part in `limit`. */
+static inline bool coupled_limit_has(const coupled_limit_t *limit, uint32_t index)
+{
+    return ((limit->axes >> index) & 1U) != 0U;
+}
 
 /**
- * May a motion end with all axes at `ticks`? @return STATUS_OK, or the refusal of the first limit
- * that is missed
+ * May a motion end at `value`? Inside: LIMIT_COUPLED_MARGIN_NM, or of an angle
+ * LIMIT_COUPLED_MARGIN_BAM, or more from both ends.
+ */
+coupled_side_t coupled_limit_side(const coupled_limit_t *limit, int64_t value);
+
+/** What who would end at `value` is told: STATUS_OK inside, otherwise the refusal of `limit`. */
+solution_t coupled_limit_refusal(const coupled_limit_t *limit, int64_t value);
+
+/**
+ * May a motion end at `joints`? @return STATUS_OK, or the refusal of the first limit that is missed
  *
  * @satisfies SWR-COUPLE-002
  */
-solution_t coupled_limit_judge(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX]);
+solution_t coupled_limit_judge(const robot_t *robot, const joints_t *joints);
 
 #endif

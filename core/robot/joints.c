@@ -16,14 +16,17 @@ int64_t joints_value(const axis_config_t *axis, int32_t ticks)
     return (ticks * whole) + fixed_shift_rounded(ticks * fraction_q16, 16U);
 }
 
+int32_t joints_of(const axis_config_t *axis, int32_t ticks)
+{
+    const int64_t value = joints_value(axis, ticks);
+    return (axis->unit == (uint8_t)AXIS_UNIT_RAD) ? fixed_wrap_bam(value) : fixed_saturate(value);
+}
+
 void joints_from_ticks(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX], joints_t *joints)
 {
     (void)memset(joints, 0, sizeof *joints);
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
-        const axis_config_t *const axis = &robot->axes[i];
-        const int64_t value = joints_value(axis, ticks[i]);
-        joints->value[i] =
-            (axis->unit == (uint8_t)AXIS_UNIT_RAD) ? fixed_wrap_bam(value) : fixed_saturate(value);
+        joints->value[i] = joints_of(&robot->axes[i], ticks[i]);
     }
 }
 

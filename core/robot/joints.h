@@ -36,8 +36,11 @@ static inline bool joints_is_beyond(const axis_config_t *axis, int64_t ticks, ui
 /** Joint value (nm, or bam counted over more than one turn) of `ticks` counts of `axis`. */
 int64_t joints_value(const axis_config_t *axis, int32_t ticks);
 
-/** Joint values of the positions `ticks`. An angle of more than half a turn is given as the one
+/** The same as a joint value, within 32 bits. An angle of more than half a turn is given as the one
  * that looks the same. */
+int32_t joints_of(const axis_config_t *axis, int32_t ticks);
+
+/** Joint values of the positions `ticks`, as joints_of(). */
 void joints_from_ticks(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX], joints_t *joints);
 
 /** Positions in ticks nearest to `joints`, half away from zero; beyond the robot's axes nothing is

@@ -33,4 +33,15 @@ solution_t kinematics_inverse(const robot_t *robot, const point_t *entry, const 
 solution_t kinematics_solve(const robot_t *robot, const rigid_t *pose, const point_t *entry,
                             joints_t *joints);
 
+/**
+ * What coupled limit `index` (below robot->coupled_limit_count) measures at `joints`, in nm or bam
+ * as the limit says. Any joints have a value, within 2^48; axes that are not the limit's do not
+ * count.
+ *
+ * @return 0 for a kind that nobody knows
+ *
+ * @satisfies SWR-COUPLE-004
+ */
+int64_t kinematics_coupled(const robot_t *robot, uint32_t index, const joints_t *joints);
+
 #endif

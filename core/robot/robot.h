@@ -13,7 +13,7 @@
 #include <stdint.h>
 
 #define ROBOT_AXIS_MAX 10U      /**< Most axes of any robot; what a robot has is axis_count. */
-#define ROBOT_COUPLED_LIMITS 1U /**< Most coupled limits of any robot. */
+#define ROBOT_COUPLED_LIMITS 4U /**< Most coupled limits of any robot. */
 #define ROBOT_GEOMETRY_MAX 13U  /**< Most lengths of the geometry of any robot. */
 #define ROBOT_HOME_STAGES 4U    /**< Most stages of homing. */
 #define ROBOT_POSES 1U          /**< How many poses have a name. */
@@ -86,15 +86,17 @@ typedef struct {
     uint32_t seal;         /**< seal_of() all before it; the last field. */
 } axis_config_t;
 
-/** A limit that two axes share: how far the joint value of the first, in nm, may be above that of
- * the second; both ends inclusive. */
+/** A limit that axes share: what kinematics_coupled() says of them, in nm or bam, lies in a range.
+ * No padding. */
 typedef struct {
     char name[12];
-    uint32_t refusal;   /**< status_t of who would miss it. */
-    uint32_t first;     /**< Index of an axis. */
-    uint32_t second;    /**< Index of an axis. */
-    int32_t minimum_nm; /**< Below 0 when the first may be below the second. */
-    int32_t maximum_nm;
+    uint8_t unit;      /**< axis_unit_t of the value, whatever that of the axes. */
+    uint8_t refusal;   /**< status_t of who would miss it. */
+    uint8_t is_curved; /**< 0: the value is a sum of fixed parts of the joint values. */
+    uint8_t reserved;  /**< 0. */
+    uint32_t axes;     /**< Bit n: axis n has part in it. */
+    int32_t minimum;   /**< Both ends inclusive. */
+    int32_t maximum;
 } coupled_limit_t;
 
 /** The poses that have a name. */

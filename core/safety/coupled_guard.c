@@ -2,94 +2,211 @@
 #include "safety/coupled_guard.h"
 
 #include "axis/follower.h"
+#include "base/fixed.h"
 #include "limits/requirement_limits.h"
 #include "robot/joints.h"
+#include "robot/kinematics.h"
+
+#include <string.h>
 
 #define TICK_Q8_US INT64_C(256000000)
 /* A count says where an axis is to within one. */
 #define COUNT_TICKS INT64_C(1)
 
-static bool is_of(const coupled_limit_t *limit, uint32_t index)
+/* One limit in force, and how far it might be left. */
+typedef struct {
+    const robot_t *robot;
+    const coupled_view_t *view;
+    uint32_t index; /* Of the limit. */
+    joints_t at;    /* Where its axes are; of the others 0. */
+    int64_t value;  /* There. */
+    int64_t lowest;
+    int64_t highest;
+    joints_t low; /* The corners that the changes point at. */
+    joints_t high;
+    int64_t changes[ROBOT_AXIS_MAX]; /* By the way of each axis as it is requested. */
+} reach_t;
+
+static bool is_on(const card_drive_t *drive)
 {
-    return (limit->first == index) || (limit->second == index);
+    return drive->mode != (uint32_t)CARD_DRIVE_OFF;
 }
 
-static bool is_known(const coupled_limit_t *limit, const axis_t axes[ROBOT_AXIS_MAX])
+static uint32_t driven_axes(const robot_t *robot, const card_drive_t requests[ROBOT_AXIS_MAX])
 {
-    return axis_is_homed(&axes[limit->first]) && axis_is_homed(&axes[limit->second]);
+    uint32_t driven = 0U;
+    for (uint32_t i = robot->axis_count; i > 0U; i--) {
+        driven = (driven << 1U) | (is_on(&requests[i - 1U]) ? 1U : 0U);
+    }
+    return driven;
 }
 
-static bool is_in_force(const coupled_limit_t *limit, const axis_t axes[ROBOT_AXIS_MAX],
-                        uint32_t index)
+static uint32_t unknown_axes(const robot_t *robot, const coupled_limit_t *limit,
+                             const axis_t axes[ROBOT_AXIS_MAX])
 {
-    return is_of(limit, index) && is_known(limit, axes);
+    uint32_t unknown = 0U;
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+        if (coupled_limit_has(limit, i) && !axis_is_homed(&axes[i])) {
+            unknown |= (uint32_t)1U << i;
+        }
+    }
+    return unknown;
+}
+
+static void find_joints(const robot_t *robot, const coupled_limit_t *limit,
+                        const axis_t axes[ROBOT_AXIS_MAX], joints_t *joints)
+{
+    (void)memset(joints, 0, sizeof *joints);
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+        if (coupled_limit_has(limit, i)) {
+            joints->value[i] = joints_of(&robot->axes[i], axes[i].encoder.position_ticks);
+        }
+    }
 }
 
 static bool drives(const axis_config_t *config, const card_drive_t *drive, bool is_upwards)
 {
-    return (drive->mode != (uint32_t)CARD_DRIVE_OFF) &&
-           (servo_is_upwards(config, drive) == is_upwards);
+    return is_on(drive) && (servo_is_upwards(config, drive) == is_upwards);
 }
 
-/* How far the axis may still go this way. */
-static int64_t way_nm(const robot_t *robot, const coupled_view_t *view, uint32_t index,
-                      bool is_upwards)
+static int64_t full_speed_q8(const axis_config_t *config)
 {
-    const axis_config_t *const config = &robot->axes[index];
-    const int64_t full_q8 = (int64_t)config->full_speed_ticks_per_s * 256;
-    const int64_t measured_q8 = (int64_t)view->axes[index].encoder.speed_ticks_per_s_q8;
+    return (int64_t)config->full_speed_ticks_per_s * 256;
+}
+
+/* Where the axis would stand at the end of its way. */
+static int32_t end_of_way(const reach_t *self, uint32_t index, bool is_upwards)
+{
+    const axis_config_t *const config = &self->robot->axes[index];
+    const encoder_t *const encoder = &self->view->axes[index].encoder;
+    const int64_t measured_q8 = is_upwards ? (int64_t)encoder->speed_ticks_per_s_q8
+                                           : -(int64_t)encoder->speed_ticks_per_s_q8;
     int64_t speed_q8 = 0;
-    if (drives(config, &view->sent[index], is_upwards) ||
-        drives(config, &view->requests[index], is_upwards)) {
-        speed_q8 = full_q8;
+    if (drives(config, &self->view->sent[index], is_upwards) ||
+        drives(config, &self->view->requests[index], is_upwards)) {
+        speed_q8 = full_speed_q8(config);
     }
-    if ((is_upwards ? measured_q8 : -measured_q8) > speed_q8) {
-        speed_q8 = is_upwards ? measured_q8 : -measured_q8;
+    if (measured_q8 > speed_q8) {
+        speed_q8 = measured_q8;
     }
     const int64_t ticks =
-        ((speed_q8 * (int64_t)LIMIT_COUPLED_STOP_US) + TICK_Q8_US - 1) / TICK_Q8_US;
-    return joints_value(config, (int32_t)(ticks + COUNT_TICKS));
+        COUNT_TICKS + (((speed_q8 * (int64_t)LIMIT_COUPLED_STOP_US) + TICK_Q8_US - 1) / TICK_Q8_US);
+    return joints_of(
+        config, fixed_saturate((int64_t)encoder->position_ticks + (is_upwards ? ticks : -ticks)));
 }
 
-static bool may_leave(const robot_t *robot, const coupled_limit_t *limit,
-                      const coupled_view_t *view, bool is_growing)
+static int64_t value_at(const reach_t *self, const joints_t *joints)
 {
-    const int64_t now_nm =
-        coupled_limit_nm(robot, limit, view->axes[limit->first].encoder.position_ticks,
-                         view->axes[limit->second].encoder.position_ticks);
-    const int64_t more_nm = way_nm(robot, view, limit->first, is_growing) +
-                            way_nm(robot, view, limit->second, !is_growing);
-    return is_growing ? ((now_nm + more_nm) > (int64_t)limit->maximum_nm)
-                      : ((now_nm - more_nm) < (int64_t)limit->minimum_nm);
+    return kinematics_coupled(self->robot, self->index, joints);
 }
 
-static uint32_t other_of(const coupled_limit_t *limit, uint32_t index)
+/* Looks at one end of the way of an axis. */
+static int64_t widen(reach_t *self, uint32_t index, bool is_upwards)
 {
-    return (limit->first == index) ? limit->second : limit->first;
+    joints_t joints;
+    joints = self->at;
+    joints.value[index] = end_of_way(self, index, is_upwards);
+    const int64_t change = value_at(self, &joints) - self->value;
+    if (change > 0) {
+        self->highest += change;
+        self->high.value[index] = joints.value[index];
+    } else {
+        self->lowest += change;
+        self->low.value[index] = joints.value[index];
+    }
+    return change;
 }
 
-/* Nobody knows where an axis is that is not homed, but where its switch is. */
-static bool is_home_beyond(const robot_t *robot, const coupled_limit_t *limit,
+static void find_reach(reach_t *self, const coupled_limit_t *limit)
+{
+    self->lowest = self->value;
+    self->highest = self->value;
+    self->low = self->at;
+    self->high = self->at;
+    for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
+        if (coupled_limit_has(limit, i)) {
+            const int64_t up = widen(self, i, true);
+            const int64_t down = widen(self, i, false);
+            self->changes[i] =
+                servo_is_upwards(&self->robot->axes[i], &self->view->requests[i]) ? up : down;
+        }
+    }
+    if (limit->is_curved != 0U) {
+        const int64_t lowest = value_at(self, &self->low);
+        const int64_t highest = value_at(self, &self->high);
+        self->lowest = (lowest < self->lowest) ? lowest : self->lowest;
+        self->highest = (highest > self->highest) ? highest : self->highest;
+    }
+}
+
+static bool is_any_fast(const reach_t *self, const coupled_limit_t *limit)
+{
+    bool is_any = false;
+    for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
+        const int64_t speed_q8 = (int64_t)self->view->axes[i].encoder.speed_ticks_per_s_q8;
+        const int64_t full_q8 = full_speed_q8(&self->robot->axes[i]);
+        is_any = is_any ||
+                 (coupled_limit_has(limit, i) && ((speed_q8 > full_q8) || (speed_q8 < -full_q8)));
+    }
+    return is_any;
+}
+
+/* The requests among `driven` that take the limit away from its range. */
+static uint32_t leaving_axes(reach_t *self, uint32_t driven)
+{
+    const coupled_limit_t *const limit = &self->robot->coupled_limits[self->index];
+    uint32_t leaving = 0U;
+    find_joints(self->robot, limit, self->view->axes, &self->at);
+    self->value = value_at(self, &self->at);
+    if ((coupled_limit_side(limit, self->value) == COUPLED_LIMIT_INSIDE) &&
+        !is_any_fast(self, limit)) {
+        return 0U;
+    }
+    find_reach(self, limit);
+    for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
+        const uint32_t mask = limit->axes & driven & ((uint32_t)1U << i);
+        const bool is_above = (self->highest > (int64_t)limit->maximum) && (self->changes[i] > 0);
+        const bool is_below = (self->lowest < (int64_t)limit->minimum) && (self->changes[i] < 0);
+        leaving |= (is_above || is_below) ? mask : 0U;
+    }
+    return leaving;
+}
+
+/* Whether `other` goes the same way while axis `index` homes: what is between them stays. */
+static bool comes_along(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX], uint32_t index,
+                        uint32_t other)
+{
+    return follower_is_of(robot, other, index) ||
+           (follower_leader(robot, axes, other) == follower_leader(robot, axes, index));
+}
+
+/* Nobody knows where an axis is that is not homed, but where its switch is. Who comes along ends as
+ * far from where it is as the axis itself, by its counts. */
+static bool is_home_beyond(const robot_t *robot, uint32_t limit_index,
                            const axis_t axes[ROBOT_AXIS_MAX], uint32_t index)
 {
-    const bool is_first = limit->first == index;
-    const uint32_t other = other_of(limit, index);
+    const coupled_limit_t *const limit = &robot->coupled_limits[limit_index];
     const axis_config_t *const config = &robot->axes[index];
-    const int32_t there = axes[other].encoder.position_ticks;
-    if ((config->limit_switch == (uint8_t)LIMIT_SWITCH_NONE) || !is_of(limit, index) ||
-        axis_is_homed(&axes[index]) || !axis_is_homed(&axes[other])) {
+    bool is_whole = true;
+    joints_t joints;
+    if ((config->limit_switch == (uint8_t)LIMIT_SWITCH_NONE) ||
+        (unknown_axes(robot, limit, axes) != ((uint32_t)1U << index))) {
         return false;
     }
-    const int64_t above_nm = coupled_limit_nm(robot, limit, is_first ? config->home_ticks : there,
-                                              is_first ? there : config->home_ticks);
-    return (above_nm < (int64_t)limit->minimum_nm) || (above_nm > (int64_t)limit->maximum_nm);
-}
-
-/* Both follow one, or one the other: what is between them stays. */
-static bool is_block(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX], uint32_t index,
-                     uint32_t other)
-{
-    return follower_leader(robot, axes, index) == follower_leader(robot, axes, other);
+    find_joints(robot, limit, axes, &joints);
+    const int64_t way =
+        (int64_t)joints_of(config, config->home_ticks) - (int64_t)joints.value[index];
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+        if (!coupled_limit_has(limit, i)) {
+            /* It does not matter. */
+        } else if (comes_along(robot, axes, index, i)) {
+            joints.value[i] = fixed_saturate((int64_t)joints.value[i] + way);
+        } else {
+            is_whole = false;
+        }
+    }
+    const int64_t value = kinematics_coupled(robot, limit_index, &joints);
+    return !is_whole && ((value < (int64_t)limit->minimum) || (value > (int64_t)limit->maximum));
 }
 
 bool coupled_guard_bars_homing(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
@@ -97,39 +214,45 @@ bool coupled_guard_bars_homing(const robot_t *robot, const axis_t axes[ROBOT_AXI
 {
     bool is_barred = false;
     for (uint32_t i = 0U; i < robot->coupled_limit_count; i++) {
-        const coupled_limit_t *const limit = &robot->coupled_limits[i];
-        if (is_home_beyond(robot, limit, axes, index) &&
-            !follower_is_of(robot, other_of(limit, index), index)) {
-            is_barred = true;
-        }
+        is_barred = is_barred || (coupled_limit_has(&robot->coupled_limits[i], index) &&
+                                  is_home_beyond(robot, i, axes, index));
     }
     return is_barred;
 }
 
-bool coupled_guard_blocks(const robot_t *robot, const coupled_view_t *view, uint32_t index)
+/* The requests among `driven` towards a switch that is beyond the limit. */
+static uint32_t barred_axes(const robot_t *robot, const coupled_view_t *view, uint32_t limit_index,
+                            uint32_t driven)
 {
-    const card_drive_t *const request = &view->requests[index];
-    const axis_config_t *const config = &robot->axes[index];
-    const bool is_upwards = servo_is_upwards(config, request);
-    const bool is_upper = config->limit_switch == (uint8_t)LIMIT_SWITCH_UPPER;
-    const bool is_towards_switch = is_upwards == is_upper;
-    bool is_blocked = false;
-    if (request->mode == (uint32_t)CARD_DRIVE_OFF) {
-        return false;
+    uint32_t barred = 0U;
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+        const axis_config_t *const config = &robot->axes[i];
+        const uint32_t mask = driven & ((uint32_t)1U << i);
+        const bool is_upper = config->limit_switch == (uint8_t)LIMIT_SWITCH_UPPER;
+        if ((mask != 0U) && (servo_is_upwards(config, &view->requests[i]) == is_upper) &&
+            is_home_beyond(robot, limit_index, view->axes, i)) {
+            barred |= mask;
+        }
     }
+    return barred;
+}
+
+uint32_t coupled_guard_blocks(const robot_t *robot, const coupled_view_t *view)
+{
+    const uint32_t driven = driven_axes(robot, view->requests);
+    uint32_t blocked = 0U;
     for (uint32_t i = 0U; i < robot->coupled_limit_count; i++) {
         const coupled_limit_t *const limit = &robot->coupled_limits[i];
-        const bool is_first = limit->first == index;
-        const bool is_growing = is_upwards == is_first;
-        if (is_in_force(limit, view->axes, index) && may_leave(robot, limit, view, is_growing)) {
-            is_blocked = true;
-        }
-        if (is_towards_switch && is_home_beyond(robot, limit, view->axes, index) &&
-            !is_block(robot, view->axes, index, other_of(limit, index))) {
-            is_blocked = true;
+        if ((limit->axes & driven) == 0U) {
+            /* Nobody asks for anything. */
+        } else if (unknown_axes(robot, limit, view->axes) == 0U) {
+            reach_t reach = {.robot = robot, .view = view, .index = i};
+            blocked |= leaving_axes(&reach, driven);
+        } else {
+            blocked |= barred_axes(robot, view, i, limit->axes & driven);
         }
     }
-    return is_blocked;
+    return blocked;
 }
 
 bool coupled_guard_is_known(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX], uint32_t index)
@@ -137,7 +260,8 @@ bool coupled_guard_is_known(const robot_t *robot, const axis_t axes[ROBOT_AXIS_M
     bool is_every_known = axis_is_homed(&axes[index]);
     for (uint32_t i = 0U; i < robot->coupled_limit_count; i++) {
         const coupled_limit_t *const limit = &robot->coupled_limits[i];
-        is_every_known = is_every_known && (!is_of(limit, index) || is_known(limit, axes));
+        is_every_known = is_every_known && (!coupled_limit_has(limit, index) ||
+                                            (unknown_axes(robot, limit, axes) == 0U));
     }
     return is_every_known;
 }
@@ -148,12 +272,11 @@ solution_t coupled_guard_judge(const robot_t *robot, const axis_t axes[ROBOT_AXI
     solution_t result = {STATUS_OK, 0U, 0U};
     for (uint32_t i = 0U; (i < robot->coupled_limit_count) && (result.status == STATUS_OK); i++) {
         const coupled_limit_t *const limit = &robot->coupled_limits[i];
-        const bool is_first = limit->first == index;
-        const int32_t first = is_first ? ticks : axes[limit->first].encoder.position_ticks;
-        const int32_t second = is_first ? axes[limit->second].encoder.position_ticks : ticks;
-        if (is_in_force(limit, axes, index)) {
-            result = coupled_limit_refusal(
-                limit, coupled_limit_side(limit, coupled_limit_nm(robot, limit, first, second)));
+        if (coupled_limit_has(limit, index) && (unknown_axes(robot, limit, axes) == 0U)) {
+            joints_t joints;
+            find_joints(robot, limit, axes, &joints);
+            joints.value[index] = joints_of(&robot->axes[index], ticks);
+            result = coupled_limit_refusal(limit, kinematics_coupled(robot, i, &joints));
         }
     }
     result.axis = (result.status == STATUS_OK) ? 0U : (uint8_t)index;

@@ -1,8 +1,20 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Keeps two axes inside the limit that they share, wherever they would stop. Limits are in force
- * once both of their axes are homed, in every workphase. Without state.
+ * Keeps axes inside the limits that they share, wherever they would stop. Limits are in force once
+ * all of their axes are homed, in every workphase. Without state.
+ *
+ * Wherever they would stop: each axis somewhere between the end of its way down and that of its way
+ * up, and the axes in the worst of all these places together. A way is what LIMIT_COUPLED_STOP_US
+ * allow, as fast as the axis is measured or, if driven that way, as its motor can be. That another
+ * axis comes towards the range counts for nothing.
+ *
+ * No derivative is asked for and no shape is assumed: the limit's value is looked at with each axis
+ * in turn at both ends of its way. Of a curved limit these changes are added up, and the corner
+ * that they point at is looked at as well; what a corner between them may add is of second order,
+ * for ways of some hundredths of a millimetre less than a micrometre. What is farther from both
+ * ends of the range than the margin that ends of motions keep, is looked at once only: that margin
+ * holds what all axes may run on at the full speed of their motors.
  */
 #ifndef BORESIGHT_COUPLED_GUARD_H
 #define BORESIGHT_COUPLED_GUARD_H
@@ -21,22 +33,22 @@ typedef struct {
 } coupled_view_t;
 
 /**
- * Looks ahead of the request of axis `index`.
+ * Looks ahead of the requests of all axes.
  *
- * @return true when it takes a limit away from its range, and within LIMIT_COUPLED_STOP_US
- * the two axes might leave it: each as fast as it is measured or, if driven that way, as its motor
- * can be. That the other one comes towards the range counts for nothing. Of two axes of which only
- * the other is homed, true when the request goes towards its switch, and that is outside the range,
- * unless the two travel as a block (core/axis/follower.h).
+ * @return bit n: the request of axis n takes a limit in force away from its range, and the axes
+ * might leave that; or axis n is the only one of a limit that is not homed, the request goes
+ * towards its switch, and that is outside the range, unless all travel as a block
+ * (core/axis/follower.h)
  *
  * @satisfies SWR-COUPLE-001
  * @satisfies SWR-COUPLE-003
+ * @satisfies SWR-COUPLE-005
  */
-bool coupled_guard_blocks(const robot_t *robot, const coupled_view_t *view, uint32_t index);
+uint32_t coupled_guard_blocks(const robot_t *robot, const coupled_view_t *view);
 
 /**
- * @return true when axis `index` is not homed, another is that shares a limit with it, and homing
- * it would leave that; that axis does not follow it
+ * @return true when axis `index` is not homed, all others are that share a limit with it and do not
+ * all travel with it, and homing it would leave that
  *
  * @satisfies SWR-COUPLE-003
  */

@@ -49,7 +49,7 @@ typedef struct {
     bool is_towards_switch; /**< Requested direction is towards an active limit switch. */
     /** Homed, at or beyond a soft limit, and requested to go further. */
     bool is_beyond_soft_limit;
-    bool is_coupled_limit; /**< coupled_guard_blocks(). */
+    bool is_coupled_limit; /**< As coupled_guard_blocks() says. */
     bool is_needle_in;     /**< needle_forbids_jog() of the jog that is armed. */
 } permit_facts_t;
 

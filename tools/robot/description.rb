@@ -162,12 +162,13 @@ module Robot
     end
   end
 
-  # A limit that two axes share: their places, and how far in mm the first may be above the second.
-  CoupledLimit = Struct.new(:name, :refusal, :first, :second, :range_mm, keyword_init: true)
+  # A limit that axes share, in mm or deg.
+  CoupledLimit = Struct.new(:name, :is_length, :refusal, :is_curved, :mask, :minimum, :maximum, keyword_init: true)
 
   # A whole robot file, checked.
   #
   # @satisfies SWR-ROBOT-001
+  # @satisfies SWR-ROBOT-021
   class Description
     LARGEST_DEPTH_MM = 200
     LARGEST_TRAVEL_MM = 2000
@@ -184,11 +185,10 @@ module Robot
       @geometry = {}
       @places = {}
       %w[geometry probe].each { |part| read_lengths(nodes[part], @expected.lengths(part)) }
+      check_lengths
       @coupled_limits = read_coupled_limits(nodes['coupled_limits'])
       @axes = read_axes(nodes['axes'])
       @followers = Followers.new(@axes)
-      check_lengths
-      check_coupled_limits
       check_axes
       @poses = read_poses(nodes['poses'])
     end
@@ -206,21 +206,36 @@ module Robot
     private
 
     def read_coupled_limits(node)
-      limits = node.sequence.map { |limit| limit.mapping(%w[name first second]).values_at('name', 'first', 'second') }
-      limits.map! { |limit| limit.map(&:name) }
-      expected = @expected.coupled_limits
-      node.refuse("are #{words(limits)}; expected #{words(expected)}") unless limits == expected
-      limits.map do |name, first, second|
-        CoupledLimit.new(name: name, refusal: @expected.refusal(name), first: @expected.axes.index(first), second: @expected.axes.index(second), range_mm: coupled_range_mm(name))
-      end
+      limits = node.sequence.map { |limit| limit.mapping(%w[name minimum maximum]) }
+      names = limits.map { |limit| limit['name'].name }
+      expected = @expected.coupled_limits.keys
+      node.refuse("are #{words(names)}; expected #{words(expected)}") unless names == expected
+      limits.map { |limit| read_coupled_limit(limit, @expected.coupled_limits.fetch(limit['name'].name)) }
     end
 
-    def words(limits)
-      limits.empty? ? 'none' : limits.map { |limit| limit.join(' ') }.join(', ')
+    def read_coupled_limit(nodes, about)
+      name, is_length = nodes['name'].name, about.fetch('unit') == 'mm'
+      minimum, maximum = %w[minimum maximum].map { |side| read_bound(nodes[side], is_length) }
+      least = minimum + (2 * coupled_margin(is_length))
+      nodes['maximum'].refuse("is #{decimal(maximum)}; expected more than #{decimal(least)}") if maximum <= least
+      CoupledLimit.new(name: name, is_length: is_length, refusal: @expected.refusal(name), mask: @expected.mask(name),
+                       is_curved: about.fetch('curved'), minimum: minimum, maximum: maximum)
     end
 
-    def coupled_range_mm(name)
-      %w[minimum maximum].map { |side| @geometry["#{side}_#{name}_mm"] - @geometry["home_#{name}_mm"] }
+    # A length of the geometry by its name, or a number.
+    def read_bound(node, is_length)
+      return @geometry.fetch(node.word) if is_length && @geometry.key?(node.word)
+
+      node.decimal(is_length ? -LARGEST_TRAVEL_MM..LARGEST_TRAVEL_MM : -180..180)
+    end
+
+    # What ends keep to each side, in mm or deg.
+    def coupled_margin(is_length)
+      is_length ? Rational(Limit.of('coupled_margin_nm'), 1_000_000) : Rational(Limit.of('coupled_margin_bam') * 360, 2**32)
+    end
+
+    def words(names)
+      names.empty? ? 'none' : names.join(', ')
     end
 
     def read_lengths(node, ranges)
@@ -241,7 +256,7 @@ module Robot
 
     def read_poses(node)
       poses = node ? node.mapping([], Pose::NAMES) : {}
-      poses.transform_values { |pose| Pose.new(pose, @axes, @coupled_limits).ticks }
+      poses.transform_values { |pose| Pose.new(pose, @axes).ticks }
     end
 
     def unique(axes, key)
@@ -258,20 +273,6 @@ module Robot
         next if @geometry[key] > low && @geometry[key] < high
 
         @places[key].refuse("is #{decimal(@geometry[key])}; expected between #{decimal(low)} and #{decimal(high)}")
-      end
-    end
-
-    # Where the two axes of a limit are homed, they stand inside it; those that home as a block are not both there.
-    def check_coupled_limits
-      @coupled_limits.each do |limit|
-        next if @followers.block?(*[limit.first, limit.second].map { |index| @axes[index] })
-
-        first, second = [limit.first, limit.second].map { |index| @axes[index].units(@axes[index]['home_ticks']) }
-        next if (first - second).between?(*limit.range_mm)
-
-        home, low, high = %w[home minimum maximum].map { |side| @geometry["#{side}_#{limit.name}_mm"] }
-        @places["home_#{limit.name}_mm"].refuse("puts the homed axes #{decimal(home + first - second)} apart; " \
-                                                "expected #{decimal(low)} to #{decimal(high)}")
       end
     end
 

@@ -83,6 +83,11 @@ module Robot
       [Rational(number), unit]
     end
 
+    # As it stands there.
+    def word
+      plain
+    end
+
     # major << 16 | minor << 8 | patch
     def version
       text = plain

@@ -23,11 +23,6 @@ module Robot
       STAGES.map { |stage| axis['follows'].key?(stage) ? @axes.index(leader(axis['follows'][stage])) + 1 : 0 }
     end
 
-    # One follows the other.
-    def block?(first, second)
-      [[first, second], [second, first]].any? { |one, other| leaders(one).include?(@axes.index(other) + 1) }
-    end
-
     private
 
     def leader(node)

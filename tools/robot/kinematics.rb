@@ -19,7 +19,7 @@ module Robot
       @path = path
       @parts = Psych.safe_load_file(path)
       needles = axes.count { |axis| needle(axis) == 'along' }
-      raise Refused.new(path, 'axes', "are #{needles} along the needle; expected 1") unless needles == 1
+      refuse('axes', "are #{needles} along the needle; expected 1") unless needles == 1
     end
 
     # Their names, in order.
@@ -46,16 +46,30 @@ module Robot
       @parts.fetch('between')
     end
 
-    # Name, first and second axis of each.
+    # What each is of, by its name, in order.
     def coupled_limits
-      @parts.fetch('coupled_limits').map { |name, about| [name, *about.fetch('axes')] }
+      @parts.fetch('coupled_limits')
+    end
+
+    # Bit n: axis n has part in the coupled limit `name`.
+    def mask(name)
+      coupled_limits.fetch(name).fetch('axes').sum do |axis|
+        1 << (axes.index(axis) || refuse("coupled_limits.#{name}", "is of #{axis}; expected of #{axes.join(', ')}"))
+      end
     end
 
     # The code of the status that says that the coupled limit `name` is missed.
     def refusal(name)
-      own = @parts.fetch('coupled_limits').fetch(name).fetch('refusal')
+      own = coupled_limits.fetch(name).fetch('refusal')
       found = @parts.fetch('refusals', []).find { |refusal| refusal['name'] == own }
-      found ? found.fetch('code') : raise(Refused.new(@path, "coupled_limits.#{name}", "has the refusal #{own}; expected one of refusals"))
+      refuse("coupled_limits.#{name}", "has the refusal #{own}; expected one of refusals") unless found
+      found.fetch('code')
+    end
+
+    private
+
+    def refuse(field, reason)
+      raise Refused.new(@path, field, reason)
     end
   end
 end

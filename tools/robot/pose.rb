@@ -12,11 +12,9 @@ module Robot
 
     attr_reader :ticks
 
-    def initialize(node, axes, coupled_limits)
-      @axes = axes
-      @nodes = node.mapping(axes.map { |axis| axis['name'] })
-      @ticks = axes.map { |axis| read(axis, @nodes[axis['name']]) }
-      coupled_limits.each { |limit| check_coupled(node, limit) }
+    def initialize(node, axes)
+      nodes = node.mapping(axes.map { |axis| axis['name'] })
+      @ticks = axes.map { |axis| read(axis, nodes[axis['name']]) }
     end
 
     private
@@ -33,17 +31,6 @@ module Robot
     # As needle_out_ticks() of core/safety/needle.h.
     def needle_out_ticks(axis)
       (Limit.of('needle_out_nm') * axis['ticks_per_unit'] / 1_000_000).floor
-    end
-
-    # A little inside, as any target.
-    def check_coupled(node, limit)
-      margin = Rational(Limit.of('coupled_margin_nm'), 1_000_000)
-      low, high = limit.range_mm
-      first, second = [limit.first, limit.second].map { |index| @axes[index].units(@ticks[index]) }
-      return if (first - second).between?(low + margin, high - margin)
-
-      node.refuse("misses the coupled limit #{limit.name}; expected #{(low + margin).to_f} to " \
-                  "#{(high - margin).to_f} mm from #{@axes[limit.second]['name']} to #{@axes[limit.first]['name']}")
     end
   end
 end

@@ -4,6 +4,7 @@
 # Rule under test: a robot file is compiled to the same table each time, or refused with line and field.
 
 require 'minitest/autorun'
+require 'minitest/mock'
 require 'stringio'
 require 'tmpdir'
 require_relative '../robot_compiler'
@@ -291,21 +292,67 @@ class TestRobotCompiler < Minitest::Test
     assert_refused(with('maximum_separation_mm: 146', 'maximum_separation_mm: 150'),
                    'geometry.maximum_separation_mm: is 150; expected between 75 and 150', at: 'maximum_separation_mm')
     assert_refused(with('home_separation_mm: 143', 'home_separation_mm: 30'),
-                   'geometry.home_separation_mm: is 30; expected between 30 and 150', at: 'home_separation_mm')
+                   'geometry.home_separation_mm: is 30; expected between 75 and 146', at: 'home_separation_mm')
   end
 
-  def test_SWR_ROBOT_002_a_coupled_limit_has_the_range_of_its_geometry
-    entry = '.name = "separation", .refusal = 16U, .first = 0U, .second = 1U, .minimum_nm = %d, .maximum_nm = %d}'
-    assert_includes compile(TEXT).last, format(entry, -68_000_000, 3_000_000)
-    assert_includes compile(with('maximum_separation_mm: 146', 'maximum_separation_mm: 144.5')).last,
-                    format(entry, -68_000_000, 1_500_000)
+  # The initializers of the coupled limit.
+  def limit_in(text)
+    table = compile(text).last
+    refute_nil table, compile(text)[1]
+    table[/\.coupled_limits = \{\n +\[0\] = \{(.*)\}\n/, 1]
   end
 
-  def test_SWR_ROBOT_001_coupled_limits_other_than_that_of_the_kinematics_are_refused
-    message = 'coupled_limits: are separation feet head; expected separation head feet'
-    swapped = with("    first: head\n    second: feet", "    first: feet\n    second: head")
-    assert_refused(swapped, message, at: 'coupled_limits:')
-    assert_refused(with("    second: feet\n", ''), 'coupled_limits[0].second: is missing', at: '- name: separation')
+  def test_SWR_ROBOT_002_a_coupled_limit_has_the_range_of_its_geometry_or_its_own
+    entry = '.name = "separation", .unit = (uint8_t)AXIS_UNIT_MM, .refusal = 16U, .is_curved = 0U, .reserved = 0U, ' \
+            '.axes = 0x003U, .minimum = %d, .maximum = %d'
+    assert_equal format(entry, 75_000_000, 146_000_000), limit_in(TEXT)
+    assert_equal format(entry, 75_000_000, 144_500_000),
+                 limit_in(with('maximum_separation_mm: 146', 'maximum_separation_mm: 144.5'))
+    assert_equal format(entry, -1_500_000, 146_000_000),
+                 limit_in(with('minimum: minimum_separation_mm', 'minimum: -1.5'))
+  end
+
+  def test_SWR_ROBOT_021_a_coupled_limit_may_be_an_angle_of_any_axes
+    about = { 'axes' => %w[feet yaw], 'unit' => 'deg', 'curved' => true, 'refusal' => 'SINGULAR_PITCH' }
+    text = with('minimum: minimum_separation_mm', 'minimum: -10').sub('maximum: maximum_separation_mm', 'maximum: 10.5')
+    with_coupled_limits('separation' => about) do
+      assert_equal '.name = "separation", .unit = (uint8_t)AXIS_UNIT_RAD, .refusal = 13U, .is_curved = 1U, ' \
+                   '.reserved = 0U, .axes = 0x042U, .minimum = -119304647, .maximum = 125269879', limit_in(text)
+      assert_refused(TEXT, 'coupled_limits[0].minimum: is minimum_separation_mm; expected a number such as 18.32',
+                     at: 'minimum: minimum_separation_mm')
+      assert_refused(text.sub('maximum: 10.5', 'maximum: 181'), 'coupled_limits[0].maximum: is 181; expected -180 to 180',
+                     at: 'maximum: 181')
+      assert_refused(text.sub('maximum: 10.5', 'maximum: -9.8'),
+                     'coupled_limits[0].maximum: is -9.8; expected more than -9.8', at: 'maximum: -9.8')
+    end
+  end
+
+  def test_SWR_ROBOT_021_coupled_limits_that_do_not_hold_together_are_refused
+    message = 'coupled_limits: are distance; expected separation'
+    assert_refused(with('name: separation', 'name: distance'), message, at: 'coupled_limits:')
+    assert_refused(with("    maximum: maximum_separation_mm\n", ''), 'coupled_limits[0].maximum: is missing',
+                   at: '- name: separation')
+    assert_refused(with('maximum: maximum_separation_mm', 'maximum: 75.4'),
+                   'coupled_limits[0].maximum: is 75.4; expected more than 75.4', at: 'maximum: 75.4')
+    { { 'refusal' => 'NOT_SO' } => 'has the refusal NOT_SO; expected one of refusals',
+      { 'axes' => %w[head toe] } => 'is of toe; expected of head, feet, ' }.each do |changed, reason|
+      with_coupled_limits('separation' => limits_of_neuro['separation'].merge(changed)) do
+        assert_match(/kinematics\.yml: coupled_limits\.separation: #{Regexp.escape(reason)}/, compile(TEXT)[1])
+      end
+    end
+  end
+
+  def limits_of_neuro
+    Robot::Kinematics.new('neuro').coupled_limits
+  end
+
+  # As if the kinematics had said so.
+  def with_coupled_limits(limits, &block)
+    found = Robot::Kinematics.method(:new)
+    changed = lambda do |*arguments|
+      found.call(*arguments).tap { |one| one.instance_variable_get(:@parts)['coupled_limits'] = limits }
+    end
+    Robot::Kinematics.stub(:new, changed, &block)
   end
 
   # The head homes in the third stage, and `axis` follows it.
@@ -355,18 +402,6 @@ class TestRobotCompiler < Minitest::Test
                      'is head with home_speed_ticks_per_s 196; expected at most the 195 of feet')
     assert_no_leader(feet['acceleration_ticks_per_s2: 3150', 'acceleration_ticks_per_s2: 3149'], field,
                      'is head with acceleration_ticks_per_s2 3150; expected at most the 3149 of feet')
-  end
-
-  # They are never both at home, so their homes may be out of the limit that they share.
-  def test_SWR_ROBOT_022_homes_of_a_block_are_not_held_against_its_coupled_limit
-    far = ->(text) { text.sub(/(name: feet.*?home_ticks:) 0/m, '\\1 -1000') }
-    assert_refused(far[TEXT], 'geometry.home_separation_mm: puts the homed axes 155.7 apart; expected 75 to 146',
-                   at: 'home_separation_mm')
-    assert_equal 0, compile(far[with_follower('feet', '3: head')]).first
-    switch = "limit_switch: lower\n    over_travel_ticks: 60\n    switch_hysteresis_ticks: 8\n" \
-             "    home_time_ms: 75000\n    home: switch"
-    head = with_follower('head', '2: feet').sub(/limit_switch: none\s+home: in_place/, switch)
-    assert_equal 0, compile(far[head]).first
   end
 
   def test_SWR_ROBOT_022_the_needle_follows_nobody_and_nobody_follows_it
@@ -423,12 +458,6 @@ class TestRobotCompiler < Minitest::Test
     assert_no_pose(:insertion, '2084 ticks', '2084 ticks; expected 336 to 2083')
   end
 
-  def test_SWR_ROBOT_023_a_pose_that_misses_a_coupled_limit_is_refused
-    message = 'poses.home: misses the coupled limit separation; expected -67.8 to 2.8 mm from feet to head'
-    assert_refused(with_pose(HOME.merge(feet: '-22.9 mm')), message, at: "  home:\n")
-    assert_equal 0, compile(with_pose(HOME.merge(feet: '-22.7 mm'))).first
-  end
-
   def test_SWR_ROBOT_001_the_needle_is_moved_as_the_kinematics_says
     table = compile(TEXT).last
     assert_includes table, '.needle_axis = 3U'
@@ -451,7 +480,7 @@ class TestRobotCompiler < Minitest::Test
 
   def test_SWR_ROBOT_001_a_home_outside_the_separation_limits_is_refused
     assert_refused(with('home_separation_mm: 143', 'home_separation_mm: 146.5'),
-                   'geometry.home_separation_mm: puts the homed axes 146.5 apart; expected 75 to 146',
+                   'geometry.home_separation_mm: is 146.5; expected between 75 and 146',
                    at: 'home_separation_mm')
   end
 

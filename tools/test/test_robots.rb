@@ -12,11 +12,17 @@ class RobotsTest < Minitest::Test
   ROBOTS = File.join(ROOT, 'core/robot')
   BINARIES = File.join(ROOT, 'build/bin')
 
+  # One has a coupled limit.
+  KINEMATICS = Hash.new("axes: {a: [mm, along]}\ncoupled_limits: {}\n").merge!(
+    'neuro' => "axes: {a: [mm, along]}\ncoupled_limits: {c: {axes: [a], unit: mm, curved: false, refusal: OFF}}\n"
+  ).freeze
+
   def made(*names)
     Dir.mktmpdir do |folder|
       names.each do |name|
         FileUtils.mkdir_p(File.join(folder, name))
         File.write(File.join(folder, name, 'robot.yml'), '')
+        File.write(File.join(folder, name, 'kinematics.yml'), KINEMATICS[name])
       end
       return Robots.new(folder, 'neuro')
     end
@@ -27,13 +33,19 @@ class RobotsTest < Minitest::Test
     %w[bench2 neuro].each do |name|
       %w[forward inverse solve].each { |act| assert_includes(source, "#{name}_#{act}(robot, ") }
       assert_includes(source, "#include \"robot/#{name}/#{name}.h\"")
-      assert_equal(3, source.scan("case ROBOT_KIND_#{name.upcase}:").size)
+      assert_operator(source.scan("case ROBOT_KIND_#{name.upcase}:").size, :>=, 3)
     end
+  end
+
+  def test_SWR_ROBOT_021_a_robot_without_coupled_limits_needs_no_function_for_them
+    source = made('neuro', 'bench2').source
+    assert_includes source, 'value = neuro_coupled(robot, index, joints);'
+    refute_includes source, 'bench2_coupled'
   end
 
   def test_SWR_ROBOT_014_a_kind_that_nobody_knows_is_refused
     assert_equal(2, made('neuro').source.scan('solution = {STATUS_MEMORY_DAMAGED, 0U, 0U}').size)
-    assert_equal(3, made('neuro').source.scan('default:').size)
+    assert_equal(4, made('neuro').source.scan('default:').size)
   end
 
   def test_SWR_ROBOT_014_a_robot_more_changes_the_kind_of_none

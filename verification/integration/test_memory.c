@@ -278,7 +278,7 @@ void test_SWR_MEMORY_004_without_a_table_stop_is_obeyed_and_nothing_that_needs_i
 void test_SWR_MEMORY_004_without_a_table_nothing_is_confirmed_and_no_drift_is_told(void)
 {
     begin_move();
-    rig.robot.coupled_limits[0].first = UINT32_MAX;
+    rig.robot.coupled_limits[0].axes = UINT32_MAX;
     rig_cycle(&rig);
     expect_blind(ROBOT_PART_GEOMETRY);
     rig_release(&rig);

@@ -11,15 +11,18 @@
 #include "axis/drift_audit.h"
 #include "axis/edge_pace.h"
 #include "axis/follower.h"
+#include "base/fixed.h"
+#include "base/rigid.h"
 #include "limits/requirement_limits.h"
 #include "robot/coupled_limit.h"
 #include "robot/joints.h"
+#include "robot/kinematics.h"
+#include "robot/margin.h"
 #include "robot/robot_neuro.h"
 #include "safety/coupled_guard.h"
 
 TEST_SOURCE_FILE("axis_chart.c")
 TEST_SOURCE_FILE("encoder.c")
-TEST_SOURCE_FILE("fixed.c")
 TEST_SOURCE_FILE("homing.c")
 TEST_SOURCE_FILE("motor_model.c")
 TEST_SOURCE_FILE("servo.c")
@@ -57,6 +60,17 @@ static card_drive_t drive(uint32_t axis, bool is_upwards)
     return (card_drive_t){CARD_DRIVE_NON_PWM, (is_upwards != is_inverted) ? 1U : 0U, 0U};
 }
 
+static bool is_blocked(uint32_t axis)
+{
+    return ((coupled_guard_blocks(&robot, &view) >> axis) & 1U) != 0U;
+}
+
+/* The separation at home. */
+static int32_t home_nm(void)
+{
+    return robot.geometry_nm[NEURO_HOME_SEPARATION];
+}
+
 static int32_t nm(int32_t ticks)
 {
     return (int32_t)joints_value(&robot.axes[AXIS_HEAD], ticks);
@@ -66,12 +80,12 @@ static int32_t nm(int32_t ticks)
 static void expect_way(uint32_t axis, bool is_growing, int32_t first_ticks, int32_t second_ticks)
 {
     const int32_t way = nm(first_ticks) + nm(second_ticks);
-    robot.coupled_limits[0].minimum_nm = is_growing ? -1000000000 : -way;
-    robot.coupled_limits[0].maximum_nm = is_growing ? way : 1000000000;
-    TEST_ASSERT_FALSE(coupled_guard_blocks(&robot, &view, axis));
-    robot.coupled_limits[0].minimum_nm += is_growing ? 0 : 1;
-    robot.coupled_limits[0].maximum_nm -= is_growing ? 1 : 0;
-    TEST_ASSERT_TRUE(coupled_guard_blocks(&robot, &view, axis));
+    robot.coupled_limits[0].minimum = home_nm() + (is_growing ? -1000000000 : -way);
+    robot.coupled_limits[0].maximum = home_nm() + (is_growing ? way : 1000000000);
+    TEST_ASSERT_FALSE(is_blocked(axis));
+    robot.coupled_limits[0].minimum += is_growing ? 0 : 1;
+    robot.coupled_limits[0].maximum -= is_growing ? 1 : 0;
+    TEST_ASSERT_TRUE(is_blocked(axis));
 }
 
 void test_SWR_COUPLE_001_one_axis_is_stopped_its_way_before_the_end(void)
@@ -121,12 +135,12 @@ void test_SWR_COUPLE_001_outside_of_the_range_the_way_back_is_free(void)
     axes[AXIS_HEAD].encoder.position_ticks = -8000;
     requests[AXIS_HEAD] = drive(AXIS_HEAD, true);
     requests[AXIS_FEET] = drive(AXIS_FEET, false);
-    TEST_ASSERT_FALSE(coupled_guard_blocks(&robot, &view, AXIS_HEAD));
-    TEST_ASSERT_FALSE(coupled_guard_blocks(&robot, &view, AXIS_FEET));
+    TEST_ASSERT_FALSE(is_blocked(AXIS_HEAD));
+    TEST_ASSERT_FALSE(is_blocked(AXIS_FEET));
     requests[AXIS_HEAD] = drive(AXIS_HEAD, false);
     requests[AXIS_FEET] = drive(AXIS_FEET, true);
-    TEST_ASSERT_TRUE(coupled_guard_blocks(&robot, &view, AXIS_HEAD));
-    TEST_ASSERT_TRUE(coupled_guard_blocks(&robot, &view, AXIS_FEET));
+    TEST_ASSERT_TRUE(is_blocked(AXIS_HEAD));
+    TEST_ASSERT_TRUE(is_blocked(AXIS_FEET));
 }
 
 static void expect_end(uint32_t axis, int32_t ticks, coupled_side_t side)
@@ -143,16 +157,16 @@ void test_SWR_COUPLE_001_a_limit_is_in_force_for_its_own_axes_once_both_are_home
     axes[AXIS_HEAD].encoder.position_ticks = -8000;
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         const bool is_of_limit = (i == (uint32_t)AXIS_HEAD) || (i == (uint32_t)AXIS_FEET);
-        TEST_ASSERT_FALSE(coupled_guard_blocks(&robot, &view, i));
+        TEST_ASSERT_FALSE(is_blocked(i));
         requests[i] = drive(i, i != (uint32_t)AXIS_HEAD);
-        TEST_ASSERT_EQUAL(is_of_limit, coupled_guard_blocks(&robot, &view, i));
+        TEST_ASSERT_EQUAL(is_of_limit, is_blocked(i));
     }
     axes[AXIS_HEAD].chart.reference = AXIS_REFERENCE_LOST;
-    TEST_ASSERT_FALSE(coupled_guard_blocks(&robot, &view, AXIS_FEET));
+    TEST_ASSERT_FALSE(is_blocked(AXIS_FEET));
     expect_end(AXIS_FEET, 0, COUPLED_LIMIT_INSIDE);
     axes[AXIS_HEAD].chart.reference = AXIS_REFERENCE_VERIFIED;
     axes[AXIS_FEET].chart.reference = AXIS_REFERENCE_LOST;
-    TEST_ASSERT_FALSE(coupled_guard_blocks(&robot, &view, AXIS_HEAD));
+    TEST_ASSERT_FALSE(is_blocked(AXIS_HEAD));
     expect_end(AXIS_HEAD, -8000, COUPLED_LIMIT_INSIDE);
 }
 
@@ -161,7 +175,7 @@ static void put_feet_out(int32_t beyond_ticks)
 {
     axes[AXIS_HEAD].chart.reference = AXIS_REFERENCE_LOST;
     axes[AXIS_FEET].encoder.position_ticks = -100 - beyond_ticks;
-    robot.coupled_limits[0].maximum_nm = nm(100);
+    robot.coupled_limits[0].maximum = home_nm() + nm(100);
 }
 
 static void expect_barred(bool is_barred)
@@ -170,11 +184,11 @@ static void expect_barred(bool is_barred)
         const bool is_head = i == (uint32_t)AXIS_HEAD;
         TEST_ASSERT_EQUAL(is_head && is_barred, coupled_guard_bars_homing(&robot, axes, i));
         requests[i] = drive(i, true);
-        TEST_ASSERT_EQUAL(is_head && is_barred, coupled_guard_blocks(&robot, &view, i));
+        TEST_ASSERT_EQUAL(is_head && is_barred, is_blocked(i));
         requests[i] = drive(i, false);
-        TEST_ASSERT_FALSE(coupled_guard_blocks(&robot, &view, i));
+        TEST_ASSERT_FALSE(is_blocked(i));
         requests[i] = (card_drive_t){0U, 0U, 0U};
-        TEST_ASSERT_FALSE(coupled_guard_blocks(&robot, &view, i));
+        TEST_ASSERT_FALSE(is_blocked(i));
     }
 }
 
@@ -185,10 +199,10 @@ void test_SWR_COUPLE_003_an_axis_does_not_go_to_a_switch_that_is_beyond_the_limi
     put_feet_out(1);
     expect_barred(true);
     /* It may be beyond below as well. */
-    robot.coupled_limits[0].maximum_nm = nm(1000);
-    robot.coupled_limits[0].minimum_nm = nm(101);
+    robot.coupled_limits[0].maximum = home_nm() + nm(1000);
+    robot.coupled_limits[0].minimum = home_nm() + nm(101);
     expect_barred(false);
-    robot.coupled_limits[0].minimum_nm = nm(101) + 1;
+    robot.coupled_limits[0].minimum = home_nm() + nm(101) + 1;
     expect_barred(true);
 }
 
@@ -199,16 +213,16 @@ void test_SWR_COUPLE_003_the_second_axis_of_a_limit_is_barred_as_the_first(void)
     axes[AXIS_FEET].chart.reference = AXIS_REFERENCE_LOST;
     axes[AXIS_FEET].encoder.position_ticks = -9999;
     axes[AXIS_HEAD].encoder.position_ticks = 50;
-    robot.coupled_limits[0].maximum_nm = nm(100);
+    robot.coupled_limits[0].maximum = home_nm() + nm(100);
     requests[AXIS_FEET] = drive(AXIS_FEET, false);
     TEST_ASSERT_FALSE(coupled_guard_bars_homing(&robot, axes, AXIS_FEET));
-    TEST_ASSERT_FALSE(coupled_guard_blocks(&robot, &view, AXIS_FEET));
+    TEST_ASSERT_FALSE(is_blocked(AXIS_FEET));
     axes[AXIS_HEAD].encoder.position_ticks = 51;
     TEST_ASSERT_TRUE(coupled_guard_bars_homing(&robot, axes, AXIS_FEET));
     TEST_ASSERT_FALSE(coupled_guard_bars_homing(&robot, axes, AXIS_HEAD));
-    TEST_ASSERT_TRUE(coupled_guard_blocks(&robot, &view, AXIS_FEET));
+    TEST_ASSERT_TRUE(is_blocked(AXIS_FEET));
     requests[AXIS_FEET] = drive(AXIS_FEET, true);
-    TEST_ASSERT_FALSE(coupled_guard_blocks(&robot, &view, AXIS_FEET));
+    TEST_ASSERT_FALSE(is_blocked(AXIS_FEET));
 }
 
 void test_SWR_COUPLE_003_nothing_is_barred_unless_just_the_other_axis_is_homed(void)

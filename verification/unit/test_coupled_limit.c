@@ -1,15 +1,17 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: where two axes are to the limit that they share, exact to the nanometre.
+ * Rule under test: where axes are to the limit that they share, exact to the nanometre.
  */
 #include "unity.h"
 
 #include "limits/requirement_limits.h"
 #include "robot/coupled_limit.h"
+#include "base/fixed.h"
+#include "base/rigid.h"
 #include "robot/joints.h"
+#include "robot/kinematics.h"
+#include "robot/margin.h"
 #include "robot/robot_neuro.h"
-
-TEST_SOURCE_FILE("fixed.c")
 
 void setUp(void)
 {
@@ -23,30 +25,45 @@ void test_SWR_ROBOT_001_the_coupled_limit_is_that_of_the_geometry(void)
 {
     const coupled_limit_t *const limit = &robot_neuro.coupled_limits[0];
     const int32_t *const geometry_nm = robot_neuro.geometry_nm;
-    const int32_t home_nm = geometry_nm[NEURO_HOME_SEPARATION];
     TEST_ASSERT_EQUAL_UINT32(1U, robot_neuro.coupled_limit_count);
     TEST_ASSERT_EQUAL_STRING("separation", limit->name);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_SEPARATION_LIMIT, limit->refusal);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_HEAD, limit->first);
-    TEST_ASSERT_EQUAL_UINT32(AXIS_FEET, limit->second);
-    TEST_ASSERT_EQUAL_INT32(geometry_nm[NEURO_MINIMUM_SEPARATION] - home_nm, limit->minimum_nm);
-    TEST_ASSERT_EQUAL_INT32(geometry_nm[NEURO_MAXIMUM_SEPARATION] - home_nm, limit->maximum_nm);
+    TEST_ASSERT_EQUAL_UINT8(STATUS_SEPARATION_LIMIT, limit->refusal);
+    TEST_ASSERT_EQUAL_UINT8(AXIS_UNIT_MM, limit->unit);
+    TEST_ASSERT_EQUAL_UINT8(0U, limit->is_curved);
+    TEST_ASSERT_EQUAL_HEX32((1U << AXIS_HEAD) | (1U << AXIS_FEET), limit->axes);
+    TEST_ASSERT_EQUAL_INT32(geometry_nm[NEURO_MINIMUM_SEPARATION], limit->minimum);
+    TEST_ASSERT_EQUAL_INT32(geometry_nm[NEURO_MAXIMUM_SEPARATION], limit->maximum);
 }
 
-void test_SWR_COUPLE_002_the_first_axis_counts_upwards_and_the_second_downwards(void)
+static int64_t separation_nm(int32_t head_ticks, int32_t feet_ticks)
 {
-    const coupled_limit_t *const limit = &robot_neuro.coupled_limits[0];
-    TEST_ASSERT_EQUAL_INT64(12700025, coupled_limit_nm(&robot_neuro, limit, 1000, 0));
-    TEST_ASSERT_EQUAL_INT64(-12700025, coupled_limit_nm(&robot_neuro, limit, 0, 1000));
-    TEST_ASSERT_EQUAL_INT64(0, coupled_limit_nm(&robot_neuro, limit, -7000, -7000));
+    const int32_t ticks[ROBOT_AXIS_MAX] = {head_ticks, feet_ticks, 1, 2, 3, 4, 5};
+    joints_t joints;
+    joints_from_ticks(&robot_neuro, ticks, &joints);
+    return kinematics_coupled(&robot_neuro, 0U, &joints);
+}
+
+void test_SWR_COUPLE_004_the_separation_is_how_far_the_head_is_above_the_feet(void)
+{
+    TEST_ASSERT_EQUAL_INT64(143000000 + 12700025, separation_nm(1000, 0));
+    TEST_ASSERT_EQUAL_INT64(143000000 - 12700025, separation_nm(0, 1000));
+    TEST_ASSERT_EQUAL_INT64(143000000, separation_nm(-7000, -7000));
+}
+
+void test_SWR_COUPLE_004_a_kind_that_nobody_knows_has_no_value(void)
+{
+    const joints_t joints = {{1, 2, 3}};
+    robot_t unknown = robot_neuro;
+    unknown.kind++;
+    TEST_ASSERT_EQUAL_INT64(0, kinematics_coupled(&unknown, 0U, &joints));
 }
 
 void test_SWR_COUPLE_002_an_end_has_the_margin_to_both_ends_of_the_range(void)
 {
     const coupled_limit_t *const limit = &robot_neuro.coupled_limits[0];
     const int64_t margin = (int64_t)LIMIT_COUPLED_MARGIN_NM;
-    const int64_t least = (int64_t)limit->minimum_nm + margin;
-    const int64_t most = (int64_t)limit->maximum_nm - margin;
+    const int64_t least = (int64_t)limit->minimum + margin;
+    const int64_t most = (int64_t)limit->maximum - margin;
     TEST_ASSERT_EQUAL(COUPLED_LIMIT_BELOW, coupled_limit_side(limit, least - 1));
     TEST_ASSERT_EQUAL(COUPLED_LIMIT_INSIDE, coupled_limit_side(limit, least));
     TEST_ASSERT_EQUAL(COUPLED_LIMIT_INSIDE, coupled_limit_side(limit, most));
@@ -55,7 +72,9 @@ void test_SWR_COUPLE_002_an_end_has_the_margin_to_both_ends_of_the_range(void)
 
 static void expect_end(coupled_side_t side, const int32_t ticks[ROBOT_AXIS_MAX])
 {
-    const solution_t judged = coupled_limit_judge(&robot_neuro, ticks);
+    joints_t joints;
+    joints_from_ticks(&robot_neuro, ticks, &joints);
+    const solution_t judged = coupled_limit_judge(&robot_neuro, &joints);
     TEST_ASSERT_EQUAL((side == COUPLED_LIMIT_INSIDE) ? STATUS_OK : STATUS_SEPARATION_LIMIT,
                       judged.status);
     TEST_ASSERT_EQUAL_UINT8(0U, judged.axis);

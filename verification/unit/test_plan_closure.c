@@ -62,10 +62,19 @@ static void to_ticks(const robot_t *robot, const joints_t *joints, int32_t ticks
 static void from_ticks(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX], joints_t *joints,
                        int calls)
 {
-    (void)robot;
-    (void)ticks;
-    (void)calls;
     *joints = (joints_t){0};
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+        joints->value[i] = fixed_saturate(value_of(&robot->axes[i], ticks[i], calls));
+    }
+}
+
+static int64_t separation_of(const robot_t *robot, uint32_t index, const joints_t *joints,
+                             int calls)
+{
+    (void)calls;
+    TEST_ASSERT_EQUAL_UINT32(0U, index);
+    return ((int64_t)joints->value[AXIS_HEAD] - joints->value[AXIS_FEET]) +
+           robot->geometry_nm[NEURO_HOME_SEPARATION];
 }
 
 void setUp(void)
@@ -85,6 +94,7 @@ void setUp(void)
     joints_value_Stub(value_of);
     joints_to_ticks_Stub(to_ticks);
     joints_from_ticks_Stub(from_ticks);
+    kinematics_coupled_Stub(separation_of);
 }
 
 void tearDown(void)

@@ -337,3 +337,10 @@ solution_t neuro_solve(const robot_t *robot, const rigid_t *pose, const point_t 
         (result.status == STATUS_OK) || (result.status == STATUS_UNREACHABLE_HEIGHT);
     return is_told ? result : margin_limit(&best, &limits);
 }
+
+int64_t neuro_coupled(const robot_t *robot, uint32_t index, const joints_t *joints)
+{
+    (void)index;
+    return ((int64_t)joints->value[AXIS_HEAD] - joints->value[AXIS_FEET]) +
+           robot->geometry_nm[NEURO_HOME_SEPARATION];
+}

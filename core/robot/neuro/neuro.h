@@ -80,4 +80,11 @@ solution_t neuro_inverse_at_depth(const robot_t *robot, const rigid_t *pose, int
 solution_t neuro_solve(const robot_t *robot, const rigid_t *pose, const point_t *entry,
                        joints_t *joints);
 
+/**
+ * The separation of the axial carriages, nm: the one coupled limit.
+ *
+ * @satisfies SWR-COUPLE-004
+ */
+int64_t neuro_coupled(const robot_t *robot, uint32_t index, const joints_t *joints);
+
 #endif
