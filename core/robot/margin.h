@@ -14,9 +14,10 @@
 
 #include <stdint.h>
 
-/** Joints that are no axis come behind all axes that a robot may have. */
+/** Joints that are no axis come behind all axes that a robot may have: its coupled limits, and two
+ * more. */
 #define JOINT_LIMIT_FURTHER ROBOT_AXIS_MAX
-#define JOINT_LIMIT_COUNT (ROBOT_AXIS_MAX + 2U)
+#define JOINT_LIMIT_COUNT (ROBOT_AXIS_MAX + ROBOT_COUPLED_LIMITS + 2U)
 
 /** A margin of the whole range. */
 #define MARGIN_ONE_Q56 INT64_C(0x100000000000000)
