@@ -11,6 +11,15 @@ bool follower_is_of(const robot_t *robot, uint32_t index, uint32_t leader)
     return (uint32_t)robot->axes[index].leaders[(stage - 1U) % ROBOT_HOME_STAGES] == (leader + 1U);
 }
 
+bool follower_has_one(const robot_t *robot, uint32_t leader)
+{
+    bool has_one = false;
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+        has_one = has_one || follower_is_of(robot, i, leader);
+    }
+    return has_one;
+}
+
 uint32_t follower_leader(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX], uint32_t index)
 {
     uint32_t found = index;

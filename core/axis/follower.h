@@ -18,6 +18,9 @@
 /** @return true when axis `index` follows axis `leader` whenever that homes */
 bool follower_is_of(const robot_t *robot, uint32_t index, uint32_t leader);
 
+/** @return true when any axis follows axis `leader` */
+bool follower_has_one(const robot_t *robot, uint32_t leader);
+
 /** @return with which axis axis `index` travels now: the one that homes and that it follows;
  * itself when there is none */
 uint32_t follower_leader(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX], uint32_t index);

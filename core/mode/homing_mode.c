@@ -47,13 +47,34 @@ static void begin(const mode_frame_t *frame, uint32_t index, mode_result_t *resu
     }
 }
 
+static bool is_due(const mode_frame_t *frame, uint32_t index, uint8_t stage)
+{
+    return (frame->robot->axes[index].home_stage == stage) && !axis_is_homed(&frame->axes[index]);
+}
+
+/* Whoever leads in a stage homes with all that lead in it: half a block would turn. */
+static void call_leaders(const mode_frame_t *frame, uint8_t stage)
+{
+    bool is_beginning = false;
+    for (uint32_t i = 0U; i < frame->axis_count; i++) {
+        is_beginning =
+            is_beginning || (is_due(frame, i, stage) && !axis_is_homing(&frame->axes[i]) &&
+                             follower_has_one(frame->robot, i));
+    }
+    for (uint32_t i = 0U; is_beginning && (i < frame->axis_count); i++) {
+        if ((frame->robot->axes[i].home_stage == stage) && axis_is_homed(&frame->axes[i]) &&
+            follower_has_one(frame->robot, i)) {
+            axis_doubt(&frame->axes[i]);
+        }
+    }
+}
+
 static void begin_stage(const mode_frame_t *frame, mode_result_t *result)
 {
     const uint8_t stage = present_stage(frame);
+    call_leaders(frame, stage);
     for (uint32_t i = 0U; i < frame->axis_count; i++) {
-        const bool is_due =
-            (frame->robot->axes[i].home_stage == stage) && !axis_is_homed(&frame->axes[i]);
-        if (is_due && (result->progress == MODE_RUNNING)) {
+        if (is_due(frame, i, stage) && (result->progress == MODE_RUNNING)) {
             begin(frame, i, result);
         }
     }

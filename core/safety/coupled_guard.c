@@ -172,41 +172,37 @@ static uint32_t leaving_axes(reach_t *self, uint32_t driven)
     return leaving;
 }
 
-/* Whether `other` goes the same way while axis `index` homes: what is between them stays. */
-static bool comes_along(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX], uint32_t index,
-                        uint32_t other)
+/* Whether another axis of the limit goes the same way as axis `index`, which homes or is about to:
+ * the whole block does then (SWR-AXIS-032), and what is between its axes stays. */
+static bool is_in_block(const robot_t *robot, const coupled_limit_t *limit,
+                        const axis_t axes[ROBOT_AXIS_MAX], uint32_t index, bool is_beginning)
 {
-    return follower_is_of(robot, other, index) ||
-           (follower_leader(robot, axes, other) == follower_leader(robot, axes, index));
+    const uint32_t leader = follower_leader(robot, axes, index);
+    bool is_in_one = false;
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+        const bool comes_along = (is_beginning && follower_is_of(robot, i, index)) ||
+                                 (follower_leader(robot, axes, i) == leader);
+        is_in_one = is_in_one || ((i != index) && coupled_limit_has(limit, i) && comes_along);
+    }
+    return is_in_one;
 }
 
-/* Nobody knows where an axis is that is not homed, but where its switch is. Who comes along ends as
- * far from where it is as the axis itself, by its counts. */
+/* Nobody knows where an axis is that is not homed, but where its switch is. */
 static bool is_home_beyond(const robot_t *robot, uint32_t limit_index,
-                           const axis_t axes[ROBOT_AXIS_MAX], uint32_t index)
+                           const axis_t axes[ROBOT_AXIS_MAX], uint32_t index, bool is_beginning)
 {
     const coupled_limit_t *const limit = &robot->coupled_limits[limit_index];
     const axis_config_t *const config = &robot->axes[index];
-    bool is_whole = true;
     joints_t joints;
     if ((config->limit_switch == (uint8_t)LIMIT_SWITCH_NONE) ||
-        (unknown_axes(robot, limit, axes) != ((uint32_t)1U << index))) {
+        (unknown_axes(robot, limit, axes) != ((uint32_t)1U << index)) ||
+        is_in_block(robot, limit, axes, index, is_beginning)) {
         return false;
     }
     find_joints(robot, limit, axes, &joints);
-    const int64_t way =
-        (int64_t)joints_of(config, config->home_ticks) - (int64_t)joints.value[index];
-    for (uint32_t i = 0U; i < robot->axis_count; i++) {
-        if (!coupled_limit_has(limit, i)) {
-            /* It does not matter. */
-        } else if (comes_along(robot, axes, index, i)) {
-            joints.value[i] = fixed_saturate((int64_t)joints.value[i] + way);
-        } else {
-            is_whole = false;
-        }
-    }
+    joints.value[index] = joints_of(config, config->home_ticks);
     const int64_t value = kinematics_coupled(robot, limit_index, &joints);
-    return !is_whole && ((value < (int64_t)limit->minimum) || (value > (int64_t)limit->maximum));
+    return (value < (int64_t)limit->minimum) || (value > (int64_t)limit->maximum);
 }
 
 bool coupled_guard_bars_homing(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
@@ -215,7 +211,7 @@ bool coupled_guard_bars_homing(const robot_t *robot, const axis_t axes[ROBOT_AXI
     bool is_barred = false;
     for (uint32_t i = 0U; i < robot->coupled_limit_count; i++) {
         is_barred = is_barred || (coupled_limit_has(&robot->coupled_limits[i], index) &&
-                                  is_home_beyond(robot, i, axes, index));
+                                  is_home_beyond(robot, i, axes, index, true));
     }
     return is_barred;
 }
@@ -230,7 +226,7 @@ static uint32_t barred_axes(const robot_t *robot, const coupled_view_t *view, ui
         const uint32_t mask = driven & ((uint32_t)1U << i);
         const bool is_upper = config->limit_switch == (uint8_t)LIMIT_SWITCH_UPPER;
         if ((mask != 0U) && (servo_is_upwards(config, &view->requests[i]) == is_upper) &&
-            is_home_beyond(robot, limit_index, view->axes, i)) {
+            is_home_beyond(robot, limit_index, view->axes, i, false)) {
             barred |= mask;
         }
     }

@@ -37,8 +37,8 @@ typedef struct {
  *
  * @return bit n: the request of axis n takes a limit in force away from its range, and the axes
  * might leave that; or axis n is the only one of a limit that is not homed, the request goes
- * towards its switch, and that is outside the range, unless all travel as a block
- * (core/axis/follower.h)
+ * towards its switch, and that is outside the range, unless another one travels
+ * with it (core/axis/follower.h)
  *
  * @satisfies SWR-COUPLE-001
  * @satisfies SWR-COUPLE-003
@@ -47,8 +47,8 @@ typedef struct {
 uint32_t coupled_guard_blocks(const robot_t *robot, const coupled_view_t *view);
 
 /**
- * @return true when axis `index` is not homed, all others are that share a limit with it and do not
- * all travel with it, and homing it would leave that
+ * @return true when axis `index` is not homed, all others are that share a limit with it, none of
+ * them travels with it, and homing it would leave that
  *
  * @satisfies SWR-COUPLE-003
  */

@@ -13,6 +13,7 @@
 #include "bench/sample.h"
 #include "integration/support/rig.h"
 #include "interface/app/names.h"
+#include "robot/robot_neuro.h"
 
 #include "unity.h"
 

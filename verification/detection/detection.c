@@ -9,6 +9,7 @@
  */
 #include "integration/support/rig.h"
 #include "limits/requirement_limits.h"
+#include "robot/robot_neuro.h"
 
 #include "unity.h"
 

@@ -11,6 +11,7 @@
 
 #include "controller/controller.h"
 #include "limits/requirement_limits.h"
+#include "robot/robot_neuro.h"
 
 #include <stdio.h>
 

@@ -9,6 +9,7 @@
 
 #include "base/fixed.h"
 #include "controller/controller.h"
+#include "robot/robot_neuro.h"
 #include "unit/support/contract_trap.h"
 
 #include <string.h>

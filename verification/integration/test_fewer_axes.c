@@ -10,6 +10,7 @@
 
 #include "base/seal.h"
 #include "controller/controller.h"
+#include "robot/robot_neuro.h"
 
 #include <stddef.h>
 #include <string.h>

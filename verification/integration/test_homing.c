@@ -11,6 +11,7 @@
 #include "controller/controller.h"
 #include "controller/controller_drive.h"
 #include "limits/requirement_limits.h"
+#include "robot/robot_neuro.h"
 #include "safety/needle.h"
 #include "safety/permit.h"
 

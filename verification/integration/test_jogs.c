@@ -10,6 +10,7 @@
 #include "unity.h"
 
 #include "controller/controller.h"
+#include "robot/robot_neuro.h"
 #include "safety/needle.h"
 #include "safety/permit.h"
 

@@ -8,6 +8,7 @@
 
 #include "controller/controller.h"
 #include "limits/requirement_limits.h"
+#include "robot/robot_neuro.h"
 #include "unity.h"
 
 #define MOVES 6U

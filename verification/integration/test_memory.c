@@ -10,6 +10,7 @@
 
 #include "controller/controller.h"
 #include "robot/robot_damage.h"
+#include "robot/robot_neuro.h"
 #include "safety/permit.h"
 
 #include <stddef.h>

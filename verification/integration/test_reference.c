@@ -9,6 +9,7 @@
 #include "unity.h"
 
 #include "controller/controller.h"
+#include "robot/robot_neuro.h"
 
 #define HOLD_CYCLES (LIMIT_CONFIRM_HOLD_US / LIMIT_CYCLE_US)
 

@@ -9,6 +9,7 @@
 
 #include "controller/controller.h"
 #include "replay/replay.h"
+#include "robot/robot_neuro.h"
 
 #include <string.h>
 

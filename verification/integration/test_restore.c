@@ -10,6 +10,7 @@
 
 #include "controller/controller.h"
 #include "replay/replay.h"
+#include "robot/robot_neuro.h"
 #include "unit/support/contract_trap.h"
 
 #include <string.h>

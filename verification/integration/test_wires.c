@@ -10,6 +10,7 @@
 
 #include "controller/controller.h"
 #include "controller/controller_events.h"
+#include "robot/robot_neuro.h"
 #include "safety/permit.h"
 
 #include <stdio.h>

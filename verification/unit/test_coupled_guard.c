@@ -252,12 +252,12 @@ void test_SWR_COUPLE_003_an_axis_that_homes_with_the_other_behind_it_is_not_barr
     robot.axes[AXIS_FEET].leaders[1] = 1U + AXIS_HEAD;
     requests[AXIS_HEAD] = drive(AXIS_HEAD, true);
     TEST_ASSERT_FALSE(coupled_guard_bars_homing(&robot, axes, AXIS_HEAD));
-    TEST_ASSERT_TRUE(coupled_guard_blocks(&robot, &view, AXIS_HEAD));
+    TEST_ASSERT_TRUE(is_blocked(AXIS_HEAD));
     axes[AXIS_HEAD].chart.reference = AXIS_REFERENCE_APPROACH;
-    TEST_ASSERT_FALSE(coupled_guard_blocks(&robot, &view, AXIS_HEAD));
+    TEST_ASSERT_FALSE(is_blocked(AXIS_HEAD));
     robot.axes[AXIS_FEET].leaders[1] = 1U + AXIS_LATERAL;
     TEST_ASSERT_TRUE(coupled_guard_bars_homing(&robot, axes, AXIS_HEAD));
-    TEST_ASSERT_TRUE(coupled_guard_blocks(&robot, &view, AXIS_HEAD));
+    TEST_ASSERT_TRUE(is_blocked(AXIS_HEAD));
 }
 
 void test_SWR_COUPLE_003_two_that_follow_a_third_are_not_barred(void)
@@ -266,9 +266,9 @@ void test_SWR_COUPLE_003_two_that_follow_a_third_are_not_barred(void)
     robot.axes[AXIS_HEAD].leaders[1] = 1U + AXIS_LATERAL;
     robot.axes[AXIS_FEET].leaders[1] = 1U + AXIS_LATERAL;
     requests[AXIS_HEAD] = drive(AXIS_HEAD, true);
-    TEST_ASSERT_TRUE(coupled_guard_blocks(&robot, &view, AXIS_HEAD));
+    TEST_ASSERT_TRUE(is_blocked(AXIS_HEAD));
     axes[AXIS_LATERAL].chart.reference = AXIS_REFERENCE_LATCH;
-    TEST_ASSERT_FALSE(coupled_guard_blocks(&robot, &view, AXIS_HEAD));
+    TEST_ASSERT_FALSE(is_blocked(AXIS_HEAD));
 }
 
 void test_SWR_JOG_002_an_axis_is_known_when_it_and_its_partners_are_homed(void)

@@ -10,6 +10,7 @@
 #include "axis/count_account.h"
 #include "axis/drift_audit.h"
 #include "axis/edge_pace.h"
+#include "axis/follower.h"
 #include "base/fixed.h"
 #include "limits/requirement_limits.h"
 #include "robot/coupled_limit.h"

@@ -2,6 +2,7 @@
 #include "integration/support/rig.h"
 
 #include "base/seal.h"
+#include "robot/robot_neuro.h"
 #include "unity.h"
 
 #include <stddef.h>

@@ -5,7 +5,7 @@
 #define BORESIGHT_RIG_H
 
 #include "controller/controller.h"
-#include "robot/robot_neuro.h"
+#include "robot/robot.h"
 #include "sim/box.h"
 
 #include <stdbool.h>

@@ -12,6 +12,7 @@
  * every run.
  */
 #include "numbers.h"
+#include "robot/robot_neuro.h"
 
 #include "integration/support/rig.h"
 #include "safety/permit.h"
