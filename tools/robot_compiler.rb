@@ -98,7 +98,9 @@ module Robot
     def head
       { 'name' => "\"#{@robot.name}\"", 'axis_count' => "#{@robot.axes.size}U", 'crc' => "0x#{format('%08X', @crc)}U",
         'kind' => "0x#{format('%08X', Kind.number(@robot.kinematics))}U",
-        'card_firmware' => "0x#{format('%06X', @robot.card_firmware)}U", 'needle_axis' => "#{@robot.needle_axis}U",
+        'card_firmware' => "0x#{format('%06X', @robot.card_firmware)}U",
+        'sensor_slots' => "0x#{format('%03X', @robot.sensor_slots.sum { |slot| 1 << slot })}U",
+        'needle_axis' => "#{@robot.needle_axis}U",
         'pose_mask' => "#{@robot.poses.keys.sum { |name| 1 << Pose::NAMES.index(name) }}U",
         'coupled_limit_count' => "#{@robot.coupled_limits.size}U" }
     end

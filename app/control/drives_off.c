@@ -3,6 +3,7 @@
 
 #include "bsp.h"
 #include "limits/requirement_limits.h"
+#include "robot/robot_cards.h"
 
 #include <stdio.h>
 
@@ -12,15 +13,18 @@ static uint8_t received[CARD_SLOT_COUNT][CARD_FRAME_BYTES];
 static uint32_t write_frames(const robot_t *robot, uint32_t sequence, uint32_t time_us)
 {
     uint32_t slots = 0U;
-    for (uint32_t i = 0U; i < robot->axis_count; i++) {
-        const card_command_t off = {.slot = robot->axes[i].slot,
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+        const uint32_t axis = robot_cards_axis(robot, slot);
+        const card_command_t off = {.slot = slot,
                                     .sequence = sequence,
                                     .time_us = time_us,
                                     .control = CARD_CONTROL_CLEAR_FAULT, /* Tripped cards hear. */
                                     .watchdog_us = LIMIT_CARD_WATCHDOG_US,
-                                    .axis_id = i};
-        card_frame_encode_command(&off, frames[off.slot]);
-        slots |= 1U << off.slot;
+                                    .axis_id = (axis < ROBOT_AXIS_MAX) ? axis : CARD_NO_AXIS};
+        if (robot_cards_type(robot, slot) != (uint32_t)CARD_TYPE_NONE) {
+            card_frame_encode_command(&off, frames[slot]);
+            slots |= 1U << slot;
+        }
     }
     return slots;
 }

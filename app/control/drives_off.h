@@ -26,6 +26,7 @@ typedef struct {
  * called in a signal handler.
  *
  * @satisfies SWR-CTRL-004
+ * @satisfies SWR-CTRL-022
  */
 drives_off_t drives_off(const robot_t *robot, uint32_t sequence, uint32_t time_us);
 

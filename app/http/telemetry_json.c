@@ -5,6 +5,7 @@
 #include "http/telemetry_units.h"
 #include "interface/app/messages.h"
 #include "limits/requirement_limits.h"
+#include "robot/robot_cards.h"
 
 #include <stddef.h>
 
@@ -48,15 +49,27 @@ static cJSON *new_faults(uint32_t status)
     return list;
 }
 
+static void add_card(cJSON *cards, const telemetry_view_t *view, uint32_t slot, const char *axis)
+{
+    const snapshot_card_t *card = &view->snapshot.cards[slot];
+    const json_card_t also = {.slot = slot, .axis = axis, .faults = new_faults(card->status)};
+    (void)cJSON_AddItemToArray(cards, json_card(card, &also));
+}
+
+/* Those of the axes in their order, then what else is named or has answered. */
 static cJSON *new_cards(const telemetry_view_t *view)
 {
+    const robot_t *robot = view->robot;
     cJSON *cards = cJSON_CreateArray();
-    for (uint32_t i = 0U; i < view->robot->axis_count; i++) {
-        const axis_config_t *axis = &view->robot->axes[i];
-        const snapshot_card_t *card = &view->snapshot.cards[axis->slot];
-        const json_card_t also = {
-            .slot = axis->slot, .axis = axis->name, .faults = new_faults(card->status)};
-        (void)cJSON_AddItemToArray(cards, json_card(card, &also));
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+        add_card(cards, view, robot->axes[i].slot, robot->axes[i].name);
+    }
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+        const bool has_answered = view->snapshot.cards[slot].card_type != (uint32_t)CARD_TYPE_NONE;
+        if ((robot_cards_axis(robot, slot) == ROBOT_AXIS_MAX) &&
+            (has_answered || robot_cards_has_sensor(robot, slot))) {
+            add_card(cards, view, slot, NULL);
+        }
     }
     return cards;
 }

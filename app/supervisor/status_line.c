@@ -5,7 +5,7 @@
 #include "charts/estop_latch_chart.h"
 #include "charts/pedal_gate_chart.h"
 #include "interface/app/names.h"
-#include "robot/robot.h"
+#include "robot/robot_cards.h"
 #include "safety/permit.h"
 
 #include <ctype.h>
@@ -87,14 +87,19 @@ static void add_permit(char *text, size_t size, const snapshot_t *snapshot)
     }
 }
 
-static uint32_t live_links(const robot_t *robot, const snapshot_t *snapshot)
+/* How many of the cards that the robot names answer. */
+static void add_links(char *text, size_t size, const robot_t *robot, const snapshot_t *snapshot)
 {
+    uint32_t named = 0U;
     uint32_t live = 0U;
 
-    for (uint32_t i = 0U; i < robot->axis_count; i++) {
-        live += (snapshot->cards[robot->axes[i].slot].link == CARD_LINK_STATE_LIVE) ? 1U : 0U;
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+        const bool is_named = robot_cards_type(robot, slot) != (uint32_t)CARD_TYPE_NONE;
+        const bool is_live = snapshot->cards[slot].link == (uint32_t)CARD_LINK_STATE_LIVE;
+        named += is_named ? 1U : 0U;
+        live += (is_named && is_live) ? 1U : 0U;
     }
-    return live;
+    add(text, size, " | links %u/%u", (unsigned)live, (unsigned)named);
 }
 
 /** @satisfies SWR-SUP-005 */
@@ -141,8 +146,7 @@ void status_line_write(char *text, size_t size, const exchange_t *exchange, fami
         add(text, size, "%s | pedal %s | e-stop %s", workphase_name((int32_t)snapshot.workphase),
             pedal_word(snapshot.pedal), estop_word(snapshot.estop));
         add_permit(text, size, &snapshot);
-        add(text, size, " | links %u/%u", (unsigned)live_links(robot, &snapshot),
-            (unsigned)robot->axis_count);
+        add_links(text, size, robot, &snapshot);
     } else {
         add(text, size, "starting");
     }

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "sim/box.h"
 
+#include "robot/robot_cards.h"
+
 #include <string.h>
 
 #define NEAR_WRAP_AXIS 1U
@@ -23,6 +25,14 @@ static void init_axis(box_axis_t *self, const robot_t *robot, uint32_t index, si
     sim_card_init(&self->card, config, &self->encoder, self->limit_switch.is_active, 0U);
 }
 
+static void init_sensor(box_sensor_t *self, uint32_t slot)
+{
+    const axis_config_t config = {.slot = (uint8_t)slot, .card_type = (uint8_t)CARD_TYPE_SENSOR};
+
+    sim_encoder_init(&self->encoder, &config, 0.0, 0, 1U);
+    sim_card_init(&self->card, &config, &self->encoder, false, 0U);
+}
+
 void box_init(box_t *self, const robot_t *robot, uint32_t seed)
 {
     (void)memset(self, 0, sizeof *self);
@@ -32,21 +42,25 @@ void box_init(box_t *self, const robot_t *robot, uint32_t seed)
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
         init_axis(&self->axes[i], robot, i, &self->random);
     }
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+        if (robot_cards_has_sensor(robot, slot)) {
+            init_sensor(&self->sensors[slot], slot);
+        }
+    }
 }
 
-static bool exchange_card(box_axis_t *axis, const uint8_t frame[CARD_FRAME_BYTES],
-                          uint8_t received[CARD_FRAME_BYTES])
+static bool exchange_card(sim_card_t *card, sim_encoder_t *encoder, box_card_fault_t fault,
+                          const uint8_t frame[CARD_FRAME_BYTES], uint8_t received[CARD_FRAME_BYTES])
 {
-    if (axis->card_fault == BOX_CARD_SILENT) {
+    if (fault == BOX_CARD_SILENT) {
         return false;
     }
-    axis->card.firmware =
-        (axis->card_fault == BOX_CARD_FOREIGN) ? FOREIGN_FIRMWARE : SIM_CARD_FIRMWARE;
-    sim_card_report(&axis->card, &axis->encoder, received);
-    if (axis->card_fault == BOX_CARD_CORRUPT) {
+    card->firmware = (fault == BOX_CARD_FOREIGN) ? FOREIGN_FIRMWARE : SIM_CARD_FIRMWARE;
+    sim_card_report(card, encoder, received);
+    if (fault == BOX_CARD_CORRUPT) {
         received[CORRUPT_BYTE] ^= 0x10U;
     }
-    sim_card_receive(&axis->card, frame);
+    sim_card_receive(card, frame);
     return true;
 }
 
@@ -57,9 +71,20 @@ uint32_t box_exchange(box_t *self, uint32_t send,
     uint32_t answered = 0U;
 
     for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
-        const uint32_t slot = self->axes[i].config->slot;
+        box_axis_t *axis = &self->axes[i];
+        const uint32_t slot = axis->config->slot;
         const uint32_t bit = 1U << slot;
-        if (((send & bit) != 0U) && exchange_card(&self->axes[i], frames[slot], received[slot])) {
+        if (((send & bit) != 0U) && exchange_card(&axis->card, &axis->encoder, axis->card_fault,
+                                                  frames[slot], received[slot])) {
+            answered |= bit;
+        }
+    }
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+        box_sensor_t *sensor = &self->sensors[slot];
+        const uint32_t bit = 1U << slot;
+        if (((send & bit) != 0U) && robot_cards_has_sensor(self->robot, slot) &&
+            exchange_card(&sensor->card, &sensor->encoder, sensor->card_fault, frames[slot],
+                          received[slot])) {
             answered |= bit;
         }
     }
@@ -111,6 +136,12 @@ static void step(box_t *self)
         /* The pulled e-stop takes the drivers' supply away, whatever the cards say. */
         step_axis(&self->axes[i], (uint32_t)self->time_us, self->estop.is_closed,
                   self->scanner_active);
+    }
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+        if (robot_cards_has_sensor(self->robot, slot)) {
+            box_sensor_t *sensor = &self->sensors[slot];
+            sim_card_step(&sensor->card, &sensor->encoder, false, self->estop.is_closed);
+        }
     }
     self->time_us += SIM_STEP_US;
 }

@@ -46,6 +46,13 @@ typedef struct {
     box_card_fault_t card_fault;
 } box_axis_t;
 
+/** A card without an axis. */
+typedef struct {
+    sim_encoder_t encoder; /**< Nothing turns it. */
+    sim_card_t card;
+    box_card_fault_t card_fault;
+} box_sensor_t;
+
 /** A contact that may have a change under way. */
 typedef struct {
     bool is_closed;
@@ -58,6 +65,7 @@ typedef struct {
     const robot_t *robot;
     sim_random_t random;
     box_axis_t axes[ROBOT_AXIS_MAX];
+    box_sensor_t sensors[CARD_SLOT_COUNT]; /**< By slot; where the robot names one. */
     box_contact_t pedal_a;
     box_contact_t pedal_b;
     box_contact_t estop; /**< Closed: not pulled. */
@@ -68,7 +76,12 @@ typedef struct {
     uint32_t pending_us;  /**< Time not yet stepped, below SIM_STEP_US. */
 } box_t;
 
-/** Switches on a box with the axes of `robot`, which must outlive it; they stand at start_ticks. */
+/**
+ * Switches on a box with the axes of `robot`, which must outlive it; they stand at start_ticks. A
+ * card without an axis answers, and has no motor.
+ *
+ * @satisfies SWR-LINK-010
+ */
 void box_init(box_t *self, const robot_t *robot, uint32_t seed);
 
 /**
@@ -95,7 +108,7 @@ void box_true_positions(const box_t *self, double positions_ticks[ROBOT_AXIS_MAX
 
 /**
  * Carries out one order, for example "card 3 silent" or "pedal press"; box_orders() lists them. A
- * slot may be given by its number or by its axis' name.
+ * slot may be given by its number or by its axis' name; a card without an axis takes "card" only.
  *
  * @param reply receives what was done, or the table asked for, or one sentence why it was refused
  * @return false when the order was refused; then nothing has changed

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "sim/box.h"
 
+#include "robot/robot_cards.h"
+
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -91,13 +93,29 @@ static bool is_word(const order_t *order, uint32_t index, const char *word)
     return strcmp(order->words[index], word) == 0;
 }
 
+static bool is_slot(const char *word, uint32_t slot)
+{
+    const char number[2] = {(char)('0' + slot), '\0'};
+
+    return strcmp(word, number) == 0;
+}
+
 static box_axis_t *find_axis(box_t *self, const char *word)
 {
     for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
         const axis_config_t *config = self->axes[i].config;
-        const char number[2] = {(char)('0' + config->slot), '\0'};
-        if ((strcmp(word, config->name) == 0) || (strcmp(word, number) == 0)) {
+        if ((strcmp(word, config->name) == 0) || is_slot(word, config->slot)) {
             return &self->axes[i];
+        }
+    }
+    return NULL;
+}
+
+static box_sensor_t *find_sensor(box_t *self, const char *word)
+{
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+        if (robot_cards_has_sensor(self->robot, slot) && is_slot(word, slot)) {
+            return &self->sensors[slot];
         }
     }
     return NULL;
@@ -213,6 +231,25 @@ static bool order_axis(const order_t *order, box_axis_t *axis)
     return true;
 }
 
+/* It has nothing else that could fail. */
+static bool order_sensor(const order_t *order, box_sensor_t *sensor)
+{
+    const int fault = number_of(card_words, order->words[2]);
+
+    if (!is_word(order, 0U, "card") || (fault < 0)) {
+        return false;
+    }
+    sensor->card_fault = (box_card_fault_t)fault;
+    return true;
+}
+
+static void show_sensor(const box_sensor_t *sensor, reply_t *reply)
+{
+    say(reply, "%4u  %-10s %11s %-3s %11s  %-9s %-7s %-8s %-9s %-7s %5u\n",
+        (unsigned)sensor->card.slot, "sensor", "", "", "", "", "", card_words[sensor->card_fault],
+        "", "", (unsigned)sensor->card.watchdog_trips);
+}
+
 static void show_axis(const box_axis_t *axis, reply_t *reply)
 {
     const bool is_mm = axis->config->unit == (uint8_t)AXIS_UNIT_MM;
@@ -251,6 +288,11 @@ static void show(const box_t *self, reply_t *reply)
     for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
         show_axis(&self->axes[i], reply);
     }
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+        if (robot_cards_has_sensor(self->robot, slot)) {
+            show_sensor(&self->sensors[slot], reply);
+        }
+    }
 }
 
 static void refuse(const char *line, reply_t *reply)
@@ -264,6 +306,11 @@ static void refuse_slot(const box_t *self, const char *word, reply_t *reply)
     for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
         say(reply, "%s %u %s", (i == 0U) ? "" : ",", (unsigned)self->axes[i].config->slot,
             self->axes[i].config->name);
+    }
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+        if (robot_cards_has_sensor(self->robot, slot)) {
+            say(reply, ", %u sensor", (unsigned)slot);
+        }
     }
     say(reply, ".\n");
 }
@@ -301,11 +348,12 @@ bool box_command(box_t *self, const char *order, char *reply, uint32_t reply_siz
     bool is_done;
     if ((words_of(&words) != NULL) && (words.count == 3U)) {
         box_axis_t *axis = find_axis(self, words.words[1]);
-        if (axis == NULL) {
+        box_sensor_t *sensor = find_sensor(self, words.words[1]);
+        if ((axis == NULL) && (sensor == NULL)) {
             refuse_slot(self, words.words[1], &answer);
             return false;
         }
-        is_done = order_axis(&words, axis);
+        is_done = (axis != NULL) ? order_axis(&words, axis) : order_sensor(&words, sensor);
     } else {
         is_done = carry_out(self, &words);
     }

@@ -3,12 +3,14 @@
 #ifndef BORESIGHT_CARD_H
 #define BORESIGHT_CARD_H
 
-#define CARD_SLOT_COUNT 10U /**< Card slots of the control box. */
+#define CARD_SLOT_COUNT 10U    /**< Card slots of the control box. */
+#define CARD_EVERY_SLOT 0x3FFU /**< Their bits. */
 
 typedef enum {
     CARD_TYPE_NONE = 0,
-    CARD_TYPE_PWM = 1,    /**< Speed by a duty word of 23 bits, of which its axis may use fewer. */
-    CARD_TYPE_NON_PWM = 2 /**< Run or stop, and direction; some take a magnitude, too. */
+    CARD_TYPE_PWM = 1,     /**< Speed by a duty word of 23 bits, of which its axis may use fewer. */
+    CARD_TYPE_NON_PWM = 2, /**< Run or stop, and direction; some take a magnitude, too. */
+    CARD_TYPE_SENSOR = 3   /**< Measures; has no motor, and refuses any drive but off. */
 } card_type_t;
 
 #endif

@@ -31,6 +31,8 @@ typedef enum { CARD_DRIVE_OFF = 0, CARD_DRIVE_PWM = 1, CARD_DRIVE_NON_PWM = 2 } 
 #define CARD_CONTROL_AMPLIFIER 0x01U
 #define CARD_CONTROL_CLEAR_FAULT 0x02U
 
+#define CARD_NO_AXIS 0xFFFFFFFFU /**< Word 17 of a command: the card has none. */
+
 /** Bits of the status word 7 of a report. */
 #define CARD_STATUS_AMPLIFIER_ON 0x0001U
 #define CARD_STATUS_MOVING 0x0002U
@@ -71,7 +73,7 @@ typedef struct {
     uint32_t overspeed_ticks_per_s;
     int32_t guard_minimum_ticks; /**< Raw encoder counts beyond which the card switches off. */
     int32_t guard_maximum_ticks;
-    uint32_t axis_id;
+    uint32_t axis_id; /**< Or CARD_NO_AXIS. */
 } card_command_t;
 
 /** Card to controller. */

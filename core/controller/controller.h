@@ -21,6 +21,7 @@
 #include "procedure/plan.h"
 #include "procedure/procedure.h"
 #include "robot/robot.h"
+#include "robot/robot_cards.h"
 #include "safety/confirm_button.h"
 #include "safety/estop_latch.h"
 #include "safety/loop_guard.h"
@@ -80,12 +81,14 @@ typedef struct {
     uint32_t grade;              /**< axis_reference_t, as told. */
 } axis_record_t;
 
-/** Sections of the state, each under its seal: axes, their cards, and four more. */
-#define CONTROLLER_SECTIONS ((2U * ROBOT_AXIS_MAX) + 4U)
+/** Sections of the state, each under its seal: axes, their cards, those without an
+ * axis, and four more. */
+#define CONTROLLER_SECTIONS ((2U * ROBOT_AXIS_MAX) + 5U)
 
 /** All state of the controller; holds no pointer, so that it can be stored and compared as bytes.
  * Its sections are those of event_memory_t, each in one piece. */
 typedef struct {
+    link_t links[CARD_SLOT_COUNT]; /**< By slot. */
     pedal_gate_t pedal;
     loop_guard_t loop;
     confirm_button_t confirm;
@@ -94,7 +97,6 @@ typedef struct {
     plan_t plan;
     mode_state_t mode;
     axis_t axes[ROBOT_AXIS_MAX];
-    link_t links[CARD_SLOT_COUNT]; /**< By slot. */
     axis_record_t records[ROBOT_AXIS_MAX];
     pending_command_t pending;
     kept_positions_t kept;  /**< From before the start; an axis that was compared is KEPT_LOST. */
@@ -103,6 +105,7 @@ typedef struct {
     uint32_t is_order_done; /**< The last order ended as asked. */
     uint32_t was_gate_open;
     uint32_t was_scanner_active;
+    uint32_t strangers; /**< Bit n: a card that the robot does not name has answered in slot n. */
     uint32_t table_damage; /**< As robot_damage() ever said: nothing moves any more. */
     uint32_t has_started;  /**< cycle, which wraps, does not tell. */
     uint32_t axis_count;   /**< Of the robot, as its undamaged table said last; at most
@@ -113,8 +116,7 @@ typedef struct {
     uint32_t events;   /**< Number of the next event. */
     uint32_t events_lost;
     uint32_t seals[CONTROLLER_SECTIONS];
-    uint8_t slots[ROBOT_AXIS_MAX]; /**< Of the axes' cards, as the undamaged table says in each
-                                      cycle. */
+    robot_cards_t cards; /**< Of the robot, as its undamaged table says in each cycle. */
 } controller_t;
 
 /** Starts in workphase UNDEFINED with nothing enabled. */

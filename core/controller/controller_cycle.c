@@ -27,11 +27,12 @@ void controller_init(controller_t *self, const robot_t *robot)
     self->axis_count = robot->axis_count;
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         axis_init(&self->axes[i]);
-        self->slots[i] = robot->axes[i].slot;
     }
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
         link_init(&self->links[slot], robot_cards_type(robot, slot), robot->card_firmware);
     }
+    robot_cards_find(&self->cards, robot);
+    robot_cards_bound(&self->cards); /* Nobody has looked at the table yet. */
     controller_seal(self);
 }
 
@@ -39,7 +40,7 @@ void controller_step(controller_t *self, const robot_t *robot, const controller_
                      controller_outputs_t *outputs)
 {
     REQUIRE(100U, inputs->command_count <= CONTROLLER_COMMANDS);
-    cycle_t cycle = {.robot = robot, .inputs = inputs, .outputs = outputs};
+    const cycle_t cycle = {.robot = robot, .inputs = inputs, .outputs = outputs};
     mode_result_t result;
     /* The rest is written, or cleared, by controller_show() and controller_drive(). */
     (void)memset(outputs, 0, offsetof(controller_outputs_t, snapshot));

@@ -9,11 +9,11 @@
 
 #include <string.h>
 
-static bool is_any_link_lost(const controller_t *self, const cycle_t *cycle)
+static bool is_any_link_lost(const controller_t *self)
 {
     bool is_lost = false;
     for (uint32_t i = 0U; i < self->axis_count; i++) {
-        is_lost = is_lost || !link_is_usable(controller_link(self, cycle, i));
+        is_lost = is_lost || !link_is_usable(controller_link(self, i));
     }
     return is_lost;
 }
@@ -27,7 +27,7 @@ static permit_common_facts_t common_facts(const controller_t *self, const cycle_
         .is_estop_pulled = (self->estop.state == ESTOP_LATCH_STATE_PULLED),
         .is_estop_latched = (self->estop.state == ESTOP_LATCH_STATE_LATCHED),
         .is_loop_stopped = (self->loop.chart.state == LOOP_GUARD_STATE_STOPPED),
-        .is_link_lost = is_any_link_lost(self, cycle),
+        .is_link_lost = is_any_link_lost(self),
         .is_pedal_faulty = (pedal == PEDAL_GATE_STATE_FAULT),
         .is_scanner_active = (cycle->inputs->scanner_active != 0U),
         .is_armed = procedure_is_armed(&self->procedure),
@@ -98,21 +98,32 @@ static bool is_too_fast(controller_t *self, const cycle_t *cycle, uint32_t index
                           cycle->inputs->elapsed_us);
 }
 
+static uint32_t control_of(const link_t *link, uint32_t state)
+{
+    const bool is_allowed = (state & CARD_SYSTEM_PERMIT) != 0U;
+    return link_is_usable(link) ? (is_allowed ? CARD_CONTROL_AMPLIFIER : 0U)
+                                : CARD_CONTROL_CLEAR_FAULT;
+}
+
+static inline void send(controller_t *self, const cycle_t *cycle, const card_command_t *command)
+{
+    card_frame_encode_command(command, cycle->outputs->frames[command->slot]);
+    cycle->outputs->frames_to_send |= (uint32_t)1U << command->slot;
+    link_note_sent(&self->links[command->slot], self->sequence, &command->drive);
+}
+
 /* The only place where a drive enters an outgoing frame; it comes from the permit. */
-static void send(controller_t *self, const cycle_t *cycle, uint32_t index, uint32_t state,
-                 const card_drive_t *drive)
+static void send_to_axis(controller_t *self, const cycle_t *cycle, uint32_t index, uint32_t state,
+                         const card_drive_t *drive)
 {
     const axis_config_t *const config = &cycle->robot->axes[index];
-    const uint32_t slot = cycle->slots[index];
-    link_t *const link = &self->links[slot];
-    const bool is_allowed = (state & CARD_SYSTEM_PERMIT) != 0U;
+    const link_t *const link = controller_link(self, index);
     card_command_t command = {
-        .slot = slot,
+        .slot = self->cards.slots[index],
         .sequence = self->sequence,
         .time_us = self->time_us,
         .system_state = state,
-        .control = link_is_usable(link) ? (is_allowed ? CARD_CONTROL_AMPLIFIER : 0U)
-                                        : CARD_CONTROL_CLEAR_FAULT,
+        .control = control_of(link, state),
         .drive = *drive,
         .watchdog_us = LIMIT_CARD_WATCHDOG_US,
         .overspeed_ticks_per_s = (uint32_t)config->full_speed_ticks_per_s * 2U,
@@ -121,12 +132,35 @@ static void send(controller_t *self, const cycle_t *cycle, uint32_t index, uint3
         .axis_id = index,
     };
     if (link_is_usable(link) && !controller_is_blind(self)) {
-        axis_guard(&self->axes[index], config, is_allowed, &command.guard_minimum_ticks,
-                   &command.guard_maximum_ticks);
+        axis_guard(&self->axes[index], config, (state & CARD_SYSTEM_PERMIT) != 0U,
+                   &command.guard_minimum_ticks, &command.guard_maximum_ticks);
     }
-    card_frame_encode_command(&command, cycle->outputs->frames[slot]);
-    cycle->outputs->frames_to_send |= (uint32_t)1U << slot;
-    link_note_sent(link, self->sequence, &command.drive);
+    send(self, cycle, &command);
+}
+
+/* A card without an axis: its drive stays off. */
+static void send_to_sensor(controller_t *self, const cycle_t *cycle, uint32_t slot, uint32_t state)
+{
+    const card_command_t command = {
+        .slot = slot,
+        .sequence = self->sequence,
+        .time_us = self->time_us,
+        .system_state = state,
+        .control = control_of(&self->links[slot], state),
+        .watchdog_us = LIMIT_CARD_WATCHDOG_US,
+        .axis_id = CARD_NO_AXIS,
+    };
+    send(self, cycle, &command);
+}
+
+static void send_to_sensors(controller_t *self, const cycle_t *cycle, uint32_t state)
+{
+    const uint32_t slots = self->cards.sensor_slots;
+    for (uint32_t i = 0U; (slots >> i) != 0U; i++) {
+        if (((slots >> i) & 1U) != 0U) {
+            send_to_sensor(self, cycle, i, state);
+        }
+    }
 }
 
 static void clear_unused_frames(const cycle_t *cycle)
@@ -152,6 +186,14 @@ static void remember(controller_t *self, const cycle_t *cycle, uint32_t index,
     record->speed_cap_percent = permit->speed_cap_percent;
 }
 
+/* What the cards of the axes apply now. */
+static void gather_sent(const controller_t *self, card_drive_t sent[ROBOT_AXIS_MAX])
+{
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
+        sent[i] = controller_link(self, i)->sent;
+    }
+}
+
 void controller_drive(controller_t *self, const cycle_t *cycle,
                       const card_drive_t requests[ROBOT_AXIS_MAX])
 {
@@ -163,9 +205,7 @@ void controller_drive(controller_t *self, const cycle_t *cycle,
                    .axes = {.axes = self->axes, .sent = sent, .requests = requests},
                    .kind = kind};
     const uint32_t state = system_state(self, cycle);
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
-        sent[i] = controller_link(self, cycle, i)->sent;
-    }
+    gather_sent(self, sent);
     if (!facts.is_memory_damaged) {
         view.at_coupled_limit = coupled_guard_blocks(cycle->robot, &view.axes);
     }
@@ -174,8 +214,9 @@ void controller_drive(controller_t *self, const cycle_t *cycle,
         remember(self, cycle, i, &permit);
         const card_drive_t drive = permit_apply(
             &permit, is_too_fast(self, cycle, i, view.facts.is_every_axis_homed), &requests[i]);
-        send(self, cycle, i, state | (permit.is_allowed ? CARD_SYSTEM_PERMIT : 0U), &drive);
+        send_to_axis(self, cycle, i, state | (permit.is_allowed ? CARD_SYSTEM_PERMIT : 0U), &drive);
     }
+    send_to_sensors(self, cycle, state);
     clear_unused_frames(cycle);
     self->sequence++;
 }

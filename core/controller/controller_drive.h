@@ -14,6 +14,7 @@
  * @satisfies SWR-CMD-003
  * @satisfies SWR-CTRL-003
  * @satisfies SWR-CARD-005
+ * @satisfies SWR-LINK-010
  */
 void controller_drive(controller_t *self, const cycle_t *cycle,
                       const card_drive_t requests[ROBOT_AXIS_MAX]);

@@ -6,12 +6,11 @@
 
 #include "controller/controller.h"
 
-/** What the parts of one cycle share. `slots` is controller_check_memory()'s. */
+/** What the parts of one cycle share. */
 typedef struct {
     const robot_t *robot;
     const controller_inputs_t *inputs;
     controller_outputs_t *outputs;
-    uint32_t slots[ROBOT_AXIS_MAX]; /**< Of the axes' cards, each below CARD_SLOT_COUNT. */
 } cycle_t;
 
 /**

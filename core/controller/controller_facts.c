@@ -1,25 +1,23 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "controller/controller_facts.h"
 
-static bool is_hardware_ready(const controller_t *self, const cycle_t *cycle)
+static bool is_hardware_ready(const controller_t *self, const controller_inputs_t *inputs)
 {
-    const controller_inputs_t *const inputs = cycle->inputs;
     bool is_ready = (inputs->estop_open == 0U) && (inputs->pedal_a == inputs->pedal_b);
     for (uint32_t i = 0U; i < self->axis_count; i++) {
-        is_ready = is_ready && link_is_healthy_now(controller_link(self, cycle, i));
+        is_ready = is_ready && link_is_healthy_now(controller_link(self, i));
     }
     return is_ready;
 }
 
 /* What START_UP clears must be clear before a motion is armed. */
-static bool is_able(const controller_t *self, const cycle_t *cycle)
+static bool is_able(const controller_t *self)
 {
     bool is_every_part_able = (self->estop.state == ESTOP_LATCH_STATE_CLEAR) &&
                               (self->loop.chart.state != LOOP_GUARD_STATE_STOPPED) &&
                               (self->pedal.chart.state != PEDAL_GATE_STATE_FAULT);
     for (uint32_t i = 0U; i < self->axis_count; i++) {
-        is_every_part_able = is_every_part_able &&
-                             link_is_usable(controller_link(self, cycle, i)) &&
+        is_every_part_able = is_every_part_able && link_is_usable(controller_link(self, i)) &&
                              axis_is_enabled(&self->axes[i]);
     }
     return is_every_part_able;
@@ -46,9 +44,9 @@ bool controller_is_homed(const controller_t *self)
 workphase_inputs_t controller_guards(const controller_t *self, const cycle_t *cycle)
 {
     const workphase_inputs_t guards = {
-        .is_hardware_ready = is_hardware_ready(self, cycle),
+        .is_hardware_ready = is_hardware_ready(self, cycle->inputs),
         .is_confirmation_due = is_confirmation_due(self, cycle->robot),
-        .is_able = is_able(self, cycle),
+        .is_able = is_able(self),
         .is_homed = controller_is_homed(self),
         .is_registered = (self->plan.is_registered != 0U),
         .has_target = (self->plan.has_target != 0U),

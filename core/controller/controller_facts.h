@@ -15,10 +15,9 @@ static inline bool controller_is_blind(const controller_t *self)
 }
 
 /** The link to the card of axis `index`. */
-static inline const link_t *controller_link(const controller_t *self, const cycle_t *cycle,
-                                            uint32_t index)
+static inline const link_t *controller_link(const controller_t *self, uint32_t index)
 {
-    return &self->links[cycle->slots[index]];
+    return &self->links[self->cards.slots[index]];
 }
 
 /** Every axis is homed. */

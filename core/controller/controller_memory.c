@@ -11,8 +11,9 @@
 #include <stddef.h>
 #include <string.h>
 
-#define CARDS ROBOT_AXIS_MAX /* In the order of the axes. */
-#define PLAN (CARDS + ROBOT_AXIS_MAX)
+#define CARDS ROBOT_AXIS_MAX /* Of the axes, in their order. */
+#define SENSORS (CARDS + ROBOT_AXIS_MAX)
+#define PLAN (SENSORS + 1U)
 #define MODE (PLAN + 1U)
 #define INTERLOCKS (MODE + 1U)
 #define REST (INTERLOCKS + 1U)
@@ -54,15 +55,26 @@ static const range_t confirm_range = {offsetof(controller_t, confirm),
 static const range_t forgotten_range = {offsetof(controller_t, pending),
                                         offsetof(controller_t, has_started)};
 
-/* Bounded, whatever the memory says. */
-static uint32_t kept_slot(const controller_t *self, uint32_t index)
+/* What of a link decides in a cycle to come. */
+static uint32_t seal_of_link(uint32_t seal, const link_t *link)
 {
-    const uint32_t slot = (uint32_t)self->slots[index];
-    return (slot < CARD_SLOT_COUNT) ? slot : 0U;
+    const uint8_t *const bytes = (const uint8_t *)link;
+    return seal_of(seal, &bytes[link_range.from], link_range.to - link_range.from);
 }
 
-static void compute(const controller_t *self, const uint32_t slots[ROBOT_AXIS_MAX],
-                    uint32_t seals[CONTROLLER_SECTIONS])
+static uint32_t seal_of_sensors(const controller_t *self)
+{
+    const uint32_t slots = self->cards.sensor_slots;
+    uint32_t seal = SEAL_START;
+    for (uint32_t i = 0U; (slots >> i) != 0U; i++) {
+        if (((slots >> i) & 1U) != 0U) {
+            seal = seal_of_link(seal, &self->links[i]);
+        }
+    }
+    return seal;
+}
+
+static void compute(const controller_t *self, uint32_t seals[CONTROLLER_SECTIONS])
 {
     const uint8_t *const bytes = (const uint8_t *)self;
     for (uint32_t i = PLAN; i < CONTROLLER_SECTIONS; i++) {
@@ -77,20 +89,15 @@ static void compute(const controller_t *self, const uint32_t slots[ROBOT_AXIS_MA
                           self->axis_count * sizeof self->records[0]);
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         const uint8_t *const axis = (const uint8_t *)&self->axes[i];
-        const uint8_t *const link = (const uint8_t *)&self->links[slots[i]];
         seals[i] = seal_of(SEAL_START, &axis[axis_range.from], axis_range.to - axis_range.from);
-        seals[CARDS + i] =
-            seal_of(SEAL_START, &link[link_range.from], link_range.to - link_range.from);
+        seals[CARDS + i] = seal_of_link(SEAL_START, controller_link(self, i));
     }
+    seals[SENSORS] = seal_of_sensors(self);
 }
 
 void controller_seal(controller_t *self)
 {
-    uint32_t slots[ROBOT_AXIS_MAX];
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
-        slots[i] = kept_slot(self, i);
-    }
-    compute(self, slots, self->seals);
+    compute(self, self->seals);
 }
 
 static void disable_all(controller_t *self)
@@ -139,10 +146,22 @@ static void forget_axis(controller_t *self, const cycle_t *cycle, uint32_t index
 static void forget_card(controller_t *self, const cycle_t *cycle, uint32_t index)
 {
     controller_note(self, cycle, EVENT_MEMORY_DAMAGED, (uint32_t)EVENT_MEMORY_CARD, (int32_t)index);
-    link_distrust(&self->links[cycle->slots[index]], (uint32_t)cycle->robot->axes[index].card_type,
-                  cycle->robot->card_firmware);
+    link_distrust(&self->links[self->cards.slots[index]],
+                  (uint32_t)cycle->robot->axes[index].card_type, cycle->robot->card_firmware);
     controller_lose_card(self, cycle, index, false);
     controller_tell_order(self, cycle, ARMING_EVENT_FAULT, STATUS_FAULT_PRESENT);
+}
+
+/* The cards without an axis: nothing rests on them. */
+static void forget_sensors(controller_t *self, const cycle_t *cycle)
+{
+    const uint32_t slots = self->cards.sensor_slots;
+    for (uint32_t i = 0U; (slots >> i) != 0U; i++) {
+        if (((slots >> i) & 1U) != 0U) {
+            link_distrust(&self->links[i], (uint32_t)CARD_TYPE_SENSOR, cycle->robot->card_firmware);
+            controller_note(self, cycle, EVENT_CARD_LOST, i, (int32_t)LINK_CAUSE_MEMORY);
+        }
+    }
 }
 
 /* One of the sections of which there is one. */
@@ -174,26 +193,19 @@ static void forget(controller_t *self, const cycle_t *cycle, uint32_t section)
     controller_tell_order(self, cycle, ARMING_EVENT_FAULT, STATUS_FAULT_PRESENT);
 }
 
-/* How many axes there are, and where their cards, says a table that is whole. */
-static void take_axes(controller_t *self, cycle_t *cycle)
+/* How many axes there are, and where the cards, says a table that is whole; one that is not is not
+ * asked. */
+static void take_axes(controller_t *self, const robot_t *robot, uint32_t damage)
 {
-    self->axis_count = cycle->robot->axis_count;
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
-        const uint8_t slot = cycle->robot->axes[i].slot;
-        self->slots[i] = slot;
-        cycle->slots[i] = slot;
+    if (damage == 0U) {
+        self->axis_count = robot->axis_count;
+        robot_cards_find(&self->cards, robot);
+        return;
     }
-}
-
-/* One that is damaged is not asked. */
-static void keep_axes(controller_t *self, cycle_t *cycle)
-{
     if (self->axis_count > ROBOT_AXIS_MAX) {
         self->axis_count = ROBOT_AXIS_MAX;
     }
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
-        cycle->slots[i] = kept_slot(self, i);
-    }
+    robot_cards_bound(&self->cards);
 }
 
 static void check_table(controller_t *self, const cycle_t *cycle, uint32_t damage)
@@ -223,6 +235,9 @@ static void check_state(controller_t *self, const cycle_t *cycle,
             forget(self, cycle, i - 1U);
         }
     }
+    if (seals[SENSORS] != self->seals[SENSORS]) {
+        forget_sensors(self, cycle);
+    }
     for (uint32_t i = self->axis_count; i > 0U; i--) {
         if (seals[CARDS + i - 1U] != self->seals[CARDS + i - 1U]) {
             forget_card(self, cycle, i - 1U);
@@ -235,16 +250,12 @@ static void check_state(controller_t *self, const cycle_t *cycle,
     }
 }
 
-void controller_check_memory(controller_t *self, cycle_t *cycle)
+void controller_check_memory(controller_t *self, const cycle_t *cycle)
 {
     uint32_t seals[CONTROLLER_SECTIONS];
     const uint32_t damage = robot_damage(cycle->robot);
-    if (damage == 0U) {
-        take_axes(self, cycle);
-    } else {
-        keep_axes(self, cycle);
-    }
-    compute(self, cycle->slots, seals);
+    take_axes(self, cycle->robot, damage);
+    compute(self, seals);
     controller_because(self, EVENT_CAUSE_NONE, 0U);
     check_state(self, cycle, seals);
     check_table(self, cycle, damage);

@@ -8,7 +8,7 @@
 /**
  * Compares the state with its seals, and the robot's table with its own, before anything is used.
  * A damaged section is forgotten and brought to its safe state; a damaged table forbids all motion
- * until the programs are restarted. Fills `cycle->slots`.
+ * until the programs are restarted. Finds the cards.
  *
  * @satisfies SWR-MEMORY-001
  * @satisfies SWR-MEMORY-002
@@ -17,6 +17,6 @@
  * @satisfies SWR-MEMORY-006
  * @satisfies SWR-MEMORY-007
  */
-void controller_check_memory(controller_t *self, cycle_t *cycle);
+void controller_check_memory(controller_t *self, const cycle_t *cycle);
 
 #endif

@@ -40,9 +40,14 @@ static void begin_start_up(controller_t *self, const cycle_t *cycle)
     pedal_gate_reset(&self->pedal);
     loop_guard_reset(&self->loop);
     for (uint32_t i = 0U; i < self->axis_count; i++) {
-        link_t *const link = &self->links[cycle->slots[i]];
+        link_t *const link = &self->links[self->cards.slots[i]];
         link_reset(link);
         axis_enable(&self->axes[i], !link_is_usable(link));
+    }
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+        if (((self->cards.sensor_slots >> slot) & 1U) != 0U) {
+            link_reset(&self->links[slot]);
+        }
     }
 }
 

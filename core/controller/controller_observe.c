@@ -9,9 +9,9 @@
 
 /* An axis that was off when its card fell silent stands where it was, or shows it when the card is
  * back. */
-static bool is_only_out_of_sight(const controller_t *self, const cycle_t *cycle, uint32_t index)
+static bool is_only_out_of_sight(const controller_t *self, uint32_t index)
 {
-    const link_t *const link = controller_link(self, cycle, index);
+    const link_t *const link = controller_link(self, index);
     return supervision_is_at_rest(&self->axes[index].supervision) &&
            (link->sent.mode == (uint32_t)CARD_DRIVE_OFF) &&
            (link->sent_before.mode == (uint32_t)CARD_DRIVE_OFF) && link_was_only_silent(link);
@@ -20,7 +20,7 @@ static bool is_only_out_of_sight(const controller_t *self, const cycle_t *cycle,
 void controller_lose_card(controller_t *self, const cycle_t *cycle, uint32_t index,
                           bool is_in_doubt)
 {
-    const uint32_t slot = cycle->slots[index];
+    const uint32_t slot = self->cards.slots[index];
     axis_t *const axis = &self->axes[index];
     controller_note(self, cycle, EVENT_CARD_LOST, slot, (int32_t)self->links[slot].cause);
     if (is_in_doubt) {
@@ -39,7 +39,7 @@ typedef struct {
     bool is_damaged; /* Its chart was. */
 } link_step_t;
 
-static link_step_t step_link(controller_t *self, const cycle_t *cycle, uint32_t slot)
+static inline link_step_t step_link(controller_t *self, const cycle_t *cycle, uint32_t slot)
 {
     link_t *const link = &self->links[slot];
     const bool is_received = (cycle->inputs->frames_received & ((uint32_t)1U << slot)) != 0U;
@@ -65,15 +65,54 @@ static link_step_t step_link(controller_t *self, const cycle_t *cycle, uint32_t 
 
 static void observe_card(controller_t *self, const cycle_t *cycle, uint32_t index)
 {
-    const uint32_t slot = cycle->slots[index];
+    const uint32_t slot = self->cards.slots[index];
     const link_step_t step = step_link(self, cycle, slot);
     if (step.is_lost) {
         controller_lose_card(self, cycle, index,
-                             !step.is_damaged && is_only_out_of_sight(self, cycle, index));
+                             !step.is_damaged && is_only_out_of_sight(self, index));
     }
     /* Also what was confirmed and fell silent again before START_UP. */
     if (self->links[slot].age_cycles >= LIMIT_LINK_AGE_CYCLES) {
         axis_doubt(&self->axes[index]);
+    }
+}
+
+/* Cards without an axis: one that is lost is told of, and nothing else. */
+static void observe_sensors(controller_t *self, const cycle_t *cycle)
+{
+    const uint32_t slots = self->cards.sensor_slots;
+    for (uint32_t i = 0U; (slots >> i) != 0U; i++) {
+        if ((((slots >> i) & 1U) != 0U) && step_link(self, cycle, i).is_lost) {
+            controller_note(self, cycle, EVENT_CARD_LOST, i, (int32_t)self->links[i].cause);
+        }
+    }
+}
+
+/* A card that the robot does not name: what comes from there may be noise, so that only its first
+ * valid frame is told of. */
+static void observe_stranger(controller_t *self, const cycle_t *cycle, uint32_t slot)
+{
+    const uint32_t bit = (uint32_t)1U << slot;
+    link_t *const link = &self->links[slot];
+    const bool is_received = (cycle->inputs->frames_received & bit) != 0U;
+    (void)link_check(link);
+    link_step(link, slot, is_received ? cycle->inputs->frames[slot] : NULL,
+              cycle->inputs->elapsed_us);
+    if ((link->is_fresh != 0U) && ((self->strangers & bit) == 0U)) {
+        self->strangers |= bit;
+        controller_note(self, cycle, EVENT_UNEXPECTED_CARD, slot, (int32_t)link->report.card_type);
+    }
+}
+
+/* In the slots that the robot does not name. */
+static void observe_strangers(controller_t *self, const cycle_t *cycle)
+{
+    const uint32_t answered = cycle->inputs->frames_received | self->strangers;
+    const uint32_t slots = answered & ~self->cards.named_slots & CARD_EVERY_SLOT;
+    for (uint32_t i = 0U; (slots >> i) != 0U; i++) {
+        if (((slots >> i) & 1U) != 0U) {
+            observe_stranger(self, cycle, i);
+        }
     }
 }
 
@@ -183,7 +222,7 @@ static void note_grade(controller_t *self, const cycle_t *cycle, uint32_t index)
 static void observe_axis(controller_t *self, const cycle_t *cycle, uint32_t index)
 {
     const axis_config_t *const config = &cycle->robot->axes[index];
-    const link_t *const link = controller_link(self, cycle, index);
+    const link_t *const link = controller_link(self, index);
     const card_report_t *const report = (link->is_fresh != 0U) ? &link->report : NULL;
     if (axis_check(&self->axes[index])) {
         controller_note(self, cycle, EVENT_CHART_REPAIRED, (uint32_t)EVENT_CHART_AXIS,
@@ -317,7 +356,7 @@ static void observe_button(controller_t *self, const cycle_t *cycle)
     }
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         axis_t *const axis = &self->axes[i];
-        if (link_is_healthy_now(controller_link(self, cycle, i)) &&
+        if (link_is_healthy_now(controller_link(self, i)) &&
             axis_confirm(axis, &cycle->robot->axes[i])) {
             controller_note(self, cycle, EVENT_AXIS_CONFIRMED, i, axis->encoder.position_ticks);
         }
@@ -353,5 +392,7 @@ void controller_observe(controller_t *self, const cycle_t *cycle)
             observe_axis(self, cycle, i);
         }
     }
+    observe_sensors(self, cycle);
+    observe_strangers(self, cycle);
     observe_button(self, cycle);
 }

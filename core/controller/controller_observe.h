@@ -25,6 +25,9 @@ void controller_lose_card(controller_t *self, const cycle_t *cycle, uint32_t ind
  * @satisfies SWR-REF-007
  * @satisfies SWR-EVENT-003
  * @satisfies SWR-AXIS-023
+ * @satisfies SWR-LINK-009
+ * @satisfies SWR-LINK-010
+ * @satisfies SWR-LINK-011
  */
 void controller_observe(controller_t *self, const cycle_t *cycle);
 

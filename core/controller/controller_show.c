@@ -104,7 +104,7 @@ static void show_axis(const controller_t *self, const cycle_t *cycle, uint32_t i
 {
     const axis_t *const axis = &self->axes[index];
     const axis_record_t *const record = &self->records[index];
-    const card_drive_t *const sent = &controller_link(self, cycle, index)->sent;
+    const card_drive_t *const sent = &controller_link(self, index)->sent;
     snapshot_axis_t *const shown = &cycle->outputs->snapshot.axes[index];
     shown->power = (uint32_t)axis->chart.power;
     shown->reference = (uint32_t)axis->chart.reference;

@@ -117,6 +117,7 @@ typedef struct {
     uint32_t crc;           /**< CRC-32C of the robot file the table was compiled from. */
     uint32_t kind;          /**< ROBOT_KIND_: whose kinematics. */
     uint32_t card_firmware; /**< Of every card: major << 16 | minor << 8 | patch. */
+    uint32_t sensor_slots;  /**< Bit n: slot n holds a card without an axis, CARD_TYPE_SENSOR. */
     uint32_t needle_axis;   /**< The axis that moves the needle along its line. */
     uint32_t pose_mask;     /**< Bit n: it has the pose n of pose_name_t. */
     uint32_t coupled_limit_count;

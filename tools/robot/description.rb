@@ -169,15 +169,18 @@ module Robot
   #
   # @satisfies SWR-ROBOT-001
   # @satisfies SWR-ROBOT-021
+  # @satisfies SWR-ROBOT-025
   class Description
     LARGEST_DEPTH_MM = 200
     LARGEST_TRAVEL_MM = 2000
 
-    attr_reader :name, :kinematics, :card_firmware, :axes, :geometry, :coupled_limits, :followers, :poses
+    CARDS = %w[sensor].freeze # That go without an axis.
+
+    attr_reader :name, :kinematics, :card_firmware, :axes, :sensor_slots, :geometry, :coupled_limits, :followers, :poses
 
     def initialize(path, text)
       nodes = Node.parse(path, text).mapping(%w[name kinematics card_firmware geometry probe coupled_limits axes],
-                                             ['poses'])
+                                             %w[cards poses])
       @name = nodes['name'].name
       @kinematics = nodes['kinematics'].choice(Kinematics.names)
       @expected = Kinematics.new(@kinematics)
@@ -188,6 +191,7 @@ module Robot
       check_lengths
       @coupled_limits = read_coupled_limits(nodes['coupled_limits'])
       @axes = read_axes(nodes['axes'])
+      @sensor_slots = nodes.key?('cards') ? read_sensors(nodes['cards']) : []
       @followers = Followers.new(@axes)
       check_axes
       @poses = read_poses(nodes['poses'])
@@ -257,6 +261,18 @@ module Robot
     def read_poses(node)
       poses = node ? node.mapping([], Pose::NAMES) : {}
       poses.transform_values { |pose| Pose.new(pose, @axes).ticks }
+    end
+
+    # Their slots.
+    def read_sensors(node)
+      holders = @axes.to_h { |axis| [axis['slot'], axis['name']] }
+      node.sequence.map do |card|
+        nodes = card.mapping(%w[slot card])
+        slot = nodes['slot'].integer(Axis::WHOLE.fetch('slot'))
+        nodes['slot'].refuse("is #{slot}, which #{holders[slot]} has; expected another") if holders.key?(slot)
+        holders[slot] = nodes['card'].choice(CARDS)
+        slot
+      end
     end
 
     def unique(axes, key)

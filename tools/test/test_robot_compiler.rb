@@ -70,6 +70,24 @@ class TestRobotCompiler < Minitest::Test
     assert_equal 3, table.scan('(uint8_t)AXIS_UNIT_RAD').size
   end
 
+  CARDS = "cards: [{slot: 8, card: sensor}, {slot: 0, card: sensor}]\n"
+
+  def test_SWR_ROBOT_025_the_table_knows_the_slots_of_cards_without_an_axis
+    assert_includes compile(TEXT).last, '.sensor_slots = 0x000U'
+    assert_includes compile(TEXT + CARDS).last, '.sensor_slots = 0x101U'
+  end
+
+  def test_SWR_ROBOT_025_a_slot_is_given_once
+    assert_refused(TEXT + CARDS.sub('8', '7'), 'cards[0].slot: is 7, which head has; expected another', at: 'cards:')
+    assert_refused(TEXT + CARDS.sub('0', '8'), 'cards[1].slot: is 8, which sensor has; expected another', at: 'cards:')
+    assert_refused(TEXT + CARDS.sub('8', '10'), 'cards[0].slot: is 10; expected 0 to 9', at: 'cards:')
+  end
+
+  def test_SWR_ROBOT_025_a_card_that_drives_needs_an_axis
+    assert_refused(TEXT + CARDS.sub('sensor', 'pwm'), 'cards[0].card: is pwm; expected sensor', at: 'cards:')
+    assert_refused("#{TEXT}cards: [{slot: 8}]\n", 'cards[0].card: is missing', at: 'cards:')
+  end
+
   def test_SWR_ROBOT_001_the_command_line_needs_a_file_and_a_directory
     errors = StringIO.new
     assert_equal 2, Robot::Command.run([], errors: errors)
@@ -92,7 +110,7 @@ class TestRobotCompiler < Minitest::Test
   def test_SWR_ROBOT_001_an_unknown_key_is_refused
     assert_refused(with('kinematics: neuro', "kinematics: neuro\ncolour: red"),
                    'colour: is unknown; expected name, kinematics, card_firmware, geometry, probe, coupled_limits, ' \
-                   'axes, poses', at: 'colour')
+                   'axes, cards, poses', at: 'colour')
     text = with('    slot: 4', "    slot: 4\n    slat: 4", axis: 'lateral')
     status, errors, = compile(text)
     assert_equal 1, status

@@ -135,15 +135,12 @@ void test_SWR_COUPLE_003_a_barred_axis_in_doubt_may_be_confirmed(void)
 /* Whoever asks: the permit allows no drive across a needle that is in. */
 void test_SWR_JOG_016_the_permit_drives_nothing_across_a_needle_that_is_in(void)
 {
-    cycle_t cycle = {.robot = &rig.robot, .inputs = &rig.inputs, .outputs = &rig.outputs};
+    const cycle_t cycle = {.robot = &rig.robot, .inputs = &rig.inputs, .outputs = &rig.outputs};
     card_drive_t requests[ROBOT_AXIS_MAX] = {{0}};
     lose_at_target(AXIS_LATERAL);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
     rig_press(&rig);
     rig_cycles(&rig, 100U);
-    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
-        cycle.slots[i] = robot_neuro.axes[i].slot;
-    }
     requests[AXIS_LATERAL].mode = CARD_DRIVE_NON_PWM;
     requests[AXIS_INSERTION] = rig_sent(&rig, AXIS_INSERTION).drive;
     TEST_ASSERT_NOT_EQUAL(CARD_DRIVE_OFF, requests[AXIS_INSERTION].mode);

@@ -546,3 +546,37 @@ void test_SWR_BOX_004_the_same_seed_and_calls_give_the_same_bytes(void)
     TEST_ASSERT_EQUAL_HEX32(first, crc_of_a_run(7U));
     TEST_ASSERT_NOT_EQUAL_HEX32(first, crc_of_a_run(8U));
 }
+
+void test_SWR_LINK_010_a_card_without_an_axis_answers_and_trips_at_a_drive(void)
+{
+    card_report_t report;
+    robot_t robot = robot_neuro;
+    robot.sensor_slots = 0x100U;
+    box_init(&box, &robot, 1U);
+    begin_sequence();
+    commands[8] = (card_command_t){.slot = 8U,
+                                   .sequence = 1U,
+                                   .control = CARD_CONTROL_AMPLIFIER,
+                                   .drive = {CARD_DRIVE_NON_PWM, 1U, 0U}};
+    TEST_ASSERT_EQUAL_HEX32(USED_SLOTS | 0x100U, exchange(ALL_SLOTS));
+    (void)exchange(ALL_SLOTS);
+    TEST_ASSERT_EQUAL(CARD_FRAME_OK, card_frame_decode_report(received[8], 8U, &report));
+    TEST_ASSERT_EQUAL_UINT32(CARD_TYPE_SENSOR, report.card_type);
+    TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_OFF, report.applied.mode);
+    TEST_ASSERT_BITS_HIGH(CARD_STATUS_DRIVER_FAULT, report.status);
+}
+
+void test_SWR_LINK_010_a_card_without_an_axis_takes_the_orders_of_cards_only(void)
+{
+    robot_t robot = robot_neuro;
+    robot.sensor_slots = 0x100U;
+    box_init(&box, &robot, 1U);
+    TEST_ASSERT_FALSE(box_command(&box, "motor 8 stuck", reply, sizeof reply));
+    TEST_ASSERT_FALSE(box_command(&box, "card 8 asleep", reply, sizeof reply));
+    TEST_ASSERT_FALSE(box_command(&box, "card 9 silent", reply, sizeof reply));
+    TEST_ASSERT_NOT_NULL(strstr(reply, ", 8 sensor."));
+    TEST_ASSERT_TRUE(box_command(&box, "card 8 silent", reply, sizeof reply));
+    TEST_ASSERT_EQUAL_HEX32(USED_SLOTS, exchange(ALL_SLOTS));
+    TEST_ASSERT_TRUE(box_command(&box, "show", reply, sizeof reply));
+    TEST_ASSERT_NOT_NULL(strstr(reply, "8  sensor"));
+}

@@ -25,6 +25,7 @@
 #undef main
 
 TEST_SOURCE_FILE("crc.c")
+TEST_SOURCE_FILE("robot_cards.c")
 TEST_SOURCE_FILE("position_store.c")
 
 #define ALL_SLOTS 0x0FEU

@@ -14,6 +14,7 @@
 #include <string.h>
 
 TEST_SOURCE_FILE("crc.c")
+TEST_SOURCE_FILE("robot_cards.c")
 
 #define SEQUENCE 0xFFFFFFFEU /* Its wrap is inside. */
 #define TIME_US 4711U
@@ -102,6 +103,19 @@ void test_SWR_CTRL_004_every_card_of_the_robot_is_sent_off(void)
         TEST_ASSERT_EQUAL_UINT32(TIME_US, command->time_us);
         TEST_ASSERT_EQUAL_UINT32(i, command->axis_id);
     }
+}
+
+void test_SWR_CTRL_022_a_card_without_an_axis_is_sent_off_as_well(void)
+{
+    robot_t robot = robot_neuro;
+    robot.sensor_slots = 0x100U;
+    answering = ALL_SLOTS | 0x100U;
+    bsp_exchange_Stub(exchange);
+    const drives_off_t done = drives_off(&robot, SEQUENCE, TIME_US);
+    TEST_ASSERT_EQUAL_HEX32(ALL_SLOTS | 0x100U, told[0]);
+    TEST_ASSERT_EQUAL_HEX32(ALL_SLOTS | 0x100U, done.confirmed);
+    TEST_ASSERT_EQUAL_HEX32(CARD_NO_AXIS, heard[8].axis_id);
+    expect_text(&done, "all 8 cards confirm that their drive is off.\n");
 }
 
 void test_SWR_CTRL_004_the_exchange_after_the_frame_confirms_it(void)

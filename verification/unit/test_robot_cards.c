@@ -30,6 +30,32 @@ void test_SWR_ROBOT_013_a_slot_that_is_not_named_has_no_card(void)
     TEST_ASSERT_EQUAL_UINT32(CARD_TYPE_NONE, robot_cards_type(&robot_neuro, NOBODYS_SLOT));
 }
 
+void test_SWR_LINK_009_a_card_without_an_axis_is_a_sensor(void)
+{
+    robot_t robot = robot_neuro;
+    robot_cards_t cards;
+    robot.sensor_slots = (uint32_t)1U << NOBODYS_SLOT;
+    TEST_ASSERT_EQUAL_UINT32(ROBOT_AXIS_MAX, robot_cards_axis(&robot, NOBODYS_SLOT));
+    TEST_ASSERT_EQUAL_UINT32(CARD_TYPE_SENSOR, robot_cards_type(&robot, NOBODYS_SLOT));
+    robot_cards_find(&cards, &robot);
+    TEST_ASSERT_EQUAL_HEX32(0x200U, cards.sensor_slots);
+    TEST_ASSERT_EQUAL_HEX32(0x2FEU, cards.named_slots);
+}
+
+void test_SWR_MEMORY_006_wild_slots_are_made_slots_of_the_box(void)
+{
+    robot_cards_t cards;
+    robot_cards_find(&cards, &robot_neuro);
+    cards.slots[0] = CARD_SLOT_COUNT;
+    cards.sensor_slots = UINT32_MAX;
+    cards.named_slots = UINT32_MAX;
+    robot_cards_bound(&cards);
+    TEST_ASSERT_EQUAL_UINT32(0U, cards.slots[0]);
+    TEST_ASSERT_EQUAL_UINT32(robot_neuro.axes[1].slot, cards.slots[1]);
+    TEST_ASSERT_EQUAL_HEX32(0x3FFU, cards.sensor_slots);
+    TEST_ASSERT_EQUAL_HEX32(0x3FFU, cards.named_slots);
+}
+
 void test_SWR_ROBOT_013_a_table_with_too_many_axes_is_not_read_beyond_its_end(void)
 {
     robot_t robot = robot_neuro;

@@ -68,6 +68,22 @@ test("SWR-CON-002 a lost card names its faults", () => {
   });
 });
 
+test("SWR-LINK-009 a card without an axis has its lamp", () => {
+  const lamp = cardLamp({
+    slot: 3,
+    axis: null,
+    link: "live",
+    age_cycles: 0,
+    frame_errors: 0,
+    faults: [],
+  });
+  expect(lamp).toEqual({
+    label: "Card 3, no axis",
+    level: "normal",
+    word: "LIVE",
+  });
+});
+
 test("SWR-CON-002 the data lamp shows the age", () => {
   expect(dataLamp("live", 20).detail).toBe("under 0.1 s");
   expect(dataLamp("late", 440)).toMatchObject({

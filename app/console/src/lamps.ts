@@ -113,7 +113,7 @@ export function systemLamps(status: Status): LampProperties[] {
 export function cardLamp(card: Card): LampProperties {
   const faults = card.faults.join(", ");
   return {
-    label: `Card ${card.slot}, ${card.axis}`,
+    label: `Card ${card.slot}, ${card.axis ?? "no axis"}`,
     ...find(link, card.link),
     ...(faults === "" ? {} : { detail: faults }),
   };
