@@ -68,14 +68,29 @@ static void arm_workphase(controller_t *self, const command_t *command)
     arm(self, command, mode_of((workphase_t)command->argument), &request);
 }
 
+static solution_t judge_move(controller_t *self, const cycle_t *cycle)
+{
+    solution_t result = {STATUS_MEMORY_DAMAGED, 0U, 0U};
+    if (plan_is_proved(&self->plan, cycle->robot)) {
+        int32_t ticks[ROBOT_AXIS_MAX];
+        controller_positions(self, ticks);
+        result = plan_judge_way(&self->plan, cycle->robot, ticks);
+    } else {
+        plan_forget_target(&self->plan);
+    }
+    return result;
+}
+
 static status_t obey_workphase(controller_t *self, const cycle_t *cycle, const command_t *command,
-                               uint32_t *is_final)
+                               answer_t *answer)
 {
     procedure_actions_t actions;
-    if ((command->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET) &&
-        !plan_is_proved(&self->plan, cycle->robot)) {
-        plan_forget_target(&self->plan);
-        return STATUS_MEMORY_DAMAGED;
+    if (command->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET) {
+        const solution_t judged = judge_move(self, cycle);
+        answer->is_maximum = (uint32_t)judged.is_maximum;
+        if (judged.status != STATUS_OK) {
+            return judged.status;
+        }
     }
     const workphase_inputs_t guards = controller_guards(self, cycle);
     const status_t status =
@@ -90,7 +105,7 @@ static status_t obey_workphase(controller_t *self, const cycle_t *cycle, const c
     }
     if ((actions.arming & ARMING_ACTION_RENEW_PEDAL) != 0U) {
         arm_workphase(self, command);
-        *is_final = 0U;
+        answer->is_final = 0U;
     }
     return STATUS_OK;
 }
@@ -135,7 +150,9 @@ static status_t obey_target(controller_t *self, const cycle_t *cycle, const comm
     if (procedure_workphase(&self->procedure) != WORKPHASE_TARGETING) {
         return STATUS_WRONG_WORKPHASE;
     }
-    const solution_t result = plan_set_target(&self->plan, cycle->robot, &command->pose);
+    int32_t ticks[ROBOT_AXIS_MAX];
+    controller_positions(self, ticks);
+    const solution_t result = plan_set_target(&self->plan, cycle->robot, ticks, &command->pose);
     answer->axis = (uint32_t)result.axis;
     answer->is_maximum = (uint32_t)result.is_maximum;
     if (result.status == STATUS_OK) {
@@ -204,7 +221,7 @@ static status_t obey(controller_t *self, const cycle_t *cycle, const command_t *
     }
     switch (command->kind) {
     case (uint32_t)COMMAND_WORKPHASE:
-        status = obey_workphase(self, cycle, command, &answer->is_final);
+        status = obey_workphase(self, cycle, command, answer);
         break;
     case (uint32_t)COMMAND_REGISTRATION:
         status = obey_registration(self, cycle, command);

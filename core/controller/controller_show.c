@@ -181,9 +181,7 @@ static void show_pose(const controller_t *self, const robot_t *robot, snapshot_t
         (void)memset(&shown->scanner_treatment, 0, sizeof shown->scanner_treatment);
         return;
     }
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
-        ticks[i] = self->axes[i].encoder.position_ticks;
-    }
+    controller_positions(self, ticks);
     joints_from_ticks(robot, ticks, &joints);
     kinematics_forward(robot, &joints, &shown->zframe_treatment);
     rigid_multiply(&self->plan.scanner_zframe, &shown->zframe_treatment, &shown->scanner_treatment);

@@ -3,6 +3,7 @@
 
 #include "limits/requirement_limits.h"
 #include "robot/coupled_limit.h"
+#include "robot/coupled_path.h"
 
 #include <stddef.h>
 #include <string.h>
@@ -97,7 +98,8 @@ static void check_ends(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX]
     }
 }
 
-solution_t plan_set_target(plan_t *self, const robot_t *robot, const rigid_t *scanner_treatment)
+solution_t plan_set_target(plan_t *self, const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX],
+                           const rigid_t *scanner_treatment)
 {
     solution_t result = {.status = rigid_check(scanner_treatment), .axis = 0U, .is_maximum = 0U};
     rigid_t exact;
@@ -125,11 +127,21 @@ solution_t plan_set_target(plan_t *self, const robot_t *robot, const rigid_t *sc
     if (result.status == STATUS_OK) {
         settle(robot, &self->scanner_zframe, &joints, self->target_ticks, &self->scanner_target);
         check_ends(robot, self->target_ticks, &joints, &result);
-        if (result.status == STATUS_OK) {
-            self->has_target = 1U;
-        }
+    }
+    if (result.status == STATUS_OK) {
+        result = coupled_path_judge(robot, ticks, self->target_ticks);
+    }
+    if (result.status == STATUS_OK) {
+        self->has_target = 1U;
     }
     return result;
+}
+
+solution_t plan_judge_way(const plan_t *self, const robot_t *robot,
+                          const int32_t ticks[ROBOT_AXIS_MAX])
+{
+    return (self->has_target != 0U) ? coupled_path_judge(robot, ticks, self->target_ticks)
+                                    : (solution_t){STATUS_OK, 0U, 0U};
 }
 
 status_t plan_confirm(const robot_t *robot, const joints_t *joints, const rigid_t *zframe_treatment)

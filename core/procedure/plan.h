@@ -47,18 +47,33 @@ void plan_init(plan_t *self);
 status_t plan_register(plan_t *self, const robot_t *robot, const rigid_t *scanner_zframe);
 
 /**
- * Takes a treatment pose in scanner coordinates as the target. The depth is decided by
- * kinematics_solve(), with the proposed entry point.
+ * Takes a treatment pose in scanner coordinates as the target, to be gone to from `ticks`. The
+ * depth is decided by kinematics_solve(), with the proposed entry point.
  *
  * @return status as rigid_check() and kinematics_solve(), STATUS_NOT_REGISTERED, STATUS_CLOSURE
  * when forward kinematics does not return the pose, STATUS_SWITCH_ZONE when an axis would end where
- * its limit switch may be active, or the refusal of a coupled limit. There is then no target, not
- * even the one before: who asked for another target must not be taken to the old one.
+ * its limit switch may be active, or the refusal of a coupled limit that the target or the way
+ * there would miss. There is then no target, not even the one before: who asked for another target
+ * must not be taken to the old one.
  *
  * @satisfies SWR-PLAN-004
+ * @satisfies SWR-PLAN-015
  * @satisfies SWR-AXIS-020
  */
-solution_t plan_set_target(plan_t *self, const robot_t *robot, const rigid_t *scanner_treatment);
+solution_t plan_set_target(plan_t *self, const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX],
+                           const rigid_t *scanner_treatment);
+
+/**
+ * May the axes go in step from `ticks` to the accepted target? The needle waits meanwhile, and has
+ * no part in what axes share.
+ *
+ * @return STATUS_OK, also without a target; or the refusal of the coupled limit that the way would
+ * leave
+ *
+ * @satisfies SWR-PLAN-016
+ */
+solution_t plan_judge_way(const plan_t *self, const robot_t *robot,
+                          const int32_t ticks[ROBOT_AXIS_MAX]);
 
 /**
  * The positions can no longer be trusted: the target and what was proposed on the way to it are

@@ -4,11 +4,15 @@
 #include "limits/requirement_limits.h"
 #include "robot/kinematics.h"
 
+int64_t coupled_limit_margin(const coupled_limit_t *limit)
+{
+    return (limit->unit == (uint8_t)AXIS_UNIT_MM) ? (int64_t)LIMIT_COUPLED_MARGIN_NM
+                                                  : (int64_t)LIMIT_COUPLED_MARGIN_BAM;
+}
+
 coupled_side_t coupled_limit_side(const coupled_limit_t *limit, int64_t value)
 {
-    const int64_t margin = (limit->unit == (uint8_t)AXIS_UNIT_MM)
-                               ? (int64_t)LIMIT_COUPLED_MARGIN_NM
-                               : (int64_t)LIMIT_COUPLED_MARGIN_BAM;
+    const int64_t margin = coupled_limit_margin(limit);
     coupled_side_t side = COUPLED_LIMIT_INSIDE;
     if (value < ((int64_t)limit->minimum + margin)) {
         side = COUPLED_LIMIT_BELOW;

@@ -25,10 +25,10 @@ static inline bool coupled_limit_has(const coupled_limit_t *limit, uint32_t inde
     return ((limit->axes >> index) & 1U) != 0U;
 }
 
-/**
- * May a motion end at `value`? Inside: LIMIT_COUPLED_MARGIN_NM, or of an angle
- * LIMIT_COUPLED_MARGIN_BAM, or more from both ends.
- */
+/** How far inside motions end: LIMIT_COUPLED_MARGIN_NM, or of an angle LIMIT_COUPLED_MARGIN_BAM. */
+int64_t coupled_limit_margin(const coupled_limit_t *limit);
+
+/** May a motion end at `value`? Inside: the margin or more from both ends. */
 coupled_side_t coupled_limit_side(const coupled_limit_t *limit, int64_t value);
 
 /** What who would end at `value` is told: STATUS_OK inside, otherwise the refusal of `limit`. */

@@ -51,10 +51,12 @@ module Robot
       @parts.fetch('coupled_limits')
     end
 
-    # Bit n: axis n has part in the coupled limit `name`.
+    # Bit n: axis n has part in the coupled limit `name`. The needle waits while the others go, so it has none.
     def mask(name)
+      others = axes.reject { |axis| needle(axis) == 'along' }
       coupled_limits.fetch(name).fetch('axes').sum do |axis|
-        1 << (axes.index(axis) || refuse("coupled_limits.#{name}", "is of #{axis}; expected of #{axes.join(', ')}"))
+        refuse("coupled_limits.#{name}", "is of #{axis}; expected of #{others.join(', ')}") unless others.include?(axis)
+        1 << axes.index(axis)
       end
     end
 

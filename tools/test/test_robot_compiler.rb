@@ -353,7 +353,8 @@ class TestRobotCompiler < Minitest::Test
     assert_refused(with('maximum: maximum_separation_mm', 'maximum: 75.4'),
                    'coupled_limits[0].maximum: is 75.4; expected more than 75.4', at: 'maximum: 75.4')
     { { 'refusal' => 'NOT_SO' } => 'has the refusal NOT_SO; expected one of refusals',
-      { 'axes' => %w[head toe] } => 'is of toe; expected of head, feet, ' }.each do |changed, reason|
+      { 'axes' => %w[head toe] } => 'is of toe; expected of head, feet, ',
+      { 'axes' => %w[head insertion] } => 'is of insertion; expected of head, feet, lateral, rotation, ' }.each do |changed, reason|
       with_coupled_limits('separation' => limits_of_neuro['separation'].merge(changed)) do
         assert_match(/kinematics\.yml: coupled_limits\.separation: #{Regexp.escape(reason)}/, compile(TEXT)[1])
       end

@@ -19,9 +19,11 @@
 #include "unit/support/contract_trap.h"
 
 TEST_SOURCE_FILE("coupled_limit.c")
+TEST_SOURCE_FILE("coupled_path.c")
 
 static plan_t plan;
 static rigid_t identity;
+static const int32_t at_home[ROBOT_AXIS_MAX];
 
 void setUp(void)
 {
@@ -45,7 +47,8 @@ static rigid_t needle_down(int32_t x_nm, int32_t y_nm, int32_t z_nm)
 void test_SWR_PLAN_004_a_target_without_registration_is_refused(void)
 {
     const rigid_t pose = needle_down(5000000, 190000000, 60000000);
-    TEST_ASSERT_EQUAL(STATUS_NOT_REGISTERED, plan_set_target(&plan, &robot_neuro, &pose).status);
+    TEST_ASSERT_EQUAL(STATUS_NOT_REGISTERED,
+                      plan_set_target(&plan, &robot_neuro, at_home, &pose).status);
     TEST_ASSERT_EQUAL_UINT32(0U, plan.has_target);
 }
 
@@ -53,7 +56,8 @@ void test_SWR_PLAN_004_a_target_that_is_not_rigid_is_refused(void)
 {
     rigid_t pose = needle_down(5000000, 190000000, 60000000);
     pose.rotation_q30[0][0] = 0;
-    TEST_ASSERT_EQUAL(STATUS_NOT_RIGID, plan_set_target(&plan, &robot_neuro, &pose).status);
+    TEST_ASSERT_EQUAL(STATUS_NOT_RIGID,
+                      plan_set_target(&plan, &robot_neuro, at_home, &pose).status);
 }
 
 void test_SWR_PLAN_004_the_way_back_must_return_position_and_direction(void)
@@ -78,9 +82,10 @@ void test_SWR_PLAN_003_after_a_refused_target_there_is_none(void)
     const rigid_t near = needle_down(5000000, 190000000, 60000000);
     const rigid_t far = needle_down(300000000, 190000000, 60000000);
     TEST_ASSERT_EQUAL(STATUS_OK, plan_register(&plan, &robot_neuro, &identity));
-    TEST_ASSERT_EQUAL(STATUS_OK, plan_set_target(&plan, &robot_neuro, &near).status);
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_set_target(&plan, &robot_neuro, at_home, &near).status);
     TEST_ASSERT_EQUAL_UINT32(1U, plan.has_target);
-    TEST_ASSERT_EQUAL(STATUS_AXIS_LIMIT, plan_set_target(&plan, &robot_neuro, &far).status);
+    TEST_ASSERT_EQUAL(STATUS_AXIS_LIMIT,
+                      plan_set_target(&plan, &robot_neuro, at_home, &far).status);
     TEST_ASSERT_EQUAL_UINT32(0U, plan.has_target);
 }
 

@@ -16,10 +16,12 @@
 #include <string.h>
 
 TEST_SOURCE_FILE("coupled_limit.c")
+TEST_SOURCE_FILE("coupled_path.c")
 
 /* The two carriages apart: here the coupled limit is looked at by itself. */
 static robot_t lone;
 static int32_t planned_ticks[ROBOT_AXIS_MAX];
+static int32_t present_ticks[ROBOT_AXIS_MAX];
 static plan_t plan;
 static int32_t wrong_by_nm;
 
@@ -50,6 +52,12 @@ static int64_t value_of(const axis_config_t *axis, int32_t ticks, int calls)
     return fixed_shift_rounded(ticks * axis->unit_per_tick_q16, 16U);
 }
 
+/* As core/robot/joints.c. */
+static int32_t joint_of(const axis_config_t *axis, int32_t ticks, int calls)
+{
+    return fixed_saturate(value_of(axis, ticks, calls));
+}
+
 static void to_ticks(const robot_t *robot, const joints_t *joints, int32_t ticks[ROBOT_AXIS_MAX],
                      int calls)
 {
@@ -64,7 +72,7 @@ static void from_ticks(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX]
 {
     *joints = (joints_t){0};
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
-        joints->value[i] = fixed_saturate(value_of(&robot->axes[i], ticks[i], calls));
+        joints->value[i] = joint_of(&robot->axes[i], ticks[i], calls);
     }
 }
 
@@ -77,6 +85,16 @@ static int64_t separation_of(const robot_t *robot, uint32_t index, const joints_
            robot->geometry_nm[NEURO_HOME_SEPARATION];
 }
 
+/* Highest, 0, where the head is 50 mm out; 10 mm less 10 mm from there. */
+static int64_t hill_of(const robot_t *robot, uint32_t index, const joints_t *joints, int calls)
+{
+    (void)robot;
+    (void)index;
+    (void)calls;
+    const int64_t off_nm = (int64_t)joints->value[AXIS_HEAD] + 50000000;
+    return -(off_nm * off_nm) / 10000000;
+}
+
 void setUp(void)
 {
     rigid_t identity;
@@ -87,11 +105,13 @@ void setUp(void)
     }
     lone = robot_neuro;
     lone.coupled_limit_count = 0U;
+    (void)memset(present_ticks, 0, sizeof present_ticks);
     plan_init(&plan);
     TEST_ASSERT_EQUAL(STATUS_OK, plan_register(&plan, &robot_neuro, &identity));
     kinematics_solve_Stub(solve);
     kinematics_forward_Stub(go_forward);
     joints_value_Stub(value_of);
+    joints_of_Stub(joint_of);
     joints_to_ticks_Stub(to_ticks);
     joints_from_ticks_Stub(from_ticks);
     kinematics_coupled_Stub(separation_of);
@@ -106,7 +126,7 @@ static status_t set_target(int32_t nm)
     rigid_t pose;
     rigid_set_identity(&pose);
     wrong_by_nm = nm;
-    return plan_set_target(&plan, &lone, &pose).status;
+    return plan_set_target(&plan, &lone, present_ticks, &pose).status;
 }
 
 void test_SWR_PLAN_004_a_plan_that_forward_kinematics_contradicts_is_refused(void)
@@ -148,19 +168,59 @@ void test_SWR_COUPLE_002_a_plan_ends_inside_of_the_coupled_limit(void)
     wrong_by_nm = 0;
     planned_ticks[AXIS_FEET] = 0;
     planned_ticks[AXIS_HEAD] = -5338;
-    TEST_ASSERT_EQUAL(STATUS_OK, plan_set_target(&plan, &robot_neuro, &pose).status);
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_set_target(&plan, &robot_neuro, present_ticks, &pose).status);
     planned_ticks[AXIS_HEAD] = -5339;
-    solution_t result = plan_set_target(&plan, &robot_neuro, &pose);
+    solution_t result = plan_set_target(&plan, &robot_neuro, present_ticks, &pose);
     TEST_ASSERT_EQUAL(STATUS_SEPARATION_LIMIT, result.status);
     TEST_ASSERT_EQUAL_UINT8(0U, result.is_maximum);
     planned_ticks[AXIS_HEAD] = -1000;
     planned_ticks[AXIS_FEET] = -1220;
-    TEST_ASSERT_EQUAL(STATUS_OK, plan_set_target(&plan, &robot_neuro, &pose).status);
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_set_target(&plan, &robot_neuro, present_ticks, &pose).status);
     planned_ticks[AXIS_FEET] = -1221;
-    result = plan_set_target(&plan, &robot_neuro, &pose);
+    result = plan_set_target(&plan, &robot_neuro, present_ticks, &pose);
     TEST_ASSERT_EQUAL(STATUS_SEPARATION_LIMIT, result.status);
     TEST_ASSERT_EQUAL_UINT8(1U, result.is_maximum);
     TEST_ASSERT_EQUAL_UINT32(0U, plan.has_target);
     planned_ticks[AXIS_LATERAL] = 0;
-    TEST_ASSERT_EQUAL(STATUS_SWITCH_ZONE, plan_set_target(&plan, &robot_neuro, &pose).status);
+    TEST_ASSERT_EQUAL(STATUS_SWITCH_ZONE,
+                      plan_set_target(&plan, &robot_neuro, present_ticks, &pose).status);
+}
+
+/* From 60 to 40 mm over the hill. */
+static void go_over_the_hill(int32_t top_nm)
+{
+    lone = robot_neuro;
+    lone.coupled_limits[0].is_curved = 1U;
+    lone.coupled_limits[0].minimum = -1000000000;
+    lone.coupled_limits[0].maximum = top_nm;
+    present_ticks[AXIS_HEAD] = -4724;
+    planned_ticks[AXIS_HEAD] = -3150;
+    kinematics_coupled_Stub(hill_of);
+}
+
+void test_SWR_PLAN_015_a_target_is_refused_whose_way_leaves_a_limit_that_both_ends_keep(void)
+{
+    go_over_the_hill(-1000000);
+    TEST_ASSERT_EQUAL(STATUS_SEPARATION_LIMIT, set_target(0));
+    TEST_ASSERT_EQUAL_UINT32(0U, plan.has_target);
+    go_over_the_hill(1000000);
+    TEST_ASSERT_EQUAL(STATUS_OK, set_target(0));
+    TEST_ASSERT_EQUAL_UINT32(1U, plan.has_target);
+    go_over_the_hill(-1000000);
+    present_ticks[AXIS_HEAD] = -3000;
+    TEST_ASSERT_EQUAL(STATUS_OK, set_target(0));
+}
+
+void test_SWR_PLAN_016_the_way_is_judged_again_from_where_the_axes_are_then(void)
+{
+    go_over_the_hill(-1000000);
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_judge_way(&plan, &lone, present_ticks).status);
+    present_ticks[AXIS_HEAD] = -3000;
+    TEST_ASSERT_EQUAL(STATUS_OK, set_target(0));
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_judge_way(&plan, &lone, present_ticks).status);
+    present_ticks[AXIS_HEAD] = -4724;
+    const solution_t judged = plan_judge_way(&plan, &lone, present_ticks);
+    TEST_ASSERT_EQUAL(STATUS_SEPARATION_LIMIT, judged.status);
+    TEST_ASSERT_EQUAL_UINT8(1U, judged.is_maximum);
+    TEST_ASSERT_EQUAL_UINT32(1U, plan.has_target);
 }
