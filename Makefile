@@ -52,9 +52,14 @@ NAMES := $(GEN)/interface/app/names.c
 # Who drives, is driven or drives again finds its robot among all.
 FIND_ROBOT := $(GEN)/robot/app/robots.c $(GEN)/robot/app/robot_names.c
 
-# The board that control is linked with: what it is made of and which programs come with it.
+# A folder of bsp with a board.yml is a board; BOARD=NAME links control with another one than the simulated control box.
+BOARDS := $(patsubst bsp/%/board.yml,%,$(sort $(wildcard bsp/*/board.yml)))
 BOARD ?= sim
+ifeq ($(filter $(BOARDS),$(BOARD)),)
+$(error There is no board "$(BOARD)"; choose one of these with BOARD: $(BOARDS))
+endif
 include bsp/$(BOARD)/board.mk
+BOARD_TABLE := $(GEN)/board/board.c
 CLOCK := app/common/clock.c
 EXCHANGE := $(wildcard app/exchange/exchange*.c)
 EVENT_TEXT := app/common/event_text.c $(GEN)/interface/app/event_words.c
@@ -66,7 +71,9 @@ SOURCES_boresight-http := $(wildcard app/http/*.c) $(CLOCK) $(GEN)/interface/app
     $(GEN)/assets/chart_names.c
 SOURCES_boresight-recorder := $(wildcard app/recorder/*.c app/recording/*.c app/positions/*.c) $(CLOCK) app/common/directory.c $(EVENT_TEXT) $(EXCHANGE) $(NAMES)
 SOURCES_boresight-replay := $(wildcard app/replay/*.c app/recording/*.c) $(GEN)/interface/app/columns.c $(EVENT_TEXT) $(NAMES) $(FIND_ROBOT)
-SOURCES_boresight := $(wildcard app/supervisor/*.c) $(CLOCK) app/common/directory.c $(EXCHANGE) $(NAMES) $(GEN)/robot/app/robot_names.c
+SOURCES_boresight := $(wildcard app/supervisor/*.c) $(CLOCK) app/common/directory.c $(EXCHANGE) $(NAMES) $(GEN)/robot/app/robot_names.c \
+    $(BOARD_TABLE)
+LIBS_boresight-control := $(BOARD_LIBS)
 LIBS_boresight-http := -lcivetweb -lcjson -lpthread
 LIBS_boresight-recorder := -lzstd -lcrypto
 LIBS_boresight-replay := -lzstd -lcrypto
@@ -77,7 +84,7 @@ BINARIES := $(PROGRAMS:%=$(BIN)/%)
 # --- generated sources ---------------------------------------------------------------------------------------
 
 GENERATED := $(GEN)/limits/requirement_limits.h $(GEN)/charts/charts.json $(ROBOT_TABLES) $(GEN)/robot/kinematics.c \
-    $(GEN)/interface/.compiled \
+    $(GEN)/interface/.compiled $(BOARD_TABLE) \
     $(GEN)/assets/chart_names.c
 ASSETS := $(GEN)/assets/assets.c
 
@@ -102,6 +109,13 @@ $(GEN)/robot/kinematics.c: build/robots $(wildcard core/robot/*/kinematics.yml) 
 	ruby tools/robots.rb core/robot $(DEFAULT_ROBOT) $(GEN)/robot
 
 $(FIND_ROBOT): $(GEN)/robot/kinematics.c ;
+
+# Which board there is; control is linked anew when it is another one.
+build/board: FORCE
+	@mkdir -p build; echo '$(BOARD)' | cmp -s - $@ || echo '$(BOARD)' >$@
+
+$(BOARD_TABLE): bsp/$(BOARD)/board.yml build/board tools/boards.rb tools/robot/document.rb $(GEN)/limits/requirement_limits.h
+	ruby tools/boards.rb bsp/$(BOARD) $(GEN)/limits/requirement_limits.h $(@D)
 
 INTERFACE_PARTS := $(wildcard core/interface/*.yml core/robot/*/kinematics.yml tools/interface_compiler.rb tools/interface/*.rb)
 # What of the exchange's segment is declared elsewhere.
@@ -153,10 +167,11 @@ $(OUT)/libcore.a: $(call object,$(CORE_SOURCES))
 define program
 $(OUT)/bin/$(1): $(call object,$(SOURCES_$(1))) $(OUT)/libcore.a
 	@mkdir -p $$(@D)
-	@$$(CC) $$(CFLAGS) $$^ $(LIBS_$(1)) -lrt -lm -o $$@
+	@$$(CC) $$(CFLAGS) $$(filter %.o %.a,$$^) $(LIBS_$(1)) -lrt -lm -o $$@
 	@echo "built $$@"
 endef
 $(foreach p,$(PROGRAMS),$(eval $(call program,$(p))))
+$(OUT)/bin/boresight-control: build/board
 
 $(BIN)/%: build/gcc/bin/%
 	@mkdir -p $(BIN); cp $< $@.new; mv $@.new $@
@@ -182,10 +197,10 @@ help: ## List the commands
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z-]+):.*## (.*)/  make \1\t\2/' | expand -t 22
 
 bootstrap:
-	@tools/bootstrap run
+	@BOARD_PACKAGES='$(BOARD_PACKAGES)' tools/bootstrap run
 
 bootstrap-test:
-	@tools/bootstrap test
+	@BOARD_PACKAGES='$(BOARD_PACKAGES)' tools/bootstrap test
 
 build: bootstrap ## Install what is missing and compile
 	@$(MAKE) --no-print-directory -j2 $(BINARIES)

@@ -3,9 +3,10 @@
 # frozen_string_literal: true
 
 # Holds the includes of the product against tools/rooms.yml: an include names the room that it enters, each room enters
-# those alone that it may, no two rooms enter each other, and the refusals of a robot stay in its folder.
+# those alone that it may, no two rooms enter each other, and the refusals of a robot stay in its folder. Neither core
+# nor app names a board or a program of one.
 #
-#   ruby tools/rooms.rb [--root FOLDER]     one line for each include that must not be, exit 1 if there is any
+#   ruby tools/rooms.rb [--root FOLDER]     one line for each include or name that must not be, exit 1 if there is any
 
 require 'optparse'
 require 'tsort'
@@ -14,6 +15,7 @@ require 'yaml'
 # The rooms, and which arrows between them are allowed.
 #
 # @satisfies SWR-TOOL-014
+# @satisfies SWR-TOOL-016
 class Rooms
   include TSort
 
@@ -37,6 +39,9 @@ class Rooms
   NAMED = /\A\s+"(?<header>[\w\/]+\.h)"/
   OF_THE_SYSTEM = /\A\s+<(?<header>[\w\/.]+)>/
 
+  # Who may not name a board.
+  TEXTS = '{core,app}/**/*.{c,h,inc,yml}'
+
   def initialize(root)
     @root = root
     @rooms = YAML.safe_load_file(File.join(root, FILE)).map do |folder, about|
@@ -48,7 +53,8 @@ class Rooms
 
   # One line for each thing that is not as it must be.
   def problems
-    unknown_folders + circles + files.flat_map { |room, file| wrong_includes(room, file) + strays(file) }
+    unknown_folders + circles + named_boards +
+      files.flat_map { |room, file| wrong_includes(room, file) + strays(file) }
   end
 
   private
@@ -56,8 +62,15 @@ class Rooms
   # The deepest room that holds the file; a robot's tests are none.
   def files
     Dir.glob('{core,bsp,app}/**/*.{c,h,inc}', base: @root).grep_v(%r{node_modules/|\Acore/robot/\w+/test/}).sort.map do |file|
-      [@rooms.select { |room| file.start_with?("#{room.folder}/") }.max_by { |room| room.folder.size }, file]
+      [(@rooms + unlisted_boards).select { |room| file.start_with?("#{room.folder}/") }.max_by { |room| room.folder.size }, file]
     end
+  end
+
+  # A board that needs no more than any board is no entry of the list.
+  def unlisted_boards
+    @unlisted_boards ||= Dir.glob('bsp/*/board.mk', base: @root).map { |file| File.dirname(file) }.sort
+                            .reject { |folder| @rooms.any? { |room| room.folder == folder } }
+                            .map { |folder| Room.new(folder: folder, holds: 'a board', sees: ['bsp.h', *@rooms.find { |room| room.folder == 'bsp' }.sees]) }
   end
 
   def unknown_folders
@@ -98,6 +111,24 @@ class Rooms
         folder = refusals[status]
         "#{file}:#{number}: #{status} belongs to #{folder} alone" if folder && !file.start_with?(folder)
       end
+    end
+  end
+
+  def named_boards
+    names = Regexp.union(boards)
+    Dir.glob(TEXTS, base: @root).grep_v(/node_modules/).sort.flat_map do |file|
+      File.foreach(File.join(@root, file)).with_index(1).filter_map do |line, number|
+        "#{file}:#{number}: names #{line[names]}, which is of a board" if line.match?(names)
+      end
+    end
+  end
+
+  # Their folders, files and names as texts, and their programs.
+  def boards
+    Dir.glob('bsp/*/board.mk', base: @root).sort.flat_map do |file|
+      name = File.basename(File.dirname(file))
+      ["bsp/#{name}", "bsp_#{name}", "\"#{name}/", "\"#{name}\"",
+       *File.read(File.join(@root, file))[/^BOARD_PROGRAMS\s*:?=(.*)/, 1].to_s.split].map { |word| /#{word}(?!\w)/ }
     end
   end
 

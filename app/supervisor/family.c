@@ -2,6 +2,7 @@
 #include "supervisor/family.h"
 
 #include "common/clock.h"
+#include "supervisor/board_text.h"
 
 #include <errno.h>
 #include <signal.h>
@@ -18,7 +19,7 @@
 #define STOP_CLIENTS_US UINT64_C(300000)
 #define STOP_CONTROL_US UINT64_C(900000) /* It may just be waiting for the box. */
 #define STOP_RECORDER_US UINT64_C(500000)
-#define STOP_BOX_US UINT64_C(200000)
+#define STOP_COMPANIONS_US UINT64_C(200000)
 
 static bool init_member(family_t *self, member_t member, const char *name, const options_t *options,
                         char *error, uint32_t error_size)
@@ -26,7 +27,7 @@ static bool init_member(family_t *self, member_t member, const char *name, const
     child_t *child = &self->members[member];
 
     child->name = name;
-    child->may_restart = (member != MEMBER_BOX) && (member != MEMBER_CONTROL);
+    child->may_restart = member > MEMBER_CONTROL;
     (void)snprintf(child->path, sizeof child->path, "%s/boresight-%s", options->programs, name);
     if (access(child->path, X_OK) != 0) {
         (void)snprintf(error, error_size, "The program %s is missing (%s); build it with make.",
@@ -41,41 +42,84 @@ static void set_arguments(child_t *child, const char *const arguments[CHILD_ARGU
     (void)memcpy(child->arguments, arguments, sizeof child->arguments);
 }
 
-/* What is kept belongs to the axes of that box, whoever used it last. */
-static void name_box(family_t *self, const options_t *options)
+/* What is empty is left out, such as an option that was not given. */
+static bool write_arguments(family_t *self, uint32_t place, const options_t *options)
 {
-    self->has_own_box = options->box == NULL;
-    if (self->has_own_box) {
-        (void)snprintf(self->box, sizeof self->box, "%s-box", options->instance);
-    } else {
-        (void)snprintf(self->box, sizeof self->box, "%s", options->box);
+    const board_companion_t *const companion = &board.companions[place];
+    child_t *const child = &self->members[place];
+    uint32_t count = 0U;
+
+    for (uint32_t i = 0U; (i < BOARD_ARGUMENTS) && (companion->arguments[i] != NULL); i++) {
+        char *const word = self->words[place][i];
+        if (!board_text_write(word, FAMILY_TEXT_SIZE, companion->arguments[i], options)) {
+            return false;
+        }
+        child->arguments[count] = word;
+        count += (word[0] != '\0') ? 1U : 0U;
     }
-    (void)snprintf(self->positions, sizeof self->positions, "%s/positions-%s", options->recordings,
-                   self->box);
+    if (count < CHILD_ARGUMENTS) {
+        child->arguments[count] = NULL;
+    }
+    return true;
+}
+
+static bool init_companions(family_t *self, const options_t *options, char *error,
+                            uint32_t error_size)
+{
+    for (uint32_t i = 0U; i < BOARD_COMPANIONS; i++) {
+        const board_companion_t *const companion = &board.companions[i];
+        if (companion->program == NULL) {
+            continue;
+        }
+        self->runs_already[i] = options_has(options, companion->unless);
+        if (!init_member(self, (member_t)i, companion->program, options, error, error_size)) {
+            return false;
+        }
+        if (!write_arguments(self, i, options)) {
+            (void)snprintf(error, error_size, "What %s is given is too long; use shorter names.",
+                           companion->program);
+            return false;
+        }
+    }
+    return true;
+}
+
+/* What is kept belongs to the axes of that box, whoever used it last. */
+static bool name_box(family_t *self, const options_t *options, char *error, uint32_t error_size)
+{
+    if (!board_text_write(self->box, sizeof self->box, board.box, options)) {
+        (void)snprintf(error, error_size, "The name of the box is too long; use shorter names.");
+        return false;
+    }
+    const int length =
+        snprintf(self->positions, sizeof self->positions, "%s/positions-", options->recordings);
+    char *const name = &self->positions[length];
+    (void)snprintf(name, sizeof self->positions - (size_t)length, "%s", self->box);
+    for (char *slash = strchr(name, '/'); slash != NULL; slash = strchr(slash, '/')) {
+        *slash = '_';
+    }
+    return true;
 }
 
 bool family_init(family_t *self, const options_t *options, int output, int errors, char *error,
                  uint32_t error_size)
 {
-    static const char *const names[FAMILY_SIZE] = {"box", "control", "recorder", "igtl", "http"};
+    static const char *const names[] = {"control", "recorder", "igtl", "http"};
 
     (void)memset(self, 0, sizeof *self);
     self->slowness = options_slowness(options);
     self->output = output;
     self->errors = errors;
-    name_box(self, options);
-    for (uint32_t i = 0U; i < FAMILY_SIZE; i++) {
-        if (!init_member(self, (member_t)i, names[i], options, error, error_size)) {
+    if (!name_box(self, options, error, error_size) ||
+        !init_companions(self, options, error, error_size)) {
+        return false;
+    }
+    for (uint32_t i = 0U; i < (sizeof names / sizeof names[0]); i++) {
+        const member_t member = (member_t)((uint32_t)MEMBER_CONTROL + i);
+        if (!init_member(self, member, names[i], options, error, error_size)) {
             return false;
         }
     }
-    const char *const box[CHILD_ARGUMENTS] = {"--robot",
-                                              options->robot,
-                                              "--name",
-                                              self->box,
-                                              "--slow",
-                                              options->slowness,
-                                              options->is_real_time ? "--real-time" : NULL};
     const char *const control[CHILD_ARGUMENTS] = {"--robot",         options->robot, "--exchange",
                                                   options->instance, "--box",        self->box,
                                                   "--positions",     self->positions};
@@ -85,10 +129,14 @@ bool family_init(family_t *self, const options_t *options, int output, int error
     const char *const igtl[CHILD_ARGUMENTS] = {
         "--exchange",  options->instance,  "--brp-port", options->brp_port,
         "--igtl-port", options->igtl_port, "--bind",     options->bind};
-    const char *const http[CHILD_ARGUMENTS] = {
-        "--exchange", options->instance, "--port", options->http_port,
-        "--bind",     options->bind,     "--box",  self->box};
-    set_arguments(&self->members[MEMBER_BOX], box);
+    const char *const http[CHILD_ARGUMENTS] = {"--exchange",
+                                               options->instance,
+                                               "--port",
+                                               options->http_port,
+                                               "--bind",
+                                               options->bind,
+                                               board.is_simulated ? "--box" : NULL,
+                                               self->box};
     set_arguments(&self->members[MEMBER_CONTROL], control);
     set_arguments(&self->members[MEMBER_RECORDER], recorder);
     set_arguments(&self->members[MEMBER_IGTL], igtl);
@@ -145,7 +193,7 @@ bool family_is_silent(family_t *self, const exchange_t *exchange, member_t membe
     };
     child_t *child = &self->members[member];
 
-    if (member == MEMBER_BOX) {
+    if (member < MEMBER_CONTROL) {
         return false; /* Does not live in the exchange. */
     }
     const uint32_t beats = exchange_beats(exchange, processes[member]);
@@ -198,10 +246,13 @@ void family_stop(family_t *self)
     static const member_t clients[] = {MEMBER_IGTL, MEMBER_HTTP};
     static const member_t control[] = {MEMBER_CONTROL};
     static const member_t recorder[] = {MEMBER_RECORDER};
-    static const member_t box[] = {MEMBER_BOX};
+    member_t companions[BOARD_COMPANIONS];
 
+    for (uint32_t i = 0U; i < BOARD_COMPANIONS; i++) {
+        companions[i] = (member_t)i;
+    }
     stop(self, clients, 2U, STOP_CLIENTS_US);
     stop(self, control, 1U, STOP_CONTROL_US * self->slowness);
     stop(self, recorder, 1U, STOP_RECORDER_US);
-    stop(self, box, 1U, STOP_BOX_US * self->slowness);
+    stop(self, companions, BOARD_COMPANIONS, STOP_COMPANIONS_US * self->slowness);
 }

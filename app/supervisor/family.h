@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file The five programs of one Boresight: their command lines, their start, their restart and
- * their end. */
+/** @file The programs of one Boresight: their command lines, their start, their restart and their
+ * end. */
 #ifndef BORESIGHT_FAMILY_H
 #define BORESIGHT_FAMILY_H
 
@@ -11,34 +11,38 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define FAMILY_NAME_SIZE 48U
-#define FAMILY_PATH_SIZE (OPTIONS_PATH_SIZE + FAMILY_NAME_SIZE + 16U)
+#define FAMILY_PATH_SIZE (OPTIONS_PATH_SIZE + BOARD_VALUE_SIZE + 16U)
+#define FAMILY_TEXT_SIZE (OPTIONS_PATH_SIZE + (2U * BOARD_VALUE_SIZE))
 
-/** In the order of their start. */
+/** In the order of their start: first the board's, as its table has them. */
 typedef enum {
-    MEMBER_BOX = 0,
-    MEMBER_CONTROL = 1,
-    MEMBER_RECORDER = 2,
-    MEMBER_IGTL = 3,
-    MEMBER_HTTP = 4
+    MEMBER_COMPANION = 0,
+    MEMBER_CONTROL = BOARD_COMPANIONS,
+    MEMBER_RECORDER = MEMBER_CONTROL + 1,
+    MEMBER_IGTL = MEMBER_CONTROL + 2,
+    MEMBER_HTTP = MEMBER_CONTROL + 3
 } member_t;
 
-#define FAMILY_SIZE 5U
+#define FAMILY_SIZE (BOARD_COMPANIONS + 4U)
 
 typedef struct {
-    child_t members[FAMILY_SIZE];
-    char box[FAMILY_NAME_SIZE]; /**< Name of the box. */
-    bool has_own_box;           /**< It is a member; otherwise it ran before and runs on. */
-    uint32_t slowness;          /**< Of the board: control and box have as many times longer. */
+    child_t members[FAMILY_SIZE];     /**< The name is NULL where the board has none. */
+    bool runs_already[FAMILY_SIZE];   /**< It is not ours: it ran before and runs on. */
+    char box[BOARD_VALUE_SIZE];       /**< What control opens. */
+    uint32_t slowness;                /**< Control and companions have as many times longer. */
     char positions[FAMILY_PATH_SIZE]; /**< File of the kept positions of this box. */
-    int output;                       /**< Where their standard output and error go. */
+    char words[BOARD_COMPANIONS][BOARD_ARGUMENTS][FAMILY_TEXT_SIZE]; /**< Of their arguments. */
+    int output; /**< Where their standard output and error go. */
     int errors;
 } family_t;
 
 /**
  * Makes the command lines; `options` outlives it.
  *
- * @return false, with a sentence in `error`, when a program is missing
+ * @return false, with a sentence in `error`, when a program is missing or a text too long
+ *
+ * @satisfies SWR-SUP-006
+ * @satisfies SWR-SUP-008
  */
 bool family_init(family_t *self, const options_t *options, int output, int errors, char *error,
                  uint32_t error_size);
@@ -61,8 +65,8 @@ void family_restart(family_t *self);
 bool family_is_silent(family_t *self, const exchange_t *exchange, member_t member);
 
 /**
- * Stops igtl and http, then control, then the recorder, then the box; who does not obey in his time
- * is killed.
+ * Stops igtl and http, then control, then the recorder, then what came with the board; who does not
+ * obey in his time is killed.
  *
  * @satisfies SWR-SUP-001
  */

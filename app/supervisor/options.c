@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "supervisor/options.h"
 
-#include "limits/requirement_limits.h"
 #include "robot/app/robot_names.h"
+#include "supervisor/board_text.h"
 
 #include <arpa/inet.h>
 #include <getopt.h>
@@ -13,32 +13,72 @@
 
 #define NAME_MAX_LENGTH 32U
 #define PORT_MAX 65535U
-
-static const struct option known[] = {{"http-port", required_argument, NULL, 'h'},
-                                      {"igtl-port", required_argument, NULL, 'i'},
-                                      {"brp-port", required_argument, NULL, 'w'},
-                                      {"bind", required_argument, NULL, 'b'},
-                                      {"robot", required_argument, NULL, 'r'},
-                                      {"instance", required_argument, NULL, 'n'},
-                                      {"recordings", required_argument, NULL, 'd'},
-                                      {"slow", required_argument, NULL, 's'},
-                                      {"real-time", no_argument, NULL, 't'},
-                                      {"box", required_argument, NULL, 'x'},
-                                      {NULL, 0, NULL, 0}};
+#define COMMON_OPTIONS 7U
+#define OF_THE_BOARD 256 /* Its options are numbered from here on. */
 
 uint32_t options_slowness(const options_t *self)
 {
-    return (uint32_t)strtoul(self->slowness, NULL, 10);
+    char text[BOARD_VALUE_SIZE];
+
+    (void)board_text_write(text, sizeof text, board.slowness, self);
+    const unsigned long slowness = strtoul(text, NULL, 10);
+    return (slowness > 1U) ? (uint32_t)slowness : 1U;
 }
 
-const char *options_usage(void)
+bool options_has(const options_t *self, const char *name)
 {
-    return "usage: boresight [--http-port 8080] [--igtl-port 18944] [--brp-port 18936] [--bind "
-           "127.0.0.1]\n"
-           "                 [--robot " ROBOT_NAMES_DEFAULT
-           "] [--instance NAME] [--recordings DIRECTORY]\n"
-           "                 [--slow TIMES] [--real-time] | [--box NAME]\n"
-           "The environment variables HTTP_PORT, IGTL_PORT, BRP_PORT and ROBOT do the same.\n";
+    bool has_it = false;
+
+    for (size_t i = 0U; (name != NULL) && (i < BOARD_OPTIONS); i++) {
+        const bool is_it =
+            (board.options[i].name != NULL) && (strcmp(board.options[i].name, name) == 0);
+        has_it = has_it || (is_it && self->is_given[i]);
+    }
+    return has_it;
+}
+
+void options_print_usage(void)
+{
+    static const char *const words[] = {
+        [BOARD_TAKES_NOTHING] = "",
+        [BOARD_TAKES_NAME] = " NAME",
+        [BOARD_TAKES_NUMBER] = " NUMBER",
+        [BOARD_TAKES_TEXT] = " TEXT",
+    };
+
+    (void)fputs(
+        "usage: boresight [--http-port 8080] [--igtl-port 18944] [--brp-port 18936] [--bind "
+        "127.0.0.1]\n"
+        "                 [--robot " ROBOT_NAMES_DEFAULT
+        "] [--instance NAME] [--recordings DIRECTORY]\n"
+        "                ",
+        stdout);
+    for (size_t i = 0U; (i < BOARD_OPTIONS) && (board.options[i].name != NULL); i++) {
+        (void)printf(" [--%s%s]", board.options[i].name, words[board.options[i].takes]);
+    }
+    (void)fputs(
+        "\nThe environment variables HTTP_PORT, IGTL_PORT, BRP_PORT and ROBOT do the same.\n",
+        stdout);
+}
+
+static void list_known(struct option known[COMMON_OPTIONS + BOARD_OPTIONS + 1U])
+{
+    static const struct option common[COMMON_OPTIONS] = {
+        {"http-port", required_argument, NULL, 'h'},  {"igtl-port", required_argument, NULL, 'i'},
+        {"brp-port", required_argument, NULL, 'w'},   {"bind", required_argument, NULL, 'b'},
+        {"robot", required_argument, NULL, 'r'},      {"instance", required_argument, NULL, 'n'},
+        {"recordings", required_argument, NULL, 'd'},
+    };
+
+    (void)memset(known, 0, (COMMON_OPTIONS + BOARD_OPTIONS + 1U) * sizeof known[0]);
+    (void)memcpy(known, common, sizeof common);
+    for (size_t i = 0U; i < BOARD_OPTIONS; i++) {
+        const board_option_t *const option = &board.options[i];
+        known[COMMON_OPTIONS + i].name = option->name;
+        known[COMMON_OPTIONS + i].has_arg =
+            (option->takes == BOARD_TAKES_NOTHING) ? no_argument : required_argument;
+        known[COMMON_OPTIONS + i].val = OF_THE_BOARD + (int)i;
+    }
 }
 
 static const char *from_environment(const char *name, const char *otherwise)
@@ -69,15 +109,29 @@ static void set_defaults(options_t *self)
     self->robot = from_environment("ROBOT", ROBOT_NAMES_DEFAULT);
     self->bind = "127.0.0.1";
     self->instance = "boresight";
-    self->slowness = "1";
     /* build/bin/boresight records into build/recordings, wherever it is started. */
     const char *slash = strrchr(self->programs, '/');
     (void)snprintf(self->recordings, sizeof self->recordings, "%.*s/recordings",
                    (slash != NULL) ? (int)(slash - self->programs) : 0, self->programs);
 }
 
+/* An option that takes nothing stands for itself. */
+static bool take_of_the_board(options_t *self, size_t place, const char *value)
+{
+    const board_option_t *const option = &board.options[place];
+    const bool is_flag = option->takes == BOARD_TAKES_NOTHING;
+
+    self->is_given[place] = true;
+    return (size_t)snprintf(self->board[place], sizeof self->board[place], "%s%s",
+                            is_flag ? "--" : "",
+                            is_flag ? option->name : value) < sizeof self->board[place];
+}
+
 static bool take(options_t *self, int option, const char *value)
 {
+    if (option >= OF_THE_BOARD) {
+        return take_of_the_board(self, (size_t)(option - OF_THE_BOARD), value);
+    }
     switch (option) {
     case 'h':
         self->http_port = value;
@@ -97,15 +151,6 @@ static bool take(options_t *self, int option, const char *value)
     case 'n':
         self->instance = value;
         return true;
-    case 's':
-        self->slowness = value;
-        return true;
-    case 'x':
-        self->box = value;
-        return true;
-    case 't':
-        self->is_real_time = true;
-        return true;
     case 'd':
         return (size_t)snprintf(self->recordings, sizeof self->recordings, "%s", value) <
                sizeof self->recordings;
@@ -114,12 +159,12 @@ static bool take(options_t *self, int option, const char *value)
     }
 }
 
-static bool is_number(const char *text, unsigned long maximum)
+static bool is_number(const char *text, unsigned long minimum, unsigned long maximum)
 {
     char *end = NULL;
     const unsigned long number = strtoul(text, &end, 10);
 
-    return (text[0] >= '0') && (text[0] <= '9') && (*end == '\0') && (number >= 1U) &&
+    return (text[0] >= '0') && (text[0] <= '9') && (*end == '\0') && (number >= minimum) &&
            (number <= maximum);
 }
 
@@ -132,22 +177,43 @@ static bool is_name(const char *text)
             length);
 }
 
-/* The box that runs already has its time. */
-static bool check_box(const options_t *self, char *error, uint32_t error_size)
+static bool check_of_the_board(const options_t *self, size_t place, char *error,
+                               uint32_t error_size)
 {
-    if (self->box == NULL) {
-        return true;
-    }
-    if (!is_name(self->box)) {
+    const board_option_t *const option = &board.options[place];
+    const char *const value = self->board[place];
+
+    if ((option->takes == BOARD_TAKES_NAME) && !is_name(value)) {
         (void)snprintf(error, error_size,
-                       "\"%s\" names no box; use up to %u letters, digits, - and _.", self->box,
-                       NAME_MAX_LENGTH);
+                       "\"%s\" is no name for --%s; use up to %u letters, digits, - and _.", value,
+                       option->name, NAME_MAX_LENGTH);
         return false;
     }
-    if (self->is_real_time || (options_slowness(self) != 1U)) {
-        (void)snprintf(error, error_size,
-                       "--slow and --real-time are of no use with --box; give them to the box.");
+    if ((option->takes == BOARD_TAKES_NUMBER) && !is_number(value, option->least, option->most)) {
+        (void)snprintf(error, error_size, "\"%s\" is no number for --%s; give one from %u to %u.",
+                       value, option->name, (unsigned)option->least, (unsigned)option->most);
         return false;
+    }
+    if (options_has(self, option->useless_with)) {
+        (void)snprintf(error, error_size,
+                       "--%s is of no use with --%s; give it to what runs already.", option->name,
+                       option->useless_with);
+        return false;
+    }
+    return true;
+}
+
+/* What was given must be right; what was not is as the board says. */
+static bool complete(options_t *self, char *error, uint32_t error_size)
+{
+    for (size_t i = 0U; i < BOARD_OPTIONS; i++) {
+        const char *const otherwise = board.options[i].otherwise;
+        if (self->is_given[i] && !check_of_the_board(self, i, error, error_size)) {
+            return false;
+        }
+        if (!self->is_given[i] && (otherwise != NULL)) {
+            (void)board_text_write(self->board[i], sizeof self->board[i], otherwise, self);
+        }
     }
     return true;
 }
@@ -157,7 +223,7 @@ static bool check_ports(const options_t *self, char *error, uint32_t error_size)
     const char *const ports[] = {self->http_port, self->igtl_port, self->brp_port};
 
     for (size_t i = 0U; i < 3U; i++) {
-        if (!is_number(ports[i], PORT_MAX)) {
+        if (!is_number(ports[i], 1U, PORT_MAX)) {
             (void)snprintf(error, error_size, "\"%s\" is no port; give a number from 1 to 65535.",
                            ports[i]);
             return false;
@@ -194,22 +260,20 @@ static bool check(const options_t *self, char *error, uint32_t error_size)
                        self->instance, NAME_MAX_LENGTH);
         return false;
     }
-    if (!is_number(self->slowness, LIMIT_BOX_SLOWEST)) {
-        (void)snprintf(error, error_size, "\"%s\" is no slowness; give --slow 1 to %u.",
-                       self->slowness, LIMIT_BOX_SLOWEST);
-        return false;
-    }
-    return check_box(self, error, error_size) && check_ports(self, error, error_size);
+    return check_ports(self, error, error_size);
 }
 
 bool options_read(options_t *self, int count, char **arguments, char *error, uint32_t error_size)
 {
+    struct option known[COMMON_OPTIONS + BOARD_OPTIONS + 1U];
+
     (void)memset(self, 0, sizeof *self);
     if (!find_programs(self)) {
         (void)snprintf(error, error_size, "The program does not find its own place; mount /proc.");
         return false;
     }
     set_defaults(self);
+    list_known(known);
     opterr = 0;
     int option = getopt_long(count, arguments, "", known, NULL);
     while (option != -1) {
@@ -226,5 +290,5 @@ bool options_read(options_t *self, int count, char **arguments, char *error, uin
                        arguments[optind]);
         return false;
     }
-    return check(self, error, error_size);
+    return check(self, error, error_size) && complete(self, error, error_size);
 }

@@ -3,6 +3,8 @@
 #ifndef BORESIGHT_OPTIONS_H
 #define BORESIGHT_OPTIONS_H
 
+#include "supervisor/board.h"
+
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -15,20 +17,26 @@ typedef struct {
     const char *bind;      /**< --bind: IPv4 address of this machine. */
     const char *robot;     /**< --robot, ROBOT. */
     const char *instance;  /**< --instance: name of everything this instance creates. */
-    const char *box;       /**< --box: a simulated box that runs already; NULL: one of its own. */
-    const char *slowness;  /**< --slow: the simulated box runs so many times slower. */
-    bool is_real_time;     /**< --real-time: the simulated box does not wait for control. */
-    char recordings[OPTIONS_PATH_SIZE]; /**< --recordings. */
-    char programs[OPTIONS_PATH_SIZE];   /**< Directory of this program and the others. */
+    char recordings[OPTIONS_PATH_SIZE];          /**< --recordings. */
+    char programs[OPTIONS_PATH_SIZE];            /**< Directory of this program and the others. */
+    bool is_given[BOARD_OPTIONS];                /**< Of the board's options. */
+    char board[BOARD_OPTIONS][BOARD_VALUE_SIZE]; /**< Their values. */
 } options_t;
 
-/** --slow as a number, 1 .. LIMIT_BOX_SLOWEST. */
+/** How many times slower the board's time passes, at least 1. */
 uint32_t options_slowness(const options_t *self);
 
-/** Says what may be given. */
-const char *options_usage(void);
+/** Whether the option `name` of the board was given; NULL is none. */
+bool options_has(const options_t *self, const char *name);
 
-/** Reads options. False, with a sentence in `error`, when one of them is unknown or wrong. */
+/** Prints what may be given. */
+void options_print_usage(void);
+
+/**
+ * Reads options. False, with a sentence in `error`, when one of them is unknown or wrong.
+ *
+ * @satisfies SWR-SUP-007
+ */
 bool options_read(options_t *self, int count, char **arguments, char *error, uint32_t error_size);
 
 #endif

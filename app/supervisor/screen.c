@@ -9,7 +9,6 @@
 #include <unistd.h>
 
 #define REPEAT_US UINT64_C(5000000)
-#define READY "boresight-box: ready"
 #define DEFAULT_COLUMNS 80
 
 bool screen_open(screen_t *self)
@@ -73,9 +72,16 @@ static void watch_output(screen_t *self)
 
     while (count > 0) {
         text[count] = '\0';
-        self->is_box_ready = self->is_box_ready || (strstr(text, READY) != NULL);
+        self->is_heard =
+            self->is_heard || ((self->awaited != NULL) && (strstr(text, self->awaited) != NULL));
         count = read(self->output[0], text, sizeof text - 1U);
     }
+}
+
+void screen_await(screen_t *self, const char *text)
+{
+    self->awaited = text;
+    self->is_heard = text == NULL;
 }
 
 void screen_relay(screen_t *self)

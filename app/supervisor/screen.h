@@ -14,10 +14,11 @@
 #define SCREEN_LINE_SIZE 512U
 
 typedef struct {
-    int output[2]; /**< Pipe of the programs' standard output: only looked at for "ready". */
+    int output[2]; /**< Pipe of the programs' standard output: only looked at for `awaited`. */
     int errors[2]; /**< Pipe of their standard error: shown. */
     bool is_terminal;
-    bool is_box_ready;             /**< The box said so. */
+    const char *awaited;           /**< What one of the programs is to print; NULL: nothing. */
+    bool is_heard;                 /**< It has. */
     uint64_t shown_us;             /**< When the status was last written. */
     char status[SCREEN_LINE_SIZE]; /**< On the terminal now; "" when none. */
 } screen_t;
@@ -27,6 +28,9 @@ bool screen_open(screen_t *self);
 
 /** Shows one line. */
 void screen_say(screen_t *self, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/** Listens from now on for `text` on the programs' standard output; NULL counts as heard. */
+void screen_await(screen_t *self, const char *text);
 
 /** Shows what the programs have said. Never waits. */
 void screen_relay(screen_t *self);

@@ -122,7 +122,10 @@ static void add_programs(char *text, size_t size, const exchange_t *exchange, fa
         const child_t *child = &family->members[i];
         const bool is_silent = family_is_silent(family, exchange, (member_t)i);
         const char *word = "ok";
-        if ((i == (uint32_t)MEMBER_BOX) && !family->has_own_box) {
+        if (child->name == NULL) {
+            continue;
+        }
+        if (family->runs_already[i]) {
             word = "not ours";
         } else if (child->pid == 0) {
             word = "RESTARTING";

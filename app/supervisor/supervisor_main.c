@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * boresight: starts the five programs, keeps those that may fail alive, and stops all in order.
+ * boresight: starts the programs, keeps those that may fail alive, and stops all in order.
  *
- * Exit code 0: stopped as asked. 2: wrong options. 3: could not start. 4: control or the box ended
- * by itself.
+ * Exit code 0: stopped as asked. 2: wrong options. 3: could not start. 4: control or a program of
+ * the board ended by itself.
  */
 #include "common/clock.h"
 #include "common/directory.h"
+#include "supervisor/board_text.h"
 #include "supervisor/family.h"
 #include "supervisor/options.h"
 #include "supervisor/ports.h"
@@ -29,6 +30,7 @@
 #define EXIT_LOST 4
 #define RUNNING (-1)
 #define TICK_MS 200
+#define TITLE_WIDTH 12U
 #define START_TIMEOUT_US UINT64_C(20000000)
 #define ERROR_SIZE 1024U
 
@@ -99,9 +101,9 @@ static bool has_lost_one(void)
     return true;
 }
 
-static bool is_box_ready(void)
+static bool is_companion_ready(void)
 {
-    return screen.is_box_ready;
+    return screen.is_heard;
 }
 
 static bool is_control_running(void)
@@ -152,13 +154,17 @@ static int start_one(member_t member)
 }
 
 /** @satisfies SWR-STORE-008 */
-static int start_box(void)
+static int start_companions(void)
 {
     int result = RUNNING;
 
-    if (family.has_own_box) {
-        result = start_one(MEMBER_BOX);
-        result = (result == RUNNING) ? await(is_box_ready, "the control box") : result;
+    for (uint32_t i = 0U; (i < BOARD_COMPANIONS) && (result == RUNNING); i++) {
+        if ((board.companions[i].program != NULL) && !family.runs_already[i]) {
+            screen_await(&screen, board.companions[i].ready);
+            result = start_one((member_t)i);
+            result = (result == RUNNING) ? await(is_companion_ready, board.companions[i].program)
+                                         : result;
+        }
     }
     return result;
 }
@@ -178,7 +184,7 @@ static int start_control(void)
 
 static int start_all(void)
 {
-    int result = start_box();
+    int result = start_companions();
 
     result = (result == RUNNING) ? start_control() : result;
     result = (result == RUNNING) ? start_one(MEMBER_RECORDER) : result;
@@ -189,14 +195,17 @@ static int start_all(void)
 
 static void say_where(void)
 {
-    const bool is_default = strcmp(family.box, "boresight-box") == 0;
+    char text[SCREEN_LINE_SIZE];
 
     screen_say(&screen, "Console:     http://%s:%s/", options.bind, options.http_port);
     screen_say(&screen, "OpenIGTLink: workphases %s:%s, transforms %s:%s", options.bind,
                options.brp_port, options.bind, options.igtl_port);
     screen_say(&screen, "Recordings:  %s", options.recordings);
-    screen_say(&screen, "Pedal:       %s/boresight-simctl%s%s pedal press (or release)",
-               options.programs, is_default ? "" : " --name ", is_default ? "" : family.box);
+    for (uint32_t i = 0U; (i < BOARD_SAYINGS) && (board.says[i].title != NULL); i++) {
+        (void)board_text_write(text, sizeof text, board.says[i].text, &options);
+        screen_say(&screen, "%s:%*s%s", board.says[i].title,
+                   (int)(TITLE_WIDTH - strlen(board.says[i].title)), "", text);
+    }
     screen_say(&screen, "Stop:        Ctrl-C");
 }
 
@@ -299,7 +308,7 @@ static int run(void)
 int main(int count, char **arguments)
 {
     if ((count == 2) && (strcmp(arguments[1], "--help") == 0)) {
-        (void)fputs(options_usage(), stdout);
+        options_print_usage();
         return EXIT_STOPPED;
     }
     if (!options_read(&options, count, arguments, error, sizeof error)) {

@@ -6,6 +6,6 @@ BOARD_SOURCES := bsp/sim/bsp_sim.c bsp/sim/wire.c
 
 # Control's box is another process, and simctl gives it orders.
 BOARD_PROGRAMS := boresight-box boresight-simctl
-BOX_SOURCES := $(filter-out %_main.c $(BOARD_SOURCES),$(wildcard bsp/sim/*.c))
-SOURCES_boresight-box := $(BOX_SOURCES) bsp/sim/wire.c bsp/sim/box_main.c $(FIND_ROBOT)
-SOURCES_boresight-simctl := $(BOX_SOURCES) bsp/sim/wire.c bsp/sim/simctl_main.c
+BOARD_BOX := $(filter-out %_main.c bsp/sim/bsp_sim.c,$(wildcard bsp/sim/*.c))
+SOURCES_boresight-box := $(BOARD_BOX) bsp/sim/box_main.c $(FIND_ROBOT)
+SOURCES_boresight-simctl := $(BOARD_BOX) bsp/sim/simctl_main.c

@@ -6,30 +6,25 @@
 
 require 'fileutils'
 require 'yaml'
+require_relative 'project_copy'
 require_relative '../../verification/demo/targets'
 require_relative '../../verification/demo/workflow'
 require_relative '../../verification/system/support/system_test'
 
 class TestAddedRobot < SystemTest
-  ROOT = File.expand_path('../..', __dir__)
   ROBOT = 'bench2'
   FOLDER = "core/robot/#{ROBOT}".freeze
-  # What a build reads, and what stays true of the last one.
-  COPIED = %w[Makefile app bsp core requirements statecharts tools verification build/gcc build/gen
-              build/build-id].freeze
-  LINKED = %w[.tools app/console/node_modules].freeze
   PROGRAMS = %w[boresight boresight-box boresight-control boresight-http boresight-igtl boresight-recorder
                 boresight-replay boresight-simctl].freeze
   NEAR_MM = 0.01
 
   def setup
-    @copy = Dir.mktmpdir
-    copy
+    @copy = ProjectCopy.new
   end
 
   def teardown
     super
-    FileUtils.rm_rf(@copy)
+    @copy.remove
   end
 
   def test_SWR_ROBOT_018_a_folder_that_is_added_is_a_robot_that_homes_moves_and_is_replayed
@@ -50,13 +45,7 @@ class TestAddedRobot < SystemTest
   end
 
   def path(name)
-    File.join(@copy, name)
-  end
-
-  # With the times of the files, by which make knows what is up to date.
-  def copy
-    call("tar -C #{ROOT} --exclude=node_modules -cf - #{COPIED.join(' ')} | tar -C #{@copy} -xf -")
-    LINKED.each { |name| File.symlink(File.join(ROOT, name), path(name)) }
+    @copy.path(name)
   end
 
   # Nothing of it is left, and no program knows it.
@@ -70,8 +59,8 @@ class TestAddedRobot < SystemTest
   end
 
   def build
-    names = PROGRAMS.map { |name| "build/bin/#{name}" }
-    call("make -C #{@copy} BUILD_ID=#{File.read(path('build/build-id')).strip} -j2 #{names.join(' ')}")
+    text, is_good = @copy.make(*PROGRAMS.map { |name| "build/bin/#{name}" })
+    assert is_good, text
   end
 
   def call(command, fails: false)

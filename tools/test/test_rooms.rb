@@ -52,6 +52,24 @@ class TestRooms < Minitest::Test
     end
   end
 
+  def test_SWR_TOOL_016_core_and_app_name_no_board
+    board = { 'bsp/own/board.mk' => "BOARD_PROGRAMS := boresight-lamp\n" }
+    { 'app/top/a.c' => "/* bsp_own knows */\n", 'core/low/a.h' => "is_it(\"own\");\n", 'core/low/a.yml' => "run: boresight-lamp\n" }
+      .each do |file, text|
+      found = problems(**board, file => text)
+      assert_equal 1, found.size, text
+      assert_match(/\A#{file}:1: names (bsp_own|"own"|boresight-lamp), which is of a board/, found.first)
+    end
+    assert_empty problems(**board, 'app/top/a.c' => "/* Its own bsp_owner. */\n")
+  end
+
+  def test_SWR_TOOL_016_a_board_that_is_not_listed_sees_what_any_board_may
+    board = { 'bsp/own/board.mk' => '' }
+    assert_empty problems(**board, 'bsp/own/a.c' => "#include \"bsp.h\"\n#include \"own/a.h\"\n")
+    assert_equal ['bsp/own/a.c:1: bsp/own must not include "high/a.h"'],
+                 problems(**board, 'bsp/own/a.c' => "#include \"high/a.h\"\n")
+  end
+
   def test_SWR_TOOL_014_knows_tests_of_robots_alone
     assert_empty problems('core/robot/any/test/test_any.c' => "#include \"unity.h\"\n")
     assert_equal 1, problems('core/low/test/a.c' => "#include \"high/a.h\"\n").size

@@ -99,8 +99,8 @@ class TestPositionStore < SystemTest
   end
 
   def test_SWR_STORE_008_wrong_boxes_are_refused
-    { %w[--box a/b] => [2, %r{"a/b" names no box}], %w[--box b --slow 2] => [2, /--slow and --real-time/],
-      %w[--box b --real-time] => [2, /--slow and --real-time/],
+    { %w[--box a/b] => [2, %r{"a/b" is no name for --box}], %w[--box b --slow 2] => [2, /--slow is of no use with --box/],
+      %w[--box b --real-time] => [2, /--real-time is of no use with --box/],
       %w[--box nobody] => [3, /start the simulated control box first: boresight-box --name nobody/] }.each do |words, end_|
       one = Boresight.new(arguments: words)
       one.launch

@@ -103,7 +103,7 @@ class TestSupervisor < SystemTest
     end
   end
 
-  def test_SWR_SUP_001_when_the_box_dies_everything_stops
+  def test_SWR_SUP_006_when_a_program_of_the_board_dies_everything_stops
     boresight.kill('box', 'KILL')
     assert_equal 4, boresight.wait_for_end
     assert_match(/^box ended/, boresight.output)
@@ -180,11 +180,24 @@ class TestSupervisor < SystemTest
 
   def test_SWR_SUP_003_wrong_options_are_named
     { %w[--robot prostatic] => /no robot "prostatic"/, %w[--http-port 0] => /"0" is no port/,
-      %w[--bind nowhere] => /"nowhere" is no IPv4 address/, %w[--slow 0] => /"0" is no slowness/, %w[--slow 101] => /"101" is no slowness/,
-      %w[--colour red] => /"--colour" is no option/,
+      %w[--bind nowhere] => /"nowhere" is no IPv4 address/, %w[--colour red] => /"--colour" is no option/,
       %w[--instance a/b] => %r{"a/b" names no instance} }.each do |words, sentence|
       assert_refuses(Boresight.new(arguments: words), 2, sentence)
     end
+  end
+
+  def test_SWR_SUP_007_wrong_options_of_the_board_are_named
+    { %w[--slow 0] => /"0" is no number for --slow; give one from 1 to 100/, %w[--slow 101] => /"101" is no number for --slow/,
+      %w[--slow] => /"--slow" is no option or lacks its value/, %w[--box a/b] => %r{"a/b" is no name for --box},
+      %w[--box b --slow 2] => /--slow is of no use with --box/ }.each do |words, sentence|
+      assert_refuses(Boresight.new(arguments: words), 2, sentence)
+    end
+  end
+
+  def test_SWR_SUP_007_the_usage_names_the_options_of_the_board
+    text, status = Open3.capture2e(Boresight.program('boresight'), '--help')
+    assert status.success?
+    assert_includes text, '[--box NAME] [--slow NUMBER] [--real-time]'
   end
 
   def test_SWR_ROBOT_016_an_unknown_robot_is_refused_with_the_names_of_those_there_are

@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * What the supervisor knows of the board that control is linked with: the programs that come with
+ * it and what may be asked of them. The one table is made of the board's file by tools/boards.rb.
+ * A pattern is a text with {names}, of which each stands for an option or for one of what
+ * board_text.h knows.
+ */
+#ifndef BORESIGHT_BOARD_H
+#define BORESIGHT_BOARD_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#define BOARD_OPTIONS 8U     /**< Options of one board at most. */
+#define BOARD_COMPANIONS 4U  /**< Programs that come with it. */
+#define BOARD_ARGUMENTS 12U  /**< Of one of them. */
+#define BOARD_SAYINGS 4U     /**< Lines for the operator. */
+#define BOARD_VALUE_SIZE 96U /**< Of an option's value, with its end. */
+
+/** What follows an option. */
+typedef enum {
+    BOARD_TAKES_NOTHING = 0, /**< Its text is the option itself, or nothing. */
+    BOARD_TAKES_NAME = 1,    /**< Letters, digits, - and _. */
+    BOARD_TAKES_NUMBER = 2,
+    BOARD_TAKES_TEXT = 3
+} board_takes_t;
+
+/** An option of boresight that only this board has. */
+typedef struct {
+    const char *name; /**< Without its hyphens; NULL: there is none of this place. */
+    board_takes_t takes;
+    const char *otherwise; /**< Pattern of its value when it is not given; NULL: nothing. */
+    uint32_t least;        /**< Of a number. */
+    uint32_t most;
+    const char *useless_with; /**< Another one that it is refused with; NULL: none. */
+} board_option_t;
+
+/** A program that is started before control and stopped after the recorder. */
+typedef struct {
+    const char *program;                    /**< Without "boresight-"; NULL: none. */
+    const char *arguments[BOARD_ARGUMENTS]; /**< Patterns; what is empty is left out. */
+    const char *ready;  /**< What it prints when control may start; NULL: nothing is awaited. */
+    const char *unless; /**< Option that names one that runs already; NULL: none does. */
+} board_companion_t;
+
+/** A line for the operator. */
+typedef struct {
+    const char *title; /**< NULL: none. */
+    const char *text;  /**< Pattern. */
+} board_saying_t;
+
+typedef struct {
+    board_option_t options[BOARD_OPTIONS];
+    board_companion_t companions[BOARD_COMPANIONS];
+    const char *box;      /**< Pattern of what control opens; positions are kept for each. */
+    const char *slowness; /**< Pattern of how many times slower its time passes. */
+    bool is_simulated;    /**< No robot is connected. */
+    board_saying_t says[BOARD_SAYINGS];
+} board_t;
+
+extern const board_t board;
+
+#endif

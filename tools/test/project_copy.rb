@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+require 'fileutils'
+require 'open3'
+require 'tmpdir'
+
+# A copy of what a build reads, with what stays true of the last one, to add something to.
+class ProjectCopy
+  ROOT = File.expand_path('../..', __dir__)
+  COPIED = %w[Makefile app bsp core requirements statecharts tools verification build/gcc build/gen
+              build/build-id].freeze
+  LINKED = %w[.tools app/console/node_modules].freeze
+
+  attr_reader :folder
+
+  # With the times of the files, by which make knows what is up to date.
+  def initialize
+    @folder = Dir.mktmpdir
+    text, status = Open3.capture2e("tar -C #{ROOT} --exclude=node_modules -cf - #{COPIED.join(' ')} | tar -C #{@folder} -xf -")
+    raise text unless status.success?
+
+    LINKED.each { |name| File.symlink(File.join(ROOT, name), path(name)) }
+  end
+
+  def path(name)
+    File.join(@folder, name)
+  end
+
+  # Output and whether make ended well.
+  def make(*words)
+    text, status = Open3.capture2e('make', '-C', @folder, "BUILD_ID=#{File.read(path('build/build-id')).strip}", '-j2', *words)
+    [text, status.success?]
+  end
+
+  def remove
+    FileUtils.rm_rf(@folder)
+  end
+end

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+# Rule under test: the table of a board says what its file says, and a wrong file is refused with line, field and reason.
+
+require 'minitest/autorun'
+require_relative '../boards'
+
+class TestBoards < Minitest::Test
+  ROOT = File.expand_path('../..', __dir__)
+  LIMITS = "#define LIMIT_MOST_WATTS (9U) /**< SWR-ANY-001, W. */\n"
+  GOOD = <<~YAML
+    options:
+      - {name: watts, takes: number, least: 1, most: most_watts, default: 2}
+      - {name: lamp, takes: name, default: "{instance}-lamp"}
+      - {name: dim}
+    companions:
+      - {program: boresight-lamp, arguments: [--as, "{lamp}", "{dim}"], ready: on, unless: lamp}
+      - {program: boresight-fan}
+    box: "{lamp}"
+    slowness: "{watts}"
+    simulated: true
+    says:
+      - {title: Lamp, text: "say \\"{lamp}\\""}
+  YAML
+
+  def test_SWR_TOOL_015_the_table_says_what_the_file_says
+    source = board(GOOD).source
+    ['.name = "watts", .takes = BOARD_TAKES_NUMBER, .otherwise = "2", .least = 1U, .most = LIMIT_MOST_WATTS}',
+     '.name = "lamp", .takes = BOARD_TAKES_NAME, .otherwise = "{instance}-lamp"}',
+     '.program = "lamp", .arguments = {"--as", "{lamp}", "{dim}"}, .ready = "on", .unless = "lamp"}',
+     '{.program = "fan"}', '.box = "{lamp}",', '.slowness = "{watts}",', '.is_simulated = true,',
+     '{"Lamp", "say \\"{lamp}\\""}'].each { |text| assert_includes source, text }
+  end
+
+  def test_SWR_TOOL_015_what_only_a_companion_takes_is_useless_with_another_one
+    assert_includes board(GOOD).source, '.name = "dim", .takes = BOARD_TAKES_NOTHING, .useless_with = "lamp"}'
+  end
+
+  def test_SWR_TOOL_015_a_board_needs_nothing_but_what_control_opens
+    source = board("box: slot-one\n").source
+    assert_equal 3, source.scan(/^        \{0\},$/).size
+    ['.box = "slot-one",', '.slowness = "1",', '.is_simulated = false,'].each { |text| assert_includes source, text }
+  end
+
+  WRONG = {
+    'box: "{lamp}"' => ['box: "{fan}"', '8: box: speaks of {fan}; expected instance, robot, programs, recordings, watts, lamp, dim'],
+    'slowness: "{watts}"' => ['slowness: "{watts"', '9: slowness: is {watts, with a brace too many'],
+    'simulated: true' => ['simulated: perhaps', '10: simulated: is perhaps; expected true or false'],
+    'most: most_watts' => ['most: most_volts', '2: options[0].most: is most_volts, which is no limit of the requirements'],
+    ', default: 2' => ['', '2: options[0]: has no default'],
+    'takes: number' => ['takes: text', '2: options[0]: has bounds if it takes a number, and only then'],
+    '{name: dim}' => ['{name: dim, default: 1}', '4: options[2]: takes nothing, and no default or bound'],
+    'name: dim' => ['name: robot', '4: options[2].name: is robot, which there is already'],
+    'boresight-fan' => ['fan', '7: companions[1].program: is fan; expected boresight-...'],
+    'unless: lamp' => ['unless: fan', '6: companions[0].unless: is fan; expected watts or lamp or dim'],
+    'title: Lamp' => ['title: Illumination', '12: says[0].title: is Illumination; expected at most 11 letters'],
+    '{instance}-lamp' => ['{watts}-lamp', '3: options[1].default: speaks of {watts}; expected instance, robot, programs, recordings'],
+    'ready: on' => ['colour: red', '6: companions[0].colour: is unknown; expected program, arguments, ready, unless']
+  }.freeze
+
+  def test_SWR_TOOL_015_a_wrong_file_is_refused
+    WRONG.each do |good, (bad, reason)|
+      assert_includes GOOD, good
+      error = assert_raises(Robot::Refused) { board(GOOD.sub(good, bad)) }
+      assert_equal "bsp/any/board.yml:#{reason}", error.message
+    end
+  end
+
+  def test_SWR_TOOL_015_no_more_than_the_table_holds
+    header = File.read(File.join(ROOT, 'app/supervisor/board.h'))
+    { OPTIONS: Board::OPTIONS, COMPANIONS: Board::COMPANIONS, ARGUMENTS: Board::ARGUMENTS, SAYINGS: Board::SAYINGS }
+      .each { |name, most| assert_match(/#define BOARD_#{name} #{most}U/, header) }
+    flags = Array.new(Board::OPTIONS + 1) { |i| "  - {name: flag#{i}}\n" }.join
+    error = assert_raises(Robot::Refused) { board("box: any\noptions:\n#{flags}") }
+    assert_match(/:11: options\[8\]: is too much; at most 8 are possible/, error.message)
+  end
+
+  private
+
+  def board(text)
+    Board.new('bsp/any/board.yml', text, LIMITS)
+  end
+end
