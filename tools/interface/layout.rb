@@ -5,23 +5,31 @@ require_relative 'c'
 
 module Interface
   # A number for all that two programs must agree on: names, types and enumerators of core/interface, the states of the
-  # charts, and the declarations of further headers. Words may differ.
+  # charts, and types and macros of further headers. Words and functions may differ.
   #
   # @satisfies SWR-TOOL-013
   class Layout
     START = 0xCBF29CE484222325 # FNV-1a
     PRIME = 0x00000100000001B3
     COMMENT = %r{/\*.*?\*/}m
+    MACRO = /^[ \t]*#[ \t]*define\b(?:\\\n|[^\n])*/
+    TYPE = /^typedef\b[^{;]*(?:(?<braces>\{(?:[^{}]|\g<braces>)*\})[^;]*)?;/
 
-    # `headers`: files whose declarations count too.
+    # `headers`: files whose types and macros count too.
     def initialize(model, headers)
       @lines = model.enumerations.map(&:layout) + model.structures.map(&:layout) +
                model.charts.to_h.map { |region, leaves| "chart #{region} #{leaves.join(' ')}" } +
-               headers.map { |header| File.read(header, encoding: 'UTF-8').gsub(COMMENT, ' ').split.join(' ') }
+               headers.flat_map { |header| declarations(File.read(header, encoding: 'UTF-8').gsub(COMMENT, ' ')) }
     end
 
     def number
       @lines.sort.join("\n").each_byte.inject(START) { |sum, byte| ((sum ^ byte) * PRIME) & 0xFFFFFFFFFFFFFFFF }
+    end
+
+    def declarations(text)
+      found = []
+      text.scan(Regexp.union(MACRO, TYPE)) { found << Regexp.last_match(0).split.join(' ') }
+      found
     end
 
     def files

@@ -264,9 +264,20 @@ class TestInterfaceCompiler < Minitest::Test
   end
 
   def test_SWR_TOOL_013_layout_differs_when_a_further_header_declares_something_else
-    headers = ['int a;', 'int b;', "/* Words. */\nint   a;"].map { |text| layout({ 'more.h' => text }, 'more.h') }
-    assert_equal headers.first, headers.last
-    refute_equal headers.first, headers[1]
+    ["#define A 1\n", "#define B \\\n 2\n", 'typedef enum { A, B } a_t;',
+     "typedef struct {\n    union { struct { int x; int y; } a; int b; } u;\n    int c;\n} a_t;"].each do |text|
+      without, with, again, other = ['', text, "/* Words. */\n#{text.gsub(' ', '  ')}", text.sub(/\d|B|x/, 'z')]
+                                    .map { |more| layout({ 'more.h' => more }, 'more.h') }
+      assert_equal with, again, text
+      refute_equal with, without, text
+      refute_equal with, other, text
+    end
+  end
+
+  def test_SWR_TOOL_013_layout_is_the_same_when_functions_of_a_further_header_differ
+    type = 'typedef struct { int a; } a_t;'
+    more = "#{type}\nvoid a_init(a_t *self);\nstatic inline int a_get(const a_t *self)\n{\n    return self->a;\n}\n"
+    assert_equal layout({ 'more.h' => type }, 'more.h'), layout({ 'more.h' => more }, 'more.h')
   end
 
   def test_SWR_TOOL_013_layout_is_the_same_when_words_differ
