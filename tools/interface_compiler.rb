@@ -6,7 +6,7 @@
 #
 #   DIRECTORY       the headers of the core with their documentation, event.c, interface_layout.h
 #   DIRECTORY/app   names and sentences, what an event's numbers are, the JSON writer and its types for the console, the
-#                   columns of boresight-replay
+#                   columns of boresight-replay, where the fields stand
 #
 #   ruby tools/interface_compiler.rb core/interface build/gen/charts/charts.json build/gen/interface [HEADER...]
 #
@@ -16,6 +16,7 @@ require 'fileutils'
 require 'json'
 require_relative 'interface/columns'
 require_relative 'interface/event_words'
+require_relative 'interface/fields'
 require_relative 'interface/headers'
 require_relative 'interface/json'
 require_relative 'interface/layout'
@@ -27,7 +28,7 @@ module Interface
   # The command line.
   module Command
     USAGE = 'usage: ruby tools/interface_compiler.rb FOLDER CHARTS_JSON DIRECTORY [HEADER...]'
-    APP = [Names, EventWords, Json, Typescript, Columns].freeze
+    APP = [Names, EventWords, Json, Typescript, Columns, Fields].freeze
 
     # Returns the exit status.
     def self.run(arguments, errors: $stderr)

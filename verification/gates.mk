@@ -22,7 +22,8 @@ ALL_APP := $(wildcard app/*/*.c bsp/sim/*.c)
 # What is verified runs on the simulated control box, whichever board the programs are for.
 BOX_SOURCES := $(filter-out %_main.c bsp/sim/bsp_sim.c bsp/sim/wire.c,$(wildcard bsp/sim/*.c))
 OBJECTS := $(call object,$(CORE_SOURCES) $(ALL_APP) $(NAMES) $(GEN)/interface/app/event_words.c \
-    $(FIND_ROBOT) $(BOARD_TABLE) $(GEN)/interface/app/messages.c $(GEN)/interface/app/columns.c $(GEN)/assets/assets.c $(GEN)/assets/chart_names.c)
+    $(FIND_ROBOT) $(BOARD_TABLE) $(GEN)/interface/app/messages.c $(GEN)/interface/app/columns.c \
+    $(GEN)/interface/app/fields.c $(GEN)/assets/assets.c $(GEN)/assets/chart_names.c)
 
 generated: $(GENERATED)
 
@@ -51,7 +52,7 @@ worst-case-approve: worst-case
 	@cp build/conformance/worst_case.yml verification/model/worst_case.yml
 
 TESTED := $(filter-out %_main.c app/http/% app/supervisor/%,$(CORE_SOURCES) $(ALL_APP)) \
-    $(NAMES) $(GEN)/interface/app/event_words.c
+    $(NAMES) $(GEN)/interface/app/event_words.c $(GEN)/interface/app/fields.c $(FIND_ROBOT)
 $(OUT)/libtest.a: $(call object,$(TESTED))
 	@rm -f $@; ar rcs $@ $^
 

@@ -10,6 +10,7 @@
 #include "common/clock.h"
 #include "common/directory.h"
 #include "controller/controller.h"
+#include "interface/interface_layout.h"
 #include "recorder/black_box.h"
 #include "recorder/black_box_files.h"
 #include "recorder/event_log.h"
@@ -152,7 +153,8 @@ int main(int count, char **arguments)
     recording_header_t header = {.robot_crc = robot->crc,
                                  .inputs_size = sizeof(controller_inputs_t),
                                  .outputs_size = sizeof(controller_outputs_t),
-                                 .controller_size = sizeof(controller_t)};
+                                 .controller_size = sizeof(controller_t),
+                                 .layout = INTERFACE_LAYOUT};
     (void)snprintf(header.build, sizeof header.build, "%s", BUILD_ID);
     (void)snprintf(header.robot, sizeof header.robot, "%s", robot->name);
     event_log_open(&event_log, options.directory);

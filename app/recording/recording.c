@@ -4,6 +4,7 @@
 #include "base/crc.h"
 
 #include <openssl/evp.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -16,6 +17,7 @@
 #define HEADER_OUTPUTS 104U
 #define HEADER_CONTROLLER 108U
 #define HEADER_STARTED 112U
+#define HEADER_LAYOUT 120U
 #define HEADER_HASHED (RECORDING_HEADER_SIZE - RECORDING_HASH_SIZE)
 #define FIELDS_CRC 28U
 
@@ -28,10 +30,21 @@ static void put32(uint8_t *bytes, uint32_t value)
     }
 }
 
+static void put64(uint8_t *bytes, uint64_t value)
+{
+    put32(bytes, (uint32_t)value);
+    put32(&bytes[4], (uint32_t)(value >> 32));
+}
+
 static uint32_t get32(const uint8_t *bytes)
 {
     return (uint32_t)bytes[0] | ((uint32_t)bytes[1] << 8) | ((uint32_t)bytes[2] << 16) |
            ((uint32_t)bytes[3] << 24);
+}
+
+static uint64_t get64(const uint8_t *bytes)
+{
+    return (uint64_t)get32(bytes) | ((uint64_t)get32(&bytes[4]) << 32);
 }
 
 /* Hashes up to three pieces; without memory for it nothing can be trusted, so the process ends. */
@@ -67,6 +80,11 @@ static void hash_header(const uint8_t *bytes, uint8_t *hash)
     digest(pieces, sizes, hash);
 }
 
+void recording_seal_header(uint8_t *bytes)
+{
+    hash_header(bytes, &bytes[HEADER_HASHED]);
+}
+
 void recording_encode_header(const recording_header_t *header, uint8_t *bytes)
 {
     (void)memset(bytes, 0, RECORDING_HEADER_SIZE);
@@ -79,20 +97,19 @@ void recording_encode_header(const recording_header_t *header, uint8_t *bytes)
     put32(&bytes[HEADER_INPUTS], header->inputs_size);
     put32(&bytes[HEADER_OUTPUTS], header->outputs_size);
     put32(&bytes[HEADER_CONTROLLER], header->controller_size);
-    put32(&bytes[HEADER_STARTED], (uint32_t)header->started_us);
-    put32(&bytes[HEADER_STARTED + 4U], (uint32_t)(header->started_us >> 32));
-    hash_header(bytes, &bytes[HEADER_HASHED]);
+    put64(&bytes[HEADER_STARTED], header->started_us);
+    put64(&bytes[HEADER_LAYOUT], header->layout);
+    recording_seal_header(bytes);
 }
 
-bool recording_decode_header(const uint8_t *bytes, recording_header_t *header)
+uint32_t recording_decode_header(const uint8_t *bytes, recording_header_t *header)
 {
     uint8_t hash[RECORDING_HASH_SIZE];
 
     hash_header(bytes, hash);
     if ((memcmp(bytes, magic, sizeof magic) != 0) ||
-        (get32(&bytes[HEADER_VERSION]) != RECORDING_VERSION) ||
         (memcmp(hash, &bytes[HEADER_HASHED], sizeof hash) != 0)) {
-        return false;
+        return 0U;
     }
     (void)memcpy(header->build, &bytes[HEADER_BUILD], sizeof header->build);
     (void)memcpy(header->robot, &bytes[HEADER_ROBOT], sizeof header->robot);
@@ -102,9 +119,22 @@ bool recording_decode_header(const uint8_t *bytes, recording_header_t *header)
     header->inputs_size = get32(&bytes[HEADER_INPUTS]);
     header->outputs_size = get32(&bytes[HEADER_OUTPUTS]);
     header->controller_size = get32(&bytes[HEADER_CONTROLLER]);
-    header->started_us = (uint64_t)get32(&bytes[HEADER_STARTED]) |
-                         ((uint64_t)get32(&bytes[HEADER_STARTED + 4U]) << 32);
-    return true;
+    header->started_us = get64(&bytes[HEADER_STARTED]);
+    header->layout = get64(&bytes[HEADER_LAYOUT]);
+    return get32(&bytes[HEADER_VERSION]);
+}
+
+void recording_escape(const char *text, char *escaped, size_t size)
+{
+    size_t used = 0U;
+
+    for (size_t i = 0U; (text[i] != '\0') && ((used + sizeof "\\x00") <= size); i++) {
+        const bool is_plain =
+            (text[i] >= ' ') && (text[i] <= '~') && (text[i] != '\\') && (text[i] != '"');
+        used += (size_t)snprintf(&escaped[used], size - used, is_plain ? "%c" : "\\x%02X",
+                                 (unsigned)(unsigned char)text[i]);
+    }
+    escaped[used] = '\0';
 }
 
 void recording_encode_fields(const recording_fields_t *fields, uint8_t *bytes)
@@ -143,12 +173,4 @@ void recording_encode_checksums(const uint8_t *payload, uint32_t compressed_size
         put32(&bytes[(offset / RECORDING_CHUNK) * sizeof(uint32_t)],
               crc32c(&payload[offset], (left < RECORDING_CHUNK) ? left : RECORDING_CHUNK));
     }
-}
-
-uint32_t recording_body_size(const recording_header_t *header, uint32_t kind)
-{
-    if (kind == CYCLE_RECORD_CYCLE) {
-        return header->inputs_size + header->outputs_size;
-    }
-    return (kind == CYCLE_RECORD_CHECKPOINT) ? header->controller_size : 0U;
 }

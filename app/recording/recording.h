@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The recording: what was running, then every cycle's inputs and outputs in compressed blocks, each
- * bound to the one before it by its hash. Every byte of the file is covered. Numbers are little
- * endian.
+ * The recording: what was running, then every cycle in compressed blocks, each bound to the one
+ * before it by its hash. Every byte of the file is covered. Numbers are little endian.
  *
- *     header   256 bytes: magic, sizes, build, robot, zeros, SHA-256 of all that
+ *     header   256 bytes: magic, version, size, build, robot, sizes, time, layout, zeros, SHA-256
  *     block    32 bytes of fields, SHA-256, a checksum of each RECORDING_CHUNK, payload (zstd)
  *     ...
  *     trailer  32 bytes of fields, SHA-256; missing when the recorder was cut short
@@ -16,35 +15,45 @@
  * fields, checksums and payload. The checksums only serve to say where in a block a byte was
  * changed.
  *
- * A record is its kind, its cycle and its body. Of a cycle, the body is inputs and outputs, each
- * byte XOR the same byte of the cycle before it in the block.
+ * A record is a byte with its kind and its body: a cycle (cycle_code.h), or a checkpoint, with
+ * which a block begins. No cycle is missing in a block, its first one is whole, and it holds no
+ * more than a second, so that it is read without any other. A cycle that no checkpoint stands
+ * before is whole, as it cannot be computed again.
  */
 #ifndef BORESIGHT_RECORDING_H
 #define BORESIGHT_RECORDING_H
 
-#include "exchange/exchange.h"
+#include "limits/requirement_limits.h"
+#include "recording/cycle_code.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
-#define RECORDING_VERSION 1U
+#define RECORDING_VERSION 2U
 #define RECORDING_HASH_SIZE 32U
 #define RECORDING_HEADER_SIZE 256U
 #define RECORDING_FIELDS_SIZE 32U
 /** Fields and hash. */
 #define RECORDING_PREFIX_SIZE (RECORDING_FIELDS_SIZE + RECORDING_HASH_SIZE)
-#define RECORDING_CHUNK 1024U               /**< Payload bytes under one checksum. */
-#define RECORDING_BLOCK_RECORDS 256U        /**< Most records of one block. */
+#define RECORDING_CHUNK 1024U /**< Payload bytes under one checksum. */
+/** Most records of one block: a second of cycles. */
+#define RECORDING_BLOCK_RECORDS (1000000U / LIMIT_CYCLE_US)
 #define RECORDING_BLOCK_MAGIC 0x4B425342U   /**< "BSBK" */
 #define RECORDING_TRAILER_MAGIC 0x4E455342U /**< "BSEN" */
 
-/** Largest raw size of a block: its records, each with kind and cycle. */
-#define RECORDING_RAW_MAX (RECORDING_BLOCK_RECORDS * (8U + sizeof(((cycle_record_t *)0)->body)))
+/** The kind of a record that is no cycle (cycle_kind_t): the state of the controller. */
+#define RECORDING_CHECKPOINT 3U
+
+/** Largest size of a record, and of the records of a block. */
+#define RECORDING_RECORD_MAX (1U + sizeof(controller_t) + CYCLE_CODE_MAX)
+#define RECORDING_RAW_MAX ((size_t)512U * 1024U)
 
 /**
  * What was running.
  *
  * @satisfies SWR-REC-003
+ * @satisfies SWR-REC-008
  */
 typedef struct {
     char build[64];           /**< Name of the build. */
@@ -54,6 +63,7 @@ typedef struct {
     uint32_t outputs_size;    /**< sizeof(controller_outputs_t). */
     uint32_t controller_size; /**< sizeof(controller_t), the size of a checkpoint. */
     uint64_t started_us;      /**< UTC since 1970. */
+    uint64_t layout;          /**< INTERFACE_LAYOUT. */
 } recording_header_t;
 
 /** Fields of a block or of the trailer. */
@@ -71,9 +81,23 @@ typedef struct {
  * hash. */
 void recording_encode_header(const recording_header_t *header, uint8_t *bytes);
 
-/** Reads what recording_encode_header() wrote. False when the magic, the version or the hash is
- * wrong. */
-bool recording_decode_header(const uint8_t *bytes, recording_header_t *header);
+/** Writes the hash of a header. */
+void recording_seal_header(uint8_t *bytes);
+
+/**
+ * Reads what recording_encode_header() wrote. Of any version only the build is sure to mean what it
+ * says.
+ *
+ * @return the version of the recording; 0: this is no header, or it was changed
+ */
+uint32_t recording_decode_header(const uint8_t *bytes, recording_header_t *header);
+
+/**
+ * Writes `text` with \xNN for each byte that is no plain printable one.
+ *
+ * @satisfies SWR-REPLAY-008
+ */
+void recording_escape(const char *text, char *escaped, size_t size);
 
 void recording_encode_fields(const recording_fields_t *fields, uint8_t *bytes);
 
@@ -89,8 +113,5 @@ void recording_encode_checksums(const uint8_t *payload, uint32_t compressed_size
  * payload). */
 void recording_hash(const uint8_t *before, const uint8_t *fields, const uint8_t *rest,
                     size_t rest_size, uint8_t *hash);
-
-/** Size of a record's body. 0 for a kind that does not exist. */
-uint32_t recording_body_size(const recording_header_t *header, uint32_t kind);
 
 #endif

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "recording/recording_reader.h"
 
+#include "recording/recording_verify.h"
+
 #include <errno.h>
 #include <fcntl.h>
-#include <inttypes.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
@@ -13,179 +12,28 @@
 #include <unistd.h>
 #include <zstd.h>
 
-static recording_verdict_t find(recording_finding_t *finding, recording_verdict_t verdict,
-                                const char *format, ...) __attribute__((format(printf, 3, 4)));
-
-static recording_verdict_t find(recording_finding_t *finding, recording_verdict_t verdict,
-                                const char *format, ...)
+static bool is_file(int file, struct stat *status)
 {
-    va_list arguments;
-
-    va_start(arguments, format);
-    (void)vsnprintf(finding->sentence, sizeof finding->sentence, format, arguments);
-    va_end(arguments);
-    finding->verdict = verdict;
-    return verdict;
-}
-
-static recording_verdict_t find_damage(recording_finding_t *finding, uint64_t first, uint64_t last,
-                                       const char *what)
-{
-    finding->first_byte = first;
-    finding->last_byte = last;
-    return find(finding, RECORDING_DAMAGED,
-                "Block %" PRIu32 ", bytes %" PRIu64 "..%" PRIu64
-                ": %s; the recording was changed or damaged there.",
-                finding->block, first, last, what);
-}
-
-static recording_verdict_t find_cut(const recording_reader_t *self, recording_finding_t *finding,
-                                    uint64_t from)
-{
-    finding->first_byte = from;
-    finding->last_byte = self->size;
-    return find(finding, RECORDING_CUT_SHORT,
-                "Cut short after %" PRIu32 " blocks at byte %" PRIu64
-                ", without trailer; what is there is intact.",
-                self->blocks, from);
-}
-
-/* Offset in the checksums of the first one that differs from the payload's; their size when none
- * does. */
-static uint32_t first_difference(const uint8_t *stored, const uint8_t *computed, uint32_t size)
-{
-    uint32_t offset = 0U;
-
-    while ((offset < size) && (memcmp(&stored[offset], &computed[offset], sizeof(uint32_t)) == 0)) {
-        offset += (uint32_t)sizeof(uint32_t);
+    if (fstat(file, status) != 0) {
+        return false;
     }
-    return offset;
-}
-
-/* The hash of the block if its checksums were those of its payload: then only a checksum was
- * changed. */
-static bool is_payload_intact(const uint8_t *block, const recording_fields_t *fields,
-                              const uint8_t *before, uint8_t *computed)
-{
-    const size_t checksums_size = recording_checksums_size(fields->compressed_size);
-    uint8_t hash[RECORDING_HASH_SIZE];
-
-    (void)memcpy(&computed[checksums_size], &block[RECORDING_PREFIX_SIZE + checksums_size],
-                 fields->compressed_size);
-    recording_hash(before, block, computed, checksums_size + fields->compressed_size, hash);
-    return memcmp(hash, &block[RECORDING_FIELDS_SIZE], sizeof hash) == 0;
-}
-
-/* Where in a block of valid fields the hash went wrong: the hash itself, a checksum, or a chunk of
- * the payload. */
-static recording_verdict_t locate(const recording_reader_t *self, uint64_t offset,
-                                  const recording_fields_t *fields, const uint8_t *before,
-                                  recording_finding_t *finding)
-{
-    const uint8_t *block = &self->bytes[offset];
-    const uint32_t checksums_size = (uint32_t)recording_checksums_size(fields->compressed_size);
-    const uint64_t checksums = offset + RECORDING_PREFIX_SIZE;
-    uint8_t *computed = malloc((size_t)checksums_size + fields->compressed_size + 1U);
-    uint64_t first = offset + RECORDING_FIELDS_SIZE;
-    uint64_t last = first + RECORDING_HASH_SIZE - 1U;
-
-    if (computed == NULL) {
-        return find_damage(finding, first,
-                           checksums + checksums_size + fields->compressed_size - 1U,
-                           "the hash does not match");
-    }
-    recording_encode_checksums(&block[RECORDING_PREFIX_SIZE + checksums_size],
-                               fields->compressed_size, computed);
-    const uint32_t place =
-        first_difference(&block[RECORDING_PREFIX_SIZE], computed, checksums_size);
-    if ((place < checksums_size) && is_payload_intact(block, fields, before, computed)) {
-        first = checksums + place;
-        last = first + sizeof(uint32_t) - 1U;
-    } else if (place < checksums_size) {
-        const uint64_t chunk = (place / sizeof(uint32_t)) * RECORDING_CHUNK;
-        first = checksums + checksums_size + chunk;
-        last = ((fields->compressed_size - chunk) < RECORDING_CHUNK)
-                   ? (checksums + checksums_size + fields->compressed_size - 1U)
-                   : (first + RECORDING_CHUNK - 1U);
-    } else {
-        /* Payload and checksums agree: it is the hash. */
-    }
-    free(computed);
-    return find_damage(finding, first, last, "the hash does not match");
-}
-
-static bool is_hash_right(const uint8_t *block, const uint8_t *before, uint64_t rest_size)
-{
-    uint8_t hash[RECORDING_HASH_SIZE];
-
-    recording_hash(before, block, &block[RECORDING_PREFIX_SIZE], rest_size, hash);
-    return memcmp(hash, &block[RECORDING_FIELDS_SIZE], sizeof hash) == 0;
-}
-
-static recording_verdict_t verify_trailer(const recording_reader_t *self, uint64_t offset,
-                                          const uint8_t *before, recording_finding_t *finding)
-{
-    const uint64_t end = offset + RECORDING_PREFIX_SIZE;
-
-    if (!is_hash_right(&self->bytes[offset], before, 0U)) {
-        return find_damage(finding, offset, end - 1U, "the hash of the trailer does not match");
-    }
-    if (end != self->size) {
-        return find_damage(finding, end, self->size - 1U, "bytes follow the trailer");
-    }
-    return find(finding, RECORDING_WHOLE, "Whole: %" PRIu32 " blocks, %" PRIu64 " records.",
-                self->blocks, self->records);
-}
-
-static recording_verdict_t verify_blocks(recording_reader_t *self, recording_finding_t *finding)
-{
-    const uint8_t *before = &self->bytes[RECORDING_HEADER_SIZE - RECORDING_HASH_SIZE];
-
-    while ((self->size - self->end) >= RECORDING_PREFIX_SIZE) {
-        const uint64_t offset = self->end;
-        recording_fields_t fields;
-        finding->block = self->blocks;
-        if (!recording_decode_fields(&self->bytes[offset], &fields)) {
-            return find_damage(finding, offset, offset + RECORDING_FIELDS_SIZE - 1U,
-                               "its fields do not match");
-        }
-        if (fields.magic == RECORDING_TRAILER_MAGIC) {
-            return verify_trailer(self, offset, before, finding);
-        }
-        if ((fields.magic != RECORDING_BLOCK_MAGIC) || (fields.number != self->blocks)) {
-            return find_damage(finding, offset, offset + RECORDING_FIELDS_SIZE - 1U,
-                               "another block belongs here");
-        }
-        const uint64_t rest =
-            recording_checksums_size(fields.compressed_size) + fields.compressed_size;
-        if ((self->size - offset - RECORDING_PREFIX_SIZE) < rest) {
-            return find_cut(self, finding, offset);
-        }
-        if (!is_hash_right(&self->bytes[offset], before, rest)) {
-            return locate(self, offset, &fields, before, finding);
-        }
-        before = &self->bytes[offset + RECORDING_FIELDS_SIZE];
-        self->end = offset + RECORDING_PREFIX_SIZE + rest;
-        self->blocks++;
-        self->records += fields.records;
-        self->cycles_lost += fields.cycles_lost;
-    }
-    return find_cut(self, finding, self->end);
+    errno = S_ISDIR(status->st_mode) ? EISDIR : EINVAL;
+    return S_ISREG(status->st_mode);
 }
 
 static recording_verdict_t map_file(recording_reader_t *self, const char *path,
                                     recording_finding_t *finding)
 {
     struct stat status;
-    const int file = open(path, O_RDONLY | O_CLOEXEC);
+    const int file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
 
-    if ((file < 0) || (fstat(file, &status) != 0)) {
+    if ((file < 0) || !is_file(file, &status)) {
         const int reason = errno;
         if (file >= 0) {
             (void)close(file);
         }
-        return find(finding, RECORDING_UNREADABLE, "%s cannot be read (%s).", path,
-                    strerror(reason));
+        return recording_find(finding, RECORDING_UNREADABLE, "%s cannot be read (%s).", path,
+                              strerror(reason));
     }
     self->size = (uint64_t)status.st_size;
     if (self->size >= RECORDING_HEADER_SIZE) {
@@ -193,9 +41,9 @@ static recording_verdict_t map_file(recording_reader_t *self, const char *path,
         self->bytes = (address == MAP_FAILED) ? NULL : address;
     }
     (void)close(file);
-    return (self->bytes != NULL)
-               ? RECORDING_WHOLE
-               : find(finding, RECORDING_UNREADABLE, "%s is too short to be a recording.", path);
+    return (self->bytes != NULL) ? RECORDING_WHOLE
+                                 : recording_find(finding, RECORDING_UNREADABLE,
+                                                  "%s is too short to be a recording.", path);
 }
 
 recording_verdict_t recording_reader_open(recording_reader_t *self, const char *path,
@@ -206,29 +54,22 @@ recording_verdict_t recording_reader_open(recording_reader_t *self, const char *
     if (map_file(self, path, finding) != RECORDING_WHOLE) {
         return finding->verdict;
     }
-    if (!recording_decode_header(self->bytes, &self->header)) {
-        finding->last_byte = RECORDING_HEADER_SIZE - 1U;
-        (void)find(finding, RECORDING_DAMAGED,
-                   "Header, bytes 0..%u: this is no recording of version %u, or it was changed or "
-                   "damaged there.",
-                   RECORDING_HEADER_SIZE - 1U, RECORDING_VERSION);
-    } else {
-        self->end = RECORDING_HEADER_SIZE;
-        (void)verify_blocks(self, finding);
-    }
+    (void)recording_verify(self, finding);
     self->next = RECORDING_HEADER_SIZE;
-    if (finding->verdict == RECORDING_DAMAGED) {
+    if ((finding->verdict == RECORDING_DAMAGED) || (finding->verdict == RECORDING_OTHER_VERSION)) {
         recording_reader_close(self);
     }
     return finding->verdict;
 }
 
-bool recording_reader_fits(const recording_reader_t *self, uint32_t controller_size)
+bool recording_reader_fits(const recording_reader_t *self, uint64_t layout,
+                           uint32_t controller_size)
 {
-    return (self->header.inputs_size == sizeof(controller_inputs_t)) &&
+    return (self->header.layout == layout) &&
+           (self->header.inputs_size == sizeof(controller_inputs_t)) &&
            (self->header.outputs_size == sizeof(controller_outputs_t)) &&
            (self->header.controller_size == controller_size) &&
-           (controller_size <= sizeof(((cycle_record_t *)0)->body));
+           (controller_size <= sizeof(controller_t));
 }
 
 static bool load_block(recording_reader_t *self)
@@ -253,41 +94,48 @@ static bool load_block(recording_reader_t *self)
                         &block[RECORDING_PREFIX_SIZE + checksums_size], fields.compressed_size);
     self->raw_size = fields.raw_size;
     self->raw_next = 0U;
-    (void)memset(self->before, 0, sizeof self->before);
+    self->cycle = fields.cycle;
+    cycle_code_begin(&self->code);
     return size == fields.raw_size;
 }
 
-static void take_body(recording_reader_t *self, const uint8_t *from, cycle_record_t *record,
-                      uint32_t size)
+static bool take_checkpoint(recording_reader_t *self, cycle_record_t *record)
 {
-    (void)memcpy(record->body.checkpoint, from, size);
-    if (record->kind == CYCLE_RECORD_CYCLE) {
-        for (uint32_t i = 0U; i < size; i++) {
-            record->body.checkpoint[i] ^= self->before[i];
-        }
-        (void)memcpy(self->before, record->body.checkpoint, size);
+    const uint32_t size = self->header.controller_size;
+
+    if ((size > sizeof record->body.checkpoint) ||
+        ((self->raw_size - self->raw_next - 1U) < size)) {
+        return false;
     }
+    record->kind = (uint32_t)CYCLE_RECORD_CHECKPOINT;
+    (void)memcpy(record->body.checkpoint, &self->raw[self->raw_next + 1U], size);
+    self->raw_next += 1U + size;
+    return true;
 }
 
-bool recording_reader_next(recording_reader_t *self, cycle_record_t *record)
+static bool take_cycle(recording_reader_t *self, cycle_record_t *record, cycle_known_t *known)
+{
+    const size_t size =
+        cycle_code_decode(&self->code, &self->raw[self->raw_next], self->raw_size - self->raw_next,
+                          &record->body.cycle.inputs, &record->body.cycle.outputs, known);
+
+    record->kind = (uint32_t)CYCLE_RECORD_CYCLE;
+    self->raw_next += (uint32_t)size;
+    self->cycle++;
+    return size != 0U;
+}
+
+bool recording_reader_next(recording_reader_t *self, cycle_record_t *record, cycle_known_t *known)
 {
     if ((self->raw_next == self->raw_size) && !load_block(self)) {
         return false;
     }
-    const uint8_t *from = &self->raw[self->raw_next];
-    if ((self->raw_size - self->raw_next) < 8U) {
+    if (self->raw_next == self->raw_size) {
         return false;
     }
-    (void)memcpy(&record->kind, &from[0], sizeof record->kind);
-    (void)memcpy(&record->cycle, &from[4], sizeof record->cycle);
-    const uint32_t size = recording_body_size(&self->header, record->kind);
-    if ((size == 0U) || (size > sizeof record->body) ||
-        ((self->raw_size - self->raw_next - 8U) < size)) {
-        return false;
-    }
-    take_body(self, &from[8], record, size);
-    self->raw_next += 8U + size;
-    return true;
+    record->cycle = self->cycle;
+    return (self->raw[self->raw_next] == RECORDING_CHECKPOINT) ? take_checkpoint(self, record)
+                                                               : take_cycle(self, record, known);
 }
 
 void recording_reader_close(recording_reader_t *self)

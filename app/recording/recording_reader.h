@@ -11,10 +11,11 @@
 #include <stdbool.h>
 
 typedef enum {
-    RECORDING_WHOLE = 0,     /**< Every byte is as it was written. */
-    RECORDING_CUT_SHORT = 1, /**< The end is missing; what is there is as it was written. */
-    RECORDING_DAMAGED = 2,   /**< A byte was changed, added or removed; nothing is read. */
-    RECORDING_UNREADABLE = 3 /**< There is no such file, or it cannot be read. */
+    RECORDING_WHOLE = 0,        /**< Every byte is as it was written. */
+    RECORDING_CUT_SHORT = 1,    /**< The end is missing; what is there is as it was written. */
+    RECORDING_DAMAGED = 2,      /**< A byte was changed, added or removed; nothing is read. */
+    RECORDING_UNREADABLE = 3,   /**< There is no such file, or it cannot be read. */
+    RECORDING_OTHER_VERSION = 4 /**< It is of another format. */
 } recording_verdict_t;
 
 typedef struct {
@@ -23,7 +24,7 @@ typedef struct {
                             inclusive. */
     uint64_t last_byte;
     uint32_t block;     /**< Number of the block there. */
-    char sentence[256]; /**< What was found, for people. */
+    char sentence[512]; /**< What was found, for people. */
 } recording_finding_t;
 
 typedef struct {
@@ -38,7 +39,8 @@ typedef struct {
     uint8_t *raw; /**< The present block. */
     uint32_t raw_size;
     uint32_t raw_next;
-    uint8_t before[sizeof(((cycle_record_t *)0)->body)];
+    uint32_t cycle; /**< Of the next record. */
+    cycle_code_t code;
 } recording_reader_t;
 
 /**
@@ -47,16 +49,27 @@ typedef struct {
  * @return the verdict of `finding`; with RECORDING_WHOLE and RECORDING_CUT_SHORT the reader is open
  *
  * @satisfies SWR-REPLAY-002
+ * @satisfies SWR-REPLAY-005
+ * @satisfies SWR-REPLAY-007
  */
 recording_verdict_t recording_reader_open(recording_reader_t *self, const char *path,
                                           recording_finding_t *finding);
 
-/** Says whether the sizes of the recording are those of this build; otherwise its records cannot be
- * read. */
-bool recording_reader_fits(const recording_reader_t *self, uint32_t controller_size);
+/**
+ * Says whether the recording's layout and sizes are those of this build; otherwise its records
+ * cannot be read.
+ *
+ * @satisfies SWR-REPLAY-006
+ */
+bool recording_reader_fits(const recording_reader_t *self, uint64_t layout,
+                           uint32_t controller_size);
 
-/** The next record. False at the end, or when a block does not hold what its fields say. */
-bool recording_reader_next(recording_reader_t *self, cycle_record_t *record);
+/**
+ * The next record, and what is known of a cycle. What was not kept of its outputs is zero.
+ *
+ * @return false at the end, or when a block does not hold what its fields say
+ */
+bool recording_reader_next(recording_reader_t *self, cycle_record_t *record, cycle_known_t *known);
 
 void recording_reader_close(recording_reader_t *self);
 

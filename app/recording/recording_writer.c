@@ -9,7 +9,7 @@
 #include <zstd.h>
 
 #define FILE_MODE 0640
-#define COMPRESSION_LEVEL 1
+#define COMPRESSION_LEVEL 3
 
 static void release(recording_writer_t *self)
 {
@@ -51,7 +51,8 @@ static bool write_all(recording_writer_t *self, const uint8_t *bytes, size_t siz
 static void begin_block(recording_writer_t *self)
 {
     (void)memset(&self->block, 0, sizeof self->block);
-    (void)memset(self->before, 0, sizeof self->before);
+    self->has_whole = false;
+    cycle_code_begin(&self->code);
 }
 
 static bool write_header(recording_writer_t *self)
@@ -99,42 +100,68 @@ bool recording_writer_open(recording_writer_t *self, const char *path,
 
 void recording_writer_note_loss(recording_writer_t *self, uint32_t cycles)
 {
-    self->block.cycles_lost += cycles;
+    self->lost_before += cycles;
     self->cycles_lost += cycles;
 }
 
-static void append_body(recording_writer_t *self, uint8_t *to, const cycle_record_t *record,
-                        uint32_t size)
+static void append_cycle(recording_writer_t *self, const cycle_record_t *record)
 {
-    if (record->kind != CYCLE_RECORD_CYCLE) {
-        (void)memcpy(to, record->body.checkpoint, size);
-        return;
-    }
-    for (uint32_t i = 0U; i < size; i++) {
-        to[i] = (uint8_t)(record->body.checkpoint[i] ^ self->before[i]);
-    }
-    (void)memcpy(self->before, record->body.checkpoint, size);
+    const bool is_whole = !self->has_whole || !self->has_checkpoint;
+
+    self->block.raw_size += (uint32_t)cycle_code_encode(
+        &self->code, &self->prover, is_whole, &record->body.cycle.inputs,
+        &record->body.cycle.outputs, &self->raw[self->block.raw_size]);
+    self->has_whole = true;
+    self->next_cycle = record->cycle + 1U;
+}
+
+static void append_checkpoint(recording_writer_t *self, const cycle_record_t *record)
+{
+    uint8_t *to = &self->raw[self->block.raw_size];
+
+    to[0] = RECORDING_CHECKPOINT;
+    (void)memcpy(&to[1], record->body.checkpoint, self->header.controller_size);
+    self->block.raw_size += 1U + self->header.controller_size;
+    self->next_cycle = record->cycle;
+    self->has_checkpoint = true;
+}
+
+static void begin_records(recording_writer_t *self, const cycle_record_t *record)
+{
+    self->block.cycle = record->cycle;
+    self->block.cycles_lost = self->lost_before;
+    self->lost_before = 0U;
+}
+
+static bool is_full(const recording_writer_t *self)
+{
+    return (self->block.records >= RECORDING_BLOCK_RECORDS) ||
+           ((RECORDING_RAW_MAX - self->block.raw_size) < RECORDING_RECORD_MAX);
 }
 
 bool recording_writer_append(recording_writer_t *self, const cycle_record_t *record)
 {
-    const uint32_t size = recording_body_size(&self->header, record->kind);
-    uint8_t *to = &self->raw[self->block.raw_size];
+    const bool is_checkpoint = record->kind == (uint32_t)CYCLE_RECORD_CHECKPOINT;
 
-    if (size == 0U) {
+    if (!is_checkpoint && (record->kind != (uint32_t)CYCLE_RECORD_CYCLE)) {
         return true;
     }
-    if (self->block.records == 0U) {
-        self->block.cycle = record->cycle;
+    if ((is_checkpoint || (record->cycle != self->next_cycle)) && !recording_writer_flush(self)) {
+        return false;
     }
-    (void)memcpy(&to[0], &record->kind, sizeof record->kind);
-    (void)memcpy(&to[4], &record->cycle, sizeof record->cycle);
-    append_body(self, &to[8], record, size);
-    self->block.raw_size += 8U + size;
+    self->has_checkpoint = self->has_checkpoint && (record->cycle == self->next_cycle);
+    if (self->block.records == 0U) {
+        begin_records(self, record);
+    }
+    if (is_checkpoint) {
+        append_checkpoint(self, record);
+    } else {
+        append_cycle(self, record);
+    }
     self->block.records++;
     self->records++;
     self->cycle = record->cycle;
-    return (self->block.records < RECORDING_BLOCK_RECORDS) || recording_writer_flush(self);
+    return !is_full(self) || recording_writer_flush(self);
 }
 
 /* Payload first, at the end of the room for its checksums; those are then moved up to it. */

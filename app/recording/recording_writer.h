@@ -17,21 +17,25 @@ typedef struct {
     uint8_t hash[RECORDING_HASH_SIZE]; /**< Of the block before. */
     recording_fields_t block;          /**< The block being filled. */
     uint32_t cycle;                    /**< Of the last record. */
+    uint32_t next_cycle;               /**< The one that may follow in this block. */
+    bool has_whole;                    /**< The block has its first cycle. */
+    bool has_checkpoint;               /**< No cycle is missing since one. */
     uint32_t blocks;                   /**< Written. */
     uint64_t records;                  /**< Appended. */
     uint64_t size;                     /**< Bytes written. */
     uint32_t cycles_lost;
+    uint32_t lost_before; /**< Of those, the ones before the next block. */
     void *compressor;
-    /** Body of the cycle before in this block. */
-    uint8_t before[sizeof(((cycle_record_t *)0)->body)];
+    cycle_code_t code;
+    prover_t prover;
     uint8_t raw[RECORDING_RAW_MAX];
     uint8_t *output; /**< Prefix, checksums and payload of one block. */
     size_t output_size;
 } recording_writer_t;
 
 /**
- * Creates the file `path` and writes its header. The sizes of `header` may not exceed those of
- * cycle_record_t.
+ * Creates the file `path` and writes its header; checkpoints are of its controller_size, at most
+ * sizeof(controller_t).
  *
  * @return false with errno set when it cannot; the writer is closed
  */
@@ -42,13 +46,17 @@ bool recording_writer_open(recording_writer_t *self, const char *path,
 void recording_writer_note_loss(recording_writer_t *self, uint32_t cycles);
 
 /**
- * Adds a record; a full block is written.
+ * Adds a record; a full block is written. A checkpoint, and a cycle that does not follow the one
+ * before, begin a block. Cycles that cannot be computed again, for want of a checkpoint, are kept
+ * whole.
  *
  * @return false with errno set when the block could not be written; its records are gone and the
  * writer is closed
  *
  * @satisfies SWR-REC-001
  * @satisfies SWR-REC-002
+ * @satisfies SWR-REC-004
+ * @satisfies SWR-REC-005
  */
 bool recording_writer_append(recording_writer_t *self, const cycle_record_t *record);
 

@@ -1,29 +1,30 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "replay/replay.h"
 
+#include "interface/app/fields.h"
+#include "replay/field_name.h"
+
 #include <stdio.h>
 #include <string.h>
 
-/* A part of the outputs that consists of equal elements. */
+#define PLACE_SIZE 128U
+
+/* What equal elements a part of the outputs consists of; NULL: of bytes without names. */
 typedef struct {
     const char *name;
-    const char *element;
     size_t offset;
-    size_t size;
     size_t element_size;
+    const field_t *fields;
 } area_t;
 
 static const area_t areas[] = {
-    {"counts", "word", 0U, offsetof(controller_outputs_t, answers), sizeof(uint32_t)},
-    {"answers", "answer", offsetof(controller_outputs_t, answers),
-     sizeof(((controller_outputs_t *)0)->answers), sizeof(answer_t)},
-    {"events", "event", offsetof(controller_outputs_t, events),
-     sizeof(((controller_outputs_t *)0)->events), sizeof(event_t)},
-    {"snapshot", "snapshot", offsetof(controller_outputs_t, snapshot), sizeof(snapshot_t),
-     sizeof(snapshot_t)},
-    {"frames", "slot", offsetof(controller_outputs_t, frames),
-     sizeof(((controller_outputs_t *)0)->frames), CARD_FRAME_BYTES},
+    {"counts, word", 0U, sizeof(uint32_t), NULL},
+    {"answers, answer", offsetof(controller_outputs_t, answers), sizeof(answer_t), fields_answer},
+    {"events, event", offsetof(controller_outputs_t, events), sizeof(event_t), fields_event},
+    {"snapshot", offsetof(controller_outputs_t, snapshot), sizeof(snapshot_t), fields_snapshot},
+    {"frames, slot", offsetof(controller_outputs_t, frames), CARD_FRAME_BYTES, NULL},
 };
+#define AREAS (sizeof areas / sizeof areas[0])
 
 void replay_init(replay_t *self)
 {
@@ -38,9 +39,32 @@ static void restore(replay_t *self, const cycle_record_t *record)
     self->checkpoints++;
 }
 
-bool replay_take(replay_t *self, const robot_t *robot, const cycle_record_t *record)
+static void execute(replay_t *self, const robot_t *robot, const controller_inputs_t *inputs)
 {
-    if (record->kind == CYCLE_RECORD_CHECKPOINT) {
+    uint32_t words[CYCLE_WORDS_CHECKED];
+
+    controller_step(&self->controller, robot, inputs, &self->outputs);
+    cycle_words_of_checked(&self->outputs, words);
+    prover_take(&self->prover, inputs->elapsed_us, words, &self->proof);
+}
+
+/* Bytes at the beginning of the outputs that were kept as they were. */
+static size_t kept_size(const cycle_known_t *known)
+{
+    return known->is_whole ? sizeof(controller_outputs_t)
+                           : offsetof(controller_outputs_t, snapshot);
+}
+
+static bool is_equal(const replay_t *self, const cycle_record_t *record, const cycle_known_t *known)
+{
+    return (memcmp(&self->outputs, &record->body.cycle.outputs, kept_size(known)) == 0) &&
+           (known->is_whole || (proof_difference(&self->proof, &known->proof) == PROOF_PARTS));
+}
+
+bool replay_take(replay_t *self, const robot_t *robot, const cycle_record_t *record,
+                 const cycle_known_t *known)
+{
+    if (record->kind == (uint32_t)CYCLE_RECORD_CHECKPOINT) {
         restore(self, record);
         return true;
     }
@@ -52,34 +76,128 @@ bool replay_take(replay_t *self, const robot_t *robot, const cycle_record_t *rec
         self->unreplayed++;
         return true;
     }
-    controller_step(&self->controller, robot, &record->body.cycle.inputs, &self->outputs);
+    if (known->is_whole) {
+        prover_begin(&self->prover);
+    }
+    execute(self, robot, &record->body.cycle.inputs);
     self->next_cycle = record->cycle + 1U;
-    if (memcmp(&self->outputs, &record->body.cycle.outputs, sizeof self->outputs) != 0) {
+    if (!is_equal(self, record, known)) {
         return false;
     }
     self->replayed++;
     return true;
 }
 
-void replay_difference(const replay_t *self, const cycle_record_t *record, char *text, size_t size)
+static uint32_t word_at(const void *from, size_t offset)
 {
-    const uint8_t *recorded = (const uint8_t *)&record->body.cycle.outputs;
-    const uint8_t *replayed = (const uint8_t *)&self->outputs;
-    size_t offset = 0U;
+    uint32_t word = 0U;
+
+    (void)memcpy(&word, (const uint8_t *)from + offset, sizeof word);
+    return word;
+}
+
+static const area_t *find_area(size_t offset)
+{
     size_t area = 0U;
 
-    while ((offset < sizeof self->outputs) && (recorded[offset] == replayed[offset])) {
-        offset++;
-    }
-    while (((area + 1U) < (sizeof areas / sizeof areas[0])) &&
-           (offset >= areas[area + 1U].offset)) {
+    while (((area + 1U) < AREAS) && (offset >= areas[area + 1U].offset)) {
         area++;
     }
-    const size_t inside = offset - areas[area].offset;
+    return &areas[area];
+}
+
+/* Where the byte is among the outputs. */
+static void name_place(size_t offset, char *text, size_t size)
+{
+    const area_t *const area = find_area(offset);
+    const size_t inside = offset - area->offset;
+    char field[PLACE_SIZE] = "";
+
+    if (area->fields != NULL) {
+        field_name(area->fields, inside % area->element_size, field, sizeof field);
+    } else {
+        (void)snprintf(field, sizeof field, "byte %zu", inside % area->element_size);
+    }
+    if (area->fields == fields_snapshot) {
+        (void)snprintf(text, size, "%s, %s", area->name, field);
+    } else {
+        (void)snprintf(text, size, "%s %zu, %s", area->name, inside / area->element_size, field);
+    }
+}
+
+static void say_values(const char *where, uint32_t cycle, uint32_t replayed, uint32_t recorded,
+                       char *text, size_t size)
+{
     (void)snprintf(text, size,
-                   "Cycle %u differs first at byte %zu of its outputs: %s, %s %zu, byte %zu is "
-                   "0x%02X, recorded 0x%02X.",
-                   (unsigned)record->cycle, offset, areas[area].name, areas[area].element,
-                   inside / areas[area].element_size, inside % areas[area].element_size,
-                   replayed[offset], recorded[offset]);
+                   "Cycle %u differs first in its %s: it is %u (0x%X), recorded %u (0x%X).",
+                   (unsigned)cycle, where, (unsigned)replayed, (unsigned)replayed,
+                   (unsigned)recorded, (unsigned)recorded);
+}
+
+/* What was kept of it: the word of a field, otherwise the byte. */
+static void say_kept(size_t offset, uint32_t cycle, const uint8_t *replayed,
+                     const uint8_t *recorded, char *text, size_t size)
+{
+    const size_t word = offset - (offset % sizeof(uint32_t));
+    char place[PLACE_SIZE + 32U];
+
+    name_place(offset, place, sizeof place);
+    if (find_area(offset)->fields != NULL) {
+        say_values(place, cycle, word_at(replayed, word), word_at(recorded, word), text, size);
+    } else {
+        say_values(place, cycle, replayed[offset], recorded[offset], text, size);
+    }
+}
+
+/* A part that went on as expected when it was recorded: what it was is known. */
+static bool say_surprise(const replay_t *self, const cycle_record_t *record, char *text,
+                         size_t size)
+{
+    const proof_surprise_t *const surprise = &self->prover.surprises[PROOF_SNAPSHOT];
+    const size_t inside = surprise->word * sizeof(uint32_t);
+    char place[PLACE_SIZE + 32U];
+
+    name_place(offsetof(controller_outputs_t, snapshot) + inside, place, sizeof place);
+    say_values(place, record->cycle, word_at(&self->outputs.snapshot, inside), surprise->expected,
+               text, size);
+    return true;
+}
+
+static bool say_proof(const replay_t *self, const cycle_record_t *record,
+                      const cycle_known_t *known, char *text, size_t size)
+{
+    const uint32_t part = proof_difference(&self->proof, &known->proof);
+    const bool was_expected = ((known->proof.surprises >> part) & 1U) == 0U;
+
+    if ((part == PROOF_SNAPSHOT) && was_expected) {
+        return say_surprise(self, record, text, size);
+    }
+    if (part == PROOF_SNAPSHOT) {
+        (void)snprintf(text, size,
+                       "Cycle %u differs first in its snapshot, of which a hash was kept.",
+                       (unsigned)record->cycle);
+    } else {
+        (void)snprintf(text, size,
+                       "Cycle %u differs first in its frames, slot %u, of which a hash was kept.",
+                       (unsigned)record->cycle, (unsigned)(part - PROOF_FRAMES));
+    }
+    return false;
+}
+
+bool replay_difference(const replay_t *self, const cycle_record_t *record,
+                       const cycle_known_t *known, char *text, size_t size)
+{
+    const uint8_t *const recorded = (const uint8_t *)&record->body.cycle.outputs;
+    const uint8_t *const replayed = (const uint8_t *)&self->outputs;
+    const size_t kept = kept_size(known);
+    size_t offset = 0U;
+
+    while ((offset < kept) && (recorded[offset] == replayed[offset])) {
+        offset++;
+    }
+    if (offset == kept) {
+        return say_proof(self, record, known, text, size);
+    }
+    say_kept(offset, record->cycle, replayed, recorded, text, size);
+    return true;
 }

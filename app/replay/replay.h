@@ -2,13 +2,16 @@
 /**
  * @file
  * Executes the controller again on recorded inputs and compares what it says with what was
- * recorded.
+ * recorded: counts, answers and events with themselves, snapshot and frames with their proof, or
+ * with themselves in a cycle that was kept whole.
  */
 #ifndef BORESIGHT_REPLAY_H
 #define BORESIGHT_REPLAY_H
 
 #include "controller/controller.h"
 #include "exchange/exchange.h"
+#include "recording/cycle_code.h"
+#include "recording/proof.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -17,6 +20,8 @@
 typedef struct {
     controller_t controller;
     controller_outputs_t outputs;
+    prover_t prover;
+    proof_t proof;   /**< Of the last cycle, as replayed. */
     bool is_running; /**< A checkpoint was restored and no cycle is missing since. */
     uint32_t next_cycle;
     uint64_t replayed;   /**< Cycles whose outputs were equal. */
@@ -34,10 +39,18 @@ void replay_init(replay_t *self);
  *
  * @satisfies SWR-REPLAY-001
  */
-bool replay_take(replay_t *self, const robot_t *robot, const cycle_record_t *record);
+bool replay_take(replay_t *self, const robot_t *robot, const cycle_record_t *record,
+                 const cycle_known_t *known);
 
-/** Writes where the outputs of the last cycle differ first from those of `record`, as a sentence.
+/**
+ * Writes in which part, and as far as it was kept in which field, the outputs of the last cycle
+ * differ first from those of `record`, as a sentence.
+ *
+ * @return the field is in it; otherwise the next cycle that is kept whole tells more
+ *
+ * @satisfies SWR-REPLAY-004
  */
-void replay_difference(const replay_t *self, const cycle_record_t *record, char *text, size_t size);
+bool replay_difference(const replay_t *self, const cycle_record_t *record,
+                       const cycle_known_t *known, char *text, size_t size);
 
 #endif

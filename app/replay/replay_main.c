@@ -8,11 +8,13 @@
  *     boresight-replay --events FILE    writes the events, a line each, instead
  *
  * Exit code 0: every output equal. 1: a difference. 2: damaged, unreadable, not holding the records
- * it announces, of another layout or robot, or nothing to replay. 3: every output equal, but the
- * recording is cut short. Table and events end with 0, 2 or 3 alike.
+ * it announces, of another format, layout or robot, or nothing to replay. 3: every output equal,
+ * but the recording is cut short. The table, which is of the motion as replayed, ends alike; the
+ * events, which are in the recording, end with 0, 2 or 3.
  */
 #include "base/contract.h"
 #include "common/build_id.h"
+#include "interface/interface_layout.h"
 #include "recording/recording_reader.h"
 #include "replay/replay.h"
 #include "replay/table.h"
@@ -33,6 +35,7 @@ static const robot_t *robot;
 static recording_reader_t reader;
 static replay_t replay;
 static cycle_record_t record;
+static cycle_known_t known;
 static uint64_t taken; /* Records read. */
 
 void contract_broken(const char *module, uint32_t id)
@@ -42,15 +45,21 @@ void contract_broken(const char *module, uint32_t id)
     _Exit(EXIT_DIFFERENT);
 }
 
+/* What a file calls itself; four letters for each that is not plain. */
+typedef struct {
+    char robot[4U * sizeof((recording_header_t *)0)->robot];
+    char build[4U * sizeof((recording_header_t *)0)->build];
+} names_t;
+
 /* Finds the robot; says why it is not the recorded one. */
-static bool find_robot(const recording_header_t *header)
+static bool find_robot(const recording_header_t *header, const names_t *names)
 {
     robot = robots_find(header->robot);
     if (robot == NULL) {
         (void)fprintf(stderr,
                       "Recorded with robot %s, this build has %s; replay it with the build that "
                       "recorded it, \"%s\".\n",
-                      header->robot, robot_names_list(), header->build);
+                      names->robot, robot_names_list(), names->build);
         return false;
     }
     if (header->robot_crc != robot->crc) {
@@ -58,33 +67,43 @@ static bool find_robot(const recording_header_t *header)
                       "Recorded with robot %s of CRC %08" PRIX32
                       ", this build has %s of CRC %08" PRIX32
                       "; replay it with the build that recorded it, \"%s\".\n",
-                      header->robot, header->robot_crc, robot->name, robot->crc, header->build);
+                      names->robot, header->robot_crc, robot->name, robot->crc, names->build);
         return false;
     }
     return true;
 }
 
+/* Says why the bytes of the recording are not what this build takes them for. */
+static bool check_layout(const recording_header_t *header, const names_t *names)
+{
+    if (recording_reader_fits(&reader, INTERFACE_LAYOUT, sizeof(controller_t))) {
+        return true;
+    }
+    (void)fprintf(stderr,
+                  "Recorded with layout %016" PRIX64 ", inputs of %" PRIu32 ", outputs of %" PRIu32
+                  " and a state of %" PRIu32 " bytes, this build has %016" PRIX64
+                  ", %zu, %zu and %zu; replay it with the build that recorded it, \"%s\".\n",
+                  header->layout, header->inputs_size, header->outputs_size,
+                  header->controller_size, INTERFACE_LAYOUT, sizeof(controller_inputs_t),
+                  sizeof(controller_outputs_t), sizeof(controller_t), names->build);
+    return false;
+}
+
 /* Says why this build must not replay the recording. */
 static bool check_header(const recording_header_t *header)
 {
-    if (!find_robot(header)) {
-        return false;
-    }
-    if (!recording_reader_fits(&reader, sizeof(controller_t))) {
-        (void)fprintf(stderr,
-                      "Recorded with inputs of %" PRIu32 ", outputs of %" PRIu32
-                      " and a state of %" PRIu32 " bytes, this build has %zu, %zu and %zu; replay "
-                      "it with the build that recorded it, \"%s\".\n",
-                      header->inputs_size, header->outputs_size, header->controller_size,
-                      sizeof(controller_inputs_t), sizeof(controller_outputs_t),
-                      sizeof(controller_t), header->build);
+    names_t names;
+
+    recording_escape(header->robot, names.robot, sizeof names.robot);
+    recording_escape(header->build, names.build, sizeof names.build);
+    if (!find_robot(header, &names) || !check_layout(header, &names)) {
         return false;
     }
     if (strcmp(header->build, BUILD_ID) != 0) {
         (void)fprintf(stderr,
                       "Recorded by build \"%s\", replayed by build \"%s\": a difference may come "
                       "from that.\n",
-                      header->build, BUILD_ID);
+                      names.build, BUILD_ID);
     }
     return true;
 }
@@ -102,7 +121,7 @@ static recording_verdict_t verify(const char *path)
 
 static bool take_record(void)
 {
-    const bool is_taken = recording_reader_next(&reader, &record);
+    const bool is_taken = recording_reader_next(&reader, &record, &known);
 
     taken += is_taken ? 1U : 0U;
     return is_taken;
@@ -123,26 +142,64 @@ static bool check_end(void)
     return false;
 }
 
-static int replay_all(bool is_cut_short)
+/* After a difference of which only a hash was kept: what the next whole cycle shows, which comes
+ * within a second. */
+static void look_further(FILE *where)
 {
     char difference[256];
+    bool is_equal = true;
 
+    known.is_whole = false;
+    while (!known.is_whole && take_record()) {
+        is_equal = replay_take(&replay, robot, &record, &known);
+    }
+    if (known.is_whole && is_equal) {
+        (void)fprintf(where, "Cycle %" PRIu32 ", the next that was kept whole, is equal.\n",
+                      record.cycle);
+    } else if (known.is_whole) {
+        (void)replay_difference(&replay, &record, &known, difference, sizeof difference);
+        (void)fprintf(where, "The next that was kept whole: %s\n", difference);
+    } else {
+        /* The recording ends before it. */
+    }
+}
+
+static int tell_difference(FILE *where)
+{
+    char difference[256];
+    const uint64_t equal = replay.replayed;
+    const bool is_named =
+        replay_difference(&replay, &record, &known, difference, sizeof difference);
+
+    (void)fflush(stdout);
+    (void)fprintf(where, "%s\n%" PRIu64 " cycles before it were equal.\n", difference, equal);
+    if (!is_named) {
+        look_further(where);
+    }
+    return EXIT_DIFFERENT;
+}
+
+static void tell_unreplayed(FILE *where)
+{
+    if (replay.unreplayed > 0U) {
+        (void)fprintf(where,
+                      "%" PRIu64 " cycles follow no checkpoint (%" PRIu32
+                      " gaps) and were not replayed.\n",
+                      replay.unreplayed, replay.gaps);
+    }
+}
+
+static int replay_all(bool is_cut_short)
+{
     while (take_record()) {
-        if (!replay_take(&replay, robot, &record)) {
-            replay_difference(&replay, &record, difference, sizeof difference);
-            (void)printf("%s\n%" PRIu64 " cycles before it were equal.\n", difference,
-                         replay.replayed);
-            return EXIT_DIFFERENT;
+        if (!replay_take(&replay, robot, &record, &known)) {
+            return tell_difference(stdout);
         }
     }
     if (!check_end()) {
         return EXIT_REFUSED;
     }
-    if (replay.unreplayed > 0U) {
-        (void)printf("%" PRIu64 " cycles follow no checkpoint (%" PRIu32
-                     " gaps) and were not replayed.\n",
-                     replay.unreplayed, replay.gaps);
-    }
+    tell_unreplayed(stdout);
     if (replay.replayed == 0U) {
         (void)printf("There is nothing to replay: no cycle follows a checkpoint.\n");
         return EXIT_REFUSED;
@@ -157,15 +214,33 @@ static int replay_all(bool is_cut_short)
     return EXIT_EQUAL;
 }
 
+/* Of a cycle that was replayed, or at least kept whole. */
+static void print_row(void)
+{
+    if (replay.is_running) {
+        table_print_row(robot, record.cycle, &replay.outputs.snapshot);
+    } else if (known.is_whole) {
+        table_print_row(robot, record.cycle, &record.body.cycle.outputs.snapshot);
+    } else {
+        /* Nobody knows what it showed. */
+    }
+}
+
 static int print_table(bool is_cut_short)
 {
     table_print_names(robot);
     while (take_record()) {
-        table_print_row(robot, &record);
+        if (!replay_take(&replay, robot, &record, &known)) {
+            return tell_difference(stderr);
+        }
+        if (record.kind == (uint32_t)CYCLE_RECORD_CYCLE) {
+            print_row();
+        }
     }
     if (!check_end()) {
         return EXIT_REFUSED;
     }
+    tell_unreplayed(stderr);
     return is_cut_short ? EXIT_CUT_SHORT : EXIT_EQUAL;
 }
 

@@ -33,13 +33,13 @@ double table_output_percent(const axis_config_t *config, const snapshot_axis_t *
     return servo_is_upwards(config, &drive) ? percent : -percent;
 }
 
-void table_print_row(const robot_t *robot, const cycle_record_t *record)
+void table_print_row(const robot_t *robot, uint32_t cycle, const snapshot_t *snapshot)
 {
-    if ((record->kind != CYCLE_RECORD_CYCLE) || ((record->cycle % TABLE_CYCLES) != 0U)) {
+    if ((cycle % TABLE_CYCLES) != 0U) {
         return;
     }
-    (void)printf("%.3f", (double)record->cycle / CYCLES_PER_S);
-    columns_print(robot, &record->body.cycle.outputs.snapshot);
+    (void)printf("%.3f", (double)cycle / CYCLES_PER_S);
+    columns_print(robot, snapshot);
     (void)putchar('\n');
 }
 

@@ -18,11 +18,11 @@ double table_output_percent(const axis_config_t *config, const snapshot_axis_t *
 void table_print_names(const robot_t *robot);
 
 /**
- * Prints the row of `record` when it is its turn.
+ * Prints the row of `cycle` when it is its turn.
  *
  * @satisfies SWR-REPLAY-003
  */
-void table_print_row(const robot_t *robot, const cycle_record_t *record);
+void table_print_row(const robot_t *robot, uint32_t cycle, const snapshot_t *snapshot);
 
 /**
  * Prints a line for each event of `record`: time in s, number, severity, name, sentence.

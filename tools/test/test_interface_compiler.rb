@@ -240,6 +240,35 @@ class TestInterfaceCompiler < Minitest::Test
     end
   end
 
+  TINS = <<~YAML
+    #{COLOURS.chomp}
+      - name: shelf
+        fields:
+          - {name: number, type: uint32}
+          - {name: tins, type: paint, count: ROBOT_AXIS_MAX}
+  YAML
+
+  def test_SWR_TOOL_011_the_place_of_each_field_is_known
+    with_output('colours.yml' => TINS) do |folder|
+      FileUtils.mkdir_p(File.join(folder, 'robot'))
+      File.write(File.join(folder, 'robot/robot.h'), "#define ROBOT_AXIS_MAX 3\n")
+      File.write(File.join(folder, 'main.c'), <<~CODE)
+        #include "fields.h"
+        #include <stdio.h>
+        int main(void)
+        {
+            for (const field_t *field = fields_shelf; field->name != NULL; field++) {
+                (void)printf("%s %d %d %d %s\\n", field->name, (int)field->offset, (int)field->size,
+                             (int)field->element_size, (field->inside == fields_paint) ? "paint" : "-");
+            }
+            (void)printf("%s\\n", fields_paint[2].name);
+            return 0;
+        }
+      CODE
+      assert_equal "number 0 4 4 -\ntins 4 48 16 paint\nrest_ml\n", output_of(folder, 'main.c', 'app/fields.c')
+    end
+  end
+
   def test_SWR_TOOL_011_same_bytes_on_every_run
     outputs = Array.new(2) { with_output { |folder| contents(folder) } }
     assert_equal outputs.first, outputs.last

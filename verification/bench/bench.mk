@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # What a cycle costs, and how punctually it begins; included by the Makefile.
 
-.PHONY: bench bench-instructions bench-latency bench-programs cost-programs cost cost-approve
+.PHONY: bench bench-instructions bench-latency bench-recordings bench-programs cost-programs cost cost-approve
 
 # The scene is played on the rig of the integration tests, which asserts with Unity.
 BENCH_SCENE := $(call object,verification/bench/samples.c verification/integration/support/rig.c $(BOX_SOURCES) \
@@ -10,13 +10,21 @@ build/gcc/bin/bench-samples: $(BENCH_SCENE) build/gcc/libcore.a
 	@mkdir -p $(@D)
 	@$(CC) $(CFLAGS) -I$(UNITY) $^ $(UNITY)/unity.c -lm -o $@
 	@echo "built $@"
+
+BENCH_RECORDINGS := $(call object,verification/bench/recordings.c verification/integration/support/rig.c \
+    verification/integration/support/recorded.c $(BOX_SOURCES) $(wildcard app/recording/*.c) $(FIND_ROBOT))
+build/gcc/bin/bench-recordings: $(BENCH_RECORDINGS) build/gcc/libcore.a
+	@mkdir -p $(@D)
+	@$(CC) $(CFLAGS) -I$(UNITY) $^ $(UNITY)/unity.c $(LIBS_boresight-recorder) -lm -o $@
+	@echo "built $@"
 $(OUT)/verification/bench/%.o: FLAGS = -D_GNU_SOURCE $(TEST_INCLUDES) -I$(UNITY)
 
 SOURCES_bench-step := verification/bench/step.c
 $(eval $(call program,bench-step))
 
 bench-programs: bootstrap-test cost-programs
-	@$(MAKE) --no-print-directory -j2 $(BINARIES) $(BIN)/boresight-client build/gcc/bin/bench-step
+	@$(MAKE) --no-print-directory -j2 $(BINARIES) $(BIN)/boresight-client build/gcc/bin/bench-step \
+	    build/gcc/bin/bench-recordings
 
 # What the gate needs, without what the latency needs.
 cost-programs:
@@ -29,7 +37,7 @@ cost: bootstrap-test cost-programs ## What a cycle costs as Cortex-A9 code, in i
 cost-approve: cost
 	@cp build/bench/cost.yml verification/bench/cost.yml
 
-bench: bench-programs ## Instructions of a cycle; wake-up latency beside cyclictest (BENCH_SECONDS=10)
+bench: bench-programs ## Instructions of a cycle, sizes of recordings, wake-up latency beside cyclictest (BENCH_SECONDS=10)
 	@ruby verification/bench/bench.rb
 
 bench-instructions: bench-programs
@@ -37,3 +45,6 @@ bench-instructions: bench-programs
 
 bench-latency: bench-programs
 	@ruby verification/bench/bench.rb latency
+
+bench-recordings: build/gcc/bin/bench-recordings
+	@ruby verification/bench/bench.rb recordings

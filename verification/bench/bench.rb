@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# `make bench`: what a control cycle costs, and how punctually it begins.
+# `make bench`: what a control cycle costs, how large its recording is, and how punctually it begins.
 #
-#   ruby verification/bench/bench.rb [instructions] [latency]      without a word: both
+#   ruby verification/bench/bench.rb [instructions] [recordings] [latency]      without a word: all
 #
 # Nothing here passes or fails. Times of a shared or virtual machine are its own, not the program's, so none of them is
 # a limit. Instructions are the same on every run of one build with one compiler: test_cost.rb holds them to a limit.
@@ -12,10 +12,11 @@
 $stdout.sync = true
 require_relative 'instructions'
 require_relative 'latency'
+require_relative 'recordings'
 
-parts = { 'instructions' => Instructions, 'latency' => Latency }
+parts = { 'instructions' => Instructions, 'recordings' => Recordings, 'latency' => Latency }
 unknown = ARGV - parts.keys
-abort "unknown: #{unknown.join(' ')}; usage: bench.rb [instructions] [latency]" unless unknown.empty?
+abort "unknown: #{unknown.join(' ')}; usage: bench.rb [#{parts.keys.join('] [')}]" unless unknown.empty?
 
 begin
   tables = (ARGV.empty? ? parts.keys : ARGV.uniq).map { |name| parts[name].new.run }

@@ -9,6 +9,10 @@
 #include "unity.h"
 
 #include "controller/controller.h"
+#include "interface/app/fields.h"
+#include "recording/cycle_words.h"
+#include "recording/proof.h"
+#include "replay/field_name.h"
 #include "replay/replay.h"
 #include "robot/robot_neuro.h"
 #include "unit/support/contract_trap.h"
@@ -247,6 +251,7 @@ void test_SWR_REPLAY_001_a_start_with_kept_positions_is_replayed_from_its_checkp
 {
     static replay_t replay;
     static cycle_record_t record;
+    const cycle_known_t known = {.is_whole = true};
 
     count_up(AXIS_PITCH, 100000);
     end_programs();
@@ -255,13 +260,13 @@ void test_SWR_REPLAY_001_a_start_with_kept_positions_is_replayed_from_its_checkp
     record.kind = CYCLE_RECORD_CHECKPOINT;
     record.cycle = 0U;
     (void)memcpy(record.body.checkpoint, &rig.controller, sizeof(rig.controller));
-    TEST_ASSERT_TRUE(replay_take(&replay, &robot_neuro, &record));
+    TEST_ASSERT_TRUE(replay_take(&replay, &robot_neuro, &record, &known));
     record.kind = CYCLE_RECORD_CYCLE;
     for (record.cycle = 0U; record.cycle < 50U; record.cycle++) {
         rig_cycle(&rig);
         record.body.cycle.inputs = rig.inputs;
         record.body.cycle.outputs = rig.outputs;
-        TEST_ASSERT_TRUE(replay_take(&replay, &robot_neuro, &record));
+        TEST_ASSERT_TRUE(replay_take(&replay, &robot_neuro, &record, &known));
     }
     assert_reference(AXIS_PITCH, AXIS_REFERENCE_LOST);
     assert_reference(AXIS_HEAD, AXIS_REFERENCE_UNVERIFIED);

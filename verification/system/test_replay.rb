@@ -95,13 +95,46 @@ class TestReplay < SystemTest
   def test_SWR_REPLAY_001_a_robot_that_this_build_does_not_have_is_refused_by_its_name
     boresight.wait_until('something is recorded') { boresight.status['cycle'] > 500 }
     file = end_recording
-    header = File.binread(file, 256)
-    header[80, 16] = 'scara'.ljust(16, "\0")
-    header[224, 32] = Digest::SHA256.digest(header[0, 224])
-    File.binwrite(file, header)
+    change_header(file) { |header| header[80, 16] = 'scara'.ljust(16, "\0") }
     text, code = replay(file)
     assert_equal 2, code
     assert_match(/^Recorded with robot scara, this build has .*neuro; replay it with the build that recorded it, "/, text)
+  end
+
+  # Nothing but a header, changed, with a right hash.
+  def change_header(file)
+    header = File.binread(file, HEADER)
+    yield header
+    header[224, 32] = Digest::SHA256.digest(header[0, 224])
+    File.binwrite(file, header)
+  end
+
+  def test_SWR_REPLAY_008_a_name_that_gives_orders_to_the_terminal_is_escaped
+    boresight.wait_until('something is recorded') { boresight.status['cycle'] > 500 }
+    file = end_recording
+    change_header(file) do |header|
+      header[80, 16] = "\e[2J\n".ljust(16, "\0")
+      header[16, 64] = "\a\"x".ljust(64, "\0")
+    end
+    text, code = replay(file)
+    assert_equal 2, code
+    assert_includes text, 'Recorded with robot \x1B[2J\x0A, this build has '
+    assert_includes text, 'recorded it, "\x07\x22x".'
+    refute_match(/[^[:print:]\n]/, text)
+  end
+
+  def test_SWR_REPLAY_006_another_layout_of_the_same_sizes_is_refused_by_both_numbers
+    boresight.wait_until('something is recorded') { boresight.status['cycle'] > 500 }
+    file = end_recording
+    own = nil
+    change_header(file) do |header|
+      own = header[120, 8].unpack1('Q<')
+      header[120, 8] = [own ^ 1].pack('Q<')
+    end
+    text, code = replay(file)
+    assert_equal 2, code
+    assert_includes text, format('Recorded with layout %016X, ', own ^ 1)
+    assert_includes text, format('this build has %016X, ', own)
   end
 
   def test_SWR_REPLAY_001_another_robot_is_refused_by_both_crcs
@@ -137,7 +170,7 @@ class TestReplay < SystemTest
   end
 
   def test_SWR_REPLAY_001_a_recording_cut_short_is_replayed_and_said_to_be_cut
-    boresight.wait_until('something is recorded') { boresight.status['cycle'] > 2000 }
+    boresight.wait_until('something is recorded') { boresight.status['cycle'] > 3000 }
     file = end_recording
     File.truncate(file, File.size(file) - 100)
     text, code = replay(file)

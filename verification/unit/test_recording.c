@@ -6,8 +6,13 @@
 #include "unity.h"
 
 #include "base/crc.h"
+#include "card/card_frame.h"
+#include "recording/cycle_code.h"
+#include "recording/cycle_words.h"
+#include "recording/proof.h"
 #include "recording/recording.h"
 #include "recording/recording_reader.h"
+#include "recording/recording_verify.h"
 #include "recording/recording_writer.h"
 
 #include <errno.h>
@@ -19,25 +24,28 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <zstd.h>
 
-#define INPUTS_SIZE 40U /* Small bodies keep the file small enough to try every byte. */
-#define OUTPUTS_SIZE 60U
-#define CONTROLLER_SIZE 48U
+#define CONTROLLER_SIZE 48U /* A small one keeps the file small enough to try every byte. */
+#define LAYOUT UINT64_C(0x0123456789ABCDEF)
 #define BLOCKS 3U
 #define RECORDS_PER_BLOCK 24U
 
 static const recording_header_t header = {.build = "test-build",
                                           .robot = "neuro",
                                           .robot_crc = 0x12345678U,
-                                          .inputs_size = INPUTS_SIZE,
-                                          .outputs_size = OUTPUTS_SIZE,
+                                          .inputs_size = sizeof(controller_inputs_t),
+                                          .outputs_size = sizeof(controller_outputs_t),
                                           .controller_size = CONTROLLER_SIZE,
-                                          .started_us = UINT64_C(1700000000123456)};
+                                          .started_us = UINT64_C(1700000000123456),
+                                          .layout = LAYOUT};
 static char path[64];
 static recording_writer_t writer;
 static recording_reader_t reader;
 static recording_finding_t finding;
 static cycle_record_t record;
+static cycle_known_t known;
+static prover_t prover;
 static uint32_t noise;
 
 void setUp(void)
@@ -59,46 +67,90 @@ static uint8_t next_noise(void)
     return (uint8_t)(noise >> 24);
 }
 
-/* The same record for the same cycle, half of it noise. */
+/* The same record for the same cycle: a card that counts, and noise. */
 static void make_record(cycle_record_t *to, uint32_t cycle, cycle_record_kind_t kind)
 {
+    const card_report_t report = {.slot = 2U, .heartbeat = cycle, .encoder_count = -(int32_t)cycle};
+    const card_command_t command = {.slot = 2U, .sequence = cycle};
+
     (void)memset(to, 0, sizeof(*to));
     to->kind = (uint32_t)kind;
     to->cycle = cycle;
     noise = cycle + 1U;
-    for (uint32_t i = 0U; i < recording_body_size(&header, to->kind); i++) {
-        to->body.checkpoint[i] = ((i % 2U) == 0U) ? next_noise() : (uint8_t)i;
+    if (kind == CYCLE_RECORD_CHECKPOINT) {
+        for (uint32_t i = 0U; i < CONTROLLER_SIZE; i++) {
+            to->body.checkpoint[i] = next_noise();
+        }
+        return;
     }
+    to->body.cycle.inputs.elapsed_us = 1000U + next_noise();
+    card_frame_encode_report(&report, to->body.cycle.inputs.frames[2]);
+    to->body.cycle.inputs.frames[5][next_noise()] = next_noise();
+    to->body.cycle.outputs.event_count = next_noise() & 1U;
+    to->body.cycle.outputs.snapshot.cycle = cycle;
+    to->body.cycle.outputs.snapshot.axes[0].position_ticks = next_noise();
+    card_frame_encode_command(&command, to->body.cycle.outputs.frames[2]);
 }
 
-static cycle_record_kind_t kind_of(uint32_t cycle)
+/* Each block begins with a checkpoint, which is of the cycle after it. */
+static void make_nth(cycle_record_t *to, uint32_t n)
 {
-    return ((cycle % RECORDS_PER_BLOCK) == 0U) ? CYCLE_RECORD_CHECKPOINT : CYCLE_RECORD_CYCLE;
+    const uint32_t block = n / RECORDS_PER_BLOCK;
+    const uint32_t place = n % RECORDS_PER_BLOCK;
+    const uint32_t first = block * (RECORDS_PER_BLOCK - 1U);
+
+    if (place == 0U) {
+        make_record(to, first, CYCLE_RECORD_CHECKPOINT);
+    } else {
+        make_record(to, first + (place - 1U), CYCLE_RECORD_CYCLE);
+    }
 }
 
 static void write_blocks(uint32_t blocks)
 {
     TEST_ASSERT_TRUE(recording_writer_open(&writer, path, &header));
-    for (uint32_t cycle = 0U; cycle < (blocks * RECORDS_PER_BLOCK); cycle++) {
-        make_record(&record, cycle, kind_of(cycle));
+    for (uint32_t n = 0U; n < (blocks * RECORDS_PER_BLOCK); n++) {
+        make_nth(&record, n);
         TEST_ASSERT_TRUE(recording_writer_append(&writer, &record));
-        if ((cycle % RECORDS_PER_BLOCK) == (RECORDS_PER_BLOCK - 1U)) {
-            TEST_ASSERT_TRUE(recording_writer_flush(&writer));
-        }
     }
+    TEST_ASSERT_TRUE(recording_writer_flush(&writer));
+}
+
+/* What comes back of a cycle is what went in, or its proof. */
+static void expect_cycle(const cycle_record_t *expected)
+{
+    const controller_outputs_t *const outputs = &expected->body.cycle.outputs;
+    uint32_t words[CYCLE_WORDS_CHECKED];
+    proof_t proof;
+
+    TEST_ASSERT_EQUAL_MEMORY(&expected->body.cycle.inputs, &record.body.cycle.inputs,
+                             sizeof(controller_inputs_t));
+    TEST_ASSERT_EQUAL_MEMORY(outputs, &record.body.cycle.outputs,
+                             known.is_whole ? sizeof(controller_outputs_t)
+                                            : offsetof(controller_outputs_t, snapshot));
+    if (known.is_whole) {
+        prover_begin(&prover);
+    }
+    cycle_words_of_checked(outputs, words);
+    prover_take(&prover, expected->body.cycle.inputs.elapsed_us, words, &proof);
+    TEST_ASSERT_TRUE(known.is_whole || (proof_difference(&proof, &known.proof) == PROOF_PARTS));
 }
 
 static uint32_t read_all(void)
 {
-    cycle_record_t expected;
+    static cycle_record_t expected;
     uint32_t count = 0U;
 
-    while (recording_reader_next(&reader, &record)) {
-        make_record(&expected, count, kind_of(count));
+    while (recording_reader_next(&reader, &record, &known)) {
+        make_nth(&expected, count);
         TEST_ASSERT_EQUAL_UINT32(expected.kind, record.kind);
         TEST_ASSERT_EQUAL_UINT32(expected.cycle, record.cycle);
-        TEST_ASSERT_EQUAL_MEMORY(expected.body.checkpoint, record.body.checkpoint,
-                                 recording_body_size(&header, record.kind));
+        if (record.kind == (uint32_t)CYCLE_RECORD_CYCLE) {
+            expect_cycle(&expected);
+        } else {
+            TEST_ASSERT_EQUAL_MEMORY(expected.body.checkpoint, record.body.checkpoint,
+                                     CONTROLLER_SIZE);
+        }
         count++;
     }
     return count;
@@ -153,28 +205,107 @@ void test_SWR_REC_002_records_come_back_as_they_were_appended(void)
     TEST_ASSERT_EQUAL_UINT32(BLOCKS * RECORDS_PER_BLOCK, read_all());
 }
 
-void test_SWR_REC_002_a_block_is_written_when_it_is_full(void)
+void test_SWR_REC_002_a_block_is_written_when_it_holds_a_second(void)
 {
     TEST_ASSERT_TRUE(recording_writer_open(&writer, path, &header));
     for (uint32_t cycle = 0U; cycle < (RECORDING_BLOCK_RECORDS + 1U); cycle++) {
-        make_record(&record, cycle, kind_of(cycle));
+        make_record(&record, cycle, CYCLE_RECORD_CYCLE);
         TEST_ASSERT_TRUE(recording_writer_append(&writer, &record));
         TEST_ASSERT_EQUAL_UINT32((cycle < (RECORDING_BLOCK_RECORDS - 1U)) ? 0U : 1U, writer.blocks);
     }
     TEST_ASSERT_TRUE(recording_writer_close(&writer));
     TEST_ASSERT_EQUAL(RECORDING_WHOLE, recording_reader_open(&reader, path, &finding));
-    TEST_ASSERT_EQUAL_UINT32(RECORDING_BLOCK_RECORDS + 1U, read_all());
+    TEST_ASSERT_EQUAL_UINT32(2U, reader.blocks);
+    TEST_ASSERT_EQUAL_UINT64(RECORDING_BLOCK_RECORDS + 1U, reader.records);
+}
+
+/* All words of every cycle are noise. */
+void test_SWR_REC_002_a_block_is_written_before_its_room_is_full(void)
+{
+    TEST_ASSERT_TRUE(recording_writer_open(&writer, path, &header));
+    for (uint32_t cycle = 0U; cycle < 200U; cycle++) {
+        (void)memset(&record, 0, sizeof(record));
+        record.kind = (uint32_t)CYCLE_RECORD_CYCLE;
+        record.cycle = cycle;
+        noise = cycle;
+        for (uint32_t i = 0U; i < sizeof(record.body.cycle); i++) {
+            record.body.checkpoint[i] = next_noise();
+        }
+        TEST_ASSERT_TRUE(recording_writer_append(&writer, &record));
+        TEST_ASSERT_TRUE(writer.block.raw_size <= (RECORDING_RAW_MAX - RECORDING_RECORD_MAX));
+    }
+    TEST_ASSERT_TRUE(recording_writer_close(&writer));
+    TEST_ASSERT_EQUAL(RECORDING_WHOLE, recording_reader_open(&reader, path, &finding));
+    TEST_ASSERT_GREATER_THAN_UINT32(2U, reader.blocks);
+    for (uint32_t cycle = 0U; cycle < 200U; cycle++) {
+        TEST_ASSERT_TRUE(recording_reader_next(&reader, &record, &known));
+        TEST_ASSERT_EQUAL_UINT32(cycle, record.cycle);
+        noise = cycle;
+        for (uint32_t i = 0U; i < offsetof(controller_outputs_t, snapshot); i++) {
+            TEST_ASSERT_EQUAL_HEX8(next_noise(), record.body.checkpoint[i]);
+        }
+    }
+}
+
+/* Two blocks of 23 cycles with their checkpoints, then two cycles after a loss. */
+void test_SWR_REC_006_whole_are_the_first_cycle_of_a_block_and_all_without_a_checkpoint(void)
+{
+    uint32_t whole = 0U;
+
+    write_blocks(2U);
+    make_record(&record, 1000U, CYCLE_RECORD_CYCLE);
+    TEST_ASSERT_TRUE(recording_writer_append(&writer, &record));
+    make_record(&record, 1001U, CYCLE_RECORD_CYCLE);
+    TEST_ASSERT_TRUE(recording_writer_append(&writer, &record));
+    make_record(&record, 1002U, CYCLE_RECORD_CHECKPOINT);
+    TEST_ASSERT_TRUE(recording_writer_append(&writer, &record));
+    make_record(&record, 1002U, CYCLE_RECORD_CYCLE);
+    TEST_ASSERT_TRUE(recording_writer_append(&writer, &record));
+    make_record(&record, 1003U, CYCLE_RECORD_CYCLE);
+    TEST_ASSERT_TRUE(recording_writer_append(&writer, &record));
+    TEST_ASSERT_TRUE(recording_writer_close(&writer));
+    TEST_ASSERT_EQUAL(RECORDING_WHOLE, recording_reader_open(&reader, path, &finding));
+    TEST_ASSERT_EQUAL_UINT32(4U, reader.blocks);
+    while (recording_reader_next(&reader, &record, &known)) {
+        if (record.kind == (uint32_t)CYCLE_RECORD_CYCLE) {
+            whole += known.is_whole ? 1U : 0U;
+            TEST_ASSERT_EQUAL((record.cycle == 0U) || (record.cycle == 23U) ||
+                                  ((record.cycle >= 1000U) && (record.cycle <= 1002U)),
+                              known.is_whole);
+        }
+    }
+    TEST_ASSERT_EQUAL_UINT32(5U, whole);
+}
+
+/* Where it begins in the open recording. */
+static uint64_t third_block(void)
+{
+    recording_fields_t fields;
+    uint64_t offset = RECORDING_HEADER_SIZE;
+
+    for (uint32_t i = 0U; i < 2U; i++) {
+        TEST_ASSERT_TRUE(recording_decode_fields(&reader.bytes[offset], &fields));
+        offset += RECORDING_PREFIX_SIZE + recording_checksums_size(fields.compressed_size) +
+                  fields.compressed_size;
+    }
+    return offset;
 }
 
 void test_SWR_REC_002_lost_cycles_are_written_into_the_block_after_them(void)
 {
     write_blocks(1U);
+    make_record(&record, RECORDS_PER_BLOCK - 1U, CYCLE_RECORD_CYCLE);
+    TEST_ASSERT_TRUE(recording_writer_append(&writer, &record));
     recording_writer_note_loss(&writer, 5U);
     make_record(&record, RECORDS_PER_BLOCK + 5U, CYCLE_RECORD_CYCLE);
     TEST_ASSERT_TRUE(recording_writer_append(&writer, &record));
     TEST_ASSERT_TRUE(recording_writer_close(&writer));
     TEST_ASSERT_EQUAL(RECORDING_WHOLE, recording_reader_open(&reader, path, &finding));
     TEST_ASSERT_EQUAL_UINT32(5U, reader.cycles_lost);
+    TEST_ASSERT_EQUAL_UINT32(3U, reader.blocks);
+    recording_fields_t last;
+    TEST_ASSERT_TRUE(recording_decode_fields(&reader.bytes[third_block()], &last));
+    TEST_ASSERT_EQUAL_UINT32(5U, last.cycles_lost);
 }
 
 void test_SWR_REC_002_a_record_of_an_unknown_kind_is_left_out(void)
@@ -198,8 +329,8 @@ void test_SWR_REC_002_a_full_disk_leaves_whole_blocks_and_says_so(void)
     limit = before;
     limit.rlim_cur = (rlim_t)file_size() + 100U; /* Half a block. */
     TEST_ASSERT_EQUAL_INT(0, setrlimit(RLIMIT_FSIZE, &limit));
-    for (uint32_t cycle = 0U; cycle < RECORDS_PER_BLOCK; cycle++) {
-        make_record(&record, cycle, CYCLE_RECORD_CYCLE);
+    for (uint32_t n = RECORDS_PER_BLOCK; n < (2U * RECORDS_PER_BLOCK); n++) {
+        make_nth(&record, n);
         TEST_ASSERT_TRUE(recording_writer_append(&writer, &record));
     }
     const bool is_written = recording_writer_flush(&writer);
@@ -231,22 +362,20 @@ void test_SWR_REC_003_the_header_names_build_and_robot(void)
     TEST_ASSERT_EQUAL_UINT64(UINT64_C(1700000000123456), reader.header.started_us);
 }
 
-void test_SWR_REC_003_a_recording_of_another_layout_does_not_fit(void)
+void test_SWR_REC_008_a_recording_of_another_layout_does_not_fit(void)
 {
-    recording_header_t other = header;
-
-    other.inputs_size = sizeof(controller_inputs_t);
-    other.outputs_size = sizeof(controller_outputs_t);
-    TEST_ASSERT_TRUE(recording_writer_open(&writer, path, &other));
+    write_blocks(1U);
     TEST_ASSERT_TRUE(recording_writer_close(&writer));
     TEST_ASSERT_EQUAL(RECORDING_WHOLE, recording_reader_open(&reader, path, &finding));
-    TEST_ASSERT_TRUE(recording_reader_fits(&reader, CONTROLLER_SIZE));
-    TEST_ASSERT_FALSE(recording_reader_fits(&reader, CONTROLLER_SIZE + 1U));
+    TEST_ASSERT_EQUAL_HEX64(LAYOUT, reader.header.layout);
+    TEST_ASSERT_TRUE(recording_reader_fits(&reader, LAYOUT, CONTROLLER_SIZE));
+    TEST_ASSERT_FALSE(recording_reader_fits(&reader, LAYOUT + 1U, CONTROLLER_SIZE));
+    TEST_ASSERT_FALSE(recording_reader_fits(&reader, LAYOUT, CONTROLLER_SIZE + 1U));
     reader.header.outputs_size--;
-    TEST_ASSERT_FALSE(recording_reader_fits(&reader, CONTROLLER_SIZE));
+    TEST_ASSERT_FALSE(recording_reader_fits(&reader, LAYOUT, CONTROLLER_SIZE));
     reader.header.outputs_size++;
     reader.header.inputs_size++;
-    TEST_ASSERT_FALSE(recording_reader_fits(&reader, CONTROLLER_SIZE));
+    TEST_ASSERT_FALSE(recording_reader_fits(&reader, LAYOUT, CONTROLLER_SIZE));
 }
 
 void test_SWR_REPLAY_002_a_flip_of_any_bit_pattern_in_any_byte_is_reported_with_its_place(void)
@@ -346,4 +475,116 @@ void test_SWR_REPLAY_002_a_missing_file_is_named(void)
     TEST_ASSERT_EQUAL(RECORDING_UNREADABLE,
                       recording_reader_open(&reader, "/tmp/no-such.bsr", &finding));
     TEST_ASSERT_NOT_NULL(strstr(finding.sentence, "/tmp/no-such.bsr"));
+}
+
+void test_SWR_REPLAY_007_what_is_no_file_is_refused(void)
+{
+    TEST_ASSERT_EQUAL(RECORDING_UNREADABLE, recording_reader_open(&reader, "/tmp", &finding));
+    TEST_ASSERT_NOT_NULL(strstr(finding.sentence, "/tmp cannot be read"));
+    TEST_ASSERT_EQUAL(RECORDING_UNREADABLE, recording_reader_open(&reader, "/dev/zero", &finding));
+}
+
+static void write_bytes(const uint8_t *bytes, size_t size)
+{
+    const int file = open(path, O_WRONLY | O_CREAT | O_TRUNC, 0600);
+
+    TEST_ASSERT_EQUAL_INT((int)size, (int)write(file, bytes, size));
+    (void)close(file);
+}
+
+void test_SWR_REPLAY_007_files_of_noise_are_refused_with_a_sentence(void)
+{
+    static uint8_t bytes[4096];
+
+    for (uint32_t i = 0U; i < 200U; i++) {
+        noise = i;
+        for (size_t at = 0U; at < sizeof(bytes); at++) {
+            bytes[at] = next_noise();
+        }
+        if ((i % 2U) == 1U) { /* With a right header. */
+            recording_encode_header(&header, bytes);
+        }
+        write_bytes(bytes, 200U + (i * 19U));
+        const recording_verdict_t verdict = recording_reader_open(&reader, path, &finding);
+        TEST_ASSERT_TRUE((verdict == RECORDING_DAMAGED) || (verdict == RECORDING_UNREADABLE) ||
+                         (((i % 2U) == 1U) && (verdict == RECORDING_CUT_SHORT)));
+        TEST_ASSERT_NOT_EQUAL(0, strlen(finding.sentence));
+        recording_reader_close(&reader);
+    }
+}
+
+/* A block of these bytes with right checksums and hash, as a malicious writer makes it. */
+static void forge_block(const uint8_t *raw, uint32_t raw_size, uint32_t told_size)
+{
+    static uint8_t bytes[65536];
+    uint8_t *const block = &bytes[RECORDING_HEADER_SIZE];
+    uint8_t packed[32768];
+    recording_fields_t fields = {
+        .magic = RECORDING_BLOCK_MAGIC, .cycle = 7U, .records = 10U, .raw_size = told_size};
+
+    recording_encode_header(&header, bytes);
+    fields.compressed_size = (uint32_t)ZSTD_compress(packed, sizeof(packed), raw, raw_size, 1);
+    recording_encode_fields(&fields, block);
+    recording_encode_checksums(packed, fields.compressed_size, &block[RECORDING_PREFIX_SIZE]);
+    const size_t checksums = recording_checksums_size(fields.compressed_size);
+    (void)memcpy(&block[RECORDING_PREFIX_SIZE + checksums], packed, fields.compressed_size);
+    recording_hash(&bytes[RECORDING_HEADER_SIZE - RECORDING_HASH_SIZE], block,
+                   &block[RECORDING_PREFIX_SIZE], checksums + fields.compressed_size,
+                   &block[RECORDING_FIELDS_SIZE]);
+    write_bytes(bytes,
+                RECORDING_HEADER_SIZE + RECORDING_PREFIX_SIZE + checksums + fields.compressed_size);
+}
+
+void test_SWR_REPLAY_007_a_forged_block_never_gives_the_records_it_announces(void)
+{
+    static uint8_t raw[8192];
+
+    for (uint32_t i = 0U; i < 300U; i++) {
+        const uint32_t size = 1U + (i * 23U);
+        uint32_t count = 0U;
+        noise = i;
+        for (size_t at = 0U; at < size; at++) {
+            raw[at] = ((i % 3U) == 0U) ? next_noise() : (next_noise() >> 4U);
+        }
+        raw[0] = (uint8_t)(i % 5U);
+        raw[size - 1U] = 0x80U; /* No record ends so. */
+        forge_block(raw, size, ((i % 7U) == 0U) ? (size + i) : size);
+        TEST_ASSERT_EQUAL_MESSAGE(RECORDING_CUT_SHORT,
+                                  recording_reader_open(&reader, path, &finding), finding.sentence);
+        while (recording_reader_next(&reader, &record, &known)) {
+            count++;
+        }
+        TEST_ASSERT_TRUE((count != reader.records) || (reader.raw_next != reader.raw_size));
+        recording_reader_close(&reader);
+    }
+}
+
+void test_SWR_REPLAY_005_another_version_of_the_format_is_refused_by_both_versions(void)
+{
+    uint8_t bytes[RECORDING_HEADER_SIZE];
+
+    write_blocks(1U);
+    TEST_ASSERT_TRUE(recording_writer_close(&writer));
+    const int file = open(path, O_RDWR);
+    TEST_ASSERT_EQUAL_INT((int)sizeof(bytes), (int)pread(file, bytes, sizeof(bytes), 0));
+    bytes[sizeof("BSRECORD") - 1U] = 1U;
+    recording_seal_header(bytes);
+    TEST_ASSERT_EQUAL_INT((int)sizeof(bytes), (int)pwrite(file, bytes, sizeof(bytes), 0));
+    (void)close(file);
+    TEST_ASSERT_EQUAL(RECORDING_OTHER_VERSION, recording_reader_open(&reader, path, &finding));
+    TEST_ASSERT_EQUAL_STRING("The recording is of format version 1, this build reads version 2; "
+                             "replay it with the build that recorded it, \"test-build\".",
+                             finding.sentence);
+}
+
+void test_SWR_REPLAY_008_names_are_escaped(void)
+{
+    char escaped[64];
+
+    recording_escape("neuro 2", escaped, sizeof(escaped));
+    TEST_ASSERT_EQUAL_STRING("neuro 2", escaped);
+    recording_escape("\x1B[2J\"\\\n\xFF", escaped, sizeof(escaped));
+    TEST_ASSERT_EQUAL_STRING("\\x1B[2J\\x22\\x5C\\x0A\\xFF", escaped);
+    recording_escape("\n\n\n", escaped, 11U);
+    TEST_ASSERT_EQUAL_STRING("\\x0A\\x0A", escaped);
 }

@@ -1,0 +1,136 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "recording/cycle_words.h"
+
+#include <string.h>
+
+/* The first word of a frame. */
+#define FRAME_AS_IT_IS 0U
+#define FRAME_OF_FIELDS 1U
+
+#define CHECK(name, condition) typedef char name[(condition) ? 1 : -1]
+CHECK(report_fits, sizeof(card_report_t) <= CARD_FRAME_BYTES);
+CHECK(command_fits, sizeof(card_command_t) <= CARD_FRAME_BYTES);
+CHECK(snapshot_is_of_words, (sizeof(snapshot_t) % sizeof(uint32_t)) == 0U);
+CHECK(inputs_have_no_padding,
+      sizeof(controller_inputs_t) ==
+          (offsetof(controller_inputs_t, frames) + (CARD_SLOT_COUNT * CARD_FRAME_BYTES)));
+CHECK(outputs_have_no_padding,
+      sizeof(controller_outputs_t) == (offsetof(controller_outputs_t, snapshot) +
+                                       sizeof(snapshot_t) + (CARD_SLOT_COUNT * CARD_FRAME_BYTES)));
+
+static void take_fields(uint32_t words[CYCLE_WORDS_FRAME], const void *fields, size_t size)
+{
+    words[0] = FRAME_OF_FIELDS;
+    (void)memcpy(&words[1], fields, size);
+    (void)memset((uint8_t *)&words[1] + size, 0, CARD_FRAME_BYTES - size);
+}
+
+static void take_bytes(uint32_t words[CYCLE_WORDS_FRAME], const uint8_t bytes[CARD_FRAME_BYTES])
+{
+    words[0] = FRAME_AS_IT_IS;
+    (void)memcpy(&words[1], bytes, CARD_FRAME_BYTES);
+}
+
+static void take_report(uint32_t words[CYCLE_WORDS_FRAME], const uint8_t bytes[CARD_FRAME_BYTES],
+                        uint32_t slot)
+{
+    card_report_t report;
+    uint8_t again[CARD_FRAME_BYTES];
+
+    if (card_frame_decode_report(bytes, slot, &report) == CARD_FRAME_OK) {
+        card_frame_encode_report(&report, again);
+        if (memcmp(again, bytes, sizeof again) == 0) {
+            take_fields(words, &report, sizeof report);
+            return;
+        }
+    }
+    take_bytes(words, bytes);
+}
+
+static void take_command(uint32_t words[CYCLE_WORDS_FRAME], const uint8_t bytes[CARD_FRAME_BYTES],
+                         uint32_t slot)
+{
+    card_command_t command;
+    uint8_t again[CARD_FRAME_BYTES];
+
+    if (card_frame_decode_command(bytes, slot, &command) == CARD_FRAME_OK) {
+        card_frame_encode_command(&command, again);
+        if (memcmp(again, bytes, sizeof again) == 0) {
+            take_fields(words, &command, sizeof command);
+            return;
+        }
+    }
+    take_bytes(words, bytes);
+}
+
+void cycle_words_of_kept(const controller_inputs_t *inputs, const controller_outputs_t *outputs,
+                         uint32_t words[CYCLE_WORDS_KEPT])
+{
+    uint32_t *const frames = &words[CYCLE_WORDS_LEVELS];
+
+    (void)memcpy(words, inputs, CYCLE_WORDS_LEVELS * sizeof(uint32_t));
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+        take_report(&frames[slot * CYCLE_WORDS_FRAME], inputs->frames[slot], slot);
+    }
+    (void)memcpy(&frames[CYCLE_WORDS_FRAMES], outputs, CYCLE_WORDS_SAID * sizeof(uint32_t));
+}
+
+void cycle_words_of_checked(const controller_outputs_t *outputs,
+                            uint32_t words[CYCLE_WORDS_CHECKED])
+{
+    (void)memcpy(words, &outputs->snapshot, sizeof outputs->snapshot);
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+        take_command(&words[CYCLE_WORDS_SNAPSHOT + (slot * CYCLE_WORDS_FRAME)],
+                     outputs->frames[slot], slot);
+    }
+}
+
+static void give_report(const uint32_t words[CYCLE_WORDS_FRAME], uint8_t bytes[CARD_FRAME_BYTES],
+                        uint32_t slot)
+{
+    card_report_t report;
+
+    if (words[0] != FRAME_OF_FIELDS) {
+        (void)memcpy(bytes, &words[1], CARD_FRAME_BYTES);
+        return;
+    }
+    (void)memcpy(&report, &words[1], sizeof report);
+    report.slot = slot;
+    card_frame_encode_report(&report, bytes);
+}
+
+static void give_command(const uint32_t words[CYCLE_WORDS_FRAME], uint8_t bytes[CARD_FRAME_BYTES],
+                         uint32_t slot)
+{
+    card_command_t command;
+
+    if (words[0] != FRAME_OF_FIELDS) {
+        (void)memcpy(bytes, &words[1], CARD_FRAME_BYTES);
+        return;
+    }
+    (void)memcpy(&command, &words[1], sizeof command);
+    command.slot = slot;
+    card_frame_encode_command(&command, bytes);
+}
+
+void cycle_words_to_kept(const uint32_t words[CYCLE_WORDS_KEPT], controller_inputs_t *inputs,
+                         controller_outputs_t *outputs)
+{
+    const uint32_t *const frames = &words[CYCLE_WORDS_LEVELS];
+
+    (void)memcpy(inputs, words, CYCLE_WORDS_LEVELS * sizeof(uint32_t));
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+        give_report(&frames[slot * CYCLE_WORDS_FRAME], inputs->frames[slot], slot);
+    }
+    (void)memcpy(outputs, &frames[CYCLE_WORDS_FRAMES], CYCLE_WORDS_SAID * sizeof(uint32_t));
+}
+
+void cycle_words_to_checked(const uint32_t words[CYCLE_WORDS_CHECKED],
+                            controller_outputs_t *outputs)
+{
+    (void)memcpy(&outputs->snapshot, words, sizeof outputs->snapshot);
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+        give_command(&words[CYCLE_WORDS_SNAPSHOT + (slot * CYCLE_WORDS_FRAME)],
+                     outputs->frames[slot], slot);
+    }
+}
