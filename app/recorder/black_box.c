@@ -2,6 +2,7 @@
 #include "recorder/black_box.h"
 
 #include "common/clock.h"
+#include "limits/requirement_limits.h"
 #include "recorder/black_box_files.h"
 
 #include <errno.h>
@@ -10,8 +11,8 @@
 #include <string.h>
 
 #define PATH_SIZE 512U
-#define NUMBER_MAX 9999U
 #define SECOND_US UINT64_C(1000000)
+#define MEGABYTE UINT64_C(1000000)
 
 static void request_checkpoint(black_box_t *self, uint64_t now_us)
 {
@@ -41,16 +42,19 @@ static void fail(black_box_t *self, uint64_t now_us)
     self->retry_us = now_us + BLACK_BOX_RETRY_US;
 }
 
-/* A recorder started again in the same second finds the first names taken. */
+/* Goes on after the newest there is, whoever wrote it. */
 static bool open_next(black_box_t *self, char *path, size_t size)
 {
     bool is_open;
 
+    if (self->number == 0U) {
+        self->number = black_box_newest(self->directory);
+    }
     do {
-        self->files++;
-        black_box_name(path, size, self->directory, self->header.started_us, self->files);
+        self->number++;
+        black_box_name(path, size, self->directory, self->number, self->header.started_us);
         is_open = recording_writer_open(&self->writer, path, &self->header);
-    } while (!is_open && (errno == EEXIST) && (self->files < NUMBER_MAX));
+    } while (!is_open && (errno == EEXIST));
     return is_open;
 }
 
@@ -67,7 +71,8 @@ static void begin_file(black_box_t *self, uint64_t now_us)
         fail(self, now_us);
         return;
     }
-    black_box_remove_oldest(self->directory, path, BLACK_BOX_FILES, BLACK_BOX_BYTES);
+    black_box_remove_oldest(self->directory, path, LIMIT_RECORDINGS,
+                            LIMIT_RECORDINGS_MB * MEGABYTE);
     self->opened_us = now_us;
     self->flushed_us = now_us;
 }
@@ -118,10 +123,14 @@ static void store(black_box_t *self, const cycle_record_t *record, uint32_t miss
         recording_writer_note_loss(&self->writer, missing);
     }
     const uint64_t waiting = (uint64_t)self->writer.block.records + 1U;
+    const uint32_t blocks = self->writer.blocks;
     if (!recording_writer_append(&self->writer, record)) {
         self->unwritten += waiting;
         fail(self, now_us);
         return;
+    }
+    if (self->writer.blocks != blocks) {
+        self->flushed_us = now_us;
     }
     if (self->is_failing && (self->writer.blocks > 0U)) {
         (void)fprintf(stderr, "recorder: recording goes on; %" PRIu64 " records are missing.\n",

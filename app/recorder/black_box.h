@@ -2,8 +2,10 @@
 /**
  * @file
  * The black box: a series of recordings in one directory, each beginning with a checkpoint where
- * possible. Old ones are removed so that at most BLACK_BOX_FILES and about BLACK_BOX_BYTES stay. A
- * full disk is said once and counted; recording goes on when there is room again.
+ * possible, so that it can be replayed without those before it. Old ones are removed so that at
+ * most LIMIT_RECORDINGS and about LIMIT_RECORDINGS_MB stay. A full disk is said once and counted;
+ * recording goes on when there is room again. When the recorder cannot keep up, the lane of cycles
+ * fills and control goes on: what was lost is said and counted in the next recording.
  */
 #ifndef BORESIGHT_BLACK_BOX_H
 #define BORESIGHT_BLACK_BOX_H
@@ -13,8 +15,6 @@
 
 #include <stdbool.h>
 
-#define BLACK_BOX_FILES 20U
-#define BLACK_BOX_BYTES (UINT64_C(1) << 30)
 #define BLACK_BOX_FILE_US UINT64_C(600000000) /**< A new file after ten minutes. */
 #define BLACK_BOX_RETRY_US UINT64_C(5000000)  /**< Between attempts to write to a full disk. */
 
@@ -23,11 +23,11 @@ typedef struct {
     exchange_t *exchange;
     recording_header_t header;
     recording_writer_t writer;
-    uint32_t files;        /**< Number of the newest name tried. */
+    uint32_t number;       /**< Of the newest name tried; 0: the directory was not looked at. */
     uint64_t opened_us;    /**< When the present file was begun. */
     uint64_t requested_us; /**< When a checkpoint was last asked for; 0 when none is awaited. */
     uint64_t retry_us;     /**< Not before then is another file tried. */
-    uint64_t flushed_us;
+    uint64_t flushed_us;   /**< When the last block was written. */
     uint32_t next_cycle;
     bool has_cycle;     /**< next_cycle is known. */
     bool is_failing;    /**< The last attempt to write failed, and it was said. */

@@ -10,9 +10,11 @@
 #include <unistd.h>
 
 #define PATH_SIZE 512U
+#define PREFIX "blackbox-"
+#define PREFIX_LENGTH (sizeof PREFIX - 1U)
 
-void black_box_name(char *path, size_t size, const char *directory, uint64_t utc_us,
-                    uint32_t number)
+void black_box_name(char *path, size_t size, const char *directory, uint32_t number,
+                    uint64_t utc_us)
 {
     const time_t seconds = (time_t)(utc_us / UINT64_C(1000000));
     struct tm utc;
@@ -20,17 +22,50 @@ void black_box_name(char *path, size_t size, const char *directory, uint64_t utc
 
     (void)gmtime_r(&seconds, &utc);
     (void)strftime(stamp, sizeof stamp, "%Y%m%dT%H%M%SZ", &utc);
-    (void)snprintf(path, size, "%s/blackbox-%s-%04u.bsr", directory, stamp, (unsigned)number);
+    (void)snprintf(path, size, "%s/blackbox-%06u-%s.bsr", directory, (unsigned)number, stamp);
 }
 
 static int is_recording(const struct dirent *entry)
 {
     const size_t length = strlen(entry->d_name);
 
-    return ((strncmp(entry->d_name, "blackbox-", 9U) == 0) && (length > 4U) &&
+    return ((strncmp(entry->d_name, PREFIX, PREFIX_LENGTH) == 0) && (length > 4U) &&
             (strcmp(&entry->d_name[length - 4U], ".bsr") == 0))
                ? 1
                : 0;
+}
+
+/* 0: it has none, such as one of an older build, whose name begins with its date. */
+static uint32_t number_of(const char *name)
+{
+    char *end = NULL;
+    const unsigned long number = strtoul(&name[PREFIX_LENGTH], &end, 10);
+
+    return ((number <= UINT32_MAX) && (*end == '-')) ? (uint32_t)number : 0U;
+}
+
+static int by_age(const struct dirent **one, const struct dirent **other)
+{
+    const uint32_t first = number_of((*one)->d_name);
+    const uint32_t second = number_of((*other)->d_name);
+
+    if (first != second) {
+        return (first < second) ? -1 : 1;
+    }
+    return strcmp((*one)->d_name, (*other)->d_name);
+}
+
+uint32_t black_box_newest(const char *directory)
+{
+    struct dirent **entries = NULL;
+    const int count = scandir(directory, &entries, is_recording, by_age);
+    const uint32_t newest = (count > 0) ? number_of(entries[count - 1]->d_name) : 0U;
+
+    for (int i = 0; i < count; i++) {
+        free(entries[i]);
+    }
+    free(entries);
+    return newest;
 }
 
 static uint64_t size_of(const char *directory, const char *name)
@@ -46,7 +81,7 @@ void black_box_remove_oldest(const char *directory, const char *present, uint32_
                              uint64_t bytes)
 {
     struct dirent **entries = NULL;
-    const int count = scandir(directory, &entries, is_recording, alphasort);
+    const int count = scandir(directory, &entries, is_recording, by_age);
     uint64_t used = 0U;
     uint32_t kept = 0U;
 

@@ -6,12 +6,20 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/** Writes "DIRECTORY/blackbox-<UTC>-<number>.bsr"; names sort by age. */
-void black_box_name(char *path, size_t size, const char *directory, uint64_t utc_us,
-                    uint32_t number);
+/** Writes "DIRECTORY/blackbox-<number>-<UTC>.bsr". The number tells the age, the clock may be set
+ * back. */
+void black_box_name(char *path, size_t size, const char *directory, uint32_t number,
+                    uint64_t utc_us);
 
-/** Removes the oldest recordings until at most `files`, with fewer than `bytes` together, are left.
- * `present` stays even when the clock was set back and its name is the oldest. */
+/** The number of the newest recording; 0 when there is none. */
+uint32_t black_box_newest(const char *directory);
+
+/**
+ * Removes the oldest recordings until at most `files`, with fewer than `bytes` together, are left;
+ * those without a number are the oldest. `present` stays in any case.
+ *
+ * @satisfies SWR-REC-007
+ */
 void black_box_remove_oldest(const char *directory, const char *present, uint32_t files,
                              uint64_t bytes);
 

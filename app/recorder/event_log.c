@@ -3,25 +3,47 @@
 
 #include "common/event_text.h"
 #include "interface/app/names.h"
+#include "limits/requirement_limits.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
 #define BATCH 64U
 #define LINE_SIZE 320U
 #define FILE_MODE 0640
+#define PATH_SIZE 512U
+#define FULL (LIMIT_EVENT_LOG_MB * UINT64_C(1000000))
 
 static bool reopen(event_log_t *self)
 {
-    char path[512];
+    char path[PATH_SIZE];
+    struct stat status;
 
     (void)snprintf(path, sizeof path, "%s/events.log", self->directory);
     self->file = open(path, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, FILE_MODE);
+    self->size =
+        ((self->file >= 0) && (fstat(self->file, &status) == 0)) ? (uint64_t)status.st_size : 0U;
     return self->file >= 0;
+}
+
+/* Without a place for the full one its events are worth more than the bound. */
+static void rotate(event_log_t *self)
+{
+    char path[PATH_SIZE];
+    char older[PATH_SIZE];
+
+    (void)snprintf(path, sizeof path, "%s/events.log", self->directory);
+    (void)snprintf(older, sizeof older, "%s/events.1.log", self->directory);
+    if (rename(path, older) == 0) {
+        (void)fdatasync(self->file);
+        (void)close(self->file);
+        (void)reopen(self);
+    }
 }
 
 void event_log_open(event_log_t *self, const char *directory)
@@ -40,8 +62,12 @@ static void write_line(event_log_t *self, const char *line)
 {
     const size_t size = strlen(line);
 
+    if ((self->file >= 0) && ((self->size + size) > FULL)) {
+        rotate(self);
+    }
     if ((self->file >= 0) && (write(self->file, line, size) == (ssize_t)size)) {
         self->is_dirty = true;
+        self->size += size;
         if (self->unwritten > 0U) {
             (void)fprintf(stderr, "recorder: the event log goes on; %u events are missing.\n",
                           (unsigned)self->unwritten);

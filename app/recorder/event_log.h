@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file The event log: one readable line per event, appended to events.log and put on the disk
- * each second. */
+/**
+ * @file
+ * The event log: one readable line per event, appended to events.log and put on the disk each
+ * second. A full one becomes events.1.log, in the place of the one before.
+ */
 #ifndef BORESIGHT_EVENT_LOG_H
 #define BORESIGHT_EVENT_LOG_H
 
@@ -11,6 +14,7 @@
 typedef struct {
     const char *directory; /**< Lives as long as the log. */
     int file;              /**< -1: not open; tried again at the next sync. */
+    uint64_t size;         /**< Of the file, in bytes. */
     uint32_t next;         /**< Number of the next event. */
     uint32_t unwritten;    /**< Events that found no room since the last that did. */
     bool is_dirty;
@@ -19,7 +23,11 @@ typedef struct {
 /** Opens DIRECTORY/events.log; a failure is said once, in one sentence, on stderr. */
 void event_log_open(event_log_t *self, const char *directory);
 
-/** Writes the events that `exchange` has gained; overwritten ones are named by their number. */
+/**
+ * Writes the events that `exchange` has gained; overwritten ones are named by their number.
+ *
+ * @satisfies SWR-EVENT-008
+ */
 void event_log_drain(event_log_t *self, const exchange_t *exchange);
 
 /** Puts what was written on the disk. Called each second. */

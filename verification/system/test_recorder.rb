@@ -97,6 +97,15 @@ class TestRecorder < SystemTest
     boresight.recording_files.each { |file| replayed(file, 0, 3) }
   end
 
+  def test_SWR_REC_007_a_recorder_that_is_started_again_goes_on_with_the_next_number
+    record(500) do
+      boresight.kill('recorder', 'KILL')
+      boresight.wait_until('there is a second recording') { boresight.recording_files.size == 2 }
+    end
+    numbers = boresight.recording_files.map { |file| File.basename(file)[/\Ablackbox-(\d{6})-\d{8}T\d{6}Z\.bsr\z/, 1] }
+    assert_equal %w[000001 000002], numbers
+  end
+
   def test_SWR_REC_003_the_recording_names_the_build_and_the_robot
     build = boresight.status['build_id']
     record(500)
