@@ -23,7 +23,7 @@ static bool is_without_pwm(uint32_t axis)
 
 void setUp(void)
 {
-    rig_set_magnitude_robot(&robot);
+    rig_set_magnitude_robot(&robot, &robot_neuro);
 }
 
 void tearDown(void)

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "supervise/flips.h"
 
+#include "supervise/chance.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -31,23 +33,15 @@ typedef struct {
     uint32_t mask;
 } flip_t;
 
-static uint32_t random_below(uint32_t *random, uint32_t bound)
-{
-    *random ^= *random << 13;
-    *random ^= *random >> 17;
-    *random ^= *random << 5;
-    return *random % bound;
-}
-
 static flip_t some_flip(uint32_t *random, const scene_t *scene)
 {
-    flip_t flip = {.is_table = random_below(random, TABLE_SHARE) == 0U,
+    flip_t flip = {.is_table = chance_below(random, TABLE_SHARE) == 0U,
                    .is_moving = rig_is_driving(&scene->rig)};
     const size_t size = flip.is_table ? sizeof scene->rig.robot : sizeof scene->rig.controller;
-    flip.byte = 4U * random_below(random, (uint32_t)(size / 4U));
-    const uint32_t bits = 1U + random_below(random, BITS_MOST);
+    flip.byte = 4U * chance_below(random, (uint32_t)(size / 4U));
+    const uint32_t bits = 1U + chance_below(random, BITS_MOST);
     for (uint32_t i = 0U; i < bits; i++) {
-        flip.mask |= (uint32_t)1U << random_below(random, 32U);
+        flip.mask |= (uint32_t)1U << chance_below(random, 32U);
     }
     return flip;
 }
@@ -150,13 +144,13 @@ static bool report(const flip_count_t *count, const char *when)
     return (count->wrong + count->crashed) == 0U;
 }
 
-bool flips_play(scene_t *scene, uint32_t count, uint32_t seed)
+bool flips_play(scene_t *scene, const robot_t *robot, uint32_t count, uint32_t seed)
 {
     flip_count_t counts[2] = {0};
     uint32_t random = (seed * 2654435761U) | 1U;
     for (uint32_t done = 0U; done < count; done++) {
         if ((done % FLIPS_PER_SCENE) == 0U) {
-            scene_begin(scene, PLAY_RANDOM, seed + (done / FLIPS_PER_SCENE));
+            scene_begin(scene, robot, PLAY_RANDOM, seed + (done / FLIPS_PER_SCENE));
             scene->stage.fault_cycle = UINT32_MAX; /* Nothing but the memory is at fault. */
         }
         approach(scene, (done % 2U) != 0U);

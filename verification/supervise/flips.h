@@ -14,10 +14,11 @@
 #include <stdint.h>
 
 /**
- * Makes `count` flips in scenes from `seed` on and prints how many were noticed, harmless, wrong.
+ * Makes `count` flips in scenes of `robot` from `seed` on and prints how many were noticed,
+ * harmless, wrong.
  *
  * @return true when none was wrong
  */
-bool flips_play(scene_t *scene, uint32_t count, uint32_t seed);
+bool flips_play(scene_t *scene, const robot_t *robot, uint32_t count, uint32_t seed);
 
 #endif

@@ -3,18 +3,16 @@
 
 #include "charts/arming_chart.h"
 #include "charts/axis_chart.h"
-#include "robot/robot_neuro.h"
+#include "supervise/targets.h"
 
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
 #define ORDER_SIZE 48U
-#define LOST_CYCLES 60U          /* A card is silent for so long. */
-#define MERCY_CYCLES 3000U       /* Until it is broken again. */
-#define CARRIAGES_WAY_TICKS 5200 /* 66 mm: at 77 of their 75 to 146. */
-#define CARRIAGES_OUT_TICKS 2500.0
-#define STRAY_CYCLES 200U /* An impostor stays pressed after homing. */
+#define LOST_CYCLES 60U    /* A card is silent for so long. */
+#define MERCY_CYCLES 3000U /* Until it is broken again. */
+#define STRAY_CYCLES 200U  /* An impostor stays pressed after homing. */
 
 enum { PART_ENCODER = 0, PART_MOTOR = 1, PART_SWITCH = 2, PART_LOAD = 3 };
 
@@ -22,10 +20,10 @@ static const char *const part_words[] = {"encoder", "motor", "switch", "load"};
 static const char *const encoder_faults[] = {"stuck", "half", "reversed"};
 static const char *const motor_faults[] = {"half", "twice", "stuck", "runs"};
 static const char *const switch_faults[] = {"stuck", "chatter", "reversed"};
-static const char *const plan_words[FOE_PLANS] = {"taps",      "flicker", "impostor", "motor",
-                                                  "carriages", "rest",    "short"};
+static const char *const plan_words[FOE_PLANS] = {"taps",    "flicker", "impostor", "motor",
+                                                  "coupled", "rest",    "short"};
 static const char *const wish_words[] = {"targets", "near targets", "jogs", "short jogs",
-                                         "carriages jogged out"};
+                                         "coupled axes jogged out"};
 static const char *const when_words[] = {"always", "once homed", "while moving", "at rest"};
 
 static uint32_t below(foe_t *self, uint32_t bound)
@@ -49,7 +47,7 @@ static const char *fault_word(const foe_t *self)
 static void order(rig_t *rig, const char *part, uint32_t axis, const char *fault)
 {
     char line[ORDER_SIZE];
-    (void)snprintf(line, sizeof line, "%s %s %s", part, robot_neuro.axes[axis].name, fault);
+    (void)snprintf(line, sizeof line, "%s %s %s", part, rig->box.robot->axes[axis].name, fault);
     rig_box(rig, line);
 }
 
@@ -94,11 +92,19 @@ static void plan_flicker(foe_t *self)
     }
 }
 
+/* The needle twice as often as another axis. */
 static uint32_t some_switched(foe_t *self)
 {
-    static const uint32_t axes[] = {AXIS_INSERTION, AXIS_INSERTION, AXIS_HEAD,
-                                    AXIS_LATERAL,   AXIS_PITCH,     AXIS_YAW};
-    return axes[below(self, 6U)];
+    uint32_t axes[ROBOT_AXIS_MAX + 1U] = {self->robot->needle_axis, self->robot->needle_axis};
+    uint32_t count = 2U;
+    for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
+        if ((i != self->robot->needle_axis) &&
+            (self->robot->axes[i].home_method == (uint8_t)HOME_BY_SWITCH)) {
+            axes[count] = i;
+            count++;
+        }
+    }
+    return axes[below(self, count)];
 }
 
 static void plan_impostor(foe_t *self)
@@ -129,11 +135,12 @@ static void plan_motor(foe_t *self)
     }
 }
 
-static void plan_carriages(foe_t *self)
+static void plan_coupled(foe_t *self)
 {
     self->start = 1U;
     self->wish = FOE_ASKS_APART;
-    self->lost_axis = (below(self, 4U) == 0U) ? (uint32_t)AXIS_FEET : (uint32_t)AXIS_HEAD;
+    apart_begin(&self->apart, self->robot, &self->random);
+    self->lost_axis = apart_some_axis(&self->apart, &self->random);
     self->lose_cycle = between(self, 6000U, 18000U);
 }
 
@@ -158,28 +165,31 @@ static void plan_short(foe_t *self)
 static void start(foe_t *self, rig_t *rig)
 {
     if (self->start == 0U) {
-        rig_start(rig);
+        rig_start_robot(rig, self->robot);
     } else if (self->start == 1U) {
-        rig_start_homed(rig);
+        rig_start_robot_homed(rig, self->robot);
     } else {
-        rig_start_targeted(rig);
+        const rigid_t pose = targets_first(self->robot);
+        rig_start_robot_targeted(rig, self->robot, &pose);
     }
     /* Some motors are as their table says, others nearly; but none becomes another one later. */
-    const uint32_t count = (self->start == 0U) ? robot_neuro.axis_count : 0U;
+    const uint32_t count = (self->start == 0U) ? self->robot->axis_count : 0U;
     for (uint32_t i = 0U; (i < count) && (below(self, 2U) == 0U); i++) {
         rig->box.axes[i].motor.full_speed_ticks_per_s *=
             1.0 + (0.2 * sim_random_signed(&self->random));
     }
 }
 
-void foe_begin(foe_t *self, rig_t *rig, uint32_t seed)
+void foe_begin(foe_t *self, rig_t *rig, const robot_t *robot, uint32_t seed)
 {
     static void (*const plans[FOE_PLANS])(foe_t *) = {
-        plan_taps, plan_flicker, plan_impostor, plan_motor, plan_carriages, plan_rest, plan_short};
-    *self = (foe_t){.random = {seed}, .lose_cycle = UINT32_MAX};
+        plan_taps, plan_flicker, plan_impostor, plan_motor, plan_coupled, plan_rest, plan_short};
+    *self = (foe_t){.robot = robot, .random = {seed}, .lose_cycle = UINT32_MAX};
     self->plan = (foe_plan_t)below(self, FOE_PLANS);
-    self->axis =
-        (below(self, 3U) == 0U) ? (uint32_t)AXIS_INSERTION : below(self, robot_neuro.axis_count);
+    if ((self->plan == FOE_COUPLED) && (robot->coupled_limit_count == 0U)) {
+        self->plan = FOE_REST;
+    }
+    self->axis = (below(self, 3U) == 0U) ? robot->needle_axis : below(self, robot->axis_count);
     self->start = below(self, 3U);
     self->from_cycle = (below(self, 2U) == 0U) ? 0U : below(self, 8000U);
     self->has_mercy = below(self, 2U) == 0U;
@@ -271,9 +281,8 @@ static void work_pedal(foe_t *self, rig_t *rig)
 
 static void lose(foe_t *self, rig_t *rig)
 {
-    const double feet_ticks = rig->box.axes[AXIS_FEET].motor.position_ticks;
-    if ((self->plan == FOE_CARRIAGES) && (self->lose_cycle == self->cycle) &&
-        (feet_ticks > -CARRIAGES_OUT_TICKS)) {
+    if ((self->plan == FOE_COUPLED) && (self->lose_cycle == self->cycle) &&
+        !apart_is_out(&self->apart, rig)) {
         self->lose_cycle++;
     }
     if (self->lose_cycle == self->cycle) {
@@ -332,27 +341,12 @@ static int32_t clamped(const axis_config_t *axis, int32_t ticks)
     return (ticks < least) ? least : (ticks > most) ? most : ticks;
 }
 
-/* The carriages count alike. They follow each other out, the head first: as far from the feet as it
- * may, then the feet close behind. */
-static command_t carriage_jog(foe_t *self, const rig_t *rig)
-{
-    const int32_t head = rig->outputs.snapshot.axes[AXIS_HEAD].position_ticks;
-    const int32_t feet = rig->outputs.snapshot.axes[AXIS_FEET].position_ticks;
-    const int32_t way = (int32_t)between(self, 1U, CARRIAGES_WAY_TICKS / 2U);
-    const bool is_head = head > (feet - (CARRIAGES_WAY_TICKS / 2));
-    const uint32_t index = is_head ? (uint32_t)AXIS_HEAD : (uint32_t)AXIS_FEET;
-    const int32_t ticks = is_head ? (feet - (CARRIAGES_WAY_TICKS / 2) - way) : (head + (way / 2));
-    return (command_t){.kind = (uint32_t)COMMAND_JOG,
-                       .argument = index,
-                       .value = clamped(&robot_neuro.axes[index], ticks)};
-}
-
 command_t foe_jog(foe_t *self, const rig_t *rig)
 {
     if (self->wish == FOE_ASKS_APART) {
-        return carriage_jog(self, rig);
+        return apart_jog(&self->apart, rig, &self->random);
     }
-    const axis_config_t *const axis = &robot_neuro.axes[self->axis];
+    const axis_config_t *const axis = &self->robot->axes[self->axis];
     const uint32_t span = (uint32_t)(axis->target_maximum_ticks - axis->target_minimum_ticks);
     const int32_t at = rig->outputs.snapshot.axes[self->axis].position_ticks;
     int32_t ticks = axis->target_minimum_ticks + (int32_t)below(self, span + 1U);
@@ -379,7 +373,7 @@ static void add(char *text, size_t size, const char *format, ...)
 
 static void add_rhythm(const foe_t *self, char *text, size_t size)
 {
-    add(text, size, ", %s %s", part_words[self->part], robot_neuro.axes[self->axis].name);
+    add(text, size, ", %s %s", part_words[self->part], self->robot->axes[self->axis].name);
     if (self->part == (uint32_t)PART_LOAD) {
         add(text, size, " %.2f", self->load);
     } else {
@@ -403,13 +397,13 @@ void foe_describe(const foe_t *self, char *text, size_t size)
         add(text, size, ", pedal %u on %u off ms", (unsigned)self->on_ms, (unsigned)self->off_ms);
     }
     if (self->lose_cycle != UINT32_MAX) {
-        add(text, size, ", card of %s silent at cycle %u", robot_neuro.axes[self->lost_axis].name,
+        add(text, size, ", card of %s silent at cycle %u", self->robot->axes[self->lost_axis].name,
             (unsigned)self->lose_cycle);
     }
     if (self->plan == FOE_IMPOSTOR) {
         add(text, size,
             ", switch %s %s after %u ms of approach, free %u ms after its end, back at %d ticks",
-            robot_neuro.axes[self->axis].name, fault_word(self), (unsigned)self->approach_ms,
+            self->robot->axes[self->axis].name, fault_word(self), (unsigned)self->approach_ms,
             (unsigned)self->free_ms, (int)self->past_ticks);
     } else if (self->broken_ms != 0U) {
         add_rhythm(self, text, size);

@@ -10,6 +10,7 @@
 
 #include "integration/support/rig.h"
 #include "sim/sim_random.h"
+#include "supervise/apart.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -17,13 +18,13 @@
 
 /** What a scene is about. */
 typedef enum {
-    FOE_TAPS = 0,      /**< The pedal is tapped; an encoder, or nothing, is broken for good. */
-    FOE_FLICKER = 1,   /**< An encoder is broken for some ms of every few. */
-    FOE_IMPOSTOR = 2,  /**< A switch that is homed by acts as if it were elsewhere. */
-    FOE_MOTOR = 3,     /**< A motor is weak, strong, stuck, running or loaded, on and off. */
-    FOE_CARRIAGES = 4, /**< The carriages are far out when one of them is lost. */
-    FOE_REST = 5,      /**< Something is broken only while nothing is to move. */
-    FOE_SHORT = 6      /**< An encoder is broken, and all moves are short. */
+    FOE_TAPS = 0,     /**< The pedal is tapped; an encoder, or nothing, is broken for good. */
+    FOE_FLICKER = 1,  /**< An encoder is broken for some ms of every few. */
+    FOE_IMPOSTOR = 2, /**< A switch that is homed by acts as if it were elsewhere. */
+    FOE_MOTOR = 3,    /**< A motor is weak, strong, stuck, running or loaded, on and off. */
+    FOE_COUPLED = 4,  /**< Axes are far out in a coupled limit when one of them is lost. */
+    FOE_REST = 5,     /**< Something is broken only while nothing is to move. */
+    FOE_SHORT = 6     /**< An encoder is broken, and all moves are short. */
 } foe_plan_t;
 
 #define FOE_PLANS 7U
@@ -34,7 +35,7 @@ typedef enum {
     FOE_ASKS_NEAR = 1,    /**< The same, with each target near the one before. */
     FOE_ASKS_JOGS = 2,    /**< Jogs of its axis to anywhere. */
     FOE_ASKS_SHORT = 3,   /**< Jogs of its axis by a few ticks. */
-    FOE_ASKS_APART = 4    /**< Jogs of the carriages, far out. */
+    FOE_ASKS_APART = 4    /**< Jogs of the axes of a coupled limit, far out. */
 } foe_wish_t;
 
 /** When the part is broken. */
@@ -47,11 +48,13 @@ typedef enum {
 
 /** State of the enemy. */
 typedef struct {
+    const robot_t *robot;
     sim_random_t random;
     foe_plan_t plan;
     foe_wish_t wish;
     uint32_t start; /**< 0: power-on, 1: homed, 2: with a target. */
     uint32_t axis;
+    apart_t apart; /**< Of FOE_COUPLED. */
     uint32_t part; /**< Of the axis, and how it is broken; indices into lists of foe.c. */
     uint32_t fault;
     double load;
@@ -81,8 +84,8 @@ typedef struct {
     double edge_ticks;
 } foe_t;
 
-/** Makes a plan for the scene `seed` and starts the rig that it needs. */
-void foe_begin(foe_t *self, rig_t *rig, uint32_t seed);
+/** Makes a plan for the scene `seed` of `robot` and starts the rig that it needs. */
+void foe_begin(foe_t *self, rig_t *rig, const robot_t *robot, uint32_t seed);
 
 /** What the enemy does before the next cycle, after the operator. @return something is broken */
 bool foe_play(foe_t *self, rig_t *rig);

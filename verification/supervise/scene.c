@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "supervise/scene.h"
 
-void scene_begin(scene_t *self, play_t play, uint32_t seed)
+void scene_begin(scene_t *self, const robot_t *robot, play_t play, uint32_t seed)
 {
     witness_begin(&self->witness, seed);
-    stage_begin(&self->stage, &self->rig, play, seed);
+    stage_begin(&self->stage, &self->rig, robot, play, seed);
 }
 
 void scene_cycle(scene_t *self)

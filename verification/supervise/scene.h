@@ -13,8 +13,9 @@ typedef struct {
     witness_t witness;
 } scene_t;
 
-/** Sets the scene `seed`; what the witness has seen before stays. */
-void scene_begin(scene_t *self, play_t play, uint32_t seed);
+/** Sets the scene `seed` of `robot`, which must outlive it; what the witness has seen before stays.
+ */
+void scene_begin(scene_t *self, const robot_t *robot, play_t play, uint32_t seed);
 
 /** One cycle under the eyes of the witness. */
 void scene_cycle(scene_t *self);

@@ -4,7 +4,8 @@
 #include "charts/arming_chart.h"
 #include "limits/requirement_limits.h"
 #include "robot/kinematics.h"
-#include "robot/robot_neuro.h"
+#include "supervise/chance.h"
+#include "supervise/targets.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -16,24 +17,26 @@
 #define RISE_SPREAD 0.1
 #define DEAD_ZONE_SPREAD 0.005 /* Of all words. */
 
-/* xorshift32. */
 static uint32_t random_below(stage_t *self, uint32_t bound)
 {
-    self->random ^= self->random << 13;
-    self->random ^= self->random >> 17;
-    self->random ^= self->random << 5;
-    return self->random % bound;
+    return chance_below(&self->random, bound);
+}
+
+static void start_targeted(const stage_t *self, rig_t *rig)
+{
+    const rigid_t pose = targets_first(self->robot);
+    rig_start_robot_targeted(rig, self->robot, &pose);
 }
 
 static void set_random_scene(stage_t *self, rig_t *rig)
 {
     const uint32_t start = random_below(self, 4U);
     if (start == 0U) {
-        rig_start(rig);
+        rig_start_robot(rig, self->robot);
     } else if (start == 1U) {
-        rig_start_homed(rig);
+        rig_start_robot_homed(rig, self->robot);
     } else {
-        rig_start_targeted(rig);
+        start_targeted(self, rig);
     }
     if (self->play == PLAY_JOGS) {
         self->is_chaotic = 1U;
@@ -53,7 +56,7 @@ static double near_one(stage_t *self, double part)
 /* Other motors: full speed, time of gaining it, and the smallest word that turns them. */
 static void spread_motors(stage_t *self, rig_t *rig)
 {
-    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
+    for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
         sim_motor_t *const motor = &rig->box.axes[i].motor;
         const double span = motor->maximum_duty - motor->minimum_duty;
         motor->full_speed_ticks_per_s *= near_one(self, LIMIT_MOTOR_SPREAD_PERCENT / 100.0);
@@ -62,25 +65,40 @@ static void spread_motors(stage_t *self, rig_t *rig)
     }
 }
 
-void stage_begin(stage_t *self, rig_t *rig, play_t play, uint32_t seed)
+const char *stage_refusal(const robot_t *robot, play_t play)
 {
-    *self = (stage_t){.play = play, .random = (seed * 2654435761U) | 1U, .fault_cycle = UINT32_MAX};
+    const char *refusal = NULL;
+    if (play == PLAY_MAGNITUDE) {
+        refusal = "no axis of it takes run and stop";
+        for (uint32_t i = 0U; i < robot->axis_count; i++) {
+            refusal = (robot->axes[i].card_type == (uint8_t)CARD_TYPE_NON_PWM) ? NULL : refusal;
+        }
+    }
+    return refusal;
+}
+
+void stage_begin(stage_t *self, rig_t *rig, const robot_t *robot, play_t play, uint32_t seed)
+{
+    *self = (stage_t){.play = play,
+                      .random = (seed * 2654435761U) | 1U,
+                      .fault_cycle = UINT32_MAX,
+                      .robot = robot};
     for (uint32_t i = 0U; i < 8U; i++) {
         (void)random_below(self, 2U);
     }
     if ((play == PLAY_RANDOM) || (play == PLAY_JOGS)) {
         set_random_scene(self, rig);
     } else if (play == PLAY_SPREAD) {
-        rig_start(rig);
+        rig_start_robot(rig, robot);
         spread_motors(self, rig);
     } else if (play == PLAY_MAGNITUDE) {
-        rig_set_magnitude_robot(&self->robot);
-        rig_start_robot(rig, &self->robot);
+        rig_set_magnitude_robot(&self->magnitude_robot, robot);
+        rig_start_robot(rig, &self->magnitude_robot);
         spread_motors(self, rig);
     } else if (play == PLAY_TAPS) {
-        foe_begin(&self->foe, rig, seed);
+        foe_begin(&self->foe, rig, robot, seed);
     } else {
-        rig_start_targeted(rig);
+        start_targeted(self, rig);
     }
 }
 
@@ -128,7 +146,7 @@ static void disturb(stage_t *self, rig_t *rig)
         pick_word(self, word, length, picked);
         if (strcmp(picked, "SLOT") == 0) {
             (void)snprintf(picked, sizeof picked, "%s",
-                           robot_neuro.axes[random_below(self, robot_neuro.axis_count)].name);
+                           self->robot->axes[random_below(self, self->robot->axis_count)].name);
         }
         (void)snprintf(order + strlen(order), sizeof order - strlen(order), "%s%s",
                        (word == line) ? "" : " ", picked);
@@ -142,7 +160,7 @@ static void disturb(stage_t *self, rig_t *rig)
  * no more than the frames: two faults, which no supervision can tell from rest. */
 static void part_hidden_pairs(rig_t *rig)
 {
-    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
+    for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
         box_axis_t *const axis = &rig->box.axes[i];
         if ((axis->encoder.fault == SIM_ENCODER_STUCK) && (axis->motor.fault == SIM_MOTOR_RUNS)) {
             axis->motor.fault = SIM_MOTOR_NORMAL;
@@ -163,17 +181,11 @@ static void send_phase(stage_t *self, rig_t *rig, workphase_t phase)
     send(self, rig, (command_t){.kind = (uint32_t)COMMAND_WORKPHASE, .argument = (uint32_t)phase});
 }
 
-/* Mostly in reach. */
 static rigid_t some_target(stage_t *self)
 {
-    if ((self->play == PLAY_TAPS) && (self->foe.wish == FOE_ASKS_NEAR)) {
-        return rig_pose((int32_t)random_below(self, 9U) * 250000,
-                        190000000 + (int32_t)random_below(self, 9U) * 250000,
-                        60000000 + (int32_t)random_below(self, 9U) * 250000);
-    }
-    return rig_pose(((int32_t)random_below(self, 30U) - 15) * 1000000,
-                    175000000 + (int32_t)random_below(self, 25U) * 1000000,
-                    40000000 + (int32_t)random_below(self, 40U) * 1000000);
+    const bool is_near = (self->play == PLAY_TAPS) && (self->foe.wish == FOE_ASKS_NEAR);
+    return is_near ? targets_near(self->robot, &self->random)
+                   : targets_any(self->robot, &self->random);
 }
 
 /* An end of the way, or anywhere on it. */
@@ -200,26 +212,19 @@ static int32_t some_end(stage_t *self, const axis_config_t *axis)
 /* A target with some axes at an end of their way, and the entry point that decides its depth. */
 static void send_corner(stage_t *self, rig_t *rig)
 {
-    int32_t ticks[ROBOT_AXIS_MAX];
+    int32_t ticks[ROBOT_AXIS_MAX] = {0};
     joints_t joints;
     command_t target = {.kind = (uint32_t)COMMAND_TARGET};
     command_t entry = {.kind = (uint32_t)COMMAND_PROPOSE_ENTRY};
-    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
-        ticks[i] = some_end(self, &robot_neuro.axes[i]);
+    for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
+        ticks[i] = some_end(self, &self->robot->axes[i]);
     }
-    joints_from_ticks(&robot_neuro, ticks, &joints);
-    kinematics_forward(&robot_neuro, &joints, &target.pose);
+    joints_from_ticks(self->robot, ticks, &joints);
+    kinematics_forward(self->robot, &joints, &target.pose);
     rigid_set_identity(&entry.pose);
-    const int64_t back_nm = joints.value[AXIS_INSERTION] +
-                            robot_neuro.geometry_nm[NEURO_PROBE_ROBOT_TO_TREATMENT] -
-                            robot_neuro.geometry_nm[NEURO_PROBE_ROBOT_TO_ENTRY];
-    const int32_t way_nm[3] = {(int32_t)(back_nm * target.pose.rotation_q30[0][2] / 1073741824),
-                               (int32_t)(back_nm * target.pose.rotation_q30[1][2] / 1073741824),
-                               (int32_t)(back_nm * target.pose.rotation_q30[2][2] / 1073741824)};
-    entry.pose.translation = (point_t){target.pose.translation.x_nm - way_nm[0],
-                                       target.pose.translation.y_nm - way_nm[1],
-                                       target.pose.translation.z_nm - way_nm[2]};
-    send(self, rig, entry);
+    if (targets_entry(self->robot, &joints, &target.pose, &entry.pose.translation)) {
+        send(self, rig, entry);
+    }
     send(self, rig, target);
 }
 
@@ -236,8 +241,8 @@ static void send_target(stage_t *self, rig_t *rig)
 static void send_jog(stage_t *self, rig_t *rig)
 {
     command_t command = {.kind = (uint32_t)COMMAND_JOG,
-                         .argument = random_below(self, robot_neuro.axis_count)};
-    const axis_config_t *const axis = &robot_neuro.axes[command.argument];
+                         .argument = random_below(self, self->robot->axis_count)};
+    const axis_config_t *const axis = &self->robot->axes[command.argument];
     const int32_t span = axis->maximum_ticks - axis->minimum_ticks;
     if (random_below(self, 2U) == 0U) {
         command.value = axis->minimum_ticks + (int32_t)random_below(self, (uint32_t)span);
@@ -310,8 +315,8 @@ static bool is_shown_true(const rig_t *rig)
     double truth[ROBOT_AXIS_MAX];
     bool is_true = true;
     box_true_positions(&rig->box, truth);
-    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
-        const axis_config_t *const config = &robot_neuro.axes[i];
+    for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
+        const axis_config_t *const config = &rig->box.robot->axes[i];
         const snapshot_axis_t *const shown = &rig->outputs.snapshot.axes[i];
         const axis_t *const axis = &rig->controller.axes[i];
         const bool is_asked = (shown->reference == (uint32_t)AXIS_REFERENCE_UNVERIFIED) ||

@@ -30,12 +30,17 @@ typedef struct {
     uint32_t wants_target; /**< 0 or 1: the last target was reached, the next is to be sent. */
     uint32_t is_chaotic;   /**< 1: the operator does anything at any time. */
     uint32_t cycle;
-    foe_t foe;     /**< Of PLAY_TAPS. */
-    robot_t robot; /**< Of PLAY_MAGNITUDE. */
+    foe_t foe; /**< Of PLAY_TAPS. */
+    const robot_t *robot;
+    robot_t magnitude_robot; /**< Of PLAY_MAGNITUDE. */
 } stage_t;
 
-/** Sets the scene `seed`: the rig fresh, homed or targeted, an operator and what may break. */
-void stage_begin(stage_t *self, rig_t *rig, play_t play, uint32_t seed);
+/** Why `robot` cannot give `play`, as a sentence; NULL: it can. */
+const char *stage_refusal(const robot_t *robot, play_t play);
+
+/** Sets the scene `seed` of `robot`, which must outlive the rig: the rig fresh, homed or targeted,
+ * an operator and what may break. */
+void stage_begin(stage_t *self, rig_t *rig, const robot_t *robot, play_t play, uint32_t seed);
 
 /** A fault was or is in the scene. */
 bool stage_is_disturbed(const stage_t *self);

@@ -4,14 +4,17 @@
  * The real controller on the simulated control box, in simulated time, with an operator, a world
  * and faults by chance, and a witness who knows where the axes truly stand.
  *
- *     supervise COUNT [SEED [random|corners|interrupted|spread|jogs|taps|magnitude|flips]]
+ *     supervise [--robot NAME] COUNT [SEED
+ *               [random|corners|interrupted|spread|jogs|taps|magnitude|flips]]
  *
  * Plays COUNT scenes from SEED on (1), or as many as COUNT moves need. Prints how often each
- * sentence was broken, where first, and the worst figure. Ends with 1 when one was broken. With
- * "taps" also tells the enemy's plan of each such scene. With "flips", COUNT times up to 3 bits of
- * a word of the controller's memory change in random scenes.
+ * sentence was broken, where first, and the worst figure. Ends with 1 when one was broken, with 3
+ * when the robot cannot give the play. With "taps" also tells the enemy's plan of each such scene.
+ * With "flips", COUNT times up to 3 bits of a word of the controller's memory change in random
+ * scenes.
  */
-#include "robot/robot_neuro.h"
+#include "robot/app/robot_names.h"
+#include "robot/app/robots.h"
 #include "supervise/flips.h"
 #include "supervise/scene.h"
 
@@ -26,7 +29,12 @@
 #define TAPS_CYCLES 40000U
 #define PLAN_SIZE 256U
 #define MOVES_CYCLES 120000U /* Of a scene that is all moves. */
+#define LONG_WAY_MS 15000    /* A robot with a longer one at full speed has longer scenes. */
+#define BROKEN 1
+#define UNPLAYED 2
+#define REFUSED 3
 
+static const robot_t *robot;
 static scene_t scene;
 
 void setUp(void)
@@ -50,15 +58,28 @@ static bool is_of_scenes(play_t play)
     return (play == PLAY_RANDOM) || (play == PLAY_JOGS) || (play == PLAY_TAPS);
 }
 
+/* How many times as long as those of the quickest robots. */
+static uint32_t slowness(void)
+{
+    int64_t longest_ms = 1;
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+        const axis_config_t *const axis = &robot->axes[i];
+        const int64_t way_ticks = (int64_t)axis->maximum_ticks - axis->minimum_ticks;
+        const int64_t way_ms = way_ticks * 1000 / axis->speed_ticks_per_s;
+        longest_ms = (way_ms > longest_ms) ? way_ms : longest_ms;
+    }
+    return (uint32_t)((longest_ms + LONG_WAY_MS - 1) / LONG_WAY_MS);
+}
+
 static uint32_t cycles_of(play_t play)
 {
     const uint32_t cycles = is_of_scenes(play) ? SCENE_CYCLES : MOVES_CYCLES;
-    return (play == PLAY_TAPS) ? TAPS_CYCLES : cycles;
+    return slowness() * ((play == PLAY_TAPS) ? TAPS_CYCLES : cycles);
 }
 
 static void play_scene(play_t play, uint32_t seed)
 {
-    scene_begin(&scene, play, seed);
+    scene_begin(&scene, robot, play, seed);
     for (uint32_t i = 0U; i < cycles_of(play); i++) {
         scene_cycle(&scene);
     }
@@ -68,7 +89,7 @@ static void play_scene(play_t play, uint32_t seed)
 static void tell_plan(uint32_t seed)
 {
     char text[PLAN_SIZE];
-    scene_begin(&scene, PLAY_TAPS, seed);
+    scene_begin(&scene, robot, PLAY_TAPS, seed);
     foe_describe(&scene.stage.foe, text, sizeof text);
     printf("    scene %u: %s\n", (unsigned)seed, text);
 }
@@ -83,12 +104,34 @@ static void report_endings(ending_t ending, const char *words)
            (latest <= (LIMIT_DONE_TIME_US / LIMIT_CYCLE_US)) ? "in time" : "late");
 }
 
+static bool has_run_and_stop(void)
+{
+    bool has_it = false;
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+        has_it = has_it || (robot->axes[i].card_type == (uint8_t)CARD_TYPE_NON_PWM);
+    }
+    return has_it;
+}
+
+/* What was broken: an axis or a coupled limit. */
+static void report_broken(sentence_t sentence, const verdict_t *verdict)
+{
+    const bool is_limit = sentence == SENTENCE_COUPLED;
+    printf("broken in %u, first in scene %u, cycle %u, %s %s; worst %.3f\n",
+           (unsigned)verdict->episodes, (unsigned)verdict->seed, (unsigned)verdict->cycle,
+           is_limit ? "limit" : "axis",
+           is_limit ? robot->coupled_limits[verdict->axis].name : robot->axes[verdict->axis].name,
+           verdict->worst);
+}
+
 static bool report(play_t play, uint32_t count)
 {
     bool is_good = true;
     printf("%u scenes\n", (unsigned)count);
     report_endings(ENDING_MOVE, "moves");
-    report_endings(ENDING_NON_PWM, "legs with axes without pwm");
+    if (has_run_and_stop()) {
+        report_endings(ENDING_NON_PWM, "legs with axes without pwm");
+    }
     for (uint32_t i = 0U; i < SENTENCE_COUNT; i++) {
         const verdict_t *const verdict = &scene.witness.verdicts[i];
         printf("%-70s ", witness_sentence((sentence_t)i));
@@ -96,9 +139,7 @@ static bool report(play_t play, uint32_t count)
             printf("holds\n");
         } else {
             is_good = false;
-            printf("broken in %u, first in scene %u, cycle %u, axis %s; worst %.3f\n",
-                   (unsigned)verdict->episodes, (unsigned)verdict->seed, (unsigned)verdict->cycle,
-                   robot_neuro.axes[verdict->axis].name, verdict->worst);
+            report_broken((sentence_t)i, verdict);
             if (play == PLAY_TAPS) {
                 tell_plan(verdict->seed);
             }
@@ -120,25 +161,56 @@ static int play_of(const char *name)
     return -1;
 }
 
-int main(int count, char **arguments)
+static int play_all(int play, uint32_t wanted, uint32_t first)
 {
-    const uint32_t wanted = (count > 1) ? (uint32_t)strtoul(arguments[1], NULL, 10) : 0U;
-    const uint32_t first = (count > 2) ? (uint32_t)strtoul(arguments[2], NULL, 10) : 1U;
-    const int play = (count > 3) ? play_of(arguments[3]) : (int)PLAY_RANDOM;
+    const char *const refusal = (play == FLIPS) ? NULL : stage_refusal(robot, (play_t)play);
     uint32_t scenes = 0U;
-    if ((wanted == 0U) || (play < 0)) {
-        (void)fprintf(stderr, "usage: supervise COUNT [SEED "
-                              "[random|corners|interrupted|spread|jogs|taps|magnitude|flips]]\n");
-        return 2;
+    if (refusal != NULL) {
+        printf("The robot %s cannot give this play: %s.\n", robot->name, refusal);
+        return REFUSED;
     }
-    UnityBegin("supervise.c");
     if (play == FLIPS) {
-        return flips_play(&scene, wanted, first) ? 0 : 1;
+        return flips_play(&scene, robot, wanted, first) ? 0 : BROKEN;
     }
-    while ((is_of_scenes((play_t)play) ? scenes : scene.witness.endings[ENDING_MOVE].count) <
-           wanted) {
+    /* A scene of moves has more than one. */
+    while ((scenes < wanted) &&
+           (is_of_scenes((play_t)play) || (scene.witness.endings[ENDING_MOVE].count < wanted))) {
         play_scene((play_t)play, first + scenes);
         scenes++;
     }
-    return report((play_t)play, scenes) ? 0 : 1;
+    return report((play_t)play, scenes) ? 0 : BROKEN;
+}
+
+/* The rig asserts what it needs to set a scene. */
+static int play_asserted(int play, uint32_t wanted, uint32_t first)
+{
+    int result = UNPLAYED;
+    UnityBegin("supervise.c");
+    if (TEST_PROTECT()) {
+        result = play_all(play, wanted, first);
+    } else {
+        printf("scene %u of the robot %s cannot be set\n", (unsigned)scene.witness.seed,
+               robot->name);
+    }
+    return result;
+}
+
+int main(int count, char **arguments)
+{
+    const bool is_named = (count > 2) && (strcmp(arguments[1], "--robot") == 0);
+    char **const rest = is_named ? &arguments[2] : arguments;
+    const int left = is_named ? (count - 2) : count;
+    const uint32_t wanted = (left > 1) ? (uint32_t)strtoul(rest[1], NULL, 10) : 0U;
+    const uint32_t first = (left > 2) ? (uint32_t)strtoul(rest[2], NULL, 10) : 1U;
+    const int play = (left > 3) ? play_of(rest[3]) : (int)PLAY_RANDOM;
+    robot = robots_find(is_named ? arguments[2] : ROBOT_NAMES_DEFAULT);
+    if ((wanted == 0U) || (play < 0) || (robot == NULL)) {
+        (void)fprintf(stderr,
+                      "usage: supervise [--robot NAME] COUNT [SEED "
+                      "[random|corners|interrupted|spread|jogs|taps|magnitude|flips]]\n"
+                      "robots: %s\n",
+                      robot_names_list());
+        return UNPLAYED;
+    }
+    return play_asserted(play, wanted, first);
 }

@@ -8,7 +8,8 @@ PLAY ?= random
 
 # Unity comes with Ceedling: the rig of the integration tests asserts with it.
 UNITY := .tools/gems/gems/ceedling-1.2.1/vendor/unity/src
-SUPERVISE_SOURCES := $(wildcard verification/supervise/*.c) verification/integration/support/rig.c $(BOX_SOURCES)
+SUPERVISE_SOURCES := $(wildcard verification/supervise/*.c core/robot/*/test/*_truth.c) \
+    verification/integration/support/rig.c $(BOX_SOURCES) $(FIND_ROBOT)
 build/gcc/bin/supervise: $(call object,$(SUPERVISE_SOURCES)) $(OUT)/libcore.a
 	@mkdir -p $(@D)
 	@$(CC) $(CFLAGS) -I$(UNITY) $^ $(UNITY)/unity.c -lm -o $@
@@ -16,6 +17,6 @@ build/gcc/bin/supervise: $(call object,$(SUPERVISE_SOURCES)) $(OUT)/libcore.a
 
 $(OUT)/verification/supervise/%.o $(OUT)/verification/integration/%.o: FLAGS = -D_GNU_SOURCE $(TEST_INCLUDES) -I$(UNITY)
 
-supervise: bootstrap-test ## The controller in COUNT scenes from SEED on, PLAY=random, jogs, corners, interrupted, spread, magnitude, taps or flips
+supervise: bootstrap-test ## The controller in COUNT scenes from SEED on, PLAY=random, jogs, corners, interrupted, spread, magnitude, taps or flips, of ROBOT=neuro
 	@$(MAKE) --no-print-directory -j2 build/gcc/bin/supervise
-	@build/gcc/bin/supervise $(COUNT) $(SEED) $(PLAY)
+	@build/gcc/bin/supervise --robot $(or $(ROBOT),$(DEFAULT_ROBOT)) $(COUNT) $(SEED) $(PLAY)

@@ -3,17 +3,20 @@
 
 # Rule under test: in no scene (an operator, a world, a fault now and then; an enemy at the pedal and the fault
 # keyboard; jogs; moves into the corners of the workspace, under a pedal that is released again and again, or of motors
-# that are not as the robot's table says, with run and stop or magnitudes for cards without pwm) does the controller break one of the sentences of the witness, who knows where
-# the simulated axes truly stand.
-# `make supervise COUNT=n SEED=n PLAY=name` plays more.
+# that are not as the robot's table says, with run and stop or magnitudes for cards without pwm) does the controller of
+# any robot break one of the sentences of the witness, who knows where the simulated axes truly stand.
+# `make supervise COUNT=n SEED=n PLAY=name ROBOT=name` plays more.
 
 require 'minitest/autorun'
 require 'open3'
+require 'yaml'
 
 class TestSupervise < Minitest::Test
   PROGRAM = File.expand_path('../../build/gcc/bin/supervise', __dir__)
-  # How many scenes, or moves.
-  PLAYS = { random: 100, corners: 30, interrupted: 30, spread: 40, magnitude: 40, jogs: 30, taps: 60 }.freeze
+  # And how much of the plays each gets.
+  ROBOTS = { 'neuro' => 1.0, 'bench2' => 0.4 }.freeze
+  # How many scenes, or moves, or flips of bits.
+  PLAYS = { random: 100, corners: 30, interrupted: 30, spread: 40, magnitude: 40, jogs: 30, taps: 60, flips: 100 }.freeze
   SENTENCES = {
     SWR_PERMIT_002_a_drive_leaves_only_with_the_permit: /A drive leaves only with/,
     SWR_AXIS_012_an_axis_held_for_homed_stands_where_it_is_believed_to: /A homed axis without a fault/,
@@ -21,7 +24,7 @@ class TestSupervise < Minitest::Test
     SWR_MOTION_005_a_move_ends: /under the pedal ends/,
     SWR_AXIS_013_homing_drives_the_needle_forwards_by_little_only: /drives the needle forwards/,
     SWR_NEXT_002_an_arrival_that_is_shown_is_true: /is reached": it is/,
-    SWR_COUPLE_001_the_carriages_keep_their_distance: /carriages keep their distance/,
+    SWR_COUPLE_001_coupled_limits_are_kept: /Coupled limits are kept/,
     SWR_JOG_001_nothing_is_jogged_across_a_needle_that_is_in: /across a needle that is in/,
     SWR_JOG_003_a_needle_that_is_not_homed_is_not_jogged_inwards: /is not jogged inwards/,
     SWR_AXIS_019_no_fault_is_found_where_there_is_none: /nothing is broken, no fault/,
@@ -29,33 +32,62 @@ class TestSupervise < Minitest::Test
     SWR_MOTION_007_no_axis_is_faster_than_its_speed: /faster than its speed/
   }.freeze
 
-  def self.lines(play)
-    @lines ||= {}
-    @lines[play] ||= Open3.capture2e(PROGRAM, PLAYS[play].to_s, '1', play.to_s).first.lines(chomp: true)
+  # What of its file decides what it can show.
+  def self.facts(robot)
+    YAML.safe_load_file(File.expand_path("../../core/robot/#{robot}/robot.yml", __dir__))
   end
 
-  (PLAYS.keys - %i[random jogs taps]).each do |play|
-    define_method("test_SWR_MOTION_006_moves_are_done_soon_after_their_profiles_#{play}") do
-      lines = self.class.lines(play).grep(/done after their profiles/)
-      assert_equal(2, lines.grep(/\A[1-9].* 99 % by \d+ ms, in time\z/).size, lines.join("\n"))
+  def self.run_and_stop?(robot)
+    facts(robot)['axes'].any? { |axis| axis['card'] == 'non_pwm' }
+  end
+
+  def self.plays_of_sentences(robot)
+    PLAYS.keys - [:flips] - (run_and_stop?(robot) ? [] : [:magnitude])
+  end
+
+  def self.sentences(robot)
+    SENTENCES.reject { |name, _| facts(robot)['coupled_limits'].empty? && name.start_with?('SWR_COUPLE') }
+  end
+
+  def self.play(robot, play)
+    @played ||= {}
+    count = (PLAYS[play] * ROBOTS[robot]).ceil.to_s
+    @played[[robot, play]] ||= Open3.capture2e(PROGRAM, '--robot', robot, count, '1', play.to_s)
+  end
+
+  def lines(robot, play)
+    self.class.play(robot, play).first.lines(chomp: true)
+  end
+
+  ROBOTS.each_key do |robot|
+    (plays_of_sentences(robot) - %i[random jogs taps]).each do |play|
+      define_method("test_SWR_MOTION_006_moves_are_done_soon_after_their_profiles_#{robot}_#{play}") do
+        ends = lines(robot, play).grep(/done after their profiles/)
+        expected = self.class.run_and_stop?(robot) ? 2 : 1
+        assert_equal(expected, ends.grep(/\A[1-9].* 99 % by \d+ ms, in time\z/).size, lines(robot, play).join("\n"))
+      end
     end
-  end
 
-  # 1 to 3 bits of the controller's memory change, at rest and in motion.
-  FLIPS = 100
+    # 1 to 3 bits of the controller's memory change, at rest and in motion.
+    define_method("test_SWR_MEMORY_007_no_bit_flip_ends_elsewhere_or_crashes_#{robot}") do
+      text = lines(robot, :flips).join("\n")
+      assert_equal 2, text.scan(/[1-9]\d* noticed, .* 0 wrong, 0 crashed$/).size, text
+    end
 
-  def test_SWR_MEMORY_007_no_bit_flip_ends_elsewhere_or_crashes
-    text = Open3.capture2e(PROGRAM, FLIPS.to_s, '1', 'flips').first
-    assert_equal 2, text.scan(/[1-9]\d* noticed, .* 0 wrong, 0 crashed$/).size, text
-  end
-
-  PLAYS.each_key do |play|
-    SENTENCES.each do |name, sentence|
-      define_method("test_#{name}_#{play}") do
-        line = self.class.lines(play).grep(sentence).first
-        assert line, self.class.lines(play).join("\n")
+    plays_of_sentences(robot).product(sentences(robot).to_a).each do |play, (name, sentence)|
+      define_method("test_#{name}_#{robot}_#{play}") do
+        line = lines(robot, play).grep(sentence).first
+        assert line, lines(robot, play).join("\n")
         assert_match(/\bholds\z/, line)
       end
+    end
+
+    next if run_and_stop?(robot)
+
+    define_method("test_SWR_MOTION_022_a_play_that_a_robot_cannot_give_is_refused_#{robot}") do
+      text, status = self.class.play(robot, :magnitude)
+      assert_equal([3, "The robot #{robot} cannot give this play: no axis of it takes run and stop.\n"],
+                   [status.exitstatus, text])
     end
   end
 end

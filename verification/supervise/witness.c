@@ -3,7 +3,7 @@
 
 #include "charts/arming_chart.h"
 #include "charts/axis_chart.h"
-#include "robot/robot_neuro.h"
+#include "supervise/truth.h"
 
 #include <math.h>
 #include <string.h>
@@ -14,11 +14,9 @@
 #define NEEDLE_MM 0.3 /* 0.2 mm, and what the motor runs on in the cycles of the detection. */
 #define REACHED_MM 0.1
 #define REACHED_DEG 1.0
-#define APART_LEAST_MM 75.0
-#define APART_MOST_MM 146.0
-#define APART_HOME_MM 143.0
 #define NEEDLE_OUT_MM 0.625
 #define HOME_MM 0.05 /* Of the place where homing sees a switch. */
+#define HOME_DEG 0.2
 #define ENDS_CYCLES 60000U
 
 const char *witness_sentence(sentence_t sentence)
@@ -30,7 +28,7 @@ const char *witness_sentence(sentence_t sentence)
         "A move under the pedal ends (s)",
         "Homing drives the needle forwards by little only (mm)",
         "\"The target is reached\": it is (mm, deg)",
-        "The axial carriages keep their distance (mm)",
+        "Coupled limits are kept, or come back to (mm, deg)",
         "As long as nothing is broken, no fault is found (event)",
         "No axis goes beyond its end by more than its deadband (ticks)",
         "In a short mean no axis is faster than its speed (percent)",
@@ -71,21 +69,19 @@ static void complain(witness_t *self, const rig_t *rig, sentence_t sentence, uin
     verdict->episodes++;
 }
 
-static bool is_length(uint32_t axis)
+static const axis_config_t *config_of(const rig_t *rig, uint32_t axis)
 {
-    return robot_neuro.axes[axis].unit == (uint8_t)AXIS_UNIT_MM;
+    return &rig->box.robot->axes[axis];
 }
 
-/* nm in mm, or bam in degrees. */
-static double in_words(uint32_t axis, double units)
+static bool is_length(const rig_t *rig, uint32_t axis)
 {
-    return is_length(axis) ? (units / 1e6) : (units * 360.0 / 4294967296.0);
+    return config_of(rig, axis)->unit == (uint8_t)AXIS_UNIT_MM;
 }
 
-/* Ticks in mm or degrees. */
-static double measure(uint32_t axis, double ticks)
+static double measure(const rig_t *rig, uint32_t axis, double ticks)
 {
-    return in_words(axis, ticks * (double)robot_neuro.axes[axis].unit_per_tick_q16 / 65536.0);
+    return truth_measure(config_of(rig, axis), ticks);
 }
 
 static bool is_homed(const rig_t *rig, uint32_t axis)
@@ -121,9 +117,9 @@ static void judge_permit(witness_t *self, const rig_t *rig)
 static void judge_belief(witness_t *self, const rig_t *rig, uint32_t axis, double truth)
 {
     const double believed = rig->outputs.snapshot.axes[axis].position_ticks;
-    const double away = fabs(measure(axis, truth - believed));
+    const double away = fabs(measure(rig, axis, truth - believed));
     const bool is_astray =
-        !is_doubted(rig, axis) && (away > (is_length(axis) ? BELIEVED_MM : BELIEVED_DEG));
+        !is_doubted(rig, axis) && (away > (is_length(rig, axis) ? BELIEVED_MM : BELIEVED_DEG));
     self->astray_cycles[axis] = is_astray ? (self->astray_cycles[axis] + 1U) : 0U;
     if (self->astray_cycles[axis] > OFF_CYCLES) {
         complain(self, rig, SENTENCE_BELIEVED, axis, away);
@@ -134,13 +130,14 @@ static void judge_belief(witness_t *self, const rig_t *rig, uint32_t axis, doubl
  * out after twice as much. */
 static double most_off(witness_t *self, const rig_t *rig, uint32_t axis)
 {
-    const double allowed = in_words(axis, is_length(axis) ? LIMIT_REST_WAY_NM : LIMIT_REST_WAY_BAM);
-    const double running = robot_neuro.axes[axis].full_speed_ticks_per_s;
+    const double allowed = truth_in_words(
+        config_of(rig, axis)->unit, is_length(rig, axis) ? LIMIT_REST_WAY_NM : LIMIT_REST_WAY_BAM);
+    const double running = config_of(rig, axis)->full_speed_ticks_per_s;
     const bool is_half = rig->box.axes[axis].encoder.fault == SIM_ENCODER_HALF;
     const uint32_t left = self->half_cycles[axis];
     self->half_cycles[axis] = is_half ? WITNESS_SECOND : ((left > 0U) ? (left - 1U) : 0U);
     return (allowed * ((self->half_cycles[axis] > 0U) ? 2.0 : 1.0)) +
-           measure(axis, running * LIMIT_REST_NOTICE_US / 1e6);
+           measure(rig, axis, running * LIMIT_REST_NOTICE_US / 1e6);
 }
 
 static void judge_rest(witness_t *self, const rig_t *rig, uint32_t axis, double truth)
@@ -153,7 +150,7 @@ static void judge_rest(witness_t *self, const rig_t *rig, uint32_t axis, double 
     }
     const bool is_full = self->off_cycles[axis] >= WITNESS_SECOND;
     const double before = is_full ? self->rest[axis][place] : self->rest[axis][0];
-    const double way = fabs(measure(axis, truth - before));
+    const double way = fabs(measure(rig, axis, truth - before));
     self->rest[axis][place] = truth;
     self->off_cycles[axis]++;
     if ((self->off_cycles[axis] > OFF_CYCLES) && !is_doubted(rig, axis) && (way > most)) {
@@ -172,17 +169,18 @@ static void judge_end(witness_t *self, const rig_t *rig)
 
 static void judge_needle(witness_t *self, const rig_t *rig, double truth)
 {
+    const uint32_t needle = rig->box.robot->needle_axis;
     const snapshot_t *const shown = &rig->outputs.snapshot;
     const bool is_homing = (shown->workphase == (uint32_t)WORKPHASE_START_UP) &&
                            (shown->order == (uint32_t)ARMING_STATE_MOVING) &&
-                           !is_homed(rig, AXIS_INSERTION);
+                           !is_homed(rig, needle);
     if (!is_homing || !self->was_homing || (truth < self->needle_from)) {
         self->needle_from = truth;
     }
     self->was_homing = is_homing;
-    const double forwards = measure(AXIS_INSERTION, truth - self->needle_from);
+    const double forwards = measure(rig, needle, truth - self->needle_from);
     if (forwards > NEEDLE_MM) {
-        complain(self, rig, SENTENCE_NEEDLE, AXIS_INSERTION, forwards);
+        complain(self, rig, SENTENCE_NEEDLE, needle, forwards);
     }
 }
 
@@ -205,14 +203,14 @@ static void remember_target(witness_t *self, const rig_t *rig)
 static double beyond_target(const witness_t *self, const rig_t *rig, uint32_t axis, double truth,
                             bool is_disturbed)
 {
-    const double hidden = is_length(axis) ? BELIEVED_MM : BELIEVED_DEG;
+    const double hidden = is_length(rig, axis) ? BELIEVED_MM : BELIEVED_DEG;
     const double shown = rig->outputs.snapshot.axes[axis].position_ticks;
     const double target = self->target_ticks[axis];
-    const double away = fabs(measure(axis, truth - target));
-    const bool is_there =
-        fabs(measure(axis, shown - target)) <= (is_length(axis) ? REACHED_MM : REACHED_DEG);
+    const double away = fabs(measure(rig, axis, truth - target));
+    const bool is_there = fabs(measure(rig, axis, shown - target)) <=
+                          (is_length(rig, axis) ? REACHED_MM : REACHED_DEG);
     const double most =
-        (is_length(axis) ? REACHED_MM : REACHED_DEG) + (is_disturbed ? hidden : 0.0);
+        (is_length(rig, axis) ? REACHED_MM : REACHED_DEG) + (is_disturbed ? hidden : 0.0);
     return (is_there && is_homed(rig, axis) && (away <= most)) ? 0.0 : away;
 }
 
@@ -222,7 +220,7 @@ static void judge_reached(witness_t *self, const rig_t *rig, const double truth[
     const bool is_said = rig->outputs.snapshot.next_step == (uint32_t)NEXT_STEP_NOTHING;
     uint32_t axis = 0U;
     double away = 0.0;
-    for (uint32_t i = 0U; is_said && (i < robot_neuro.axis_count); i++) {
+    for (uint32_t i = 0U; is_said && (i < rig->box.robot->axis_count); i++) {
         const double beyond = beyond_target(self, rig, i, truth[i], is_disturbed);
         axis = (beyond > away) ? i : axis;
         away = fmax(away, beyond);
@@ -234,55 +232,83 @@ static void judge_reached(witness_t *self, const rig_t *rig, const double truth[
 }
 
 /* What a broken part may hide until it is found is the matter of another sentence. */
-static double slack_mm(bool is_disturbed)
+static double slack(const rig_t *rig, uint32_t axis, bool is_disturbed)
 {
-    return is_disturbed ? BELIEVED_MM : HOME_MM;
+    const double hidden = is_length(rig, axis) ? BELIEVED_MM : BELIEVED_DEG;
+    const double seen = is_length(rig, axis) ? HOME_MM : HOME_DEG;
+    return is_disturbed ? hidden : seen;
 }
 
-static bool is_carriage_running(const rig_t *rig)
+static bool is_of(const rig_t *rig, uint32_t limit, uint32_t axis)
 {
-    return (rig->box.axes[AXIS_HEAD].motor.fault == SIM_MOTOR_RUNS) ||
-           (rig->box.axes[AXIS_FEET].motor.fault == SIM_MOTOR_RUNS);
+    return ((truth_coupled_axes(rig->box.robot, limit) >> axis) & 1U) != 0U;
 }
 
-/* Who jogs a carriage that is not known may bring it beyond, and so may a motor that runs by
- * itself; then they come back. No other order takes them farther out, not even homing. */
-static void judge_distance(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_MAX],
-                           bool is_disturbed)
+/* What the slack of that axis which acts most does to a limit. */
+static double coupled_slack(const rig_t *rig, uint32_t limit, const double truth[ROBOT_AXIS_MAX],
+                            bool is_disturbed)
 {
-    const double apart =
-        APART_HOME_MM + measure(AXIS_HEAD, truth[AXIS_HEAD]) - measure(AXIS_FEET, truth[AXIS_FEET]);
-    const double beyond = fmax(0.0, fmax(APART_LEAST_MM - apart, apart - APART_MOST_MM));
-    const bool is_known = !is_doubted(rig, AXIS_HEAD) && !is_doubted(rig, AXIS_FEET);
-    const bool is_jogged = rig->outputs.snapshot.workphase == (uint32_t)WORKPHASE_MANUAL;
-    if (!is_known && (is_jogged || is_carriage_running(rig))) {
-        self->apart_beyond = beyond;
+    const robot_t *const robot = rig->box.robot;
+    double places[ROBOT_AXIS_MAX];
+    double most = 0.0;
+    (void)memcpy(places, truth, sizeof places);
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+        if (is_of(rig, limit, i)) {
+            const double way = slack(rig, i, is_disturbed) / measure(rig, i, 1.0);
+            places[i] = truth[i] + way;
+            const double above = truth_coupled(robot, limit, places);
+            places[i] = truth[i] - way;
+            most = fmax(most, fabs(above - truth_coupled(robot, limit, places)) / 2.0);
+            places[i] = truth[i];
+        }
     }
-    self->apart_beyond = fmin(self->apart_beyond, beyond);
-    if (beyond > (self->apart_beyond + slack_mm(is_disturbed))) {
-        complain(self, rig, SENTENCE_APART, AXIS_HEAD, beyond - self->apart_beyond);
+    return most;
+}
+
+/* Who jogs an axis that is not known may bring it beyond, and so may a motor that runs by itself;
+ * then it comes back. No other order takes it farther out, not even homing. */
+static void judge_coupled(witness_t *self, const rig_t *rig, uint32_t limit,
+                          const double truth[ROBOT_AXIS_MAX], bool is_disturbed)
+{
+    double *const forgiven = &self->coupled_beyond[limit];
+    const double beyond = fmax(0.0, truth_coupled_beyond(rig->box.robot, limit, truth));
+    bool is_known = true;
+    bool is_excused = rig->outputs.snapshot.workphase == (uint32_t)WORKPHASE_MANUAL;
+    for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
+        if (is_of(rig, limit, i)) {
+            is_known = is_known && !is_doubted(rig, i);
+            is_excused = is_excused || (rig->box.axes[i].motor.fault == SIM_MOTOR_RUNS);
+        }
+    }
+    if (!is_known && is_excused) {
+        *forgiven = beyond;
+    }
+    *forgiven = fmin(*forgiven, beyond);
+    if ((beyond > *forgiven) &&
+        (beyond > (*forgiven + coupled_slack(rig, limit, truth, is_disturbed)))) {
+        complain(self, rig, SENTENCE_COUPLED, limit, beyond - *forgiven);
     }
 }
 
 static void judge_jog(witness_t *self, const rig_t *rig, double depth_ticks, bool is_disturbed)
 {
-    const double in = measure(AXIS_INSERTION, depth_ticks) - NEEDLE_OUT_MM;
-    const card_drive_t needle = rig_sent(rig, AXIS_INSERTION).drive;
+    const uint32_t along = rig->box.robot->needle_axis;
+    const double in = measure(rig, along, depth_ticks) - NEEDLE_OUT_MM;
+    const card_drive_t needle = rig_sent(rig, along).drive;
     const uint32_t phase = rig->outputs.snapshot.workphase;
     if ((phase != (uint32_t)WORKPHASE_MANUAL) && (phase != (uint32_t)WORKPHASE_START_UP)) {
         return;
     }
-    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
-        if ((robot_neuro.axes[i].needle_motion == (uint32_t)NEEDLE_ACROSS) &&
+    for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
+        if ((config_of(rig, i)->needle_motion == (uint32_t)NEEDLE_ACROSS) &&
             (rig_sent(rig, i).drive.mode != (uint32_t)CARD_DRIVE_OFF) &&
-            (in > slack_mm(is_disturbed))) {
+            (in > slack(rig, along, is_disturbed))) {
             complain(self, rig, SENTENCE_ACROSS, i, in);
         }
     }
     if ((phase == (uint32_t)WORKPHASE_MANUAL) && (needle.mode != (uint32_t)CARD_DRIVE_OFF) &&
-        !is_homed(rig, AXIS_INSERTION) &&
-        servo_is_upwards(&robot_neuro.axes[AXIS_INSERTION], &needle)) {
-        complain(self, rig, SENTENCE_INWARDS, AXIS_INSERTION, 1.0);
+        !is_homed(rig, along) && servo_is_upwards(config_of(rig, along), &needle)) {
+        complain(self, rig, SENTENCE_INWARDS, along, 1.0);
     }
 }
 
@@ -295,11 +321,11 @@ static bool is_moving_to_target(const rig_t *rig)
 static void judge_beyond(witness_t *self, const rig_t *rig)
 {
     const profile_t *const profile = &rig->controller.mode.leg.profile;
-    for (uint32_t i = 0U; (i < robot_neuro.axis_count) && is_moving_to_target(rig); i++) {
+    for (uint32_t i = 0U; (i < rig->box.robot->axis_count) && is_moving_to_target(rig); i++) {
         const int32_t way = profile->end_ticks[i] - profile->start_ticks[i];
         const int32_t beyond = rig->outputs.snapshot.axes[i].position_ticks - profile->end_ticks[i];
         const int32_t over = (way > 0) ? beyond : -beyond;
-        if ((way != 0) && (over > robot_neuro.axes[i].deadband_ticks)) {
+        if ((way != 0) && (over > config_of(rig, i)->deadband_ticks)) {
             complain(self, rig, SENTENCE_BEYOND, i, over);
         }
     }
@@ -309,7 +335,7 @@ static void judge_speed(witness_t *self, const rig_t *rig, uint32_t axis, double
 {
     const uint32_t place = self->looks % WITNESS_MEAN;
     const double way = fabs(truth - self->places[axis][place]);
-    const double most = robot_neuro.axes[axis].speed_ticks_per_s * (LIMIT_MEAN_SPEED_TIME_US / 1e6);
+    const double most = config_of(rig, axis)->speed_ticks_per_s * (LIMIT_MEAN_SPEED_TIME_US / 1e6);
     if ((self->looks >= WITNESS_MEAN) && (way > most)) {
         complain(self, rig, SENTENCE_SPEED, axis, 100.0 * way / most);
     }
@@ -325,11 +351,11 @@ static void count_ending(witness_t *self, ending_t ending)
     endings->late[late]++;
 }
 
-static bool has_non_pwm_way(const profile_t *profile)
+static bool has_non_pwm_way(const rig_t *rig, const profile_t *profile)
 {
     bool has_way = false;
-    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
-        has_way = has_way || ((robot_neuro.axes[i].card_type == (uint8_t)CARD_TYPE_NON_PWM) &&
+    for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
+        has_way = has_way || ((config_of(rig, i)->card_type == (uint8_t)CARD_TYPE_NON_PWM) &&
                               (profile->start_ticks[i] != profile->end_ticks[i]));
     }
     return has_way;
@@ -348,7 +374,7 @@ static void judge_endings(witness_t *self, const rig_t *rig, bool is_done)
         count_ending(self, ENDING_NON_PWM);
     }
     self->over_cycles = is_over ? (self->over_cycles + 1U) : 0U;
-    self->is_non_pwm_over = is_over && has_non_pwm_way(profile);
+    self->is_non_pwm_over = is_over && has_non_pwm_way(rig, profile);
 }
 
 static void judge_events(witness_t *self, const rig_t *rig, bool is_disturbed)
@@ -362,7 +388,8 @@ static void judge_events(witness_t *self, const rig_t *rig, bool is_disturbed)
             (event->id == (uint32_t)EVENT_ORDER_OVERDUE) && !is_homed(rig, event->subject);
         if (!is_disturbed && !is_jog_blocked &&
             (event->severity == (uint32_t)EVENT_SEVERITY_CRITICAL)) {
-            complain(self, rig, SENTENCE_CALM, event->subject % robot_neuro.axis_count, event->id);
+            complain(self, rig, SENTENCE_CALM, event->subject % rig->box.robot->axis_count,
+                     event->id);
         }
     }
     const uint32_t workphase = rig->outputs.snapshot.workphase;
@@ -386,7 +413,7 @@ void witness_look(witness_t *self, const rig_t *rig, const double truth[ROBOT_AX
 {
     remember_target(self, rig);
     judge_permit(self, rig);
-    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
+    for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
         judge_belief(self, rig, i, truth[i]);
         judge_rest(self, rig, i, truth[i]);
         if (!is_disturbed) {
@@ -398,9 +425,11 @@ void witness_look(witness_t *self, const rig_t *rig, const double truth[ROBOT_AX
         judge_beyond(self, rig);
     }
     judge_end(self, rig);
-    judge_needle(self, rig, truth[AXIS_INSERTION]);
+    judge_needle(self, rig, truth[rig->box.robot->needle_axis]);
     judge_reached(self, rig, truth, is_disturbed);
-    judge_distance(self, rig, truth, is_disturbed);
-    judge_jog(self, rig, truth[AXIS_INSERTION], is_disturbed);
+    for (uint32_t i = 0U; i < rig->box.robot->coupled_limit_count; i++) {
+        judge_coupled(self, rig, i, truth, is_disturbed);
+    }
+    judge_jog(self, rig, truth[rig->box.robot->needle_axis], is_disturbed);
     judge_events(self, rig, is_disturbed);
 }

@@ -25,7 +25,7 @@ typedef enum {
     SENTENCE_ENDS = 3,     /**< A move under the pedal ends. */
     SENTENCE_NEEDLE = 4,   /**< Homing drives the needle forwards by little only. */
     SENTENCE_REACHED = 5,  /**< "Nothing; the target is reached": it is. */
-    SENTENCE_APART = 6,    /**< The axial carriages keep their distance, or come back to it. */
+    SENTENCE_COUPLED = 6,  /**< Axes keep their coupled limits, or come back to them. */
     SENTENCE_CALM = 7,     /**< As long as nothing is broken, no fault is found and no move lost. */
     SENTENCE_BEYOND =
         8, /**< No axis goes beyond the end of its profile by more than its deadband. */
@@ -41,8 +41,8 @@ typedef struct {
     uint32_t episodes; /**< In which it was broken. */
     uint32_t seed;     /**< Of the first of them. */
     uint32_t cycle;
-    uint32_t axis;
-    double worst; /**< In its own unit: mm or degrees, seconds. */
+    uint32_t axis; /**< Of SENTENCE_COUPLED: the limit. */
+    double worst;  /**< In its own unit: mm or degrees, seconds. */
 } verdict_t;
 
 /** What ends after a profile. */
@@ -79,7 +79,7 @@ typedef struct {
     int32_t target_ticks[ROBOT_AXIS_MAX]; /**< As accepted. */
     bool has_looked;
     bool was_homing;
-    double apart_beyond; /**< How far beyond their distance the carriages may be, mm. */
+    double coupled_beyond[ROBOT_COUPLED_LIMITS]; /**< How far beyond each may be, mm or degrees. */
 } witness_t;
 
 /** Begins an episode; the verdicts stay. */

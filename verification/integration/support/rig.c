@@ -10,15 +10,27 @@
 
 /* So low that at home_speed a tick ahead still leaves more than the slowest speed. */
 #define MAGNITUDE_GAIN_PER_S 24U
+#define HOME_CYCLES 150000U /* Of the slowest robot. */
 
-void rig_set_magnitude_robot(robot_t *robot)
+/* Whose magnitudes a card without pwm could take. */
+static const axis_config_t *last_pwm(const robot_t *robot)
 {
-    *robot = robot_neuro;
+    const axis_config_t *found = &robot->axes[0];
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+        found = (robot->axes[i].card_type == (uint8_t)CARD_TYPE_PWM) ? &robot->axes[i] : found;
+    }
+    return found;
+}
+
+void rig_set_magnitude_robot(robot_t *robot, const robot_t *from)
+{
+    const axis_config_t *const pwm = last_pwm(from);
+    *robot = *from;
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
         axis_config_t *const row = &robot->axes[i];
         if (row->card_type == (uint8_t)CARD_TYPE_NON_PWM) {
-            row->minimum_duty = robot_neuro.axes[AXIS_YAW].minimum_duty;
-            row->maximum_duty = robot_neuro.axes[AXIS_YAW].maximum_duty;
+            row->minimum_duty = pwm->minimum_duty;
+            row->maximum_duty = pwm->maximum_duty;
             row->gain_per_s = MAGNITUDE_GAIN_PER_S;
             row->seal = seal_of(SEAL_START, (const uint8_t *)row, offsetof(axis_config_t, seal));
         }
@@ -156,7 +168,7 @@ void rig_home(rig_t *self)
 {
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(self, WORKPHASE_START_UP).status);
     rig_press(self);
-    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(self, 40000U).kind);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(self, HOME_CYCLES).kind);
     rig_release(self);
 }
 
@@ -174,28 +186,36 @@ void rig_start_needle_homed(rig_t *self)
     rig_forget(self);
 }
 
-void rig_start_homed(rig_t *self)
+void rig_start_robot_homed(rig_t *self, const robot_t *robot)
 {
     static rig_t homed;
-    static bool is_ready = false;
-    if (!is_ready) {
-        rig_start(&homed);
+    if (homed.box.robot != robot) {
+        rig_start_robot(&homed, robot);
         rig_home(&homed);
-        is_ready = true;
     }
     *self = homed;
     rig_forget(self);
 }
 
-void rig_start_targeted(rig_t *self)
+void rig_start_homed(rig_t *self)
+{
+    rig_start_robot_homed(self, &robot_neuro);
+}
+
+void rig_start_robot_targeted(rig_t *self, const robot_t *robot, const rigid_t *pose)
 {
     rigid_t identity;
-    const rigid_t pose = rig_pose(5000000, 190000000, 60000000);
     rigid_set_identity(&identity);
-    rig_start_homed(self);
+    rig_start_robot_homed(self, robot);
     rig_register(self, &identity);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_target(self, &pose).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_target(self, pose).status);
     rig_forget(self);
+}
+
+void rig_start_targeted(rig_t *self)
+{
+    const rigid_t pose = rig_pose(5000000, 190000000, 60000000);
+    rig_start_robot_targeted(self, &robot_neuro, &pose);
 }
 
 void rig_start_moving(rig_t *self)

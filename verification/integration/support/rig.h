@@ -38,8 +38,8 @@ void rig_start(rig_t *self);
 /** The same with another robot than the NeuroRobot; `robot` must outlive the rig. */
 void rig_start_robot(rig_t *self, const robot_t *robot);
 
-/** The NeuroRobot, but for magnitudes that its cards without pwm take. */
-void rig_set_magnitude_robot(robot_t *robot);
+/** `from`, which has an axis with pwm, but for magnitudes that its cards without pwm take. */
+void rig_set_magnitude_robot(robot_t *robot, const robot_t *from);
 
 /** One cycle: frames, inputs, controller, 1 ms of physics. */
 void rig_cycle(rig_t *self);
@@ -71,11 +71,15 @@ void rig_home(rig_t *self);
  * are taken where they stand, are homed as well. */
 void rig_start_needle_homed(rig_t *self);
 
-/** A rig that is homed; homed once and copied. */
+/** A rig that is homed; homed once and copied, until it is asked for another robot. */
 void rig_start_homed(rig_t *self);
+void rig_start_robot_homed(rig_t *self, const robot_t *robot);
 
 /** A homed rig, registered by the identity, with an accepted target, in TARGETING. */
 void rig_start_targeted(rig_t *self);
+
+/** The same with another robot and a target that it reaches. */
+void rig_start_robot_targeted(rig_t *self, const robot_t *robot, const rigid_t *pose);
 
 /** A targeted rig in the middle of MOVE_TO_TARGET, the pedal held. */
 void rig_start_moving(rig_t *self);

@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "robot/neuro/test/neuro_truth.h"
+
+#include "robot/robot_neuro.h"
+
+double neuro_truth_coupled(const robot_t *robot, uint32_t index,
+                           const double places[ROBOT_AXIS_MAX])
+{
+    (void)index;
+    return (robot->geometry_nm[NEURO_HOME_SEPARATION] / 1e6) + places[AXIS_HEAD] -
+           places[AXIS_FEET];
+}
