@@ -3,6 +3,7 @@
 
 #include "charts/arming_chart.h"
 #include "charts/axis_chart.h"
+#include "supervise/homing_part.h"
 #include "supervise/truth.h"
 
 #include <math.h>
@@ -18,6 +19,7 @@
 #define HOME_MM 0.05 /* Of the place where homing sees a switch. */
 #define HOME_DEG 0.2
 #define ENDS_CYCLES 60000U
+#define IDLE_CYCLES 1U /* Who is homed is off in the next frame. */
 
 const char *witness_sentence(sentence_t sentence)
 {
@@ -33,7 +35,8 @@ const char *witness_sentence(sentence_t sentence)
         "No axis goes beyond its end by more than its deadband (ticks)",
         "In a short mean no axis is faster than its speed (percent)",
         "Neither jog nor homing drives across a needle that is in (mm)",
-        "A needle that is not homed is not jogged inwards"};
+        "A needle that is not homed is not jogged inwards",
+        "Homing drives who homes in its stage and who follows it, no other"};
     return words[sentence];
 }
 
@@ -84,17 +87,10 @@ static double measure(const rig_t *rig, uint32_t axis, double ticks)
     return truth_measure(config_of(rig, axis), ticks);
 }
 
-static bool is_homed(const rig_t *rig, uint32_t axis)
-{
-    const uint32_t grade = rig->outputs.snapshot.axes[axis].reference;
-    return (grade == (uint32_t)AXIS_REFERENCE_TAKEN) ||
-           (grade == (uint32_t)AXIS_REFERENCE_VERIFIED);
-}
-
 /* The system says that this axis is not to be trusted. */
 static bool is_doubted(const rig_t *rig, uint32_t axis)
 {
-    return !is_homed(rig, axis) ||
+    return !homing_part_is_homed(rig, axis) ||
            (rig->outputs.snapshot.axes[axis].power == (uint32_t)AXIS_POWER_FAULT);
 }
 
@@ -173,7 +169,7 @@ static void judge_needle(witness_t *self, const rig_t *rig, double truth)
     const snapshot_t *const shown = &rig->outputs.snapshot;
     const bool is_homing = (shown->workphase == (uint32_t)WORKPHASE_START_UP) &&
                            (shown->order == (uint32_t)ARMING_STATE_MOVING) &&
-                           !is_homed(rig, needle);
+                           !homing_part_is_homed(rig, needle);
     if (!is_homing || !self->was_homing || (truth < self->needle_from)) {
         self->needle_from = truth;
     }
@@ -181,6 +177,19 @@ static void judge_needle(witness_t *self, const rig_t *rig, double truth)
     const double forwards = measure(rig, needle, truth - self->needle_from);
     if (forwards > NEEDLE_MM) {
         complain(self, rig, SENTENCE_NEEDLE, needle, forwards);
+    }
+}
+
+static void judge_homing(witness_t *self, const rig_t *rig)
+{
+    const bool is_started = rig->outputs.snapshot.workphase == (uint32_t)WORKPHASE_START_UP;
+    for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
+        const bool is_sent = rig_sent(rig, i).drive.mode != (uint32_t)CARD_DRIVE_OFF;
+        const bool is_idle = is_started && is_sent && !homing_part_has(rig, i);
+        self->idle_cycles[i] = is_idle ? (self->idle_cycles[i] + 1U) : 0U;
+        if (self->idle_cycles[i] > IDLE_CYCLES) {
+            complain(self, rig, SENTENCE_HOMING, i, self->idle_cycles[i]);
+        }
     }
 }
 
@@ -211,7 +220,7 @@ static double beyond_target(const witness_t *self, const rig_t *rig, uint32_t ax
                           (is_length(rig, axis) ? REACHED_MM : REACHED_DEG);
     const double most =
         (is_length(rig, axis) ? REACHED_MM : REACHED_DEG) + (is_disturbed ? hidden : 0.0);
-    return (is_there && is_homed(rig, axis) && (away <= most)) ? 0.0 : away;
+    return (is_there && homing_part_is_homed(rig, axis) && (away <= most)) ? 0.0 : away;
 }
 
 static void judge_reached(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_MAX],
@@ -307,7 +316,7 @@ static void judge_jog(witness_t *self, const rig_t *rig, double depth_ticks, boo
         }
     }
     if ((phase == (uint32_t)WORKPHASE_MANUAL) && (needle.mode != (uint32_t)CARD_DRIVE_OFF) &&
-        !is_homed(rig, along) && servo_is_upwards(config_of(rig, along), &needle)) {
+        !homing_part_is_homed(rig, along) && servo_is_upwards(config_of(rig, along), &needle)) {
         complain(self, rig, SENTENCE_INWARDS, along, 1.0);
     }
 }
@@ -384,8 +393,8 @@ static void judge_events(witness_t *self, const rig_t *rig, bool is_disturbed)
         const event_t *const event = &rig->outputs.events[i];
         is_done = is_done || (event->id == (uint32_t)EVENT_ORDER_DONE);
         /* What is not homed may be jogged against its switch. */
-        const bool is_jog_blocked =
-            (event->id == (uint32_t)EVENT_ORDER_OVERDUE) && !is_homed(rig, event->subject);
+        const bool is_jog_blocked = (event->id == (uint32_t)EVENT_ORDER_OVERDUE) &&
+                                    !homing_part_is_homed(rig, event->subject);
         if (!is_disturbed && !is_jog_blocked &&
             (event->severity == (uint32_t)EVENT_SEVERITY_CRITICAL)) {
             complain(self, rig, SENTENCE_CALM, event->subject % rig->box.robot->axis_count,
@@ -426,6 +435,7 @@ void witness_look(witness_t *self, const rig_t *rig, const double truth[ROBOT_AX
     }
     judge_end(self, rig);
     judge_needle(self, rig, truth[rig->box.robot->needle_axis]);
+    judge_homing(self, rig);
     judge_reached(self, rig, truth, is_disturbed);
     for (uint32_t i = 0U; i < rig->box.robot->coupled_limit_count; i++) {
         judge_coupled(self, rig, i, truth, is_disturbed);

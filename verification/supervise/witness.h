@@ -29,12 +29,13 @@ typedef enum {
     SENTENCE_CALM = 7,     /**< As long as nothing is broken, no fault is found and no move lost. */
     SENTENCE_BEYOND =
         8, /**< No axis goes beyond the end of its profile by more than its deadband. */
-    SENTENCE_SPEED = 9,   /**< In a short mean no axis is faster than its speed. */
-    SENTENCE_ACROSS = 10, /**< No jog drives anything across a needle that is in. */
-    SENTENCE_INWARDS = 11 /**< A needle that is not homed is not jogged inwards. */
+    SENTENCE_SPEED = 9,    /**< In a short mean no axis is faster than its speed. */
+    SENTENCE_ACROSS = 10,  /**< No jog drives anything across a needle that is in. */
+    SENTENCE_INWARDS = 11, /**< A needle that is not homed is not jogged inwards. */
+    SENTENCE_HOMING = 12   /**< Homing drives only who homes, and who follows it. */
 } sentence_t;
 
-#define SENTENCE_COUNT 12U
+#define SENTENCE_COUNT 13U
 
 /** A sentence's record. */
 typedef struct {
@@ -79,6 +80,7 @@ typedef struct {
     int32_t target_ticks[ROBOT_AXIS_MAX]; /**< As accepted. */
     bool has_looked;
     bool was_homing;
+    uint32_t idle_cycles[ROBOT_AXIS_MAX];        /**< Driven in homing without a part in it. */
     double coupled_beyond[ROBOT_COUPLED_LIMITS]; /**< How far beyond each may be, mm or degrees. */
 } witness_t;
 
