@@ -3,6 +3,7 @@
 
 #include "robot/kinematics.h"
 #include "robot/neuro/test/neuro_truth.h"
+#include "robot/prostate/test/prostate_truth.h"
 #include "robot/robot_kind.h"
 
 #include <math.h>
@@ -42,6 +43,9 @@ double truth_coupled(const robot_t *robot, uint32_t index, const double ticks[RO
     switch (robot->kind) {
     case ROBOT_KIND_NEURO:
         value = neuro_truth_coupled(robot, index, places);
+        break;
+    case ROBOT_KIND_PROSTATE:
+        value = prostate_truth_coupled(robot, index, places);
         break;
     default:
         value = core_coupled(robot, index, ticks);
