@@ -4,6 +4,7 @@
 #include "integration/support/rig.h"
 #include "robot/kinematics.h"
 #include "robot/robot_kind.h"
+#include "robot/robot_neuro.h"
 #include "supervise/chance.h"
 #include "supervise/truth.h"
 
