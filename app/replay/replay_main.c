@@ -150,17 +150,18 @@ static void look_further(FILE *where)
     bool is_equal = true;
 
     known.is_whole = false;
-    while (!known.is_whole && take_record()) {
+    while (!known.is_whole && take_record() && (record.kind == (uint32_t)CYCLE_RECORD_CYCLE)) {
         is_equal = replay_take(&replay, robot, &record, &known);
     }
-    if (known.is_whole && is_equal) {
+    if (!known.is_whole || !replay.is_running) {
+        return; /* The recording ends before it, or has a gap or another state. */
+    }
+    if (is_equal) {
         (void)fprintf(where, "Cycle %" PRIu32 ", the next that was kept whole, is equal.\n",
                       record.cycle);
-    } else if (known.is_whole) {
+    } else {
         (void)replay_difference(&replay, &record, &known, difference, sizeof difference);
         (void)fprintf(where, "The next that was kept whole: %s\n", difference);
-    } else {
-        /* The recording ends before it. */
     }
 }
 

@@ -32,13 +32,6 @@ static bool is_confirmation_due(const controller_t *self, const robot_t *robot)
     return is_any_due;
 }
 
-void controller_positions(const controller_t *self, int32_t ticks[ROBOT_AXIS_MAX])
-{
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
-        ticks[i] = self->axes[i].encoder.position_ticks;
-    }
-}
-
 bool controller_is_homed(const controller_t *self)
 {
     bool is_every_axis_homed = true;

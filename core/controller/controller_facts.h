@@ -24,7 +24,12 @@ static inline const link_t *controller_link(const controller_t *self, uint32_t i
 bool controller_is_homed(const controller_t *self);
 
 /** Where the axes are; beyond those of the robot nothing is written. */
-void controller_positions(const controller_t *self, int32_t ticks[ROBOT_AXIS_MAX]);
+static inline void controller_positions(const controller_t *self, int32_t ticks[ROBOT_AXIS_MAX])
+{
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
+        ticks[i] = self->axes[i].encoder.position_ticks;
+    }
+}
 
 /** Facts for the guards of the workphase chart. */
 workphase_inputs_t controller_guards(const controller_t *self, const cycle_t *cycle);

@@ -2,8 +2,8 @@
 # frozen_string_literal: true
 
 # The rule under test: a field of the snapshot is one line in core/interface/snapshot.yml, and the line that fills it.
-# Nothing else is written, and it comes out of the C, the JSON, the console's types, the table of the replay and the
-# manual.
+# Nothing else is written, and it comes out of the C, the JSON, the console's types, the table of the replay, what it
+# calls a field that differs, and the manual.
 
 require 'fileutils'
 require 'json'
@@ -24,6 +24,7 @@ class TestInterfaceField < Minitest::Test
     #include "base/contract.h"
     #include "controller/controller.h"
     #include "http/telemetry_json.h"
+    #include "replay/field_name.h"
     #include "replay/table.h"
     #include "robot/robot_neuro.h"
     #include <stdio.h>
@@ -45,15 +46,18 @@ class TestInterfaceField < Minitest::Test
         char *json = cJSON_PrintUnformatted(telemetry_json_motors(&view));
         (void)puts(json);
         table_print_names(&robot_neuro);
-        table_print_row(&robot_neuro, &record);
+        table_print_row(&robot_neuro, record.cycle, &record.body.cycle.outputs.snapshot);
+        char name[64];
+        field_name(fields_snapshot, offsetof(snapshot_t, axes[3].shake_ticks) + 1U, name, sizeof name);
+        (void)puts(name);
         return 0;
     }
   CODE
 
   # What sees a snapshot; the rest of the core is in the library.
   SOURCES = %w[core/controller/*.c app/http/telemetry_{json,units}.c app/http/json_forms.c app/common/event_text.c
-               app/replay/table.c build/gen/assets/chart_names.c].freeze
-  GENERATED = %w[event app/names app/event_words app/messages app/columns].freeze
+               app/replay/{table,field_name}.c build/gen/assets/chart_names.c].freeze
+  GENERATED = %w[event app/names app/event_words app/messages app/columns app/fields].freeze
   FOLDERS = %w[core app bsp/include build/gen].freeze
   LIBRARY = 'build/gcc/libcore.a'
 
@@ -71,9 +75,10 @@ class TestInterfaceField < Minitest::Test
   end
 
   def test_SWR_TOOL_011_a_snapshot_field_is_one_line_and_the_line_that_fills_it
-    json, names, row = run_controller
+    json, names, row, field = run_controller
     shakes = JSON.parse(json).fetch('axes').map { |axis| axis.fetch('shake_ticks') }
     assert_equal (40..46).to_a, shakes
+    assert_equal 'axes[3].shake_ticks', field
     values = names.split(',').zip(row.split(','))
     assert_equal shakes.map(&:to_s), values.select { |name, _| name.end_with?('_shake_ticks') }.map(&:last)
     types = read('interface/app/api.ts')[/interface Axis {[^}]*}/]
