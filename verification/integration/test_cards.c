@@ -11,6 +11,7 @@
 #include "base/seal.h"
 #include "controller/controller.h"
 #include "limits/requirement_limits.h"
+#include "robot/robot_neuro.h"
 
 #include <stddef.h>
 #include <string.h>

@@ -22,6 +22,7 @@
 #include "replay/replay.h"
 #include "robot/app/robot_names.h"
 #include "robot/app/robots.h"
+#include "robot/robot_neuro.h"
 
 #include <stdio.h>
 #include <string.h>
