@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "controller/controller_memory.h"
 
+#include "controller/controller_cards.h"
 #include "controller/controller_facts.h"
-#include "controller/controller_observe.h"
 #include "controller/controller_order.h"
 
 #include "base/seal.h"

@@ -209,16 +209,11 @@ static bool needs_table(const command_t *command)
            (command->argument == (uint32_t)WORKPHASE_START_UP);
 }
 
-static status_t obey(controller_t *self, const cycle_t *cycle, const command_t *command,
-                     answer_t *answer)
+/* By its kind. */
+static status_t carry_out(controller_t *self, const cycle_t *cycle, const command_t *command,
+                          answer_t *answer)
 {
     status_t status = STATUS_UNKNOWN_COMMAND;
-    if (!is_allowed(command)) {
-        return STATUS_NOT_ALLOWED;
-    }
-    if (controller_is_blind(self) && needs_table(command)) {
-        return STATUS_MEMORY_DAMAGED;
-    }
     switch (command->kind) {
     case (uint32_t)COMMAND_WORKPHASE:
         status = obey_workphase(self, cycle, command, answer);
@@ -242,6 +237,18 @@ static status_t obey(controller_t *self, const cycle_t *cycle, const command_t *
         break;
     }
     return status;
+}
+
+static status_t obey(controller_t *self, const cycle_t *cycle, const command_t *command,
+                     answer_t *answer)
+{
+    if (!is_allowed(command)) {
+        return STATUS_NOT_ALLOWED;
+    }
+    if (controller_is_blind(self) && needs_table(command)) {
+        return STATUS_MEMORY_DAMAGED;
+    }
+    return carry_out(self, cycle, command, answer);
 }
 
 static event_cause_t cause_of(const command_t *command)

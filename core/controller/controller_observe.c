@@ -1,140 +1,23 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "controller/controller_observe.h"
 
+#include "controller/controller_cards.h"
 #include "controller/controller_facts.h"
 #include "controller/controller_order.h"
 #include "controller/controller_restore.h"
 
 #include <stddef.h>
 
-/* An axis that was off when its card fell silent stands where it was, or shows it when the card is
- * back. */
-static bool is_only_out_of_sight(const controller_t *self, uint32_t index)
-{
-    const link_t *const link = controller_link(self, index);
-    return supervision_is_at_rest(&self->axes[index].supervision) &&
-           (link->sent.mode == (uint32_t)CARD_DRIVE_OFF) &&
-           (link->sent_before.mode == (uint32_t)CARD_DRIVE_OFF) && link_was_only_silent(link);
-}
-
-void controller_lose_card(controller_t *self, const cycle_t *cycle, uint32_t index,
-                          bool is_in_doubt)
-{
-    const uint32_t slot = self->cards.slots[index];
-    axis_t *const axis = &self->axes[index];
-    controller_note(self, cycle, EVENT_CARD_LOST, slot, (int32_t)self->links[slot].cause);
-    if (is_in_doubt) {
-        axis_doubt(axis);
-    } else {
-        axis_lose_reference(axis);
-    }
-    axis_disable(axis);
-    plan_forget_target(&self->plan);
-    controller_fail_order(self, cycle, EVENT_CAUSE_CARD, slot);
-}
-
-/* What the step of a cycle made of a link. */
-typedef struct {
-    bool is_lost;
-    bool is_damaged; /* Its chart was. */
-} link_step_t;
-
-static inline link_step_t step_link(controller_t *self, const cycle_t *cycle, uint32_t slot)
-{
-    link_t *const link = &self->links[slot];
-    const bool is_received = (cycle->inputs->frames_received & ((uint32_t)1U << slot)) != 0U;
-    const bool was_usable = link_is_usable(link);
-    const bool was_lost = link->chart.state == CARD_LINK_STATE_LOST;
-    const bool is_damaged = link_check(link);
-    if (is_damaged) {
-        controller_note(self, cycle, EVENT_CHART_REPAIRED, (uint32_t)EVENT_CHART_CARD,
-                        (int32_t)slot);
-    }
-    link_step(link, slot, is_received ? cycle->inputs->frames[slot] : NULL,
-              cycle->inputs->elapsed_us);
-    if (link->last_error != (uint32_t)CARD_FRAME_OK) {
-        controller_note(self, cycle, EVENT_FRAME_REFUSED, slot, (int32_t)link->last_error);
-    }
-    if (link_is_usable(link) && !was_usable) {
-        controller_note(self, cycle, EVENT_CARD_LIVE, slot, 0);
-    }
-    /* The state before of a damaged chart is not known; the card is lost now. */
-    const bool is_lost = (!was_lost || is_damaged) && (link->chart.state == CARD_LINK_STATE_LOST);
-    return (link_step_t){.is_lost = is_lost, .is_damaged = is_damaged};
-}
-
-static void observe_card(controller_t *self, const cycle_t *cycle, uint32_t index)
-{
-    const uint32_t slot = self->cards.slots[index];
-    const link_step_t step = step_link(self, cycle, slot);
-    if (step.is_lost) {
-        controller_lose_card(self, cycle, index,
-                             !step.is_damaged && is_only_out_of_sight(self, index));
-    }
-    /* Also what was confirmed and fell silent again before START_UP. */
-    if (self->links[slot].age_cycles >= LIMIT_LINK_AGE_CYCLES) {
-        axis_doubt(&self->axes[index]);
-    }
-}
-
-/* Cards without an axis: one that is lost is told of, and nothing else. */
-static void observe_sensors(controller_t *self, const cycle_t *cycle)
-{
-    const uint32_t slots = self->cards.sensor_slots;
-    for (uint32_t i = 0U; (slots >> i) != 0U; i++) {
-        if ((((slots >> i) & 1U) != 0U) && step_link(self, cycle, i).is_lost) {
-            controller_note(self, cycle, EVENT_CARD_LOST, i, (int32_t)self->links[i].cause);
-        }
-    }
-}
-
-/* A card that the robot does not name: what comes from there may be noise, so that only its first
- * valid frame is told of. */
-static void observe_stranger(controller_t *self, const cycle_t *cycle, uint32_t slot)
-{
-    const uint32_t bit = (uint32_t)1U << slot;
-    link_t *const link = &self->links[slot];
-    const bool is_received = (cycle->inputs->frames_received & bit) != 0U;
-    (void)link_check(link);
-    link_step(link, slot, is_received ? cycle->inputs->frames[slot] : NULL,
-              cycle->inputs->elapsed_us);
-    if ((link->is_fresh != 0U) && ((self->strangers & bit) == 0U)) {
-        self->strangers |= bit;
-        controller_note(self, cycle, EVENT_UNEXPECTED_CARD, slot, (int32_t)link->report.card_type);
-    }
-}
-
-/* In the slots that the robot does not name. */
-static void observe_strangers(controller_t *self, const cycle_t *cycle)
-{
-    const uint32_t answered = cycle->inputs->frames_received | self->strangers;
-    const uint32_t slots = answered & ~self->cards.named_slots & CARD_EVERY_SLOT;
-    for (uint32_t i = 0U; (slots >> i) != 0U; i++) {
-        if (((slots >> i) & 1U) != 0U) {
-            observe_stranger(self, cycle, i);
-        }
-    }
-}
-
-/* What an event says of its axis, besides its name. */
-static int32_t detail(const axis_t *axis, event_id_t id)
+/* What an event of the supervision says of its axis, besides its name. */
+static int32_t supervised_detail(const axis_t *axis, event_id_t id)
 {
     int32_t value = 0;
     switch ((uint32_t)id) {
-    case (uint32_t)EVENT_AXIS_HOMED:
-        value = axis->home_correction_ticks;
-        break;
-    case (uint32_t)EVENT_AXIS_ENCODER_FAULT:
-        value = axis->encoder.jump_ticks;
-        break;
     case (uint32_t)EVENT_AXIS_STALLED:
         value = axis->encoder.position_ticks;
         break;
     case (uint32_t)EVENT_AXIS_FOLLOWING_ERROR:
         value = axis->setpoint_ticks - axis->encoder.position_ticks;
-        break;
-    case (uint32_t)EVENT_AXIS_SWITCH_FAULT:
-        value = axis->encoder.position_ticks - axis->homing.start_ticks;
         break;
     case (uint32_t)EVENT_AXIS_WRONG_WAY:
         value = axis->supervision.backwards_ticks;
@@ -148,12 +31,6 @@ static int32_t detail(const axis_t *axis, event_id_t id)
     case (uint32_t)EVENT_AXIS_WRONG_SPEED:
         value = axis->supervision.account.percent;
         break;
-    case (uint32_t)EVENT_AXIS_SWITCH_ELSEWHERE:
-        value = axis->contradiction_ticks;
-        break;
-    case (uint32_t)EVENT_AXIS_DRIFTED:
-        value = axis->drift.idle_ticks;
-        break;
     default:
         value = 0;
         break;
@@ -161,28 +38,61 @@ static int32_t detail(const axis_t *axis, event_id_t id)
     return value;
 }
 
+/* The same of any event. */
+static int32_t detail(const axis_t *axis, event_id_t id)
+{
+    int32_t value = 0;
+    switch ((uint32_t)id) {
+    case (uint32_t)EVENT_AXIS_HOMED:
+        value = axis->home_correction_ticks;
+        break;
+    case (uint32_t)EVENT_AXIS_ENCODER_FAULT:
+        value = axis->encoder.jump_ticks;
+        break;
+    case (uint32_t)EVENT_AXIS_SWITCH_FAULT:
+        value = axis->encoder.position_ticks - axis->homing.start_ticks;
+        break;
+    case (uint32_t)EVENT_AXIS_SWITCH_ELSEWHERE:
+        value = axis->contradiction_ticks;
+        break;
+    case (uint32_t)EVENT_AXIS_DRIFTED:
+        value = axis->drift.idle_ticks;
+        break;
+    default:
+        value = supervised_detail(axis, id);
+        break;
+    }
+    return value;
+}
+
+typedef struct {
+    uint32_t note;
+    event_id_t event;
+} axis_note_t;
+
+static const axis_note_t axis_notes[] = {
+    {AXIS_NOTE_HOMED, EVENT_AXIS_HOMED},
+    {AXIS_NOTE_ENCODER_FAULT, EVENT_AXIS_ENCODER_FAULT},
+    {AXIS_NOTE_STALLED, EVENT_AXIS_STALLED},
+    {AXIS_NOTE_FOLLOWING_ERROR, EVENT_AXIS_FOLLOWING_ERROR},
+    {AXIS_NOTE_HOME_TIMEOUT, EVENT_AXIS_HOME_TIMEOUT},
+    {AXIS_NOTE_SWITCH_FAULT, EVENT_AXIS_SWITCH_FAULT},
+    {AXIS_NOTE_WRONG_WAY, EVENT_AXIS_WRONG_WAY},
+    {AXIS_NOTE_MOVED_OFF, EVENT_AXIS_MOVED_OFF},
+    {AXIS_NOTE_NO_COUNTS, EVENT_AXIS_NO_COUNTS},
+    {AXIS_NOTE_WRONG_SPEED, EVENT_AXIS_WRONG_SPEED},
+    {AXIS_NOTE_DRIFTED, EVENT_AXIS_DRIFTED},
+    {AXIS_NOTE_SWITCH_ELSEWHERE, EVENT_AXIS_SWITCH_ELSEWHERE},
+    {AXIS_NOTE_UNEVEN_COUNTS, EVENT_AXIS_UNEVEN_COUNTS},
+};
+
 static void note_axis(controller_t *self, const cycle_t *cycle, uint32_t index, uint32_t notes)
 {
-    static const struct {
-        uint32_t note;
-        event_id_t event;
-    } events[] = {{AXIS_NOTE_HOMED, EVENT_AXIS_HOMED},
-                  {AXIS_NOTE_ENCODER_FAULT, EVENT_AXIS_ENCODER_FAULT},
-                  {AXIS_NOTE_STALLED, EVENT_AXIS_STALLED},
-                  {AXIS_NOTE_FOLLOWING_ERROR, EVENT_AXIS_FOLLOWING_ERROR},
-                  {AXIS_NOTE_HOME_TIMEOUT, EVENT_AXIS_HOME_TIMEOUT},
-                  {AXIS_NOTE_SWITCH_FAULT, EVENT_AXIS_SWITCH_FAULT},
-                  {AXIS_NOTE_WRONG_WAY, EVENT_AXIS_WRONG_WAY},
-                  {AXIS_NOTE_MOVED_OFF, EVENT_AXIS_MOVED_OFF},
-                  {AXIS_NOTE_NO_COUNTS, EVENT_AXIS_NO_COUNTS},
-                  {AXIS_NOTE_WRONG_SPEED, EVENT_AXIS_WRONG_SPEED},
-                  {AXIS_NOTE_DRIFTED, EVENT_AXIS_DRIFTED},
-                  {AXIS_NOTE_SWITCH_ELSEWHERE, EVENT_AXIS_SWITCH_ELSEWHERE},
-                  {AXIS_NOTE_UNEVEN_COUNTS, EVENT_AXIS_UNEVEN_COUNTS}};
-    for (uint32_t i = 0U; (notes != 0U) && (i < (sizeof(events) / sizeof(events[0]))); i++) {
-        if ((notes & events[i].note) != 0U) {
-            controller_note(self, cycle, events[i].event, index,
-                            detail(&self->axes[index], events[i].event));
+    const uint32_t count = (uint32_t)(sizeof(axis_notes) / sizeof(axis_notes[0]));
+    for (uint32_t i = 0U; (notes != 0U) && (i < count); i++) {
+        const event_id_t event = axis_notes[i].event;
+        if ((notes & axis_notes[i].note) != 0U) {
+            controller_note(self, cycle, event, index, detail(&self->axes[index], event));
         }
     }
     if ((notes & ~AXIS_NOTE_HOMED) != 0U) {
@@ -387,12 +297,11 @@ void controller_observe(controller_t *self, const cycle_t *cycle)
     observe_estop(self, cycle);
     observe_scanner(self, cycle);
     for (uint32_t i = 0U; i < self->axis_count; i++) {
-        observe_card(self, cycle, i);
+        controller_observe_card(self, cycle, i);
         if (!controller_is_blind(self)) {
             observe_axis(self, cycle, i);
         }
     }
-    observe_sensors(self, cycle);
-    observe_strangers(self, cycle);
+    controller_observe_other_cards(self, cycle);
     observe_button(self, cycle);
 }

@@ -5,29 +5,17 @@
 
 #include "controller/controller_events.h"
 
-#include <stdbool.h>
-#include <stdint.h>
-
-/** The card of axis `index` was lost: so are the target, the order and, unless it is only
- * `is_in_doubt`, its reference. */
-void controller_lose_card(controller_t *self, const cycle_t *cycle, uint32_t index,
-                          bool is_in_doubt);
-
 /**
  * Links, encoders, interlocks: what the world says in this cycle. A damaged chart is repaired here.
  *
  * @satisfies SWR-CORE-004
  * @satisfies SWR-CHART-012
  * @satisfies SWR-REF-006
- * @satisfies SWR-REF-009
  * @satisfies SWR-REF-010
  * @satisfies SWR-REF-011
  * @satisfies SWR-REF-007
  * @satisfies SWR-EVENT-003
  * @satisfies SWR-AXIS-023
- * @satisfies SWR-LINK-009
- * @satisfies SWR-LINK-010
- * @satisfies SWR-LINK-011
  */
 void controller_observe(controller_t *self, const cycle_t *cycle);
 

@@ -1,0 +1,122 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "controller/controller_cards.h"
+
+#include "controller/controller_facts.h"
+#include "controller/controller_order.h"
+
+#include <stddef.h>
+
+/* An axis that was off when its card fell silent stands where it was, or shows it when the card is
+ * back. */
+static bool is_only_out_of_sight(const controller_t *self, uint32_t index)
+{
+    const link_t *const link = controller_link(self, index);
+    return supervision_is_at_rest(&self->axes[index].supervision) &&
+           (link->sent.mode == (uint32_t)CARD_DRIVE_OFF) &&
+           (link->sent_before.mode == (uint32_t)CARD_DRIVE_OFF) && link_was_only_silent(link);
+}
+
+void controller_lose_card(controller_t *self, const cycle_t *cycle, uint32_t index,
+                          bool is_in_doubt)
+{
+    const uint32_t slot = self->cards.slots[index];
+    axis_t *const axis = &self->axes[index];
+    controller_note(self, cycle, EVENT_CARD_LOST, slot, (int32_t)self->links[slot].cause);
+    if (is_in_doubt) {
+        axis_doubt(axis);
+    } else {
+        axis_lose_reference(axis);
+    }
+    axis_disable(axis);
+    plan_forget_target(&self->plan);
+    controller_fail_order(self, cycle, EVENT_CAUSE_CARD, slot);
+}
+
+/* What the step of a cycle made of a link. */
+typedef struct {
+    bool is_lost;
+    bool is_damaged; /* Its chart was. */
+} link_step_t;
+
+static inline link_step_t step_link(controller_t *self, const cycle_t *cycle, uint32_t slot)
+{
+    link_t *const link = &self->links[slot];
+    const bool is_received = (cycle->inputs->frames_received & ((uint32_t)1U << slot)) != 0U;
+    const bool was_usable = link_is_usable(link);
+    const bool was_lost = link->chart.state == CARD_LINK_STATE_LOST;
+    const bool is_damaged = link_check(link);
+    if (is_damaged) {
+        controller_note(self, cycle, EVENT_CHART_REPAIRED, (uint32_t)EVENT_CHART_CARD,
+                        (int32_t)slot);
+    }
+    link_step(link, slot, is_received ? cycle->inputs->frames[slot] : NULL,
+              cycle->inputs->elapsed_us);
+    if (link->last_error != (uint32_t)CARD_FRAME_OK) {
+        controller_note(self, cycle, EVENT_FRAME_REFUSED, slot, (int32_t)link->last_error);
+    }
+    if (link_is_usable(link) && !was_usable) {
+        controller_note(self, cycle, EVENT_CARD_LIVE, slot, 0);
+    }
+    /* The state before of a damaged chart is not known; the card is lost now. */
+    const bool is_lost = (!was_lost || is_damaged) && (link->chart.state == CARD_LINK_STATE_LOST);
+    return (link_step_t){.is_lost = is_lost, .is_damaged = is_damaged};
+}
+
+void controller_observe_card(controller_t *self, const cycle_t *cycle, uint32_t index)
+{
+    const uint32_t slot = self->cards.slots[index];
+    const link_step_t step = step_link(self, cycle, slot);
+    if (step.is_lost) {
+        controller_lose_card(self, cycle, index,
+                             !step.is_damaged && is_only_out_of_sight(self, index));
+    }
+    /* Also what was confirmed and fell silent again before START_UP. */
+    if (self->links[slot].age_cycles >= LIMIT_LINK_AGE_CYCLES) {
+        axis_doubt(&self->axes[index]);
+    }
+}
+
+/* Cards without an axis: one that is lost is told of, and nothing else. */
+static void observe_sensors(controller_t *self, const cycle_t *cycle)
+{
+    const uint32_t slots = self->cards.sensor_slots;
+    for (uint32_t i = 0U; (slots >> i) != 0U; i++) {
+        if ((((slots >> i) & 1U) != 0U) && step_link(self, cycle, i).is_lost) {
+            controller_note(self, cycle, EVENT_CARD_LOST, i, (int32_t)self->links[i].cause);
+        }
+    }
+}
+
+/* A card that the robot does not name: what comes from there may be noise, so that only its first
+ * valid frame is told of. */
+static void observe_stranger(controller_t *self, const cycle_t *cycle, uint32_t slot)
+{
+    const uint32_t bit = (uint32_t)1U << slot;
+    link_t *const link = &self->links[slot];
+    const bool is_received = (cycle->inputs->frames_received & bit) != 0U;
+    (void)link_check(link);
+    link_step(link, slot, is_received ? cycle->inputs->frames[slot] : NULL,
+              cycle->inputs->elapsed_us);
+    if ((link->is_fresh != 0U) && ((self->strangers & bit) == 0U)) {
+        self->strangers |= bit;
+        controller_note(self, cycle, EVENT_UNEXPECTED_CARD, slot, (int32_t)link->report.card_type);
+    }
+}
+
+/* In the slots that the robot does not name. */
+static void observe_strangers(controller_t *self, const cycle_t *cycle)
+{
+    const uint32_t answered = cycle->inputs->frames_received | self->strangers;
+    const uint32_t slots = answered & ~self->cards.named_slots & CARD_EVERY_SLOT;
+    for (uint32_t i = 0U; (slots >> i) != 0U; i++) {
+        if (((slots >> i) & 1U) != 0U) {
+            observe_stranger(self, cycle, i);
+        }
+    }
+}
+
+void controller_observe_other_cards(controller_t *self, const cycle_t *cycle)
+{
+    observe_sensors(self, cycle);
+    observe_strangers(self, cycle);
+}
