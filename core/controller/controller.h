@@ -86,7 +86,7 @@ typedef struct {
 #define CONTROLLER_SECTIONS ((2U * ROBOT_AXIS_MAX) + 5U)
 
 /** All state of the controller; holds no pointer, so that it can be stored and compared as bytes.
- * Its sections are those of event_memory_t, each in one piece. */
+ * What it has once is divided into the sections of event_memory_t. */
 typedef struct {
     link_t links[CARD_SLOT_COUNT]; /**< By slot. */
     pedal_gate_t pedal;
