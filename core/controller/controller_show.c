@@ -63,11 +63,12 @@ static next_step_t next_step(const controller_t *self)
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         reasons |= self->records[i].reason_hold.shown;
     }
+    const uint32_t count = (uint32_t)(sizeof(remedies) / sizeof(remedies[0]));
     next_step_t step = NEXT_STEP_HOLD_PEDAL;
-    for (uint32_t i = 0U; (reasons != 0U) && (i < (sizeof(remedies) / sizeof(remedies[0]))); i++) {
-        if ((reasons & ((uint32_t)1U << (uint32_t)remedies[i].reason)) != 0U) {
-            step = remedies[i].step;
-            reasons = 0U;
+    for (uint32_t i = (reasons != 0U) ? count : 0U; i > 0U; i--) {
+        const remedy_t *const remedy = &remedies[i - 1U];
+        if ((reasons & ((uint32_t)1U << (uint32_t)remedy->reason)) != 0U) {
+            step = remedy->step;
         }
     }
     return (step == NEXT_STEP_NOTHING) ? step_for_plan(self) : step;
