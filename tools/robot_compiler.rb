@@ -117,7 +117,8 @@ module Robot
     end
 
     def pose(name, ticks)
-      "        [POSE_#{name.upcase}] = {.ticks = #{initializer(ticks)}, .seal = #{seal('pose_t', 'ticks' => ticks)}}"
+      places = ticks.each_with_index.map { |one, i| "[#{i}] = #{one}" }.join(', ')
+      "        [POSE_#{name.upcase}] = {.ticks = {#{places}}, .seal = #{seal('pose_t', 'ticks' => ticks)}}"
     end
 
     def seal(structure, values)

@@ -62,9 +62,10 @@ static void call_leaders(const mode_frame_t *frame, uint8_t stage)
                              follower_has_one(frame->robot, i));
     }
     for (uint32_t i = 0U; is_beginning && (i < frame->axis_count); i++) {
-        if ((frame->robot->axes[i].home_stage == stage) && axis_is_homed(&frame->axes[i]) &&
+        axis_t *const axis = &frame->axes[i];
+        if ((frame->robot->axes[i].home_stage == stage) && axis_is_homed(axis) &&
             follower_has_one(frame->robot, i)) {
-            axis_doubt(&frame->axes[i]);
+            axis_doubt(axis);
         }
     }
 }

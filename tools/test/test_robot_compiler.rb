@@ -448,7 +448,7 @@ class TestRobotCompiler < Minitest::Test
     assert_includes compile(TEXT).last, '.pose_mask = 0U'
     table = compile(with_pose(HOME)).last
     assert_includes table, '.pose_mask = 1U'
-    assert_includes table, '[POSE_HOME] = {.ticks = {-1575, -1575, -7, 2083, 0, 80, -300}, .seal = 0x'
+    assert_includes table, '[POSE_HOME] = {.ticks = {[0] = -1575, [1] = -1575, [2] = -7, [3] = 2083, [4] = 0, [5] = 80, [6] = -300}, .seal = 0x'
     assert_equal 0, compile(with_pose(HOME.merge(insertion: '336 ticks'))).first
   end
 

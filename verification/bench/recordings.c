@@ -12,6 +12,7 @@
 #include "base/contract.h"
 #include "integration/support/recorded.h"
 #include "limits/requirement_limits.h"
+#include "robot/robot_neuro.h"
 
 #include "unity.h"
 
