@@ -177,9 +177,9 @@ static bool say_proof(const replay_t *self, const cycle_record_t *record,
                        "Cycle %u differs first in its snapshot, of which a hash was kept.",
                        (unsigned)record->cycle);
     } else {
-        (void)snprintf(text, size,
-                       "Cycle %u differs first in its frames, slot %u, of which a hash was kept.",
-                       (unsigned)record->cycle, (unsigned)(part - PROOF_FRAMES));
+        (void)snprintf(text, size, "Cycle %u differs first in its frames, slot %u, %s.",
+                       (unsigned)record->cycle, (unsigned)(part - PROOF_FRAMES),
+                       was_expected ? "which went on as expected" : "of which a hash was kept");
     }
     return false;
 }

@@ -195,9 +195,15 @@ void test_SWR_REPLAY_004_a_frame_that_differs_alone_is_named_by_its_slot(void)
     begin_proofs();
     make_cycle();
     keep_proof(false);
-    known.proof.surprises |= 1UL << (PROOF_FRAMES + 2U);
+    known.proof.surprises |= 1U << (PROOF_FRAMES + 2U);
     TEST_ASSERT_FALSE(replay_take(&replay, &robot_neuro, &record, &known));
     expect_sentence("differs first in its frames, slot 2, of which a hash was kept.");
+    make_cycle();
+    keep_proof(false);
+    replay.controller.sequence += 5U;
+    controller_seal(&replay.controller);
+    TEST_ASSERT_FALSE(replay_take(&replay, &robot_neuro, &record, &known));
+    expect_sentence("differs first in its frames, slot 1, which went on as expected.");
 }
 
 void test_SWR_REPLAY_004_an_event_is_kept_and_named_before_the_rest(void)
