@@ -81,6 +81,19 @@ static void begin_stage(const mode_frame_t *frame, mode_result_t *result)
     }
 }
 
+/* Who led the others to a place where none of them can be has met a switch that lies. */
+static void doubt_leaders(const mode_frame_t *frame, mode_result_t *result)
+{
+    for (uint32_t i = 0U; i < frame->axis_count; i++) {
+        axis_t *const axis = &frame->axes[i];
+        if (axis_is_homed(axis) && follower_has_one(frame->robot, i) &&
+            coupled_guard_is_missed(frame->robot, frame->axes, i)) {
+            axis_doubt(axis);
+            mode_fail(result, EVENT_HOMED_BEYOND_LIMIT, i, 0);
+        }
+    }
+}
+
 static void follow(const mode_frame_t *frame, uint32_t index, const axis_t *leader,
                    mode_result_t *result)
 {
@@ -144,7 +157,10 @@ bool homing_mode_is_done(const leg_t *leg, const mode_frame_t *frame)
 
 void homing_mode_step(leg_t *leg, const mode_frame_t *frame, mode_result_t *result)
 {
-    if (frame->is_every_axis_homed && has_pose(frame)) {
+    doubt_leaders(frame, result);
+    if (result->progress == MODE_FAILED) {
+        mode_rest(frame, result);
+    } else if (frame->is_every_axis_homed && has_pose(frame)) {
         go_home(leg, frame, result);
     } else if (needle_must_leave(frame->robot, frame->axes)) {
         leave(leg, frame, result);

@@ -251,6 +251,24 @@ uint32_t coupled_guard_blocks(const robot_t *robot, const coupled_view_t *view)
     return blocked;
 }
 
+bool coupled_guard_is_missed(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
+                             uint32_t index)
+{
+    bool is_missed = false;
+    for (uint32_t i = 0U; i < robot->coupled_limit_count; i++) {
+        const coupled_limit_t *const limit = &robot->coupled_limits[i];
+        if (coupled_limit_has(limit, index) && (unknown_axes(robot, limit, axes) == 0U)) {
+            joints_t joints;
+            find_joints(robot, limit, axes, &joints);
+            const int64_t value = kinematics_coupled(robot, i, &joints);
+            const int64_t margin = coupled_limit_margin(limit);
+            is_missed = is_missed || (value < ((int64_t)limit->minimum - margin)) ||
+                        (value > ((int64_t)limit->maximum + margin));
+        }
+    }
+    return is_missed;
+}
+
 bool coupled_guard_is_known(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX], uint32_t index)
 {
     bool is_every_known = axis_is_homed(&axes[index]);

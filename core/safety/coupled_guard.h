@@ -55,6 +55,15 @@ uint32_t coupled_guard_blocks(const robot_t *robot, const coupled_view_t *view);
 bool coupled_guard_bars_homing(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
                                uint32_t index);
 
+/**
+ * @return true when axis `index` stands, with all that share a limit with it and are homed as well,
+ * outside of that by more than the margin that ends keep
+ *
+ * @satisfies SWR-AXIS-033
+ */
+bool coupled_guard_is_missed(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
+                             uint32_t index);
+
 /** @return true when axis `index` and all that share a limit with it are homed */
 bool coupled_guard_is_known(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
                             uint32_t index);

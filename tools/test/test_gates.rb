@@ -174,7 +174,8 @@ class TestGates < Minitest::Test
   def test_SWR_GATE_005_make_refuses_an_unknown_gate_before_it_installs_or_builds
     [[], %w[NAME=nonsense], %w[NAME=a\ nonsense]].each do |words|
       Dir.mktmpdir do |folder|
-        %w[Makefile verification/gates.mk verification/bench/bench.mk].each { |file| copy(file, folder) }
+        %w[Makefile bsp/sim/board.mk bsp/sim/board.yml verification/gates.mk
+           verification/bench/bench.mk].each { |file| copy(file, folder) }
         File.write(File.join(folder, 'verification/gates.yml'), gates_file('a' => 'true', 'b' => 'true'))
         before = Dir.glob('**/*', base: folder)
         output, status = Open3.capture2e('make', 'gate', *words, chdir: folder)

@@ -363,3 +363,36 @@ void test_SWR_AXIS_031_a_homing_that_was_interrupted_begins_anew_from_where_the_
     }
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_FOLLOWER_STUCK));
 }
+
+/* On until the leg of homing of `axis` is `leg`. */
+static void run_until_leg(uint32_t axis, axis_reference_t leg)
+{
+    while (rig.controller.axes[axis].chart.reference != (uint32_t)leg) {
+        TEST_ASSERT_LESS_THAN_UINT32(MOST_CYCLES, rig.controller.cycle);
+        rig_cycle(&rig);
+    }
+}
+
+/* rear_right meets its switch, twice at the same place, 33 mm before it is there: the gap to
+ * rear_left says that it cannot be. */
+void test_SWR_AXIS_033_a_switch_that_lies_ends_start_up_before_the_other_pair_goes_on(void)
+{
+    start();
+    run_until_homing(FRONT_RIGHT, 2000U);
+    rig_box(&rig, "switch rear_right stuck");
+    run_until_leg(REAR_RIGHT, AXIS_REFERENCE_BACK_OFF);
+    const int32_t edge = rig.controller.axes[REAR_RIGHT].homing.edge_ticks;
+    rig_box(&rig, "switch rear_right normal");
+    run_until_leg(REAR_RIGHT, AXIS_REFERENCE_LATCH);
+    while (rig_position(&rig, REAR_RIGHT) > edge) {
+        rig_cycle(&rig);
+    }
+    rig_box(&rig, "switch rear_right stuck");
+    const double front = true_ticks(FRONT_RIGHT);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 1000U).kind);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_HOMED) - 2U);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_HOMED_BEYOND_LIMIT));
+    TEST_ASSERT_FALSE(is_homed(REAR_RIGHT));
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    TEST_ASSERT_DOUBLE_WITHIN(0.2 * TICKS_PER_MM, front, true_ticks(FRONT_RIGHT));
+}
