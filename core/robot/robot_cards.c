@@ -8,7 +8,7 @@ void robot_cards_find(robot_cards_t *self, const robot_t *robot)
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
         const uint32_t slot = (uint32_t)robot->axes[i].slot;
         self->slots[i] = slot;
-        self->named_slots |= (uint32_t)1U << slot;
+        self->named_slots |= (uint32_t)1U << (slot % 32U); /* A row may be damaged by now. */
     }
 }
 

@@ -15,7 +15,7 @@ typedef struct {
     uint32_t named_slots;           /**< Bit n: a card belongs into slot n. */
 } robot_cards_t;
 
-/** Finds them in an undamaged table. */
+/** Finds them in a table; robot_cards_bound() must follow if that may be damaged. */
 void robot_cards_find(robot_cards_t *self, const robot_t *robot);
 
 /**
