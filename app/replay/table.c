@@ -30,7 +30,7 @@ double table_output_percent(const axis_config_t *config, const snapshot_axis_t *
     if (motor_model_has_magnitudes(config)) {
         percent = (100.0 * (double)drive.duty) / (double)config->maximum_duty;
     }
-    return servo_is_upwards(config, &drive) ? percent : -percent;
+    return motor_model_is_upwards(config, &drive) ? percent : -percent;
 }
 
 void table_print_row(const robot_t *robot, uint32_t cycle, const snapshot_t *snapshot)

@@ -318,7 +318,7 @@ uint32_t axis_supervise(axis_t *self, const axis_config_t *config, bool is_drive
                                      .setpoint_ticks = self->setpoint_ticks,
                                      .following_error_ticks = following_error_ticks(self, config),
                                      .is_driven = is_driven,
-                                     .is_upwards = servo_is_upwards(config, &asked),
+                                     .is_upwards = motor_model_is_upwards(config, &asked),
                                      .is_relied_on = is_relied_on,
                                      .drive = *sent,
                                      .edge_age_us = self->encoder.edge_age_us,
@@ -390,7 +390,7 @@ bool axis_is_towards_switch(const axis_t *self, const axis_config_t *config,
 {
     const bool is_upper = config->limit_switch == (uint8_t)LIMIT_SWITCH_UPPER;
     return (drive->mode != (uint32_t)CARD_DRIVE_OFF) && is_switch_active(self) &&
-           (servo_is_upwards(config, drive) == is_upper);
+           (motor_model_is_upwards(config, drive) == is_upper);
 }
 
 bool axis_is_beyond_limit(const axis_t *self, const axis_config_t *config,
@@ -399,7 +399,7 @@ bool axis_is_beyond_limit(const axis_t *self, const axis_config_t *config,
     if ((drive->mode == (uint32_t)CARD_DRIVE_OFF) || !axis_is_homed(self)) {
         return false;
     }
-    return servo_is_upwards(config, drive)
+    return motor_model_is_upwards(config, drive)
                ? (self->encoder.position_ticks >= config->maximum_ticks)
                : (self->encoder.position_ticks <= config->minimum_ticks);
 }

@@ -118,4 +118,13 @@ static inline int64_t fixed_dot_q30(const int32_t a[3], const int32_t b_q30[3])
     return fixed_shift_rounded(halved, 29U);
 }
 
+/** `value`, or the end of [minimum, maximum] that it is beyond. */
+static inline int64_t fixed_within(int64_t value, int64_t minimum, int64_t maximum)
+{
+    if (value < minimum) {
+        return minimum;
+    }
+    return (value > maximum) ? maximum : value;
+}
+
 #endif

@@ -57,7 +57,8 @@ static bool is_needle_in(const controller_t *self, const robot_t *robot, uint32_
     const bool is_on = request->mode != (uint32_t)CARD_DRIVE_OFF;
     return view->facts.is_armed &&
            mode_heeds_needle(&self->mode, view->kind, config, index, is_on) &&
-           needle_forbids_jog(robot, self->axes, index, is_on && servo_is_upwards(config, request));
+           needle_forbids_jog(robot, self->axes, index,
+                              is_on && motor_model_is_upwards(config, request));
 }
 
 /* The permit of one axis for its request. */

@@ -2,7 +2,6 @@
 #include "motion/motor_model.h"
 
 #include "base/fixed.h"
-#include "motion/servo.h"
 
 /* Facts of the motors: time constants of gaining and losing speed while driven, share of full speed
  * at the smallest word. */
@@ -39,7 +38,7 @@ static int64_t steady_q8(const axis_config_t *config, const card_drive_t *drive)
         const int64_t slowest_q8 = slowest_of(speed_q8);
         speed_q8 = slowest_q8 + (((speed_q8 - slowest_q8) * above) / span);
     }
-    return servo_is_upwards(config, drive) ? speed_q8 : -speed_q8;
+    return motor_model_is_upwards(config, drive) ? speed_q8 : -speed_q8;
 }
 
 /* What is gained or lost of the `missing_q8` until the steady speed. */

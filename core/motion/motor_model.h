@@ -38,4 +38,10 @@ int64_t motor_model_step_q16(motor_model_t *self, const axis_config_t *config,
  * to the nearest speed that it has */
 uint32_t motor_model_duty(const axis_config_t *config, int64_t speed_ticks_per_s_q8);
 
+/** True when `drive` makes the position grow. */
+static inline bool motor_model_is_upwards(const axis_config_t *config, const card_drive_t *drive)
+{
+    return (drive->direction != 0U) != (config->is_motor_inverted != 0U);
+}
+
 #endif

@@ -49,10 +49,4 @@ card_drive_t servo_step(servo_t *self, const axis_config_t *config, int32_t erro
 /** Nothing is requested in this cycle. */
 void servo_rest(servo_t *self, uint32_t elapsed_us);
 
-/** True when `drive` makes the position grow. */
-static inline bool servo_is_upwards(const axis_config_t *config, const card_drive_t *drive)
-{
-    return (drive->direction != 0U) != (config->is_motor_inverted != 0U);
-}
-
 #endif

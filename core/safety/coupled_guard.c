@@ -66,7 +66,7 @@ static void find_joints(const robot_t *robot, const coupled_limit_t *limit,
 
 static bool drives(const axis_config_t *config, const card_drive_t *drive, bool is_upwards)
 {
-    return is_on(drive) && (servo_is_upwards(config, drive) == is_upwards);
+    return is_on(drive) && (motor_model_is_upwards(config, drive) == is_upwards);
 }
 
 static int64_t full_speed_q8(const axis_config_t *config)
@@ -128,7 +128,7 @@ static void find_reach(reach_t *self, const coupled_limit_t *limit)
             const int64_t up = widen(self, i, true);
             const int64_t down = widen(self, i, false);
             self->changes[i] =
-                servo_is_upwards(&self->robot->axes[i], &self->view->requests[i]) ? up : down;
+                motor_model_is_upwards(&self->robot->axes[i], &self->view->requests[i]) ? up : down;
         }
     }
     if (limit->is_curved != 0U) {
@@ -225,7 +225,7 @@ static uint32_t barred_axes(const robot_t *robot, const coupled_view_t *view, ui
         const axis_config_t *const config = &robot->axes[i];
         const uint32_t mask = driven & ((uint32_t)1U << i);
         const bool is_upper = config->limit_switch == (uint8_t)LIMIT_SWITCH_UPPER;
-        if ((mask != 0U) && (servo_is_upwards(config, &view->requests[i]) == is_upper) &&
+        if ((mask != 0U) && (motor_model_is_upwards(config, &view->requests[i]) == is_upper) &&
             is_home_beyond(robot, limit_index, view->axes, i, false)) {
             barred |= mask;
         }

@@ -316,7 +316,8 @@ static void judge_jog(witness_t *self, const rig_t *rig, double depth_ticks, boo
         }
     }
     if ((phase == (uint32_t)WORKPHASE_MANUAL) && (needle.mode != (uint32_t)CARD_DRIVE_OFF) &&
-        !homing_part_is_homed(rig, along) && servo_is_upwards(config_of(rig, along), &needle)) {
+        !homing_part_is_homed(rig, along) &&
+        motor_model_is_upwards(config_of(rig, along), &needle)) {
         complain(self, rig, SENTENCE_INWARDS, along, 1.0);
     }
 }

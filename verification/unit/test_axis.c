@@ -508,7 +508,7 @@ void test_SWR_AXIS_002_homing_drives_towards_the_switch(void)
         drive = axis_home(&axis, config, CYCLE_US);
     }
     TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_NON_PWM, drive.mode);
-    TEST_ASSERT_TRUE(servo_is_upwards(config, &drive));
+    TEST_ASSERT_TRUE(motor_model_is_upwards(config, &drive));
 }
 
 void test_SWR_AXIS_002_homing_taken_up_after_a_rest_starts_where_the_axis_is(void)

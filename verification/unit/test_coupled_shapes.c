@@ -116,7 +116,7 @@ static int32_t way_of(uint32_t axis, const card_drive_t *of)
     if (of->mode == (uint32_t)CARD_DRIVE_OFF) {
         return 0;
     }
-    return servo_is_upwards(&robot.axes[axis], of) ? 1 : -1;
+    return motor_model_is_upwards(&robot.axes[axis], of) ? 1 : -1;
 }
 
 static int32_t way_ticks(uint32_t axis, int32_t sign)

@@ -110,7 +110,7 @@ void test_SWR_AXIS_028_the_set_point_keeps_the_distance_and_has_the_leaders_spee
     TEST_ASSERT_EQUAL_INT32(2960, axes[AXIS_FEET].setpoint_ticks);
     TEST_ASSERT_EQUAL_INT32(-196 * 256, axes[AXIS_FEET].setpoint_speed_ticks_per_s_q8);
     TEST_ASSERT_NOT_EQUAL(CARD_DRIVE_OFF, request.mode);
-    TEST_ASSERT_FALSE(servo_is_upwards(&robot.axes[AXIS_FEET], &request));
+    TEST_ASSERT_FALSE(motor_model_is_upwards(&robot.axes[AXIS_FEET], &request));
 }
 
 void test_SWR_AXIS_029_apart_is_what_it_is_above_its_place(void)

@@ -89,7 +89,7 @@ void test_SWR_AXIS_019_the_model_loses_speed_faster_than_it_gains_it(void)
     for (uint32_t direction = 0U; direction <= 1U; direction++) {
         const card_drive_t fast = {CARD_DRIVE_PWM, direction, config->maximum_duty};
         const card_drive_t slow = {CARD_DRIVE_PWM, direction, config->minimum_duty};
-        const int64_t sign = servo_is_upwards(config, &slow) ? 1 : -1;
+        const int64_t sign = motor_model_is_upwards(config, &slow) ? 1 : -1;
         start(config);
         run(config, fast, 5U);
         TEST_ASSERT_LESS_THAN_INT64(full_q8 / 2, sign * model.speed_ticks_per_s_q8);

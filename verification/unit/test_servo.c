@@ -138,10 +138,10 @@ void test_SWR_AXIS_007_an_inverted_motor_has_its_direction_bit_the_other_way(voi
     expect_drive(step(inverted_non_pwm, FAR_TICKS), CARD_DRIVE_NON_PWM, 0U, 0U);
     servo_init(&servo);
     expect_drive(step(inverted_non_pwm, -FAR_TICKS), CARD_DRIVE_NON_PWM, 1U, 0U);
-    TEST_ASSERT_TRUE(servo_is_upwards(inverted_non_pwm, &bit_0));
-    TEST_ASSERT_FALSE(servo_is_upwards(inverted_non_pwm, &bit_1));
-    TEST_ASSERT_TRUE(servo_is_upwards(non_pwm, &bit_1));
-    TEST_ASSERT_FALSE(servo_is_upwards(non_pwm, &bit_0));
+    TEST_ASSERT_TRUE(motor_model_is_upwards(inverted_non_pwm, &bit_0));
+    TEST_ASSERT_FALSE(motor_model_is_upwards(inverted_non_pwm, &bit_1));
+    TEST_ASSERT_TRUE(motor_model_is_upwards(non_pwm, &bit_1));
+    TEST_ASSERT_FALSE(motor_model_is_upwards(non_pwm, &bit_0));
 }
 
 /* Number of cycles without drive after the error has changed its sign. */
@@ -359,7 +359,8 @@ static double steady_speed(const axis_config_t *config, const card_drive_t *driv
                              (config->maximum_duty - config->minimum_duty));
     }
     share = (share < SLOWEST_SHARE) ? 0.0 : share;
-    return share * config->full_speed_ticks_per_s * (servo_is_upwards(config, drive) ? 1.0 : -1.0);
+    return share * config->full_speed_ticks_per_s *
+           (motor_model_is_upwards(config, drive) ? 1.0 : -1.0);
 }
 
 static void run_motor(motor_t *motor, const axis_config_t *config, const card_drive_t *drive)

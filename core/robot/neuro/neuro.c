@@ -30,19 +30,11 @@ static solution_t result_of(status_t status)
     return (solution_t){status, 0U, 0U};
 }
 
-static int64_t within(int64_t value, int64_t minimum, int64_t maximum)
-{
-    if (value < minimum) {
-        return minimum;
-    }
-    return (value > maximum) ? maximum : value;
-}
-
 /* The other short side of the right triangle on a side link, both short sides taken twice. */
 static int64_t other_side_twice(const robot_t *robot, int64_t side_twice_nm)
 {
     const int64_t link_twice_nm = (int64_t)robot->geometry_nm[NEURO_SIDE_LINK] * 2;
-    const int64_t side_nm = within(side_twice_nm, -link_twice_nm, link_twice_nm);
+    const int64_t side_nm = fixed_within(side_twice_nm, -link_twice_nm, link_twice_nm);
     const int64_t square = (link_twice_nm * link_twice_nm) - (side_nm * side_nm);
     return (int64_t)fixed_square_root((uint64_t)square);
 }
@@ -129,7 +121,7 @@ static void separate(const needle_t *self, int64_t value[JOINT_LIMIT_COUNT])
 {
     const robot_t *const robot = self->robot;
     const int64_t reached_nm =
-        within(value[NEURO_LIMIT_HEIGHT], 0, robot->geometry_nm[NEURO_SIDE_LINK]);
+        fixed_within(value[NEURO_LIMIT_HEIGHT], 0, robot->geometry_nm[NEURO_SIDE_LINK]);
     value[NEURO_LIMIT_SEPARATION] =
         other_side_twice(robot, reached_nm * 2) + robot->geometry_nm[NEURO_TOP_WIDTH];
 }

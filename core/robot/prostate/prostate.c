@@ -38,19 +38,11 @@ typedef struct {
     int64_t insertion_nm;
 } carriers_t;
 
-static int64_t within(int64_t value, int64_t minimum, int64_t maximum)
-{
-    if (value < minimum) {
-        return minimum;
-    }
-    return (value > maximum) ? maximum : value;
-}
-
 /* The other short side of the right triangle on a side link, both short sides taken twice. */
 static int64_t other_side_twice(const robot_t *robot, int64_t side_twice_nm)
 {
     const int64_t link_twice_nm = (int64_t)robot->geometry_nm[PROSTATE_SIDE_LINK] * 2;
-    const int64_t side_nm = within(side_twice_nm, 0, link_twice_nm);
+    const int64_t side_nm = fixed_within(side_twice_nm, 0, link_twice_nm);
     const int64_t square = (link_twice_nm * link_twice_nm) - (side_nm * side_nm);
     return (int64_t)fixed_square_root((uint64_t)square);
 }
