@@ -3,6 +3,7 @@
 
 #include "axis/follower.h"
 #include "mode/move_mode.h"
+#include "robot/coupled_path.h"
 #include "safety/coupled_guard.h"
 #include "safety/needle.h"
 
@@ -134,11 +135,28 @@ static bool has_pose(const mode_frame_t *frame)
     return (frame->robot->pose_mask & ((uint32_t)1U << (uint32_t)POSE_HOME)) != 0U;
 }
 
+/* May the axes go home in step from where they are? */
+static status_t judge_way(const mode_frame_t *frame)
+{
+    int32_t ticks[ROBOT_AXIS_MAX] = {0};
+    leg_positions(frame, ticks);
+    return coupled_path_judge(frame->robot, ticks, frame->robot->poses[POSE_HOME].ticks).status;
+}
+
 static void go_home(leg_t *leg, const mode_frame_t *frame, mode_result_t *result)
 {
-    move_mode_t move;
-    (void)memcpy(move.target_ticks, frame->robot->poses[POSE_HOME].ticks, sizeof move.target_ticks);
-    move_mode_step(&move, leg, frame, result);
+    const status_t judged = (leg->is_running == 0U) ? judge_way(frame) : STATUS_OK;
+    if (judged == STATUS_OK) {
+        move_mode_t move;
+        (void)memcpy(move.target_ticks, frame->robot->poses[POSE_HOME].ticks,
+                     sizeof move.target_ticks);
+        move_mode_step(&move, leg, frame, result);
+    } else {
+        result->progress = MODE_FAILED;
+        result->status = judged;
+        result->axis = MODE_NO_AXIS;
+        mode_rest(frame, result);
+    }
 }
 
 bool homing_mode_is_done(const leg_t *leg, const mode_frame_t *frame)

@@ -22,7 +22,8 @@
 bool homing_mode_is_done(const leg_t *leg, const mode_frame_t *frame);
 
 /**
- * One cycle. Fails when a coupled limit bars an axis from homing, or one cannot follow.
+ * One cycle. Fails when a coupled limit bars an axis from homing, one cannot follow, or the way
+ * home would leave a coupled limit.
  *
  * @satisfies SWR-AXIS-029
  * @satisfies SWR-AXIS-030

@@ -92,7 +92,7 @@ typedef struct {
     char name[12];
     uint8_t unit;      /**< axis_unit_t of the value, whatever that of the axes. */
     uint8_t refusal;   /**< status_t of who would miss it. */
-    uint8_t is_curved; /**< 0: the value is a sum of fixed parts of the joint values. */
+    uint8_t is_curved; /**< 0: while axes go in step the value only rises or only falls. */
     uint8_t reserved;  /**< 0. */
     uint32_t axes;     /**< Bit n: axis n has part in it. */
     int32_t minimum;   /**< Both ends inclusive. */

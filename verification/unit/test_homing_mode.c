@@ -259,6 +259,25 @@ void test_SWR_ROBOT_024_all_axes_go_to_the_pose_with_the_needle_out(void)
     TEST_ASSERT_TRUE(is_done());
 }
 
+/* The pose itself is outside; that of a robot never is. */
+void test_SWR_ROBOT_024_a_way_home_that_leaves_a_coupled_limit_is_refused_by_its_name(void)
+{
+    start_with_followers();
+    world_grade(AXIS_HEAD, AXIS_REFERENCE_VERIFIED);
+    world_put(AXIS_FEET, 100);
+    frame.is_every_axis_homed = true;
+    robot.pose_mask = (uint32_t)1U << POSE_HOME;
+    robot.coupled_limits[0].is_curved = 1U;
+    robot.coupled_limits[0].minimum = 140000000;
+    step();
+    TEST_ASSERT_EQUAL(MODE_FAILED, result.progress);
+    TEST_ASSERT_EQUAL(robot.coupled_limits[0].refusal, result.status);
+    TEST_ASSERT_EQUAL_UINT32(MODE_NO_AXIS, result.axis);
+    for (uint32_t i = 0U; i < robot.axis_count; i++) {
+        TEST_ASSERT_TRUE(world_rests(i));
+    }
+}
+
 void test_SWR_ROBOT_024_without_a_pose_homed_axes_stay_where_they_are(void)
 {
     step();

@@ -75,6 +75,15 @@ static angles_t angles_of(const int64_t direction[3])
                       fixed_atan2_bam(-direction[1], fixed_length(level))};
 }
 
+/* How far the front pivot is to the left of the rear one, nm. */
+static int64_t aside_nm(const joints_t *joints)
+{
+    const int64_t front_nm =
+        (int64_t)joints->value[AXIS_FRONT_LEFT] + joints->value[AXIS_FRONT_RIGHT];
+    const int64_t rear_nm = (int64_t)joints->value[AXIS_REAR_LEFT] + joints->value[AXIS_REAR_RIGHT];
+    return fixed_shift_rounded(front_nm, 1U) - fixed_shift_rounded(rear_nm, 1U);
+}
+
 static angles_t angles_at(const robot_t *robot, const joints_t *joints)
 {
     const pivot_t front = front_of(robot, joints);
@@ -225,7 +234,7 @@ int64_t prostate_coupled(const robot_t *robot, uint32_t index, const joints_t *j
         value = (int64_t)joints->value[AXIS_REAR_LEFT] - joints->value[AXIS_REAR_RIGHT];
         break;
     case PROSTATE_ALPHA:
-        value = angles_at(robot, joints).alpha_bam;
+        value = fixed_atan2_bam(aside_nm(joints), robot->geometry_nm[PROSTATE_STAGE_DISTANCE]);
         break;
     default:
         value = angles_at(robot, joints).beta_bam;
