@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "recording/cycle_words.h"
 
+#include "base/crc.h"
+
 #include <string.h>
 
 /* The first word of a frame. */
@@ -133,4 +135,50 @@ void cycle_words_to_checked(const uint32_t words[CYCLE_WORDS_CHECKED],
         give_command(&words[CYCLE_WORDS_SNAPSHOT + (slot * CYCLE_WORDS_FRAME)],
                      outputs->frames[slot], slot);
     }
+}
+
+/* No two fields are alike and none is 0, so that none can take the place of another unseen. */
+static const card_command_t any_command = {.slot = 3U,
+                                           .sequence = 0x11121314U,
+                                           .time_us = 0x21222324U,
+                                           .system_state = 0x31323334U,
+                                           .control = 0x41424344U,
+                                           .drive = {CARD_DRIVE_NON_PWM, 1U, 0x515253U},
+                                           .watchdog_us = 0x61626364U,
+                                           .overspeed_ticks_per_s = 0x71727374U,
+                                           .guard_minimum_ticks = -0x01020304,
+                                           .guard_maximum_ticks = 0x05060708,
+                                           .axis_id = 0x090A0B0CU};
+static const card_report_t any_report = {.slot = 4U,
+                                         .accepted_sequence = 0x11121314U,
+                                         .heartbeat = 0x21222324U,
+                                         .time_us = 0x31323334U,
+                                         .card_type = 0x41U,
+                                         .firmware = 0x424344U,
+                                         .system_state = 0x51525354U,
+                                         .status = 0x61626364U,
+                                         .limits_raw = 0x65U,
+                                         .limits = 0x66U,
+                                         .encoder_count = -0x01020304,
+                                         .last_edge_us = 0x71727374U,
+                                         .fourth_edge_us = 0x75767778U,
+                                         .edges = 0x1516U,
+                                         .illegal_edges = 0x1718U,
+                                         .driver_temperature_dc = -0x2526,
+                                         .motor_temperature_dc = 0x2728,
+                                         .supply_mv = 0x3536U,
+                                         .current_ma = 0x3738U,
+                                         .applied = {CARD_DRIVE_NON_PWM, 1U, 0x454647U},
+                                         .rx_crc_errors = 0x05060708U,
+                                         .sequence_gaps = 0x090A0B0CU,
+                                         .watchdog_trips = 0x0D0E0F10U,
+                                         .uptime_s = 0x191A1B1CU};
+
+uint32_t cycle_words_frame_layout(void)
+{
+    uint8_t frames[2U * CARD_FRAME_BYTES];
+
+    card_frame_encode_command(&any_command, frames);
+    card_frame_encode_report(&any_report, &frames[CARD_FRAME_BYTES]);
+    return crc32c(frames, sizeof frames);
 }

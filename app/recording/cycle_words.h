@@ -42,4 +42,11 @@ void cycle_words_to_kept(const uint32_t words[CYCLE_WORDS_KEPT], controller_inpu
 void cycle_words_to_checked(const uint32_t words[CYCLE_WORDS_CHECKED],
                             controller_outputs_t *outputs);
 
+/**
+ * A number that differs when the codec of the cards makes other bytes of the same fields.
+ *
+ * @satisfies SWR-REC-008
+ */
+uint32_t cycle_words_frame_layout(void);
+
 #endif

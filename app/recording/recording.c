@@ -18,6 +18,7 @@
 #define HEADER_CONTROLLER 108U
 #define HEADER_STARTED 112U
 #define HEADER_LAYOUT 120U
+#define HEADER_FRAME_LAYOUT 128U
 #define HEADER_HASHED (RECORDING_HEADER_SIZE - RECORDING_HASH_SIZE)
 #define FIELDS_CRC 28U
 
@@ -99,6 +100,7 @@ void recording_encode_header(const recording_header_t *header, uint8_t *bytes)
     put32(&bytes[HEADER_CONTROLLER], header->controller_size);
     put64(&bytes[HEADER_STARTED], header->started_us);
     put64(&bytes[HEADER_LAYOUT], header->layout);
+    put32(&bytes[HEADER_FRAME_LAYOUT], header->frame_layout);
     recording_seal_header(bytes);
 }
 
@@ -121,6 +123,7 @@ uint32_t recording_decode_header(const uint8_t *bytes, recording_header_t *heade
     header->controller_size = get32(&bytes[HEADER_CONTROLLER]);
     header->started_us = get64(&bytes[HEADER_STARTED]);
     header->layout = get64(&bytes[HEADER_LAYOUT]);
+    header->frame_layout = get32(&bytes[HEADER_FRAME_LAYOUT]);
     return get32(&bytes[HEADER_VERSION]);
 }
 

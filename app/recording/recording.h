@@ -4,7 +4,7 @@
  * The recording: what was running, then every cycle in compressed blocks, each bound to the one
  * before it by its hash. Every byte of the file is covered. Numbers are little endian.
  *
- *     header   256 bytes: magic, version, size, build, robot, sizes, time, layout, zeros, SHA-256
+ *     header   256 bytes: magic, version, size, build, robot, sizes, time, layouts, zeros, SHA-256
  *     block    32 bytes of fields, SHA-256, a checksum of each RECORDING_CHUNK, payload (zstd)
  *     ...
  *     trailer  32 bytes of fields, SHA-256; missing when the recorder was cut short
@@ -64,6 +64,7 @@ typedef struct {
     uint32_t controller_size; /**< sizeof(controller_t), the size of a checkpoint. */
     uint64_t started_us;      /**< UTC since 1970. */
     uint64_t layout;          /**< INTERFACE_LAYOUT. */
+    uint32_t frame_layout;    /**< cycle_words_frame_layout(), put in by the writer. */
 } recording_header_t;
 
 /** Fields of a block or of the trailer. */

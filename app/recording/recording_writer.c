@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "recording/recording_writer.h"
 
+#include "recording/cycle_words.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <stdlib.h>
@@ -81,6 +83,7 @@ bool recording_writer_open(recording_writer_t *self, const char *path,
 
     (void)memset(self, 0, offsetof(recording_writer_t, raw));
     self->header = *header;
+    self->header.frame_layout = cycle_words_frame_layout();
     self->output_size = RECORDING_PREFIX_SIZE + recording_checksums_size((uint32_t)bound) + bound;
     self->output = malloc(self->output_size);
     self->compressor = ZSTD_createCCtx();

@@ -15,6 +15,7 @@
 #include "base/contract.h"
 #include "common/build_id.h"
 #include "interface/interface_layout.h"
+#include "recording/cycle_words.h"
 #include "recording/recording_reader.h"
 #include "replay/replay.h"
 #include "replay/table.h"
@@ -89,6 +90,21 @@ static bool check_layout(const recording_header_t *header, const names_t *names)
     return false;
 }
 
+/* Frames are kept as their fields: another codec makes other bytes of them, alike on both sides. */
+static bool check_frames(const recording_header_t *header, const names_t *names)
+{
+    const uint32_t own = cycle_words_frame_layout();
+
+    if (header->frame_layout == own) {
+        return true;
+    }
+    (void)fprintf(stderr,
+                  "Recorded with frames of another layout, %08" PRIX32 ", this build has %08" PRIX32
+                  "; replay it with the build that recorded it, \"%s\".\n",
+                  header->frame_layout, own, names->build);
+    return false;
+}
+
 /* Says why this build must not replay the recording. */
 static bool check_header(const recording_header_t *header)
 {
@@ -96,7 +112,8 @@ static bool check_header(const recording_header_t *header)
 
     recording_escape(header->robot, names.robot, sizeof names.robot);
     recording_escape(header->build, names.build, sizeof names.build);
-    if (!find_robot(header, &names) || !check_layout(header, &names)) {
+    if (!find_robot(header, &names) || !check_layout(header, &names) ||
+        !check_frames(header, &names)) {
         return false;
     }
     if (strcmp(header->build, BUILD_ID) != 0) {

@@ -137,6 +137,19 @@ class TestReplay < SystemTest
     assert_includes text, format('this build has %016X, ', own)
   end
 
+  def test_SWR_REPLAY_006_frames_of_another_layout_are_refused_by_both_numbers
+    boresight.wait_until('something is recorded') { boresight.status['cycle'] > 500 }
+    file = end_recording
+    own = nil
+    change_header(file) do |header|
+      own = header[128, 4].unpack1('V')
+      header[128, 4] = [own ^ 1].pack('V')
+    end
+    text, code = replay(file)
+    assert_equal 2, code
+    assert_includes text, format('frames of another layout, %08X, this build has %08X; ', own ^ 1, own)
+  end
+
   def test_SWR_REPLAY_001_another_robot_is_refused_by_both_crcs
     boresight.wait_until('something is recorded') { boresight.status['cycle'] > 500 }
     file = end_recording
