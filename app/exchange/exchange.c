@@ -377,6 +377,16 @@ uint32_t exchange_read_events(const exchange_t *self, uint32_t *next, event_t *e
     return count;
 }
 
+void exchange_note_logged(exchange_t *self, uint32_t next)
+{
+    __atomic_store_n(&self->segment->others.events_logged, next, __ATOMIC_RELEASE);
+}
+
+uint32_t exchange_logged(const exchange_t *self)
+{
+    return __atomic_load_n(&self->segment->others.events_logged, __ATOMIC_ACQUIRE);
+}
+
 cycle_record_t *exchange_reserve_cycle(exchange_t *self)
 {
     segment_control_t *control = &self->segment->control;

@@ -183,6 +183,11 @@ void exchange_push_event(exchange_t *self, const event_t *event);
 uint32_t exchange_read_events(const exchange_t *self, uint32_t *next, event_t *events,
                               uint32_t most, uint32_t *lost);
 
+/** Up to which event the log has them, noted for the next run of the recorder: the number of the
+ * next one. */
+void exchange_note_logged(exchange_t *self, uint32_t next);
+uint32_t exchange_logged(const exchange_t *self);
+
 /**
  * The entry to fill next, NULL when the lane is full (counted). exchange_commit_cycle() hands it
  * over.

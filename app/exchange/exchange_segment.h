@@ -55,6 +55,7 @@ typedef struct {
     uint32_t answers_tail SEGMENT_ON_LINE; /**< Answers taken. */
     uint32_t cycles_tail SEGMENT_ON_LINE;  /**< Cycle records released. */
     uint32_t checkpoint_requests SEGMENT_ON_LINE;
+    uint32_t events_logged SEGMENT_ON_LINE; /**< Number of the next event to log. */
 } segment_others_t;
 
 /** Written by control only. */

@@ -115,16 +115,18 @@ static void write_event(event_log_t *self, const robot_t *robot, const char *whe
     write_line(self, line);
 }
 
-void event_log_drain(event_log_t *self, const exchange_t *exchange)
+/* Each is noted when it is written: a recorder that dies here writes at most one again. */
+void event_log_drain(event_log_t *self, exchange_t *exchange)
 {
     static event_t events[BATCH];
+    uint32_t next = exchange_logged(exchange);
     uint32_t count;
 
     do {
         char when[64];
         uint32_t lost = 0U;
-        const uint32_t first = self->next;
-        count = exchange_read_events(exchange, &self->next, events, BATCH, &lost);
+        const uint32_t first = next;
+        count = exchange_read_events(exchange, &next, events, BATCH, &lost);
         stamp(when, sizeof when);
         if (lost > 0U) {
             char line[LINE_SIZE];
@@ -134,7 +136,9 @@ void event_log_drain(event_log_t *self, const exchange_t *exchange)
         }
         for (uint32_t i = 0U; i < count; i++) {
             write_event(self, exchange_robot(exchange), when, &events[i]);
+            exchange_note_logged(exchange, events[i].number + 1U);
         }
+        exchange_note_logged(exchange, next);
     } while (count == BATCH);
 }
 

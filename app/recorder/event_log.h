@@ -15,7 +15,6 @@ typedef struct {
     const char *directory; /**< Lives as long as the log. */
     int file;              /**< -1: not open; tried again at the next sync. */
     uint64_t size;         /**< Of the file, in bytes. */
-    uint32_t next;         /**< Number of the next event. */
     uint32_t unwritten;    /**< Events that found no room since the last that did. */
     bool is_dirty;
 } event_log_t;
@@ -24,11 +23,13 @@ typedef struct {
 void event_log_open(event_log_t *self, const char *directory);
 
 /**
- * Writes the events that `exchange` has gained; overwritten ones are named by their number.
+ * Writes the events that `exchange` has gained and notes them there; overwritten ones are named by
+ * their number.
  *
  * @satisfies SWR-EVENT-008
+ * @satisfies SWR-REC-010
  */
-void event_log_drain(event_log_t *self, const exchange_t *exchange);
+void event_log_drain(event_log_t *self, exchange_t *exchange);
 
 /** Puts what was written on the disk. Called each second. */
 void event_log_sync(event_log_t *self);

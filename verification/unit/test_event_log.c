@@ -100,7 +100,6 @@ void test_SWR_EVENT_008_a_full_log_makes_room_and_takes_the_place_of_the_one_bef
     event_log_close(&event_log);
     leave(FULL - 1);
     event_log_open(&event_log, folder);
-    event_log.next = number;
     log_events(1U);
     TEST_ASSERT_EQUAL_INT(FULL - 1, size_of(older_path));
 }
@@ -125,4 +124,14 @@ void test_SWR_EVENT_008_every_event_is_in_one_of_the_two(void)
     log_events(4U);
     TEST_ASSERT_EQUAL_UINT32(5U, lines_of(older_path));
     TEST_ASSERT_EQUAL_UINT32(4U, lines_of(log_path));
+}
+
+void test_SWR_REC_010_a_log_that_is_opened_again_writes_no_event_twice(void)
+{
+    event_log_open(&event_log, folder);
+    log_events(5U);
+    event_log_close(&event_log);
+    event_log_open(&event_log, folder);
+    log_events(2U);
+    TEST_ASSERT_EQUAL_UINT32(7U, lines_of(log_path));
 }
