@@ -31,6 +31,16 @@ static bool reopen(event_log_t *self)
     return self->file >= 0;
 }
 
+/* Not when it was removed, or another recorder with the same folder has put it aside. */
+static bool is_still_there(const event_log_t *self, const char *path)
+{
+    struct stat own;
+    struct stat there;
+
+    return (fstat(self->file, &own) == 0) && (stat(path, &there) == 0) &&
+           (own.st_dev == there.st_dev) && (own.st_ino == there.st_ino);
+}
+
 /* Without a place for the full one its events are worth more than the bound. */
 static void rotate(event_log_t *self)
 {
@@ -39,7 +49,7 @@ static void rotate(event_log_t *self)
 
     (void)snprintf(path, sizeof path, "%s/events.log", self->directory);
     (void)snprintf(older, sizeof older, "%s/events.1.log", self->directory);
-    if (rename(path, older) == 0) {
+    if (!is_still_there(self, path) || (rename(path, older) == 0)) {
         (void)fdatasync(self->file);
         (void)close(self->file);
         (void)reopen(self);

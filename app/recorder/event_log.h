@@ -28,6 +28,7 @@ void event_log_open(event_log_t *self, const char *directory);
  *
  * @satisfies SWR-EVENT-008
  * @satisfies SWR-REC-010
+ * @satisfies SWR-REC-011
  */
 void event_log_drain(event_log_t *self, exchange_t *exchange);
 

@@ -135,3 +135,28 @@ void test_SWR_REC_010_a_log_that_is_opened_again_writes_no_event_twice(void)
     log_events(2U);
     TEST_ASSERT_EQUAL_UINT32(7U, lines_of(log_path));
 }
+
+/* As when two instances have one folder. */
+void test_SWR_REC_011_a_log_that_another_has_begun_is_gone_on_with(void)
+{
+    event_log_open(&event_log, folder);
+    log_events(5U);
+    TEST_ASSERT_EQUAL_INT(0, rename(log_path, older_path));
+    leave(1000);
+    event_log.size = (uint64_t)FULL;
+    log_events(1U);
+    TEST_ASSERT_EQUAL_UINT32(5U, lines_of(older_path));
+    TEST_ASSERT_EQUAL_UINT32(1U, lines_of(log_path));
+    TEST_ASSERT_EQUAL_UINT64((uint64_t)size_of(log_path), event_log.size);
+}
+
+void test_SWR_REC_011_a_full_log_that_was_removed_is_begun_anew(void)
+{
+    event_log_open(&event_log, folder);
+    log_events(5U);
+    TEST_ASSERT_EQUAL_INT(0, unlink(log_path));
+    event_log.size = (uint64_t)FULL;
+    log_events(2U);
+    TEST_ASSERT_EQUAL_UINT32(2U, lines_of(log_path));
+    TEST_ASSERT_EQUAL_INT(-1, size_of(older_path));
+}
