@@ -30,6 +30,7 @@ bool homing_mode_is_done(const leg_t *leg, const mode_frame_t *frame);
  * @satisfies SWR-AXIS-032
  * @satisfies SWR-AXIS-033
  * @satisfies SWR-COUPLE-003
+ * @satisfies SWR-ROBOT-026
  * @satisfies SWR-JOG-016
  * @satisfies SWR-ROBOT-024
  */

@@ -260,7 +260,7 @@ void test_SWR_ROBOT_024_all_axes_go_to_the_pose_with_the_needle_out(void)
 }
 
 /* The pose itself is outside; that of a robot never is. */
-void test_SWR_ROBOT_024_a_way_home_that_leaves_a_coupled_limit_is_refused_by_its_name(void)
+void test_SWR_ROBOT_026_a_way_home_that_leaves_a_coupled_limit_is_refused_by_its_name(void)
 {
     start_with_followers();
     world_grade(AXIS_HEAD, AXIS_REFERENCE_VERIFIED);
