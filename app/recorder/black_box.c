@@ -31,6 +31,16 @@ void black_box_open(black_box_t *self, const char *directory, exchange_t *exchan
     request_checkpoint(self, 1U);
 }
 
+/* The file is left: what its last block held and did not reach the disk is lost. */
+static void note_end(black_box_t *self)
+{
+    const recording_writer_t *writer = &self->writer;
+
+    if (writer->blocks > 0U) {
+        self->kept_until = (writer->block.records > 0U) ? writer->block.cycle : writer->next_cycle;
+    }
+}
+
 static void fail(black_box_t *self, uint64_t now_us)
 {
     if (!self->is_failing) {
@@ -59,7 +69,7 @@ static bool open_next(black_box_t *self, char *path, size_t size)
 }
 
 /* Old recordings make room only for one that exists: a failed attempt costs none of them. */
-static void begin_file(black_box_t *self, uint64_t now_us)
+static void begin_file(black_box_t *self, uint32_t cycle, uint64_t now_us)
 {
     char path[PATH_SIZE];
 
@@ -75,21 +85,25 @@ static void begin_file(black_box_t *self, uint64_t now_us)
                             LIMIT_RECORDINGS_MB * MEGABYTE);
     self->opened_us = now_us;
     self->flushed_us = now_us;
+    recording_writer_note_loss(&self->writer, cycle - self->kept_until);
 }
 
 static void end_file(black_box_t *self, uint64_t now_us)
 {
-    if ((self->writer.file >= 0) && !recording_writer_close(&self->writer)) {
+    if (self->writer.file < 0) {
+        return;
+    }
+    const bool is_closed = recording_writer_close(&self->writer);
+    note_end(self);
+    if (!is_closed) {
         fail(self, now_us);
     }
 }
 
-/* Cycles missing before `record`; 0 for a checkpoint. */
+/* Cycles missing before `record`; a checkpoint is of the cycle after it. */
 static uint32_t missing_before(const black_box_t *self, const cycle_record_t *record)
 {
-    return (self->has_cycle && (record->kind == CYCLE_RECORD_CYCLE))
-               ? (record->cycle - self->next_cycle)
-               : 0U;
+    return self->has_cycle ? (record->cycle - self->next_cycle) : 0U;
 }
 
 /* A new file begins at a checkpoint that was due, and after a loss. */
@@ -103,7 +117,7 @@ static void change_file(black_box_t *self, const cycle_record_t *record, uint32_
         end_file(self, now_us);
     }
     if (self->writer.file < 0) {
-        begin_file(self, now_us);
+        begin_file(self, record->cycle, now_us);
     }
     if (missing != 0U) {
         (void)fprintf(stderr, "recorder: %" PRIu32 " cycles were lost before cycle %" PRIu32 ".\n",
@@ -112,20 +126,17 @@ static void change_file(black_box_t *self, const cycle_record_t *record, uint32_
     }
 }
 
-static void store(black_box_t *self, const cycle_record_t *record, uint32_t missing,
-                  uint64_t now_us)
+static void store(black_box_t *self, const cycle_record_t *record, uint64_t now_us)
 {
     if (self->writer.file < 0) {
         self->unwritten++;
         return;
     }
-    if (missing != 0U) {
-        recording_writer_note_loss(&self->writer, missing);
-    }
     const uint64_t waiting = (uint64_t)self->writer.block.records + 1U;
     const uint32_t blocks = self->writer.blocks;
     if (!recording_writer_append(&self->writer, record)) {
         self->unwritten += waiting;
+        note_end(self);
         fail(self, now_us);
         return;
     }
@@ -145,14 +156,18 @@ static void record_one(black_box_t *self, const cycle_record_t *record, uint64_t
 {
     const uint32_t missing = missing_before(self, record);
 
+    if (!self->has_cycle) {
+        self->kept_until = record->cycle; /* What came before was another's. */
+    }
     change_file(self, record, missing, now_us);
-    store(self, record, missing, now_us);
+    store(self, record, now_us);
     if (record->kind == CYCLE_RECORD_CHECKPOINT) {
         self->requested_us = 0U;
+        self->next_cycle = record->cycle;
     } else {
         self->next_cycle = record->cycle + 1U;
-        self->has_cycle = true;
     }
+    self->has_cycle = true;
 }
 
 /* Waiting records reach the file within a second; a checkpoint is asked for until it comes. */
@@ -163,6 +178,7 @@ static void keep_up(black_box_t *self, uint64_t now_us)
         self->flushed_us = now_us;
         if (!recording_writer_flush(&self->writer)) {
             self->unwritten += waiting;
+            note_end(self);
             fail(self, now_us);
         }
     }

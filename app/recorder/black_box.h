@@ -29,16 +29,21 @@ typedef struct {
     uint64_t retry_us;     /**< Not before then is another file tried. */
     uint64_t flushed_us;   /**< When the last block was written. */
     uint32_t next_cycle;
-    bool has_cycle;     /**< next_cycle is known. */
-    bool is_failing;    /**< The last attempt to write failed, and it was said. */
-    uint64_t unwritten; /**< Records lost to a full disk. */
+    uint32_t kept_until; /**< The cycle after the last one that an earlier file has. */
+    bool has_cycle;      /**< next_cycle is known. */
+    bool is_failing;     /**< The last attempt to write failed, and it was said. */
+    uint64_t unwritten;  /**< Records lost to a full disk. */
 } black_box_t;
 
 /** Begins with an empty file at the first record, and asks control for a checkpoint. */
 void black_box_open(black_box_t *self, const char *directory, exchange_t *exchange,
                     const recording_header_t *header);
 
-/** Records everything that waits in the cycle lane. `now_us` is monotonic. */
+/**
+ * Records everything that waits in the cycle lane. `now_us` is monotonic.
+ *
+ * @satisfies SWR-REC-012
+ */
 void black_box_drain(black_box_t *self, uint64_t now_us);
 
 /** Closes the present file with its trailer. */

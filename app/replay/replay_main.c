@@ -207,8 +207,17 @@ static void tell_unreplayed(FILE *where)
     }
 }
 
+static void tell_lost(FILE *where)
+{
+    if (reader.cycles_lost > 0U) {
+        (void)fprintf(where, "%" PRIu32 " cycles before this file were lost.\n",
+                      reader.cycles_lost);
+    }
+}
+
 static int replay_all(bool is_cut_short)
 {
+    tell_lost(stdout);
     while (take_record()) {
         if (!replay_take(&replay, robot, &record, &known)) {
             return tell_difference(stdout);
@@ -246,6 +255,7 @@ static void print_row(void)
 
 static int print_table(bool is_cut_short)
 {
+    tell_lost(stderr);
     table_print_names(robot);
     while (take_record()) {
         if (!replay_take(&replay, robot, &record, &known)) {
@@ -264,6 +274,7 @@ static int print_table(bool is_cut_short)
 
 static int print_events(bool is_cut_short)
 {
+    tell_lost(stderr);
     while (take_record()) {
         table_print_events(robot, &record);
     }

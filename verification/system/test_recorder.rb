@@ -79,7 +79,8 @@ class TestRecorder < SystemTest
       boresight.wait_until('a second has passed') { boresight.status['cycle'] > first + 1000 }
     end
     assert_operator boresight.recording_files.size, :>=, 2
-    boresight.recording_files.each { |file| replayed(file, 0) }
+    texts = boresight.recording_files.map { |file| replayed(file, 0).last }
+    assert_match(/^\d+ cycles before this file were lost\.$/, texts.join)
   end
 
   def test_SWR_REC_001_a_full_disk_is_said_once_and_recording_goes_on_when_there_is_room

@@ -1,0 +1,159 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Rule under test: whatever becomes of the disk, recording goes on, and what a recording lacks is
+ * counted in the next one.
+ */
+#include "unity.h"
+
+#include "base/crc.h"
+#include "card/card_frame.h"
+#include "common/clock.h"
+#include "common/directory.h"
+#include "exchange/exchange.h"
+#include "exchange/exchange_segment.h"
+#include "recorder/black_box.h"
+#include "recorder/black_box_files.h"
+#include "recording/cycle_code.h"
+#include "recording/cycle_words.h"
+#include "recording/proof.h"
+#include "recording/recording.h"
+#include "recording/recording_reader.h"
+#include "recording/recording_verify.h"
+#include "recording/recording_writer.h"
+
+#include <glob.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#define SECOND_US UINT64_C(1000000)
+
+static const recording_header_t header = {.build = "test-build",
+                                          .robot = "neuro",
+                                          .inputs_size = sizeof(controller_inputs_t),
+                                          .outputs_size = sizeof(controller_outputs_t),
+                                          .controller_size = sizeof(controller_t)};
+static char folder[48];
+static char name[48];
+static char error[256];
+static exchange_t *exchange;
+static black_box_t black_box;
+static recording_reader_t reader;
+static recording_finding_t finding;
+static struct rlimit unlimited;
+static uint64_t now_us;
+
+void setUp(void)
+{
+    (void)strcpy(folder, "/tmp/test-black-box-XXXXXX");
+    TEST_ASSERT_NOT_NULL(mkdtemp(folder));
+    (void)snprintf(name, sizeof name, "test-black-box-%d", (int)getpid());
+    exchange = exchange_create(name, error, sizeof error);
+    TEST_ASSERT_NOT_NULL_MESSAGE(exchange, error);
+    (void)signal(SIGXFSZ, SIG_IGN);
+    TEST_ASSERT_EQUAL_INT(0, getrlimit(RLIMIT_FSIZE, &unlimited));
+    now_us = 10U * SECOND_US;
+    black_box_open(&black_box, folder, exchange, &header);
+}
+
+void tearDown(void)
+{
+    char command[80];
+
+    (void)setrlimit(RLIMIT_FSIZE, &unlimited);
+    recording_reader_close(&reader);
+    black_box_close(&black_box);
+    exchange_close(exchange);
+    (void)snprintf(command, sizeof command, "rm -rf %s", folder);
+    TEST_ASSERT_EQUAL_INT(0, system(command));
+}
+
+static void push(cycle_record_kind_t kind, uint32_t cycle)
+{
+    cycle_record_t *const record = exchange_reserve_cycle(exchange);
+
+    TEST_ASSERT_NOT_NULL(record);
+    (void)memset(record, 0, sizeof *record);
+    record->kind = (uint32_t)kind;
+    record->cycle = cycle;
+    exchange_commit_cycle(exchange);
+}
+
+/* Those cycles, a checkpoint before them, and so much time that they are written. */
+static void record_cycles(uint32_t first, uint32_t end)
+{
+    push(CYCLE_RECORD_CHECKPOINT, first);
+    for (uint32_t cycle = first; cycle < end; cycle++) {
+        push(CYCLE_RECORD_CYCLE, cycle);
+    }
+    black_box_drain(&black_box, now_us);
+    now_us += SECOND_US;
+    black_box_drain(&black_box, now_us);
+}
+
+/* No file may become larger than that. */
+static void fill_disk(uint32_t bytes)
+{
+    struct rlimit limit = unlimited;
+
+    limit.rlim_cur = bytes;
+    TEST_ASSERT_EQUAL_INT(0, setrlimit(RLIMIT_FSIZE, &limit));
+}
+
+static void free_disk(void)
+{
+    TEST_ASSERT_EQUAL_INT(0, setrlimit(RLIMIT_FSIZE, &unlimited));
+    now_us += BLACK_BOX_RETRY_US;
+}
+
+/* The number of recordings; opens the newest one. */
+static size_t read_newest(void)
+{
+    char pattern[80];
+    glob_t found;
+
+    (void)snprintf(pattern, sizeof pattern, "%s/*.bsr", folder);
+    if (glob(pattern, 0, NULL, &found) != 0) {
+        return 0U;
+    }
+    const size_t count = found.gl_pathc;
+    (void)recording_reader_open(&reader, found.gl_pathv[count - 1U], &finding);
+    globfree(&found);
+    return count;
+}
+
+void test_SWR_REC_012_what_a_full_disk_has_cost_is_counted_in_the_next_file(void)
+{
+    record_cycles(0U, 10U);
+    fill_disk(1U);
+    record_cycles(10U, 20U); /* In a block that cannot be written. */
+    record_cycles(20U, 25U);
+    free_disk();
+    record_cycles(25U, 30U);
+    black_box_close(&black_box);
+    TEST_ASSERT_EQUAL_size_t(2U, read_newest());
+    TEST_ASSERT_EQUAL(RECORDING_WHOLE, finding.verdict);
+    TEST_ASSERT_EQUAL_UINT32(15U, reader.cycles_lost);
+    TEST_ASSERT_EQUAL_UINT64(6U, reader.records);
+}
+
+void test_SWR_REC_012_what_the_lane_lost_is_counted_also_before_a_checkpoint(void)
+{
+    record_cycles(0U, 10U);
+    record_cycles(13U, 20U);
+    black_box_close(&black_box);
+    TEST_ASSERT_EQUAL_size_t(2U, read_newest());
+    TEST_ASSERT_EQUAL(RECORDING_WHOLE, finding.verdict);
+    TEST_ASSERT_EQUAL_UINT32(3U, reader.cycles_lost);
+}
+
+void test_SWR_REC_012_nothing_is_lost_before_the_first_file(void)
+{
+    record_cycles(1000U, 1010U);
+    black_box_close(&black_box);
+    TEST_ASSERT_EQUAL_size_t(1U, read_newest());
+    TEST_ASSERT_EQUAL_UINT32(0U, reader.cycles_lost);
+}
