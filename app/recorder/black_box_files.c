@@ -35,13 +35,14 @@ static int is_recording(const struct dirent *entry)
                : 0;
 }
 
-/* 0: it has none, such as one of an older build, whose name begins with its date. */
+/* 0: it has none, such as one of an older build, whose name begins with its date, or one that no
+ * number follows. */
 static uint32_t number_of(const char *name)
 {
     char *end = NULL;
     const unsigned long number = strtoul(&name[PREFIX_LENGTH], &end, 10);
 
-    return ((number <= UINT32_MAX) && (*end == '-')) ? (uint32_t)number : 0U;
+    return ((number < UINT32_MAX) && (*end == '-')) ? (uint32_t)number : 0U;
 }
 
 static int by_age(const struct dirent **one, const struct dirent **other)

@@ -122,3 +122,11 @@ void test_SWR_REC_007_an_empty_folder_has_no_newest(void)
     TEST_ASSERT_EQUAL_UINT32(0U, black_box_newest(folder));
     TEST_ASSERT_EQUAL_UINT32(0U, black_box_newest("/tmp/no-such-folder"));
 }
+
+/* There is no next one. */
+void test_SWR_REC_007_the_largest_number_is_none(void)
+{
+    make(named(7U, MORNING));
+    make(named(UINT32_MAX, MORNING));
+    TEST_ASSERT_EQUAL_UINT32(7U, black_box_newest(folder));
+}
