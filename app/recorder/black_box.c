@@ -9,8 +9,8 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
-#define PATH_SIZE 512U
 #define SECOND_US UINT64_C(1000000)
 #define MEGABYTE UINT64_C(1000000)
 
@@ -31,14 +31,19 @@ void black_box_open(black_box_t *self, const char *directory, exchange_t *exchan
     request_checkpoint(self, 1U);
 }
 
-/* The file is left: what its last block held and did not reach the disk is lost. */
-static void note_end(black_box_t *self)
+/* What its last block held and did not reach the disk is lost. A file without a block would only
+ * take the place of one that has some. */
+static void leave_file(black_box_t *self)
 {
     const recording_writer_t *writer = &self->writer;
+    const int reason = errno;
 
     if (writer->blocks > 0U) {
         self->kept_until = (writer->block.records > 0U) ? writer->block.cycle : writer->next_cycle;
+    } else {
+        (void)unlink(self->path);
     }
+    errno = reason;
 }
 
 static void fail(black_box_t *self, uint64_t now_us)
@@ -53,7 +58,7 @@ static void fail(black_box_t *self, uint64_t now_us)
 }
 
 /* Goes on after the newest there is, whoever wrote it. */
-static bool open_next(black_box_t *self, char *path, size_t size)
+static bool open_next(black_box_t *self)
 {
     bool is_open;
 
@@ -62,8 +67,9 @@ static bool open_next(black_box_t *self, char *path, size_t size)
     }
     do {
         self->number++;
-        black_box_name(path, size, self->directory, self->number, self->header.started_us);
-        is_open = recording_writer_open(&self->writer, path, &self->header);
+        black_box_name(self->path, sizeof self->path, self->directory, self->number,
+                       self->header.started_us);
+        is_open = recording_writer_open(&self->writer, self->path, &self->header);
     } while (!is_open && (errno == EEXIST));
     return is_open;
 }
@@ -71,17 +77,15 @@ static bool open_next(black_box_t *self, char *path, size_t size)
 /* Old recordings make room only for one that exists: a failed attempt costs none of them. */
 static void begin_file(black_box_t *self, uint32_t cycle, uint64_t now_us)
 {
-    char path[PATH_SIZE];
-
     if (now_us < self->retry_us) {
         return;
     }
     self->header.started_us = clock_utc_us();
-    if (!open_next(self, path, sizeof path)) {
+    if (!open_next(self)) {
         fail(self, now_us);
         return;
     }
-    black_box_remove_oldest(self->directory, path, LIMIT_RECORDINGS,
+    black_box_remove_oldest(self->directory, self->path, LIMIT_RECORDINGS,
                             LIMIT_RECORDINGS_MB * MEGABYTE);
     self->opened_us = now_us;
     self->flushed_us = now_us;
@@ -94,7 +98,7 @@ static void end_file(black_box_t *self, uint64_t now_us)
         return;
     }
     const bool is_closed = recording_writer_close(&self->writer);
-    note_end(self);
+    leave_file(self);
     if (!is_closed) {
         fail(self, now_us);
     }
@@ -136,7 +140,7 @@ static void store(black_box_t *self, const cycle_record_t *record, uint64_t now_
     const uint32_t blocks = self->writer.blocks;
     if (!recording_writer_append(&self->writer, record)) {
         self->unwritten += waiting;
-        note_end(self);
+        leave_file(self);
         fail(self, now_us);
         return;
     }
@@ -178,7 +182,7 @@ static void keep_up(black_box_t *self, uint64_t now_us)
         self->flushed_us = now_us;
         if (!recording_writer_flush(&self->writer)) {
             self->unwritten += waiting;
-            note_end(self);
+            leave_file(self);
             fail(self, now_us);
         }
     }

@@ -17,12 +17,14 @@
 
 #define BLACK_BOX_FILE_US UINT64_C(600000000) /**< A new file after ten minutes. */
 #define BLACK_BOX_RETRY_US UINT64_C(5000000)  /**< Between attempts to write to a full disk. */
+#define BLACK_BOX_PATH_SIZE 512U
 
 typedef struct {
     const char *directory; /**< Lives as long as the black box. */
     exchange_t *exchange;
     recording_header_t header;
     recording_writer_t writer;
+    char path[BLACK_BOX_PATH_SIZE]; /**< Of the newest file tried. */
     uint32_t number;       /**< Of the newest name tried; 0: the directory was not looked at. */
     uint64_t opened_us;    /**< When the present file was begun. */
     uint64_t requested_us; /**< When a checkpoint was last asked for; 0 when none is awaited. */
@@ -43,6 +45,7 @@ void black_box_open(black_box_t *self, const char *directory, exchange_t *exchan
  * Records everything that waits in the cycle lane. `now_us` is monotonic.
  *
  * @satisfies SWR-REC-012
+ * @satisfies SWR-REC-013
  */
 void black_box_drain(black_box_t *self, uint64_t now_us);
 

@@ -157,3 +157,14 @@ void test_SWR_REC_012_nothing_is_lost_before_the_first_file(void)
     TEST_ASSERT_EQUAL_size_t(1U, read_newest());
     TEST_ASSERT_EQUAL_UINT32(0U, reader.cycles_lost);
 }
+
+void test_SWR_REC_013_a_file_that_holds_nothing_is_removed_again(void)
+{
+    record_cycles(0U, 10U);
+    free_disk(); /* Time enough for the next attempt. */
+    black_box_close(&black_box);
+    fill_disk(RECORDING_HEADER_SIZE);
+    record_cycles(10U, 20U);
+    TEST_ASSERT_EQUAL_size_t(1U, read_newest());
+    TEST_ASSERT_EQUAL(RECORDING_WHOLE, finding.verdict);
+}
