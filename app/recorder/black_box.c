@@ -2,6 +2,7 @@
 #include "recorder/black_box.h"
 
 #include "common/clock.h"
+#include "common/directory.h"
 #include "limits/requirement_limits.h"
 #include "recorder/black_box_files.h"
 
@@ -9,6 +10,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #define SECOND_US UINT64_C(1000000)
@@ -80,6 +82,7 @@ static void begin_file(black_box_t *self, uint32_t cycle, uint64_t now_us)
     if (now_us < self->retry_us) {
         return;
     }
+    (void)directory_make(self->directory);
     self->header.started_us = clock_utc_us();
     if (!open_next(self)) {
         fail(self, now_us);
@@ -174,6 +177,19 @@ static void record_one(black_box_t *self, const cycle_record_t *record, uint64_t
     self->has_cycle = true;
 }
 
+/* What is written into a removed file is nowhere. */
+static void look_for_file(black_box_t *self, uint64_t now_us)
+{
+    struct stat status;
+
+    if ((self->writer.file >= 0) && (fstat(self->writer.file, &status) == 0) &&
+        (status.st_nlink == 0U)) {
+        (void)fprintf(stderr, "recorder: %s was removed; a new recording is begun.\n", self->path);
+        end_file(self, now_us);
+        request_checkpoint(self, now_us);
+    }
+}
+
 /* Waiting records reach the file within a second; a checkpoint is asked for until it comes. */
 static void keep_up(black_box_t *self, uint64_t now_us)
 {
@@ -204,6 +220,7 @@ void black_box_drain(black_box_t *self, uint64_t now_us)
         exchange_release_cycle(self->exchange);
         record = exchange_peek_cycle(self->exchange);
     }
+    look_for_file(self, now_us);
     keep_up(self, now_us);
 }
 

@@ -46,6 +46,7 @@ void black_box_open(black_box_t *self, const char *directory, exchange_t *exchan
  *
  * @satisfies SWR-REC-012
  * @satisfies SWR-REC-013
+ * @satisfies SWR-REC-014
  */
 void black_box_drain(black_box_t *self, uint64_t now_us);
 

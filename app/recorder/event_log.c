@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "recorder/event_log.h"
 
+#include "common/directory.h"
 #include "common/event_text.h"
 #include "interface/app/names.h"
 #include "limits/requirement_limits.h"
@@ -25,6 +26,7 @@ static bool reopen(event_log_t *self)
     struct stat status;
 
     (void)snprintf(path, sizeof path, "%s/events.log", self->directory);
+    (void)directory_make(self->directory);
     self->file = open(path, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, FILE_MODE);
     self->size =
         ((self->file >= 0) && (fstat(self->file, &status) == 0)) ? (uint64_t)status.st_size : 0U;
@@ -152,8 +154,22 @@ void event_log_drain(event_log_t *self, exchange_t *exchange)
     } while (count == BATCH);
 }
 
+/* What is written into a removed file is nowhere. */
+static void look_for_file(event_log_t *self)
+{
+    struct stat status;
+
+    if ((self->file >= 0) && (fstat(self->file, &status) == 0) && (status.st_nlink == 0U)) {
+        (void)fprintf(stderr, "recorder: the event log in %s was removed; a new one is begun.\n",
+                      self->directory);
+        (void)close(self->file);
+        self->file = -1;
+    }
+}
+
 void event_log_sync(event_log_t *self)
 {
+    look_for_file(self);
     if (self->file < 0) {
         (void)reopen(self);
     } else if (self->is_dirty) {

@@ -32,7 +32,11 @@ void event_log_open(event_log_t *self, const char *directory);
  */
 void event_log_drain(event_log_t *self, exchange_t *exchange);
 
-/** Puts what was written on the disk. Called each second. */
+/**
+ * Puts what was written on the disk; begins anew when the file was removed. Called each second.
+ *
+ * @satisfies SWR-REC-014
+ */
 void event_log_sync(event_log_t *self);
 
 void event_log_close(event_log_t *self);

@@ -168,3 +168,23 @@ void test_SWR_REC_013_a_file_that_holds_nothing_is_removed_again(void)
     TEST_ASSERT_EQUAL_size_t(1U, read_newest());
     TEST_ASSERT_EQUAL(RECORDING_WHOLE, finding.verdict);
 }
+
+static void remove_folder(void)
+{
+    char command[80];
+
+    (void)snprintf(command, sizeof command, "rm -r %s", folder);
+    TEST_ASSERT_EQUAL_INT(0, system(command));
+}
+
+void test_SWR_REC_014_a_folder_that_is_removed_is_made_again_with_a_new_recording(void)
+{
+    record_cycles(0U, 10U);
+    remove_folder();
+    black_box_drain(&black_box, now_us);
+    record_cycles(10U, 20U);
+    black_box_close(&black_box);
+    TEST_ASSERT_EQUAL_size_t(1U, read_newest());
+    TEST_ASSERT_EQUAL(RECORDING_WHOLE, finding.verdict);
+    TEST_ASSERT_EQUAL_UINT64(11U, reader.records);
+}

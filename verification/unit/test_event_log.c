@@ -5,6 +5,7 @@
  */
 #include "unity.h"
 
+#include "common/directory.h"
 #include "common/event_text.h"
 #include "exchange/exchange.h"
 #include "exchange/exchange_segment.h"
@@ -159,4 +160,16 @@ void test_SWR_REC_011_a_full_log_that_was_removed_is_begun_anew(void)
     log_events(2U);
     TEST_ASSERT_EQUAL_UINT32(2U, lines_of(log_path));
     TEST_ASSERT_EQUAL_INT(-1, size_of(older_path));
+}
+
+void test_SWR_REC_014_a_folder_that_is_removed_is_made_again_with_a_new_log(void)
+{
+    event_log_open(&event_log, folder);
+    log_events(5U);
+    TEST_ASSERT_EQUAL_INT(0, unlink(log_path));
+    TEST_ASSERT_EQUAL_INT(0, rmdir(folder));
+    event_log_sync(&event_log);
+    log_events(2U);
+    TEST_ASSERT_TRUE(size_of(log_path) > 0);
+    TEST_ASSERT_EQUAL_UINT32(2U, lines_of(log_path));
 }
