@@ -271,6 +271,39 @@ void test_SWR_COUPLE_003_two_that_follow_a_third_are_not_barred(void)
     TEST_ASSERT_FALSE(is_blocked(AXIS_HEAD));
 }
 
+/* The limit of the head and the feet, which stand at `head_ticks` and 0, ends 100 ticks to each
+ * side of home. */
+static bool is_missed(uint32_t axis, int32_t head_ticks)
+{
+    robot.coupled_limits[0].minimum = home_nm() - nm(100);
+    robot.coupled_limits[0].maximum = home_nm() + nm(100);
+    axes[AXIS_HEAD].encoder.position_ticks = head_ticks;
+    axes[AXIS_FEET].encoder.position_ticks = 0;
+    return coupled_guard_is_missed(&robot, axes, axis);
+}
+
+void test_SWR_AXIS_033_a_limit_is_missed_by_more_than_its_margin_to_either_side(void)
+{
+    /* 0.2 mm are 15 ticks and three quarters. */
+    TEST_ASSERT_FALSE(is_missed(AXIS_HEAD, 115));
+    TEST_ASSERT_TRUE(is_missed(AXIS_HEAD, 116));
+    TEST_ASSERT_TRUE(is_missed(AXIS_FEET, 116));
+    TEST_ASSERT_FALSE(is_missed(AXIS_HEAD, -115));
+    TEST_ASSERT_TRUE(is_missed(AXIS_HEAD, -116));
+    TEST_ASSERT_FALSE(is_missed(AXIS_LATERAL, -116));
+    axes[AXIS_FEET].chart.reference = AXIS_REFERENCE_LOST;
+    TEST_ASSERT_FALSE(is_missed(AXIS_HEAD, -116));
+}
+
+void test_SWR_AXIS_033_each_limit_of_an_axis_may_be_missed(void)
+{
+    (void)is_missed(AXIS_HEAD, 0);
+    robot.coupled_limits[1] = robot.coupled_limits[0];
+    robot.coupled_limit_count = 2U;
+    TEST_ASSERT_FALSE(is_missed(AXIS_HEAD, 115));
+    TEST_ASSERT_TRUE(is_missed(AXIS_HEAD, 116));
+}
+
 void test_SWR_JOG_002_an_axis_is_known_when_it_and_its_partners_are_homed(void)
 {
     TEST_ASSERT_TRUE(coupled_guard_is_known(&robot, axes, AXIS_HEAD));
