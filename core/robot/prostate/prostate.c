@@ -54,10 +54,16 @@ static int64_t lowest_nm(const robot_t *robot)
            robot->geometry_nm[PROSTATE_UPPER_HEIGHT];
 }
 
+/* Of a pivot between its carriages. */
+static int64_t middle_nm(int64_t left_nm, int64_t right_nm)
+{
+    return fixed_shift_rounded(left_nm + right_nm, 1U);
+}
+
 static pivot_t pivot_of(const robot_t *robot, int64_t left_nm, int64_t right_nm)
 {
     const int64_t opened_nm = left_nm - right_nm - robot->geometry_nm[PROSTATE_TOP_WIDTH];
-    return (pivot_t){fixed_shift_rounded(left_nm + right_nm, 1U),
+    return (pivot_t){middle_nm(left_nm, right_nm),
                      lowest_nm(robot) +
                          fixed_shift_rounded(other_side_twice(robot, opened_nm), 1U)};
 }
@@ -78,10 +84,8 @@ static angles_t angles_of(const int64_t direction[3])
 /* How far the front pivot is to the left of the rear one, nm. */
 static int64_t aside_nm(const joints_t *joints)
 {
-    const int64_t front_nm =
-        (int64_t)joints->value[AXIS_FRONT_LEFT] + joints->value[AXIS_FRONT_RIGHT];
-    const int64_t rear_nm = (int64_t)joints->value[AXIS_REAR_LEFT] + joints->value[AXIS_REAR_RIGHT];
-    return fixed_shift_rounded(front_nm, 1U) - fixed_shift_rounded(rear_nm, 1U);
+    return middle_nm(joints->value[AXIS_FRONT_LEFT], joints->value[AXIS_FRONT_RIGHT]) -
+           middle_nm(joints->value[AXIS_REAR_LEFT], joints->value[AXIS_REAR_RIGHT]);
 }
 
 static angles_t angles_at(const robot_t *robot, const joints_t *joints)
