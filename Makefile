@@ -66,7 +66,7 @@ EVENT_TEXT := app/common/event_text.c $(GEN)/interface/app/event_words.c
 
 # Each program: its own files; what it needs of the core comes from libcore.a.
 SOURCES_boresight-control := $(wildcard app/control/*.c app/positions/*.c) $(CLOCK) $(EXCHANGE) $(BOARD_SOURCES) $(FIND_ROBOT)
-SOURCES_boresight-igtl := $(wildcard app/igtl/*.c) $(CLOCK) $(EXCHANGE) $(NAMES)
+SOURCES_boresight-igtl := $(wildcard app/igtl/*.c app/dialect/*.c app/message/*.c) $(CLOCK) $(EXCHANGE) $(NAMES)
 SOURCES_boresight-http := $(wildcard app/http/*.c) $(CLOCK) $(GEN)/interface/app/messages.c $(EVENT_TEXT) $(EXCHANGE) $(NAMES) $(GEN)/assets/assets.c \
     $(GEN)/assets/chart_names.c
 SOURCES_boresight-recorder := $(wildcard app/recorder/*.c app/recording/*.c app/positions/*.c) $(CLOCK) app/common/directory.c $(EVENT_TEXT) $(EXCHANGE) $(NAMES)
@@ -182,7 +182,7 @@ $(BIN)/boresight-client: $(CLIENT_SOURCES)
 	g++ -std=c++11 -Wall -O1 -isystem /usr/include/openigtlink $(filter %client.cpp,$^) -lOpenIGTLink -lpthread -o $@
 
 # Our codec against the standard's own library.
-$(BIN)/codec-oracle: verification/demo/client/codec_oracle.cpp $(call object,app/igtl/igtl_codec.c)
+$(BIN)/codec-oracle: verification/demo/client/codec_oracle.cpp $(call object,app/message/igtl_codec.c)
 	@mkdir -p $(BIN)
 	g++ -std=c++14 -Wall -O1 -Iapp -isystem /usr/include/openigtlink $^ -lOpenIGTLink -lpthread -o $@
 

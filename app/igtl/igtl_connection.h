@@ -3,8 +3,8 @@
 #ifndef BORESIGHT_IGTL_CONNECTION_H
 #define BORESIGHT_IGTL_CONNECTION_H
 
-#include "igtl/igtl_inbox.h"
-#include "igtl/igtl_outbox.h"
+#include "message/igtl_inbox.h"
+#include "message/igtl_outbox.h"
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -9,8 +9,8 @@
 #include "common/clock.h"
 #include "exchange/exchange.h"
 #include "igtl/igtl_server.h"
-#include "igtl/transform_dialect.h"
-#include "igtl/workphase_dialect.h"
+#include "dialect/transform_dialect.h"
+#include "dialect/workphase_dialect.h"
 
 #include <errno.h>
 #include <getopt.h>

@@ -124,7 +124,7 @@ bool igtl_server_has_peers(const igtl_server_t *self)
 static void drop(igtl_server_t *self, uint32_t peer)
 {
     igtl_connection_close(&self->connections[peer]);
-    self->calls->disconnected(self->dialect, peer);
+    self->calls->disconnected(self->dialect, self->first_place + peer);
 }
 
 /* Makes room by dropping who has been silent for longest. */
@@ -135,8 +135,9 @@ static void evict_silent(igtl_server_t *self, uint64_t now_us)
 
     for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
         const uint64_t silent_us = now_us - self->connections[i].heard_us;
-        const bool is_in_control = (self->calls->is_controlled_by != NULL) &&
-                                   self->calls->is_controlled_by(self->dialect, i);
+        const bool is_in_control =
+            (self->calls->is_controlled_by != NULL) &&
+            self->calls->is_controlled_by(self->dialect, self->first_place + i);
 
         if ((silent_us > longest_us) && !is_in_control) {
             longest_us = silent_us;
@@ -184,8 +185,9 @@ static bool seat(igtl_server_t *self, int descriptor, const struct sockaddr_in *
         if (self->connections[i].descriptor < 0) {
             igtl_connection_open(&self->connections[i], descriptor, now_us);
             greet(self, self->next_number, place, now_us);
-            self->calls->connected(self->dialect, i, self->next_number,
-                                   &self->connections[i].outbox);
+            const igtl_introduction_t introduction = {self->next_number, self->language, "ENTRY_",
+                                                      &self->connections[i].outbox};
+            self->calls->connected(self->dialect, self->first_place + i, &introduction);
             self->next_number += IGTL_NUMBER_STEP;
             return true;
         }
@@ -237,7 +239,7 @@ static bool handle(igtl_server_t *self, uint32_t peer, igtl_inbox_event_t event,
 
     switch (event) {
     case IGTL_INBOX_MESSAGE:
-        self->calls->receive(self->dialect, peer, &inbox->message, moment);
+        self->calls->receive(self->dialect, self->first_place + peer, &inbox->message, moment);
         return true;
     case IGTL_INBOX_REFUSED:
         tell_trouble(self, peer, inbox->reason, inbox->header.name, moment);

@@ -8,7 +8,7 @@
 #define BORESIGHT_IGTL_SERVER_H
 
 #include "igtl/igtl_connection.h"
-#include "igtl/igtl_dialect.h"
+#include "dialect/igtl_dialect.h"
 
 #include <poll.h>
 #include <stdbool.h>
@@ -19,10 +19,9 @@
 #define IGTL_BYTES_PER_TURN 65536U        /**< Read of one connection per turn. */
 #define IGTL_SILENT_US UINT64_C(10000000) /**< Who is silent for longer may lose its place. */
 
-/** What a dialect does for a server; `dialect` is its own state, `peer` a place, `number` never
- * used again. */
+/** What a dialect does for a server; `dialect` is its own state, `peer` a place. */
 typedef struct {
-    void (*connected)(void *dialect, uint32_t peer, uint32_t number, igtl_outbox_t *outbox);
+    void (*connected)(void *dialect, uint32_t peer, const igtl_introduction_t *introduction);
     void (*disconnected)(void *dialect, uint32_t peer);
     void (*receive)(void *dialect, uint32_t peer, const igtl_message_t *message,
                     const igtl_moment_t *moment);
@@ -50,6 +49,8 @@ typedef struct {
 typedef struct {
     const igtl_dialect_calls_t *calls;
     void *dialect;
+    uint32_t first_place; /**< Of the dialect: its connections are peers from here on. */
+    igtl_language_t language;
     uint16_t port;
     int listener;
     uint32_t next_number;      /**< Of the next connection. */

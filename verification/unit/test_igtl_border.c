@@ -5,8 +5,8 @@
  */
 #include "base/fixed.h"
 #include "base/rigid.h"
-#include "igtl/igtl_border.h"
-#include "igtl/igtl_codec.h"
+#include "dialect/igtl_border.h"
+#include "message/igtl_codec.h"
 #include "robot/robot.h"
 #include "unity.h"
 

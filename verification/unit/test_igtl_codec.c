@@ -4,7 +4,7 @@
  * Rule under test: a message is understood exactly when every byte of it fits, whichever header
  * version it has, and what is written is what the standard's own library writes.
  */
-#include "igtl/igtl_codec.h"
+#include "message/igtl_codec.h"
 #include "limits/requirement_limits.h"
 #include "unity.h"
 

@@ -4,10 +4,10 @@
  * Rule under test: a connection sends each message in one write, never waits for its peer, and
  * notices its end.
  */
-#include "igtl/igtl_codec.h"
+#include "message/igtl_codec.h"
 #include "igtl/igtl_connection.h"
-#include "igtl/igtl_inbox.h"
-#include "igtl/igtl_outbox.h"
+#include "message/igtl_inbox.h"
+#include "message/igtl_outbox.h"
 #include "unity.h"
 
 #include <sys/socket.h>

@@ -4,8 +4,8 @@
  * Rule under test: messages come out whole however their bytes arrive, what is unknown passes, what
  * is wrong is named, and what stays incomplete is noticed.
  */
-#include "igtl/igtl_codec.h"
-#include "igtl/igtl_inbox.h"
+#include "message/igtl_codec.h"
+#include "message/igtl_inbox.h"
 #include "limits/requirement_limits.h"
 #include "unity.h"
 

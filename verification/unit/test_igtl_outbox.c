@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /** @file Rule under test: every answer is sent once and in request, of a state only the newest, and
  * memory is bounded. */
-#include "igtl/igtl_codec.h"
-#include "igtl/igtl_outbox.h"
+#include "message/igtl_codec.h"
+#include "message/igtl_outbox.h"
 #include "unity.h"
 
 #include <string.h>

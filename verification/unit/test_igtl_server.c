@@ -6,13 +6,13 @@
  */
 #include "base/fixed.h"
 #include "base/rigid.h"
-#include "igtl/igtl_border.h"
-#include "igtl/igtl_codec.h"
+#include "dialect/igtl_border.h"
+#include "message/igtl_codec.h"
 #include "igtl/igtl_connection.h"
-#include "igtl/igtl_dialect.h"
-#include "igtl/igtl_inbox.h"
-#include "igtl/igtl_requests.h"
-#include "igtl/igtl_outbox.h"
+#include "dialect/igtl_dialect.h"
+#include "message/igtl_inbox.h"
+#include "dialect/igtl_requests.h"
+#include "message/igtl_outbox.h"
 #include "igtl/igtl_server.h"
 #include "interface/app/names.h"
 #include "interface/snapshot.h"
@@ -36,11 +36,10 @@ static bool is_connected[IGTL_PEERS];
 static int clients[IGTL_PEERS + 1U];
 static uint16_t port;
 
-static void connected(void *dialect, uint32_t peer, uint32_t number, igtl_outbox_t *outbox)
+static void connected(void *dialect, uint32_t peer, const igtl_introduction_t *introduction)
 {
     (void)dialect;
-    (void)outbox;
-    numbers[peer] = number;
+    numbers[peer] = introduction->number;
     is_connected[peer] = true;
 }
 

@@ -7,12 +7,12 @@
 #include "base/fixed.h"
 #include "base/rigid.h"
 #include "charts/arming_chart.h"
-#include "igtl/igtl_border.h"
-#include "igtl/igtl_codec.h"
-#include "igtl/igtl_dialect.h"
-#include "igtl/igtl_requests.h"
-#include "igtl/igtl_outbox.h"
-#include "igtl/transform_dialect.h"
+#include "dialect/igtl_border.h"
+#include "message/igtl_codec.h"
+#include "dialect/igtl_dialect.h"
+#include "dialect/igtl_requests.h"
+#include "message/igtl_outbox.h"
+#include "dialect/transform_dialect.h"
 #include "interface/app/names.h"
 #include "interface/command.h"
 #include "interface/snapshot.h"
@@ -46,7 +46,9 @@ void setUp(void)
     transform_dialect_init(&dialect, &robot, 101U);
     igtl_outbox_init(&outboxes[0]);
     igtl_outbox_init(&outboxes[1]);
-    transform_dialect_connected(&dialect, 0U, NUMBER + 0U, &outboxes[0]);
+    transform_dialect_connected(
+        &dialect, 0U,
+        &(igtl_introduction_t){NUMBER + 0U, IGTL_LANGUAGE_CRTK, "ENTRY_", &outboxes[0]});
 }
 
 void tearDown(void)
@@ -190,7 +192,9 @@ void test_SWR_IGTL_012_new_peer_is_shown_everything_there_is(void)
     EXPECT(0U, "STRING measured_jp 0.500000,");
     EXPECT(0U, "STRING measured_jv 0.000000,");
     EXPECT(0U, "");
-    transform_dialect_connected(&dialect, 1U, NUMBER + 1U, &outboxes[1]);
+    transform_dialect_connected(
+        &dialect, 1U,
+        &(igtl_introduction_t){NUMBER + 1U, IGTL_LANGUAGE_CRTK, "ENTRY_", &outboxes[1]});
     pass_us(0U);
     EXPECT(0U, "");
     EXPECT(1U, "TRANSFORM scanner_to_robot_reg 1.000 0.000 0.000");

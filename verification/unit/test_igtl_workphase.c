@@ -7,15 +7,15 @@
 #include "base/fixed.h"
 #include "base/rigid.h"
 #include "charts/arming_chart.h"
-#include "igtl/igtl_border.h"
-#include "igtl/igtl_codec.h"
-#include "igtl/igtl_dialect.h"
-#include "igtl/igtl_requests.h"
-#include "igtl/igtl_outbox.h"
-#include "igtl/workphase_answer.h"
-#include "igtl/workphase_dialect.h"
-#include "igtl/workphase_peer.h"
-#include "igtl/workphase_poll.h"
+#include "dialect/igtl_border.h"
+#include "message/igtl_codec.h"
+#include "dialect/igtl_dialect.h"
+#include "dialect/igtl_requests.h"
+#include "message/igtl_outbox.h"
+#include "dialect/workphase_answer.h"
+#include "dialect/workphase_dialect.h"
+#include "dialect/workphase_peer.h"
+#include "dialect/workphase_poll.h"
 #include "interface/app/names.h"
 #include "interface/command.h"
 #include "interface/snapshot.h"
@@ -35,9 +35,18 @@ static const robot_t robot = {.axis_count = 7U, .axes = {[3] = {.name = "inserti
 
 static workphase_dialect_t dialect;
 static igtl_outbox_t outboxes[IGTL_PEERS];
+
 static snapshot_t snapshot;
 static igtl_moment_t moment;
 static command_t command;
+
+static void connect_peer(uint32_t peer)
+{
+    const igtl_introduction_t introduction = {NUMBER + peer, IGTL_LANGUAGE_BRP_2013, "ENTRY_",
+                                              &outboxes[peer]};
+
+    workphase_dialect_connected(&dialect, peer, &introduction);
+}
 
 void setUp(void)
 {
@@ -51,7 +60,7 @@ void setUp(void)
     workphase_dialect_init(&dialect, &robot, 100U);
     for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
         igtl_outbox_init(&outboxes[i]);
-        workphase_dialect_connected(&dialect, i, NUMBER + i, &outboxes[i]);
+        connect_peer(i);
     }
 }
 
@@ -441,7 +450,7 @@ void test_SWR_IGTL_006_stop_and_emergency_find_a_place_in_any_flood(void)
             EXPECT(peer, "");
         }
         workphase_dialect_disconnected(&dialect, 7U);
-        workphase_dialect_connected(&dialect, 7U, NUMBER + 7U, &outboxes[7]);
+        connect_peer(7U);
     }
     while (igtl_requests_take(&dialect.requests, &command)) {
         TEST_ASSERT_NOT_NULL(igtl_requests_find(&dialect.requests, command.id));
@@ -583,7 +592,7 @@ void test_SWR_IGTL_011_new_peer_in_the_same_place_gets_nothing_of_the_old_one(vo
     expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_PLANNING);
     workphase_dialect_disconnected(&dialect, 0U);
     igtl_outbox_init(&outboxes[0]);
-    workphase_dialect_connected(&dialect, 0U, NUMBER + 0U, &outboxes[0]);
+    connect_peer(0U);
     accept(1U);
     pass_us(LIMIT_IGTL_EXTRA_DELAY_US);
     EXPECT(0U, "");

@@ -5,7 +5,7 @@
 // write the same message, the bytes must be equal. Ends with status 1 and a sentence at the first difference.
 
 extern "C" {
-#include "igtl/igtl_codec.h"
+#include "message/igtl_codec.h"
 }
 
 #include <igtlMessageHeader.h>

@@ -7,8 +7,8 @@
 #ifndef BORESIGHT_IGTL_PEER_H
 #define BORESIGHT_IGTL_PEER_H
 
-#include "igtl/igtl_codec.h"
-#include "igtl/igtl_outbox.h"
+#include "message/igtl_codec.h"
+#include "message/igtl_outbox.h"
 
 #include <stdint.h>
 #include <stdio.h>

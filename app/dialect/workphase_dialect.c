@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "igtl/workphase_dialect.h"
+#include "dialect/workphase_dialect.h"
 
-#include "igtl/igtl_border.h"
-#include "igtl/workphase_answer.h"
-#include "igtl/workphase_peer.h"
-#include "igtl/workphase_poll.h"
+#include "dialect/igtl_border.h"
+#include "dialect/workphase_answer.h"
+#include "dialect/workphase_peer.h"
+#include "dialect/workphase_poll.h"
 #include "interface/app/names.h"
 
 #include <stddef.h>
@@ -18,14 +18,16 @@ void workphase_dialect_init(workphase_dialect_t *self, const robot_t *robot, uin
     igtl_requests_init(&self->requests, first_id, IGTL_REQUESTS_COMMON);
 }
 
-void workphase_dialect_connected(void *dialect, uint32_t peer, uint32_t number,
-                                 igtl_outbox_t *outbox)
+void workphase_dialect_connected(void *dialect, uint32_t peer,
+                                 const igtl_introduction_t *introduction)
 {
     workphase_dialect_t *self = dialect;
 
     (void)memset(&self->peers[peer], 0, sizeof self->peers[peer]);
-    self->peers[peer].outbox = outbox;
-    self->peers[peer].number = number;
+    self->peers[peer].outbox = introduction->outbox;
+    self->peers[peer].number = introduction->number;
+    self->peers[peer].language = introduction->language;
+    self->peers[peer].entry_prefix = introduction->entry_prefix;
 }
 
 static bool is_long(const igtl_request_t *request)
@@ -327,7 +329,7 @@ void workphase_dialect_step(workphase_dialect_t *self, const igtl_moment_t *mome
         tell_no_answer(self, overdue, moment);
         overdue = igtl_requests_overdue(&self->requests, moment->patience_us);
     }
-    for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
+    for (uint32_t i = 0U; i < IGTL_PLACES; i++) {
         if (self->peers[i].outbox != NULL) {
             workphase_peer_send_deferred(&self->peers[i], moment->now_us, false);
         }

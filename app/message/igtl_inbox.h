@@ -8,7 +8,7 @@
 #ifndef BORESIGHT_IGTL_INBOX_H
 #define BORESIGHT_IGTL_INBOX_H
 
-#include "igtl/igtl_codec.h"
+#include "message/igtl_codec.h"
 #include "limits/requirement_limits.h"
 
 #include <stdbool.h>

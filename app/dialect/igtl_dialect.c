@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "igtl/igtl_dialect.h"
+#include "dialect/igtl_dialect.h"
 
 #include "charts/arming_chart.h"
-#include "igtl/igtl_border.h"
+#include "dialect/igtl_border.h"
 #include "interface/app/names.h"
 
 #include <stddef.h>

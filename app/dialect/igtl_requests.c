@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "igtl/igtl_requests.h"
+#include "dialect/igtl_requests.h"
 
 #include <stddef.h>
 #include <string.h>

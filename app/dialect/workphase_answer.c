@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "igtl/workphase_answer.h"
+#include "dialect/workphase_answer.h"
 
-#include "igtl/workphase_peer.h"
+#include "dialect/workphase_peer.h"
 #include "interface/app/names.h"
 
 #include <stddef.h>

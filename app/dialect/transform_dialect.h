@@ -8,10 +8,10 @@
 #ifndef BORESIGHT_TRANSFORM_DIALECT_H
 #define BORESIGHT_TRANSFORM_DIALECT_H
 
-#include "igtl/igtl_codec.h"
-#include "igtl/igtl_dialect.h"
-#include "igtl/igtl_requests.h"
-#include "igtl/igtl_outbox.h"
+#include "message/igtl_codec.h"
+#include "dialect/igtl_dialect.h"
+#include "dialect/igtl_requests.h"
+#include "message/igtl_outbox.h"
 #include "interface/answer.h"
 #include "interface/command.h"
 #include "interface/snapshot.h"
@@ -65,14 +65,14 @@ typedef struct {
 typedef struct {
     const robot_t *robot;
     igtl_requests_t requests;
-    transform_peer_t peers[IGTL_PEERS];
+    transform_peer_t peers[IGTL_PLACES];
 } transform_dialect_t;
 
 /** `first_id` numbers the commands, odd. */
 void transform_dialect_init(transform_dialect_t *self, const robot_t *robot, uint32_t first_id);
 
-void transform_dialect_connected(void *dialect, uint32_t peer, uint32_t number,
-                                 igtl_outbox_t *outbox);
+void transform_dialect_connected(void *dialect, uint32_t peer,
+                                 const igtl_introduction_t *introduction);
 void transform_dialect_disconnected(void *dialect, uint32_t peer);
 
 /**

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "igtl/workphase_peer.h"
+#include "dialect/workphase_peer.h"
 
-#include "igtl/igtl_border.h"
+#include "dialect/igtl_border.h"
 #include "interface/app/names.h"
 #include "limits/requirement_limits.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "igtl/igtl_codec.h"
+#include "message/igtl_codec.h"
 
 #include "limits/requirement_limits.h"
 

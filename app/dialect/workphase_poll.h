@@ -4,8 +4,8 @@
 #ifndef BORESIGHT_WORKPHASE_POLL_H
 #define BORESIGHT_WORKPHASE_POLL_H
 
-#include "igtl/igtl_dialect.h"
-#include "igtl/workphase_dialect.h"
+#include "dialect/igtl_dialect.h"
+#include "dialect/workphase_dialect.h"
 
 #include <stdbool.h>
 

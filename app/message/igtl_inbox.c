@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "igtl/igtl_inbox.h"
+#include "message/igtl_inbox.h"
 
 #include <string.h>
 

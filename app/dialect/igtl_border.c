@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "igtl/igtl_border.h"
+#include "dialect/igtl_border.h"
 
 #include "base/fixed.h"
 

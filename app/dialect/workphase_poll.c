@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "igtl/workphase_poll.h"
+#include "dialect/workphase_poll.h"
 
 #include "base/fixed.h"
 #include "base/rigid.h"
 #include "charts/arming_chart.h"
-#include "igtl/workphase_peer.h"
+#include "dialect/workphase_peer.h"
 #include "limits/requirement_limits.h"
 
 #include <stddef.h>

@@ -8,7 +8,7 @@
 #ifndef BORESIGHT_IGTL_OUTBOX_H
 #define BORESIGHT_IGTL_OUTBOX_H
 
-#include "igtl/igtl_codec.h"
+#include "message/igtl_codec.h"
 
 #include <stdbool.h>
 #include <stdint.h>

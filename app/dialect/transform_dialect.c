@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "igtl/transform_dialect.h"
+#include "dialect/transform_dialect.h"
 
-#include "igtl/igtl_border.h"
+#include "dialect/igtl_border.h"
 #include "interface/app/names.h"
 
 #include <stddef.h>
@@ -24,13 +24,13 @@ static void show_all(transform_peer_t *peer)
     peer->next_measured_us = 0U;
 }
 
-void transform_dialect_connected(void *dialect, uint32_t peer, uint32_t number,
-                                 igtl_outbox_t *outbox)
+void transform_dialect_connected(void *dialect, uint32_t peer,
+                                 const igtl_introduction_t *introduction)
 {
     transform_dialect_t *self = dialect;
 
-    self->peers[peer].outbox = outbox;
-    self->peers[peer].number = number;
+    self->peers[peer].outbox = introduction->outbox;
+    self->peers[peer].number = introduction->number;
     show_all(&self->peers[peer]);
 }
 
@@ -318,7 +318,7 @@ void transform_dialect_step(transform_dialect_t *self, const igtl_moment_t *mome
         return;
     }
     take_view(moment->snapshot, &view);
-    for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
+    for (uint32_t i = 0U; i < IGTL_PLACES; i++) {
         if (self->peers[i].outbox != NULL) {
             show(self->robot, &self->peers[i], &view, moment);
         }

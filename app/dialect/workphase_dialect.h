@@ -9,10 +9,10 @@
 #ifndef BORESIGHT_WORKPHASE_DIALECT_H
 #define BORESIGHT_WORKPHASE_DIALECT_H
 
-#include "igtl/igtl_codec.h"
-#include "igtl/igtl_dialect.h"
-#include "igtl/igtl_requests.h"
-#include "igtl/igtl_outbox.h"
+#include "message/igtl_codec.h"
+#include "dialect/igtl_dialect.h"
+#include "dialect/igtl_requests.h"
+#include "message/igtl_outbox.h"
 #include "interface/command.h"
 #include "robot/robot.h"
 
@@ -37,8 +37,10 @@ typedef struct {
 } workphase_id_t;
 
 typedef struct {
-    igtl_outbox_t *outbox;             /**< NULL: not connected. */
-    uint32_t number;                   /**< Of its connection. */
+    igtl_outbox_t *outbox; /**< NULL: not connected. */
+    uint32_t number;       /**< Of its connection. */
+    igtl_language_t language;
+    const char *entry_prefix;
     workphase_id_t ids[WORKPHASE_IDS]; /**< The last commands, a ring. */
     uint32_t next_id;
     uint32_t last_request; /**< Id of its newest workphase command. */
@@ -49,7 +51,7 @@ typedef struct {
 typedef struct {
     const robot_t *robot;
     igtl_requests_t requests;
-    workphase_peer_t peers[IGTL_PEERS];
+    workphase_peer_t peers[IGTL_PLACES];
     uint32_t controller;       /**< Peer that commands, or IGTL_NOBODY. */
     uint64_t next_position_us; /**< When the next CURRENT_POSITION is due. */
     /** The controlling peer was lost with a command armed; STOP has still to go. */
@@ -59,8 +61,8 @@ typedef struct {
 /** `first_id` numbers the commands, even. */
 void workphase_dialect_init(workphase_dialect_t *self, const robot_t *robot, uint32_t first_id);
 
-void workphase_dialect_connected(void *dialect, uint32_t peer, uint32_t number,
-                                 igtl_outbox_t *outbox);
+void workphase_dialect_connected(void *dialect, uint32_t peer,
+                                 const igtl_introduction_t *introduction);
 
 /** Also commands STOP when the peer had a command armed or begun. */
 void workphase_dialect_disconnected(void *dialect, uint32_t peer);

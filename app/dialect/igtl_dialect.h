@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What the two dialects share: up to eight peers, one moment at a time. A dialect is called by the
- * server with what arrived and with the time; it puts answers into the peers' outboxes and commands
- * into its requests.
+ * What the two dialects share: peers by their places, one moment at a time. A dialect is called by
+ * the server with what arrived and with the time; it puts answers into the peers' outboxes and
+ * commands into its requests.
  */
 #ifndef BORESIGHT_IGTL_DIALECT_H
 #define BORESIGHT_IGTL_DIALECT_H
 
-#include "igtl/igtl_codec.h"
-#include "igtl/igtl_requests.h"
-#include "igtl/igtl_outbox.h"
+#include "message/igtl_codec.h"
+#include "dialect/igtl_requests.h"
+#include "message/igtl_outbox.h"
 #include "interface/answer.h"
 #include "interface/command.h"
 #include "interface/snapshot.h"
@@ -18,8 +18,25 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define IGTL_PEERS 8U                   /**< Connections per port. */
-#define IGTL_STREAM_US UINT64_C(100000) /**< Between two poses of a stream. */
+#define IGTL_PORTS 4U                         /**< Ports, those that call included. */
+#define IGTL_PEERS 8U                         /**< Connections per port. */
+#define IGTL_PLACES (IGTL_PORTS * IGTL_PEERS) /**< Of all ports; a dialect may serve several. */
+#define IGTL_STREAM_US UINT64_C(100000)       /**< Between two poses of a stream. */
+
+/** What is spoken on a port. */
+typedef enum {
+    IGTL_LANGUAGE_BRP_2013 = 0, /**< Workphases; what 2021 added comes a little later. */
+    IGTL_LANGUAGE_BRP_2021 = 1, /**< Workphases as of 2021. */
+    IGTL_LANGUAGE_CRTK = 2      /**< Bare transforms, names of CRTK. */
+} igtl_language_t;
+
+/** Who connects. */
+typedef struct {
+    uint32_t number; /**< Of the connection, never used again. */
+    igtl_language_t language;
+    const char *entry_prefix; /**< Names of entry points begin so. Lives for ever. */
+    igtl_outbox_t *outbox;
+} igtl_introduction_t;
 
 /** The moment in which something happens. */
 typedef struct {

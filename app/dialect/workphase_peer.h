@@ -3,8 +3,8 @@
 #ifndef BORESIGHT_WORKPHASE_PEER_H
 #define BORESIGHT_WORKPHASE_PEER_H
 
-#include "igtl/igtl_dialect.h"
-#include "igtl/workphase_dialect.h"
+#include "dialect/igtl_dialect.h"
+#include "dialect/workphase_dialect.h"
 
 #include <stdint.h>
 

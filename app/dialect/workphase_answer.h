@@ -3,9 +3,9 @@
 #ifndef BORESIGHT_WORKPHASE_ANSWER_H
 #define BORESIGHT_WORKPHASE_ANSWER_H
 
-#include "igtl/igtl_dialect.h"
-#include "igtl/igtl_requests.h"
-#include "igtl/workphase_dialect.h"
+#include "dialect/igtl_dialect.h"
+#include "dialect/igtl_requests.h"
+#include "dialect/workphase_dialect.h"
 #include "interface/answer.h"
 #include "interface/command.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "igtl/igtl_outbox.h"
+#include "message/igtl_outbox.h"
 
 #include <stddef.h>
 #include <string.h>
