@@ -84,7 +84,7 @@ BINARIES := $(PROGRAMS:%=$(BIN)/%)
 # --- generated sources ---------------------------------------------------------------------------------------
 
 GENERATED := $(GEN)/limits/requirement_limits.h $(GEN)/charts/charts.json $(ROBOT_TABLES) $(GEN)/robot/kinematics.c \
-    $(GEN)/interface/.compiled $(BOARD_TABLE) \
+    $(GEN)/interface/.compiled $(BOARD_TABLE) $(GEN)/message/crc64_table.h \
     $(GEN)/assets/chart_names.c
 ASSETS := $(GEN)/assets/assets.c
 
@@ -128,6 +128,9 @@ $(GEN)/interface/.compiled: $(INTERFACE_PARTS) build/robots $(LAYOUT_HEADERS) $(
 $(GEN)/interface/%.c: $(GEN)/interface/.compiled ;
 $(GEN)/interface/%.h: $(GEN)/interface/.compiled ;
 .PRECIOUS: $(GEN)/interface/%.c $(GEN)/interface/%.h
+
+$(GEN)/message/crc64_table.h: tools/crc64_table.rb
+	ruby tools/crc64_table.rb $@
 
 CONSOLE_SOURCES := $(shell find app/console -path '*/node_modules' -prune -o -type f -print 2>/dev/null)
 
@@ -182,7 +185,7 @@ $(BIN)/boresight-client: $(CLIENT_SOURCES)
 	g++ -std=c++11 -Wall -O1 -isystem /usr/include/openigtlink $(filter %client.cpp,$^) -lOpenIGTLink -lpthread -o $@
 
 # Our codec against the standard's own library.
-$(BIN)/codec-oracle: verification/demo/client/codec_oracle.cpp $(call object,app/message/igtl_codec.c)
+$(BIN)/codec-oracle: verification/demo/client/codec_oracle.cpp $(call object,$(addprefix app/message/,igtl_codec.c igtl_crc64.c igtl_packet.c))
 	@mkdir -p $(BIN)
 	g++ -std=c++14 -Wall -O1 -Iapp -isystem /usr/include/openigtlink $^ -lOpenIGTLink -lpthread -o $@
 

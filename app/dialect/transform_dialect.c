@@ -129,6 +129,14 @@ void transform_dialect_receive(void *dialect, uint32_t peer, const igtl_message_
         igtl_tell_refusal(self->peers[peer].outbox, message->name, STATUS_UNKNOWN_COMMAND, moment);
         break;
     case IGTL_KIND_STATUS: /* Peers announce themselves with one. */
+    case IGTL_KIND_GET_POINT:
+    case IGTL_KIND_GET_CAPABILITY:
+    case IGTL_KIND_GET_OTHER:
+    case IGTL_KIND_STT_TDATA:
+    case IGTL_KIND_STP_TDATA:
+    case IGTL_KIND_STT_OTHER:
+    case IGTL_KIND_STP_OTHER:
+    case IGTL_KIND_COMMAND:
     case IGTL_KIND_OTHER:
     default:
         break;

@@ -4,6 +4,7 @@
 #include "dialect/igtl_border.h"
 #include "interface/app/names.h"
 #include "limits/requirement_limits.h"
+#include "message/igtl_crc64.h"
 
 #include <string.h>
 

@@ -71,6 +71,7 @@ igtl_received_t igtl_connection_receive(igtl_connection_t *self, uint64_t now_us
         *event = igtl_inbox_advance(&self->inbox, (uint32_t)count, now_us);
         if ((*event == IGTL_INBOX_MESSAGE) || (*event == IGTL_INBOX_SKIPPED)) {
             self->heard_us = now_us;
+            igtl_outbox_hear(&self->outbox, self->inbox.header.version);
         }
         if (*event != IGTL_INBOX_WAITING) {
             return IGTL_RECEIVED_EVENT;

@@ -2,35 +2,16 @@
 #include "message/igtl_codec.h"
 
 #include "limits/requirement_limits.h"
+#include "message/big_endian.h"
+#include "message/igtl_crc64.h"
+#include "message/printable.h"
 
 #include <stdbool.h>
 #include <string.h>
 
-#define EXTENSION_BYTES 12U
 #define METADATA_ENTRY_BYTES 8U
-#define STATUS_NAME_BYTES 20U
-#define POINT_NAME_BYTES 64U
-#define POINT_COLOUR 96U
-#define POINT_POSITION 100U
-#define ENCODING_ASCII 3U
-#define ENCODING_UTF8 106U
-
-uint64_t igtl_crc64(uint64_t crc, const uint8_t *bytes, size_t length)
-{
-    static const uint64_t table[16] = {
-        UINT64_C(0x0000000000000000), UINT64_C(0x42F0E1EBA9EA3693), UINT64_C(0x85E1C3D753D46D26),
-        UINT64_C(0xC711223CFA3E5BB5), UINT64_C(0x493366450E42ECDF), UINT64_C(0x0BC387AEA7A8DA4C),
-        UINT64_C(0xCCD2A5925D9681F9), UINT64_C(0x8E224479F47CB76A), UINT64_C(0x9266CC8A1C85D9BE),
-        UINT64_C(0xD0962D61B56FEF2D), UINT64_C(0x17870F5D4F51B498), UINT64_C(0x5577EEB6E6BB820B),
-        UINT64_C(0xDB55AACF12C73561), UINT64_C(0x99A54B24BB2D03F2), UINT64_C(0x5EB4691841135847),
-        UINT64_C(0x1C4488F3E8F96ED4)};
-
-    for (size_t i = 0U; i < length; i++) {
-        crc = (crc << 4U) ^ table[(crc >> 60U) ^ (uint64_t)(bytes[i] >> 4U)];
-        crc = (crc << 4U) ^ table[(crc >> 60U) ^ (uint64_t)(bytes[i] & 15U)];
-    }
-    return crc;
-}
+#define TYPE_BYTES (IGTL_TYPE_SIZE - 1U)
+#define NAME_BYTES (IGTL_NAME_SIZE - 1U)
 
 const char *igtl_result_text(igtl_result_t result)
 {
@@ -85,81 +66,99 @@ uint32_t igtl_result_code(igtl_result_t result)
     }
 }
 
-static uint64_t read_big_endian(const uint8_t *bytes, uint32_t count)
+/* Not printable: what a peer is shown of it. */
+static void mend_text(char *text, const uint8_t *bytes, uint32_t size)
 {
-    uint64_t value = 0U;
+    for (uint32_t i = 0U; i < size; i++) {
+        const bool is_printable = (bytes[i] >= 0x20U) && (bytes[i] <= 0x7EU);
 
-    for (uint32_t i = 0U; i < count; i++) {
-        value = (value << 8U) | bytes[i];
+        text[i] = (is_printable || (bytes[i] == 0U)) ? (char)bytes[i] : '?';
     }
-    return value;
 }
 
-static uint32_t read_u16(const uint8_t *bytes)
+static bool read_type(const uint8_t *bytes, char type[IGTL_TYPE_SIZE])
 {
-    return (uint32_t)read_big_endian(bytes, 2U);
-}
+    uint64_t words[2] = {get_u64(bytes), (uint64_t)get_u32(&bytes[8]) << 32U};
+    uint64_t ended = 0U;
+    const bool is_head_fine = cut_text(&words[0], &ended);
+    const bool is_fine = cut_text(&words[1], &ended) && is_head_fine;
 
-static uint32_t read_u32(const uint8_t *bytes)
-{
-    return (uint32_t)read_big_endian(bytes, 4U);
-}
-
-static bool is_printable(uint8_t byte)
-{
-    return (byte >= 0x20U) && (byte <= 0x7EU);
-}
-
-/* Copies up to the first NUL; false when something before it is not printable. */
-static bool read_name(const uint8_t *bytes, uint32_t size, char *name)
-{
-    uint32_t length = 0U;
-
-    while ((length < size) && (bytes[length] != 0U)) {
-        if (!is_printable(bytes[length])) {
-            return false;
-        }
-        name[length] = (char)bytes[length];
-        length++;
+    put_u64((uint8_t *)type, words[0]);
+    put_u32((uint8_t *)&type[8], (uint32_t)(words[1] >> 32U));
+    type[TYPE_BYTES] = '\0';
+    if (!is_fine) {
+        mend_text(type, bytes, TYPE_BYTES);
     }
-    name[length] = '\0';
-    return true;
+    return is_fine && (type[0] != '\0');
+}
+
+static bool read_name(const uint8_t *bytes, char name[IGTL_NAME_SIZE])
+{
+    uint64_t words[3] = {get_u64(bytes), get_u64(&bytes[8]), (uint64_t)get_u32(&bytes[16]) << 32U};
+    uint64_t ended = 0U;
+    bool is_fine = true;
+
+    for (uint32_t i = 0U; i < 3U; i++) {
+        is_fine = cut_text(&words[i], &ended) && is_fine;
+    }
+    put_u64((uint8_t *)name, words[0]);
+    put_u64((uint8_t *)&name[8], words[1]);
+    put_u32((uint8_t *)&name[16], (uint32_t)(words[2] >> 32U));
+    name[NAME_BYTES] = '\0';
+    if (!is_fine) {
+        mend_text(name, bytes, NAME_BYTES);
+    }
+    return is_fine;
 }
 
 static igtl_kind_t kind_of(const char *type)
 {
     static const struct {
-        char type[IGTL_TYPE_SIZE];
+        char type[TYPE_BYTES];
         igtl_kind_t kind;
-    } known[] = {{"TRANSFORM", IGTL_KIND_TRANSFORM},     {"STRING", IGTL_KIND_STRING},
-                 {"STATUS", IGTL_KIND_STATUS},           {"POINT", IGTL_KIND_POINT},
-                 {"GET_TRANS", IGTL_KIND_GET_TRANSFORM}, {"GET_TRANSFOR", IGTL_KIND_GET_TRANSFORM},
-                 {"GET_STATUS", IGTL_KIND_GET_STATUS}};
+    } known[] = {{"TRANSFORM", IGTL_KIND_TRANSFORM},
+                 {"STRING", IGTL_KIND_STRING},
+                 {"STATUS", IGTL_KIND_STATUS},
+                 {"POINT", IGTL_KIND_POINT},
+                 {"GET_TRANS", IGTL_KIND_GET_TRANSFORM},
+                 {"GET_TRANSFOR", IGTL_KIND_GET_TRANSFORM},
+                 {"GET_STATUS", IGTL_KIND_GET_STATUS},
+                 {"GET_POINT", IGTL_KIND_GET_POINT},
+                 {"GET_CAPABIL", IGTL_KIND_GET_CAPABILITY},
+                 {"STT_TDATA", IGTL_KIND_STT_TDATA},
+                 {"STP_TDATA", IGTL_KIND_STP_TDATA},
+                 {"COMMAND", IGTL_KIND_COMMAND}};
 
     for (size_t i = 0U; i < (sizeof known / sizeof known[0]); i++) {
-        if (strcmp(type, known[i].type) == 0) {
+        if (memcmp(type, known[i].type, TYPE_BYTES) == 0) {
             return known[i].kind;
         }
     }
-    return IGTL_KIND_OTHER;
+    if (memcmp(type, "GET_", 4U) == 0) {
+        return IGTL_KIND_GET_OTHER;
+    }
+    if (memcmp(type, "STT_", 4U) == 0) {
+        return IGTL_KIND_STT_OTHER;
+    }
+    return (memcmp(type, "STP_", 4U) == 0) ? IGTL_KIND_STP_OTHER : IGTL_KIND_OTHER;
 }
 
 igtl_result_t igtl_decode_header(const uint8_t bytes[IGTL_HEADER_BYTES], igtl_header_t *header)
 {
+    const bool is_type_fine = read_type(&bytes[2], header->type);
+    const bool is_name_fine = read_name(&bytes[14], header->name);
     uint64_t longest;
 
-    (void)memset(header, 0, sizeof *header);
-    header->version = read_u16(&bytes[0]);
-    header->body_bytes = read_big_endian(&bytes[42], 8U);
-    header->crc = read_big_endian(&bytes[50], 8U);
+    header->version = get_u16(bytes);
+    header->body_bytes = get_u64(&bytes[42]);
+    header->crc = get_u64(&bytes[50]);
+    header->kind = kind_of(header->type);
     if ((header->version != 1U) && (header->version != 2U)) {
         return IGTL_BAD_VERSION;
     }
-    if (!read_name(&bytes[2], IGTL_TYPE_SIZE - 1U, header->type) || (header->type[0] == '\0') ||
-        !read_name(&bytes[14], IGTL_NAME_SIZE - 1U, header->name)) {
+    if (!is_type_fine || !is_name_fine) {
         return IGTL_BAD_NAME;
     }
-    header->kind = kind_of(header->type);
     longest = (header->kind == IGTL_KIND_OTHER) ? LIMIT_IGTL_SKIP_MAX : LIMIT_IGTL_BODY_MAX;
     return (header->body_bytes > longest) ? IGTL_TOO_LONG : IGTL_OK;
 }
@@ -178,14 +177,14 @@ static igtl_result_t check_metadata(const uint8_t *metadata, uint64_t header_byt
     if (header_bytes < 2U) {
         return IGTL_BAD_METADATA;
     }
-    entries = read_u16(metadata);
+    entries = get_u16(metadata);
     if (header_bytes != (2U + (entries * METADATA_ENTRY_BYTES))) {
         return IGTL_BAD_METADATA;
     }
     for (uint64_t i = 0U; i < entries; i++) {
         const uint8_t *entry = &metadata[2U + (i * METADATA_ENTRY_BYTES)];
 
-        sum += (uint64_t)read_u16(entry) + read_u32(&entry[4]);
+        sum += (uint64_t)get_u16(entry) + get_u32(&entry[4]);
     }
     return (sum == data_bytes) ? IGTL_OK : IGTL_BAD_METADATA;
 }
@@ -199,14 +198,14 @@ static igtl_result_t open_extension(const uint8_t *body, uint64_t body_bytes,
     uint64_t metadata;
     uint64_t around;
 
-    if (body_bytes < EXTENSION_BYTES) {
+    if (body_bytes < IGTL_EXTENSION_BYTES) {
         return IGTL_BAD_EXTENSION;
     }
-    extension = read_u16(&body[0]);
-    metadata_header = read_u16(&body[2]);
-    metadata = read_u32(&body[4]);
+    extension = get_u16(&body[0]);
+    metadata_header = get_u16(&body[2]);
+    metadata = get_u32(&body[4]);
     around = extension + metadata_header + metadata;
-    if ((extension < EXTENSION_BYTES) || (around > body_bytes)) {
+    if ((extension < IGTL_EXTENSION_BYTES) || (around > body_bytes)) {
         return IGTL_BAD_EXTENSION;
     }
     message->content = &body[extension];
@@ -220,33 +219,30 @@ static igtl_result_t read_transform(igtl_message_t *message)
         return IGTL_BAD_LENGTH;
     }
     for (uint32_t i = 0U; i < IGTL_TRANSFORM_NUMBERS; i++) {
-        message->numbers[i] = read_u32(&message->content[4U * i]);
+        message->numbers[i] = get_u32(&message->content[4U * i]);
     }
     return IGTL_OK;
 }
 
+static bool is_known_encoding(uint32_t encoding)
+{
+    return (encoding == IGTL_ENCODING_ASCII) || (encoding == IGTL_ENCODING_UTF8);
+}
+
 static igtl_result_t read_string(igtl_message_t *message)
 {
-    uint32_t encoding;
-
     if (message->content_bytes < 4U) {
         return IGTL_BAD_LENGTH;
     }
-    encoding = read_u16(&message->content[0]);
-    message->text_bytes = read_u16(&message->content[2]);
+    message->text_bytes = get_u16(&message->content[2]);
     if (message->content_bytes != (4U + message->text_bytes)) {
         return IGTL_BAD_LENGTH;
     }
-    if ((encoding != ENCODING_ASCII) && (encoding != ENCODING_UTF8)) {
+    if (!is_known_encoding(get_u16(message->content))) {
         return IGTL_BAD_ENCODING;
     }
     message->text = (const char *)&message->content[4];
-    for (uint32_t i = 0U; i < message->text_bytes; i++) {
-        if (!is_printable(message->content[4U + i])) {
-            return IGTL_BAD_TEXT;
-        }
-    }
-    return IGTL_OK;
+    return is_printable(&message->content[4], message->text_bytes) ? IGTL_OK : IGTL_BAD_TEXT;
 }
 
 static igtl_result_t read_status(igtl_message_t *message)
@@ -254,8 +250,94 @@ static igtl_result_t read_status(igtl_message_t *message)
     if (message->content_bytes < IGTL_STATUS_BYTES) {
         return IGTL_BAD_LENGTH;
     }
-    message->code = read_u16(message->content);
+    message->code = get_u16(message->content);
     return IGTL_OK;
+}
+
+/* The field of `size` bytes, up to its first NUL. */
+static igtl_result_t read_subject(igtl_message_t *message, const uint8_t *field, uint32_t size)
+{
+    message->subject = (const char *)field;
+    message->subject_bytes = (uint32_t)strnlen(message->subject, size);
+    return is_printable(field, message->subject_bytes) ? IGTL_OK : IGTL_BAD_TEXT;
+}
+
+static igtl_result_t read_stream(igtl_message_t *message)
+{
+    uint32_t resolution;
+
+    if (message->content_bytes != IGTL_STREAM_BYTES) {
+        return IGTL_BAD_LENGTH;
+    }
+    resolution = get_u32(message->content);
+    (void)memcpy(&message->resolution_ms, &resolution, sizeof resolution);
+    return read_subject(message, &message->content[4], IGTL_STREAM_BYTES - 4U);
+}
+
+static igtl_result_t read_command(igtl_message_t *message)
+{
+    const uint8_t *behind_name;
+
+    if (message->content_bytes < IGTL_COMMAND_BYTES) {
+        return IGTL_BAD_LENGTH;
+    }
+    behind_name = &message->content[4U + IGTL_COMMAND_NAME_BYTES];
+    message->code = get_u32(message->content);
+    message->text_bytes = message->content_bytes - IGTL_COMMAND_BYTES;
+    if (get_u32(&behind_name[2]) != message->text_bytes) {
+        return IGTL_BAD_LENGTH;
+    }
+    if (!is_known_encoding(get_u16(behind_name))) {
+        return IGTL_BAD_ENCODING;
+    }
+    message->text = (const char *)&message->content[IGTL_COMMAND_BYTES];
+    return read_subject(message, &message->content[4], IGTL_COMMAND_NAME_BYTES);
+}
+
+static igtl_result_t read_content(igtl_message_t *message)
+{
+    switch (message->kind) {
+    case IGTL_KIND_TRANSFORM:
+        return read_transform(message);
+    case IGTL_KIND_STRING:
+        return read_string(message);
+    case IGTL_KIND_STATUS:
+        return read_status(message);
+    case IGTL_KIND_STT_TDATA:
+        return read_stream(message);
+    case IGTL_KIND_COMMAND:
+        return read_command(message);
+    case IGTL_KIND_POINT:
+        return ((message->content_bytes % IGTL_POINT_BYTES) == 0U) ? IGTL_OK : IGTL_BAD_LENGTH;
+    case IGTL_KIND_GET_TRANSFORM:
+    case IGTL_KIND_GET_STATUS:
+    case IGTL_KIND_GET_POINT:
+    case IGTL_KIND_GET_CAPABILITY:
+    case IGTL_KIND_STP_TDATA:
+        return (message->content_bytes == 0U) ? IGTL_OK : IGTL_BAD_LENGTH;
+    case IGTL_KIND_GET_OTHER:
+    case IGTL_KIND_STT_OTHER:
+    case IGTL_KIND_STP_OTHER:
+    case IGTL_KIND_OTHER:
+    default:
+        return IGTL_OK;
+    }
+}
+
+static void begin(igtl_message_t *message, const igtl_header_t *header, const uint8_t *body)
+{
+    message->version = header->version;
+    message->kind = header->kind;
+    (void)memcpy(message->type, header->type, sizeof message->type);
+    (void)memcpy(message->name, header->name, sizeof message->name);
+    message->content = body;
+    message->content_bytes = (uint32_t)header->body_bytes;
+    message->text = NULL;
+    message->text_bytes = 0U;
+    message->code = 0U;
+    message->resolution_ms = 0;
+    message->subject = NULL;
+    message->subject_bytes = 0U;
 }
 
 igtl_result_t igtl_decode_body(const igtl_header_t *header, const uint8_t *body,
@@ -263,125 +345,12 @@ igtl_result_t igtl_decode_body(const igtl_header_t *header, const uint8_t *body,
 {
     igtl_result_t result = IGTL_OK;
 
-    (void)memset(message, 0, sizeof *message);
-    message->kind = header->kind;
-    (void)memcpy(message->name, header->name, sizeof message->name);
-    message->content = body;
-    message->content_bytes = (uint32_t)header->body_bytes;
+    begin(message, header, body);
     if (igtl_crc64(0U, body, (size_t)header->body_bytes) != header->crc) {
         return IGTL_BAD_CRC;
     }
     if ((header->version == 2U) && (header->body_bytes > 0U)) {
         result = open_extension(body, header->body_bytes, message);
     }
-    if (result != IGTL_OK) {
-        return result;
-    }
-    switch (header->kind) {
-    case IGTL_KIND_TRANSFORM:
-        return read_transform(message);
-    case IGTL_KIND_STRING:
-        return read_string(message);
-    case IGTL_KIND_STATUS:
-        return read_status(message);
-    case IGTL_KIND_POINT:
-        return ((message->content_bytes % IGTL_POINT_BYTES) == 0U) ? IGTL_OK : IGTL_BAD_LENGTH;
-    case IGTL_KIND_GET_TRANSFORM:
-    case IGTL_KIND_GET_STATUS:
-        return (message->content_bytes == 0U) ? IGTL_OK : IGTL_BAD_LENGTH;
-    case IGTL_KIND_OTHER:
-    default:
-        return IGTL_OK;
-    }
-}
-
-static void write_big_endian(uint8_t *bytes, uint64_t value, uint32_t count)
-{
-    for (uint32_t i = 0U; i < count; i++) {
-        bytes[i] = (uint8_t)(value >> (8U * (count - 1U - i)));
-    }
-}
-
-static uint32_t bounded_length(const char *text, uint32_t most)
-{
-    uint32_t length = 0U;
-
-    while ((length < most) && (text[length] != '\0')) {
-        length++;
-    }
-    return length;
-}
-
-static void write_name(uint8_t *bytes, const char *name, uint32_t most)
-{
-    (void)memcpy(bytes, name, bounded_length(name, most));
-}
-
-/* The body stands behind the header's place already. */
-static void finish(igtl_packet_t *packet, const char *type, const char *name, uint64_t timestamp)
-{
-    const uint32_t body_bytes = packet->length - IGTL_HEADER_BYTES;
-
-    write_big_endian(&packet->bytes[0], 1U, 2U);
-    write_name(&packet->bytes[2], type, IGTL_TYPE_SIZE - 1U);
-    write_name(&packet->bytes[14], name, IGTL_NAME_SIZE - 1U);
-    write_big_endian(&packet->bytes[34], timestamp, 8U);
-    write_big_endian(&packet->bytes[42], body_bytes, 8U);
-    write_big_endian(&packet->bytes[50],
-                     igtl_crc64(0U, &packet->bytes[IGTL_HEADER_BYTES], body_bytes), 8U);
-}
-
-static uint8_t *begin(igtl_packet_t *packet, uint32_t body_bytes)
-{
-    (void)memset(packet, 0, sizeof *packet);
-    packet->length = IGTL_HEADER_BYTES + body_bytes;
-    return &packet->bytes[IGTL_HEADER_BYTES];
-}
-
-void igtl_encode_transform(igtl_packet_t *packet, const char *name,
-                           const uint32_t numbers[IGTL_TRANSFORM_NUMBERS], uint64_t timestamp)
-{
-    uint8_t *body = begin(packet, IGTL_TRANSFORM_BYTES);
-
-    for (uint32_t i = 0U; i < IGTL_TRANSFORM_NUMBERS; i++) {
-        write_big_endian(&body[4U * i], numbers[i], 4U);
-    }
-    finish(packet, "TRANSFORM", name, timestamp);
-}
-
-void igtl_encode_string(igtl_packet_t *packet, const char *name, const char *text,
-                        uint64_t timestamp)
-{
-    const uint32_t length = bounded_length(text, IGTL_TEXT_MAX);
-    uint8_t *body = begin(packet, 4U + length);
-
-    write_big_endian(&body[0], ENCODING_ASCII, 2U);
-    write_big_endian(&body[2], length, 2U);
-    (void)memcpy(&body[4], text, length);
-    finish(packet, "STRING", name, timestamp);
-}
-
-void igtl_encode_point(igtl_packet_t *packet, const char *name, const uint32_t numbers[3],
-                       uint64_t timestamp)
-{
-    uint8_t *body = begin(packet, IGTL_POINT_BYTES);
-
-    write_name(body, name, POINT_NAME_BYTES - 1U);
-    (void)memset(&body[POINT_COLOUR], 0xFF, 4U);
-    for (uint32_t i = 0U; i < 3U; i++) {
-        write_big_endian(&body[POINT_POSITION + (4U * i)], numbers[i], 4U);
-    }
-    finish(packet, "POINT", name, timestamp);
-}
-
-void igtl_encode_status(igtl_packet_t *packet, const char *name, const igtl_status_t *status,
-                        uint64_t timestamp)
-{
-    const uint32_t length = bounded_length(status->text, IGTL_TEXT_MAX);
-    uint8_t *body = begin(packet, IGTL_STATUS_BYTES + length + 1U);
-
-    write_big_endian(&body[0], status->code, 2U);
-    write_name(&body[10], status->error_name, STATUS_NAME_BYTES - 1U);
-    (void)memcpy(&body[IGTL_STATUS_BYTES], status->text, length);
-    finish(packet, "STATUS", name, timestamp);
+    return (result == IGTL_OK) ? read_content(message) : result;
 }

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * OpenIGTLink messages as bytes: reads header versions 1 and 2, writes version 1. No allocation, no
- * copy of a body; every length is checked in 64 bits before it is used. Numbers stay the bits of
- * the wire (igtl_border.h).
+ * OpenIGTLink messages as they arrive, with header version 1 or 2; igtl_packet.h writes them. No
+ * allocation, no copy of a body; every length is checked in 64 bits before it is used. Numbers stay
+ * the bits of the wire (igtl_border.h).
  */
 #ifndef BORESIGHT_IGTL_CODEC_H
 #define BORESIGHT_IGTL_CODEC_H
@@ -17,9 +17,13 @@
 #define IGTL_TRANSFORM_NUMBERS 12U
 #define IGTL_TRANSFORM_BYTES 48U
 #define IGTL_POINT_BYTES 136U
-#define IGTL_STATUS_BYTES 30U /**< Before the text. */
-#define IGTL_TEXT_MAX 255U    /**< Longest text that is sent. */
-#define IGTL_PACKET_MAX (IGTL_HEADER_BYTES + IGTL_STATUS_BYTES + IGTL_TEXT_MAX + 1U)
+#define IGTL_STATUS_BYTES 30U        /**< Before the text. */
+#define IGTL_STREAM_BYTES 36U        /**< STT_TDATA. */
+#define IGTL_COMMAND_BYTES 138U      /**< Before the text. */
+#define IGTL_COMMAND_NAME_BYTES 128U /**< Of the name of a COMMAND. */
+#define IGTL_EXTENSION_BYTES 12U     /**< The extended header of version 2. */
+#define IGTL_ENCODING_ASCII 3U
+#define IGTL_ENCODING_UTF8 106U
 
 /** What is understood; everything else is skipped by its length. */
 typedef enum {
@@ -29,7 +33,15 @@ typedef enum {
     IGTL_KIND_STATUS = 3,
     IGTL_KIND_POINT = 4,
     IGTL_KIND_GET_TRANSFORM = 5,
-    IGTL_KIND_GET_STATUS = 6
+    IGTL_KIND_GET_STATUS = 6,
+    IGTL_KIND_GET_POINT = 7,
+    IGTL_KIND_GET_CAPABILITY = 8,
+    IGTL_KIND_GET_OTHER = 9, /**< GET_ of anything else, with any content. */
+    IGTL_KIND_STT_TDATA = 10,
+    IGTL_KIND_STP_TDATA = 11,
+    IGTL_KIND_STT_OTHER = 12,
+    IGTL_KIND_STP_OTHER = 13,
+    IGTL_KIND_COMMAND = 14
 } igtl_kind_t;
 
 /** What is wrong with a message. */
@@ -59,7 +71,8 @@ typedef enum {
     IGTL_STATUS_CONFIG_ERROR = 10,
     IGTL_STATUS_UNKNOWN_INSTRUCTION = 12,
     IGTL_STATUS_NOT_READY = 13,
-    IGTL_STATUS_UNKNOWN_VERSION = 17
+    IGTL_STATUS_UNKNOWN_VERSION = 17,
+    IGTL_STATUS_HARDWARE_FAILURE = 18
 } igtl_status_code_t;
 
 typedef struct {
@@ -71,29 +84,25 @@ typedef struct {
     uint64_t crc;
 } igtl_header_t;
 
-/** A received message. `content` and `text` point into the receive buffer and live as long as it is
- * not refilled. */
+/** A received message. What it points to is in the receive buffer, not terminated, and lives as
+ * long as that is not refilled; a field that its type does not have is 0 or NULL (`numbers`:
+ * undefined). */
 typedef struct {
+    uint32_t version; /**< Of the header, 1 or 2. */
     igtl_kind_t kind;
+    char type[IGTL_TYPE_SIZE];
     char name[IGTL_NAME_SIZE];
     const uint8_t *content; /**< Without extended header and metadata. */
     uint32_t content_bytes;
     uint32_t numbers[IGTL_TRANSFORM_NUMBERS]; /**< TRANSFORM: float bits, column by column, then x y
                                                  z in mm. */
-    const char *text;                         /**< STRING: not terminated. */
+    const char *text;                         /**< STRING: printable ASCII. COMMAND: any bytes. */
     uint32_t text_bytes;
-    uint32_t code; /**< STATUS. */
+    uint32_t code;          /**< STATUS: its code. COMMAND: its id. */
+    int32_t resolution_ms;  /**< STT_TDATA: least time between two poses, any value. */
+    const char *subject;    /**< STT_TDATA: coordinate system. COMMAND: name. Printable ASCII. */
+    uint32_t subject_bytes; /**< Up to 32 and up to IGTL_COMMAND_NAME_BYTES. */
 } igtl_message_t;
-
-/** A message to be sent, complete. */
-typedef struct {
-    uint32_t length;
-    uint8_t bytes[IGTL_PACKET_MAX];
-} igtl_packet_t;
-
-/** Continues the CRC-64 (ECMA-182: not reflected, starts at 0) `crc` over `length` bytes.
- * "123456789" gives 0x6C40DF5F0B497347. */
-uint64_t igtl_crc64(uint64_t crc, const uint8_t *bytes, size_t length);
 
 /** Name and sentence, "BAD_CRC: The checksum of the body is wrong.". Lives for ever. */
 const char *igtl_result_text(igtl_result_t result);
@@ -120,31 +129,9 @@ igtl_result_t igtl_decode_header(const uint8_t bytes[IGTL_HEADER_BYTES], igtl_he
  *
  * @satisfies SWR-IGTL-002
  * @satisfies SWR-IGTL-003
+ * @satisfies SWR-IGTL-018
  */
 igtl_result_t igtl_decode_body(const igtl_header_t *header, const uint8_t *body,
                                igtl_message_t *message);
-
-/**
- * Writers. Names beyond 20 and texts beyond IGTL_TEXT_MAX characters are cut; `timestamp` is in
- * units of 2^-32 s since 1970, 0 for none.
- *
- * @satisfies SWR-IGTL-005
- */
-void igtl_encode_transform(igtl_packet_t *packet, const char *name,
-                           const uint32_t numbers[IGTL_TRANSFORM_NUMBERS], uint64_t timestamp);
-void igtl_encode_string(igtl_packet_t *packet, const char *name, const char *text,
-                        uint64_t timestamp);
-void igtl_encode_point(igtl_packet_t *packet, const char *name, const uint32_t numbers[3],
-                       uint64_t timestamp);
-
-/** What a STATUS says. `error_name` is cut to 19 characters. */
-typedef struct {
-    uint32_t code;
-    const char *error_name;
-    const char *text;
-} igtl_status_t;
-
-void igtl_encode_status(igtl_packet_t *packet, const char *name, const igtl_status_t *status,
-                        uint64_t timestamp);
 
 #endif

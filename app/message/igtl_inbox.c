@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "message/igtl_inbox.h"
 
+#include "message/igtl_crc64.h"
+
 #include <string.h>
 
 void igtl_inbox_init(igtl_inbox_t *self)

@@ -10,6 +10,26 @@
 void igtl_outbox_init(igtl_outbox_t *self)
 {
     (void)memset(self, 0, sizeof *self);
+    self->version = 1U;
+}
+
+void igtl_outbox_hear(igtl_outbox_t *self, uint32_t version)
+{
+    if (version > self->version) {
+        self->version = version;
+    }
+}
+
+static void put(igtl_outbox_t *self, uint32_t at, const igtl_packet_t *packet)
+{
+    igtl_packet_t *place = &self->packets[at];
+
+    if (self->version > 1U) {
+        igtl_packet_extend(place, packet);
+    } else {
+        place->length = packet->length;
+        (void)memcpy(place->bytes, packet->bytes, packet->length);
+    }
 }
 
 static void append(igtl_outbox_t *self, const igtl_packet_t *packet, bool is_state)
@@ -20,7 +40,7 @@ static void append(igtl_outbox_t *self, const igtl_packet_t *packet, bool is_sta
         self->has_overflowed = true;
         return;
     }
-    self->packets[last] = *packet;
+    put(self, last, packet);
     self->is_state[last] = is_state;
     self->count++;
 }
@@ -39,7 +59,7 @@ void igtl_outbox_add_state(igtl_outbox_t *self, const igtl_packet_t *packet)
 
         if (self->is_state[at] && (memcmp(&self->packets[at].bytes[LABEL_OFFSET],
                                           &packet->bytes[LABEL_OFFSET], LABEL_BYTES) == 0)) {
-            self->packets[at] = *packet;
+            put(self, at, packet);
             return;
         }
     }

@@ -3,12 +3,13 @@
  * @file
  * What one connection has still to be sent: whole messages, first in, first out. A state message
  * replaces the one of the same type and name that has not left yet, so that a slow peer sees the
- * newest state and costs no memory.
+ * newest state and costs no memory. Messages get the header version of the peer here; who writes
+ * them knows nothing of it.
  */
 #ifndef BORESIGHT_IGTL_OUTBOX_H
 #define BORESIGHT_IGTL_OUTBOX_H
 
-#include "message/igtl_codec.h"
+#include "message/igtl_packet.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -16,6 +17,7 @@
 #define IGTL_OUTBOX_PACKETS 64U
 
 typedef struct {
+    uint32_t version; /**< Of headers: the highest that the peer has sent, at first 1. */
     igtl_packet_t packets[IGTL_OUTBOX_PACKETS];
     bool is_state[IGTL_OUTBOX_PACKETS];
     uint32_t first;
@@ -25,6 +27,13 @@ typedef struct {
 } igtl_outbox_t;
 
 void igtl_outbox_init(igtl_outbox_t *self);
+
+/**
+ * The peer has sent a message with header `version`.
+ *
+ * @satisfies SWR-IGTL-005
+ */
+void igtl_outbox_hear(igtl_outbox_t *self, uint32_t version);
 
 /** Adds an answer or a report: every one is sent. */
 void igtl_outbox_add(igtl_outbox_t *self, const igtl_packet_t *packet);

@@ -7,6 +7,8 @@
 #include "base/rigid.h"
 #include "dialect/igtl_border.h"
 #include "message/igtl_codec.h"
+#include "message/igtl_crc64.h"
+#include "message/igtl_packet.h"
 #include "robot/robot.h"
 #include "unity.h"
 

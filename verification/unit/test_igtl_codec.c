@@ -2,13 +2,16 @@
 /**
  * @file
  * Rule under test: a message is understood exactly when every byte of it fits, whichever header
- * version it has, and what is written is what the standard's own library writes.
+ * version it has.
  */
 #include "message/igtl_codec.h"
+#include "message/igtl_crc64.h"
+#include "message/igtl_packet.h"
 #include "limits/requirement_limits.h"
 #include "unity.h"
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -88,15 +91,6 @@ static igtl_result_t decode(void)
 
     return (result == IGTL_OK) ? igtl_decode_body(&header, &bytes[IGTL_HEADER_BYTES], &message)
                                : result;
-}
-
-void test_SWR_IGTL_002_checksum_has_the_check_value_of_ecma_182(void)
-{
-    TEST_ASSERT_EQUAL_HEX64(0U, igtl_crc64(0U, NULL, 0U));
-    TEST_ASSERT_EQUAL_HEX64(UINT64_C(0x6C40DF5F0B497347),
-                            igtl_crc64(0U, (const uint8_t *)"123456789", 9U));
-    TEST_ASSERT_EQUAL_HEX64(UINT64_C(0x42F0E1EBA9EA3693),
-                            igtl_crc64(0U, (const uint8_t *)"\x01", 1U));
 }
 
 void test_SWR_IGTL_001_first_message_of_slicer_is_understood(void)
@@ -329,61 +323,175 @@ void test_SWR_IGTL_004_unknown_type_is_known_to_be_unknown(void)
     TEST_ASSERT_EQUAL_INT(IGTL_TOO_LONG, igtl_decode_header(bytes, &header));
 }
 
-void test_SWR_IGTL_005_string_has_the_bytes_of_the_standard(void)
+void test_SWR_IGTL_018_each_question_and_stream_is_known(void)
 {
-    igtl_encode_string(&packet, "ACK_0001", "START_UP", 0U);
-    TEST_ASSERT_EQUAL_UINT32(70U, packet.length);
-    TEST_ASSERT_EQUAL_MEMORY("\x00\x01STRING\0\0\0\0\0\0ACK_0001\0\0\0\0\0\0\0\0\0\0\0\0",
-                             packet.bytes, 34U);
-    TEST_ASSERT_EQUAL_MEMORY("\0\0\0\0\0\0\0\x0C", &packet.bytes[42], 8U);
-    TEST_ASSERT_EQUAL_MEMORY("\x00\x03\x00\x08START_UP", &packet.bytes[58], 12U);
-}
+    static const struct {
+        const char *type;
+        igtl_kind_t kind;
+    } known[] = {{"GET_POINT", IGTL_KIND_GET_POINT},    {"GET_CAPABIL", IGTL_KIND_GET_CAPABILITY},
+                 {"GET_IMAGE", IGTL_KIND_GET_OTHER},    {"GET_", IGTL_KIND_GET_OTHER},
+                 {"STP_TDATA", IGTL_KIND_STP_TDATA},    {"STT_QTDATA", IGTL_KIND_STT_OTHER},
+                 {"STP_QTDATA", IGTL_KIND_STP_OTHER},   {"STT_POLYDATA", IGTL_KIND_STT_OTHER},
+                 {"GET_TRANS", IGTL_KIND_GET_TRANSFORM}};
 
-void test_SWR_IGTL_005_status_ends_with_nul_and_cuts_its_error_name(void)
-{
-    const igtl_status_t status = {13U, "a name of twenty-two c", "text"};
-
-    igtl_encode_status(&packet, "CURRENT_STATUS", &status, 0U);
-    TEST_ASSERT_EQUAL_UINT32(58U + 30U + 5U, packet.length);
-    TEST_ASSERT_EQUAL_MEMORY("\x00\x0D\0\0\0\0\0\0\0\0a name of twenty-tw\0text", &packet.bytes[58],
-                             35U);
-}
-
-void test_SWR_IGTL_005_long_names_and_texts_are_cut(void)
-{
-    char text[1000];
-
-    (void)memset(text, 'x', sizeof text - 1U);
-    text[sizeof text - 1U] = '\0';
-    igtl_encode_string(&packet, "a device name of thirty chars.", text, 0U);
-    TEST_ASSERT_EQUAL_UINT32(58U + 4U + IGTL_TEXT_MAX, packet.length);
-    TEST_ASSERT_EQUAL_MEMORY("a device name of thi\0", &packet.bytes[14], 21U);
-}
-
-void test_SWR_IGTL_005_point_has_136_bytes(void)
-{
-    static const uint32_t numbers[3] = {ONE, 0U, 0xBF800000U};
-
-    igtl_encode_point(&packet, "entry_point", numbers, 7U);
-    TEST_ASSERT_EQUAL_UINT32(58U + 136U, packet.length);
-    TEST_ASSERT_EQUAL_MEMORY("entry_point", &packet.bytes[58], 12U);
-    TEST_ASSERT_EQUAL_MEMORY("\x3F\x80\0\0\0\0\0\0\xBF\x80\0\0", &packet.bytes[58 + 100], 12U);
-    (void)memcpy(bytes, packet.bytes, packet.length);
-    TEST_ASSERT_EQUAL_INT(IGTL_OK, decode());
-}
-
-void test_SWR_IGTL_005_transform_is_read_back_bit_by_bit(void)
-{
-    uint32_t numbers[12];
-
-    for (uint32_t i = 0U; i < 12U; i++) {
-        numbers[i] = 0x7FC00001U * (i + 1U);
+    for (size_t i = 0U; i < (sizeof known / sizeof known[0]); i++) {
+        frame(1U, known[i].type, 0U);
+        TEST_ASSERT_EQUAL_INT(IGTL_OK, decode());
+        TEST_ASSERT_EQUAL_INT(known[i].kind, message.kind);
+        TEST_ASSERT_EQUAL_STRING(known[i].type, message.type);
     }
-    igtl_encode_transform(&packet, "ACK_1", numbers, UINT64_C(0x0102030405060708));
-    (void)memcpy(bytes, packet.bytes, packet.length);
+    frame(1U, "GET", 0U);
     TEST_ASSERT_EQUAL_INT(IGTL_OK, decode());
-    TEST_ASSERT_EQUAL_HEX32_ARRAY(numbers, message.numbers, 12U);
-    TEST_ASSERT_EQUAL_MEMORY("\1\2\3\4\5\6\7\x08", &packet.bytes[34], 8U);
+    TEST_ASSERT_EQUAL_INT(IGTL_KIND_OTHER, message.kind);
+}
+
+void test_SWR_IGTL_018_questions_without_content_have_none(void)
+{
+    static const char *const types[] = {"GET_POINT", "GET_CAPABIL", "STP_TDATA"};
+
+    for (size_t i = 0U; i < (sizeof types / sizeof types[0]); i++) {
+        frame(1U, types[i], 1U);
+        TEST_ASSERT_EQUAL_INT(IGTL_BAD_LENGTH, decode());
+    }
+    frame(1U, "GET_BIND", 1U);
+    TEST_ASSERT_EQUAL_INT(IGTL_OK, decode());
+}
+
+void test_SWR_IGTL_018_start_of_tracking_says_how_often_and_where(void)
+{
+    put(58U, 50U, 4U);
+    (void)memcpy(&bytes[62], "patient", 7U);
+    frame(1U, "STT_TDATA", 36U);
+    TEST_ASSERT_EQUAL_INT(IGTL_OK, decode());
+    TEST_ASSERT_EQUAL_INT(IGTL_KIND_STT_TDATA, message.kind);
+    TEST_ASSERT_EQUAL_INT32(50, message.resolution_ms);
+    TEST_ASSERT_EQUAL_UINT32(7U, message.subject_bytes);
+    TEST_ASSERT_EQUAL_MEMORY("patient", message.subject, 7U);
+    put(58U, 0xFFFFFFFFU, 4U);
+    (void)memset(&bytes[62], 'x', 32U);
+    frame(1U, "STT_TDATA", 36U);
+    TEST_ASSERT_EQUAL_INT(IGTL_OK, decode());
+    TEST_ASSERT_EQUAL_INT32(-1, message.resolution_ms);
+    TEST_ASSERT_EQUAL_UINT32(32U, message.subject_bytes);
+}
+
+void test_SWR_IGTL_018_start_of_tracking_has_36_bytes(void)
+{
+    frame(1U, "STT_TDATA", 35U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_LENGTH, decode());
+    frame(1U, "STT_TDATA", 37U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_LENGTH, decode());
+    bytes[62] = 0x1BU;
+    frame(1U, "STT_TDATA", 36U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_TEXT, decode());
+}
+
+/* The content of a COMMAND at `at`. */
+static void put_command(uint32_t at, uint32_t encoding, uint32_t length)
+{
+    put(at, 0xDEADBEEFU, 4U);
+    (void)memcpy(&bytes[at + 4U], "status", 6U);
+    put(at + 132U, encoding, 2U);
+    put(at + 134U, length, 4U);
+    (void)memcpy(&bytes[at + 138U], "<now/>", 6U);
+}
+
+static void expect_command(void)
+{
+    TEST_ASSERT_EQUAL_INT(IGTL_OK, decode());
+    TEST_ASSERT_EQUAL_INT(IGTL_KIND_COMMAND, message.kind);
+    TEST_ASSERT_EQUAL_HEX32(0xDEADBEEFU, message.code);
+    TEST_ASSERT_EQUAL_UINT32(6U, message.subject_bytes);
+    TEST_ASSERT_EQUAL_MEMORY("status", message.subject, 6U);
+    TEST_ASSERT_EQUAL_UINT32(6U, message.text_bytes);
+    TEST_ASSERT_EQUAL_MEMORY("<now/>", message.text, 6U);
+}
+
+void test_SWR_IGTL_018_command_of_either_version_is_understood(void)
+{
+    put_command(58U, 3U, 6U);
+    frame(1U, "COMMAND", 144U);
+    expect_command();
+    (void)memset(bytes, 0, sizeof bytes);
+    put(58U, 12U, 2U);
+    put(60U, 2U, 2U);
+    put_command(70U, 106U, 6U);
+    frame(2U, "COMMAND", 158U);
+    expect_command();
+    TEST_ASSERT_EQUAL_UINT32(2U, message.version);
+}
+
+void test_SWR_IGTL_018_command_without_text_may_have_a_name_that_fills_its_field(void)
+{
+    put_command(58U, 3U, 0U);
+    (void)memset(&bytes[62], 'n', 128U);
+    frame(1U, "COMMAND", 138U);
+    TEST_ASSERT_EQUAL_INT(IGTL_OK, decode());
+    TEST_ASSERT_EQUAL_UINT32(128U, message.subject_bytes);
+    TEST_ASSERT_EQUAL_UINT32(0U, message.text_bytes);
+}
+
+void test_SWR_IGTL_018_command_whose_length_does_not_fit_is_refused(void)
+{
+    put_command(58U, 3U, 7U);
+    frame(1U, "COMMAND", 144U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_LENGTH, decode());
+    put_command(58U, 3U, UINT32_MAX);
+    frame(1U, "COMMAND", 137U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_LENGTH, decode());
+    frame(1U, "COMMAND", 138U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_LENGTH, decode());
+    put_command(58U, 4U, 6U);
+    frame(1U, "COMMAND", 144U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_ENCODING, decode());
+    put_command(58U, 3U, 6U);
+    bytes[63] = 0x80U;
+    frame(1U, "COMMAND", 144U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_TEXT, decode());
+}
+
+void test_SWR_IGTL_003_what_stands_behind_the_end_of_a_name_is_nothing(void)
+{
+    frame(1U, "GET_STATUS", 0U);
+    (void)memcpy(&bytes[14], "CURRENT\0\x80 \x01rubbish", 18U);
+    TEST_ASSERT_EQUAL_INT(IGTL_OK, decode());
+    TEST_ASSERT_EQUAL_MEMORY("CURRENT\0\0\0\0\0\0\0\0\0\0\0\0\0\0", message.name, IGTL_NAME_SIZE);
+}
+
+void test_SWR_IGTL_003_each_byte_of_a_name_is_judged(void)
+{
+    for (uint32_t at = 2U; at < 34U; at++) {
+        const bool is_first_of_type = at == 2U;
+
+        for (uint32_t value = 0U; value < 256U; value++) {
+            const bool is_fine =
+                (value == 0U) ? !is_first_of_type : ((value >= 0x20U) && (value <= 0x7EU));
+
+            frame(1U, "ABCDEFGHIJKL", 0U);
+            (void)memcpy(&bytes[14], "12345678901234567890", 20U);
+            bytes[at] = (uint8_t)value;
+            TEST_ASSERT_EQUAL_INT(is_fine ? IGTL_OK : IGTL_BAD_NAME,
+                                  igtl_decode_header(bytes, &header));
+        }
+    }
+}
+
+void test_SWR_IGTL_003_each_byte_of_a_text_is_judged(void)
+{
+    for (uint32_t length = 1U; length < 20U; length++) {
+        for (uint32_t at = 0U; at < length; at++) {
+            for (uint32_t value = 0U; value < 256U; value++) {
+                const bool is_fine = (value >= 0x20U) && (value <= 0x7EU);
+
+                put(58U, 3U, 2U);
+                put(60U, length, 2U);
+                (void)memset(&bytes[62], '~', length);
+                bytes[62U + at] = (uint8_t)value;
+                frame(1U, "STRING", 4U + length);
+                TEST_ASSERT_EQUAL_INT(is_fine ? IGTL_OK : IGTL_BAD_TEXT, decode());
+            }
+        }
+    }
 }
 
 void test_SWR_IGTL_002_each_refusal_has_a_name_and_a_code(void)

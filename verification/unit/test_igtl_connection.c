@@ -5,6 +5,8 @@
  * notices its end.
  */
 #include "message/igtl_codec.h"
+#include "message/igtl_crc64.h"
+#include "message/igtl_packet.h"
 #include "igtl/igtl_connection.h"
 #include "message/igtl_inbox.h"
 #include "message/igtl_outbox.h"
@@ -114,4 +116,23 @@ void test_SWR_IGTL_011_no_more_is_read_than_its_share(void)
     TEST_ASSERT_EQUAL_INT(IGTL_INBOX_MESSAGE, event);
     TEST_ASSERT_EQUAL_UINT32(9U, bytes_left);
     TEST_ASSERT_EQUAL_UINT64(7U, connection.heard_us);
+}
+
+void test_SWR_IGTL_005_peer_of_version_2_is_answered_in_version_2(void)
+{
+    igtl_packet_t extended;
+    uint8_t bytes[IGTL_PACKET_MAX];
+
+    connect_by(SOCK_STREAM);
+    igtl_packet_extend(&extended, &packet);
+    TEST_ASSERT_EQUAL_INT(extended.length, send(peer, extended.bytes, extended.length, 0));
+    igtl_outbox_add(&connection.outbox, &packet);
+    TEST_ASSERT_EQUAL_INT(IGTL_RECEIVED_EVENT,
+                          igtl_connection_receive(&connection, 0U, &bytes_left, &event));
+    igtl_outbox_add(&connection.outbox, &packet);
+    TEST_ASSERT_TRUE(igtl_connection_flush(&connection));
+    TEST_ASSERT_EQUAL_INT(packet.length, recv(peer, bytes, packet.length, 0));
+    TEST_ASSERT_EQUAL_MEMORY(packet.bytes, bytes, packet.length);
+    TEST_ASSERT_EQUAL_INT(extended.length, recv(peer, bytes, sizeof bytes, 0));
+    TEST_ASSERT_EQUAL_MEMORY(extended.bytes, bytes, extended.length);
 }

@@ -5,6 +5,8 @@
  * is wrong is named, and what stays incomplete is noticed.
  */
 #include "message/igtl_codec.h"
+#include "message/igtl_crc64.h"
+#include "message/igtl_packet.h"
 #include "message/igtl_inbox.h"
 #include "limits/requirement_limits.h"
 #include "unity.h"
@@ -87,7 +89,7 @@ void test_SWR_IGTL_004_unknown_type_passes_and_the_next_message_is_read(void)
 
 void test_SWR_IGTL_004_unknown_type_without_body_passes(void)
 {
-    retype("STP_TDATA");
+    retype("RTS_TDATA");
     (void)memset(&packet.bytes[42], 0, 16U);
     TEST_ASSERT_EQUAL_INT(IGTL_INBOX_SKIPPED, feed(packet.bytes, IGTL_HEADER_BYTES, 58U, 0U));
 }

@@ -2,6 +2,8 @@
 /** @file Rule under test: every answer is sent once and in request, of a state only the newest, and
  * memory is bounded. */
 #include "message/igtl_codec.h"
+#include "message/igtl_crc64.h"
+#include "message/igtl_packet.h"
 #include "message/igtl_outbox.h"
 #include "unity.h"
 
@@ -117,5 +119,37 @@ void test_SWR_IGTL_005_box_wraps_round(void)
         expect("x");
         expect("y");
     }
+    expect_nothing();
+}
+
+static void expect_version(uint32_t version)
+{
+    uint32_t length;
+    const uint8_t *bytes = igtl_outbox_next(&outbox, &length);
+
+    TEST_ASSERT_NOT_NULL(bytes);
+    TEST_ASSERT_EQUAL_HEX8(version, bytes[1]);
+    igtl_outbox_advance(&outbox, length);
+}
+
+void test_SWR_IGTL_005_version_2_is_for_those_who_have_sent_it(void)
+{
+    add("A", "x");
+    igtl_outbox_hear(&outbox, 1U);
+    add("A", "x");
+    igtl_outbox_hear(&outbox, 2U);
+    igtl_outbox_hear(&outbox, 1U);
+    add("A", "x");
+    expect_version(1U);
+    expect_version(1U);
+    expect_version(2U);
+}
+
+void test_SWR_IGTL_005_newer_state_of_version_2_replaces_the_unsent_one(void)
+{
+    add_state("pose", "old");
+    igtl_outbox_hear(&outbox, 2U);
+    add_state("pose", "new");
+    expect_version(2U);
     expect_nothing();
 }

@@ -8,6 +8,8 @@
 #include "base/rigid.h"
 #include "dialect/igtl_border.h"
 #include "message/igtl_codec.h"
+#include "message/igtl_crc64.h"
+#include "message/igtl_packet.h"
 #include "igtl/igtl_connection.h"
 #include "dialect/igtl_dialect.h"
 #include "message/igtl_inbox.h"

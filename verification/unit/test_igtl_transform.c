@@ -9,6 +9,8 @@
 #include "charts/arming_chart.h"
 #include "dialect/igtl_border.h"
 #include "message/igtl_codec.h"
+#include "message/igtl_crc64.h"
+#include "message/igtl_packet.h"
 #include "dialect/igtl_dialect.h"
 #include "dialect/igtl_requests.h"
 #include "message/igtl_outbox.h"

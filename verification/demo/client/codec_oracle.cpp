@@ -6,6 +6,7 @@
 
 extern "C" {
 #include "message/igtl_codec.h"
+#include "message/igtl_packet.h"
 }
 
 #include <igtlMessageHeader.h>

@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Printable ASCII, eight bytes at once: a word holds them as get_u64() reads them, the first one
+ * highest.
+ */
+#ifndef BORESIGHT_PRINTABLE_H
+#define BORESIGHT_PRINTABLE_H
+
+#include "message/big_endian.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <string.h>
+
+#define EACH_BYTE(value) (UINT64_C(0x0101010101010101) * (value))
+#define TOPS EACH_BYTE(0x80U)
+
+/* The top bit of each byte of which it is true. Sums are of bytes without their top bits, so none
+ * carries into its neighbour. */
+static inline uint64_t printable_bytes(uint64_t word)
+{
+    const uint64_t low = word & ~TOPS;
+
+    return (low + EACH_BYTE(0x60U)) & ~(low + EACH_BYTE(0x01U)) & ~word & TOPS;
+}
+
+/* As before. */
+static inline uint64_t nul_bytes(uint64_t word)
+{
+    return ~((word & ~TOPS) + EACH_BYTE(0x7FU)) & ~word & TOPS;
+}
+
+/* All bits of the first NUL and of everything behind it. */
+static inline uint64_t from_first_nul(uint64_t word)
+{
+    uint64_t marks = nul_bytes(word) >> 7U;
+
+    marks |= marks >> 8U;
+    marks |= marks >> 16U;
+    marks |= marks >> 32U;
+    return marks * 0xFFU;
+}
+
+/* Makes NULs of what is behind the end of a text; `*ended` has all bits once it was in an earlier
+ * word. False when something before the end is not printable. */
+static inline bool cut_text(uint64_t *word, uint64_t *ended)
+{
+    const uint64_t behind = *ended | from_first_nul(*word);
+
+    *ended = UINT64_C(0) - (behind & 1U);
+    *word &= ~behind;
+    return (printable_bytes(*word) | (behind & TOPS)) == TOPS;
+}
+
+/** Each of `length` bytes is. */
+static inline bool is_printable(const uint8_t *bytes, uint32_t length)
+{
+    const uint32_t in_words = length - (length % 8U);
+    uint8_t rest[8] = {'.', '.', '.', '.', '.', '.', '.', '.'};
+    uint64_t both = TOPS;
+
+    for (uint32_t i = 0U; i < in_words; i += 8U) {
+        both &= printable_bytes(get_u64(&bytes[i]));
+    }
+    (void)memcpy(rest, &bytes[in_words], length - in_words);
+    return (both & printable_bytes(get_u64(rest))) == TOPS;
+}
+
+#endif
