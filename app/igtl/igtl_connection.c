@@ -71,9 +71,9 @@ igtl_received_t igtl_connection_receive(igtl_connection_t *self, uint64_t now_us
         *event = igtl_inbox_advance(&self->inbox, (uint32_t)count, now_us);
         if ((*event == IGTL_INBOX_MESSAGE) || (*event == IGTL_INBOX_SKIPPED)) {
             self->heard_us = now_us;
-            igtl_outbox_hear(&self->outbox, self->inbox.header.version);
         }
         if (*event != IGTL_INBOX_WAITING) {
+            igtl_outbox_hear(&self->outbox, self->inbox.header.version);
             return IGTL_RECEIVED_EVENT;
         }
     }

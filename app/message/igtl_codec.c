@@ -143,24 +143,37 @@ static igtl_kind_t kind_of(const char *type)
     return (memcmp(type, "STP_", 4U) == 0) ? IGTL_KIND_STP_OTHER : IGTL_KIND_OTHER;
 }
 
+static bool is_known_version(uint32_t version)
+{
+    return (version == 1U) || (version == 2U);
+}
+
 igtl_result_t igtl_decode_header(const uint8_t bytes[IGTL_HEADER_BYTES], igtl_header_t *header)
 {
     const bool is_type_fine = read_type(&bytes[2], header->type);
     const bool is_name_fine = read_name(&bytes[14], header->name);
-    uint64_t longest;
 
     header->version = get_u16(bytes);
     header->body_bytes = get_u64(&bytes[42]);
     header->crc = get_u64(&bytes[50]);
     header->kind = kind_of(header->type);
-    if ((header->version != 1U) && (header->version != 2U)) {
+    if (!is_known_version(header->version)) {
         return IGTL_BAD_VERSION;
+    }
+    if (header->body_bytes > LIMIT_IGTL_SKIP_MAX) {
+        return IGTL_TOO_LONG;
     }
     if (!is_type_fine || !is_name_fine) {
         return IGTL_BAD_NAME;
     }
-    longest = (header->kind == IGTL_KIND_OTHER) ? LIMIT_IGTL_SKIP_MAX : LIMIT_IGTL_BODY_MAX;
-    return (header->body_bytes > longest) ? IGTL_TOO_LONG : IGTL_OK;
+    return ((header->kind != IGTL_KIND_OTHER) && (header->body_bytes > LIMIT_IGTL_BODY_MAX))
+               ? IGTL_TOO_LONG
+               : IGTL_OK;
+}
+
+bool igtl_header_is_lost(const igtl_header_t *header)
+{
+    return !is_known_version(header->version) || (header->body_bytes > LIMIT_IGTL_SKIP_MAX);
 }
 
 /* The metadata of `bytes` bytes: a count, the lengths, then keys and values that fill the rest

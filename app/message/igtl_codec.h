@@ -8,6 +8,7 @@
 #ifndef BORESIGHT_IGTL_CODEC_H
 #define BORESIGHT_IGTL_CODEC_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -111,15 +112,20 @@ const char *igtl_result_text(igtl_result_t result);
 uint32_t igtl_result_code(igtl_result_t result);
 
 /**
- * Reads a header. Says nothing about the body but its bound: LIMIT_IGTL_BODY_MAX for a known type,
- * LIMIT_IGTL_SKIP_MAX for an unknown one.
+ * Reads a header, and judges the length that it tells. Where the next message begins is known
+ * unless igtl_header_is_lost().
  *
- * @return IGTL_OK, IGTL_BAD_VERSION, IGTL_BAD_NAME or IGTL_TOO_LONG
+ * @return IGTL_OK, or the first thing that is wrong: IGTL_BAD_VERSION; IGTL_TOO_LONG, with more
+ * than LIMIT_IGTL_SKIP_MAX; IGTL_BAD_NAME, with `?` for each byte that is not printable;
+ * IGTL_TOO_LONG, of a known type with more than LIMIT_IGTL_BODY_MAX
  *
  * @satisfies SWR-IGTL-001
  * @satisfies SWR-IGTL-003
  */
 igtl_result_t igtl_decode_header(const uint8_t bytes[IGTL_HEADER_BYTES], igtl_header_t *header);
+
+/** Of another version, or with a body so long that it is not waited for. */
+bool igtl_header_is_lost(const igtl_header_t *header);
 
 /**
  * Reads the `header->body_bytes` of `body` (at most LIMIT_IGTL_BODY_MAX) of a known type.

@@ -10,11 +10,6 @@ void igtl_inbox_init(igtl_inbox_t *self)
     (void)memset(self, 0, sizeof *self);
 }
 
-static bool is_skipping(const igtl_inbox_t *self)
-{
-    return (self->filled >= IGTL_HEADER_BYTES) && (self->header.kind == IGTL_KIND_OTHER);
-}
-
 uint32_t igtl_inbox_room(igtl_inbox_t *self, uint8_t **where)
 {
     uint64_t missing;
@@ -23,7 +18,7 @@ uint32_t igtl_inbox_room(igtl_inbox_t *self, uint8_t **where)
         *where = &self->buffer[self->filled];
         return IGTL_HEADER_BYTES - self->filled;
     }
-    if (is_skipping(self)) {
+    if (self->is_skipping) {
         missing = self->header.body_bytes - self->passed;
         *where = &self->buffer[IGTL_HEADER_BYTES];
         return (missing < LIMIT_IGTL_BODY_MAX) ? (uint32_t)missing : LIMIT_IGTL_BODY_MAX;
@@ -37,6 +32,7 @@ static igtl_inbox_event_t finish(igtl_inbox_t *self, igtl_inbox_event_t event)
     self->filled = 0U;
     self->passed = 0U;
     self->passed_crc = 0U;
+    self->is_skipping = false;
     self->is_begun = false;
     return event;
 }
@@ -48,11 +44,10 @@ static igtl_inbox_event_t skip(igtl_inbox_t *self, uint32_t count)
     if (self->passed < self->header.body_bytes) {
         return IGTL_INBOX_WAITING;
     }
-    if (self->passed_crc != self->header.crc) {
+    if ((self->reason == IGTL_OK) && (self->passed_crc != self->header.crc)) {
         self->reason = IGTL_BAD_CRC;
-        return finish(self, IGTL_INBOX_REFUSED);
     }
-    return finish(self, IGTL_INBOX_SKIPPED);
+    return finish(self, (self->reason == IGTL_OK) ? IGTL_INBOX_SKIPPED : IGTL_INBOX_REFUSED);
 }
 
 static igtl_inbox_event_t complete(igtl_inbox_t *self)
@@ -65,15 +60,9 @@ static igtl_inbox_event_t complete(igtl_inbox_t *self)
     return finish(self, (self->reason == IGTL_OK) ? IGTL_INBOX_MESSAGE : IGTL_INBOX_REFUSED);
 }
 
-igtl_inbox_event_t igtl_inbox_advance(igtl_inbox_t *self, uint32_t count, uint64_t now_us)
+static igtl_inbox_event_t take(igtl_inbox_t *self, uint32_t count)
 {
-    const bool was_skipping = is_skipping(self);
-
-    if (!self->is_begun) {
-        self->is_begun = true;
-        self->begun_us = now_us;
-    }
-    if (was_skipping) {
+    if (self->is_skipping) {
         return skip(self, count);
     }
     self->filled += count;
@@ -82,14 +71,33 @@ igtl_inbox_event_t igtl_inbox_advance(igtl_inbox_t *self, uint32_t count, uint64
     }
     if (self->filled == IGTL_HEADER_BYTES) {
         self->reason = igtl_decode_header(self->buffer, &self->header);
-        if (self->reason != IGTL_OK) {
+        if (igtl_header_is_lost(&self->header)) {
             return IGTL_INBOX_BROKEN;
         }
+        self->is_skipping = (self->reason != IGTL_OK) || (self->header.kind == IGTL_KIND_OTHER);
     }
-    return is_skipping(self) ? skip(self, 0U) : complete(self);
+    return self->is_skipping ? skip(self, 0U) : complete(self);
+}
+
+igtl_inbox_event_t igtl_inbox_advance(igtl_inbox_t *self, uint32_t count, uint64_t now_us)
+{
+    if (!self->is_begun) {
+        self->is_begun = true;
+        self->begun_us = now_us;
+    }
+    self->heard_us = now_us;
+    return take(self, count);
 }
 
 bool igtl_inbox_is_late(const igtl_inbox_t *self, uint64_t now_us)
 {
-    return self->is_begun && ((now_us - self->begun_us) >= LIMIT_IGTL_PARTIAL_TIMEOUT_US);
+    const uint64_t taken_us = now_us - self->begun_us;
+    const uint64_t silent_us = now_us - self->heard_us;
+
+    if (!self->is_begun) {
+        return false;
+    }
+    return self->is_skipping ? ((taken_us >= LIMIT_IGTL_SKIP_TIMEOUT_US) ||
+                                (silent_us >= LIMIT_IGTL_PARTIAL_TIMEOUT_US))
+                             : (taken_us >= LIMIT_IGTL_PARTIAL_TIMEOUT_US);
 }

@@ -2,7 +2,8 @@
 /**
  * @file
  * Puts the bytes of one connection together to messages. Nothing of a message is ever thrown away
- * because it is slow; a message that breaks the framing ends the connection. No I/O, no clock, no
+ * because it is slow; only where it is not known where the next message begins, the connection
+ * ends. A body that is of no use passes in pieces of the buffer's size. No I/O, no clock, no
  * allocation.
  */
 #ifndef BORESIGHT_IGTL_INBOX_H
@@ -25,10 +26,12 @@ typedef enum {
 
 typedef struct {
     uint8_t buffer[IGTL_HEADER_BYTES + LIMIT_IGTL_BODY_MAX];
-    uint32_t filled; /**< Bytes of the present message in `buffer`. */
-    uint64_t passed; /**< Body bytes of a message of unknown type that were skipped. */
+    uint32_t filled;  /**< Bytes of the present message in `buffer`. */
+    bool is_skipping; /**< The body is of no use: an unknown type, or refused by its header. */
+    uint64_t passed;  /**< Bytes of it that were skipped. */
     uint64_t passed_crc;
     uint64_t begun_us;    /**< When the first byte of the present message came. */
+    uint64_t heard_us;    /**< When the latest byte came. */
     bool is_begun;        /**< Some but not all bytes of a message are here. */
     igtl_header_t header; /**< Valid once its bytes are here. */
     igtl_message_t message;
@@ -45,13 +48,16 @@ uint32_t igtl_inbox_room(igtl_inbox_t *self, uint8_t **where);
  * `count` bytes (at most the room) have been put there.
  *
  * @satisfies SWR-IGTL-004
+ * @satisfies SWR-IGTL-020
  */
 igtl_inbox_event_t igtl_inbox_advance(igtl_inbox_t *self, uint32_t count, uint64_t now_us);
 
 /**
- * A message is incomplete for LIMIT_IGTL_PARTIAL_TIMEOUT_US.
+ * A message is incomplete for LIMIT_IGTL_PARTIAL_TIMEOUT_US. One that is skipped may take
+ * LIMIT_IGTL_SKIP_TIMEOUT_US, with something of it in each LIMIT_IGTL_PARTIAL_TIMEOUT_US.
  *
  * @satisfies SWR-IGTL-011
+ * @satisfies SWR-IGTL-021
  */
 bool igtl_inbox_is_late(const igtl_inbox_t *self, uint64_t now_us);
 

@@ -15,8 +15,8 @@ void igtl_outbox_init(igtl_outbox_t *self)
 
 void igtl_outbox_hear(igtl_outbox_t *self, uint32_t version)
 {
-    if (version > self->version) {
-        self->version = version;
+    if (version == 2U) {
+        self->version = 2U;
     }
 }
 
@@ -24,7 +24,7 @@ static void put(igtl_outbox_t *self, uint32_t at, const igtl_packet_t *packet)
 {
     igtl_packet_t *place = &self->packets[at];
 
-    if (self->version > 1U) {
+    if (self->version == 2U) {
         igtl_packet_extend(place, packet);
     } else {
         place->length = packet->length;

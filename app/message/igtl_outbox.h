@@ -17,7 +17,7 @@
 #define IGTL_OUTBOX_PACKETS 64U
 
 typedef struct {
-    uint32_t version; /**< Of headers: the highest that the peer has sent, at first 1. */
+    uint32_t version; /**< Of headers: 2 once the peer has sent it, before 1. */
     igtl_packet_t packets[IGTL_OUTBOX_PACKETS];
     bool is_state[IGTL_OUTBOX_PACKETS];
     uint32_t first;
@@ -29,7 +29,7 @@ typedef struct {
 void igtl_outbox_init(igtl_outbox_t *self);
 
 /**
- * The peer has sent a message with header `version`.
+ * The peer has sent a message with header `version`; anything but 1 and 2 says nothing.
  *
  * @satisfies SWR-IGTL-005
  */

@@ -156,14 +156,24 @@ class TestIgtl < Minitest::Test
     undisturbed do
       [Random.new(1).bytes(5000), "GET / HTTP/1.1\r\n\r\n" * 10,
        RawIgtl.message('TRANSFORM', 'TGT_1', '', length: (2**64) - 58),
-       RawIgtl.message('STRING', 'CMD_1', '', length: 4097),
-       RawIgtl.message('IMAGE', 'big', '', length: (2**20) + 1)].each { |bytes| assert_dropped bytes }
+       RawIgtl.message('STRING', 'CMD_1', '', length: (2**24) + 1),
+       RawIgtl.message('IMAGE', 'big', '', length: (2**24) + 1)].each { |bytes| assert_dropped bytes }
     end
   end
 
   def test_SWR_IGTL_011_half_a_message_is_dropped_after_its_time
     undisturbed do
       assert_dropped RawIgtl.string('CMD_1', 'START_UP')[0, 61], after: 4.5
+    end
+  end
+
+  # The checksum of zeros is 0.
+  def test_SWR_IGTL_020_volume_long_text_and_foreign_name_cost_their_messages_alone
+    raw do |socket|
+      socket.write(RawIgtl.message('IMAGE', 'volume', "\0" * (2**24), crc: 0),
+                   RawIgtl.message('STRING', 'long', "\0" * 5000, crc: 0), RawIgtl.transform("N\u00E4he"),
+                   RawIgtl.message('GET_STATUS', 'CURRENT_STATUS', ''))
+      assert_equal [%w[STATUS long], %w[STATUS N??he], %w[STATUS CURRENT_STATUS]], Array.new(3) { label_of_next(socket) }
     end
   end
 
@@ -325,6 +335,14 @@ class TestIgtl < Minitest::Test
 
   def raw(port = boresight.brp_port)
     TCPSocket.open('127.0.0.1', port) { |socket| yield socket }
+  end
+
+  # Type and name of the next message, which is read whole.
+  def label_of_next(socket)
+    assert socket.wait_readable(PATIENCE), 'an answer comes'
+    header = socket.read(58)
+    socket.read(header[42, 8].unpack1('Q>'))
+    header[2, 32].unpack('A12A20').map { |text| text.delete("\0") }
   end
 
   # Type and name of the next message.

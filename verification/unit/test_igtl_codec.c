@@ -139,6 +139,7 @@ void test_SWR_IGTL_001_other_versions_are_refused(void)
     TEST_ASSERT_EQUAL_INT(IGTL_BAD_VERSION, decode());
     frame(0x4745U, "STATUS", 31U);
     TEST_ASSERT_EQUAL_INT(IGTL_BAD_VERSION, decode());
+    TEST_ASSERT_TRUE(igtl_header_is_lost(&header));
 }
 
 void test_SWR_IGTL_001_longer_extended_header_is_skipped(void)
@@ -181,6 +182,10 @@ void test_SWR_IGTL_003_known_type_has_a_longest_body(void)
     TEST_ASSERT_EQUAL_INT(IGTL_OK, igtl_decode_header(bytes, &header));
     put(42U, LIMIT_IGTL_BODY_MAX + 1U, 8U);
     TEST_ASSERT_EQUAL_INT(IGTL_TOO_LONG, igtl_decode_header(bytes, &header));
+    TEST_ASSERT_FALSE(igtl_header_is_lost(&header));
+    put(42U, LIMIT_IGTL_SKIP_MAX + 1U, 8U);
+    TEST_ASSERT_EQUAL_INT(IGTL_TOO_LONG, igtl_decode_header(bytes, &header));
+    TEST_ASSERT_TRUE(igtl_header_is_lost(&header));
 }
 
 void test_SWR_IGTL_003_huge_lengths_are_refused_without_arithmetic_on_them(void)
@@ -286,6 +291,19 @@ void test_SWR_IGTL_003_names_are_printable(void)
     TEST_ASSERT_EQUAL_INT(IGTL_BAD_NAME, decode());
     frame(1U, "", 31U);
     TEST_ASSERT_EQUAL_INT(IGTL_BAD_NAME, decode());
+}
+
+void test_SWR_IGTL_020_name_of_other_letters_is_shown_without_them(void)
+{
+    frame(1U, "TRANSFORM", 48U);
+    (void)memcpy(&bytes[14], "N\xC3\xA4hrohr\x07", 9U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_NAME, decode());
+    TEST_ASSERT_EQUAL_STRING("N??hrohr?", header.name);
+    TEST_ASSERT_EQUAL_UINT64(48U, header.body_bytes);
+    TEST_ASSERT_FALSE(igtl_header_is_lost(&header));
+    frame(1U, "TR\xFFNS", 48U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_NAME, decode());
+    TEST_ASSERT_EQUAL_STRING("TR?NS", header.type);
 }
 
 void test_SWR_IGTL_003_texts_are_printable_ascii(void)

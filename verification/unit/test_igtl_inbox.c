@@ -121,6 +121,107 @@ void test_SWR_IGTL_002_wrong_checksum_of_an_unknown_type_is_refused(void)
     TEST_ASSERT_EQUAL_INT(IGTL_BAD_CRC, inbox.reason);
 }
 
+/* A header of `length` bytes to come. */
+static void announce(uint32_t length)
+{
+    packet.bytes[46] = (uint8_t)(length >> 24U);
+    packet.bytes[47] = (uint8_t)(length >> 16U);
+    packet.bytes[48] = (uint8_t)(length >> 8U);
+    packet.bytes[49] = (uint8_t)length;
+}
+
+/* So many bytes in pieces that the buffer takes; the last event. */
+static igtl_inbox_event_t feed_zeros(uint32_t length, uint64_t now_us)
+{
+    igtl_inbox_event_t event = IGTL_INBOX_WAITING;
+
+    for (uint32_t used = 0U; used < length;) {
+        uint8_t *where;
+        uint32_t room = igtl_inbox_room(&inbox, &where);
+
+        TEST_ASSERT_TRUE((where >= inbox.buffer) &&
+                         ((where + room) <= (inbox.buffer + sizeof inbox.buffer)));
+        room = (room < (length - used)) ? room : (length - used);
+        (void)memset(where, 0, room);
+        TEST_ASSERT_EQUAL_INT(IGTL_INBOX_WAITING, event);
+        event = igtl_inbox_advance(&inbox, room, now_us);
+        used += room;
+    }
+    return event;
+}
+
+static void expect_next_message(void)
+{
+    igtl_encode_string(&packet, "CMD_1", "STOP", 0U);
+    TEST_ASSERT_EQUAL_INT(IGTL_INBOX_MESSAGE, feed(packet.bytes, packet.length, 100U, 0U));
+}
+
+void test_SWR_IGTL_004_longest_image_passes_and_a_longer_one_breaks_the_connection(void)
+{
+    retype("IMAGE");
+    announce(LIMIT_IGTL_SKIP_MAX);
+    (void)memset(&packet.bytes[50], 0, 8U);
+    TEST_ASSERT_EQUAL_INT(IGTL_INBOX_WAITING, feed(packet.bytes, IGTL_HEADER_BYTES, 58U, 0U));
+    TEST_ASSERT_EQUAL_INT(IGTL_INBOX_SKIPPED, feed_zeros(LIMIT_IGTL_SKIP_MAX, 0U));
+    announce(LIMIT_IGTL_SKIP_MAX + 1U);
+    TEST_ASSERT_EQUAL_INT(IGTL_INBOX_BROKEN, feed(packet.bytes, IGTL_HEADER_BYTES, 58U, 0U));
+    TEST_ASSERT_EQUAL_INT(IGTL_TOO_LONG, inbox.reason);
+}
+
+void test_SWR_IGTL_003_known_type_that_is_too_long_is_refused_and_the_next_message_is_read(void)
+{
+    announce(LIMIT_IGTL_BODY_MAX + 1U);
+    TEST_ASSERT_EQUAL_INT(IGTL_INBOX_WAITING, feed(packet.bytes, IGTL_HEADER_BYTES, 58U, 0U));
+    TEST_ASSERT_EQUAL_INT(IGTL_INBOX_WAITING, feed_zeros(LIMIT_IGTL_BODY_MAX, 0U));
+    TEST_ASSERT_EQUAL_INT(IGTL_INBOX_REFUSED, feed_zeros(1U, 0U));
+    TEST_ASSERT_EQUAL_INT(IGTL_TOO_LONG, inbox.reason);
+    TEST_ASSERT_EQUAL_STRING("CMD_1", inbox.header.name);
+    expect_next_message();
+}
+
+void test_SWR_IGTL_020_name_of_other_letters_is_refused_and_the_next_message_is_read(void)
+{
+    packet.bytes[14] = 0xC3U;
+    TEST_ASSERT_EQUAL_INT(IGTL_INBOX_REFUSED, feed(packet.bytes, packet.length, 7U, 0U));
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_NAME, inbox.reason);
+    TEST_ASSERT_EQUAL_STRING("?MD_1", inbox.header.name);
+    expect_next_message();
+}
+
+void test_SWR_IGTL_020_message_without_body_or_type_is_refused_at_once(void)
+{
+    (void)memset(&packet.bytes[2], 0, 12U);
+    announce(0U);
+    TEST_ASSERT_EQUAL_INT(IGTL_INBOX_REFUSED, feed(packet.bytes, IGTL_HEADER_BYTES, 58U, 0U));
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_NAME, inbox.reason);
+    expect_next_message();
+}
+
+void test_SWR_IGTL_021_skipping_goes_on_while_something_arrives(void)
+{
+    const uint64_t step_us = LIMIT_IGTL_PARTIAL_TIMEOUT_US - 1U;
+
+    retype("IMAGE");
+    announce(100000U);
+    (void)feed(packet.bytes, IGTL_HEADER_BYTES, 58U, 0U);
+    for (uint64_t now_us = step_us; now_us < LIMIT_IGTL_SKIP_TIMEOUT_US; now_us += step_us) {
+        TEST_ASSERT_FALSE(igtl_inbox_is_late(&inbox, now_us));
+        (void)feed_zeros(100U, now_us);
+    }
+    TEST_ASSERT_FALSE(igtl_inbox_is_late(&inbox, LIMIT_IGTL_SKIP_TIMEOUT_US - 1U));
+    TEST_ASSERT_TRUE(igtl_inbox_is_late(&inbox, LIMIT_IGTL_SKIP_TIMEOUT_US));
+}
+
+void test_SWR_IGTL_021_skipping_in_which_nothing_arrives_is_late(void)
+{
+    retype("IMAGE");
+    announce(100000U);
+    (void)feed(packet.bytes, IGTL_HEADER_BYTES, 58U, 0U);
+    (void)feed_zeros(100U, 1000U);
+    TEST_ASSERT_FALSE(igtl_inbox_is_late(&inbox, 1000U + LIMIT_IGTL_PARTIAL_TIMEOUT_US - 1U));
+    TEST_ASSERT_TRUE(igtl_inbox_is_late(&inbox, 1000U + LIMIT_IGTL_PARTIAL_TIMEOUT_US));
+}
+
 void test_SWR_IGTL_011_garbage_breaks_the_connection(void)
 {
     TEST_ASSERT_EQUAL_INT(

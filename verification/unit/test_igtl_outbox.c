@@ -136,6 +136,7 @@ void test_SWR_IGTL_005_version_2_is_for_those_who_have_sent_it(void)
 {
     add("A", "x");
     igtl_outbox_hear(&outbox, 1U);
+    igtl_outbox_hear(&outbox, 3U);
     add("A", "x");
     igtl_outbox_hear(&outbox, 2U);
     igtl_outbox_hear(&outbox, 1U);

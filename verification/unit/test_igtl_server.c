@@ -168,7 +168,7 @@ void test_SWR_IGTL_004_long_unknown_body_leaves_the_others_their_turn(void)
                                                                             'A', 'G', 'E'};
     ssize_t sent;
 
-    image[47] = (uint8_t)(LIMIT_IGTL_SKIP_MAX >> 16U);
+    image[46] = (uint8_t)(LIMIT_IGTL_SKIP_MAX >> 24U);
     enter(0U);
     enter(1U);
     sent = send(clients[0], image, sizeof image, MSG_DONTWAIT | MSG_NOSIGNAL);
