@@ -185,7 +185,8 @@ $(BIN)/boresight-client: $(CLIENT_SOURCES)
 	g++ -std=c++11 -Wall -O1 -isystem /usr/include/openigtlink $(filter %client.cpp,$^) -lOpenIGTLink -lpthread -o $@
 
 # Our codec against the standard's own library.
-$(BIN)/codec-oracle: verification/demo/client/codec_oracle.cpp $(call object,$(addprefix app/message/,igtl_codec.c igtl_crc64.c igtl_packet.c))
+CODEC := $(call object,$(addprefix app/message/,igtl_codec.c igtl_crc64.c igtl_packet.c))
+$(BIN)/codec-oracle: verification/demo/client/codec_oracle.cpp $(CODEC)
 	@mkdir -p $(BIN)
 	g++ -std=c++14 -Wall -O1 -Iapp -isystem /usr/include/openigtlink $^ -lOpenIGTLink -lpthread -o $@
 

@@ -66,49 +66,43 @@ uint32_t igtl_result_code(igtl_result_t result)
     }
 }
 
-/* Not printable: what a peer is shown of it. */
-static void mend_text(char *text, const uint8_t *bytes, uint32_t size)
+/* Up to the first NUL, with `?` for what is not printable; true when there is none of that. */
+static bool mend_text(char *text, const uint8_t *bytes, uint32_t size)
 {
-    for (uint32_t i = 0U; i < size; i++) {
-        const bool is_printable = (bytes[i] >= 0x20U) && (bytes[i] <= 0x7EU);
+    bool is_fine = true;
+    uint32_t length = 0U;
 
-        text[i] = (is_printable || (bytes[i] == 0U)) ? (char)bytes[i] : '?';
+    for (; (length < size) && (bytes[length] != 0U); length++) {
+        const bool is_good = is_printable(&bytes[length], 1U);
+
+        text[length] = is_good ? (char)bytes[length] : '?';
+        is_fine = is_fine && is_good;
     }
+    (void)memset(&text[length], 0, size - length);
+    return is_fine;
 }
 
 static bool read_type(const uint8_t *bytes, char type[IGTL_TYPE_SIZE])
 {
-    uint64_t words[2] = {get_u64(bytes), (uint64_t)get_u32(&bytes[8]) << 32U};
-    uint64_t ended = 0U;
-    const bool is_head_fine = cut_text(&words[0], &ended);
-    const bool is_fine = cut_text(&words[1], &ended) && is_head_fine;
+    uint64_t nuls = 0U;
+    uint64_t strays = stray_bytes(get_u64(bytes), &nuls);
 
-    put_u64((uint8_t *)type, words[0]);
-    put_u32((uint8_t *)&type[8], (uint32_t)(words[1] >> 32U));
+    strays |= stray_bytes((uint64_t)get_u32(&bytes[8]) << 32U, &nuls);
+    (void)memcpy(type, bytes, TYPE_BYTES);
     type[TYPE_BYTES] = '\0';
-    if (!is_fine) {
-        mend_text(type, bytes, TYPE_BYTES);
-    }
-    return is_fine && (type[0] != '\0');
+    return ((strays == 0U) || mend_text(type, bytes, TYPE_BYTES)) && (type[0] != '\0');
 }
 
 static bool read_name(const uint8_t *bytes, char name[IGTL_NAME_SIZE])
 {
-    uint64_t words[3] = {get_u64(bytes), get_u64(&bytes[8]), (uint64_t)get_u32(&bytes[16]) << 32U};
-    uint64_t ended = 0U;
-    bool is_fine = true;
+    uint64_t nuls = 0U;
+    uint64_t strays = stray_bytes(get_u64(bytes), &nuls);
 
-    for (uint32_t i = 0U; i < 3U; i++) {
-        is_fine = cut_text(&words[i], &ended) && is_fine;
-    }
-    put_u64((uint8_t *)name, words[0]);
-    put_u64((uint8_t *)&name[8], words[1]);
-    put_u32((uint8_t *)&name[16], (uint32_t)(words[2] >> 32U));
+    strays |= stray_bytes(get_u64(&bytes[8]), &nuls);
+    strays |= stray_bytes((uint64_t)get_u32(&bytes[16]) << 32U, &nuls);
+    (void)memcpy(name, bytes, NAME_BYTES);
     name[NAME_BYTES] = '\0';
-    if (!is_fine) {
-        mend_text(name, bytes, NAME_BYTES);
-    }
-    return is_fine;
+    return (strays == 0U) || mend_text(name, bytes, NAME_BYTES);
 }
 
 static igtl_kind_t kind_of(const char *type)

@@ -136,6 +136,7 @@ bool igtl_header_is_lost(const igtl_header_t *header);
  * @satisfies SWR-IGTL-002
  * @satisfies SWR-IGTL-003
  * @satisfies SWR-IGTL-018
+ * @satisfies SWR-IGTL-022
  */
 igtl_result_t igtl_decode_body(const igtl_header_t *header, const uint8_t *body,
                                igtl_message_t *message);

@@ -31,6 +31,7 @@ typedef struct {
  *
  * @satisfies SWR-IGTL-005
  * @satisfies SWR-IGTL-019
+ * @satisfies SWR-IGTL-022
  */
 void igtl_encode_transform(igtl_packet_t *packet, const char *name,
                            const uint32_t numbers[IGTL_TRANSFORM_NUMBERS], uint64_t timestamp);

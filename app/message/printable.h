@@ -16,7 +16,7 @@
 #define EACH_BYTE(value) (UINT64_C(0x0101010101010101) * (value))
 #define TOPS EACH_BYTE(0x80U)
 
-/* The top bit of each byte of which it is true. Sums are of bytes without their top bits, so none
+/** The top bit of each byte that is printable. Sums are of bytes without their top bits, so none
  * carries into its neighbour. */
 static inline uint64_t printable_bytes(uint64_t word)
 {
@@ -25,32 +25,20 @@ static inline uint64_t printable_bytes(uint64_t word)
     return (low + EACH_BYTE(0x60U)) & ~(low + EACH_BYTE(0x01U)) & ~word & TOPS;
 }
 
-/* As before. */
+/** The top bit of each byte that is NUL. */
 static inline uint64_t nul_bytes(uint64_t word)
 {
     return ~((word & ~TOPS) + EACH_BYTE(0x7FU)) & ~word & TOPS;
 }
 
-/* All bits of the first NUL and of everything behind it. */
-static inline uint64_t from_first_nul(uint64_t word)
+/** The top bit of each byte that is neither printable nor NUL, or not NUL though the one before it
+ * is; `*nuls` are those of the word before, at first 0. */
+static inline uint64_t stray_bytes(uint64_t word, uint64_t *nuls)
 {
-    uint64_t marks = nul_bytes(word) >> 7U;
+    const uint64_t behind = *nuls << 56U;
 
-    marks |= marks >> 8U;
-    marks |= marks >> 16U;
-    marks |= marks >> 32U;
-    return marks * 0xFFU;
-}
-
-/* Makes NULs of what is behind the end of a text; `*ended` has all bits once it was in an earlier
- * word. False when something before the end is not printable. */
-static inline bool cut_text(uint64_t *word, uint64_t *ended)
-{
-    const uint64_t behind = *ended | from_first_nul(*word);
-
-    *ended = UINT64_C(0) - (behind & 1U);
-    *word &= ~behind;
-    return (printable_bytes(*word) | (behind & TOPS)) == TOPS;
+    *nuls = nul_bytes(word);
+    return (TOPS & ~(printable_bytes(word) | *nuls)) | ((behind | (*nuls >> 8U)) & ~*nuls);
 }
 
 /** Each of `length` bytes is. */

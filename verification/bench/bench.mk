@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # What a cycle costs, and how punctually it begins; included by the Makefile.
 
-.PHONY: bench bench-instructions bench-latency bench-recordings bench-programs cost-programs cost cost-approve
+.PHONY: bench bench-codec bench-instructions bench-latency bench-recordings bench-programs cost-programs cost cost-approve
 
 # The scene is played on the rig of the integration tests, which asserts with Unity.
 BENCH_SCENE := $(call object,verification/bench/samples.c verification/integration/support/rig.c $(BOX_SOURCES) \
@@ -19,6 +19,12 @@ build/gcc/bin/bench-recordings: $(BENCH_RECORDINGS) build/gcc/libcore.a
 	@echo "built $@"
 $(OUT)/verification/bench/%.o: FLAGS = -D_GNU_SOURCE $(TEST_INCLUDES) -I$(UNITY)
 
+# Our codec beside the standard's own library.
+build/gcc/bin/bench-codec: verification/bench/codec.cpp $(CODEC)
+	@mkdir -p $(@D)
+	@g++ -std=c++14 -Wall -O2 -g -Iapp -isystem /usr/include/openigtlink $^ -lOpenIGTLink -lpthread -o $@
+	@echo "built $@"
+
 SOURCES_bench-step := verification/bench/step.c
 $(eval $(call program,bench-step))
 
@@ -28,7 +34,7 @@ bench-programs: bootstrap-test cost-programs
 
 # What the gate needs, without what the latency needs.
 cost-programs:
-	@$(MAKE) --no-print-directory -j2 build/gcc/bin/bench-samples
+	@$(MAKE) --no-print-directory -j2 build/gcc/bin/bench-samples build/gcc/bin/bench-codec
 	@$(MAKE) --no-print-directory -j2 CONFIG=arm build/arm/bin/bench-step
 
 cost: bootstrap-test cost-programs ## What a cycle costs as Cortex-A9 code, in instructions
@@ -37,11 +43,14 @@ cost: bootstrap-test cost-programs ## What a cycle costs as Cortex-A9 code, in i
 cost-approve: cost
 	@cp build/bench/cost.yml verification/bench/cost.yml
 
-bench: bench-programs ## Instructions of a cycle, sizes of recordings, wake-up latency beside cyclictest (BENCH_SECONDS=10)
+bench: bench-programs ## Instructions of a cycle, recordings, OpenIGTLink beside its library, wake-up latency beside cyclictest (BENCH_SECONDS=10)
 	@ruby verification/bench/bench.rb
 
 bench-instructions: bench-programs
 	@ruby verification/bench/bench.rb instructions
+
+bench-codec: build/gcc/bin/bench-codec
+	@ruby verification/bench/bench.rb codec
 
 bench-latency: bench-programs
 	@ruby verification/bench/bench.rb latency
