@@ -177,7 +177,7 @@ class Robots
   private
 
   def solution(call)
-    "    solution_t solution = {STATUS_MEMORY_DAMAGED, 0U, 0U};\n" \
+    "    solution_t solution = {.status = STATUS_MEMORY_DAMAGED};\n" \
       "#{switch(call, '/* A damaged table. */', 'solution = ')}\n    return solution;"
   end
 

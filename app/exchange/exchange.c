@@ -204,7 +204,10 @@ static bool is_costly(const command_t *command)
            (command->kind == (uint32_t)COMMAND_TARGET) ||
            (command->kind == (uint32_t)COMMAND_PROPOSE_REGISTRATION) ||
            (command->kind == (uint32_t)COMMAND_PROPOSE_ENTRY) ||
-           (command->kind == (uint32_t)COMMAND_PROPOSE_TARGET);
+           (command->kind == (uint32_t)COMMAND_PROPOSE_TARGET) ||
+           (command->kind == (uint32_t)COMMAND_NEEDLE) ||
+           (command->kind == (uint32_t)COMMAND_ENTRY) ||
+           (command->kind == (uint32_t)COMMAND_WITHDRAW);
 }
 
 /* What a stop refuses are all commands before it but the stops among them, in this cycle and, where

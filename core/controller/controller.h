@@ -99,10 +99,10 @@ typedef struct {
     axis_t axes[ROBOT_AXIS_MAX];
     axis_record_t records[ROBOT_AXIS_MAX];
     pending_command_t pending;
-    kept_positions_t kept;  /**< From before the start; an axis that was compared is KEPT_LOST. */
-    uint32_t cause;         /**< event_cause_t of what happens now. */
-    uint32_t peer;          /**< Of the cause. */
-    uint32_t is_order_done; /**< The last order ended as asked. */
+    kept_positions_t kept; /**< From before the start; an axis that was compared is KEPT_LOST. */
+    uint32_t cause;        /**< event_cause_t of what happens now. */
+    uint32_t peer;         /**< Of the cause. */
+    uint32_t has_arrived;  /**< The last order was a move, and ended as asked. */
     uint32_t was_gate_open;
     uint32_t was_scanner_active;
     uint32_t strangers; /**< Bit n: a card that the robot does not name has answered in slot n. */

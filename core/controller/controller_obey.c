@@ -3,6 +3,7 @@
 
 #include "controller/controller_facts.h"
 #include "controller/controller_order.h"
+#include "controller/controller_plan.h"
 
 #include <string.h>
 
@@ -17,7 +18,12 @@ static const rights_t rights[COMMAND_SOURCE_COUNT] = {
                                        [COMMAND_TARGET] = true,
                                        [COMMAND_PROPOSE_REGISTRATION] = true,
                                        [COMMAND_PROPOSE_ENTRY] = true,
-                                       [COMMAND_PROPOSE_TARGET] = true},
+                                       [COMMAND_PROPOSE_TARGET] = true,
+                                       [COMMAND_RETRACT] = true,
+                                       [COMMAND_NEEDLE] = true,
+                                       [COMMAND_ENTRY] = true,
+                                       [COMMAND_ACCEPT_ENTRY] = true,
+                                       [COMMAND_WITHDRAW] = true},
                              .workphases = {[WORKPHASE_START_UP] = true,
                                             [WORKPHASE_PLANNING] = true,
                                             [WORKPHASE_CALIBRATION] = true,
@@ -70,7 +76,7 @@ static void arm_workphase(controller_t *self, const command_t *command)
 
 static solution_t judge_move(controller_t *self, const cycle_t *cycle)
 {
-    solution_t result = {STATUS_MEMORY_DAMAGED, 0U, 0U};
+    solution_t result = {.status = STATUS_MEMORY_DAMAGED};
     if (plan_is_proved(&self->plan, cycle->robot)) {
         int32_t ticks[ROBOT_AXIS_MAX];
         controller_positions(self, ticks);
@@ -131,49 +137,18 @@ static status_t obey_jog(controller_t *self, const cycle_t *cycle, const command
     return status;
 }
 
-static status_t obey_registration(controller_t *self, const cycle_t *cycle,
-                                  const command_t *command)
+/* Whatever is armed gives way to it. */
+static status_t obey_retract(controller_t *self, const cycle_t *cycle, const command_t *command,
+                             answer_t *answer)
 {
-    if (procedure_workphase(&self->procedure) != WORKPHASE_CALIBRATION) {
-        return STATUS_WRONG_WORKPHASE;
-    }
-    const status_t status = plan_register(&self->plan, cycle->robot, &command->pose);
+    const mode_request_t nothing = {.jog = {0U, 0}};
+    const workphase_inputs_t guards = controller_guards(self, cycle);
+    procedure_actions_t actions;
+    const status_t status = procedure_request_retract(&self->procedure, &guards, &actions);
+    controller_report_order(self, cycle, actions.arming, STATUS_DISCARDED);
     if (status == STATUS_OK) {
-        controller_note(self, cycle, EVENT_REGISTERED, 0U, 0);
-    }
-    return status;
-}
-
-static status_t obey_target(controller_t *self, const cycle_t *cycle, const command_t *command,
-                            answer_t *answer)
-{
-    if (procedure_workphase(&self->procedure) != WORKPHASE_TARGETING) {
-        return STATUS_WRONG_WORKPHASE;
-    }
-    int32_t ticks[ROBOT_AXIS_MAX];
-    controller_positions(self, ticks);
-    const solution_t result = plan_set_target(&self->plan, cycle->robot, ticks, &command->pose);
-    answer->axis = (uint32_t)result.axis;
-    answer->is_maximum = (uint32_t)result.is_maximum;
-    if (result.status == STATUS_OK) {
-        answer->pose = self->plan.scanner_target;
-        controller_note(self, cycle, EVENT_TARGET_ACCEPTED, 0U, 0);
-    }
-    return result.status;
-}
-
-static status_t obey_proposal(controller_t *self, const cycle_t *cycle, const command_t *command)
-{
-    status_t status = STATUS_OK;
-    if (command->kind == (uint32_t)COMMAND_PROPOSE_REGISTRATION) {
-        status = plan_propose_registration(&self->plan, cycle->robot, &command->pose);
-    } else if (command->kind == (uint32_t)COMMAND_PROPOSE_ENTRY) {
-        status = plan_propose_entry(&self->plan, cycle->robot, &command->pose);
-    } else {
-        status = plan_propose_target(&self->plan, cycle->robot, &command->pose);
-    }
-    if (status == STATUS_OK) {
-        controller_note(self, cycle, EVENT_PROPOSAL, command->kind, 0);
+        arm(self, command, MODE_RETRACT, &nothing);
+        answer->is_final = 0U;
     }
     return status;
 }
@@ -209,7 +184,7 @@ static bool needs_table(const command_t *command)
            (command->argument == (uint32_t)WORKPHASE_START_UP);
 }
 
-/* By its kind. */
+/* What arms a motion, and what the plan is told. */
 static status_t carry_out(controller_t *self, const cycle_t *cycle, const command_t *command,
                           answer_t *answer)
 {
@@ -218,22 +193,14 @@ static status_t carry_out(controller_t *self, const cycle_t *cycle, const comman
     case (uint32_t)COMMAND_WORKPHASE:
         status = obey_workphase(self, cycle, command, answer);
         break;
-    case (uint32_t)COMMAND_REGISTRATION:
-        status = obey_registration(self, cycle, command);
-        break;
-    case (uint32_t)COMMAND_TARGET:
-        status = obey_target(self, cycle, command, answer);
-        break;
-    case (uint32_t)COMMAND_PROPOSE_REGISTRATION:
-    case (uint32_t)COMMAND_PROPOSE_ENTRY:
-    case (uint32_t)COMMAND_PROPOSE_TARGET:
-        status = obey_proposal(self, cycle, command);
-        break;
     case (uint32_t)COMMAND_JOG:
         status = obey_jog(self, cycle, command, answer);
         break;
+    case (uint32_t)COMMAND_RETRACT:
+        status = obey_retract(self, cycle, command, answer);
+        break;
     default:
-        status = STATUS_UNKNOWN_COMMAND;
+        status = controller_tell_plan(self, cycle, command, answer);
         break;
     }
     return status;
@@ -272,7 +239,7 @@ void controller_obey(controller_t *self, const cycle_t *cycle)
         draft.kind = (status == STATUS_OK) ? (uint32_t)ANSWER_ACCEPTED : (uint32_t)ANSWER_REFUSED;
         draft.status = (uint32_t)status;
         draft.workphase = (uint32_t)procedure_workphase(&self->procedure);
-        if (status != STATUS_OK) {
+        if ((status != STATUS_OK) && !controller_is_unlogged(command)) {
             controller_note(self, cycle, EVENT_COMMAND_REFUSED, command->kind, (int32_t)status);
         }
         *controller_add_answer(self, cycle) = draft;

@@ -60,12 +60,12 @@ void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t 
     }
     if ((actions & ARMING_ACTION_REPORT_DONE) != 0U) {
         controller_note(self, cycle, EVENT_ORDER_DONE, 0U, 0);
-        self->is_order_done = 1U;
+        self->has_arrived = (self->mode.kind == (uint32_t)MODE_MOVE) ? 1U : 0U;
         answer_pending(self, cycle, ANSWER_DONE, STATUS_OK);
         mode_stop(&self->mode, self->axes, self->axis_count);
     }
     if ((actions & ARMING_ACTION_RENEW_PEDAL) != 0U) {
-        self->is_order_done = 0U;
+        self->has_arrived = 0U;
         pedal_gate_renew(&self->pedal);
         controller_note(self, cycle, EVENT_ORDER_ARMED,
                         (uint32_t)procedure_workphase(&self->procedure), 0);

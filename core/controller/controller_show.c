@@ -49,7 +49,7 @@ static next_step_t step_for_plan(const controller_t *self)
     } else if (workphase == WORKPHASE_TARGETING) {
         step = NEXT_STEP_MOVE;
     } else if (workphase == WORKPHASE_MOVE_TO_TARGET) {
-        step = (self->is_order_done != 0U) ? NEXT_STEP_NOTHING : NEXT_STEP_MOVE;
+        step = (self->has_arrived != 0U) ? NEXT_STEP_NOTHING : NEXT_STEP_MOVE;
     } else {
         step = NEXT_STEP_TARGETING;
     }
@@ -117,7 +117,7 @@ static void show_axis(const controller_t *self, const cycle_t *cycle, uint32_t i
     shown->reading_ticks = axis->encoder.reading;
     shown->setpoint_ticks = axis->setpoint_ticks;
     shown->target_ticks = axis->setpoint_ticks;
-    if (procedure_workphase(&self->procedure) == WORKPHASE_MOVE_TO_TARGET) {
+    if (mode_in(&self->mode, procedure_workphase(&self->procedure)) == MODE_MOVE) {
         shown->target_ticks = self->plan.target_ticks[index];
     }
     shown->speed_ticks_per_s_q8 = axis->encoder.speed_ticks_per_s_q8;
@@ -144,12 +144,16 @@ static void show_plan(const controller_t *self, snapshot_t *shown)
 {
     shown->is_registered = self->plan.is_registered;
     shown->has_target = self->plan.has_target;
+    shown->has_entry = self->plan.has_entry;
+    shown->has_seen_needle = self->plan.has_seen_needle;
     shown->has_proposed_registration = self->plan.has_proposed_registration;
     shown->has_proposed_entry = self->plan.has_proposed_entry;
     shown->has_proposed_target = self->plan.has_proposed_target;
     shown->is_proposal_reachable = self->plan.is_proposal_reachable;
     shown->scanner_zframe = self->plan.scanner_zframe;
     shown->scanner_target = self->plan.scanner_target;
+    shown->entry = self->plan.entry;
+    shown->seen_needle = self->plan.scanner_seen_needle;
     shown->proposed_registration = self->plan.proposed_registration;
     shown->proposed_entry = self->plan.proposed_entry;
     shown->proposed_target = self->plan.proposed_target;

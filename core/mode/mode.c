@@ -8,25 +8,34 @@ typedef enum {
     NEEDLE_HEEDED_BY_JOGGED = 2  /* The jogged one, from its arming on. */
 } needle_heed_t;
 
+#define IN(workphase) ((uint32_t)1U << (uint32_t)(workphase))
+
 /* What is special about each mode. */
 typedef struct {
-    workphase_t workphase; /* Where it runs. */
+    uint32_t workphases;  /* Where it runs: IN() bits. */
+    bool is_of_workphase; /* A command for that workphase arms it. */
     bool may_be_unhomed;
     needle_heed_t needle;
 } mode_row_t;
 
 static const mode_row_t table[MODE_COUNT] = {
-    [MODE_NONE] = {WORKPHASE_UNDEFINED, true, NEEDLE_HEEDED_BY_NONE},
-    [MODE_HOMING] = {WORKPHASE_START_UP, true, NEEDLE_HEEDED_BY_ACROSS},
-    [MODE_MOVE] = {WORKPHASE_MOVE_TO_TARGET, false, NEEDLE_HEEDED_BY_NONE},
-    [MODE_JOG] = {WORKPHASE_MANUAL, true, NEEDLE_HEEDED_BY_JOGGED},
+    [MODE_NONE] = {0U, false, true, NEEDLE_HEEDED_BY_NONE},
+    [MODE_HOMING] = {IN(WORKPHASE_START_UP), true, true, NEEDLE_HEEDED_BY_ACROSS},
+    [MODE_MOVE] = {IN(WORKPHASE_MOVE_TO_TARGET), true, false, NEEDLE_HEEDED_BY_NONE},
+    [MODE_JOG] = {IN(WORKPHASE_MANUAL), false, true, NEEDLE_HEEDED_BY_JOGGED},
+    [MODE_RETRACT] = {IN(WORKPHASE_MOVE_TO_TARGET), false, false, NEEDLE_HEEDED_BY_NONE},
 };
+
+static bool runs_in(uint32_t kind, workphase_t workphase)
+{
+    return (table[kind].workphases & IN(workphase)) != 0U;
+}
 
 mode_kind_t mode_of(workphase_t workphase)
 {
     mode_kind_t kind = MODE_NONE;
     for (uint32_t i = 0U; i < MODE_COUNT; i++) {
-        if (table[i].workphase == workphase) {
+        if (table[i].is_of_workphase && runs_in(i, workphase)) {
             kind = (mode_kind_t)i;
         }
     }
@@ -35,7 +44,7 @@ mode_kind_t mode_of(workphase_t workphase)
 
 mode_kind_t mode_in(const mode_state_t *self, workphase_t workphase)
 {
-    const bool is_of_it = (self->kind < MODE_COUNT) && (table[self->kind].workphase == workphase);
+    const bool is_of_it = (self->kind < MODE_COUNT) && runs_in(self->kind, workphase);
     return is_of_it ? (mode_kind_t)self->kind : MODE_NONE;
 }
 
@@ -67,6 +76,9 @@ static void run(mode_state_t *self, mode_kind_t kind, const mode_frame_t *frame,
     case MODE_JOG:
         jog_mode_step(&self->jog, &self->leg, frame, result);
         break;
+    case MODE_RETRACT:
+        retract_mode_step(&self->leg, frame, result);
+        break;
     case MODE_NONE:
     default:
         /* What was armed is not known any more. */
@@ -77,11 +89,17 @@ static void run(mode_state_t *self, mode_kind_t kind, const mode_frame_t *frame,
     }
 }
 
+/* What needs no motion any more is done with or without the pedal. */
+static bool is_done_already(const mode_state_t *self, mode_kind_t kind, const mode_frame_t *frame)
+{
+    return ((kind == MODE_HOMING) && homing_mode_is_done(&self->leg, frame)) ||
+           ((kind == MODE_RETRACT) && retract_mode_is_done(frame));
+}
+
 void mode_step(mode_state_t *self, const mode_frame_t *frame, mode_result_t *result)
 {
     const mode_kind_t kind = mode_in(self, frame->workphase);
-    /* Homing is done with or without the pedal. */
-    const bool is_done = (kind == MODE_HOMING) && homing_mode_is_done(&self->leg, frame);
+    const bool is_done = is_done_already(self, kind, frame);
     mode_clear(result);
     if (frame->is_moving && !is_done) {
         run(self, kind, frame, result);

@@ -13,18 +13,20 @@
 #include "mode/leg.h"
 #include "mode/mode_frame.h"
 #include "mode/move_mode.h"
+#include "mode/retract_mode.h"
 #include "robot/robot.h"
 
 #include <stdbool.h>
 #include <stdint.h>
 
-#define MODE_COUNT 4U
+#define MODE_COUNT 5U
 
 typedef enum {
     MODE_NONE = 0, /**< Does nothing. */
     MODE_HOMING = 1,
     MODE_MOVE = 2,
-    MODE_JOG = 3
+    MODE_JOG = 3,
+    MODE_RETRACT = 4
 } mode_kind_t;
 
 /** What a mode is asked for; each reads what it needs. */
@@ -41,10 +43,11 @@ typedef struct {
     jog_mode_t jog;
 } mode_state_t;
 
-/** The mode that a command for `workphase` arms there, or MODE_NONE. */
+/** The mode that a command for `workphase` itself arms there, or MODE_NONE; the others have
+ * commands of their own. */
 mode_kind_t mode_of(workphase_t workphase);
 
-/** The mode that was begun last, in the workphase it belongs to; in all others MODE_NONE. */
+/** The mode that was begun last, in a workphase where it runs; in all others MODE_NONE. */
 mode_kind_t mode_in(const mode_state_t *self, workphase_t workphase);
 
 /**

@@ -11,6 +11,8 @@
 void plan_forget_target(plan_t *self)
 {
     self->has_target = 0U;
+    self->has_entry = 0U;
+    self->has_seen_needle = 0U;
     self->has_proposed_entry = 0U;
     self->has_proposed_target = 0U;
     self->is_proposal_reachable = 0U;
@@ -61,6 +63,7 @@ void plan_init(plan_t *self)
     (void)memset(self, 0, sizeof *self);
     rigid_set_identity(&self->scanner_zframe);
     rigid_set_identity(&self->scanner_target);
+    rigid_set_identity(&self->scanner_seen_needle);
     rigid_set_identity(&self->proposed_registration);
     rigid_set_identity(&self->scanner_desired);
 }
@@ -98,15 +101,39 @@ static void check_ends(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX]
     }
 }
 
+/* Of a pose in the z-frame that is exactly orthonormal. */
+static solution_t find_target(plan_t *self, const robot_t *robot,
+                              const int32_t ticks[ROBOT_AXIS_MAX], const rigid_t *zframe_treatment,
+                              const point_t *entry)
+{
+    joints_t joints;
+    solution_t result = kinematics_solve(robot, zframe_treatment, entry, &joints);
+    const uint8_t is_by_entry = result.is_by_entry;
+    if (result.status == STATUS_OK) {
+        result.status = plan_confirm(robot, &joints, zframe_treatment);
+    }
+    if (result.status == STATUS_OK) {
+        settle(robot, &self->scanner_zframe, &joints, self->target_ticks, &self->scanner_target);
+        check_ends(robot, self->target_ticks, &joints, &result);
+    }
+    if (result.status == STATUS_OK) {
+        result = coupled_path_judge(robot, ticks, self->target_ticks);
+    }
+    if ((result.status != STATUS_OK) && (is_by_entry != 0U)) {
+        result.status = STATUS_ENTRY_POINT;
+    }
+    return result;
+}
+
 solution_t plan_set_target(plan_t *self, const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX],
                            const rigid_t *scanner_treatment)
 {
-    solution_t result = {.status = rigid_check(scanner_treatment), .axis = 0U, .is_maximum = 0U};
+    solution_t result = {.status = rigid_check(scanner_treatment)};
     rigid_t exact;
     rigid_t zframe_scanner;
     rigid_t zframe_treatment;
-    joints_t joints;
     self->has_target = 0U;
+    self->has_seen_needle = 0U;
     if (result.status != STATUS_OK) {
         return result;
     }
@@ -118,19 +145,9 @@ solution_t plan_set_target(plan_t *self, const robot_t *robot, const int32_t tic
     rigid_orthonormalise(&exact);
     rigid_invert(&self->scanner_zframe, &zframe_scanner);
     rigid_multiply(&zframe_scanner, &exact, &zframe_treatment);
-    const point_t entry = rigid_apply(&zframe_scanner, &self->proposed_entry);
-    result = kinematics_solve(robot, &zframe_treatment,
-                              (self->has_proposed_entry != 0U) ? &entry : NULL, &joints);
-    if (result.status == STATUS_OK) {
-        result.status = plan_confirm(robot, &joints, &zframe_treatment);
-    }
-    if (result.status == STATUS_OK) {
-        settle(robot, &self->scanner_zframe, &joints, self->target_ticks, &self->scanner_target);
-        check_ends(robot, self->target_ticks, &joints, &result);
-    }
-    if (result.status == STATUS_OK) {
-        result = coupled_path_judge(robot, ticks, self->target_ticks);
-    }
+    const point_t entry = rigid_apply(&zframe_scanner, &self->entry);
+    result =
+        find_target(self, robot, ticks, &zframe_treatment, (self->has_entry != 0U) ? &entry : NULL);
     if (result.status == STATUS_OK) {
         self->has_target = 1U;
     }
@@ -141,7 +158,7 @@ solution_t plan_judge_way(const plan_t *self, const robot_t *robot,
                           const int32_t ticks[ROBOT_AXIS_MAX])
 {
     return (self->has_target != 0U) ? coupled_path_judge(robot, ticks, self->target_ticks)
-                                    : (solution_t){STATUS_OK, 0U, 0U};
+                                    : (solution_t){.status = STATUS_OK};
 }
 
 status_t plan_confirm(const robot_t *robot, const joints_t *joints, const rigid_t *zframe_treatment)
@@ -202,6 +219,50 @@ status_t plan_propose_target(plan_t *self, const robot_t *robot, const rigid_t *
         self->proposed_target = pose->translation;
         self->has_proposed_target = 1U;
         weigh_proposals(self, robot);
+    }
+    return status;
+}
+
+status_t plan_set_entry(plan_t *self, const rigid_t *pose)
+{
+    const status_t status = rigid_check(pose);
+    if (status == STATUS_OK) {
+        self->entry = pose->translation;
+        self->has_entry = 1U;
+    }
+    return status;
+}
+
+status_t plan_accept_entry(plan_t *self)
+{
+    if (self->has_proposed_entry == 0U) {
+        return STATUS_NOT_PROPOSED;
+    }
+    self->entry = self->proposed_entry;
+    self->has_entry = 1U;
+    return STATUS_OK;
+}
+
+status_t plan_see_needle(plan_t *self, const rigid_t *pose)
+{
+    const status_t status = rigid_check(pose);
+    if (status == STATUS_OK) {
+        self->scanner_seen_needle = *pose;
+        rigid_orthonormalise(&self->scanner_seen_needle);
+        self->has_seen_needle = 1U;
+    }
+    return status;
+}
+
+status_t plan_withdraw(plan_t *self, const robot_t *robot, plan_part_t part)
+{
+    uint32_t *const has_part[] = {&self->has_entry, &self->has_proposed_registration,
+                                  &self->has_proposed_entry, &self->has_proposed_target};
+    status_t status = STATUS_NOT_PROPOSED;
+    if (*has_part[part] != 0U) {
+        *has_part[part] = 0U;
+        weigh_proposals(self, robot);
+        status = STATUS_OK;
     }
     return status;
 }

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The plan: where the robot stands in the scanner (registration), where it shall go (target), and
- * what others propose. Proposals are shown and decide an insertion depth; they never become a
- * motion.
+ * The plan: where the robot stands in the scanner (registration), where its needle shall enter and
+ * where it shall go (entry point, target), and what others propose. Proposals are shown and decide
+ * nothing.
  */
 #ifndef BORESIGHT_PLAN_H
 #define BORESIGHT_PLAN_H
@@ -20,6 +20,8 @@ typedef struct {
     rigid_t scanner_zframe; /**< The registration; identity before one is accepted. */
     rigid_t scanner_target; /**< Accepted target as it will be reached: rounded to ticks. */
     int32_t target_ticks[ROBOT_AXIS_MAX];
+    point_t entry; /**< Scanner coordinates; decides the depth of the targets to come. */
+    rigid_t scanner_seen_needle; /**< As an image shows it on the way to the target; shown only. */
     rigid_t proposed_registration;
     point_t proposed_entry; /**< Scanner coordinates, like everything proposed. */
     point_t proposed_target;
@@ -27,6 +29,8 @@ typedef struct {
     int32_t desired_ticks[ROBOT_AXIS_MAX];
     uint32_t is_registered; /**< Each 0 or 1. */
     uint32_t has_target;
+    uint32_t has_entry;
+    uint32_t has_seen_needle;
     uint32_t has_proposed_registration;
     uint32_t has_proposed_entry;
     uint32_t has_proposed_target;
@@ -48,16 +52,20 @@ status_t plan_register(plan_t *self, const robot_t *robot, const rigid_t *scanne
 
 /**
  * Takes a treatment pose in scanner coordinates as the target, to be gone to from `ticks`. The
- * depth is decided by kinematics_solve(), with the proposed entry point.
+ * depth is decided by kinematics_solve(), with the entry point. The needle that was seen is
+ * forgotten.
  *
  * @return status as rigid_check() and kinematics_solve(), STATUS_NOT_REGISTERED, STATUS_CLOSURE
  * when forward kinematics does not return the pose, STATUS_SWITCH_ZONE when an axis would end where
  * its limit switch may be active, or the refusal of a coupled limit that the target or the way
- * there would miss. There is then no target, not even the one before: who asked for another target
- * must not be taken to the old one.
+ * there would miss; instead of these STATUS_ENTRY_POINT, with the axis and the end that is missed,
+ * where the entry point has decided the depth. There is then no target, not even the one before:
+ * who asked for another target must not be taken to the old one.
  *
  * @satisfies SWR-PLAN-004
  * @satisfies SWR-PLAN-015
+ * @satisfies SWR-PLAN-017
+ * @satisfies SWR-PLAN-020
  * @satisfies SWR-AXIS-020
  */
 solution_t plan_set_target(plan_t *self, const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX],
@@ -76,8 +84,8 @@ solution_t plan_judge_way(const plan_t *self, const robot_t *robot,
                           const int32_t ticks[ROBOT_AXIS_MAX]);
 
 /**
- * The positions can no longer be trusted: the target and what was proposed on the way to it are
- * forgotten.
+ * The positions can no longer be trusted: the target, the entry point, the needle that was seen and
+ * what was proposed on the way are forgotten.
  *
  * @satisfies SWR-LINK-003
  */
@@ -107,8 +115,61 @@ bool plan_is_proved(const plan_t *self, const robot_t *robot);
 status_t plan_propose_registration(plan_t *self, const robot_t *robot,
                                    const rigid_t *scanner_zframe);
 
+/**
+ * Takes the place of `pose` (scanner coordinates) as the entry point of the targets to come. A
+ * target that was accepted stays as it is: its depth was decided with it.
+ *
+ * @return as rigid_check()
+ *
+ * @satisfies SWR-PLAN-017
+ * @satisfies SWR-PLAN-019
+ */
+status_t plan_set_entry(plan_t *self, const rigid_t *pose);
+
+/**
+ * The proposed entry point becomes the entry point; it stays proposed. Same meaning.
+ *
+ * @return STATUS_OK, or STATUS_NOT_PROPOSED
+ *
+ * @satisfies SWR-PLAN-017
+ * @satisfies SWR-PLAN-019
+ */
+status_t plan_accept_entry(plan_t *self);
+
+/**
+ * Takes `pose`, made exactly orthonormal, as the needle that an image shows; used for nothing else
+ * than to be shown.
+ *
+ * @return as rigid_check()
+ *
+ * @satisfies SWR-MOTION-024
+ */
+status_t plan_see_needle(plan_t *self, const rigid_t *pose);
+
+/** What plan_withdraw() forgets. */
+typedef enum {
+    PLAN_ENTRY = 0, /**< The entry point; of the others the proposed one. */
+    PLAN_PROPOSED_REGISTRATION = 1,
+    PLAN_PROPOSED_ENTRY = 2,
+    PLAN_PROPOSED_TARGET = 3
+} plan_part_t;
+
+/**
+ * Forgets a part of the plan. A target that was accepted stays as it is.
+ *
+ * @return STATUS_OK, or STATUS_NOT_PROPOSED when there is none
+ *
+ * @satisfies SWR-PLAN-018
+ * @satisfies SWR-PLAN-019
+ * @satisfies SWR-PLAN-021
+ */
+status_t plan_withdraw(plan_t *self, const robot_t *robot, plan_part_t part);
+
 /** Takes the place of `pose` as proposed entry point (scanner coordinates), @return as
- * rigid_check(). */
+ * rigid_check().
+ *
+ * @satisfies SWR-PLAN-018
+ */
 status_t plan_propose_entry(plan_t *self, const robot_t *robot, const rigid_t *pose);
 
 /** Takes a proposed target point. Same returns. */

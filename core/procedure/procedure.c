@@ -91,6 +91,13 @@ status_t procedure_request_jog(procedure_t *self, const workphase_inputs_t *inpu
     return refusal(actions->workphase);
 }
 
+status_t procedure_request_retract(procedure_t *self, const workphase_inputs_t *inputs,
+                                   procedure_actions_t *actions)
+{
+    *actions = dispatch(self, inputs, WORKPHASE_EVENT_REQUEST_RETRACT);
+    return refusal(actions->workphase);
+}
+
 uint32_t procedure_estop(procedure_t *self)
 {
     const workphase_inputs_t nothing = {.is_hardware_ready = false};

@@ -70,6 +70,15 @@ status_t procedure_request(procedure_t *self, const workphase_inputs_t *inputs, 
 status_t procedure_request_jog(procedure_t *self, const workphase_inputs_t *inputs,
                                procedure_actions_t *actions);
 
+/**
+ * Asks for a retraction of the needle to be armed. Same meaning.
+ *
+ * @satisfies SWR-PHASE-008
+ * @satisfies SWR-PHASE-009
+ */
+status_t procedure_request_retract(procedure_t *self, const workphase_inputs_t *inputs,
+                                   procedure_actions_t *actions);
+
 /** The e-stop was pulled. Returns ARMING_ACTION_ bits. */
 uint32_t procedure_estop(procedure_t *self);
 

@@ -35,7 +35,7 @@ solution_t coupled_limit_refusal(const coupled_limit_t *limit, int64_t value)
 
 solution_t coupled_limit_judge(const robot_t *robot, const joints_t *joints)
 {
-    solution_t result = {STATUS_OK, 0U, 0U};
+    solution_t result = {.status = STATUS_OK};
     for (uint32_t i = 0U; (i < robot->coupled_limit_count) && (result.status == STATUS_OK); i++) {
         result =
             coupled_limit_refusal(&robot->coupled_limits[i], kinematics_coupled(robot, i, joints));

@@ -52,7 +52,7 @@ static solution_t judge(const coupled_limit_t *limit, const int64_t values[STEPS
     const int64_t most = (int64_t)limit->maximum - room;
     const int64_t lowest = (values[0] < least) ? values[0] : least;
     const int64_t highest = (values[0] > most) ? values[0] : most;
-    solution_t result = {STATUS_OK, 0U, 0U};
+    solution_t result = {.status = STATUS_OK};
     for (uint32_t i = 1U; (i <= STEPS) && (result.status == STATUS_OK); i++) {
         if ((values[i] < lowest) || (values[i] > highest)) {
             result.status = (status_t)limit->refusal;
@@ -65,7 +65,7 @@ static solution_t judge(const coupled_limit_t *limit, const int64_t values[STEPS
 solution_t coupled_path_judge(const robot_t *robot, const int32_t from[ROBOT_AXIS_MAX],
                               const int32_t to[ROBOT_AXIS_MAX])
 {
-    solution_t result = {STATUS_OK, 0U, 0U};
+    solution_t result = {.status = STATUS_OK};
     for (uint32_t i = 0U; (i < robot->coupled_limit_count) && (result.status == STATUS_OK); i++) {
         const coupled_limit_t *const limit = &robot->coupled_limits[i];
         if (limit->is_curved != 0U) {

@@ -20,9 +20,11 @@ typedef struct {
 /** What stands in the way of a pose: the limit that is missed, the one missed by most if there are
  * several. */
 typedef struct {
-    status_t status;    /**< STATUS_OK, or the reason. */
-    uint8_t axis;       /**< Index of the axis of STATUS_AXIS_LIMIT; 0 otherwise. */
-    uint8_t is_maximum; /**< 1: the upper end of the limit, 0: the lower. */
+    status_t status;     /**< STATUS_OK, or the reason. */
+    uint8_t axis;        /**< Index of the axis of STATUS_AXIS_LIMIT; 0 otherwise. */
+    uint8_t is_maximum;  /**< 1: the upper end of the limit, 0: the lower. */
+    uint8_t is_by_entry; /**< Of a pose that was solved: 1 when an entry point decided what would
+                              otherwise have been free, and without it the answer may be another. */
 } solution_t;
 
 /** `ticks` of `axis` are more than `way_nm`, or of a turning axis than `way_bam`. */

@@ -38,7 +38,7 @@ solution_t margin_limit(const margin_t *self, const joint_limits_t *limits)
 {
     const status_t status = limits->status[self->nearest];
     const uint8_t axis = (status == STATUS_AXIS_LIMIT) ? (uint8_t)self->nearest : 0U;
-    return (solution_t){status, axis, self->is_maximum};
+    return (solution_t){.status = status, .axis = axis, .is_maximum = self->is_maximum};
 }
 
 void margin_init(margin_t *self)

@@ -283,7 +283,7 @@ bool coupled_guard_is_known(const robot_t *robot, const axis_t axes[ROBOT_AXIS_M
 solution_t coupled_guard_judge(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
                                uint32_t index, int32_t ticks)
 {
-    solution_t result = {STATUS_OK, 0U, 0U};
+    solution_t result = {.status = STATUS_OK};
     for (uint32_t i = 0U; (i < robot->coupled_limit_count) && (result.status == STATUS_OK); i++) {
         const coupled_limit_t *const limit = &robot->coupled_limits[i];
         if (coupled_limit_has(limit, index) && (unknown_axes(robot, limit, axes) == 0U)) {

@@ -44,7 +44,7 @@ class RobotsTest < Minitest::Test
   end
 
   def test_SWR_ROBOT_014_a_kind_that_nobody_knows_is_refused
-    assert_equal(2, made('neuro').source.scan('solution = {STATUS_MEMORY_DAMAGED, 0U, 0U}').size)
+    assert_equal(2, made('neuro').source.scan('solution = {.status = STATUS_MEMORY_DAMAGED}').size)
     assert_equal(4, made('neuro').source.scan('default:').size)
   end
 

@@ -187,7 +187,7 @@ static void target(void)
     pose = oblique();
     say_pose(COMMAND_TARGET, &pose);
     pose = rig_pose(5000000, 190000000, 60000000);
-    say_point(COMMAND_PROPOSE_ENTRY, (point_t){5000000, 255000000, 60000000});
+    say_point(COMMAND_ENTRY, (point_t){5000000, 255000000, 60000000});
     for (uint32_t i = 1U; i < CONTROLLER_COMMANDS; i++) {
         say((command_t){.kind = (uint32_t)COMMAND_JOG, .argument = i});
     }

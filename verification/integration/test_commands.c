@@ -141,18 +141,6 @@ void test_SWR_REG_002_a_registration_is_taken_in_calibration_only_and_clears_the
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_proposed_entry);
 }
 
-void test_SWR_PLAN_001_an_entry_point_on_the_axis_decides_the_depth(void)
-{
-    const rigid_t pose = rig_pose(5000000, 190000000, 60000000);
-    rig_start_targeted(&rig);
-    TEST_ASSERT_EQUAL_UINT32(
-        STATUS_OK,
-        rig_command(&rig, proposal(COMMAND_PROPOSE_ENTRY, 5000000, 246000000, 60000000)).status);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_target(&rig, &pose).status);
-    /* |target - entry| = d + D - B, so d = 56 - 41 + 5 = 20 mm = 66667 ticks. */
-    TEST_ASSERT_INT32_WITHIN(1, 66667, rig.controller.plan.target_ticks[AXIS_INSERTION]);
-}
-
 void test_SWR_PLAN_003_a_target_out_of_reach_is_refused_with_the_nearest_limit(void)
 {
     const rigid_t pose = rig_pose(200000000, 190000000, 60000000);

@@ -215,7 +215,7 @@ static void send_corner(stage_t *self, rig_t *rig)
     int32_t ticks[ROBOT_AXIS_MAX] = {0};
     joints_t joints;
     command_t target = {.kind = (uint32_t)COMMAND_TARGET};
-    command_t entry = {.kind = (uint32_t)COMMAND_PROPOSE_ENTRY};
+    command_t entry = {.kind = (uint32_t)COMMAND_ENTRY};
     for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
         ticks[i] = some_end(self, &self->robot->axes[i]);
     }

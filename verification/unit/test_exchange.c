@@ -166,9 +166,10 @@ void test_SWR_EXCH_002_a_command_carries_the_source_of_its_lane(void)
 
 void test_SWR_CTRL_021_a_cycle_takes_no_more_after_a_command_that_computes(void)
 {
-    static const command_kind_t costly[] = {COMMAND_REGISTRATION,         COMMAND_TARGET,
-                                            COMMAND_PROPOSE_REGISTRATION, COMMAND_PROPOSE_ENTRY,
-                                            COMMAND_PROPOSE_TARGET,       COMMAND_WORKPHASE};
+    static const command_kind_t costly[] = {
+        COMMAND_REGISTRATION,  COMMAND_TARGET,         COMMAND_PROPOSE_REGISTRATION,
+        COMMAND_PROPOSE_ENTRY, COMMAND_PROPOSE_TARGET, COMMAND_NEEDLE,
+        COMMAND_ENTRY,         COMMAND_WITHDRAW,       COMMAND_WORKPHASE};
     command_t taken[4];
 
     for (uint32_t i = 0U; i < (sizeof costly / sizeof costly[0]); i++) {

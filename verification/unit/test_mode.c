@@ -12,6 +12,7 @@
 #include "mode/mode.h"
 #include "mode/mode_frame.h"
 #include "mode/move_mode.h"
+#include "mode/retract_mode.h"
 #include "robot/coupled_limit.h"
 #include "robot/joints.h"
 #include "robot/robot_neuro.h"
@@ -64,21 +65,26 @@ static void expect_rest(void)
     }
 }
 
+/* A letter for each mode that runs in a workphase; a small one has a command of its own. */
 void test_SWR_PHASE_001_each_mode_has_its_workphase(void)
 {
+    static const char *const runs[WORKPHASE_COUNT] = {
+        [WORKPHASE_UNDEFINED] = ".....", [WORKPHASE_START_UP] = ".H...",
+        [WORKPHASE_PLANNING] = ".....",  [WORKPHASE_CALIBRATION] = ".....",
+        [WORKPHASE_TARGETING] = ".....", [WORKPHASE_MOVE_TO_TARGET] = "..M.r",
+        [WORKPHASE_MANUAL] = "...j.",    [WORKPHASE_STOP] = ".....",
+        [WORKPHASE_EMERGENCY] = ".....",
+    };
     for (uint32_t i = 0U; i < WORKPHASE_COUNT; i++) {
-        const workphase_t workphase = (workphase_t)i;
-        const mode_kind_t kind = mode_of(workphase);
-        for (uint32_t begun = 0U; begun < MODE_COUNT; begun++) {
-            mode_begin(&mode, (mode_kind_t)begun, &request);
-            TEST_ASSERT_EQUAL((begun == (uint32_t)kind) ? kind : MODE_NONE,
-                              mode_in(&mode, workphase));
+        mode_kind_t own = MODE_NONE;
+        for (uint32_t kind = 0U; kind < MODE_COUNT; kind++) {
+            mode_begin(&mode, (mode_kind_t)kind, &request);
+            TEST_ASSERT_EQUAL((runs[i][kind] != '.') ? kind : (uint32_t)MODE_NONE,
+                              mode_in(&mode, (workphase_t)i));
+            own = ((runs[i][kind] >= 'A') && (runs[i][kind] <= 'Z')) ? (mode_kind_t)kind : own;
         }
+        TEST_ASSERT_EQUAL(own, mode_of((workphase_t)i));
     }
-    TEST_ASSERT_EQUAL(MODE_HOMING, mode_of(WORKPHASE_START_UP));
-    TEST_ASSERT_EQUAL(MODE_MOVE, mode_of(WORKPHASE_MOVE_TO_TARGET));
-    TEST_ASSERT_EQUAL(MODE_JOG, mode_of(WORKPHASE_MANUAL));
-    TEST_ASSERT_EQUAL(MODE_NONE, mode_of(WORKPHASE_STOP));
 }
 
 void test_SWR_MEMORY_006_a_mode_that_there_is_not_is_none(void)
@@ -89,8 +95,9 @@ void test_SWR_MEMORY_006_a_mode_that_there_is_not_is_none(void)
     TEST_ASSERT_EQUAL(MODE_NONE, mode_in(&mode, WORKPHASE_MANUAL));
 }
 
-void test_SWR_AXIS_006_only_a_move_needs_every_axis_homed(void)
+void test_SWR_AXIS_006_a_move_and_a_retraction_need_every_axis_homed(void)
 {
+    TEST_ASSERT_FALSE(mode_may_be_unhomed(MODE_RETRACT));
     TEST_ASSERT_TRUE(mode_may_be_unhomed(MODE_HOMING));
     TEST_ASSERT_TRUE(mode_may_be_unhomed(MODE_JOG));
     TEST_ASSERT_TRUE(mode_may_be_unhomed(MODE_NONE));
@@ -121,6 +128,7 @@ void test_SWR_JOG_016_whatever_homes_across_the_needle_heeds_it(void)
 void test_SWR_JOG_001_a_move_takes_the_needle_out_itself(void)
 {
     TEST_ASSERT_FALSE(heeds(MODE_MOVE, AXIS_LATERAL, true));
+    TEST_ASSERT_FALSE(heeds(MODE_RETRACT, AXIS_INSERTION, true));
     TEST_ASSERT_FALSE(heeds(MODE_NONE, AXIS_LATERAL, true));
 }
 
@@ -159,6 +167,25 @@ void test_SWR_JOG_004_a_jog_runs_to_its_end(void)
     TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
     TEST_ASSERT_EQUAL_INT32(200, axes[AXIS_YAW].encoder.position_ticks);
     TEST_ASSERT_EQUAL_INT32(0, axes[AXIS_HEAD].encoder.position_ticks);
+}
+
+void test_SWR_MOTION_023_a_needle_that_is_out_is_retracted_already_even_without_the_pedal(void)
+{
+    begin(MODE_RETRACT, WORKPHASE_MOVE_TO_TARGET);
+    frame.is_moving = false;
+    world_put(AXIS_INSERTION, 30000);
+    steps(1U);
+    TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
+    expect_rest();
+    frame.is_moving = true;
+    run();
+    TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
+    expect_rest();
+    TEST_ASSERT_EQUAL_UINT32(0U, mode.leg.is_running);
+    frame.is_moving = false;
+    begin(MODE_RETRACT, WORKPHASE_MOVE_TO_TARGET);
+    steps(1U);
+    TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
 }
 
 void test_SWR_AXIS_006_homing_is_done_once_every_axis_is_homed_even_without_the_pedal(void)

@@ -173,3 +173,198 @@ void test_SWR_IGTL_009_a_proposed_registration_moves_the_desired_pose_only(void)
     TEST_ASSERT_INT32_WITHIN(1, -865, plan.desired_ticks[AXIS_LATERAL]);
     TEST_ASSERT_EQUAL_UINT32(0U, plan.is_registered);
 }
+
+static const int32_t target_y_nm = 190000000;
+
+/* |target - entry| = d + 36 mm on a needle straight down. */
+static rigid_t entry_for(int32_t depth_nm)
+{
+    return pose_at(5000000, target_y_nm + 36000000 + depth_nm, 60000000);
+}
+
+static solution_t set_target(void)
+{
+    const rigid_t pose = needle_down(5000000, target_y_nm, 60000000);
+    return plan_set_target(&plan, &robot_neuro, at_home, &pose);
+}
+
+static int32_t depth_nm(void)
+{
+    return joints_of(&robot_neuro.axes[AXIS_INSERTION], plan.target_ticks[AXIS_INSERTION]);
+}
+
+void test_SWR_PLAN_017_a_proposed_entry_decides_nothing_until_it_is_accepted(void)
+{
+    const rigid_t entry = entry_for(20000000);
+    (void)plan_register(&plan, &robot_neuro, &identity);
+    TEST_ASSERT_EQUAL(STATUS_NOT_PROPOSED, plan_accept_entry(&plan));
+    TEST_ASSERT_EQUAL_UINT32(0U, plan.has_entry);
+    TEST_ASSERT_EQUAL(STATUS_OK, set_target().status);
+    const int32_t free_nm = depth_nm();
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_propose_entry(&plan, &robot_neuro, &entry));
+    TEST_ASSERT_EQUAL(STATUS_OK, set_target().status);
+    TEST_ASSERT_EQUAL_INT32(free_nm, depth_nm());
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_accept_entry(&plan));
+    TEST_ASSERT_EQUAL_UINT32(1U, plan.has_proposed_entry);
+    TEST_ASSERT_EQUAL(STATUS_OK, set_target().status);
+    TEST_ASSERT_INT32_WITHIN(400, 20000000, depth_nm());
+    TEST_ASSERT_NOT_EQUAL_INT32(free_nm, depth_nm());
+}
+
+void test_SWR_PLAN_017_an_accepted_entry_stays_when_another_is_proposed(void)
+{
+    const rigid_t first = entry_for(20000000);
+    const rigid_t second = entry_for(10000000);
+    (void)plan_register(&plan, &robot_neuro, &identity);
+    (void)plan_propose_entry(&plan, &robot_neuro, &first);
+    (void)plan_accept_entry(&plan);
+    (void)plan_propose_entry(&plan, &robot_neuro, &second);
+    TEST_ASSERT_EQUAL(STATUS_OK, set_target().status);
+    TEST_ASSERT_INT32_WITHIN(400, 20000000, depth_nm());
+}
+
+void test_SWR_PLAN_017_an_entry_is_checked_as_a_proposal_is(void)
+{
+    const rigid_t entry = entry_for(20000000);
+    rigid_t wrong = entry;
+    wrong.rotation_q30[1][1] = 0;
+    TEST_ASSERT_EQUAL(STATUS_NOT_RIGID, plan_set_entry(&plan, &wrong));
+    wrong = entry;
+    wrong.translation.x_nm = (int32_t)LIMIT_REGISTRATION_MAX_NM + 1;
+    TEST_ASSERT_EQUAL(STATUS_OUT_OF_RANGE, plan_set_entry(&plan, &wrong));
+    TEST_ASSERT_EQUAL_UINT32(0U, plan.has_entry);
+    (void)plan_register(&plan, &robot_neuro, &identity);
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_set_entry(&plan, &entry));
+    TEST_ASSERT_EQUAL(STATUS_OK, set_target().status);
+    TEST_ASSERT_INT32_WITHIN(400, 20000000, depth_nm());
+}
+
+void test_SWR_REG_002_a_registration_forgets_the_entry_and_the_seen_needle(void)
+{
+    const rigid_t entry = entry_for(20000000);
+    (void)plan_set_entry(&plan, &entry);
+    (void)plan_see_needle(&plan, &entry);
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_register(&plan, &robot_neuro, &identity));
+    TEST_ASSERT_EQUAL_UINT32(0U, plan.has_entry + plan.has_seen_needle);
+}
+
+void test_SWR_LINK_003_with_the_target_entry_and_seen_needle_are_forgotten(void)
+{
+    const rigid_t entry = entry_for(20000000);
+    (void)plan_set_entry(&plan, &entry);
+    (void)plan_see_needle(&plan, &entry);
+    plan_forget_target(&plan);
+    TEST_ASSERT_EQUAL_UINT32(0U, plan.has_entry + plan.has_seen_needle);
+}
+
+void test_SWR_PLAN_018_proposals_and_their_withdrawal_leave_the_target_as_it_is(void)
+{
+    const rigid_t entry = entry_for(10000000);
+    rigid_t shifted = identity;
+    shifted.translation.x_nm = 10000000;
+    (void)plan_register(&plan, &robot_neuro, &identity);
+    TEST_ASSERT_EQUAL(STATUS_OK, set_target().status);
+    const plan_t before = plan;
+    (void)plan_propose_registration(&plan, &robot_neuro, &shifted);
+    (void)plan_propose_entry(&plan, &robot_neuro, &entry);
+    (void)plan_propose_target(&plan, &robot_neuro, &entry);
+    for (uint32_t i = PLAN_PROPOSED_REGISTRATION; i <= PLAN_PROPOSED_TARGET; i++) {
+        TEST_ASSERT_EQUAL(STATUS_OK, plan_withdraw(&plan, &robot_neuro, (plan_part_t)i));
+    }
+    TEST_ASSERT_EQUAL_UINT32(1U, plan.has_target);
+    TEST_ASSERT_EQUAL_UINT32(0U, plan.has_entry);
+    TEST_ASSERT_EQUAL_MEMORY(&before.scanner_target, &plan.scanner_target, sizeof(rigid_t));
+    TEST_ASSERT_EQUAL_MEMORY(&before.scanner_zframe, &plan.scanner_zframe, sizeof(rigid_t));
+    TEST_ASSERT_EQUAL_INT32_ARRAY(before.target_ticks, plan.target_ticks, ROBOT_AXIS_MAX);
+}
+
+void test_SWR_PLAN_019_an_entry_that_comes_or_goes_leaves_the_target_as_it_is(void)
+{
+    const rigid_t illegal = entry_for(-6000000);
+    (void)plan_register(&plan, &robot_neuro, &identity);
+    TEST_ASSERT_EQUAL(STATUS_OK, set_target().status);
+    const plan_t before = plan;
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_set_entry(&plan, &illegal));
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_withdraw(&plan, &robot_neuro, PLAN_ENTRY));
+    TEST_ASSERT_EQUAL_UINT32(1U, plan.has_target);
+    TEST_ASSERT_EQUAL_INT32_ARRAY(before.target_ticks, plan.target_ticks, ROBOT_AXIS_MAX);
+}
+
+void test_SWR_PLAN_020_a_target_refused_because_of_an_entry_says_so(void)
+{
+    const rigid_t illegal = entry_for(45000000);
+    const rigid_t pose = needle_down(5000000, target_y_nm, 60000000);
+    joints_t joints;
+    const solution_t inner = neuro_solve(&robot_neuro, &pose, &illegal.translation, &joints);
+    (void)plan_register(&plan, &robot_neuro, &identity);
+    (void)plan_set_entry(&plan, &illegal);
+    const solution_t result = set_target();
+    TEST_ASSERT_EQUAL(STATUS_AXIS_LIMIT, inner.status);
+    TEST_ASSERT_EQUAL(STATUS_ENTRY_POINT, result.status);
+    TEST_ASSERT_EQUAL_UINT8(inner.axis, result.axis);
+    TEST_ASSERT_EQUAL_UINT8(1U, inner.is_maximum);
+    TEST_ASSERT_EQUAL_UINT8(1U, result.is_maximum);
+    TEST_ASSERT_EQUAL_UINT32(0U, plan.has_target);
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_withdraw(&plan, &robot_neuro, PLAN_ENTRY));
+    TEST_ASSERT_EQUAL(STATUS_OK, set_target().status);
+}
+
+void test_SWR_PLAN_020_an_entry_elsewhere_is_not_blamed(void)
+{
+    const rigid_t elsewhere = pose_at(15000000, 246000000, 60000000);
+    const rigid_t far = needle_down(300000000, target_y_nm, 60000000);
+    (void)plan_register(&plan, &robot_neuro, &identity);
+    (void)plan_set_entry(&plan, &elsewhere);
+    TEST_ASSERT_EQUAL(STATUS_AXIS_LIMIT,
+                      plan_set_target(&plan, &robot_neuro, at_home, &far).status);
+}
+
+void test_SWR_PLAN_021_only_what_is_there_can_be_withdrawn(void)
+{
+    const rigid_t pose = entry_for(10000000);
+    for (uint32_t i = PLAN_ENTRY; i <= PLAN_PROPOSED_TARGET; i++) {
+        TEST_ASSERT_EQUAL(STATUS_NOT_PROPOSED, plan_withdraw(&plan, &robot_neuro, (plan_part_t)i));
+    }
+    (void)plan_set_entry(&plan, &pose);
+    (void)plan_propose_registration(&plan, &robot_neuro, &identity);
+    (void)plan_propose_entry(&plan, &robot_neuro, &pose);
+    (void)plan_propose_target(&plan, &robot_neuro, &pose);
+    uint32_t *const flags[] = {&plan.has_entry, &plan.has_proposed_registration,
+                               &plan.has_proposed_entry, &plan.has_proposed_target};
+    for (uint32_t i = PLAN_ENTRY; i <= PLAN_PROPOSED_TARGET; i++) {
+        TEST_ASSERT_EQUAL(STATUS_OK, plan_withdraw(&plan, &robot_neuro, (plan_part_t)i));
+        for (uint32_t other = PLAN_ENTRY; other <= PLAN_PROPOSED_TARGET; other++) {
+            TEST_ASSERT_EQUAL_UINT32((other > i) ? 1U : 0U, *flags[other]);
+        }
+        TEST_ASSERT_EQUAL(STATUS_NOT_PROPOSED, plan_withdraw(&plan, &robot_neuro, (plan_part_t)i));
+    }
+}
+
+void test_SWR_PLAN_021_without_one_of_its_points_the_desired_pose_is_gone(void)
+{
+    const rigid_t entry = pose_at(0, 246000000, 50000000);
+    const rigid_t target = pose_at(0, 200000000, 50000000);
+    (void)plan_propose_target(&plan, &robot_neuro, &target);
+    (void)plan_propose_entry(&plan, &robot_neuro, &entry);
+    TEST_ASSERT_EQUAL_UINT32(1U, plan.is_proposal_reachable);
+    (void)plan_withdraw(&plan, &robot_neuro, PLAN_PROPOSED_ENTRY);
+    TEST_ASSERT_EQUAL_UINT32(0U, plan.is_proposal_reachable);
+}
+
+void test_SWR_MOTION_024_a_seen_needle_is_checked_and_kept_until_another_target_is_sent(void)
+{
+    rigid_t wrong = identity;
+    wrong.rotation_q30[0][0] = 0;
+    TEST_ASSERT_EQUAL(STATUS_NOT_RIGID, plan_see_needle(&plan, &wrong));
+    TEST_ASSERT_EQUAL_UINT32(0U, plan.has_seen_needle);
+    rigid_t skewed = identity;
+    skewed.rotation_q30[0][1] = 50000;
+    skewed.translation.y_nm = 7000000;
+    (void)plan_register(&plan, &robot_neuro, &identity);
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_see_needle(&plan, &skewed));
+    TEST_ASSERT_EQUAL_UINT32(1U, plan.has_seen_needle);
+    TEST_ASSERT_EQUAL_INT32(7000000, plan.scanner_seen_needle.translation.y_nm);
+    TEST_ASSERT_LESS_THAN_INT32(50000, plan.scanner_seen_needle.rotation_q30[0][1]);
+    TEST_ASSERT_EQUAL(STATUS_OK, set_target().status);
+    TEST_ASSERT_EQUAL_UINT32(0U, plan.has_seen_needle);
+}

@@ -24,6 +24,7 @@ static int32_t planned_ticks[ROBOT_AXIS_MAX];
 static int32_t present_ticks[ROBOT_AXIS_MAX];
 static plan_t plan;
 static int32_t wrong_by_nm;
+static uint8_t is_by_entry;
 
 static solution_t solve(const robot_t *robot, const rigid_t *pose, const point_t *entry,
                         joints_t *joints, int calls)
@@ -33,7 +34,7 @@ static solution_t solve(const robot_t *robot, const rigid_t *pose, const point_t
     (void)entry;
     (void)calls;
     *joints = (joints_t){0};
-    return (solution_t){.status = STATUS_OK};
+    return (solution_t){.status = STATUS_OK, .is_by_entry = is_by_entry};
 }
 
 static void go_forward(const robot_t *robot, const joints_t *joints, rigid_t *pose, int calls)
@@ -223,4 +224,38 @@ void test_SWR_PLAN_016_the_way_is_judged_again_from_where_the_axes_are_then(void
     TEST_ASSERT_EQUAL(STATUS_SEPARATION_LIMIT, judged.status);
     TEST_ASSERT_EQUAL_UINT8(1U, judged.is_maximum);
     TEST_ASSERT_EQUAL_UINT32(1U, plan.has_target);
+}
+
+/* The way back, a switch, a coupled limit, the way there. */
+void test_SWR_PLAN_020_whatever_refuses_a_depth_that_an_entry_decided_is_told_as_that(void)
+{
+    rigid_t pose;
+    int32_t middle[ROBOT_AXIS_MAX];
+    (void)memcpy(middle, planned_ticks, sizeof middle);
+    rigid_set_identity(&pose);
+    for (is_by_entry = 0U; is_by_entry <= 1U; is_by_entry++) {
+        const bool is_by = is_by_entry != 0U;
+        (void)memcpy(planned_ticks, middle, sizeof middle);
+        present_ticks[AXIS_HEAD] = 0;
+        kinematics_coupled_Stub(separation_of);
+        wrong_by_nm = (int32_t)LIMIT_CLOSURE_NM + 1000;
+        solution_t result = plan_set_target(&plan, &robot_neuro, present_ticks, &pose);
+        TEST_ASSERT_EQUAL(is_by ? STATUS_ENTRY_POINT : STATUS_CLOSURE, result.status);
+        wrong_by_nm = 0;
+        planned_ticks[AXIS_YAW] = robot_neuro.axes[AXIS_YAW].target_maximum_ticks + 1;
+        result = plan_set_target(&plan, &robot_neuro, present_ticks, &pose);
+        TEST_ASSERT_EQUAL(is_by ? STATUS_ENTRY_POINT : STATUS_SWITCH_ZONE, result.status);
+        TEST_ASSERT_EQUAL_UINT8(AXIS_YAW, result.axis);
+        planned_ticks[AXIS_YAW] = middle[AXIS_YAW];
+        planned_ticks[AXIS_HEAD] = -1000;
+        planned_ticks[AXIS_FEET] = -1221;
+        result = plan_set_target(&plan, &robot_neuro, present_ticks, &pose);
+        TEST_ASSERT_EQUAL(is_by ? STATUS_ENTRY_POINT : STATUS_SEPARATION_LIMIT, result.status);
+        TEST_ASSERT_EQUAL_UINT8(1U, result.is_maximum);
+        planned_ticks[AXIS_FEET] = 0;
+        go_over_the_hill(-1000000);
+        TEST_ASSERT_EQUAL(is_by ? STATUS_ENTRY_POINT : STATUS_SEPARATION_LIMIT, set_target(0));
+        TEST_ASSERT_EQUAL_UINT32(0U, plan.has_target);
+    }
+    is_by_entry = 0U;
 }

@@ -189,6 +189,59 @@ void test_SWR_AXIS_010_a_second_jog_discards_the_first_one(void)
     TEST_ASSERT_TRUE(procedure_is_armed(&procedure));
 }
 
+void test_SWR_PHASE_008_a_retraction_takes_the_place_of_the_armed_move(void)
+{
+    for (uint32_t is_pressed = 0U; is_pressed < 2U; is_pressed++) {
+        arm();
+        if (is_pressed != 0U) {
+            (void)procedure_tell(&procedure, ARMING_EVENT_PEDAL_DOWN);
+        }
+        TEST_ASSERT_EQUAL(STATUS_OK, procedure_request_retract(&procedure, &inputs, &actions));
+        TEST_ASSERT_EQUAL_HEX32(ARMING_ACTION_RENEW_PEDAL | ARMING_ACTION_REPORT_DISCARDED,
+                                actions.arming);
+        TEST_ASSERT_EQUAL(WORKPHASE_MOVE_TO_TARGET, procedure_workphase(&procedure));
+        TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_WAITING, procedure.arming.state);
+    }
+}
+
+void test_SWR_PHASE_008_a_retraction_needs_no_target_and_a_move_may_follow_it(void)
+{
+    arm();
+    (void)procedure_tell(&procedure, ARMING_EVENT_DONE);
+    inputs.has_target = false;
+    TEST_ASSERT_EQUAL(STATUS_OK, procedure_request_retract(&procedure, &inputs, &actions));
+    TEST_ASSERT_EQUAL_HEX32(ARMING_ACTION_RENEW_PEDAL, actions.arming);
+    inputs.has_target = true;
+    TEST_ASSERT_EQUAL(STATUS_OK, request(WORKPHASE_MOVE_TO_TARGET));
+}
+
+void test_SWR_PHASE_009_a_retraction_is_refused_in_every_other_workphase(void)
+{
+    for (uint32_t from = 0U; from < WORKPHASE_COUNT; from++) {
+        if (from != (uint32_t)WORKPHASE_MOVE_TO_TARGET) {
+            enter((workphase_t)from);
+            const arming_state_t before = procedure.arming.state;
+            TEST_ASSERT_EQUAL(STATUS_WRONG_WORKPHASE,
+                              procedure_request_retract(&procedure, &inputs, &actions));
+            TEST_ASSERT_EQUAL_HEX32(0U, actions.arming);
+            TEST_ASSERT_EQUAL(before, procedure.arming.state);
+        }
+    }
+}
+
+void test_SWR_PHASE_009_a_retraction_that_is_refused_names_what_is_missing_and_discards_nothing(
+    void)
+{
+    arm();
+    inputs.is_able = false;
+    TEST_ASSERT_EQUAL(STATUS_FAULT_PRESENT,
+                      procedure_request_retract(&procedure, &inputs, &actions));
+    inputs.is_homed = false;
+    TEST_ASSERT_EQUAL(STATUS_NOT_HOMED, procedure_request_retract(&procedure, &inputs, &actions));
+    TEST_ASSERT_EQUAL_HEX32(0U, actions.arming);
+    TEST_ASSERT_TRUE(procedure_is_armed(&procedure));
+}
+
 void test_SWR_PEDAL_006_an_order_that_waits_too_long_expires(void)
 {
     arm();

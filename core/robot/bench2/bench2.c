@@ -43,7 +43,7 @@ static solution_t reach(const robot_t *robot, const point_t *target, joints_t *j
         margin_add(&margin, &limits, i, joints_value(&robot->axes[i], ticks[i]));
     }
     return (margin.margin_q56 < 0) ? margin_limit(&margin, &limits)
-                                   : (solution_t){STATUS_OK, 0U, 0U};
+                                   : (solution_t){.status = STATUS_OK};
 }
 
 void bench2_forward(const robot_t *robot, const joints_t *joints, rigid_t *zframe_treatment)
@@ -63,12 +63,12 @@ solution_t bench2_inverse(const robot_t *robot, const point_t *entry, const poin
     const int64_t z_nm = (int64_t)target->z_nm - entry->z_nm;
     const int64_t off_nm = (int64_t)target->z_nm - robot->geometry_nm[BENCH2_HOME_Z];
     if ((x_nm == 0) && (y_nm == 0) && (z_nm == 0)) {
-        return (solution_t){STATUS_DEGENERATE_LINE, 0U, 0U};
+        return (solution_t){.status = STATUS_DEGENERATE_LINE};
     }
     const bool is_needle = (y_nm < 0) && is_near(x_nm, LIMIT_CLOSURE_NM) &&
                            is_near(z_nm, LIMIT_CLOSURE_NM) && is_near(off_nm, LIMIT_CLOSURE_NM) &&
                            is_near(roll_bam, LIMIT_CLOSURE_BAM);
-    return is_needle ? reach(robot, target, joints) : (solution_t){STATUS_CLOSURE, 0U, 0U};
+    return is_needle ? reach(robot, target, joints) : (solution_t){.status = STATUS_CLOSURE};
 }
 
 solution_t bench2_solve(const robot_t *robot, const rigid_t *pose, const point_t *entry,

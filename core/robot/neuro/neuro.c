@@ -27,7 +27,7 @@ typedef struct {
 
 static solution_t result_of(status_t status)
 {
-    return (solution_t){status, 0U, 0U};
+    return (solution_t){.status = status};
 }
 
 /* The other short side of the right triangle on a side link, both short sides taken twice. */
@@ -317,7 +317,10 @@ solution_t neuro_solve(const robot_t *robot, const rigid_t *pose, const point_t 
     }
     neuro_limits(robot, &limits);
     if ((entry != NULL) && find_entry_depth(&needle, entry, &depth_nm)) {
-        return finish(&needle, &limits, depth_nm, joints);
+        solution_t by_entry = finish(&needle, &limits, depth_nm, joints);
+        /* No depth helps an angle. */
+        by_entry.is_by_entry = (by_entry.axis <= (uint8_t)AXIS_INSERTION) ? 1U : 0U;
+        return by_entry;
     }
     depth_nm = find_depth(&needle, &limits, &best);
     margin_add(&best, &limits, AXIS_ROTATION, needle.rotation_bam);

@@ -70,7 +70,7 @@ solution_t neuro_inverse_at_depth(const robot_t *robot, const rigid_t *pose, int
  * and separation) of LIMIT_DEPTH_MARGIN_PERCENT; without one the depth whose margin is largest.
  *
  * @return as neuro_inverse_at_depth(); without a legal free depth the limit that is missed by the
- * least
+ * least. is_by_entry: the entry point decided the depth, and no angle is what is refused
  *
  * @satisfies SWR-PLAN-001
  * @satisfies SWR-PLAN-002

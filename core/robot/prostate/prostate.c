@@ -224,7 +224,7 @@ static solution_t finish(const aimed_t *self, joints_t *joints)
     set_joints(self, &carriers, joints);
     judge_ticks(robot, joints, &limits, &margin);
     return (margin.margin_q56 < 0) ? margin_limit(&margin, &limits)
-                                   : (solution_t){STATUS_OK, 0U, 0U};
+                                   : (solution_t){.status = STATUS_OK};
 }
 
 int64_t prostate_coupled(const robot_t *robot, uint32_t index, const joints_t *joints)
@@ -284,12 +284,12 @@ solution_t prostate_inverse(const robot_t *robot, const point_t *entry, const po
     int32_t direction_q30[3];
     aimed_t needle;
     if (fixed_normalise(way_nm, direction_q30) == 0) {
-        return (solution_t){STATUS_DEGENERATE_LINE, 0U, 0U};
+        return (solution_t){.status = STATUS_DEGENERATE_LINE};
     }
     needle.rotation_bam = roll_bam;
     return aim(&needle, robot, target, direction_q30)
                ? finish(&needle, joints)
-               : (solution_t){STATUS_NEEDLE_BACKWARDS, 0U, 0U};
+               : (solution_t){.status = STATUS_NEEDLE_BACKWARDS};
 }
 
 solution_t prostate_solve(const robot_t *robot, const rigid_t *pose, const point_t *entry,
@@ -306,5 +306,5 @@ solution_t prostate_solve(const robot_t *robot, const rigid_t *pose, const point
     const bool is_forwards = aim(&needle, robot, &pose->translation, direction_q30);
     needle.rotation_bam = fixed_atan2_bam(fixed_dot_q30(needle.frame_q30[1], x_q30),
                                           fixed_dot_q30(needle.frame_q30[0], x_q30));
-    return is_forwards ? finish(&needle, joints) : (solution_t){STATUS_NEEDLE_BACKWARDS, 0U, 0U};
+    return is_forwards ? finish(&needle, joints) : (solution_t){.status = STATUS_NEEDLE_BACKWARDS};
 }

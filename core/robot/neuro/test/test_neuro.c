@@ -325,7 +325,7 @@ void test_SWR_KIN_003_golden_poses_and_depths_give_the_golden_joints(void)
 void test_SWR_KIN_004_entry_equal_to_target_is_a_degenerate_line(void)
 {
     const point_t point = {0, 200000000, 50000000};
-    expect_refusal((solution_t){STATUS_DEGENERATE_LINE, 0U, 0U},
+    expect_refusal((solution_t){.status = STATUS_DEGENERATE_LINE},
                    neuro_inverse(&robot, &point, &point, 0, &joints));
 }
 
@@ -339,7 +339,7 @@ void test_SWR_KIN_004_a_needle_along_the_lateral_axis_is_singular(void)
     pose.rotation_q30[0][2] = FIXED_ONE_Q30;
     pose.rotation_q30[2][0] = -FIXED_ONE_Q30;
     pose.rotation_q30[2][2] = 0;
-    const solution_t expected = {STATUS_SINGULAR_PITCH, 0U, 0U};
+    const solution_t expected = {.status = STATUS_SINGULAR_PITCH};
     expect_refusal(expected, neuro_inverse(&robot, &entry, &target, 0, &joints));
     expect_refusal(expected, neuro_inverse_at_depth(&robot, &pose, 0, &joints));
     expect_refusal(expected, neuro_solve(&robot, &pose, NULL, &joints));
@@ -349,7 +349,7 @@ void test_SWR_KIN_004_a_target_too_high_is_an_unreachable_height(void)
 {
     const point_t entry = {0, 400000000, 50000000};
     const point_t target = {0, 350000000, 50000000};
-    expect_refusal((solution_t){STATUS_UNREACHABLE_HEIGHT, 0U, 1U},
+    expect_refusal((solution_t){.status = STATUS_UNREACHABLE_HEIGHT, .is_maximum = 1U},
                    neuro_inverse(&robot, &entry, &target, 0, &joints));
 }
 
@@ -357,7 +357,7 @@ void test_SWR_KIN_004_a_target_too_low_is_an_unreachable_height(void)
 {
     const point_t entry = {0, 150000000, 50000000};
     const point_t target = {0, 100000000, 50000000};
-    expect_refusal((solution_t){STATUS_UNREACHABLE_HEIGHT, 0U, 0U},
+    expect_refusal((solution_t){.status = STATUS_UNREACHABLE_HEIGHT},
                    neuro_inverse(&robot, &entry, &target, 0, &joints));
 }
 
@@ -382,8 +382,9 @@ static void expect_limit(uint8_t axis, bool is_maximum)
     ticks[axis] += is_maximum ? 1 : -1;
     pose = pose_at(ticks);
     depth = joints_value(&robot.axes[AXIS_INSERTION], ticks[AXIS_INSERTION]);
-    expect_refusal((solution_t){STATUS_AXIS_LIMIT, axis, is_maximum ? 1U : 0U},
-                   neuro_inverse_at_depth(&robot, &pose, (int32_t)depth, &joints));
+    expect_refusal(
+        (solution_t){.status = STATUS_AXIS_LIMIT, .axis = axis, .is_maximum = is_maximum ? 1U : 0U},
+        neuro_inverse_at_depth(&robot, &pose, (int32_t)depth, &joints));
 }
 
 void test_SWR_KIN_004_one_tick_beyond_a_limit_names_the_axis_and_the_end(void)
@@ -407,11 +408,11 @@ void test_SWR_KIN_004_carriages_too_close_or_too_far_apart_are_refused_by_separa
     memcpy(ticks, middle, sizeof ticks);
     ticks[AXIS_HEAD] = ticks[AXIS_FEET] - 5360;
     rigid_t pose = pose_at(ticks);
-    expect_refusal((solution_t){STATUS_SEPARATION_LIMIT, 0U, 0U},
+    expect_refusal((solution_t){.status = STATUS_SEPARATION_LIMIT},
                    neuro_inverse_at_depth(&robot, &pose, depth, &joints));
     ticks[AXIS_HEAD] = ticks[AXIS_FEET] + 240;
     pose = pose_at(ticks);
-    expect_refusal((solution_t){STATUS_SEPARATION_LIMIT, 0U, 1U},
+    expect_refusal((solution_t){.status = STATUS_SEPARATION_LIMIT, .is_maximum = 1U},
                    neuro_inverse_at_depth(&robot, &pose, depth, &joints));
     ticks[AXIS_HEAD] = ticks[AXIS_FEET] + 230;
     pose = pose_at(ticks);
@@ -559,8 +560,38 @@ void test_SWR_PLAN_001_an_entry_that_asks_for_an_illegal_depth_is_refused(void)
     entry.x_nm += pose.translation.x_nm - retracted.translation.x_nm;
     entry.y_nm += pose.translation.y_nm - retracted.translation.y_nm;
     entry.z_nm += pose.translation.z_nm - retracted.translation.z_nm;
-    expect_refusal((solution_t){STATUS_AXIS_LIMIT, AXIS_INSERTION, 0U},
-                   neuro_solve(&robot, &pose, &entry, &joints));
+    expect_refusal(
+        (solution_t){.status = STATUS_AXIS_LIMIT, .axis = AXIS_INSERTION, .is_maximum = 0U},
+        neuro_solve(&robot, &pose, &entry, &joints));
+}
+
+void test_SWR_PLAN_020_it_is_told_whether_an_entry_decided_the_depth(void)
+{
+    const rigid_t pose = pose_at(middle);
+    const point_t inside = entry_at(middle, 0.09);
+    const point_t outside = entry_at(middle, 0.11);
+    TEST_ASSERT_EQUAL_UINT8(1U, neuro_solve(&robot, &pose, &inside, &joints).is_by_entry);
+    TEST_ASSERT_EQUAL_UINT8(0U, neuro_solve(&robot, &pose, &outside, &joints).is_by_entry);
+    TEST_ASSERT_EQUAL_UINT8(0U, neuro_solve(&robot, &pose, NULL, &joints).is_by_entry);
+}
+
+/* A place may be reached at another depth, an angle not. */
+void test_SWR_PLAN_020_an_angle_out_of_reach_is_not_the_fault_of_an_entry(void)
+{
+    static const uint32_t missed[] = {AXIS_LATERAL, AXIS_INSERTION, AXIS_PITCH, AXIS_YAW};
+    for (uint32_t i = 0U; i < (sizeof missed / sizeof missed[0]); i++) {
+        const uint32_t axis = missed[i];
+        int32_t ticks[ROBOT_AXIS_MAX];
+        memcpy(ticks, middle, sizeof ticks);
+        ticks[axis] = robot_neuro.axes[axis].maximum_ticks + 5;
+        const rigid_t pose = pose_at(ticks);
+        const point_t entry = entry_at(ticks, 0.0);
+        const solution_t result = neuro_solve(&robot, &pose, &entry, &joints);
+        expect_refusal(
+            (solution_t){.status = STATUS_AXIS_LIMIT, .axis = (uint8_t)axis, .is_maximum = 1U},
+            result);
+        TEST_ASSERT_EQUAL_UINT8((i < 2U) ? 1U : 0U, result.is_by_entry);
+    }
 }
 
 /* What the reference says of the free depth of a target. */
@@ -668,15 +699,17 @@ void test_SWR_PLAN_002_a_margin_is_the_part_of_the_range_to_the_nearer_limit(voi
     const int64_t range = limits.limit[AXIS_LATERAL].maximum - limits.limit[AXIS_LATERAL].minimum;
     margin_add(&margin, &limits, AXIS_LATERAL, -range / 4);
     TEST_ASSERT_TRUE(fabs((double)margin.margin_q56 / 72057594037927936.0 - 0.25) < 1.0e-7);
-    expect_refusal((solution_t){STATUS_AXIS_LIMIT, AXIS_LATERAL, 1U},
-                   margin_limit(&margin, &limits));
+    expect_refusal(
+        (solution_t){.status = STATUS_AXIS_LIMIT, .axis = AXIS_LATERAL, .is_maximum = 1U},
+        margin_limit(&margin, &limits));
     margin_add(&margin, &limits, AXIS_LATERAL, -range / 2);
     TEST_ASSERT_TRUE(fabs((double)margin.margin_q56 / 72057594037927936.0 - 0.25) < 1.0e-7);
     margin_add(&margin, &limits, NEURO_LIMIT_SEPARATION, 75000000);
     TEST_ASSERT_EQUAL_INT64(0, margin.margin_q56);
-    expect_refusal((solution_t){STATUS_SEPARATION_LIMIT, 0U, 0U}, margin_limit(&margin, &limits));
+    expect_refusal((solution_t){.status = STATUS_SEPARATION_LIMIT}, margin_limit(&margin, &limits));
     margin_add(&margin, &limits, NEURO_LIMIT_HEIGHT, INT64_C(8000000000));
-    expect_refusal((solution_t){STATUS_UNREACHABLE_HEIGHT, 0U, 1U}, margin_limit(&margin, &limits));
+    expect_refusal((solution_t){.status = STATUS_UNREACHABLE_HEIGHT, .is_maximum = 1U},
+                   margin_limit(&margin, &limits));
 }
 
 void test_SWR_PLAN_003_without_a_legal_depth_the_nearest_limit_is_named(void)
@@ -685,14 +718,15 @@ void test_SWR_PLAN_003_without_a_legal_depth_the_nearest_limit_is_named(void)
     memcpy(ticks, middle, sizeof ticks);
     ticks[AXIS_YAW] = 100;
     rigid_t pose = pose_at(ticks);
-    expect_refusal((solution_t){STATUS_AXIS_LIMIT, AXIS_YAW, 1U},
+    expect_refusal((solution_t){.status = STATUS_AXIS_LIMIT, .axis = AXIS_YAW, .is_maximum = 1U},
                    neuro_solve(&robot, &pose, NULL, &joints));
     memcpy(ticks, middle, sizeof ticks);
     ticks[AXIS_PITCH] = 0;
     ticks[AXIS_LATERAL] = -4000;
     pose = pose_at(ticks);
-    expect_refusal((solution_t){STATUS_AXIS_LIMIT, AXIS_LATERAL, 0U},
-                   neuro_solve(&robot, &pose, NULL, &joints));
+    expect_refusal(
+        (solution_t){.status = STATUS_AXIS_LIMIT, .axis = AXIS_LATERAL, .is_maximum = 0U},
+        neuro_solve(&robot, &pose, NULL, &joints));
 }
 
 void test_SWR_PLAN_003_the_depth_that_misses_by_least_decides_which_limit_is_named(void)
@@ -703,13 +737,13 @@ void test_SWR_PLAN_003_the_depth_that_misses_by_least_decides_which_limit_is_nam
     /* Straight down: the height needed grows by 1 mm with each mm of depth. */
     rigid_t pose = pose_at(ticks);
     pose.translation.y_nm += 30000000;
-    expect_refusal((solution_t){STATUS_SEPARATION_LIMIT, 0U, 0U},
+    expect_refusal((solution_t){.status = STATUS_SEPARATION_LIMIT},
                    neuro_solve(&robot, &pose, NULL, &joints));
     pose.translation.y_nm += 10000000;
-    expect_refusal((solution_t){STATUS_UNREACHABLE_HEIGHT, 0U, 1U},
+    expect_refusal((solution_t){.status = STATUS_UNREACHABLE_HEIGHT, .is_maximum = 1U},
                    neuro_solve(&robot, &pose, NULL, &joints));
     pose.translation.y_nm -= 200000000;
-    expect_refusal((solution_t){STATUS_UNREACHABLE_HEIGHT, 0U, 0U},
+    expect_refusal((solution_t){.status = STATUS_UNREACHABLE_HEIGHT},
                    neuro_solve(&robot, &pose, NULL, &joints));
 }
 

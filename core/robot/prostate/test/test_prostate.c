@@ -439,6 +439,15 @@ void test_SWR_KIN_013_an_entry_changes_nothing_for_the_pose_fixes_every_joint(vo
     TEST_ASSERT_EQUAL_INT32_ARRAY(without.value, with.value, robot.axis_count);
 }
 
+void test_SWR_PLAN_020_no_entry_is_to_blame_for_a_refusal(void)
+{
+    const rigid_t pose = needle_at(0.0, 160.0, 0.0, 0.0, 259.0);
+    const point_t entry = behind(&pose, 50000000);
+    const solution_t result = prostate_solve(&robot, &pose, &entry, &joints);
+    expect_refusal(STATUS_AXIS_LIMIT, AXIS_INSERTION, 0U, result);
+    TEST_ASSERT_EQUAL_UINT8(0U, result.is_by_entry);
+}
+
 void test_SWR_KIN_004_entry_equal_to_target_is_a_degenerate_line(void)
 {
     const point_t point = {0, 0, 50000000};

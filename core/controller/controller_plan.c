@@ -1,0 +1,156 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "controller/controller_plan.h"
+
+#include "controller/controller_facts.h"
+
+static bool is_in(const controller_t *self, workphase_t workphase)
+{
+    return procedure_workphase(&self->procedure) == workphase;
+}
+
+static status_t tell_registration(controller_t *self, const cycle_t *cycle,
+                                  const command_t *command)
+{
+    if (!is_in(self, WORKPHASE_CALIBRATION)) {
+        return STATUS_WRONG_WORKPHASE;
+    }
+    const status_t status = plan_register(&self->plan, cycle->robot, &command->pose);
+    if (status == STATUS_OK) {
+        controller_note(self, cycle, EVENT_REGISTERED, 0U, 0);
+    }
+    return status;
+}
+
+static status_t tell_target(controller_t *self, const cycle_t *cycle, const command_t *command,
+                            answer_t *answer)
+{
+    if (!is_in(self, WORKPHASE_TARGETING)) {
+        return STATUS_WRONG_WORKPHASE;
+    }
+    int32_t ticks[ROBOT_AXIS_MAX];
+    controller_positions(self, ticks);
+    const solution_t result = plan_set_target(&self->plan, cycle->robot, ticks, &command->pose);
+    answer->axis = (uint32_t)result.axis;
+    answer->is_maximum = (uint32_t)result.is_maximum;
+    if (result.status == STATUS_OK) {
+        answer->pose = self->plan.scanner_target;
+        controller_note(self, cycle, EVENT_TARGET_ACCEPTED, 0U, 0);
+    }
+    return result.status;
+}
+
+static status_t tell_entry(controller_t *self, const cycle_t *cycle, const command_t *command)
+{
+    if (!is_in(self, WORKPHASE_TARGETING)) {
+        return STATUS_WRONG_WORKPHASE;
+    }
+    const status_t status = (command->kind == (uint32_t)COMMAND_ENTRY)
+                                ? plan_set_entry(&self->plan, &command->pose)
+                                : plan_accept_entry(&self->plan);
+    if (status == STATUS_OK) {
+        controller_note(self, cycle, EVENT_ENTRY_TAKEN, 0U, 0);
+    }
+    return status;
+}
+
+static status_t tell_proposal(controller_t *self, const cycle_t *cycle, const command_t *command)
+{
+    status_t status = STATUS_OK;
+    if (command->kind == (uint32_t)COMMAND_PROPOSE_REGISTRATION) {
+        status = plan_propose_registration(&self->plan, cycle->robot, &command->pose);
+    } else if (command->kind == (uint32_t)COMMAND_PROPOSE_ENTRY) {
+        status = plan_propose_entry(&self->plan, cycle->robot, &command->pose);
+    } else {
+        status = plan_propose_target(&self->plan, cycle->robot, &command->pose);
+    }
+    if ((status == STATUS_OK) && !controller_is_unlogged(command)) {
+        controller_note(self, cycle, EVENT_PROPOSAL, command->kind, 0);
+    }
+    return status;
+}
+
+static status_t withdraw(controller_t *self, const cycle_t *cycle, const command_t *command)
+{
+    plan_part_t part = PLAN_ENTRY;
+    bool is_known = true;
+    switch (command->argument) {
+    case (uint32_t)COMMAND_ENTRY:
+        break;
+    case (uint32_t)COMMAND_PROPOSE_REGISTRATION:
+        part = PLAN_PROPOSED_REGISTRATION;
+        break;
+    case (uint32_t)COMMAND_PROPOSE_ENTRY:
+        part = PLAN_PROPOSED_ENTRY;
+        break;
+    case (uint32_t)COMMAND_PROPOSE_TARGET:
+        part = PLAN_PROPOSED_TARGET;
+        break;
+    default:
+        is_known = false;
+        break;
+    }
+    const status_t status =
+        is_known ? plan_withdraw(&self->plan, cycle->robot, part) : STATUS_UNKNOWN_COMMAND;
+    if ((status == STATUS_OK) && !controller_is_unlogged(command)) {
+        controller_note(self, cycle, EVENT_WITHDRAWN, command->argument, 0);
+    }
+    return status;
+}
+
+static status_t tell_needle(controller_t *self, const command_t *command)
+{
+    return is_in(self, WORKPHASE_MOVE_TO_TARGET) ? plan_see_needle(&self->plan, &command->pose)
+                                                 : STATUS_WRONG_WORKPHASE;
+}
+
+bool controller_is_unlogged(const command_t *command)
+{
+    bool is_unlogged = false;
+    switch (command->kind) {
+    case (uint32_t)COMMAND_PROPOSE_REGISTRATION:
+    case (uint32_t)COMMAND_PROPOSE_ENTRY:
+    case (uint32_t)COMMAND_PROPOSE_TARGET:
+    case (uint32_t)COMMAND_NEEDLE:
+        is_unlogged = command->argument != 0U;
+        break;
+    case (uint32_t)COMMAND_WITHDRAW:
+        is_unlogged = command->value != 0;
+        break;
+    default:
+        break;
+    }
+    return is_unlogged;
+}
+
+status_t controller_tell_plan(controller_t *self, const cycle_t *cycle, const command_t *command,
+                              answer_t *answer)
+{
+    status_t status = STATUS_UNKNOWN_COMMAND;
+    switch (command->kind) {
+    case (uint32_t)COMMAND_REGISTRATION:
+        status = tell_registration(self, cycle, command);
+        break;
+    case (uint32_t)COMMAND_TARGET:
+        status = tell_target(self, cycle, command, answer);
+        break;
+    case (uint32_t)COMMAND_ENTRY:
+    case (uint32_t)COMMAND_ACCEPT_ENTRY:
+        status = tell_entry(self, cycle, command);
+        break;
+    case (uint32_t)COMMAND_PROPOSE_REGISTRATION:
+    case (uint32_t)COMMAND_PROPOSE_ENTRY:
+    case (uint32_t)COMMAND_PROPOSE_TARGET:
+        status = tell_proposal(self, cycle, command);
+        break;
+    case (uint32_t)COMMAND_WITHDRAW:
+        status = withdraw(self, cycle, command);
+        break;
+    case (uint32_t)COMMAND_NEEDLE:
+        status = tell_needle(self, command);
+        break;
+    default:
+        status = STATUS_UNKNOWN_COMMAND;
+        break;
+    }
+    return status;
+}

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file The commands that change the plan, and arm nothing. */
+#ifndef BORESIGHT_CONTROLLER_PLAN_H
+#define BORESIGHT_CONTROLLER_PLAN_H
+
+#include "controller/controller_events.h"
+
+#include <stdbool.h>
+
+/** Who sent it says that it is not worth an event: a proposal or a needle of many. */
+bool controller_is_unlogged(const command_t *command);
+
+/**
+ * Registration, target, entry point, proposals and the needle that an image shows; fills what
+ * `answer` says of a target.
+ *
+ * @return STATUS_OK; STATUS_UNKNOWN_COMMAND for any other kind, and for what cannot be withdrawn;
+ * STATUS_WRONG_WORKPHASE; as the plan refuses
+ *
+ * @satisfies SWR-PLAN-017
+ * @satisfies SWR-PLAN-021
+ * @satisfies SWR-CTRL-023
+ * @satisfies SWR-MOTION-024
+ */
+status_t controller_tell_plan(controller_t *self, const cycle_t *cycle, const command_t *command,
+                              answer_t *answer);
+
+#endif
