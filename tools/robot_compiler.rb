@@ -87,7 +87,9 @@ module Robot
        "    .seal = #{seal('robot_t', sealed)}",
        *array('axes', @robot.axes.each_with_index.map { |axis, i| entry(axis, i) }),
        *array('poses', @robot.poses.map { |name, ticks| pose(name, ticks) }),
-       *array('start_ticks', @robot.axes.each_with_index.map { |axis, i| "        [#{i}] = #{axis['start_ticks']}" })]
+       *array('start_ticks', @robot.axes.each_with_index.map { |axis, i| "        [#{i}] = #{axis['start_ticks']}" }),
+       *array('told_joints', @robot.told.joints.each_with_index.map { |axis, i| "        [#{i}] = #{axis}U" }),
+       *array('told_lengths', @robot.told.lengths.each_with_index.map { |length, i| "        [#{i}] = #{told(*length)}" })]
     end
 
     # C knows no array without an element.
@@ -119,6 +121,10 @@ module Robot
     def pose(name, ticks)
       places = ticks.each_with_index.map { |one, i| "[#{i}] = #{one}" }.join(', ')
       "        [POSE_#{name.upcase}] = {.ticks = {#{places}}, .seal = #{seal('pose_t', 'ticks' => ticks)}}"
+    end
+
+    def told(name, millimetres)
+      "{.name = \"#{name}\", .length_nm = #{(millimetres * NM_PER_MM).round}}"
     end
 
     def seal(structure, values)

@@ -16,7 +16,7 @@
 #include <stdint.h>
 
 #define IGTL_BORDER_MAX_NM INT32_C(2000000000) /**< Farthest coordinate, +-2.0 m. */
-#define IGTL_LIST_SIZE 128U                    /**< Room for seven numbers as text. */
+#define IGTL_LIST_SIZE (IGTL_TEXT_MAX + 1U)    /**< Room for the numbers of all axes as text. */
 
 /**
  * Millimetres as float bits to nm, rounded half away from zero.
@@ -52,11 +52,20 @@ void igtl_border_write_pose(const rigid_t *pose, uint32_t numbers[IGTL_TRANSFORM
 /** `point` as float bits in mm. */
 void igtl_border_write_point(const point_t *point, uint32_t numbers[3]);
 
-/** Joint values of positions in ticks as text: "%f," for each axis, mm and radians. */
+/**
+ * Joint values of positions in ticks as text: "%f," for each axis in the order of
+ * robot->told_joints, mm and radians.
+ *
+ * @satisfies SWR-IGTL-038
+ */
 void igtl_border_write_positions(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX],
                                  char text[IGTL_LIST_SIZE]);
 
-/** Joint speeds as text: "%f," for each axis, mm/s and rad/s. */
+/**
+ * Joint speeds as text: "%f," for each axis in the order of robot->told_joints, mm/s and rad/s.
+ *
+ * @satisfies SWR-IGTL-038
+ */
 void igtl_border_write_speeds(const robot_t *robot,
                               const int32_t speeds_ticks_per_s_q8[ROBOT_AXIS_MAX],
                               char text[IGTL_LIST_SIZE]);

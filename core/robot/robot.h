@@ -17,6 +17,7 @@
 #define ROBOT_GEOMETRY_MAX 13U  /**< Most lengths of the geometry of any robot. */
 #define ROBOT_HOME_STAGES 4U    /**< Most stages of homing. */
 #define ROBOT_POSES 1U          /**< How many poses have a name. */
+#define ROBOT_TOLD_LENGTHS 4U   /**< Most lengths that clients are told. */
 
 typedef enum {
     HOME_BY_SWITCH = 0, /**< Drives to its limit switch. */
@@ -110,6 +111,12 @@ typedef struct {
     uint32_t seal; /**< seal_of() all before it. */
 } pose_t;
 
+/** A length that planning clients are told. */
+typedef struct {
+    char name[24]; /**< At most 20 characters; empty: none. */
+    int32_t length_nm;
+} told_length_t;
+
 /** A robot. No padding before `seal`. */
 typedef struct {
     char name[12];
@@ -130,6 +137,10 @@ typedef struct {
     int32_t
         start_ticks[ROBOT_AXIS_MAX]; /**< Where the simulated axes stand when their box is
                                         switched on; nothing else reads it, so it has no seal. */
+    /** What planning clients are told: axes in the order of lists, and lengths. Nothing that moves
+     * reads it, so it has no seal. */
+    uint8_t told_joints[ROBOT_AXIS_MAX];
+    told_length_t told_lengths[ROBOT_TOLD_LENGTHS];
 } robot_t;
 
 #endif

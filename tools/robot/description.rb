@@ -6,6 +6,7 @@ require_relative 'followers'
 require_relative 'kinematics'
 require_relative 'limit'
 require_relative 'pose'
+require_relative 'told'
 
 module Robot
   # An axis as the file gives it: values by key, and the nodes they came from.
@@ -176,11 +177,12 @@ module Robot
 
     CARDS = %w[sensor].freeze # That go without an axis.
 
-    attr_reader :name, :kinematics, :card_firmware, :axes, :sensor_slots, :geometry, :coupled_limits, :followers, :poses
+    attr_reader :name, :kinematics, :card_firmware, :axes, :sensor_slots, :geometry, :coupled_limits, :followers, :poses,
+                :told
 
     def initialize(path, text)
       nodes = Node.parse(path, text).mapping(%w[name kinematics card_firmware geometry probe coupled_limits axes],
-                                             %w[cards poses])
+                                             %w[cards poses told])
       @name = nodes['name'].name
       @kinematics = nodes['kinematics'].choice(Kinematics.names)
       @expected = Kinematics.new(@kinematics)
@@ -195,6 +197,7 @@ module Robot
       @followers = Followers.new(@axes)
       check_axes
       @poses = read_poses(nodes['poses'])
+      @told = Told.new(nodes['told'], @axes.map { |axis| axis['name'] }, @geometry)
     end
 
     def needle_axis

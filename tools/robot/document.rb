@@ -68,9 +68,10 @@ module Robot
       text
     end
 
-    def name
+    def name(longest = 11)
       text = plain
-      refuse("is #{text}; expected 1 to 11 of a-z, 0-9 and _") unless text.match?(/\A[a-z][a-z0-9_]{0,10}\z/)
+      refuse("is #{text}; expected 1 to #{longest} of a-z, 0-9 and _") \
+        unless text.match?(/\A[a-z][a-z0-9_]{0,#{longest - 1}}\z/)
       text
     end
 

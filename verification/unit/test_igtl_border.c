@@ -165,7 +165,8 @@ void test_SWR_IGTL_012_pose_goes_out_as_it_came_in(void)
 static const robot_t robot = {
     .axis_count = 2U,
     .axes = {{.unit = (uint8_t)AXIS_UNIT_MM, .unit_per_tick_q16 = INT64_C(10000) * 65536},
-             {.unit = (uint8_t)AXIS_UNIT_RAD, .unit_per_tick_q16 = (INT64_C(1) << 20) * 65536}}};
+             {.unit = (uint8_t)AXIS_UNIT_RAD, .unit_per_tick_q16 = (INT64_C(1) << 20) * 65536}},
+    .told_joints = {0U, 1U}};
 
 void test_SWR_IGTL_012_joints_go_out_in_millimetres_and_radians(void)
 {
@@ -183,4 +184,33 @@ void test_SWR_IGTL_012_speeds_go_out_per_second(void)
 
     igtl_border_write_speeds(&robot, speeds_q8, text);
     TEST_ASSERT_EQUAL_STRING("1.000000,-1.570796,", text);
+}
+
+void test_SWR_IGTL_038_lists_have_the_order_that_the_robot_names(void)
+{
+    static const int32_t counts[ROBOT_AXIS_MAX] = {-25600, 1024};
+    char text[IGTL_LIST_SIZE];
+    robot_t other = robot;
+
+    other.told_joints[0] = 1U;
+    other.told_joints[1] = 0U;
+    igtl_border_write_positions(&other, counts, text);
+    TEST_ASSERT_EQUAL_STRING("1.570796,-256.000000,", text);
+    igtl_border_write_speeds(&other, counts, text);
+    TEST_ASSERT_EQUAL_STRING("0.006136,-1.000000,", text);
+}
+
+void test_SWR_IGTL_012_a_list_of_all_axes_that_a_robot_may_have_is_whole(void)
+{
+    robot_t longest = {.axis_count = ROBOT_AXIS_MAX};
+    int32_t ticks[ROBOT_AXIS_MAX];
+    char text[IGTL_LIST_SIZE];
+
+    for (uint32_t i = 0U; i < ROBOT_AXIS_MAX; i++) {
+        longest.axes[i] = robot.axes[0];
+        longest.told_joints[i] = (uint8_t)i;
+        ticks[i] = -214748364;
+    }
+    igtl_border_write_positions(&longest, ticks, text);
+    TEST_ASSERT_EQUAL_UINT(ROBOT_AXIS_MAX * strlen("-2147483.640000,"), strlen(text));
 }

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+module Robot
+  # What planning clients are told of a robot: its joints in their order, and lengths by names.
+  #
+  # @satisfies SWR-IGTL-038
+  # @satisfies SWR-IGTL-039
+  class Told
+    MOST_LENGTHS = 4 # ROBOT_TOLD_LENGTHS of core/robot/robot.h
+    LONGEST_NAME = 20 # Of a device in OpenIGTLink.
+
+    # Places of the axes in the order of lists; lengths in mm by name.
+    attr_reader :joints, :lengths
+
+    # `node`: nil without. `axes`: their names in the robot's order. `geometry`: its lengths by name.
+    def initialize(node, axes, geometry)
+      nodes = node ? node.mapping([], %w[joints lengths]) : {}
+      @joints = nodes.key?('joints') ? read_joints(nodes['joints'], axes) : axes.each_index.to_a
+      @lengths = nodes.key?('lengths') ? read_lengths(nodes['lengths'], geometry) : {}
+    end
+
+    private
+
+    def read_joints(node, axes)
+      names = node.sequence.map { |joint| joint.choice(axes) }
+      node.refuse("are #{names.join(', ')}; expected each of #{axes.join(', ')} once") unless names.sort == axes.sort
+      names.map { |name| axes.index(name) }
+    end
+
+    def read_lengths(node, geometry)
+      entries = node.sequence.map { |entry| entry.mapping(%w[name length]) }
+      node.refuse("are #{entries.size}; expected at most #{MOST_LENGTHS}") if entries.size > MOST_LENGTHS
+      entries.each_with_object({}) do |entry, lengths|
+        name = entry['name'].name(LONGEST_NAME)
+        entry['name'].refuse("is #{name}, which another has; expected another") if lengths.key?(name)
+        lengths[name] = geometry.fetch(entry['length'].choice(geometry.keys))
+      end
+    end
+  end
+end
