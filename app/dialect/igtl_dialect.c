@@ -30,6 +30,7 @@ uint32_t igtl_reason_code(status_t status)
     case STATUS_AXIS_LIMIT:
     case STATUS_SWITCH_ZONE:
     case STATUS_CLOSURE:
+    case STATUS_ENTRY_POINT:
         return IGTL_STATUS_CONFIG_ERROR;
     case STATUS_WRONG_WORKPHASE:
     case STATUS_NOT_HOMED:
@@ -43,6 +44,7 @@ uint32_t igtl_reason_code(status_t status)
     case STATUS_JOG_TOO_FAR:
     case STATUS_NOT_ALLOWED:
     case STATUS_MEMORY_DAMAGED:
+    case STATUS_NOT_PROPOSED:
     default:
         return IGTL_STATUS_NOT_READY;
     }

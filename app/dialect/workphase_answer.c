@@ -2,9 +2,34 @@
 #include "dialect/workphase_answer.h"
 
 #include "dialect/workphase_peer.h"
+#include "dialect/workphase_watch.h"
 #include "interface/app/names.h"
 
 #include <stddef.h>
+#include <stdio.h>
+
+/* Under which name the peer is told of a request. */
+static const char *subject_of(const workphase_peer_t *peer, const igtl_request_t *request)
+{
+    switch (request->kind) {
+    case COMMAND_REGISTRATION:
+        return "CALIBRATION";
+    case COMMAND_TARGET:
+        return "TARGET";
+    case COMMAND_NEEDLE:
+        return "MOVE_TO_TARGET";
+    case COMMAND_RETRACT:
+        return peer->retraction;
+    case COMMAND_ENTRY:
+        return "ENTRY";
+    case COMMAND_ACCEPT_ENTRY:
+        return "ACCEPT_ENTRY";
+    case COMMAND_WITHDRAW:
+        return "WITHDRAW_ENTRY";
+    default:
+        return workphase_name((int32_t)request->argument);
+    }
+}
 
 /* Entering these has a STATUS since 2021 only. */
 static bool is_entered_silently(uint32_t phase)
@@ -12,72 +37,112 @@ static bool is_entered_silently(uint32_t phase)
     return (phase == (uint32_t)WORKPHASE_PLANNING) || (phase == (uint32_t)WORKPHASE_CALIBRATION);
 }
 
+/* Of a workphase with an order, since 2021: it waits for the pedal. */
+static void tell_armed(workphase_peer_t *peer, const igtl_packet_t *entered, uint32_t phase,
+                       const igtl_moment_t *moment)
+{
+    if ((peer->language == IGTL_LANGUAGE_BRP_2021) &&
+        (phase == (uint32_t)WORKPHASE_MOVE_TO_TARGET)) {
+        igtl_outbox_add(peer->outbox, entered);
+        workphase_peer_tell_position(peer, moment);
+    }
+}
+
 static void tell_entered(workphase_peer_t *peer, const answer_t *answer,
                          const igtl_moment_t *moment)
 {
     const char *phase = workphase_name((int32_t)answer->argument);
     const igtl_status_t entered = {IGTL_STATUS_OK, phase, ""};
+    const bool is_late =
+        (peer->language != IGTL_LANGUAGE_BRP_2021) && is_entered_silently(answer->argument);
     igtl_packet_t packet;
 
     workphase_peer_tell_phase(peer, IGTL_STATUS_OK, answer->argument, "", moment);
-    if (answer->is_final == 0U) {
-        return;
-    }
     igtl_encode_status(&packet, phase, &entered, moment->timestamp);
-    if (is_entered_silently(answer->argument)) {
+    if (answer->is_final == 0U) {
+        tell_armed(peer, &packet, answer->argument, moment);
+    } else if (!is_late) {
+        igtl_outbox_add(peer->outbox, &packet);
+    } else if (peer->pending == 0U) {
         workphase_peer_defer(peer, &packet, moment->now_us);
     } else {
-        igtl_outbox_add(peer->outbox, &packet);
+        /* Withheld: the next command has come. */
     }
 }
 
+static void tell_outcome(const workphase_dialect_t *self, workphase_peer_t *peer, const char *name,
+                         const answer_t *answer, const igtl_moment_t *moment)
+{
+    const bool is_good = answer->status == (uint32_t)STATUS_OK;
+    char text[IGTL_REASON_SIZE] = "";
+    const igtl_status_t status = {igtl_reason_code((status_t)answer->status),
+                                  workphase_name((int32_t)answer->workphase), text};
+
+    if (!is_good) {
+        igtl_reason_text(self->robot, answer, text);
+    }
+    igtl_tell_status(peer->outbox, name, &status, moment);
+}
+
+/* As deployed servers do: the workphase that was asked for, then that it was not entered. */
 static void tell_refused(const workphase_dialect_t *self, workphase_peer_t *peer,
                          const answer_t *answer, const igtl_moment_t *moment)
 {
-    char text[IGTL_REASON_SIZE];
-    const igtl_status_t refused = {igtl_reason_code((status_t)answer->status),
-                                   workphase_name((int32_t)answer->workphase), text};
-
-    igtl_reason_text(self->robot, answer, text);
-    workphase_peer_tell_phase(peer, IGTL_STATUS_NOT_READY, answer->workphase, text, moment);
-    igtl_tell_status(peer->outbox, workphase_name((int32_t)answer->argument), &refused, moment);
+    workphase_peer_tell_phase(peer, IGTL_STATUS_OK, answer->argument, "", moment);
+    tell_outcome(self, peer, workphase_name((int32_t)answer->argument), answer, moment);
 }
 
-/* A newer command of the same peer has ended this request, or is about to: its own sequence goes
- * first. */
-static bool is_superseded(workphase_dialect_t *self, const igtl_request_t *request,
-                          const answer_t *answer)
+static void write_end(const workphase_dialect_t *self, const igtl_request_t *request,
+                      const answer_t *answer, const igtl_moment_t *moment, igtl_packet_t *packet)
 {
-    const uint32_t last = self->peers[request->peer].last_request;
-    const igtl_request_t *newer = igtl_requests_find(&self->requests, last);
+    const bool is_fault = (answer->kind == (uint32_t)ANSWER_ABORTED) &&
+                          (answer->status == (uint32_t)STATUS_FAULT_PRESENT);
+    char text[IGTL_REASON_SIZE] = "";
+    const igtl_status_t ended = {is_fault ? (uint32_t)IGTL_STATUS_HARDWARE_FAILURE
+                                          : igtl_reason_code((status_t)answer->status),
+                                 workphase_name((int32_t)answer->workphase), text};
 
-    return (last != request->id) && (((newer != NULL) && !newer->is_accepted) ||
-                                     (answer->status == (uint32_t)STATUS_DISCARDED));
+    if (is_fault) {
+        workphase_watch_fault_text(self, moment, text);
+    } else if (answer->status != (uint32_t)STATUS_OK) {
+        igtl_reason_text(self->robot, answer, text);
+    } else {
+        /* It has ended as asked. */
+    }
+    igtl_encode_status(packet, subject_of(&self->peers[request->peer], request), &ended,
+                       moment->timestamp);
+}
+
+/* Since 2021 STATUS(MOVE_TO_TARGET, 1) means entered; that it has arrived is asked for. */
+static bool is_arrival_asked_for(const workphase_peer_t *peer, const igtl_request_t *request,
+                                 const answer_t *answer)
+{
+    return (peer->language == IGTL_LANGUAGE_BRP_2021) && (answer->kind == (uint32_t)ANSWER_DONE) &&
+           (request->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET);
 }
 
 static void tell_ended(workphase_dialect_t *self, const igtl_request_t *request,
                        const answer_t *answer, const igtl_moment_t *moment)
 {
     workphase_peer_t *peer = &self->peers[request->peer];
-    const char *phase = workphase_name((int32_t)request->argument);
-    const bool is_done = (answer->kind == (uint32_t)ANSWER_DONE);
-    char text[IGTL_REASON_SIZE] = "";
-    const igtl_status_t ended = {is_done ? (uint32_t)IGTL_STATUS_OK
-                                         : igtl_reason_code((status_t)answer->status),
-                                 workphase_name((int32_t)answer->workphase), text};
+    const bool is_discarded = answer->status == (uint32_t)STATUS_DISCARDED;
     igtl_packet_t packet;
 
-    if (!is_done) {
-        igtl_reason_text(self->robot, answer, text);
-    }
-    igtl_encode_status(&packet, phase, &ended, moment->timestamp);
-    if (is_superseded(self, request, answer)) {
-        workphase_peer_defer(peer, &packet, moment->now_us);
+    if (is_arrival_asked_for(peer, request, answer)) {
         return;
     }
-    igtl_outbox_add(peer->outbox, &packet);
-    if (is_done && (request->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET)) {
-        workphase_peer_tell_position(peer, moment);
+    write_end(self, request, answer, moment, &packet);
+    if (peer->pending != 0U) {
+        peer->end =
+            (workphase_end_t){.is_waiting = true, .is_discarded = is_discarded, .packet = packet};
+    } else if (!is_discarded || (peer->accepted == request->id)) {
+        igtl_outbox_add(peer->outbox, &packet);
+        if ((answer->kind == (uint32_t)ANSWER_DONE) &&
+            (request->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET)) {
+            workphase_peer_tell_position(peer, moment);
+        }
+    } else {
+        /* Its own later command has ended it. */
     }
 }
 
@@ -99,31 +164,111 @@ static void answer_phase(workphase_dialect_t *self, const igtl_request_t *reques
     }
 }
 
-static void answer_pose(workphase_dialect_t *self, const igtl_request_t *request,
-                        const answer_t *answer, const igtl_moment_t *moment)
+static void answer_target(const workphase_dialect_t *self, workphase_peer_t *peer,
+                          const answer_t *answer, const igtl_moment_t *moment)
 {
-    workphase_peer_t *peer = &self->peers[request->peer];
-    const bool is_target = (request->kind == (uint32_t)COMMAND_TARGET);
-    char text[IGTL_REASON_SIZE] = "";
-    const igtl_status_t status = {igtl_reason_code((status_t)answer->status),
-                                  workphase_name((int32_t)answer->workphase), text};
-
-    if (answer->kind == (uint32_t)ANSWER_REFUSED) {
-        igtl_reason_text(self->robot, answer, text);
+    tell_outcome(self, peer, "TARGET", answer, moment);
+    if (answer->kind != (uint32_t)ANSWER_ACCEPTED) {
+        return;
     }
-    igtl_tell_status(peer->outbox, is_target ? "TARGET" : "CALIBRATION", &status, moment);
-    if (is_target && (answer->kind == (uint32_t)ANSWER_ACCEPTED)) {
+    if (peer->language == IGTL_LANGUAGE_BRP_2021) {
+        igtl_tell_pose(peer->outbox, "REACHABLE_TARGET", &answer->pose, moment);
+    } else {
         igtl_tell_pose(peer->outbox, "TARGET", &answer->pose, moment);
         workphase_peer_defer_pose(peer, "REACHABLE_TARGET", &answer->pose, moment);
     }
 }
 
+/* A tip that a newer command of the same peer has overtaken is not spoken of. */
+static void answer_tip(const workphase_dialect_t *self, workphase_peer_t *peer,
+                       const answer_t *answer, const igtl_moment_t *moment)
+{
+    if (peer->pending == 0U) {
+        tell_outcome(self, peer, "MOVE_TO_TARGET", answer, moment);
+    }
+}
+
+static void answer_retraction(workphase_dialect_t *self, const igtl_request_t *request,
+                              const answer_t *answer, const igtl_moment_t *moment)
+{
+    workphase_peer_t *peer = &self->peers[request->peer];
+    char name[IGTL_NAME_SIZE];
+
+    if (answer->kind == (uint32_t)ANSWER_ACCEPTED) {
+        (void)snprintf(name, sizeof name, "ACK_%.16s", peer->retraction);
+        tell_outcome(self, peer, name, answer, moment);
+        if (answer->is_final != 0U) { /* It was out already. */
+            tell_outcome(self, peer, peer->retraction, answer, moment);
+        }
+    } else if (answer->kind == (uint32_t)ANSWER_REFUSED) {
+        tell_outcome(self, peer, peer->retraction, answer, moment);
+    } else {
+        tell_ended(self, request, answer, moment);
+    }
+}
+
+static void answer_by_kind(workphase_dialect_t *self, const igtl_request_t *request,
+                           const answer_t *answer, const igtl_moment_t *moment)
+{
+    workphase_peer_t *peer = &self->peers[request->peer];
+
+    switch (request->kind) {
+    case COMMAND_WORKPHASE:
+        answer_phase(self, request, answer, moment);
+        break;
+    case COMMAND_TARGET:
+        answer_target(self, peer, answer, moment);
+        break;
+    case COMMAND_NEEDLE:
+        answer_tip(self, peer, answer, moment);
+        break;
+    case COMMAND_RETRACT:
+        answer_retraction(self, request, answer, moment);
+        break;
+    default:
+        tell_outcome(self, peer, subject_of(peer, request), answer, moment);
+        break;
+    }
+}
+
+/* The command for which an order's end waited has been answered: was it what ended it? */
+static void release_end(workphase_peer_t *peer, bool is_accepted)
+{
+    if (peer->end.is_waiting && !(peer->end.is_discarded && is_accepted)) {
+        igtl_outbox_add(peer->outbox, &peer->end.packet);
+    }
+    peer->end.is_waiting = false;
+}
+
 void workphase_answer_tell(workphase_dialect_t *self, const igtl_request_t *request,
                            const answer_t *answer, const igtl_moment_t *moment)
 {
-    if (request->kind == (uint32_t)COMMAND_WORKPHASE) {
-        answer_phase(self, request, answer, moment);
-    } else {
-        answer_pose(self, request, answer, moment);
+    workphase_peer_t *peer = &self->peers[request->peer];
+    const bool is_awaited = peer->pending == request->id;
+    const bool is_accepted = answer->kind == (uint32_t)ANSWER_ACCEPTED;
+
+    if (is_awaited) {
+        peer->pending = 0U;
+    }
+    if (is_accepted && ((request->kind == (uint32_t)COMMAND_WORKPHASE) ||
+                        (request->kind == (uint32_t)COMMAND_RETRACT))) {
+        peer->accepted = request->id;
+    }
+    answer_by_kind(self, request, answer, moment);
+    if (is_awaited) {
+        release_end(peer, is_accepted);
+    }
+    workphase_watch_note(self, request, answer, moment);
+}
+
+void workphase_answer_tell_none(workphase_dialect_t *self, const igtl_request_t *request,
+                                const igtl_moment_t *moment)
+{
+    workphase_peer_t *peer = &self->peers[request->peer];
+
+    igtl_tell_refusal(peer->outbox, subject_of(peer, request), STATUS_NO_ANSWER, moment);
+    if (peer->pending == request->id) {
+        peer->pending = 0U;
+        release_end(peer, false);
     }
 }

@@ -14,8 +14,14 @@
  *
  * @satisfies SWR-IGTL-007
  * @satisfies SWR-IGTL-008
+ * @satisfies SWR-IGTL-030
+ * @satisfies SWR-IGTL-031
  */
 void workphase_answer_tell(workphase_dialect_t *self, const igtl_request_t *request,
                            const answer_t *answer, const igtl_moment_t *moment);
+
+/** The peer of `request` is told that there is no answer. */
+void workphase_answer_tell_none(workphase_dialect_t *self, const igtl_request_t *request,
+                                const igtl_moment_t *moment);
 
 #endif

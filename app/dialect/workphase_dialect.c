@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "dialect/workphase_dialect.h"
 
-#include "dialect/igtl_border.h"
 #include "dialect/workphase_answer.h"
 #include "dialect/workphase_peer.h"
 #include "dialect/workphase_poll.h"
-#include "interface/app/names.h"
+#include "dialect/workphase_receive.h"
+#include "dialect/workphase_watch.h"
 
 #include <stddef.h>
 #include <string.h>
@@ -32,9 +32,10 @@ void workphase_dialect_connected(void *dialect, uint32_t peer,
 
 static bool is_long(const igtl_request_t *request)
 {
-    return (request->kind == (uint32_t)COMMAND_WORKPHASE) &&
-           ((request->argument == (uint32_t)WORKPHASE_START_UP) ||
-            (request->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET));
+    return (request->kind == (uint32_t)COMMAND_RETRACT) ||
+           ((request->kind == (uint32_t)COMMAND_WORKPHASE) &&
+            ((request->argument == (uint32_t)WORKPHASE_START_UP) ||
+             (request->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET)));
 }
 
 void workphase_dialect_disconnected(void *dialect, uint32_t peer)
@@ -62,138 +63,19 @@ bool workphase_dialect_is_controlled_by(const void *dialect, uint32_t peer)
     return self->controller == peer;
 }
 
-static bool may_command(workphase_dialect_t *self, uint32_t peer)
+bool workphase_dialect_has_order(const void *dialect, uint32_t peer)
 {
-    if (self->controller == IGTL_NOBODY) {
-        self->controller = peer;
-    }
-    return self->controller == peer;
-}
+    const workphase_dialect_t *self = dialect;
 
-static void deny(workphase_peer_t *peer, const char *name, const igtl_moment_t *moment)
-{
-    const igtl_status_t denial = {IGTL_STATUS_ACCESS_DENIED, "ACCESS_DENIED",
-                                  "ACCESS_DENIED: Another connection controls the robot."};
+    for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
+        const igtl_request_t *request = &self->requests.requests[i];
 
-    igtl_tell_status(peer->outbox, name, &denial, moment);
-}
-
-/* The workphase named by a text, WORKPHASE_UNDEFINED for none that can be commanded. */
-static workphase_t phase_of(const igtl_message_t *message)
-{
-    for (uint32_t i = (uint32_t)WORKPHASE_START_UP; i < WORKPHASE_COUNT; i++) {
-        const char *name = workphase_name((int32_t)i);
-
-        if ((strlen(name) == message->text_bytes) &&
-            (memcmp(name, message->text, message->text_bytes) == 0)) {
-            return (workphase_t)i;
+        if ((request->id != 0U) && (request->peer == peer) && request->is_accepted &&
+            is_long(request)) {
+            return true;
         }
     }
-    return WORKPHASE_UNDEFINED;
-}
-
-static void refuse_text(workphase_peer_t *peer, const igtl_message_t *message,
-                        const igtl_moment_t *moment)
-{
-    char name[IGTL_NAME_SIZE] = "";
-    const uint32_t length =
-        (message->text_bytes < (IGTL_NAME_SIZE - 1U)) ? message->text_bytes : (IGTL_NAME_SIZE - 1U);
-
-    (void)memcpy(name, message->text, length);
-    igtl_tell_refusal(peer->outbox, (length > 0U) ? name : message->name, STATUS_UNKNOWN_COMMAND,
-                      moment);
-}
-
-/* `id` is what was remembered of it, NULL for nothing. */
-static void request_phase(workphase_dialect_t *self, uint32_t peer, workphase_t phase,
-                          workphase_id_t *id, const igtl_moment_t *moment)
-{
-    command_t command = {.peer = self->peers[peer].number,
-                         .kind = (uint32_t)COMMAND_WORKPHASE,
-                         .argument = (uint32_t)phase};
-    const igtl_request_t *request =
-        igtl_requests_add(&self->requests, peer, &command, moment->patience_us);
-
-    if (id != NULL) {
-        id->request = (request == NULL) ? 0U : request->id;
-        id->name[0] = (request == NULL) ? '\0' : id->name[0];
-    }
-    if (request == NULL) {
-        igtl_tell_refusal(self->peers[peer].outbox, workphase_name((int32_t)phase), STATUS_BUSY,
-                          moment);
-    } else {
-        self->peers[peer].last_request = request->id;
-    }
-}
-
-static void receive_command(workphase_dialect_t *self, uint32_t index,
-                            const igtl_message_t *message, const igtl_moment_t *moment)
-{
-    workphase_peer_t *peer = &self->peers[index];
-    const workphase_t phase = phase_of(message);
-    const bool is_urgent = (phase == WORKPHASE_STOP) || (phase == WORKPHASE_EMERGENCY);
-    workphase_id_t *id = NULL;
-
-    workphase_peer_acknowledge_string(peer, message, moment);
-    if (!is_urgent) {
-        if (workphase_peer_is_repeated(peer, message)) {
-            return;
-        }
-        id = workphase_peer_remember(peer, message);
-    }
-    if (workphase_poll_string(peer, message, moment)) {
-        return;
-    }
-    workphase_peer_cancel_deferred(peer);
-    if (phase == WORKPHASE_UNDEFINED) {
-        refuse_text(peer, message, moment);
-    } else if (!is_urgent && !may_command(self, index)) {
-        deny(peer, workphase_name((int32_t)phase), moment);
-    } else {
-        request_phase(self, index, phase, id, moment);
-    }
-}
-
-static void receive_pose(workphase_dialect_t *self, uint32_t index, const igtl_message_t *message,
-                         const igtl_moment_t *moment)
-{
-    workphase_peer_t *peer = &self->peers[index];
-    const bool is_registration = (strncmp(message->name, "CLB_", 4U) == 0);
-    const char *name = is_registration ? "CALIBRATION" : "TARGET";
-    command_t command = {.peer = peer->number,
-                         .kind =
-                             (uint32_t)(is_registration ? COMMAND_REGISTRATION : COMMAND_TARGET)};
-    status_t status;
-
-    workphase_peer_cancel_deferred(peer);
-    workphase_peer_acknowledge_transform(peer, message, moment);
-    if (!may_command(self, index)) {
-        deny(peer, name, moment);
-        return;
-    }
-    status = igtl_border_read_pose(message->numbers, &command.pose);
-    if ((status == STATUS_OK) &&
-        (igtl_requests_add(&self->requests, index, &command, moment->patience_us) == NULL)) {
-        status = STATUS_BUSY;
-    }
-    if (status != STATUS_OK) {
-        igtl_tell_refusal(peer->outbox, name, status, moment);
-    }
-}
-
-static void receive_string(workphase_dialect_t *self, uint32_t index, const igtl_message_t *message,
-                           const igtl_moment_t *moment)
-{
-    workphase_peer_t *peer = &self->peers[index];
-
-    if (strncmp(message->name, "CMD_", 4U) == 0) {
-        receive_command(self, index, message, moment);
-        return;
-    }
-    workphase_peer_send_deferred(peer, moment->now_us, true);
-    if (!workphase_poll_string(peer, message, moment)) {
-        igtl_tell_refusal(peer->outbox, message->name, STATUS_UNKNOWN_COMMAND, moment);
-    }
+    return false;
 }
 
 void workphase_dialect_receive(void *dialect, uint32_t peer, const igtl_message_t *message,
@@ -205,15 +87,10 @@ void workphase_dialect_receive(void *dialect, uint32_t peer, const igtl_message_
 
     switch (message->kind) {
     case IGTL_KIND_STRING:
-        receive_string(self, peer, message, moment);
+        workphase_receive_string(self, peer, message, moment);
         break;
     case IGTL_KIND_TRANSFORM:
-        if ((strncmp(message->name, "CLB_", 4U) == 0) ||
-            (strncmp(message->name, "TGT_", 4U) == 0)) {
-            receive_pose(self, peer, message, moment);
-        } else {
-            igtl_tell_refusal(asker->outbox, message->name, STATUS_UNKNOWN_COMMAND, moment);
-        }
+        workphase_receive_transform(self, peer, message, moment);
         break;
     case IGTL_KIND_GET_TRANSFORM:
         workphase_peer_send_deferred(asker, moment->now_us, true);
@@ -276,20 +153,15 @@ static void stop_for_lost_peer(workphase_dialect_t *self, uint64_t patience_us)
     }
 }
 
-static bool has_unanswered_phase(const workphase_dialect_t *self, uint32_t peer)
+/* Between a command and its answer nothing else is sent; clients of 2021 ask. */
+static bool is_streamed(const workphase_dialect_t *self, const igtl_request_t *request)
 {
-    for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
-        const igtl_request_t *request = &self->requests.requests[i];
-
-        if ((request->id != 0U) && (request->peer == peer) && !request->is_accepted &&
-            (request->kind == (uint32_t)COMMAND_WORKPHASE)) {
-            return true;
-        }
-    }
-    return false;
+    return (request->id != 0U) && request->is_accepted && (request->peer != IGTL_NOBODY) &&
+           (request->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET) &&
+           (self->peers[request->peer].pending == 0U) &&
+           (self->peers[request->peer].language != IGTL_LANGUAGE_BRP_2021);
 }
 
-/* Between a command and its answer nothing else is sent. */
 static void stream_position(workphase_dialect_t *self, const igtl_moment_t *moment)
 {
     if ((moment->now_us < self->next_position_us) || !igtl_is_moving(moment)) {
@@ -298,24 +170,10 @@ static void stream_position(workphase_dialect_t *self, const igtl_moment_t *mome
     for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
         const igtl_request_t *request = &self->requests.requests[i];
 
-        if ((request->id != 0U) && request->is_accepted && (request->peer != IGTL_NOBODY) &&
-            (request->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET) &&
-            !has_unanswered_phase(self, request->peer)) {
+        if (is_streamed(self, request)) {
             self->next_position_us = moment->now_us + IGTL_STREAM_US;
             workphase_peer_tell_position(&self->peers[request->peer], moment);
         }
-    }
-}
-
-static const char *subject_of(const igtl_request_t *request)
-{
-    switch (request->kind) {
-    case COMMAND_REGISTRATION:
-        return "CALIBRATION";
-    case COMMAND_TARGET:
-        return "TARGET";
-    default:
-        return workphase_name((int32_t)request->argument);
     }
 }
 
@@ -323,8 +181,7 @@ static void tell_no_answer(workphase_dialect_t *self, const igtl_request_t *requ
                            const igtl_moment_t *moment)
 {
     if (request->peer != IGTL_NOBODY) {
-        igtl_tell_refusal(self->peers[request->peer].outbox, subject_of(request), STATUS_NO_ANSWER,
-                          moment);
+        workphase_answer_tell_none(self, request, moment);
     }
 }
 
@@ -340,19 +197,26 @@ void workphase_dialect_step(workphase_dialect_t *self, const igtl_moment_t *mome
     for (uint32_t i = 0U; i < IGTL_PLACES; i++) {
         if (self->peers[i].outbox != NULL) {
             workphase_peer_send_deferred(&self->peers[i], moment->now_us, false);
+            workphase_receive_step(self, i, moment);
         }
     }
+    workphase_watch_step(self, moment);
     stream_position(self, moment);
 }
 
 void workphase_dialect_control_lost(workphase_dialect_t *self, const igtl_moment_t *moment)
 {
+    bool is_told = false;
+
     for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
         igtl_request_t *request = &self->requests.requests[i];
 
+        is_told = is_told || ((request->id != 0U) && (request->peer == self->controller) &&
+                              (request->is_accepted || request->is_overdue));
         if ((request->id != 0U) && request->is_accepted) {
             tell_no_answer(self, request, moment);
             igtl_requests_end(request);
         }
     }
+    workphase_watch_control_lost(self, is_told, moment);
 }

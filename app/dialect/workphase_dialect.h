@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The workphase protocol between navigation and an MRI-guided robot (Tokuda et al.; the protocol of
- * 2013, with the messages added in 2021 sent LIMIT_IGTL_EXTRA_DELAY_US later and withheld when the
- * next command arrives first). One peer controls: the first that commands, until it disconnects.
- * STOP, EMERGENCY and polls are everyone's.
+ * The workphase protocol between navigation and an MRI-guided robot (Tokuda et al.), by the port's
+ * language: that of 2013, with the messages added in 2021 sent LIMIT_IGTL_EXTRA_DELAY_US later and
+ * withheld when the next command arrives first, or that of 2021. One peer controls: the first that
+ * commands, until it disconnects. STOP, EMERGENCY, questions and proposals are everyone's and take
+ * nothing.
  */
 #ifndef BORESIGHT_WORKPHASE_DIALECT_H
 #define BORESIGHT_WORKPHASE_DIALECT_H
@@ -36,6 +37,21 @@ typedef struct {
     uint32_t request; /**< Id of what became of it, 0 for nothing. */
 } workphase_id_t;
 
+/** The end of an order that waits until a newer command of the same peer is answered. */
+typedef struct {
+    bool is_waiting;
+    bool is_discarded; /**< Nothing is said of it if the newer command was accepted: that ended it.
+                        */
+    igtl_packet_t packet;
+} workphase_end_t;
+
+/** Needle tips as an image shows them: the newest waits for its turn. */
+typedef struct {
+    bool is_waiting;
+    rigid_t pose;
+    uint64_t next_us; /**< Not passed on before. */
+} workphase_tip_t;
+
 typedef struct {
     igtl_outbox_t *outbox; /**< NULL: not connected. */
     uint32_t number;       /**< Of its connection. */
@@ -43,14 +59,41 @@ typedef struct {
     const char *entry_prefix;
     workphase_id_t ids[WORKPHASE_IDS]; /**< The last commands, a ring. */
     uint32_t next_id;
-    uint32_t last_request; /**< Id of its newest workphase command. */
+    /** Ids of its newest workphase or retraction: not answered yet, 0 for none; and accepted. */
+    uint32_t pending;
+    uint32_t accepted;
+    workphase_end_t end;
+    workphase_tip_t tip;
+    const char *retraction; /**< By which word it retracted last. */
     workphase_extra_t extras[WORKPHASE_EXTRAS];
     uint32_t extra_count;
 } workphase_peer_t;
 
+/** What the controlling peer knows of what happens by itself. */
+typedef struct {
+    uint32_t workphase;
+    uint32_t estop;
+    uint32_t pose_status;
+    uint32_t lost_cards;  /**< Bit n: the card of slot n. */
+    uint32_t axis_faults; /**< Bit n: axis n. */
+    uint32_t is_loop_stopped;
+    uint32_t is_pedal_faulty;
+} workphase_facts_t;
+
+/** Between snapshots. */
+typedef struct {
+    bool has_facts;
+    workphase_facts_t facts;
+    bool is_waiting; /**< Something is to be told, since... */
+    uint64_t waiting_since_us;
+    bool is_control_lost; /**< At this cycle. */
+    uint32_t cycle;
+} workphase_watch_t;
+
 typedef struct {
     const robot_t *robot;
     igtl_requests_t requests;
+    workphase_watch_t watch;
     workphase_peer_t peers[IGTL_PLACES];
     uint32_t controller;       /**< Peer that commands, or IGTL_NOBODY. */
     uint64_t next_position_us; /**< When the next CURRENT_POSITION is due. */
@@ -70,6 +113,9 @@ void workphase_dialect_disconnected(void *dialect, uint32_t peer);
 /** It is the one peer that commands. */
 bool workphase_dialect_is_controlled_by(const void *dialect, uint32_t peer);
 
+/** An order of `peer` waits for the pedal or moves: START_UP, MOVE_TO_TARGET or a retraction. */
+bool workphase_dialect_has_order(const void *dialect, uint32_t peer);
+
 /**
  * A message of `peer`. Its acknowledgement is in the outbox on return.
  *
@@ -84,11 +130,11 @@ void workphase_dialect_receive(void *dialect, uint32_t peer, const igtl_message_
 bool workphase_dialect_answer(workphase_dialect_t *self, const answer_t *answer,
                               const igtl_moment_t *moment);
 
-/** Time passes: deferred messages, the position stream, missing answers. */
+/** Time passes: deferred messages, the position stream, missing answers, what happens by itself. */
 void workphase_dialect_step(workphase_dialect_t *self, const igtl_moment_t *moment);
 
-/** The controller has ended: whoever waits for the end of a request is told that there will be no
- * answer. */
+/** The controller has ended, or does not answer any more: whoever waits for the end of a request is
+ * told that there will be no answer, and who controls in any case, once. */
 void workphase_dialect_control_lost(workphase_dialect_t *self, const igtl_moment_t *moment);
 
 #endif

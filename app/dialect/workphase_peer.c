@@ -6,14 +6,15 @@
 #include "limits/requirement_limits.h"
 #include "message/igtl_crc64.h"
 
+#include <stdio.h>
 #include <string.h>
 
-#define PREFIX_LENGTH 4U /* "CMD_", "CLB_", "TGT_" */
+#define COMMAND_PREFIX_LENGTH 4U /* "CMD_" */
 
-static void acknowledgement_name(const igtl_message_t *message, char name[IGTL_NAME_SIZE])
+static void acknowledgement_name(const igtl_message_t *message, uint32_t prefix_length,
+                                 char name[IGTL_NAME_SIZE])
 {
-    (void)memcpy(name, message->name, IGTL_NAME_SIZE);
-    (void)memcpy(name, "ACK_", PREFIX_LENGTH);
+    (void)snprintf(name, IGTL_NAME_SIZE, "ACK_%.16s", &message->name[prefix_length]);
 }
 
 void workphase_peer_acknowledge_string(workphase_peer_t *self, const igtl_message_t *message,
@@ -25,7 +26,7 @@ void workphase_peer_acknowledge_string(workphase_peer_t *self, const igtl_messag
     const uint32_t length =
         (message->text_bytes < IGTL_TEXT_MAX) ? message->text_bytes : IGTL_TEXT_MAX;
 
-    acknowledgement_name(message, name);
+    acknowledgement_name(message, COMMAND_PREFIX_LENGTH, name);
     (void)memcpy(text, message->text, length);
     text[length] = '\0';
     igtl_encode_string(&packet, name, text, moment->timestamp);
@@ -33,12 +34,12 @@ void workphase_peer_acknowledge_string(workphase_peer_t *self, const igtl_messag
 }
 
 void workphase_peer_acknowledge_transform(workphase_peer_t *self, const igtl_message_t *message,
-                                          const igtl_moment_t *moment)
+                                          uint32_t prefix_length, const igtl_moment_t *moment)
 {
     igtl_packet_t packet;
     char name[IGTL_NAME_SIZE];
 
-    acknowledgement_name(message, name);
+    acknowledgement_name(message, prefix_length, name);
     igtl_encode_transform(&packet, name, message->numbers, moment->timestamp);
     igtl_outbox_add(self->outbox, &packet);
 }

@@ -13,9 +13,10 @@
 void workphase_peer_acknowledge_string(workphase_peer_t *self, const igtl_message_t *message,
                                        const igtl_moment_t *moment);
 
-/** Acknowledges a TRANSFORM: TRANSFORM(ACK_x, the numbers bit by bit). */
+/** Acknowledges a TRANSFORM: TRANSFORM(ACK_x, the numbers bit by bit), where x is its name from
+ * `prefix_length` on. */
 void workphase_peer_acknowledge_transform(workphase_peer_t *self, const igtl_message_t *message,
-                                          const igtl_moment_t *moment);
+                                          uint32_t prefix_length, const igtl_moment_t *moment);
 
 /** A command of this name and text is among the last WORKPHASE_IDS. */
 bool workphase_peer_is_repeated(const workphase_peer_t *self, const igtl_message_t *message);

@@ -63,6 +63,7 @@ typedef enum {
 /** STATUS codes of the protocol that are used. */
 typedef enum {
     IGTL_STATUS_OK = 1,
+    IGTL_STATUS_PANIC_MODE = 3,
     IGTL_STATUS_ACCESS_DENIED = 5,
     IGTL_STATUS_NOT_FOUND = 4,
     IGTL_STATUS_BUSY = 6,

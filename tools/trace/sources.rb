@@ -105,7 +105,7 @@ module Trace
     end
 
     def c_tests
-      helpers = glob(SUPPORT).flat_map { |file| CFunctions.new(read(file)).all }
+      helpers = glob(SUPPORT).flat_map { |file| CFunctions.new(read(file)).callables }
       glob(C_TESTS).flat_map do |file|
         functions = CFunctions.new(read(file))
         asserting = functions.asserting(helpers)
@@ -147,12 +147,17 @@ module Trace
       @macros = macros
     end
 
+    # Functions and macros.
+    def callables
+      all + @macros
+    end
+
     # Names of all functions and macros that assert, by themselves or through one they call.
     def asserting(helpers = [])
-      callables = all + helpers + @macros
-      names = callables.select { |callable| callable.body.match?(ASSERTION) }.map(&:name)
+      known = callables + helpers
+      names = known.select { |callable| callable.body.match?(ASSERTION) }.map(&:name)
       loop do
-        more = callables.reject { |callable| names.include?(callable.name) }
+        more = known.reject { |callable| names.include?(callable.name) }
                         .select { |callable| callable.body.match?(/\b(?:#{Regexp.union(names).source})\b/) }
         return names if names.empty? || more.empty?
 

@@ -85,10 +85,11 @@ class TestIgtl < Minitest::Test
     navigation do |client|
       client.phase('MOVE_TO_TARGET')
       current = client.status('CURRENT_STATUS')
-      assert_equal [13, 'STOP'], current.values_at('code', 'error_name')
+      assert_equal [1, 'MOVE_TO_TARGET'], current.values_at('code', 'error_name')
       refused = client.status('MOVE_TO_TARGET')
       assert_equal [13, 'STOP'], refused.values_at('code', 'error_name')
       assert_match(/\AWRONG_WORKPHASE: .+\.\z/, refused['text'])
+      assert_equal 'STOP', present_phase(client)
     end
   end
 
@@ -96,10 +97,10 @@ class TestIgtl < Minitest::Test
     navigation do |client|
       client.phase('DANCE')
       assert client.run('expect STATUS DANCE 12')
-      client.run('string RETRACT_NEEDLE')
-      client.run('expect STATUS RETRACT_NEEDLE 12')
-      client.run("transform NPOS_1 #{IDENTITY}")
-      client.run('expect STATUS NPOS_1 12')
+      client.run('string ALPHA 0.5')
+      client.run('expect STATUS ALPHA 12')
+      client.run("transform REGISTRATION #{IDENTITY}")
+      client.run('expect STATUS REGISTRATION 12')
     end
   end
 

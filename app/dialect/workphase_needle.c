@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "dialect/workphase_needle.h"
+
+#include "limits/requirement_limits.h"
+#include "robot/robot_kind.h"
+#include "robot/robot_prostate.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define NM_PER_MM 1000000.0
+
+/* A whole number text; whatever is no number is no length. */
+static bool is_length(const char *text, int32_t length_nm)
+{
+    char *end;
+    const double length_mm = strtod(text, &end);
+    const double away_nm = (length_mm * NM_PER_MM) - (double)length_nm;
+
+    return (end != text) && (*end == '\0') && (away_nm <= (double)LIMIT_NEEDLE_LENGTH_NM) &&
+           (away_nm >= -(double)LIMIT_NEEDLE_LENGTH_NM);
+}
+
+static void tell_verdict(const workphase_peer_t *peer, int32_t length_nm, const char *said,
+                         const igtl_moment_t *moment)
+{
+    char text[IGTL_REASON_SIZE];
+    const bool is_right = is_length(said, length_nm);
+    const igtl_status_t status = {is_right ? (uint32_t)IGTL_STATUS_OK
+                                           : (uint32_t)IGTL_STATUS_CONFIG_ERROR,
+                                  is_right ? "NEEDLE_LENGTH" : "CONFIG_ERROR", text};
+
+    (void)snprintf(text, sizeof text, "%sThe robot is set to a needle of %.3f mm.",
+                   is_right ? "" : "CONFIG_ERROR: ", (double)length_nm / NM_PER_MM);
+    igtl_tell_status(peer->outbox, "NEEDLE_LENGTH", &status, moment);
+}
+
+void workphase_needle_tell_length(workphase_peer_t *peer, const robot_t *robot,
+                                  const igtl_message_t *message, const igtl_moment_t *moment)
+{
+    igtl_packet_t packet;
+    char said[IGTL_TEXT_MAX + 1U];
+    const uint32_t length =
+        (message->text_bytes < IGTL_TEXT_MAX) ? message->text_bytes : IGTL_TEXT_MAX;
+
+    (void)memcpy(said, message->text, length);
+    said[length] = '\0';
+    igtl_encode_string(&packet, "ACK_NEEDLE_LENGTH", said, moment->timestamp);
+    igtl_outbox_add(peer->outbox, &packet);
+    if (robot->kind == ROBOT_KIND_PROSTATE) {
+        tell_verdict(peer, robot->geometry_nm[PROSTATE_PROBE_NEEDLE_TIP], said, moment);
+    } else {
+        igtl_tell_refusal(peer->outbox, "NEEDLE_LENGTH", STATUS_UNKNOWN_COMMAND, moment);
+    }
+}

@@ -1,0 +1,315 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "dialect/workphase_receive.h"
+
+#include "dialect/igtl_border.h"
+#include "dialect/workphase_needle.h"
+#include "dialect/workphase_peer.h"
+#include "dialect/workphase_poll.h"
+#include "interface/app/names.h"
+#include "limits/requirement_limits.h"
+
+#include <stddef.h>
+#include <string.h>
+
+/* A command by one word, the name or the text of a STRING. */
+typedef struct {
+    const char *word;
+    command_kind_t kind;
+    uint32_t argument;
+} word_t;
+
+static const word_t words[] = {
+    {"RETRACT_NEEDLE", COMMAND_RETRACT, 0U},
+    {"RETRACT_PROBE", COMMAND_RETRACT, 0U},
+    {"ACCEPT_ENTRY", COMMAND_ACCEPT_ENTRY, 0U},
+    {"WITHDRAW_ENTRY", COMMAND_WITHDRAW, (uint32_t)COMMAND_ENTRY},
+};
+
+/* A command by a pose; `result` is the name of what it is answered by. */
+typedef struct {
+    const char *prefix;
+    const char *result;
+    command_kind_t kind;
+} pose_command_t;
+
+static const pose_command_t pose_commands[] = {
+    {"CLB_", "CALIBRATION", COMMAND_REGISTRATION},
+    {"TGT_", "TARGET", COMMAND_TARGET},
+    {"NPOS_", "MOVE_TO_TARGET", COMMAND_NEEDLE},
+};
+
+static bool is_others(const workphase_dialect_t *self, uint32_t peer)
+{
+    return (self->controller != IGTL_NOBODY) && (self->controller != peer);
+}
+
+static bool may_command(workphase_dialect_t *self, uint32_t peer)
+{
+    if (self->controller == IGTL_NOBODY) {
+        self->controller = peer;
+    }
+    return self->controller == peer;
+}
+
+static void deny(workphase_peer_t *peer, const char *name, const igtl_moment_t *moment)
+{
+    const igtl_status_t denial = {IGTL_STATUS_ACCESS_DENIED, "ACCESS_DENIED",
+                                  "ACCESS_DENIED: Another connection controls the robot."};
+
+    igtl_tell_status(peer->outbox, name, &denial, moment);
+}
+
+static bool is_text(const igtl_message_t *message, const char *word)
+{
+    return (strlen(word) == message->text_bytes) &&
+           (memcmp(word, message->text, message->text_bytes) == 0);
+}
+
+/* The workphase named by a text, WORKPHASE_UNDEFINED for none that can be commanded. */
+static workphase_t phase_of(const igtl_message_t *message)
+{
+    for (uint32_t i = (uint32_t)WORKPHASE_START_UP; i < WORKPHASE_COUNT; i++) {
+        if (is_text(message, workphase_name((int32_t)i))) {
+            return (workphase_t)i;
+        }
+    }
+    return WORKPHASE_UNDEFINED;
+}
+
+static const word_t *word_of(const igtl_message_t *message)
+{
+    for (size_t i = 0U; i < (sizeof words / sizeof words[0]); i++) {
+        if (is_text(message, words[i].word) || (strcmp(message->name, words[i].word) == 0)) {
+            return &words[i];
+        }
+    }
+    return NULL;
+}
+
+static void refuse_text(workphase_peer_t *peer, const igtl_message_t *message,
+                        const igtl_moment_t *moment)
+{
+    char name[IGTL_NAME_SIZE] = "";
+    const uint32_t length =
+        (message->text_bytes < (IGTL_NAME_SIZE - 1U)) ? message->text_bytes : (IGTL_NAME_SIZE - 1U);
+
+    (void)memcpy(name, message->text, length);
+    igtl_tell_refusal(peer->outbox, (length > 0U) ? name : message->name, STATUS_UNKNOWN_COMMAND,
+                      moment);
+}
+
+/* Passes on what may end an order. 0 when too many are on their way. */
+static uint32_t request(workphase_dialect_t *self, uint32_t index, command_t *command,
+                        const igtl_moment_t *moment)
+{
+    workphase_peer_t *peer = &self->peers[index];
+    const igtl_request_t *entry =
+        igtl_requests_add(&self->requests, index, command, moment->patience_us);
+
+    peer->tip.is_waiting = false;
+    if (entry == NULL) {
+        return 0U;
+    }
+    peer->pending = entry->id;
+    return entry->id;
+}
+
+/* Announces a workphase that is not entered, as if the controller had refused it. */
+static void announce(workphase_peer_t *peer, workphase_t phase, const igtl_moment_t *moment)
+{
+    workphase_peer_tell_phase(peer, IGTL_STATUS_OK, (uint32_t)phase, "", moment);
+}
+
+/* `id` is what was remembered of it, NULL for nothing. */
+static void request_phase(workphase_dialect_t *self, uint32_t index, workphase_t phase,
+                          workphase_id_t *id, const igtl_moment_t *moment)
+{
+    workphase_peer_t *peer = &self->peers[index];
+    command_t command = {
+        .peer = peer->number, .kind = (uint32_t)COMMAND_WORKPHASE, .argument = (uint32_t)phase};
+    const uint32_t number = request(self, index, &command, moment);
+
+    if (id != NULL) {
+        id->request = number;
+        id->name[0] = (number == 0U) ? '\0' : id->name[0];
+    }
+    if (number == 0U) {
+        announce(peer, phase, moment);
+        igtl_tell_refusal(peer->outbox, workphase_name((int32_t)phase), STATUS_BUSY, moment);
+    }
+}
+
+static void receive_phase(workphase_dialect_t *self, uint32_t index, workphase_t phase,
+                          workphase_id_t *id, const igtl_moment_t *moment)
+{
+    const bool is_everyones = id == NULL;
+
+    if (is_everyones || may_command(self, index)) {
+        request_phase(self, index, phase, id, moment);
+    } else {
+        announce(&self->peers[index], phase, moment);
+        deny(&self->peers[index], workphase_name((int32_t)phase), moment);
+    }
+}
+
+static void receive_word(workphase_dialect_t *self, uint32_t index, const word_t *word,
+                         const igtl_moment_t *moment)
+{
+    workphase_peer_t *peer = &self->peers[index];
+    command_t command = {
+        .peer = peer->number, .kind = (uint32_t)word->kind, .argument = word->argument};
+    bool is_taken;
+
+    if (!may_command(self, index)) {
+        deny(peer, word->word, moment);
+        return;
+    }
+    if (word->kind == COMMAND_RETRACT) {
+        peer->retraction = word->word;
+        is_taken = request(self, index, &command, moment) != 0U;
+    } else {
+        is_taken = igtl_requests_add(&self->requests, index, &command, moment->patience_us) != NULL;
+    }
+    if (!is_taken) {
+        igtl_tell_refusal(peer->outbox, word->word, STATUS_BUSY, moment);
+    }
+}
+
+/* What is not a workphase: false when it is nothing at all. */
+static bool receive_other(workphase_dialect_t *self, uint32_t index, const igtl_message_t *message,
+                          const igtl_moment_t *moment)
+{
+    const word_t *word = word_of(message);
+
+    if (word != NULL) {
+        receive_word(self, index, word, moment);
+        return true;
+    }
+    return workphase_poll_string(&self->peers[index], message, moment);
+}
+
+static void receive_command(workphase_dialect_t *self, uint32_t index,
+                            const igtl_message_t *message, const igtl_moment_t *moment)
+{
+    workphase_peer_t *peer = &self->peers[index];
+    const workphase_t phase = phase_of(message);
+    const bool is_urgent = (phase == WORKPHASE_STOP) || (phase == WORKPHASE_EMERGENCY);
+    workphase_id_t *id = NULL;
+
+    workphase_peer_acknowledge_string(peer, message, moment);
+    if (!is_urgent) {
+        if (workphase_peer_is_repeated(peer, message)) {
+            return;
+        }
+        id = workphase_peer_remember(peer, message);
+    }
+    if (phase != WORKPHASE_UNDEFINED) {
+        workphase_peer_cancel_deferred(peer);
+        receive_phase(self, index, phase, id, moment);
+    } else if (!receive_other(self, index, message, moment)) {
+        workphase_peer_cancel_deferred(peer);
+        refuse_text(peer, message, moment);
+    } else {
+        /* It was a question, or one of the words. */
+    }
+}
+
+void workphase_receive_string(workphase_dialect_t *self, uint32_t index,
+                              const igtl_message_t *message, const igtl_moment_t *moment)
+{
+    workphase_peer_t *peer = &self->peers[index];
+
+    if (strncmp(message->name, "CMD_", 4U) == 0) {
+        receive_command(self, index, message, moment);
+        return;
+    }
+    workphase_peer_send_deferred(peer, moment->now_us, true);
+    if (strcmp(message->name, "NEEDLE_LENGTH") == 0) {
+        workphase_needle_tell_length(peer, self->robot, message, moment);
+    } else if (!receive_other(self, index, message, moment)) {
+        igtl_tell_refusal(peer->outbox, message->name, STATUS_UNKNOWN_COMMAND, moment);
+    } else {
+        /* It is answered, or will be. */
+    }
+}
+
+/* The newest waits for its turn. */
+static void receive_tip(workphase_peer_t *peer, const rigid_t *pose)
+{
+    peer->tip.is_waiting = true;
+    peer->tip.pose = *pose;
+}
+
+static status_t pass_pose(workphase_dialect_t *self, uint32_t index, const pose_command_t *what,
+                          const igtl_message_t *message, const igtl_moment_t *moment)
+{
+    command_t command = {.peer = self->peers[index].number, .kind = (uint32_t)what->kind};
+    status_t status = igtl_border_read_pose(message->numbers, &command.pose);
+
+    if (status == STATUS_OK) {
+        if (what->kind == COMMAND_NEEDLE) {
+            receive_tip(&self->peers[index], &command.pose);
+        } else if (igtl_requests_add(&self->requests, index, &command, moment->patience_us) ==
+                   NULL) {
+            status = STATUS_BUSY;
+        } else {
+            /* It is on its way. */
+        }
+    }
+    return status;
+}
+
+static void receive_pose(workphase_dialect_t *self, uint32_t index, const pose_command_t *what,
+                         const igtl_message_t *message, const igtl_moment_t *moment)
+{
+    workphase_peer_t *peer = &self->peers[index];
+    const bool is_denied =
+        (what->kind == COMMAND_NEEDLE) ? is_others(self, index) : !may_command(self, index);
+    status_t status;
+
+    workphase_peer_cancel_deferred(peer);
+    workphase_peer_acknowledge_transform(peer, message, (uint32_t)strlen(what->prefix), moment);
+    if (is_denied) {
+        deny(peer, what->result, moment);
+        return;
+    }
+    status = pass_pose(self, index, what, message, moment);
+    if (status != STATUS_OK) {
+        igtl_tell_refusal(peer->outbox, what->result, status, moment);
+    }
+}
+
+void workphase_receive_transform(workphase_dialect_t *self, uint32_t index,
+                                 const igtl_message_t *message, const igtl_moment_t *moment)
+{
+    workphase_peer_t *peer = &self->peers[index];
+    const pose_command_t entry = {peer->entry_prefix, "ENTRY", COMMAND_ENTRY};
+
+    for (size_t i = 0U; i < (sizeof pose_commands / sizeof pose_commands[0]); i++) {
+        if (strncmp(message->name, pose_commands[i].prefix, strlen(pose_commands[i].prefix)) == 0) {
+            receive_pose(self, index, &pose_commands[i], message, moment);
+            return;
+        }
+    }
+    if ((entry.prefix[0] != '\0') &&
+        (strncmp(message->name, entry.prefix, strlen(entry.prefix)) == 0)) {
+        receive_pose(self, index, &entry, message, moment);
+    } else {
+        igtl_tell_refusal(peer->outbox, message->name, STATUS_UNKNOWN_COMMAND, moment);
+    }
+}
+
+void workphase_receive_step(workphase_dialect_t *self, uint32_t index, const igtl_moment_t *moment)
+{
+    workphase_peer_t *peer = &self->peers[index];
+    command_t command = {.peer = peer->number, .kind = (uint32_t)COMMAND_NEEDLE};
+
+    if (!peer->tip.is_waiting || (moment->now_us < peer->tip.next_us)) {
+        return;
+    }
+    command.pose = peer->tip.pose;
+    if (igtl_requests_add(&self->requests, index, &command, moment->patience_us) != NULL) {
+        peer->tip.is_waiting = false;
+        peer->tip.next_us = moment->now_us + LIMIT_IGTL_TIP_INTERVAL_US;
+    }
+}

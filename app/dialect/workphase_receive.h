@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file What a peer of the workphase protocol commands, and what it asks by a STRING. */
+#ifndef BORESIGHT_WORKPHASE_RECEIVE_H
+#define BORESIGHT_WORKPHASE_RECEIVE_H
+
+#include "dialect/igtl_dialect.h"
+#include "dialect/workphase_dialect.h"
+
+#include <stdint.h>
+
+/**
+ * A STRING: a workphase named CMD_x, a question, RETRACT_NEEDLE or RETRACT_PROBE, ACCEPT_ENTRY or
+ * WITHDRAW_ENTRY, NEEDLE_LENGTH. Anything else is refused.
+ *
+ * @satisfies SWR-IGTL-006
+ * @satisfies SWR-IGTL-008
+ * @satisfies SWR-IGTL-035
+ * @satisfies SWR-IGTL-036
+ */
+void workphase_receive_string(workphase_dialect_t *self, uint32_t peer,
+                              const igtl_message_t *message, const igtl_moment_t *moment);
+
+/**
+ * A TRANSFORM: CLB_y, TGT_y, NPOS_y or an entry point by the prefix of the port. Anything else is
+ * refused.
+ *
+ * @satisfies SWR-IGTL-008
+ * @satisfies SWR-IGTL-034
+ * @satisfies SWR-IGTL-035
+ */
+void workphase_receive_transform(workphase_dialect_t *self, uint32_t peer,
+                                 const igtl_message_t *message, const igtl_moment_t *moment);
+
+/**
+ * Passes on the tip of a connected peer that waits for its turn.
+ *
+ * @satisfies SWR-IGTL-034
+ */
+void workphase_receive_step(workphase_dialect_t *self, uint32_t peer, const igtl_moment_t *moment);
+
+#endif

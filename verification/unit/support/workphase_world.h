@@ -1,0 +1,145 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * The workphase dialect in a test: peers that speak to it, and a scripted controller that answers.
+ * In the header alone, so that only the tests that include it need the dialect.
+ */
+#ifndef BORESIGHT_WORKPHASE_WORLD_H
+#define BORESIGHT_WORKPHASE_WORLD_H
+
+#include "base/rigid.h"
+#include "card/card.h"
+#include "dialect/igtl_dialect.h"
+#include "dialect/workphase_dialect.h"
+#include "interface/command.h"
+#include "interface/snapshot.h"
+#include "unit/support/igtl_peer.h"
+#include "unity.h"
+
+#include <stdint.h>
+#include <string.h>
+
+/** The next message to the peer is this line; "" for none. */
+#define EXPECT(peer, expected) TEST_ASSERT_EQUAL_STRING((expected), igtl_peer_next(&outboxes[peer]))
+
+/** The next message to the peer begins with this. */
+#define EXPECT_BEGIN(peer, expected)                                                               \
+    TEST_ASSERT_EQUAL_STRING_LEN((expected), igtl_peer_next(&outboxes[peer]), strlen(expected))
+
+#define NUMBER 21U /* Of the first connection. */
+
+static robot_t robot;
+static workphase_dialect_t dialect;
+static igtl_outbox_t outboxes[IGTL_PEERS];
+static igtl_language_t language;
+static snapshot_t snapshot;
+static igtl_moment_t moment;
+static command_t command;
+
+static inline void connect_peer(uint32_t peer)
+{
+    const igtl_introduction_t introduction = {NUMBER + peer, language, "ENTRY_", &outboxes[peer]};
+
+    workphase_dialect_connected(&dialect, peer, &introduction);
+}
+
+/** Eight peers are connected; the robot stands at 5 mm, its target is at 0. */
+static inline void world_start(igtl_language_t spoken)
+{
+    language = spoken;
+    robot = (robot_t){
+        .axis_count = 7U,
+        .axes = {[3] = {.name = "insertion", .slot = 3U, .card_type = (uint8_t)CARD_TYPE_PWM}}};
+    (void)memset(&snapshot, 0, sizeof snapshot);
+    snapshot.axis_count = 7U;
+    (void)memset(&command, 0, sizeof command);
+    rigid_set_identity(&snapshot.scanner_treatment);
+    rigid_set_identity(&snapshot.scanner_target);
+    snapshot.scanner_treatment.translation.x_nm = 5000000;
+    moment = (igtl_moment_t){.now_us = 1000000U, .snapshot = &snapshot};
+    workphase_dialect_init(&dialect, &robot, 100U);
+    for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
+        igtl_outbox_init(&outboxes[i]);
+        connect_peer(i);
+    }
+}
+
+static inline void say(uint32_t peer, const char *name, const char *text)
+{
+    const igtl_message_t message = igtl_peer_string(name, text);
+
+    workphase_dialect_receive(&dialect, peer, &message, &moment);
+}
+
+static inline void place(uint32_t peer, const char *name, float x)
+{
+    const igtl_message_t message = igtl_peer_transform(name, x, 2.0F, 3.0F);
+
+    workphase_dialect_receive(&dialect, peer, &message, &moment);
+}
+
+/** The next command to the controller, kept in `command`. */
+static inline void expect_command(command_kind_t kind, uint32_t argument)
+{
+    TEST_ASSERT_TRUE(igtl_requests_take(&dialect.requests, &command));
+    TEST_ASSERT_EQUAL_UINT32(kind, command.kind);
+    TEST_ASSERT_EQUAL_UINT32(argument, command.argument);
+    TEST_ASSERT_EQUAL_UINT32(COMMAND_SOURCE_IGTL, command.source);
+}
+
+static inline void expect_no_command(void)
+{
+    TEST_ASSERT_FALSE(igtl_requests_take(&dialect.requests, &command));
+}
+
+static inline void answer_to(const command_t *asked, answer_kind_t kind, status_t status,
+                             uint32_t is_final)
+{
+    answer_t answer = {.id = asked->id,
+                       .source = asked->source,
+                       .command = asked->kind,
+                       .argument = asked->argument,
+                       .kind = (uint32_t)kind,
+                       .status = (uint32_t)status,
+                       .is_final = is_final,
+                       .workphase = snapshot.workphase,
+                       .axis = 3U,
+                       .is_maximum = 1U,
+                       .pose = snapshot.scanner_target};
+
+    TEST_ASSERT_TRUE(workphase_dialect_answer(&dialect, &answer, &moment));
+}
+
+/** The controller goes into the workphase that was asked for. */
+static inline void accept(uint32_t is_final)
+{
+    snapshot.workphase = command.argument;
+    answer_to(&command, ANSWER_ACCEPTED, STATUS_OK, is_final);
+}
+
+static inline void pass_us(uint64_t time_us)
+{
+    moment.now_us += time_us;
+    moment.patience_us += time_us;
+    workphase_dialect_step(&dialect, &moment);
+}
+
+/** The peer enters a workphase that is complete at once. */
+static inline void enter(uint32_t peer, const char *name, const char *phase)
+{
+    say(peer, name, phase);
+    TEST_ASSERT_TRUE(igtl_requests_take(&dialect.requests, &command));
+    accept(1U);
+}
+
+/** Peer 0 has armed a move; both answers are read. */
+static inline void start_move(void)
+{
+    say(0U, "CMD_M", "MOVE_TO_TARGET");
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_MOVE_TO_TARGET);
+    accept(0U);
+    EXPECT(0U, "STRING ACK_M MOVE_TO_TARGET");
+    EXPECT(0U, "STATUS CURRENT_STATUS 1 MOVE_TO_TARGET|");
+}
+
+#endif

@@ -1,0 +1,308 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Rule under test: every command is acknowledged at once; who may not command is told so; who
+ * disappears with a motion armed stops it.
+ */
+#include "base/fixed.h"
+#include "base/rigid.h"
+#include "charts/arming_chart.h"
+#include "dialect/igtl_border.h"
+#include "dialect/igtl_dialect.h"
+#include "dialect/igtl_requests.h"
+#include "dialect/workphase_answer.h"
+#include "dialect/workphase_dialect.h"
+#include "dialect/workphase_needle.h"
+#include "dialect/workphase_peer.h"
+#include "dialect/workphase_poll.h"
+#include "dialect/workphase_receive.h"
+#include "dialect/workphase_watch.h"
+#include "interface/app/names.h"
+#include "message/igtl_codec.h"
+#include "message/igtl_outbox.h"
+#include "limits/requirement_limits.h"
+#include "robot/robot_cards.h"
+#include "unit/support/workphase_world.h"
+#include "unity.h"
+
+#include <math.h>
+#include <string.h>
+
+void setUp(void)
+{
+    world_start(IGTL_LANGUAGE_BRP_2013);
+}
+
+void tearDown(void)
+{
+}
+
+void test_SWR_IGTL_006_command_is_acknowledged_before_anything_else_happens(void)
+{
+    say(0U, "CMD_0001", "START_UP");
+    EXPECT(0U, "STRING ACK_0001 START_UP");
+    EXPECT(0U, "");
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_START_UP);
+    expect_no_command();
+}
+
+void test_SWR_IGTL_006_longest_id_comes_back_byte_by_byte(void)
+{
+    say(0U, "CMD_ABCDEFGHIJKLMNOP", "STOP");
+    EXPECT(0U, "STRING ACK_ABCDEFGHIJKLMNOP STOP");
+}
+
+void test_SWR_IGTL_008_unknown_texts_and_names_are_answered(void)
+{
+    say(0U, "CMD_1", "DANCE");
+    EXPECT(0U, "STRING ACK_1 DANCE");
+    EXPECT_BEGIN(0U, "STATUS DANCE 12 ");
+    say(0U, "CMD_2", "UNDEFINED");
+    EXPECT(0U, "STRING ACK_2 UNDEFINED");
+    EXPECT_BEGIN(0U, "STATUS UNDEFINED 12 ");
+    say(0U, "CMD_3", "DRAPING");
+    EXPECT(0U, "STRING ACK_3 DRAPING");
+    EXPECT_BEGIN(0U, "STATUS DRAPING 12 ");
+    say(0U, "ALPHA", "0.5");
+    EXPECT_BEGIN(0U, "STATUS ALPHA 12 ");
+    place(0U, "REGISTRATION", 1.0F);
+    EXPECT_BEGIN(0U, "STATUS REGISTRATION 12 ");
+    expect_no_command();
+}
+
+void test_SWR_IGTL_008_silent_controller_is_reported_in_time(void)
+{
+    say(0U, "CMD_1", "START_UP");
+    EXPECT(0U, "STRING ACK_1 START_UP");
+    pass_us(IGTL_ANSWER_TIMEOUT_US - 1U);
+    EXPECT(0U, "");
+    pass_us(1U);
+    EXPECT_BEGIN(0U, "STATUS START_UP 7 NO_ANSWER|");
+    pass_us(1000000U);
+    EXPECT(0U, "");
+}
+
+/* As many as one peer may have on their way, and their acknowledgements read. */
+static void flood(uint32_t peer)
+{
+    char name[] = "CMD_A";
+
+    for (uint32_t i = 0U; i < IGTL_REQUESTS_PER_PEER; i++) {
+        say(peer, name, "PLANNING");
+        name[4]++;
+        (void)igtl_peer_next(&outboxes[peer]);
+    }
+}
+
+void test_SWR_IGTL_008_too_many_commands_at_a_time_are_refused(void)
+{
+    flood(0U);
+    say(0U, "CMD_2", "PLANNING");
+    EXPECT(0U, "STRING ACK_2 PLANNING");
+    EXPECT(0U, "STATUS CURRENT_STATUS 1 PLANNING|");
+    EXPECT_BEGIN(0U, "STATUS PLANNING 6 BUSY|");
+}
+
+void test_SWR_IGTL_008_command_refused_as_too_many_may_be_sent_again(void)
+{
+    flood(0U);
+    say(0U, "CMD_2", "PLANNING");
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_PLANNING);
+    answer_to(&command, ANSWER_REFUSED, STATUS_BUSY, 1U); /* CMD_A found the lane full. */
+    while (igtl_requests_take(&dialect.requests, &command)) {
+        accept(1U);
+    }
+    say(0U, "CMD_2", "PLANNING");
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_PLANNING);
+    accept(1U);
+    say(0U, "CMD_A", "PLANNING");
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_PLANNING);
+    accept(1U);
+    say(0U, "CMD_B", "PLANNING");
+    expect_no_command();
+}
+
+void test_SWR_IGTL_006_stop_and_emergency_find_a_place_in_any_flood(void)
+{
+    flood(0U);
+    for (uint32_t round = 0U; round < 20U; round++) {
+        for (uint32_t peer = 0U; peer < IGTL_PEERS; peer++) {
+            say(peer, "CMD_S", "STOP");
+            EXPECT(peer, "STRING ACK_S STOP");
+            say(peer, "CMD_E", "EMERGENCY");
+            EXPECT(peer, "STRING ACK_E EMERGENCY");
+            EXPECT(peer, "");
+        }
+        workphase_dialect_disconnected(&dialect, 7U);
+        connect_peer(7U);
+    }
+    while (igtl_requests_take(&dialect.requests, &command)) {
+        TEST_ASSERT_NOT_NULL(igtl_requests_find(&dialect.requests, command.id));
+    }
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_EMERGENCY, command.argument); /* The last that came. */
+}
+
+void test_SWR_IGTL_006_stop_that_was_not_passed_on_is_kept_until_it_is(void)
+{
+    say(1U, "CMD_S", "STOP");
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_STOP);
+    igtl_requests_keep(&dialect.requests, &command);
+    pass_us(60000000U);
+    pass_us(60000000U);
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_STOP);
+    accept(1U);
+    expect_no_command();
+}
+
+void test_SWR_IGTL_008_stop_with_an_id_used_before_is_executed(void)
+{
+    say(0U, "CMD_1", "PLANNING");
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_PLANNING);
+    for (uint32_t i = 0U; i < 2U; i++) {
+        say(0U, "CMD_1", "STOP");
+        expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_STOP);
+        say(0U, "CMD_1", "EMERGENCY");
+        expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_EMERGENCY);
+    }
+    say(0U, "CMD_1", "MANUAL"); /* Another text is another command. */
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_MANUAL);
+    say(0U, "CMD_1", "PLANNING");
+    expect_no_command();
+}
+
+void test_SWR_IGTL_008_only_the_first_peer_commands(void)
+{
+    say(0U, "CMD_1", "PLANNING");
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_PLANNING);
+    accept(1U);
+    say(1U, "CMD_1", "MANUAL");
+    EXPECT(1U, "STRING ACK_1 MANUAL");
+    EXPECT(1U, "STATUS CURRENT_STATUS 1 MANUAL|");
+    EXPECT(1U,
+           "STATUS MANUAL 5 ACCESS_DENIED|ACCESS_DENIED: Another connection controls the robot.");
+    place(1U, "TGT_1", 0.0F);
+    EXPECT(1U, "TRANSFORM ACK_1 0.000 2.000 3.000");
+    EXPECT(1U,
+           "STATUS TARGET 5 ACCESS_DENIED|ACCESS_DENIED: Another connection controls the robot.");
+    expect_no_command();
+    workphase_dialect_disconnected(&dialect, 0U);
+    say(1U, "CMD_2", "MANUAL");
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_MANUAL);
+}
+
+void test_SWR_IGTL_008_stop_is_everyones(void)
+{
+    say(0U, "CMD_1", "PLANNING");
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_PLANNING);
+    TEST_ASSERT_TRUE(workphase_dialect_is_controlled_by(&dialect, 0U));
+    TEST_ASSERT_FALSE(workphase_dialect_is_controlled_by(&dialect, 1U));
+    say(1U, "CMD_1", "STOP");
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_STOP);
+    accept(1U);
+    EXPECT(1U, "STRING ACK_1 STOP");
+    EXPECT(1U, "STATUS CURRENT_STATUS 1 STOP|");
+    EXPECT(1U, "STATUS STOP 1 STOP|");
+    say(1U, "CMD_2", "MANUAL"); /* It does not control for that. */
+    expect_no_command();
+}
+
+void test_SWR_IGTL_007_repeated_command_is_acknowledged_but_not_executed(void)
+{
+    say(0U, "CMD_1", "PLANNING");
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_PLANNING);
+    say(0U, "CMD_1", "PLANNING");
+    expect_no_command();
+    EXPECT(0U, "STRING ACK_1 PLANNING");
+    EXPECT(0U, "STRING ACK_1 PLANNING");
+    for (char id = 'A'; id < ('A' + (char)WORKPHASE_IDS); id++) {
+        const char name[] = {'C', 'M', 'D', '_', id, '\0'};
+
+        say(0U, name, "PLANNING");
+        expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_PLANNING);
+        accept(1U);
+    }
+    say(0U, "CMD_1", "PLANNING"); /* Forgotten by now. */
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_PLANNING);
+}
+
+void test_SWR_IGTL_011_losing_the_peer_of_an_armed_move_stops_it(void)
+{
+    start_move();
+    workphase_dialect_disconnected(&dialect, 0U);
+    pass_us(0U);
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_STOP);
+    answer_to(&command, ANSWER_REFUSED, STATUS_BUSY, 1U);
+    pass_us(0U);
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_STOP);
+    accept(1U);
+    pass_us(0U);
+    expect_no_command();
+}
+
+void test_SWR_EVENT_005_a_command_carries_the_number_of_its_connection(void)
+{
+    say(0U, "CMD_1", "CALIBRATION");
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_CALIBRATION);
+    TEST_ASSERT_EQUAL_UINT32(NUMBER, command.peer);
+    place(0U, "CLB_2", 1.0F);
+    expect_command(COMMAND_REGISTRATION, 0U);
+    TEST_ASSERT_EQUAL_UINT32(NUMBER, command.peer);
+    say(2U, "CMD_3", "STOP");
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_STOP);
+    TEST_ASSERT_EQUAL_UINT32(NUMBER + 2U, command.peer);
+}
+
+void test_SWR_EVENT_005_the_stop_for_a_lost_peer_carries_no_number(void)
+{
+    start_move();
+    workphase_dialect_disconnected(&dialect, 0U);
+    pass_us(0U);
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_STOP);
+    TEST_ASSERT_EQUAL_UINT32(0U, command.peer);
+}
+
+void test_SWR_IGTL_011_losing_a_peer_without_an_armed_move_stops_nothing(void)
+{
+    start_move();
+    answer_to(&command, ANSWER_DONE, STATUS_OK, 1U);
+    workphase_dialect_disconnected(&dialect, 0U);
+    workphase_dialect_disconnected(&dialect, 1U);
+    pass_us(0U);
+    expect_no_command();
+}
+
+void test_SWR_IGTL_011_new_peer_in_the_same_place_gets_nothing_of_the_old_one(void)
+{
+    say(0U, "CMD_1", "PLANNING");
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_PLANNING);
+    workphase_dialect_disconnected(&dialect, 0U);
+    igtl_outbox_init(&outboxes[0]);
+    connect_peer(0U);
+    accept(1U);
+    pass_us(LIMIT_IGTL_EXTRA_DELAY_US);
+    EXPECT(0U, "");
+}
+
+void test_SWR_IGTL_010_bad_numbers_never_become_a_command(void)
+{
+    igtl_message_t message = igtl_peer_transform("TGT_1", NAN, 0.0F, 0.0F);
+
+    workphase_dialect_receive(&dialect, 0U, &message, &moment);
+    EXPECT_BEGIN(0U, "TRANSFORM ACK_1 ");
+    EXPECT_BEGIN(0U, "STATUS TARGET 10 NOT_FINITE|");
+    message = igtl_peer_transform("CLB_1", 1.0F, 0.0F, 0.0F);
+    message.numbers[0] = 0x40000000U; /* 2.0 */
+    workphase_dialect_receive(&dialect, 0U, &message, &moment);
+    (void)igtl_peer_next(&outboxes[0]);
+    EXPECT_BEGIN(0U, "STATUS CALIBRATION 10 NOT_RIGID|");
+    expect_no_command();
+}
+
+void test_SWR_IGTL_007_answers_of_others_are_left_alone(void)
+{
+    const answer_t answer = {.id = 101U};
+    const answer_t none = {.id = 0U};
+
+    TEST_ASSERT_FALSE(workphase_dialect_answer(&dialect, &answer, &moment));
+    TEST_ASSERT_FALSE(workphase_dialect_answer(&dialect, &none, &moment));
+}
