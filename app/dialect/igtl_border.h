@@ -9,7 +9,7 @@
 #define BORESIGHT_IGTL_BORDER_H
 
 #include "base/rigid.h"
-#include "message/igtl_codec.h"
+#include "message/igtl_packet.h"
 #include "interface/status.h"
 #include "robot/robot.h"
 

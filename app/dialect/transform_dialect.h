@@ -10,56 +10,23 @@
 
 #include "message/igtl_codec.h"
 #include "dialect/igtl_dialect.h"
+#include "dialect/igtl_questions.h"
 #include "dialect/igtl_requests.h"
+#include "dialect/transform_proposals.h"
+#include "dialect/transform_show.h"
 #include "message/igtl_outbox.h"
 #include "interface/answer.h"
-#include "interface/command.h"
-#include "interface/snapshot.h"
 #include "robot/robot.h"
 
 #include <stdbool.h>
 #include <stdint.h>
 
-/** What is shown to the peers, taken from one snapshot. Only words, no padding: compared as bytes.
- */
 typedef struct {
-    uint32_t pose_status;              /**< status_t: why there is no measured_cp. */
-    rigid_t pose;                      /**< measured_cp */
-    int32_t ticks[ROBOT_AXIS_MAX];     /**< measured_jp */
-    int32_t speeds_q8[ROBOT_AXIS_MAX]; /**< measured_jv */
-} transform_measured_t;
-
-typedef struct {
-    uint32_t is_valid;
-    uint32_t pose_status;          /**< status_t: why there is no desired_cp. */
-    rigid_t pose;                  /**< desired_cp */
-    int32_t ticks[ROBOT_AXIS_MAX]; /**< desired_jp */
-} transform_desired_t;
-
-typedef struct {
-    uint32_t is_valid;
-    rigid_t pose; /**< scanner_to_robot_reg */
-} transform_registration_t;
-
-typedef struct {
-    uint32_t is_valid;
-    point_t point;
-} transform_point_t;
-
-typedef struct {
-    transform_measured_t measured;
-    transform_desired_t desired;
-    transform_registration_t registration;
-    transform_point_t entry;
-    transform_point_t target;
-} transform_view_t;
-
-typedef struct {
-    igtl_outbox_t *outbox;     /**< NULL: not connected. */
-    uint32_t number;           /**< Of its connection. */
-    transform_view_t shown;    /**< What it has been sent. */
-    uint64_t next_measured_us; /**< Not before this time again. */
-    bool must_send_measured;   /**< Even if nothing has changed. */
+    igtl_outbox_t *outbox; /**< NULL: not connected. */
+    uint32_t number;       /**< Of its connection. */
+    transform_shown_t shown;
+    transform_proposals_t proposals;
+    igtl_tracking_t tracking;
 } transform_peer_t;
 
 typedef struct {
@@ -76,10 +43,11 @@ void transform_dialect_connected(void *dialect, uint32_t peer,
 void transform_dialect_disconnected(void *dialect, uint32_t peer);
 
 /**
- * A message of `peer`. A proposal goes to the controller; what cannot be one is answered with a
- * STATUS of its name.
+ * A message of `peer`. A proposal, or STRING(REGISTRATION, ENTRY_POINT or TARGET_POINT) "WITHDRAW",
+ * goes to the controller; what cannot be one is answered with a STATUS of its name.
  *
  * @satisfies SWR-IGTL-009
+ * @satisfies SWR-IGTL-045
  */
 void transform_dialect_receive(void *dialect, uint32_t peer, const igtl_message_t *message,
                                const igtl_moment_t *moment);
@@ -89,8 +57,7 @@ bool transform_dialect_answer(transform_dialect_t *self, const answer_t *answer,
                               const igtl_moment_t *moment);
 
 /**
- * Time passes: everybody is sent what has changed, and the measured values each IGTL_STREAM_US
- * while moving.
+ * Time passes: proposals go on, and everybody is sent what has changed.
  *
  * @satisfies SWR-IGTL-012
  */

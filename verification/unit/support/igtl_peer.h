@@ -16,6 +16,7 @@
 
 #define IGTL_PEER_POINT_POSITION 100U
 #define IGTL_PEER_TRANSFORM_POSITION 36U
+#define IGTL_PEER_TDATA_POSITION 58U
 
 static char igtl_peer_line[512];
 
@@ -78,6 +79,28 @@ static inline void igtl_peer_say_position(const char *type, const char *name, co
                    igtl_peer_number_at(&bytes[8]));
 }
 
+/** CAPABILITY: its types; RTS_COMMAND (header version 2): id, name and text; another RTS_: its
+ * status. */
+static inline void igtl_peer_say_reply(const char *type, const char *name, const uint8_t *body,
+                                       uint32_t length)
+{
+    const uint8_t *reply = &body[IGTL_EXTENSION_BYTES];
+    size_t used = (size_t)snprintf(igtl_peer_line, sizeof igtl_peer_line, "%s %s", type, name);
+
+    if (strcmp(type, "CAPABILITY") == 0) {
+        for (uint32_t i = 0U; i < length; i += IGTL_TYPE_SIZE - 1U) {
+            used += (size_t)snprintf(&igtl_peer_line[used], sizeof igtl_peer_line - used, " %.12s",
+                                     (const char *)&body[i]);
+        }
+    } else if (strcmp(type, "RTS_COMMAND") == 0) {
+        (void)snprintf(&igtl_peer_line[used], sizeof igtl_peer_line - used, " %u %s %.*s",
+                       (unsigned)reply[3], (const char *)&reply[4], (int)reply[137],
+                       (const char *)&reply[IGTL_COMMAND_BYTES]);
+    } else {
+        (void)snprintf(&igtl_peer_line[used], sizeof igtl_peer_line - used, " %d", (int)body[0]);
+    }
+}
+
 static inline void igtl_peer_say(const uint8_t *bytes, uint32_t length)
 {
     const uint8_t *body = &bytes[IGTL_HEADER_BYTES];
@@ -93,8 +116,14 @@ static inline void igtl_peer_say(const uint8_t *bytes, uint32_t length)
     } else if (strcmp(type, "STRING") == 0) {
         (void)snprintf(igtl_peer_line, sizeof igtl_peer_line, "STRING %s %.*s", name,
                        (int)(length - IGTL_HEADER_BYTES - 4U), (const char *)&body[4]);
+    } else if (length == IGTL_HEADER_BYTES) {
+        (void)snprintf(igtl_peer_line, sizeof igtl_peer_line, "%s %s nothing", type, name);
     } else if (strcmp(type, "POINT") == 0) {
         igtl_peer_say_position(type, name, &body[IGTL_PEER_POINT_POSITION]);
+    } else if (strcmp(type, "TDATA") == 0) {
+        igtl_peer_say_position(type, name, &body[IGTL_PEER_TDATA_POSITION]);
+    } else if ((strncmp(type, "RTS_", 4U) == 0) || (strcmp(type, "CAPABILITY") == 0)) {
+        igtl_peer_say_reply(type, name, body, length - IGTL_HEADER_BYTES);
     } else {
         igtl_peer_say_position(type, name, &body[IGTL_PEER_TRANSFORM_POSITION]);
     }
@@ -102,8 +131,8 @@ static inline void igtl_peer_say(const uint8_t *bytes, uint32_t length)
 
 /**
  * The next message of the outbox as "TYPE name ...", or "" when there is none: STATUS with code,
- * error name and text; STRING with its text; TRANSFORM and POINT with their position in mm. Valid
- * until the next call.
+ * error name and text; STRING with its text; TRANSFORM, POINT and TDATA with their position in mm;
+ * what has no body with "nothing". Valid until the next call.
  */
 static inline const char *igtl_peer_next(igtl_outbox_t *outbox)
 {
