@@ -214,13 +214,20 @@ void igtl_encode_command_reply(igtl_packet_t *packet, const igtl_message_t *comm
 void igtl_packet_extend(igtl_packet_t *extended, const igtl_packet_t *packet)
 {
     static const char transform[TYPE_BYTES] = "TRANSFORM";
-    const bool is_transform = memcmp(&packet->bytes[TYPE_OFFSET], transform, TYPE_BYTES) == 0;
+    static const char point[TYPE_BYTES] = "POINT";
+    const uint8_t *const type = &packet->bytes[TYPE_OFFSET];
+    const bool is_transform = memcmp(type, transform, TYPE_BYTES) == 0;
+    const bool is_no_point =
+        (memcmp(type, point, TYPE_BYTES) == 0) && (packet->length == IGTL_HEADER_BYTES);
 
     if (get_u16(packet->bytes) != 1U) {
         extended->length = packet->length;
         (void)memcpy(extended->bytes, packet->bytes, packet->length);
     } else if (is_transform) {
         extend(extended, packet, "TransformStatus", "OK");
+    } else if (is_no_point) {
+        /* libOpenIGTLink reads no body without metadata; its clients would keep the old point. */
+        extend(extended, packet, "Status", "OK");
     } else {
         extend(extended, packet, "", "");
     }

@@ -232,6 +232,18 @@ void test_SWR_IGTL_005_extended_transform_says_that_it_is_valid(void)
     TEST_ASSERT_EQUAL_HEX32_ARRAY(numbers, message.numbers, 12U);
 }
 
+void test_SWR_IGTL_045_a_point_without_a_point_has_metadata_so_that_its_reader_looks_at_it(void)
+{
+    igtl_encode_empty(&packet, "POINT", "entry_point", 0U);
+    igtl_packet_extend(&extended, &packet);
+    TEST_ASSERT_EQUAL_UINT32(58U + 12U + 10U + 8U, extended.length);
+    TEST_ASSERT_EQUAL_MEMORY("\0\x0C\0\x0A\0\0\0\x08\0\0\0\0\0\1\0\6\0\3\0\0\0\2StatusOK",
+                             &extended.bytes[58], 30U);
+    igtl_encode_empty(&packet, "IMAGE", "entry_point", 0U);
+    igtl_packet_extend(&extended, &packet);
+    TEST_ASSERT_EQUAL_UINT32(58U + 12U + 2U, extended.length);
+}
+
 void test_SWR_IGTL_005_extended_message_stays_as_it_is(void)
 {
     reply_to_command(false);
