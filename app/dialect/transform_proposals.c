@@ -61,30 +61,15 @@ void transform_proposals_put(transform_proposals_t *self, const command_t *comma
     waiting->command = *command;
 }
 
-static bool is_withdrawal(const transform_waiting_t *waiting)
-{
-    return waiting->is_waiting && (waiting->command.kind == (uint32_t)COMMAND_WITHDRAW);
-}
-
-static bool has_withdrawal(const transform_proposals_t *self)
-{
-    bool has_one = false;
-
-    for (uint32_t i = 0U; i < TRANSFORM_SUBJECTS; i++) {
-        has_one = has_one || is_withdrawal(&self->waiting[i]);
-    }
-    return has_one;
-}
-
-/* The oldest that may go now, NULL for none. */
-static transform_waiting_t *next_of(transform_proposals_t *self, bool may_note)
+/* The oldest, NULL for none. */
+static transform_waiting_t *next_of(transform_proposals_t *self)
 {
     transform_waiting_t *next = NULL;
 
     for (uint32_t i = 0U; i < TRANSFORM_SUBJECTS; i++) {
         transform_waiting_t *waiting = &self->waiting[i];
 
-        if (waiting->is_waiting && (may_note || !is_withdrawal(waiting)) &&
+        if (waiting->is_waiting &&
             ((next == NULL) || ((int32_t)(waiting->turn - next->turn) < 0))) {
             next = waiting;
         }
@@ -92,16 +77,23 @@ static transform_waiting_t *next_of(transform_proposals_t *self, bool may_note)
     return next;
 }
 
-/* The log is kept for a withdrawal that waits. */
+static void mark_unlogged(command_t *command)
+{
+    if (command->kind == (uint32_t)COMMAND_WITHDRAW) {
+        command->value = 1;
+    } else {
+        command->argument = 1U;
+    }
+}
+
 static bool pass_one(transform_proposals_t *self, transform_waiting_t *waiting,
                      igtl_requests_t *requests, uint32_t peer, const igtl_moment_t *moment)
 {
-    const bool is_wanted = is_withdrawal(waiting) || !has_withdrawal(self);
-    const bool is_noted = is_wanted && (moment->now_us >= self->next_note_us);
+    const bool is_noted = moment->now_us >= self->next_note_us;
     command_t command = waiting->command;
 
-    if (command.kind != (uint32_t)COMMAND_WITHDRAW) {
-        command.argument = is_noted ? 0U : 1U;
+    if (!is_noted) {
+        mark_unlogged(&command);
     }
     if (igtl_requests_add(requests, peer, &command, moment->patience_us) == NULL) {
         return false;
@@ -121,7 +113,7 @@ void transform_proposals_pass(transform_proposals_t *self, igtl_requests_t *requ
     bool is_going_on = true;
 
     while (is_going_on && (moment->now_us >= self->free_us[self->next_place])) {
-        transform_waiting_t *waiting = next_of(self, moment->now_us >= self->next_note_us);
+        transform_waiting_t *waiting = next_of(self);
 
         is_going_on = (waiting != NULL) && pass_one(self, waiting, requests, peer, moment);
     }

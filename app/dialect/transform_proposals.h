@@ -51,8 +51,8 @@ void transform_proposals_put(transform_proposals_t *self, const command_t *comma
                              const igtl_moment_t *moment);
 
 /**
- * Passes on what may be, oldest first. The argument of a proposal that is not for the log is 1; a
- * withdrawal is always for the log, and waits for that.
+ * Passes on what may be, oldest first. One that is not for the log says so: a proposal by its
+ * argument, a withdrawal by its value.
  *
  * @satisfies SWR-IGTL-044
  */
