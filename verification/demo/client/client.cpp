@@ -9,11 +9,13 @@
 // of JSON; each command ends with a line {"done": ...}. A command that fails ends the client with status 1 and a
 // sentence. Matrices are 12 numbers, row by row (r11 r12 r13 tx ... tz), or all 16.
 
+#include <igtlCapabilityMessage.h>
 #include <igtlClientSocket.h>
 #include <igtlMessageHeader.h>
 #include <igtlPointMessage.h>
 #include <igtlStatusMessage.h>
 #include <igtlStringMessage.h>
+#include <igtlTrackingDataMessage.h>
 #include <igtlTransformMessage.h>
 
 #include <chrono>
@@ -49,6 +51,19 @@ public:
         return channel;
     }
     int Descriptor() const { return m_SocketDescriptor; }
+};
+
+// A message without content, of any type.
+class Question : public igtl::HeaderOnlyMessageBase {
+public:
+    typedef igtl::SmartPointer<Question> Pointer;
+    static Pointer New(const std::string &type)
+    {
+        Pointer question = new Question;
+        question->UnRegister();
+        question->m_DefaultBodyType = type;
+        return question;
+    }
 };
 
 struct Received {
@@ -176,6 +191,12 @@ private:
         } else if (verb == "get") {
             Need(words, 2, "get NAME");
             Ask(words[1]);
+        } else if (verb == "ask") {
+            Need(words, 2, "ask TYPE [NAME]");
+            AskFor(words[1], words.size() > 2 ? words[2] : "");
+        } else if (verb == "track") {
+            Need(words, 3, "track NAME MS");
+            Track(words[1], std::atoi(words[2].c_str()));
         } else if (verb == "expect-silence") {
             Need(words, 2, "expect-silence MS");
             ExpectSilence(std::atoi(words[1].c_str()));
@@ -356,6 +377,26 @@ private:
         }
     }
 
+    void AskFor(const std::string &type, const std::string &name)
+    {
+        Question::Pointer question = Question::New(type);
+        question->SetDeviceName(name.c_str());
+        question->Pack();
+        Begin();
+        Send(question);
+    }
+
+    void Track(const std::string &name, int resolution_ms)
+    {
+        igtl::StartTrackingDataMessage::Pointer message = igtl::StartTrackingDataMessage::New();
+        message->SetDeviceName(name.c_str());
+        message->SetResolution(resolution_ms);
+        message->SetCoordinateName("Patient");
+        message->Pack();
+        Begin();
+        Send(message);
+    }
+
     void ExpectSilence(int time_ms)
     {
         const std::size_t before = history_.size();
@@ -420,10 +461,20 @@ private:
         } else if (received->type == "TRANSFORM") {
             igtl::Matrix4x4 matrix;
             Body<igtl::TransformMessage>(header)->GetMatrix(matrix);
-            for (int i = 0; i < 12; i++) {
-                received->numbers.push_back(matrix[i / 4][i % 4]);
-            }
-            content << ",\"matrix\":" << List(received->numbers);
+            content << Matrix(matrix, received);
+        } else if (header->GetBodySizeToRead() == 0) {
+            content << ",\"is_empty\":true";
+        } else if (received->type == "TDATA") {
+            igtl::Matrix4x4 matrix;
+            igtl::TrackingDataElement::Pointer element;
+            Body<igtl::TrackingDataMessage>(header)->GetTrackingDataElement(0, element);
+            element->GetMatrix(matrix);
+            content << ",\"element\":" << Quote(element->GetName()) << Matrix(matrix, received);
+        } else if (received->type == "RTS_TDATA") {
+            received->code = Body<igtl::RTSTrackingDataMessage>(header)->GetStatus();
+            content << ",\"code\":" << received->code;
+        } else if (received->type == "CAPABILITY") {
+            content << ",\"types\":[" << Types(Body<igtl::CapabilityMessage>(header)->GetTypes()) << "]";
         } else if (received->type == "POINT") {
             igtl::PointElement::Pointer point;
             igtlFloat32 position[3];
@@ -435,6 +486,23 @@ private:
             channel_->Skip(header->GetBodySizeToRead());
         }
         return content.str();
+    }
+
+    static std::string Matrix(const igtl::Matrix4x4 &matrix, Received *received)
+    {
+        for (int i = 0; i < 12; i++) {
+            received->numbers.push_back(matrix[i / 4][i % 4]);
+        }
+        return ",\"matrix\":" + List(received->numbers);
+    }
+
+    static std::string Types(const std::vector<std::string> &types)
+    {
+        std::string list;
+        for (std::size_t i = 0; i < types.size(); i++) {
+            list += (i == 0 ? "" : ",") + Quote(types[i].c_str());
+        }
+        return list;
     }
 
     static std::string List(const std::vector<float> &numbers)
