@@ -380,6 +380,41 @@ uint32_t exchange_read_events(const exchange_t *self, uint32_t *next, event_t *e
     return count;
 }
 
+void exchange_publish_ports(exchange_t *self, const exchange_ports_t *ports)
+{
+    segment_others_t *others = &self->segment->others;
+
+    write_locked(&others->ports_sequence, &others->ports, ports, sizeof *ports);
+}
+
+/* igtl may have died in the middle of anything. */
+static bool are_ports_whole(exchange_ports_t *ports)
+{
+    bool are_whole = ports->count <= EXCHANGE_PORTS;
+
+    for (uint32_t i = 0U; i < EXCHANGE_PORTS; i++) {
+        exchange_port_t *port = &ports->ports[i];
+
+        are_whole = are_whole && (port->dialect < EXCHANGE_DIALECTS) &&
+                    (port->state < EXCHANGE_PORT_STATES);
+        port->name[EXCHANGE_PORT_NAME_SIZE - 1U] = '\0';
+        port->trouble[EXCHANGE_PORT_TROUBLE_SIZE - 1U] = '\0';
+    }
+    return are_whole;
+}
+
+bool exchange_read_ports(const exchange_t *self, exchange_ports_t *ports)
+{
+    const segment_others_t *others = &self->segment->others;
+
+    for (uint32_t tries = 0U; tries < READ_TRIES; tries++) {
+        if (read_locked(&others->ports_sequence, ports, &others->ports, sizeof *ports)) {
+            return are_ports_whole(ports);
+        }
+    }
+    return false;
+}
+
 void exchange_note_logged(exchange_t *self, uint32_t next)
 {
     __atomic_store_n(&self->segment->others.events_logged, next, __ATOMIC_RELEASE);

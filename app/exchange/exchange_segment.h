@@ -56,6 +56,8 @@ typedef struct {
     uint32_t cycles_tail SEGMENT_ON_LINE;  /**< Cycle records released. */
     uint32_t checkpoint_requests SEGMENT_ON_LINE;
     uint32_t events_logged SEGMENT_ON_LINE; /**< Number of the next event to log. */
+    uint32_t ports_sequence SEGMENT_ON_LINE;
+    exchange_ports_t ports;
 } segment_others_t;
 
 /** Written by control only. */

@@ -3,9 +3,11 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <linux/sockios.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <stddef.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -17,7 +19,12 @@
 void igtl_connection_init(igtl_connection_t *self)
 {
     self->descriptor = -1;
+    self->number = 0U;
+    self->place = IGTL_NO_PLACE;
     self->heard_us = 0U;
+    self->sent = 0U;
+    self->acknowledged = 0U;
+    self->moved_us = 0U;
     igtl_inbox_init(&self->inbox);
     igtl_outbox_init(&self->outbox);
 }
@@ -91,8 +98,29 @@ bool igtl_connection_flush(igtl_connection_t *self)
         if (count < 0) {
             return is_only_waiting() && !self->outbox.has_overflowed;
         }
+        self->sent += (uint64_t)count;
         igtl_outbox_advance(&self->outbox, (uint32_t)count);
         bytes = igtl_outbox_next(&self->outbox, &length);
     }
     return !self->outbox.has_overflowed;
+}
+
+uint64_t igtl_connection_unread_us(igtl_connection_t *self, uint64_t now_us)
+{
+    int queued = 0;
+    uint64_t acknowledged;
+
+    (void)ioctl(self->descriptor, SIOCOUTQ, &queued);
+    acknowledged = self->sent - (uint64_t)queued;
+    if ((self->moved_us == 0U) || (acknowledged != self->acknowledged) ||
+        ((queued == 0) && (self->outbox.count == 0U))) {
+        self->acknowledged = acknowledged;
+        self->moved_us = now_us;
+    }
+    return now_us - self->moved_us;
+}
+
+void igtl_connection_unwatch(igtl_connection_t *self)
+{
+    self->moved_us = 0U;
 }

@@ -9,9 +9,16 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#define IGTL_NO_PLACE UINT32_MAX
+
 typedef struct {
-    int descriptor;    /**< -1: free. */
-    uint64_t heard_us; /**< When it connected or last sent a valid message. */
+    int descriptor;        /**< -1: free. */
+    uint32_t number;       /**< Given by the server, never used again. */
+    uint32_t place;        /**< Of the server's, IGTL_NO_PLACE while it waits for one. */
+    uint64_t heard_us;     /**< When it connected or last sent a valid message. */
+    uint64_t sent;         /**< Bytes that were written. */
+    uint64_t acknowledged; /**< Of these, as far as the peer's machine has taken them. */
+    uint64_t moved_us;     /**< When that last became more; 0: nobody watches it. */
     igtl_inbox_t inbox;
     igtl_outbox_t outbox;
 } igtl_connection_t;
@@ -47,5 +54,17 @@ igtl_received_t igtl_connection_receive(igtl_connection_t *self, uint64_t now_us
  * @satisfies SWR-IGTL-005
  */
 bool igtl_connection_flush(igtl_connection_t *self);
+
+/**
+ * How long what was sent has stayed without any acknowledgement by the peer's machine, us; 0 at the
+ * first call, and while nothing waits. A program that has stopped is seen once its machine takes no
+ * more for it.
+ *
+ * @satisfies SWR-IGTL-027
+ */
+uint64_t igtl_connection_unread_us(igtl_connection_t *self, uint64_t now_us);
+
+/** Nobody watches what it acknowledges any more. */
+void igtl_connection_unwatch(igtl_connection_t *self);
 
 #endif

@@ -1,52 +1,47 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The OpenIGTLink process: workphase protocol on one port, bare transforms on another. Waits for
- * sockets, passes commands to the controller and its answers back. It has no part in motion: it may
- * end at any time.
+ * The OpenIGTLink process: workphase protocol on some ports, bare transforms on others. One dialect
+ * serves all ports that speak it, so one peer commands, whichever it came by. Waits for sockets,
+ * passes commands to the controller and its answers back. It has no part in motion: it may end at
+ * any time.
  */
 #include "base/contract.h"
 #include "common/clock.h"
 #include "exchange/exchange.h"
+#include "igtl/igtl_options.h"
+#include "igtl/igtl_relay.h"
 #include "igtl/igtl_server.h"
+#include "igtl/igtl_show.h"
 #include "dialect/transform_dialect.h"
 #include "dialect/workphase_dialect.h"
 
 #include <errno.h>
-#include <getopt.h>
 #include <poll.h>
 #include <signal.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <time.h>
 
 #define EXIT_USAGE 2
 #define EXIT_PORT 3
 #define EXIT_EXCHANGE 4
-#define DEFAULT_BRP_PORT 18936U
-#define DEFAULT_IGTL_PORT 18944U
 #define IDLE_WAIT_MS 50 /* Nobody is connected. */
 #define CONNECTED_WAIT_MS 10
 #define ANSWER_WAIT_MS 1 /* A command is on its way. */
 #define CONTROL_SILENT_US UINT64_C(1000000)
 #define LONGEST_TURN_US UINT64_C(20000)
-#define ERROR_SIZE 200U
-
-typedef struct {
-    const char *exchange;
-    const char *address;
-    uint16_t brp_port;
-    uint16_t igtl_port;
-} options_t;
+#define SHOW_US UINT64_C(100000)
+#define ERROR_SIZE 400U
 
 typedef struct {
     exchange_t *exchange;
     workphase_dialect_t workphase;
     transform_dialect_t transform;
-    igtl_server_t brp;
-    igtl_server_t igtl;
+    igtl_server_t servers[IGTL_PORTS];
+    uint32_t count; /* Of servers. */
+    uint64_t next_show_us;
     snapshot_t snapshot;
     igtl_moment_t moment;
     uint64_t patience_ns;
@@ -71,9 +66,10 @@ static void on_end(int signal_number)
 
 static const igtl_dialect_calls_t workphase_calls = {
     workphase_dialect_connected, workphase_dialect_disconnected, workphase_dialect_receive,
-    workphase_dialect_is_controlled_by};
-static const igtl_dialect_calls_t transform_calls = {
-    transform_dialect_connected, transform_dialect_disconnected, transform_dialect_receive, NULL};
+    workphase_dialect_is_controlled_by, workphase_dialect_has_order};
+static const igtl_dialect_calls_t transform_calls = {transform_dialect_connected,
+                                                     transform_dialect_disconnected,
+                                                     transform_dialect_receive, NULL, NULL};
 
 static uint64_t timestamp_now(void)
 {
@@ -81,92 +77,6 @@ static uint64_t timestamp_now(void)
 
     (void)clock_gettime(CLOCK_REALTIME, &now);
     return ((uint64_t)now.tv_sec << 32U) | (((uint64_t)now.tv_nsec << 32U) / 1000000000U);
-}
-
-static bool read_port(const char *text, uint16_t *port)
-{
-    char *end;
-    unsigned long value;
-
-    errno = 0;
-    value = strtoul(text, &end, 10);
-    if ((errno != 0) || (end == text) || (*end != '\0') || (value == 0U) || (value > UINT16_MAX)) {
-        return false;
-    }
-    *port = (uint16_t)value;
-    return true;
-}
-
-static bool read_options(int count, char **arguments, options_t *options)
-{
-    static const struct option names[] = {{"exchange", required_argument, NULL, 'e'},
-                                          {"brp-port", required_argument, NULL, 'w'},
-                                          {"igtl-port", required_argument, NULL, 't'},
-                                          {"bind", required_argument, NULL, 'b'},
-                                          {NULL, 0, NULL, 0}};
-    bool is_good = true;
-    int option = getopt_long(count, arguments, "", names, NULL);
-
-    while (option != -1) {
-        switch (option) {
-        case 'e':
-            options->exchange = optarg;
-            break;
-        case 'w':
-            is_good = read_port(optarg, &options->brp_port) && is_good;
-            break;
-        case 't':
-            is_good = read_port(optarg, &options->igtl_port) && is_good;
-            break;
-        case 'b':
-            options->address = optarg;
-            break;
-        default:
-            is_good = false;
-            break;
-        }
-        option = getopt_long(count, arguments, "", names, NULL);
-    }
-    return is_good && (options->exchange != NULL) && (optind == count);
-}
-
-/* A command that was not passed on comes back as refused. */
-static void refuse_command(const command_t *command, status_t status,
-                           bool (*hand_in)(const answer_t *answer))
-{
-    const answer_t refusal = {.id = command->id,
-                              .source = command->source,
-                              .command = command->kind,
-                              .argument = command->argument,
-                              .kind = (uint32_t)ANSWER_REFUSED,
-                              .status = (uint32_t)status,
-                              .is_final = 1U,
-                              .workphase = process.snapshot.workphase};
-
-    (void)hand_in(&refusal);
-}
-
-/* A full lane: STOP and EMERGENCY wait for the next turn, and until they are through nothing that
- * was commanded after them goes ahead. */
-static void pass_requests(igtl_requests_t *requests, bool (*hand_in)(const answer_t *answer))
-{
-    bool is_waiting = false;
-    command_t command;
-
-    for (uint32_t left = requests->queued; (left > 0U) && igtl_requests_take(requests, &command);
-         left--) {
-        const status_t status =
-            is_waiting ? STATUS_BUSY : exchange_send_command(process.exchange, &command);
-
-        if ((status == STATUS_BUSY) && igtl_requests_is_urgent(&command)) {
-            igtl_requests_keep(requests, &command);
-            is_waiting = true;
-        } else if (status != STATUS_OK) {
-            refuse_command(&command, status, hand_in);
-        } else {
-            /* It is on its way. */
-        }
-    }
 }
 
 static bool answer_workphase(const answer_t *answer)
@@ -181,8 +91,10 @@ static bool answer_transform(const answer_t *answer)
 
 static void pass_commands(void)
 {
-    pass_requests(&process.workphase.requests, answer_workphase);
-    pass_requests(&process.transform.requests, answer_transform);
+    const uint32_t workphase = process.snapshot.workphase;
+
+    igtl_relay_requests(process.exchange, &process.workphase.requests, workphase, answer_workphase);
+    igtl_relay_requests(process.exchange, &process.transform.requests, workphase, answer_transform);
 }
 
 /* Control owes an answer in its own time: the board may be slow, and in a pause of the machine
@@ -238,64 +150,101 @@ static void watch_control(void)
     }
 }
 
-static bool awaits_answer(const igtl_requests_t *requests)
-{
-    for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
-        if ((requests->requests[i].id != 0U) && !requests->requests[i].is_accepted &&
-            !requests->requests[i].is_overdue) {
-            return true;
-        }
-    }
-    return false;
-}
-
 static int wait_ms(void)
 {
-    if (awaits_answer(&process.workphase.requests) || awaits_answer(&process.transform.requests)) {
+    if (igtl_relay_awaits_answer(&process.workphase.requests) ||
+        igtl_relay_awaits_answer(&process.transform.requests)) {
         return ANSWER_WAIT_MS;
     }
-    if (igtl_server_has_peers(&process.brp) || igtl_server_has_peers(&process.igtl)) {
-        return CONNECTED_WAIT_MS;
+    for (uint32_t i = 0U; i < process.count; i++) {
+        if (igtl_server_has_peers(&process.servers[i])) {
+            return CONNECTED_WAIT_MS;
+        }
     }
     return IDLE_WAIT_MS;
 }
 
+static void wait_for_news(void)
+{
+    struct pollfd polls[IGTL_PORTS * IGTL_SERVER_POLLS];
+    uint32_t count = 0U;
+
+    for (uint32_t i = 0U; i < process.count; i++) {
+        count += igtl_server_polls(&process.servers[i], &polls[count]);
+    }
+    (void)poll(polls, count, wait_ms());
+}
+
+static void send_all(void)
+{
+    for (uint32_t i = 0U; i < process.count; i++) {
+        igtl_server_send(&process.servers[i], &process.moment);
+    }
+}
+
+static void show(void)
+{
+    if (process.moment.now_us >= process.next_show_us) {
+        process.next_show_us = process.moment.now_us + SHOW_US;
+        igtl_show_ports(process.exchange, process.servers, process.count, process.moment.now_us);
+    }
+}
+
 static void turn(void)
 {
-    struct pollfd polls[2U * IGTL_SERVER_POLLS];
-    uint32_t count = igtl_server_polls(&process.brp, polls);
-
-    count += igtl_server_polls(&process.igtl, &polls[count]);
-    (void)poll(polls, count, wait_ms());
-    exchange_beat(process.exchange, EXCHANGE_IGTL);
+    wait_for_news();
     look_around();
-    igtl_server_receive(&process.brp, &process.moment);
-    igtl_server_receive(&process.igtl, &process.moment);
-    igtl_server_send(&process.brp, &process.moment);
+    for (uint32_t i = 0U; i < process.count; i++) {
+        igtl_server_receive(&process.servers[i], &process.moment);
+    }
+    send_all(); /* Acknowledgements wait for nobody. */
     pass_commands();
     take_answers();
     watch_control();
     workphase_dialect_step(&process.workphase, &process.moment);
     transform_dialect_step(&process.transform, &process.moment);
-    igtl_server_send(&process.brp, &process.moment);
-    igtl_server_send(&process.igtl, &process.moment);
+    send_all();
+    show();
+    exchange_beat(process.exchange, EXCHANGE_IGTL);
 }
 
-static bool open_port(igtl_server_t *server, const char *address, uint16_t port,
-                      const char *variable)
+static void explain(const igtl_options_t *options, uint32_t index, const char *error)
+{
+    static const char *const variables[] = {"BRP_PORT", "IGTL_PORT"};
+    const unsigned number = options->ports.ports[index].number;
+
+    if (errno != EADDRINUSE) {
+        (void)fprintf(stderr, "%s\n", error);
+    } else if (options->file != NULL) {
+        (void)fprintf(stderr, "port %u is in use; stop the other program or change it in %s\n",
+                      number, options->file);
+    } else {
+        (void)fprintf(stderr, "port %u is in use; stop the other program or set %s\n", number,
+                      variables[index]);
+    }
+}
+
+/* The last digit of a connection's number is the place of its port. */
+static bool open_ports(const igtl_options_t *options)
 {
     char error[ERROR_SIZE];
 
-    if (igtl_server_open(server, address, port, error, sizeof error)) {
-        return true;
+    for (uint32_t i = 0U; i < options->ports.count; i++) {
+        const igtl_port_t *port = &options->ports.ports[i];
+        const bool is_crtk = port->language == IGTL_LANGUAGE_CRTK;
+        igtl_server_t *server = &process.servers[i];
+
+        server->calls = is_crtk ? &transform_calls : &workphase_calls;
+        server->dialect = is_crtk ? (void *)&process.transform : (void *)&process.workphase;
+        server->first_place = i * IGTL_PEERS;
+        server->next_number = IGTL_NUMBER_STEP + i + 1U;
+        if (!igtl_server_open(server, port, error, sizeof error)) {
+            explain(options, i, error);
+            return false;
+        }
+        process.count++;
     }
-    if (errno == EADDRINUSE) {
-        (void)fprintf(stderr, "port %u is in use; stop the other program or set %s\n",
-                      (unsigned)port, variable);
-    } else {
-        (void)fprintf(stderr, "%s\n", error);
-    }
-    return false;
+    return true;
 }
 
 /* Ids go on where no earlier run of this process can have left an answer behind. */
@@ -307,12 +256,6 @@ static void begin(void)
 
     workphase_dialect_init(&process.workphase, robot, first_id);
     transform_dialect_init(&process.transform, robot, first_id + 1U);
-    process.brp.calls = &workphase_calls;
-    process.brp.dialect = &process.workphase;
-    process.brp.next_number = 1U;
-    process.igtl.calls = &transform_calls;
-    process.igtl.dialect = &process.transform;
-    process.igtl.next_number = 2U;
     while (exchange_take_answer(process.exchange, &stale)) {
         /* Answers to an earlier run. */
     }
@@ -328,13 +271,11 @@ static void catch_signals(void)
 
 int main(int count, char **arguments)
 {
-    options_t options = {NULL, "127.0.0.1", DEFAULT_BRP_PORT, DEFAULT_IGTL_PORT};
+    static igtl_options_t options;
     char error[ERROR_SIZE];
 
-    if (!read_options(count, arguments, &options)) {
-        (void)fprintf(stderr,
-                      "usage: boresight-igtl --exchange NAME [--brp-port PORT] [--igtl-port PORT]"
-                      " [--bind ADDRESS]\n");
+    if (!igtl_options_read(&options, count, arguments, error, sizeof error)) {
+        (void)fprintf(stderr, "%s\n", error);
         return EXIT_USAGE;
     }
     process.exchange = exchange_open(options.exchange, error, sizeof error);
@@ -344,16 +285,16 @@ int main(int count, char **arguments)
     }
     exchange_protect(process.exchange);
     begin();
-    if (!open_port(&process.brp, options.address, options.brp_port, "BRP_PORT") ||
-        !open_port(&process.igtl, options.address, options.igtl_port, "IGTL_PORT")) {
+    if (!open_ports(&options)) {
         return EXIT_PORT;
     }
     catch_signals();
     while (must_end == 0) {
         turn();
     }
-    igtl_server_close(&process.brp);
-    igtl_server_close(&process.igtl);
+    for (uint32_t i = 0U; i < process.count; i++) {
+        igtl_server_close(&process.servers[i]);
+    }
     exchange_close(process.exchange);
     return EXIT_SUCCESS;
 }

@@ -1,92 +1,47 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "igtl/igtl_server.h"
 
-#include <arpa/inet.h>
-#include <errno.h>
-#include <inttypes.h>
-#include <netinet/in.h>
+#include "igtl/igtl_listener.h"
+#include "igtl/igtl_places.h"
+#include "limits/requirement_limits.h"
+
 #include <stdio.h>
 #include <string.h>
-#include <sys/socket.h>
 #include <unistd.h>
 
-#define BACKLOG 16
 #define MESSAGES_PER_TURN 16U
 #define ACCEPTS_PER_TURN 16U
-#define LOG_INTERVAL_US UINT64_C(1000000)
+#define GREETING_INTERVAL_US UINT64_C(1000000)
 
-/* One line per kind and second at most; it says how many there were since the last. */
-static void log_trouble(igtl_server_t *self, igtl_trouble_t kind, const char *reason,
-                        uint64_t now_us)
+static void note(igtl_server_t *self, igtl_trouble_t kind, const char *reason, uint64_t now_us)
 {
-    static const char *const texts[IGTL_TROUBLES] = {
-        "refused a connection: all are taken",
-        "dropped a connection",
-        "dropped a connection",
-        "dropped a connection: it does not read",
-        "refused a message",
-        "dropped a connection: it was silent and its place is wanted"};
-    igtl_trouble_count_t *trouble = &self->troubles[kind];
-
-    trouble->count++;
-    if (now_us < trouble->next_log_us) {
-        return;
-    }
-    (void)fprintf(stderr, "boresight-igtl: port %u %s%s%s (%" PRIu64 " more, %" PRIu64 " in all)\n",
-                  (unsigned)self->port, texts[kind], (reason[0] == '\0') ? "" : ": ", reason,
-                  trouble->count - trouble->said - 1U, trouble->count);
-    trouble->said = trouble->count;
-    trouble->next_log_us = now_us + LOG_INTERVAL_US;
+    igtl_troubles_note(&self->troubles, self->port->number, kind, reason, now_us);
 }
 
-static bool listen_on(igtl_server_t *self, const char *address, char *error, size_t error_size)
-{
-    struct sockaddr_in place = {.sin_family = AF_INET, .sin_port = htons(self->port)};
-    const int on = 1;
-    int reason;
-
-    if (inet_pton(AF_INET, address, &place.sin_addr) != 1) {
-        (void)snprintf(error, error_size, "%s is not an IPv4 address; give one with --bind",
-                       address);
-        return false;
-    }
-    self->listener = socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
-    if (self->listener < 0) {
-        (void)snprintf(error, error_size, "no socket can be opened: %s", strerror(errno));
-        return false;
-    }
-    /* A port of a process that has just ended can be opened again. */
-    (void)setsockopt(self->listener, SOL_SOCKET, SO_REUSEADDR, &on, (socklen_t)sizeof on);
-    if ((bind(self->listener, (const struct sockaddr *)&place, (socklen_t)sizeof place) == 0) &&
-        (listen(self->listener, BACKLOG) == 0)) {
-        return true;
-    }
-    reason = errno;
-    (void)snprintf(error, error_size, "port %u cannot be opened on %s: %s", (unsigned)self->port,
-                   address, strerror(reason));
-    errno = reason;
-    return false;
-}
-
-bool igtl_server_open(igtl_server_t *self, const char *address, uint16_t port, char *error,
-                      size_t error_size)
+bool igtl_server_open(igtl_server_t *self, const igtl_port_t *port, char *error, size_t error_size)
 {
     self->port = port;
     self->listener = -1;
-    for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
+    self->next_greeting_us = 0U;
+    for (uint32_t i = 0U; i < IGTL_CONNECTIONS; i++) {
         igtl_connection_init(&self->connections[i]);
     }
-    (void)memset(self->troubles, 0, sizeof self->troubles);
-    return listen_on(self, address, error, error_size);
+    (void)memset(&self->troubles, 0, sizeof self->troubles);
+    igtl_caller_init(&self->caller, port->address, port->number);
+    if (!port->is_calling) {
+        self->listener = igtl_listener_open(port->address, port->number, error, error_size);
+    }
+    return port->is_calling || (self->listener >= 0);
 }
 
 void igtl_server_close(igtl_server_t *self)
 {
-    for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
+    for (uint32_t i = 0U; i < IGTL_CONNECTIONS; i++) {
         if (self->connections[i].descriptor >= 0) {
             igtl_connection_close(&self->connections[i]);
         }
     }
+    igtl_caller_close(&self->caller);
     if (self->listener >= 0) {
         (void)close(self->listener);
         self->listener = -1;
@@ -97,8 +52,11 @@ uint32_t igtl_server_polls(const igtl_server_t *self, struct pollfd *polls)
 {
     uint32_t count = 1U;
 
-    polls[0] = (struct pollfd){.fd = self->listener, .events = POLLIN};
-    for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
+    /* poll() passes over what is -1. */
+    polls[0] = self->port->is_calling
+                   ? (struct pollfd){.fd = self->caller.descriptor, .events = POLLOUT}
+                   : (struct pollfd){.fd = self->listener, .events = POLLIN};
+    for (uint32_t i = 0U; i < IGTL_CONNECTIONS; i++) {
         if (self->connections[i].descriptor >= 0) {
             const int waiting =
                 (self->connections[i].outbox.count > 0U) ? (POLLIN | POLLOUT) : POLLIN;
@@ -113,7 +71,7 @@ uint32_t igtl_server_polls(const igtl_server_t *self, struct pollfd *polls)
 
 bool igtl_server_has_peers(const igtl_server_t *self)
 {
-    for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
+    for (uint32_t i = 0U; i < IGTL_CONNECTIONS; i++) {
         if (self->connections[i].descriptor >= 0) {
             return true;
         }
@@ -121,132 +79,115 @@ bool igtl_server_has_peers(const igtl_server_t *self)
     return false;
 }
 
-static void drop(igtl_server_t *self, uint32_t peer)
+uint32_t igtl_server_peer(const igtl_server_t *self, const igtl_connection_t *connection)
 {
-    igtl_connection_close(&self->connections[peer]);
-    self->calls->disconnected(self->dialect, self->first_place + peer);
+    return self->first_place + connection->place;
 }
 
-/* Makes room by dropping who has been silent for longest. */
-static void evict_silent(igtl_server_t *self, uint64_t now_us)
+void igtl_server_drop(igtl_server_t *self, igtl_connection_t *connection, uint64_t now_us)
 {
-    uint64_t longest_us = IGTL_SILENT_US;
-    uint32_t silent = IGTL_PEERS;
-
-    for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
-        const uint64_t silent_us = now_us - self->connections[i].heard_us;
-        const bool is_in_control =
-            (self->calls->is_controlled_by != NULL) &&
-            self->calls->is_controlled_by(self->dialect, self->first_place + i);
-
-        if ((silent_us > longest_us) && !is_in_control) {
-            longest_us = silent_us;
-            silent = i;
-        }
+    igtl_connection_close(connection);
+    if (connection->place != IGTL_NO_PLACE) {
+        self->calls->disconnected(self->dialect, igtl_server_peer(self, connection));
     }
-    if (silent < IGTL_PEERS) {
-        log_trouble(self, IGTL_TROUBLE_SILENT, "", now_us);
-        drop(self, silent);
+    if (self->port->is_calling) {
+        igtl_caller_lost(&self->caller, now_us);
     }
-}
-
-static bool is_full(const igtl_server_t *self)
-{
-    for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
-        if (self->connections[i].descriptor < 0) {
-            return false;
-        }
-    }
-    return true;
 }
 
 /* The log of events names a connection by its number only. */
-static void greet(igtl_server_t *self, uint32_t number, const struct sockaddr_in *place,
-                  uint64_t now_us)
+static void greet(igtl_server_t *self, uint32_t address, uint16_t number, uint64_t now_us)
 {
-    char address[INET_ADDRSTRLEN] = "?";
+    char place[IGTL_PLACE_SIZE];
 
     if (now_us < self->next_greeting_us) {
         return;
     }
-    self->next_greeting_us = now_us + LOG_INTERVAL_US;
-    (void)inet_ntop(AF_INET, &place->sin_addr, address, (socklen_t)sizeof address);
-    (void)fprintf(stderr, "boresight-igtl: port %u: peer %u is %s:%u\n", (unsigned)self->port,
-                  (unsigned)number, address, (unsigned)ntohs(place->sin_port));
-}
-
-static bool seat(igtl_server_t *self, int descriptor, const struct sockaddr_in *place,
-                 uint64_t now_us)
-{
-    if (is_full(self)) {
-        evict_silent(self, now_us);
-    }
-    for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
-        if (self->connections[i].descriptor < 0) {
-            igtl_connection_open(&self->connections[i], descriptor, now_us);
-            greet(self, self->next_number, place, now_us);
-            const igtl_introduction_t introduction = {self->next_number, self->language, "ENTRY_",
-                                                      &self->connections[i].outbox};
-            self->calls->connected(self->dialect, self->first_place + i, &introduction);
-            self->next_number += IGTL_NUMBER_STEP;
-            return true;
-        }
-    }
-    return false;
+    self->next_greeting_us = now_us + GREETING_INTERVAL_US;
+    igtl_port_place(address, number, place);
+    (void)fprintf(stderr, "boresight-igtl: port %u: peer %u is %s\n", (unsigned)self->port->number,
+                  (unsigned)self->next_number, place);
 }
 
 static void accept_peers(igtl_server_t *self, uint64_t now_us)
 {
     for (uint32_t i = 0U; i < ACCEPTS_PER_TURN; i++) {
-        struct sockaddr_in place = {.sin_family = AF_INET};
-        socklen_t size = (socklen_t)sizeof place;
-        const int descriptor =
-            accept4(self->listener, (struct sockaddr *)&place, &size, SOCK_NONBLOCK | SOCK_CLOEXEC);
+        uint32_t address;
+        uint16_t number;
+        const int descriptor = igtl_listener_accept(self->listener, &address, &number);
 
         if (descriptor < 0) {
             return;
         }
-        if (!seat(self, descriptor, &place, now_us)) {
+        if (igtl_port_allows(self->port, address)) {
+            greet(self, address, number, now_us);
+            igtl_places_enter(self, descriptor, now_us);
+        } else {
+            char place[IGTL_PLACE_SIZE];
+
             (void)close(descriptor);
-            log_trouble(self, IGTL_TROUBLE_FULL, "", now_us);
+            igtl_port_place(address, number, place);
+            note(self, IGTL_TROUBLE_STRANGER, place, now_us);
         }
     }
 }
 
-static void tell_trouble(igtl_server_t *self, uint32_t peer, igtl_result_t reason, const char *name,
+static void call_peer(igtl_server_t *self, uint64_t now_us)
+{
+    int descriptor = -1;
+
+    switch (igtl_caller_step(&self->caller, now_us, &descriptor)) {
+    case IGTL_CALL_ANSWERED:
+        greet(self, self->port->address, self->port->number, now_us);
+        igtl_places_enter(self, descriptor, now_us);
+        break;
+    case IGTL_CALL_FAILED:
+        note(self, IGTL_TROUBLE_CALL, strerror(self->caller.error), now_us);
+        break;
+    case IGTL_CALL_NOTHING:
+    default:
+        break;
+    }
+}
+
+static void tell_trouble(igtl_connection_t *connection, igtl_result_t reason, const char *name,
                          const igtl_moment_t *moment)
 {
     const igtl_status_t status = {igtl_result_code(reason), "REFUSED", igtl_result_text(reason)};
 
-    igtl_tell_status(&self->connections[peer].outbox, name, &status, moment);
+    igtl_tell_status(&connection->outbox, name, &status, moment);
 }
 
 /* Tells why, as far as the peer listens, and closes. */
-static void drop_with(igtl_server_t *self, uint32_t peer, igtl_trouble_t kind, igtl_result_t reason,
-                      const igtl_moment_t *moment)
+static void drop_with(igtl_server_t *self, igtl_connection_t *connection, igtl_trouble_t kind,
+                      igtl_result_t reason, const igtl_moment_t *moment)
 {
-    tell_trouble(self, peer, reason, "CONNECTION", moment);
-    (void)igtl_connection_flush(&self->connections[peer]);
-    log_trouble(self, kind, igtl_result_text(reason), moment->now_us);
-    drop(self, peer);
+    tell_trouble(connection, reason, "CONNECTION", moment);
+    (void)igtl_connection_flush(connection);
+    note(self, kind, igtl_result_text(reason), moment->now_us);
+    igtl_server_drop(self, connection, moment->now_us);
 }
 
 /* False when the connection has ended. */
-static bool handle(igtl_server_t *self, uint32_t peer, igtl_inbox_event_t event,
+static bool handle(igtl_server_t *self, igtl_connection_t *connection, igtl_inbox_event_t event,
                    const igtl_moment_t *moment)
 {
-    const igtl_inbox_t *inbox = &self->connections[peer].inbox;
+    const igtl_inbox_t *inbox = &connection->inbox;
 
     switch (event) {
     case IGTL_INBOX_MESSAGE:
-        self->calls->receive(self->dialect, self->first_place + peer, &inbox->message, moment);
+        if ((connection->place != IGTL_NO_PLACE) ||
+            igtl_places_admit(self, connection, &inbox->message, moment)) {
+            self->calls->receive(self->dialect, igtl_server_peer(self, connection), &inbox->message,
+                                 moment);
+        }
         return true;
     case IGTL_INBOX_REFUSED:
-        tell_trouble(self, peer, inbox->reason, inbox->header.name, moment);
-        log_trouble(self, IGTL_TROUBLE_MESSAGE, igtl_result_text(inbox->reason), moment->now_us);
+        tell_trouble(connection, inbox->reason, inbox->header.name, moment);
+        note(self, IGTL_TROUBLE_MESSAGE, igtl_result_text(inbox->reason), moment->now_us);
         return true;
     case IGTL_INBOX_BROKEN:
-        drop_with(self, peer, IGTL_TROUBLE_BROKEN, inbox->reason, moment);
+        drop_with(self, connection, IGTL_TROUBLE_BROKEN, inbox->reason, moment);
         return false;
     case IGTL_INBOX_WAITING:
     case IGTL_INBOX_SKIPPED:
@@ -255,9 +196,9 @@ static bool handle(igtl_server_t *self, uint32_t peer, igtl_inbox_event_t event,
     }
 }
 
-static void receive_from(igtl_server_t *self, uint32_t peer, const igtl_moment_t *moment)
+static void receive_from(igtl_server_t *self, igtl_connection_t *connection,
+                         const igtl_moment_t *moment)
 {
-    igtl_connection_t *connection = &self->connections[peer];
     uint32_t bytes_left = IGTL_BYTES_PER_TURN;
 
     for (uint32_t i = 0U; i < MESSAGES_PER_TURN; i++) {
@@ -266,37 +207,63 @@ static void receive_from(igtl_server_t *self, uint32_t peer, const igtl_moment_t
             igtl_connection_receive(connection, moment->now_us, &bytes_left, &event);
 
         if (received == IGTL_RECEIVED_END) {
-            drop(self, peer);
+            igtl_server_drop(self, connection, moment->now_us);
             return;
         }
-        if ((received == IGTL_RECEIVED_NOTHING) || !handle(self, peer, event, moment)) {
+        if ((received == IGTL_RECEIVED_NOTHING) || !handle(self, connection, event, moment)) {
             break;
         }
     }
     if ((connection->descriptor >= 0) && igtl_inbox_is_late(&connection->inbox, moment->now_us)) {
-        drop_with(self, peer, IGTL_TROUBLE_LATE, IGTL_INCOMPLETE, moment);
+        drop_with(self, connection, IGTL_TROUBLE_LATE, IGTL_INCOMPLETE, moment);
     }
 }
 
 void igtl_server_receive(igtl_server_t *self, const igtl_moment_t *moment)
 {
-    for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
+    for (uint32_t i = 0U; i < IGTL_CONNECTIONS; i++) {
         if (self->connections[i].descriptor >= 0) {
-            receive_from(self, i, moment);
+            receive_from(self, &self->connections[i], moment);
         }
     }
-    accept_peers(self, moment->now_us); /* Last: who has gone makes room. */
+    igtl_places_fill(self); /* Who has gone makes room, first for those who wait. */
+    if (self->port->is_calling) {
+        call_peer(self, moment->now_us);
+    } else {
+        accept_peers(self, moment->now_us);
+    }
+}
+
+/* In the time of those who wait for control: in a pause of the machine nobody could have read. */
+static bool has_hung(igtl_server_t *self, igtl_connection_t *connection,
+                     const igtl_moment_t *moment)
+{
+    if ((self->calls->has_order == NULL) || (connection->place == IGTL_NO_PLACE) ||
+        !self->calls->has_order(self->dialect, igtl_server_peer(self, connection))) {
+        igtl_connection_unwatch(connection);
+        return false;
+    }
+    return igtl_connection_unread_us(connection, moment->patience_us) >= LIMIT_IGTL_UNREAD_US;
 }
 
 void igtl_server_send(igtl_server_t *self, const igtl_moment_t *moment)
 {
-    for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
-        if ((self->connections[i].descriptor >= 0) &&
-            !igtl_connection_flush(&self->connections[i])) {
-            if (self->connections[i].outbox.has_overflowed) {
-                log_trouble(self, IGTL_TROUBLE_SLOW, "", moment->now_us);
+    for (uint32_t i = 0U; i < IGTL_CONNECTIONS; i++) {
+        igtl_connection_t *connection = &self->connections[i];
+
+        if (connection->descriptor < 0) {
+            continue;
+        }
+        if (!igtl_connection_flush(connection)) {
+            if (connection->outbox.has_overflowed) {
+                note(self, IGTL_TROUBLE_SLOW, "", moment->now_us);
             }
-            drop(self, i);
+            igtl_server_drop(self, connection, moment->now_us);
+        } else if (has_hung(self, connection, moment)) {
+            note(self, IGTL_TROUBLE_HUNG, "", moment->now_us);
+            igtl_server_drop(self, connection, moment->now_us);
+        } else {
+            /* It is served. */
         }
     }
 }

@@ -1,23 +1,28 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * One listening port and its connections. Reads and writes without waiting, hands whole messages to
- * its dialect, drops who breaks the protocol and leaves everyone else alone.
+ * One port and its connections: those that came to it, or the one that it called. Reads and writes
+ * without waiting, hands whole messages to its dialect, drops who breaks the protocol and leaves
+ * everyone else alone.
  */
 #ifndef BORESIGHT_IGTL_SERVER_H
 #define BORESIGHT_IGTL_SERVER_H
 
+#include "igtl/igtl_caller.h"
 #include "igtl/igtl_connection.h"
+#include "igtl/igtl_ports.h"
+#include "igtl/igtl_troubles.h"
 #include "dialect/igtl_dialect.h"
 
 #include <poll.h>
 #include <stdbool.h>
 #include <stdint.h>
 
-#define IGTL_SERVER_POLLS (IGTL_PEERS + 1U)
-#define IGTL_NUMBER_STEP 2U               /**< Numbers of the two ports' connections interleave. */
-#define IGTL_BYTES_PER_TURN 65536U        /**< Read of one connection per turn. */
-#define IGTL_SILENT_US UINT64_C(10000000) /**< Who is silent for longer may lose its place. */
+#define IGTL_WAITING 4U                              /**< Connections that wait for a place. */
+#define IGTL_CONNECTIONS (IGTL_PEERS + IGTL_WAITING) /**< Of a port. */
+#define IGTL_SERVER_POLLS (IGTL_CONNECTIONS + 1U)    /**< And what it listens or calls with. */
+#define IGTL_NUMBER_STEP 10U       /**< The last digit of a connection's number is its port. */
+#define IGTL_BYTES_PER_TURN 65536U /**< Read of one connection per turn. */
 
 /** What a dialect does for a server; `dialect` is its own state, `peer` a place. */
 typedef struct {
@@ -26,47 +31,30 @@ typedef struct {
     void (*receive)(void *dialect, uint32_t peer, const igtl_message_t *message,
                     const igtl_moment_t *moment);
     bool (*is_controlled_by)(const void *dialect, uint32_t peer); /**< NULL: by nobody. */
+    bool (*has_order)(const void *dialect, uint32_t peer);        /**< NULL: nobody has one. */
 } igtl_dialect_calls_t;
-
-/** Why peers were not served, counted. */
-typedef enum {
-    IGTL_TROUBLE_FULL = 0,    /**< Refused: all connections are taken. */
-    IGTL_TROUBLE_BROKEN = 1,  /**< Dropped: it does not speak the protocol. */
-    IGTL_TROUBLE_LATE = 2,    /**< Dropped: a message stayed incomplete. */
-    IGTL_TROUBLE_SLOW = 3,    /**< Dropped: it does not read what it is sent. */
-    IGTL_TROUBLE_MESSAGE = 4, /**< A message was refused. */
-    IGTL_TROUBLE_SILENT = 5   /**< Dropped: it was silent, and another wanted its place. */
-} igtl_trouble_t;
-
-#define IGTL_TROUBLES 6U
-
-typedef struct {
-    uint64_t count;
-    uint64_t said;        /**< Of these, in the log. */
-    uint64_t next_log_us; /**< Not before this time again. */
-} igtl_trouble_count_t;
 
 typedef struct {
     const igtl_dialect_calls_t *calls;
     void *dialect;
-    uint32_t first_place; /**< Of the dialect: its connections are peers from here on. */
-    igtl_language_t language;
-    uint16_t port;
-    int listener;
+    uint32_t first_place;    /**< Of the dialect: its connections are peers from here on. */
+    const igtl_port_t *port; /**< Lives as long. */
+    int listener;            /**< -1: it calls. */
+    igtl_caller_t caller;
     uint32_t next_number;      /**< Of the next connection. */
     uint64_t next_greeting_us; /**< Not before this time its number is in the log. */
-    igtl_connection_t connections[IGTL_PEERS];
-    igtl_trouble_count_t troubles[IGTL_TROUBLES];
+    igtl_connection_t connections[IGTL_CONNECTIONS];
+    igtl_troubles_t troubles;
 } igtl_server_t;
 
 /**
- * Listens on `address`:`port`. Connections are numbered from `next_number` (set before, not 0); a
- * new one is a line on stderr with its address, at most one in a second.
+ * Opens `port`, which lives as long. `calls`, `dialect`, `first_place` and `next_number` (not 0)
+ * are set before. A new connection is a line on stderr with its number and address, at most one in
+ * a second.
  *
  * @return false with one sentence in `error` and the cause in errno
  */
-bool igtl_server_open(igtl_server_t *self, const char *address, uint16_t port, char *error,
-                      size_t error_size);
+bool igtl_server_open(igtl_server_t *self, const igtl_port_t *port, char *error, size_t error_size);
 
 /** Closes the port and all connections. */
 void igtl_server_close(igtl_server_t *self);
@@ -77,17 +65,23 @@ uint32_t igtl_server_polls(const igtl_server_t *self, struct pollfd *polls);
 /** Anyone connected. */
 bool igtl_server_has_peers(const igtl_server_t *self);
 
+/** The dialect's peer of a connection that has a place. */
+uint32_t igtl_server_peer(const igtl_server_t *self, const igtl_connection_t *connection);
+
 /**
- * Accepts, reads, and drops whoever stays in the middle of a message. At most a few messages per
- * connection and at most IGTL_BYTES_PER_TURN, so that nobody is kept waiting by another. When all
- * places are taken, a new connection gets the place of the one that has sent no valid message for
- * longest, if for longer than IGTL_SILENT_US and it does not control.
+ * Accepts or calls, reads, and drops whoever stays in the middle of a message. At most a few
+ * messages per connection and at most IGTL_BYTES_PER_TURN, so that nobody is kept waiting by
+ * another. Who has a place: igtl_places.h.
  *
  * @satisfies SWR-IGTL-011
  */
 void igtl_server_receive(igtl_server_t *self, const igtl_moment_t *moment);
 
-/** Sends what the dialect has put into the outboxes. */
+/** Sends what the dialect has put into the outboxes, and drops who takes nothing while its order
+ * runs. */
 void igtl_server_send(igtl_server_t *self, const igtl_moment_t *moment);
+
+/** Closes `connection`, and tells the dialect when it had a place. */
+void igtl_server_drop(igtl_server_t *self, igtl_connection_t *connection, uint64_t now_us);
 
 #endif

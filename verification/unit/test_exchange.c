@@ -768,3 +768,38 @@ void test_SWR_ROBOT_015_no_reader_can_change_the_robot(void)
     TEST_ASSERT_FALSE(WIFEXITED(status) && (WEXITSTATUS(status) == 0));
     TEST_ASSERT_EQUAL_UINT32(robot_neuro.axis_count, exchange_robot(control)->axis_count);
 }
+
+void test_SWR_IGTL_028_ports_are_read_as_they_were_published(void)
+{
+    exchange_ports_t ports = {.count = 1U, .ports = {{.name = "slicer", .state = 2U}}};
+    exchange_ports_t read;
+
+    TEST_ASSERT_FALSE(exchange_read_ports(reader, &read));
+    exchange_publish_ports(control, &ports);
+    TEST_ASSERT_TRUE(exchange_read_ports(reader, &read));
+    TEST_ASSERT_EQUAL_MEMORY(&ports, &read, sizeof ports);
+}
+
+void test_SWR_IGTL_028_damaged_ports_are_not_shown(void)
+{
+    exchange_ports_t ports = {.count = EXCHANGE_PORTS};
+    exchange_ports_t read;
+
+    (void)memset(ports.ports[1].name, 'x', sizeof ports.ports[1].name);
+    (void)memset(ports.ports[1].trouble, 'x', sizeof ports.ports[1].trouble);
+    exchange_publish_ports(control, &ports);
+    TEST_ASSERT_TRUE(exchange_read_ports(reader, &read));
+    TEST_ASSERT_EQUAL_UINT32(EXCHANGE_PORT_NAME_SIZE - 1U, strlen(read.ports[1].name));
+    TEST_ASSERT_EQUAL_UINT32(EXCHANGE_PORT_TROUBLE_SIZE - 1U, strlen(read.ports[1].trouble));
+    ports.ports[3].state = EXCHANGE_PORT_STATES;
+    exchange_publish_ports(control, &ports);
+    TEST_ASSERT_FALSE(exchange_read_ports(reader, &read));
+    ports.ports[3].state = 0U;
+    ports.ports[3].dialect = EXCHANGE_DIALECTS;
+    exchange_publish_ports(control, &ports);
+    TEST_ASSERT_FALSE(exchange_read_ports(reader, &read));
+    ports.ports[3].dialect = 0U;
+    ports.count = EXCHANGE_PORTS + 1U;
+    exchange_publish_ports(control, &ports);
+    TEST_ASSERT_FALSE(exchange_read_ports(reader, &read));
+}

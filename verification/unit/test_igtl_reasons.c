@@ -9,6 +9,8 @@
 #include "dialect/igtl_dialect.h"
 #include "interface/app/names.h"
 #include "message/igtl_codec.h"
+#include "message/igtl_crc64.h"
+#include "message/igtl_packet.h"
 #include "message/igtl_outbox.h"
 #include "robot/robot_neuro.h"
 #include "unity.h"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Rule under test: no connection keeps the server from the others, by what it sends or by sending
- * nothing.
+ * Rule under test: no connection keeps the server from the others, by what it sends, by sending
+ * nothing or by taking nothing.
  */
 #include "base/fixed.h"
 #include "base/rigid.h"
@@ -10,10 +10,19 @@
 #include "message/igtl_codec.h"
 #include "message/igtl_crc64.h"
 #include "message/igtl_packet.h"
+#include "igtl/igtl_caller.h"
 #include "igtl/igtl_connection.h"
+#include "igtl/igtl_listener.h"
+#include "igtl/igtl_places.h"
+#include "igtl/igtl_ports.h"
+#include "igtl/igtl_ports_values.h"
+#include "igtl/igtl_show.h"
+#include "igtl/igtl_troubles.h"
 #include "dialect/igtl_dialect.h"
 #include "message/igtl_inbox.h"
 #include "dialect/igtl_requests.h"
+#include "exchange/exchange.h"
+#include "exchange/exchange_segment.h"
 #include "message/igtl_outbox.h"
 #include "igtl/igtl_server.h"
 #include "interface/app/names.h"
@@ -23,26 +32,38 @@
 #include "unity.h"
 
 #include <arpa/inet.h>
+#include <errno.h>
+#include <linux/sockios.h>
 #include <netinet/in.h>
 #include <string.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #define CONTROLLING 2U
+#define ORDERING 5U
+#define CLIENTS (IGTL_CONNECTIONS + 1U)
 
 static igtl_server_t server;
+static igtl_port_t settings;
 static igtl_moment_t moment;
 static uint32_t messages[IGTL_PEERS];
 static uint32_t numbers[IGTL_PEERS];
+static uint32_t seated;
 static bool is_connected[IGTL_PEERS];
-static int clients[IGTL_PEERS + 1U];
+static bool has_orders;
+static igtl_outbox_t *outboxes[IGTL_PEERS];
+static int clients[CLIENTS];
 static uint16_t port;
+static char error[200];
 
 static void connected(void *dialect, uint32_t peer, const igtl_introduction_t *introduction)
 {
     (void)dialect;
     numbers[peer] = introduction->number;
+    outboxes[peer] = introduction->outbox;
     is_connected[peer] = true;
+    seated++;
 }
 
 static void disconnected(void *dialect, uint32_t peer)
@@ -66,23 +87,42 @@ static bool is_controlled_by(const void *dialect, uint32_t peer)
     return peer == CONTROLLING;
 }
 
-static const igtl_dialect_calls_t calls = {connected, disconnected, receive, is_controlled_by};
+static bool has_order(const void *dialect, uint32_t peer)
+{
+    (void)dialect;
+    return has_orders && (peer == ORDERING);
+}
 
-void setUp(void)
+static const igtl_dialect_calls_t calls = {connected, disconnected, receive, is_controlled_by,
+                                           has_order};
+
+static uint64_t troubles(igtl_trouble_t kind)
+{
+    return server.troubles.counts[kind].count;
+}
+
+static void open_port(void)
 {
     struct sockaddr_in place;
     socklen_t size = (socklen_t)sizeof place;
-    char error[200];
 
-    (void)memset(messages, 0, sizeof messages);
-    (void)memset(is_connected, 0, sizeof is_connected);
-    moment = (igtl_moment_t){.now_us = 1000000U};
-    server.calls = &calls;
-    server.next_number = 1U;
-    TEST_ASSERT_TRUE(igtl_server_open(&server, "127.0.0.1", 0U, error, sizeof error));
+    TEST_ASSERT_TRUE_MESSAGE(igtl_server_open(&server, &settings, error, sizeof error), error);
     TEST_ASSERT_EQUAL_INT(0, getsockname(server.listener, (struct sockaddr *)&place, &size));
     port = ntohs(place.sin_port);
-    for (uint32_t i = 0U; i <= IGTL_PEERS; i++) {
+}
+
+void setUp(void)
+{
+    (void)memset(messages, 0, sizeof messages);
+    (void)memset(is_connected, 0, sizeof is_connected);
+    seated = 0U;
+    has_orders = false;
+    moment = (igtl_moment_t){.now_us = 1000000U, .patience_us = 1000000U};
+    settings = (igtl_port_t){.name = "test", .address = INADDR_LOOPBACK, .entry_prefix = "ENTRY_"};
+    server.calls = &calls;
+    server.next_number = 11U;
+    open_port();
+    for (uint32_t i = 0U; i < CLIENTS; i++) {
         clients[i] = -1;
     }
 }
@@ -90,23 +130,48 @@ void setUp(void)
 void tearDown(void)
 {
     igtl_server_close(&server);
-    for (uint32_t i = 0U; i <= IGTL_PEERS; i++) {
+    for (uint32_t i = 0U; i < CLIENTS; i++) {
         if (clients[i] >= 0) {
             (void)close(clients[i]);
         }
     }
 }
 
-/* A client that the server has looked at. */
+/* A client that the server has looked at. Its machine takes little for it. */
 static void enter(uint32_t client)
 {
+    const int least = 1;
     struct sockaddr_in place = {.sin_family = AF_INET, .sin_port = htons(port)};
 
     place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     clients[client] = socket(AF_INET, SOCK_STREAM, 0);
     TEST_ASSERT_EQUAL_INT(
+        0, setsockopt(clients[client], SOL_SOCKET, SO_RCVBUF, &least, (socklen_t)sizeof least));
+    TEST_ASSERT_EQUAL_INT(
         0, connect(clients[client], (const struct sockaddr *)&place, (socklen_t)sizeof place));
     igtl_server_receive(&server, &moment);
+}
+
+static void leave(uint32_t client)
+{
+    TEST_ASSERT_EQUAL_INT(0, close(clients[client]));
+    clients[client] = -1;
+    igtl_server_receive(&server, &moment);
+}
+
+/* The server has closed its end. */
+static bool is_dropped(uint32_t client)
+{
+    uint8_t byte;
+    const ssize_t count = recv(clients[client], &byte, 1U, MSG_DONTWAIT | MSG_PEEK);
+
+    return count == 0;
+}
+
+static void send_packet(uint32_t client, const igtl_packet_t *packet)
+{
+    TEST_ASSERT_EQUAL_INT(packet->length,
+                          send(clients[client], packet->bytes, packet->length, MSG_NOSIGNAL));
 }
 
 static void say(uint32_t client)
@@ -114,8 +179,17 @@ static void say(uint32_t client)
     igtl_packet_t packet;
 
     igtl_encode_string(&packet, "CMD_1", "STOP", 0U);
-    TEST_ASSERT_EQUAL_INT(packet.length,
-                          send(clients[client], packet.bytes, packet.length, MSG_NOSIGNAL));
+    send_packet(client, &packet);
+}
+
+/* What Slicer sends when it connects. */
+static void announce(uint32_t client)
+{
+    static const igtl_status_t nothing = {0U, "", ""};
+    igtl_packet_t packet;
+
+    igtl_encode_status(&packet, "", &nothing, 0U);
+    send_packet(client, &packet);
 }
 
 /* One after the other, a second apart. */
@@ -127,39 +201,348 @@ static void fill(void)
     }
 }
 
-void test_SWR_IGTL_011_silent_connections_make_room_for_a_new_one(void)
+void test_SWR_IGTL_026_silent_connections_leave_each_other_their_places(void)
 {
     fill();
-    moment.now_us += IGTL_SILENT_US;
+    moment.now_us += 10U * LIMIT_IGTL_SILENT_US;
+    enter(IGTL_PEERS);
+    announce(IGTL_PEERS);
+    for (uint32_t i = 0U; i < 100U; i++) {
+        moment.now_us += LIMIT_IGTL_SILENT_US;
+        igtl_server_receive(&server, &moment);
+    }
+    TEST_ASSERT_EQUAL_UINT32(IGTL_PEERS, seated);
+    for (uint32_t i = 0U; i <= IGTL_PEERS; i++) {
+        TEST_ASSERT_FALSE(is_dropped(i));
+    }
+}
+
+void test_SWR_IGTL_026_connection_that_speaks_gets_the_place_of_the_longest_silent(void)
+{
+    fill();
+    enter(IGTL_PEERS);
+    enter(IGTL_PEERS + 1U);
+    moment.now_us += LIMIT_IGTL_SILENT_US;
     say(0U);
+    say(IGTL_PEERS + 1U);
     igtl_server_receive(&server, &moment);
-    enter(IGTL_PEERS);
-    TEST_ASSERT_EQUAL_UINT64(1U, server.troubles[IGTL_TROUBLE_SILENT].count);
-    TEST_ASSERT_EQUAL_UINT64(0U, server.troubles[IGTL_TROUBLE_FULL].count);
-    TEST_ASSERT_EQUAL_UINT64(moment.now_us, server.connections[1].heard_us); /* The new one. */
+    TEST_ASSERT_TRUE(is_dropped(1U));
+    TEST_ASSERT_FALSE(is_dropped(IGTL_PEERS));
+    TEST_ASSERT_EQUAL_UINT32(11U + ((IGTL_PEERS + 1U) * IGTL_NUMBER_STEP), numbers[1]);
+    TEST_ASSERT_EQUAL_UINT32(1U, messages[1]);
+    TEST_ASSERT_EQUAL_UINT64(1U, troubles(IGTL_TROUBLE_SILENT));
 }
 
-void test_SWR_IGTL_011_connection_is_refused_when_nobody_has_been_silent_for_long(void)
+void test_SWR_IGTL_026_waiting_connection_gets_a_place_that_becomes_free(void)
 {
     fill();
     enter(IGTL_PEERS);
-    TEST_ASSERT_EQUAL_UINT64(0U, server.troubles[IGTL_TROUBLE_SILENT].count);
-    TEST_ASSERT_EQUAL_UINT64(1U, server.troubles[IGTL_TROUBLE_FULL].count);
+    enter(IGTL_PEERS + 1U);
+    TEST_ASSERT_EQUAL_UINT32(IGTL_PEERS, seated);
+    leave(3U);
+    TEST_ASSERT_EQUAL_UINT32(11U + (IGTL_PEERS * IGTL_NUMBER_STEP), numbers[3]);
+    leave(4U);
+    TEST_ASSERT_EQUAL_UINT32(11U + ((IGTL_PEERS + 1U) * IGTL_NUMBER_STEP), numbers[4]);
 }
 
-void test_SWR_IGTL_011_controlling_peer_keeps_its_place(void)
+void test_SWR_IGTL_026_nobody_who_has_spoken_lately_loses_its_place(void)
 {
+    uint8_t bytes[1000];
+
     fill();
-    moment.now_us += IGTL_SILENT_US;
+    enter(IGTL_PEERS);
+    moment.now_us += LIMIT_IGTL_SILENT_US;
     for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
-        if (i != CONTROLLING) {
+        say(i);
+    }
+    say(IGTL_PEERS);
+    igtl_server_receive(&server, &moment);
+    igtl_server_send(&server, &moment);
+    TEST_ASSERT_EQUAL_UINT32(IGTL_PEERS, seated);
+    TEST_ASSERT_GREATER_THAN_INT(0, recv(clients[IGTL_PEERS], bytes, sizeof bytes, 0));
+    TEST_ASSERT_EQUAL_STRING("STATUS", (const char *)&bytes[2]);
+    TEST_ASSERT_EQUAL_STRING("CMD_1", (const char *)&bytes[14]);
+    TEST_ASSERT_EQUAL_UINT8(IGTL_STATUS_BUSY, bytes[IGTL_HEADER_BYTES + 1U]);
+    TEST_ASSERT_EQUAL_UINT64(0U, troubles(IGTL_TROUBLE_SILENT));
+}
+
+void test_SWR_IGTL_026_who_commands_or_has_an_order_keeps_its_place(void)
+{
+    fill();
+    enter(IGTL_PEERS);
+    has_orders = true;
+    moment.now_us += LIMIT_IGTL_SILENT_US;
+    for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
+        if ((i != CONTROLLING) && (i != ORDERING)) {
             say(i);
         }
     }
     igtl_server_receive(&server, &moment);
-    enter(IGTL_PEERS);
+    say(IGTL_PEERS);
+    igtl_server_receive(&server, &moment);
     TEST_ASSERT_TRUE(is_connected[CONTROLLING]);
-    TEST_ASSERT_EQUAL_UINT64(1U, server.troubles[IGTL_TROUBLE_FULL].count);
+    TEST_ASSERT_TRUE(is_connected[ORDERING]);
+    TEST_ASSERT_EQUAL_UINT32(IGTL_PEERS, seated);
+    has_orders = false;
+    say(IGTL_PEERS);
+    igtl_server_receive(&server, &moment);
+    TEST_ASSERT_TRUE(is_dropped(ORDERING));
+}
+
+void test_SWR_IGTL_026_of_too_many_that_wait_the_oldest_goes(void)
+{
+    fill();
+    for (uint32_t i = IGTL_PEERS; i < CLIENTS; i++) {
+        enter(i);
+    }
+    TEST_ASSERT_TRUE(is_dropped(IGTL_PEERS));
+    for (uint32_t i = IGTL_PEERS + 1U; i < CLIENTS; i++) {
+        TEST_ASSERT_FALSE(is_dropped(i));
+    }
+    TEST_ASSERT_EQUAL_UINT32(IGTL_PEERS, seated);
+}
+
+void test_SWR_IGTL_011_waiting_connection_that_sends_garbage_is_dropped(void)
+{
+    static const uint8_t garbage[200];
+
+    fill();
+    enter(IGTL_PEERS);
+    TEST_ASSERT_EQUAL_INT(sizeof garbage, send(clients[IGTL_PEERS], garbage, sizeof garbage, 0));
+    igtl_server_receive(&server, &moment);
+    TEST_ASSERT_EQUAL_UINT64(1U, troubles(IGTL_TROUBLE_BROKEN));
+    TEST_ASSERT_EQUAL_UINT32(IGTL_PEERS, seated);
+}
+
+void test_SWR_IGTL_024_who_is_not_allowed_is_closed_at_once(void)
+{
+    igtl_server_close(&server);
+    settings.allowed[0] = (igtl_network_t){0x0A000000U, 0xFF000000U};
+    settings.allowed_count = 1U;
+    open_port();
+    enter(0U);
+    TEST_ASSERT_TRUE(is_dropped(0U));
+    TEST_ASSERT_EQUAL_UINT32(0U, seated);
+    TEST_ASSERT_EQUAL_UINT64(1U, troubles(IGTL_TROUBLE_STRANGER));
+    settings.allowed[0] = (igtl_network_t){INADDR_LOOPBACK, 0xFFFFFFFFU};
+    enter(1U);
+    TEST_ASSERT_EQUAL_UINT32(1U, seated);
+}
+
+/* The first five of a port's row. */
+static void shows(exchange_port_state_t state, uint32_t peers, uint32_t waiting, uint32_t commander,
+                  uint32_t again_ms)
+{
+    exchange_port_t row;
+
+    igtl_show_port(&server, moment.now_us, &row);
+    TEST_ASSERT_EQUAL_UINT32(state, row.state);
+    TEST_ASSERT_EQUAL_UINT32(peers, row.peers);
+    TEST_ASSERT_EQUAL_UINT32(waiting, row.waiting);
+    TEST_ASSERT_EQUAL_UINT32(commander, row.commander);
+    TEST_ASSERT_EQUAL_UINT32(again_ms, row.again_ms);
+}
+
+void test_SWR_IGTL_028_row_of_a_port_that_listens(void)
+{
+    exchange_port_t row;
+
+    shows(EXCHANGE_PORT_LISTENING, 0U, 0U, 0U, 0U);
+    fill();
+    enter(IGTL_PEERS);
+    shows(EXCHANGE_PORT_LISTENING, IGTL_PEERS, 1U, 11U + (CONTROLLING * IGTL_NUMBER_STEP), 0U);
+    igtl_show_port(&server, moment.now_us, &row);
+    TEST_ASSERT_EQUAL_STRING("test", row.name);
+    TEST_ASSERT_EQUAL_HEX32(0x7F000001U, row.address);
+    TEST_ASSERT_EQUAL_UINT32(1U, row.troubles);
+    TEST_ASSERT_EQUAL_STRING("has no place for a connection: all are taken", row.trouble);
+}
+
+/* From here on the server calls a port of this test. */
+static int begin_calling(void)
+{
+    struct sockaddr_in place;
+    socklen_t size = (socklen_t)sizeof place;
+    const int slicer = igtl_listener_open(INADDR_LOOPBACK, 0U, error, sizeof error);
+
+    TEST_ASSERT_EQUAL_INT(0, getsockname(slicer, (struct sockaddr *)&place, &size));
+    igtl_server_close(&server);
+    settings.is_calling = true;
+    settings.number = ntohs(place.sin_port);
+    TEST_ASSERT_TRUE(igtl_server_open(&server, &settings, error, sizeof error));
+    return slicer;
+}
+
+/* Calls, and looks what has come of it. */
+static void call(void)
+{
+    igtl_server_receive(&server, &moment);
+    igtl_server_receive(&server, &moment);
+}
+
+void test_SWR_IGTL_025_peer_that_answers_a_call_is_like_any_other(void)
+{
+    const int slicer = begin_calling();
+    uint32_t address;
+    uint16_t number;
+
+    igtl_server_receive(&server, &moment);
+    clients[0] = igtl_listener_accept(slicer, &address, &number);
+    igtl_server_receive(&server, &moment);
+    TEST_ASSERT_EQUAL_UINT32(1U, seated);
+    TEST_ASSERT_EQUAL_UINT32(0U, messages[0]);
+    shows(EXCHANGE_PORT_CONNECTED, 1U, 0U, 0U, 0U);
+    say(0U);
+    igtl_server_receive(&server, &moment);
+    TEST_ASSERT_EQUAL_UINT32(1U, messages[0]);
+    leave(0U);
+    TEST_ASSERT_FALSE(is_connected[0]);
+    shows(EXCHANGE_PORT_WAITING, 0U, 0U, 0U, 1000U);
+    moment.now_us += LIMIT_IGTL_CALL_LEAST_US;
+    igtl_server_receive(&server, &moment);
+    clients[0] = igtl_listener_accept(slicer, &address, &number);
+    TEST_ASSERT_GREATER_OR_EQUAL_INT(0, clients[0]);
+    TEST_ASSERT_EQUAL_INT(0, close(slicer));
+}
+
+void test_SWR_IGTL_025_pause_between_vain_calls_doubles_up_to_its_limit(void)
+{
+    uint64_t pause_us = LIMIT_IGTL_CALL_LEAST_US;
+
+    TEST_ASSERT_EQUAL_INT(0, close(begin_calling()));
+    for (uint32_t i = 0U; i < 10U; i++) {
+        call();
+        TEST_ASSERT_EQUAL_UINT64(i + 1U, troubles(IGTL_TROUBLE_CALL));
+        shows(EXCHANGE_PORT_WAITING, 0U, 0U, 0U, (uint32_t)(pause_us / 1000U));
+        moment.now_us += pause_us - 1U;
+        call();
+        TEST_ASSERT_EQUAL_UINT64(i + 1U, troubles(IGTL_TROUBLE_CALL));
+        moment.now_us += 1U;
+        pause_us =
+            ((2U * pause_us) < LIMIT_IGTL_CALL_MOST_US) ? (2U * pause_us) : LIMIT_IGTL_CALL_MOST_US;
+    }
+    TEST_ASSERT_EQUAL_STRING("called in vain: Connection refused", server.troubles.last);
+}
+
+void test_SWR_IGTL_025_call_that_nobody_answers_ends(void)
+{
+    const int slicer = begin_calling();
+    igtl_caller_t *caller = &server.caller;
+    igtl_caller_t others[3];
+    int descriptor;
+
+    /* Its queue is full: no more calls get through. */
+    TEST_ASSERT_EQUAL_INT(0, listen(slicer, 0));
+    for (uint32_t i = 0U; i < 3U; i++) {
+        igtl_caller_init(&others[i], INADDR_LOOPBACK, settings.number);
+        (void)igtl_caller_step(&others[i], 0U, &descriptor);
+    }
+    TEST_ASSERT_EQUAL_INT(IGTL_CALL_NOTHING, igtl_caller_step(caller, 0U, &descriptor));
+    TEST_ASSERT_EQUAL_INT(IGTL_CALL_NOTHING,
+                          igtl_caller_step(caller, IGTL_CALL_TIMEOUT_US - 1U, &descriptor));
+    shows(EXCHANGE_PORT_CALLING, 0U, 0U, 0U, 0U);
+    TEST_ASSERT_EQUAL_INT(IGTL_CALL_FAILED,
+                          igtl_caller_step(caller, IGTL_CALL_TIMEOUT_US, &descriptor));
+    TEST_ASSERT_EQUAL_INT(ETIMEDOUT, caller->error);
+    for (uint32_t i = 0U; i < 3U; i++) {
+        igtl_caller_close(&others[i]);
+    }
+    TEST_ASSERT_EQUAL_INT(0, close(slicer));
+}
+
+void test_SWR_IGTL_025_connection_that_lasted_sets_the_pause_back(void)
+{
+    igtl_caller_t caller = {.descriptor = -1,
+                            .pause_us = LIMIT_IGTL_CALL_MOST_US,
+                            .since_us = 5U,
+                            .is_connected = true};
+
+    igtl_caller_lost(&caller, 5U + LIMIT_IGTL_CALL_MOST_US);
+    TEST_ASSERT_EQUAL_UINT64(5U + (2U * LIMIT_IGTL_CALL_MOST_US), caller.next_us);
+    igtl_caller_lost(&caller, 6U + LIMIT_IGTL_CALL_MOST_US);
+    TEST_ASSERT_EQUAL_UINT64(6U + LIMIT_IGTL_CALL_MOST_US + LIMIT_IGTL_CALL_LEAST_US,
+                             caller.next_us);
+}
+
+/* Peer ORDERING does not read, and its machine has no room for all that it is sent. */
+static void stuff(void)
+{
+    igtl_packet_t packet;
+
+    fill();
+    igtl_encode_string(&packet, "CURRENT_POSITION", "1", 0U);
+    for (uint32_t round = 0U; round < 3U; round++) {
+        for (uint32_t i = 0U; i < IGTL_OUTBOX_PACKETS; i++) {
+            igtl_outbox_add(outboxes[ORDERING], &packet);
+        }
+        igtl_server_send(&server, &moment);
+        TEST_ASSERT_TRUE(is_connected[ORDERING]);
+        TEST_ASSERT_EQUAL_UINT32(0U, outboxes[ORDERING]->count);
+    }
+}
+
+static void unstuff(void)
+{
+    uint64_t left = server.connections[ORDERING].sent;
+    int queued = 1;
+
+    while (left > 0U) {
+        uint8_t bytes[1000];
+        const ssize_t count = recv(clients[ORDERING], bytes, sizeof bytes, 0);
+
+        TEST_ASSERT_GREATER_THAN_INT(0, (int)count);
+        left -= (uint64_t)count;
+    }
+    while (queued > 0) { /* The last acknowledgement may take a moment. */
+        TEST_ASSERT_EQUAL_INT(0, ioctl(server.connections[ORDERING].descriptor, SIOCOUTQ, &queued));
+    }
+}
+
+void test_SWR_IGTL_027_hung_client_is_dropped_while_its_order_runs(void)
+{
+    const igtl_connection_t *connection = &server.connections[ORDERING];
+    uint64_t moved_us = 0U;
+
+    stuff();
+    has_orders = true;
+    moment.now_us += LIMIT_IGTL_UNREAD_US;
+    moment.patience_us += LIMIT_IGTL_UNREAD_US;
+    igtl_server_send(&server, &moment); /* Watched from here on. */
+    while (is_connected[ORDERING]) {    /* Its machine may find room for a little more. */
+        moved_us = connection->moved_us;
+        TEST_ASSERT_LESS_THAN_UINT64(LIMIT_IGTL_UNREAD_US, moment.patience_us - moved_us);
+        moment.patience_us += LIMIT_IGTL_UNREAD_US / 2U;
+        igtl_server_send(&server, &moment);
+    }
+    TEST_ASSERT_EQUAL_UINT64(LIMIT_IGTL_UNREAD_US, moment.patience_us - moved_us);
+    TEST_ASSERT_EQUAL_UINT64(1U, troubles(IGTL_TROUBLE_HUNG));
+}
+
+void test_SWR_IGTL_027_hung_client_without_an_order_is_left_alone(void)
+{
+    stuff();
+    has_orders = true;
+    igtl_server_send(&server, &moment);
+    has_orders = false;
+    moment.patience_us += LIMIT_IGTL_UNREAD_US;
+    igtl_server_send(&server, &moment);
+    has_orders = true;
+    igtl_server_send(&server, &moment);
+    TEST_ASSERT_TRUE(is_connected[ORDERING]);
+}
+
+void test_SWR_IGTL_027_client_that_has_read_all_keeps_its_order(void)
+{
+    stuff();
+    has_orders = true;
+    igtl_server_send(&server, &moment);
+    moment.patience_us += LIMIT_IGTL_UNREAD_US - 1U;
+    unstuff();
+    for (uint32_t i = 0U; i < 10U; i++) {
+        igtl_server_send(&server, &moment);
+        TEST_ASSERT_TRUE(is_connected[ORDERING]);
+        moment.patience_us += LIMIT_IGTL_UNREAD_US;
+    }
 }
 
 void test_SWR_IGTL_004_long_unknown_body_leaves_the_others_their_turn(void)
@@ -185,10 +568,10 @@ void test_SWR_IGTL_004_long_unknown_body_leaves_the_others_their_turn(void)
 void test_SWR_EVENT_005_no_connection_gets_the_number_of_another(void)
 {
     fill();
-    moment.now_us += IGTL_SILENT_US;
     for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
-        TEST_ASSERT_EQUAL_UINT32(1U + (i * IGTL_NUMBER_STEP), numbers[i]);
+        TEST_ASSERT_EQUAL_UINT32(11U + (i * IGTL_NUMBER_STEP), numbers[i]);
     }
+    leave(0U);
     enter(IGTL_PEERS);
-    TEST_ASSERT_EQUAL_UINT32(1U + (IGTL_PEERS * IGTL_NUMBER_STEP), numbers[0]);
+    TEST_ASSERT_EQUAL_UINT32(11U + (IGTL_PEERS * IGTL_NUMBER_STEP), numbers[0]);
 }

@@ -19,6 +19,8 @@
 #include "dialect/workphase_watch.h"
 #include "interface/app/names.h"
 #include "message/igtl_codec.h"
+#include "message/igtl_crc64.h"
+#include "message/igtl_packet.h"
 #include "message/igtl_outbox.h"
 #include "limits/requirement_limits.h"
 #include "robot/robot_cards.h"
