@@ -10,8 +10,9 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define IGTL_CALL_TIMEOUT_US UINT64_C(5000000) /**< A call that is not answered so long is over.   \
-                                                */
+#define IGTL_CALL_TIMEOUT_US                                                                       \
+    UINT64_C(5000000) /**< A call that is not answered so long is over.                            \
+                       */
 
 typedef struct {
     uint32_t address; /**< IPv4, in the byte order of the host. */

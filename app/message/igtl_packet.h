@@ -80,7 +80,8 @@ void igtl_encode_command_reply(igtl_packet_t *packet, const igtl_message_t *comm
 
 /**
  * Writes `packet` to `extended` as version 2: a TRANSFORM with the metadata TransformStatus = OK,
- * a POINT without a point with Status = OK, others without any. One that is of version 2 already is copied.
+ * a POINT without a point with Status = OK, others without any. One that is of version 2 already is
+ * copied.
  *
  * @satisfies SWR-IGTL-005
  */
