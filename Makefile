@@ -71,7 +71,7 @@ SOURCES_boresight-http := $(wildcard app/http/*.c) $(CLOCK) $(GEN)/interface/app
     $(GEN)/assets/chart_names.c
 SOURCES_boresight-recorder := $(wildcard app/recorder/*.c app/recording/*.c app/positions/*.c) $(CLOCK) app/common/directory.c $(EVENT_TEXT) $(EXCHANGE) $(NAMES)
 SOURCES_boresight-replay := $(wildcard app/replay/*.c app/recording/*.c) $(GEN)/interface/app/columns.c $(GEN)/interface/app/fields.c $(EVENT_TEXT) $(NAMES) $(FIND_ROBOT)
-SOURCES_boresight := $(wildcard app/supervisor/*.c) $(CLOCK) app/common/directory.c $(EXCHANGE) $(NAMES) $(GEN)/robot/app/robot_names.c \
+SOURCES_boresight := $(wildcard app/supervisor/*.c app/igtl/igtl_ports*.c) $(CLOCK) app/common/directory.c $(EXCHANGE) $(NAMES) $(GEN)/robot/app/robot_names.c \
     $(BOARD_TABLE)
 LIBS_boresight-control := $(BOARD_LIBS)
 LIBS_boresight-http := -lcivetweb -lcjson -lpthread

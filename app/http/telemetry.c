@@ -53,12 +53,22 @@ static void look_at_beats(telemetry_t *self, uint64_t now_ms)
     }
 }
 
+static void look_at_ports(telemetry_t *self)
+{
+    telemetry_view_t *view = &self->view;
+
+    if (!view->is_running[EXCHANGE_IGTL] || !exchange_read_ports(self->exchange, &view->ports)) {
+        view->ports.count = 0U;
+    }
+}
+
 void telemetry_look(telemetry_t *self, telemetry_view_t *view)
 {
     (void)pthread_mutex_lock(&self->lock);
     uint64_t now_ms = telemetry_now_ms();
     look_at_snapshot(self, now_ms);
     look_at_beats(self, now_ms);
+    look_at_ports(self);
     *view = self->view;
     (void)pthread_mutex_unlock(&self->lock);
 }

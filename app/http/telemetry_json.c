@@ -7,7 +7,9 @@
 #include "limits/requirement_limits.h"
 #include "robot/robot_cards.h"
 
+#include <arpa/inet.h>
 #include <stddef.h>
+#include <stdio.h>
 
 #define CYCLES_PER_MS (1000U / LIMIT_CYCLE_US)
 
@@ -74,6 +76,40 @@ static cJSON *new_cards(const telemetry_view_t *view)
     return cards;
 }
 
+static cJSON *new_port(const exchange_port_t *port)
+{
+    static const char *const dialects[EXCHANGE_DIALECTS] = {"brp-2013", "brp-2021", "crtk"};
+    static const char *const states[EXCHANGE_PORT_STATES] = {"listening", "calling", "waiting",
+                                                             "connected"};
+    const struct in_addr place = {.s_addr = htonl(port->address)};
+    char dotted[INET_ADDRSTRLEN] = "?";
+    char address[INET_ADDRSTRLEN + sizeof ":4294967295"];
+
+    (void)inet_ntop(AF_INET, &place, dotted, (socklen_t)sizeof dotted);
+    (void)snprintf(address, sizeof address, "%s:%u", dotted, (unsigned)port->number);
+    const json_port_t also = {.name = port->name,
+                              .dialect = dialects[port->dialect],
+                              .address = address,
+                              .state = states[port->state],
+                              .again_ms = port->again_ms,
+                              .peers = port->peers,
+                              .waiting = port->waiting,
+                              .commander = port->commander,
+                              .troubles = port->troubles,
+                              .trouble = (port->trouble[0] == '\0') ? NULL : port->trouble};
+    return json_port(&also);
+}
+
+/** @satisfies SWR-IGTL-028 */
+static cJSON *new_ports(const telemetry_view_t *view)
+{
+    cJSON *ports = cJSON_CreateArray();
+    for (uint32_t i = 0U; i < view->ports.count; i++) {
+        (void)cJSON_AddItemToArray(ports, new_port(&view->ports.ports[i]));
+    }
+    return ports;
+}
+
 cJSON *telemetry_json_status(const telemetry_identity_t *identity, const telemetry_view_t *view)
 {
     const json_processes_t processes = {.igtl = view->is_running[EXCHANGE_IGTL],
@@ -87,7 +123,8 @@ cJSON *telemetry_json_status(const telemetry_identity_t *identity, const telemet
                                 .loop = new_loop(view),
                                 .cards = new_cards(view),
                                 .counts = json_counts(&view->loop, &view->snapshot),
-                                .processes = json_processes(&processes)};
+                                .processes = json_processes(&processes),
+                                .ports = new_ports(view)};
     return json_status(&view->snapshot, &also);
 }
 

@@ -129,6 +129,8 @@ bool family_init(family_t *self, const options_t *options, int output, int error
     const char *const igtl[CHILD_ARGUMENTS] = {
         "--exchange",  options->instance,  "--brp-port", options->brp_port,
         "--igtl-port", options->igtl_port, "--bind",     options->bind};
+    const char *const igtl_by_file[CHILD_ARGUMENTS] = {"--exchange", options->instance,
+                                                       "--igtl-file", options->igtl_file};
     const char *const http[CHILD_ARGUMENTS] = {"--exchange",
                                                options->instance,
                                                "--port",
@@ -139,7 +141,7 @@ bool family_init(family_t *self, const options_t *options, int output, int error
                                                self->box};
     set_arguments(&self->members[MEMBER_CONTROL], control);
     set_arguments(&self->members[MEMBER_RECORDER], recorder);
-    set_arguments(&self->members[MEMBER_IGTL], igtl);
+    set_arguments(&self->members[MEMBER_IGTL], (options->igtl_file == NULL) ? igtl : igtl_by_file);
     set_arguments(&self->members[MEMBER_HTTP], http);
     return true;
 }

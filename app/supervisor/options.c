@@ -13,7 +13,7 @@
 
 #define NAME_MAX_LENGTH 32U
 #define PORT_MAX 65535U
-#define COMMON_OPTIONS 7U
+#define COMMON_OPTIONS 8U
 #define OF_THE_BOARD 256 /* Its options are numbered from here on. */
 
 uint32_t options_slowness(const options_t *self)
@@ -49,6 +49,7 @@ void options_print_usage(void)
     (void)fputs(
         "usage: boresight [--http-port 8080] [--igtl-port 18944] [--brp-port 18936] [--bind "
         "127.0.0.1]\n"
+        "                 [--igtl-file FILE]\n"
         "                 [--robot " ROBOT_NAMES_DEFAULT
         "] [--instance NAME] [--recordings DIRECTORY]\n"
         "                ",
@@ -57,7 +58,8 @@ void options_print_usage(void)
         (void)printf(" [--%s%s]", board.options[i].name, words[board.options[i].takes]);
     }
     (void)fputs(
-        "\nThe environment variables HTTP_PORT, IGTL_PORT, BRP_PORT and ROBOT do the same.\n",
+        "\nThe environment variables HTTP_PORT, IGTL_PORT, BRP_PORT, IGTL_FILE and ROBOT do the "
+        "same.\n",
         stdout);
 }
 
@@ -67,7 +69,7 @@ static void list_known(struct option known[COMMON_OPTIONS + BOARD_OPTIONS + 1U])
         {"http-port", required_argument, NULL, 'h'},  {"igtl-port", required_argument, NULL, 'i'},
         {"brp-port", required_argument, NULL, 'w'},   {"bind", required_argument, NULL, 'b'},
         {"robot", required_argument, NULL, 'r'},      {"instance", required_argument, NULL, 'n'},
-        {"recordings", required_argument, NULL, 'd'},
+        {"recordings", required_argument, NULL, 'd'}, {"igtl-file", required_argument, NULL, 'f'},
     };
 
     (void)memset(known, 0, (COMMON_OPTIONS + BOARD_OPTIONS + 1U) * sizeof known[0]);
@@ -106,6 +108,7 @@ static void set_defaults(options_t *self)
     self->http_port = from_environment("HTTP_PORT", "8080");
     self->igtl_port = from_environment("IGTL_PORT", "18944");
     self->brp_port = from_environment("BRP_PORT", "18936");
+    self->igtl_file = from_environment("IGTL_FILE", NULL);
     self->robot = from_environment("ROBOT", ROBOT_NAMES_DEFAULT);
     self->bind = "127.0.0.1";
     self->instance = "boresight";
@@ -144,6 +147,9 @@ static bool take(options_t *self, int option, const char *value)
         return true;
     case 'b':
         self->bind = value;
+        return true;
+    case 'f':
+        self->igtl_file = value;
         return true;
     case 'r':
         self->robot = value;
@@ -290,5 +296,7 @@ bool options_read(options_t *self, int count, char **arguments, char *error, uin
                        arguments[optind]);
         return false;
     }
-    return check(self, error, error_size) && complete(self, error, error_size);
+    return check(self, error, error_size) && complete(self, error, error_size) &&
+           ((self->igtl_file == NULL) ||
+            igtl_ports_read(&self->ports, self->igtl_file, error, error_size));
 }

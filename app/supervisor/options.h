@@ -3,6 +3,7 @@
 #ifndef BORESIGHT_OPTIONS_H
 #define BORESIGHT_OPTIONS_H
 
+#include "igtl/igtl_ports.h"
 #include "supervisor/board.h"
 
 #include <stdbool.h>
@@ -14,6 +15,8 @@ typedef struct {
     const char *http_port; /**< --http-port, HTTP_PORT. */
     const char *igtl_port; /**< --igtl-port, IGTL_PORT: bare transforms, joints and poses. */
     const char *brp_port;  /**< --brp-port, BRP_PORT: the workphase protocol. */
+    const char *igtl_file; /**< --igtl-file, IGTL_FILE: of ports, NULL: none. */
+    igtl_ports_t ports;    /**< What it says. */
     const char *bind;      /**< --bind: IPv4 address of this machine. */
     const char *robot;     /**< --robot, ROBOT. */
     const char *instance;  /**< --instance: name of everything this instance creates. */
@@ -33,9 +36,11 @@ bool options_has(const options_t *self, const char *name);
 void options_print_usage(void);
 
 /**
- * Reads options. False, with a sentence in `error`, when one of them is unknown or wrong.
+ * Reads options, and the file of ports. False, with a sentence in `error`, when one of them is
+ * unknown or wrong.
  *
  * @satisfies SWR-SUP-007
+ * @satisfies SWR-SUP-009
  */
 bool options_read(options_t *self, int count, char **arguments, char *error, uint32_t error_size);
 

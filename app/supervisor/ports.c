@@ -17,18 +17,18 @@ typedef struct {
 } use_t;
 
 /* 0, or the errno of binding. */
-static int try_bind(const char *address, const char *port)
+static int try_bind(uint32_t address, unsigned long port)
 {
     const int is_reused = 1;
     struct sockaddr_in place = {.sin_family = AF_INET,
-                                .sin_port = htons((uint16_t)strtoul(port, NULL, 10))};
+                                .sin_port = htons((uint16_t)port),
+                                .sin_addr.s_addr = htonl(address)};
     const int end = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
     int result = 0;
 
     if (end < 0) {
         return errno;
     }
-    (void)inet_pton(AF_INET, address, &place.sin_addr);
     (void)setsockopt(end, SOL_SOCKET, SO_REUSEADDR, &is_reused, sizeof is_reused);
     if ((bind(end, (const struct sockaddr *)&place, sizeof place) != 0) || (listen(end, 1) != 0)) {
         result = errno;
@@ -65,19 +65,41 @@ static void explain(const use_t *use, const char *address, int reason, char *err
     }
 }
 
+static bool check_file(const options_t *options, char *error, uint32_t error_size)
+{
+    for (uint32_t i = 0U; i < options->ports.count; i++) {
+        const igtl_port_t *port = &options->ports.ports[i];
+        const int reason = port->is_calling ? 0 : try_bind(port->address, port->number);
+        char place[IGTL_PLACE_SIZE];
+
+        if (reason != 0) {
+            igtl_port_place(port->address, port->number, place);
+            (void)snprintf(error, error_size,
+                           "[%s] cannot listen on %s (%s); stop the program that has it, or change "
+                           "%s.",
+                           port->name, place, strerror(reason), options->igtl_file);
+            return false;
+        }
+    }
+    return true;
+}
+
 bool ports_check(const options_t *options, char *error, uint32_t error_size)
 {
     const use_t uses[] = {
         {options->http_port, "the console", "--http-port", "HTTP_PORT"},
         {options->brp_port, "the OpenIGTLink workphases", "--brp-port", "BRP_PORT"},
         {options->igtl_port, "the OpenIGTLink transforms", "--igtl-port", "IGTL_PORT"}};
+    const size_t count = (options->igtl_file == NULL) ? (sizeof uses / sizeof uses[0]) : 1U;
+    struct in_addr address = {.s_addr = htonl(INADDR_LOOPBACK)};
 
-    for (size_t i = 0U; i < (sizeof uses / sizeof uses[0]); i++) {
-        const int reason = try_bind(options->bind, uses[i].port);
+    (void)inet_pton(AF_INET, options->bind, &address);
+    for (size_t i = 0U; i < count; i++) {
+        const int reason = try_bind(ntohl(address.s_addr), strtoul(uses[i].port, NULL, 10));
         if (reason != 0) {
             explain(&uses[i], options->bind, reason, error, error_size);
             return false;
         }
     }
-    return true;
+    return check_file(options, error, error_size);
 }

@@ -138,6 +138,28 @@ static void add_programs(char *text, size_t size, const exchange_t *exchange, fa
     }
 }
 
+/* What came from the file of ports and is not there.
+ *
+ * @satisfies SWR-SUP-010 */
+static void add_unreached(char *text, size_t size, const exchange_t *exchange)
+{
+    exchange_ports_t ports;
+
+    if (!exchange_read_ports(exchange, &ports)) {
+        return;
+    }
+    for (uint32_t i = 0U; i < ports.count; i++) {
+        const exchange_port_t *port = &ports.ports[i];
+        char place[IGTL_PLACE_SIZE];
+
+        if ((port->state == (uint32_t)EXCHANGE_PORT_CALLING) ||
+            (port->state == (uint32_t)EXCHANGE_PORT_WAITING)) {
+            igtl_port_place(port->address, (uint16_t)port->number, place);
+            add(text, size, " | %s %s not connected", port->name, place);
+        }
+    }
+}
+
 void status_line_write(char *text, size_t size, const exchange_t *exchange, family_t *family)
 {
     const robot_t *robot = exchange_robot(exchange);
@@ -157,4 +179,5 @@ void status_line_write(char *text, size_t size, const exchange_t *exchange, fami
         add_time(text, size, &loop, family_is_silent(family, exchange, MEMBER_CONTROL));
     }
     add_programs(text, size, exchange, family);
+    add_unreached(text, size, exchange);
 }

@@ -193,13 +193,28 @@ static int start_all(void)
     return (result == RUNNING) ? await(are_clients_running, "recorder, igtl or http") : result;
 }
 
+static void say_ports(void)
+{
+    if (options.igtl_file == NULL) {
+        screen_say(&screen, "OpenIGTLink: workphases %s:%s, transforms %s:%s", options.bind,
+                   options.brp_port, options.bind, options.igtl_port);
+    }
+    for (uint32_t i = 0U; i < options.ports.count; i++) {
+        const igtl_port_t *port = &options.ports.ports[i];
+        char place[IGTL_PLACE_SIZE];
+
+        igtl_port_place(port->address, port->number, place);
+        screen_say(&screen, "OpenIGTLink: %s %s %s", port->name,
+                   port->is_calling ? "calls" : "listens on", place);
+    }
+}
+
 static void say_where(void)
 {
     char text[SCREEN_LINE_SIZE];
 
     screen_say(&screen, "Console:     http://%s:%s/", options.bind, options.http_port);
-    screen_say(&screen, "OpenIGTLink: workphases %s:%s, transforms %s:%s", options.bind,
-               options.brp_port, options.bind, options.igtl_port);
+    say_ports();
     screen_say(&screen, "Recordings:  %s", options.recordings);
     for (uint32_t i = 0U; (i < BOARD_SAYINGS) && (board.says[i].title != NULL); i++) {
         (void)board_text_write(text, sizeof text, board.says[i].text, &options);

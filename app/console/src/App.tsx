@@ -5,6 +5,7 @@ import { Banner } from "./panels/Banner";
 import { Lamps } from "./panels/Lamps";
 import { Log } from "./panels/Log";
 import { Loop } from "./panels/Loop";
+import { Ports } from "./panels/Ports";
 import { StopButton } from "./panels/StopButton";
 import { Targeting } from "./panels/Targeting";
 import { Boundary } from "./parts/Boundary";
@@ -29,6 +30,9 @@ function Panels({ view, robot }: { view: ConsoleView; robot: RobotState }) {
       </Panel>
       <Panel title="Control loop" className="panel-loop">
         <Loop status={robot.status} />
+      </Panel>
+      <Panel title="OpenIGTLink" className="panel-ports">
+        <Ports ports={robot.status.ports} />
       </Panel>
       <Panel title="Log" className="panel-log">
         <Log log={view.log} />

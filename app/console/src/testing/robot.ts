@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // A robot for the tests, as the server would describe it. What no test looks at may be missing.
-import type { Axis, Named, PermitReason, RobotState, Status } from "@interface";
+import type {
+  Axis,
+  Named,
+  PermitReason,
+  Port,
+  RobotState,
+  Status,
+} from "@interface";
 
 const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
@@ -50,6 +57,22 @@ export function makeBlockedAxis(
   });
 }
 
+export function makePort(change: Partial<Port> = {}): Port {
+  return {
+    name: "workphases",
+    dialect: "brp-2013",
+    address: "127.0.0.1:18936",
+    state: "listening",
+    again_ms: 0,
+    peers: 0,
+    waiting: 0,
+    commander: 0,
+    troubles: 0,
+    trouble: null,
+    ...change,
+  };
+}
+
 export function makeStatus(change: Partial<Status> = {}): Status {
   return {
     cycle: 1000,
@@ -93,6 +116,7 @@ export function makeStatus(change: Partial<Status> = {}): Status {
     ],
     counts: { events: 0, events_lost: 0, overruns: 0, cycles_lost: 0 },
     processes: { igtl: true, recorder: true },
+    ports: [makePort()],
     ...change,
   } as Status;
 }
