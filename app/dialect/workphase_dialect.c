@@ -85,7 +85,7 @@ void workphase_dialect_receive(void *dialect, uint32_t peer, const igtl_message_
 
     workphase_peer_t *asker = &self->peers[peer];
 
-    switch (message->kind) {
+    switch ((int)message->kind) {
     case IGTL_KIND_STRING:
         workphase_receive_string(self, peer, message, moment);
         break;
@@ -103,17 +103,8 @@ void workphase_dialect_receive(void *dialect, uint32_t peer, const igtl_message_
     case IGTL_KIND_POINT:
         igtl_tell_refusal(asker->outbox, message->name, STATUS_UNKNOWN_COMMAND, moment);
         break;
-    case IGTL_KIND_STATUS: /* Peers announce themselves with one. */
-    case IGTL_KIND_GET_POINT:
-    case IGTL_KIND_GET_CAPABILITY:
-    case IGTL_KIND_GET_OTHER:
-    case IGTL_KIND_STT_TDATA:
-    case IGTL_KIND_STP_TDATA:
-    case IGTL_KIND_STT_OTHER:
-    case IGTL_KIND_STP_OTHER:
-    case IGTL_KIND_COMMAND:
-    case IGTL_KIND_OTHER:
-    default:
+    default: /* A STATUS is how peers announce themselves. */
+        (void)igtl_questions_receive(&asker->tracking, asker->outbox, message, moment);
         break;
     }
 }
@@ -198,6 +189,9 @@ void workphase_dialect_step(workphase_dialect_t *self, const igtl_moment_t *mome
         if (self->peers[i].outbox != NULL) {
             workphase_peer_send_deferred(&self->peers[i], moment->now_us, false);
             workphase_receive_step(self, i, moment);
+        }
+        if ((self->peers[i].outbox != NULL) && (self->peers[i].pending == 0U)) {
+            igtl_questions_step(&self->peers[i].tracking, self->peers[i].outbox, moment);
         }
     }
     workphase_watch_step(self, moment);

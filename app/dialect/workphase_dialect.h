@@ -12,6 +12,7 @@
 
 #include "message/igtl_codec.h"
 #include "dialect/igtl_dialect.h"
+#include "dialect/igtl_questions.h"
 #include "dialect/igtl_requests.h"
 #include "message/igtl_outbox.h"
 #include "interface/command.h"
@@ -65,6 +66,7 @@ typedef struct {
     workphase_end_t end;
     workphase_tip_t tip;
     const char *retraction; /**< By which word it retracted last. */
+    igtl_tracking_t tracking;
     workphase_extra_t extras[WORKPHASE_EXTRAS];
     uint32_t extra_count;
 } workphase_peer_t;

@@ -10,6 +10,7 @@
 #include "charts/arming_chart.h"
 #include "dialect/igtl_border.h"
 #include "dialect/igtl_dialect.h"
+#include "dialect/igtl_questions.h"
 #include "dialect/igtl_requests.h"
 #include "dialect/workphase_answer.h"
 #include "dialect/workphase_dialect.h"

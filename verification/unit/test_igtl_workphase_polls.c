@@ -9,6 +9,7 @@
 #include "charts/arming_chart.h"
 #include "dialect/igtl_border.h"
 #include "dialect/igtl_dialect.h"
+#include "dialect/igtl_questions.h"
 #include "dialect/igtl_requests.h"
 #include "dialect/workphase_answer.h"
 #include "dialect/workphase_dialect.h"
@@ -151,4 +152,39 @@ void test_SWR_IGTL_014_a_pose_that_is_not_known_is_answered_by_its_reason(void)
     snapshot.pose_status = (uint32_t)STATUS_OK;
     say(0U, "HAS_REACHED_TARGET", "");
     EXPECT(0U, "STRING HAS_REACHED_TARGET 1");
+}
+
+void test_SWR_IGTL_041_common_questions_are_answered_here_too(void)
+{
+    igtl_message_t question = igtl_peer_query(IGTL_KIND_GET_OTHER, "T1");
+
+    workphase_dialect_receive(&dialect, 0U, &question, &moment);
+    EXPECT_BEGIN(0U, "STATUS T1 4 NOT_FOUND|");
+    question.kind = IGTL_KIND_GET_CAPABILITY;
+    workphase_dialect_receive(&dialect, 0U, &question, &moment);
+    EXPECT_BEGIN(0U, "CAPABILITY T1 TRANSFORM ");
+    EXPECT(0U, "");
+    expect_no_command();
+}
+
+void test_SWR_IGTL_042_nothing_is_tracked_between_a_command_and_its_answer(void)
+{
+    igtl_message_t start = igtl_peer_query(IGTL_KIND_STT_TDATA, "probe");
+
+    (void)strcpy(start.type, "STT_TDATA");
+    workphase_dialect_receive(&dialect, 0U, &start, &moment);
+    EXPECT(0U, "RTS_TDATA probe 0");
+    pass_us(LIMIT_IGTL_TRACKING_LEAST_US);
+    EXPECT(0U, "TDATA probe 5.000 0.000 0.000");
+    say(0U, "CMD_1", "MANUAL");
+    pass_us(LIMIT_IGTL_TRACKING_LEAST_US);
+    EXPECT(0U, "STRING ACK_1 MANUAL");
+    EXPECT(0U, "");
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_MANUAL);
+    accept(1U);
+    pass_us(LIMIT_IGTL_TRACKING_LEAST_US);
+    EXPECT(0U, "STATUS CURRENT_STATUS 1 MANUAL|");
+    EXPECT(0U, "STATUS MANUAL 1 MANUAL|");
+    EXPECT(0U, "TDATA probe 5.000 0.000 0.000");
+    EXPECT(0U, "");
 }

@@ -10,6 +10,7 @@
 #include "base/rigid.h"
 #include "card/card.h"
 #include "dialect/igtl_dialect.h"
+#include "dialect/igtl_questions.h"
 #include "dialect/workphase_dialect.h"
 #include "interface/command.h"
 #include "interface/snapshot.h"
