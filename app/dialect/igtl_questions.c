@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "dialect/igtl_questions.h"
 
+#include "charts/arming_chart.h"
 #include "dialect/igtl_border.h"
 #include "interface/app/names.h"
 #include "limits/requirement_limits.h"
@@ -87,7 +88,7 @@ static void write_status(char text[REPLY_SIZE], const igtl_moment_t *moment)
                    workphase_name((int32_t)snapshot->workphase),
                    status_name((int32_t)snapshot->pose_status), (unsigned)snapshot->is_homed,
                    (unsigned)snapshot->is_registered, (unsigned)snapshot->has_target,
-                   igtl_is_moving(moment) ? 1U : 0U);
+                   (snapshot->order == (uint32_t)ARMING_STATE_MOVING) ? 1U : 0U);
 }
 
 static void write_capabilities(char text[REPLY_SIZE])
