@@ -9,10 +9,12 @@ extern "C" {
 #include "message/igtl_packet.h"
 }
 
+#include <igtlCapabilityMessage.h>
 #include <igtlMessageHeader.h>
 #include <igtlPointMessage.h>
 #include <igtlStatusMessage.h>
 #include <igtlStringMessage.h>
+#include <igtlTrackingDataMessage.h>
 #include <igtlTransformMessage.h>
 
 #include <cmath>
@@ -21,6 +23,7 @@ extern "C" {
 #include <cstring>
 #include <random>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -190,16 +193,118 @@ void ComparePoint()
     CheckBytes(message, packet);
 }
 
-void CompareQueries()
+void CompareCapability()
 {
-    igtl::GetTransformMessage::Pointer transform = igtl::GetTransformMessage::New();
-    transform->SetDeviceName("CURRENT_POSITION");
-    transform->Pack();
-    Check(Decoded(transform).kind == IGTL_KIND_GET_TRANSFORM, "GET_TRANS");
-    igtl::GetStatusMessage::Pointer status = igtl::GetStatusMessage::New();
-    status->SetDeviceName("CURRENT_STATUS");
-    status->Pack();
-    Check(Decoded(status).kind == IGTL_KIND_GET_STATUS, "GET_STATUS");
+    const std::string name = Text(19);
+    const unsigned count = Random(IGTL_CAPABILITIES_MAX + 1);
+    std::vector<std::string> types;
+    std::vector<const char *> pointers(IGTL_CAPABILITIES_MAX);
+    igtl_packet_t packet;
+    for (unsigned i = 0; i < count; i++) {
+        types.push_back("T" + Text(11));
+    }
+    for (unsigned i = 0; i < count; i++) {
+        pointers[i] = types[i].c_str();
+    }
+    igtl_encode_capability(&packet, name.c_str(), pointers.data(), count, 0);
+    igtl::CapabilityMessage::Pointer message = igtl::CapabilityMessage::New();
+    message->SetDeviceName(name.c_str());
+    message->SetTypes(types);
+    message->Pack();
+    CheckBytes(message, packet);
+    if (count > 0) {
+        Check(Unpacked<igtl::CapabilityMessage>(packet)->GetTypes() == types, "a list of types");
+    }
+}
+
+void CompareTracking()
+{
+    const std::string name = Text(19);
+    const unsigned count = 1 + Random(IGTL_TRACKED_MAX);
+    std::vector<std::string> names;
+    igtl_tracked_t elements[IGTL_TRACKED_MAX];
+    igtl_packet_t packet;
+    igtl::TrackingDataMessage::Pointer message = igtl::TrackingDataMessage::New();
+    message->SetDeviceName(name.c_str());
+    for (unsigned i = 0; i < count; i++) {
+        names.push_back(Text(19));
+    }
+    for (unsigned i = 0; i < count; i++) {
+        igtl::Matrix4x4 matrix = {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 1}};
+        igtl::TrackingDataElement::Pointer element = igtl::TrackingDataElement::New();
+        elements[i].name = names[i].c_str();
+        for (int k = 0; k < 12; k++) {
+            matrix[k % 3][k / 3] = Finite();
+            elements[i].numbers[k] = Bits(matrix[k % 3][k / 3]);
+        }
+        element->SetName(names[i].c_str());
+        element->SetType(igtl::TrackingDataElement::TYPE_6D);
+        element->SetMatrix(matrix);
+        message->AddTrackingDataElement(element);
+    }
+    message->Pack();
+    igtl_encode_tracking(&packet, name.c_str(), elements, count, 0);
+    // The library leaves a reserved byte of each instrument as its memory was.
+    uint8_t *body = static_cast<uint8_t *>(message->GetPackBodyPointer());
+    for (unsigned i = 0; i < count; i++) {
+        body[70 * i + 21] = 0;
+    }
+    Check(message->GetPackSize() == static_cast<int>(packet.length), "a message's length");
+    Check(std::memcmp(body, &packet.bytes[IGTL_HEADER_BYTES], packet.length - IGTL_HEADER_BYTES) == 0, "a TDATA");
+    igtl::TrackingDataMessage::Pointer unpacked = Unpacked<igtl::TrackingDataMessage>(packet);
+    Check(unpacked->GetNumberOfTrackingDataElements() == static_cast<int>(count), "a number of instruments");
+    for (unsigned i = 0; i < count; i++) {
+        igtl::TrackingDataElement::Pointer element;
+        igtl::Matrix4x4 matrix;
+        unpacked->GetTrackingDataElement(static_cast<int>(i), element);
+        element->GetMatrix(matrix);
+        Check(names[i] == element->GetName(), "an instrument's name");
+        Check(element->GetType() == igtl::TrackingDataElement::TYPE_6D, "an instrument's type");
+        Check(Bits(matrix[2][3]) == elements[i].numbers[11], "an instrument's matrix");
+    }
+}
+
+void CompareStreams()
+{
+    const std::string name = Text(19);
+    const std::string coordinates = Text(31);
+    const int resolution = static_cast<int>(Random(2000)) - 1000;
+    igtl_packet_t packet;
+    igtl::StartTrackingDataMessage::Pointer start = igtl::StartTrackingDataMessage::New();
+    start->SetDeviceName(name.c_str());
+    start->SetResolution(resolution);
+    start->SetCoordinateName(coordinates.c_str());
+    start->Pack();
+    const igtl_message_t begun = Decoded(start);
+    Check(begun.kind == IGTL_KIND_STT_TDATA, "STT_TDATA");
+    Check(begun.resolution_ms == resolution, "a resolution");
+    Check(std::string(begun.subject, begun.subject_bytes) == coordinates, "a coordinate system");
+    igtl::StopTrackingDataMessage::Pointer stop = igtl::StopTrackingDataMessage::New();
+    stop->SetDeviceName(name.c_str());
+    stop->Pack();
+    Check(Decoded(stop).kind == IGTL_KIND_STP_TDATA, "STP_TDATA");
+    igtl_encode_empty(&packet, "STP_TDATA", name.c_str(), 0);
+    CheckBytes(stop, packet);
+    igtl::RTSTrackingDataMessage::Pointer returned = igtl::RTSTrackingDataMessage::New();
+    const bool is_refused = Random(2) == 1;
+    returned->SetDeviceName(name.c_str());
+    returned->SetStatus(is_refused ? igtl::RTSTrackingDataMessage::STATUS_ERROR
+                                   : igtl::RTSTrackingDataMessage::STATUS_SUCCESS);
+    returned->Pack();
+    igtl_encode_return(&packet, "RTS_TDATA", name.c_str(), is_refused, 0);
+    CheckBytes(returned, packet);
+}
+
+template <class Query> void CompareQuery(igtl_kind_t kind, const char *type)
+{
+    const std::string name = Text(19);
+    igtl_packet_t packet;
+    typename Query::Pointer query = Query::New();
+    query->SetDeviceName(name.c_str());
+    query->Pack();
+    Check(Decoded(query).kind == kind, type);
+    igtl_encode_empty(&packet, type, name.c_str(), 0);
+    CheckBytes(query, packet);
 }
 
 } // namespace
@@ -211,8 +316,14 @@ int main()
         CompareStatus();
         CompareTransform();
         ComparePoint();
+        CompareCapability();
+        CompareTracking();
+        CompareStreams();
     }
-    CompareQueries();
+    CompareQuery<igtl::GetTransformMessage>(IGTL_KIND_GET_TRANSFORM, "GET_TRANS");
+    CompareQuery<igtl::GetStatusMessage>(IGTL_KIND_GET_STATUS, "GET_STATUS");
+    CompareQuery<igtl::GetPointMessage>(IGTL_KIND_GET_POINT, "GET_POINT");
+    CompareQuery<igtl::GetCapabilityMessage>(IGTL_KIND_GET_CAPABILITY, "GET_CAPABIL");
     std::printf("codec_oracle: %d comparisons with libOpenIGTLink, no difference\n", compared);
     return 0;
 }
