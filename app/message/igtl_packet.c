@@ -23,13 +23,17 @@
 #define TRACKED_NUMBERS 22U
 #define TRACKED_OF_SIX 2U
 
-/* A text of at most `most` characters; the rest of its field is NUL. */
+/* The rest of the field is NUL. */
+static void put_bytes(uint8_t *field, size_t size, const char *bytes, size_t count)
+{
+    (void)memcpy(field, bytes, count);
+    (void)memset(&field[count], 0, size - count);
+}
+
+/* At most `most` characters of the text. */
 static void put_text(uint8_t *field, size_t size, const char *text, size_t most)
 {
-    const size_t length = strnlen(text, most);
-
-    (void)memcpy(field, text, length);
-    (void)memset(&field[length], 0, size - length);
+    put_bytes(field, size, text, strnlen(text, most));
 }
 
 static void put_numbers(uint8_t *bytes, const uint32_t *numbers, uint32_t count)
@@ -203,8 +207,7 @@ void igtl_encode_command_reply(igtl_packet_t *packet, const igtl_message_t *comm
     uint8_t *body = begin(&plain, type, command->name, IGTL_COMMAND_BYTES + length, timestamp);
 
     put_u32(&body[0], command->code);
-    (void)memset(&body[4], 0, IGTL_COMMAND_NAME_BYTES);
-    (void)memcpy(&body[4], command->subject, command->subject_bytes);
+    put_bytes(&body[4], IGTL_COMMAND_NAME_BYTES, command->subject, command->subject_bytes);
     put_u16(&body[4U + IGTL_COMMAND_NAME_BYTES], IGTL_ENCODING_ASCII);
     put_u32(&body[6U + IGTL_COMMAND_NAME_BYTES], length);
     (void)memcpy(&body[IGTL_COMMAND_BYTES], text, length);

@@ -470,10 +470,22 @@ void test_SWR_IGTL_018_command_whose_length_does_not_fit_is_refused(void)
 
 void test_SWR_IGTL_003_what_stands_behind_the_end_of_a_name_is_nothing(void)
 {
+    static const char filled[20] = "12345678901234567890";
+    static const char strange[20] = "CURRENT\0\x80 \x01rubbish";
+    char expected[IGTL_NAME_SIZE] = "CURRENT";
+
     frame(1U, "GET_STATUS", 0U);
-    (void)memcpy(&bytes[14], "CURRENT\0\x80 \x01rubbish", 18U);
+    (void)memcpy(&bytes[14], strange, sizeof strange);
     TEST_ASSERT_EQUAL_INT(IGTL_OK, decode());
-    TEST_ASSERT_EQUAL_MEMORY("CURRENT\0\0\0\0\0\0\0\0\0\0\0\0\0\0", message.name, IGTL_NAME_SIZE);
+    TEST_ASSERT_EQUAL_MEMORY(expected, message.name, IGTL_NAME_SIZE);
+    for (uint32_t end = 0U; end < sizeof filled; end++) {
+        (void)memset(expected, 0, sizeof expected);
+        (void)memcpy(expected, filled, end);
+        (void)memcpy(&bytes[14], filled, sizeof filled);
+        bytes[14U + end] = 0U;
+        TEST_ASSERT_EQUAL_INT(IGTL_OK, decode());
+        TEST_ASSERT_EQUAL_MEMORY(expected, message.name, IGTL_NAME_SIZE);
+    }
 }
 
 void test_SWR_IGTL_003_each_byte_of_a_name_is_judged(void)
