@@ -81,8 +81,10 @@ void stage_begin(stage_t *self, rig_t *rig, const robot_t *robot, play_t play, u
 {
     *self = (stage_t){.play = play,
                       .random = (seed * 2654435761U) | 1U,
+                      .whim = (seed * 3266489917U) | 1U,
                       .fault_cycle = UINT32_MAX,
                       .robot = robot};
+    watcher_begin(&self->watcher, seed);
     for (uint32_t i = 0U; i < 8U; i++) {
         (void)random_below(self, 2U);
     }
@@ -253,6 +255,20 @@ static void send_jog(stage_t *self, rig_t *rig)
     send(self, rig, command);
 }
 
+/* In one of so many cases. */
+static bool has_whim(stage_t *self, uint32_t bound)
+{
+    return chance_below(&self->whim, bound) == 0U;
+}
+
+/* At the target, on the way there, or while it is drawn out already. */
+static bool wants_out(stage_t *self, const snapshot_t *shown)
+{
+    const bool is_there = shown->next_step == (uint32_t)NEXT_STEP_NOTHING;
+    return (shown->workphase == (uint32_t)WORKPHASE_MOVE_TO_TARGET) &&
+           has_whim(self, is_there ? 3U : 40U);
+}
+
 static void do_anything(stage_t *self, rig_t *rig)
 {
     switch (random_below(self, 6U)) {
@@ -274,6 +290,13 @@ static void do_anything(stage_t *self, rig_t *rig)
     default:
         send_phase(self, rig, WORKPHASE_MOVE_TO_TARGET);
         break;
+    }
+    if (has_whim(self, 8U)) {
+        send(self, rig, (command_t){.kind = (uint32_t)COMMAND_RETRACT});
+    } else if (has_whim(self, 8U)) {
+        send(self, rig, (command_t){.kind = (uint32_t)COMMAND_ACCEPT_ENTRY});
+    } else {
+        /* Neither. */
     }
 }
 
@@ -344,6 +367,10 @@ static void confirm(stage_t *self, rig_t *rig)
 static void do_next_step(stage_t *self, rig_t *rig)
 {
     const snapshot_t *const shown = &rig->outputs.snapshot;
+    if (wants_out(self, shown)) {
+        send(self, rig, (command_t){.kind = (uint32_t)COMMAND_RETRACT});
+        return;
+    }
     switch (shown->next_step) {
     case NEXT_STEP_RELEASE_ESTOP:
         rig_box(rig, "estop reset");
@@ -416,6 +443,15 @@ static void do_wish(stage_t *self, rig_t *rig)
     }
 }
 
+/* At any time. */
+static void let_watch(stage_t *self, rig_t *rig)
+{
+    command_t command;
+    if (watcher_play(&self->watcher, rig, &command)) {
+        send(self, rig, command);
+    }
+}
+
 static void let_foe_play(stage_t *self, rig_t *rig)
 {
     if ((self->play == PLAY_TAPS) && foe_play(&self->foe, rig)) {
@@ -455,5 +491,6 @@ void stage_play(stage_t *self, rig_t *rig)
         self->fault_cycle += 200U + random_below(self, 6000U);
     }
     play_operator(self, rig);
+    let_watch(self, rig);
     let_foe_play(self, rig);
 }

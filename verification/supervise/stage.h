@@ -5,6 +5,7 @@
 
 #include "integration/support/rig.h"
 #include "supervise/foe.h"
+#include "supervise/watcher.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -30,6 +31,8 @@ typedef struct {
     uint32_t wants_target; /**< 0 or 1: the last target was reached, the next is to be sent. */
     uint32_t is_chaotic;   /**< 1: the operator does anything at any time. */
     uint32_t cycle;
+    uint32_t whim; /**< Of the operator: a chance of its own. */
+    watcher_t watcher;
     foe_t foe; /**< Of PLAY_TAPS. */
     const robot_t *robot;
     robot_t magnitude_robot; /**< Of PLAY_MAGNITUDE. */

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# Rule under test: in no scene (an operator, a world, a fault now and then; an enemy at the pedal and the fault
-# keyboard; jogs; moves into the corners of the workspace, under a pedal that is released again and again, or of motors
-# that are not as the robot's table says, with run and stop or magnitudes for cards without pwm) does the controller of
-# any robot break one of the sentences of the witness, who knows where the simulated axes truly stand.
+# Rule under test: in no scene (an operator, who now and then draws the needle out, somebody who watches and proposes at
+# any time, a world, a fault now and then; an enemy at the pedal and the fault keyboard; jogs; moves into the corners of
+# the workspace, under a pedal that is released again and again, or of motors that are not as the robot's table says,
+# with run and stop or magnitudes for cards without pwm) does the controller of any robot break one of the sentences of
+# the witness, who knows where the simulated axes truly stand.
 # `make supervise COUNT=n SEED=n PLAY=name ROBOT=name` plays more.
 
 require 'minitest/autorun'
@@ -29,6 +30,8 @@ class TestSupervise < Minitest::Test
     SWR_COUPLE_001_coupled_limits_are_kept: /Coupled limits are kept/,
     SWR_JOG_001_nothing_is_jogged_across_a_needle_that_is_in: /across a needle that is in/,
     SWR_JOG_003_a_needle_that_is_not_homed_is_not_jogged_inwards: /is not jogged inwards/,
+    SWR_PLAN_018_what_is_proposed_changes_no_target: /changes no target/,
+    SWR_MOTION_023_a_retraction_drives_the_needle_outwards_only: /drives the needle outwards only/,
     SWR_AXIS_019_no_fault_is_found_where_there_is_none: /nothing is broken, no fault/,
     SWR_MOTION_007_no_axis_goes_beyond_its_end: /beyond its end/,
     SWR_MOTION_007_no_axis_is_faster_than_its_speed: /faster than its speed/

@@ -36,7 +36,9 @@ const char *witness_sentence(sentence_t sentence)
         "In a short mean no axis is faster than its speed (percent)",
         "Neither jog nor homing drives across a needle that is in (mm)",
         "A needle that is not homed is not jogged inwards",
-        "Homing drives who homes in its stage and who follows it, no other"};
+        "Homing drives who homes in its stage and who follows it, no other",
+        "What is proposed changes no target that was accepted",
+        "A retraction drives the needle outwards only"};
     return words[sentence];
 }
 
@@ -322,6 +324,54 @@ static void judge_jog(witness_t *self, const rig_t *rig, double depth_ticks, boo
     }
 }
 
+/* Nothing came but what must leave the target alone, and nothing happened that takes it away. */
+static bool is_only_told(const rig_t *rig)
+{
+    bool is_only = rig->inputs.command_count > 0U;
+    for (uint32_t i = 0U; i < rig->inputs.command_count; i++) {
+        const uint32_t kind = rig->inputs.commands[i].kind;
+        is_only = is_only && (kind >= (uint32_t)COMMAND_PROPOSE_REGISTRATION) &&
+                  (kind != (uint32_t)COMMAND_JOG) && (kind != (uint32_t)COMMAND_RETRACT);
+    }
+    for (uint32_t i = 0U; i < rig->outputs.event_count; i++) {
+        const event_t *const event = &rig->outputs.events[i];
+        is_only = is_only && ((event->severity == (uint32_t)EVENT_SEVERITY_INFORMATION) ||
+                              (event->id == (uint32_t)EVENT_COMMAND_REFUSED));
+    }
+    return is_only;
+}
+
+static void judge_told(witness_t *self, const rig_t *rig)
+{
+    const plan_t *const plan = &rig->controller.plan;
+    const plan_t *const before = &self->plan;
+    const bool is_same =
+        (plan->has_target != 0U) &&
+        (memcmp(plan->target_ticks, before->target_ticks, sizeof plan->target_ticks) == 0) &&
+        (memcmp(&plan->scanner_target, &before->scanner_target, sizeof plan->scanner_target) == 0);
+    if ((before->has_target != 0U) && !is_same && is_only_told(rig)) {
+        complain(self, rig, SENTENCE_TARGET, 0U, 1.0);
+    }
+    self->plan = *plan;
+}
+
+static void judge_retraction(witness_t *self, const rig_t *rig)
+{
+    const uint32_t along = rig->box.robot->needle_axis;
+    const card_drive_t needle = rig_sent(rig, along).drive;
+    for (uint32_t i = 0U; i < rig->outputs.answer_count; i++) {
+        const answer_t *const answer = &rig->outputs.answers[i];
+        const bool is_of_it = answer->command == (uint32_t)COMMAND_RETRACT;
+        if (is_of_it && (answer->kind != (uint32_t)ANSWER_REFUSED)) {
+            self->is_retracting = answer->is_final == 0U;
+        }
+    }
+    if (self->is_retracting && (needle.mode != (uint32_t)CARD_DRIVE_OFF) &&
+        motor_model_is_upwards(config_of(rig, along), &needle)) {
+        complain(self, rig, SENTENCE_OUT, along, 1.0);
+    }
+}
+
 static bool is_moving_to_target(const rig_t *rig)
 {
     return (rig->outputs.snapshot.workphase == (uint32_t)WORKPHASE_MOVE_TO_TARGET) &&
@@ -402,8 +452,7 @@ static void judge_events(witness_t *self, const rig_t *rig, bool is_disturbed)
                      event->id);
         }
     }
-    const uint32_t workphase = rig->outputs.snapshot.workphase;
-    judge_endings(self, rig, is_done && (workphase == (uint32_t)WORKPHASE_MOVE_TO_TARGET));
+    judge_endings(self, rig, is_done && (rig->controller.mode.kind == (uint32_t)MODE_MOVE));
 }
 
 uint32_t witness_late(const witness_t *self, ending_t ending, uint32_t percent)
@@ -442,5 +491,7 @@ void witness_look(witness_t *self, const rig_t *rig, const double truth[ROBOT_AX
         judge_coupled(self, rig, i, truth, is_disturbed);
     }
     judge_jog(self, rig, truth[rig->box.robot->needle_axis], is_disturbed);
+    judge_told(self, rig);
+    judge_retraction(self, rig);
     judge_events(self, rig, is_disturbed);
 }

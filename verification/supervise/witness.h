@@ -32,10 +32,12 @@ typedef enum {
     SENTENCE_SPEED = 9,    /**< In a short mean no axis is faster than its speed. */
     SENTENCE_ACROSS = 10,  /**< No jog drives anything across a needle that is in. */
     SENTENCE_INWARDS = 11, /**< A needle that is not homed is not jogged inwards. */
-    SENTENCE_HOMING = 12   /**< Homing drives only who homes, and who follows it. */
+    SENTENCE_HOMING = 12,  /**< Homing drives only who homes, and who follows it. */
+    SENTENCE_TARGET = 13,  /**< What is proposed changes no target that was accepted. */
+    SENTENCE_OUT = 14      /**< A retraction drives the needle outwards only. */
 } sentence_t;
 
-#define SENTENCE_COUNT 13U
+#define SENTENCE_COUNT 15U
 
 /** A sentence's record. */
 typedef struct {
@@ -80,7 +82,9 @@ typedef struct {
     int32_t target_ticks[ROBOT_AXIS_MAX]; /**< As accepted. */
     bool has_looked;
     bool was_homing;
-    uint32_t idle_cycles[ROBOT_AXIS_MAX];        /**< Driven in homing without a part in it. */
+    plan_t plan;                          /**< Of the cycle before. */
+    bool is_retracting;                   /**< A retraction was accepted and has not ended. */
+    uint32_t idle_cycles[ROBOT_AXIS_MAX]; /**< Driven in homing without a part in it. */
     double coupled_beyond[ROBOT_COUPLED_LIMITS]; /**< How far beyond each may be, mm or degrees. */
 } witness_t;
 
