@@ -2,14 +2,24 @@
 #include "dialect/workphase_needle.h"
 
 #include "limits/requirement_limits.h"
-#include "robot/robot_kind.h"
-#include "robot/robot_prostate.h"
 
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #define NM_PER_MM 1000000.0
+
+/* What the robot's description tells of its needle, NULL for nothing. */
+static const told_length_t *find_length(const robot_t *robot)
+{
+    for (uint32_t i = 0U; i < ROBOT_TOLD_LENGTHS; i++) {
+        if (strcmp(robot->told_lengths[i].name, "needle_length") == 0) {
+            return &robot->told_lengths[i];
+        }
+    }
+    return NULL;
+}
 
 /* A whole number text; whatever is no number is no length. */
 static bool is_length(const char *text, int32_t length_nm)
@@ -39,6 +49,7 @@ static void tell_verdict(const workphase_peer_t *peer, int32_t length_nm, const 
 void workphase_needle_tell_length(workphase_peer_t *peer, const robot_t *robot,
                                   const igtl_message_t *message, const igtl_moment_t *moment)
 {
+    const told_length_t *told = find_length(robot);
     igtl_packet_t packet;
     char said[IGTL_TEXT_MAX + 1U];
     const uint32_t length =
@@ -48,8 +59,8 @@ void workphase_needle_tell_length(workphase_peer_t *peer, const robot_t *robot,
     said[length] = '\0';
     igtl_encode_string(&packet, "ACK_NEEDLE_LENGTH", said, moment->timestamp);
     igtl_outbox_add(peer->outbox, &packet);
-    if (robot->kind == ROBOT_KIND_PROSTATE) {
-        tell_verdict(peer, robot->geometry_nm[PROSTATE_PROBE_NEEDLE_TIP], said, moment);
+    if (told != NULL) {
+        tell_verdict(peer, told->length_nm, said, moment);
     } else {
         igtl_tell_refusal(peer->outbox, "NEEDLE_LENGTH", STATUS_UNKNOWN_COMMAND, moment);
     }

@@ -27,8 +27,6 @@
 #include "robot/robot_cards.h"
 #include "unit/support/workphase_world.h"
 #include "unity.h"
-#include "robot/robot_kind.h"
-#include "robot/robot_prostate.h"
 
 #include <math.h>
 #include <string.h>
@@ -327,8 +325,7 @@ void test_SWR_IGTL_035_the_prefix_of_an_entry_point_is_that_of_the_port(void)
 /* The needle of the robot is 259.075 mm long. */
 static void say_length(const char *text)
 {
-    robot.kind = ROBOT_KIND_PROSTATE;
-    robot.geometry_nm[PROSTATE_PROBE_NEEDLE_TIP] = 259075000;
+    robot.told_lengths[1] = (told_length_t){"needle_length", 259075000};
     say(0U, "NEEDLE_LENGTH", text);
     EXPECT_BEGIN(0U, "STRING ACK_NEEDLE_LENGTH ");
 }
@@ -355,7 +352,7 @@ void test_SWR_IGTL_036_another_length_is_refused_with_that_of_the_robot(void)
                "STATUS NEEDLE_LENGTH 10 CONFIG_ERROR|CONFIG_ERROR: The robot is set to a needle "
                "of 259.075 mm.");
     }
-    TEST_ASSERT_EQUAL_INT32(259075000, robot.geometry_nm[PROSTATE_PROBE_NEEDLE_TIP]);
+    TEST_ASSERT_EQUAL_INT32(259075000, robot.told_lengths[1].length_nm);
     TEST_ASSERT_FALSE(workphase_dialect_is_controlled_by(&dialect, 0U));
     expect_no_command();
 }
