@@ -6,12 +6,23 @@ function pointText(matrix: readonly number[] | null, missing: string): string {
   return matrix === null ? missing : formatPoint(originOf(matrix));
 }
 
+function proposedEntryText({ proposals }: TargetingData): string {
+  return proposals.entry_mm === null
+    ? "none"
+    : `${formatPoint(proposals.entry_mm)} (decides nothing)`;
+}
+
 function proposalText({ proposals }: TargetingData): string {
   if (proposals.target_mm === null) {
     return "none";
   }
   const reach = proposals.is_reachable ? "reachable" : "not reachable";
   return `${formatPoint(proposals.target_mm)} (${reach})`;
+}
+
+/** What decides how deep the needle goes: until one is commanded or accepted, nobody's point. */
+function entryText({ entry_mm: entry }: TargetingData): string {
+  return entry === null ? "none" : `${formatPoint(entry)} (decides the depth)`;
 }
 
 /** Points are in mm, in scanner coordinates where the robot is registered. */
@@ -27,10 +38,16 @@ export function Targeting({ targeting }: { targeting: TargetingData }) {
       </dd>
       <dt>Treatment point, base</dt>
       <dd>{pointText(targeting.zframe_treatment, "not homed")}</dd>
+      <dt>Entry point</dt>
+      <dd>{entryText(targeting)}</dd>
       <dt>Target</dt>
       <dd>{pointText(targeting.target, "none")}</dd>
       <dt>Distance to target</dt>
       <dd>{distance === null ? "–" : `${formatNumber(distance, 3)} mm`}</dd>
+      <dt>Needle seen in the image</dt>
+      <dd>{pointText(targeting.seen_needle, "none")}</dd>
+      <dt>Proposed entry point</dt>
+      <dd>{proposedEntryText(targeting)}</dd>
       <dt>Proposed target</dt>
       <dd>{proposalText(targeting)}</dd>
     </dl>

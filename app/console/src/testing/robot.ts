@@ -135,6 +135,8 @@ export function makeRobot(
       scanner_treatment: null,
       registration: null,
       target: null,
+      entry_mm: null,
+      seen_needle: null,
       distance_mm: null,
       proposals: {
         registration: null,
