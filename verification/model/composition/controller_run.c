@@ -154,7 +154,7 @@ static void disturb(void)
 static void command(void)
 {
     command_t one = {.kind = (uint32_t)COMMAND_WORKPHASE, .argument = 1U + random_below(8U)};
-    switch (random_below(5U)) {
+    switch (random_below(6U)) {
     case 0:
         one.argument = (uint32_t)WORKPHASE_START_UP;
         break;
@@ -170,6 +170,9 @@ static void command(void)
     case 3:
         one.kind = (uint32_t)COMMAND_TARGET;
         one.pose = rig_pose(5000000, (random_below(3U) == 0U) ? 900000000 : 190000000, 60000000);
+        break;
+    case 4:
+        one.kind = (uint32_t)COMMAND_RETRACT;
         break;
     default:
         break;
