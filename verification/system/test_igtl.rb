@@ -181,10 +181,14 @@ class TestIgtl < Minitest::Test
     assert_equal 'STOP', navigation { |client| present_phase(client) }
   end
 
-  def test_SWR_IGTL_011_connections_beyond_the_last_are_closed
-    sockets = Array.new(CONNECTIONS) { TCPSocket.new('127.0.0.1', boresight.igtl_port) }
-    sockets.each { |socket| assert socket.wait_readable(PATIENCE), 'a seated peer is shown the state' }
-    raw(boresight.igtl_port) { |socket| assert_closed(socket) }
+  def test_SWR_IGTL_026_nine_silent_displays_stay_and_a_tenth_that_speaks_is_served
+    sockets = Array.new(CONNECTIONS + 1) { TCPSocket.new('127.0.0.1', boresight.igtl_port) }
+    sockets.first(CONNECTIONS).each { |socket| assert socket.wait_readable(PATIENCE), 'a seated peer is shown the state' }
+    boresight.wait_until('one waits') { displays.values_at('peers', 'waiting') == [CONNECTIONS, 1] }
+    assert served_after_asking?(boresight.igtl_port), 'one that asks is served'
+    lost = sockets.count { |socket| closed?(socket) }
+    assert_equal 1, lost, 'of the silent ones one has made room'
+    boresight.wait_until('who waited has the place of who has gone') { displays.values_at('peers', 'waiting') == [CONNECTIONS, 0] }
   ensure
     sockets&.each(&:close)
   end
@@ -318,6 +322,27 @@ class TestIgtl < Minitest::Test
     end
   rescue EOFError, Errno::ECONNRESET
     nil
+  end
+
+  # The port for displays, as it is shown.
+  def displays
+    boresight.status['ports'].last
+  end
+
+  # Asks again until it is not told that all places are taken: by then one has been silent for long.
+  def served_after_asking?(port)
+    raw(port) do |socket|
+      boresight.wait_until('the asking one has a place') do
+        socket.write(RawIgtl.string('start_up', 'start_up'))
+        header_of(socket) != %w[STATUS start_up]
+      end
+    end
+  end
+
+  def closed?(socket)
+    loop { return false if socket.read_nonblock(65_536, exception: false) == :wait_readable }
+  rescue EOFError, Errno::ECONNRESET
+    true
   end
 
   # Not before `after` seconds.
