@@ -4,6 +4,7 @@
 # Rule under test: a procedure with a real client is the same conversation every time, and what happens by itself is
 # said when it happens. The client is built on the standard's own library.
 
+require 'tempfile'
 require_relative 'support/igtl_client'
 require_relative 'support/system_test'
 
@@ -36,11 +37,41 @@ class TestIgtlDialects < SystemTest
     '> phase START_UP', 'STRING ACK_0012', 'STATUS CURRENT_STATUS 1 START_UP', 'STATUS START_UP 1 START_UP'
   ].freeze
 
+  # What a client of 2021 hears: armed is entered, and where the needle is it asks.
+  HEARD_2021 = [
+    '> phase START_UP', 'STRING ACK_0001', 'STATUS CURRENT_STATUS 1 START_UP',
+    'STATUS START_UP 1 START_UP',
+    '> phase PLANNING', 'STRING ACK_0002', 'STATUS CURRENT_STATUS 1 PLANNING', 'STATUS PLANNING 1 PLANNING',
+    '> phase TARGETING', 'STRING ACK_0003', 'STATUS CURRENT_STATUS 1 TARGETING', 'STATUS TARGETING 13 PLANNING',
+    '> phase CALIBRATION', 'STRING ACK_0004', 'STATUS CURRENT_STATUS 1 CALIBRATION', 'STATUS CALIBRATION 1 CALIBRATION',
+    '> registration', 'TRANSFORM ACK_0005', 'STATUS CALIBRATION 1 CALIBRATION',
+    '> phase TARGETING', 'STRING ACK_0006', 'STATUS CURRENT_STATUS 1 TARGETING', 'STATUS TARGETING 1 TARGETING',
+    '> target', 'TRANSFORM ACK_0007', 'STATUS TARGET 10 TARGETING',
+    '> target', 'TRANSFORM ACK_0008', 'STATUS TARGET 1 TARGETING', 'TRANSFORM REACHABLE_TARGET',
+    '> phase MOVE_TO_TARGET', 'STRING ACK_0009', 'STATUS CURRENT_STATUS 1 MOVE_TO_TARGET',
+    'STATUS MOVE_TO_TARGET 1 MOVE_TO_TARGET', 'TRANSFORM CURRENT_POSITION',
+    '> string HAS_REACHED_TARGET', 'STRING HAS_REACHED_TARGET',
+    '> string RETRACT_NEEDLE', 'STATUS ACK_RETRACT_NEEDLE 1 MOVE_TO_TARGET',
+    'STATUS RETRACT_NEEDLE 1 MOVE_TO_TARGET',
+    '> phase MOVE_TO_TARGET', 'STRING ACK_0010', 'STATUS CURRENT_STATUS 1 MOVE_TO_TARGET',
+    'STATUS MOVE_TO_TARGET 1 MOVE_TO_TARGET', 'TRANSFORM CURRENT_POSITION',
+    '> phase STOP', 'STRING ACK_0011', 'STATUS CURRENT_STATUS 1 STOP', 'STATUS STOP 1 STOP',
+    '> phase START_UP', 'STRING ACK_0012', 'STATUS CURRENT_STATUS 1 START_UP', 'STATUS START_UP 1 START_UP'
+  ].freeze
+
   def test_SWR_IGTL_007_a_procedure_with_a_client_of_2013
     converse(boresight.brp_port) do
       procedure { listen('expect STATUS MOVE_TO_TARGET 1', 'wait TRANSFORM CURRENT_POSITION', QUIET) }
     end
     assert_equal HEARD_2013, @heard
+  end
+
+  def test_SWR_IGTL_031_a_procedure_with_a_client_of_2021
+    port = boresight_of_2021
+    converse(port) do
+      procedure { await_arrival }
+    end
+    assert_equal HEARD_2021, @heard
   end
 
   def test_SWR_IGTL_030_nothing_is_said_of_an_order_that_stop_has_ended
@@ -111,6 +142,24 @@ class TestIgtlDialects < SystemTest
       @heard = []
       @client = client
       yield client
+    end
+  end
+
+  # One with a file of ports; returns the port of 2021.
+  def boresight_of_2021
+    ports = Boresight.free_ports(2)
+    file = Tempfile.create(['ports', '.conf'])
+    file.write("[navigation]\ndialect = brp-2021\nlisten = 127.0.0.1:#{ports[0]}\n")
+    file.close
+    boresight(arguments: ['--igtl-file', file.path])
+    ports[0]
+  end
+
+  # Asks until it is there, and tells nothing of that.
+  def await_arrival
+    wait_until('the needle has arrived') do
+      @client.run('string HAS_REACHED_TARGET')
+      @client.await('STRING', 'HAS_REACHED_TARGET')['text'] == '1'
     end
   end
 
