@@ -222,3 +222,4 @@ include verification/gates.mk
 include verification/supervise/supervise.mk
 include verification/bench/bench.mk
 include verification/detection/detection.mk
+include verification/fuzz/fuzz.mk

@@ -124,6 +124,7 @@ bool workphase_dialect_has_order(const void *dialect, uint32_t peer);
  * @satisfies SWR-IGTL-006
  * @satisfies SWR-IGTL-008
  * @satisfies SWR-IGTL-013
+ * @satisfies SWR-IGTL-047
  */
 void workphase_dialect_receive(void *dialect, uint32_t peer, const igtl_message_t *message,
                                const igtl_moment_t *moment);

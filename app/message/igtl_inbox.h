@@ -49,6 +49,7 @@ uint32_t igtl_inbox_room(igtl_inbox_t *self, uint8_t **where);
  *
  * @satisfies SWR-IGTL-004
  * @satisfies SWR-IGTL-020
+ * @satisfies SWR-IGTL-046
  */
 igtl_inbox_event_t igtl_inbox_advance(igtl_inbox_t *self, uint32_t count, uint64_t now_us);
 

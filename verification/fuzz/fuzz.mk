@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: Apache-2.0
+# Any bytes and any scene against OpenIGTLink; included by the Makefile after supervise.mk.
+
+.PHONY: fuzz fuzz-programs
+FUZZ := build/fuzz
+FUZZ_SEEDS := $(FUZZ)/seeds/.made
+FUZZ_WORDS := $(GEN)/fuzz/words.h
+FUZZ_CC := clang-19
+# What is fuzzed counts its branches and is watched; the controller and the box only play along, and are quick.
+FUZZ_FLAGS := $(WARNINGS) -ffp-contract=off -O2 -g -D_GNU_SOURCE $(TEST_INCLUDES) -I$(UNITY) -fno-sanitize-recover=all
+FUZZ_WATCHED := -fsanitize=fuzzer-no-link,address,undefined
+FUZZED := $(wildcard app/message/*.c app/dialect/*.c)
+FUZZ_TARGETS := codec dialect
+FUZZ_PROGRAMS := $(FUZZ_TARGETS:%=$(FUZZ)/bin/%)
+FUZZ_DIALECT := $(filter-out %codec_fuzz.c,$(wildcard verification/fuzz/*.c))
+fuzz_object = $(patsubst %.c,$(FUZZ)/%.o,$(1))
+
+$(FUZZ_WORDS): verification/fuzz/words.yml tools/fuzz/scenes.rb
+	@ruby tools/fuzz/scenes.rb words $< $@
+
+$(FUZZ_SEEDS): verification/fuzz/words.yml verification/fuzz/scenes.yml tools/fuzz/scenes.rb
+	@rm -rf $(@D); ruby tools/fuzz/scenes.rb seeds verification/fuzz/words.yml verification/fuzz/scenes.yml $(@D)
+	@touch $@
+
+$(FUZZ)/%.o: %.c $(FUZZ_WORDS) | $(GENERATED)
+	@mkdir -p $(@D)
+	@$(FUZZ_CC) $(FUZZ_FLAGS) $(FUZZ_WATCH) -MMD -MP -c $< -o $@
+
+$(FUZZ)/app/%.o $(FUZZ)/verification/fuzz/codec_fuzz.o: FUZZ_WATCH = $(FUZZ_WATCHED)
+# The words of the scenes tell what is compared with; to trace it would take half of the time.
+$(FUZZ)/app/dialect/%.o: FUZZ_WATCH = $(FUZZ_WATCHED) -fno-sanitize-coverage=trace-cmp
+
+$(FUZZ)/bin/codec: $(call fuzz_object,verification/fuzz/codec_fuzz.c $(wildcard app/message/*.c))
+	@mkdir -p $(@D)
+	@$(FUZZ_CC) -fsanitize=fuzzer,address,undefined $^ -o $@
+	@echo "built $@"
+
+$(FUZZ)/bin/dialect: $(call fuzz_object,$(FUZZ_DIALECT) $(FUZZED)) \
+    $(call object,verification/integration/support/rig.c $(BOX_SOURCES) $(NAMES)) build/gcc/libcore.a
+	@mkdir -p $(@D)
+	@$(FUZZ_CC) -fsanitize=fuzzer,address,undefined -I$(UNITY) $^ $(UNITY)/unity.c -lm -o $@
+	@echo "built $@"
+
+fuzz-programs: $(FUZZ_PROGRAMS) $(FUZZ_SEEDS)
+
+fuzz: bootstrap-test ## Look for inputs that break OpenIGTLink, MINUTES=5 long; what is found is kept in build/fuzz/found
+	@$(MAKE) --no-print-directory -j2 fuzz-programs
+	@ruby tools/fuzz.rb $(FUZZ) $(or $(MINUTES),5)

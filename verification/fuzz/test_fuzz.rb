@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+# Rule under test: whatever bytes come and whatever peers say, the sentences of codec_fuzz.c and witness.c hold. So many
+# inputs, the same ones on every run; `make fuzz` looks further.
+
+require 'minitest/autorun'
+require 'open3'
+require 'tmpdir'
+
+class TestFuzz < Minitest::Test
+  FOLDER = File.expand_path('../../build/fuzz', __dir__)
+  LAST_LINES = 60
+
+  def play(target, runs, longest)
+    Dir.mktmpdir do |found|
+      said, status = Open3.capture2e("#{FOLDER}/bin/#{target}", "-runs=#{runs}", '-seed=1', "-max_len=#{longest}",
+                                     "-artifact_prefix=#{found}/", "#{FOLDER}/seeds/#{target}")
+      assert status.success?, said.scrub.lines.last(LAST_LINES).join
+      assert_match(/^Done #{runs} runs/, said.scrub)
+    end
+  end
+
+  def test_SWR_IGTL_046_any_bytes_are_read_inside_their_bounds_and_however_they_are_cut_the_same
+    play('codec', 400_000, 6000)
+  end
+
+  def test_SWR_IGTL_047_what_must_hold_of_peers_and_commands_holds_whatever_they_say
+    play('dialect', 12_000, 512)
+  end
+end

@@ -1,0 +1,634 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "fuzz/witness.h"
+
+#include "dialect/igtl_border.h"
+#include "fuzz/sentence.h"
+#include "limits/requirement_limits.h"
+#include "message/igtl_crc64.h"
+
+#include <math.h>
+#include <string.h>
+
+#define NOWHERE UINT32_MAX
+#define ONE_Q30 1073741824.0
+#define NM_PER_MM 1e6
+#define NM_MAX 2000000000.5
+#define SEEN 64U
+#define PREFIX 4U
+#define TRACKED_BYTES 70U   /* Of an element of a TDATA, */
+#define TRACKED_NUMBERS 22U /* and where its numbers begin. */
+#define SECOND_US UINT64_C(1000000)
+#define JITTER_US UINT64_C(2000)
+#define ENTRY_MAX_Q30 INT32_C(1074815565) /* 1 + 1e-3. */
+
+/** What one peer was told since a dialect was called, and what it said before. */
+typedef struct {
+    uint32_t statuses;
+    uint32_t answers; /**< All but acknowledgements. */
+    bool is_acknowledged;
+    bool has_asked;
+    bool was_pose_known;                            /**< In any call since it has read last. */
+    bool was_homed;                                 /**< The same of the axes. */
+    bool has_hung;                                  /**< Since then. */
+    uint64_t passed_us[LIMIT_IGTL_PROPOSALS_PER_S]; /**< Its latest proposals, a ring. */
+    uint32_t passed_count;
+    uint64_t seen[SEEN]; /**< Commands, a ring. */
+    uint32_t seen_count;
+} peer_t;
+
+static struct {
+    peer_t peers[WORLD_PEERS];
+    igtl_requests_t before;
+    uint32_t next_proposal;
+    uint32_t commander;
+    uint32_t speaker; /**< Or NOWHERE. */
+    const igtl_message_t *said;
+    bool is_stop_owed;
+    bool is_emergency_owed;
+    bool is_stop_owed_of_lost;
+} witness;
+
+void witness_begin(world_t *world)
+{
+    (void)memset(&witness, 0, sizeof witness);
+    witness.commander = NOWHERE;
+    witness.speaker = NOWHERE;
+    witness.before = world->workphase.requests;
+}
+
+void witness_connected(const world_t *world, uint32_t place)
+{
+    (void)world;
+    witness.peers[place] = (peer_t){.statuses = 0U};
+}
+
+static uint32_t commander_of(const world_t *world)
+{
+    uint32_t found = NOWHERE;
+
+    for (uint32_t i = 0U; i < WORLD_PEERS; i++) {
+        if (workphase_dialect_is_controlled_by(&world->workphase, i)) {
+            SENTENCE(found == NOWHERE, "one commands at most");
+            found = i;
+        }
+    }
+    return found;
+}
+
+static bool is_long(const igtl_request_t *request)
+{
+    return (request->kind == (uint32_t)COMMAND_RETRACT) ||
+           ((request->kind == (uint32_t)COMMAND_WORKPHASE) &&
+            ((request->argument == (uint32_t)WORKPHASE_START_UP) ||
+             (request->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET)));
+}
+
+void witness_leaves(const world_t *world, uint32_t place)
+{
+    if (world->peers[place].language == IGTL_LANGUAGE_CRTK) {
+        return;
+    }
+    for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
+        const igtl_request_t *request = &world->workphase.requests.requests[i];
+
+        if ((request->id != 0U) && (request->peer == place) && is_long(request)) {
+            witness.is_stop_owed_of_lost = true;
+        }
+    }
+    if (witness.commander == place) {
+        witness.commander = NOWHERE;
+    }
+}
+
+static bool is_pose_known(const world_t *world)
+{
+    return igtl_pose_status(&world->moment) == STATUS_OK;
+}
+
+static bool is_homed(const world_t *world)
+{
+    return (world->moment.snapshot != NULL) && (world->moment.snapshot->is_homed != 0U);
+}
+
+void witness_before(const world_t *world)
+{
+    witness.speaker = NOWHERE;
+    witness.said = NULL;
+    witness.before = world->workphase.requests;
+    witness.next_proposal = world->transform.requests.next_id;
+    for (uint32_t i = 0U; i < WORLD_PEERS; i++) {
+        peer_t *peer = &witness.peers[i];
+
+        peer->statuses = 0U;
+        peer->answers = 0U;
+        peer->is_acknowledged = false;
+        peer->has_hung = peer->has_hung || world->peers[i].is_hung;
+        peer->was_pose_known = peer->was_pose_known || is_pose_known(world);
+        peer->was_homed = peer->was_homed || is_homed(world);
+    }
+}
+
+void witness_hears(const world_t *world, uint32_t place, const igtl_message_t *message)
+{
+    witness_before(world);
+    witness.speaker = place;
+    witness.said = message;
+    if ((message->kind != IGTL_KIND_STRING) && (message->kind != IGTL_KIND_TRANSFORM) &&
+        (message->kind != IGTL_KIND_STATUS)) {
+        witness.peers[place].has_asked = true;
+    }
+}
+
+static bool begins(const char *name, const char *prefix)
+{
+    return strncmp(name, prefix, strlen(prefix)) == 0;
+}
+
+static bool is_command(const igtl_message_t *message)
+{
+    return (message->kind == IGTL_KIND_STRING) && begins(message->name, "CMD_");
+}
+
+/* How long what stands before the id of a pose is, 0 for one without. */
+static uint32_t prefix_of(const igtl_message_t *message)
+{
+    static const char *const prefixes[] = {"CLB_", "TGT_", "NPOS_", "ENTRY_"};
+
+    for (uint32_t i = 0U; i < (sizeof prefixes / sizeof prefixes[0]); i++) {
+        if ((message->kind == IGTL_KIND_TRANSFORM) && begins(message->name, prefixes[i])) {
+            return (uint32_t)strlen(prefixes[i]);
+        }
+    }
+    return 0U;
+}
+
+static bool is_tip(const igtl_message_t *message)
+{
+    return (message->kind == IGTL_KIND_TRANSFORM) && begins(message->name, "NPOS_");
+}
+
+/* The echo of what was just said. */
+static bool acknowledges(const igtl_message_t *message, const igtl_message_t *said)
+{
+    if (!begins(message->name, "ACK_") || (said == NULL) || (message->kind != said->kind)) {
+        return false;
+    }
+    const uint32_t prefix = is_command(said) ? PREFIX : prefix_of(said);
+
+    if ((prefix == 0U) || (strcmp(&message->name[PREFIX], &said->name[prefix]) != 0)) {
+        return false;
+    }
+    if (message->kind == IGTL_KIND_TRANSFORM) {
+        return memcmp(message->numbers, said->numbers, sizeof message->numbers) == 0;
+    }
+    const uint32_t length = (said->text_bytes < IGTL_TEXT_MAX) ? said->text_bytes : IGTL_TEXT_MAX;
+
+    return (message->text_bytes == length) && (memcmp(message->text, said->text, length) == 0);
+}
+
+static bool is_named(const igtl_message_t *message, const char *name)
+{
+    return strcmp(message->name, name) == 0;
+}
+
+/* Of the needle alone. */
+static void judge_tracking(const world_t *world, uint32_t place, const igtl_message_t *message)
+{
+    uint32_t numbers[IGTL_TRANSFORM_NUMBERS];
+
+    if ((message->content_bytes == 0U) || witness.peers[place].has_hung) {
+        return;
+    }
+    SENTENCE(message->content_bytes == TRACKED_BYTES, "one instrument is tracked");
+    SENTENCE(is_pose_known(world), "no pose is tracked that is not known");
+    igtl_border_write_pose(&world->moment.snapshot->scanner_treatment, numbers);
+    for (uint32_t i = 0U; i < IGTL_TRANSFORM_BYTES; i++) {
+        SENTENCE(message->content[TRACKED_NUMBERS + i] ==
+                     (uint8_t)(numbers[i / 4U] >> (24U - (8U * (i % 4U)))),
+                 "a tracked pose is the present one");
+    }
+}
+
+/* The needle's pose, or what is computed with it. */
+static void judge_transform(const world_t *world, uint32_t place, const igtl_message_t *message)
+{
+    const peer_t *peer = &witness.peers[place];
+    const bool is_measured =
+        is_named(message, "CURRENT_POSITION") || is_named(message, "measured_cp");
+    uint32_t numbers[IGTL_TRANSFORM_NUMBERS];
+
+    if (begins(message->name, "ACK_")) {
+        return; /* It echoes anything. */
+    }
+    for (uint32_t i = 0U; i < IGTL_TRANSFORM_NUMBERS; i++) {
+        SENTENCE(((message->numbers[i] >> 23U) & 0xFFU) != 0xFFU, "what is told is finite");
+    }
+    if (is_measured || is_named(message, "desired_cp")) {
+        SENTENCE(peer->was_pose_known, "no pose is told that is not known");
+    }
+    if (is_measured && !peer->has_hung) {
+        igtl_border_write_pose(&world->moment.snapshot->scanner_treatment, numbers);
+        SENTENCE(memcmp(numbers, message->numbers, sizeof numbers) == 0,
+                 "a pose is the present one");
+    }
+}
+
+static void judge_string(uint32_t place, const igtl_message_t *message)
+{
+    if (is_named(message, "measured_jp") || is_named(message, "measured_jv")) {
+        SENTENCE(witness.peers[place].was_homed, "no joint is told that is not known");
+    }
+    if (is_named(message, "IS_IN_TARGETING_POS") || is_named(message, "HAS_REACHED_TARGET")) {
+        SENTENCE((message->text_bytes == 1U), "a question of yes or no is answered so");
+        SENTENCE((message->text[0] == '0') || witness.peers[place].was_pose_known,
+                 "no needle stands anywhere that is not known");
+    }
+}
+
+static void judge(const world_t *world, uint32_t place, const uint8_t *bytes, uint32_t length)
+{
+    peer_t *peer = &witness.peers[place];
+    igtl_header_t header;
+    igtl_message_t message;
+
+    SENTENCE(length >= IGTL_HEADER_BYTES, "a message has a header");
+    SENTENCE(igtl_decode_header(bytes, &header) == IGTL_OK, "a message's header is well formed");
+    SENTENCE((header.body_bytes + IGTL_HEADER_BYTES) == length, "a message is whole");
+    SENTENCE(igtl_decode_body(&header, &bytes[IGTL_HEADER_BYTES], &message) == IGTL_OK,
+             "a message is well formed");
+    SENTENCE((header.version == 1U) || (world->peers[place].version == 2U) ||
+                 (strcmp(header.type, "RTS_COMMAND") == 0),
+             "version 2 is for those who speak it");
+    SENTENCE((message.kind == IGTL_KIND_TRANSFORM) || (message.kind == IGTL_KIND_STRING) ||
+                 (message.kind == IGTL_KIND_STATUS) || (message.kind == IGTL_KIND_POINT) ||
+                 peer->has_asked,
+             "other types are for those who asked");
+    if (message.kind == IGTL_KIND_TRANSFORM) {
+        judge_transform(world, place, &message);
+    } else if (message.kind == IGTL_KIND_STRING) {
+        judge_string(place, &message);
+    } else if (strcmp(header.type, "TDATA") == 0) {
+        judge_tracking(world, place, &message);
+    } else {
+        peer->statuses += (message.kind == IGTL_KIND_STATUS) ? 1U : 0U;
+    }
+    if ((place == witness.speaker) && acknowledges(&message, witness.said)) {
+        peer->is_acknowledged = true;
+    } else {
+        peer->answers++;
+    }
+}
+
+static void take_messages(world_t *world, uint32_t place)
+{
+    igtl_outbox_t *outbox = &world->peers[place].outbox;
+    uint32_t length;
+
+    SENTENCE(!outbox->has_overflowed || witness.peers[place].has_hung,
+             "nobody who reads is dropped for it");
+    for (const uint8_t *bytes = igtl_outbox_next(outbox, &length); bytes != NULL;
+         bytes = igtl_outbox_next(outbox, &length)) {
+        judge(world, place, bytes, length);
+        igtl_outbox_advance(outbox, length);
+    }
+    witness.peers[place].has_hung = false;
+    witness.peers[place].was_pose_known = false;
+    witness.peers[place].was_homed = false;
+}
+
+static bool reads(const world_t *world, uint32_t place)
+{
+    return (place < WORLD_PEERS) && world->peers[place].is_connected &&
+           !world->peers[place].is_hung;
+}
+
+static bool is_queued(const world_t *world, workphase_t phase)
+{
+    const igtl_requests_t *requests = &world->workphase.requests;
+
+    for (uint32_t i = 0U; i < requests->queued; i++) {
+        if ((requests->queue[i].kind == (uint32_t)COMMAND_WORKPHASE) &&
+            (requests->queue[i].argument == (uint32_t)phase)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Said before on this connection, or forgotten whether. */
+static bool is_repeated(peer_t *peer, const igtl_message_t *message)
+{
+    const uint64_t name =
+        igtl_crc64(1U, (const uint8_t *)message->name, strlen(message->name) + 1U);
+    const uint64_t sum = igtl_crc64(name, (const uint8_t *)message->text, message->text_bytes);
+
+    for (uint32_t i = 0U; (i < SEEN) && (i < peer->seen_count); i++) {
+        if (peer->seen[i] == sum) {
+            return true;
+        }
+    }
+    peer->seen[peer->seen_count % SEEN] = sum;
+    peer->seen_count++;
+    return peer->seen_count > SEEN;
+}
+
+static bool has_request(const world_t *world, uint32_t place)
+{
+    for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
+        const igtl_request_t *request = &world->workphase.requests.requests[i];
+
+        if ((request->id != 0U) && (request->peer == place) && !request->is_accepted &&
+            !request->is_overdue) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool says(const igtl_message_t *message, const char *text)
+{
+    return (message->text_bytes == strlen(text)) &&
+           (memcmp(message->text, text, message->text_bytes) == 0);
+}
+
+/* Of what is passed on at once. */
+static void judge_stops(const world_t *world, const igtl_message_t *said)
+{
+    if (is_command(said) && says(said, "STOP")) {
+        SENTENCE(is_queued(world, WORKPHASE_STOP), "STOP is passed on");
+        witness.is_stop_owed = true;
+    }
+    if (is_command(said) && says(said, "EMERGENCY")) {
+        SENTENCE(is_queued(world, WORKPHASE_EMERGENCY), "EMERGENCY is passed on");
+        witness.is_emergency_owed = true;
+    }
+}
+
+static void judge_speech(world_t *world)
+{
+    const uint32_t place = witness.speaker;
+    const igtl_message_t *said = witness.said;
+    peer_t *peer = &witness.peers[place];
+
+    if (world->peers[place].language == IGTL_LANGUAGE_CRTK) {
+        return;
+    }
+    const bool is_old = is_command(said) && is_repeated(peer, said);
+
+    judge_stops(world, said);
+    if (!reads(world, place)) {
+        return;
+    }
+    SENTENCE(peer->is_acknowledged || (!is_command(said) && (prefix_of(said) == 0U)),
+             "what is said with an id is acknowledged");
+    SENTENCE(is_old || (peer->answers > 0U) || (said->kind == IGTL_KIND_STATUS) || (said->kind > IGTL_KIND_GET_STATUS) ||
+                 has_request(world, place) ||
+                 (is_tip(said) && world->workphase.peers[place].tip.is_waiting),
+             "whatever is said is answered, or waits for control");
+}
+
+static const igtl_request_t *request_of(const igtl_requests_t *requests, uint32_t id)
+{
+    for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
+        if (requests->requests[i].id == id) {
+            return &requests->requests[i];
+        }
+    }
+    return NULL;
+}
+
+static bool is_urgent(const igtl_request_t *request)
+{
+    const command_t command = {.kind = request->kind, .argument = request->argument};
+
+    return igtl_requests_is_urgent(&command);
+}
+
+/* One answer serves several stops of one peer. */
+static bool has_newer(const world_t *world, const igtl_request_t *request)
+{
+    for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
+        const igtl_request_t *other = &world->workphase.requests.requests[i];
+
+        if ((other->id != 0U) && (other->id != request->id) && (other->peer == request->peer) &&
+            (other->kind == request->kind) && (other->argument == request->argument)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Who waits is told when it need not wait any more. */
+static void judge_requests(const world_t *world)
+{
+    for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
+        const igtl_request_t *was = &witness.before.requests[i];
+        const bool waited = (was->id != 0U) && !was->is_accepted && !was->is_overdue;
+
+        if (!waited || !reads(world, was->peer)) {
+            continue;
+        }
+        const igtl_request_t *is = request_of(&world->workphase.requests, was->id);
+        const bool waits = (is != NULL) && !is->is_accepted && !is->is_overdue;
+
+        SENTENCE(waits || (witness.peers[was->peer].statuses > 0U) ||
+                     (was->kind == (uint32_t)COMMAND_NEEDLE) ||
+                     (is_urgent(was) && has_newer(world, was)),
+                 "whoever waits for an answer is told");
+    }
+}
+
+static bool is_of_planner(const command_t *command)
+{
+    return (command->id % 2U) != 0U;
+}
+
+static double number_of(uint32_t bits)
+{
+    float number;
+
+    (void)memcpy(&number, &bits, sizeof number);
+    return (double)number;
+}
+
+static void judge_number(uint32_t bits, double unit, double most, int32_t taken)
+{
+    const double meant = number_of(bits) * unit;
+
+    SENTENCE(isfinite(meant) && (fabs(meant) <= most), "a number out of its range is refused");
+    SENTENCE(fabs(meant - (double)taken) <= 1.0, "a number is taken as it was meant");
+}
+
+/* Said once more in floating point. */
+static void judge_pose(const igtl_message_t *said, const rigid_t *pose)
+{
+    if (said->kind != IGTL_KIND_TRANSFORM) {
+        return;
+    }
+    for (uint32_t i = 0U; i < 9U; i++) {
+        judge_number(said->numbers[i], ONE_Q30, ONE_Q30 * 1.0011,
+                     pose->rotation_q30[i % 3U][i / 3U]);
+    }
+    judge_number(said->numbers[9], NM_PER_MM, NM_MAX, pose->translation.x_nm);
+    judge_number(said->numbers[10], NM_PER_MM, NM_MAX, pose->translation.y_nm);
+    judge_number(said->numbers[11], NM_PER_MM, NM_MAX, pose->translation.z_nm);
+}
+
+/* What a call has queued, and for whom. */
+static uint32_t place_of(const world_t *world, uint32_t number)
+{
+    for (uint32_t i = 0U; i < WORLD_PEERS; i++) {
+        if (world->peers[i].is_connected && (world->peers[i].number == number)) {
+            return i;
+        }
+    }
+    return NOWHERE;
+}
+
+/* Who does not command stops, or shows a tip while nobody commands. */
+static bool may_pass(const world_t *world, uint32_t place, const command_t *command)
+{
+    const bool is_free = (commander_of(world) == NOWHERE);
+
+    return igtl_requests_is_urgent(command) ||
+           workphase_dialect_is_controlled_by(&world->workphase, place) ||
+           (is_free && (command->kind == (uint32_t)COMMAND_NEEDLE));
+}
+
+static void judge_command(const world_t *world, const command_t *command)
+{
+    if (command->peer == 0U) {
+        SENTENCE(igtl_requests_is_urgent(command), "what nobody says is a stop");
+        return;
+    }
+    const uint32_t place = place_of(world, command->peer);
+
+    SENTENCE((place != NOWHERE) &&
+                 ((place == witness.speaker) || (command->kind == (uint32_t)COMMAND_NEEDLE)),
+             "a command is its speaker's");
+    SENTENCE(is_of_planner(command) || may_pass(world, place, command),
+             "who does not command stops at most");
+    if (place == witness.speaker) {
+        judge_pose(witness.said, &command->pose);
+    }
+}
+
+static void judge_queue(const world_t *world, const igtl_requests_t *requests, uint32_t first_id)
+{
+    for (uint32_t i = 0U; i < requests->queued; i++) {
+        if ((int32_t)(requests->queue[i].id - first_id) >= 0) {
+            judge_command(world, &requests->queue[i]);
+        }
+    }
+}
+
+static void judge_commander(const world_t *world)
+{
+    const uint32_t now = commander_of(world);
+
+    if (now != witness.commander) {
+        SENTENCE((now == NOWHERE) || ((witness.commander == NOWHERE) && (now == witness.speaker)),
+                 "command is not taken from who has it");
+        witness.commander = now;
+    }
+}
+
+void witness_after(world_t *world)
+{
+    for (uint32_t i = 0U; i < WORLD_PEERS; i++) {
+        if (reads(world, i)) {
+            take_messages(world, i);
+        }
+        SENTENCE(world->peers[i].is_connected || (world->peers[i].outbox.count == WORLD_NOTHING),
+                 "nothing is said to who has gone");
+    }
+    judge_commander(world);
+    judge_queue(world, &world->workphase.requests, witness.before.next_id);
+    if (witness.speaker != NOWHERE) {
+        judge_queue(world, &world->transform.requests, witness.next_proposal);
+    }
+    judge_requests(world);
+    if (witness.speaker != NOWHERE) {
+        judge_speech(world);
+    }
+    SENTENCE(!witness.is_stop_owed || is_queued(world, WORKPHASE_STOP), "STOP is not lost");
+    SENTENCE(!witness.is_emergency_owed || is_queued(world, WORKPHASE_EMERGENCY),
+             "EMERGENCY is not lost");
+}
+
+static bool is_in_range(const rigid_t *pose)
+{
+    for (uint32_t i = 0U; i < 9U; i++) {
+        const int32_t entry = pose->rotation_q30[i / 3U][i % 3U];
+
+        if ((entry > ENTRY_MAX_Q30) || (entry < -ENTRY_MAX_Q30)) {
+            return false;
+        }
+    }
+    return (pose->translation.x_nm <= IGTL_BORDER_MAX_NM) &&
+           (pose->translation.x_nm >= -IGTL_BORDER_MAX_NM) &&
+           (pose->translation.y_nm <= IGTL_BORDER_MAX_NM) &&
+           (pose->translation.y_nm >= -IGTL_BORDER_MAX_NM) &&
+           (pose->translation.z_nm <= IGTL_BORDER_MAX_NM) &&
+           (pose->translation.z_nm >= -IGTL_BORDER_MAX_NM);
+}
+
+static bool is_proposal(uint32_t kind)
+{
+    return (kind == (uint32_t)COMMAND_PROPOSE_REGISTRATION) ||
+           (kind == (uint32_t)COMMAND_PROPOSE_ENTRY) || (kind == (uint32_t)COMMAND_PROPOSE_TARGET);
+}
+
+/* A planner that floods costs the controller no more than this. */
+static void judge_rate(const world_t *world, const command_t *command)
+{
+    for (uint32_t i = 0U; i < WORLD_PEERS; i++) {
+        peer_t *peer = &witness.peers[i];
+
+        if (!world->peers[i].is_connected || (world->peers[i].number != command->peer)) {
+            continue;
+        }
+        uint64_t *slot = &peer->passed_us[peer->passed_count % LIMIT_IGTL_PROPOSALS_PER_S];
+
+        SENTENCE((peer->passed_count < LIMIT_IGTL_PROPOSALS_PER_S) ||
+                     ((world->moment.now_us - *slot) >= (SECOND_US - JITTER_US)),
+                 "a planner proposes no faster than it may");
+        *slot = world->moment.now_us;
+        peer->passed_count++;
+    }
+}
+
+void witness_passed(const world_t *world, const command_t *command)
+{
+    SENTENCE(is_in_range(&command->pose), "a number out of its range is not passed on");
+    SENTENCE(command->source == (uint32_t)COMMAND_SOURCE_IGTL, "a command says where it is from");
+    if (is_of_planner(command)) {
+        SENTENCE(is_proposal(command->kind) || ((command->kind == (uint32_t)COMMAND_WITHDRAW) &&
+                                                is_proposal(command->argument)),
+                 "a planner proposes and does nothing else");
+        judge_rate(world, command);
+    }
+    if (command->kind == (uint32_t)COMMAND_WORKPHASE) {
+        witness.is_stop_owed =
+            witness.is_stop_owed && (command->argument != (uint32_t)WORKPHASE_STOP);
+        witness.is_emergency_owed =
+            witness.is_emergency_owed && (command->argument != (uint32_t)WORKPHASE_EMERGENCY);
+    }
+}
+
+void witness_stepped(world_t *world)
+{
+    if (witness.is_stop_owed_of_lost) {
+        SENTENCE(is_queued(world, WORKPHASE_STOP) || world->workphase.must_stop,
+                 "an order whose commander was lost is stopped");
+        witness.is_stop_owed_of_lost = world->workphase.must_stop;
+    }
+    for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
+        const igtl_request_t *request = &world->workphase.requests.requests[i];
+        const uint64_t age_us = world->moment.patience_us - request->sent_us;
+
+        if ((request->id != 0U) && !request->is_accepted && !request->is_overdue) {
+            SENTENCE(age_us < IGTL_ANSWER_TIMEOUT_US, "nobody waits for ever");
+        }
+    }
+}
