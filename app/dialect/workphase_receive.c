@@ -307,6 +307,11 @@ void workphase_receive_step(workphase_dialect_t *self, uint32_t index, const igt
     if (!peer->tip.is_waiting || (moment->now_us < peer->tip.next_us)) {
         return;
     }
+    if (is_others(self, index)) { /* Since it came. */
+        peer->tip.is_waiting = false;
+        deny(peer, "MOVE_TO_TARGET", moment);
+        return;
+    }
     command.pose = peer->tip.pose;
     if (igtl_requests_add(&self->requests, index, &command, moment->patience_us) != NULL) {
         peer->tip.is_waiting = false;

@@ -142,6 +142,19 @@ void test_SWR_IGTL_034_a_tip_takes_nothing_and_is_denied_to_others(void)
     EXPECT_BEGIN(2U, "STATUS MOVE_TO_TARGET 5 ACCESS_DENIED|");
 }
 
+void test_SWR_IGTL_034_a_tip_that_waits_is_denied_once_another_commands(void)
+{
+    place(1U, "NPOS_1", 1.0F);
+    EXPECT_BEGIN(1U, "TRANSFORM ACK_1 ");
+    enter(0U, "CMD_1", "PLANNING");
+    pass_us(0U);
+    EXPECT_BEGIN(1U, "STATUS MOVE_TO_TARGET 5 ACCESS_DENIED|");
+    EXPECT(1U, "");
+    expect_no_command();
+    pass_us(LIMIT_IGTL_TIP_INTERVAL_US);
+    EXPECT(1U, "");
+}
+
 void test_SWR_IGTL_035_a_retraction_is_acknowledged_when_accepted_and_told_when_out(void)
 {
     static const char *const words[] = {"RETRACT_NEEDLE", "RETRACT_PROBE"};
