@@ -29,7 +29,7 @@ generated: $(GENERATED)
 
 objects: $(OBJECTS)
 
-programs: $(BINARIES) $(BIN)/boresight-client $(BIN)/codec-oracle
+programs: $(BINARIES) $(BIN)/boresight-client $(BIN)/codec-oracle $(BIN)/decode-differ
 
 demo: bootstrap-test ## The targets of the thesis with a real client; ROBOT=NAME chooses the robot
 	@$(MAKE) --no-print-directory -j2 programs

@@ -46,3 +46,8 @@ fuzz-programs: $(FUZZ_PROGRAMS) $(FUZZ_SEEDS)
 fuzz: bootstrap-test ## Look for inputs that break OpenIGTLink, MINUTES=5 long; what is found is kept in build/fuzz/found
 	@$(MAKE) --no-print-directory -j2 fuzz-programs
 	@ruby tools/fuzz.rb $(FUZZ) $(or $(MINUTES),5)
+
+# What our codec accepts of damaged messages, against the standard's own library.
+$(BIN)/decode-differ: verification/fuzz/decode_differ.cpp $(CODEC)
+	@mkdir -p $(BIN)
+	g++ -std=c++14 -Wall -O1 -Iapp -isystem /usr/include/openigtlink $^ -lOpenIGTLink -lpthread -o $@
