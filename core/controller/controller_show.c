@@ -36,11 +36,11 @@ static const remedy_t remedies[] = {
     {PERMIT_REASON_COUPLED_LIMIT, NEXT_STEP_HOLD_PEDAL},
 };
 
-static next_step_t step_for_plan(const controller_t *self)
+static next_step_t step_for_plan(const controller_t *self, bool is_homed)
 {
     const workphase_t workphase = procedure_workphase(&self->procedure);
     next_step_t step = NEXT_STEP_TARGETING;
-    if ((workphase == WORKPHASE_EMERGENCY) || !controller_is_homed(self)) {
+    if ((workphase == WORKPHASE_EMERGENCY) || !is_homed) {
         step = NEXT_STEP_START_UP;
     } else if (self->plan.is_registered == 0U) {
         step = NEXT_STEP_REGISTER;
@@ -57,7 +57,7 @@ static next_step_t step_for_plan(const controller_t *self)
 }
 
 /* Follows the reasons of every axis, and the workphase when nothing but an order is missing. */
-static next_step_t next_step(const controller_t *self)
+static next_step_t next_step(const controller_t *self, bool is_homed)
 {
     uint32_t reasons = 0U;
     for (uint32_t i = 0U; i < self->axis_count; i++) {
@@ -71,7 +71,7 @@ static next_step_t next_step(const controller_t *self)
             step = remedy->step;
         }
     }
-    return (step == NEXT_STEP_NOTHING) ? step_for_plan(self) : step;
+    return (step == NEXT_STEP_NOTHING) ? step_for_plan(self, is_homed) : step;
 }
 
 /* START_UP alone does not help an axis whose switch and counts contradict each other, nor one in
@@ -117,9 +117,6 @@ static void show_axis(const controller_t *self, const cycle_t *cycle, uint32_t i
     shown->reading_ticks = axis->encoder.reading;
     shown->setpoint_ticks = axis->setpoint_ticks;
     shown->target_ticks = axis->setpoint_ticks;
-    if (mode_in(&self->mode, procedure_workphase(&self->procedure)) == MODE_MOVE) {
-        shown->target_ticks = self->plan.target_ticks[index];
-    }
     shown->speed_ticks_per_s_q8 = axis->encoder.speed_ticks_per_s_q8;
     shown->setpoint_speed_ticks_per_s_q8 = axis->setpoint_speed_ticks_per_s_q8;
     shown->drive_mode = sent->mode;
@@ -192,6 +189,16 @@ static void show_pose(const controller_t *self, const robot_t *robot, snapshot_t
     rigid_multiply(&self->plan.scanner_zframe, &shown->zframe_treatment, &shown->scanner_treatment);
 }
 
+/* Where a move leads; nothing else goes to the target. */
+static void show_way(const controller_t *self, snapshot_t *shown)
+{
+    if (mode_in(&self->mode, procedure_workphase(&self->procedure)) == MODE_MOVE) {
+        for (uint32_t i = 0U; i < self->axis_count; i++) {
+            shown->axes[i].target_ticks = self->plan.target_ticks[i];
+        }
+    }
+}
+
 /* Axes that the robot has not. */
 static void clear_unused(const controller_t *self, snapshot_t *shown)
 {
@@ -202,6 +209,7 @@ static void clear_unused(const controller_t *self, snapshot_t *shown)
 void controller_show(const controller_t *self, const cycle_t *cycle)
 {
     snapshot_t *const shown = &cycle->outputs->snapshot;
+    const bool is_homed = controller_is_homed(self);
     shown->cycle = self->cycle;
     shown->time_us = self->time_us;
     shown->robot_crc = cycle->robot->crc;
@@ -213,9 +221,9 @@ void controller_show(const controller_t *self, const cycle_t *cycle)
     shown->pedal = (uint32_t)self->pedal.chart.state;
     shown->estop = (uint32_t)self->estop.state;
     shown->loop = (uint32_t)self->loop.chart.state;
-    shown->next_step = (uint32_t)confirmed_first(self, cycle, next_step(self));
+    shown->next_step = (uint32_t)confirmed_first(self, cycle, next_step(self, is_homed));
     shown->is_scanner_active = cycle->inputs->scanner_active;
-    shown->is_homed = controller_is_homed(self) ? 1U : 0U;
+    shown->is_homed = is_homed ? 1U : 0U;
     shown->overruns = self->loop.overruns;
     shown->events = self->events;
     shown->events_lost = self->events_lost;
@@ -225,6 +233,7 @@ void controller_show(const controller_t *self, const cycle_t *cycle)
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         show_axis(self, cycle, i);
     }
+    show_way(self, shown);
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
         show_card(self, cycle, slot);
     }

@@ -132,6 +132,8 @@ solution_t plan_set_target(plan_t *self, const robot_t *robot, const int32_t tic
     rigid_t exact;
     rigid_t zframe_scanner;
     rigid_t zframe_treatment;
+    point_t place;
+    const point_t *entry = NULL;
     self->has_target = 0U;
     self->has_seen_needle = 0U;
     if (result.status != STATUS_OK) {
@@ -145,9 +147,11 @@ solution_t plan_set_target(plan_t *self, const robot_t *robot, const int32_t tic
     rigid_orthonormalise(&exact);
     rigid_invert(&self->scanner_zframe, &zframe_scanner);
     rigid_multiply(&zframe_scanner, &exact, &zframe_treatment);
-    const point_t entry = rigid_apply(&zframe_scanner, &self->entry);
-    result =
-        find_target(self, robot, ticks, &zframe_treatment, (self->has_entry != 0U) ? &entry : NULL);
+    if (self->has_entry != 0U) {
+        place = rigid_apply(&zframe_scanner, &self->entry);
+        entry = &place;
+    }
+    result = find_target(self, robot, ticks, &zframe_treatment, entry);
     if (result.status == STATUS_OK) {
         self->has_target = 1U;
     }
