@@ -54,7 +54,9 @@ class Demo
 
   def reach(target, number)
     propose(target.entry) if target.entry
-    move_s = timed { @workflow.move(Geometry.rows(target.rotation, target.point)) }
+    move_s = timed do
+      @workflow.move(Geometry.rows(target.rotation, target.point), accepts_entry: !target.entry.nil?)
+    end
     reached = @workflow.measured
     row = { number: number, target: target.point, reached: reached.map { |value| value.round(3) },
             error_mm: Geometry.distance(reached, target.point).round(4), thesis_mm: target.thesis, move_s: move_s }
@@ -69,7 +71,7 @@ class Demo
     (@robot.status['cycle'] - before) * LIMITS.fetch('cycle_us') / 1e6
   end
 
-  # The entry point goes the way TheraVision sends it: as a transform on the other port.
+  # The entry point goes the way TheraVision sends it, as a transform on the other port; whoever commands accepts it.
   def propose(entry)
     matrix = Geometry.rows(Geometry::IDENTITY, entry)
     _, status = Open3.capture2e(Boresight.program('boresight-client'), '--port', @robot.igtl_port.to_s,

@@ -21,9 +21,11 @@ class Workflow
     await('CALIBRATION')
   end
 
-  def move(pose)
+  # With the entry point that was proposed, if it is to decide the depth.
+  def move(pose, accepts_entry: false)
     phase('PLANNING')
     phase('TARGETING')
+    accept_entry if accepts_entry
     say('target', *pose)
     await('TARGET')
     under_pedal('MOVE_TO_TARGET')
@@ -36,6 +38,11 @@ class Workflow
   end
 
   private
+
+  def accept_entry
+    say('string', 'ACCEPT_ENTRY', 'ACCEPT_ENTRY')
+    await('ACCEPT_ENTRY')
+  end
 
   # Commands with the pedal up, then holds the pedal until the result is there.
   def under_pedal(phase)
