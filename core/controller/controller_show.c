@@ -209,7 +209,6 @@ static void clear_unused(const controller_t *self, snapshot_t *shown)
 void controller_show(const controller_t *self, const cycle_t *cycle)
 {
     snapshot_t *const shown = &cycle->outputs->snapshot;
-    const bool is_homed = controller_is_homed(self);
     shown->cycle = self->cycle;
     shown->time_us = self->time_us;
     shown->robot_crc = cycle->robot->crc;
@@ -221,9 +220,10 @@ void controller_show(const controller_t *self, const cycle_t *cycle)
     shown->pedal = (uint32_t)self->pedal.chart.state;
     shown->estop = (uint32_t)self->estop.state;
     shown->loop = (uint32_t)self->loop.chart.state;
-    shown->next_step = (uint32_t)confirmed_first(self, cycle, next_step(self, is_homed));
+    shown->is_homed = controller_is_homed(self) ? 1U : 0U;
+    shown->next_step =
+        (uint32_t)confirmed_first(self, cycle, next_step(self, shown->is_homed != 0U));
     shown->is_scanner_active = cycle->inputs->scanner_active;
-    shown->is_homed = is_homed ? 1U : 0U;
     shown->overruns = self->loop.overruns;
     shown->events = self->events;
     shown->events_lost = self->events_lost;
