@@ -334,14 +334,32 @@ class TestIgtl < Minitest::Test
     raw(port) do |socket|
       boresight.wait_until('the asking one has a place') do
         socket.write(RawIgtl.string('start_up', 'start_up'))
-        header_of(socket) != %w[STATUS start_up]
+        message_of(socket) != %w[STATUS start_up]
       end
     end
   end
 
+  # Type and name of the next message, which is read to its end.
+  def message_of(socket)
+    header = read_all(socket, 58)
+    read_all(socket, header[42, 8].unpack1('Q>'))
+    header[2, 32].unpack('A12A20').map { |text| text.delete("\0") }
+  end
+
+  def read_all(socket, count)
+    bytes = +''
+    while bytes.bytesize < count
+      assert socket.wait_readable(PATIENCE), 'an answer comes'
+      bytes << socket.readpartial(count - bytes.bytesize)
+    end
+    bytes
+  end
+
   def closed?(socket)
-    loop { return false if socket.read_nonblock(65_536, exception: false) == :wait_readable }
-  rescue EOFError, Errno::ECONNRESET
+    bytes = +''
+    bytes = socket.read_nonblock(65_536, exception: false) while bytes.is_a?(String)
+    bytes.nil?
+  rescue Errno::ECONNRESET
     true
   end
 
