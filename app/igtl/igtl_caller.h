@@ -10,9 +10,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define IGTL_CALL_TIMEOUT_US                                                                       \
-    UINT64_C(5000000) /**< A call that is not answered so long is over.                            \
-                       */
+#define IGTL_CALL_TIMEOUT_US UINT64_C(5000000) /**< Then a call is over. */
 
 typedef struct {
     uint32_t address; /**< IPv4, in the byte order of the host. */
