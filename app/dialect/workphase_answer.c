@@ -125,7 +125,6 @@ static void tell_ended(workphase_dialect_t *self, const igtl_request_t *request,
                        const answer_t *answer, const igtl_moment_t *moment)
 {
     workphase_peer_t *peer = &self->peers[request->peer];
-    const bool is_discarded = answer->status == (uint32_t)STATUS_DISCARDED;
     igtl_packet_t packet;
 
     if (is_arrival_asked_for(peer, request, answer)) {
@@ -133,16 +132,15 @@ static void tell_ended(workphase_dialect_t *self, const igtl_request_t *request,
     }
     write_end(self, request, answer, moment, &packet);
     if (peer->pending != 0U) {
-        peer->end =
-            (workphase_end_t){.is_waiting = true, .is_discarded = is_discarded, .packet = packet};
-    } else if (!is_discarded || (peer->accepted == request->id)) {
+        peer->end = (workphase_end_t){.is_waiting = true,
+                                      .is_discarded = answer->status == (uint32_t)STATUS_DISCARDED,
+                                      .packet = packet};
+    } else {
         igtl_outbox_add(peer->outbox, &packet);
         if ((answer->kind == (uint32_t)ANSWER_DONE) &&
             (request->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET)) {
             workphase_peer_tell_position(peer, moment);
         }
-    } else {
-        /* Its own later command has ended it. */
     }
 }
 
@@ -231,7 +229,8 @@ static void answer_by_kind(workphase_dialect_t *self, const igtl_request_t *requ
     }
 }
 
-/* The command for which an order's end waited has been answered: was it what ended it? */
+/* The command for which an order's end waited has been answered: was it what ended it? The
+ * controller answers in this order. */
 static void release_end(workphase_peer_t *peer, bool is_accepted)
 {
     if (peer->end.is_waiting && !(peer->end.is_discarded && is_accepted)) {
@@ -249,10 +248,6 @@ void workphase_answer_tell(workphase_dialect_t *self, const igtl_request_t *requ
 
     if (is_awaited) {
         peer->pending = 0U;
-    }
-    if (is_accepted && ((request->kind == (uint32_t)COMMAND_WORKPHASE) ||
-                        (request->kind == (uint32_t)COMMAND_RETRACT))) {
-        peer->accepted = request->id;
     }
     answer_by_kind(self, request, answer, moment);
     if (is_awaited) {

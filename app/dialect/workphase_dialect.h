@@ -60,9 +60,7 @@ typedef struct {
     const char *entry_prefix;
     workphase_id_t ids[WORKPHASE_IDS]; /**< The last commands, a ring. */
     uint32_t next_id;
-    /** Ids of its newest workphase or retraction: not answered yet, 0 for none; and accepted. */
-    uint32_t pending;
-    uint32_t accepted;
+    uint32_t pending; /**< Id of its newest workphase or retraction without an answer, 0: none. */
     workphase_end_t end;
     workphase_tip_t tip;
     const char *retraction; /**< By which word it retracted last. */
