@@ -106,6 +106,23 @@ void test_SWR_IGTL_008_too_many_commands_at_a_time_are_refused(void)
     EXPECT_BEGIN(0U, "STATUS PLANNING 6 BUSY|");
 }
 
+void test_SWR_IGTL_008_too_many_poses_at_a_time_are_refused(void)
+{
+    flood(0U);
+    place(0U, "TGT_2", 1.0F);
+    EXPECT(0U, "TRANSFORM ACK_2 1.000 2.000 3.000");
+    EXPECT_BEGIN(0U, "STATUS TARGET 6 BUSY|");
+}
+
+void test_SWR_IGTL_008_a_point_is_answered_as_unknown(void)
+{
+    const igtl_message_t point = igtl_peer_query(IGTL_KIND_POINT, "F-1");
+
+    workphase_dialect_receive(&dialect, 0U, &point, &moment);
+    EXPECT_BEGIN(0U, "STATUS F-1 12 UNKNOWN_COMMAND|");
+    expect_no_command();
+}
+
 void test_SWR_IGTL_008_command_refused_as_too_many_may_be_sent_again(void)
 {
     flood(0U);
