@@ -44,6 +44,7 @@ class TestIgtlPlanning < Minitest::Test
   end
 
   def test_SWR_IGTL_038_joints_come_in_the_order_of_the_robot_s_file
+    boresight.wait_until('all axes stand') { boresight.motors['axes'].all? { |axis| axis['speed'].zero? } }
     values = planning { |client| numbers(client.await('STRING', 'measured_jp')) }
     axes = boresight.motors['axes'].to_h { |axis| [axis['name'], axis] }
     assert_equal ORDER.size, values.size
