@@ -99,6 +99,14 @@ void igtl_tell_refusal(igtl_outbox_t *outbox, const char *name, status_t status,
     igtl_tell_status(outbox, name, &refusal, moment);
 }
 
+void igtl_tell_not_found(igtl_outbox_t *outbox, const char *name, const igtl_moment_t *moment)
+{
+    static const igtl_status_t status = {IGTL_STATUS_NOT_FOUND, "NOT_FOUND",
+                                         "NOT_FOUND: There is nothing of this name."};
+
+    igtl_tell_status(outbox, name, &status, moment);
+}
+
 void igtl_tell_pose(igtl_outbox_t *outbox, const char *name, const rigid_t *pose,
                     const igtl_moment_t *moment)
 {

@@ -59,6 +59,9 @@ void igtl_tell_status(igtl_outbox_t *outbox, const char *name, const igtl_status
 void igtl_tell_refusal(igtl_outbox_t *outbox, const char *name, status_t status,
                        const igtl_moment_t *moment);
 
+/** Sends STATUS(`name`, NOT_FOUND): there is nothing of this name. */
+void igtl_tell_not_found(igtl_outbox_t *outbox, const char *name, const igtl_moment_t *moment);
+
 /** Sends TRANSFORM(`name`, `pose`). */
 void igtl_tell_pose(igtl_outbox_t *outbox, const char *name, const rigid_t *pose,
                     const igtl_moment_t *moment);

@@ -39,14 +39,6 @@ static void tell_return(igtl_outbox_t *outbox, const igtl_message_t *message, bo
     igtl_outbox_add(outbox, &packet);
 }
 
-static void tell_not_found(igtl_outbox_t *outbox, const char *name, const igtl_moment_t *moment)
-{
-    const igtl_status_t status = {IGTL_STATUS_NOT_FOUND, "NOT_FOUND",
-                                  "NOT_FOUND: There is nothing of this type."};
-
-    igtl_tell_status(outbox, name, &status, moment);
-}
-
 /* Clients ask for 0, as fast as possible; nobody needs more than what he can show. */
 static uint64_t interval_of(int32_t resolution_ms)
 {
@@ -129,7 +121,7 @@ bool igtl_questions_receive(igtl_tracking_t *tracking, igtl_outbox_t *outbox,
         return true;
     case IGTL_KIND_GET_POINT:
     case IGTL_KIND_GET_OTHER:
-        tell_not_found(outbox, message->name, moment);
+        igtl_tell_not_found(outbox, message->name, moment);
         return true;
     case IGTL_KIND_STT_TDATA:
         tell_return(outbox, message, false, moment);

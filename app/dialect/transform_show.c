@@ -36,14 +36,6 @@ static void send_text(igtl_outbox_t *outbox, const char *name, const char *text,
     igtl_outbox_add_state(outbox, &packet);
 }
 
-static void tell_not_found(igtl_outbox_t *outbox, const char *name, const igtl_moment_t *moment)
-{
-    const igtl_status_t status = {IGTL_STATUS_NOT_FOUND, "NOT_FOUND",
-                                  "NOT_FOUND: There is nothing of this name."};
-
-    igtl_tell_status(outbox, name, &status, moment);
-}
-
 static void encode_point(igtl_packet_t *packet, const char *name, const transform_point_t *point,
                          const igtl_moment_t *moment)
 {
@@ -104,8 +96,8 @@ static void send_desired(transform_shown_t *self, const robot_t *robot, igtl_out
         return;
     }
     if (desired->is_valid == 0U) {
-        tell_not_found(outbox, "desired_cp", moment);
-        tell_not_found(outbox, "desired_jp", moment);
+        igtl_tell_not_found(outbox, "desired_cp", moment);
+        igtl_tell_not_found(outbox, "desired_jp", moment);
     } else if (desired->pose_status != (uint32_t)STATUS_OK) {
         igtl_tell_refusal(outbox, "desired_cp", (status_t)desired->pose_status, moment);
         igtl_tell_refusal(outbox, "desired_jp", (status_t)desired->pose_status, moment);
@@ -140,7 +132,7 @@ static void send_registration(transform_shown_t *self, igtl_outbox_t *outbox,
     if (registration->is_valid != 0U) {
         send_pose(outbox, "scanner_to_robot_reg", &registration->pose, moment);
     } else {
-        tell_not_found(outbox, "scanner_to_robot_reg", moment);
+        igtl_tell_not_found(outbox, "scanner_to_robot_reg", moment);
     }
     self->seen.registration = *registration;
 }
@@ -208,7 +200,7 @@ static void answer_transform(igtl_outbox_t *outbox, const char *name, const tran
     } else if ((strcmp(name, "scanner_to_robot_reg") == 0) && (view->registration.is_valid != 0U)) {
         igtl_tell_pose(outbox, name, &view->registration.pose, moment);
     } else {
-        tell_not_found(outbox, name, moment);
+        igtl_tell_not_found(outbox, name, moment);
     }
 }
 
@@ -228,7 +220,7 @@ static void answer_point(igtl_outbox_t *outbox, const char *name, const transfor
         }
     }
     if (!is_found) {
-        tell_not_found(outbox, name, moment);
+        igtl_tell_not_found(outbox, name, moment);
     }
 }
 

@@ -132,14 +132,6 @@ bool workphase_poll_string(workphase_peer_t *peer, const igtl_message_t *message
     }
 }
 
-static void tell_not_found(workphase_peer_t *peer, const char *name, const igtl_moment_t *moment)
-{
-    const igtl_status_t status = {IGTL_STATUS_NOT_FOUND, "NOT_FOUND",
-                                  "NOT_FOUND: There is nothing of this name."};
-
-    igtl_tell_status(peer->outbox, name, &status, moment);
-}
-
 void workphase_poll_transform(workphase_peer_t *peer, const igtl_message_t *message,
                               const igtl_moment_t *moment)
 {
@@ -149,7 +141,7 @@ void workphase_poll_transform(workphase_peer_t *peer, const igtl_message_t *mess
                (moment->snapshot->has_target != 0U)) {
         igtl_tell_pose(peer->outbox, "TARGET", &moment->snapshot->scanner_target, moment);
     } else {
-        tell_not_found(peer, message->name, moment);
+        igtl_tell_not_found(peer->outbox, message->name, moment);
     }
 }
 
@@ -159,6 +151,6 @@ void workphase_poll_status(workphase_peer_t *peer, const igtl_message_t *message
     if ((message->name[0] == '\0') || (strcmp(message->name, "CURRENT_STATUS") == 0)) {
         tell_phase(peer, moment);
     } else {
-        tell_not_found(peer, message->name, moment);
+        igtl_tell_not_found(peer->outbox, message->name, moment);
     }
 }

@@ -87,9 +87,9 @@ void test_SWR_IGTL_041_the_types_that_are_understood_are_named(void)
 void test_SWR_IGTL_041_what_there_is_not_is_answered_by_a_status(void)
 {
     TEST_ASSERT_TRUE(ask(IGTL_KIND_GET_OTHER, "GET_IMAGE", "T1"));
-    EXPECT("STATUS T1 4 NOT_FOUND|NOT_FOUND: There is nothing of this type.");
+    EXPECT("STATUS T1 4 NOT_FOUND|NOT_FOUND: There is nothing of this name.");
     TEST_ASSERT_TRUE(ask(IGTL_KIND_GET_POINT, "GET_POINT", ""));
-    EXPECT("STATUS  4 NOT_FOUND|NOT_FOUND: There is nothing of this type.");
+    EXPECT("STATUS  4 NOT_FOUND|NOT_FOUND: There is nothing of this name.");
     EXPECT("");
 }
 
