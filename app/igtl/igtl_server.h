@@ -74,6 +74,7 @@ uint32_t igtl_server_peer(const igtl_server_t *self, const igtl_connection_t *co
  * another. Who has a place: igtl_places.h.
  *
  * @satisfies SWR-IGTL-011
+ * @satisfies SWR-IGTL-048
  */
 void igtl_server_receive(igtl_server_t *self, const igtl_moment_t *moment);
 

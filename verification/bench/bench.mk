@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # What a cycle costs, and how punctually it begins; included by the Makefile.
 
-.PHONY: bench bench-codec bench-instructions bench-latency bench-recordings bench-programs cost-programs cost cost-approve
+.PHONY: bench bench-clients bench-codec bench-instructions bench-latency bench-recordings bench-programs cost-programs cost cost-approve
 
 # The scene is played on the rig of the integration tests, which asserts with Unity.
 BENCH_SCENE := $(call object,verification/bench/samples.c verification/integration/support/rig.c $(BOX_SOURCES) \
@@ -28,9 +28,14 @@ build/gcc/bin/bench-codec: verification/bench/codec.cpp $(CODEC)
 SOURCES_bench-step := verification/bench/step.c
 $(eval $(call program,bench-step))
 
+build/gcc/bin/bench-clients: $(call object,verification/bench/clients.c app/message/igtl_inbox.c) $(CODEC)
+	@mkdir -p $(@D)
+	@$(CC) $(CFLAGS) $^ -o $@
+	@echo "built $@"
+
 bench-programs: bootstrap-test cost-programs
 	@$(MAKE) --no-print-directory -j2 $(BINARIES) $(BIN)/boresight-client build/gcc/bin/bench-step \
-	    build/gcc/bin/bench-recordings
+	    build/gcc/bin/bench-recordings build/gcc/bin/bench-clients
 
 # What the gate needs, without what the latency needs.
 cost-programs:
@@ -43,7 +48,7 @@ cost: bootstrap-test cost-programs ## What a cycle costs as Cortex-A9 code, in i
 cost-approve: cost
 	@cp build/bench/cost.yml verification/bench/cost.yml
 
-bench: bench-programs ## Instructions of a cycle, recordings, OpenIGTLink beside its library, wake-up latency beside cyclictest (BENCH_SECONDS=10)
+bench: bench-programs ## Instructions of a cycle, recordings, OpenIGTLink beside its library and under load, wake-up latency beside cyclictest (BENCH_SECONDS=10)
 	@ruby verification/bench/bench.rb
 
 bench-instructions: bench-programs
@@ -57,3 +62,6 @@ bench-latency: bench-programs
 
 bench-recordings: build/gcc/bin/bench-recordings
 	@ruby verification/bench/bench.rb recordings
+
+bench-clients: bench-programs
+	@ruby verification/bench/bench.rb clients

@@ -22,12 +22,16 @@ class Workflow
   end
 
   # With the entry point that was proposed, if it is to decide the depth.
-  def move(pose, accepts_entry: false)
+  def aim(pose, accepts_entry: false)
     phase('PLANNING')
     phase('TARGETING')
     accept_entry if accepts_entry
     say('target', *pose)
     await('TARGET')
+  end
+
+  def move(pose, accepts_entry: false)
+    aim(pose, accepts_entry: accepts_entry)
     under_pedal('MOVE_TO_TARGET')
   end
 
