@@ -26,6 +26,6 @@ class TestFuzz < Minitest::Test
   end
 
   def test_SWR_IGTL_047_what_must_hold_of_peers_and_commands_holds_whatever_they_say
-    play('dialect', 12_000, 512)
+    play('dialect', 14_000, 512)
   end
 end

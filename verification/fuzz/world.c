@@ -209,11 +209,15 @@ static void pass(world_t *self, igtl_requests_t *requests)
     }
 }
 
-static void step(world_t *self)
+static void advance(world_t *self)
 {
     self->moment.now_us += CYCLE_US;
     self->moment.patience_us += CYCLE_US;
     self->moment.timestamp += UINT64_C(4294967);
+}
+
+static void step(world_t *self)
+{
     pass(self, &self->workphase.requests);
     pass(self, &self->transform.requests);
     witness_before(self);
@@ -229,6 +233,13 @@ static void step(world_t *self)
             world_disconnect(self, i);
         }
     }
+}
+
+/* Who has nothing to do looks around now and then only. */
+static bool is_turn(const world_t *self)
+{
+    return ((self->moment.now_us % WORLD_TURN_US) == 0U) ||
+           (self->workphase.requests.queued > 0U) || (self->transform.requests.queued > 0U);
 }
 
 static void take_commands(world_t *self)
@@ -254,7 +265,10 @@ void world_wait(world_t *self, uint32_t cycles)
         for (uint32_t k = 0U; k < self->rig.outputs.answer_count; k++) {
             answer(self, &self->rig.outputs.answers[k]);
         }
-        step(self);
+        advance(self);
+        if (is_turn(self) || (self->rig.outputs.answer_count > 0U)) {
+            step(self);
+        }
     }
 }
 
@@ -268,6 +282,9 @@ void world_wait_in_silence(world_t *self, uint32_t cycles)
             workphase_dialect_control_lost(&self->workphase, &self->moment);
             witness_after(self);
         }
-        step(self);
+        advance(self);
+        if (is_turn(self)) {
+            step(self);
+        }
     }
 }

@@ -23,6 +23,7 @@
 #define WORLD_STOPS 16U                 /**< and so many more of STOP and EMERGENCY. */
 #define WORLD_LOST_US UINT64_C(1000000) /**< Of silence of control. */
 
+#define WORLD_TURN_US 4000U                /**< Of the process, when nothing happens. */
 #define WORLD_NOTHING UINT32_C(0xA5A5A5A5) /**< In the outbox of who is not there. */
 
 typedef struct {
