@@ -16,8 +16,8 @@ module Fuzz
   # A target and what it looks for.
   class Search
     # Of the time.
-    SHARES = { 'codec' => 1, 'dialect' => 4 }.freeze
-    LONGEST = { 'codec' => 8192, 'dialect' => 512 }.freeze
+    SHARES = { 'codec' => 2, 'ports' => 1, 'dialect' => 7 }.freeze
+    LONGEST = { 'codec' => 8192, 'ports' => 2048, 'dialect' => 512 }.freeze
     WORDS = 'verification/fuzz/words.yml'
 
     def initialize(folder, seconds, seed)

@@ -171,10 +171,16 @@ module Fuzz
     end
   end
 
+  # Files of ports.
+  PORTS = { 'listens' => "[slicer]\ndialect = brp-2021\nlisten = 192.168.1.2:18944\nallow = 192.168.1.10, 192.168.7.0/24\n",
+            'calls' => "# calls\n[out]\ndialect = brp-2013\nconnect = 127.0.0.1:18945\nentry-prefix = ENTRY_\n",
+            'two' => "[a]\ndialect=crtk\nlisten=127.0.0.1:1\n\n[b]\ndialect = crtk\nlisten = 127.0.0.1:65535\n" }.freeze
+
   module_function
 
   def write_seeds(words, scenes, folder)
-    FileUtils.mkdir_p(["#{folder}/dialect", "#{folder}/codec"])
+    FileUtils.mkdir_p(["#{folder}/dialect", "#{folder}/codec", "#{folder}/ports"])
+    PORTS.each { |name, text| File.binwrite("#{folder}/ports/#{name}", text) }
     scenes.each do |name, lines|
       File.binwrite("#{folder}/dialect/#{name.gsub(/\W+/, '_')}", Scene.new(words, name, lines).bytes)
     end

@@ -10,9 +10,9 @@ FUZZ_CC := clang-19
 FUZZ_FLAGS := $(WARNINGS) -ffp-contract=off -O2 -g -D_GNU_SOURCE $(TEST_INCLUDES) -I$(UNITY) -fno-sanitize-recover=all
 FUZZ_WATCHED := -fsanitize=fuzzer-no-link,address,undefined
 FUZZED := $(wildcard app/message/*.c app/dialect/*.c)
-FUZZ_TARGETS := codec dialect
+FUZZ_TARGETS := codec dialect ports
 FUZZ_PROGRAMS := $(FUZZ_TARGETS:%=$(FUZZ)/bin/%)
-FUZZ_DIALECT := $(filter-out %codec_fuzz.c,$(wildcard verification/fuzz/*.c))
+FUZZ_DIALECT := $(filter-out %codec_fuzz.c %ports_fuzz.c,$(wildcard verification/fuzz/*.c))
 fuzz_object = $(patsubst %.c,$(FUZZ)/%.o,$(1))
 
 $(FUZZ_WORDS): verification/fuzz/words.yml tools/fuzz/scenes.rb
@@ -26,11 +26,16 @@ $(FUZZ)/%.o: %.c $(FUZZ_WORDS) | $(GENERATED)
 	@mkdir -p $(@D)
 	@$(FUZZ_CC) $(FUZZ_FLAGS) $(FUZZ_WATCH) -MMD -MP -c $< -o $@
 
-$(FUZZ)/app/%.o $(FUZZ)/verification/fuzz/codec_fuzz.o: FUZZ_WATCH = $(FUZZ_WATCHED)
+$(FUZZ)/app/%.o $(FUZZ)/verification/fuzz/codec_fuzz.o $(FUZZ)/verification/fuzz/ports_fuzz.o: FUZZ_WATCH = $(FUZZ_WATCHED)
 # The words of the scenes tell what is compared with; to trace it would take half of the time.
 $(FUZZ)/app/dialect/%.o: FUZZ_WATCH = $(FUZZ_WATCHED) -fno-sanitize-coverage=trace-cmp
 
 $(FUZZ)/bin/codec: $(call fuzz_object,verification/fuzz/codec_fuzz.c $(wildcard app/message/*.c))
+	@mkdir -p $(@D)
+	@$(FUZZ_CC) -fsanitize=fuzzer,address,undefined $^ -o $@
+	@echo "built $@"
+
+$(FUZZ)/bin/ports: $(call fuzz_object,verification/fuzz/ports_fuzz.c $(wildcard app/igtl/igtl_ports*.c))
 	@mkdir -p $(@D)
 	@$(FUZZ_CC) -fsanitize=fuzzer,address,undefined $^ -o $@
 	@echo "built $@"

@@ -25,6 +25,10 @@ class TestFuzz < Minitest::Test
     play('codec', 400_000, 6000)
   end
 
+  def test_SWR_IGTL_023_any_file_of_ports_is_understood_or_refused_with_a_reason
+    play('ports', 500_000, 2048)
+  end
+
   def test_SWR_IGTL_047_what_must_hold_of_peers_and_commands_holds_whatever_they_say
     play('dialect', 14_000, 512)
   end
