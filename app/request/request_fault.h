@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file Why what a client sent is refused. */
+#ifndef BORESIGHT_REQUEST_FAULT_H
+#define BORESIGHT_REQUEST_FAULT_H
+
+#define REQUEST_NAME_SIZE 48U   /**< A name's room, its end included. */
+#define REQUEST_PLACE_SIZE 256U /**< A place's room, its end included. */
+
+typedef enum {
+    REQUEST_OK = 0,
+    REQUEST_NOT_JSON = 1,     /**< Not JSON as RFC 8259 has it, or something stands behind it. */
+    REQUEST_UNKNOWN = 2,      /**< No field has this name. */
+    REQUEST_TWICE = 3,        /**< The field stands there a second time. */
+    REQUEST_MISSING = 4,      /**< A field that must be there is not. */
+    REQUEST_WRONG_TYPE = 5,   /**< It is of another kind. */
+    REQUEST_TOO_LONG = 6,     /**< A text, or a number with too many digits. */
+    REQUEST_NOT_FINITE = 7,   /**< A number beyond all numbers. */
+    REQUEST_OUT_OF_RANGE = 8, /**< A number outside its bounds, or none of the words. */
+    REQUEST_COUNT = 9         /**< Too few or too many values in a list. */
+} request_fault_t;
+
+/** What came of it. */
+typedef struct {
+    request_fault_t fault;
+    /** Of the fault: in a body a JSON pointer (RFC 6901), "" being all of it; in a query the name
+     * of the parameter. Ends early if it is too long. UTF-8. */
+    char place[REQUEST_PLACE_SIZE];
+} request_result_t;
+
+/** A sentence. Lives for ever. */
+const char *request_fault_text(request_fault_t fault);
+
+#endif
