@@ -61,13 +61,15 @@ endif
 include bsp/$(BOARD)/board.mk
 BOARD_TABLE := $(GEN)/board/board.c
 CLOCK := app/common/clock.c
+# What HTTP clients may ask.
+API := $(GEN)/interface/app/routes.c $(GEN)/interface/app/requests.c
 EXCHANGE := $(wildcard app/exchange/exchange*.c)
 EVENT_TEXT := app/common/event_text.c $(GEN)/interface/app/event_words.c
 
 # Each program: its own files; what it needs of the core comes from libcore.a.
 SOURCES_boresight-control := $(wildcard app/control/*.c app/positions/*.c) $(CLOCK) $(EXCHANGE) $(BOARD_SOURCES) $(FIND_ROBOT)
 SOURCES_boresight-igtl := $(wildcard app/igtl/*.c app/dialect/*.c app/message/*.c) $(CLOCK) $(EXCHANGE) $(NAMES)
-SOURCES_boresight-http := $(wildcard app/http/*.c) $(CLOCK) $(GEN)/interface/app/messages.c $(EVENT_TEXT) $(EXCHANGE) $(NAMES) $(GEN)/assets/assets.c \
+SOURCES_boresight-http := $(wildcard app/http/*.c app/request/*.c) $(API) $(CLOCK) $(GEN)/interface/app/messages.c $(EVENT_TEXT) $(EXCHANGE) $(NAMES) $(GEN)/assets/assets.c \
     $(GEN)/assets/chart_names.c
 SOURCES_boresight-recorder := $(wildcard app/recorder/*.c app/recording/*.c app/positions/*.c) $(CLOCK) app/common/directory.c $(EVENT_TEXT) $(EXCHANGE) $(NAMES)
 SOURCES_boresight-replay := $(wildcard app/replay/*.c app/recording/*.c) $(GEN)/interface/app/columns.c $(GEN)/interface/app/fields.c $(EVENT_TEXT) $(NAMES) $(FIND_ROBOT)
@@ -140,7 +142,7 @@ app/console/node_modules/.installed: app/console/package-lock.json
 
 $(GEN)/assets/assets.c: $(CONSOLE_SOURCES) $(GEN)/interface/.compiled app/console/node_modules/.installed tools/embed.rb
 	cd app/console && npm run --silent build
-	ruby tools/embed.rb build/console $(GEN)/assets
+	ruby tools/embed.rb build/console $(GEN)/assets /api/v1/openapi.json=$(GEN)/interface/app/openapi.json
 
 $(GEN)/assets/chart_names.c: $(GEN)/charts/charts.json app/http/chart_names.rb
 	ruby app/http/chart_names.rb $(GEN)/charts/charts.json $(GEN)/assets

@@ -2,36 +2,62 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# Writes the files of the built console as a C table, so that the server needs no files at run time.
+# Writes the files of the built console, and others beside them, as a C table, so that the server needs no files at run
+# time. Each stands there packed as well, if that is shorter.
 #
-#   ruby tools/embed.rb build/console build/gen/assets
+#   ruby tools/embed.rb build/console build/gen/assets [PATH=FILE...]
 
+require 'digest'
 require 'fileutils'
+require 'zlib'
 
 # A folder of files as C.
 class Embedding
   TYPES = {
     '.html' => 'text/html; charset=utf-8', '.js' => 'text/javascript; charset=utf-8',
-    '.css' => 'text/css; charset=utf-8', '.svg' => 'image/svg+xml', '.txt' => 'text/plain; charset=utf-8'
+    '.css' => 'text/css; charset=utf-8', '.svg' => 'image/svg+xml', '.txt' => 'text/plain; charset=utf-8',
+    '.json' => 'application/json'
   }.freeze
   BYTES_PER_LINE = 20
 
   # A file named after its content never changes: assets/name-0a1B2c3D.js.
   HASHED = %r{\Aassets/.*-[\w-]{8}\.\w+\z}.freeze
 
-  File = Struct.new(:path, :bytes, :type, :cache, keyword_init: true)
+  PACKED = 31 # zlib: with the head of gzip, which says no time.
+  TAG_DIGITS = 16
 
-  def self.read(folder)
-    paths = Dir.glob('**/*', base: folder).select { |path| ::File.file?(::File.join(folder, path)) }.sort
-    new(paths.map { |path| embed(folder, path) })
+  File = Struct.new(:path, :bytes, :type, :cache, keyword_init: true) do
+    def tag
+      Digest::SHA256.hexdigest(bytes)[0, TAG_DIGITS]
+    end
+
+    # Nothing where that is no shorter.
+    def packed
+      packed = Zlib::Deflate.new(Zlib::BEST_COMPRESSION, PACKED).deflate(bytes, Zlib::FINISH)
+      packed if packed.bytesize < bytes.bytesize
+    end
   end
 
-  def self.embed(folder, path)
+  # `others`: files beside those of the folder, by the paths at which they are served.
+  def self.read(folder, others = {})
+    paths = Dir.glob('**/*', base: folder).select { |path| ::File.file?(::File.join(folder, path)) }.sort
+    files = paths.to_h { |path| ["/#{path}", ::File.join(folder, path)] }.merge(others)
+    new(files.map { |path, file| embed(path, file) })
+  end
+
+  def self.embed(path, file)
     type = TYPES.fetch(::File.extname(path)) { raise ArgumentError, "#{path}: no content type for this kind of file" }
-    cache = path.match?(HASHED) ? 'public, max-age=31536000, immutable' : 'no-store'
-    File.new(path: "/#{path}", bytes: ::File.binread(::File.join(folder, path)).bytes, type: type, cache: cache)
+    File.new(path: path, bytes: ::File.binread(file), type: type, cache: cache(path))
   end
   private_class_method :embed
+
+  # The page must never be an old one; what is for other programs may be kept if it is asked for each time.
+  def self.cache(path)
+    return 'public, max-age=31536000, immutable' if path.delete_prefix('/').match?(HASHED)
+
+    path.end_with?('.json') ? 'no-cache' : 'no-store'
+  end
+  private_class_method :cache
 
   def initialize(files)
     @files = files
@@ -57,19 +83,26 @@ class Embedding
   private
 
   def array(file, index)
-    lines = file.bytes.each_slice(BYTES_PER_LINE).map { |slice| "    #{slice.join(', ')}" }
-    "/* #{file.path} */\nstatic const unsigned char file_#{index}[] = {\n#{lines.join(",\n")}\n};\n"
+    packed = "\n#{bytes("packed_#{index}", file.packed)}" if file.packed
+    "/* #{file.path} */\n#{bytes("file_#{index}", file.bytes)}#{packed}"
+  end
+
+  def bytes(name, bytes)
+    lines = bytes.bytes.each_slice(BYTES_PER_LINE).map { |slice| "    #{slice.join(', ')}" }
+    "static const unsigned char #{name}[] = {\n#{lines.join(",\n")}\n};\n"
   end
 
   def row(file, index)
-    %(    {"#{file.path}", "#{file.type}", "#{file.cache}", file_#{index}, sizeof(file_#{index})})
+    packed = file.packed ? "packed_#{index}, sizeof(packed_#{index})" : 'NULL, 0'
+    %(    {"#{file.path}", "#{file.type}", "#{file.cache}", "#{file.tag}",\n     ) +
+      "file_#{index}, sizeof(file_#{index}), #{packed}}"
   end
 end
 
 if $PROGRAM_NAME == __FILE__
-  abort 'usage: embed.rb CONSOLE_FOLDER OUTPUT_FOLDER' unless ARGV.size == 2
+  abort 'usage: embed.rb CONSOLE_FOLDER OUTPUT_FOLDER [PATH=FILE...]' unless ARGV.size >= 2
   begin
-    source = Embedding.read(ARGV[0]).source
+    source = Embedding.read(ARGV[0], ARGV.drop(2).to_h { |other| other.split('=', 2) }).source
   rescue ArgumentError => e
     abort "#{ARGV[0]}: #{e.message}"
   end

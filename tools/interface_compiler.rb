@@ -6,7 +6,8 @@
 #
 #   DIRECTORY       the headers of the core with their documentation, event.c, interface_layout.h
 #   DIRECTORY/app   names and sentences, what an event's numbers are, the JSON writer and its types for the console, the
-#                   columns of boresight-replay, where the fields stand
+#                   columns of boresight-replay, where the fields stand; what HTTP clients may ask: routes, the tables
+#                   that read requests, and the document for clients, openapi.json
 #
 #   ruby tools/interface_compiler.rb core/interface build/gen/charts/charts.json build/gen/interface [HEADER...]
 #
@@ -22,13 +23,16 @@ require_relative 'interface/json'
 require_relative 'interface/layout'
 require_relative 'interface/model'
 require_relative 'interface/names'
+require_relative 'interface/openapi'
+require_relative 'interface/request_tables'
+require_relative 'interface/route_table'
 require_relative 'interface/typescript'
 
 module Interface
   # The command line.
   module Command
     USAGE = 'usage: ruby tools/interface_compiler.rb FOLDER CHARTS_JSON DIRECTORY [HEADER...]'
-    APP = [Names, EventWords, Json, Typescript, Columns, Fields].freeze
+    APP = [Names, EventWords, Json, Typescript, Columns, Fields, RequestTables, RouteTable, Openapi].freeze
 
     # Returns the exit status.
     def self.run(arguments, errors: $stderr)

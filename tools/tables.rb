@@ -8,8 +8,8 @@
 #   ruby tools/tables.rb --check [--root FOLDER]   one line per stale block, exit 1 if there is any
 #
 # A block begins with the line `<!-- table:NAME -->` and ends with the line `<!-- end -->`. NAME is an enumeration or a
-# structure of core/interface; `limits`, for those of requirements/; `rooms`, for tools/rooms.yml; or `robots`, for the
-# axes of core/robot/*/robot.yml.
+# structure of core/interface; `routes` or `problems`, for those of core/interface/routes.yml; `limits`, for those of
+# requirements/; `rooms`, for tools/rooms.yml; or `robots`, for the axes of core/robot/*/robot.yml.
 
 require 'optparse'
 require_relative 'interface/model'
@@ -49,7 +49,7 @@ end
 # What can be shown as a table, read from one project.
 class TableSources
   # What is no enumeration and no structure: a method of the same name.
-  OTHERS = %w[limits robots rooms].freeze
+  OTHERS = %w[limits problems robots rooms routes].freeze
 
   def initialize(root)
     @root = root
@@ -112,6 +112,19 @@ class TableSources
       ["`#{room.folder}`", room.holds, room.sees.map { |seen| "`#{seen}`" }.join(', ')]
     end
     markdown(%w[Folder Holds Sees], rows)
+  end
+
+  def routes
+    rows = interface.routes.routes.map { |route| ["`#{route.path}`", route.method, route.says, parameters(route)] }
+    markdown(['Path', 'Method', 'What', 'Query and headers'], rows)
+  end
+
+  def parameters(route)
+    (route.parameters.members + route.headers).map { |one| "`#{one.name}`: #{one.says}" }.join(' ')
+  end
+
+  def problems
+    markdown(%w[Status Code What], interface.routes.problems.map { |one| [one.http, "`#{one.name}`", one.says] })
   end
 
   def markdown(heads, rows)

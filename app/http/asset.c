@@ -11,6 +11,7 @@
 #define DIGITS 5U
 
 static asset_t page; /* Once it has been told the port. */
+static char page_tag[ASSET_ETAG_SIZE - 8U];
 
 static const asset_t *find(const char *path)
 {
@@ -39,7 +40,11 @@ void asset_tell_stop_port(uint32_t port)
     (void)snprintf(digits, sizeof digits, "%05u", (unsigned)port);
     (void)memcpy(&place[sizeof STOP_PORT - 1U], digits, DIGITS);
     page = *original;
+    (void)snprintf(page_tag, sizeof page_tag, "%s-%s", original->tag, digits);
+    page.tag = page_tag;
     page.bytes = bytes;
+    page.packed = NULL; /* It is short. */
+    page.packed_size = 0U;
 }
 
 const asset_t *asset_find(const char *path)
@@ -49,4 +54,9 @@ const asset_t *asset_find(const char *path)
         return find(path);
     }
     return (page.bytes != NULL) ? &page : find(PAGE);
+}
+
+void asset_write_etag(const asset_t *asset, bool is_packed, char etag[ASSET_ETAG_SIZE])
+{
+    (void)snprintf(etag, ASSET_ETAG_SIZE, "\"%s%s\"", asset->tag, is_packed ? "-gzip" : "");
 }

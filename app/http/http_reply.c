@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "http/http_reply.h"
 
-#include "interface/app/messages.h"
+#include "http/http_lines.h"
 
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
 static const char safety_headers[] =
     "Content-Security-Policy: default-src 'none'; script-src 'self'; style-src 'self'; "
@@ -14,8 +15,7 @@ static const char safety_headers[] =
     "X-Frame-Options: DENY\r\n"
     "Referrer-Policy: no-referrer\r\n"
     "Cross-Origin-Opener-Policy: same-origin\r\n"
-    "Cross-Origin-Resource-Policy: same-origin\r\n"
-    "Connection: close\r\n";
+    "Cross-Origin-Resource-Policy: same-origin\r\n\r\n";
 
 static char stop_sources[120]; /* As the policy names them. */
 
@@ -31,38 +31,71 @@ static bool write_all(struct mg_connection *connection, const void *bytes, size_
     return (size == 0U) || (mg_write(connection, bytes, size) == (int)size);
 }
 
+/* A header that may be missing. */
+static void add(char head[HTTP_REPLY_HEAD_SIZE], const char *name, const char *value)
+{
+    const size_t size = strlen(head);
+    if (value != NULL) {
+        (void)snprintf(&head[size], HTTP_REPLY_HEAD_SIZE - size, "%s: %s\r\n", name, value);
+    }
+}
+
+static bool has_body(const http_reply_t *reply)
+{
+    return !reply->is_stream && (reply->status != 304);
+}
+
 size_t http_reply_head(const http_reply_t *reply, char head[HTTP_REPLY_HEAD_SIZE])
 {
-    char safety[640];
-    (void)snprintf(safety, sizeof safety, safety_headers, stop_sources);
-    char length[48] = "";
-    if (!reply->is_stream) {
-        (void)snprintf(length, sizeof length, "Content-Length: %zu\r\n", reply->size);
-    }
-    char allow[48] = "";
-    if (reply->allow != NULL) {
-        (void)snprintf(allow, sizeof allow, "Allow: %s\r\n", reply->allow);
-    }
-    char origin[120] = "";
-    if (reply->origin != NULL) {
-        (void)snprintf(origin, sizeof origin, "Access-Control-Allow-Origin: %s\r\nVary: Origin\r\n",
-                       reply->origin);
-    }
-    int size = snprintf(head, HTTP_REPLY_HEAD_SIZE,
-                        "HTTP/1.1 %d %s\r\nContent-Type: %s\r\nCache-Control: %s\r\n%s%s%s%s\r\n",
-                        reply->status, mg_get_response_code_text(NULL, reply->status), reply->type,
-                        reply->cache, length, allow, origin, safety);
-    return (size_t)size;
+    char length[24];
+    (void)snprintf(length, sizeof length, "%zu", reply->size);
+    (void)snprintf(head, HTTP_REPLY_HEAD_SIZE, "HTTP/1.1 %d %s\r\n", reply->status,
+                   mg_get_response_code_text(NULL, reply->status));
+    add(head, "Content-Type", reply->type);
+    add(head, "Cache-Control", reply->cache);
+    add(head, "Content-Length", has_body(reply) ? length : NULL);
+    add(head, "Allow", reply->allow);
+    add(head, "Access-Control-Allow-Origin", reply->origin);
+    add(head, "Vary", (reply->origin != NULL) ? "Origin" : NULL);
+    add(head, "ETag", reply->etag);
+    add(head, "Content-Encoding", reply->encoding);
+    add(head, "Vary", reply->is_chosen ? "Accept-Encoding" : NULL);
+    add(head, "Connection", reply->is_kept ? "keep-alive" : "close");
+    const size_t size = strlen(head);
+    const size_t room = HTTP_REPLY_HEAD_SIZE - size;
+    return size + (size_t)snprintf(&head[size], room, safety_headers, stop_sources);
+}
+
+bool http_reply_is_head_asked(const struct mg_connection *connection)
+{
+    const char *method = mg_get_request_info(connection)->request_method;
+    return (method != NULL) && (strcmp(method, "HEAD") == 0);
+}
+
+/* What is wrong with a request may be where the next one begins. */
+static bool is_kept(const struct mg_connection *connection, const http_reply_t *reply)
+{
+    const struct mg_request_info *request = mg_get_request_info(connection);
+    const char *wish = mg_get_header(connection, "Connection");
+    return (reply->status < 400) && !reply->is_stream && (request->http_version != NULL) &&
+           (strcmp(request->http_version, "1.1") == 0) &&
+           ((wish == NULL) || (strcasecmp(wish, "keep-alive") == 0)) && http_lines_has_room();
 }
 
 int http_reply_send(struct mg_connection *connection, const http_reply_t *reply)
 {
     char head[HTTP_REPLY_HEAD_SIZE];
-    if (!write_all(connection, head, http_reply_head(reply, head))) {
+    http_reply_t sent = *reply;
+    sent.is_kept = is_kept(connection, reply);
+    if (!sent.is_kept) {
+        mg_disable_connection_keep_alive(connection);
+    }
+    if (!write_all(connection, head, http_reply_head(&sent, head))) {
         return 0;
     }
-    return (reply->is_stream || write_all(connection, reply->body, reply->size)) ? reply->status
-                                                                                 : 0;
+    const bool is_whole = !has_body(reply) || http_reply_is_head_asked(connection) ||
+                          write_all(connection, reply->body, reply->size);
+    return is_whole ? reply->status : 0;
 }
 
 int http_reply_json(struct mg_connection *connection, int status, const char *json)
@@ -75,13 +108,21 @@ int http_reply_json(struct mg_connection *connection, int status, const char *js
     return http_reply_send(connection, &reply);
 }
 
-int http_reply_error(struct mg_connection *connection, int status, const char *code,
-                     const char *message)
+int http_reply_problem(struct mg_connection *connection, const http_problem_t *problem,
+                       const char *allow)
 {
-    const json_error_answer_t answer = {.code = code, .message = message};
-    char json[512];
-    cJSON *object = json_error_answer(&answer);
-    const bool is_whole = cJSON_PrintPreallocated(object, json, (int)sizeof json, 0) != 0;
-    cJSON_Delete(object);
-    return http_reply_json(connection, status, is_whole ? json : "{}");
+    char json[HTTP_PROBLEM_SIZE];
+    const http_reply_t reply = {.status = problem->http,
+                                .type = HTTP_REPLY_PROBLEM,
+                                .cache = HTTP_REPLY_NO_STORE,
+                                .allow = allow,
+                                .body = json,
+                                .size = http_problem_write(problem, json)};
+    return http_reply_send(connection, &reply);
+}
+
+int http_reply_refuse(struct mg_connection *connection, problem_t problem)
+{
+    const http_problem_t told = http_problem_of(problem);
+    return http_reply_problem(connection, &told, NULL);
 }

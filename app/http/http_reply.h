@@ -3,25 +3,32 @@
 #ifndef BORESIGHT_HTTP_REPLY_H
 #define BORESIGHT_HTTP_REPLY_H
 
+#include "http/http_problem.h"
+
 #include <civetweb.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
 #define HTTP_REPLY_JSON "application/json"
+#define HTTP_REPLY_PROBLEM "application/problem+json"
 #define HTTP_REPLY_NO_STORE "no-store"
-#define HTTP_REPLY_HEAD_SIZE 1280 /**< Room for the head of every answer. */
+#define HTTP_REPLY_HEAD_SIZE 1536 /**< Room for the head of every answer. */
 
 /** What is particular to one answer. */
 typedef struct {
     int status;
-    const char *type;   /**< Content type. */
-    const char *cache;  /**< Cache-Control. */
-    const char *allow;  /**< Allow, or NULL. */
-    const char *origin; /**< Origin that may read the answer though it is another; or NULL. */
+    const char *type;     /**< Content type. */
+    const char *cache;    /**< Cache-Control. */
+    const char *allow;    /**< Allow, or NULL. */
+    const char *origin;   /**< Origin that may read the answer though it is another; or NULL. */
+    const char *etag;     /**< ETag with its quotes, or NULL. */
+    const char *encoding; /**< Content-Encoding, or NULL. */
+    bool is_chosen;       /**< Another client may get it in another encoding. */
+    bool is_stream;       /**< Only the head is sent; the body follows without a known end. */
+    bool is_kept;         /**< The connection stays open. */
     const void *body;
     size_t size;
-    bool is_stream; /**< Only the head is sent; the body follows without a known end. */
 } http_reply_t;
 
 /** Lets pages ask for a stop at `port` of the hosts that are served, too. To be called once, before
@@ -31,14 +38,27 @@ void http_reply_allow_stops(const char *address, uint32_t port);
 /** Writes the head of `reply`, the empty line included. Returns its size. */
 size_t http_reply_head(const http_reply_t *reply, char head[HTTP_REPLY_HEAD_SIZE]);
 
-/** Sends `reply`. Returns its status, or 0 when the client did not take it in time. */
+/** The request asks for the head of the answer only. */
+bool http_reply_is_head_asked(const struct mg_connection *connection);
+
+/**
+ * Sends `reply`, of which HEAD and 304 get the head. The connection stays open if the answer is a
+ * good one, the client agrees and there are workers enough.
+ *
+ * @return its status, or 0 when the client did not take it in time
+ *
+ * @satisfies SWR-HTTP-014
+ */
 int http_reply_send(struct mg_connection *connection, const http_reply_t *reply);
 
 /** Sends JSON text. Returns as http_reply_send(). */
 int http_reply_json(struct mg_connection *connection, int status, const char *json);
 
-/** Sends an error as JSON: a code to compare, and a sentence to read. */
-int http_reply_error(struct mg_connection *connection, int status, const char *code,
-                     const char *message);
+/** Sends a refusal, with `allow` if it is not NULL. Returns as http_reply_send(). */
+int http_reply_problem(struct mg_connection *connection, const http_problem_t *problem,
+                       const char *allow);
+
+/** Sends a refusal of which there is nothing more to say. */
+int http_reply_refuse(struct mg_connection *connection, problem_t problem);
 
 #endif

@@ -2,29 +2,22 @@
 #include "http/http_routes.h"
 
 #include "http/asset.h"
+#include "http/http_call.h"
 #include "http/http_reply.h"
 #include "http/stop_desk.h"
 #include "interface/app/messages.h"
+#include "request/request_headers.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 #define EVENTS_MOST 200U
-#define QUERY_NUMBER_SIZE 16U
-
-typedef struct {
-    const char *path;
-    const char *method;
-    int (*answer)(http_server_t *server, struct mg_connection *connection);
-} route_t;
 
 /* Sends `object` and frees it. */
 static int reply_object(struct mg_connection *connection, int status, cJSON *object)
 {
     char *json = cJSON_PrintUnformatted(object);
-    int sent = (json != NULL)
-                   ? http_reply_json(connection, status, json)
-                   : http_reply_error(connection, 500, "NO_MEMORY", "The server is out of memory.");
+    int sent = (json != NULL) ? http_reply_json(connection, status, json)
+                              : http_reply_refuse(connection, PROBLEM_NO_MEMORY);
     cJSON_free(json);
     cJSON_Delete(object);
     return sent;
@@ -34,8 +27,7 @@ static bool look(http_server_t *server, struct mg_connection *connection, teleme
 {
     telemetry_look(&server->telemetry, view);
     if (!view->has_snapshot) {
-        (void)http_reply_error(connection, 503, "NO_DATA",
-                               "Control has not published anything yet.");
+        (void)http_reply_refuse(connection, PROBLEM_NO_DATA);
     }
     return view->has_snapshot;
 }
@@ -64,30 +56,14 @@ static int answer_targeting(http_server_t *server, struct mg_connection *connect
                : 503;
 }
 
-/* A number of the query. False when it is there and no number. */
-static bool read_query(struct mg_connection *connection, const char *name, bool *is_given,
-                       uint32_t *value)
-{
-    const char *query = mg_get_request_info(connection)->query_string;
-    char text[QUERY_NUMBER_SIZE];
-    int size = (query != NULL) ? mg_get_var(query, strlen(query), name, text, sizeof text) : -1;
-    *is_given = size >= 0;
-    if (size == -1) {
-        return true;
-    }
-    if ((size < 1) || (size > 10) || (strspn(text, "0123456789") != (size_t)size)) {
-        return false;
-    }
-    unsigned long long number = strtoull(text, NULL, 10);
-    *value = (uint32_t)number;
-    return number <= UINT32_MAX;
-}
-
-static int reply_log(http_server_t *server, struct mg_connection *connection, uint32_t next)
+/* Up to `most` events from `next` on. */
+static int reply_log(http_server_t *server, struct mg_connection *connection, uint32_t next,
+                     uint32_t most)
 {
     event_t events[EVENTS_MOST];
     uint32_t lost = 0U;
-    uint32_t count = exchange_read_events(server->exchange, &next, events, EVENTS_MOST, &lost);
+    const uint32_t count =
+        (most > 0U) ? exchange_read_events(server->exchange, &next, events, most, &lost) : 0U;
     const robot_t *robot = exchange_robot(server->exchange);
     cJSON *entries = cJSON_CreateArray();
     for (uint32_t i = 0U; i < count; i++) {
@@ -97,166 +73,146 @@ static int reply_log(http_server_t *server, struct mg_connection *connection, ui
     return reply_object(connection, 200, json_log(&log));
 }
 
-static int answer_log(http_server_t *server, struct mg_connection *connection)
+/* After what has not been yet there is nothing. */
+static int answer_log(http_server_t *server, const http_call_t *call)
 {
-    bool is_given = false;
-    uint32_t after = 0U;
-    if (!read_query(connection, "after", &is_given, &after)) {
-        return http_reply_error(connection, 400, "BAD_QUERY",
-                                "The value of after is not an event's number.");
-    }
     telemetry_view_t view;
-    if (!look(server, connection, &view)) {
+    if (!look(server, call->connection, &view)) {
         return 503;
     }
-    uint32_t events = view.snapshot.events;
-    uint32_t newest = (events > EVENTS_MOST) ? (events - EVENTS_MOST) : 0U;
-    return reply_log(server, connection, is_given ? (after + 1U) : newest);
+    const uint32_t events = view.snapshot.events;
+    const uint32_t after = call->query.log.after;
+    const uint32_t following = after + ((after == UINT32_MAX) ? 0U : 1U);
+    const uint32_t newest = (events > EVENTS_MOST) ? (events - EVENTS_MOST) : 0U;
+    if (!call->query.log.has_after) {
+        return reply_log(server, call->connection, newest, EVENTS_MOST);
+    }
+    return reply_log(server, call->connection, following, (after < events) ? EVENTS_MOST : 0U);
+}
+
+/* Where the log goes on: after what the client has, or else with the last events. Numbers begin
+ * anew with control; one that has not been yet is of an earlier control. */
+static uint32_t first_event(const struct mg_connection *connection, uint32_t events)
+{
+    uint32_t last = 0U;
+    const bool is_said = request_headers_event(mg_get_header(connection, "Last-Event-ID"), &last);
+    if (is_said && (last < events)) {
+        return last + 1U;
+    }
+    return (events > HTTP_STREAM_HISTORY) ? (events - HTTP_STREAM_HISTORY) : 0U;
 }
 
 static int answer_events(http_server_t *server, struct mg_connection *connection)
 {
     telemetry_view_t view;
     telemetry_look(&server->telemetry, &view);
-    uint32_t events = view.snapshot.events;
-    uint32_t first = (events > HTTP_STREAM_HISTORY) ? (events - HTTP_STREAM_HISTORY) : 0U;
     const json_hello_t identity = {.boot_id = server->identity.boot_id,
                                    .build_id = server->identity.build_id};
     char hello[160] = "{}";
     cJSON *object = json_hello(&identity);
     (void)cJSON_PrintPreallocated(object, hello, (int)sizeof hello, 0);
     cJSON_Delete(object);
-    return http_stream_serve(&server->stream, connection, hello, first);
-}
-
-/* The body of stop says nothing: it is empty or an empty object. */
-static bool read_body(struct mg_connection *connection, long long length)
-{
-    char body[HTTP_ROUTES_BODY_MOST + 1];
-    int read = (length > 0) ? mg_read(connection, body, (size_t)length) : 0;
-    if (read != (int)length) {
-        return false;
-    }
-    body[read] = '\0';
-    return (read == 0) || (strcmp(body, "{}") == 0);
+    return http_stream_serve(&server->stream, connection, hello,
+                             first_event(connection, view.snapshot.events));
 }
 
 static int answer_stop(http_server_t *server, struct mg_connection *connection)
 {
     char json[STOP_DESK_JSON_SIZE];
     answer_t answer;
-    status_t status = stop_desk_converse(server->exchange, &answer);
-    int told = stop_desk_tell(status, &answer, json);
-    return http_reply_json(connection, told, json);
+    const status_t status = stop_desk_converse(server->exchange, &answer);
+    const stop_report_t report = stop_desk_tell(status, &answer, json);
+    return report.is_good ? http_reply_json(connection, 200, json)
+                          : http_reply_problem(connection, &report.problem, NULL);
 }
 
-static const route_t routes[] = {
-    {"/api/v1/status", "GET", answer_status},       {"/api/v1/motors", "GET", answer_motors},
-    {"/api/v1/targeting", "GET", answer_targeting}, {"/api/v1/log", "GET", answer_log},
-    {"/api/v1/events", "GET", answer_events},       {"/api/v1/stop", "POST", answer_stop}};
-
-static const route_t *find_route(const char *path)
+static int answer_asset(struct mg_connection *connection, const asset_t *asset)
 {
-    for (size_t i = 0; i < (sizeof routes / sizeof routes[0]); i++) {
-        if (strcmp(routes[i].path, path) == 0) {
-            return &routes[i];
-        }
+    const bool is_packed = (asset->packed_size > 0U) &&
+                           request_headers_take_gzip(mg_get_header(connection, "Accept-Encoding"));
+    char etag[ASSET_ETAG_SIZE];
+    asset_write_etag(asset, is_packed, etag);
+    const bool is_known = request_headers_know(mg_get_header(connection, "If-None-Match"), etag);
+    const http_reply_t reply = {.status = is_known ? 304 : 200,
+                                .type = is_known ? NULL : asset->type,
+                                .cache = asset->cache,
+                                .etag = etag,
+                                .encoding = (is_packed && !is_known) ? "gzip" : NULL,
+                                .is_chosen = asset->packed_size > 0U,
+                                .body = is_packed ? asset->packed : asset->bytes,
+                                .size = is_packed ? asset->packed_size : asset->size};
+    return http_reply_send(connection, &reply);
+}
+
+/* A route that is described is answered here: without its case this does not compile. */
+static int answer(http_server_t *server, const http_call_t *call)
+{
+    struct mg_connection *connection = call->connection;
+    switch (call->route->id) {
+    case ROUTE_STATUS:
+        return answer_status(server, connection);
+    case ROUTE_MOTORS:
+        return answer_motors(server, connection);
+    case ROUTE_TARGETING:
+        return answer_targeting(server, connection);
+    case ROUTE_LOG:
+        return answer_log(server, call);
+    case ROUTE_EVENTS:
+        return answer_events(server, connection);
+    case ROUTE_STOP:
+        return answer_stop(server, connection);
+    case ROUTE_OPENAPI:
+        return answer_asset(connection, asset_find(call->route->path));
+    default:
+        return http_reply_refuse(connection, PROBLEM_NOT_FOUND);
     }
-    return NULL;
 }
 
 static int refuse_method(struct mg_connection *connection, const char *allowed)
 {
-    static const char body[] =
-        "{\"code\":\"METHOD_NOT_ALLOWED\",\"message\":\"This path has another method.\"}";
-    http_reply_t reply = {.status = 405,
-                          .type = HTTP_REPLY_JSON,
-                          .cache = HTTP_REPLY_NO_STORE,
-                          .allow = allowed,
-                          .body = body,
-                          .size = sizeof body - 1U};
-    return http_reply_send(connection, &reply);
+    const http_problem_t problem = http_problem_of(PROBLEM_METHOD_NOT_ALLOWED);
+    return http_reply_problem(connection, &problem, allowed);
 }
 
-static int refuse_provenance(struct mg_connection *connection, http_guard_verdict_t verdict)
-{
-    switch (verdict) {
-    case HTTP_GUARD_NO_HOST:
-        return http_reply_error(connection, 400, "HOST_MISSING", "The request names no host.");
-    case HTTP_GUARD_HOST:
-        return http_reply_error(connection, 403, "HOST_REFUSED",
-                                "The request names a host that is not served.");
-    case HTTP_GUARD_ORIGIN:
-    case HTTP_GUARD_CROSS_SITE:
-    case HTTP_GUARD_PASS:
-    default:
-        return http_reply_error(connection, 403, "ORIGIN_REFUSED",
-                                "The request comes from another site.");
-    }
-}
-
-static int answer_route(http_server_t *server, struct mg_connection *connection,
-                        const route_t *route)
+/* What is no route may be a file of the console. */
+static int answer_other(struct mg_connection *connection, const char *allowed)
 {
     const struct mg_request_info *request = mg_get_request_info(connection);
-    if (strcmp(request->request_method, route->method) != 0) {
-        return refuse_method(connection, route->method);
+    const asset_t *asset =
+        (request->local_uri_raw != NULL) ? asset_find(request->local_uri_raw) : NULL;
+    if (allowed != NULL) {
+        return refuse_method(connection, allowed);
     }
-    bool is_post = strcmp(route->method, "POST") == 0;
-    if (is_post && (request->content_length < 0)) {
-        return http_reply_error(connection, 411, "LENGTH_REQUIRED",
-                                "The request must say how long its body is.");
-    }
-    if (request->content_length > (is_post ? HTTP_ROUTES_BODY_MOST : 0)) {
-        return http_reply_error(connection, 413, "BODY_TOO_LONG",
-                                "The request's body is too long.");
-    }
-    if (is_post && !read_body(connection, request->content_length)) {
-        return http_reply_error(connection, 400, "BAD_BODY",
-                                "The request's body is neither empty nor {}.");
-    }
-    return route->answer(server, connection);
-}
-
-static int answer_asset(struct mg_connection *connection, const char *method, const char *path)
-{
-    const asset_t *asset = asset_find(path);
     if (asset == NULL) {
-        return http_reply_error(connection, 404, "NOT_FOUND", "There is nothing at this path.");
+        return http_reply_refuse(connection, PROBLEM_NOT_FOUND);
     }
-    if (strcmp(method, "GET") != 0) {
-        return refuse_method(connection, "GET");
+    const bool is_got =
+        (strcmp(request->request_method, "GET") == 0) || http_reply_is_head_asked(connection);
+    if (!is_got) {
+        return refuse_method(connection, "GET, HEAD");
     }
-    http_reply_t reply = {.status = 200,
-                          .type = asset->type,
-                          .cache = asset->cache,
-                          .body = asset->bytes,
-                          .size = asset->size};
-    return http_reply_send(connection, &reply);
+    return (request->content_length > 0) ? http_reply_refuse(connection, PROBLEM_BODY_TOO_LONG)
+                                         : answer_asset(connection, asset);
 }
 
 static int dispatch(http_server_t *server, struct mg_connection *connection)
 {
-    const struct mg_request_info *request = mg_get_request_info(connection);
-    http_provenance_t provenance = {.host = mg_get_header(connection, "Host"),
-                                    .origin = mg_get_header(connection, "Origin"),
-                                    .fetch_site = mg_get_header(connection, "Sec-Fetch-Site")};
-    const char *path = (request->local_uri_raw != NULL) ? request->local_uri_raw : "";
-    if (request->num_headers >= MG_MAX_HEADERS) {
-        return http_reply_error(connection, 431, "TOO_MANY_HEADERS",
-                                "The request has too many headers.");
+    int status = http_call_judge(connection, &server->guard);
+    if (status != 0) {
+        return status;
     }
-    http_guard_verdict_t verdict = http_guard_judge(&server->guard, &provenance);
-    if (verdict != HTTP_GUARD_PASS) {
-        return refuse_provenance(connection, verdict);
+    const char *allowed = NULL;
+    http_call_t call = {.connection = connection};
+    call.route = http_call_find(connection, &allowed);
+    if (call.route == NULL) {
+        return answer_other(connection, allowed);
     }
-    const route_t *route = find_route(path);
-    return (route != NULL) ? answer_route(server, connection, route)
-                           : answer_asset(connection, request->request_method, path);
+    status = http_call_read(&call);
+    return (status != 0) ? status : answer(server, &call);
 }
 
 int http_routes_answer(http_server_t *server, struct mg_connection *connection)
 {
-    int status = dispatch(server, connection);
+    const int status = dispatch(server, connection);
     return (status != 0) ? status : 499;
 }

@@ -7,17 +7,17 @@
 
 #include <civetweb.h>
 
-#define HTTP_ROUTES_BODY_MOST 256 /**< Longest body accepted, bytes. */
-
 /**
- * Answers one request completely: a file of the console, /api/v1/status, motors, targeting, log or
- * events by GET, /api/v1/stop by POST, or a refusal.
+ * Answers one request completely: a route of routes.yml, a file of the console, or a refusal.
  *
  * @return the status sent, never 0
  *
  * @satisfies SWR-HTTP-001
  * @satisfies SWR-HTTP-002
  * @satisfies SWR-HTTP-004
+ * @satisfies SWR-HTTP-015
+ * @satisfies SWR-HTTP-016
+ * @satisfies SWR-HTTP-019
  */
 int http_routes_answer(http_server_t *server, struct mg_connection *connection);
 

@@ -3,6 +3,7 @@
 
 #include "common/build_id.h"
 #include "http/asset.h"
+#include "http/http_lines.h"
 #include "http/http_reply.h"
 #include "http/http_routes.h"
 #include "http/stop_port.h"
@@ -23,8 +24,11 @@
 /* A client that does not finish its request holds a worker until the timeout; stops have a port
  * of their own (stop_port.c). The library uses the same timeout for a blocked write; a stream tries
  * again (http_stream.c). */
-#define WORKERS "64"
 #define REQUEST_TIMEOUT_MS "500"
+/* A connection on which nothing is asked for so long is closed; sooner when workers run short. */
+#define IDLE_MS "5000"
+/* Of a head the library reads no more, and calls it unreadable. */
+#define LIBRARY_HEAD_BYTES 65536U
 
 #define UNREAD_BYTES 16384
 #define DESCRIPTORS 64 /* So early few are open. */
@@ -95,14 +99,37 @@ static void open_stop_port(http_server_t *self)
 
 static int begin_request(struct mg_connection *connection)
 {
+    http_lines_note(connection, false);
     return http_routes_answer(mg_get_user_data(mg_get_context(connection)), connection);
+}
+
+static int begin_connection(const struct mg_connection *connection, void **own)
+{
+    (void)own;
+    http_lines_enter(connection);
+    return 0;
+}
+
+static void end_connection(const struct mg_connection *connection)
+{
+    http_lines_leave(connection);
+}
+
+static void end_request(const struct mg_connection *connection, int status)
+{
+    (void)status;
+    http_lines_note(connection, true);
 }
 
 /* Requests that the library itself refuses, before there is a path to look at. */
 static int refuse(struct mg_connection *connection, int status, const char *message)
 {
     (void)message;
-    (void)http_reply_error(connection, status, "BAD_REQUEST", "The request cannot be read.");
+    const bool is_too_long = http_lines_received(connection) >= LIBRARY_HEAD_BYTES;
+    http_problem_t problem =
+        http_problem_of(is_too_long ? PROBLEM_TOO_MANY_HEADERS : PROBLEM_BAD_REQUEST);
+    problem.http = is_too_long ? problem.http : status;
+    (void)http_reply_problem(connection, &problem, NULL);
     return 0;
 }
 
@@ -115,15 +142,24 @@ static int keep_quiet(const struct mg_connection *connection, const char *messag
 
 static struct mg_context *start_library(http_server_t *self, const char *address)
 {
-    static const struct mg_callbacks callbacks = {
-        .begin_request = begin_request, .http_error = refuse, .log_message = keep_quiet};
+    static const struct mg_callbacks callbacks = {.begin_request = begin_request,
+                                                  .end_request = end_request,
+                                                  .init_connection = begin_connection,
+                                                  .connection_close = end_connection,
+                                                  .http_error = refuse,
+                                                  .log_message = keep_quiet};
+    char workers[16];
+    char head_bytes[16];
+    (void)snprintf(workers, sizeof workers, "%u", HTTP_LINES_WORKERS);
+    (void)snprintf(head_bytes, sizeof head_bytes, "%u", LIBRARY_HEAD_BYTES);
     /* clang-format off */
     const char *options[] = {
         "listening_ports", address,
-        "num_threads", WORKERS,
+        "num_threads", workers,
         "request_timeout_ms", REQUEST_TIMEOUT_MS,
-        "enable_keep_alive", "no",
-        "max_request_size", "8192",
+        "enable_keep_alive", "yes",
+        "keep_alive_timeout_ms", IDLE_MS,
+        "max_request_size", head_bytes,
         "enable_directory_listing", "no",
         "enable_auth_domain_check", "no",
         "access_control_allow_origin", "",
@@ -152,6 +188,7 @@ http_server_result_t http_server_start(http_server_t *self)
     char address[HTTP_GUARD_ADDRESS_SIZE + 8U];
     (void)snprintf(address, sizeof address, "%s:%u", self->guard.address,
                    (unsigned)self->guard.port);
+    http_lines_init(self->guard.port);
     (void)mg_init_library(MG_FEATURES_DEFAULT);
     open_stop_port(self);
     if (start_library(self, address) == NULL) {

@@ -155,15 +155,15 @@ int http_stream_serve(http_stream_t *self, struct mg_connection *connection, con
                       uint32_t next_event)
 {
     if (!enter(self)) {
-        return http_reply_error(connection, 503, "STREAMS_FULL",
-                                "Too many consoles are open; close one and try again.");
+        return http_reply_refuse(connection, PROBLEM_STREAMS_FULL);
     }
     http_reply_t head = {.status = 200,
                          .type = "text/event-stream",
                          .cache = HTTP_REPLY_NO_STORE,
                          .is_stream = true};
     client_t *client = calloc(1U, sizeof *client);
-    if ((client != NULL) && (http_reply_send(connection, &head) != 0)) {
+    if ((client != NULL) && (http_reply_send(connection, &head) != 0) &&
+        !http_reply_is_head_asked(connection)) {
         client->connection = connection;
         client->next_event = next_event;
         converse(self, client, hello);

@@ -48,17 +48,24 @@ status_t stop_desk_converse(exchange_t *exchange, answer_t *answer)
     return status;
 }
 
-int stop_desk_tell(status_t status, const answer_t *answer, char json[STOP_DESK_JSON_SIZE])
+stop_report_t stop_desk_tell(status_t status, const answer_t *answer,
+                             char json[STOP_DESK_JSON_SIZE])
 {
+    stop_report_t report = {.is_good = false, .problem = http_problem_of(PROBLEM_NO_ANSWER)};
     if (status != STATUS_OK) {
-        (void)snprintf(json, STOP_DESK_JSON_SIZE, "{\"code\":\"%s\",\"message\":\"%s\"}",
-                       status_name((int32_t)status), status_text((int32_t)status));
-        return 503;
+        return report;
+    }
+    if (answer->kind == (uint32_t)ANSWER_REFUSED) {
+        report.problem.http = 409;
+        report.problem.code = status_name((int32_t)answer->status);
+        report.problem.detail = status_text((int32_t)answer->status);
+        return report;
     }
     (void)snprintf(json, STOP_DESK_JSON_SIZE,
                    "{\"result\":\"%s\",\"code\":\"%s\",\"message\":\"%s\",\"workphase\":\"%s\"}",
                    answer_kind_name((int32_t)answer->kind), status_name((int32_t)answer->status),
                    status_text((int32_t)answer->status),
                    workphase_name((int32_t)answer->workphase));
-    return (answer->kind == (uint32_t)ANSWER_REFUSED) ? 409 : 200;
+    report.is_good = true;
+    return report;
 }

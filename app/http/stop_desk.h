@@ -8,7 +8,9 @@
 #define BORESIGHT_STOP_DESK_H
 
 #include "exchange/exchange.h"
+#include "http/http_problem.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -35,8 +37,14 @@ status_t stop_desk_look(const exchange_t *exchange, stop_question_t *question, a
 /** Asks and looks until STATUS_OK or STATUS_NO_ANSWER, as stop_desk_look(). */
 status_t stop_desk_converse(exchange_t *exchange, answer_t *answer);
 
-/** Writes what the client is told of `status` and, with STATUS_OK, `answer`. Returns the HTTP
- * status. */
-int stop_desk_tell(status_t status, const answer_t *answer, char json[STOP_DESK_JSON_SIZE]);
+/** What the client is told. */
+typedef struct {
+    bool is_good;           /**< 200 with what was written. */
+    http_problem_t problem; /**< Otherwise. */
+} stop_report_t;
+
+/** Writes what the client is told of `status` and, with STATUS_OK, `answer`, if that is good. */
+stop_report_t stop_desk_tell(status_t status, const answer_t *answer,
+                             char json[STOP_DESK_JSON_SIZE]);
 
 #endif

@@ -55,38 +55,54 @@ static void dismiss(client_t *client)
 }
 
 /* The kernel takes so few bytes at once, or the client is gone. */
-static void answer(client_t *client, int status, const char *json)
+static void send_reply(client_t *client, const http_reply_t *reply)
 {
-    char text[HTTP_REPLY_HEAD_SIZE + STOP_DESK_JSON_SIZE];
-    const http_reply_t reply = {
-        .status = status,
-        .type = HTTP_REPLY_JSON,
-        .cache = HTTP_REPLY_NO_STORE,
-        .allow = (status == 405) ? "POST" : NULL,
-        .origin = (client->request.origin[0] != '\0') ? client->request.origin : NULL,
-        .size = strlen(json)};
-    const size_t size = http_reply_head(&reply, text);
-    (void)snprintf(&text[size], STOP_DESK_JSON_SIZE, "%s", json);
-    (void)send(client->socket, text, size + reply.size, MSG_NOSIGNAL | MSG_DONTWAIT);
+    char text[HTTP_REPLY_HEAD_SIZE + HTTP_PROBLEM_SIZE];
+    http_reply_t sent = *reply;
+    sent.cache = HTTP_REPLY_NO_STORE;
+    sent.origin = (client->request.origin[0] != '\0') ? client->request.origin : NULL;
+    const size_t size = http_reply_head(&sent, text);
+    (void)memcpy(&text[size], reply->body, reply->size);
+    (void)send(client->socket, text, size + reply->size, MSG_NOSIGNAL | MSG_DONTWAIT);
     (void)shutdown(client->socket, SHUT_WR);
     client->state = CLIENT_LEAVES;
     client->since_ms = telemetry_now_ms();
 }
 
+static void answer(client_t *client, const char *json)
+{
+    const http_reply_t reply = {
+        .status = 200, .type = HTTP_REPLY_JSON, .body = json, .size = strlen(json)};
+    send_reply(client, &reply);
+}
+
+static void refuse(client_t *client, const http_problem_t *problem)
+{
+    char json[HTTP_PROBLEM_SIZE];
+    const http_reply_t reply = {.status = problem->http,
+                                .type = HTTP_REPLY_PROBLEM,
+                                .allow = (problem->http == 405) ? "POST" : NULL,
+                                .body = json,
+                                .size = http_problem_write(problem, json)};
+    send_reply(client, &reply);
+}
+
 static void take_request(client_t *client)
 {
     client->request = stop_request_read(&stop_port.guard, client->bytes, client->size);
-    if (!client->request.is_whole) {
+    const stop_request_t *request = &client->request;
+    if (!request->is_whole) {
         return;
     }
-    if (client->request.status == 0) {
+    if (!request->is_refused) {
         client->question = stop_desk_ask(stop_port.exchange);
         client->state = CLIENT_WAITS;
+    } else if (request->body.fault != REQUEST_OK) {
+        const http_problem_t problem = http_problem_of_body(&request->body);
+        refuse(client, &problem);
     } else {
-        char json[STOP_DESK_JSON_SIZE];
-        (void)snprintf(json, sizeof json, "{\"code\":\"%s\",\"message\":\"%s\"}",
-                       client->request.code, client->request.message);
-        answer(client, client->request.status, json);
+        const http_problem_t problem = http_problem_of(request->problem);
+        refuse(client, &problem);
     }
 }
 
@@ -113,8 +129,12 @@ static void look_for_answer(client_t *client)
     answer_t found;
     const status_t status = stop_desk_look(stop_port.exchange, &client->question, &found);
     if (status != STATUS_BUSY) {
-        const int told = stop_desk_tell(status, &found, json);
-        answer(client, told, json);
+        const stop_report_t report = stop_desk_tell(status, &found, json);
+        if (report.is_good) {
+            answer(client, json);
+        } else {
+            refuse(client, &report.problem);
+        }
     }
 }
 

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "http/stop_request.h"
 
+#include "request/request_body.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,16 +26,10 @@ static const char *const field_names[FIELD_COUNT] = {"Host", "Origin", "Sec-Fetc
 
 static const stop_request_t more_needed;
 
-static stop_request_t refuse(int status, const char *code, const char *message)
+static stop_request_t refuse(problem_t problem)
 {
-    const stop_request_t refusal = {
-        .is_whole = true, .status = status, .code = code, .message = message};
+    const stop_request_t refusal = {.is_whole = true, .is_refused = true, .problem = problem};
     return refusal;
-}
-
-static stop_request_t refuse_as_unreadable(void)
-{
-    return refuse(400, "BAD_REQUEST", "The request cannot be read.");
 }
 
 static stop_request_t judge_line(const char *line)
@@ -42,13 +38,13 @@ static stop_request_t judge_line(const char *line)
     const char *path = strchr(line, ' ');
     const char *version = (path != NULL) ? strchr(path + 1, ' ') : NULL;
     if ((version == NULL) || (strncmp(version, " HTTP/1.", 8U) != 0) || (strlen(version) != 9U)) {
-        return refuse_as_unreadable();
+        return refuse(PROBLEM_BAD_REQUEST);
     }
     if (strncmp(path, " /api/v1/stop HTTP", 18U) != 0) {
-        return refuse(404, "NOT_FOUND", "There is nothing at this path.");
+        return refuse(PROBLEM_NOT_FOUND);
     }
     if (strncmp(line, "POST ", 5U) != 0) {
-        return refuse(405, "METHOD_NOT_ALLOWED", "This path has another method.");
+        return refuse(PROBLEM_METHOD_NOT_ALLOWED);
     }
     return good;
 }
@@ -103,13 +99,13 @@ static stop_request_t judge_provenance(const http_guard_t *guard,
                        (provenance.origin != NULL) ? provenance.origin : "");
         return good;
     case HTTP_GUARD_NO_HOST:
-        return refuse(400, "HOST_MISSING", "The request names no host.");
+        return refuse(PROBLEM_HOST_MISSING);
     case HTTP_GUARD_HOST:
-        return refuse(403, "HOST_REFUSED", "The request names a host that is not served.");
+        return refuse(PROBLEM_HOST_REFUSED);
     case HTTP_GUARD_ORIGIN:
     case HTTP_GUARD_CROSS_SITE:
     default:
-        return refuse(403, "ORIGIN_REFUSED", "The request comes from another site.");
+        return refuse(PROBLEM_ORIGIN_REFUSED);
     }
 }
 
@@ -120,19 +116,21 @@ static stop_request_t judge_body(const char *const fields[FIELD_COUNT], const ch
     const char *length = fields[FIELD_LENGTH];
     if ((length == NULL) || (fields[FIELD_TRANSFER] != NULL) || (length[0] == '\0') ||
         (strspn(length, "0123456789") != strlen(length))) {
-        return refuse(411, "LENGTH_REQUIRED", "The request must say how long its body is.");
+        return refuse(PROBLEM_LENGTH_REQUIRED);
     }
     if ((strlen(length) > 3U) || (strtoul(length, NULL, 10) > BODY_MOST)) {
-        return refuse(413, "BODY_TOO_LONG", "The request's body is too long.");
+        return refuse(PROBLEM_BODY_TOO_LONG);
     }
     const size_t announced = (size_t)strtoul(length, NULL, 10);
     if (size < announced) {
         return more_needed;
     }
-    if ((size > announced) || ((size > 0U) && (strcmp(body, "{}") != 0))) {
-        return refuse(400, "BAD_BODY", "The request's body is neither empty nor {}.");
+    if ((size == announced) && ((size == 0U) || (strcmp(body, "{}") == 0))) {
+        return good;
     }
-    return good;
+    stop_request_t other = refuse(PROBLEM_BAD_BODY);
+    other.body = request_read_body(&request_stop, body, size, NULL);
+    return (other.body.fault == REQUEST_OK) && (size == announced) ? good : other;
 }
 
 stop_request_t stop_request_read(const http_guard_t *guard, char *bytes, size_t size)
@@ -142,28 +140,26 @@ stop_request_t stop_request_read(const http_guard_t *guard, char *bytes, size_t 
     bytes[size] = '\0';
     const char *head_end = strstr(bytes, "\r\n\r\n");
     if (memchr(bytes, '\0', size) != NULL) {
-        return refuse_as_unreadable();
+        return refuse(PROBLEM_BAD_REQUEST);
     }
     if (head_end == NULL) {
-        return (size < STOP_REQUEST_SIZE)
-                   ? more_needed
-                   : refuse(431, "TOO_MANY_HEADERS", "The request has too many headers.");
+        return (size < STOP_REQUEST_SIZE) ? more_needed : refuse(PROBLEM_TOO_MANY_HEADERS);
     }
     (void)snprintf(head, sizeof head, "%.*s", (int)(head_end + 2 - bytes), bytes);
     char *line_end = strstr(head, "\r\n");
     *line_end = '\0';
     stop_request_t request = judge_line(head);
-    if (request.status != 0) {
+    if (request.is_refused) {
         return request;
     }
     if (!take_fields(line_end + 2, fields)) {
-        return refuse_as_unreadable();
+        return refuse(PROBLEM_BAD_REQUEST);
     }
     request = judge_provenance(guard, fields);
-    if (request.status != 0) {
+    if (request.is_refused) {
         return request;
     }
     const char *body = head_end + 4;
     const stop_request_t whole = judge_body(fields, body, size - (size_t)(body - bytes));
-    return (whole.is_whole && (whole.status == 0)) ? request : whole;
+    return (whole.is_whole && !whole.is_refused) ? request : whole;
 }

@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The one request of the port for stops: POST /api/v1/stop with an empty body or {}. Whatever
+ * The one request of the port for stops: POST /api/v1/stop with an empty body or object. Whatever
  * differs is refused.
  */
 #ifndef BORESIGHT_STOP_REQUEST_H
 #define BORESIGHT_STOP_REQUEST_H
 
 #include "http/http_guard.h"
+#include "interface/app/routes.h"
+#include "request/request_fault.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -17,10 +19,10 @@
 
 /** What came of reading. */
 typedef struct {
-    bool is_whole;    /**< False: more bytes are needed, and the rest says nothing. */
-    int status;       /**< Of the refusal, 0: it is a stop. */
-    const char *code; /**< Of the refusal. */
-    const char *message;
+    bool is_whole;         /**< False: more bytes are needed, and the rest says nothing. */
+    bool is_refused;       /**< False: it is a stop. */
+    problem_t problem;     /**< Why it is refused. */
+    request_result_t body; /**< Where, with PROBLEM_BAD_BODY. */
     char origin[STOP_REQUEST_ORIGIN_SIZE]; /**< The console's page that sent it; "" if no page. */
 } stop_request_t;
 

@@ -25,10 +25,14 @@ module Interface
 
     private
 
+    def messages
+      @model.messages.reject(&:by_hand?)
+    end
+
     def header
       own = @model.structures.map { |one| "interface/#{one.header}" }.push('robot/robot').uniq.sort
       body = "#{includes(own)}\n#include <cjson/cJSON.h>\n#include <stdbool.h>\n#include <stdint.h>\n\n" \
-             "#{@model.messages.map { |message| declaration(message) }.join("\n")}"
+             "#{messages.map { |message| declaration(message) }.join("\n")}"
       C.file("#{SAYS} The caller owns each result and gives away the objects that it puts into another; " \
              'NULL without memory.', FROM) + C.guard('messages', body)
     end
@@ -54,7 +58,7 @@ module Interface
     end
 
     def source
-      functions = @model.messages.map { |message| function(message) }
+      functions = messages.map { |message| function(message) }
       "#{C.file(SAYS, FROM)}#include \"messages.h\"\n\n#{includes(INCLUDES)}\n#{functions.join("\n")}"
     end
 

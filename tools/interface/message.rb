@@ -61,24 +61,43 @@ module Interface
       'text' => ['const char *', 'string', 'json_add_text(object, %<key>s, %<value>s)']
     }.freeze
     ITEM = ['cJSON *', nil, 'json_add_item(object, %<key>s, %<value>s)'].freeze
+    # The names of all problems and statuses.
+    CODES = 'problem_code'
 
-    attr_reader :name, :says, :node
+    attr_reader :name, :says, :node, :type, :words, :enumeration, :message
 
     def initialize(node)
-      nodes = node.mapping(%w[name type], %w[says or_null list])
+      nodes = node.mapping(%w[name type], %w[says or_null optional list])
       @node = node
       @name = nodes['name'].identifier
       @says = nodes['says']&.text
       @is_null = nodes.key?('or_null') && nodes['or_null'].true?
+      @is_optional = nodes.key?('optional') && nodes['optional'].true?
       @is_list = nodes.key?('list') && nodes['list'].true?
       @words = nodes['type'].sequence.map(&:identifier) if nodes['type'].list?
       @type = @words ? 'text' : nodes['type'].identifier
     end
 
     def check(model)
-      return if TYPES.key?(@type)
+      return if TYPES.key?(@type) || codes?
 
-      @message = model.message(@type) || node.refuse("is of #{@type}; expected #{TYPES.keys.join(', ')} or a message")
+      @message = model.message(@type)
+      @enumeration = model.enumeration(@type) unless @message
+      node.refuse("is of #{@type}; expected #{TYPES.keys.join(', ')}, an enumeration or a message") unless
+        @enumeration || @message
+      @type = 'text' if @enumeration
+    end
+
+    def codes?
+      @type == CODES
+    end
+
+    def optional?
+      @is_optional
+    end
+
+    def list?
+      @is_list
     end
 
     def c
@@ -97,7 +116,7 @@ module Interface
     end
 
     def typescript
-      type = @message ? @message.typescript : TYPES[@type][1]
+      type = @message ? @message.typescript : TYPES.dig(@type, 1)
       type = @words.map { |word| "\"#{word}\"" }.join(' | ') if @words
       type += '[]' if @is_list
       type += ' | null' if @is_null
@@ -116,10 +135,11 @@ module Interface
     attr_reader :name, :says, :members
 
     def initialize(node)
-      nodes = node.mapping(%w[name says], %w[axis members])
+      nodes = node.mapping(%w[name says], %w[axis by_hand members])
       @node = node
       @name = nodes['name'].identifier
       @says = nodes['says'].text
+      @is_by_hand = nodes.key?('by_hand') && nodes['by_hand'].true?
       @is_axis = nodes.key?('axis') && nodes['axis'].true?
       @members = nodes.key?('members') ? nodes['members'].sequence.map { |member| Member.new(member) } : []
     end
@@ -128,11 +148,18 @@ module Interface
       @is_axis
     end
 
+    # It has no generated writer.
+    def by_hand?
+      @is_by_hand
+    end
+
     def check(model)
       members.each { |member| member.check(model) }
       keys = model.sources(self).values.flatten(1).map { |_, shown| [shown.key, shown.node] } +
              members.map { |member| [member.name, member.node] }
       @node.refuse("#{name} holds nothing") if keys.empty?
+      stray = members.find { |member| member.optional? || member.codes? } unless by_hand?
+      stray&.node&.refuse('is for messages by_hand alone')
       keys.group_by(&:first).each_value { |same| same[1]&.last&.refuse("is the second #{same[1].first} in #{name}") }
     end
 

@@ -3,6 +3,7 @@
 
 require_relative 'events'
 require_relative 'message'
+require_relative 'routes'
 require_relative 'structure'
 
 module Interface
@@ -97,7 +98,7 @@ module Interface
   class Model
     Header = Struct.new(:name, :says, :enumerations, :structures, :file)
 
-    attr_reader :headers, :messages, :charts
+    attr_reader :headers, :messages, :charts, :routes
 
     # `charts`: the leaves of "axis.power" in their order, as the chart compiler lists them; nil if nobody asks.
     def initialize(folder, charts = nil)
@@ -109,6 +110,8 @@ module Interface
       @robots = Robots.refusals(File.join(folder, '../robot'))
       @messages = []
       @headers = nodes.filter_map { |file, node| read(file, node) }
+      node = nodes.to_h.find { |file, _| file.end_with?('/routes.yml') }&.last
+      @routes = Routes.new(node, self) if node
       check
     end
 
@@ -141,9 +144,22 @@ module Interface
       structures.to_h { |structure| [structure, structure.shown_in(message.name)] }.reject { |_, fields| fields.empty? }
     end
 
+    # Type of the words of an enumeration or a region, for clients: no message has its name.
+    def union_name(name)
+      pascal = name.split('_').map(&:capitalize).join
+      messages.any? { |message| message.typescript == pascal } ? "#{pascal}Name" : pascal
+    end
+
+    # What a problem may be called.
+    def problem_codes
+      (routes.problems.map(&:name) + enumeration('status')&.values.to_a.map(&:name)).uniq
+    end
+
     private
 
     def read(file, node)
+      return if file.end_with?('/routes.yml')
+
       if file.end_with?('messages.yml')
         @messages = node.mapping(%w[messages])['messages'].sequence.map { |message| Message.new(message) }
         return
@@ -166,6 +182,7 @@ module Interface
 
       structures.each { |structure| structure.check(self) }
       messages.each { |message| message.check(self) }
+      routes&.check(self)
       events
     end
   end

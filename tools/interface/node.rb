@@ -33,6 +33,12 @@ module Interface
       pair && self.class.new(@file, child_field(key), pair.last)
     end
 
+    # The nodes of a mapping with any keys.
+    def all
+      refuse('is not a mapping of keys to values') unless @yaml.is_a?(Psych::Nodes::Mapping)
+      pairs(@yaml.children.each_slice(2).map { |key, _| key.value })
+    end
+
     # Words between spaces.
     def words
       plain.split

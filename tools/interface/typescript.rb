@@ -26,7 +26,7 @@ module Interface
     end
 
     def files
-      messages = @model.messages.map { |message| interface(message) }
+      messages = @model.messages.map { |message| interface(message) } + routes
       unions = @unions.sort.map do |name, words|
         "export type #{name} =#{words.map { |word| "\n  | \"#{word}\"" }.join};\n"
       end
@@ -38,7 +38,7 @@ module Interface
     def interface(message)
       shown = @model.sources(message).values.flatten(1)
       fields = shown.map { |field, one| [one.key, field.says, type(field, one)] }
-      members = message.members.map { |member| [member.name, member.says, member.typescript] }
+      members = message.members.map { |one| [one.optional? ? "#{one.name}?" : one.name, one.says, added(one)] }
       lines = (fields + members).map { |key, says, type| "#{"  /** #{says} */\n" if says}  #{key}: #{type};\n" }
       "/** #{message.says} */\nexport interface #{message.typescript} {\n#{lines.join}}\n"
     end
@@ -49,18 +49,58 @@ module Interface
       shown.conditions.empty? ? type : "#{type} | null"
     end
 
-    # The words that it may be.
-    def union(type)
-      if type.leaves
-        name, words = type.chart_name, type.leaves
-      elsif type.enumeration
-        name, words = type.enumeration.name, type.enumeration.values.map(&:name)
-      else
-        return
+    def added(member)
+      return words(Member::CODES, @model.problem_codes) if member.codes?
+      return member.typescript unless member.enumeration
+
+      member.null? ? "#{of(member.enumeration)} | null" : of(member.enumeration)
+    end
+
+    # What can be asked, and what comes back.
+    def routes
+      return [] unless @model.routes
+
+      rows = @model.routes.routes.map do |route|
+        says = ["answer: #{route.answer&.typescript || 'unknown'}", ("body: #{route.body.typescript}" if route.body)]
+        "  \"#{route.method} #{route.path}\": { #{says.compact.join('; ')} };\n"
       end
-      name = name.split('_').map(&:capitalize).join
+      paths = @model.routes.routes.map { |route| "\n  | \"#{route.path}\"" }.uniq
+      @model.routes.requests.map { |one| request(one) } +
+        ["/** Each method and path, and what is sent and answered. */\nexport interface Routes {\n#{rows.join}}\n",
+         "/** All paths. */\nexport type Path =#{paths.join};\n"]
+    end
+
+    def request(request)
+      lines = request.members.map do |one|
+        "#{"  /** #{one.says} */\n" if one.says}  #{one.name}#{'?' if one.optional?}: #{sent(one)};\n"
+      end
+      type = "interface #{request.typescript} {\n#{lines.join}}"
+      type = "type #{request.typescript} = Record<string, never>;" if lines.empty?
+      "/** #{request.says} */\nexport #{type}\n"
+    end
+
+    def sent(member)
+      type = member.message&.typescript || (of(member.enumeration) if member.enumeration)
+      type ||= member.words&.map { |word| "\"#{word}\"" }&.join(' | ')
+      type ||= { 'flag' => 'boolean', 'text' => 'string' }.fetch(member.type, 'number')
+      member.list? ? "(#{type})[]" : type
+    end
+
+    def of(enumeration)
+      words(enumeration.name, enumeration.values.map(&:name))
+    end
+
+    def words(name, words)
+      name = @model.union_name(name)
       @unions[name] = words
       name
+    end
+
+    # The words that it may be.
+    def union(type)
+      return words(type.chart_name, type.leaves) if type.leaves
+
+      of(type.enumeration) if type.enumeration
     end
   end
 end

@@ -6,7 +6,9 @@
 
 require 'fileutils'
 require 'minitest/autorun'
+require 'stringio'
 require 'tmpdir'
+require 'zlib'
 require_relative '../embed'
 require_relative '../../app/http/chart_names'
 
@@ -40,6 +42,31 @@ class TestEmbed < Minitest::Test
   def test_SWR_HTTP_001_equal_folders_give_equal_sources
     files = { 'index.html' => 'a', 'assets/b.css' => 'b' }
     assert_equal embed(files), embed(files.to_a.reverse.to_h)
+  end
+
+  def test_SWR_HTTP_015_a_file_stands_there_packed_if_that_is_shorter
+    source = embed('index.html' => 'a' * 1000, 'b.txt' => 'b')
+    packed = source[/packed_1\[\] = \{\n(.*?)\n\}/m, 1].scan(/\d+/).map(&:to_i).pack('C*')
+    assert_equal 'a' * 1000, Zlib::GzipReader.new(StringIO.new(packed)).read
+    assert_includes source, 'file_1, sizeof(file_1), packed_1, sizeof(packed_1)}'
+    assert_includes source, 'file_0, sizeof(file_0), NULL, 0}'
+  end
+
+  def test_SWR_HTTP_014_other_bytes_have_another_tag
+    tags = %w[a a b].map { |bytes| embed('index.html' => bytes)[/"no-store", "(\h{16})"/, 1] }
+    assert_equal tags[0], tags[1]
+    refute_equal tags[1], tags[2]
+  end
+
+  def test_SWR_HTTP_019_a_file_of_elsewhere_is_served_where_it_is_told
+    Dir.mktmpdir do |folder|
+      File.write(File.join(folder, 'index.html'), 'a')
+      File.write(File.join(folder, '../of.json'), '{}')
+      source = Embedding.read(folder, '/api/of.json' => File.join(folder, '../of.json')).source
+      assert_includes source, '{"/api/of.json", "application/json", "no-cache"'
+    ensure
+      FileUtils.rm_f(File.join(folder, '../of.json'))
+    end
   end
 
   def test_SWR_HTTP_001_a_file_of_unknown_kind_is_an_error

@@ -218,7 +218,7 @@ class TestHttp < Minitest::Test
   def test_SWR_HTTP_004_too_many_and_too_long_headers_are_refused
     many = Array.new(70) { |i| "X-#{i}: 1\r\n" }.join
     assert_match(/\AHTTP\S* 431 /, send_raw("GET / HTTP/1.1\r\nHost: #{host}\r\n#{many}\r\n"))
-    assert_refused '400', 'BAD_REQUEST', get('/', 'X-Long' => 'a' * 9000)
+    assert_refused '431', 'TOO_MANY_HEADERS', get('/', 'X-Long' => 'a' * 9000)
   end
 
   def test_SWR_HTTP_004_garbage_is_survived

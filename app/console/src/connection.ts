@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The one connection to the server's stream, and the tabs that share it. Runs in a shared worker, or in the page where
 // there is none.
-import type { ErrorAnswer } from "@interface";
+import type { Path, Problem } from "@interface";
 
 export const LOG_LENGTH = 50;
 
@@ -31,7 +31,7 @@ export interface Network {
   askReason(): Promise<string | null>;
 }
 
-const EVENTS_PATH = "/api/v1/events";
+const EVENTS_PATH: Path = "/api/v1/events";
 const REASON_TIMEOUT_MS = 1000;
 
 async function askReason(): Promise<string | null> {
@@ -41,7 +41,7 @@ async function askReason(): Promise<string | null> {
     const response = await fetch(EVENTS_PATH, { signal: abort.signal });
     return response.ok
       ? null
-      : (((await response.json()) as Partial<ErrorAnswer>).message ?? null);
+      : (((await response.json()) as Partial<Problem>).detail ?? null);
   } catch {
     return null;
   } finally {

@@ -27,7 +27,7 @@ function answer(address: string, signal: AbortSignal): Promise<Response> {
       return Promise.resolve(new Response("{}"));
     case "refused":
       return Promise.resolve(
-        new Response('{"message":"Control does not answer."}', { status: 503 }),
+        new Response('{"detail":"Control does not answer."}', { status: 503 }),
       );
     case "silent":
       return new Promise((_, reject) => {

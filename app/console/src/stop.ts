@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Asking control to stop. The port for stops is tried first: whatever the console's port suffers from cannot hold it up.
-import type { ErrorAnswer, RobotState } from "@interface";
+import type { Path, Problem, RobotState } from "@interface";
 import type { Freshness } from "./freshness";
 
-const STOP_PATH = "/api/v1/stop";
+const STOP_PATH: Path = "/api/v1/stop";
 /** Without an answer for so long the other way is tried as well. */
 export const HEDGE_MS = 300;
 export const STOP_TIMEOUT_MS = 1500;
@@ -36,8 +36,8 @@ async function request(address: string, signal: AbortSignal): Promise<void> {
     signal,
   });
   if (!response.ok) {
-    const answer = (await response.json()) as Partial<ErrorAnswer>;
-    throw new Refusal(answer.message ?? response.statusText);
+    const answer = (await response.json()) as Partial<Problem>;
+    throw new Refusal(answer.detail ?? response.statusText);
   }
 }
 

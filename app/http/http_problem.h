@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file The body of every refusal: a problem as RFC 9457 has it, with the name of our code. */
+#ifndef BORESIGHT_HTTP_PROBLEM_H
+#define BORESIGHT_HTTP_PROBLEM_H
+
+#include "interface/app/routes.h"
+#include "request/request_fault.h"
+
+#include <stddef.h>
+
+#define HTTP_PROBLEM_SIZE 2560 /**< Room for what http_problem_write() writes. */
+
+/** What is told of one refusal. */
+typedef struct {
+    int http;              /**< The status. */
+    const char *code;      /**< To be compared. */
+    const char *detail;    /**< A sentence. */
+    const char *pointer;   /**< To what is wrong in the body, or NULL. UTF-8. */
+    const char *parameter; /**< What is wrong in the query, or NULL. UTF-8. */
+} http_problem_t;
+
+/** `problem` as routes.yml has it. */
+http_problem_t http_problem_of(problem_t problem);
+
+/** Why a body is refused. `result` outlives the problem. */
+http_problem_t http_problem_of_body(const request_result_t *result);
+
+/** Why a query is refused. `result` outlives the problem. */
+http_problem_t http_problem_of_query(const request_result_t *result);
+
+/**
+ * Writes `problem` as JSON. Returns its length.
+ *
+ * @satisfies SWR-HTTP-013
+ */
+size_t http_problem_write(const http_problem_t *problem, char json[HTTP_PROBLEM_SIZE]);
+
+#endif

@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file What some headers of a request say. A missing header is NULL, and says nothing. */
+#ifndef BORESIGHT_REQUEST_HEADERS_H
+#define BORESIGHT_REQUEST_HEADERS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/** Accept-Encoding: the client takes gzip (RFC 9110, 12.5.3). */
+bool request_headers_take_gzip(const char *accept_encoding);
+
+/**
+ * If-None-Match: the client has what `etag`, with its quotes, stands for. Weak comparison
+ * (RFC 9110, 13.1.2).
+ */
+bool request_headers_know(const char *if_none_match, const char *etag);
+
+/** Content-Type: JSON, whatever its parameters are; or nothing is said. */
+bool request_headers_are_json(const char *content_type);
+
+/** Last-Event-ID: the number of an event, in decimal digits. False when it is none. */
+bool request_headers_event(const char *last_event_id, uint32_t *number);
+
+#endif

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+require 'json'
+require_relative 'schema'
+
+module Interface
+  # The description of the HTTP server for clients: an OpenAPI 3.1 document.
+  #
+  # @satisfies SWR-TOOL-019
+  class Openapi
+    VERSION = '1.0.0'
+    JSON_MEDIA = 'application/json'
+    PROBLEM_MEDIA = 'application/problem+json'
+    SAYS = 'Shows what the control core of the robot does, and takes commands. Lengths are in mm, angles in degrees. ' \
+           'Whole numbers are written without fraction and exponent. Refusals are problems as of RFC 9457: `code` is ' \
+           'to be compared, `detail` to be read. Requests must name the host and port that they go to, and no page of ' \
+           'another origin may send any.'
+
+    def initialize(model)
+      @model = model
+    end
+
+    def files
+      @model.routes ? { 'openapi.json' => "#{JSON.pretty_generate(document)}\n" } : {}
+    end
+
+    def document
+      schema = Schema.new(@model)
+      paths = @model.routes.routes.group_by(&:path).transform_values { |routes| operations(routes, schema) }
+      { 'openapi' => '3.1.0',
+        'info' => { 'title' => 'Boresight', 'version' => VERSION, 'description' => SAYS,
+                    'license' => { 'name' => 'Apache-2.0', 'identifier' => 'Apache-2.0' } },
+        'servers' => [{ 'url' => '/' }], 'paths' => paths, 'components' => { 'schemas' => schema.all } }
+    end
+
+    private
+
+    def operations(routes, schema)
+      routes.each_with_object({}) do |route, found|
+        found[route.method.downcase] = operation(route, schema)
+        found['head'] = head(found['get']) if route.get?
+      end
+    end
+
+    def operation(route, schema)
+      operation = { 'operationId' => route.name, 'description' => route.says }
+      parameters = parameters(route, schema)
+      operation['parameters'] = parameters unless parameters.empty?
+      operation['requestBody'] = body(route) if route.body
+      operation['responses'] = responses(route)
+      operation['x-events'] = route.events.transform_values { |one| Schema.ref(one.typescript) } unless route.events.empty?
+      operation
+    end
+
+    # The same without any body.
+    def head(get)
+      responses = get['responses'].transform_values { |response| response.slice('description', 'headers') }
+      get.slice('description', 'parameters').merge('operationId' => "#{get['operationId']}_head", 'responses' => responses)
+    end
+
+    def parameters(route, schema)
+      route.parameters.members.map { |one| parameter(one.name, 'query', !one.optional?, one.says, schema.member(one)) } +
+        route.headers.map { |one| parameter(one.name, 'header', false, one.says, schema.header(one)) }
+    end
+
+    def parameter(name, where, is_required, says, schema)
+      { 'name' => name, 'in' => where, 'required' => is_required, 'description' => says, 'schema' => schema }.compact
+    end
+
+    def body(route)
+      needed = route.body.members.any? { |member| !member.optional? }
+      { 'required' => needed,
+        'content' => { route.lenient? ? '*/*' : JSON_MEDIA => { 'schema' => Schema.ref(route.body.typescript) } } }
+    end
+
+    def responses(route)
+      good = { 'description' => route.answer&.says || route.says,
+               'content' => { route.media || JSON_MEDIA => { 'schema' => content(route) } } }
+      refusals = route.problems(@model.routes.problems).group_by { |problem| problem.http.to_s }
+      found = { '200' => good }.merge(refusals.transform_values { |same| refusal(same) })
+      found['409'] = refusal([]) if route.refused?
+      found.sort.to_h
+    end
+
+    def content(route)
+      return Schema.ref(route.answer.typescript) if route.answer
+
+      { 'type' => route.media == JSON_MEDIA ? 'object' : 'string' }
+    end
+
+    def refusal(problems)
+      says = problems.map { |problem| "#{problem.name}: #{problem.says}" }
+      says = ['Control refuses it; the code is the name of the status.'] if says.empty?
+      { 'description' => says.join(' '), 'content' => { PROBLEM_MEDIA => { 'schema' => Schema.ref('Problem') } } }
+    end
+  end
+end

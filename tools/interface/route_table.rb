@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+require_relative 'c'
+require_relative 'routes'
+
+module Interface
+  # The routes and the problems of the HTTP server as tables in C.
+  #
+  # @satisfies SWR-TOOL-019
+  class RouteTable
+    FROM = 'core/interface/routes.yml'
+    SAYS = 'What can be asked of the HTTP server, and why it refuses.'
+
+    def initialize(model)
+      @routes = model.routes
+    end
+
+    def files
+      @routes ? { 'routes.h' => header, 'routes.c' => source } : {}
+    end
+
+    private
+
+    def header
+      C.file(SAYS, FROM) + C.guard('routes', <<~CODE)
+        #include "interface/app/requests.h"
+
+        /** What is answered; a GET answers HEAD too. */
+        typedef enum {
+        #{enumerators('ROUTE', @routes.routes)}
+        } route_id_t;
+
+        #define ROUTE_COUNT #{@routes.routes.size}U
+        #define ROUTE_BODY_MOST #{@routes.routes.map(&:body_most).max}U /**< Bytes of the longest body. */
+
+        /** A path with a method. */
+        typedef struct {
+            route_id_t id;
+            const char *method;
+            const char *path;
+            const char *allowed;            /**< All methods of the path. */
+            bool is_lenient;                /**< Media type and query are not looked at. */
+            size_t body_most;               /**< Bytes; 0: there must be no body. */
+            const request_message_t *body;  /**< NULL: none. */
+            const request_message_t *query;
+        } route_t;
+
+        extern const route_t routes[ROUTE_COUNT];
+
+        /** Why a request is refused. */
+        typedef enum {
+        #{enumerators('PROBLEM', @routes.problems)}
+        } problem_t;
+
+        #define PROBLEM_COUNT #{@routes.problems.size}U
+
+        /** What clients are told of it. */
+        typedef struct {
+            int http;
+            const char *code;
+            const char *detail;
+        } problem_words_t;
+
+        extern const problem_words_t problems[PROBLEM_COUNT];
+      CODE
+    end
+
+    def enumerators(prefix, all)
+      lines = all.each_with_index.map do |one, index|
+        "#{C.comment(one.says, '    ')}    #{prefix}_#{one.name.upcase} = #{index}"
+      end
+      lines.join(",\n")
+    end
+
+    def source
+      "#{C.file(SAYS, FROM)}#include \"routes.h\"\n\n" \
+        "const route_t routes[ROUTE_COUNT] = {\n#{@routes.routes.map { |route| row(route) }.join(",\n")}};\n\n" \
+        "const problem_words_t problems[PROBLEM_COUNT] = {\n#{@routes.problems.map { |one| words(one) }.join(",\n")}};\n"
+    end
+
+    def row(route)
+      body = route.body ? "&request_#{route.body.name}" : 'NULL'
+      query = route.parameters.members.empty? ? 'nothing' : route.parameters.name
+      "    {ROUTE_#{route.name.upcase}, #{C.string(route.method)}, #{C.string(route.path)}, " \
+        "#{C.string(@routes.allowed(route.path))},\n     #{route.lenient?}, #{route.body_most}U, #{body}, &request_#{query}}"
+    end
+
+    def words(problem)
+      "    {#{problem.http}, #{C.string(problem.name)},\n     #{C.string(problem.says)}}"
+    end
+  end
+end

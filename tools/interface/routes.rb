@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+require_relative 'request'
+
+module Interface
+  # Why the HTTP server refuses a request. `whose`: of which routes.
+  Problem = Struct.new(:name, :http, :says, :whose, :node, keyword_init: true) do
+    def self.read(node, model)
+      nodes = node.mapping(%w[http when], %w[name says status])
+      node.refuse('needs name and says, or status') unless
+        nodes.key?('status') ? (nodes.keys & %w[name says]).empty? : (%w[name says] - nodes.keys).empty?
+      name, says = nodes.key?('status') ? of_status(nodes['status'], model) : own(nodes)
+      new(name: name, http: nodes['http'].integer(400..599), says: says, node: node,
+          whose: nodes['when'].choice(%w[any body query route none]))
+    end
+
+    def self.own(nodes)
+      [nodes['name'].identifier(capitals: true), nodes['says'].text]
+    end
+
+    def self.of_status(node, model)
+      name = node.identifier(capitals: true)
+      value = model.enumeration('status')&.values&.find { |one| one.name == name }
+      value ? [name, value.says] : node.refuse("is #{name}, which is no status")
+    end
+  end
+
+  # A path with a method.
+  class Route
+    METHODS = %w[GET POST PUT DELETE].freeze
+    PATH = %r{\A/[a-z0-9_./]*\z}.freeze
+    OPTIONAL = %w[answer media parameters headers body body_most events problems refused lenient].freeze
+    Header = Struct.new(:name, :type, :says, keyword_init: true)
+
+    attr_reader :name, :path, :method, :says, :answer, :media, :parameters, :headers, :body, :body_most, :events, :node
+
+    def initialize(node)
+      nodes = node.mapping(%w[name path method says], OPTIONAL)
+      @node = node
+      @nodes = nodes
+      @name = nodes['name'].identifier
+      @path = nodes['path'].word
+      nodes['path'].refuse("is #{path}; expected a path of a-z, 0-9, _, . and /") unless path.match?(PATH)
+      @method = nodes['method'].choice(METHODS)
+      @says = nodes['says'].text
+      @media = nodes['media']&.word
+      members = list('parameters') { |one| RequestMember.new(one) }
+      @parameters = RequestMessage.new("#{name}_query", "The parameters of #{path}.", members, node)
+      @headers = list('headers') { |one| header(one) }
+      @body_most = nodes['body_most']&.integer(0..65_535).to_i
+    end
+
+    def check(model, routes)
+      @answer = message(@nodes['answer'], model)
+      @body = @nodes['body'] && (routes.request(@nodes['body'].identifier) || @nodes['body'].refuse('is no request'))
+      @events = read_events(model)
+      @problems = list('problems') { |one| routes.problem(one.identifier(capitals: true)) || one.refuse('is no problem') }
+      @parameters.check(model, [])
+      refuse_odd
+    end
+
+    def lenient?
+      flag('lenient')
+    end
+
+    # Control may refuse it, with the name of any status.
+    def refused?
+      flag('refused')
+    end
+
+    def get?
+      method == 'GET'
+    end
+
+    # All that it may be refused with.
+    def problems(all)
+      all.select do |problem|
+        case problem.whose
+        when 'any' then true
+        when 'body' then !body.nil?
+        when 'query' then !parameters.members.empty?
+        else @problems.include?(problem)
+        end
+      end
+    end
+
+    private
+
+    def flag(key)
+      @nodes.key?(key) && @nodes[key].true?
+    end
+
+    def list(key, &block)
+      @nodes.key?(key) ? @nodes[key].sequence.map(&block) : []
+    end
+
+    def message(node, model)
+      node && (model.message(node.identifier) || node.refuse("is #{node.word}, which is no message"))
+    end
+
+    def header(node)
+      nodes = node.mapping(%w[name type says])
+      Header.new(name: nodes['name'].word, type: nodes['type'].choice(%w[uint32 text]), says: nodes['says'].text)
+    end
+
+    def read_events(model)
+      return {} unless @nodes.key?('events')
+
+      @nodes['events'].all.transform_values { |node| message(node, model) }
+    end
+
+    def refuse_odd
+      node.refuse('has neither answer nor media') unless answer || media
+      node.refuse('has body or body_most without the other') if body.nil? != body_most.zero?
+      node.refuse('has a body, but is a GET') if body && get?
+      @parameters.members.each { |one| one.node.refuse('is a list or an object') if one.list? || one.message }
+    end
+  end
+
+  # Everything of routes.yml.
+  #
+  # @satisfies SWR-TOOL-021
+  class Routes
+    attr_reader :problems, :requests, :routes
+
+    def initialize(node, model)
+      nodes = node.mapping(%w[problems requests routes])
+      @problems = nodes['problems'].sequence.map { |one| Problem.read(one, model) }
+      @requests = nodes['requests'].sequence.map { |one| RequestMessage.read(one) }
+      @routes = nodes['routes'].sequence.map { |one| Route.new(one) }
+      unique(@problems, &:name)
+      unique(@routes, &:name)
+      unique(@routes) { |route| [route.method, route.path] }
+    end
+
+    def check(model)
+      requests.each { |request| request.check(model, requests) }
+      requests.each(&:check_depth)
+      routes.each { |route| route.check(model, self) }
+    end
+
+    def request(name)
+      requests.find { |request| request.name == name }
+    end
+
+    def problem(name)
+      problems.find { |problem| problem.name == name }
+    end
+
+    # "GET, HEAD" for its path.
+    def allowed(path)
+      methods = routes.select { |route| route.path == path }.map(&:method)
+      methods.flat_map { |method| method == 'GET' ? %w[GET HEAD] : [method] }.join(', ')
+    end
+
+    private
+
+    def unique(all, &key)
+      all.group_by(&key).each_value { |same| same[1]&.node&.refuse("is the second #{key.call(same[1])}") }
+    end
+  end
+end

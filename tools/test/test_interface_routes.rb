@@ -1,0 +1,289 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+# The rule under test: what is described of a route is what is served, read, documented and known to the console; a wrong
+# description is refused with its line.
+
+require 'fileutils'
+require 'json'
+require 'json_schemer'
+require 'minitest/autorun'
+require 'open3'
+require 'stringio'
+require 'tmpdir'
+require_relative '../interface_compiler'
+
+class TestInterfaceRoutes < Minitest::Test
+  ROOT = File.expand_path('../..', __dir__)
+
+  COLOURS = <<~YAML
+    header: colour
+    says: Colours.
+    enumerations:
+      - name: colour
+        says: What is painted.
+        values:
+          - {code: 3, name: RED, says: "Red."}
+          - {code: 7, name: BLUE, says: "Blue."}
+      - name: status
+        says: Why not.
+        values:
+          - {code: 0, name: OK, says: "Done."}
+          - {code: 1, name: DRY, says: "It is dry."}
+  YAML
+
+  MESSAGES = <<~YAML
+    messages:
+      - name: tin
+        says: A tin.
+        members:
+          - {name: litres, type: number, or_null: true}
+          - {name: kind, type: [oil, water]}
+          - {name: colour, type: colour}
+          - {name: parts, type: uint32, list: true}
+      - name: problem
+        says: Why not.
+        by_hand: true
+        members:
+          - {name: code, type: problem_code}
+          - {name: place, type: text, optional: true}
+  YAML
+
+  ROUTES = <<~YAML
+    problems:
+      - {name: BAD, http: 400, when: any, says: "Bad."}
+      - {status: DRY, http: 409, when: route}
+      - {name: LONG, http: 413, when: body, says: "Too long."}
+    requests:
+      - name: stripe
+        says: A stripe.
+        members:
+          - {name: width_mm, type: number, minimum: -1.5, maximum: 2}
+      - name: paint
+        says: What to paint.
+        members:
+          - {name: colour, type: colour, says: "Of it."}
+          - {name: coats, type: uint32, minimum: 1, maximum: 9}
+          - {name: shift, type: int32}
+          - {name: wet, type: flag}
+          - {name: kind, type: [oil, water]}
+          - {name: name, type: text, size: 6}
+          - {name: stripes, type: stripe, list: [1, 2]}
+          - {name: note, type: text, size: 3, optional: true}
+          - {name: first, type: stripe, optional: true}
+    routes:
+      - {name: tin, path: /tin, method: GET, answer: tin, problems: [DRY], says: "The tin.", parameters: [{name: of, type: colour}]}
+      - {name: paint, path: /tin, method: PUT, answer: tin, body: paint, body_most: 300, says: "Paint."}
+      - {name: hit, path: /hit, method: POST, answer: tin, body: stripe, body_most: 30, lenient: true, refused: true, says: "Hit."}
+      - name: live
+        path: /live
+        method: GET
+        media: text/event-stream
+        events: {tin: tin}
+        says: Live.
+        headers: [{name: Last-Event-ID, type: uint32, says: "The last."}]
+  YAML
+
+  MAIN = <<~C
+    #include "interface/app/routes.h"
+    #include "request/request_body.h"
+    #include <stdio.h>
+    #include <string.h>
+    int main(void)
+    {
+        char line[400];
+        while (fgets(line, sizeof line, stdin) != NULL) {
+            request_paint_t paint;
+            memset(&paint, 0, sizeof paint);
+            const request_result_t result = request_read_body(routes[ROUTE_PAINT].body, line, strlen(line), &paint);
+            printf("%d %s %u %u %d %d %u %s %u %.1f %d%s %d\\n", (int)result.fault, result.place, (unsigned)paint.colour,
+                   (unsigned)paint.coats, (int)paint.shift, paint.wet, (unsigned)paint.kind, paint.name,
+                   (unsigned)paint.stripes_count, paint.stripes[1].width_mm, paint.has_note, paint.note, paint.has_first);
+        }
+        for (unsigned i = 0U; i < ROUTE_COUNT; i++) {
+            printf("%s %s %s %d %u\\n", routes[i].method, routes[i].path, routes[i].allowed, routes[i].is_lenient,
+                   (unsigned)routes[i].body_most);
+        }
+        printf("%d %s %s\\n", problems[PROBLEM_DRY].http, problems[PROBLEM_DRY].code, problems[PROBLEM_DRY].detail);
+        return 0;
+    }
+  C
+
+  GOOD = '{"colour":"BLUE","coats":9,"shift":-3,"wet":true,"kind":"water","name":"abcdef",' \
+         '"stripes":[{"width_mm":0},{"width_mm":-1.5}],"note":"abc","first":{"width_mm":1}}'
+
+  def test_SWR_TOOL_019_what_is_described_is_read_and_served
+    with_output do |folder|
+      wrong = { '"coats":9' => '"coats":10', '"abcdef"' => '"abcdefg"', '"BLUE"' => '"blue"', ':-1.5' => ':-1.6' }
+      lines = [GOOD, *wrong.map { |old, new| GOOD.sub(old, new) }, '{}']
+      read = output_of(folder, lines.join("\n")).lines(chomp: true)
+      assert_equal '0  7 9 -3 1 1 abcdef 2 -1.5 1abc 1', read.shift
+      assert_equal ['8 /coats', '6 /name', '8 /colour', '8 /stripes/1/width_mm', '4 /colour'],
+                   read.shift(5).map { |line| line[/\A\d \S+/] }
+      assert_equal ['GET /tin GET, HEAD, PUT 0 0', 'PUT /tin GET, HEAD, PUT 0 300', 'POST /hit POST 1 30',
+                    'GET /live GET, HEAD 0 0', '409 DRY It is dry.'], read
+    end
+  end
+
+  def test_SWR_TOOL_019_the_console_knows_the_same
+    with_output do |folder|
+      types = File.read(File.join(folder, 'app/api.ts'))
+      assert_includes types, <<~CODE
+        /** What to paint. */
+        export interface PaintRequest {
+          /** Of it. */
+          colour: Colour;
+          coats: number;
+          shift: number;
+          wet: boolean;
+          kind: "oil" | "water";
+          name: string;
+          stripes: (StripeRequest)[];
+          note?: string;
+          first?: StripeRequest;
+        }
+      CODE
+      assert_includes types, %(  "PUT /tin": { answer: Tin; body: PaintRequest };\n)
+      assert_includes types, %(export type Path =\n  | "/tin"\n  | "/hit"\n  | "/live";)
+      assert_includes types, %(export interface Problem {\n  code: ProblemCode;\n  place?: string;\n})
+    end
+  end
+
+  def test_SWR_TOOL_019_the_document_says_the_same
+    document = document_of(ROUTES)
+    assert_equal %w[/tin /hit /live], document['paths'].keys
+    assert_equal %w[get head put], document.dig('paths', '/tin').keys
+    paint = document.dig('components', 'schemas', 'PaintRequest')
+    assert_equal({ 'type' => 'integer', 'minimum' => 1, 'maximum' => 9 }, paint.dig('properties', 'coats'))
+    assert_equal [false, %w[colour coats shift wet kind name stripes]], paint.values_at('additionalProperties', 'required')
+    assert_equal %w[200 400 409], document.dig('paths', '/tin', 'get', 'responses').keys
+    assert_equal %w[200 400 413], document.dig('paths', '/tin', 'put', 'responses').keys
+    assert_equal %w[BAD DRY LONG OK], document.dig('components', 'schemas', 'ProblemCode', 'enum').sort
+    assert_equal 'query', document.dig('paths', '/tin', 'get', 'parameters', 0, 'in')
+  end
+
+  # Whoever reads the schema and whoever reads the table come to the same verdict.
+  def test_SWR_TOOL_019_schema_and_table_agree
+    schema = { '$ref' => '#/components/schemas/PaintRequest' }.merge(document_of(ROUTES).slice('components'))
+    texts = [GOOD, GOOD.sub('"note":"abc",', ''), GOOD.sub('9', '0'), GOOD.sub('true', '1'), GOOD.sub('water', 'oil'),
+             GOOD.sub('water', 'air'), GOOD.sub('"name"', '"nam"'), GOOD.sub('[{"width_mm":0},', '['), '{}', '[]',
+             GOOD.sub('[{"width_mm":0},', '[{"width_mm":0},{"width_mm":0},'), GOOD.sub('-3', '-3.5'), GOOD.sub('-3', 'null')]
+    with_output do |folder|
+      read = output_of(folder, texts.join("\n")).lines.first(texts.size).map { |line| line.start_with?('0 ') }
+      assert_equal read, texts.map { |text| JSONSchemer.schema(schema).valid?(JSON.parse(text)) }
+      assert_equal 4, read.count(true) + read.first(1).count(false)
+    end
+  end
+
+  def test_SWR_TOOL_020_the_document_of_the_product_is_valid
+    document = JSON.parse(File.read(File.join(ROOT, 'build/gen/interface/app/openapi.json')))
+    assert_valid document
+    assert_equal '3.1.0', document['openapi']
+  end
+
+  def test_SWR_TOOL_020_every_document_is_valid_and_one_that_is_not_is_found
+    document = document_of(ROUTES)
+    assert_valid document
+    document['paths']['/tin']['get'].delete('responses')['x'] = 1
+    document['paths']['tin'] = {}
+    refute JSONSchemer.openapi(document).valid?
+  end
+
+  def test_SWR_TOOL_020_every_reference_leads_somewhere
+    document = document_of(ROUTES)
+    JSON.generate(document).scan(%r{"#/components/schemas/(\w+)"}).flatten.each do |name|
+      assert_includes document.dig('components', 'schemas'), name
+    end
+  end
+
+  # [what is written instead of what, the line, what the refusal says]
+  REFUSALS = {
+    'a status that is none' => ['status: DRY', 'status: WET', 3, 'is WET, which is no status'],
+    'a problem without a sentence' => [', says: "Bad."', '', 2, 'needs name and says, or status'],
+    'a status of HTTP that is no refusal' => ['http: 400', 'http: 200', 2, 'is 200; expected 400 to 599'],
+    'a type that is none' => ['type: int32', 'type: int33', 15, 'is of int33; expected flag, uint32'],
+    'a text without a size' => ['size: 6', 'list: [1, 2]', 18, 'is a text without a size'],
+    'bounds of what is no number' => ['type: flag', 'type: flag, minimum: 1', 16, 'has bounds, but is no number'],
+    'bounds the wrong way round' => ['minimum: 1,', 'minimum: 10,', 14, 'has the bounds 10 to 9'],
+    'bounds that the type has not' => ['minimum: 1,', 'minimum: -1,', 14, 'is -1; expected 0 to 4294967295'],
+    'a list the wrong way round' => ['[1, 2]', '[2, 1]', 19, 'is not [least, most]'],
+    'two members of one name' => ['name: shift', 'name: coats', 15, 'is the second coats in paint'],
+    'an object in itself' => ['type: number, minimum: -1.5, maximum: 2', 'type: stripe', 6, 'holds more than 8 objects'],
+    'a path that is none' => ['path: /hit', 'path: hit', 25, 'is hit; expected a path'],
+    'a method that is none' => ['method: PUT', 'method: PAT', 24, 'is PAT; expected GET or POST'],
+    'a route twice' => ['method: PUT', 'method: GET', 24, 'is the second'],
+    'an answer that is none' => ['answer: tin, problems', 'answer: can, problems', 23, 'is can, which is no message'],
+    'a problem that is none' => ['[DRY]', '[WET]', 23, 'is no problem'],
+    'a request that is none' => ['body: paint,', 'body: pain,', 24, 'is no request'],
+    'a body without its size' => [', body_most: 300', '', 24, 'has body or body_most without the other'],
+    'a body of a GET' => ['says: "The tin."', 'says: "The tin.", body: stripe, body_most: 9', 23, 'has a body, but is a GET'],
+    'a route without an answer' => ["    media: text/event-stream\n", '', 26, 'has neither answer nor media'],
+    'a list in a query' => ['{name: of, type: colour}', '{name: of, type: uint32, list: [1, 2]}', 23, 'is a list or an object'],
+    'an unknown key' => ['lenient: true', 'lenent: true', 25, 'lenent: is unknown'],
+    'a name beyond its room' => ['name: shift', "name: #{'a' * 48}", 15, 'has a name longer than 47']
+  }.freeze
+
+  REFUSALS.each do |what, (old, new, line, reason)|
+    define_method("test_SWR_TOOL_021_refuses_#{what.tr(' ', '_')}") do
+      changed = ROUTES.sub(old, new)
+      refute_equal ROUTES, changed
+      message = in_folder('routes.yml' => changed) { |folder, output| run_tool(folder, output) }
+      assert_match(/routes\.yml:#{line}: /, message)
+      assert_includes message, reason
+    end
+  end
+
+  def test_SWR_TOOL_021_refuses_what_only_messages_by_hand_may_hold
+    message = in_folder('messages.yml' => MESSAGES.sub("    by_hand: true\n", '')) { |folder, output| run_tool(folder, output) }
+    assert_match(/messages\.yml:\d+: .*is for messages by_hand alone/, message)
+  end
+
+  private
+
+  def assert_valid(document)
+    faults = JSONSchemer.openapi(document).validate.first(3).map { |fault| "#{fault['data_pointer']}: #{fault['error']}" }
+    assert_empty faults
+  end
+
+  def document_of(routes)
+    with_output('routes.yml' => routes) { |folder| JSON.parse(File.read(File.join(folder, 'app/openapi.json'))) }
+  end
+
+  def with_output(files = {})
+    in_folder(files) do |folder, output|
+      assert_equal '', run_tool(folder, output)
+      yield output
+    end
+  end
+
+  def in_folder(files)
+    Dir.mktmpdir do |core|
+      folder = File.join(core, 'interface')
+      FileUtils.mkdir_p(folder)
+      { 'colours.yml' => COLOURS, 'messages.yml' => MESSAGES, 'routes.yml' => ROUTES,
+        'charts.json' => JSON.generate('charts' => []) }.merge(files).each do |name, text|
+        File.write(File.join(folder, name), text)
+      end
+      yield folder, File.join(core, 'out/interface')
+    end
+  end
+
+  # What it says against it.
+  def run_tool(folder, output)
+    errors = StringIO.new
+    FileUtils.mkdir_p(output)
+    Interface::Command.run([folder, File.join(folder, 'charts.json'), output], errors: errors)
+    errors.string
+  end
+
+  def output_of(folder, input)
+    program = File.join(folder, 'main')
+    File.write("#{program}.c", MAIN)
+    sources = %w[app/routes.c app/requests.c].map { |name| File.join(folder, name) } + Dir["#{ROOT}/app/request/*.c"]
+    output, status = Open3.capture2e('gcc', '-std=c99', '-pedantic', '-Wall', '-Wextra', '-Werror',
+                                     '-Wconversion', '-Wmissing-prototypes',
+                                     "-I#{File.dirname(folder)}", "-I#{ROOT}/app", '-o', program, "#{program}.c", *sources, '-lm')
+    assert status.success?, output
+    Open3.capture2(program, stdin_data: input).first
+  end
+end
