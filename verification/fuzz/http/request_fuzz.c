@@ -1,0 +1,81 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Any bytes as the body and as the query of a request. A sentence that does not hold ends the
+ * program: what is refused has a place, what is taken is within its bounds, and nothing else is
+ * written.
+ *
+ *     clang-19 -fsanitize=fuzzer,address,undefined -D_GNU_SOURCE -Iapp -Iverification/unit \
+ *         verification/fuzz/http/request_fuzz.c app/request/(all).c -lm
+ */
+#include "request/request_body.h"
+#include "request/request_headers.h"
+#include "request/request_query.h"
+#include "support/every_request.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define LONGEST 4096U
+#define GUARD 0x5AU
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size);
+
+static void hold(bool sentence)
+{
+    if (!sentence) {
+        abort();
+    }
+}
+
+static bool is_within(double value, double most)
+{
+    return isfinite(value) && (fabs(value) <= most);
+}
+
+static void look(const every_request_t *read)
+{
+    hold((read->workphase == 3U) || (read->workphase == 6U));
+    hold(is_within(read->speed_mm_per_s, 10.0) && is_within(read->inner.depth_mm, 100.0));
+    hold(memchr(read->name, '\0', sizeof read->name) != NULL);
+    hold((read->point_count == 0U) || (read->point_count == 3U));
+    hold(read->rows_count <= 2U);
+    for (uint32_t i = 0U; i < read->rows_count; i++) {
+        hold(is_within(read->rows[i].depth_mm, 100.0));
+    }
+}
+
+static void try_body(const char *bytes, size_t size)
+{
+    every_request_t read = {.guard = GUARD};
+    const request_result_t result = request_read_body(&every_request, bytes, size, &read);
+    hold((read.guard == GUARD) && (memchr(result.place, '\0', sizeof result.place) != NULL));
+    if (result.fault == REQUEST_OK) {
+        look(&read);
+    }
+}
+
+static void try_texts(const char *bytes, size_t size)
+{
+    char text[LONGEST + 1U];
+    every_request_t read = {.guard = GUARD};
+    uint32_t number = 0U;
+    (void)memcpy(text, bytes, size);
+    text[size] = '\0';
+    const request_result_t result = request_read_query(&every_query, text, &read);
+    hold((read.guard == GUARD) && (memchr(result.place, '\0', sizeof result.place) != NULL));
+    (void)request_headers_take_gzip(text);
+    (void)request_headers_know(text, "\"tag\"");
+    (void)request_headers_are_json(text);
+    (void)request_headers_event(text, &number);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
+{
+    if (size <= LONGEST) {
+        try_body((const char *)bytes, size);
+        try_texts((const char *)bytes, size);
+    }
+    return 0;
+}
