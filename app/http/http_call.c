@@ -13,7 +13,7 @@
 #define LINE_MARKS                                                                                 \
     4U /* Colon, space and the end of a line; those of the request's line are as many. */
 
-/* -1: refused, and not sent. */
+/* The client did not take the refusal. */
 #define NOT_SENT 499
 
 static int refuse(struct mg_connection *connection, problem_t problem)
