@@ -188,12 +188,27 @@ static bool receive_other(workphase_dialect_t *self, uint32_t index, const igtl_
     return workphase_poll_string(&self->peers[index], message, moment);
 }
 
+static bool is_command(const igtl_message_t *message)
+{
+    return (message->kind == IGTL_KIND_STRING) && (strncmp(message->name, "CMD_", 4U) == 0);
+}
+
+static bool is_urgent_phase(workphase_t phase)
+{
+    return (phase == WORKPHASE_STOP) || (phase == WORKPHASE_EMERGENCY);
+}
+
+bool workphase_receive_is_stop(const igtl_message_t *message)
+{
+    return is_command(message) && is_urgent_phase(phase_of(message));
+}
+
 static void receive_command(workphase_dialect_t *self, uint32_t index,
                             const igtl_message_t *message, const igtl_moment_t *moment)
 {
     workphase_peer_t *peer = &self->peers[index];
     const workphase_t phase = phase_of(message);
-    const bool is_urgent = (phase == WORKPHASE_STOP) || (phase == WORKPHASE_EMERGENCY);
+    const bool is_urgent = is_urgent_phase(phase);
     workphase_id_t *id = NULL;
 
     workphase_peer_acknowledge_string(peer, message, moment);
@@ -219,7 +234,7 @@ void workphase_receive_string(workphase_dialect_t *self, uint32_t index,
 {
     workphase_peer_t *peer = &self->peers[index];
 
-    if (strncmp(message->name, "CMD_", 4U) == 0) {
+    if (is_command(message)) {
         receive_command(self, index, message, moment);
         return;
     }

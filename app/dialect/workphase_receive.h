@@ -20,6 +20,9 @@
 void workphase_receive_string(workphase_dialect_t *self, uint32_t peer,
                               const igtl_message_t *message, const igtl_moment_t *moment);
 
+/** `message` commands STOP or EMERGENCY. */
+bool workphase_receive_is_stop(const igtl_message_t *message);
+
 /**
  * A TRANSFORM: CLB_y, TGT_y, NPOS_y or an entry point by the prefix of the port. Anything else is
  * refused.

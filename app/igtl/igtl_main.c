@@ -15,6 +15,7 @@
 #include "igtl/igtl_show.h"
 #include "dialect/transform_dialect.h"
 #include "dialect/workphase_dialect.h"
+#include "dialect/workphase_receive.h"
 
 #include <errno.h>
 #include <poll.h>
@@ -65,11 +66,14 @@ static void on_end(int signal_number)
 }
 
 static const igtl_dialect_calls_t workphase_calls = {
-    workphase_dialect_connected, workphase_dialect_disconnected, workphase_dialect_receive,
-    workphase_dialect_is_controlled_by, workphase_dialect_has_order};
+    workphase_dialect_connected,        workphase_dialect_disconnected, workphase_dialect_receive,
+    workphase_dialect_is_controlled_by, workphase_dialect_has_order,    workphase_receive_is_stop};
 static const igtl_dialect_calls_t transform_calls = {transform_dialect_connected,
                                                      transform_dialect_disconnected,
-                                                     transform_dialect_receive, NULL, NULL};
+                                                     transform_dialect_receive,
+                                                     NULL,
+                                                     NULL,
+                                                     NULL};
 
 static uint64_t timestamp_now(void)
 {

@@ -100,16 +100,16 @@ static bool is_needed(const igtl_server_t *self, const igtl_connection_t *connec
            ((calls->has_order != NULL) && calls->has_order(self->dialect, peer));
 }
 
-/* Makes room by dropping who has been silent for longest. */
-static void evict_silent(igtl_server_t *self, uint64_t now_us)
+/* Makes room by dropping who has been silent for longest, if for more than `least_us`. */
+static void evict_silent(igtl_server_t *self, uint64_t least_us, uint64_t now_us)
 {
-    uint64_t longest_us = LIMIT_IGTL_SILENT_US;
+    uint64_t longest_us = least_us;
     igtl_connection_t *silent = NULL;
 
     for (uint32_t place = 0U; place < IGTL_PEERS; place++) {
         igtl_connection_t *connection = at_place(self, place);
 
-        if ((connection != NULL) && ((now_us - connection->heard_us) > longest_us) &&
+        if ((connection != NULL) && ((now_us - connection->heard_us) >= longest_us) &&
             !is_needed(self, connection)) {
             longest_us = now_us - connection->heard_us;
             silent = connection;
@@ -131,7 +131,9 @@ bool igtl_places_admit(igtl_server_t *self, igtl_connection_t *connection,
         return false;
     }
     if (free_place(self) == IGTL_NO_PLACE) {
-        evict_silent(self, moment->now_us);
+        const bool is_stop = (self->calls->is_stop != NULL) && self->calls->is_stop(message);
+
+        evict_silent(self, is_stop ? 0U : (LIMIT_IGTL_SILENT_US + 1U), moment->now_us);
     }
     const uint32_t place = free_place(self);
     if (place == IGTL_NO_PLACE) {

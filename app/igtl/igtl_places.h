@@ -19,7 +19,8 @@
 void igtl_places_enter(igtl_server_t *self, int descriptor, uint64_t now_us);
 
 /**
- * A waiting connection has sent `message`: whether it has a place now. If nobody's can be taken, it
+ * A waiting connection has sent `message`: whether it has a place now. A stop takes one even of who
+ * has just spoken. If nobody's can be taken, it
  * is told so (STATUS of the message's name, 6) and waits on.
  *
  * @satisfies SWR-IGTL-026

@@ -32,6 +32,7 @@ typedef struct {
                     const igtl_moment_t *moment);
     bool (*is_controlled_by)(const void *dialect, uint32_t peer); /**< NULL: by nobody. */
     bool (*has_order)(const void *dialect, uint32_t peer);        /**< NULL: nobody has one. */
+    bool (*is_stop)(const igtl_message_t *message);               /**< NULL: none is. */
 } igtl_dialect_calls_t;
 
 typedef struct {

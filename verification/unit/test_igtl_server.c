@@ -93,8 +93,13 @@ static bool has_order(const void *dialect, uint32_t peer)
     return has_orders && (peer == ORDERING);
 }
 
-static const igtl_dialect_calls_t calls = {connected, disconnected, receive, is_controlled_by,
-                                           has_order};
+static bool is_stop(const igtl_message_t *message)
+{
+    return (message->text_bytes == 4U) && (memcmp(message->text, "STOP", 4U) == 0);
+}
+
+static const igtl_dialect_calls_t calls = {connected,        disconnected, receive,
+                                           is_controlled_by, has_order,    is_stop};
 
 static uint64_t troubles(igtl_trouble_t kind)
 {
@@ -182,6 +187,14 @@ static void say(uint32_t client)
     send_packet(client, &packet);
 }
 
+static void ask(uint32_t client)
+{
+    igtl_packet_t packet;
+
+    igtl_encode_string(&packet, "CMD_1", "CURRENT_STATUS", 0U);
+    send_packet(client, &packet);
+}
+
 /* What Slicer sends when it connects. */
 static void announce(uint32_t client)
 {
@@ -255,7 +268,7 @@ void test_SWR_IGTL_026_nobody_who_has_spoken_lately_loses_its_place(void)
     for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
         say(i);
     }
-    say(IGTL_PEERS);
+    ask(IGTL_PEERS);
     igtl_server_receive(&server, &moment);
     igtl_server_send(&server, &moment);
     TEST_ASSERT_EQUAL_UINT32(IGTL_PEERS, seated);
@@ -264,6 +277,22 @@ void test_SWR_IGTL_026_nobody_who_has_spoken_lately_loses_its_place(void)
     TEST_ASSERT_EQUAL_STRING("CMD_1", (const char *)&bytes[14]);
     TEST_ASSERT_EQUAL_UINT8(IGTL_STATUS_BUSY, bytes[IGTL_HEADER_BYTES + 1U]);
     TEST_ASSERT_EQUAL_UINT64(0U, troubles(IGTL_TROUBLE_SILENT));
+}
+
+void test_SWR_IGTL_026_a_stop_waits_for_nobodys_silence(void)
+{
+    fill();
+    enter(IGTL_PEERS);
+    for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
+        ask(i);
+        igtl_server_receive(&server, &moment);
+        moment.now_us++;
+    }
+    say(IGTL_PEERS);
+    igtl_server_receive(&server, &moment);
+    TEST_ASSERT_TRUE(is_dropped(0U));
+    TEST_ASSERT_EQUAL_UINT32(2U, messages[0]);
+    TEST_ASSERT_TRUE(is_connected[CONTROLLING]);
 }
 
 void test_SWR_IGTL_026_who_commands_or_has_an_order_keeps_its_place(void)
@@ -278,13 +307,13 @@ void test_SWR_IGTL_026_who_commands_or_has_an_order_keeps_its_place(void)
         }
     }
     igtl_server_receive(&server, &moment);
-    say(IGTL_PEERS);
+    ask(IGTL_PEERS);
     igtl_server_receive(&server, &moment);
     TEST_ASSERT_TRUE(is_connected[CONTROLLING]);
     TEST_ASSERT_TRUE(is_connected[ORDERING]);
     TEST_ASSERT_EQUAL_UINT32(IGTL_PEERS, seated);
     has_orders = false;
-    say(IGTL_PEERS);
+    ask(IGTL_PEERS);
     igtl_server_receive(&server, &moment);
     TEST_ASSERT_TRUE(is_dropped(ORDERING));
 }
