@@ -19,6 +19,7 @@ typedef struct {
     const struct mg_connection *connection; /* NULL: this place is free. */
     int socket;                             /* -1: not known before its first request. */
     bool is_idle;
+    bool is_leaving;   /* It was told to; its worker is on the way. */
     uint64_t since;    /* In the order of becoming idle. */
     uint64_t received; /* Bytes, at that time. */
 } line_t;
@@ -27,7 +28,7 @@ static struct {
     pthread_mutex_t lock;
     unsigned port;
     uint64_t turns;
-    unsigned count;
+    unsigned count; /* Without those that are leaving. */
     line_t lines[HTTP_LINES_WORKERS];
 } all = {.lock = PTHREAD_MUTEX_INITIALIZER};
 
@@ -94,6 +95,8 @@ static void close_oldest(void)
     if (oldest != NULL) {
         (void)shutdown(oldest->socket, SHUT_RD);
         oldest->is_idle = false;
+        oldest->is_leaving = true;
+        all.count--;
     }
 }
 
@@ -125,7 +128,7 @@ void http_lines_note(const struct mg_connection *connection, bool is_idle)
     line_t *line = find(connection);
     if (line != NULL) {
         know_socket(line);
-        line->is_idle = is_idle;
+        line->is_idle = is_idle && !line->is_leaving;
         line->received = is_idle ? received_of(line->socket) : line->received;
         line->since = all.turns;
         all.turns++;
@@ -152,7 +155,7 @@ void http_lines_leave(const struct mg_connection *connection)
     line_t *line = find(connection);
     if (line != NULL) {
         line->connection = NULL;
-        all.count--;
+        all.count -= line->is_leaving ? 0U : 1U;
     }
     (void)pthread_mutex_unlock(&all.lock);
 }

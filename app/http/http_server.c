@@ -26,7 +26,7 @@
  * again (http_stream.c). */
 #define REQUEST_TIMEOUT_MS "500"
 /* A connection on which nothing is asked for so long is closed; sooner when workers run short. */
-#define IDLE_MS "5000"
+#define IDLE_MS "30000"
 /* Of a head the library reads no more, and calls it unreadable. */
 #define LIBRARY_HEAD_BYTES 65536U
 
