@@ -159,6 +159,7 @@ static struct mg_context *start_library(http_server_t *self, const char *address
         "request_timeout_ms", REQUEST_TIMEOUT_MS,
         "enable_keep_alive", "yes",
         "keep_alive_timeout_ms", IDLE_MS,
+        "tcp_nodelay", "1", /* Or a body waits until the client has acknowledged the head. */
         "max_request_size", head_bytes,
         "enable_directory_listing", "no",
         "enable_auth_domain_check", "no",
