@@ -17,7 +17,7 @@
 
 typedef struct {
     const struct mg_connection *connection; /* NULL: this place is free. */
-    int socket;                             /* -1: not known before its first request. */
+    int socket;                             /* -1: not known before its first answer. */
     bool is_idle;
     bool is_leaving;   /* It was told to; its worker is on the way. */
     uint64_t since;    /* In the order of becoming idle. */
@@ -127,7 +127,9 @@ void http_lines_note(const struct mg_connection *connection, bool is_idle)
     (void)pthread_mutex_lock(&all.lock);
     line_t *line = find(connection);
     if (line != NULL) {
-        know_socket(line);
+        if (is_idle) { /* Its answer has left: nobody waits for the search. */
+            know_socket(line);
+        }
         line->is_idle = is_idle && !line->is_leaving;
         line->received = is_idle ? received_of(line->socket) : line->received;
         line->since = all.turns;
