@@ -47,10 +47,10 @@ void transform_view_take(transform_view_t *view, const snapshot_t *snapshot)
     } else {
         view->registration.is_valid = 0U;
     }
-    if (snapshot->has_entry != 0U) {
-        view->entry = (transform_point_t){1U, snapshot->entry};
-    } else if (snapshot->has_proposed_entry != 0U) {
+    if (snapshot->has_proposed_entry != 0U) {
         view->entry = (transform_point_t){1U, snapshot->proposed_entry};
+    } else if (snapshot->has_entry != 0U) {
+        view->entry = (transform_point_t){1U, snapshot->entry};
     } else {
         view->entry.is_valid = 0U;
     }

@@ -43,7 +43,7 @@ typedef struct {
     transform_measured_t measured;
     transform_desired_t desired;
     transform_registration_t registration; /**< In force; before there is one, the proposed one. */
-    transform_point_t entry;               /**< That decides depths; without one, the proposed. */
+    transform_point_t entry;               /**< The proposed one; else that decides depths. */
     transform_point_t target;              /**< Proposed. */
 } transform_view_t;
 

@@ -17,7 +17,7 @@ static const char *subject_of(const workphase_peer_t *peer, const igtl_request_t
     case COMMAND_TARGET:
         return "TARGET";
     case COMMAND_NEEDLE:
-        return "MOVE_TO_TARGET";
+        return workphase_peer_tip_subject(peer);
     case COMMAND_RETRACT:
         return peer->retraction;
     case COMMAND_ENTRY:
@@ -182,7 +182,7 @@ static void answer_tip(const workphase_dialect_t *self, workphase_peer_t *peer,
                        const answer_t *answer, const igtl_moment_t *moment)
 {
     if (peer->pending == 0U) {
-        tell_outcome(self, peer, "MOVE_TO_TARGET", answer, moment);
+        tell_outcome(self, peer, workphase_peer_tip_subject(peer), answer, moment);
     }
 }
 

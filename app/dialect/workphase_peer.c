@@ -136,6 +136,11 @@ void workphase_peer_tell_phase(workphase_peer_t *self, uint32_t code, uint32_t p
     igtl_tell_status(self->outbox, "CURRENT_STATUS", &status, moment);
 }
 
+const char *workphase_peer_tip_subject(const workphase_peer_t *self)
+{
+    return (self->language == IGTL_LANGUAGE_BRP_2021) ? "MOVE_TO_TARGET" : "NPOS";
+}
+
 void workphase_peer_tell_flag(workphase_peer_t *self, const char *name, bool value,
                               const igtl_moment_t *moment)
 {

@@ -35,8 +35,13 @@ typedef struct {
 static const pose_command_t pose_commands[] = {
     {"CLB_", "CALIBRATION", COMMAND_REGISTRATION},
     {"TGT_", "TARGET", COMMAND_TARGET},
-    {"NPOS_", "MOVE_TO_TARGET", COMMAND_NEEDLE},
+    {"NPOS_", NULL, COMMAND_NEEDLE},
 };
+
+static const char *subject_of(const workphase_peer_t *peer, const pose_command_t *what)
+{
+    return (what->kind == COMMAND_NEEDLE) ? workphase_peer_tip_subject(peer) : what->result;
+}
 
 static bool is_others(const workphase_dialect_t *self, uint32_t peer)
 {
@@ -285,12 +290,12 @@ static void receive_pose(workphase_dialect_t *self, uint32_t index, const pose_c
     workphase_peer_cancel_deferred(peer);
     workphase_peer_acknowledge_transform(peer, message, (uint32_t)strlen(what->prefix), moment);
     if (is_denied) {
-        deny(peer, what->result, moment);
+        deny(peer, subject_of(peer, what), moment);
         return;
     }
     status = pass_pose(self, index, what, message, moment);
     if (status != STATUS_OK) {
-        igtl_tell_refusal(peer->outbox, what->result, status, moment);
+        igtl_tell_refusal(peer->outbox, subject_of(peer, what), status, moment);
     }
 }
 
@@ -324,7 +329,7 @@ void workphase_receive_step(workphase_dialect_t *self, uint32_t index, const igt
     }
     if (is_others(self, index)) { /* Since it came. */
         peer->tip.is_waiting = false;
-        deny(peer, "MOVE_TO_TARGET", moment);
+        deny(peer, workphase_peer_tip_subject(peer), moment);
         return;
     }
     command.pose = peer->tip.pose;

@@ -68,21 +68,21 @@ void test_SWR_IGTL_045_what_is_withdrawn_is_shown_as_nothing(void)
     EXPECT(0U, "");
 }
 
-void test_SWR_IGTL_012_the_entry_that_decides_depths_is_shown_before_a_proposed_one(void)
+void test_SWR_IGTL_012_a_proposed_entry_is_shown_before_the_one_that_decides_depths(void)
 {
-    snapshot.has_proposed_entry = 1U;
-    snapshot.proposed_entry.x_nm = 1000000;
-    pass_us(0U);
-    EXPECT(0U, "POINT entry_point 1.000 0.000 0.000");
-    expect_measured(0U);
     snapshot.has_entry = 1U;
     snapshot.entry.x_nm = 2000000;
     pass_us(0U);
     EXPECT(0U, "POINT entry_point 2.000 0.000 0.000");
-    snapshot.proposed_entry.x_nm = 3000000;
+    expect_measured(0U);
+    snapshot.has_proposed_entry = 1U;
+    snapshot.proposed_entry.x_nm = 1000000;
+    pass_us(0U);
+    EXPECT(0U, "POINT entry_point 1.000 0.000 0.000");
+    snapshot.entry.x_nm = 3000000;
     pass_us(0U);
     EXPECT(0U, "");
-    snapshot.has_entry = 0U;
+    snapshot.has_proposed_entry = 0U;
     pass_us(0U);
     EXPECT(0U, "POINT entry_point 3.000 0.000 0.000");
 }

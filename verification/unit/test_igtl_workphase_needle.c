@@ -54,6 +54,22 @@ void test_SWR_IGTL_034_a_tip_is_echoed_passed_on_and_answered(void)
     EXPECT(0U, "");
 }
 
+void test_SWR_IGTL_034_in_2013_a_tip_is_never_taken_for_an_arrival(void)
+{
+    world_start(IGTL_LANGUAGE_BRP_2013);
+    snapshot.workphase = (uint32_t)WORKPHASE_MOVE_TO_TARGET;
+    place(0U, "NPOS_1", 1.0F);
+    EXPECT(0U, "TRANSFORM ACK_1 1.000 2.000 3.000");
+    pass_us(0U);
+    expect_command(COMMAND_NEEDLE, 0U);
+    answer_to(&command, ANSWER_ACCEPTED, STATUS_OK, 1U);
+    EXPECT(0U, "STATUS NPOS 1 MOVE_TO_TARGET|");
+    place(0U, "NPOS_2", NAN);
+    EXPECT_BEGIN(0U, "TRANSFORM ACK_2 ");
+    EXPECT_BEGIN(0U, "STATUS NPOS 10 NOT_FINITE|");
+    EXPECT(0U, "");
+}
+
 void test_SWR_IGTL_034_a_refused_tip_says_why(void)
 {
     snapshot.workphase = (uint32_t)WORKPHASE_TARGETING;
