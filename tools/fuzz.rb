@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# Looks for inputs that break OpenIGTLink, each target for its share of the time, with a seed of its own each time.
+# Looks for inputs that break OpenIGTLink or the HTTP server, each target for its share of the time, with a seed of its own each time.
 #
 #   ruby tools/fuzz.rb FOLDER MINUTES [SEED]
 #
@@ -16,8 +16,8 @@ module Fuzz
   # A target and what it looks for.
   class Search
     # Of the time.
-    SHARES = { 'codec' => 2, 'ports' => 1, 'dialect' => 7 }.freeze
-    LONGEST = { 'codec' => 8192, 'ports' => 2048, 'dialect' => 512 }.freeze
+    SHARES = { 'codec' => 2, 'ports' => 1, 'request' => 1, 'dialect' => 6 }.freeze
+    LONGEST = { 'codec' => 8192, 'ports' => 2048, 'request' => 4096, 'dialect' => 512 }.freeze
     WORDS = 'verification/fuzz/words.yml'
 
     def initialize(folder, seconds, seed)

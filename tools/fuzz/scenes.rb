@@ -176,11 +176,16 @@ module Fuzz
             'calls' => "# calls\n[out]\ndialect = brp-2013\nconnect = 127.0.0.1:18945\nentry-prefix = ENTRY_\n",
             'two' => "[a]\ndialect=crtk\nlisten=127.0.0.1:1\n\n[b]\ndialect = crtk\nlisten = 127.0.0.1:65535\n" }.freeze
 
+  # Bodies and queries of requests.
+  REQUESTS = { 'body' => '{"name": "a", "workphase": "PLANNING", "point": [1, 2, 3], "rows": [{"depth_mm": 1.5}]}',
+               'query' => 'after=3&level=WARNING' }.freeze
+
   module_function
 
   def write_seeds(words, scenes, folder)
-    FileUtils.mkdir_p(["#{folder}/dialect", "#{folder}/codec", "#{folder}/ports"])
+    FileUtils.mkdir_p(%w[dialect codec ports request].map { |target| "#{folder}/#{target}" })
     PORTS.each { |name, text| File.binwrite("#{folder}/ports/#{name}", text) }
+    REQUESTS.each { |name, text| File.binwrite("#{folder}/request/#{name}", text) }
     scenes.each do |name, lines|
       File.binwrite("#{folder}/dialect/#{name.gsub(/\W+/, '_')}", Scene.new(words, name, lines).bytes)
     end

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Any bytes and any scene against OpenIGTLink; included by the Makefile after supervise.mk.
+# Any bytes and any scene against OpenIGTLink, any request against the HTTP server; included by the Makefile after supervise.mk.
 
 .PHONY: fuzz fuzz-programs
 FUZZ := build/fuzz
@@ -10,9 +10,9 @@ FUZZ_CC := clang-19
 FUZZ_FLAGS := $(WARNINGS) -ffp-contract=off -O2 -g -D_GNU_SOURCE $(TEST_INCLUDES) -I$(UNITY) -fno-sanitize-recover=all
 FUZZ_WATCHED := -fsanitize=fuzzer-no-link,address,undefined
 FUZZED := $(wildcard app/message/*.c app/dialect/*.c)
-FUZZ_TARGETS := codec dialect ports
+FUZZ_TARGETS := codec dialect ports request
 FUZZ_PROGRAMS := $(FUZZ_TARGETS:%=$(FUZZ)/bin/%)
-FUZZ_DIALECT := $(filter-out %codec_fuzz.c %ports_fuzz.c,$(wildcard verification/fuzz/*.c))
+FUZZ_DIALECT := $(filter-out %codec_fuzz.c %ports_fuzz.c %request_fuzz.c,$(wildcard verification/fuzz/*.c))
 fuzz_object = $(patsubst %.c,$(FUZZ)/%.o,$(1))
 
 $(FUZZ_WORDS): verification/fuzz/words.yml tools/fuzz/scenes.rb
@@ -26,7 +26,7 @@ $(FUZZ)/%.o: %.c $(FUZZ_WORDS) | $(GENERATED)
 	@mkdir -p $(@D)
 	@$(FUZZ_CC) $(FUZZ_FLAGS) $(FUZZ_WATCH) -MMD -MP -c $< -o $@
 
-$(FUZZ)/app/%.o $(FUZZ)/verification/fuzz/codec_fuzz.o $(FUZZ)/verification/fuzz/ports_fuzz.o: FUZZ_WATCH = $(FUZZ_WATCHED)
+$(FUZZ)/app/%.o $(FUZZ)/verification/fuzz/codec_fuzz.o $(FUZZ)/verification/fuzz/ports_fuzz.o $(FUZZ)/verification/fuzz/request_fuzz.o: FUZZ_WATCH = $(FUZZ_WATCHED)
 # The words of the scenes tell what is compared with; to trace it would take half of the time.
 $(FUZZ)/app/dialect/%.o: FUZZ_WATCH = $(FUZZ_WATCHED) -fno-sanitize-coverage=trace-cmp
 
@@ -40,6 +40,11 @@ $(FUZZ)/bin/ports: $(call fuzz_object,verification/fuzz/ports_fuzz.c $(wildcard 
 	@$(FUZZ_CC) -fsanitize=fuzzer,address,undefined $^ -o $@
 	@echo "built $@"
 
+$(FUZZ)/bin/request: $(call fuzz_object,verification/fuzz/request_fuzz.c $(wildcard app/request/*.c))
+	@mkdir -p $(@D)
+	@$(FUZZ_CC) -fsanitize=fuzzer,address,undefined $^ -lm -o $@
+	@echo "built $@"
+
 $(FUZZ)/bin/dialect: $(call fuzz_object,$(FUZZ_DIALECT) $(FUZZED)) \
     $(call object,verification/integration/support/rig.c $(BOX_SOURCES) $(NAMES)) build/gcc/libcore.a
 	@mkdir -p $(@D)
@@ -48,7 +53,7 @@ $(FUZZ)/bin/dialect: $(call fuzz_object,$(FUZZ_DIALECT) $(FUZZED)) \
 
 fuzz-programs: $(FUZZ_PROGRAMS) $(FUZZ_SEEDS)
 
-fuzz: bootstrap-test ## Look for inputs that break OpenIGTLink, MINUTES=5 long; what is found is kept in build/fuzz/found
+fuzz: bootstrap-test ## Look for inputs that break OpenIGTLink or HTTP, MINUTES=5 long; what is found is kept in build/fuzz/found
 	@$(MAKE) --no-print-directory -j2 fuzz-programs
 	@ruby tools/fuzz.rb $(FUZZ) $(or $(MINUTES),5)
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# Rule under test: whatever bytes come and whatever peers say, the sentences of codec_fuzz.c and witness.c hold. So many
+# Rule under test: whatever bytes come and whatever peers say, the sentences of codec_fuzz.c, request_fuzz.c and witness.c hold. So many
 # inputs, the same ones on every run; `make fuzz` looks further.
 
 require 'minitest/autorun'
@@ -27,6 +27,10 @@ class TestFuzz < Minitest::Test
 
   def test_SWR_IGTL_023_any_file_of_ports_is_understood_or_refused_with_a_reason
     play('ports', 500_000, 2048)
+  end
+
+  def test_SWR_HTTP_011_any_body_and_query_is_read_within_its_bounds_or_refused_at_its_place
+    play('request', 300_000, 4096)
   end
 
   def test_SWR_IGTL_047_what_must_hold_of_peers_and_commands_holds_whatever_they_say

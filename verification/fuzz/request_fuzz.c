@@ -4,14 +4,11 @@
  * Any bytes as the body and as the query of a request. A sentence that does not hold ends the
  * program: what is refused has a place, what is taken is within its bounds, and nothing else is
  * written.
- *
- *     clang-19 -fsanitize=fuzzer,address,undefined -D_GNU_SOURCE -Iapp -Iverification/unit \
- *         verification/fuzz/http/request_fuzz.c app/request/(all).c -lm
  */
 #include "request/request_body.h"
 #include "request/request_headers.h"
 #include "request/request_query.h"
-#include "support/every_request.h"
+#include "unit/support/every_request.h"
 
 #include <math.h>
 #include <stdlib.h>
