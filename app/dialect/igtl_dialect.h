@@ -23,6 +23,10 @@
 #define IGTL_PLACES (IGTL_PORTS * IGTL_PEERS) /**< Of all ports; a dialect may serve several. */
 #define IGTL_STREAM_US UINT64_C(100000)       /**< Between two poses of a stream. */
 
+#if IGTL_REQUESTS_URGENT != (IGTL_PLACES * IGTL_REQUESTS_PER_PEER)
+#error "STOP finds a place whoever else waits for one."
+#endif
+
 /** What is spoken on a port. */
 typedef enum {
     IGTL_LANGUAGE_BRP_2013 = 0, /**< Workphases; what 2021 added comes a little later. */

@@ -16,8 +16,8 @@
 
 #define IGTL_REQUESTS_PER_PEER 4U /**< Unanswered ones; of STOP and of EMERGENCY as many again. */
 #define IGTL_REQUESTS_COMMON 16U  /**< Places for everything but STOP and EMERGENCY. */
-/** Places for STOP, and as many for EMERGENCY: all peers' shares. */
-#define IGTL_REQUESTS_URGENT 32U
+/** Places for STOP, and as many for EMERGENCY: the shares of all peers of all ports. */
+#define IGTL_REQUESTS_URGENT 128U
 #define IGTL_REQUESTS (IGTL_REQUESTS_COMMON + (2U * IGTL_REQUESTS_URGENT))
 #define IGTL_REQUEST_ID_STEP 2U /**< Ids of the two dialects interleave. */
 /** Then the peer is told that there is no answer. */
@@ -56,6 +56,7 @@ bool igtl_requests_is_urgent(const command_t *command);
  * both.
  *
  * @satisfies SWR-IGTL-006
+ * @satisfies SWR-IGTL-049
  */
 const igtl_request_t *igtl_requests_add(igtl_requests_t *self, uint32_t peer, command_t *command,
                                         uint64_t now_us);

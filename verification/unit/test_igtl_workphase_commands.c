@@ -162,6 +162,35 @@ void test_SWR_IGTL_006_stop_and_emergency_find_a_place_in_any_flood(void)
     TEST_ASSERT_EQUAL_UINT32(WORKPHASE_EMERGENCY, command.argument); /* The last that came. */
 }
 
+/* Ports share the dialect: their peers, and those that have gone, share the places for STOP. */
+void test_SWR_IGTL_049_stop_finds_a_place_when_all_peers_of_all_ports_wait_for_one(void)
+{
+    const uint32_t last = IGTL_PLACES - 1U;
+
+    for (uint32_t peer = 0U; peer < last; peer++) {
+        const igtl_introduction_t introduction = {NUMBER + peer, language, "", &outboxes[0]};
+
+        workphase_dialect_connected(&dialect, peer, &introduction);
+        for (uint32_t i = 0U; i <= IGTL_REQUESTS_PER_PEER; i++) {
+            say(peer, "CMD_S", "STOP");
+            say(peer, "CMD_E", "EMERGENCY");
+        }
+        igtl_outbox_init(&outboxes[0]);
+    }
+    const igtl_introduction_t introduction = {NUMBER + last, language, "", &outboxes[1]};
+    workphase_dialect_connected(&dialect, last, &introduction);
+    say(last, "CMD_1", "EMERGENCY");
+    say(last, "CMD_2", "STOP");
+    EXPECT(1U, "STRING ACK_1 EMERGENCY");
+    EXPECT(1U, "STRING ACK_2 STOP");
+    EXPECT(1U, "");
+    while (igtl_requests_take(&dialect.requests, &command)) {
+        TEST_ASSERT_NOT_NULL(igtl_requests_find(&dialect.requests, command.id));
+    }
+    TEST_ASSERT_EQUAL_UINT32(NUMBER + last, command.peer);
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_STOP, command.argument);
+}
+
 void test_SWR_IGTL_006_stop_that_was_not_passed_on_is_kept_until_it_is(void)
 {
     say(1U, "CMD_S", "STOP");
