@@ -50,7 +50,8 @@ typedef struct {
 typedef struct {
     bool is_waiting;
     rigid_t pose;
-    uint64_t next_us; /**< Not passed on before. */
+    uint64_t next_us;      /**< Not passed on before. */
+    uint64_t next_note_us; /**< Not before this time is one for the log again. */
 } workphase_tip_t;
 
 typedef struct {

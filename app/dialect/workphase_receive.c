@@ -319,10 +319,42 @@ void workphase_receive_transform(workphase_dialect_t *self, uint32_t index,
     }
 }
 
+/* Of all peers; while nobody commands each may send them. */
+static bool are_tips_enough(const workphase_dialect_t *self)
+{
+    uint32_t count = 0U;
+
+    for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
+        const igtl_request_t *request = &self->requests.requests[i];
+
+        count += ((request->id != 0U) && (request->kind == (uint32_t)COMMAND_NEEDLE)) ? 1U : 0U;
+    }
+    return count >= LIMIT_IGTL_TIPS_AT_A_TIME;
+}
+
+/* One that is not for the log says so by its argument. */
+static void pass_tip(workphase_dialect_t *self, uint32_t index, const igtl_moment_t *moment)
+{
+    workphase_peer_t *peer = &self->peers[index];
+    const bool is_noted = moment->now_us >= peer->tip.next_note_us;
+    command_t command = {.peer = peer->number,
+                         .kind = (uint32_t)COMMAND_NEEDLE,
+                         .argument = is_noted ? 0U : 1U,
+                         .pose = peer->tip.pose};
+
+    if (igtl_requests_add(&self->requests, index, &command, moment->patience_us) == NULL) {
+        return;
+    }
+    peer->tip.is_waiting = false;
+    peer->tip.next_us = moment->now_us + LIMIT_IGTL_TIP_INTERVAL_US;
+    if (is_noted) {
+        peer->tip.next_note_us = moment->now_us + LIMIT_IGTL_TIP_NOTE_US;
+    }
+}
+
 void workphase_receive_step(workphase_dialect_t *self, uint32_t index, const igtl_moment_t *moment)
 {
     workphase_peer_t *peer = &self->peers[index];
-    command_t command = {.peer = peer->number, .kind = (uint32_t)COMMAND_NEEDLE};
 
     if (!peer->tip.is_waiting || (moment->now_us < peer->tip.next_us)) {
         return;
@@ -332,9 +364,7 @@ void workphase_receive_step(workphase_dialect_t *self, uint32_t index, const igt
         deny(peer, workphase_peer_tip_subject(peer), moment);
         return;
     }
-    command.pose = peer->tip.pose;
-    if (igtl_requests_add(&self->requests, index, &command, moment->patience_us) != NULL) {
-        peer->tip.is_waiting = false;
-        peer->tip.next_us = moment->now_us + LIMIT_IGTL_TIP_INTERVAL_US;
+    if (!are_tips_enough(self)) {
+        pass_tip(self, index, moment);
     }
 }

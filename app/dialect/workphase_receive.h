@@ -38,6 +38,7 @@ void workphase_receive_transform(workphase_dialect_t *self, uint32_t peer,
  * Passes on the tip of a connected peer that waits for its turn.
  *
  * @satisfies SWR-IGTL-034
+ * @satisfies SWR-IGTL-050
  */
 void workphase_receive_step(workphase_dialect_t *self, uint32_t peer, const igtl_moment_t *moment);
 

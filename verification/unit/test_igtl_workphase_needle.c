@@ -100,7 +100,7 @@ void test_SWR_IGTL_034_of_many_tips_the_newest_is_passed_on_in_its_time(void)
     pass_us(LIMIT_IGTL_TIP_INTERVAL_US - 1U);
     expect_no_command();
     pass_us(1U);
-    expect_command(COMMAND_NEEDLE, 0U);
+    expect_command(COMMAND_NEEDLE, 1U); /* The first was for the log. */
     TEST_ASSERT_EQUAL_INT32(9000000, command.pose.translation.x_nm);
     pass_us(1000000U);
     expect_no_command();
@@ -122,6 +122,44 @@ void test_SWR_IGTL_034_a_tip_waits_while_too_much_is_on_its_way(void)
     expect_no_command();
     answer_to(&command, ANSWER_REFUSED, STATUS_WRONG_WORKPHASE, 1U);
     pass_us(0U);
+    expect_command(COMMAND_NEEDLE, 0U);
+}
+
+void test_SWR_IGTL_050_tips_of_many_leave_room_for_commands(void)
+{
+    command_t tips[LIMIT_IGTL_TIPS_AT_A_TIME];
+
+    for (uint32_t peer = 0U; peer < IGTL_PEERS; peer++) {
+        place(peer, "NPOS_1", (float)peer);
+    }
+    pass_us(0U);
+    for (uint32_t i = 0U; i < LIMIT_IGTL_TIPS_AT_A_TIME; i++) {
+        expect_command(COMMAND_NEEDLE, 0U);
+        tips[i] = command;
+    }
+    expect_no_command();
+    for (uint32_t i = 0U; i < LIMIT_IGTL_TIPS_AT_A_TIME; i++) {
+        answer_to(&tips[i], ANSWER_ACCEPTED, STATUS_OK, 1U);
+    }
+    pass_us(0U); /* It is the turn of the others. */
+    expect_command(COMMAND_NEEDLE, 0U);
+    TEST_ASSERT_EQUAL_UINT32(NUMBER + LIMIT_IGTL_TIPS_AT_A_TIME, command.peer);
+}
+
+void test_SWR_IGTL_050_of_the_tips_of_a_second_one_is_for_the_log(void)
+{
+    place(0U, "NPOS_1", 1.0F);
+    pass_us(0U);
+    expect_command(COMMAND_NEEDLE, 0U);
+    answer_to(&command, ANSWER_REFUSED, STATUS_WRONG_WORKPHASE, 1U);
+    for (uint32_t i = 1U; i < (LIMIT_IGTL_TIP_NOTE_US / LIMIT_IGTL_TIP_INTERVAL_US); i++) {
+        place(0U, "NPOS_2", 1.0F);
+        pass_us(LIMIT_IGTL_TIP_INTERVAL_US);
+        expect_command(COMMAND_NEEDLE, 1U);
+        answer_to(&command, ANSWER_REFUSED, STATUS_WRONG_WORKPHASE, 1U);
+    }
+    place(0U, "NPOS_3", 1.0F);
+    pass_us(LIMIT_IGTL_TIP_INTERVAL_US);
     expect_command(COMMAND_NEEDLE, 0U);
 }
 
