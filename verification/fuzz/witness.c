@@ -256,7 +256,7 @@ static void judge(const world_t *world, uint32_t place, const uint8_t *bytes, ui
     SENTENCE((header.body_bytes + IGTL_HEADER_BYTES) == length, "a message is whole");
     SENTENCE(igtl_decode_body(&header, &bytes[IGTL_HEADER_BYTES], &message) == IGTL_OK,
              "a message is well formed");
-    SENTENCE((header.version == 1U) || (world->peers[place].version == 2U) ||
+    SENTENCE((header.version == 1U) || world->peers[place].has_spoken_2 ||
                  (strcmp(header.type, "RTS_COMMAND") == 0),
              "version 2 is for those who speak it");
     SENTENCE((message.kind == IGTL_KIND_TRANSFORM) || (message.kind == IGTL_KIND_STRING) ||

@@ -114,7 +114,6 @@ static void hand_over(world_t *self, uint32_t place)
     world_peer_t *peer = &self->peers[place];
     const igtl_message_t *message = &peer->inbox.message;
 
-    igtl_outbox_hear(&peer->outbox, message->version);
     witness_hears(self, place, message);
     if (is_planner(peer)) {
         transform_dialect_receive(&self->transform, place, message, &self->moment);
@@ -122,6 +121,13 @@ static void hand_over(world_t *self, uint32_t place)
         workphase_dialect_receive(&self->workphase, place, message, &self->moment);
     }
     witness_after(self);
+}
+
+/* As igtl_connection.c does it: also of what is refused or skipped. */
+static void hear_version(world_peer_t *peer)
+{
+    igtl_outbox_hear(&peer->outbox, peer->inbox.header.version);
+    peer->has_spoken_2 = peer->has_spoken_2 || (peer->inbox.header.version == 2U);
 }
 
 void world_receive(world_t *self, uint32_t place, const uint8_t *bytes, uint32_t length)
@@ -136,7 +142,13 @@ void world_receive(world_t *self, uint32_t place, const uint8_t *bytes, uint32_t
 
         (void)memcpy(where, &bytes[at], count);
         at += count;
-        switch (igtl_inbox_advance(&peer->inbox, count, self->moment.now_us)) {
+        const igtl_inbox_event_t event =
+            igtl_inbox_advance(&peer->inbox, count, self->moment.now_us);
+
+        if (event != IGTL_INBOX_WAITING) {
+            hear_version(peer);
+        }
+        switch (event) {
         case IGTL_INBOX_MESSAGE:
             hand_over(self, place);
             break;

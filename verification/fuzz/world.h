@@ -30,7 +30,8 @@ typedef struct {
     bool is_connected;
     bool is_hung; /**< Reads nothing. */
     uint32_t number;
-    uint32_t version; /**< Of its headers. */
+    uint32_t version;  /**< Of the headers that it writes, */
+    bool has_spoken_2; /**< and whether one of version 2 has come, damaged or not. */
     igtl_language_t language;
     igtl_inbox_t inbox;
     igtl_outbox_t outbox;
