@@ -9,7 +9,7 @@
 #include "request/request_names.h"
 #include "request/request_query.h"
 #include "request/request_value.h"
-#include "support/every_request.h"
+#include "unit/support/every_request.h"
 
 #include <stdint.h>
 #include <stdio.h>
