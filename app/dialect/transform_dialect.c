@@ -193,6 +193,10 @@ void transform_dialect_step(transform_dialect_t *self, const igtl_moment_t *mome
         }
         if ((peer->outbox != NULL) && (moment->snapshot != NULL)) {
             transform_show_step(&peer->shown, self->robot, peer->outbox, &view, moment);
+        } else if (peer->outbox != NULL) {
+            transform_show_silence(&peer->shown, peer->outbox, moment);
+        } else {
+            /* Not connected. */
         }
     }
 }

@@ -178,6 +178,19 @@ void transform_show_step(transform_shown_t *self, const robot_t *robot, igtl_out
     }
 }
 
+void transform_show_silence(transform_shown_t *self, igtl_outbox_t *outbox,
+                            const igtl_moment_t *moment)
+{
+    transform_view_t view;
+
+    (void)memset(&view, 0, sizeof view);
+    view.measured.pose_status = (uint32_t)STATUS_NO_ANSWER;
+    view.measured.joint_status = (uint32_t)STATUS_NO_ANSWER;
+    if (is_measured_due(self, &view.measured, moment)) {
+        send_measured(self, NULL, outbox, &view, moment);
+    }
+}
+
 /* One that is known, or why it is not. */
 static void answer_known(igtl_outbox_t *outbox, const char *name, uint32_t status,
                          const rigid_t *pose, const igtl_moment_t *moment)

@@ -40,6 +40,14 @@ void transform_show_step(transform_shown_t *self, const robot_t *robot, igtl_out
                          const transform_view_t *view, const igtl_moment_t *moment);
 
 /**
+ * The controller is silent: in place of measured values sends that reason, once.
+ *
+ * @satisfies SWR-IGTL-051
+ */
+void transform_show_silence(transform_shown_t *self, igtl_outbox_t *outbox,
+                            const igtl_moment_t *moment);
+
+/**
  * Answers GET_TRANS, GET_POINT or GET_STATUS.
  *
  * @satisfies SWR-IGTL-040

@@ -97,7 +97,7 @@ static void tell_phase(workphase_peer_t *peer, const igtl_moment_t *moment)
 {
     if (moment->snapshot == NULL) {
         workphase_peer_tell_phase(peer, IGTL_STATUS_CONFIG_ERROR, (uint32_t)WORKPHASE_UNDEFINED,
-                                  "The workphase is not known: control has not started.", moment);
+                                  "The workphase is not known: control is silent.", moment);
         return;
     }
     workphase_peer_tell_phase(peer, IGTL_STATUS_OK, moment->snapshot->workphase, "", moment);

@@ -48,6 +48,7 @@ typedef struct {
     uint64_t patience_ns;
     uint32_t control_beats;
     uint64_t control_seen_us;
+    bool is_control_silent;
 } process_t;
 
 static process_t process;
@@ -113,6 +114,7 @@ static void advance_patience(uint64_t elapsed_us)
     process.moment.patience_us = process.patience_ns / 1000U;
 }
 
+/* What a silent controller said last is not true any more. */
 static void look_around(void)
 {
     const uint64_t before_us = process.moment.now_us;
@@ -123,7 +125,7 @@ static void look_around(void)
     process.moment.timestamp = timestamp_now();
     if (exchange_read_snapshot(process.exchange, &fresh)) {
         process.snapshot = fresh;
-        process.moment.snapshot = &process.snapshot;
+        process.moment.snapshot = process.is_control_silent ? NULL : &process.snapshot;
     }
 }
 
@@ -146,9 +148,11 @@ static void watch_control(void)
     if (beats != process.control_beats) {
         process.control_beats = beats;
         process.control_seen_us = process.moment.patience_us;
+        process.is_control_silent = false;
     } else if ((process.moment.patience_us - process.control_seen_us) >= CONTROL_SILENT_US) {
         workphase_dialect_control_lost(&process.workphase, &process.moment);
         process.control_seen_us = process.moment.patience_us;
+        process.is_control_silent = true;
     } else {
         /* It may be a little late. */
     }

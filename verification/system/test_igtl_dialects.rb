@@ -135,6 +135,20 @@ class TestIgtlDialects < SystemTest
     end
   end
 
+  def test_SWR_IGTL_051_nothing_is_known_from_a_controller_that_is_silent
+    converse(boresight.brp_port) do |client|
+      IgtlClient.open(boresight.igtl_port) do |display|
+        display.run('expect STATUS measured_cp 13')
+        boresight.while_stopped('control') do
+          display.run('expect STATUS measured_cp 7')
+          client.run('ask GET_TRANS CURRENT_POSITION')
+          client.run('expect STATUS CURRENT_POSITION 7')
+        end
+        display.run('expect STATUS measured_cp 13')
+      end
+    end
+  end
+
   private
 
   def converse(port)

@@ -320,11 +320,35 @@ void test_SWR_IGTL_039_lengths_of_the_robot_are_told_to_who_joins_or_asks(void)
     }
 }
 
-void test_SWR_IGTL_012_nothing_is_sent_before_the_first_snapshot(void)
+static void expect_silence_told(uint32_t peer)
+{
+    EXPECT_BEGIN(peer, "STATUS measured_cp 7 NO_ANSWER|");
+    EXPECT_BEGIN(peer, "STATUS measured_jp 7 NO_ANSWER|");
+    EXPECT_BEGIN(peer, "STATUS measured_jv 7 NO_ANSWER|");
+    EXPECT(peer, "");
+}
+
+void test_SWR_IGTL_051_before_the_first_snapshot_nothing_is_known(void)
 {
     moment.snapshot = NULL;
     pass_us(IGTL_STREAM_US);
+    expect_silence_told(0U);
+    pass_us(IGTL_STREAM_US);
     EXPECT(0U, "");
+}
+
+void test_SWR_IGTL_051_a_controller_that_falls_silent_is_told_once_and_its_return_at_once(void)
+{
+    pass_us(0U);
+    expect_measured(0U);
+    moment.snapshot = NULL;
+    pass_us(0U);
+    expect_silence_told(0U);
+    pass_us(IGTL_STREAM_US);
+    EXPECT(0U, "");
+    moment.snapshot = &snapshot;
+    pass_us(0U);
+    expect_measured(0U);
 }
 
 void test_SWR_IGTL_037_neither_poses_nor_joints_are_streamed_before_they_are_known(void)
