@@ -44,11 +44,10 @@ typedef struct {
 
 /** The moment in which something happens. */
 typedef struct {
-    uint64_t now_us;      /**< Monotonic. */
-    uint64_t patience_us; /**< Of those who wait for control; see igtl_main.c. */
-    uint64_t timestamp;   /**< For outgoing messages, units of 2^-32 s since 1970. */
-    const snapshot_t
-        *snapshot; /**< The newest; NULL before the first, and while control is silent. */
+    uint64_t now_us;            /**< Monotonic. */
+    uint64_t patience_us;       /**< Of those who wait for control; see igtl_main.c. */
+    uint64_t timestamp;         /**< For outgoing messages, units of 2^-32 s since 1970. */
+    const snapshot_t *snapshot; /**< The newest; NULL: none yet, or control is silent. */
 } igtl_moment_t;
 
 /** Code, and "NAME: sentence" with the axis and limit, of an answer that is not a plain success. */
