@@ -229,11 +229,20 @@ static void answer_by_kind(workphase_dialect_t *self, const igtl_request_t *requ
     }
 }
 
-/* The command for which an order's end waited has been answered: was it what ended it? The
- * controller answers in this order. */
-static void release_end(workphase_peer_t *peer, bool is_accepted)
+/* The controller answers in this order: a command that discards an order is accepted after the
+ * order's end. */
+static bool has_ended_it(const workphase_peer_t *peer, const igtl_request_t *request,
+                         const answer_t *answer)
 {
-    if (peer->end.is_waiting && !(peer->end.is_discarded && is_accepted)) {
+    return peer->end.is_discarded && (answer->kind == (uint32_t)ANSWER_ACCEPTED) &&
+           ((request->kind == (uint32_t)COMMAND_WORKPHASE) ||
+            (request->kind == (uint32_t)COMMAND_RETRACT));
+}
+
+/* The command for which an order's end waited has been answered, and has not ended it. */
+static void release_end(workphase_peer_t *peer)
+{
+    if (peer->end.is_waiting) {
         igtl_outbox_add(peer->outbox, &peer->end.packet);
     }
     peer->end.is_waiting = false;
@@ -244,14 +253,16 @@ void workphase_answer_tell(workphase_dialect_t *self, const igtl_request_t *requ
 {
     workphase_peer_t *peer = &self->peers[request->peer];
     const bool is_awaited = peer->pending == request->id;
-    const bool is_accepted = answer->kind == (uint32_t)ANSWER_ACCEPTED;
 
     if (is_awaited) {
         peer->pending = 0U;
     }
     answer_by_kind(self, request, answer, moment);
+    if (has_ended_it(peer, request, answer)) {
+        peer->end.is_waiting = false;
+    }
     if (is_awaited) {
-        release_end(peer, is_accepted);
+        release_end(peer);
     }
     workphase_watch_note(self, request, answer, moment);
 }
@@ -264,6 +275,6 @@ void workphase_answer_tell_none(workphase_dialect_t *self, const igtl_request_t 
     igtl_tell_refusal(peer->outbox, subject_of(peer, request), STATUS_NO_ANSWER, moment);
     if (peer->pending == request->id) {
         peer->pending = 0U;
-        release_end(peer, false);
+        release_end(peer);
     }
 }

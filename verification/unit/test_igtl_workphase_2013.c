@@ -171,6 +171,31 @@ static void end_by_command(const command_t *ended, uint32_t is_final)
     accept(is_final);
 }
 
+void test_SWR_IGTL_030_the_first_of_two_commands_ends_the_order_in_silence(void)
+{
+    command_t move;
+    command_t targeting;
+
+    start_move();
+    move = command;
+    say(0U, "CMD_A", "TARGETING");
+    say(0U, "CMD_B", "CALIBRATION");
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_TARGETING);
+    targeting = command;
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_CALIBRATION);
+    answer_to(&move, ANSWER_ABORTED, STATUS_DISCARDED, 1U);
+    snapshot.workphase = (uint32_t)WORKPHASE_TARGETING;
+    answer_to(&targeting, ANSWER_ACCEPTED, STATUS_OK, 1U);
+    answer_to(&command, ANSWER_REFUSED, STATUS_WRONG_WORKPHASE, 1U);
+    EXPECT(0U, "STRING ACK_A TARGETING");
+    EXPECT(0U, "STRING ACK_B CALIBRATION");
+    EXPECT(0U, "STATUS CURRENT_STATUS 1 TARGETING|");
+    EXPECT(0U, "STATUS TARGETING 1 TARGETING|");
+    EXPECT(0U, "STATUS CURRENT_STATUS 1 CALIBRATION|");
+    EXPECT_BEGIN(0U, "STATUS CALIBRATION 13 TARGETING|WRONG_WORKPHASE: ");
+    EXPECT(0U, "");
+}
+
 void test_SWR_IGTL_030_stop_of_the_commander_is_followed_by_silence(void)
 {
     command_t move;
