@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "dialect/workphase_dialect.h"
 
+#include "charts/arming_chart.h"
 #include "dialect/workphase_answer.h"
 #include "dialect/workphase_peer.h"
 #include "dialect/workphase_poll.h"
@@ -133,6 +134,24 @@ bool workphase_dialect_answer(workphase_dialect_t *self, const answer_t *answer,
     return true;
 }
 
+/* A client armed it through an earlier run of this process, and is gone. A jog is the console's. */
+static bool has_orphan(const workphase_dialect_t *self, const snapshot_t *snapshot)
+{
+    if ((snapshot == NULL) || (snapshot->order != (uint32_t)ARMING_STATE_WAITING) ||
+        ((snapshot->workphase != (uint32_t)WORKPHASE_START_UP) &&
+         (snapshot->workphase != (uint32_t)WORKPHASE_MOVE_TO_TARGET))) {
+        return false;
+    }
+    for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
+        const igtl_request_t *request = &self->requests.requests[i];
+
+        if ((request->id != 0U) && (is_long(request) || (request->peer == IGTL_NOBODY))) {
+            return false;
+        }
+    }
+    return true;
+}
+
 /* Nobody is told: the peer that would be has gone. */
 static void stop_for_lost_peer(workphase_dialect_t *self, uint64_t patience_us)
 {
@@ -180,6 +199,7 @@ void workphase_dialect_step(workphase_dialect_t *self, const igtl_moment_t *mome
 {
     const igtl_request_t *overdue = igtl_requests_overdue(&self->requests, moment->patience_us);
 
+    self->must_stop = self->must_stop || has_orphan(self, moment->snapshot);
     stop_for_lost_peer(self, moment->patience_us);
     while (overdue != NULL) {
         tell_no_answer(self, overdue, moment);

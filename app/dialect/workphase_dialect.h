@@ -98,7 +98,8 @@ typedef struct {
     workphase_peer_t peers[IGTL_PLACES];
     uint32_t controller;       /**< Peer that commands, or IGTL_NOBODY. */
     uint64_t next_position_us; /**< When the next CURRENT_POSITION is due. */
-    /** The controlling peer was lost with a command armed; STOP has still to go. */
+    /** The peer of an order was lost, with its connection or with an earlier run of this process;
+     * STOP has still to go. */
     bool must_stop;
 } workphase_dialect_t;
 
@@ -132,7 +133,12 @@ void workphase_dialect_receive(void *dialect, uint32_t peer, const igtl_message_
 bool workphase_dialect_answer(workphase_dialect_t *self, const answer_t *answer,
                               const igtl_moment_t *moment);
 
-/** Time passes: deferred messages, the position stream, missing answers, what happens by itself. */
+/**
+ * Time passes: deferred messages, the position stream, missing answers, what happens by itself, and
+ * an order that no connection has asked for.
+ *
+ * @satisfies SWR-IGTL-052
+ */
 void workphase_dialect_step(workphase_dialect_t *self, const igtl_moment_t *moment);
 
 /** The controller has ended, or does not answer any more: whoever waits for the end of a request is

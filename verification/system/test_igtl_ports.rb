@@ -99,6 +99,15 @@ class TestIgtlPorts < SystemTest
     client.close
   end
 
+  # The pedal would go on with it, and nobody would know.
+  def test_SWR_IGTL_052_an_order_that_waits_ends_with_the_server_that_it_came_by
+    boresight.command('START_UP')
+    wait_until('START_UP is armed') { boresight.status['order'] == 'waiting' }
+    boresight.kill('igtl', 'KILL')
+    wait_until('its order has ended') { boresight.status['workphase']['name'] == 'STOP' }
+    assert_equal 'none', boresight.status['order']
+  end
+
   private
 
   def assert_refused(file, code, sentence)

@@ -288,6 +288,43 @@ void test_SWR_IGTL_011_losing_the_peer_of_an_armed_move_stops_it(void)
     expect_no_command();
 }
 
+void test_SWR_IGTL_052_an_order_of_an_earlier_run_is_stopped_when_it_waits_for_the_pedal(void)
+{
+    static const workphase_t workphases[] = {WORKPHASE_START_UP, WORKPHASE_MOVE_TO_TARGET};
+
+    for (uint32_t i = 0U; i < 2U; i++) {
+        snapshot.workphase = (uint32_t)workphases[i];
+        snapshot.order = (uint32_t)ARMING_STATE_MOVING; /* The pedal holds it. */
+        pass_us(1000U);
+        expect_no_command();
+        snapshot.order = (uint32_t)ARMING_STATE_WAITING;
+        pass_us(1000U);
+        pass_us(1000U);
+        expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_STOP);
+        pass_us(1000U);
+        expect_no_command(); /* Once, while it is not answered. */
+        snapshot.order = (uint32_t)ARMING_STATE_NONE;
+        accept(1U);
+        pass_us(1000U);
+        expect_no_command();
+    }
+}
+
+void test_SWR_IGTL_052_what_a_client_or_the_console_has_armed_goes_on(void)
+{
+    start_move();
+    snapshot.order = (uint32_t)ARMING_STATE_WAITING;
+    pass_us(1000U);
+    expect_no_command();
+    answer_to(&command, ANSWER_DONE, STATUS_OK, 1U);
+    snapshot.workphase = (uint32_t)WORKPHASE_MANUAL;
+    pass_us(1000U);
+    expect_no_command();
+    moment.snapshot = NULL;
+    pass_us(1000U);
+    expect_no_command();
+}
+
 void test_SWR_EVENT_005_a_command_carries_the_number_of_its_connection(void)
 {
     say(0U, "CMD_1", "CALIBRATION");
