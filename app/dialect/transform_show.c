@@ -158,8 +158,8 @@ static bool is_measured_due(const transform_shown_t *self, const transform_measu
 {
     const transform_measured_t *seen = &self->seen.measured;
     const bool has_changed = memcmp(measured, seen, sizeof *measured) != 0;
-    const bool has_turned = (measured->pose_status != seen->pose_status) ||
-                            (measured->joint_status != seen->joint_status);
+    /* The status of the joints follows from it. */
+    const bool has_turned = measured->pose_status != seen->pose_status;
 
     return self->must_send_measured || has_turned ||
            ((moment->now_us >= self->next_measured_us) && (has_changed || igtl_is_moving(moment)));

@@ -12,6 +12,7 @@
 #include "message/igtl_outbox.h"
 #include "unity.h"
 
+#include <string.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -115,6 +116,25 @@ void test_SWR_IGTL_011_no_more_is_read_than_its_share(void)
                           igtl_connection_receive(&connection, 7U, &bytes_left, &event));
     TEST_ASSERT_EQUAL_INT(IGTL_INBOX_MESSAGE, event);
     TEST_ASSERT_EQUAL_UINT32(9U, bytes_left);
+    TEST_ASSERT_EQUAL_UINT64(7U, connection.heard_us);
+}
+
+void test_SWR_IGTL_026_message_that_is_skipped_is_heard_and_garbage_is_not(void)
+{
+    igtl_packet_t strange = packet;
+
+    connect_by(SOCK_STREAM);
+    (void)memcpy(&strange.bytes[2], "ANYTHING", 8U);
+    TEST_ASSERT_EQUAL_INT(strange.length, send(peer, strange.bytes, strange.length, 0));
+    TEST_ASSERT_EQUAL_INT(IGTL_RECEIVED_EVENT,
+                          igtl_connection_receive(&connection, 7U, &bytes_left, &event));
+    TEST_ASSERT_EQUAL_INT(IGTL_INBOX_SKIPPED, event);
+    TEST_ASSERT_EQUAL_UINT64(7U, connection.heard_us);
+    packet.bytes[packet.length - 1U] ^= 1U;
+    TEST_ASSERT_EQUAL_INT(packet.length, send(peer, packet.bytes, packet.length, 0));
+    TEST_ASSERT_EQUAL_INT(IGTL_RECEIVED_EVENT,
+                          igtl_connection_receive(&connection, 9U, &bytes_left, &event));
+    TEST_ASSERT_EQUAL_INT(IGTL_INBOX_REFUSED, event);
     TEST_ASSERT_EQUAL_UINT64(7U, connection.heard_us);
 }
 

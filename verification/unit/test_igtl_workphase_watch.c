@@ -192,6 +192,14 @@ void test_SWR_IGTL_033_lost_cards_and_failed_axes_are_said_by_name(void)
     EXPECT(0U, ""); /* That all is well is said when asked. */
 }
 
+void test_SWR_IGTL_033_an_axis_that_stalls_is_said_though_its_power_is_well(void)
+{
+    snapshot.axes[3].stall = (uint32_t)STALL_WATCHDOG_STATE_STALLED;
+    pass_us(0U);
+    EXPECT(0U, "STATUS PLANNING 18 HARDWARE_FAILURE|HARDWARE_FAILURE: Axis insertion has a fault.");
+    EXPECT(0U, "");
+}
+
 void test_SWR_IGTL_033_what_stops_everything_is_said(void)
 {
     snapshot.loop = (uint32_t)LOOP_GUARD_STATE_STOPPED;
@@ -313,6 +321,19 @@ void test_SWR_IGTL_032_an_order_ended_by_a_fault_names_it_once(void)
     EXPECT(0U, "STATUS MOVE_TO_TARGET 18 MOVE_TO_TARGET|HARDWARE_FAILURE: Card 3 is lost. Axis "
                "insertion has a fault.");
     pass_us(1000000U);
+    EXPECT(0U, "");
+}
+
+void test_SWR_IGTL_033_an_estop_beside_the_fault_that_ends_an_order_is_said_as_well(void)
+{
+    const command_t move = armed_move();
+
+    lose_card(3U);
+    pull_estop();
+    answer_to(&move, ANSWER_ABORTED, STATUS_FAULT_PRESENT, 1U);
+    EXPECT_BEGIN(0U, "STATUS MOVE_TO_TARGET 18 ");
+    pass_us(0U);
+    EXPECT_BEGIN(0U, "STATUS EMERGENCY 3 PANIC_MODE|PANIC_MODE: The e-stop ");
     EXPECT(0U, "");
 }
 
