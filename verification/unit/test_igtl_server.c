@@ -279,6 +279,24 @@ void test_SWR_IGTL_026_nobody_who_has_spoken_lately_loses_its_place(void)
     TEST_ASSERT_EQUAL_UINT64(0U, troubles(IGTL_TROUBLE_SILENT));
 }
 
+void test_SWR_IGTL_026_silence_as_long_as_the_limit_costs_no_place(void)
+{
+    fill();
+    enter(IGTL_PEERS);
+    for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
+        say(i);
+    }
+    igtl_server_receive(&server, &moment);
+    moment.now_us += LIMIT_IGTL_SILENT_US;
+    ask(IGTL_PEERS);
+    igtl_server_receive(&server, &moment);
+    TEST_ASSERT_EQUAL_UINT64(0U, troubles(IGTL_TROUBLE_SILENT));
+    moment.now_us++;
+    ask(IGTL_PEERS);
+    igtl_server_receive(&server, &moment);
+    TEST_ASSERT_EQUAL_UINT64(1U, troubles(IGTL_TROUBLE_SILENT));
+}
+
 void test_SWR_IGTL_026_a_stop_waits_for_nobodys_silence(void)
 {
     fill();

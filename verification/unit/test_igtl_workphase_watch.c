@@ -337,6 +337,19 @@ void test_SWR_IGTL_033_an_estop_beside_the_fault_that_ends_an_order_is_said_as_w
     EXPECT(0U, "");
 }
 
+void test_SWR_IGTL_033_a_stop_of_someone_else_beside_such_a_fault_is_said_as_well(void)
+{
+    const command_t move = armed_move();
+
+    lose_card(3U);
+    snapshot.workphase = (uint32_t)WORKPHASE_STOP;
+    answer_to(&move, ANSWER_ABORTED, STATUS_FAULT_PRESENT, 1U);
+    EXPECT_BEGIN(0U, "STATUS MOVE_TO_TARGET 18 ");
+    pass_us(0U);
+    EXPECT_BEGIN(0U, "STATUS STOP 1 STOP|");
+    EXPECT(0U, "");
+}
+
 void test_SWR_IGTL_032_a_fault_that_is_not_shown_any_more_is_one_all_the_same(void)
 {
     const command_t move = armed_move();
