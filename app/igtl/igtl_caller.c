@@ -106,10 +106,10 @@ igtl_call_t igtl_caller_step(igtl_caller_t *self, uint64_t now_us, int *descript
                                                             : begin(self, now_us);
 }
 
-void igtl_caller_lost(igtl_caller_t *self, uint64_t now_us)
+void igtl_caller_lost(igtl_caller_t *self, bool was_heard, uint64_t now_us)
 {
     self->is_connected = false;
-    if ((now_us - self->since_us) > self->pause_us) {
+    if (was_heard || ((now_us - self->since_us) > self->pause_us)) {
         self->pause_us = LIMIT_IGTL_CALL_LEAST_US;
     }
     pause_longer(self, now_us);

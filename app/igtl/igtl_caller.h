@@ -2,7 +2,8 @@
 /**
  * @file
  * Calls one address until it answers, never waiting for it. Each vain call, and each connection
- * that lasted no longer than the pause before it, doubles the pause.
+ * that ended without one message of the peer and lasted no longer than the pause before it, doubles
+ * the pause; after any other connection it is the first one.
  */
 #ifndef BORESIGHT_IGTL_CALLER_H
 #define BORESIGHT_IGTL_CALLER_H
@@ -43,7 +44,11 @@ typedef enum {
  */
 igtl_call_t igtl_caller_step(igtl_caller_t *self, uint64_t now_us, int *descriptor);
 
-/** The connection has ended. */
-void igtl_caller_lost(igtl_caller_t *self, uint64_t now_us);
+/**
+ * The connection has ended; `was_heard`: the peer sent a message.
+ *
+ * @satisfies SWR-IGTL-025
+ */
+void igtl_caller_lost(igtl_caller_t *self, bool was_heard, uint64_t now_us);
 
 #endif

@@ -22,6 +22,7 @@ void igtl_connection_init(igtl_connection_t *self)
     self->number = 0U;
     self->place = IGTL_NO_PLACE;
     self->heard_us = 0U;
+    self->was_heard = false;
     self->sent = 0U;
     self->acknowledged = 0U;
     self->moved_us = 0U;
@@ -78,6 +79,7 @@ igtl_received_t igtl_connection_receive(igtl_connection_t *self, uint64_t now_us
         *event = igtl_inbox_advance(&self->inbox, (uint32_t)count, now_us);
         if ((*event == IGTL_INBOX_MESSAGE) || (*event == IGTL_INBOX_SKIPPED)) {
             self->heard_us = now_us;
+            self->was_heard = true;
         }
         if (*event != IGTL_INBOX_WAITING) {
             igtl_outbox_hear(&self->outbox, self->inbox.header.version);

@@ -16,6 +16,7 @@ typedef struct {
     uint32_t number;       /**< Given by the server, never used again. */
     uint32_t place;        /**< Of the server's, IGTL_NO_PLACE while it waits for one. */
     uint64_t heard_us;     /**< When it connected or last sent a valid message. */
+    bool was_heard;        /**< It has sent a valid message. */
     uint64_t sent;         /**< Bytes that were written. */
     uint64_t acknowledged; /**< Of these, as far as the peer's machine has taken them. */
     uint64_t moved_us;     /**< When that last became more; 0: nobody watches it. */

@@ -91,7 +91,7 @@ void igtl_server_drop(igtl_server_t *self, igtl_connection_t *connection, uint64
         self->calls->disconnected(self->dialect, igtl_server_peer(self, connection));
     }
     if (self->port->is_calling) {
-        igtl_caller_lost(&self->caller, now_us);
+        igtl_caller_lost(&self->caller, connection->was_heard, now_us);
     }
 }
 

@@ -504,11 +504,55 @@ void test_SWR_IGTL_025_connection_that_lasted_sets_the_pause_back(void)
                             .since_us = 5U,
                             .is_connected = true};
 
-    igtl_caller_lost(&caller, 5U + LIMIT_IGTL_CALL_MOST_US);
+    igtl_caller_lost(&caller, false, 5U + LIMIT_IGTL_CALL_MOST_US);
     TEST_ASSERT_EQUAL_UINT64(5U + (2U * LIMIT_IGTL_CALL_MOST_US), caller.next_us);
-    igtl_caller_lost(&caller, 6U + LIMIT_IGTL_CALL_MOST_US);
+    igtl_caller_lost(&caller, false, 6U + LIMIT_IGTL_CALL_MOST_US);
     TEST_ASSERT_EQUAL_UINT64(6U + LIMIT_IGTL_CALL_MOST_US + LIMIT_IGTL_CALL_LEAST_US,
                              caller.next_us);
+}
+
+/* Answers the call that is due, and hangs up, with a message before or without. */
+static void hang_up_at_once(int slicer, bool is_heard)
+{
+    uint32_t address;
+    uint16_t number;
+
+    igtl_server_receive(&server, &moment);
+    clients[0] = igtl_listener_accept(slicer, &address, &number);
+    TEST_ASSERT_GREATER_OR_EQUAL_INT(0, clients[0]);
+    igtl_server_receive(&server, &moment);
+    if (is_heard) {
+        say(0U);
+        igtl_server_receive(&server, &moment);
+    }
+    leave(0U);
+}
+
+void test_SWR_IGTL_025_peer_that_said_something_is_called_after_the_first_pause(void)
+{
+    const int slicer = begin_calling();
+
+    server.caller.pause_us = LIMIT_IGTL_CALL_MOST_US;
+    for (uint32_t i = 0U; i < 3U; i++) {
+        hang_up_at_once(slicer, true);
+        shows(EXCHANGE_PORT_WAITING, 0U, 0U, 0U, LIMIT_IGTL_CALL_LEAST_US / 1000U);
+        moment.now_us += LIMIT_IGTL_CALL_LEAST_US;
+    }
+    TEST_ASSERT_EQUAL_INT(0, close(slicer));
+}
+
+void test_SWR_IGTL_025_peer_that_hangs_up_without_a_message_was_called_in_vain(void)
+{
+    const int slicer = begin_calling();
+
+    for (uint32_t i = 0U; i < 3U; i++) {
+        const uint32_t pause_us = (uint32_t)LIMIT_IGTL_CALL_LEAST_US << i;
+
+        hang_up_at_once(slicer, false);
+        shows(EXCHANGE_PORT_WAITING, 0U, 0U, 0U, pause_us / 1000U);
+        moment.now_us += pause_us;
+    }
+    TEST_ASSERT_EQUAL_INT(0, close(slicer));
 }
 
 static void add_packets(void)
