@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <string.h>
 
-#define SECOND_US UINT64_C(1000000)
+#define AHEAD_US ((LIMIT_IGTL_PROPOSAL_BURST - 1U) * LIMIT_IGTL_PROPOSAL_INTERVAL_US)
 
 static const struct {
     char name[IGTL_NAME_SIZE];
@@ -99,8 +99,8 @@ static bool pass_one(transform_proposals_t *self, transform_waiting_t *waiting,
         return false;
     }
     waiting->is_waiting = false;
-    self->free_us[self->next_place] = moment->now_us + SECOND_US;
-    self->next_place = (self->next_place + 1U) % LIMIT_IGTL_PROPOSALS_PER_S;
+    self->even_us = ((self->even_us > moment->now_us) ? self->even_us : moment->now_us) +
+                    LIMIT_IGTL_PROPOSAL_INTERVAL_US;
     if (is_noted) {
         self->next_note_us = moment->now_us + LIMIT_IGTL_PROPOSAL_NOTE_US;
     }
@@ -112,7 +112,7 @@ void transform_proposals_pass(transform_proposals_t *self, igtl_requests_t *requ
 {
     bool is_going_on = true;
 
-    while (is_going_on && (moment->now_us >= self->free_us[self->next_place])) {
+    while (is_going_on && ((moment->now_us + AHEAD_US) >= self->even_us)) {
         transform_waiting_t *waiting = next_of(self);
 
         is_going_on = (waiting != NULL) && pass_one(self, waiting, requests, peer, moment);

@@ -2,8 +2,9 @@
 /**
  * @file
  * What one peer of bare transforms proposes and withdraws, on its way to the controller. Of each
- * subject only the newest waits; at most LIMIT_IGTL_PROPOSALS_PER_S are passed on in any second,
- * and at most one in LIMIT_IGTL_PROPOSAL_NOTE_US for the log. Nothing is refused for being fast.
+ * subject only the newest waits; one is passed on each LIMIT_IGTL_PROPOSAL_INTERVAL_US, after a
+ * pause up to LIMIT_IGTL_PROPOSAL_BURST at once, and at most one in LIMIT_IGTL_PROPOSAL_NOTE_US for
+ * the log. Nothing is refused for being fast.
  */
 #ifndef BORESIGHT_TRANSFORM_PROPOSALS_H
 #define BORESIGHT_TRANSFORM_PROPOSALS_H
@@ -30,9 +31,7 @@ typedef struct {
 typedef struct {
     transform_waiting_t waiting[TRANSFORM_SUBJECTS];
     uint32_t next_turn;
-    /** When each place of a second's share is free again, a ring. */
-    uint64_t free_us[LIMIT_IGTL_PROPOSALS_PER_S];
-    uint32_t next_place;
+    uint64_t even_us;      /**< When what was passed on is as much as the interval allows. */
     uint64_t next_note_us; /**< Not before this time is one for the log again. */
 } transform_proposals_t;
 

@@ -19,6 +19,8 @@
 #define TRACKED_NUMBERS 22U /* and where its numbers begin. */
 #define SECOND_US UINT64_C(1000000)
 #define JITTER_US UINT64_C(5000)
+/* Of a planner in the second after a pause. */
+#define PROPOSALS ((LIMIT_IGTL_PROPOSAL_BURST - 1U) + (SECOND_US / LIMIT_IGTL_PROPOSAL_INTERVAL_US))
 #define ENTRY_MAX_Q30 INT32_C(1074815565) /* 1 + 1e-3. */
 
 /** What one peer was told since a dialect was called, and what it said before. */
@@ -27,10 +29,10 @@ typedef struct {
     uint32_t answers; /**< All but acknowledgements. */
     bool is_acknowledged;
     bool has_asked;
-    bool was_pose_known;                            /**< In any call since it has read last. */
-    bool was_homed;                                 /**< The same of the axes. */
-    bool has_hung;                                  /**< Since then. */
-    uint64_t passed_us[LIMIT_IGTL_PROPOSALS_PER_S]; /**< Its latest proposals, a ring. */
+    bool was_pose_known;           /**< In any call since it has read last. */
+    bool was_homed;                /**< The same of the axes. */
+    bool has_hung;                 /**< Since then. */
+    uint64_t passed_us[PROPOSALS]; /**< Its latest proposals, a ring. */
     uint32_t passed_count;
     uint64_t seen[SEEN]; /**< Commands, a ring. */
     uint32_t seen_count;
@@ -588,9 +590,9 @@ static void judge_rate(const world_t *world, const command_t *command)
         if (!world->peers[i].is_connected || (world->peers[i].number != command->peer)) {
             continue;
         }
-        uint64_t *slot = &peer->passed_us[peer->passed_count % LIMIT_IGTL_PROPOSALS_PER_S];
+        uint64_t *slot = &peer->passed_us[peer->passed_count % PROPOSALS];
 
-        SENTENCE((peer->passed_count < LIMIT_IGTL_PROPOSALS_PER_S) ||
+        SENTENCE((peer->passed_count < PROPOSALS) ||
                      ((world->moment.now_us - *slot) >= (SECOND_US - JITTER_US)),
                  "a planner proposes no faster than it may");
         *slot = world->moment.now_us;

@@ -116,17 +116,19 @@ static uint32_t pass_on(void)
     return count;
 }
 
-void test_SWR_IGTL_044_a_flood_is_not_refused_but_the_newest_goes_on_when_there_is_room(void)
+void test_SWR_IGTL_044_a_flood_is_not_refused_but_the_newest_goes_on_in_its_time(void)
 {
     pass_us(0U);
     expect_measured(0U);
     for (uint32_t i = 0U; i < 100U; i++) {
         place("TARGET_POINT", (float)i);
     }
-    TEST_ASSERT_EQUAL_UINT32(4U, pass_on());
-    TEST_ASSERT_EQUAL_INT32(3000000, command.pose.translation.x_nm);
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_IGTL_PROPOSAL_BURST, pass_on());
     answer(ANSWER_ACCEPTED, STATUS_OK);
-    pass_us(1000U);
+    pass_us(LIMIT_IGTL_PROPOSAL_INTERVAL_US);
+    for (uint32_t i = 1U; i < LIMIT_IGTL_PROPOSAL_BURST; i++) {
+        EXPECT_BEGIN(0U, "STATUS TARGET_POINT 7 NO_ANSWER|");
+    }
     expect_measured(0U);
     TEST_ASSERT_EQUAL_UINT32(1U, pass_on());
     TEST_ASSERT_EQUAL_INT32(99000000, command.pose.translation.x_nm);
@@ -138,9 +140,11 @@ void test_SWR_IGTL_044_a_proposal_that_control_never_takes_is_answered(void)
 {
     pass_us(0U);
     expect_measured(0U);
-    for (uint32_t i = 0U; i < 5U; i++) {
+    for (uint32_t i = 0U; i < 4U; i++) {
         place("ENTRY_POINT", 1.0F);
     }
+    pass_us(LIMIT_IGTL_PROPOSAL_INTERVAL_US);
+    place("ENTRY_POINT", 1.0F);
     TEST_ASSERT_EQUAL_UINT32(4U, pass_on());
     pass_us(LIMIT_IGTL_PROPOSAL_WAIT_US);
     for (uint32_t i = 0U; i < 5U; i++) {

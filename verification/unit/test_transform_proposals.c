@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Rule under test: of what one connection proposes only so much goes on in a second, the newest of
- * each subject, and little of it to the log; nothing is lost that is still wanted.
+ * Rule under test: what one connection proposes goes on evenly, the newest of each subject, and
+ * little of it to the log; nothing is lost that is still wanted.
  */
 #include "dialect/igtl_requests.h"
 #include "dialect/transform_proposals.h"
@@ -72,7 +72,16 @@ static void expect(command_kind_t kind, uint32_t argument)
     TEST_ASSERT_EQUAL_UINT32(argument, passed.argument);
 }
 
-void test_SWR_IGTL_044_no_second_has_more_than_its_share(void)
+/* Uses up what may go at once. */
+static void use_up(void)
+{
+    for (uint32_t i = 0U; i < LIMIT_IGTL_PROPOSAL_BURST; i++) {
+        propose((int32_t)i);
+        TEST_ASSERT_TRUE(goes());
+    }
+}
+
+void test_SWR_IGTL_044_one_goes_in_each_interval_and_few_at_once(void)
 {
     uint64_t times_us[200];
     uint32_t count = 0U;
@@ -85,10 +94,21 @@ void test_SWR_IGTL_044_no_second_has_more_than_its_share(void)
         }
         pass_us(2000U);
     }
-    TEST_ASSERT_EQUAL_UINT32(5U * LIMIT_IGTL_PROPOSALS_PER_S, count);
-    for (uint32_t i = LIMIT_IGTL_PROPOSALS_PER_S; i < count; i++) {
-        TEST_ASSERT_TRUE((times_us[i] - times_us[i - LIMIT_IGTL_PROPOSALS_PER_S]) >= SECOND_US);
+    TEST_ASSERT_EQUAL_UINT32((5U * SECOND_US / LIMIT_IGTL_PROPOSAL_INTERVAL_US) +
+                                 (LIMIT_IGTL_PROPOSAL_BURST - 1U),
+                             count);
+    for (uint32_t i = LIMIT_IGTL_PROPOSAL_BURST + 1U; i < count; i++) {
+        TEST_ASSERT_EQUAL_UINT64(LIMIT_IGTL_PROPOSAL_INTERVAL_US, times_us[i] - times_us[i - 1U]);
     }
+}
+
+void test_SWR_IGTL_044_no_more_go_at_once_however_long_it_paused(void)
+{
+    use_up();
+    pass_us(100U * SECOND_US);
+    use_up();
+    propose(7);
+    TEST_ASSERT_FALSE(goes());
 }
 
 void test_SWR_IGTL_044_the_newest_of_a_subject_goes_on_last_and_surely(void)
@@ -98,7 +118,7 @@ void test_SWR_IGTL_044_the_newest_of_a_subject_goes_on_last_and_surely(void)
         (void)goes();
     }
     TEST_ASSERT_FALSE(goes());
-    pass_us(SECOND_US - 1U);
+    pass_us(LIMIT_IGTL_PROPOSAL_INTERVAL_US - 1U);
     TEST_ASSERT_FALSE(goes());
     pass_us(1U);
     TEST_ASSERT_TRUE(goes());
@@ -108,10 +128,7 @@ void test_SWR_IGTL_044_the_newest_of_a_subject_goes_on_last_and_surely(void)
 
 void test_SWR_IGTL_044_subjects_wait_apart_and_go_in_their_order(void)
 {
-    for (uint32_t i = 0U; i < LIMIT_IGTL_PROPOSALS_PER_S; i++) {
-        propose((int32_t)i);
-        TEST_ASSERT_TRUE(goes());
-    }
+    use_up();
     put(COMMAND_PROPOSE_TARGET, 0U, 1);
     put(COMMAND_PROPOSE_REGISTRATION, 0U, 2);
     propose(3);
@@ -144,7 +161,7 @@ void test_SWR_IGTL_044_a_withdrawal_counts_as_a_proposal(void)
     withdraw(COMMAND_PROPOSE_ENTRY);
     expect(COMMAND_WITHDRAW, COMMAND_PROPOSE_ENTRY);
     TEST_ASSERT_EQUAL_INT32(0, passed.value);
-    for (uint32_t i = 1U; i < LIMIT_IGTL_PROPOSALS_PER_S; i++) {
+    for (uint32_t i = 1U; i < LIMIT_IGTL_PROPOSAL_BURST; i++) {
         withdraw(COMMAND_PROPOSE_TARGET);
         expect(COMMAND_WITHDRAW, COMMAND_PROPOSE_TARGET);
         TEST_ASSERT_EQUAL_INT32(1, passed.value);
