@@ -89,9 +89,14 @@ static uint32_t float_bits(double number)
     return bits;
 }
 
+double igtl_border_mm(int32_t length_nm)
+{
+    return (double)length_nm / (double)NM_PER_MM;
+}
+
 uint32_t igtl_border_write_mm(int32_t length_nm)
 {
-    return float_bits((double)length_nm / (double)NM_PER_MM);
+    return float_bits(igtl_border_mm(length_nm));
 }
 
 void igtl_border_write_pose(const rigid_t *pose, uint32_t numbers[IGTL_TRANSFORM_NUMBERS])

@@ -43,6 +43,9 @@ status_t igtl_border_read_entry(uint32_t bits, int32_t *entry_q30);
  */
 status_t igtl_border_read_pose(const uint32_t numbers[IGTL_TRANSFORM_NUMBERS], rigid_t *pose);
 
+/** nm as mm, for a text. */
+double igtl_border_mm(int32_t length_nm);
+
 /** nm as float bits in mm, the nearest float. */
 uint32_t igtl_border_write_mm(int32_t length_nm);
 

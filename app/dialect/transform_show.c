@@ -8,7 +8,6 @@
 #include <string.h>
 
 #define ROOM_FOR_LENGTH 24U
-#define NM_PER_MM 1000000.0
 
 void transform_show_all(transform_shown_t *self)
 {
@@ -146,7 +145,7 @@ static void send_lengths(transform_shown_t *self, const robot_t *robot, igtl_out
         const told_length_t *length = &robot->told_lengths[i];
 
         if (length->name[0] != '\0') {
-            (void)snprintf(text, sizeof text, "%f", (double)length->length_nm / NM_PER_MM);
+            (void)snprintf(text, sizeof text, "%f", igtl_border_mm(length->length_nm));
             send_text(outbox, length->name, text, moment);
         }
     }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "dialect/workphase_answer.h"
 
+#include "dialect/igtl_border.h"
 #include "dialect/workphase_peer.h"
 #include "dialect/workphase_watch.h"
 #include "interface/app/names.h"
@@ -186,6 +187,24 @@ static void answer_tip(const workphase_dialect_t *self, workphase_peer_t *peer,
     }
 }
 
+/* Whoever accepts what a watcher proposed learns what it was: it may have changed a moment ago. */
+static void answer_entry(const workphase_dialect_t *self, workphase_peer_t *peer,
+                         const igtl_request_t *request, const answer_t *answer,
+                         const igtl_moment_t *moment)
+{
+    const point_t *entry = &answer->pose.translation;
+    char text[IGTL_REASON_SIZE];
+    const igtl_status_t taken = {IGTL_STATUS_OK, workphase_name((int32_t)answer->workphase), text};
+
+    if (answer->kind != (uint32_t)ANSWER_ACCEPTED) {
+        tell_outcome(self, peer, subject_of(peer, request), answer, moment);
+        return;
+    }
+    (void)snprintf(text, sizeof text, "%.3f, %.3f, %.3f mm", igtl_border_mm(entry->x_nm),
+                   igtl_border_mm(entry->y_nm), igtl_border_mm(entry->z_nm));
+    igtl_tell_status(peer->outbox, subject_of(peer, request), &taken, moment);
+}
+
 static void answer_retraction(workphase_dialect_t *self, const igtl_request_t *request,
                               const answer_t *answer, const igtl_moment_t *moment)
 {
@@ -222,6 +241,10 @@ static void answer_by_kind(workphase_dialect_t *self, const igtl_request_t *requ
         break;
     case COMMAND_RETRACT:
         answer_retraction(self, request, answer, moment);
+        break;
+    case COMMAND_ENTRY:
+    case COMMAND_ACCEPT_ENTRY:
+        answer_entry(self, peer, request, answer, moment);
         break;
     default:
         tell_outcome(self, peer, subject_of(peer, request), answer, moment);

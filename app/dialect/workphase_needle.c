@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "dialect/workphase_needle.h"
 
+#include "dialect/igtl_border.h"
 #include "limits/requirement_limits.h"
 
 #include <stddef.h>
@@ -42,7 +43,7 @@ static void tell_verdict(const workphase_peer_t *peer, int32_t length_nm, const 
                                   is_right ? "NEEDLE_LENGTH" : "CONFIG_ERROR", text};
 
     (void)snprintf(text, sizeof text, "%sThe robot is set to a needle of %.3f mm.",
-                   is_right ? "" : "CONFIG_ERROR: ", (double)length_nm / NM_PER_MM);
+                   is_right ? "" : "CONFIG_ERROR: ", igtl_border_mm(length_nm));
     igtl_tell_status(peer->outbox, "NEEDLE_LENGTH", &status, moment);
 }
 

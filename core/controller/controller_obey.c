@@ -99,13 +99,16 @@ static status_t obey_workphase(controller_t *self, const cycle_t *cycle, const c
         }
     }
     const workphase_inputs_t guards = controller_guards(self, cycle);
+    const workphase_t before = procedure_workphase(&self->procedure);
     const status_t status =
         procedure_request(&self->procedure, &guards, command->argument, &actions);
     controller_report_order(self, cycle, actions.arming, STATUS_DISCARDED);
     if (status != STATUS_OK) {
         return status;
     }
-    controller_note(self, cycle, EVENT_WORKPHASE, command->argument, 0);
+    if (procedure_workphase(&self->procedure) != before) {
+        controller_note(self, cycle, EVENT_WORKPHASE, command->argument, 0);
+    }
     if ((actions.workphase & WORKPHASE_ACTION_BEGIN_START_UP) != 0U) {
         begin_start_up(self, cycle);
     }

@@ -12,6 +12,7 @@
  * @satisfies SWR-CMD-001
  * @satisfies SWR-CMD-004
  * @satisfies SWR-CMD-005
+ * @satisfies SWR-EVENT-009
  */
 void controller_obey(controller_t *self, const cycle_t *cycle);
 

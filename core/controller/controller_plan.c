@@ -39,7 +39,8 @@ static status_t tell_target(controller_t *self, const cycle_t *cycle, const comm
     return result.status;
 }
 
-static status_t tell_entry(controller_t *self, const cycle_t *cycle, const command_t *command)
+static status_t tell_entry(controller_t *self, const cycle_t *cycle, const command_t *command,
+                           answer_t *answer)
 {
     if (!is_in(self, WORKPHASE_TARGETING)) {
         return STATUS_WRONG_WORKPHASE;
@@ -48,6 +49,7 @@ static status_t tell_entry(controller_t *self, const cycle_t *cycle, const comma
                                 ? plan_set_entry(&self->plan, &command->pose)
                                 : plan_accept_entry(&self->plan);
     if (status == STATUS_OK) {
+        answer->pose.translation = self->plan.entry;
         controller_note(self, cycle, EVENT_ENTRY_TAKEN, 0U, 0);
     }
     return status;
@@ -135,7 +137,7 @@ status_t controller_tell_plan(controller_t *self, const cycle_t *cycle, const co
         break;
     case (uint32_t)COMMAND_ENTRY:
     case (uint32_t)COMMAND_ACCEPT_ENTRY:
-        status = tell_entry(self, cycle, command);
+        status = tell_entry(self, cycle, command, answer);
         break;
     case (uint32_t)COMMAND_PROPOSE_REGISTRATION:
     case (uint32_t)COMMAND_PROPOSE_ENTRY:

@@ -36,12 +36,12 @@ static void settle(const robot_t *robot, const rigid_t *scanner_zframe, joints_t
     find_pose(robot, scanner_zframe, joints, scanner_treatment);
 }
 
-/* What entry and target point ask for together; shown only. */
+/* What entry and target point ask for together; shown only, in the frame of the measured pose. */
 static void weigh_proposals(plan_t *self, const robot_t *robot)
 {
-    const rigid_t *const scanner_zframe = (self->has_proposed_registration != 0U)
-                                              ? &self->proposed_registration
-                                              : &self->scanner_zframe;
+    const bool is_proposed = (self->has_proposed_registration != 0U) && (self->is_registered == 0U);
+    const rigid_t *const scanner_zframe =
+        is_proposed ? &self->proposed_registration : &self->scanner_zframe;
     rigid_t zframe_scanner;
     joints_t joints;
     self->is_proposal_reachable = 0U;

@@ -444,6 +444,16 @@ void test_SWR_EVENT_005_what_a_command_caused_names_its_source_and_connection(vo
     expect_cause(EVENT_WORKPHASE, EVENT_CAUSE_CONSOLE, 0U);
 }
 
+void test_SWR_EVENT_009_a_workphase_that_stands_is_told_once(void)
+{
+    rig_start_homed(&rig);
+    rig_forget(&rig);
+    for (uint32_t i = 0U; i < 20U; i++) {
+        TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_STOP).status);
+    }
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_WORKPHASE));
+}
+
 void test_SWR_EVENT_005_a_cleared_e_stop_and_an_accepted_target_name_who_asked(void)
 {
     const rigid_t pose = rig_pose(5000000, 190000000, 60000000);

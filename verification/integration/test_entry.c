@@ -73,7 +73,10 @@ void test_SWR_PLAN_017_a_proposed_entry_decides_after_it_was_accepted_and_not_be
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, status_of(point_for(COMMAND_PROPOSE_ENTRY, 20000000)));
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, target().status);
     TEST_ASSERT_EQUAL_INT32(free_ticks, depth_ticks());
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, status_of(of(COMMAND_ACCEPT_ENTRY, 0U)));
+    const command_t accept = of(COMMAND_ACCEPT_ENTRY, 0U);
+    const answer_t accepted = rig_command(&rig, accept);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, accepted.status);
+    TEST_ASSERT_EQUAL_INT32(246000000, accepted.pose.translation.y_nm);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_ENTRY_TAKEN));
     TEST_ASSERT_EQUAL_INT32(free_ticks, depth_ticks());
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, target().status);

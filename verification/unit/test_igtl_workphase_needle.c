@@ -293,7 +293,7 @@ void test_SWR_IGTL_035_an_entry_point_is_echoed_passed_on_and_answered(void)
     expect_command(COMMAND_ENTRY, 0U);
     TEST_ASSERT_EQUAL_INT32(3000000, command.pose.translation.z_nm);
     answer_to(&command, ANSWER_ACCEPTED, STATUS_OK, 1U);
-    EXPECT(0U, "STATUS ENTRY 1 TARGETING|");
+    EXPECT(0U, "STATUS ENTRY 1 TARGETING|0.000, 0.000, 0.000 mm");
     place(0U, "ENTRY_78", 1.0F);
     EXPECT_BEGIN(0U, "TRANSFORM ACK_78 ");
     expect_command(COMMAND_ENTRY, 0U);
@@ -319,7 +319,7 @@ void test_SWR_IGTL_035_entry_points_are_accepted_and_withdrawn(void)
     say(0U, "Text", "ACCEPT_ENTRY");
     expect_command(COMMAND_ACCEPT_ENTRY, 0U);
     answer_to(&command, ANSWER_ACCEPTED, STATUS_OK, 1U);
-    EXPECT(0U, "STATUS ACCEPT_ENTRY 1 MOVE_TO_TARGET|");
+    EXPECT(0U, "STATUS ACCEPT_ENTRY 1 MOVE_TO_TARGET|0.000, 0.000, 0.000 mm");
     say(0U, "WITHDRAW_ENTRY", "");
     expect_command(COMMAND_WITHDRAW, (uint32_t)COMMAND_ENTRY);
     pass_us(IGTL_ANSWER_TIMEOUT_US);

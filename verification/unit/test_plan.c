@@ -174,6 +174,21 @@ void test_SWR_IGTL_009_a_proposed_registration_moves_the_desired_pose_only(void)
     TEST_ASSERT_EQUAL_UINT32(0U, plan.is_registered);
 }
 
+void test_SWR_IGTL_009_a_proposed_registration_mixes_no_frames_once_one_is_in_force(void)
+{
+    const rigid_t entry = pose_at(0, 246000000, 50000000);
+    const rigid_t target = pose_at(0, 200000000, 50000000);
+    rigid_t shifted = identity;
+    shifted.translation.x_nm = 10000000;
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_register(&plan, &robot_neuro, &identity));
+    (void)plan_propose_entry(&plan, &robot_neuro, &entry);
+    (void)plan_propose_target(&plan, &robot_neuro, &target);
+    const int32_t before = plan.desired_ticks[AXIS_LATERAL];
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_propose_registration(&plan, &robot_neuro, &shifted));
+    TEST_ASSERT_EQUAL_UINT32(1U, plan.is_proposal_reachable);
+    TEST_ASSERT_EQUAL_INT32(before, plan.desired_ticks[AXIS_LATERAL]);
+}
+
 static const int32_t target_y_nm = 190000000;
 
 /* |target - entry| = d + 36 mm on a needle straight down. */
