@@ -104,7 +104,7 @@ static void write_end(const workphase_dialect_t *self, const igtl_request_t *req
                                  workphase_name((int32_t)answer->workphase), text};
 
     if (is_fault) {
-        workphase_watch_fault_text(self, moment, text);
+        workphase_watch_fault_text(self, answer->axis, moment, text);
     } else if (answer->status != (uint32_t)STATUS_OK) {
         igtl_reason_text(self->robot, answer, text);
     } else {

@@ -69,9 +69,13 @@ static void add(char text[IGTL_REASON_SIZE], const char *format, ...)
     va_end(arguments);
 }
 
-static void write_failures(const robot_t *robot, const workphase_facts_t *facts,
+/* `ender`: the axis that ended an order, which may show no fault of its own. */
+static void write_failures(const robot_t *robot, const workphase_facts_t *facts, uint32_t ender,
                            char text[IGTL_REASON_SIZE])
 {
+    const bool is_ended_by_axis =
+        (ender < robot->axis_count) && ((facts->axis_faults & (1U << ender)) == 0U);
+
     (void)snprintf(text, IGTL_REASON_SIZE, "HARDWARE_FAILURE:");
     for (uint32_t i = 0U; i < CARD_SLOT_COUNT; i++) {
         if ((facts->lost_cards & (1U << i)) != 0U) {
@@ -89,20 +93,24 @@ static void write_failures(const robot_t *robot, const workphase_facts_t *facts,
     if (facts->is_pedal_faulty != 0U) {
         add(text, " The pedal's channels disagree.");
     }
-    if (!is_failing(facts)) {
+    if (is_ended_by_axis) {
+        add(text, " Axis %s could not go on; the log of events says why.", robot->axes[ender].name);
+    } else if (!is_failing(facts)) {
         add(text, " %s", status_text((int32_t)STATUS_FAULT_PRESENT));
+    } else {
+        /* All is said. */
     }
 }
 
-void workphase_watch_fault_text(const workphase_dialect_t *self, const igtl_moment_t *moment,
-                                char text[IGTL_REASON_SIZE])
+void workphase_watch_fault_text(const workphase_dialect_t *self, uint32_t axis,
+                                const igtl_moment_t *moment, char text[IGTL_REASON_SIZE])
 {
     workphase_facts_t facts = {.workphase = 0U};
 
     if (moment->snapshot != NULL) {
         observe(&facts, self->robot, moment->snapshot);
     }
-    write_failures(self->robot, &facts, text);
+    write_failures(self->robot, &facts, axis, text);
 }
 
 /* How far the pose of the needle is from being known. */
@@ -134,7 +142,7 @@ static void tell_failures(workphase_dialect_t *self, const workphase_facts_t *fa
     char text[IGTL_REASON_SIZE];
     const igtl_status_t status = {IGTL_STATUS_HARDWARE_FAILURE, "HARDWARE_FAILURE", text};
 
-    write_failures(self->robot, failures, text);
+    write_failures(self->robot, failures, ROBOT_AXIS_MAX, text);
     tell(self, workphase, &status, moment);
 }
 

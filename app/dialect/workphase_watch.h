@@ -30,11 +30,12 @@ void workphase_watch_control_lost(workphase_dialect_t *self, bool is_told,
                                   const igtl_moment_t *moment);
 
 /**
- * Why an order was ended by a fault, by the cards and axes that have failed now.
+ * Why an order was ended by a fault: the cards and axes that have failed now, and `axis` if that
+ * ended it without a fault of its own; ROBOT_AXIS_MAX when none did.
  *
  * @satisfies SWR-IGTL-032
  */
-void workphase_watch_fault_text(const workphase_dialect_t *self, const igtl_moment_t *moment,
-                                char text[IGTL_REASON_SIZE]);
+void workphase_watch_fault_text(const workphase_dialect_t *self, uint32_t axis,
+                                const igtl_moment_t *moment, char text[IGTL_REASON_SIZE]);
 
 #endif

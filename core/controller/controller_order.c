@@ -37,6 +37,7 @@ static void answer_pending(controller_t *self, const cycle_t *cycle, answer_kind
     answer->kind = (uint32_t)kind;
     answer->status = (uint32_t)status;
     answer->is_final = 1U;
+    answer->axis = (self->cause == (uint32_t)EVENT_CAUSE_AXIS) ? self->peer : ROBOT_AXIS_MAX;
 }
 
 void controller_abandon_order(controller_t *self, const cycle_t *cycle)

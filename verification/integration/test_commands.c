@@ -225,7 +225,7 @@ void test_SWR_IGTL_009_proposals_are_shown_and_never_armed(void)
     command_t command = proposal(COMMAND_PROPOSE_REGISTRATION, 0, 0, 0);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, command).status);
     TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.has_proposed_registration);
-    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.is_proposal_reachable);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_proposal_reachable);
     command.pose.rotation_q30[1][1] = FIXED_ONE_Q30;
     TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_RIGID, rig_command(&rig, command).status);
     TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
@@ -635,6 +635,7 @@ static void expect_aborted_once(uint32_t *word)
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_UINT32(1U, rig.answer_count);
     TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig.answers[0].kind);
+    TEST_ASSERT_EQUAL_UINT32(ROBOT_AXIS_MAX, rig.answers[0].axis);
     *word ^= 2U;
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_UINT32(1U, rig.answer_count);

@@ -129,7 +129,10 @@ static void run_until_homed(uint32_t axis)
 /* START_UP is discarded because `axis` cannot follow; nobody is driven any more. */
 static void expect_stuck(uint32_t axis)
 {
-    TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, MOST_CYCLES).kind);
+    const answer_t answer = rig_finish(&rig, MOST_CYCLES);
+
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, answer.kind);
+    TEST_ASSERT_EQUAL_UINT32(axis, answer.axis);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_FOLLOWER_STUCK));
     for (uint32_t i = 0U; i < rig.event_count; i++) {
         if (rig.events[i].id == (uint32_t)EVENT_FOLLOWER_STUCK) {
@@ -400,7 +403,10 @@ void test_SWR_AXIS_033_a_switch_that_lies_ends_start_up_before_the_other_pair_go
     }
     rig_box(&rig, "switch rear_right stuck");
     const double front = true_ticks(FRONT_RIGHT);
-    TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 1000U).kind);
+    const answer_t answer = rig_finish(&rig, 1000U);
+
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, answer.kind);
+    TEST_ASSERT_EQUAL_UINT32(REAR_RIGHT, answer.axis);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_HOMED) - 2U);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_HOMED_BEYOND_LIMIT));
     TEST_ASSERT_FALSE(is_homed(REAR_RIGHT));

@@ -350,10 +350,44 @@ void test_SWR_IGTL_033_a_stop_of_someone_else_beside_such_a_fault_is_said_as_wel
     EXPECT(0U, "");
 }
 
-void test_SWR_IGTL_032_a_fault_that_is_not_shown_any_more_is_one_all_the_same(void)
+/* The peer's order is over by a fault of `axis`, ROBOT_AXIS_MAX for none. */
+static void end_by(const command_t *order, uint32_t axis)
+{
+    const answer_t end = {.id = order->id,
+                          .command = order->kind,
+                          .argument = order->argument,
+                          .kind = (uint32_t)ANSWER_ABORTED,
+                          .status = (uint32_t)STATUS_FAULT_PRESENT,
+                          .is_final = 1U,
+                          .axis = axis,
+                          .workphase = order->argument};
+
+    TEST_ASSERT_TRUE(workphase_dialect_answer(&dialect, &end, &moment));
+}
+
+void test_SWR_IGTL_032_an_axis_that_ended_an_order_is_named_without_a_fault_of_its_own(void)
 {
     const command_t move = armed_move();
 
-    answer_to(&move, ANSWER_ABORTED, STATUS_FAULT_PRESENT, 1U);
+    end_by(&move, 3U);
+    EXPECT(0U, "STATUS MOVE_TO_TARGET 18 MOVE_TO_TARGET|HARDWARE_FAILURE: Axis insertion could "
+               "not go on; the log of events says why.");
+}
+
+void test_SWR_IGTL_032_an_axis_with_a_fault_is_named_once(void)
+{
+    const command_t move = armed_move();
+
+    snapshot.axes[3].power = (uint32_t)AXIS_POWER_FAULT;
+    end_by(&move, 3U);
+    EXPECT(0U, "STATUS MOVE_TO_TARGET 18 MOVE_TO_TARGET|HARDWARE_FAILURE: Axis insertion has a "
+               "fault.");
+}
+
+void test_SWR_IGTL_032_a_fault_that_is_of_no_axis_names_none(void)
+{
+    const command_t move = armed_move();
+
+    end_by(&move, ROBOT_AXIS_MAX);
     EXPECT_BEGIN(0U, "STATUS MOVE_TO_TARGET 18 MOVE_TO_TARGET|HARDWARE_FAILURE: A fault stands; ");
 }
