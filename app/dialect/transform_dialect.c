@@ -48,6 +48,36 @@ static void put(transform_dialect_t *self, uint32_t peer, const command_t *comma
     transform_proposals_pass(&self->peers[peer].proposals, &self->requests, peer, moment);
 }
 
+/* Where `name` is remembered, else the place of the oldest. */
+static transform_refused_t *refused_of(transform_peer_t *peer, const char *name)
+{
+    transform_refused_t *oldest = &peer->refused[0];
+
+    for (uint32_t i = 0U; i < LIMIT_IGTL_UNKNOWN_NAMES; i++) {
+        if (strcmp(peer->refused[i].name, name) == 0) {
+            return &peer->refused[i];
+        }
+        if (peer->refused[i].next_us < oldest->next_us) {
+            oldest = &peer->refused[i];
+        }
+    }
+    (void)memset(oldest, 0, sizeof *oldest);
+    (void)memcpy(oldest->name, name, strlen(name));
+    return oldest;
+}
+
+/* Slicer streams whatever is under its connector: that is said, but not each time. */
+static void refuse_unknown(transform_peer_t *peer, const igtl_message_t *message,
+                           const igtl_moment_t *moment)
+{
+    transform_refused_t *refused = refused_of(peer, message->name);
+
+    if (moment->now_us >= refused->next_us) {
+        refused->next_us = moment->now_us + LIMIT_IGTL_UNKNOWN_US;
+        igtl_tell_refusal(peer->outbox, message->name, STATUS_UNKNOWN_COMMAND, moment);
+    }
+}
+
 /* What is refused at once leaves what waits of its subject alone. */
 static void propose(transform_dialect_t *self, uint32_t index, const igtl_message_t *message,
                     const igtl_moment_t *moment)
@@ -55,11 +85,13 @@ static void propose(transform_dialect_t *self, uint32_t index, const igtl_messag
     transform_peer_t *peer = &self->peers[index];
     command_t command = {.peer = peer->number,
                          .kind = (uint32_t)transform_proposals_kind(message->name)};
-    status_t status = STATUS_UNKNOWN_COMMAND;
+    status_t status;
 
-    if (command.kind != (uint32_t)COMMAND_NONE) {
-        status = igtl_border_read_pose(message->numbers, &command.pose);
+    if (command.kind == (uint32_t)COMMAND_NONE) {
+        refuse_unknown(peer, message, moment);
+        return;
     }
+    status = igtl_border_read_pose(message->numbers, &command.pose);
     if (status == STATUS_OK) {
         put(self, index, &command, moment);
     } else {
@@ -84,7 +116,9 @@ static void receive_string(transform_dialect_t *self, uint32_t index, const igtl
 
     if ((strcmp(message->name, "start_up") == 0) || says(message, "START_UP")) {
         transform_show_all(&peer->shown);
-    } else if ((withdrawal.argument != (uint32_t)COMMAND_NONE) && says(message, "WITHDRAW")) {
+    } else if (withdrawal.argument == (uint32_t)COMMAND_NONE) {
+        refuse_unknown(peer, message, moment);
+    } else if (says(message, "WITHDRAW")) {
         put(self, index, &withdrawal, moment);
     } else {
         igtl_tell_refusal(peer->outbox, message->name, STATUS_UNKNOWN_COMMAND, moment);
@@ -110,7 +144,7 @@ void transform_dialect_receive(void *dialect, uint32_t peer, const igtl_message_
         transform_show_answer(sender->outbox, message, moment);
         break;
     case IGTL_KIND_POINT:
-        igtl_tell_refusal(sender->outbox, message->name, STATUS_UNKNOWN_COMMAND, moment);
+        refuse_unknown(sender, message, moment);
         break;
     default: /* A STATUS is how peers announce themselves. */
         (void)igtl_questions_receive(&sender->tracking, sender->outbox, message, moment);

@@ -14,6 +14,7 @@
 #include "dialect/igtl_requests.h"
 #include "dialect/transform_proposals.h"
 #include "dialect/transform_show.h"
+#include "limits/requirement_limits.h"
 #include "message/igtl_outbox.h"
 #include "interface/answer.h"
 #include "robot/robot.h"
@@ -21,12 +22,19 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+/** A name that nothing has, and was refused. */
+typedef struct {
+    char name[IGTL_NAME_SIZE];
+    uint64_t next_us; /**< Not before this time again. */
+} transform_refused_t;
+
 typedef struct {
     igtl_outbox_t *outbox; /**< NULL: not connected. */
     uint32_t number;       /**< Of its connection. */
     transform_shown_t shown;
     transform_proposals_t proposals;
     igtl_tracking_t tracking;
+    transform_refused_t refused[LIMIT_IGTL_UNKNOWN_NAMES];
 } transform_peer_t;
 
 typedef struct {
@@ -44,8 +52,10 @@ void transform_dialect_disconnected(void *dialect, uint32_t peer);
 
 /**
  * A message of `peer`. A proposal, or STRING(REGISTRATION, ENTRY_POINT or TARGET_POINT) "WITHDRAW",
- * goes to the controller; what cannot be one is answered with a STATUS of its name.
+ * goes to the controller; what cannot be one is answered with a STATUS of its name, a name that
+ * nothing has once in LIMIT_IGTL_UNKNOWN_US.
  *
+ * @satisfies SWR-IGTL-008
  * @satisfies SWR-IGTL-009
  * @satisfies SWR-IGTL-045
  */

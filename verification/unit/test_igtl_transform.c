@@ -71,11 +71,73 @@ void test_SWR_IGTL_009_no_message_becomes_any_other_command(void)
         const igtl_message_t text = igtl_peer_string(names[i], "MOVE_TO_TARGET");
 
         place(names[i], 1.0F);
-        transform_dialect_receive(&dialect, 0U, &text, &moment);
         TEST_ASSERT_NOT_NULL(strstr(igtl_peer_next(&outboxes[0]), " 12 UNKNOWN_COMMAND|"));
+        moment.now_us += LIMIT_IGTL_UNKNOWN_US;
+        transform_dialect_receive(&dialect, 0U, &text, &moment);
         TEST_ASSERT_NOT_NULL(strstr(igtl_peer_next(&outboxes[0]), " 12 UNKNOWN_COMMAND|"));
     }
     TEST_ASSERT_FALSE(igtl_requests_take(&dialect.requests, &command));
+}
+
+void test_SWR_IGTL_012_what_nothing_has_the_name_of_does_not_draw_the_poses(void)
+{
+    const igtl_message_t text = igtl_peer_string("NeedleToTracker", "here");
+    igtl_message_t point = igtl_peer_query(IGTL_KIND_POINT, "F-1");
+
+    pass_us(0U);
+    expect_measured(0U);
+    place("LinearTransform_3", 1.0F);
+    transform_dialect_receive(&dialect, 0U, &text, &moment);
+    transform_dialect_receive(&dialect, 0U, &point, &moment);
+    pass_us(0U);
+    EXPECT_BEGIN(0U, "STATUS LinearTransform_3 12 UNKNOWN_COMMAND|");
+    EXPECT_BEGIN(0U, "STATUS NeedleToTracker 12 UNKNOWN_COMMAND|");
+    EXPECT_BEGIN(0U, "STATUS F-1 12 UNKNOWN_COMMAND|");
+    EXPECT(0U, "");
+    place("TARGET_POINT", NAN);
+    pass_us(0U);
+    EXPECT_BEGIN(0U, "STATUS TARGET_POINT 10 NOT_FINITE|");
+    expect_measured(0U);
+}
+
+/* How many of `count` names are refused, when all come now. */
+static uint32_t refused_of(uint32_t count)
+{
+    uint32_t refused = 0U;
+
+    for (char i = 0; i < (char)count; i++) {
+        const char name[] = {'T', (char)('a' + i), '\0'};
+
+        place(name, 1.0F);
+    }
+    while (igtl_peer_next(&outboxes[0])[0] != '\0') {
+        refused++;
+    }
+    return refused;
+}
+
+void test_SWR_IGTL_008_a_name_that_nothing_has_is_refused_once_in_its_time(void)
+{
+    const igtl_message_t text = igtl_peer_string("Ta", "here");
+
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_IGTL_UNKNOWN_NAMES, refused_of(LIMIT_IGTL_UNKNOWN_NAMES));
+    moment.now_us += LIMIT_IGTL_UNKNOWN_US - 1U;
+    TEST_ASSERT_EQUAL_UINT32(0U, refused_of(LIMIT_IGTL_UNKNOWN_NAMES));
+    transform_dialect_receive(&dialect, 0U, &text, &moment);
+    EXPECT(0U, "");
+    moment.now_us += 1U;
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_IGTL_UNKNOWN_NAMES, refused_of(LIMIT_IGTL_UNKNOWN_NAMES));
+}
+
+void test_SWR_IGTL_008_a_name_too_many_is_refused_in_place_of_the_oldest(void)
+{
+    place("Tz", 1.0F);
+    EXPECT_BEGIN(0U, "STATUS Tz 12 UNKNOWN_COMMAND|");
+    moment.now_us += 1U;
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_IGTL_UNKNOWN_NAMES, refused_of(LIMIT_IGTL_UNKNOWN_NAMES));
+    place("Tz", 1.0F);
+    EXPECT_BEGIN(0U, "STATUS Tz 12 UNKNOWN_COMMAND|");
+    EXPECT(0U, "");
 }
 
 void test_SWR_IGTL_010_bad_numbers_never_become_a_proposal(void)
