@@ -12,17 +12,24 @@
 #define US_PER_MS UINT64_C(1000)
 #define REPLY_SIZE (IGTL_TEXT_MAX + 1U)
 
-static const char *const understood[] = {"TRANSFORM", "STRING",     "STATUS",    "POINT",
-                                         "GET_TRANS", "GET_STATUS", "GET_POINT", "GET_CAPABIL",
-                                         "STT_TDATA", "STP_TDATA",  "COMMAND"};
+/* The last only of who shows points. */
+static const char *const understood[] = {"TRANSFORM",  "STRING",      "STATUS",    "GET_TRANS",
+                                         "GET_STATUS", "GET_CAPABIL", "STT_TDATA", "STP_TDATA",
+                                         "COMMAND",    "GET_POINT"};
 
-#define UNDERSTOOD (sizeof understood / sizeof understood[0])
+static uint32_t understood_by(igtl_language_t language)
+{
+    const uint32_t all = (uint32_t)(sizeof understood / sizeof understood[0]);
 
-static void tell_capability(igtl_outbox_t *outbox, const char *name, const igtl_moment_t *moment)
+    return (language == IGTL_LANGUAGE_CRTK) ? all : (all - 1U);
+}
+
+static void tell_capability(igtl_outbox_t *outbox, const char *name, igtl_language_t language,
+                            const igtl_moment_t *moment)
 {
     igtl_packet_t packet;
 
-    igtl_encode_capability(&packet, name, understood, UNDERSTOOD, moment->timestamp);
+    igtl_encode_capability(&packet, name, understood, understood_by(language), moment->timestamp);
     igtl_outbox_add(outbox, &packet);
 }
 
@@ -83,19 +90,19 @@ static void write_status(char text[REPLY_SIZE], const igtl_moment_t *moment)
                    (snapshot->order == (uint32_t)ARMING_STATE_MOVING) ? 1U : 0U);
 }
 
-static void write_capabilities(char text[REPLY_SIZE])
+static void write_capabilities(igtl_language_t language, char text[REPLY_SIZE])
 {
     size_t used = (size_t)snprintf(text, REPLY_SIZE, "<Capabilities Types=\"");
 
-    for (uint32_t i = 0U; i < UNDERSTOOD; i++) {
+    for (uint32_t i = 0U; i < understood_by(language); i++) {
         used += (size_t)snprintf(&text[used], REPLY_SIZE - used, "%s%s", (i == 0U) ? "" : " ",
                                  understood[i]);
     }
     (void)snprintf(&text[used], REPLY_SIZE - used, "\"/>");
 }
 
-static void answer_command(igtl_outbox_t *outbox, const igtl_message_t *command,
-                           const igtl_moment_t *moment)
+static void answer_command(igtl_outbox_t *outbox, igtl_language_t language,
+                           const igtl_message_t *command, const igtl_moment_t *moment)
 {
     igtl_packet_t packet;
     char text[REPLY_SIZE] = "<Unsupported Known=\"Status Capabilities\"/>";
@@ -104,7 +111,7 @@ static void answer_command(igtl_outbox_t *outbox, const igtl_message_t *command,
     if (is_named(command, "Status")) {
         write_status(text, moment);
     } else if (is_named(command, "Capabilities")) {
-        write_capabilities(text);
+        write_capabilities(language, text);
     } else {
         is_refused = true;
     }
@@ -113,11 +120,12 @@ static void answer_command(igtl_outbox_t *outbox, const igtl_message_t *command,
 }
 
 bool igtl_questions_receive(igtl_tracking_t *tracking, igtl_outbox_t *outbox,
-                            const igtl_message_t *message, const igtl_moment_t *moment)
+                            igtl_language_t language, const igtl_message_t *message,
+                            const igtl_moment_t *moment)
 {
     switch ((int)message->kind) {
     case IGTL_KIND_GET_CAPABILITY:
-        tell_capability(outbox, message->name, moment);
+        tell_capability(outbox, message->name, language, moment);
         return true;
     case IGTL_KIND_GET_POINT:
     case IGTL_KIND_GET_OTHER:
@@ -136,7 +144,7 @@ bool igtl_questions_receive(igtl_tracking_t *tracking, igtl_outbox_t *outbox,
         tell_return(outbox, message, true, moment);
         return true;
     case IGTL_KIND_COMMAND:
-        answer_command(outbox, message, moment);
+        answer_command(outbox, language, message, moment);
         return true;
     default:
         return false;

@@ -25,14 +25,16 @@ typedef struct {
 } igtl_tracking_t;
 
 /**
- * Answers `message` if it is one of these questions; false when it is another message.
+ * Answers `message` if it is one of these questions; false when it is another message. What is
+ * understood depends on the `language` of the port.
  *
  * @satisfies SWR-IGTL-041
  * @satisfies SWR-IGTL-042
  * @satisfies SWR-IGTL-043
  */
 bool igtl_questions_receive(igtl_tracking_t *tracking, igtl_outbox_t *outbox,
-                            const igtl_message_t *message, const igtl_moment_t *moment);
+                            igtl_language_t language, const igtl_message_t *message,
+                            const igtl_moment_t *moment);
 
 /**
  * Sends TDATA of the needle to who wants it, each time it is due and the pose is known; otherwise a

@@ -147,7 +147,8 @@ void transform_dialect_receive(void *dialect, uint32_t peer, const igtl_message_
         refuse_unknown(sender, message, moment);
         break;
     default: /* A STATUS is how peers announce themselves. */
-        (void)igtl_questions_receive(&sender->tracking, sender->outbox, message, moment);
+        (void)igtl_questions_receive(&sender->tracking, sender->outbox, IGTL_LANGUAGE_CRTK, message,
+                                     moment);
         break;
     }
 }

@@ -105,7 +105,8 @@ void workphase_dialect_receive(void *dialect, uint32_t peer, const igtl_message_
         igtl_tell_refusal(asker->outbox, message->name, STATUS_UNKNOWN_COMMAND, moment);
         break;
     default: /* A STATUS is how peers announce themselves. */
-        (void)igtl_questions_receive(&asker->tracking, asker->outbox, message, moment);
+        (void)igtl_questions_receive(&asker->tracking, asker->outbox, asker->language, message,
+                                     moment);
         break;
     }
 }

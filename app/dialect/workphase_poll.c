@@ -148,9 +148,11 @@ void workphase_poll_transform(workphase_peer_t *peer, const igtl_message_t *mess
 void workphase_poll_status(workphase_peer_t *peer, const igtl_message_t *message,
                            const igtl_moment_t *moment)
 {
+    static const igtl_status_t alive = {IGTL_STATUS_OK, "", ""};
+
     if ((message->name[0] == '\0') || (strcmp(message->name, "CURRENT_STATUS") == 0)) {
         tell_phase(peer, moment);
     } else {
-        igtl_tell_not_found(peer->outbox, message->name, moment);
+        igtl_tell_status(peer->outbox, message->name, &alive, moment);
     }
 }

@@ -26,7 +26,8 @@ bool workphase_poll_string(workphase_peer_t *peer, const igtl_message_t *message
 void workphase_poll_transform(workphase_peer_t *peer, const igtl_message_t *message,
                               const igtl_moment_t *moment);
 
-/** Answers GET_STATUS of CURRENT_STATUS (or no name); STATUS NOT_FOUND for any other name. */
+/** Answers GET_STATUS of CURRENT_STATUS (or no name) by the workphase; of any other name by a
+ * STATUS of that name, 1: the server lives. */
 void workphase_poll_status(workphase_peer_t *peer, const igtl_message_t *message,
                            const igtl_moment_t *moment);
 

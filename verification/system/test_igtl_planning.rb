@@ -16,7 +16,7 @@ class TestIgtlPlanning < Minitest::Test
   ORDER = %w[lateral yaw pitch insertion rotation head feet].freeze
   LENGTHS = { 'cannula_to_treatment' => 5, 'treatment_to_tip' => 10, 'robot_to_entry' => 5,
               'robot_treatment_home' => 41 }.freeze
-  TYPES = %w[TRANSFORM STRING STATUS POINT GET_TRANS GET_STATUS GET_POINT GET_CAPABIL STT_TDATA STP_TDATA COMMAND].freeze
+  TYPES = %w[TRANSFORM STRING STATUS GET_TRANS GET_STATUS GET_CAPABIL STT_TDATA STP_TDATA COMMAND].freeze
   CARD_OF_YAW = '5'
 
   def self.boresight
@@ -77,10 +77,12 @@ class TestIgtlPlanning < Minitest::Test
   end
 
   def test_SWR_IGTL_041_types_are_named_on_both_ports_and_what_there_is_not_is_answered
-    [method(:planning), method(:navigation)].each do |port|
-      port.call do |client|
+    { planning: TYPES + ['GET_POINT'], navigation: TYPES }.each do |port, types|
+      send(port) do |client|
+        client.run('ask GET_STATUS ping')
+        client.run('expect STATUS ping 1')
         client.run('ask GET_CAPABIL me')
-        assert_equal TYPES, client.await('CAPABILITY', 'me')['types']
+        assert_equal types, client.await('CAPABILITY', 'me')['types']
         client.run('ask GET_IMAGE T1')
         client.run('expect STATUS T1 4')
         client.run('ask STP_QTDATA probe')

@@ -26,6 +26,7 @@
 
 static igtl_tracking_t tracking;
 static igtl_outbox_t outbox;
+static igtl_language_t language;
 static snapshot_t snapshot;
 static igtl_moment_t moment;
 
@@ -33,6 +34,7 @@ void setUp(void)
 {
     (void)memset(&snapshot, 0, sizeof snapshot);
     (void)memset(&tracking, 0, sizeof tracking);
+    language = IGTL_LANGUAGE_CRTK;
     rigid_set_identity(&snapshot.scanner_treatment);
     moment = (igtl_moment_t){.now_us = 1000000U, .snapshot = &snapshot};
     igtl_outbox_init(&outbox);
@@ -53,7 +55,7 @@ static bool ask(igtl_kind_t kind, const char *type, const char *name)
     igtl_message_t question = igtl_peer_query(kind, name);
 
     (void)snprintf(question.type, sizeof question.type, "%s", type);
-    return igtl_questions_receive(&tracking, &outbox, &question, &moment);
+    return igtl_questions_receive(&tracking, &outbox, language, &question, &moment);
 }
 
 static void track(int32_t resolution_ms)
@@ -62,7 +64,7 @@ static void track(int32_t resolution_ms)
 
     (void)strcpy(start.type, "STT_TDATA");
     start.resolution_ms = resolution_ms;
-    TEST_ASSERT_TRUE(igtl_questions_receive(&tracking, &outbox, &start, &moment));
+    TEST_ASSERT_TRUE(igtl_questions_receive(&tracking, &outbox, language, &start, &moment));
     EXPECT("RTS_TDATA probe 0");
 }
 
@@ -73,15 +75,29 @@ static void command(uint32_t id, const char *name)
     message.code = id;
     message.subject = name;
     message.subject_bytes = (uint32_t)strlen(name);
-    TEST_ASSERT_TRUE(igtl_questions_receive(&tracking, &outbox, &message, &moment));
+    TEST_ASSERT_TRUE(igtl_questions_receive(&tracking, &outbox, language, &message, &moment));
 }
 
 void test_SWR_IGTL_041_the_types_that_are_understood_are_named(void)
 {
     TEST_ASSERT_TRUE(ask(IGTL_KIND_GET_CAPABILITY, "GET_CAPABIL", "who"));
-    EXPECT(
-        "CAPABILITY who TRANSFORM STRING STATUS POINT GET_TRANS GET_STATUS GET_POINT GET_CAPABIL "
-        "STT_TDATA STP_TDATA COMMAND");
+    EXPECT("CAPABILITY who TRANSFORM STRING STATUS GET_TRANS GET_STATUS GET_CAPABIL STT_TDATA "
+           "STP_TDATA COMMAND GET_POINT");
+}
+
+void test_SWR_IGTL_041_a_port_names_only_what_it_answers(void)
+{
+    static const igtl_language_t languages[] = {IGTL_LANGUAGE_BRP_2013, IGTL_LANGUAGE_BRP_2021};
+
+    for (uint32_t i = 0U; i < 2U; i++) {
+        language = languages[i];
+        TEST_ASSERT_TRUE(ask(IGTL_KIND_GET_CAPABILITY, "GET_CAPABIL", "who"));
+        EXPECT("CAPABILITY who TRANSFORM STRING STATUS GET_TRANS GET_STATUS GET_CAPABIL STT_TDATA "
+               "STP_TDATA COMMAND");
+        command(1U, "Capabilities");
+        EXPECT("RTS_COMMAND peer 1 Capabilities <Capabilities Types=\"TRANSFORM STRING STATUS "
+               "GET_TRANS GET_STATUS GET_CAPABIL STT_TDATA STP_TDATA COMMAND\"/>");
+    }
 }
 
 void test_SWR_IGTL_041_what_there_is_not_is_answered_by_a_status(void)
@@ -212,8 +228,8 @@ void test_SWR_IGTL_043_status_is_answered_with_the_same_id_and_name(void)
 void test_SWR_IGTL_043_capabilities_are_answered(void)
 {
     command(1U, "Capabilities");
-    EXPECT("RTS_COMMAND peer 1 Capabilities <Capabilities Types=\"TRANSFORM STRING STATUS POINT "
-           "GET_TRANS GET_STATUS GET_POINT GET_CAPABIL STT_TDATA STP_TDATA COMMAND\"/>");
+    EXPECT("RTS_COMMAND peer 1 Capabilities <Capabilities Types=\"TRANSFORM STRING STATUS "
+           "GET_TRANS GET_STATUS GET_CAPABIL STT_TDATA STP_TDATA COMMAND GET_POINT\"/>");
 }
 
 void test_SWR_IGTL_043_every_other_command_is_not_supported(void)
