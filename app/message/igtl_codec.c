@@ -38,6 +38,8 @@ const char *igtl_result_text(igtl_result_t result)
         return "BAD_TEXT: The text is not printable ASCII.";
     case IGTL_INCOMPLETE:
         return "INCOMPLETE: The rest of the message did not come in time.";
+    case IGTL_MARKED_INVALID:
+        return "MARKED_INVALID: Its sender says that it is not valid.";
     default:
         return "UNKNOWN";
     }
@@ -61,6 +63,7 @@ uint32_t igtl_result_code(igtl_result_t result)
     case IGTL_BAD_LENGTH:
     case IGTL_BAD_ENCODING:
     case IGTL_BAD_TEXT:
+    case IGTL_MARKED_INVALID:
     default:
         return IGTL_STATUS_CONFIG_ERROR;
     }
@@ -196,6 +199,31 @@ static igtl_result_t check_metadata(const uint8_t *metadata, uint64_t header_byt
     return (sum == data_bytes) ? IGTL_OK : IGTL_BAD_METADATA;
 }
 
+static bool is_word(const uint8_t *bytes, uint32_t length, const char *word)
+{
+    return (length == strlen(word)) && (memcmp(bytes, word, length) == 0);
+}
+
+/* Of metadata that fit their lengths: whether the sender calls its transform valid. */
+static igtl_result_t read_mark(const uint8_t *metadata)
+{
+    const uint32_t entries = get_u16(metadata);
+    const uint8_t *key = &metadata[2U + (entries * METADATA_ENTRY_BYTES)];
+
+    for (uint32_t i = 0U; i < entries; i++) {
+        const uint8_t *entry = &metadata[2U + (i * METADATA_ENTRY_BYTES)];
+        const uint32_t key_bytes = get_u16(entry);
+        const uint32_t value_bytes = get_u32(&entry[4]);
+        const uint8_t *value = &key[key_bytes];
+
+        if (is_word(key, key_bytes, "TransformStatus") && !is_word(value, value_bytes, "OK")) {
+            return IGTL_MARKED_INVALID;
+        }
+        key = &value[value_bytes];
+    }
+    return IGTL_OK;
+}
+
 /* Finds the content inside a body of version 2. */
 static igtl_result_t open_extension(const uint8_t *body, uint64_t body_bytes,
                                     igtl_message_t *message)
@@ -204,6 +232,7 @@ static igtl_result_t open_extension(const uint8_t *body, uint64_t body_bytes,
     uint64_t metadata_header;
     uint64_t metadata;
     uint64_t around;
+    igtl_result_t result;
 
     if (body_bytes < IGTL_EXTENSION_BYTES) {
         return IGTL_BAD_EXTENSION;
@@ -217,7 +246,10 @@ static igtl_result_t open_extension(const uint8_t *body, uint64_t body_bytes,
     }
     message->content = &body[extension];
     message->content_bytes = (uint32_t)(body_bytes - around);
-    return check_metadata(&body[extension + message->content_bytes], metadata_header, metadata);
+    result = check_metadata(&message->content[message->content_bytes], metadata_header, metadata);
+    return ((result == IGTL_OK) && (message->kind == IGTL_KIND_TRANSFORM) && (metadata_header > 0U))
+               ? read_mark(&message->content[message->content_bytes])
+               : result;
 }
 
 static igtl_result_t read_transform(igtl_message_t *message)

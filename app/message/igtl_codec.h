@@ -47,17 +47,18 @@ typedef enum {
 
 /** What is wrong with a message. */
 typedef enum {
-    IGTL_OK = 0,            /**< Well formed. */
-    IGTL_BAD_VERSION = 1,   /**< The header version is neither 1 nor 2. */
-    IGTL_BAD_NAME = 2,      /**< The type or the device name is not printable ASCII. */
-    IGTL_TOO_LONG = 3,      /**< The body is longer than is accepted. */
-    IGTL_BAD_CRC = 4,       /**< The checksum of the body is wrong. */
-    IGTL_BAD_EXTENSION = 5, /**< The extended header does not fit the body. */
-    IGTL_BAD_METADATA = 6,  /**< The metadata does not fit its lengths. */
-    IGTL_BAD_LENGTH = 7,    /**< The length is not that of the type. */
-    IGTL_BAD_ENCODING = 8,  /**< The text is neither US-ASCII nor UTF-8. */
-    IGTL_BAD_TEXT = 9,      /**< The text is not printable ASCII. */
-    IGTL_INCOMPLETE = 10    /**< The rest of the message did not come in time. */
+    IGTL_OK = 0,             /**< Well formed. */
+    IGTL_BAD_VERSION = 1,    /**< The header version is neither 1 nor 2. */
+    IGTL_BAD_NAME = 2,       /**< The type or the device name is not printable ASCII. */
+    IGTL_TOO_LONG = 3,       /**< The body is longer than is accepted. */
+    IGTL_BAD_CRC = 4,        /**< The checksum of the body is wrong. */
+    IGTL_BAD_EXTENSION = 5,  /**< The extended header does not fit the body. */
+    IGTL_BAD_METADATA = 6,   /**< The metadata does not fit its lengths. */
+    IGTL_BAD_LENGTH = 7,     /**< The length is not that of the type. */
+    IGTL_BAD_ENCODING = 8,   /**< The text is neither US-ASCII nor UTF-8. */
+    IGTL_BAD_TEXT = 9,       /**< The text is not printable ASCII. */
+    IGTL_INCOMPLETE = 10,    /**< The rest of the message did not come in time. */
+    IGTL_MARKED_INVALID = 11 /**< Its sender says that it is not valid. */
 } igtl_result_t;
 
 /** STATUS codes of the protocol that are used. */
@@ -132,12 +133,14 @@ bool igtl_header_is_lost(const igtl_header_t *header);
  * Reads the `header->body_bytes` of `body` (at most LIMIT_IGTL_BODY_MAX) of a known type.
  *
  * @return IGTL_OK, or the first thing that is wrong: IGTL_BAD_CRC, IGTL_BAD_EXTENSION,
- * IGTL_BAD_METADATA, IGTL_BAD_LENGTH, IGTL_BAD_ENCODING, IGTL_BAD_TEXT
+ * IGTL_BAD_METADATA; IGTL_MARKED_INVALID, of a TRANSFORM with metadata TransformStatus other than
+ * OK; IGTL_BAD_LENGTH, IGTL_BAD_ENCODING, IGTL_BAD_TEXT
  *
  * @satisfies SWR-IGTL-002
  * @satisfies SWR-IGTL-003
  * @satisfies SWR-IGTL-018
  * @satisfies SWR-IGTL-022
+ * @satisfies SWR-IGTL-054
  */
 igtl_result_t igtl_decode_body(const igtl_header_t *header, const uint8_t *body,
                                igtl_message_t *message);

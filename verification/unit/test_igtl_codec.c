@@ -524,9 +524,130 @@ void test_SWR_IGTL_003_each_byte_of_a_text_is_judged(void)
     }
 }
 
+/* A body of version 2 at 58, as large as is told: `content_bytes` of zeros, then the metadata of
+ * keys and values in turn. */
+static uint32_t put_with_metadata(uint32_t content_bytes, const char *const *words, uint32_t count)
+{
+    const uint32_t metadata = 70U + content_bytes;
+    uint32_t at = metadata + 2U + (8U * count);
+    const uint32_t data = at;
+
+    (void)memset(bytes, 0, sizeof bytes);
+    for (uint32_t i = 0U; i < count; i++) {
+        const uint32_t key_bytes = (uint32_t)strlen(words[2U * i]);
+        const uint32_t value_bytes = (uint32_t)strlen(words[(2U * i) + 1U]);
+
+        put(metadata + 2U + (8U * i), key_bytes, 2U);
+        put(metadata + 4U + (8U * i), IGTL_ENCODING_ASCII, 2U);
+        put(metadata + 6U + (8U * i), value_bytes, 4U);
+        (void)memcpy(&bytes[at], words[2U * i], key_bytes);
+        (void)memcpy(&bytes[at + key_bytes], words[(2U * i) + 1U], value_bytes);
+        at += key_bytes + value_bytes;
+    }
+    put(metadata, count, 2U);
+    put(58U, 12U, 2U);
+    put(60U, 2U + (8U * count), 2U);
+    put(62U, at - data, 4U);
+    return at - IGTL_HEADER_BYTES;
+}
+
+static igtl_result_t decode_transform_that_says(const char *key, const char *value)
+{
+    const char *words[2] = {key, value};
+
+    frame(2U, "TRANSFORM", put_with_metadata(IGTL_TRANSFORM_BYTES, words, 1U));
+    return decode();
+}
+
+void test_SWR_IGTL_054_transform_that_is_valid_is_taken(void)
+{
+    TEST_ASSERT_EQUAL_INT(IGTL_OK, decode_transform_that_says("TransformStatus", "OK"));
+    TEST_ASSERT_EQUAL_UINT32(IGTL_TRANSFORM_BYTES, message.content_bytes);
+    frame(2U, "TRANSFORM", put_with_metadata(IGTL_TRANSFORM_BYTES, NULL, 0U));
+    TEST_ASSERT_EQUAL_INT(IGTL_OK, decode());
+}
+
+void test_SWR_IGTL_054_transform_without_metadata_is_taken(void)
+{
+    put(58U, 12U, 2U);
+    (void)memset(&bytes[118], 0xFF, 64U); /* What stands behind the message. */
+    frame(2U, "TRANSFORM", 12U + IGTL_TRANSFORM_BYTES);
+    TEST_ASSERT_EQUAL_INT(IGTL_OK, decode());
+}
+
+void test_SWR_IGTL_054_transform_that_says_anything_but_ok_is_refused(void)
+{
+    static const char *const values[] = {"INVALID", "MISSING", "OUT_OF_RANGE", "",  "O",
+                                         "OK ",     "OK2",     "ok",           "KO"};
+
+    for (size_t i = 0U; i < (sizeof values / sizeof values[0]); i++) {
+        TEST_ASSERT_EQUAL_INT(IGTL_MARKED_INVALID,
+                              decode_transform_that_says("TransformStatus", values[i]));
+    }
+}
+
+void test_SWR_IGTL_054_value_with_a_byte_behind_ok_is_another_one(void)
+{
+    (void)decode_transform_that_says("TransformStatus", "OK.");
+    bytes[58U + header.body_bytes - 1U] = 0U;
+    frame(2U, "TRANSFORM", (uint32_t)header.body_bytes);
+    TEST_ASSERT_EQUAL_INT(IGTL_MARKED_INVALID, decode());
+}
+
+void test_SWR_IGTL_054_other_keys_say_nothing_of_it(void)
+{
+    static const char *const keys[] = {"Status",           "TransformStatu", "TransformStatuS",
+                                       "TransformStatus2", "ransformStatus", ""};
+
+    for (size_t i = 0U; i < (sizeof keys / sizeof keys[0]); i++) {
+        TEST_ASSERT_EQUAL_INT(IGTL_OK, decode_transform_that_says(keys[i], "INVALID"));
+    }
+    TEST_ASSERT_EQUAL_INT(IGTL_OK, decode_transform_that_says("", "TransformStatusINVALID"));
+}
+
+void test_SWR_IGTL_054_every_one_of_many_keys_counts(void)
+{
+    static const char *const last[] = {"Status", "OK", "TransformStatus", "INVALID"};
+    static const char *const first[] = {"TransformStatus", "INVALID", "TransformStatus", "OK"};
+    static const char *const second[] = {"TransformStatus", "OK", "TransformStatus", "INVALID"};
+    static const char *const both[] = {"TransformStatus", "OK", "TransformStatus", "OK"};
+
+    frame(2U, "TRANSFORM", put_with_metadata(IGTL_TRANSFORM_BYTES, last, 2U));
+    TEST_ASSERT_EQUAL_INT(IGTL_MARKED_INVALID, decode());
+    frame(2U, "TRANSFORM", put_with_metadata(IGTL_TRANSFORM_BYTES, first, 2U));
+    TEST_ASSERT_EQUAL_INT(IGTL_MARKED_INVALID, decode());
+    frame(2U, "TRANSFORM", put_with_metadata(IGTL_TRANSFORM_BYTES, second, 2U));
+    TEST_ASSERT_EQUAL_INT(IGTL_MARKED_INVALID, decode());
+    frame(2U, "TRANSFORM", put_with_metadata(IGTL_TRANSFORM_BYTES, both, 2U));
+    TEST_ASSERT_EQUAL_INT(IGTL_OK, decode());
+}
+
+void test_SWR_IGTL_054_other_types_have_no_such_mark(void)
+{
+    static const struct {
+        const char *type;
+        uint32_t content_bytes;
+    } others[] = {{"STATUS", 31U}, {"POINT", 136U}, {"GET_TRANS", 0U}, {"STT_TDATA", 36U}};
+    static const char *const words[] = {"TransformStatus", "INVALID"};
+
+    for (size_t i = 0U; i < (sizeof others / sizeof others[0]); i++) {
+        frame(2U, others[i].type, put_with_metadata(others[i].content_bytes, words, 1U));
+        TEST_ASSERT_EQUAL_INT(IGTL_OK, decode());
+    }
+}
+
+void test_SWR_IGTL_054_metadata_that_does_not_add_up_is_judged_before_it_is_read(void)
+{
+    TEST_ASSERT_EQUAL_INT(IGTL_MARKED_INVALID,
+                          decode_transform_that_says("TransformStatus", "INVALID"));
+    put(70U + IGTL_TRANSFORM_BYTES + 6U, UINT32_MAX, 4U); /* The value's length. */
+    frame(2U, "TRANSFORM", (uint32_t)header.body_bytes);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_METADATA, decode());
+}
+
 void test_SWR_IGTL_002_each_refusal_has_a_name_and_a_code(void)
 {
-    for (int32_t i = (int32_t)IGTL_OK; i <= (int32_t)IGTL_INCOMPLETE; i++) {
+    for (int32_t i = (int32_t)IGTL_OK; i <= (int32_t)IGTL_MARKED_INVALID; i++) {
         TEST_ASSERT_NOT_NULL(strstr(igtl_result_text((igtl_result_t)i), ": "));
     }
     TEST_ASSERT_EQUAL_UINT32(IGTL_STATUS_CHECKSUM_ERROR, igtl_result_code(IGTL_BAD_CRC));
@@ -534,4 +655,5 @@ void test_SWR_IGTL_002_each_refusal_has_a_name_and_a_code(void)
     TEST_ASSERT_EQUAL_UINT32(IGTL_STATUS_UNKNOWN_VERSION, igtl_result_code(IGTL_BAD_VERSION));
     TEST_ASSERT_EQUAL_UINT32(IGTL_STATUS_TIME_OUT, igtl_result_code(IGTL_INCOMPLETE));
     TEST_ASSERT_EQUAL_UINT32(IGTL_STATUS_CONFIG_ERROR, igtl_result_code(IGTL_BAD_LENGTH));
+    TEST_ASSERT_EQUAL_UINT32(IGTL_STATUS_CONFIG_ERROR, igtl_result_code(IGTL_MARKED_INVALID));
 }

@@ -197,6 +197,25 @@ void test_SWR_IGTL_020_message_without_body_or_type_is_refused_at_once(void)
     expect_next_message();
 }
 
+void test_SWR_IGTL_054_transform_marked_invalid_is_refused_and_the_next_message_is_read(void)
+{
+    static const uint32_t numbers[IGTL_TRANSFORM_NUMBERS] = {0U};
+    igtl_packet_t marked;
+    uint64_t crc;
+
+    igtl_encode_transform(&packet, "TGT_1", numbers, 0U);
+    igtl_packet_extend(&marked, &packet);
+    (void)memcpy(&marked.bytes[marked.length - 2U], "NO", 2U);
+    crc = igtl_crc64(0U, &marked.bytes[IGTL_HEADER_BYTES], marked.length - IGTL_HEADER_BYTES);
+    for (uint32_t i = 0U; i < 8U; i++) {
+        marked.bytes[50U + i] = (uint8_t)(crc >> (56U - (8U * i)));
+    }
+    TEST_ASSERT_EQUAL_INT(IGTL_INBOX_REFUSED, feed(marked.bytes, marked.length, 7U, 0U));
+    TEST_ASSERT_EQUAL_INT(IGTL_MARKED_INVALID, inbox.reason);
+    TEST_ASSERT_EQUAL_STRING("TGT_1", inbox.header.name);
+    expect_next_message();
+}
+
 void test_SWR_IGTL_021_skipping_goes_on_while_something_arrives(void)
 {
     const uint64_t step_us = LIMIT_IGTL_PARTIAL_TIMEOUT_US - 1U;
