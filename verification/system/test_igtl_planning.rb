@@ -72,7 +72,7 @@ class TestIgtlPlanning < Minitest::Test
       client.run('ask GET_TRANS elsewhere')
       client.run('expect STATUS elsewhere 4')
       client.run('ask GET_STATUS ping')
-      client.run('expect STATUS ping 1')
+      assert_equal 1, client.await('STATUS', 'ping')['code']
     end
   end
 
