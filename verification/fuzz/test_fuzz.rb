@@ -2,7 +2,7 @@
 # frozen_string_literal: true
 
 # Rule under test: whatever bytes come and whatever peers say, the sentences of codec_fuzz.c, request_fuzz.c and witness.c hold. So many
-# inputs, the same ones on every run; `make fuzz` looks further.
+# inputs, whatever time they take; `make fuzz` looks further.
 
 require 'minitest/autorun'
 require 'open3'
