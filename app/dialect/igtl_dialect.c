@@ -7,6 +7,7 @@
 
 #include <stddef.h>
 #include <stdio.h>
+#include <string.h>
 
 uint32_t igtl_reason_code(status_t status)
 {
@@ -107,14 +108,27 @@ void igtl_tell_not_found(igtl_outbox_t *outbox, const char *name, const igtl_mom
     igtl_tell_status(outbox, name, &status, moment);
 }
 
+bool igtl_is_text(const igtl_message_t *message, const char *text)
+{
+    return (strlen(text) == message->text_bytes) &&
+           (memcmp(text, message->text, message->text_bytes) == 0);
+}
+
+void igtl_pack_pose(igtl_packet_t *packet, const char *name, const rigid_t *pose,
+                    const igtl_moment_t *moment)
+{
+    uint32_t numbers[IGTL_TRANSFORM_NUMBERS];
+
+    igtl_border_write_pose(pose, numbers);
+    igtl_encode_transform(packet, name, numbers, moment->timestamp);
+}
+
 void igtl_tell_pose(igtl_outbox_t *outbox, const char *name, const rigid_t *pose,
                     const igtl_moment_t *moment)
 {
     igtl_packet_t packet;
-    uint32_t numbers[IGTL_TRANSFORM_NUMBERS];
 
-    igtl_border_write_pose(pose, numbers);
-    igtl_encode_transform(&packet, name, numbers, moment->timestamp);
+    igtl_pack_pose(&packet, name, pose, moment);
     igtl_outbox_add(outbox, &packet);
 }
 

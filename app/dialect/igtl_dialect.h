@@ -66,6 +66,13 @@ void igtl_tell_refusal(igtl_outbox_t *outbox, const char *name, status_t status,
 /** Sends STATUS(`name`, NOT_FOUND): there is nothing of this name. */
 void igtl_tell_not_found(igtl_outbox_t *outbox, const char *name, const igtl_moment_t *moment);
 
+/** The STRING `message` is `text`, no more and no less. */
+bool igtl_is_text(const igtl_message_t *message, const char *text);
+
+/** Makes TRANSFORM(`name`, `pose`). */
+void igtl_pack_pose(igtl_packet_t *packet, const char *name, const rigid_t *pose,
+                    const igtl_moment_t *moment);
+
 /** Sends TRANSFORM(`name`, `pose`). */
 void igtl_tell_pose(igtl_outbox_t *outbox, const char *name, const rigid_t *pose,
                     const igtl_moment_t *moment);

@@ -100,12 +100,6 @@ static void propose(transform_dialect_t *self, uint32_t index, const igtl_messag
     }
 }
 
-static bool says(const igtl_message_t *message, const char *text)
-{
-    return (message->text_bytes == strlen(text)) &&
-           (memcmp(message->text, text, message->text_bytes) == 0);
-}
-
 static void receive_string(transform_dialect_t *self, uint32_t index, const igtl_message_t *message,
                            const igtl_moment_t *moment)
 {
@@ -114,11 +108,11 @@ static void receive_string(transform_dialect_t *self, uint32_t index, const igtl
                                   .kind = (uint32_t)COMMAND_WITHDRAW,
                                   .argument = (uint32_t)transform_proposals_kind(message->name)};
 
-    if ((strcmp(message->name, "start_up") == 0) || says(message, "START_UP")) {
+    if ((strcmp(message->name, "start_up") == 0) || igtl_is_text(message, "START_UP")) {
         transform_show_all(&peer->shown);
     } else if (withdrawal.argument == (uint32_t)COMMAND_NONE) {
         refuse_unknown(peer, message, moment);
-    } else if (says(message, "WITHDRAW")) {
+    } else if (igtl_is_text(message, "WITHDRAW")) {
         put(self, index, &withdrawal, moment);
     } else {
         igtl_tell_refusal(peer->outbox, message->name, STATUS_UNKNOWN_COMMAND, moment);

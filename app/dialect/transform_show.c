@@ -19,10 +19,8 @@ static void send_pose(igtl_outbox_t *outbox, const char *name, const rigid_t *po
                       const igtl_moment_t *moment)
 {
     igtl_packet_t packet;
-    uint32_t numbers[IGTL_TRANSFORM_NUMBERS];
 
-    igtl_border_write_pose(pose, numbers);
-    igtl_encode_transform(&packet, name, numbers, moment->timestamp);
+    igtl_pack_pose(&packet, name, pose, moment);
     igtl_outbox_add_state(outbox, &packet);
 }
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "dialect/workphase_peer.h"
 
-#include "dialect/igtl_border.h"
 #include "interface/app/names.h"
 #include "limits/requirement_limits.h"
 #include "message/igtl_crc64.h"
@@ -92,10 +91,8 @@ void workphase_peer_defer_pose(workphase_peer_t *self, const char *name, const r
                                const igtl_moment_t *moment)
 {
     igtl_packet_t packet;
-    uint32_t numbers[IGTL_TRANSFORM_NUMBERS];
 
-    igtl_border_write_pose(pose, numbers);
-    igtl_encode_transform(&packet, name, numbers, moment->timestamp);
+    igtl_pack_pose(&packet, name, pose, moment);
     workphase_peer_defer(self, &packet, moment->now_us);
 }
 

@@ -64,17 +64,11 @@ static void deny(workphase_peer_t *peer, const char *name, const igtl_moment_t *
     igtl_tell_status(peer->outbox, name, &denial, moment);
 }
 
-static bool is_text(const igtl_message_t *message, const char *word)
-{
-    return (strlen(word) == message->text_bytes) &&
-           (memcmp(word, message->text, message->text_bytes) == 0);
-}
-
 /* The workphase named by a text, WORKPHASE_UNDEFINED for none that can be commanded. */
 static workphase_t phase_of(const igtl_message_t *message)
 {
     for (uint32_t i = (uint32_t)WORKPHASE_START_UP; i < WORKPHASE_COUNT; i++) {
-        if (is_text(message, workphase_name((int32_t)i))) {
+        if (igtl_is_text(message, workphase_name((int32_t)i))) {
             return (workphase_t)i;
         }
     }
@@ -84,7 +78,7 @@ static workphase_t phase_of(const igtl_message_t *message)
 static const word_t *word_of(const igtl_message_t *message)
 {
     for (size_t i = 0U; i < (sizeof words / sizeof words[0]); i++) {
-        if (is_text(message, words[i].word) || (strcmp(message->name, words[i].word) == 0)) {
+        if (igtl_is_text(message, words[i].word) || (strcmp(message->name, words[i].word) == 0)) {
             return &words[i];
         }
     }
