@@ -33,6 +33,8 @@ uint32_t igtl_reason_code(status_t status)
     case STATUS_CLOSURE:
     case STATUS_ENTRY_POINT:
         return IGTL_STATUS_CONFIG_ERROR;
+    case STATUS_NO_AUTHORITY:
+        return IGTL_STATUS_ACCESS_DENIED;
     case STATUS_WRONG_WORKPHASE:
     case STATUS_NOT_HOMED:
     case STATUS_NOT_REGISTERED:

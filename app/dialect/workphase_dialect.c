@@ -2,6 +2,7 @@
 #include "dialect/workphase_dialect.h"
 
 #include "charts/arming_chart.h"
+#include "charts/authority_chart.h"
 #include "dialect/workphase_answer.h"
 #include "dialect/workphase_peer.h"
 #include "dialect/workphase_poll.h"
@@ -39,6 +40,17 @@ static bool is_long(const igtl_request_t *request)
              (request->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET)));
 }
 
+/* There are as many places as connections that can end before the next step. */
+static void owe_release(workphase_dialect_t *self, uint32_t number)
+{
+    for (uint32_t i = 0U; i < IGTL_PLACES; i++) {
+        if (self->released[i] == 0U) {
+            self->released[i] = number;
+            return;
+        }
+    }
+}
+
 void workphase_dialect_disconnected(void *dialect, uint32_t peer)
 {
     workphase_dialect_t *self = dialect;
@@ -46,6 +58,9 @@ void workphase_dialect_disconnected(void *dialect, uint32_t peer)
     self->peers[peer].outbox = NULL;
     if (self->controller == peer) {
         self->controller = IGTL_NOBODY;
+    }
+    if (self->peers[peer].has_commanded) {
+        owe_release(self, self->peers[peer].number);
     }
     for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
         igtl_request_t *request = &self->requests.requests[i];
@@ -79,11 +94,32 @@ bool workphase_dialect_has_order(const void *dialect, uint32_t peer)
     return false;
 }
 
+/* The controller decides it; what it shows is a moment old. */
+static void look_who_commands(workphase_dialect_t *self, const igtl_moment_t *moment)
+{
+    const snapshot_t *shown = moment->snapshot;
+
+    if (shown == NULL) {
+        return;
+    }
+    self->controller = IGTL_NOBODY;
+    if ((shown->authority != (uint32_t)AUTHORITY_STATE_HELD) ||
+        (shown->holder != (uint32_t)COMMAND_SOURCE_IGTL)) {
+        return;
+    }
+    for (uint32_t i = 0U; i < IGTL_PLACES; i++) {
+        if ((self->peers[i].outbox != NULL) && (self->peers[i].number == shown->holder_peer)) {
+            self->controller = i;
+        }
+    }
+}
+
 void workphase_dialect_receive(void *dialect, uint32_t peer, const igtl_message_t *message,
                                const igtl_moment_t *moment)
 {
     workphase_dialect_t *self = dialect;
 
+    look_who_commands(self, moment);
     workphase_peer_t *asker = &self->peers[peer];
 
     switch ((int)message->kind) {
@@ -127,6 +163,11 @@ bool workphase_dialect_answer(workphase_dialect_t *self, const answer_t *answer,
     } else if ((answer->status == (uint32_t)STATUS_BUSY) &&
                (request->argument == (uint32_t)WORKPHASE_STOP)) {
         self->must_stop = true;
+    } else if ((answer->status == (uint32_t)STATUS_BUSY) &&
+               (request->kind == (uint32_t)COMMAND_RELEASE)) {
+        owe_release(self, request->argument);
+    } else {
+        /* Nobody waits for it. */
     }
     request->is_accepted = true;
     if (answer->is_final != 0U) {
@@ -161,6 +202,20 @@ static void stop_for_lost_peer(workphase_dialect_t *self, uint64_t patience_us)
     if (self->must_stop &&
         (igtl_requests_add(&self->requests, IGTL_NOBODY, &stop, patience_us) != NULL)) {
         self->must_stop = false;
+    }
+}
+
+static void release_lost_peers(workphase_dialect_t *self, uint64_t patience_us)
+{
+    for (uint32_t i = 0U; i < IGTL_PLACES; i++) {
+        command_t release = {.peer = self->released[i],
+                             .kind = (uint32_t)COMMAND_RELEASE,
+                             .argument = self->released[i]};
+
+        if ((self->released[i] != 0U) &&
+            (igtl_requests_add(&self->requests, IGTL_NOBODY, &release, patience_us) != NULL)) {
+            self->released[i] = 0U;
+        }
     }
 }
 
@@ -201,7 +256,9 @@ void workphase_dialect_step(workphase_dialect_t *self, const igtl_moment_t *mome
     const igtl_request_t *overdue = igtl_requests_overdue(&self->requests, moment->patience_us);
 
     self->must_stop = self->must_stop || has_orphan(self, moment->snapshot);
+    look_who_commands(self, moment);
     stop_for_lost_peer(self, moment->patience_us);
+    release_lost_peers(self, moment->patience_us);
     while (overdue != NULL) {
         tell_no_answer(self, overdue, moment);
         overdue = igtl_requests_overdue(&self->requests, moment->patience_us);

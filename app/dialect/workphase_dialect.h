@@ -3,9 +3,9 @@
  * @file
  * The workphase protocol between navigation and an MRI-guided robot (Tokuda et al.), by the port's
  * language: that of 2013, with the messages added in 2021 sent LIMIT_IGTL_EXTRA_DELAY_US later and
- * withheld when the next command arrives first, or that of 2021. One peer controls: the first that
- * commands, until it disconnects. STOP, EMERGENCY, questions and proposals are everyone's and take
- * nothing.
+ * withheld when the next command arrives first, or that of 2021. One peer controls, as the
+ * controller says: the first that commands what is free, until it disconnects. STOP, EMERGENCY,
+ * questions and proposals are everyone's and take nothing.
  */
 #ifndef BORESIGHT_WORKPHASE_DIALECT_H
 #define BORESIGHT_WORKPHASE_DIALECT_H
@@ -57,6 +57,7 @@ typedef struct {
 typedef struct {
     igtl_outbox_t *outbox; /**< NULL: not connected. */
     uint32_t number;       /**< Of its connection. */
+    bool has_commanded;    /**< It may have authority. */
     igtl_language_t language;
     const char *entry_prefix;
     workphase_id_t ids[WORKPHASE_IDS]; /**< The last commands, a ring. */
@@ -96,11 +97,13 @@ typedef struct {
     igtl_requests_t requests;
     workphase_watch_t watch;
     workphase_peer_t peers[IGTL_PLACES];
-    uint32_t controller;       /**< Peer that commands, or IGTL_NOBODY. */
+    uint32_t controller;       /**< Peer that has authority as control shows it, or IGTL_NOBODY. */
     uint64_t next_position_us; /**< When the next CURRENT_POSITION is due. */
     /** The peer of an order was lost, with its connection or with an earlier run of this process;
      * STOP has still to go. */
     bool must_stop;
+    uint32_t released[IGTL_PLACES]; /**< Numbers of connections that ended, to be released; 0: none.
+                                     */
 } workphase_dialect_t;
 
 /** `first_id` numbers the commands, even. */
@@ -109,7 +112,11 @@ void workphase_dialect_init(workphase_dialect_t *self, const robot_t *robot, uin
 void workphase_dialect_connected(void *dialect, uint32_t peer,
                                  const igtl_introduction_t *introduction);
 
-/** Also commands STOP when the peer had a command armed or begun. */
+/**
+ * Releases what authority the peer has, and commands STOP when it had a command armed or begun.
+ *
+ * @satisfies SWR-AUTH-011
+ */
 void workphase_dialect_disconnected(void *dialect, uint32_t peer);
 
 /** It is the one peer that commands. */

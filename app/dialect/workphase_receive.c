@@ -50,10 +50,8 @@ static bool is_others(const workphase_dialect_t *self, uint32_t peer)
 
 static bool may_command(workphase_dialect_t *self, uint32_t peer)
 {
-    if (self->controller == IGTL_NOBODY) {
-        self->controller = peer;
-    }
-    return self->controller == peer;
+    self->peers[peer].has_commanded = true;
+    return !is_others(self, peer);
 }
 
 static void deny(workphase_peer_t *peer, const char *name, const igtl_moment_t *moment)

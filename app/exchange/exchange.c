@@ -132,19 +132,31 @@ static bool is_stop(const command_t *command)
             (command->argument == (uint32_t)WORKPHASE_EMERGENCY));
 }
 
+/* STOP of the console has a latch instead. */
+static bool has_lane(const command_t *command)
+{
+    const bool is_latched = (command->source == (uint32_t)COMMAND_SOURCE_HTTP) &&
+                            is_stop(command) && (command->argument == (uint32_t)WORKPHASE_STOP);
+
+    return (command->source < COMMAND_SOURCE_COUNT) && !is_latched;
+}
+
 status_t exchange_send_command(exchange_t *self, const command_t *command)
 {
-    segment_others_t *others = &self->segment->others;
-    const uint32_t put = __atomic_load_n(&others->commands_head, __ATOMIC_RELAXED);
-    const uint32_t taken = __atomic_load_n(&self->segment->control.commands_tail, __ATOMIC_ACQUIRE);
-
+    if (!has_lane(command)) {
+        return STATUS_NOT_ALLOWED;
+    }
+    segment_commands_t *lane = &self->segment->others.lanes[command->source];
+    const uint32_t put = __atomic_load_n(&lane->head, __ATOMIC_RELAXED);
+    const uint32_t taken =
+        __atomic_load_n(&self->segment->control.taken[command->source].tail, __ATOMIC_ACQUIRE);
     const uint32_t places = is_stop(command) ? SEGMENT_COMMANDS : EXCHANGE_COMMANDS;
 
     if ((put - taken) >= places) {
         return STATUS_BUSY;
     }
-    others->commands[put % SEGMENT_COMMANDS] = *command;
-    __atomic_store_n(&others->commands_head, put + 1U, __ATOMIC_RELEASE);
+    lane->commands[put % SEGMENT_COMMANDS] = *command;
+    __atomic_store_n(&lane->head, put + 1U, __ATOMIC_RELEASE);
     return STATUS_OK;
 }
 
@@ -180,17 +192,18 @@ static bool take_stop(exchange_t *self, command_t *command)
     return true;
 }
 
-static bool take_command(exchange_t *self, command_t *command)
+static bool take_command(exchange_t *self, uint32_t source, command_t *command)
 {
-    uint32_t *tail = &self->segment->control.commands_tail;
+    const segment_commands_t *lane = &self->segment->others.lanes[source];
+    uint32_t *tail = &self->segment->control.taken[source].tail;
     const uint32_t taken = __atomic_load_n(tail, __ATOMIC_RELAXED);
-    const uint32_t put = __atomic_load_n(&self->segment->others.commands_head, __ATOMIC_ACQUIRE);
+    const uint32_t put = __atomic_load_n(&lane->head, __ATOMIC_ACQUIRE);
 
     if (put == taken) {
         return false;
     }
-    *command = self->segment->others.commands[taken % SEGMENT_COMMANDS];
-    command->source = (uint32_t)COMMAND_SOURCE_IGTL; /* Nobody speaks for another. */
+    *command = lane->commands[taken % SEGMENT_COMMANDS];
+    command->source = source; /* Nobody speaks for another. */
     __atomic_store_n(tail, taken + 1U, __ATOMIC_RELEASE);
     return true;
 }
@@ -210,28 +223,66 @@ static bool is_costly(const command_t *command)
            (command->kind == (uint32_t)COMMAND_WITHDRAW);
 }
 
-/* What a stop refuses are all commands before it but the stops among them, in this cycle and, where
- * those fill it, in later ones. */
-static void find_refused(exchange_t *self, bool is_stop_requested)
+/* Commands of a lane that wait, from its `*taken` on. */
+static uint32_t count_waiting(const exchange_t *self, uint32_t source, uint32_t *taken)
 {
-    const segment_others_t *others = &self->segment->others;
-    const uint32_t taken = __atomic_load_n(&self->segment->control.commands_tail, __ATOMIC_RELAXED);
-    const uint32_t put = __atomic_load_n(&others->commands_head, __ATOMIC_ACQUIRE);
-    const uint32_t waiting = ((put - taken) < SEGMENT_COMMANDS) ? (put - taken) : SEGMENT_COMMANDS;
+    const segment_commands_t *lane = &self->segment->others.lanes[source];
+    const uint32_t put = __atomic_load_n(&lane->head, __ATOMIC_ACQUIRE);
 
-    if ((self->refused_until - taken) > waiting) {
-        self->refused_until = taken; /* All of them have been refused. */
+    *taken = __atomic_load_n(&self->segment->control.taken[source].tail, __ATOMIC_RELAXED);
+    return ((put - *taken) < SEGMENT_COMMANDS) ? (put - *taken) : SEGMENT_COMMANDS;
+}
+
+/* What a stop refuses are all commands before it but the stops among them, in this cycle and, where
+ * those fill it, in later ones. True, with the stop, when there is a new one. */
+static bool find_stop(exchange_t *self, uint32_t source, uint32_t *stop_for)
+{
+    const segment_commands_t *lane = &self->segment->others.lanes[source];
+    exchange_refused_t *refused = &self->refused[source];
+    uint32_t taken;
+    const uint32_t waiting = count_waiting(self, source, &taken);
+    bool is_found = false;
+
+    if ((refused->until - taken) > waiting) {
+        refused->until = taken; /* All of them have been refused. */
     }
-    for (uint32_t i = self->refused_until - taken; (i < waiting) && !is_stop_requested; i++) {
-        const command_t *command = &others->commands[(taken + i) % SEGMENT_COMMANDS];
+    for (uint32_t i = refused->until - taken; i < waiting; i++) {
+        const command_t *command = &lane->commands[(taken + i) % SEGMENT_COMMANDS];
         if (is_stop(command)) {
-            self->refused_until = taken + i + 1U;
-            self->refused_for = command->argument;
+            refused->until = taken + i + 1U;
+            refused->stop_for = command->argument;
+            *stop_for = command->argument;
+            is_found = true;
         }
     }
-    if (is_stop_requested) {
-        self->refused_until = taken + waiting;
-        self->refused_for = (uint32_t)WORKPHASE_STOP;
+    return is_found;
+}
+
+/* All that waits in a lane waits behind a stop that came elsewhere. */
+static void refuse_waiting(exchange_t *self, uint32_t source, uint32_t stop_for)
+{
+    uint32_t taken;
+    const uint32_t waiting = count_waiting(self, source, &taken);
+
+    self->refused[source].until = taken + waiting;
+    self->refused[source].stop_for = stop_for;
+}
+
+static void find_refused(exchange_t *self, bool is_stop_requested)
+{
+    uint32_t stop_for = (uint32_t)WORKPHASE_STOP;
+
+    for (uint32_t i = 0U; i < COMMAND_SOURCE_COUNT; i++) {
+        if (find_stop(self, i, &stop_for)) {
+            for (uint32_t j = 0U; j < COMMAND_SOURCE_COUNT; j++) {
+                if (j != i) {
+                    refuse_waiting(self, j, stop_for);
+                }
+            }
+        }
+    }
+    for (uint32_t i = 0U; (i < COMMAND_SOURCE_COUNT) && is_stop_requested; i++) {
+        refuse_waiting(self, i, (uint32_t)WORKPHASE_STOP);
     }
 }
 
@@ -249,6 +300,28 @@ static void refuse(exchange_t *self, const command_t *command, uint32_t workphas
     (void)exchange_push_answer(self, &refusal);
 }
 
+/* Up to `most` of a lane. True when the last of them computes kinematics. */
+static bool take_lane(exchange_t *self, uint32_t source, command_t *commands, uint32_t most,
+                      uint32_t *count)
+{
+    const exchange_refused_t *refused = &self->refused[source];
+    uint32_t left = refused->until -
+                    __atomic_load_n(&self->segment->control.taken[source].tail, __ATOMIC_RELAXED);
+    bool is_enough = false;
+
+    while ((*count < most) && !is_enough && take_command(self, source, &commands[*count])) {
+        const bool is_refused = (left > 0U) && !is_stop(&commands[*count]);
+        left -= (left > 0U) ? 1U : 0U;
+        if (is_refused) {
+            refuse(self, &commands[*count], refused->stop_for);
+        } else {
+            is_enough = is_costly(&commands[*count]);
+            (*count)++;
+        }
+    }
+    return is_enough;
+}
+
 uint32_t exchange_take_commands(exchange_t *self, command_t *commands, uint32_t most)
 {
     command_t stop;
@@ -258,18 +331,11 @@ uint32_t exchange_take_commands(exchange_t *self, command_t *commands, uint32_t 
     bool is_enough = false;
 
     find_refused(self, is_stop_requested);
-    uint32_t refused = self->refused_until -
-                       __atomic_load_n(&self->segment->control.commands_tail, __ATOMIC_RELAXED);
-    while ((count < others) && !is_enough && take_command(self, &commands[count])) {
-        const bool is_refused = (refused > 0U) && !is_stop(&commands[count]);
-        refused -= (refused > 0U) ? 1U : 0U;
-        if (is_refused) {
-            refuse(self, &commands[count], self->refused_for);
-        } else {
-            is_enough = is_costly(&commands[count]);
-            count++;
-        }
+    for (uint32_t i = 0U; (i < COMMAND_SOURCE_COUNT) && !is_enough; i++) {
+        const uint32_t source = (self->first_lane + i) % COMMAND_SOURCE_COUNT;
+        is_enough = take_lane(self, source, commands, others, &count);
     }
+    self->first_lane++; /* None waits for another. */
     if (is_stop_requested) {
         commands[count] = stop; /* The last one: nothing of the same cycle undoes it. */
         count++;
@@ -282,29 +348,39 @@ static void count_one(uint32_t *counter)
     __atomic_store_n(counter, __atomic_load_n(counter, __ATOMIC_RELAXED) + 1U, __ATOMIC_RELEASE);
 }
 
-static bool push_into_lane(segment_control_t *control, uint32_t taken, const answer_t *answer)
+static bool push_into_lane(exchange_t *self, const answer_t *answer)
 {
-    const uint32_t put = __atomic_load_n(&control->answers_head, __ATOMIC_RELAXED);
+    segment_answers_t *lane = &self->segment->control.answers[answer->source];
+    const uint32_t put = __atomic_load_n(&lane->head, __ATOMIC_RELAXED);
+    const uint32_t taken =
+        __atomic_load_n(&self->segment->others.answered[answer->source].tail, __ATOMIC_ACQUIRE);
 
     if ((put - taken) >= EXCHANGE_ANSWERS) {
         return false;
     }
-    control->answers[put % EXCHANGE_ANSWERS] = *answer;
-    __atomic_store_n(&control->answers_head, put + 1U, __ATOMIC_RELEASE);
+    lane->answers[put % EXCHANGE_ANSWERS] = *answer;
+    __atomic_store_n(&lane->head, put + 1U, __ATOMIC_RELEASE);
     return true;
+}
+
+/* To a stop that was requested: none of HTTP's stops comes by its lane. */
+static bool is_of_latch(const answer_t *answer)
+{
+    return (answer->source == (uint32_t)COMMAND_SOURCE_HTTP) &&
+           (answer->command == (uint32_t)COMMAND_WORKPHASE) &&
+           (answer->argument == (uint32_t)WORKPHASE_STOP);
 }
 
 bool exchange_push_answer(exchange_t *self, const answer_t *answer)
 {
     segment_control_t *control = &self->segment->control;
-    const uint32_t taken = __atomic_load_n(&self->segment->others.answers_tail, __ATOMIC_ACQUIRE);
     bool is_kept = false;
 
-    if (answer->source == (uint32_t)COMMAND_SOURCE_HTTP) {
+    if (is_of_latch(answer)) {
         write_locked(&control->stop_sequence, &control->stop_answer, answer, sizeof *answer);
         is_kept = true;
-    } else if (answer->source == (uint32_t)COMMAND_SOURCE_IGTL) {
-        is_kept = push_into_lane(control, taken, answer);
+    } else if (answer->source < COMMAND_SOURCE_COUNT) {
+        is_kept = push_into_lane(self, answer);
     } else {
         /* Nobody asked. */
     }
@@ -314,16 +390,17 @@ bool exchange_push_answer(exchange_t *self, const answer_t *answer)
     return is_kept;
 }
 
-bool exchange_take_answer(exchange_t *self, answer_t *answer)
+bool exchange_take_answer(exchange_t *self, command_source_t source, answer_t *answer)
 {
-    uint32_t *tail = &self->segment->others.answers_tail;
+    const segment_answers_t *lane = &self->segment->control.answers[source];
+    uint32_t *tail = &self->segment->others.answered[source].tail;
     const uint32_t taken = __atomic_load_n(tail, __ATOMIC_RELAXED);
-    const uint32_t put = __atomic_load_n(&self->segment->control.answers_head, __ATOMIC_ACQUIRE);
+    const uint32_t put = __atomic_load_n(&lane->head, __ATOMIC_ACQUIRE);
 
     if (put == taken) {
         return false;
     }
-    *answer = self->segment->control.answers[taken % EXCHANGE_ANSWERS];
+    *answer = lane->answers[taken % EXCHANGE_ANSWERS];
     __atomic_store_n(tail, taken + 1U, __ATOMIC_RELEASE);
     return true;
 }

@@ -19,9 +19,9 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define EXCHANGE_COMMANDS 16U /**< Capacity of the command lane. */
+#define EXCHANGE_COMMANDS 16U /**< Capacity of a command lane. */
 #define EXCHANGE_STOPS 16U    /**< Its places for STOP and EMERGENCY alone. */
-#define EXCHANGE_ANSWERS 64U  /**< Capacity of the answer lane. */
+#define EXCHANGE_ANSWERS 64U  /**< Capacity of an answer lane. */
 #define EXCHANGE_EVENTS 1024U /**< Events kept for slow readers. */
 #define EXCHANGE_CYCLES 2048U /**< Capacity of the cycle lane: two seconds. */
 
@@ -165,18 +165,19 @@ void exchange_publish_loop(exchange_t *self, const loop_figures_t *figures);
 bool exchange_read_loop(const exchange_t *self, loop_figures_t *figures);
 
 /**
- * Puts a command into the lane of COMMAND_SOURCE_IGTL, the only source that has one.
+ * Puts a command into the lane of its source. One thread at a time for each source.
  *
  * @return STATUS_OK; STATUS_BUSY when EXCHANGE_COMMANDS wait, for STOP and EMERGENCY EXCHANGE_STOPS
- * more (nothing is queued)
+ * more; STATUS_NOT_ALLOWED for what is no source, and for STOP of COMMAND_SOURCE_HTTP, which is
+ * requested (nothing is queued)
  *
  * @satisfies SWR-EXCH-002
  */
 status_t exchange_send_command(exchange_t *self, const command_t *command);
 
 /**
- * Asks for STOP: all that COMMAND_SOURCE_HTTP can command. It has no lane that could be full. Any
- * thread of any process.
+ * Asks for STOP as COMMAND_SOURCE_HTTP. It waits in no lane that could be full. Any thread of any
+ * process.
  *
  * @return the request's number
  *
@@ -194,8 +195,9 @@ uint32_t exchange_stop_port(const exchange_t *self);
 
 /**
  * Takes up to `most` (1 at least) commands in their order, none after one that computes kinematics,
- * but a stop that was asked for as the last of them. What came before a stop, or before STOP or
- * EMERGENCY in the lane, is answered as refused with STATUS_DISCARDED instead.
+ * but a stop that was asked for as the last of them. The lanes take turns. What came before a stop,
+ * or before STOP or EMERGENCY in its lane, and what waits in another lane by then, is answered as
+ * refused with STATUS_DISCARDED instead.
  *
  * @satisfies SWR-CTRL-021
  * @satisfies SWR-EXCH-015
@@ -206,8 +208,8 @@ uint32_t exchange_take_commands(exchange_t *self, command_t *commands, uint32_t 
  * up. */
 bool exchange_push_answer(exchange_t *self, const answer_t *answer);
 
-/** The next answer of the lane of COMMAND_SOURCE_IGTL; false when there is none. */
-bool exchange_take_answer(exchange_t *self, answer_t *answer);
+/** The next answer of the lane of `source`; false when there is none. */
+bool exchange_take_answer(exchange_t *self, command_source_t source, answer_t *answer);
 
 /** Answers that found the lane full or were for nobody, since the start. */
 uint32_t exchange_answers_lost(const exchange_t *self);

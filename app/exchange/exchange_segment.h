@@ -37,6 +37,18 @@ typedef struct {
     event_t event;
 } segment_event_t;
 
+/** Commands of one source. */
+typedef struct {
+    uint32_t head SEGMENT_ON_LINE; /**< Commands put in. */
+    command_t commands[SEGMENT_COMMANDS];
+} segment_commands_t;
+
+/** Answers to one source. */
+typedef struct {
+    uint32_t head SEGMENT_ON_LINE; /**< Answers put in. */
+    answer_t answers[EXCHANGE_ANSWERS];
+} segment_answers_t;
+
 /** Written before the magic, never changed afterwards. */
 typedef struct {
     uint64_t magic;
@@ -49,11 +61,12 @@ typedef struct {
         uint32_t count SEGMENT_ON_LINE;
     } beats[EXCHANGE_PROCESS_COUNT];
     uint32_t stops_requested SEGMENT_ON_LINE;
-    uint32_t stop_port SEGMENT_ON_LINE;     /**< 0: none was noted. */
-    uint32_t commands_head SEGMENT_ON_LINE; /**< Commands put in. */
-    command_t commands[SEGMENT_COMMANDS];
-    uint32_t answers_tail SEGMENT_ON_LINE; /**< Answers taken. */
-    uint32_t cycles_tail SEGMENT_ON_LINE;  /**< Cycle records released. */
+    uint32_t stop_port SEGMENT_ON_LINE; /**< 0: none was noted. */
+    segment_commands_t lanes[COMMAND_SOURCE_COUNT];
+    struct {
+        uint32_t tail SEGMENT_ON_LINE; /**< Answers taken. */
+    } answered[COMMAND_SOURCE_COUNT];
+    uint32_t cycles_tail SEGMENT_ON_LINE; /**< Cycle records released. */
     uint32_t checkpoint_requests SEGMENT_ON_LINE;
     uint32_t events_logged SEGMENT_ON_LINE; /**< Number of the next event to log. */
     uint32_t ports_sequence SEGMENT_ON_LINE;
@@ -69,10 +82,11 @@ typedef struct {
     loop_figures_t loop;
     uint32_t stops_taken SEGMENT_ON_LINE; /**< Stop requests handed to the controller. */
     uint32_t stop_sequence SEGMENT_ON_LINE;
-    answer_t stop_answer;                   /**< To the newest of them. */
-    uint32_t commands_tail SEGMENT_ON_LINE; /**< Commands taken. */
-    uint32_t answers_head SEGMENT_ON_LINE;  /**< Answers put in. */
-    answer_t answers[EXCHANGE_ANSWERS];
+    answer_t stop_answer; /**< To the newest of them. */
+    struct {
+        uint32_t tail SEGMENT_ON_LINE; /**< Commands taken. */
+    } taken[COMMAND_SOURCE_COUNT];
+    segment_answers_t answers[COMMAND_SOURCE_COUNT];
     uint32_t answers_lost SEGMENT_ON_LINE;
     uint32_t checkpoints_taken;
     uint32_t events_head SEGMENT_ON_LINE; /**< Number of the next event. */
@@ -88,13 +102,18 @@ typedef struct {
     segment_control_t control SEGMENT_ON_PAGE;
 } segment_t;
 
+/** Of control: what a stop refuses of a lane. */
+typedef struct {
+    uint32_t until;    /**< The commands before this number that are no stops. */
+    uint32_t stop_for; /**< workphase_t of the stop that came after them. */
+} exchange_refused_t;
+
 /** A process' view of the segment. */
 struct exchange {
     segment_t *segment;
-    int file;               /**< The creator keeps it locked while it lives. */
-    uint32_t refused_until; /**< Of control: the commands before this number that are no stops are
-                               refused, for a stop came after them. */
-    uint32_t refused_for;   /**< workphase_t of that stop. */
+    int file; /**< The creator keeps it locked while it lives. */
+    exchange_refused_t refused[COMMAND_SOURCE_COUNT];
+    uint32_t first_lane; /**< Of control: which goes first in the next cycle. */
     char name[SEGMENT_NAME_SIZE];
 };
 

@@ -133,7 +133,7 @@ static void take_answers(void)
 {
     answer_t answer;
 
-    while (exchange_take_answer(process.exchange, &answer)) {
+    while (exchange_take_answer(process.exchange, COMMAND_SOURCE_IGTL, &answer)) {
         look_around(); /* A snapshot that is not older than the answer. */
         if (!answer_workphase(&answer)) {
             (void)answer_transform(&answer);
@@ -264,7 +264,7 @@ static void begin(void)
 
     workphase_dialect_init(&process.workphase, robot, first_id);
     transform_dialect_init(&process.transform, robot, first_id + 1U);
-    while (exchange_take_answer(process.exchange, &stale)) {
+    while (exchange_take_answer(process.exchange, COMMAND_SOURCE_IGTL, &stale)) {
         /* Answers to an earlier run. */
     }
 }

@@ -22,6 +22,7 @@
 #include "procedure/procedure.h"
 #include "robot/robot.h"
 #include "robot/robot_cards.h"
+#include "safety/authority.h"
 #include "safety/confirm_button.h"
 #include "safety/estop_latch.h"
 #include "safety/loop_guard.h"
@@ -45,6 +46,9 @@ typedef struct {
     uint32_t estop_open;      /**< The e-stop chain is open (pulled): 0 or 1. */
     uint32_t scanner_active;  /**< 0 or 1. */
     uint32_t confirm_pressed; /**< The operator's button at the box is pressed: 0 or 1. */
+    /** Bit n: the process of command_source_t n has given no sign of life for
+     * LIMIT_AUTHORITY_SILENT_US. */
+    uint32_t silent_sources;
     uint32_t frames_received; /**< Bit n: frames[n] was received in this cycle. */
     uint32_t command_count;   /**< 0..CONTROLLER_COMMANDS. */
     command_t commands[CONTROLLER_COMMANDS];
@@ -92,6 +96,7 @@ typedef struct {
     pedal_gate_t pedal;
     loop_guard_t loop;
     confirm_button_t confirm;
+    authority_t authority;
     estop_latch_chart_t estop;
     procedure_t procedure;
     plan_t plan;

@@ -21,6 +21,7 @@ void controller_init(controller_t *self, const robot_t *robot)
     (void)memset(self, 0, sizeof *self);
     pedal_gate_init(&self->pedal);
     loop_guard_init(&self->loop);
+    authority_init(&self->authority);
     estop_latch_init(&self->estop);
     procedure_init(&self->procedure);
     plan_init(&self->plan);

@@ -42,15 +42,13 @@ static const piece_t pieces[] = {
     {MODE, {offsetof(controller_t, mode), offsetof(controller_t, axes)}},
     {INTERLOCKS, {offsetof(controller_t, pedal), offsetof(controller_t, pedal.chart.trace)}},
     {INTERLOCKS, {offsetof(controller_t, loop), offsetof(controller_t, loop.chart.trace)}},
-    {INTERLOCKS, {offsetof(controller_t, confirm), offsetof(controller_t, estop)}},
+    {INTERLOCKS, {offsetof(controller_t, confirm), offsetof(controller_t, authority.chart)}},
     {INTERLOCKS,
      {offsetof(controller_t, procedure), offsetof(controller_t, procedure.workphase.trace)}},
     {INTERLOCKS,
      {offsetof(controller_t, procedure.arming), offsetof(controller_t, procedure.arming.trace)}},
     {REST, {offsetof(controller_t, pending), offsetof(controller_t, seals)}},
 };
-static const range_t confirm_range = {offsetof(controller_t, confirm),
-                                      offsetof(controller_t, estop)};
 /* Of the rest, what is more than a count, beside the records. */
 static const range_t forgotten_range = {offsetof(controller_t, pending),
                                         offsetof(controller_t, has_started)};
@@ -129,7 +127,8 @@ static void forget_interlocks(controller_t *self)
 {
     self->pedal.is_released = 0U;
     pedal_gate_renew(&self->pedal);
-    clear(self, &confirm_range);
+    confirm_button_renew(&self->confirm);
+    authority_init(&self->authority);
     disable_all(self);
 }
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "controller/controller_obey.h"
 
+#include "controller/controller_authority.h"
 #include "controller/controller_facts.h"
 #include "controller/controller_order.h"
 #include "controller/controller_plan.h"
@@ -23,7 +24,8 @@ static const rights_t rights[COMMAND_SOURCE_COUNT] = {
                                        [COMMAND_NEEDLE] = true,
                                        [COMMAND_ENTRY] = true,
                                        [COMMAND_ACCEPT_ENTRY] = true,
-                                       [COMMAND_WITHDRAW] = true},
+                                       [COMMAND_WITHDRAW] = true,
+                                       [COMMAND_RELEASE] = true},
                              .workphases = {[WORKPHASE_START_UP] = true,
                                             [WORKPHASE_PLANNING] = true,
                                             [WORKPHASE_CALIBRATION] = true,
@@ -32,8 +34,25 @@ static const rights_t rights[COMMAND_SOURCE_COUNT] = {
                                             [WORKPHASE_MANUAL] = true,
                                             [WORKPHASE_STOP] = true,
                                             [WORKPHASE_EMERGENCY] = true}},
-    [COMMAND_SOURCE_HTTP] = {.kinds = {[COMMAND_JOG] = true},
-                             .workphases = {[WORKPHASE_STOP] = true}}};
+    [COMMAND_SOURCE_HTTP] = {.kinds = {[COMMAND_REGISTRATION] = true,
+                                       [COMMAND_TARGET] = true,
+                                       [COMMAND_JOG] = true,
+                                       [COMMAND_RETRACT] = true,
+                                       [COMMAND_ENTRY] = true,
+                                       [COMMAND_ACCEPT_ENTRY] = true,
+                                       [COMMAND_WITHDRAW] = true,
+                                       [COMMAND_TAKE] = true,
+                                       [COMMAND_RENEW] = true,
+                                       [COMMAND_RELEASE] = true,
+                                       [COMMAND_REQUEST] = true},
+                             .workphases = {[WORKPHASE_START_UP] = true,
+                                            [WORKPHASE_PLANNING] = true,
+                                            [WORKPHASE_CALIBRATION] = true,
+                                            [WORKPHASE_TARGETING] = true,
+                                            [WORKPHASE_MOVE_TO_TARGET] = true,
+                                            [WORKPHASE_MANUAL] = true,
+                                            [WORKPHASE_STOP] = true,
+                                            [WORKPHASE_EMERGENCY] = true}}};
 
 /* START_UP is the operator's act that clears what was latched. */
 static void begin_start_up(controller_t *self, const cycle_t *cycle)
@@ -183,8 +202,9 @@ static bool is_allowed(const command_t *command)
 /* Changes of the workphase that drive nothing do without the robot's table. */
 static bool needs_table(const command_t *command)
 {
-    return (command->kind != (uint32_t)COMMAND_WORKPHASE) ||
-           (command->argument == (uint32_t)WORKPHASE_START_UP);
+    const bool is_workphase = command->kind == (uint32_t)COMMAND_WORKPHASE;
+    return is_workphase ? (command->argument == (uint32_t)WORKPHASE_START_UP)
+                        : !controller_is_of_authority(command);
 }
 
 /* What arms a motion, and what the plan is told. */
@@ -202,6 +222,12 @@ static status_t carry_out(controller_t *self, const cycle_t *cycle, const comman
     case (uint32_t)COMMAND_RETRACT:
         status = obey_retract(self, cycle, command, answer);
         break;
+    case (uint32_t)COMMAND_TAKE:
+    case (uint32_t)COMMAND_RENEW:
+    case (uint32_t)COMMAND_RELEASE:
+    case (uint32_t)COMMAND_REQUEST:
+        status = controller_obey_authority(self, cycle, command);
+        break;
     default:
         status = controller_tell_plan(self, cycle, command, answer);
         break;
@@ -215,10 +241,30 @@ static status_t obey(controller_t *self, const cycle_t *cycle, const command_t *
     if (!is_allowed(command)) {
         return STATUS_NOT_ALLOWED;
     }
+    if (is_known(command) && !controller_has_authority(self, command)) {
+        return STATUS_NO_AUTHORITY;
+    }
     if (controller_is_blind(self) && needs_table(command)) {
         return STATUS_MEMORY_DAMAGED;
     }
-    return carry_out(self, cycle, command, answer);
+    const status_t status = carry_out(self, cycle, command, answer);
+    if (status == STATUS_OK) {
+        controller_credit(self, cycle, command);
+    }
+    return status;
+}
+
+static void note_refusal(controller_t *self, const cycle_t *cycle, const command_t *command,
+                         status_t status)
+{
+    if (controller_is_unlogged(command)) {
+        return;
+    }
+    if (status == STATUS_NO_AUTHORITY) {
+        controller_note(self, cycle, EVENT_AUTHORITY_REFUSED, command->kind, 0);
+    } else {
+        controller_note(self, cycle, EVENT_COMMAND_REFUSED, command->kind, (int32_t)status);
+    }
 }
 
 static event_cause_t cause_of(const command_t *command)
@@ -242,8 +288,8 @@ void controller_obey(controller_t *self, const cycle_t *cycle)
         draft.kind = (status == STATUS_OK) ? (uint32_t)ANSWER_ACCEPTED : (uint32_t)ANSWER_REFUSED;
         draft.status = (uint32_t)status;
         draft.workphase = (uint32_t)procedure_workphase(&self->procedure);
-        if ((status != STATUS_OK) && !controller_is_unlogged(command)) {
-            controller_note(self, cycle, EVENT_COMMAND_REFUSED, command->kind, (int32_t)status);
+        if (status != STATUS_OK) {
+            note_refusal(self, cycle, command, status);
         }
         *controller_add_answer(self, cycle) = draft;
     }

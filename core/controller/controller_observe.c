@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "controller/controller_observe.h"
 
+#include "controller/controller_authority.h"
 #include "controller/controller_cards.h"
 #include "controller/controller_facts.h"
 #include "controller/controller_order.h"
@@ -253,23 +254,41 @@ static void observe_scanner(controller_t *self, const cycle_t *cycle)
     }
 }
 
-/* The operator confirms what is shown; what is shown of a silent card is old. */
-static void observe_button(controller_t *self, const cycle_t *cycle)
+static bool is_confirmation_barred(const controller_t *self, const cycle_t *cycle)
 {
     bool is_barred = procedure_is_armed(&self->procedure) || (cycle->inputs->estop_open != 0U) ||
                      controller_is_blind(self);
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         is_barred = is_barred || axis_is_moving_in_doubt(&self->axes[i]);
     }
-    if (!confirm_button_step(&self->confirm, cycle->inputs->confirm_pressed != 0U, is_barred)) {
-        return;
-    }
+    return is_barred;
+}
+
+/* The operator confirms what is shown; what is shown of a silent card is old. */
+static void confirm(controller_t *self, const cycle_t *cycle)
+{
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         axis_t *const axis = &self->axes[i];
         if (link_is_healthy_now(controller_link(self, i)) &&
             axis_confirm(axis, &cycle->robot->axes[i])) {
             controller_note(self, cycle, EVENT_AXIS_CONFIRMED, i, axis->encoder.position_ticks);
         }
+    }
+}
+
+static void observe_button(controller_t *self, const cycle_t *cycle)
+{
+    const bool is_for_authority = controller_awaits_grant(self);
+    const bool is_barred =
+        is_for_authority ? (self->pedal.is_released == 0U) : is_confirmation_barred(self, cycle);
+    if (!confirm_button_step(&self->confirm, cycle->inputs->confirm_pressed != 0U, is_barred)) {
+        return;
+    }
+    if (is_for_authority) {
+        controller_grant(self, cycle);
+    } else {
+        confirm(self, cycle);
+        controller_end_request(self);
     }
 }
 
@@ -292,6 +311,7 @@ static void observe_procedure(controller_t *self, const cycle_t *cycle)
 void controller_observe(controller_t *self, const cycle_t *cycle)
 {
     observe_procedure(self, cycle);
+    controller_observe_authority(self, cycle);
     observe_loop(self, cycle);
     observe_pedal(self, cycle);
     observe_estop(self, cycle);

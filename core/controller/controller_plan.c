@@ -118,6 +118,9 @@ bool controller_is_unlogged(const command_t *command)
     case (uint32_t)COMMAND_WITHDRAW:
         is_unlogged = command->value != 0;
         break;
+    case (uint32_t)COMMAND_RENEW:
+        is_unlogged = true;
+        break;
     default:
         break;
     }

@@ -158,6 +158,19 @@ static void show_plan(const controller_t *self, snapshot_t *shown)
     (void)memcpy(shown->desired_ticks, self->plan.desired_ticks, sizeof shown->desired_ticks);
 }
 
+static void show_authority(const controller_t *self, snapshot_t *shown)
+{
+    const authority_t *const authority = &self->authority;
+    shown->authority = (uint32_t)authority->chart.state;
+    shown->holder = authority->holder.source;
+    shown->holder_peer = authority->holder.peer;
+    shown->held_since_cycle = authority->since_cycle;
+    shown->request = authority->request;
+    shown->requester = authority->requester.source;
+    shown->requester_peer = authority->requester.peer;
+    shown->request_left_us = authority_request_left_us(authority, self->time_us);
+}
+
 static status_t pose_status(const controller_t *self, bool is_homed)
 {
     status_t status = STATUS_OK;
@@ -227,6 +240,7 @@ void controller_show(const controller_t *self, const cycle_t *cycle)
     shown->overruns = self->loop.overruns;
     shown->events = self->events;
     shown->events_lost = self->events_lost;
+    show_authority(self, shown);
     show_plan(self, shown);
     show_pose(self, cycle->robot, shown);
     clear_unused(self, shown);

@@ -26,4 +26,15 @@ typedef struct {
  */
 bool confirm_button_step(confirm_button_t *self, bool is_pressed, bool is_barred);
 
+/**
+ * It means something else from now on: a press that has begun does not count.
+ *
+ * @satisfies SWR-AUTH-009
+ */
+static inline void confirm_button_renew(confirm_button_t *self)
+{
+    self->held_cycles = 0U;
+    self->is_proven = 0U;
+}
+
 #endif

@@ -29,6 +29,7 @@ static void make_beginning(rig_t *rig, uint32_t beginning)
         rig_start(rig);
         break;
     }
+    rig_leave(rig); /* The connections command. */
 }
 
 /* Nothing may use it. */

@@ -37,6 +37,7 @@ void test_SWR_CMD_001_each_command_is_answered_once_with_its_id_and_source(void)
     for (uint32_t i = 0U; i < CONTROLLER_COMMANDS; i++) {
         rig.commands[i].id = 700U + i;
         rig.commands[i].source = i % COMMAND_SOURCE_COUNT;
+        rig.commands[i].peer = RIG_PAGE;
         rig.commands[i].kind = (uint32_t)COMMAND_WORKPHASE;
         rig.commands[i].argument = (uint32_t)WORKPHASE_PLANNING;
     }
@@ -46,9 +47,9 @@ void test_SWR_CMD_001_each_command_is_answered_once_with_its_id_and_source(void)
     for (uint32_t i = 0U; i < CONTROLLER_COMMANDS; i++) {
         TEST_ASSERT_EQUAL_UINT32(700U + i, rig.outputs.answers[i].id);
         TEST_ASSERT_EQUAL_UINT32(i % COMMAND_SOURCE_COUNT, rig.outputs.answers[i].source);
-        TEST_ASSERT_EQUAL_UINT32((i % COMMAND_SOURCE_COUNT) == COMMAND_SOURCE_IGTL
+        TEST_ASSERT_EQUAL_UINT32((i % COMMAND_SOURCE_COUNT) == COMMAND_SOURCE_HTTP
                                      ? STATUS_WRONG_WORKPHASE
-                                     : STATUS_NOT_ALLOWED,
+                                     : STATUS_NO_AUTHORITY,
                                  rig.outputs.answers[i].status);
     }
 }
@@ -428,15 +429,19 @@ static void command_by(command_source_t source, uint32_t peer, command_kind_t ki
 void test_SWR_EVENT_005_what_a_command_caused_names_its_source_and_connection(void)
 {
     rig_start_homed(&rig);
+    rig_leave(&rig);
     command_by(COMMAND_SOURCE_IGTL, 3U, COMMAND_WORKPHASE, WORKPHASE_CALIBRATION);
     expect_cause(EVENT_WORKPHASE, EVENT_CAUSE_IGTL, 3U);
     command_by(COMMAND_SOURCE_IGTL, 3U, COMMAND_REGISTRATION, 0U);
     expect_cause(EVENT_REGISTERED, EVENT_CAUSE_IGTL, 3U);
+    command_by(COMMAND_SOURCE_IGTL, 3U, COMMAND_TARGET, 0U);
+    expect_cause(EVENT_COMMAND_REFUSED, EVENT_CAUSE_IGTL, 3U);
     command_by(COMMAND_SOURCE_IGTL, 5U, COMMAND_TARGET, 0U);
-    expect_cause(EVENT_COMMAND_REFUSED, EVENT_CAUSE_IGTL, 5U);
+    expect_cause(EVENT_AUTHORITY_REFUSED, EVENT_CAUSE_IGTL, 5U);
     command_by(COMMAND_SOURCE_IGTL, 4U, COMMAND_PROPOSE_ENTRY, 0U);
     expect_cause(EVENT_PROPOSAL, EVENT_CAUSE_IGTL, 4U);
     rig_start_targeted(&rig);
+    rig_leave(&rig);
     command_by(COMMAND_SOURCE_IGTL, 7U, COMMAND_WORKPHASE, WORKPHASE_MOVE_TO_TARGET);
     expect_cause(EVENT_ORDER_ARMED, EVENT_CAUSE_IGTL, 7U);
     command_by(COMMAND_SOURCE_HTTP, 0U, COMMAND_WORKPHASE, WORKPHASE_STOP);
@@ -457,10 +462,11 @@ void test_SWR_EVENT_009_a_workphase_that_stands_is_told_once(void)
 void test_SWR_EVENT_005_a_cleared_e_stop_and_an_accepted_target_name_who_asked(void)
 {
     const rigid_t pose = rig_pose(5000000, 190000000, 60000000);
-    const command_t target = {.peer = 9U, .kind = COMMAND_TARGET, .pose = pose};
+    const command_t target = {.peer = 3U, .kind = COMMAND_TARGET, .pose = pose};
     rig_start_targeted(&rig);
+    rig_leave(&rig);
     (void)rig_command(&rig, target);
-    expect_cause(EVENT_TARGET_ACCEPTED, EVENT_CAUSE_IGTL, 9U);
+    expect_cause(EVENT_TARGET_ACCEPTED, EVENT_CAUSE_IGTL, 3U);
     rig_box(&rig, "estop pull");
     rig_cycles(&rig, 5U);
     rig_box(&rig, "estop reset");
@@ -472,6 +478,7 @@ void test_SWR_EVENT_005_a_cleared_e_stop_and_an_accepted_target_name_who_asked(v
 void test_SWR_EVENT_005_what_happens_after_a_command_is_not_put_down_to_it(void)
 {
     rig_start_targeted(&rig);
+    rig_leave(&rig);
     command_by(COMMAND_SOURCE_IGTL, 7U, COMMAND_WORKPHASE, WORKPHASE_MOVE_TO_TARGET);
     rig_cycles(&rig, (LIMIT_ARMED_HOLD_US / 1000U) + 1U);
     expect_cause(EVENT_ORDER_EXPIRED, EVENT_CAUSE_NONE, 0U);

@@ -159,17 +159,6 @@ void test_SWR_PHASE_009_refusals_name_what_is_missing(void)
     TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
 }
 
-void test_SWR_CMD_005_the_console_does_not_retract(void)
-{
-    static const command_kind_t kinds[] = {COMMAND_RETRACT, COMMAND_NEEDLE, COMMAND_ENTRY,
-                                           COMMAND_ACCEPT_ENTRY, COMMAND_WITHDRAW};
-    start_inserted();
-    for (uint32_t i = 0U; i < (sizeof kinds / sizeof kinds[0]); i++) {
-        const command_t command = {.kind = (uint32_t)kinds[i], .source = COMMAND_SOURCE_HTTP};
-        TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_ALLOWED, rig_command(&rig, command).status);
-    }
-}
-
 void test_SWR_MOTION_024_a_needle_that_is_seen_is_shown_and_moves_nothing(void)
 {
     command_t seen = {.kind = (uint32_t)COMMAND_NEEDLE,

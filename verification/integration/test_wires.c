@@ -196,6 +196,7 @@ void test_SWR_EVENT_004_counters_that_wrap_in_a_move_repeat_no_event(void)
     rig_forget(&rig);
     rig.controller.cycle = UINT32_MAX - 20U;
     rig.controller.time_us = UINT32_MAX - 20000U;
+    rig.controller.authority.since_us = rig.controller.time_us;
     rig.controller.events = UINT32_MAX;
     controller_seal(&rig.controller);
     rig_cycles(&rig, 100U);

@@ -173,7 +173,6 @@ static void part_hidden_pairs(rig_t *rig)
 static void send(stage_t *self, rig_t *rig, command_t command)
 {
     command.id = 1000U + self->cycle;
-    command.source = rig_source(command.kind);
     rig->commands[rig->command_count] = command;
     rig->command_count++;
 }

@@ -154,14 +154,72 @@ void test_SWR_EXCH_002_a_full_command_lane_refuses_and_keeps_what_it_has(void)
     TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &command));
 }
 
-void test_SWR_EXCH_002_a_command_carries_the_source_of_its_lane(void)
+void test_SWR_EXCH_002_each_source_has_a_lane_of_its_own(void)
 {
-    const command_t command = {.source = COMMAND_SOURCE_HTTP, .id = 4U};
-    command_t taken;
+    const command_t page = {.source = COMMAND_SOURCE_HTTP, .kind = COMMAND_JOG, .id = 4U};
+    const command_t nobody = {.source = COMMAND_SOURCE_COUNT, .kind = COMMAND_JOG};
+    const command_t connection = {.source = COMMAND_SOURCE_IGTL, .kind = COMMAND_RETRACT};
+    const answer_t answer = {.source = COMMAND_SOURCE_HTTP, .id = 4U, .command = COMMAND_JOG};
+    answer_t told;
+    command_t taken[2];
 
-    TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &command));
-    TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, &taken, 4U));
-    TEST_ASSERT_EQUAL_UINT32(COMMAND_SOURCE_IGTL, taken.source);
+    TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &connection));
+    TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &page));
+    TEST_ASSERT_EQUAL(STATUS_NOT_ALLOWED, exchange_send_command(reader, &nobody));
+    TEST_ASSERT_EQUAL_UINT32(2U, exchange_take_commands(control, taken, 2U));
+    TEST_ASSERT_NOT_EQUAL_UINT32(taken[0].source, taken[1].source);
+    TEST_ASSERT_TRUE(exchange_push_answer(control, &answer));
+    TEST_ASSERT_FALSE(exchange_take_answer(reader, COMMAND_SOURCE_IGTL, &told));
+    TEST_ASSERT_TRUE(exchange_take_answer(reader, COMMAND_SOURCE_HTTP, &told));
+    TEST_ASSERT_EQUAL_UINT32(4U, told.id);
+}
+
+void test_SWR_EXCH_002_a_full_lane_keeps_no_other_waiting(void)
+{
+    const command_t page = {.source = COMMAND_SOURCE_HTTP, .kind = COMMAND_JOG};
+    const command_t connection = {.source = COMMAND_SOURCE_IGTL, .kind = COMMAND_TARGET};
+    command_t taken[4];
+    uint32_t cycles = 0U;
+
+    while (exchange_send_command(reader, &connection) == STATUS_OK) {
+    }
+    TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &page));
+    do {
+        cycles++;
+        TEST_ASSERT_LESS_THAN_UINT32(3U, cycles);
+        (void)exchange_take_commands(control, taken, 4U);
+    } while (taken[0].source != (uint32_t)COMMAND_SOURCE_HTTP);
+}
+
+void test_SWR_EXCH_015_a_stop_in_one_lane_discards_what_waits_in_the_other(void)
+{
+    static const workphase_t stops[] = {WORKPHASE_STOP, WORKPHASE_EMERGENCY};
+    for (uint32_t i = 0U; i < 2U; i++) {
+        const bool is_of_page = stops[i] == WORKPHASE_EMERGENCY;
+        const command_t stop = {.source = is_of_page ? COMMAND_SOURCE_HTTP : COMMAND_SOURCE_IGTL,
+                                .kind = COMMAND_WORKPHASE,
+                                .argument = stops[i]};
+        const command_t move = {.source = is_of_page ? COMMAND_SOURCE_IGTL : COMMAND_SOURCE_HTTP,
+                                .kind = COMMAND_RETRACT};
+        answer_t told;
+        command_t taken[4];
+
+        TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &move));
+        TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &stop));
+        TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, taken, 4U));
+        TEST_ASSERT_EQUAL_UINT32(stops[i], taken[0].argument);
+        TEST_ASSERT_TRUE(exchange_take_answer(reader, (command_source_t)move.source, &told));
+        TEST_ASSERT_EQUAL_UINT32(STATUS_DISCARDED, told.status);
+        TEST_ASSERT_EQUAL_UINT32(stops[i], told.workphase);
+    }
+}
+
+void test_SWR_HTTP_008_a_stop_of_the_console_takes_no_lane(void)
+{
+    const command_t stop = {
+        .source = COMMAND_SOURCE_HTTP, .kind = COMMAND_WORKPHASE, .argument = WORKPHASE_STOP};
+
+    TEST_ASSERT_EQUAL(STATUS_NOT_ALLOWED, exchange_send_command(reader, &stop));
 }
 
 void test_SWR_CTRL_021_a_cycle_takes_no_more_after_a_command_that_computes(void)
@@ -240,7 +298,10 @@ void test_SWR_HTTP_008_a_stop_leaves_where_there_is_room_for_one_command_only(vo
 
 void test_SWR_HTTP_008_one_command_and_its_answer_serve_every_stop_requested_before(void)
 {
-    answer_t answer = {.source = COMMAND_SOURCE_HTTP, .workphase = WORKPHASE_STOP};
+    answer_t answer = {.source = COMMAND_SOURCE_HTTP,
+                       .command = COMMAND_WORKPHASE,
+                       .argument = WORKPHASE_STOP,
+                       .workphase = WORKPHASE_STOP};
     answer_t read;
     command_t taken[4];
     uint32_t numbers[1000];
@@ -265,7 +326,8 @@ void test_SWR_HTTP_008_one_command_and_its_answer_serve_every_stop_requested_bef
 
 void test_SWR_HTTP_008_the_numbers_of_stops_may_wrap(void)
 {
-    answer_t answer = {.source = COMMAND_SOURCE_HTTP};
+    answer_t answer = {
+        .source = COMMAND_SOURCE_HTTP, .command = COMMAND_WORKPHASE, .argument = WORKPHASE_STOP};
     command_t taken;
 
     reader->segment->others.stops_requested = UINT32_MAX - 1U;
@@ -293,14 +355,14 @@ static void expect_refusals(uint32_t count, workphase_t workphase)
     answer_t answer;
 
     for (uint32_t i = 0U; i < count; i++) {
-        TEST_ASSERT_TRUE(exchange_take_answer(reader, &answer));
+        TEST_ASSERT_TRUE(exchange_take_answer(reader, COMMAND_SOURCE_IGTL, &answer));
         TEST_ASSERT_EQUAL_UINT32(ANSWER_REFUSED, answer.kind);
         TEST_ASSERT_EQUAL_UINT32(STATUS_DISCARDED, answer.status);
         TEST_ASSERT_EQUAL_UINT32(1U, answer.is_final);
         TEST_ASSERT_EQUAL_UINT32(answer.command, answer.id);
         TEST_ASSERT_EQUAL_UINT32(workphase, answer.workphase);
     }
-    TEST_ASSERT_FALSE(exchange_take_answer(reader, &answer));
+    TEST_ASSERT_FALSE(exchange_take_answer(reader, COMMAND_SOURCE_IGTL, &answer));
 }
 
 void test_SWR_EXCH_015_stop_or_emergency_behind_a_full_lane_leaves_in_the_next_cycle(void)
@@ -386,7 +448,7 @@ void test_SWR_EXCH_015_a_lane_that_tells_nonsense_is_not_followed_out_of_it(void
 {
     command_t taken[4];
 
-    reader->segment->others.commands_head = UINT32_MAX;
+    reader->segment->others.lanes[COMMAND_SOURCE_IGTL].head = UINT32_MAX;
     (void)exchange_request_stop(reader);
     TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, taken, 1U));
     TEST_ASSERT_EQUAL_UINT32(4U, exchange_take_commands(control, taken, 4U));
@@ -419,8 +481,11 @@ void test_SWR_HTTP_008_each_of_a_thousand_stops_of_twenty_threads_is_answered(vo
             (void)sched_yield();
             continue;
         }
-        const answer_t answer = {
-            .id = taken[0].id, .source = taken[0].source, .workphase = taken[0].argument};
+        const answer_t answer = {.id = taken[0].id,
+                                 .source = taken[0].source,
+                                 .command = taken[0].kind,
+                                 .argument = taken[0].argument,
+                                 .workphase = taken[0].argument};
         TEST_ASSERT_TRUE(exchange_push_answer(control, &answer));
     }
     for (uint32_t i = 0U; i < 20U; i++) {
@@ -478,10 +543,10 @@ void test_SWR_EXCH_003_an_answer_that_finds_its_lane_full_is_counted(void)
     TEST_ASSERT_FALSE(exchange_push_answer(control, &answer));
     TEST_ASSERT_EQUAL_UINT32(1U, exchange_answers_lost(reader));
     for (uint32_t i = 0U; i < EXCHANGE_ANSWERS; i++) {
-        TEST_ASSERT_TRUE(exchange_take_answer(reader, &taken));
+        TEST_ASSERT_TRUE(exchange_take_answer(reader, COMMAND_SOURCE_IGTL, &taken));
         TEST_ASSERT_EQUAL_UINT32(i, taken.id);
     }
-    TEST_ASSERT_FALSE(exchange_take_answer(reader, &taken));
+    TEST_ASSERT_FALSE(exchange_take_answer(reader, COMMAND_SOURCE_IGTL, &taken));
     answer.source = COMMAND_SOURCE_COUNT;
     TEST_ASSERT_FALSE(exchange_push_answer(control, &answer));
     TEST_ASSERT_EQUAL_UINT32(2U, exchange_answers_lost(reader));

@@ -243,6 +243,8 @@ void test_SWR_IGTL_008_stop_is_everyones(void)
 {
     say(0U, "CMD_1", "PLANNING");
     expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_PLANNING);
+    accept(1U);
+    pass_us(0U);
     TEST_ASSERT_TRUE(workphase_dialect_is_controlled_by(&dialect, 0U));
     TEST_ASSERT_FALSE(workphase_dialect_is_controlled_by(&dialect, 1U));
     say(1U, "CMD_1", "STOP");
@@ -281,6 +283,7 @@ void test_SWR_IGTL_011_losing_the_peer_of_an_armed_move_stops_it(void)
     pass_us(0U);
     expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_STOP);
     answer_to(&command, ANSWER_REFUSED, STATUS_BUSY, 1U);
+    expect_released(0U);
     pass_us(0U);
     expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_STOP);
     accept(1U);
@@ -325,6 +328,37 @@ void test_SWR_IGTL_052_what_a_client_or_the_console_has_armed_goes_on(void)
     expect_no_command();
 }
 
+void test_SWR_AUTH_011_a_release_that_was_not_taken_is_sent_again(void)
+{
+    enter(0U, "CMD_1", "PLANNING");
+    workphase_dialect_disconnected(&dialect, 0U);
+    pass_us(0U);
+    expect_command(COMMAND_RELEASE, NUMBER);
+    answer_to(&command, ANSWER_REFUSED, STATUS_BUSY, 1U);
+    pass_us(0U);
+    expect_released(0U);
+    pass_us(0U);
+    expect_no_command();
+    TEST_ASSERT_FALSE(workphase_dialect_is_controlled_by(&dialect, 0U));
+}
+
+void test_SWR_AUTH_011_releases_wait_for_their_place(void)
+{
+    for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
+        say(i, "CMD_1", "PLANNING");
+        say(i, "CMD_2", "PLANNING");
+        workphase_dialect_disconnected(&dialect, i);
+    }
+    pass_us(0U);
+    while (igtl_requests_take(&dialect.requests, &command)) {
+        answer_to(&command, ANSWER_REFUSED, STATUS_NO_AUTHORITY, 1U);
+    }
+    for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
+        pass_us(0U);
+        expect_released(i);
+    }
+}
+
 void test_SWR_EVENT_005_a_command_carries_the_number_of_its_connection(void)
 {
     say(0U, "CMD_1", "CALIBRATION");
@@ -354,6 +388,7 @@ void test_SWR_IGTL_011_losing_a_peer_without_an_armed_move_stops_nothing(void)
     workphase_dialect_disconnected(&dialect, 0U);
     workphase_dialect_disconnected(&dialect, 1U);
     pass_us(0U);
+    expect_released(0U);
     expect_no_command();
 }
 

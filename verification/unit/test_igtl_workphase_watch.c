@@ -258,6 +258,7 @@ void test_SWR_IGTL_033_nobody_is_told_while_nobody_commands(void)
     workphase_dialect_disconnected(&dialect, 0U);
     pull_estop();
     pass_us(0U);
+    expect_released(0U);
     workphase_dialect_control_lost(&dialect, &moment);
     for (uint32_t i = 1U; i < IGTL_PEERS; i++) {
         EXPECT(i, "");

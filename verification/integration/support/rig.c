@@ -52,8 +52,46 @@ void rig_start(rig_t *self)
     rig_start_robot(self, &robot_neuro);
 }
 
+/* OpenIGTLink's own; the page of the rig sends all else. */
+static bool is_of_connection(uint32_t kind)
+{
+    return (kind == (uint32_t)COMMAND_PROPOSE_REGISTRATION) ||
+           (kind == (uint32_t)COMMAND_PROPOSE_ENTRY) ||
+           (kind == (uint32_t)COMMAND_PROPOSE_TARGET) || (kind == (uint32_t)COMMAND_NEEDLE);
+}
+
+static void sign(command_t *command)
+{
+    if ((command->source == (uint32_t)COMMAND_SOURCE_IGTL) && (command->peer == 0U)) {
+        const bool is_its = is_of_connection(command->kind);
+        command->source = is_its ? (uint32_t)COMMAND_SOURCE_IGTL : (uint32_t)COMMAND_SOURCE_HTTP;
+        command->peer = is_its ? RIG_CONNECTION : RIG_PAGE;
+    }
+}
+
+/* The page of the rig takes authority when it is free, and renews it. */
+static void keep_authority(rig_t *self)
+{
+    const bool is_free = authority_is_free(&self->controller.authority);
+    const bool is_due = (self->command_count == 0U) && ((self->controller.cycle % 1000U) == 0U);
+    if (self->is_page_away || (!is_free && !is_due) ||
+        (self->command_count >= CONTROLLER_COMMANDS)) {
+        return;
+    }
+    for (uint32_t i = self->command_count; i > 0U; i--) {
+        self->commands[i] = self->commands[i - 1U];
+    }
+    self->commands[0] = (command_t){
+        .id = RIG_OWN_ID, .kind = is_free ? (uint32_t)COMMAND_TAKE : (uint32_t)COMMAND_RENEW};
+    self->command_count++;
+}
+
 static void gather(rig_t *self)
 {
+    keep_authority(self);
+    for (uint32_t i = 0U; (i < self->command_count) && !self->is_page_away; i++) {
+        sign(&self->commands[i]);
+    }
     const bsp_inputs_t levels = box_sample(&self->box);
     (void)memset(&self->inputs, 0, sizeof self->inputs);
     self->inputs.elapsed_us = self->elapsed_us;
@@ -65,6 +103,7 @@ static void gather(rig_t *self)
     self->inputs.frames_received =
         box_exchange(&self->box, self->outputs.frames_to_send,
                      (const uint8_t(*)[CARD_FRAME_BYTES])self->outputs.frames, self->inputs.frames);
+    self->inputs.silent_sources = self->silent_sources;
     self->inputs.command_count = self->command_count;
     (void)memcpy(self->inputs.commands, self->commands, sizeof self->commands);
     self->command_count = 0U;
@@ -73,8 +112,10 @@ static void gather(rig_t *self)
 static void keep(rig_t *self)
 {
     for (uint32_t i = 0U; i < self->outputs.answer_count; i++) {
-        self->answers[self->answer_count % RIG_ANSWERS] = self->outputs.answers[i];
-        self->answer_count++;
+        if (self->outputs.answers[i].id != RIG_OWN_ID) {
+            self->answers[self->answer_count % RIG_ANSWERS] = self->outputs.answers[i];
+            self->answer_count++;
+        }
     }
     for (uint32_t i = 0U; i < self->outputs.event_count; i++) {
         self->events[self->event_count % RIG_EVENTS] = self->outputs.events[i];
@@ -107,19 +148,24 @@ void rig_box(rig_t *self, const char *order)
     TEST_ASSERT_TRUE_MESSAGE(box_command(&self->box, order, reply, sizeof reply), order);
 }
 
-uint32_t rig_source(uint32_t kind)
+void rig_leave(rig_t *self)
 {
-    return (kind == (uint32_t)COMMAND_JOG) ? (uint32_t)COMMAND_SOURCE_HTTP
-                                           : (uint32_t)COMMAND_SOURCE_IGTL;
+    const command_t release = {.source = (uint32_t)COMMAND_SOURCE_HTTP,
+                               .peer = RIG_PAGE,
+                               .kind = (uint32_t)COMMAND_RELEASE};
+    self->is_page_away = true;
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(self, release).status);
+    for (uint32_t i = 0U; !authority_is_free(&self->controller.authority); i++) {
+        TEST_ASSERT_LESS_THAN_UINT32(2000U, i);
+        rig_cycle(self);
+    }
+    rig_forget(self);
 }
 
 answer_t rig_command(rig_t *self, command_t command)
 {
     self->next_id++;
     command.id = self->next_id;
-    if (command.source == (uint32_t)COMMAND_SOURCE_IGTL) {
-        command.source = rig_source(command.kind);
-    }
     self->commands[0] = command;
     self->command_count = 1U;
     rig_cycle(self);

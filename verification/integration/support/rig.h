@@ -13,6 +13,9 @@
 
 #define RIG_ANSWERS 64U
 #define RIG_EVENTS 512U
+#define RIG_PAGE 1U            /**< The page that commands. */
+#define RIG_CONNECTION 2U      /**< The connection that proposes. */
+#define RIG_OWN_ID 4000000000U /**< Of what the page does by itself; its answers are not kept. */
 
 typedef struct {
     box_t box;
@@ -24,6 +27,8 @@ typedef struct {
     uint32_t command_count;
     uint32_t elapsed_us; /**< Of every cycle; 1000 unless a test changes it. */
     uint32_t next_id;
+    uint32_t silent_sources;       /**< As controller_inputs_t. */
+    bool is_page_away;             /**< The page does not take authority by itself, nor renew it. */
     answer_t answers[RIG_ANSWERS]; /**< All since rig_forget(). */
     uint32_t answer_count;
     event_t events[RIG_EVENTS];
@@ -48,11 +53,13 @@ void rig_cycles(rig_t *self, uint32_t count);
 /** An order to the box, as simctl takes it; fails the test when the box refuses it. */
 void rig_box(rig_t *self, const char *order);
 
-/** Who sends commands of this kind: the console jogs, OpenIGTLink does all else. */
-uint32_t rig_source(uint32_t kind);
+/** The page gives authority up and is away; it is free once the axes rest. */
+void rig_leave(rig_t *self);
 
-/** Queues a command of its usual source for the next cycle and runs that cycle. @return its
- * immediate answer */
+/** Queues a command for the next cycle and runs that cycle. One of peer 0 and
+ * COMMAND_SOURCE_IGTL, that is of nobody, is signed by the page, a proposal by the connection,
+ * unless the page is away.
+ * @return its immediate answer */
 answer_t rig_command(rig_t *self, command_t command);
 answer_t rig_workphase(rig_t *self, workphase_t workphase);
 

@@ -178,7 +178,6 @@ static void command(void)
         break;
     }
     one.id = random_state;
-    one.source = rig_source(one.kind);
     rig.commands[0] = one;
     rig.command_count = 1U;
 }

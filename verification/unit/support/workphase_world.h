@@ -9,6 +9,7 @@
 
 #include "base/rigid.h"
 #include "card/card.h"
+#include "charts/authority_chart.h"
 #include "dialect/igtl_dialect.h"
 #include "dialect/igtl_questions.h"
 #include "dialect/workphase_dialect.h"
@@ -93,6 +94,24 @@ static inline void expect_no_command(void)
     TEST_ASSERT_FALSE(igtl_requests_take(&dialect.requests, &command));
 }
 
+/* As the controller does it. */
+static inline void show_authority(const command_t *asked)
+{
+    const bool is_its = (asked->kind == (uint32_t)COMMAND_WORKPHASE)
+                            ? !igtl_requests_is_urgent(asked)
+                            : (asked->kind != (uint32_t)COMMAND_NEEDLE);
+
+    if (asked->kind == (uint32_t)COMMAND_RELEASE) {
+        snapshot.authority = (uint32_t)AUTHORITY_STATE_NOBODY;
+    } else if (is_its && (snapshot.authority == (uint32_t)AUTHORITY_STATE_NOBODY)) {
+        snapshot.authority = (uint32_t)AUTHORITY_STATE_HELD;
+        snapshot.holder = asked->source;
+        snapshot.holder_peer = asked->peer;
+    } else {
+        /* It changes nothing. */
+    }
+}
+
 static inline void answer_to(const command_t *asked, answer_kind_t kind, status_t status,
                              uint32_t is_final)
 {
@@ -108,7 +127,18 @@ static inline void answer_to(const command_t *asked, answer_kind_t kind, status_
                        .is_maximum = 1U,
                        .pose = snapshot.scanner_target};
 
+    if (kind == ANSWER_ACCEPTED) {
+        show_authority(asked);
+    }
     TEST_ASSERT_TRUE(workphase_dialect_answer(&dialect, &answer, &moment));
+}
+
+/** The connection of `peer` has ended: what authority it has is released. */
+static inline void expect_released(uint32_t peer)
+{
+    expect_command(COMMAND_RELEASE, NUMBER + peer);
+    TEST_ASSERT_EQUAL_UINT32(NUMBER + peer, command.peer);
+    answer_to(&command, ANSWER_ACCEPTED, STATUS_OK, 1U);
 }
 
 /** The controller goes into the workphase that was asked for. */

@@ -1,0 +1,69 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file Who may command: the part of a cycle in which authority is taken, lost and asked for. */
+#ifndef BORESIGHT_CONTROLLER_AUTHORITY_H
+#define BORESIGHT_CONTROLLER_AUTHORITY_H
+
+#include "controller/controller_events.h"
+
+#include <stdbool.h>
+
+/**
+ * Takes authority from who does not answer any more, and gives it to who was granted it.
+ *
+ * @satisfies SWR-AUTH-005
+ * @satisfies SWR-AUTH-010
+ */
+void controller_observe_authority(controller_t *self, const cycle_t *cycle);
+
+/**
+ * Who sent `command` may do so now: it is everyone's, its sender has authority or may take it by
+ * this command.
+ *
+ * @satisfies SWR-AUTH-003
+ * @satisfies SWR-AUTH-004
+ */
+bool controller_has_authority(const controller_t *self, const command_t *command);
+
+/**
+ * `command` was accepted: its sender has given a sign of life, or takes what was free.
+ *
+ * @satisfies SWR-AUTH-002
+ */
+void controller_credit(controller_t *self, const cycle_t *cycle, const command_t *command);
+
+/** It is about authority itself; it needs no robot. */
+static inline bool controller_is_of_authority(const command_t *command)
+{
+    return command->kind >= (uint32_t)COMMAND_TAKE;
+}
+
+/**
+ * TAKE, RENEW, RELEASE and REQUEST.
+ *
+ * @return STATUS_OK; STATUS_NO_AUTHORITY; STATUS_BUSY while another one's request waits;
+ * STATUS_UNKNOWN_COMMAND for a request of nothing
+ */
+status_t controller_obey_authority(controller_t *self, const cycle_t *cycle,
+                                   const command_t *command);
+
+/** The press of the button that comes now is to give authority away. */
+static inline bool controller_awaits_grant(const controller_t *self)
+{
+    return self->authority.request == (uint32_t)AUTHORITY_REQUEST_TAKE;
+}
+
+/**
+ * The button was pressed for who asked for authority.
+ *
+ * @satisfies SWR-AUTH-008
+ */
+void controller_grant(controller_t *self, const cycle_t *cycle);
+
+/**
+ * The button means nothing by request any more.
+ *
+ * @satisfies SWR-AUTH-009
+ */
+void controller_end_request(controller_t *self);
+
+#endif

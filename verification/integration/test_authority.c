@@ -1,0 +1,373 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Rule under test: at most one page or connection commands, what it has armed ends with its
+ * authority, and stopping is everyone's. On the simulated box.
+ */
+#include "integration/support/rig.h"
+
+#include "unity.h"
+
+#include "charts/arming_chart.h"
+#include "controller/controller.h"
+#include "limits/requirement_limits.h"
+#include "robot/robot_neuro.h"
+
+#include <string.h>
+
+#define CYCLES(us) ((us) / LIMIT_CYCLE_US)
+#define OTHER_PAGE 7U
+#define PEER 11U
+#define OTHER_PEER 21U
+
+static rig_t rig;
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+    TEST_ASSERT_EQUAL_UINT32_MESSAGE(0U, rig.driven_without_pedal, "driven without the pedal");
+}
+
+static status_t send(command_source_t source, uint32_t peer, command_kind_t kind, uint32_t argument)
+{
+    command_t command = {
+        .source = (uint32_t)source, .peer = peer, .kind = (uint32_t)kind, .argument = argument};
+    rigid_set_identity(&command.pose);
+    return (status_t)rig_command(&rig, command).status;
+}
+
+static status_t by_page(uint32_t peer, command_kind_t kind, uint32_t argument)
+{
+    return send(COMMAND_SOURCE_HTTP, peer, kind, argument);
+}
+
+static status_t by_peer(uint32_t peer, command_kind_t kind, uint32_t argument)
+{
+    return send(COMMAND_SOURCE_IGTL, peer, kind, argument);
+}
+
+static void expect_holder(command_source_t source, uint32_t peer)
+{
+    TEST_ASSERT_EQUAL_UINT32(AUTHORITY_STATE_HELD, rig.outputs.snapshot.authority);
+    TEST_ASSERT_EQUAL_UINT32(source, rig.outputs.snapshot.holder);
+    TEST_ASSERT_EQUAL_UINT32(peer, rig.outputs.snapshot.holder_peer);
+}
+
+static void expect_nobody(void)
+{
+    TEST_ASSERT_EQUAL_UINT32(AUTHORITY_STATE_NOBODY, rig.outputs.snapshot.authority);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.holder_peer);
+}
+
+static void start_free(void)
+{
+    rig_start_targeted(&rig);
+    rig_leave(&rig);
+}
+
+/* The page of the rig moves, and does nothing by itself any more. */
+static void start_moving(void)
+{
+    rig_start_moving(&rig);
+    rig.is_page_away = true;
+    rig_forget(&rig);
+}
+
+/* `event_count` of the loss, and motion has ended in this cycle. */
+static void expect_lost(authority_loss_t loss)
+{
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AUTHORITY_LOST));
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_ORDER_DISCARDED));
+    for (uint32_t i = 0U; i < rig.event_count; i++) {
+        if (rig.events[i].id == (uint32_t)EVENT_AUTHORITY_LOST) {
+            TEST_ASSERT_EQUAL_INT32(loss, rig.events[i].value);
+            TEST_ASSERT_EQUAL_UINT32(RIG_PAGE, rig.events[i].subject);
+        }
+    }
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.answer_count);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig.answers[0].kind);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NO_AUTHORITY, rig.answers[0].status);
+}
+
+static void press_button(void)
+{
+    rig_box(&rig, "button press");
+    rig_cycles(&rig, CYCLES(LIMIT_CONFIRM_HOLD_US) + 20U);
+    rig_box(&rig, "button release");
+    rig_cycles(&rig, 20U);
+}
+
+void test_SWR_AUTH_002_a_page_takes_what_is_free(void)
+{
+    start_free();
+    expect_nobody();
+    TEST_ASSERT_EQUAL(STATUS_NO_AUTHORITY,
+                      by_page(OTHER_PAGE, COMMAND_WORKPHASE, WORKPHASE_PLANNING));
+    TEST_ASSERT_EQUAL(STATUS_NO_AUTHORITY, by_page(0U, COMMAND_TAKE, 0U));
+    TEST_ASSERT_EQUAL(STATUS_OK, by_page(OTHER_PAGE, COMMAND_TAKE, 0U));
+    expect_holder(COMMAND_SOURCE_HTTP, OTHER_PAGE);
+    TEST_ASSERT_EQUAL(STATUS_OK, by_page(OTHER_PAGE, COMMAND_TAKE, 0U));
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AUTHORITY_TAKEN));
+    TEST_ASSERT_EQUAL(STATUS_OK, by_page(OTHER_PAGE, COMMAND_WORKPHASE, WORKPHASE_PLANNING));
+    TEST_ASSERT_EQUAL(STATUS_NO_AUTHORITY, by_page(RIG_PAGE, COMMAND_TAKE, 0U));
+    expect_holder(COMMAND_SOURCE_HTTP, OTHER_PAGE);
+}
+
+void test_SWR_AUTH_002_a_connection_takes_it_with_its_first_accepted_command(void)
+{
+    start_free();
+    TEST_ASSERT_EQUAL(STATUS_OK, by_peer(PEER, COMMAND_WORKPHASE, WORKPHASE_STOP));
+    TEST_ASSERT_EQUAL(STATUS_OK, by_peer(PEER, COMMAND_PROPOSE_ENTRY, 0U));
+    TEST_ASSERT_EQUAL(STATUS_OK, by_peer(PEER, COMMAND_WITHDRAW, COMMAND_PROPOSE_ENTRY));
+    TEST_ASSERT_EQUAL(STATUS_WRONG_WORKPHASE, by_peer(PEER, COMMAND_RETRACT, 0U));
+    TEST_ASSERT_EQUAL(STATUS_NO_AUTHORITY, by_peer(0U, COMMAND_WORKPHASE, WORKPHASE_PLANNING));
+    expect_nobody();
+    TEST_ASSERT_EQUAL(STATUS_OK, by_peer(PEER, COMMAND_WORKPHASE, WORKPHASE_PLANNING));
+    expect_holder(COMMAND_SOURCE_IGTL, PEER);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AUTHORITY_TAKEN));
+}
+
+void test_SWR_AUTH_003_who_has_no_authority_is_refused_by_name(void)
+{
+    start_free();
+    TEST_ASSERT_EQUAL(STATUS_OK, by_peer(PEER, COMMAND_WORKPHASE, WORKPHASE_CALIBRATION));
+    rig_forget(&rig);
+    TEST_ASSERT_EQUAL(STATUS_NO_AUTHORITY,
+                      by_peer(OTHER_PEER, COMMAND_WORKPHASE, WORKPHASE_PLANNING));
+    TEST_ASSERT_EQUAL(STATUS_NO_AUTHORITY, by_peer(OTHER_PEER, COMMAND_REGISTRATION, 0U));
+    TEST_ASSERT_EQUAL(STATUS_NO_AUTHORITY, by_peer(OTHER_PEER, COMMAND_WITHDRAW, COMMAND_ENTRY));
+    TEST_ASSERT_EQUAL(STATUS_NO_AUTHORITY, by_peer(OTHER_PEER, COMMAND_NEEDLE, 0U));
+    TEST_ASSERT_EQUAL(STATUS_NO_AUTHORITY, by_page(RIG_PAGE, COMMAND_JOG, 0U));
+    TEST_ASSERT_EQUAL(STATUS_NO_AUTHORITY,
+                      by_page(RIG_PAGE, COMMAND_WITHDRAW, COMMAND_PROPOSE_ENTRY));
+    TEST_ASSERT_EQUAL_UINT32(6U, rig_count(&rig, EVENT_AUTHORITY_REFUSED));
+    TEST_ASSERT_EQUAL(STATUS_NO_AUTHORITY, by_page(RIG_PAGE, COMMAND_RENEW, 0U));
+    TEST_ASSERT_EQUAL_UINT32(6U, rig_count(&rig, EVENT_AUTHORITY_REFUSED));
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_COMMAND_REFUSED));
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_CALIBRATION, rig.outputs.snapshot.workphase);
+    expect_holder(COMMAND_SOURCE_IGTL, PEER);
+}
+
+void test_SWR_AUTH_004_stopping_is_everyones_and_takes_nothing(void)
+{
+    static const workphase_t stops[] = {WORKPHASE_STOP, WORKPHASE_EMERGENCY};
+    for (uint32_t i = 0U; i < 2U; i++) {
+        start_moving();
+        TEST_ASSERT_EQUAL(STATUS_OK, by_peer(OTHER_PEER, COMMAND_WORKPHASE, stops[i]));
+        TEST_ASSERT_FALSE(rig_is_driving(&rig));
+        expect_holder(COMMAND_SOURCE_HTTP, RIG_PAGE);
+        start_moving();
+        TEST_ASSERT_EQUAL(STATUS_OK, by_page(0U, COMMAND_WORKPHASE, stops[i]));
+        TEST_ASSERT_FALSE(rig_is_driving(&rig));
+        expect_holder(COMMAND_SOURCE_HTTP, RIG_PAGE);
+    }
+}
+
+void test_SWR_AUTH_005_releasing_it_ends_the_order_in_that_cycle(void)
+{
+    static const uint32_t peers[] = {RIG_PAGE, 0U};
+    for (uint32_t i = 0U; i < 2U; i++) {
+        start_moving();
+        rig.commands[0] = (command_t){.source = COMMAND_SOURCE_HTTP,
+                                      .peer = peers[i],
+                                      .kind = COMMAND_RELEASE,
+                                      .id = RIG_OWN_ID};
+        rig.command_count = 1U;
+        rig_cycle(&rig);
+        expect_lost(AUTHORITY_LOSS_RELEASED);
+    }
+}
+
+void test_SWR_AUTH_005_who_has_nothing_releases_nothing(void)
+{
+    start_moving();
+    TEST_ASSERT_EQUAL(STATUS_OK, by_page(OTHER_PAGE, COMMAND_RELEASE, 0U));
+    TEST_ASSERT_EQUAL(STATUS_OK, by_peer(RIG_PAGE, COMMAND_RELEASE, 0U));
+    TEST_ASSERT_EQUAL(STATUS_OK, by_peer(0U, COMMAND_RELEASE, 0U));
+    expect_holder(COMMAND_SOURCE_HTTP, RIG_PAGE);
+    TEST_ASSERT_TRUE(rig_is_driving(&rig));
+}
+
+void test_SWR_AUTH_006_nobody_has_it_before_the_axes_rest(void)
+{
+    start_moving();
+    TEST_ASSERT_EQUAL(STATUS_OK, by_page(RIG_PAGE, COMMAND_RELEASE, 0U));
+    TEST_ASSERT_EQUAL_UINT32(AUTHORITY_STATE_ENDING, rig.outputs.snapshot.authority);
+    TEST_ASSERT_EQUAL(STATUS_NO_AUTHORITY, by_page(OTHER_PAGE, COMMAND_TAKE, 0U));
+    TEST_ASSERT_EQUAL(STATUS_NO_AUTHORITY, by_peer(PEER, COMMAND_WORKPHASE, WORKPHASE_PLANNING));
+    rig_cycles(&rig, CYCLES(LIMIT_AUTHORITY_END_US));
+    expect_nobody();
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
+        TEST_ASSERT_EQUAL_INT32(0, rig.outputs.snapshot.axes[i].speed_ticks_per_s_q8);
+    }
+    /* The pedal is held all the while. */
+    TEST_ASSERT_EQUAL(STATUS_OK, by_peer(PEER, COMMAND_WORKPHASE, WORKPHASE_MOVE_TO_TARGET));
+    rig_cycles(&rig, 50U);
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    rig_release(&rig);
+    rig_press(&rig);
+    rig_cycles(&rig, 50U);
+    TEST_ASSERT_TRUE(rig_is_driving(&rig));
+}
+
+void test_SWR_AUTH_006_an_axis_that_never_rests_keeps_it_for_a_while_only(void)
+{
+    start_moving();
+    rig_box(&rig, "motor yaw runs");
+    TEST_ASSERT_EQUAL(STATUS_OK, by_page(RIG_PAGE, COMMAND_RELEASE, 0U));
+    rig_cycles(&rig, CYCLES(LIMIT_AUTHORITY_END_US) + 1U);
+    expect_nobody();
+}
+
+void test_SWR_AUTH_007_a_page_that_does_not_renew_it_loses_it(void)
+{
+    start_moving();
+    TEST_ASSERT_EQUAL(STATUS_OK, by_page(RIG_PAGE, COMMAND_RENEW, 0U));
+    rig_release(&rig);
+    rig_forget(&rig);
+    rig_cycles(&rig, CYCLES(LIMIT_AUTHORITY_RENEW_US) - 11U);
+    expect_holder(COMMAND_SOURCE_HTTP, RIG_PAGE);
+    rig_cycle(&rig);
+    expect_lost(AUTHORITY_LOSS_UNRENEWED);
+}
+
+void test_SWR_AUTH_007_a_connection_may_be_silent(void)
+{
+    start_free();
+    TEST_ASSERT_EQUAL(STATUS_OK, by_peer(PEER, COMMAND_WORKPHASE, WORKPHASE_PLANNING));
+    rig_cycles(&rig, 3U * CYCLES(LIMIT_AUTHORITY_RENEW_US));
+    expect_holder(COMMAND_SOURCE_IGTL, PEER);
+}
+
+void test_SWR_AUTH_008_it_is_taken_from_a_holder_with_the_button_and_the_pedal_released(void)
+{
+    start_moving();
+    TEST_ASSERT_EQUAL(STATUS_OK, by_page(OTHER_PAGE, COMMAND_REQUEST, AUTHORITY_REQUEST_TAKE));
+    TEST_ASSERT_EQUAL_UINT32(OTHER_PAGE, rig.outputs.snapshot.requester_peer);
+    press_button();
+    expect_holder(COMMAND_SOURCE_HTTP, RIG_PAGE);
+    TEST_ASSERT_TRUE(rig_is_driving(&rig));
+    rig_release(&rig);
+    rig_forget(&rig);
+    press_button();
+    expect_holder(COMMAND_SOURCE_HTTP, OTHER_PAGE);
+    expect_lost(AUTHORITY_LOSS_TAKEN);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AUTHORITY_TAKEN));
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.requester_peer);
+}
+
+void test_SWR_AUTH_008_the_button_gives_what_is_free_as_well(void)
+{
+    start_free();
+    TEST_ASSERT_EQUAL(STATUS_OK, by_page(OTHER_PAGE, COMMAND_REQUEST, AUTHORITY_REQUEST_TAKE));
+    press_button();
+    expect_holder(COMMAND_SOURCE_HTTP, OTHER_PAGE);
+}
+
+void test_SWR_AUTH_008_who_withdraws_after_the_press_has_nothing(void)
+{
+    start_moving();
+    TEST_ASSERT_EQUAL(STATUS_OK, by_page(OTHER_PAGE, COMMAND_REQUEST, AUTHORITY_REQUEST_TAKE));
+    rig_release(&rig);
+    rig_box(&rig, "button press");
+    rig_box(&rig, "motor yaw runs");
+    while (rig.outputs.snapshot.authority != (uint32_t)AUTHORITY_STATE_ENDING) {
+        rig_cycle(&rig);
+    }
+    TEST_ASSERT_EQUAL_UINT32(AUTHORITY_REQUEST_GRANTED, rig.outputs.snapshot.request);
+    TEST_ASSERT_EQUAL(STATUS_OK, by_page(OTHER_PAGE, COMMAND_RELEASE, 0U));
+    rig_cycles(&rig, CYCLES(LIMIT_AUTHORITY_END_US));
+    expect_nobody();
+}
+
+void test_SWR_AUTH_009_a_press_that_began_before_means_nothing(void)
+{
+    start_free();
+    rig_box(&rig, "button press");
+    rig_cycles(&rig, CYCLES(LIMIT_CONFIRM_HOLD_US) / 2U);
+    TEST_ASSERT_EQUAL(STATUS_OK, by_page(OTHER_PAGE, COMMAND_REQUEST, AUTHORITY_REQUEST_TAKE));
+    rig_cycles(&rig, 2U * CYCLES(LIMIT_CONFIRM_HOLD_US));
+    expect_nobody();
+    rig_box(&rig, "button release");
+    rig_cycles(&rig, CYCLES(LIMIT_AUTHORITY_ASK_US) - (4U * CYCLES(LIMIT_CONFIRM_HOLD_US)));
+    rig_box(&rig, "button press");
+    rig_cycles(&rig, 2U * CYCLES(LIMIT_CONFIRM_HOLD_US));
+    expect_holder(COMMAND_SOURCE_HTTP, OTHER_PAGE);
+}
+
+void test_SWR_AUTH_009_a_request_lapses_and_a_press_does_not_change_its_meaning(void)
+{
+    start_free();
+    TEST_ASSERT_EQUAL(STATUS_OK, by_page(OTHER_PAGE, COMMAND_REQUEST, AUTHORITY_REQUEST_TAKE));
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_AUTHORITY_ASK_US, rig.outputs.snapshot.request_left_us);
+    rig_cycles(&rig, CYCLES(LIMIT_AUTHORITY_ASK_US) - (CYCLES(LIMIT_CONFIRM_HOLD_US) / 2U));
+    press_button();
+    expect_nobody();
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.requester_peer);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AXIS_CONFIRMED));
+}
+
+void test_SWR_AUTH_009_a_confirmation_is_asked_for_by_who_has_authority(void)
+{
+    rig_start(&rig);
+    rig_cycles(&rig, 100U);
+    TEST_ASSERT_EQUAL(STATUS_NO_AUTHORITY,
+                      by_page(OTHER_PAGE, COMMAND_REQUEST, AUTHORITY_REQUEST_CONFIRM));
+    TEST_ASSERT_EQUAL(STATUS_OK, by_page(RIG_PAGE, COMMAND_REQUEST, AUTHORITY_REQUEST_CONFIRM));
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AUTHORITY_ASKED));
+    press_button();
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.requester_peer);
+    expect_holder(COMMAND_SOURCE_HTTP, RIG_PAGE);
+}
+
+void test_SWR_AUTH_010_a_dead_process_has_no_authority(void)
+{
+    start_moving();
+    TEST_ASSERT_EQUAL(STATUS_OK, by_page(OTHER_PAGE, COMMAND_REQUEST, AUTHORITY_REQUEST_TAKE));
+    rig_forget(&rig);
+    rig.silent_sources = (uint32_t)1U << (uint32_t)COMMAND_SOURCE_IGTL;
+    rig_cycles(&rig, 20U);
+    expect_holder(COMMAND_SOURCE_HTTP, RIG_PAGE);
+    rig.silent_sources = (uint32_t)1U << (uint32_t)COMMAND_SOURCE_HTTP;
+    rig_cycle(&rig);
+    expect_lost(AUTHORITY_LOSS_SILENT);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.requester_peer);
+}
+
+void test_SWR_AUTH_012_another_ones_request_is_not_replaced(void)
+{
+    start_free();
+    TEST_ASSERT_EQUAL(STATUS_NO_AUTHORITY, by_page(0U, COMMAND_REQUEST, AUTHORITY_REQUEST_TAKE));
+    TEST_ASSERT_EQUAL(STATUS_UNKNOWN_COMMAND,
+                      by_page(RIG_PAGE, COMMAND_REQUEST, AUTHORITY_REQUEST_GRANTED));
+    TEST_ASSERT_EQUAL(STATUS_OK, by_page(RIG_PAGE, COMMAND_REQUEST, AUTHORITY_REQUEST_TAKE));
+    TEST_ASSERT_EQUAL(STATUS_BUSY, by_page(OTHER_PAGE, COMMAND_REQUEST, AUTHORITY_REQUEST_TAKE));
+    TEST_ASSERT_EQUAL(STATUS_OK, by_page(RIG_PAGE, COMMAND_REQUEST, AUTHORITY_REQUEST_TAKE));
+    TEST_ASSERT_EQUAL(STATUS_OK, by_page(RIG_PAGE, COMMAND_RELEASE, 0U));
+    TEST_ASSERT_EQUAL(STATUS_OK, by_page(OTHER_PAGE, COMMAND_REQUEST, AUTHORITY_REQUEST_TAKE));
+}
+
+void test_SWR_CORE_004_damaged_authority_is_nobodys_and_ends_the_order(void)
+{
+    start_moving();
+    rig.controller.authority.chart.state_inverse ^= 1U;
+    rig_cycle(&rig);
+    expect_nobody();
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_CHART_REPAIRED));
+}
+
+void test_SWR_MEMORY_002_a_holder_that_changes_by_itself_is_forgotten(void)
+{
+    start_moving();
+    rig.controller.authority.holder.peer = OTHER_PAGE;
+    rig_cycle(&rig);
+    expect_nobody();
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMORY_DAMAGED));
+}
