@@ -115,8 +115,8 @@ class TableSources
   end
 
   def routes
-    rows = interface.routes.routes.map { |route| ["`#{route.path}`", route.method, route.says, parameters(route)] }
-    markdown(['Path', 'Method', 'What', 'Query and headers'], rows)
+    rows = interface.routes.routes.map { |route| ["`#{route.path}`", route.method, route.who.downcase, route.says, parameters(route)] }
+    markdown(['Path', 'Method', 'Who', 'What', 'Query and headers'], rows)
   end
 
   def parameters(route)

@@ -71,8 +71,9 @@ static problem_t problem_of(http_guard_verdict_t verdict)
 
 int http_call_judge(struct mg_connection *connection, const http_guard_t *guard)
 {
-    static const char *const singles[] = {"Host", "Content-Length", "Transfer-Encoding", "Origin",
-                                          "Content-Type"};
+    static const char *const singles[] = {
+        "Host",         "Content-Length", "Transfer-Encoding", "Origin",
+        "Content-Type", "Cookie",         "X-Boresight-Token"};
     const struct mg_request_info *request = mg_get_request_info(connection);
     const http_provenance_t provenance = {.host = mg_get_header(connection, "Host"),
                                           .origin = mg_get_header(connection, "Origin"),

@@ -4,7 +4,8 @@
  * boresight-http: shows control's state to browsers and passes on one command, stop. Holds nothing
  * that has to be saved: killing it at any moment is its orderly end.
  *
- *     boresight-http --exchange NAME [--port 8080] [--bind 127.0.0.1] [--box NAME]
+ *     boresight-http --exchange NAME [--port 8080] [--bind 127.0.0.1] [--box NAME] [--accounts
+ * FILE]
  */
 #include "exchange/exchange.h"
 #include "http/http_guard.h"
@@ -27,6 +28,7 @@
 typedef struct {
     const char *exchange;
     const char *box;
+    const char *accounts;
     http_guard_t guard;
 } options_t;
 
@@ -57,6 +59,9 @@ static bool read_option(int option, const char *value, options_t *options)
     case 'x':
         options->box = value;
         return true;
+    case 'a':
+        options->accounts = value;
+        return true;
     case 'p':
         return read_port(value, &options->guard.port);
     case 'b':
@@ -68,11 +73,10 @@ static bool read_option(int option, const char *value, options_t *options)
 
 static bool read_options(int count, char **arguments, options_t *options)
 {
-    static const struct option known[] = {{"exchange", required_argument, NULL, 'e'},
-                                          {"port", required_argument, NULL, 'p'},
-                                          {"bind", required_argument, NULL, 'b'},
-                                          {"box", required_argument, NULL, 'x'},
-                                          {NULL, 0, NULL, 0}};
+    static const struct option known[] = {
+        {"exchange", required_argument, NULL, 'e'}, {"port", required_argument, NULL, 'p'},
+        {"bind", required_argument, NULL, 'b'},     {"accounts", required_argument, NULL, 'a'},
+        {"box", required_argument, NULL, 'x'},      {NULL, 0, NULL, 0}};
     (void)memset(options, 0, sizeof *options);
     options->guard.port = DEFAULT_PORT;
     (void)read_address("127.0.0.1", options->guard.address);
@@ -127,7 +131,7 @@ int main(int count, char **arguments)
     if (!read_options(count, arguments, &options)) {
         (void)fprintf(stderr,
                       "usage: boresight-http --exchange NAME [--port 8080] [--bind 127.0.0.1] "
-                      "[--box NAME]\n");
+                      "[--box NAME] [--accounts FILE]\n");
         return EXIT_USAGE;
     }
     char error[256];
@@ -142,7 +146,16 @@ int main(int count, char **arguments)
     (void)sigaddset(&ends, SIGTERM);
     (void)sigaddset(&ends, SIGINT);
     (void)sigprocmask(SIG_BLOCK, &ends, NULL);
-    http_server_init(&server, exchange, &options.guard, options.box);
+    const http_server_config_t config = {.exchange = exchange,
+                                         .guard = options.guard,
+                                         .instance = options.exchange,
+                                         .box = options.box,
+                                         .accounts = options.accounts};
+    http_server_init(&server, &config);
+    if (!http_server_prepare_logins(&server, error, sizeof error)) {
+        (void)fprintf(stderr, "boresight-http: %s\n", error);
+        return EXIT_FAILURE;
+    }
     http_server_result_t result = http_server_start(&server);
     if (result != HTTP_SERVER_STARTED) {
         return complain(result, &options.guard);

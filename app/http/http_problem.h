@@ -7,16 +7,18 @@
 #include "request/request_fault.h"
 
 #include <stddef.h>
+#include <stdint.h>
 
 #define HTTP_PROBLEM_SIZE 2560 /**< Room for what http_problem_write() writes. */
 
 /** What is told of one refusal. */
 typedef struct {
-    int http;              /**< The status. */
-    const char *code;      /**< To be compared. */
-    const char *detail;    /**< A sentence. */
-    const char *pointer;   /**< To what is wrong in the body, or NULL. UTF-8. */
-    const char *parameter; /**< What is wrong in the query, or NULL. UTF-8. */
+    int http;               /**< The status. */
+    const char *code;       /**< To be compared. */
+    const char *detail;     /**< A sentence. */
+    const char *pointer;    /**< To what is wrong in the body, or NULL. UTF-8. */
+    const char *parameter;  /**< What is wrong in the query, or NULL. UTF-8. */
+    uint32_t retry_after_s; /**< When to ask again; 0: nothing is said. */
 } http_problem_t;
 
 /** `problem` as routes.yml has it. */

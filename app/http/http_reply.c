@@ -48,7 +48,9 @@ static bool has_body(const http_reply_t *reply)
 size_t http_reply_head(const http_reply_t *reply, char head[HTTP_REPLY_HEAD_SIZE])
 {
     char length[24];
+    char again[16];
     (void)snprintf(length, sizeof length, "%zu", reply->size);
+    (void)snprintf(again, sizeof again, "%u", (unsigned)reply->retry_after_s);
     (void)snprintf(head, HTTP_REPLY_HEAD_SIZE, "HTTP/1.1 %d %s\r\n", reply->status,
                    mg_get_response_code_text(NULL, reply->status));
     add(head, "Content-Type", reply->type);
@@ -60,6 +62,8 @@ size_t http_reply_head(const http_reply_t *reply, char head[HTTP_REPLY_HEAD_SIZE
     add(head, "ETag", reply->etag);
     add(head, "Content-Encoding", reply->encoding);
     add(head, "Vary", reply->is_chosen ? "Accept-Encoding" : NULL);
+    add(head, "Set-Cookie", reply->cookie);
+    add(head, "Retry-After", (reply->retry_after_s > 0U) ? again : NULL);
     add(head, "Connection", reply->is_kept ? "keep-alive" : "close");
     const size_t size = strlen(head);
     const size_t room = HTTP_REPLY_HEAD_SIZE - size;
@@ -116,6 +120,7 @@ int http_reply_problem(struct mg_connection *connection, const http_problem_t *p
                                 .type = HTTP_REPLY_PROBLEM,
                                 .cache = HTTP_REPLY_NO_STORE,
                                 .allow = allow,
+                                .retry_after_s = problem->retry_after_s,
                                 .body = json,
                                 .size = http_problem_write(problem, json)};
     return http_reply_send(connection, &reply);

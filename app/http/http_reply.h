@@ -18,15 +18,17 @@
 /** What is particular to one answer. */
 typedef struct {
     int status;
-    const char *type;     /**< Content type. */
-    const char *cache;    /**< Cache-Control. */
-    const char *allow;    /**< Allow, or NULL. */
-    const char *origin;   /**< Origin that may read the answer though it is another; or NULL. */
-    const char *etag;     /**< ETag with its quotes, or NULL. */
-    const char *encoding; /**< Content-Encoding, or NULL. */
-    bool is_chosen;       /**< Another client may get it in another encoding. */
-    bool is_stream;       /**< Only the head is sent; the body follows without a known end. */
-    bool is_kept;         /**< The connection stays open. */
+    const char *type;       /**< Content type. */
+    const char *cache;      /**< Cache-Control. */
+    const char *allow;      /**< Allow, or NULL. */
+    const char *origin;     /**< Origin that may read the answer though it is another; or NULL. */
+    const char *etag;       /**< ETag with its quotes, or NULL. */
+    const char *encoding;   /**< Content-Encoding, or NULL. */
+    const char *cookie;     /**< Set-Cookie, or NULL. */
+    uint32_t retry_after_s; /**< Retry-After; 0: without. */
+    bool is_chosen;         /**< Another client may get it in another encoding. */
+    bool is_stream;         /**< Only the head is sent; the body follows without a known end. */
+    bool is_kept;           /**< The connection stays open. */
     const void *body;
     size_t size;
 } http_reply_t;

@@ -3,6 +3,7 @@
 
 #include "http/asset.h"
 #include "http/http_call.h"
+#include "http/http_door.h"
 #include "http/http_reply.h"
 #include "http/stop_desk.h"
 #include "interface/app/messages.h"
@@ -163,6 +164,13 @@ static int answer(http_server_t *server, const http_call_t *call)
         return answer_stop(server, connection);
     case ROUTE_OPENAPI:
         return answer_asset(connection, asset_find(call->route->path));
+    case ROUTE_SESSION:
+    case ROUTE_RENEW:
+        return http_door_show(server, connection);
+    case ROUTE_LOGIN:
+        return http_door_log_in(server, call);
+    case ROUTE_LOGOUT:
+        return http_door_log_out(server, connection);
     default:
         return http_reply_refuse(connection, PROBLEM_NOT_FOUND);
     }
@@ -206,6 +214,10 @@ static int dispatch(http_server_t *server, struct mg_connection *connection)
     call.route = http_call_find(connection, &allowed);
     if (call.route == NULL) {
         return answer_other(connection, allowed);
+    }
+    status = http_door_judge(server, &call);
+    if (status != 0) {
+        return status;
     }
     status = http_call_read(&call);
     return (status != 0) ? status : answer(server, &call);

@@ -3,6 +3,7 @@
 
 #include "common/build_id.h"
 #include "http/asset.h"
+#include "http/http_door.h"
 #include "http/http_lines.h"
 #include "http/http_reply.h"
 #include "http/http_routes.h"
@@ -42,16 +43,42 @@ static void make_boot_id(char *text, size_t size)
     (void)snprintf(text, size, "%016llx", (unsigned long long)number);
 }
 
-void http_server_init(http_server_t *self, exchange_t *exchange, const http_guard_t *guard,
-                      const char *box)
+void http_server_init(http_server_t *self, const http_server_config_t *config)
 {
-    self->exchange = exchange;
-    self->guard = *guard;
+    self->exchange = config->exchange;
+    self->guard = config->guard;
+    self->instance = config->instance;
+    session_desk_init(&self->desk, config->accounts, http_door_witness);
     make_boot_id(self->identity.boot_id, sizeof self->identity.boot_id);
     self->identity.build_id = BUILD_ID;
-    self->identity.box = box;
-    telemetry_init(&self->telemetry, exchange);
-    http_stream_init(&self->stream, exchange);
+    self->identity.box = config->box;
+    telemetry_init(&self->telemetry, config->exchange);
+    http_stream_init(&self->stream, config->exchange);
+}
+
+bool http_server_prepare_logins(http_server_t *self, char *error, size_t error_size)
+{
+    static const char none[] = "There is no account, and this board drives a real robot; make one "
+                               "with boresight-passwd and name its file with --accounts.";
+    accounts_t accounts;
+    accounts.count = 0U;
+    if ((self->desk.accounts_file != NULL) &&
+        !accounts_read(&accounts, self->desk.accounts_file, error, error_size)) {
+        return false;
+    }
+    if ((self->identity.box == NULL) && (accounts.count == 0U)) {
+        (void)snprintf(error, error_size, "%s", none);
+        return false;
+    }
+    if (self->desk.accounts_file == NULL) {
+        if (!session_desk_make_code(&self->desk)) {
+            (void)snprintf(error, error_size, "The system has no random numbers.");
+            return false;
+        }
+        (void)fprintf(stderr, "Login:       %s (once, at the console on this machine)\n",
+                      self->desk.code);
+    }
+    return true;
 }
 
 /* The library does not say why it could not listen. */
@@ -202,6 +229,7 @@ http_server_result_t http_server_start(http_server_t *self)
 void http_server_tick(http_server_t *self)
 {
     telemetry_view_t view;
+    session_desk_tick(&self->desk, telemetry_now_ms());
     telemetry_look(&self->telemetry, &view);
     if (!view.has_snapshot || !http_stream_is_watched(&self->stream)) {
         return;

@@ -12,6 +12,7 @@
 #include "http/http_stream.h"
 #include "http/telemetry.h"
 #include "http/telemetry_json.h"
+#include "session/session_desk.h"
 
 #include <civetweb.h>
 #include <stdbool.h>
@@ -20,6 +21,9 @@
 typedef struct {
     exchange_t *exchange;
     http_guard_t guard;
+    uint32_t tls_port;    /**< Of the listener that is fed by a TLS program; 0: none. */
+    const char *instance; /**< Its name. */
+    session_desk_t desk;
     telemetry_identity_t identity;
     telemetry_t telemetry;
     http_stream_t stream;
@@ -32,9 +36,27 @@ typedef enum {
     HTTP_SERVER_FAILED = 3
 } http_server_result_t;
 
-/** Prepares `self`. `exchange` outlives it. */
-void http_server_init(http_server_t *self, exchange_t *exchange, const http_guard_t *guard,
-                      const char *box);
+/** What the server is started with. All of it outlives the server. */
+typedef struct {
+    exchange_t *exchange;
+    http_guard_t guard;
+    const char *instance; /**< Its name. */
+    const char *box;      /**< Name of the simulated box; NULL: real cards. */
+    const char *accounts; /**< File of the accounts; NULL: none. */
+} http_server_config_t;
+
+/** Prepares `self`. */
+void http_server_init(http_server_t *self, const http_server_config_t *config);
+
+/**
+ * Decides how one logs in: by the accounts; without any, by a code that is printed here.
+ *
+ * @return false with a sentence in `error`, when there must be an account and is none
+ *
+ * @satisfies SWR-SESS-005
+ * @satisfies SWR-SESS-006
+ */
+bool http_server_prepare_logins(http_server_t *self, char *error, size_t error_size);
 
 /**
  * Listens on the guard's address, which is the loopback address unless the operator gave another,

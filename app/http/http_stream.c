@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "http/http_stream.h"
 
+#include "http/http_door.h"
 #include "http/http_reply.h"
 #include "http/telemetry_json.h"
 
@@ -130,7 +131,8 @@ static bool send_hello(client_t *client, const char *hello)
 static void converse(http_stream_t *self, client_t *client, const char *hello)
 {
     bool is_there = send_hello(client, hello);
-    while (is_there) {
+    http_server_t *server = mg_get_user_data(mg_get_context(client->connection));
+    while (is_there && http_door_is_open(server, client->connection)) {
         is_there = send_events(self, client) && send_frame(client, wait_for_frame(self, client));
     }
 }

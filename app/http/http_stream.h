@@ -40,9 +40,9 @@ bool http_stream_is_watched(http_stream_t *self);
 bool http_stream_publish(http_stream_t *self, const char *state);
 
 /**
- * Serves one client until it goes away or takes nothing: `hello` (JSON on one line), the events
- * from `next_event` on, then each new state and event. Refuses the client when there are
- * HTTP_STREAM_CLIENTS already.
+ * Serves one client until it goes away, takes nothing, or its session has ended: `hello` (JSON on
+ * one line), the events from `next_event` on, then each new state and event. Refuses the client
+ * when there are HTTP_STREAM_CLIENTS already.
  *
  * @return the status sent
  *

@@ -2,6 +2,7 @@
 #include "request/request_headers.h"
 
 #include <stddef.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -63,6 +64,22 @@ bool request_headers_know(const char *if_none_match, const char *etag)
 bool request_headers_are_json(const char *content_type)
 {
     return (content_type == NULL) || is_word(content_type, " \t;", "application/json");
+}
+
+bool request_headers_cookie(const char *cookie, const char *name, char *value, size_t size)
+{
+    const size_t length = strlen(name);
+    unsigned found = 0U;
+    for (const char *pair = cookie; pair != NULL; pair = strchr(pair, ';')) {
+        pair = &pair[strspn(pair, "; \t")];
+        const char *said = &pair[length + 1U];
+        if ((strncmp(pair, name, length) == 0) && (pair[length] == '=')) {
+            const size_t bytes = strcspn(said, "; \t");
+            found += (bytes < size) ? 1U : 2U;
+            (void)snprintf(value, size, "%.*s", (int)bytes, said);
+        }
+    }
+    return found == 1U;
 }
 
 bool request_headers_event(const char *last_event_id, uint32_t *number)

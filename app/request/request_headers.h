@@ -4,6 +4,7 @@
 #define BORESIGHT_REQUEST_HEADERS_H
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
 /** Accept-Encoding: the client takes gzip (RFC 9110, 12.5.3). */
@@ -17,6 +18,12 @@ bool request_headers_know(const char *if_none_match, const char *etag);
 
 /** Content-Type: JSON, whatever its parameters are; or nothing is said. */
 bool request_headers_are_json(const char *content_type);
+
+/**
+ * Cookie: the value of the cookie `name`, to `value` with its end. False when it is not there, or
+ * there twice, or longer.
+ */
+bool request_headers_cookie(const char *cookie, const char *name, char *value, size_t size);
 
 /** Last-Event-ID: the number of an event, in decimal digits. False when it is none. */
 bool request_headers_event(const char *last_event_id, uint32_t *number);

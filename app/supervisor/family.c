@@ -101,6 +101,24 @@ static bool name_box(family_t *self, const options_t *options, char *error, uint
     return true;
 }
 
+static void set_http(family_t *self, const options_t *options)
+{
+    const char *http[CHILD_ARGUMENTS] = {"--exchange",       options->instance, "--port",
+                                         options->http_port, "--bind",          options->bind};
+    uint32_t count = 6U;
+
+    if (options->accounts != NULL) {
+        http[count] = "--accounts";
+        http[count + 1U] = options->accounts;
+        count += 2U;
+    }
+    if (board.is_simulated) {
+        http[count] = "--box";
+        http[count + 1U] = self->box;
+    }
+    set_arguments(&self->members[MEMBER_HTTP], http);
+}
+
 bool family_init(family_t *self, const options_t *options, int output, int errors, char *error,
                  uint32_t error_size)
 {
@@ -131,18 +149,10 @@ bool family_init(family_t *self, const options_t *options, int output, int error
         "--igtl-port", options->igtl_port, "--bind",     options->bind};
     const char *const igtl_by_file[CHILD_ARGUMENTS] = {"--exchange", options->instance,
                                                        "--igtl-file", options->igtl_file};
-    const char *const http[CHILD_ARGUMENTS] = {"--exchange",
-                                               options->instance,
-                                               "--port",
-                                               options->http_port,
-                                               "--bind",
-                                               options->bind,
-                                               board.is_simulated ? "--box" : NULL,
-                                               self->box};
     set_arguments(&self->members[MEMBER_CONTROL], control);
     set_arguments(&self->members[MEMBER_RECORDER], recorder);
     set_arguments(&self->members[MEMBER_IGTL], (options->igtl_file == NULL) ? igtl : igtl_by_file);
-    set_arguments(&self->members[MEMBER_HTTP], http);
+    set_http(self, options);
     return true;
 }
 

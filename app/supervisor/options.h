@@ -17,6 +17,7 @@ typedef struct {
     const char *brp_port;  /**< --brp-port, BRP_PORT: the workphase protocol. */
     const char *igtl_file; /**< --igtl-file, IGTL_FILE: of ports, NULL: none. */
     igtl_ports_t ports;    /**< What it says. */
+    const char *accounts;  /**< --accounts, ACCOUNTS: file of those who may log in; NULL: none. */
     const char *bind;      /**< --bind: IPv4 address of this machine. */
     const char *robot;     /**< --robot, ROBOT. */
     const char *instance;  /**< --instance: name of everything this instance creates. */

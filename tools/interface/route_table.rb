@@ -25,6 +25,7 @@ module Interface
     def header
       C.file(SAYS, FROM) + C.guard('routes', <<~CODE)
         #include "interface/app/requests.h"
+        #include "interface/role.h"
 
         /** What is answered; a GET answers HEAD too. */
         typedef enum {
@@ -40,6 +41,8 @@ module Interface
             const char *method;
             const char *path;
             const char *allowed;            /**< All methods of the path. */
+            bool is_for_anyone;             /**< It needs no session, and no token of one. */
+            role_t role;                    /**< The least that it needs. */
             bool is_lenient;                /**< Media type and query are not looked at. */
             size_t body_most;               /**< Bytes; 0: there must be no body. */
             const request_message_t *body;  /**< NULL: none. */
@@ -83,7 +86,12 @@ module Interface
       body = route.body ? "&request_#{route.body.name}" : 'NULL'
       query = route.parameters.members.empty? ? 'nothing' : route.parameters.name
       "    {ROUTE_#{route.name.upcase}, #{C.string(route.method)}, #{C.string(route.path)}, " \
-        "#{C.string(@routes.allowed(route.path))},\n     #{route.lenient?}, #{route.body_most}U, #{body}, &request_#{query}}"
+        "#{C.string(@routes.allowed(route.path))},\n     #{route.anyone?}, #{least(route)}, #{route.lenient?}, #{route.body_most}U, #{body}, &request_#{query}}"
+    end
+
+    # The first role may least.
+    def least(route)
+      route.anyone? ? '(role_t)0' : "ROLE_#{route.who}"
     end
 
     def words(problem)

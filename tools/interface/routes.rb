@@ -12,7 +12,7 @@ module Interface
         nodes.key?('status') ? (nodes.keys & %w[name says]).empty? : (%w[name says] - nodes.keys).empty?
       name, says = nodes.key?('status') ? of_status(nodes['status'], model) : own(nodes)
       new(name: name, http: nodes['http'].integer(400..599), says: says, node: node,
-          whose: nodes['when'].choice(%w[any body query route none]))
+          whose: nodes['when'].choice(%w[any body query session written route none]))
     end
 
     def self.own(nodes)
@@ -33,16 +33,17 @@ module Interface
     OPTIONAL = %w[answer media parameters headers body body_most events problems refused lenient].freeze
     Header = Struct.new(:name, :type, :says, keyword_init: true)
 
-    attr_reader :name, :path, :method, :says, :answer, :media, :parameters, :headers, :body, :body_most, :events, :node
+    attr_reader :name, :path, :method, :who, :says, :answer, :media, :parameters, :headers, :body, :body_most, :events, :node
 
     def initialize(node)
-      nodes = node.mapping(%w[name path method says], OPTIONAL)
+      nodes = node.mapping(%w[name path method who says], OPTIONAL)
       @node = node
       @nodes = nodes
       @name = nodes['name'].identifier
       @path = nodes['path'].word
       nodes['path'].refuse("is #{path}; expected a path of a-z, 0-9, _, . and /") unless path.match?(PATH)
       @method = nodes['method'].choice(METHODS)
+      @who = nodes['who'].word
       @says = nodes['says'].text
       @media = nodes['media']&.word
       members = list('parameters') { |one| RequestMember.new(one) }
@@ -51,7 +52,10 @@ module Interface
       @body_most = nodes['body_most']&.integer(0..65_535).to_i
     end
 
+    ANYONE = 'anyone'
+
     def check(model, routes)
+      check_who(model)
       @answer = message(@nodes['answer'], model)
       @body = @nodes['body'] && (routes.request(@nodes['body'].identifier) || @nodes['body'].refuse('is no request'))
       @events = read_events(model)
@@ -69,6 +73,11 @@ module Interface
       flag('refused')
     end
 
+    # It is served without a session.
+    def anyone?
+      who == ANYONE
+    end
+
     def get?
       method == 'GET'
     end
@@ -80,12 +89,19 @@ module Interface
         when 'any' then true
         when 'body' then !body.nil?
         when 'query' then !parameters.members.empty?
+        when 'session' then !anyone?
+        when 'written' then !anyone? && !get?
         else @problems.include?(problem)
         end
       end
     end
 
     private
+
+    def check_who(model)
+      roles = model.enumeration('role')&.values.to_a.map(&:name)
+      @nodes['who'].refuse("is #{who}; expected #{[ANYONE, *roles].join(', ')}") unless anyone? || roles.include?(who)
+    end
 
     def flag(key)
       @nodes.key?(key) && @nodes[key].true?

@@ -17,7 +17,7 @@ class TestInterfaceRoutes < Minitest::Test
   ROOT = File.expand_path('../..', __dir__)
 
   COLOURS = <<~YAML
-    header: colour
+    header: role
     says: Colours.
     enumerations:
       - name: colour
@@ -30,6 +30,11 @@ class TestInterfaceRoutes < Minitest::Test
         values:
           - {code: 0, name: OK, says: "Done."}
           - {code: 1, name: DRY, says: "It is dry."}
+      - name: role
+        says: Who may.
+        values:
+          - {code: 0, name: GUEST, says: "Looks."}
+          - {code: 1, name: PAINTER, says: "Paints."}
   YAML
 
   MESSAGES = <<~YAML
@@ -54,6 +59,8 @@ class TestInterfaceRoutes < Minitest::Test
       - {name: BAD, http: 400, when: any, says: "Bad."}
       - {status: DRY, http: 409, when: route}
       - {name: LONG, http: 413, when: body, says: "Too long."}
+      - {name: WHO, http: 401, when: session, says: "Who are you?"}
+      - {name: TOKEN, http: 403, when: written, says: "No token."}
     requests:
       - name: stripe
         says: A stripe.
@@ -72,12 +79,13 @@ class TestInterfaceRoutes < Minitest::Test
           - {name: note, type: text, size: 3, optional: true}
           - {name: first, type: stripe, optional: true}
     routes:
-      - {name: tin, path: /tin, method: GET, answer: tin, problems: [DRY], says: "The tin.", parameters: [{name: of, type: colour}]}
-      - {name: paint, path: /tin, method: PUT, answer: tin, body: paint, body_most: 300, says: "Paint."}
-      - {name: hit, path: /hit, method: POST, answer: tin, body: stripe, body_most: 30, lenient: true, refused: true, says: "Hit."}
+      - {name: tin, path: /tin, method: GET, who: anyone, answer: tin, problems: [DRY], says: "The tin.", parameters: [{name: of, type: colour}]}
+      - {name: paint, path: /tin, method: PUT, who: PAINTER, answer: tin, body: paint, body_most: 300, says: "Paint."}
+      - {name: hit, path: /hit, method: POST, who: anyone, answer: tin, body: stripe, body_most: 30, lenient: true, refused: true, says: "Hit."}
       - name: live
         path: /live
         method: GET
+        who: GUEST
         media: text/event-stream
         events: {tin: tin}
         says: Live.
@@ -157,8 +165,8 @@ class TestInterfaceRoutes < Minitest::Test
     assert_equal({ 'type' => 'integer', 'minimum' => 1, 'maximum' => 9 }, paint.dig('properties', 'coats'))
     assert_equal [false, %w[colour coats shift wet kind name stripes]], paint.values_at('additionalProperties', 'required')
     assert_equal %w[200 400 409], document.dig('paths', '/tin', 'get', 'responses').keys
-    assert_equal %w[200 400 413], document.dig('paths', '/tin', 'put', 'responses').keys
-    assert_equal %w[BAD DRY LONG OK], document.dig('components', 'schemas', 'ProblemCode', 'enum').sort
+    assert_equal %w[200 400 401 403 413], document.dig('paths', '/tin', 'put', 'responses').keys
+    assert_equal %w[BAD DRY LONG OK TOKEN WHO], document.dig('components', 'schemas', 'ProblemCode', 'enum').sort
     assert_equal 'query', document.dig('paths', '/tin', 'get', 'parameters', 0, 'in')
   end
 
@@ -201,26 +209,27 @@ class TestInterfaceRoutes < Minitest::Test
     'a status that is none' => ['status: DRY', 'status: WET', 3, 'is WET, which is no status'],
     'a problem without a sentence' => [', says: "Bad."', '', 2, 'needs name and says, or status'],
     'a status of HTTP that is no refusal' => ['http: 400', 'http: 200', 2, 'is 200; expected 400 to 599'],
-    'a type that is none' => ['type: int32', 'type: int33', 15, 'is of int33; expected flag, uint32'],
-    'a text without a size' => ['size: 6', 'list: [1, 2]', 18, 'is a text without a size'],
-    'bounds of what is no number' => ['type: flag', 'type: flag, minimum: 1', 16, 'has bounds, but is no number'],
-    'bounds the wrong way round' => ['minimum: 1,', 'minimum: 10,', 14, 'has the bounds 10 to 9'],
-    'bounds that the type has not' => ['minimum: 1,', 'minimum: -1,', 14, 'is -1; expected 0 to 4294967295'],
-    'a list the wrong way round' => ['[1, 2]', '[2, 1]', 19, 'is not [least, most]'],
-    'two members of one name' => ['name: shift', 'name: coats', 15, 'is the second coats in paint'],
-    'an object in itself' => ['type: number, minimum: -1.5, maximum: 2', 'type: stripe', 6, 'holds more than 8 objects'],
-    'a path that is none' => ['path: /hit', 'path: hit', 25, 'is hit; expected a path'],
-    'a method that is none' => ['method: PUT', 'method: PAT', 24, 'is PAT; expected GET or POST'],
-    'a route twice' => ['method: PUT', 'method: GET', 24, 'is the second'],
-    'an answer that is none' => ['answer: tin, problems', 'answer: can, problems', 23, 'is can, which is no message'],
-    'a problem that is none' => ['[DRY]', '[WET]', 23, 'is no problem'],
-    'a request that is none' => ['body: paint,', 'body: pain,', 24, 'is no request'],
-    'a body without its size' => [', body_most: 300', '', 24, 'has body or body_most without the other'],
-    'a body of a GET' => ['says: "The tin."', 'says: "The tin.", body: stripe, body_most: 9', 23, 'has a body, but is a GET'],
-    'a route without an answer' => ["    media: text/event-stream\n", '', 26, 'has neither answer nor media'],
-    'a list in a query' => ['{name: of, type: colour}', '{name: of, type: uint32, list: [1, 2]}', 23, 'is a list or an object'],
-    'an unknown key' => ['lenient: true', 'lenent: true', 25, 'lenent: is unknown'],
-    'a name beyond its room' => ['name: shift', "name: #{'a' * 48}", 15, 'has a name longer than 47']
+    'a type that is none' => ['type: int32', 'type: int33', 17, 'is of int33; expected flag, uint32'],
+    'a text without a size' => ['size: 6', 'list: [1, 2]', 20, 'is a text without a size'],
+    'bounds of what is no number' => ['type: flag', 'type: flag, minimum: 1', 18, 'has bounds, but is no number'],
+    'bounds the wrong way round' => ['minimum: 1,', 'minimum: 10,', 16, 'has the bounds 10 to 9'],
+    'bounds that the type has not' => ['minimum: 1,', 'minimum: -1,', 16, 'is -1; expected 0 to 4294967295'],
+    'a list the wrong way round' => ['[1, 2]', '[2, 1]', 21, 'is not [least, most]'],
+    'two members of one name' => ['name: shift', 'name: coats', 17, 'is the second coats in paint'],
+    'an object in itself' => ['type: number, minimum: -1.5, maximum: 2', 'type: stripe', 8, 'holds more than 8 objects'],
+    'a path that is none' => ['path: /hit', 'path: hit', 27, 'is hit; expected a path'],
+    'a method that is none' => ['method: PUT', 'method: PAT', 26, 'is PAT; expected GET or POST'],
+    'a role that is none' => ['who: PAINTER', 'who: painter', 26, 'is painter; expected anyone, GUEST, PAINTER'],
+    'a route twice' => ['method: PUT', 'method: GET', 26, 'is the second'],
+    'an answer that is none' => ['answer: tin, problems', 'answer: can, problems', 25, 'is can, which is no message'],
+    'a problem that is none' => ['[DRY]', '[WET]', 25, 'is no problem'],
+    'a request that is none' => ['body: paint,', 'body: pain,', 26, 'is no request'],
+    'a body without its size' => [', body_most: 300', '', 26, 'has body or body_most without the other'],
+    'a body of a GET' => ['says: "The tin."', 'says: "The tin.", body: stripe, body_most: 9', 25, 'has a body, but is a GET'],
+    'a route without an answer' => ["    media: text/event-stream\n", '', 28, 'has neither answer nor media'],
+    'a list in a query' => ['{name: of, type: colour}', '{name: of, type: uint32, list: [1, 2]}', 25, 'is a list or an object'],
+    'an unknown key' => ['lenient: true', 'lenent: true', 27, 'lenent: is unknown'],
+    'a name beyond its room' => ['name: shift', "name: #{'a' * 48}", 17, 'has a name longer than 47']
   }.freeze
 
   REFUSALS.each do |what, (old, new, line, reason)|

@@ -77,3 +77,20 @@ void test_SWR_HTTP_016_the_last_event_is_a_number(void)
     }
     TEST_ASSERT_FALSE(request_headers_event(NULL, &number));
 }
+
+void test_SWR_SESS_012_one_cookie_of_a_name_counts(void)
+{
+    char value[5] = "";
+    TEST_ASSERT_TRUE(request_headers_cookie("a=1; bs=abcd; c=2", "bs", value, sizeof value));
+    TEST_ASSERT_EQUAL_STRING("abcd", value);
+    TEST_ASSERT_TRUE(request_headers_cookie("bs=", "bs", value, sizeof value));
+    TEST_ASSERT_EQUAL_STRING("", value);
+    static const char *const none[] = {"",      "a=1",    "bs",         "xbs=1",
+                                       "bs =1", "a=bs=1", "bs=1; bs=1", "bs=abcde",
+                                       "BS=1",  "bsx=1",  "bs=1;bs=",   "bs=abcde; bs=1"};
+    for (size_t i = 0U; i < (sizeof none / sizeof none[0]); i++) {
+        TEST_ASSERT_FALSE_MESSAGE(request_headers_cookie(none[i], "bs", value, sizeof value),
+                                  none[i]);
+    }
+    TEST_ASSERT_FALSE(request_headers_cookie(NULL, "bs", value, sizeof value));
+}

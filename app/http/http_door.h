@@ -1,0 +1,50 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Who asks: logins, and whether the session of a request is enough for its route. Two listeners are
+ * told apart: the plain one, and the one on the loopback address that is fed by a TLS program.
+ */
+#ifndef BORESIGHT_HTTP_DOOR_H
+#define BORESIGHT_HTTP_DOOR_H
+
+#include "http/http_call.h"
+#include "http/http_server.h"
+
+#define HTTP_DOOR_TOKEN "X-Boresight-Token"
+
+/** Writes what happened at the door to standard error, for the operator. */
+void http_door_witness(const char *line);
+
+/** The request came through the TLS program. */
+bool http_door_is_tls(const http_server_t *server, const struct mg_connection *connection);
+
+/**
+ * Judges session, token and role. At the plain loopback listener a GET that is for everyone with an
+ * account needs none of them.
+ *
+ * @return 0, or the status of the refusal that was sent
+ *
+ * @satisfies SWR-SESS-016
+ * @satisfies SWR-SESS-017
+ */
+int http_door_judge(http_server_t *server, const http_call_t *call);
+
+/** Whether a stream that was let in may go on. */
+bool http_door_is_open(http_server_t *server, const struct mg_connection *connection);
+
+/** Answers who is logged in; also after a renewal, which the judgement has made. */
+int http_door_show(http_server_t *server, struct mg_connection *connection);
+
+/**
+ * Logs in.
+ *
+ * @satisfies SWR-SESS-012
+ * @satisfies SWR-SESS-015
+ * @satisfies SWR-SESS-018
+ */
+int http_door_log_in(http_server_t *server, const http_call_t *call);
+
+/** Logs out. */
+int http_door_log_out(http_server_t *server, struct mg_connection *connection);
+
+#endif

@@ -1,0 +1,190 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * boresight-passwd: makes, changes and removes accounts.
+ *
+ *     boresight-passwd FILE set NAME ROLE      (a new password is asked for, or read from stdin)
+ *     boresight-passwd FILE remove NAME
+ *     boresight-passwd FILE list
+ *
+ * @satisfies SWR-SESS-004
+ */
+#include "limits/requirement_limits.h"
+#include "session/account.h"
+#include "session/password.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+#include <termios.h>
+#include <unistd.h>
+
+#define EXIT_USAGE 2
+#define PATH_SIZE 512U
+
+static char error[PATH_SIZE + 64U];
+
+static int complain(const char *sentence)
+{
+    (void)fprintf(stderr, "boresight-passwd: %s\n", sentence);
+    return EXIT_FAILURE;
+}
+
+static void hide_typing(bool is_hidden)
+{
+    struct termios terminal;
+
+    if (tcgetattr(STDIN_FILENO, &terminal) == 0) {
+        terminal.c_lflag =
+            is_hidden ? (terminal.c_lflag & ~(tcflag_t)ECHO) : (terminal.c_lflag | (tcflag_t)ECHO);
+        (void)tcsetattr(STDIN_FILENO, TCSAFLUSH, &terminal);
+    }
+}
+
+/* One line, without its end. False with a sentence in `error`. */
+static bool read_line(const char *question, char password[PASSWORD_SIZE])
+{
+    char line[PASSWORD_SIZE + 1U];
+    const bool is_asked = isatty(STDIN_FILENO) == 1;
+
+    if (is_asked) {
+        (void)fputs(question, stderr);
+        hide_typing(true);
+    }
+    const bool is_read = fgets(line, (int)sizeof line, stdin) != NULL;
+    if (is_asked) {
+        hide_typing(false);
+        (void)fputs("\n", stderr);
+    }
+    const size_t length = is_read ? strcspn(line, "\n") : 0U;
+    if (length >= PASSWORD_SIZE) {
+        (void)snprintf(error, sizeof error, "The password is longer than %u bytes.",
+                       (unsigned)(PASSWORD_SIZE - 1U));
+        return false;
+    }
+    if (length < LIMIT_PASSWORD_LEAST) {
+        (void)snprintf(error, sizeof error, "The password is shorter than %u bytes.",
+                       (unsigned)LIMIT_PASSWORD_LEAST);
+        return false;
+    }
+    line[length] = '\0';
+    (void)memcpy(password, line, length + 1U);
+    explicit_bzero(line, sizeof line);
+    return true;
+}
+
+static bool ask_password(char password[PASSWORD_SIZE])
+{
+    char again[PASSWORD_SIZE];
+
+    if (!read_line("New password: ", password)) {
+        return false;
+    }
+    if (isatty(STDIN_FILENO) != 1) {
+        return true;
+    }
+    const bool is_same = read_line("Once more: ", again) && password_is_equal(password, again);
+    explicit_bzero(again, sizeof again);
+    if (!is_same) {
+        (void)snprintf(error, sizeof error, "The two passwords differ.");
+    }
+    return is_same;
+}
+
+static bool set(accounts_t *accounts, const char *name, const char *role)
+{
+    char password[PASSWORD_SIZE];
+    account_t account;
+
+    if (!account_is_name(name) || !account_read_role(role, &account.role)) {
+        (void)snprintf(error, sizeof error,
+                       "A name is 1 to 31 of a-z, 0-9, - and _; a role is observer, operator, "
+                       "engineer or service.");
+        return false;
+    }
+    if (!ask_password(password)) {
+        return false;
+    }
+    (void)snprintf(account.name, sizeof account.name, "%s", name);
+    const bool is_made = password_hash(password, account.hash, sizeof account.hash);
+    explicit_bzero(password, sizeof password);
+    if (!is_made || !accounts_put(accounts, &account)) {
+        (void)snprintf(error, sizeof error, "%s",
+                       is_made ? "There are too many accounts." : "The system makes no hash.");
+        return false;
+    }
+    return true;
+}
+
+static bool remove_account(accounts_t *accounts, const char *name)
+{
+    (void)snprintf(error, sizeof error, "There is no account of this name.");
+    return accounts_remove(accounts, name);
+}
+
+static void list(const accounts_t *accounts)
+{
+    for (uint32_t i = 0U; i < accounts->count; i++) {
+        (void)printf("%s %s\n", accounts->accounts[i].name,
+                     account_role_word(accounts->accounts[i].role));
+    }
+}
+
+/* Two at once would lose what one of them does. */
+static bool lock(const char *file)
+{
+    char name[PATH_SIZE];
+
+    (void)snprintf(name, sizeof name, "%s.lock", file);
+    const int descriptor = open(name, O_RDWR | O_CREAT | O_CLOEXEC, S_IRUSR | S_IWUSR);
+    if ((descriptor < 0) || (flock(descriptor, LOCK_EX) != 0)) {
+        (void)snprintf(error, sizeof error, "%s cannot be locked (%s).", name, strerror(errno));
+        return false;
+    }
+    return true; /* Until the program ends. */
+}
+
+/* A file that is not there yet has no accounts. */
+static bool read_accounts(accounts_t *accounts, const char *file)
+{
+    accounts->count = 0U;
+    return ((access(file, F_OK) != 0) && (errno == ENOENT)) ||
+           accounts_read(accounts, file, error, sizeof error);
+}
+
+int main(int count, char **arguments)
+{
+    static accounts_t accounts;
+    const char *order = (count > 2) ? arguments[2] : "";
+    const bool is_set = (count == 5) && (strcmp(order, "set") == 0);
+    const bool is_remove = (count == 4) && (strcmp(order, "remove") == 0);
+    const bool is_list = (count == 3) && (strcmp(order, "list") == 0);
+
+    if (!is_set && !is_remove && !is_list) {
+        (void)fputs("usage: boresight-passwd FILE set NAME observer|operator|engineer|service\n"
+                    "       boresight-passwd FILE remove NAME\n"
+                    "       boresight-passwd FILE list\n",
+                    stderr);
+        return EXIT_USAGE;
+    }
+    const char *file = arguments[1];
+    if (is_list) {
+        if (!accounts_read(&accounts, file, error, sizeof error)) {
+            return complain(error);
+        }
+        list(&accounts);
+        return EXIT_SUCCESS;
+    }
+    if (!lock(file) || !read_accounts(&accounts, file)) {
+        return complain(error);
+    }
+    const bool is_done = is_set ? set(&accounts, arguments[3], arguments[4])
+                                : remove_account(&accounts, arguments[3]);
+    if (!is_done || !accounts_write(&accounts, file, error, sizeof error)) {
+        return complain(error);
+    }
+    return EXIT_SUCCESS;
+}

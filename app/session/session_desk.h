@@ -1,0 +1,106 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Where clients log in and show who they are. Any number of threads may ask at once; one password
+ * at a time is looked at, and nobody waits for that. Times are in ms, of a clock that never goes
+ * back.
+ */
+#ifndef BORESIGHT_SESSION_DESK_H
+#define BORESIGHT_SESSION_DESK_H
+
+#include "session/account.h"
+#include "session/login_delay.h"
+#include "session/session_table.h"
+
+#include <pthread.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#define SESSION_CODE_SIZE                                                                          \
+    15U /**< Of the code of the first login: three groups of four, and a NUL. */
+#define SESSION_LINE_SIZE 160U
+
+/** Is told what happened: a line without its end. */
+typedef void (*session_witness_t)(const char *line);
+
+typedef struct {
+    pthread_mutex_t lock;
+    const char *accounts_file;    /**< NULL: none, the code alone. */
+    session_witness_t witness;    /**< Called without the lock. */
+    char code[SESSION_CODE_SIZE]; /**< "": none, or used. */
+    bool is_looking;              /**< At a password. */
+    uint32_t untold;              /**< Logins that were not judged, since the last line. */
+    login_delay_t delay;
+    session_table_t table;
+} session_desk_t;
+
+/** What a client says of itself. */
+typedef struct {
+    const char *name;     /**< NULL with a code. */
+    const char *password; /**< NULL with a code. */
+    const char *code;     /**< NULL with a name. */
+    const char *id;       /**< Of the session that it has, which ends; NULL: none. */
+} login_t;
+
+typedef enum {
+    LOGIN_OPENED = 0,
+    LOGIN_REFUSED = 1, /**< No such name, password or code. */
+    LOGIN_LATER = 2,   /**< It was not looked at. */
+    LOGIN_FULL = 3     /**< There are too many sessions. */
+} login_verdict_t;
+
+typedef enum {
+    SESSION_PASS = 0,
+    SESSION_NONE = 1, /**< None is open. */
+    SESSION_CSRF = 2, /**< The token is missing or another. */
+    SESSION_ROLE = 3  /**< The role is not enough. */
+} session_verdict_t;
+
+/** Starts without sessions and without a code. `accounts_file` outlives `self`. */
+void session_desk_init(session_desk_t *self, const char *accounts_file, session_witness_t witness);
+
+/**
+ * Makes the code of the first login; it is in `self`.
+ *
+ * @return false without random numbers
+ *
+ * @satisfies SWR-SESS-005
+ */
+bool session_desk_make_code(session_desk_t *self);
+
+/** Whether the code can still be used. */
+bool session_desk_has_code(session_desk_t *self);
+
+/**
+ * Judges a login.
+ *
+ * @param opened  set with LOGIN_OPENED
+ * @param wait_s  seconds to wait, set with LOGIN_LATER
+ *
+ * @satisfies SWR-SESS-003
+ * @satisfies SWR-SESS-020
+ */
+login_verdict_t session_desk_log_in(session_desk_t *self, const login_t *login, uint64_t now_ms,
+                                    session_t *opened, uint32_t *wait_s);
+
+/** Copies the open session with this id to `session`. False: there is none. `id` may be NULL. */
+bool session_desk_find(session_desk_t *self, const char *id, uint64_t now_ms, session_t *session);
+
+/**
+ * Judges a request by its session, in the order of session_verdict_t. One that writes needs `csrf`,
+ * and keeps the session from falling asleep.
+ *
+ * @satisfies SWR-SESS-011
+ * @satisfies SWR-SESS-013
+ */
+session_verdict_t session_desk_judge(session_desk_t *self, const char *id, const char *csrf,
+                                     bool is_writing, role_t role, uint64_t now_ms);
+
+/** Ends the session with this id, if there is one. */
+void session_desk_log_out(session_desk_t *self, const char *id, uint64_t now_ms);
+
+/** Ends what has come to its end; to be called now and then. */
+void session_desk_tick(session_desk_t *self, uint64_t now_ms);
+
+#endif

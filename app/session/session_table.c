@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "session/session_table.h"
+
+#include "session/password.h"
+
+#include <stddef.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/random.h>
+
+#define MS_PER_S 1000U
+
+static bool make_token(char token[SESSION_TOKEN_SIZE])
+{
+    unsigned char bytes[LIMIT_SESSION_ID_BYTES];
+
+    if (getrandom(bytes, sizeof bytes, 0U) != (ssize_t)sizeof bytes) {
+        return false;
+    }
+    for (size_t i = 0U; i < sizeof bytes; i++) {
+        (void)snprintf(&token[2U * i], 3U, "%02x", (unsigned)bytes[i]);
+    }
+    return true;
+}
+
+static uint32_t left_s(uint64_t since_ms, uint32_t most_s, uint64_t now_ms)
+{
+    const uint64_t passed_ms = now_ms - since_ms;
+    const uint64_t most_ms = (uint64_t)most_s * MS_PER_S;
+
+    return (passed_ms < most_ms) ? (uint32_t)((most_ms - passed_ms + MS_PER_S - 1U) / MS_PER_S)
+                                 : 0U;
+}
+
+session_left_t session_left(const session_t *session, uint64_t now_ms)
+{
+    const session_left_t left = {.idle_s = left_s(session->used_ms, LIMIT_SESSION_IDLE_S, now_ms),
+                                 .most_s =
+                                     left_s(session->opened_ms, LIMIT_SESSION_MOST_S, now_ms)};
+    return left;
+}
+
+static bool is_over(const session_t *session, uint64_t now_ms)
+{
+    const session_left_t left = session_left(session, now_ms);
+
+    return (left.idle_s == 0U) || (left.most_s == 0U);
+}
+
+const session_t *session_table_open(session_table_t *self, const char *name, role_t role,
+                                    uint64_t now_ms)
+{
+    for (size_t i = 0U; i < LIMIT_SESSIONS; i++) {
+        session_t *session = &self->sessions[i];
+        if (!session->is_open) {
+            session->is_open = make_token(session->id) && make_token(session->csrf);
+            (void)snprintf(session->name, sizeof session->name, "%s", name);
+            session->role = role;
+            session->opened_ms = now_ms;
+            session->used_ms = now_ms;
+            return session->is_open ? session : NULL;
+        }
+    }
+    return NULL;
+}
+
+session_t *session_table_find(session_table_t *self, const char *id, uint64_t now_ms)
+{
+    session_t *found = NULL;
+
+    for (size_t i = 0U; i < LIMIT_SESSIONS; i++) {
+        session_t *session = &self->sessions[i];
+        const bool is_it = password_is_equal(id, session->id);
+        found = (is_it && session->is_open && !is_over(session, now_ms)) ? session : found;
+    }
+    return found;
+}
+
+void session_table_close(session_t *session)
+{
+    explicit_bzero(session, sizeof *session);
+}
+
+bool session_table_take_ended(session_table_t *self, uint64_t now_ms, session_t *ended)
+{
+    for (size_t i = 0U; i < LIMIT_SESSIONS; i++) {
+        session_t *session = &self->sessions[i];
+        if (session->is_open && is_over(session, now_ms)) {
+            *ended = *session;
+            session_table_close(session);
+            return true;
+        }
+    }
+    return false;
+}

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+require 'net/http'
+require 'open3'
+require_relative 'boresight'
+
+# The file of accounts, made by the program for it; and a client that keeps its cookie and its token.
+module Accounts
+  PASSWORDS = { 'olga' => %w[observer watch-closely], 'anna' => %w[operator correct-horse],
+                'egon' => %w[engineer battery-staple] }.freeze
+
+  def self.passwd(file, *words, input: '')
+    Open3.capture2e(Boresight.program('boresight-passwd'), file, *words, stdin_data: input)
+  end
+
+  # Makes all of PASSWORDS.
+  def self.make(file)
+    PASSWORDS.each do |name, (role, password)|
+      answer, status = passwd(file, 'set', name, role, input: "#{password}\n")
+      raise answer unless status.success?
+    end
+    file
+  end
+end
+
+# Asks the session's routes.
+class SessionClient
+  PATH = '/api/v1/session'
+  TOKEN = 'X-Boresight-Token'
+
+  attr_reader :port, :last
+  attr_accessor :cookie, :token
+
+  def initialize(port)
+    @port = port
+  end
+
+  # The answer to a request with the cookie and, if it writes, the token.
+  def request(method, path, body = nil, headers = {})
+    message = Net::HTTP.const_get(method.capitalize).new(path, all_headers(method, body).merge(headers).compact)
+    message.body = body
+    Net::HTTP.start('127.0.0.1', port, open_timeout: Boresight::PATIENCE_SECONDS,
+                                       read_timeout: Boresight::PATIENCE_SECONDS) { |http| http.request(message) }
+  end
+
+  def post_login(body, headers = {})
+    @last = request('post', PATH, JSON.generate(body), headers)
+    return @last unless @last.code == '200'
+
+    @cookie = @last['Set-Cookie'].split(';').first
+    @token = JSON.parse(@last.body).fetch('token')
+    @last
+  end
+
+  def log_in(name, password = Accounts::PASSWORDS.fetch(name).last)
+    post_login({ name: name, password: password })
+  end
+
+  def show
+    JSON.parse(request('get', PATH).body)
+  end
+
+  def renew(headers = {})
+    request('put', PATH, nil, headers)
+  end
+
+  def log_out(headers = {})
+    request('delete', PATH, nil, headers)
+  end
+
+  private
+
+  def all_headers(method, body)
+    { 'Cookie' => cookie, TOKEN => (token unless method == 'get'), 'Content-Type' => ('application/json' if body) }
+  end
+end

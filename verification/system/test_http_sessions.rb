@@ -1,0 +1,328 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+# Rule under test: nobody commands by HTTP without a session of his own, none is stolen, fixed, kept or guessed, and whoever
+# tries keeps nobody from working and nothing from stopping.
+
+require_relative 'support/http_client'
+require_relative 'support/openapi'
+require_relative 'support/session_client'
+
+class TestHttpSessions < Minitest::Test
+  include HttpClient
+
+  PATH = SessionClient::PATH
+  SESSIONS = 8
+  FREE_FAILURES = 3
+
+  # Its own directory of accounts, kept as long as the process runs.
+  module WithAccounts
+    def boresight
+      @boresight ||= Boresight.start(arguments: ['--accounts', accounts])
+    end
+
+    def accounts
+      @accounts ||= Accounts.make(File.join(Dir.mktmpdir('accounts'), 'accounts'))
+    end
+  end
+  extend WithAccounts
+
+  # Sessions and failures are in memory: each test begins with a server that knows neither.
+  def setup
+    boresight = self.class.boresight
+    first = boresight.status['boot_id']
+    boresight.kill('http', 'KILL')
+    wait_until('another server answers') { boresight.patiently { boresight.status['boot_id'] } != first }
+  end
+
+  def client(name = nil)
+    SessionClient.new(port).tap { |one| assert_equal('200', one.log_in(name).code) if name }
+  end
+
+  def code(response)
+    JSON.parse(response.body)['code']
+  end
+
+  def openapi
+    @openapi ||= Openapi.new(get('/api/v1/openapi.json').body)
+  end
+
+  def output
+    self.class.boresight.output
+  end
+
+  def test_SWR_SESS_012_a_login_sets_a_cookie_that_no_script_reads_and_no_other_site_gets
+    anna = client('anna')
+    assert_match(/\Aboresight-#{self.class.boresight.instance}=\h{64}; Path=\/; Max-Age=43200; HttpOnly; SameSite=Strict\z/,
+                 anna.last['Set-Cookie'])
+    assert_equal [true, 'anna', 'OPERATOR', anna.token, 43_200, 120, 'password'],
+                 anna.show.values_at('is_open', 'name', 'role', 'token', 'most_s', 'warn_s', 'login')
+    assert_includes 800..900, anna.show.fetch('idle_s')
+  end
+
+  def test_SWR_SESS_012_the_answers_are_as_described
+    anna = client('anna')
+    { 'get' => client.request('get', PATH), 'post' => anna.last, 'put' => anna.renew,
+      'delete' => anna.log_out }.each do |method, response|
+      assert_equal '200', response.code
+      assert_nil openapi.fault(PATH, method, response.code, response['Content-Type'], response.body)
+    end
+    refused = client.log_in('anna', 'wrong')
+    assert_nil openapi.fault(PATH, 'post', refused.code, refused['Content-Type'], refused.body)
+  end
+
+  def test_SWR_SESS_012_the_cookie_of_another_instance_is_none
+    anna = client('anna')
+    anna.cookie = anna.cookie.sub(self.class.boresight.instance, 'other')
+    assert_equal [false, 'NO_SESSION'], [anna.show.fetch('is_open'), code(anna.renew)]
+  end
+
+  def test_SWR_SESS_008_a_session_that_the_client_brings_is_never_taken
+    mallory = client
+    mallory.cookie = "boresight-#{self.class.boresight.instance}=#{'a' * 64}"
+    brought = mallory.cookie
+    mallory.log_in('anna')
+    refute_equal brought, mallory.cookie
+    mallory.cookie = brought
+    refute mallory.show.fetch('is_open')
+  end
+
+  def test_SWR_SESS_008_another_login_ends_the_session_that_was
+    anna = client('anna')
+    old = anna.dup
+    anna.log_in('egon')
+    refute_equal old.cookie, anna.cookie
+    assert_equal [false, 'ENGINEER'], [old.show.fetch('is_open'), anna.show.fetch('role')]
+  end
+
+  def test_SWR_SESS_012_two_cookies_of_one_name_are_none
+    anna = client('anna')
+    anna.cookie = "#{anna.cookie}; #{anna.cookie}"
+    refute anna.show.fetch('is_open')
+    head = send_raw("GET #{PATH} HTTP/1.1\r\nHost: #{host}\r\nCookie: a=1\r\nCookie: b=2\r\n\r\n")
+    assert_match(/\AHTTP\S* 400 /, head)
+  end
+
+  def test_SWR_SESS_009_the_cookie_of_a_session_that_was_logged_out_is_worthless
+    anna = client('anna')
+    response = anna.log_out
+    assert_equal '200', response.code
+    assert_match(/\Aboresight-[^=]*=; Path=\/; Max-Age=0;/, response['Set-Cookie'])
+    assert_equal [false, 'NO_SESSION', 'NO_SESSION'], [anna.show.fetch('is_open'), code(anna.renew), code(anna.log_out)]
+  end
+
+  def test_SWR_SESS_011_what_writes_needs_the_token_of_its_session
+    anna = client('anna')
+    other = client('anna')
+    [nil, '', other.token, anna.token.upcase, "#{anna.token}0"].each do |token|
+      assert_equal 'TOKEN_REFUSED', code(anna.renew(SessionClient::TOKEN => token)), token.inspect
+    end
+    assert_equal 'TOKEN_REFUSED', code(anna.log_out(SessionClient::TOKEN => nil))
+    assert_equal '200', anna.renew.code
+  end
+
+  def test_SWR_SESS_011_a_stop_needs_neither_session_nor_token
+    [port, stop_port].each { |at| assert_equal '200', post('/api/v1/stop', '{}', {}, at:).code }
+    assert_equal 'ORIGIN_REFUSED', code(post('/api/v1/stop', '{}', { 'Origin' => 'http://evil.example' }))
+  end
+
+  def test_SWR_SESS_016_each_thing_is_judged_before_what_comes_after_it
+    anna = client('anna')
+    wrong = { 'Host' => 'evil.example', 'Origin' => 'http://evil.example', 'Cookie' => nil, SessionClient::TOKEN => nil }
+    %w[HOST_REFUSED ORIGIN_REFUSED NO_SESSION TOKEN_REFUSED].each do |expected|
+      assert_equal expected, code(anna.request('put', "#{PATH}?a=1", nil, wrong))
+      wrong.shift
+    end
+    assert_equal 'BAD_QUERY', code(anna.request('put', "#{PATH}?a=1"))
+  end
+
+  def test_SWR_SESS_016_a_login_from_another_site_is_refused_before_it_is_looked_at
+    response = client.post_login({ name: 'anna', password: 'correct-horse' }, { 'Origin' => 'http://evil.example' })
+    assert_equal [%w[403 ORIGIN_REFUSED], nil], [[response.code, code(response)], response['Set-Cookie']]
+    form = client.post_login({ name: 'anna', password: 'correct-horse' }, { 'Content-Type' => 'text/plain' })
+    assert_equal 'MEDIA_TYPE', code(form)
+  end
+
+  def test_SWR_SESS_016_a_login_has_a_name_and_a_password_or_a_code
+    { {} => '/password', { name: 'anna' } => '/password', { password: 'x' } => '/name',
+      { name: 'anna', password: 'x', code: 'y' } => '/code', { name: 'anna', user: 'x' } => '/user' }.each do |body, place|
+      response = client.post_login(body)
+      assert_equal ['BAD_BODY', place], JSON.parse(response.body).values_at('code', 'pointer')
+    end
+  end
+
+  def test_SWR_SESS_017_the_loopback_listener_shows_the_state_to_everyone
+    %w[status motors targeting log].each { |name| assert_equal '200', get("/api/v1/#{name}").code }
+    assert_equal '200', get('/api/v1/status', 'Cookie' => "boresight-#{self.class.boresight.instance}=x").code
+  end
+
+  def test_SWR_SESS_007_the_ninth_session_is_refused_until_one_ends
+    all = Array.new(SESSIONS) { client('anna') }
+    assert_equal '503', client.log_in('anna').code
+    assert(all.all? { |one| one.show.fetch('is_open') })
+    all.first.log_out
+    assert_equal '200', client.log_in('anna').code
+  end
+
+  def test_SWR_SESS_014_failures_make_the_next_login_wait
+    (FREE_FAILURES + 1).times { assert_equal %w[401 LOGIN_REFUSED], [(last = client.log_in('anna', 'x')).code, code(last)] }
+    response = client.log_in('anna')
+    assert_equal %w[429 LOGIN_TOO_SOON 1], [response.code, code(response), response['Retry-After']]
+    wait_until('a login is looked at again') { client.log_in('anna').code == '200' }
+  end
+
+  def test_SWR_SESS_015_guessing_locks_out_no_session_and_no_stop
+    anna = client('anna')
+    is_over = false
+    guessers = Array.new(16) do |i|
+      Thread.new { client.log_in(i.even? ? 'anna' : "nobody-#{i}", 'guess') until is_over }
+    end
+    wait_until('guessing has become slow') { client.log_in('anna').code == '429' }
+    10.times do
+      assert_equal '200', anna.renew.code
+      [port, stop_port].each { |at| assert_equal '200', post('/api/v1/stop', '{}', {}, at:).code }
+    end
+  ensure
+    is_over = true
+    guessers&.each(&:join)
+  end
+
+  def test_SWR_SESS_020_each_login_refusal_and_logout_is_a_line
+    anna = client('anna')
+    client.log_in('anna', 'wrong')
+    client.log_in("a\nb", 'wrong')
+    anna.log_out
+    wait_until('all is said') do
+      ['anna logged in as operator, by password.', 'A login of anna was refused: name, password or code is wrong.',
+       'A login of an impossible name was refused', 'anna logged out.'].all? { |line| output.include?(line) }
+    end
+    refute_includes output, 'correct-horse'
+  end
+
+  def test_SWR_SESS_004_accounts_are_made_changed_and_removed
+    Dir.mktmpdir do |folder|
+      file = File.join(folder, 'accounts')
+      assert_passwd '', file, 'set', 'anna', 'operator', input: "correct-horse\n"
+      assert_passwd '', file, 'set', 'bert', 'observer', input: "battery-staple\n"
+      assert_passwd '', file, 'set', 'anna', 'service', input: 'another-one'
+      assert_passwd "anna service\nbert observer\n", file, 'list'
+      assert_passwd '', file, 'remove', 'bert'
+      assert_passwd "anna service\n", file, 'list'
+      assert_equal 0o600, File.stat(file).mode & 0o777
+      refute_includes File.read(file), 'another-one'
+    end
+  end
+
+  def test_SWR_SESS_004_a_change_that_is_refused_changes_nothing
+    Dir.mktmpdir do |folder|
+      file = Accounts.make(File.join(folder, 'accounts'))
+      before = File.read(file)
+      { [%w[set anna operator], "short\n"] => /shorter than 8 bytes/, [%w[set anna king], "correct-horse\n"] => /a role is/,
+        [%w[set Anna operator], "correct-horse\n"] => /A name is/, [%w[remove nobody], ''] => /no account of this name/,
+        [%w[set anna operator], "#{'x' * 200}\n"] => /longer than 128/ }.each do |(words, input), reason|
+        answer, status = Accounts.passwd(file, *words, input:)
+        assert_equal [1, before], [status.exitstatus, File.read(file)]
+        assert_match reason, answer
+      end
+    end
+  end
+
+  def test_SWR_SESS_006_a_real_board_refuses_to_start_without_an_account
+    Dir.mktmpdir do |folder|
+      empty = File.join(folder, 'accounts')
+      File.write(empty, "# nobody\n", perm: 0o600)
+      [[], ['--accounts', empty]].each { |words| assert_match(/There is no account/, server_says(words)) }
+    end
+  end
+
+  def test_SWR_SESS_001_a_wrong_file_keeps_the_server_from_starting
+    Dir.mktmpdir do |folder|
+      file = File.join(folder, 'accounts')
+      File.write(file, "anna:operator:x\n", perm: 0o600)
+      assert_match(/accounts, line 1: the hash must be/, server_says(['--accounts', file, '--box', 'x']))
+      File.chmod(0o644, file)
+      assert_match(/Others may read/, server_says(['--accounts', file, '--box', 'x']))
+    end
+  end
+
+  # What a second server of this instance says before it ends.
+  def server_says(words)
+    answer, status = Open3.capture2e(Boresight.program('boresight-http'), '--exchange', self.class.boresight.instance,
+                                     '--port', Boresight.free_ports(1).first.to_s, *words)
+    assert_equal 1, status.exitstatus
+    answer
+  end
+
+  def assert_passwd(expected, file, *words, input: '')
+    answer, status = Accounts.passwd(file, *words, input:)
+    assert status.success?, answer
+    assert_equal expected, answer
+  end
+end
+
+# Without accounts.
+class TestHttpFirstLogin < Minitest::Test
+  include HttpClient
+
+  def codes
+    self.class.boresight.output.scan(/^Login: +([A-Z2-9-]{14}) /).flatten
+  end
+
+  # Each test has a server of its own, and so a code of its own.
+  def setup
+    boresight = self.class.boresight
+    first = boresight.status['boot_id']
+    count = codes.size
+    boresight.kill('http', 'KILL')
+    wait_until('another server answers') { boresight.patiently { boresight.status['boot_id'] } != first }
+    wait_until('its code is shown') { codes.size > count }
+  end
+
+  def test_SWR_SESS_005_the_code_that_is_printed_opens_one_session_of_an_engineer
+    client = SessionClient.new(port)
+    assert_equal 'code', client.show.fetch('login')
+    assert_equal '401', client.post_login({ code: codes.first }).code
+    assert_equal '200', client.post_login({ code: codes.last }).code
+    assert_equal [true, 'code', 'ENGINEER', 'none'], client.show.values_at('is_open', 'name', 'role', 'login')
+    assert_equal '401', SessionClient.new(port).post_login({ code: codes.last }).code
+  end
+
+  def test_SWR_SESS_005_there_is_no_password
+    %w[admin root engineer code boresight].each_with_index do |name, i|
+      assert_includes %w[401 429], SessionClient.new(port).post_login({ name: name, password: ['', name][i % 2] }).code
+    end
+  end
+end
+
+# Beyond the loopback address.
+class TestHttpBeyondLoopback < Minitest::Test
+  include HttpClient
+
+  def self.boresight
+    @boresight ||= Boresight.new(arguments: ['--bind', '0.0.0.0']).tap do |one|
+      one.launch
+      one.wait_until('it has started') { one.output.include?('Console:') }
+    end
+  end
+
+  def setup
+    wait_until('http answers') { get('/api/v1/session').is_a?(Net::HTTPOK) }
+  end
+
+  def test_SWR_SESS_018_no_password_and_no_code_is_taken_in_the_clear
+    client = SessionClient.new(port)
+    assert_equal 'none', client.show.fetch('login')
+    code = self.class.boresight.output[/^Login: +([A-Z2-9-]{14}) /, 1]
+    [{ code: code }, { name: 'anna', password: 'x' }].each do |body|
+      response = client.post_login(body)
+      assert_equal %w[403 LOGIN_NOT_HERE], [response.code, JSON.parse(response.body)['code']]
+    end
+  end
+
+  def test_SWR_SESS_017_nothing_is_shown_without_a_session
+    %w[status motors targeting log events].each { |name| assert_refused '401', 'NO_SESSION', get("/api/v1/#{name}") }
+    assert_equal '200', get('/').code
+    assert_equal '200', get('/api/v1/openapi.json').code
+    assert_equal '200', post('/api/v1/stop', '').code
+  end
+end

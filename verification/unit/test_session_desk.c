@@ -1,0 +1,329 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* Rule under test: who knows the password gets a session that nobody else can guess or keep, and
+ * whoever guesses gets slower. */
+#include "unity.h"
+
+#include "session/account.h"
+#include "session/login_delay.h"
+#include "session/password.h"
+#include "session/session_desk.h"
+#include "session/session_table.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#define SECOND UINT64_C(1000)
+#define IDLE_MS (LIMIT_SESSION_IDLE_S * SECOND)
+#define MOST_MS (LIMIT_SESSION_MOST_S * SECOND)
+
+static char file[] = "/tmp/accounts-XXXXXX";
+static char said[4096];
+static session_desk_t desk;
+static session_t session;
+static uint32_t wait_s;
+static uint64_t now_ms;
+
+static void witness(const char *line)
+{
+    (void)snprintf(&said[strlen(said)], sizeof said - strlen(said), "%s\n", line);
+}
+
+void setUp(void)
+{
+    static accounts_t accounts;
+    static char error[200];
+    if (accounts_find(&accounts, "anna") == NULL) {
+        account_t anna = {.name = "anna", .role = ROLE_OPERATOR};
+        TEST_ASSERT_TRUE(password_hash("correct horse", anna.hash, sizeof anna.hash));
+        TEST_ASSERT_TRUE(accounts_put(&accounts, &anna));
+    }
+    (void)memcpy(&file[sizeof file - 7U], "XXXXXX", 6U);
+    TEST_ASSERT_NOT_EQUAL(-1, close(mkstemp(file)));
+    TEST_ASSERT_TRUE(accounts_write(&accounts, file, error, sizeof error));
+    session_desk_init(&desk, file, witness);
+    said[0] = '\0';
+    now_ms = 1000000U;
+}
+
+void tearDown(void)
+{
+    (void)unlink(file);
+}
+
+static login_verdict_t enter(const char *name, const char *password)
+{
+    const login_t login = {.name = name, .password = password};
+    return session_desk_log_in(&desk, &login, now_ms, &session, &wait_s);
+}
+
+static login_verdict_t enter_by_code(const char *code)
+{
+    const login_t login = {.code = code};
+    return session_desk_log_in(&desk, &login, now_ms, &session, &wait_s);
+}
+
+static bool is_live(void)
+{
+    session_t found;
+    return session_desk_find(&desk, session.id, now_ms, &found);
+}
+
+void test_SWR_SESS_003_a_password_is_kept_as_a_hash_with_a_salt_of_its_own(void)
+{
+    char one[ACCOUNT_HASH_SIZE];
+    char other[ACCOUNT_HASH_SIZE];
+    TEST_ASSERT_TRUE(password_hash("correct horse", one, sizeof one));
+    TEST_ASSERT_TRUE(password_hash("correct horse", other, sizeof other));
+    TEST_ASSERT_EQUAL_STRING_LEN("$y$", one, 3U);
+    TEST_ASSERT_NOT_EQUAL(0, strcmp(one, other));
+    TEST_ASSERT_TRUE(password_matches("correct horse", one));
+    TEST_ASSERT_FALSE(password_matches("correct hors", one));
+    TEST_ASSERT_FALSE(password_matches("", one));
+    TEST_ASSERT_FALSE(password_matches("correct horse", "$y$broken"));
+    TEST_ASSERT_FALSE(password_matches("correct horse", NULL));
+}
+
+void test_SWR_SESS_003_nobodys_hash_takes_as_long_as_any(void)
+{
+    /* libcrypt answers a setting that it cannot read at once, with an error. */
+    char hash[4] = "";
+    TEST_ASSERT_FALSE(password_hash("x", hash, sizeof hash));
+    TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter("nobody", "correct horse"));
+}
+
+void test_SWR_SESS_003_one_password_at_a_time_is_looked_at(void)
+{
+    desk.is_looking = true;
+    TEST_ASSERT_EQUAL_INT(LOGIN_LATER, enter("anna", "correct horse"));
+    TEST_ASSERT_EQUAL_UINT32(1U, wait_s);
+    desk.is_looking = false;
+    TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
+    TEST_ASSERT_FALSE(desk.is_looking);
+}
+
+void test_SWR_SESS_001_who_was_removed_logs_in_no_more(void)
+{
+    static const accounts_t nobody;
+    static char error[200];
+    TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
+    TEST_ASSERT_TRUE(accounts_write(&nobody, file, error, sizeof error));
+    TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter("anna", "correct horse"));
+    (void)unlink(file);
+    TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter("anna", "correct horse"));
+    TEST_ASSERT_NOT_NULL(strstr(said, "cannot be read"));
+}
+
+void test_SWR_SESS_005_the_code_opens_one_session_of_an_engineer(void)
+{
+    char code[SESSION_CODE_SIZE];
+    session_desk_init(&desk, NULL, witness);
+    TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter_by_code(""));
+    TEST_ASSERT_TRUE(session_desk_make_code(&desk));
+    (void)memcpy(code, desk.code, sizeof code);
+    TEST_ASSERT_EQUAL_UINT(14U, strlen(code));
+    TEST_ASSERT_EQUAL_CHAR('-', code[4]);
+    code[13] = (code[13] == 'A') ? 'B' : 'A';
+    TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter_by_code(code));
+    (void)memcpy(code, desk.code, sizeof code);
+    TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter_by_code(code));
+    TEST_ASSERT_EQUAL_INT(ROLE_ENGINEER, session.role);
+    TEST_ASSERT_EQUAL_STRING("code", session.name);
+    TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter_by_code(code));
+    TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter_by_code(""));
+    TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter("anna", "correct horse"));
+}
+
+void test_SWR_SESS_007_further_logins_are_refused_until_a_session_ends(void)
+{
+    session_t first = {.is_open = false};
+    for (unsigned i = 0U; i < LIMIT_SESSIONS; i++) {
+        TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
+        first = (i == 0U) ? session : first;
+    }
+    TEST_ASSERT_EQUAL_INT(LOGIN_FULL, enter("anna", "correct horse"));
+    TEST_ASSERT_TRUE(is_live());
+    session_desk_log_out(&desk, first.id, now_ms);
+    TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
+    now_ms += IDLE_MS;
+    TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
+}
+
+void test_SWR_SESS_008_a_login_gets_a_new_identifier_and_ends_the_old_session(void)
+{
+    TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
+    const session_t old = session;
+    const login_t login = {.name = "anna", .password = "correct horse", .id = old.id};
+    session_t found;
+    TEST_ASSERT_EQUAL_UINT(2U * LIMIT_SESSION_ID_BYTES, strlen(old.id));
+    TEST_ASSERT_EQUAL_UINT(2U * LIMIT_SESSION_ID_BYTES, strlen(old.csrf));
+    TEST_ASSERT_EQUAL_INT(LOGIN_OPENED,
+                          session_desk_log_in(&desk, &login, now_ms, &session, &wait_s));
+    TEST_ASSERT_NOT_EQUAL(0, strcmp(old.id, session.id));
+    TEST_ASSERT_NOT_EQUAL(0, strcmp(old.csrf, session.csrf));
+    TEST_ASSERT_FALSE(session_desk_find(&desk, old.id, now_ms, &found));
+}
+
+void test_SWR_SESS_008_an_identifier_that_the_client_brings_is_never_taken(void)
+{
+    const login_t login = {.name = "anna", .password = "correct horse", .id = "0123456789abcdef"};
+    session_t found;
+    TEST_ASSERT_EQUAL_INT(LOGIN_OPENED,
+                          session_desk_log_in(&desk, &login, now_ms, &session, &wait_s));
+    TEST_ASSERT_FALSE(session_desk_find(&desk, login.id, now_ms, &found));
+}
+
+void test_SWR_SESS_008_only_the_whole_identifier_counts(void)
+{
+    session_t found;
+    char id[SESSION_TOKEN_SIZE + 1U];
+    TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
+    TEST_ASSERT_FALSE(session_desk_find(&desk, "", now_ms, &found));
+    TEST_ASSERT_FALSE(session_desk_find(&desk, NULL, now_ms, &found));
+    for (size_t i = 0U; i < (SESSION_TOKEN_SIZE - 1U); i++) {
+        (void)snprintf(id, sizeof id, "%s", session.id);
+        id[i] = (id[i] == '0') ? '1' : '0';
+        TEST_ASSERT_FALSE(session_desk_find(&desk, id, now_ms, &found));
+        id[i] = '\0';
+        TEST_ASSERT_FALSE(session_desk_find(&desk, id, now_ms, &found));
+    }
+    (void)snprintf(id, sizeof id, "%s0", session.id);
+    TEST_ASSERT_FALSE(session_desk_find(&desk, id, now_ms, &found));
+    TEST_ASSERT_TRUE(session_desk_find(&desk, session.id, now_ms, &found));
+}
+
+void test_SWR_SESS_009_a_session_in_which_nothing_is_written_ends(void)
+{
+    TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
+    now_ms += IDLE_MS - 1U;
+    TEST_ASSERT_EQUAL_UINT32(1U, session_left(&session, now_ms).idle_s);
+    TEST_ASSERT_EQUAL_INT(
+        SESSION_PASS, session_desk_judge(&desk, session.id, NULL, false, ROLE_OBSERVER, now_ms));
+    TEST_ASSERT_TRUE(is_live());
+    now_ms += 1U;
+    TEST_ASSERT_FALSE(is_live());
+    TEST_ASSERT_EQUAL_INT(SESSION_NONE, session_desk_judge(&desk, session.id, session.csrf, true,
+                                                           ROLE_OBSERVER, now_ms));
+    session_desk_tick(&desk, now_ms);
+    TEST_ASSERT_NOT_NULL(strstr(said, "The session of anna has ended: nothing was done in it."));
+}
+
+void test_SWR_SESS_009_writing_keeps_it_awake_until_it_is_too_old(void)
+{
+    TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
+    const uint64_t opened_ms = now_ms;
+    for (now_ms += IDLE_MS - 1U; now_ms < (opened_ms + MOST_MS); now_ms += IDLE_MS - 1U) {
+        TEST_ASSERT_EQUAL_INT(SESSION_PASS, session_desk_judge(&desk, session.id, session.csrf,
+                                                               true, ROLE_OBSERVER, now_ms));
+    }
+    now_ms = opened_ms + MOST_MS - 1U;
+    TEST_ASSERT_TRUE(is_live());
+    now_ms++;
+    TEST_ASSERT_FALSE(is_live());
+    session_desk_tick(&desk, now_ms);
+    TEST_ASSERT_NOT_NULL(strstr(said, "it was too old"));
+}
+
+void test_SWR_SESS_009_who_logs_out_is_out(void)
+{
+    TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
+    session_desk_log_out(&desk, session.id, now_ms);
+    TEST_ASSERT_FALSE(is_live());
+    session_desk_log_out(&desk, session.id, now_ms);
+    TEST_ASSERT_EQUAL_STRING("anna logged in as operator, by password.\nanna logged out.\n", said);
+}
+
+void test_SWR_SESS_011_writing_needs_the_token_and_reading_does_not(void)
+{
+    TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
+    TEST_ASSERT_EQUAL_INT(SESSION_CSRF,
+                          session_desk_judge(&desk, session.id, NULL, true, ROLE_SERVICE, now_ms));
+    TEST_ASSERT_EQUAL_INT(SESSION_CSRF,
+                          session_desk_judge(&desk, session.id, "", true, ROLE_OBSERVER, now_ms));
+    TEST_ASSERT_EQUAL_INT(SESSION_CSRF, session_desk_judge(&desk, session.id, session.id, true,
+                                                           ROLE_OBSERVER, now_ms));
+    TEST_ASSERT_EQUAL_INT(SESSION_PASS, session_desk_judge(&desk, session.id, session.csrf, true,
+                                                           ROLE_OBSERVER, now_ms));
+    TEST_ASSERT_EQUAL_INT(
+        SESSION_PASS, session_desk_judge(&desk, session.id, NULL, false, ROLE_OBSERVER, now_ms));
+}
+
+void test_SWR_SESS_013_a_role_may_what_those_before_it_may(void)
+{
+    TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
+    TEST_ASSERT_EQUAL_INT(
+        SESSION_PASS, session_desk_judge(&desk, session.id, NULL, false, ROLE_OPERATOR, now_ms));
+    TEST_ASSERT_EQUAL_INT(
+        SESSION_ROLE, session_desk_judge(&desk, session.id, NULL, false, ROLE_ENGINEER, now_ms));
+    TEST_ASSERT_EQUAL_INT(SESSION_ROLE, session_desk_judge(&desk, session.id, session.csrf, true,
+                                                           ROLE_SERVICE, now_ms));
+}
+
+void test_SWR_SESS_014_guessing_one_account_doubles_the_wait_up_to_the_most(void)
+{
+    static const uint32_t waits[] = {0U, 0U, 0U, 0U, 1U, 2U, 4U, 8U, 16U, 32U, 64U, 64U, 64U};
+    login_delay_t delay = {.in_all = {.failures = 0U}};
+    for (size_t i = 0U; i < (sizeof waits / sizeof waits[0]); i++) {
+        TEST_ASSERT_EQUAL_UINT32(waits[i], login_delay_left_s(&delay, "anna", now_ms));
+        now_ms += (uint64_t)waits[i] * SECOND;
+        TEST_ASSERT_EQUAL_UINT32(0U, login_delay_left_s(&delay, "anna", now_ms));
+        login_delay_note(&delay, "anna", false, now_ms);
+    }
+    TEST_ASSERT_EQUAL_UINT32(0U, login_delay_left_s(&delay, "bert", now_ms));
+    login_delay_note(&delay, "anna", true, now_ms);
+    TEST_ASSERT_EQUAL_UINT32(0U, login_delay_left_s(&delay, "anna", now_ms));
+}
+
+void test_SWR_SESS_014_guessing_many_accounts_makes_all_wait(void)
+{
+    login_delay_t delay = {.in_all = {.failures = 0U}};
+    for (unsigned i = 0U; i < LIMIT_LOGIN_FREE_FAILURES_IN_ALL; i++) {
+        char name[8];
+        (void)snprintf(name, sizeof name, "a%u", i);
+        TEST_ASSERT_EQUAL_UINT32(0U, login_delay_left_s(&delay, "zoe", now_ms));
+        login_delay_note(&delay, name, false, now_ms);
+    }
+    login_delay_note(&delay, "x", false, now_ms);
+    TEST_ASSERT_EQUAL_UINT32(1U, login_delay_left_s(&delay, "zoe", now_ms));
+    now_ms += LIMIT_LOGIN_FORGET_S * SECOND;
+    login_delay_note(&delay, "x", false, now_ms);
+    TEST_ASSERT_EQUAL_UINT32(0U, login_delay_left_s(&delay, "zoe", now_ms));
+}
+
+void test_SWR_SESS_014_it_never_overflows(void)
+{
+    login_delay_t delay = {.in_all = {.failures = UINT32_MAX - 1U, .failed_ms = now_ms}};
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_LOGIN_DELAY_MOST_S, login_delay_left_s(&delay, "a", now_ms));
+}
+
+void test_SWR_SESS_014_names_that_do_not_exist_wait_like_those_that_do(void)
+{
+    static const char *const names[] = {"anna", "nobody"};
+    uint32_t waits[2][5];
+    for (size_t k = 0U; k < 2U; k++) {
+        for (size_t i = 0U; i < 5U; i++) {
+            waits[k][i] = (enter(names[k], "wrong") == LOGIN_LATER) ? wait_s : 0U;
+        }
+    }
+    TEST_ASSERT_EQUAL_UINT32_ARRAY(waits[0], waits[1], 5U);
+    TEST_ASSERT_EQUAL_UINT32(1U, waits[0][4]);
+}
+
+void test_SWR_SESS_014_the_right_password_is_not_looked_at_too_soon(void)
+{
+    for (unsigned i = 0U; i <= LIMIT_LOGIN_FREE_FAILURES; i++) {
+        TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter("anna", "wrong"));
+    }
+    TEST_ASSERT_EQUAL_INT(LOGIN_LATER, enter("anna", "correct horse"));
+    now_ms += SECOND;
+    TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
+    TEST_ASSERT_NOT_NULL(strstr(said, "1 logins were not looked at"));
+}
+
+void test_SWR_SESS_020_what_a_stranger_calls_himself_is_not_written(void)
+{
+    TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter("a\nroot logged in as service", "x"));
+    TEST_ASSERT_EQUAL_STRING(
+        "A login of an impossible name was refused: name, password or code is wrong.\n", said);
+}
