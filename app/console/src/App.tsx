@@ -4,6 +4,7 @@ import { Axes } from "./panels/Axes";
 import { Banner } from "./panels/Banner";
 import { Lamps } from "./panels/Lamps";
 import { Log } from "./panels/Log";
+import { Login } from "./panels/Login";
 import { Loop } from "./panels/Loop";
 import { Ports } from "./panels/Ports";
 import { StopButton } from "./panels/StopButton";
@@ -112,6 +113,9 @@ export function App({ store }: { store: TelemetryStore }) {
         </Boundary>
       </header>
       <main>
+        <Boundary name="login">
+          <Login />
+        </Boundary>
         <Boundary name="page">
           <Notices view={view} />
           {view.robot !== null && <Panels view={view} robot={view.robot} />}
