@@ -76,6 +76,7 @@ class BrowserRun
 
   def environment(boresight, service)
     { 'BORESIGHT_URL' => "http://127.0.0.1:#{boresight.http_port}/",
+      'BORESIGHT_LOGIN_CODE' => boresight.output[/^Login: +([A-Z2-9-]{14}) /, 1],
       'BORESIGHT_HTTP_PID' => boresight.pid_of('http').to_s,
       'BORESIGHT_SIMCTL' => "#{Boresight.program('boresight-simctl')} --name #{boresight.box}",
       'BORESIGHT_START_UP' => service.url }
@@ -139,6 +140,10 @@ class TestConsole < Minitest::Test
 
   def test_SWR_HTTP_002_stop_by_button_and_by_key
     assert_parts 'SWR-HTTP-002'
+  end
+
+  def test_SWR_SESS_012_a_browser_logs_in_and_out
+    assert_parts 'SWR-SESS-012'
   end
 
   def test_SWR_HTTP_004_the_browser_accepts_all_and_asks_nobody_else

@@ -5,6 +5,7 @@
 //   BORESIGHT_HTTP_PID  process of the server
 //   BORESIGHT_SIMCTL    command that hands orders to the simulated box
 //   BORESIGHT_START_UP  address at which a request makes the test's client command START_UP
+//   BORESIGHT_LOGIN_CODE  code of the first login
 //   BORESIGHT_SCREENSHOT  optional: file for a picture of the console
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
@@ -33,6 +34,7 @@ const serverPid = Number(variable("BORESIGHT_HTTP_PID"));
 const [simctl = "", ...simctlArguments] =
   variable("BORESIGHT_SIMCTL").split(" ");
 const startUpUrl = variable("BORESIGHT_START_UP");
+const loginCode = variable("BORESIGHT_LOGIN_CODE");
 /** A bound against hanging, and no judgement. */
 const patience = { timeout: 120_000 };
 const problems: string[] = [];
@@ -365,6 +367,34 @@ test("SWR-CON-009 a browser that refuses storage and workers shows the page and 
   try {
     const tab = await openTab(other);
     await tab.locator('.panels[data-freshness="live"]').waitFor();
+    await pressStop(tab);
+    await waitForText(".stop-result", "Control has stopped all motion.", tab);
+  } finally {
+    await other.close();
+  }
+});
+
+test("SWR-SESS-012 a browser logs in, shows no script its cookie, and logs out", async () => {
+  const other = await browser.newContext();
+  try {
+    const tab = await openTab(other);
+    await tab.getByRole("button", { name: "Log in…" }).click();
+    await tab.getByLabel(/Code/).fill(loginCode);
+    await tab.getByRole("button", { name: "Log in" }).click();
+    await waitForText(".login", "Logged in as code (engineer)", tab);
+    await takePictureOf("logged-in", tab);
+    expect(await tab.evaluate(() => document.cookie)).toBe("");
+    const [cookie] = await other.cookies();
+    expect(cookie).toMatchObject({
+      httpOnly: true,
+      sameSite: "Strict",
+      path: "/",
+    });
+    await tab.reload();
+    await waitForText(".login", "Logged in as code", tab);
+    await tab.getByRole("button", { name: "Log out" }).click();
+    await waitForText(".login", "Nobody can log in here.", tab);
+    expect(await other.cookies()).toEqual([]);
     await pressStop(tab);
     await waitForText(".stop-result", "Control has stopped all motion.", tab);
   } finally {
