@@ -198,7 +198,7 @@ $(BIN)/codec-oracle: verification/demo/client/codec_oracle.cpp $(CODEC)
 
 # --- commands ------------------------------------------------------------------------------------------------
 
-.PHONY: help run charts test demo bench trace build bootstrap bootstrap-test clean FORCE
+.PHONY: help run charts test demo bench trace build bootstrap bootstrap-test stunnel clean FORCE
 FORCE:
 
 help: ## List the commands
@@ -218,6 +218,11 @@ run: build ## Start the whole system on the simulated control box
 
 charts: bootstrap $(GEN)/limits/requirement_limits.h ## Draw the statecharts: build/charts/index.html
 	@ruby tools/chart_compiler.rb page statecharts build/charts
+
+stunnel: build ## Write stunnel's configuration for TLS_FILE: build/stunnel.conf
+	@$(BIN)/boresight-http --tls-file $(TLS_FILE) --stunnel >build/stunnel.conf.new
+	@mv build/stunnel.conf.new build/stunnel.conf
+	@echo 'build/stunnel.conf is written; start it: stunnel build/stunnel.conf'
 
 clean: ## Remove everything that was built (not the installed tools)
 	rm -rf build

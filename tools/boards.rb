@@ -34,7 +34,7 @@ class Board
   # What each board may speak of beside its own options.
   KNOWN = %w[instance robot programs recordings].freeze
   # Options of boresight with every board.
-  TAKEN = %w[http-port igtl-port brp-port igtl-file accounts bind robot instance recordings help].freeze
+  TAKEN = %w[http-port igtl-port brp-port igtl-file accounts tls-file bind robot instance recordings help].freeze
   PATTERN = /\{([^{}]*)\}/
 
   def self.read(path, limits)

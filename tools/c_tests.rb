@@ -22,7 +22,7 @@ class CTests
              -DUNITY_INT_WIDTH=32].freeze
   WAYS = {
     'asan' => { compiler: %w[gcc -fsanitize=address,undefined -fno-sanitize-recover=all], runner: [],
-                libraries: %w[-lzstd -lcrypto -lpthread -lrt -lm] },
+                libraries: %w[-lzstd -lcrypto -lcrypt -lpthread -lrt -lm] },
     'arm' => { compiler: %w[arm-linux-gnueabihf-gcc -mcpu=cortex-a9 -mfpu=vfpv3-d16 -static], runner: %w[qemu-arm],
                libraries: %w[-lm] }
   }.freeze

@@ -8,6 +8,7 @@
 
 #define PAGE "/index.html"
 #define STOP_PORT "name=\"boresight-stop-port\" content=\""
+#define TLS_STOP_PORT "name=\"boresight-tls-stop-port\" content=\""
 #define DIGITS 5U
 
 static asset_t page; /* Once it has been told the port. */
@@ -23,7 +24,18 @@ static const asset_t *find(const char *path)
     return NULL;
 }
 
-void asset_tell_stop_port(uint32_t port)
+static bool write_port(unsigned char *bytes, size_t size, const char *name, uint32_t port)
+{
+    char digits[16];
+    unsigned char *place = memmem(bytes, size, name, strlen(name));
+    (void)snprintf(digits, sizeof digits, "%05u", (unsigned)port);
+    if (place != NULL) {
+        (void)memcpy(&place[strlen(name)], digits, DIGITS);
+    }
+    return place != NULL;
+}
+
+void asset_tell_stop_ports(uint32_t port, uint32_t tls_port)
 {
     const asset_t *original = find(PAGE);
     unsigned char *bytes = malloc(original->size);
@@ -31,16 +43,14 @@ void asset_tell_stop_port(uint32_t port)
         return;
     }
     (void)memcpy(bytes, original->bytes, original->size);
-    unsigned char *place = memmem(bytes, original->size, STOP_PORT, sizeof STOP_PORT - 1U);
-    if (place == NULL) {
+    if (!write_port(bytes, original->size, STOP_PORT, port) ||
+        !write_port(bytes, original->size, TLS_STOP_PORT, tls_port)) {
         free(bytes);
         return;
     }
-    char digits[16];
-    (void)snprintf(digits, sizeof digits, "%05u", (unsigned)port);
-    (void)memcpy(&place[sizeof STOP_PORT - 1U], digits, DIGITS);
     page = *original;
-    (void)snprintf(page_tag, sizeof page_tag, "%s-%s", original->tag, digits);
+    (void)snprintf(page_tag, sizeof page_tag, "%s-%05u-%05u", original->tag, (unsigned)port,
+                   (unsigned)tls_port);
     page.tag = page_tag;
     page.bytes = bytes;
     page.packed = NULL; /* It is short. */

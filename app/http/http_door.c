@@ -21,8 +21,8 @@ void http_door_witness(const char *line)
 
 bool http_door_is_tls(const http_server_t *server, const struct mg_connection *connection)
 {
-    return (server->tls_port != 0U) &&
-           (mg_get_request_info(connection)->server_port == (int)server->tls_port);
+    return (server->front != NULL) &&
+           (mg_get_request_info(connection)->server_port == (int)server->front->console_from);
 }
 
 static bool is_plain_loopback(const http_server_t *server, const struct mg_connection *connection)

@@ -28,6 +28,25 @@ static bool is_own_origin(const http_guard_t *self, const char *origin)
            is_served(self, self->page_port, origin + length);
 }
 
+static bool is_page_of_front(const http_guard_t *self, const char *origin)
+{
+    static const char scheme[] = "https://";
+    size_t length = sizeof scheme - 1U;
+    return (self->front != NULL) && (strncmp(origin, scheme, length) == 0) &&
+           tls_front_serves(self->front, self->front->console, origin + length);
+}
+
+static bool is_host_known(const http_guard_t *self, const char *host)
+{
+    return (!self->is_front_only && is_served(self, self->port, host)) ||
+           ((self->front != NULL) && tls_front_serves(self->front, self->front_port, host));
+}
+
+static bool is_origin_known(const http_guard_t *self, const char *origin)
+{
+    return (!self->is_front_only && is_own_origin(self, origin)) || is_page_of_front(self, origin);
+}
+
 static bool is_own_site(const http_guard_t *self, const char *site)
 {
     bool is_other_port = (self->page_port != self->port) && (strcmp(site, "same-site") == 0);
@@ -39,10 +58,10 @@ http_guard_verdict_t http_guard_judge(const http_guard_t *self, const http_prove
     if (provenance->host == NULL) {
         return HTTP_GUARD_NO_HOST;
     }
-    if (!is_served(self, self->port, provenance->host)) {
+    if (!is_host_known(self, provenance->host)) {
         return HTTP_GUARD_HOST;
     }
-    if ((provenance->origin != NULL) && !is_own_origin(self, provenance->origin)) {
+    if ((provenance->origin != NULL) && !is_origin_known(self, provenance->origin)) {
         return HTTP_GUARD_ORIGIN;
     }
     if ((provenance->fetch_site != NULL) && !is_own_site(self, provenance->fetch_site)) {

@@ -7,6 +7,8 @@
 #ifndef BORESIGHT_HTTP_GUARD_H
 #define BORESIGHT_HTTP_GUARD_H
 
+#include "session/tls_front.h"
+
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -16,6 +18,9 @@ typedef struct {
     char address[HTTP_GUARD_ADDRESS_SIZE]; /**< The address listened on. */
     uint32_t port;                         /**< The port listened on. */
     uint32_t page_port;                    /**< The port from which the console's page comes. */
+    const tls_front_t *front;              /**< How TLS leads here; NULL: it does not. */
+    uint32_t front_port;                   /**< The port of TLS that leads here. */
+    bool is_front_only;                    /**< Nobody comes here but by TLS. */
 } http_guard_t;
 
 /** What a request says of where it comes from; NULL where it says nothing. */
@@ -35,10 +40,12 @@ typedef enum {
 
 /**
  * Judges a request. The hosts served are the address listened on, 127.0.0.1 and localhost, each
- * with the port. A browser always names the origin when it writes; where no origin is named the
- * sender is no page. Another port is the same site to a browser, and another origin.
+ * with the port; by TLS those of its file. A browser always names the origin when it writes; where
+ * no origin is named the sender is no page. Another port is the same site to a browser, and another
+ * origin.
  *
  * @satisfies SWR-HTTP-004
+ * @satisfies SWR-SESS-019
  */
 http_guard_verdict_t http_guard_judge(const http_guard_t *self,
                                       const http_provenance_t *provenance);

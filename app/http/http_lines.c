@@ -27,14 +27,16 @@ typedef struct {
 static struct {
     pthread_mutex_t lock;
     unsigned port;
+    unsigned front_port;
     uint64_t turns;
     unsigned count; /* Without those that are leaving. */
     line_t lines[HTTP_LINES_WORKERS];
 } all = {.lock = PTHREAD_MUTEX_INITIALIZER};
 
-void http_lines_init(unsigned port)
+void http_lines_init(unsigned port, unsigned front_port)
 {
     all.port = port;
+    all.front_port = front_port;
 }
 
 static line_t *find(const struct mg_connection *connection)
@@ -65,7 +67,8 @@ static int find_socket(unsigned their_port)
         }
         size = sizeof here;
         const int our_end = getsockname(descriptor, (struct sockaddr *)&here, &size);
-        if (has_port(&here, our_end, all.port)) {
+        if (has_port(&here, our_end, all.port) ||
+            ((all.front_port != 0U) && has_port(&here, our_end, all.front_port))) {
             return descriptor;
         }
     }

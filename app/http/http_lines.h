@@ -14,8 +14,9 @@
 
 #define HTTP_LINES_WORKERS 64U /**< Of the library. */
 
-/** Forgets all. `port`: the console's. To be called once, before any connection. */
-void http_lines_init(unsigned port);
+/** Forgets all. `port`: the console's; `front_port`: that of TLS, 0 without. To be called once,
+ * before any connection. */
+void http_lines_init(unsigned port, unsigned front_port);
 
 /** A connection has got a worker. If few workers are left, the oldest idle one is closed. */
 void http_lines_enter(const struct mg_connection *connection);

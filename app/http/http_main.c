@@ -4,8 +4,9 @@
  * boresight-http: shows control's state to browsers and passes on one command, stop. Holds nothing
  * that has to be saved: killing it at any moment is its orderly end.
  *
- *     boresight-http --exchange NAME [--port 8080] [--bind 127.0.0.1] [--box NAME] [--accounts
- * FILE]
+ *     boresight-http --exchange NAME [--port 8080] [--bind 127.0.0.1] [--box NAME]
+ *                    [--accounts FILE] [--tls-file FILE]
+ *     boresight-http --tls-file FILE --stunnel        prints the configuration of stunnel
  */
 #include "exchange/exchange.h"
 #include "http/http_guard.h"
@@ -29,10 +30,13 @@ typedef struct {
     const char *exchange;
     const char *box;
     const char *accounts;
+    const char *tls_file;
+    bool is_stunnel_asked;
     http_guard_t guard;
 } options_t;
 
 static http_server_t server;
+static tls_front_t front;
 
 static bool read_port(const char *text, uint32_t *port)
 {
@@ -59,6 +63,12 @@ static bool read_option(int option, const char *value, options_t *options)
     case 'x':
         options->box = value;
         return true;
+    case 't':
+        options->tls_file = value;
+        return true;
+    case 's':
+        options->is_stunnel_asked = true;
+        return true;
     case 'a':
         options->accounts = value;
         return true;
@@ -76,7 +86,8 @@ static bool read_options(int count, char **arguments, options_t *options)
     static const struct option known[] = {
         {"exchange", required_argument, NULL, 'e'}, {"port", required_argument, NULL, 'p'},
         {"bind", required_argument, NULL, 'b'},     {"accounts", required_argument, NULL, 'a'},
-        {"box", required_argument, NULL, 'x'},      {NULL, 0, NULL, 0}};
+        {"box", required_argument, NULL, 'x'},      {"tls-file", required_argument, NULL, 't'},
+        {"stunnel", no_argument, NULL, 's'},        {NULL, 0, NULL, 0}};
     (void)memset(options, 0, sizeof *options);
     options->guard.port = DEFAULT_PORT;
     (void)read_address("127.0.0.1", options->guard.address);
@@ -88,7 +99,8 @@ static bool read_options(int count, char **arguments, options_t *options)
         option = getopt_long(count, arguments, "", known, NULL);
     }
     options->guard.page_port = options->guard.port;
-    return (options->exchange != NULL) && (optind == count);
+    const bool is_asked = options->is_stunnel_asked && (options->tls_file != NULL);
+    return ((options->exchange != NULL) || is_asked) && (optind == count);
 }
 
 static int complain(http_server_result_t result, const http_guard_t *guard)
@@ -106,6 +118,12 @@ static int complain(http_server_result_t result, const http_guard_t *guard)
                       "this machine and --port a port you may use.\n",
                       (unsigned)guard->port, guard->address);
         return EXIT_FAILURE;
+    case HTTP_SERVER_FRONT_IN_USE:
+        (void)fprintf(stderr,
+                      "boresight-http: port %u, which TLS shall feed, is in use; change "
+                      "console-from in the file of TLS.\n",
+                      (unsigned)front.console_from);
+        return EXIT_PORT_IN_USE;
     case HTTP_SERVER_STARTED:
     case HTTP_SERVER_FAILED:
     default:
@@ -131,10 +149,20 @@ int main(int count, char **arguments)
     if (!read_options(count, arguments, &options)) {
         (void)fprintf(stderr,
                       "usage: boresight-http --exchange NAME [--port 8080] [--bind 127.0.0.1] "
-                      "[--box NAME] [--accounts FILE]\n");
+                      "[--box NAME] [--accounts FILE] [--tls-file FILE]\n"
+                      "       boresight-http --tls-file FILE --stunnel\n");
         return EXIT_USAGE;
     }
-    char error[256];
+    char error[512];
+    if ((options.tls_file != NULL) &&
+        !tls_front_read(&front, options.tls_file, error, sizeof error)) {
+        (void)fprintf(stderr, "boresight-http: %s\n", error);
+        return EXIT_FAILURE;
+    }
+    if (options.is_stunnel_asked) {
+        tls_front_write_stunnel(&front, stdout);
+        return EXIT_SUCCESS;
+    }
     exchange_t *exchange = exchange_open(options.exchange, error, (uint32_t)sizeof error);
     if (exchange == NULL) {
         (void)fprintf(stderr, "boresight-http: %s\n", error);
@@ -150,7 +178,8 @@ int main(int count, char **arguments)
                                          .guard = options.guard,
                                          .instance = options.exchange,
                                          .box = options.box,
-                                         .accounts = options.accounts};
+                                         .accounts = options.accounts,
+                                         .front = (options.tls_file != NULL) ? &front : NULL};
     http_server_init(&server, &config);
     if (!http_server_prepare_logins(&server, error, sizeof error)) {
         (void)fprintf(stderr, "boresight-http: %s\n", error);

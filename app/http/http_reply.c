@@ -17,13 +17,19 @@ static const char safety_headers[] =
     "Cross-Origin-Opener-Policy: same-origin\r\n"
     "Cross-Origin-Resource-Policy: same-origin\r\n\r\n";
 
-static char stop_sources[120]; /* As the policy names them. */
+static char stop_sources[120U + (TLS_FRONT_HOSTS *
+                                 (TLS_FRONT_HOST_SIZE + 16U))]; /* As the policy names them. */
 
-void http_reply_allow_stops(const char *address, uint32_t port)
+void http_reply_allow_stops(const char *address, uint32_t port, const tls_front_t *front)
 {
     (void)snprintf(stop_sources, sizeof stop_sources,
                    " http://%s:%u http://127.0.0.1:%u http://localhost:%u", address, (unsigned)port,
                    (unsigned)port, (unsigned)port);
+    for (uint32_t i = 0U; (front != NULL) && (i < front->host_count); i++) {
+        const size_t size = strlen(stop_sources);
+        (void)snprintf(&stop_sources[size], sizeof stop_sources - size, " https://%s:%u",
+                       front->hosts[i], (unsigned)front->stop);
+    }
 }
 
 static bool write_all(struct mg_connection *connection, const void *bytes, size_t size)

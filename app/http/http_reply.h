@@ -4,6 +4,7 @@
 #define BORESIGHT_HTTP_REPLY_H
 
 #include "http/http_problem.h"
+#include "session/tls_front.h"
 
 #include <civetweb.h>
 #include <stdbool.h>
@@ -33,9 +34,9 @@ typedef struct {
     size_t size;
 } http_reply_t;
 
-/** Lets pages ask for a stop at `port` of the hosts that are served, too. To be called once, before
- * anything is sent. */
-void http_reply_allow_stops(const char *address, uint32_t port);
+/** Lets pages ask for a stop at `port` of the hosts that are served, too, and where TLS leads there
+ * (`front`, NULL: nowhere). To be called once, before anything is sent. */
+void http_reply_allow_stops(const char *address, uint32_t port, const tls_front_t *front);
 
 /** Writes the head of `reply`, the empty line included. Returns its size. */
 size_t http_reply_head(const http_reply_t *reply, char head[HTTP_REPLY_HEAD_SIZE]);

@@ -205,7 +205,8 @@ static int answer_other(struct mg_connection *connection, const char *allowed)
 
 static int dispatch(http_server_t *server, struct mg_connection *connection)
 {
-    int status = http_call_judge(connection, &server->guard);
+    int status = http_call_judge(
+        connection, http_door_is_tls(server, connection) ? &server->front_guard : &server->guard);
     if (status != 0) {
         return status;
     }

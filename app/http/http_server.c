@@ -48,6 +48,16 @@ void http_server_init(http_server_t *self, const http_server_config_t *config)
     self->exchange = config->exchange;
     self->guard = config->guard;
     self->instance = config->instance;
+    self->front = config->front;
+    if (config->front != NULL) {
+        const http_guard_t front = {.address = "127.0.0.1",
+                                    .port = config->front->console_from,
+                                    .page_port = config->front->console_from,
+                                    .front = config->front,
+                                    .front_port = config->front->console,
+                                    .is_front_only = true};
+        self->front_guard = front;
+    }
     session_desk_init(&self->desk, config->accounts, http_door_witness);
     make_boot_id(self->identity.boot_id, sizeof self->identity.boot_id);
     self->identity.build_id = BUILD_ID;
@@ -117,10 +127,10 @@ static void bound_unread_bytes(void)
 /* Without it, stops pass by the console's port alone. */
 static void open_stop_port(http_server_t *self)
 {
-    const uint32_t port = stop_port_start(self->exchange, &self->guard);
+    const uint32_t port = stop_port_start(self->exchange, &self->guard, self->front);
     if (port != 0U) {
-        http_reply_allow_stops(self->guard.address, port);
-        asset_tell_stop_port(port);
+        http_reply_allow_stops(self->guard.address, port, self->front);
+        asset_tell_stop_ports(port, (self->front != NULL) ? self->front->stop : 0U);
     }
 }
 
@@ -209,14 +219,21 @@ http_server_result_t http_server_start(http_server_t *self)
     if (error != 0) {
         return HTTP_SERVER_BAD_ADDRESS;
     }
+    if ((self->front != NULL) && (try_to_listen(&self->front_guard) != 0)) {
+        return HTTP_SERVER_FRONT_IN_USE;
+    }
     pthread_attr_t attributes;
     (void)pthread_attr_init(&attributes);
     (void)pthread_attr_setstacksize(&attributes, WORKER_STACK_BYTES);
     (void)pthread_setattr_default_np(&attributes);
-    char address[HTTP_GUARD_ADDRESS_SIZE + 8U];
-    (void)snprintf(address, sizeof address, "%s:%u", self->guard.address,
-                   (unsigned)self->guard.port);
-    http_lines_init(self->guard.port);
+    char address[HTTP_GUARD_ADDRESS_SIZE + 40U];
+    const int size =
+        snprintf(address, sizeof address, "%s:%u", self->guard.address, (unsigned)self->guard.port);
+    if (self->front != NULL) {
+        (void)snprintf(&address[size], sizeof address - (size_t)size, ",127.0.0.1:%u",
+                       (unsigned)self->front->console_from);
+    }
+    http_lines_init(self->guard.port, self->front_guard.port);
     (void)mg_init_library(MG_FEATURES_DEFAULT);
     open_stop_port(self);
     if (start_library(self, address) == NULL) {

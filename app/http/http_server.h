@@ -21,8 +21,9 @@
 typedef struct {
     exchange_t *exchange;
     http_guard_t guard;
-    uint32_t tls_port;    /**< Of the listener that is fed by a TLS program; 0: none. */
-    const char *instance; /**< Its name. */
+    const tls_front_t *front; /**< How TLS leads here; NULL: it does not. */
+    http_guard_t front_guard; /**< Of the listener that it feeds. */
+    const char *instance;     /**< Its name. */
     session_desk_t desk;
     telemetry_identity_t identity;
     telemetry_t telemetry;
@@ -33,16 +34,18 @@ typedef enum {
     HTTP_SERVER_STARTED = 0,
     HTTP_SERVER_PORT_IN_USE = 1,
     HTTP_SERVER_BAD_ADDRESS = 2, /**< This machine does not have the address. */
-    HTTP_SERVER_FAILED = 3
+    HTTP_SERVER_FAILED = 3,
+    HTTP_SERVER_FRONT_IN_USE = 4 /**< The port that TLS shall feed. */
 } http_server_result_t;
 
 /** What the server is started with. All of it outlives the server. */
 typedef struct {
     exchange_t *exchange;
     http_guard_t guard;
-    const char *instance; /**< Its name. */
-    const char *box;      /**< Name of the simulated box; NULL: real cards. */
-    const char *accounts; /**< File of the accounts; NULL: none. */
+    const char *instance;     /**< Its name. */
+    const char *box;          /**< Name of the simulated box; NULL: real cards. */
+    const char *accounts;     /**< File of the accounts; NULL: none. */
+    const tls_front_t *front; /**< How TLS leads here; NULL: it does not. */
 } http_server_config_t;
 
 /** Prepares `self`. */
@@ -64,6 +67,7 @@ bool http_server_prepare_logins(http_server_t *self, char *error, size_t error_s
  * stop, and there is nothing to save.
  *
  * @satisfies SWR-HTTP-005
+ * @satisfies SWR-SESS-019
  */
 http_server_result_t http_server_start(http_server_t *self);
 

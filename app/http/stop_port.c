@@ -19,6 +19,7 @@
 
 #define PATIENCE_MS 2000U /* A client may take so long for its request, and for its answer. */
 #define TURN_MS 100
+#define LISTENERS 2U /* The second one is fed by TLS. */
 
 typedef enum {
     CLIENT_READS = 0,
@@ -40,7 +41,7 @@ typedef struct {
 typedef struct {
     exchange_t *exchange;
     http_guard_t guard;
-    int socket;
+    int sockets[LISTENERS]; /* -1: none. */
     uint64_t welcomed;
     uint64_t looked_ms;
     client_t clients[STOP_PORT_CLIENTS];
@@ -162,10 +163,10 @@ static client_t *find_place(void)
 }
 
 /* At most half a table at a time: who has just come is heard before its place can be taken. */
-static void welcome(void)
+static void welcome(int listener)
 {
     for (size_t i = 0U; i < (STOP_PORT_CLIENTS / 2U); i++) {
-        const int socket = accept4(stop_port.socket, NULL, NULL, SOCK_NONBLOCK | SOCK_CLOEXEC);
+        const int socket = accept4(listener, NULL, NULL, SOCK_NONBLOCK | SOCK_CLOEXEC);
         if (socket < 0) {
             return;
         }
@@ -207,17 +208,19 @@ static bool is_anybody_waiting(void)
 /* poll() passes over negative descriptors. Who waits is not heard: nothing more is due from it. */
 static void take_turn(void)
 {
-    struct pollfd events[STOP_PORT_CLIENTS + 1U];
+    struct pollfd events[STOP_PORT_CLIENTS + LISTENERS];
     for (size_t i = 0U; i < STOP_PORT_CLIENTS; i++) {
         const client_t *client = &stop_port.clients[i];
         events[i].fd = (client->state == CLIENT_WAITS) ? -1 : client->socket;
         events[i].events = POLLIN;
         events[i].revents = 0;
     }
-    events[STOP_PORT_CLIENTS].fd = stop_port.socket;
-    events[STOP_PORT_CLIENTS].events = POLLIN;
-    events[STOP_PORT_CLIENTS].revents = 0;
-    (void)poll(events, STOP_PORT_CLIENTS + 1U,
+    for (size_t i = 0U; i < LISTENERS; i++) {
+        events[STOP_PORT_CLIENTS + i].fd = stop_port.sockets[i];
+        events[STOP_PORT_CLIENTS + i].events = POLLIN;
+        events[STOP_PORT_CLIENTS + i].revents = 0;
+    }
+    (void)poll(events, STOP_PORT_CLIENTS + LISTENERS,
                is_anybody_waiting() ? (int)STOP_DESK_LOOK_MS : TURN_MS);
     const uint64_t now_ms = telemetry_now_ms();
     const bool is_look_due = (now_ms - stop_port.looked_ms) >= STOP_DESK_LOOK_MS;
@@ -227,8 +230,10 @@ static void take_turn(void)
             attend(&stop_port.clients[i], events[i].revents != 0, is_look_due);
         }
     }
-    if (events[STOP_PORT_CLIENTS].revents != 0) {
-        welcome();
+    for (size_t i = 0U; i < LISTENERS; i++) {
+        if (events[STOP_PORT_CLIENTS + i].revents != 0) {
+            welcome(stop_port.sockets[i]);
+        }
     }
 }
 
@@ -265,22 +270,26 @@ static uint32_t port_of(int socket)
     return ntohs(place.sin_port);
 }
 
-uint32_t stop_port_start(exchange_t *exchange, const http_guard_t *console)
+uint32_t stop_port_start(exchange_t *exchange, const http_guard_t *console,
+                         const tls_front_t *front)
 {
     pthread_t thread;
     stop_port.exchange = exchange;
-    stop_port.socket = listen_on(console->address, exchange_stop_port(exchange));
-    if (stop_port.socket < 0) {
-        stop_port.socket = listen_on(console->address, 0U);
+    stop_port.sockets[0] = listen_on(console->address, exchange_stop_port(exchange));
+    if (stop_port.sockets[0] < 0) {
+        stop_port.sockets[0] = listen_on(console->address, 0U);
     }
     for (size_t i = 0U; i < STOP_PORT_CLIENTS; i++) {
         stop_port.clients[i].socket = -1;
     }
+    stop_port.sockets[1] = (front != NULL) ? listen_on("127.0.0.1", front->stop_from) : -1;
     stop_port.guard = *console;
-    stop_port.guard.port = (stop_port.socket >= 0) ? port_of(stop_port.socket) : 0U;
+    stop_port.guard.front = front;
+    stop_port.guard.front_port = (front != NULL) ? front->stop : 0U;
+    stop_port.guard.port = (stop_port.sockets[0] >= 0) ? port_of(stop_port.sockets[0]) : 0U;
     exchange_note_stop_port(exchange, stop_port.guard.port);
-    if ((stop_port.socket >= 0) && (pthread_create(&thread, NULL, serve, NULL) != 0)) {
-        (void)close(stop_port.socket);
+    if ((stop_port.sockets[0] >= 0) && (pthread_create(&thread, NULL, serve, NULL) != 0)) {
+        (void)close(stop_port.sockets[0]);
         stop_port.guard.port = 0U;
     }
     return stop_port.guard.port;

@@ -15,7 +15,7 @@
 #include <stddef.h>
 
 #define STOP_REQUEST_SIZE 4096U      /**< Most bytes of a request, its body included. */
-#define STOP_REQUEST_ORIGIN_SIZE 48U /**< Longer origins are none of ours. */
+#define STOP_REQUEST_ORIGIN_SIZE 96U /**< Longer origins are none of ours. */
 
 /** What came of reading. */
 typedef struct {

@@ -112,6 +112,11 @@ static void set_http(family_t *self, const options_t *options)
         http[count + 1U] = options->accounts;
         count += 2U;
     }
+    if (options->tls_file != NULL) {
+        http[count] = "--tls-file";
+        http[count + 1U] = options->tls_file;
+        count += 2U;
+    }
     if (board.is_simulated) {
         http[count] = "--box";
         http[count + 1U] = self->box;

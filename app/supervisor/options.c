@@ -13,7 +13,7 @@
 
 #define NAME_MAX_LENGTH 32U
 #define PORT_MAX 65535U
-#define COMMON_OPTIONS 9U
+#define COMMON_OPTIONS 10U
 #define OF_THE_BOARD 256 /* Its options are numbered from here on. */
 
 uint32_t options_slowness(const options_t *self)
@@ -49,7 +49,7 @@ void options_print_usage(void)
     (void)fputs(
         "usage: boresight [--http-port 8080] [--igtl-port 18944] [--brp-port 18936] [--bind "
         "127.0.0.1]\n"
-        "                 [--igtl-file FILE] [--accounts FILE]\n"
+        "                 [--igtl-file FILE] [--accounts FILE] [--tls-file FILE]\n"
         "                 [--robot " ROBOT_NAMES_DEFAULT
         "] [--instance NAME] [--recordings DIRECTORY]\n"
         "                ",
@@ -57,8 +57,8 @@ void options_print_usage(void)
     for (size_t i = 0U; (i < BOARD_OPTIONS) && (board.options[i].name != NULL); i++) {
         (void)printf(" [--%s%s]", board.options[i].name, words[board.options[i].takes]);
     }
-    (void)fputs("\nThe environment variables HTTP_PORT, IGTL_PORT, BRP_PORT, IGTL_FILE, ACCOUNTS "
-                "and ROBOT do the "
+    (void)fputs("\nThe environment variables HTTP_PORT, IGTL_PORT, BRP_PORT, IGTL_FILE, ACCOUNTS, "
+                "TLS_FILE and ROBOT do the "
                 "same.\n",
                 stdout);
 }
@@ -70,7 +70,7 @@ static void list_known(struct option known[COMMON_OPTIONS + BOARD_OPTIONS + 1U])
         {"brp-port", required_argument, NULL, 'w'},   {"bind", required_argument, NULL, 'b'},
         {"robot", required_argument, NULL, 'r'},      {"instance", required_argument, NULL, 'n'},
         {"recordings", required_argument, NULL, 'd'}, {"igtl-file", required_argument, NULL, 'f'},
-        {"accounts", required_argument, NULL, 'a'},
+        {"accounts", required_argument, NULL, 'a'},   {"tls-file", required_argument, NULL, 't'},
     };
 
     (void)memset(known, 0, (COMMON_OPTIONS + BOARD_OPTIONS + 1U) * sizeof known[0]);
@@ -111,6 +111,7 @@ static void set_defaults(options_t *self)
     self->brp_port = from_environment("BRP_PORT", "18936");
     self->igtl_file = from_environment("IGTL_FILE", NULL);
     self->accounts = from_environment("ACCOUNTS", NULL);
+    self->tls_file = from_environment("TLS_FILE", NULL);
     self->robot = from_environment("ROBOT", ROBOT_NAMES_DEFAULT);
     self->bind = "127.0.0.1";
     self->instance = "boresight";
@@ -149,6 +150,9 @@ static bool take(options_t *self, int option, const char *value)
         return true;
     case 'b':
         self->bind = value;
+        return true;
+    case 't':
+        self->tls_file = value;
         return true;
     case 'a':
         self->accounts = value;

@@ -18,6 +18,7 @@ typedef struct {
     const char *igtl_file; /**< --igtl-file, IGTL_FILE: of ports, NULL: none. */
     igtl_ports_t ports;    /**< What it says. */
     const char *accounts;  /**< --accounts, ACCOUNTS: file of those who may log in; NULL: none. */
+    const char *tls_file;  /**< --tls-file, TLS_FILE: how TLS leads here; NULL: it does not. */
     const char *bind;      /**< --bind: IPv4 address of this machine. */
     const char *robot;     /**< --robot, ROBOT. */
     const char *instance;  /**< --instance: name of everything this instance creates. */

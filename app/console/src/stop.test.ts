@@ -110,6 +110,16 @@ test("SWR-CON-007 a page that was told no port asks the console's", () => {
   expect(stopAddresses(page, "127.0.0.1")).toEqual([OWN, CONSOLE]);
 });
 
+test("SWR-SESS-019 a page that came by TLS asks by TLS", () => {
+  const page = document.implementation.createHTMLDocument();
+  page.head.innerHTML =
+    '<meta name="boresight-stop-port" content="40000"><meta name="boresight-tls-stop-port" content="08444">';
+  expect(stopAddresses(page, "robot.example", "https:")).toEqual([
+    "https://robot.example:8444/api/v1/stop",
+    CONSOLE,
+  ]);
+});
+
 test("SWR-CON-008 stopped is what live data shows and nothing else", () => {
   const robot = makeRobot(stopped);
   expect(isSeenStopped("live", robot)).toBe(true);

@@ -19,13 +19,18 @@ export interface StopResult {
 class Refusal extends Error {}
 
 /** Where a stop can be requested, the best way first. */
-export function stopAddresses(page: Document, host: string): string[] {
+export function stopAddresses(
+  page: Document,
+  host: string,
+  protocol = "http:",
+): string[] {
+  const name = protocol === "https:" ? "tls-stop-port" : "stop-port";
   const told = page.querySelector<HTMLMetaElement>(
-    'meta[name="boresight-stop-port"]',
+    `meta[name="boresight-${name}"]`,
   );
   const port = Number(told?.content);
   return port > 0
-    ? [`http://${host}:${port}${STOP_PATH}`, STOP_PATH]
+    ? [`${protocol}//${host}:${port}${STOP_PATH}`, STOP_PATH]
     : [STOP_PATH];
 }
 
@@ -82,7 +87,7 @@ function reasonOf(failure: unknown): string {
 
 /** Asks control to stop all motion. Always resolves, and what has not left until then never leaves. */
 export async function requestStop(
-  addresses = stopAddresses(document, location.hostname),
+  addresses = stopAddresses(document, location.hostname, location.protocol),
 ): Promise<StopResult> {
   const abort = new AbortController();
   const timer = setTimeout(() => abort.abort(), STOP_TIMEOUT_MS);
