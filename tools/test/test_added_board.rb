@@ -5,6 +5,7 @@
 # supervisor and the programs that come with it are those of that board.
 
 require 'fileutils'
+require_relative '../../verification/system/support/session_client'
 require_relative '../../verification/system/support/system_test'
 require_relative '../rooms'
 require_relative 'project_copy'
@@ -25,6 +26,11 @@ class TestAddedBoard < SystemTest
 
     def added
       made.tap { |copy| FileUtils.cp_r(FOLDER, copy.path('bsp')) }
+    end
+
+    # It is no simulated one: nobody starts it without an account.
+    def accounts
+      @accounts ||= Accounts.make(File.join(made.folder, 'accounts'))
     end
 
     def made
@@ -80,6 +86,15 @@ class TestAddedBoard < SystemTest
     assert_includes Open3.capture2e(program, '--help').first, '[--shade TEXT] [--times NUMBER] [--dim]'
   end
 
+  def test_SWR_SESS_006_it_does_not_start_without_an_account
+    one = Boresight.new(programs: File.dirname(program))
+    one.launch
+    assert_equal 3, one.wait_for_end
+    assert_includes one.output, 'There is no account, and this board drives a real robot'
+  ensure
+    one&.kill_all
+  end
+
   def test_SWR_SUP_008_nobody_says_that_no_robot_is_connected
     assert_nil start.status['box']
   end
@@ -91,7 +106,7 @@ class TestAddedBoard < SystemTest
   end
 
   def start(*arguments)
-    boresight(arguments: arguments, programs: File.dirname(program))
+    boresight(arguments: ['--accounts', self.class.accounts, *arguments], programs: File.dirname(program))
   end
 
   def assert_says(one, *lines)
