@@ -22,7 +22,7 @@ class TestHttpSessions < Minitest::Test
     end
 
     def accounts
-      @accounts ||= Accounts.make(File.join(Dir.mktmpdir('accounts'), 'accounts'))
+      @accounts ||= Accounts.make_for_a_while
     end
   end
   extend WithAccounts

@@ -97,7 +97,7 @@ class TestHttpTls < Minitest::Test
     end
 
     def accounts
-      @accounts ||= Accounts.make(File.join(Dir.mktmpdir('accounts'), 'accounts'))
+      @accounts ||= Accounts.make_for_a_while
     end
 
     def front

@@ -22,6 +22,13 @@ module Accounts
     end
     file
   end
+
+  # The same, until all tests have run.
+  def self.make_for_a_while
+    folder = Dir.mktmpdir('accounts')
+    Minitest.after_run { FileUtils.rm_rf(folder) }
+    make(File.join(folder, 'accounts'))
+  end
 end
 
 # Asks the session's routes.
