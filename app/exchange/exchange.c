@@ -1,59 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "exchange/exchange.h"
 
+#include "exchange/exchange_lock.h"
 #include "exchange/exchange_segment.h"
 
 #include <string.h>
-
-#define READ_TRIES 100U
-
-/* A copy under a sequence lock races by design; word by word and atomic, no word is ever half old.
- */
-static void store_words(void *to, const void *from, size_t size)
-{
-    uint32_t *words = to;
-    const unsigned char *bytes = from;
-
-    for (size_t i = 0U; i < (size / sizeof(uint32_t)); i++) {
-        uint32_t word;
-        (void)memcpy(&word, &bytes[i * sizeof word], sizeof word);
-        __atomic_store_n(&words[i], word, __ATOMIC_RELAXED);
-    }
-}
-
-static void load_words(void *to, const void *from, size_t size)
-{
-    const uint32_t *words = from;
-    unsigned char *bytes = to;
-
-    for (size_t i = 0U; i < (size / sizeof(uint32_t)); i++) {
-        const uint32_t word = __atomic_load_n(&words[i], __ATOMIC_RELAXED);
-        (void)memcpy(&bytes[i * sizeof word], &word, sizeof word);
-    }
-}
-
-static void write_locked(uint32_t *sequence, void *to, const void *from, size_t size)
-{
-    const uint32_t before = __atomic_load_n(sequence, __ATOMIC_RELAXED) & ~1U;
-
-    __atomic_store_n(sequence, before + 1U, __ATOMIC_RELAXED);
-    __atomic_thread_fence(__ATOMIC_RELEASE);
-    store_words(to, from, size);
-    __atomic_store_n(sequence, before + 2U, __ATOMIC_RELEASE);
-}
-
-/* False when the writer was in it; `to` is then undefined. */
-static bool read_locked(const uint32_t *sequence, void *to, const void *from, size_t size)
-{
-    const uint32_t before = __atomic_load_n(sequence, __ATOMIC_ACQUIRE);
-
-    if ((before == 0U) || ((before & 1U) != 0U)) {
-        return false;
-    }
-    load_words(to, from, size);
-    __atomic_thread_fence(__ATOMIC_ACQUIRE);
-    return __atomic_load_n(sequence, __ATOMIC_RELAXED) == before;
-}
 
 void exchange_beat(exchange_t *self, exchange_process_t process)
 {
@@ -73,7 +24,7 @@ void exchange_publish_snapshot(exchange_t *self, const snapshot_t *snapshot)
     const uint32_t published = __atomic_load_n(&control->published, __ATOMIC_RELAXED);
     segment_snapshot_t *slot = &control->snapshots[published % SEGMENT_SNAPSHOTS];
 
-    write_locked(&slot->sequence, &slot->snapshot, snapshot, sizeof *snapshot);
+    exchange_write_locked(&slot->sequence, &slot->snapshot, snapshot, sizeof *snapshot);
     __atomic_store_n(&control->published, published + 1U, __ATOMIC_RELEASE);
 }
 
@@ -81,10 +32,10 @@ bool exchange_read_snapshot(const exchange_t *self, snapshot_t *snapshot)
 {
     const segment_control_t *control = &self->segment->control;
 
-    for (uint32_t tries = 0U; tries < READ_TRIES; tries++) {
+    for (uint32_t tries = 0U; tries < EXCHANGE_READ_TRIES; tries++) {
         const uint32_t published = __atomic_load_n(&control->published, __ATOMIC_ACQUIRE);
         const segment_snapshot_t *slot = &control->snapshots[(published - 1U) % SEGMENT_SNAPSHOTS];
-        if (read_locked(&slot->sequence, snapshot, &slot->snapshot, sizeof *snapshot)) {
+        if (exchange_read_locked(&slot->sequence, snapshot, &slot->snapshot, sizeof *snapshot)) {
             return true;
         }
     }
@@ -110,15 +61,16 @@ void exchange_publish_loop(exchange_t *self, const loop_figures_t *figures)
 {
     segment_control_t *control = &self->segment->control;
 
-    write_locked(&control->loop_sequence, &control->loop, figures, sizeof *figures);
+    exchange_write_locked(&control->loop_sequence, &control->loop, figures, sizeof *figures);
 }
 
 bool exchange_read_loop(const exchange_t *self, loop_figures_t *figures)
 {
     const segment_control_t *control = &self->segment->control;
 
-    for (uint32_t tries = 0U; tries < READ_TRIES; tries++) {
-        if (read_locked(&control->loop_sequence, figures, &control->loop, sizeof *figures)) {
+    for (uint32_t tries = 0U; tries < EXCHANGE_READ_TRIES; tries++) {
+        if (exchange_read_locked(&control->loop_sequence, figures, &control->loop,
+                                 sizeof *figures)) {
             return true;
         }
     }
@@ -169,7 +121,8 @@ bool exchange_read_stop_answer(const exchange_t *self, uint32_t number, answer_t
 {
     const segment_control_t *control = &self->segment->control;
 
-    return read_locked(&control->stop_sequence, answer, &control->stop_answer, sizeof *answer) &&
+    return exchange_read_locked(&control->stop_sequence, answer, &control->stop_answer,
+                                sizeof *answer) &&
            ((answer->id - number) <= (uint32_t)INT32_MAX);
 }
 
@@ -377,7 +330,8 @@ bool exchange_push_answer(exchange_t *self, const answer_t *answer)
     bool is_kept = false;
 
     if (is_of_latch(answer)) {
-        write_locked(&control->stop_sequence, &control->stop_answer, answer, sizeof *answer);
+        exchange_write_locked(&control->stop_sequence, &control->stop_answer, answer,
+                              sizeof *answer);
         is_kept = true;
     } else if (answer->source < COMMAND_SOURCE_COUNT) {
         is_kept = push_into_lane(self, answer);
@@ -425,7 +379,7 @@ void exchange_push_event(exchange_t *self, const event_t *event)
     segment_control_t *control = &self->segment->control;
     segment_event_t *slot = &control->events[event->number % EXCHANGE_EVENTS];
 
-    write_locked(&slot->sequence, &slot->event, event, sizeof *event);
+    exchange_write_locked(&slot->sequence, &slot->event, event, sizeof *event);
     __atomic_store_n(&control->events_head, event->number + 1U, __ATOMIC_RELEASE);
 }
 
@@ -446,7 +400,7 @@ uint32_t exchange_read_events(const exchange_t *self, uint32_t *next, event_t *e
     while ((*next != head) && (count < most)) {
         const segment_event_t *slot = &control->events[*next % EXCHANGE_EVENTS];
         const bool is_whole =
-            read_locked(&slot->sequence, &events[count], &slot->event, sizeof(event_t));
+            exchange_read_locked(&slot->sequence, &events[count], &slot->event, sizeof(event_t));
         if (is_whole && (events[count].number == *next)) {
             count++;
         } else {
@@ -455,41 +409,6 @@ uint32_t exchange_read_events(const exchange_t *self, uint32_t *next, event_t *e
         (*next)++;
     }
     return count;
-}
-
-void exchange_publish_ports(exchange_t *self, const exchange_ports_t *ports)
-{
-    segment_others_t *others = &self->segment->others;
-
-    write_locked(&others->ports_sequence, &others->ports, ports, sizeof *ports);
-}
-
-/* igtl may have died in the middle of anything. */
-static bool are_ports_whole(exchange_ports_t *ports)
-{
-    bool are_whole = ports->count <= EXCHANGE_PORTS;
-
-    for (uint32_t i = 0U; i < EXCHANGE_PORTS; i++) {
-        exchange_port_t *port = &ports->ports[i];
-
-        are_whole = are_whole && (port->dialect < EXCHANGE_DIALECTS) &&
-                    (port->state < EXCHANGE_PORT_STATES);
-        port->name[EXCHANGE_PORT_NAME_SIZE - 1U] = '\0';
-        port->trouble[EXCHANGE_PORT_TROUBLE_SIZE - 1U] = '\0';
-    }
-    return are_whole;
-}
-
-bool exchange_read_ports(const exchange_t *self, exchange_ports_t *ports)
-{
-    const segment_others_t *others = &self->segment->others;
-
-    for (uint32_t tries = 0U; tries < READ_TRIES; tries++) {
-        if (read_locked(&others->ports_sequence, ports, &others->ports, sizeof *ports)) {
-            return are_ports_whole(ports);
-        }
-    }
-    return false;
 }
 
 void exchange_note_logged(exchange_t *self, uint32_t next)

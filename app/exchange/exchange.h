@@ -65,48 +65,6 @@ typedef enum {
 
 #define EXCHANGE_PROCESS_COUNT 5U
 
-#define EXCHANGE_PORTS 4U
-#define EXCHANGE_PORT_NAME_SIZE 16U
-#define EXCHANGE_PORT_TROUBLE_SIZE 96U
-
-/** What the dialects are called: "brp-2013" ... */
-typedef enum {
-    EXCHANGE_DIALECT_BRP_2013 = 0,
-    EXCHANGE_DIALECT_BRP_2021 = 1,
-    EXCHANGE_DIALECT_CRTK = 2
-} exchange_dialect_t;
-
-#define EXCHANGE_DIALECTS 3U
-
-typedef enum {
-    EXCHANGE_PORT_LISTENING = 0, /**< Peers come to it. */
-    EXCHANGE_PORT_CALLING = 1,   /**< It calls its peer. */
-    EXCHANGE_PORT_WAITING = 2,   /**< It calls again in a while. */
-    EXCHANGE_PORT_CONNECTED = 3  /**< Its peer has answered. */
-} exchange_port_state_t;
-
-#define EXCHANGE_PORT_STATES 4U
-
-/** A port of OpenIGTLink. */
-typedef struct {
-    char name[EXCHANGE_PORT_NAME_SIZE];
-    uint32_t dialect; /**< exchange_dialect_t. */
-    uint32_t address; /**< IPv4, where it listens or whom it calls; 127.0.0.1 is 0x7F000001. */
-    uint32_t number;
-    uint32_t state;    /**< exchange_port_state_t. */
-    uint32_t again_ms; /**< WAITING: until it calls. */
-    uint32_t peers;
-    uint32_t waiting;   /**< Connections without a place. */
-    uint32_t commander; /**< Number of the peer that commands, 0: none of this port. */
-    uint32_t troubles;  /**< Counted since igtl started. */
-    char trouble[EXCHANGE_PORT_TROUBLE_SIZE]; /**< The last one in words. */
-} exchange_port_t;
-
-typedef struct {
-    uint32_t count;
-    exchange_port_t ports[EXCHANGE_PORTS];
-} exchange_ports_t;
-
 typedef struct exchange exchange_t;
 
 /**
@@ -226,13 +184,6 @@ void exchange_push_event(exchange_t *self, const event_t *event);
  */
 uint32_t exchange_read_events(const exchange_t *self, uint32_t *next, event_t *events,
                               uint32_t most, uint32_t *lost);
-
-/** For igtl: how its ports are. */
-void exchange_publish_ports(exchange_t *self, const exchange_ports_t *ports);
-
-/** Copies the newest; every number in it is in its range and every text has its end. False before
- * the first, or when the writer kept interfering. */
-bool exchange_read_ports(const exchange_t *self, exchange_ports_t *ports);
 
 /** Up to which event the log has them, noted for the next run of the recorder: the number of the
  * next one. */

@@ -11,6 +11,7 @@
 #define BORESIGHT_EXCHANGE_SEGMENT_H
 
 #include "exchange/exchange.h"
+#include "exchange/exchange_peers.h"
 
 #include <stdint.h>
 
@@ -49,6 +50,12 @@ typedef struct {
     answer_t answers[EXCHANGE_ANSWERS];
 } segment_answers_t;
 
+/** Who has come to one source. */
+typedef struct {
+    uint32_t sequence SEGMENT_ON_LINE;
+    exchange_peers_t peers;
+} segment_peers_t;
+
 /** Written before the magic, never changed afterwards. */
 typedef struct {
     uint64_t magic;
@@ -71,6 +78,7 @@ typedef struct {
     uint32_t events_logged SEGMENT_ON_LINE; /**< Number of the next event to log. */
     uint32_t ports_sequence SEGMENT_ON_LINE;
     exchange_ports_t ports;
+    segment_peers_t peers[COMMAND_SOURCE_COUNT];
 } segment_others_t;
 
 /** Written by control only. */

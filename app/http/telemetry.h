@@ -9,6 +9,7 @@
 #define BORESIGHT_TELEMETRY_H
 
 #include "exchange/exchange.h"
+#include "exchange/exchange_peers.h"
 
 #include <pthread.h>
 #include <stdbool.h>

@@ -3,7 +3,7 @@
 #ifndef BORESIGHT_IGTL_SHOW_H
 #define BORESIGHT_IGTL_SHOW_H
 
-#include "exchange/exchange.h"
+#include "exchange/exchange_peers.h"
 #include "igtl/igtl_server.h"
 
 #include <stdint.h>

@@ -4,6 +4,7 @@
 #include "charts/card_link_chart.h"
 #include "charts/estop_latch_chart.h"
 #include "charts/pedal_gate_chart.h"
+#include "exchange/exchange_peers.h"
 #include "interface/app/names.h"
 #include "robot/robot_cards.h"
 #include "safety/permit.h"

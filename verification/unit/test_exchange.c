@@ -6,6 +6,7 @@
 #include "unity.h"
 
 #include "exchange/exchange.h"
+#include "exchange/exchange_peers.h"
 #include "exchange/exchange_segment.h"
 #include "robot/robot_neuro.h"
 
@@ -867,4 +868,88 @@ void test_SWR_IGTL_028_damaged_ports_are_not_shown(void)
     ports.count = EXCHANGE_PORTS + 1U;
     exchange_publish_ports(control, &ports);
     TEST_ASSERT_FALSE(exchange_read_ports(reader, &read));
+}
+
+static exchange_peers_t peers;
+static exchange_peers_t read_peers;
+
+static void have_one_peer(uint32_t number, const char *port, const char *peer_name)
+{
+    (void)memset(&peers, 0, sizeof peers);
+    peers.count = 1U;
+    peers.peers[0].number = number;
+    (void)snprintf(peers.peers[0].port, sizeof peers.peers[0].port, "%s", port);
+    (void)snprintf(peers.peers[0].name, sizeof peers.peers[0].name, "%s", peer_name);
+}
+
+void test_SWR_EXCH_016_peers_are_read_as_their_process_wrote_them(void)
+{
+    TEST_ASSERT_FALSE(exchange_read_peers(reader, COMMAND_SOURCE_IGTL, &read_peers));
+    have_one_peer(21U, "brp", "127.0.0.1:53212");
+    exchange_publish_peers(control, COMMAND_SOURCE_IGTL, &peers);
+    TEST_ASSERT_TRUE(exchange_read_peers(reader, COMMAND_SOURCE_IGTL, &read_peers));
+    TEST_ASSERT_EQUAL_MEMORY(&peers, &read_peers, sizeof peers);
+    TEST_ASSERT_FALSE(exchange_read_peers(reader, COMMAND_SOURCE_HTTP, &read_peers));
+}
+
+static void check_damaged(uint32_t *number, uint32_t value)
+{
+    const uint32_t good = *number;
+
+    *number = value;
+    exchange_publish_peers(control, COMMAND_SOURCE_HTTP, &peers);
+    TEST_ASSERT_FALSE(exchange_read_peers(reader, COMMAND_SOURCE_HTTP, &read_peers));
+    *number = good;
+}
+
+void test_SWR_EXCH_016_damaged_peers_are_not_shown(void)
+{
+    have_one_peer(1U, "", "anna");
+    check_damaged(&peers.count, EXCHANGE_PEERS + 1U);
+    check_damaged(&peers.peers[47].dialect, EXCHANGE_DIALECTS);
+    check_damaged(&peers.peers[47].is_waiting, 2U);
+    check_damaged(&peers.peers[47].is_kept_alive, 2U);
+    (void)memset(peers.peers[0].name, 'x', sizeof peers.peers[0].name);
+    (void)memset(peers.peers[0].port, 'x', sizeof peers.peers[0].port);
+    (void)memset(peers.peers[0].message, 'x', sizeof peers.peers[0].message);
+    exchange_publish_peers(control, COMMAND_SOURCE_HTTP, &peers);
+    TEST_ASSERT_TRUE(exchange_read_peers(reader, COMMAND_SOURCE_HTTP, &read_peers));
+    TEST_ASSERT_EQUAL_UINT32(EXCHANGE_PEER_NAME_SIZE - 1U, strlen(read_peers.peers[0].name));
+    TEST_ASSERT_EQUAL_UINT32(EXCHANGE_PORT_NAME_SIZE - 1U, strlen(read_peers.peers[0].port));
+    TEST_ASSERT_EQUAL_UINT32(EXCHANGE_PEER_MESSAGE_SIZE - 1U, strlen(read_peers.peers[0].message));
+}
+
+void test_SWR_EXCH_016_peers_that_were_half_written_are_not_shown(void)
+{
+    have_one_peer(1U, "", "anna");
+    exchange_publish_peers(control, COMMAND_SOURCE_HTTP, &peers);
+    control->segment->others.peers[COMMAND_SOURCE_HTTP].sequence++;
+    TEST_ASSERT_FALSE(exchange_read_peers(reader, COMMAND_SOURCE_HTTP, &read_peers));
+}
+
+static void check_title(const char *expected, command_source_t source, uint32_t number)
+{
+    char title[EXCHANGE_TITLE_SIZE];
+
+    exchange_title(reader, source, number, title);
+    TEST_ASSERT_EQUAL_STRING(expected, title);
+}
+
+void test_SWR_EXCH_017_a_peer_is_called_by_its_port_and_address_or_its_account(void)
+{
+    have_one_peer(21U, "brp", "127.0.0.1:53212");
+    exchange_publish_peers(control, COMMAND_SOURCE_IGTL, &peers);
+    have_one_peer(4000000000U, "", "anna");
+    exchange_publish_peers(control, COMMAND_SOURCE_HTTP, &peers);
+    check_title("brp 127.0.0.1:53212", COMMAND_SOURCE_IGTL, 21U);
+    check_title("page of anna", COMMAND_SOURCE_HTTP, 4000000000U);
+}
+
+void test_SWR_EXCH_017_who_is_not_in_the_table_is_called_by_its_number(void)
+{
+    check_title("connection 21", COMMAND_SOURCE_IGTL, 21U);
+    have_one_peer(31U, "brp", "127.0.0.1:53212");
+    exchange_publish_peers(control, COMMAND_SOURCE_IGTL, &peers);
+    check_title("connection 21", COMMAND_SOURCE_IGTL, 21U);
+    check_title("page 7", COMMAND_SOURCE_HTTP, 7U);
 }

@@ -22,6 +22,7 @@
 #include "message/igtl_inbox.h"
 #include "dialect/igtl_requests.h"
 #include "exchange/exchange.h"
+#include "exchange/exchange_peers.h"
 #include "exchange/exchange_segment.h"
 #include "message/igtl_outbox.h"
 #include "igtl/igtl_server.h"
