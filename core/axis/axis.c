@@ -211,6 +211,12 @@ void axis_restore(axis_t *self, const axis_config_t *config, int32_t position_ti
     (void)dispatch(self, config, AXIS_EVENT_RESTORED, position_ticks);
 }
 
+void axis_place(axis_t *self, const axis_config_t *config, int32_t position_ticks)
+{
+    self->elsewhere_ticks = 0;
+    (void)dispatch(self, config, AXIS_EVENT_PLACED, position_ticks);
+}
+
 void axis_forget(axis_t *self)
 {
     tell(self, AXIS_EVENT_FORGET, false);

@@ -85,6 +85,13 @@ void axis_doubt(axis_t *self);
 void axis_restore(axis_t *self, const axis_config_t *config, int32_t position_ticks);
 
 /**
+ * The axis stands at `position_ticks`, as somebody has saved: unverified, whatever it was.
+ *
+ * @satisfies SWR-STORE-020
+ */
+void axis_place(axis_t *self, const axis_config_t *config, int32_t position_ticks);
+
+/**
  * Something was known of a fresh axis that cannot be believed: lost. Otherwise nothing.
  *
  * @satisfies SWR-REF-003

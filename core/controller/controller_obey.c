@@ -5,6 +5,7 @@
 #include "controller/controller_facts.h"
 #include "controller/controller_order.h"
 #include "controller/controller_plan.h"
+#include "controller/controller_restore.h"
 
 #include <string.h>
 
@@ -44,7 +45,8 @@ static const rights_t rights[COMMAND_SOURCE_COUNT] = {
                                        [COMMAND_TAKE] = true,
                                        [COMMAND_RENEW] = true,
                                        [COMMAND_RELEASE] = true,
-                                       [COMMAND_REQUEST] = true},
+                                       [COMMAND_REQUEST] = true,
+                                       [COMMAND_RESTORE] = true},
                              .workphases = {[WORKPHASE_START_UP] = true,
                                             [WORKPHASE_PLANNING] = true,
                                             [WORKPHASE_CALIBRATION] = true,
@@ -227,6 +229,9 @@ static status_t carry_out(controller_t *self, const cycle_t *cycle, const comman
     case (uint32_t)COMMAND_RELEASE:
     case (uint32_t)COMMAND_REQUEST:
         status = controller_obey_authority(self, cycle, command);
+        break;
+    case (uint32_t)COMMAND_RESTORE:
+        status = controller_obey_restore(self, cycle, command, answer);
         break;
     default:
         status = controller_tell_plan(self, cycle, command, answer);

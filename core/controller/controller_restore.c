@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "controller/controller_restore.h"
 
+#include "controller/controller_facts.h"
+
 #include "base/contract.h"
 #include "base/fixed.h"
 
@@ -74,4 +76,87 @@ uint32_t controller_count_awaited(const controller_t *self)
         count += is_awaited(self, i) ? 1U : 0U;
     }
     return count;
+}
+
+/* Where nothing moves by itself. Also before START_UP, which asks for lost positions. */
+static bool is_phase_of_restoring(workphase_t phase)
+{
+    return (phase == WORKPHASE_UNDEFINED) || (phase == WORKPHASE_MANUAL) ||
+           (phase == WORKPHASE_STOP) || (phase == WORKPHASE_EMERGENCY);
+}
+
+static bool is_at_rest(const controller_t *self)
+{
+    bool is_every_one = !procedure_is_armed(&self->procedure) && (self->pedal.is_released != 0U);
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
+        is_every_one = is_every_one && encoder_is_at_rest(&self->axes[i].encoder);
+    }
+    return is_every_one;
+}
+
+/* An axis may have been left somewhat beyond its soft limits. */
+static bool can_stand_at(const axis_config_t *config, int32_t ticks)
+{
+    const int64_t beyond = (int64_t)config->following_error_ticks + (int64_t)config->home_way_ticks;
+    return ((int64_t)ticks >= ((int64_t)config->minimum_ticks - beyond)) &&
+           ((int64_t)ticks <= ((int64_t)config->maximum_ticks + beyond));
+}
+
+static bool is_named(const command_t *command, uint32_t index)
+{
+    return ((command->argument >> index) & 1U) != 0U;
+}
+
+static status_t judge_axes(const controller_t *self, const cycle_t *cycle, const command_t *command,
+                           answer_t *answer)
+{
+    status_t status = STATUS_OK;
+    for (uint32_t i = 0U; (i < self->axis_count) && (status == STATUS_OK); i++) {
+        answer->axis = i;
+        if (!is_named(command, i)) {
+            status = STATUS_OK;
+        } else if (!link_is_healthy_now(controller_link(self, i))) {
+            status = STATUS_HARDWARE_NOT_READY;
+        } else if (!can_stand_at(&cycle->robot->axes[i], command->ticks[i])) {
+            status = STATUS_OUT_OF_RANGE;
+        } else {
+            /* It can be. */
+        }
+    }
+    return status;
+}
+
+static status_t judge_restore(const controller_t *self, const cycle_t *cycle,
+                              const command_t *command, answer_t *answer)
+{
+    status_t status = STATUS_UNKNOWN_COMMAND;
+    if ((command->argument == 0U) || ((command->argument >> self->axis_count) != 0U)) {
+        status = STATUS_UNKNOWN_COMMAND;
+    } else if (!is_phase_of_restoring(procedure_workphase(&self->procedure))) {
+        status = STATUS_WRONG_WORKPHASE;
+    } else if (!is_at_rest(self)) {
+        status = STATUS_NOT_AT_REST;
+    } else {
+        status = judge_axes(self, cycle, command, answer);
+    }
+    return status;
+}
+
+status_t controller_obey_restore(controller_t *self, const cycle_t *cycle, const command_t *command,
+                                 answer_t *answer)
+{
+    const status_t status = judge_restore(self, cycle, command, answer);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
+        if (is_named(command, i)) {
+            axis_place(&self->axes[i], &cycle->robot->axes[i], command->ticks[i]);
+            controller_note(self, cycle, EVENT_AXIS_PLACED, i, command->ticks[i]);
+        }
+    }
+    plan_forget_target(&self->plan);
+    /* Who presses the button already has compared other positions. */
+    confirm_button_renew(&self->confirm);
+    return STATUS_OK;
 }

@@ -482,6 +482,7 @@ void test_SWR_CMD_005_a_source_sends_what_is_its_own_and_nothing_else(void)
         [COMMAND_TAKE] = true,
         [COMMAND_RENEW] = true,
         [COMMAND_REQUEST] = true,
+        [COMMAND_RESTORE] = true,
     };
     for (uint32_t kind = (uint32_t)COMMAND_REGISTRATION; kind < COMMAND_KIND_COUNT; kind++) {
         start_manual();

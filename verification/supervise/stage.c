@@ -268,6 +268,26 @@ static bool wants_out(stage_t *self, const snapshot_t *shown)
            has_whim(self, is_there ? 3U : 40U);
 }
 
+/* Positions that somebody has saved: where the axes are, or anywhere. */
+static void send_saved(stage_t *self, rig_t *rig)
+{
+    const bool is_true = !has_whim(self, 8U);
+    const uint32_t axes = ((uint32_t)1U << self->robot->axis_count) - 1U;
+    command_t command = {.kind = (uint32_t)COMMAND_RESTORE,
+                         .argument = 1U + chance_below(&self->whim, axes)};
+    double truth[ROBOT_AXIS_MAX];
+    box_true_positions(&rig->box, truth);
+    for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
+        const axis_config_t *const axis = &self->robot->axes[i];
+        const uint32_t span = (uint32_t)(axis->maximum_ticks - axis->minimum_ticks);
+        command.ticks[i] = is_true
+                               ? (int32_t)lround(truth[i])
+                               : (axis->minimum_ticks + (int32_t)chance_below(&self->whim, span));
+    }
+    self->has_fault = is_true ? self->has_fault : 1U;
+    send(self, rig, command);
+}
+
 static void do_anything(stage_t *self, rig_t *rig)
 {
     switch (random_below(self, 6U)) {
@@ -294,8 +314,10 @@ static void do_anything(stage_t *self, rig_t *rig)
         send(self, rig, (command_t){.kind = (uint32_t)COMMAND_RETRACT});
     } else if (has_whim(self, 8U)) {
         send(self, rig, (command_t){.kind = (uint32_t)COMMAND_ACCEPT_ENTRY});
+    } else if (has_whim(self, 8U)) {
+        send_saved(self, rig);
     } else {
-        /* Neither. */
+        /* None of them. */
     }
 }
 

@@ -207,6 +207,21 @@ void test_SWR_AXIS_012_a_fault_before_anything_was_known_makes_the_axis_lost(voi
     TEST_ASSERT_TRUE(axis_confirm(&axis, config));
 }
 
+void test_SWR_STORE_020_an_axis_is_placed_whatever_it_was_and_is_unverified(void)
+{
+    static const axis_reference_t grades[] = {AXIS_REFERENCE_FRESH,    AXIS_REFERENCE_LOST,
+                                              AXIS_REFERENCE_APPROACH, AXIS_REFERENCE_UNVERIFIED,
+                                              AXIS_REFERENCE_TAKEN,    AXIS_REFERENCE_VERIFIED};
+    for (uint32_t i = 0U; i < (sizeof grades / sizeof grades[0]); i++) {
+        use_with((grades[i] == AXIS_REFERENCE_TAKEN) ? without_switch : with_switch, grades[i]);
+        axis.elsewhere_ticks = 7;
+        axis_place(&axis, config, SOMEWHERE - 3);
+        expect(AXIS_REFERENCE_UNVERIFIED);
+        TEST_ASSERT_EQUAL_INT32(SOMEWHERE - 3, axis.encoder.position_ticks);
+        TEST_ASSERT_FALSE(axis_is_contradicted(&axis));
+    }
+}
+
 void test_SWR_REF_013_an_axis_that_counts_is_not_taken(void)
 {
     use(without_switch);

@@ -154,7 +154,7 @@ static void disturb(void)
 static void command(void)
 {
     command_t one = {.kind = (uint32_t)COMMAND_WORKPHASE, .argument = 1U + random_below(8U)};
-    switch (random_below(6U)) {
+    switch (random_below(7U)) {
     case 0:
         one.argument = (uint32_t)WORKPHASE_START_UP;
         break;
@@ -173,6 +173,10 @@ static void command(void)
         break;
     case 4:
         one.kind = (uint32_t)COMMAND_RETRACT;
+        break;
+    case 5:
+        one = (command_t){.kind = (uint32_t)COMMAND_RESTORE,
+                          .argument = 1U << random_below(robot_neuro.axis_count)};
         break;
     default:
         break;
