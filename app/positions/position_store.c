@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "positions/position_store.h"
 
-#include "base/crc.h"
 #include "limits/requirement_limits.h"
 
 #include <errno.h>
@@ -11,75 +10,7 @@
 
 #define FILE_MODE 0640
 #define SLOTS 2U
-#define AT_NUMBER 8U
-#define AT_UTC 16U
-#define AT_POWER_ON 24U
-#define AT_ROBOT 28U
-#define AT_AXES 32U
-#define AXIS_SIZE 12U
-#define AT_CRC (POSITION_RECORD_SIZE - 4U)
 #define US_PER_S UINT64_C(1000000)
-
-static const uint8_t magic[8] = {'B', 'S', 'P', 'O', 'S', '0', '0', '1'};
-
-static void put32(uint8_t *bytes, uint32_t value)
-{
-    for (uint32_t i = 0U; i < 4U; i++) {
-        bytes[i] = (uint8_t)(value >> (8U * i));
-    }
-}
-
-static void put64(uint8_t *bytes, uint64_t value)
-{
-    put32(bytes, (uint32_t)value);
-    put32(&bytes[4], (uint32_t)(value >> 32));
-}
-
-static uint32_t get32(const uint8_t *bytes)
-{
-    return (uint32_t)bytes[0] | ((uint32_t)bytes[1] << 8) | ((uint32_t)bytes[2] << 16) |
-           ((uint32_t)bytes[3] << 24);
-}
-
-static uint64_t get64(const uint8_t *bytes)
-{
-    return (uint64_t)get32(bytes) | ((uint64_t)get32(&bytes[4]) << 32);
-}
-
-void position_record_encode(const position_record_t *record, uint8_t *bytes)
-{
-    (void)memcpy(bytes, magic, sizeof magic);
-    put64(&bytes[AT_NUMBER], record->number);
-    put64(&bytes[AT_UTC], record->utc_us);
-    put32(&bytes[AT_POWER_ON], record->power_on);
-    put32(&bytes[AT_ROBOT], record->robot_crc);
-    for (uint32_t i = 0U; i < ROBOT_AXIS_MAX; i++) {
-        uint8_t *axis = &bytes[AT_AXES + (i * AXIS_SIZE)];
-        put32(&axis[0], record->axes[i].grade);
-        put32(&axis[4], (uint32_t)record->axes[i].position_ticks);
-        put32(&axis[8], (uint32_t)record->axes[i].reading_ticks);
-    }
-    put32(&bytes[AT_CRC], crc32c(bytes, AT_CRC));
-}
-
-bool position_record_decode(const uint8_t *bytes, position_record_t *record)
-{
-    if ((memcmp(bytes, magic, sizeof magic) != 0) ||
-        (get32(&bytes[AT_CRC]) != crc32c(bytes, AT_CRC))) {
-        return false;
-    }
-    record->number = get64(&bytes[AT_NUMBER]);
-    record->utc_us = get64(&bytes[AT_UTC]);
-    record->power_on = get32(&bytes[AT_POWER_ON]);
-    record->robot_crc = get32(&bytes[AT_ROBOT]);
-    for (uint32_t i = 0U; i < ROBOT_AXIS_MAX; i++) {
-        const uint8_t *axis = &bytes[AT_AXES + (i * AXIS_SIZE)];
-        record->axes[i] = (kept_axis_t){.grade = get32(&axis[0]),
-                                        .position_ticks = (int32_t)get32(&axis[4]),
-                                        .reading_ticks = (int32_t)get32(&axis[8])};
-    }
-    return true;
-}
 
 static bool read_slot(int file, uint32_t slot, position_record_t *record)
 {

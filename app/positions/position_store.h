@@ -3,29 +3,18 @@
  * @file
  * The position store: a small file in which the recorder keeps where the axes stand, for a control
  * that is started again. Two slots, POSITION_SLOT_SIZE apart, are written in turn, so that a write
- * cut short leaves the record before it. A record, little endian:
- *
- *     magic (8), number (8), UTC in us (8), power-on (4), CRC of the robot's table (4),
- *     per axis grade, position and reading (12 each), CRC-32C of all that (4)
+ * cut short leaves the record before it. The slot of a record is the lowest bit of its number,
+ * which grows by one per record.
  */
 #ifndef BORESIGHT_POSITION_STORE_H
 #define BORESIGHT_POSITION_STORE_H
 
-#include "controller/kept.h"
+#include "positions/position_record.h"
 
 #include <stdbool.h>
 #include <stdint.h>
 
 #define POSITION_SLOT_SIZE 4096U
-#define POSITION_RECORD_SIZE (36U + (12U * ROBOT_AXIS_MAX))
-
-typedef struct {
-    uint64_t number; /**< Grows by one per record; the slot is its lowest bit. */
-    uint64_t utc_us;
-    uint32_t power_on;
-    uint32_t robot_crc;
-    kept_axis_t axes[ROBOT_AXIS_MAX];
-} position_record_t;
 
 typedef enum {
     POSITION_FILE_NONE = 0,
@@ -40,12 +29,6 @@ typedef struct {
     uint32_t power_on;
     bool was_used; /**< Frames were exchanged in this power-on before. */
 } position_asker_t;
-
-/** Fills POSITION_RECORD_SIZE bytes. */
-void position_record_encode(const position_record_t *record, uint8_t *bytes);
-
-/** False when any of POSITION_RECORD_SIZE bytes is not as it was written. */
-bool position_record_decode(const uint8_t *bytes, position_record_t *record);
 
 /** Reads the newest whole record of the file `path`; `record` is zeros without one. */
 position_file_t position_store_read(const char *path, position_record_t *record);

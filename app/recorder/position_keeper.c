@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "recorder/position_keeper.h"
 
-#include "card/card_frame.h"
-#include "charts/axis_chart.h"
 #include "limits/requirement_limits.h"
 
 #include <errno.h>
@@ -10,61 +8,6 @@
 #include <string.h>
 
 #define US_PER_S UINT64_C(1000000)
-
-static kept_grade_t grade_of(uint32_t reference)
-{
-    switch (reference) {
-    case AXIS_REFERENCE_FRESH:
-        return KEPT_FRESH;
-    case AXIS_REFERENCE_UNVERIFIED:
-    case AXIS_REFERENCE_TAKEN:
-    case AXIS_REFERENCE_VERIFIED:
-        return KEPT_KNOWN;
-    default:
-        return KEPT_LOST;
-    }
-}
-
-static kept_axis_t keep_axis(const snapshot_axis_t *shown)
-{
-    kept_axis_t axis = {.grade = (uint32_t)grade_of(shown->reference)};
-
-    if (axis.grade == (uint32_t)KEPT_KNOWN) {
-        axis.position_ticks = shown->position_ticks;
-    }
-    if (axis.grade != (uint32_t)KEPT_LOST) {
-        axis.reading_ticks = shown->reading_ticks;
-    }
-    return axis;
-}
-
-/* The speed of an axis that is lost may be one from before. */
-static bool is_moving(const snapshot_t *snapshot)
-{
-    bool is_one_moving = false;
-
-    for (uint32_t i = 0U; i < snapshot->axis_count; i++) {
-        const snapshot_axis_t *axis = &snapshot->axes[i];
-        is_one_moving =
-            is_one_moving || (axis->drive_mode != (uint32_t)CARD_DRIVE_OFF) ||
-            ((grade_of(axis->reference) == KEPT_KNOWN) && (axis->speed_ticks_per_s_q8 != 0));
-    }
-    return is_one_moving;
-}
-
-static position_record_t record_of(const position_keeper_t *self, const snapshot_t *snapshot,
-                                   uint64_t utc_us)
-{
-    position_record_t record = {.number = self->kept.number + 1U,
-                                .utc_us = utc_us,
-                                .power_on = snapshot->power_on,
-                                .robot_crc = snapshot->robot_crc};
-
-    for (uint32_t i = 0U; i < snapshot->axis_count; i++) {
-        record.axes[i] = keep_axis(&snapshot->axes[i]);
-    }
-    return record;
-}
 
 /* A record that is still true must not grow old, nor be from the future because the clock was set
  * back: then its age, which wraps, is very large. */
@@ -102,10 +45,11 @@ void position_keeper_open(position_keeper_t *self, const char *path)
 
 static bool look(position_keeper_t *self, const snapshot_t *snapshot, uint64_t utc_us)
 {
-    const position_record_t record = record_of(self, snapshot, utc_us);
-    const bool is_due = (snapshot->positions_awaited == 0U) && !is_moving(snapshot) &&
-                        is_news(&self->kept, &record);
+    position_record_t record;
+    const bool is_due =
+        position_record_take(&record, snapshot, utc_us) && is_news(&self->kept, &record);
 
+    record.number = self->kept.number + 1U;
     if (is_due) {
         keep(self, &record);
     }

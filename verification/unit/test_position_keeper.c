@@ -9,6 +9,7 @@
 #include "card/card_frame.h"
 #include "charts/axis_chart.h"
 #include "limits/requirement_limits.h"
+#include "positions/position_record.h"
 #include "positions/position_store.h"
 #include "recorder/position_keeper.h"
 

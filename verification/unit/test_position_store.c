@@ -7,6 +7,7 @@
 
 #include "base/crc.h"
 #include "limits/requirement_limits.h"
+#include "positions/position_record.h"
 #include "positions/position_store.h"
 
 #include <fcntl.h>
