@@ -115,6 +115,8 @@ void event_text_cause(const robot_t *robot, const event_t *event, char *text, si
         text[0] = '\0';
     } else if ((event->cause == (uint32_t)EVENT_CAUSE_IGTL) && (event->peer == 0U)) {
         (void)snprintf(text, size, "By the loss of an OpenIGTLink peer.");
+    } else if ((event->cause == (uint32_t)EVENT_CAUSE_CONSOLE) && (event->peer == 0U)) {
+        (void)snprintf(text, size, "By the console.");
     } else {
         fill_in(robot, event, event_cause_text((int32_t)event->cause), text, size);
     }

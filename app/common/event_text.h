@@ -8,7 +8,7 @@
 
 #include <stddef.h>
 
-#define EVENT_TEXT_SIZE 160U      /**< Enough for every event. */
+#define EVENT_TEXT_SIZE 208U      /**< Enough for every event, and every note. */
 #define EVENT_TEXT_CAUSE_SIZE 48U /**< Enough for every cause. */
 
 /** What the event is about: "head", "3 (insertion)", "PLANNING"; "" for nothing in particular. */

@@ -11,6 +11,7 @@
 #define BORESIGHT_EXCHANGE_SEGMENT_H
 
 #include "exchange/exchange.h"
+#include "exchange/exchange_notes.h"
 #include "exchange/exchange_peers.h"
 
 #include <stdint.h>
@@ -37,6 +38,12 @@ typedef struct {
     uint32_t sequence;
     event_t event;
 } segment_event_t;
+
+/** A note under a sequence lock. */
+typedef struct {
+    uint32_t sequence;
+    exchange_note_t note;
+} segment_note_t;
 
 /** Commands of one source. */
 typedef struct {
@@ -79,6 +86,8 @@ typedef struct {
     uint32_t ports_sequence SEGMENT_ON_LINE;
     exchange_ports_t ports;
     segment_peers_t peers[COMMAND_SOURCE_COUNT];
+    uint32_t notes_head SEGMENT_ON_LINE; /**< Number of the newest note. */
+    segment_note_t notes[EXCHANGE_NOTES];
 } segment_others_t;
 
 /** Written by control only. */

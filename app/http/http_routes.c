@@ -65,10 +65,9 @@ static int reply_log(http_server_t *server, struct mg_connection *connection, ui
     uint32_t lost = 0U;
     const uint32_t count =
         (most > 0U) ? exchange_read_events(server->exchange, &next, events, most, &lost) : 0U;
-    const robot_t *robot = exchange_robot(server->exchange);
     cJSON *entries = cJSON_CreateArray();
     for (uint32_t i = 0U; i < count; i++) {
-        (void)cJSON_AddItemToArray(entries, telemetry_json_event(robot, &events[i]));
+        (void)cJSON_AddItemToArray(entries, telemetry_json_event(server->exchange, &events[i]));
     }
     const json_log_t log = {.entries = entries, .next = next, .lost = lost};
     return reply_object(connection, 200, json_log(&log));

@@ -93,11 +93,11 @@ static bool send_frame(const client_t *client, size_t size)
                        : write_text(client, nothing_new, sizeof nothing_new - 1U);
 }
 
-static bool send_event(const client_t *client, const robot_t *robot, const event_t *event)
+static bool send_event(const client_t *client, const exchange_t *exchange, const event_t *event)
 {
     char json[1024];
     char message[1100];
-    cJSON *entry = telemetry_json_event(robot, event);
+    cJSON *entry = telemetry_json_event(exchange, event);
     bool is_whole = cJSON_PrintPreallocated(entry, json, (int)sizeof json, 0) != 0;
     cJSON_Delete(entry);
     int size = snprintf(message, sizeof message, "event: log\nid: %u\ndata: %s\n\n",
@@ -114,7 +114,7 @@ static bool send_events(const http_stream_t *self, client_t *client)
         count = exchange_read_events(self->exchange, &client->next_event, events, EVENTS_AT_ONCE,
                                      &lost);
         for (uint32_t i = 0U; i < count; i++) {
-            if (!send_event(client, exchange_robot(self->exchange), &events[i])) {
+            if (!send_event(client, self->exchange, &events[i])) {
                 return false;
             }
         }

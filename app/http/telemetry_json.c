@@ -2,6 +2,7 @@
 #include "http/telemetry_json.h"
 
 #include "common/event_text.h"
+#include "exchange/exchange_notes.h"
 #include "http/telemetry_units.h"
 #include "interface/app/messages.h"
 #include "limits/requirement_limits.h"
@@ -168,12 +169,15 @@ cJSON *telemetry_json_targeting(const telemetry_view_t *view)
     return json_targeting(snapshot, &also);
 }
 
-cJSON *telemetry_json_event(const robot_t *robot, const event_t *event)
+cJSON *telemetry_json_event(const exchange_t *exchange, const event_t *event)
 {
+    const robot_t *robot = exchange_robot(exchange);
     char subject[EVENT_TEXT_SIZE];
     char sentence[EVENT_TEXT_SIZE];
     event_text_subject(robot, event, subject, sizeof subject);
-    event_text_sentence(robot, event, sentence, sizeof sentence);
+    if (!exchange_tell_note(exchange, event, sentence, sizeof sentence)) {
+        event_text_sentence(robot, event, sentence, sizeof sentence);
+    }
     const json_log_entry_t also = {.text = sentence, .subject = subject};
     return json_log_entry(event, &also);
 }

@@ -26,7 +26,7 @@ cJSON *telemetry_json_status(const telemetry_identity_t *identity, const telemet
 cJSON *telemetry_json_motors(const telemetry_view_t *view);
 /** @satisfies SWR-HTTP-006 */
 cJSON *telemetry_json_targeting(const telemetry_view_t *view);
-cJSON *telemetry_json_event(const robot_t *robot, const event_t *event);
+cJSON *telemetry_json_event(const exchange_t *exchange, const event_t *event);
 
 /** The state message of the stream: status, motors and targeting of one view. */
 cJSON *telemetry_json_state(const telemetry_identity_t *identity, const telemetry_view_t *view);

@@ -3,6 +3,7 @@
 
 #include "common/directory.h"
 #include "common/event_text.h"
+#include "exchange/exchange_notes.h"
 #include "interface/app/names.h"
 #include "limits/requirement_limits.h"
 
@@ -15,7 +16,7 @@
 #include <unistd.h>
 
 #define BATCH 64U
-#define LINE_SIZE 320U
+#define LINE_SIZE 384U
 #define FILE_MODE 0640
 #define PATH_SIZE 512U
 #define FULL (LIMIT_EVENT_LOG_MB * UINT64_C(1000000))
@@ -108,14 +109,17 @@ static void stamp(char *text, size_t size)
     (void)snprintf(text, size, "%s.%03ldZ", seconds, now.tv_nsec / 1000000L);
 }
 
-static void write_event(event_log_t *self, const robot_t *robot, const char *when,
+static void write_event(event_log_t *self, const exchange_t *exchange, const char *when,
                         const event_t *event)
 {
+    const robot_t *robot = exchange_robot(exchange);
     char sentence[EVENT_TEXT_SIZE];
     char subject[EVENT_TEXT_SIZE];
     char line[LINE_SIZE];
 
-    event_text_sentence(robot, event, sentence, sizeof sentence);
+    if (!exchange_tell_note(exchange, event, sentence, sizeof sentence)) {
+        event_text_sentence(robot, event, sentence, sizeof sentence);
+    }
     event_text_subject(robot, event, subject, sizeof subject);
     (void)snprintf(line, sizeof line - 1U,
                    "%s %u cycle=%u %s %s subject=%u value=%d cause=%s peer=%u %s", when,
@@ -147,7 +151,7 @@ void event_log_drain(event_log_t *self, exchange_t *exchange)
             write_line(self, line);
         }
         for (uint32_t i = 0U; i < count; i++) {
-            write_event(self, exchange_robot(exchange), when, &events[i]);
+            write_event(self, exchange, when, &events[i]);
             exchange_note_logged(exchange, events[i].number + 1U);
         }
         exchange_note_logged(exchange, next);

@@ -6,6 +6,7 @@
 #include "controller/controller_order.h"
 #include "controller/controller_plan.h"
 #include "controller/controller_restore.h"
+#include "interface/note_kind.h"
 
 #include <string.h>
 
@@ -46,7 +47,8 @@ static const rights_t rights[COMMAND_SOURCE_COUNT] = {
                                        [COMMAND_RENEW] = true,
                                        [COMMAND_RELEASE] = true,
                                        [COMMAND_REQUEST] = true,
-                                       [COMMAND_RESTORE] = true},
+                                       [COMMAND_RESTORE] = true,
+                                       [COMMAND_NOTE] = true},
                              .workphases = {[WORKPHASE_START_UP] = true,
                                             [WORKPHASE_PLANNING] = true,
                                             [WORKPHASE_CALIBRATION] = true,
@@ -240,11 +242,25 @@ static status_t carry_out(controller_t *self, const cycle_t *cycle, const comman
     return status;
 }
 
+static status_t obey_note(controller_t *self, const cycle_t *cycle, const command_t *command)
+{
+    if (command->argument >= NOTE_KIND_COUNT) {
+        return STATUS_UNKNOWN_COMMAND;
+    }
+    const bool is_refusal = command->argument == (uint32_t)NOTE_LOGIN_REFUSED;
+    controller_note(self, cycle, is_refusal ? EVENT_LOGIN_REFUSED : EVENT_NOTE, command->argument,
+                    command->value);
+    return STATUS_OK;
+}
+
 static status_t obey(controller_t *self, const cycle_t *cycle, const command_t *command,
                      answer_t *answer)
 {
     if (!is_allowed(command)) {
         return STATUS_NOT_ALLOWED;
+    }
+    if (command->kind == (uint32_t)COMMAND_NOTE) {
+        return obey_note(self, cycle, command); /* Everyone's, and no sign of life of anybody. */
     }
     if (is_known(command) && !controller_has_authority(self, command)) {
         return STATUS_NO_AUTHORITY;

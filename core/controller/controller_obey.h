@@ -13,6 +13,7 @@
  * @satisfies SWR-CMD-004
  * @satisfies SWR-CMD-005
  * @satisfies SWR-EVENT-009
+ * @satisfies SWR-EVENT-011
  */
 void controller_obey(controller_t *self, const cycle_t *cycle);
 

@@ -10,6 +10,7 @@
 
 #include "charts/arming_chart.h"
 #include "controller/controller.h"
+#include "interface/note_kind.h"
 #include "limits/requirement_limits.h"
 #include "robot/robot_neuro.h"
 
@@ -370,4 +371,57 @@ void test_SWR_MEMORY_002_a_holder_that_changes_by_itself_is_forgotten(void)
     expect_nobody();
     TEST_ASSERT_FALSE(rig_is_driving(&rig));
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMORY_DAMAGED));
+}
+
+/* `kind` of a note of which the events tell. */
+static void expect_note(note_kind_t kind, event_id_t id)
+{
+    rig_forget(&rig);
+    rig.commands[0] = (command_t){.source = COMMAND_SOURCE_HTTP,
+                                  .peer = RIG_PAGE,
+                                  .kind = COMMAND_NOTE,
+                                  .argument = (uint32_t)kind,
+                                  .value = 17};
+    rig.command_count = 1U;
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL(STATUS_OK, rig.outputs.answers[0].status);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, id));
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.event_count);
+    TEST_ASSERT_EQUAL_UINT32(kind, rig.events[0].subject);
+    TEST_ASSERT_EQUAL_INT32(17, rig.events[0].value);
+}
+
+void test_SWR_EVENT_011_a_note_is_everyones_and_is_one_event(void)
+{
+    start_free();
+    for (uint32_t kind = 0U; kind < NOTE_KIND_COUNT; kind++) {
+        expect_note((note_kind_t)kind,
+                    (kind == (uint32_t)NOTE_LOGIN_REFUSED) ? EVENT_LOGIN_REFUSED : EVENT_NOTE);
+    }
+    expect_nobody();
+    TEST_ASSERT_EQUAL(STATUS_UNKNOWN_COMMAND, by_page(RIG_PAGE, COMMAND_NOTE, NOTE_KIND_COUNT));
+    TEST_ASSERT_EQUAL(STATUS_NOT_ALLOWED, by_peer(PEER, COMMAND_NOTE, NOTE_LOGIN));
+}
+
+void test_SWR_EVENT_011_a_note_disturbs_no_motion(void)
+{
+    start_moving();
+    for (uint32_t i = 0U; i < 100U; i++) {
+        expect_note(NOTE_OPERATOR, EVENT_NOTE);
+        TEST_ASSERT_TRUE(rig_is_driving(&rig));
+    }
+}
+
+void test_SWR_EVENT_011_a_note_is_no_sign_of_life(void)
+{
+    start_moving();
+    TEST_ASSERT_EQUAL(STATUS_OK, by_page(RIG_PAGE, COMMAND_RENEW, 0U));
+    rig_release(&rig);
+    rig_forget(&rig);
+    rig_cycles(&rig, CYCLES(LIMIT_AUTHORITY_RENEW_US) - 12U);
+    expect_note(NOTE_OPERATOR, EVENT_NOTE);
+    expect_holder(COMMAND_SOURCE_HTTP, RIG_PAGE);
+    rig_forget(&rig);
+    rig_cycle(&rig);
+    expect_lost(AUTHORITY_LOSS_UNRENEWED);
 }

@@ -8,6 +8,7 @@
 #include "common/directory.h"
 #include "common/event_text.h"
 #include "exchange/exchange.h"
+#include "exchange/exchange_notes.h"
 #include "exchange/exchange_segment.h"
 #include "interface/app/event_words.h"
 #include "interface/app/names.h"
@@ -172,4 +173,25 @@ void test_SWR_REC_014_a_folder_that_is_removed_is_made_again_with_a_new_log(void
     log_events(2U);
     TEST_ASSERT_TRUE(size_of(log_path) > 0);
     TEST_ASSERT_EQUAL_UINT32(2U, lines_of(log_path));
+}
+
+void test_SWR_EVENT_010_a_line_has_the_words_of_its_note(void)
+{
+    char line[512] = "";
+    char words[161];
+    const event_t event = {.id = (uint32_t)EVENT_NOTE, .subject = NOTE_OPERATOR, .value = 1};
+
+    (void)memset(words, 'x', sizeof words - 1U);
+    words[sizeof words - 1U] = '\0';
+    (void)exchange_write_note(exchange, NOTE_OPERATOR, "a234567890123456789012345678901", words);
+    event_log_open(&event_log, folder);
+    exchange_push_event(exchange, &event);
+    event_log_drain(&event_log, exchange);
+    FILE *file = fopen(log_path, "r");
+    TEST_ASSERT_NOT_NULL(file);
+    TEST_ASSERT_NOT_NULL(fgets(line, (int)sizeof line, file));
+    (void)fclose(file);
+    TEST_ASSERT_NOT_NULL(strstr(line, "Note of a234567890123456789012345678901: xxx"));
+    TEST_ASSERT_EQUAL_STRING("x\n", &line[strlen(line) - 2U]);
+    TEST_ASSERT_NOT_NULL(strstr(line, words));
 }

@@ -6,6 +6,7 @@
 #include "unity.h"
 
 #include "exchange/exchange.h"
+#include "exchange/exchange_notes.h"
 #include "exchange/exchange_peers.h"
 #include "exchange/exchange_segment.h"
 #include "robot/robot_neuro.h"
@@ -833,6 +834,79 @@ void test_SWR_ROBOT_015_no_reader_can_change_the_robot(void)
     TEST_ASSERT_EQUAL_INT(child, waitpid(child, &status, 0));
     TEST_ASSERT_FALSE(WIFEXITED(status) && (WEXITSTATUS(status) == 0));
     TEST_ASSERT_EQUAL_UINT32(robot_neuro.axis_count, exchange_robot(control)->axis_count);
+}
+
+void test_SWR_EXCH_019_the_last_notes_are_kept(void)
+{
+    exchange_note_t note;
+
+    TEST_ASSERT_FALSE(exchange_read_note(control, 0U, &note));
+    TEST_ASSERT_FALSE(exchange_read_note(control, 1U, &note));
+    TEST_ASSERT_EQUAL_UINT32(1U, exchange_write_note(reader, NOTE_LOGIN, "anna", "logged in."));
+    TEST_ASSERT_TRUE(exchange_read_note(control, 1U, &note));
+    TEST_ASSERT_EQUAL_UINT32(NOTE_LOGIN, note.kind);
+    TEST_ASSERT_EQUAL_STRING("anna", note.who);
+    TEST_ASSERT_EQUAL_STRING("logged in.", note.text);
+    for (uint32_t i = 1U; i < LIMIT_NOTES_KEPT; i++) {
+        TEST_ASSERT_EQUAL_UINT32(i + 1U, exchange_write_note(reader, NOTE_LOGOUT, "b", "c"));
+    }
+    TEST_ASSERT_TRUE(exchange_read_note(control, 1U, &note));
+    (void)exchange_write_note(reader, NOTE_LOGOUT, "b", "c");
+    TEST_ASSERT_FALSE(exchange_read_note(control, 1U, &note));
+    TEST_ASSERT_TRUE(exchange_read_note(control, LIMIT_NOTES_KEPT + 1U, &note));
+}
+
+void test_SWR_EXCH_019_a_note_has_its_ends_and_no_control_characters(void)
+{
+    char letters[300];
+    exchange_note_t note;
+
+    (void)memset(letters, 'x', sizeof letters - 1U);
+    letters[sizeof letters - 1U] = '\0';
+    (void)exchange_write_note(reader, NOTE_OPERATOR, letters, letters);
+    TEST_ASSERT_TRUE(exchange_read_note(control, 1U, &note));
+    TEST_ASSERT_EQUAL_size_t(EXCHANGE_NOTE_WHO_SIZE - 1U, strlen(note.who));
+    TEST_ASSERT_EQUAL_size_t(EXCHANGE_NOTE_TEXT_SIZE - 1U, strlen(note.text));
+    (void)exchange_write_note(reader, NOTE_OPERATOR, "a\nb", "\x1b[2J\x7f\xc3\xa4\r\n");
+    TEST_ASSERT_TRUE(exchange_read_note(control, 2U, &note));
+    TEST_ASSERT_EQUAL_STRING("a b", note.who);
+    TEST_ASSERT_EQUAL_STRING(" [2J \xc3\xa4  ", note.text);
+}
+
+void test_SWR_EXCH_019_what_is_not_whole_is_not_handed_over(void)
+{
+    segment_note_t *slot = &reader->segment->others.notes[1];
+    exchange_note_t note;
+
+    (void)exchange_write_note(reader, NOTE_LOGIN, "anna", "logged in.");
+    slot->sequence++;
+    TEST_ASSERT_FALSE(exchange_read_note(control, 1U, &note));
+    slot->sequence++;
+    slot->note.kind = NOTE_KIND_COUNT;
+    TEST_ASSERT_FALSE(exchange_read_note(control, 1U, &note));
+}
+
+void test_SWR_EVENT_010_an_event_is_told_in_the_words_of_its_note(void)
+{
+    char text[256];
+    event_t event = {.id = EVENT_NOTE, .subject = NOTE_LOGIN, .value = 1};
+
+    TEST_ASSERT_FALSE(exchange_tell_note(control, &event, text, sizeof text));
+    (void)exchange_write_note(reader, NOTE_LOGIN, "anna", "logged in as operator.");
+    (void)exchange_write_note(reader, NOTE_LOGIN_REFUSED, "?", "was refused.");
+    (void)exchange_write_note(reader, NOTE_OPERATOR, "anna", "logged out.");
+    TEST_ASSERT_TRUE(exchange_tell_note(control, &event, text, sizeof text));
+    TEST_ASSERT_EQUAL_STRING("anna: logged in as operator.", text);
+    event = (event_t){.id = EVENT_LOGIN_REFUSED, .subject = NOTE_LOGIN_REFUSED, .value = 2};
+    TEST_ASSERT_TRUE(exchange_tell_note(control, &event, text, sizeof text));
+    TEST_ASSERT_EQUAL_STRING("?: was refused.", text);
+    event = (event_t){.id = EVENT_NOTE, .subject = NOTE_OPERATOR, .value = 3};
+    TEST_ASSERT_TRUE(exchange_tell_note(control, &event, text, sizeof text));
+    TEST_ASSERT_EQUAL_STRING("Note of anna: logged out.", text);
+    event.subject = (uint32_t)NOTE_LOGOUT;
+    TEST_ASSERT_FALSE(exchange_tell_note(control, &event, text, sizeof text));
+    event = (event_t){.id = EVENT_AXIS_HOMED, .subject = NOTE_OPERATOR, .value = 3};
+    TEST_ASSERT_FALSE(exchange_tell_note(control, &event, text, sizeof text));
 }
 
 void test_SWR_IGTL_028_ports_are_read_as_they_were_published(void)

@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * What the HTTP server notes in words, for the log of events: a ring of notes, of which events of
+ * control tell the numbers. http writes, everyone reads.
+ */
+#ifndef BORESIGHT_EXCHANGE_NOTES_H
+#define BORESIGHT_EXCHANGE_NOTES_H
+
+#include "exchange/exchange.h"
+#include "interface/note_kind.h"
+#include "limits/requirement_limits.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#define EXCHANGE_NOTES LIMIT_NOTES_KEPT
+#define EXCHANGE_NOTE_WHO_SIZE 32U   /**< 31 bytes and a NUL. */
+#define EXCHANGE_NOTE_TEXT_SIZE 164U /**< 160 bytes, a NUL, and whole words. */
+
+typedef struct {
+    uint32_t number;
+    uint32_t kind;                      /**< note_kind_t. */
+    char who[EXCHANGE_NOTE_WHO_SIZE];   /**< The name of an account; "?": a stranger. */
+    char text[EXCHANGE_NOTE_TEXT_SIZE]; /**< UTF-8, goes on after the name. */
+} exchange_note_t;
+
+/**
+ * For http, one thread at a time: keeps a note, in the place of the oldest, and numbers it. What is
+ * too long is cut.
+ *
+ * @return its number, which grows by one from 1 on, over restarts of http too
+ */
+uint32_t exchange_write_note(exchange_t *self, note_kind_t kind, const char *who, const char *text);
+
+/** Number of the newest note; 0: there is none. */
+uint32_t exchange_newest_note(const exchange_t *self);
+
+/**
+ * Copies the note `number`; its texts have their ends and no control characters.
+ *
+ * @return false when it is not kept, not yet or not any more
+ *
+ * @satisfies SWR-EXCH-019
+ */
+bool exchange_read_note(const exchange_t *self, uint32_t number, exchange_note_t *note);
+
+/**
+ * The sentence of the note that `event` tells of.
+ *
+ * @return false when it tells of none, or of one that is not kept any more
+ *
+ * @satisfies SWR-EVENT-010
+ */
+bool exchange_tell_note(const exchange_t *self, const event_t *event, char *text, size_t size);
+
+#endif
