@@ -14,11 +14,6 @@
 #define COOKIE_SIZE 256U
 #define NOT_SENT 499
 
-void http_door_witness(const char *line)
-{
-    (void)fprintf(stderr, "boresight-http: %s\n", line);
-}
-
 bool http_door_is_tls(const http_server_t *server, const struct mg_connection *connection)
 {
     return (server->front != NULL) &&
@@ -100,16 +95,16 @@ static const char *login_way(http_server_t *server, const struct mg_connection *
     return is_safe ? "password" : "none";
 }
 
-/* `cookie` is set if it is not NULL. */
+/* A session that is not open is none; `cookie` is set if it is not NULL. */
 static int send_session(http_server_t *server, struct mg_connection *connection,
                         const session_t *session, const char *cookie)
 {
     const session_left_t none = {.idle_s = 0U};
-    const bool is_open = session != NULL;
+    const bool is_open = session->is_open;
     const session_left_t left = is_open ? session_left(session, telemetry_now_ms()) : none;
     const json_session_t told = {.is_open = is_open,
-                                 .name = is_open ? session->name : NULL,
-                                 .role = is_open ? role_name((int32_t)session->role) : NULL,
+                                 .name = is_open ? session->account.name : NULL,
+                                 .role = is_open ? role_name((int32_t)session->account.role) : NULL,
                                  .token = is_open ? session->csrf : NULL,
                                  .idle_s = left.idle_s,
                                  .most_s = left.most_s,
@@ -131,10 +126,10 @@ static int send_session(http_server_t *server, struct mg_connection *connection,
 int http_door_show(http_server_t *server, struct mg_connection *connection)
 {
     char id[SESSION_TOKEN_SIZE];
-    session_t session;
-    const bool is_open = session_desk_find(&server->desk, find_id(server, connection, id),
-                                           telemetry_now_ms(), &session);
-    return send_session(server, connection, is_open ? &session : NULL, NULL);
+    session_t session = {.is_open = false};
+    (void)session_desk_find(&server->desk, find_id(server, connection, id), telemetry_now_ms(),
+                            &session);
+    return send_session(server, connection, &session, NULL);
 }
 
 /* `age_s` 0 takes it away. */
@@ -211,9 +206,10 @@ int http_door_log_out(http_server_t *server, struct mg_connection *connection)
 {
     char id[SESSION_TOKEN_SIZE];
     char cookie[COOKIE_SIZE];
+    const session_t none = {.is_open = false};
     if (find_id(server, connection, id) != NULL) {
         session_desk_log_out(&server->desk, id, telemetry_now_ms());
     }
     write_cookie(server, connection, "", 0U, cookie);
-    return send_session(server, connection, NULL, cookie);
+    return send_session(server, connection, &none, cookie);
 }

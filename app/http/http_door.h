@@ -12,9 +12,6 @@
 
 #define HTTP_DOOR_TOKEN "X-Boresight-Token"
 
-/** Writes what happened at the door to standard error, for the operator. */
-void http_door_witness(const char *line);
-
 /** The request came through the TLS program. */
 bool http_door_is_tls(const http_server_t *server, const struct mg_connection *connection);
 

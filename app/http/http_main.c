@@ -103,6 +103,15 @@ static bool read_options(int count, char **arguments, options_t *options)
     return ((options->exchange != NULL) || is_asked) && (optind == count);
 }
 
+static int complain_of_front(uint16_t port, const char *key)
+{
+    (void)fprintf(stderr,
+                  "boresight-http: port %u, which TLS shall feed, is in use; change %s in the file "
+                  "of TLS.\n",
+                  (unsigned)port, key);
+    return EXIT_PORT_IN_USE;
+}
+
 static int complain(http_server_result_t result, const http_guard_t *guard)
 {
     switch (result) {
@@ -119,11 +128,9 @@ static int complain(http_server_result_t result, const http_guard_t *guard)
                       (unsigned)guard->port, guard->address);
         return EXIT_FAILURE;
     case HTTP_SERVER_FRONT_IN_USE:
-        (void)fprintf(stderr,
-                      "boresight-http: port %u, which TLS shall feed, is in use; change "
-                      "console-from in the file of TLS.\n",
-                      (unsigned)front.console_from);
-        return EXIT_PORT_IN_USE;
+        return complain_of_front(front.console_from, "console-from");
+    case HTTP_SERVER_FRONT_STOP_IN_USE:
+        return complain_of_front(front.stop_from, "stop-from");
     case HTTP_SERVER_STARTED:
     case HTTP_SERVER_FAILED:
     default:

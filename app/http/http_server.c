@@ -58,7 +58,8 @@ void http_server_init(http_server_t *self, const http_server_config_t *config)
                                     .is_front_only = true};
         self->front_guard = front;
     }
-    session_desk_init(&self->desk, config->accounts, http_door_witness);
+    http_notes_init(&self->notes, config->exchange);
+    session_desk_init(&self->desk, config->accounts, http_notes_write, &self->notes);
     make_boot_id(self->identity.boot_id, sizeof self->identity.boot_id);
     self->identity.build_id = BUILD_ID;
     self->identity.box = config->box;
@@ -92,10 +93,10 @@ bool http_server_prepare_logins(http_server_t *self, char *error, size_t error_s
 }
 
 /* The library does not say why it could not listen. */
-static int try_to_listen(const http_guard_t *guard)
+static int try_to_listen(const char *its_address, uint32_t port)
 {
-    struct sockaddr_in address = {.sin_family = AF_INET, .sin_port = htons((uint16_t)guard->port)};
-    (void)inet_pton(AF_INET, guard->address, &address.sin_addr);
+    struct sockaddr_in address = {.sin_family = AF_INET, .sin_port = htons((uint16_t)port)};
+    (void)inet_pton(AF_INET, its_address, &address.sin_addr);
     int yes = 1;
     int probe = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
     (void)setsockopt(probe, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
@@ -212,15 +213,18 @@ static struct mg_context *start_library(http_server_t *self, const char *address
 
 http_server_result_t http_server_start(http_server_t *self)
 {
-    int error = try_to_listen(&self->guard);
+    int error = try_to_listen(self->guard.address, self->guard.port);
     if (error == EADDRINUSE) {
         return HTTP_SERVER_PORT_IN_USE;
     }
     if (error != 0) {
         return HTTP_SERVER_BAD_ADDRESS;
     }
-    if ((self->front != NULL) && (try_to_listen(&self->front_guard) != 0)) {
+    if ((self->front != NULL) && (try_to_listen("127.0.0.1", self->front->console_from) != 0)) {
         return HTTP_SERVER_FRONT_IN_USE;
+    }
+    if ((self->front != NULL) && (try_to_listen("127.0.0.1", self->front->stop_from) != 0)) {
+        return HTTP_SERVER_FRONT_STOP_IN_USE;
     }
     pthread_attr_t attributes;
     (void)pthread_attr_init(&attributes);
@@ -247,6 +251,7 @@ void http_server_tick(http_server_t *self)
 {
     telemetry_view_t view;
     session_desk_tick(&self->desk, telemetry_now_ms());
+    http_notes_tick(&self->notes);
     telemetry_look(&self->telemetry, &view);
     if (!view.has_snapshot || !http_stream_is_watched(&self->stream)) {
         return;

@@ -9,6 +9,7 @@
 
 #include "exchange/exchange.h"
 #include "http/http_guard.h"
+#include "http/http_notes.h"
 #include "http/http_stream.h"
 #include "http/telemetry.h"
 #include "http/telemetry_json.h"
@@ -25,6 +26,7 @@ typedef struct {
     http_guard_t front_guard; /**< Of the listener that it feeds. */
     const char *instance;     /**< Its name. */
     session_desk_t desk;
+    http_notes_t notes;
     telemetry_identity_t identity;
     telemetry_t telemetry;
     http_stream_t stream;
@@ -35,7 +37,8 @@ typedef enum {
     HTTP_SERVER_PORT_IN_USE = 1,
     HTTP_SERVER_BAD_ADDRESS = 2, /**< This machine does not have the address. */
     HTTP_SERVER_FAILED = 3,
-    HTTP_SERVER_FRONT_IN_USE = 4 /**< The port that TLS shall feed. */
+    HTTP_SERVER_FRONT_IN_USE = 4,     /**< The console's port that TLS shall feed. */
+    HTTP_SERVER_FRONT_STOP_IN_USE = 5 /**< The same of the stop's. */
 } http_server_result_t;
 
 /** What the server is started with. All of it outlives the server. */
@@ -68,6 +71,8 @@ bool http_server_prepare_logins(http_server_t *self, char *error, size_t error_s
  *
  * @satisfies SWR-HTTP-005
  * @satisfies SWR-SESS-019
+ * @satisfies SWR-SESS-023
+ * @satisfies SWR-SESS-025
  */
 http_server_result_t http_server_start(http_server_t *self);
 

@@ -8,6 +8,7 @@
  *     boresight-passwd FILE list
  *
  * @satisfies SWR-SESS-004
+ * @satisfies SWR-SESS-024
  */
 #include "limits/requirement_limits.h"
 #include "session/account.h"
@@ -15,6 +16,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -26,6 +28,7 @@
 #define PATH_SIZE 512U
 
 static char error[PATH_SIZE + 64U];
+static struct termios shown; /* As the terminal was. */
 
 static int complain(const char *sentence)
 {
@@ -33,14 +36,27 @@ static int complain(const char *sentence)
     return EXIT_FAILURE;
 }
 
-static void hide_typing(bool is_hidden)
+/* Gives the terminal back and ends as without us: the action is the default one again. */
+static void show_typing_and_end(int number)
 {
-    struct termios terminal;
+    (void)tcsetattr(STDIN_FILENO, TCSANOW, &shown);
+    (void)raise(number);
+}
 
-    if (tcgetattr(STDIN_FILENO, &terminal) == 0) {
-        terminal.c_lflag =
-            is_hidden ? (terminal.c_lflag & ~(tcflag_t)ECHO) : (terminal.c_lflag | (tcflag_t)ECHO);
-        (void)tcsetattr(STDIN_FILENO, TCSAFLUSH, &terminal);
+static void hide_typing(void)
+{
+    static const int ends[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
+    const struct sigaction action = {.sa_handler = show_typing_and_end,
+                                     .sa_flags = (int)SA_RESETHAND};
+    struct termios hidden;
+
+    if (tcgetattr(STDIN_FILENO, &shown) == 0) {
+        for (size_t i = 0U; i < (sizeof ends / sizeof ends[0]); i++) {
+            (void)sigaction(ends[i], &action, NULL);
+        }
+        hidden = shown;
+        hidden.c_lflag &= ~(tcflag_t)ECHO;
+        (void)tcsetattr(STDIN_FILENO, TCSAFLUSH, &hidden);
     }
 }
 
@@ -52,11 +68,11 @@ static bool read_line(const char *question, char password[PASSWORD_SIZE])
 
     if (is_asked) {
         (void)fputs(question, stderr);
-        hide_typing(true);
+        hide_typing();
     }
     const bool is_read = fgets(line, (int)sizeof line, stdin) != NULL;
     if (is_asked) {
-        hide_typing(false);
+        (void)tcsetattr(STDIN_FILENO, TCSANOW, &shown);
         (void)fputs("\n", stderr);
     }
     const size_t length = is_read ? strcspn(line, "\n") : 0U;

@@ -9,29 +9,36 @@
 #include <sys/random.h>
 
 #define CODE_NAME "code" /* Of who has logged in by it. */
+#define STRANGER "?"
 #define GROUP 4U
 #define BUSY_S 1U
+#define MS_PER_S 1000U
+#define REFUSAL_PAUSE_S 1U /* Between two that are told. */
+#define COMPARISON_PAUSE_S 1U
 
-static void tell(const session_desk_t *self, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
+static void tell(const session_desk_t *self, note_kind_t kind, const char *who, const char *format,
+                 ...) __attribute__((format(printf, 4, 5)));
 
-static void tell(const session_desk_t *self, const char *format, ...)
+static void tell(const session_desk_t *self, note_kind_t kind, const char *who, const char *format,
+                 ...)
 {
-    char line[SESSION_LINE_SIZE];
+    char text[SESSION_TEXT_SIZE];
     va_list arguments;
 
     va_start(arguments, format);
-    (void)vsnprintf(line, sizeof line, format, arguments);
+    (void)vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
-    self->witness(line);
+    self->witness(self->witness_owner, kind, who, text);
 }
 
-void session_desk_init(session_desk_t *self, const char *accounts_file, session_witness_t witness)
+void session_desk_init(session_desk_t *self, const char *accounts_file, session_witness_t witness,
+                       void *owner)
 {
     (void)memset(self, 0, sizeof *self);
     (void)pthread_mutex_init(&self->lock, NULL);
     self->accounts_file = accounts_file;
     self->witness = witness;
+    self->witness_owner = owner;
 }
 
 bool session_desk_make_code(session_desk_t *self)
@@ -64,7 +71,40 @@ static const char *shown(const login_t *login)
     if (login->name == NULL) {
         return CODE_NAME;
     }
-    return account_is_name(login->name) ? login->name : "an impossible name";
+    return account_is_name(login->name) ? login->name : STRANGER;
+}
+
+/* Refusals to be told now, `more` of them new; 0: they are counted until `pause_s` has passed since
+ * the last that were told. */
+static uint32_t take_refusals(session_desk_t *self, uint32_t more, uint32_t pause_s,
+                              uint64_t now_ms)
+{
+    uint32_t count = 0U;
+
+    (void)pthread_mutex_lock(&self->lock);
+    self->untold += more;
+    if ((now_ms - self->told_ms) >= ((uint64_t)pause_s * MS_PER_S)) {
+        count = self->untold;
+        self->untold = 0U;
+        self->told_ms = (count > 0U) ? now_ms : self->told_ms;
+    }
+    (void)pthread_mutex_unlock(&self->lock);
+    return count;
+}
+
+static void tell_refusal(session_desk_t *self, const login_t *login, const char *why,
+                         uint64_t now_ms)
+{
+    const uint32_t count = take_refusals(self, 1U, REFUSAL_PAUSE_S, now_ms);
+
+    if (count > 1U) {
+        tell(self, NOTE_LOGIN_REFUSED, shown(login), "login refused after %u others: %s",
+             (unsigned)(count - 1U), why);
+    } else if (count > 0U) {
+        tell(self, NOTE_LOGIN_REFUSED, shown(login), "login refused: %s", why);
+    } else {
+        /* It is counted. */
+    }
 }
 
 /* What is counted together: whoever comes with a code, or with this name. */
@@ -89,20 +129,20 @@ static bool claim(session_desk_t *self, const login_t *login, uint64_t now_ms, u
 }
 
 /* Looks at the password without the lock. The accounts are read anew: who was removed is gone. */
-static bool is_right_password(const session_desk_t *self, const login_t *login, role_t *role)
+static bool is_right_password(const session_desk_t *self, const login_t *login, account_t *account,
+                              char why[SESSION_TEXT_SIZE])
 {
-    char error[SESSION_LINE_SIZE];
     accounts_t accounts;
 
     accounts.count = 0U;
-    if ((self->accounts_file != NULL) &&
-        !accounts_read(&accounts, self->accounts_file, error, sizeof error)) {
-        tell(self, "%s", error);
+    if (self->accounts_file != NULL) {
+        (void)accounts_read(&accounts, self->accounts_file, why, SESSION_TEXT_SIZE);
     }
-    const account_t *account = accounts_find(&accounts, login->name);
-    const bool is_right =
-        password_matches(login->password, (account != NULL) ? account->hash : NULL);
-    *role = (account != NULL) ? account->role : ROLE_OBSERVER;
+    const account_t *found = accounts_find(&accounts, login->name);
+    const bool is_right = password_matches(login->password, (found != NULL) ? found->hash : NULL);
+    if (found != NULL) {
+        *account = *found;
+    }
     explicit_bzero(&accounts, sizeof accounts);
     return is_right;
 }
@@ -118,18 +158,19 @@ static bool take_code(session_desk_t *self, const char *code)
     return is_right;
 }
 
-/* With the lock. */
-static login_verdict_t open_session(session_desk_t *self, const login_t *login, role_t role,
-                                    uint64_t now_ms, session_t *opened)
+/* With the lock. `old` is the session that the client had, if it had one. */
+static login_verdict_t open_session(session_desk_t *self, const login_t *login,
+                                    const account_t *account, uint64_t now_ms, session_t *opened,
+                                    session_t *old)
 {
-    session_t *old =
+    session_t *had =
         (login->id != NULL) ? session_table_find(&self->table, login->id, now_ms) : NULL;
 
-    if (old != NULL) {
-        session_table_close(old);
+    if (had != NULL) {
+        *old = *had;
+        session_table_close(had);
     }
-    const session_t *session = session_table_open(
-        &self->table, (login->name != NULL) ? login->name : CODE_NAME, role, now_ms);
+    const session_t *session = session_table_open(&self->table, account, now_ms);
     if (session == NULL) {
         return LOGIN_FULL;
     }
@@ -137,46 +178,44 @@ static login_verdict_t open_session(session_desk_t *self, const login_t *login, 
     return LOGIN_OPENED;
 }
 
-static void tell_verdict(session_desk_t *self, const login_t *login, login_verdict_t verdict,
-                         const session_t *opened, uint32_t untold)
+static void tell_opened(const session_desk_t *self, const login_t *login, const session_t *opened,
+                        const session_t *old)
 {
-    static const char *const by[] = {"by password", "by the code of the first login"};
-
-    if (untold > 0U) {
-        tell(self, "%u logins were not looked at: they came too soon.", (unsigned)untold);
+    if (old->is_open) {
+        tell(self, NOTE_SESSION_ENDED, old->account.name,
+             "session ended: another login took its place.");
     }
-    if (verdict == LOGIN_OPENED) {
-        tell(self, "%s logged in as %s, %s.", opened->name, account_role_word(opened->role),
-             by[(login->name == NULL) ? 1 : 0]);
-    } else {
-        tell(self, "A login of %s was refused: %s.", shown(login),
-             (verdict == LOGIN_FULL) ? "there are too many sessions"
-                                     : "name, password or code is wrong");
-    }
+    tell(self, NOTE_LOGIN, opened->account.name, "logged in as %s, %s.",
+         account_role_word(opened->account.role),
+         (login->name == NULL) ? "by the code of the first login" : "by password");
 }
 
 login_verdict_t session_desk_log_in(session_desk_t *self, const login_t *login, uint64_t now_ms,
                                     session_t *opened, uint32_t *wait_s)
 {
-    role_t role = ROLE_ENGINEER;
+    char why[SESSION_TEXT_SIZE] = "name, password or code is wrong.";
+    account_t account = {.name = CODE_NAME, .role = ROLE_ENGINEER};
+    session_t old = {.is_open = false};
     login_verdict_t verdict = LOGIN_REFUSED;
 
     session_desk_tick(self, now_ms);
     if (!claim(self, login, now_ms, wait_s)) {
         return LOGIN_LATER;
     }
-    bool is_right = (login->name != NULL) && is_right_password(self, login, &role);
+    bool is_right = (login->name != NULL) && is_right_password(self, login, &account, why);
     (void)pthread_mutex_lock(&self->lock);
     self->is_looking = false;
     is_right = is_right || ((login->code != NULL) && take_code(self, login->code));
     login_delay_note(&self->delay, counted(login), is_right, now_ms);
     if (is_right) {
-        verdict = open_session(self, login, role, now_ms, opened);
+        verdict = open_session(self, login, &account, now_ms, opened, &old);
     }
-    const uint32_t untold = self->untold;
-    self->untold = 0U;
     (void)pthread_mutex_unlock(&self->lock);
-    tell_verdict(self, login, verdict, opened, untold);
+    if (verdict == LOGIN_OPENED) {
+        tell_opened(self, login, opened, &old);
+    } else {
+        tell_refusal(self, login, is_right ? "there are too many sessions." : why, now_ms);
+    }
     return verdict;
 }
 
@@ -204,7 +243,7 @@ static session_verdict_t judge(session_t *session, const char *csrf, bool is_wri
     if (is_writing && ((csrf == NULL) || !password_is_equal(csrf, session->csrf))) {
         return SESSION_CSRF;
     }
-    if (session->role < role) {
+    if (session->account.role < role) {
         return SESSION_ROLE;
     }
     session->used_ms = is_writing ? now_ms : session->used_ms;
@@ -233,11 +272,62 @@ void session_desk_log_out(session_desk_t *self, const char *id, uint64_t now_ms)
     }
     (void)pthread_mutex_unlock(&self->lock);
     if (ended.is_open) {
-        tell(self, "%s logged out.", ended.name);
+        tell(self, NOTE_LOGOUT, ended.account.name, "logged out.");
     }
 }
 
-void session_desk_tick(session_desk_t *self, uint64_t now_ms)
+static bool is_account_unchanged(const account_t *account, accounts_t *accounts)
+{
+    const account_t *now = accounts_find(accounts, account->name);
+
+    return (now != NULL) && (now->role == account->role) && (strcmp(now->hash, account->hash) == 0);
+}
+
+/* Ends the first session whose account is not in `accounts` as it was, and copies it to `ended`. */
+static bool take_changed(session_desk_t *self, accounts_t *accounts, session_t *ended)
+{
+    bool is_one = false;
+
+    (void)pthread_mutex_lock(&self->lock);
+    for (size_t i = 0U; (i < LIMIT_SESSIONS) && !is_one; i++) {
+        session_t *session = &self->table.sessions[i];
+        is_one = session->is_open && !is_account_unchanged(&session->account, accounts);
+        if (is_one) {
+            *ended = *session;
+            session_table_close(session);
+        }
+    }
+    (void)pthread_mutex_unlock(&self->lock);
+    return is_one;
+}
+
+/* A file that cannot be read ends no session. */
+static void compare_accounts(session_desk_t *self)
+{
+    char error[SESSION_TEXT_SIZE];
+    accounts_t accounts;
+    session_t ended;
+
+    if (accounts_read(&accounts, self->accounts_file, error, sizeof error)) {
+        while (take_changed(self, &accounts, &ended)) {
+            tell(self, NOTE_SESSION_ENDED, ended.account.name,
+                 "session ended: the account was changed.");
+        }
+    }
+    explicit_bzero(&accounts, sizeof accounts);
+}
+
+static bool is_comparison_due(session_desk_t *self, uint64_t now_ms)
+{
+    (void)pthread_mutex_lock(&self->lock);
+    const bool is_due = (self->accounts_file != NULL) &&
+                        ((now_ms - self->compared_ms) >= (COMPARISON_PAUSE_S * MS_PER_S));
+    self->compared_ms = is_due ? now_ms : self->compared_ms;
+    (void)pthread_mutex_unlock(&self->lock);
+    return is_due;
+}
+
+static void end_old(session_desk_t *self, uint64_t now_ms)
 {
     bool is_one = true;
 
@@ -247,9 +337,23 @@ void session_desk_tick(session_desk_t *self, uint64_t now_ms)
         is_one = session_table_take_ended(&self->table, now_ms, &ended);
         (void)pthread_mutex_unlock(&self->lock);
         if (is_one) {
-            tell(self, "The session of %s has ended: %s.", ended.name,
+            tell(self, NOTE_SESSION_ENDED, ended.account.name, "session ended: %s.",
                  (session_left(&ended, now_ms).most_s == 0U) ? "it was too old"
                                                              : "nothing was done in it");
         }
+    }
+}
+
+void session_desk_tick(session_desk_t *self, uint64_t now_ms)
+{
+    const uint32_t count = take_refusals(self, 0U, LIMIT_REFUSALS_LINE_S, now_ms);
+
+    if (count > 0U) {
+        tell(self, NOTE_LOGIN_REFUSED, STRANGER, "%u logins refused: they came too soon.",
+             (unsigned)count);
+    }
+    end_old(self, now_ms);
+    if (is_comparison_due(self, now_ms)) {
+        compare_accounts(self);
     }
 }

@@ -8,6 +8,7 @@
 #ifndef BORESIGHT_SESSION_DESK_H
 #define BORESIGHT_SESSION_DESK_H
 
+#include "interface/note_kind.h"
 #include "session/account.h"
 #include "session/login_delay.h"
 #include "session/session_table.h"
@@ -19,18 +20,21 @@
 
 #define SESSION_CODE_SIZE                                                                          \
     15U /**< Of the code of the first login: three groups of four, and a NUL. */
-#define SESSION_LINE_SIZE 160U
+#define SESSION_TEXT_SIZE 161U /**< 160 bytes and a NUL. */
 
-/** Is told what happened: a line without its end. */
-typedef void (*session_witness_t)(const char *line);
+/** Is told what happened to whom; `text` goes on after the name, "?" for a stranger. */
+typedef void (*session_witness_t)(void *owner, note_kind_t kind, const char *who, const char *text);
 
 typedef struct {
     pthread_mutex_t lock;
     const char *accounts_file;    /**< NULL: none, the code alone. */
     session_witness_t witness;    /**< Called without the lock. */
+    void *witness_owner;          /**< Handed to it. */
     char code[SESSION_CODE_SIZE]; /**< "": none, or used. */
     bool is_looking;              /**< At a password. */
-    uint32_t untold;              /**< Logins that were not judged, since the last line. */
+    uint32_t untold;              /**< Refusals that were not told. */
+    uint64_t told_ms;             /**< The last one that was. */
+    uint64_t compared_ms;         /**< The sessions with the accounts. */
     login_delay_t delay;
     session_table_t table;
 } session_desk_t;
@@ -57,8 +61,9 @@ typedef enum {
     SESSION_ROLE = 3  /**< The role is not enough. */
 } session_verdict_t;
 
-/** Starts without sessions and without a code. `accounts_file` outlives `self`. */
-void session_desk_init(session_desk_t *self, const char *accounts_file, session_witness_t witness);
+/** Starts without sessions and without a code. `accounts_file` and `owner` outlive `self`. */
+void session_desk_init(session_desk_t *self, const char *accounts_file, session_witness_t witness,
+                       void *owner);
 
 /**
  * Makes the code of the first login; it is in `self`.
@@ -100,7 +105,13 @@ session_verdict_t session_desk_judge(session_desk_t *self, const char *id, const
 /** Ends the session with this id, if there is one. */
 void session_desk_log_out(session_desk_t *self, const char *id, uint64_t now_ms);
 
-/** Ends what has come to its end; to be called now and then. */
+/**
+ * Ends what has come to its end, or whose account is not what it was, and tells what was counted;
+ * to be called at least each second.
+ *
+ * @satisfies SWR-SESS-021
+ * @satisfies SWR-SESS-022
+ */
 void session_desk_tick(session_desk_t *self, uint64_t now_ms);
 
 #endif

@@ -47,15 +47,14 @@ static bool is_over(const session_t *session, uint64_t now_ms)
     return (left.idle_s == 0U) || (left.most_s == 0U);
 }
 
-const session_t *session_table_open(session_table_t *self, const char *name, role_t role,
+const session_t *session_table_open(session_table_t *self, const account_t *account,
                                     uint64_t now_ms)
 {
     for (size_t i = 0U; i < LIMIT_SESSIONS; i++) {
         session_t *session = &self->sessions[i];
         if (!session->is_open) {
             session->is_open = make_token(session->id) && make_token(session->csrf);
-            (void)snprintf(session->name, sizeof session->name, "%s", name);
-            session->role = role;
+            session->account = *account;
             session->opened_ms = now_ms;
             session->used_ms = now_ms;
             return session->is_open ? session : NULL;

@@ -17,8 +17,7 @@ typedef struct {
     bool is_open;
     char id[SESSION_TOKEN_SIZE];   /**< What the cookie holds. */
     char csrf[SESSION_TOKEN_SIZE]; /**< What a writing request says beside it. */
-    char name[ACCOUNT_NAME_SIZE];
-    role_t role;
+    account_t account;             /**< As it was when the session was opened. */
     uint64_t opened_ms;
     uint64_t used_ms;
 } session_t;
@@ -42,7 +41,7 @@ typedef struct {
  * @satisfies SWR-SESS-007
  * @satisfies SWR-SESS-008
  */
-const session_t *session_table_open(session_table_t *self, const char *name, role_t role,
+const session_t *session_table_open(session_table_t *self, const account_t *account,
                                     uint64_t now_ms);
 
 /** The open session with this id; NULL: there is none. */

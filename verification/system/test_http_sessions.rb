@@ -4,6 +4,8 @@
 # Rule under test: nobody commands by HTTP without a session of his own, none is stolen, fixed, kept or guessed, and whoever
 # tries keeps nobody from working and nothing from stopping.
 
+require 'io/console'
+require 'pty'
 require_relative 'support/http_client'
 require_relative 'support/openapi'
 require_relative 'support/session_client'
@@ -187,16 +189,78 @@ class TestHttpSessions < Minitest::Test
     guessers&.each(&:join)
   end
 
-  def test_SWR_SESS_020_each_login_refusal_and_logout_is_a_line
+  # Notes of this server in the log, with what is said of them elsewhere: [the sentence, name, severity, cause].
+  def notes
+    self.class.boresight.log.select { |entry| %w[NOTE LOGIN_REFUSED].include?(entry['name']) }
+        .map { |entry| entry.values_at('text', 'name', 'severity', 'cause') }
+  end
+
+  def test_SWR_SESS_020_each_login_refusal_and_logout_is_an_event
+    before = notes.size
     anna = client('anna')
     client.log_in('anna', 'wrong')
-    client.log_in("a\nb", 'wrong')
+    anna.log_in('egon')
     anna.log_out
-    wait_until('all is said') do
-      ['anna logged in as operator, by password.', 'A login of anna was refused: name, password or code is wrong.',
-       'A login of an impossible name was refused', 'anna logged out.'].all? { |line| output.include?(line) }
+    expected = [['anna: logged in as operator, by password.', 'NOTE', 'INFORMATION', 'CONSOLE'],
+                ['anna: login refused: name, password or code is wrong.', 'LOGIN_REFUSED', 'WARNING', 'CONSOLE'],
+                ['anna: session ended: another login took its place.', 'NOTE', 'INFORMATION', 'CONSOLE'],
+                ['egon: logged in as engineer, by password.', 'NOTE', 'INFORMATION', 'CONSOLE'],
+                ['egon: logged out.', 'NOTE', 'INFORMATION', 'CONSOLE']]
+    wait_until('all is said') { notes.size >= before + expected.size }
+    assert_equal expected, notes.drop(before)
+    wait_until('it is in the file') { self.class.boresight.event_lines.last.end_with?(' egon: logged out.') }
+  end
+
+  def test_SWR_EVENT_010_what_a_stranger_calls_himself_is_not_written
+    before = notes.size
+    client.log_in("a\nroot: logged in", 'correct-horse')
+    wait_until('it is said') { notes.size > before }
+    assert_equal '?: login refused: name, password or code is wrong.', notes.last.first
+    self.class.boresight.event_lines.each { |line| refute_match(/correct-horse|root/, line) }
+  end
+
+  def test_SWR_SESS_020_a_note_that_a_stop_has_refused_comes_all_the_same
+    before = notes.size
+    is_over = false
+    stopping = Thread.new { post('/api/v1/stop', '{}') until is_over }
+    clients = Array.new(20) { client('anna') }
+    wait_until('all are in the log') { notes.size >= before + clients.size }
+    assert_equal ['anna: logged in as operator, by password.'] * clients.size, notes.drop(before).map(&:first)
+  ensure
+    is_over = true
+    stopping&.join
+  end
+
+  def test_SWR_SESS_022_who_is_removed_is_out
+    Dir.mktmpdir do |folder|
+      kept = File.join(folder, 'accounts')
+      FileUtils.cp(self.class.accounts, kept, preserve: true)
+      anna = client('anna')
+      egon = client('egon')
+      assert_passwd '', self.class.accounts, 'remove', 'anna'
+      wait_until('she is out') { !anna.show.fetch('is_open') }
+      assert egon.show.fetch('is_open')
+    ensure
+      FileUtils.cp(kept, self.class.accounts, preserve: true)
     end
-    refute_includes output, 'correct-horse'
+  end
+
+  def test_SWR_SESS_025_a_restart_ends_all_sessions
+    anna = client('anna')
+    setup
+    assert_equal [false, 'NO_SESSION'], [anna.show.fetch('is_open'), code(anna.renew)]
+  end
+
+  def test_SWR_SESS_024_an_interrupted_question_gives_the_terminal_back
+    PTY.open do |master, terminal|
+      pid = Process.spawn(Boresight.program('boresight-passwd'), self.class.accounts, 'set', 'anna', 'observer',
+                          in: terminal, out: terminal, err: terminal)
+      wait_until('it asks') { !terminal.echo? }
+      assert_equal 'New password: ', master.readpartial(100)
+      Process.kill('INT', pid)
+      _, status = Process.wait2(pid)
+      assert_equal [Signal.list.fetch('INT'), true], [status.termsig, terminal.echo?]
+    end
   end
 
   def test_SWR_SESS_004_accounts_are_made_changed_and_removed

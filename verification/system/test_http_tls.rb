@@ -5,6 +5,7 @@
 # reached by the configured names alone, nothing is shown without a session, and no cookie leaves TLS.
 
 require 'openssl'
+require 'tempfile'
 require_relative 'support/http_client'
 require_relative 'support/session_client'
 
@@ -206,6 +207,22 @@ class TestHttpTls < Minitest::Test
     assert rest.join(PATIENCE), 'the stream goes on'
   ensure
     stream&.close
+  end
+
+  def test_SWR_SESS_023_a_port_that_stunnel_shall_feed_and_another_has_keeps_the_server_from_starting
+    { 'console-from' => front.console_from, 'stop-from' => front.stop_from }.each do |key, taken|
+      others = Boresight.free_ports(2)
+      text = File.read(front.file)
+      %w[console-from stop-from].each { |other| text.sub!(/^#{other} = .*/, "#{other} = #{other == key ? taken : others.pop}") }
+      Tempfile.create('tls') do |file|
+        file.write(text)
+        file.close
+        said, status = Open3.capture2e(Boresight.program('boresight-http'), '--exchange', self.class.boresight.instance,
+                                       '--box', 'x', '--port', others.pop.to_s, '--tls-file', file.path)
+        assert_equal 3, status.exitstatus
+        assert_includes said, "port #{taken}, which TLS shall feed, is in use; change #{key} in the file of TLS"
+      end
+    end
   end
 
   def test_SWR_SESS_019_the_library_never_speaks_tls_itself

@@ -842,6 +842,7 @@ void test_SWR_EXCH_019_the_last_notes_are_kept(void)
 
     TEST_ASSERT_FALSE(exchange_read_note(control, 0U, &note));
     TEST_ASSERT_FALSE(exchange_read_note(control, 1U, &note));
+    TEST_ASSERT_EQUAL_UINT32(0U, exchange_newest_note(control));
     TEST_ASSERT_EQUAL_UINT32(1U, exchange_write_note(reader, NOTE_LOGIN, "anna", "logged in."));
     TEST_ASSERT_TRUE(exchange_read_note(control, 1U, &note));
     TEST_ASSERT_EQUAL_UINT32(NOTE_LOGIN, note.kind);
@@ -854,6 +855,7 @@ void test_SWR_EXCH_019_the_last_notes_are_kept(void)
     (void)exchange_write_note(reader, NOTE_LOGOUT, "b", "c");
     TEST_ASSERT_FALSE(exchange_read_note(control, 1U, &note));
     TEST_ASSERT_TRUE(exchange_read_note(control, LIMIT_NOTES_KEPT + 1U, &note));
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_NOTES_KEPT + 1U, exchange_newest_note(control));
 }
 
 void test_SWR_EXCH_019_a_note_has_its_ends_and_no_control_characters(void)

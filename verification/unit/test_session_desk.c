@@ -25,9 +25,21 @@ static session_t session;
 static uint32_t wait_s;
 static uint64_t now_ms;
 
-static void witness(const char *line)
+static void witness(void *owner, note_kind_t kind, const char *who, const char *text)
 {
-    (void)snprintf(&said[strlen(said)], sizeof said - strlen(said), "%s\n", line);
+    TEST_ASSERT_EQUAL_PTR(said, owner);
+    (void)snprintf(&said[strlen(said)], sizeof said - strlen(said), "%u %s: %s\n", (unsigned)kind,
+                   who, text);
+}
+
+/* How often something was said. */
+static unsigned count_said(const char *what)
+{
+    unsigned count = 0U;
+    for (const char *place = strstr(said, what); place != NULL; place = strstr(&place[1], what)) {
+        count++;
+    }
+    return count;
 }
 
 void setUp(void)
@@ -42,7 +54,7 @@ void setUp(void)
     (void)memcpy(&file[sizeof file - 7U], "XXXXXX", 6U);
     TEST_ASSERT_NOT_EQUAL(-1, close(mkstemp(file)));
     TEST_ASSERT_TRUE(accounts_write(&accounts, file, error, sizeof error));
-    session_desk_init(&desk, file, witness);
+    session_desk_init(&desk, file, witness, said);
     said[0] = '\0';
     now_ms = 1000000U;
 }
@@ -50,6 +62,12 @@ void setUp(void)
 void tearDown(void)
 {
     (void)unlink(file);
+}
+
+static void write_accounts(const accounts_t *accounts)
+{
+    static char error[200];
+    TEST_ASSERT_TRUE_MESSAGE(accounts_write(accounts, file, error, sizeof error), error);
 }
 
 static login_verdict_t enter(const char *name, const char *password)
@@ -111,6 +129,7 @@ void test_SWR_SESS_001_who_was_removed_logs_in_no_more(void)
     TEST_ASSERT_TRUE(accounts_write(&nobody, file, error, sizeof error));
     TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter("anna", "correct horse"));
     (void)unlink(file);
+    now_ms += SECOND;
     TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter("anna", "correct horse"));
     TEST_ASSERT_NOT_NULL(strstr(said, "cannot be read"));
 }
@@ -118,7 +137,7 @@ void test_SWR_SESS_001_who_was_removed_logs_in_no_more(void)
 void test_SWR_SESS_005_the_code_opens_one_session_of_an_engineer(void)
 {
     char code[SESSION_CODE_SIZE];
-    session_desk_init(&desk, NULL, witness);
+    session_desk_init(&desk, NULL, witness, said);
     TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter_by_code(""));
     TEST_ASSERT_TRUE(session_desk_make_code(&desk));
     (void)memcpy(code, desk.code, sizeof code);
@@ -128,8 +147,8 @@ void test_SWR_SESS_005_the_code_opens_one_session_of_an_engineer(void)
     TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter_by_code(code));
     (void)memcpy(code, desk.code, sizeof code);
     TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter_by_code(code));
-    TEST_ASSERT_EQUAL_INT(ROLE_ENGINEER, session.role);
-    TEST_ASSERT_EQUAL_STRING("code", session.name);
+    TEST_ASSERT_EQUAL_INT(ROLE_ENGINEER, session.account.role);
+    TEST_ASSERT_EQUAL_STRING("code", session.account.name);
     TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter_by_code(code));
     TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter_by_code(""));
     TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter("anna", "correct horse"));
@@ -163,6 +182,7 @@ void test_SWR_SESS_008_a_login_gets_a_new_identifier_and_ends_the_old_session(vo
     TEST_ASSERT_NOT_EQUAL(0, strcmp(old.id, session.id));
     TEST_ASSERT_NOT_EQUAL(0, strcmp(old.csrf, session.csrf));
     TEST_ASSERT_FALSE(session_desk_find(&desk, old.id, now_ms, &found));
+    TEST_ASSERT_EQUAL_UINT(1U, count_said("3 anna: session ended: another login took its place."));
 }
 
 void test_SWR_SESS_008_an_identifier_that_the_client_brings_is_never_taken(void)
@@ -206,7 +226,7 @@ void test_SWR_SESS_009_a_session_in_which_nothing_is_written_ends(void)
     TEST_ASSERT_EQUAL_INT(SESSION_NONE, session_desk_judge(&desk, session.id, session.csrf, true,
                                                            ROLE_OBSERVER, now_ms));
     session_desk_tick(&desk, now_ms);
-    TEST_ASSERT_NOT_NULL(strstr(said, "The session of anna has ended: nothing was done in it."));
+    TEST_ASSERT_NOT_NULL(strstr(said, "3 anna: session ended: nothing was done in it."));
 }
 
 void test_SWR_SESS_009_writing_keeps_it_awake_until_it_is_too_old(void)
@@ -231,7 +251,8 @@ void test_SWR_SESS_009_who_logs_out_is_out(void)
     session_desk_log_out(&desk, session.id, now_ms);
     TEST_ASSERT_FALSE(is_live());
     session_desk_log_out(&desk, session.id, now_ms);
-    TEST_ASSERT_EQUAL_STRING("anna logged in as operator, by password.\nanna logged out.\n", said);
+    TEST_ASSERT_EQUAL_STRING("0 anna: logged in as operator, by password.\n2 anna: logged out.\n",
+                             said);
 }
 
 void test_SWR_SESS_011_writing_needs_the_token_and_reading_does_not(void)
@@ -318,12 +339,86 @@ void test_SWR_SESS_014_the_right_password_is_not_looked_at_too_soon(void)
     TEST_ASSERT_EQUAL_INT(LOGIN_LATER, enter("anna", "correct horse"));
     now_ms += SECOND;
     TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
-    TEST_ASSERT_NOT_NULL(strstr(said, "1 logins were not looked at"));
 }
 
 void test_SWR_SESS_020_what_a_stranger_calls_himself_is_not_written(void)
 {
     TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter("a\nroot logged in as service", "x"));
-    TEST_ASSERT_EQUAL_STRING(
-        "A login of an impossible name was refused: name, password or code is wrong.\n", said);
+    TEST_ASSERT_EQUAL_STRING("1 ?: login refused: name, password or code is wrong.\n", said);
+}
+
+void test_SWR_SESS_021_refusals_within_a_second_are_told_with_the_next(void)
+{
+    TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter("anna", "wrong"));
+    now_ms += SECOND - 1U;
+    TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter("bert", "wrong"));
+    TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter("carl", "wrong"));
+    TEST_ASSERT_EQUAL_UINT(1U, count_said("refused"));
+    now_ms++;
+    TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter("dora", "wrong"));
+    TEST_ASSERT_EQUAL_STRING("1 anna: login refused: name, password or code is wrong.\n"
+                             "1 dora: login refused after 2 others: name, password or code is "
+                             "wrong.\n",
+                             said);
+}
+
+void test_SWR_SESS_021_a_flood_that_is_not_looked_at_is_a_line_now_and_then(void)
+{
+    const uint64_t begin_ms = now_ms;
+    for (unsigned i = 0U; i <= LIMIT_LOGIN_FREE_FAILURES; i++) {
+        TEST_ASSERT_EQUAL_INT(LOGIN_REFUSED, enter("anna", "wrong"));
+    }
+    said[0] = '\0';
+    desk.is_looking = true;
+    for (; now_ms < (begin_ms + (LIMIT_REFUSALS_LINE_S * SECOND)); now_ms += 10U) {
+        TEST_ASSERT_EQUAL_INT(LOGIN_LATER, enter("anna", "wrong"));
+    }
+    TEST_ASSERT_EQUAL_STRING("", said);
+    session_desk_tick(&desk, now_ms);
+    session_desk_tick(&desk, now_ms + SECOND);
+    char line[80];
+    (void)snprintf(line, sizeof line, "1 ?: %u logins refused: they came too soon.\n",
+                   (unsigned)(LIMIT_LOGIN_FREE_FAILURES + (LIMIT_REFUSALS_LINE_S * 100U)));
+    TEST_ASSERT_EQUAL_STRING(line, said);
+}
+
+void test_SWR_SESS_022_whose_account_is_changed_is_out(void)
+{
+    static accounts_t accounts;
+    static char error[200];
+    TEST_ASSERT_TRUE(accounts_read(&accounts, file, error, sizeof error));
+    const account_t anna = *accounts_find(&accounts, "anna");
+    for (unsigned i = 0U; i < 3U; i++) {
+        account_t changed = anna;
+        TEST_ASSERT_TRUE(accounts_put(&accounts, &anna));
+        write_accounts(&accounts);
+        TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
+        session_desk_tick(&desk, now_ms += SECOND);
+        TEST_ASSERT_TRUE(is_live());
+        changed.role = (i == 0U) ? ROLE_OBSERVER : anna.role;
+        changed.hash[10] = (i == 1U) ? '/' : anna.hash[10];
+        TEST_ASSERT_TRUE((i == 2U) ? accounts_remove(&accounts, "anna")
+                                   : accounts_put(&accounts, &changed));
+        write_accounts(&accounts);
+        session_desk_tick(&desk, now_ms += SECOND);
+        TEST_ASSERT_FALSE(is_live());
+    }
+    TEST_ASSERT_EQUAL_UINT(3U, count_said("3 anna: session ended: the account was changed."));
+}
+
+void test_SWR_SESS_022_accounts_that_cannot_be_read_end_no_session(void)
+{
+    TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
+    (void)unlink(file);
+    session_desk_tick(&desk, now_ms += SECOND);
+    TEST_ASSERT_TRUE(is_live());
+}
+
+void test_SWR_SESS_022_the_code_has_no_account(void)
+{
+    session_desk_init(&desk, NULL, witness, said);
+    TEST_ASSERT_TRUE(session_desk_make_code(&desk));
+    TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter_by_code(desk.code));
+    session_desk_tick(&desk, now_ms += SECOND);
+    TEST_ASSERT_TRUE(is_live());
 }

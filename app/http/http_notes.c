@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "http/http_notes.h"
+
+#include "interface/event.h"
+
+#include <string.h>
+
+#define EVENTS_AT_ONCE 32U
+#define PATIENCE 10U /* Half a second. */
+
+void http_notes_init(http_notes_t *self, exchange_t *exchange)
+{
+    (void)memset(self, 0, sizeof *self);
+    self->exchange = exchange;
+    (void)pthread_mutex_init(&self->lock, NULL);
+    self->written = exchange_newest_note(exchange);
+    self->logged = self->written;
+    self->asked = self->written;
+}
+
+void http_notes_write(void *owner, note_kind_t kind, const char *who, const char *text)
+{
+    http_notes_t *self = owner;
+    (void)pthread_mutex_lock(&self->lock);
+    self->written = exchange_write_note(self->exchange, kind, who, text);
+    (void)pthread_mutex_unlock(&self->lock);
+}
+
+static uint32_t newest(http_notes_t *self)
+{
+    (void)pthread_mutex_lock(&self->lock);
+    const uint32_t written = self->written;
+    (void)pthread_mutex_unlock(&self->lock);
+    return written;
+}
+
+static void look_into_log(http_notes_t *self)
+{
+    event_t events[EVENTS_AT_ONCE];
+    uint32_t lost = 0U;
+    uint32_t count;
+    do {
+        count =
+            exchange_read_events(self->exchange, &self->next_event, events, EVENTS_AT_ONCE, &lost);
+        for (uint32_t i = 0U; i < count; i++) {
+            const bool is_note = (events[i].id == (uint32_t)EVENT_NOTE) ||
+                                 (events[i].id == (uint32_t)EVENT_LOGIN_REFUSED);
+            const bool is_asked = is_note && ((uint32_t)events[i].value == self->asked);
+            self->logged = is_asked ? self->asked : self->logged;
+        }
+    } while (count == EVENTS_AT_ONCE);
+}
+
+static void ask(http_notes_t *self, const exchange_note_t *note)
+{
+    const command_t command = {.source = (uint32_t)COMMAND_SOURCE_HTTP,
+                               .kind = (uint32_t)COMMAND_NOTE,
+                               .argument = note->kind,
+                               .value = (int32_t)note->number};
+    (void)exchange_send_command(self->exchange, &command);
+    self->asked = note->number;
+    self->patience = PATIENCE;
+}
+
+void http_notes_tick(http_notes_t *self)
+{
+    exchange_note_t note;
+    look_into_log(self);
+    if (self->logged != self->asked) {
+        self->patience--;
+    }
+    const uint32_t next = self->logged + 1U;
+    const bool is_free = (self->logged == self->asked) || (self->patience == 0U);
+    if ((self->logged == newest(self)) || !is_free) {
+        return;
+    }
+    if (exchange_read_note(self->exchange, next, &note)) {
+        ask(self, &note);
+    } else {
+        self->logged = next;
+        self->asked = next;
+    }
+}

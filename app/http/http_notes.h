@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * What the server notes in the log of events: the words are kept in the exchange, and control is
+ * asked for an event of each. One is asked for at a time, and again until it stands in the log: a
+ * stop may have refused it.
+ */
+#ifndef BORESIGHT_HTTP_NOTES_H
+#define BORESIGHT_HTTP_NOTES_H
+
+#include "exchange/exchange_notes.h"
+
+#include <pthread.h>
+#include <stdint.h>
+
+typedef struct {
+    exchange_t *exchange;
+    pthread_mutex_t lock;
+    uint32_t written;    /**< Number of the newest note. */
+    uint32_t logged;     /**< Of the last one that stands in the log. */
+    uint32_t asked;      /**< Of the last one that was asked for. */
+    uint32_t patience;   /**< Ticks until it is asked for again. */
+    uint32_t next_event; /**< Of the log, to look at. */
+} http_notes_t;
+
+/** Starts with nothing to log. `exchange` outlives `self`. */
+void http_notes_init(http_notes_t *self, exchange_t *exchange);
+
+/** Keeps a note; http_notes_tick() has it logged. Any thread. `owner` is an http_notes_t. */
+void http_notes_write(void *owner, note_kind_t kind, const char *who, const char *text);
+
+/**
+ * Has the next note logged; called by one thread at 20 Hz, which is how many are logged in a second
+ * at most. What is overwritten before is never logged.
+ *
+ * @satisfies SWR-SESS-020
+ */
+void http_notes_tick(http_notes_t *self);
+
+#endif
