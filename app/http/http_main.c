@@ -8,6 +8,7 @@
  *                    [--accounts FILE] [--tls-file FILE]
  *     boresight-http --tls-file FILE --stunnel        prints the configuration of stunnel
  */
+#include "base/contract.h"
 #include "exchange/exchange.h"
 #include "http/http_guard.h"
 #include "http/http_server.h"
@@ -25,6 +26,12 @@
 #define EXIT_PORT_IN_USE 3
 #define DEFAULT_PORT 8080U
 #define TICK_NS 50000000L /* 20 Hz */
+
+void contract_broken(const char *module, uint32_t id)
+{
+    (void)fprintf(stderr, "boresight-http: contract %s/%u is broken\n", module, (unsigned)id);
+    abort();
+}
 
 typedef struct {
     const char *exchange;
