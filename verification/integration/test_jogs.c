@@ -483,10 +483,6 @@ void test_SWR_CMD_005_a_source_sends_what_is_its_own_and_nothing_else(void)
         [COMMAND_RENEW] = true,
         [COMMAND_REQUEST] = true,
         [COMMAND_RESTORE] = true,
-        [COMMAND_KEPT_17] = true,
-        [COMMAND_KEPT_18] = true,
-        [COMMAND_KEPT_19] = true,
-        [COMMAND_KEPT_20] = true,
         [COMMAND_NOTE] = true,
     };
     for (uint32_t kind = (uint32_t)COMMAND_REGISTRATION; kind < COMMAND_KIND_COUNT; kind++) {
