@@ -73,7 +73,7 @@ int http_call_judge(struct mg_connection *connection, const http_guard_t *guard)
 {
     static const char *const singles[] = {
         "Host",         "Content-Length", "Transfer-Encoding", "Origin",
-        "Content-Type", "Cookie",         "X-Boresight-Token"};
+        "Content-Type", "Cookie",         "X-Boresight-Token", "X-Boresight-Page"};
     const struct mg_request_info *request = mg_get_request_info(connection);
     const http_provenance_t provenance = {.host = mg_get_header(connection, "Host"),
                                           .origin = mg_get_header(connection, "Origin"),
@@ -98,19 +98,87 @@ static bool has_method(const struct mg_connection *connection, const route_t *ro
     return is_head || (strcmp(mg_get_request_info(connection)->request_method, route->method) == 0);
 }
 
+/* What `path` holds where that of the route has braces, and how long it is; NULL: it is another
+ * path. */
+static const char *find_value(const route_t *route, const char *path, size_t *size)
+{
+    const char *braces = strchr(route->path, '{');
+    const size_t before = (braces != NULL) ? (size_t)(braces - route->path) : 0U;
+    if ((braces == NULL) || (strncmp(route->path, path, before) != 0)) {
+        return NULL;
+    }
+    *size = strcspn(&path[before], "/");
+    const bool is_same = strcmp(&path[before + *size], strchr(braces, '}') + 1) == 0;
+    return (is_same && (*size > 0U)) ? &path[before] : NULL;
+}
+
+/* A path that is one of ours to the letter comes before those with braces. */
+static const route_t *find(const struct mg_connection *connection, const char *path, bool is_plain,
+                           const char **allowed)
+{
+    size_t size = 0U;
+    for (size_t i = 0U; (path != NULL) && (i < ROUTE_COUNT); i++) {
+        const bool is_path = is_plain ? (strcmp(routes[i].path, path) == 0)
+                                      : (find_value(&routes[i], path, &size) != NULL);
+        *allowed = is_path ? routes[i].allowed : *allowed;
+        if (is_path && has_method(connection, &routes[i])) {
+            return &routes[i];
+        }
+    }
+    return NULL;
+}
+
 const route_t *http_call_find(const struct mg_connection *connection, const char **allowed)
 {
     const char *path = mg_get_request_info(connection)->local_uri_raw;
     *allowed = NULL;
-    for (size_t i = 0U; (path != NULL) && (i < ROUTE_COUNT); i++) {
-        if (strcmp(routes[i].path, path) == 0) {
-            *allowed = routes[i].allowed;
-            if (has_method(connection, &routes[i])) {
-                return &routes[i];
-            }
-        }
+    const route_t *route = find(connection, path, true, allowed);
+    return ((route != NULL) || (*allowed != NULL)) ? route : find(connection, path, false, allowed);
+}
+
+static bool read_axis(http_call_t *self, const robot_t *robot, const char *text)
+{
+    uint32_t axis = 0U;
+    while ((axis < robot->axis_count) && (strcmp(robot->axes[axis].name, text) != 0)) {
+        axis++;
     }
-    return NULL;
+    const bool is_number =
+        (axis == robot->axis_count) && request_headers_number(text, &self->path.number);
+    self->path.axis = is_number ? self->path.number : axis;
+    return self->path.axis < robot->axis_count;
+}
+
+/* Letters, digits, _, . and -; none of these begins it. */
+static bool read_name(http_call_t *self, const char *text)
+{
+    static const char letters[] =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_.-";
+    (void)strcpy(self->path.name, text);
+    return (strspn(text, letters) == strlen(text)) && (strchr("_.-", text[0]) == NULL);
+}
+
+static bool read_value(http_call_t *self, const robot_t *robot)
+{
+    size_t size = 0U;
+    char text[HTTP_CALL_NAME_SIZE];
+    const char *path = mg_get_request_info(self->connection)->local_uri_raw;
+    const char *value = find_value(self->route, path, &size);
+    if ((value == NULL) || (size >= sizeof text)) {
+        return self->route->value == ROUTE_PLAIN;
+    }
+    (void)memcpy(text, value, size);
+    text[size] = '\0';
+    switch (self->route->value) {
+    case ROUTE_OF_AXIS:
+        return read_axis(self, robot, text);
+    case ROUTE_OF_NUMBER:
+        return request_headers_number(text, &self->path.number);
+    case ROUTE_OF_NAME:
+        return read_name(self, text);
+    case ROUTE_PLAIN:
+    default:
+        return true;
+    }
 }
 
 /* The body, before it is read: how it is sent, how long it is, and what it is. */
@@ -153,8 +221,11 @@ static int read_query(http_call_t *self)
     return (result.fault == REQUEST_OK) ? 0 : refuse_as(self->connection, &problem);
 }
 
-int http_call_read(http_call_t *self)
+int http_call_read(http_call_t *self, const robot_t *robot)
 {
+    if (!read_value(self, robot)) {
+        return refuse(self->connection, PROBLEM_NOT_THERE);
+    }
     int status = judge_body(self);
     if ((status == 0) && (self->route->body != NULL)) {
         status = read_body(self);

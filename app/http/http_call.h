@@ -10,12 +10,23 @@
 #include "http/http_guard.h"
 #include "interface/app/routes.h"
 
+#include "robot/robot.h"
+
 #include <civetweb.h>
+#include <stdint.h>
+
+#define HTTP_CALL_NAME_SIZE 65U /**< Of {name}, with its end. */
 
 /** What a route is asked. */
 typedef struct {
     struct mg_connection *connection;
     const route_t *route;
+    uint32_t page; /**< Which page asks, of a route of pages. */
+    struct {
+        uint32_t axis;                  /**< Index of {axis}. */
+        uint32_t number;                /**< {number}. */
+        char name[HTTP_CALL_NAME_SIZE]; /**< {name}. */
+    } path;
     request_query_t query; /**< Its member is that of the route. */
     request_body_t body;   /**< The same. */
 } http_call_t;
@@ -38,12 +49,14 @@ int http_call_judge(struct mg_connection *connection, const http_guard_t *guard)
 const route_t *http_call_find(const struct mg_connection *connection, const char **allowed);
 
 /**
- * Reads body and query into `self`, whose connection and route are set and whose rest is zero.
+ * Reads what the path holds, body and query into `self`, whose connection and route are set and
+ * whose rest is zero.
  *
  * @return 0, or the status of the refusal that was sent
  *
  * @satisfies SWR-HTTP-020
+ * @satisfies SWR-HTTP-027
  */
-int http_call_read(http_call_t *self);
+int http_call_read(http_call_t *self, const robot_t *robot);
 
 #endif

@@ -74,13 +74,18 @@ int http_door_judge(http_server_t *server, const http_call_t *call)
     }
 }
 
-bool http_door_is_open(http_server_t *server, const struct mg_connection *connection)
+bool http_door_find(http_server_t *server, const struct mg_connection *connection,
+                    session_t *session)
 {
     char id[SESSION_TOKEN_SIZE];
+    return session_desk_find(&server->desk, find_id(server, connection, id), telemetry_now_ms(),
+                             session);
+}
+
+bool http_door_is_open(http_server_t *server, const struct mg_connection *connection)
+{
     session_t session;
-    return is_plain_loopback(server, connection) ||
-           session_desk_find(&server->desk, find_id(server, connection, id), telemetry_now_ms(),
-                             &session);
+    return is_plain_loopback(server, connection) || http_door_find(server, connection, &session);
 }
 
 /* How one logs in here. */
@@ -125,10 +130,8 @@ static int send_session(http_server_t *server, struct mg_connection *connection,
 
 int http_door_show(http_server_t *server, struct mg_connection *connection)
 {
-    char id[SESSION_TOKEN_SIZE];
     session_t session = {.is_open = false};
-    (void)session_desk_find(&server->desk, find_id(server, connection, id), telemetry_now_ms(),
-                            &session);
+    (void)http_door_find(server, connection, &session);
     return send_session(server, connection, &session, NULL);
 }
 

@@ -26,6 +26,10 @@ bool http_door_is_tls(const http_server_t *server, const struct mg_connection *c
  */
 int http_door_judge(http_server_t *server, const http_call_t *call);
 
+/** Copies the session of a request to `session`. False: it has none. */
+bool http_door_find(http_server_t *server, const struct mg_connection *connection,
+                    session_t *session);
+
 /** Whether a stream that was let in may go on. */
 bool http_door_is_open(http_server_t *server, const struct mg_connection *connection);
 

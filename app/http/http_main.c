@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * boresight-http: shows control's state to browsers and passes on one command, stop. Holds nothing
+ * boresight-http: shows control's state to browsers and passes on what they command. Holds nothing
  * that has to be saved: killing it at any moment is its orderly end.
  *
  *     boresight-http --exchange NAME [--port 8080] [--bind 127.0.0.1] [--box NAME]

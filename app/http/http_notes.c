@@ -8,10 +8,11 @@
 #define EVENTS_AT_ONCE 32U
 #define PATIENCE 10U /* Half a second. */
 
-void http_notes_init(http_notes_t *self, exchange_t *exchange)
+void http_notes_init(http_notes_t *self, exchange_t *exchange, act_desk_t *desk)
 {
     (void)memset(self, 0, sizeof *self);
     self->exchange = exchange;
+    self->desk = desk;
     (void)pthread_mutex_init(&self->lock, NULL);
     self->written = exchange_newest_note(exchange);
     self->logged = self->written;
@@ -53,11 +54,9 @@ static void look_into_log(http_notes_t *self)
 
 static void ask(http_notes_t *self, const exchange_note_t *note)
 {
-    const command_t command = {.source = (uint32_t)COMMAND_SOURCE_HTTP,
-                               .kind = (uint32_t)COMMAND_NOTE,
-                               .argument = note->kind,
-                               .value = (int32_t)note->number};
-    (void)exchange_send_command(self->exchange, &command);
+    const command_t command = {
+        .kind = (uint32_t)COMMAND_NOTE, .argument = note->kind, .value = (int32_t)note->number};
+    (void)act_desk_send(self->desk, 0U, &command);
     self->asked = note->number;
     self->patience = PATIENCE;
 }

@@ -9,12 +9,14 @@
 #define BORESIGHT_HTTP_NOTES_H
 
 #include "exchange/exchange_notes.h"
+#include "http/act_desk.h"
 
 #include <pthread.h>
 #include <stdint.h>
 
 typedef struct {
     exchange_t *exchange;
+    act_desk_t *desk;
     pthread_mutex_t lock;
     uint32_t written;    /**< Number of the newest note. */
     uint32_t logged;     /**< Of the last one that stands in the log. */
@@ -23,8 +25,8 @@ typedef struct {
     uint32_t next_event; /**< Of the log, to look at. */
 } http_notes_t;
 
-/** Starts with nothing to log. `exchange` outlives `self`. */
-void http_notes_init(http_notes_t *self, exchange_t *exchange);
+/** Starts with nothing to log. `exchange` and `desk`, which asks control, outlive `self`. */
+void http_notes_init(http_notes_t *self, exchange_t *exchange, act_desk_t *desk);
 
 /** Keeps a note; http_notes_tick() has it logged. Any thread. `owner` is an http_notes_t. */
 void http_notes_write(void *owner, note_kind_t kind, const char *who, const char *text);

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "http/http_problem.h"
 
+#include "interface/app/names.h"
+#include "interface/status.h"
+
 #include <civetweb.h>
 #include <stdio.h>
 #include <string.h>
@@ -12,6 +15,24 @@ http_problem_t http_problem_of(problem_t problem)
     const problem_words_t *words = &problems[problem];
     const http_problem_t told = {.http = words->http, .code = words->code, .detail = words->detail};
     return told;
+}
+
+http_problem_t http_problem_of_status(uint32_t status)
+{
+    switch (status) {
+    case (uint32_t)STATUS_NO_AUTHORITY:
+        return http_problem_of(PROBLEM_NO_AUTHORITY);
+    case (uint32_t)STATUS_BUSY:
+        return http_problem_of(PROBLEM_BUSY);
+    case (uint32_t)STATUS_NO_ANSWER:
+        return http_problem_of(PROBLEM_NO_ANSWER);
+    default: {
+        const http_problem_t told = {.http = 409,
+                                     .code = status_name((int32_t)status),
+                                     .detail = status_text((int32_t)status)};
+        return told;
+    }
+    }
 }
 
 http_problem_t http_problem_of_body(const request_result_t *result)
@@ -81,6 +102,8 @@ size_t http_problem_write(const http_problem_t *problem, char json[HTTP_PROBLEM_
     add_member(json, "code", problem->code);
     add_member(json, "pointer", problem->pointer);
     add_member(json, "parameter", problem->parameter);
+    add_member(json, "axis", problem->axis);
+    add_member(json, "limit", problem->limit);
     add(json, "}");
     return strlen(json);
 }

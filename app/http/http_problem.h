@@ -18,11 +18,16 @@ typedef struct {
     const char *detail;     /**< A sentence. */
     const char *pointer;    /**< To what is wrong in the body, or NULL. UTF-8. */
     const char *parameter;  /**< What is wrong in the query, or NULL. UTF-8. */
+    const char *axis;       /**< The axis that is why, or NULL. */
+    const char *limit;      /**< Its limit that would be left, or NULL. */
     uint32_t retry_after_s; /**< When to ask again; 0: nothing is said. */
 } http_problem_t;
 
 /** `problem` as routes.yml has it. */
 http_problem_t http_problem_of(problem_t problem);
+
+/** What control refuses, with `status`, and the names of statuses that routes.yml has. */
+http_problem_t http_problem_of_status(uint32_t status);
 
 /** Why a body is refused. `result` outlives the problem. */
 http_problem_t http_problem_of_body(const request_result_t *result);

@@ -118,6 +118,16 @@ int http_reply_json(struct mg_connection *connection, int status, const char *js
     return http_reply_send(connection, &reply);
 }
 
+int http_reply_object(struct mg_connection *connection, int status, cJSON *object)
+{
+    char *json = cJSON_PrintUnformatted(object);
+    const int sent = (json != NULL) ? http_reply_json(connection, status, json)
+                                    : http_reply_refuse(connection, PROBLEM_NO_MEMORY);
+    cJSON_free(json);
+    cJSON_Delete(object);
+    return sent;
+}
+
 int http_reply_problem(struct mg_connection *connection, const http_problem_t *problem,
                        const char *allow)
 {

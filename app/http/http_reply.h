@@ -6,6 +6,7 @@
 #include "http/http_problem.h"
 #include "session/tls_front.h"
 
+#include <cjson/cJSON.h>
 #include <civetweb.h>
 #include <stdbool.h>
 #include <stddef.h>
@@ -56,6 +57,9 @@ int http_reply_send(struct mg_connection *connection, const http_reply_t *reply)
 
 /** Sends JSON text. Returns as http_reply_send(). */
 int http_reply_json(struct mg_connection *connection, int status, const char *json);
+
+/** Sends `object` as JSON and frees it. Returns as http_reply_send(). */
+int http_reply_object(struct mg_connection *connection, int status, cJSON *object);
 
 /** Sends a refusal, with `allow` if it is not NULL. Returns as http_reply_send(). */
 int http_reply_problem(struct mg_connection *connection, const http_problem_t *problem,

@@ -2,8 +2,11 @@
 #include "http/http_routes.h"
 
 #include "http/asset.h"
+#include "http/http_act.h"
+#include "http/http_authority.h"
 #include "http/http_call.h"
 #include "http/http_door.h"
+#include "http/http_motion.h"
 #include "http/http_reply.h"
 #include "http/stop_desk.h"
 #include "interface/app/messages.h"
@@ -12,17 +15,6 @@
 #include <string.h>
 
 #define EVENTS_MOST 200U
-
-/* Sends `object` and frees it. */
-static int reply_object(struct mg_connection *connection, int status, cJSON *object)
-{
-    char *json = cJSON_PrintUnformatted(object);
-    int sent = (json != NULL) ? http_reply_json(connection, status, json)
-                              : http_reply_refuse(connection, PROBLEM_NO_MEMORY);
-    cJSON_free(json);
-    cJSON_Delete(object);
-    return sent;
-}
 
 static bool look(http_server_t *server, struct mg_connection *connection, telemetry_view_t *view)
 {
@@ -37,7 +29,7 @@ static int answer_status(http_server_t *server, struct mg_connection *connection
 {
     telemetry_view_t view;
     return look(server, connection, &view)
-               ? reply_object(connection, 200, telemetry_json_status(&server->identity, &view))
+               ? http_reply_object(connection, 200, telemetry_json_status(&server->identity, &view))
                : 503;
 }
 
@@ -45,7 +37,7 @@ static int answer_motors(http_server_t *server, struct mg_connection *connection
 {
     telemetry_view_t view;
     return look(server, connection, &view)
-               ? reply_object(connection, 200, telemetry_json_motors(&view))
+               ? http_reply_object(connection, 200, telemetry_json_motors(&view))
                : 503;
 }
 
@@ -53,7 +45,7 @@ static int answer_targeting(http_server_t *server, struct mg_connection *connect
 {
     telemetry_view_t view;
     return look(server, connection, &view)
-               ? reply_object(connection, 200, telemetry_json_targeting(&view))
+               ? http_reply_object(connection, 200, telemetry_json_targeting(&view))
                : 503;
 }
 
@@ -70,7 +62,7 @@ static int reply_log(http_server_t *server, struct mg_connection *connection, ui
         (void)cJSON_AddItemToArray(entries, telemetry_json_event(server->exchange, &events[i]));
     }
     const json_log_t log = {.entries = entries, .next = next, .lost = lost};
-    return reply_object(connection, 200, json_log(&log));
+    return http_reply_object(connection, 200, json_log(&log));
 }
 
 /* After what has not been yet there is nothing. */
@@ -95,7 +87,7 @@ static int answer_log(http_server_t *server, const http_call_t *call)
 static uint32_t first_event(const struct mg_connection *connection, uint32_t events)
 {
     uint32_t last = 0U;
-    const bool is_said = request_headers_event(mg_get_header(connection, "Last-Event-ID"), &last);
+    const bool is_said = request_headers_number(mg_get_header(connection, "Last-Event-ID"), &last);
     if (is_said && (last < events)) {
         return last + 1U;
     }
@@ -170,6 +162,22 @@ static int answer(http_server_t *server, const http_call_t *call)
         return http_door_log_in(server, call);
     case ROUTE_LOGOUT:
         return http_door_log_out(server, connection);
+    case ROUTE_AUTHORITY:
+        return http_authority_show(server, call);
+    case ROUTE_TAKE:
+        return http_authority_take(server, call);
+    case ROUTE_RENEW_AUTHORITY:
+        return http_authority_renew(server, call);
+    case ROUTE_RELEASE:
+        return http_authority_release(server, call);
+    case ROUTE_REQUEST:
+        return http_authority_request(server, call);
+    case ROUTE_WORKPHASE:
+        return http_motion_workphase(server, call);
+    case ROUTE_JOG:
+        return http_motion_jog(server, call);
+    case ROUTE_RETRACT:
+        return http_motion_retract(server, call);
     default:
         return http_reply_refuse(connection, PROBLEM_NOT_FOUND);
     }
@@ -216,10 +224,12 @@ static int dispatch(http_server_t *server, struct mg_connection *connection)
         return answer_other(connection, allowed);
     }
     status = http_door_judge(server, &call);
-    if (status != 0) {
-        return status;
+    if (status == 0) {
+        status = http_act_judge(server, &call);
     }
-    status = http_call_read(&call);
+    if (status == 0) {
+        status = http_call_read(&call, exchange_robot(server->exchange));
+    }
     return (status != 0) ? status : answer(server, &call);
 }
 

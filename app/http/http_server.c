@@ -58,7 +58,8 @@ void http_server_init(http_server_t *self, const http_server_config_t *config)
                                     .is_front_only = true};
         self->front_guard = front;
     }
-    http_notes_init(&self->notes, config->exchange);
+    act_desk_init(&self->acts, config->exchange);
+    http_notes_init(&self->notes, config->exchange, &self->acts);
     session_desk_init(&self->desk, config->accounts, http_notes_write, &self->notes);
     make_boot_id(self->identity.boot_id, sizeof self->identity.boot_id);
     self->identity.build_id = BUILD_ID;
@@ -252,6 +253,7 @@ void http_server_tick(http_server_t *self)
     telemetry_view_t view;
     session_desk_tick(&self->desk, telemetry_now_ms());
     http_notes_tick(&self->notes);
+    act_desk_tick(&self->acts, &self->desk, telemetry_now_ms());
     telemetry_look(&self->telemetry, &view);
     if (!view.has_snapshot || !http_stream_is_watched(&self->stream)) {
         return;

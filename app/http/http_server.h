@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The HTTP server: the console's files, the state as JSON and as a stream, and one command, stop.
- * Nothing else is served; no file is read, no name is looked up.
+ * The HTTP server: the console's files, the state as JSON and as a stream, STOP, and what pages
+ * with authority command. Nothing else is served; no file is read, no name is looked up.
  */
 #ifndef BORESIGHT_HTTP_SERVER_H
 #define BORESIGHT_HTTP_SERVER_H
 
 #include "exchange/exchange.h"
+#include "http/act_desk.h"
 #include "http/http_guard.h"
 #include "http/http_notes.h"
 #include "http/http_stream.h"
@@ -27,6 +28,7 @@ typedef struct {
     const char *instance;     /**< Its name. */
     session_desk_t desk;
     http_notes_t notes;
+    act_desk_t acts;
     telemetry_identity_t identity;
     telemetry_t telemetry;
     http_stream_t stream;
@@ -76,7 +78,8 @@ bool http_server_prepare_logins(http_server_t *self, char *error, size_t error_s
  */
 http_server_result_t http_server_start(http_server_t *self);
 
-/** Sends the present state to the streams; called at 20 Hz. */
+/** Sends the present state to the streams, and ends what belongs to sessions that have ended;
+ * called at 20 Hz. */
 void http_server_tick(http_server_t *self);
 
 #endif

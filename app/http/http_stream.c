@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "http/http_stream.h"
 
+#include "http/http_act.h"
 #include "http/http_door.h"
 #include "http/http_reply.h"
 #include "http/telemetry_json.h"
@@ -19,6 +20,7 @@ typedef struct {
     struct mg_connection *connection;
     uint32_t frame_number;
     uint32_t next_event;
+    uint32_t next_act;
     char frame[HTTP_STREAM_FRAME_SIZE];
 } client_t;
 
@@ -122,6 +124,28 @@ static bool send_events(const http_stream_t *self, client_t *client)
     return true;
 }
 
+static bool send_act(http_server_t *server, const client_t *client, const act_news_t *news)
+{
+    char json[512];
+    char message[600];
+    cJSON *act =
+        http_act_tell(exchange_robot(server->exchange), news->page, news->id, &news->answer);
+    const bool is_whole = cJSON_PrintPreallocated(act, json, (int)sizeof json, 0) != 0;
+    cJSON_Delete(act);
+    const int size = snprintf(message, sizeof message, "event: act\ndata: %s\n\n", json);
+    return is_whole && write_text(client, message, (size_t)size);
+}
+
+static bool send_acts(http_server_t *server, client_t *client)
+{
+    act_news_t news;
+    bool is_there = true;
+    while (is_there && act_desk_read_news(&server->acts, &client->next_act, &news)) {
+        is_there = send_act(server, client, &news);
+    }
+    return is_there;
+}
+
 static bool send_hello(client_t *client, const char *hello)
 {
     int size = snprintf(client->frame, sizeof client->frame, "event: hello\ndata: %s\n\n", hello);
@@ -130,10 +154,12 @@ static bool send_hello(client_t *client, const char *hello)
 
 static void converse(http_stream_t *self, client_t *client, const char *hello)
 {
-    bool is_there = send_hello(client, hello);
     http_server_t *server = mg_get_user_data(mg_get_context(client->connection));
+    client->next_act = act_desk_news(&server->acts);
+    bool is_there = send_hello(client, hello);
     while (is_there && http_door_is_open(server, client->connection)) {
-        is_there = send_events(self, client) && send_frame(client, wait_for_frame(self, client));
+        is_there = send_events(self, client) && send_acts(server, client) &&
+                   send_frame(client, wait_for_frame(self, client));
     }
 }
 

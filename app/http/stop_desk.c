@@ -1,26 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "http/stop_desk.h"
 
+#include "http/patience.h"
 #include "interface/app/names.h"
 
 #include <stdio.h>
-#include <time.h>
-
-#define PATIENCE_MS 500U
-
-/* A pause of the machine, in which control could not answer, is one look; a slow board answers
- * slowly. */
-static uint32_t looks_of(const exchange_t *exchange)
-{
-    loop_figures_t loop;
-    const uint32_t slowness = exchange_read_loop(exchange, &loop) ? loop.slowness : 1U;
-    return (PATIENCE_MS / STOP_DESK_LOOK_MS) * slowness;
-}
 
 stop_question_t stop_desk_ask(exchange_t *exchange)
 {
     const stop_question_t question = {.number = exchange_request_stop(exchange),
-                                      .looks = looks_of(exchange)};
+                                      .looks = patience_looks(exchange)};
     return question;
 }
 
@@ -38,11 +27,10 @@ status_t stop_desk_look(const exchange_t *exchange, stop_question_t *question, a
 
 status_t stop_desk_converse(exchange_t *exchange, answer_t *answer)
 {
-    const struct timespec look = {.tv_sec = 0, .tv_nsec = (long)STOP_DESK_LOOK_MS * 1000000L};
     stop_question_t question = stop_desk_ask(exchange);
     status_t status = stop_desk_look(exchange, &question, answer);
     while (status == STATUS_BUSY) {
-        (void)nanosleep(&look, NULL);
+        patience_wait();
         status = stop_desk_look(exchange, &question, answer);
     }
     return status;
@@ -56,9 +44,7 @@ stop_report_t stop_desk_tell(status_t status, const answer_t *answer,
         return report;
     }
     if (answer->kind == (uint32_t)ANSWER_REFUSED) {
-        report.problem.http = 409;
-        report.problem.code = status_name((int32_t)answer->status);
-        report.problem.detail = status_text((int32_t)answer->status);
+        report.problem = http_problem_of_status(answer->status);
         return report;
     }
     (void)snprintf(json, STOP_DESK_JSON_SIZE,

@@ -14,7 +14,6 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define STOP_DESK_LOOK_MS 2U    /**< From one look for the answer to the next. */
 #define STOP_DESK_JSON_SIZE 384 /**< Room for what stop_desk_tell() writes. */
 
 /** One stop that was asked for. */
@@ -29,8 +28,8 @@ stop_question_t stop_desk_ask(exchange_t *exchange);
 /**
  * Looks once for the answer.
  *
- * @return STATUS_OK with `answer` filled; STATUS_BUSY: look again after STOP_DESK_LOOK_MS;
- *         STATUS_NO_ANSWER after 500 ms of the board's time
+ * @return STATUS_OK with `answer` filled; STATUS_BUSY: look again after PATIENCE_LOOK_MS;
+ *         STATUS_NO_ANSWER after patience_looks()
  */
 status_t stop_desk_look(const exchange_t *exchange, stop_question_t *question, answer_t *answer);
 

@@ -2,6 +2,7 @@
 #include "http/stop_port.h"
 
 #include "http/http_reply.h"
+#include "http/patience.h"
 #include "http/stop_desk.h"
 #include "http/stop_request.h"
 #include "http/telemetry.h"
@@ -221,9 +222,9 @@ static void take_turn(void)
         events[STOP_PORT_CLIENTS + i].revents = 0;
     }
     (void)poll(events, STOP_PORT_CLIENTS + LISTENERS,
-               is_anybody_waiting() ? (int)STOP_DESK_LOOK_MS : TURN_MS);
+               is_anybody_waiting() ? (int)PATIENCE_LOOK_MS : TURN_MS);
     const uint64_t now_ms = telemetry_now_ms();
-    const bool is_look_due = (now_ms - stop_port.looked_ms) >= STOP_DESK_LOOK_MS;
+    const bool is_look_due = (now_ms - stop_port.looked_ms) >= PATIENCE_LOOK_MS;
     stop_port.looked_ms = is_look_due ? now_ms : stop_port.looked_ms;
     for (size_t i = 0U; i < STOP_PORT_CLIENTS; i++) {
         if (stop_port.clients[i].socket >= 0) {

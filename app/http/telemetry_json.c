@@ -5,6 +5,7 @@
 #include "exchange/exchange_notes.h"
 #include "http/telemetry_units.h"
 #include "interface/app/messages.h"
+#include "interface/app/names.h"
 #include "limits/requirement_limits.h"
 #include "robot/robot_cards.h"
 
@@ -12,6 +13,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
+#define US_PER_S 1000000.0
 #define CYCLES_PER_MS (1000U / LIMIT_CYCLE_US)
 
 typedef struct {
@@ -167,6 +169,20 @@ cJSON *telemetry_json_targeting(const telemetry_view_t *view)
                                    .distance_mm = is_distance_true ? &distance_mm : NULL,
                                    .proposals = json_proposals(snapshot)};
     return json_targeting(snapshot, &also);
+}
+
+cJSON *telemetry_json_authority(const snapshot_t *snapshot)
+{
+    const bool is_held = snapshot->holder_peer != 0U;
+    const bool is_asked = snapshot->requester_peer != 0U;
+    const double held_us =
+        (double)(snapshot->cycle - snapshot->held_since_cycle) * (double)LIMIT_CYCLE_US;
+    const json_authority_t also = {
+        .source = is_held ? command_source_name((int32_t)snapshot->holder) : NULL,
+        .held_s = is_held ? (held_us / US_PER_S) : 0.0,
+        .requester = is_asked ? command_source_name((int32_t)snapshot->requester) : NULL,
+        .left_s = (double)snapshot->request_left_us / US_PER_S};
+    return json_authority(snapshot, &also);
 }
 
 cJSON *telemetry_json_event(const exchange_t *exchange, const event_t *event)

@@ -26,6 +26,7 @@ cJSON *telemetry_json_status(const telemetry_identity_t *identity, const telemet
 cJSON *telemetry_json_motors(const telemetry_view_t *view);
 /** @satisfies SWR-HTTP-006 */
 cJSON *telemetry_json_targeting(const telemetry_view_t *view);
+cJSON *telemetry_json_authority(const snapshot_t *snapshot);
 cJSON *telemetry_json_event(const exchange_t *exchange, const event_t *event);
 
 /** The state message of the stream: status, motors and targeting of one view. */

@@ -30,6 +30,14 @@ double telemetry_units_position(const axis_config_t *axis, int32_t ticks)
     return rounded((double)ticks * unit_per_tick(axis));
 }
 
+bool telemetry_units_ticks(const axis_config_t *axis, double position, int32_t *ticks)
+{
+    const double exact = round(position / unit_per_tick(axis));
+    const bool is_one = (exact >= (double)INT32_MIN) && (exact <= (double)INT32_MAX);
+    *ticks = is_one ? (int32_t)exact : 0;
+    return is_one;
+}
+
 double telemetry_units_speed(const axis_config_t *axis, int32_t speed_ticks_per_s_q8)
 {
     return rounded(((double)speed_ticks_per_s_q8 / 256.0) * unit_per_tick(axis));

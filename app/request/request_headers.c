@@ -82,14 +82,14 @@ bool request_headers_cookie(const char *cookie, const char *name, char *value, s
     return found == 1U;
 }
 
-bool request_headers_event(const char *last_event_id, uint32_t *number)
+bool request_headers_number(const char *header, uint32_t *number)
 {
-    if ((last_event_id == NULL) || (last_event_id[0] == '\0') ||
-        (strspn(last_event_id, "0123456789") != strlen(last_event_id)) ||
-        (strlen(last_event_id) > DIGITS_MOST)) {
+    const size_t length = (header != NULL) ? strlen(header) : 0U;
+    if ((length == 0U) || (length > DIGITS_MOST) || (strspn(header, "0123456789") != length) ||
+        ((header[0] == '0') && (length > 1U))) {
         return false;
     }
-    const unsigned long long value = strtoull(last_event_id, NULL, 10);
+    const unsigned long long value = strtoull(header, NULL, 10);
     *number = (uint32_t)value;
     return value <= UINT32_MAX;
 }

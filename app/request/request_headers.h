@@ -25,7 +25,8 @@ bool request_headers_are_json(const char *content_type);
  */
 bool request_headers_cookie(const char *cookie, const char *name, char *value, size_t size);
 
-/** Last-Event-ID: the number of an event, in decimal digits. False when it is none. */
-bool request_headers_event(const char *last_event_id, uint32_t *number);
+/** A header that is a number, in decimal digits without zeros before them. False when it is none.
+ */
+bool request_headers_number(const char *header, uint32_t *number);
 
 #endif

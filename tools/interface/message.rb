@@ -101,14 +101,14 @@ module Interface
     end
 
     def c
-      type = item? ? ITEM.first : TYPES[@type].first
+      type = item? ? ITEM.first : TYPES[plain_type].first
       @is_null && @type == 'number' ? 'const double *' : type
     end
 
     def add(value)
       return "json_add_item(object, \"#{name}\", #{value})" if item?
 
-      format(TYPES[@type].last, key: "\"#{name}\"", value: @type == 'number' && @is_null ? "*#{value}" : value)
+      format(TYPES[plain_type].last, key: "\"#{name}\"", value: @type == 'number' && @is_null ? "*#{value}" : value)
     end
 
     def null?
@@ -127,6 +127,10 @@ module Interface
 
     def item?
       @is_list || @message
+    end
+
+    def plain_type
+      codes? ? 'text' : @type
     end
   end
 
@@ -158,7 +162,7 @@ module Interface
       keys = model.sources(self).values.flatten(1).map { |_, shown| [shown.key, shown.node] } +
              members.map { |member| [member.name, member.node] }
       @node.refuse("#{name} holds nothing") if keys.empty?
-      stray = members.find { |member| member.optional? || member.codes? } unless by_hand?
+      stray = members.find(&:optional?) unless by_hand?
       stray&.node&.refuse('is for messages by_hand alone')
       keys.group_by(&:first).each_value { |same| same[1]&.last&.refuse("is the second #{same[1].first} in #{name}") }
     end

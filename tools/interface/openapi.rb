@@ -11,11 +11,23 @@ module Interface
   class Openapi
     VERSION = '1.0.0'
     JSON_MEDIA = 'application/json'
+    BY_CONTROL = 'Control refuses it; the code is the name of the status.'
     PROBLEM_MEDIA = 'application/problem+json'
     SAYS = 'Shows what the control core of the robot does, and takes commands. Lengths are in mm, angles in degrees. ' \
            'Whole numbers are written without fraction and exponent. Refusals are problems as of RFC 9457: `code` is ' \
            'to be compared, `detail` to be read. Requests must name the host and port that they go to, and no page of ' \
            'another origin may send any.'
+
+    VALUES = {
+      'axis' => ['An axis, by its name or its number, the first one being 0.', { 'type' => 'string' }],
+      'number' => ['Of what is meant.', Schema::UINT32],
+      'name' => ['Of what is meant.', { 'type' => 'string', 'pattern' => '^[A-Za-z0-9][A-Za-z0-9_.-]{0,63}$' }]
+    }.freeze
+    MARKS = [
+      ['X-Boresight-Token', 'The token of the session.', { 'type' => 'string' }],
+      ['X-Boresight-Page', 'Which page or program of the session asks: a number that each draws for itself when it starts.',
+       Schema::UINT32.merge('minimum' => 1)]
+    ].freeze
 
     def initialize(model)
       @model = model
@@ -60,8 +72,19 @@ module Interface
     end
 
     def parameters(route, schema)
-      route.parameters.members.map { |one| parameter(one.name, 'query', !one.optional?, one.says, schema.member(one)) } +
+      values(route) + marks(route) +
+        route.parameters.members.map { |one| parameter(one.name, 'query', !one.optional?, one.says, schema.member(one)) } +
         route.headers.map { |one| parameter(one.name, 'header', false, one.says, schema.header(one)) }
+    end
+
+    # What the path holds.
+    def values(route)
+      [route.value].compact.map { |name| parameter(name, 'path', true, *VALUES.fetch(name)) }
+    end
+
+    # Who asks.
+    def marks(route)
+      [(MARKS.first if route.written?), (MARKS.last if route.page?)].compact.map { |name, *rest| parameter(name, 'header', true, *rest) }
     end
 
     def parameter(name, where, is_required, says, schema)
@@ -79,7 +102,8 @@ module Interface
                'content' => { route.media || JSON_MEDIA => { 'schema' => content(route) } } }
       refusals = route.problems(@model.routes.problems).group_by { |problem| problem.http.to_s }
       found = { '200' => good }.merge(refusals.transform_values { |same| refusal(same) })
-      found['409'] = refusal([]) if route.refused?
+      found['202'] = good.merge('description' => 'Begun; its end comes as the event act of the stream.') if route.act?
+      found['409'] = refusal(refusals.fetch('409', []), BY_CONTROL) if route.refused? || route.act?
       found.sort.to_h
     end
 
@@ -89,9 +113,8 @@ module Interface
       { 'type' => route.media == JSON_MEDIA ? 'object' : 'string' }
     end
 
-    def refusal(problems)
-      says = problems.map { |problem| "#{problem.name}: #{problem.says}" }
-      says = ['Control refuses it; the code is the name of the status.'] if says.empty?
+    def refusal(problems, *also)
+      says = problems.map { |problem| "#{problem.name}: #{problem.says}" } + also
       { 'description' => says.join(' '), 'content' => { PROBLEM_MEDIA => { 'schema' => Schema.ref('Problem') } } }
     end
   end

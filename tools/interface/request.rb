@@ -13,7 +13,7 @@ module Interface
     }.freeze
     WHOLE = %w[uint32 int32].freeze
     NAME_MOST = 47 # REQUEST_NAME_SIZE
-    KEYS = %w[optional minimum maximum size list].freeze
+    KEYS = %w[optional minimum maximum size list only].freeze
 
     attr_reader :name, :says, :node, :type, :words, :enumeration, :message, :size, :list, :minimum, :maximum
 
@@ -27,6 +27,7 @@ module Interface
       @type = @words ? 'word' : nodes['type'].identifier
       @size = nodes['size']&.integer(1..65_535)
       @list = read_list(nodes['list'])
+      @only = nodes['only']
       read_bounds(nodes)
       node.refuse("has a name longer than #{NAME_MOST}") if name.size > NAME_MOST
     end
@@ -34,6 +35,7 @@ module Interface
     def check(model, requests)
       find(model, requests) unless @words || PLAIN.key?(@type)
       node.refuse('is a text without a size') if (@type == 'text') != !@size.nil?
+      check_some
       node.refuse('has bounds, but is no number') if @given && PLAIN[@type]&.last.nil?
       node.refuse("has the bounds #{minimum} to #{maximum}") if minimum && minimum > maximum
     end
@@ -58,7 +60,14 @@ module Interface
     def choices
       return @words.each_with_index.to_a if @words
 
-      @enumeration&.values.to_a.map { |value| [value.name, value.code] }
+      values = @enumeration&.values.to_a
+      values = values.select { |value| some.include?(value.name) } if some
+      values.map { |value| [value.name, value.code] }
+    end
+
+    # The words of its enumeration that it may be; nil: all.
+    def some
+      @only&.sequence&.map(&:word)
     end
 
     def c_type
@@ -79,6 +88,11 @@ module Interface
       end
       @minimum ||= range.begin
       @maximum ||= range.end
+    end
+
+    def check_some
+      others = some.to_a - @enumeration&.values.to_a.map(&:name)
+      @only.refuse("holds #{others.join(', ')}, which its type has not") unless others.empty?
     end
 
     def read_list(node)

@@ -35,14 +35,25 @@ module Interface
         #define ROUTE_COUNT #{@routes.routes.size}U
         #define ROUTE_BODY_MOST #{@routes.routes.map(&:body_most).max}U /**< Bytes of the longest body. */
 
+        /** What a path holds in braces. */
+        typedef enum {
+            ROUTE_PLAIN = 0,  /**< Nothing. */
+            ROUTE_OF_AXIS = 1,   /**< {axis}: an axis, by its name or its number. */
+            ROUTE_OF_NUMBER = 2, /**< {number}: a whole number. */
+            ROUTE_OF_NAME = 3    /**< {name}: letters, digits, _, . and -, none of these first. */
+        } route_value_t;
+
         /** A path with a method. */
         typedef struct {
             route_id_t id;
             const char *method;
             const char *path;
+            route_value_t value;
             const char *allowed;            /**< All methods of the path. */
             bool is_for_anyone;             /**< It needs no session, and no token of one. */
             role_t role;                    /**< The least that it needs. */
+            bool is_of_page;                /**< Whoever asks says which page it is. */
+            bool needs_authority;           /**< That page has authority. */
             bool is_lenient;                /**< Media type and query are not looked at. */
             size_t body_most;               /**< Bytes; 0: there must be no body. */
             const request_message_t *body;  /**< NULL: none. */
@@ -86,7 +97,12 @@ module Interface
       body = route.body ? "&request_#{route.body.name}" : 'NULL'
       query = route.parameters.members.empty? ? 'nothing' : route.parameters.name
       "    {ROUTE_#{route.name.upcase}, #{C.string(route.method)}, #{C.string(route.path)}, " \
-        "#{C.string(@routes.allowed(route.path))},\n     #{route.anyone?}, #{least(route)}, #{route.lenient?}, #{route.body_most}U, #{body}, &request_#{query}}"
+        "#{value(route)}, #{C.string(@routes.allowed(route.path))},\n     #{route.anyone?}, #{least(route)}, " \
+        "#{route.page?}, #{route.authority?}, #{route.lenient?}, #{route.body_most}U, #{body}, &request_#{query}}"
+    end
+
+    def value(route)
+      route.value ? "ROUTE_OF_#{route.value.upcase}" : 'ROUTE_PLAIN'
     end
 
     # The first role may least.

@@ -12,7 +12,7 @@ module Interface
         nodes.key?('status') ? (nodes.keys & %w[name says]).empty? : (%w[name says] - nodes.keys).empty?
       name, says = nodes.key?('status') ? of_status(nodes['status'], model) : own(nodes)
       new(name: name, http: nodes['http'].integer(400..599), says: says, node: node,
-          whose: nodes['when'].choice(%w[any body query session written route none]))
+          whose: nodes['when'].choice(%w[any path body query session written page act route none]))
     end
 
     def self.own(nodes)
@@ -29,8 +29,9 @@ module Interface
   # A path with a method.
   class Route
     METHODS = %w[GET POST PUT DELETE].freeze
-    PATH = %r{\A/[a-z0-9_./]*\z}.freeze
-    OPTIONAL = %w[answer media parameters headers body body_most events problems refused lenient].freeze
+    PATH = %r{\A/(([a-z0-9_.-]+|\{[a-z]+\})(/|\z))*\z}.freeze
+    VALUES = %w[axis number name].freeze # of a path
+    OPTIONAL = %w[answer media parameters headers body body_most events problems refused lenient page authority].freeze
     Header = Struct.new(:name, :type, :says, keyword_init: true)
 
     attr_reader :name, :path, :method, :who, :says, :answer, :media, :parameters, :headers, :body, :body_most, :events, :node
@@ -41,7 +42,7 @@ module Interface
       @nodes = nodes
       @name = nodes['name'].identifier
       @path = nodes['path'].word
-      nodes['path'].refuse("is #{path}; expected a path of a-z, 0-9, _, . and /") unless path.match?(PATH)
+      check_path(nodes['path'])
       @method = nodes['method'].choice(METHODS)
       @who = nodes['who'].word
       @says = nodes['says'].text
@@ -73,6 +74,26 @@ module Interface
       flag('refused')
     end
 
+    # A page does something, and learns what becomes of it.
+    def act?
+      answer&.name == 'act'
+    end
+
+    # Whoever asks says which page it is.
+    def page?
+      flag('page') || act? || authority?
+    end
+
+    # Its page has authority.
+    def authority?
+      flag('authority')
+    end
+
+    # What the path holds in braces.
+    def value
+      path[/\{(.*)\}/, 1]
+    end
+
     # It is served without a session.
     def anyone?
       who == ANYONE
@@ -85,18 +106,28 @@ module Interface
     # All that it may be refused with.
     def problems(all)
       all.select do |problem|
-        case problem.whose
-        when 'any' then true
-        when 'body' then !body.nil?
-        when 'query' then !parameters.members.empty?
-        when 'session' then !anyone?
-        when 'written' then !anyone? && !get?
-        else @problems.include?(problem)
-        end
+        belongs?(problem.whose) || @problems.include?(problem)
       end
     end
 
+    # Its requests hold the token of the session.
+    def written?
+      !anyone? && !get?
+    end
+
     private
+
+    def belongs?(whose)
+      { 'any' => true, 'path' => value, 'body' => body, 'query' => parameters.members.any?, 'session' => !anyone?,
+        'written' => written?, 'page' => page?, 'act' => act? }[whose]
+    end
+
+    def check_path(node)
+      node.refuse("is #{path}; expected a path of a-z, 0-9, _, ., - and /") unless path.match?(PATH)
+      values = path.scan(/\{(.*?)\}/).flatten
+      node.refuse("has #{values.join(', ')}; expected at most one of #{VALUES.join(', ')}") \
+        unless values.size <= 1 && (values - VALUES).empty?
+    end
 
     def check_who(model)
       roles = model.enumeration('role')&.values.to_a.map(&:name)
@@ -130,6 +161,8 @@ module Interface
       node.refuse('has neither answer nor media') unless answer || media
       node.refuse('has body or body_most without the other') if body.nil? != body_most.zero?
       node.refuse('has a body, but is a GET') if body && get?
+      node.refuse('is of a page, but is a GET or for anyone') if page? && !written?
+      node.refuse('is an act, but its body has no id') if act? && body&.members&.none? { |one| one.name == 'id' }
       @parameters.members.each { |one| one.node.refuse('is a list or an object') if one.list? || one.message }
     end
   end

@@ -73,7 +73,10 @@ module Interface
     end
 
     def or_null(schema)
-      schema.key?('$ref') ? { 'anyOf' => [schema, { 'type' => 'null' }] } : schema.merge('type' => [schema['type'], 'null'])
+      return { 'anyOf' => [schema, { 'type' => 'null' }] } if schema.key?('$ref')
+
+      words = schema['enum'] && { 'enum' => [*schema['enum'], nil] }
+      schema.merge('type' => [schema['type'], 'null']).merge(words.to_h)
     end
 
     def shown(field, shown)
@@ -134,7 +137,7 @@ module Interface
 
     def single(member)
       return Schema.ref(member.message.typescript) if member.message
-      return { 'type' => 'string', 'enum' => member.words } if member.words
+      return { 'type' => 'string', 'enum' => member.choices.map(&:first) } if member.words || member.some
       return enumeration(member.enumeration) if member.enumeration
       return { 'type' => 'string', 'maxLength' => member.size } if member.size
 

@@ -64,10 +64,15 @@ module Interface
         says = ["answer: #{route.answer&.typescript || 'unknown'}", ("body: #{route.body.typescript}" if route.body)]
         "  \"#{route.method} #{route.path}\": { #{says.compact.join('; ')} };\n"
       end
-      paths = @model.routes.routes.map { |route| "\n  | \"#{route.path}\"" }.uniq
+      paths = @model.routes.routes.map { |route| "\n  | #{path(route)}" }.uniq
       @model.routes.requests.map { |one| request(one) } +
         ["/** Each method and path, and what is sent and answered. */\nexport interface Routes {\n#{rows.join}}\n",
          "/** All paths. */\nexport type Path =#{paths.join};\n"]
+    end
+
+    # What stands in braces is any text.
+    def path(route)
+      route.value ? "`#{route.path.sub(/\{.*\}/, '${string}')}`" : "\"#{route.path}\""
     end
 
     def request(request)
@@ -80,8 +85,8 @@ module Interface
     end
 
     def sent(member)
-      type = member.message&.typescript || (of(member.enumeration) if member.enumeration)
-      type ||= member.words&.map { |word| "\"#{word}\"" }&.join(' | ')
+      type = member.message&.typescript || (of(member.enumeration) if member.enumeration && !member.some)
+      type ||= member.choices.map { |word,| "\"#{word}\"" }.join(' | ') unless member.choices.empty?
       type ||= { 'flag' => 'boolean', 'text' => 'string' }.fetch(member.type, 'number')
       member.list? ? "(#{type})[]" : type
     end

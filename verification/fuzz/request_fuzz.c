@@ -65,7 +65,7 @@ static void try_texts(const char *bytes, size_t size)
     (void)request_headers_take_gzip(text);
     (void)request_headers_know(text, "\"tag\"");
     (void)request_headers_are_json(text);
-    (void)request_headers_event(text, &number);
+    (void)request_headers_number(text, &number);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)

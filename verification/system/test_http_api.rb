@@ -86,7 +86,7 @@ class TestHttpApi < Minitest::Test
       kind, data = stream.next_message
       assert_nil openapi.message_fault(names.fetch(kind), data)
       seen |= [kind]
-      seen.size == names.size
+      (names.keys - seen) == ['act'] # Nobody acts here.
     end
   ensure
     stream&.close

@@ -69,13 +69,13 @@ void test_SWR_HTTP_020_json_is_named_or_nothing_is(void)
 void test_SWR_HTTP_016_the_last_event_is_a_number(void)
 {
     uint32_t number = 0U;
-    TEST_ASSERT_TRUE(request_headers_event("4294967295", &number));
+    TEST_ASSERT_TRUE(request_headers_number("4294967295", &number));
     TEST_ASSERT_EQUAL_UINT32(4294967295U, number);
     static const char *const others[] = {"", "-1", "1.5", "4294967296", "0x1", "1 ", "00000000001"};
     for (size_t i = 0U; i < (sizeof others / sizeof others[0]); i++) {
-        TEST_ASSERT_FALSE_MESSAGE(request_headers_event(others[i], &number), others[i]);
+        TEST_ASSERT_FALSE_MESSAGE(request_headers_number(others[i], &number), others[i]);
     }
-    TEST_ASSERT_FALSE(request_headers_event(NULL, &number));
+    TEST_ASSERT_FALSE(request_headers_number(NULL, &number));
 }
 
 void test_SWR_SESS_012_one_cookie_of_a_name_counts(void)

@@ -248,6 +248,12 @@ class Boresight
     @peer.command(format('CMD_%04d', @commands), workphase)
   end
 
+  # The client that commands goes away, and with it its authority.
+  def leave
+    @peer&.close
+    @peer = nil
+  end
+
   # Homes every axis; the pedal is pressed as long as that takes.
   def home
     press_and_command('START_UP')

@@ -31,16 +31,43 @@ module Accounts
   end
 end
 
-# Asks the session's routes.
+# A page of the console, or a program: it logs in, and acts.
 class SessionClient
   PATH = '/api/v1/session'
+  AUTHORITY = '/api/v1/authority'
   TOKEN = 'X-Boresight-Token'
+  PAGE = 'X-Boresight-Page'
 
   attr_reader :port, :last
-  attr_accessor :cookie, :token
+  attr_accessor :cookie, :token, :page, :id
 
   def initialize(port)
     @port = port
+    @page = rand(1..0xFFFFFFFF)
+    @id = 0
+  end
+
+  # Another page of the same session.
+  def another_page
+    dup.tap { |one| one.page = rand(1..0xFFFFFFFF) }
+  end
+
+  # Does something new; or again with the `id` of what was asked for before.
+  def act(path, fields = {}, id: nil)
+    @id += 1 unless id
+    @last = request('post', "/api/v1/#{path}", JSON.generate({ id: id || @id }.merge(fields)), PAGE => page.to_s)
+  end
+
+  def take
+    act('authority')
+  end
+
+  def keep
+    request('put', AUTHORITY, nil, PAGE => page.to_s)
+  end
+
+  def give_up
+    request('delete', AUTHORITY, nil, PAGE => page.to_s)
   end
 
   # The answer to a request with the cookie and, if it writes, the token.

@@ -1,0 +1,128 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "http/http_act.h"
+
+#include "http/http_door.h"
+#include "http/http_reply.h"
+#include "interface/app/messages.h"
+#include "interface/app/names.h"
+#include "request/request_headers.h"
+
+#define NOT_SENT 499
+
+static int refuse(struct mg_connection *connection, problem_t problem)
+{
+    const int status = http_reply_refuse(connection, problem);
+    return (status != 0) ? status : NOT_SENT;
+}
+
+/* The page that has authority; 0: none has. */
+static uint32_t holder_of(const http_server_t *server)
+{
+    snapshot_t snapshot;
+    const bool is_page = exchange_read_snapshot(server->exchange, &snapshot) &&
+                         (snapshot.holder == (uint32_t)COMMAND_SOURCE_HTTP);
+    return is_page ? snapshot.holder_peer : 0U;
+}
+
+int http_act_judge(http_server_t *server, http_call_t *call)
+{
+    struct mg_connection *connection = call->connection;
+    session_t session;
+    if (!call->route->is_of_page) {
+        return 0;
+    }
+    if (!request_headers_number(mg_get_header(connection, HTTP_ACT_PAGE), &call->page) ||
+        (call->page == 0U)) {
+        return refuse(connection, PROBLEM_PAGE_MISSING);
+    }
+    if (!http_door_find(server, connection, &session)) {
+        return refuse(connection, PROBLEM_NO_SESSION);
+    }
+    const uint32_t holder = holder_of(server);
+    const page_verdict_t verdict = act_desk_greet(&server->acts, call->page, &session, holder);
+    if (verdict != PAGE_GREETED) {
+        return refuse(connection, (verdict == PAGE_ANOTHERS) ? PROBLEM_PAGE_REFUSED : PROBLEM_BUSY);
+    }
+    return (call->route->needs_authority && (holder != call->page))
+               ? refuse(connection, PROBLEM_NO_AUTHORITY)
+               : 0;
+}
+
+/* Of the axis that an answer names; NULL: it names none. */
+static const char *axis_of(const robot_t *robot, const answer_t *answer)
+{
+    const bool is_why =
+        (answer->kind == (uint32_t)ANSWER_ABORTED) || (answer->kind == (uint32_t)ANSWER_REFUSED);
+    const bool is_limit = (answer->status == (uint32_t)STATUS_AXIS_LIMIT) ||
+                          (answer->status == (uint32_t)STATUS_SWITCH_ZONE);
+    const bool is_named = is_why && ((answer->kind == (uint32_t)ANSWER_ABORTED) || is_limit) &&
+                          (answer->axis < robot->axis_count);
+    return is_named ? robot->axes[answer->axis].name : NULL;
+}
+
+static const char *limit_of(const answer_t *answer)
+{
+    const char *end = (answer->is_maximum != 0U) ? "upper" : "lower";
+    return (answer->status == (uint32_t)STATUS_AXIS_LIMIT) ? end : NULL;
+}
+
+static const char *state_of(const answer_t *answer)
+{
+    const bool is_good =
+        (answer->kind == (uint32_t)ANSWER_ACCEPTED) || (answer->kind == (uint32_t)ANSWER_DONE);
+    if (!is_good) {
+        return "failed";
+    }
+    return (answer->is_final != 0U) ? "done" : "accepted";
+}
+
+cJSON *http_act_tell(const robot_t *robot, uint32_t page, uint32_t id, const answer_t *answer)
+{
+    const json_act_t told = {.id = id,
+                             .page = page,
+                             .state = state_of(answer),
+                             .code = status_name((int32_t)answer->status),
+                             .message = status_text((int32_t)answer->status),
+                             .axis = axis_of(robot, answer),
+                             .limit = limit_of(answer),
+                             .workphase = workphase_name((int32_t)answer->workphase)};
+    return json_act(&told);
+}
+
+/* A refusal at once is a problem. */
+static int reply(http_server_t *server, const http_call_t *call, uint32_t id,
+                 const answer_t *answer)
+{
+    const robot_t *robot = exchange_robot(server->exchange);
+    if (answer->kind == (uint32_t)ANSWER_REFUSED) {
+        http_problem_t problem = http_problem_of_status(answer->status);
+        problem.axis = axis_of(robot, answer);
+        problem.limit = limit_of(answer);
+        return http_reply_problem(call->connection, &problem, NULL);
+    }
+    return http_reply_object(call->connection, (answer->is_final != 0U) ? 200 : 202,
+                             http_act_tell(robot, call->page, id, answer));
+}
+
+int http_act_refuse_member(const http_call_t *call, const char *pointer)
+{
+    http_problem_t problem = http_problem_of(PROBLEM_OUT_OF_RANGE);
+    problem.pointer = pointer;
+    return http_reply_problem(call->connection, &problem, NULL);
+}
+
+int http_act_command(http_server_t *server, const http_call_t *call, const command_t *command)
+{
+    answer_t answer;
+    switch (act_desk_converse(&server->acts, call->page, command->id, command, &answer)) {
+    case ACT_ANSWERED:
+        return reply(server, call, command->id, &answer);
+    case ACT_ID_USED:
+        return http_reply_refuse(call->connection, PROBLEM_ID_USED);
+    case ACT_LATER:
+        return http_reply_refuse(call->connection, PROBLEM_BUSY);
+    case ACT_NO_ANSWER:
+    default:
+        return http_reply_refuse(call->connection, PROBLEM_NO_ANSWER);
+    }
+}

@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * The acts of pages: may this page do it, and what became of it. A route that does something fills
+ * a command and hands it to http_act_command(); the rest is the same for all.
+ */
+#ifndef BORESIGHT_HTTP_ACT_H
+#define BORESIGHT_HTTP_ACT_H
+
+#include "http/http_call.h"
+#include "http/http_server.h"
+
+#define HTTP_ACT_PAGE "X-Boresight-Page"
+
+/**
+ * Judges the page of a request, of a route of pages, and whether it has authority, where that is
+ * needed; control judges authority again. `call->page` is set.
+ *
+ * @return 0, or the status of the refusal that was sent
+ *
+ * @satisfies SWR-HTTP-026
+ */
+int http_act_judge(http_server_t *server, http_call_t *call);
+
+/**
+ * Has `command` done for the page of `call`, and answers what became of it. `command->id` is that
+ * of the act, as the body says it; source and peer are filled in.
+ *
+ * @return the status sent
+ */
+int http_act_command(http_server_t *server, const http_call_t *call, const command_t *command);
+
+/** Refuses the body for what `pointer` leads to, which is outside its range. Returns the status
+ * sent. */
+int http_act_refuse_member(const http_call_t *call, const char *pointer);
+
+/** What became of the act `id` of `page` by `answer`, as a message. NULL without memory; the caller
+ * frees it. */
+cJSON *http_act_tell(const robot_t *robot, uint32_t page, uint32_t id, const answer_t *answer);
+
+#endif

@@ -1,0 +1,237 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+# Rule under test: what a page with authority asks for is commanded once and answered; what any other asks for is refused by
+# the first reason there is, and nothing behind it is looked at.
+
+require_relative 'support/http_client'
+require_relative 'support/openapi'
+require_relative 'support/session_client'
+
+class TestHttpActs < Minitest::Test
+  include HttpClient
+
+  # One running system with accounts.
+  module WithAccounts
+    def boresight
+      @boresight ||= Boresight.start(arguments: ['--accounts', Accounts.make_for_a_while]).tap(&:home)
+    end
+  end
+  extend WithAccounts
+
+  # Each test begins without sessions, and without authority.
+  def setup
+    @clients = []
+    self.class.boresight.leave
+    wait_until('nobody has authority') { authority.fetch('state') == 'nobody' }
+  end
+
+  def teardown
+    @clients.each(&:log_out)
+  end
+
+  def client(name = 'anna')
+    SessionClient.new(port).tap do |one|
+      @clients << one
+      assert_equal('200', one.log_in(name).code)
+    end
+  end
+
+  # A page that has authority.
+  def holder(name = 'anna')
+    client(name).tap { |one| assert_answer '200', 'done', one.take }
+  end
+
+  def authority
+    fetch_json('/api/v1/authority')
+  end
+
+  def events(kind)
+    fetch_json('/api/v1/log').fetch('entries').count { |entry| entry.fetch('text').include?(kind) }
+  end
+
+  def workphase
+    fetch_json('/api/v1/status').dig('workphase', 'name')
+  end
+
+  def openapi
+    @openapi ||= Openapi.new(get('/api/v1/openapi.json').body)
+  end
+
+  def assert_described(path, method, response)
+    fault = openapi.fault(path, method, response.code, response['Content-Type'], response.body)
+    assert_nil fault, "#{method} #{path}: #{fault}\n#{response.body}"
+  end
+
+  def assert_answer(code, state, response)
+    told = JSON.parse(response.body)
+    assert_equal [code, state], [response.code, told['state'] || told['code']], response.body
+    told
+  end
+
+  def test_SWR_HTTP_021_a_page_takes_authority_commands_and_gives_it_up
+    anna = client
+    assert_answer '423', 'NO_AUTHORITY', anna.act('workphase', { workphase: 'PLANNING' })
+    assert_answer '200', 'done', anna.take
+    assert_equal ['held', 'HTTP', anna.page], authority.values_at('state', 'source', 'peer')
+    response = anna.act('workphase', { workphase: 'PLANNING' })
+    assert_equal 'PLANNING', assert_answer('200', 'done', response).fetch('workphase')
+    assert_equal 'PLANNING', workphase
+    assert_equal '200', anna.keep.code
+    assert_equal 'nobody', JSON.parse(anna.give_up.body).fetch('state')
+    assert_answer '423', 'NO_AUTHORITY', anna.keep
+  end
+
+  def test_SWR_HTTP_021_control_refuses_by_name
+    anna = holder
+    anna.act('workphase', { workphase: 'PLANNING' })
+    assert_answer '409', 'WRONG_WORKPHASE', anna.act('motors/yaw/jog', { position: 0 })
+    anna.act('workphase', { workphase: 'MANUAL' })
+    told = assert_answer '409', 'AXIS_LIMIT', anna.act('motors/yaw/jog', { position: 1000 })
+    assert_equal %w[yaw upper], told.values_at('axis', 'limit')
+    assert_described '/api/v1/motors/{axis}/jog', 'POST', anna.last
+  end
+
+  def test_SWR_HTTP_021_each_answer_is_as_described
+    anna = client
+    { 'authority' => {}, 'workphase' => { workphase: 'PLANNING' }, 'authority/request' => { what: 'CONFIRM' } }.each do |path, fields|
+      assert_described "/api/v1/#{path}", 'POST', anna.act(path, fields)
+      assert_described "/api/v1/#{path}", 'POST', anna.act(path, fields, id: 1)
+    end
+    %w[keep give_up].zip(%w[PUT DELETE]).each { |name, method| assert_described '/api/v1/authority', method, anna.public_send(name) }
+    assert_described '/api/v1/authority', 'GET', get('/api/v1/authority')
+  end
+
+  def test_SWR_HTTP_023_a_repeated_act_does_nothing_again
+    anna = holder
+    anna.act('workphase', { workphase: 'CALIBRATION' })
+    again = anna.id
+    anna.act('workphase', { workphase: 'PLANNING' })
+    assert_answer '200', 'done', anna.act('workphase', { workphase: 'CALIBRATION' }, id: again)
+    assert_equal 'PLANNING', workphase
+    assert_answer '409', 'ID_USED', anna.act('workphase', { workphase: 'MANUAL' }, id: again)
+    anna.id += 10
+    anna.act('workphase', { workphase: 'PLANNING' })
+    assert_answer '409', 'ID_USED', anna.act('workphase', { workphase: 'MANUAL' }, id: anna.id - 1)
+  end
+
+  def test_SWR_HTTP_022_a_second_page_of_the_session_has_no_authority
+    anna = holder
+    other = anna.another_page
+    assert_answer '423', 'NO_AUTHORITY', other.act('workphase', { workphase: 'PLANNING' })
+    assert_answer '423', 'NO_AUTHORITY', other.take
+    other.give_up
+    assert_answer '200', 'done', anna.act('workphase', { workphase: 'PLANNING' })
+  end
+
+  def test_SWR_HTTP_022_the_page_of_another_session_is_refused
+    anna = holder
+    egon = client('egon')
+    egon.page = anna.page
+    assert_answer '403', 'PAGE_REFUSED', egon.act('workphase', { workphase: 'PLANNING' })
+    assert_answer '403', 'PAGE_REFUSED', egon.give_up
+    assert_equal anna.page, authority.fetch('peer')
+  end
+
+  def test_SWR_HTTP_025_who_logs_out_has_no_authority
+    holder.log_out
+    wait_until('nobody has authority') { authority.fetch('state') == 'nobody' }
+  end
+
+  def test_SWR_HTTP_024_a_server_that_is_killed_leaves_no_authority
+    anna = holder
+    self.class.boresight.kill('http', 'KILL')
+    wait_until('nobody has authority') { self.class.boresight.patiently { authority.fetch('state') == 'nobody' } }
+    assert_answer '401', 'NO_SESSION', anna.keep
+  end
+
+  def test_SWR_HTTP_028_the_end_of_an_act_comes_by_the_stream
+    anna = holder
+    stream = open_stream
+    anna.act('workphase', { workphase: 'MANUAL' })
+    assert_answer '202', 'accepted', anna.act('motors/yaw/jog', { position: -3 })
+    anna.give_up
+    told = stream.next_of('act')
+    assert_equal [anna.page, anna.id, 'failed', 'NO_AUTHORITY'], told.values_at('page', 'id', 'state', 'code')
+    assert_nil openapi.message_fault('Act', told)
+  ensure
+    stream&.close
+  end
+
+  def yaw
+    fetch_json('/api/v1/motors').fetch('axes').last
+  end
+
+  def test_SWR_HTTP_029_an_axis_jogs_in_its_unit_and_under_the_pedal_alone
+    anna = holder
+    anna.act('workphase', { workphase: 'MANUAL' })
+    before = yaw.fetch('position')
+    assert_answer '202', 'accepted', anna.act('motors/6/jog', { position: -2 })
+    refute yaw.fetch('is_driven')
+    assert_equal before, yaw.fetch('position')
+    self.class.boresight.simctl('pedal', 'press')
+    wait_until('it is done') { JSON.parse(anna.act('motors/6/jog', { position: -2 }, id: anna.id).body)['state'] == 'done' }
+    assert_in_delta(-2, yaw.fetch('position'), 0.02)
+  ensure
+    self.class.boresight.simctl('pedal', 'release')
+  end
+
+  def test_SWR_HTTP_027_an_axis_that_is_not_there_is_refused
+    anna = holder
+    ['nose', '7', '00', '-1', 'yaw%20', 'YAW', '4294967296', "a#{'b' * 100}"].each do |axis|
+      assert_answer '404', 'NOT_THERE', anna.act("motors/#{axis}/jog", { position: 0 })
+    end
+    ['', 'yaw/x', '/yaw', 'yaw/'].each { |axis| assert_answer '404', 'NOT_FOUND', anna.act("motors/#{axis}/jog", { position: 0 }) }
+    assert_equal '405', anna.request('get', '/api/v1/motors/yaw/jog').code
+  end
+
+  def test_SWR_HTTP_029_what_no_axis_can_mean_is_refused_where_it_stands
+    anna = holder
+    ['1e7', '-1e7'].each do |text|
+      found = anna.request('post', '/api/v1/motors/yaw/jog', "{\"id\":#{anna.id += 1},\"position\":#{text}}", 'X-Boresight-Page' => anna.page.to_s)
+      assert_equal %w[OUT_OF_RANGE /position], JSON.parse(found.body).values_at('code', 'pointer')
+    end
+  end
+
+  # Each line is a fault and its reason; of two faults the one that stands first here is told.
+  FAULTS = {
+    'HOST_REFUSED' => ->(head, _) { head['Host'] = 'evil.example' },
+    'ORIGIN_REFUSED' => ->(head, _) { head['Origin'] = 'http://evil.example' },
+    'NO_SESSION' => ->(head, _) { head['Cookie'] = 'x=y' },
+    'TOKEN_REFUSED' => ->(head, _) { head['X-Boresight-Token'] = '0' * 64 },
+    'ROLE_REFUSED' => ->(head, _) { head.merge!(head.delete(:observer)) },
+    'NO_AUTHORITY' => ->(head, _) { head['X-Boresight-Page'] = '4711' },
+    'BAD_BODY' => ->(_, body) { body.replace('{"id":1}') }
+  }.freeze
+
+  # With a cookie that is wrong no token is right, and no role is known.
+  def test_SWR_HTTP_026_of_two_reasons_the_first_is_told
+    anna = holder
+    olga = client('olga')
+    FAULTS.keys.combination(2).each { |first, second| assert_equal first, code_of(anna, olga, first, second) }
+    FAULTS.each_key { |one| assert_equal one, code_of(anna, olga, one) }
+    assert_nil code_of(anna, olga)
+  end
+
+  def code_of(anna, olga, *faults)
+    head = { 'Host' => host, 'Origin' => "http://#{host}", 'Cookie' => anna.cookie, 'X-Boresight-Token' => anna.token,
+             'X-Boresight-Page' => anna.page.to_s, 'Content-Type' => 'application/json', 'Connection' => 'close' }
+    head[:observer] = { 'Cookie' => olga.cookie, 'X-Boresight-Token' => olga.token }
+    anna.id += 1
+    body = +"{\"id\":#{anna.id},\"workphase\":\"PLANNING\"}"
+    faults.reverse.each { |fault| FAULTS.fetch(fault).call(head, body) }
+    head.delete(:observer)
+    lines = head.map { |name, value| "#{name}: #{value}\r\n" }.join
+    _, answer = send_raw("POST /api/v1/workphase HTTP/1.1\r\n#{lines}Content-Length: #{body.bytesize}\r\n\r\n#{body}").split("\r\n\r\n", 2)
+    told = JSON.parse(answer)
+    told['code'] unless told['code'] == 'OK'
+  end
+
+  def test_SWR_HTTP_026_a_page_must_say_which_it_is
+    anna = holder
+    ['', '0', '01', 'x', '4294967296', '-1', nil].each do |page|
+      anna.page = page
+      assert_answer '400', 'PAGE_MISSING', anna.act('workphase', { workphase: 'PLANNING' })
+    end
+  end
+end
