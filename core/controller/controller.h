@@ -86,8 +86,8 @@ typedef struct {
 } axis_record_t;
 
 /** Sections of the state, each under its seal: axes, their cards, those without an
- * axis, and four more. */
-#define CONTROLLER_SECTIONS ((2U * ROBOT_AXIS_MAX) + 5U)
+ * axis, and three more. The plan has a seal of its own. */
+#define CONTROLLER_SECTIONS ((2U * ROBOT_AXIS_MAX) + 4U)
 
 /** All state of the controller; holds no pointer, so that it can be stored and compared as bytes.
  * What it has once is divided into the sections of event_memory_t. */

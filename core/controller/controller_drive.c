@@ -11,11 +11,12 @@
 
 static bool is_any_link_lost(const controller_t *self)
 {
-    bool is_lost = false;
     for (uint32_t i = 0U; i < self->axis_count; i++) {
-        is_lost = is_lost || !link_is_usable(controller_link(self, i));
+        if (!link_is_usable(controller_link(self, i))) {
+            return true;
+        }
     }
-    return is_lost;
+    return false;
 }
 
 /* What is the same for every axis. */

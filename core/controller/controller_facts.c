@@ -34,11 +34,12 @@ static bool is_confirmation_due(const controller_t *self, const robot_t *robot)
 
 bool controller_is_homed(const controller_t *self)
 {
-    bool is_every_axis_homed = true;
     for (uint32_t i = 0U; i < self->axis_count; i++) {
-        is_every_axis_homed = is_every_axis_homed && axis_is_homed(&self->axes[i]);
+        if (!axis_is_homed(&self->axes[i])) {
+            return false;
+        }
     }
-    return is_every_axis_homed;
+    return true;
 }
 
 workphase_inputs_t controller_guards(const controller_t *self, const cycle_t *cycle)

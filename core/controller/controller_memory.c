@@ -13,8 +13,7 @@
 
 #define CARDS ROBOT_AXIS_MAX /* Of the axes, in their order. */
 #define SENSORS (CARDS + ROBOT_AXIS_MAX)
-#define PLAN (SENSORS + 1U)
-#define MODE (PLAN + 1U)
+#define MODE (SENSORS + 1U)
 #define INTERLOCKS (MODE + 1U)
 #define REST (INTERLOCKS + 1U)
 
@@ -23,11 +22,11 @@ typedef struct {
     size_t to;
 } range_t;
 
-/* Charts without timers carry all of themselves twice; how one came to its state decides nothing.
- */
+/* Charts without timers carry all of themselves twice; when and how one came to its state decides
+ * nothing. */
 static const range_t axis_range = {offsetof(axis_t, encoder),
-                                   offsetof(axis_t, supervision.stall.trace)};
-/* A report decides only in the cycle in which it came. */
+                                   offsetof(axis_t, supervision.stall.now_us)};
+/* A report, and that one came, decides only in its cycle. */
 static const range_t link_range = {offsetof(link_t, sent), sizeof(link_t)};
 
 static const range_t mode_range = {offsetof(controller_t, mode), offsetof(controller_t, axes)};
@@ -38,15 +37,11 @@ typedef struct {
 } piece_t;
 
 static const piece_t pieces[] = {
-    {PLAN, {offsetof(controller_t, plan), offsetof(controller_t, mode)}},
     {MODE, {offsetof(controller_t, mode), offsetof(controller_t, axes)}},
-    {INTERLOCKS, {offsetof(controller_t, pedal), offsetof(controller_t, pedal.chart.trace)}},
-    {INTERLOCKS, {offsetof(controller_t, loop), offsetof(controller_t, loop.chart.trace)}},
-    {INTERLOCKS, {offsetof(controller_t, confirm), offsetof(controller_t, authority.chart)}},
+    {INTERLOCKS, {offsetof(controller_t, pedal), offsetof(controller_t, pedal.chart.now_us)}},
+    {INTERLOCKS, {offsetof(controller_t, loop.overruns), offsetof(controller_t, authority.chart)}},
     {INTERLOCKS,
-     {offsetof(controller_t, procedure), offsetof(controller_t, procedure.workphase.trace)}},
-    {INTERLOCKS,
-     {offsetof(controller_t, procedure.arming), offsetof(controller_t, procedure.arming.trace)}},
+     {offsetof(controller_t, procedure.arming), offsetof(controller_t, procedure.arming.now_us)}},
     {REST, {offsetof(controller_t, pending), offsetof(controller_t, seals)}},
 };
 /* Of the rest, what is more than a count, beside the records. */
@@ -75,7 +70,7 @@ static uint32_t seal_of_sensors(const controller_t *self)
 static void compute(const controller_t *self, uint32_t seals[CONTROLLER_SECTIONS])
 {
     const uint8_t *const bytes = (const uint8_t *)self;
-    for (uint32_t i = PLAN; i < CONTROLLER_SECTIONS; i++) {
+    for (uint32_t i = MODE; i < CONTROLLER_SECTIONS; i++) {
         seals[i] = SEAL_START;
     }
     for (uint32_t i = 0U; i < (sizeof(pieces) / sizeof(pieces[0])); i++) {
@@ -167,9 +162,6 @@ static void forget_sensors(controller_t *self, const cycle_t *cycle)
 static void forget_single(controller_t *self, uint32_t section)
 {
     switch (section) {
-    case PLAN:
-        plan_init(&self->plan);
-        break;
     case MODE:
         clear(self, &mode_range);
         break;
@@ -185,11 +177,21 @@ static void forget_single(controller_t *self, uint32_t section)
 
 static void forget(controller_t *self, const cycle_t *cycle, uint32_t section)
 {
-    static const event_memory_t names[] = {EVENT_MEMORY_PLAN, EVENT_MEMORY_PROFILE,
-                                           EVENT_MEMORY_INTERLOCKS, EVENT_MEMORY_REST};
-    controller_note(self, cycle, EVENT_MEMORY_DAMAGED, (uint32_t)names[section - PLAN], 0);
+    static const event_memory_t names[] = {EVENT_MEMORY_PROFILE, EVENT_MEMORY_INTERLOCKS,
+                                           EVENT_MEMORY_REST};
+    controller_note(self, cycle, EVENT_MEMORY_DAMAGED, (uint32_t)names[section - MODE], 0);
     forget_single(self, section);
     controller_tell_order(self, cycle, ARMING_EVENT_FAULT, STATUS_FAULT_PRESENT);
+}
+
+/* It seals itself: what else is forgotten would seal its damage. */
+static void check_plan(controller_t *self, const cycle_t *cycle)
+{
+    if (plan_is_damaged(&self->plan)) {
+        controller_note(self, cycle, EVENT_MEMORY_DAMAGED, (uint32_t)EVENT_MEMORY_PLAN, 0);
+        plan_init(&self->plan);
+        controller_tell_order(self, cycle, ARMING_EVENT_FAULT, STATUS_FAULT_PRESENT);
+    }
 }
 
 /* How many axes there are, and where the cards, says a table that is whole; one that is not is not
@@ -229,11 +231,12 @@ static void check_table(controller_t *self, const cycle_t *cycle, uint32_t damag
 static void check_state(controller_t *self, const cycle_t *cycle,
                         const uint32_t seals[CONTROLLER_SECTIONS])
 {
-    for (uint32_t i = CONTROLLER_SECTIONS; i > PLAN; i--) {
+    for (uint32_t i = CONTROLLER_SECTIONS; i > MODE; i--) {
         if (seals[i - 1U] != self->seals[i - 1U]) {
             forget(self, cycle, i - 1U);
         }
     }
+    check_plan(self, cycle);
     if (seals[SENSORS] != self->seals[SENSORS]) {
         forget_sensors(self, cycle);
     }

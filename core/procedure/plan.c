@@ -1,12 +1,28 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "procedure/plan.h"
 
+#include "base/seal.h"
 #include "limits/requirement_limits.h"
 #include "robot/coupled_limit.h"
 #include "robot/coupled_path.h"
 
 #include <stddef.h>
 #include <string.h>
+
+static uint32_t seal_of_plan(const plan_t *self)
+{
+    return seal_of(SEAL_START, (const uint8_t *)self, offsetof(plan_t, seal));
+}
+
+void plan_seal(plan_t *self)
+{
+    self->seal = seal_of_plan(self);
+}
+
+bool plan_is_damaged(const plan_t *self)
+{
+    return self->seal != seal_of_plan(self);
+}
 
 void plan_forget_target(plan_t *self)
 {
@@ -16,6 +32,7 @@ void plan_forget_target(plan_t *self)
     self->has_proposed_entry = 0U;
     self->has_proposed_target = 0U;
     self->is_proposal_reachable = 0U;
+    plan_seal(self);
 }
 
 /* Where the joints put the treatment frame in the scanner. */
@@ -37,25 +54,29 @@ static void settle(const robot_t *robot, const rigid_t *scanner_zframe, joints_t
 }
 
 /* What entry and target point ask for together; shown only, in the frame of the measured pose. */
-static void weigh_proposals(plan_t *self, const robot_t *robot)
+static bool find_desired(plan_t *self, const robot_t *robot)
 {
     const bool is_proposed = (self->has_proposed_registration != 0U) && (self->is_registered == 0U);
     const rigid_t *const scanner_zframe =
         is_proposed ? &self->proposed_registration : &self->scanner_zframe;
     rigid_t zframe_scanner;
     joints_t joints;
-    self->is_proposal_reachable = 0U;
-    if ((self->has_proposed_entry == 0U) || (self->has_proposed_target == 0U)) {
-        return;
-    }
     rigid_invert(scanner_zframe, &zframe_scanner);
     const point_t entry = rigid_apply(&zframe_scanner, &self->proposed_entry);
     const point_t target = rigid_apply(&zframe_scanner, &self->proposed_target);
     const solution_t result = kinematics_inverse(robot, &entry, &target, 0, &joints);
     if (result.status == STATUS_OK) {
         settle(robot, scanner_zframe, &joints, self->desired_ticks, &self->scanner_desired);
-        self->is_proposal_reachable = 1U;
     }
+    return result.status == STATUS_OK;
+}
+
+/* After whatever changed of the proposals. */
+static void weigh_proposals(plan_t *self, const robot_t *robot)
+{
+    const bool are_both = (self->has_proposed_entry != 0U) && (self->has_proposed_target != 0U);
+    self->is_proposal_reachable = (are_both && find_desired(self, robot)) ? 1U : 0U;
+    plan_seal(self);
 }
 
 void plan_init(plan_t *self)
@@ -66,6 +87,7 @@ void plan_init(plan_t *self)
     rigid_set_identity(&self->scanner_seen_needle);
     rigid_set_identity(&self->proposed_registration);
     rigid_set_identity(&self->scanner_desired);
+    plan_seal(self);
 }
 
 status_t plan_register(plan_t *self, const robot_t *robot, const rigid_t *scanner_zframe)
@@ -125,25 +147,16 @@ static solution_t find_target(plan_t *self, const robot_t *robot,
     return result;
 }
 
-solution_t plan_set_target(plan_t *self, const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX],
-                           const rigid_t *scanner_treatment)
+/* Of a pose in scanner coordinates that is rigid. */
+static solution_t find_scanner_target(plan_t *self, const robot_t *robot,
+                                      const int32_t ticks[ROBOT_AXIS_MAX],
+                                      const rigid_t *scanner_treatment)
 {
-    solution_t result = {.status = rigid_check(scanner_treatment)};
-    rigid_t exact;
+    rigid_t exact = *scanner_treatment;
     rigid_t zframe_scanner;
     rigid_t zframe_treatment;
     point_t place;
     const point_t *entry = NULL;
-    self->has_target = 0U;
-    self->has_seen_needle = 0U;
-    if (result.status != STATUS_OK) {
-        return result;
-    }
-    if (self->is_registered == 0U) {
-        result.status = STATUS_NOT_REGISTERED;
-        return result;
-    }
-    exact = *scanner_treatment;
     rigid_orthonormalise(&exact);
     rigid_invert(&self->scanner_zframe, &zframe_scanner);
     rigid_multiply(&zframe_scanner, &exact, &zframe_treatment);
@@ -151,10 +164,22 @@ solution_t plan_set_target(plan_t *self, const robot_t *robot, const int32_t tic
         place = rigid_apply(&zframe_scanner, &self->entry);
         entry = &place;
     }
-    result = find_target(self, robot, ticks, &zframe_treatment, entry);
-    if (result.status == STATUS_OK) {
-        self->has_target = 1U;
+    return find_target(self, robot, ticks, &zframe_treatment, entry);
+}
+
+solution_t plan_set_target(plan_t *self, const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX],
+                           const rigid_t *scanner_treatment)
+{
+    solution_t result = {.status = rigid_check(scanner_treatment)};
+    if ((result.status == STATUS_OK) && (self->is_registered == 0U)) {
+        result.status = STATUS_NOT_REGISTERED;
     }
+    if (result.status == STATUS_OK) {
+        result = find_scanner_target(self, robot, ticks, scanner_treatment);
+    }
+    self->has_target = (result.status == STATUS_OK) ? 1U : 0U;
+    self->has_seen_needle = 0U;
+    plan_seal(self);
     return result;
 }
 
@@ -233,6 +258,7 @@ status_t plan_set_entry(plan_t *self, const rigid_t *pose)
     if (status == STATUS_OK) {
         self->entry = pose->translation;
         self->has_entry = 1U;
+        plan_seal(self);
     }
     return status;
 }
@@ -244,6 +270,7 @@ status_t plan_accept_entry(plan_t *self)
     }
     self->entry = self->proposed_entry;
     self->has_entry = 1U;
+    plan_seal(self);
     return STATUS_OK;
 }
 
@@ -254,6 +281,7 @@ status_t plan_see_needle(plan_t *self, const rigid_t *pose)
         self->scanner_seen_needle = *pose;
         rigid_orthonormalise(&self->scanner_seen_needle);
         self->has_seen_needle = 1U;
+        plan_seal(self);
     }
     return status;
 }

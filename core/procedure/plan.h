@@ -35,7 +35,18 @@ typedef struct {
     uint32_t has_proposed_entry;
     uint32_t has_proposed_target;
     uint32_t is_proposal_reachable;
+    uint32_t seal; /**< Of all before it. It changes seldom: whoever changes it seals it. */
 } plan_t;
+
+/** Seals it; what is declared here does so itself. */
+void plan_seal(plan_t *self);
+
+/**
+ * It is not as it was sealed.
+ *
+ * @satisfies SWR-MEMORY-001
+ */
+bool plan_is_damaged(const plan_t *self);
 
 /** Starts empty. */
 void plan_init(plan_t *self);

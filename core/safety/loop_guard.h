@@ -13,8 +13,8 @@
 #include <stdint.h>
 
 typedef struct {
-    uint32_t overruns; /**< Late cycles since the start, saturates. */
     loop_guard_chart_t chart;
+    uint32_t overruns; /**< Late cycles since the start, saturates. */
 } loop_guard_t;
 
 void loop_guard_init(loop_guard_t *self);

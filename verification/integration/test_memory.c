@@ -122,6 +122,18 @@ void test_SWR_MEMORY_002_a_damaged_plan_is_no_plan(void)
     TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_homed);
 }
 
+void test_SWR_MEMORY_002_a_damaged_plan_is_found_where_something_else_is_too(void)
+{
+    begin_move();
+    rig.controller.plan.target_ticks[AXIS_INSERTION] ^= 0x1000;
+    rig.controller.axes[AXIS_YAW].encoder.position_ticks ^= 0x1000;
+    rig.controller.has_arrived ^= 2U;
+    rig_forget(&rig);
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(3U, rig_count(&rig, EVENT_MEMORY_DAMAGED));
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.is_registered);
+}
+
 void test_SWR_MEMORY_002_a_damaged_profile_ends_its_motion(void)
 {
     begin_move();
@@ -150,7 +162,7 @@ void test_SWR_MEMORY_002_damaged_interlocks_ask_for_start_up(void)
     rig.controller.procedure.arming.pedal_missing_us ^= 1U;
     expect_noticed(EVENT_MEMORY_INTERLOCKS, 0U);
     begin_move();
-    rig.controller.procedure.workphase.state_inverse ^= 1U;
+    rig.controller.authority.since_us ^= 1U;
     expect_noticed(EVENT_MEMORY_INTERLOCKS, 0U);
     begin_move();
     rig.controller.loop.overruns ^= 1U;
@@ -206,7 +218,7 @@ void test_SWR_MEMORY_003_the_numbers_of_every_axis_and_card_are_under_seal(void)
     static rig_t moving;
     begin_move();
     moving = rig;
-    for (size_t i = offsetof(axis_t, encoder); i < offsetof(axis_t, supervision.stall.trace);
+    for (size_t i = offsetof(axis_t, encoder); i < offsetof(axis_t, supervision.stall.now_us);
          i += 4U) {
         rig = moving;
         ((uint8_t *)&rig.controller.axes[AXIS_LATERAL])[i] ^= 0x10U;
@@ -311,7 +323,7 @@ void test_SWR_MEMORY_005_a_target_that_does_not_lead_to_its_pose_is_not_armed(vo
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         rig_start_targeted(&rig);
         rig.controller.plan.target_ticks[i] += 1;
-        controller_seal(&rig.controller);
+        plan_seal(&rig.controller.plan);
         TEST_ASSERT_EQUAL_UINT32(STATUS_MEMORY_DAMAGED,
                                  rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
         TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);

@@ -510,7 +510,7 @@ static void settle_target(void)
     joints_t joints;
     joints_from_ticks(&robot_neuro, rig.controller.plan.target_ticks, &joints);
     kinematics_forward(&robot_neuro, &joints, &rig.controller.plan.scanner_target);
-    controller_seal(&rig.controller);
+    plan_seal(&rig.controller.plan);
 }
 
 void test_SWR_MOTION_002_the_needle_is_retracted_before_any_other_axis_moves(void)

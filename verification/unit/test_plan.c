@@ -31,8 +31,10 @@ void setUp(void)
     rigid_set_identity(&identity);
 }
 
+/* Whatever was done to it. */
 void tearDown(void)
 {
+    TEST_ASSERT_FALSE_MESSAGE(plan_is_damaged(&plan), "It changed without being sealed.");
 }
 
 static rigid_t needle_down(int32_t x_nm, int32_t y_nm, int32_t z_nm)
@@ -42,6 +44,15 @@ static rigid_t needle_down(int32_t x_nm, int32_t y_nm, int32_t z_nm)
         .translation = {.x_nm = x_nm, .y_nm = y_nm, .z_nm = z_nm},
     };
     return pose;
+}
+
+void test_SWR_MEMORY_001_every_byte_of_a_plan_is_under_its_seal(void)
+{
+    for (size_t i = 0U; i < sizeof plan; i++) {
+        ((uint8_t *)&plan)[i] ^= 0x10U;
+        TEST_ASSERT_TRUE(plan_is_damaged(&plan));
+        ((uint8_t *)&plan)[i] ^= 0x10U;
+    }
 }
 
 void test_SWR_PLAN_004_a_target_without_registration_is_refused(void)
