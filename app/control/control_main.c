@@ -13,6 +13,7 @@
 #include "control/drives_off.h"
 #include "control/figures.h"
 #include "control/realtime.h"
+#include "control/sources.h"
 #include "controller/controller.h"
 #include "exchange/exchange.h"
 #include "limits/requirement_limits.h"
@@ -48,10 +49,7 @@ static uint64_t told_board_ns; /* When the figures were last published. */
 static uint64_t told_world_ns;
 static exchange_t *exchange;
 static uint64_t stage_ns[STAGE_COUNT];
-static struct {
-    uint32_t beats;
-    uint64_t silent_us;
-} sources[COMMAND_SOURCE_COUNT];
+static sources_t sources;
 static volatile sig_atomic_t stopped_by; /* Signal number. */
 static uint8_t crash_stack[65536];
 
@@ -128,20 +126,12 @@ static uint32_t longest_stage(void)
     return longest;
 }
 
-/* In the board's time: it is a pause of the process, not of the machine. */
-static void listen_to_sources(uint32_t elapsed_us)
+static uint32_t silent_sources(void)
 {
-    static const exchange_process_t processes[COMMAND_SOURCE_COUNT] = {
-        [COMMAND_SOURCE_IGTL] = EXCHANGE_IGTL, [COMMAND_SOURCE_HTTP] = EXCHANGE_HTTP};
-    for (uint32_t i = 0; i < COMMAND_SOURCE_COUNT; i++) {
-        const uint32_t beats = exchange_beats(exchange, processes[i]);
-        const bool is_silent = beats == sources[i].beats;
-        const uint64_t silent_us = sources[i].silent_us + elapsed_us;
-        sources[i].silent_us = is_silent ? silent_us : 0U;
-        sources[i].beats = beats;
-        inputs.silent_sources |=
-            (sources[i].silent_us >= LIMIT_AUTHORITY_SILENT_US) ? ((uint32_t)1U << i) : 0U;
-    }
+    const uint32_t beats[COMMAND_SOURCE_COUNT] = {
+        [COMMAND_SOURCE_IGTL] = exchange_beats(exchange, EXCHANGE_IGTL),
+        [COMMAND_SOURCE_HTTP] = exchange_beats(exchange, EXCHANGE_HTTP)};
+    return sources_listen(&sources, beats, inputs.elapsed_us);
 }
 
 static void gather_inputs(uint64_t elapsed_ns)
@@ -157,8 +147,7 @@ static void gather_inputs(uint64_t elapsed_ns)
     inputs.estop_open = levels.estop_open ? 1U : 0U;
     inputs.scanner_active = levels.scanner_active ? 1U : 0U;
     inputs.confirm_pressed = levels.confirm_pressed ? 1U : 0U;
-    listen_to_sources((inputs.elapsed_us < LIMIT_OVERRUN_US) ? inputs.elapsed_us
-                                                             : LIMIT_OVERRUN_US);
+    inputs.silent_sources = silent_sources();
     inputs.command_count = exchange_take_commands(exchange, inputs.commands, CONTROLLER_COMMANDS);
 }
 
