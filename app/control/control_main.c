@@ -146,6 +146,7 @@ static void gather_inputs(uint64_t elapsed_ns)
     inputs.pedal_b = levels.pedal_b ? 1U : 0U;
     inputs.estop_open = levels.estop_open ? 1U : 0U;
     inputs.scanner_active = levels.scanner_active ? 1U : 0U;
+    inputs.has_button = levels.has_button ? 1U : 0U;
     inputs.confirm_pressed = levels.confirm_pressed ? 1U : 0U;
     inputs.silent_sources = silent_sources();
     inputs.command_count = exchange_take_commands(exchange, inputs.commands, CONTROLLER_COMMANDS);

@@ -19,7 +19,8 @@ typedef struct {
     bool pedal_b;
     bool estop_open;      /**< The e-stop chain is open (pulled). */
     bool scanner_active;  /**< The scanner acquires. */
-    bool confirm_pressed; /**< The button with which the operator confirms positions is pressed. */
+    bool has_button;      /**< The box has a button for the operator. */
+    bool confirm_pressed; /**< It is pressed. */
 } bsp_inputs_t;
 
 /** How the board's time passes beside the world's. */

@@ -162,6 +162,7 @@ bsp_inputs_t box_inputs(const box_t *self)
                           .pedal_b = self->pedal_b.is_closed,
                           .estop_open = !self->estop.is_closed,
                           .scanner_active = self->scanner_active,
+                          .has_button = true,
                           .confirm_pressed = self->button_pressed};
 }
 

@@ -45,7 +45,8 @@ typedef struct {
     uint32_t pedal_b;
     uint32_t estop_open;      /**< The e-stop chain is open (pulled): 0 or 1. */
     uint32_t scanner_active;  /**< 0 or 1. */
-    uint32_t confirm_pressed; /**< The operator's button at the box is pressed: 0 or 1. */
+    uint32_t has_button;      /**< The box has a button for the operator: 0 or 1. */
+    uint32_t confirm_pressed; /**< It is pressed: 0 or 1. */
     /** Bit n: the process of command_source_t n has given no sign of life for
      * LIMIT_AUTHORITY_SILENT_US. */
     uint32_t silent_sources;

@@ -194,6 +194,9 @@ static status_t obey_request(controller_t *self, const cycle_t *cycle, const com
     if (party.peer == 0U) {
         return STATUS_NO_AUTHORITY;
     }
+    if (cycle->inputs->has_button == 0U) {
+        return STATUS_NO_BUTTON;
+    }
     if (!authority_ask(&self->authority, (authority_request_t)command->argument, &party,
                        self->time_us)) {
         return STATUS_BUSY;

@@ -42,7 +42,9 @@ static inline bool controller_is_of_authority(const command_t *command)
  * TAKE, RENEW, RELEASE and REQUEST.
  *
  * @return STATUS_OK; STATUS_NO_AUTHORITY; STATUS_BUSY while another one's request waits;
- * STATUS_UNKNOWN_COMMAND for a request of nothing
+ * STATUS_UNKNOWN_COMMAND for a request of nothing; STATUS_NO_BUTTON for any where the box has none
+ *
+ * @satisfies SWR-AUTH-013
  */
 status_t controller_obey_authority(controller_t *self, const cycle_t *cycle,
                                    const command_t *command);

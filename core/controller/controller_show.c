@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "controller/controller_show.h"
 
+#include "controller/controller_authority.h"
 #include "controller/controller_facts.h"
 #include "controller/controller_restore.h"
 
@@ -99,6 +100,24 @@ static next_step_t confirmed_first(const controller_t *self, const cycle_t *cycl
     const workphase_inputs_t guards = controller_guards(self, cycle);
     const bool is_due = guards.is_confirmation_due || is_confirmation_better(self, cycle->robot);
     return (guards.is_hardware_ready && is_due) ? NEXT_STEP_CONFIRM : step;
+}
+
+#define BIT(step) ((uint32_t)1U << (uint32_t)(step))
+
+/* What a command fulfils, while nobody may send one; what can wait, while somebody waits for the
+ * button. */
+static next_step_t authority_first(const controller_t *self, next_step_t step)
+{
+    const uint32_t commanded = BIT(NEXT_STEP_START_UP) | BIT(NEXT_STEP_REGISTER) |
+                               BIT(NEXT_STEP_TARGET) | BIT(NEXT_STEP_MOVE) |
+                               BIT(NEXT_STEP_TARGETING);
+    const uint32_t calm = commanded | BIT(NEXT_STEP_RELEASE_PEDAL) | BIT(NEXT_STEP_PRESS_PEDAL) |
+                          BIT(NEXT_STEP_CONFIRM) | BIT(NEXT_STEP_NOTHING);
+    uint32_t replaced = authority_is_held(&self->authority) ? 0U : commanded;
+    if (controller_awaits_grant(self)) {
+        replaced = calm;
+    }
+    return (((replaced >> (uint32_t)step) & 1U) != 0U) ? NEXT_STEP_AUTHORITY : step;
 }
 
 static void show_axis(const controller_t *self, const cycle_t *cycle, uint32_t index)
@@ -234,8 +253,8 @@ void controller_show(const controller_t *self, const cycle_t *cycle)
     shown->estop = (uint32_t)self->estop.state;
     shown->loop = (uint32_t)self->loop.chart.state;
     shown->is_homed = controller_is_homed(self) ? 1U : 0U;
-    shown->next_step =
-        (uint32_t)confirmed_first(self, cycle, next_step(self, shown->is_homed != 0U));
+    shown->next_step = (uint32_t)authority_first(
+        self, confirmed_first(self, cycle, next_step(self, shown->is_homed != 0U)));
     shown->is_scanner_active = cycle->inputs->scanner_active;
     shown->overruns = self->loop.overruns;
     shown->events = self->events;

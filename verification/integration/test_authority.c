@@ -184,6 +184,38 @@ void test_SWR_AUTH_005_releasing_it_ends_the_order_in_that_cycle(void)
     }
 }
 
+/* Who stands where after so many cycles. */
+static void run_on(uint32_t cycles, int32_t ticks[ROBOT_AXIS_MAX])
+{
+    rig_cycles(&rig, cycles);
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
+        ticks[i] = rig_position(&rig, i);
+    }
+}
+
+/* STOP is everyone's and switches off at once; so does the loss. No drive leaves after it, and
+ * where the axes come to rest is the same. */
+void test_SWR_AUTH_005_after_a_loss_the_axes_stop_as_after_stop(void)
+{
+    static rig_t moving;
+    int32_t stopped[ROBOT_AXIS_MAX] = {0};
+    int32_t lost[ROBOT_AXIS_MAX] = {0};
+    start_moving();
+    moving = rig;
+    TEST_ASSERT_EQUAL(STATUS_OK, by_peer(PEER, COMMAND_WORKPHASE, WORKPHASE_STOP));
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    run_on(500U, stopped);
+    rig = moving;
+    TEST_ASSERT_EQUAL(STATUS_OK, by_page(RIG_PAGE, COMMAND_RELEASE, 0U));
+    for (uint32_t i = 0U; i < 500U; i++) {
+        TEST_ASSERT_FALSE(rig_is_driving(&rig));
+        run_on(1U, lost);
+    }
+    TEST_ASSERT_EQUAL_INT32_ARRAY(stopped, lost, robot_neuro.axis_count);
+    run_on(500U, lost);
+    TEST_ASSERT_EQUAL_INT32_ARRAY(stopped, lost, robot_neuro.axis_count);
+}
+
 void test_SWR_AUTH_005_who_has_nothing_releases_nothing(void)
 {
     start_moving();
@@ -424,4 +456,49 @@ void test_SWR_EVENT_011_a_note_is_no_sign_of_life(void)
     rig_forget(&rig);
     rig_cycle(&rig);
     expect_lost(AUTHORITY_LOSS_UNRENEWED);
+}
+
+void test_SWR_AUTH_013_without_a_button_nothing_is_asked_of_it(void)
+{
+    start_moving();
+    rig.has_no_button = true;
+    TEST_ASSERT_EQUAL(STATUS_NO_BUTTON,
+                      by_page(OTHER_PAGE, COMMAND_REQUEST, AUTHORITY_REQUEST_TAKE));
+    TEST_ASSERT_EQUAL(STATUS_NO_BUTTON,
+                      by_page(RIG_PAGE, COMMAND_REQUEST, AUTHORITY_REQUEST_CONFIRM));
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AUTHORITY_ASKED));
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.requester_peer);
+    expect_holder(COMMAND_SOURCE_HTTP, RIG_PAGE);
+}
+
+static void expect_step(next_step_t step)
+{
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(step, rig.outputs.snapshot.next_step);
+}
+
+void test_SWR_AUTH_014_where_nobody_commands_that_is_the_next_step(void)
+{
+    start_free();
+    expect_step(NEXT_STEP_AUTHORITY);
+    TEST_ASSERT_EQUAL(STATUS_OK, by_page(RIG_PAGE, COMMAND_TAKE, 0U));
+    expect_step(NEXT_STEP_MOVE);
+    TEST_ASSERT_EQUAL(STATUS_OK, by_page(RIG_PAGE, COMMAND_RELEASE, 0U));
+    rig_box(&rig, "estop pull");
+    rig_cycles(&rig, 20U);
+    expect_step(NEXT_STEP_RELEASE_ESTOP);
+    rig_box(&rig, "estop reset");
+    rig_cycles(&rig, 20U);
+    expect_step(NEXT_STEP_AUTHORITY);
+}
+
+void test_SWR_AUTH_014_a_press_that_is_waited_for_is_the_next_step_unless_something_moves(void)
+{
+    start_moving();
+    TEST_ASSERT_EQUAL(STATUS_OK, by_page(OTHER_PAGE, COMMAND_REQUEST, AUTHORITY_REQUEST_TAKE));
+    expect_step(NEXT_STEP_HOLD_PEDAL);
+    rig_release(&rig);
+    expect_step(NEXT_STEP_AUTHORITY);
+    TEST_ASSERT_EQUAL(STATUS_OK, by_page(OTHER_PAGE, COMMAND_RELEASE, 0U));
+    expect_step(NEXT_STEP_PRESS_PEDAL);
 }

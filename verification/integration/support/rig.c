@@ -99,6 +99,7 @@ static void gather(rig_t *self)
     self->inputs.pedal_b = levels.pedal_b ? 1U : 0U;
     self->inputs.estop_open = levels.estop_open ? 1U : 0U;
     self->inputs.scanner_active = levels.scanner_active ? 1U : 0U;
+    self->inputs.has_button = (levels.has_button && !self->has_no_button) ? 1U : 0U;
     self->inputs.confirm_pressed = levels.confirm_pressed ? 1U : 0U;
     self->inputs.frames_received =
         box_exchange(&self->box, self->outputs.frames_to_send,

@@ -28,6 +28,7 @@ typedef struct {
     uint32_t elapsed_us; /**< Of every cycle; 1000 unless a test changes it. */
     uint32_t next_id;
     uint32_t silent_sources;       /**< As controller_inputs_t. */
+    bool has_no_button;            /**< The box has none, whatever it says. */
     bool is_page_away;             /**< The page does not take authority by itself, nor renew it. */
     answer_t answers[RIG_ANSWERS]; /**< All since rig_forget(). */
     uint32_t answer_count;
