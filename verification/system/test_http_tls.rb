@@ -9,11 +9,11 @@ require 'tempfile'
 require_relative 'support/http_client'
 require_relative 'support/session_client'
 
-# A certificate of our own, the file of TLS, and stunnel.
+# A certificate by an authority of our own, the file of TLS, and stunnel.
 class TlsFront
   HOST = 'robot.example'
 
-  attr_reader :file, :console, :stop, :console_from, :stop_from
+  attr_reader :file, :console, :stop, :console_from, :stop_from, :authority_hash
 
   def initialize(folder)
     @folder = folder
@@ -38,10 +38,10 @@ class TlsFront
     FileUtils.rm_rf(@folder)
   end
 
-  # A connection over TLS; who connects knows our certificate alone.
+  # A connection over TLS; who connects knows our authority alone.
   def connect(port)
     context = OpenSSL::SSL::SSLContext.new
-    context.ca_file = path('certificate')
+    context.ca_file = path('authority')
     context.verify_mode = OpenSSL::SSL::VERIFY_PEER
     socket = OpenSSL::SSL::SSLSocket.new(TCPSocket.new('127.0.0.1', port), context)
     socket.sync_close = true
@@ -72,19 +72,30 @@ class TlsFront
   end
 
   def write_certificate
+    authority = certify("/CN=Authority of #{HOST}", 'basicConstraints' => 'critical,CA:TRUE')
+    own = certify("/CN=#{HOST}", { 'subjectAltName' => "DNS:#{HOST}" }, authority)
+    @authority_hash = OpenSSL::Digest.base64digest('SHA256', authority.key.public_to_der)
+    File.write(path('authority'), authority.certificate.to_pem)
+    File.write(path('certificate'), own.certificate.to_pem + authority.certificate.to_pem)
+    File.write(path('key'), own.key.to_pem, perm: 0o600)
+  end
+
+  Certified = Struct.new(:certificate, :key)
+
+  # A key and its certificate, signed by `authority`, or by itself.
+  def certify(name, extensions, authority = nil)
     key = OpenSSL::PKey::EC.generate('prime256v1')
-    name = OpenSSL::X509::Name.parse("/CN=#{HOST}")
     certificate = OpenSSL::X509::Certificate.new
     certificate.version = 2
-    certificate.serial = 1
-    certificate.subject = certificate.issuer = name
+    certificate.serial = authority ? 2 : 1
+    certificate.subject = OpenSSL::X509::Name.parse(name)
+    certificate.issuer = authority ? authority.certificate.subject : certificate.subject
     certificate.public_key = key
     certificate.not_before = Time.now - 3600
     certificate.not_after = Time.now + 86_400
-    certificate.add_extension(OpenSSL::X509::ExtensionFactory.new.create_extension('subjectAltName', "DNS:#{HOST}"))
-    certificate.sign(key, OpenSSL::Digest.new('SHA256'))
-    File.write(path('certificate'), certificate.to_pem)
-    File.write(path('key'), key.to_pem, perm: 0o600)
+    factory = OpenSSL::X509::ExtensionFactory.new
+    extensions.each { |its_name, value| certificate.add_extension(factory.create_extension(its_name, value)) }
+    Certified.new(certificate.sign(authority&.key || key, OpenSSL::Digest.new('SHA256')), key)
   end
 end
 
@@ -207,6 +218,14 @@ class TestHttpTls < Minitest::Test
     assert rest.join(PATIENCE), 'the stream goes on'
   ensure
     stream&.close
+  end
+
+  def test_SWR_SESS_019_a_browser_logs_in_and_stops_over_tls
+    environment = { 'BORESIGHT_URL' => "#{origin}/", 'BORESIGHT_AUTHORITY' => front.authority_hash,
+                    'BORESIGHT_LOGIN' => "anna #{Accounts::PASSWORDS.fetch('anna').last}" }
+    said, status = Open3.capture2e(environment, 'npx', 'vitest', 'run', '--config', 'vitest.e2e.config.ts', 'tls.e2e.ts',
+                                   chdir: File.expand_path('../../app/console', __dir__))
+    assert status.success?, said
   end
 
   def test_SWR_SESS_023_a_port_that_stunnel_shall_feed_and_another_has_keeps_the_server_from_starting
