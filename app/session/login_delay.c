@@ -2,6 +2,7 @@
 #include "session/login_delay.h"
 
 #include "limits/requirement_limits.h"
+#include "session/passed.h"
 
 #define MS_PER_S 1000U
 #define DOUBLINGS_MOST 31U
@@ -21,7 +22,7 @@ static uint32_t row_of(const char *name)
 
 static bool is_forgotten(const login_failures_t *failures, uint64_t now_ms)
 {
-    return (now_ms - failures->failed_ms) >= ((uint64_t)LIMIT_LOGIN_FORGET_S * MS_PER_S);
+    return passed_ms(failures->failed_ms, now_ms) >= ((uint64_t)LIMIT_LOGIN_FORGET_S * MS_PER_S);
 }
 
 /* From the last failure on. */
@@ -38,10 +39,10 @@ static uint64_t delay_ms(uint32_t failures, uint32_t free_failures)
 
 static uint64_t left_ms(const login_failures_t *failures, uint32_t free_failures, uint64_t now_ms)
 {
-    const uint64_t passed_ms = now_ms - failures->failed_ms;
+    const uint64_t gone_ms = passed_ms(failures->failed_ms, now_ms);
     const uint64_t whole_ms = delay_ms(failures->failures, free_failures);
 
-    return (whole_ms > passed_ms) ? (whole_ms - passed_ms) : 0U;
+    return (whole_ms > gone_ms) ? (whole_ms - gone_ms) : 0U;
 }
 
 uint32_t login_delay_left_s(const login_delay_t *self, const char *name, uint64_t now_ms)

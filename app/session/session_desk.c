@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "session/session_desk.h"
 
+#include "session/passed.h"
 #include "session/password.h"
 
 #include <stdarg.h>
@@ -83,7 +84,7 @@ static uint32_t take_refusals(session_desk_t *self, uint32_t more, uint32_t paus
 
     (void)pthread_mutex_lock(&self->lock);
     self->untold += more;
-    if ((now_ms - self->told_ms) >= ((uint64_t)pause_s * MS_PER_S)) {
+    if (passed_ms(self->told_ms, now_ms) >= ((uint64_t)pause_s * MS_PER_S)) {
         count = self->untold;
         self->untold = 0U;
         self->told_ms = (count > 0U) ? now_ms : self->told_ms;
@@ -246,7 +247,7 @@ static session_verdict_t judge(session_t *session, const char *csrf, bool is_wri
     if (session->account.role < role) {
         return SESSION_ROLE;
     }
-    session->used_ms = is_writing ? now_ms : session->used_ms;
+    session->used_ms = (is_writing && (now_ms > session->used_ms)) ? now_ms : session->used_ms;
     return SESSION_PASS;
 }
 
@@ -321,7 +322,7 @@ static bool is_comparison_due(session_desk_t *self, uint64_t now_ms)
 {
     (void)pthread_mutex_lock(&self->lock);
     const bool is_due = (self->accounts_file != NULL) &&
-                        ((now_ms - self->compared_ms) >= (COMPARISON_PAUSE_S * MS_PER_S));
+                        (passed_ms(self->compared_ms, now_ms) >= (COMPARISON_PAUSE_S * MS_PER_S));
     self->compared_ms = is_due ? now_ms : self->compared_ms;
     (void)pthread_mutex_unlock(&self->lock);
     return is_due;

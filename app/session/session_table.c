@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "session/session_table.h"
 
+#include "session/passed.h"
 #include "session/password.h"
 
 #include <stddef.h>
@@ -25,11 +26,10 @@ static bool make_token(char token[SESSION_TOKEN_SIZE])
 
 static uint32_t left_s(uint64_t since_ms, uint32_t most_s, uint64_t now_ms)
 {
-    const uint64_t passed_ms = now_ms - since_ms;
+    const uint64_t gone_ms = passed_ms(since_ms, now_ms);
     const uint64_t most_ms = (uint64_t)most_s * MS_PER_S;
 
-    return (passed_ms < most_ms) ? (uint32_t)((most_ms - passed_ms + MS_PER_S - 1U) / MS_PER_S)
-                                 : 0U;
+    return (gone_ms < most_ms) ? (uint32_t)((most_ms - gone_ms + MS_PER_S - 1U) / MS_PER_S) : 0U;
 }
 
 session_left_t session_left(const session_t *session, uint64_t now_ms)

@@ -245,6 +245,25 @@ void test_SWR_SESS_009_writing_keeps_it_awake_until_it_is_too_old(void)
     TEST_ASSERT_NOT_NULL(strstr(said, "it was too old"));
 }
 
+/* Threads ask the time before they wait for each other. */
+void test_SWR_SESS_009_who_comes_with_an_earlier_time_ends_no_session(void)
+{
+    TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
+    now_ms -= 1U;
+    session_desk_tick(&desk, now_ms);
+    TEST_ASSERT_TRUE(is_live());
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_SESSION_IDLE_S, session_left(&session, now_ms).idle_s);
+}
+
+void test_SWR_SESS_014_who_comes_with_an_earlier_time_waits_all_the_same(void)
+{
+    login_delay_t delay = {.in_all = {.failures = 0U}};
+    for (unsigned i = 0U; i <= LIMIT_LOGIN_FREE_FAILURES; i++) {
+        login_delay_note(&delay, "anna", false, now_ms - i);
+    }
+    TEST_ASSERT_EQUAL_UINT32(1U, login_delay_left_s(&delay, "anna", now_ms - 10U));
+}
+
 void test_SWR_SESS_009_who_logs_out_is_out(void)
 {
     TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
