@@ -162,6 +162,18 @@ act_verdict_t act_desk_converse(act_desk_t *self, uint32_t page, uint32_t id,
     return verdict;
 }
 
+bool act_desk_recall(act_desk_t *self, uint32_t page, uint32_t id, command_t *command)
+{
+    (void)pthread_mutex_lock(&self->lock);
+    page_t *found = page_table_find(&self->table, page);
+    const page_act_t *act = (found != NULL) ? page_table_act(found, id) : NULL;
+    if (act != NULL) {
+        *command = act->command;
+    }
+    (void)pthread_mutex_unlock(&self->lock);
+    return act != NULL;
+}
+
 bool act_desk_send(act_desk_t *self, uint32_t page, const command_t *command)
 {
     command_t sent;

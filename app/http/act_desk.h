@@ -82,6 +82,9 @@ act_verdict_t act_desk_look(act_desk_t *self, uint32_t page, uint32_t id, const 
 act_verdict_t act_desk_converse(act_desk_t *self, uint32_t page, uint32_t id,
                                 const command_t *command, answer_t *answer);
 
+/** Copies to `command` what was sent as the act `id` of `page`. False: that is not known. */
+bool act_desk_recall(act_desk_t *self, uint32_t page, uint32_t id, command_t *command);
+
 /** Sends what may be repeated without harm, and does not wait; of `page` 0 what is no page's.
  * False: too many commands wait. */
 bool act_desk_send(act_desk_t *self, uint32_t page, const command_t *command);

@@ -2,6 +2,8 @@
 #include "http/http_notes.h"
 
 #include "interface/event.h"
+#include "limits/requirement_limits.h"
+#include "session/passed.h"
 
 #include <string.h>
 
@@ -25,6 +27,19 @@ void http_notes_write(void *owner, note_kind_t kind, const char *who, const char
     (void)pthread_mutex_lock(&self->lock);
     self->written = exchange_write_note(self->exchange, kind, who, text);
     (void)pthread_mutex_unlock(&self->lock);
+}
+
+uint32_t http_notes_keep(http_notes_t *self, const char *who, const char *text, uint64_t now_ms)
+{
+    uint32_t number = 0U;
+    (void)pthread_mutex_lock(&self->lock);
+    if (passed_ms(self->kept_ms, now_ms) >= LIMIT_NOTE_PAUSE_MS) {
+        number = exchange_write_note(self->exchange, NOTE_OPERATOR, who, text);
+        self->written = number;
+        self->kept_ms = now_ms;
+    }
+    (void)pthread_mutex_unlock(&self->lock);
+    return number;
 }
 
 static uint32_t newest(http_notes_t *self)
@@ -73,7 +88,7 @@ void http_notes_tick(http_notes_t *self)
     if ((self->logged == newest(self)) || !is_free) {
         return;
     }
-    if (exchange_read_note(self->exchange, next, &note)) {
+    if (exchange_read_note(self->exchange, next, &note) && (note.kind != (uint32_t)NOTE_OPERATOR)) {
         ask(self, &note);
     } else {
         self->logged = next;

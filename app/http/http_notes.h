@@ -23,6 +23,7 @@ typedef struct {
     uint32_t asked;      /**< Of the last one that was asked for. */
     uint32_t patience;   /**< Ticks until it is asked for again. */
     uint32_t next_event; /**< Of the log, to look at. */
+    uint64_t kept_ms;    /**< When somebody's was kept last. */
 } http_notes_t;
 
 /** Starts with nothing to log. `exchange` and `desk`, which asks control, outlive `self`. */
@@ -32,8 +33,15 @@ void http_notes_init(http_notes_t *self, exchange_t *exchange, act_desk_t *desk)
 void http_notes_write(void *owner, note_kind_t kind, const char *who, const char *text);
 
 /**
- * Has the next note logged; called by one thread at 20 Hz, which is how many are logged in a second
- * at most. What is overwritten before is never logged.
+ * Keeps what somebody wrote; who asks has it logged. Any thread.
+ *
+ * @return its number; 0 within LIMIT_NOTE_PAUSE_MS of the one before
+ */
+uint32_t http_notes_keep(http_notes_t *self, const char *who, const char *text, uint64_t now_ms);
+
+/**
+ * Has the next note logged that nobody else has logged; called by one thread at 20 Hz, which is how
+ * many are logged in a second at most. What is overwritten before is never logged.
  *
  * @satisfies SWR-SESS-020
  */

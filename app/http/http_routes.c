@@ -6,6 +6,7 @@
 #include "http/http_authority.h"
 #include "http/http_call.h"
 #include "http/http_door.h"
+#include "http/http_log_note.h"
 #include "http/http_motion.h"
 #include "http/http_reply.h"
 #include "http/stop_desk.h"
@@ -149,6 +150,8 @@ static int answer(http_server_t *server, const http_call_t *call)
         return answer_targeting(server, connection);
     case ROUTE_LOG:
         return answer_log(server, call);
+    case ROUTE_LOG_NOTE:
+        return http_log_note_write(server, call);
     case ROUTE_EVENTS:
         return answer_events(server, connection);
     case ROUTE_STOP:

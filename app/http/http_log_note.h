@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file The route of notes that people write into the log. */
+#ifndef BORESIGHT_HTTP_LOG_NOTE_H
+#define BORESIGHT_HTTP_LOG_NOTE_H
+
+#include "http/http_call.h"
+#include "http/http_server.h"
+
+/** Whether `text`, UTF-8, is not empty and changes nothing about how a line is shown: no control
+ * characters, ends of lines or marks of direction. */
+bool http_log_note_is_plain(const char *text);
+
+/**
+ * Writes the note, as an act of its page.
+ *
+ * @return the status sent
+ *
+ * @satisfies SWR-EVENT-012
+ */
+int http_log_note_write(http_server_t *server, const http_call_t *call);
+
+#endif

@@ -1,0 +1,131 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* Rule under test: each note of the server comes into the log once, in their order, whatever is
+ * refused on the way. */
+#include "unity.h"
+
+#include "exchange/exchange.h"
+#include "exchange/exchange_notes.h"
+#include "exchange/exchange_segment.h"
+#include "http/act_desk.h"
+#include "http/http_notes.h"
+#include "http/page_table.h"
+#include "http/patience.h"
+#include "session/account.h"
+#include "session/login_delay.h"
+#include "session/password.h"
+#include "session/session_desk.h"
+#include "session/session_table.h"
+
+#include <stdio.h>
+#include <unistd.h>
+
+#define COMMANDS 16U
+#define REPEATED_AFTER 10U
+#define NOW_MS UINT64_C(1000000)
+
+static exchange_t *control;
+static exchange_t *server;
+static char name[32];
+static char error[256];
+static act_desk_t desk;
+static http_notes_t notes;
+static command_t taken[COMMANDS];
+static uint32_t events;
+
+void setUp(void)
+{
+    (void)snprintf(name, sizeof name, "test-http-notes-%d", (int)getpid());
+    control = exchange_create(name, error, sizeof error);
+    TEST_ASSERT_NOT_NULL_MESSAGE(control, error);
+    server = exchange_open(name, error, sizeof error);
+    TEST_ASSERT_NOT_NULL_MESSAGE(server, error);
+    (void)exchange_write_note(server, NOTE_LOGIN, "earlier", "logged in.");
+    act_desk_init(&desk, server);
+    http_notes_init(&notes, server, &desk);
+    TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, taken, COMMANDS));
+    events = 0U;
+}
+
+void tearDown(void)
+{
+    exchange_close(server);
+    exchange_close(control);
+}
+
+/* Ticks, and expects that this note is asked for; 0: none. */
+static void expect_asked(uint32_t number)
+{
+    http_notes_tick(&notes);
+    const uint32_t count = exchange_take_commands(control, taken, COMMANDS);
+    TEST_ASSERT_EQUAL_UINT32((number != 0U) ? 1U : 0U, count);
+    if (number != 0U) {
+        TEST_ASSERT_EQUAL_UINT32(COMMAND_NOTE, taken[0].kind);
+        TEST_ASSERT_EQUAL_UINT32(0U, taken[0].peer);
+        TEST_ASSERT_EQUAL_INT32(number, taken[0].value);
+    }
+}
+
+/* Control has an event of what it was asked for last. */
+static void log_it(void)
+{
+    const bool is_refusal = taken[0].argument == (uint32_t)NOTE_LOGIN_REFUSED;
+    const event_t event = {.number = events,
+                           .id = (uint32_t)(is_refusal ? EVENT_LOGIN_REFUSED : EVENT_NOTE),
+                           .subject = taken[0].argument,
+                           .value = taken[0].value};
+    exchange_push_event(control, &event);
+    events++;
+}
+
+void test_SWR_SESS_020_notes_are_logged_one_after_the_other(void)
+{
+    expect_asked(0U);
+    http_notes_write(&notes, NOTE_LOGIN, "anna", "logged in.");
+    http_notes_write(&notes, NOTE_LOGIN_REFUSED, "bert", "login refused.");
+    expect_asked(2U);
+    TEST_ASSERT_EQUAL_UINT32(NOTE_LOGIN, taken[0].argument);
+    expect_asked(0U);
+    log_it();
+    expect_asked(3U);
+    TEST_ASSERT_EQUAL_UINT32(NOTE_LOGIN_REFUSED, taken[0].argument);
+    log_it();
+    expect_asked(0U);
+}
+
+void test_SWR_SESS_020_what_a_stop_has_refused_is_asked_for_again(void)
+{
+    http_notes_write(&notes, NOTE_LOGOUT, "anna", "logged out.");
+    expect_asked(2U);
+    for (uint32_t i = 1U; i < REPEATED_AFTER; i++) {
+        expect_asked(0U);
+    }
+    expect_asked(2U);
+    log_it();
+    expect_asked(0U);
+}
+
+void test_SWR_SESS_020_what_is_overwritten_is_passed_over(void)
+{
+    for (uint32_t i = 0U; i <= LIMIT_NOTES_KEPT; i++) {
+        http_notes_write(&notes, NOTE_LOGOUT, "anna", "logged out.");
+    }
+    expect_asked(0U);
+    expect_asked(3U);
+}
+
+void test_SWR_EVENT_012_what_somebody_wrote_is_logged_by_who_asks(void)
+{
+    TEST_ASSERT_EQUAL_UINT32(2U, http_notes_keep(&notes, "anna", "Turned.", NOW_MS));
+    http_notes_write(&notes, NOTE_LOGOUT, "anna", "logged out.");
+    expect_asked(0U);
+    expect_asked(3U);
+}
+
+void test_SWR_EVENT_012_somebody_writes_one_note_in_a_while(void)
+{
+    TEST_ASSERT_EQUAL_UINT32(2U, http_notes_keep(&notes, "anna", "One.", NOW_MS));
+    TEST_ASSERT_EQUAL_UINT32(
+        0U, http_notes_keep(&notes, "bert", "Two.", NOW_MS + LIMIT_NOTE_PAUSE_MS - 1U));
+    TEST_ASSERT_EQUAL_UINT32(
+        3U, http_notes_keep(&notes, "bert", "Two.", NOW_MS + LIMIT_NOTE_PAUSE_MS));
+}
