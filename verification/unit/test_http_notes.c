@@ -126,6 +126,6 @@ void test_SWR_EVENT_012_somebody_writes_one_note_in_a_while(void)
     TEST_ASSERT_EQUAL_UINT32(2U, http_notes_keep(&notes, "anna", "One.", NOW_MS));
     TEST_ASSERT_EQUAL_UINT32(
         0U, http_notes_keep(&notes, "bert", "Two.", NOW_MS + LIMIT_NOTE_PAUSE_MS - 1U));
-    TEST_ASSERT_EQUAL_UINT32(
-        3U, http_notes_keep(&notes, "bert", "Two.", NOW_MS + LIMIT_NOTE_PAUSE_MS));
+    TEST_ASSERT_EQUAL_UINT32(3U,
+                             http_notes_keep(&notes, "bert", "Two.", NOW_MS + LIMIT_NOTE_PAUSE_MS));
 }
