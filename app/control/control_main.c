@@ -182,8 +182,9 @@ static void publish(uint32_t cycle)
     for (uint32_t i = 0; i < outputs.answer_count; i++) {
         (void)exchange_push_answer(exchange, &outputs.answers[i]);
     }
+    const uint64_t utc_us = (outputs.event_count > 0U) ? clock_utc_us() : 0U;
     for (uint32_t i = 0; i < outputs.event_count; i++) {
-        exchange_push_event(exchange, &outputs.events[i]);
+        exchange_push_event(exchange, &outputs.events[i], utc_us);
     }
     record_cycle(cycle);
     exchange_beat(exchange, EXCHANGE_CONTROL);

@@ -374,16 +374,17 @@ uint32_t exchange_answers_lost(const exchange_t *self)
     return __atomic_load_n(&self->segment->control.answers_lost, __ATOMIC_ACQUIRE);
 }
 
-void exchange_push_event(exchange_t *self, const event_t *event)
+void exchange_push_event(exchange_t *self, const event_t *event, uint64_t utc_us)
 {
+    const exchange_event_t dated = {.event = *event, .utc_us = utc_us};
     segment_control_t *control = &self->segment->control;
     segment_event_t *slot = &control->events[event->number % EXCHANGE_EVENTS];
 
-    exchange_write_locked(&slot->sequence, &slot->event, event, sizeof *event);
+    exchange_write_locked(&slot->sequence, &slot->event, &dated, sizeof dated);
     __atomic_store_n(&control->events_head, event->number + 1U, __ATOMIC_RELEASE);
 }
 
-uint32_t exchange_read_events(const exchange_t *self, uint32_t *next, event_t *events,
+uint32_t exchange_read_events(const exchange_t *self, uint32_t *next, exchange_event_t *events,
                               uint32_t most, uint32_t *lost)
 {
     const segment_control_t *control = &self->segment->control;
@@ -400,8 +401,8 @@ uint32_t exchange_read_events(const exchange_t *self, uint32_t *next, event_t *e
     while ((*next != head) && (count < most)) {
         const segment_event_t *slot = &control->events[*next % EXCHANGE_EVENTS];
         const bool is_whole =
-            exchange_read_locked(&slot->sequence, &events[count], &slot->event, sizeof(event_t));
-        if (is_whole && (events[count].number == *next)) {
+            exchange_read_locked(&slot->sequence, &events[count], &slot->event, sizeof slot->event);
+        if (is_whole && (events[count].event.number == *next)) {
             count++;
         } else {
             (*lost)++;

@@ -172,9 +172,18 @@ bool exchange_take_answer(exchange_t *self, command_source_t source, answer_t *a
 /** Answers that found the lane full or were for nobody, since the start. */
 uint32_t exchange_answers_lost(const exchange_t *self);
 
-/** Adds an event, numbered by the controller without gaps, to the ring; the oldest is overwritten.
+/** An event, and when control published it: UTC since 1970. */
+typedef struct {
+    event_t event;
+    uint64_t utc_us;
+} exchange_event_t;
+
+/**
+ * Adds an event, numbered by the controller without gaps, to the ring; the oldest is overwritten.
+ *
+ * @satisfies SWR-EVENT-013
  */
-void exchange_push_event(exchange_t *self, const event_t *event);
+void exchange_push_event(exchange_t *self, const event_t *event, uint64_t utc_us);
 
 /**
  * Copies events from number `*next` on, at most `most`, and advances `*next`. Events already
@@ -182,7 +191,7 @@ void exchange_push_event(exchange_t *self, const event_t *event);
  *
  * @return events copied
  */
-uint32_t exchange_read_events(const exchange_t *self, uint32_t *next, event_t *events,
+uint32_t exchange_read_events(const exchange_t *self, uint32_t *next, exchange_event_t *events,
                               uint32_t most, uint32_t *lost);
 
 /** Up to which event the log has them, noted for the next run of the recorder: the number of the

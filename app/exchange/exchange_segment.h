@@ -36,7 +36,7 @@ typedef struct {
 /** An event under a sequence lock. */
 typedef struct {
     uint32_t sequence;
-    event_t event;
+    exchange_event_t event;
 } segment_event_t;
 
 /** A note under a sequence lock. */

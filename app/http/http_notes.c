@@ -52,16 +52,17 @@ static uint32_t newest(http_notes_t *self)
 
 static void look_into_log(http_notes_t *self)
 {
-    event_t events[EVENTS_AT_ONCE];
+    exchange_event_t events[EVENTS_AT_ONCE];
     uint32_t lost = 0U;
     uint32_t count;
     do {
         count =
             exchange_read_events(self->exchange, &self->next_event, events, EVENTS_AT_ONCE, &lost);
         for (uint32_t i = 0U; i < count; i++) {
-            const bool is_note = (events[i].id == (uint32_t)EVENT_NOTE) ||
-                                 (events[i].id == (uint32_t)EVENT_LOGIN_REFUSED);
-            const bool is_asked = is_note && ((uint32_t)events[i].value == self->asked);
+            const event_t *event = &events[i].event;
+            const bool is_note =
+                (event->id == (uint32_t)EVENT_NOTE) || (event->id == (uint32_t)EVENT_LOGIN_REFUSED);
+            const bool is_asked = is_note && ((uint32_t)event->value == self->asked);
             self->logged = is_asked ? self->asked : self->logged;
         }
     } while (count == EVENTS_AT_ONCE);

@@ -54,13 +54,16 @@ static int answer_targeting(http_server_t *server, struct mg_connection *connect
 static int reply_log(http_server_t *server, struct mg_connection *connection, uint32_t next,
                      uint32_t most)
 {
-    event_t events[EVENTS_MOST];
+    exchange_event_t events[EVENTS_MOST];
     uint32_t lost = 0U;
     const uint32_t count =
         (most > 0U) ? exchange_read_events(server->exchange, &next, events, most, &lost) : 0U;
+    const robot_t *robot = exchange_robot(server->exchange);
     cJSON *entries = cJSON_CreateArray();
     for (uint32_t i = 0U; i < count; i++) {
-        (void)cJSON_AddItemToArray(entries, telemetry_json_event(server->exchange, &events[i]));
+        log_entry_t entry;
+        log_entry_make(&entry, server->exchange, &events[i]);
+        (void)cJSON_AddItemToArray(entries, telemetry_json_event(robot, &entry));
     }
     const json_log_t log = {.entries = entries, .next = next, .lost = lost};
     return http_reply_object(connection, 200, json_log(&log));

@@ -95,21 +95,24 @@ static bool send_frame(const client_t *client, size_t size)
                        : write_text(client, nothing_new, sizeof nothing_new - 1U);
 }
 
-static bool send_event(const client_t *client, const exchange_t *exchange, const event_t *event)
+static bool send_event(const client_t *client, const exchange_t *exchange,
+                       const exchange_event_t *event)
 {
+    log_entry_t told;
     char json[1024];
     char message[1100];
-    cJSON *entry = telemetry_json_event(exchange, event);
+    log_entry_make(&told, exchange, event);
+    cJSON *entry = telemetry_json_event(exchange_robot(exchange), &told);
     bool is_whole = cJSON_PrintPreallocated(entry, json, (int)sizeof json, 0) != 0;
     cJSON_Delete(entry);
     int size = snprintf(message, sizeof message, "event: log\nid: %u\ndata: %s\n\n",
-                        (unsigned)event->number, is_whole ? json : "{}");
+                        (unsigned)event->event.number, is_whole ? json : "{}");
     return is_whole && write_text(client, message, (size_t)size);
 }
 
 static bool send_events(const http_stream_t *self, client_t *client)
 {
-    event_t events[EVENTS_AT_ONCE];
+    exchange_event_t events[EVENTS_AT_ONCE];
     uint32_t lost = 0U;
     uint32_t count;
     do {

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "http/telemetry_json.h"
 
-#include "common/event_text.h"
-#include "exchange/exchange_notes.h"
+#include "common/utc_text.h"
 #include "http/telemetry_units.h"
 #include "interface/app/messages.h"
 #include "interface/app/names.h"
@@ -185,17 +184,14 @@ cJSON *telemetry_json_authority(const snapshot_t *snapshot)
     return json_authority(snapshot, &also);
 }
 
-cJSON *telemetry_json_event(const exchange_t *exchange, const event_t *event)
+cJSON *telemetry_json_event(const robot_t *robot, const log_entry_t *entry)
 {
-    const robot_t *robot = exchange_robot(exchange);
     char subject[EVENT_TEXT_SIZE];
-    char sentence[EVENT_TEXT_SIZE];
-    event_text_subject(robot, event, subject, sizeof subject);
-    if (!exchange_tell_note(exchange, event, sentence, sizeof sentence)) {
-        event_text_sentence(robot, event, sentence, sizeof sentence);
-    }
-    const json_log_entry_t also = {.text = sentence, .subject = subject};
-    return json_log_entry(event, &also);
+    char utc[UTC_TEXT_SIZE];
+    event_text_subject(robot, &entry->event, subject, sizeof subject);
+    utc_text_write(entry->utc_us, utc);
+    const json_log_entry_t also = {.utc = utc, .text = entry->text, .subject = subject};
+    return json_log_entry(&entry->event, &also);
 }
 
 cJSON *telemetry_json_state(const telemetry_identity_t *identity, const telemetry_view_t *view)

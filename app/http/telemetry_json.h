@@ -7,6 +7,7 @@
 #ifndef BORESIGHT_TELEMETRY_JSON_H
 #define BORESIGHT_TELEMETRY_JSON_H
 
+#include "common/log_entry.h"
 #include "http/telemetry.h"
 
 #include <cjson/cJSON.h>
@@ -27,7 +28,7 @@ cJSON *telemetry_json_motors(const telemetry_view_t *view);
 /** @satisfies SWR-HTTP-006 */
 cJSON *telemetry_json_targeting(const telemetry_view_t *view);
 cJSON *telemetry_json_authority(const snapshot_t *snapshot);
-cJSON *telemetry_json_event(const exchange_t *exchange, const event_t *event);
+cJSON *telemetry_json_event(const robot_t *robot, const log_entry_t *entry);
 
 /** The state message of the stream: status, motors and targeting of one view. */
 cJSON *telemetry_json_state(const telemetry_identity_t *identity, const telemetry_view_t *view);

@@ -2,9 +2,9 @@
 #include "recorder/event_log.h"
 
 #include "common/directory.h"
-#include "common/event_text.h"
-#include "exchange/exchange_notes.h"
-#include "interface/app/names.h"
+#include "common/clock.h"
+#include "common/log_entry.h"
+#include "common/utc_text.h"
 #include "limits/requirement_limits.h"
 
 #include <errno.h>
@@ -12,11 +12,9 @@
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <time.h>
 #include <unistd.h>
 
 #define BATCH 64U
-#define LINE_SIZE 384U
 #define FILE_MODE 0640
 #define PATH_SIZE 512U
 #define FULL (LIMIT_EVENT_LOG_MB * UINT64_C(1000000))
@@ -97,62 +95,45 @@ static void write_line(event_log_t *self, const char *line)
     }
 }
 
-static void stamp(char *text, size_t size)
+static void write_event(event_log_t *self, const exchange_t *exchange,
+                        const exchange_event_t *event)
 {
-    struct timespec now;
-    struct tm utc;
-    char seconds[24];
+    log_entry_t entry;
+    char line[LOG_ENTRY_LINE_SIZE];
 
-    (void)clock_gettime(CLOCK_REALTIME, &now);
-    (void)gmtime_r(&now.tv_sec, &utc);
-    (void)strftime(seconds, sizeof seconds, "%Y-%m-%dT%H:%M:%S", &utc);
-    (void)snprintf(text, size, "%s.%03ldZ", seconds, now.tv_nsec / 1000000L);
+    log_entry_make(&entry, exchange, event);
+    log_entry_write(&entry, line);
+    write_line(self, line);
 }
 
-static void write_event(event_log_t *self, const exchange_t *exchange, const char *when,
-                        const event_t *event)
+static void write_loss(event_log_t *self, uint32_t first, uint32_t lost)
 {
-    const robot_t *robot = exchange_robot(exchange);
-    char sentence[EVENT_TEXT_SIZE];
-    char subject[EVENT_TEXT_SIZE];
-    char line[LINE_SIZE];
+    char when[UTC_TEXT_SIZE];
+    char line[LOG_ENTRY_LINE_SIZE];
 
-    if (!exchange_tell_note(exchange, event, sentence, sizeof sentence)) {
-        event_text_sentence(robot, event, sentence, sizeof sentence);
-    }
-    event_text_subject(robot, event, subject, sizeof subject);
-    (void)snprintf(line, sizeof line - 1U,
-                   "%s %u cycle=%u %s %s subject=%u value=%d cause=%s peer=%u %s", when,
-                   (unsigned)event->number, (unsigned)event->cycle,
-                   event_severity_name((int32_t)event->severity), event_id_name((int32_t)event->id),
-                   (unsigned)event->subject, (int)event->value,
-                   event_cause_name((int32_t)event->cause), (unsigned)event->peer, sentence);
-    (void)strcat(line, "\n");
+    utc_text_write(clock_utc_us(), when);
+    (void)snprintf(line, sizeof line, "%s %u EVENTS_LOST value=%u\n", when, (unsigned)first,
+                   (unsigned)lost);
     write_line(self, line);
 }
 
 /* Each is noted when it is written: a recorder that dies here writes at most one again. */
 void event_log_drain(event_log_t *self, exchange_t *exchange)
 {
-    static event_t events[BATCH];
+    static exchange_event_t events[BATCH];
     uint32_t next = exchange_logged(exchange);
     uint32_t count;
 
     do {
-        char when[64];
         uint32_t lost = 0U;
         const uint32_t first = next;
         count = exchange_read_events(exchange, &next, events, BATCH, &lost);
-        stamp(when, sizeof when);
         if (lost > 0U) {
-            char line[LINE_SIZE];
-            (void)snprintf(line, sizeof line, "%s %u EVENTS_LOST value=%u\n", when, (unsigned)first,
-                           (unsigned)lost);
-            write_line(self, line);
+            write_loss(self, first, lost);
         }
         for (uint32_t i = 0U; i < count; i++) {
-            write_event(self, exchange, when, &events[i]);
-            exchange_note_logged(exchange, events[i].number + 1U);
+            write_event(self, exchange, &events[i]);
+            exchange_note_logged(exchange, events[i].event.number + 1U);
         }
         exchange_note_logged(exchange, next);
     } while (count == BATCH);

@@ -5,8 +5,11 @@
  */
 #include "unity.h"
 
+#include "common/clock.h"
 #include "common/directory.h"
 #include "common/event_text.h"
+#include "common/log_entry.h"
+#include "common/utc_text.h"
 #include "exchange/exchange.h"
 #include "exchange/exchange_notes.h"
 #include "exchange/exchange_segment.h"
@@ -23,6 +26,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+/* 2026-09-21T14:13:20Z. */
+#define UTC_US UINT64_C(1790000000000000)
 #define FULL ((off_t)LIMIT_EVENT_LOG_MB * 1000000)
 
 static char folder[48];
@@ -76,7 +81,7 @@ static void log_events(uint32_t count)
 {
     for (uint32_t i = 0U; i < count; i++) {
         const event_t event = {.number = number, .id = (uint32_t)EVENT_ESTOP_PULLED};
-        exchange_push_event(exchange, &event);
+        exchange_push_event(exchange, &event, UTC_US);
         event_log_drain(&event_log, exchange);
         number++;
     }
@@ -126,6 +131,20 @@ void test_SWR_EVENT_008_every_event_is_in_one_of_the_two(void)
     log_events(4U);
     TEST_ASSERT_EQUAL_UINT32(5U, lines_of(older_path));
     TEST_ASSERT_EQUAL_UINT32(4U, lines_of(log_path));
+}
+
+void test_SWR_EVENT_013_an_event_is_written_with_the_time_of_its_publication(void)
+{
+    char line[LOG_ENTRY_LINE_SIZE] = "";
+    log_entry_t entry;
+
+    event_log_open(&event_log, folder);
+    log_events(1U);
+    FILE *const file = fopen(log_path, "r");
+    TEST_ASSERT_NOT_NULL(fgets(line, sizeof line, file));
+    (void)fclose(file);
+    TEST_ASSERT_TRUE(log_entry_read(&entry, line));
+    TEST_ASSERT_EQUAL_UINT64(UTC_US, entry.utc_us);
 }
 
 void test_SWR_REC_010_a_log_that_is_opened_again_writes_no_event_twice(void)
@@ -185,7 +204,7 @@ void test_SWR_EVENT_010_a_line_has_the_words_of_its_note(void)
     words[sizeof words - 1U] = '\0';
     (void)exchange_write_note(exchange, NOTE_OPERATOR, "a234567890123456789012345678901", words);
     event_log_open(&event_log, folder);
-    exchange_push_event(exchange, &event);
+    exchange_push_event(exchange, &event, UTC_US);
     event_log_drain(&event_log, exchange);
     FILE *file = fopen(log_path, "r");
     TEST_ASSERT_NOT_NULL(file);

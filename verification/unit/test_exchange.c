@@ -554,17 +554,19 @@ void test_SWR_EXCH_003_an_answer_that_finds_its_lane_full_is_counted(void)
     TEST_ASSERT_EQUAL_UINT32(2U, exchange_answers_lost(reader));
 }
 
+#define UTC_US UINT64_C(1790000000000000)
+
 static void push_events(uint32_t from, uint32_t count)
 {
     for (uint32_t i = 0U; i < count; i++) {
         const event_t event = {.number = from + i, .cycle = (from + i) * 3U, .value = (int32_t)i};
-        exchange_push_event(control, &event);
+        exchange_push_event(control, &event, UTC_US + from + i);
     }
 }
 
 void test_SWR_EXCH_003_events_are_read_in_order_by_several_readers(void)
 {
-    event_t events[8];
+    exchange_event_t events[8];
     uint32_t first = 0U;
     uint32_t second = 0U;
     uint32_t lost = 0U;
@@ -572,16 +574,27 @@ void test_SWR_EXCH_003_events_are_read_in_order_by_several_readers(void)
     push_events(0U, 5U);
     TEST_ASSERT_EQUAL_UINT32(3U, exchange_read_events(reader, &first, events, 3U, &lost));
     TEST_ASSERT_EQUAL_UINT32(2U, exchange_read_events(reader, &first, events, 3U, &lost));
-    TEST_ASSERT_EQUAL_UINT32(4U, events[1].number);
+    TEST_ASSERT_EQUAL_UINT32(4U, events[1].event.number);
     TEST_ASSERT_EQUAL_UINT32(5U, exchange_read_events(reader, &second, events, 8U, &lost));
-    TEST_ASSERT_EQUAL_UINT32(0U, events[0].number);
+    TEST_ASSERT_EQUAL_UINT32(0U, events[0].event.number);
     TEST_ASSERT_EQUAL_UINT32(0U, exchange_read_events(reader, &second, events, 8U, &lost));
     TEST_ASSERT_EQUAL_UINT32(0U, lost);
 }
 
+void test_SWR_EVENT_013_an_event_is_read_with_the_time_of_its_publication(void)
+{
+    exchange_event_t event;
+    uint32_t next = 1U;
+    uint32_t lost = 0U;
+
+    push_events(0U, 2U);
+    TEST_ASSERT_EQUAL_UINT32(1U, exchange_read_events(reader, &next, &event, 1U, &lost));
+    TEST_ASSERT_EQUAL_UINT64(UTC_US + 1U, event.utc_us);
+}
+
 void test_SWR_EXCH_003_exactly_a_full_event_ring_loses_nothing_and_one_more_loses_one(void)
 {
-    static event_t events[EXCHANGE_EVENTS];
+    static exchange_event_t events[EXCHANGE_EVENTS];
     uint32_t next = 0U;
     uint32_t lost = 0U;
 
@@ -593,18 +606,18 @@ void test_SWR_EXCH_003_exactly_a_full_event_ring_loses_nothing_and_one_more_lose
     TEST_ASSERT_EQUAL_UINT32(EXCHANGE_EVENTS,
                              exchange_read_events(reader, &next, events, EXCHANGE_EVENTS, &lost));
     TEST_ASSERT_EQUAL_UINT32(1U, lost);
-    TEST_ASSERT_EQUAL_UINT32(EXCHANGE_EVENTS + 1U, events[0].number);
+    TEST_ASSERT_EQUAL_UINT32(EXCHANGE_EVENTS + 1U, events[0].event.number);
 }
 
 void test_SWR_EXCH_003_an_event_overwritten_while_it_is_read_counts_as_lost(void)
 {
-    event_t events[4];
+    exchange_event_t events[4];
     uint32_t next = 0U;
     uint32_t lost = 0U;
 
     push_events(0U, 3U);
     control->segment->control.events[1].sequence |= 1U;
-    control->segment->control.events[2].event.number = 2U + EXCHANGE_EVENTS;
+    control->segment->control.events[2].event.event.number = 2U + EXCHANGE_EVENTS;
     TEST_ASSERT_EQUAL_UINT32(1U, exchange_read_events(reader, &next, events, 4U, &lost));
     TEST_ASSERT_EQUAL_UINT32(2U, lost);
     TEST_ASSERT_EQUAL_UINT32(3U, next);
@@ -612,7 +625,7 @@ void test_SWR_EXCH_003_an_event_overwritten_while_it_is_read_counts_as_lost(void
 
 void test_SWR_EXCH_003_a_reader_ahead_of_the_ring_gets_nothing(void)
 {
-    event_t events[4];
+    exchange_event_t events[4];
     uint32_t next = 10U;
     uint32_t lost = 0U;
 
@@ -637,10 +650,10 @@ void test_SWR_EXCH_003_each_event_is_either_read_or_counted_as_lost(void)
 
     TEST_ASSERT_EQUAL_INT(0, pthread_create(&writer, NULL, push_many_events, NULL));
     while (next < ROUNDS) {
-        event_t events[16];
+        exchange_event_t events[16];
         const uint32_t count = exchange_read_events(reader, &next, events, 16U, &lost);
         for (uint32_t i = 0U; i < count; i++) {
-            TEST_ASSERT_EQUAL_UINT32(events[i].number * 3U, events[i].cycle);
+            TEST_ASSERT_EQUAL_UINT32(events[i].event.number * 3U, events[i].event.cycle);
         }
         received += count;
     }

@@ -20,6 +20,7 @@ function makeEntry(number: number): LogEntry {
     number,
     cycle: number,
     name: "STARTED",
+    utc: "2026-11-22T17:50:00.123Z",
     text: `Event ${number}.`,
     severity: "INFORMATION",
     subject: "",
