@@ -74,7 +74,7 @@ SOURCES_boresight-igtl := $(wildcard app/igtl/*.c app/dialect/*.c app/message/*.
 SOURCES_boresight-http := $(wildcard app/http/*.c app/request/*.c app/saved/*.c app/session/*.c) app/positions/position_record.c $(API) $(CLOCK) $(GEN)/interface/app/messages.c $(LOG_ENTRY) $(EXCHANGE) $(NAMES) $(GEN)/assets/assets.c \
     $(GEN)/assets/chart_names.c
 SOURCES_boresight-passwd := $(wildcard app/passwd/*.c) app/session/account.c app/session/password.c
-SOURCES_boresight-recorder := $(wildcard app/recorder/*.c app/recording/*.c app/positions/*.c) $(CLOCK) app/common/directory.c $(LOG_ENTRY) $(EXCHANGE) $(NAMES)
+SOURCES_boresight-recorder := $(wildcard app/recorder/*.c app/recording/*.c app/positions/*.c) $(CLOCK) app/common/directory.c app/common/file_series.c $(LOG_ENTRY) $(EXCHANGE) $(NAMES)
 SOURCES_boresight-replay := $(wildcard app/replay/*.c app/recording/*.c) $(GEN)/interface/app/columns.c $(GEN)/interface/app/fields.c $(EVENT_TEXT) $(NAMES) $(FIND_ROBOT)
 SOURCES_boresight := $(wildcard app/supervisor/*.c app/igtl/igtl_ports*.c) $(CLOCK) app/common/directory.c $(EXCHANGE) $(NAMES) $(GEN)/robot/app/robot_names.c \
     $(BOARD_TABLE)
@@ -125,7 +125,7 @@ $(BOARD_TABLE): bsp/$(BOARD)/board.yml build/board tools/boards.rb tools/robot/d
 
 INTERFACE_PARTS := $(wildcard core/interface/*.yml core/robot/*/kinematics.yml tools/interface_compiler.rb tools/interface/*.rb)
 # What of the exchange's segment is declared elsewhere: there are checkpoints in it, which are the whole state of the core.
-LAYOUT_HEADERS := app/exchange/exchange.h app/exchange/exchange_notes.h app/exchange/exchange_peers.h app/exchange/exchange_segment.h $(sort $(wildcard core/*/*.h)) \
+LAYOUT_HEADERS := app/exchange/exchange.h app/exchange/exchange_files.h app/exchange/exchange_notes.h app/exchange/exchange_peers.h app/exchange/exchange_segment.h $(sort $(wildcard core/*/*.h)) \
     $(GEN)/limits/requirement_limits.h
 $(GEN)/interface/.compiled: $(INTERFACE_PARTS) build/robots $(LAYOUT_HEADERS) $(GEN)/charts/charts.json
 	ruby tools/interface_compiler.rb core/interface $(GEN)/charts/charts.json $(GEN)/interface $(LAYOUT_HEADERS)

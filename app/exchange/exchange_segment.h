@@ -11,6 +11,7 @@
 #define BORESIGHT_EXCHANGE_SEGMENT_H
 
 #include "exchange/exchange.h"
+#include "exchange/exchange_files.h"
 #include "exchange/exchange_notes.h"
 #include "exchange/exchange_peers.h"
 
@@ -83,6 +84,7 @@ typedef struct {
     uint32_t cycles_tail SEGMENT_ON_LINE; /**< Cycle records released. */
     uint32_t checkpoint_requests SEGMENT_ON_LINE;
     uint32_t events_logged SEGMENT_ON_LINE; /**< Number of the next event to log. */
+    uint32_t files[EXCHANGE_FILES] SEGMENT_ON_LINE;
     uint32_t ports_sequence SEGMENT_ON_LINE;
     exchange_ports_t ports;
     segment_peers_t peers[COMMAND_SOURCE_COUNT];

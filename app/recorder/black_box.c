@@ -3,8 +3,7 @@
 
 #include "common/clock.h"
 #include "common/directory.h"
-#include "limits/requirement_limits.h"
-#include "recorder/black_box_files.h"
+#include "common/file_series.h"
 
 #include <errno.h>
 #include <inttypes.h>
@@ -14,7 +13,6 @@
 #include <unistd.h>
 
 #define SECOND_US UINT64_C(1000000)
-#define MEGABYTE UINT64_C(1000000)
 
 static void request_checkpoint(black_box_t *self, uint64_t now_us)
 {
@@ -65,12 +63,12 @@ static bool open_next(black_box_t *self)
     bool is_open;
 
     if (self->number == 0U) {
-        self->number = black_box_newest(self->directory);
+        self->number = file_series_newest(&file_series_recordings, self->directory);
     }
     do {
         self->number++;
-        black_box_name(self->path, sizeof self->path, self->directory, self->number,
-                       self->header.started_us);
+        file_series_path(&file_series_recordings, self->directory, self->number,
+                         self->header.started_us, self->path);
         is_open = recording_writer_open(&self->writer, self->path, &self->header);
     } while (!is_open && (errno == EEXIST));
     return is_open;
@@ -88,8 +86,8 @@ static void begin_file(black_box_t *self, uint32_t cycle, uint64_t now_us)
         fail(self, now_us);
         return;
     }
-    black_box_remove_oldest(self->directory, self->path, LIMIT_RECORDINGS,
-                            LIMIT_RECORDINGS_MB * MEGABYTE);
+    exchange_note_file(self->exchange, EXCHANGE_FILE_RECORDING, self->number);
+    file_series_remove_oldest(&file_series_recordings, self->directory, self->path);
     self->opened_us = now_us;
     self->flushed_us = now_us;
     recording_writer_note_loss(&self->writer, cycle - self->kept_until);

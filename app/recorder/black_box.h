@@ -10,21 +10,22 @@
 #ifndef BORESIGHT_BLACK_BOX_H
 #define BORESIGHT_BLACK_BOX_H
 
+#include "common/file_series.h"
 #include "exchange/exchange.h"
+#include "exchange/exchange_files.h"
 #include "recording/recording_writer.h"
 
 #include <stdbool.h>
 
 #define BLACK_BOX_FILE_US UINT64_C(600000000) /**< A new file after ten minutes. */
 #define BLACK_BOX_RETRY_US UINT64_C(5000000)  /**< Between attempts to write to a full disk. */
-#define BLACK_BOX_PATH_SIZE 512U
 
 typedef struct {
     const char *directory; /**< Lives as long as the black box. */
     exchange_t *exchange;
     recording_header_t header;
     recording_writer_t writer;
-    char path[BLACK_BOX_PATH_SIZE]; /**< Of the newest file tried. */
+    char path[FILE_SERIES_PATH_SIZE]; /**< Of the newest file tried. */
     uint32_t number;       /**< Of the newest name tried; 0: the directory was not looked at. */
     uint64_t opened_us;    /**< When the present file was begun. */
     uint64_t requested_us; /**< When a checkpoint was last asked for; 0 when none is awaited. */

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "recorder/event_log.h"
 
-#include "common/directory.h"
 #include "common/clock.h"
+#include "common/directory.h"
+#include "common/file_series.h"
 #include "common/log_entry.h"
 #include "common/utc_text.h"
 #include "limits/requirement_limits.h"
@@ -16,52 +17,80 @@
 
 #define BATCH 64U
 #define FILE_MODE 0640
-#define PATH_SIZE 512U
 #define FULL (LIMIT_EVENT_LOG_MB * UINT64_C(1000000))
 
-static bool reopen(event_log_t *self)
+/* Whatever the number is: its file is made here, or it is not used. */
+static int make_file(const char *directory, uint32_t *number, char path[FILE_SERIES_PATH_SIZE])
 {
-    char path[PATH_SIZE];
+    int file;
+
+    (void)directory_make(directory);
+    *number = file_series_newest(&file_series_logs, directory);
+    do {
+        (*number)++;
+        file_series_path(&file_series_logs, directory, *number, clock_utc_us(), path);
+        file = open(path, O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, FILE_MODE);
+    } while ((file < 0) && (errno == EEXIST));
+    return file;
+}
+
+/* Old logs make room only for one that exists. */
+static bool begin(event_log_t *self)
+{
+    char path[FILE_SERIES_PATH_SIZE];
+    uint32_t number;
+    const int file = make_file(self->directory, &number, path);
+
+    if (file < 0) {
+        return false;
+    }
+    self->file = file;
+    self->size = 0U;
+    exchange_note_file(self->exchange, EXCHANGE_FILE_LOG_BEFORE,
+                       exchange_file(self->exchange, EXCHANGE_FILE_LOG));
+    exchange_note_file(self->exchange, EXCHANGE_FILE_LOG, number);
+    file_series_remove_oldest(&file_series_logs, self->directory, path);
+    return true;
+}
+
+/* What the recorder before has begun in this run. */
+static bool go_on(event_log_t *self)
+{
+    const uint32_t number = exchange_file(self->exchange, EXCHANGE_FILE_LOG);
+    char path[FILE_SERIES_PATH_SIZE];
     struct stat status;
 
-    (void)snprintf(path, sizeof path, "%s/events.log", self->directory);
-    (void)directory_make(self->directory);
-    self->file = open(path, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, FILE_MODE);
-    self->size =
-        ((self->file >= 0) && (fstat(self->file, &status) == 0)) ? (uint64_t)status.st_size : 0U;
-    return self->file >= 0;
+    if ((number == 0U) || !file_series_find(&file_series_logs, self->directory, number, path)) {
+        return false;
+    }
+    const int file = open(path, O_WRONLY | O_APPEND | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if ((file < 0) || (fstat(file, &status) != 0) || !S_ISREG(status.st_mode)) {
+        (void)close(file);
+        return false;
+    }
+    self->file = file;
+    self->size = (uint64_t)status.st_size;
+    return true;
 }
 
-/* Not when it was removed, or another recorder with the same folder has put it aside. */
-static bool is_still_there(const event_log_t *self, const char *path)
+/* Without a place for another its events are worth more than the bound. */
+static void change_file(event_log_t *self)
 {
-    struct stat own;
-    struct stat there;
+    const int full = self->file;
 
-    return (fstat(self->file, &own) == 0) && (stat(path, &there) == 0) &&
-           (own.st_dev == there.st_dev) && (own.st_ino == there.st_ino);
-}
-
-/* Without a place for the full one its events are worth more than the bound. */
-static void rotate(event_log_t *self)
-{
-    char path[PATH_SIZE];
-    char older[PATH_SIZE];
-
-    (void)snprintf(path, sizeof path, "%s/events.log", self->directory);
-    (void)snprintf(older, sizeof older, "%s/events.1.log", self->directory);
-    if (!is_still_there(self, path) || (rename(path, older) == 0)) {
-        (void)fdatasync(self->file);
-        (void)close(self->file);
-        (void)reopen(self);
+    if (begin(self)) {
+        (void)fdatasync(full);
+        (void)close(full);
     }
 }
 
-void event_log_open(event_log_t *self, const char *directory)
+void event_log_open(event_log_t *self, const char *directory, exchange_t *exchange)
 {
     (void)memset(self, 0, sizeof *self);
     self->directory = directory;
-    if (!reopen(self)) {
+    self->exchange = exchange;
+    self->file = -1;
+    if (!go_on(self) && !begin(self)) {
         (void)fprintf(
             stderr,
             "recorder: the event log in %s cannot be opened (%s); events are counted only.\n",
@@ -74,7 +103,7 @@ static void write_line(event_log_t *self, const char *line)
     const size_t size = strlen(line);
 
     if ((self->file >= 0) && ((self->size + size) > FULL)) {
-        rotate(self);
+        change_file(self);
     }
     if ((self->file >= 0) && (write(self->file, line, size) == (ssize_t)size)) {
         self->is_dirty = true;
@@ -91,6 +120,7 @@ static void write_line(event_log_t *self, const char *line)
                 "recorder: the event log in %s cannot be written (%s); free some space there.\n",
                 self->directory, strerror(errno));
         }
+        (void)!ftruncate(self->file, (off_t)self->size); /* No half a line. */
         self->unwritten++;
     }
 }
@@ -118,9 +148,10 @@ static void write_loss(event_log_t *self, uint32_t first, uint32_t lost)
 }
 
 /* Each is noted when it is written: a recorder that dies here writes at most one again. */
-void event_log_drain(event_log_t *self, exchange_t *exchange)
+void event_log_drain(event_log_t *self)
 {
     static exchange_event_t events[BATCH];
+    exchange_t *exchange = self->exchange;
     uint32_t next = exchange_logged(exchange);
     uint32_t count;
 
@@ -156,7 +187,7 @@ void event_log_sync(event_log_t *self)
 {
     look_for_file(self);
     if (self->file < 0) {
-        (void)reopen(self);
+        (void)begin(self);
     } else if (self->is_dirty) {
         (void)fdatasync(self->file);
         self->is_dirty = false;

@@ -1,36 +1,43 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The event log: one readable line per event, appended to events.log and put on the disk each
- * second. A full one becomes events.1.log, in the place of the one before.
+ * The event log: one readable line per event (common/log_entry.h), put on the disk each second.
+ * Each run has a file of its own, and another one when that is full; the oldest are removed.
  */
 #ifndef BORESIGHT_EVENT_LOG_H
 #define BORESIGHT_EVENT_LOG_H
 
 #include "exchange/exchange.h"
+#include "exchange/exchange_files.h"
 
 #include <stdbool.h>
 
 typedef struct {
     const char *directory; /**< Lives as long as the log. */
+    exchange_t *exchange;  /**< The same. */
     int file;              /**< -1: not open; tried again at the next sync. */
     uint64_t size;         /**< Of the file, in bytes. */
     uint32_t unwritten;    /**< Events that found no room since the last that did. */
     bool is_dirty;
 } event_log_t;
 
-/** Opens DIRECTORY/events.log; a failure is said once, in one sentence, on stderr. */
-void event_log_open(event_log_t *self, const char *directory);
+/**
+ * Goes on with the file of this run in `directory`, or begins one; a failure is said once, in one
+ * sentence, on stderr.
+ *
+ * @satisfies SWR-EVENT-014
+ * @satisfies SWR-REC-011
+ */
+void event_log_open(event_log_t *self, const char *directory, exchange_t *exchange);
 
 /**
- * Writes the events that `exchange` has gained and notes them there; overwritten ones are named by
- * their number.
+ * Writes the events that the exchange has gained and notes them there; overwritten ones are named
+ * by their number.
  *
  * @satisfies SWR-EVENT-008
  * @satisfies SWR-REC-010
- * @satisfies SWR-REC-011
  */
-void event_log_drain(event_log_t *self, exchange_t *exchange);
+void event_log_drain(event_log_t *self);
 
 /**
  * Puts what was written on the disk; begins anew when the file was removed. Called each second.

@@ -12,7 +12,6 @@
 #include "controller/controller.h"
 #include "interface/interface_layout.h"
 #include "recorder/black_box.h"
-#include "recorder/black_box_files.h"
 #include "recorder/event_log.h"
 #include "recorder/position_keeper.h"
 #include "robot/robot.h"
@@ -81,7 +80,7 @@ static void keep_positions(const exchange_t *exchange, bool is_end)
 static void drain(exchange_t *exchange)
 {
     black_box_drain(&black_box, clock_monotonic_us());
-    event_log_drain(&event_log, exchange);
+    event_log_drain(&event_log);
     exchange_beat(exchange, EXCHANGE_RECORDER);
 }
 
@@ -157,7 +156,7 @@ int main(int count, char **arguments)
                                  .layout = INTERFACE_LAYOUT};
     (void)snprintf(header.build, sizeof header.build, "%s", BUILD_ID);
     (void)snprintf(header.robot, sizeof header.robot, "%s", robot->name);
-    event_log_open(&event_log, options.directory);
+    event_log_open(&event_log, options.directory, exchange);
     position_keeper_open(&position_keeper, options.positions);
     black_box_open(&black_box, options.directory, exchange, &header);
     record(exchange, &ends);

@@ -1,16 +1,18 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Rule under test: the log of events never takes more than two files of its limit, and no event is
- * lost where one follows the other.
+ * Rule under test: each run has a log of events of its own, the logs never take more than their
+ * limits, and no event is lost where one follows the other.
  */
 #include "unity.h"
 
 #include "common/clock.h"
 #include "common/directory.h"
 #include "common/event_text.h"
+#include "common/file_series.h"
 #include "common/log_entry.h"
 #include "common/utc_text.h"
 #include "exchange/exchange.h"
+#include "exchange/exchange_files.h"
 #include "exchange/exchange_notes.h"
 #include "exchange/exchange_segment.h"
 #include "interface/app/event_words.h"
@@ -28,11 +30,9 @@
 
 /* 2026-09-21T14:13:20Z. */
 #define UTC_US UINT64_C(1790000000000000)
-#define FULL ((off_t)LIMIT_EVENT_LOG_MB * 1000000)
+#define FULL (LIMIT_EVENT_LOG_MB * UINT64_C(1000000))
 
 static char folder[48];
-static char log_path[80];
-static char older_path[80];
 static char name[48];
 static char error[256];
 static exchange_t *exchange;
@@ -43,38 +43,21 @@ void setUp(void)
 {
     (void)strcpy(folder, "/tmp/test-event-log-XXXXXX");
     TEST_ASSERT_NOT_NULL(mkdtemp(folder));
-    (void)snprintf(log_path, sizeof log_path, "%s/events.log", folder);
-    (void)snprintf(older_path, sizeof older_path, "%s/events.1.log", folder);
     (void)snprintf(name, sizeof name, "test-event-log-%d", (int)getpid());
     exchange = exchange_create(name, error, sizeof error);
     TEST_ASSERT_NOT_NULL_MESSAGE(exchange, error);
     number = 0U;
+    event_log_open(&event_log, folder, exchange);
 }
 
 void tearDown(void)
 {
+    char command[80];
+
     event_log_close(&event_log);
     exchange_close(exchange);
-    (void)chmod(folder, 0700);
-    (void)unlink(log_path);
-    (void)unlink(older_path);
-    (void)rmdir(folder);
-}
-
-/* An events.log of so many bytes from before. */
-static void leave(off_t size)
-{
-    const int file = open(log_path, O_WRONLY | O_CREAT, 0600);
-
-    TEST_ASSERT_EQUAL_INT(0, ftruncate(file, size));
-    (void)close(file);
-}
-
-static off_t size_of(const char *path)
-{
-    struct stat status;
-
-    return (stat(path, &status) == 0) ? status.st_size : -1;
+    (void)snprintf(command, sizeof command, "rm -r %s", folder);
+    TEST_ASSERT_EQUAL_INT(0, system(command));
 }
 
 static void log_events(uint32_t count)
@@ -82,37 +65,20 @@ static void log_events(uint32_t count)
     for (uint32_t i = 0U; i < count; i++) {
         const event_t event = {.number = number, .id = (uint32_t)EVENT_ESTOP_PULLED};
         exchange_push_event(exchange, &event, UTC_US);
-        event_log_drain(&event_log, exchange);
+        event_log_drain(&event_log);
         number++;
     }
 }
 
-void test_SWR_EVENT_008_a_log_goes_on_where_it_ended(void)
+static bool find_log(uint32_t log, char path[FILE_SERIES_PATH_SIZE])
 {
-    leave(1000);
-    event_log_open(&event_log, folder);
-    log_events(1U);
-    TEST_ASSERT_GREATER_THAN_INT(1000, size_of(log_path));
-    TEST_ASSERT_EQUAL_INT(-1, size_of(older_path));
+    return file_series_find(&file_series_logs, folder, log, path);
 }
 
-void test_SWR_EVENT_008_a_full_log_makes_room_and_takes_the_place_of_the_one_before(void)
+static uint32_t lines_of(uint32_t log)
 {
-    leave(FULL - 10);
-    event_log_open(&event_log, folder);
-    log_events(3U);
-    TEST_ASSERT_EQUAL_INT(FULL - 10, size_of(older_path));
-    TEST_ASSERT_GREATER_THAN_INT(100, size_of(log_path));
-    TEST_ASSERT_LESS_THAN_INT(1000, size_of(log_path));
-    event_log_close(&event_log);
-    leave(FULL - 1);
-    event_log_open(&event_log, folder);
-    log_events(1U);
-    TEST_ASSERT_EQUAL_INT(FULL - 1, size_of(older_path));
-}
-
-static uint32_t lines_of(const char *path)
-{
+    char path[FILE_SERIES_PATH_SIZE];
+    TEST_ASSERT_TRUE(find_log(log, path));
     FILE *const file = fopen(path, "r");
     uint32_t lines = 0U;
 
@@ -123,14 +89,93 @@ static uint32_t lines_of(const char *path)
     return lines;
 }
 
+static void restart(void)
+{
+    event_log_close(&event_log);
+    event_log_open(&event_log, folder, exchange);
+}
+
+/* As if it were full now. */
+static void fill(void)
+{
+    event_log.size = FULL;
+}
+
 void test_SWR_EVENT_008_every_event_is_in_one_of_the_two(void)
 {
-    event_log_open(&event_log, folder);
     log_events(5U);
-    event_log.size = (uint64_t)FULL; /* As if it were full now. */
+    fill();
     log_events(4U);
-    TEST_ASSERT_EQUAL_UINT32(5U, lines_of(older_path));
-    TEST_ASSERT_EQUAL_UINT32(4U, lines_of(log_path));
+    TEST_ASSERT_EQUAL_UINT32(5U, lines_of(1U));
+    TEST_ASSERT_EQUAL_UINT32(4U, lines_of(2U));
+    TEST_ASSERT_EQUAL_UINT32(2U, exchange_file(exchange, EXCHANGE_FILE_LOG));
+    TEST_ASSERT_EQUAL_UINT32(1U, exchange_file(exchange, EXCHANGE_FILE_LOG_BEFORE));
+}
+
+void test_SWR_EVENT_008_a_log_that_is_gone_on_with_counts_what_is_there(void)
+{
+    char path[FILE_SERIES_PATH_SIZE];
+
+    log_events(1U);
+    TEST_ASSERT_TRUE(find_log(1U, path));
+    TEST_ASSERT_EQUAL_INT(0, truncate(path, (off_t)FULL - 10));
+    restart();
+    log_events(1U);
+    TEST_ASSERT_EQUAL_UINT32(1U, lines_of(2U));
+}
+
+void test_SWR_EVENT_008_the_oldest_logs_go_when_one_is_begun(void)
+{
+    char path[FILE_SERIES_PATH_SIZE];
+
+    for (uint32_t i = 0U; i < LIMIT_EVENT_LOGS; i++) {
+        fill();
+        log_events(1U);
+    }
+    TEST_ASSERT_FALSE(find_log(1U, path));
+    TEST_ASSERT_TRUE(find_log(2U, path));
+    TEST_ASSERT_TRUE(find_log(LIMIT_EVENT_LOGS + 1U, path));
+}
+
+void test_SWR_EVENT_008_without_a_place_for_another_log_the_full_one_goes_on(void)
+{
+    char moved[64];
+
+    (void)snprintf(moved, sizeof moved, "%s-moved", folder);
+    log_events(1U);
+    TEST_ASSERT_EQUAL_INT(0, rename(folder, moved));
+    const int blocker = open(folder, O_WRONLY | O_CREAT | O_EXCL, 0600);
+    fill();
+    log_events(1U);
+    (void)close(blocker);
+    TEST_ASSERT_EQUAL_INT(0, unlink(folder));
+    TEST_ASSERT_EQUAL_INT(0, rename(moved, folder));
+    TEST_ASSERT_EQUAL_UINT32(2U, lines_of(1U));
+}
+
+void test_SWR_EVENT_014_a_recorder_that_is_started_again_goes_on_with_the_log_of_its_run(void)
+{
+    char path[FILE_SERIES_PATH_SIZE];
+
+    log_events(5U);
+    restart();
+    log_events(2U);
+    TEST_ASSERT_EQUAL_UINT32(7U, lines_of(1U));
+    TEST_ASSERT_FALSE(find_log(2U, path));
+}
+
+void test_SWR_EVENT_014_another_run_has_another_log(void)
+{
+    log_events(5U);
+    event_log_close(&event_log);
+    exchange_close(exchange);
+    exchange = exchange_create(name, error, sizeof error);
+    number = 0U;
+    event_log_open(&event_log, folder, exchange);
+    log_events(2U);
+    TEST_ASSERT_EQUAL_UINT32(5U, lines_of(1U));
+    TEST_ASSERT_EQUAL_UINT32(2U, lines_of(2U));
+    TEST_ASSERT_EQUAL_UINT32(0U, exchange_file(exchange, EXCHANGE_FILE_LOG_BEFORE));
 }
 
 void test_SWR_EVENT_013_an_event_is_written_with_the_time_of_its_publication(void)
@@ -138,9 +183,11 @@ void test_SWR_EVENT_013_an_event_is_written_with_the_time_of_its_publication(voi
     char line[LOG_ENTRY_LINE_SIZE] = "";
     log_entry_t entry;
 
-    event_log_open(&event_log, folder);
+    char path[FILE_SERIES_PATH_SIZE];
+
     log_events(1U);
-    FILE *const file = fopen(log_path, "r");
+    TEST_ASSERT_TRUE(find_log(1U, path));
+    FILE *const file = fopen(path, "r");
     TEST_ASSERT_NOT_NULL(fgets(line, sizeof line, file));
     (void)fclose(file);
     TEST_ASSERT_TRUE(log_entry_read(&entry, line));
@@ -149,53 +196,74 @@ void test_SWR_EVENT_013_an_event_is_written_with_the_time_of_its_publication(voi
 
 void test_SWR_REC_010_a_log_that_is_opened_again_writes_no_event_twice(void)
 {
-    event_log_open(&event_log, folder);
     log_events(5U);
-    event_log_close(&event_log);
-    event_log_open(&event_log, folder);
-    log_events(2U);
-    TEST_ASSERT_EQUAL_UINT32(7U, lines_of(log_path));
+    restart();
+    event_log_drain(&event_log);
+    TEST_ASSERT_EQUAL_UINT32(5U, lines_of(1U));
 }
 
-/* As when two instances have one folder. */
-void test_SWR_REC_011_a_log_that_another_has_begun_is_gone_on_with(void)
+void test_SWR_REC_011_two_instances_with_one_folder_have_a_log_each(void)
 {
-    event_log_open(&event_log, folder);
-    log_events(5U);
-    TEST_ASSERT_EQUAL_INT(0, rename(log_path, older_path));
-    leave(1000);
-    event_log.size = (uint64_t)FULL;
+    char path[FILE_SERIES_PATH_SIZE];
+
+    TEST_ASSERT_TRUE(find_log(1U, path));
+    fill(); /* Another one has begun number 2 meanwhile. */
+    file_series_path(&file_series_logs, folder, 2U, UTC_US, path);
+    (void)close(open(path, O_WRONLY | O_CREAT | O_EXCL, 0600));
     log_events(1U);
-    TEST_ASSERT_EQUAL_UINT32(5U, lines_of(older_path));
-    TEST_ASSERT_EQUAL_UINT32(1U, lines_of(log_path));
-    TEST_ASSERT_EQUAL_UINT64((uint64_t)size_of(log_path), event_log.size);
+    TEST_ASSERT_EQUAL_UINT32(0U, lines_of(2U));
+    TEST_ASSERT_EQUAL_UINT32(1U, lines_of(3U));
 }
 
-void test_SWR_REC_011_a_full_log_that_was_removed_is_begun_anew(void)
+/* Neither a link nor a folder in the place of the log leads anywhere. */
+void test_SWR_REC_011_what_is_no_log_is_not_gone_on_with(void)
 {
-    event_log_open(&event_log, folder);
+    char path[FILE_SERIES_PATH_SIZE];
+
+    TEST_ASSERT_TRUE(find_log(1U, path));
+    event_log_close(&event_log);
+    TEST_ASSERT_EQUAL_INT(0, unlink(path));
+    TEST_ASSERT_EQUAL_INT(0, symlink("/dev/full", path));
+    event_log_open(&event_log, folder, exchange);
+    log_events(1U);
+    TEST_ASSERT_EQUAL_UINT32(1U, lines_of(2U));
+    event_log_close(&event_log);
+    TEST_ASSERT_TRUE(find_log(2U, path));
+    TEST_ASSERT_EQUAL_INT(0, unlink(path));
+    TEST_ASSERT_EQUAL_INT(0, mkdir(path, 0700));
+    event_log_open(&event_log, folder, exchange);
+    log_events(1U);
+    TEST_ASSERT_EQUAL_UINT32(1U, lines_of(3U));
+}
+
+void test_SWR_REC_014_a_log_that_is_removed_is_begun_anew(void)
+{
+    char path[FILE_SERIES_PATH_SIZE];
+
     log_events(5U);
-    TEST_ASSERT_EQUAL_INT(0, unlink(log_path));
-    event_log.size = (uint64_t)FULL;
+    TEST_ASSERT_TRUE(find_log(1U, path));
+    TEST_ASSERT_EQUAL_INT(0, unlink(path));
+    event_log_sync(&event_log);
     log_events(2U);
-    TEST_ASSERT_EQUAL_UINT32(2U, lines_of(log_path));
-    TEST_ASSERT_EQUAL_INT(-1, size_of(older_path));
+    TEST_ASSERT_EQUAL_UINT32(2U, lines_of(1U));
 }
 
 void test_SWR_REC_014_a_folder_that_is_removed_is_made_again_with_a_new_log(void)
 {
-    event_log_open(&event_log, folder);
+    char path[FILE_SERIES_PATH_SIZE];
+
     log_events(5U);
-    TEST_ASSERT_EQUAL_INT(0, unlink(log_path));
+    TEST_ASSERT_TRUE(find_log(1U, path));
+    TEST_ASSERT_EQUAL_INT(0, unlink(path));
     TEST_ASSERT_EQUAL_INT(0, rmdir(folder));
     event_log_sync(&event_log);
     log_events(2U);
-    TEST_ASSERT_TRUE(size_of(log_path) > 0);
-    TEST_ASSERT_EQUAL_UINT32(2U, lines_of(log_path));
+    TEST_ASSERT_EQUAL_UINT32(2U, lines_of(1U));
 }
 
 void test_SWR_EVENT_010_a_line_has_the_words_of_its_note(void)
 {
+    char path[FILE_SERIES_PATH_SIZE];
     char line[512] = "";
     char words[161];
     const event_t event = {.id = (uint32_t)EVENT_NOTE, .subject = NOTE_OPERATOR, .value = 1};
@@ -203,10 +271,10 @@ void test_SWR_EVENT_010_a_line_has_the_words_of_its_note(void)
     (void)memset(words, 'x', sizeof words - 1U);
     words[sizeof words - 1U] = '\0';
     (void)exchange_write_note(exchange, NOTE_OPERATOR, "a234567890123456789012345678901", words);
-    event_log_open(&event_log, folder);
     exchange_push_event(exchange, &event, UTC_US);
-    event_log_drain(&event_log, exchange);
-    FILE *file = fopen(log_path, "r");
+    event_log_drain(&event_log);
+    TEST_ASSERT_TRUE(find_log(1U, path));
+    FILE *file = fopen(path, "r");
     TEST_ASSERT_NOT_NULL(file);
     TEST_ASSERT_NOT_NULL(fgets(line, (int)sizeof line, file));
     (void)fclose(file);

@@ -6,6 +6,7 @@
 #include "unity.h"
 
 #include "exchange/exchange.h"
+#include "exchange/exchange_files.h"
 #include "exchange/exchange_notes.h"
 #include "exchange/exchange_peers.h"
 #include "exchange/exchange_segment.h"
@@ -590,6 +591,17 @@ void test_SWR_EVENT_013_an_event_is_read_with_the_time_of_its_publication(void)
     push_events(0U, 2U);
     TEST_ASSERT_EQUAL_UINT32(1U, exchange_read_events(reader, &next, &event, 1U, &lost));
     TEST_ASSERT_EQUAL_UINT64(UTC_US + 1U, event.utc_us);
+}
+
+void test_SWR_EXCH_020_what_the_recorder_writes_is_known_to_others(void)
+{
+    TEST_ASSERT_EQUAL_UINT32(0U, exchange_file(reader, EXCHANGE_FILE_RECORDING));
+    exchange_note_file(control, EXCHANGE_FILE_RECORDING, 7U);
+    exchange_note_file(control, EXCHANGE_FILE_LOG, 8U);
+    exchange_note_file(control, EXCHANGE_FILE_LOG_BEFORE, 6U);
+    TEST_ASSERT_EQUAL_UINT32(7U, exchange_file(reader, EXCHANGE_FILE_RECORDING));
+    TEST_ASSERT_EQUAL_UINT32(8U, exchange_file(reader, EXCHANGE_FILE_LOG));
+    TEST_ASSERT_EQUAL_UINT32(6U, exchange_file(reader, EXCHANGE_FILE_LOG_BEFORE));
 }
 
 void test_SWR_EXCH_003_exactly_a_full_event_ring_loses_nothing_and_one_more_loses_one(void)

@@ -140,9 +140,14 @@ class Boresight
     Dir.glob(File.join(recordings, 'blackbox-*.bsr')).sort
   end
 
+  # Logs of events, the oldest first.
+  def log_files
+    Dir.glob(File.join(recordings, 'events-*.log')).sort
+  end
+
+  # Of the newest log.
   def event_lines
-    path = File.join(recordings, 'events.log')
-    File.exist?(path) ? File.readlines(path, chomp: true) : []
+    log_files.last(1).flat_map { |path| File.readlines(path, chomp: true) }
   end
 
   def box
