@@ -85,6 +85,8 @@ typedef struct {
     uint32_t checkpoint_requests SEGMENT_ON_LINE;
     uint32_t events_logged SEGMENT_ON_LINE; /**< Number of the next event to log. */
     uint32_t files[EXCHANGE_FILES] SEGMENT_ON_LINE;
+    uint32_t log_level_sequence SEGMENT_ON_LINE;
+    exchange_log_level_t log_level;
     uint32_t ports_sequence SEGMENT_ON_LINE;
     exchange_ports_t ports;
     segment_peers_t peers[COMMAND_SOURCE_COUNT];

@@ -6,6 +6,7 @@
 #include "common/file_series.h"
 #include "common/log_entry.h"
 #include "common/utc_text.h"
+#include "interface/app/names.h"
 #include "limits/requirement_limits.h"
 
 #include <errno.h>
@@ -46,6 +47,7 @@ static bool begin(event_log_t *self)
     }
     self->file = file;
     self->size = 0U;
+    self->severity = (uint32_t)EVENT_SEVERITY_INFORMATION;
     exchange_note_file(self->exchange, EXCHANGE_FILE_LOG_BEFORE,
                        exchange_file(self->exchange, EXCHANGE_FILE_LOG));
     exchange_note_file(self->exchange, EXCHANGE_FILE_LOG, number);
@@ -125,26 +127,53 @@ static void write_line(event_log_t *self, const char *line)
     }
 }
 
-static void write_event(event_log_t *self, const exchange_t *exchange,
-                        const exchange_event_t *event)
+static void write_event(event_log_t *self, const exchange_event_t *event)
 {
     log_entry_t entry;
     char line[LOG_ENTRY_LINE_SIZE];
 
-    log_entry_make(&entry, exchange, event);
+    if (event->event.severity < self->severity) {
+        return;
+    }
+    log_entry_make(&entry, self->exchange, event);
     log_entry_write(&entry, line);
     write_line(self, line);
 }
 
-static void write_loss(event_log_t *self, uint32_t first, uint32_t lost)
+/* What is no event: with the number of the next one. */
+static void write_remark(event_log_t *self, uint32_t next, const char *remark)
 {
     char when[UTC_TEXT_SIZE];
     char line[LOG_ENTRY_LINE_SIZE];
 
     utc_text_write(clock_utc_us(), when);
-    (void)snprintf(line, sizeof line, "%s %u EVENTS_LOST value=%u\n", when, (unsigned)first,
-                   (unsigned)lost);
+    (void)snprintf(line, sizeof line, "%s %u %s\n", when, (unsigned)next, remark);
     write_line(self, line);
+}
+
+static void write_loss(event_log_t *self, uint32_t first, uint32_t lost)
+{
+    char remark[64];
+
+    (void)snprintf(remark, sizeof remark, "EVENTS_LOST value=%u", (unsigned)lost);
+    write_remark(self, first, remark);
+}
+
+/* A file that lacks some says so. */
+static void look_at_level(event_log_t *self)
+{
+    exchange_log_level_t level;
+    char remark[160];
+
+    if (!exchange_read_log_level(self->exchange, &level) || (level.severity == self->severity)) {
+        return;
+    }
+    (void)snprintf(remark, sizeof remark,
+                   "LOG_LEVEL value=%u From here on events from %s on are written, set by %s.",
+                   (unsigned)level.severity, event_severity_name((int32_t)level.severity),
+                   level.by);
+    write_remark(self, exchange_logged(self->exchange), remark);
+    self->severity = level.severity;
 }
 
 /* Each is noted when it is written: a recorder that dies here writes at most one again. */
@@ -155,6 +184,7 @@ void event_log_drain(event_log_t *self)
     uint32_t next = exchange_logged(exchange);
     uint32_t count;
 
+    look_at_level(self);
     do {
         uint32_t lost = 0U;
         const uint32_t first = next;
@@ -163,7 +193,8 @@ void event_log_drain(event_log_t *self)
             write_loss(self, first, lost);
         }
         for (uint32_t i = 0U; i < count; i++) {
-            write_event(self, exchange, &events[i]);
+            look_at_level(self); /* Another file may have begun. */
+            write_event(self, &events[i]);
             exchange_note_logged(exchange, events[i].event.number + 1U);
         }
         exchange_note_logged(exchange, next);

@@ -18,6 +18,7 @@ typedef struct {
     int file;              /**< -1: not open; tried again at the next sync. */
     uint64_t size;         /**< Of the file, in bytes. */
     uint32_t unwritten;    /**< Events that found no room since the last that did. */
+    uint32_t severity;     /**< Those and above are written; the file says so. */
     bool is_dirty;
 } event_log_t;
 
@@ -35,6 +36,7 @@ void event_log_open(event_log_t *self, const char *directory, exchange_t *exchan
  * by their number.
  *
  * @satisfies SWR-EVENT-008
+ * @satisfies SWR-EVENT-015
  * @satisfies SWR-REC-010
  */
 void event_log_drain(event_log_t *self);

@@ -194,6 +194,76 @@ void test_SWR_EVENT_013_an_event_is_written_with_the_time_of_its_publication(voi
     TEST_ASSERT_EQUAL_UINT64(UTC_US, entry.utc_us);
 }
 
+static void log_each_severity(void)
+{
+    for (uint32_t severity = 0U; severity <= (uint32_t)EVENT_SEVERITY_CRITICAL; severity++) {
+        const event_t event = {.number = number, .severity = severity};
+        exchange_push_event(exchange, &event, UTC_US);
+        number++;
+    }
+    event_log_drain(&event_log);
+}
+
+static void set_level(uint32_t severity)
+{
+    const exchange_log_level_t level = {.severity = severity, .by = "eve"};
+
+    exchange_set_log_level(exchange, &level);
+}
+
+/* The line with this number (from 0 on) of a log. */
+static void assert_line(uint32_t log, uint32_t place, const char *part)
+{
+    char path[FILE_SERIES_PATH_SIZE];
+    char line[LOG_ENTRY_LINE_SIZE] = "";
+
+    TEST_ASSERT_TRUE(find_log(log, path));
+    FILE *const file = fopen(path, "r");
+    for (uint32_t i = 0U; i <= place; i++) {
+        TEST_ASSERT_NOT_NULL(fgets(line, sizeof line, file));
+    }
+    (void)fclose(file);
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(line, part), line);
+}
+
+void test_SWR_EVENT_015_events_below_the_level_are_not_written_and_the_log_says_so(void)
+{
+    log_each_severity();
+    set_level((uint32_t)EVENT_SEVERITY_WARNING);
+    log_each_severity();
+    TEST_ASSERT_EQUAL_UINT32(3U + 1U + 2U, lines_of(1U));
+    assert_line(
+        1U, 3U,
+        "Z 3 LOG_LEVEL value=1 From here on events from WARNING on are written, set by eve.\n");
+    assert_line(1U, 4U, "Z 4 cycle=0 WARNING ");
+    set_level((uint32_t)EVENT_SEVERITY_INFORMATION);
+    log_each_severity();
+    TEST_ASSERT_EQUAL_UINT32(6U + 1U + 3U, lines_of(1U));
+    assert_line(1U, 6U, "LOG_LEVEL value=0 ");
+}
+
+void test_SWR_EVENT_015_what_is_critical_is_always_written(void)
+{
+    set_level(UINT32_MAX);
+    log_each_severity();
+    TEST_ASSERT_EQUAL_UINT32(1U + 1U, lines_of(1U));
+    assert_line(1U, 1U, " CRITICAL ");
+}
+
+void test_SWR_EVENT_015_a_level_is_kept_for_the_run_and_told_in_each_log(void)
+{
+    set_level((uint32_t)EVENT_SEVERITY_CRITICAL);
+    log_each_severity();
+    restart();
+    log_each_severity();
+    fill();
+    log_each_severity();
+    log_each_severity();
+    assert_line(2U, 0U, " CRITICAL ");
+    assert_line(2U, 1U, "LOG_LEVEL value=2 ");
+    TEST_ASSERT_EQUAL_UINT32(3U, lines_of(2U));
+}
+
 void test_SWR_REC_010_a_log_that_is_opened_again_writes_no_event_twice(void)
 {
     log_events(5U);

@@ -604,6 +604,33 @@ void test_SWR_EXCH_020_what_the_recorder_writes_is_known_to_others(void)
     TEST_ASSERT_EQUAL_UINT32(6U, exchange_file(reader, EXCHANGE_FILE_LOG_BEFORE));
 }
 
+void test_SWR_EXCH_020_no_level_was_set_before_the_first(void)
+{
+    exchange_log_level_t level;
+
+    TEST_ASSERT_FALSE(exchange_read_log_level(reader, &level));
+}
+
+void test_SWR_EXCH_020_a_level_hides_nothing_critical_and_no_name_writes_a_line(void)
+{
+    exchange_log_level_t level = {.severity = 1U, .by = "eve"};
+
+    exchange_set_log_level(reader, &level);
+    TEST_ASSERT_TRUE(exchange_read_log_level(control, &level));
+    TEST_ASSERT_EQUAL_UINT32(1U, level.severity);
+    TEST_ASSERT_EQUAL_STRING("eve", level.by);
+    level.severity = 9U;
+    (void)memset(level.by, 'x', sizeof level.by);
+    level.by[1] = '\n';
+    level.by[2] = '\x1b';
+    exchange_set_log_level(reader, &level);
+    TEST_ASSERT_TRUE(exchange_read_log_level(control, &level));
+    TEST_ASSERT_EQUAL_UINT32(EVENT_SEVERITY_CRITICAL, level.severity);
+    TEST_ASSERT_EQUAL_STRING("x??xxxxxxxxxxxxxxxxxxxxxxxxxxxx", level.by);
+    control->segment->others.log_level_sequence |= 1U; /* It died there. */
+    TEST_ASSERT_FALSE(exchange_read_log_level(control, &level));
+}
+
 void test_SWR_EXCH_003_exactly_a_full_event_ring_loses_nothing_and_one_more_loses_one(void)
 {
     static exchange_event_t events[EXCHANGE_EVENTS];
