@@ -3,7 +3,6 @@
 
 #include "limits/requirement_limits.h"
 
-#include <dirent.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -71,10 +70,10 @@ static int by_age(const struct dirent **one, const struct dirent **other)
     return strcmp((*one)->d_name, (*other)->d_name);
 }
 
-/* The names of the series, the oldest first. Each is to be freed, and the list. */
-static int list(const file_series_t *self, const char *directory, struct dirent ***entries)
+uint32_t file_series_list(const file_series_t *self, const char *directory,
+                          struct dirent ***entries)
 {
-    int kept = 0;
+    uint32_t kept = 0U;
 
     *entries = NULL;
     const int count = scandir(directory, entries, NULL, by_age);
@@ -89,9 +88,9 @@ static int list(const file_series_t *self, const char *directory, struct dirent 
     return kept;
 }
 
-static void forget(struct dirent **entries, int count)
+void file_series_forget(struct dirent **entries, uint32_t count)
 {
-    for (int i = 0; i < count; i++) {
+    for (uint32_t i = 0U; i < count; i++) {
         free(entries[i]);
     }
     free(entries);
@@ -101,24 +100,24 @@ bool file_series_find(const file_series_t *self, const char *directory, uint32_t
                       char path[FILE_SERIES_PATH_SIZE])
 {
     struct dirent **entries;
-    const int count = list(self, directory, &entries);
+    const uint32_t count = file_series_list(self, directory, &entries);
     bool is_found = false;
 
-    for (int i = 0; (i < count) && !is_found; i++) {
+    for (uint32_t i = 0U; (i < count) && !is_found; i++) {
         is_found = file_series_number(entries[i]->d_name) == number;
         (void)snprintf(path, FILE_SERIES_PATH_SIZE, "%s/%s", directory, entries[i]->d_name);
     }
-    forget(entries, count);
+    file_series_forget(entries, count);
     return is_found;
 }
 
 uint32_t file_series_newest(const file_series_t *self, const char *directory)
 {
     struct dirent **entries;
-    const int count = list(self, directory, &entries);
-    const uint32_t newest = (count > 0) ? file_series_number(entries[count - 1]->d_name) : 0U;
+    const uint32_t count = file_series_list(self, directory, &entries);
+    const uint32_t newest = (count > 0U) ? file_series_number(entries[count - 1U]->d_name) : 0U;
 
-    forget(entries, count);
+    file_series_forget(entries, count);
     return newest;
 }
 
@@ -133,18 +132,18 @@ void file_series_remove_oldest(const file_series_t *self, const char *directory,
                                const char *present)
 {
     struct dirent **entries;
-    const int count = list(self, directory, &entries);
+    const uint32_t count = file_series_list(self, directory, &entries);
     uint64_t used = 0U;
     uint32_t kept = 0U;
 
-    for (int i = count - 1; i >= 0; i--) { /* The newest first. */
+    for (uint32_t i = count; i > 0U; i--) { /* The newest first. */
         char path[FILE_SERIES_PATH_SIZE];
-        (void)snprintf(path, sizeof path, "%s/%s", directory, entries[i]->d_name);
+        (void)snprintf(path, sizeof path, "%s/%s", directory, entries[i - 1U]->d_name);
         used += size_of(path);
         kept++;
         if (((kept > self->files) || (used >= self->bytes)) && (strcmp(path, present) != 0)) {
             (void)unlink(path);
         }
     }
-    forget(entries, count);
+    file_series_forget(entries, count);
 }

@@ -7,6 +7,7 @@
 #ifndef BORESIGHT_FILE_SERIES_H
 #define BORESIGHT_FILE_SERIES_H
 
+#include <dirent.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -40,6 +41,16 @@ void file_series_path(const file_series_t *self, const char *directory, uint32_t
 /** Finds the one with `number`. False: there is none. */
 bool file_series_find(const file_series_t *self, const char *directory, uint32_t number,
                       char path[FILE_SERIES_PATH_SIZE]);
+
+/**
+ * The names in `directory`, the oldest first, those without a number before all others.
+ *
+ * @param entries  set to the list, to be given back by file_series_forget()
+ * @return how many; 0 when there is no such directory
+ */
+uint32_t file_series_list(const file_series_t *self, const char *directory,
+                          struct dirent ***entries);
+void file_series_forget(struct dirent **entries, uint32_t count);
 
 /** The number of the newest; 0 when there is none. */
 uint32_t file_series_newest(const file_series_t *self, const char *directory);
