@@ -46,7 +46,7 @@ static bool take(archive_file_t *self, int file, const char *name, bool is_prese
         archive_close(self);
         return false;
     }
-    (void)snprintf(self->name, sizeof self->name, "%s", name);
+    (void)snprintf(self->name, sizeof self->name, "%.*s", (int)sizeof self->name - 1, name);
     self->bytes = (uint64_t)status.st_size;
     if (is_present_recording) {
         self->bytes = whole_bytes(file, self->bytes);

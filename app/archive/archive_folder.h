@@ -15,18 +15,16 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define ARCHIVE_NAME_SIZE 256U
-
 /** A file to be sent. */
 typedef struct {
     int file; /**< -1: there is none. */
-    char name[ARCHIVE_NAME_SIZE];
+    char name[FILE_SERIES_NAME_SIZE];
     uint64_t bytes;       /**< Of it, from its beginning: those that are whole. */
     uint64_t modified_ns; /**< UTC since 1970. */
 } archive_file_t;
 
 typedef struct {
-    char name[ARCHIVE_NAME_SIZE];
+    char name[FILE_SERIES_NAME_SIZE];
     uint64_t bytes;      /**< Those that are whole. */
     bool is_known;       /**< It begins as a recording of this format: */
     uint64_t started_us; /**< UTC since 1970. */
@@ -35,7 +33,7 @@ typedef struct {
 } archive_recording_t;
 
 typedef struct {
-    char name[ARCHIVE_NAME_SIZE];
+    char name[FILE_SERIES_NAME_SIZE];
     uint64_t bytes;
     bool has_lines;
     uint64_t first_us; /**< UTC of its first line. */

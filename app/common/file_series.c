@@ -32,7 +32,8 @@ bool file_series_has(const file_series_t *self, const char *name)
     const size_t before = strlen(self->prefix);
     const size_t after = strlen(self->suffix);
 
-    return (length > (before + after)) && (strncmp(name, self->prefix, before) == 0) &&
+    return (length > (before + after)) && (length < FILE_SERIES_NAME_SIZE) &&
+           (strncmp(name, self->prefix, before) == 0) &&
            (strcmp(&name[length - after], self->suffix) == 0) && (strspn(name, LETTERS) == length);
 }
 

@@ -13,6 +13,7 @@
 #include <stdint.h>
 
 #define FILE_SERIES_PATH_SIZE 512U
+#define FILE_SERIES_NAME_SIZE 65U /**< Of a name, with its end. */
 
 typedef struct {
     const char *prefix; /**< Ends with its only hyphen. */
@@ -27,8 +28,8 @@ extern const file_series_t file_series_recordings;
 /** Of the logs of events: events-000001-20261122T175000Z.log. */
 extern const file_series_t file_series_logs;
 
-/** Whether a file of this name is one of the series. Such a name has nothing but letters, digits,
- * hyphens and points. */
+/** Whether a file of this name is one of the series. Such a name is short and has nothing but
+ * letters, digits, hyphens and points. */
 bool file_series_has(const file_series_t *self, const char *name);
 
 /** The number in a name of any series; 0: it has none. */

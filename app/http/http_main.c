@@ -4,8 +4,8 @@
  * boresight-http: shows control's state to browsers and passes on what they command. Holds nothing
  * that has to be saved: killing it at any moment is its orderly end.
  *
- *     boresight-http --exchange NAME [--port 8080] [--bind 127.0.0.1] [--box NAME]
- *                    [--accounts FILE] [--tls-file FILE]
+ *     boresight-http --exchange NAME --recordings DIRECTORY [--port 8080] [--bind 127.0.0.1]
+ *                    [--box NAME] [--accounts FILE] [--tls-file FILE]
  *     boresight-http --tls-file FILE --stunnel        prints the configuration of stunnel
  */
 #include "base/contract.h"
@@ -37,6 +37,7 @@ typedef struct {
     const char *exchange;
     const char *box;
     const char *accounts;
+    const char *recordings;
     const char *tls_file;
     bool is_stunnel_asked;
     http_guard_t guard;
@@ -76,6 +77,9 @@ static bool read_option(int option, const char *value, options_t *options)
     case 's':
         options->is_stunnel_asked = true;
         return true;
+    case 'd':
+        options->recordings = value;
+        return true;
     case 'a':
         options->accounts = value;
         return true;
@@ -90,11 +94,15 @@ static bool read_option(int option, const char *value, options_t *options)
 
 static bool read_options(int count, char **arguments, options_t *options)
 {
-    static const struct option known[] = {
-        {"exchange", required_argument, NULL, 'e'}, {"port", required_argument, NULL, 'p'},
-        {"bind", required_argument, NULL, 'b'},     {"accounts", required_argument, NULL, 'a'},
-        {"box", required_argument, NULL, 'x'},      {"tls-file", required_argument, NULL, 't'},
-        {"stunnel", no_argument, NULL, 's'},        {NULL, 0, NULL, 0}};
+    static const struct option known[] = {{"exchange", required_argument, NULL, 'e'},
+                                          {"port", required_argument, NULL, 'p'},
+                                          {"bind", required_argument, NULL, 'b'},
+                                          {"accounts", required_argument, NULL, 'a'},
+                                          {"box", required_argument, NULL, 'x'},
+                                          {"tls-file", required_argument, NULL, 't'},
+                                          {"stunnel", no_argument, NULL, 's'},
+                                          {"recordings", required_argument, NULL, 'd'},
+                                          {NULL, 0, NULL, 0}};
     (void)memset(options, 0, sizeof *options);
     options->guard.port = DEFAULT_PORT;
     (void)read_address("127.0.0.1", options->guard.address);
@@ -107,7 +115,8 @@ static bool read_options(int count, char **arguments, options_t *options)
     }
     options->guard.page_port = options->guard.port;
     const bool is_asked = options->is_stunnel_asked && (options->tls_file != NULL);
-    return ((options->exchange != NULL) || is_asked) && (optind == count);
+    const bool is_served = (options->exchange != NULL) && (options->recordings != NULL);
+    return (is_served || is_asked) && (optind == count);
 }
 
 static int complain_of_front(uint16_t port, const char *key)
@@ -162,8 +171,8 @@ int main(int count, char **arguments)
     options_t options;
     if (!read_options(count, arguments, &options)) {
         (void)fprintf(stderr,
-                      "usage: boresight-http --exchange NAME [--port 8080] [--bind 127.0.0.1] "
-                      "[--box NAME] [--accounts FILE] [--tls-file FILE]\n"
+                      "usage: boresight-http --exchange NAME --recordings DIRECTORY [--port 8080] "
+                      "[--bind 127.0.0.1] [--box NAME] [--accounts FILE] [--tls-file FILE]\n"
                       "       boresight-http --tls-file FILE --stunnel\n");
         return EXIT_USAGE;
     }
@@ -193,6 +202,7 @@ int main(int count, char **arguments)
                                          .instance = options.exchange,
                                          .box = options.box,
                                          .accounts = options.accounts,
+                                         .recordings = options.recordings,
                                          .front = (options.tls_file != NULL) ? &front : NULL};
     http_server_init(&server, &config);
     if (!http_server_prepare_logins(&server, error, sizeof error)) {

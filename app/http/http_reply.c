@@ -7,6 +7,8 @@
 #include <string.h>
 #include <strings.h>
 
+#define DISPOSITION_SIZE 128U
+
 static const char safety_headers[] =
     "Content-Security-Policy: default-src 'none'; script-src 'self'; style-src 'self'; "
     "img-src 'self'; connect-src 'self'%s; "
@@ -55,8 +57,11 @@ size_t http_reply_head(const http_reply_t *reply, char head[HTTP_REPLY_HEAD_SIZE
 {
     char length[24];
     char again[16];
+    char disposition[DISPOSITION_SIZE];
     (void)snprintf(length, sizeof length, "%zu", reply->size);
     (void)snprintf(again, sizeof again, "%u", (unsigned)reply->retry_after_s);
+    (void)snprintf(disposition, sizeof disposition, "attachment; filename=\"%s\"",
+                   (reply->file_name != NULL) ? reply->file_name : "");
     (void)snprintf(head, HTTP_REPLY_HEAD_SIZE, "HTTP/1.1 %d %s\r\n", reply->status,
                    mg_get_response_code_text(NULL, reply->status));
     add(head, "Content-Type", reply->type);
@@ -69,6 +74,7 @@ size_t http_reply_head(const http_reply_t *reply, char head[HTTP_REPLY_HEAD_SIZE
     add(head, "Content-Encoding", reply->encoding);
     add(head, "Vary", reply->is_chosen ? "Accept-Encoding" : NULL);
     add(head, "Set-Cookie", reply->cookie);
+    add(head, "Content-Disposition", (reply->file_name != NULL) ? disposition : NULL);
     add(head, "Retry-After", (reply->retry_after_s > 0U) ? again : NULL);
     add(head, "Connection", reply->is_kept ? "keep-alive" : "close");
     const size_t size = strlen(head);
@@ -87,8 +93,8 @@ static bool is_kept(const struct mg_connection *connection, const http_reply_t *
 {
     const struct mg_request_info *request = mg_get_request_info(connection);
     const char *wish = mg_get_header(connection, "Connection");
-    return (reply->status < 400) && !reply->is_stream && (request->http_version != NULL) &&
-           (strcmp(request->http_version, "1.1") == 0) &&
+    return (reply->status < 400) && !reply->is_stream && !reply->is_apart &&
+           (request->http_version != NULL) && (strcmp(request->http_version, "1.1") == 0) &&
            ((wish == NULL) || (strcasecmp(wish, "keep-alive") == 0)) && http_lines_has_room();
 }
 
@@ -103,7 +109,8 @@ int http_reply_send(struct mg_connection *connection, const http_reply_t *reply)
     if (!write_all(connection, head, http_reply_head(&sent, head))) {
         return 0;
     }
-    const bool is_whole = !has_body(reply) || http_reply_is_head_asked(connection) ||
+    const bool is_whole = !has_body(reply) || reply->is_apart ||
+                          http_reply_is_head_asked(connection) ||
                           write_all(connection, reply->body, reply->size);
     return is_whole ? reply->status : 0;
 }

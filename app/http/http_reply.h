@@ -15,6 +15,7 @@
 #define HTTP_REPLY_JSON "application/json"
 #define HTTP_REPLY_PROBLEM "application/problem+json"
 #define HTTP_REPLY_NO_STORE "no-store"
+#define HTTP_REPLY_REVALIDATE "private, no-cache"
 #define HTTP_REPLY_HEAD_SIZE 1536 /**< Room for the head of every answer. */
 
 /** What is particular to one answer. */
@@ -27,9 +28,11 @@ typedef struct {
     const char *etag;       /**< ETag with its quotes, or NULL. */
     const char *encoding;   /**< Content-Encoding, or NULL. */
     const char *cookie;     /**< Set-Cookie, or NULL. */
+    const char *file_name;  /**< Under which to keep it; NULL: it is to be shown. */
     uint32_t retry_after_s; /**< Retry-After; 0: without. */
     bool is_chosen;         /**< Another client may get it in another encoding. */
     bool is_stream;         /**< Only the head is sent; the body follows without a known end. */
+    bool is_apart;          /**< Only the head is sent; `size` bytes follow. */
     bool is_kept;           /**< The connection stays open. */
     const void *body;
     size_t size;

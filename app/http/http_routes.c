@@ -3,6 +3,7 @@
 
 #include "http/asset.h"
 #include "http/http_act.h"
+#include "http/http_archive.h"
 #include "http/http_authority.h"
 #include "http/http_call.h"
 #include "http/http_door.h"
@@ -14,8 +15,6 @@
 #include "request/request_headers.h"
 
 #include <string.h>
-
-#define EVENTS_MOST 200U
 
 static bool look(http_server_t *server, struct mg_connection *connection, telemetry_view_t *view)
 {
@@ -48,42 +47,6 @@ static int answer_targeting(http_server_t *server, struct mg_connection *connect
     return look(server, connection, &view)
                ? http_reply_object(connection, 200, telemetry_json_targeting(&view))
                : 503;
-}
-
-/* Up to `most` events from `next` on. */
-static int reply_log(http_server_t *server, struct mg_connection *connection, uint32_t next,
-                     uint32_t most)
-{
-    exchange_event_t events[EVENTS_MOST];
-    uint32_t lost = 0U;
-    const uint32_t count =
-        (most > 0U) ? exchange_read_events(server->exchange, &next, events, most, &lost) : 0U;
-    const robot_t *robot = exchange_robot(server->exchange);
-    cJSON *entries = cJSON_CreateArray();
-    for (uint32_t i = 0U; i < count; i++) {
-        log_entry_t entry;
-        log_entry_make(&entry, server->exchange, &events[i]);
-        (void)cJSON_AddItemToArray(entries, telemetry_json_event(robot, &entry));
-    }
-    const json_log_t log = {.entries = entries, .next = next, .lost = lost};
-    return http_reply_object(connection, 200, json_log(&log));
-}
-
-/* After what has not been yet there is nothing. */
-static int answer_log(http_server_t *server, const http_call_t *call)
-{
-    telemetry_view_t view;
-    if (!look(server, call->connection, &view)) {
-        return 503;
-    }
-    const uint32_t events = view.snapshot.events;
-    const uint32_t after = call->query.log.after;
-    const uint32_t following = after + ((after == UINT32_MAX) ? 0U : 1U);
-    const uint32_t newest = (events > EVENTS_MOST) ? (events - EVENTS_MOST) : 0U;
-    if (!call->query.log.has_after) {
-        return reply_log(server, call->connection, newest, EVENTS_MOST);
-    }
-    return reply_log(server, call->connection, following, (after < events) ? EVENTS_MOST : 0U);
 }
 
 /* Where the log goes on: after what the client has, or else with the last events. Numbers begin
@@ -152,7 +115,21 @@ static int answer(http_server_t *server, const http_call_t *call)
     case ROUTE_TARGETING:
         return answer_targeting(server, connection);
     case ROUTE_LOG:
-        return answer_log(server, call);
+        return http_archive_log(server, call);
+    case ROUTE_LOG_CSV:
+        return http_archive_log_csv(server, call);
+    case ROUTE_LOG_LEVEL:
+        return http_archive_log_level(server, call);
+    case ROUTE_SET_LOG_LEVEL:
+        return http_archive_set_log_level(server, call);
+    case ROUTE_LOGS:
+        return http_archive_logs(server, call);
+    case ROUTE_LOG_FILE:
+        return http_archive_log_file(server, call);
+    case ROUTE_RECORDINGS:
+        return http_archive_recordings(server, call);
+    case ROUTE_RECORDING:
+        return http_archive_recording(server, call);
     case ROUTE_LOG_NOTE:
         return http_log_note_write(server, call);
     case ROUTE_EVENTS:

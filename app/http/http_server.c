@@ -49,6 +49,8 @@ void http_server_init(http_server_t *self, const http_server_config_t *config)
     self->guard = config->guard;
     self->instance = config->instance;
     self->front = config->front;
+    self->archive.directory = config->recordings;
+    (void)pthread_mutex_init(&self->archive.lock, NULL);
     if (config->front != NULL) {
         const http_guard_t front = {.address = "127.0.0.1",
                                     .port = config->front->console_from,
@@ -207,6 +209,7 @@ static struct mg_context *start_library(http_server_t *self, const char *address
         "access_control_allow_headers", "",
         "cgi_pattern", "",
         "ssi_pattern", "",
+        "decode_url", "no", /* Or a path would end at its %00, and have two spellings. */
         NULL};
     /* clang-format on */
     return mg_start(&callbacks, self, options);

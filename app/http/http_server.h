@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The HTTP server: the console's files, the state as JSON and as a stream, STOP, and what pages
- * with authority command. Nothing else is served; no file is read, no name is looked up.
+ * The HTTP server: the console's files, the state as JSON and as a stream, STOP, what pages with
+ * authority command, and what the recorder has left. Nothing else is served, no other file is read,
+ * no name is looked up.
  */
 #ifndef BORESIGHT_HTTP_SERVER_H
 #define BORESIGHT_HTTP_SERVER_H
@@ -17,6 +18,7 @@
 #include "session/session_desk.h"
 
 #include <civetweb.h>
+#include <pthread.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -32,6 +34,12 @@ typedef struct {
     telemetry_identity_t identity;
     telemetry_t telemetry;
     http_stream_t stream;
+    struct {
+        const char *directory; /**< Of the recorder. */
+        uint32_t searches;     /**< How many go on. */
+        uint32_t downloads;    /**< The same. */
+        pthread_mutex_t lock;  /**< Of who sets the log's level. */
+    } archive;
 } http_server_t;
 
 typedef enum {
@@ -50,6 +58,7 @@ typedef struct {
     const char *instance;     /**< Its name. */
     const char *box;          /**< Name of the simulated box; NULL: real cards. */
     const char *accounts;     /**< File of the accounts; NULL: none. */
+    const char *recordings;   /**< Folder of the recorder. */
     const tls_front_t *front; /**< How TLS leads here; NULL: it does not. */
 } http_server_config_t;
 

@@ -103,9 +103,10 @@ static bool name_box(family_t *self, const options_t *options, char *error, uint
 
 static void set_http(family_t *self, const options_t *options)
 {
-    const char *http[CHILD_ARGUMENTS] = {"--exchange",       options->instance, "--port",
-                                         options->http_port, "--bind",          options->bind};
-    uint32_t count = 6U;
+    const char *http[CHILD_ARGUMENTS] = {"--exchange",       options->instance,  "--port",
+                                         options->http_port, "--bind",           options->bind,
+                                         "--recordings",     options->recordings};
+    uint32_t count = 8U;
 
     if (options->accounts != NULL) {
         http[count] = "--accounts";

@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "http/http_download.h"
+
+#include "http/http_reply.h"
+#include "limits/requirement_limits.h"
+#include "request/request_headers.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <unistd.h>
+
+#define PIECE_BYTES 32768U
+#define ETAG_SIZE 48U
+/* A blocked write ends by the server's timeout (http_server.c). */
+#define WRITE_US 500000U
+#define WRITES (LIMIT_DOWNLOAD_PIECE_US / WRITE_US)
+
+/* An error is a write without progress: then all of them are soon over. */
+static bool write_piece(struct mg_connection *connection, const char *bytes, size_t size)
+{
+    size_t sent = 0U;
+    for (uint32_t i = 0U; (i < WRITES) && (sent < size); i++) {
+        const int count = mg_write(connection, &bytes[sent], size - sent);
+        sent += (count > 0) ? (size_t)count : 0U;
+    }
+    return sent == size;
+}
+
+static bool send_bytes(struct mg_connection *connection, const archive_file_t *file)
+{
+    char piece[PIECE_BYTES];
+    bool is_taken = true;
+    for (uint64_t sent = 0U; is_taken && (sent < file->bytes); sent += sizeof piece) {
+        const uint64_t left = file->bytes - sent;
+        const size_t size = (left < sizeof piece) ? (size_t)left : sizeof piece;
+        is_taken = (pread(file->file, piece, size, (off_t)sent) == (ssize_t)size) &&
+                   write_piece(connection, piece, size);
+    }
+    return is_taken;
+}
+
+/* Of a file that only grows, or is another one. */
+static void write_etag(const archive_file_t *file, char etag[ETAG_SIZE])
+{
+    (void)snprintf(etag, ETAG_SIZE, "\"%" PRIx64 "-%" PRIx64 "\"", file->modified_ns, file->bytes);
+}
+
+int http_download_send(struct mg_connection *connection, archive_file_t *file, const char *type)
+{
+    char etag[ETAG_SIZE];
+    write_etag(file, etag);
+    const bool is_known = request_headers_know(mg_get_header(connection, "If-None-Match"), etag);
+    const http_reply_t reply = {.status = is_known ? 304 : 200,
+                                .type = is_known ? NULL : type,
+                                .cache = HTTP_REPLY_REVALIDATE,
+                                .etag = etag,
+                                .file_name = file->name,
+                                .is_apart = true,
+                                .size = (size_t)file->bytes};
+    int status = http_reply_send(connection, &reply);
+    const bool is_wanted = (status == 200) && !http_reply_is_head_asked(connection);
+    if (is_wanted && !send_bytes(connection, file)) {
+        status = 0;
+    }
+    archive_close(file);
+    return status;
+}
