@@ -55,8 +55,12 @@ static const char *axis_of(const robot_t *robot, const answer_t *answer)
         (answer->kind == (uint32_t)ANSWER_ABORTED) || (answer->kind == (uint32_t)ANSWER_REFUSED);
     const bool is_limit = (answer->status == (uint32_t)STATUS_AXIS_LIMIT) ||
                           (answer->status == (uint32_t)STATUS_SWITCH_ZONE);
-    const bool is_named = is_why && ((answer->kind == (uint32_t)ANSWER_ABORTED) || is_limit) &&
-                          (answer->axis < robot->axis_count);
+    const bool is_of_restoring = (answer->command == (uint32_t)COMMAND_RESTORE) &&
+                                 ((answer->status == (uint32_t)STATUS_OUT_OF_RANGE) ||
+                                  (answer->status == (uint32_t)STATUS_HARDWARE_NOT_READY));
+    const bool is_named =
+        is_why && ((answer->kind == (uint32_t)ANSWER_ABORTED) || is_limit || is_of_restoring) &&
+        (answer->axis < robot->axis_count);
     return is_named ? robot->axes[answer->axis].name : NULL;
 }
 

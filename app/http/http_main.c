@@ -5,7 +5,7 @@
  * that has to be saved: killing it at any moment is its orderly end.
  *
  *     boresight-http --exchange NAME --recordings DIRECTORY [--port 8080] [--bind 127.0.0.1]
- *                    [--box NAME] [--accounts FILE] [--tls-file FILE]
+ *                    [--box NAME] [--accounts FILE] [--tls-file FILE] [--box-key FILE]
  *     boresight-http --tls-file FILE --stunnel        prints the configuration of stunnel
  */
 #include "base/contract.h"
@@ -39,6 +39,7 @@ typedef struct {
     const char *accounts;
     const char *recordings;
     const char *tls_file;
+    const char *box_key;
     bool is_stunnel_asked;
     http_guard_t guard;
 } options_t;
@@ -74,6 +75,9 @@ static bool read_option(int option, const char *value, options_t *options)
     case 't':
         options->tls_file = value;
         return true;
+    case 'k':
+        options->box_key = value;
+        return true;
     case 's':
         options->is_stunnel_asked = true;
         return true;
@@ -102,6 +106,7 @@ static bool read_options(int count, char **arguments, options_t *options)
                                           {"tls-file", required_argument, NULL, 't'},
                                           {"stunnel", no_argument, NULL, 's'},
                                           {"recordings", required_argument, NULL, 'd'},
+                                          {"box-key", required_argument, NULL, 'k'},
                                           {NULL, 0, NULL, 0}};
     (void)memset(options, 0, sizeof *options);
     options->guard.port = DEFAULT_PORT;
@@ -172,7 +177,8 @@ int main(int count, char **arguments)
     if (!read_options(count, arguments, &options)) {
         (void)fprintf(stderr,
                       "usage: boresight-http --exchange NAME --recordings DIRECTORY [--port 8080] "
-                      "[--bind 127.0.0.1] [--box NAME] [--accounts FILE] [--tls-file FILE]\n"
+                      "[--bind 127.0.0.1] [--box NAME] [--accounts FILE] [--tls-file FILE] "
+                      "[--box-key FILE]\n"
                       "       boresight-http --tls-file FILE --stunnel\n");
         return EXIT_USAGE;
     }
@@ -203,6 +209,7 @@ int main(int count, char **arguments)
                                          .box = options.box,
                                          .accounts = options.accounts,
                                          .recordings = options.recordings,
+                                         .box_key = options.box_key,
                                          .front = (options.tls_file != NULL) ? &front : NULL};
     http_server_init(&server, &config);
     if (!http_server_prepare_logins(&server, error, sizeof error)) {

@@ -9,6 +9,7 @@
 #include "http/http_door.h"
 #include "http/http_log_note.h"
 #include "http/http_motion.h"
+#include "http/http_positions.h"
 #include "http/http_reply.h"
 #include "http/stop_desk.h"
 #include "interface/app/messages.h"
@@ -161,6 +162,12 @@ static int answer(http_server_t *server, const http_call_t *call)
         return http_motion_jog(server, call);
     case ROUTE_RETRACT:
         return http_motion_retract(server, call);
+    case ROUTE_POSITIONS:
+        return http_positions_save(server, connection);
+    case ROUTE_PREVIEW:
+        return http_positions_preview(server, call);
+    case ROUTE_RESTORE:
+        return http_positions_restore(server, call);
     default:
         return http_reply_refuse(connection, PROBLEM_NOT_FOUND);
     }

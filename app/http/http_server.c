@@ -5,6 +5,7 @@
 #include "http/asset.h"
 #include "http/http_door.h"
 #include "http/http_lines.h"
+#include "http/http_positions.h"
 #include "http/http_reply.h"
 #include "http/http_routes.h"
 #include "http/stop_port.h"
@@ -63,6 +64,7 @@ void http_server_init(http_server_t *self, const http_server_config_t *config)
     act_desk_init(&self->acts, config->exchange);
     http_notes_init(&self->notes, config->exchange, &self->acts);
     session_desk_init(&self->desk, config->accounts, http_notes_write, &self->notes);
+    http_positions_begin(self, config->box_key);
     make_boot_id(self->identity.boot_id, sizeof self->identity.boot_id);
     self->identity.build_id = BUILD_ID;
     self->identity.box = config->box;

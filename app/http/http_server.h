@@ -15,6 +15,7 @@
 #include "http/http_stream.h"
 #include "http/telemetry.h"
 #include "http/telemetry_json.h"
+#include "saved/saved_desk.h"
 #include "session/session_desk.h"
 
 #include <civetweb.h>
@@ -31,6 +32,9 @@ typedef struct {
     session_desk_t desk;
     http_notes_t notes;
     act_desk_t acts;
+    saved_desk_t positions;
+    bool has_key;
+    saved_key_t key; /**< Of the box. */
     telemetry_identity_t identity;
     telemetry_t telemetry;
     http_stream_t stream;
@@ -59,6 +63,7 @@ typedef struct {
     const char *box;          /**< Name of the simulated box; NULL: real cards. */
     const char *accounts;     /**< File of the accounts; NULL: none. */
     const char *recordings;   /**< Folder of the recorder. */
+    const char *box_key;      /**< File of the key of the box; NULL: none. */
     const tls_front_t *front; /**< How TLS leads here; NULL: it does not. */
 } http_server_config_t;
 

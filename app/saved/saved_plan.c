@@ -66,6 +66,7 @@ void saved_plan_make(saved_plan_t *self, const saved_t *saved, const snapshot_t 
                      const robot_t *robot)
 {
     (void)memset(self, 0, sizeof *self);
+    self->axis_count = robot->axis_count;
     self->power_on = snapshot->power_on;
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
         self->rows[i] = row_of(saved, snapshot, &robot->axes[i], i);

@@ -28,6 +28,7 @@ typedef struct {
 } saved_row_t;
 
 typedef struct {
+    uint32_t axis_count;
     uint32_t axes; /**< Bit n: axis n is restored. */
     uint32_t power_on;
     saved_row_t rows[ROBOT_AXIS_MAX];

@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <sys/types.h>
 
-#define CHILD_ARGUMENTS 15U
+#define CHILD_ARGUMENTS 18U
 #define CHILD_PATH_SIZE 640U
 #define CHILD_BACKOFF_FIRST_US UINT64_C(200000)
 #define CHILD_BACKOFF_MOST_US UINT64_C(5000000)

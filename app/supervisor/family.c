@@ -98,15 +98,17 @@ static bool name_box(family_t *self, const options_t *options, char *error, uint
     for (char *slash = strchr(name, '/'); slash != NULL; slash = strchr(slash, '/')) {
         *slash = '_';
     }
+    (void)snprintf(self->box_key, sizeof self->box_key, "%s.key", self->positions);
     return true;
 }
 
 static void set_http(family_t *self, const options_t *options)
 {
-    const char *http[CHILD_ARGUMENTS] = {"--exchange",       options->instance,  "--port",
-                                         options->http_port, "--bind",           options->bind,
-                                         "--recordings",     options->recordings};
-    uint32_t count = 8U;
+    const char *http[CHILD_ARGUMENTS] = {
+        "--exchange", options->instance, "--port",       options->http_port,
+        "--bind",     options->bind,     "--recordings", options->recordings,
+        "--box-key",  self->box_key};
+    uint32_t count = 10U;
 
     if (options->accounts != NULL) {
         http[count] = "--accounts";

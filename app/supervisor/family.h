@@ -26,11 +26,12 @@ typedef enum {
 #define FAMILY_SIZE (BOARD_COMPANIONS + 4U)
 
 typedef struct {
-    child_t members[FAMILY_SIZE];     /**< The name is NULL where the board has none. */
-    bool runs_already[FAMILY_SIZE];   /**< It is not ours: it ran before and runs on. */
-    char box[BOARD_VALUE_SIZE];       /**< What control opens. */
-    uint32_t slowness;                /**< Control and companions have as many times longer. */
-    char positions[FAMILY_PATH_SIZE]; /**< File of the kept positions of this box. */
+    child_t members[FAMILY_SIZE];        /**< The name is NULL where the board has none. */
+    bool runs_already[FAMILY_SIZE];      /**< It is not ours: it ran before and runs on. */
+    char box[BOARD_VALUE_SIZE];          /**< What control opens. */
+    uint32_t slowness;                   /**< Control and companions have as many times longer. */
+    char positions[FAMILY_PATH_SIZE];    /**< File of the kept positions of this box. */
+    char box_key[FAMILY_PATH_SIZE + 4U]; /**< File of its key. */
     char words[BOARD_COMPANIONS][BOARD_ARGUMENTS][FAMILY_TEXT_SIZE]; /**< Of their arguments. */
     int output; /**< Where their standard output and error go. */
     int errors;
