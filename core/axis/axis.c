@@ -368,6 +368,12 @@ void axis_guard(const axis_t *self, const axis_config_t *config, bool is_driven,
     *maximum_reading = reading_at(self, config, is_inverted ? below : above);
 }
 
+bool axis_is_confirmable(const axis_t *self, const axis_config_t *config)
+{
+    return is_unverified(self) || axis_needs_confirmation(self, config) ||
+           (axis_is_contradicted(self) && (self->chart.reference == AXIS_REFERENCE_LOST));
+}
+
 bool axis_needs_confirmation(const axis_t *self, const axis_config_t *config)
 {
     return !has_switch(config) &&

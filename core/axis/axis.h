@@ -85,7 +85,7 @@ void axis_doubt(axis_t *self);
 void axis_restore(axis_t *self, const axis_config_t *config, int32_t position_ticks);
 
 /**
- * The axis stands at `position_ticks`, as somebody has saved: unverified, whatever it was.
+ * The axis stands at `position_ticks`, as somebody has saved or says: unverified, whatever it was.
  *
  * @satisfies SWR-STORE-020
  */
@@ -181,6 +181,18 @@ static inline bool axis_is_homed(const axis_t *self)
 {
     return axis_chart_in_homed(&self->chart);
 }
+
+/** Nothing has been known of its position since the start. */
+static inline bool axis_is_fresh(const axis_t *self)
+{
+    return self->chart.reference == AXIS_REFERENCE_FRESH;
+}
+
+/** axis_confirm() would verify it.
+ *
+ * @satisfies SWR-AXIS-040
+ */
+bool axis_is_confirmable(const axis_t *self, const axis_config_t *config);
 
 /** Lost or unverified without a switch: only axis_confirm() makes it homed. */
 bool axis_needs_confirmation(const axis_t *self, const axis_config_t *config);

@@ -20,6 +20,15 @@ bool follower_has_one(const robot_t *robot, uint32_t leader)
     return has_one;
 }
 
+bool follower_is_in_block(const robot_t *robot, uint32_t index)
+{
+    bool is_in_one = follower_has_one(robot, index);
+    for (uint32_t i = 0U; i < ROBOT_HOME_STAGES; i++) {
+        is_in_one = is_in_one || (robot->axes[index].leaders[i] != 0U);
+    }
+    return is_in_one;
+}
+
 uint32_t follower_leader(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX], uint32_t index)
 {
     uint32_t found = index;

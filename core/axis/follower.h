@@ -21,6 +21,10 @@ bool follower_is_of(const robot_t *robot, uint32_t index, uint32_t leader);
 /** @return true when any axis follows axis `leader` */
 bool follower_has_one(const robot_t *robot, uint32_t leader);
 
+/** @return true when axis `index` does not home alone: it follows one in some stage, or one follows
+ * it */
+bool follower_is_in_block(const robot_t *robot, uint32_t index);
+
 /** @return with which axis axis `index` travels now: the one that homes and that it follows;
  * itself when there is none */
 uint32_t follower_leader(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX], uint32_t index);

@@ -184,26 +184,35 @@ static void obey_release(controller_t *self, const cycle_t *cycle, const command
     }
 }
 
-static status_t obey_request(controller_t *self, const cycle_t *cycle, const command_t *command)
+status_t controller_ask_button(controller_t *self, const cycle_t *cycle, const command_t *command,
+                               authority_request_t request, uint32_t axis)
 {
     const authority_party_t party = party_of(command);
+    if (cycle->inputs->has_button == 0U) {
+        return STATUS_NO_BUTTON;
+    }
+    if (!authority_ask(&self->authority, request, axis, &party, self->time_us)) {
+        return STATUS_BUSY;
+    }
+    confirm_button_renew(&self->confirm);
+    return STATUS_OK;
+}
+
+static status_t obey_request(controller_t *self, const cycle_t *cycle, const command_t *command)
+{
     if ((command->argument != (uint32_t)AUTHORITY_REQUEST_CONFIRM) &&
         (command->argument != (uint32_t)AUTHORITY_REQUEST_TAKE)) {
         return STATUS_UNKNOWN_COMMAND;
     }
-    if (party.peer == 0U) {
+    if (command->peer == 0U) {
         return STATUS_NO_AUTHORITY;
     }
-    if (cycle->inputs->has_button == 0U) {
-        return STATUS_NO_BUTTON;
+    const status_t status =
+        controller_ask_button(self, cycle, command, (authority_request_t)command->argument, 0U);
+    if (status == STATUS_OK) {
+        controller_note(self, cycle, EVENT_AUTHORITY_ASKED, command->argument, 0);
     }
-    if (!authority_ask(&self->authority, (authority_request_t)command->argument, &party,
-                       self->time_us)) {
-        return STATUS_BUSY;
-    }
-    confirm_button_renew(&self->confirm);
-    controller_note(self, cycle, EVENT_AUTHORITY_ASKED, command->argument, 0);
-    return STATUS_OK;
+    return status;
 }
 
 status_t controller_obey_authority(controller_t *self, const cycle_t *cycle,

@@ -49,6 +49,25 @@ static inline bool controller_is_of_authority(const command_t *command)
 status_t controller_obey_authority(controller_t *self, const cycle_t *cycle,
                                    const command_t *command);
 
+/**
+ * The next press of the button means `request`, for who sent `command`, which has a peer; `axis` as
+ * authority_ask().
+ *
+ * @return STATUS_OK; STATUS_NO_BUTTON; STATUS_BUSY while another one's request waits
+ */
+status_t controller_ask_button(controller_t *self, const cycle_t *cycle, const command_t *command,
+                               authority_request_t request, uint32_t axis);
+
+/** A confirmation now is one of axis `index`: nobody asked for that of another axis alone.
+ *
+ * @satisfies SWR-AXIS-039
+ */
+static inline bool controller_confirms_axis(const controller_t *self, uint32_t index)
+{
+    return (self->authority.request != (uint32_t)AUTHORITY_REQUEST_CONFIRM_AXIS) ||
+           (self->authority.request_axis == index);
+}
+
 /** The press of the button that comes now is to give authority away. */
 static inline bool controller_awaits_grant(const controller_t *self)
 {

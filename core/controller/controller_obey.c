@@ -2,6 +2,7 @@
 #include "controller/controller_obey.h"
 
 #include "controller/controller_authority.h"
+#include "controller/controller_axis.h"
 #include "controller/controller_facts.h"
 #include "controller/controller_order.h"
 #include "controller/controller_plan.h"
@@ -48,7 +49,11 @@ static const rights_t rights[COMMAND_SOURCE_COUNT] = {
                                        [COMMAND_RELEASE] = true,
                                        [COMMAND_REQUEST] = true,
                                        [COMMAND_RESTORE] = true,
-                                       [COMMAND_NOTE] = true},
+                                       [COMMAND_NOTE] = true,
+                                       [COMMAND_HOME_AXIS] = true,
+                                       [COMMAND_CLEAR_AXIS] = true,
+                                       [COMMAND_CONFIRM_AXIS] = true,
+                                       [COMMAND_SET_HOME] = true},
                              .workphases = {[WORKPHASE_START_UP] = true,
                                             [WORKPHASE_PLANNING] = true,
                                             [WORKPHASE_CALIBRATION] = true,
@@ -80,21 +85,13 @@ static void begin_start_up(controller_t *self, const cycle_t *cycle)
     }
 }
 
-/* The chart has armed a motion: this one. */
-static void arm(controller_t *self, const command_t *command, mode_kind_t kind,
-                const mode_request_t *request)
-{
-    mode_begin(&self->mode, kind, request);
-    controller_await_order(self, command);
-}
-
 /* The mode that belongs to the workphase, to the target if it is a move. */
 static void arm_workphase(controller_t *self, const command_t *command)
 {
     mode_request_t request = {.jog = {0U, 0}};
     (void)memcpy(request.move.target_ticks, self->plan.target_ticks,
                  sizeof request.move.target_ticks);
-    arm(self, command, mode_of((workphase_t)command->argument), &request);
+    controller_arm(self, command, mode_of((workphase_t)command->argument), &request);
 }
 
 static solution_t judge_move(controller_t *self, const cycle_t *cycle)
@@ -142,27 +139,6 @@ static status_t obey_workphase(controller_t *self, const cycle_t *cycle, const c
     return STATUS_OK;
 }
 
-static status_t obey_jog(controller_t *self, const cycle_t *cycle, const command_t *command,
-                         answer_t *answer)
-{
-    const mode_request_t request = {.jog = {.axis = command->argument, .ticks = command->value}};
-    const solution_t judged = mode_judge(MODE_JOG, &request, cycle->robot, self->axes);
-    procedure_actions_t actions;
-    answer->axis = (uint32_t)judged.axis;
-    answer->is_maximum = (uint32_t)judged.is_maximum;
-    if (judged.status != STATUS_OK) {
-        return judged.status;
-    }
-    const workphase_inputs_t guards = controller_guards(self, cycle);
-    const status_t status = procedure_request_jog(&self->procedure, &guards, &actions);
-    controller_report_order(self, cycle, actions.arming, STATUS_DISCARDED);
-    if (status == STATUS_OK) {
-        arm(self, command, MODE_JOG, &request);
-        answer->is_final = 0U;
-    }
-    return status;
-}
-
 /* Whatever is armed gives way to it. */
 static status_t obey_retract(controller_t *self, const cycle_t *cycle, const command_t *command,
                              answer_t *answer)
@@ -173,7 +149,7 @@ static status_t obey_retract(controller_t *self, const cycle_t *cycle, const com
     const status_t status = procedure_request_retract(&self->procedure, &guards, &actions);
     controller_report_order(self, cycle, actions.arming, STATUS_DISCARDED);
     if (status == STATUS_OK) {
-        arm(self, command, MODE_RETRACT, &nothing);
+        controller_arm(self, command, MODE_RETRACT, &nothing);
         answer->is_final = 0U;
     }
     return status;
@@ -221,7 +197,11 @@ static status_t carry_out(controller_t *self, const cycle_t *cycle, const comman
         status = obey_workphase(self, cycle, command, answer);
         break;
     case (uint32_t)COMMAND_JOG:
-        status = obey_jog(self, cycle, command, answer);
+    case (uint32_t)COMMAND_HOME_AXIS:
+    case (uint32_t)COMMAND_CLEAR_AXIS:
+    case (uint32_t)COMMAND_CONFIRM_AXIS:
+    case (uint32_t)COMMAND_SET_HOME:
+        status = controller_obey_axis(self, cycle, command, answer);
         break;
     case (uint32_t)COMMAND_RETRACT:
         status = obey_retract(self, cycle, command, answer);

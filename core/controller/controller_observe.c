@@ -269,7 +269,7 @@ static void confirm(controller_t *self, const cycle_t *cycle)
 {
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         axis_t *const axis = &self->axes[i];
-        if (link_is_healthy_now(controller_link(self, i)) &&
+        if (controller_confirms_axis(self, i) && link_is_healthy_now(controller_link(self, i)) &&
             axis_confirm(axis, &cycle->robot->axes[i])) {
             controller_note(self, cycle, EVENT_AXIS_CONFIRMED, i, axis->encoder.position_ticks);
         }

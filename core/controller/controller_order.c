@@ -12,8 +12,10 @@ answer_t *controller_add_answer(const controller_t *self, const cycle_t *cycle)
     return answer;
 }
 
-void controller_await_order(controller_t *self, const command_t *command)
+void controller_arm(controller_t *self, const command_t *command, mode_kind_t kind,
+                    const mode_request_t *request)
 {
+    mode_begin(&self->mode, kind, request);
     self->pending.id = command->id;
     self->pending.source = command->source;
     self->pending.kind = command->kind;

@@ -8,8 +8,11 @@
 /** Adds an answer to this cycle's outputs. */
 answer_t *controller_add_answer(const controller_t *self, const cycle_t *cycle);
 
-/** The order that is armed now is to be answered for good later: by `command`. */
-void controller_await_order(controller_t *self, const command_t *command);
+/** The chart has armed a motion: `kind`, with `request`. `command` is to be answered for good
+ * later.
+ */
+void controller_arm(controller_t *self, const command_t *command, mode_kind_t kind,
+                    const mode_request_t *request);
 
 /** The workphase or the order was damaged, and both are in their safe states: what was armed is
  * given up. */

@@ -185,6 +185,7 @@ static void show_authority(const controller_t *self, snapshot_t *shown)
     shown->holder_peer = authority->holder.peer;
     shown->held_since_cycle = authority->since_cycle;
     shown->request = authority->request;
+    shown->request_axis = authority->request_axis;
     shown->requester = authority->requester.source;
     shown->requester_peer = authority->requester.peer;
     shown->request_left_us = authority_request_left_us(authority, self->time_us);

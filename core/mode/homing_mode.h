@@ -4,13 +4,15 @@
  * Homing: the needle leaves if it is in, then the axes find their home positions, stage after stage
  * of the robot's table (core/axis/homing.h says how one does), with those that follow them
  * (core/axis/follower.h). At last all go to the pose home, if the robot has one. Its state is that
- * of the axes.
+ * of the axes. Or a single axis homes, by the same rules.
  */
 #ifndef BORESIGHT_HOMING_MODE_H
 #define BORESIGHT_HOMING_MODE_H
 
 #include "mode/leg.h"
 #include "mode/mode_frame.h"
+#include "robot/joints.h"
+#include "robot/robot.h"
 
 #include <stdbool.h>
 
@@ -35,5 +37,27 @@ bool homing_mode_is_done(const leg_t *leg, const mode_frame_t *frame);
  * @satisfies SWR-ROBOT-024
  */
 void homing_mode_step(leg_t *leg, const mode_frame_t *frame, mode_result_t *result);
+
+/**
+ * May axis `index` be homed alone?
+ *
+ * @return status STATUS_OK; STATUS_UNKNOWN_COMMAND for no axis; STATUS_HOMES_WITH_OTHERS of one of
+ * a block; STATUS_HOMES_OTHERWISE without a switch, unless it is fresh; STATUS_NEEDLE_IN;
+ * STATUS_NOT_HOMED or the refusal of a coupled limit as coupled_guard_judge_homing()
+ *
+ * @satisfies SWR-AXIS-036
+ */
+solution_t homing_mode_judge(uint32_t index, const robot_t *robot,
+                             const axis_t axes[ROBOT_AXIS_MAX]);
+
+/** Axis `index` is homed. */
+bool homing_mode_is_axis_done(uint32_t index, const mode_frame_t *frame);
+
+/**
+ * One cycle of homing axis `index` alone; all others rest. Fails when a coupled limit bars it.
+ *
+ * @satisfies SWR-AXIS-034
+ */
+void homing_mode_step_axis(uint32_t index, const mode_frame_t *frame, mode_result_t *result);
 
 #endif

@@ -24,6 +24,7 @@ static const mode_row_t table[MODE_COUNT] = {
     [MODE_MOVE] = {IN(WORKPHASE_MOVE_TO_TARGET), true, false, NEEDLE_HEEDED_BY_NONE},
     [MODE_JOG] = {IN(WORKPHASE_MANUAL), false, true, NEEDLE_HEEDED_BY_JOGGED},
     [MODE_RETRACT] = {IN(WORKPHASE_MOVE_TO_TARGET), false, false, NEEDLE_HEEDED_BY_NONE},
+    [MODE_HOME_AXIS] = {IN(WORKPHASE_MANUAL), false, true, NEEDLE_HEEDED_BY_ACROSS},
 };
 
 static bool runs_in(uint32_t kind, workphase_t workphase)
@@ -51,8 +52,15 @@ mode_kind_t mode_in(const mode_state_t *self, workphase_t workphase)
 solution_t mode_judge(mode_kind_t kind, const mode_request_t *request, const robot_t *robot,
                       const axis_t axes[ROBOT_AXIS_MAX])
 {
-    const solution_t fine = {.status = STATUS_OK, .axis = 0U, .is_maximum = 0U};
-    return (kind == MODE_JOG) ? jog_mode_judge(&request->jog, robot, axes) : fine;
+    solution_t result = {.status = STATUS_OK, .axis = 0U, .is_maximum = 0U};
+    if (kind == MODE_JOG) {
+        result = jog_mode_judge(&request->jog, robot, axes);
+    } else if (kind == MODE_HOME_AXIS) {
+        result = homing_mode_judge(request->jog.axis, robot, axes);
+    } else {
+        /* Nothing but the workphase refuses it. */
+    }
+    return result;
 }
 
 void mode_begin(mode_state_t *self, mode_kind_t kind, const mode_request_t *request)
@@ -79,6 +87,9 @@ static void run(mode_state_t *self, mode_kind_t kind, const mode_frame_t *frame,
     case MODE_RETRACT:
         retract_mode_step(&self->leg, frame, result);
         break;
+    case MODE_HOME_AXIS:
+        homing_mode_step_axis(self->jog.axis, frame, result);
+        break;
     case MODE_NONE:
     default:
         /* What was armed is not known any more. */
@@ -93,7 +104,8 @@ static void run(mode_state_t *self, mode_kind_t kind, const mode_frame_t *frame,
 static bool is_done_already(const mode_state_t *self, mode_kind_t kind, const mode_frame_t *frame)
 {
     return ((kind == MODE_HOMING) && homing_mode_is_done(&self->leg, frame)) ||
-           ((kind == MODE_RETRACT) && retract_mode_is_done(frame));
+           ((kind == MODE_RETRACT) && retract_mode_is_done(frame)) ||
+           ((kind == MODE_HOME_AXIS) && homing_mode_is_axis_done(self->jog.axis, frame));
 }
 
 void mode_step(mode_state_t *self, const mode_frame_t *frame, mode_result_t *result)

@@ -19,19 +19,20 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define MODE_COUNT 5U
+#define MODE_COUNT 6U
 
 typedef enum {
     MODE_NONE = 0, /**< Does nothing. */
     MODE_HOMING = 1,
     MODE_MOVE = 2,
     MODE_JOG = 3,
-    MODE_RETRACT = 4
+    MODE_RETRACT = 4,
+    MODE_HOME_AXIS = 5 /**< Of one axis. */
 } mode_kind_t;
 
 /** What a mode is asked for; each reads what it needs. */
 typedef struct {
-    jog_mode_t jog;
+    jog_mode_t jog; /**< MODE_HOME_AXIS reads its axis. */
     move_mode_t move;
 } mode_request_t;
 
@@ -53,7 +54,7 @@ mode_kind_t mode_in(const mode_state_t *self, workphase_t workphase);
 /**
  * May `kind` be armed with this request? What every mode needs is asked by the workphase chart.
  *
- * @return STATUS_OK; of MODE_JOG as jog_mode_judge()
+ * @return STATUS_OK; of MODE_JOG as jog_mode_judge(), of MODE_HOME_AXIS as homing_mode_judge()
  */
 solution_t mode_judge(mode_kind_t kind, const mode_request_t *request, const robot_t *robot,
                       const axis_t axes[ROBOT_AXIS_MAX]);

@@ -63,12 +63,12 @@ status_t procedure_request(procedure_t *self, const workphase_inputs_t *inputs, 
                            procedure_actions_t *actions);
 
 /**
- * Asks for a jog to be armed. Same meaning.
+ * Asks for a motion of one axis to be armed, a jog or its homing. Same meaning.
  *
  * @satisfies SWR-AXIS-010
  */
-status_t procedure_request_jog(procedure_t *self, const workphase_inputs_t *inputs,
-                               procedure_actions_t *actions);
+status_t procedure_request_axis_motion(procedure_t *self, const workphase_inputs_t *inputs,
+                                       procedure_actions_t *actions);
 
 /**
  * Asks for a retraction of the needle to be armed. Same meaning.

@@ -90,14 +90,15 @@ bool authority_step(authority_t *self, bool is_at_rest, uint32_t elapsed_us, aut
     return succeed(self, now);
 }
 
-bool authority_ask(authority_t *self, authority_request_t request, const authority_party_t *party,
-                   uint32_t time_us)
+bool authority_ask(authority_t *self, authority_request_t request, uint32_t axis,
+                   const authority_party_t *party, uint32_t time_us)
 {
     const bool is_anothers = (self->requester.peer != 0U) && !is_same(&self->requester, party);
     if (is_anothers) {
         return false;
     }
     self->request = (uint32_t)request;
+    self->request_axis = axis;
     self->requester = *party;
     self->requested_us = time_us;
     return true;

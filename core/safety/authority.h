@@ -26,6 +26,7 @@ typedef struct {
     uint32_t since_cycle;     /**< It was taken. */
     uint32_t since_us;        /**< Renewed last, or lost. */
     uint32_t request;         /**< authority_request_t. */
+    uint32_t request_axis;    /**< Which one, with AUTHORITY_REQUEST_CONFIRM_AXIS. */
     authority_party_t requester;
     uint32_t requested_us;
     authority_chart_t chart;
@@ -93,13 +94,13 @@ bool authority_is_unrenewed(const authority_t *self, uint32_t time_us);
 bool authority_step(authority_t *self, bool is_at_rest, uint32_t elapsed_us, authority_time_t now);
 
 /**
- * The next press of the button means `request`, for `party`. @return false: another one's request
- * stands
+ * The next press of the button means `request`, for `party`; with AUTHORITY_REQUEST_CONFIRM_AXIS of
+ * `axis`. @return false: another one's request stands
  *
  * @satisfies SWR-AUTH-012
  */
-bool authority_ask(authority_t *self, authority_request_t request, const authority_party_t *party,
-                   uint32_t time_us);
+bool authority_ask(authority_t *self, authority_request_t request, uint32_t axis,
+                   const authority_party_t *party, uint32_t time_us);
 
 /** Until the request lapses, in us; 0 without one, and once it was granted. */
 uint32_t authority_request_left_us(const authority_t *self, uint32_t time_us);

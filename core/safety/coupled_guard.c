@@ -187,21 +187,28 @@ static bool is_in_block(const robot_t *robot, const coupled_limit_t *limit,
     return is_in_one;
 }
 
+/* What the limit would measure with axis `index` at home. */
+static int64_t value_at_home(const robot_t *robot, uint32_t limit_index,
+                             const axis_t axes[ROBOT_AXIS_MAX], uint32_t index)
+{
+    joints_t joints;
+    find_joints(robot, &robot->coupled_limits[limit_index], axes, &joints);
+    joints.value[index] = joints_of(&robot->axes[index], robot->axes[index].home_ticks);
+    return kinematics_coupled(robot, limit_index, &joints);
+}
+
 /* Nobody knows where an axis is that is not homed, but where its switch is. */
 static bool is_home_beyond(const robot_t *robot, uint32_t limit_index,
                            const axis_t axes[ROBOT_AXIS_MAX], uint32_t index, bool is_beginning)
 {
     const coupled_limit_t *const limit = &robot->coupled_limits[limit_index];
     const axis_config_t *const config = &robot->axes[index];
-    joints_t joints;
     if ((config->limit_switch == (uint8_t)LIMIT_SWITCH_NONE) ||
         (unknown_axes(robot, limit, axes) != ((uint32_t)1U << index)) ||
         is_in_block(robot, limit, axes, index, is_beginning)) {
         return false;
     }
-    find_joints(robot, limit, axes, &joints);
-    joints.value[index] = joints_of(config, config->home_ticks);
-    const int64_t value = kinematics_coupled(robot, limit_index, &joints);
+    const int64_t value = value_at_home(robot, limit_index, axes, index);
     return (value < (int64_t)limit->minimum) || (value > (int64_t)limit->maximum);
 }
 
@@ -294,5 +301,26 @@ solution_t coupled_guard_judge(const robot_t *robot, const axis_t axes[ROBOT_AXI
         }
     }
     result.axis = (result.status == STATUS_OK) ? 0U : (uint8_t)index;
+    return result;
+}
+
+solution_t coupled_guard_judge_homing(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
+                                      uint32_t index)
+{
+    solution_t result = {.status = STATUS_OK, .axis = (uint8_t)index, .is_maximum = 0U};
+    for (uint32_t i = 0U; (i < robot->coupled_limit_count) && (result.status == STATUS_OK); i++) {
+        const coupled_limit_t *const limit = &robot->coupled_limits[i];
+        if (!coupled_limit_has(limit, index)) {
+            /* It has no part in it. */
+        } else if ((unknown_axes(robot, limit, axes) & ~((uint32_t)1U << index)) != 0U) {
+            result.status = STATUS_NOT_HOMED;
+        } else {
+            const int64_t value = value_at_home(robot, i, axes, index);
+            const bool is_below = value < (int64_t)limit->minimum;
+            result.is_maximum = (value > (int64_t)limit->maximum) ? 1U : 0U;
+            result.status =
+                (is_below || (result.is_maximum != 0U)) ? (status_t)limit->refusal : STATUS_OK;
+        }
+    }
     return result;
 }

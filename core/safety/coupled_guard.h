@@ -78,4 +78,15 @@ bool coupled_guard_is_known(const robot_t *robot, const axis_t axes[ROBOT_AXIS_M
 solution_t coupled_guard_judge(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
                                uint32_t index, int32_t ticks);
 
+/**
+ * May axis `index` be homed alone, with the others where they are?
+ *
+ * @return STATUS_OK; STATUS_NOT_HOMED while another axis of one of its limits is not homed; or the
+ * refusal of the first limit that its home position would miss, with the axis
+ *
+ * @satisfies SWR-AXIS-036
+ */
+solution_t coupled_guard_judge_homing(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
+                                      uint32_t index);
+
 #endif

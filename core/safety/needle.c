@@ -18,7 +18,7 @@ int32_t needle_retracted_ticks(const robot_t *robot)
 }
 
 /* A switch alone, which may be broken, does not say so. */
-static bool is_out(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX])
+bool needle_is_out(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX])
 {
     const axis_t *const needle = &axes[robot->needle_axis];
     const axis_config_t *const config = &robot->axes[robot->needle_axis];
@@ -30,7 +30,7 @@ static bool is_out(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX])
 bool needle_must_leave(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX])
 {
     bool is_base_unknown = false;
-    if (!axis_is_homed(&axes[robot->needle_axis]) || is_out(robot, axes)) {
+    if (!axis_is_homed(&axes[robot->needle_axis]) || needle_is_out(robot, axes)) {
         return false;
     }
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
@@ -48,7 +48,7 @@ bool needle_forbids_jog(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
     const uint32_t motion = robot->axes[index].needle_motion;
     bool is_forbidden = false;
     if (motion == (uint32_t)NEEDLE_ACROSS) {
-        is_forbidden = !is_out(robot, axes);
+        is_forbidden = !needle_is_out(robot, axes);
     } else if (motion == (uint32_t)NEEDLE_ALONG) {
         is_forbidden = is_upwards && !axis_is_homed(&axes[index]);
     } else {

@@ -19,6 +19,9 @@ int32_t needle_out_ticks(const robot_t *robot);
  */
 int32_t needle_retracted_ticks(const robot_t *robot);
 
+/** @return true when the needle is homed and no deeper than needle_out_ticks() */
+bool needle_is_out(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX]);
+
 /**
  * @return true when the needle is homed and in, and an axis across it is not homed: it must leave
  * before that homes

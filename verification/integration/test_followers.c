@@ -352,6 +352,19 @@ void test_SWR_AXIS_029_a_follower_that_meets_its_switch_stops_all(void)
     TEST_ASSERT_DOUBLE_WITHIN(100.0, -370000.0, true_ticks(REAR_RIGHT));
 }
 
+void test_SWR_AXIS_036_a_linkage_does_not_home_carriage_by_carriage(void)
+{
+    start();
+    rig_release(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
+    for (uint32_t i = FRONT_LEFT; i <= REAR_RIGHT; i++) {
+        const command_t home = {.kind = COMMAND_HOME_AXIS, .argument = i};
+        TEST_ASSERT_EQUAL_UINT32(STATUS_HOMES_WITH_OTHERS, rig_command(&rig, home).status);
+    }
+    const command_t needle = {.kind = COMMAND_HOME_AXIS, .argument = NEEDLE};
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, needle).status);
+}
+
 /* The block was another one when it stopped. */
 void test_SWR_AXIS_031_a_homing_that_was_interrupted_begins_anew_from_where_the_axes_are(void)
 {

@@ -53,7 +53,7 @@ class TestComposition < Minitest::Test
 
   # Without these stimuli two axes can be explored without exchanging them.
   RARE = %w[loop.late pedal.differ scanner.on plan.register axis_N.home workphase.request_planning
-            workphase.request_manual workphase.request_jog workphase.request_retract].freeze
+            workphase.request_manual workphase.request_axis_motion workphase.request_retract].freeze
   NEVER = "when: In('plan.empty') && In('plan.targeted')"
   UNCHANGED = Class.new(Exchange) do
     def name(text)

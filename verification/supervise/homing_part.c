@@ -15,7 +15,7 @@ bool homing_part_is_homed(const rig_t *rig, uint32_t axis)
            (grade == (uint32_t)AXIS_REFERENCE_VERIFIED);
 }
 
-static bool is_homing(const rig_t *rig, uint32_t axis)
+bool homing_part_is_homing(const rig_t *rig, uint32_t axis)
 {
     const uint32_t leg = rig->outputs.snapshot.axes[axis].reference;
     return (leg == (uint32_t)AXIS_REFERENCE_LEAVE) || (leg == (uint32_t)AXIS_REFERENCE_APPROACH) ||
@@ -38,7 +38,7 @@ static bool is_following(const rig_t *rig, uint32_t axis)
     bool is_led = false;
     for (uint32_t stage = 1U; stage <= ROBOT_HOME_STAGES; stage++) {
         const uint32_t leader = config_of(rig, axis)->leaders[stage - 1U];
-        is_led = is_led || ((leader != 0U) && is_homing(rig, leader - 1U) &&
+        is_led = is_led || ((leader != 0U) && homing_part_is_homing(rig, leader - 1U) &&
                             (config_of(rig, leader - 1U)->home_stage == stage));
     }
     return is_led;
@@ -50,6 +50,6 @@ bool homing_part_has(const rig_t *rig, uint32_t axis)
     const bool has_pose = (robot->pose_mask & ((uint32_t)1U << (uint32_t)POSE_HOME)) != 0U;
     return (rig->outputs.snapshot.is_homed != 0U)
                ? has_pose
-               : ((is_homing(rig, axis) && is_due(rig, axis)) || is_following(rig, axis) ||
+               : ((homing_part_is_homing(rig, axis) && is_due(rig, axis)) || is_following(rig, axis) ||
                   ((axis == robot->needle_axis) && homing_part_is_homed(rig, axis)));
 }

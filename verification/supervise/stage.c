@@ -4,10 +4,12 @@
 #include "charts/arming_chart.h"
 #include "limits/requirement_limits.h"
 #include "robot/kinematics.h"
+#include "supervise/acts.h"
 #include "supervise/chance.h"
 #include "supervise/targets.h"
 
 #include <math.h>
+
 #include <stdio.h>
 #include <string.h>
 
@@ -260,6 +262,18 @@ static bool has_whim(stage_t *self, uint32_t bound)
     return chance_below(&self->whim, bound) == 0U;
 }
 
+/* One of the acts for a single axis; who has asked for a press gives it, if what is shown is true.
+ */
+static void send_act(stage_t *self, rig_t *rig)
+{
+    const command_t command = acts_choose(rig, &self->whim);
+    send(self, rig, command);
+    if ((command.kind == (uint32_t)COMMAND_CONFIRM_AXIS) && acts_is_shown_true(rig)) {
+        rig_box(rig, "button press");
+        self->wait_cycles = 2U * (LIMIT_CONFIRM_HOLD_US / LIMIT_CYCLE_US);
+    }
+}
+
 /* At the target, on the way there, or while it is drawn out already. */
 static bool wants_out(stage_t *self, const snapshot_t *shown)
 {
@@ -316,8 +330,19 @@ static void do_anything(stage_t *self, rig_t *rig)
         send(self, rig, (command_t){.kind = (uint32_t)COMMAND_ACCEPT_ENTRY});
     } else if (has_whim(self, 8U)) {
         send_saved(self, rig);
+    } else if (has_whim(self, 8U)) {
+        send_act(self, rig);
     } else {
-        /* None of them. */
+        /* None of these. */
+    }
+}
+
+static void send_jog_or_act(stage_t *self, rig_t *rig)
+{
+    if (has_whim(self, 6U)) {
+        send_act(self, rig);
+    } else {
+        send_jog(self, rig);
     }
 }
 
@@ -332,7 +357,7 @@ static void do_jog(stage_t *self, rig_t *rig)
         send_phase(self, rig, WORKPHASE_MANUAL);
     } else if (shown->order == (uint32_t)ARMING_STATE_NONE) {
         rig_box(rig, "pedal release");
-        send_jog(self, rig);
+        send_jog_or_act(self, rig);
     } else if (shown->order == (uint32_t)ARMING_STATE_WAITING) {
         rig_box(rig, "pedal press");
     } else if (random_below(self, 4U) == 0U) {
@@ -352,31 +377,10 @@ static void send_target_or_phase(stage_t *self, rig_t *rig)
     }
 }
 
-/* Whoever looks at the robot sees it where it is shown: the axes that a confirmation would verify.
- */
-static bool is_shown_true(const rig_t *rig)
-{
-    double truth[ROBOT_AXIS_MAX];
-    bool is_true = true;
-    box_true_positions(&rig->box, truth);
-    for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
-        const axis_config_t *const config = &rig->box.robot->axes[i];
-        const snapshot_axis_t *const shown = &rig->outputs.snapshot.axes[i];
-        const axis_t *const axis = &rig->controller.axes[i];
-        const bool is_asked = (shown->reference == (uint32_t)AXIS_REFERENCE_UNVERIFIED) ||
-                              axis_needs_confirmation(axis, config) || axis_is_contradicted(axis);
-        const double away = fabs(truth[i] - (double)shown->position_ticks);
-        is_true = is_true && (!is_asked || (away <= (double)supervision_rest_ticks(config)));
-    }
-    return is_true;
-}
-
 /* An operator who sees another place than is shown lets go, and homes again if that is allowed. */
 static void confirm(stage_t *self, rig_t *rig)
 {
-    if (rig->box.button_pressed) {
-        rig_box(rig, "button release");
-    } else if (is_shown_true(rig)) {
+    if (acts_is_shown_true(rig)) {
         rig_box(rig, "button press");
         self->wait_cycles += (LIMIT_CONFIRM_HOLD_US / LIMIT_CYCLE_US);
     } else {
@@ -483,7 +487,7 @@ static void let_foe_play(stage_t *self, rig_t *rig)
 /* Before the next cycle, and before the enemy. */
 static void play_operator(stage_t *self, rig_t *rig)
 {
-    if (rig->box.button_pressed && !is_shown_true(rig)) {
+    if (rig->box.button_pressed && ((self->wait_cycles == 0U) || !acts_is_shown_true(rig))) {
         rig_box(rig, "button release");
     }
     if (self->wait_cycles > 0U) {

@@ -169,9 +169,10 @@ static void judge_needle(witness_t *self, const rig_t *rig, double truth)
 {
     const uint32_t needle = rig->box.robot->needle_axis;
     const snapshot_t *const shown = &rig->outputs.snapshot;
-    const bool is_homing = (shown->workphase == (uint32_t)WORKPHASE_START_UP) &&
-                           (shown->order == (uint32_t)ARMING_STATE_MOVING) &&
-                           !homing_part_is_homed(rig, needle);
+    const bool is_started = shown->workphase == (uint32_t)WORKPHASE_START_UP;
+    const bool is_homing =
+        (shown->order == (uint32_t)ARMING_STATE_MOVING) &&
+        (is_started ? !homing_part_is_homed(rig, needle) : homing_part_is_homing(rig, needle));
     if (!is_homing || !self->was_homing || (truth < self->needle_from)) {
         self->needle_from = truth;
     }
@@ -182,12 +183,23 @@ static void judge_needle(witness_t *self, const rig_t *rig, double truth)
     }
 }
 
+/* In START_UP, or while one axis homes alone, this one has no part in it. */
+static bool is_idle_in_homing(const rig_t *rig, uint32_t axis)
+{
+    bool is_any_homing = false;
+    for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
+        is_any_homing = is_any_homing || homing_part_is_homing(rig, i);
+    }
+    return (rig->outputs.snapshot.workphase == (uint32_t)WORKPHASE_START_UP)
+               ? !homing_part_has(rig, axis)
+               : (is_any_homing && !homing_part_is_homing(rig, axis));
+}
+
 static void judge_homing(witness_t *self, const rig_t *rig)
 {
-    const bool is_started = rig->outputs.snapshot.workphase == (uint32_t)WORKPHASE_START_UP;
     for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
         const bool is_sent = rig_sent(rig, i).drive.mode != (uint32_t)CARD_DRIVE_OFF;
-        const bool is_idle = is_started && is_sent && !homing_part_has(rig, i);
+        const bool is_idle = is_sent && is_idle_in_homing(rig, i);
         self->idle_cycles[i] = is_idle ? (self->idle_cycles[i] + 1U) : 0U;
         if (self->idle_cycles[i] > IDLE_CYCLES) {
             complain(self, rig, SENTENCE_HOMING, i, self->idle_cycles[i]);
@@ -318,7 +330,7 @@ static void judge_jog(witness_t *self, const rig_t *rig, double depth_ticks, boo
         }
     }
     if ((phase == (uint32_t)WORKPHASE_MANUAL) && (needle.mode != (uint32_t)CARD_DRIVE_OFF) &&
-        !homing_part_is_homed(rig, along) &&
+        !homing_part_is_homed(rig, along) && !homing_part_is_homing(rig, along) &&
         motor_model_is_upwards(config_of(rig, along), &needle)) {
         complain(self, rig, SENTENCE_INWARDS, along, 1.0);
     }
@@ -331,7 +343,8 @@ static bool is_only_told(const rig_t *rig)
     for (uint32_t i = 0U; i < rig->inputs.command_count; i++) {
         const uint32_t kind = rig->inputs.commands[i].kind;
         is_only = is_only && (kind >= (uint32_t)COMMAND_PROPOSE_REGISTRATION) &&
-                  (kind != (uint32_t)COMMAND_JOG) && (kind != (uint32_t)COMMAND_RETRACT);
+                  (kind != (uint32_t)COMMAND_JOG) && (kind != (uint32_t)COMMAND_RETRACT) &&
+                  (kind < (uint32_t)COMMAND_HOME_AXIS);
     }
     for (uint32_t i = 0U; i < rig->outputs.event_count; i++) {
         const event_t *const event = &rig->outputs.events[i];

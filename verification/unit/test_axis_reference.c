@@ -419,3 +419,21 @@ void test_SWR_REF_005_only_an_axis_without_switch_that_was_known_waits_for_the_o
     use_with(without_switch, AXIS_REFERENCE_UNVERIFIED);
     TEST_ASSERT_TRUE(axis_needs_confirmation(&axis, config));
 }
+
+void test_SWR_AXIS_040_it_says_what_a_confirmation_would_verify(void)
+{
+    use_with(with_switch, AXIS_REFERENCE_FRESH);
+    TEST_ASSERT_FALSE(axis_is_confirmable(&axis, config));
+    use_with(with_switch, AXIS_REFERENCE_VERIFIED);
+    TEST_ASSERT_FALSE(axis_is_confirmable(&axis, config));
+    axis.elsewhere_ticks = 1;
+    TEST_ASSERT_FALSE(axis_is_confirmable(&axis, config));
+    use_with(with_switch, AXIS_REFERENCE_UNVERIFIED);
+    TEST_ASSERT_TRUE(axis_is_confirmable(&axis, config));
+    use_with(with_switch, AXIS_REFERENCE_LOST);
+    TEST_ASSERT_FALSE(axis_is_confirmable(&axis, config));
+    axis.elsewhere_ticks = 1;
+    TEST_ASSERT_TRUE(axis_is_confirmable(&axis, config));
+    use_with(without_switch, AXIS_REFERENCE_LOST);
+    TEST_ASSERT_TRUE(axis_is_confirmable(&axis, config));
+}

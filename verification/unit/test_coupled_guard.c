@@ -333,3 +333,36 @@ void test_SWR_COUPLE_002_the_margin_of_ends_holds_what_both_axes_may_run_on(void
 {
     TEST_ASSERT_GREATER_THAN_INT32(2 * nm(DRIVEN_TICKS), (int32_t)LIMIT_COUPLED_MARGIN_NM);
 }
+
+static status_t judged_homing(uint32_t axis)
+{
+    return coupled_guard_judge_homing(&robot, axes, axis).status;
+}
+
+/* The head's home is 0, that of the feet as well. */
+void test_SWR_AXIS_036_whoever_homes_alone_ends_within_the_limit_or_is_refused(void)
+{
+    axes[AXIS_HEAD].encoder.position_ticks = -3000;
+    axes[AXIS_FEET].encoder.position_ticks = -100;
+    robot.coupled_limits[0].minimum = home_nm() + nm(100);
+    robot.coupled_limits[0].maximum = home_nm() + nm(100);
+    TEST_ASSERT_EQUAL(STATUS_OK, judged_homing(AXIS_HEAD));
+    axes[AXIS_HEAD].chart.reference = AXIS_REFERENCE_LOST;
+    TEST_ASSERT_EQUAL(STATUS_OK, judged_homing(AXIS_HEAD));
+    robot.coupled_limits[0].minimum++;
+    robot.coupled_limits[0].maximum++;
+    TEST_ASSERT_EQUAL(STATUS_SEPARATION_LIMIT, judged_homing(AXIS_HEAD));
+    TEST_ASSERT_EQUAL_UINT8(0U, coupled_guard_judge_homing(&robot, axes, AXIS_HEAD).is_maximum);
+    robot.coupled_limits[0].minimum -= 2;
+    robot.coupled_limits[0].maximum -= 2;
+    TEST_ASSERT_EQUAL(STATUS_SEPARATION_LIMIT, judged_homing(AXIS_HEAD));
+    TEST_ASSERT_EQUAL_UINT8(1U, coupled_guard_judge_homing(&robot, axes, AXIS_HEAD).is_maximum);
+    TEST_ASSERT_EQUAL(STATUS_OK, judged_homing(AXIS_LATERAL));
+}
+
+void test_SWR_AXIS_036_nobody_homes_alone_whose_partner_is_unknown(void)
+{
+    axes[AXIS_FEET].chart.reference = AXIS_REFERENCE_UNVERIFIED;
+    TEST_ASSERT_EQUAL(STATUS_NOT_HOMED, judged_homing(AXIS_HEAD));
+    TEST_ASSERT_EQUAL(STATUS_OK, judged_homing(AXIS_YAW));
+}

@@ -76,6 +76,14 @@ void test_SWR_AXIS_028_an_axis_follows_in_the_stage_in_which_its_leader_homes(vo
     TEST_ASSERT_FALSE(follower_is_of(&robot, AXIS_FEET, AXIS_HEAD));
 }
 
+void test_SWR_AXIS_036_who_follows_or_leads_is_of_a_block(void)
+{
+    TEST_ASSERT_TRUE(follower_is_in_block(&robot, AXIS_FEET));
+    TEST_ASSERT_TRUE(follower_is_in_block(&robot, AXIS_HEAD));
+    TEST_ASSERT_TRUE(follower_is_in_block(&robot, AXIS_YAW));
+    TEST_ASSERT_FALSE(follower_is_in_block(&robot, AXIS_LATERAL));
+}
+
 void test_SWR_AXIS_030_it_travels_with_its_leader_while_that_homes_only(void)
 {
     for (uint32_t i = 0U; i < robot.axis_count; i++) {

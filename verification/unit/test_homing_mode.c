@@ -285,3 +285,70 @@ void test_SWR_ROBOT_024_without_a_pose_homed_axes_stay_where_they_are(void)
         TEST_ASSERT_TRUE(world_rests(i));
     }
 }
+
+static void step_axis(uint32_t axis)
+{
+    mode_clear(&result);
+    homing_mode_step_axis(axis, &frame, &result);
+}
+
+void test_SWR_AXIS_034_one_axis_homes_and_all_others_rest(void)
+{
+    start_fresh();
+    step_axis(AXIS_LATERAL);
+    for (uint32_t i = 0U; i < robot.axis_count; i++) {
+        TEST_ASSERT_EQUAL(i == (uint32_t)AXIS_LATERAL, axis_is_homing(&axes[i]));
+        TEST_ASSERT_EQUAL(i != (uint32_t)AXIS_LATERAL, world_rests(i));
+    }
+    TEST_ASSERT_FALSE(homing_mode_is_axis_done(AXIS_LATERAL, &frame));
+    world_grade(AXIS_LATERAL, AXIS_REFERENCE_VERIFIED);
+    TEST_ASSERT_TRUE(homing_mode_is_axis_done(AXIS_LATERAL, &frame));
+}
+
+void test_SWR_AXIS_034_one_without_a_switch_is_taken_where_it_stands(void)
+{
+    start_fresh();
+    world_put(AXIS_FEET, 12);
+    step_axis(AXIS_FEET);
+    TEST_ASSERT_EQUAL(EVENT_AXIS_TAKEN, result.notes[0].id);
+    TEST_ASSERT_TRUE(world_rests(AXIS_FEET));
+    TEST_ASSERT_TRUE(homing_mode_is_axis_done(AXIS_FEET, &frame));
+}
+
+void test_SWR_AXIS_034_an_axis_that_there_is_not_is_not_driven_and_never_done(void)
+{
+    start_fresh();
+    step_axis(robot.axis_count);
+    for (uint32_t i = 0U; i < robot.axis_count; i++) {
+        TEST_ASSERT_TRUE(world_rests(i));
+    }
+    TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
+    TEST_ASSERT_FALSE(homing_mode_is_axis_done(robot.axis_count, &frame));
+}
+
+static status_t judged(uint32_t axis)
+{
+    return homing_mode_judge(axis, &robot, axes).status;
+}
+
+void test_SWR_AXIS_036_what_homes_with_others_does_not_home_alone(void)
+{
+    TEST_ASSERT_EQUAL(STATUS_OK, judged(AXIS_HEAD));
+    robot.axes[AXIS_LATERAL].leaders[0] = 1U + AXIS_HEAD;
+    TEST_ASSERT_EQUAL(STATUS_HOMES_WITH_OTHERS, judged(AXIS_LATERAL));
+    robot.axes[AXIS_HEAD].home_stage = 1U;
+    TEST_ASSERT_EQUAL(STATUS_HOMES_WITH_OTHERS, judged(AXIS_HEAD));
+    TEST_ASSERT_EQUAL(STATUS_UNKNOWN_COMMAND, judged(robot.axis_count));
+}
+
+void test_SWR_AXIS_036_what_has_no_switch_is_taken_only_while_it_is_fresh(void)
+{
+    TEST_ASSERT_EQUAL(STATUS_HOMES_OTHERWISE, judged(AXIS_FEET));
+    world_lose(AXIS_FEET);
+    TEST_ASSERT_EQUAL(STATUS_HOMES_OTHERWISE, judged(AXIS_FEET));
+    world_lose(AXIS_INSERTION);
+    world_grade(AXIS_FEET, AXIS_REFERENCE_FRESH);
+    TEST_ASSERT_EQUAL(STATUS_OK, judged(AXIS_FEET));
+    TEST_ASSERT_EQUAL(STATUS_NEEDLE_IN, judged(AXIS_LATERAL));
+    TEST_ASSERT_EQUAL(STATUS_OK, judged(AXIS_INSERTION));
+}

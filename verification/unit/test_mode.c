@@ -69,11 +69,11 @@ static void expect_rest(void)
 void test_SWR_PHASE_001_each_mode_has_its_workphase(void)
 {
     static const char *const runs[WORKPHASE_COUNT] = {
-        [WORKPHASE_UNDEFINED] = ".....", [WORKPHASE_START_UP] = ".H...",
-        [WORKPHASE_PLANNING] = ".....",  [WORKPHASE_CALIBRATION] = ".....",
-        [WORKPHASE_TARGETING] = ".....", [WORKPHASE_MOVE_TO_TARGET] = "..M.r",
-        [WORKPHASE_MANUAL] = "...j.",    [WORKPHASE_STOP] = ".....",
-        [WORKPHASE_EMERGENCY] = ".....",
+        [WORKPHASE_UNDEFINED] = "......", [WORKPHASE_START_UP] = ".H....",
+        [WORKPHASE_PLANNING] = "......",  [WORKPHASE_CALIBRATION] = "......",
+        [WORKPHASE_TARGETING] = "......", [WORKPHASE_MOVE_TO_TARGET] = "..M.r.",
+        [WORKPHASE_MANUAL] = "...j.a",    [WORKPHASE_STOP] = "......",
+        [WORKPHASE_EMERGENCY] = "......",
     };
     for (uint32_t i = 0U; i < WORKPHASE_COUNT; i++) {
         mode_kind_t own = MODE_NONE;
@@ -100,6 +100,7 @@ void test_SWR_AXIS_006_a_move_and_a_retraction_need_every_axis_homed(void)
     TEST_ASSERT_FALSE(mode_may_be_unhomed(MODE_RETRACT));
     TEST_ASSERT_TRUE(mode_may_be_unhomed(MODE_HOMING));
     TEST_ASSERT_TRUE(mode_may_be_unhomed(MODE_JOG));
+    TEST_ASSERT_TRUE(mode_may_be_unhomed(MODE_HOME_AXIS));
     TEST_ASSERT_TRUE(mode_may_be_unhomed(MODE_NONE));
     TEST_ASSERT_FALSE(mode_may_be_unhomed(MODE_MOVE));
 }
@@ -122,6 +123,8 @@ void test_SWR_JOG_016_whatever_homes_across_the_needle_heeds_it(void)
     TEST_ASSERT_TRUE(heeds(MODE_HOMING, AXIS_LATERAL, true));
     TEST_ASSERT_FALSE(heeds(MODE_HOMING, AXIS_LATERAL, false));
     TEST_ASSERT_FALSE(heeds(MODE_HOMING, AXIS_INSERTION, true));
+    TEST_ASSERT_TRUE(heeds(MODE_HOME_AXIS, AXIS_LATERAL, true));
+    TEST_ASSERT_FALSE(heeds(MODE_HOME_AXIS, AXIS_INSERTION, true));
     TEST_ASSERT_FALSE(heeds(MODE_HOMING, AXIS_ROTATION, true));
 }
 
@@ -132,12 +135,30 @@ void test_SWR_JOG_001_a_move_takes_the_needle_out_itself(void)
     TEST_ASSERT_FALSE(heeds(MODE_NONE, AXIS_LATERAL, true));
 }
 
-void test_SWR_JOG_002_a_jog_is_judged_before_it_is_armed_and_nothing_else_is(void)
+void test_SWR_JOG_002_a_motion_of_one_axis_is_judged_before_it_is_armed_and_nothing_else_is(void)
 {
     const mode_request_t no_axis = {.jog = {.axis = 9U, .ticks = 0}};
     TEST_ASSERT_EQUAL(STATUS_UNKNOWN_COMMAND, mode_judge(MODE_JOG, &no_axis, &robot, axes).status);
+    TEST_ASSERT_EQUAL(STATUS_UNKNOWN_COMMAND,
+                      mode_judge(MODE_HOME_AXIS, &no_axis, &robot, axes).status);
+    TEST_ASSERT_EQUAL(STATUS_OK, mode_judge(MODE_HOME_AXIS, &request, &robot, axes).status);
     TEST_ASSERT_EQUAL(STATUS_OK, mode_judge(MODE_HOMING, &no_axis, &robot, axes).status);
     TEST_ASSERT_EQUAL(STATUS_OK, mode_judge(MODE_MOVE, &no_axis, &robot, axes).status);
+}
+
+void test_SWR_AXIS_034_the_homing_of_one_axis_is_done_once_it_is_homed_and_another_lost(void)
+{
+    begin(MODE_HOME_AXIS, WORKPHASE_MANUAL);
+    world_lose(AXIS_YAW);
+    world_lose(AXIS_LATERAL);
+    steps(1U);
+    TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
+    TEST_ASSERT_TRUE(axis_is_homing(&axes[AXIS_YAW]));
+    TEST_ASSERT_FALSE(axis_is_homing(&axes[AXIS_LATERAL]));
+    world_grade(AXIS_YAW, AXIS_REFERENCE_VERIFIED);
+    steps(1U);
+    TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
+    expect_rest();
 }
 
 void test_SWR_PEDAL_005_without_the_pedal_every_mode_rests_and_goes_on_from_there(void)

@@ -146,7 +146,7 @@ void test_SWR_PHASE_005_every_change_discards_what_was_armed_and_a_refusal_does_
         for (uint32_t to = 1U; to < WORKPHASE_COUNT; to++) {
             enter(from);
             if (from == WORKPHASE_MANUAL) {
-                (void)procedure_request_jog(&procedure, &inputs, &actions);
+                (void)procedure_request_axis_motion(&procedure, &inputs, &actions);
             }
             if ((i % 2U) != 0U) {
                 (void)procedure_tell(&procedure, ARMING_EVENT_PEDAL_DOWN);
@@ -179,13 +179,14 @@ void test_SWR_PHASE_005_the_e_stop_discards_what_was_armed(void)
 void test_SWR_AXIS_010_a_second_jog_discards_the_first_one(void)
 {
     enter(WORKPHASE_MANUAL);
-    TEST_ASSERT_EQUAL(STATUS_OK, procedure_request_jog(&procedure, &inputs, &actions));
+    TEST_ASSERT_EQUAL(STATUS_OK, procedure_request_axis_motion(&procedure, &inputs, &actions));
     TEST_ASSERT_EQUAL_HEX32(ARMING_ACTION_RENEW_PEDAL, actions.arming);
-    TEST_ASSERT_EQUAL(STATUS_OK, procedure_request_jog(&procedure, &inputs, &actions));
+    TEST_ASSERT_EQUAL(STATUS_OK, procedure_request_axis_motion(&procedure, &inputs, &actions));
     TEST_ASSERT_EQUAL_HEX32(ARMING_ACTION_RENEW_PEDAL | ARMING_ACTION_REPORT_DISCARDED,
                             actions.arming);
     inputs.is_able = false;
-    TEST_ASSERT_EQUAL(STATUS_FAULT_PRESENT, procedure_request_jog(&procedure, &inputs, &actions));
+    TEST_ASSERT_EQUAL(STATUS_FAULT_PRESENT,
+                      procedure_request_axis_motion(&procedure, &inputs, &actions));
     TEST_ASSERT_TRUE(procedure_is_armed(&procedure));
 }
 

@@ -154,7 +154,7 @@ static void disturb(void)
 static void command(void)
 {
     command_t one = {.kind = (uint32_t)COMMAND_WORKPHASE, .argument = 1U + random_below(8U)};
-    switch (random_below(7U)) {
+    switch (random_below(8U)) {
     case 0:
         one.argument = (uint32_t)WORKPHASE_START_UP;
         break;
@@ -177,6 +177,10 @@ static void command(void)
     case 5:
         one = (command_t){.kind = (uint32_t)COMMAND_RESTORE,
                           .argument = 1U << random_below(robot_neuro.axis_count)};
+        break;
+    case 6:
+        one.kind = (uint32_t)COMMAND_HOME_AXIS + random_below(4U);
+        one.argument = random_below(robot_neuro.axis_count);
         break;
     default:
         break;

@@ -1,0 +1,146 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "controller/controller_axis.h"
+
+#include "controller/controller_authority.h"
+#include "controller/controller_facts.h"
+#include "controller/controller_order.h"
+#include "safety/needle.h"
+
+/* Told here, with its cause. */
+static void forget_reference(controller_t *self, const cycle_t *cycle, uint32_t index)
+{
+    axis_t *const axis = &self->axes[index];
+    const axis_reference_t before = axis->chart.reference;
+    axis_lose_reference(axis);
+    plan_forget_target(&self->plan);
+    if (axis->chart.reference != before) {
+        self->records[index].grade = (uint32_t)axis->chart.reference;
+        controller_note(self, cycle, EVENT_AXIS_REFERENCE_LOST, index,
+                        axis->encoder.position_ticks);
+    }
+}
+
+static status_t arm(controller_t *self, const cycle_t *cycle, const command_t *command,
+                    answer_t *answer)
+{
+    const mode_kind_t kind = (command->kind == (uint32_t)COMMAND_JOG) ? MODE_JOG : MODE_HOME_AXIS;
+    const mode_request_t request = {.jog = {.axis = command->argument, .ticks = command->value}};
+    const solution_t judged = mode_judge(kind, &request, cycle->robot, self->axes);
+    procedure_actions_t actions;
+    answer->axis = (uint32_t)judged.axis;
+    answer->is_maximum = (uint32_t)judged.is_maximum;
+    if (judged.status != STATUS_OK) {
+        return judged.status;
+    }
+    const workphase_inputs_t guards = controller_guards(self, cycle);
+    const status_t status = procedure_request_axis_motion(&self->procedure, &guards, &actions);
+    controller_report_order(self, cycle, actions.arming, STATUS_DISCARDED);
+    if (status == STATUS_OK) {
+        controller_arm(self, command, kind, &request);
+        answer->is_final = 0U;
+    }
+    return status;
+}
+
+/* What is homed homes anew: nothing that is known of it shall be relied on until then. */
+static status_t obey_home(controller_t *self, const cycle_t *cycle, const command_t *command,
+                          answer_t *answer)
+{
+    const status_t status = arm(self, cycle, command, answer);
+    if ((status == STATUS_OK) && axis_is_homed(&self->axes[command->argument])) {
+        forget_reference(self, cycle, command->argument);
+    }
+    return status;
+}
+
+static status_t obey_clear(controller_t *self, const cycle_t *cycle, uint32_t index)
+{
+    if (procedure_is_armed(&self->procedure)) {
+        return STATUS_NOT_AT_REST;
+    }
+    forget_reference(self, cycle, index);
+    return STATUS_OK;
+}
+
+static status_t obey_confirm(controller_t *self, const cycle_t *cycle, const command_t *command)
+{
+    const uint32_t index = command->argument;
+    const axis_t *const axis = &self->axes[index];
+    if (!axis_is_confirmable(axis, &cycle->robot->axes[index])) {
+        return STATUS_NOTHING_TO_CONFIRM;
+    }
+    const status_t status =
+        controller_ask_button(self, cycle, command, AUTHORITY_REQUEST_CONFIRM_AXIS, index);
+    if (status == STATUS_OK) {
+        controller_note(self, cycle, EVENT_CONFIRM_ASKED, index, axis->encoder.position_ticks);
+    }
+    return status;
+}
+
+static status_t judge_set_home(const controller_t *self, const cycle_t *cycle, uint32_t index)
+{
+    const bool is_at_rest = !procedure_is_armed(&self->procedure) &&
+                            (self->pedal.is_released != 0U) &&
+                            encoder_is_at_rest(&self->axes[index].encoder);
+    status_t status = STATUS_OK;
+    if (cycle->robot->axes[index].home_method == (uint8_t)HOME_BY_SWITCH) {
+        status = STATUS_HOMES_OTHERWISE;
+    } else if (!link_is_healthy_now(controller_link(self, index))) {
+        status = STATUS_HARDWARE_NOT_READY;
+    } else if (!is_at_rest) {
+        status = STATUS_NOT_AT_REST;
+    } else if (!needle_is_out(cycle->robot, self->axes)) {
+        status = STATUS_NEEDLE_IN;
+    } else {
+        status = STATUS_OK;
+    }
+    return status;
+}
+
+static status_t obey_set_home(controller_t *self, const cycle_t *cycle, uint32_t index)
+{
+    axis_t *const axis = &self->axes[index];
+    const status_t status = judge_set_home(self, cycle, index);
+    if (status == STATUS_OK) {
+        const axis_config_t *const config = &cycle->robot->axes[index];
+        axis_place(axis, config, config->home_ticks);
+        controller_note(self, cycle, EVENT_HOME_SET, index, axis->home_correction_ticks);
+        plan_forget_target(&self->plan);
+        /* Who presses the button already has compared another position. */
+        confirm_button_renew(&self->confirm);
+    }
+    return status;
+}
+
+/* What arms nothing. */
+static status_t obey_at_rest(controller_t *self, const cycle_t *cycle, const command_t *command)
+{
+    const uint32_t index = command->argument;
+    status_t status = STATUS_UNKNOWN_COMMAND;
+    if (procedure_workphase(&self->procedure) != WORKPHASE_MANUAL) {
+        status = STATUS_WRONG_WORKPHASE;
+    } else if (index >= self->axis_count) {
+        status = STATUS_UNKNOWN_COMMAND;
+    } else if (command->kind == (uint32_t)COMMAND_CLEAR_AXIS) {
+        status = obey_clear(self, cycle, index);
+    } else if (command->kind == (uint32_t)COMMAND_CONFIRM_AXIS) {
+        status = obey_confirm(self, cycle, command);
+    } else {
+        status = obey_set_home(self, cycle, index);
+    }
+    return status;
+}
+
+status_t controller_obey_axis(controller_t *self, const cycle_t *cycle, const command_t *command,
+                              answer_t *answer)
+{
+    status_t status = STATUS_OK;
+    if (command->kind == (uint32_t)COMMAND_JOG) {
+        status = arm(self, cycle, command, answer);
+    } else if (command->kind == (uint32_t)COMMAND_HOME_AXIS) {
+        status = obey_home(self, cycle, command, answer);
+    } else {
+        status = obey_at_rest(self, cycle, command);
+    }
+    return status;
+}

@@ -1,0 +1,519 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Rule under test: in MANUAL the console has a single axis homed, cleared, confirmed, or its home
+ * set where it stands; by the rules of START_UP, and nothing becomes true by the network alone. On
+ * the simulated box; in every test the rig counts cycles that drive without the pedal.
+ */
+#include "integration/support/rig.h"
+
+#include "unity.h"
+
+#include "controller/controller.h"
+#include "robot/robot_neuro.h"
+
+#define HOLD_CYCLES (LIMIT_CONFIRM_HOLD_US / LIMIT_CYCLE_US)
+#define ASK_CYCLES (LIMIT_AUTHORITY_ASK_US / LIMIT_CYCLE_US)
+#define MOST_CYCLES 60000U
+#define REST_CYCLES 500U /* Until what was driven counts as resting. */
+
+static rig_t rig;
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+    TEST_ASSERT_EQUAL_UINT32_MESSAGE(0U, rig.driven_without_pedal, "driven without the pedal");
+}
+
+static answer_t act(command_kind_t kind, uint32_t axis)
+{
+    const command_t command = {.kind = (uint32_t)kind, .argument = axis};
+    return rig_command(&rig, command);
+}
+
+static void expect(status_t status, command_kind_t kind, uint32_t axis)
+{
+    TEST_ASSERT_EQUAL_UINT32(status, act(kind, axis).status);
+}
+
+static uint32_t grade(uint32_t axis)
+{
+    return rig.outputs.snapshot.axes[axis].reference;
+}
+
+static void expect_grade(axis_reference_t expected, uint32_t axis)
+{
+    TEST_ASSERT_EQUAL_UINT32(expected, grade(axis));
+}
+
+static void enter_manual(void)
+{
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
+}
+
+static void start_manual(void)
+{
+    rig_start_targeted(&rig);
+    enter_manual();
+    rig_cycles(&rig, REST_CYCLES);
+}
+
+/* START_UP was commanded, and no pedal pressed: enabled, and nothing known. */
+static void start_fresh(void)
+{
+    rig_start(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    enter_manual();
+}
+
+static void jog(uint32_t axis, int32_t ticks)
+{
+    const command_t command = {.kind = (uint32_t)COMMAND_JOG, .argument = axis, .value = ticks};
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, command).status);
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, MOST_CYCLES).kind);
+    rig_release(&rig);
+    rig_cycles(&rig, REST_CYCLES);
+}
+
+/* The button is held until it counts, and released. @return the axes that were confirmed by it */
+static uint32_t hold_button(void)
+{
+    const uint32_t before = rig_count(&rig, EVENT_AXIS_CONFIRMED);
+    rig_box(&rig, "button press");
+    rig_cycles(&rig, HOLD_CYCLES + 1U);
+    rig_box(&rig, "button release");
+    rig_cycles(&rig, 2U);
+    return rig_count(&rig, EVENT_AXIS_CONFIRMED) - before;
+}
+
+/* How far what is shown is from what is true. */
+static double shown_apart(uint32_t axis)
+{
+    return rig_position(&rig, axis) - rig.box.axes[axis].motor.position_ticks;
+}
+
+static uint32_t driven_axes(void)
+{
+    uint32_t driven = 0U;
+    for (uint32_t i = 0U; i < rig.box.robot->axis_count; i++) {
+        driven |= (rig_sent(&rig, i).drive.mode != (uint32_t)CARD_DRIVE_OFF) ? (1UL << i) : 0U;
+    }
+    return driven;
+}
+
+/* Homes it under the pedal, which is released once on the way. */
+static void home(uint32_t axis)
+{
+    uint32_t driven = 0U;
+    TEST_ASSERT_EQUAL_UINT32(0U, act(COMMAND_HOME_AXIS, axis).is_final);
+    rig_press(&rig);
+    rig_cycles(&rig, 200U);
+    rig_release(&rig);
+    rig_press(&rig);
+    while (rig.outputs.snapshot.order != (uint32_t)ARMING_STATE_NONE) {
+        rig_cycle(&rig);
+        driven |= driven_axes();
+        TEST_ASSERT_LESS_THAN_UINT32(200000U, rig.controller.cycle);
+    }
+    TEST_ASSERT_EQUAL_UINT32(1UL << axis, driven);
+    const answer_t *const last = &rig.answers[(rig.answer_count - 1U) % RIG_ANSWERS];
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, last->kind);
+    TEST_ASSERT_EQUAL_UINT32(COMMAND_HOME_AXIS, last->command);
+    TEST_ASSERT_EQUAL_UINT32(axis, last->argument);
+    expect_grade(AXIS_REFERENCE_VERIFIED, axis);
+    rig_release(&rig);
+}
+
+void test_SWR_AXIS_034_one_axis_homes_under_the_pedal_and_no_other_is_driven(void)
+{
+    static const uint32_t homed[] = {AXIS_LATERAL, AXIS_INSERTION, AXIS_HEAD};
+    start_manual();
+    for (uint32_t i = 0U; i < (sizeof homed / sizeof homed[0]); i++) {
+        const double before = shown_apart(homed[i]);
+        home(homed[i]);
+        TEST_ASSERT_DOUBLE_WITHIN(3.0, before, shown_apart(homed[i]));
+    }
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_homed);
+}
+
+void test_SWR_AXIS_034_nothing_moves_before_the_pedal_is_pressed_anew(void)
+{
+    start_manual();
+    rig_press(&rig);
+    expect(STATUS_OK, COMMAND_HOME_AXIS, AXIS_LATERAL);
+    for (uint32_t i = 0U; i < 500U; i++) {
+        rig_cycle(&rig);
+        TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    }
+    rig_release(&rig);
+    rig_press(&rig);
+    rig_cycles(&rig, 100U);
+    TEST_ASSERT_TRUE(rig_is_driving(&rig));
+}
+
+void test_SWR_AXIS_034_an_axis_without_a_switch_is_taken_once_as_in_start_up(void)
+{
+    start_fresh();
+    expect(STATUS_OK, COMMAND_HOME_AXIS, AXIS_ROTATION);
+    expect_grade(AXIS_REFERENCE_FRESH, AXIS_ROTATION);
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 100U).kind);
+    expect_grade(AXIS_REFERENCE_TAKEN, AXIS_ROTATION);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_TAKEN));
+    rig_release(&rig);
+    expect(STATUS_HOMES_OTHERWISE, COMMAND_HOME_AXIS, AXIS_ROTATION);
+    expect(STATUS_OK, COMMAND_CLEAR_AXIS, AXIS_ROTATION);
+    expect(STATUS_HOMES_OTHERWISE, COMMAND_HOME_AXIS, AXIS_ROTATION);
+}
+
+void test_SWR_AXIS_034_a_homing_that_is_given_up_is_answered_and_leaves_the_axis_lost(void)
+{
+    start_manual();
+    expect(STATUS_OK, COMMAND_HOME_AXIS, AXIS_LATERAL);
+    rig_press(&rig);
+    rig_cycles(&rig, 300U);
+    TEST_ASSERT_TRUE(axis_is_homing(&rig.controller.axes[AXIS_LATERAL]));
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_STOP).status);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig.outputs.answers[0].kind);
+    TEST_ASSERT_EQUAL_UINT32(COMMAND_HOME_AXIS, rig.outputs.answers[0].command);
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    expect_grade(AXIS_REFERENCE_LOST, AXIS_LATERAL);
+    rig_release(&rig);
+}
+
+/* In the way of the head's switch once it homes: the feet, where nobody believes them to be. */
+void test_SWR_AXIS_034_a_limit_that_bars_the_way_fails_the_homing(void)
+{
+    start_manual();
+    expect(STATUS_OK, COMMAND_HOME_AXIS, AXIS_HEAD);
+    encoder_set_position(&rig.controller.axes[AXIS_FEET].encoder, -5000);
+    supervision_shift(&rig.controller.axes[AXIS_FEET].supervision, -5000);
+    drift_audit_settle(&rig.controller.axes[AXIS_FEET].drift, -5000);
+    controller_seal(&rig.controller);
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_HOMING_BARRED));
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    rig_release(&rig);
+}
+
+void test_SWR_AXIS_035_who_homes_anew_is_not_relied_on_from_then_on(void)
+{
+    start_manual();
+    rig_forget(&rig);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.has_target);
+    expect(STATUS_OK, COMMAND_HOME_AXIS, AXIS_YAW);
+    expect_grade(AXIS_REFERENCE_LOST, AXIS_YAW);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
+    rig_cycles(&rig, 3U);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_REFERENCE_LOST));
+    TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_WAITING, rig.outputs.snapshot.order);
+}
+
+void test_SWR_AXIS_035_who_was_unverified_may_still_be_confirmed(void)
+{
+    start_manual();
+    axis_doubt(&rig.controller.axes[AXIS_LATERAL]);
+    rig_cycle(&rig);
+    expect(STATUS_OK, COMMAND_HOME_AXIS, AXIS_LATERAL);
+    expect_grade(AXIS_REFERENCE_UNVERIFIED, AXIS_LATERAL);
+    enter_manual();
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(1U, hold_button());
+    expect_grade(AXIS_REFERENCE_VERIFIED, AXIS_LATERAL);
+}
+
+void test_SWR_AXIS_036_nothing_homes_across_a_needle_that_is_not_homed_and_out(void)
+{
+    start_manual();
+    jog(AXIS_INSERTION, 20000);
+    expect(STATUS_NEEDLE_IN, COMMAND_HOME_AXIS, AXIS_PITCH);
+    expect_grade(AXIS_REFERENCE_VERIFIED, AXIS_PITCH);
+    expect(STATUS_OK, COMMAND_CLEAR_AXIS, AXIS_INSERTION);
+    expect(STATUS_NEEDLE_IN, COMMAND_HOME_AXIS, AXIS_PITCH);
+    home(AXIS_INSERTION);
+    home(AXIS_PITCH);
+}
+
+void test_SWR_AXIS_036_a_needle_that_comes_in_meanwhile_stops_it(void)
+{
+    start_manual();
+    expect(STATUS_OK, COMMAND_HOME_AXIS, AXIS_LATERAL);
+    axis_lose_reference(&rig.controller.axes[AXIS_INSERTION]);
+    rig_press(&rig);
+    rig_cycles(&rig, 300U);
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    rig_release(&rig);
+}
+
+void test_SWR_AXIS_036_a_limit_that_its_switch_would_miss_bars_it_by_name(void)
+{
+    start_manual();
+    jog(AXIS_HEAD, -2000);
+    jog(AXIS_FEET, -2000);
+    const answer_t answer = act(COMMAND_HOME_AXIS, AXIS_HEAD);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_SEPARATION_LIMIT, answer.status);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_HEAD, answer.axis);
+    TEST_ASSERT_EQUAL_UINT32(1U, answer.is_maximum);
+    expect_grade(AXIS_REFERENCE_VERIFIED, AXIS_HEAD);
+    expect(STATUS_OK, COMMAND_CLEAR_AXIS, AXIS_HEAD);
+    expect(STATUS_SEPARATION_LIMIT, COMMAND_HOME_AXIS, AXIS_HEAD);
+}
+
+void test_SWR_AXIS_036_who_shares_its_limit_must_be_homed(void)
+{
+    start_manual();
+    expect(STATUS_OK, COMMAND_CLEAR_AXIS, AXIS_FEET);
+    expect(STATUS_NOT_HOMED, COMMAND_HOME_AXIS, AXIS_HEAD);
+    expect_grade(AXIS_REFERENCE_VERIFIED, AXIS_HEAD);
+    TEST_ASSERT_EQUAL_UINT32(1U, hold_button());
+    expect(STATUS_OK, COMMAND_HOME_AXIS, AXIS_HEAD);
+}
+
+static const command_kind_t acts[] = {COMMAND_HOME_AXIS, COMMAND_CLEAR_AXIS, COMMAND_CONFIRM_AXIS,
+                                      COMMAND_SET_HOME};
+#define ACTS (sizeof acts / sizeof acts[0])
+
+void test_SWR_AXIS_037_they_are_for_manual_only(void)
+{
+    start_manual();
+    axis_doubt(&rig.controller.axes[AXIS_FEET]);
+    rig_cycle(&rig);
+    for (uint32_t phase = (uint32_t)WORKPHASE_START_UP; phase < WORKPHASE_COUNT; phase++) {
+        if ((rig_workphase(&rig, (workphase_t)phase).status != (uint32_t)STATUS_OK) ||
+            (phase == (uint32_t)WORKPHASE_MANUAL)) {
+            continue;
+        }
+        for (uint32_t i = 0U; i < ACTS; i++) {
+            const uint32_t axis = (i == 0U) ? (uint32_t)AXIS_LATERAL : (uint32_t)AXIS_FEET;
+            expect(STATUS_WRONG_WORKPHASE, acts[i], axis);
+        }
+    }
+    expect_grade(AXIS_REFERENCE_UNVERIFIED, AXIS_FEET);
+    expect_grade(AXIS_REFERENCE_VERIFIED, AXIS_LATERAL);
+}
+
+void test_SWR_AXIS_037_they_are_for_axes_of_the_robot_and_the_console(void)
+{
+    start_manual();
+    for (uint32_t i = 0U; i < ACTS; i++) {
+        const command_t foreign = {.source = (uint32_t)COMMAND_SOURCE_IGTL,
+                                   .peer = RIG_CONNECTION,
+                                   .kind = (uint32_t)acts[i]};
+        expect(STATUS_UNKNOWN_COMMAND, acts[i], robot_neuro.axis_count);
+        expect(STATUS_UNKNOWN_COMMAND, acts[i], UINT32_MAX);
+        TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_ALLOWED, rig_command(&rig, foreign).status);
+    }
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_homed);
+}
+
+void test_SWR_AXIS_037_who_has_no_authority_is_refused(void)
+{
+    start_manual();
+    for (uint32_t i = 0U; i < ACTS; i++) {
+        const command_t other = {.source = (uint32_t)COMMAND_SOURCE_HTTP,
+                                 .peer = RIG_PAGE + 1U,
+                                 .kind = (uint32_t)acts[i],
+                                 .argument = AXIS_FEET};
+        TEST_ASSERT_EQUAL_UINT32(STATUS_NO_AUTHORITY, rig_command(&rig, other).status);
+    }
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_homed);
+}
+
+void test_SWR_AXIS_037_nothing_is_done_by_a_table_that_was_damaged(void)
+{
+    start_manual();
+    rig.robot.axes[AXIS_FEET].home_ticks++;
+    rig_cycle(&rig);
+    for (uint32_t i = 0U; i < ACTS; i++) {
+        expect(STATUS_MEMORY_DAMAGED, acts[i], AXIS_FEET);
+    }
+}
+
+void test_SWR_AXIS_038_a_reference_is_forgotten_by_command(void)
+{
+    start_manual();
+    rig_forget(&rig);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.has_target);
+    expect(STATUS_OK, COMMAND_CLEAR_AXIS, AXIS_LATERAL);
+    expect_grade(AXIS_REFERENCE_LOST, AXIS_LATERAL);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.is_homed);
+    expect(STATUS_OK, COMMAND_CLEAR_AXIS, AXIS_LATERAL);
+    rig_cycles(&rig, 3U);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_REFERENCE_LOST));
+    TEST_ASSERT_EQUAL_UINT32(EVENT_CAUSE_CONSOLE, rig.events[0].cause);
+    home(AXIS_LATERAL);
+}
+
+void test_SWR_AXIS_038_who_was_never_known_stays_fresh(void)
+{
+    start_fresh();
+    expect(STATUS_OK, COMMAND_CLEAR_AXIS, AXIS_FEET);
+    expect_grade(AXIS_REFERENCE_FRESH, AXIS_FEET);
+}
+
+void test_SWR_AXIS_038_nothing_is_forgotten_under_an_order(void)
+{
+    start_manual();
+    expect(STATUS_OK, COMMAND_HOME_AXIS, AXIS_LATERAL);
+    expect(STATUS_NOT_AT_REST, COMMAND_CLEAR_AXIS, AXIS_YAW);
+    expect_grade(AXIS_REFERENCE_VERIFIED, AXIS_YAW);
+}
+
+/* Two axes in doubt, in MANUAL. */
+static void start_doubted(void)
+{
+    start_manual();
+    axis_doubt(&rig.controller.axes[AXIS_FEET]);
+    axis_doubt(&rig.controller.axes[AXIS_YAW]);
+    rig_cycle(&rig);
+}
+
+void test_SWR_AXIS_039_the_next_press_confirms_that_axis_and_the_one_after_it_the_other(void)
+{
+    start_doubted();
+    rig_forget(&rig);
+    expect(STATUS_OK, COMMAND_CONFIRM_AXIS, AXIS_YAW);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_CONFIRM_ASKED));
+    TEST_ASSERT_EQUAL_UINT32(AUTHORITY_REQUEST_CONFIRM_AXIS, rig.outputs.snapshot.request);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_YAW, rig.outputs.snapshot.request_axis);
+    expect_grade(AXIS_REFERENCE_UNVERIFIED, AXIS_YAW);
+    TEST_ASSERT_EQUAL_UINT32(1U, hold_button());
+    expect_grade(AXIS_REFERENCE_VERIFIED, AXIS_YAW);
+    expect_grade(AXIS_REFERENCE_UNVERIFIED, AXIS_FEET);
+    TEST_ASSERT_EQUAL_UINT32(AUTHORITY_REQUEST_NONE, rig.outputs.snapshot.request);
+    TEST_ASSERT_EQUAL_UINT32(1U, hold_button());
+    expect_grade(AXIS_REFERENCE_VERIFIED, AXIS_FEET);
+}
+
+void test_SWR_AXIS_039_it_lapses_and_a_press_from_before_means_nothing(void)
+{
+    start_doubted();
+    rig_box(&rig, "button press");
+    rig_cycles(&rig, HOLD_CYCLES / 2U);
+    expect(STATUS_OK, COMMAND_CONFIRM_AXIS, AXIS_YAW);
+    rig_cycles(&rig, 2U * HOLD_CYCLES);
+    expect_grade(AXIS_REFERENCE_UNVERIFIED, AXIS_YAW);
+    rig_box(&rig, "button release");
+    rig_cycles(&rig, ASK_CYCLES);
+    TEST_ASSERT_EQUAL_UINT32(AUTHORITY_REQUEST_NONE, rig.outputs.snapshot.request);
+    TEST_ASSERT_EQUAL_UINT32(2U, hold_button());
+}
+
+void test_SWR_AXIS_039_another_ones_request_is_not_replaced(void)
+{
+    const command_t take = {.source = (uint32_t)COMMAND_SOURCE_HTTP,
+                            .peer = RIG_PAGE + 1U,
+                            .kind = (uint32_t)COMMAND_REQUEST,
+                            .argument = AUTHORITY_REQUEST_TAKE};
+    start_doubted();
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, take).status);
+    expect(STATUS_BUSY, COMMAND_CONFIRM_AXIS, AXIS_YAW);
+    TEST_ASSERT_EQUAL_UINT32(AUTHORITY_REQUEST_TAKE, rig.outputs.snapshot.request);
+}
+
+void test_SWR_AXIS_040_what_a_press_would_not_verify_is_refused(void)
+{
+    start_manual();
+    expect(STATUS_NOTHING_TO_CONFIRM, COMMAND_CONFIRM_AXIS, AXIS_YAW);
+    expect(STATUS_OK, COMMAND_CLEAR_AXIS, AXIS_YAW);
+    expect(STATUS_NOTHING_TO_CONFIRM, COMMAND_CONFIRM_AXIS, AXIS_YAW);
+    rig.controller.axes[AXIS_YAW].elsewhere_ticks = 500;
+    controller_seal(&rig.controller);
+    expect(STATUS_OK, COMMAND_CONFIRM_AXIS, AXIS_YAW);
+    TEST_ASSERT_EQUAL_UINT32(1U, hold_button());
+    expect(STATUS_OK, COMMAND_CLEAR_AXIS, AXIS_FEET);
+    expect(STATUS_OK, COMMAND_CONFIRM_AXIS, AXIS_FEET);
+    start_fresh();
+    expect(STATUS_NOTHING_TO_CONFIRM, COMMAND_CONFIRM_AXIS, AXIS_FEET);
+}
+
+void test_SWR_AXIS_041_where_the_axis_stands_is_its_home_once_the_operator_has_confirmed_it(void)
+{
+    start_manual();
+    jog(AXIS_FEET, 800);
+    const double place = rig.box.axes[AXIS_FEET].motor.position_ticks;
+    rig_forget(&rig);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.has_target);
+    expect(STATUS_OK, COMMAND_SET_HOME, AXIS_FEET);
+    expect_grade(AXIS_REFERENCE_UNVERIFIED, AXIS_FEET);
+    TEST_ASSERT_EQUAL_INT32(robot_neuro.axes[AXIS_FEET].home_ticks, rig_position(&rig, AXIS_FEET));
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.is_homed);
+    rig_cycles(&rig, 2000U);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_UNVERIFIED));
+    TEST_ASSERT_EQUAL_UINT32(1U, hold_button());
+    expect_grade(AXIS_REFERENCE_VERIFIED, AXIS_FEET);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_homed);
+    TEST_ASSERT_EQUAL_INT32(robot_neuro.axes[AXIS_FEET].home_ticks, rig_position(&rig, AXIS_FEET));
+    TEST_ASSERT_DOUBLE_WITHIN(0.5, place, rig.box.axes[AXIS_FEET].motor.position_ticks);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_ENABLED, rig.outputs.snapshot.axes[AXIS_FEET].power);
+    jog(AXIS_FEET, -100);
+    TEST_ASSERT_DOUBLE_WITHIN(3.0, place - 100.0, rig.box.axes[AXIS_FEET].motor.position_ticks);
+}
+
+void test_SWR_AXIS_041_the_home_of_a_lost_or_unverified_axis_is_set_as_well(void)
+{
+    start_manual();
+    jog(AXIS_ROTATION, 300);
+    expect(STATUS_OK, COMMAND_CLEAR_AXIS, AXIS_ROTATION);
+    expect(STATUS_OK, COMMAND_SET_HOME, AXIS_ROTATION);
+    expect_grade(AXIS_REFERENCE_UNVERIFIED, AXIS_ROTATION);
+    TEST_ASSERT_EQUAL_INT32(0, rig_position(&rig, AXIS_ROTATION));
+    expect(STATUS_OK, COMMAND_SET_HOME, AXIS_ROTATION);
+    TEST_ASSERT_EQUAL_UINT32(1U, hold_button());
+}
+
+void test_SWR_AXIS_042_an_axis_with_a_switch_finds_home_by_it(void)
+{
+    start_manual();
+    expect(STATUS_HOMES_OTHERWISE, COMMAND_SET_HOME, AXIS_LATERAL);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_homed);
+}
+
+void test_SWR_AXIS_042_home_is_not_set_in_a_hurry(void)
+{
+    start_manual();
+    jog(AXIS_FEET, 800);
+    expect(STATUS_OK, COMMAND_HOME_AXIS, AXIS_LATERAL);
+    expect(STATUS_NOT_AT_REST, COMMAND_SET_HOME, AXIS_FEET);
+    enter_manual();
+    rig_press(&rig);
+    expect(STATUS_NOT_AT_REST, COMMAND_SET_HOME, AXIS_FEET);
+    rig_release(&rig);
+    rig_box(&rig, "motor feet runs");
+    rig_cycles(&rig, 20U);
+    expect(STATUS_NOT_AT_REST, COMMAND_SET_HOME, AXIS_FEET);
+    TEST_ASSERT_NOT_EQUAL_INT32(0, rig_position(&rig, AXIS_FEET));
+}
+
+void test_SWR_AXIS_042_home_is_set_only_of_what_is_seen_and_without_a_needle_that_is_in(void)
+{
+    start_manual();
+    jog(AXIS_FEET, 800);
+    jog(AXIS_INSERTION, 20000);
+    expect(STATUS_NEEDLE_IN, COMMAND_SET_HOME, AXIS_FEET);
+    rig_box(&rig, "card feet silent");
+    rig_cycles(&rig, 3U);
+    expect(STATUS_HARDWARE_NOT_READY, COMMAND_SET_HOME, AXIS_FEET);
+    TEST_ASSERT_NOT_EQUAL_INT32(0, rig_position(&rig, AXIS_FEET));
+}
+
+void test_SWR_AXIS_043_who_set_a_home_and_how_far_it_went_is_told(void)
+{
+    start_manual();
+    jog(AXIS_FEET, 800);
+    const int32_t position = rig_position(&rig, AXIS_FEET);
+    rig_forget(&rig);
+    expect(STATUS_OK, COMMAND_SET_HOME, AXIS_FEET);
+    TEST_ASSERT_EQUAL_UINT32(EVENT_HOME_SET, rig.events[0].id);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_FEET, rig.events[0].subject);
+    TEST_ASSERT_EQUAL_INT32(robot_neuro.axes[AXIS_FEET].home_ticks - position, rig.events[0].value);
+    TEST_ASSERT_EQUAL_UINT32(EVENT_SEVERITY_WARNING, rig.events[0].severity);
+    TEST_ASSERT_EQUAL_UINT32(EVENT_CAUSE_CONSOLE, rig.events[0].cause);
+    TEST_ASSERT_EQUAL_UINT32(RIG_PAGE, rig.events[0].peer);
+}
