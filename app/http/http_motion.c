@@ -23,6 +23,13 @@ int http_motion_jog(http_server_t *server, const http_call_t *call)
                : http_act_refuse_member(call, "/position");
 }
 
+int http_motion_axis(http_server_t *server, const http_call_t *call, command_kind_t kind,
+                     uint32_t id)
+{
+    const command_t command = {.id = id, .kind = (uint32_t)kind, .argument = call->path.axis};
+    return http_act_command(server, call, &command);
+}
+
 int http_motion_retract(http_server_t *server, const http_call_t *call)
 {
     const command_t command = {.id = call->body.retract.id, .kind = (uint32_t)COMMAND_RETRACT};

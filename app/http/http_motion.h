@@ -11,6 +11,14 @@ int http_motion_workphase(http_server_t *server, const http_call_t *call);
 /** @satisfies SWR-HTTP-029 */
 int http_motion_jog(http_server_t *server, const http_call_t *call);
 
+/**
+ * An act on one axis: HOME_AXIS, CLEAR_AXIS, CONFIRM_AXIS or SET_HOME. `id` of the body.
+ *
+ * @satisfies SWR-AXIS-044
+ */
+int http_motion_axis(http_server_t *server, const http_call_t *call, command_kind_t kind,
+                     uint32_t id);
+
 int http_motion_retract(http_server_t *server, const http_call_t *call);
 
 #endif

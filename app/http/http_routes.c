@@ -160,6 +160,14 @@ static int answer(http_server_t *server, const http_call_t *call)
         return http_motion_workphase(server, call);
     case ROUTE_JOG:
         return http_motion_jog(server, call);
+    case ROUTE_HOME_AXIS:
+        return http_motion_axis(server, call, COMMAND_HOME_AXIS, call->body.home_axis.id);
+    case ROUTE_CLEAR_AXIS:
+        return http_motion_axis(server, call, COMMAND_CLEAR_AXIS, call->body.clear_axis.id);
+    case ROUTE_CONFIRM_AXIS:
+        return http_motion_axis(server, call, COMMAND_CONFIRM_AXIS, call->body.confirm_axis.id);
+    case ROUTE_SET_HOME:
+        return http_motion_axis(server, call, COMMAND_SET_HOME, call->body.set_home.id);
     case ROUTE_RETRACT:
         return http_motion_retract(server, call);
     case ROUTE_POSITIONS:
