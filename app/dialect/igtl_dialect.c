@@ -4,10 +4,13 @@
 #include "charts/arming_chart.h"
 #include "dialect/igtl_border.h"
 #include "interface/app/names.h"
+#include "limits/requirement_limits.h"
 
 #include <stddef.h>
 #include <stdio.h>
 #include <string.h>
+
+#define CYCLES_PER_S (1000000U / LIMIT_CYCLE_US)
 
 uint32_t igtl_reason_code(status_t status)
 {
@@ -62,7 +65,23 @@ static bool is_of_coupled_limit(const robot_t *robot, uint32_t status)
     return is_one;
 }
 
-void igtl_reason_text(const robot_t *robot, const answer_t *answer, char text[IGTL_REASON_SIZE])
+/* "NAME: sentence"; who has authority, by name. */
+static void write_reason(status_t status, const igtl_moment_t *moment, char text[IGTL_REASON_SIZE])
+{
+    const char *name = status_name((int32_t)status);
+
+    if ((status == STATUS_NO_AUTHORITY) && (moment->snapshot != NULL) && (moment->holder != NULL)) {
+        const uint32_t cycles = moment->snapshot->cycle - moment->snapshot->held_since_cycle;
+
+        (void)snprintf(text, IGTL_REASON_SIZE, "%s: %s has commanded the robot for %u s.", name,
+                       moment->holder, (unsigned)(cycles / CYCLES_PER_S));
+    } else {
+        (void)snprintf(text, IGTL_REASON_SIZE, "%s: %s", name, status_text((int32_t)status));
+    }
+}
+
+void igtl_reason_text(const robot_t *robot, const answer_t *answer, const igtl_moment_t *moment,
+                      char text[IGTL_REASON_SIZE])
 {
     const int32_t status = (int32_t)answer->status;
     const char *limit = (answer->is_maximum != 0U) ? "upper" : "lower";
@@ -78,7 +97,7 @@ void igtl_reason_text(const robot_t *robot, const answer_t *answer, char text[IG
         (void)snprintf(text, IGTL_REASON_SIZE, "%s: %s (%s limit)", status_name(status),
                        status_text(status), limit);
     } else {
-        (void)snprintf(text, IGTL_REASON_SIZE, "%s: %s", status_name(status), status_text(status));
+        write_reason((status_t)answer->status, moment, text);
     }
 }
 
@@ -97,8 +116,7 @@ void igtl_tell_refusal(igtl_outbox_t *outbox, const char *name, status_t status,
     char text[IGTL_REASON_SIZE];
     const igtl_status_t refusal = {igtl_reason_code(status), status_name((int32_t)status), text};
 
-    (void)snprintf(text, sizeof text, "%s: %s", status_name((int32_t)status),
-                   status_text((int32_t)status));
+    write_reason(status, moment, text);
     igtl_tell_status(outbox, name, &refusal, moment);
 }
 

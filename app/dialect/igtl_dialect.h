@@ -48,12 +48,19 @@ typedef struct {
     uint64_t patience_us;       /**< Of those who wait for control; see igtl_main.c. */
     uint64_t timestamp;         /**< For outgoing messages, units of 2^-32 s since 1970. */
     const snapshot_t *snapshot; /**< The newest; NULL: none yet, or control is silent. */
+    const char *holder;         /**< How people call who has authority by that; NULL: nobody. */
 } igtl_moment_t;
 
-/** Code, and "NAME: sentence" with the axis and limit, of an answer that is not a plain success. */
+/**
+ * Code, and "NAME: sentence" with the axis and limit, of an answer that is not a plain success.
+ * Without authority the sentence says who has it, and for how long.
+ *
+ * @satisfies SWR-IGTL-055
+ */
 #define IGTL_REASON_SIZE (IGTL_TEXT_MAX + 1U)
 uint32_t igtl_reason_code(status_t status);
-void igtl_reason_text(const robot_t *robot, const answer_t *answer, char text[IGTL_REASON_SIZE]);
+void igtl_reason_text(const robot_t *robot, const answer_t *answer, const igtl_moment_t *moment,
+                      char text[IGTL_REASON_SIZE]);
 
 /** Sends STATUS(`name`, ...) to a peer. */
 void igtl_tell_status(igtl_outbox_t *outbox, const char *name, const igtl_status_t *status,

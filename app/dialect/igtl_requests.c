@@ -123,12 +123,19 @@ static igtl_request_t *urgent_place(igtl_requests_t *self, uint32_t peer, uint32
     return place;
 }
 
+static igtl_request_t *place_for(igtl_requests_t *self, uint32_t peer, const command_t *command)
+{
+    if (igtl_requests_is_urgent(command)) {
+        return urgent_place(self, peer, command->argument);
+    }
+    return (command->kind == (uint32_t)COMMAND_RELEASE) ? entry_with(self, 0U)
+                                                        : common_place(self, peer);
+}
+
 const igtl_request_t *igtl_requests_add(igtl_requests_t *self, uint32_t peer, command_t *command,
                                         uint64_t now_us)
 {
-    igtl_request_t *request = igtl_requests_is_urgent(command)
-                                  ? urgent_place(self, peer, command->argument)
-                                  : common_place(self, peer);
+    igtl_request_t *request = place_for(self, peer, command);
 
     if (request == NULL) {
         return NULL;

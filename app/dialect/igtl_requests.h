@@ -18,7 +18,8 @@
 #define IGTL_REQUESTS_COMMON 16U  /**< Places for everything but STOP and EMERGENCY. */
 /** Places for STOP, and as many for EMERGENCY: the shares of all peers of all ports. */
 #define IGTL_REQUESTS_URGENT 128U
-#define IGTL_REQUESTS (IGTL_REQUESTS_COMMON + (2U * IGTL_REQUESTS_URGENT))
+/** And one for RELEASE, of which one is on its way at a time. */
+#define IGTL_REQUESTS (IGTL_REQUESTS_COMMON + (2U * IGTL_REQUESTS_URGENT) + 1U)
 #define IGTL_REQUEST_ID_STEP 2U /**< Ids of the two dialects interleave. */
 /** Then the peer is told that there is no answer. */
 #define IGTL_ANSWER_TIMEOUT_US UINT64_C(80000)
@@ -51,9 +52,9 @@ bool igtl_requests_is_urgent(const command_t *command);
 
 /**
  * Gives `command` an id and queues it for `peer`. NULL when too many are on their way: in all, or
- * IGTL_REQUESTS_PER_PEER unanswered ones of this peer. STOP and EMERGENCY always find a place:
- * beyond the peer's share the newest one of the same kind gives its place up, and one answer serves
- * both.
+ * IGTL_REQUESTS_PER_PEER unanswered ones of this peer. RELEASE, STOP and EMERGENCY always find a
+ * place: of the last two beyond the peer's share the newest one of the same kind gives its place
+ * up, and one answer serves both.
  *
  * @satisfies SWR-IGTL-006
  * @satisfies SWR-IGTL-049

@@ -154,7 +154,7 @@ static void tell_refused(transform_dialect_t *self, const igtl_request_t *reques
     const igtl_status_t refused = {igtl_reason_code((status_t)answer->status),
                                    status_name((int32_t)answer->status), text};
 
-    igtl_reason_text(self->robot, answer, text);
+    igtl_reason_text(self->robot, answer, moment, text);
     igtl_tell_status(self->peers[request->peer].outbox,
                      transform_proposals_name(request->kind, request->argument), &refused, moment);
 }

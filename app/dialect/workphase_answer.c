@@ -80,7 +80,7 @@ static void tell_outcome(const workphase_dialect_t *self, workphase_peer_t *peer
                                   workphase_name((int32_t)answer->workphase), text};
 
     if (!is_good) {
-        igtl_reason_text(self->robot, answer, text);
+        igtl_reason_text(self->robot, answer, moment, text);
     }
     igtl_tell_status(peer->outbox, name, &status, moment);
 }
@@ -106,7 +106,7 @@ static void write_end(const workphase_dialect_t *self, const igtl_request_t *req
     if (is_fault) {
         workphase_watch_fault_text(self, answer->axis, moment, text);
     } else if (answer->status != (uint32_t)STATUS_OK) {
-        igtl_reason_text(self->robot, answer, text);
+        igtl_reason_text(self->robot, answer, moment, text);
     } else {
         /* It has ended as asked. */
     }

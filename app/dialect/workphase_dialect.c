@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "dialect/workphase_dialect.h"
 
-#include "charts/arming_chart.h"
 #include "charts/authority_chart.h"
 #include "dialect/workphase_answer.h"
 #include "dialect/workphase_peer.h"
@@ -17,6 +16,7 @@ void workphase_dialect_init(workphase_dialect_t *self, const robot_t *robot, uin
     (void)memset(self, 0, sizeof *self);
     self->robot = robot;
     self->controller = IGTL_NOBODY;
+    self->is_new = true;
     igtl_requests_init(&self->requests, first_id, IGTL_REQUESTS_COMMON);
 }
 
@@ -40,17 +40,6 @@ static bool is_long(const igtl_request_t *request)
              (request->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET)));
 }
 
-/* There are as many places as connections that can end before the next step. */
-static void owe_release(workphase_dialect_t *self, uint32_t number)
-{
-    for (uint32_t i = 0U; i < IGTL_PLACES; i++) {
-        if (self->released[i] == 0U) {
-            self->released[i] = number;
-            return;
-        }
-    }
-}
-
 void workphase_dialect_disconnected(void *dialect, uint32_t peer)
 {
     workphase_dialect_t *self = dialect;
@@ -59,15 +48,11 @@ void workphase_dialect_disconnected(void *dialect, uint32_t peer)
     if (self->controller == peer) {
         self->controller = IGTL_NOBODY;
     }
-    if (self->peers[peer].has_commanded) {
-        owe_release(self, self->peers[peer].number);
-    }
     for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
         igtl_request_t *request = &self->requests.requests[i];
 
         if ((request->id != 0U) && (request->peer == peer)) {
             request->peer = IGTL_NOBODY;
-            self->must_stop = self->must_stop || is_long(request);
         }
     }
 }
@@ -94,21 +79,22 @@ bool workphase_dialect_has_order(const void *dialect, uint32_t peer)
     return false;
 }
 
+static bool is_held_here(const snapshot_t *shown)
+{
+    return (shown != NULL) && (shown->authority == (uint32_t)AUTHORITY_STATE_HELD) &&
+           (shown->holder == (uint32_t)COMMAND_SOURCE_IGTL);
+}
+
 /* The controller decides it; what it shows is a moment old. */
 static void look_who_commands(workphase_dialect_t *self, const igtl_moment_t *moment)
 {
-    const snapshot_t *shown = moment->snapshot;
-
-    if (shown == NULL) {
+    if (moment->snapshot == NULL) {
         return;
     }
     self->controller = IGTL_NOBODY;
-    if ((shown->authority != (uint32_t)AUTHORITY_STATE_HELD) ||
-        (shown->holder != (uint32_t)COMMAND_SOURCE_IGTL)) {
-        return;
-    }
-    for (uint32_t i = 0U; i < IGTL_PLACES; i++) {
-        if ((self->peers[i].outbox != NULL) && (self->peers[i].number == shown->holder_peer)) {
+    for (uint32_t i = 0U; (i < IGTL_PLACES) && is_held_here(moment->snapshot); i++) {
+        if ((self->peers[i].outbox != NULL) &&
+            (self->peers[i].number == moment->snapshot->holder_peer)) {
             self->controller = i;
         }
     }
@@ -160,12 +146,8 @@ bool workphase_dialect_answer(workphase_dialect_t *self, const answer_t *answer,
             workphase_peer_forget(&self->peers[request->peer], request->id);
         }
         workphase_answer_tell(self, request, answer, moment);
-    } else if ((answer->status == (uint32_t)STATUS_BUSY) &&
-               (request->argument == (uint32_t)WORKPHASE_STOP)) {
-        self->must_stop = true;
-    } else if ((answer->status == (uint32_t)STATUS_BUSY) &&
-               (request->kind == (uint32_t)COMMAND_RELEASE)) {
-        owe_release(self, request->argument);
+    } else if (request->kind == (uint32_t)COMMAND_RELEASE) {
+        self->is_new = self->is_new && (answer->status != (uint32_t)STATUS_OK);
     } else {
         /* Nobody waits for it. */
     }
@@ -176,46 +158,27 @@ bool workphase_dialect_answer(workphase_dialect_t *self, const answer_t *answer,
     return true;
 }
 
-/* A client armed it through an earlier run of this process, and is gone. A jog is the console's. */
-static bool has_orphan(const workphase_dialect_t *self, const snapshot_t *snapshot)
+static bool is_releasing(const workphase_dialect_t *self)
 {
-    if ((snapshot == NULL) || (snapshot->order != (uint32_t)ARMING_STATE_WAITING) ||
-        ((snapshot->workphase != (uint32_t)WORKPHASE_START_UP) &&
-         (snapshot->workphase != (uint32_t)WORKPHASE_MOVE_TO_TARGET))) {
-        return false;
-    }
     for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
         const igtl_request_t *request = &self->requests.requests[i];
 
-        if ((request->id != 0U) && (is_long(request) || (request->peer == IGTL_NOBODY))) {
-            return false;
+        if ((request->id != 0U) && (request->kind == (uint32_t)COMMAND_RELEASE)) {
+            return true;
         }
     }
-    return true;
+    return false;
 }
 
-/* Nobody is told: the peer that would be has gone. */
-static void stop_for_lost_peer(workphase_dialect_t *self, uint64_t patience_us)
+/* Numbers begin anew with each run of this process: of an earlier one everything is given up. */
+static void release_lost(workphase_dialect_t *self, const igtl_moment_t *moment)
 {
-    command_t stop = {.kind = (uint32_t)COMMAND_WORKPHASE, .argument = (uint32_t)WORKPHASE_STOP};
+    const bool is_lost = is_held_here(moment->snapshot) && (self->controller == IGTL_NOBODY);
+    command_t release = {.kind = (uint32_t)COMMAND_RELEASE};
 
-    if (self->must_stop &&
-        (igtl_requests_add(&self->requests, IGTL_NOBODY, &stop, patience_us) != NULL)) {
-        self->must_stop = false;
-    }
-}
-
-static void release_lost_peers(workphase_dialect_t *self, uint64_t patience_us)
-{
-    for (uint32_t i = 0U; i < IGTL_PLACES; i++) {
-        command_t release = {.peer = self->released[i],
-                             .kind = (uint32_t)COMMAND_RELEASE,
-                             .argument = self->released[i]};
-
-        if ((self->released[i] != 0U) &&
-            (igtl_requests_add(&self->requests, IGTL_NOBODY, &release, patience_us) != NULL)) {
-            self->released[i] = 0U;
-        }
+    if ((self->is_new || is_lost) && !is_releasing(self)) {
+        release.peer = self->is_new ? 0U : moment->snapshot->holder_peer;
+        (void)igtl_requests_add(&self->requests, IGTL_NOBODY, &release, moment->patience_us);
     }
 }
 
@@ -255,10 +218,8 @@ void workphase_dialect_step(workphase_dialect_t *self, const igtl_moment_t *mome
 {
     const igtl_request_t *overdue = igtl_requests_overdue(&self->requests, moment->patience_us);
 
-    self->must_stop = self->must_stop || has_orphan(self, moment->snapshot);
     look_who_commands(self, moment);
-    stop_for_lost_peer(self, moment->patience_us);
-    release_lost_peers(self, moment->patience_us);
+    release_lost(self, moment);
     while (overdue != NULL) {
         tell_no_answer(self, overdue, moment);
         overdue = igtl_requests_overdue(&self->requests, moment->patience_us);

@@ -57,7 +57,6 @@ typedef struct {
 typedef struct {
     igtl_outbox_t *outbox; /**< NULL: not connected. */
     uint32_t number;       /**< Of its connection. */
-    bool has_commanded;    /**< It may have authority. */
     igtl_language_t language;
     const char *entry_prefix;
     workphase_id_t ids[WORKPHASE_IDS]; /**< The last commands, a ring. */
@@ -99,11 +98,7 @@ typedef struct {
     workphase_peer_t peers[IGTL_PLACES];
     uint32_t controller;       /**< Peer that has authority as control shows it, or IGTL_NOBODY. */
     uint64_t next_position_us; /**< When the next CURRENT_POSITION is due. */
-    /** The peer of an order was lost, with its connection or with an earlier run of this process;
-     * STOP has still to go. */
-    bool must_stop;
-    uint32_t released[IGTL_PLACES]; /**< Numbers of connections that ended, to be released; 0: none.
-                                     */
+    bool is_new;               /**< What connections of an earlier run had is not released yet. */
 } workphase_dialect_t;
 
 /** `first_id` numbers the commands, even. */
@@ -112,11 +107,6 @@ void workphase_dialect_init(workphase_dialect_t *self, const robot_t *robot, uin
 void workphase_dialect_connected(void *dialect, uint32_t peer,
                                  const igtl_introduction_t *introduction);
 
-/**
- * Releases what authority the peer has, and commands STOP when it had a command armed or begun.
- *
- * @satisfies SWR-AUTH-011
- */
 void workphase_dialect_disconnected(void *dialect, uint32_t peer);
 
 /** It is the one peer that commands. */
@@ -142,8 +132,9 @@ bool workphase_dialect_answer(workphase_dialect_t *self, const answer_t *answer,
 
 /**
  * Time passes: deferred messages, the position stream, missing answers, what happens by itself, and
- * an order that no connection has asked for.
+ * authority of a connection that has ended, which is released until the controller shows it.
  *
+ * @satisfies SWR-AUTH-011
  * @satisfies SWR-IGTL-052
  */
 void workphase_dialect_step(workphase_dialect_t *self, const igtl_moment_t *moment);

@@ -48,20 +48,6 @@ static bool is_others(const workphase_dialect_t *self, uint32_t peer)
     return (self->controller != IGTL_NOBODY) && (self->controller != peer);
 }
 
-static bool may_command(workphase_dialect_t *self, uint32_t peer)
-{
-    self->peers[peer].has_commanded = true;
-    return !is_others(self, peer);
-}
-
-static void deny(workphase_peer_t *peer, const char *name, const igtl_moment_t *moment)
-{
-    const igtl_status_t denial = {IGTL_STATUS_ACCESS_DENIED, "ACCESS_DENIED",
-                                  "ACCESS_DENIED: Another connection controls the robot."};
-
-    igtl_tell_status(peer->outbox, name, &denial, moment);
-}
-
 /* The workphase named by a text, WORKPHASE_UNDEFINED for none that can be commanded. */
 static workphase_t phase_of(const igtl_message_t *message)
 {
@@ -141,11 +127,12 @@ static void receive_phase(workphase_dialect_t *self, uint32_t index, workphase_t
 {
     const bool is_everyones = id == NULL;
 
-    if (is_everyones || may_command(self, index)) {
+    if (is_everyones || !is_others(self, index)) {
         request_phase(self, index, phase, id, moment);
     } else {
         announce(&self->peers[index], phase, moment);
-        deny(&self->peers[index], workphase_name((int32_t)phase), moment);
+        igtl_tell_refusal(self->peers[index].outbox, workphase_name((int32_t)phase),
+                          STATUS_NO_AUTHORITY, moment);
     }
 }
 
@@ -157,8 +144,8 @@ static void receive_word(workphase_dialect_t *self, uint32_t index, const word_t
         .peer = peer->number, .kind = (uint32_t)word->kind, .argument = word->argument};
     bool is_taken;
 
-    if (!may_command(self, index)) {
-        deny(peer, word->word, moment);
+    if (is_others(self, index)) {
+        igtl_tell_refusal(peer->outbox, word->word, STATUS_NO_AUTHORITY, moment);
         return;
     }
     if (word->kind == COMMAND_RETRACT) {
@@ -275,14 +262,12 @@ static void receive_pose(workphase_dialect_t *self, uint32_t index, const pose_c
                          const igtl_message_t *message, const igtl_moment_t *moment)
 {
     workphase_peer_t *peer = &self->peers[index];
-    const bool is_denied =
-        (what->kind == COMMAND_NEEDLE) ? is_others(self, index) : !may_command(self, index);
     status_t status;
 
     workphase_peer_cancel_deferred(peer);
     workphase_peer_acknowledge_transform(peer, message, (uint32_t)strlen(what->prefix), moment);
-    if (is_denied) {
-        deny(peer, subject_of(peer, what), moment);
+    if (is_others(self, index)) {
+        igtl_tell_refusal(peer->outbox, subject_of(peer, what), STATUS_NO_AUTHORITY, moment);
         return;
     }
     status = pass_pose(self, index, what, message, moment);
@@ -353,7 +338,8 @@ void workphase_receive_step(workphase_dialect_t *self, uint32_t index, const igt
     }
     if (is_others(self, index)) { /* Since it came. */
         peer->tip.is_waiting = false;
-        deny(peer, workphase_peer_tip_subject(peer), moment);
+        igtl_tell_refusal(peer->outbox, workphase_peer_tip_subject(peer), STATUS_NO_AUTHORITY,
+                          moment);
         return;
     }
     if (!are_tips_enough(self)) {

@@ -45,6 +45,7 @@ typedef struct {
     uint64_t next_show_us;
     snapshot_t snapshot;
     igtl_moment_t moment;
+    char holder[EXCHANGE_TITLE_SIZE];
     uint64_t patience_ns;
     uint32_t control_beats;
     uint64_t control_seen_us;
@@ -114,6 +115,18 @@ static void advance_patience(uint64_t elapsed_us)
     process.moment.patience_us = process.patience_ns / 1000U;
 }
 
+static void look_who_commands(void)
+{
+    const snapshot_t *shown = process.moment.snapshot;
+
+    process.moment.holder = NULL;
+    if ((shown != NULL) && (shown->holder_peer != 0U)) {
+        exchange_title(process.exchange, (command_source_t)shown->holder, shown->holder_peer,
+                       process.holder);
+        process.moment.holder = process.holder;
+    }
+}
+
 /* What a silent controller said last is not true any more. */
 static void look_around(void)
 {
@@ -127,6 +140,7 @@ static void look_around(void)
         process.snapshot = fresh;
         process.moment.snapshot = process.is_control_silent ? NULL : &process.snapshot;
     }
+    look_who_commands();
 }
 
 static void take_answers(void)

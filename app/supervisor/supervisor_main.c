@@ -239,7 +239,7 @@ static int judge_end(const child_t *child)
                    child->name, how);
         return EXIT_LOST;
     }
-    screen_say(&screen, "%s ended (%s); motion is not affected, it starts again in %u ms.",
+    screen_say(&screen, "%s ended (%s); what others command goes on, it starts again in %u ms.",
                child->name, how, (unsigned)(child->backoff_us / 1000U));
     return RUNNING;
 }

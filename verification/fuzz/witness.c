@@ -47,7 +47,6 @@ static struct {
     const igtl_message_t *said;
     bool is_stop_owed;
     bool is_emergency_owed;
-    bool is_stop_owed_of_lost;
 } witness;
 
 void witness_begin(world_t *world)
@@ -77,25 +76,10 @@ static uint32_t commander_of(const world_t *world)
     return found;
 }
 
-static bool is_long(const igtl_request_t *request)
-{
-    return (request->kind == (uint32_t)COMMAND_RETRACT) ||
-           ((request->kind == (uint32_t)COMMAND_WORKPHASE) &&
-            ((request->argument == (uint32_t)WORKPHASE_START_UP) ||
-             (request->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET)));
-}
-
 void witness_leaves(const world_t *world, uint32_t place)
 {
     if (world->peers[place].language == IGTL_LANGUAGE_CRTK) {
         return;
-    }
-    for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
-        const igtl_request_t *request = &world->workphase.requests.requests[i];
-
-        if ((request->id != 0U) && (request->peer == place) && is_long(request)) {
-            witness.is_stop_owed_of_lost = true;
-        }
     }
     if (witness.commander == place) {
         witness.commander = NOWHERE;
@@ -499,11 +483,12 @@ static bool may_pass(const world_t *world, uint32_t place, const command_t *comm
 
 static void judge_command(const world_t *world, const command_t *command)
 {
-    if (command->peer == 0U) {
-        SENTENCE(igtl_requests_is_urgent(command), "what nobody says is a stop");
+    const uint32_t place = place_of(world, command->peer);
+
+    if (command->kind == (uint32_t)COMMAND_RELEASE) {
+        SENTENCE(place == NOWHERE, "nobody who is there loses what he has");
         return;
     }
-    const uint32_t place = place_of(world, command->peer);
 
     SENTENCE((place != NOWHERE) &&
                  ((place == witness.speaker) || (command->kind == (uint32_t)COMMAND_NEEDLE)),
@@ -618,13 +603,36 @@ void witness_passed(const world_t *world, const command_t *command)
     }
 }
 
+/* A connection has authority that is not there any more. */
+static bool is_held_by_lost(const world_t *world)
+{
+    const snapshot_t *shown = world->moment.snapshot;
+    bool is_there = (shown == NULL) || (shown->holder_peer == 0U) ||
+                    (shown->holder != (uint32_t)COMMAND_SOURCE_IGTL);
+
+    for (uint32_t i = 0U; i < WORLD_PEERS; i++) {
+        is_there = is_there ||
+                   (world->peers[i].is_connected && (world->peers[i].number == shown->holder_peer));
+    }
+    return !is_there;
+}
+
+static bool is_releasing(const world_t *world)
+{
+    for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
+        const igtl_request_t *request = &world->workphase.requests.requests[i];
+
+        if ((request->id != 0U) && (request->kind == (uint32_t)COMMAND_RELEASE)) {
+            return true;
+        }
+    }
+    return false;
+}
+
 void witness_stepped(world_t *world)
 {
-    if (witness.is_stop_owed_of_lost) {
-        SENTENCE(is_queued(world, WORKPHASE_STOP) || world->workphase.must_stop,
-                 "an order whose commander was lost is stopped");
-        witness.is_stop_owed_of_lost = world->workphase.must_stop;
-    }
+    SENTENCE(!is_held_by_lost(world) || is_releasing(world),
+             "what a connection had that was lost is released");
     for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
         const igtl_request_t *request = &world->workphase.requests.requests[i];
         const uint64_t age_us = world->moment.patience_us - request->sent_us;

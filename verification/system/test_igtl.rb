@@ -193,15 +193,14 @@ class TestIgtl < Minitest::Test
     sockets&.each(&:close)
   end
 
-  def test_SWR_IGTL_011_losing_the_commanding_client_disarms
+  def test_SWR_AUTH_011_losing_the_commanding_client_disarms
     with_unhomed_robot do
       navigation do |client|
         client.phase('START_UP')
         client.run('expect STATUS CURRENT_STATUS 1')
+        assert boresight.wait_until('it is armed') { boresight.status['order'] == 'waiting' }
       end
-      navigation do |client|
-        assert boresight.wait_until('the lost client has stopped the robot') { present_phase(client) == 'STOP' }
-      end
+      assert boresight.wait_until('the order of the lost client has ended') { boresight.status['order'] == 'none' }
     end
   end
 

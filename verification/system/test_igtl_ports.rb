@@ -93,10 +93,24 @@ class TestIgtlPorts < SystemTest
     boresight.simctl('pedal', 'press')
     wait_until('an axis is driven') { boresight.moving? }
     60.times { client.write(RawIgtl.string('CURRENT_STATUS', 'CURRENT_STATUS')) }
-    wait_until('its order has ended') { boresight.status['workphase']['name'] == 'STOP' }
+    wait_until('its order has ended') { boresight.status['order'] == 'none' }
+    wait_until('nothing moves under the pedal') { !boresight.moving? }
     refute boresight.status['is_homed'], 'it was stopped on the way'
     wait_until('the reason is told') { boresight.output.include?('its order ran and it did not read') }
     client.close
+  end
+
+  def home_under_the_pedal
+    boresight.press_and_command('START_UP')
+    wait_until('an axis is driven') { boresight.moving? }
+  end
+
+  def assert_motion_ended(loss)
+    wait_until('its order has ended') { boresight.status['order'] == 'none' }
+    wait_until('nothing moves under the pedal') { !boresight.moving? }
+    refute boresight.status['is_homed'], 'it was stopped on the way'
+    lost = boresight.log.find { |event| event['name'] == 'AUTHORITY_LOST' }
+    assert_includes lost['text'], loss
   end
 
   # The pedal would go on with it, and nobody would know.
@@ -104,8 +118,18 @@ class TestIgtlPorts < SystemTest
     boresight.command('START_UP')
     wait_until('START_UP is armed') { boresight.status['order'] == 'waiting' }
     boresight.kill('igtl', 'KILL')
-    wait_until('its order has ended') { boresight.status['workphase']['name'] == 'STOP' }
-    assert_equal 'none', boresight.status['order']
+    wait_until('its order has ended') { boresight.status['order'] == 'none' }
+  end
+
+  def test_SWR_IGTL_052_a_motion_ends_with_the_server_that_it_was_commanded_by
+    home_under_the_pedal
+    boresight.kill('igtl', 'KILL')
+    assert_motion_ended('RELEASED')
+  end
+
+  def test_SWR_AUTH_010_a_motion_ends_when_the_server_that_it_was_commanded_by_hangs
+    home_under_the_pedal
+    boresight.while_stopped('igtl') { assert_motion_ended('SILENT') }
   end
 
   private

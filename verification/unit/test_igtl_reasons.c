@@ -28,9 +28,10 @@ void tearDown(void)
 void test_SWR_IGTL_008_a_target_at_a_switch_names_its_axis(void)
 {
     char text[IGTL_REASON_SIZE];
+    const igtl_moment_t moment = {.snapshot = NULL};
     const answer_t at_switch = {.status = (uint32_t)STATUS_SWITCH_ZONE, .axis = AXIS_LATERAL};
 
-    igtl_reason_text(&robot_neuro, &at_switch, text);
+    igtl_reason_text(&robot_neuro, &at_switch, &moment, text);
     TEST_ASSERT_NOT_NULL(strstr(text, "SWITCH_ZONE"));
     TEST_ASSERT_NOT_NULL(strstr(text, "(lateral)"));
 }
@@ -50,4 +51,5 @@ void test_SWR_IGTL_008_each_reason_has_its_code(void)
     TEST_ASSERT_EQUAL_UINT32(7U, igtl_reason_code(STATUS_NO_ANSWER));
     TEST_ASSERT_EQUAL_UINT32(10U, igtl_reason_code(STATUS_ENTRY_POINT));
     TEST_ASSERT_EQUAL_UINT32(13U, igtl_reason_code(STATUS_NOT_PROPOSED));
+    TEST_ASSERT_EQUAL_UINT32(5U, igtl_reason_code(STATUS_NO_AUTHORITY));
 }

@@ -227,16 +227,57 @@ void test_SWR_IGTL_008_only_the_first_peer_commands(void)
     say(1U, "CMD_1", "MANUAL");
     EXPECT(1U, "STRING ACK_1 MANUAL");
     EXPECT(1U, "STATUS CURRENT_STATUS 1 MANUAL|");
-    EXPECT(1U,
-           "STATUS MANUAL 5 ACCESS_DENIED|ACCESS_DENIED: Another connection controls the robot.");
+    EXPECT(1U, "STATUS MANUAL 5 NO_AUTHORITY|NO_AUTHORITY: Another one commands the robot, or "
+               "nobody yet.");
     place(1U, "TGT_1", 0.0F);
     EXPECT(1U, "TRANSFORM ACK_1 0.000 2.000 3.000");
-    EXPECT(1U,
-           "STATUS TARGET 5 ACCESS_DENIED|ACCESS_DENIED: Another connection controls the robot.");
+    EXPECT_BEGIN(1U, "STATUS TARGET 5 NO_AUTHORITY|");
     expect_no_command();
     workphase_dialect_disconnected(&dialect, 0U);
     say(1U, "CMD_2", "MANUAL");
     expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_MANUAL);
+}
+
+static void have_a_page_command(void)
+{
+    snapshot.authority = (uint32_t)AUTHORITY_STATE_HELD;
+    snapshot.holder = (uint32_t)COMMAND_SOURCE_HTTP;
+    snapshot.holder_peer = 77U;
+    snapshot.held_since_cycle = UINT32_MAX;
+    snapshot.cycle = 12345U;
+    moment.holder = "page of anna";
+}
+
+void test_SWR_IGTL_055_who_is_refused_learns_who_commands_and_for_how_long(void)
+{
+    enter(0U, "CMD_1", "PLANNING");
+    moment.holder = "brp 127.0.0.1:53212";
+    snapshot.cycle = 2999U;
+    say(1U, "CMD_1", "MANUAL");
+    (void)igtl_peer_next(&outboxes[1]);
+    (void)igtl_peer_next(&outboxes[1]);
+    EXPECT(1U, "STATUS MANUAL 5 NO_AUTHORITY|NO_AUTHORITY: brp 127.0.0.1:53212 has commanded the "
+               "robot for 2 s.");
+}
+
+void test_SWR_IGTL_055_who_is_refused_by_the_controller_learns_it_too(void)
+{
+    have_a_page_command();
+    say(1U, "CMD_1", "MANUAL");
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_MANUAL);
+    answer_to(&command, ANSWER_REFUSED, STATUS_NO_AUTHORITY, 1U);
+    (void)igtl_peer_next(&outboxes[1]);
+    (void)igtl_peer_next(&outboxes[1]);
+    EXPECT(1U, "STATUS MANUAL 5 UNDEFINED|NO_AUTHORITY: page of anna has commanded the robot for "
+               "12 s.");
+}
+
+void test_SWR_IGTL_055_an_order_that_another_one_took_away_ends_with_his_name(void)
+{
+    start_move();
+    have_a_page_command();
+    answer_to(&command, ANSWER_ABORTED, STATUS_NO_AUTHORITY, 1U);
+    EXPECT_BEGIN(0U, "STATUS MOVE_TO_TARGET 5 MOVE_TO_TARGET|NO_AUTHORITY: page of anna has ");
 }
 
 void test_SWR_IGTL_008_stop_is_everyones(void)
@@ -276,65 +317,11 @@ void test_SWR_IGTL_007_repeated_command_is_acknowledged_but_not_executed(void)
     expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_PLANNING);
 }
 
-void test_SWR_IGTL_011_losing_the_peer_of_an_armed_move_stops_it(void)
+void test_SWR_AUTH_011_who_is_lost_gives_up_what_he_had(void)
 {
     start_move();
     workphase_dialect_disconnected(&dialect, 0U);
-    pass_us(0U);
-    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_STOP);
-    answer_to(&command, ANSWER_REFUSED, STATUS_BUSY, 1U);
-    expect_released(0U);
-    pass_us(0U);
-    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_STOP);
-    accept(1U);
-    pass_us(0U);
-    expect_no_command();
-}
-
-void test_SWR_IGTL_052_an_order_of_an_earlier_run_is_stopped_when_it_waits_for_the_pedal(void)
-{
-    static const workphase_t workphases[] = {WORKPHASE_START_UP, WORKPHASE_MOVE_TO_TARGET};
-
-    for (uint32_t i = 0U; i < 2U; i++) {
-        snapshot.workphase = (uint32_t)workphases[i];
-        snapshot.order = (uint32_t)ARMING_STATE_MOVING; /* The pedal holds it. */
-        pass_us(1000U);
-        expect_no_command();
-        snapshot.order = (uint32_t)ARMING_STATE_WAITING;
-        pass_us(1000U);
-        pass_us(1000U);
-        expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_STOP);
-        pass_us(1000U);
-        expect_no_command(); /* Once, while it is not answered. */
-        snapshot.order = (uint32_t)ARMING_STATE_NONE;
-        accept(1U);
-        pass_us(1000U);
-        expect_no_command();
-    }
-}
-
-void test_SWR_IGTL_052_what_a_client_or_the_console_has_armed_goes_on(void)
-{
-    start_move();
-    snapshot.order = (uint32_t)ARMING_STATE_WAITING;
-    pass_us(1000U);
-    expect_no_command();
-    answer_to(&command, ANSWER_DONE, STATUS_OK, 1U);
-    snapshot.workphase = (uint32_t)WORKPHASE_MANUAL;
-    pass_us(1000U);
-    expect_no_command();
-    moment.snapshot = NULL;
-    pass_us(1000U);
-    expect_no_command();
-}
-
-void test_SWR_AUTH_011_a_release_that_was_not_taken_is_sent_again(void)
-{
-    enter(0U, "CMD_1", "PLANNING");
-    workphase_dialect_disconnected(&dialect, 0U);
-    pass_us(0U);
-    expect_command(COMMAND_RELEASE, NUMBER);
-    answer_to(&command, ANSWER_REFUSED, STATUS_BUSY, 1U);
+    workphase_dialect_disconnected(&dialect, 1U);
     pass_us(0U);
     expect_released(0U);
     pass_us(0U);
@@ -342,21 +329,86 @@ void test_SWR_AUTH_011_a_release_that_was_not_taken_is_sent_again(void)
     TEST_ASSERT_FALSE(workphase_dialect_is_controlled_by(&dialect, 0U));
 }
 
-void test_SWR_AUTH_011_releases_wait_for_their_place(void)
+void test_SWR_AUTH_011_who_is_lost_before_the_answer_gives_it_up_after_it(void)
 {
-    for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
-        say(i, "CMD_1", "PLANNING");
-        say(i, "CMD_2", "PLANNING");
-        workphase_dialect_disconnected(&dialect, i);
+    say(0U, "CMD_1", "MOVE_TO_TARGET");
+    workphase_dialect_disconnected(&dialect, 0U);
+    pass_us(0U);
+    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_MOVE_TO_TARGET);
+    expect_no_command();
+    accept(0U);
+    pass_us(0U);
+    expect_released(0U);
+}
+
+void test_SWR_AUTH_011_a_release_that_was_not_taken_is_sent_again(void)
+{
+    static const status_t refusals[] = {STATUS_BUSY, STATUS_DISCARDED};
+
+    enter(0U, "CMD_1", "PLANNING");
+    workphase_dialect_disconnected(&dialect, 0U);
+    for (uint32_t i = 0U; i < 2U; i++) {
+        pass_us(0U);
+        expect_command(COMMAND_RELEASE, 0U);
+        pass_us(0U);
+        expect_no_command(); /* Once, while it is not answered. */
+        answer_to(&command, ANSWER_REFUSED, refusals[i], 1U);
     }
     pass_us(0U);
-    while (igtl_requests_take(&dialect.requests, &command)) {
-        answer_to(&command, ANSWER_REFUSED, STATUS_NO_AUTHORITY, 1U);
+    expect_released(0U);
+}
+
+void test_SWR_AUTH_011_a_release_finds_a_place_in_any_flood(void)
+{
+    enter(7U, "CMD_1", "PLANNING");
+    workphase_dialect_disconnected(&dialect, 7U);
+    for (uint32_t i = 0U; i < IGTL_REQUESTS_COMMON; i++) {
+        command_t other = {.kind = (uint32_t)COMMAND_REGISTRATION};
+        TEST_ASSERT_NOT_NULL(igtl_requests_add(&dialect.requests, i / 4U, &other, 0U));
     }
-    for (uint32_t i = 0U; i < IGTL_PEERS; i++) {
-        pass_us(0U);
-        expect_released(i);
+    pass_us(0U);
+    for (uint32_t i = 0U; i < IGTL_REQUESTS_COMMON; i++) {
+        expect_command(COMMAND_REGISTRATION, 0U);
     }
+    expect_released(7U);
+}
+
+void test_SWR_AUTH_011_what_a_page_has_is_not_touched(void)
+{
+    snapshot.authority = (uint32_t)AUTHORITY_STATE_HELD;
+    snapshot.holder = (uint32_t)COMMAND_SOURCE_HTTP;
+    snapshot.holder_peer = 77U;
+    pass_us(0U);
+    expect_no_command();
+    moment.snapshot = NULL;
+    pass_us(0U);
+    expect_no_command();
+}
+
+void test_SWR_IGTL_052_what_an_earlier_run_had_is_given_up_at_the_start(void)
+{
+    snapshot.authority = (uint32_t)AUTHORITY_STATE_HELD; /* By a connection of the same number. */
+    snapshot.holder_peer = NUMBER;
+    dialect.is_new = true;
+    pass_us(0U);
+    expect_command(COMMAND_RELEASE, 0U);
+    TEST_ASSERT_EQUAL_UINT32(0U, command.peer);
+    answer_to(&command, ANSWER_REFUSED, STATUS_DISCARDED, 1U); /* By a stop. */
+    pass_us(0U);
+    expect_command(COMMAND_RELEASE, 0U);
+    TEST_ASSERT_EQUAL_UINT32(0U, command.peer);
+    answer_to(&command, ANSWER_ACCEPTED, STATUS_OK, 1U);
+    pass_us(0U);
+    expect_no_command();
+}
+
+void test_SWR_IGTL_052_it_is_given_up_at_the_start_without_a_snapshot(void)
+{
+    moment.snapshot = NULL;
+    dialect.is_new = true;
+    pass_us(0U);
+    expect_command(COMMAND_RELEASE, 0U);
+    TEST_ASSERT_EQUAL_UINT32(0U, command.peer);
 }
 
 void test_SWR_EVENT_005_a_command_carries_the_number_of_its_connection(void)
@@ -370,26 +422,6 @@ void test_SWR_EVENT_005_a_command_carries_the_number_of_its_connection(void)
     say(2U, "CMD_3", "STOP");
     expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_STOP);
     TEST_ASSERT_EQUAL_UINT32(NUMBER + 2U, command.peer);
-}
-
-void test_SWR_EVENT_005_the_stop_for_a_lost_peer_carries_no_number(void)
-{
-    start_move();
-    workphase_dialect_disconnected(&dialect, 0U);
-    pass_us(0U);
-    expect_command(COMMAND_WORKPHASE, (uint32_t)WORKPHASE_STOP);
-    TEST_ASSERT_EQUAL_UINT32(0U, command.peer);
-}
-
-void test_SWR_IGTL_011_losing_a_peer_without_an_armed_move_stops_nothing(void)
-{
-    start_move();
-    answer_to(&command, ANSWER_DONE, STATUS_OK, 1U);
-    workphase_dialect_disconnected(&dialect, 0U);
-    workphase_dialect_disconnected(&dialect, 1U);
-    pass_us(0U);
-    expect_released(0U);
-    expect_no_command();
 }
 
 void test_SWR_IGTL_011_new_peer_in_the_same_place_gets_nothing_of_the_old_one(void)
