@@ -51,6 +51,7 @@ uint32_t igtl_reason_code(status_t status)
     case STATUS_NOT_ALLOWED:
     case STATUS_MEMORY_DAMAGED:
     case STATUS_NOT_PROPOSED:
+    case STATUS_HOLDS_AUTHORITY:
     default:
         return IGTL_STATUS_NOT_READY;
     }

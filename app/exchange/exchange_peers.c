@@ -78,6 +78,45 @@ bool exchange_read_peers(const exchange_t *self, command_source_t source, exchan
     return false;
 }
 
+uint32_t exchange_give_order(exchange_t *self, const exchange_order_t *order)
+{
+    segment_order_t *place = &self->segment->others.order;
+    exchange_order_t numbered = *order;
+
+    numbered.id = place->order.id + 1U;
+    exchange_write_locked(&place->sequence, &place->order, &numbered, sizeof numbered);
+    return numbered.id;
+}
+
+bool exchange_read_order_answer(const exchange_t *self, uint32_t id, status_t *status)
+{
+    const segment_order_answer_t *place = &self->segment->others.order_answer;
+    segment_answered_t answer;
+
+    if (!exchange_read_locked(&place->sequence, &answer, &place->answer, sizeof answer)) {
+        return false;
+    }
+    *status = (status_t)answer.status;
+    return answer.id == id;
+}
+
+bool exchange_take_order(const exchange_t *self, exchange_order_t *order)
+{
+    const segment_order_t *place = &self->segment->others.order;
+
+    return exchange_read_locked(&place->sequence, order, &place->order, sizeof *order) &&
+           (order->id != self->segment->others.order_answer.answer.id) &&
+           (order->kind <= (uint32_t)EXCHANGE_ORDER_KEEP_ALIVE) && (order->is_on <= 1U);
+}
+
+void exchange_answer_order(exchange_t *self, const exchange_order_t *order, status_t status)
+{
+    segment_order_answer_t *place = &self->segment->others.order_answer;
+    const segment_answered_t answer = {.id = order->id, .status = (uint32_t)status};
+
+    exchange_write_locked(&place->sequence, &place->answer, &answer, sizeof answer);
+}
+
 static const exchange_peer_t *find(const exchange_peers_t *peers, uint32_t number)
 {
     for (uint32_t i = 0U; i < peers->count; i++) {

@@ -44,9 +44,8 @@ typedef struct {
     uint32_t state;    /**< exchange_port_state_t. */
     uint32_t again_ms; /**< WAITING: until it calls. */
     uint32_t peers;
-    uint32_t waiting;   /**< Connections without a place. */
-    uint32_t commander; /**< Number of the peer that commands, 0: none of this port. */
-    uint32_t troubles;  /**< Counted since igtl started. */
+    uint32_t waiting;                         /**< Connections without a place. */
+    uint32_t troubles;                        /**< Counted since igtl started. */
     char trouble[EXCHANGE_PORT_TROUBLE_SIZE]; /**< The last one in words. */
 } exchange_port_t;
 
@@ -85,6 +84,16 @@ typedef struct {
     uint32_t spare; /**< 0: no padding. */
 } exchange_peers_t;
 
+typedef enum { EXCHANGE_ORDER_DISCONNECT = 0, EXCHANGE_ORDER_KEEP_ALIVE = 1 } exchange_order_kind_t;
+
+/** What is asked of a connection of OpenIGTLink. */
+typedef struct {
+    uint32_t id;     /**< Given by exchange_give_order(). */
+    uint32_t kind;   /**< exchange_order_kind_t. */
+    uint32_t number; /**< Of the connection. */
+    uint32_t is_on;  /**< KEEP_ALIVE: 1 or 0. */
+} exchange_order_t;
+
 /** For igtl: how its ports are. */
 void exchange_publish_ports(exchange_t *self, const exchange_ports_t *ports);
 
@@ -107,6 +116,24 @@ void exchange_publish_peers(exchange_t *self, command_source_t source,
  * @satisfies SWR-EXCH-016
  */
 bool exchange_read_peers(const exchange_t *self, command_source_t source, exchange_peers_t *peers);
+
+/**
+ * For http: asks it of igtl. One at a time: a newer one takes the place of one that was not taken
+ * yet. @return its id
+ *
+ * @satisfies SWR-EXCH-018
+ */
+uint32_t exchange_give_order(exchange_t *self, const exchange_order_t *order);
+
+/** igtl's answer to the order `id`; false while there is none. */
+bool exchange_read_order_answer(const exchange_t *self, uint32_t id, status_t *status);
+
+/** For igtl: the newest order, if it is not answered. False as well when a number in it is out of
+ * its range. */
+bool exchange_take_order(const exchange_t *self, exchange_order_t *order);
+
+/** For igtl: answers it. */
+void exchange_answer_order(exchange_t *self, const exchange_order_t *order, status_t status);
 
 /**
  * Writes how people call a peer: "brp 127.0.0.1:53212", "page of anna"; by its number when the

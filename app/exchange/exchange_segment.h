@@ -64,6 +64,23 @@ typedef struct {
     exchange_peers_t peers;
 } segment_peers_t;
 
+/** What http asks of igtl. */
+typedef struct {
+    uint32_t sequence SEGMENT_ON_LINE;
+    exchange_order_t order;
+} segment_order_t;
+
+typedef struct {
+    uint32_t id;     /**< Of the order. */
+    uint32_t status; /**< status_t. */
+} segment_answered_t;
+
+/** What igtl answers. */
+typedef struct {
+    uint32_t sequence SEGMENT_ON_LINE;
+    segment_answered_t answer;
+} segment_order_answer_t;
+
 /** Written before the magic, never changed afterwards. */
 typedef struct {
     uint64_t magic;
@@ -92,6 +109,8 @@ typedef struct {
     segment_peers_t peers[COMMAND_SOURCE_COUNT];
     uint32_t notes_head SEGMENT_ON_LINE; /**< Number of the newest note. */
     segment_note_t notes[EXCHANGE_NOTES];
+    segment_order_t order;
+    segment_order_answer_t order_answer;
 } segment_others_t;
 
 /** Written by control only. */

@@ -7,9 +7,10 @@
 
 int http_authority_show(http_server_t *server, const http_call_t *call)
 {
-    snapshot_t snapshot;
-    return exchange_read_snapshot(server->exchange, &snapshot)
-               ? http_reply_object(call->connection, 200, telemetry_json_authority(&snapshot))
+    telemetry_view_t view;
+    telemetry_look(&server->telemetry, &view);
+    return view.has_snapshot
+               ? http_reply_object(call->connection, 200, telemetry_json_authority(&view))
                : http_reply_refuse(call->connection, PROBLEM_NO_DATA);
 }
 

@@ -62,6 +62,23 @@ static void look_at_ports(telemetry_t *self)
     }
 }
 
+static void look_up(const telemetry_t *self, uint32_t source, uint32_t peer,
+                    char title[EXCHANGE_TITLE_SIZE])
+{
+    title[0] = '\0';
+    if (peer != 0U) {
+        exchange_title(self->exchange, (command_source_t)source, peer, title);
+    }
+}
+
+static void look_who_commands(telemetry_t *self)
+{
+    telemetry_view_t *view = &self->view;
+
+    look_up(self, view->snapshot.holder, view->snapshot.holder_peer, view->holder);
+    look_up(self, view->snapshot.requester, view->snapshot.requester_peer, view->requester);
+}
+
 void telemetry_look(telemetry_t *self, telemetry_view_t *view)
 {
     (void)pthread_mutex_lock(&self->lock);
@@ -69,6 +86,7 @@ void telemetry_look(telemetry_t *self, telemetry_view_t *view)
     look_at_snapshot(self, now_ms);
     look_at_beats(self, now_ms);
     look_at_ports(self);
+    look_who_commands(self);
     *view = self->view;
     (void)pthread_mutex_unlock(&self->lock);
 }

@@ -22,6 +22,8 @@ typedef struct {
     const robot_t *robot; /**< As control published it; of no axes before that. */
     snapshot_t snapshot;
     loop_figures_t loop;
+    char holder[EXCHANGE_TITLE_SIZE];        /**< Who has authority; "" for nobody. */
+    char requester[EXCHANGE_TITLE_SIZE];     /**< Who has asked for the button; "" for nobody. */
     exchange_ports_t ports;                  /**< None while igtl does not run. */
     bool is_running[EXCHANGE_PROCESS_COUNT]; /**< Its alive counter moved lately. */
 } telemetry_view_t;

@@ -78,6 +78,11 @@ static cJSON *new_cards(const telemetry_view_t *view)
     return cards;
 }
 
+static const char *text_or_null(const char *text)
+{
+    return (text[0] == '\0') ? NULL : text;
+}
+
 static cJSON *new_port(const exchange_port_t *port)
 {
     static const char *const dialects[EXCHANGE_DIALECTS] = {"brp-2013", "brp-2021", "crtk"};
@@ -96,9 +101,8 @@ static cJSON *new_port(const exchange_port_t *port)
                               .again_ms = port->again_ms,
                               .peers = port->peers,
                               .waiting = port->waiting,
-                              .commander = port->commander,
                               .troubles = port->troubles,
-                              .trouble = (port->trouble[0] == '\0') ? NULL : port->trouble};
+                              .trouble = text_or_null(port->trouble)};
     return json_port(&also);
 }
 
@@ -112,11 +116,29 @@ static cJSON *new_ports(const telemetry_view_t *view)
     return ports;
 }
 
+cJSON *telemetry_json_authority(const telemetry_view_t *view)
+{
+    const snapshot_t *snapshot = &view->snapshot;
+    const bool is_held = snapshot->holder_peer != 0U;
+    const bool is_asked = snapshot->requester_peer != 0U;
+    const double held_us =
+        (double)(snapshot->cycle - snapshot->held_since_cycle) * (double)LIMIT_CYCLE_US;
+    const json_authority_t also = {
+        .source = is_held ? command_source_name((int32_t)snapshot->holder) : NULL,
+        .name = text_or_null(view->holder),
+        .age_s = is_held ? (held_us / US_PER_S) : 0.0,
+        .requester = is_asked ? command_source_name((int32_t)snapshot->requester) : NULL,
+        .requester_name = text_or_null(view->requester),
+        .left_s = (double)snapshot->request_left_us / US_PER_S};
+    return json_authority(snapshot, &also);
+}
+
 cJSON *telemetry_json_status(const telemetry_identity_t *identity, const telemetry_view_t *view)
 {
     const json_processes_t processes = {.igtl = view->is_running[EXCHANGE_IGTL],
                                         .recorder = view->is_running[EXCHANGE_RECORDER]};
-    const json_status_t also = {.age_ms = view->age_ms,
+    const json_status_t also = {.authority = telemetry_json_authority(view),
+                                .age_ms = view->age_ms,
                                 .boot_id = identity->boot_id,
                                 .build_id = identity->build_id,
                                 .robot = view->robot->name,
@@ -168,20 +190,6 @@ cJSON *telemetry_json_targeting(const telemetry_view_t *view)
                                    .distance_mm = is_distance_true ? &distance_mm : NULL,
                                    .proposals = json_proposals(snapshot)};
     return json_targeting(snapshot, &also);
-}
-
-cJSON *telemetry_json_authority(const snapshot_t *snapshot)
-{
-    const bool is_held = snapshot->holder_peer != 0U;
-    const bool is_asked = snapshot->requester_peer != 0U;
-    const double held_us =
-        (double)(snapshot->cycle - snapshot->held_since_cycle) * (double)LIMIT_CYCLE_US;
-    const json_authority_t also = {
-        .source = is_held ? command_source_name((int32_t)snapshot->holder) : NULL,
-        .held_s = is_held ? (held_us / US_PER_S) : 0.0,
-        .requester = is_asked ? command_source_name((int32_t)snapshot->requester) : NULL,
-        .left_s = (double)snapshot->request_left_us / US_PER_S};
-    return json_authority(snapshot, &also);
 }
 
 cJSON *telemetry_json_event(const robot_t *robot, const log_entry_t *entry)

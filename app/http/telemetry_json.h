@@ -27,7 +27,8 @@ cJSON *telemetry_json_status(const telemetry_identity_t *identity, const telemet
 cJSON *telemetry_json_motors(const telemetry_view_t *view);
 /** @satisfies SWR-HTTP-006 */
 cJSON *telemetry_json_targeting(const telemetry_view_t *view);
-cJSON *telemetry_json_authority(const snapshot_t *snapshot);
+/** @satisfies SWR-AUTH-017 */
+cJSON *telemetry_json_authority(const telemetry_view_t *view);
 cJSON *telemetry_json_event(const robot_t *robot, const log_entry_t *entry);
 
 /** The state message of the stream: status, motors and targeting of one view. */

@@ -7,6 +7,7 @@
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <stddef.h>
+#include <string.h>
 #include <sys/ioctl.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -21,8 +22,17 @@ void igtl_connection_init(igtl_connection_t *self)
     self->descriptor = -1;
     self->number = 0U;
     self->place = IGTL_NO_PLACE;
+    self->address = 0U;
+    self->port = 0U;
+    self->is_kept_alive = false;
+    self->since_us = 0U;
     self->heard_us = 0U;
     self->was_heard = false;
+    self->heard[0] = '\0';
+    self->messages_in = 0U;
+    self->messages_out = 0U;
+    self->received = 0U;
+    self->errors = 0U;
     self->sent = 0U;
     self->acknowledged = 0U;
     self->moved_us = 0U;
@@ -35,14 +45,21 @@ static void set_option(int descriptor, int level, int option, int value)
     (void)setsockopt(descriptor, level, option, &value, (socklen_t)sizeof value);
 }
 
+void igtl_connection_keep_alive(igtl_connection_t *self, bool is_on)
+{
+    set_option(self->descriptor, SOL_SOCKET, SO_KEEPALIVE, is_on ? 1 : 0);
+    self->is_kept_alive = is_on;
+}
+
 void igtl_connection_open(igtl_connection_t *self, int descriptor, uint64_t now_us)
 {
     igtl_connection_init(self);
     self->descriptor = descriptor;
+    self->since_us = now_us;
     self->heard_us = now_us;
     (void)fcntl(descriptor, F_SETFL, fcntl(descriptor, F_GETFL) | O_NONBLOCK);
     set_option(descriptor, IPPROTO_TCP, TCP_NODELAY, 1);
-    set_option(descriptor, SOL_SOCKET, SO_KEEPALIVE, 1);
+    igtl_connection_keep_alive(self, true);
     set_option(descriptor, IPPROTO_TCP, TCP_KEEPIDLE, KEEPALIVE_IDLE_S);
     set_option(descriptor, IPPROTO_TCP, TCP_KEEPINTVL, KEEPALIVE_INTERVAL_S);
     set_option(descriptor, IPPROTO_TCP, TCP_KEEPCNT, KEEPALIVE_COUNT);
@@ -60,6 +77,20 @@ static bool is_only_waiting(void)
     return (errno == EAGAIN) || (errno == EWOULDBLOCK) || (errno == EINTR);
 }
 
+static void count(igtl_connection_t *self, igtl_inbox_event_t event, uint64_t now_us)
+{
+    if ((event == IGTL_INBOX_MESSAGE) || (event == IGTL_INBOX_SKIPPED)) {
+        self->heard_us = now_us;
+        self->was_heard = true;
+        self->messages_in++;
+        (void)memcpy(self->heard, self->inbox.header.name, sizeof self->heard);
+    } else if (event == IGTL_INBOX_REFUSED) {
+        self->errors++;
+    } else {
+        /* It is not whole, or no message. */
+    }
+}
+
 igtl_received_t igtl_connection_receive(igtl_connection_t *self, uint64_t now_us,
                                         uint32_t *bytes_left, igtl_inbox_event_t *event)
 {
@@ -67,20 +98,18 @@ igtl_received_t igtl_connection_receive(igtl_connection_t *self, uint64_t now_us
         uint8_t *where;
         const uint32_t room = igtl_inbox_room(&self->inbox, &where);
         const uint32_t most = (room < *bytes_left) ? room : *bytes_left;
-        const ssize_t count = recv(self->descriptor, where, most, 0);
+        const ssize_t bytes = recv(self->descriptor, where, most, 0);
 
-        if (count == 0) {
+        if (bytes == 0) {
             return IGTL_RECEIVED_END;
         }
-        if (count < 0) {
+        if (bytes < 0) {
             return is_only_waiting() ? IGTL_RECEIVED_NOTHING : IGTL_RECEIVED_END;
         }
-        *bytes_left -= (uint32_t)count;
-        *event = igtl_inbox_advance(&self->inbox, (uint32_t)count, now_us);
-        if ((*event == IGTL_INBOX_MESSAGE) || (*event == IGTL_INBOX_SKIPPED)) {
-            self->heard_us = now_us;
-            self->was_heard = true;
-        }
+        *bytes_left -= (uint32_t)bytes;
+        self->received += (uint64_t)bytes;
+        *event = igtl_inbox_advance(&self->inbox, (uint32_t)bytes, now_us);
+        count(self, *event, now_us);
         if (*event != IGTL_INBOX_WAITING) {
             igtl_outbox_hear(&self->outbox, self->inbox.header.version);
             return IGTL_RECEIVED_EVENT;
@@ -95,13 +124,15 @@ bool igtl_connection_flush(igtl_connection_t *self)
     const uint8_t *bytes = igtl_outbox_next(&self->outbox, &length);
 
     while (bytes != NULL) {
-        const ssize_t count = send(self->descriptor, bytes, length, MSG_NOSIGNAL);
+        const uint32_t waiting = self->outbox.count;
+        const ssize_t written = send(self->descriptor, bytes, length, MSG_NOSIGNAL);
 
-        if (count < 0) {
+        if (written < 0) {
             return is_only_waiting() && !self->outbox.has_overflowed;
         }
-        self->sent += (uint64_t)count;
-        igtl_outbox_advance(&self->outbox, (uint32_t)count);
+        self->sent += (uint64_t)written;
+        igtl_outbox_advance(&self->outbox, (uint32_t)written);
+        self->messages_out += waiting - self->outbox.count;
         bytes = igtl_outbox_next(&self->outbox, &length);
     }
     return !self->outbox.has_overflowed;

@@ -3,6 +3,7 @@
 #ifndef BORESIGHT_IGTL_CONNECTION_H
 #define BORESIGHT_IGTL_CONNECTION_H
 
+#include "message/igtl_codec.h"
 #include "message/igtl_inbox.h"
 #include "message/igtl_outbox.h"
 
@@ -12,11 +13,20 @@
 #define IGTL_NO_PLACE UINT32_MAX
 
 typedef struct {
-    int descriptor;        /**< -1: free. */
-    uint32_t number;       /**< Given by the server, never used again. */
-    uint32_t place;        /**< Of the server's, IGTL_NO_PLACE while it waits for one. */
-    uint64_t heard_us;     /**< When it connected or last sent a valid message. */
-    bool was_heard;        /**< It has sent a valid message. */
+    int descriptor;             /**< -1: free. */
+    uint32_t number;            /**< Given by the server, never used again. */
+    uint32_t place;             /**< Of the server's, IGTL_NO_PLACE while it waits for one. */
+    uint32_t address;           /**< Of the peer, IPv4, in the byte order of the host... */
+    uint16_t port;              /**< ... and its port. Both are the server's to set. */
+    bool is_kept_alive;         /**< The peer's machine is asked whether it is still there. */
+    uint64_t since_us;          /**< When it connected. */
+    uint64_t heard_us;          /**< When it connected or last sent a valid message. */
+    bool was_heard;             /**< It has sent a valid message. */
+    char heard[IGTL_NAME_SIZE]; /**< Name of the last one. */
+    uint64_t messages_in;       /**< Valid ones. */
+    uint64_t messages_out;
+    uint64_t received;     /**< Bytes that were read. */
+    uint32_t errors;       /**< Messages that were refused before anyone looked at what they say. */
     uint64_t sent;         /**< Bytes that were written. */
     uint64_t acknowledged; /**< Of these, as far as the peer's machine has taken them. */
     uint64_t moved_us;     /**< When that last became more; 0: nobody watches it. */
@@ -37,6 +47,14 @@ void igtl_connection_init(igtl_connection_t *self);
 void igtl_connection_open(igtl_connection_t *self, int descriptor, uint64_t now_us);
 
 void igtl_connection_close(igtl_connection_t *self);
+
+/**
+ * Whether the peer's machine is asked, while nothing comes, if it is still there; so it is from the
+ * start.
+ *
+ * @satisfies SWR-IGTL-057
+ */
+void igtl_connection_keep_alive(igtl_connection_t *self, bool is_on);
 
 /**
  * Reads until something can be said of a message, but no more than `*bytes_left`, which becomes

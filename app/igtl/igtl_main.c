@@ -204,11 +204,28 @@ static void send_all(void)
     }
 }
 
+/* What people ask of a connection. Its number says its port. */
+static void obey_orders(void)
+{
+    exchange_order_t order;
+
+    while (exchange_take_order(process.exchange, &order)) {
+        const uint32_t port = order.number % IGTL_NUMBER_STEP;
+        status_t status = STATUS_UNKNOWN_COMMAND;
+
+        if ((port > 0U) && (port <= process.count)) {
+            status = igtl_server_obey(&process.servers[port - 1U], &order, process.moment.now_us);
+        }
+        exchange_answer_order(process.exchange, &order, status);
+    }
+}
+
 static void show(void)
 {
     if (process.moment.now_us >= process.next_show_us) {
         process.next_show_us = process.moment.now_us + SHOW_US;
         igtl_show_ports(process.exchange, process.servers, process.count, process.moment.now_us);
+        igtl_show_peers(process.exchange, process.servers, process.count);
     }
 }
 
@@ -223,6 +240,7 @@ static void turn(void)
     pass_commands();
     take_answers();
     watch_control();
+    obey_orders();
     workphase_dialect_step(&process.workphase, &process.moment);
     transform_dialect_step(&process.transform, &process.moment);
     send_all();
@@ -275,11 +293,16 @@ static void begin(void)
     const uint32_t first_id = ((uint32_t)clock_utc_us() | 2U) & ~1U;
     const robot_t *robot = exchange_robot(process.exchange);
     answer_t stale;
+    exchange_order_t old;
 
     workphase_dialect_init(&process.workphase, robot, first_id);
     transform_dialect_init(&process.transform, robot, first_id + 1U);
     while (exchange_take_answer(process.exchange, COMMAND_SOURCE_IGTL, &stale)) {
         /* Answers to an earlier run. */
+    }
+    while (exchange_take_order(process.exchange, &old)) {
+        exchange_answer_order(process.exchange, &old,
+                              STATUS_NO_ANSWER); /* Its connection has gone. */
     }
 }
 

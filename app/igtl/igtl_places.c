@@ -69,7 +69,8 @@ void igtl_places_fill(igtl_server_t *self)
     }
 }
 
-void igtl_places_enter(igtl_server_t *self, int descriptor, uint64_t now_us)
+void igtl_places_enter(igtl_server_t *self, int descriptor, uint32_t address, uint16_t port,
+                       uint64_t now_us)
 {
     uint32_t count;
     igtl_connection_t *oldest = longest_waiting(self, &count);
@@ -81,9 +82,13 @@ void igtl_places_enter(igtl_server_t *self, int descriptor, uint64_t now_us)
         }
     }
     for (uint32_t i = 0U; i < IGTL_CONNECTIONS; i++) {
-        if (self->connections[i].descriptor < 0) {
-            igtl_connection_open(&self->connections[i], descriptor, now_us);
-            self->connections[i].number = self->next_number;
+        igtl_connection_t *connection = &self->connections[i];
+
+        if (connection->descriptor < 0) {
+            igtl_connection_open(connection, descriptor, now_us);
+            connection->address = address;
+            connection->port = port;
+            connection->number = self->next_number;
             self->next_number += IGTL_NUMBER_STEP;
             igtl_places_fill(self);
             return;
@@ -96,7 +101,7 @@ static bool is_needed(const igtl_server_t *self, const igtl_connection_t *connec
     const igtl_dialect_calls_t *calls = self->calls;
     const uint32_t peer = igtl_server_peer(self, connection);
 
-    return ((calls->is_controlled_by != NULL) && calls->is_controlled_by(self->dialect, peer)) ||
+    return igtl_server_commands(self, connection) ||
            ((calls->has_order != NULL) && calls->has_order(self->dialect, peer));
 }
 

@@ -14,9 +14,10 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** Takes over a connected socket: seated, or waiting. When IGTL_WAITING wait already, the one that
- * has waited for longest is dropped. */
-void igtl_places_enter(igtl_server_t *self, int descriptor, uint64_t now_us);
+/** Takes over a connected socket to `address` and `port`: seated, or waiting. When IGTL_WAITING
+ * wait already, the one that has waited for longest is dropped. */
+void igtl_places_enter(igtl_server_t *self, int descriptor, uint32_t address, uint16_t port,
+                       uint64_t now_us);
 
 /**
  * A waiting connection has sent `message`: whether it has a place now. A stop takes one even of who

@@ -84,6 +84,12 @@ uint32_t igtl_server_peer(const igtl_server_t *self, const igtl_connection_t *co
     return self->first_place + connection->place;
 }
 
+bool igtl_server_commands(const igtl_server_t *self, const igtl_connection_t *connection)
+{
+    return (connection->place != IGTL_NO_PLACE) && (self->calls->is_controlled_by != NULL) &&
+           self->calls->is_controlled_by(self->dialect, igtl_server_peer(self, connection));
+}
+
 void igtl_server_drop(igtl_server_t *self, igtl_connection_t *connection, uint64_t now_us)
 {
     igtl_connection_close(connection);
@@ -121,7 +127,7 @@ static void accept_peers(igtl_server_t *self, uint64_t now_us)
         }
         if (igtl_port_allows(self->port, address)) {
             greet(self, address, number, now_us);
-            igtl_places_enter(self, descriptor, now_us);
+            igtl_places_enter(self, descriptor, address, number, now_us);
         } else {
             char place[IGTL_PLACE_SIZE];
 
@@ -139,7 +145,7 @@ static void call_peer(igtl_server_t *self, uint64_t now_us)
     switch (igtl_caller_step(&self->caller, now_us, &descriptor)) {
     case IGTL_CALL_ANSWERED:
         greet(self, self->port->address, self->port->number, now_us);
-        igtl_places_enter(self, descriptor, now_us);
+        igtl_places_enter(self, descriptor, self->port->address, self->port->number, now_us);
         break;
     case IGTL_CALL_FAILED:
         note(self, IGTL_TROUBLE_CALL, strerror(self->caller.error), now_us);
@@ -232,6 +238,27 @@ void igtl_server_receive(igtl_server_t *self, const igtl_moment_t *moment)
     } else {
         accept_peers(self, moment->now_us);
     }
+}
+
+status_t igtl_server_obey(igtl_server_t *self, const exchange_order_t *order, uint64_t now_us)
+{
+    for (uint32_t i = 0U; i < IGTL_CONNECTIONS; i++) {
+        igtl_connection_t *connection = &self->connections[i];
+
+        if ((connection->descriptor < 0) || (connection->number != order->number)) {
+            continue;
+        }
+        if (order->kind == (uint32_t)EXCHANGE_ORDER_KEEP_ALIVE) {
+            igtl_connection_keep_alive(connection, order->is_on != 0U);
+            return STATUS_OK;
+        }
+        if (igtl_server_commands(self, connection)) {
+            return STATUS_HOLDS_AUTHORITY;
+        }
+        igtl_server_drop(self, connection, now_us);
+        return STATUS_OK;
+    }
+    return STATUS_UNKNOWN_COMMAND;
 }
 
 /* In the time of those who wait for control: in a pause of the machine nobody could have read. */

@@ -13,6 +13,7 @@
 #include "igtl/igtl_ports.h"
 #include "igtl/igtl_troubles.h"
 #include "dialect/igtl_dialect.h"
+#include "exchange/exchange_peers.h"
 
 #include <poll.h>
 #include <stdbool.h>
@@ -82,6 +83,20 @@ void igtl_server_receive(igtl_server_t *self, const igtl_moment_t *moment);
 /** Sends what the dialect has put into the outboxes, and drops who takes nothing while its order
  * runs. */
 void igtl_server_send(igtl_server_t *self, const igtl_moment_t *moment);
+
+/** `connection` has authority, as far as the dialect knows. */
+bool igtl_server_commands(const igtl_server_t *self, const igtl_connection_t *connection);
+
+/**
+ * Carries out what was asked of a connection. One that has authority is not disconnected.
+ *
+ * @return STATUS_OK, STATUS_HOLDS_AUTHORITY, STATUS_UNKNOWN_COMMAND when this port has none of that
+ * number
+ *
+ * @satisfies SWR-IGTL-057
+ * @satisfies SWR-IGTL-058
+ */
+status_t igtl_server_obey(igtl_server_t *self, const exchange_order_t *order, uint64_t now_us);
 
 /** Closes `connection`, and tells the dialect when it had a place. */
 void igtl_server_drop(igtl_server_t *self, igtl_connection_t *connection, uint64_t now_us);

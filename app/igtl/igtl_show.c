@@ -7,6 +7,10 @@
 #if EXCHANGE_PORTS != IGTL_PORTS
 #error "Each port has a row."
 #endif
+/* igtl_server.h: IGTL_CONNECTIONS of each port. */
+#if EXCHANGE_PEERS < (IGTL_PORTS * IGTL_CONNECTIONS)
+#error "Each connection has a row."
+#endif
 
 static exchange_port_state_t state_of(const igtl_server_t *server)
 {
@@ -32,11 +36,6 @@ static void count_peers(const igtl_server_t *server, exchange_port_t *row)
             continue;
         }
         row->peers++;
-        if ((server->calls->is_controlled_by != NULL) &&
-            server->calls->is_controlled_by(server->dialect,
-                                            igtl_server_peer(server, connection))) {
-            row->commander = connection->number;
-        }
     }
 }
 
@@ -56,6 +55,43 @@ void igtl_show_port(const igtl_server_t *server, uint64_t now_us, exchange_port_
     count_peers(server, row);
     row->troubles = (uint32_t)server->troubles.count;
     (void)snprintf(row->trouble, sizeof row->trouble, "%s", server->troubles.last);
+}
+
+void igtl_show_peer(const igtl_server_t *server, const igtl_connection_t *connection,
+                    exchange_peer_t *row)
+{
+    (void)memset(row, 0, sizeof *row);
+    row->number = connection->number;
+    row->dialect = (uint32_t)server->port->language;
+    row->since_us = connection->since_us;
+    row->heard_us = connection->was_heard ? connection->heard_us : 0U;
+    row->messages_in = connection->messages_in;
+    row->messages_out = connection->messages_out;
+    row->bytes_in = connection->received;
+    row->bytes_out = connection->sent;
+    row->errors = connection->errors;
+    row->is_waiting = (connection->place == IGTL_NO_PLACE) ? 1U : 0U;
+    row->is_kept_alive = connection->is_kept_alive ? 1U : 0U;
+    igtl_port_place(connection->address, connection->port, row->name);
+    (void)snprintf(row->port, sizeof row->port, "%s", server->port->name);
+    (void)snprintf(row->message, sizeof row->message, "%s", connection->heard);
+}
+
+void igtl_show_peers(exchange_t *exchange, const igtl_server_t *servers, uint32_t count)
+{
+    static exchange_peers_t peers;
+
+    peers.count = 0U;
+    for (uint32_t i = 0U; i < (count * IGTL_CONNECTIONS); i++) {
+        const igtl_server_t *server = &servers[i / IGTL_CONNECTIONS];
+        const igtl_connection_t *connection = &server->connections[i % IGTL_CONNECTIONS];
+
+        if (connection->descriptor >= 0) {
+            igtl_show_peer(server, connection, &peers.peers[peers.count]);
+            peers.count++;
+        }
+    }
+    exchange_publish_peers(exchange, COMMAND_SOURCE_IGTL, &peers);
 }
 
 void igtl_show_ports(exchange_t *exchange, const igtl_server_t *servers, uint32_t count,

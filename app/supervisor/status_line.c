@@ -6,6 +6,7 @@
 #include "charts/pedal_gate_chart.h"
 #include "exchange/exchange_peers.h"
 #include "interface/app/names.h"
+#include "limits/requirement_limits.h"
 #include "robot/robot_cards.h"
 #include "safety/permit.h"
 
@@ -139,6 +140,28 @@ static void add_programs(char *text, size_t size, const exchange_t *exchange, fa
     }
 }
 
+/** @satisfies SWR-AUTH-018 */
+static void add_authority(char *text, size_t size, const exchange_t *exchange,
+                          const snapshot_t *snapshot)
+{
+    const uint32_t cycles = snapshot->cycle - snapshot->held_since_cycle;
+    char title[EXCHANGE_TITLE_SIZE];
+
+    if (snapshot->holder_peer == 0U) {
+        add(text, size, " | nobody commands");
+    } else {
+        exchange_title(exchange, (command_source_t)snapshot->holder, snapshot->holder_peer, title);
+        add(text, size, " | commanded by %s for %u s", title,
+            (unsigned)(cycles / (1000000U / LIMIT_CYCLE_US)));
+    }
+    if (snapshot->request_left_us != 0U) {
+        exchange_title(exchange, (command_source_t)snapshot->requester, snapshot->requester_peer,
+                       title);
+        add(text, size, " | %s asks for the button, %u s left", title,
+            (unsigned)((snapshot->request_left_us + 999999U) / 1000000U));
+    }
+}
+
 /* What came from the file of ports and is not there.
  *
  * @satisfies SWR-SUP-010 */
@@ -172,6 +195,7 @@ void status_line_write(char *text, size_t size, const exchange_t *exchange, fami
         add(text, size, "%s | pedal %s | e-stop %s", workphase_name((int32_t)snapshot.workphase),
             pedal_word(snapshot.pedal), estop_word(snapshot.estop));
         add_permit(text, size, &snapshot);
+        add_authority(text, size, exchange, &snapshot);
         add_links(text, size, robot, &snapshot);
     } else {
         add(text, size, "starting");

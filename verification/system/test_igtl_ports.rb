@@ -34,10 +34,10 @@ class TestIgtlPorts < SystemTest
       assert server.wait_readable(PATIENCE), 'it is called again'
       slicer = server.accept
       wait_until('it is shown as connected') { row('slicer').values_at('state', 'peers') == ['connected', 1] }
-      assert_equal 0, row('slicer')['commander']
+      assert_nil boresight.status['authority']['source']
       slicer.write(RawIgtl.string('CMD_1', 'STOP') + RawIgtl.string('CMD_2', 'PLANNING'))
-      wait_until('it commands') { row('slicer')['commander'].positive? }
-      assert_equal '1', row('slicer')['commander'].to_s[-1], 'its number ends with the place of its port'
+      wait_until('it commands') { boresight.status['authority']['source'] == 'IGTL' }
+      assert_equal '1', boresight.status['authority']['peer'].to_s[-1], 'its number ends with the place of its port'
       slicer.close
       wait_until('its end is shown') { row('slicer')['peers'].zero? }
       assert server.wait_readable(PATIENCE), 'it is called again after its end'

@@ -1055,6 +1055,55 @@ void test_SWR_EXCH_016_peers_that_were_half_written_are_not_shown(void)
     TEST_ASSERT_FALSE(exchange_read_peers(reader, COMMAND_SOURCE_HTTP, &read_peers));
 }
 
+void test_SWR_EXCH_018_an_order_is_taken_once_and_its_answer_comes_back(void)
+{
+    const exchange_order_t order = {.kind = 1U, .number = 21U, .is_on = 1U};
+    exchange_order_t taken;
+    status_t status = STATUS_BUSY;
+
+    TEST_ASSERT_FALSE(exchange_take_order(reader, &taken));
+    const uint32_t first = exchange_give_order(control, &order);
+    TEST_ASSERT_FALSE(exchange_read_order_answer(control, first, &status));
+    TEST_ASSERT_TRUE(exchange_take_order(reader, &taken));
+    TEST_ASSERT_EQUAL_UINT32(1U, taken.kind);
+    TEST_ASSERT_EQUAL_UINT32(21U, taken.number);
+    TEST_ASSERT_EQUAL_UINT32(1U, taken.is_on);
+    exchange_answer_order(reader, &taken, STATUS_OK);
+    TEST_ASSERT_FALSE(exchange_take_order(reader, &taken));
+    TEST_ASSERT_TRUE(exchange_read_order_answer(control, first, &status));
+    TEST_ASSERT_EQUAL_INT(STATUS_OK, status);
+    const uint32_t second = exchange_give_order(control, &order);
+    TEST_ASSERT_FALSE(exchange_read_order_answer(control, second, &status));
+    TEST_ASSERT_TRUE(exchange_take_order(reader, &taken));
+    TEST_ASSERT_EQUAL_UINT32(second, taken.id);
+}
+
+void test_SWR_EXCH_018_a_newer_order_is_answered_by_itself(void)
+{
+    const exchange_order_t order = {.number = 21U};
+    exchange_order_t taken;
+    status_t status;
+
+    (void)exchange_give_order(control, &order);
+    TEST_ASSERT_TRUE(exchange_take_order(reader, &taken));
+    const uint32_t second = exchange_give_order(control, &order);
+    exchange_answer_order(reader, &taken, STATUS_OK);
+    TEST_ASSERT_FALSE(exchange_read_order_answer(control, second, &status));
+    TEST_ASSERT_TRUE(exchange_take_order(reader, &taken));
+}
+
+void test_SWR_EXCH_018_a_damaged_order_is_not_taken(void)
+{
+    exchange_order_t order = {.kind = 2U};
+    exchange_order_t taken;
+
+    (void)exchange_give_order(control, &order);
+    TEST_ASSERT_FALSE(exchange_take_order(reader, &taken));
+    order = (exchange_order_t){.is_on = 2U};
+    (void)exchange_give_order(control, &order);
+    TEST_ASSERT_FALSE(exchange_take_order(reader, &taken));
+}
+
 static void check_title(const char *expected, command_source_t source, uint32_t number)
 {
     char title[EXCHANGE_TITLE_SIZE];

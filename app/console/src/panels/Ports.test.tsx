@@ -22,23 +22,20 @@ test("SWR-IGTL-028 a port that calls says whether it is answered", () => {
   );
 });
 
-test("SWR-IGTL-028 a row names address, commander and the last trouble", () => {
+test("SWR-IGTL-028 a row names address and the last trouble", () => {
   const port = makePort({
-    commander: 21,
     troubles: 3,
     trouble: "called in vain: Connection refused",
   });
   render(<Ports ports={[port]} />);
   expect(screen.getByText("workphases 127.0.0.1:18936")).toBeTruthy();
-  expect(screen.getByText("peer 21 commands")).toBeTruthy();
   expect(
     screen.getByText("3 × trouble, last: called in vain: Connection refused"),
   ).toBeTruthy();
 });
 
-test("SWR-IGTL-028 without a trouble and a commander none is told", () => {
+test("SWR-IGTL-028 without a trouble none is told", () => {
   render(<Ports ports={[makePort()]} />);
-  expect(screen.queryByText(/commands/)).toBeNull();
   expect(screen.queryByText(/trouble/)).toBeNull();
 });
 

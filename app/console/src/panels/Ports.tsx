@@ -35,9 +35,6 @@ function Row({ port }: { port: Port }) {
         <span className={isReached(port) ? "" : "port-unreached"}>
           {stateText(port)}
         </span>
-        {port.commander !== 0 && (
-          <span className="port-commander">peer {port.commander} commands</span>
-        )}
         {port.trouble !== null && (
           <span className="port-trouble">
             {port.troubles} × trouble, last: {port.trouble}

@@ -66,7 +66,6 @@ export function makePort(change: Partial<Port> = {}): Port {
     again_ms: 0,
     peers: 0,
     waiting: 0,
-    commander: 0,
     troubles: 0,
     trouble: null,
     ...change,
