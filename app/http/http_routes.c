@@ -6,6 +6,7 @@
 #include "http/http_archive.h"
 #include "http/http_authority.h"
 #include "http/http_call.h"
+#include "http/http_communication.h"
 #include "http/http_door.h"
 #include "http/http_log_note.h"
 #include "http/http_motion.h"
@@ -176,6 +177,12 @@ static int answer(http_server_t *server, const http_call_t *call)
         return http_positions_preview(server, call);
     case ROUTE_RESTORE:
         return http_positions_restore(server, call);
+    case ROUTE_COMMUNICATION:
+        return http_communication_show(server, call);
+    case ROUTE_DISCONNECT:
+        return http_communication_disconnect(server, call);
+    case ROUTE_KEEP_ALIVE:
+        return http_communication_keep_alive(server, call);
     default:
         return http_reply_refuse(connection, PROBLEM_NOT_FOUND);
     }

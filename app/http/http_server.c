@@ -62,6 +62,7 @@ void http_server_init(http_server_t *self, const http_server_config_t *config)
         self->front_guard = front;
     }
     act_desk_init(&self->acts, config->exchange);
+    (void)pthread_mutex_init(&self->orders, NULL);
     http_notes_init(&self->notes, config->exchange, &self->acts);
     session_desk_init(&self->desk, config->accounts, http_notes_write, &self->notes);
     http_positions_begin(self, config->box_key);

@@ -83,9 +83,14 @@ static const char *text_or_null(const char *text)
     return (text[0] == '\0') ? NULL : text;
 }
 
-static cJSON *new_port(const exchange_port_t *port)
+const char *telemetry_json_dialect(uint32_t dialect)
 {
     static const char *const dialects[EXCHANGE_DIALECTS] = {"brp-2013", "brp-2021", "crtk"};
+    return dialects[dialect];
+}
+
+static cJSON *new_port(const exchange_port_t *port)
+{
     static const char *const states[EXCHANGE_PORT_STATES] = {"listening", "calling", "waiting",
                                                              "connected"};
     const struct in_addr place = {.s_addr = htonl(port->address)};
@@ -95,7 +100,7 @@ static cJSON *new_port(const exchange_port_t *port)
     (void)inet_ntop(AF_INET, &place, dotted, (socklen_t)sizeof dotted);
     (void)snprintf(address, sizeof address, "%s:%u", dotted, (unsigned)port->number);
     const json_port_t also = {.name = port->name,
-                              .dialect = dialects[port->dialect],
+                              .dialect = telemetry_json_dialect(port->dialect),
                               .address = address,
                               .state = states[port->state],
                               .again_ms = port->again_ms,
@@ -106,8 +111,7 @@ static cJSON *new_port(const exchange_port_t *port)
     return json_port(&also);
 }
 
-/** @satisfies SWR-IGTL-028 */
-static cJSON *new_ports(const telemetry_view_t *view)
+cJSON *telemetry_json_ports(const telemetry_view_t *view)
 {
     cJSON *ports = cJSON_CreateArray();
     for (uint32_t i = 0U; i < view->ports.count; i++) {
@@ -148,7 +152,7 @@ cJSON *telemetry_json_status(const telemetry_identity_t *identity, const telemet
                                 .cards = new_cards(view),
                                 .counts = json_counts(&view->loop, &view->snapshot),
                                 .processes = json_processes(&processes),
-                                .ports = new_ports(view)};
+                                .ports = telemetry_json_ports(view)};
     return json_status(&view->snapshot, &also);
 }
 

@@ -27,6 +27,12 @@ cJSON *telemetry_json_status(const telemetry_identity_t *identity, const telemet
 cJSON *telemetry_json_motors(const telemetry_view_t *view);
 /** @satisfies SWR-HTTP-006 */
 cJSON *telemetry_json_targeting(const telemetry_view_t *view);
+/** @satisfies SWR-IGTL-028 */
+cJSON *telemetry_json_ports(const telemetry_view_t *view);
+
+/** What a dialect of OpenIGTLink is called. */
+const char *telemetry_json_dialect(uint32_t dialect);
+
 /** @satisfies SWR-AUTH-017 */
 cJSON *telemetry_json_authority(const telemetry_view_t *view);
 cJSON *telemetry_json_event(const robot_t *robot, const log_entry_t *entry);

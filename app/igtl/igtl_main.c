@@ -204,6 +204,15 @@ static void send_all(void)
     }
 }
 
+static void show(void)
+{
+    if (process.moment.now_us >= process.next_show_us) {
+        process.next_show_us = process.moment.now_us + SHOW_US;
+        igtl_show_ports(process.exchange, process.servers, process.count, process.moment.now_us);
+        igtl_show_peers(process.exchange, process.servers, process.count);
+    }
+}
+
 /* What people ask of a connection. Its number says its port. */
 static void obey_orders(void)
 {
@@ -216,16 +225,9 @@ static void obey_orders(void)
         if ((port > 0U) && (port <= process.count)) {
             status = igtl_server_obey(&process.servers[port - 1U], &order, process.moment.now_us);
         }
+        process.next_show_us = 0U;
+        show(); /* Who is answered looks. */
         exchange_answer_order(process.exchange, &order, status);
-    }
-}
-
-static void show(void)
-{
-    if (process.moment.now_us >= process.next_show_us) {
-        process.next_show_us = process.moment.now_us + SHOW_US;
-        igtl_show_ports(process.exchange, process.servers, process.count, process.moment.now_us);
-        igtl_show_peers(process.exchange, process.servers, process.count);
     }
 }
 

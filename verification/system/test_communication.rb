@@ -5,6 +5,7 @@
 # is ended, and told whether it is kept alive, by who has authority.
 
 require_relative 'support/http_client'
+require_relative 'support/openapi'
 require_relative 'support/session_client'
 
 class TestCommunication < Minitest::Test
@@ -22,6 +23,7 @@ class TestCommunication < Minitest::Test
   def setup
     boresight.leave
     wait_until('nobody has authority') { authority['state'] == 'nobody' }
+    wait_until('nobody is told') { connections.empty? }
   end
 
   def boresight
@@ -32,10 +34,14 @@ class TestCommunication < Minitest::Test
     boresight.status['authority']
   end
 
+  def teardown
+    (@clients || []).each(&:log_out)
+  end
+
   # A connection that has authority.
   def command_by_igtl
     boresight.command('START_UP')
-    wait_until('it has authority') { authority['state'] == 'held' }
+    wait_until('it has authority, and is told') { authority['state'] == 'held' && connections.any? }
   end
 
   def test_SWR_AUTH_017_status_stream_and_route_tell_who_commands_by_name
@@ -58,7 +64,108 @@ class TestCommunication < Minitest::Test
     wait_until('it does') { last_line.match?(/ \| commanded by workphases 127\.0\.0\.1:\d+ for \d+ s \| /) }
   end
 
+  def test_SWR_IGTL_059_each_connection_and_page_is_told
+    watcher = TCPSocket.open('127.0.0.1', boresight.igtl_port)
+    command_by_igtl
+    wait_until('both are told') { connections.map { |one| one['messages_in'] }.sort == [0, 1] }
+    assert_described communication
+    other, commander = connections.sort_by { |one| one['port'] }
+    assert_equal ['workphases', 'brp-2013', true, true, false, 0],
+                 commander.values_at('port', 'dialect', 'has_authority', 'keep_alive', 'is_waiting', 'errors')
+    assert_match(/\ACMD_\d{4}\z/, commander['last_message'])
+    assert_operator commander['bytes_in'], :>, 58
+    assert_operator commander['messages_out'], :>=, 1
+    assert_equal ['transforms', 'crtk', false, nil, "127.0.0.1:#{watcher.local_address.ip_port}"],
+                 other.values_at('port', 'dialect', 'has_authority', 'last_message', 'address')
+    assert_equal %w[workphases transforms], communication['ports'].map { |one| one['name'] }
+  ensure
+    watcher&.close
+  end
+
+  def test_SWR_IGTL_060_who_has_authority_ends_a_connection
+    watcher = TCPSocket.open('127.0.0.1', boresight.igtl_port)
+    wait_until('it is told') { connections.size == 1 }
+    number = connections.first['number']
+    page = operator
+    assert_refused '423', 'NO_AUTHORITY', disconnect(page, number)
+    assert_equal '200', page.take.code
+    assert_refused '404', 'NOT_THERE', disconnect(page, number + 10)
+    answer = disconnect(page, number)
+    assert_equal '200', answer.code, answer.body
+    assert_empty JSON.parse(answer.body)['connections']
+    wait_until('its end is seen') { ended?(watcher) }
+    assert_refused '404', 'NOT_THERE', disconnect(page, number)
+  ensure
+    watcher&.close
+  end
+
+  # Authority may change between a page's question and the order: the server of the connections judges it, too.
+  def test_SWR_IGTL_060_a_connection_that_has_authority_is_not_ended
+    command_by_igtl
+    assert_refused '423', 'NO_AUTHORITY', disconnect(operator, connections.first['number'])
+    assert_equal 'held', authority['state']
+  end
+
+  def test_SWR_IGTL_060_an_order_while_the_server_of_connections_hangs_is_refused
+    page = operator
+    assert_equal '200', page.take.code
+    boresight.while_stopped('igtl') { assert_refused '503', 'NO_ANSWER', disconnect(page, 11) }
+  end
+
+  def test_SWR_IGTL_061_who_has_authority_switches_keep_alive
+    watcher = TCPSocket.open('127.0.0.1', boresight.igtl_port)
+    wait_until('it is told') { connections.size == 1 }
+    number = connections.first['number']
+    page = operator
+    assert_refused '423', 'NO_AUTHORITY', keep_alive(page, number, on: false)
+    assert_equal '200', page.take.code
+    [false, true].each do |is_on|
+      answer = keep_alive(page, number, on: is_on)
+      assert_equal '200', answer.code, answer.body
+      assert_equal is_on, JSON.parse(answer.body).dig('connections', 0, 'keep_alive')
+    end
+    assert_refused '404', 'NOT_THERE', keep_alive(page, number + 10, on: true)
+  ensure
+    watcher&.close
+  end
+
   private
+
+  def communication
+    fetch_json('/api/v1/communication')
+  end
+
+  def connections
+    communication['connections']
+  end
+
+  # The page of an operator, gone with the test.
+  def operator
+    SessionClient.new(port).tap do |one|
+      (@clients ||= []) << one
+      assert_equal '200', one.log_in('anna').code
+    end
+  end
+
+  def disconnect(page, number)
+    page.request('post', "/api/v1/communication/#{number}/disconnect", nil, SessionClient::PAGE => page.page.to_s)
+  end
+
+  def keep_alive(page, number, fields)
+    page.request('put', "/api/v1/communication/#{number}/keep-alive", JSON.generate(fields),
+                 SessionClient::PAGE => page.page.to_s)
+  end
+
+  def ended?(socket)
+    socket.read_nonblock(1000, exception: false).nil?
+  rescue Errno::ECONNRESET
+    true
+  end
+
+  def assert_described(value)
+    description = Openapi.new(get('/api/v1/openapi.json').body)
+    assert_nil description.message_fault('Communication', value)
+  end
 
   def last_line
     boresight.output.lines.grep(/links/).last.to_s
