@@ -251,9 +251,11 @@ void test_SWR_AUTH_006_nobody_has_it_before_the_axes_rest(void)
 void test_SWR_AUTH_006_an_axis_that_never_rests_keeps_it_for_a_while_only(void)
 {
     start_moving();
-    rig_box(&rig, "motor yaw runs");
+    rig_box(&rig, "motor rotation runs");
     TEST_ASSERT_EQUAL(STATUS_OK, by_page(RIG_PAGE, COMMAND_RELEASE, 0U));
-    rig_cycles(&rig, CYCLES(LIMIT_AUTHORITY_END_US) + 1U);
+    rig_cycles(&rig, CYCLES(LIMIT_AUTHORITY_END_US) - 1U);
+    TEST_ASSERT_EQUAL_UINT32(AUTHORITY_STATE_ENDING, rig.outputs.snapshot.authority);
+    rig_cycle(&rig);
     expect_nobody();
 }
 
@@ -307,15 +309,19 @@ void test_SWR_AUTH_008_who_withdraws_after_the_press_has_nothing(void)
     start_moving();
     TEST_ASSERT_EQUAL(STATUS_OK, by_page(OTHER_PAGE, COMMAND_REQUEST, AUTHORITY_REQUEST_TAKE));
     rig_release(&rig);
+    rig_forget(&rig);
     rig_box(&rig, "button press");
-    rig_box(&rig, "motor yaw runs");
+    rig_cycles(&rig, CYCLES(LIMIT_CONFIRM_HOLD_US) - 50U);
+    rig_box(&rig, "motor rotation runs");
     while (rig.outputs.snapshot.authority != (uint32_t)AUTHORITY_STATE_ENDING) {
         rig_cycle(&rig);
     }
     TEST_ASSERT_EQUAL_UINT32(AUTHORITY_REQUEST_GRANTED, rig.outputs.snapshot.request);
     TEST_ASSERT_EQUAL(STATUS_OK, by_page(OTHER_PAGE, COMMAND_RELEASE, 0U));
+    TEST_ASSERT_EQUAL_UINT32(AUTHORITY_STATE_ENDING, rig.outputs.snapshot.authority);
     rig_cycles(&rig, CYCLES(LIMIT_AUTHORITY_END_US));
     expect_nobody();
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AUTHORITY_TAKEN));
 }
 
 void test_SWR_AUTH_009_a_press_that_began_before_means_nothing(void)
