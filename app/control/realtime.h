@@ -12,6 +12,7 @@
  * @return EXCHANGE_RIGHT_ bits of what was granted
  *
  * @satisfies SWR-CTRL-002
+ * @satisfies SWR-LOAD-002
  */
 uint32_t realtime_acquire(void);
 

@@ -9,6 +9,7 @@
 #include "http/http_reply.h"
 #include "http/http_routes.h"
 #include "http/stop_port.h"
+#include "limits/requirement_limits.h"
 
 #include <arpa/inet.h>
 #include <errno.h>
@@ -193,13 +194,16 @@ static struct mg_context *start_library(http_server_t *self, const char *address
                                                   .http_error = refuse,
                                                   .log_message = keep_quiet};
     char workers[16];
+    char waiting[16];
     char head_bytes[16];
     (void)snprintf(workers, sizeof workers, "%u", HTTP_LINES_WORKERS);
+    (void)snprintf(waiting, sizeof waiting, "%u", LIMIT_WAITING_CLIENTS);
     (void)snprintf(head_bytes, sizeof head_bytes, "%u", LIBRARY_HEAD_BYTES);
     /* clang-format off */
     const char *options[] = {
         "listening_ports", address,
         "num_threads", workers,
+        "listen_backlog", waiting, /* Whom the kernel has no room for comes again seconds later. */
         "request_timeout_ms", REQUEST_TIMEOUT_MS,
         "enable_keep_alive", "yes",
         "keep_alive_timeout_ms", IDLE_MS,

@@ -49,6 +49,7 @@ bool http_stream_publish(http_stream_t *self, const char *state);
  * @satisfies SWR-HTTP-003
  * @satisfies SWR-HTTP-010
  * @satisfies SWR-HTTP-028
+ * @satisfies SWR-LOAD-005
  */
 int http_stream_serve(http_stream_t *self, struct mg_connection *connection, const char *hello,
                       uint32_t next_event);

@@ -24,6 +24,7 @@
  * @return the port; 0 when there is none, and stops pass by the console's port alone
  *
  * @satisfies SWR-HTTP-007
+ * @satisfies SWR-LOAD-003
  */
 uint32_t stop_port_start(exchange_t *exchange, const http_guard_t *console,
                          const tls_front_t *front);

@@ -45,6 +45,7 @@ void black_box_open(black_box_t *self, const char *directory, exchange_t *exchan
 /**
  * Records everything that waits in the cycle lane. `now_us` is monotonic.
  *
+ * @satisfies SWR-LOAD-001
  * @satisfies SWR-REC-012
  * @satisfies SWR-REC-013
  * @satisfies SWR-REC-014

@@ -33,9 +33,14 @@ build/gcc/bin/bench-clients: $(call object,verification/bench/clients.c app/mess
 	@$(CC) $(CFLAGS) $^ -o $@
 	@echo "built $@"
 
+build/gcc/bin/bench-crowd: $(call object,verification/bench/crowd.c)
+	@mkdir -p $(@D)
+	@$(CC) $(CFLAGS) $^ -o $@
+	@echo "built $@"
+
 bench-programs: bootstrap-test cost-programs
 	@$(MAKE) --no-print-directory -j2 $(BINARIES) $(BIN)/boresight-client build/gcc/bin/bench-step \
-	    build/gcc/bin/bench-recordings build/gcc/bin/bench-clients
+	    build/gcc/bin/bench-recordings build/gcc/bin/bench-clients build/gcc/bin/bench-crowd
 
 # What the gate needs, without what the latency needs.
 cost-programs:

@@ -35,6 +35,13 @@ class Workflow
     under_pedal('MOVE_TO_TARGET')
   end
 
+  # Returns with the pedal pressed, before the end of the move.
+  def begin_move(pose)
+    aim(pose)
+    phase('MOVE_TO_TARGET')
+    @robot.simctl('pedal', 'press')
+  end
+
   # Where the treatment point is, mm.
   def measured
     matrix = say('get', 'CURRENT_POSITION').reverse.find { |line| line['type'] == 'TRANSFORM' }['matrix']

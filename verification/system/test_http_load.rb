@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+# Rule under test: a crowd at the HTTP server costs no cycle, no event, no stop and no move, and a bounded memory. How much
+# later anything comes is shown by `make bench`, and judged nowhere.
+
+require_relative 'support/session_client'
+require_relative 'support/system_test'
+require_relative '../bench/crowd'
+
+# What a system did in a crowd: it homed, moved to a target, and was stopped on the way to another one.
+class CrowdedRun
+  attr_reader :off_nm, :early_events, :stop_codes, :counts, :server_kb, :seen, :event_numbers, :replayed
+
+  def initialize(accounts, counts)
+    @robot = Boresight.start(arguments: ['--robot', Errand::ROBOT, '--accounts', accounts])
+    @seen = Crowd.around(@robot.http_port, **counts) { act(Errand.new(@robot)) }
+    look
+  ensure
+    @robot&.kill_all
+  end
+
+  private
+
+  # The first stop ends a motion and comes by the port for stops, the second one by the console's.
+  def act(errand)
+    errand.prepare
+    @early_events = @robot.status['counts']['events']
+    errand.move
+    @off_nm = errand.off_nm
+    errand.begin_move
+    @stop_codes = [@robot.post_stop(@robot.stop_port).code]
+    @robot.wait_until('nothing is driven') { !@robot.moving? }
+    @stop_codes << @robot.post_stop.code
+  end
+
+  def look
+    @counts = @robot.status['counts']
+    @server_kb = Integer(File.read("/proc/#{@robot.pid_of('http')}/status")[/^VmHWM:\s+(\d+) kB$/, 1])
+    Process.kill('TERM', @robot.pid)
+    @robot.wait_for_end
+    @event_numbers = @robot.event_lines.map { |line| Integer(line.split[1]) }
+    @replayed = @robot.recording_files.map { |file| Open3.capture2e(Boresight.program('boresight-replay'), file) }
+  end
+end
+
+class TestHttpLoad < SystemTest
+  LIMITS = JSON.parse(File.read(File.expand_path('../../build/gen/limits/limits.json', __dir__)))
+               .to_h { |limit| limit.values_at('name', 'value') }
+  CROWDS = { 'streams that are read' => { consoles: 8 },
+             'streams that nobody reads' => { consoles: 2, lazy: 40 },
+             'requests without a pause' => { consoles: 2, keepers: 8, comers: 8 },
+             'half requests' => { consoles: 2, halves: 100 },
+             'guessed passwords' => { consoles: 2, guessers: 8 },
+             'all of them' => { consoles: 2, lazy: 40, keepers: 8, comers: 8, halves: 100, guessers: 8 } }.freeze
+  SERVED = { keepers: 'answered', comers: 'answered', halves: 'refused', guessers: 'refused', lazy: 'dropped' }.freeze
+
+  def self.runs
+    @runs ||= CROWDS.transform_values { |counts| CrowdedRun.new(Accounts.make_for_a_while, counts) }
+  end
+
+  def each_run(&)
+    self.class.runs.each(&)
+  end
+
+  def test_SWR_LOAD_001_no_cycle_and_no_event_is_lost
+    each_run do |crowd, run|
+      assert_equal [0, 0], run.counts.values_at('cycles_lost', 'events_lost'), crowd
+      assert_equal (0...run.counts['events']).to_a, run.event_numbers.first(run.counts['events']), crowd
+      assert_equal 1, run.replayed.size, crowd
+      text, status = run.replayed.first
+      assert_equal [0, false], [status.exitstatus, text.match?(/follow no checkpoint|lost/)], "#{crowd}: #{text}"
+    end
+  end
+
+  def test_SWR_LOAD_002_the_move_ends_truly_at_its_target
+    each_run { |crowd, run| assert_operator run.off_nm, :<=, LIMITS.fetch('crowd_error_nm'), crowd }
+  end
+
+  def test_SWR_LOAD_003_every_stop_is_answered_and_the_motion_ends
+    each_run { |crowd, run| assert_equal %w[200 200], run.stop_codes, crowd }
+  end
+
+  def test_SWR_LOAD_003_stops_are_answered_while_half_requests_come_again_and_again_to_their_port
+    stop_port = boresight.stop_port
+    codes = nil
+    seen = Crowd.around(stop_port, halves: 300) { codes = Array.new(20) { boresight.post_stop(stop_port).code } }
+    assert_equal({ '200' => 20 }, codes.tally)
+    assert_operator seen.dig('halves', 'dropped'), :>, 300
+  end
+
+  def test_SWR_LOAD_004_the_servers_memory_is_bounded
+    each_run { |crowd, run| assert_operator run.server_kb, :<=, LIMITS.fetch('http_memory_kb'), crowd }
+    puts "SWR-LOAD-004: #{self.class.runs.values.map(&:server_kb).max} kB at most"
+  end
+
+  def test_SWR_LOAD_005_who_reads_hears_every_event
+    each_run do |crowd, run|
+      assert_equal [CROWDS.dig(crowd, :consoles), 0, 0], run.seen['consoles'].values, crowd
+      assert_equal 0, run.seen['missed'], crowd
+      assert_operator run.seen['events'], :>=, CROWDS.dig(crowd, :consoles) * run.early_events, crowd
+    end
+  end
+
+  # They come while nobody serves them: the kernel keeps them.
+  def test_SWR_LOAD_006_who_comes_waits_for_a_worker_in_turn
+    boresight.while_stopped('http') do
+      waiting = Array.new(LIMITS.fetch('waiting_clients')) do
+        Socket.tcp('127.0.0.1', boresight.http_port, connect_timeout: Boresight::PATIENCE_SECONDS)
+      end
+      assert(waiting.all? { |socket| socket.remote_address.ip_port == boresight.http_port })
+      waiting.each(&:close)
+    end
+    assert_equal '200', boresight.post_stop.code
+  end
+
+  # Otherwise the others would show nothing.
+  def test_SWR_LOAD_003_each_crowd_was_there
+    CROWDS.each do |crowd, counts|
+      (counts.keys & SERVED.keys).each do |kind|
+        assert_operator self.class.runs[crowd].seen.dig(kind.to_s, SERVED[kind]), :>, 0, "#{crowd}: #{kind}"
+      end
+    end
+  end
+end
