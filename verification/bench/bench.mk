@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # What a cycle costs, and how punctually it begins; included by the Makefile.
 
-.PHONY: bench bench-clients bench-codec bench-instructions bench-latency bench-recordings bench-programs cost-programs cost cost-approve
+.PHONY: bench bench-clients bench-codec bench-crowds bench-instructions bench-latency bench-recordings bench-programs cost-programs cost cost-approve
 
 # The scene is played on the rig of the integration tests, which asserts with Unity.
 BENCH_SCENE := $(call object,verification/bench/samples.c verification/integration/support/rig.c $(BOX_SOURCES) \
@@ -53,7 +53,7 @@ cost: bootstrap-test cost-programs ## What a cycle costs as Cortex-A9 code, in i
 cost-approve: cost
 	@cp build/bench/cost.yml verification/bench/cost.yml
 
-bench: bench-programs ## Instructions of a cycle, recordings, OpenIGTLink beside its library and under load, wake-up latency beside cyclictest (BENCH_SECONDS=10)
+bench: bench-programs ## Instructions of a cycle, recordings, OpenIGTLink beside its library and under load, crowds at the HTTP server, wake-up latency beside cyclictest (BENCH_SECONDS=10)
 	@ruby verification/bench/bench.rb
 
 bench-instructions: bench-programs
@@ -70,3 +70,6 @@ bench-recordings: build/gcc/bin/bench-recordings
 
 bench-clients: bench-programs
 	@ruby verification/bench/bench.rb clients
+
+bench-crowds: bench-programs
+	@ruby verification/bench/bench.rb crowds

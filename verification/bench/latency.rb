@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-require 'etc'
-require 'tempfile'
+require_relative 'cyclictest'
 require_relative 'support'
 require_relative '../system/support/boresight'
 
@@ -10,13 +9,7 @@ require_relative '../system/support/boresight'
 class Latency
   SECONDS = Integer(ENV.fetch('BENCH_SECONDS', '10'))
   PAIRS = 2
-  LAST_CORE = Etc.nprocessors - 1
-  LONGEST_US = 4095 # Of both histograms.
   RESULT = File.join(BENCH_OUT, 'latency.json')
-  QUANTILES = { p50: 0.5, p99: 0.99, p999: 0.999 }.freeze
-  # The control process leaves power saving as it is, so cyclictest is told to do the same.
-  CYCLICTEST = ['cyclictest', '-m', '-q', '-p80', '-i1000', '-t1', "-a#{LAST_CORE}", '--mainaffinity=0',
-                '--default-system', "-D#{SECONDS}", "-h#{LONGEST_US + 1}"].freeze
   RIGHTS = { 'fifo' => 'SCHED_FIFO', 'core' => 'a core of its own', 'memory' => 'locked memory' }.freeze
 
   # Returns the table.
@@ -24,11 +17,12 @@ class Latency
     puts "Wake-up latency, #{PAIRS} times #{SECONDS} s each, in turn (BENCH_SECONDS changes that)"
     raise BenchFailed, 'BENCH_SECONDS must be at least 2' if SECONDS < 2
 
+    @cyclictest = Cyclictest.new
     @ours = []
     @reference = []
     PAIRS.times do |i|
       @ours << announced("control loop, run #{i + 1}") { measure_loop }
-      @reference << announced("cyclictest, run #{i + 1}") { measure_cyclictest }
+      @reference << announced("cyclictest, run #{i + 1}") { @cyclictest.measure(SECONDS) }
     end
     File.write(RESULT, "#{JSON.pretty_generate(result)}\n")
     report
@@ -70,34 +64,6 @@ class Latency
     @missing = RIGHTS.reject { |name, _| rights[name] }.values
   end
 
-  # Nil, with the reason kept, when it is not allowed or not installed.
-  def measure_cyclictest
-    Tempfile.create('cyclictest') do |file|
-      output, status = Open3.capture2e(*CYCLICTEST, "--json=#{file.path}")
-      return parse(JSON.parse(File.read(file.path))) if status.success?
-
-      @refusal = output.lines.grep(/\S/).first.to_s.strip
-      nil
-    end
-  rescue Errno::ENOENT
-    @refusal = 'cyclictest is not installed'
-    nil
-  end
-
-  def parse(json)
-    thread = json['thread'].values.first
-    counts = thread['histogram'].map { |bucket, count| [bucket.to_i, count] }.sort
-    QUANTILES.transform_values { |share| quantile(counts, thread['cycles'], share) || thread['max'] }
-             .merge(worst: thread['max'], cycles: thread['cycles'])
-  end
-
-  # Smallest value that this share of the counts does not exceed; nil when it is beyond the histogram.
-  def quantile(counts, total, share)
-    wanted = (total * share).ceil
-    seen = 0
-    counts.find { |_, count| (seen += count) >= wanted }&.first
-  end
-
   def result
     @result ||= { seconds: SECONDS, control_loop: @ours, cyclictest: @reference.compact, missing_rights: @missing }
   end
@@ -107,12 +73,12 @@ class Latency
   end
 
   def title
-    "Wake-up latency in us: SCHED_FIFO 80, every 1000 us, core #{LAST_CORE}, memory locked"
+    "Wake-up latency in us: SCHED_FIFO 80, every 1000 us, core #{Cyclictest::LAST_CORE}, memory locked"
   end
 
   def table
     head = ['', 'p50', 'p99', 'p99.9', 'worst', 'cycles']
-    keys = [*QUANTILES.keys, :worst, :cycles]
+    keys = [*Cyclictest::QUANTILES.keys, :worst, :cycles]
     rows = @ours.zip(@reference).each_with_index.flat_map do |(ours, reference), i|
       [["control loop, run #{i + 1}", *ours.values_at(*keys)],
        ["cyclictest, run #{i + 1}", *(reference ? reference.values_at(*keys) : Array.new(keys.length))]]
@@ -122,9 +88,9 @@ class Latency
 
   # Of the means of the runs; of the worst the worst.
   def ratios
-    return Array.new(QUANTILES.length + 1) if @reference.any?(&:nil?)
+    return Array.new(Cyclictest::QUANTILES.length + 1) if @reference.any?(&:nil?)
 
-    means = QUANTILES.keys.map { |key| ratio(@ours.sum { |run| run[key] }, @reference.sum { |run| run[key] }) }
+    means = Cyclictest::QUANTILES.keys.map { |key| ratio(@ours.sum { |run| run[key] }, @reference.sum { |run| run[key] }) }
     means << ratio(@ours.map { |run| run[:worst] }.max, @reference.map { |run| run[:worst] }.max)
   end
 
@@ -137,13 +103,7 @@ class Latency
              'The loop ran with its whole system beside it (box, recorder, servers), cyclictest with nothing.']
     lines << "Not granted to the loop: #{@missing.join(', ')}; run as root for a fair comparison." if @missing.any?
     lines << 'Another Boresight ran on this machine meanwhile; measure again without it.' if @is_shared
-    lines << "cyclictest could not run: #{@refusal}" if @refusal
+    lines << "cyclictest could not run: #{@cyclictest.refusal}" if @cyclictest.refusal
     lines
-  end
-
-  def machine
-    virtual = File.read('/proc/cpuinfo').match?(/^flags.*\bhypervisor\b/) ? 'a virtual machine' : 'a computer'
-    real_time = File.exist?('/sys/kernel/realtime') && File.read('/sys/kernel/realtime').to_i == 1
-    "#{virtual} with #{Etc.nprocessors} cores and #{real_time ? 'a real-time' : 'an ordinary'} kernel"
   end
 end

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
+require 'etc'
 require 'fileutils'
 require 'json'
 require 'open3'
@@ -43,4 +44,11 @@ end
 def median(values)
   sorted = values.sort
   sorted[sorted.length / 2]
+end
+
+# What it runs on, for the remarks.
+def machine
+  virtual = File.read('/proc/cpuinfo').match?(/^flags.*\bhypervisor\b/) ? 'a virtual machine' : 'a computer'
+  real_time = File.exist?('/sys/kernel/realtime') && File.read('/sys/kernel/realtime').to_i == 1
+  "#{virtual} with #{Etc.nprocessors} cores and #{real_time ? 'a real-time' : 'an ordinary'} kernel"
 end
