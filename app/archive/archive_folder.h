@@ -48,6 +48,7 @@ typedef struct {
  *                 blocks are there
  * @return false: there is none, `self->file` is -1
  *
+ * @satisfies SWR-HTTP-047
  * @satisfies SWR-REC-015
  * @satisfies SWR-REC-016
  */

@@ -98,16 +98,12 @@ static bool read_option(int option, const char *value, options_t *options)
 
 static bool read_options(int count, char **arguments, options_t *options)
 {
-    static const struct option known[] = {{"exchange", required_argument, NULL, 'e'},
-                                          {"port", required_argument, NULL, 'p'},
-                                          {"bind", required_argument, NULL, 'b'},
-                                          {"accounts", required_argument, NULL, 'a'},
-                                          {"box", required_argument, NULL, 'x'},
-                                          {"tls-file", required_argument, NULL, 't'},
-                                          {"stunnel", no_argument, NULL, 's'},
-                                          {"recordings", required_argument, NULL, 'd'},
-                                          {"box-key", required_argument, NULL, 'k'},
-                                          {NULL, 0, NULL, 0}};
+    static const struct option known[] = {
+        {"exchange", required_argument, NULL, 'e'}, {"port", required_argument, NULL, 'p'},
+        {"bind", required_argument, NULL, 'b'},     {"accounts", required_argument, NULL, 'a'},
+        {"box", required_argument, NULL, 'x'},      {"tls-file", required_argument, NULL, 't'},
+        {"stunnel", no_argument, NULL, 's'},        {"recordings", required_argument, NULL, 'd'},
+        {"box-key", required_argument, NULL, 'k'},  {NULL, 0, NULL, 0}};
     (void)memset(options, 0, sizeof *options);
     options->guard.port = DEFAULT_PORT;
     (void)read_address("127.0.0.1", options->guard.address);

@@ -34,7 +34,7 @@ typedef struct {
     act_desk_t acts;
     saved_desk_t positions;
     bool has_key;
-    saved_key_t key; /**< Of the box. */
+    saved_key_t key;        /**< Of the box. */
     pthread_mutex_t orders; /**< Of who orders something of a connection of OpenIGTLink. */
     telemetry_identity_t identity;
     telemetry_t telemetry;

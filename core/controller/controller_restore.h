@@ -30,8 +30,8 @@ void controller_compare(controller_t *self, const cycle_t *cycle, uint32_t index
  * @satisfies SWR-STORE-022
  * @satisfies SWR-STORE-023
  */
-status_t controller_obey_restore(controller_t *self, const cycle_t *cycle,
-                                 const command_t *command, answer_t *answer);
+status_t controller_obey_restore(controller_t *self, const cycle_t *cycle, const command_t *command,
+                                 answer_t *answer);
 
 /** Axes with a kept position that have not reported yet. */
 uint32_t controller_count_awaited(const controller_t *self);

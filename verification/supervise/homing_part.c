@@ -50,6 +50,7 @@ bool homing_part_has(const rig_t *rig, uint32_t axis)
     const bool has_pose = (robot->pose_mask & ((uint32_t)1U << (uint32_t)POSE_HOME)) != 0U;
     return (rig->outputs.snapshot.is_homed != 0U)
                ? has_pose
-               : ((homing_part_is_homing(rig, axis) && is_due(rig, axis)) || is_following(rig, axis) ||
+               : ((homing_part_is_homing(rig, axis) && is_due(rig, axis)) ||
+                  is_following(rig, axis) ||
                   ((axis == robot->needle_axis) && homing_part_is_homed(rig, axis)));
 }

@@ -46,10 +46,9 @@ void test_SWR_EVENT_007_a_sentence_ends_with_its_cause(void)
                      .cause = EVENT_CAUSE_CONSOLE,
                      .peer = 51234U},
            "Workphase entered STOP. By the console, page 51234.");
-    expect((event_t){.id = EVENT_WORKPHASE,
-                     .subject = WORKPHASE_STOP,
-                     .cause = EVENT_CAUSE_CONSOLE},
-           "Workphase entered STOP. By the console.");
+    expect(
+        (event_t){.id = EVENT_WORKPHASE, .subject = WORKPHASE_STOP, .cause = EVENT_CAUSE_CONSOLE},
+        "Workphase entered STOP. By the console.");
     expect((event_t){.id = EVENT_ORDER_DISCARDED, .cause = EVENT_CAUSE_IGTL, .peer = 3U},
            "The armed motion was discarded. By OpenIGTLink peer 3.");
     expect((event_t){.id = EVENT_ORDER_DISCARDED, .cause = EVENT_CAUSE_IGTL},

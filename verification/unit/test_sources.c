@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file Rule under test: control hears which of the processes that command do not live any more. */
+/** @file Rule under test: control hears which of the processes that command do not live any more.
+ */
 #include "control/sources.h"
 
 #include "unity.h"
