@@ -84,11 +84,10 @@ static bool is_stop(const command_t *command)
             (command->argument == (uint32_t)WORKPHASE_EMERGENCY));
 }
 
-/* STOP of the console has a latch instead. */
+/* STOP and EMERGENCY of the console have a latch instead. */
 static bool has_lane(const command_t *command)
 {
-    const bool is_latched = (command->source == (uint32_t)COMMAND_SOURCE_HTTP) &&
-                            is_stop(command) && (command->argument == (uint32_t)WORKPHASE_STOP);
+    const bool is_latched = (command->source == (uint32_t)COMMAND_SOURCE_HTTP) && is_stop(command);
 
     return (command->source < COMMAND_SOURCE_COUNT) && !is_latched;
 }
@@ -112,9 +111,19 @@ status_t exchange_send_command(exchange_t *self, const command_t *command)
     return STATUS_OK;
 }
 
-uint32_t exchange_request_stop(exchange_t *self)
+/* The number of requests so far. */
+static uint32_t number_of(uint64_t requests)
 {
-    return __atomic_add_fetch(&self->segment->others.stops_requested, 1U, __ATOMIC_RELEASE);
+    return (uint32_t)(requests / SEGMENT_STOP);
+}
+
+uint32_t exchange_request_stop(exchange_t *self, workphase_t workphase)
+{
+    const uint64_t request =
+        SEGMENT_STOP + ((workphase == WORKPHASE_EMERGENCY) ? UINT64_C(1) : UINT64_C(0));
+
+    return number_of(
+        __atomic_add_fetch(&self->segment->others.stops_requested, request, __ATOMIC_RELEASE));
 }
 
 bool exchange_read_stop_answer(const exchange_t *self, uint32_t number, answer_t *answer)
@@ -126,21 +135,23 @@ bool exchange_read_stop_answer(const exchange_t *self, uint32_t number, answer_t
            ((answer->id - number) <= (uint32_t)INT32_MAX);
 }
 
-/* One command stands for all requests so far. */
+/* One command stands for all requests so far: EMERGENCY, if one of them asked for it. */
 static bool take_stop(exchange_t *self, command_t *command)
 {
-    const uint32_t requested =
+    const uint64_t requested =
         __atomic_load_n(&self->segment->others.stops_requested, __ATOMIC_ACQUIRE);
-    uint32_t *taken = &self->segment->control.stops_taken;
+    uint64_t *taken = &self->segment->control.stops_taken;
+    const uint64_t before = __atomic_load_n(taken, __ATOMIC_RELAXED);
 
-    if (requested == __atomic_load_n(taken, __ATOMIC_RELAXED)) {
+    if (requested == before) {
         return false;
     }
     (void)memset(command, 0, sizeof *command);
-    command->id = requested;
+    command->id = number_of(requested);
     command->source = (uint32_t)COMMAND_SOURCE_HTTP;
     command->kind = (uint32_t)COMMAND_WORKPHASE;
-    command->argument = (uint32_t)WORKPHASE_STOP;
+    command->argument = ((uint32_t)requested != (uint32_t)before) ? (uint32_t)WORKPHASE_EMERGENCY
+                                                                  : (uint32_t)WORKPHASE_STOP;
     __atomic_store_n(taken, requested, __ATOMIC_RELEASE);
     return true;
 }
@@ -221,7 +232,8 @@ static void refuse_waiting(exchange_t *self, uint32_t source, uint32_t stop_for)
     self->refused[source].stop_for = stop_for;
 }
 
-static void find_refused(exchange_t *self, bool is_stop_requested)
+/* `requested`: the stop that was, NULL: none. */
+static void find_refused(exchange_t *self, const command_t *requested)
 {
     uint32_t stop_for = (uint32_t)WORKPHASE_STOP;
 
@@ -234,8 +246,8 @@ static void find_refused(exchange_t *self, bool is_stop_requested)
             }
         }
     }
-    for (uint32_t i = 0U; (i < COMMAND_SOURCE_COUNT) && is_stop_requested; i++) {
-        refuse_waiting(self, i, (uint32_t)WORKPHASE_STOP);
+    for (uint32_t i = 0U; (i < COMMAND_SOURCE_COUNT) && (requested != NULL); i++) {
+        refuse_waiting(self, i, requested->argument);
     }
 }
 
@@ -283,7 +295,7 @@ uint32_t exchange_take_commands(exchange_t *self, command_t *commands, uint32_t 
     uint32_t count = 0U;
     bool is_enough = false;
 
-    find_refused(self, is_stop_requested);
+    find_refused(self, is_stop_requested ? &stop : NULL);
     for (uint32_t i = 0U; (i < COMMAND_SOURCE_COUNT) && !is_enough; i++) {
         const uint32_t source = (self->first_lane + i) % COMMAND_SOURCE_COUNT;
         is_enough = take_lane(self, source, commands, others, &count);
@@ -321,7 +333,8 @@ static bool is_of_latch(const answer_t *answer)
 {
     return (answer->source == (uint32_t)COMMAND_SOURCE_HTTP) &&
            (answer->command == (uint32_t)COMMAND_WORKPHASE) &&
-           (answer->argument == (uint32_t)WORKPHASE_STOP);
+           ((answer->argument == (uint32_t)WORKPHASE_STOP) ||
+            (answer->argument == (uint32_t)WORKPHASE_EMERGENCY));
 }
 
 bool exchange_push_answer(exchange_t *self, const answer_t *answer)

@@ -126,22 +126,23 @@ bool exchange_read_loop(const exchange_t *self, loop_figures_t *figures);
  * Puts a command into the lane of its source. One thread at a time for each source.
  *
  * @return STATUS_OK; STATUS_BUSY when EXCHANGE_COMMANDS wait, for STOP and EMERGENCY EXCHANGE_STOPS
- * more; STATUS_NOT_ALLOWED for what is no source, and for STOP of COMMAND_SOURCE_HTTP, which is
- * requested (nothing is queued)
+ * more; STATUS_NOT_ALLOWED for what is no source, and for STOP and EMERGENCY of
+ * COMMAND_SOURCE_HTTP, which are requested (nothing is queued)
  *
  * @satisfies SWR-EXCH-002
  */
 status_t exchange_send_command(exchange_t *self, const command_t *command);
 
 /**
- * Asks for STOP as COMMAND_SOURCE_HTTP. It waits in no lane that could be full. Any thread of any
- * process.
+ * Asks for STOP, or EMERGENCY, as COMMAND_SOURCE_HTTP. It waits in no lane that could be full. Any
+ * thread of any process.
  *
  * @return the request's number
  *
  * @satisfies SWR-HTTP-008
+ * @satisfies SWR-HTTP-030
  */
-uint32_t exchange_request_stop(exchange_t *self);
+uint32_t exchange_request_stop(exchange_t *self, workphase_t workphase);
 
 /** Control's answer to the stop request `number` or, as one stop serves all, to a later one. False
  * while there is none. */

@@ -24,6 +24,7 @@
 #define SEGMENT_SNAPSHOTS 4U
 #define SEGMENT_COMMANDS (EXCHANGE_COMMANDS + EXCHANGE_STOPS) /**< A power of 2. */
 #define SEGMENT_NAME_SIZE 64U
+#define SEGMENT_STOP (UINT64_C(1) << 32)
 
 #define SEGMENT_ON_PAGE __attribute__((aligned(SEGMENT_PAGE)))
 #define SEGMENT_ON_LINE __attribute__((aligned(SEGMENT_LINE)))
@@ -92,8 +93,8 @@ typedef struct {
     struct {
         uint32_t count SEGMENT_ON_LINE;
     } beats[EXCHANGE_PROCESS_COUNT];
-    uint32_t stops_requested SEGMENT_ON_LINE;
-    uint32_t stop_port SEGMENT_ON_LINE; /**< 0: none was noted. */
+    uint64_t stops_requested SEGMENT_ON_LINE; /**< SEGMENT_STOP each, an EMERGENCY 1 more. */
+    uint32_t stop_port SEGMENT_ON_LINE;       /**< 0: none was noted. */
     segment_commands_t lanes[COMMAND_SOURCE_COUNT];
     struct {
         uint32_t tail SEGMENT_ON_LINE; /**< Answers taken. */
@@ -120,7 +121,7 @@ typedef struct {
     segment_snapshot_t snapshots[SEGMENT_SNAPSHOTS];
     uint32_t loop_sequence SEGMENT_ON_LINE;
     loop_figures_t loop;
-    uint32_t stops_taken SEGMENT_ON_LINE; /**< Stop requests handed to the controller. */
+    uint64_t stops_taken SEGMENT_ON_LINE; /**< Stop requests handed to the controller. */
     uint32_t stop_sequence SEGMENT_ON_LINE;
     answer_t stop_answer; /**< To the newest of them. */
     struct {

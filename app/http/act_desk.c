@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "http/act_desk.h"
 
+#include "common/clock.h"
+#include "exchange/exchange_peers.h"
 #include "http/patience.h"
 
+#include <stdio.h>
 #include <string.h>
 #include <sys/random.h>
 
@@ -57,6 +60,24 @@ static bool release(act_desk_t *self, uint32_t page)
     return send_as(self, page, &release, &sent);
 }
 
+/* With the lock. */
+static void publish(act_desk_t *self)
+{
+    exchange_peers_t peers;
+    (void)memset(&peers, 0, sizeof peers);
+    for (uint32_t i = 0U; (i < PAGE_TABLE_PAGES) && (peers.count < EXCHANGE_PEERS); i++) {
+        const page_t *page = &self->table.pages[i];
+        if (page->number != 0U) {
+            exchange_peer_t *row = &peers.peers[peers.count];
+            row->number = page->number;
+            row->since_us = page->since_us;
+            (void)snprintf(row->name, sizeof row->name, "%s", page->name);
+            peers.count++;
+        }
+    }
+    exchange_publish_peers(self->exchange, COMMAND_SOURCE_HTTP, &peers);
+}
+
 /* With the lock. Whoever of an earlier server has authority is gone. */
 static void begin(act_desk_t *self)
 {
@@ -74,6 +95,7 @@ void act_desk_init(act_desk_t *self, exchange_t *exchange)
     while (exchange_take_answer(exchange, COMMAND_SOURCE_HTTP, &stale)) {
     }
     begin(self);
+    publish(self);
 }
 
 page_verdict_t act_desk_greet(act_desk_t *self, uint32_t number, const session_t *session,
@@ -81,8 +103,14 @@ page_verdict_t act_desk_greet(act_desk_t *self, uint32_t number, const session_t
 {
     page_verdict_t verdict = PAGE_GREETED;
     (void)pthread_mutex_lock(&self->lock);
-    if (page_table_greet(&self->table, number, session, holder) == NULL) {
+    page_t *page = page_table_greet(&self->table, number, session, holder);
+    if (page == NULL) {
         verdict = (page_table_find(&self->table, number) != NULL) ? PAGE_ANOTHERS : PAGE_LATER;
+    } else if (page->since_us == 0U) {
+        page->since_us = clock_monotonic_us();
+        publish(self);
+    } else {
+        /* It is known. */
     }
     (void)pthread_mutex_unlock(&self->lock);
     return verdict;
@@ -192,6 +220,7 @@ static void dismiss_ended(act_desk_t *self, session_desk_t *sessions, uint64_t n
         if ((page->number != 0U) && !session_desk_find(sessions, page->session, now_ms, &session) &&
             release(self, page->number)) {
             (void)memset(page, 0, sizeof *page);
+            publish(self);
         }
     }
 }

@@ -48,8 +48,7 @@ int http_act_judge(http_server_t *server, http_call_t *call)
                : 0;
 }
 
-/* Of the axis that an answer names; NULL: it names none. */
-static const char *axis_of(const robot_t *robot, const answer_t *answer)
+const char *http_act_axis(const robot_t *robot, const answer_t *answer)
 {
     const bool is_why =
         (answer->kind == (uint32_t)ANSWER_ABORTED) || (answer->kind == (uint32_t)ANSWER_REFUSED);
@@ -64,7 +63,7 @@ static const char *axis_of(const robot_t *robot, const answer_t *answer)
     return is_named ? robot->axes[answer->axis].name : NULL;
 }
 
-static const char *limit_of(const answer_t *answer)
+const char *http_act_limit(const answer_t *answer)
 {
     const char *end = (answer->is_maximum != 0U) ? "upper" : "lower";
     return (answer->status == (uint32_t)STATUS_AXIS_LIMIT) ? end : NULL;
@@ -87,10 +86,18 @@ cJSON *http_act_tell(const robot_t *robot, uint32_t page, uint32_t id, const ans
                              .state = state_of(answer),
                              .code = status_name((int32_t)answer->status),
                              .message = status_text((int32_t)answer->status),
-                             .axis = axis_of(robot, answer),
-                             .limit = limit_of(answer),
+                             .axis = http_act_axis(robot, answer),
+                             .limit = http_act_limit(answer),
                              .workphase = workphase_name((int32_t)answer->workphase)};
     return json_act(&told);
+}
+
+int http_act_refuse(http_server_t *server, const http_call_t *call, const answer_t *answer)
+{
+    http_problem_t problem = http_problem_of_status(answer->status);
+    problem.axis = http_act_axis(exchange_robot(server->exchange), answer);
+    problem.limit = http_act_limit(answer);
+    return http_reply_problem(call->connection, &problem, NULL);
 }
 
 /* A refusal at once is a problem. */
@@ -99,10 +106,7 @@ static int reply(http_server_t *server, const http_call_t *call, uint32_t id,
 {
     const robot_t *robot = exchange_robot(server->exchange);
     if (answer->kind == (uint32_t)ANSWER_REFUSED) {
-        http_problem_t problem = http_problem_of_status(answer->status);
-        problem.axis = axis_of(robot, answer);
-        problem.limit = limit_of(answer);
-        return http_reply_problem(call->connection, &problem, NULL);
+        return http_act_refuse(server, call, answer);
     }
     return http_reply_object(call->connection, (answer->is_final != 0U) ? 200 : 202,
                              http_act_tell(robot, call->page, id, answer));

@@ -34,6 +34,15 @@ int http_act_command(http_server_t *server, const http_call_t *call, const comma
  * sent. */
 int http_act_refuse_member(const http_call_t *call, const char *pointer);
 
+/** Refuses what control would refuse, or has refused, by `answer`. Returns the status sent. */
+int http_act_refuse(http_server_t *server, const http_call_t *call, const answer_t *answer);
+
+/** The axis that `answer` names as the reason; NULL: it names none. */
+const char *http_act_axis(const robot_t *robot, const answer_t *answer);
+
+/** Which of its limits, "lower" or "upper"; NULL: none. */
+const char *http_act_limit(const answer_t *answer);
+
 /** What became of the act `id` of `page` by `answer`, as a message. NULL without memory; the caller
  * frees it. */
 cJSON *http_act_tell(const robot_t *robot, uint32_t page, uint32_t id, const answer_t *answer);

@@ -50,18 +50,27 @@ static int refuse(struct mg_connection *connection, problem_t problem)
     return (status != 0) ? status : NOT_SENT;
 }
 
+/* A page keeps authority without anybody there. */
+static session_use_t use_of(const route_t *route)
+{
+    const bool is_read = strcmp(route->method, "GET") == 0;
+    const session_use_t use = (route->id == ROUTE_RENEW_AUTHORITY) ? SESSION_RUNS : SESSION_ACTS;
+    return is_read ? SESSION_READS : use;
+}
+
 int http_door_judge(http_server_t *server, const http_call_t *call)
 {
     struct mg_connection *connection = call->connection;
-    const bool is_writing = strcmp(call->route->method, "GET") != 0;
+    const session_use_t use = use_of(call->route);
     char id[SESSION_TOKEN_SIZE];
-    if (call->route->is_for_anyone || (!is_writing && (call->route->role == ROLE_OBSERVER) &&
-                                       is_plain_loopback(server, connection))) {
+    if (call->route->is_for_anyone ||
+        ((use == SESSION_READS) && (call->route->role == ROLE_OBSERVER) &&
+         is_plain_loopback(server, connection))) {
         return 0;
     }
     switch (session_desk_judge(&server->desk, find_id(server, connection, id),
-                               mg_get_header(connection, HTTP_DOOR_TOKEN), is_writing,
-                               call->route->role, telemetry_now_ms())) {
+                               mg_get_header(connection, HTTP_DOOR_TOKEN), use, call->route->role,
+                               telemetry_now_ms())) {
     case SESSION_PASS:
         return 0;
     case SESSION_CSRF:

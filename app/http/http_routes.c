@@ -12,7 +12,9 @@
 #include "http/http_motion.h"
 #include "http/http_positions.h"
 #include "http/http_reply.h"
+#include "http/http_targeting.h"
 #include "http/stop_desk.h"
+#include "http/stop_request.h"
 #include "interface/app/messages.h"
 #include "request/request_headers.h"
 
@@ -77,11 +79,13 @@ static int answer_events(http_server_t *server, struct mg_connection *connection
                              first_event(connection, view.snapshot.events));
 }
 
-static int answer_stop(http_server_t *server, struct mg_connection *connection)
+static int answer_stop(http_server_t *server, const http_call_t *call)
 {
+    struct mg_connection *connection = call->connection;
     char json[STOP_DESK_JSON_SIZE];
     answer_t answer;
-    const status_t status = stop_desk_converse(server->exchange, &answer);
+    const status_t status =
+        stop_desk_converse(server->exchange, stop_request_workphase(&call->body.stop), &answer);
     const stop_report_t report = stop_desk_tell(status, &answer, json);
     return report.is_good ? http_reply_json(connection, 200, json)
                           : http_reply_problem(connection, &report.problem, NULL);
@@ -137,7 +141,7 @@ static int answer(http_server_t *server, const http_call_t *call)
     case ROUTE_EVENTS:
         return answer_events(server, connection);
     case ROUTE_STOP:
-        return answer_stop(server, connection);
+        return answer_stop(server, call);
     case ROUTE_OPENAPI:
         return answer_asset(connection, asset_find(call->route->path));
     case ROUTE_SESSION:
@@ -169,6 +173,16 @@ static int answer(http_server_t *server, const http_call_t *call)
         return http_motion_axis(server, call, COMMAND_CONFIRM_AXIS, call->body.confirm_axis.id);
     case ROUTE_SET_HOME:
         return http_motion_axis(server, call, COMMAND_SET_HOME, call->body.set_home.id);
+    case ROUTE_REGISTRATION:
+        return http_targeting_register(server, call);
+    case ROUTE_ENTRY:
+        return http_targeting_enter(server, call);
+    case ROUTE_TARGET:
+        return http_targeting_aim(server, call);
+    case ROUTE_WITHDRAW:
+        return http_targeting_withdraw(server, call);
+    case ROUTE_PREVIEW_TARGET:
+        return http_targeting_preview(server, call);
     case ROUTE_RETRACT:
         return http_motion_retract(server, call);
     case ROUTE_POSITIONS:

@@ -52,11 +52,16 @@ void json_add_set(cJSON *object, const char *key, uint32_t mask, uint32_t count,
     }
 }
 
-void json_add_matrix(cJSON *object, const char *key, const rigid_t *pose)
+cJSON *json_new_matrix(const rigid_t *pose)
 {
     double matrix[16];
     telemetry_units_matrix(pose, matrix);
-    json_add_item(object, key, cJSON_CreateDoubleArray(matrix, 16));
+    return cJSON_CreateDoubleArray(matrix, 16);
+}
+
+void json_add_matrix(cJSON *object, const char *key, const rigid_t *pose)
+{
+    json_add_item(object, key, json_new_matrix(pose));
 }
 
 void json_add_point(cJSON *object, const char *key, const point_t *point)

@@ -32,6 +32,7 @@ void json_add_set(cJSON *object, const char *key, uint32_t mask, uint32_t count,
                   json_words_t text);
 
 /** Homogeneous, by rows, translation in mm. */
+cJSON *json_new_matrix(const rigid_t *pose);
 void json_add_matrix(cJSON *object, const char *key, const rigid_t *pose);
 
 /** In mm. */

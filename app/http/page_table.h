@@ -32,6 +32,7 @@ typedef struct {
     char name[ACCOUNT_NAME_SIZE]; /**< Of the account. */
     uint32_t newest;              /**< The highest id of its acts. */
     uint32_t turn;                /**< When it asked last. */
+    uint64_t since_us;            /**< When it came; monotonic. */
     page_act_t acts[LIMIT_PAGE_ACTS];
 } page_t;
 

@@ -6,9 +6,9 @@
 
 #include <stdio.h>
 
-stop_question_t stop_desk_ask(exchange_t *exchange)
+stop_question_t stop_desk_ask(exchange_t *exchange, workphase_t workphase)
 {
-    const stop_question_t question = {.number = exchange_request_stop(exchange),
+    const stop_question_t question = {.number = exchange_request_stop(exchange, workphase),
                                       .looks = patience_looks(exchange)};
     return question;
 }
@@ -25,9 +25,9 @@ status_t stop_desk_look(const exchange_t *exchange, stop_question_t *question, a
     return STATUS_BUSY;
 }
 
-status_t stop_desk_converse(exchange_t *exchange, answer_t *answer)
+status_t stop_desk_converse(exchange_t *exchange, workphase_t workphase, answer_t *answer)
 {
-    stop_question_t question = stop_desk_ask(exchange);
+    stop_question_t question = stop_desk_ask(exchange, workphase);
     status_t status = stop_desk_look(exchange, &question, answer);
     while (status == STATUS_BUSY) {
         patience_wait();

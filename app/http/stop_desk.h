@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Asks control for STOP and finds its answer. Any number may ask at once: none waits for another,
- * and none can be refused before control has judged it.
+ * Asks control for STOP or EMERGENCY and finds its answer. Any number may ask at once: none waits
+ * for another, and none can be refused before control has judged it.
  */
 #ifndef BORESIGHT_STOP_DESK_H
 #define BORESIGHT_STOP_DESK_H
@@ -22,8 +22,8 @@ typedef struct {
     uint32_t looks; /**< Left before control counts as silent. */
 } stop_question_t;
 
-/** Asks for STOP: it is on its way when this returns. */
-stop_question_t stop_desk_ask(exchange_t *exchange);
+/** Asks for STOP, or EMERGENCY: it is on its way when this returns. */
+stop_question_t stop_desk_ask(exchange_t *exchange, workphase_t workphase);
 
 /**
  * Looks once for the answer.
@@ -34,7 +34,7 @@ stop_question_t stop_desk_ask(exchange_t *exchange);
 status_t stop_desk_look(const exchange_t *exchange, stop_question_t *question, answer_t *answer);
 
 /** Asks and looks until STATUS_OK or STATUS_NO_ANSWER, as stop_desk_look(). */
-status_t stop_desk_converse(exchange_t *exchange, answer_t *answer);
+status_t stop_desk_converse(exchange_t *exchange, workphase_t workphase, answer_t *answer);
 
 /** What the client is told. */
 typedef struct {

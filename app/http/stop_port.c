@@ -97,7 +97,7 @@ static void take_request(client_t *client)
         return;
     }
     if (!request->is_refused) {
-        client->question = stop_desk_ask(stop_port.exchange);
+        client->question = stop_desk_ask(stop_port.exchange, request->workphase);
         client->state = CLIENT_WAITS;
     } else if (request->body.fault != REQUEST_OK) {
         const http_problem_t problem = http_problem_of_body(&request->body);

@@ -32,6 +32,11 @@ static stop_request_t refuse(problem_t problem)
     return refusal;
 }
 
+workphase_t stop_request_workphase(const request_stop_t *body)
+{
+    return (body->has_emergency && body->emergency) ? WORKPHASE_EMERGENCY : WORKPHASE_STOP;
+}
+
 static stop_request_t judge_line(const char *line)
 {
     const stop_request_t good = {.is_whole = true};
@@ -112,7 +117,8 @@ static stop_request_t judge_provenance(const http_guard_t *guard,
 static stop_request_t judge_body(const char *const fields[FIELD_COUNT], const char *body,
                                  size_t size)
 {
-    const stop_request_t good = {.is_whole = true};
+    stop_request_t good = {.is_whole = true, .workphase = WORKPHASE_STOP};
+    request_stop_t read = {.has_emergency = false};
     const char *length = fields[FIELD_LENGTH];
     if ((length == NULL) || (fields[FIELD_TRANSFER] != NULL) || (length[0] == '\0') ||
         (strspn(length, "0123456789") != strlen(length))) {
@@ -129,7 +135,8 @@ static stop_request_t judge_body(const char *const fields[FIELD_COUNT], const ch
         return good;
     }
     stop_request_t other = refuse(PROBLEM_BAD_BODY);
-    other.body = request_read_body(&request_stop, body, size, NULL);
+    other.body = request_read_body(&request_stop, body, size, &read);
+    good.workphase = stop_request_workphase(&read);
     return (other.body.fault == REQUEST_OK) && (size == announced) ? good : other;
 }
 
@@ -161,5 +168,6 @@ stop_request_t stop_request_read(const http_guard_t *guard, char *bytes, size_t 
     }
     const char *body = head_end + 4;
     const stop_request_t whole = judge_body(fields, body, size - (size_t)(body - bytes));
+    request.workphase = whole.workphase;
     return (whole.is_whole && !whole.is_refused) ? request : whole;
 }

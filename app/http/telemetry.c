@@ -87,6 +87,7 @@ void telemetry_look(telemetry_t *self, telemetry_view_t *view)
     look_at_beats(self, now_ms);
     look_at_ports(self);
     look_who_commands(self);
+    origins_look(&self->view.origins, self->exchange);
     *view = self->view;
     (void)pthread_mutex_unlock(&self->lock);
 }

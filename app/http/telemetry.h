@@ -9,6 +9,7 @@
 #define BORESIGHT_TELEMETRY_H
 
 #include "exchange/exchange.h"
+#include "http/origins.h"
 #include "exchange/exchange_peers.h"
 
 #include <pthread.h>
@@ -22,6 +23,7 @@ typedef struct {
     const robot_t *robot; /**< As control published it; of no axes before that. */
     snapshot_t snapshot;
     loop_figures_t loop;
+    origins_t origins;
     char holder[EXCHANGE_TITLE_SIZE];        /**< Who has authority; "" for nobody. */
     char requester[EXCHANGE_TITLE_SIZE];     /**< Who has asked for the button; "" for nobody. */
     exchange_ports_t ports;                  /**< None while igtl does not run. */

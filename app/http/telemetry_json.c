@@ -183,6 +183,17 @@ cJSON *telemetry_json_motors(const telemetry_view_t *view)
     return json_motors(&view->snapshot, &also);
 }
 
+/* NULL when it is not known, or there is nothing of which it could be. */
+static cJSON *new_origin(const snapshot_t *snapshot, uint32_t is_there, const origin_t *origin)
+{
+    const double age_us = (double)(snapshot->cycle - origin->cycle) * (double)LIMIT_CYCLE_US;
+    const json_origin_t told = {.source = command_source_name((int32_t)origin->source),
+                                .peer = origin->peer,
+                                .name = origin->title,
+                                .age_s = age_us / US_PER_S};
+    return ((is_there != 0U) && origin->is_known) ? json_origin(&told) : NULL;
+}
+
 cJSON *telemetry_json_targeting(const telemetry_view_t *view)
 {
     const snapshot_t *snapshot = &view->snapshot;
@@ -190,9 +201,14 @@ cJSON *telemetry_json_targeting(const telemetry_view_t *view)
         (snapshot->has_target != 0U) && (snapshot->pose_status == (uint32_t)STATUS_OK);
     const double distance_mm =
         telemetry_units_distance(&snapshot->scanner_treatment, &snapshot->scanner_target);
-    const json_targeting_t also = {.age_ms = view->age_ms,
-                                   .distance_mm = is_distance_true ? &distance_mm : NULL,
-                                   .proposals = json_proposals(snapshot)};
+    const json_targeting_t also = {
+        .age_ms = view->age_ms,
+        .distance_mm = is_distance_true ? &distance_mm : NULL,
+        .registration_by =
+            new_origin(snapshot, snapshot->is_registered, &view->origins.registration),
+        .target_by = new_origin(snapshot, snapshot->has_target, &view->origins.target),
+        .entry_by = new_origin(snapshot, snapshot->has_entry, &view->origins.entry),
+        .proposals = json_proposals(snapshot)};
     return json_targeting(snapshot, &also);
 }
 

@@ -7,6 +7,8 @@
 #define BAM_PER_DEGREE (4294967296.0 / 360.0)
 #define ONE_Q16 65536.0
 #define ONE_Q30 1073741824.0
+#define MM_MOST 2000.0
+#define ENTRY_MOST 1.001
 
 /* Rounds to a millionth, so that no digits are sent that mean nothing. */
 static double rounded(double value)
@@ -64,6 +66,39 @@ void telemetry_units_matrix(const rigid_t *pose, double matrix[16])
     for (int column = 0; column < 4; column++) {
         matrix[12 + column] = (column == 3) ? 1.0 : 0.0;
     }
+}
+
+void telemetry_units_read_point(const double coordinates[3], point_t *point)
+{
+    point->x_nm = (int32_t)round(coordinates[0] * NM_PER_MM);
+    point->y_nm = (int32_t)round(coordinates[1] * NM_PER_MM);
+    point->z_nm = (int32_t)round(coordinates[2] * NM_PER_MM);
+}
+
+static bool is_of_pose(uint32_t place, double number)
+{
+    const bool is_last_row = place >= 12U;
+    const bool is_coordinate = (place % 4U) == 3U;
+    if (is_last_row) {
+        return is_coordinate ? (number == 1.0) : (number == 0.0);
+    }
+    return fabs(number) <= (is_coordinate ? MM_MOST : ENTRY_MOST);
+}
+
+uint32_t telemetry_units_pose(const double matrix[16], rigid_t *pose)
+{
+    const double translation[3] = {matrix[3], matrix[7], matrix[11]};
+    for (uint32_t i = 0U; i < 16U; i++) {
+        if (!is_of_pose(i, matrix[i])) {
+            return i;
+        }
+    }
+    for (uint32_t i = 0U; i < 9U; i++) {
+        pose->rotation_q30[i / 3U][i % 3U] =
+            (int32_t)round(matrix[((i / 3U) * 4U) + (i % 3U)] * ONE_Q30);
+    }
+    telemetry_units_read_point(translation, &pose->translation);
+    return 16U;
 }
 
 double telemetry_units_distance(const rigid_t *a, const rigid_t *b)

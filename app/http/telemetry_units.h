@@ -29,6 +29,14 @@ void telemetry_units_matrix(const rigid_t *pose, double matrix[16]);
 /** `point` in mm. */
 void telemetry_units_point(const point_t *point, double coordinates[3]);
 
+/** The same the other way round. Returns the place of the first number that no pose has: an entry
+ * of a rotation beyond 1, of the last row another than 0 0 0 1, a coordinate beyond 2 m; 16: there
+ * is none. Whether it is rigid, control finds. */
+uint32_t telemetry_units_pose(const double matrix[16], rigid_t *pose);
+
+/** Coordinates of at most 2 m. */
+void telemetry_units_read_point(const double coordinates[3], point_t *point);
+
 /** Distance between the origins of `a` and `b` in mm. */
 double telemetry_units_distance(const rigid_t *a, const rigid_t *b);
 

@@ -235,28 +235,28 @@ bool session_desk_find(session_desk_t *self, const char *id, uint64_t now_ms, se
 }
 
 /* With the lock. */
-static session_verdict_t judge(session_t *session, const char *csrf, bool is_writing, role_t role,
+static session_verdict_t judge(session_t *session, const char *csrf, session_use_t use, role_t role,
                                uint64_t now_ms)
 {
     if (session == NULL) {
         return SESSION_NONE;
     }
-    if (is_writing && ((csrf == NULL) || !password_is_equal(csrf, session->csrf))) {
+    if ((use != SESSION_READS) && ((csrf == NULL) || !password_is_equal(csrf, session->csrf))) {
         return SESSION_CSRF;
     }
     if (session->account.role < role) {
         return SESSION_ROLE;
     }
-    session->used_ms = (is_writing && (now_ms > session->used_ms)) ? now_ms : session->used_ms;
+    session->used_ms = ((use == SESSION_ACTS) && (now_ms > session->used_ms)) ? now_ms : session->used_ms;
     return SESSION_PASS;
 }
 
 session_verdict_t session_desk_judge(session_desk_t *self, const char *id, const char *csrf,
-                                     bool is_writing, role_t role, uint64_t now_ms)
+                                     session_use_t use, role_t role, uint64_t now_ms)
 {
     (void)pthread_mutex_lock(&self->lock);
     session_t *session = (id != NULL) ? session_table_find(&self->table, id, now_ms) : NULL;
-    const session_verdict_t verdict = judge(session, csrf, is_writing, role, now_ms);
+    const session_verdict_t verdict = judge(session, csrf, use, role, now_ms);
     (void)pthread_mutex_unlock(&self->lock);
     return verdict;
 }

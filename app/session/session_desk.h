@@ -61,6 +61,13 @@ typedef enum {
     SESSION_ROLE = 3  /**< The role is not enough. */
 } session_verdict_t;
 
+/** What a request does. */
+typedef enum {
+    SESSION_READS = 0,
+    SESSION_ACTS = 1, /**< It needs the token, and keeps the session from falling asleep. */
+    SESSION_RUNS = 2  /**< It needs the token; a page does it by itself. */
+} session_use_t;
+
 /** Starts without sessions and without a code. `accounts_file` and `owner` outlive `self`. */
 void session_desk_init(session_desk_t *self, const char *accounts_file, session_witness_t witness,
                        void *owner);
@@ -93,14 +100,14 @@ login_verdict_t session_desk_log_in(session_desk_t *self, const login_t *login, 
 bool session_desk_find(session_desk_t *self, const char *id, uint64_t now_ms, session_t *session);
 
 /**
- * Judges a request by its session, in the order of session_verdict_t. One that writes needs `csrf`,
- * and keeps the session from falling asleep.
+ * Judges a request by its session, in the order of session_verdict_t.
  *
  * @satisfies SWR-SESS-011
  * @satisfies SWR-SESS-013
+ * @satisfies SWR-HTTP-035
  */
 session_verdict_t session_desk_judge(session_desk_t *self, const char *id, const char *csrf,
-                                     bool is_writing, role_t role, uint64_t now_ms);
+                                     session_use_t use, role_t role, uint64_t now_ms);
 
 /** Ends the session with this id, if there is one. */
 void session_desk_log_out(session_desk_t *self, const char *id, uint64_t now_ms);

@@ -102,7 +102,7 @@ module Interface
 
     def c
       type = item? ? ITEM.first : TYPES[plain_type].first
-      @is_null && @type == 'number' ? 'const double *' : type
+      @is_null && @type == 'number' && !item? ? 'const double *' : type
     end
 
     def add(value)

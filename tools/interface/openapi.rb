@@ -16,7 +16,12 @@ module Interface
     SAYS = 'Shows what the control core of the robot does, and takes commands. Lengths are in mm, angles in degrees. ' \
            'Whole numbers are written without fraction and exponent. Refusals are problems as of RFC 9457: `code` is ' \
            'to be compared, `detail` to be read. Requests must name the host and port that they go to, and no page of ' \
-           'another origin may send any.'
+           'another origin may send any. Who logs in (POST /api/v1/session) gets a cookie, to be sent with every request, ' \
+           'and a token, for the header of that name. Who commands draws a number for itself (X-Boresight-Page), takes ' \
+           'authority with it (POST /api/v1/authority), renews that every 2 s (PUT) and gives it up in the end (DELETE). ' \
+           'Each act has an `id`, higher than those before it; sent again after a lost answer, with the same body, it does ' \
+           'nothing and is answered with what has become of it. An act that is begun (202) ends later: as the event act of ' \
+           '/api/v1/events, or by asking again. Nothing moves unless the pedal is pressed at the robot.'
 
     VALUES = {
       'axis' => ['An axis, by its name or its number, the first one being 0.', { 'type' => 'string' }],

@@ -3,7 +3,9 @@
  * what it had ends with its session and with its server. */
 #include "unity.h"
 
+#include "common/clock.h"
 #include "exchange/exchange.h"
+#include "exchange/exchange_peers.h"
 #include "exchange/exchange_segment.h"
 #include "http/act_desk.h"
 #include "http/page_table.h"
@@ -222,6 +224,21 @@ void test_SWR_HTTP_022_a_session_has_few_pages_and_keeps_the_one_with_authority(
     TEST_ASSERT_NULL(page_table_find(&desk.table, 100U));
     TEST_ASSERT_EQUAL(ACT_LATER, ask(100U, 1U, &plan));
     TEST_ASSERT_EQUAL(PAGE_ANOTHERS, act_desk_greet(&desk, 7U, bert, 7U));
+}
+
+void test_SWR_HTTP_034_who_its_pages_are_is_published(void)
+{
+    char title[EXCHANGE_TITLE_SIZE];
+    exchange_peers_t peers;
+    TEST_ASSERT_EQUAL(PAGE_GREETED, act_desk_greet(&desk, 8U, bert, 0U));
+    exchange_title(control, COMMAND_SOURCE_HTTP, 8U, title);
+    TEST_ASSERT_EQUAL_STRING("page of bert", title);
+    session_desk_log_out(&sessions, anna->id, 0U);
+    act_desk_tick(&desk, &sessions, 0U);
+    TEST_ASSERT_TRUE(exchange_read_peers(control, COMMAND_SOURCE_HTTP, &peers));
+    TEST_ASSERT_EQUAL_UINT32(1U, peers.count);
+    TEST_ASSERT_EQUAL_UINT32(8U, peers.peers[0].number);
+    TEST_ASSERT_TRUE(peers.peers[0].since_us > 0U);
 }
 
 void test_SWR_HTTP_024_an_earlier_server_is_released_before_anything_is_sent(void)

@@ -198,12 +198,8 @@ void test_SWR_EXCH_015_a_stop_in_one_lane_discards_what_waits_in_the_other(void)
 {
     static const workphase_t stops[] = {WORKPHASE_STOP, WORKPHASE_EMERGENCY};
     for (uint32_t i = 0U; i < 2U; i++) {
-        const bool is_of_page = stops[i] == WORKPHASE_EMERGENCY;
-        const command_t stop = {.source = is_of_page ? COMMAND_SOURCE_HTTP : COMMAND_SOURCE_IGTL,
-                                .kind = COMMAND_WORKPHASE,
-                                .argument = stops[i]};
-        const command_t move = {.source = is_of_page ? COMMAND_SOURCE_IGTL : COMMAND_SOURCE_HTTP,
-                                .kind = COMMAND_RETRACT};
+        const command_t stop = {.kind = COMMAND_WORKPHASE, .argument = stops[i]};
+        const command_t move = {.source = COMMAND_SOURCE_HTTP, .kind = COMMAND_RETRACT};
         answer_t told;
         command_t taken[4];
 
@@ -211,18 +207,57 @@ void test_SWR_EXCH_015_a_stop_in_one_lane_discards_what_waits_in_the_other(void)
         TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &stop));
         TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, taken, 4U));
         TEST_ASSERT_EQUAL_UINT32(stops[i], taken[0].argument);
-        TEST_ASSERT_TRUE(exchange_take_answer(reader, (command_source_t)move.source, &told));
+        TEST_ASSERT_TRUE(exchange_take_answer(reader, COMMAND_SOURCE_HTTP, &told));
         TEST_ASSERT_EQUAL_UINT32(STATUS_DISCARDED, told.status);
         TEST_ASSERT_EQUAL_UINT32(stops[i], told.workphase);
     }
 }
 
+void test_SWR_HTTP_030_an_emergency_that_is_requested_refuses_what_waits(void)
+{
+    const command_t move = {.kind = COMMAND_RETRACT};
+    answer_t told;
+    command_t taken[4];
+
+    TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &move));
+    (void)exchange_request_stop(reader, WORKPHASE_EMERGENCY);
+    TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, taken, 4U));
+    TEST_ASSERT_TRUE(exchange_take_answer(reader, COMMAND_SOURCE_IGTL, &told));
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_EMERGENCY, told.workphase);
+}
+
+void test_SWR_HTTP_030_an_emergency_among_stops_is_one_for_all(void)
+{
+    answer_t answer = {.source = COMMAND_SOURCE_HTTP,
+                       .command = COMMAND_WORKPHASE,
+                       .argument = WORKPHASE_EMERGENCY};
+    command_t taken[4];
+    const uint32_t first = exchange_request_stop(reader, WORKPHASE_STOP);
+    const uint32_t second = exchange_request_stop(reader, WORKPHASE_EMERGENCY);
+    const uint32_t third = exchange_request_stop(reader, WORKPHASE_STOP);
+
+    TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, taken, 4U));
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_EMERGENCY, taken[0].argument);
+    TEST_ASSERT_EQUAL_UINT32(third, taken[0].id);
+    TEST_ASSERT_EQUAL_UINT32(first + 1U, second);
+    answer.id = taken[0].id;
+    TEST_ASSERT_TRUE(exchange_push_answer(control, &answer));
+    TEST_ASSERT_TRUE(exchange_read_stop_answer(reader, first, &answer));
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_EMERGENCY, answer.argument);
+    (void)exchange_request_stop(reader, WORKPHASE_STOP);
+    TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, taken, 4U));
+    TEST_ASSERT_EQUAL_UINT32(WORKPHASE_STOP, taken[0].argument);
+}
+
 void test_SWR_HTTP_008_a_stop_of_the_console_takes_no_lane(void)
 {
-    const command_t stop = {
-        .source = COMMAND_SOURCE_HTTP, .kind = COMMAND_WORKPHASE, .argument = WORKPHASE_STOP};
+    static const workphase_t stops[] = {WORKPHASE_STOP, WORKPHASE_EMERGENCY};
+    for (uint32_t i = 0U; i < 2U; i++) {
+        const command_t stop = {
+            .source = COMMAND_SOURCE_HTTP, .kind = COMMAND_WORKPHASE, .argument = stops[i]};
 
-    TEST_ASSERT_EQUAL(STATUS_NOT_ALLOWED, exchange_send_command(reader, &stop));
+        TEST_ASSERT_EQUAL(STATUS_NOT_ALLOWED, exchange_send_command(reader, &stop));
+    }
 }
 
 void test_SWR_CTRL_021_a_cycle_takes_no_more_after_a_command_that_computes(void)
@@ -282,7 +317,7 @@ void test_SWR_HTTP_008_a_stop_passes_a_full_lane_and_is_the_last_command_of_its_
 
     fill_lane();
     TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &emergency));
-    const uint32_t number = exchange_request_stop(reader);
+    const uint32_t number = exchange_request_stop(reader, WORKPHASE_STOP);
     TEST_ASSERT_EQUAL_UINT32(2U, exchange_take_commands(control, taken, 4U));
     TEST_ASSERT_EQUAL_UINT32(WORKPHASE_EMERGENCY, taken[0].argument);
     expect_stop(number, &taken[1]);
@@ -294,7 +329,7 @@ void test_SWR_HTTP_008_a_stop_leaves_where_there_is_room_for_one_command_only(vo
     command_t taken;
 
     fill_lane();
-    const uint32_t number = exchange_request_stop(reader);
+    const uint32_t number = exchange_request_stop(reader, WORKPHASE_STOP);
     TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, &taken, 1U));
     expect_stop(number, &taken);
 }
@@ -310,11 +345,11 @@ void test_SWR_HTTP_008_one_command_and_its_answer_serve_every_stop_requested_bef
     uint32_t numbers[1000];
 
     for (uint32_t i = 0U; i < 1000U; i++) {
-        numbers[i] = exchange_request_stop(reader);
+        numbers[i] = exchange_request_stop(reader, WORKPHASE_STOP);
     }
     TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, taken, 4U));
     TEST_ASSERT_FALSE(exchange_read_stop_answer(reader, numbers[0], &read));
-    const uint32_t late = exchange_request_stop(reader);
+    const uint32_t late = exchange_request_stop(reader, WORKPHASE_STOP);
     answer.id = taken[0].id;
     TEST_ASSERT_TRUE(exchange_push_answer(control, &answer));
     for (uint32_t i = 0U; i < 1000U; i++) {
@@ -333,10 +368,10 @@ void test_SWR_HTTP_008_the_numbers_of_stops_may_wrap(void)
         .source = COMMAND_SOURCE_HTTP, .command = COMMAND_WORKPHASE, .argument = WORKPHASE_STOP};
     command_t taken;
 
-    reader->segment->others.stops_requested = UINT32_MAX - 1U;
-    control->segment->control.stops_taken = UINT32_MAX - 1U;
-    const uint32_t before = exchange_request_stop(reader);
-    const uint32_t after = exchange_request_stop(reader);
+    reader->segment->others.stops_requested = UINT64_MAX - SEGMENT_STOP;
+    control->segment->control.stops_taken = UINT64_MAX - SEGMENT_STOP;
+    const uint32_t before = exchange_request_stop(reader, WORKPHASE_STOP);
+    const uint32_t after = exchange_request_stop(reader, WORKPHASE_STOP);
     TEST_ASSERT_EQUAL_UINT32(0U, after);
     TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, &taken, 1U));
     answer.id = taken.id;
@@ -392,7 +427,7 @@ void test_SWR_EXCH_015_a_requested_stop_discards_what_came_before_it(void)
     for (uint32_t j = 0U; j < EXCHANGE_COMMANDS; j++) {
         send((uint32_t)COMMAND_WORKPHASE, (uint32_t)WORKPHASE_MOVE_TO_TARGET);
     }
-    const uint32_t number = exchange_request_stop(reader);
+    const uint32_t number = exchange_request_stop(reader, WORKPHASE_STOP);
     TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, taken, 4U));
     expect_stop(number, &taken[0]);
     expect_refusals(EXCHANGE_COMMANDS, WORKPHASE_STOP);
@@ -421,7 +456,7 @@ void test_SWR_EXCH_015_what_came_before_a_requested_stop_never_follows_it(void)
         send((uint32_t)COMMAND_WORKPHASE, (uint32_t)WORKPHASE_STOP);
     }
     send((uint32_t)COMMAND_WORKPHASE, (uint32_t)WORKPHASE_START_UP);
-    const uint32_t number = exchange_request_stop(reader);
+    const uint32_t number = exchange_request_stop(reader, WORKPHASE_STOP);
     TEST_ASSERT_EQUAL_UINT32(4U, exchange_take_commands(control, taken, 4U));
     expect_stop(number, &taken[3]);
     send((uint32_t)COMMAND_WORKPHASE, (uint32_t)WORKPHASE_PLANNING);
@@ -452,7 +487,7 @@ void test_SWR_EXCH_015_a_lane_that_tells_nonsense_is_not_followed_out_of_it(void
     command_t taken[4];
 
     reader->segment->others.lanes[COMMAND_SOURCE_IGTL].head = UINT32_MAX;
-    (void)exchange_request_stop(reader);
+    (void)exchange_request_stop(reader, WORKPHASE_STOP);
     TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, taken, 1U));
     TEST_ASSERT_EQUAL_UINT32(4U, exchange_take_commands(control, taken, 4U));
 }
@@ -461,7 +496,7 @@ static void *request_stops(void *unused)
 {
     (void)unused;
     for (uint32_t i = 0U; i < 50U; i++) {
-        const uint32_t number = exchange_request_stop(reader);
+        const uint32_t number = exchange_request_stop(reader, WORKPHASE_STOP);
         answer_t answer;
         while (!exchange_read_stop_answer(reader, number, &answer)) {
             (void)sched_yield();

@@ -218,13 +218,13 @@ void test_SWR_SESS_009_a_session_in_which_nothing_is_written_ends(void)
     TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
     now_ms += IDLE_MS - 1U;
     TEST_ASSERT_EQUAL_UINT32(1U, session_left(&session, now_ms).idle_s);
-    TEST_ASSERT_EQUAL_INT(
-        SESSION_PASS, session_desk_judge(&desk, session.id, NULL, false, ROLE_OBSERVER, now_ms));
+    TEST_ASSERT_EQUAL_INT(SESSION_PASS, session_desk_judge(&desk, session.id, NULL, SESSION_READS,
+                                                           ROLE_OBSERVER, now_ms));
     TEST_ASSERT_TRUE(is_live());
     now_ms += 1U;
     TEST_ASSERT_FALSE(is_live());
-    TEST_ASSERT_EQUAL_INT(SESSION_NONE, session_desk_judge(&desk, session.id, session.csrf, true,
-                                                           ROLE_OBSERVER, now_ms));
+    TEST_ASSERT_EQUAL_INT(SESSION_NONE, session_desk_judge(&desk, session.id, session.csrf,
+                                                           SESSION_ACTS, ROLE_OBSERVER, now_ms));
     session_desk_tick(&desk, now_ms);
     TEST_ASSERT_NOT_NULL(strstr(said, "3 anna: session ended: nothing was done in it."));
 }
@@ -234,8 +234,9 @@ void test_SWR_SESS_009_writing_keeps_it_awake_until_it_is_too_old(void)
     TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
     const uint64_t opened_ms = now_ms;
     for (now_ms += IDLE_MS - 1U; now_ms < (opened_ms + MOST_MS); now_ms += IDLE_MS - 1U) {
-        TEST_ASSERT_EQUAL_INT(SESSION_PASS, session_desk_judge(&desk, session.id, session.csrf,
-                                                               true, ROLE_OBSERVER, now_ms));
+        TEST_ASSERT_EQUAL_INT(SESSION_PASS,
+                              session_desk_judge(&desk, session.id, session.csrf, SESSION_ACTS,
+                                                 ROLE_OBSERVER, now_ms));
     }
     now_ms = opened_ms + MOST_MS - 1U;
     TEST_ASSERT_TRUE(is_live());
@@ -264,6 +265,18 @@ void test_SWR_SESS_014_who_comes_with_an_earlier_time_waits_all_the_same(void)
     TEST_ASSERT_EQUAL_UINT32(1U, login_delay_left_s(&delay, "anna", now_ms - 10U));
 }
 
+void test_SWR_HTTP_035_what_a_page_does_by_itself_keeps_no_session_awake(void)
+{
+    TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
+    now_ms += IDLE_MS - 1U;
+    TEST_ASSERT_EQUAL_INT(SESSION_CSRF, session_desk_judge(&desk, session.id, NULL, SESSION_RUNS,
+                                                           ROLE_OBSERVER, now_ms));
+    TEST_ASSERT_EQUAL_INT(SESSION_PASS, session_desk_judge(&desk, session.id, session.csrf,
+                                                           SESSION_RUNS, ROLE_OBSERVER, now_ms));
+    now_ms++;
+    TEST_ASSERT_FALSE(is_live());
+}
+
 void test_SWR_SESS_009_who_logs_out_is_out(void)
 {
     TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
@@ -277,16 +290,16 @@ void test_SWR_SESS_009_who_logs_out_is_out(void)
 void test_SWR_SESS_011_writing_needs_the_token_and_reading_does_not(void)
 {
     TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
-    TEST_ASSERT_EQUAL_INT(SESSION_CSRF,
-                          session_desk_judge(&desk, session.id, NULL, true, ROLE_SERVICE, now_ms));
-    TEST_ASSERT_EQUAL_INT(SESSION_CSRF,
-                          session_desk_judge(&desk, session.id, "", true, ROLE_OBSERVER, now_ms));
-    TEST_ASSERT_EQUAL_INT(SESSION_CSRF, session_desk_judge(&desk, session.id, session.id, true,
+    TEST_ASSERT_EQUAL_INT(SESSION_CSRF, session_desk_judge(&desk, session.id, NULL, SESSION_ACTS,
+                                                           ROLE_SERVICE, now_ms));
+    TEST_ASSERT_EQUAL_INT(SESSION_CSRF, session_desk_judge(&desk, session.id, "", SESSION_ACTS,
                                                            ROLE_OBSERVER, now_ms));
-    TEST_ASSERT_EQUAL_INT(SESSION_PASS, session_desk_judge(&desk, session.id, session.csrf, true,
+    TEST_ASSERT_EQUAL_INT(SESSION_CSRF, session_desk_judge(&desk, session.id, session.id,
+                                                           SESSION_ACTS, ROLE_OBSERVER, now_ms));
+    TEST_ASSERT_EQUAL_INT(SESSION_PASS, session_desk_judge(&desk, session.id, session.csrf,
+                                                           SESSION_ACTS, ROLE_OBSERVER, now_ms));
+    TEST_ASSERT_EQUAL_INT(SESSION_PASS, session_desk_judge(&desk, session.id, NULL, SESSION_READS,
                                                            ROLE_OBSERVER, now_ms));
-    TEST_ASSERT_EQUAL_INT(
-        SESSION_PASS, session_desk_judge(&desk, session.id, NULL, false, ROLE_OBSERVER, now_ms));
 }
 
 void test_SWR_SESS_013_a_role_may_what_those_before_it_may(void)
@@ -296,8 +309,8 @@ void test_SWR_SESS_013_a_role_may_what_those_before_it_may(void)
         SESSION_PASS, session_desk_judge(&desk, session.id, NULL, false, ROLE_OPERATOR, now_ms));
     TEST_ASSERT_EQUAL_INT(
         SESSION_ROLE, session_desk_judge(&desk, session.id, NULL, false, ROLE_ENGINEER, now_ms));
-    TEST_ASSERT_EQUAL_INT(SESSION_ROLE, session_desk_judge(&desk, session.id, session.csrf, true,
-                                                           ROLE_SERVICE, now_ms));
+    TEST_ASSERT_EQUAL_INT(SESSION_ROLE, session_desk_judge(&desk, session.id, session.csrf,
+                                                           SESSION_ACTS, ROLE_SERVICE, now_ms));
 }
 
 void test_SWR_SESS_014_guessing_one_account_doubles_the_wait_up_to_the_most(void)

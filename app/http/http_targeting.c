@@ -1,0 +1,165 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "http/http_targeting.h"
+
+#include "http/http_act.h"
+#include "http/http_reply.h"
+#include "http/json_forms.h"
+#include "http/preview.h"
+#include "http/telemetry_units.h"
+#include "interface/app/messages.h"
+#include "interface/app/names.h"
+
+#include <stdio.h>
+
+#define NUMBERS 16U
+#define POINTER_SIZE 24U
+
+/* What is aimed at; NULL: it is not said. */
+typedef struct {
+    const double *matrix;
+    const double *point_mm;
+} aim_t;
+
+/* A matrix by rows. Returns 0 with `pose`, or the status of the refusal that was sent. */
+static int read_pose(const http_call_t *call, const double numbers[NUMBERS], rigid_t *pose)
+{
+    char pointer[POINTER_SIZE];
+    const uint32_t wrong = telemetry_units_pose(numbers, pose);
+    (void)snprintf(pointer, sizeof pointer, "/matrix/%u", (unsigned)wrong);
+    return (wrong == NUMBERS) ? 0 : http_act_refuse_member(call, pointer);
+}
+
+int http_targeting_register(http_server_t *server, const http_call_t *call)
+{
+    const request_registration_t *body = &call->body.registration;
+    command_t command = {.id = body->id, .kind = (uint32_t)COMMAND_REGISTRATION};
+    const int refusal = read_pose(call, body->matrix, &command.pose);
+    return (refusal != 0) ? refusal : http_act_command(server, call, &command);
+}
+
+int http_targeting_enter(http_server_t *server, const http_call_t *call)
+{
+    const request_entry_t *body = &call->body.entry;
+    command_t command = {.id = body->id, .kind = (uint32_t)COMMAND_ENTRY};
+    rigid_set_identity(&command.pose);
+    telemetry_units_read_point(body->point_mm, &command.pose.translation);
+    return http_act_command(server, call, &command);
+}
+
+/* A body names one of the two. */
+static int refuse_choice(const http_call_t *call, bool has_both)
+{
+    const request_result_t fault = {.fault = has_both ? REQUEST_UNKNOWN : REQUEST_MISSING,
+                                    .place = "/matrix"};
+    const http_problem_t problem = http_problem_of_body(&fault);
+    return http_reply_problem(call->connection, &problem, NULL);
+}
+
+static int refuse_aim(http_server_t *server, const http_call_t *call, const solution_t *solution)
+{
+    const answer_t answer = {.kind = (uint32_t)ANSWER_REFUSED,
+                             .status = (uint32_t)solution->status,
+                             .axis = solution->axis,
+                             .is_maximum = solution->is_maximum};
+    return (solution->status == STATUS_NOT_PROPOSED)
+               ? http_reply_refuse(call->connection, PROBLEM_NO_ENTRY)
+               : http_act_refuse(server, call, &answer);
+}
+
+/* Of a matrix, or of a point with the entry point. Returns as read_pose(). */
+static int read_target(http_server_t *server, const http_call_t *call, const aim_t *aim,
+                       const snapshot_t *snapshot, rigid_t *pose)
+{
+    point_t target;
+    if ((aim->matrix == NULL) == (aim->point_mm == NULL)) {
+        return refuse_choice(call, aim->matrix != NULL);
+    }
+    if (aim->matrix != NULL) {
+        return read_pose(call, aim->matrix, pose);
+    }
+    telemetry_units_read_point(aim->point_mm, &target);
+    const solution_t solution =
+        preview_aim(exchange_robot(server->exchange), snapshot, &target, pose);
+    return (solution.status == STATUS_OK) ? 0 : refuse_aim(server, call, &solution);
+}
+
+int http_targeting_aim(http_server_t *server, const http_call_t *call)
+{
+    const request_target_t *body = &call->body.target;
+    command_t command = {.id = body->id, .kind = (uint32_t)COMMAND_TARGET};
+    const aim_t aim = {.matrix = (body->matrix_count > 0U) ? body->matrix : NULL,
+                       .point_mm = (body->point_mm_count > 0U) ? body->point_mm : NULL};
+    snapshot_t snapshot;
+    if (!exchange_read_snapshot(server->exchange, &snapshot)) {
+        return http_reply_refuse(call->connection, PROBLEM_NO_DATA);
+    }
+    const int refusal = read_target(server, call, &aim, &snapshot, &command.pose);
+    return (refusal != 0) ? refusal : http_act_command(server, call, &command);
+}
+
+int http_targeting_withdraw(http_server_t *server, const http_call_t *call)
+{
+    static const command_kind_t kinds[] = {COMMAND_ENTRY, COMMAND_PROPOSE_REGISTRATION,
+                                           COMMAND_PROPOSE_ENTRY, COMMAND_PROPOSE_TARGET};
+    const request_withdraw_t *body = &call->body.withdraw;
+    const command_t command = {.id = body->id,
+                               .kind = (uint32_t)COMMAND_WITHDRAW,
+                               .argument = (uint32_t)kinds[body->what]};
+    return http_act_command(server, call, &command);
+}
+
+static cJSON *new_axes(const robot_t *robot, const preview_t *preview)
+{
+    cJSON *axes = cJSON_CreateArray();
+    const bool is_good = preview->solution.status == STATUS_OK;
+    for (uint32_t i = 0U; is_good && (i < robot->axis_count); i++) {
+        const axis_config_t *axis = &robot->axes[i];
+        const int32_t room = preview_room_ticks(axis, preview->ticks[i]);
+        const json_target_axis_t row = {.name = axis->name,
+                                        .unit = telemetry_units_name(axis),
+                                        .position =
+                                            telemetry_units_position(axis, preview->ticks[i]),
+                                        .margin = telemetry_units_position(axis, room)};
+        (void)cJSON_AddItemToArray(axes, json_target_axis(&row));
+    }
+    return axes;
+}
+
+static cJSON *new_preview(const robot_t *robot, const preview_t *preview)
+{
+    const solution_t *solution = &preview->solution;
+    const bool is_good = solution->status == STATUS_OK;
+    const answer_t answer = {.kind = (uint32_t)ANSWER_REFUSED,
+                             .status = (uint32_t)solution->status,
+                             .axis = solution->axis,
+                             .is_maximum = solution->is_maximum};
+    const json_target_preview_t told = {
+        .is_reachable = is_good,
+        .code = status_name((int32_t)solution->status),
+        .message = status_text((int32_t)solution->status),
+        .axis = is_good ? NULL : http_act_axis(robot, &answer),
+        .limit = http_act_limit(&answer),
+        .tightest = is_good ? robot->axes[preview->tightest].name : NULL,
+        .reached = is_good ? json_new_matrix(&preview->reached) : NULL,
+        .axes = new_axes(robot, preview)};
+    return json_target_preview(&told);
+}
+
+int http_targeting_preview(http_server_t *server, const http_call_t *call)
+{
+    const robot_t *robot = exchange_robot(server->exchange);
+    const request_aim_t *body = &call->body.preview_target;
+    const aim_t aim = {.matrix = (body->matrix_count > 0U) ? body->matrix : NULL,
+                       .point_mm = (body->point_mm_count > 0U) ? body->point_mm : NULL};
+    snapshot_t snapshot;
+    rigid_t pose;
+    if (!exchange_read_snapshot(server->exchange, &snapshot)) {
+        return http_reply_refuse(call->connection, PROBLEM_NO_DATA);
+    }
+    const int refusal = read_target(server, call, &aim, &snapshot, &pose);
+    if (refusal != 0) {
+        return refusal;
+    }
+    const preview_t preview = preview_target(robot, &snapshot, &pose);
+    return http_reply_object(call->connection, 200, new_preview(robot, &preview));
+}

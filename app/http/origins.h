@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * From whom registration, target and entry point are, as the log of events tells it. What was
+ * accepted before the oldest event that is kept is from nobody that is known.
+ */
+#ifndef BORESIGHT_ORIGINS_H
+#define BORESIGHT_ORIGINS_H
+
+#include "exchange/exchange.h"
+#include "exchange/exchange_peers.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/** From whom one of them is. */
+typedef struct {
+    bool is_known;
+    uint32_t source;                 /**< command_source_t. */
+    uint32_t peer;                   /**< Its connection or page. */
+    uint32_t cycle;                  /**< In which it was accepted. */
+    char title[EXCHANGE_TITLE_SIZE]; /**< As people called it then. */
+} origin_t;
+
+typedef struct {
+    uint32_t next_event;
+    origin_t registration;
+    origin_t target;
+    origin_t entry;
+} origins_t;
+
+/**
+ * Reads the events that are new; all zero at first.
+ *
+ * @satisfies SWR-HTTP-032
+ */
+void origins_look(origins_t *self, const exchange_t *exchange);
+
+#endif

@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * What would come of a target: judged by the functions of the core with what is known of the robot
+ * now, and nothing is changed. Control judges each target anew.
+ */
+#ifndef BORESIGHT_PREVIEW_H
+#define BORESIGHT_PREVIEW_H
+
+#include "interface/snapshot.h"
+#include "procedure/plan.h"
+#include "robot/robot.h"
+
+#include <stdint.h>
+
+/** What would come of it. */
+typedef struct {
+    solution_t solution;           /**< As plan_set_target(). */
+    rigid_t reached;               /**< The pose, scanner coordinates; with STATUS_OK. */
+    int32_t ticks[ROBOT_AXIS_MAX]; /**< Its positions; with STATUS_OK. */
+    uint32_t tightest; /**< With STATUS_OK the axis with the least room, beside its range. */
+} preview_t;
+
+/** How far `ticks` is from the nearer soft limit of `axis`, in ticks. */
+int32_t preview_room_ticks(const axis_config_t *axis, int32_t ticks);
+
+/**
+ * Says whether `scanner_treatment` is a target now.
+ *
+ * @satisfies SWR-HTTP-033
+ */
+preview_t preview_target(const robot_t *robot, const snapshot_t *snapshot,
+                         const rigid_t *scanner_treatment);
+
+/**
+ * The pose in which a needle through the entry point of `snapshot` has its tip at `target`, scanner
+ * coordinates, if the robot has joint values for it.
+ *
+ * @return STATUS_OK; STATUS_NOT_REGISTERED; STATUS_NOT_PROPOSED without an entry point; or as
+ * kinematics_inverse()
+ */
+solution_t preview_aim(const robot_t *robot, const snapshot_t *snapshot, const point_t *target,
+                       rigid_t *scanner_treatment);
+
+#endif
