@@ -138,6 +138,22 @@ class TestConsole < Minitest::Test
     assert_parts 'SWR-CON-011'
   end
 
+  def test_SWR_CON_012_who_commands_is_seen_by_everybody
+    assert_parts 'SWR-CON-012'
+  end
+
+  def test_SWR_CON_013_who_asks_for_the_button_is_seen_by_everybody
+    assert_parts 'SWR-CON-013'
+  end
+
+  def test_SWR_CON_014_a_page_takes_command_and_keeps_it
+    assert_parts 'SWR-CON-014'
+  end
+
+  def test_SWR_CON_015_a_page_that_has_gone_does_not_command
+    assert_parts 'SWR-CON-015'
+  end
+
   def test_SWR_HTTP_002_stop_by_button_and_by_key
     assert_parts 'SWR-HTTP-002'
   end

@@ -70,7 +70,7 @@ function field(axis: string, name: "setpoint" | "position") {
   return page.locator(`[data-axis="${axis}"] [data-field="${name}"]`);
 }
 
-function waitForText(selector: string, text: string, where = page) {
+function waitForText(selector: string, text: string | RegExp, where = page) {
   return where.locator(selector, { hasText: text }).waitFor();
 }
 
@@ -374,31 +374,83 @@ test("SWR-CON-009 a browser that refuses storage and workers shows the page and 
   }
 });
 
-test("SWR-SESS-012 a browser logs in, shows no script its cookie, and logs out", async () => {
-  const other = await browser.newContext();
+let operatorContext: BrowserContext;
+let operator: Page;
+
+function button(name: string, where = operator) {
+  return where.getByRole("button", { name, exact: true });
+}
+
+test("SWR-SESS-012 a browser logs in, and shows no script its cookie", async () => {
+  operatorContext = await browser.newContext();
+  operator = await openTab(operatorContext);
+  await button("Log in…").click();
+  await operator.getByLabel(/Code/).fill(loginCode);
+  await button("Log in").click();
+  await waitForText(".login", "Logged in as code (engineer)", operator);
+  await takePictureOf("logged-in", operator);
+  expect(await operator.evaluate(() => document.cookie)).toBe("");
+  const [cookie] = await operatorContext.cookies();
+  expect(cookie).toMatchObject({
+    httpOnly: true,
+    sameSite: "Strict",
+    path: "/",
+  });
+  await operator.reload();
+  await waitForText(".login", "Logged in as code", operator);
+});
+
+test("SWR-CON-012 everybody sees by name who commands", async () => {
+  await startUp();
+  for (const tab of [page, operator]) {
+    await waitForText(
+      ".banner-command",
+      /Commanded by workphases 127\.0\.0\.1:\d+ for \d+ s/,
+      tab,
+    );
+  }
+});
+
+test("SWR-CON-013 everybody sees for whom the button would be pressed", async () => {
+  await button("Ask for command").click();
+  for (const tab of [page, operator]) {
+    await waitForText(
+      ".banner-asked",
+      /^page .+ asks to command.+ s left$/,
+      tab,
+    );
+  }
+  await takePictureOf("asks", operator);
+});
+
+test("SWR-CON-014 a page takes command by the button at the box, and keeps it", async () => {
+  simulate("button press");
+  await waitForText(".login", "This page commands.", operator);
+  simulate("button release");
+  await waitForText(".banner-command", "Commanded by page");
+  await takePictureOf("commands", operator);
+  await waitForText(".banner-command", /for ([6-9]|\d\d) s/); // Longer than without a renewal.
+});
+
+test("SWR-CON-015 a page that is loaded again has given up", async () => {
+  await operator.reload();
+  await waitForText(".banner-command", "Nobody commands", operator);
+  await button("Take command").waitFor();
+});
+
+test("SWR-SESS-012 a browser logs out, and can stop", async () => {
   try {
-    const tab = await openTab(other);
-    await tab.getByRole("button", { name: "Log in…" }).click();
-    await tab.getByLabel(/Code/).fill(loginCode);
-    await tab.getByRole("button", { name: "Log in" }).click();
-    await waitForText(".login", "Logged in as code (engineer)", tab);
-    await takePictureOf("logged-in", tab);
-    expect(await tab.evaluate(() => document.cookie)).toBe("");
-    const [cookie] = await other.cookies();
-    expect(cookie).toMatchObject({
-      httpOnly: true,
-      sameSite: "Strict",
-      path: "/",
-    });
-    await tab.reload();
-    await waitForText(".login", "Logged in as code", tab);
-    await tab.getByRole("button", { name: "Log out" }).click();
-    await waitForText(".login", "Nobody can log in here.", tab);
-    expect(await other.cookies()).toEqual([]);
-    await pressStop(tab);
-    await waitForText(".stop-result", "Control has stopped all motion.", tab);
+    await button("Log out").click();
+    await waitForText(".login", "Nobody can log in here.", operator);
+    expect(await operatorContext.cookies()).toEqual([]);
+    await pressStop(operator);
+    await waitForText(
+      ".stop-result",
+      "Control has stopped all motion.",
+      operator,
+    );
   } finally {
-    await other.close();
+    await operatorContext.close();
   }
 });
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-import { useSyncExternalStore } from "react";
+import { useState, useSyncExternalStore } from "react";
 import { Axes } from "./panels/Axes";
 import { Banner } from "./panels/Banner";
+import { Command } from "./panels/Command";
 import { Lamps } from "./panels/Lamps";
 import { Log } from "./panels/Log";
 import { Login } from "./panels/Login";
@@ -12,6 +13,7 @@ import { Targeting } from "./panels/Targeting";
 import { Boundary } from "./parts/Boundary";
 import { Panel } from "./parts/Panel";
 import { ThemeButton } from "./parts/ThemeButton";
+import { SessionStore } from "./session";
 import type { RobotState, Time } from "@interface";
 import type { ConsoleView, TelemetryStore } from "./store";
 
@@ -82,6 +84,19 @@ function Notices({ view }: { view: ConsoleView }) {
   );
 }
 
+/** Who is logged in, and whether this page commands. */
+function Operator({ view }: { view: ConsoleView }) {
+  const [session] = useState(() => new SessionStore());
+  return (
+    <div className="operator">
+      <Login store={session} />
+      {view.robot !== null && (
+        <Command session={session} authority={view.robot.status.authority} />
+      )}
+    </div>
+  );
+}
+
 /** What is left when all else has failed. */
 export function Emergency() {
   return (
@@ -114,7 +129,7 @@ export function App({ store }: { store: TelemetryStore }) {
       </header>
       <main>
         <Boundary name="login">
-          <Login />
+          <Operator view={view} />
         </Boundary>
         <Boundary name="page">
           <Notices view={view} />

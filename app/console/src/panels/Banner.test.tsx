@@ -2,8 +2,9 @@
 // Rule under test: the banner says the state and what is needed next, and never shows old data as new.
 import { cleanup, render, screen } from "@testing-library/react";
 import { afterEach, expect, test } from "vitest";
+import type { Authority } from "@interface";
 import type { ConsoleView } from "../store";
-import { makeRobot } from "../testing/robot";
+import { makeAuthority, makeRobot } from "../testing/robot";
 import { Banner } from "./Banner";
 
 const live: ConsoleView = {
@@ -21,7 +22,7 @@ afterEach(cleanup);
 test("SWR-CON-001 shows what is needed next first, then the state", () => {
   render(<Banner view={live} />);
   expect(screen.getByRole("status").textContent).toBe(
-    "Press and hold the pedal.START UP The axes home.",
+    "Press and hold the pedal.START UP The axes home.Nobody commands",
   );
 });
 
@@ -30,6 +31,56 @@ test("SWR-CON-001 waits for control without inventing a state", () => {
   expect(screen.getByRole("status").textContent).toContain(
     "Waiting for control",
   );
+});
+
+function shows(change: Partial<Authority>): string | null {
+  render(
+    <Banner
+      view={{ ...live, robot: makeRobot({ authority: makeAuthority(change) }) }}
+    />,
+  );
+  return screen.getByRole("status").textContent;
+}
+
+const igtl: Partial<Authority> = {
+  state: "held",
+  source: "IGTL",
+  peer: 11,
+  name: "brp 127.0.0.1:53212",
+  age_s: 12.9,
+};
+
+test("SWR-CON-012 says who commands, by name and for how long", () => {
+  expect(shows(igtl)).toContain("Commanded by brp 127.0.0.1:53212 for 12 s");
+});
+
+test("SWR-CON-012 says that nobody commands while the axes come to rest", () => {
+  expect(shows({ state: "ending" })).toContain(
+    "Nobody commands before the axes rest",
+  );
+});
+
+test.each([
+  ["TAKE", "page of anna asks to command: release the pedal"],
+  ["CONFIRM", "page of anna asks to confirm the positions shown"],
+  ["CONFIRM_AXIS", "asks to confirm the position shown of head"],
+] as const)(
+  "SWR-CON-013 says who asks for the button to %s, and how long",
+  (request, expected) => {
+    const asked = {
+      requester: "HTTP",
+      requester_name: "page of anna",
+      requester_peer: 7,
+      left_s: 7.2,
+    } as const;
+    const text = shows({ ...igtl, ...asked, request });
+    expect(text).toContain(expected);
+    expect(text).toContain("8 s left");
+  },
+);
+
+test("SWR-CON-013 says nothing of the button without a request", () => {
+  expect(shows(igtl)).not.toContain("button");
 });
 
 test("SWR-CON-004 says DATA STALE and how old it is", () => {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { Status } from "@interface";
+import type { Authority, RobotState } from "@interface";
 import { words } from "../format";
 import { ageText } from "../lamps";
 import { Shape } from "../parts/Shape";
@@ -26,7 +26,50 @@ function StaleBanner({ view }: { view: ConsoleView }) {
   );
 }
 
-function StateBanner({ status }: { status: Status }) {
+/** Whom to ask. */
+function whoCommands({ state, name, age_s }: Authority): string {
+  if (name !== null) {
+    return `Commanded by ${name} for ${Math.floor(age_s)} s`;
+  }
+  return state === "ending"
+    ? "Nobody commands before the axes rest"
+    : "Nobody commands";
+}
+
+/** What a press of the button would mean. */
+function meaningOf(robot: RobotState): string {
+  const { request, request_axis } = robot.status.authority;
+  switch (request) {
+    case "TAKE":
+      return "to command: release the pedal and press the button at the box";
+    case "CONFIRM_AXIS":
+      return `to confirm the position shown of ${robot.motors.axes[request_axis]?.name}: hold the button at the box`;
+    default:
+      return "to confirm the positions shown: hold the button at the box";
+  }
+}
+
+/**
+ * @satisfies SWR-CON-012
+ * @satisfies SWR-CON-013
+ */
+function CommandRow({ robot }: { robot: RobotState }) {
+  const { authority } = robot.status;
+  return (
+    <p className="banner-command">
+      {whoCommands(authority)}
+      {authority.left_s > 0 && (
+        <strong className="banner-asked">
+          {authority.requester_name} asks {meaningOf(robot)},{" "}
+          {Math.ceil(authority.left_s)} s left
+        </strong>
+      )}
+    </p>
+  );
+}
+
+function StateBanner({ robot }: { robot: RobotState }) {
+  const { status } = robot;
   return (
     <div className="banner" role="status">
       <div>
@@ -35,6 +78,7 @@ function StateBanner({ status }: { status: Status }) {
           <strong>{words(status.workphase.name)}</strong>{" "}
           {status.workphase.text}
         </p>
+        <CommandRow robot={robot} />
       </div>
     </div>
   );
@@ -65,6 +109,6 @@ export function Banner({ view }: { view: ConsoleView }) {
   return view.freshness === "stale" ? (
     <StaleBanner view={view} />
   ) : (
-    <StateBanner status={view.robot.status} />
+    <StateBanner robot={view.robot} />
   );
 }

@@ -9,7 +9,7 @@ import {
 } from "@testing-library/react";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import type { Session } from "@interface";
-import { ASK_MS } from "../session";
+import { ASK_MS, SessionStore } from "../session";
 import { Login } from "./Login";
 
 const nobody: Session = {
@@ -57,7 +57,7 @@ function lastOf(method: string): RequestInit | undefined {
 
 async function show(session: Session): Promise<void> {
   answers = { GET: says(session) };
-  render(<Login />);
+  render(<Login store={new SessionStore()} />);
   await act(() => vi.advanceTimersByTimeAsync(0));
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useEffect, useState, useSyncExternalStore } from "react";
 import type { LoginRequest, Session } from "@interface";
-import { isEnding, secondsLeft, SessionStore } from "../session";
+import { isEnding, secondsLeft, type SessionStore } from "../session";
 
 function fieldOf(form: HTMLFormElement, name: string): string {
   const value = new FormData(form).get(name);
@@ -122,8 +122,7 @@ function Nobody({ session, store }: { session: Session; store: SessionStore }) {
  *
  * @satisfies SWR-SESS-010
  */
-export function Login() {
-  const [store] = useState(() => new SessionStore());
+export function Login({ store }: { store: SessionStore }) {
   const { session, problem } = useSyncExternalStore(
     store.subscribe,
     store.getView,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A robot for the tests, as the server would describe it. What no test looks at may be missing.
 import type {
+  Authority,
   Axis,
   Named,
   PermitReason,
@@ -72,6 +73,23 @@ export function makePort(change: Partial<Port> = {}): Port {
   };
 }
 
+export function makeAuthority(change: Partial<Authority> = {}): Authority {
+  return {
+    state: "nobody",
+    peer: 0,
+    request: "NONE",
+    request_axis: 0,
+    requester_peer: 0,
+    source: null,
+    name: null,
+    age_s: 0,
+    requester: null,
+    requester_name: null,
+    left_s: 0,
+    ...change,
+  };
+}
+
 export function makeStatus(change: Partial<Status> = {}): Status {
   return {
     cycle: 1000,
@@ -81,6 +99,7 @@ export function makeStatus(change: Partial<Status> = {}): Status {
     robot: "neuro",
     box: null,
     workphase: { name: "START_UP", text: "The axes home." },
+    authority: makeAuthority(),
     next_step: { name: "PRESS_PEDAL", text: "Press and hold the pedal." },
     order: "waiting",
     pedal: "released",

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+// Authority of this page: it takes it, renews it by itself, and gives it up when nobody sees it any more. Which page it is
+// stands in its memory alone, so a reload or another tab is another page.
+import type { Authority, Path, Problem } from "@interface";
+
+const AUTHORITY_PATH: Path = "/api/v1/authority";
+const REQUEST_PATH: Path = "/api/v1/authority/request";
+/** The server takes it away after 5 s without. */
+export const RENEW_MS = 2000;
+const TIMEOUT_MS = 1500;
+const PAGE_HEADER = "X-Boresight-Page";
+const TOKEN_HEADER = "X-Boresight-Token";
+
+type Method = "POST" | "PUT" | "DELETE";
+
+function drawNumber(): number {
+  const [number = 0] = crypto.getRandomValues(new Uint32Array(1));
+  return number === 0 ? 1 : number;
+}
+
+export class PageAuthority {
+  /** Says which page asks. */
+  readonly page = drawNumber();
+  private readonly getToken: () => string | null;
+  private readonly listeners = new Set<() => void>();
+  private acts = 0;
+  private hasAsked = false;
+  private timer: ReturnType<typeof setInterval> | null = null;
+  private problem: string | null = null;
+
+  constructor(getToken: () => string | null) {
+    this.getToken = getToken;
+  }
+
+  readonly subscribe = (listener: () => void): (() => void) => {
+    this.listeners.add(listener);
+    return () => this.listeners.delete(listener);
+  };
+
+  /** Why the last thing that was asked for was not done. */
+  readonly getProblem = (): string | null => this.problem;
+
+  /**
+   * Gives up when the page is hidden or closed, until `stop()`.
+   *
+   * @satisfies SWR-CON-015
+   */
+  start(): void {
+    document.addEventListener("visibilitychange", this.leave);
+    window.addEventListener("pagehide", this.giveUp);
+  }
+
+  stop(): void {
+    document.removeEventListener("visibilitychange", this.leave);
+    window.removeEventListener("pagehide", this.giveUp);
+    this.giveUp();
+  }
+
+  isMine(authority: Authority): boolean {
+    return authority.source === "HTTP" && authority.peer === this.page;
+  }
+
+  /** It is this page that waits for the button. */
+  isAsking(authority: Authority): boolean {
+    return (
+      authority.requester === "HTTP" && authority.requester_peer === this.page
+    );
+  }
+
+  /** Takes what nobody has. */
+  async take(): Promise<void> {
+    if (await this.act(AUTHORITY_PATH, {})) {
+      this.keep();
+    }
+  }
+
+  /** Asks for the button at the box. Who has authority then is told by the stream. */
+  async ask(): Promise<void> {
+    this.hasAsked = await this.act(REQUEST_PATH, { what: "TAKE" });
+  }
+
+  /** The button was pressed for this page. */
+  notice(authority: Authority): void {
+    if (this.hasAsked && this.isMine(authority)) {
+      this.hasAsked = false;
+      this.keep();
+    }
+  }
+
+  /** Gives it up, or withdraws what was asked for. It leaves even when the page does. */
+  readonly giveUp = (): void => {
+    if (this.timer !== null || this.hasAsked) {
+      this.letGo();
+      this.hasAsked = false;
+      void this.request("DELETE", AUTHORITY_PATH, undefined).catch(
+        () => undefined, // Without renewal it ends all the same.
+      );
+    }
+  };
+
+  private readonly leave = (): void => {
+    if (document.visibilityState === "hidden") {
+      this.giveUp();
+    }
+  };
+
+  private keep(): void {
+    this.timer ??= setInterval(() => void this.renew(), RENEW_MS);
+  }
+
+  private letGo(): void {
+    if (this.timer !== null) {
+      clearInterval(this.timer);
+      this.timer = null;
+    }
+  }
+
+  /** A server that does not answer may do so the next time; one that refuses has given it to nobody or another. */
+  private async renew(): Promise<void> {
+    try {
+      const response = await this.request("PUT", AUTHORITY_PATH, undefined);
+      if (!response.ok) {
+        this.letGo();
+      }
+    } catch {
+      // The rest of the page says that the server does not answer.
+    }
+  }
+
+  /** True when it was done. */
+  private async act(path: Path, fields: object): Promise<boolean> {
+    this.acts += 1;
+    try {
+      const body = JSON.stringify({ id: this.acts, ...fields });
+      const response = await this.request("POST", path, body);
+      const answer = (await response.json()) as Partial<Problem>;
+      this.tell(response.ok ? null : (answer.detail ?? response.statusText));
+      return response.ok;
+    } catch {
+      this.tell("The server does not answer.");
+      return false;
+    }
+  }
+
+  private request(
+    method: Method,
+    path: Path,
+    body: string | undefined,
+  ): Promise<Response> {
+    const headers: Record<string, string> = {
+      [PAGE_HEADER]: String(this.page),
+      [TOKEN_HEADER]: this.getToken() ?? "",
+    };
+    if (body !== undefined) {
+      headers["Content-Type"] = "application/json";
+    }
+    return fetch(path, {
+      method,
+      headers,
+      body: body ?? null,
+      keepalive: method === "DELETE",
+      signal: AbortSignal.timeout(TIMEOUT_MS),
+    });
+  }
+
+  private tell(problem: string | null): void {
+    this.problem = problem;
+    this.listeners.forEach((listener) => listener());
+  }
+}

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+import { useEffect, useState, useSyncExternalStore } from "react";
+import type { Authority, Session } from "@interface";
+import { PageAuthority } from "../authority";
+import type { SessionStore } from "../session";
+
+function Mine({ own }: { own: PageAuthority }) {
+  return (
+    <>
+      <p>
+        <strong>This page commands.</strong>
+      </p>
+      <button type="button" onClick={own.giveUp}>
+        Give up command
+      </button>
+    </>
+  );
+}
+
+function Nobodys({ own }: { own: PageAuthority }) {
+  return (
+    <button type="button" onClick={() => void own.take()}>
+      Take command
+    </button>
+  );
+}
+
+function Anothers({
+  own,
+  authority,
+}: {
+  own: PageAuthority;
+  authority: Authority;
+}) {
+  return own.isAsking(authority) ? (
+    <>
+      <p>Release the pedal and press the button at the box.</p>
+      <button type="button" onClick={own.giveUp}>
+        Ask no more
+      </button>
+    </>
+  ) : (
+    <button type="button" onClick={() => void own.ask()}>
+      Ask for command
+    </button>
+  );
+}
+
+function Way({ own, authority }: { own: PageAuthority; authority: Authority }) {
+  if (own.isMine(authority)) {
+    return <Mine own={own} />;
+  }
+  switch (authority.state) {
+    case "nobody":
+      return <Nobodys own={own} />;
+    case "held":
+      return <Anothers own={own} authority={authority} />;
+    case "ending":
+      return <p>Nobody commands before the axes rest.</p>;
+  }
+}
+
+function mayCommand(session: Session | null): boolean {
+  return session !== null && session.is_open && session.role !== "OBSERVER";
+}
+
+/**
+ * The way to command, and out of it, of who is logged in and may.
+ *
+ * @satisfies SWR-CON-014
+ */
+export function Command({
+  session,
+  authority,
+}: {
+  session: SessionStore;
+  authority: Authority;
+}) {
+  const [own] = useState(
+    () => new PageAuthority(() => session.getView().session?.token ?? null),
+  );
+  const problem = useSyncExternalStore(own.subscribe, own.getProblem);
+  const view = useSyncExternalStore(session.subscribe, session.getView);
+  useEffect(() => {
+    own.start();
+    return () => own.stop();
+  }, [own]);
+  useEffect(() => own.notice(authority), [own, authority]);
+  if (!mayCommand(view.session)) {
+    return null;
+  }
+  return (
+    <section className="login" aria-label="Command">
+      <Way own={own} authority={authority} />
+      {problem !== null && (
+        <p className="login-problem" role="alert">
+          {problem}
+        </p>
+      )}
+    </section>
+  );
+}
