@@ -10,9 +10,9 @@
  *
  * @return STATUS_OK; STATUS_UNKNOWN_COMMAND for no axis; STATUS_WRONG_WORKPHASE; for JOG and
  * HOME_AXIS as mode_judge() and procedure_request_axis_motion(); STATUS_NOT_AT_REST for CLEAR_AXIS
- * and SET_HOME; for CONFIRM_AXIS STATUS_NOTHING_TO_CONFIRM, and STATUS_BUSY while another one's
- * request waits; for SET_HOME STATUS_HOMES_OTHERWISE with a switch, STATUS_HARDWARE_NOT_READY
- * without its card and STATUS_NEEDLE_IN
+ * and SET_HOME; for CONFIRM_AXIS STATUS_NOTHING_TO_CONFIRM, STATUS_NO_BUTTON, and STATUS_BUSY while
+ * another one's request waits; for SET_HOME STATUS_HOMES_OTHERWISE with a switch,
+ * STATUS_HARDWARE_NOT_READY without its card and STATUS_NEEDLE_IN
  *
  * @satisfies SWR-AXIS-035
  * @satisfies SWR-AXIS-037

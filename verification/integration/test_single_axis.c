@@ -243,9 +243,12 @@ void test_SWR_AXIS_036_a_needle_that_comes_in_meanwhile_stops_it(void)
     start_manual();
     expect(STATUS_OK, COMMAND_HOME_AXIS, AXIS_LATERAL);
     axis_lose_reference(&rig.controller.axes[AXIS_INSERTION]);
-    rig_press(&rig);
-    rig_cycles(&rig, 300U);
-    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    rig_box(&rig, "pedal press");
+    for (uint32_t i = 0U; i < 500U; i++) {
+        rig_cycle(&rig);
+        TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    }
+    TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_MOVING, rig.outputs.snapshot.order);
     rig_release(&rig);
 }
 
@@ -432,6 +435,14 @@ void test_SWR_AXIS_040_what_a_press_would_not_verify_is_refused(void)
     expect(STATUS_NOTHING_TO_CONFIRM, COMMAND_CONFIRM_AXIS, AXIS_FEET);
 }
 
+void test_SWR_AXIS_040_without_a_button_nothing_is_asked_of_it(void)
+{
+    start_doubted();
+    rig.has_no_button = true;
+    expect(STATUS_NO_BUTTON, COMMAND_CONFIRM_AXIS, AXIS_YAW);
+    TEST_ASSERT_EQUAL_UINT32(AUTHORITY_REQUEST_NONE, rig.outputs.snapshot.request);
+}
+
 void test_SWR_AXIS_041_where_the_axis_stands_is_its_home_once_the_operator_has_confirmed_it(void)
 {
     start_manual();
@@ -466,6 +477,16 @@ void test_SWR_AXIS_041_the_home_of_a_lost_or_unverified_axis_is_set_as_well(void
     TEST_ASSERT_EQUAL_INT32(0, rig_position(&rig, AXIS_ROTATION));
     expect(STATUS_OK, COMMAND_SET_HOME, AXIS_ROTATION);
     TEST_ASSERT_EQUAL_UINT32(1U, hold_button());
+}
+
+void test_SWR_AXIS_041_a_press_from_before_does_not_confirm_the_home(void)
+{
+    start_manual();
+    rig_box(&rig, "button press");
+    rig_cycles(&rig, HOLD_CYCLES / 2U);
+    expect(STATUS_OK, COMMAND_SET_HOME, AXIS_FEET);
+    rig_cycles(&rig, 2U * HOLD_CYCLES);
+    expect_grade(AXIS_REFERENCE_UNVERIFIED, AXIS_FEET);
 }
 
 void test_SWR_AXIS_042_an_axis_with_a_switch_finds_home_by_it(void)
