@@ -27,6 +27,8 @@
 TEST_SOURCE_FILE("crc.c")
 TEST_SOURCE_FILE("robot_cards.c")
 TEST_SOURCE_FILE("position_store.c")
+TEST_SOURCE_FILE("position_record.c")
+TEST_SOURCE_FILE("sources.c")
 
 #define ALL_SLOTS 0x0FEU
 #define LAST_CYCLE 20U

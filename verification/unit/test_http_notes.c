@@ -73,7 +73,7 @@ static void log_it(void)
                            .id = (uint32_t)(is_refusal ? EVENT_LOGIN_REFUSED : EVENT_NOTE),
                            .subject = taken[0].argument,
                            .value = taken[0].value};
-    exchange_push_event(control, &event);
+    exchange_push_event(control, &event, 0U);
     events++;
 }
 
