@@ -126,7 +126,7 @@ class TestHttpApi < Minitest::Test
   def test_SWR_HTTP_013_a_problem_names_the_place
     found = problem(post('/api/v1/stop', "{\"a\\\"~/\u00e9\":1}"))
     assert_equal ['BAD_BODY', "/a\"~0~1\u00e9"], found.values_at('code', 'pointer')
-    assert_equal %w[BAD_QUERY limit], problem(get('/api/v1/log?limit=5')).values_at('code', 'parameter')
+    assert_equal %w[BAD_QUERY limits], problem(get('/api/v1/log?limits=5')).values_at('code', 'parameter')
     assert_equal %w[BAD_QUERY a], problem(get('/api/v1/status?a=1')).values_at('code', 'parameter')
     assert_equal %w[BAD_QUERY after], problem(get('/api/v1/log?after=1&after=2')).values_at('code', 'parameter')
   end
