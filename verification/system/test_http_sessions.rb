@@ -312,6 +312,7 @@ class TestHttpSessions < Minitest::Test
   # What a second server of this instance says before it ends.
   def server_says(words)
     answer, status = Open3.capture2e(Boresight.program('boresight-http'), '--exchange', self.class.boresight.instance,
+                                     '--recordings', self.class.boresight.recordings,
                                      '--port', Boresight.free_ports(1).first.to_s, *words)
     assert_equal 1, status.exitstatus
     answer

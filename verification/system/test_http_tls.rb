@@ -237,6 +237,7 @@ class TestHttpTls < Minitest::Test
         file.write(text)
         file.close
         said, status = Open3.capture2e(Boresight.program('boresight-http'), '--exchange', self.class.boresight.instance,
+                                       '--recordings', self.class.boresight.recordings,
                                        '--box', 'x', '--port', others.pop.to_s, '--tls-file', file.path)
         assert_equal 3, status.exitstatus
         assert_includes said, "port #{taken}, which TLS shall feed, is in use; change #{key} in the file of TLS"
@@ -247,6 +248,7 @@ class TestHttpTls < Minitest::Test
   def test_SWR_SESS_019_the_library_never_speaks_tls_itself
     %w[8443s 8443r 127.0.0.1:8443s].each do |its_port|
       _, status = Open3.capture2e(Boresight.program('boresight-http'), '--exchange', self.class.boresight.instance,
+                                       '--recordings', self.class.boresight.recordings,
                                   '--box', 'x', '--port', its_port)
       assert_equal 2, status.exitstatus
     end
