@@ -10,11 +10,13 @@
 #include "common/clock.h"
 #include "control/drives_off.h"
 #include "control/figures.h"
+#include "control/sources.h"
 #include "exchange/exchange.h"
 #include "exchange/exchange_segment.h"
 #include "mock_bsp.h"
 #include "mock_controller.h"
 #include "mock_realtime.h"
+#include "positions/position_record.h"
 #include "robot/robot_neuro.h"
 
 #include <sys/mman.h>
