@@ -45,6 +45,9 @@ static void set_random_scene(stage_t *self, rig_t *rig)
         return;
     }
     self->is_chaotic = (random_below(self, 3U) == 0U) ? 1U : 0U;
+    if (self->play == PLAY_RIVALS) {
+        return;
+    }
     self->fault_cycle = (random_below(self, 5U) == 0U) ? UINT32_MAX : random_below(self, 12000U);
 }
 
@@ -92,6 +95,9 @@ void stage_begin(stage_t *self, rig_t *rig, const robot_t *robot, play_t play, u
     }
     if ((play == PLAY_RANDOM) || (play == PLAY_JOGS)) {
         set_random_scene(self, rig);
+    } else if (play == PLAY_RIVALS) {
+        set_random_scene(self, rig);
+        rivals_begin(&self->rivals, rig, seed);
     } else if (play == PLAY_SPREAD) {
         rig_start_robot(rig, robot);
         spread_motors(self, rig);
@@ -175,6 +181,9 @@ static void part_hidden_pairs(rig_t *rig)
 static void send(stage_t *self, rig_t *rig, command_t command)
 {
     command.id = 1000U + self->cycle;
+    if (self->play == PLAY_RIVALS) {
+        rivals_sign(&self->rivals, rig, &command);
+    }
     rig->commands[rig->command_count] = command;
     rig->command_count++;
 }
@@ -434,6 +443,10 @@ static void do_next_step(stage_t *self, rig_t *rig)
     case NEXT_STEP_CONFIRM:
         confirm(self, rig);
         break;
+    case NEXT_STEP_AUTHORITY:
+        rig_box(rig, "pedal release");
+        send(self, rig, (command_t){.kind = (uint32_t)COMMAND_TAKE});
+        break;
     case NEXT_STEP_HOLD_PEDAL:
         if (random_below(self, (self->play == PLAY_INTERRUPTED) ? 2U : 8U) == 0U) {
             rig_box(rig, "pedal release");
@@ -477,6 +490,16 @@ static void let_watch(stage_t *self, rig_t *rig)
     }
 }
 
+static void let_rivals_play(stage_t *self, rig_t *rig)
+{
+    command_t command;
+    if ((self->play == PLAY_RIVALS) && rivals_play(&self->rivals, rig, &command)) {
+        command.id = 1000U + self->cycle;
+        rig->commands[rig->command_count] = command;
+        rig->command_count++;
+    }
+}
+
 static void let_foe_play(stage_t *self, rig_t *rig)
 {
     if ((self->play == PLAY_TAPS) && foe_play(&self->foe, rig)) {
@@ -517,5 +540,6 @@ void stage_play(stage_t *self, rig_t *rig)
     }
     play_operator(self, rig);
     let_watch(self, rig);
+    let_rivals_play(self, rig);
     let_foe_play(self, rig);
 }

@@ -5,6 +5,7 @@
 
 #include "integration/support/rig.h"
 #include "supervise/foe.h"
+#include "supervise/rivals.h"
 #include "supervise/watcher.h"
 
 #include <stdbool.h>
@@ -18,7 +19,8 @@ typedef enum {
     PLAY_SPREAD = 3,      /**< Moves of motors up to a fifth faster or slower than their table. */
     PLAY_JOGS = 4,        /**< Anything, most of it jogs, before homing and after it; no fault. */
     PLAY_TAPS = 5,        /**< An enemy at the pedal and the fault keyboard: one plan a scene. */
-    PLAY_MAGNITUDE = 6    /**< As PLAY_SPREAD; cards without pwm take magnitudes. */
+    PLAY_MAGNITUDE = 6,   /**< As PLAY_SPREAD; cards without pwm take magnitudes. */
+    PLAY_RIVALS = 7       /**< Pages and connections that all want to command; no fault. */
 } play_t;
 
 /** State of the players. */
@@ -33,7 +35,8 @@ typedef struct {
     uint32_t cycle;
     uint32_t whim; /**< Of the operator: a chance of its own. */
     watcher_t watcher;
-    foe_t foe; /**< Of PLAY_TAPS. */
+    foe_t foe;       /**< Of PLAY_TAPS. */
+    rivals_t rivals; /**< Of PLAY_RIVALS. */
     const robot_t *robot;
     robot_t magnitude_robot; /**< Of PLAY_MAGNITUDE. */
 } stage_t;

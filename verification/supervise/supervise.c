@@ -5,7 +5,7 @@
  * and faults by chance, and a witness who knows where the axes truly stand.
  *
  *     supervise [--robot NAME] COUNT [SEED
- *               [random|corners|interrupted|spread|jogs|taps|magnitude|flips]]
+ *               [random|corners|interrupted|spread|jogs|taps|magnitude|rivals|flips]]
  *
  * Plays COUNT scenes from SEED on (1), or as many as COUNT moves need. Prints how often each
  * sentence was broken, where first, and the worst figure. Ends with 1 when one was broken, with 3
@@ -25,7 +25,7 @@
 #include <string.h>
 
 #define SCENE_CYCLES 20000U
-#define FLIPS 7 /* After the plays of a stage. */
+#define FLIPS 8 /* After the plays of a stage. */
 #define TAPS_CYCLES 40000U
 #define PLAN_SIZE 256U
 #define MOVES_CYCLES 120000U /* Of a scene that is all moves. */
@@ -55,7 +55,8 @@ void contract_broken(const char *module, uint32_t id)
 /* COUNT is of scenes, not of moves. */
 static bool is_of_scenes(play_t play)
 {
-    return (play == PLAY_RANDOM) || (play == PLAY_JOGS) || (play == PLAY_TAPS);
+    return (play == PLAY_RANDOM) || (play == PLAY_JOGS) || (play == PLAY_TAPS) ||
+           (play == PLAY_RIVALS);
 }
 
 /* How many times as long as those of the quickest robots. */
@@ -104,6 +105,19 @@ static void report_endings(ending_t ending, const char *words)
            (latest <= (LIMIT_DONE_TIME_US / LIMIT_CYCLE_US)) ? "in time" : "late");
 }
 
+static void report_losses(void)
+{
+    uint32_t losses[REIGN_LOSSES];
+    for (uint32_t i = 0U; i < REIGN_LOSSES; i++) {
+        losses[i] = scene.witness.losses[i] + scene.witness.reign.losses[i];
+    }
+    printf("authority was lost: %u times released, %u not renewed, %u in silence, %u taken; %u in "
+           "motion\n",
+           (unsigned)losses[AUTHORITY_LOSS_RELEASED], (unsigned)losses[AUTHORITY_LOSS_UNRENEWED],
+           (unsigned)losses[AUTHORITY_LOSS_SILENT], (unsigned)losses[AUTHORITY_LOSS_TAKEN],
+           (unsigned)(scene.witness.losses_in_motion + scene.witness.reign.losses_in_motion));
+}
+
 static bool has_run_and_stop(void)
 {
     bool has_it = false;
@@ -128,6 +142,7 @@ static bool report(play_t play, uint32_t count)
 {
     bool is_good = true;
     printf("%u scenes\n", (unsigned)count);
+    report_losses();
     report_endings(ENDING_MOVE, "moves");
     if (has_run_and_stop()) {
         report_endings(ENDING_NON_PWM, "legs with axes without pwm");
@@ -151,9 +166,9 @@ static bool report(play_t play, uint32_t count)
 /* Number of the play `name`, or -1. */
 static int play_of(const char *name)
 {
-    static const char *const names[] = {"random", "corners", "interrupted", "spread",
-                                        "jogs",   "taps",    "magnitude",   "flips"};
-    for (int i = 0; i < 8; i++) {
+    static const char *const names[] = {"random", "corners",   "interrupted", "spread", "jogs",
+                                        "taps",   "magnitude", "rivals",      "flips"};
+    for (int i = 0; i <= FLIPS; i++) {
         if (strcmp(name, names[i]) == 0) {
             return i;
         }
@@ -207,7 +222,7 @@ int main(int count, char **arguments)
     if ((wanted == 0U) || (play < 0) || (robot == NULL)) {
         (void)fprintf(stderr,
                       "usage: supervise [--robot NAME] COUNT [SEED "
-                      "[random|corners|interrupted|spread|jogs|taps|magnitude|flips]]\n"
+                      "[random|corners|interrupted|spread|jogs|taps|magnitude|rivals|flips]]\n"
                       "robots: %s\n",
                       robot_names_list());
         return UNPLAYED;

@@ -4,7 +4,7 @@
 # Rule under test: in no scene (an operator, who now and then draws the needle out, somebody who watches and proposes at
 # any time, a world, a fault now and then; an enemy at the pedal and the fault keyboard; jogs; moves into the corners of
 # the workspace, under a pedal that is released again and again, or of motors that are not as the robot's table says,
-# with run and stop or magnitudes for cards without pwm) does the controller of any robot break one of the sentences of
+# with run and stop or magnitudes for cards without pwm; pages and connections that all want to command) does the controller of any robot break one of the sentences of
 # the witness, who knows where the simulated axes truly stand.
 # `make supervise COUNT=n SEED=n PLAY=name ROBOT=name` plays more.
 
@@ -17,7 +17,10 @@ class TestSupervise < Minitest::Test
   # And how much of the plays each gets.
   ROBOTS = { 'neuro' => 1.0, 'bench2' => 0.25, 'prostate' => 0.05 }.freeze
   # How many scenes, or moves; and flips of bits for each.
-  PLAYS = { random: 100, corners: 30, interrupted: 30, spread: 40, magnitude: 40, jogs: 30, taps: 60 }.freeze
+  PLAYS = { random: 100, corners: 30, interrupted: 30, spread: 40, magnitude: 40, jogs: 30, taps: 60,
+            rivals: 60 }.freeze
+  # Those of scenes, whether or not a move comes about.
+  SCENES = %i[random jogs taps rivals].freeze
   FLIPS = 100
   SENTENCES = {
     SWR_PERMIT_002_a_drive_leaves_only_with_the_permit: /A drive leaves only with/,
@@ -34,7 +37,12 @@ class TestSupervise < Minitest::Test
     SWR_MOTION_023_a_retraction_drives_the_needle_outwards_only: /drives the needle outwards only/,
     SWR_AXIS_019_no_fault_is_found_where_there_is_none: /nothing is broken, no fault/,
     SWR_MOTION_007_no_axis_goes_beyond_its_end: /beyond its end/,
-    SWR_MOTION_007_no_axis_is_faster_than_its_speed: /faster than its speed/
+    SWR_MOTION_007_no_axis_is_faster_than_its_speed: /faster than its speed/,
+    SWR_AUTH_001_one_commands_and_none_before_the_axes_rest: /One commands: between two/,
+    SWR_AUTH_008_authority_is_lost_by_its_holder_silence_or_the_button_without_the_pedal: /Authority is lost by/,
+    SWR_AUTH_007_a_page_that_commands_has_renewed_it: /has renewed it/,
+    SWR_AUTH_005_after_a_loss_nothing_is_driven: /After a loss nothing is driven/,
+    SWR_AUTH_003_only_who_has_authority_arms: /Only who has authority arms/
   }.freeze
 
   # What of its file decides what it can show.
@@ -65,12 +73,18 @@ class TestSupervise < Minitest::Test
   end
 
   ROBOTS.each_key do |robot|
-    (plays_of_sentences(robot) - %i[random jogs taps]).each do |play|
+    (plays_of_sentences(robot) - SCENES).each do |play|
       define_method("test_SWR_MOTION_006_moves_are_done_soon_after_their_profiles_#{robot}_#{play}") do
         ends = lines(robot, play).grep(/done after their profiles/)
         expected = self.class.run_and_stop?(robot) ? 2 : 1
         assert_equal(expected, ends.grep(/\A[1-9].* 99 % by \d+ ms, in time\z/).size, lines(robot, play).join("\n"))
       end
+    end
+
+    define_method("test_SWR_AUTH_005_rivals_lose_authority_in_every_way_and_in_motion_#{robot}") do
+      losses = lines(robot, :rivals).grep(/authority was lost/).first.scan(/\d+/).map(&:to_i)
+      assert_equal 5, losses.size
+      assert losses.all?(&:positive?) || ROBOTS[robot] < 1.0, losses.to_s
     end
 
     # 1 to 3 bits of the controller's memory change, at rest and in motion.

@@ -38,7 +38,12 @@ const char *witness_sentence(sentence_t sentence)
         "A needle that is not homed is not jogged inwards",
         "Homing drives who homes in its stage and who follows it, no other",
         "What is proposed changes no target that was accepted",
-        "A retraction drives the needle outwards only"};
+        "A retraction drives the needle outwards only",
+        "One commands: between two it is lost, and the axes rest",
+        "Authority is lost by its holder, silence, or button without pedal",
+        "A page that commands has renewed it",
+        "After a loss nothing is driven before another order and press",
+        "Only who has authority arms, and nothing is armed without"};
     return words[sentence];
 }
 
@@ -49,6 +54,10 @@ void witness_begin(witness_t *self, uint32_t seed)
     (void)memset(self, 0, sizeof *self);
     (void)memcpy(self->verdicts, kept.verdicts, sizeof kept.verdicts);
     (void)memcpy(self->endings, kept.endings, sizeof kept.endings);
+    self->losses_in_motion = kept.losses_in_motion + kept.reign.losses_in_motion;
+    for (uint32_t i = 0U; i < REIGN_LOSSES; i++) {
+        self->losses[i] = kept.losses[i] + kept.reign.losses[i];
+    }
     self->seed = seed;
 }
 
@@ -480,11 +489,22 @@ uint32_t witness_late(const witness_t *self, ending_t ending, uint32_t percent)
     return cycles;
 }
 
+static void judge_reign(witness_t *self, const rig_t *rig)
+{
+    const uint32_t broken = reign_look(&self->reign, rig);
+    for (uint32_t i = 0U; i < REIGN_RULES; i++) {
+        if (((broken >> i) & 1U) != 0U) {
+            complain(self, rig, (sentence_t)((uint32_t)SENTENCE_REIGN + i), 0U, 1.0);
+        }
+    }
+}
+
 void witness_look(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_MAX],
                   bool is_disturbed)
 {
     remember_target(self, rig);
     judge_permit(self, rig);
+    judge_reign(self, rig);
     for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
         judge_belief(self, rig, i, truth[i]);
         judge_rest(self, rig, i, truth[i]);

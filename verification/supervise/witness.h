@@ -9,6 +9,7 @@
 
 #include "integration/support/rig.h"
 #include "limits/requirement_limits.h"
+#include "supervise/reign.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -34,10 +35,11 @@ typedef enum {
     SENTENCE_INWARDS = 11, /**< A needle that is not homed is not jogged inwards. */
     SENTENCE_HOMING = 12,  /**< Homing drives only who homes, and who follows it. */
     SENTENCE_TARGET = 13,  /**< What is proposed changes no target that was accepted. */
-    SENTENCE_OUT = 14      /**< A retraction drives the needle outwards only. */
+    SENTENCE_OUT = 14,     /**< A retraction drives the needle outwards only. */
+    SENTENCE_REIGN = 15    /**< From here on: those of reign_rule_t. */
 } sentence_t;
 
-#define SENTENCE_COUNT 15U
+#define SENTENCE_COUNT ((uint32_t)SENTENCE_REIGN + REIGN_RULES)
 
 /** A sentence's record. */
 typedef struct {
@@ -82,7 +84,10 @@ typedef struct {
     int32_t target_ticks[ROBOT_AXIS_MAX]; /**< As accepted. */
     bool has_looked;
     bool was_homing;
-    plan_t plan;                          /**< Of the cycle before. */
+    plan_t plan; /**< Of the cycle before. */
+    reign_t reign;
+    uint32_t losses_in_motion;
+    uint32_t losses[REIGN_LOSSES];        /**< In all episodes, by authority_loss_t. */
     bool is_retracting;                   /**< A retraction was accepted and has not ended. */
     uint32_t idle_cycles[ROBOT_AXIS_MAX]; /**< Driven in homing without a part in it. */
     double coupled_beyond[ROBOT_COUPLED_LIMITS]; /**< How far beyond each may be, mm or degrees. */
