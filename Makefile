@@ -234,3 +234,4 @@ include verification/supervise/supervise.mk
 include verification/bench/bench.mk
 include verification/detection/detection.mk
 include verification/fuzz/fuzz.mk
+include verification/fight/fight.mk

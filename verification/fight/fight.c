@@ -1,0 +1,114 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * fight-witness: replays the recordings of a fight for authority and has the witness look at them.
+ *
+ *     fight-witness FILE ...        in their order
+ *
+ * Prints what the witness counted as one line of JSON, and a line for each sentence that was
+ * broken. Exit code 0: none was; 1: one was, or the recording does not replay; 2: it cannot be read
+ * or is cut short.
+ */
+#include "base/contract.h"
+#include "fight/witness.h"
+#include "interface/interface_layout.h"
+#include "recording/recording_reader.h"
+#include "replay/replay.h"
+#include "robot/app/robots.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#define EXIT_GOOD 0
+#define EXIT_BROKEN 1
+#define EXIT_UNREADABLE 2
+
+static recording_reader_t reader;
+static replay_t replay;
+static cycle_record_t record;
+static cycle_known_t known;
+static witness_t witness;
+
+void contract_broken(const char *module, uint32_t id)
+{
+    (void)printf("cycle %u breaks contract %s/%u\n", (unsigned)record.cycle, module, (unsigned)id);
+    (void)fflush(stdout);
+    _Exit(EXIT_BROKEN);
+}
+
+static const robot_t *open_recording(const char *path)
+{
+    recording_finding_t finding;
+    if (recording_reader_open(&reader, path, &finding) != RECORDING_WHOLE) {
+        (void)printf("%s\n", finding.sentence);
+        return NULL;
+    }
+    const robot_t *robot = robots_find(reader.header.robot);
+    if ((robot == NULL) || (robot->crc != reader.header.robot_crc) ||
+        !recording_reader_fits(&reader, INTERFACE_LAYOUT, sizeof(controller_t))) {
+        (void)puts("the recording is of another build");
+        return NULL;
+    }
+    return robot;
+}
+
+static bool replay_all(const robot_t *robot)
+{
+    while (recording_reader_next(&reader, &record, &known)) {
+        if (!replay_take(&replay, robot, &record, &known)) {
+            return false;
+        }
+        if ((record.kind == (uint32_t)CYCLE_RECORD_CYCLE) && replay.is_running) {
+            witness_look(&witness, record.cycle, &record.body.cycle.inputs, &replay.outputs);
+        }
+    }
+    return (replay.unreplayed == 0U) && (replay.gaps == 0U);
+}
+
+static void print_counts(void)
+{
+    (void)printf("{\"cycles\": %u, \"driven\": %u, \"taken_igtl\": %u, \"taken_http\": %u, "
+                 "\"released\": %u, \"unrenewed\": %u, \"silent\": %u, \"taken\": %u, "
+                 "\"orders_igtl\": %u, \"orders_http\": %u, \"cut\": %u, \"refused\": %u, "
+                 "\"stops\": %u}\n",
+                 witness.cycles, witness.driven, witness.takes[COMMAND_SOURCE_IGTL],
+                 witness.takes[COMMAND_SOURCE_HTTP], witness.losses[AUTHORITY_LOSS_RELEASED],
+                 witness.losses[AUTHORITY_LOSS_UNRENEWED], witness.losses[AUTHORITY_LOSS_SILENT],
+                 witness.losses[AUTHORITY_LOSS_TAKEN], witness.orders[COMMAND_SOURCE_IGTL],
+                 witness.orders[COMMAND_SOURCE_HTTP], witness.cut, witness.refused, witness.stops);
+}
+
+static bool judge(void)
+{
+    bool is_good = true;
+    for (uint32_t i = 0U; i < SENTENCE_COUNT; i++) {
+        if (witness.broken[i] > 0U) {
+            (void)printf("broken: %s; in %u cycles, first in cycle %u\n",
+                         witness_sentence((sentence_t)i), witness.broken[i],
+                         witness.first_cycle[i]);
+            is_good = false;
+        }
+    }
+    return is_good;
+}
+
+int main(int count, char **arguments)
+{
+    bool is_whole = true;
+    for (int i = 1; i < count; i++) {
+        const robot_t *robot = open_recording(arguments[i]);
+        if (robot == NULL) {
+            return EXIT_UNREADABLE;
+        }
+        replay_init(&replay);
+        is_whole = replay_all(robot) && is_whole;
+        recording_reader_close(&reader);
+    }
+    print_counts();
+    if (!is_whole || (witness.cycles == 0U)) {
+        (void)printf("broken: every cycle is there, and replays; last seen cycle %u\n",
+                     (unsigned)record.cycle);
+        is_whole = false;
+    }
+    return (judge() && is_whole) ? EXIT_GOOD : EXIT_BROKEN;
+}

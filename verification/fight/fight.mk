@@ -1,0 +1,13 @@
+# SPDX-License-Identifier: Apache-2.0
+# A fight for authority among pages and connections of a running system; included by the Makefile.
+
+.PHONY: fight
+
+build/gcc/bin/fight-witness: $(call object,$(wildcard verification/fight/*.c app/recording/*.c) \
+    app/replay/replay.c app/replay/field_name.c $(GEN)/interface/app/fields.c $(FIND_ROBOT)) build/gcc/libcore.a
+	@mkdir -p $(@D)
+	@$(CC) $(CFLAGS) $^ $(LIBS_boresight-replay) -lm -o $@
+	@echo "built $@"
+
+fight: build build/gcc/bin/fight-witness ## Pages and connections fight for authority, MINUTES=5 long; the recording of a broken rule is kept
+	@ruby verification/fight/fight.rb $(or $(MINUTES),5)

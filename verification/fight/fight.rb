@@ -1,0 +1,80 @@
+#!/usr/bin/env ruby
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+# Two pages of the console and two connections of OpenIGTLink fight for authority over the bench, while a hand presses
+# pedal and button and the processes between them are killed. A witness (witness.h) then replays the recording.
+#
+#   ruby verification/fight/fight.rb MINUTES [SEED]      exits 1 if a rule was broken; its recording is kept
+#
+# Who acts when is the machine's; what is recorded is judged again alike, wherever it is replayed.
+
+require 'json'
+require 'open3'
+require_relative 'players'
+require_relative '../bench/crowd'
+
+# One fight.
+class Fight
+  WITNESS = File.expand_path('../../build/gcc/bin/fight-witness', __dir__)
+  LOSSES = 3
+  Verdict = Struct.new(:counts, :broken, :is_good)
+
+  # Returns what the witness says of a fight of at least so many seconds.
+  def self.judge(robot, seconds, random)
+    errand = Errand.new(robot)
+    errand.prepare
+    errand.move
+    robot.client.close
+    new(robot, random).fight(seconds)
+    Process.kill('TERM', robot.pid)
+    robot.wait_for_end
+    text, status = Open3.capture2e(WITNESS, *robot.recording_files)
+    raise text unless text.start_with?('{')
+
+    Verdict.new(JSON.parse(text.lines.first), text.lines.drop(1).join, status.success?)
+  end
+
+  def initialize(robot, random)
+    @robot = robot
+    @players = [Connection, Connection, Page, Page, Hand, Reaper].map do |kind|
+      kind.new(robot, Random.new(random.rand(1 << 32)))
+    end
+  end
+
+  def fight(seconds)
+    ends = Boresight.now + seconds
+    threads = @players.map { |player| Thread.new { player.play } }
+    @robot.wait_until('there was a fight') { Boresight.now >= ends && fought? }
+  ensure
+    @players.each(&:leave)
+    threads&.each(&:join)
+  end
+
+  private
+
+  # It was taken again and again, refused, and lost in more than one way.
+  def fought?
+    lines = @robot.event_lines
+    lost = lines.filter_map { |line| line[/ AUTHORITY_LOST .*: (\w+)\./, 1] }
+    lost.size >= LOSSES && lost.uniq.size >= 2 && lines.any? { |line| line.include?(' AUTHORITY_REFUSED ') }
+  end
+end
+
+# Returns whether all rules were kept; otherwise its recordings are.
+def fight(minutes, seed)
+  folder = Dir.mktmpdir('fight')
+  kept = File.expand_path("../../build/fight/#{seed}", __dir__)
+  FileUtils.rm_rf(kept)
+  robot = Boresight.start(arguments: ['--robot', Errand::ROBOT, '--accounts', Accounts.make(File.join(folder, 'accounts'))],
+                          recordings: kept)
+  verdict = Fight.judge(robot, minutes * 60, Random.new(seed))
+  puts "Seed #{seed}: #{verdict.counts}", verdict.broken
+  FileUtils.rm_rf(kept) if verdict.is_good
+  verdict.is_good
+ensure
+  robot&.kill_all
+  FileUtils.rm_rf(folder)
+end
+
+exit(fight(Float(ARGV.fetch(0)), Integer(ARGV.fetch(1, Random.new_seed % 1_000_000)))) if $PROGRAM_NAME == __FILE__

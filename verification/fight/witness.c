@@ -1,0 +1,282 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "fight/witness.h"
+
+#include "charts/arming_chart.h"
+#include "charts/authority_chart.h"
+#include "interface/authority_list.h"
+
+#include <stddef.h>
+
+static const char *const sentences[SENTENCE_COUNT] = {
+    [SENTENCE_ONE] = "one holds at a time, and it is who is shown",
+    [SENTENCE_REST] = "between two holders the axes rest",
+    [SENTENCE_WAY] = "who takes it has commanded it, or pressed the button for it",
+    [SENTENCE_OBEYED] = "nobody is obeyed who does not have it",
+    [SENTENCE_ARMED] = "an order is of who has it, and does not outlive that",
+    [SENTENCE_OFF] = "without who armed its order no axis is driven",
+    [SENTENCE_STOP] = "a stop is refused to nobody for want of authority",
+    [SENTENCE_ANSWERED] = "each command is answered, and each refusal has a name"};
+
+const char *witness_sentence(sentence_t sentence)
+{
+    return sentences[sentence];
+}
+
+static void hold(witness_t *self, sentence_t sentence, bool is_true, uint32_t cycle)
+{
+    if (is_true) {
+        return;
+    }
+    if (self->broken[sentence] == 0U) {
+        self->first_cycle[sentence] = cycle;
+    }
+    self->broken[sentence]++;
+}
+
+static bool is_same(party_t one, party_t other)
+{
+    return (one.peer != 0U) && (one.peer == other.peer) && (one.source == other.source);
+}
+
+static party_t sender(const command_t *command)
+{
+    const party_t party = {.source = command->source, .peer = command->peer};
+    return party;
+}
+
+/* Its first answer, of this cycle; NULL: none. */
+static const answer_t *find_answer(const controller_outputs_t *outputs, const command_t *command)
+{
+    for (uint32_t i = 0U; i < outputs->answer_count; i++) {
+        const answer_t *answer = &outputs->answers[i];
+        const bool is_first = (answer->kind == (uint32_t)ANSWER_ACCEPTED) ||
+                              (answer->kind == (uint32_t)ANSWER_REFUSED);
+        if (is_first && (answer->id == command->id) && (answer->source == command->source) &&
+            (answer->command == command->kind) && (answer->argument == command->argument)) {
+            return answer;
+        }
+    }
+    return NULL;
+}
+
+static bool is_accepted(const controller_outputs_t *outputs, const command_t *command)
+{
+    const answer_t *answer = find_answer(outputs, command);
+    return (answer != NULL) && (answer->kind == (uint32_t)ANSWER_ACCEPTED);
+}
+
+static bool is_stop(const command_t *command)
+{
+    return (command->kind == (uint32_t)COMMAND_WORKPHASE) &&
+           ((command->argument == (uint32_t)WORKPHASE_STOP) ||
+            (command->argument == (uint32_t)WORKPHASE_EMERGENCY));
+}
+
+/* What changes what the robot is to do, or keeps authority. */
+static bool needs_authority(const command_t *command)
+{
+    switch (command->kind) {
+    case (uint32_t)COMMAND_WORKPHASE:
+        return !is_stop(command);
+    case (uint32_t)COMMAND_REGISTRATION:
+    case (uint32_t)COMMAND_TARGET:
+    case (uint32_t)COMMAND_ENTRY:
+    case (uint32_t)COMMAND_ACCEPT_ENTRY:
+    case (uint32_t)COMMAND_JOG:
+    case (uint32_t)COMMAND_RETRACT:
+    case (uint32_t)COMMAND_RESTORE:
+    case (uint32_t)COMMAND_HOME_AXIS:
+    case (uint32_t)COMMAND_CLEAR_AXIS:
+    case (uint32_t)COMMAND_CONFIRM_AXIS:
+    case (uint32_t)COMMAND_SET_HOME:
+    case (uint32_t)COMMAND_TAKE:
+    case (uint32_t)COMMAND_RENEW:
+        return true;
+    default:
+        return false;
+    }
+}
+
+/* It is `party` who takes authority in this cycle. */
+static bool takes_now(const controller_outputs_t *outputs, party_t party)
+{
+    for (uint32_t i = 0U; i < outputs->event_count; i++) {
+        const event_t *event = &outputs->events[i];
+        const party_t taker = {.source = event->subject, .peer = (uint32_t)event->value};
+        if ((event->id == (uint32_t)EVENT_AUTHORITY_TAKEN) && is_same(taker, party)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static void look_at_command(witness_t *self, uint32_t cycle, const command_t *command,
+                            const controller_outputs_t *outputs)
+{
+    const answer_t *answer = find_answer(outputs, command);
+    const bool is_of_holder = is_same(self->holder, sender(command));
+    hold(self, SENTENCE_ANSWERED,
+         (answer != NULL) && ((answer->kind == (uint32_t)ANSWER_REFUSED) ==
+                              (answer->status != (uint32_t)STATUS_OK)),
+         cycle);
+    if (answer == NULL) {
+        return;
+    }
+    const bool is_refused = answer->status == (uint32_t)STATUS_NO_AUTHORITY;
+    if (is_stop(command)) {
+        hold(self, SENTENCE_STOP, !is_refused, cycle);
+        self->stops += is_of_holder ? 0U : 1U;
+    } else if (needs_authority(command)) {
+        hold(self, SENTENCE_OBEYED,
+             (answer->kind == (uint32_t)ANSWER_REFUSED) || is_of_holder ||
+                 takes_now(outputs, sender(command)),
+             cycle);
+    } else {
+        /* It needs none. */
+    }
+    self->refused += is_refused ? 1U : 0U;
+}
+
+/* The request that stands for the button, and whether that was pressed for it. */
+static void look_at_button(witness_t *self, const controller_inputs_t *inputs,
+                           const controller_outputs_t *outputs)
+{
+    const bool is_down = inputs->confirm_pressed != 0U;
+    const bool is_pedal_up = (inputs->pedal_a == 0U) && (inputs->pedal_b == 0U);
+    self->is_pressed = self->is_pressed || (self->was_released && is_down && is_pedal_up);
+    self->was_released = self->was_released || !is_down;
+    if (!self->is_pressed && ((self->time_us - self->asked_us) > LIMIT_AUTHORITY_ASK_US)) {
+        self->asker.peer = 0U;
+    }
+    for (uint32_t i = 0U; i < inputs->command_count; i++) {
+        const command_t *command = &inputs->commands[i];
+        if ((command->kind == (uint32_t)COMMAND_REQUEST) && is_accepted(outputs, command)) {
+            self->asker = sender(command);
+            self->asker.peer =
+                (command->argument == (uint32_t)AUTHORITY_REQUEST_TAKE) ? command->peer : 0U;
+            self->asked_us = self->time_us;
+            self->was_released = false;
+            self->is_pressed = false;
+        }
+    }
+}
+
+/* A command of this cycle that is a way to authority which nobody has. */
+static bool has_commanded(const controller_inputs_t *inputs, const controller_outputs_t *outputs,
+                          party_t party)
+{
+    for (uint32_t i = 0U; i < inputs->command_count; i++) {
+        const command_t *command = &inputs->commands[i];
+        if (is_same(party, sender(command)) && needs_authority(command) &&
+            is_accepted(outputs, command)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool has_pressed(const witness_t *self, party_t party)
+{
+    return self->is_pressed && is_same(self->asker, party);
+}
+
+static void note_taken(witness_t *self, uint32_t cycle, const event_t *event,
+                       const controller_inputs_t *inputs, const controller_outputs_t *outputs)
+{
+    const party_t taker = {.source = event->subject, .peer = (uint32_t)event->value};
+    const bool was_asked = has_pressed(self, taker);
+    hold(self, SENTENCE_ONE, (self->holder.peer == 0U) && (taker.peer != 0U), cycle);
+    hold(self, SENTENCE_REST, !self->is_ending, cycle);
+    hold(self, SENTENCE_WAY, was_asked || has_commanded(inputs, outputs, taker), cycle);
+    self->takes[taker.source % COMMAND_SOURCE_COUNT]++;
+    self->holder = taker;
+    self->asker.peer = was_asked ? 0U : self->asker.peer;
+}
+
+static void note_lost(witness_t *self, uint32_t cycle, const event_t *event)
+{
+    hold(self, SENTENCE_ONE, (self->holder.peer != 0U) && (event->subject == self->holder.peer),
+         cycle);
+    if (event->value == (int32_t)AUTHORITY_LOSS_TAKEN) {
+        hold(self, SENTENCE_WAY, self->is_pressed && (self->asker.peer != 0U), cycle);
+    }
+    self->losses[(uint32_t)event->value % LOSSES]++;
+    self->cut += self->was_driven ? 1U : 0U;
+    self->holder.peer = 0U;
+    self->lost_us = self->time_us;
+    self->is_ending = true;
+    self->is_over = true;
+}
+
+static void note_armed(witness_t *self, const event_t *event)
+{
+    self->owner.source = (event->cause == (uint32_t)EVENT_CAUSE_CONSOLE)
+                             ? (uint32_t)COMMAND_SOURCE_HTTP
+                             : (uint32_t)COMMAND_SOURCE_IGTL;
+    self->owner.peer = event->peer;
+    self->orders[self->owner.source]++;
+    self->is_over = false;
+}
+
+static void look_at_events(witness_t *self, uint32_t cycle, const controller_inputs_t *inputs,
+                           const controller_outputs_t *outputs)
+{
+    for (uint32_t i = 0U; i < outputs->event_count; i++) {
+        const event_t *event = &outputs->events[i];
+        switch (event->id) {
+        case (uint32_t)EVENT_AUTHORITY_TAKEN:
+            note_taken(self, cycle, event, inputs, outputs);
+            break;
+        case (uint32_t)EVENT_AUTHORITY_LOST:
+            note_lost(self, cycle, event);
+            break;
+        case (uint32_t)EVENT_ORDER_ARMED:
+            note_armed(self, event);
+            break;
+        default:
+            break;
+        }
+    }
+}
+
+static void look_at_holder(witness_t *self, uint32_t cycle, const snapshot_t *snapshot)
+{
+    const party_t shown = {.source = snapshot->holder, .peer = snapshot->holder_peer};
+    const bool is_held = snapshot->authority == (uint32_t)AUTHORITY_STATE_HELD;
+    hold(self, SENTENCE_ONE,
+         is_held ? is_same(shown, self->holder) : ((self->holder.peer == 0U) && (shown.peer == 0U)),
+         cycle);
+    hold(self, SENTENCE_ARMED,
+         (snapshot->order == (uint32_t)ARMING_STATE_NONE) || is_same(self->owner, self->holder),
+         cycle);
+}
+
+static void look_at_axes(witness_t *self, uint32_t cycle, const snapshot_t *snapshot)
+{
+    bool is_driven = false;
+    bool is_at_rest = true;
+    for (uint32_t i = 0U; i < snapshot->axis_count; i++) {
+        const snapshot_axis_t *axis = &snapshot->axes[i];
+        is_driven = is_driven || (axis->drive_mode != (uint32_t)CARD_DRIVE_OFF);
+        is_at_rest = is_at_rest && (axis->speed_ticks_per_s_q8 == 0);
+    }
+    hold(self, SENTENCE_OFF, !is_driven || !self->is_over, cycle);
+    self->driven += is_driven ? 1U : 0U;
+    self->was_driven = is_driven;
+    self->is_ending = self->is_ending && !is_at_rest &&
+                      ((self->time_us - self->lost_us) < LIMIT_AUTHORITY_END_US);
+}
+
+void witness_look(witness_t *self, uint32_t cycle, const controller_inputs_t *inputs,
+                  const controller_outputs_t *outputs)
+{
+    self->cycles++;
+    self->time_us += inputs->elapsed_us;
+    for (uint32_t i = 0U; i < inputs->command_count; i++) {
+        look_at_command(self, cycle, &inputs->commands[i], outputs);
+    }
+    look_at_button(self, inputs, outputs);
+    look_at_events(self, cycle, inputs, outputs);
+    look_at_holder(self, cycle, &outputs->snapshot);
+    look_at_axes(self, cycle, &outputs->snapshot);
+}
