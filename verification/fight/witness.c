@@ -265,6 +265,8 @@ static void look_at_axes(witness_t *self, uint32_t cycle, const snapshot_t *snap
     self->was_driven = is_driven;
     self->is_ending = self->is_ending && !is_at_rest &&
                       ((self->time_us - self->lost_us) < LIMIT_AUTHORITY_END_US);
+    hold(self, SENTENCE_REST,
+         !self->is_ending || (snapshot->authority == (uint32_t)AUTHORITY_STATE_ENDING), cycle);
 }
 
 void witness_look(witness_t *self, uint32_t cycle, const controller_inputs_t *inputs,
