@@ -247,7 +247,8 @@ static session_verdict_t judge(session_t *session, const char *csrf, session_use
     if (session->account.role < role) {
         return SESSION_ROLE;
     }
-    session->used_ms = ((use == SESSION_ACTS) && (now_ms > session->used_ms)) ? now_ms : session->used_ms;
+    session->used_ms =
+        ((use == SESSION_ACTS) && (now_ms > session->used_ms)) ? now_ms : session->used_ms;
     return SESSION_PASS;
 }
 
