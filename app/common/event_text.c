@@ -109,25 +109,30 @@ static void fill_in(const robot_t *robot, const event_t *event, const char *patt
     }
 }
 
-void event_text_cause(const robot_t *robot, const event_t *event, char *text, size_t size)
+void event_text_cause(const robot_t *robot, const event_t *event, const char *page, char *text,
+                      size_t size)
 {
+    const bool is_console = event->cause == (uint32_t)EVENT_CAUSE_CONSOLE;
     if (event->cause == (uint32_t)EVENT_CAUSE_NONE) {
         text[0] = '\0';
     } else if ((event->cause == (uint32_t)EVENT_CAUSE_IGTL) && (event->peer == 0U)) {
         (void)snprintf(text, size, "By the loss of an OpenIGTLink peer.");
-    } else if ((event->cause == (uint32_t)EVENT_CAUSE_CONSOLE) && (event->peer == 0U)) {
+    } else if (is_console && (event->peer == 0U)) {
         (void)snprintf(text, size, "By the console.");
+    } else if (is_console && (page != NULL)) {
+        (void)snprintf(text, size, "By the console, %s.", page);
     } else {
         fill_in(robot, event, event_cause_text((int32_t)event->cause), text, size);
     }
 }
 
-void event_text_sentence(const robot_t *robot, const event_t *event, char *text, size_t size)
+void event_text_sentence(const robot_t *robot, const event_t *event, const char *page, char *text,
+                         size_t size)
 {
     char cause[EVENT_TEXT_CAUSE_SIZE];
 
     fill_in(robot, event, event_id_text((int32_t)event->id), text, size);
-    event_text_cause(robot, event, cause, sizeof cause);
+    event_text_cause(robot, event, page, cause, sizeof cause);
     if (cause[0] != '\0') {
         const size_t used = strlen(text);
         (void)snprintf(&text[used], size - used, " %s", cause);

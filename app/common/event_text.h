@@ -9,19 +9,23 @@
 #include <stddef.h>
 
 #define EVENT_TEXT_SIZE 208U      /**< Enough for every event, and every note. */
-#define EVENT_TEXT_CAUSE_SIZE 48U /**< Enough for every cause. */
+#define EVENT_TEXT_CAUSE_SIZE 80U /**< Enough for every cause. */
 
 /** What the event is about: "head", "3 (insertion)", "PLANNING"; "" for nothing in particular. */
 void event_text_subject(const robot_t *robot, const event_t *event, char *text, size_t size);
 
-/** What made it happen: "By OpenIGTLink peer 3."; "" when the event says it itself. */
-void event_text_cause(const robot_t *robot, const event_t *event, char *text, size_t size);
+/** What made it happen: "By OpenIGTLink peer 3."; "" when the event says it itself. `page`: what
+ * people call the page of the console that it was; NULL: by its number. */
+void event_text_cause(const robot_t *robot, const event_t *event, const char *page, char *text,
+                      size_t size);
 
 /**
- * The event's sentence with its subject and value filled in, and what made it happen.
+ * The event's sentence with its subject and value filled in, and what made it happen; `page` as
+ * above.
  *
  * @satisfies SWR-EVENT-007
  */
-void event_text_sentence(const robot_t *robot, const event_t *event, char *text, size_t size);
+void event_text_sentence(const robot_t *robot, const event_t *event, const char *page, char *text,
+                         size_t size);
 
 #endif

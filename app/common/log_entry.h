@@ -17,7 +17,12 @@ typedef struct {
     char text[EVENT_TEXT_SIZE]; /**< Its sentence. */
 } log_entry_t;
 
-/** Makes one, in the words of the note that it tells of or else with the names of the robot. */
+/**
+ * Makes one, in the words of the note that it tells of or else with the names of the robot and of
+ * the page's account.
+ *
+ * @satisfies SWR-SESS-026
+ */
 void log_entry_make(log_entry_t *self, const exchange_t *exchange, const exchange_event_t *event);
 
 /**

@@ -53,7 +53,7 @@ void table_print_events(const robot_t *robot, const cycle_record_t *record)
     }
     for (uint32_t i = 0U; (i < outputs->event_count) && (i < CONTROLLER_EVENTS); i++) {
         const event_t *event = &outputs->events[i];
-        event_text_sentence(robot, event, sentence, sizeof sentence);
+        event_text_sentence(robot, event, NULL, sentence, sizeof sentence);
         (void)printf("%.3f %u %s %s %s\n", (double)record->cycle / CYCLES_PER_S,
                      (unsigned)event->number, event_severity_name((int32_t)event->severity),
                      event_id_name((int32_t)event->id), sentence);

@@ -35,7 +35,7 @@ void tearDown(void)
 
 static void expect(event_t event, const char *sentence)
 {
-    event_text_sentence(&robot_neuro, &event, text, sizeof text);
+    event_text_sentence(&robot_neuro, &event, NULL, text, sizeof text);
     TEST_ASSERT_EQUAL_STRING(sentence, text);
 }
 
@@ -107,7 +107,7 @@ void test_SWR_EVENT_007_every_event_fits_with_every_cause(void)
                                    .value = INT32_MIN,
                                    .cause = cause,
                                    .peer = UINT32_MAX};
-            event_text_sentence(&robot_neuro, &event, text, sizeof text);
+            event_text_sentence(&robot_neuro, &event, NULL, text, sizeof text);
             const bool is_known = event_id_text((int32_t)id)[0] != '\0';
             TEST_ASSERT_TRUE(!is_known || (text[strlen(text) - 1U] == '.'));
             TEST_ASSERT_LESS_THAN_size_t(EVENT_TEXT_SIZE - 1U, strlen(text));

@@ -10,6 +10,7 @@
 #include "common/utc_text.h"
 #include "exchange/exchange.h"
 #include "exchange/exchange_notes.h"
+#include "exchange/exchange_peers.h"
 #include "exchange/exchange_segment.h"
 #include "interface/app/event_words.h"
 #include "interface/app/names.h"
@@ -162,4 +163,19 @@ void test_SWR_EVENT_010_an_event_of_a_note_stands_there_in_its_words(void)
 
     assert_comes_back(&event);
     TEST_ASSERT_EQUAL_STRING("Note of anna: needle in", again.text);
+}
+
+void test_SWR_SESS_026_what_a_page_has_done_is_told_with_the_name_of_its_account(void)
+{
+    const event_t event = {
+        .id = EVENT_ORDER_DISCARDED, .cause = EVENT_CAUSE_CONSOLE, .peer = 51234U};
+    const exchange_peers_t peers = {.count = 1U, .peers = {{.number = 51234U, .name = "anna"}}};
+
+    make(&event);
+    TEST_ASSERT_EQUAL_STRING("The armed motion was discarded. By the console, page 51234.",
+                             entry.text);
+    exchange_publish_peers(exchange, COMMAND_SOURCE_HTTP, &peers);
+    make(&event);
+    TEST_ASSERT_EQUAL_STRING("The armed motion was discarded. By the console, page of anna.",
+                             entry.text);
 }

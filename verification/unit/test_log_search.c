@@ -17,6 +17,7 @@
 #include "exchange/exchange.h"
 #include "exchange/exchange_files.h"
 #include "exchange/exchange_notes.h"
+#include "exchange/exchange_peers.h"
 #include "exchange/exchange_segment.h"
 #include "interface/app/event_words.h"
 #include "interface/app/names.h"
