@@ -16,6 +16,7 @@
 
 #define LONGEST 4096U
 #define GUARD 0x5AU
+#define COOKIE_SIZE 8U
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size);
 
@@ -65,6 +66,9 @@ static void try_texts(const char *bytes, size_t size)
     (void)request_headers_take_gzip(text);
     (void)request_headers_know(text, "\"tag\"");
     (void)request_headers_are_json(text);
+    char id[COOKIE_SIZE];
+    hold(!request_headers_cookie(text, "id", id, sizeof id) ||
+         (memchr(id, '\0', sizeof id) != NULL));
     (void)request_headers_number(text, &number);
 }
 
