@@ -116,12 +116,12 @@ bool accounts_parse(accounts_t *self, const char *file, const char *text, size_t
 
     self->count = 0U;
     while (place < length) {
-        char line[LINE_SIZE];
         const char *end = memchr(&text[place], '\n', length - place);
         const size_t size = (end != NULL) ? (size_t)(end - &text[place]) : (length - place);
         const char *fault = "the line is too long, or holds a NUL.";
         number++;
         if ((size < LINE_SIZE) && (memchr(&text[place], '\0', size) == NULL)) {
+            char line[LINE_SIZE];
             (void)memcpy(line, &text[place], size);
             line[size] = '\0';
             fault = ((size == 0U) || (line[0] == '#')) ? NULL : take_line(self, line);

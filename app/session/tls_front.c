@@ -131,12 +131,12 @@ bool tls_front_parse(tls_front_t *self, const char *file, const char *text, size
 
     (void)memset(self, 0, sizeof *self);
     while (place < length) {
-        char line[LINE_SIZE];
         const char *end = memchr(&text[place], '\n', length - place);
         const size_t size = (end != NULL) ? (size_t)(end - &text[place]) : (length - place);
         const char *fault = "the line is too long, or holds a NUL.";
         number++;
         if ((size < LINE_SIZE) && (memchr(&text[place], '\0', size) == NULL)) {
+            char line[LINE_SIZE];
             (void)memcpy(line, &text[place], size);
             line[size] = '\0';
             char *words = trim(line);
