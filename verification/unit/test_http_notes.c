@@ -3,8 +3,10 @@
  * refused on the way. */
 #include "unity.h"
 
+#include "common/clock.h"
 #include "exchange/exchange.h"
 #include "exchange/exchange_notes.h"
+#include "exchange/exchange_peers.h"
 #include "exchange/exchange_segment.h"
 #include "http/act_desk.h"
 #include "http/http_notes.h"
