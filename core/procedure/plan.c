@@ -75,7 +75,10 @@ static bool find_desired(plan_t *self, const robot_t *robot)
 static void weigh_proposals(plan_t *self, const robot_t *robot)
 {
     const bool are_both = (self->has_proposed_entry != 0U) && (self->has_proposed_target != 0U);
-    self->is_proposal_reachable = (are_both && find_desired(self, robot)) ? 1U : 0U;
+    self->is_proposal_reachable = 0U;
+    if (are_both && find_desired(self, robot)) {
+        self->is_proposal_reachable = 1U;
+    }
     plan_seal(self);
 }
 
@@ -152,11 +155,12 @@ static solution_t find_scanner_target(plan_t *self, const robot_t *robot,
                                       const int32_t ticks[ROBOT_AXIS_MAX],
                                       const rigid_t *scanner_treatment)
 {
-    rigid_t exact = *scanner_treatment;
+    rigid_t exact;
     rigid_t zframe_scanner;
     rigid_t zframe_treatment;
     point_t place;
     const point_t *entry = NULL;
+    exact = *scanner_treatment;
     rigid_orthonormalise(&exact);
     rigid_invert(&self->scanner_zframe, &zframe_scanner);
     rigid_multiply(&zframe_scanner, &exact, &zframe_treatment);
@@ -177,8 +181,11 @@ solution_t plan_set_target(plan_t *self, const robot_t *robot, const int32_t tic
     if (result.status == STATUS_OK) {
         result = find_scanner_target(self, robot, ticks, scanner_treatment);
     }
-    self->has_target = (result.status == STATUS_OK) ? 1U : 0U;
+    self->has_target = 0U;
     self->has_seen_needle = 0U;
+    if (result.status == STATUS_OK) {
+        self->has_target = 1U;
+    }
     plan_seal(self);
     return result;
 }
