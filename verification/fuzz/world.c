@@ -273,6 +273,8 @@ void world_wait(world_t *self, uint32_t cycles)
     for (uint32_t i = 0U; i < cycles; i++) {
         take_commands(self);
         rig_cycle(&self->rig);
+        SENTENCE(reign_look(&self->reign, &self->rig) == 0U,
+                 "one commands, loses it rightly, and nothing moves after that");
         self->moment.snapshot = &self->rig.outputs.snapshot;
         self->silent_us = 0U;
         for (uint32_t k = 0U; k < self->rig.outputs.answer_count; k++) {

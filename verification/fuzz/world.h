@@ -12,6 +12,7 @@
 #include "dialect/transform_dialect.h"
 #include "dialect/workphase_dialect.h"
 #include "integration/support/rig.h"
+#include "supervise/reign.h"
 #include "message/igtl_inbox.h"
 #include "message/igtl_outbox.h"
 
@@ -39,6 +40,7 @@ typedef struct {
 
 typedef struct {
     rig_t rig;
+    reign_t reign; /**< Who commands, as seen from outside. */
     workphase_dialect_t workphase;
     transform_dialect_t transform;
     world_peer_t peers[WORLD_PEERS];
