@@ -71,7 +71,8 @@ void test_SWR_AUTH_006_it_ends_at_rest_or_in_the_end(void)
 void test_SWR_AUTH_006_who_was_granted_it_waits_for_that_too(void)
 {
     (void)authority_take(&authority, &page, now);
-    TEST_ASSERT_TRUE(authority_ask(&authority, AUTHORITY_REQUEST_TAKE, &other_page, now.time_us));
+    TEST_ASSERT_TRUE(
+        authority_ask(&authority, AUTHORITY_REQUEST_TAKE, 0U, &other_page, now.time_us));
     authority.request = (uint32_t)AUTHORITY_REQUEST_GRANTED;
     (void)authority_lose(&authority, now.time_us);
     TEST_ASSERT_FALSE(step(false, 1U));
@@ -99,22 +100,24 @@ void test_SWR_AUTH_007_a_page_renews_and_a_connection_need_not(void)
 
 void test_SWR_AUTH_012_one_asks_at_a_time(void)
 {
-    TEST_ASSERT_TRUE(authority_ask(&authority, AUTHORITY_REQUEST_TAKE, &page, now.time_us));
-    TEST_ASSERT_FALSE(authority_ask(&authority, AUTHORITY_REQUEST_TAKE, &connection, now.time_us));
-    TEST_ASSERT_TRUE(authority_ask(&authority, AUTHORITY_REQUEST_CONFIRM, &page, now.time_us));
+    TEST_ASSERT_TRUE(authority_ask(&authority, AUTHORITY_REQUEST_TAKE, 0U, &page, now.time_us));
+    TEST_ASSERT_FALSE(
+        authority_ask(&authority, AUTHORITY_REQUEST_TAKE, 0U, &connection, now.time_us));
+    TEST_ASSERT_TRUE(authority_ask(&authority, AUTHORITY_REQUEST_CONFIRM, 0U, &page, now.time_us));
     TEST_ASSERT_EQUAL_UINT32(
         1U, authority_request_left_us(&authority, now.time_us + LIMIT_AUTHORITY_ASK_US - 1U));
     TEST_ASSERT_EQUAL_UINT32(
         0U, authority_request_left_us(&authority, now.time_us + LIMIT_AUTHORITY_ASK_US));
     authority_forget_request(&authority);
-    TEST_ASSERT_TRUE(authority_ask(&authority, AUTHORITY_REQUEST_TAKE, &connection, now.time_us));
+    TEST_ASSERT_TRUE(
+        authority_ask(&authority, AUTHORITY_REQUEST_TAKE, 0U, &connection, now.time_us));
 }
 
 void test_SWR_CORE_004_of_a_damaged_one_nobody_has_it_and_nobody_asks(void)
 {
     TEST_ASSERT_FALSE(authority_check(&authority));
     (void)authority_take(&authority, &page, now);
-    (void)authority_ask(&authority, AUTHORITY_REQUEST_TAKE, &other_page, now.time_us);
+    (void)authority_ask(&authority, AUTHORITY_REQUEST_TAKE, 0U, &other_page, now.time_us);
     authority.chart.state_inverse ^= 1U;
     TEST_ASSERT_TRUE(authority_check(&authority));
     TEST_ASSERT_TRUE(authority_is_free(&authority));
