@@ -5,6 +5,7 @@
 # is ended, and told whether it is kept alive, by who has authority.
 
 require_relative 'support/http_client'
+require_relative 'support/igtl_client'
 require_relative 'support/openapi'
 require_relative 'support/session_client'
 
@@ -56,6 +57,29 @@ class TestCommunication < Minitest::Test
     assert_equal told['name'], stream.next_of('state').dig('status', 'authority', 'name')
   ensure
     stream&.close
+  end
+
+  def test_SWR_AUTH_017_a_page_is_told_by_its_account
+    page = operator
+    assert_equal '200', page.take.code
+    wait_until('it is told') { authority['name'] == 'page of anna' }
+    assert_equal ['HTTP', page.page], authority.values_at('source', 'peer')
+    told = communication['pages'].find { |one| one['number'] == page.page }
+    assert_equal ['anna', true], told.values_at('account', 'has_authority')
+  end
+
+  # A navigation program that is refused shows its operator the text.
+  def test_SWR_IGTL_055_a_connection_is_refused_with_the_name_of_the_page_that_commands
+    page = operator
+    assert_equal '200', page.take.code
+    wait_until('it is told') { authority['name'] == 'page of anna' }
+    socket = TCPSocket.open('127.0.0.1', boresight.brp_port)
+    socket.write(RawIgtl.string('CMD_1', 'PLANNING'))
+    heard = +''
+    heard << socket.readpartial(4096) until heard.match?(/NO_AUTHORITY: page of anna has commanded the robot for \d+ s\./)
+    self.assertions += 1
+  ensure
+    socket&.close
   end
 
   def test_SWR_AUTH_018_the_line_of_status_tells_who_commands_by_name
