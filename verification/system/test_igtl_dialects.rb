@@ -104,10 +104,12 @@ class TestIgtlDialects < SystemTest
   def test_SWR_IGTL_033_what_happens_while_nothing_moves_is_said_to_who_commands
     converse(boresight.brp_port) do |client|
       IgtlClient.open(boresight.brp_port) do |watcher|
-        client.phase('MANUAL')
-        client.run('expect STATUS MANUAL 13')
+        client.phase('STOP')
+        client.run('expect STATUS STOP 1')
+        client.phase('MANUAL') # By this it commands: it is accepted.
+        client.run('expect STATUS MANUAL 1')
         boresight.simctl('card', '3', 'silent')
-        failure = client.status('UNDEFINED')
+        failure = client.status('MANUAL')
         assert_equal 18, failure['code']
         boresight.simctl('estop', 'pull')
         pulled = client.status('EMERGENCY')
