@@ -204,6 +204,85 @@ class TestInterfaceRoutes < Minitest::Test
     end
   end
 
+  ACT = <<~YAML.gsub(/^(?=.)/, '  ')
+    - name: act
+      says: What became of it.
+      members:
+        - {name: id, type: uint32}
+        - {name: code, type: problem_code}
+  YAML
+
+  WHY = <<~YAML.gsub(/^(?=.)/, '  ')
+    - {name: PAGE, http: 423, when: page, says: "Another page."}
+    - {name: AGAIN, http: 409, when: act, says: "Again."}
+    - {name: GONE, http: 404, when: path, says: "It is gone."}
+  YAML
+
+  BODY = <<~YAML.gsub(/^(?=.)/, '  ')
+    - name: stroke
+      says: A stroke.
+      members:
+        - {name: id, type: uint32}
+        - {name: colour, type: colour, only: [BLUE]}
+  YAML
+
+  STROKE = <<~YAML.gsub(/^(?=.)/, '  ')
+    - name: stroke
+      path: /walls/{axis}/stroke-now
+      method: POST
+      who: PAINTER
+      authority: true
+      body: stroke
+      body_most: 99
+      answer: act
+      says: Strokes.
+  YAML
+
+  def with_acts(change = {})
+    text = ROUTES.sub("requests:\n") { "#{WHY}requests:\n" }.sub("routes:\n") { "#{BODY}routes:\n" } + STROKE
+    change.each { |old, new| text = text.sub(old, new) }
+    { 'routes.yml' => text, 'messages.yml' => MESSAGES + ACT }
+  end
+
+  def document_of_acts(change = {})
+    with_output(with_acts(change)) { |folder| JSON.parse(File.read(File.join(folder, 'app/openapi.json'))) }
+  end
+
+  def test_SWR_TOOL_019_an_act_is_described_with_all_that_can_become_of_it
+    document = document_of_acts
+    assert_valid document
+    stroke = document.dig('paths', '/walls/{axis}/stroke-now', 'post')
+    assert_equal %w[200 202 400 401 403 404 409 413 423], stroke['responses'].keys
+    assert_equal %w[path axis header X-Boresight-Token header X-Boresight-Page],
+                 stroke['parameters'].flat_map { |one| one.values_at('in', 'name') }
+    assert_equal ['BLUE'], document.dig('components', 'schemas', 'StrokeRequest', 'properties', 'colour', 'enum')
+  end
+
+  def test_SWR_TOOL_019_the_console_and_the_server_know_what_a_path_holds
+    with_output(with_acts) do |folder|
+      types = File.read(File.join(folder, 'app/api.ts'))
+      assert_includes types, '| `/walls/${string}/stroke-now`'
+      assert_includes types, %(  colour: "BLUE";\n)
+      assert_match(/"BLUE", 7U\}\};/, File.read(File.join(folder, 'app/requests.c')))
+      assert_match(/ROUTE_STROKE, "POST", [^,]*, ROUTE_OF_AXIS, "POST",\s+false, ROLE_PAINTER, true, true, false, 99U/,
+                   File.read(File.join(folder, 'app/routes.c')))
+    end
+  end
+
+  { 'a_value_that_is_none' => ['{axis}', '{wall}', 'has wall; expected at most one of axis, number, name'],
+    'two_values' => ['/walls/', '/walls/{name}/', 'has name, axis; expected at most one'],
+    'a_word_that_the_type_has_not' => ['[BLUE]', '[GREEN]', 'holds GREEN, which its type has not'],
+    'an_act_without_an_id' => ['{name: id, type: uint32}', '{name: it, type: uint32}', 'its body has no id'],
+    'authority_for_anyone' => ["POST\n    who: PAINTER", "POST\n    who: anyone", 'is of a page, but is a GET or for anyone'] }
+    .each do |what, (old, new, reason)|
+    define_method("test_SWR_TOOL_021_refuses_#{what}") do
+      changed = with_acts(old => new)
+      changed['messages.yml'] = MESSAGES + ACT
+      message = in_folder(changed) { |folder, output| run_tool(folder, output) }
+      assert_includes message, reason
+    end
+  end
+
   # [what is written instead of what, the line, what the refusal says]
   REFUSALS = {
     'a status that is none' => ['status: DRY', 'status: WET', 3, 'is WET, which is no status'],

@@ -40,7 +40,7 @@ $(FUZZ)/bin/ports: $(call fuzz_object,verification/fuzz/ports_fuzz.c $(wildcard 
 	@$(FUZZ_CC) -fsanitize=fuzzer,address,undefined $^ -o $@
 	@echo "built $@"
 
-$(FUZZ)/bin/request: $(call fuzz_object,verification/fuzz/request_fuzz.c $(wildcard app/request/*.c))
+$(FUZZ)/bin/request: $(call fuzz_object,verification/fuzz/request_fuzz.c $(wildcard app/request/*.c) app/http/telemetry_units.c $(API))
 	@mkdir -p $(@D)
 	@$(FUZZ_CC) -fsanitize=fuzzer,address,undefined $^ -lm -o $@
 	@echo "built $@"

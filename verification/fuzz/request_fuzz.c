@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * Any bytes as the body and as the query of a request. A sentence that does not hold ends the
+ * Any bytes as the body and as the query of a request, by tables of every kind and by those of each
+ * route. A sentence that does not hold ends the
  * program: what is refused has a place, what is taken is within its bounds, and nothing else is
  * written.
  */
+#include "http/telemetry_units.h"
+#include "interface/app/routes.h"
 #include "request/request_body.h"
 #include "request/request_headers.h"
 #include "request/request_query.h"
@@ -54,6 +57,33 @@ static void try_body(const char *bytes, size_t size)
     }
 }
 
+static void look_at_pose(const double matrix[16])
+{
+    rigid_t pose;
+    const uint32_t wrong = telemetry_units_pose(matrix, &pose);
+    hold(wrong <= 16U);
+    for (uint32_t i = 0U; (i < 9U) && (wrong == 16U); i++) {
+        hold(abs(pose.rotation_q30[i / 3U][i % 3U]) < (INT32_C(1) << 30) + (INT32_C(1) << 21));
+    }
+    hold((wrong < 16U) || (abs(pose.translation.x_nm) <= 2000000000));
+}
+
+/* What each route takes. */
+static void try_routes(const char *bytes, size_t size)
+{
+    for (size_t i = 0U; i < ROUTE_COUNT; i++) {
+        static request_body_t body;
+        if (routes[i].body != NULL) {
+            const request_result_t result = request_read_body(routes[i].body, bytes, size, &body);
+            hold(memchr(result.place, '\0', sizeof result.place) != NULL);
+            if ((result.fault == REQUEST_OK) && (routes[i].id == ROUTE_REGISTRATION)) {
+                hold((body.registration.id > 0U) && (body.registration.matrix_count == 16U));
+                look_at_pose(body.registration.matrix);
+            }
+        }
+    }
+}
+
 static void try_texts(const char *bytes, size_t size)
 {
     char text[LONGEST + 1U];
@@ -76,6 +106,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
 {
     if (size <= LONGEST) {
         try_body((const char *)bytes, size);
+        try_routes((const char *)bytes, size);
         try_texts((const char *)bytes, size);
     }
     return 0;

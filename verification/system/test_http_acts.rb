@@ -201,12 +201,14 @@ class TestHttpActs < Minitest::Test
     'TOKEN_REFUSED' => ->(head, _) { head['X-Boresight-Token'] = '0' * 64 },
     'ROLE_REFUSED' => ->(head, _) { head.merge!(head.delete(:observer)) },
     'NO_AUTHORITY' => ->(head, _) { head['X-Boresight-Page'] = '4711' },
+    'NOT_THERE' => ->(head, _) { head[:axis] = 'nose' },
     'BAD_BODY' => ->(_, body) { body.replace('{"id":1}') }
   }.freeze
 
   # With a cookie that is wrong no token is right, and no role is known.
   def test_SWR_HTTP_026_of_two_reasons_the_first_is_told
     anna = holder
+    anna.act('workphase', { workphase: 'MANUAL' })
     olga = client('olga')
     FAULTS.keys.combination(2).each { |first, second| assert_equal first, code_of(anna, olga, first, second) }
     FAULTS.each_key { |one| assert_equal one, code_of(anna, olga, one) }
@@ -216,13 +218,15 @@ class TestHttpActs < Minitest::Test
   def code_of(anna, olga, *faults)
     head = { 'Host' => host, 'Origin' => "http://#{host}", 'Cookie' => anna.cookie, 'X-Boresight-Token' => anna.token,
              'X-Boresight-Page' => anna.page.to_s, 'Content-Type' => 'application/json', 'Connection' => 'close' }
+    head[:axis] = 'yaw'
     head[:observer] = { 'Cookie' => olga.cookie, 'X-Boresight-Token' => olga.token }
     anna.id += 1
-    body = +"{\"id\":#{anna.id},\"workphase\":\"PLANNING\"}"
+    body = +"{\"id\":#{anna.id},\"position\":-3}"
     faults.reverse.each { |fault| FAULTS.fetch(fault).call(head, body) }
     head.delete(:observer)
+    axis = head.delete(:axis)
     lines = head.map { |name, value| "#{name}: #{value}\r\n" }.join
-    _, answer = send_raw("POST /api/v1/workphase HTTP/1.1\r\n#{lines}Content-Length: #{body.bytesize}\r\n\r\n#{body}").split("\r\n\r\n", 2)
+    _, answer = send_raw("POST /api/v1/motors/#{axis}/jog HTTP/1.1\r\n#{lines}Content-Length: #{body.bytesize}\r\n\r\n#{body}").split("\r\n\r\n", 2)
     told = JSON.parse(answer)
     told['code'] unless told['code'] == 'OK'
   end
@@ -232,6 +236,97 @@ class TestHttpActs < Minitest::Test
     ['', '0', '01', 'x', '4294967296', '-1', nil].each do |page|
       anna.page = page
       assert_answer '400', 'PAGE_MISSING', anna.act('workphase', { workphase: 'PLANNING' })
+    end
+  end
+
+  IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1].freeze
+
+  def in_targeting(anna)
+    anna.act('workphase', { workphase: 'PLANNING' })
+    anna.act('workphase', { workphase: 'CALIBRATION' })
+    assert_answer '200', 'done', anna.act('targeting/registration', { matrix: IDENTITY })
+    anna.act('workphase', { workphase: 'TARGETING' })
+  end
+
+  def preview(page, fields)
+    page.request('post', '/api/v1/targeting/preview', JSON.generate(fields))
+  end
+
+  def test_SWR_HTTP_031_a_number_that_no_pose_has_is_refused_where_it_stands
+    anna = holder
+    anna.act('workphase', { workphase: 'PLANNING' })
+    anna.act('workphase', { workphase: 'CALIBRATION' })
+    { 0 => 1.1, 3 => 2000.1, 12 => 0.1, 15 => 0, 6 => -1.5 }.each do |place, number|
+      matrix = IDENTITY.dup.tap { |one| one[place] = number }
+      told = assert_answer '422', 'OUT_OF_RANGE', anna.act('targeting/registration', { matrix: })
+      assert_equal "/matrix/#{place}", told['pointer']
+    end
+    assert_answer '409', 'NOT_RIGID', anna.act('targeting/registration', { matrix: IDENTITY.dup.tap { |one| one[0] = 0.9 } })
+    told = assert_answer '400', 'BAD_BODY', anna.act('targeting/registration', { matrix: IDENTITY.first(15) })
+    assert_equal '/matrix', told['pointer']
+  end
+
+  def test_SWR_HTTP_031_what_is_taken_is_shown_to_the_nanometre
+    anna = holder
+    in_targeting(anna)
+    point = [1.234567, -200.000001, 50.5]
+    assert_answer '200', 'done', anna.act('targeting/entry', { point_mm: point })
+    assert_equal point, fetch_json('/api/v1/targeting').fetch('entry_mm')
+    assert_answer '200', 'done', anna.act('targeting/withdraw', { what: 'entry' })
+    assert_nil fetch_json('/api/v1/targeting').fetch('entry_mm')
+    assert_answer '409', 'NOT_PROPOSED', anna.act('targeting/withdraw', { what: 'proposed_entry' })
+  end
+
+  def test_SWR_HTTP_031_a_point_is_a_target_with_an_entry_point
+    anna = holder
+    in_targeting(anna)
+    assert_answer '409', 'NO_ENTRY', anna.act('targeting/target', { point_mm: [0, 200, 50] })
+    assert_answer '400', 'BAD_BODY', anna.act('targeting/target')
+    assert_answer '400', 'BAD_BODY', anna.act('targeting/target', { point_mm: [0, 200, 50], matrix: IDENTITY })
+    anna.act('targeting/entry', { point_mm: [0, 246, 50] })
+    assert_answer '200', 'done', anna.act('targeting/target', { point_mm: [0, 200, 50] })
+    reached = fetch_json('/api/v1/targeting').fetch('target').values_at(3, 7, 11)
+    reached.zip([0, 200, 50]).each { |is, asked| assert_in_delta asked, is, 0.1 }
+    assert_described '/api/v1/targeting/target', 'POST', anna.last
+  end
+
+  def test_SWR_HTTP_032_it_is_shown_from_whom_a_registration_is
+    anna = holder
+    in_targeting(anna)
+    wait_until('it is known') { fetch_json('/api/v1/targeting')['registration_by'] }
+    by = fetch_json('/api/v1/targeting').fetch('registration_by')
+    assert_equal ['HTTP', anna.page, 'page of anna'], by.values_at('source', 'peer', 'name')
+    wait_until('it grows older') { fetch_json('/api/v1/targeting').dig('registration_by', 'age_s') > by['age_s'] }
+    assert_described '/api/v1/targeting', 'GET', get('/api/v1/targeting')
+    assert_nil fetch_json('/api/v1/targeting')['target_by']
+  end
+
+  def test_SWR_HTTP_033_a_preview_needs_no_authority_and_changes_nothing
+    anna = holder
+    in_targeting(anna)
+    anna.act('targeting/entry', { point_mm: [0, 246, 50] })
+    olga = client('olga')
+    before = fetch_json('/api/v1/targeting').slice('registration', 'entry_mm', 'target')
+    told = JSON.parse(preview(olga, { point_mm: [0, 200, 50] }).body)
+    assert_equal [true, 'OK', nil], told.values_at('is_reachable', 'code', 'limit')
+    far = preview(olga, { matrix: [-1, 0, 0, 0, 0, 0, -1, 200, 0, -1, 0, 900, 0, 0, 0, 1] })
+    assert_equal false, JSON.parse(far.body)['is_reachable'], far.body
+    assert_described '/api/v1/targeting/preview', 'POST', far
+    assert_equal before, fetch_json('/api/v1/targeting').slice('registration', 'entry_mm', 'target')
+    assert_nil before.fetch('target')
+  end
+
+  def test_SWR_HTTP_030_emergency_is_everyones_at_both_ports
+    holder
+    [port, stop_port].each do |at|
+      response = post('/api/v1/stop', '{"emergency":true}', {}, at:)
+      assert_equal ['200', 'EMERGENCY'], [response.code, JSON.parse(response.body)['workphase']]
+      assert_described '/api/v1/stop', 'POST', response
+      assert_equal 'STOP', JSON.parse(post('/api/v1/stop', '{"emergency":false}', {}, at:).body)['workphase']
+      refused = post('/api/v1/stop', '{"emergency":true}', { 'Origin' => 'http://evil.example' }, at:)
+      assert_equal %w[403 ORIGIN_REFUSED], [refused.code, JSON.parse(refused.body)['code']]
+      assert_equal 'STOP', workphase
+      assert_equal '400', post('/api/v1/stop', '{"emergency":1}', {}, at:).code
     end
   end
 end
