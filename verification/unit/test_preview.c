@@ -62,6 +62,21 @@ void test_SWR_HTTP_033_a_preview_is_what_control_would_accept(void)
     TEST_ASSERT_EQUAL_MEMORY(&plan.scanner_target, &preview.reached, sizeof preview.reached);
 }
 
+void test_SWR_HTTP_033_the_entry_point_decides_in_a_preview_too(void)
+{
+    const rigid_t pose = needle_at(0, 200000000, 50000000);
+    rigid_t entry = pose;
+    entry.translation.y_nm += 46000000;
+    const preview_t without = preview_of(&pose);
+    snapshot.has_entry = 1U;
+    snapshot.entry = entry.translation;
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_set_entry(&plan, &entry));
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_set_target(&plan, &robot_neuro, ticks, &pose).status);
+    const preview_t preview = preview_of(&pose);
+    TEST_ASSERT_EQUAL_MEMORY(plan.target_ticks, preview.ticks, sizeof preview.ticks);
+    TEST_ASSERT_NOT_EQUAL_INT32(without.ticks[AXIS_INSERTION], preview.ticks[AXIS_INSERTION]);
+}
+
 void test_SWR_HTTP_033_the_axis_with_the_least_room_is_named(void)
 {
     const rigid_t pose = needle_at(5000000, 190000000, 60000000);
