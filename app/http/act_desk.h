@@ -56,8 +56,12 @@ typedef enum {
  */
 void act_desk_init(act_desk_t *self, exchange_t *exchange);
 
-/** Knows the page `number`, not 0, as one of `session` from now on, and publishes all there are.
- * `holder`: the page that has authority, 0: none. */
+/**
+ * Knows the page `number`, not 0, as one of `session` from now on, and publishes all there are.
+ * `holder`: the page that has authority, 0: none.
+ *
+ * @satisfies SWR-HTTP-034
+ */
 page_verdict_t act_desk_greet(act_desk_t *self, uint32_t number, const session_t *session,
                               uint32_t holder);
 

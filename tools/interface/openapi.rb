@@ -8,6 +8,7 @@ module Interface
   # The description of the HTTP server for clients: an OpenAPI 3.1 document.
   #
   # @satisfies SWR-TOOL-019
+  # @satisfies SWR-HTTP-036
   class Openapi
     VERSION = '1.0.0'
     JSON_MEDIA = 'application/json'
