@@ -115,6 +115,16 @@ class TestHttpActs < Minitest::Test
     assert_answer '409', 'ID_USED', anna.act('workphase', { workphase: 'MANUAL' }, id: anna.id - 1)
   end
 
+  def test_SWR_HTTP_023_what_comes_many_times_at_once_is_done_once
+    anna = holder
+    in_targeting(anna)
+    before = events('An entry point was taken')
+    anna.id += 1
+    answers = Array.new(20) { Thread.new { anna.dup.act('targeting/entry', { point_mm: [0, 246, 50] }, id: anna.id) } }.map(&:value)
+    assert_equal [%w[200 done]], answers.map { |one| [one.code, JSON.parse(one.body)['state']] }.uniq
+    assert_equal before + 1, events('An entry point was taken')
+  end
+
   def test_SWR_HTTP_022_a_second_page_of_the_session_has_no_authority
     anna = holder
     other = anna.another_page
