@@ -493,6 +493,9 @@ static void judge_command(const world_t *world, const command_t *command)
     SENTENCE((place != NOWHERE) &&
                  ((place == witness.speaker) || (command->kind == (uint32_t)COMMAND_NEEDLE)),
              "a command is its speaker's");
+    SENTENCE((command->kind < (uint32_t)COMMAND_HOME_AXIS) ||
+                 (command->kind > (uint32_t)COMMAND_SET_HOME),
+             "what is for a single axis does not come by the network of navigation");
     SENTENCE(is_of_planner(command) || may_pass(world, place, command),
              "who does not command stops at most");
     if (place == witness.speaker) {

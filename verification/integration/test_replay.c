@@ -114,6 +114,34 @@ void test_SWR_REPLAY_001_every_output_is_equal_when_replayed_from_a_checkpoint(v
     TEST_ASSERT_EQUAL_UINT64(0U, replay.unreplayed);
 }
 
+/* Commands, and the cycles after it. */
+static void replay_act(command_kind_t kind, uint32_t argument, uint32_t cycles)
+{
+    rig.commands[0] = (command_t){.kind = (uint32_t)kind, .argument = argument};
+    rig.command_count = 1U;
+    replay_cycles(cycles);
+}
+
+void test_SWR_REPLAY_001_acts_on_single_axes_are_replayed_as_well(void)
+{
+    const snapshot_axis_t *const axes = rig.outputs.snapshot.axes;
+    rig_start_homed(&rig);
+    rig_cycles(&rig, 500U);
+    take_checkpoint();
+    replay_act(COMMAND_WORKPHASE, WORKPHASE_MANUAL, 5U);
+    replay_act(COMMAND_SET_HOME, AXIS_FEET, 5U);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_UNVERIFIED, axes[AXIS_FEET].reference);
+    replay_act(COMMAND_CONFIRM_AXIS, AXIS_FEET, 5U);
+    rig_box(&rig, "button press");
+    replay_cycles(LIMIT_CONFIRM_HOLD_US / LIMIT_CYCLE_US + 2U);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_REFERENCE_VERIFIED, axes[AXIS_FEET].reference);
+    replay_act(COMMAND_CLEAR_AXIS, AXIS_YAW, 5U);
+    replay_act(COMMAND_HOME_AXIS, AXIS_YAW, 5U);
+    rig_box(&rig, "pedal press");
+    replay_cycles(CYCLES);
+    TEST_ASSERT_TRUE(axis_is_homing(&rig.controller.axes[AXIS_YAW]));
+}
+
 static void expect_sentence(const char *where)
 {
     char text[256];
