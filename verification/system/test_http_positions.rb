@@ -5,6 +5,7 @@
 # refused by name if it does not fit, and restored as it was shown, unverified.
 
 require_relative 'support/http_client'
+require_relative 'support/lone_box'
 require_relative 'support/openapi'
 require_relative 'support/session_client'
 
@@ -210,5 +211,63 @@ class TestHttpPositions < Minitest::Test
     assert_equal '423', engineer.act('positions/restore', { token: token }).code
   ensure
     anna&.log_out
+  end
+end
+
+# The same over the power-on of a box.
+class TestHttpPositionsAnew < SystemTest
+  include LoneBox
+
+  PATH = '/api/v1/positions'
+
+  def setup
+    @directory = Dir.mktmpdir('boresight')
+    @box = "#{Boresight.next_instance}-box"
+    switch_box_on
+  end
+
+  def teardown
+    super
+    switch_box_off
+    FileUtils.rm_rf(@directory)
+  end
+
+  def start
+    @boresight = Boresight.start(box: @box, recordings: @directory, arguments: ['--accounts', Accounts.make_for_a_while])
+  end
+
+  def save
+    JSON.parse(Net::HTTP.get(URI("http://127.0.0.1:#{@boresight.http_port}#{PATH}")))
+  end
+
+  def axes
+    @boresight.motors['axes']
+  end
+
+  def engineer
+    SessionClient.new(@boresight.http_port).tap do |one|
+      one.log_in('egon')
+      wait_until('there is authority') { one.take.code == '200' }
+    end
+  end
+
+  def test_SWR_STORE_027_after_the_box_was_switched_off_its_file_brings_the_positions_back_for_the_operator_to_confirm
+    start.home
+    wait_until('the axes rest') { save['hmac'] }
+    saved = save
+    @boresight.stop
+    switch_box_off
+    switch_box_on
+    start
+    assert_equal(['fresh'], axes.map { |axis| axis['reference'] }.uniq)
+    wait_until('the axes rest') { save['hmac'] }
+    page = engineer
+    shown = JSON.parse(page.request('post', "#{PATH}/preview", JSON.generate(file: saved)).body)
+    assert_equal(['other_power_on'], shown['axes'].map { |axis| axis['why'] }.uniq)
+    assert_equal '200', page.act('positions/restore', { token: shown['token'] }).code, page.last.body
+    assert_equal(saved['axes'].map { |axis| [axis['position_ticks'], 'unverified'] },
+                 axes.map { |axis| axis.values_at('position_ticks', 'reference') })
+    @boresight.simctl('button', 'press')
+    wait_until('the operator has confirmed them') { axes.all? { |axis| axis['reference'] == 'verified' } }
   end
 end

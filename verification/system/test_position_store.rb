@@ -5,9 +5,12 @@
 # Rule under test: within one power-on of the box the positions live over a restart of the programs, unless the counts
 # speak against them.
 
+require_relative 'support/lone_box'
 require_relative 'support/system_test'
 
 class TestPositionStore < SystemTest
+  include LoneBox
+
   # The file of the position store, see app/positions/position_store.h.
   SLOT = 4096
   RECORD = 120
@@ -26,20 +29,6 @@ class TestPositionStore < SystemTest
     super
     switch_box_off
     FileUtils.rm_rf(@directory)
-  end
-
-  def switch_box_on
-    said, output = IO.pipe
-    @box_pid = Process.spawn(Boresight.program('boresight-box'), '--name', @box, out: output, err: File::NULL)
-    output.close
-    wait_until('the box is ready') { said.wait_readable(1) && said.gets.to_s.include?('ready') }
-  ensure
-    said&.close
-  end
-
-  def switch_box_off
-    Process.kill('TERM', @box_pid)
-    Process.wait(@box_pid)
   end
 
   # The programs on that box, and what they say of themselves after the block.
