@@ -103,9 +103,11 @@ class TestHttpPositions < Minitest::Test
     end
   end
 
+  # Where a switch then contradicts, the axis is lost.
   def confirm
     boresight.simctl('button', 'press')
     wait_until('the positions are confirmed') { axes.none? { |axis| axis['reference'] == 'unverified' } }
+    assert_equal(%w[verified verified], axes.select { |axis| %w[feet rotation].include?(axis['name']) }.map { |axis| axis['reference'] })
   ensure
     boresight.simctl('button', 'release')
   end
@@ -119,8 +121,10 @@ class TestHttpPositions < Minitest::Test
     assert_match(/\A[0-9a-f]{8}\z/, saved['checksum'])
     assert_match(/\A[0-9a-f]{64}\z/, saved['hmac'])
     assert_in_delta Time.now.to_i, Time.iso8601(saved['saved_utc']).to_i, 60
-    assert_equal(axes.map { |axis| axis.values_at('name', 'position_ticks') },
-                 saved['axes'].map { |axis| axis.values_at('name', 'position_ticks') })
+    shown = axes.map do |axis|
+      axis['reference'] == 'lost' ? [axis['name'], 'lost', 0] : [axis['name'], 'known', axis['position_ticks']]
+    end
+    assert_equal(shown, saved['axes'].map { |axis| axis.values_at('name', 'grade', 'position_ticks') })
   end
 
   def test_SWR_STORE_025_the_key_is_beside_the_kept_positions_for_its_owner_alone
@@ -136,8 +140,8 @@ class TestHttpPositions < Minitest::Test
     assert_described "#{PATH}/preview", 'POST', @last
     assert_equal ['sealed', true, saved['saved_utc']], shown.values_at('origin', 'is_same_power_on', 'saved_utc')
     assert_equal(saved['axes'].map { |axis| axis['name'] }, shown['axes'].map { |axis| axis['name'] })
-    whys = axes.map { |axis| axis['reference'] == 'unverified' ? 'counts_agree' : 'stands_there' }
-    assert_equal(whys, shown['axes'].map { |axis| axis['why'] })
+    whys = { 'unverified' => 'counts_agree', 'lost' => 'not_known' }
+    assert_equal(axes.map { |axis| whys.fetch(axis['reference'], 'stands_there') }, shown['axes'].map { |axis| axis['why'] })
   end
 
   def test_SWR_STORE_026_what_does_not_fit_is_refused_by_name
@@ -251,8 +255,11 @@ class TestHttpPositionsAnew < SystemTest
     end
   end
 
-  def test_SWR_STORE_027_after_the_box_was_switched_off_its_file_brings_the_positions_back_for_the_operator_to_confirm
-    start.home
+  def test_SWR_STORE_024_after_the_box_was_switched_off_its_file_brings_the_positions_back_for_the_operator_to_confirm
+    start.press_and_command('START_UP')
+    assert_equal 'NOT_AT_REST', save['code']
+    @boresight.wait_for_homing
+    @boresight.simctl('pedal', 'release')
     wait_until('the axes rest') { save['hmac'] }
     saved = save
     @boresight.stop
