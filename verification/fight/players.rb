@@ -72,6 +72,7 @@ end
 class Page < Player
   PACE_S = [0.1, 1.2].freeze
   SULK_S = 6
+  QUIT_S = 3
   ACTS = { take: 8, keep: 4, give_up: 1, ask: 3, jog: 3, quit: 5, move: 1, stop: 1, sulk: 2 }.freeze
 
   private
@@ -100,18 +101,25 @@ class Page < Player
     @client.act('motors/needle/jog', { position: @random.rand(0.0..30.0) })
   end
 
-  # On the way, if the pedal is pressed meanwhile.
+  # On the way, if the pedal is pressed soon.
   def quit
     take
     jog
-    pause(0.5, 2.0) { nil }
+    wait(QUIT_S) { @robot.moving? }
+    pause(0.0, 0.5) { nil }
     give_up
   end
 
   def sulk
-    jog if take.code == '200'
-    ends = Boresight.now + SULK_S
-    pause(0.1, 0.1) { nil } while @goes_on && Boresight.now < ends
+    take
+    jog
+    wait(SULK_S) { false }
+  end
+
+  # So long, or until the block is true.
+  def wait(seconds)
+    ends = Boresight.now + seconds
+    sleep 0.1 until !@goes_on || Boresight.now > ends || yield
   end
 
   def lose
@@ -152,8 +160,8 @@ end
 # Kills the processes between players and control, which the supervisor starts again, or holds them longer than they
 # may be silent.
 class Reaper < Player
-  PACE_S = [2.0, 4.0].freeze
-  ACTS = { kill: 1, hold: 2 }.freeze
+  PACE_S = [3.0, 6.0].freeze
+  ACTS = { kill: 1, hold: 1 }.freeze
   VICTIMS = %w[igtl http].freeze
   HOLD_S = 2.5
 

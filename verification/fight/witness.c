@@ -44,25 +44,35 @@ static party_t sender(const command_t *command)
     return party;
 }
 
-/* Its first answer, of this cycle; NULL: none. */
-static const answer_t *find_answer(const controller_outputs_t *outputs, const command_t *command)
+/* The first answer to the command of this number: they come in the order of the commands, and the
+ * ends of others among them. NULL: none. */
+static const answer_t *find_answer(const controller_outputs_t *outputs, uint32_t number)
 {
+    uint32_t before = 0U;
     for (uint32_t i = 0U; i < outputs->answer_count; i++) {
         const answer_t *answer = &outputs->answers[i];
         const bool is_first = (answer->kind == (uint32_t)ANSWER_ACCEPTED) ||
                               (answer->kind == (uint32_t)ANSWER_REFUSED);
-        if (is_first && (answer->id == command->id) && (answer->source == command->source) &&
-            (answer->command == command->kind) && (answer->argument == command->argument)) {
+        if (is_first && (before == number)) {
             return answer;
         }
+        before += is_first ? 1U : 0U;
     }
     return NULL;
 }
 
-static bool is_accepted(const controller_outputs_t *outputs, const command_t *command)
+static bool is_accepted(const controller_outputs_t *outputs, uint32_t number)
 {
-    const answer_t *answer = find_answer(outputs, command);
+    const answer_t *answer = find_answer(outputs, number);
     return (answer != NULL) && (answer->kind == (uint32_t)ANSWER_ACCEPTED);
+}
+
+/* It is to `command`, and has a name if it is a refusal. */
+static bool is_proper(const answer_t *answer, const command_t *command)
+{
+    return (answer != NULL) && (answer->id == command->id) && (answer->source == command->source) &&
+           (answer->command == command->kind) && (answer->argument == command->argument) &&
+           ((answer->kind == (uint32_t)ANSWER_REFUSED) == (answer->status != (uint32_t)STATUS_OK));
 }
 
 static bool is_stop(const command_t *command)
@@ -110,15 +120,13 @@ static bool takes_now(const controller_outputs_t *outputs, party_t party)
     return false;
 }
 
-static void look_at_command(witness_t *self, uint32_t cycle, const command_t *command,
-                            const controller_outputs_t *outputs)
+static void look_at_command(witness_t *self, uint32_t cycle, const controller_inputs_t *inputs,
+                            uint32_t number, const controller_outputs_t *outputs)
 {
-    const answer_t *answer = find_answer(outputs, command);
+    const command_t *command = &inputs->commands[number];
+    const answer_t *answer = find_answer(outputs, number);
     const bool is_of_holder = is_same(self->holder, sender(command));
-    hold(self, SENTENCE_ANSWERED,
-         (answer != NULL) && ((answer->kind == (uint32_t)ANSWER_REFUSED) ==
-                              (answer->status != (uint32_t)STATUS_OK)),
-         cycle);
+    hold(self, SENTENCE_ANSWERED, is_proper(answer, command), cycle);
     if (answer == NULL) {
         return;
     }
@@ -150,7 +158,7 @@ static void look_at_button(witness_t *self, const controller_inputs_t *inputs,
     }
     for (uint32_t i = 0U; i < inputs->command_count; i++) {
         const command_t *command = &inputs->commands[i];
-        if ((command->kind == (uint32_t)COMMAND_REQUEST) && is_accepted(outputs, command)) {
+        if ((command->kind == (uint32_t)COMMAND_REQUEST) && is_accepted(outputs, i)) {
             self->asker = sender(command);
             self->asker.peer =
                 (command->argument == (uint32_t)AUTHORITY_REQUEST_TAKE) ? command->peer : 0U;
@@ -168,7 +176,7 @@ static bool has_commanded(const controller_inputs_t *inputs, const controller_ou
     for (uint32_t i = 0U; i < inputs->command_count; i++) {
         const command_t *command = &inputs->commands[i];
         if (is_same(party, sender(command)) && needs_authority(command) &&
-            is_accepted(outputs, command)) {
+            is_accepted(outputs, i)) {
             return true;
         }
     }
@@ -184,10 +192,11 @@ static void note_taken(witness_t *self, uint32_t cycle, const event_t *event,
                        const controller_inputs_t *inputs, const controller_outputs_t *outputs)
 {
     const party_t taker = {.source = event->subject, .peer = (uint32_t)event->value};
-    const bool was_asked = has_pressed(self, taker);
+    const bool has_said = has_commanded(inputs, outputs, taker);
+    const bool was_asked = !has_said && has_pressed(self, taker);
     hold(self, SENTENCE_ONE, (self->holder.peer == 0U) && (taker.peer != 0U), cycle);
     hold(self, SENTENCE_REST, !self->is_ending, cycle);
-    hold(self, SENTENCE_WAY, was_asked || has_commanded(inputs, outputs, taker), cycle);
+    hold(self, SENTENCE_WAY, was_asked || has_said, cycle);
     self->takes[taker.source % COMMAND_SOURCE_COUNT]++;
     self->holder = taker;
     self->asker.peer = was_asked ? 0U : self->asker.peer;
@@ -275,7 +284,7 @@ void witness_look(witness_t *self, uint32_t cycle, const controller_inputs_t *in
     self->cycles++;
     self->time_us += inputs->elapsed_us;
     for (uint32_t i = 0U; i < inputs->command_count; i++) {
-        look_at_command(self, cycle, &inputs->commands[i], outputs);
+        look_at_command(self, cycle, inputs, i, outputs);
     }
     look_at_button(self, inputs, outputs);
     look_at_events(self, cycle, inputs, outputs);
