@@ -124,7 +124,7 @@ class TestComposition < Minitest::Test
   end
 
   def test_SWR_CHART_012_a_controller_that_forgets_a_fact_of_the_permit_is_found
-    seen = ControllerRun.seen(composition(2), episodes: 12) do |code|
+    seen = ControllerRun.seen(composition(2), episodes: 40) do |code|
       code.sub(/(?<=is_pedal_pressed = ).*(?=,)/, 'true')
     end
     assert_match(/^another permit: /, explore(1, 'gcc', asked: seen).findings.join("\n"))
