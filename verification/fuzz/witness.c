@@ -471,14 +471,12 @@ static uint32_t place_of(const world_t *world, uint32_t number)
     return NOWHERE;
 }
 
-/* Who does not command stops, or shows a tip while nobody commands. */
+/* While another connection commands, who does not stops at most. */
 static bool may_pass(const world_t *world, uint32_t place, const command_t *command)
 {
-    const bool is_free = (commander_of(world) == NOWHERE);
+    const uint32_t commander = commander_of(world);
 
-    return igtl_requests_is_urgent(command) ||
-           workphase_dialect_is_controlled_by(&world->workphase, place) ||
-           (is_free && (command->kind == (uint32_t)COMMAND_NEEDLE));
+    return igtl_requests_is_urgent(command) || (commander == NOWHERE) || (commander == place);
 }
 
 static void judge_command(const world_t *world, const command_t *command)
@@ -497,7 +495,7 @@ static void judge_command(const world_t *world, const command_t *command)
                  (command->kind > (uint32_t)COMMAND_SET_HOME),
              "what is for a single axis does not come by the network of navigation");
     SENTENCE(is_of_planner(command) || may_pass(world, place, command),
-             "who does not command stops at most");
+             "while another one commands a stop passes at most");
     if (place == witness.speaker) {
         judge_pose(witness.said, &command->pose);
     }
@@ -517,7 +515,7 @@ static void judge_commander(const world_t *world)
     const uint32_t now = commander_of(world);
 
     if (now != witness.commander) {
-        SENTENCE((now == NOWHERE) || ((witness.commander == NOWHERE) && (now == witness.speaker)),
+        SENTENCE((now == NOWHERE) || (witness.commander == NOWHERE),
                  "command is not taken from who has it");
         witness.commander = now;
     }
