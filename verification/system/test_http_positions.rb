@@ -258,7 +258,7 @@ class TestHttpPositionsAnew < SystemTest
   def test_SWR_STORE_024_after_the_box_was_switched_off_its_file_brings_the_positions_back_for_the_operator_to_confirm
     start.press_and_command('START_UP')
     assert_equal 'NOT_AT_REST', save['code']
-    @boresight.wait_for_homing
+    wait_until('every axis is homed') { @boresight.status['is_homed'] }
     @boresight.simctl('pedal', 'release')
     wait_until('the axes rest') { save['hmac'] }
     saved = save
