@@ -18,6 +18,7 @@
 #include <stdio.h>
 #include <string.h>
 #include <sys/random.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -33,6 +34,7 @@
 /* Of a head the library reads no more, and calls it unreadable. */
 #define LIBRARY_HEAD_BYTES 65536U
 
+#define WORKER_NICENESS 10
 #define UNREAD_BYTES 16384
 #define DESCRIPTORS 64 /* So early few are open. */
 
@@ -140,6 +142,13 @@ static void open_stop_port(http_server_t *self)
         http_reply_allow_stops(self->guard.address, port, self->front);
         asset_tell_stop_ports(port, (self->front != NULL) ? self->front->stop : 0U);
     }
+}
+
+/* This thread and those that it makes, which the thread of the stops is not among: where the
+ * processor is short, so many workers would leave little of it to recorder and OpenIGTLink. */
+static void stand_back(void)
+{
+    (void)setpriority(PRIO_PROCESS, 0U, WORKER_NICENESS);
 }
 
 static int begin_request(struct mg_connection *connection)
@@ -251,6 +260,7 @@ http_server_result_t http_server_start(http_server_t *self)
     http_lines_init(self->guard.port, self->front_guard.port);
     (void)mg_init_library(MG_FEATURES_DEFAULT);
     open_stop_port(self);
+    stand_back();
     if (start_library(self, address) == NULL) {
         return HTTP_SERVER_FAILED;
     }

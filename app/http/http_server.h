@@ -89,6 +89,7 @@ bool http_server_prepare_logins(http_server_t *self, char *error, size_t error_s
  * @satisfies SWR-HTTP-005
  * @satisfies SWR-LOAD-004
  * @satisfies SWR-LOAD-006
+ * @satisfies SWR-LOAD-007
  * @satisfies SWR-SESS-019
  * @satisfies SWR-SESS-023
  * @satisfies SWR-SESS-025

@@ -102,6 +102,17 @@ class TestHttpLoad < SystemTest
     end
   end
 
+  # What each thread of a program is willing to leave to others, 0 to 19; how many there are of each.
+  def niceness_of(name)
+    Dir.glob("/proc/#{boresight.pid_of(name)}/task/*/stat").map { |path| Integer(File.read(path).split(') ').last.split[16]) }.tally
+  end
+
+  def test_SWR_LOAD_007_the_workers_stand_back_and_nobody_else
+    server = niceness_of('http')
+    assert_equal [1, true], [server[0], server[10].to_i > 64], server.to_s
+    assert_equal [[0], [0]], [niceness_of('recorder').keys, niceness_of('igtl').keys]
+  end
+
   # They come while nobody serves them: the kernel keeps them.
   def test_SWR_LOAD_006_who_comes_waits_for_a_worker_in_turn
     boresight.while_stopped('http') do
