@@ -30,15 +30,6 @@ class Latency
 
   private
 
-  # Another Boresight has its control loop on the same core, at the same priority.
-  def neighbours?
-    Dir.glob('/proc/[0-9]*/comm').any? do |path|
-      File.read(path).start_with?('boresight-contr')
-    rescue SystemCallError
-      false
-    end
-  end
-
   def announced(what)
     print "  #{what} ... "
     @is_shared ||= neighbours?
@@ -102,7 +93,7 @@ class Latency
     lines = ["This is #{machine}: the times are the machine's;", 'only the ratio says something about the program.',
              'The loop ran with its whole system beside it (box, recorder, servers), cyclictest with nothing.']
     lines << "Not granted to the loop: #{@missing.join(', ')}; run as root for a fair comparison." if @missing.any?
-    lines << 'Another Boresight ran on this machine meanwhile; measure again without it.' if @is_shared
+    lines << NEIGHBOUR if @is_shared
     lines << "cyclictest could not run: #{@cyclictest.refusal}" if @cyclictest.refusal
     lines
   end
