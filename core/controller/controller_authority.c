@@ -17,8 +17,8 @@ static authority_party_t party_of(const command_t *command)
 
 static void note_taken(controller_t *self, const cycle_t *cycle)
 {
-    controller_note(self, cycle, EVENT_AUTHORITY_TAKEN, self->authority.holder.source,
-                    (int32_t)self->authority.holder.peer);
+    controller_note(self, cycle, EVENT_AUTHORITY_TAKEN, self->authority.holder.peer,
+                    (int32_t)self->authority.holder.source);
 }
 
 /* The order of who has lost it is discarded: the pedal must be pressed anew for another one. */
@@ -140,11 +140,22 @@ bool controller_has_authority(const controller_t *self, const command_t *command
            may_take_by_it(self, command) || may_show(self, command);
 }
 
+/* What `party` has, by its command. */
+static bool is_of_sender(const authority_party_t *party, const command_t *command)
+{
+    return (party->peer != 0U) && (party->source == command->source) &&
+           ((command->peer == 0U) || (party->peer == command->peer));
+}
+
+/* Who has it by now needs no button for it. */
 static void take(controller_t *self, const cycle_t *cycle, const command_t *command)
 {
     const authority_party_t party = party_of(command);
     if (authority_take(&self->authority, &party, now_of(self))) {
         note_taken(self, cycle);
+        if (is_of_sender(&self->authority.requester, command)) {
+            controller_end_request(self);
+        }
     }
 }
 
@@ -165,13 +176,6 @@ static status_t obey_take(controller_t *self, const cycle_t *cycle, const comman
     const authority_party_t party = party_of(command);
     take(self, cycle, command);
     return authority_is_of(&self->authority, &party) ? STATUS_OK : STATUS_NO_AUTHORITY;
-}
-
-/* What `party` has, by its command. */
-static bool is_of_sender(const authority_party_t *party, const command_t *command)
-{
-    return (party->peer != 0U) && (party->source == command->source) &&
-           ((command->peer == 0U) || (party->peer == command->peer));
 }
 
 static void obey_release(controller_t *self, const cycle_t *cycle, const command_t *command)
@@ -204,8 +208,13 @@ static status_t obey_request(controller_t *self, const cycle_t *cycle, const com
         (command->argument != (uint32_t)AUTHORITY_REQUEST_TAKE)) {
         return STATUS_UNKNOWN_COMMAND;
     }
-    if (command->peer == 0U) {
+    const authority_party_t party = party_of(command);
+    if (party.peer == 0U) {
         return STATUS_NO_AUTHORITY;
+    }
+    if ((command->argument == (uint32_t)AUTHORITY_REQUEST_TAKE) &&
+        authority_is_of(&self->authority, &party)) {
+        return STATUS_OK;
     }
     const status_t status =
         controller_ask_button(self, cycle, command, (authority_request_t)command->argument, 0U);

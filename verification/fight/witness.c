@@ -112,7 +112,7 @@ static bool takes_now(const controller_outputs_t *outputs, party_t party)
 {
     for (uint32_t i = 0U; i < outputs->event_count; i++) {
         const event_t *event = &outputs->events[i];
-        const party_t taker = {.source = event->subject, .peer = (uint32_t)event->value};
+        const party_t taker = {.source = (uint32_t)event->value, .peer = event->subject};
         if ((event->id == (uint32_t)EVENT_AUTHORITY_TAKEN) && is_same(taker, party)) {
             return true;
         }
@@ -158,7 +158,8 @@ static void look_at_button(witness_t *self, const controller_inputs_t *inputs,
     }
     for (uint32_t i = 0U; i < inputs->command_count; i++) {
         const command_t *command = &inputs->commands[i];
-        if ((command->kind == (uint32_t)COMMAND_REQUEST) && is_accepted(outputs, i)) {
+        if ((command->kind == (uint32_t)COMMAND_REQUEST) && is_accepted(outputs, i) &&
+            !is_same(self->holder, sender(command))) {
             self->asker = sender(command);
             self->asker.peer =
                 (command->argument == (uint32_t)AUTHORITY_REQUEST_TAKE) ? command->peer : 0U;
@@ -191,7 +192,7 @@ static bool has_pressed(const witness_t *self, party_t party)
 static void note_taken(witness_t *self, uint32_t cycle, const event_t *event,
                        const controller_inputs_t *inputs, const controller_outputs_t *outputs)
 {
-    const party_t taker = {.source = event->subject, .peer = (uint32_t)event->value};
+    const party_t taker = {.source = (uint32_t)event->value, .peer = event->subject};
     const bool has_said = has_commanded(inputs, outputs, taker);
     const bool was_asked = !has_said && has_pressed(self, taker);
     hold(self, SENTENCE_ONE, (self->holder.peer == 0U) && (taker.peer != 0U), cycle);
@@ -199,7 +200,7 @@ static void note_taken(witness_t *self, uint32_t cycle, const event_t *event,
     hold(self, SENTENCE_WAY, was_asked || has_said, cycle);
     self->takes[taker.source % COMMAND_SOURCE_COUNT]++;
     self->holder = taker;
-    self->asker.peer = was_asked ? 0U : self->asker.peer;
+    self->asker.peer = is_same(self->asker, taker) ? 0U : self->asker.peer;
 }
 
 static void note_lost(witness_t *self, uint32_t cycle, const event_t *event)

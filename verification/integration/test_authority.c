@@ -304,6 +304,28 @@ void test_SWR_AUTH_008_the_button_gives_what_is_free_as_well(void)
     expect_holder(COMMAND_SOURCE_HTTP, OTHER_PAGE);
 }
 
+void test_SWR_AUTH_008_who_has_it_by_now_is_not_waited_for(void)
+{
+    start_free();
+    TEST_ASSERT_EQUAL(STATUS_OK, by_page(OTHER_PAGE, COMMAND_REQUEST, AUTHORITY_REQUEST_TAKE));
+    TEST_ASSERT_EQUAL(STATUS_OK, by_page(OTHER_PAGE, COMMAND_TAKE, 0U));
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.requester_peer);
+    TEST_ASSERT_EQUAL(STATUS_OK, by_page(OTHER_PAGE, COMMAND_REQUEST, AUTHORITY_REQUEST_TAKE));
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.requester_peer);
+    rig_forget(&rig);
+    press_button();
+    expect_holder(COMMAND_SOURCE_HTTP, OTHER_PAGE);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AUTHORITY_LOST));
+}
+
+void test_SWR_AUTH_008_what_another_one_asks_for_stays_when_a_third_one_takes(void)
+{
+    start_free();
+    TEST_ASSERT_EQUAL(STATUS_OK, by_page(OTHER_PAGE, COMMAND_REQUEST, AUTHORITY_REQUEST_TAKE));
+    TEST_ASSERT_EQUAL(STATUS_OK, by_page(RIG_PAGE, COMMAND_TAKE, 0U));
+    TEST_ASSERT_EQUAL_UINT32(OTHER_PAGE, rig.outputs.snapshot.requester_peer);
+}
+
 void test_SWR_AUTH_008_who_withdraws_after_the_press_has_nothing(void)
 {
     start_moving();

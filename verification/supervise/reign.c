@@ -83,7 +83,7 @@ static void read_event(view_t *view, const event_t *event)
 {
     switch (event->id) {
     case EVENT_AUTHORITY_TAKEN:
-        view->taken = (authority_party_t){event->subject, (uint32_t)event->value};
+        view->taken = (authority_party_t){(uint32_t)event->value, event->subject};
         break;
     case EVENT_AUTHORITY_LOST:
         view->losses |= (uint32_t)1U << ((uint32_t)event->value % REIGN_LOSSES);
@@ -202,7 +202,8 @@ static void watch_requests(reign_t *self, const view_t *view)
             continue;
         }
         if ((command->kind == (uint32_t)COMMAND_REQUEST) &&
-            (command->argument == (uint32_t)AUTHORITY_REQUEST_TAKE)) {
+            (command->argument == (uint32_t)AUTHORITY_REQUEST_TAKE) &&
+            !is_same(&sender, &view->before)) {
             self->asked = sender;
         }
         if (is_same(&sender, &view->after)) {
