@@ -104,6 +104,11 @@ static next_step_t confirmed_first(const controller_t *self, const cycle_t *cycl
 
 #define BIT(step) ((uint32_t)1U << (uint32_t)(step))
 
+static bool is_one_of(next_step_t step, uint32_t steps)
+{
+    return ((steps >> (uint32_t)step) & 1U) != 0U;
+}
+
 /* What a command fulfils, while nobody may send one; what can wait, while somebody waits for the
  * button. */
 static next_step_t authority_first(const controller_t *self, next_step_t step)
@@ -113,11 +118,15 @@ static next_step_t authority_first(const controller_t *self, next_step_t step)
                                BIT(NEXT_STEP_TARGETING);
     const uint32_t calm = commanded | BIT(NEXT_STEP_RELEASE_PEDAL) | BIT(NEXT_STEP_PRESS_PEDAL) |
                           BIT(NEXT_STEP_CONFIRM) | BIT(NEXT_STEP_NOTHING);
-    uint32_t replaced = authority_is_held(&self->authority) ? 0U : commanded;
-    if (controller_awaits_grant(self)) {
-        replaced = calm;
+    next_step_t first = step;
+    if (controller_awaits_grant(self) && is_one_of(step, calm)) {
+        first = NEXT_STEP_GRANT;
+    } else if (!authority_is_held(&self->authority) && is_one_of(step, commanded)) {
+        first = NEXT_STEP_AUTHORITY;
+    } else {
+        /* Whoever commands goes on. */
     }
-    return (((replaced >> (uint32_t)step) & 1U) != 0U) ? NEXT_STEP_AUTHORITY : step;
+    return first;
 }
 
 static void show_axis(const controller_t *self, const cycle_t *cycle, uint32_t index)

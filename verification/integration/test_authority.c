@@ -526,7 +526,7 @@ void test_SWR_AUTH_014_a_press_that_is_waited_for_is_the_next_step_unless_someth
     TEST_ASSERT_EQUAL(STATUS_OK, by_page(OTHER_PAGE, COMMAND_REQUEST, AUTHORITY_REQUEST_TAKE));
     expect_step(NEXT_STEP_HOLD_PEDAL);
     rig_release(&rig);
-    expect_step(NEXT_STEP_AUTHORITY);
+    expect_step(NEXT_STEP_GRANT);
     TEST_ASSERT_EQUAL(STATUS_OK, by_page(OTHER_PAGE, COMMAND_RELEASE, 0U));
     expect_step(NEXT_STEP_PRESS_PEDAL);
 }

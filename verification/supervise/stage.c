@@ -444,6 +444,7 @@ static void do_next_step(stage_t *self, rig_t *rig)
         confirm(self, rig);
         break;
     case NEXT_STEP_AUTHORITY:
+    case NEXT_STEP_GRANT:
         rig_box(rig, "pedal release");
         send(self, rig, (command_t){.kind = (uint32_t)COMMAND_TAKE});
         break;
