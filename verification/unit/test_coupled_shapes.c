@@ -386,3 +386,14 @@ void test_SWR_COUPLE_004_no_position_is_too_far_to_be_judged(void)
     TEST_ASSERT_EQUAL_HEX32(0x3U, coupled_guard_blocks(&robot, &view));
     TEST_ASSERT_EQUAL_UINT8(40U + PAIR, coupled_guard_judge(&robot, axes, 0U, INT32_MIN).status);
 }
+
+void test_SWR_AXIS_036_the_first_limit_that_bars_a_homing_is_the_reason(void)
+{
+    set_limit(PAIR, 0x3U, -1000000, 1000000);
+    robot.coupled_limits[FOUR].axes = 0x1U;
+    robot.coupled_limits[SADDLE].axes = 0x1U;
+    axes[1].chart.reference = AXIS_REFERENCE_LOST;
+    looks = 0U;
+    TEST_ASSERT_EQUAL(STATUS_NOT_HOMED, coupled_guard_judge_homing(&robot, axes, 0U).status);
+    TEST_ASSERT_EQUAL_UINT32(0U, looks);
+}
