@@ -98,12 +98,25 @@ void act_desk_init(act_desk_t *self, exchange_t *exchange)
     publish(self);
 }
 
+/* With the lock. Whose place is needed has nothing any more: its number may come again from another
+ * session. */
+static bool make_room(act_desk_t *self, uint32_t number, const session_t *session, uint32_t kept)
+{
+    const page_t *place = (page_table_find(&self->table, number) == NULL)
+                              ? page_table_place(&self->table, session, kept)
+                              : NULL;
+    return (place == NULL) || (place->number == 0U) ||
+           (!self->has_to_begin && release(self, place->number));
+}
+
 page_verdict_t act_desk_greet(act_desk_t *self, uint32_t number, const session_t *session,
                               uint32_t holder)
 {
     page_verdict_t verdict = PAGE_GREETED;
     (void)pthread_mutex_lock(&self->lock);
-    page_t *page = page_table_greet(&self->table, number, session, holder);
+    page_t *page = make_room(self, number, session, holder)
+                       ? page_table_greet(&self->table, number, session, holder)
+                       : NULL;
     if (page == NULL) {
         verdict = (page_table_find(&self->table, number) != NULL) ? PAGE_ANOTHERS : PAGE_LATER;
     } else if (page->since_us == 0U) {

@@ -20,7 +20,7 @@ static bool is_of(const page_t *page, const session_t *session)
 }
 
 /* The session's own oldest one when it has enough, or else a free place. */
-static page_t *find_place(page_table_t *self, const session_t *session, uint32_t kept)
+page_t *page_table_place(page_table_t *self, const session_t *session, uint32_t kept)
 {
     uint32_t count = 0U;
     page_t *oldest = NULL;
@@ -41,7 +41,7 @@ page_t *page_table_greet(page_table_t *self, uint32_t number, const session_t *s
 {
     page_t *page = page_table_find(self, number);
     if (page == NULL) {
-        page = find_place(self, session, kept);
+        page = page_table_place(self, session, kept);
         if (page == NULL) {
             return NULL;
         }

@@ -46,6 +46,13 @@ typedef struct {
 page_t *page_table_find(page_table_t *self, uint32_t number);
 
 /**
+ * Where a new page of `session` goes: a free place, or that of a page that is forgotten for it.
+ *
+ * @return NULL when there is none
+ */
+page_t *page_table_place(page_table_t *self, const session_t *session, uint32_t kept);
+
+/**
  * Finds the page `number`, not 0, of `session`, or gives it a place. A session that has
  * LIMIT_SESSION_PAGES loses the one that has asked for nothing for the longest time; never `kept`.
  *

@@ -226,6 +226,23 @@ void test_SWR_HTTP_022_a_session_has_few_pages_and_keeps_the_one_with_authority(
     TEST_ASSERT_EQUAL(PAGE_ANOTHERS, act_desk_greet(&desk, 7U, bert, 7U));
 }
 
+/* It may have asked for the button: what is granted then must not be another session's. */
+void test_SWR_HTTP_022_what_a_forgotten_page_has_is_released_first(void)
+{
+    for (uint32_t page = 1U; page < LIMIT_SESSION_PAGES; page++) {
+        TEST_ASSERT_EQUAL(PAGE_GREETED, act_desk_greet(&desk, 100U + page, anna, 0U));
+    }
+    TEST_ASSERT_EQUAL_UINT32(0U, take_commands());
+    TEST_ASSERT_EQUAL(PAGE_GREETED, act_desk_greet(&desk, 200U, anna, 0U));
+    TEST_ASSERT_EQUAL_UINT32(1U, take_commands());
+    TEST_ASSERT_EQUAL_UINT32(COMMAND_RELEASE, taken[0].kind);
+    TEST_ASSERT_EQUAL_UINT32(7U, taken[0].peer);
+    while (act_desk_send(&desk, 200U, &plan)) {
+    }
+    TEST_ASSERT_EQUAL(PAGE_LATER, act_desk_greet(&desk, 201U, anna, 0U));
+    TEST_ASSERT_NOT_NULL(page_table_find(&desk.table, 101U));
+}
+
 void test_SWR_HTTP_034_who_its_pages_are_is_published(void)
 {
     char title[EXCHANGE_TITLE_SIZE];
