@@ -71,12 +71,14 @@ export class PageAuthority {
   async take(): Promise<void> {
     if (await this.act(AUTHORITY_PATH, {})) {
       this.keep();
+      this.leave();
     }
   }
 
   /** Asks for the button at the box. Who has authority then is told by the stream. */
   async ask(): Promise<void> {
     this.hasAsked = await this.act(REQUEST_PATH, { what: "TAKE" });
+    this.leave();
   }
 
   /** The button was pressed for this page. */
@@ -98,6 +100,7 @@ export class PageAuthority {
     }
   };
 
+  /** Also looked at when an answer comes: who has left meanwhile must not keep what he gets. */
   private readonly leave = (): void => {
     if (document.visibilityState === "hidden") {
       this.giveUp();

@@ -224,6 +224,22 @@ test("SWR-CON-015 a page that is hidden gives up what it has, once", async () =>
   expect(options?.keepalive).toBe(true);
 });
 
+test("SWR-CON-015 a page that is hidden before it gets an answer gives up what it gets", async () => {
+  await show(makeAuthority());
+  fireEvent.click(screen.getByRole("button", { name: "Take command" }));
+  hide("hidden");
+  await pass(2 * RENEW_MS);
+  expect(acts().slice(1)).toEqual(["DELETE authority"]);
+});
+
+test("SWR-CON-015 a page that is hidden before it gets an answer asks no more", async () => {
+  await show(anothers);
+  fireEvent.click(screen.getByRole("button", { name: "Ask for command" }));
+  hide("hidden");
+  await pass(0);
+  expect(acts().slice(1)).toEqual(["DELETE authority"]);
+});
+
 test("SWR-CON-015 a page that is closed withdraws what it asked for", async () => {
   await show(anothers);
   await press("Ask for command");
