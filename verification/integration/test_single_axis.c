@@ -15,6 +15,7 @@
 #define HOLD_CYCLES (LIMIT_CONFIRM_HOLD_US / LIMIT_CYCLE_US)
 #define ASK_CYCLES (LIMIT_AUTHORITY_ASK_US / LIMIT_CYCLE_US)
 #define MOST_CYCLES 60000U
+#define OTHER_PAGE 7U
 #define REST_CYCLES 500U /* Until what was driven counts as resting. */
 
 static rig_t rig;
@@ -486,6 +487,55 @@ void test_SWR_AXIS_041_a_press_from_before_does_not_confirm_the_home(void)
     rig_cycles(&rig, HOLD_CYCLES / 2U);
     expect(STATUS_OK, COMMAND_SET_HOME, AXIS_FEET);
     rig_cycles(&rig, 2U * HOLD_CYCLES);
+    expect_grade(AXIS_REFERENCE_UNVERIFIED, AXIS_FEET);
+}
+
+/* Somebody else asks for authority while the home that was set waits to be confirmed. */
+static void start_asked(void)
+{
+    const command_t ask = {.source = (uint32_t)COMMAND_SOURCE_HTTP,
+                           .kind = (uint32_t)COMMAND_REQUEST,
+                           .argument = (uint32_t)AUTHORITY_REQUEST_TAKE,
+                           .peer = OTHER_PAGE};
+    start_manual();
+    expect(STATUS_OK, COMMAND_SET_HOME, AXIS_FEET);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, ask).status);
+}
+
+void test_SWR_AUTH_009_a_press_for_a_request_that_lapses_confirms_nothing(void)
+{
+    start_asked();
+    rig_cycles(&rig, ASK_CYCLES - (HOLD_CYCLES / 2U));
+    rig_box(&rig, "button press");
+    rig_cycles(&rig, 2U * HOLD_CYCLES);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.requester_peer);
+    expect_grade(AXIS_REFERENCE_UNVERIFIED, AXIS_FEET);
+    rig_box(&rig, "button release");
+    rig_cycles(&rig, 2U);
+    TEST_ASSERT_EQUAL_UINT32(1U, hold_button());
+}
+
+void test_SWR_AUTH_009_a_press_for_a_request_that_is_withdrawn_confirms_nothing(void)
+{
+    const command_t withdraw = {.source = (uint32_t)COMMAND_SOURCE_HTTP,
+                                .peer = OTHER_PAGE,
+                                .kind = (uint32_t)COMMAND_RELEASE};
+    start_asked();
+    rig_box(&rig, "button press");
+    rig_cycles(&rig, HOLD_CYCLES / 2U);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, withdraw).status);
+    rig_cycles(&rig, 2U * HOLD_CYCLES);
+    expect_grade(AXIS_REFERENCE_UNVERIFIED, AXIS_FEET);
+}
+
+void test_SWR_AUTH_009_a_press_for_a_request_that_memory_lost_confirms_nothing(void)
+{
+    start_asked();
+    rig_box(&rig, "button press");
+    rig_cycles(&rig, HOLD_CYCLES / 2U);
+    rig.controller.authority.chart.state_inverse ^= 1U;
+    rig_cycles(&rig, 2U * HOLD_CYCLES);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.requester_peer);
     expect_grade(AXIS_REFERENCE_UNVERIFIED, AXIS_FEET);
 }
 
