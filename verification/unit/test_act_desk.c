@@ -136,6 +136,27 @@ void test_SWR_HTTP_023_an_id_stands_for_one_act_and_grows(void)
     do_act(7U, UINT32_MAX);
 }
 
+/* Or who sends another target would be told what has become of the one before. */
+void test_SWR_HTTP_023_an_id_does_not_stand_for_another_pose_or_way(void)
+{
+    const command_t target = {.kind = COMMAND_TARGET, .pose.translation.x_nm = 1000};
+    command_t other = target;
+    TEST_ASSERT_EQUAL(ACT_NO_ANSWER, ask(7U, 1U, &target));
+    TEST_ASSERT_EQUAL(ACT_NO_ANSWER, ask(7U, 1U, &target));
+    other.pose.translation.x_nm = 1001;
+    TEST_ASSERT_EQUAL(ACT_ID_USED, ask(7U, 1U, &other));
+    TEST_ASSERT_EQUAL_UINT32(1U, take_commands());
+    const command_t jog = {.kind = COMMAND_JOG, .argument = 1U, .value = 100};
+    TEST_ASSERT_EQUAL(ACT_NO_ANSWER, ask(7U, 2U, &jog));
+    other = jog;
+    other.value = -100;
+    TEST_ASSERT_EQUAL(ACT_ID_USED, ask(7U, 2U, &other));
+    other = jog;
+    other.argument = 2U;
+    TEST_ASSERT_EQUAL(ACT_ID_USED, ask(7U, 2U, &other));
+    TEST_ASSERT_EQUAL_UINT32(1U, take_commands());
+}
+
 void test_SWR_HTTP_023_what_is_not_kept_any_more_is_refused(void)
 {
     for (uint32_t id = 1U; id <= (LIMIT_PAGE_ACTS + 1U); id++) {
@@ -241,6 +262,18 @@ void test_SWR_HTTP_022_what_a_forgotten_page_has_is_released_first(void)
     }
     TEST_ASSERT_EQUAL(PAGE_LATER, act_desk_greet(&desk, 201U, anna, 0U));
     TEST_ASSERT_NOT_NULL(page_table_find(&desk.table, 101U));
+}
+
+void test_SWR_HTTP_022_the_page_that_goes_is_the_one_that_asked_for_nothing_longest(void)
+{
+    for (uint32_t page = 100U; page < (99U + LIMIT_SESSION_PAGES); page++) {
+        TEST_ASSERT_EQUAL(PAGE_GREETED, act_desk_greet(&desk, page, anna, 0U));
+    }
+    TEST_ASSERT_EQUAL(PAGE_GREETED, act_desk_greet(&desk, 7U, anna, 0U));
+    TEST_ASSERT_EQUAL(PAGE_ANOTHERS, act_desk_greet(&desk, 100U, bert, 0U));
+    TEST_ASSERT_EQUAL(PAGE_GREETED, act_desk_greet(&desk, 200U, anna, 0U));
+    TEST_ASSERT_NOT_NULL(page_table_find(&desk.table, 7U));
+    TEST_ASSERT_NULL(page_table_find(&desk.table, 100U));
 }
 
 void test_SWR_HTTP_034_who_its_pages_are_is_published(void)
