@@ -88,6 +88,12 @@ class TestCommunication < Minitest::Test
     wait_until('it does') { last_line.match?(/ \| commanded by workphases 127\.0\.0\.1:\d+ for \d+ s \| /) }
   end
 
+  def test_SWR_AUTH_018_the_line_of_status_tells_who_asks_for_the_button
+    assert_equal '200', operator.act('authority/request', { what: 'TAKE' }).code
+    wait_until('it is told') { last_line.match?(/ \| page of anna asks for the button, \d+ s left/) }
+    self.assertions += 1
+  end
+
   def test_SWR_IGTL_059_each_connection_and_page_is_told
     watcher = TCPSocket.open('127.0.0.1', boresight.igtl_port)
     command_by_igtl
@@ -128,6 +134,15 @@ class TestCommunication < Minitest::Test
     command_by_igtl
     assert_refused '423', 'NO_AUTHORITY', disconnect(operator, connections.first['number'])
     assert_equal 'held', authority['state']
+  end
+
+  # Connections and pages have numbers of their own.
+  def test_SWR_IGTL_060_the_number_of_who_commands_makes_no_page_command
+    command_by_igtl
+    page = operator
+    page.page = connections.first['number']
+    assert_refused '423', 'NO_AUTHORITY', disconnect(page, page.page)
+    assert_refused '423', 'NO_AUTHORITY', keep_alive(page, page.page, on: false)
   end
 
   def test_SWR_IGTL_060_an_order_while_the_server_of_connections_hangs_is_refused

@@ -148,6 +148,14 @@ class TestHttpActs < Minitest::Test
     wait_until('nobody has authority') { authority.fetch('state') == 'nobody' }
   end
 
+  def test_SWR_HTTP_035_a_page_that_renews_by_itself_keeps_no_session_awake
+    anna = holder
+    left = -> { JSON.parse(anna.request('get', SessionClient::PATH).body).fetch('idle_s') }
+    whole = left.call
+    wait_until('some of it has passed') { anna.keep.code == '200' && left.call < whole }
+    self.assertions += 1
+  end
+
   def test_SWR_HTTP_024_a_server_that_is_killed_leaves_no_authority
     anna = holder
     self.class.boresight.kill('http', 'KILL')
