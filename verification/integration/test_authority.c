@@ -133,6 +133,17 @@ void test_SWR_AUTH_002_a_connection_takes_it_with_its_first_accepted_command(voi
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AUTHORITY_TAKEN));
 }
 
+void test_SWR_AUTH_002_a_connection_that_shows_a_needle_takes_nothing(void)
+{
+    start_moving();
+    TEST_ASSERT_EQUAL(STATUS_OK, by_page(RIG_PAGE, COMMAND_RELEASE, 0U));
+    rig_cycles(&rig, CYCLES(LIMIT_AUTHORITY_END_US));
+    expect_nobody();
+    TEST_ASSERT_EQUAL(STATUS_OK, by_peer(PEER, COMMAND_NEEDLE, 0U));
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.has_seen_needle);
+    expect_nobody();
+}
+
 void test_SWR_AUTH_003_who_has_no_authority_is_refused_by_name(void)
 {
     start_free();
