@@ -195,6 +195,9 @@ status_t controller_ask_button(controller_t *self, const cycle_t *cycle, const c
     if (cycle->inputs->has_button == 0U) {
         return STATUS_NO_BUTTON;
     }
+    if (authority_is_asked(&self->authority, request, axis, &party)) {
+        return STATUS_OK;
+    }
     if (!authority_ask(&self->authority, request, axis, &party, self->time_us)) {
         return STATUS_BUSY;
     }

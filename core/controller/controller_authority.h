@@ -51,7 +51,7 @@ status_t controller_obey_authority(controller_t *self, const cycle_t *cycle,
 
 /**
  * The next press of the button means `request`, for who sent `command`, which has a peer; `axis` as
- * authority_ask().
+ * authority_ask(). Asked again it waits no longer, and a press that has begun counts.
  *
  * @return STATUS_OK; STATUS_NO_BUTTON; STATUS_BUSY while another one's request waits
  */

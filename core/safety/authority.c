@@ -90,6 +90,13 @@ bool authority_step(authority_t *self, bool is_at_rest, uint32_t elapsed_us, aut
     return succeed(self, now);
 }
 
+bool authority_is_asked(const authority_t *self, authority_request_t request, uint32_t axis,
+                        const authority_party_t *party)
+{
+    return (self->request == (uint32_t)request) && (self->request_axis == axis) &&
+           is_same(&self->requester, party);
+}
+
 bool authority_ask(authority_t *self, authority_request_t request, uint32_t axis,
                    const authority_party_t *party, uint32_t time_us)
 {

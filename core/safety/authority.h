@@ -93,6 +93,10 @@ bool authority_is_unrenewed(const authority_t *self, uint32_t time_us);
  */
 bool authority_step(authority_t *self, bool is_at_rest, uint32_t elapsed_us, authority_time_t now);
 
+/** That is what waits for the button, and for `party`. */
+bool authority_is_asked(const authority_t *self, authority_request_t request, uint32_t axis,
+                        const authority_party_t *party);
+
 /**
  * The next press of the button means `request`, for `party`; with AUTHORITY_REQUEST_CONFIRM_AXIS of
  * `axis`. @return false: another one's request stands

@@ -35,6 +35,10 @@ module Interface
        Schema::UINT32.merge('minimum' => 1)]
     ].freeze
 
+    SESSION = { 'type' => 'apiKey', 'in' => 'cookie', 'name' => 'boresight-boresight',
+                'description' => 'Set by the login. The name ends with that of the instance, which is boresight unless it was ' \
+                                 'started with another; over TLS it begins with __Host-.' }.freeze
+
     def initialize(model)
       @model = model
     end
@@ -49,7 +53,8 @@ module Interface
       { 'openapi' => '3.1.0',
         'info' => { 'title' => 'Boresight', 'version' => VERSION, 'description' => SAYS,
                     'license' => { 'name' => 'Apache-2.0', 'identifier' => 'Apache-2.0' } },
-        'servers' => [{ 'url' => '/' }], 'paths' => paths, 'components' => { 'schemas' => schema.all } }
+        'servers' => [{ 'url' => '/' }], 'paths' => paths,
+        'components' => { 'schemas' => schema.all, 'securitySchemes' => { 'session' => SESSION } } }
     end
 
     private
@@ -66,15 +71,23 @@ module Interface
       parameters = parameters(route, schema)
       operation['parameters'] = parameters unless parameters.empty?
       operation['requestBody'] = body(route) if route.body
+      operation['security'] = security(route)
       operation['responses'] = responses(route)
       operation['x-events'] = route.events.transform_values { |one| Schema.ref(one.typescript) } unless route.events.empty?
       operation
     end
 
+    # A GET of an observer needs no session at the plain loopback listener.
+    def security(route)
+      return [] if route.anyone?
+
+      (route.get? && route.who == 'OBSERVER' ? [{}] : []) + [{ 'session' => [] }]
+    end
+
     # The same without any body.
     def head(get)
       responses = get['responses'].transform_values { |response| response.slice('description', 'headers') }
-      get.slice('description', 'parameters').merge('operationId' => "#{get['operationId']}_head", 'responses' => responses)
+      get.slice('description', 'parameters', 'security').merge('operationId' => "#{get['operationId']}_head", 'responses' => responses)
     end
 
     def parameters(route, schema)

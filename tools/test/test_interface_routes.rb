@@ -189,6 +189,15 @@ class TestInterfaceRoutes < Minitest::Test
     assert_equal '3.1.0', document['openapi']
   end
 
+  def test_SWR_TOOL_020_the_document_says_what_needs_a_session
+    paths = JSON.parse(File.read(File.join(ROOT, 'build/gen/interface/app/openapi.json')))['paths']
+    session = { 'session' => [] }
+    assert_equal [{}, session], paths.dig('/api/v1/status', 'get', 'security')
+    assert_equal [{}, session], paths.dig('/api/v1/status', 'head', 'security')
+    assert_equal [session], paths.dig('/api/v1/workphase', 'post', 'security')
+    assert_equal [], paths.dig('/api/v1/stop', 'post', 'security')
+  end
+
   def test_SWR_TOOL_020_every_document_is_valid_and_one_that_is_not_is_found
     document = document_of(ROUTES)
     assert_valid document

@@ -424,6 +424,22 @@ void test_SWR_AUTH_012_another_ones_request_is_not_replaced(void)
     TEST_ASSERT_EQUAL(STATUS_OK, by_page(OTHER_PAGE, COMMAND_REQUEST, AUTHORITY_REQUEST_TAKE));
 }
 
+void test_SWR_AUTH_012_who_asks_again_keeps_nobody_else_waiting_and_voids_no_press(void)
+{
+    start_free();
+    for (uint32_t i = 0U; i < 10U; i++) {
+        TEST_ASSERT_EQUAL(STATUS_OK, by_page(OTHER_PAGE, COMMAND_REQUEST, AUTHORITY_REQUEST_TAKE));
+        rig_cycles(&rig, CYCLES(LIMIT_AUTHORITY_ASK_US) / 10U);
+    }
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.requester_peer);
+    TEST_ASSERT_EQUAL(STATUS_OK, by_page(RIG_PAGE, COMMAND_REQUEST, AUTHORITY_REQUEST_TAKE));
+    rig_box(&rig, "button press");
+    rig_cycles(&rig, CYCLES(LIMIT_CONFIRM_HOLD_US) / 2U);
+    TEST_ASSERT_EQUAL(STATUS_OK, by_page(RIG_PAGE, COMMAND_REQUEST, AUTHORITY_REQUEST_TAKE));
+    rig_cycles(&rig, CYCLES(LIMIT_CONFIRM_HOLD_US) / 2U + 20U);
+    expect_holder(COMMAND_SOURCE_HTTP, RIG_PAGE);
+}
+
 void test_SWR_CORE_004_damaged_authority_is_nobodys_and_ends_the_order(void)
 {
     start_moving();
