@@ -93,11 +93,16 @@ static void add_member(char json[HTTP_PROBLEM_SIZE], const char *key, const char
     }
 }
 
+const char *http_problem_title(int http)
+{
+    return (http == 422) ? "Unprocessable Content" : mg_get_response_code_text(NULL, http);
+}
+
 size_t http_problem_write(const http_problem_t *problem, char json[HTTP_PROBLEM_SIZE])
 {
     (void)snprintf(json, HTTP_PROBLEM_SIZE, "{\"type\":\"about:blank\",\"status\":%d",
                    problem->http);
-    add_member(json, "title", mg_get_response_code_text(NULL, problem->http));
+    add_member(json, "title", http_problem_title(problem->http));
     add_member(json, "detail", problem->detail);
     add_member(json, "code", problem->code);
     add_member(json, "pointer", problem->pointer);

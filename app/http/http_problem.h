@@ -35,6 +35,9 @@ http_problem_t http_problem_of_body(const request_result_t *result);
 /** Why a query is refused. `result` outlives the problem. */
 http_problem_t http_problem_of_query(const request_result_t *result);
 
+/** The words of a status; the library misspells those of 422. */
+const char *http_problem_title(int http);
+
 /**
  * Writes `problem` as JSON. Returns its length.
  *

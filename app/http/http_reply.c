@@ -63,7 +63,7 @@ size_t http_reply_head(const http_reply_t *reply, char head[HTTP_REPLY_HEAD_SIZE
     (void)snprintf(disposition, sizeof disposition, "attachment; filename=\"%s\"",
                    (reply->file_name != NULL) ? reply->file_name : "");
     (void)snprintf(head, HTTP_REPLY_HEAD_SIZE, "HTTP/1.1 %d %s\r\n", reply->status,
-                   mg_get_response_code_text(NULL, reply->status));
+                   http_problem_title(reply->status));
     add(head, "Content-Type", reply->type);
     add(head, "Cache-Control", reply->cache);
     add(head, "Content-Length", has_body(reply) ? length : NULL);
