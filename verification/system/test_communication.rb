@@ -4,39 +4,20 @@
 # Rule under test: who commands is told by name wherever people look, and so is each connection of OpenIGTLink; a connection
 # is ended, and told whether it is kept alive, by who has authority.
 
-require_relative 'support/http_client'
 require_relative 'support/igtl_client'
-require_relative 'support/openapi'
-require_relative 'support/session_client'
+require_relative 'support/page_test'
 
 class TestCommunication < Minitest::Test
-  include HttpClient
-
-  # One running system with accounts.
-  module WithAccounts
-    def boresight
-      @boresight ||= Boresight.start(arguments: ['--accounts', Accounts.make_for_a_while])
-    end
-  end
-  extend WithAccounts
+  include PageTest
 
   # Each test begins without connections, and without authority.
   def setup
-    boresight.leave
-    wait_until('nobody has authority') { authority['state'] == 'nobody' }
+    super
     wait_until('nobody is told') { connections.empty? }
-  end
-
-  def boresight
-    self.class.boresight
   end
 
   def authority
     boresight.status['authority']
-  end
-
-  def teardown
-    (@clients || []).each(&:log_out)
   end
 
   # A connection that has authority.
@@ -60,8 +41,7 @@ class TestCommunication < Minitest::Test
   end
 
   def test_SWR_AUTH_017_a_page_is_told_by_its_account
-    page = operator
-    assert_equal '200', page.take.code
+    page = holder
     wait_until('it is told') { authority['name'] == 'page of anna' }
     assert_equal ['HTTP', page.page], authority.values_at('source', 'peer')
     told = communication['pages'].find { |one| one['number'] == page.page }
@@ -70,8 +50,7 @@ class TestCommunication < Minitest::Test
 
   # A navigation program that is refused shows its operator the text.
   def test_SWR_IGTL_055_a_connection_is_refused_with_the_name_of_the_page_that_commands
-    page = operator
-    assert_equal '200', page.take.code
+    page = holder
     wait_until('it is told') { authority['name'] == 'page of anna' }
     socket = TCPSocket.open('127.0.0.1', boresight.brp_port)
     socket.write(RawIgtl.string('CMD_1', 'PLANNING'))
@@ -89,7 +68,7 @@ class TestCommunication < Minitest::Test
   end
 
   def test_SWR_AUTH_018_the_line_of_status_tells_who_asks_for_the_button
-    assert_equal '200', operator.act('authority/request', { what: 'TAKE' }).code
+    assert_equal '200', client('anna').act('authority/request', { what: 'TAKE' }).code
     wait_until('it is told') { last_line.match?(/ \| page of anna asks for the button, \d+ s left/) }
     self.assertions += 1
   end
@@ -98,7 +77,7 @@ class TestCommunication < Minitest::Test
     watcher = TCPSocket.open('127.0.0.1', boresight.igtl_port)
     command_by_igtl
     wait_until('both are told') { connections.map { |one| one['messages_in'] }.sort == [0, 1] }
-    assert_described communication
+    assert_described '/api/v1/communication', 'GET', get('/api/v1/communication')
     other, commander = connections.sort_by { |one| one['port'] }
     assert_equal ['workphases', 'brp-2013', true, true, false, 0],
                  commander.values_at('port', 'dialect', 'has_authority', 'keep_alive', 'is_waiting', 'errors')
@@ -116,7 +95,7 @@ class TestCommunication < Minitest::Test
     watcher = TCPSocket.open('127.0.0.1', boresight.igtl_port)
     wait_until('it is told') { connections.size == 1 }
     number = connections.first['number']
-    page = operator
+    page = client('anna')
     assert_refused '423', 'NO_AUTHORITY', disconnect(page, number)
     assert_equal '200', page.take.code
     assert_refused '404', 'NOT_THERE', disconnect(page, number + 10)
@@ -132,22 +111,21 @@ class TestCommunication < Minitest::Test
   # Authority may change between a page's question and the order: the server of the connections judges it, too.
   def test_SWR_IGTL_060_a_connection_that_has_authority_is_not_ended
     command_by_igtl
-    assert_refused '423', 'NO_AUTHORITY', disconnect(operator, connections.first['number'])
+    assert_refused '423', 'NO_AUTHORITY', disconnect(client('anna'), connections.first['number'])
     assert_equal 'held', authority['state']
   end
 
   # Connections and pages have numbers of their own.
   def test_SWR_IGTL_060_the_number_of_who_commands_makes_no_page_command
     command_by_igtl
-    page = operator
+    page = client('anna')
     page.page = connections.first['number']
     assert_refused '423', 'NO_AUTHORITY', disconnect(page, page.page)
     assert_refused '423', 'NO_AUTHORITY', keep_alive(page, page.page, on: false)
   end
 
   def test_SWR_IGTL_060_an_order_while_the_server_of_connections_hangs_is_refused
-    page = operator
-    assert_equal '200', page.take.code
+    page = holder
     boresight.while_stopped('igtl') { assert_refused '503', 'NO_ANSWER', disconnect(page, 11) }
   end
 
@@ -155,7 +133,7 @@ class TestCommunication < Minitest::Test
     watcher = TCPSocket.open('127.0.0.1', boresight.igtl_port)
     wait_until('it is told') { connections.size == 1 }
     number = connections.first['number']
-    page = operator
+    page = client('anna')
     assert_refused '423', 'NO_AUTHORITY', keep_alive(page, number, on: false)
     assert_equal '200', page.take.code
     [false, true].each do |is_on|
@@ -178,14 +156,6 @@ class TestCommunication < Minitest::Test
     communication['connections']
   end
 
-  # The page of an operator, gone with the test.
-  def operator
-    SessionClient.new(port).tap do |one|
-      (@clients ||= []) << one
-      assert_equal '200', one.log_in('anna').code
-    end
-  end
-
   def disconnect(page, number)
     page.request('post', "/api/v1/communication/#{number}/disconnect", nil, SessionClient::PAGE => page.page.to_s)
   end
@@ -199,11 +169,6 @@ class TestCommunication < Minitest::Test
     socket.read_nonblock(1000, exception: false).nil?
   rescue Errno::ECONNRESET
     true
-  end
-
-  def assert_described(value)
-    description = Openapi.new(get('/api/v1/openapi.json').body)
-    assert_nil description.message_fault('Communication', value)
   end
 
   def last_line

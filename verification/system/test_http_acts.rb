@@ -4,47 +4,11 @@
 # Rule under test: what a page with authority asks for is commanded once and answered; what any other asks for is refused by
 # the first reason there is, and nothing behind it is looked at.
 
-require_relative 'support/http_client'
-require_relative 'support/openapi'
-require_relative 'support/session_client'
+require_relative 'support/page_test'
 
 class TestHttpActs < Minitest::Test
-  include HttpClient
-
-  # One running system with accounts.
-  module WithAccounts
-    def boresight
-      @boresight ||= Boresight.start(arguments: ['--accounts', Accounts.make_for_a_while]).tap(&:home)
-    end
-  end
-  extend WithAccounts
-
-  # Each test begins without sessions, and without authority.
-  def setup
-    @clients = []
-    self.class.boresight.leave
-    wait_until('nobody has authority') { authority.fetch('state') == 'nobody' }
-  end
-
-  def teardown
-    @clients.each(&:log_out)
-  end
-
-  def client(name = 'anna')
-    SessionClient.new(port).tap do |one|
-      @clients << one
-      assert_equal('200', one.log_in(name).code)
-    end
-  end
-
-  # A page that has authority.
-  def holder(name = 'anna')
-    client(name).tap { |one| assert_answer '200', 'done', one.take }
-  end
-
-  def authority
-    fetch_json('/api/v1/authority')
-  end
+  include PageTest
+  extend PageTest::Homed
 
   def events(kind)
     fetch_json('/api/v1/log').fetch('entries').count { |entry| entry.fetch('text').include?(kind) }
@@ -54,23 +18,8 @@ class TestHttpActs < Minitest::Test
     fetch_json('/api/v1/status').dig('workphase', 'name')
   end
 
-  def openapi
-    @openapi ||= Openapi.new(get('/api/v1/openapi.json').body)
-  end
-
-  def assert_described(path, method, response)
-    fault = openapi.fault(path, method, response.code, response['Content-Type'], response.body)
-    assert_nil fault, "#{method} #{path}: #{fault}\n#{response.body}"
-  end
-
-  def assert_answer(code, state, response)
-    told = JSON.parse(response.body)
-    assert_equal [code, state], [response.code, told['state'] || told['code']], response.body
-    told
-  end
-
   def test_SWR_HTTP_021_a_page_takes_authority_commands_and_gives_it_up
-    anna = client
+    anna = client('anna')
     assert_answer '423', 'NO_AUTHORITY', anna.act('workphase', { workphase: 'PLANNING' })
     assert_answer '200', 'done', anna.take
     assert_equal ['held', 'HTTP', anna.page], authority.values_at('state', 'source', 'peer')
@@ -93,7 +42,7 @@ class TestHttpActs < Minitest::Test
   end
 
   def test_SWR_HTTP_021_each_answer_is_as_described
-    anna = client
+    anna = client('anna')
     { 'authority' => {}, 'workphase' => { workphase: 'PLANNING' }, 'authority/request' => { what: 'CONFIRM' } }.each do |path, fields|
       assert_described "/api/v1/#{path}", 'POST', anna.act(path, fields)
       assert_described "/api/v1/#{path}", 'POST', anna.act(path, fields, id: 1)
@@ -158,8 +107,8 @@ class TestHttpActs < Minitest::Test
 
   def test_SWR_HTTP_024_a_server_that_is_killed_leaves_no_authority
     anna = holder
-    self.class.boresight.kill('http', 'KILL')
-    wait_until('nobody has authority') { self.class.boresight.patiently { authority.fetch('state') == 'nobody' } }
+    boresight.kill('http', 'KILL')
+    wait_until('nobody has authority') { boresight.patiently { authority.fetch('state') == 'nobody' } }
     assert_answer '401', 'NO_SESSION', anna.keep
   end
 
@@ -187,11 +136,11 @@ class TestHttpActs < Minitest::Test
     assert_answer '202', 'accepted', anna.act('motors/6/jog', { position: -2 })
     refute yaw.fetch('is_driven')
     assert_equal before, yaw.fetch('position')
-    self.class.boresight.simctl('pedal', 'press')
+    boresight.simctl('pedal', 'press')
     wait_until('it is done') { JSON.parse(anna.act('motors/6/jog', { position: -2 }, id: anna.id).body)['state'] == 'done' }
     assert_in_delta(-2, yaw.fetch('position'), 0.02)
   ensure
-    self.class.boresight.simctl('pedal', 'release')
+    boresight.simctl('pedal', 'release')
   end
 
   def test_SWR_HTTP_027_an_axis_that_is_not_there_is_refused

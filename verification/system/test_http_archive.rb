@@ -6,12 +6,10 @@
 
 require 'csv'
 require 'time'
-require_relative 'support/http_client'
-require_relative 'support/openapi'
-require_relative 'support/session_client'
+require_relative 'support/page_test'
 
 class TestHttpArchive < Minitest::Test
-  include HttpClient
+  include PageTest
 
   MEMORY = 1024 # events
   CORRUPT_SLOT = 5
@@ -19,10 +17,10 @@ class TestHttpArchive < Minitest::Test
   BIG_BYTES = 8_000_000
   DOWNLOADS = 2 # downloads
 
-  # Its own accounts, and more events than memory has.
+  # There are more events than memory has.
   module WithEvents
     def boresight
-      @boresight ||= Boresight.start(arguments: ['--accounts', Accounts.make_for_a_while]).tap { |one| happen(one) }
+      @boresight ||= super.tap { |one| happen(one) }
     end
 
     # A damaged frame is an event.
@@ -44,18 +42,6 @@ class TestHttpArchive < Minitest::Test
   end
   extend WithEvents
 
-  def boresight
-    self.class.boresight
-  end
-
-  def client(name = nil)
-    SessionClient.new(port).tap { |one| assert_equal('200', one.log_in(name).code) if name }
-  end
-
-  def code(response)
-    JSON.parse(response.body)['code']
-  end
-
   def log(query = '')
     fetch_json("/api/v1/log#{query}")
   end
@@ -64,11 +50,8 @@ class TestHttpArchive < Minitest::Test
     log(query)['entries'].map { |entry| entry['number'] }
   end
 
-  def assert_described(path, described = path.split('?').first)
-    @openapi ||= Openapi.new(get('/api/v1/openapi.json').body)
-    response = get(path)
-    assert_nil @openapi.fault(described, 'GET', response.code, response['Content-Type'], response.body)
-    response
+  def assert_get_described(path)
+    assert_described path.split('?').first, 'GET', get(path)
   end
 
   def recordings
@@ -89,7 +72,7 @@ class TestHttpArchive < Minitest::Test
     assert_equal 200, answer['entries'].size
     assert_equal answer['next'] - 1, answer['entries'].last['number']
     assert_equal 3, log('?limit=3')['entries'].size
-    assert_described '/api/v1/log?limit=3'
+    assert_get_described '/api/v1/log?limit=3'
   end
 
   def test_SWR_HTTP_041_what_memory_has_no_more_comes_from_the_log_with_the_same_words
@@ -152,7 +135,7 @@ class TestHttpArchive < Minitest::Test
   end
 
   def test_SWR_HTTP_043_a_log_comes_as_it_is
-    assert_described '/api/v1/logs'
+    assert_get_described '/api/v1/logs'
     present = fetch_json('/api/v1/logs')['logs'].find { |one| one['is_present'] }
     path = boresight.log_files.find { |file| File.basename(file) == present['name'] }
     response = get("/api/v1/logs/#{present['name']}")
@@ -164,7 +147,7 @@ class TestHttpArchive < Minitest::Test
   end
 
   def test_SWR_HTTP_044_the_present_recording_is_replayed_up_to_what_is_finished
-    assert_described '/api/v1/recordings'
+    assert_get_described '/api/v1/recordings'
     wait_until('a second is recorded') { recordings.first['bytes'] > 10_000 }
     present = recordings.find { |one| one['is_present'] }
     assert_equal 'neuro', present['robot']
@@ -304,7 +287,7 @@ class TestHttpArchive < Minitest::Test
   def test_SWR_HTTP_049_an_engineer_sets_the_level_and_the_log_says_by_whom
     egon = client('egon')
     assert_equal '200', set_level(egon, { level: 'WARNING' }).code
-    assert_equal({ 'level' => 'WARNING', 'by' => 'egon' }, JSON.parse(assert_described('/api/v1/log/level').body))
+    assert_equal({ 'level' => 'WARNING', 'by' => 'egon' }, JSON.parse(assert_get_described('/api/v1/log/level').body))
     wait_until('the log says so') { boresight.event_lines.any? { |line| line.end_with?('LOG_LEVEL value=1 From here on events from WARNING on are written, set by egon.') } }
     assert_equal '200', set_level(egon, { level: 'INFORMATION' }).code
     wait_until('the log says so') { boresight.event_lines.any? { |line| line.include?('LOG_LEVEL value=0') } }

@@ -3,37 +3,10 @@
 
 # Rule under test: what people write into the log stands there once, under their name, and passes for nothing else.
 
-require_relative 'support/http_client'
-require_relative 'support/openapi'
-require_relative 'support/session_client'
+require_relative 'support/page_test'
 
 class TestHttpNotes < Minitest::Test
-  include HttpClient
-
-  PATH = '/api/v1/log/note'
-
-  # One running system with accounts.
-  module WithAccounts
-    def boresight
-      @boresight ||= Boresight.start(arguments: ['--accounts', Accounts.make_for_a_while])
-    end
-  end
-  extend WithAccounts
-
-  def setup
-    @clients = []
-  end
-
-  def teardown
-    @clients.each(&:log_out)
-  end
-
-  def client(name = 'anna')
-    SessionClient.new(port).tap do |one|
-      @clients << one
-      assert_equal('200', one.log_in(name).code)
-    end
-  end
+  include PageTest
 
   # The answer, as soon as the pause after the note before is over.
   def write(client, text, id: client.id += 1)
@@ -42,7 +15,7 @@ class TestHttpNotes < Minitest::Test
     answer
   end
 
-  def code(answer)
+  def fault(answer)
     JSON.parse(answer.body).values_at('code', 'pointer')
   end
 
@@ -51,65 +24,61 @@ class TestHttpNotes < Minitest::Test
   end
 
   def test_SWR_EVENT_012_a_note_stands_in_the_log_with_the_name_of_who_wrote_it
-    anna = client
+    anna = client('anna')
     answer = write(anna, 'The phantom was turned by 5° — see "page 3"\\.')
     assert_equal %w[200 done], [answer.code, JSON.parse(answer.body)['state']]
     entry = notes('phantom').last
     assert_equal ['Note of anna: The phantom was turned by 5° — see "page 3"\\.', 'NOTE', 'OPERATOR', 'CONSOLE', anna.page],
                  entry.values_at('text', 'name', 'subject', 'cause', 'peer')
-    wait_until('it is in the file') { self.class.boresight.event_lines.any? { |line| line.end_with?('see "page 3"\\.') } }
+    wait_until('it is in the file') { boresight.event_lines.any? { |line| line.end_with?('see "page 3"\\.') } }
   end
 
   def test_SWR_EVENT_012_the_answers_are_as_described
-    anna = client
-    document = Openapi.new(get('/api/v1/openapi.json').body)
+    anna = client('anna')
     [write(anna, 'Described.'), anna.act('log/note', { text: '' }), anna.act('log/note', {})].each do |answer|
-      assert_nil document.fault(PATH, 'post', answer.code, answer['Content-Type'], answer.body), answer.body
+      assert_described '/api/v1/log/note', 'POST', answer
     end
   end
 
   def test_SWR_EVENT_012_a_repeated_note_is_written_once
-    anna = client
+    anna = client('anna')
     answer = write(anna, 'Once.')
     3.times { assert_equal answer.body, write(anna, 'Once.', id: anna.id).body }
-    assert_equal 'ID_USED', code(write(anna, 'Twice.', id: anna.id)).first
+    assert_equal 'ID_USED', code(write(anna, 'Twice.', id: anna.id))
     write(anna, 'After it.')
     assert_equal [1, 0, 1], ['Once.', 'Twice.', 'After it.'].map { |text| notes(text).size }
   end
 
   def test_SWR_EVENT_012_a_note_needs_no_authority_and_takes_none
-    anna = client
-    egon = client('egon')
-    egon.take
+    anna = client('anna')
+    egon = holder('egon')
     assert_equal '200', write(anna, 'Beside who commands.').code
-    assert_equal ['held', egon.page], fetch_json('/api/v1/authority').values_at('state', 'peer')
-  ensure
-    egon&.give_up
+    assert_equal ['held', egon.page], authority.values_at('state', 'peer')
   end
 
   def test_SWR_EVENT_012_an_observer_writes_none
     olga = client('olga')
-    assert_equal 'ROLE_REFUSED', code(olga.act('log/note', { text: 'x' })).first
-    anna = client
+    assert_equal 'ROLE_REFUSED', code(olga.act('log/note', { text: 'x' }))
+    anna = client('anna')
     anna.token = nil
-    assert_equal 'TOKEN_REFUSED', code(anna.act('log/note', { text: 'x' })).first
+    assert_equal 'TOKEN_REFUSED', code(anna.act('log/note', { text: 'x' }))
     anna.cookie = nil
-    assert_equal 'NO_SESSION', code(anna.act('log/note', { text: 'x' })).first
+    assert_equal 'NO_SESSION', code(anna.act('log/note', { text: 'x' }))
   end
 
   def test_SWR_EVENT_012_what_would_change_a_line_is_refused
-    anna = client
+    anna = client('anna')
     ['', "a\nb", "a\u0000b", "\u007f", "\u0085", "a\u2028b", "\u202e", "\u2066"].each do |text|
       answer = anna.act('log/note', { text: text })
-      assert_includes [['OUT_OF_RANGE', '/text'], ['BAD_BODY', '/text']], code(answer), text.inspect
+      assert_includes [['OUT_OF_RANGE', '/text'], ['BAD_BODY', '/text']], fault(answer), text.inspect
     end
-    assert_equal ['BAD_BODY', '/text'], code(anna.act('log/note', { text: 'ä' * 81 }))
+    assert_equal ['BAD_BODY', '/text'], fault(anna.act('log/note', { text: 'ä' * 81 }))
     assert_equal '200', write(anna, 'ä' * 80).code
     assert_equal "Note of anna: #{'ä' * 80}", notes('ä' * 80).last.fetch('text')
   end
 
   def test_SWR_EVENT_012_a_note_reads_as_no_line_of_the_system
-    write(client, 'logged in as service, by password.')
+    write(client('anna'), 'logged in as service, by password.')
     assert_equal ['Note of anna: logged in as service, by password.'], notes('as service').map { |entry| entry.fetch('text') }
   end
 end

@@ -4,39 +4,21 @@
 # Rule under test: positions go out as a file that only this box can have made; what comes back is shown beside what is,
 # refused by name if it does not fit, and restored as it was shown, unverified.
 
-require_relative 'support/http_client'
 require_relative 'support/lone_box'
-require_relative 'support/openapi'
-require_relative 'support/session_client'
+require_relative 'support/page_test'
 
 class TestHttpPositions < Minitest::Test
-  include HttpClient
+  include PageTest
+  extend PageTest::Homed
 
   PATH = '/api/v1/positions'
-
-  # One running system with accounts, homed.
-  module WithAccounts
-    def boresight
-      @boresight ||= Boresight.start(arguments: ['--accounts', Accounts.make_for_a_while]).tap(&:home)
-    end
-  end
-  extend WithAccounts
 
   # Each test begins without authority, in STOP, with axes that rest.
   def setup
     boresight.command('STOP')
     wait_until('the robot is stopped') { status.dig('workphase', 'name') == 'STOP' }
-    boresight.leave
-    wait_until('nobody has authority') { fetch_json('/api/v1/authority').fetch('state') == 'nobody' }
+    super
     wait_until('the axes rest') { get(PATH).code == '200' }
-  end
-
-  def teardown
-    @engineer&.log_out
-  end
-
-  def boresight
-    self.class.boresight
   end
 
   def status
@@ -53,10 +35,7 @@ class TestHttpPositions < Minitest::Test
 
   # An engineer's page, with authority.
   def engineer
-    @engineer ||= SessionClient.new(port).tap do |one|
-      assert_equal '200', one.log_in('egon').code
-      assert_equal '200', one.take.code
-    end
+    @engineer ||= holder('egon')
   end
 
   def preview(body, by: engineer)
@@ -81,15 +60,6 @@ class TestHttpPositions < Minitest::Test
     assert_equal [['old_list', 'unverified', 'unverified', ticks]],
                  restored.map { |told, axis| told.values_at('why', 'grade') + axis.values_at('reference', 'position_ticks') }.uniq
     assert_empty(stayed.map { |told, _| told['why'] }.uniq - ['stands_there'])
-  end
-
-  def openapi
-    @openapi ||= Openapi.new(get('/api/v1/openapi.json').body)
-  end
-
-  def assert_described(path, method, response)
-    fault = openapi.fault(path, method, response.code, response['Content-Type'], response.body)
-    assert_nil fault, "#{method} #{path}: #{fault}\n#{response.body}"
   end
 
   # As an older control program saves them.
@@ -206,15 +176,12 @@ class TestHttpPositions < Minitest::Test
   end
 
   def test_SWR_STORE_021_who_is_no_engineer_or_has_no_authority_restores_nothing
-    anna = SessionClient.new(port)
-    assert_equal '200', anna.log_in('anna').code
+    anna = client('anna')
     assert_equal 'ROLE_REFUSED', preview({ motors: motors(0) }, by: anna)['code']
     assert_equal '403', anna.act('positions/restore', { token: 1 }).code
     token = preview({ motors: motors(-7) })['token']
     engineer.give_up
     assert_equal '423', engineer.act('positions/restore', { token: token }).code
-  ensure
-    anna&.log_out
   end
 end
 

@@ -6,56 +6,17 @@
 
 require 'io/console'
 require 'pty'
-require_relative 'support/http_client'
-require_relative 'support/openapi'
-require_relative 'support/session_client'
+require_relative 'support/page_test'
 
 class TestHttpSessions < Minitest::Test
-  include HttpClient
+  include PageTest
 
   PATH = SessionClient::PATH
   SESSIONS = 8
-  FREE_FAILURES = 3
-
-  # Its own directory of accounts, kept as long as the process runs.
-  module WithAccounts
-    def boresight
-      @boresight ||= Boresight.start(arguments: ['--accounts', accounts])
-    end
-
-    def accounts
-      @accounts ||= Accounts.make_for_a_while
-    end
-  end
-  extend WithAccounts
-
-  # Sessions and failures are in memory: each test begins with a server that knows neither.
-  def setup
-    boresight = self.class.boresight
-    first = boresight.status['boot_id']
-    boresight.kill('http', 'KILL')
-    wait_until('another server answers') { boresight.patiently { boresight.status['boot_id'] } != first }
-  end
-
-  def client(name = nil)
-    SessionClient.new(port).tap { |one| assert_equal('200', one.log_in(name).code) if name }
-  end
-
-  def code(response)
-    JSON.parse(response.body)['code']
-  end
-
-  def openapi
-    @openapi ||= Openapi.new(get('/api/v1/openapi.json').body)
-  end
-
-  def output
-    self.class.boresight.output
-  end
 
   def test_SWR_SESS_012_a_login_sets_a_cookie_that_no_script_reads_and_no_other_site_gets
     anna = client('anna')
-    assert_match(/\Aboresight-#{self.class.boresight.instance}=\h{64}; Path=\/; Max-Age=43200; HttpOnly; SameSite=Strict\z/,
+    assert_match(/\Aboresight-#{boresight.instance}=\h{64}; Path=\/; Max-Age=43200; HttpOnly; SameSite=Strict\z/,
                  anna.last['Set-Cookie'])
     assert_equal [true, 'anna', 'OPERATOR', anna.token, 43_200, 120, 'password'],
                  anna.show.values_at('is_open', 'name', 'role', 'token', 'most_s', 'warn_s', 'login')
@@ -67,26 +28,24 @@ class TestHttpSessions < Minitest::Test
     { 'get' => client.request('get', PATH), 'post' => anna.last, 'put' => anna.renew,
       'delete' => anna.log_out }.each do |method, response|
       assert_equal '200', response.code
-      assert_nil openapi.fault(PATH, method, response.code, response['Content-Type'], response.body)
+      assert_described PATH, method, response
     end
-    refused = client.log_in('anna', 'wrong')
-    assert_nil openapi.fault(PATH, 'post', refused.code, refused['Content-Type'], refused.body)
+    assert_described PATH, 'post', client.log_in('anna', 'wrong')
   end
 
   def test_SWR_SESS_012_the_cookie_of_another_instance_is_none
-    anna = client('anna')
-    anna.cookie = anna.cookie.sub(self.class.boresight.instance, 'other')
-    assert_equal [false, 'NO_SESSION'], [anna.show.fetch('is_open'), code(anna.renew)]
+    other = client('anna').dup
+    other.cookie = other.cookie.sub(boresight.instance, 'other')
+    assert_equal [false, 'NO_SESSION'], [other.show.fetch('is_open'), code(other.renew)]
   end
 
   def test_SWR_SESS_008_a_session_that_the_client_brings_is_never_taken
     mallory = client
-    mallory.cookie = "boresight-#{self.class.boresight.instance}=#{'a' * 64}"
-    brought = mallory.cookie
+    mallory.cookie = "boresight-#{boresight.instance}=#{'a' * 64}"
+    brought = mallory.dup
     mallory.log_in('anna')
-    refute_equal brought, mallory.cookie
-    mallory.cookie = brought
-    refute mallory.show.fetch('is_open')
+    refute_equal brought.cookie, mallory.cookie
+    refute brought.show.fetch('is_open')
   end
 
   def test_SWR_SESS_008_another_login_ends_the_session_that_was
@@ -98,9 +57,9 @@ class TestHttpSessions < Minitest::Test
   end
 
   def test_SWR_SESS_012_two_cookies_of_one_name_are_none
-    anna = client('anna')
-    anna.cookie = "#{anna.cookie}; #{anna.cookie}"
-    refute anna.show.fetch('is_open')
+    twice = client('anna').dup
+    twice.cookie = "#{twice.cookie}; #{twice.cookie}"
+    refute twice.show.fetch('is_open')
     head = send_raw("GET #{PATH} HTTP/1.1\r\nHost: #{host}\r\nCookie: a=1\r\nCookie: b=2\r\n\r\n")
     assert_match(/\AHTTP\S* 400 /, head)
   end
@@ -155,7 +114,7 @@ class TestHttpSessions < Minitest::Test
 
   def test_SWR_SESS_017_the_loopback_listener_shows_the_state_to_everyone
     %w[status motors targeting log].each { |name| assert_equal '200', get("/api/v1/#{name}").code }
-    assert_equal '200', get('/api/v1/status', 'Cookie' => "boresight-#{self.class.boresight.instance}=x").code
+    assert_equal '200', get('/api/v1/status', 'Cookie' => "boresight-#{boresight.instance}=x").code
   end
 
   def test_SWR_SESS_007_the_ninth_session_is_refused_until_one_ends
@@ -164,73 +123,6 @@ class TestHttpSessions < Minitest::Test
     assert(all.all? { |one| one.show.fetch('is_open') })
     all.first.log_out
     assert_equal '200', client.log_in('anna').code
-  end
-
-  def test_SWR_SESS_014_failures_make_the_next_login_wait
-    (FREE_FAILURES + 1).times { assert_equal %w[401 LOGIN_REFUSED], [(last = client.log_in('anna', 'x')).code, code(last)] }
-    response = client.log_in('anna')
-    assert_equal %w[429 LOGIN_TOO_SOON 1], [response.code, code(response), response['Retry-After']]
-    wait_until('a login is looked at again') { client.log_in('anna').code == '200' }
-  end
-
-  def test_SWR_SESS_015_guessing_locks_out_no_session_and_no_stop
-    anna = client('anna')
-    is_over = false
-    guessers = Array.new(16) do |i|
-      Thread.new { client.log_in(i.even? ? 'anna' : "nobody-#{i}", 'guess') until is_over }
-    end
-    wait_until('guessing has become slow') { client.log_in('anna').code == '429' }
-    10.times do
-      assert_equal '200', anna.renew.code
-      [port, stop_port].each { |at| assert_equal '200', post('/api/v1/stop', '{}', {}, at:).code }
-    end
-  ensure
-    is_over = true
-    guessers&.each(&:join)
-  end
-
-  # Notes of this server in the log, with what is said of them elsewhere: [the sentence, name, severity, cause]. One that control
-  # has not logged for long is asked for again, and then there twice with its number.
-  def notes
-    self.class.boresight.log.select { |entry| %w[NOTE LOGIN_REFUSED].include?(entry['name']) }.uniq { |entry| entry['value'] }
-        .map { |entry| entry.values_at('text', 'name', 'severity', 'cause') }
-  end
-
-  def test_SWR_SESS_020_each_login_refusal_and_logout_is_an_event
-    before = notes.size
-    anna = client('anna')
-    client.log_in('anna', 'wrong')
-    anna.log_in('egon')
-    anna.log_out
-    expected = [['anna: logged in as operator, by password.', 'NOTE', 'INFORMATION', 'CONSOLE'],
-                ['anna: login refused: name, password or code is wrong.', 'LOGIN_REFUSED', 'WARNING', 'CONSOLE'],
-                ['anna: session ended: another login took its place.', 'NOTE', 'INFORMATION', 'CONSOLE'],
-                ['egon: logged in as engineer, by password.', 'NOTE', 'INFORMATION', 'CONSOLE'],
-                ['egon: logged out.', 'NOTE', 'INFORMATION', 'CONSOLE']]
-    wait_until('all is said') { notes.size >= before + expected.size }
-    assert_equal expected, notes.drop(before)
-    wait_until('it is in the file') { self.class.boresight.event_lines.last.end_with?(' egon: logged out.') }
-  end
-
-  def test_SWR_EVENT_010_what_a_stranger_calls_himself_is_not_written
-    before = notes.size
-    client.log_in("a\nroot: logged in", 'correct-horse')
-    wait_until('it is said') { notes.size > before }
-    assert_equal '?: login refused: name, password or code is wrong.', notes.last.first
-    self.class.boresight.event_lines.each { |line| refute_match(/correct-horse|root/, line) }
-  end
-
-  def test_SWR_SESS_020_a_note_that_a_stop_has_refused_comes_all_the_same
-    before = notes.size
-    is_over = false
-    stopping = Thread.new { post('/api/v1/stop', '{}') until is_over }
-    10.times { client('anna').log_out }
-    expected = ['anna: logged in as operator, by password.', 'anna: logged out.'] * 10
-    wait_until('all are in the log') { notes.size >= before + expected.size }
-    assert_equal expected, notes.drop(before).map(&:first)
-  ensure
-    is_over = true
-    stopping&.join
   end
 
   def test_SWR_SESS_022_who_is_removed_is_out
@@ -249,7 +141,7 @@ class TestHttpSessions < Minitest::Test
 
   def test_SWR_SESS_025_a_restart_ends_all_sessions
     anna = client('anna')
-    setup
+    boresight.restart_http
     assert_equal [false, 'NO_SESSION'], [anna.show.fetch('is_open'), code(anna.renew)]
   end
 
@@ -313,8 +205,8 @@ class TestHttpSessions < Minitest::Test
 
   # What a second server of this instance says before it ends.
   def server_says(words)
-    answer, status = Open3.capture2e(Boresight.program('boresight-http'), '--exchange', self.class.boresight.instance,
-                                     '--recordings', self.class.boresight.recordings,
+    answer, status = Open3.capture2e(Boresight.program('boresight-http'), '--exchange', boresight.instance,
+                                     '--recordings', boresight.recordings,
                                      '--port', Boresight.free_ports(1).first.to_s, *words)
     assert_equal 1, status.exitstatus
     answer
@@ -327,6 +219,84 @@ class TestHttpSessions < Minitest::Test
   end
 end
 
+# Each test begins with a server that knows of no failure and has noted nothing.
+class TestHttpSessionsAnew < Minitest::Test
+  include PageTest
+
+  FREE_FAILURES = 3
+
+  def setup
+    boresight.restart_http
+  end
+
+  def test_SWR_SESS_014_failures_make_the_next_login_wait
+    (FREE_FAILURES + 1).times { assert_equal %w[401 LOGIN_REFUSED], [(last = client.log_in('anna', 'x')).code, code(last)] }
+    response = client.log_in('anna')
+    assert_equal %w[429 LOGIN_TOO_SOON 1], [response.code, code(response), response['Retry-After']]
+    wait_until('a login is looked at again') { client.log_in('anna').code == '200' }
+  end
+
+  def test_SWR_SESS_015_guessing_locks_out_no_session_and_no_stop
+    anna = client('anna')
+    is_over = false
+    guessers = Array.new(16) do |i|
+      Thread.new { client.log_in(i.even? ? 'anna' : "nobody-#{i}", 'guess') until is_over }
+    end
+    wait_until('guessing has become slow') { client.log_in('anna').code == '429' }
+    10.times do
+      assert_equal '200', anna.renew.code
+      [port, stop_port].each { |at| assert_equal '200', post('/api/v1/stop', '{}', {}, at:).code }
+    end
+  ensure
+    is_over = true
+    guessers&.each(&:join)
+  end
+
+  # Notes of this server in the log, with what is said of them elsewhere: [the sentence, name, severity, cause]. One that control
+  # has not logged for long is asked for again, and then there twice with its number.
+  def notes
+    boresight.log.select { |entry| %w[NOTE LOGIN_REFUSED].include?(entry['name']) }.uniq { |entry| entry['value'] }
+        .map { |entry| entry.values_at('text', 'name', 'severity', 'cause') }
+  end
+
+  def test_SWR_SESS_020_each_login_refusal_and_logout_is_an_event
+    before = notes.size
+    anna = client('anna')
+    client.log_in('anna', 'wrong')
+    anna.log_in('egon')
+    anna.log_out
+    expected = [['anna: logged in as operator, by password.', 'NOTE', 'INFORMATION', 'CONSOLE'],
+                ['anna: login refused: name, password or code is wrong.', 'LOGIN_REFUSED', 'WARNING', 'CONSOLE'],
+                ['anna: session ended: another login took its place.', 'NOTE', 'INFORMATION', 'CONSOLE'],
+                ['egon: logged in as engineer, by password.', 'NOTE', 'INFORMATION', 'CONSOLE'],
+                ['egon: logged out.', 'NOTE', 'INFORMATION', 'CONSOLE']]
+    wait_until('all is said') { notes.size >= before + expected.size }
+    assert_equal expected, notes.drop(before)
+    wait_until('it is in the file') { boresight.event_lines.last.end_with?(' egon: logged out.') }
+  end
+
+  def test_SWR_EVENT_010_what_a_stranger_calls_himself_is_not_written
+    before = notes.size
+    client.log_in("a\nroot: logged in", 'correct-horse')
+    wait_until('it is said') { notes.size > before }
+    assert_equal '?: login refused: name, password or code is wrong.', notes.last.first
+    boresight.event_lines.each { |line| refute_match(/correct-horse|root/, line) }
+  end
+
+  def test_SWR_SESS_020_a_note_that_a_stop_has_refused_comes_all_the_same
+    before = notes.size
+    is_over = false
+    stopping = Thread.new { post('/api/v1/stop', '{}') until is_over }
+    10.times { client('anna').log_out }
+    expected = ['anna: logged in as operator, by password.', 'anna: logged out.'] * 10
+    wait_until('all are in the log') { notes.size >= before + expected.size }
+    assert_equal expected, notes.drop(before).map(&:first)
+  ensure
+    is_over = true
+    stopping&.join
+  end
+end
+
 # Without accounts.
 class TestHttpFirstLogin < Minitest::Test
   include HttpClient
@@ -335,17 +305,10 @@ class TestHttpFirstLogin < Minitest::Test
     self.class.boresight.output.scan(/^Login: +([A-Z2-9-]{14}) /).flatten
   end
 
-  # Each test has a server of its own, and so a code of its own.
-  def setup
-    boresight = self.class.boresight
-    first = boresight.status['boot_id']
-    count = codes.size
-    boresight.kill('http', 'KILL')
-    wait_until('another server answers') { boresight.patiently { boresight.status['boot_id'] } != first }
-    wait_until('its code is shown') { codes.size > count }
-  end
-
   def test_SWR_SESS_005_the_code_that_is_printed_opens_one_session_of_an_engineer
+    count = codes.size
+    self.class.boresight.restart_http
+    wait_until('the code of another server is shown') { codes.size > count }
     client = SessionClient.new(port)
     assert_equal 'code', client.show.fetch('login')
     assert_equal '401', client.post_login({ code: codes.first }).code

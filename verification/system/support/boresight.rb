@@ -221,6 +221,13 @@ class Boresight
     Process.kill(signal, pid_of(name) || raise("#{name} does not run"))
   end
 
+  # Another server takes the place of http.
+  def restart_http
+    first = status['boot_id']
+    kill('http', 'KILL')
+    wait_until('another server answers') { patiently { status['boot_id'] } != first }
+  end
+
   # Rows of "simctl show": slot, axis, ..., drive and the number of watchdog trips.
   def box_axes
     simctl('show').lines.map(&:split).select { |words| words.first.to_s.match?(/\A\d+\z/) }

@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+require_relative 'http_client'
+require_relative 'openapi'
+require_relative 'session_client'
+
+# What tests of pages share: one running system with accounts for all tests of a file, pages that are logged out with the test,
+# and answers that are held against their description.
+module PageTest
+  include HttpClient
+
+  def self.included(test)
+    test.extend(OneWithAccounts)
+  end
+
+  # One running system with accounts serves all tests of a file.
+  module OneWithAccounts
+    def boresight
+      @boresight ||= Boresight.start(arguments: ['--accounts', accounts])
+    end
+
+    def accounts
+      @accounts ||= Accounts.make_for_a_while
+    end
+  end
+
+  # It is homed.
+  module Homed
+    def boresight
+      @boresight ||= super.tap(&:home)
+    end
+  end
+
+  # Each test begins without authority.
+  def setup
+    super
+    boresight.leave
+    wait_until('nobody has authority') { authority.fetch('state') == 'nobody' }
+  end
+
+  def teardown
+    clients.select(&:cookie).each(&:log_out)
+    super
+  end
+
+  def boresight
+    self.class.boresight
+  end
+
+  def clients
+    @clients ||= []
+  end
+
+  # A page, of nobody without a name.
+  def client(name = nil)
+    SessionClient.new(port).tap do |one|
+      clients << one
+      assert_equal('200', one.log_in(name).code) if name
+    end
+  end
+
+  # A page that has authority.
+  def holder(name = 'anna')
+    client(name).tap { |one| assert_answer '200', 'done', one.take }
+  end
+
+  def authority
+    fetch_json('/api/v1/authority')
+  end
+
+  def code(response)
+    JSON.parse(response.body)['code']
+  end
+
+  # What became of an act.
+  def assert_answer(code, state, response)
+    told = JSON.parse(response.body)
+    assert_equal [code, state], [response.code, told['state'] || told['code']], response.body
+    told
+  end
+
+  def openapi
+    @openapi ||= Openapi.new(get('/api/v1/openapi.json').body)
+  end
+
+  def assert_described(path, method, response)
+    fault = openapi.fault(path, method, response.code, response['Content-Type'], response.body)
+    assert_nil fault, "#{method} #{path}: #{fault}\n#{response.body}"
+    response
+  end
+end
