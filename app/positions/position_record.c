@@ -4,6 +4,7 @@
 #include "base/crc.h"
 #include "card/card_frame.h"
 #include "charts/axis_chart.h"
+#include "common/little_endian.h"
 
 #include <string.h>
 
@@ -67,30 +68,6 @@ bool position_record_take(position_record_t *self, const snapshot_t *snapshot, u
 }
 
 static const uint8_t magic[8] = {'B', 'S', 'P', 'O', 'S', '0', '0', '1'};
-
-static void put32(uint8_t *bytes, uint32_t value)
-{
-    for (uint32_t i = 0U; i < 4U; i++) {
-        bytes[i] = (uint8_t)(value >> (8U * i));
-    }
-}
-
-static void put64(uint8_t *bytes, uint64_t value)
-{
-    put32(bytes, (uint32_t)value);
-    put32(&bytes[4], (uint32_t)(value >> 32));
-}
-
-static uint32_t get32(const uint8_t *bytes)
-{
-    return (uint32_t)bytes[0] | ((uint32_t)bytes[1] << 8) | ((uint32_t)bytes[2] << 16) |
-           ((uint32_t)bytes[3] << 24);
-}
-
-static uint64_t get64(const uint8_t *bytes)
-{
-    return (uint64_t)get32(bytes) | ((uint64_t)get32(&bytes[4]) << 32);
-}
 
 void position_record_encode(const position_record_t *self, uint8_t *bytes)
 {

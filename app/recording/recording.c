@@ -2,6 +2,7 @@
 #include "recording/recording.h"
 
 #include "base/crc.h"
+#include "common/little_endian.h"
 
 #include <openssl/evp.h>
 #include <stdio.h>
@@ -23,30 +24,6 @@
 #define FIELDS_CRC 28U
 
 static const uint8_t magic[8] = {'B', 'S', 'R', 'E', 'C', 'O', 'R', 'D'};
-
-static void put32(uint8_t *bytes, uint32_t value)
-{
-    for (uint32_t i = 0U; i < 4U; i++) {
-        bytes[i] = (uint8_t)(value >> (8U * i));
-    }
-}
-
-static void put64(uint8_t *bytes, uint64_t value)
-{
-    put32(bytes, (uint32_t)value);
-    put32(&bytes[4], (uint32_t)(value >> 32));
-}
-
-static uint32_t get32(const uint8_t *bytes)
-{
-    return (uint32_t)bytes[0] | ((uint32_t)bytes[1] << 8) | ((uint32_t)bytes[2] << 16) |
-           ((uint32_t)bytes[3] << 24);
-}
-
-static uint64_t get64(const uint8_t *bytes)
-{
-    return (uint64_t)get32(bytes) | ((uint64_t)get32(&bytes[4]) << 32);
-}
 
 /* Hashes up to three pieces; without memory for it nothing can be trusted, so the process ends. */
 static void digest(const uint8_t *const pieces[3], const size_t sizes[3], uint8_t *hash)
