@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "session/account.h"
 
+#include "session/text_lines.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <stdarg.h>
@@ -111,26 +113,17 @@ static const char *take_line(accounts_t *self, char *line)
 bool accounts_parse(accounts_t *self, const char *file, const char *text, size_t length,
                     char *error, size_t error_size)
 {
-    uint32_t number = 0U;
-    size_t place = 0U;
+    text_lines_t lines = {.text = text, .length = length};
+    char line[LINE_SIZE];
 
     self->count = 0U;
-    while (place < length) {
-        const char *end = memchr(&text[place], '\n', length - place);
-        const size_t size = (end != NULL) ? (size_t)(end - &text[place]) : (length - place);
-        const char *fault = "the line is too long, or holds a NUL.";
-        number++;
-        if ((size < LINE_SIZE) && (memchr(&text[place], '\0', size) == NULL)) {
-            char line[LINE_SIZE];
-            (void)memcpy(line, &text[place], size);
-            line[size] = '\0';
-            fault = ((size == 0U) || (line[0] == '#')) ? NULL : take_line(self, line);
-        }
+    while (text_lines_next(&lines, line, sizeof line)) {
+        const bool is_told = (line[0] != '\0') && (line[0] != '#');
+        const char *fault = is_told ? take_line(self, line) : lines.fault;
         if (fault != NULL) {
             self->count = 0U;
-            return refuse(error, error_size, "%s, line %u: %s", file, (unsigned)number, fault);
+            return refuse(error, error_size, "%s, line %u: %s", file, lines.number, fault);
         }
-        place += size + 1U;
     }
     return true;
 }

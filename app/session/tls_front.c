@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "session/tls_front.h"
 
+#include "session/text_lines.h"
+
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -126,28 +128,18 @@ bool tls_front_parse(tls_front_t *self, const char *file, const char *text, size
                      char *error, size_t error_size)
 {
     bool is_given[KEYS] = {false};
-    unsigned number = 0U;
-    size_t place = 0U;
+    text_lines_t lines = {.text = text, .length = length};
+    char line[LINE_SIZE];
 
     (void)memset(self, 0, sizeof *self);
-    while (place < length) {
-        const char *end = memchr(&text[place], '\n', length - place);
-        const size_t size = (end != NULL) ? (size_t)(end - &text[place]) : (length - place);
-        const char *fault = "the line is too long, or holds a NUL.";
-        number++;
-        if ((size < LINE_SIZE) && (memchr(&text[place], '\0', size) == NULL)) {
-            char line[LINE_SIZE];
-            (void)memcpy(line, &text[place], size);
-            line[size] = '\0';
-            char *words = trim(line);
-            fault =
-                ((words[0] == '\0') || (words[0] == '#')) ? NULL : take_line(self, words, is_given);
-        }
+    while (text_lines_next(&lines, line, sizeof line)) {
+        char *words = trim(line);
+        const bool is_told = (words[0] != '\0') && (words[0] != '#');
+        const char *fault = is_told ? take_line(self, words, is_given) : lines.fault;
         if (fault != NULL) {
-            (void)snprintf(error, error_size, "%s, line %u: %s", file, number, fault);
+            (void)snprintf(error, error_size, "%s, line %u: %s", file, lines.number, fault);
             return false;
         }
-        place += size + 1U;
     }
     return is_complete(self, is_given, file, error, error_size);
 }
