@@ -33,6 +33,16 @@ typedef struct {
     const char *to;   /* The same. */
 } asked_t;
 
+/* The queries are of two types, with the same members. */
+#define ASKED(query, limit_default)                                                                \
+    {                                                                                              \
+        .has_after = (query).has_after, .after = (query).after,                                    \
+        .limit = (query).has_limit ? (query).limit : (limit_default),                              \
+        .level = (query).has_level ? (query).level : 0U,                                           \
+        .text = (query).has_text ? (query).text : NULL,                                            \
+        .from = (query).has_from ? (query).from : NULL, .to = (query).has_to ? (query).to : NULL   \
+    }
+
 static bool take_place(uint32_t *taken, uint32_t most)
 {
     const bool is_free = __atomic_add_fetch(taken, 1U, __ATOMIC_ACQ_REL) <= most;
@@ -113,14 +123,7 @@ static int find_events(http_server_t *server, struct mg_connection *connection,
 
 int http_archive_log(http_server_t *server, const http_call_t *call)
 {
-    const request_log_query_t *query = &call->query.log;
-    const asked_t asked = {.has_after = query->has_after,
-                           .after = query->after,
-                           .limit = query->has_limit ? query->limit : LOG_DEFAULT,
-                           .level = query->has_level ? query->level : 0U,
-                           .text = query->has_text ? query->text : NULL,
-                           .from = query->has_from ? query->from : NULL,
-                           .to = query->has_to ? query->to : NULL};
+    const asked_t asked = ASKED(call->query.log, LOG_DEFAULT);
     const robot_t *robot = exchange_robot(server->exchange);
     log_filter_t filter;
     log_search_t found;
@@ -140,14 +143,7 @@ int http_archive_log(http_server_t *server, const http_call_t *call)
 
 int http_archive_log_csv(http_server_t *server, const http_call_t *call)
 {
-    const request_log_csv_query_t *query = &call->query.log_csv;
-    const asked_t asked = {.has_after = query->has_after,
-                           .after = query->after,
-                           .limit = query->has_limit ? query->limit : CSV_DEFAULT,
-                           .level = query->has_level ? query->level : 0U,
-                           .text = query->has_text ? query->text : NULL,
-                           .from = query->has_from ? query->from : NULL,
-                           .to = query->has_to ? query->to : NULL};
+    const asked_t asked = ASKED(call->query.log_csv, CSV_DEFAULT);
     log_filter_t filter;
     log_search_t found;
     size_t size = 0U;
