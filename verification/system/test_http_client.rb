@@ -6,21 +6,13 @@
 
 require_relative '../demo/targets'
 require_relative 'support/document_client'
-require_relative 'support/http_client'
-require_relative 'support/session_client'
+require_relative 'support/page_test'
 
 class TestHttpClient < Minitest::Test
   include HttpClient
+  extend PageTest::OneWithAccounts
 
   TARGETS = Targets.new(File.expand_path('../../core/robot/neuro/targets.yml', __dir__))
-
-  # One running system with accounts.
-  module WithAccounts
-    def boresight
-      @boresight ||= Boresight.start(arguments: ['--accounts', Accounts.make_for_a_while])
-    end
-  end
-  extend WithAccounts
 
   def boresight
     self.class.boresight

@@ -191,18 +191,6 @@ class TestHttpPositionsAnew < SystemTest
 
   PATH = '/api/v1/positions'
 
-  def setup
-    @directory = Dir.mktmpdir('boresight')
-    @box = "#{Boresight.next_instance}-box"
-    switch_box_on
-  end
-
-  def teardown
-    super
-    switch_box_off
-    FileUtils.rm_rf(@directory)
-  end
-
   def start
     @boresight = Boresight.start(box: @box, recordings: @directory, arguments: ['--accounts', Accounts.make_for_a_while])
   end

@@ -19,18 +19,6 @@ class TestPositionStore < SystemTest
   AXIS = 12
   KNOWN = 2
 
-  def setup
-    @directory = Dir.mktmpdir('boresight')
-    @box = "#{Boresight.next_instance}-box"
-    switch_box_on
-  end
-
-  def teardown
-    super
-    switch_box_off
-    FileUtils.rm_rf(@directory)
-  end
-
   # The programs on that box, and what they say of themselves after the block.
   def programs
     @boresight = Boresight.start(box: @box, recordings: @directory)
@@ -157,20 +145,15 @@ class TestPositionStore < SystemTest
     answer
   end
 
-  def test_SWR_STORE_003_a_damaged_store_is_said_and_every_axis_is_lost
+  def test_SWR_STORE_003_a_store_that_is_damaged_or_gone_is_said_and_every_axis_is_lost
     home_and_stop
-    File.write(store, 'rubbish')
-    programs
-    wait_until('every axis is lost') { references == ['lost'] }
-    assert_match(/^control: the kept positions .* are damaged/, @boresight.output)
-  end
-
-  def test_SWR_STORE_003_a_store_that_is_gone_is_said_and_every_axis_is_lost
-    home_and_stop
-    File.delete(store)
-    programs
-    wait_until('every axis is lost') { references == ['lost'] }
-    assert_match(/^control: the kept positions .* are missing/, @boresight.output)
+    { 'damaged' => -> { File.write(store, 'rubbish') }, 'missing' => -> { File.delete(store) } }.each do |fault, happen|
+      happen.call
+      programs
+      wait_until('every axis is lost') { references == ['lost'] }
+      assert_match(/^control: the kept positions .* are #{fault}/, @boresight.output)
+      @boresight.stop
+    end
   end
 
   def test_SWR_STORE_004_after_another_power_on_of_the_box_every_axis_is_fresh

@@ -3,8 +3,22 @@
 
 require_relative 'boresight'
 
-# A simulated box that runs by itself, with the name @box: it is switched off and on while the programs are not there.
+# A simulated box that runs by itself with each test, with the name @box, and @directory for what the programs keep: it is
+# switched off and on while the programs are not there.
 module LoneBox
+  def setup
+    super
+    @directory = Dir.mktmpdir('boresight')
+    @box = "#{Boresight.next_instance}-box"
+    switch_box_on
+  end
+
+  def teardown
+    super
+    switch_box_off
+    FileUtils.rm_rf(@directory)
+  end
+
   def switch_box_on
     said, output = IO.pipe
     @box_pid = Process.spawn(Boresight.program('boresight-box'), '--name', @box, out: output, err: File::NULL)
