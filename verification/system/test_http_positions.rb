@@ -212,7 +212,7 @@ class TestHttpPositionsAnew < SystemTest
 
   def test_SWR_STORE_024_after_the_box_was_switched_off_its_file_brings_the_positions_back_for_the_operator_to_confirm
     start.press_and_command('START_UP')
-    assert_equal 'NOT_AT_REST', save['code']
+    wait_until('nothing is saved in a motion') { save['code'] == 'NOT_AT_REST' }
     wait_until('every axis is homed') { @boresight.status['is_homed'] }
     @boresight.simctl('pedal', 'release')
     wait_until('the axes rest') { save['hmac'] }
