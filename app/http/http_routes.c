@@ -37,6 +37,14 @@ static int answer_status(http_server_t *server, struct mg_connection *connection
                : 503;
 }
 
+static int answer_robot(http_server_t *server, struct mg_connection *connection)
+{
+    telemetry_view_t view;
+    return look(server, connection, &view)
+               ? http_reply_object(connection, 200, telemetry_json_robot(view.robot))
+               : 503;
+}
+
 static int answer_motors(http_server_t *server, struct mg_connection *connection)
 {
     telemetry_view_t view;
@@ -116,6 +124,8 @@ static int answer(http_server_t *server, const http_call_t *call)
     switch (call->route->id) {
     case ROUTE_STATUS:
         return answer_status(server, connection);
+    case ROUTE_ROBOT:
+        return answer_robot(server, connection);
     case ROUTE_MOTORS:
         return answer_motors(server, connection);
     case ROUTE_TARGETING:

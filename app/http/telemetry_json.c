@@ -173,6 +173,46 @@ static cJSON *new_axis(const telemetry_view_t *view, uint32_t index)
     return json_axis(axis, config, &also);
 }
 
+static cJSON *new_robot_axis(const axis_config_t *axis)
+{
+    const json_robot_axis_t told = {
+        .name = axis->name,
+        .unit = telemetry_units_name(axis),
+        .slot = axis->slot,
+        .homing = (axis->home_method == (uint8_t)HOME_BY_SWITCH) ? "switch" : "place",
+        .minimum = telemetry_units_position(axis, axis->minimum_ticks),
+        .maximum = telemetry_units_position(axis, axis->maximum_ticks),
+        .speed = telemetry_units_position(axis, axis->speed_ticks_per_s)};
+    return json_robot_axis(&told);
+}
+
+static cJSON *new_lengths(const robot_t *robot)
+{
+    cJSON *lengths = cJSON_CreateArray();
+    for (uint32_t i = 0U; i < ROBOT_TOLD_LENGTHS; i++) {
+        const told_length_t *length = &robot->told_lengths[i];
+        const json_robot_length_t told = {.name = length->name,
+                                          .length_mm = telemetry_units_length(length->length_nm)};
+        if (length->name[0] != '\0') {
+            (void)cJSON_AddItemToArray(lengths, json_robot_length(&told));
+        }
+    }
+    return lengths;
+}
+
+cJSON *telemetry_json_robot(const robot_t *robot)
+{
+    char checksum[9];
+    cJSON *axes = cJSON_CreateArray();
+    (void)snprintf(checksum, sizeof checksum, "%08x", (unsigned)robot->crc);
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+        (void)cJSON_AddItemToArray(axes, new_robot_axis(&robot->axes[i]));
+    }
+    const json_robot_t told = {
+        .name = robot->name, .checksum = checksum, .axes = axes, .lengths = new_lengths(robot)};
+    return json_robot(&told);
+}
+
 cJSON *telemetry_json_motors(const telemetry_view_t *view)
 {
     cJSON *axes = cJSON_CreateArray();

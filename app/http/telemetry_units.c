@@ -52,6 +52,11 @@ void telemetry_units_point(const point_t *point, double coordinates[3])
     coordinates[2] = (double)point->z_nm / NM_PER_MM;
 }
 
+double telemetry_units_length(int32_t length_nm)
+{
+    return (double)length_nm / NM_PER_MM;
+}
+
 void telemetry_units_matrix(const rigid_t *pose, double matrix[16])
 {
     double translation[3];

@@ -23,6 +23,9 @@ bool telemetry_units_ticks(const axis_config_t *axis, double position, int32_t *
 /** A speed of `axis` in its unit per second. */
 double telemetry_units_speed(const axis_config_t *axis, int32_t speed_ticks_per_s_q8);
 
+/** `length_nm` in mm. */
+double telemetry_units_length(int32_t length_nm);
+
 /** `pose` as a homogeneous matrix by rows, translation in mm. */
 void telemetry_units_matrix(const rigid_t *pose, double matrix[16]);
 

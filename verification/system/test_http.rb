@@ -4,6 +4,7 @@
 # Rule under test: the HTTP server shows everything, obeys one command, refuses all else, and no client can keep it
 # from serving the others. One running system serves all tests of this file.
 
+require 'yaml'
 require_relative 'support/http_client'
 
 class TestHttp < Minitest::Test
@@ -39,6 +40,18 @@ class TestHttp < Minitest::Test
       permit = axis.fetch('permit')
       assert_equal permit.fetch('allowed'), permit.fetch('reasons').empty?
     end
+  end
+
+  def test_SWR_HTTP_037_the_robot_is_told_as_its_file_has_it
+    file = YAML.safe_load_file(File.expand_path('../../core/robot/neuro/robot.yml', __dir__))
+    robot = fetch_json('/api/v1/robot')
+    assert_match(/\A[0-9a-f]{8}\z/, robot.fetch('checksum'))
+    assert_equal(file['told']['lengths'].map { |one| [one['name'], file['probe'][one['length']]] },
+                 robot.fetch('lengths').map { |one| one.values_at('name', 'length_mm') })
+    assert_equal([file['name'], file['axes'].map { |axis| [axis['name'], axis['slot']] }],
+                 [robot['name'], robot['axes'].map { |axis| axis.values_at('name', 'slot') }])
+    limits = fetch_json('/api/v1/motors').fetch('axes').map { |axis| axis.values_at('name', 'unit', 'minimum', 'maximum') }
+    assert_equal(limits, robot['axes'].map { |axis| axis.values_at('name', 'unit', 'minimum', 'maximum') })
   end
 
   def test_SWR_HTTP_006_targeting_gives_no_pose_before_the_axes_are_homed
