@@ -2,6 +2,7 @@
 #include "fuzz/witness.h"
 
 #include "dialect/igtl_border.h"
+#include "dialect/transform_proposals.h"
 #include "fuzz/sentence.h"
 #include "limits/requirement_limits.h"
 #include "message/igtl_crc64.h"
@@ -479,6 +480,14 @@ static bool may_pass(const world_t *world, uint32_t place, const command_t *comm
     return igtl_requests_is_urgent(command) || (commander == NOWHERE) || (commander == place);
 }
 
+/* A proposal that has waited goes on while its sender says something else. */
+static bool is_said_now(const command_t *command)
+{
+    return !is_of_planner(command) ||
+           (strcmp(transform_proposals_name(command->kind, command->argument),
+                   witness.said->name) == 0);
+}
+
 static void judge_command(const world_t *world, const command_t *command)
 {
     const uint32_t place = place_of(world, command->peer);
@@ -496,7 +505,7 @@ static void judge_command(const world_t *world, const command_t *command)
              "what is for a single axis does not come by the network of navigation");
     SENTENCE(is_of_planner(command) || may_pass(world, place, command),
              "while another one commands a stop passes at most");
-    if (place == witness.speaker) {
+    if ((place == witness.speaker) && is_said_now(command)) {
         judge_pose(witness.said, &command->pose);
     }
 }
