@@ -103,6 +103,10 @@ void test_SWR_AUTH_012_one_asks_at_a_time(void)
     TEST_ASSERT_TRUE(authority_ask(&authority, AUTHORITY_REQUEST_TAKE, 0U, &page, now.time_us));
     TEST_ASSERT_FALSE(
         authority_ask(&authority, AUTHORITY_REQUEST_TAKE, 0U, &connection, now.time_us));
+    TEST_ASSERT_TRUE(authority_is_asked(&authority, AUTHORITY_REQUEST_TAKE, 0U, &page));
+    TEST_ASSERT_FALSE(authority_is_asked(&authority, AUTHORITY_REQUEST_CONFIRM, 0U, &page));
+    TEST_ASSERT_FALSE(authority_is_asked(&authority, AUTHORITY_REQUEST_TAKE, 1U, &page));
+    TEST_ASSERT_FALSE(authority_is_asked(&authority, AUTHORITY_REQUEST_TAKE, 0U, &connection));
     TEST_ASSERT_TRUE(authority_ask(&authority, AUTHORITY_REQUEST_CONFIRM, 0U, &page, now.time_us));
     TEST_ASSERT_EQUAL_UINT32(
         1U, authority_request_left_us(&authority, now.time_us + LIMIT_AUTHORITY_ASK_US - 1U));
