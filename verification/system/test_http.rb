@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# Rule under test: the HTTP server shows everything, obeys one command, refuses all else, and no client can keep it
-# from serving the others. One running system serves all tests of this file.
+# Rule under test: the HTTP server shows everything, obeys STOP of everyone, refuses what it does not know, and no
+# client can keep it from serving the others. One running system serves all tests of this file.
 
 require 'yaml'
 require_relative 'support/http_client'
