@@ -8,8 +8,8 @@
 #   ruby tools/tables.rb --check [--root FOLDER]   one line per stale block, exit 1 if there is any
 #
 # A block begins with the line `<!-- table:NAME -->` and ends with the line `<!-- end -->`. NAME is an enumeration or a
-# structure of core/interface; `routes` or `problems`, for those of core/interface/routes.yml; `limits`, for those of
-# requirements/; `rooms`, for tools/rooms.yml; or `robots`, for the axes of core/robot/*/robot.yml.
+# structure of core/interface; `routes` or `problems`, for those of core/interface/routes.yml; `modes`, for the whole table of
+# core/interface/modes.yml; `limits`, for those of requirements/; `rooms`, for tools/rooms.yml; or `robots`, for the axes of core/robot/*/robot.yml.
 
 require 'optparse'
 require_relative 'interface/model'
@@ -49,7 +49,7 @@ end
 # What can be shown as a table, read from one project.
 class TableSources
   # What is no enumeration and no structure: a method of the same name.
-  OTHERS = %w[limits problems robots rooms routes].freeze
+  OTHERS = %w[limits modes problems robots rooms routes].freeze
 
   def initialize(root)
     @root = root
@@ -99,6 +99,14 @@ class TableSources
       ["`#{limit.name}`", limit.value, limit.unit, limit.requirement]
     end
     markdown(%w[Limit Value Unit Requirement], rows)
+  end
+
+  def modes
+    rows = interface.modes.modes.drop(1).map do |mode|
+      ["`#{mode.value.name}`", mode.value.says, "`#{mode.command}`",
+       mode.workphases.map { |name| "`#{name}`" }.join(', '), mode.axes.downcase, mode.unhomed ? 'no' : 'yes']
+    end
+    markdown(['Mode', 'What it does', 'Armed by', 'In', 'Axes it needs', 'They must be homed'], rows)
   end
 
   def robots

@@ -6,8 +6,7 @@
 #include "controller/controller_order.h"
 #include "safety/needle.h"
 
-/* Told here, with its cause. */
-static void forget_reference(controller_t *self, const cycle_t *cycle, uint32_t index)
+void controller_forget_reference(controller_t *self, const cycle_t *cycle, uint32_t index)
 {
     axis_t *const axis = &self->axes[index];
     const axis_reference_t before = axis->chart.reference;
@@ -20,45 +19,12 @@ static void forget_reference(controller_t *self, const cycle_t *cycle, uint32_t 
     }
 }
 
-static status_t arm(controller_t *self, const cycle_t *cycle, const command_t *command,
-                    answer_t *answer)
-{
-    const mode_kind_t kind = (command->kind == (uint32_t)COMMAND_JOG) ? MODE_JOG : MODE_HOME_AXIS;
-    const mode_request_t request = {.jog = {.axis = command->argument, .ticks = command->value}};
-    const solution_t judged = mode_judge(kind, &request, cycle->robot, self->axes);
-    procedure_actions_t actions;
-    answer->axis = (uint32_t)judged.axis;
-    answer->is_maximum = (uint32_t)judged.is_maximum;
-    if (judged.status != STATUS_OK) {
-        return judged.status;
-    }
-    const workphase_inputs_t guards = controller_guards(self, cycle);
-    const status_t status = procedure_request_axis_motion(&self->procedure, &guards, &actions);
-    controller_report_order(self, cycle, actions.arming, STATUS_DISCARDED);
-    if (status == STATUS_OK) {
-        controller_arm(self, command, kind, &request);
-        answer->is_final = 0U;
-    }
-    return status;
-}
-
-/* What is homed homes anew: nothing that is known of it shall be relied on until then. */
-static status_t obey_home(controller_t *self, const cycle_t *cycle, const command_t *command,
-                          answer_t *answer)
-{
-    const status_t status = arm(self, cycle, command, answer);
-    if ((status == STATUS_OK) && axis_is_homed(&self->axes[command->argument])) {
-        forget_reference(self, cycle, command->argument);
-    }
-    return status;
-}
-
 static status_t obey_clear(controller_t *self, const cycle_t *cycle, uint32_t index)
 {
     if (procedure_is_armed(&self->procedure)) {
         return STATUS_NOT_AT_REST;
     }
-    forget_reference(self, cycle, index);
+    controller_forget_reference(self, cycle, index);
     return STATUS_OK;
 }
 
@@ -112,8 +78,7 @@ static status_t obey_set_home(controller_t *self, const cycle_t *cycle, uint32_t
     return status;
 }
 
-/* What arms nothing. */
-static status_t obey_at_rest(controller_t *self, const cycle_t *cycle, const command_t *command)
+status_t controller_obey_axis(controller_t *self, const cycle_t *cycle, const command_t *command)
 {
     const uint32_t index = command->argument;
     status_t status = STATUS_UNKNOWN_COMMAND;
@@ -127,20 +92,6 @@ static status_t obey_at_rest(controller_t *self, const cycle_t *cycle, const com
         status = obey_confirm(self, cycle, command);
     } else {
         status = obey_set_home(self, cycle, index);
-    }
-    return status;
-}
-
-status_t controller_obey_axis(controller_t *self, const cycle_t *cycle, const command_t *command,
-                              answer_t *answer)
-{
-    status_t status = STATUS_OK;
-    if (command->kind == (uint32_t)COMMAND_JOG) {
-        status = arm(self, cycle, command, answer);
-    } else if (command->kind == (uint32_t)COMMAND_HOME_AXIS) {
-        status = obey_home(self, cycle, command, answer);
-    } else {
-        status = obey_at_rest(self, cycle, command);
     }
     return status;
 }

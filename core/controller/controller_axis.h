@@ -1,20 +1,22 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file What is commanded of a single axis, in MANUAL. */
+/** @file What is commanded of a single axis at rest, in MANUAL. */
 #ifndef BORESIGHT_CONTROLLER_AXIS_H
 #define BORESIGHT_CONTROLLER_AXIS_H
 
 #include "controller/controller_events.h"
 
+/** The reference of axis `index` is lost by command, and the target forgotten. Told here, with its
+ * cause. */
+void controller_forget_reference(controller_t *self, const cycle_t *cycle, uint32_t index);
+
 /**
- * JOG, HOME_AXIS, CLEAR_AXIS, CONFIRM_AXIS and SET_HOME.
+ * CLEAR_AXIS, CONFIRM_AXIS and SET_HOME: they arm nothing.
  *
- * @return STATUS_OK; STATUS_UNKNOWN_COMMAND for no axis; STATUS_WRONG_WORKPHASE; for JOG and
- * HOME_AXIS as mode_judge() and procedure_request_axis_motion(); STATUS_NOT_AT_REST for CLEAR_AXIS
- * and SET_HOME; for CONFIRM_AXIS STATUS_NOTHING_TO_CONFIRM, STATUS_NO_BUTTON, and STATUS_BUSY while
- * another one's request waits; for SET_HOME STATUS_HOMES_OTHERWISE with a switch,
+ * @return STATUS_OK; STATUS_UNKNOWN_COMMAND for no axis; STATUS_WRONG_WORKPHASE; STATUS_NOT_AT_REST
+ * for CLEAR_AXIS and SET_HOME; for CONFIRM_AXIS STATUS_NOTHING_TO_CONFIRM, STATUS_NO_BUTTON, and
+ * STATUS_BUSY while another one's request waits; for SET_HOME STATUS_HOMES_OTHERWISE with a switch,
  * STATUS_HARDWARE_NOT_READY without its card and STATUS_NEEDLE_IN
  *
- * @satisfies SWR-AXIS-035
  * @satisfies SWR-AXIS-037
  * @satisfies SWR-AXIS-038
  * @satisfies SWR-AXIS-039
@@ -22,7 +24,6 @@
  * @satisfies SWR-AXIS-042
  * @satisfies SWR-AXIS-043
  */
-status_t controller_obey_axis(controller_t *self, const cycle_t *cycle, const command_t *command,
-                              answer_t *answer);
+status_t controller_obey_axis(controller_t *self, const cycle_t *cycle, const command_t *command);
 
 #endif

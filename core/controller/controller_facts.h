@@ -31,7 +31,9 @@ static inline void controller_positions(const controller_t *self, int32_t ticks[
     }
 }
 
-/** Facts for the guards of the workphase chart. */
-workphase_inputs_t controller_guards(const controller_t *self, const cycle_t *cycle);
+/** Facts for the guards of the workphase chart, for an order of mode `kind` that needs `axes` (bit
+ * n: axis n). */
+workphase_inputs_t controller_guards(const controller_t *self, const cycle_t *cycle,
+                                     mode_kind_t kind, uint32_t axes);
 
 #endif

@@ -4,6 +4,7 @@
 #include "controller/controller_authority.h"
 #include "controller/controller_axis.h"
 #include "controller/controller_facts.h"
+#include "controller/controller_motion.h"
 #include "controller/controller_order.h"
 #include "controller/controller_plan.h"
 #include "controller/controller_restore.h"
@@ -85,13 +86,14 @@ static void begin_start_up(controller_t *self, const cycle_t *cycle)
     }
 }
 
-/* The mode that belongs to the workphase, to the target if it is a move. */
-static void arm_workphase(controller_t *self, const command_t *command)
+/* What a command for a workphase asks the mode of that workphase for: the target, if it is a move.
+ */
+static mode_request_t request_of(const controller_t *self, const cycle_t *cycle, mode_kind_t kind)
 {
-    mode_request_t request = {.jog = {0U, 0}};
+    mode_request_t request = {.axes = mode_axes(kind, 0U, cycle->robot)};
     (void)memcpy(request.move.target_ticks, self->plan.target_ticks,
                  sizeof request.move.target_ticks);
-    controller_arm(self, command, mode_of((workphase_t)command->argument), &request);
+    return request;
 }
 
 static solution_t judge_move(controller_t *self, const cycle_t *cycle)
@@ -118,7 +120,9 @@ static status_t obey_workphase(controller_t *self, const cycle_t *cycle, const c
             return judged.status;
         }
     }
-    const workphase_inputs_t guards = controller_guards(self, cycle);
+    const mode_kind_t kind = mode_of((workphase_t)command->argument);
+    const mode_request_t request = request_of(self, cycle, kind);
+    const workphase_inputs_t guards = controller_guards(self, cycle, kind, request.axes);
     const workphase_t before = procedure_workphase(&self->procedure);
     const status_t status =
         procedure_request(&self->procedure, &guards, command->argument, &actions);
@@ -133,26 +137,10 @@ static status_t obey_workphase(controller_t *self, const cycle_t *cycle, const c
         begin_start_up(self, cycle);
     }
     if ((actions.arming & ARMING_ACTION_RENEW_PEDAL) != 0U) {
-        arm_workphase(self, command);
+        controller_arm(self, command, kind, &request);
         answer->is_final = 0U;
     }
     return STATUS_OK;
-}
-
-/* Whatever is armed gives way to it. */
-static status_t obey_retract(controller_t *self, const cycle_t *cycle, const command_t *command,
-                             answer_t *answer)
-{
-    const mode_request_t nothing = {.jog = {0U, 0}};
-    const workphase_inputs_t guards = controller_guards(self, cycle);
-    procedure_actions_t actions;
-    const status_t status = procedure_request_retract(&self->procedure, &guards, &actions);
-    controller_report_order(self, cycle, actions.arming, STATUS_DISCARDED);
-    if (status == STATUS_OK) {
-        controller_arm(self, command, MODE_RETRACT, &nothing);
-        answer->is_final = 0U;
-    }
-    return status;
 }
 
 static bool is_known(const command_t *command)
@@ -187,24 +175,21 @@ static bool needs_table(const command_t *command)
                         : !controller_is_of_authority(command);
 }
 
-/* What arms a motion, and what the plan is told. */
 static status_t carry_out(controller_t *self, const cycle_t *cycle, const command_t *command,
                           answer_t *answer)
 {
     status_t status = STATUS_UNKNOWN_COMMAND;
+    if (mode_of_command(command->kind) != MODE_NONE) {
+        return controller_obey_motion(self, cycle, command, answer);
+    }
     switch (command->kind) {
     case (uint32_t)COMMAND_WORKPHASE:
         status = obey_workphase(self, cycle, command, answer);
         break;
-    case (uint32_t)COMMAND_JOG:
-    case (uint32_t)COMMAND_HOME_AXIS:
     case (uint32_t)COMMAND_CLEAR_AXIS:
     case (uint32_t)COMMAND_CONFIRM_AXIS:
     case (uint32_t)COMMAND_SET_HOME:
-        status = controller_obey_axis(self, cycle, command, answer);
-        break;
-    case (uint32_t)COMMAND_RETRACT:
-        status = obey_retract(self, cycle, command, answer);
+        status = controller_obey_axis(self, cycle, command);
         break;
     case (uint32_t)COMMAND_TAKE:
     case (uint32_t)COMMAND_RENEW:

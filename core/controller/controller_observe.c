@@ -87,6 +87,7 @@ static const axis_note_t axis_notes[] = {
     {AXIS_NOTE_UNEVEN_COUNTS, EVENT_AXIS_UNEVEN_COUNTS},
 };
 
+/* Trouble that begins ends every order; an axis that has it already, those that need this axis. */
 static void note_axis(controller_t *self, const cycle_t *cycle, uint32_t index, uint32_t notes)
 {
     const uint32_t count = (uint32_t)(sizeof(axis_notes) / sizeof(axis_notes[0]));
@@ -96,10 +97,11 @@ static void note_axis(controller_t *self, const cycle_t *cycle, uint32_t index, 
             controller_note(self, cycle, event, index, detail(&self->axes[index], event));
         }
     }
-    if ((notes & ~AXIS_NOTE_HOMED) != 0U) {
+    const bool is_trouble = (notes & ~AXIS_NOTE_HOMED) != 0U;
+    if (is_trouble) {
         plan_forget_target(&self->plan);
     }
-    if (axis_is_faulty(&self->axes[index])) {
+    if (axis_is_faulty(&self->axes[index]) && (is_trouble || mode_needs(&self->mode, index))) {
         controller_fail_order(self, cycle, EVENT_CAUSE_AXIS, index);
     }
 }

@@ -97,7 +97,7 @@ static next_step_t confirmed_first(const controller_t *self, const cycle_t *cycl
     if (!is_for_start_up) {
         return step;
     }
-    const workphase_inputs_t guards = controller_guards(self, cycle);
+    const workphase_inputs_t guards = controller_guards(self, cycle, MODE_NONE, 0U);
     const bool is_due = guards.is_confirmation_due || is_confirmation_better(self, cycle->robot);
     return (guards.is_hardware_ready && is_due) ? NEXT_STEP_CONFIRM : step;
 }

@@ -1,64 +1,82 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "mode/mode.h"
 
-/* Which axes must not be driven across a needle that is in. */
-typedef enum {
-    NEEDLE_HEEDED_BY_NONE = 0,   /* The mode itself takes the needle out first. */
-    NEEDLE_HEEDED_BY_ACROSS = 1, /* Those that move it sideways, when they are to be driven. */
-    NEEDLE_HEEDED_BY_JOGGED = 2  /* The jogged one, from its arming on. */
-} needle_heed_t;
+#include "interface/command.h"
 
-#define IN(workphase) ((uint32_t)1U << (uint32_t)(workphase))
-
-/* What is special about each mode. */
-typedef struct {
-    uint32_t workphases;  /* Where it runs: IN() bits. */
-    bool is_of_workphase; /* A command for that workphase arms it. */
-    bool may_be_unhomed;
-    needle_heed_t needle;
-} mode_row_t;
-
-static const mode_row_t table[MODE_COUNT] = {
-    [MODE_NONE] = {0U, false, true, NEEDLE_HEEDED_BY_NONE},
-    [MODE_HOMING] = {IN(WORKPHASE_START_UP), true, true, NEEDLE_HEEDED_BY_ACROSS},
-    [MODE_MOVE] = {IN(WORKPHASE_MOVE_TO_TARGET), true, false, NEEDLE_HEEDED_BY_NONE},
-    [MODE_JOG] = {IN(WORKPHASE_MANUAL), false, true, NEEDLE_HEEDED_BY_JOGGED},
-    [MODE_RETRACT] = {IN(WORKPHASE_MOVE_TO_TARGET), false, false, NEEDLE_HEEDED_BY_NONE},
-    [MODE_HOME_AXIS] = {IN(WORKPHASE_MANUAL), false, true, NEEDLE_HEEDED_BY_ACROSS},
-};
-
-static bool runs_in(uint32_t kind, workphase_t workphase)
+bool mode_runs_in(mode_kind_t kind, workphase_t workphase)
 {
-    return (table[kind].workphases & IN(workphase)) != 0U;
+    return ((uint32_t)workphase < WORKPHASE_COUNT) &&
+           (((mode_rows[kind].workphases >> (uint32_t)workphase) & 1U) != 0U);
 }
 
 mode_kind_t mode_of(workphase_t workphase)
 {
-    mode_kind_t kind = MODE_NONE;
-    for (uint32_t i = 0U; i < MODE_COUNT; i++) {
-        if (table[i].is_of_workphase && runs_in(i, workphase)) {
-            kind = (mode_kind_t)i;
+    mode_kind_t found = MODE_NONE;
+    for (uint32_t i = 0U; i < MODE_KIND_COUNT; i++) {
+        const mode_kind_t kind = (mode_kind_t)i;
+        if ((mode_rows[i].command == (uint32_t)COMMAND_WORKPHASE) &&
+            mode_runs_in(kind, workphase)) {
+            found = kind;
         }
     }
-    return kind;
+    return found;
+}
+
+mode_kind_t mode_of_command(uint32_t command_kind)
+{
+    mode_kind_t found = MODE_NONE;
+    for (uint32_t i = 0U; i < MODE_KIND_COUNT; i++) {
+        if ((mode_rows[i].command == command_kind) &&
+            (command_kind != (uint32_t)COMMAND_WORKPHASE)) {
+            found = (mode_kind_t)i;
+        }
+    }
+    return found;
 }
 
 mode_kind_t mode_in(const mode_state_t *self, workphase_t workphase)
 {
-    const bool is_of_it = (self->kind < MODE_COUNT) && runs_in(self->kind, workphase);
+    const bool is_of_it =
+        (self->kind < MODE_KIND_COUNT) && mode_runs_in((mode_kind_t)self->kind, workphase);
     return is_of_it ? (mode_kind_t)self->kind : MODE_NONE;
+}
+
+uint32_t mode_axes(mode_kind_t kind, uint32_t commanded, const robot_t *robot)
+{
+    uint32_t axes = LEG_EVERY_AXIS;
+    if (mode_rows[kind].axes == (uint32_t)MODE_AXES_COMMANDED) {
+        axes = commanded;
+    } else if (mode_rows[kind].axes == (uint32_t)MODE_AXES_NEEDLE) {
+        axes = LEG_AXIS(robot->needle_axis);
+    } else {
+        /* All. */
+    }
+    return axes;
+}
+
+bool mode_needs(const mode_state_t *self, uint32_t index)
+{
+    return ((self->request.axes >> index) & 1U) != 0U;
 }
 
 solution_t mode_judge(mode_kind_t kind, const mode_request_t *request, const robot_t *robot,
                       const axis_t axes[ROBOT_AXIS_MAX])
 {
     solution_t result = {.status = STATUS_OK, .axis = 0U, .is_maximum = 0U};
-    if (kind == MODE_JOG) {
+    switch (kind) {
+    case MODE_JOG:
         result = jog_mode_judge(&request->jog, robot, axes);
-    } else if (kind == MODE_HOME_AXIS) {
+        break;
+    case MODE_HOME_AXIS:
         result = homing_mode_judge(request->jog.axis, robot, axes);
-    } else {
-        /* Nothing but the workphase refuses it. */
+        break;
+    case MODE_NONE:
+    case MODE_HOMING:
+    case MODE_MOVE:
+    case MODE_RETRACT:
+    default:
+        /* Nothing but the workphase chart refuses it. */
+        break;
     }
     return result;
 }
@@ -66,8 +84,7 @@ solution_t mode_judge(mode_kind_t kind, const mode_request_t *request, const rob
 void mode_begin(mode_state_t *self, mode_kind_t kind, const mode_request_t *request)
 {
     self->kind = (uint32_t)kind;
-    self->move = request->move;
-    self->jog = request->jog;
+    self->request = *request;
     leg_stop(&self->leg);
 }
 
@@ -79,16 +96,16 @@ static void run(mode_state_t *self, mode_kind_t kind, const mode_frame_t *frame,
         homing_mode_step(&self->leg, frame, result);
         break;
     case MODE_MOVE:
-        move_mode_step(&self->move, &self->leg, frame, result);
+        move_mode_step(&self->request.move, &self->leg, frame, result);
         break;
     case MODE_JOG:
-        jog_mode_step(&self->jog, &self->leg, frame, result);
+        jog_mode_step(&self->request.jog, &self->leg, frame, result);
         break;
     case MODE_RETRACT:
         retract_mode_step(&self->leg, frame, result);
         break;
     case MODE_HOME_AXIS:
-        homing_mode_step_axis(self->jog.axis, frame, result);
+        homing_mode_step_axis(self->request.jog.axis, frame, result);
         break;
     case MODE_NONE:
     default:
@@ -105,7 +122,7 @@ static bool is_done_already(const mode_state_t *self, mode_kind_t kind, const mo
 {
     return ((kind == MODE_HOMING) && homing_mode_is_done(&self->leg, frame)) ||
            ((kind == MODE_RETRACT) && retract_mode_is_done(frame)) ||
-           ((kind == MODE_HOME_AXIS) && homing_mode_is_axis_done(self->jog.axis, frame));
+           ((kind == MODE_HOME_AXIS) && homing_mode_is_axis_done(self->request.jog.axis, frame));
 }
 
 void mode_step(mode_state_t *self, const mode_frame_t *frame, mode_result_t *result)
@@ -132,19 +149,19 @@ void mode_stop(mode_state_t *self, axis_t axes[ROBOT_AXIS_MAX], uint32_t axis_co
 
 bool mode_may_be_unhomed(mode_kind_t kind)
 {
-    return table[kind].may_be_unhomed;
+    return mode_rows[kind].may_be_unhomed;
 }
 
 bool mode_heeds_needle(const mode_state_t *self, mode_kind_t kind, const axis_config_t *config,
                        uint32_t index, bool is_requested)
 {
-    const needle_heed_t needle = table[kind].needle;
+    const uint32_t needle = mode_rows[kind].needle;
     const bool is_across = config->needle_motion == (uint32_t)NEEDLE_ACROSS;
     bool must_heed = false;
-    if (needle == NEEDLE_HEEDED_BY_ACROSS) {
+    if (needle == (uint32_t)MODE_NEEDLE_ACROSS) {
         must_heed = is_requested && is_across;
-    } else if (needle == NEEDLE_HEEDED_BY_JOGGED) {
-        must_heed = self->jog.axis == index;
+    } else if (needle == (uint32_t)MODE_NEEDLE_COMMANDED) {
+        must_heed = mode_needs(self, index);
     } else {
         /* Nothing to heed. */
     }

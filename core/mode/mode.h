@@ -2,12 +2,14 @@
 /**
  * @file
  * What the armed order does once the pedal is pressed: one of several modes, each a module of its
- * own with a row in the table of mode.c. The controller owns one mode_state_t, steps it every cycle
- * and seals it.
+ * own with a row in core/interface/modes.yml. The controller owns one mode_state_t, steps it every
+ * cycle and seals it.
  */
 #ifndef BORESIGHT_MODE_H
 #define BORESIGHT_MODE_H
 
+#include "interface/mode_list.h"
+#include "interface/workphase_list.h"
 #include "mode/homing_mode.h"
 #include "mode/jog_mode.h"
 #include "mode/leg.h"
@@ -19,19 +21,9 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define MODE_COUNT 6U
-
-typedef enum {
-    MODE_NONE = 0, /**< Does nothing. */
-    MODE_HOMING = 1,
-    MODE_MOVE = 2,
-    MODE_JOG = 3,
-    MODE_RETRACT = 4,
-    MODE_HOME_AXIS = 5 /**< Of one axis. */
-} mode_kind_t;
-
 /** What a mode is asked for; each reads what it needs. */
 typedef struct {
+    uint32_t axes;  /**< Bit n: axis n is commanded. mode_axes() makes of it those that it needs. */
     jog_mode_t jog; /**< MODE_HOME_AXIS reads its axis. */
     move_mode_t move;
 } mode_request_t;
@@ -40,16 +32,39 @@ typedef struct {
 typedef struct {
     uint32_t kind; /**< mode_kind_t of the order that was armed last. */
     leg_t leg;
-    move_mode_t move;
-    jog_mode_t jog;
+    mode_request_t request; /**< With the axes that it needs. */
 } mode_state_t;
 
 /** The mode that a command for `workphase` itself arms there, or MODE_NONE; the others have
  * commands of their own. */
 mode_kind_t mode_of(workphase_t workphase);
 
+/** The mode that a command of this kind arms, whatever the workphase, or MODE_NONE. */
+mode_kind_t mode_of_command(uint32_t command_kind);
+
+/**
+ * `kind` may be armed in `workphase`, and runs there.
+ *
+ * @satisfies SWR-MODE-001
+ */
+bool mode_runs_in(mode_kind_t kind, workphase_t workphase);
+
 /** The mode that was begun last, in a workphase where it runs; in all others MODE_NONE. */
 mode_kind_t mode_in(const mode_state_t *self, workphase_t workphase);
+
+/**
+ * The axes that `kind` needs: bit n: axis n. `commanded`: those that it is commanded for.
+ *
+ * @satisfies SWR-MODE-002
+ */
+uint32_t mode_axes(mode_kind_t kind, uint32_t commanded, const robot_t *robot);
+
+/**
+ * The mode that was begun last needs axis `index`.
+ *
+ * @satisfies SWR-MODE-003
+ */
+bool mode_needs(const mode_state_t *self, uint32_t index);
 
 /**
  * May `kind` be armed with this request? What every mode needs is asked by the workphase chart.

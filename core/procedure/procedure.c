@@ -84,17 +84,10 @@ status_t procedure_request(procedure_t *self, const workphase_inputs_t *inputs, 
     return refusal(actions->workphase);
 }
 
-status_t procedure_request_axis_motion(procedure_t *self, const workphase_inputs_t *inputs,
-                                       procedure_actions_t *actions)
+status_t procedure_request_motion(procedure_t *self, const workphase_inputs_t *inputs,
+                                  procedure_actions_t *actions)
 {
-    *actions = dispatch(self, inputs, WORKPHASE_EVENT_REQUEST_AXIS_MOTION);
-    return refusal(actions->workphase);
-}
-
-status_t procedure_request_retract(procedure_t *self, const workphase_inputs_t *inputs,
-                                   procedure_actions_t *actions)
-{
-    *actions = dispatch(self, inputs, WORKPHASE_EVENT_REQUEST_RETRACT);
+    *actions = dispatch(self, inputs, WORKPHASE_EVENT_REQUEST_MOTION);
     return refusal(actions->workphase);
 }
 

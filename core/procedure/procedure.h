@@ -63,21 +63,17 @@ status_t procedure_request(procedure_t *self, const workphase_inputs_t *inputs, 
                            procedure_actions_t *actions);
 
 /**
- * Asks for a motion of one axis to be armed, a jog or its homing. Same meaning.
+ * Asks for a motion to be armed that has a command of its own; `inputs` are those of its mode. Same
+ * meaning.
  *
  * @satisfies SWR-AXIS-010
- */
-status_t procedure_request_axis_motion(procedure_t *self, const workphase_inputs_t *inputs,
-                                       procedure_actions_t *actions);
-
-/**
- * Asks for a retraction of the needle to be armed. Same meaning.
- *
+ * @satisfies SWR-MODE-001
+ * @satisfies SWR-MODE-002
  * @satisfies SWR-PHASE-008
  * @satisfies SWR-PHASE-009
  */
-status_t procedure_request_retract(procedure_t *self, const workphase_inputs_t *inputs,
-                                   procedure_actions_t *actions);
+status_t procedure_request_motion(procedure_t *self, const workphase_inputs_t *inputs,
+                                  procedure_actions_t *actions);
 
 /** The e-stop was pulled. Returns ARMING_ACTION_ bits. */
 uint32_t procedure_estop(procedure_t *self);

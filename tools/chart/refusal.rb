@@ -20,7 +20,7 @@ module Chart
     14 => 'expressions are built from In(), declared data, integers, ! && || comparisons, + - and parentheses',
     15 => 'a delay is constant and equals the limit it names',
     18 => 'the safe configuration names one leaf of every region',
-    19 => 'a chart has at most 32 actions, 32 timers, 6 inputs and 64 regions, and nests at most 32 deep',
+    19 => 'a chart has at most 32 actions, 32 timers, 7 inputs and 64 regions, and nests at most 32 deep',
     20 => 'every state is reached',
     21 => 'every transition is taken',
     22 => 'two transitions of one state are never enabled together',

@@ -14,7 +14,7 @@ module Interface
 
     def files
       @model.headers.to_h { |header| ["#{header.name}.h", text(header)] }
-            .merge('event.c' => severities).compact
+            .merge('event.c' => severities).merge(@model.modes&.files || {}).compact
     end
 
     private
@@ -31,6 +31,7 @@ module Interface
       own << 'robot/robot' if header.structures.flat_map(&:fields).any?(&:count)
       lines = own.sort.map { |name| "#include \"#{name}.h\"\n" }.join
       lines += "#{"\n" unless lines.empty?}#include <stdint.h>\n" unless header.structures.empty?
+      lines += "#include <stdbool.h>\n#include <stdint.h>\n" if modes?(header)
       lines unless lines.empty?
     end
 
@@ -51,7 +52,12 @@ module Interface
       "#{C.comment(structure.says) if structure.says}typedef struct {\n#{fields.join}} #{structure.name}_t;\n"
     end
 
+    def modes?(header)
+      header.enumerations.any? { |one| one.name == 'mode_kind' }
+    end
+
     def prototypes(header)
+      return Modes::DECLARATION if modes?(header)
       return unless header.enumerations.any? { |one| one.name == 'event_id' }
 
       <<~CODE

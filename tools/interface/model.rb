@@ -3,13 +3,14 @@
 
 require_relative 'events'
 require_relative 'message'
+require_relative 'modes'
 require_relative 'routes'
 require_relative 'structure'
 
 module Interface
   # One `enum`: the only source of its names, numbers and sentences.
   class Enumeration
-    KEYS = %w[severity subject value of peer].freeze
+    KEYS = (%w[severity subject value of peer] + Modes::KEYS).freeze
     # `robot`: whose own it is, nil for all.
     Value = Struct.new(:code, :name, :says, :node, :more, :robot, keyword_init: true)
 
@@ -139,6 +140,10 @@ module Interface
       @events ||= Events.new(self) if enumeration('event_id')
     end
 
+    def modes
+      @modes ||= Modes.new(self) if enumeration('mode_kind')
+    end
+
     # The structures whose fields are shown in `message`, each with these fields and how.
     def sources(message)
       structures.to_h { |structure| [structure, structure.shown_in(message.name)] }.reject { |_, fields| fields.empty? }
@@ -184,6 +189,7 @@ module Interface
       messages.each { |message| message.check(self) }
       routes&.check(self)
       events
+      modes
     end
   end
 end

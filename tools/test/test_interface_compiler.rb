@@ -363,6 +363,55 @@ class TestInterfaceCompiler < Minitest::Test
     end
   end
 
+  MODES = <<~YAML
+    header: mode_list
+    says: Modes.
+    enumerations:
+      - {name: workphase, says: Where., values: [{code: 0, name: HERE, says: "Here."}, {code: 1, name: THERE, says: "There."}]}
+      - {name: mode_axes, says: Whose., values: [{code: 0, name: ALL, says: "All."}]}
+      - {name: mode_needle, says: What., values: [{code: 0, name: NONE, says: "None."}]}
+      - name: command_kind
+        prefix: COMMAND
+        says: By what.
+        values: [{code: 0, name: NONE, says: "No."}, {code: 1, name: WORKPHASE, says: "W."}, {code: 2, name: GO, says: "Go."}]
+      - name: mode_kind
+        prefix: MODE
+        says: What.
+        count: true
+        values:
+          - {code: 0, name: NONE, command: NONE, workphases: [], unhomed: true, axes: ALL, needle: NONE, says: "Nothing."}
+          - {code: 1, name: WAIT, command: WORKPHASE, workphases: [HERE], unhomed: true, axes: ALL, needle: NONE, says: "It waits."}
+          - {code: 2, name: GO, command: GO, workphases: [HERE, THERE], unhomed: false, axes: ALL, needle: NONE, says: "It goes."}
+          - {code: 3, name: REST, command: WORKPHASE, workphases: [THERE], unhomed: true, axes: ALL, needle: NONE, says: "It rests."}
+  YAML
+
+  def test_SWR_TOOL_011_the_table_of_modes_says_what_is_special_about_each
+    with_output('modes.yml' => MODES) do |folder|
+      assert_includes File.read(File.join(folder, 'mode_list.c')), <<~CODE
+        [MODE_GO] = {.command = (uint32_t)COMMAND_GO,
+                 .workphases = IN(WORKPHASE_HERE) | IN(WORKPHASE_THERE),
+                 .axes = (uint32_t)MODE_AXES_ALL,
+                 .needle = (uint32_t)MODE_NEEDLE_NONE,
+                 .may_be_unhomed = false},
+      CODE
+    end
+  end
+
+  MODE_REFUSALS = {
+    'a mode without axes' => ['workphases: [HERE], unhomed: true, axes: ALL', 'workphases: [HERE], unhomed: true', 17,
+                              'has no axes'],
+    'a mode in no workphase' => ['[HERE, THERE]', '[NOWHERE]', 18, 'is NOWHERE; expected HERE or THERE'],
+    'a mode by no command' => ['command: GO', 'command: COME', 18, 'is COME; expected NONE or WORKPHASE or GO'],
+    'two modes by one command' => ['REST, command: WORKPHASE', 'REST, command: GO', 19, 'is armed by GO like GO'],
+    'two modes of one workphase' => ['[THERE]', '[HERE]', 19, 'is armed by WORKPHASE HERE like WAIT']
+  }.freeze
+
+  MODE_REFUSALS.each do |what, (old, new, line, reason)|
+    define_method("test_SWR_TOOL_012_refuses_#{what.tr(' ', '_')}") do
+      assert_refused('modes.yml', MODES, old, new, line, reason)
+    end
+  end
+
   def test_SWR_TOOL_012_refuses_a_key_used_twice_in_a_message
     message = refusal('colours.yml' => COLOURS.sub('"Left in the tin."', '"x", shown: {in: tin, key: maker}'))
     assert_match(/messages\.yml:5: .* is the second maker in tin/, message)

@@ -147,7 +147,7 @@ class TestTables < Minitest::Test
     in_project("<!-- table:shape -->\n<!-- end -->\n") do |root|
       output, is_passed = run_tool(root)
       refute is_passed
-      assert_equal "docs/user-manual.md:1: there is no table shape; there are colour, limits, paint, problems, robots, rooms, routes\n", output
+      assert_equal "docs/user-manual.md:1: there is no table shape; there are colour, limits, modes, paint, problems, robots, rooms, routes\n", output
     end
   end
 

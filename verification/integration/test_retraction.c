@@ -151,7 +151,7 @@ void test_SWR_PHASE_009_refusals_name_what_is_missing(void)
     rig_start_moving(&rig);
     rig_box(&rig, "card yaw silent");
     rig_cycles(&rig, 20U);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_HOMED, rig_command(&rig, retract).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_FAULT_PRESENT, rig_command(&rig, retract).status);
     rig_start_moving(&rig);
     rig_box(&rig, "pedal a open");
     rig_cycles(&rig, 200U);

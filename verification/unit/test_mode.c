@@ -6,6 +6,8 @@
 #include "unity.h"
 
 #include "axis/axis.h"
+#include "interface/command.h"
+#include "interface/mode_list.h"
 #include "mode/homing_mode.h"
 #include "mode/jog_mode.h"
 #include "mode/leg.h"
@@ -21,7 +23,8 @@
 #include "unit/support/mode_world.h"
 
 static mode_state_t mode;
-static const mode_request_t request = {.jog = {.axis = AXIS_YAW, .ticks = 200},
+static const mode_request_t request = {.axes = LEG_AXIS(AXIS_YAW),
+                                       .jog = {.axis = AXIS_YAW, .ticks = 200},
                                        .move = {{-400, 150, -200, 0, 500, 30, -60}}};
 
 void setUp(void)
@@ -77,7 +80,7 @@ void test_SWR_PHASE_001_each_mode_has_its_workphase(void)
     };
     for (uint32_t i = 0U; i < WORKPHASE_COUNT; i++) {
         mode_kind_t own = MODE_NONE;
-        for (uint32_t kind = 0U; kind < MODE_COUNT; kind++) {
+        for (uint32_t kind = 0U; kind < MODE_KIND_COUNT; kind++) {
             mode_begin(&mode, (mode_kind_t)kind, &request);
             TEST_ASSERT_EQUAL((runs[i][kind] != '.') ? kind : (uint32_t)MODE_NONE,
                               mode_in(&mode, (workphase_t)i));
@@ -87,15 +90,41 @@ void test_SWR_PHASE_001_each_mode_has_its_workphase(void)
     }
 }
 
+void test_SWR_MODE_001_each_mode_is_armed_by_its_command(void)
+{
+    static const mode_kind_t armed[COMMAND_KIND_COUNT] = {[COMMAND_JOG] = MODE_JOG,
+                                                          [COMMAND_RETRACT] = MODE_RETRACT,
+                                                          [COMMAND_HOME_AXIS] = MODE_HOME_AXIS};
+    for (uint32_t i = 0U; i < COMMAND_KIND_COUNT; i++) {
+        TEST_ASSERT_EQUAL(armed[i], mode_of_command(i));
+    }
+    TEST_ASSERT_EQUAL(MODE_NONE, mode_of_command(UINT32_MAX));
+    TEST_ASSERT_FALSE(mode_runs_in(MODE_JOG, WORKPHASE_COUNT));
+    TEST_ASSERT_EQUAL(MODE_NONE, mode_of((workphase_t)WORKPHASE_COUNT));
+}
+
+void test_SWR_MODE_002_a_mode_needs_all_axes_the_commanded_ones_or_that_of_the_needle(void)
+{
+    const uint32_t two = LEG_AXIS(AXIS_HEAD) | LEG_AXIS(AXIS_PITCH);
+    TEST_ASSERT_EQUAL_HEX32(LEG_EVERY_AXIS, mode_axes(MODE_HOMING, two, &robot));
+    TEST_ASSERT_EQUAL_HEX32(LEG_EVERY_AXIS, mode_axes(MODE_MOVE, two, &robot));
+    TEST_ASSERT_EQUAL_HEX32(two, mode_axes(MODE_JOG, two, &robot));
+    TEST_ASSERT_EQUAL_HEX32(two, mode_axes(MODE_HOME_AXIS, two, &robot));
+    TEST_ASSERT_EQUAL_HEX32(LEG_AXIS(AXIS_INSERTION), mode_axes(MODE_RETRACT, two, &robot));
+    begin(MODE_JOG, WORKPHASE_MANUAL);
+    TEST_ASSERT_TRUE(mode_needs(&mode, AXIS_YAW));
+    TEST_ASSERT_FALSE(mode_needs(&mode, AXIS_HEAD));
+}
+
 void test_SWR_MEMORY_006_a_mode_that_there_is_not_is_none(void)
 {
-    mode.kind = MODE_COUNT;
+    mode.kind = MODE_KIND_COUNT;
     TEST_ASSERT_EQUAL(MODE_NONE, mode_in(&mode, WORKPHASE_MANUAL));
     mode.kind = UINT32_MAX;
     TEST_ASSERT_EQUAL(MODE_NONE, mode_in(&mode, WORKPHASE_MANUAL));
 }
 
-void test_SWR_AXIS_006_a_move_and_a_retraction_need_every_axis_homed(void)
+void test_SWR_AXIS_006_a_move_and_a_retraction_need_their_axes_homed(void)
 {
     TEST_ASSERT_FALSE(mode_may_be_unhomed(MODE_RETRACT));
     TEST_ASSERT_TRUE(mode_may_be_unhomed(MODE_HOMING));

@@ -19,6 +19,7 @@ void setUp(void)
 {
     procedure_init(&procedure);
     inputs = (workphase_inputs_t){.is_hardware_ready = true,
+                                  .is_motion_allowed_here = true,
                                   .is_able = true,
                                   .is_homed = true,
                                   .is_registered = true,
@@ -146,7 +147,7 @@ void test_SWR_PHASE_005_every_change_discards_what_was_armed_and_a_refusal_does_
         for (uint32_t to = 1U; to < WORKPHASE_COUNT; to++) {
             enter(from);
             if (from == WORKPHASE_MANUAL) {
-                (void)procedure_request_axis_motion(&procedure, &inputs, &actions);
+                (void)procedure_request_motion(&procedure, &inputs, &actions);
             }
             if ((i % 2U) != 0U) {
                 (void)procedure_tell(&procedure, ARMING_EVENT_PEDAL_DOWN);
@@ -179,14 +180,14 @@ void test_SWR_PHASE_005_the_e_stop_discards_what_was_armed(void)
 void test_SWR_AXIS_010_a_second_jog_discards_the_first_one(void)
 {
     enter(WORKPHASE_MANUAL);
-    TEST_ASSERT_EQUAL(STATUS_OK, procedure_request_axis_motion(&procedure, &inputs, &actions));
+    TEST_ASSERT_EQUAL(STATUS_OK, procedure_request_motion(&procedure, &inputs, &actions));
     TEST_ASSERT_EQUAL_HEX32(ARMING_ACTION_RENEW_PEDAL, actions.arming);
-    TEST_ASSERT_EQUAL(STATUS_OK, procedure_request_axis_motion(&procedure, &inputs, &actions));
+    TEST_ASSERT_EQUAL(STATUS_OK, procedure_request_motion(&procedure, &inputs, &actions));
     TEST_ASSERT_EQUAL_HEX32(ARMING_ACTION_RENEW_PEDAL | ARMING_ACTION_REPORT_DISCARDED,
                             actions.arming);
     inputs.is_able = false;
     TEST_ASSERT_EQUAL(STATUS_FAULT_PRESENT,
-                      procedure_request_axis_motion(&procedure, &inputs, &actions));
+                      procedure_request_motion(&procedure, &inputs, &actions));
     TEST_ASSERT_TRUE(procedure_is_armed(&procedure));
 }
 
@@ -197,7 +198,7 @@ void test_SWR_PHASE_008_a_retraction_takes_the_place_of_the_armed_move(void)
         if (is_pressed != 0U) {
             (void)procedure_tell(&procedure, ARMING_EVENT_PEDAL_DOWN);
         }
-        TEST_ASSERT_EQUAL(STATUS_OK, procedure_request_retract(&procedure, &inputs, &actions));
+        TEST_ASSERT_EQUAL(STATUS_OK, procedure_request_motion(&procedure, &inputs, &actions));
         TEST_ASSERT_EQUAL_HEX32(ARMING_ACTION_RENEW_PEDAL | ARMING_ACTION_REPORT_DISCARDED,
                                 actions.arming);
         TEST_ASSERT_EQUAL(WORKPHASE_MOVE_TO_TARGET, procedure_workphase(&procedure));
@@ -210,37 +211,46 @@ void test_SWR_PHASE_008_a_retraction_needs_no_target_and_a_move_may_follow_it(vo
     arm();
     (void)procedure_tell(&procedure, ARMING_EVENT_DONE);
     inputs.has_target = false;
-    TEST_ASSERT_EQUAL(STATUS_OK, procedure_request_retract(&procedure, &inputs, &actions));
+    TEST_ASSERT_EQUAL(STATUS_OK, procedure_request_motion(&procedure, &inputs, &actions));
     TEST_ASSERT_EQUAL_HEX32(ARMING_ACTION_RENEW_PEDAL, actions.arming);
     inputs.has_target = true;
     TEST_ASSERT_EQUAL(STATUS_OK, request(WORKPHASE_MOVE_TO_TARGET));
 }
 
-void test_SWR_PHASE_009_a_retraction_is_refused_in_every_other_workphase(void)
+void test_SWR_MODE_001_a_motion_is_armed_where_its_mode_may_be_and_never_in_undefined(void)
 {
     for (uint32_t from = 0U; from < WORKPHASE_COUNT; from++) {
-        if (from != (uint32_t)WORKPHASE_MOVE_TO_TARGET) {
+        for (uint32_t is_here = 0U; is_here < 2U; is_here++) {
             enter((workphase_t)from);
+            inputs.is_motion_allowed_here = is_here != 0U;
+            const bool is_allowed = (is_here != 0U) && (from != (uint32_t)WORKPHASE_UNDEFINED);
             const arming_state_t before = procedure.arming.state;
-            TEST_ASSERT_EQUAL(STATUS_WRONG_WORKPHASE,
-                              procedure_request_retract(&procedure, &inputs, &actions));
-            TEST_ASSERT_EQUAL_HEX32(0U, actions.arming);
-            TEST_ASSERT_EQUAL(before, procedure.arming.state);
+            TEST_ASSERT_EQUAL(is_allowed ? STATUS_OK : STATUS_WRONG_WORKPHASE,
+                              procedure_request_motion(&procedure, &inputs, &actions));
+            TEST_ASSERT_EQUAL(is_allowed ? ARMING_STATE_WAITING : before, procedure.arming.state);
+            TEST_ASSERT_EQUAL(is_allowed, (actions.arming & ARMING_ACTION_RENEW_PEDAL) != 0U);
+            TEST_ASSERT_EQUAL_UINT32(from, (uint32_t)procedure_workphase(&procedure));
         }
     }
 }
 
-void test_SWR_PHASE_009_a_retraction_that_is_refused_names_what_is_missing_and_discards_nothing(
+static void expect_motion_refused(status_t status)
+{
+    TEST_ASSERT_EQUAL(status, procedure_request_motion(&procedure, &inputs, &actions));
+    TEST_ASSERT_EQUAL_HEX32(0U, actions.arming);
+    TEST_ASSERT_TRUE(procedure_is_armed(&procedure));
+}
+
+void test_SWR_MODE_002_a_motion_that_is_refused_names_the_first_that_is_missing_and_discards_nothing(
     void)
 {
     arm();
-    inputs.is_able = false;
-    TEST_ASSERT_EQUAL(STATUS_FAULT_PRESENT,
-                      procedure_request_retract(&procedure, &inputs, &actions));
     inputs.is_homed = false;
-    TEST_ASSERT_EQUAL(STATUS_NOT_HOMED, procedure_request_retract(&procedure, &inputs, &actions));
-    TEST_ASSERT_EQUAL_HEX32(0U, actions.arming);
-    TEST_ASSERT_TRUE(procedure_is_armed(&procedure));
+    expect_motion_refused(STATUS_NOT_HOMED);
+    inputs.is_able = false;
+    expect_motion_refused(STATUS_FAULT_PRESENT);
+    inputs.is_motion_allowed_here = false;
+    expect_motion_refused(STATUS_WRONG_WORKPHASE);
 }
 
 void test_SWR_PEDAL_006_an_order_that_waits_too_long_expires(void)

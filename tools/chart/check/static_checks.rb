@@ -12,7 +12,7 @@ module Chart
   # The rules that need the whole chart, but no walk. Some bind product charts only: conformance charts may name events
   # that nobody causes, and the walk itself finds where they do not end.
   class StaticChecks
-    MOST = { 'actions' => 32, 'timers' => 32, 'inputs' => 6, 'regions' => 64 }.freeze
+    MOST = { 'actions' => 32, 'timers' => 32, 'inputs' => 7, 'regions' => 64 }.freeze
 
     def self.run(document)
       new(document).run

@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "controller/controller_motion.h"
+
+#include "controller/controller_axis.h"
+#include "controller/controller_facts.h"
+#include "controller/controller_order.h"
+
+/* What the command says to its mode. */
+static mode_request_t request_of(const command_t *command, mode_kind_t kind)
+{
+    mode_request_t request = {.axes = 0U};
+    switch (kind) {
+    case MODE_JOG:
+    case MODE_HOME_AXIS:
+        request.jog.axis = command->argument;
+        request.jog.ticks = command->value;
+        request.axes =
+            (command->argument < ROBOT_AXIS_MAX) ? ((uint32_t)1U << command->argument) : 0U;
+        break;
+    case MODE_NONE:
+    case MODE_HOMING:
+    case MODE_MOVE:
+    case MODE_RETRACT:
+    default:
+        /* Its command alone. */
+        break;
+    }
+    return request;
+}
+
+/* Armed. What is homed homes anew: nothing that is known of it shall be relied on until then. */
+static void begin(controller_t *self, const cycle_t *cycle, const command_t *command,
+                  mode_kind_t kind, const mode_request_t *request)
+{
+    controller_arm(self, command, kind, request);
+    if ((kind == MODE_HOME_AXIS) && axis_is_homed(&self->axes[request->jog.axis])) {
+        controller_forget_reference(self, cycle, request->jog.axis);
+    }
+}
+
+status_t controller_obey_motion(controller_t *self, const cycle_t *cycle, const command_t *command,
+                                answer_t *answer)
+{
+    const mode_kind_t kind = mode_of_command(command->kind);
+    mode_request_t request = request_of(command, kind);
+    const solution_t judged = mode_judge(kind, &request, cycle->robot, self->axes);
+    procedure_actions_t actions;
+    answer->axis = (uint32_t)judged.axis;
+    answer->is_maximum = (uint32_t)judged.is_maximum;
+    if (judged.status != STATUS_OK) {
+        return judged.status;
+    }
+    request.axes = mode_axes(kind, request.axes, cycle->robot);
+    const workphase_inputs_t guards = controller_guards(self, cycle, kind, request.axes);
+    const status_t status = procedure_request_motion(&self->procedure, &guards, &actions);
+    controller_report_order(self, cycle, actions.arming, STATUS_DISCARDED);
+    if (status == STATUS_OK) {
+        begin(self, cycle, command, kind, &request);
+        answer->is_final = 0U;
+    }
+    return status;
+}

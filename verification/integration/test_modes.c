@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * What every mode has in common: trouble of an axis ends what is armed, and after that the axes
+ * that have none go on, but for what needs them all.
+ */
+#include "unity.h"
+
+#include "integration/support/rig.h"
+#include "robot/robot_neuro.h"
+#include "safety/needle.h"
+
+static rig_t rig;
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+static command_t jog(uint32_t axis, int32_t ticks)
+{
+    const command_t command = {.kind = (uint32_t)COMMAND_JOG, .argument = axis, .value = ticks};
+    return command;
+}
+
+/* In MANUAL, with the pitch axis stuck on its way. */
+static void stall_pitch(void)
+{
+    rig_start_homed(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_MANUAL);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog(AXIS_PITCH, -200)).status);
+    rig_box(&rig, "motor pitch stuck");
+    rig_press(&rig);
+    const answer_t answer = rig_finish(&rig, 5000U);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, answer.kind);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_PITCH, answer.axis);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, rig.outputs.snapshot.axes[AXIS_PITCH].power);
+    rig_release(&rig);
+}
+
+void test_SWR_MODE_003_after_a_stall_of_one_axis_another_one_jogs_and_homes(void)
+{
+    stall_pitch();
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog(AXIS_YAW, -200)).status);
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 5000U).kind);
+    TEST_ASSERT_EQUAL_INT32(-200, rig_position(&rig, AXIS_YAW));
+    rig_release(&rig);
+    const command_t home = {.kind = (uint32_t)COMMAND_HOME_AXIS, .argument = AXIS_YAW};
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, home).status);
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 60000U).kind);
+}
+
+void test_SWR_MODE_002_the_axis_that_has_stalled_and_what_needs_all_are_refused(void)
+{
+    stall_pitch();
+    TEST_ASSERT_EQUAL_UINT32(
+        STATUS_FAULT_PRESENT,
+        rig_command(&rig, jog(AXIS_PITCH, rig_position(&rig, AXIS_PITCH))).status);
+    rig_box(&rig, "card yaw silent");
+    rig_cycles(&rig, 20U);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_FAULT_PRESENT, rig_command(&rig, jog(AXIS_HEAD, -200)).status);
+    TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
+}
+
+void test_SWR_MODE_003_the_fault_of_another_axis_ends_what_is_armed(void)
+{
+    rig_start_homed(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_MANUAL);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog(AXIS_YAW, -200)).status);
+    rig_box(&rig, "motor pitch runs");
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, 5000U).kind);
+}
+
+void test_SWR_MODE_003_after_the_fault_of_another_axis_the_needle_is_drawn_out(void)
+{
+    const command_t retract = {.kind = (uint32_t)COMMAND_RETRACT};
+    rig_start_moving(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 60000U).kind);
+    rig_release(&rig);
+    rig_box(&rig, "motor yaw runs");
+    rig_cycles(&rig, 1000U);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, rig.outputs.snapshot.axes[AXIS_YAW].power);
+    rig_box(&rig, "motor yaw normal");
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, retract).status);
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 60000U).kind);
+    TEST_ASSERT_LESS_OR_EQUAL_INT32(needle_retracted_ticks(&robot_neuro) +
+                                        robot_neuro.axes[AXIS_INSERTION].deadband_ticks,
+                                    rig_position(&rig, AXIS_INSERTION));
+}
