@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "http/http_call.h"
 
+#include "http/http_lines.h"
 #include "http/http_reply.h"
 #include "limits/requirement_limits.h"
 #include "request/request_body.h"
@@ -199,13 +200,22 @@ static int judge_body(const http_call_t *self)
                                                   : 0;
 }
 
+static int receive(struct mg_connection *connection, char *bytes, long long length)
+{
+    http_lines_note(connection, HTTP_LINE_READS);
+    const int size = (length > 0) ? mg_read(connection, bytes, (size_t)length) : 0;
+    http_lines_note(connection, HTTP_LINE_ASKS);
+    return size;
+}
+
 static int read_body(http_call_t *self)
 {
     char bytes[ROUTE_BODY_MOST];
     const long long length = mg_get_request_info(self->connection)->content_length;
-    const int size = (length > 0) ? mg_read(self->connection, bytes, (size_t)length) : 0;
+    const int size = receive(self->connection, bytes, length);
     if ((length > 0) && (size != (int)length)) {
-        return refuse(self->connection, PROBLEM_BAD_BODY);
+        return refuse(self->connection, http_lines_is_leaving(self->connection) ? PROBLEM_GAVE_WAY
+                                                                                : PROBLEM_BAD_BODY);
     }
     const request_result_t result =
         request_read_body(self->route->body, bytes, (size_t)size, &self->body);

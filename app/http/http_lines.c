@@ -17,27 +17,19 @@
 
 typedef struct {
     const struct mg_connection *connection; /* NULL: this place is free. */
-    int socket;                             /* -1: not known before its first answer. */
-    bool is_idle;
-    bool is_leaving;   /* It was told to; its worker is on the way. */
-    uint64_t since;    /* In the order of becoming idle. */
-    uint64_t received; /* Bytes, at that time. */
+    int socket;                             /* -1: not known yet. */
+    bool is_waiting;                        /* For a request, or for the rest of one. */
+    bool is_leaving;                        /* It was told to; its worker is on the way. */
+    uint64_t since;                         /* In the order of coming, and of answers. */
+    uint64_t received;                      /* Bytes, at the end of the request before. */
 } line_t;
 
 static struct {
     pthread_mutex_t lock;
-    unsigned port;
-    unsigned front_port;
     uint64_t turns;
     unsigned count; /* Without those that are leaving. */
     line_t lines[HTTP_LINES_WORKERS];
 } all = {.lock = PTHREAD_MUTEX_INITIALIZER};
-
-void http_lines_init(unsigned port, unsigned front_port)
-{
-    all.port = port;
-    all.front_port = front_port;
-}
 
 static line_t *find(const struct mg_connection *connection)
 {
@@ -49,26 +41,28 @@ static line_t *find(const struct mg_connection *connection)
     return NULL;
 }
 
-static bool has_port(const struct sockaddr_in *address, int result, unsigned port)
+static bool is_at(const struct sockaddr_in *place, int result, int port)
 {
-    return (result == 0) && (address->sin_family == AF_INET) && (ntohs(address->sin_port) == port);
+    return (result == 0) && (place->sin_family == AF_INET) && (ntohs(place->sin_port) == port);
 }
 
 /* The library does not hand out its sockets; this one is found by its two ends. */
-static int find_socket(unsigned their_port)
+static int find_socket(const struct mg_request_info *ends)
 {
+    struct in_addr client = {.s_addr = 0U};
+    (void)inet_pton(AF_INET, ends->remote_addr, &client);
     for (int descriptor = 0; descriptor < DESCRIPTORS; descriptor++) {
         struct sockaddr_in here = {.sin_port = 0U};
         struct sockaddr_in there = {.sin_port = 0U};
         socklen_t size = sizeof there;
         const int their_end = getpeername(descriptor, (struct sockaddr *)&there, &size);
-        if (!has_port(&there, their_end, their_port)) {
+        if (!is_at(&there, their_end, ends->remote_port) ||
+            (there.sin_addr.s_addr != client.s_addr)) {
             continue;
         }
         size = sizeof here;
         const int our_end = getsockname(descriptor, (struct sockaddr *)&here, &size);
-        if (has_port(&here, our_end, all.port) ||
-            ((all.front_port != 0U) && has_port(&here, our_end, all.front_port))) {
+        if (is_at(&here, our_end, ends->server_port)) {
             return descriptor;
         }
     }
@@ -83,24 +77,38 @@ static uint64_t received_of(int socket)
     return (result == 0) ? info.tcpi_bytes_received : 0U;
 }
 
-/* Its worker then reads the end, and closes it; an answer that is on its way still leaves. */
-static void close_oldest(void)
+static void know_socket(line_t *line)
+{
+    if (line->socket < 0) {
+        line->socket = find_socket(mg_get_request_info(line->connection));
+    }
+}
+
+/* Its worker then reads what has come, and the end behind it: who has asked all is answered. */
+static void dismiss_oldest(void)
 {
     line_t *oldest = NULL;
     for (size_t i = 0U; i < HTTP_LINES_WORKERS; i++) {
         line_t *line = &all.lines[i];
-        const bool is_candidate =
-            (line->connection != NULL) && line->is_idle && (line->socket >= 0);
+        const bool is_candidate = (line->connection != NULL) && line->is_waiting;
         if (is_candidate && ((oldest == NULL) || (line->since < oldest->since))) {
             oldest = line;
         }
     }
     if (oldest != NULL) {
+        know_socket(oldest);
         (void)shutdown(oldest->socket, SHUT_RD);
-        oldest->is_idle = false;
+        oldest->is_waiting = false;
         oldest->is_leaving = true;
         all.count--;
     }
+}
+
+static void begin_to_wait(line_t *line)
+{
+    line->is_waiting = !line->is_leaving;
+    line->since = all.turns;
+    all.turns++;
 }
 
 void http_lines_enter(const struct mg_connection *connection)
@@ -110,33 +118,27 @@ void http_lines_enter(const struct mg_connection *connection)
     if (line != NULL) {
         const line_t new_line = {.connection = connection, .socket = -1};
         *line = new_line;
+        begin_to_wait(line);
         all.count++;
     }
     if (all.count > FEW) {
-        close_oldest();
+        dismiss_oldest();
     }
     (void)pthread_mutex_unlock(&all.lock);
 }
 
-static void know_socket(line_t *line)
-{
-    if (line->socket < 0) {
-        line->socket = find_socket((unsigned)mg_get_request_info(line->connection)->remote_port);
-    }
-}
-
-void http_lines_note(const struct mg_connection *connection, bool is_idle)
+void http_lines_note(const struct mg_connection *connection, http_line_t state)
 {
     (void)pthread_mutex_lock(&all.lock);
     line_t *line = find(connection);
     if (line != NULL) {
-        if (is_idle) { /* Its answer has left: nobody waits for the search. */
+        if (state == HTTP_LINE_ANSWERED) { /* Nobody waits for the search. */
             know_socket(line);
+            line->received = received_of(line->socket);
+            begin_to_wait(line);
+        } else {
+            line->is_waiting = (state == HTTP_LINE_READS) && !line->is_leaving;
         }
-        line->is_idle = is_idle && !line->is_leaving;
-        line->received = is_idle ? received_of(line->socket) : line->received;
-        line->since = all.turns;
-        all.turns++;
     }
     (void)pthread_mutex_unlock(&all.lock);
 }
@@ -171,4 +173,13 @@ bool http_lines_has_room(void)
     const bool has_room = all.count <= FEW;
     (void)pthread_mutex_unlock(&all.lock);
     return has_room;
+}
+
+bool http_lines_is_leaving(const struct mg_connection *connection)
+{
+    (void)pthread_mutex_lock(&all.lock);
+    const line_t *line = find(connection);
+    const bool is_leaving = (line != NULL) && line->is_leaving;
+    (void)pthread_mutex_unlock(&all.lock);
+    return is_leaving;
 }

@@ -2,8 +2,9 @@
 /**
  * @file
  * The connections of the console's port. Each has one of the library's workers to itself as long as
- * it is open, also between two requests. When workers run short, those that wait for a further
- * request are closed, the oldest first: nobody who asks something waits for somebody who does not.
+ * it is open, also between two requests. When workers run short, those that wait for a request or
+ * for the rest of one are closed, the oldest first: nobody who asks something waits for somebody
+ * who does not. A request that has come whole is answered all the same.
  */
 #ifndef BORESIGHT_HTTP_LINES_H
 #define BORESIGHT_HTTP_LINES_H
@@ -14,15 +15,24 @@
 
 #define HTTP_LINES_WORKERS 64U /**< Of the library. */
 
-/** Forgets all. `port`: the console's; `front_port`: that of TLS, 0 without. To be called once,
- * before any connection. */
-void http_lines_init(unsigned port, unsigned front_port);
+/** What a connection does. */
+typedef enum {
+    HTTP_LINE_READS = 0,   /**< The body of its request is awaited. */
+    HTTP_LINE_ASKS = 1,    /**< Its request, or the head of it, has come. */
+    HTTP_LINE_ANSWERED = 2 /**< A further request is awaited. */
+} http_line_t;
 
-/** A connection has got a worker. If few workers are left, the oldest idle one is closed. */
+/**
+ * A connection has got a worker, and its first request is awaited. If few workers are left, the
+ * oldest one that waits is closed.
+ *
+ * @satisfies SWR-LOAD-008
+ * @satisfies SWR-LOAD-009
+ */
 void http_lines_enter(const struct mg_connection *connection);
 
-/** A request of it begins, or has been answered: then it is idle. */
-void http_lines_note(const struct mg_connection *connection, bool is_idle);
+/** It does something else now. */
+void http_lines_note(const struct mg_connection *connection, http_line_t state);
 
 /** Bytes that have come since its last request. */
 uint64_t http_lines_received(const struct mg_connection *connection);
@@ -36,5 +46,8 @@ void http_lines_leave(const struct mg_connection *connection);
  * @satisfies SWR-HTTP-018
  */
 bool http_lines_has_room(void);
+
+/** It was told to leave, its request unfinished. */
+bool http_lines_is_leaving(const struct mg_connection *connection);
 
 #endif

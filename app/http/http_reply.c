@@ -95,7 +95,8 @@ static bool is_kept(const struct mg_connection *connection, const http_reply_t *
     const char *wish = mg_get_header(connection, "Connection");
     return (reply->status < 400) && !reply->is_stream && !reply->is_apart &&
            (request->http_version != NULL) && (strcmp(request->http_version, "1.1") == 0) &&
-           ((wish == NULL) || (strcasecmp(wish, "keep-alive") == 0)) && http_lines_has_room();
+           ((wish == NULL) || (strcasecmp(wish, "keep-alive") == 0)) && http_lines_has_room() &&
+           !http_lines_is_leaving(connection);
 }
 
 int http_reply_send(struct mg_connection *connection, const http_reply_t *reply)

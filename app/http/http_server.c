@@ -153,7 +153,7 @@ static void stand_back(void)
 
 static int begin_request(struct mg_connection *connection)
 {
-    http_lines_note(connection, false);
+    http_lines_note(connection, HTTP_LINE_ASKS);
     return http_routes_answer(mg_get_user_data(mg_get_context(connection)), connection);
 }
 
@@ -172,17 +172,22 @@ static void end_connection(const struct mg_connection *connection)
 static void end_request(const struct mg_connection *connection, int status)
 {
     (void)status;
-    http_lines_note(connection, true);
+    http_lines_note(connection, HTTP_LINE_ANSWERED);
 }
 
 /* Requests that the library itself refuses, before there is a path to look at. */
 static int refuse(struct mg_connection *connection, int status, const char *message)
 {
     (void)message;
-    const bool is_too_long = http_lines_received(connection) >= LIBRARY_HEAD_BYTES;
-    http_problem_t problem =
-        http_problem_of(is_too_long ? PROBLEM_TOO_MANY_HEADERS : PROBLEM_BAD_REQUEST);
-    problem.http = is_too_long ? problem.http : status;
+    http_problem_t problem = http_problem_of(PROBLEM_BAD_REQUEST);
+    problem.http = status;
+    if (http_lines_is_leaving(connection)) {
+        problem = http_problem_of(PROBLEM_GAVE_WAY);
+    } else if (http_lines_received(connection) >= LIBRARY_HEAD_BYTES) {
+        problem = http_problem_of(PROBLEM_TOO_MANY_HEADERS);
+    } else {
+        /* It says itself what it has read. */
+    }
     (void)http_reply_problem(connection, &problem, NULL);
     return 0;
 }
@@ -257,7 +262,6 @@ http_server_result_t http_server_start(http_server_t *self)
         (void)snprintf(&address[size], sizeof address - (size_t)size, ",127.0.0.1:%u",
                        (unsigned)self->front->console_from);
     }
-    http_lines_init(self->guard.port, self->front_guard.port);
     (void)mg_init_library(MG_FEATURES_DEFAULT);
     open_stop_port(self);
     stand_back();

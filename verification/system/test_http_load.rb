@@ -53,6 +53,7 @@ class TestHttpLoad < SystemTest
              'half requests' => { consoles: 2, halves: 100 },
              'guessed passwords' => { consoles: 2, guessers: 8 },
              'all of them' => { consoles: 2, lazy: 40, keepers: 8, comers: 8, halves: 100, guessers: 8 } }.freeze
+  WORKERS = 64 # HTTP_LINES_WORKERS
   SERVED = { keepers: 'answered', comers: 'answered', halves: 'refused', guessers: 'refused', lazy: 'dropped' }.freeze
 
   def self.runs
@@ -123,6 +124,40 @@ class TestHttpLoad < SystemTest
       waiting.each(&:close)
     end
     assert_equal '200', boresight.post_stop.code
+  end
+
+  STOP_HEAD = "POST /api/v1/stop HTTP/1.1\r\nContent-Length: 2\r\nHost: "
+
+  # They come while nobody serves them, the stop last; a quarter of them holds every worker until its time is over. Who is
+  # dismissed is told so; a pause of the machine may let the time of some run out.
+  def test_SWR_LOAD_008_half_requests_give_way_the_oldest_first
+    half, stop = boresight.while_stopped('http') do
+      [Array.new(WORKERS * 4) { send_to_console(STOP_HEAD) },
+       send_to_console("#{STOP_HEAD}127.0.0.1:#{boresight.http_port}\r\nConnection: close\r\n\r\n{}")]
+    end
+    assert_match(/\AHTTP\S* 200 /, stop.read)
+    assert_operator half.first(WORKERS * 3).count { |socket| gave_way?(socket) }, :>, WORKERS * 2
+  ensure
+    [*half, stop].each(&:close)
+  end
+
+  def test_SWR_LOAD_008_who_holds_back_the_body_gives_way_too
+    half = boresight.while_stopped('http') do
+      Array.new(WORKERS * 4) { send_to_console("#{STOP_HEAD}127.0.0.1:#{boresight.http_port}\r\n\r\n{") }
+    end
+    assert_operator half.first(WORKERS * 3).count { |socket| gave_way?(socket) }, :>, WORKERS * 2
+  ensure
+    half&.each(&:close)
+  end
+
+  def send_to_console(bytes)
+    TCPSocket.new('127.0.0.1', boresight.http_port).tap { |socket| socket.write(bytes) }
+  end
+
+  def gave_way?(socket)
+    socket.read.include?('"code":"GAVE_WAY"')
+  rescue Errno::ECONNRESET
+    false
   end
 
   # Otherwise the others would show nothing.

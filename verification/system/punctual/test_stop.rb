@@ -6,12 +6,15 @@
 require 'socket'
 require_relative '../support/pauses'
 require_relative '../support/system_test'
+require_relative '../../bench/crowd'
 
 class TestStop < SystemTest
   STOP_SECONDS = 2.0 # stop_time_us
   ANSWER_SECONDS = 1.0
   LEAVES_SECONDS = 1.0 # stop_leaves_us
   SLOW_CLIENTS = 400
+  HALVES = 300 # crowd_halves
+  CROWD_STOP_MS = 100
 
   def setup
     boresight(arguments: ['--real-time'])
@@ -73,5 +76,14 @@ class TestStop < SystemTest
     assert_operator seconds, :<, ANSWER_SECONDS
   ensure
     slow&.each(&:close)
+  end
+
+  def test_SWR_LOAD_009_half_requests_that_come_again_and_again_delay_a_stop_by_less_than_100_ms
+    pauses = Pauses.new(boresight.pids.values)
+    Crowd.around(boresight.http_port, halves: HALVES) do
+      ms = Array.new(100) { pauses.net_seconds { assert_equal '200', boresight.post_stop.code } * 1000 }.sort
+      puts format('SWR-LOAD-009: stops at the port of the console take %.0f ms (median), %.0f ms (99 of 100)', ms[49], ms[98])
+      assert_operator ms[98], :<, CROWD_STOP_MS
+    end
   end
 end
