@@ -83,6 +83,68 @@ class TestHttpStop < Minitest::Test
     assert_equal '200', stop_code(stop_port)
   end
 
+  # The supervisor is held, so that nobody starts the server before its port is taken.
+  def test_SWR_HTTP_007_a_port_that_another_program_has_taken_is_replaced_and_the_new_one_kept
+    before = stop_port
+    other = with_server_killed { TCPServer.new('127.0.0.1', before) }
+    after = stop_port
+    refute_equal before, after
+    assert_equal '200', stop_code(after)
+    other.close
+    with_server_killed { nil }
+    assert_equal after, stop_port
+  ensure
+    other&.close unless other&.closed?
+  end
+
+  def with_server_killed
+    server = self.class.boresight.pid_of('http')
+    Process.kill('STOP', self.class.boresight.pid)
+    Process.kill('KILL', server)
+    wait_until('nobody listens') { sockets.none? { |state, here, _| state == LISTENING && here.last == port } }
+    yield
+  ensure
+    Process.kill('CONT', self.class.boresight.pid)
+    wait_until('the server runs again') { self.class.boresight.patiently { get('/api/v1/status').is_a?(Net::HTTPOK) } }
+  end
+
+  # Control does not answer meanwhile, so it is still waiting when those come that want its place.
+  def test_SWR_HTTP_007_who_waits_for_an_answer_keeps_its_place
+    answer = self.class.boresight.while_stopped('control') do
+      TCPSocket.open('127.0.0.1', stop_port) do |socket|
+        socket.write("#{stop_head}{}")
+        with_slow_clients(SLOW, stop_port) { read_until_closed(socket) }
+      end
+    end
+    assert_match(/\AHTTP\S* 503 .*"code":"NO_ANSWER"/m, answer)
+    wait_until('control goes on') { stop_code == '200' }
+  end
+
+  def test_SWR_HTTP_007_who_does_not_finish_or_does_not_go_is_dismissed
+    half = TCPSocket.new('127.0.0.1', stop_port).tap { |socket| socket.write('POST') }
+    answered = TCPSocket.new('127.0.0.1', stop_port).tap { |socket| socket.write("#{stop_head}{}") }
+    assert_match(/\AHTTP\S* 200 /, answered.read)
+    assert_empty half.read
+    wait_until('what is sent is read no more') { deaf?(answered) }
+  ensure
+    [half, answered].each(&:close)
+  end
+
+  def deaf?(socket)
+    socket.write('x')
+    false
+  rescue Errno::EPIPE, Errno::ECONNRESET
+    true
+  end
+
+  def test_SWR_HTTP_009_who_sends_more_than_is_read_hears_why_it_is_refused
+    socket = TCPSocket.new('127.0.0.1', stop_port)
+    socket.write("#{stop_head({ 'Content-Length' => '200000' })}#{'x' * 200_000}")
+    assert_match(/\AHTTP\S* 413 /, socket.read)
+  ensure
+    socket&.close
+  end
+
   def test_SWR_HTTP_007_the_page_may_use_the_port_and_no_other
     policy = get('/')['Content-Security-Policy']
     assert_includes policy, "connect-src 'self' http://127.0.0.1:#{stop_port} http://127.0.0.1:#{stop_port} " \
