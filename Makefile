@@ -200,7 +200,7 @@ $(BIN)/codec-oracle: verification/demo/client/codec_oracle.cpp $(CODEC)
 
 # --- commands ------------------------------------------------------------------------------------------------
 
-.PHONY: help run charts test demo bench trace build bootstrap bootstrap-test stunnel clean FORCE
+.PHONY: help run charts points test demo bench trace build bootstrap bootstrap-test stunnel clean FORCE
 FORCE:
 
 help: ## List the commands
@@ -220,6 +220,9 @@ run: build ## Start the whole system on the simulated control box
 
 charts: bootstrap $(GEN)/limits/requirement_limits.h ## Draw the statecharts: build/charts/index.html
 	@ruby tools/chart_compiler.rb page statecharts build/charts
+
+points: bootstrap ## The errors of measured points: FILE=points.csv, PLANE=xz if the needle goes along y
+	@ruby tools/points.rb '$(FILE)' $(PLANE)
 
 stunnel: build ## Write stunnel's configuration for TLS_FILE: build/stunnel.conf
 	@$(BIN)/boresight-http --tls-file $(TLS_FILE) --stunnel >build/stunnel.conf.new

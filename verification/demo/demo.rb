@@ -8,7 +8,7 @@
 #   ruby verification/demo/demo.rb NAME     exits 1 if a limit of SWR-DEMO-001 or 002 is missed
 #
 # Leaves in build/demo/NAME: the black box (*.bsr), motion.csv, motion.png, the picture of one axis (figures 29 to 31
-# of the thesis) and targets.json.
+# of the thesis), targets.json, and points.csv with what the robot believes that it reached.
 
 require 'English'
 require 'fileutils'

@@ -19,15 +19,22 @@ class DemoReport
     puts "#{note}\n\n" if note
   end
 
-  # targets.json; motion.png from motion.csv; and of `close_up`, if there is one, NAME.png.
+  # targets.json; points.csv for `make points`; motion.png from motion.csv; and of `close_up`, if there is one, NAME.png.
   def leave(csv, close_up)
     File.write(File.join(@out, 'targets.json'), "#{JSON.pretty_generate(@rows)}\n")
+    leave_points
     names = columns(csv).filter_map { |name| name[/(.*)_position_ticks\z/, 1] }
     gnuplot('motion.gnuplot', source: csv, picture: File.join(@out, 'motion.png'), robot: @robot, axes: names.join(' '))
     draw_longest_move(csv, close_up) if close_up
   end
 
   private
+
+  def leave_points
+    head = 'target_x,target_y,target_z,measured_x,measured_y,measured_z'
+    rows = @rows.map { |row| row.values_at(:target, :reached).flatten.join(',') }
+    File.write(File.join(@out, 'points.csv'), [head, *rows, ''].join("\n"))
+  end
 
   def print_row(row)
     puts format('%-3d %-28s %-28s %10.4f %s %9.1f', row[:number], row[:target].join(', '), row[:reached].join(', '),
