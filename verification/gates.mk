@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # What `make test` runs; included by the Makefile.
 
-.PHONY: gate generated unit coverage misra sanitize arm console-test objects programs trace demo worst-case \
+.PHONY: gate one generated unit coverage misra sanitize arm console-test objects programs trace demo worst-case \
     worst-case-approve
 
 test: bootstrap-test ## Run everything that can fail; the last line is `N passed, N failed`
@@ -17,6 +17,19 @@ ifneq ($(if $(NAME),$(filter-out $(GATES),$(NAME)),none),)
 $(error NAME is '$(NAME)', but the gates are: $(GATES))
 endif
 endif
+
+# One file of tests, in C or Ruby.
+ONE := $(firstword $(wildcard verification/unit/$(NAME).c verification/integration/$(NAME).c core/robot/*/test/$(NAME).c \
+    tools/test/$(NAME).rb verification/*/$(NAME).rb verification/*/*/$(NAME).rb))
+ifneq ($(filter one,$(MAKECMDGOALS)),)
+ifeq ($(ONE),)
+$(error NAME is '$(NAME)', but there is no such file of tests; one is test_encoder)
+endif
+endif
+
+one: bootstrap-test ## One file of tests: make one NAME=test_encoder
+	@$(MAKE) --no-print-directory -j2 $(if $(filter %.c,$(ONE)),generated,programs)
+	@$(if $(filter %.c,$(ONE)),$(CEEDLING) test:$(NAME),ruby $(ONE) -v)
 
 ALL_APP := $(wildcard app/*/*.c bsp/sim/*.c)
 # What is verified runs on the simulated control box, whichever board the programs are for.
