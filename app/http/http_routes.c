@@ -9,6 +9,7 @@
 #include "http/http_communication.h"
 #include "http/http_door.h"
 #include "http/http_log_note.h"
+#include "http/http_modes.h"
 #include "http/http_motion.h"
 #include "http/http_positions.h"
 #include "http/http_reply.h"
@@ -201,6 +202,8 @@ static int answer(http_server_t *server, const http_call_t *call)
         return http_positions_preview(server, call);
     case ROUTE_RESTORE:
         return http_positions_restore(server, call);
+    case ROUTE_MODES:
+        return http_modes_show(server, call);
     case ROUTE_COMMUNICATION:
         return http_communication_show(server, call);
     case ROUTE_DISCONNECT:

@@ -15,7 +15,7 @@ class TestHttpApi < Minitest::Test
 
   WORKERS = 64
   SPARE = 16 # spare_workers
-  GETS = %w[status motors targeting log].freeze
+  GETS = %w[status motors targeting log modes].freeze
 
   def openapi
     @openapi ||= Openapi.new(get('/api/v1/openapi.json').body)

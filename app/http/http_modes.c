@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "http/http_modes.h"
+
+#include "http/http_reply.h"
+#include "http/mode_outlook.h"
+#include "interface/app/messages.h"
+#include "interface/app/names.h"
+
+static cJSON *new_workphases(uint32_t workphases)
+{
+    cJSON *list = cJSON_CreateArray();
+    for (uint32_t i = 0U; i < WORKPHASE_COUNT; i++) {
+        if (((workphases >> i) & 1U) != 0U) {
+            (void)cJSON_AddItemToArray(list, cJSON_CreateString(workphase_name((int32_t)i)));
+        }
+    }
+    return list;
+}
+
+static cJSON *new_mode(const telemetry_view_t *view, mode_kind_t kind)
+{
+    const mode_row_t *row = &mode_rows[kind];
+    const status_t status = mode_outlook(view->robot, &view->snapshot, kind);
+    const json_mode_t also = {.name = mode_kind_name((int32_t)kind),
+                              .says = mode_kind_text((int32_t)kind),
+                              .command = command_kind_name((int32_t)row->command),
+                              .workphases = new_workphases(row->workphases),
+                              .is_allowed = status == STATUS_OK,
+                              .status = (status == STATUS_OK) ? NULL : status_name((int32_t)status),
+                              .reason =
+                                  (status == STATUS_OK) ? NULL : status_text((int32_t)status)};
+    return json_mode(&also);
+}
+
+int http_modes_show(http_server_t *server, const http_call_t *call)
+{
+    telemetry_view_t view;
+    telemetry_look(&server->telemetry, &view);
+    if (!view.has_snapshot) {
+        return http_reply_refuse(call->connection, PROBLEM_NO_DATA);
+    }
+    cJSON *modes = cJSON_CreateArray();
+    for (uint32_t i = (uint32_t)MODE_NONE + 1U; i < MODE_KIND_COUNT; i++) {
+        (void)cJSON_AddItemToArray(modes, new_mode(&view, (mode_kind_t)i));
+    }
+    const json_modes_t also = {.modes = modes};
+    return http_reply_object(call->connection, 200, json_modes(&also));
+}

@@ -1,0 +1,139 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "http/mode_outlook.h"
+
+#include "charts/axis_chart.h"
+#include "charts/card_link_chart.h"
+#include "charts/estop_latch_chart.h"
+#include "charts/loop_guard_chart.h"
+#include "charts/pedal_gate_chart.h"
+#include "interface/command.h"
+#include "procedure/procedure.h"
+
+#include <stdbool.h>
+
+static uint32_t bit(uint32_t index)
+{
+    return (uint32_t)1U << index;
+}
+
+static bool is_usable(const robot_t *robot, const snapshot_t *snapshot, uint32_t axis)
+{
+    const uint32_t link = (uint32_t)snapshot->cards[robot->axes[axis].slot].link;
+    return (link == (uint32_t)CARD_LINK_STATE_LIVE) || (link == (uint32_t)CARD_LINK_STATE_LATE);
+}
+
+static bool is_homed(const snapshot_t *snapshot, uint32_t axis)
+{
+    const axis_chart_t chart = {.reference = (axis_reference_t)snapshot->axes[axis].reference};
+    return axis_chart_in_homed(&chart);
+}
+
+static bool needs_confirmation(const robot_t *robot, const snapshot_t *snapshot, uint32_t axis)
+{
+    const uint32_t reference = (uint32_t)snapshot->axes[axis].reference;
+    return (robot->axes[axis].home_method != (uint8_t)HOME_BY_SWITCH) &&
+           ((reference == (uint32_t)AXIS_REFERENCE_UNVERIFIED) ||
+            (reference == (uint32_t)AXIS_REFERENCE_LOST));
+}
+
+static uint32_t able_axes(const robot_t *robot, const snapshot_t *snapshot, const mode_row_t *row)
+{
+    uint32_t able = 0U;
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+        const bool is_enabled = (uint32_t)snapshot->axes[i].power == (uint32_t)AXIS_POWER_ENABLED;
+        const bool is_known = row->may_be_unhomed || is_homed(snapshot, i);
+        able |= (is_enabled && is_known) ? bit(i) : 0U;
+    }
+    return able;
+}
+
+/* Those that the mode needs. */
+static uint32_t needed_axes(const robot_t *robot, const snapshot_t *snapshot, const mode_row_t *row)
+{
+    const uint32_t every = bit(robot->axis_count) - 1U;
+    const uint32_t able = able_axes(robot, snapshot, row);
+    uint32_t needed = every;
+    if (row->axes == (uint32_t)MODE_AXES_NEEDLE) {
+        needed = bit(robot->needle_axis);
+    } else if ((row->axes == (uint32_t)MODE_AXES_COMMANDED) && (able != 0U)) {
+        needed = able;
+    } else {
+        /* All of them. */
+    }
+    return needed;
+}
+
+static workphase_inputs_t inputs_of(const robot_t *robot, const snapshot_t *snapshot,
+                                    const mode_row_t *row)
+{
+    const bool is_pedal_well = (uint32_t)snapshot->pedal != (uint32_t)PEDAL_GATE_STATE_FAULT;
+    const bool is_estop_clear = (uint32_t)snapshot->estop == (uint32_t)ESTOP_LATCH_STATE_CLEAR;
+    const uint32_t needed = needed_axes(robot, snapshot, row);
+    workphase_inputs_t inputs = {
+        .is_hardware_ready = (uint32_t)snapshot->estop != (uint32_t)ESTOP_LATCH_STATE_PULLED,
+        .is_motion_allowed_here = ((row->workphases >> (uint32_t)snapshot->workphase) & 1U) != 0U,
+        .is_able = is_estop_clear && is_pedal_well &&
+                   ((uint32_t)snapshot->loop != (uint32_t)LOOP_GUARD_STATE_STOPPED),
+        .is_homed = true,
+        .is_registered = snapshot->is_registered != 0U,
+        .has_target = snapshot->has_target != 0U};
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+        const bool is_needed = (needed & bit(i)) != 0U;
+        const bool is_enabled = (uint32_t)snapshot->axes[i].power == (uint32_t)AXIS_POWER_ENABLED;
+        const bool has_card = is_usable(robot, snapshot, i);
+        inputs.is_hardware_ready = inputs.is_hardware_ready && has_card;
+        inputs.is_confirmation_due =
+            inputs.is_confirmation_due || needs_confirmation(robot, snapshot, i);
+        inputs.is_able = inputs.is_able && has_card && (!is_needed || is_enabled);
+        inputs.is_homed =
+            inputs.is_homed && (!is_needed || row->may_be_unhomed || is_homed(snapshot, i));
+    }
+    return inputs;
+}
+
+/* Takes it to `workphase` by the ways there are; UNDEFINED it is in. */
+static void take_to(procedure_t *procedure, workphase_t workphase)
+{
+    static const workphase_t ways[] = {WORKPHASE_START_UP, WORKPHASE_PLANNING, WORKPHASE_TARGETING};
+    const workphase_inputs_t all_well = {.is_hardware_ready = true,
+                                         .is_able = true,
+                                         .is_homed = true,
+                                         .is_registered = true,
+                                         .has_target = true};
+    procedure_actions_t actions;
+    if (workphase == WORKPHASE_UNDEFINED) {
+        return;
+    }
+    for (uint32_t i = 0U; i < (sizeof ways / sizeof ways[0]); i++) {
+        (void)procedure_request(procedure, &all_well, (uint32_t)ways[i], &actions);
+    }
+    (void)procedure_request(procedure, &all_well, (uint32_t)workphase, &actions);
+}
+
+static workphase_t only_workphase(const mode_row_t *row)
+{
+    uint32_t workphase = 0U;
+    while (((row->workphases >> workphase) & 1U) == 0U) {
+        workphase++;
+    }
+    return (workphase_t)workphase;
+}
+
+status_t mode_outlook(const robot_t *robot, const snapshot_t *snapshot, mode_kind_t kind)
+{
+    const mode_row_t *const row = &mode_rows[kind];
+    const workphase_inputs_t inputs = inputs_of(robot, snapshot, row);
+    procedure_t procedure;
+    procedure_actions_t actions;
+    status_t status = STATUS_UNKNOWN_COMMAND;
+    procedure_init(&procedure);
+    take_to(&procedure, (workphase_t)snapshot->workphase);
+    if (row->command == (uint32_t)COMMAND_WORKPHASE) {
+        status = procedure_request(&procedure, &inputs, (uint32_t)only_workphase(row), &actions);
+    } else if (row->command != (uint32_t)COMMAND_NONE) {
+        status = procedure_request_motion(&procedure, &inputs, &actions);
+    } else {
+        /* Nothing arms it. */
+    }
+    return status;
+}

@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file Whether control would arm a mode now, from what it shows. For people and programs that
+ * choose; control judges each command anew. */
+#ifndef BORESIGHT_MODE_OUTLOOK_H
+#define BORESIGHT_MODE_OUTLOOK_H
+
+#include "interface/mode_list.h"
+#include "interface/snapshot.h"
+#include "interface/status.h"
+#include "robot/robot.h"
+
+/**
+ * The workphase chart is asked, in a copy that is where control is. Of a mode for single axes: can
+ * any be commanded. What a command asks its mode for is not looked at.
+ *
+ * @return STATUS_OK, or why a command for it would be refused
+ *
+ * @satisfies SWR-MODE-004
+ */
+status_t mode_outlook(const robot_t *robot, const snapshot_t *snapshot, mode_kind_t kind);
+
+#endif

@@ -1,0 +1,114 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file What is said of each mode before it is commanded is what the controller then says. */
+#include "unity.h"
+
+#include "http/mode_outlook.h"
+#include "interface/app/names.h"
+#include "integration/support/rig.h"
+#include "robot/robot_neuro.h"
+
+static rig_t rig;
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+static void in_undefined(void)
+{
+    rig_start(&rig);
+}
+
+static void in_planning(void)
+{
+    rig_start_homed(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_PLANNING);
+}
+
+static void in_manual(void)
+{
+    rig_start_homed(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_MANUAL);
+}
+
+static void on_the_way(void)
+{
+    rig_start_moving(&rig);
+    rig_cycles(&rig, 100U);
+}
+
+static void with_a_lost_card(void)
+{
+    in_manual();
+    rig_box(&rig, "card pitch silent");
+    rig_cycles(&rig, 100U);
+}
+
+static void with_a_stall_of_the_needle(void)
+{
+    rig_start_moving(&rig);
+    rig_box(&rig, "motor insertion runs");
+    rig_cycles(&rig, 2000U);
+}
+
+static void after_the_estop(void)
+{
+    in_manual();
+    rig_box(&rig, "estop pull");
+    rig_cycles(&rig, 20U);
+    rig_box(&rig, "estop reset");
+    rig_cycles(&rig, 20U);
+}
+
+static void without_a_place(void)
+{
+    in_manual();
+    const command_t clear = {.kind = (uint32_t)COMMAND_CLEAR_AXIS, .argument = AXIS_FEET};
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, clear).status);
+    rig_cycles(&rig, 20U);
+}
+
+static void (*const scenes[])(void) = {in_undefined,     in_planning,
+                                       in_manual,        on_the_way,
+                                       with_a_lost_card, with_a_stall_of_the_needle,
+                                       after_the_estop,  without_a_place};
+
+/* One that its mode has nothing against. */
+static command_t command_for(mode_kind_t kind)
+{
+    command_t command = {.kind = mode_rows[kind].command, .argument = AXIS_YAW};
+    if (kind == MODE_HOMING) {
+        command.argument = (uint32_t)WORKPHASE_START_UP;
+    } else if (kind == MODE_MOVE) {
+        command.argument = (uint32_t)WORKPHASE_MOVE_TO_TARGET;
+    } else {
+        command.value = (rig.outputs.snapshot.is_homed != 0U) ? -200 : rig_position(&rig, AXIS_YAW);
+    }
+    return command;
+}
+
+void test_SWR_MODE_004_what_is_said_of_each_mode_is_what_becomes_of_its_command(void)
+{
+    static const mode_kind_t kinds[] = {MODE_HOMING, MODE_MOVE, MODE_JOG, MODE_RETRACT,
+                                        MODE_HOME_AXIS};
+    uint32_t allowed = 0U;
+    uint32_t refused = 0U;
+    for (uint32_t i = 0U; i < (sizeof scenes / sizeof scenes[0]); i++) {
+        for (uint32_t j = 0U; j < (sizeof kinds / sizeof kinds[0]); j++) {
+            scenes[i]();
+            const status_t said = mode_outlook(&robot_neuro, &rig.outputs.snapshot, kinds[j]);
+            const status_t became = (status_t)rig_command(&rig, command_for(kinds[j])).status;
+            if ((became == STATUS_NEEDLE_IN) || (became == STATUS_SWITCH_ZONE)) {
+                continue; /* What the mode itself says of its command comes first. */
+            }
+            TEST_ASSERT_EQUAL_UINT32_MESSAGE(became, said, mode_kind_name((int32_t)kinds[j]));
+            allowed += (said == STATUS_OK) ? 1U : 0U;
+            refused += (said == STATUS_OK) ? 0U : 1U;
+        }
+    }
+    TEST_ASSERT_GREATER_THAN_UINT32(5U, allowed);
+    TEST_ASSERT_GREATER_THAN_UINT32(5U, refused);
+}
