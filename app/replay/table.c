@@ -21,7 +21,7 @@ void table_print_names(const robot_t *robot)
 
 double table_output_percent(const axis_config_t *config, const snapshot_axis_t *axis)
 {
-    const card_drive_t drive = {axis->drive_mode, axis->drive_direction, axis->drive_duty};
+    const card_drive_t drive = {axis->drive_mode, axis->drive_direction, axis->drive_duty, 0U};
     double percent = 100.0;
 
     if (drive.mode == (uint32_t)CARD_DRIVE_OFF) {

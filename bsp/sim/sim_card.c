@@ -10,7 +10,7 @@
 #define HEATED_BY_C 25.0
 #define HEATING_PER_STEP (0.0001 / 400.0)
 
-static const card_drive_t drive_off = {CARD_DRIVE_OFF, 0U, 0U};
+static const card_drive_t drive_off = {CARD_DRIVE_OFF, 0U, 0U, 0U};
 
 void sim_card_init(sim_card_t *self, const axis_config_t *axis, const sim_encoder_t *encoder,
                    bool is_limit_active, uint32_t time_us)

@@ -10,7 +10,10 @@ typedef enum {
     CARD_TYPE_NONE = 0,
     CARD_TYPE_PWM = 1,     /**< Speed by a duty word of 23 bits, of which its axis may use fewer. */
     CARD_TYPE_NON_PWM = 2, /**< Run or stop, and direction; some take a magnitude, too. */
-    CARD_TYPE_SENSOR = 3   /**< Measures; has no motor, and refuses any drive but off. */
+    CARD_TYPE_SENSOR = 3,  /**< Measures; has no motor, and refuses any drive but off. */
+    CARD_TYPE_HIGH_FREQUENCY =
+        4,               /**< Makes the two waves of the motor: speed by their frequency. */
+    CARD_TYPE_ANALOG = 5 /**< Speed by a converter of 16 bits. */
 } card_type_t;
 
 #endif

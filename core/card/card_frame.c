@@ -2,7 +2,7 @@
 #include "card/card_frame.h"
 
 #include "base/crc.h"
-#include "card/card.h"
+#include "limits/requirement_limits.h"
 
 #include <string.h>
 
@@ -18,8 +18,10 @@
 #define WORD_COMMAND_TIME 3U
 #define WORD_COMMAND_SYSTEM 4U
 #define WORD_COMMAND_CONTROL 5U
+#define WORD_COMMAND_WAVES 6U
 #define WORD_COMMAND_MODE 10U
 #define WORD_COMMAND_DUTY 11U
+#define WORD_COMMAND_CONVERTERS 12U
 #define WORD_COMMAND_WATCHDOG 13U
 #define WORD_COMMAND_OVERSPEED 14U
 #define WORD_COMMAND_GUARD_MINIMUM 15U
@@ -39,8 +41,10 @@
 #define WORD_REPORT_LAST_EDGE 13U
 #define WORD_REPORT_FOURTH_EDGE 14U
 #define WORD_REPORT_EDGES 15U
+#define WORD_REPORT_ADC 16U
 #define WORD_REPORT_TEMPERATURES 18U
 #define WORD_REPORT_SUPPLY 19U
+#define WORD_REPORT_WAVES 20U
 #define WORD_REPORT_APPLIED 24U
 #define WORD_REPORT_CRC_ERRORS 25U
 #define WORD_REPORT_GAPS 26U
@@ -57,6 +61,7 @@
 /* One bit less than a report has for it: a larger one is told as one that is too large. */
 #define LARGEST_DUTY 0x7FFFFFU
 #define LARGEST_POSITIVE 0x7FFFFFFFU
+#define WAVE_WORDS 4U
 
 static inline void put_word(uint8_t bytes[CARD_FRAME_BYTES], uint32_t index, uint32_t word)
 {
@@ -174,16 +179,17 @@ static inline uint32_t four_words(const uint8_t bytes[CARD_FRAME_BYTES], uint32_
 /* The sum of a frame whose reserved words are zero: of all others. */
 static uint32_t command_sum(const uint8_t bytes[CARD_FRAME_BYTES])
 {
-    return four_words(bytes, WORD_START) + two_words(bytes, WORD_COMMAND_SYSTEM) +
-           two_words(bytes, WORD_COMMAND_MODE) + four_words(bytes, WORD_COMMAND_WATCHDOG) +
-           get_word(bytes, WORD_COMMAND_AXIS) + get_word(bytes, WORD_COMMAND_COMPLEMENT);
+    return four_words(bytes, WORD_START) + four_words(bytes, WORD_COMMAND_SYSTEM) +
+           four_words(bytes, WORD_COMMAND_WAVES + 2U) + four_words(bytes, WORD_COMMAND_CONVERTERS) +
+           two_words(bytes, WORD_COMMAND_GUARD_MAXIMUM) + get_word(bytes, WORD_COMMAND_COMPLEMENT);
 }
 
+/* Without the words of waves. */
 static uint32_t report_sum(const uint8_t bytes[CARD_FRAME_BYTES])
 {
     return four_words(bytes, WORD_START) + four_words(bytes, WORD_REPORT_TIME) +
-           two_words(bytes, WORD_REPORT_LIMITS) + two_words(bytes, WORD_REPORT_LAST_EDGE) +
-           get_word(bytes, WORD_REPORT_EDGES) + two_words(bytes, WORD_REPORT_TEMPERATURES) +
+           two_words(bytes, WORD_REPORT_LIMITS) + four_words(bytes, WORD_REPORT_LAST_EDGE) +
+           two_words(bytes, WORD_REPORT_ADC + 1U) + get_word(bytes, WORD_REPORT_SUPPLY) +
            four_words(bytes, WORD_REPORT_APPLIED) + get_word(bytes, WORD_REPORT_UPTIME);
 }
 
@@ -200,17 +206,13 @@ static inline uint32_t crc_of(const uint8_t bytes[CARD_FRAME_BYTES], const check
 
 static bool has_command_reserved_bits(const uint8_t bytes[CARD_FRAME_BYTES])
 {
-    return has_bits(bytes, WORD_COMMAND_CONTROL + 1U, WORD_COMMAND_MODE) ||
-           has_bits(bytes, WORD_COMMAND_DUTY + 1U, WORD_COMMAND_WATCHDOG) ||
-           has_bits(bytes, WORD_COMMAND_AXIS + 1U, WORD_COMMAND_COMPLEMENT);
+    return has_bits(bytes, WORD_COMMAND_AXIS + 1U, WORD_COMMAND_COMPLEMENT);
 }
 
 static bool has_report_reserved_bits(const uint8_t bytes[CARD_FRAME_BYTES])
 {
     return has_bits(bytes, WORD_REPORT_STATUS + 1U, WORD_REPORT_LIMITS) ||
            has_bits(bytes, WORD_REPORT_ENCODER + 1U, WORD_REPORT_LAST_EDGE) ||
-           has_bits(bytes, WORD_REPORT_EDGES + 1U, WORD_REPORT_TEMPERATURES) ||
-           has_bits(bytes, WORD_REPORT_SUPPLY + 1U, WORD_REPORT_APPLIED) ||
            has_bits(bytes, WORD_REPORT_UPTIME + 1U, WORD_LEGACY_SUM);
 }
 
@@ -280,23 +282,89 @@ static bool is_drive_off(const card_drive_t *drive)
     return drive->mode == (uint32_t)CARD_DRIVE_OFF;
 }
 
+/* What the drives of a mode may hold. */
+typedef struct {
+    uint32_t most_direction;
+    uint32_t least_duty;
+    uint32_t most_duty;
+    uint32_t least_amplitude;
+    uint32_t most_amplitude;
+} drive_range_t;
+
+static const drive_range_t drive_ranges[] = {
+    [CARD_DRIVE_PWM] = {1U, 0U, LARGEST_DUTY, 0U, 0U},
+    [CARD_DRIVE_NON_PWM] = {1U, 0U, LARGEST_DUTY, 0U, 0U},
+    [CARD_DRIVE_HIGH_FREQUENCY] = {1U, LIMIT_WAVE_FASTEST_WORD, LIMIT_WAVE_SLOWEST_WORD, 1U,
+                                   LARGEST_8_BIT},
+    [CARD_DRIVE_ANALOG] = {1U, 0U, LARGEST_16_BIT, 0U, 0U},
+};
+
 static inline bool is_drive_valid(const card_drive_t *drive)
 {
-    bool is_valid;
-
-    switch (drive->mode) {
-    case (uint32_t)CARD_DRIVE_OFF:
-        is_valid = (drive->direction == 0U) && (drive->duty == 0U);
-        break;
-    case (uint32_t)CARD_DRIVE_PWM:
-    case (uint32_t)CARD_DRIVE_NON_PWM:
-        is_valid = (drive->direction <= 1U) && (drive->duty <= LARGEST_DUTY);
-        break;
-    default:
-        is_valid = false;
-        break;
+    if (is_drive_off(drive)) {
+        return (drive->direction | drive->duty | drive->amplitude) == 0U;
     }
-    return is_valid;
+    if (drive->mode >= (sizeof drive_ranges / sizeof drive_ranges[0])) {
+        return false;
+    }
+    const drive_range_t *const range = &drive_ranges[drive->mode];
+    return (drive->direction <= range->most_direction) && (drive->duty >= range->least_duty) &&
+           (drive->duty <= range->most_duty) && (drive->amplitude >= range->least_amplitude) &&
+           (drive->amplitude <= range->most_amplitude);
+}
+
+static inline bool has_waves(const card_drive_t *drive)
+{
+    return drive->mode == (uint32_t)CARD_DRIVE_HIGH_FREQUENCY;
+}
+
+/* Table and amplitude of a wave. The two tables decide the direction; the phases between their bits
+ * stay zero, so that an amplitude of more than 8 bits is no valid word. */
+static uint32_t wave_shape(bool is_leading, uint32_t amplitude)
+{
+    return (is_leading ? ((uint32_t)1U << 24U) : 0U) | fit(amplitude, LARGEST_16_BIT);
+}
+
+static void write_waves(writer_t *writer, uint32_t first, const card_drive_t *drive)
+{
+    const bool is_upwards = drive->direction != 0U;
+
+    write_word(writer, first, drive->duty);
+    write_word(writer, first + 1U, wave_shape(!is_upwards, drive->amplitude));
+    write_word(writer, first + 2U, drive->duty);
+    write_word(writer, first + 3U, wave_shape(is_upwards, drive->amplitude));
+}
+
+/* Takes duty and amplitude of the first wave; the other must be its counterpart. */
+static bool read_waves(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t first, card_drive_t *drive)
+{
+    const uint32_t shape = get_word(bytes, first + 1U);
+    const bool is_upwards = drive->direction != 0U;
+    const bool has_other_duty = drive->duty != 0U;
+
+    drive->duty = get_word(bytes, first);
+    drive->amplitude = shape & LARGEST_16_BIT;
+    return !has_other_duty && (shape == wave_shape(!is_upwards, drive->amplitude)) &&
+           (get_word(bytes, first + 2U) == drive->duty) &&
+           (get_word(bytes, first + 3U) == wave_shape(is_upwards, drive->amplitude));
+}
+
+static void write_command_drive(writer_t *writer, const card_drive_t *drive)
+{
+    write_word(writer, WORD_COMMAND_MODE,
+               (fit(drive->mode, LARGEST_8_BIT) << 24U) |
+                   (fit(drive->direction, LARGEST_8_BIT) << 16U));
+    if (has_waves(drive)) {
+        write_waves(writer, WORD_COMMAND_WAVES, drive);
+    } else if (drive->mode == (uint32_t)CARD_DRIVE_ANALOG) {
+        /* Our own layout: the first converter has the magnitude. One of more than 16 bits stands in
+         * the word of the others, where it is refused. */
+        const bool fits = drive->duty <= LARGEST_16_BIT;
+        write_word(writer, fits ? WORD_COMMAND_CONVERTERS : WORD_COMMAND_DUTY,
+                   fits ? (drive->duty << 16U) : drive->duty);
+    } else {
+        write_word(writer, WORD_COMMAND_DUTY, drive->duty);
+    }
 }
 
 void card_frame_encode_command(const card_command_t *command, uint8_t bytes[CARD_FRAME_BYTES])
@@ -308,10 +376,7 @@ void card_frame_encode_command(const card_command_t *command, uint8_t bytes[CARD
     write_word(&writer, WORD_COMMAND_SYSTEM, command->system_state);
     write_word(&writer, WORD_COMMAND_CONTROL, command->control);
     if (!is_drive_off(&command->drive)) {
-        write_word(&writer, WORD_COMMAND_MODE,
-                   (fit(command->drive.mode, LARGEST_8_BIT) << 24U) |
-                       (fit(command->drive.direction, LARGEST_8_BIT) << 16U));
-        write_word(&writer, WORD_COMMAND_DUTY, command->drive.duty);
+        write_command_drive(&writer, &command->drive);
     }
     write_word(&writer, WORD_COMMAND_WATCHDOG, command->watchdog_us);
     write_word(&writer, WORD_COMMAND_OVERSPEED, command->overspeed_ticks_per_s);
@@ -322,14 +387,15 @@ void card_frame_encode_command(const card_command_t *command, uint8_t bytes[CARD
     seal(&writer, &checked_command);
 }
 
-/* Mode, direction and duty share one word here: 4, 4 and 24 bits. */
+/* Mode, direction and duty share one word here: 4, 4 and 24 bits. Waves have words of their own. */
 static uint32_t applied_word(const card_drive_t *drive)
 {
     uint32_t word = 0U;
 
     if (!is_drive_off(drive)) {
+        const uint32_t duty = has_waves(drive) ? 0U : fit(drive->duty, LARGEST_24_BIT);
         word = (fit(drive->mode, LARGEST_4_BIT) << 28U) |
-               (fit(drive->direction, LARGEST_4_BIT) << 24U) | fit(drive->duty, LARGEST_24_BIT);
+               (fit(drive->direction, LARGEST_4_BIT) << 24U) | duty;
     }
     return word;
 }
@@ -354,12 +420,17 @@ void card_frame_encode_report(const card_report_t *report, uint8_t bytes[CARD_FR
     write_word(&writer, WORD_REPORT_EDGES,
                (fit(report->edges, LARGEST_16_BIT) << 16U) |
                    fit(report->illegal_edges, LARGEST_16_BIT));
+    write_word(&writer, WORD_REPORT_ADC, report->adc_words[0]);
+    write_word(&writer, WORD_REPORT_ADC + 1U, report->adc_words[1]);
     write_word(&writer, WORD_REPORT_TEMPERATURES,
                (fit_int16(report->driver_temperature_dc) << 16U) |
                    fit_int16(report->motor_temperature_dc));
     write_word(&writer, WORD_REPORT_SUPPLY,
                (fit(report->supply_mv, LARGEST_16_BIT) << 16U) |
                    fit(report->current_ma, LARGEST_16_BIT));
+    if (has_waves(&report->applied)) {
+        write_waves(&writer, WORD_REPORT_WAVES, &report->applied);
+    }
     write_word(&writer, WORD_REPORT_APPLIED, applied_word(&report->applied));
     write_word(&writer, WORD_REPORT_CRC_ERRORS, report->rx_crc_errors);
     write_word(&writer, WORD_REPORT_GAPS, report->sequence_gaps);
@@ -368,15 +439,36 @@ void card_frame_encode_report(const card_report_t *report, uint8_t bytes[CARD_FR
     seal(&writer, &checked_report);
 }
 
-static card_drive_t read_command_drive(const uint8_t bytes[CARD_FRAME_BYTES])
+/* The words of a command that only some drives have. */
+static card_frame_result_t read_command_drive(const uint8_t bytes[CARD_FRAME_BYTES],
+                                              card_drive_t *drive)
 {
     const uint32_t word = get_word(bytes, WORD_COMMAND_MODE);
+    const uint32_t converters = get_word(bytes, WORD_COMMAND_CONVERTERS);
+    const bool is_analog = (word >> 24U) == (uint32_t)CARD_DRIVE_ANALOG;
+    bool is_whole = true;
 
     /* The 16 low bits count as direction: a drive word with anything unknown set is refused. */
-    return (card_drive_t){.mode = word >> 24U,
-                          .direction =
-                              ((word >> 16U) & LARGEST_8_BIT) | ((word & LARGEST_16_BIT) << 8U),
-                          .duty = get_word(bytes, WORD_COMMAND_DUTY)};
+    *drive = (card_drive_t){.mode = word >> 24U,
+                            .direction =
+                                ((word >> 16U) & LARGEST_8_BIT) | ((word & LARGEST_16_BIT) << 8U),
+                            .duty = get_word(bytes, WORD_COMMAND_DUTY)};
+    if (has_waves(drive)) {
+        is_whole = read_waves(bytes, WORD_COMMAND_WAVES, drive);
+    } else if (has_bits(bytes, WORD_COMMAND_WAVES, WORD_COMMAND_WAVES + WAVE_WORDS)) {
+        return CARD_FRAME_BAD_CRC;
+    } else {
+        /* It has no waves. */
+    }
+    if (is_analog) {
+        is_whole = (drive->duty == 0U) && ((converters & LARGEST_16_BIT) == 0U);
+        drive->duty = converters >> 16U;
+    } else if (converters != 0U) {
+        return CARD_FRAME_BAD_CRC;
+    } else {
+        /* It has no converter. */
+    }
+    return (is_whole && is_drive_valid(drive)) ? CARD_FRAME_OK : CARD_FRAME_BAD_DRIVE;
 }
 
 card_frame_result_t card_frame_decode_command(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot,
@@ -386,7 +478,8 @@ card_frame_result_t card_frame_decode_command(const uint8_t bytes[CARD_FRAME_BYT
                                command_sum(bytes)};
     const card_frame_result_t result = check_frame(bytes, slot, &view);
     const uint32_t control = get_word(bytes, WORD_COMMAND_CONTROL);
-    const card_drive_t drive = read_command_drive(bytes);
+    card_drive_t drive;
+    const card_frame_result_t drive_result = read_command_drive(bytes, &drive);
 
     if (result != CARD_FRAME_OK) {
         return result;
@@ -394,8 +487,8 @@ card_frame_result_t card_frame_decode_command(const uint8_t bytes[CARD_FRAME_BYT
     if (get_word(bytes, WORD_COMMAND_COMPLEMENT) != ~control) {
         return CARD_FRAME_BAD_COMPLEMENT;
     }
-    if (!is_drive_valid(&drive)) {
-        return CARD_FRAME_BAD_DRIVE;
+    if (drive_result != CARD_FRAME_OK) {
+        return drive_result;
     }
     command->slot = slot;
     command->sequence = get_word(bytes, WORD_COMMAND_SEQUENCE);
@@ -411,13 +504,24 @@ card_frame_result_t card_frame_decode_command(const uint8_t bytes[CARD_FRAME_BYT
     return CARD_FRAME_OK;
 }
 
-static card_drive_t read_applied(const uint8_t bytes[CARD_FRAME_BYTES])
+/* `has_words`: those of waves are not all zero. */
+static inline card_frame_result_t read_applied(const uint8_t bytes[CARD_FRAME_BYTES],
+                                               bool has_words, card_drive_t *drive)
 {
     const uint32_t word = get_word(bytes, WORD_REPORT_APPLIED);
+    bool is_whole = true;
 
-    return (card_drive_t){.mode = word >> 28U,
-                          .direction = (word >> 24U) & LARGEST_4_BIT,
-                          .duty = word & LARGEST_24_BIT};
+    *drive = (card_drive_t){.mode = word >> 28U,
+                            .direction = (word >> 24U) & LARGEST_4_BIT,
+                            .duty = word & LARGEST_24_BIT};
+    if (has_waves(drive)) {
+        is_whole = read_waves(bytes, WORD_REPORT_WAVES, drive);
+    } else if (has_words) {
+        return CARD_FRAME_BAD_CRC;
+    } else {
+        /* It has no waves. */
+    }
+    return (is_whole && is_drive_valid(drive)) ? CARD_FRAME_OK : CARD_FRAME_BAD_DRIVE;
 }
 
 static void read_counts(const uint8_t bytes[CARD_FRAME_BYTES], card_report_t *report)
@@ -443,6 +547,8 @@ static void read_health(const uint8_t bytes[CARD_FRAME_BYTES], card_report_t *re
     report->motor_temperature_dc = from_int16(temperatures & LARGEST_16_BIT);
     report->supply_mv = supply >> 16U;
     report->current_ma = supply & LARGEST_16_BIT;
+    report->adc_words[0] = get_word(bytes, WORD_REPORT_ADC);
+    report->adc_words[1] = get_word(bytes, WORD_REPORT_ADC + 1U);
     report->rx_crc_errors = get_word(bytes, WORD_REPORT_CRC_ERRORS);
     report->sequence_gaps = get_word(bytes, WORD_REPORT_GAPS);
     report->watchdog_trips = get_word(bytes, WORD_REPORT_TRIPS);
@@ -457,17 +563,20 @@ uint32_t card_frame_heartbeat(const uint8_t bytes[CARD_FRAME_BYTES])
 card_frame_result_t card_frame_decode_report(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot,
                                              card_report_t *report)
 {
+    const bool has_words = has_bits(bytes, WORD_REPORT_WAVES, WORD_REPORT_WAVES + WAVE_WORDS);
+    const uint32_t waves = has_words ? four_words(bytes, WORD_REPORT_WAVES) : 0U;
     const frame_view_t view = {TYPE_REPORT, &checked_report, has_report_reserved_bits(bytes),
-                               report_sum(bytes)};
+                               report_sum(bytes) + waves};
     const card_frame_result_t result = check_frame(bytes, slot, &view);
     const uint32_t identity = get_word(bytes, WORD_REPORT_IDENTITY);
-    const card_drive_t applied = read_applied(bytes);
+    card_drive_t applied;
+    const card_frame_result_t applied_result = read_applied(bytes, has_words, &applied);
 
     if (result != CARD_FRAME_OK) {
         return result;
     }
-    if (!is_drive_valid(&applied)) {
-        return CARD_FRAME_BAD_DRIVE;
+    if (applied_result != CARD_FRAME_OK) {
+        return applied_result;
     }
     report->slot = slot;
     report->accepted_sequence = get_word(bytes, WORD_REPORT_ACCEPTED);

@@ -9,6 +9,8 @@
 #ifndef BORESIGHT_CARD_FRAME_H
 #define BORESIGHT_CARD_FRAME_H
 
+#include "card/card.h"
+
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -18,7 +20,13 @@
 #define CARD_FRAME_PROTOCOL 1U
 
 /** Values of the drive mode, word 10 of a command. */
-typedef enum { CARD_DRIVE_OFF = 0, CARD_DRIVE_PWM = 1, CARD_DRIVE_NON_PWM = 2 } card_drive_mode_t;
+typedef enum {
+    CARD_DRIVE_OFF = 0,
+    CARD_DRIVE_PWM = 1,
+    CARD_DRIVE_NON_PWM = 2,
+    CARD_DRIVE_HIGH_FREQUENCY = 3,
+    CARD_DRIVE_ANALOG = 4
+} card_drive_mode_t;
 
 /** Bits of the system state, word 4 of a command. */
 #define CARD_SYSTEM_PEDAL 0x01U
@@ -57,7 +65,11 @@ typedef enum { CARD_DRIVE_OFF = 0, CARD_DRIVE_PWM = 1, CARD_DRIVE_NON_PWM = 2 } 
 typedef struct {
     uint32_t mode;      /**< card_drive_mode_t. */
     uint32_t direction; /**< 0 or 1; the meaning is the robot's. */
-    uint32_t duty;      /**< 0..0x7FFFFF; without pwm a magnitude, 0 if the card runs or stops. */
+    /** 0..0x7FFFFF; without pwm a magnitude, 0 if the card runs or stops. High frequency: the word
+     * of both waves, LIMIT_WAVE_FASTEST_WORD..LIMIT_WAVE_SLOWEST_WORD, of which the smaller is the
+     * faster. Analog: 0..0xFFFF. */
+    uint32_t duty;
+    uint32_t amplitude; /**< High frequency: of both waves, 1..255. Otherwise 0. */
 } card_drive_t;
 
 /** Controller to card. */
@@ -97,7 +109,8 @@ typedef struct {
     int32_t motor_temperature_dc;
     uint32_t supply_mv;
     uint32_t current_ma;
-    card_drive_t applied; /**< What the card's driver applies now. */
+    uint32_t adc_words[2]; /**< Converters 1 and 2, 3 and 4; 16 bits each, the first one high. */
+    card_drive_t applied;  /**< What the card's driver applies now. */
     uint32_t rx_crc_errors;
     uint32_t sequence_gaps;
     uint32_t watchdog_trips;
@@ -111,17 +124,32 @@ typedef enum {
     CARD_FRAME_BAD_CRC = 2,   /**< A checksum is wrong, or a word without a field is not zero. */
     CARD_FRAME_BAD_SLOT = 3,
     CARD_FRAME_BAD_COMPLEMENT = 4, /**< Word 61 of a command does not complement word 5. */
-    CARD_FRAME_BAD_DRIVE = 5,      /**< Mode, direction or duty outside its range. */
-    CARD_FRAME_REPEATED = 6        /**< The heartbeat is not one of the next: an old report. */
+    CARD_FRAME_BAD_DRIVE = 5, /**< Mode, direction, duty, waves or converter outside its range. */
+    CARD_FRAME_REPEATED = 6   /**< The heartbeat is not one of the next: an old report. */
 } card_frame_result_t;
 
+/** @return the card_drive_mode_t of the drives of a card_type_t; CARD_DRIVE_OFF: it has none */
+static inline uint32_t card_drive_mode_of(uint32_t card_type)
+{
+    static const uint8_t modes[] = {
+        [CARD_TYPE_PWM] = (uint8_t)CARD_DRIVE_PWM,
+        [CARD_TYPE_NON_PWM] = (uint8_t)CARD_DRIVE_NON_PWM,
+        [CARD_TYPE_HIGH_FREQUENCY] = (uint8_t)CARD_DRIVE_HIGH_FREQUENCY,
+        [CARD_TYPE_ANALOG] = (uint8_t)CARD_DRIVE_ANALOG,
+    };
+    return (card_type < sizeof modes) ? (uint32_t)modes[card_type] : (uint32_t)CARD_DRIVE_OFF;
+}
+
 /**
- * Writes `command` as the 256 bytes of a frame.
+ * Writes `command` as the 256 bytes of a frame. A value that no drive has goes out as one that is
+ * refused.
  *
  * @satisfies SWR-CARD-001
  * @satisfies SWR-CARD-002
  * @satisfies SWR-CARD-004
  * @satisfies SWR-CARD-007
+ * @satisfies SWR-DRIVE-001
+ * @satisfies SWR-DRIVE-002
  */
 void card_frame_encode_command(const card_command_t *command, uint8_t bytes[CARD_FRAME_BYTES]);
 
@@ -133,6 +161,7 @@ void card_frame_encode_report(const card_report_t *report, uint8_t bytes[CARD_FR
  *
  * @satisfies SWR-CARD-003
  * @satisfies SWR-CARD-006
+ * @satisfies SWR-DRIVE-003
  */
 card_frame_result_t card_frame_decode_command(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot,
                                               card_command_t *command);
@@ -145,6 +174,7 @@ uint32_t card_frame_heartbeat(const uint8_t bytes[CARD_FRAME_BYTES]);
  *
  * @satisfies SWR-CARD-003
  * @satisfies SWR-CARD-006
+ * @satisfies SWR-DRIVE-003
  */
 card_frame_result_t card_frame_decode_report(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot,
                                              card_report_t *report);

@@ -8,7 +8,8 @@
 
 static bool are_drives_equal(const card_drive_t *a, const card_drive_t *b)
 {
-    return (a->mode == b->mode) && (a->direction == b->direction) && (a->duty == b->duty);
+    return (a->mode == b->mode) && (a->direction == b->direction) && (a->duty == b->duty) &&
+           (a->amplitude == b->amplitude);
 }
 
 /* A card that is not used yet, or not any more, may have begun to count anew. */

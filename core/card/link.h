@@ -51,6 +51,7 @@ static inline bool link_check(link_t *self)
  * @satisfies SWR-LINK-002
  * @satisfies SWR-LINK-004
  * @satisfies SWR-LINK-005
+ * @satisfies SWR-DRIVE-004
  * @satisfies SWR-LINK-006
  * @satisfies SWR-LINK-007
  * @satisfies SWR-LINK-008

@@ -566,19 +566,19 @@ void test_SWR_AXIS_003_a_new_homing_has_its_full_time(void)
 
 static card_drive_t drive_up(void)
 {
-    return (card_drive_t){CARD_DRIVE_PWM, (config->is_motor_inverted != 0U) ? 0U : 1U, 0U};
+    return (card_drive_t){CARD_DRIVE_PWM, (config->is_motor_inverted != 0U) ? 0U : 1U, 0U, 0U};
 }
 
 static card_drive_t drive_down(void)
 {
-    return (card_drive_t){CARD_DRIVE_PWM, (config->is_motor_inverted != 0U) ? 1U : 0U, 0U};
+    return (card_drive_t){CARD_DRIVE_PWM, (config->is_motor_inverted != 0U) ? 1U : 0U, 0U, 0U};
 }
 
 static void expect_switch_blocks(bool blocks_up, bool blocks_down)
 {
     const card_drive_t up = drive_up();
     const card_drive_t down = drive_down();
-    const card_drive_t off = {CARD_DRIVE_OFF, 0U, 0U};
+    const card_drive_t off = {CARD_DRIVE_OFF, 0U, 0U, 0U};
 
     TEST_ASSERT_EQUAL(blocks_up, axis_is_towards_switch(&axis, config, &up));
     TEST_ASSERT_EQUAL(blocks_down, axis_is_towards_switch(&axis, config, &down));
@@ -627,7 +627,7 @@ static void expect_limit_blocks(bool blocks_up, bool blocks_down)
 {
     const card_drive_t up = drive_up();
     const card_drive_t down = drive_down();
-    const card_drive_t off = {CARD_DRIVE_OFF, 0U, 0U};
+    const card_drive_t off = {CARD_DRIVE_OFF, 0U, 0U, 0U};
 
     TEST_ASSERT_EQUAL(blocks_up, axis_is_beyond_limit(&axis, config, &up));
     TEST_ASSERT_EQUAL(blocks_down, axis_is_beyond_limit(&axis, config, &down));

@@ -112,7 +112,7 @@ static uint32_t run(card_drive_t sent, int32_t percent, uint32_t cycles)
 
 static uint32_t rest(uint32_t cycles)
 {
-    return run((card_drive_t){CARD_DRIVE_OFF, 0U, 0U}, 0, cycles);
+    return run((card_drive_t){CARD_DRIVE_OFF, 0U, 0U, 0U}, 0, cycles);
 }
 
 /* Up so often for a short while, with pauses. */
@@ -168,7 +168,7 @@ void test_SWR_AXIS_018_a_count_in_the_direction_of_the_drive_begins_anew(void)
 {
     TEST_ASSERT_EQUAL_HEX32(0U, run(drive(false), 0, 15U));
     TEST_ASSERT_GREATER_THAN_UINT32(0U, supervision.silent_us);
-    TEST_ASSERT_EQUAL_HEX32(0U, step((card_drive_t){CARD_DRIVE_OFF, 0U, 0U}, -1, CYCLE_US));
+    TEST_ASSERT_EQUAL_HEX32(0U, step((card_drive_t){CARD_DRIVE_OFF, 0U, 0U, 0U}, -1, CYCLE_US));
     TEST_ASSERT_EQUAL_UINT32(0U, supervision.silent_us);
     TEST_ASSERT_EQUAL_INT64(0, supervision.due_q16);
 }
@@ -296,7 +296,7 @@ void test_SWR_AXIS_027_a_turn_or_a_count_that_is_not_of_the_drive_begins_anew(vo
     TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), 100, 20U));
     TEST_ASSERT_EQUAL_HEX32(0U, rest(20U));
     expect_begun(false);
-    TEST_ASSERT_EQUAL_HEX32(0U, step((card_drive_t){CARD_DRIVE_OFF, 0U, 0U}, 1, CYCLE_US));
+    TEST_ASSERT_EQUAL_HEX32(0U, step((card_drive_t){CARD_DRIVE_OFF, 0U, 0U, 0U}, 1, CYCLE_US));
     expect_begun(true);
     TEST_ASSERT_EQUAL_HEX32(0U, run(drive(true), 100, 20U));
     TEST_ASSERT_EQUAL_HEX32(0U, step(drive(false), 0, CYCLE_US));

@@ -557,7 +557,7 @@ void test_SWR_LINK_010_a_card_without_an_axis_answers_and_trips_at_a_drive(void)
     commands[8] = (card_command_t){.slot = 8U,
                                    .sequence = 1U,
                                    .control = CARD_CONTROL_AMPLIFIER,
-                                   .drive = {CARD_DRIVE_NON_PWM, 1U, 0U}};
+                                   .drive = {CARD_DRIVE_NON_PWM, 1U, 0U, 0U}};
     TEST_ASSERT_EQUAL_HEX32(USED_SLOTS | 0x100U, exchange(ALL_SLOTS));
     (void)exchange(ALL_SLOTS);
     TEST_ASSERT_EQUAL(CARD_FRAME_OK, card_frame_decode_report(received[8], 8U, &report));

@@ -45,7 +45,7 @@ void setUp(void)
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         axis_init(&axes[i]);
         axes[i].chart.reference = AXIS_REFERENCE_VERIFIED;
-        sent[i] = (card_drive_t){0U, 0U, 0U};
+        sent[i] = (card_drive_t){0U, 0U, 0U, 0U};
         requests[i] = sent[i];
     }
 }
@@ -57,7 +57,7 @@ void tearDown(void)
 static card_drive_t drive(uint32_t axis, bool is_upwards)
 {
     const bool is_inverted = robot.axes[axis].is_motor_inverted != 0U;
-    return (card_drive_t){CARD_DRIVE_NON_PWM, (is_upwards != is_inverted) ? 1U : 0U, 0U};
+    return (card_drive_t){CARD_DRIVE_NON_PWM, (is_upwards != is_inverted) ? 1U : 0U, 0U, 0U};
 }
 
 static bool is_blocked(uint32_t axis)
@@ -94,7 +94,7 @@ void test_SWR_COUPLE_001_one_axis_is_stopped_its_way_before_the_end(void)
     expect_way(AXIS_HEAD, true, DRIVEN_TICKS, RESTING_TICKS);
     requests[AXIS_HEAD] = drive(AXIS_HEAD, false);
     expect_way(AXIS_HEAD, false, DRIVEN_TICKS, RESTING_TICKS);
-    requests[AXIS_HEAD] = (card_drive_t){0U, 0U, 0U};
+    requests[AXIS_HEAD] = (card_drive_t){0U, 0U, 0U, 0U};
     requests[AXIS_FEET] = drive(AXIS_FEET, true);
     expect_way(AXIS_FEET, false, RESTING_TICKS, DRIVEN_TICKS);
     requests[AXIS_FEET] = drive(AXIS_FEET, false);
@@ -107,7 +107,7 @@ void test_SWR_COUPLE_001_what_the_other_axis_is_driven_adds_up(void)
     requests[AXIS_FEET] = drive(AXIS_FEET, false);
     expect_way(AXIS_HEAD, true, DRIVEN_TICKS, DRIVEN_TICKS);
     expect_way(AXIS_FEET, true, DRIVEN_TICKS, DRIVEN_TICKS);
-    requests[AXIS_FEET] = (card_drive_t){0U, 0U, 0U};
+    requests[AXIS_FEET] = (card_drive_t){0U, 0U, 0U, 0U};
     sent[AXIS_FEET] = drive(AXIS_FEET, false);
     expect_way(AXIS_HEAD, true, DRIVEN_TICKS, DRIVEN_TICKS);
 }
@@ -187,7 +187,7 @@ static void expect_barred(bool is_barred)
         TEST_ASSERT_EQUAL(is_head && is_barred, is_blocked(i));
         requests[i] = drive(i, false);
         TEST_ASSERT_FALSE(is_blocked(i));
-        requests[i] = (card_drive_t){0U, 0U, 0U};
+        requests[i] = (card_drive_t){0U, 0U, 0U, 0U};
         TEST_ASSERT_FALSE(is_blocked(i));
     }
 }

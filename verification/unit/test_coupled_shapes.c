@@ -88,7 +88,7 @@ void setUp(void)
         axes[i].chart.reference = AXIS_REFERENCE_VERIFIED;
         robot.axes[i].unit_per_tick_q16 = (int64_t)TICK_NM * 65536;
         robot.axes[i].full_speed_ticks_per_s = FULL_SPEED;
-        sent[i] = (card_drive_t){0U, 0U, 0U};
+        sent[i] = (card_drive_t){0U, 0U, 0U, 0U};
         requests[i] = sent[i];
     }
     seed = 1U;
@@ -107,7 +107,7 @@ static uint32_t draw(uint32_t below)
 static card_drive_t drive(uint32_t axis, bool is_upwards)
 {
     const bool is_inverted = robot.axes[axis].is_motor_inverted != 0U;
-    return (card_drive_t){CARD_DRIVE_PWM, (is_upwards != is_inverted) ? 1U : 0U, 1U};
+    return (card_drive_t){CARD_DRIVE_PWM, (is_upwards != is_inverted) ? 1U : 0U, 1U, 0U};
 }
 
 /* -1, 0 or 1 of a drive. */
@@ -186,8 +186,8 @@ static void draw_scene(bool may_be_fast)
         axes[i].encoder.position_ticks = (int32_t)draw(40000U) - 20000;
         axes[i].encoder.speed_ticks_per_s_q8 =
             (draw(2U) == 0U) ? 0 : (((int32_t)draw((uint32_t)most * 2U) - most) * 256);
-        sent[i] = (draw(2U) == 0U) ? (card_drive_t){0U, 0U, 0U} : drive(i, draw(2U) == 0U);
-        requests[i] = (draw(3U) == 0U) ? (card_drive_t){0U, 0U, 0U} : drive(i, draw(2U) == 0U);
+        sent[i] = (draw(2U) == 0U) ? (card_drive_t){0U, 0U, 0U, 0U} : drive(i, draw(2U) == 0U);
+        requests[i] = (draw(3U) == 0U) ? (card_drive_t){0U, 0U, 0U, 0U} : drive(i, draw(2U) == 0U);
     }
 }
 
@@ -287,7 +287,7 @@ void test_SWR_COUPLE_005_one_look_is_enough_where_no_axis_can_leave(void)
     looks = 0U;
     TEST_ASSERT_EQUAL_HEX32(0U, coupled_guard_blocks(&robot, &view));
     TEST_ASSERT_EQUAL_UINT32(LIMITS, looks);
-    requests[0] = (card_drive_t){0U, 0U, 0U};
+    requests[0] = (card_drive_t){0U, 0U, 0U, 0U};
     looks = 0U;
     TEST_ASSERT_EQUAL_HEX32(0U, coupled_guard_blocks(&robot, &view));
     TEST_ASSERT_EQUAL_UINT32(0U, looks);

@@ -137,7 +137,7 @@ void test_SWR_REC_006_only_the_part_that_is_not_as_expected_is_hashed(void)
 {
     settle();
     go_on(1000U);
-    command.drive = (card_drive_t){(uint32_t)CARD_DRIVE_PWM, 1U, 77U};
+    command.drive = (card_drive_t){(uint32_t)CARD_DRIVE_PWM, 1U, 77U, 0U};
     card_frame_encode_command(&command, outputs.frames[SLOT]);
     (void)code(false);
     TEST_ASSERT_EQUAL_HEX32(1UL << (PROOF_FRAMES + SLOT), known.proof.surprises);
@@ -238,7 +238,7 @@ void test_SWR_REPLAY_007_a_cycle_cut_anywhere_is_none(void)
     settle();
     go_on(1000U);
     report.encoder_count++;
-    command.drive = (card_drive_t){(uint32_t)CARD_DRIVE_NON_PWM, 1U, 0U};
+    command.drive = (card_drive_t){(uint32_t)CARD_DRIVE_NON_PWM, 1U, 0U, 0U};
     card_frame_encode_report(&report, inputs.frames[SLOT]);
     card_frame_encode_command(&command, outputs.frames[SLOT]);
     const size_t size = code(false);

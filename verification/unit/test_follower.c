@@ -23,7 +23,7 @@ TEST_SOURCE_FILE("servo.c")
 TEST_SOURCE_FILE("stall_watchdog_chart.c")
 TEST_SOURCE_FILE("supervision.c")
 
-static const card_drive_t off = {CARD_DRIVE_OFF, 0U, 0U};
+static const card_drive_t off = {CARD_DRIVE_OFF, 0U, 0U, 0U};
 
 static robot_t robot;
 static axis_t axes[ROBOT_AXIS_MAX];
@@ -157,7 +157,7 @@ void test_SWR_AXIS_029_a_turning_follower_has_a_way_of_its_own(void)
 
 void test_SWR_AXIS_029_a_follower_is_stuck_at_its_switch_and_at_its_soft_limit(void)
 {
-    card_drive_t request = {CARD_DRIVE_NON_PWM, 1U, 0U};
+    card_drive_t request = {CARD_DRIVE_NON_PWM, 1U, 0U, 0U};
     axes[AXIS_PITCH].limit_switches = CARD_LIMIT_UPPER;
     TEST_ASSERT_TRUE(is_stuck(AXIS_PITCH, AXIS_YAW, &request));
     request.direction = 0U;

@@ -316,8 +316,8 @@ void test_SWR_LINK_004_an_unchanged_heartbeat_up_to_the_limit_is_a_lost_card(voi
 void test_SWR_LINK_005_the_read_back_speaks_of_the_command_before_the_last_one(void)
 {
     for (uint32_t i = 0U; i < 50U; i++) {
-        drive = (i % 3U == 0U) ? (card_drive_t){CARD_DRIVE_OFF, 0U, 0U}
-                               : (card_drive_t){CARD_DRIVE_PWM, i % 2U, i};
+        drive = (i % 3U == 0U) ? (card_drive_t){CARD_DRIVE_OFF, 0U, 0U, 0U}
+                               : (card_drive_t){CARD_DRIVE_PWM, i % 2U, i, 0U};
         good_cycle();
         TEST_ASSERT_EQUAL_UINT32(1U, card.is_fresh);
         TEST_ASSERT_EQUAL_UINT32(0U, card.echo_mismatches);
@@ -329,7 +329,7 @@ void test_SWR_LINK_005_the_read_back_speaks_of_the_command_before_the_last_one(v
 static void start_driving(void)
 {
     setUp();
-    drive = (card_drive_t){CARD_DRIVE_PWM, 1U, 0U};
+    drive = (card_drive_t){CARD_DRIVE_PWM, 1U, 0U, 0U};
     repeat(good_cycle, 3U);
 }
 
@@ -364,6 +364,31 @@ void test_SWR_LINK_005_each_wrong_field_up_to_the_limit_is_a_lost_card(void)
             TEST_ASSERT_TRUE(link_is_usable(&card));
         }
         wrong_echo_cycle(which);
+        TEST_ASSERT_FALSE(link_is_usable(&card));
+        TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_ECHO, card.cause);
+    }
+}
+
+static void wave_cycle(uint32_t more_duty, uint32_t more_amplitude)
+{
+    make_report();
+    report.applied.duty += more_duty;
+    report.applied.amplitude += more_amplitude;
+    receive();
+    command();
+}
+
+void test_SWR_DRIVE_004_another_frequency_or_amplitude_up_to_the_limit_is_a_lost_card(void)
+{
+    for (uint32_t which = 0U; which < 2U; which++) {
+        setUp();
+        drive = (card_drive_t){CARD_DRIVE_HIGH_FREQUENCY, 1U, LIMIT_WAVE_FASTEST_WORD, 7U};
+        repeat(good_cycle, 3U);
+        for (uint32_t i = 1U; i < LIMIT_ECHO_MISMATCH_CYCLES; i++) {
+            wave_cycle(which, 1U - which);
+            TEST_ASSERT_TRUE(link_is_usable(&card));
+        }
+        wave_cycle(which, 1U - which);
         TEST_ASSERT_FALSE(link_is_usable(&card));
         TEST_ASSERT_EQUAL_UINT32(LINK_CAUSE_ECHO, card.cause);
     }

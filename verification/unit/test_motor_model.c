@@ -57,11 +57,12 @@ void test_SWR_AXIS_019_the_model_goes_where_the_motor_goes(void)
         const axis_config_t *const config = &robot_neuro.axes[i];
         const bool is_pwm = config->card_type == (uint8_t)CARD_TYPE_PWM;
         const uint32_t duty = (config->minimum_duty + config->maximum_duty) / 2U;
-        card_drive_t drive = {is_pwm ? CARD_DRIVE_PWM : CARD_DRIVE_NON_PWM, 1U, is_pwm ? duty : 0U};
+        card_drive_t drive = {is_pwm ? CARD_DRIVE_PWM : CARD_DRIVE_NON_PWM, 1U, is_pwm ? duty : 0U,
+                              0U};
         start(config);
         run(config, drive, 30U);
         expect_one_way(0.05);
-        run(config, (card_drive_t){CARD_DRIVE_OFF, 0U, 0U}, 20U);
+        run(config, (card_drive_t){CARD_DRIVE_OFF, 0U, 0U, 0U}, 20U);
         drive.direction = 0U;
         run(config, drive, 200U);
         expect_one_way(0.05);
@@ -72,13 +73,13 @@ void test_SWR_AXIS_019_a_reversal_without_rest_begins_anew(void)
 {
     const axis_config_t *const config = &robot_neuro.axes[AXIS_PITCH];
     start(config);
-    run(config, (card_drive_t){CARD_DRIVE_NON_PWM, 1U, 0U}, 100U);
-    const int64_t way_q16 =
-        motor_model_step_q16(&model, config, &(card_drive_t){CARD_DRIVE_NON_PWM, 0U, 0U}, CYCLE_US);
+    run(config, (card_drive_t){CARD_DRIVE_NON_PWM, 1U, 0U, 0U}, 100U);
+    const int64_t way_q16 = motor_model_step_q16(
+        &model, config, &(card_drive_t){CARD_DRIVE_NON_PWM, 0U, 0U, 0U}, CYCLE_US);
     TEST_ASSERT_TRUE(way_q16 < 0);
-    run(config, (card_drive_t){CARD_DRIVE_NON_PWM, 0U, 0U}, 100U);
+    run(config, (card_drive_t){CARD_DRIVE_NON_PWM, 0U, 0U, 0U}, 100U);
     TEST_ASSERT_TRUE(motor_model_step_q16(&model, config,
-                                          &(card_drive_t){CARD_DRIVE_NON_PWM, 1U, 0U},
+                                          &(card_drive_t){CARD_DRIVE_NON_PWM, 1U, 0U, 0U},
                                           CYCLE_US) > 0);
 }
 
@@ -87,8 +88,8 @@ void test_SWR_AXIS_019_the_model_loses_speed_faster_than_it_gains_it(void)
     const axis_config_t *const config = &robot_neuro.axes[AXIS_INSERTION];
     const int64_t full_q8 = (int64_t)config->full_speed_ticks_per_s * 256;
     for (uint32_t direction = 0U; direction <= 1U; direction++) {
-        const card_drive_t fast = {CARD_DRIVE_PWM, direction, config->maximum_duty};
-        const card_drive_t slow = {CARD_DRIVE_PWM, direction, config->minimum_duty};
+        const card_drive_t fast = {CARD_DRIVE_PWM, direction, config->maximum_duty, 0U};
+        const card_drive_t slow = {CARD_DRIVE_PWM, direction, config->minimum_duty, 0U};
         const int64_t sign = motor_model_is_upwards(config, &slow) ? 1 : -1;
         start(config);
         run(config, fast, 5U);
@@ -104,8 +105,8 @@ void test_SWR_AXIS_019_the_model_goes_where_a_slowed_motor_goes(void)
     const axis_config_t *const config = &robot_neuro.axes[AXIS_INSERTION];
     start(config);
     for (uint32_t i = 0U; i < 20U; i++) {
-        run(config, (card_drive_t){CARD_DRIVE_PWM, 1U, config->maximum_duty}, 30U);
-        run(config, (card_drive_t){CARD_DRIVE_PWM, 1U, config->minimum_duty}, 30U);
+        run(config, (card_drive_t){CARD_DRIVE_PWM, 1U, config->maximum_duty, 0U}, 30U);
+        run(config, (card_drive_t){CARD_DRIVE_PWM, 1U, config->minimum_duty, 0U}, 30U);
     }
     expect_one_way(0.03);
 }
@@ -114,7 +115,7 @@ void test_SWR_AXIS_019_a_late_cycle_ends_at_the_steady_speed(void)
 {
     const axis_config_t *const config = &robot_neuro.axes[AXIS_PITCH];
     start(config);
-    (void)motor_model_step_q16(&model, config, &(card_drive_t){CARD_DRIVE_NON_PWM, 1U, 0U},
+    (void)motor_model_step_q16(&model, config, &(card_drive_t){CARD_DRIVE_NON_PWM, 1U, 0U, 0U},
                                1000000U);
     TEST_ASSERT_EQUAL_INT64(256 * (int64_t)config->full_speed_ticks_per_s,
                             model.speed_ticks_per_s_q8);
@@ -126,7 +127,8 @@ void test_SWR_MOTION_004_the_word_for_a_speed_settles_to_it(void)
     for (int32_t percent = 10; percent <= 100; percent += 5) {
         const int64_t speed_q8 = (int64_t)config->full_speed_ticks_per_s * 256 * percent / 100;
         start(config);
-        run(config, (card_drive_t){CARD_DRIVE_PWM, 1U, motor_model_duty(config, speed_q8)}, 300U);
+        run(config, (card_drive_t){CARD_DRIVE_PWM, 1U, motor_model_duty(config, speed_q8), 0U},
+            300U);
         TEST_ASSERT_DOUBLE_WITHIN(2.0, (double)speed_q8 / 256.0, motor.speed_ticks_per_s);
     }
 }
@@ -140,7 +142,7 @@ void test_SWR_MOTION_022_the_model_goes_where_a_motor_with_magnitudes_but_withou
         const int64_t speed_q8 = (int64_t)config.full_speed_ticks_per_s * 256 * percent / 100;
         const uint32_t duty = motor_model_duty(&config, speed_q8);
         start(&config);
-        run(&config, (card_drive_t){CARD_DRIVE_NON_PWM, 1U, duty}, 200U);
+        run(&config, (card_drive_t){CARD_DRIVE_NON_PWM, 1U, duty, 0U}, 200U);
         expect_one_way(0.05);
         TEST_ASSERT_INT64_WITHIN(512, speed_q8, model.speed_ticks_per_s_q8);
     }

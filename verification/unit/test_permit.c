@@ -130,7 +130,7 @@ void test_SWR_PERMIT_002_an_allowed_request_passes_unchanged(void)
 {
     const facts_t facts = free_facts();
     const permit_t permit = decide(&facts);
-    const card_drive_t request = {CARD_DRIVE_PWM, 1U, 0x1FFFFU};
+    const card_drive_t request = {CARD_DRIVE_PWM, 1U, 0x1FFFFU, 0U};
     const card_drive_t drive = permit_apply(&permit, false, &request);
 
     TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_PWM, drive.mode);
@@ -140,7 +140,7 @@ void test_SWR_PERMIT_002_an_allowed_request_passes_unchanged(void)
 
 void test_SWR_PERMIT_002_any_single_reason_makes_every_drive_word_zero(void)
 {
-    const card_drive_t request = {CARD_DRIVE_NON_PWM, 1U, 0x1FFFFU};
+    const card_drive_t request = {CARD_DRIVE_NON_PWM, 1U, 0x1FFFFU, 0U};
 
     for (size_t i = 0U; i < RULES; i++) {
         facts_t facts = free_facts();
@@ -228,7 +228,7 @@ void test_SWR_AXIS_006_a_homed_axis_is_slow_too_while_another_is_not_homed(void)
 
 void test_SWR_PERMIT_005_an_axis_that_is_too_fast_gets_no_drive(void)
 {
-    const card_drive_t request = {CARD_DRIVE_PWM, 1U, 0x1FFFFU};
+    const card_drive_t request = {CARD_DRIVE_PWM, 1U, 0x1FFFFU, 0U};
     const facts_t facts = free_facts();
     const permit_t permit = decide(&facts);
     const card_drive_t drive = permit_apply(&permit, true, &request);
@@ -252,7 +252,7 @@ void test_SWR_AXIS_006_an_axis_not_homed_does_nothing_else(void)
 
 void test_SWR_PEDAL_001_without_the_pedal_every_drive_word_is_zero_whatever_else_holds(void)
 {
-    const card_drive_t request = {CARD_DRIVE_PWM, 1U, 0x1FFFFU};
+    const card_drive_t request = {CARD_DRIVE_PWM, 1U, 0x1FFFFU, 0U};
 
     for (uint32_t bits = 0U; bits < COMBINATIONS; bits++) {
         facts_t facts = combination(bits);

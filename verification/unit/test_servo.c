@@ -132,8 +132,8 @@ void test_SWR_AXIS_007_no_demand_makes_more_pulses_than_cycles(void)
 
 void test_SWR_AXIS_007_an_inverted_motor_has_its_direction_bit_the_other_way(void)
 {
-    const card_drive_t bit_0 = {CARD_DRIVE_NON_PWM, 0U, 0U};
-    const card_drive_t bit_1 = {CARD_DRIVE_NON_PWM, 1U, 0U};
+    const card_drive_t bit_0 = {CARD_DRIVE_NON_PWM, 0U, 0U, 0U};
+    const card_drive_t bit_1 = {CARD_DRIVE_NON_PWM, 1U, 0U, 0U};
 
     expect_drive(step(inverted_non_pwm, FAR_TICKS), CARD_DRIVE_NON_PWM, 0U, 0U);
     servo_init(&servo);

@@ -30,7 +30,7 @@ static void begin_sequence(void)
     card_command_t first = command;
 
     first.control = CARD_CONTROL_CLEAR_FAULT;
-    first.drive = (card_drive_t){CARD_DRIVE_OFF, 0U, 0U};
+    first.drive = (card_drive_t){CARD_DRIVE_OFF, 0U, 0U, 0U};
     card_frame_encode_command(&first, frame);
     sim_card_receive(&card, frame);
 }
@@ -51,7 +51,7 @@ void setUp(void)
                                .sequence = 10U,
                                .system_state = 0x25U,
                                .control = CARD_CONTROL_AMPLIFIER,
-                               .drive = {CARD_DRIVE_PWM, 1U, 50000U},
+                               .drive = {CARD_DRIVE_PWM, 1U, 50000U, 0U},
                                .watchdog_us = LIMIT_CARD_WATCHDOG_US};
     begin_sequence();
 }
@@ -268,7 +268,7 @@ void test_SWR_BOX_001_without_amplifier_nothing_is_driven(void)
 
 void test_SWR_BOX_001_a_drive_for_another_card_type_is_a_driver_fault(void)
 {
-    command.drive = (card_drive_t){CARD_DRIVE_NON_PWM, 1U, 0U};
+    command.drive = (card_drive_t){CARD_DRIVE_NON_PWM, 1U, 0U, 0U};
     send();
     expect_off_with(CARD_STATUS_DRIVER_FAULT);
 }
@@ -287,15 +287,15 @@ static void drive_without_pwm(uint32_t maximum_duty, card_drive_t drive)
 
 void test_SWR_BOX_009_a_magnitude_that_the_axis_has_not_is_a_driver_fault(void)
 {
-    drive_without_pwm(0U, (card_drive_t){CARD_DRIVE_NON_PWM, 1U, 0U});
+    drive_without_pwm(0U, (card_drive_t){CARD_DRIVE_NON_PWM, 1U, 0U, 0U});
     TEST_ASSERT_TRUE(is_driving());
-    drive_without_pwm(0U, (card_drive_t){CARD_DRIVE_NON_PWM, 1U, 1U});
+    drive_without_pwm(0U, (card_drive_t){CARD_DRIVE_NON_PWM, 1U, 1U, 0U});
     expect_off_with(CARD_STATUS_DRIVER_FAULT);
 }
 
 void test_SWR_BOX_009_a_magnitude_that_the_axis_has_is_applied(void)
 {
-    drive_without_pwm(50000U, (card_drive_t){CARD_DRIVE_NON_PWM, 1U, 40000U});
+    drive_without_pwm(50000U, (card_drive_t){CARD_DRIVE_NON_PWM, 1U, 40000U, 0U});
     TEST_ASSERT_TRUE(is_driving());
     TEST_ASSERT_EQUAL_UINT32(40000U, report().applied.duty);
 }

@@ -16,9 +16,9 @@
 #define MAXIMUM_DUTY 100000U
 
 static sim_motor_t motor;
-static const card_drive_t off = {CARD_DRIVE_OFF, 0U, 0U};
-static const card_drive_t run_up = {CARD_DRIVE_PWM, 1U, MAXIMUM_DUTY};
-static const card_drive_t run_down = {CARD_DRIVE_PWM, 0U, MAXIMUM_DUTY};
+static const card_drive_t off = {CARD_DRIVE_OFF, 0U, 0U, 0U};
+static const card_drive_t run_up = {CARD_DRIVE_PWM, 1U, MAXIMUM_DUTY, 0U};
+static const card_drive_t run_down = {CARD_DRIVE_PWM, 0U, MAXIMUM_DUTY, 0U};
 
 static axis_config_t an_axis(void)
 {
@@ -58,7 +58,7 @@ static int speed(void)
 
 static int steady_in(card_drive_mode_t mode, uint32_t duty)
 {
-    const card_drive_t drive = {mode, 1U, duty};
+    const card_drive_t drive = {mode, 1U, duty, 0U};
     const double value = sim_motor_steady_speed(&motor, &drive);
 
     return (int)(value + 0.5);
@@ -168,7 +168,7 @@ void test_SWR_BOX_002_motors_differ_in_how_fast_they_gain_speed(void)
 
 void test_SWR_BOX_002_it_loses_speed_with_1500_us(void)
 {
-    const card_drive_t slow = {CARD_DRIVE_PWM, 1U, MINIMUM_DUTY};
+    const card_drive_t slow = {CARD_DRIVE_PWM, 1U, MINIMUM_DUTY, 0U};
 
     drive_for(run_up, 300000U);
     drive_for(slow, SIM_MOTOR_FALL_US);
