@@ -22,7 +22,8 @@ module Robot
     BAM_PER_RAD = (2**31) / Rational('3.1415926535897932384626433832795028841971')
     NM_PER_MM = 1_000_000
     ENUMERATORS = {
-      'card' => { 'pwm' => 'CARD_TYPE_PWM', 'non_pwm' => 'CARD_TYPE_NON_PWM' },
+      'card' => Drive::CARDS.keys.to_h { |card| [card, "CARD_TYPE_#{card.upcase}"] },
+      'motor' => Drive::MOTORS.keys.to_h { |motor| [motor, "MOTOR_TYPE_#{motor.upcase}"] },
       'limit_switch' => { 'none' => 'LIMIT_SWITCH_NONE', 'lower' => 'LIMIT_SWITCH_LOWER',
                           'upper' => 'LIMIT_SWITCH_UPPER' },
       'home' => { 'switch' => 'HOME_BY_SWITCH', 'in_place' => 'HOME_IN_PLACE' },
@@ -139,12 +140,16 @@ module Robot
         'limit_switch' => enumerator(axis, 'limit_switch'), 'home_method' => enumerator(axis, 'home'),
         'home_stage' => "#{axis['home_stage']}U",
         'leaders' => @robot.followers.leaders(axis).map { |leader| "#{leader}U" },
+        'motor_type' => enumerator(axis, 'motor'), 'amplitude' => "#{axis['amplitude']}U",
+        'reversal_dwell_ms' => "#{axis['reversal_dwell_ms']}U", 'reserved' => '0U',
+        'speed_curve' => axis['speed_curve'].map { |share| "#{share}U" },
         'is_motor_inverted' => flag(axis['motor_inverted']), 'is_encoder_inverted' => flag(axis['encoder_inverted']),
         'needle_motion' => "(uint32_t)#{ENUMERATORS['needle'][axis['needle']]}",
         'unit_per_tick_q16' => "INT64_C(#{unit_per_tick_q16(axis)})"
       }.merge(POSITIONS.to_h { |key| [key, axis[key]] },
               axis.targets, { 'home_way_ticks' => axis.home_way_ticks, 'home_time_us' => "#{axis['home_time_ms'] * 1000}U" },
-              Axis::MAGNITUDE.keys.to_h { |key| [key, "#{axis[key]}U"] })
+              { 'hottest_dc' => axis['hottest_dc'] },
+              %w[minimum_duty maximum_duty gain_per_s].to_h { |key| [key, "#{axis[key]}U"] })
     end
 
     def coupled_limits

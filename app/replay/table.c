@@ -27,8 +27,14 @@ double table_output_percent(const axis_config_t *config, const snapshot_axis_t *
     if (drive.mode == (uint32_t)CARD_DRIVE_OFF) {
         return 0.0;
     }
-    if (motor_model_has_magnitudes(config)) {
+    if (config->card_type == (uint8_t)CARD_TYPE_HIGH_FREQUENCY) {
+        /* Its word falls as the speed grows. */
+        percent = (100.0 * (double)motor_model_steady_q8(config, &drive)) /
+                  (256.0 * (double)config->full_speed_ticks_per_s);
+    } else if (motor_model_has_magnitudes(config)) {
         percent = (100.0 * (double)drive.duty) / (double)config->maximum_duty;
+    } else {
+        /* It runs. */
     }
     return motor_model_is_upwards(config, &drive) ? percent : -percent;
 }

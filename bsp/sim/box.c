@@ -23,14 +23,19 @@ static void init_axis(box_axis_t *self, const robot_t *robot, uint32_t index, si
     sim_encoder_init(&self->encoder, config, position, reading, sim_random_next(random));
     sim_switch_init(&self->limit_switch, config, position, sim_random_next(random));
     sim_card_init(&self->card, config, &self->encoder, self->limit_switch.is_active, 0U);
+    self->card.settled_c = self->motor.settled_c;
 }
 
+/* A load cell at rest on two converters, as the platform has it: what the hand pushes, and what the
+ * needle meets. */
 static void init_sensor(box_sensor_t *self, uint32_t slot)
 {
     const axis_config_t config = {.slot = (uint8_t)slot, .card_type = (uint8_t)CARD_TYPE_SENSOR};
 
     sim_encoder_init(&self->encoder, &config, 0.0, 0, 1U);
     sim_card_init(&self->card, &config, &self->encoder, false, 0U);
+    self->card.adc[BOX_HAND_CONVERTER] = BOX_HAND_AT_REST;
+    self->card.adc[BOX_NEEDLE_CONVERTER] = BOX_NEEDLE_AT_REST;
 }
 
 void box_init(box_t *self, const robot_t *robot, uint32_t seed)
@@ -95,6 +100,7 @@ static void step_axis(box_axis_t *axis, uint32_t start_us, bool is_powered, bool
 {
     const double before_ticks = axis->motor.position_ticks;
 
+    axis->card.is_motor_hot = axis->motor.fault == SIM_MOTOR_HOT;
     sim_motor_step(&axis->motor, &axis->card.applied, is_powered);
     sim_encoder_step(&axis->encoder, before_ticks, axis->motor.position_ticks, start_us,
                      is_scanning);

@@ -27,7 +27,12 @@
 #define BOX_PEDAL_CLOSE_SPREAD_US 4000U /**< `press`: channel A follows channel B. */
 #define BOX_PEDAL_OPEN_SPREAD_US 2000U  /**< `release`: channel B follows channel A. */
 #define BOX_PULSE_US 300U               /**< `pulse`: open for this time. */
-#define BOX_REPLY_SIZE 2048U            /**< Room for any reply. */
+#define BOX_HAND_CONVERTER 1U           /**< Of a card without an axis: what the hand pushes, */
+#define BOX_NEEDLE_CONVERTER 2U         /**< and what the needle meets. */
+#define BOX_HAND_AT_REST 1970U          /**< What they read then. */
+#define BOX_NEEDLE_AT_REST 1780U
+#define BOX_FORCE_MOST 4095U /**< Their greatest reading, of 12 bits. */
+#define BOX_REPLY_SIZE 2048U /**< Room for any reply. */
 
 typedef enum {
     BOX_CARD_NORMAL = 0,

@@ -29,9 +29,10 @@ static const char orders[] = "pedal press|release|pulse\n"
                              "button press|release\n"
                              "card SLOT silent|corrupt|foreign|normal\n"
                              "encoder SLOT stuck|reversed|half|normal\n"
-                             "motor SLOT stuck|half|twice|runs|normal\n"
+                             "motor SLOT stuck|half|twice|runs|hot|normal\n"
                              "switch SLOT stuck|open|chatter|reversed|normal\n"
                              "scanner on|off\n"
+                             "force hand|needle READING\n"
                              "show\n";
 
 const char *box_orders(void)
@@ -186,7 +187,7 @@ static bool order_level(bool *level, const order_t *order, const char *on, const
 /* In the order of the enumerations of these faults. */
 static const char *const card_words[] = {"normal", "silent", "corrupt", "foreign", NULL};
 static const char *const encoder_words[] = {"normal", "stuck", "reversed", "half", NULL};
-static const char *const motor_words[] = {"normal", "stuck", "half", "twice", "runs", NULL};
+static const char *const motor_words[] = {"normal", "stuck", "half", "twice", "runs", "hot", NULL};
 static const char *const switch_words[] = {"normal", "stuck", "open", "chatter", "reversed", NULL};
 
 /* Number of `word`, or -1. */
@@ -295,6 +296,24 @@ static void show(const box_t *self, reply_t *reply)
     }
 }
 
+/* What the load cell of each card without an axis reads. */
+static bool order_force(box_t *self, const order_t *order)
+{
+    const bool is_hand = is_word(order, 1U, "hand");
+    char *end = NULL;
+    const unsigned long reading = strtoul(order->words[2], &end, 10);
+
+    if ((!is_hand && !is_word(order, 1U, "needle")) || (order->words[2][0] < '0') ||
+        (order->words[2][0] > '9') || (*end != '\0') || (reading > BOX_FORCE_MOST)) {
+        return false;
+    }
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+        self->sensors[slot].card.adc[is_hand ? BOX_HAND_CONVERTER : BOX_NEEDLE_CONVERTER] =
+            (uint32_t)reading;
+    }
+    return true;
+}
+
 static void refuse(const char *line, reply_t *reply)
 {
     say(reply, "The order \"%.60s\" is unknown; the orders are:\n%s", line, orders);
@@ -325,6 +344,9 @@ static bool carry_out(box_t *self, const order_t *order)
     }
     if (is_word(order, 0U, "button")) {
         return order_level(&self->button_pressed, order, "press", "release");
+    }
+    if (is_word(order, 0U, "force")) {
+        return order_force(self, order);
     }
     if (is_word(order, 0U, "scanner")) {
         return order_level(&self->scanner_active, order, "on", "off");

@@ -8,6 +8,7 @@
 
 #define AMBIENT_C 22.0
 #define HEATED_BY_C 25.0
+#define TOO_HOT_C 95.0
 #define HEATING_PER_STEP (0.0001 / 400.0)
 
 static const card_drive_t drive_off = {CARD_DRIVE_OFF, 0U, 0U, 0U};
@@ -26,6 +27,7 @@ void sim_card_init(sim_card_t *self, const axis_config_t *axis, const sim_encode
                          .limit_debounced = is_limit_active,
                          .count = sim_encoder_count(encoder),
                          .motor_temperature_c = AMBIENT_C,
+                         .settled_c = HEATED_BY_C,
                          .is_powered = true};
     for (uint32_t i = 0U; i < SIM_CARD_SPEED_STEPS; i++) {
         self->window[i] = self->count;
@@ -44,11 +46,9 @@ static bool is_drive_suitable(const sim_card_t *self, const card_drive_t *drive)
     if (drive->mode == (uint32_t)CARD_DRIVE_OFF) {
         return true;
     }
-    return ((drive->mode == (uint32_t)CARD_DRIVE_PWM) &&
-            (self->card_type == (uint32_t)CARD_TYPE_PWM)) ||
-           ((drive->mode == (uint32_t)CARD_DRIVE_NON_PWM) &&
-            (self->card_type == (uint32_t)CARD_TYPE_NON_PWM) &&
-            ((drive->duty == 0U) || self->has_magnitudes));
+    return (drive->mode == card_drive_mode_of(self->card_type)) &&
+           ((drive->mode != (uint32_t)CARD_DRIVE_NON_PWM) || (drive->duty == 0U) ||
+            self->has_magnitudes);
 }
 
 static void apply_command(sim_card_t *self)
@@ -180,9 +180,12 @@ static void step_guards(sim_card_t *self, int32_t count)
 static void step_temperature(sim_card_t *self)
 {
     const bool is_heated = self->is_powered && (self->applied.mode != (uint32_t)CARD_DRIVE_OFF);
-    const double settled_c = is_heated ? AMBIENT_C + HEATED_BY_C : AMBIENT_C;
+    const double settled_c = is_heated ? AMBIENT_C + self->settled_c : AMBIENT_C;
 
     self->motor_temperature_c += (settled_c - self->motor_temperature_c) * HEATING_PER_STEP;
+    if (self->is_motor_hot) {
+        self->motor_temperature_c = TOO_HOT_C;
+    }
 }
 
 void sim_card_step(sim_card_t *self, const sim_encoder_t *encoder, bool is_limit_active,
@@ -224,6 +227,8 @@ static void report_health(const sim_card_t *self, card_report_t *report)
     report->driver_temperature_dc = (int32_t)((AMBIENT_C + 8.0 + rise_c / 2.0) * 10.0);
     report->supply_mv = self->is_powered ? SIM_CARD_SUPPLY_MV : 0U;
     report->current_ma = is_driven ? 350U : 0U;
+    report->adc_words[0] = (self->adc[0] << 16U) | self->adc[1];
+    report->adc_words[1] = (self->adc[2] << 16U) | self->adc[3];
     report->rx_crc_errors = self->rx_crc_errors;
     report->sequence_gaps = self->sequence_gaps;
     report->watchdog_trips = self->watchdog_trips;

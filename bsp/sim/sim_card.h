@@ -52,6 +52,9 @@ typedef struct {
     uint32_t sequence_gaps;
     uint32_t watchdog_trips;
     double motor_temperature_c;
+    double settled_c;  /**< Its motor, driven for long, is so much warmer than the air. */
+    bool is_motor_hot; /**< Its motor is as hot as none may be. */
+    uint32_t adc[4];   /**< What its converters read, 16 bits each. */
     bool is_powered;
 } sim_card_t;
 

@@ -8,6 +8,50 @@
 #define STEP_S 0.0001
 #define STOP_BEYOND_TICKS 60.0
 #define STOP_BEYOND_SHARE 0.02
+#define WORDS_PER_KHZ 22009000.0
+#define SWEEP_FIRST_KHZ 54.369
+#define SWEEP_STEP_KHZ (4063228.0 / WORDS_PER_KHZ)
+#define SWEEP_POINTS 24
+#define RESONANCE_KHZ 49.5
+#define HEATED_BY_DRIVER_C 25.0
+#define HEATED_BY_WAVES_C 30.0
+
+/* Turns a minute by frequency, falling from SWEEP_FIRST_KHZ: the public sweep of a motor of this
+ * platform, upwards and downwards. */
+static const double sweep[SWEEP_POINTS][2] = {
+    {0.0, 0.0},     {0.029, 0.054}, {0.164, 0.189}, {0.289, 0.331}, {0.431, 0.614}, {0.640, 1.095},
+    {0.963, 2.020}, {1.459, 3.222}, {2.660, 3.773}, {5.181, 6.383}, {11.44, 10.64}, {13.46, 15.31},
+    {20.96, 20.23}, {27.36, 27.24}, {36.04, 35.24}, {45.55, 45.33}, {59.00, 58.50}, {78.71, 77.52},
+    {105.9, 103.3}, {141.4, 138.2}, {188.1, 183.9}, {247.4, 242.8}, {317.4, 312.8}, {397.8, 391.7},
+};
+
+/* As published, from the last point on as there. */
+static double swept_speed(double word, uint32_t column)
+{
+    const double khz = word / WORDS_PER_KHZ;
+    const double at = (SWEEP_FIRST_KHZ - khz) / SWEEP_STEP_KHZ;
+
+    if ((at <= 0.0) || (khz < RESONANCE_KHZ)) {
+        return 0.0;
+    }
+    if (at >= (double)(SWEEP_POINTS - 1)) {
+        return sweep[SWEEP_POINTS - 1][column];
+    }
+    const uint32_t point = (uint32_t)at;
+    return sweep[point][column] +
+           (sweep[point + 1U][column] - sweep[point][column]) * (at - (double)point);
+}
+
+static void init_waves(sim_motor_t *self, const axis_config_t *axis)
+{
+    const double mean =
+        (swept_speed(self->maximum_duty, 0U) + swept_speed(self->maximum_duty, 1U)) / 2.0;
+
+    self->has_waves = axis->card_type == (uint8_t)CARD_TYPE_HIGH_FREQUENCY;
+    self->amplitude = axis->amplitude;
+    self->settled_c = self->has_waves ? HEATED_BY_WAVES_C : HEATED_BY_DRIVER_C;
+    self->scale = self->has_waves ? 1.0 / mean : 0.0;
+}
 
 void sim_motor_init(sim_motor_t *self, const axis_config_t *axis, double position_ticks,
                     double asymmetry)
@@ -24,6 +68,7 @@ void sim_motor_init(sim_motor_t *self, const axis_config_t *axis, double positio
                           .highest_ticks = (double)axis->maximum_ticks + beyond,
                           .is_inverted = axis->is_motor_inverted != 0U,
                           .position_ticks = position_ticks};
+    init_waves(self, axis);
     if (axis->limit_switch == (uint8_t)LIMIT_SWITCH_LOWER) {
         self->lowest_ticks = (double)axis->minimum_ticks - STOP_BEYOND_TICKS;
     }
@@ -46,21 +91,31 @@ static double magnitude_share(const sim_motor_t *self, uint32_t duty)
     return SIM_MOTOR_SLOWEST + (1.0 - SIM_MOTOR_SLOWEST) * above / span;
 }
 
+/* Share of full speed, in the direction of the drive. */
+static double wave_share(const sim_motor_t *self, const card_drive_t *drive, bool is_upwards)
+{
+    return swept_speed(drive->duty, is_upwards ? 0U : 1U) * self->scale *
+           ((double)drive->amplitude / self->amplitude);
+}
+
 double sim_motor_steady_speed(const sim_motor_t *self, const card_drive_t *drive)
 {
     const bool is_run =
         (drive->mode == (uint32_t)CARD_DRIVE_NON_PWM) && (self->maximum_duty <= 0.0);
+    const bool is_upwards = (drive->direction != 0U) != self->is_inverted;
     double share = is_run ? 1.0 : magnitude_share(self, drive->duty);
 
+    if (self->has_waves) {
+        share = wave_share(self, drive, is_upwards);
+    }
     if (drive->mode == (uint32_t)CARD_DRIVE_OFF) {
         return 0.0;
     }
     share *= (self->fault == SIM_MOTOR_HALF) ? 0.5 : (self->fault == SIM_MOTOR_TWICE) ? 2.0 : 1.0;
     share *= 1.0 - self->load;
-    if (share < SIM_MOTOR_SLOWEST) {
+    if ((share < SIM_MOTOR_SLOWEST) && !self->has_waves) {
         return 0.0;
     }
-    const bool is_upwards = (drive->direction != 0U) != self->is_inverted;
     const double speed = share * self->full_speed_ticks_per_s;
     return is_upwards ? speed * (1.0 + self->asymmetry) : -speed * (1.0 - self->asymmetry);
 }

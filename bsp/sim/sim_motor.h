@@ -23,8 +23,9 @@ typedef enum {
     SIM_MOTOR_STUCK = 1, /**< The shaft cannot turn. */
     SIM_MOTOR_HALF = 2,  /**< Half as fast as the robot's table says. */
     SIM_MOTOR_TWICE = 3, /**< Twice as fast. */
-    SIM_MOTOR_RUNS = 4   /**< A driver's transistor is shorted: upwards at half of full speed while
+    SIM_MOTOR_RUNS = 4,  /**< A driver's transistor is shorted: upwards at half of full speed while
                             there is a supply, whatever the card says. */
+    SIM_MOTOR_HOT = 5    /**< It is as hot as no motor may be. */
 } sim_motor_fault_t;
 
 /** State and constants of one motor; fields may be set by the box's fault orders. */
@@ -35,6 +36,10 @@ typedef struct {
     double rise_share;   /**< Part of what is missing of the speed that it gains in a step. */
     double minimum_duty; /**< Duty that turns the motor at SIM_MOTOR_SLOWEST of full speed. */
     double maximum_duty; /**< Duty of full speed; 0: run or stop. */
+    bool has_waves;      /**< Driven by a high-frequency card: both are words of frequency. */
+    double scale;        /**< With waves: its speed, in the published one's at the same word. */
+    double amplitude;    /**< With waves: that of full speed. */
+    double settled_c;    /**< Driven for long, it is so much warmer than the air. */
     double lowest_ticks; /**< Hard stops. */
     double highest_ticks;
     double load; /**< Share 0..1 of the greatest torque that the load takes, in both directions. */
@@ -50,9 +55,13 @@ void sim_motor_init(sim_motor_t *self, const axis_config_t *axis, double positio
 
 /**
  * Signed speed that `drive` settles to, ticks/s; 0 when off, in the dead zone or overloaded.
- * From the dead zone's edge (SIM_MOTOR_SLOWEST) to `maximum_duty` it is linear in the duty.
+ * From the dead zone's edge (SIM_MOTOR_SLOWEST) to `maximum_duty` it is linear in the duty. By
+ * waves it is that of the published sweep, each direction its own, scaled so that both together
+ * make full speed at `maximum_duty`, and by amplitude; nothing turns above 54.369 kHz nor below
+ * resonance.
  *
  * @satisfies SWR-BOX-009
+ * @satisfies SWR-DRIVE-009
  */
 double sim_motor_steady_speed(const sim_motor_t *self, const card_drive_t *drive);
 

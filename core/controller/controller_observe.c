@@ -151,6 +151,24 @@ static void observe_axis(controller_t *self, const cycle_t *cycle, uint32_t inde
     note_grade(self, cycle, index);
 }
 
+/* One axis a cycle, in turn: what gets hot takes its time. A hot motor is not driven; where its axis
+ * is does not depend on that. */
+static void watch_heat(controller_t *self, const cycle_t *cycle)
+{
+    const uint32_t index = self->cycle % ROBOT_AXIS_MAX;
+    if ((index >= self->axis_count) || controller_is_blind(self)) {
+        return;
+    }
+    const link_t *const link = controller_link(self, index);
+    const int32_t heat_dc = link->report.motor_temperature_dc;
+    if (link_is_usable(link) && (heat_dc > cycle->robot->axes[index].hottest_dc) &&
+        axis_is_enabled(&self->axes[index])) {
+        axis_disable(&self->axes[index]);
+        controller_note(self, cycle, EVENT_AXIS_HOT, index, heat_dc);
+        controller_fail_order(self, cycle, EVENT_CAUSE_AXIS, index);
+    }
+}
+
 /* The gate has opened or closed. Arming and scans close it over a pedal that is held. */
 static void note_gate(controller_t *self, const cycle_t *cycle)
 {
@@ -324,6 +342,7 @@ void controller_observe(controller_t *self, const cycle_t *cycle)
             observe_axis(self, cycle, i);
         }
     }
+    watch_heat(self, cycle);
     controller_observe_other_cards(self, cycle);
     observe_button(self, cycle);
 }

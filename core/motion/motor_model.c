@@ -16,8 +16,65 @@ static int64_t slowest_of(int64_t full_q8)
     return fixed_divide_by(full_q8 * SLOWEST_PERCENT, 100U);
 }
 
+static bool has_waves(const axis_config_t *config)
+{
+    return config->card_type == (uint8_t)CARD_TYPE_HIGH_FREQUENCY;
+}
+
+/* Speed after `step` of the steps to full speed, in 1 / ROBOT_CURVE_FULL of it. */
+static int64_t curve_at(const axis_config_t *config, uint32_t step)
+{
+    return (step < ROBOT_CURVE_STEPS) ? (int64_t)config->speed_curve[step]
+                                      : (int64_t)ROBOT_CURVE_FULL;
+}
+
+static int64_t clamp(int64_t value, int64_t most)
+{
+    const int64_t above = (value < 0) ? 0 : value;
+    return (above > most) ? most : above;
+}
+
+/* From the slowest word to the fastest. */
+static int64_t wave_span(const axis_config_t *config)
+{
+    return (int64_t)config->minimum_duty - (int64_t)config->maximum_duty;
+}
+
+/* Rounds to the slower word. */
+static uint32_t wave_word(const axis_config_t *config, int64_t speed_q8)
+{
+    const int64_t full_q8 = (int64_t)config->full_speed_ticks_per_s * 256;
+    const int64_t wanted_q8 = clamp((speed_q8 * (int64_t)ROBOT_CURVE_FULL * 256) / full_q8,
+                                    (int64_t)ROBOT_CURVE_FULL * 256);
+    uint32_t step = 0U;
+    while ((step < (ROBOT_CURVE_STEPS - 1U)) &&
+           (wanted_q8 >= (curve_at(config, step + 1U) * 256))) {
+        step++;
+    }
+    const int64_t low = curve_at(config, step);
+    const int64_t part_q8 =
+        clamp((wanted_q8 - (low * 256)) / (curve_at(config, step + 1U) - low), 256);
+    const int64_t down = (((int64_t)step * 256) + part_q8) * wave_span(config);
+    return config->minimum_duty - (uint32_t)(down / ((int64_t)ROBOT_CURVE_STEPS * 256));
+}
+
+static int64_t wave_speed_q8(const axis_config_t *config, uint32_t word)
+{
+    const int64_t span = wave_span(config);
+    const int64_t down = clamp((int64_t)config->minimum_duty - (int64_t)word, span);
+    const int64_t steps_q8 = (down * (int64_t)ROBOT_CURVE_STEPS * 256) / span;
+    const uint32_t step = (uint32_t)(steps_q8 / 256);
+    const int64_t low = curve_at(config, step);
+    const int64_t share_q8 =
+        (low * 256) + ((curve_at(config, step + 1U) - low) * (steps_q8 - ((int64_t)step * 256)));
+    return ((int64_t)config->full_speed_ticks_per_s * share_q8) / (int64_t)ROBOT_CURVE_FULL;
+}
+
 uint32_t motor_model_duty(const axis_config_t *config, int64_t speed_ticks_per_s_q8)
 {
+    if (has_waves(config)) {
+        return wave_word(config, speed_ticks_per_s_q8);
+    }
     const int64_t full_q8 = (int64_t)config->full_speed_ticks_per_s * 256;
     const int64_t slowest_q8 = slowest_of(full_q8);
     const int64_t span = (int64_t)config->maximum_duty - (int64_t)config->minimum_duty;
@@ -28,16 +85,26 @@ uint32_t motor_model_duty(const axis_config_t *config, int64_t speed_ticks_per_s
     return (above > span) ? config->maximum_duty : (config->minimum_duty + (uint32_t)above);
 }
 
-/* Speed that `drive`, which is not off, settles to. */
-static int64_t steady_q8(const axis_config_t *config, const card_drive_t *drive)
+int64_t motor_model_steady_q8(const axis_config_t *config, const card_drive_t *drive)
 {
     int64_t speed_q8 = (int64_t)config->full_speed_ticks_per_s * 256;
-    if (motor_model_has_magnitudes(config)) {
+    if (has_waves(config)) {
+        speed_q8 = wave_speed_q8(config, drive->duty);
+    } else if (motor_model_has_magnitudes(config)) {
         const int64_t span = (int64_t)config->maximum_duty - (int64_t)config->minimum_duty;
         const int64_t above = (int64_t)drive->duty - (int64_t)config->minimum_duty;
         const int64_t slowest_q8 = slowest_of(speed_q8);
         speed_q8 = slowest_q8 + (((speed_q8 - slowest_q8) * above) / span);
+    } else {
+        /* It runs. */
     }
+    return speed_q8;
+}
+
+/* With its sign. */
+static int64_t steady_q8(const axis_config_t *config, const card_drive_t *drive)
+{
+    const int64_t speed_q8 = motor_model_steady_q8(config, drive);
     return motor_model_is_upwards(config, drive) ? speed_q8 : -speed_q8;
 }
 

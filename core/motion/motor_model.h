@@ -23,8 +23,8 @@ typedef struct {
     int64_t speed_ticks_per_s_q8;
 } motor_model_t;
 
-/** The drive of this axis has magnitudes, its `duty`: always with pwm, without pwm if its table has
- * them. Otherwise it is run or stop. */
+/** The drive of this axis has magnitudes, its `duty`: always but without pwm, where its table may
+ * have them. Otherwise it is run or stop. */
 static inline bool motor_model_has_magnitudes(const axis_config_t *config)
 {
     return config->maximum_duty != 0U;
@@ -34,9 +34,18 @@ static inline bool motor_model_has_magnitudes(const axis_config_t *config)
 int64_t motor_model_step_q16(motor_model_t *self, const axis_config_t *config,
                              const card_drive_t *drive, uint32_t elapsed_us);
 
-/** @return the magnitude at which a motor that has magnitudes settles to `speed_ticks_per_s_q8`, or
- * to the nearest speed that it has */
+/**
+ * The words of a high-frequency card fall as the speed grows, along the axis' curve.
+ *
+ * @return the magnitude at which a motor that has magnitudes settles to `speed_ticks_per_s_q8`, or
+ * to the nearest speed that it has
+ *
+ * @satisfies SWR-DRIVE-005
+ */
 uint32_t motor_model_duty(const axis_config_t *config, int64_t speed_ticks_per_s_q8);
+
+/** @return the speed that `drive`, which is not off, settles to, without its sign */
+int64_t motor_model_steady_q8(const axis_config_t *config, const card_drive_t *drive);
 
 /** True when `drive` makes the position grow. */
 static inline bool motor_model_is_upwards(const axis_config_t *config, const card_drive_t *drive)

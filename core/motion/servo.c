@@ -25,9 +25,10 @@ static uint32_t direction_bit(const axis_config_t *config, bool is_upwards)
 
 static card_drive_t drive_with(const axis_config_t *config, uint32_t direction, uint32_t duty)
 {
-    const bool is_pwm = config->card_type == (uint8_t)CARD_TYPE_PWM;
-    const card_drive_mode_t mode = is_pwm ? CARD_DRIVE_PWM : CARD_DRIVE_NON_PWM;
-    const card_drive_t drive = {.mode = (uint32_t)mode, .direction = direction, .duty = duty};
+    const card_drive_t drive = {.mode = card_drive_mode_of((uint32_t)config->card_type),
+                                .direction = direction,
+                                .duty = duty,
+                                .amplitude = (uint32_t)config->amplitude};
     return drive;
 }
 
@@ -106,8 +107,8 @@ card_drive_t servo_step(servo_t *self, const axis_config_t *config, int32_t erro
     const uint32_t direction = direction_bit(config, is_upwards);
     catch_up(self, config, elapsed_us);
     pass_time(self, elapsed_us);
-    const bool is_turning =
-        (direction != self->direction) && (self->rest_us < LIMIT_REVERSAL_DWELL_US);
+    const uint32_t dwell_us = (uint32_t)config->reversal_dwell_ms * 1000U;
+    const bool is_turning = (direction != self->direction) && (self->rest_us < dwell_us);
     if (!is_turning && (!is_arrived || (speed_q8 != 0))) {
         const int64_t way_ticks = is_upwards ? (int64_t)error_ticks : -(int64_t)error_ticks;
         drive = choose(self, config, direction, way_ticks, magnitude(speed_q8));

@@ -32,8 +32,8 @@ void servo_init(servo_t *self);
  * One cycle, `elapsed_us` after the one before. The drive of a cycle is seen by the next but one.
  *
  * @return the request: off inside the deadband with a resting set-point, ahead of a moving one, and
- * for LIMIT_REVERSAL_DWELL_US between the two directions; otherwise towards the set-point, with a
- * duty of 0 or between the axis' smallest and largest
+ * for the dwell of the axis' motor between the two directions; otherwise towards the set-point,
+ * with a duty of 0 or between the axis' slowest and fastest
  *
  * @satisfies SWR-MOTION-004
  * @satisfies SWR-MOTION-007
@@ -42,6 +42,8 @@ void servo_init(servo_t *self);
  * @satisfies SWR-MOTION-022
  * @satisfies SWR-AXIS-007
  * @satisfies SWR-AXIS-008
+ * @satisfies SWR-DRIVE-007
+ * @satisfies SWR-DRIVE-010
  */
 card_drive_t servo_step(servo_t *self, const axis_config_t *config, int32_t error_ticks,
                         int32_t setpoint_speed_ticks_per_s_q8, uint32_t elapsed_us);

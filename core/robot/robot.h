@@ -18,6 +18,8 @@
 #define ROBOT_HOME_STAGES 4U    /**< Most stages of homing. */
 #define ROBOT_POSES 1U          /**< How many poses have a name. */
 #define ROBOT_TOLD_LENGTHS 4U   /**< Most lengths that clients are told. */
+#define ROBOT_CURVE_STEPS 8U    /**< Into so many the words of a high-frequency card are divided. */
+#define ROBOT_CURVE_FULL 255U   /**< Full speed in them. */
 
 typedef enum {
     HOME_BY_SWITCH = 0, /**< Drives to its limit switch. */
@@ -42,6 +44,13 @@ typedef enum {
     AXIS_UNIT_RAD = 1 /**< Joint value in bam. */
 } axis_unit_t;
 
+/** What turns an axis. */
+typedef enum {
+    MOTOR_TYPE_SHINSEI = 0, /**< Ultrasonic, rotating. */
+    MOTOR_TYPE_PIEZO = 1,   /**< Walking or rubbing piezo elements. */
+    MOTOR_TYPE_DTI = 2
+} motor_type_t;
+
 /** One axis. Positions in ticks (encoder counts), home = the position its home method assigns. No
  * padding before `seal`. */
 typedef struct {
@@ -58,6 +67,13 @@ typedef struct {
     /** At n - 1, of stage n: 1 + index of the axis that it follows while that homes by its switch;
      * 0: none. Both have the same ticks a unit. */
     uint8_t leaders[ROBOT_HOME_STAGES];
+    uint8_t motor_type;        /**< motor_type_t. */
+    uint8_t amplitude;         /**< Of the waves of a high-frequency card; otherwise 0. */
+    uint8_t reversal_dwell_ms; /**< Its motor rests for so long between two directions. */
+    uint8_t reserved;          /**< 0. */
+    /** Of a high-frequency card: at n, the speed after n of the equal steps that lead from the
+     * slowest word to the fastest, where it is ROBOT_CURVE_FULL. Otherwise 0. */
+    uint8_t speed_curve[ROBOT_CURVE_STEPS];
     uint32_t needle_motion; /**< needle_motion_t. */
     int32_t minimum_ticks;  /**< Soft limits, inclusive. */
     int32_t maximum_ticks;
@@ -80,8 +96,11 @@ typedef struct {
                                      is surely free. */
     int32_t target_maximum_ticks;
     uint32_t home_time_us; /**< Longest driven time of a leg of homing. */
-    uint32_t minimum_duty; /**< Smallest magnitude of a drive that moves the motor. */
-    uint32_t maximum_duty; /**< Largest one, saturates; 0: the drive has none, it is run or stop. */
+    uint32_t minimum_duty; /**< Word of a drive that just moves the motor. */
+    uint32_t maximum_duty; /**< That of full speed, saturates; 0: the drive has none, it is run or
+                              stop. A high-frequency card's is smaller than minimum_duty. */
+    int32_t hottest_dc;    /**< Temperature of the motor above which it is not driven, 0.1 degree
+                              Celsius. */
     uint32_t gain_per_s;   /**< Speed demanded for each tick of error, ticks/s; 0 without
                               magnitudes. */
     uint32_t seal;         /**< seal_of() all before it; the last field. */

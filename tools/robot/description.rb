@@ -2,6 +2,7 @@
 # frozen_string_literal: true
 
 require_relative 'document'
+require_relative 'drive'
 require_relative 'followers'
 require_relative 'kinematics'
 require_relative 'limit'
@@ -12,9 +13,6 @@ module Robot
   # An axis as the file gives it: values by key, and the nodes they came from.
   class Axis
     UNITS = %w[ticks_per_mm ticks_per_rad].freeze
-    DUTY = (1..0x7FFFFF)
-    # Of each pwm card, and of a non_pwm card that takes a magnitude.
-    MAGNITUDE = { 'minimum_duty' => DUTY, 'maximum_duty' => DUTY, 'gain_per_s' => (1..200) }.freeze
     SWITCH = { 'over_travel_ticks' => (0..10_000), 'switch_hysteresis_ticks' => (1..10_000),
                'home_time_ms' => (1000..600_000) }.freeze
     # What homing may go away from its switch beyond over-travel and hysteresis, and the needle in all.
@@ -32,19 +30,20 @@ module Robot
       'following_time_ms' => (0..1000)
     }.freeze
     CHOICES = {
-      'card' => %w[pwm non_pwm], 'limit_switch' => %w[none lower upper], 'home' => %w[switch in_place],
+      'limit_switch' => %w[none lower upper], 'home' => %w[switch in_place],
       'motor_inverted' => %w[true false], 'encoder_inverted' => %w[true false], 'needle' => %w[across along about]
     }.freeze
 
     def initialize(node)
       @node = node
-      @nodes = node.mapping(['name', *WHOLE.keys, *CHOICES.keys], UNITS + MAGNITUDE.keys + SWITCH.keys + ['follows'])
+      @nodes = node.mapping(['name', *WHOLE.keys, *CHOICES.keys, *Drive::CHOICES.keys],
+                            UNITS + Drive::KEYS + SWITCH.keys + ['follows'])
       @values = { 'name' => @nodes['name'].name }
       WHOLE.each { |key, range| @values[key] = @nodes[key].integer(range) }
       CHOICES.each { |key, values| @values[key] = @nodes[key].choice(values) }
       @values['follows'] = Followers.read(@nodes['follows'])
       read_unit
-      read_magnitude
+      @values.merge!(Drive.new(node, @nodes).values)
       read_switch
       check
     end
@@ -103,12 +102,6 @@ module Robot
         @node.refuse("has no #{key}; expected #{range.begin} to #{range.end}") if !@nodes.key?(key) && is_wanted
         @values[key] = is_wanted ? @nodes[key].integer(range) : 0
       end
-    end
-
-    def read_magnitude
-      is_wanted = self['card'] == 'pwm' || MAGNITUDE.keys.any? { |key| @nodes.key?(key) }
-      read_group(MAGNITUDE, is_wanted)
-      below('minimum_duty', 'maximum_duty') if is_wanted
     end
 
     def read_switch

@@ -1,0 +1,117 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Rule under test: an axis is driven by the words of its own type of card and motor, and a motor
+ * that is too hot is not driven.
+ */
+#include "integration/support/rig.h"
+
+#include "base/seal.h"
+#include "controller/controller.h"
+#include "limits/requirement_limits.h"
+#include "robot/robot_prostate.h"
+#include "unity.h"
+
+#include <stddef.h>
+
+static rig_t rig;
+static robot_t robot;
+
+void setUp(void)
+{
+    robot = robot_prostate;
+}
+
+void tearDown(void)
+{
+    TEST_ASSERT_EQUAL_UINT32_MESSAGE(0U, rig.driven_without_pedal, "driven without the pedal");
+}
+
+static void seal_rotation(void)
+{
+    axis_config_t *const row = &robot.axes[AXIS_ROTATION];
+    row->seal = seal_of(SEAL_START, (const uint8_t *)row, offsetof(axis_config_t, seal));
+}
+
+static answer_t jog_rotation(int32_t ticks)
+{
+    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = AXIS_ROTATION, .value = ticks};
+    return rig_command(&rig, jog);
+}
+
+/* The rotation of the homed robot goes there and back by drives of `mode` alone. */
+static void expect_jogs_by(card_drive_mode_t mode)
+{
+    uint32_t driven = 0U;
+    rig_start_robot(&rig, &robot);
+    rig_home(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
+    for (int32_t ticks = 900; ticks >= -900; ticks -= 1800) {
+        TEST_ASSERT_EQUAL_UINT32(ANSWER_ACCEPTED, jog_rotation(ticks).kind);
+        rig_press(&rig);
+        for (uint32_t i = 0U; i < 3000U; i++) {
+            rig_cycle(&rig);
+            const card_drive_t drive = rig_sent(&rig, AXIS_ROTATION).drive;
+            if (drive.mode != (uint32_t)CARD_DRIVE_OFF) {
+                TEST_ASSERT_EQUAL_UINT32(mode, drive.mode);
+                driven++;
+            }
+        }
+        rig_release(&rig);
+        TEST_ASSERT_INT32_WITHIN(1, ticks, rig_position(&rig, AXIS_ROTATION));
+    }
+    TEST_ASSERT_GREATER_THAN_UINT32(500U, driven);
+    TEST_ASSERT_TRUE(axis_is_homed(&rig.controller.axes[AXIS_ROTATION]));
+}
+
+void test_SWR_DRIVE_010_a_high_frequency_axis_goes_there_and_back(void)
+{
+    expect_jogs_by(CARD_DRIVE_HIGH_FREQUENCY);
+}
+
+void test_SWR_DRIVE_010_an_analog_axis_goes_there_and_back(void)
+{
+    axis_config_t *const row = &robot.axes[AXIS_ROTATION];
+    row->card_type = (uint8_t)CARD_TYPE_ANALOG;
+    row->minimum_duty = 6554U;
+    row->maximum_duty = 65535U;
+    row->amplitude = 0U;
+    seal_rotation();
+    expect_jogs_by(CARD_DRIVE_ANALOG);
+}
+
+void test_SWR_DRIVE_008_a_hot_motor_is_disabled_and_keeps_its_position(void)
+{
+    rig_start_robot_homed(&rig, &robot_prostate);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_ACCEPTED, jog_rotation(900).kind);
+    rig_press(&rig);
+    rig_cycles(&rig, 50U);
+    TEST_ASSERT_TRUE(rig_is_driving(&rig));
+    rig_forget(&rig);
+    rig_box(&rig, "motor rotation hot");
+    for (uint32_t i = 0U; axis_is_enabled(&rig.controller.axes[AXIS_ROTATION]); i++) {
+        TEST_ASSERT_LESS_THAN_UINT32(12U, i);
+        TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AXIS_HOT));
+        rig_cycle(&rig);
+    }
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_HOT));
+    TEST_ASSERT_TRUE(axis_is_homed(&rig.controller.axes[AXIS_ROTATION]));
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.answer_count);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig.answers[0].kind);
+    rig_cycles(&rig, 100U);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_HOT));
+    rig_release(&rig);
+}
+
+void test_SWR_DRIVE_008_a_motor_as_warm_as_it_may_be_is_driven_on(void)
+{
+    rig_start_robot_homed(&rig, &robot_prostate);
+    TEST_ASSERT_EQUAL_INT32(LIMIT_SHINSEI_HOTTEST_DC, robot_prostate.axes[AXIS_ROTATION].hottest_dc);
+    rig.box.axes[AXIS_ROTATION].card.motor_temperature_c = 55.0;
+    rig_cycles(&rig, 12U);
+    TEST_ASSERT_TRUE(axis_is_enabled(&rig.controller.axes[AXIS_ROTATION]));
+    rig.box.axes[AXIS_ROTATION].card.motor_temperature_c = 55.2;
+    rig_cycles(&rig, 12U);
+    TEST_ASSERT_FALSE(axis_is_enabled(&rig.controller.axes[AXIS_ROTATION]));
+}
