@@ -53,10 +53,37 @@ static cJSON *new_faults(uint32_t status)
     return list;
 }
 
+/* In the order of card_type_t; one that no card has is none. */
+static const char *card_type_name(uint32_t type)
+{
+    static const char *const names[] = {"none",           "pwm",   "non_pwm", "sensor",
+                                        "high_frequency", "analog"};
+    return (type < (sizeof names / sizeof names[0])) ? names[type] : names[CARD_TYPE_NONE];
+}
+
+static cJSON *new_converters(const snapshot_card_t *card)
+{
+    cJSON *list = cJSON_CreateArray();
+
+    if (card->card_type == (uint32_t)CARD_TYPE_NONE) {
+        return list;
+    }
+    for (uint32_t i = 0U; i < CARD_ADC_WORDS; i++) {
+        const uint32_t word = card->adc_words[i];
+        (void)cJSON_AddItemToArray(list, cJSON_CreateNumber((double)(word >> 16U)));
+        (void)cJSON_AddItemToArray(list, cJSON_CreateNumber((double)(word & 0xFFFFU)));
+    }
+    return list;
+}
+
 static void add_card(cJSON *cards, const telemetry_view_t *view, uint32_t slot, const char *axis)
 {
     const snapshot_card_t *card = &view->snapshot.cards[slot];
-    const json_card_t also = {.slot = slot, .axis = axis, .faults = new_faults(card->status)};
+    const json_card_t also = {.slot = slot,
+                              .axis = axis,
+                              .faults = new_faults(card->status),
+                              .type = card_type_name(card->card_type),
+                              .converters = new_converters(card)};
     (void)cJSON_AddItemToArray(cards, json_card(card, &also));
 }
 

@@ -28,14 +28,31 @@ static void init_axis(box_axis_t *self, const robot_t *robot, uint32_t index, si
 
 /* A load cell at rest on two converters, as the platform has it: what the hand pushes, and what the
  * needle meets. */
-static void init_sensor(box_sensor_t *self, uint32_t slot)
+static void init_sensor(box_sensor_t *self, uint32_t slot, uint32_t card_type, uint32_t time_us)
 {
-    const axis_config_t config = {.slot = (uint8_t)slot, .card_type = (uint8_t)CARD_TYPE_SENSOR};
+    const axis_config_t config = {.slot = (uint8_t)slot, .card_type = (uint8_t)card_type};
 
+    (void)memset(self, 0, sizeof *self);
     sim_encoder_init(&self->encoder, &config, 0.0, 0, 1U);
-    sim_card_init(&self->card, &config, &self->encoder, false, 0U);
+    sim_card_init(&self->card, &config, &self->encoder, false, time_us);
     self->card.adc[BOX_HAND_CONVERTER] = BOX_HAND_AT_REST;
     self->card.adc[BOX_NEEDLE_CONVERTER] = BOX_NEEDLE_AT_REST;
+}
+
+static bool has_sensor(const box_t *self, uint32_t slot)
+{
+    return ((self->sensor_slots >> slot) & 1U) != 0U;
+}
+
+void box_plug(box_t *self, uint32_t slot, uint32_t card_type)
+{
+    const uint32_t bit = 1U << slot;
+
+    self->sensor_slots &= ~bit;
+    if (card_type != (uint32_t)CARD_TYPE_NONE) {
+        init_sensor(&self->sensors[slot], slot, card_type, (uint32_t)self->time_us);
+        self->sensor_slots |= bit;
+    }
 }
 
 void box_init(box_t *self, const robot_t *robot, uint32_t seed)
@@ -49,7 +66,7 @@ void box_init(box_t *self, const robot_t *robot, uint32_t seed)
     }
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
         if (robot_cards_has_sensor(robot, slot)) {
-            init_sensor(&self->sensors[slot], slot);
+            box_plug(self, slot, (uint32_t)CARD_TYPE_SENSOR);
         }
     }
 }
@@ -87,7 +104,7 @@ uint32_t box_exchange(box_t *self, uint32_t send,
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
         box_sensor_t *sensor = &self->sensors[slot];
         const uint32_t bit = 1U << slot;
-        if (((send & bit) != 0U) && robot_cards_has_sensor(self->robot, slot) &&
+        if (((send & bit) != 0U) && has_sensor(self, slot) &&
             exchange_card(&sensor->card, &sensor->encoder, sensor->card_fault, frames[slot],
                           received[slot])) {
             answered |= bit;
@@ -144,7 +161,7 @@ static void step(box_t *self)
                   self->scanner_active);
     }
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
-        if (robot_cards_has_sensor(self->robot, slot)) {
+        if (has_sensor(self, slot)) {
             box_sensor_t *sensor = &self->sensors[slot];
             sim_card_step(&sensor->card, &sensor->encoder, false, self->estop.is_closed);
         }

@@ -70,7 +70,8 @@ typedef struct {
     const robot_t *robot;
     sim_random_t random;
     box_axis_t axes[ROBOT_AXIS_MAX];
-    box_sensor_t sensors[CARD_SLOT_COUNT]; /**< By slot; where the robot names one. */
+    box_sensor_t sensors[CARD_SLOT_COUNT]; /**< By slot; where one is in it. */
+    uint32_t sensor_slots;                 /**< Bit n: a card without an axis is in slot n. */
     box_contact_t pedal_a;
     box_contact_t pedal_b;
     box_contact_t estop; /**< Closed: not pulled. */
@@ -124,6 +125,10 @@ bool box_command(box_t *self, const char *order, char *reply, uint32_t reply_siz
 
 /** The orders that box_command() knows, one a line. */
 const char *box_orders(void);
+
+/** Puts a card of `card_type`, which nothing is connected to, into `slot`, which no axis has;
+ * CARD_TYPE_NONE takes out what is there. */
+void box_plug(box_t *self, uint32_t slot, uint32_t card_type);
 
 /** Closes or opens `contact` after `delay_us`; 0 is at once. */
 void box_contact_set(box_contact_t *contact, bool is_closed, uint32_t delay_us);

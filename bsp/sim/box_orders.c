@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "sim/box.h"
 
-#include "robot/robot_cards.h"
-
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -28,6 +26,7 @@ static const char orders[] = "pedal press|release|pulse\n"
                              "estop pull|reset|pulse\n"
                              "button press|release\n"
                              "card SLOT silent|corrupt|foreign|normal\n"
+                             "plug SLOT none|pwm|non_pwm|sensor|high_frequency|analog\n"
                              "encoder SLOT stuck|reversed|half|normal\n"
                              "motor SLOT stuck|half|twice|runs|hot|normal\n"
                              "switch SLOT stuck|open|chatter|reversed|normal\n"
@@ -112,10 +111,15 @@ static box_axis_t *find_axis(box_t *self, const char *word)
     return NULL;
 }
 
+static bool has_sensor(const box_t *self, uint32_t slot)
+{
+    return ((self->sensor_slots >> slot) & 1U) != 0U;
+}
+
 static box_sensor_t *find_sensor(box_t *self, const char *word)
 {
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
-        if (robot_cards_has_sensor(self->robot, slot) && is_slot(word, slot)) {
+        if (has_sensor(self, slot) && is_slot(word, slot)) {
             return &self->sensors[slot];
         }
     }
@@ -190,6 +194,10 @@ static const char *const encoder_words[] = {"normal", "stuck", "reversed", "half
 static const char *const motor_words[] = {"normal", "stuck", "half", "twice", "runs", "hot", NULL};
 static const char *const switch_words[] = {"normal", "stuck", "open", "chatter", "reversed", NULL};
 
+/* In the order of card_type_t. */
+static const char *const type_words[] = {"none",           "pwm",    "non_pwm", "sensor",
+                                         "high_frequency", "analog", NULL};
+
 /* Number of `word`, or -1. */
 static int number_of(const char *const words[], const char *word)
 {
@@ -246,9 +254,9 @@ static bool order_sensor(const order_t *order, box_sensor_t *sensor)
 
 static void show_sensor(const box_sensor_t *sensor, reply_t *reply)
 {
-    say(reply, "%4u  %-10s %11s %-3s %11s  %-9s %-7s %-8s %-9s %-7s %5u\n",
-        (unsigned)sensor->card.slot, "sensor", "", "", "", "", "", card_words[sensor->card_fault],
-        "", "", (unsigned)sensor->card.watchdog_trips);
+    say(reply, "%4u  %-14s %7s %-3s %11s  %-9s %-7s %-8s %-9s %-7s %5u\n",
+        (unsigned)sensor->card.slot, type_words[sensor->card.card_type], "", "", "", "", "",
+        card_words[sensor->card_fault], "", "", (unsigned)sensor->card.watchdog_trips);
 }
 
 static void show_axis(const box_axis_t *axis, reply_t *reply)
@@ -290,7 +298,7 @@ static void show(const box_t *self, reply_t *reply)
         show_axis(&self->axes[i], reply);
     }
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
-        if (robot_cards_has_sensor(self->robot, slot)) {
+        if (has_sensor(self, slot)) {
             show_sensor(&self->sensors[slot], reply);
         }
     }
@@ -314,6 +322,21 @@ static bool order_force(box_t *self, const order_t *order)
     return true;
 }
 
+/* Only where no axis has its card. */
+static bool order_plug(box_t *self, const order_t *order)
+{
+    const int type = number_of(type_words, order->words[2]);
+
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+        if (is_slot(order->words[1], slot) && (type >= 0) &&
+            (find_axis(self, order->words[1]) == NULL)) {
+            box_plug(self, slot, (uint32_t)type);
+            return true;
+        }
+    }
+    return false;
+}
+
 static void refuse(const char *line, reply_t *reply)
 {
     say(reply, "The order \"%.60s\" is unknown; the orders are:\n%s", line, orders);
@@ -327,8 +350,8 @@ static void refuse_slot(const box_t *self, const char *word, reply_t *reply)
             self->axes[i].config->name);
     }
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
-        if (robot_cards_has_sensor(self->robot, slot)) {
-            say(reply, ", %u sensor", (unsigned)slot);
+        if (has_sensor(self, slot)) {
+            say(reply, ", %u %s", (unsigned)slot, type_words[self->sensors[slot].card.card_type]);
         }
     }
     say(reply, ".\n");
@@ -344,6 +367,9 @@ static bool carry_out(box_t *self, const order_t *order)
     }
     if (is_word(order, 0U, "button")) {
         return order_level(&self->button_pressed, order, "press", "release");
+    }
+    if (is_word(order, 0U, "plug")) {
+        return order_plug(self, order);
     }
     if (is_word(order, 0U, "force")) {
         return order_force(self, order);

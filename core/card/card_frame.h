@@ -109,8 +109,9 @@ typedef struct {
     int32_t motor_temperature_dc;
     uint32_t supply_mv;
     uint32_t current_ma;
-    uint32_t adc_words[2]; /**< Converters 1 and 2, 3 and 4; 16 bits each, the first one high. */
-    card_drive_t applied;  /**< What the card's driver applies now. */
+    uint32_t adc_words[CARD_ADC_WORDS]; /**< Converters 1 and 2, 3 and 4; 16 bits each, the first
+                                           one high. */
+    card_drive_t applied;               /**< What the card's driver applies now. */
     uint32_t rx_crc_errors;
     uint32_t sequence_gaps;
     uint32_t watchdog_trips;

@@ -111,7 +111,7 @@ typedef struct {
     uint32_t has_arrived;  /**< The last order was a move, and ended as asked. */
     uint32_t was_gate_open;
     uint32_t was_scanner_active;
-    uint32_t strangers; /**< Bit n: a card that the robot does not name has answered in slot n. */
+    uint32_t strangers;    /**< Bit n: a card that the robot does not name is in slot n. */
     uint32_t table_damage; /**< As robot_damage() ever said: nothing moves any more. */
     uint32_t has_started;  /**< cycle, which wraps, does not tell. */
     uint32_t axis_count;   /**< Of the robot, as its undamaged table said last; at most

@@ -88,7 +88,7 @@ static void observe_sensors(controller_t *self, const cycle_t *cycle)
 }
 
 /* A card that the robot does not name: what comes from there may be noise, so that only its first
- * valid frame is told of. */
+ * valid frame is told of. Once it is silent its slot is empty again. */
 static void observe_stranger(controller_t *self, const cycle_t *cycle, uint32_t slot)
 {
     const uint32_t bit = (uint32_t)1U << slot;
@@ -100,6 +100,11 @@ static void observe_stranger(controller_t *self, const cycle_t *cycle, uint32_t 
     if ((link->is_fresh != 0U) && ((self->strangers & bit) == 0U)) {
         self->strangers |= bit;
         controller_note(self, cycle, EVENT_UNEXPECTED_CARD, slot, (int32_t)link->report.card_type);
+    }
+    if (((self->strangers & bit) != 0U) && (link->age_cycles >= LIMIT_LINK_AGE_CYCLES)) {
+        self->strangers &= ~bit;
+        controller_note(self, cycle, EVENT_CARD_LOST, slot, (int32_t)LINK_CAUSE_AGE);
+        link_init(link, (uint32_t)CARD_TYPE_NONE, cycle->robot->card_firmware);
     }
 }
 

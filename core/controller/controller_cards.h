@@ -27,6 +27,7 @@ void controller_observe_card(controller_t *self, const cycle_t *cycle, uint32_t 
  * @satisfies SWR-LINK-009
  * @satisfies SWR-LINK-010
  * @satisfies SWR-LINK-011
+ * @satisfies SWR-DRIVE-012
  */
 void controller_observe_other_cards(controller_t *self, const cycle_t *cycle);
 

@@ -155,9 +155,21 @@ static void send_to_sensor(controller_t *self, const cycle_t *cycle, uint32_t sl
     send(self, cycle, &command);
 }
 
-static void send_to_sensors(controller_t *self, const cycle_t *cycle, uint32_t state)
+/* While nothing is driven, one slot after the other that is empty as far as one knows. */
+static uint32_t probed_slot(const controller_t *self, bool is_driven)
 {
-    const uint32_t slots = self->cards.sensor_slots;
+    if (is_driven || ((self->cycle % LIMIT_PROBE_CYCLES) != 0U)) {
+        return 0U;
+    }
+    const uint32_t slot = (self->cycle / LIMIT_PROBE_CYCLES) % CARD_SLOT_COUNT;
+    return (uint32_t)1U << slot;
+}
+
+/* Of the robot, and what else is known to be there or is looked for. */
+static void send_to_others(controller_t *self, const cycle_t *cycle, uint32_t state, bool is_driven)
+{
+    const uint32_t others = self->strangers | probed_slot(self, is_driven);
+    const uint32_t slots = self->cards.sensor_slots | (others & ~self->cards.named_slots);
     for (uint32_t i = 0U; (slots >> i) != 0U; i++) {
         if (((slots >> i) & 1U) != 0U) {
             send_to_sensor(self, cycle, i, state);
@@ -207,6 +219,7 @@ void controller_drive(controller_t *self, const cycle_t *cycle,
                    .axes = {.axes = self->axes, .sent = sent, .requests = requests},
                    .kind = kind};
     const uint32_t state = system_state(self, cycle);
+    uint32_t modes = 0U;
     gather_sent(self, sent);
     if (!facts.is_memory_damaged) {
         view.at_coupled_limit = coupled_guard_blocks(cycle->robot, &view.axes);
@@ -216,9 +229,10 @@ void controller_drive(controller_t *self, const cycle_t *cycle,
         remember(self, cycle, i, &permit);
         const card_drive_t drive = permit_apply(
             &permit, is_too_fast(self, cycle, i, view.facts.is_every_axis_homed), &requests[i]);
+        modes |= drive.mode;
         send_to_axis(self, cycle, i, state | (permit.is_allowed ? CARD_SYSTEM_PERMIT : 0U), &drive);
     }
-    send_to_sensors(self, cycle, state);
+    send_to_others(self, cycle, state, modes != (uint32_t)CARD_DRIVE_OFF);
     clear_unused_frames(cycle);
     self->sequence++;
 }

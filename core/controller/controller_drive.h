@@ -15,6 +15,7 @@
  * @satisfies SWR-CTRL-003
  * @satisfies SWR-CARD-005
  * @satisfies SWR-LINK-010
+ * @satisfies SWR-DRIVE-011
  */
 void controller_drive(controller_t *self, const cycle_t *cycle,
                       const card_drive_t requests[ROBOT_AXIS_MAX]);

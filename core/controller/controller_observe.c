@@ -151,8 +151,8 @@ static void observe_axis(controller_t *self, const cycle_t *cycle, uint32_t inde
     note_grade(self, cycle, index);
 }
 
-/* One axis a cycle, in turn: what gets hot takes its time. A hot motor is not driven; where its axis
- * is does not depend on that. */
+/* One axis a cycle, in turn: what gets hot takes its time. A hot motor is not driven; where its
+ * axis is does not depend on that. */
 static void watch_heat(controller_t *self, const cycle_t *cycle)
 {
     const uint32_t index = self->cycle % ROBOT_AXIS_MAX;

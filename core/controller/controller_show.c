@@ -163,6 +163,8 @@ static void show_card(const controller_t *self, const cycle_t *cycle, uint32_t s
     shown->heartbeat = link->report.heartbeat;
     shown->status = link->report.status;
     shown->card_type = link->report.card_type;
+    shown->adc_words[0] = link->report.adc_words[0];
+    shown->adc_words[1] = link->report.adc_words[1];
 }
 
 static void show_plan(const controller_t *self, snapshot_t *shown)

@@ -12,6 +12,7 @@
  * @satisfies SWR-NEXT-002
  * @satisfies SWR-AUTH-014
  * @satisfies SWR-LINK-009
+ * @satisfies SWR-DRIVE-013
  */
 void controller_show(const controller_t *self, const cycle_t *cycle);
 

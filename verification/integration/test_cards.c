@@ -51,12 +51,17 @@ static uint32_t told(event_id_t id, uint32_t slot)
     return count;
 }
 
-static card_command_t sent_to_sensor(void)
+static card_command_t sent_to(uint32_t slot)
 {
     card_command_t command;
     TEST_ASSERT_EQUAL(CARD_FRAME_OK,
-                      card_frame_decode_command(rig.outputs.frames[SENSOR], SENSOR, &command));
+                      card_frame_decode_command(rig.outputs.frames[slot], slot, &command));
     return command;
+}
+
+static card_command_t sent_to_sensor(void)
+{
+    return sent_to(SENSOR);
 }
 
 static void begin_jog(void)
@@ -191,7 +196,8 @@ void test_SWR_LINK_011_a_card_that_the_robot_does_not_name_is_told_of_once_and_s
     TEST_ASSERT_EQUAL_INT32(CARD_TYPE_PWM, rig.events[0].value);
     TEST_ASSERT_EQUAL_UINT32(CARD_LINK_STATE_LOST, shown(STRANGER)->link);
     TEST_ASSERT_EQUAL_UINT32(CARD_TYPE_PWM, shown(STRANGER)->card_type);
-    TEST_ASSERT_EQUAL_HEX32(0U, rig.outputs.frames_to_send & ((uint32_t)1U << STRANGER));
+    TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_OFF, sent_to(STRANGER).drive.mode);
+    TEST_ASSERT_EQUAL_HEX32(CARD_NO_AXIS, sent_to(STRANGER).axis_id);
     TEST_ASSERT_EQUAL_UINT32(0U, shown(STRANGER)->age_cycles);
     rig_cycles(&rig, 3U);
     TEST_ASSERT_EQUAL_UINT32(3U, shown(STRANGER)->age_cycles);
@@ -221,4 +227,96 @@ void test_SWR_LINK_011_start_up_does_not_make_it_one_of_the_robot(void)
     cycle_with_stranger();
     TEST_ASSERT_EQUAL_UINT32(CARD_LINK_STATE_LOST, shown(STRANGER)->link);
     TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_UNEXPECTED_CARD, STRANGER));
+}
+
+/* Slots without a named card that this cycle sends to. */
+static uint32_t looked_at(void)
+{
+    return rig.outputs.frames_to_send & ~rig.controller.cards.named_slots;
+}
+
+static void plug(const char *order)
+{
+    rig_box(&rig, order);
+    rig_forget(&rig);
+}
+
+void test_SWR_DRIVE_011_each_empty_slot_is_looked_at_in_its_turn_with_the_drive_off(void)
+{
+    uint32_t seen = 0U;
+    for (uint32_t i = 0U; i < (LIMIT_PROBE_CYCLES * CARD_SLOT_COUNT); i++) {
+        rig_cycle(&rig);
+        const uint32_t now = looked_at();
+        TEST_ASSERT_EQUAL_HEX32(0U, now & (now - 1U));
+        TEST_ASSERT_EQUAL_HEX32(0U, now & seen);
+        for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+            if (now == ((uint32_t)1U << slot)) {
+                TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_OFF, sent_to(slot).drive.mode);
+                TEST_ASSERT_EQUAL_UINT32(0U, (rig.controller.cycle - 1U) % LIMIT_PROBE_CYCLES);
+            }
+        }
+        seen |= now;
+    }
+    TEST_ASSERT_EQUAL_HEX32(CARD_EVERY_SLOT & ~rig.controller.cards.named_slots, seen);
+}
+
+void test_SWR_DRIVE_011_a_card_that_is_plugged_in_is_found_and_stays_shown(void)
+{
+    plug("plug 9 analog");
+    rig_cycles(&rig, (LIMIT_PROBE_CYCLES * CARD_SLOT_COUNT) + 1U);
+    TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_UNEXPECTED_CARD, STRANGER));
+    TEST_ASSERT_EQUAL_UINT32(CARD_TYPE_ANALOG, shown(STRANGER)->card_type);
+    begin_jog();
+    for (uint32_t i = 0U; i < 100U; i++) {
+        rig_cycle(&rig);
+        TEST_ASSERT_EQUAL_HEX32((uint32_t)1U << STRANGER, looked_at());
+        TEST_ASSERT_EQUAL_UINT32(0U, shown(STRANGER)->age_cycles);
+    }
+    TEST_ASSERT_TRUE(rig_is_driving(&rig));
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.event_count);
+}
+
+void test_SWR_DRIVE_011_no_slot_is_looked_at_while_an_axis_is_driven(void)
+{
+    begin_jog();
+    plug("plug 9 pwm");
+    for (uint32_t i = 0U; i < (LIMIT_PROBE_CYCLES * CARD_SLOT_COUNT); i++) {
+        rig_cycle(&rig);
+        TEST_ASSERT_TRUE(!rig_is_driving(&rig) || (looked_at() == 0U));
+    }
+    TEST_ASSERT_EQUAL_UINT32(0U, told(EVENT_UNEXPECTED_CARD, STRANGER));
+}
+
+void test_SWR_DRIVE_012_a_card_that_is_taken_out_is_told_and_another_found(void)
+{
+    plug("plug 9 analog");
+    rig_cycles(&rig, (LIMIT_PROBE_CYCLES * CARD_SLOT_COUNT) + 1U);
+    plug("plug 9 none");
+    rig_cycles(&rig, LIMIT_LINK_AGE_CYCLES - 1U);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.event_count);
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_CARD_LOST, STRANGER));
+    TEST_ASSERT_EQUAL_INT32(LINK_CAUSE_AGE, rig.events[0].value);
+    TEST_ASSERT_EQUAL_UINT32(CARD_TYPE_NONE, shown(STRANGER)->card_type);
+    plug("plug 9 high_frequency");
+    rig_cycles(&rig, (LIMIT_PROBE_CYCLES * CARD_SLOT_COUNT) + 1U);
+    TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_UNEXPECTED_CARD, STRANGER));
+    TEST_ASSERT_EQUAL_UINT32(CARD_TYPE_HIGH_FREQUENCY, shown(STRANGER)->card_type);
+}
+
+void test_SWR_DRIVE_013_what_the_converters_read_is_shown(void)
+{
+    plug("plug 9 sensor");
+    rig_box(&rig, "force hand 2345");
+    rig_cycles(&rig, (LIMIT_PROBE_CYCLES * CARD_SLOT_COUNT) + 1U);
+    for (uint32_t slot = SENSOR; slot <= STRANGER; slot++) {
+        TEST_ASSERT_EQUAL_HEX32(2345U, shown(slot)->adc_words[0]);
+        TEST_ASSERT_EQUAL_HEX32(BOX_NEEDLE_AT_REST << 16U, shown(slot)->adc_words[1]);
+    }
+    rig_box(&rig, "force needle 17");
+    rig_cycles(&rig, 2U);
+    TEST_ASSERT_EQUAL_HEX32(17U << 16U, shown(SENSOR)->adc_words[1]);
+    plug("plug 9 none");
+    rig_cycles(&rig, LIMIT_LINK_AGE_CYCLES);
+    TEST_ASSERT_EQUAL_HEX32(0U, shown(STRANGER)->adc_words[0]);
 }

@@ -580,3 +580,43 @@ void test_SWR_LINK_010_a_card_without_an_axis_takes_the_orders_of_cards_only(voi
     TEST_ASSERT_TRUE(box_command(&box, "show", reply, sizeof reply));
     TEST_ASSERT_NOT_NULL(strstr(reply, "8  sensor"));
 }
+
+void test_SWR_BOX_003_a_card_is_plugged_in_where_no_axis_has_its_own(void)
+{
+    card_report_t report;
+
+    TEST_ASSERT_FALSE(box_command(&box, "plug 7 pwm", reply, sizeof reply));
+    TEST_ASSERT_FALSE(box_command(&box, "plug 9 steam", reply, sizeof reply));
+    TEST_ASSERT_FALSE(box_command(&box, "plug 10 pwm", reply, sizeof reply));
+    TEST_ASSERT_EQUAL_HEX32(USED_SLOTS, exchange(ALL_SLOTS));
+    TEST_ASSERT_TRUE(box_command(&box, "plug 9 high_frequency", reply, sizeof reply));
+    TEST_ASSERT_EQUAL_HEX32(USED_SLOTS | 0x200U, exchange(ALL_SLOTS));
+    TEST_ASSERT_EQUAL(CARD_FRAME_OK, card_frame_decode_report(received[9], 9U, &report));
+    TEST_ASSERT_EQUAL_UINT32(CARD_TYPE_HIGH_FREQUENCY, report.card_type);
+    TEST_ASSERT_TRUE(box_command(&box, "show", reply, sizeof reply));
+    TEST_ASSERT_NOT_NULL(strstr(reply, "9  high_frequency"));
+    TEST_ASSERT_TRUE(box_command(&box, "plug 9 none", reply, sizeof reply));
+    TEST_ASSERT_EQUAL_HEX32(USED_SLOTS, exchange(ALL_SLOTS));
+}
+
+void test_SWR_BOX_003_the_load_cell_reads_what_it_is_told(void)
+{
+    card_report_t report;
+    static const char *const wrong[] = {"force foot 1",  "force hand 4096", "force hand x",
+                                        "force hand 1x", "force hand",      "force needle -1"};
+
+    TEST_ASSERT_TRUE(box_command(&box, "plug 9 sensor", reply, sizeof reply));
+    for (uint32_t i = 0U; i < sizeof wrong / sizeof wrong[0]; i++) {
+        TEST_ASSERT_FALSE_MESSAGE(box_command(&box, wrong[i], reply, sizeof reply), wrong[i]);
+    }
+    (void)exchange(ALL_SLOTS);
+    TEST_ASSERT_EQUAL(CARD_FRAME_OK, card_frame_decode_report(received[9], 9U, &report));
+    TEST_ASSERT_EQUAL_HEX32(BOX_HAND_AT_REST, report.adc_words[0]);
+    TEST_ASSERT_EQUAL_HEX32(BOX_NEEDLE_AT_REST << 16U, report.adc_words[1]);
+    TEST_ASSERT_TRUE(box_command(&box, "force hand 4095", reply, sizeof reply));
+    TEST_ASSERT_TRUE(box_command(&box, "force needle 0", reply, sizeof reply));
+    (void)exchange(ALL_SLOTS);
+    TEST_ASSERT_EQUAL(CARD_FRAME_OK, card_frame_decode_report(received[9], 9U, &report));
+    TEST_ASSERT_EQUAL_HEX32(4095U, report.adc_words[0]);
+    TEST_ASSERT_EQUAL_HEX32(0U, report.adc_words[1]);
+}
