@@ -22,7 +22,11 @@ typedef struct {
     const char *box; /**< Name of the simulated box, NULL for real cards. */
 } telemetry_identity_t;
 
-/** The caller frees each result with cJSON_Delete(); NULL without memory. */
+/**
+ * The caller frees each result with cJSON_Delete(); NULL without memory.
+ *
+ * @satisfies SWR-DRIVE-014
+ */
 cJSON *telemetry_json_status(const telemetry_identity_t *identity, const telemetry_view_t *view);
 /** @satisfies SWR-HTTP-037 */
 cJSON *telemetry_json_robot(const robot_t *robot);

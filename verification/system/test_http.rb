@@ -19,6 +19,18 @@ class TestHttp < Minitest::Test
     assert_equal %w[core fifo memory], status.dig('loop', 'rights').keys.sort
   end
 
+  def test_SWR_DRIVE_014_status_tells_type_and_converters_of_every_card
+    self.class.boresight.simctl('plug', '9', 'sensor')
+    self.class.boresight.simctl('force', 'needle', '1234')
+    card = wait_until('the card is found') { fetch_json('/api/v1/status').fetch('cards').find { |one| one['slot'] == 9 } }
+    assert_equal ['sensor', nil, [0, 1970, 1234, 0]], card.values_at('type', 'axis', 'converters')
+    assert_equal({ 'head' => 'non_pwm', 'insertion' => 'pwm' },
+                 fetch_json('/api/v1/status').fetch('cards').to_h { |one| one.values_at('axis', 'type') }.slice('head', 'insertion'))
+  ensure
+    self.class.boresight.simctl('plug', '9', 'none')
+    wait_until('the card is gone') { fetch_json('/api/v1/status').fetch('cards').none? { |one| one['slot'] == 9 } }
+  end
+
   def test_SWR_SUP_005_status_says_how_fast_time_passes
     time = fetch_json('/api/v1/status').fetch('time')
     assert_equal [true, 1], time.values_at('is_elastic', 'slowness')

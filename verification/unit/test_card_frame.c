@@ -584,7 +584,7 @@ void test_SWR_DRIVE_003_words_of_another_drive_are_refused(void)
     expect_command(CARD_FRAME_BAD_CRC);
 }
 
-void test_each_type_of_card_has_its_drive(void)
+void test_SWR_DRIVE_001_each_type_of_card_has_its_drive(void)
 {
     static const uint32_t modes[] = {CARD_DRIVE_OFF,
                                      CARD_DRIVE_PWM,

@@ -59,6 +59,8 @@ test("SWR-CON-002 a lost card names its faults", () => {
     age_cycles: 9,
     frame_errors: 1,
     faults: ["too hot"],
+    type: "non_pwm",
+    converters: [0, 0, 0, 0],
   });
   expect(lamp).toEqual({
     label: "Card 3, insertion",
@@ -76,6 +78,8 @@ test("SWR-LINK-009 a card without an axis has its lamp", () => {
     age_cycles: 0,
     frame_errors: 0,
     faults: [],
+    type: "non_pwm",
+    converters: [0, 0, 0, 0],
   });
   expect(lamp).toEqual({
     label: "Card 3, no axis",

@@ -130,6 +130,8 @@ export function makeStatus(change: Partial<Status> = {}): Status {
         age_cycles: 0,
         frame_errors: 0,
         faults: [],
+        type: "non_pwm",
+        converters: [0, 0, 0, 0],
       },
     ],
     counts: { events: 0, events_lost: 0, overruns: 0, cycles_lost: 0 },
