@@ -184,7 +184,9 @@ static bool is_costly(const command_t *command)
            (command->kind == (uint32_t)COMMAND_PROPOSE_TARGET) ||
            (command->kind == (uint32_t)COMMAND_NEEDLE) ||
            (command->kind == (uint32_t)COMMAND_ENTRY) ||
-           (command->kind == (uint32_t)COMMAND_WITHDRAW);
+           (command->kind == (uint32_t)COMMAND_WITHDRAW) ||
+           (command->kind == (uint32_t)COMMAND_LIST_ROW) ||
+           (command->kind == (uint32_t)COMMAND_RUN_TRAJECTORY);
 }
 
 /* Commands of a lane that wait, from its `*taken` on. */

@@ -123,6 +123,7 @@ typedef struct {
     uint32_t events_lost;
     uint32_t seals[CONTROLLER_SECTIONS];
     robot_cards_t cards; /**< Of the robot, as its undamaged table says in each cycle. */
+    trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS]; /**< Of mode.list; each has a checksum. */
 } controller_t;
 
 /** Starts in workphase UNDEFINED with nothing enabled. */

@@ -4,9 +4,11 @@
 #include "controller/controller_axis.h"
 #include "controller/controller_facts.h"
 #include "controller/controller_order.h"
+#include "controller/controller_trajectory.h"
 
 /* What the command says to its mode. */
-static mode_request_t request_of(const command_t *command, mode_kind_t kind)
+static mode_request_t request_of(const controller_t *self, const command_t *command,
+                                 mode_kind_t kind)
 {
     mode_request_t request = {.axes = 0U};
     switch (kind) {
@@ -16,6 +18,9 @@ static mode_request_t request_of(const command_t *command, mode_kind_t kind)
         request.jog.ticks = command->value;
         request.axes =
             (command->argument < ROBOT_AXIS_MAX) ? ((uint32_t)1U << command->argument) : 0U;
+        break;
+    case MODE_TRAJECTORY:
+        request.start_ms = self->rows[0].time_ms;
         break;
     case MODE_NONE:
     case MODE_HOMING:
@@ -42,8 +47,10 @@ status_t controller_obey_motion(controller_t *self, const cycle_t *cycle, const 
                                 answer_t *answer)
 {
     const mode_kind_t kind = mode_of_command(command->kind);
-    mode_request_t request = request_of(command, kind);
-    const solution_t judged = mode_judge(kind, &request, cycle->robot, self->axes);
+    mode_request_t request = request_of(self, command, kind);
+    const solution_t judged = (kind == MODE_TRAJECTORY)
+                                  ? controller_judge_trajectory(self, cycle, command->argument)
+                                  : mode_judge(kind, &request, cycle->robot, self->axes);
     procedure_actions_t actions;
     answer->axis = (uint32_t)judged.axis;
     answer->is_maximum = (uint32_t)judged.is_maximum;

@@ -29,6 +29,7 @@ static void fill_frame(controller_t *self, const cycle_t *cycle, bool is_every_a
     frame->workphase = procedure_workphase(&self->procedure);
     frame->is_moving = procedure_is_moving(&self->procedure);
     frame->elapsed_us = cycle->inputs->elapsed_us;
+    frame->rows = self->rows;
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         frame->speed_cap_percent[i] = percent;
     }

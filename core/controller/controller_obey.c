@@ -8,6 +8,7 @@
 #include "controller/controller_order.h"
 #include "controller/controller_plan.h"
 #include "controller/controller_restore.h"
+#include "controller/controller_trajectory.h"
 #include "interface/note_kind.h"
 
 #include <string.h>
@@ -29,6 +30,10 @@ static const rights_t rights[COMMAND_SOURCE_COUNT] = {
                                        [COMMAND_ENTRY] = true,
                                        [COMMAND_ACCEPT_ENTRY] = true,
                                        [COMMAND_WITHDRAW] = true,
+                                       [COMMAND_LIST_BEGIN] = true,
+                                       [COMMAND_LIST_ROW] = true,
+                                       [COMMAND_LIST_END] = true,
+                                       [COMMAND_RUN_TRAJECTORY] = true,
                                        [COMMAND_RELEASE] = true},
                              .workphases = {[WORKPHASE_START_UP] = true,
                                             [WORKPHASE_PLANNING] = true,
@@ -45,6 +50,10 @@ static const rights_t rights[COMMAND_SOURCE_COUNT] = {
                                        [COMMAND_ENTRY] = true,
                                        [COMMAND_ACCEPT_ENTRY] = true,
                                        [COMMAND_WITHDRAW] = true,
+                                       [COMMAND_LIST_BEGIN] = true,
+                                       [COMMAND_LIST_ROW] = true,
+                                       [COMMAND_LIST_END] = true,
+                                       [COMMAND_RUN_TRAJECTORY] = true,
                                        [COMMAND_TAKE] = true,
                                        [COMMAND_RENEW] = true,
                                        [COMMAND_RELEASE] = true,
@@ -199,6 +208,11 @@ static status_t carry_out(controller_t *self, const cycle_t *cycle, const comman
         break;
     case (uint32_t)COMMAND_RESTORE:
         status = controller_obey_restore(self, cycle, command, answer);
+        break;
+    case (uint32_t)COMMAND_LIST_BEGIN:
+    case (uint32_t)COMMAND_LIST_ROW:
+    case (uint32_t)COMMAND_LIST_END:
+        status = controller_obey_trajectory(self, cycle, command, answer);
         break;
     default:
         status = controller_tell_plan(self, cycle, command, answer);

@@ -202,6 +202,16 @@ static void show_authority(const controller_t *self, snapshot_t *shown)
     shown->request_left_us = authority_request_left_us(authority, self->time_us);
 }
 
+static void show_trajectory(const controller_t *self, snapshot_t *shown)
+{
+    const trajectory_list_t *const list = &self->mode.list;
+    shown->trajectory_rows = (list->is_whole != 0U) ? list->count : 0U;
+    shown->trajectory_crc = list->crc;
+    shown->trajectory_source = list->source;
+    shown->trajectory_row = self->mode.trajectory.row;
+    shown->trajectory_time_us = self->mode.trajectory.time_us;
+}
+
 static status_t pose_status(const controller_t *self, bool is_homed)
 {
     status_t status = STATUS_OK;
@@ -272,6 +282,7 @@ void controller_show(const controller_t *self, const cycle_t *cycle)
     shown->events = self->events;
     shown->events_lost = self->events_lost;
     show_authority(self, shown);
+    show_trajectory(self, shown);
     show_plan(self, shown);
     show_pose(self, cycle->robot, shown);
     clear_unused(self, shown);

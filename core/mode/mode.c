@@ -74,8 +74,9 @@ solution_t mode_judge(mode_kind_t kind, const mode_request_t *request, const rob
     case MODE_HOMING:
     case MODE_MOVE:
     case MODE_RETRACT:
+    case MODE_TRAJECTORY:
     default:
-        /* Nothing but the workphase chart refuses it. */
+        /* Nothing but the workphase chart refuses it, and of a trajectory who holds it. */
         break;
     }
     return result;
@@ -85,7 +86,14 @@ void mode_begin(mode_state_t *self, mode_kind_t kind, const mode_request_t *requ
 {
     self->kind = (uint32_t)kind;
     self->request = *request;
+    trajectory_mode_begin(&self->trajectory, request->start_ms);
     leg_stop(&self->leg);
+}
+
+static void run_trajectory(mode_state_t *self, const mode_frame_t *frame, mode_result_t *result)
+{
+    const trajectory_t trajectory = {.list = &self->list, .rows = frame->rows};
+    trajectory_mode_step(&self->trajectory, &trajectory, &self->leg, frame, result);
 }
 
 static void run(mode_state_t *self, mode_kind_t kind, const mode_frame_t *frame,
@@ -106,6 +114,9 @@ static void run(mode_state_t *self, mode_kind_t kind, const mode_frame_t *frame,
         break;
     case MODE_HOME_AXIS:
         homing_mode_step_axis(self->request.jog.axis, frame, result);
+        break;
+    case MODE_TRAJECTORY:
+        run_trajectory(self, frame, result);
         break;
     case MODE_NONE:
     default:
@@ -134,6 +145,7 @@ void mode_step(mode_state_t *self, const mode_frame_t *frame, mode_result_t *res
         run(self, kind, frame, result);
     } else {
         leg_stop(&self->leg);
+        trajectory_mode_pause(&self->trajectory);
         mode_rest(frame, result);
         result->progress = is_done ? MODE_DONE : MODE_RUNNING;
     }

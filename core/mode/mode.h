@@ -16,6 +16,8 @@
 #include "mode/mode_frame.h"
 #include "mode/move_mode.h"
 #include "mode/retract_mode.h"
+#include "mode/trajectory_list.h"
+#include "mode/trajectory_mode.h"
 #include "robot/robot.h"
 
 #include <stdbool.h>
@@ -26,6 +28,7 @@ typedef struct {
     uint32_t axes;  /**< Bit n: axis n is commanded. mode_axes() makes of it those that it needs. */
     jog_mode_t jog; /**< MODE_HOME_AXIS reads its axis. */
     move_mode_t move;
+    uint32_t start_ms; /**< Time of the first row of a trajectory. */
 } mode_request_t;
 
 /** At first all zero. */
@@ -33,6 +36,8 @@ typedef struct {
     uint32_t kind; /**< mode_kind_t of the order that was armed last. */
     leg_t leg;
     mode_request_t request; /**< With the axes that it needs. */
+    trajectory_mode_t trajectory;
+    trajectory_list_t list; /**< Of the trajectory that is held, armed or not. */
 } mode_state_t;
 
 /** The mode that a command for `workphase` itself arms there, or MODE_NONE; the others have

@@ -12,6 +12,7 @@
 #include "interface/event.h"
 #include "interface/status.h"
 #include "interface/workphase_list.h"
+#include "mode/trajectory_list.h"
 #include "robot/robot.h"
 
 #include <stdbool.h>
@@ -30,6 +31,7 @@ typedef struct {
     workphase_t workphase; /**< The present one. */
     bool is_moving;        /**< The pedal lets the armed order run. */
     uint32_t elapsed_us;
+    const trajectory_row_t *rows;               /**< Of the trajectory that is held. */
     uint32_t speed_cap_percent[ROBOT_AXIS_MAX]; /**< What the permit lets each axis have of its
                                                    speed, 1..100. */
 } mode_frame_t;

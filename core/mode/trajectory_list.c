@@ -91,15 +91,19 @@ bool trajectory_list_is_in_zone(const axis_config_t *config, int32_t ticks)
     return (ticks < config->target_minimum_ticks) || (ticks > config->target_maximum_ticks);
 }
 
-/* Where a switch may be active an axis may stand and come from, but not go to. */
+/* Where homing has left it an axis may stand and come from, but it is not driven there. */
 static status_t judge_point(const axis_config_t *config, int32_t from, int32_t ticks)
 {
-    const bool is_farther_in = ((ticks < config->target_minimum_ticks) && (ticks < from)) ||
-                               ((ticks > config->target_maximum_ticks) && (ticks > from));
+    const int32_t slack = config->home_way_ticks;
+    const bool is_outwards = ((ticks < config->target_minimum_ticks) && (ticks < from)) ||
+                             ((ticks > config->target_maximum_ticks) && (ticks > from));
+    const bool is_beyond = (ticks < config->minimum_ticks) || (ticks > config->maximum_ticks);
+    const bool is_far =
+        (ticks < (config->minimum_ticks - slack)) || (ticks > (config->maximum_ticks + slack));
     status_t status = STATUS_OK;
-    if ((ticks < config->minimum_ticks) || (ticks > config->maximum_ticks)) {
+    if (is_far || (is_beyond && is_outwards)) {
         status = STATUS_AXIS_LIMIT;
-    } else if (is_farther_in) {
+    } else if (is_outwards) {
         status = STATUS_SWITCH_ZONE;
     } else {
         status = STATUS_OK;

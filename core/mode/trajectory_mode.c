@@ -91,10 +91,10 @@ solution_t trajectory_mode_judge(const trajectory_t *asked, uint32_t crc, const 
     return result;
 }
 
-void trajectory_mode_begin(trajectory_mode_t *self, const trajectory_t *trajectory)
+void trajectory_mode_begin(trajectory_mode_t *self, uint32_t start_ms)
 {
     self->row = 0U;
-    self->time_us = trajectory->rows[0].time_ms * US_PER_MS;
+    self->time_us = start_ms * US_PER_MS;
     self->is_on_way = 0U;
     self->pace = RAMP_CYCLES; /* The first row is at rest. */
     self->behind_us = 0U;

@@ -44,8 +44,8 @@ typedef struct {
 solution_t trajectory_mode_judge(const trajectory_t *asked, uint32_t crc, const robot_t *robot,
                                  const axis_t axes[ROBOT_AXIS_MAX]);
 
-/** It was armed: from the first row on. */
-void trajectory_mode_begin(trajectory_mode_t *self, const trajectory_t *trajectory);
+/** It was armed: from the first row on, whose time is `start_ms`. */
+void trajectory_mode_begin(trajectory_mode_t *self, uint32_t start_ms);
 
 /** A cycle without the pedal: time stands. */
 void trajectory_mode_pause(trajectory_mode_t *self);

@@ -6,6 +6,7 @@
 #include "unity.h"
 
 #include "axis/axis.h"
+#include "base/crc.h"
 #include "interface/command.h"
 #include "interface/mode_list.h"
 #include "mode/homing_mode.h"
@@ -15,7 +16,11 @@
 #include "mode/mode_frame.h"
 #include "mode/move_mode.h"
 #include "mode/retract_mode.h"
+#include "mode/trajectory_list.h"
+#include "mode/trajectory_mode.h"
+#include "motion/cubic.h"
 #include "robot/coupled_limit.h"
+#include "robot/coupled_path.h"
 #include "robot/joints.h"
 #include "robot/robot_neuro.h"
 #include "safety/coupled_guard.h"
@@ -72,11 +77,11 @@ static void expect_rest(void)
 void test_SWR_PHASE_001_each_mode_has_its_workphase(void)
 {
     static const char *const runs[WORKPHASE_COUNT] = {
-        [WORKPHASE_UNDEFINED] = "......", [WORKPHASE_START_UP] = ".H....",
-        [WORKPHASE_PLANNING] = "......",  [WORKPHASE_CALIBRATION] = "......",
-        [WORKPHASE_TARGETING] = "......", [WORKPHASE_MOVE_TO_TARGET] = "..M.r.",
-        [WORKPHASE_MANUAL] = "...j.a",    [WORKPHASE_STOP] = "......",
-        [WORKPHASE_EMERGENCY] = "......",
+        [WORKPHASE_UNDEFINED] = ".......", [WORKPHASE_START_UP] = ".H.....",
+        [WORKPHASE_PLANNING] = ".......",  [WORKPHASE_CALIBRATION] = ".......",
+        [WORKPHASE_TARGETING] = ".......", [WORKPHASE_MOVE_TO_TARGET] = "..M.r..",
+        [WORKPHASE_MANUAL] = "...j.at",    [WORKPHASE_STOP] = ".......",
+        [WORKPHASE_EMERGENCY] = ".......",
     };
     for (uint32_t i = 0U; i < WORKPHASE_COUNT; i++) {
         mode_kind_t own = MODE_NONE;
@@ -94,7 +99,9 @@ void test_SWR_MODE_001_each_mode_is_armed_by_its_command(void)
 {
     static const mode_kind_t armed[COMMAND_KIND_COUNT] = {[COMMAND_JOG] = MODE_JOG,
                                                           [COMMAND_RETRACT] = MODE_RETRACT,
-                                                          [COMMAND_HOME_AXIS] = MODE_HOME_AXIS};
+                                                          [COMMAND_HOME_AXIS] = MODE_HOME_AXIS,
+                                                          [COMMAND_RUN_TRAJECTORY] =
+                                                              MODE_TRAJECTORY};
     for (uint32_t i = 0U; i < COMMAND_KIND_COUNT; i++) {
         TEST_ASSERT_EQUAL(armed[i], mode_of_command(i));
     }
@@ -132,6 +139,7 @@ void test_SWR_AXIS_006_a_move_and_a_retraction_need_their_axes_homed(void)
     TEST_ASSERT_TRUE(mode_may_be_unhomed(MODE_HOME_AXIS));
     TEST_ASSERT_TRUE(mode_may_be_unhomed(MODE_NONE));
     TEST_ASSERT_FALSE(mode_may_be_unhomed(MODE_MOVE));
+    TEST_ASSERT_FALSE(mode_may_be_unhomed(MODE_TRAJECTORY));
 }
 
 static bool heeds(mode_kind_t kind, uint32_t axis, bool is_driven)
@@ -304,4 +312,29 @@ void test_SWR_EVENT_001_a_mode_notes_in_order_and_one_note_too_many_is_dropped(v
     mode_fail(&result, EVENT_HOMING_BARRED, AXIS_HEAD, 0);
     TEST_ASSERT_EQUAL_UINT32(MODE_NOTES, result.note_count);
     TEST_ASSERT_EQUAL(MODE_FAILED, result.progress);
+}
+
+void test_SWR_TRAJ_011_without_the_pedal_the_time_of_a_trajectory_stands(void)
+{
+    static trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS];
+    const trajectory_row_t row = {.time_ms = 20U};
+    TEST_ASSERT_EQUAL(STATUS_OK, trajectory_list_begin(&mode.list, 2U));
+    TEST_ASSERT_EQUAL(STATUS_OK, trajectory_list_add(&mode.list, rows, &robot, 0U, &row).status);
+    const trajectory_row_t last = {.time_ms = 2020U};
+    TEST_ASSERT_EQUAL(STATUS_OK, trajectory_list_add(&mode.list, rows, &robot, 1U, &last).status);
+    TEST_ASSERT_EQUAL(STATUS_OK, trajectory_list_end(&mode.list, mode.list.crc));
+    const mode_request_t run_it = {.start_ms = 20U};
+    frame.rows = rows;
+    frame.workphase = WORKPHASE_MANUAL;
+    mode_begin(&mode, MODE_TRAJECTORY, &run_it);
+    steps(1000U);
+    const uint32_t time_us = mode.trajectory.time_us;
+    TEST_ASSERT_GREATER_THAN_UINT32(20000U, time_us);
+    frame.is_moving = false;
+    steps(100U);
+    expect_rest();
+    TEST_ASSERT_EQUAL_UINT32(time_us, mode.trajectory.time_us);
+    frame.is_moving = true;
+    run();
+    TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
 }

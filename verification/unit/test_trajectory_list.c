@@ -211,20 +211,46 @@ void test_SWR_TRAJ_003_the_first_and_the_last_row_rest(void)
     expect(STATUS_TRAJECTORY_SPEED, 1U, 1000U);
 }
 
-void test_SWR_TRAJ_004_rows_keep_where_targets_may_lie(void)
+/* An axis that homing has left a little beyond may stay there. */
+void test_SWR_TRAJ_004_no_axis_begins_beyond_where_homing_may_have_left_it(void)
 {
     const axis_config_t *const head = &robot.axes[AXIS_HEAD];
-    row.ticks[AXIS_HEAD] = head->minimum_ticks - 1;
+    row.ticks[AXIS_HEAD] = head->minimum_ticks - head->home_way_ticks - 1;
     begin(1U);
     solution_t judged = add(0U, 0U);
     TEST_ASSERT_EQUAL(STATUS_AXIS_LIMIT, judged.status);
     TEST_ASSERT_EQUAL_UINT8(AXIS_HEAD, judged.axis);
     TEST_ASSERT_EQUAL_UINT8(0U, judged.is_maximum);
-    row.ticks[AXIS_HEAD] = head->maximum_ticks + 1;
+    row.ticks[AXIS_HEAD] = head->maximum_ticks + head->home_way_ticks + 1;
     begin(1U);
     judged = add(0U, 0U);
     TEST_ASSERT_EQUAL(STATUS_AXIS_LIMIT, judged.status);
     TEST_ASSERT_EQUAL_UINT8(1U, judged.is_maximum);
+    row.ticks[AXIS_HEAD]--;
+    begin(1U);
+    expect(STATUS_OK, 0U, 0U);
+}
+
+/* At the ends that have no switch. */
+void test_SWR_TRAJ_004_no_axis_is_driven_beyond_its_limits(void)
+{
+    static const uint32_t which[] = {AXIS_YAW, AXIS_INSERTION};
+    for (uint32_t i = 0U; i < 2U; i++) {
+        const axis_config_t *const axis = &robot.axes[which[i]];
+        const int32_t sign = (i == 0U) ? -1 : 1;
+        const int32_t end = (sign < 0) ? axis->minimum_ticks : axis->maximum_ticks;
+        row.ticks[AXIS_YAW] = 0;
+        row.ticks[which[i]] = end - sign;
+        begin(3U);
+        expect(STATUS_OK, 0U, 0U);
+        row.ticks[which[i]] = end;
+        expect(STATUS_OK, 1U, 1000U);
+        row.ticks[which[i]] = end + sign;
+        const solution_t judged = add(2U, 2000U);
+        TEST_ASSERT_EQUAL(STATUS_AXIS_LIMIT, judged.status);
+        TEST_ASSERT_EQUAL_UINT8(which[i], judged.axis);
+        TEST_ASSERT_EQUAL_UINT8((sign > 0) ? 1U : 0U, judged.is_maximum);
+    }
 }
 
 void test_SWR_TRAJ_004_no_axis_is_driven_to_where_its_switch_may_be_active(void)

@@ -57,7 +57,7 @@ void setUp(void)
     add(1500U, -PEAK, -400);
     add(2500U, -2 * PEAK, 0);
     TEST_ASSERT_EQUAL(STATUS_OK, trajectory_list_end(&list, list.crc));
-    trajectory_mode_begin(&mode, &trajectory);
+    trajectory_mode_begin(&mode, rows[0].time_ms);
 }
 
 void tearDown(void)
@@ -186,7 +186,7 @@ void test_SWR_TRAJ_009_a_single_row_is_a_way_there(void)
     TEST_ASSERT_EQUAL(STATUS_OK, trajectory_list_begin(&list, 1U));
     add(0U, -50, 0);
     TEST_ASSERT_EQUAL(STATUS_OK, trajectory_list_end(&list, list.crc));
-    trajectory_mode_begin(&mode, &trajectory);
+    trajectory_mode_begin(&mode, rows[0].time_ms);
     for (uint32_t i = 0U; (i < LONG_CYCLES) && (result.progress == MODE_RUNNING); i++) {
         step();
     }

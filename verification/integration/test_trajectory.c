@@ -1,0 +1,238 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Rule under test: a trajectory that was sent and judged row by row is an armed order like any
+ * other: driven under the pedal alone, each point in its time, told at its end, replayed bit by
+ * bit. On the simulated box, whose true positions are looked at.
+ */
+#include "integration/support/rig.h"
+
+#include "unity.h"
+
+#include "controller/controller.h"
+#include "robot/robot_neuro.h"
+
+#include <string.h>
+
+#define LONG_CYCLES 30000U
+#define WAY 600 /* The yaw of thesis 5.3: 0 to 600 ticks. */
+
+static rig_t rig;
+static uint32_t sum;
+static trajectory_row_t row;
+
+/* Free of its switch; homing leaves it there. */
+static int32_t begin_ticks(void)
+{
+    return robot_neuro.axes[AXIS_YAW].target_maximum_ticks;
+}
+
+void setUp(void)
+{
+    rig_start_homed(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
+    memset(&row, 0, sizeof row);
+    for (uint32_t i = 0U; i < rig.robot.axis_count; i++) {
+        row.ticks[i] = rig_position(&rig, i);
+    }
+    row.ticks[AXIS_YAW] = begin_ticks();
+    sum = 0U;
+}
+
+void tearDown(void)
+{
+    TEST_ASSERT_EQUAL_UINT32_MESSAGE(0U, rig.driven_without_pedal, "driven without the pedal");
+}
+
+static answer_t list(command_kind_t kind, uint32_t argument)
+{
+    const command_t command = {.kind = (uint32_t)kind, .argument = argument};
+    return rig_command(&rig, command);
+}
+
+static answer_t send_row(uint32_t index, uint32_t time_ms)
+{
+    command_t command = {
+        .kind = (uint32_t)COMMAND_LIST_ROW, .argument = index, .value = (int32_t)time_ms};
+    (void)memcpy(command.ticks, row.ticks, sizeof row.ticks);
+    (void)memcpy(command.speeds, row.speeds_ticks_per_s, sizeof row.speeds_ticks_per_s);
+    row.time_ms = time_ms;
+    sum = trajectory_list_crc(sum, &row);
+    return rig_command(&rig, command);
+}
+
+static void expect_row(uint32_t index, uint32_t time_ms, status_t status)
+{
+    TEST_ASSERT_EQUAL_UINT32(status, send_row(index, time_ms).status);
+}
+
+/* From where the yaw begins by -WAY in 3 s, with speed through the middle, and back in 4 s. */
+static void send_list(void)
+{
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, list(COMMAND_LIST_BEGIN, 4U).status);
+    expect_row(0U, 0U, STATUS_OK);
+    row.ticks[AXIS_YAW] -= WAY / 2;
+    row.speeds_ticks_per_s[AXIS_YAW] = -(WAY / 3);
+    expect_row(1U, 1500U, STATUS_OK);
+    row.ticks[AXIS_YAW] -= WAY / 2;
+    row.speeds_ticks_per_s[AXIS_YAW] = 0;
+    expect_row(2U, 3000U, STATUS_OK);
+    row.ticks[AXIS_YAW] += WAY;
+    expect_row(3U, 7000U, STATUS_OK);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, list(COMMAND_LIST_END, sum).status);
+}
+
+static void expect_run(status_t status)
+{
+    const answer_t answer = list(COMMAND_RUN_TRAJECTORY, sum);
+    TEST_ASSERT_EQUAL_UINT32(status, answer.status);
+    TEST_ASSERT_EQUAL_UINT32((status == STATUS_OK) ? 0U : 1U, answer.is_final);
+}
+
+static void run_until(uint32_t time_us)
+{
+    for (uint32_t i = 0U; (i < LONG_CYCLES) && (rig.outputs.snapshot.trajectory_time_us < time_us);
+         i++) {
+        rig_cycle(&rig);
+    }
+    TEST_ASSERT_EQUAL_UINT32(time_us, rig.outputs.snapshot.trajectory_time_us);
+}
+
+static int32_t yaw(void)
+{
+    return rig.outputs.snapshot.axes[AXIS_YAW].position_ticks;
+}
+
+void test_SWR_TRAJ_014_a_trajectory_is_driven_in_its_time_and_told_at_its_end(void)
+{
+    const int32_t start = begin_ticks();
+    send_list();
+    TEST_ASSERT_EQUAL_UINT32(4U, rig.outputs.snapshot.trajectory_rows);
+    TEST_ASSERT_EQUAL_HEX32(sum, rig.outputs.snapshot.trajectory_crc);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_TRAJECTORY_HELD));
+    expect_run(STATUS_OK);
+    const int32_t stands = yaw();
+    rig_cycles(&rig, 100U);
+    TEST_ASSERT_EQUAL_INT32(stands, yaw());
+    rig_press(&rig);
+    run_until(1500000U);
+    TEST_ASSERT_INT32_WITHIN(30, start - (WAY / 2), yaw());
+    run_until(3000000U);
+    TEST_ASSERT_INT32_WITHIN(30, start - WAY, yaw());
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, LONG_CYCLES).kind);
+    TEST_ASSERT_INT32_WITHIN(2, start, yaw());
+    TEST_ASSERT_EQUAL_UINT32(3U, rig.outputs.snapshot.trajectory_row);
+}
+
+void test_SWR_TRAJ_014_at_its_end_it_may_be_run_again(void)
+{
+    send_list();
+    for (uint32_t i = 0U; i < 2U; i++) {
+        expect_run(STATUS_OK);
+        rig_press(&rig);
+        TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, LONG_CYCLES).kind);
+        rig_release(&rig);
+    }
+}
+
+void test_SWR_TRAJ_014_the_pedal_pauses_it_and_it_goes_on_from_there(void)
+{
+    const int32_t start = begin_ticks();
+    send_list();
+    expect_run(STATUS_OK);
+    rig_press(&rig);
+    run_until(1000000U);
+    rig_release(&rig);
+    const int32_t paused = yaw();
+    const uint32_t time_us = rig.outputs.snapshot.trajectory_time_us;
+    rig_cycles(&rig, 3000U);
+    TEST_ASSERT_INT32_WITHIN(3, paused, yaw());
+    TEST_ASSERT_EQUAL_UINT32(time_us, rig.outputs.snapshot.trajectory_time_us);
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, LONG_CYCLES).kind);
+    TEST_ASSERT_INT32_WITHIN(2, start, yaw());
+}
+
+void test_SWR_TRAJ_014_stop_ends_it_and_leaves_the_list(void)
+{
+    send_list();
+    expect_run(STATUS_OK);
+    rig_press(&rig);
+    run_until(1000000U);
+    rig_forget(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_STOP);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_ORDER_DISCARDED));
+    TEST_ASSERT_EQUAL_UINT32(4U, rig.outputs.snapshot.trajectory_rows);
+    expect_run(STATUS_WRONG_WORKPHASE);
+}
+
+void test_SWR_TRAJ_013_what_is_armed_is_not_changed(void)
+{
+    send_list();
+    expect_run(STATUS_OK);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_AT_REST, list(COMMAND_LIST_BEGIN, 0U).status);
+    expect_row(4U, 8000U, STATUS_NOT_AT_REST);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_AT_REST, list(COMMAND_LIST_END, sum).status);
+    TEST_ASSERT_EQUAL_UINT32(4U, rig.outputs.snapshot.trajectory_rows);
+}
+
+void test_SWR_TRAJ_013_out_of_manual_nothing_is_taken(void)
+{
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_PLANNING).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_WRONG_WORKPHASE, list(COMMAND_LIST_BEGIN, 4U).status);
+}
+
+void test_SWR_TRAJ_001_a_refused_row_is_named_and_nothing_is_held(void)
+{
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OUT_OF_RANGE,
+                             list(COMMAND_LIST_BEGIN, LIMIT_TRAJECTORY_ROWS + 1U).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, list(COMMAND_LIST_BEGIN, 2U).status);
+    expect_row(0U, 0U, STATUS_OK);
+    row.ticks[AXIS_YAW] = rig.robot.axes[AXIS_YAW].maximum_ticks + 1;
+    const answer_t answer = send_row(1U, 1000U);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_AXIS_LIMIT, answer.status);
+    TEST_ASSERT_EQUAL_UINT32(1U, answer.argument);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_YAW, answer.axis);
+    TEST_ASSERT_EQUAL_UINT32(1U, answer.is_maximum);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_TRAJECTORY_ORDER, list(COMMAND_LIST_END, sum).status);
+    expect_run(STATUS_TRAJECTORY_EMPTY);
+}
+
+void test_SWR_TRAJ_001_it_is_emptied_when_that_is_asked_for(void)
+{
+    send_list();
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, list(COMMAND_LIST_BEGIN, 0U).status);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.trajectory_rows);
+    expect_run(STATUS_TRAJECTORY_EMPTY);
+}
+
+void test_SWR_TRAJ_012_a_row_that_is_damaged_ends_it_by_name(void)
+{
+    send_list();
+    expect_run(STATUS_OK);
+    rig_press(&rig);
+    run_until(1000000U);
+    rig_forget(&rig);
+    rig.controller.rows[2].ticks[AXIS_YAW] ^= 1;
+    const answer_t answer = rig_finish(&rig, LONG_CYCLES);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, answer.kind);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_MEMORY_DAMAGED, answer.status);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMORY_DAMAGED));
+}
+
+/* A recording may begin in the middle of a run. */
+void test_SWR_TRAJ_014_the_list_is_part_of_the_state_that_is_replayed(void)
+{
+    static controller_t other;
+    static controller_outputs_t outputs;
+    send_list();
+    expect_run(STATUS_OK);
+    rig_press(&rig);
+    run_until(1000000U);
+    other = rig.controller;
+    for (uint32_t i = 0U; i < 3000U; i++) {
+        rig_cycle(&rig);
+        controller_step(&other, &rig.robot, &rig.inputs, &outputs);
+        TEST_ASSERT_EQUAL_MEMORY(&rig.outputs, &outputs, sizeof outputs);
+    }
+}
