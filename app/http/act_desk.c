@@ -26,6 +26,10 @@ static void take_answers(act_desk_t *self)
     while (exchange_take_answer(self->exchange, COMMAND_SOURCE_HTTP, &answer)) {
         const page_t *page = NULL;
         page_act_t *act = page_table_find_sent(&self->table, answer.id, &page);
+        if ((self->errand != 0U) && (answer.id == self->errand)) {
+            self->errand_answer = answer;
+            self->has_errand_answer = true;
+        }
         if (act != NULL) {
             const bool is_end = act->is_answered;
             act->answer = answer;
@@ -201,6 +205,51 @@ act_verdict_t act_desk_converse(act_desk_t *self, uint32_t page, uint32_t id,
         verdict = act_desk_look(self, page, id, command, answer);
     }
     return verdict;
+}
+
+static bool begin_errand(act_desk_t *self, uint32_t page, const command_t *command)
+{
+    command_t sent = {.id = 0U};
+    (void)pthread_mutex_lock(&self->lock);
+    const bool is_sent =
+        (self->errand == 0U) && !self->has_to_begin && send_as(self, page, command, &sent);
+    if (is_sent) {
+        self->errand = sent.id;
+        self->has_errand_answer = false;
+    }
+    (void)pthread_mutex_unlock(&self->lock);
+    return is_sent;
+}
+
+static bool look_for_errand(act_desk_t *self, bool is_last, answer_t *answer)
+{
+    (void)pthread_mutex_lock(&self->lock);
+    take_answers(self);
+    const bool is_answered = self->has_errand_answer;
+    if (is_answered) {
+        *answer = self->errand_answer;
+    }
+    if (is_answered || is_last) {
+        self->errand = 0U;
+    }
+    (void)pthread_mutex_unlock(&self->lock);
+    return is_answered;
+}
+
+act_verdict_t act_desk_do(act_desk_t *self, uint32_t page, const command_t *command,
+                          answer_t *answer)
+{
+    const uint32_t looks = patience_looks(self->exchange);
+    if (!begin_errand(self, page, command)) {
+        return ACT_LATER;
+    }
+    for (uint32_t i = 0U; i <= looks; i++) {
+        if (look_for_errand(self, i == looks, answer)) {
+            return ACT_ANSWERED;
+        }
+        patience_wait();
+    }
+    return ACT_NO_ANSWER;
 }
 
 bool act_desk_recall(act_desk_t *self, uint32_t page, uint32_t id, command_t *command)

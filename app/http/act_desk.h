@@ -30,6 +30,9 @@ typedef struct {
     exchange_t *exchange;
     page_table_t table;
     uint32_t commands;  /**< Number of the last one. */
+    uint32_t errand;  /**< Number of the command of act_desk_do() that is waited for; 0: none. */
+    bool has_errand_answer;
+    answer_t errand_answer;
     bool has_to_begin;  /**< What an earlier server left must be released first. */
     uint32_t news_next; /**< Number of the next news. */
     act_news_t news[ACT_DESK_NEWS];
@@ -85,6 +88,15 @@ act_verdict_t act_desk_look(act_desk_t *self, uint32_t page, uint32_t id, const 
 /** Asks, and looks for the answer as often as patience_looks() says. */
 act_verdict_t act_desk_converse(act_desk_t *self, uint32_t page, uint32_t id,
                                 const command_t *command, answer_t *answer);
+
+/**
+ * Has `command` of `page` done, which is no act and may be repeated without harm, and waits for its
+ * first answer. One at a time.
+ *
+ * @return ACT_ANSWERED; ACT_LATER when too many wait, another one of these among them; ACT_NO_ANSWER
+ */
+act_verdict_t act_desk_do(act_desk_t *self, uint32_t page, const command_t *command,
+                          answer_t *answer);
 
 /** Copies to `command` what was sent as the act `id` of `page`. False: that is not known. */
 bool act_desk_recall(act_desk_t *self, uint32_t page, uint32_t id, command_t *command);

@@ -187,7 +187,8 @@ static int judge_body(const http_call_t *self)
 {
     const struct mg_request_info *request = mg_get_request_info(self->connection);
     const bool is_chunked = mg_get_header(self->connection, "Transfer-Encoding") != NULL;
-    const bool is_unsaid = (self->route->body != NULL) && (request->content_length < 0);
+    const bool has_body = (self->route->body != NULL) || (self->route->sends != NULL);
+    const bool is_unsaid = has_body && (request->content_length < 0);
     if (is_chunked || is_unsaid) {
         return refuse(self->connection, PROBLEM_LENGTH_REQUIRED);
     }
@@ -195,7 +196,10 @@ static int judge_body(const http_call_t *self)
         return refuse(self->connection, PROBLEM_BODY_TOO_LONG);
     }
     const char *media = mg_get_header(self->connection, "Content-Type");
-    const bool is_other = (request->content_length > 0) && !request_headers_are_json(media);
+    const bool is_expected = (self->route->sends != NULL)
+                                 ? request_headers_are(media, self->route->sends)
+                                 : request_headers_are_json(media);
+    const bool is_other = (request->content_length > 0) && !is_expected;
     return (is_other && !self->route->is_lenient) ? refuse(self->connection, PROBLEM_MEDIA_TYPE)
                                                   : 0;
 }

@@ -14,6 +14,7 @@
 #include "http/http_positions.h"
 #include "http/http_reply.h"
 #include "http/http_targeting.h"
+#include "http/http_trajectory.h"
 #include "http/stop_desk.h"
 #include "http/stop_request.h"
 #include "interface/app/messages.h"
@@ -204,6 +205,14 @@ static int answer(http_server_t *server, const http_call_t *call)
         return http_positions_restore(server, call);
     case ROUTE_MODES:
         return http_modes_show(server, call);
+    case ROUTE_TRAJECTORY:
+        return http_trajectory_show(server, call);
+    case ROUTE_SEND_TRAJECTORY:
+        return http_trajectory_send(server, call);
+    case ROUTE_EMPTY_TRAJECTORY:
+        return http_trajectory_empty(server, call);
+    case ROUTE_RUN_TRAJECTORY:
+        return http_trajectory_run(server, call);
     case ROUTE_COMMUNICATION:
         return http_communication_show(server, call);
     case ROUTE_DISCONNECT:

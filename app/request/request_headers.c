@@ -66,6 +66,11 @@ bool request_headers_are_json(const char *content_type)
     return (content_type == NULL) || is_word(content_type, " \t;", "application/json");
 }
 
+bool request_headers_are(const char *content_type, const char *media)
+{
+    return (content_type != NULL) && is_word(content_type, " \t;", media);
+}
+
 bool request_headers_cookie(const char *cookie, const char *name, char *value, size_t size)
 {
     const size_t length = strlen(name);

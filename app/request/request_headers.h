@@ -19,6 +19,9 @@ bool request_headers_know(const char *if_none_match, const char *etag);
 /** Content-Type: JSON, whatever its parameters are; or nothing is said. */
 bool request_headers_are_json(const char *content_type);
 
+/** Content-Type: `media`, in lower case, whatever its parameters are. */
+bool request_headers_are(const char *content_type, const char *media);
+
 /**
  * Cookie: the value of the cookie `name`, to `value` with its end. False when it is not there, or
  * there twice, or longer.

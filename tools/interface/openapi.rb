@@ -70,7 +70,7 @@ module Interface
       operation = { 'operationId' => route.name, 'description' => route.says }
       parameters = parameters(route, schema)
       operation['parameters'] = parameters unless parameters.empty?
-      operation['requestBody'] = body(route) if route.body
+      operation['requestBody'] = body(route) if route.body || route.sends
       operation['security'] = security(route)
       operation['responses'] = responses(route)
       operation['x-events'] = route.events.transform_values { |one| Schema.ref(one.typescript) } unless route.events.empty?
@@ -111,6 +111,8 @@ module Interface
     end
 
     def body(route)
+      return { 'required' => true, 'content' => { route.sends => { 'schema' => { 'type' => 'string' } } } } if route.sends
+
       needed = route.body.members.any? { |member| !member.optional? }
       { 'required' => needed,
         'content' => { route.lenient? ? '*/*' : JSON_MEDIA => { 'schema' => Schema.ref(route.body.typescript) } } }

@@ -33,7 +33,8 @@ module Interface
         } route_id_t;
 
         #define ROUTE_COUNT #{@routes.routes.size}U
-        #define ROUTE_BODY_MOST #{@routes.routes.map(&:body_most).max}U /**< Bytes of the longest body. */
+        #define ROUTE_BODY_MOST #{@routes.routes.reject(&:sends).map(&:body_most).max}U /**< Bytes of the longest body of JSON. */
+        #define ROUTE_SENT_MOST #{@routes.routes.select(&:sends).map(&:body_most).max.to_i}U /**< The same of those that routes read themselves. */
 
         /** What a path holds in braces. */
         typedef enum {
@@ -56,6 +57,7 @@ module Interface
             bool needs_authority;           /**< That page has authority. */
             bool is_lenient;                /**< Media type and query are not looked at. */
             size_t body_most;               /**< Bytes; 0: there must be no body. */
+            const char *sends;              /**< Media type of a body that the route reads itself; NULL: none. */
             const request_message_t *body;  /**< NULL: none. */
             const request_message_t *query;
         } route_t;
@@ -98,7 +100,11 @@ module Interface
       query = route.parameters.members.empty? ? 'nothing' : route.parameters.name
       "    {ROUTE_#{route.name.upcase}, #{C.string(route.method)}, #{C.string(route.path)}, " \
         "#{value(route)}, #{C.string(@routes.allowed(route.path))},\n     #{route.anyone?}, #{least(route)}, " \
-        "#{route.page?}, #{route.authority?}, #{route.lenient?}, #{route.body_most}U, #{body}, &request_#{query}}"
+        "#{route.page?}, #{route.authority?}, #{route.lenient?}, #{route.body_most}U, #{sent(route)}, #{body}, &request_#{query}}"
+    end
+
+    def sent(route)
+      route.sends ? C.string(route.sends) : 'NULL'
     end
 
     def value(route)

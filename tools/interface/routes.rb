@@ -31,10 +31,10 @@ module Interface
     METHODS = %w[GET POST PUT DELETE].freeze
     PATH = %r{\A/(([a-z0-9_.-]+|\{[a-z]+\})(/|\z))*\z}.freeze
     VALUES = %w[axis number name].freeze # of a path
-    OPTIONAL = %w[answer media parameters headers body body_most events problems refused lenient page authority].freeze
+    OPTIONAL = %w[answer media parameters headers body body_most sends events problems refused lenient page authority].freeze
     Header = Struct.new(:name, :type, :says, keyword_init: true)
 
-    attr_reader :name, :path, :method, :who, :says, :answer, :media, :parameters, :headers, :body, :body_most, :events, :node
+    attr_reader :name, :path, :method, :who, :says, :answer, :media, :parameters, :headers, :body, :body_most, :sends, :events, :node
 
     def initialize(node)
       nodes = node.mapping(%w[name path method who says], OPTIONAL)
@@ -47,6 +47,7 @@ module Interface
       @who = nodes['who'].word
       @says = nodes['says'].text
       @media = nodes['media']&.word
+      @sends = nodes['sends']&.word
       members = list('parameters') { |one| RequestMember.new(one) }
       @parameters = RequestMessage.new("#{name}_query", "The parameters of #{path}.", members, node)
       @headers = list('headers') { |one| header(one) }
@@ -118,7 +119,7 @@ module Interface
     private
 
     def belongs?(whose)
-      { 'any' => true, 'path' => value, 'body' => body, 'query' => parameters.members.any?, 'session' => !anyone?,
+      { 'any' => true, 'path' => value, 'body' => body || sends, 'query' => parameters.members.any?, 'session' => !anyone?,
         'written' => written?, 'page' => page?, 'act' => act? }[whose]
     end
 
@@ -159,8 +160,9 @@ module Interface
 
     def refuse_odd
       node.refuse('has neither answer nor media') unless answer || media
-      node.refuse('has body or body_most without the other') if body.nil? != body_most.zero?
-      node.refuse('has a body, but is a GET') if body && get?
+      node.refuse('has both body and sends') if body && sends
+      node.refuse('has body or sends without body_most, or it without them') if (body || sends).nil? != body_most.zero?
+      node.refuse('has a body, but is a GET') if (body || sends) && get?
       node.refuse('is of a page, but is a GET or for anyone') if page? && !written?
       node.refuse('is an act, but its body has no id') if act? && body&.members&.none? { |one| one.name == 'id' }
       @parameters.members.each { |one| one.node.refuse('is a list or an object') if one.list? || one.message }

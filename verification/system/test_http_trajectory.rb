@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+# Rule under test: a trajectory is sent as a table of text by a page that has authority, refused with the line that is wrong,
+# shown, run under the pedal and emptied.
+
+require_relative 'support/page_test'
+
+class TestHttpTrajectory < Minitest::Test
+  include PageTest
+  extend PageTest::Homed
+
+  PATH = '/api/v1/trajectory'
+  # From where homing leaves the yaw by 20 degrees and back.
+  TABLE = "time s,yaw deg\n0,0\n1.5,-10\n3,-20\n6,0\n"
+
+  def teardown
+    boresight.simctl('pedal', 'release')
+    super
+  end
+
+  # In MANUAL.
+  def holder(name = 'anna')
+    super.tap { |one| assert_answer '200', 'done', one.act('workphase', { workphase: 'MANUAL' }) }
+  end
+
+  def put(client, table, type = 'text/csv')
+    client.request('post', PATH, table, 'Content-Type' => type, 'X-Boresight-Page' => client.page.to_s)
+  end
+
+  def held
+    fetch_json(PATH)
+  end
+
+  def assert_refused(http, code, line, response)
+    told = JSON.parse(response.body)
+    assert_equal [http, code, line], [response.code, told['code'], told['pointer']], response.body
+    assert_described PATH, 'POST', response
+  end
+
+  def test_SWR_TRAJ_015_a_table_is_held_run_and_emptied
+    anna = holder
+    told = JSON.parse(assert_described(PATH, 'POST', put(anna, TABLE)).body)
+    assert_equal [4, 'HTTP'], told.values_at('rows', 'source')
+    assert_equal told, held
+    assert_answer '409', 'TRAJECTORY_SUM', anna.act('trajectory/run', { checksum: told['checksum'] ^ 1 })
+    assert_answer '202', 'accepted', anna.act('trajectory/run', { checksum: told['checksum'] })
+    boresight.simctl('pedal', 'press')
+    wait_until('it is done') do
+      anna.keep && JSON.parse(anna.act('trajectory/run', { checksum: told['checksum'] }, id: anna.id).body)['state'] == 'done'
+    end
+    assert_equal [4, 3, 6.0], held.values_at('rows', 'row', 'time_s')
+    emptied = anna.request('delete', PATH, nil, 'X-Boresight-Page' => anna.page.to_s)
+    assert_equal [0, nil], JSON.parse(assert_described(PATH, 'DELETE', emptied).body).values_at('rows', 'source')
+  end
+
+  def test_SWR_TRAJ_015_what_is_refused_is_named_with_its_line_and_nothing_is_held
+    anna = holder
+    put(anna, TABLE)
+    assert_refused '409', 'AXIS_LIMIT', 'line 3', put(anna, "time s,yaw deg\n0,-80\n9,-89\n")
+    assert_equal 0, held['rows']
+    assert_refused '409', 'TRAJECTORY_ORDER', 'line 4', put(anna, "time s,yaw deg\n0,0\n1,-1\n1,-2\n")
+    assert_refused '409', 'TRAJECTORY_SPEED', 'line 3', put(anna, "time s,yaw deg\n0,0\n0.1,-20\n")
+    assert_refused '400', 'BAD_BODY', 'line 1', put(anna, "time s,nose deg\n0,0\n")
+    assert_refused '400', 'BAD_BODY', 'line 3', put(anna, "time s,yaw deg\n0,0\n1,x\n")
+    assert_answer '409', 'TRAJECTORY_EMPTY', anna.act('trajectory/run', { checksum: 1 })
+  end
+
+  def test_SWR_TRAJ_015_only_who_commands_sends_one_and_as_what_it_is
+    anna = holder
+    assert_equal '415', put(anna, TABLE, 'application/json').code
+    assert_equal '413', put(anna, 'x' * 40_000).code
+    anna.give_up
+    assert_equal '423', put(anna, TABLE).code
+  end
+end
