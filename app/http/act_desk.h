@@ -29,8 +29,8 @@ typedef struct {
     pthread_mutex_t lock;
     exchange_t *exchange;
     page_table_t table;
-    uint32_t commands;  /**< Number of the last one. */
-    uint32_t errand;  /**< Number of the command of act_desk_do() that is waited for; 0: none. */
+    uint32_t commands; /**< Number of the last one. */
+    uint32_t errand;   /**< Number of the command of act_desk_do() that is waited for; 0: none. */
     bool has_errand_answer;
     answer_t errand_answer;
     bool has_to_begin;  /**< What an earlier server left must be released first. */
@@ -93,7 +93,8 @@ act_verdict_t act_desk_converse(act_desk_t *self, uint32_t page, uint32_t id,
  * Has `command` of `page` done, which is no act and may be repeated without harm, and waits for its
  * first answer. One at a time.
  *
- * @return ACT_ANSWERED; ACT_LATER when too many wait, another one of these among them; ACT_NO_ANSWER
+ * @return ACT_ANSWERED; ACT_LATER when too many wait, another one of these among them;
+ * ACT_NO_ANSWER
  */
 act_verdict_t act_desk_do(act_desk_t *self, uint32_t page, const command_t *command,
                           answer_t *answer);

@@ -176,6 +176,14 @@ void test_SWR_TRAJ_013_what_is_armed_is_not_changed(void)
     TEST_ASSERT_EQUAL_UINT32(4U, rig.outputs.snapshot.trajectory_rows);
 }
 
+void test_SWR_TRAJ_013_a_connection_of_navigation_sends_none(void)
+{
+    const command_t command = {.kind = (uint32_t)COMMAND_LIST_BEGIN,
+                               .source = (uint32_t)COMMAND_SOURCE_IGTL,
+                               .peer = RIG_CONNECTION};
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_ALLOWED, rig_command(&rig, command).status);
+}
+
 void test_SWR_TRAJ_013_out_of_manual_nothing_is_taken(void)
 {
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_PLANNING).status);

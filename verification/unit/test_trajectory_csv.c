@@ -103,8 +103,8 @@ void test_SWR_TRAJ_015_a_head_that_says_too_little_or_too_much_is_refused(void)
 
 void test_SWR_TRAJ_015_a_row_that_cannot_be_read_is_refused_with_its_line(void)
 {
-    static const char *const wrong[] = {"1\n",     "1,\n",     "1,x\n",   "1,nan\n", "1,inf\n",
-                                        "1,2,3\n", "1 ,2\n",   "1, 2\n",  "-1,2\n",  "1,3e9\n",
+    static const char *const wrong[] = {"1\n",     "1,\n",    "1,x\n",   "1,nan\n", "1,inf\n",
+                                        "1,2,3\n", "1 ,2\n",  "1, 2\n",  "-1,2\n",  "1,3e9\n",
                                         "1,2;\n",  "1,0x1\n", "9e9,1\n", "\n1,2\n", "1,1e999\n",
                                         "1,+\n",   "1,2\r3\n"};
     for (uint32_t i = 0U; i < (sizeof wrong / sizeof wrong[0]); i++) {
