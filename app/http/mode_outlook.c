@@ -135,5 +135,6 @@ status_t mode_outlook(const robot_t *robot, const snapshot_t *snapshot, mode_kin
     } else {
         /* Nothing arms it. */
     }
-    return status;
+    const bool is_empty = (kind == MODE_TRAJECTORY) && (snapshot->trajectory_rows == 0U);
+    return is_empty ? STATUS_TRAJECTORY_EMPTY : status; /* What the mode itself says comes first. */
 }

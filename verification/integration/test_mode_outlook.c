@@ -71,10 +71,26 @@ static void without_a_place(void)
     rig_cycles(&rig, 20U);
 }
 
-static void (*const scenes[])(void) = {in_undefined,     in_planning,
-                                       in_manual,        on_the_way,
-                                       with_a_lost_card, with_a_stall_of_the_needle,
-                                       after_the_estop,  without_a_place};
+/* A list of one row, where the axes stand. */
+static void with_a_trajectory(void)
+{
+    in_manual();
+    command_t command = {.kind = (uint32_t)COMMAND_LIST_BEGIN, .argument = 1U};
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, command).status);
+    command = (command_t){.kind = (uint32_t)COMMAND_LIST_ROW};
+    for (uint32_t i = 0U; i < rig.robot.axis_count; i++) {
+        command.ticks[i] = rig_position(&rig, i);
+    }
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, command).status);
+    command = (command_t){.kind = (uint32_t)COMMAND_LIST_END,
+                          .argument = rig.outputs.snapshot.trajectory_crc};
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, command).status);
+}
+
+static void (*const scenes[])(void) = {
+    in_undefined,    in_planning,      in_manual,
+    on_the_way,      with_a_lost_card, with_a_stall_of_the_needle,
+    after_the_estop, without_a_place,  with_a_trajectory};
 
 /* One that its mode has nothing against. */
 static command_t command_for(mode_kind_t kind)
@@ -84,6 +100,8 @@ static command_t command_for(mode_kind_t kind)
         command.argument = (uint32_t)WORKPHASE_START_UP;
     } else if (kind == MODE_MOVE) {
         command.argument = (uint32_t)WORKPHASE_MOVE_TO_TARGET;
+    } else if (kind == MODE_TRAJECTORY) {
+        command.argument = rig.outputs.snapshot.trajectory_crc;
     } else {
         command.value = (rig.outputs.snapshot.is_homed != 0U) ? -200 : rig_position(&rig, AXIS_YAW);
     }
@@ -92,8 +110,8 @@ static command_t command_for(mode_kind_t kind)
 
 void test_SWR_MODE_004_what_is_said_of_each_mode_is_what_becomes_of_its_command(void)
 {
-    static const mode_kind_t kinds[] = {MODE_HOMING, MODE_MOVE, MODE_JOG, MODE_RETRACT,
-                                        MODE_HOME_AXIS};
+    static const mode_kind_t kinds[] = {MODE_HOMING,  MODE_MOVE,      MODE_JOG,
+                                        MODE_RETRACT, MODE_HOME_AXIS, MODE_TRAJECTORY};
     uint32_t allowed = 0U;
     uint32_t refused = 0U;
     for (uint32_t i = 0U; i < (sizeof scenes / sizeof scenes[0]); i++) {
