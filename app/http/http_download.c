@@ -2,6 +2,7 @@
 #include "http/http_download.h"
 
 #include "http/http_reply.h"
+#include "http/telemetry.h"
 #include "limits/requirement_limits.h"
 #include "request/request_headers.h"
 
@@ -11,17 +12,23 @@
 
 #define PIECE_BYTES 32768U
 #define ETAG_SIZE 48U
-/* A blocked write ends by the server's timeout (http_server.c). */
-#define WRITE_US 500000U
-#define WRITES (LIMIT_DOWNLOAD_PIECE_US / WRITE_US)
+#define PART_BYTES 4096U /* Of one write, which goes on as long as any of it is taken. */
+/* The library gives up a write after so long without progress, whatever shorter time it is told. */
+#define WRITE_US 2000000U
+#define LAST_WRITE_MS ((LIMIT_DOWNLOAD_PIECE_US - WRITE_US) / 1000U)
 
 /* An error is a write without progress: then all of them are soon over. */
 static bool write_piece(struct mg_connection *connection, const char *bytes, size_t size)
 {
+    const uint64_t begun_ms = telemetry_now_ms();
     size_t sent = 0U;
-    for (uint32_t i = 0U; (i < WRITES) && (sent < size); i++) {
-        const int count = mg_write(connection, &bytes[sent], size - sent);
+    bool is_time_left = true;
+    while ((sent < size) && is_time_left) {
+        const size_t left = size - sent;
+        const int count =
+            mg_write(connection, &bytes[sent], (left < PART_BYTES) ? left : PART_BYTES);
         sent += (count > 0) ? (size_t)count : 0U;
+        is_time_left = (telemetry_now_ms() - begun_ms) <= LAST_WRITE_MS;
     }
     return sent == size;
 }

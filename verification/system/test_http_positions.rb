@@ -192,7 +192,7 @@ class TestHttpPositionsAnew < SystemTest
   PATH = '/api/v1/positions'
 
   def start
-    @boresight = Boresight.start(box: @box, recordings: @directory, arguments: ['--accounts', Accounts.make_for_a_while])
+    @boresight = Boresight.start(box: @box, recordings: @directory, arguments: ['--robot', ROBOT, '--accounts', Accounts.make_for_a_while])
   end
 
   def save

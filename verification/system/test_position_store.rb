@@ -21,7 +21,7 @@ class TestPositionStore < SystemTest
 
   # The programs on that box, and what they say of themselves after the block.
   def programs
-    @boresight = Boresight.start(box: @box, recordings: @directory)
+    @boresight = Boresight.start(box: @box, recordings: @directory, arguments: ['--robot', ROBOT])
     yield @boresight if block_given?
     @boresight
   end
@@ -87,17 +87,16 @@ class TestPositionStore < SystemTest
     end
   end
 
-  # It simulates the default robot.
   def test_SWR_ROBOT_019_the_box_of_another_robot_is_refused
-    other = Boresight.new(box: @box, arguments: %w[--robot bench2])
+    other = Boresight.new(box: @box, arguments: %w[--robot neuro])
     other.launch
     assert_equal 3, other.wait_for_end
-    assert_match(/the box "#{@box}" is not that of this robot bench2; start the box with --robot bench2/, other.output)
+    assert_match(/the box "#{@box}" is not that of this robot neuro; start the box with --robot neuro/, other.output)
   end
 
   def test_SWR_STORE_008_a_box_in_use_is_refused_and_the_first_goes_on
     programs
-    second = Boresight.new(box: @box)
+    second = Boresight.new(box: @box, arguments: ['--robot', ROBOT])
     second.launch
     assert_equal 3, second.wait_for_end
     assert_match(/another process already uses the simulated control box/, second.output)
@@ -119,11 +118,11 @@ class TestPositionStore < SystemTest
     home
     @boresight.kill('control', 'KILL')
     assert_equal 4, @boresight.wait_for_end
-    move('insertion')
+    move('needle')
     programs
     wait_until('every axis is compared') { events('AXIS_RESTORED').size + events('AXIS_CONTRADICTED').size == axes.size }
     lost, kept = axes.partition { |axis| axis['reference'] == 'lost' }
-    assert_equal(['insertion'], lost.map { |axis| axis['name'] })
+    assert_equal(['needle'], lost.map { |axis| axis['name'] })
     assert_equal(['unverified'], kept.map { |axis| axis['reference'] }.uniq)
   end
 
