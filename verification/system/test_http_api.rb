@@ -13,6 +13,10 @@ require_relative 'support/openapi'
 class TestHttpApi < Minitest::Test
   include HttpClient
 
+  def self.robot
+    'bench2'
+  end
+
   WORKERS = 64
   SPARE = 16 # spare_workers
   GETS = %w[status motors targeting log modes].freeze
