@@ -45,10 +45,13 @@ static uint64_t left_ms(const login_failures_t *failures, uint32_t free_failures
     return (whole_ms > gone_ms) ? (whole_ms - gone_ms) : 0U;
 }
 
-uint32_t login_delay_left_s(const login_delay_t *self, const char *name, uint64_t now_ms)
+uint32_t login_delay_left_s(const login_delay_t *self, login_name_t who, uint64_t now_ms)
 {
-    const uint64_t own_ms = left_ms(&self->rows[row_of(name)], LIMIT_LOGIN_FREE_FAILURES, now_ms);
-    const uint64_t all_ms = left_ms(&self->in_all, LIMIT_LOGIN_FREE_FAILURES_IN_ALL, now_ms);
+    const login_failures_t *rows = who.is_known ? self->rows : self->invented;
+    const uint64_t own_ms = left_ms(&rows[row_of(who.name)], LIMIT_LOGIN_FREE_FAILURES, now_ms);
+    const uint64_t all_ms =
+        who.is_known ? 0U
+                     : left_ms(&self->invented_in_all, LIMIT_LOGIN_FREE_FAILURES_IN_ALL, now_ms);
     const uint64_t longer_ms = (own_ms > all_ms) ? own_ms : all_ms;
 
     return (uint32_t)((longer_ms + MS_PER_S - 1U) / MS_PER_S);
@@ -60,14 +63,17 @@ static void count(login_failures_t *failures, uint64_t now_ms)
     failures->failed_ms = now_ms;
 }
 
-void login_delay_note(login_delay_t *self, const char *name, bool is_good, uint64_t now_ms)
+void login_delay_note(login_delay_t *self, login_name_t who, bool is_good, uint64_t now_ms)
 {
-    login_failures_t *row = &self->rows[row_of(name)];
+    login_failures_t *row =
+        who.is_known ? &self->rows[row_of(who.name)] : &self->invented[row_of(who.name)];
 
     if (is_good) {
         row->failures = 0U;
     } else {
         count(row, now_ms);
-        count(&self->in_all, now_ms);
+    }
+    if (!who.is_known) {
+        count(&self->invented_in_all, now_ms);
     }
 }

@@ -108,17 +108,29 @@ static void tell_refusal(session_desk_t *self, const login_t *login, const char 
     }
 }
 
-/* What is counted together: whoever comes with a code, or with this name. */
-static const char *counted(const login_t *login)
+/* The accounts are read anew: who was removed is gone. `account` is changed if there is one. */
+static bool find_account(const session_desk_t *self, const char *name, account_t *account,
+                         char why[SESSION_TEXT_SIZE])
 {
-    return (login->name != NULL) ? login->name : "";
+    accounts_t accounts;
+
+    accounts.count = 0U;
+    if (self->accounts_file != NULL) {
+        (void)accounts_read(&accounts, self->accounts_file, why, SESSION_TEXT_SIZE);
+    }
+    const account_t *found = accounts_find(&accounts, name);
+    if (found != NULL) {
+        *account = *found;
+    }
+    explicit_bzero(&accounts, sizeof accounts);
+    return found != NULL;
 }
 
 /* Takes the right to look at a password. False: `wait_s` says when to come again. */
-static bool claim(session_desk_t *self, const login_t *login, uint64_t now_ms, uint32_t *wait_s)
+static bool claim(session_desk_t *self, login_name_t who, uint64_t now_ms, uint32_t *wait_s)
 {
     (void)pthread_mutex_lock(&self->lock);
-    *wait_s = login_delay_left_s(&self->delay, counted(login), now_ms);
+    *wait_s = login_delay_left_s(&self->delay, who, now_ms);
     if (self->is_looking && (*wait_s == 0U)) {
         *wait_s = BUSY_S;
     }
@@ -127,25 +139,6 @@ static bool claim(session_desk_t *self, const login_t *login, uint64_t now_ms, u
     self->untold += is_free ? 0U : 1U;
     (void)pthread_mutex_unlock(&self->lock);
     return is_free;
-}
-
-/* Looks at the password without the lock. The accounts are read anew: who was removed is gone. */
-static bool is_right_password(const session_desk_t *self, const login_t *login, account_t *account,
-                              char why[SESSION_TEXT_SIZE])
-{
-    accounts_t accounts;
-
-    accounts.count = 0U;
-    if (self->accounts_file != NULL) {
-        (void)accounts_read(&accounts, self->accounts_file, why, SESSION_TEXT_SIZE);
-    }
-    const account_t *found = accounts_find(&accounts, login->name);
-    const bool is_right = password_matches(login->password, (found != NULL) ? found->hash : NULL);
-    if (found != NULL) {
-        *account = *found;
-    }
-    explicit_bzero(&accounts, sizeof accounts);
-    return is_right;
 }
 
 /* With the lock; the code is no more. */
@@ -200,14 +193,18 @@ login_verdict_t session_desk_log_in(session_desk_t *self, const login_t *login, 
     login_verdict_t verdict = LOGIN_REFUSED;
 
     session_desk_tick(self, now_ms);
-    if (!claim(self, login, now_ms, wait_s)) {
+    const bool is_named = login->name != NULL;
+    const bool is_known = is_named && find_account(self, login->name, &account, why);
+    const login_name_t who = {.name = is_named ? login->name : "",
+                              .is_known = is_known || !is_named};
+    if (!claim(self, who, now_ms, wait_s)) {
         return LOGIN_LATER;
     }
-    bool is_right = (login->name != NULL) && is_right_password(self, login, &account, why);
+    bool is_right = is_named && password_matches(login->password, is_known ? account.hash : NULL);
     (void)pthread_mutex_lock(&self->lock);
     self->is_looking = false;
     is_right = is_right || ((login->code != NULL) && take_code(self, login->code));
-    login_delay_note(&self->delay, counted(login), is_right, now_ms);
+    login_delay_note(&self->delay, who, is_right, now_ms);
     if (is_right) {
         verdict = open_session(self, login, &account, now_ms, opened, &old);
     }
@@ -215,7 +212,8 @@ login_verdict_t session_desk_log_in(session_desk_t *self, const login_t *login, 
     if (verdict == LOGIN_OPENED) {
         tell_opened(self, login, opened, &old);
     } else {
-        tell_refusal(self, login, is_right ? "there are too many sessions." : why, now_ms);
+        tell_refusal(self, login, is_right ? "there are too many sessions, of it or in all." : why,
+                     now_ms);
     }
     return verdict;
 }

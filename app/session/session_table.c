@@ -47,9 +47,24 @@ static bool is_over(const session_t *session, uint64_t now_ms)
     return (left.idle_s == 0U) || (left.most_s == 0U);
 }
 
+static uint32_t count_of(const session_table_t *self, const account_t *account)
+{
+    uint32_t count = 0U;
+
+    for (size_t i = 0U; i < LIMIT_SESSIONS; i++) {
+        const session_t *session = &self->sessions[i];
+        const bool is_its = session->is_open && (strcmp(session->account.name, account->name) == 0);
+        count += is_its ? 1U : 0U;
+    }
+    return count;
+}
+
 const session_t *session_table_open(session_table_t *self, const account_t *account,
                                     uint64_t now_ms)
 {
+    if (count_of(self, account) >= LIMIT_ACCOUNT_SESSIONS) {
+        return NULL;
+    }
     for (size_t i = 0U; i < LIMIT_SESSIONS; i++) {
         session_t *session = &self->sessions[i];
         if (!session->is_open) {

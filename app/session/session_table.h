@@ -36,9 +36,11 @@ typedef struct {
 /**
  * Opens a session.
  *
- * @return NULL when there are LIMIT_SESSIONS already, or no random numbers
+ * @return NULL when there are LIMIT_SESSIONS already, LIMIT_ACCOUNT_SESSIONS of them of this
+ * account, or no random numbers
  *
  * @satisfies SWR-SESS-007
+ * @satisfies SWR-SESS-027
  * @satisfies SWR-SESS-008
  */
 const session_t *session_table_open(session_table_t *self, const account_t *account,

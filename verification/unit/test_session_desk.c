@@ -156,16 +156,33 @@ void test_SWR_SESS_005_the_code_opens_one_session_of_an_engineer(void)
 
 void test_SWR_SESS_007_further_logins_are_refused_until_a_session_ends(void)
 {
-    session_t first = {.is_open = false};
+    desk.compared_ms = now_ms;
+    account_t other = {.name = "0", .role = ROLE_OPERATOR};
     for (unsigned i = 0U; i < LIMIT_SESSIONS; i++) {
-        TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
-        first = (i == 0U) ? session : first;
+        other.name[0]++;
+        TEST_ASSERT_NOT_NULL(session_table_open(&desk.table, &other, now_ms));
     }
+    const session_t first = desk.table.sessions[0];
+    session = desk.table.sessions[1];
     TEST_ASSERT_EQUAL_INT(LOGIN_FULL, enter("anna", "correct horse"));
     TEST_ASSERT_TRUE(is_live());
     session_desk_log_out(&desk, first.id, now_ms);
     TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
     now_ms += IDLE_MS;
+    TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
+}
+
+void test_SWR_SESS_027_one_account_takes_no_more_than_its_share(void)
+{
+    TEST_ASSERT_LESS_THAN_UINT(LIMIT_SESSIONS, LIMIT_ACCOUNT_SESSIONS);
+    for (unsigned i = 0U; i < LIMIT_ACCOUNT_SESSIONS; i++) {
+        TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
+    }
+    TEST_ASSERT_EQUAL_INT(LOGIN_FULL, enter("anna", "correct horse"));
+    TEST_ASSERT_TRUE(is_live());
+    const account_t other = {.name = "ann", .role = ROLE_OPERATOR};
+    TEST_ASSERT_NOT_NULL(session_table_open(&desk.table, &other, now_ms));
+    session_desk_log_out(&desk, session.id, now_ms);
     TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
 }
 
@@ -256,13 +273,16 @@ void test_SWR_SESS_009_who_comes_with_an_earlier_time_ends_no_session(void)
     TEST_ASSERT_EQUAL_UINT32(LIMIT_SESSION_IDLE_S, session_left(&session, now_ms).idle_s);
 }
 
+static const login_name_t her_name = {.name = "anna", .is_known = true};
+static const login_name_t his_name = {.name = "bert", .is_known = true};
+
 void test_SWR_SESS_014_who_comes_with_an_earlier_time_waits_all_the_same(void)
 {
-    login_delay_t delay = {.in_all = {.failures = 0U}};
+    login_delay_t delay = {.invented_in_all = {.failures = 0U}};
     for (unsigned i = 0U; i <= LIMIT_LOGIN_FREE_FAILURES; i++) {
-        login_delay_note(&delay, "anna", false, now_ms - i);
+        login_delay_note(&delay, her_name, false, now_ms - i);
     }
-    TEST_ASSERT_EQUAL_UINT32(1U, login_delay_left_s(&delay, "anna", now_ms - 10U));
+    TEST_ASSERT_EQUAL_UINT32(1U, login_delay_left_s(&delay, her_name, now_ms - 10U));
 }
 
 void test_SWR_HTTP_035_what_a_page_does_by_itself_keeps_no_session_awake(void)
@@ -316,38 +336,67 @@ void test_SWR_SESS_013_a_role_may_what_those_before_it_may(void)
 void test_SWR_SESS_014_guessing_one_account_doubles_the_wait_up_to_the_most(void)
 {
     static const uint32_t waits[] = {0U, 0U, 0U, 0U, 1U, 2U, 4U, 8U, 16U, 32U, 64U, 64U, 64U};
-    login_delay_t delay = {.in_all = {.failures = 0U}};
+    login_delay_t delay = {.invented_in_all = {.failures = 0U}};
     for (size_t i = 0U; i < (sizeof waits / sizeof waits[0]); i++) {
-        TEST_ASSERT_EQUAL_UINT32(waits[i], login_delay_left_s(&delay, "anna", now_ms));
+        TEST_ASSERT_EQUAL_UINT32(waits[i], login_delay_left_s(&delay, her_name, now_ms));
         now_ms += (uint64_t)waits[i] * SECOND;
-        TEST_ASSERT_EQUAL_UINT32(0U, login_delay_left_s(&delay, "anna", now_ms));
-        login_delay_note(&delay, "anna", false, now_ms);
+        TEST_ASSERT_EQUAL_UINT32(0U, login_delay_left_s(&delay, her_name, now_ms));
+        login_delay_note(&delay, her_name, false, now_ms);
     }
-    TEST_ASSERT_EQUAL_UINT32(0U, login_delay_left_s(&delay, "bert", now_ms));
-    login_delay_note(&delay, "anna", true, now_ms);
-    TEST_ASSERT_EQUAL_UINT32(0U, login_delay_left_s(&delay, "anna", now_ms));
+    TEST_ASSERT_EQUAL_UINT32(0U, login_delay_left_s(&delay, his_name, now_ms));
+    login_delay_note(&delay, her_name, true, now_ms);
+    TEST_ASSERT_EQUAL_UINT32(0U, login_delay_left_s(&delay, her_name, now_ms));
 }
 
-void test_SWR_SESS_014_guessing_many_accounts_makes_all_wait(void)
+static const login_name_t zoe = {.name = "zoe", .is_known = false};
+
+void test_SWR_SESS_014_inventing_many_names_makes_invented_ones_wait(void)
 {
-    login_delay_t delay = {.in_all = {.failures = 0U}};
+    login_delay_t delay = {.invented_in_all = {.failures = 0U}};
     for (unsigned i = 0U; i < LIMIT_LOGIN_FREE_FAILURES_IN_ALL; i++) {
         char name[8];
         (void)snprintf(name, sizeof name, "a%u", i);
-        TEST_ASSERT_EQUAL_UINT32(0U, login_delay_left_s(&delay, "zoe", now_ms));
-        login_delay_note(&delay, name, false, now_ms);
+        const login_name_t other = {.name = name, .is_known = false};
+        TEST_ASSERT_EQUAL_UINT32(0U, login_delay_left_s(&delay, zoe, now_ms));
+        login_delay_note(&delay, other, false, now_ms);
     }
-    login_delay_note(&delay, "x", false, now_ms);
-    TEST_ASSERT_EQUAL_UINT32(1U, login_delay_left_s(&delay, "zoe", now_ms));
+    const login_name_t last = {.name = "x", .is_known = false};
+    login_delay_note(&delay, last, false, now_ms);
+    TEST_ASSERT_EQUAL_UINT32(1U, login_delay_left_s(&delay, zoe, now_ms));
     now_ms += LIMIT_LOGIN_FORGET_S * SECOND;
-    login_delay_note(&delay, "x", false, now_ms);
-    TEST_ASSERT_EQUAL_UINT32(0U, login_delay_left_s(&delay, "zoe", now_ms));
+    login_delay_note(&delay, last, false, now_ms);
+    TEST_ASSERT_EQUAL_UINT32(0U, login_delay_left_s(&delay, zoe, now_ms));
+}
+
+/* Any of them, so also those that fall into her row. */
+void test_SWR_SESS_028_no_invented_name_makes_an_account_wait(void)
+{
+    login_delay_t delay = {.invented_in_all = {.failures = 0U}};
+    for (unsigned i = 0U; i < (100U * LOGIN_DELAY_ROWS); i++) {
+        char name[8];
+        (void)snprintf(name, sizeof name, "b%u", i);
+        const login_name_t other = {.name = name, .is_known = false};
+        login_delay_note(&delay, other, false, now_ms);
+    }
+    TEST_ASSERT_EQUAL_UINT32(0U, login_delay_left_s(&delay, her_name, now_ms));
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_LOGIN_DELAY_MOST_S, login_delay_left_s(&delay, zoe, now_ms));
+}
+
+void test_SWR_SESS_028_an_account_logs_in_after_a_flood_of_invented_names(void)
+{
+    for (unsigned i = 0U; i < (2U * LIMIT_LOGIN_FREE_FAILURES_IN_ALL); i++) {
+        char name[8];
+        (void)snprintf(name, sizeof name, "c%u", i);
+        (void)enter(name, "wrong");
+    }
+    TEST_ASSERT_EQUAL_INT(LOGIN_LATER, enter("zoe", "wrong"));
+    TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
 }
 
 void test_SWR_SESS_014_it_never_overflows(void)
 {
-    login_delay_t delay = {.in_all = {.failures = UINT32_MAX - 1U, .failed_ms = now_ms}};
-    TEST_ASSERT_EQUAL_UINT32(LIMIT_LOGIN_DELAY_MOST_S, login_delay_left_s(&delay, "a", now_ms));
+    login_delay_t delay = {.invented_in_all = {.failures = UINT32_MAX - 1U, .failed_ms = now_ms}};
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_LOGIN_DELAY_MOST_S, login_delay_left_s(&delay, zoe, now_ms));
 }
 
 void test_SWR_SESS_014_names_that_do_not_exist_wait_like_those_that_do(void)
