@@ -374,6 +374,16 @@ bool exchange_take_answer(exchange_t *self, command_source_t source, answer_t *a
     return true;
 }
 
+void exchange_note_replaced(exchange_t *self, exchange_process_t process)
+{
+    (void)__atomic_fetch_add(&self->segment->others.replaced[process], 1U, __ATOMIC_ACQ_REL);
+}
+
+uint32_t exchange_take_replaced(exchange_t *self, exchange_process_t process)
+{
+    return __atomic_exchange_n(&self->segment->others.replaced[process], 0U, __ATOMIC_ACQ_REL);
+}
+
 void exchange_note_stop_port(exchange_t *self, uint32_t port)
 {
     __atomic_store_n(&self->segment->others.stop_port, port, __ATOMIC_RELEASE);

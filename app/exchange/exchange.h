@@ -94,6 +94,12 @@ void exchange_close(exchange_t *self);
 void exchange_beat(exchange_t *self, exchange_process_t process);
 uint32_t exchange_beats(const exchange_t *self, exchange_process_t process);
 
+/** For the supervisor: it has replaced `process`, which gave no sign of life. */
+void exchange_note_replaced(exchange_t *self, exchange_process_t process);
+
+/** For http, which tells the log: how often that was since it was asked before. */
+uint32_t exchange_take_replaced(exchange_t *self, exchange_process_t process);
+
 /** Publishes `robot`, once, before anything else. */
 void exchange_publish_robot(exchange_t *self, const robot_t *robot);
 

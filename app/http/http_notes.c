@@ -5,6 +5,7 @@
 #include "limits/requirement_limits.h"
 #include "session/passed.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #define EVENTS_AT_ONCE 32U
@@ -40,6 +41,25 @@ uint32_t http_notes_keep(http_notes_t *self, const char *who, const char *text, 
     }
     (void)pthread_mutex_unlock(&self->lock);
     return number;
+}
+
+void http_notes_tell_replaced(http_notes_t *self)
+{
+    static const struct {
+        exchange_process_t process;
+        const char *name;
+    } servers[] = {{EXCHANGE_IGTL, "igtl"}, {EXCHANGE_HTTP, "http"}};
+    char text[80];
+
+    for (size_t i = 0U; i < (sizeof servers / sizeof servers[0]); i++) {
+        const uint32_t count = exchange_take_replaced(self->exchange, servers[i].process);
+        if (count > 0U) {
+            (void)snprintf(text, sizeof text,
+                           "gave no sign of life for %u s and was replaced, %u time%s.",
+                           LIMIT_HANG_US / 1000000U, (unsigned)count, (count > 1U) ? "s" : "");
+            http_notes_write(self, NOTE_REPLACED, servers[i].name, text);
+        }
+    }
 }
 
 static uint32_t newest(http_notes_t *self)

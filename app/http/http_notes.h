@@ -40,6 +40,13 @@ void http_notes_write(void *owner, note_kind_t kind, const char *who, const char
 uint32_t http_notes_keep(http_notes_t *self, const char *who, const char *text, uint64_t now_ms);
 
 /**
+ * Notes which programs the supervisor has replaced.
+ *
+ * @satisfies SWR-LIFE-002
+ */
+void http_notes_tell_replaced(http_notes_t *self);
+
+/**
  * Has the next note logged that nobody else has logged; called by one thread at 20 Hz, which is how
  * many are logged in a second at most. What is overwritten before is never logged.
  *

@@ -276,6 +276,7 @@ void http_server_tick(http_server_t *self)
 {
     telemetry_view_t view;
     session_desk_tick(&self->desk, telemetry_now_ms());
+    http_notes_tell_replaced(&self->notes);
     http_notes_tick(&self->notes);
     act_desk_tick(&self->acts, &self->desk, telemetry_now_ms());
     telemetry_look(&self->telemetry, &view);

@@ -50,6 +50,8 @@ bool child_start(child_t *self, int output, int errors, uint64_t now_us)
     self->pid = pid;
     self->started_us = now_us;
     self->beaten_us = now_us;
+    self->looks = 0U;
+    self->looked_us = now_us;
     self->restart_us = 0U;
     return true;
 }

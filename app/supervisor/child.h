@@ -26,6 +26,9 @@ typedef struct {
     uint64_t backoff_us;
     uint32_t beats;     /**< Alive counter when last looked at. */
     uint64_t beaten_us; /**< When it last changed. */
+    uint32_t heard;     /**< Alive counter at the last look for a hang. */
+    uint32_t looks;     /**< Since it changed. */
+    uint64_t looked_us; /**< The last one. */
 } child_t;
 
 /**

@@ -2,6 +2,7 @@
 #include "supervisor/family.h"
 
 #include "common/clock.h"
+#include "limits/requirement_limits.h"
 #include "supervisor/board_text.h"
 
 #include <errno.h>
@@ -13,6 +14,7 @@
 #include <unistd.h>
 
 #define SILENT_US UINT64_C(2000000)
+#define LOOK_US 200000U
 #define STOP_STEP_NS 2000000L
 
 /* Together less than LIMIT_STOP_TIME_US, in the time of the board. */
@@ -203,14 +205,15 @@ void family_restart(family_t *self)
     }
 }
 
+static const exchange_process_t processes[FAMILY_SIZE] = {
+    [MEMBER_CONTROL] = EXCHANGE_CONTROL,
+    [MEMBER_RECORDER] = EXCHANGE_RECORDER,
+    [MEMBER_IGTL] = EXCHANGE_IGTL,
+    [MEMBER_HTTP] = EXCHANGE_HTTP,
+};
+
 bool family_is_silent(family_t *self, const exchange_t *exchange, member_t member)
 {
-    static const exchange_process_t processes[FAMILY_SIZE] = {
-        [MEMBER_CONTROL] = EXCHANGE_CONTROL,
-        [MEMBER_RECORDER] = EXCHANGE_RECORDER,
-        [MEMBER_IGTL] = EXCHANGE_IGTL,
-        [MEMBER_HTTP] = EXCHANGE_HTTP,
-    };
     child_t *child = &self->members[member];
 
     if (member < MEMBER_CONTROL) {
@@ -222,6 +225,31 @@ bool family_is_silent(family_t *self, const exchange_t *exchange, member_t membe
         child->beaten_us = clock_monotonic_us();
     }
     return (clock_monotonic_us() - child->beaten_us) >= SILENT_US;
+}
+
+bool family_end_hanging(family_t *self, exchange_t *exchange, member_t member)
+{
+    child_t *child = &self->members[member];
+    const uint64_t now_us = clock_monotonic_us();
+    const uint32_t beats = exchange_beats(exchange, processes[member]);
+
+    if ((child->pid == 0) || (beats != child->heard)) {
+        child->heard = beats;
+        child->looks = 0U;
+        child->looked_us = now_us;
+    } else if ((now_us - child->looked_us) >= LOOK_US) {
+        child->looks++;
+        child->looked_us = now_us;
+    } else {
+        /* It is too soon to look. */
+    }
+    const bool is_hanging = child->looks >= (LIMIT_HANG_US / LOOK_US);
+    if (is_hanging) {
+        child->looks = 0U;
+        exchange_note_replaced(exchange, processes[member]);
+        (void)kill(child->pid, SIGKILL);
+    }
+    return is_hanging;
 }
 
 static bool is_running(family_t *self, const member_t *members, uint32_t count)

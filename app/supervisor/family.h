@@ -66,6 +66,15 @@ void family_restart(family_t *self);
 bool family_is_silent(family_t *self, const exchange_t *exchange, member_t member);
 
 /**
+ * To be called often. Looks five times a second, so that a pause of the machine is one look:
+ * whether `member`, which is replaced when it hangs, has given no sign of life for LIMIT_HANG_US.
+ * Then it is killed, which that is told of in the exchange, and family_reap() finds its end.
+ *
+ * @satisfies SWR-LIFE-001
+ */
+bool family_end_hanging(family_t *self, exchange_t *exchange, member_t member);
+
+/**
  * Stops igtl and http, then control, then the recorder, then what came with the board; who does not
  * obey in his time is killed.
  *

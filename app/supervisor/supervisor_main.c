@@ -8,6 +8,7 @@
  */
 #include "common/clock.h"
 #include "common/directory.h"
+#include "limits/requirement_limits.h"
 #include "supervisor/board_text.h"
 #include "supervisor/family.h"
 #include "supervisor/options.h"
@@ -260,6 +261,21 @@ static int next_tick_ms(void)
     return (int)(wait_us / 1000U) + 1;
 }
 
+/* Who serves others is replaced. The recorder is not: what it waits for is the disk, and what it
+ * has not written yet would be lost. */
+static void end_hanging(void)
+{
+    static const member_t servers[] = {MEMBER_IGTL, MEMBER_HTTP};
+
+    for (uint32_t i = 0U; i < (sizeof servers / sizeof servers[0]); i++) {
+        if (family_end_hanging(&family, exchange, servers[i])) {
+            screen_say(&screen, "%s has given no sign of life for %u s; it is ended.",
+                       family.members[servers[i]].name,
+                       (unsigned)(LIMIT_HANG_US / UINT64_C(1000000)));
+        }
+    }
+}
+
 static int supervise(void)
 {
     char line[SCREEN_LINE_SIZE];
@@ -276,6 +292,7 @@ static int supervise(void)
              ended = family_reap(&family)) {
             result = judge_end(&family.members[ended]);
         }
+        end_hanging();
         family_restart(&family);
     }
     return result;

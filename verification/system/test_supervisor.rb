@@ -139,6 +139,25 @@ class TestSupervisor < SystemTest
     assert_equal %w[200 400 800], boresight.output.scan(/again in (\d+) ms/).flatten
   end
 
+  # Nobody but the supervisor ends it: it is held, and lives.
+  def test_SWR_LIFE_001_who_hangs_is_replaced_and_the_log_tells_it_once
+    before = boresight.pids
+    %w[igtl http].each { |name| boresight.kill(name, 'STOP') }
+    wait_until('both are replaced') { %w[igtl http].all? { |name| boresight.pid_of(name)&.!=(before[name]) } }
+    assert_equal %w[control recorder], %w[control recorder].select { |name| boresight.pid_of(name) == before[name] }
+    %w[igtl http].each { |name| assert_equal 1, boresight.output.scan(/^#{name} has given no sign of life for 10 s/).size }
+    boresight.patiently { boresight.status }
+    assert_equal '200', boresight.post_stop(boresight.stop_port).code
+    wait_until('the log tells both') { replacements.size == 2 }
+    assert_equal(%w[http igtl], replacements.map { |text| text[/(http|igtl): gave no sign of life/, 1] }.sort)
+  end
+
+  # What a STOP has refused is sent again, with the same number.
+  def replacements
+    boresight.log.select { |event| event['name'] == 'NOTE' }.uniq { |event| event['value'] }
+             .map { |event| event['text'] }.grep(/gave no sign of life/)
+  end
+
   # Ends with `code`, one sentence that matches, and nothing left.
   def assert_refuses(instance, code, sentence)
     instance.launch

@@ -531,6 +531,15 @@ void test_SWR_HTTP_008_each_of_a_thousand_stops_of_twenty_threads_is_answered(vo
     }
 }
 
+void test_SWR_LIFE_002_who_was_replaced_is_told_once(void)
+{
+    exchange_note_replaced(control, EXCHANGE_IGTL);
+    exchange_note_replaced(control, EXCHANGE_IGTL);
+    TEST_ASSERT_EQUAL_UINT32(0U, exchange_take_replaced(reader, EXCHANGE_HTTP));
+    TEST_ASSERT_EQUAL_UINT32(2U, exchange_take_replaced(reader, EXCHANGE_IGTL));
+    TEST_ASSERT_EQUAL_UINT32(0U, exchange_take_replaced(reader, EXCHANGE_IGTL));
+}
+
 void test_SWR_HTTP_007_the_port_for_stops_is_noted_for_the_next_run(void)
 {
     TEST_ASSERT_EQUAL_UINT32(0U, exchange_stop_port(reader));

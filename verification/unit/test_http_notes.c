@@ -106,6 +106,23 @@ void test_SWR_SESS_020_what_a_stop_has_refused_is_asked_for_again(void)
     expect_asked(0U);
 }
 
+void test_SWR_LIFE_002_who_was_replaced_is_logged_once(void)
+{
+    exchange_note_t note;
+    http_notes_tell_replaced(&notes);
+    expect_asked(0U);
+    exchange_note_replaced(control, EXCHANGE_IGTL);
+    http_notes_tell_replaced(&notes);
+    http_notes_tell_replaced(&notes);
+    expect_asked(2U);
+    TEST_ASSERT_EQUAL_UINT32(NOTE_REPLACED, taken[0].argument);
+    TEST_ASSERT_TRUE(exchange_read_note(server, 2U, &note));
+    TEST_ASSERT_EQUAL_STRING("igtl", note.who);
+    TEST_ASSERT_EQUAL_STRING("gave no sign of life for 10 s and was replaced, 1 time.", note.text);
+    log_it();
+    expect_asked(0U);
+}
+
 void test_SWR_SESS_020_what_is_overwritten_is_passed_over(void)
 {
     for (uint32_t i = 0U; i <= LIMIT_NOTES_KEPT; i++) {
