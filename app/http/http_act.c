@@ -69,6 +69,13 @@ const char *http_act_limit(const answer_t *answer)
     return (answer->status == (uint32_t)STATUS_AXIS_LIMIT) ? end : NULL;
 }
 
+/* What was begun is not done yet, though nothing is against it. */
+static const char *message_of(const answer_t *answer)
+{
+    const bool is_begun = (answer->kind == (uint32_t)ANSWER_ACCEPTED) && (answer->is_final == 0U);
+    return is_begun ? "Accepted; its end is told later." : status_text((int32_t)answer->status);
+}
+
 static const char *state_of(const answer_t *answer)
 {
     const bool is_good =
@@ -85,7 +92,7 @@ cJSON *http_act_tell(const robot_t *robot, uint32_t page, uint32_t id, const ans
                              .page = page,
                              .state = state_of(answer),
                              .code = status_name((int32_t)answer->status),
-                             .message = status_text((int32_t)answer->status),
+                             .message = message_of(answer),
                              .axis = http_act_axis(robot, answer),
                              .limit = http_act_limit(answer),
                              .workphase = workphase_name((int32_t)answer->workphase)};

@@ -5,6 +5,7 @@
 #include "http/http_act.h"
 #include "http/http_door.h"
 #include "http/http_reply.h"
+#include "limits/requirement_limits.h"
 
 #include <string.h>
 
@@ -42,6 +43,13 @@ static uint32_t find_earlier(http_server_t *server, const http_call_t *call)
     return is_same ? (uint32_t)command.value : 0U;
 }
 
+static int refuse_for_now(const http_call_t *call)
+{
+    http_problem_t problem = http_problem_of(PROBLEM_NOTE_TOO_SOON);
+    problem.retry_after_s = LIMIT_NOTE_PAUSE_MS / 1000U;
+    return http_reply_problem(call->connection, &problem, NULL);
+}
+
 int http_log_note_write(http_server_t *server, const http_call_t *call)
 {
     const request_log_note_t *body = &call->body.log_note;
@@ -61,6 +69,5 @@ int http_log_note_write(http_server_t *server, const http_call_t *call)
                                .kind = (uint32_t)COMMAND_NOTE,
                                .argument = (uint32_t)NOTE_OPERATOR,
                                .value = (int32_t)number};
-    return (number != 0U) ? http_act_command(server, call, &command)
-                          : http_reply_refuse(call->connection, PROBLEM_BUSY);
+    return (number != 0U) ? http_act_command(server, call, &command) : refuse_for_now(call);
 }

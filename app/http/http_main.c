@@ -40,6 +40,7 @@ typedef struct {
     const char *recordings;
     const char *tls_file;
     const char *box_key;
+    bool is_help_asked;
     bool is_stunnel_asked;
     http_guard_t guard;
 } options_t;
@@ -81,6 +82,9 @@ static bool read_option(int option, const char *value, options_t *options)
     case 's':
         options->is_stunnel_asked = true;
         return true;
+    case 'h':
+        options->is_help_asked = true;
+        return true;
     case 'd':
         options->recordings = value;
         return true;
@@ -98,12 +102,17 @@ static bool read_option(int option, const char *value, options_t *options)
 
 static bool read_options(int count, char **arguments, options_t *options)
 {
-    static const struct option known[] = {
-        {"exchange", required_argument, NULL, 'e'}, {"port", required_argument, NULL, 'p'},
-        {"bind", required_argument, NULL, 'b'},     {"accounts", required_argument, NULL, 'a'},
-        {"box", required_argument, NULL, 'x'},      {"tls-file", required_argument, NULL, 't'},
-        {"stunnel", no_argument, NULL, 's'},        {"recordings", required_argument, NULL, 'd'},
-        {"box-key", required_argument, NULL, 'k'},  {NULL, 0, NULL, 0}};
+    static const struct option known[] = {{"exchange", required_argument, NULL, 'e'},
+                                          {"port", required_argument, NULL, 'p'},
+                                          {"bind", required_argument, NULL, 'b'},
+                                          {"accounts", required_argument, NULL, 'a'},
+                                          {"box", required_argument, NULL, 'x'},
+                                          {"tls-file", required_argument, NULL, 't'},
+                                          {"stunnel", no_argument, NULL, 's'},
+                                          {"recordings", required_argument, NULL, 'd'},
+                                          {"box-key", required_argument, NULL, 'k'},
+                                          {"help", no_argument, NULL, 'h'},
+                                          {NULL, 0, NULL, 0}};
     (void)memset(options, 0, sizeof *options);
     options->guard.port = DEFAULT_PORT;
     (void)read_address("127.0.0.1", options->guard.address);
@@ -117,7 +126,7 @@ static bool read_options(int count, char **arguments, options_t *options)
     options->guard.page_port = options->guard.port;
     const bool is_asked = options->is_stunnel_asked && (options->tls_file != NULL);
     const bool is_served = (options->exchange != NULL) && (options->recordings != NULL);
-    return (is_served || is_asked) && (optind == count);
+    return (is_served || is_asked || options->is_help_asked) && (optind == count);
 }
 
 static int complain_of_front(uint16_t port, const char *key)
@@ -170,13 +179,14 @@ static void serve(exchange_t *exchange, const sigset_t *ends)
 int main(int count, char **arguments)
 {
     options_t options;
-    if (!read_options(count, arguments, &options)) {
-        (void)fprintf(stderr,
-                      "usage: boresight-http --exchange NAME --recordings DIRECTORY [--port 8080] "
-                      "[--bind 127.0.0.1] [--box NAME] [--accounts FILE] [--tls-file FILE] "
-                      "[--box-key FILE]\n"
-                      "       boresight-http --tls-file FILE --stunnel\n");
-        return EXIT_USAGE;
+    const bool is_good = read_options(count, arguments, &options);
+    if (!is_good || options.is_help_asked) {
+        (void)fputs("usage: boresight-http --exchange NAME --recordings DIRECTORY [--port 8080] "
+                    "[--bind 127.0.0.1] [--box NAME] [--accounts FILE] [--tls-file FILE] "
+                    "[--box-key FILE]\n"
+                    "       boresight-http --tls-file FILE --stunnel\n",
+                    is_good ? stdout : stderr);
+        return is_good ? EXIT_SUCCESS : EXIT_USAGE;
     }
     char error[512];
     if ((options.tls_file != NULL) &&

@@ -23,6 +23,7 @@
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 
 #define EXIT_USAGE 2
@@ -321,6 +322,10 @@ int main(int count, char **arguments)
     static igtl_options_t options;
     char error[ERROR_SIZE];
 
+    if ((count == 2) && (strcmp(arguments[1], "--help") == 0)) {
+        (void)puts(igtl_options_usage);
+        return EXIT_SUCCESS;
+    }
     if (!igtl_options_read(&options, count, arguments, error, sizeof error)) {
         (void)fprintf(stderr, "%s\n", error);
         return EXIT_USAGE;

@@ -30,6 +30,9 @@ static bool read_port(const char *text, uint16_t *port)
     return true;
 }
 
+const char igtl_options_usage[] = "usage: boresight-igtl --exchange NAME [--igtl-file FILE | "
+                                  "[--brp-port PORT] [--igtl-port PORT] [--bind ADDRESS]]";
+
 static bool take(igtl_options_t *self, given_t *given, int option, const char *value)
 {
     switch (option) {
@@ -67,9 +70,7 @@ bool igtl_options_read(igtl_options_t *self, int count, char **arguments, char *
         option = getopt_long(count, arguments, "", names, NULL);
     }
     if (!is_good || (self->exchange == NULL) || (optind != count)) {
-        (void)snprintf(error, error_size,
-                       "usage: boresight-igtl --exchange NAME [--igtl-file FILE | [--brp-port PORT]"
-                       " [--igtl-port PORT] [--bind ADDRESS]]");
+        (void)snprintf(error, error_size, "%s", igtl_options_usage);
         return false;
     }
     if (self->file != NULL) {

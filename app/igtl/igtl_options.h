@@ -14,6 +14,9 @@ typedef struct {
     igtl_ports_t ports;
 } igtl_options_t;
 
+/** One line. */
+extern const char igtl_options_usage[];
+
 /** Reads the command line, and the file of ports. False with a sentence in `error`. */
 bool igtl_options_read(igtl_options_t *self, int count, char **arguments, char *error,
                        size_t error_size);

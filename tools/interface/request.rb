@@ -116,23 +116,28 @@ module Interface
     DEPTH = 8 # REQUEST_DEPTH
     MEMBERS_MOST = 32 # REQUEST_FIELDS_MOST
 
-    attr_reader :name, :says, :members
+    # Sets of optional members of which a body has exactly one; empty: it may have any.
+    attr_reader :name, :says, :members, :choices
 
     def self.read(node)
-      nodes = node.mapping(%w[name says members])
-      new(nodes['name'].identifier, nodes['says'].text, nodes['members'].sequence.map { |one| RequestMember.new(one) }, node)
+      nodes = node.mapping(%w[name says members], %w[one_of])
+      new(nodes['name'].identifier, nodes['says'].text, nodes['members'].sequence.map { |one| RequestMember.new(one) }, node,
+          nodes['one_of'])
     end
 
-    def initialize(name, says, members, node)
+    def initialize(name, says, members, node, choices = nil)
       @name = name
       @says = says
       @members = members
       @node = node
+      @choices = choices ? choices.sequence.map { |set| set.sequence.map(&:identifier) } : []
     end
 
     def check(model, requests)
       members.each { |member| member.check(model, requests) }
       members.group_by(&:name).each_value { |same| same[1]&.node&.refuse("is the second #{same.first.name} in #{name}") }
+      others = @choices.flatten - members.select(&:optional?).map(&:name)
+      @node.refuse("one_of of #{name} names #{others.join(', ')}, no optional member") unless others.empty?
       @node.refuse("#{name} has more than #{MEMBERS_MOST} members") if members.size > MEMBERS_MOST
     end
 

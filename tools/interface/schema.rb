@@ -65,7 +65,11 @@ module Interface
     def request(request)
       properties = request.members.to_h { |one| [one.name, described(one.says, member(one))] }
       object(properties, request.members.reject(&:optional?).map(&:name), request.says)
-        .merge('additionalProperties' => false)
+        .merge('additionalProperties' => false).merge(choices(request))
+    end
+
+    def choices(request)
+      request.choices.empty? ? {} : { 'oneOf' => request.choices.map { |names| { 'required' => names } } }
     end
 
     def described(says, schema)

@@ -189,6 +189,13 @@ class TestInterfaceRoutes < Minitest::Test
     assert_equal '3.1.0', document['openapi']
   end
 
+  def test_SWR_TOOL_020_the_document_says_which_members_stand_for_each_other
+    schemas = JSON.parse(File.read(File.join(ROOT, 'build/gen/interface/app/openapi.json'))).dig('components', 'schemas')
+    assert_equal [%w[name password], %w[code]], schemas.dig('LoginRequest', 'oneOf').map { |one| one['required'] }
+    assert_equal [%w[file], %w[motors]], schemas.dig('PreviewRequest', 'oneOf').map { |one| one['required'] }
+    refute schemas.fetch('StopRequest').key?('oneOf')
+  end
+
   def test_SWR_TOOL_020_the_document_says_what_needs_a_session
     paths = JSON.parse(File.read(File.join(ROOT, 'build/gen/interface/app/openapi.json')))['paths']
     session = { 'session' => [] }

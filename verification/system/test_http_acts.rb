@@ -116,7 +116,8 @@ class TestHttpActs < Minitest::Test
     anna = holder
     stream = open_stream
     anna.act('workphase', { workphase: 'MANUAL' })
-    assert_answer '202', 'accepted', anna.act('motors/yaw/jog', { position: -3 })
+    begun = assert_answer '202', 'accepted', anna.act('motors/yaw/jog', { position: -3 })
+    assert_equal ['OK', 'Accepted; its end is told later.'], begun.values_at('code', 'message')
     anna.give_up
     told = stream.next_of('act')
     assert_equal [anna.page, anna.id, 'failed', 'NO_AUTHORITY'], told.values_at('page', 'id', 'state', 'code')

@@ -11,7 +11,7 @@ class TestHttpNotes < Minitest::Test
   # The answer, as soon as the pause after the note before is over.
   def write(client, text, id: client.id += 1)
     answer = nil
-    wait_until('the server takes a note') { (answer = client.act('log/note', { text: text }, id:)).code != '503' }
+    wait_until('the server takes a note') { (answer = client.act('log/note', { text: text }, id:)).code != '429' }
     answer
   end
 

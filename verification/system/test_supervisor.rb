@@ -219,6 +219,14 @@ class TestSupervisor < SystemTest
     assert_includes text, '[--box NAME] [--slow NUMBER] [--real-time]'
   end
 
+  def test_SWR_SUP_007_a_server_that_is_asked_for_help_prints_its_usage_as_an_answer
+    %w[boresight-http boresight-igtl].each do |program|
+      text, errors, status = Open3.capture3(Boresight.program(program), '--help')
+      assert_equal [true, ''], [status.success?, errors]
+      assert_match(/\Ausage: #{program} --exchange NAME/, text)
+    end
+  end
+
   def test_SWR_ROBOT_016_an_unknown_robot_is_refused_with_the_names_of_those_there_are
     folders = Dir.glob(File.expand_path('../../core/robot/*/robot.yml', __dir__)).sort.map { |path| File.dirname(path) }
     names = folders.map { |folder| File.basename(folder) }
