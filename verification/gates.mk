@@ -29,7 +29,7 @@ endif
 
 one: bootstrap-test ## One file of tests: make one NAME=test_encoder
 	@$(MAKE) --no-print-directory -j2 $(if $(filter %.c,$(ONE)),generated,programs)
-	@$(if $(filter %.c,$(ONE)),$(CEEDLING) test:$(NAME),ruby $(ONE) -v)
+	@$(if $(filter %.c,$(ONE)),$(CEEDLING) test:$(NAME),env -u MAKEFLAGS -u MAKELEVEL -u NAME ruby $(ONE) -v)
 
 ALL_APP := $(wildcard app/*/*.c bsp/sim/*.c)
 # What is verified runs on the simulated control box, whichever board the programs are for.
