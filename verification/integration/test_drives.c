@@ -34,7 +34,8 @@ static void seal_rotation(void)
 
 static answer_t jog_rotation(int32_t ticks)
 {
-    const command_t jog = {.kind = (uint32_t)COMMAND_JOG, .argument = AXIS_ROTATION, .value = ticks};
+    const command_t jog = {
+        .kind = (uint32_t)COMMAND_JOG, .argument = AXIS_ROTATION, .value = ticks};
     return rig_command(&rig, jog);
 }
 
@@ -107,7 +108,8 @@ void test_SWR_DRIVE_008_a_hot_motor_is_disabled_and_keeps_its_position(void)
 void test_SWR_DRIVE_008_a_motor_as_warm_as_it_may_be_is_driven_on(void)
 {
     rig_start_robot_homed(&rig, &robot_prostate);
-    TEST_ASSERT_EQUAL_INT32(LIMIT_SHINSEI_HOTTEST_DC, robot_prostate.axes[AXIS_ROTATION].hottest_dc);
+    TEST_ASSERT_EQUAL_INT32(LIMIT_SHINSEI_HOTTEST_DC,
+                            robot_prostate.axes[AXIS_ROTATION].hottest_dc);
     rig.box.axes[AXIS_ROTATION].card.motor_temperature_c = 55.0;
     rig_cycles(&rig, 12U);
     TEST_ASSERT_TRUE(axis_is_enabled(&rig.controller.axes[AXIS_ROTATION]));
