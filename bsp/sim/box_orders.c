@@ -21,17 +21,18 @@ typedef struct {
     size_t length;
 } reply_t;
 
+/* Words of which any may be taken; `plug` takes any slot that no axis has, `force` any reading. */
 static const char orders[] = "pedal press|release|pulse\n"
                              "pedal a|b open|close\n"
                              "estop pull|reset|pulse\n"
                              "button press|release\n"
                              "card SLOT silent|corrupt|foreign|normal\n"
-                             "plug SLOT none|pwm|non_pwm|sensor|high_frequency|analog\n"
+                             "plug 8|9 none|pwm|non_pwm|sensor|high_frequency|analog\n"
                              "encoder SLOT stuck|reversed|half|normal\n"
                              "motor SLOT stuck|half|twice|runs|hot|normal\n"
                              "switch SLOT stuck|open|chatter|reversed|normal\n"
                              "scanner on|off\n"
-                             "force hand|needle READING\n"
+                             "force hand|needle 0|1780|1970|4095\n"
                              "show\n";
 
 const char *box_orders(void)
