@@ -4,6 +4,7 @@
 #define BORESIGHT_CARD_H
 
 #define CARD_SLOT_COUNT 10U    /**< Card slots of the control box. */
+#define CARD_TYPES 6U          /**< How many values card_type_t has. */
 #define CARD_ADC_WORDS 2U      /**< Words of its converters in a report, two in each. */
 #define CARD_EVERY_SLOT 0x3FFU /**< Their bits. */
 

@@ -62,6 +62,7 @@
 #define LARGEST_DUTY 0x7FFFFFU
 #define LARGEST_POSITIVE 0x7FFFFFFFU
 #define WAVE_WORDS 4U
+#define DRIVE_MODES 5U
 
 static inline void put_word(uint8_t bytes[CARD_FRAME_BYTES], uint32_t index, uint32_t word)
 {
@@ -122,36 +123,26 @@ static uint32_t header_word(uint32_t slot, uint32_t type)
     return (protocol << 24U) | (fit(slot, LARGEST_8_BIT) << 16U) | (length_words << 8U) | type;
 }
 
-/* In whatever order of bytes. */
-static inline uint32_t bits_at(const uint8_t *at)
-{
-    uint32_t word;
-
-    (void)memcpy(&word, at, sizeof word);
-    return word;
-}
-
-static inline uint32_t bits_of_four(const uint8_t *at)
-{
-    return bits_at(at) | bits_at(&at[4]) | bits_at(&at[8]) | bits_at(&at[12]);
-}
-
-/* A word from `first` to before `end` is not zero. Eight at a time: half of the instructions. */
+/* A word from `first` to before `end` is not zero. Four at a time: half of the instructions. */
 static inline bool has_bits(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t first, uint32_t end)
 {
     const uint8_t *at = &bytes[first * 4U];
     uint32_t left = end - first;
-    uint32_t bits = 0U;
 
-    for (; left >= 8U; left -= 8U) {
-        bits |= bits_of_four(at) | bits_of_four(&at[16]);
-        at = &at[32];
+    for (; left >= 4U; left -= 4U) {
+        if ((get_word(at, 0U) != 0U) || (get_word(at, 1U) != 0U) || (get_word(at, 2U) != 0U) ||
+            (get_word(at, 3U) != 0U)) {
+            return true;
+        }
+        at = &at[16];
     }
     for (; left > 0U; left--) {
-        bits |= bits_at(at);
+        if (get_word(at, 0U) != 0U) {
+            return true;
+        }
         at = &at[4];
     }
-    return bits != 0U;
+    return false;
 }
 
 /* What the checksum of a direction jumps over, the reserved words from `first` to before `end`, and
@@ -301,23 +292,22 @@ typedef struct {
     uint32_t most_amplitude;
 } drive_range_t;
 
-static const drive_range_t drive_ranges[] = {
-    [CARD_DRIVE_PWM] = {1U, 0U, LARGEST_DUTY, 0U, 0U},
-    [CARD_DRIVE_NON_PWM] = {1U, 0U, LARGEST_DUTY, 0U, 0U},
-    [CARD_DRIVE_HIGH_FREQUENCY] = {1U, LIMIT_WAVE_FASTEST_WORD, LIMIT_WAVE_SLOWEST_WORD, 1U,
-                                   LARGEST_8_BIT},
-    [CARD_DRIVE_ANALOG] = {1U, 0U, LARGEST_16_BIT, 0U, 0U},
-};
-
 static inline bool is_drive_valid(const card_drive_t *drive)
 {
+    static const drive_range_t ranges[DRIVE_MODES] = {
+        [CARD_DRIVE_PWM] = {1U, 0U, LARGEST_DUTY, 0U, 0U},
+        [CARD_DRIVE_NON_PWM] = {1U, 0U, LARGEST_DUTY, 0U, 0U},
+        [CARD_DRIVE_HIGH_FREQUENCY] = {1U, LIMIT_WAVE_FASTEST_WORD, LIMIT_WAVE_SLOWEST_WORD, 1U,
+                                       LARGEST_8_BIT},
+        [CARD_DRIVE_ANALOG] = {1U, 0U, LARGEST_16_BIT, 0U, 0U},
+    };
     if (is_drive_off(drive)) {
         return (drive->direction | drive->duty | drive->amplitude) == 0U;
     }
-    if (drive->mode >= (sizeof drive_ranges / sizeof drive_ranges[0])) {
+    if (drive->mode >= DRIVE_MODES) {
         return false;
     }
-    const drive_range_t *const range = &drive_ranges[drive->mode];
+    const drive_range_t *const range = &ranges[drive->mode];
     return (drive->direction <= range->most_direction) && (drive->duty >= range->least_duty) &&
            (drive->duty <= range->most_duty) && (drive->amplitude >= range->least_amplitude) &&
            (drive->amplitude <= range->most_amplitude);

@@ -132,13 +132,13 @@ typedef enum {
 /** @return the card_drive_mode_t of the drives of a card_type_t; CARD_DRIVE_OFF: it has none */
 static inline uint32_t card_drive_mode_of(uint32_t card_type)
 {
-    static const uint8_t modes[] = {
+    static const uint8_t modes[CARD_TYPES] = {
         [CARD_TYPE_PWM] = (uint8_t)CARD_DRIVE_PWM,
         [CARD_TYPE_NON_PWM] = (uint8_t)CARD_DRIVE_NON_PWM,
         [CARD_TYPE_HIGH_FREQUENCY] = (uint8_t)CARD_DRIVE_HIGH_FREQUENCY,
         [CARD_TYPE_ANALOG] = (uint8_t)CARD_DRIVE_ANALOG,
     };
-    return (card_type < sizeof modes) ? (uint32_t)modes[card_type] : (uint32_t)CARD_DRIVE_OFF;
+    return (card_type < CARD_TYPES) ? (uint32_t)modes[card_type] : (uint32_t)CARD_DRIVE_OFF;
 }
 
 /**

@@ -55,7 +55,8 @@ static uint32_t wave_word(const axis_config_t *config, int64_t speed_q8)
     const int64_t part_q8 =
         clamp((wanted_q8 - (low * 256)) / (curve_at(config, step + 1U) - low), 256);
     const int64_t down = (((int64_t)step * 256) + part_q8) * wave_span(config);
-    return config->minimum_duty - (uint32_t)(down / ((int64_t)ROBOT_CURVE_STEPS * 256));
+    const int64_t below = down / ((int64_t)ROBOT_CURVE_STEPS * 256);
+    return config->minimum_duty - (uint32_t)below;
 }
 
 static int64_t wave_speed_q8(const axis_config_t *config, uint32_t word)
@@ -63,7 +64,8 @@ static int64_t wave_speed_q8(const axis_config_t *config, uint32_t word)
     const int64_t span = wave_span(config);
     const int64_t down = clamp((int64_t)config->minimum_duty - (int64_t)word, span);
     const int64_t steps_q8 = (down * (int64_t)ROBOT_CURVE_STEPS * 256) / span;
-    const uint32_t step = (uint32_t)(steps_q8 / 256);
+    const int64_t whole = steps_q8 / 256;
+    const uint32_t step = (uint32_t)whole;
     const int64_t low = curve_at(config, step);
     const int64_t share_q8 =
         (low * 256) + ((curve_at(config, step + 1U) - low) * (steps_q8 - ((int64_t)step * 256)));
