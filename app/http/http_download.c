@@ -15,6 +15,7 @@
 #define PART_BYTES 4096U /* Of one write, which goes on as long as any of it is taken. */
 /* The library gives up a write after so long without progress, whatever shorter time it is told. */
 #define WRITE_US 2000000U
+#define WRITES (LIMIT_DOWNLOAD_PIECE_US / WRITE_US)
 #define LAST_WRITE_MS ((LIMIT_DOWNLOAD_PIECE_US - WRITE_US) / 1000U)
 
 /* An error is a write without progress: then all of them are soon over. */
@@ -22,13 +23,14 @@ static bool write_piece(struct mg_connection *connection, const char *bytes, siz
 {
     const uint64_t begun_ms = telemetry_now_ms();
     size_t sent = 0U;
-    bool is_time_left = true;
-    while ((sent < size) && is_time_left) {
+    uint32_t in_vain = 0U;
+    while ((sent < size) && (in_vain < WRITES) &&
+           ((telemetry_now_ms() - begun_ms) <= LAST_WRITE_MS)) {
         const size_t left = size - sent;
         const int count =
             mg_write(connection, &bytes[sent], (left < PART_BYTES) ? left : PART_BYTES);
         sent += (count > 0) ? (size_t)count : 0U;
-        is_time_left = (telemetry_now_ms() - begun_ms) <= LAST_WRITE_MS;
+        in_vain += (count > 0) ? 0U : 1U;
     }
     return sent == size;
 }
