@@ -21,6 +21,7 @@ bool retract_mode_is_done(const mode_frame_t *frame);
  * retraction is done.
  *
  * @satisfies SWR-MOTION-023
+ * @satisfies SWR-THESIS-002
  */
 void retract_mode_step(leg_t *leg, const mode_frame_t *frame, mode_result_t *result);
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# The workflow of an OpenIGTLink client under the foot pedal: home, register, aim, move, read back. For any robot.
+# The workflow of an OpenIGTLink client under the foot pedal: home, register, aim, move, read back, retract. For any robot.
 class Workflow
   def initialize(robot)
     @robot = robot
@@ -42,6 +42,13 @@ class Workflow
     @robot.simctl('pedal', 'press')
   end
 
+  # Where the needle is at its target.
+  def retract
+    say('string', 'RETRACT_NEEDLE', 'RETRACT_NEEDLE')
+    await('ACK_RETRACT_NEEDLE')
+    hold_pedal('RETRACT_NEEDLE')
+  end
+
   # Where the treatment point is, mm.
   def measured
     matrix = say('get', 'CURRENT_POSITION').reverse.find { |line| line['type'] == 'TRANSFORM' }['matrix']
@@ -58,8 +65,12 @@ class Workflow
   # Commands with the pedal up, then holds the pedal until the result is there.
   def under_pedal(phase)
     phase(phase)
+    hold_pedal(phase)
+  end
+
+  def hold_pedal(result)
     @robot.simctl('pedal', 'press')
-    await(phase)
+    await(result)
     @robot.simctl('pedal', 'release')
     @robot.wait_until('the pedal is seen released') { @robot.status['pedal'] == 'released' }
   end
