@@ -6,9 +6,9 @@
 #include "controller/controller_order.h"
 #include "controller/controller_trajectory.h"
 
-/* What the command says to its mode. */
-static mode_request_t request_of(const controller_t *self, const command_t *command,
-                                 mode_kind_t kind)
+/* What the command, and where the robot stands, say to its mode. */
+static mode_request_t request_of(const controller_t *self, const cycle_t *cycle,
+                                 const command_t *command, mode_kind_t kind)
 {
     mode_request_t request = {.axes = 0U};
     switch (kind) {
@@ -22,10 +22,12 @@ static mode_request_t request_of(const controller_t *self, const command_t *comm
     case MODE_TRAJECTORY:
         request.start_ms = self->rows[0].time_ms;
         break;
+    case MODE_RETRACT:
+        request.jog.ticks = retract_mode_end_ticks(cycle->robot, self->axes);
+        break;
     case MODE_NONE:
     case MODE_HOMING:
     case MODE_MOVE:
-    case MODE_RETRACT:
     default:
         /* Its command alone. */
         break;
@@ -47,7 +49,7 @@ status_t controller_obey_motion(controller_t *self, const cycle_t *cycle, const 
                                 answer_t *answer)
 {
     const mode_kind_t kind = mode_of_command(command->kind);
-    mode_request_t request = request_of(self, command, kind);
+    mode_request_t request = request_of(self, cycle, command, kind);
     const solution_t judged = (kind == MODE_TRAJECTORY)
                                   ? controller_judge_trajectory(self, cycle, command->argument)
                                   : mode_judge(kind, &request, cycle->robot, self->axes);

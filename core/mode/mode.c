@@ -110,7 +110,7 @@ static void run(mode_state_t *self, mode_kind_t kind, const mode_frame_t *frame,
         jog_mode_step(&self->request.jog, &self->leg, frame, result);
         break;
     case MODE_RETRACT:
-        retract_mode_step(&self->leg, frame, result);
+        retract_mode_step(self->request.jog.ticks, &self->leg, frame, result);
         break;
     case MODE_HOME_AXIS:
         homing_mode_step_axis(self->request.jog.axis, frame, result);
@@ -132,7 +132,7 @@ static void run(mode_state_t *self, mode_kind_t kind, const mode_frame_t *frame,
 static bool is_done_already(const mode_state_t *self, mode_kind_t kind, const mode_frame_t *frame)
 {
     return ((kind == MODE_HOMING) && homing_mode_is_done(&self->leg, frame)) ||
-           ((kind == MODE_RETRACT) && retract_mode_is_done(frame)) ||
+           ((kind == MODE_RETRACT) && retract_mode_is_done(self->request.jog.ticks, frame)) ||
            ((kind == MODE_HOME_AXIS) && homing_mode_is_axis_done(self->request.jog.axis, frame));
 }
 

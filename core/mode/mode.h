@@ -26,7 +26,7 @@
 /** What a mode is asked for; each reads what it needs. */
 typedef struct {
     uint32_t axes;  /**< Bit n: axis n is commanded. mode_axes() makes of it those that it needs. */
-    jog_mode_t jog; /**< MODE_HOME_AXIS reads its axis. */
+    jog_mode_t jog; /**< MODE_HOME_AXIS reads its axis, MODE_RETRACT where it ends. */
     move_mode_t move;
     uint32_t start_ms; /**< Time of the first row of a trajectory. */
 } mode_request_t;

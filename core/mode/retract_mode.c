@@ -3,21 +3,40 @@
 
 #include "safety/needle.h"
 
-bool retract_mode_is_done(const mode_frame_t *frame)
+int32_t retract_mode_end_ticks(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX])
 {
-    const uint32_t needle = frame->robot->needle_axis;
-    return frame->axes[needle].encoder.position_ticks <=
-           (needle_retracted_ticks(frame->robot) + frame->robot->axes[needle].deadband_ticks);
+    const axis_t *const needle = &axes[robot->needle_axis];
+    const axis_config_t *const config = &robot->axes[robot->needle_axis];
+    const int64_t stroke = (int64_t)config->maximum_ticks - (int64_t)config->minimum_ticks;
+    const int64_t end = (int64_t)needle->encoder.position_ticks - stroke;
+    int32_t end_ticks = INT32_MIN;
+    if (axis_is_homed(needle)) {
+        end_ticks = needle_retracted_ticks(robot);
+    } else if (end > (int64_t)INT32_MIN) {
+        end_ticks = (int32_t)end;
+    } else {
+        /* As far as there are numbers. */
+    }
+    return end_ticks;
 }
 
-void retract_mode_step(leg_t *leg, const mode_frame_t *frame, mode_result_t *result)
+bool retract_mode_is_done(int32_t end_ticks, const mode_frame_t *frame)
+{
+    const axis_t *const needle = &frame->axes[frame->robot->needle_axis];
+    const axis_config_t *const config = &frame->robot->axes[frame->robot->needle_axis];
+    const int64_t left = (int64_t)needle->encoder.position_ticks - (int64_t)end_ticks;
+    return (left <= (int64_t)config->deadband_ticks) ||
+           (!axis_is_homed(needle) && (needle->limit_switches != 0U));
+}
+
+void retract_mode_step(int32_t end_ticks, leg_t *leg, const mode_frame_t *frame,
+                       mode_result_t *result)
 {
     const uint32_t needle = frame->robot->needle_axis;
     if (leg->is_running == 0U) {
         int32_t ends[ROBOT_AXIS_MAX] = {0};
-        leg_positions(frame, ends);
-        ends[needle] = needle_retracted_ticks(frame->robot);
-        leg_begin(leg, frame, LEG_EVERY_AXIS, ends);
+        ends[needle] = end_ticks;
+        leg_begin(leg, frame, LEG_AXIS(needle), ends);
     }
     /* The end of the leg is not waited for: where it is, or beyond, the retraction is done. */
     (void)leg_step(leg, frame, result);

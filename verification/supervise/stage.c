@@ -350,6 +350,8 @@ static void send_jog_or_act(stage_t *self, rig_t *rig)
 {
     if (has_whim(self, 6U)) {
         send_act(self, rig);
+    } else if (has_whim(self, 6U)) {
+        send(self, rig, (command_t){.kind = (uint32_t)COMMAND_RETRACT});
     } else {
         send_jog(self, rig);
     }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
  * Rule under test: a retraction takes the needle outwards to where one that is out is taken, never
- * inwards, and holds all other axes.
+ * inwards, and drives no other axis; without a reference to its switch or a whole stroke.
  */
 #include "unity.h"
 
@@ -18,11 +18,13 @@
 #define LONG_CYCLES 100000U
 
 static leg_t leg;
+static int32_t end_ticks;
 
 void setUp(void)
 {
     world_start();
     leg = (leg_t){.axes = 0U};
+    end_ticks = needle_retracted_ticks(&robot);
 }
 
 void tearDown(void)
@@ -44,7 +46,7 @@ static bool is_driven_inwards(void)
 static void step(void)
 {
     mode_clear(&result);
-    retract_mode_step(&leg, &frame, &result);
+    retract_mode_step(end_ticks, &leg, &frame, &result);
 }
 
 void test_SWR_MOTION_023_the_needle_goes_outwards_and_nothing_else_moves(void)
@@ -54,7 +56,7 @@ void test_SWR_MOTION_023_the_needle_goes_outwards_and_nothing_else_moves(void)
         world_put(i, base[i]);
     }
     int32_t before = DEEP_TICKS;
-    for (uint32_t cycles = 0U; !retract_mode_is_done(&frame); cycles++) {
+    for (uint32_t cycles = 0U; !retract_mode_is_done(end_ticks, &frame); cycles++) {
         TEST_ASSERT_LESS_THAN_UINT32(LONG_CYCLES, cycles);
         step();
         TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
@@ -72,22 +74,20 @@ void test_SWR_MOTION_023_the_needle_goes_outwards_and_nothing_else_moves(void)
     TEST_ASSERT_EQUAL_UINT32(0U, result.note_count);
 }
 
-/* Pushed off its place an axis is driven back. */
-void test_SWR_MOTION_023_the_other_axes_are_held(void)
+/* Whose fault it may be, and whoever pushes it. */
+void test_SWR_MOTION_023_the_other_axes_rest(void)
 {
     world_put(AXIS_INSERTION, DEEP_TICKS);
     step();
     for (uint32_t i = 0U; i < robot.axis_count; i++) {
-        if (i != (uint32_t)AXIS_INSERTION) {
-            TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_OFF, result.requests[i].mode);
-            world_put(i, 50 + robot.axes[i].deadband_ticks);
-        }
+        world_put(i, (i == (uint32_t)AXIS_INSERTION) ? DEEP_TICKS
+                                                     : (50 + robot.axes[i].deadband_ticks));
     }
     step();
     for (uint32_t i = 0U; i < robot.axis_count; i++) {
         if (i != (uint32_t)AXIS_INSERTION) {
-            TEST_ASSERT_EQUAL_INT32(0, axes[i].setpoint_ticks);
-            TEST_ASSERT_NOT_EQUAL_UINT32(CARD_DRIVE_OFF, result.requests[i].mode);
+            TEST_ASSERT_EQUAL_INT32(axes[i].encoder.position_ticks, axes[i].setpoint_ticks);
+            TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_OFF, result.requests[i].mode);
         }
     }
 }
@@ -113,11 +113,11 @@ void test_SWR_MOTION_023_a_needle_that_is_out_is_not_taken_back_in(void)
     const int32_t place = needle_retracted_ticks(&robot);
     const int32_t deadband = robot.axes[AXIS_INSERTION].deadband_ticks;
     world_put(AXIS_INSERTION, place + deadband);
-    TEST_ASSERT_TRUE(retract_mode_is_done(&frame));
+    TEST_ASSERT_TRUE(retract_mode_is_done(end_ticks, &frame));
     world_put(AXIS_INSERTION, place - 500);
-    TEST_ASSERT_TRUE(retract_mode_is_done(&frame));
+    TEST_ASSERT_TRUE(retract_mode_is_done(end_ticks, &frame));
     world_put(AXIS_INSERTION, place + deadband + 1);
-    TEST_ASSERT_FALSE(retract_mode_is_done(&frame));
+    TEST_ASSERT_FALSE(retract_mode_is_done(end_ticks, &frame));
 }
 
 void test_SWR_MOTION_005_a_retraction_that_is_held_fails(void)
@@ -130,4 +130,51 @@ void test_SWR_MOTION_005_a_retraction_that_is_held_fails(void)
     }
     TEST_ASSERT_EQUAL(MODE_FAILED, result.progress);
     TEST_ASSERT_EQUAL_UINT32(AXIS_INSERTION, result.axis);
+}
+
+static int32_t stroke_ticks(void)
+{
+    return robot.axes[AXIS_INSERTION].maximum_ticks - robot.axes[AXIS_INSERTION].minimum_ticks;
+}
+
+void test_SWR_MODE_005_without_a_reference_it_ends_a_stroke_from_where_it_was_armed(void)
+{
+    TEST_ASSERT_EQUAL_INT32(needle_retracted_ticks(&robot), retract_mode_end_ticks(&robot, axes));
+    world_lose(AXIS_INSERTION);
+    world_put(AXIS_INSERTION, -700);
+    end_ticks = retract_mode_end_ticks(&robot, axes);
+    TEST_ASSERT_EQUAL_INT32(-700 - stroke_ticks(), end_ticks);
+    TEST_ASSERT_FALSE(retract_mode_is_done(end_ticks, &frame));
+    world_put(AXIS_INSERTION, end_ticks + robot.axes[AXIS_INSERTION].deadband_ticks);
+    TEST_ASSERT_TRUE(retract_mode_is_done(end_ticks, &frame));
+    world_put(AXIS_INSERTION, INT32_MIN + 1);
+    TEST_ASSERT_EQUAL_INT32(INT32_MIN, retract_mode_end_ticks(&robot, axes));
+}
+
+void test_SWR_MODE_005_without_a_reference_it_ends_at_its_switch_which_says_nothing_of_a_homed_one(
+    void)
+{
+    world_put(AXIS_INSERTION, DEEP_TICKS);
+    axes[AXIS_INSERTION].limit_switches = 1U;
+    TEST_ASSERT_FALSE(retract_mode_is_done(end_ticks, &frame));
+    world_lose(AXIS_INSERTION);
+    TEST_ASSERT_TRUE(retract_mode_is_done(DEEP_TICKS - stroke_ticks(), &frame));
+}
+
+void test_SWR_MODE_005_without_a_reference_it_goes_outwards_only_and_no_faster_than_its_cap(void)
+{
+    world_lose(AXIS_INSERTION);
+    frame.speed_cap_percent[AXIS_INSERTION] = LIMIT_UNHOMED_SPEED_PERCENT;
+    end_ticks = retract_mode_end_ticks(&robot, axes);
+    int32_t before = needle_ticks();
+    while (!retract_mode_is_done(end_ticks, &frame)) {
+        step();
+        TEST_ASSERT_FALSE(is_driven_inwards());
+        world_follow();
+        TEST_ASSERT_LESS_OR_EQUAL_INT32(before, needle_ticks());
+        TEST_ASSERT_LESS_OR_EQUAL_INT32(256 * robot.axes[AXIS_INSERTION].home_speed_ticks_per_s +
+                                            256,
+                                        -axes[AXIS_INSERTION].setpoint_speed_ticks_per_s_q8);
+        before = needle_ticks();
+    }
 }
