@@ -253,6 +253,22 @@ static void show_way(const controller_t *self, snapshot_t *shown)
     }
 }
 
+/* What is armed, and how far it has come. */
+static void show_mode(const controller_t *self, snapshot_t *shown)
+{
+    mode_share_t share = {.done_per_mille = 0U, .left_ms = 0U};
+    mode_kind_t kind = MODE_NONE;
+    if (procedure_is_armed(&self->procedure)) {
+        kind = mode_in(&self->mode, procedure_workphase(&self->procedure));
+    }
+    if (procedure_is_moving(&self->procedure)) {
+        share = mode_share(&self->mode, kind, self->axes, self->axis_count);
+    }
+    shown->mode = (uint32_t)kind;
+    shown->done_per_mille = share.done_per_mille;
+    shown->left_ms = share.left_ms;
+}
+
 /* Axes that the robot has not. */
 static void clear_unused(const controller_t *self, snapshot_t *shown)
 {
@@ -281,6 +297,7 @@ void controller_show(const controller_t *self, const cycle_t *cycle)
     shown->overruns = self->loop.overruns;
     shown->events = self->events;
     shown->events_lost = self->events_lost;
+    show_mode(self, shown);
     show_authority(self, shown);
     show_trajectory(self, shown);
     show_plan(self, shown);

@@ -2,6 +2,7 @@
 #include "mode/mode.h"
 
 #include "interface/command.h"
+#include "limits/requirement_limits.h"
 
 bool mode_runs_in(mode_kind_t kind, workphase_t workphase)
 {
@@ -136,6 +137,28 @@ static bool is_done_already(const mode_state_t *self, mode_kind_t kind, const mo
            ((kind == MODE_HOME_AXIS) && homing_mode_is_axis_done(self->request.jog.axis, frame));
 }
 
+static uint32_t homed_per_mille(const axis_t axes[ROBOT_AXIS_MAX], uint32_t axis_count)
+{
+    uint32_t homed = 0U;
+    for (uint32_t i = 0U; i < axis_count; i++) {
+        homed += axis_is_homed(&axes[i]) ? 1U : 0U;
+    }
+    return (homed * 1000U) / axis_count;
+}
+
+/* In whole cycles; a profile lasts less than an hour. */
+static mode_share_t leg_share(const leg_t *leg)
+{
+    const profile_t *const profile = &leg->profile;
+    const uint32_t cycles = (2U * profile->ramp_cycles) + profile->cruise_cycles;
+    mode_share_t share = {.done_per_mille = 1000U, .left_ms = 0U};
+    if (profile->cycle < cycles) {
+        share.done_per_mille = (uint32_t)(((uint64_t)profile->cycle * 1000U) / cycles);
+        share.left_ms = (uint32_t)((((uint64_t)cycles - profile->cycle) * LIMIT_CYCLE_US) / 1000U);
+    }
+    return share;
+}
+
 void mode_step(mode_state_t *self, const mode_frame_t *frame, mode_result_t *result)
 {
     const mode_kind_t kind = mode_in(self, frame->workphase);
@@ -149,6 +172,20 @@ void mode_step(mode_state_t *self, const mode_frame_t *frame, mode_result_t *res
         mode_rest(frame, result);
         result->progress = is_done ? MODE_DONE : MODE_RUNNING;
     }
+}
+
+mode_share_t mode_share(const mode_state_t *self, mode_kind_t kind,
+                        const axis_t axes[ROBOT_AXIS_MAX], uint32_t axis_count)
+{
+    mode_share_t share = {.done_per_mille = 0U, .left_ms = 0U};
+    if (self->leg.is_running != 0U) {
+        share = leg_share(&self->leg);
+    } else if (kind == MODE_HOMING) {
+        share.done_per_mille = homed_per_mille(axes, axis_count);
+    } else {
+        /* Nobody knows: one axis homes, or nothing has begun. */
+    }
+    return share;
 }
 
 void mode_stop(mode_state_t *self, axis_t axes[ROBOT_AXIS_MAX], uint32_t axis_count)

@@ -92,6 +92,21 @@ void mode_begin(mode_state_t *self, mode_kind_t kind, const mode_request_t *requ
  */
 void mode_step(mode_state_t *self, const mode_frame_t *frame, mode_result_t *result);
 
+/** How far what is armed has come. */
+typedef struct {
+    uint32_t
+        done_per_mille; /**< 0..1000: of the cycles of the present leg; of homing, of the axes. */
+    uint32_t left_ms;   /**< Until the set-points are at the end of the leg; 0: unknown. */
+} mode_share_t;
+
+/**
+ * To be asked while `kind` moves; it costs a division.
+ *
+ * @satisfies SWR-MODE-006
+ */
+mode_share_t mode_share(const mode_state_t *self, mode_kind_t kind,
+                        const axis_t axes[ROBOT_AXIS_MAX], uint32_t axis_count);
+
 /** The order has ended or was given up: whatever runs stops, and homing is given up. */
 void mode_stop(mode_state_t *self, axis_t axes[ROBOT_AXIS_MAX], uint32_t axis_count);
 

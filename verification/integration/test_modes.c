@@ -93,3 +93,66 @@ void test_SWR_MODE_003_after_the_fault_of_another_axis_the_needle_is_drawn_out(v
                                         robot_neuro.axes[AXIS_INSERTION].deadband_ticks,
                                     rig_position(&rig, AXIS_INSERTION));
 }
+
+static const snapshot_t *shown(void)
+{
+    return &rig.outputs.snapshot;
+}
+
+void test_SWR_MODE_006_what_is_armed_is_shown_and_how_far_it_has_come(void)
+{
+    rig_start_homed(&rig);
+    TEST_ASSERT_EQUAL_UINT32(MODE_NONE, shown()->mode);
+    (void)rig_workphase(&rig, WORKPHASE_MANUAL);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog(AXIS_YAW, -400)).status);
+    TEST_ASSERT_EQUAL_UINT32(MODE_JOG, shown()->mode);
+    TEST_ASSERT_EQUAL_UINT32(0U, shown()->done_per_mille);
+    TEST_ASSERT_EQUAL_UINT32(0U, shown()->left_ms);
+    rig_press(&rig);
+    uint32_t done = 0U;
+    uint32_t left = UINT32_MAX;
+    while (shown()->order == (uint32_t)ARMING_STATE_MOVING) {
+        TEST_ASSERT_GREATER_OR_EQUAL_UINT32(done, shown()->done_per_mille);
+        TEST_ASSERT_LESS_OR_EQUAL_UINT32(left, shown()->left_ms);
+        done = shown()->done_per_mille;
+        left = shown()->left_ms;
+        rig_cycle(&rig);
+    }
+    TEST_ASSERT_EQUAL_UINT32(1000U, done);
+    TEST_ASSERT_EQUAL_UINT32(0U, left);
+    TEST_ASSERT_EQUAL_UINT32(MODE_NONE, shown()->mode);
+    TEST_ASSERT_EQUAL_UINT32(0U, shown()->done_per_mille);
+}
+
+void test_SWR_MODE_006_the_time_left_is_that_of_the_set_points(void)
+{
+    rig_start_homed(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_MANUAL);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog(AXIS_YAW, -400)).status);
+    rig_press(&rig);
+    const uint32_t left = shown()->left_ms;
+    TEST_ASSERT_NOT_EQUAL_UINT32(0U, left);
+    rig_cycles(&rig, left - 1U);
+    TEST_ASSERT_EQUAL_UINT32(1U, shown()->left_ms);
+    TEST_ASSERT_LESS_THAN_UINT32(1000U, shown()->done_per_mille);
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(1000U, shown()->done_per_mille);
+}
+
+void test_SWR_MODE_006_homing_shows_how_many_axes_are_homed(void)
+{
+    rig_start(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    rig_press(&rig);
+    uint32_t homed = 0U;
+    while (shown()->order == (uint32_t)ARMING_STATE_MOVING) {
+        homed = 0U;
+        for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
+            homed += axis_is_homed(&rig.controller.axes[i]) ? 1U : 0U;
+        }
+        TEST_ASSERT_EQUAL_UINT32(MODE_HOMING, shown()->mode);
+        TEST_ASSERT_EQUAL_UINT32((1000U * homed) / robot_neuro.axis_count, shown()->done_per_mille);
+        rig_cycle(&rig);
+    }
+    TEST_ASSERT_NOT_EQUAL_UINT32(0U, homed);
+}

@@ -30,14 +30,22 @@ class TestHttpAxes < Minitest::Test
     fetch_json('/api/v1/motors').fetch('axes').find { |one| one['name'] == axis }.fetch('reference')
   end
 
+  # Of the status: what is armed, and how far it has come.
+  def shown_mode
+    status = fetch_json('/api/v1/status')
+    [status.dig('mode', 'name'), *status.values_at('done_per_mille', 'left_ms')]
+  end
+
   def test_SWR_AXIS_044_one_axis_homes_under_the_pedal_alone
     anna = holder('anna')
     assert_answer '202', 'accepted', anna.act('motors/yaw/home')
     assert_act_described 'home', anna.last
     assert_equal 'lost', reference('yaw')
+    assert_equal ['HOME_AXIS', 0, 0], shown_mode
     boresight.simctl('pedal', 'press')
     wait_until('it is done') { JSON.parse(anna.act('motors/yaw/home', id: anna.id).body)['state'] == 'done' }
     assert_equal 'verified', reference('yaw')
+    assert_equal ['NONE', 0, 0], shown_mode
   end
 
   def test_SWR_AXIS_044_a_home_that_an_engineer_sets_counts_once_the_button_has_confirmed_it
