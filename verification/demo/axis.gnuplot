@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Speed, position and control output of `axis`, as in figures 29 to 31 of the thesis. `source` is motion.csv, `picture`
-# the PNG to write, `from` and `to` the seconds to show.
-set terminal pngcairo size 1200,1300 font 'DejaVu Sans,11'
+# the PNG or SVG to write, `from` and `to` the seconds to show.
+if (picture[strlen(picture)-3:] eq '.svg') set terminal svg size 1200,1300 font 'DejaVu Sans,13' background 'white'; else set terminal pngcairo size 1200,1300 font 'DejaVu Sans,11'
 set output picture
 set datafile separator ','
 set key top right

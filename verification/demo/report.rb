@@ -5,6 +5,27 @@ require 'json'
 
 # Table and pictures of what a robot's demonstration reached.
 class DemoReport
+  class << self
+    def gnuplot(script, settings)
+      text = settings.map { |name, value| "#{name}=#{value.is_a?(Float) ? value : "'#{value}'"}" }.join('; ')
+      system('gnuplot', '-e', text, File.expand_path(script, __dir__)) || raise("gnuplot could not draw #{script}")
+    end
+
+    # Of one axis, a row each: :time, and its columns without its name.
+    def read(csv, axis)
+      names, *rows = File.foreach(csv, chomp: true).map { |line| line.split(',') }
+      places = names.each_index.select { |place| names[place].start_with?("#{axis}_") }
+      keys = places.map { |place| names[place].delete_prefix("#{axis}_").to_sym }
+      rows.map { |row| { time: row.first.to_f }.merge(keys.zip(row.values_at(*places).map(&:to_f)).to_h) }
+    end
+
+    # The rows of each time in which the speed of the set-point is not 0.
+    def moves(rows)
+      parts = rows.slice_when { |a, b| a[:setpoint_ticks_per_s].zero? != b[:setpoint_ticks_per_s].zero? }
+      parts.reject { |part| part.first[:setpoint_ticks_per_s].zero? }
+    end
+  end
+
   def initialize(robot, rows, out)
     @robot = robot
     @rows = rows
@@ -24,7 +45,8 @@ class DemoReport
     File.write(File.join(@out, 'targets.json'), "#{JSON.pretty_generate(@rows)}\n")
     leave_points
     names = columns(csv).filter_map { |name| name[/(.*)_position_ticks\z/, 1] }
-    gnuplot('motion.gnuplot', source: csv, picture: File.join(@out, 'motion.png'), robot: @robot, axes: names.join(' '))
+    self.class.gnuplot('motion.gnuplot', source: csv, picture: File.join(@out, 'motion.png'), robot: @robot,
+                                         axes: names.join(' '))
     draw_longest_move(csv, close_up) if close_up
   end
 
@@ -51,22 +73,9 @@ class DemoReport
 
   # One axis alone, from half a second before its longest move to half a second after.
   def draw_longest_move(csv, axis)
-    first, last = longest_move(csv, "#{axis}_setpoint_ticks_per_s")
-    gnuplot('axis.gnuplot', source: csv, picture: File.join(@out, "#{axis}.png"), axis: axis, from: first - 0.5,
-                            to: last + 0.5)
-  end
-
-  def gnuplot(script, settings)
-    text = settings.map { |name, value| "#{name}=#{value.is_a?(Float) ? value : "'#{value}'"}" }.join('; ')
-    system('gnuplot', '-e', text, File.expand_path(script, __dir__)) || raise("gnuplot could not draw #{script}")
-  end
-
-  # When the speed of the set-point leaves 0 and is there again, in s.
-  def longest_move(csv, column)
-    names, *rows = File.foreach(csv, chomp: true).map { |line| line.split(',') }
-    place = names.index(column)
-    moves = rows.slice_when { |a, b| a[place].to_f.zero? != b[place].to_f.zero? }
-    moves.reject { |move| move.first[place].to_f.zero? }.max_by(&:size).values_at(0, -1).map { |row| row.first.to_f }
+    first, last = self.class.moves(self.class.read(csv, axis)).max_by(&:size).values_at(0, -1).map { |row| row[:time] }
+    self.class.gnuplot('axis.gnuplot', source: csv, picture: File.join(@out, "#{axis}.png"), axis: axis, from: first - 0.5,
+                                       to: last + 0.5)
   end
 
   # nil when a row has none.
