@@ -33,6 +33,7 @@ uint32_t igtl_reason_code(status_t status)
     case STATUS_DEGENERATE_LINE:
     case STATUS_AXIS_LIMIT:
     case STATUS_SWITCH_ZONE:
+    case STATUS_TOO_FAST:
     case STATUS_CLOSURE:
     case STATUS_ENTRY_POINT:
         return IGTL_STATUS_CONFIG_ERROR;

@@ -20,7 +20,8 @@ static const char *subject_of(const workphase_peer_t *peer, const igtl_request_t
     case COMMAND_NEEDLE:
         return workphase_peer_tip_subject(peer);
     case COMMAND_RETRACT:
-        return peer->retraction;
+    case COMMAND_VELOCITY:
+        return peer->motion;
     case COMMAND_ENTRY:
         return "ENTRY";
     case COMMAND_ACCEPT_ENTRY:
@@ -205,20 +206,20 @@ static void answer_entry(const workphase_dialect_t *self, workphase_peer_t *peer
     igtl_tell_status(peer->outbox, subject_of(peer, request), &taken, moment);
 }
 
-static void answer_retraction(workphase_dialect_t *self, const igtl_request_t *request,
-                              const answer_t *answer, const igtl_moment_t *moment)
+static void answer_motion(workphase_dialect_t *self, const igtl_request_t *request,
+                          const answer_t *answer, const igtl_moment_t *moment)
 {
     workphase_peer_t *peer = &self->peers[request->peer];
     char name[IGTL_NAME_SIZE];
 
     if (answer->kind == (uint32_t)ANSWER_ACCEPTED) {
-        (void)snprintf(name, sizeof name, "ACK_%.16s", peer->retraction);
+        (void)snprintf(name, sizeof name, "ACK_%.16s", peer->motion);
         tell_outcome(self, peer, name, answer, moment);
         if (answer->is_final != 0U) { /* It was out already. */
-            tell_outcome(self, peer, peer->retraction, answer, moment);
+            tell_outcome(self, peer, peer->motion, answer, moment);
         }
     } else if (answer->kind == (uint32_t)ANSWER_REFUSED) {
-        tell_outcome(self, peer, peer->retraction, answer, moment);
+        tell_outcome(self, peer, peer->motion, answer, moment);
     } else {
         tell_ended(self, request, answer, moment);
     }
@@ -240,7 +241,8 @@ static void answer_by_kind(workphase_dialect_t *self, const igtl_request_t *requ
         answer_tip(self, peer, answer, moment);
         break;
     case COMMAND_RETRACT:
-        answer_retraction(self, request, answer, moment);
+    case COMMAND_VELOCITY:
+        answer_motion(self, request, answer, moment);
         break;
     case COMMAND_ENTRY:
     case COMMAND_ACCEPT_ENTRY:
@@ -259,7 +261,8 @@ static bool has_ended_it(const workphase_peer_t *peer, const igtl_request_t *req
 {
     return peer->end.is_discarded && (answer->kind == (uint32_t)ANSWER_ACCEPTED) &&
            ((request->kind == (uint32_t)COMMAND_WORKPHASE) ||
-            (request->kind == (uint32_t)COMMAND_RETRACT));
+            (request->kind == (uint32_t)COMMAND_RETRACT) ||
+            (request->kind == (uint32_t)COMMAND_VELOCITY));
 }
 
 /* The command for which an order's end waited has been answered, and has not ended it. */

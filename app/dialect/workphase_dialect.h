@@ -61,10 +61,10 @@ typedef struct {
     const char *entry_prefix;
     workphase_id_t ids[WORKPHASE_IDS]; /**< The last commands, a ring. */
     uint32_t next_id;
-    uint32_t pending; /**< Id of its newest workphase or retraction without an answer, 0: none. */
+    uint32_t pending; /**< Id of its newest workphase or motion without an answer, 0: none. */
     workphase_end_t end;
     workphase_tip_t tip;
-    const char *retraction; /**< By which word it retracted last. */
+    const char *motion; /**< By which word it commanded its last motion. */
     igtl_tracking_t tracking;
     workphase_extra_t extras[WORKPHASE_EXTRAS];
     uint32_t extra_count;
@@ -112,7 +112,8 @@ void workphase_dialect_disconnected(void *dialect, uint32_t peer);
 /** It is the one peer that commands. */
 bool workphase_dialect_is_controlled_by(const void *dialect, uint32_t peer);
 
-/** An order of `peer` waits for the pedal or moves: START_UP, MOVE_TO_TARGET or a retraction. */
+/** An order of `peer` waits for the pedal or moves: START_UP, MOVE_TO_TARGET or a motion by its
+ * word. */
 bool workphase_dialect_has_order(const void *dialect, uint32_t peer);
 
 /**

@@ -5,6 +5,7 @@
 #include "dialect/workphase_needle.h"
 #include "dialect/workphase_peer.h"
 #include "dialect/workphase_poll.h"
+#include "dialect/workphase_velocity.h"
 #include "interface/app/names.h"
 #include "limits/requirement_limits.h"
 
@@ -149,13 +150,31 @@ static void receive_word(workphase_dialect_t *self, uint32_t index, const word_t
         return;
     }
     if (word->kind == COMMAND_RETRACT) {
-        peer->retraction = word->word;
+        peer->motion = word->word;
         is_taken = request(self, index, &command, moment) != 0U;
     } else {
         is_taken = igtl_requests_add(&self->requests, index, &command, moment->patience_us) != NULL;
     }
     if (!is_taken) {
         igtl_tell_refusal(peer->outbox, word->word, STATUS_BUSY, moment);
+    }
+}
+
+static void receive_velocity(workphase_dialect_t *self, uint32_t index,
+                             const igtl_message_t *message, const igtl_moment_t *moment)
+{
+    workphase_peer_t *peer = &self->peers[index];
+    command_t command = {.peer = peer->number, .kind = (uint32_t)COMMAND_VELOCITY};
+    status_t status = is_others(self, index)
+                          ? STATUS_NO_AUTHORITY
+                          : workphase_velocity_read(self->robot, message, &command);
+
+    if (status == STATUS_OK) {
+        peer->motion = WORKPHASE_VELOCITY;
+        status = (request(self, index, &command, moment) != 0U) ? STATUS_OK : STATUS_BUSY;
+    }
+    if (status != STATUS_OK) {
+        igtl_tell_refusal(peer->outbox, WORKPHASE_VELOCITY, status, moment);
     }
 }
 
@@ -167,6 +186,10 @@ static bool receive_other(workphase_dialect_t *self, uint32_t index, const igtl_
 
     if (word != NULL) {
         receive_word(self, index, word, moment);
+        return true;
+    }
+    if (workphase_velocity_is(message)) {
+        receive_velocity(self, index, message, moment);
         return true;
     }
     return workphase_poll_string(&self->peers[index], message, moment);

@@ -2,7 +2,15 @@
 #include "http/http_motion.h"
 
 #include "http/http_act.h"
+#include "http/http_reply.h"
 #include "http/telemetry_units.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#define MS_PER_S 1000.0
+#define POINTER_SIZE 24U
 
 int http_motion_workphase(http_server_t *server, const http_call_t *call)
 {
@@ -34,4 +42,56 @@ int http_motion_retract(http_server_t *server, const http_call_t *call)
 {
     const command_t command = {.id = call->body.retract.id, .kind = (uint32_t)COMMAND_RETRACT};
     return http_act_command(server, call, &command);
+}
+
+/* One axis and its speed; false when the robot has none of this name, it comes twice, or no speed
+ * is so far from 0. */
+static bool read_speed(const robot_t *robot, const request_axis_speed_t *asked, command_t *command)
+{
+    uint32_t axis = 0U;
+    while ((axis < robot->axis_count) && (strcmp(robot->axes[axis].name, asked->axis) != 0)) {
+        axis++;
+    }
+    const uint32_t mask = (uint32_t)1U << axis;
+    const bool is_new = (axis < robot->axis_count) && ((command->argument & mask) == 0U);
+    command->argument |= mask;
+    return is_new && telemetry_units_ticks(&robot->axes[axis], asked->speed, &command->ticks[axis]);
+}
+
+/* As COMMAND_VELOCITY says; false when no way is so long. */
+static bool read_bound(const robot_t *robot, const request_velocity_t *body, command_t *command)
+{
+    uint32_t axis = 0U;
+    if (body->has_time_s) {
+        command->value = (int32_t)round(body->time_s * MS_PER_S);
+        return true;
+    }
+    while ((command->argument >> (axis + 1U)) != 0U) {
+        axis++;
+    }
+    const bool is_one = telemetry_units_ticks(&robot->axes[axis], body->way, &command->value);
+    command->value = -command->value;
+    return is_one;
+}
+
+int http_motion_velocity(http_server_t *server, const http_call_t *call)
+{
+    const request_velocity_t *body = &call->body.velocity;
+    const robot_t *robot = exchange_robot(server->exchange);
+    command_t command = {.id = body->id, .kind = (uint32_t)COMMAND_VELOCITY};
+    char pointer[POINTER_SIZE];
+    if (body->has_time_s == body->has_way) {
+        const request_result_t fault = {.fault = body->has_way ? REQUEST_UNKNOWN : REQUEST_MISSING,
+                                        .place = "/time_s"};
+        const http_problem_t problem = http_problem_of_body(&fault);
+        return http_reply_problem(call->connection, &problem, NULL);
+    }
+    for (uint32_t i = 0U; i < body->speeds_count; i++) {
+        if (!read_speed(robot, &body->speeds[i], &command)) {
+            (void)snprintf(pointer, sizeof pointer, "/speeds/%u", (unsigned)i);
+            return http_act_refuse_member(call, pointer);
+        }
+    }
+    return read_bound(robot, body, &command) ? http_act_command(server, call, &command)
+                                             : http_act_refuse_member(call, "/way");
 }

@@ -19,6 +19,9 @@ int http_motion_jog(http_server_t *server, const http_call_t *call);
 int http_motion_axis(http_server_t *server, const http_call_t *call, command_kind_t kind,
                      uint32_t id);
 
+/** @satisfies SWR-VEL-013 */
+int http_motion_velocity(http_server_t *server, const http_call_t *call);
+
 int http_motion_retract(http_server_t *server, const http_call_t *call);
 
 #endif

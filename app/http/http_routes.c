@@ -185,6 +185,8 @@ static int answer(http_server_t *server, const http_call_t *call)
         return http_motion_axis(server, call, COMMAND_CONFIRM_AXIS, call->body.confirm_axis.id);
     case ROUTE_SET_HOME:
         return http_motion_axis(server, call, COMMAND_SET_HOME, call->body.set_home.id);
+    case ROUTE_VELOCITY:
+        return http_motion_velocity(server, call);
     case ROUTE_REGISTRATION:
         return http_targeting_register(server, call);
     case ROUTE_ENTRY:

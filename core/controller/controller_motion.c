@@ -6,6 +6,8 @@
 #include "controller/controller_order.h"
 #include "controller/controller_trajectory.h"
 
+#include <string.h>
+
 /* What the command, and where the robot stands, say to its mode. */
 static mode_request_t request_of(const controller_t *self, const cycle_t *cycle,
                                  const command_t *command, mode_kind_t kind)
@@ -24,6 +26,12 @@ static mode_request_t request_of(const controller_t *self, const cycle_t *cycle,
         break;
     case MODE_RETRACT:
         request.jog.ticks = retract_mode_end_ticks(cycle->robot, self->axes);
+        break;
+    case MODE_VELOCITY:
+        request.axes = command->argument;
+        request.velocity.axes = command->argument;
+        request.velocity.bound = command->value;
+        (void)memcpy(request.velocity.speeds_ticks_per_s, command->ticks, sizeof command->ticks);
         break;
     case MODE_NONE:
     case MODE_HOMING:

@@ -71,6 +71,9 @@ solution_t mode_judge(mode_kind_t kind, const mode_request_t *request, const rob
     case MODE_HOME_AXIS:
         result = homing_mode_judge(request->jog.axis, robot, axes);
         break;
+    case MODE_VELOCITY:
+        result = velocity_mode_judge(&request->velocity, robot, axes);
+        break;
     case MODE_NONE:
     case MODE_HOMING:
     case MODE_MOVE:
@@ -118,6 +121,9 @@ static void run(mode_state_t *self, mode_kind_t kind, const mode_frame_t *frame,
         break;
     case MODE_TRAJECTORY:
         run_trajectory(self, frame, result);
+        break;
+    case MODE_VELOCITY:
+        velocity_mode_step(&self->request.velocity, &self->leg, frame, result);
         break;
     case MODE_NONE:
     default:

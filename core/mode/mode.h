@@ -18,6 +18,7 @@
 #include "mode/retract_mode.h"
 #include "mode/trajectory_list.h"
 #include "mode/trajectory_mode.h"
+#include "mode/velocity_mode.h"
 #include "robot/robot.h"
 
 #include <stdbool.h>
@@ -29,6 +30,7 @@ typedef struct {
     jog_mode_t jog; /**< MODE_HOME_AXIS reads its axis, MODE_RETRACT where it ends. */
     move_mode_t move;
     uint32_t start_ms; /**< Time of the first row of a trajectory. */
+    velocity_mode_t velocity;
 } mode_request_t;
 
 /** At first all zero. */
@@ -74,7 +76,8 @@ bool mode_needs(const mode_state_t *self, uint32_t index);
 /**
  * May `kind` be armed with this request? What every mode needs is asked by the workphase chart.
  *
- * @return STATUS_OK; of MODE_JOG as jog_mode_judge(), of MODE_HOME_AXIS as homing_mode_judge()
+ * @return STATUS_OK; of MODE_JOG as jog_mode_judge(), of MODE_HOME_AXIS as homing_mode_judge(),
+ * of MODE_VELOCITY as velocity_mode_judge()
  */
 solution_t mode_judge(mode_kind_t kind, const mode_request_t *request, const robot_t *robot,
                       const axis_t axes[ROBOT_AXIS_MAX]);

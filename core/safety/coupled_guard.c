@@ -287,6 +287,34 @@ bool coupled_guard_is_known(const robot_t *robot, const axis_t axes[ROBOT_AXIS_M
     return is_every_known;
 }
 
+static int64_t value_of(const robot_t *robot, uint32_t limit_index,
+                        const int32_t ticks[ROBOT_AXIS_MAX])
+{
+    const coupled_limit_t *const limit = &robot->coupled_limits[limit_index];
+    joints_t joints = {.value = {0}};
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+        if (coupled_limit_has(limit, i)) {
+            joints.value[i] = joints_of(&robot->axes[i], ticks[i]);
+        }
+    }
+    return kinematics_coupled(robot, limit_index, &joints);
+}
+
+bool coupled_guard_is_left(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
+                           uint32_t limit_index, const int32_t from_ticks[ROBOT_AXIS_MAX],
+                           const int32_t to_ticks[ROBOT_AXIS_MAX])
+{
+    const coupled_limit_t *const limit = &robot->coupled_limits[limit_index];
+    if (unknown_axes(robot, limit, axes) != 0U) {
+        return false;
+    }
+    const int64_t from = value_of(robot, limit_index, from_ticks);
+    const int64_t to = value_of(robot, limit_index, to_ticks);
+    const coupled_side_t side = coupled_limit_side(limit, to);
+    return ((side == COUPLED_LIMIT_ABOVE) && (to > from)) ||
+           ((side == COUPLED_LIMIT_BELOW) && (to < from));
+}
+
 solution_t coupled_guard_judge(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
                                uint32_t index, int32_t ticks)
 {

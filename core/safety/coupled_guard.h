@@ -69,6 +69,16 @@ bool coupled_guard_is_known(const robot_t *robot, const axis_t axes[ROBOT_AXIS_M
                             uint32_t index);
 
 /**
+ * @return true when limit `limit_index` is in force and its axes, now at `from_ticks`, would end at
+ * `to_ticks` closer to an end of its range than ends may be, and closer than they are
+ *
+ * @satisfies SWR-VEL-007
+ */
+bool coupled_guard_is_left(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
+                           uint32_t limit_index, const int32_t from_ticks[ROBOT_AXIS_MAX],
+                           const int32_t to_ticks[ROBOT_AXIS_MAX]);
+
+/**
  * May axis `index` be jogged to `ticks`, with the others where they are?
  *
  * @return STATUS_OK; or the refusal of the first limit in force that it would miss, with the axis

@@ -75,6 +75,46 @@ class TestHttpAxes < Minitest::Test
     assert_answer '404', 'NOT_THERE', egon.act('motors/nose/clear')
   end
 
+  def position(axis)
+    fetch_json('/api/v1/motors').fetch('axes').find { |one| one['name'] == axis }.fetch('position')
+  end
+
+  def run_at(one, fields)
+    assert_answer '202', 'accepted', one.act('velocity', fields)
+    assert_described '/api/v1/velocity', 'POST', one.last
+    boresight.simctl('pedal', 'press')
+    told = nil
+    wait_until('it has ended') { %w[done failed].include?((told = JSON.parse(one.act('velocity', fields, id: one.id).body))['state']) }
+    boresight.simctl('pedal', 'release')
+    told
+  end
+
+  def test_SWR_VEL_013_an_axis_runs_at_a_speed_for_a_way_and_up_to_its_limit
+    anna = holder('anna')
+    start = position('rotation')
+    told = run_at(anna, { speeds: [{ axis: 'rotation', speed: -50 }], way: 40 })
+    assert_equal 'done', told['state'], told
+    assert_in_delta start - 40, position('rotation'), 0.1
+    told = run_at(anna, { speeds: [{ axis: 'pitch', speed: 50 }, { axis: 'rotation', speed: 20 }], time_s: 0.5 })
+    assert_equal %w[failed SWITCH_ZONE pitch], told.values_at('state', 'code', 'axis'), told
+  end
+
+  def test_SWR_VEL_013_what_is_no_speed_is_refused_by_its_place_or_name
+    anna = holder('anna')
+    yaw = { axis: 'yaw', speed: -5 }
+    { { speeds: [yaw, { axis: 'nose', speed: 1 }], time_s: 1 } => ['422', 'OUT_OF_RANGE', '/speeds/1'],
+      { speeds: [yaw, yaw], time_s: 1 } => ['422', 'OUT_OF_RANGE', '/speeds/1'],
+      { speeds: [yaw], time_s: 1, way: 1 } => ['400', 'BAD_BODY', '/time_s'],
+      { speeds: [yaw] } => ['400', 'BAD_BODY', '/time_s'],
+      { speeds: [{ axis: 'yaw', speed: 61 }], time_s: 1 } => ['409', 'TOO_FAST', nil],
+      { speeds: [{ axis: 'yaw', speed: 0 }], time_s: 1 } => ['409', 'OUT_OF_RANGE', nil] }.each do |fields, expected|
+      refusal = anna.act('velocity', fields)
+      told = JSON.parse(refusal.body)
+      assert_equal expected, [refusal.code, *told.values_at('code', 'pointer')], refusal.body
+      assert_described '/api/v1/velocity', 'POST', refusal
+    end
+  end
+
   def test_SWR_AXIS_044_an_operator_neither_clears_nor_sets
     anna = holder('anna')
     %w[clear set-home].each { |act| assert_answer '403', 'ROLE_REFUSED', anna.act("motors/feet/#{act}") }

@@ -1,0 +1,129 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Rule under test: a client commands speeds by one word, with axes, speeds and seconds; it is told
+ * that they are armed, and how they have ended.
+ */
+#include "base/fixed.h"
+#include "base/rigid.h"
+#include "charts/arming_chart.h"
+#include "dialect/igtl_border.h"
+#include "dialect/igtl_dialect.h"
+#include "dialect/igtl_questions.h"
+#include "dialect/igtl_requests.h"
+#include "dialect/workphase_answer.h"
+#include "dialect/workphase_dialect.h"
+#include "dialect/workphase_needle.h"
+#include "dialect/workphase_peer.h"
+#include "dialect/workphase_poll.h"
+#include "dialect/workphase_receive.h"
+#include "dialect/workphase_velocity.h"
+#include "dialect/workphase_watch.h"
+#include "interface/app/names.h"
+#include "message/igtl_codec.h"
+#include "message/igtl_crc64.h"
+#include "message/igtl_packet.h"
+#include "message/igtl_outbox.h"
+#include "limits/requirement_limits.h"
+#include "robot/robot_cards.h"
+#include "robot/robot_neuro.h"
+#include "unit/support/workphase_world.h"
+#include "unity.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#define YAW (1UL << AXIS_YAW)
+
+void setUp(void)
+{
+    world_start(IGTL_LANGUAGE_BRP_2013);
+    (void)memcpy(robot.axes, robot_neuro.axes, sizeof robot.axes);
+}
+
+void tearDown(void)
+{
+}
+
+void test_SWR_VEL_014_axes_speeds_and_seconds_become_a_command(void)
+{
+    say(0U, "Text", "VELOCITY yaw -59.9745 head 2.5 1.25");
+    expect_command(COMMAND_VELOCITY, YAW | (1UL << AXIS_HEAD));
+    TEST_ASSERT_EQUAL_INT32(-833, command.ticks[AXIS_YAW]);
+    TEST_ASSERT_EQUAL_INT32(197, command.ticks[AXIS_HEAD]);
+    TEST_ASSERT_EQUAL_INT32(0, command.ticks[AXIS_FEET]);
+    TEST_ASSERT_EQUAL_INT32(1250, command.value);
+    expect_no_command();
+}
+
+void test_SWR_VEL_014_it_is_told_that_they_are_armed_and_how_they_have_ended(void)
+{
+    say(0U, "CMD_5", "VELOCITY yaw 5 2");
+    EXPECT(0U, "STRING ACK_5 VELOCITY yaw 5 2");
+    expect_command(COMMAND_VELOCITY, YAW);
+    answer_to(&command, ANSWER_ACCEPTED, STATUS_OK, 0U);
+    EXPECT_BEGIN(0U, "STATUS ACK_VELOCITY 1 ");
+    TEST_ASSERT_TRUE(workphase_dialect_has_order(&dialect, 0U));
+    answer_to(&command, ANSWER_DONE, STATUS_OK, 1U);
+    EXPECT_BEGIN(0U, "STATUS VELOCITY 1 ");
+    TEST_ASSERT_FALSE(workphase_dialect_has_order(&dialect, 0U));
+    say(0U, "Text", "VELOCITY yaw 5 2");
+    expect_command(COMMAND_VELOCITY, YAW);
+    answer_to(&command, ANSWER_ACCEPTED, STATUS_OK, 0U);
+    EXPECT_BEGIN(0U, "STATUS ACK_VELOCITY 1 ");
+    answer_to(&command, ANSWER_ABORTED, STATUS_AXIS_LIMIT, 1U);
+    EXPECT_BEGIN(0U, "STATUS VELOCITY 10 ");
+    say(0U, "Text", "VELOCITY yaw 500 2");
+    expect_command(COMMAND_VELOCITY, YAW);
+    answer_to(&command, ANSWER_REFUSED, STATUS_TOO_FAST, 1U);
+    EXPECT_BEGIN(0U, "STATUS VELOCITY 10 ");
+    EXPECT(0U, "");
+}
+
+static void expect_refusal(const char *text, const char *name)
+{
+    char line[64];
+    (void)snprintf(line, sizeof line, "|%s: ", name);
+    say(0U, "Text", text);
+    const char *const told = igtl_peer_next(&outboxes[0]);
+    TEST_ASSERT_EQUAL_STRING_LEN("STATUS VELOCITY ", told, 16U);
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(told, line), told);
+    expect_no_command();
+}
+
+void test_SWR_VEL_014_a_text_that_is_no_speed_is_refused_by_name(void)
+{
+    char text[400];
+    (void)memset(text, ' ', sizeof text);
+    (void)memcpy(text, "VELOCITY", 8U);
+    text[sizeof text - 1U] = '\0';
+    expect_refusal("VELOCITY", "UNKNOWN_COMMAND");
+    expect_refusal("VELOCITY yaw 5", "UNKNOWN_COMMAND");
+    expect_refusal("VELOCITY nose 5 2", "UNKNOWN_COMMAND");
+    expect_refusal("VELOCITY yaw nan 2", "OUT_OF_RANGE");
+    expect_refusal("VELOCITY yaw 0x5 2", "OUT_OF_RANGE");
+    expect_refusal("VELOCITY yaw 5 yaw 5 2", "OUT_OF_RANGE");
+    expect_refusal("VELOCITY yaw 99999999999 2", "OUT_OF_RANGE");
+    expect_refusal("VELOCITY yaw 5 -2", "OUT_OF_RANGE");
+    expect_refusal("VELOCITY yaw 5 0", "OUT_OF_RANGE");
+    expect_refusal("VELOCITY yaw 5 2s", "OUT_OF_RANGE");
+    expect_refusal("VELOCITY yaw 5 .", "OUT_OF_RANGE");
+    expect_refusal(text, "OUT_OF_RANGE");
+}
+
+void test_SWR_VEL_014_another_word_is_another_word(void)
+{
+    say(0U, "CMD_1", "VELOCITYX yaw 5 2");
+    EXPECT(0U, "STRING ACK_1 VELOCITYX yaw 5 2");
+    EXPECT_BEGIN(0U, "STATUS VELOCITYX yaw 5 2 12 ");
+    expect_no_command();
+}
+
+void test_SWR_VEL_014_only_who_commands_commands_speeds(void)
+{
+    enter(0U, "CMD_1", "MANUAL");
+    pass_us(0U);
+    say(1U, "Text", "VELOCITY yaw 5 2");
+    EXPECT_BEGIN(1U, "STATUS VELOCITY 5 NO_AUTHORITY|");
+    expect_no_command();
+}
