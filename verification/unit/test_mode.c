@@ -77,11 +77,11 @@ static void expect_rest(void)
 void test_SWR_PHASE_001_each_mode_has_its_workphase(void)
 {
     static const char *const runs[WORKPHASE_COUNT] = {
-        [WORKPHASE_UNDEFINED] = ".......", [WORKPHASE_START_UP] = ".H..r..",
-        [WORKPHASE_PLANNING] = "....r..",  [WORKPHASE_CALIBRATION] = "....r..",
-        [WORKPHASE_TARGETING] = "....r..", [WORKPHASE_MOVE_TO_TARGET] = "..M.r..",
-        [WORKPHASE_MANUAL] = "...jrat",    [WORKPHASE_STOP] = "....r..",
-        [WORKPHASE_EMERGENCY] = "....r..",
+        [WORKPHASE_UNDEFINED] = "........", [WORKPHASE_START_UP] = ".H..r...",
+        [WORKPHASE_PLANNING] = "....r...",  [WORKPHASE_CALIBRATION] = "....r...",
+        [WORKPHASE_TARGETING] = "....r...", [WORKPHASE_MOVE_TO_TARGET] = "..M.r..",
+        [WORKPHASE_MANUAL] = "...jratv",    [WORKPHASE_STOP] = "....r...",
+        [WORKPHASE_EMERGENCY] = "....r...",
     };
     for (uint32_t i = 0U; i < WORKPHASE_COUNT; i++) {
         mode_kind_t own = MODE_NONE;
@@ -101,7 +101,8 @@ void test_SWR_MODE_001_each_mode_is_armed_by_its_command(void)
                                                           [COMMAND_RETRACT] = MODE_RETRACT,
                                                           [COMMAND_HOME_AXIS] = MODE_HOME_AXIS,
                                                           [COMMAND_RUN_TRAJECTORY] =
-                                                              MODE_TRAJECTORY};
+                                                              MODE_TRAJECTORY,
+                                                          [COMMAND_VELOCITY] = MODE_VELOCITY};
     for (uint32_t i = 0U; i < COMMAND_KIND_COUNT; i++) {
         TEST_ASSERT_EQUAL(armed[i], mode_of_command(i));
     }
@@ -116,6 +117,7 @@ void test_SWR_MODE_002_a_mode_needs_all_axes_the_commanded_ones_or_that_of_the_n
     TEST_ASSERT_EQUAL_HEX32(LEG_EVERY_AXIS, mode_axes(MODE_HOMING, two, &robot));
     TEST_ASSERT_EQUAL_HEX32(LEG_EVERY_AXIS, mode_axes(MODE_MOVE, two, &robot));
     TEST_ASSERT_EQUAL_HEX32(two, mode_axes(MODE_JOG, two, &robot));
+    TEST_ASSERT_EQUAL_HEX32(two, mode_axes(MODE_VELOCITY, two, &robot));
     TEST_ASSERT_EQUAL_HEX32(two, mode_axes(MODE_HOME_AXIS, two, &robot));
     TEST_ASSERT_EQUAL_HEX32(LEG_AXIS(AXIS_INSERTION), mode_axes(MODE_RETRACT, two, &robot));
     begin(MODE_JOG, WORKPHASE_MANUAL);
