@@ -33,8 +33,8 @@ bool velocity_bound_is_switch(const velocity_mode_t *self, const mode_frame_t *f
                               uint32_t index)
 {
     const bool is_upper = frame->robot->axes[index].limit_switch == (uint8_t)LIMIT_SWITCH_UPPER;
-    return (frame->axes[index].limit_switches != 0U) &&
-           (is_upper == (self->speeds_ticks_per_s[index] > 0));
+    const bool is_up = self->speeds_ticks_per_s[index] > 0;
+    return (frame->axes[index].limit_switches != 0U) && (is_upper == is_up);
 }
 
 velocity_bound_t velocity_bound_of(const velocity_mode_t *self, const mode_frame_t *frame,
@@ -50,11 +50,11 @@ velocity_bound_t velocity_bound_of(const velocity_mode_t *self, const mode_frame
     }
     if (!coupled_guard_is_known(frame->robot, frame->axes, index)) {
         const int64_t way = short_way_ticks(config);
-        bind(&bound, is_up, is_up ? (start + way) : (start - way), VELOCITY_END_SHORT_WAY);
+        bind(&bound, is_up, start + (is_up ? way : -way), VELOCITY_END_SHORT_WAY);
     }
     if (self->bound < 0) {
         const int64_t way = -(int64_t)self->bound;
-        bind(&bound, is_up, is_up ? (start + way) : (start - way), VELOCITY_END_WAY);
+        bind(&bound, is_up, start + (is_up ? way : -way), VELOCITY_END_WAY);
     }
     if (velocity_bound_is_switch(self, frame, index)) {
         bind(&bound, is_up, (int64_t)axis->encoder.position_ticks, VELOCITY_END_SWITCH_ZONE);

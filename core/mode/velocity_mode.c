@@ -8,6 +8,7 @@
 #include "safety/needle.h"
 
 #define CYCLES_PER_S (INT64_C(1000000) / (int64_t)LIMIT_CYCLE_US)
+#define CYCLES_IN_S (1000000U / LIMIT_CYCLE_US)
 /* A tick in the unit of ways: what a speed of 1 ticks/s, 8 fraction bits, makes of it in a cycle.
  */
 #define TICK (256 * CYCLES_PER_S)
@@ -16,7 +17,7 @@ typedef enum {
     STAGE_NEW = 0,
     STAGE_RUNS = 1,
     STAGE_ENDED = 2 /* And what has ended it was told. */
-} stage_t;
+} velocity_stage_t;
 
 /* The speeds of a cycle. */
 typedef struct {
@@ -24,7 +25,7 @@ typedef struct {
     int64_t steps_q8[ROBOT_AXIS_MAX];  /* How much a cycle may change them. */
     int32_t from_ticks[ROBOT_AXIS_MAX];
     int32_t to_ticks[ROBOT_AXIS_MAX]; /* Where they would come to rest. */
-} plan_t;
+} velocity_plan_t;
 
 static int64_t magnitude(int64_t value)
 {
@@ -69,8 +70,9 @@ static status_t judge_axis(const velocity_mode_t *asked, const robot_t *robot,
 static bool is_bound_known(const velocity_mode_t *asked)
 {
     const bool is_one = (asked->axes & (asked->axes - 1U)) == 0U;
-    return (asked->bound > 0) ? (asked->bound <= (int32_t)LIMIT_VELOCITY_TIME_MS)
-                              : ((asked->bound < 0) && is_one);
+    const bool is_time = (asked->bound > 0) && (asked->bound <= (int32_t)LIMIT_VELOCITY_TIME_MS);
+    const bool is_way = (asked->bound < 0) && is_one;
+    return is_time || is_way;
 }
 
 solution_t velocity_mode_judge(const velocity_mode_t *asked, const robot_t *robot,
@@ -115,10 +117,16 @@ static int64_t now_q8(const mode_frame_t *frame, uint32_t index)
     return magnitude((int64_t)frame->axes[index].setpoint_speed_ticks_per_s_q8);
 }
 
+static int64_t slower_q8(int64_t speed_q8, int64_t step_q8)
+{
+    return fixed_within(speed_q8 - step_q8, 0, speed_q8);
+}
+
 /* The way of a ramp down that begins in the next cycle. */
 static int64_t ramp_down(int64_t speed_q8, int64_t step_q8)
 {
-    const int64_t cycles = (int64_t)((uint32_t)speed_q8 / (uint32_t)step_q8);
+    const uint32_t whole = (uint32_t)speed_q8 / (uint32_t)step_q8;
+    const int64_t cycles = (int64_t)whole;
     return (cycles * speed_q8) - ((step_q8 * cycles * (cycles + 1)) / 2);
 }
 
@@ -139,7 +147,7 @@ static int64_t most_q8(const velocity_mode_t *self, const mode_frame_t *frame, u
         most = fixed_within(most, 0, (int64_t)config->home_speed_ticks_per_s * 256);
     }
     most = fixed_within(most, 0, magnitude((int64_t)self->speeds_ticks_per_s[index]) * 256);
-    most = fixed_within(most, 0, (left > 0) ? (step_q8 * left) : 0);
+    most = fixed_within(most, 0, fixed_within(step_q8 * left, 0, most));
     return ((self->barred & LEG_AXIS(index)) == 0U) ? most : 0;
 }
 
@@ -157,7 +165,7 @@ static int64_t next_q8(const velocity_mode_t *self, const mode_frame_t *frame, u
                        int64_t step_q8)
 {
     const int64_t now = now_q8(frame, index);
-    const int64_t slower = (now > step_q8) ? (now - step_q8) : 0;
+    const int64_t slower = slower_q8(now, step_q8);
     const int64_t room = room_of(self, frame, index);
     const int64_t fastest =
         fixed_within(most_q8(self, frame, index, step_q8), slower, now + step_q8);
@@ -168,7 +176,7 @@ static int64_t next_q8(const velocity_mode_t *self, const mode_frame_t *frame, u
     } else if (fits(steady, step_q8, room)) {
         speed = steady;
     } else {
-        speed = slower;
+        /* A ramp down it is. */
     }
     return speed;
 }
@@ -184,7 +192,7 @@ static int32_t place_after(const velocity_mode_t *self, const axis_t *axis, uint
 }
 
 static void set_speed(const velocity_mode_t *self, const mode_frame_t *frame, uint32_t index,
-                      int64_t speed_q8, plan_t *plan)
+                      int64_t speed_q8, velocity_plan_t *plan)
 {
     int32_t rest = 0;
     plan->speeds_q8[index] = speed_q8;
@@ -194,7 +202,7 @@ static void set_speed(const velocity_mode_t *self, const mode_frame_t *frame, ui
 }
 
 /* Each axis for itself. */
-static void plan_axes(const velocity_mode_t *self, const mode_frame_t *frame, plan_t *plan)
+static void plan_axes(const velocity_mode_t *self, const mode_frame_t *frame, velocity_plan_t *plan)
 {
     for (uint32_t i = 0U; i < frame->axis_count; i++) {
         const axis_t *const axis = &frame->axes[i];
@@ -202,9 +210,8 @@ static void plan_axes(const velocity_mode_t *self, const mode_frame_t *frame, pl
         plan->from_ticks[i] = axis->encoder.position_ticks;
         plan->to_ticks[i] = plan->from_ticks[i];
         if (has_axis(self, i)) {
-            const int64_t step =
-                fixed_divide_by((int64_t)frame->robot->axes[i].acceleration_ticks_per_s2 * 256,
-                                (uint32_t)CYCLES_PER_S);
+            const int64_t step = fixed_divide_by(
+                (int64_t)frame->robot->axes[i].acceleration_ticks_per_s2 * 256, CYCLES_IN_S);
             plan->from_ticks[i] = axis->setpoint_ticks;
             plan->steps_q8[i] = step;
             set_speed(self, frame, i, next_q8(self, frame, i, step), plan);
@@ -214,20 +221,19 @@ static void plan_axes(const velocity_mode_t *self, const mode_frame_t *frame, pl
 
 /* A limit that is shared ends the speeds of all of its axes. */
 static void bar(velocity_mode_t *self, const mode_frame_t *frame, const coupled_limit_t *limit,
-                plan_t *plan)
+                velocity_plan_t *plan)
 {
     for (uint32_t i = 0U; i < frame->axis_count; i++) {
         if (coupled_limit_has(limit, i) && has_axis(self, i)) {
             const int64_t now = now_q8(frame, i);
-            const int64_t step = plan->steps_q8[i];
-            set_speed(self, frame, i, (now > step) ? (now - step) : 0, plan);
+            set_speed(self, frame, i, slower_q8(now, plan->steps_q8[i]), plan);
             self->barred |= LEG_AXIS(i);
             refuse(self, (status_t)limit->refusal, i);
         }
     }
 }
 
-static void keep_limits(velocity_mode_t *self, const mode_frame_t *frame, plan_t *plan)
+static void keep_limits(velocity_mode_t *self, const mode_frame_t *frame, velocity_plan_t *plan)
 {
     for (uint32_t i = 0U; i < frame->robot->coupled_limit_count; i++) {
         if (coupled_guard_is_left(frame->robot, frame->axes, i, plan->from_ticks, plan->to_ticks)) {
@@ -236,7 +242,7 @@ static void keep_limits(velocity_mode_t *self, const mode_frame_t *frame, plan_t
     }
 }
 
-static bool moves(const mode_frame_t *frame, const plan_t *plan)
+static bool moves(const mode_frame_t *frame, const velocity_plan_t *plan)
 {
     bool is_any = false;
     for (uint32_t i = 0U; i < frame->axis_count; i++) {
@@ -255,12 +261,13 @@ static card_drive_t follow(velocity_mode_t *self, const mode_frame_t *frame, uin
                        frame->elapsed_us);
 }
 
-static void run(velocity_mode_t *self, const mode_frame_t *frame, const plan_t *plan,
+static void run(velocity_mode_t *self, const mode_frame_t *frame, const velocity_plan_t *plan,
                 mode_result_t *result)
 {
     for (uint32_t i = 0U; i < frame->axis_count; i++) {
+        axis_t *const axis = &frame->axes[i];
         result->requests[i] = has_axis(self, i) ? follow(self, frame, i, plan->speeds_q8[i])
-                                                : axis_rest(&frame->axes[i], frame->elapsed_us);
+                                                : axis_rest(axis, frame->elapsed_us);
     }
     self->left_cycles--;
 }
@@ -281,20 +288,30 @@ static velocity_end_t end_of(const velocity_mode_t *self, const mode_frame_t *fr
     return end;
 }
 
+/* Of a limit that is shared, it was told when that ended it. */
+static status_t refusal_of(velocity_end_t end)
+{
+    status_t status = STATUS_OK;
+    if (end == VELOCITY_END_SOFT_LIMIT) {
+        status = STATUS_AXIS_LIMIT;
+    } else if (end == VELOCITY_END_SWITCH_ZONE) {
+        status = STATUS_SWITCH_ZONE;
+    } else if (end == VELOCITY_END_SHORT_WAY) {
+        status = STATUS_JOG_TOO_FAR;
+    } else {
+        /* All of its time or its way. */
+    }
+    return status;
+}
+
 /* Every set-point has come to rest: what has ended it is told once. */
 static void conclude(velocity_mode_t *self, const mode_frame_t *frame, mode_result_t *result)
 {
-    static const status_t refusals[] = {[VELOCITY_END_TIME] = STATUS_OK,
-                                        [VELOCITY_END_WAY] = STATUS_OK,
-                                        [VELOCITY_END_SOFT_LIMIT] = STATUS_AXIS_LIMIT,
-                                        [VELOCITY_END_SWITCH_ZONE] = STATUS_SWITCH_ZONE,
-                                        [VELOCITY_END_COUPLED_LIMIT] = STATUS_OK,
-                                        [VELOCITY_END_SHORT_WAY] = STATUS_JOG_TOO_FAR};
     for (uint32_t i = 0U; i < frame->axis_count; i++) {
         if (has_axis(self, i)) {
             const velocity_end_t end = end_of(self, frame, i);
             mode_note(result, EVENT_VELOCITY_ENDED, i, (int32_t)end);
-            refuse(self, refusals[end], i);
+            refuse(self, refusal_of(end), i);
         }
     }
     self->stage = (uint32_t)STAGE_ENDED;
@@ -312,8 +329,8 @@ static void begin_rest(const velocity_mode_t *self, leg_t *leg, const mode_frame
     leg_begin(leg, frame, self->axes, ends);
 }
 
-static void rest(const velocity_mode_t *self, leg_t *leg, const mode_frame_t *frame,
-                 mode_result_t *result)
+static void come_to_rest(const velocity_mode_t *self, leg_t *leg, const mode_frame_t *frame,
+                         mode_result_t *result)
 {
     if (leg->is_running == 0U) {
         begin_rest(self, leg, frame);
@@ -328,7 +345,7 @@ static void rest(const velocity_mode_t *self, leg_t *leg, const mode_frame_t *fr
 void velocity_mode_step(velocity_mode_t *self, leg_t *leg, const mode_frame_t *frame,
                         mode_result_t *result)
 {
-    plan_t plan;
+    velocity_plan_t plan;
     if (self->stage == (uint32_t)STAGE_NEW) {
         begin(self, frame);
     }
@@ -341,5 +358,5 @@ void velocity_mode_step(velocity_mode_t *self, leg_t *leg, const mode_frame_t *f
         }
         conclude(self, frame, result);
     }
-    rest(self, leg, frame, result);
+    come_to_rest(self, leg, frame, result);
 }
