@@ -79,7 +79,7 @@ void test_SWR_PHASE_001_each_mode_has_its_workphase(void)
     static const char *const runs[WORKPHASE_COUNT] = {
         [WORKPHASE_UNDEFINED] = "........", [WORKPHASE_START_UP] = ".H..r...",
         [WORKPHASE_PLANNING] = "....r...",  [WORKPHASE_CALIBRATION] = "....r...",
-        [WORKPHASE_TARGETING] = "....r...", [WORKPHASE_MOVE_TO_TARGET] = "..M.r..",
+        [WORKPHASE_TARGETING] = "....r...", [WORKPHASE_MOVE_TO_TARGET] = "..M.r...",
         [WORKPHASE_MANUAL] = "...jratv",    [WORKPHASE_STOP] = "....r...",
         [WORKPHASE_EMERGENCY] = "....r...",
     };
