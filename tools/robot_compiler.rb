@@ -64,8 +64,9 @@ module Robot
         /* Index of each axis. */
         #{places(@robot.axes.map { |axis| "AXIS_#{axis['name'].upcase}" })}
 
-        /* Place of each length in geometry_nm. */
+        /* Place of each length in geometry_nm, and of those of the probe in probe_t. */
         #{places(geometry.keys)}
+        #{places(probe_places)}
 
         extern const robot_t robot_#{@robot.name};
 
@@ -81,14 +82,16 @@ module Robot
 
     # What stands in the table, in order.
     def parts
-      sealed = head.merge('coupled_limits' => coupled_limits, 'geometry_nm' => geometry.values)
+      sealed = head.merge('coupled_limits' => coupled_limits, 'geometry_nm' => geometry.values, **probe)
       [*head.map { |field, value| "    .#{field} = #{value}" },
        *array('coupled_limits', coupled_limits.each_with_index.map { |limit, i| "        [#{i}] = {#{initializers(limit)}}" }),
        *array('geometry_nm', geometry.map { |name, nm| "        [#{name}] = #{nm}" }),
+       *probe.map { |field, value| "    .#{field} = #{probe_initializer(value)}" },
        "    .seal = #{seal('robot_t', sealed)}",
        *array('axes', @robot.axes.each_with_index.map { |axis, i| entry(axis, i) }),
        *array('poses', @robot.poses.map { |name, ticks| pose(name, ticks) }),
        *array('start_ticks', @robot.axes.each_with_index.map { |axis, i| "        [#{i}] = #{axis['start_ticks']}" }),
+       *array('probe_names', @robot.probe.names.each_with_index.map { |name, i| "        [#{i}] = \"#{name}\"" }),
        *array('told_joints', @robot.told.joints.each_with_index.map { |axis, i| "        [#{i}] = #{axis}U" }),
        *array('told_lengths', @robot.told.lengths.each_with_index.map { |length, i| "        [#{i}] = #{told(*length)}" })]
     end
@@ -124,8 +127,34 @@ module Robot
       "        [POSE_#{name.upcase}] = {.ticks = {#{places}}, .seal = #{seal('pose_t', 'ticks' => ticks)}}"
     end
 
-    def told(name, millimetres)
-      "{.name = \"#{name}\", .length_nm = #{(millimetres * NM_PER_MM).round}}"
+    def told(name, length)
+      "{.name = \"#{name}\", .length_nm = #{nanometres(length.millimetres)}, .probe = #{length.probe}U}"
+    end
+
+    def nanometres(millimetres)
+      (millimetres * NM_PER_MM).round
+    end
+
+    def probe_places
+      @robot.probe.names.map { |name| "#{@robot.kinematics}_probe_#{name}".upcase }
+    end
+
+    # Of what the table has of the probe, in order.
+    def probe
+      probe = @robot.probe
+      lengths = { 'probe' => probe.values, 'probe_minimum' => probe.minimum, 'probe_maximum' => probe.maximum }
+      { 'probe_length_count' => "#{probe.names.size}U",
+        **lengths.transform_values { |values| { 'length_nm' => values.values.map { |one| nanometres(one) } } },
+        'probe_within' => probe.within.map { |place| "#{place}U" } }
+    end
+
+    # C knows no initializer without an element.
+    def probe_initializer(value)
+      return value unless value.respond_to?(:each)
+
+      list = value.is_a?(Hash) ? value.fetch('length_nm') : value
+      text = "{#{list.empty? ? '0' : probe_places.zip(list).map { |name, one| "[#{name}] = #{one}" }.join(', ')}}"
+      value.is_a?(Hash) ? "{#{text}}" : text
     end
 
     def seal(structure, values)
@@ -179,7 +208,7 @@ module Robot
     end
 
     def geometry
-      lengths = @robot.geometry.values.map { |millimetres| (millimetres * NM_PER_MM).round }
+      lengths = @robot.geometry.values.map { |millimetres| nanometres(millimetres) }
       @robot.length_names.map { |name| "#{@robot.kinematics}_#{name}".upcase }.zip(lengths).to_h
     end
   end

@@ -100,20 +100,22 @@ class Robots
       #include "robot/robot_kind.h"
       #{@names.map { |name| "#include \"robot/#{name}/#{name}.h\"" }.join("\n")}
 
-      void kinematics_forward(const robot_t *robot, const joints_t *joints, rigid_t *zframe_treatment)
+      void kinematics_forward(const robot_t *robot, const probe_t *probe, const joints_t *joints,
+                              rigid_t *zframe_treatment)
       {
-      #{switch('forward(robot, joints, zframe_treatment)', 'rigid_set_identity(zframe_treatment)')}
+      #{switch('forward(robot, probe, joints, zframe_treatment)', 'rigid_set_identity(zframe_treatment)')}
       }
 
-      solution_t kinematics_inverse(const robot_t *robot, const point_t *entry, const point_t *target, int32_t roll_bam,
+      solution_t kinematics_inverse(const robot_t *robot, const probe_t *probe, const needle_line_t *line,
                                     joints_t *joints)
       {
-      #{solution('inverse(robot, entry, target, roll_bam, joints)')}
+      #{solution('inverse(robot, probe, line, joints)')}
       }
 
-      solution_t kinematics_solve(const robot_t *robot, const rigid_t *pose, const point_t *entry, joints_t *joints)
+      solution_t kinematics_solve(const robot_t *robot, const probe_t *probe, const rigid_t *pose, const point_t *entry,
+                                  joints_t *joints)
       {
-      #{solution('solve(robot, pose, entry, joints)')}
+      #{solution('solve(robot, probe, pose, entry, joints)')}
       }
 
       int64_t kinematics_coupled(const robot_t *robot, uint32_t index, const joints_t *joints)

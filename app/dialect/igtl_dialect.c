@@ -36,6 +36,8 @@ uint32_t igtl_reason_code(status_t status)
     case STATUS_TOO_FAST:
     case STATUS_CLOSURE:
     case STATUS_ENTRY_POINT:
+    case STATUS_PROBE_LENGTH:
+    case STATUS_PROBE_ORDER:
         return IGTL_STATUS_CONFIG_ERROR;
     case STATUS_NO_AUTHORITY:
         return IGTL_STATUS_ACCESS_DENIED;
@@ -53,6 +55,7 @@ uint32_t igtl_reason_code(status_t status)
     case STATUS_MEMORY_DAMAGED:
     case STATUS_NOT_PROPOSED:
     case STATUS_HOLDS_AUTHORITY:
+    case STATUS_NO_PROBE:
     default:
         return IGTL_STATUS_NOT_READY;
     }

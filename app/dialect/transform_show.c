@@ -2,6 +2,7 @@
 #include "dialect/transform_show.h"
 
 #include "dialect/igtl_border.h"
+#include "robot/probe.h"
 
 #include <stddef.h>
 #include <stdio.h>
@@ -131,23 +132,35 @@ static void send_registration(transform_shown_t *self, igtl_outbox_t *outbox,
     } else {
         igtl_tell_not_found(outbox, "scanner_to_robot_reg", moment);
     }
+    if (registration->is_rotation_ignored != self->seen.registration.is_rotation_ignored) {
+        send_text(outbox, "ignore_rotation", (registration->is_rotation_ignored != 0U) ? "1" : "0",
+                  moment);
+    }
     self->seen.registration = *registration;
 }
 
+/* All of them again whenever the probe is another one; while none is known nothing is told of it.
+ */
 static void send_lengths(transform_shown_t *self, const robot_t *robot, igtl_outbox_t *outbox,
-                         const igtl_moment_t *moment)
+                         const transform_probe_t *probe, const igtl_moment_t *moment)
 {
     char text[ROOM_FOR_LENGTH];
 
-    for (uint32_t i = 0U; (i < ROBOT_TOLD_LENGTHS) && !self->has_seen_lengths; i++) {
+    if (self->has_seen_lengths && (memcmp(probe, &self->seen.probe, sizeof *probe) == 0)) {
+        return;
+    }
+    for (uint32_t i = 0U; i < ROBOT_TOLD_LENGTHS; i++) {
         const told_length_t *length = &robot->told_lengths[i];
+        const bool is_known = (length->probe == 0U) || (probe->is_valid != 0U);
 
-        if (length->name[0] != '\0') {
-            (void)snprintf(text, sizeof text, "%f", igtl_border_mm(length->length_nm));
+        if ((length->name[0] != '\0') && is_known) {
+            (void)snprintf(text, sizeof text, "%f",
+                           igtl_border_mm(probe_told_nm(length, probe->length_nm)));
             send_text(outbox, length->name, text, moment);
         }
     }
     self->has_seen_lengths = true;
+    self->seen.probe = *probe;
 }
 
 static bool is_measured_due(const transform_shown_t *self, const transform_measured_t *measured,
@@ -165,7 +178,7 @@ static bool is_measured_due(const transform_shown_t *self, const transform_measu
 void transform_show_step(transform_shown_t *self, const robot_t *robot, igtl_outbox_t *outbox,
                          const transform_view_t *view, const igtl_moment_t *moment)
 {
-    send_lengths(self, robot, outbox, moment);
+    send_lengths(self, robot, outbox, &view->probe, moment);
     send_registration(self, outbox, &view->registration, moment);
     send_point(outbox, "entry_point", &view->entry, &self->seen.entry, moment);
     send_point(outbox, "target_point", &view->target, &self->seen.target, moment);

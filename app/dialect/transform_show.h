@@ -35,6 +35,7 @@ void transform_show_all(transform_shown_t *self);
  * @satisfies SWR-IGTL-012
  * @satisfies SWR-IGTL-037
  * @satisfies SWR-IGTL-039
+ * @satisfies SWR-PROBE-007
  */
 void transform_show_step(transform_shown_t *self, const robot_t *robot, igtl_outbox_t *outbox,
                          const transform_view_t *view, const igtl_moment_t *moment);

@@ -8,10 +8,11 @@
 
 static void take_measured(transform_measured_t *measured, const snapshot_t *snapshot)
 {
-    const bool needs_registration = snapshot->pose_status == (uint32_t)STATUS_NOT_REGISTERED;
+    const bool are_joints_known = (snapshot->pose_status == (uint32_t)STATUS_NOT_REGISTERED) ||
+                                  (snapshot->pose_status == (uint32_t)STATUS_NO_PROBE);
 
     measured->pose_status = snapshot->pose_status;
-    measured->joint_status = needs_registration ? (uint32_t)STATUS_OK : snapshot->pose_status;
+    measured->joint_status = are_joints_known ? (uint32_t)STATUS_OK : snapshot->pose_status;
     if (measured->pose_status == (uint32_t)STATUS_OK) {
         measured->pose = snapshot->scanner_treatment;
     }
@@ -38,12 +39,15 @@ static void take_desired(transform_desired_t *desired, const snapshot_t *snapsho
 void transform_view_take(transform_view_t *view, const snapshot_t *snapshot)
 {
     (void)memset(view, 0, sizeof *view);
+    view->probe.is_valid = snapshot->has_probe;
+    (void)memcpy(view->probe.length_nm, snapshot->probe_nm, sizeof view->probe.length_nm);
     take_measured(&view->measured, snapshot);
     take_desired(&view->desired, snapshot);
     if (snapshot->is_registered != 0U) {
-        view->registration = (transform_registration_t){1U, snapshot->scanner_zframe};
+        view->registration =
+            (transform_registration_t){1U, snapshot->scanner_zframe, snapshot->is_rotation_ignored};
     } else if (snapshot->has_proposed_registration != 0U) {
-        view->registration = (transform_registration_t){1U, snapshot->proposed_registration};
+        view->registration = (transform_registration_t){1U, snapshot->proposed_registration, 0U};
     } else {
         view->registration.is_valid = 0U;
     }

@@ -32,7 +32,13 @@ typedef struct {
 typedef struct {
     uint32_t is_valid;
     rigid_t pose;
+    uint32_t is_rotation_ignored; /**< Its rotation is none, whatever was sent. */
 } transform_registration_t;
+
+typedef struct {
+    uint32_t is_valid; /**< Its lengths are known. */
+    int32_t length_nm[ROBOT_PROBE_LENGTHS];
+} transform_probe_t;
 
 typedef struct {
     uint32_t is_valid;
@@ -40,6 +46,7 @@ typedef struct {
 } transform_point_t;
 
 typedef struct {
+    transform_probe_t probe;
     transform_measured_t measured;
     transform_desired_t desired;
     transform_registration_t registration; /**< In force; before there is one, the proposed one. */

@@ -3,6 +3,7 @@
 
 #include "dialect/igtl_border.h"
 #include "limits/requirement_limits.h"
+#include "robot/probe.h"
 
 #include <stddef.h>
 #include <stdio.h>
@@ -11,7 +12,7 @@
 
 #define NM_PER_MM 1000000.0
 
-/* What the robot's description tells of its needle, NULL for nothing. */
+/* Under which name the robot's needle is told, NULL for none. */
 static const told_length_t *find_length(const robot_t *robot)
 {
     for (uint32_t i = 0U; i < ROBOT_TOLD_LENGTHS; i++) {
@@ -60,9 +61,13 @@ void workphase_needle_tell_length(workphase_peer_t *peer, const robot_t *robot,
     said[length] = '\0';
     igtl_encode_string(&packet, "ACK_NEEDLE_LENGTH", said, moment->timestamp);
     igtl_outbox_add(peer->outbox, &packet);
-    if (told != NULL) {
-        tell_verdict(peer, told->length_nm, said, moment);
-    } else {
+    if (told == NULL) {
         igtl_tell_refusal(peer->outbox, "NEEDLE_LENGTH", STATUS_UNKNOWN_COMMAND, moment);
+    } else if (moment->snapshot == NULL) {
+        igtl_tell_refusal(peer->outbox, "NEEDLE_LENGTH", STATUS_NO_ANSWER, moment);
+    } else if (moment->snapshot->has_probe == 0U) {
+        igtl_tell_refusal(peer->outbox, "NEEDLE_LENGTH", STATUS_NO_PROBE, moment);
+    } else {
+        tell_verdict(peer, probe_told_nm(told, moment->snapshot->probe_nm), said, moment);
     }
 }

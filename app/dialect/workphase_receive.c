@@ -5,6 +5,7 @@
 #include "dialect/workphase_needle.h"
 #include "dialect/workphase_peer.h"
 #include "dialect/workphase_poll.h"
+#include "dialect/workphase_probe.h"
 #include "dialect/workphase_velocity.h"
 #include "interface/app/names.h"
 #include "limits/requirement_limits.h"
@@ -178,6 +179,27 @@ static void receive_velocity(workphase_dialect_t *self, uint32_t index,
     }
 }
 
+static void receive_probe(workphase_dialect_t *self, uint32_t index, const igtl_message_t *message,
+                          const igtl_moment_t *moment)
+{
+    workphase_peer_t *peer = &self->peers[index];
+    command_t command = {.peer = peer->number};
+    status_t status = workphase_probe_read(message, &command);
+
+    if (is_others(self, index)) {
+        status = STATUS_NO_AUTHORITY;
+    } else if (status != STATUS_OK) {
+        /* It is no probe. */
+    } else if (igtl_requests_add(&self->requests, index, &command, moment->patience_us) == NULL) {
+        status = STATUS_BUSY;
+    } else {
+        /* It is on its way. */
+    }
+    if (status != STATUS_OK) {
+        igtl_tell_refusal(peer->outbox, "PROBE", status, moment);
+    }
+}
+
 /* What is not a workphase: false when it is nothing at all. */
 static bool receive_other(workphase_dialect_t *self, uint32_t index, const igtl_message_t *message,
                           const igtl_moment_t *moment)
@@ -190,6 +212,10 @@ static bool receive_other(workphase_dialect_t *self, uint32_t index, const igtl_
     }
     if (workphase_velocity_is(message)) {
         receive_velocity(self, index, message, moment);
+        return true;
+    }
+    if (workphase_probe_is(message)) {
+        receive_probe(self, index, message, moment);
         return true;
     }
     return workphase_poll_string(&self->peers[index], message, moment);

@@ -10,7 +10,7 @@
 
 /**
  * A STRING: a workphase named CMD_x, a question, RETRACT_NEEDLE or RETRACT_PROBE, ACCEPT_ENTRY or
- * WITHDRAW_ENTRY, NEEDLE_LENGTH. Anything else is refused.
+ * WITHDRAW_ENTRY, PROBE, NEEDLE_LENGTH. Anything else is refused.
  *
  * @satisfies SWR-IGTL-006
  * @satisfies SWR-IGTL-008

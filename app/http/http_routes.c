@@ -43,7 +43,7 @@ static int answer_robot(http_server_t *server, struct mg_connection *connection)
 {
     telemetry_view_t view;
     return look(server, connection, &view)
-               ? http_reply_object(connection, 200, telemetry_json_robot(view.robot))
+               ? http_reply_object(connection, 200, telemetry_json_robot(&view))
                : 503;
 }
 
@@ -189,6 +189,8 @@ static int answer(http_server_t *server, const http_call_t *call)
         return http_motion_velocity(server, call);
     case ROUTE_REGISTRATION:
         return http_targeting_register(server, call);
+    case ROUTE_PROBE:
+        return http_targeting_set_probe(server, call);
     case ROUTE_ENTRY:
         return http_targeting_enter(server, call);
     case ROUTE_TARGET:

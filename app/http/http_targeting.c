@@ -9,10 +9,12 @@
 #include "interface/app/messages.h"
 #include "interface/app/names.h"
 
+#include <math.h>
 #include <stdio.h>
 
 #define NUMBERS 16U
 #define POINTER_SIZE 24U
+#define NM_PER_MM 1000000.0
 
 /* What is aimed at; NULL: it is not said. */
 typedef struct {
@@ -32,9 +34,33 @@ static int read_pose(const http_call_t *call, const double numbers[NUMBERS], rig
 int http_targeting_register(http_server_t *server, const http_call_t *call)
 {
     const request_registration_t *body = &call->body.registration;
-    command_t command = {.id = body->id, .kind = (uint32_t)COMMAND_REGISTRATION};
+    const bool is_ignored = body->has_ignore_rotation && (body->ignore_rotation != 0U);
+    command_t command = {
+        .id = body->id,
+        .kind = (uint32_t)COMMAND_REGISTRATION,
+        .argument = (uint32_t)(is_ignored ? REGISTRATION_TRANSLATION : REGISTRATION_WHOLE)};
     const int refusal = read_pose(call, body->matrix, &command.pose);
     return (refusal != 0) ? refusal : http_act_command(server, call, &command);
+}
+
+/* Which length is wrong is known here; whether it may be changed now, control knows. */
+int http_targeting_set_probe(http_server_t *server, const http_call_t *call)
+{
+    const robot_t *robot = exchange_robot(server->exchange);
+    const request_probe_t *body = &call->body.probe;
+    char pointer[POINTER_SIZE];
+    command_t command = {
+        .id = body->id, .kind = (uint32_t)COMMAND_PROBE, .argument = body->lengths_mm_count};
+    for (uint32_t i = 0U; i < body->lengths_mm_count; i++) {
+        const int32_t length_nm = (int32_t)lround(body->lengths_mm[i] * NM_PER_MM);
+        if ((length_nm < robot->probe_minimum.length_nm[i]) ||
+            (length_nm > robot->probe_maximum.length_nm[i])) {
+            (void)snprintf(pointer, sizeof pointer, "/lengths_mm/%u", (unsigned)i);
+            return http_act_refuse_member(call, pointer);
+        }
+        command.ticks[i] = length_nm;
+    }
+    return http_act_command(server, call, &command);
 }
 
 int http_targeting_enter(http_server_t *server, const http_call_t *call)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file The routes of registration, entry point and target. Each returns the status sent. */
+/** @file The routes of probe, registration, entry point and target. Each returns the status sent.
+ */
 #ifndef BORESIGHT_HTTP_TARGETING_H
 #define BORESIGHT_HTTP_TARGETING_H
 
@@ -8,6 +9,9 @@
 
 /** @satisfies SWR-HTTP-031 */
 int http_targeting_register(http_server_t *server, const http_call_t *call);
+
+/** @satisfies SWR-PROBE-008 */
+int http_targeting_set_probe(http_server_t *server, const http_call_t *call);
 
 /** @satisfies SWR-HTTP-031 */
 int http_targeting_enter(http_server_t *server, const http_call_t *call);

@@ -44,3 +44,19 @@ void origins_look(origins_t *self, const exchange_t *exchange)
         }
     } while (count == EVENTS_AT_ONCE);
 }
+
+void origins_take_registration(origins_t *self, const exchange_t *exchange,
+                               const snapshot_t *snapshot)
+{
+    origin_t *origin = &self->registration;
+    const bool is_told = origin->is_known && (origin->cycle == snapshot->registered_cycle) &&
+                         (origin->source == snapshot->registered_source) &&
+                         (origin->peer == snapshot->registered_peer);
+    if ((snapshot->is_registered != 0U) && !is_told) {
+        origin->is_known = true;
+        origin->source = snapshot->registered_source;
+        origin->peer = snapshot->registered_peer;
+        origin->cycle = snapshot->registered_cycle;
+        exchange_title(exchange, (command_source_t)origin->source, origin->peer, origin->title);
+    }
+}

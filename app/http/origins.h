@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * From whom registration, target and entry point are, as the log of events tells it. What was
- * accepted before the oldest event that is kept is from nobody that is known.
+ * From whom registration, target and entry point are, as the log of events tells it. A target or
+ * entry point that was accepted before the oldest event that is kept is from nobody that is known;
+ * whose the registration is, the snapshot says as well.
  */
 #ifndef BORESIGHT_ORIGINS_H
 #define BORESIGHT_ORIGINS_H
@@ -35,5 +36,13 @@ typedef struct {
  * @satisfies SWR-HTTP-032
  */
 void origins_look(origins_t *self, const exchange_t *exchange);
+
+/**
+ * After origins_look(): the registration of `snapshot`, if the events do not tell of it.
+ *
+ * @satisfies SWR-PLAN-022
+ */
+void origins_take_registration(origins_t *self, const exchange_t *exchange,
+                               const snapshot_t *snapshot);
 
 #endif

@@ -31,16 +31,27 @@ static uint32_t find_tightest(const robot_t *robot, const int32_t ticks[ROBOT_AX
     return found;
 }
 
+static probe_t probe_of(const snapshot_t *snapshot)
+{
+    probe_t probe;
+    (void)memcpy(probe.length_nm, snapshot->probe_nm, sizeof probe.length_nm);
+    return probe;
+}
+
 preview_t preview_target(const robot_t *robot, const snapshot_t *snapshot,
                          const rigid_t *scanner_treatment)
 {
+    const plan_origin_t origin = {.ignores_rotation = false};
+    const probe_t probe = probe_of(snapshot);
     plan_t plan;
     preview_t preview;
     int32_t ticks[ROBOT_AXIS_MAX] = {0};
     (void)memset(&preview, 0, sizeof preview);
-    plan_init(&plan);
+    plan_init(&plan, robot);
+    plan_set_probe(&plan, &probe);
+    plan.has_probe = snapshot->has_probe;
     if (snapshot->is_registered != 0U) {
-        (void)plan_register(&plan, robot, &snapshot->scanner_zframe);
+        (void)plan_register(&plan, robot, &snapshot->scanner_zframe, &origin);
     }
     plan.entry = snapshot->entry;
     plan.has_entry = snapshot->has_entry;
@@ -63,6 +74,11 @@ solution_t preview_aim(const robot_t *robot, const snapshot_t *snapshot, const p
     rigid_t zframe_scanner;
     rigid_t zframe_treatment;
     joints_t joints;
+    const probe_t probe = probe_of(snapshot);
+    if (snapshot->has_probe == 0U) {
+        solution.status = STATUS_NO_PROBE;
+        return solution;
+    }
     if (snapshot->is_registered == 0U) {
         return solution;
     }
@@ -71,11 +87,12 @@ solution_t preview_aim(const robot_t *robot, const snapshot_t *snapshot, const p
         return solution;
     }
     rigid_invert(&snapshot->scanner_zframe, &zframe_scanner);
-    const point_t from = rigid_apply(&zframe_scanner, &snapshot->entry);
-    const point_t to = rigid_apply(&zframe_scanner, target);
-    solution = kinematics_inverse(robot, &from, &to, 0, &joints);
+    const needle_line_t line = {.entry = rigid_apply(&zframe_scanner, &snapshot->entry),
+                                .target = rigid_apply(&zframe_scanner, target),
+                                .roll_bam = 0};
+    solution = kinematics_inverse(robot, &probe, &line, &joints);
     if (solution.status == STATUS_OK) {
-        kinematics_forward(robot, &joints, &zframe_treatment);
+        kinematics_forward(robot, &probe, &joints, &zframe_treatment);
         rigid_multiply(&snapshot->scanner_zframe, &zframe_treatment, scanner_treatment);
     }
     return solution;

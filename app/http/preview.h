@@ -36,8 +36,8 @@ preview_t preview_target(const robot_t *robot, const snapshot_t *snapshot,
  * The pose in which a needle through the entry point of `snapshot` has its tip at `target`, scanner
  * coordinates, if the robot has joint values for it.
  *
- * @return STATUS_OK; STATUS_NOT_REGISTERED; STATUS_NOT_PROPOSED without an entry point; or as
- * kinematics_inverse()
+ * @return STATUS_OK; STATUS_NO_PROBE; STATUS_NOT_REGISTERED; STATUS_NOT_PROPOSED without an entry
+ * point; or as kinematics_inverse()
  */
 solution_t preview_aim(const robot_t *robot, const snapshot_t *snapshot, const point_t *target,
                        rigid_t *scanner_treatment);

@@ -6,6 +6,7 @@
 #include "interface/app/messages.h"
 #include "interface/app/names.h"
 #include "limits/requirement_limits.h"
+#include "robot/probe.h"
 #include "robot/robot_cards.h"
 
 #include <arpa/inet.h>
@@ -213,22 +214,27 @@ static cJSON *new_robot_axis(const axis_config_t *axis)
     return json_robot_axis(&told);
 }
 
-static cJSON *new_lengths(const robot_t *robot)
+static cJSON *new_lengths(const telemetry_view_t *view)
 {
+    const robot_t *robot = view->robot;
+    const int32_t *probe_nm = view->snapshot.probe_nm;
     cJSON *lengths = cJSON_CreateArray();
     for (uint32_t i = 0U; i < ROBOT_TOLD_LENGTHS; i++) {
         const told_length_t *length = &robot->told_lengths[i];
-        const json_robot_length_t told = {.name = length->name,
-                                          .length_mm = telemetry_units_length(length->length_nm)};
-        if (length->name[0] != '\0') {
+        const json_robot_length_t told = {
+            .name = length->name,
+            .length_mm = telemetry_units_length(probe_told_nm(length, probe_nm))};
+        const bool is_known = (length->probe == 0U) || (view->snapshot.has_probe != 0U);
+        if ((length->name[0] != '\0') && is_known) {
             (void)cJSON_AddItemToArray(lengths, json_robot_length(&told));
         }
     }
     return lengths;
 }
 
-cJSON *telemetry_json_robot(const robot_t *robot)
+cJSON *telemetry_json_robot(const telemetry_view_t *view)
 {
+    const robot_t *robot = view->robot;
     char checksum[9];
     cJSON *axes = cJSON_CreateArray();
     (void)snprintf(checksum, sizeof checksum, "%08x", (unsigned)robot->crc);
@@ -236,7 +242,7 @@ cJSON *telemetry_json_robot(const robot_t *robot)
         (void)cJSON_AddItemToArray(axes, new_robot_axis(&robot->axes[i]));
     }
     const json_robot_t told = {
-        .name = robot->name, .checksum = checksum, .axes = axes, .lengths = new_lengths(robot)};
+        .name = robot->name, .checksum = checksum, .axes = axes, .lengths = new_lengths(view)};
     return json_robot(&told);
 }
 
@@ -261,6 +267,22 @@ static cJSON *new_origin(const snapshot_t *snapshot, uint32_t is_there, const or
     return ((is_there != 0U) && origin->is_known) ? json_origin(&told) : NULL;
 }
 
+static cJSON *new_probe(const telemetry_view_t *view)
+{
+    const robot_t *robot = view->robot;
+    cJSON *lengths = cJSON_CreateArray();
+    for (uint32_t i = 0U; i < robot->probe_length_count; i++) {
+        const double length_mm = telemetry_units_length(view->snapshot.probe_nm[i]);
+        const json_probe_length_t told = {
+            .name = robot->probe_names[i],
+            .length_mm = (view->snapshot.has_probe != 0U) ? &length_mm : NULL,
+            .minimum_mm = telemetry_units_length(robot->probe_minimum.length_nm[i]),
+            .maximum_mm = telemetry_units_length(robot->probe_maximum.length_nm[i])};
+        (void)cJSON_AddItemToArray(lengths, json_probe_length(&told));
+    }
+    return lengths;
+}
+
 cJSON *telemetry_json_targeting(const telemetry_view_t *view)
 {
     const snapshot_t *snapshot = &view->snapshot;
@@ -275,6 +297,7 @@ cJSON *telemetry_json_targeting(const telemetry_view_t *view)
             new_origin(snapshot, snapshot->is_registered, &view->origins.registration),
         .target_by = new_origin(snapshot, snapshot->has_target, &view->origins.target),
         .entry_by = new_origin(snapshot, snapshot->has_entry, &view->origins.entry),
+        .probe = new_probe(view),
         .proposals = json_proposals(snapshot)};
     return json_targeting(snapshot, &also);
 }

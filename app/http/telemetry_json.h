@@ -29,7 +29,7 @@ typedef struct {
  */
 cJSON *telemetry_json_status(const telemetry_identity_t *identity, const telemetry_view_t *view);
 /** @satisfies SWR-HTTP-037 */
-cJSON *telemetry_json_robot(const robot_t *robot);
+cJSON *telemetry_json_robot(const telemetry_view_t *view);
 cJSON *telemetry_json_motors(const telemetry_view_t *view);
 /** @satisfies SWR-HTTP-006 */
 cJSON *telemetry_json_targeting(const telemetry_view_t *view);

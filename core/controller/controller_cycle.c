@@ -24,7 +24,7 @@ void controller_init(controller_t *self, const robot_t *robot)
     authority_init(&self->authority);
     estop_latch_init(&self->estop);
     procedure_init(&self->procedure);
-    plan_init(&self->plan);
+    plan_init(&self->plan, robot);
     self->axis_count = robot->axis_count;
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         axis_init(&self->axes[i]);

@@ -189,7 +189,9 @@ static void check_plan(controller_t *self, const cycle_t *cycle)
 {
     if (plan_is_damaged(&self->plan)) {
         controller_note(self, cycle, EVENT_MEMORY_DAMAGED, (uint32_t)EVENT_MEMORY_PLAN, 0);
-        plan_init(&self->plan);
+        if (!plan_forget(&self->plan)) {
+            controller_note(self, cycle, EVENT_MEMORY_DAMAGED, (uint32_t)EVENT_MEMORY_PROBE, 0);
+        }
         controller_tell_order(self, cycle, ARMING_EVENT_FAULT, STATUS_FAULT_PRESENT);
     }
 }

@@ -31,7 +31,8 @@ static const rights_t rights[COMMAND_SOURCE_COUNT] = {
                                        [COMMAND_ACCEPT_ENTRY] = true,
                                        [COMMAND_WITHDRAW] = true,
                                        [COMMAND_RELEASE] = true,
-                                       [COMMAND_VELOCITY] = true},
+                                       [COMMAND_VELOCITY] = true,
+                                       [COMMAND_PROBE] = true},
                              .workphases = {[WORKPHASE_START_UP] = true,
                                             [WORKPHASE_PLANNING] = true,
                                             [WORKPHASE_CALIBRATION] = true,
@@ -61,7 +62,8 @@ static const rights_t rights[COMMAND_SOURCE_COUNT] = {
                                        [COMMAND_CLEAR_AXIS] = true,
                                        [COMMAND_CONFIRM_AXIS] = true,
                                        [COMMAND_SET_HOME] = true,
-                                       [COMMAND_VELOCITY] = true},
+                                       [COMMAND_VELOCITY] = true,
+                                       [COMMAND_PROBE] = true},
                              .workphases = {[WORKPHASE_START_UP] = true,
                                             [WORKPHASE_PLANNING] = true,
                                             [WORKPHASE_CALIBRATION] = true,
@@ -106,7 +108,9 @@ static mode_request_t request_of(const controller_t *self, const cycle_t *cycle,
 static solution_t judge_move(controller_t *self, const cycle_t *cycle)
 {
     solution_t result = {.status = STATUS_MEMORY_DAMAGED};
-    if (plan_is_proved(&self->plan, cycle->robot)) {
+    if (self->plan.has_probe == 0U) {
+        result.status = STATUS_NO_PROBE;
+    } else if (plan_is_proved(&self->plan, cycle->robot)) {
         int32_t ticks[ROBOT_AXIS_MAX];
         controller_positions(self, ticks);
         result = plan_judge_way(&self->plan, cycle->robot, ticks);

@@ -2,6 +2,10 @@
 #include "controller/controller_plan.h"
 
 #include "controller/controller_facts.h"
+#include "robot/probe.h"
+#include "safety/needle.h"
+
+#include <string.h>
 
 static bool is_in(const controller_t *self, workphase_t workphase)
 {
@@ -14,9 +18,54 @@ static status_t tell_registration(controller_t *self, const cycle_t *cycle,
     if (!is_in(self, WORKPHASE_CALIBRATION)) {
         return STATUS_WRONG_WORKPHASE;
     }
-    const status_t status = plan_register(&self->plan, cycle->robot, &command->pose);
+    if (command->argument >= REGISTRATION_USE_COUNT) {
+        return STATUS_UNKNOWN_COMMAND;
+    }
+    const plan_origin_t origin = {.source = command->source,
+                                  .peer = command->peer,
+                                  .cycle = self->cycle,
+                                  .ignores_rotation =
+                                      command->argument == (uint32_t)REGISTRATION_TRANSLATION};
+    const status_t status = plan_register(&self->plan, cycle->robot, &command->pose, &origin);
     if (status == STATUS_OK) {
         controller_note(self, cycle, EVENT_REGISTERED, 0U, 0);
+    }
+    if ((status == STATUS_OK) && origin.ignores_rotation) {
+        controller_note(self, cycle, EVENT_ROTATION_IGNORED, 0U, 0);
+    }
+    return status;
+}
+
+/* A needle that is in was led there by the probe that was told before. */
+static status_t judge_probe(const controller_t *self, const cycle_t *cycle,
+                            const command_t *command, const probe_t *probe)
+{
+    status_t status = STATUS_PROBE_LENGTH;
+    if (command->argument != cycle->robot->probe_length_count) {
+        status = STATUS_PROBE_LENGTH;
+    } else if (is_in(self, WORKPHASE_MOVE_TO_TARGET)) {
+        status = STATUS_WRONG_WORKPHASE;
+    } else if (procedure_is_armed(&self->procedure)) {
+        status = STATUS_NOT_AT_REST;
+    } else if (!needle_is_out(cycle->robot, self->axes)) {
+        status = STATUS_NEEDLE_IN;
+    } else {
+        status = probe_judge(cycle->robot, probe);
+    }
+    return status;
+}
+
+static status_t tell_probe(controller_t *self, const cycle_t *cycle, const command_t *command)
+{
+    probe_t probe;
+    (void)memcpy(probe.length_nm, command->ticks, sizeof probe.length_nm);
+    const status_t status = judge_probe(self, cycle, command, &probe);
+    if (status == STATUS_OK) {
+        plan_set_probe(&self->plan, &probe);
+        controller_note(self, cycle, EVENT_PROBE_TAKEN, 0U, 0);
+        for (uint32_t i = 0U; i < command->argument; i++) {
+            controller_note(self, cycle, EVENT_PROBE_LENGTH, i, probe.length_nm[i]);
+        }
     }
     return status;
 }
@@ -134,6 +183,9 @@ status_t controller_tell_plan(controller_t *self, const cycle_t *cycle, const co
     switch (command->kind) {
     case (uint32_t)COMMAND_REGISTRATION:
         status = tell_registration(self, cycle, command);
+        break;
+    case (uint32_t)COMMAND_PROBE:
+        status = tell_probe(self, cycle, command);
         break;
     case (uint32_t)COMMAND_TARGET:
         status = tell_target(self, cycle, command, answer);

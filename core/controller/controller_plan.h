@@ -11,16 +11,20 @@
 bool controller_is_unlogged(const command_t *command);
 
 /**
- * Registration, target, entry point, proposals and the needle that an image shows; fills what
- * `answer` says of a target.
+ * Probe, registration, target, entry point, proposals and the needle that an image shows; fills
+ * what `answer` says of a target.
  *
  * @return STATUS_OK; STATUS_UNKNOWN_COMMAND for any other kind, and for what cannot be withdrawn;
- * STATUS_WRONG_WORKPHASE; as the plan refuses
+ * STATUS_WRONG_WORKPHASE; as the plan refuses; of a probe also STATUS_NOT_AT_REST,
+ * STATUS_NEEDLE_IN, or as probe_judge()
  *
  * @satisfies SWR-PLAN-017
  * @satisfies SWR-PLAN-021
  * @satisfies SWR-CTRL-023
  * @satisfies SWR-MOTION-024
+ * @satisfies SWR-PROBE-003
+ * @satisfies SWR-PROBE-004
+ * @satisfies SWR-PLAN-023
  */
 status_t controller_tell_plan(controller_t *self, const cycle_t *cycle, const command_t *command,
                               answer_t *answer);

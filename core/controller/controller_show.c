@@ -43,6 +43,8 @@ static next_step_t step_for_plan(const controller_t *self, bool is_homed)
     next_step_t step = NEXT_STEP_TARGETING;
     if ((workphase == WORKPHASE_EMERGENCY) || !is_homed) {
         step = NEXT_STEP_START_UP;
+    } else if (self->plan.has_probe == 0U) {
+        step = NEXT_STEP_PROBE;
     } else if (self->plan.is_registered == 0U) {
         step = NEXT_STEP_REGISTER;
     } else if (self->plan.has_target == 0U) {
@@ -113,9 +115,9 @@ static bool is_one_of(next_step_t step, uint32_t steps)
  * button. */
 static next_step_t authority_first(const controller_t *self, next_step_t step)
 {
-    const uint32_t commanded = BIT(NEXT_STEP_START_UP) | BIT(NEXT_STEP_REGISTER) |
-                               BIT(NEXT_STEP_TARGET) | BIT(NEXT_STEP_MOVE) |
-                               BIT(NEXT_STEP_TARGETING);
+    const uint32_t commanded = BIT(NEXT_STEP_START_UP) | BIT(NEXT_STEP_PROBE) |
+                               BIT(NEXT_STEP_REGISTER) | BIT(NEXT_STEP_TARGET) |
+                               BIT(NEXT_STEP_MOVE) | BIT(NEXT_STEP_TARGETING);
     const uint32_t calm = commanded | BIT(NEXT_STEP_RELEASE_PEDAL) | BIT(NEXT_STEP_PRESS_PEDAL) |
                           BIT(NEXT_STEP_CONFIRM) | BIT(NEXT_STEP_NOTHING);
     next_step_t first = step;
@@ -169,7 +171,13 @@ static void show_card(const controller_t *self, const cycle_t *cycle, uint32_t s
 
 static void show_plan(const controller_t *self, snapshot_t *shown)
 {
+    shown->has_probe = self->plan.has_probe;
+    (void)memcpy(shown->probe_nm, self->plan.probe.length_nm, sizeof shown->probe_nm);
     shown->is_registered = self->plan.is_registered;
+    shown->is_rotation_ignored = self->plan.is_rotation_ignored;
+    shown->registered_source = self->plan.registered_source;
+    shown->registered_peer = self->plan.registered_peer;
+    shown->registered_cycle = self->plan.registered_cycle;
     shown->has_target = self->plan.has_target;
     shown->has_entry = self->plan.has_entry;
     shown->has_seen_needle = self->plan.has_seen_needle;
@@ -219,6 +227,8 @@ static status_t pose_status(const controller_t *self, bool is_homed)
         status = STATUS_MEMORY_DAMAGED;
     } else if (!is_homed) {
         status = STATUS_NOT_HOMED;
+    } else if (self->plan.has_probe == 0U) {
+        status = STATUS_NO_PROBE;
     } else if (self->plan.is_registered == 0U) {
         status = STATUS_NOT_REGISTERED;
     } else {
@@ -239,7 +249,7 @@ static void show_pose(const controller_t *self, const robot_t *robot, snapshot_t
     }
     controller_positions(self, ticks);
     joints_from_ticks(robot, ticks, &joints);
-    kinematics_forward(robot, &joints, &shown->zframe_treatment);
+    kinematics_forward(robot, &self->plan.probe, &joints, &shown->zframe_treatment);
     rigid_multiply(&self->plan.scanner_zframe, &shown->zframe_treatment, &shown->scanner_treatment);
 }
 

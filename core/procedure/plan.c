@@ -5,6 +5,7 @@
 #include "limits/requirement_limits.h"
 #include "robot/coupled_limit.h"
 #include "robot/coupled_path.h"
+#include "robot/probe.h"
 
 #include <stddef.h>
 #include <string.h>
@@ -36,21 +37,21 @@ void plan_forget_target(plan_t *self)
 }
 
 /* Where the joints put the treatment frame in the scanner. */
-static void find_pose(const robot_t *robot, const rigid_t *scanner_zframe, const joints_t *joints,
-                      rigid_t *scanner_treatment)
+static rigid_t find_pose(const plan_t *self, const robot_t *robot, const rigid_t *scanner_zframe,
+                         const joints_t *joints)
 {
     rigid_t zframe_treatment;
-    kinematics_forward(robot, joints, &zframe_treatment);
-    rigid_multiply(scanner_zframe, &zframe_treatment, scanner_treatment);
+    rigid_t scanner_treatment;
+    kinematics_forward(robot, &self->probe, joints, &zframe_treatment);
+    rigid_multiply(scanner_zframe, &zframe_treatment, &scanner_treatment);
+    return scanner_treatment;
 }
 
-/* Rounds legal joints to ticks and says where that puts the treatment frame in the scanner. */
-static void settle(const robot_t *robot, const rigid_t *scanner_zframe, joints_t *joints,
-                   int32_t ticks[ROBOT_AXIS_MAX], rigid_t *scanner_treatment)
+/* Rounds legal joints to ticks. */
+static void settle(const robot_t *robot, joints_t *joints, int32_t ticks[ROBOT_AXIS_MAX])
 {
     joints_to_ticks(robot, joints, ticks);
     joints_from_ticks(robot, ticks, joints);
-    find_pose(robot, scanner_zframe, joints, scanner_treatment);
 }
 
 /* What entry and target point ask for together; shown only, in the frame of the measured pose. */
@@ -62,11 +63,13 @@ static bool find_desired(plan_t *self, const robot_t *robot)
     rigid_t zframe_scanner;
     joints_t joints;
     rigid_invert(scanner_zframe, &zframe_scanner);
-    const point_t entry = rigid_apply(&zframe_scanner, &self->proposed_entry);
-    const point_t target = rigid_apply(&zframe_scanner, &self->proposed_target);
-    const solution_t result = kinematics_inverse(robot, &entry, &target, 0, &joints);
+    const needle_line_t line = {.entry = rigid_apply(&zframe_scanner, &self->proposed_entry),
+                                .target = rigid_apply(&zframe_scanner, &self->proposed_target),
+                                .roll_bam = 0};
+    const solution_t result = kinematics_inverse(robot, &self->probe, &line, &joints);
     if (result.status == STATUS_OK) {
-        settle(robot, scanner_zframe, &joints, self->desired_ticks, &self->scanner_desired);
+        settle(robot, &joints, self->desired_ticks);
+        self->scanner_desired = find_pose(self, robot, scanner_zframe, &joints);
     }
     return result.status == STATUS_OK;
 }
@@ -74,7 +77,8 @@ static bool find_desired(plan_t *self, const robot_t *robot)
 /* After whatever changed of the proposals. */
 static void weigh_proposals(plan_t *self, const robot_t *robot)
 {
-    const bool are_both = (self->has_proposed_entry != 0U) && (self->has_proposed_target != 0U);
+    const bool are_both = (self->has_probe != 0U) && (self->has_proposed_entry != 0U) &&
+                          (self->has_proposed_target != 0U);
     self->is_proposal_reachable = 0U;
     if (are_both && find_desired(self, robot)) {
         self->is_proposal_reachable = 1U;
@@ -82,7 +86,8 @@ static void weigh_proposals(plan_t *self, const robot_t *robot)
     plan_seal(self);
 }
 
-void plan_init(plan_t *self)
+/* Without a probe. */
+static void clear(plan_t *self)
 {
     (void)memset(self, 0, sizeof *self);
     rigid_set_identity(&self->scanner_zframe);
@@ -90,10 +95,43 @@ void plan_init(plan_t *self)
     rigid_set_identity(&self->scanner_seen_needle);
     rigid_set_identity(&self->proposed_registration);
     rigid_set_identity(&self->scanner_desired);
+}
+
+static void take_probe(plan_t *self, const probe_t *probe)
+{
+    self->probe = *probe;
+    self->probe_crc = probe_checksum(probe);
+    self->has_probe = 1U;
+}
+
+void plan_init(plan_t *self, const robot_t *robot)
+{
+    clear(self);
+    take_probe(self, &robot->probe);
     plan_seal(self);
 }
 
-status_t plan_register(plan_t *self, const robot_t *robot, const rigid_t *scanner_zframe)
+bool plan_forget(plan_t *self)
+{
+    probe_t probe;
+    probe = self->probe;
+    const bool is_probe_proved = self->probe_crc == probe_checksum(&probe);
+    clear(self);
+    if (is_probe_proved) {
+        take_probe(self, &probe);
+    }
+    plan_seal(self);
+    return is_probe_proved;
+}
+
+void plan_set_probe(plan_t *self, const probe_t *probe)
+{
+    take_probe(self, probe);
+    plan_forget_target(self);
+}
+
+status_t plan_register(plan_t *self, const robot_t *robot, const rigid_t *scanner_zframe,
+                       const plan_origin_t *origin)
 {
     const status_t status = rigid_check(scanner_zframe);
     if (status != STATUS_OK) {
@@ -101,6 +139,14 @@ status_t plan_register(plan_t *self, const robot_t *robot, const rigid_t *scanne
     }
     self->scanner_zframe = *scanner_zframe;
     rigid_orthonormalise(&self->scanner_zframe);
+    if (origin->ignores_rotation) {
+        rigid_set_identity(&self->scanner_zframe);
+        self->scanner_zframe.translation = scanner_zframe->translation;
+    }
+    self->is_rotation_ignored = origin->ignores_rotation ? 1U : 0U;
+    self->registered_source = origin->source;
+    self->registered_peer = origin->peer;
+    self->registered_cycle = origin->cycle;
     self->is_registered = 1U;
     self->has_proposed_registration = 0U;
     plan_forget_target(self);
@@ -132,13 +178,14 @@ static solution_t find_target(plan_t *self, const robot_t *robot,
                               const point_t *entry)
 {
     joints_t joints;
-    solution_t result = kinematics_solve(robot, zframe_treatment, entry, &joints);
+    solution_t result = kinematics_solve(robot, &self->probe, zframe_treatment, entry, &joints);
     const uint8_t is_by_entry = result.is_by_entry;
     if (result.status == STATUS_OK) {
-        result.status = plan_confirm(robot, &joints, zframe_treatment);
+        result.status = plan_confirm(self, robot, &joints, zframe_treatment);
     }
     if (result.status == STATUS_OK) {
-        settle(robot, &self->scanner_zframe, &joints, self->target_ticks, &self->scanner_target);
+        settle(robot, &joints, self->target_ticks);
+        self->scanner_target = find_pose(self, robot, &self->scanner_zframe, &joints);
         check_ends(robot, self->target_ticks, &joints, &result);
     }
     if (result.status == STATUS_OK) {
@@ -175,6 +222,9 @@ solution_t plan_set_target(plan_t *self, const robot_t *robot, const int32_t tic
                            const rigid_t *scanner_treatment)
 {
     solution_t result = {.status = rigid_check(scanner_treatment)};
+    if ((result.status == STATUS_OK) && (self->has_probe == 0U)) {
+        result.status = STATUS_NO_PROBE;
+    }
     if ((result.status == STATUS_OK) && (self->is_registered == 0U)) {
         result.status = STATUS_NOT_REGISTERED;
     }
@@ -197,12 +247,13 @@ solution_t plan_judge_way(const plan_t *self, const robot_t *robot,
                                     : (solution_t){.status = STATUS_OK};
 }
 
-status_t plan_confirm(const robot_t *robot, const joints_t *joints, const rigid_t *zframe_treatment)
+status_t plan_confirm(const plan_t *self, const robot_t *robot, const joints_t *joints,
+                      const rigid_t *zframe_treatment)
 {
     rigid_t reached;
     int32_t distance_nm = 0;
     int32_t angle_bam = 0;
-    kinematics_forward(robot, joints, &reached);
+    kinematics_forward(robot, &self->probe, joints, &reached);
     rigid_difference(&reached, zframe_treatment, &distance_nm, &angle_bam);
     const bool is_closed =
         (distance_nm <= (int32_t)LIMIT_CLOSURE_NM) && (angle_bam <= (int32_t)LIMIT_CLOSURE_BAM);
@@ -219,7 +270,7 @@ bool plan_is_proved(const plan_t *self, const robot_t *robot)
         return true;
     }
     joints_from_ticks(robot, self->target_ticks, &joints);
-    find_pose(robot, &self->scanner_zframe, &joints, &reached);
+    reached = find_pose(self, robot, &self->scanner_zframe, &joints);
     rigid_difference(&reached, &self->scanner_target, &distance_nm, &angle_bam);
     return (distance_nm == 0) && (angle_bam == 0);
 }

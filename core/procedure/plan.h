@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The plan: where the robot stands in the scanner (registration), where its needle shall enter and
- * where it shall go (entry point, target), and what others propose. Proposals are shown and decide
- * nothing.
+ * The plan: what the robot carries (probe), where it stands in the scanner (registration), where
+ * its needle shall enter and where it shall go (entry point, target), and what others propose.
+ * Proposals are shown and decide nothing.
  */
 #ifndef BORESIGHT_PLAN_H
 #define BORESIGHT_PLAN_H
@@ -27,7 +27,15 @@ typedef struct {
     point_t proposed_target;
     rigid_t scanner_desired; /**< The pose the proposals ask for. */
     int32_t desired_ticks[ROBOT_AXIS_MAX];
-    uint32_t is_registered; /**< Each 0 or 1. */
+    probe_t probe;              /**< Valid with has_probe. */
+    uint32_t probe_crc;         /**< Of the probe alone: it outlives damage of the rest. */
+    uint32_t registered_source; /**< command_source_t: whose the registration is. */
+    uint32_t registered_peer;   /**< Its connection or page. */
+    uint32_t registered_cycle;  /**< When it was accepted. */
+    uint32_t
+        is_rotation_ignored; /**< Each 0 or 1. Of the registration only the translation counts. */
+    uint32_t has_probe;
+    uint32_t is_registered;
     uint32_t has_target;
     uint32_t has_entry;
     uint32_t has_seen_needle;
@@ -48,8 +56,34 @@ void plan_seal(plan_t *self);
  */
 bool plan_is_damaged(const plan_t *self);
 
-/** Starts empty. */
-void plan_init(plan_t *self);
+/** Starts empty, with the probe of the robot's table. */
+void plan_init(plan_t *self, const robot_t *robot);
+
+/**
+ * It is damaged: all is forgotten but a probe that its own CRC still proves.
+ *
+ * @return false when the probe is forgotten too: none is known until another one is told
+ *
+ * @satisfies SWR-PROBE-005
+ */
+bool plan_forget(plan_t *self);
+
+/**
+ * Takes a probe that probe_judge() has passed: target, entry point and what was proposed on the way
+ * are forgotten; the registration stands.
+ *
+ * @satisfies SWR-PROBE-003
+ */
+void plan_set_probe(plan_t *self, const probe_t *probe);
+
+/** From whom a registration is, and how it is to be taken. */
+typedef struct {
+    uint32_t source;
+    uint32_t peer;
+    uint32_t cycle;
+    bool ignores_rotation; /**< Only its translation counts: the axes of the z-frame are those of
+                              the scanner. */
+} plan_origin_t;
 
 /**
  * Takes a registration, made exactly orthonormal; target and entry point are forgotten.
@@ -58,15 +92,19 @@ void plan_init(plan_t *self);
  *
  * @satisfies SWR-REG-001
  * @satisfies SWR-REG-002
+ * @satisfies SWR-PLAN-022
+ * @satisfies SWR-PLAN-023
  */
-status_t plan_register(plan_t *self, const robot_t *robot, const rigid_t *scanner_zframe);
+status_t plan_register(plan_t *self, const robot_t *robot, const rigid_t *scanner_zframe,
+                       const plan_origin_t *origin);
 
 /**
  * Takes a treatment pose in scanner coordinates as the target, to be gone to from `ticks`. The
  * depth is decided by kinematics_solve(), with the entry point. The needle that was seen is
  * forgotten.
  *
- * @return status as rigid_check() and kinematics_solve(), STATUS_NOT_REGISTERED, STATUS_CLOSURE
+ * @return status as rigid_check() and kinematics_solve(), STATUS_NO_PROBE, STATUS_NOT_REGISTERED,
+ * STATUS_CLOSURE
  * when forward kinematics does not return the pose, STATUS_SWITCH_ZONE when an axis would end where
  * its limit switch may be active, or the refusal of a coupled limit that the target or the way
  * there would miss; instead of these STATUS_ENTRY_POINT, with the axis and the end that is missed,
@@ -109,7 +147,7 @@ void plan_forget_target(plan_t *self);
  *
  * @satisfies SWR-PLAN-004
  */
-status_t plan_confirm(const robot_t *robot, const joints_t *joints,
+status_t plan_confirm(const plan_t *self, const robot_t *robot, const joints_t *joints,
                       const rigid_t *zframe_treatment);
 
 /**

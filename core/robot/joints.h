@@ -6,6 +6,7 @@
 #ifndef BORESIGHT_JOINTS_H
 #define BORESIGHT_JOINTS_H
 
+#include "base/rigid.h"
 #include "interface/status.h"
 #include "robot/robot.h"
 
@@ -16,6 +17,13 @@
 typedef struct {
     int32_t value[ROBOT_AXIS_MAX];
 } joints_t;
+
+/** Where a needle shall enter and end, in the z-frame. */
+typedef struct {
+    point_t entry;
+    point_t target;
+    int32_t roll_bam; /**< About its line. */
+} needle_line_t;
 
 /** What stands in the way of a pose: the limit that is missed, the one missed by most if there are
  * several. */

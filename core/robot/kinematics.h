@@ -14,24 +14,29 @@
 
 #include <stdint.h>
 
-/** Pose of the treatment frame in the z-frame; the identity for a kind that nobody knows. */
-void kinematics_forward(const robot_t *robot, const joints_t *joints, rigid_t *zframe_treatment);
+/** Pose of the treatment frame of `probe` in the z-frame; the identity for a kind that nobody
+ * knows.
+ *
+ * @satisfies SWR-PROBE-003
+ */
+void kinematics_forward(const robot_t *robot, const probe_t *probe, const joints_t *joints,
+                        rigid_t *zframe_treatment);
 
 /**
- * Joints for an entry point, a treatment point and a roll about the needle, all in the z-frame.
+ * Joints for an entry point, a treatment point and a roll about the needle, in the z-frame.
  *
  * @return as the robot's kinematics; STATUS_MEMORY_DAMAGED for a kind that nobody knows
  */
-solution_t kinematics_inverse(const robot_t *robot, const point_t *entry, const point_t *target,
-                              int32_t roll_bam, joints_t *joints);
+solution_t kinematics_inverse(const robot_t *robot, const probe_t *probe, const needle_line_t *line,
+                              joints_t *joints);
 
 /**
  * Joints for `pose`, with `entry` (in the z-frame) or without (NULL).
  *
  * @return as the robot's kinematics; STATUS_MEMORY_DAMAGED for a kind that nobody knows
  */
-solution_t kinematics_solve(const robot_t *robot, const rigid_t *pose, const point_t *entry,
-                            joints_t *joints);
+solution_t kinematics_solve(const robot_t *robot, const probe_t *probe, const rigid_t *pose,
+                            const point_t *entry, joints_t *joints);
 
 /**
  * What coupled limit `index` (below robot->coupled_limit_count) measures at `joints`, in nm or bam

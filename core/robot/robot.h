@@ -14,9 +14,10 @@
 
 #define ROBOT_AXIS_MAX 10U      /**< Most axes of any robot; what a robot has is axis_count. */
 #define ROBOT_COUPLED_LIMITS 4U /**< Most coupled limits of any robot. */
-#define ROBOT_GEOMETRY_MAX 13U  /**< Most lengths of the geometry of any robot. */
+#define ROBOT_GEOMETRY_MAX 11U  /**< Most lengths of the geometry of any robot. */
 #define ROBOT_HOME_STAGES 4U    /**< Most stages of homing. */
 #define ROBOT_POSES 1U          /**< How many poses have a name. */
+#define ROBOT_PROBE_LENGTHS 4U  /**< Most lengths of the probe of any robot. */
 #define ROBOT_TOLD_LENGTHS 4U   /**< Most lengths that clients are told. */
 #define ROBOT_CURVE_STEPS 8U    /**< Into so many the words of a high-frequency card are divided. */
 #define ROBOT_CURVE_FULL 255U   /**< Full speed in them. */
@@ -130,10 +131,17 @@ typedef struct {
     uint32_t seal; /**< seal_of() all before it. */
 } pose_t;
 
+/** The lengths of a probe or needle, in the order of the robot file; named by the robot's own
+ * header. 0 beyond those of the robot. */
+typedef struct {
+    int32_t length_nm[ROBOT_PROBE_LENGTHS];
+} probe_t;
+
 /** A length that planning clients are told. */
 typedef struct {
-    char name[24]; /**< At most 20 characters; empty: none. */
-    int32_t length_nm;
+    char name[24];     /**< At most 20 characters; empty: none. */
+    int32_t length_nm; /**< As the robot file has it. */
+    uint32_t probe;    /**< 1 + place in probe_t: that of the present probe is told; 0: of none. */
 } told_length_t;
 
 /** A robot. No padding before `seal`. */
@@ -150,14 +158,21 @@ typedef struct {
     coupled_limit_t coupled_limits[ROBOT_COUPLED_LIMITS];
     int32_t geometry_nm[ROBOT_GEOMETRY_MAX]; /**< In the order of the robot file; named by the
                                                 robot's own header. */
-    uint32_t seal;                           /**< seal_of() all before it. */
+    uint32_t probe_length_count;
+    probe_t probe;         /**< The one to start with; plan_t has the present one. */
+    probe_t probe_minimum; /**< Both ends inclusive. */
+    probe_t probe_maximum;
+    uint8_t probe_within[ROBOT_PROBE_LENGTHS]; /**< 1 + place of the length that it may not exceed;
+                                                  0: of none. */
+    uint32_t seal;                             /**< seal_of() all before it. */
     axis_config_t axes[ROBOT_AXIS_MAX];
     pose_t poses[ROBOT_POSES]; /**< By pose_name_t. */
     int32_t
         start_ticks[ROBOT_AXIS_MAX]; /**< Where the simulated axes stand when their box is
                                         switched on; nothing else reads it, so it has no seal. */
-    /** What planning clients are told: axes in the order of lists, and lengths. Nothing that moves
-     * reads it, so it has no seal. */
+    /** How people call the lengths of the probe, and what planning clients are told: axes in the
+     * order of lists, and lengths. Nothing that moves reads it, so it has no seal. */
+    char probe_names[ROBOT_PROBE_LENGTHS][24];
     uint8_t told_joints[ROBOT_AXIS_MAX];
     told_length_t told_lengths[ROBOT_TOLD_LENGTHS];
 } robot_t;

@@ -7,6 +7,7 @@ require_relative 'followers'
 require_relative 'kinematics'
 require_relative 'limit'
 require_relative 'pose'
+require_relative 'probe'
 require_relative 'told'
 
 module Robot
@@ -170,8 +171,8 @@ module Robot
 
     CARDS = %w[sensor].freeze # That go without an axis.
 
-    attr_reader :name, :kinematics, :card_firmware, :axes, :sensor_slots, :geometry, :coupled_limits, :followers, :poses,
-                :told
+    attr_reader :name, :kinematics, :card_firmware, :axes, :sensor_slots, :geometry, :probe, :coupled_limits, :followers,
+                :poses, :told
 
     def initialize(path, text)
       nodes = Node.parse(path, text).mapping(%w[name kinematics card_firmware geometry probe coupled_limits axes],
@@ -182,7 +183,8 @@ module Robot
       @card_firmware = nodes['card_firmware'].version
       @geometry = {}
       @places = {}
-      %w[geometry probe].each { |part| read_lengths(nodes[part], @expected.lengths(part)) }
+      read_lengths(nodes['geometry'], @expected.lengths('geometry'))
+      @probe = Probe.new(nodes['probe'], @expected)
       check_lengths
       @coupled_limits = read_coupled_limits(nodes['coupled_limits'])
       @axes = read_axes(nodes['axes'])
@@ -190,17 +192,16 @@ module Robot
       @followers = Followers.new(@axes)
       check_axes
       @poses = read_poses(nodes['poses'])
-      @told = Told.new(nodes['told'], @axes.map { |axis| axis['name'] }, @geometry)
+      @told = Told.new(nodes['told'], @axes.map { |axis| axis['name'] }, @geometry, @probe)
     end
 
     def needle_axis
       @axes.index(&:needle?)
     end
 
-    # The lengths as C calls them.
+    # The lengths of the geometry as C calls them.
     def length_names
-      probe = @expected.lengths('probe')
-      @geometry.keys.map { |key| "#{'probe_' if probe.key?(key)}#{key.delete_suffix('_mm')}" }
+      @geometry.keys.map { |key| key.delete_suffix('_mm') }
     end
 
     private

@@ -41,6 +41,11 @@ module Robot
       @parts.fetch(part).transform_values { |least, most| (least..most) }
     end
 
+    # For each length of the probe that may not exceed another one: that one.
+    def probe_within
+      @parts.fetch('probe_within', {})
+    end
+
     # For each length that lies between others: the one below, and those whose sum is above.
     def between
       @parts.fetch('between')

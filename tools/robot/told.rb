@@ -10,14 +10,16 @@ module Robot
     MOST_LENGTHS = 4 # ROBOT_TOLD_LENGTHS of core/robot/robot.h
     LONGEST_NAME = 20 # Of a device in OpenIGTLink.
 
-    # Places of the axes in the order of lists; lengths in mm by name.
+    Length = Struct.new(:millimetres, :probe) # probe: 1 + its place there, or 0
+
+    # Places of the axes in the order of lists; lengths by name.
     attr_reader :joints, :lengths
 
-    # `node`: nil without. `axes`: their names in the robot's order. `geometry`: its lengths by name.
-    def initialize(node, axes, geometry)
+    # `node`: nil without. `axes`: their names in the robot's order. `geometry`: its lengths by name; `probe`: Probe.
+    def initialize(node, axes, geometry, probe)
       nodes = node ? node.mapping([], %w[joints lengths]) : {}
       @joints = nodes.key?('joints') ? read_joints(nodes['joints'], axes) : axes.each_index.to_a
-      @lengths = nodes.key?('lengths') ? read_lengths(nodes['lengths'], geometry) : {}
+      @lengths = nodes.key?('lengths') ? read_lengths(nodes['lengths'], geometry, probe.values) : {}
     end
 
     private
@@ -28,13 +30,14 @@ module Robot
       names.map { |name| axes.index(name) }
     end
 
-    def read_lengths(node, geometry)
+    def read_lengths(node, geometry, probe)
       entries = node.sequence.map { |entry| entry.mapping(%w[name length]) }
       node.refuse("are #{entries.size}; expected at most #{MOST_LENGTHS}") if entries.size > MOST_LENGTHS
       entries.each_with_object({}) do |entry, lengths|
         name = entry['name'].name(LONGEST_NAME)
         entry['name'].refuse("is #{name}, which another has; expected another") if lengths.key?(name)
-        lengths[name] = geometry.fetch(entry['length'].choice(geometry.keys))
+        length = entry['length'].choice(geometry.keys + probe.keys)
+        lengths[name] = Length.new(geometry.merge(probe).fetch(length), (probe.keys.index(length) || -1) + 1)
       end
     end
   end

@@ -61,7 +61,7 @@ class TestRobotCompiler < Minitest::Test
   def test_SWR_ROBOT_002_the_table_holds_the_values_in_the_units_of_the_core
     table = compile(TEXT).last
     assert_includes table, '[NEURO_RCM_HOME_X] = 18320000'
-    assert_includes table, '[NEURO_PROBE_ROBOT_TO_ENTRY] = 5000000'
+    assert_includes table, '[NEURO_PROBE_ROBOT_TO_TREATMENT] = 41000000}}'
     assert_includes table, "INT64_C(#{(1_000_000 * 65_536 / 78.74).round})"
     assert_in_delta (2**32) / (2 * Math::PI) * 65_536 / 795.8, table.scan(/INT64_C\((\d+)\)/).last.first.to_i, 1
     assert_equal 3, table.scan('(uint8_t)CARD_TYPE_PWM').size
@@ -259,10 +259,36 @@ class TestRobotCompiler < Minitest::Test
                    'or yaw', at: 'joints: [')
   end
 
+  def test_SWR_PROBE_001_the_table_has_the_ranges_of_the_probe_and_what_it_may_not_exceed
+    table = compile(TEXT).last
+    rows = %w[probe_minimum probe_maximum probe_within].map do |row|
+      table[/\.#{row} = \{+(.*?)\}/, 1].scan(/= (\d+)/).flatten.map(&:to_i)
+    end
+    assert_equal [[0, 0, 0, 10_000_000], [60_000_000, 60_000_000, 60_000_000, 100_000_000], [0, 4, 4, 0]], rows
+    assert_includes table, '[1] = "robot_to_entry"'
+  end
+
+  def test_SWR_PROBE_001_a_length_outside_of_its_range_is_refused
+    line = 'robot_to_treatment_mm: {value: 41, minimum: 10, maximum: 100}'
+    { 'value: 9.5' => 'is 9.5; expected 10 to 100', 'value: 100.5' => 'is 100.5; expected 10 to 100' }.each do |value, why|
+      assert_refused(with(line, line.sub('value: 41', value)), "probe.robot_to_treatment_mm.value: #{why}", at: value)
+    end
+    assert_refused(with(line, line.sub('100', '1001')),
+                   'probe.robot_to_treatment_mm.maximum: is 1001; expected -1000 to 1000', at: 'maximum: 1001')
+    assert_refused(with(line, line.sub(', maximum: 100', '')), 'probe.robot_to_treatment_mm.maximum: is missing',
+                   at: 'robot_to_treatment_mm: {')
+  end
+
+  def test_SWR_PROBE_001_a_length_that_exceeds_another_is_refused
+    assert_refused(with('robot_to_entry_mm: {value: 5,', 'robot_to_entry_mm: {value: 41.5,'),
+                   'probe: has a longer robot_to_entry_mm than robot_to_treatment_mm; expected at most the same',
+                   at: "probe:\n")
+  end
+
   def test_SWR_IGTL_039_lengths_that_are_told_have_the_value_of_their_length
-    told = compile(with('robot_to_entry_mm: 5', 'robot_to_entry_mm: 5.25')).last[/\.told_lengths.*/m]
-    assert_includes told, '{.name = "robot_to_entry", .length_nm = 5250000}'
-    assert_includes told, '{.name = "robot_treatment_home", .length_nm = 41000000}'
+    told = compile(with('robot_to_entry_mm: {value: 5,', 'robot_to_entry_mm: {value: 5.25,')).last[/\.told_lengths.*/m]
+    assert_includes told, '{.name = "robot_to_entry", .length_nm = 5250000, .probe = 2U}'
+    assert_includes told, '{.name = "robot_treatment_home", .length_nm = 41000000, .probe = 4U}'
   end
 
   def test_SWR_IGTL_039_wrong_lengths_to_be_told_are_refused

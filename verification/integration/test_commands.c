@@ -347,14 +347,14 @@ void test_SWR_AXIS_020_a_target_where_a_switch_may_be_active_is_refused_by_name(
     int32_t ticks[ROBOT_AXIS_MAX] = {-3000, -2000, -1, 33334, 0, 0, 0};
     rig_start_targeted(&rig);
     joints_from_ticks(&robot_neuro, ticks, &joints);
-    kinematics_forward(&robot_neuro, &joints, &pose);
+    kinematics_forward(&robot_neuro, &robot_neuro.probe, &joints, &pose);
     const answer_t answer = rig_target(&rig, &pose);
     TEST_ASSERT_EQUAL_UINT32(STATUS_SWITCH_ZONE, answer.status);
     TEST_ASSERT_EQUAL_UINT32(AXIS_LATERAL, answer.axis);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_target);
     ticks[AXIS_LATERAL] = -20;
     joints_from_ticks(&robot_neuro, ticks, &joints);
-    kinematics_forward(&robot_neuro, &joints, &pose);
+    kinematics_forward(&robot_neuro, &robot_neuro.probe, &joints, &pose);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_target(&rig, &pose).status);
 }
 

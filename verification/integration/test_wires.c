@@ -509,7 +509,8 @@ static void settle_target(void)
 {
     joints_t joints;
     joints_from_ticks(&robot_neuro, rig.controller.plan.target_ticks, &joints);
-    kinematics_forward(&robot_neuro, &joints, &rig.controller.plan.scanner_target);
+    kinematics_forward(&robot_neuro, &robot_neuro.probe, &joints,
+                       &rig.controller.plan.scanner_target);
     plan_seal(&rig.controller.plan);
 }
 

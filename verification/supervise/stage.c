@@ -232,7 +232,7 @@ static void send_corner(stage_t *self, rig_t *rig)
         ticks[i] = some_end(self, &self->robot->axes[i]);
     }
     joints_from_ticks(self->robot, ticks, &joints);
-    kinematics_forward(self->robot, &joints, &target.pose);
+    kinematics_forward(self->robot, &self->robot->probe, &joints, &target.pose);
     rigid_set_identity(&entry.pose);
     if (targets_entry(self->robot, &joints, &target.pose, &entry.pose.translation)) {
         send(self, rig, entry);
@@ -281,6 +281,20 @@ static void send_act(stage_t *self, rig_t *rig)
         rig_box(rig, "button press");
         self->wait_cycles = 2U * (LIMIT_CONFIRM_HOLD_US / LIMIT_CYCLE_US);
     }
+}
+
+/* Another probe, or lengths that none has: each up to a tenth of its range from the file's. */
+static void send_probe(stage_t *self, rig_t *rig)
+{
+    const robot_t *const robot = self->robot;
+    command_t command = {.kind = (uint32_t)COMMAND_PROBE, .argument = robot->probe_length_count};
+    for (uint32_t i = 0U; i < robot->probe_length_count; i++) {
+        const int32_t range_nm =
+            robot->probe_maximum.length_nm[i] - robot->probe_minimum.length_nm[i];
+        command.ticks[i] = robot->probe.length_nm[i] - (range_nm / 10) +
+                           (int32_t)chance_below(&self->whim, (uint32_t)(range_nm / 5) + 1U);
+    }
+    send(self, rig, command);
 }
 
 /* At the target, on the way there, or while it is drawn out already. */
@@ -341,6 +355,8 @@ static void do_anything(stage_t *self, rig_t *rig)
         send_saved(self, rig);
     } else if (has_whim(self, 8U)) {
         send_act(self, rig);
+    } else if (has_whim(self, 16U)) {
+        send_probe(self, rig);
     } else {
         /* None of these. */
     }
@@ -432,8 +448,19 @@ static void do_next_step(stage_t *self, rig_t *rig)
         self->wants_target = 1U;
         send_phase(self, rig, WORKPHASE_TARGETING);
         break;
+    case NEXT_STEP_PROBE:
+        if (has_whim(self, 3U)) {
+            send_phase(self, rig, WORKPHASE_START_UP);
+        } else {
+            send_probe(self, rig);
+        }
+        break;
     case NEXT_STEP_TARGET:
-        send_target_or_phase(self, rig);
+        if (has_whim(self, 12U)) {
+            send_probe(self, rig);
+        } else {
+            send_target_or_phase(self, rig);
+        }
         break;
     case NEXT_STEP_MOVE:
         if (self->wants_target != 0U) {

@@ -24,7 +24,7 @@ static rigid_t pose_at(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX]
     joints_t joints;
     rigid_t pose;
     joints_from_ticks(robot, ticks, &joints);
-    kinematics_forward(robot, &joints, &pose);
+    kinematics_forward(robot, &robot->probe, &joints, &pose);
     return pose;
 }
 
@@ -104,8 +104,8 @@ bool targets_entry(const robot_t *robot, const joints_t *joints, const rigid_t *
         return false;
     }
     const int64_t back_nm = joints->value[robot->needle_axis] +
-                            robot->geometry_nm[NEURO_PROBE_ROBOT_TO_TREATMENT] -
-                            robot->geometry_nm[NEURO_PROBE_ROBOT_TO_ENTRY];
+                            robot->probe.length_nm[NEURO_PROBE_ROBOT_TO_TREATMENT] -
+                            robot->probe.length_nm[NEURO_PROBE_ROBOT_TO_ENTRY];
     const int32_t way_nm[3] = {(int32_t)(back_nm * target->rotation_q30[0][2] / ONE_Q30),
                                (int32_t)(back_nm * target->rotation_q30[1][2] / ONE_Q30),
                                (int32_t)(back_nm * target->rotation_q30[2][2] / ONE_Q30)};

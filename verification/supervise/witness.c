@@ -39,6 +39,7 @@ const char *witness_sentence(sentence_t sentence)
         "Homing drives who homes in its stage and who follows it, no other",
         "What is proposed changes no target that was accepted",
         "A retraction drives the needle outwards only",
+        "Lengths of the probe are those that were told last, or none",
         "One commands: between two it is lost, and the axes rest",
         "Authority is lost by its holder, silence, or button without pedal",
         "A page that commands has renewed it",
@@ -220,6 +221,9 @@ static void judge_homing(witness_t *self, const rig_t *rig)
 static void remember_target(witness_t *self, const rig_t *rig)
 {
     bool is_new = !self->has_looked;
+    if (is_new) {
+        self->probe = rig->box.robot->probe;
+    }
     for (uint32_t i = 0U; i < rig->outputs.event_count; i++) {
         is_new = is_new || (rig->outputs.events[i].id == (uint32_t)EVENT_TARGET_ACCEPTED);
     }
@@ -228,6 +232,39 @@ static void remember_target(witness_t *self, const rig_t *rig)
                      sizeof self->target_ticks);
     }
     self->has_looked = true;
+}
+
+/* Another probe, as the answer to a command says; its target is another one too. */
+static bool takes_probe(witness_t *self, const rig_t *rig)
+{
+    bool is_taken = false;
+    for (uint32_t i = 0U; i < rig->outputs.answer_count; i++) {
+        const answer_t *const answer = &rig->outputs.answers[i];
+        if ((answer->command == (uint32_t)COMMAND_PROBE) &&
+            (answer->kind == (uint32_t)ANSWER_ACCEPTED)) {
+            for (uint32_t j = 0U; j < rig->inputs.command_count; j++) {
+                const command_t *const command = &rig->inputs.commands[j];
+                if ((command->id == answer->id) && (command->kind == (uint32_t)COMMAND_PROBE)) {
+                    (void)memcpy(self->probe.length_nm, command->ticks, sizeof self->probe);
+                    is_taken = true;
+                }
+            }
+        }
+    }
+    return is_taken;
+}
+
+static void judge_probe(witness_t *self, const rig_t *rig)
+{
+    const snapshot_t *const shown = &rig->outputs.snapshot;
+    if (takes_probe(self, rig) && (rig->inputs.command_count == 1U) && (shown->has_target != 0U)) {
+        complain(self, rig, SENTENCE_PROBE, 0U, 1.0);
+    }
+    for (uint32_t i = 0U; (i < ROBOT_PROBE_LENGTHS) && (shown->has_probe != 0U); i++) {
+        if (shown->probe_nm[i] != self->probe.length_nm[i]) {
+            complain(self, rig, SENTENCE_PROBE, 0U, (double)shown->probe_nm[i]);
+        }
+    }
 }
 
 /* What is shown is at the target, and what is true no farther from it than a broken part may hide.
@@ -526,5 +563,6 @@ void witness_look(witness_t *self, const rig_t *rig, const double truth[ROBOT_AX
     judge_jog(self, rig, truth[rig->box.robot->needle_axis], is_disturbed);
     judge_told(self, rig);
     judge_retraction(self, rig);
+    judge_probe(self, rig);
     judge_events(self, rig, is_disturbed);
 }

@@ -36,7 +36,8 @@ typedef enum {
     SENTENCE_HOMING = 12,  /**< Homing drives only who homes, and who follows it. */
     SENTENCE_TARGET = 13,  /**< What is proposed changes no target that was accepted. */
     SENTENCE_OUT = 14,     /**< A retraction drives the needle outwards only. */
-    SENTENCE_REIGN = 15    /**< From here on: those of reign_rule_t. */
+    SENTENCE_PROBE = 15,   /**< Lengths of the probe are those told last, or none. */
+    SENTENCE_REIGN = 16    /**< From here on: those of reign_rule_t. */
 } sentence_t;
 
 #define SENTENCE_COUNT ((uint32_t)SENTENCE_REIGN + REIGN_RULES)
@@ -84,7 +85,8 @@ typedef struct {
     int32_t target_ticks[ROBOT_AXIS_MAX]; /**< As accepted. */
     bool has_looked;
     bool was_homing;
-    plan_t plan; /**< Of the cycle before. */
+    plan_t plan;   /**< Of the cycle before. */
+    probe_t probe; /**< That was told last. */
     reign_t reign;
     uint32_t losses_in_motion;
     uint32_t losses[REIGN_LOSSES];        /**< In all episodes, by authority_loss_t. */

@@ -269,6 +269,44 @@ class TestHttpActs < Minitest::Test
     assert_nil fetch_json('/api/v1/targeting')['target_by']
   end
 
+  PROBE = %w[treatment_to_tip robot_to_entry cannula_to_treatment robot_to_treatment].freeze
+
+  def probe
+    fetch_json('/api/v1/targeting').fetch('probe').map { |one| one.values_at('name', 'length_mm') }
+  end
+
+  def test_SWR_PROBE_008_another_probe_is_taken_shown_and_told_and_what_none_has_is_refused
+    anna = holder
+    in_targeting(anna)
+    anna.act('targeting/entry', { point_mm: [0, 246, 50] })
+    assert_answer '200', 'done', anna.act('targeting/target', { point_mm: [0, 200, 50] })
+    assert_answer '200', 'done', anna.act('targeting/probe', { lengths_mm: [12.5, 6, 7, 46] })
+    assert_described '/api/v1/targeting/probe', 'POST', anna.last
+    assert_equal PROBE.zip([12.5, 6, 7, 46]), probe
+    assert_equal [nil, nil], fetch_json('/api/v1/targeting').values_at('target', 'entry_mm')
+    assert_includes fetch_json('/api/v1/robot').fetch('lengths'), { 'name' => 'robot_treatment_home', 'length_mm' => 46 }
+    told = assert_answer '422', 'OUT_OF_RANGE', anna.act('targeting/probe', { lengths_mm: [12.5, 6, 60.5, 46] })
+    assert_equal '/lengths_mm/2', told['pointer']
+    assert_answer '409', 'PROBE_ORDER', anna.act('targeting/probe', { lengths_mm: [10, 42, 5, 41] })
+    assert_answer '409', 'PROBE_LENGTH', anna.act('targeting/probe', { lengths_mm: [10, 5, 5] })
+    assert_equal PROBE.zip([12.5, 6, 7, 46]), probe
+    assert_answer '200', 'done', anna.act('targeting/probe', { lengths_mm: [10, 5, 5, 41] })
+  end
+
+  def test_SWR_PLAN_023_a_registration_says_whether_its_rotation_counts
+    anna = holder
+    in_targeting(anna)
+    anna.act('workphase', { workphase: 'CALIBRATION' })
+    turned = [0, -1, 0, 7, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]
+    assert_answer '200', 'done', anna.act('targeting/registration', { matrix: turned, ignore_rotation: true })
+    told = fetch_json('/api/v1/targeting')
+    assert_equal [true, [1, 0, 0, 7]], [told['ignores_registration_rotation'], told['registration'].first(4)]
+    assert fetch_json('/api/v1/status')['ignores_registration_rotation']
+    assert_answer '200', 'done', anna.act('targeting/registration', { matrix: turned })
+    told = fetch_json('/api/v1/targeting')
+    assert_equal [false, turned], [told['ignores_registration_rotation'], told['registration']]
+  end
+
   def test_SWR_HTTP_033_a_preview_needs_no_authority_and_changes_nothing
     anna = holder
     in_targeting(anna)

@@ -43,6 +43,11 @@ class TestIgtlPlanning < Minitest::Test
     self.class.boresight
   end
 
+  # Who has gone commands until the axes rest.
+  def setup
+    boresight.wait_until('nobody commands') { boresight.status['authority']['state'] == 'nobody' }
+  end
+
   def test_SWR_IGTL_038_joints_come_in_the_order_of_the_robot_s_file
     boresight.wait_until('all axes stand') { boresight.motors['axes'].all? { |axis| axis['speed'].zero? } }
     values = planning { |client| numbers(client.await('STRING', 'measured_jp')) }
@@ -57,6 +62,20 @@ class TestIgtlPlanning < Minitest::Test
       2.times do
         LENGTHS.each { |name, millimetres| assert_equal format('%f', millimetres), client.await('STRING', name)['text'] }
         client.run('string start_up START_UP')
+      end
+    end
+  end
+
+  # Of the port of the workphase protocol, and what the other port is told of it.
+  def test_SWR_PROBE_007_another_probe_is_told_at_once
+    planning do |client|
+      client.await('STRING', 'robot_treatment_home')
+      IgtlClient.open(boresight.brp_port) do |navigation|
+        navigation.run('string PROBE 12 6 7 46')
+        assert_equal 1, navigation.status('PROBE')['code']
+        assert_equal '46.000000', client.await('STRING', 'robot_treatment_home')['text']
+        navigation.run('string PROBE 10 5 5 41')
+        assert_equal '41.000000', client.await('STRING', 'robot_treatment_home')['text']
       end
     end
   end

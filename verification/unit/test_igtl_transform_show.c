@@ -320,6 +320,61 @@ void test_SWR_IGTL_039_lengths_of_the_robot_are_told_to_who_joins_or_asks(void)
     }
 }
 
+void test_SWR_PROBE_007_lengths_of_the_present_probe_are_told_whenever_it_changes(void)
+{
+    static const robot_t carrying = {
+        .axis_count = 1U,
+        .axes = {{.unit = (uint8_t)AXIS_UNIT_MM, .unit_per_tick_q16 = INT64_C(655360000)}},
+        .told_lengths = {{.name = "needle_length", .length_nm = 1, .probe = 2U},
+                         {.name = "link", .length_nm = 60000000}}};
+
+    dialect.robot = &carrying;
+    snapshot.has_probe = 1U;
+    snapshot.probe_nm[1] = 10000000;
+    pass_us(0U);
+    EXPECT(0U, "STRING needle_length 10.000000");
+    EXPECT(0U, "STRING link 60.000000");
+    expect_measured(0U);
+    snapshot.probe_nm[1] = 12500000;
+    pass_us(0U);
+    EXPECT(0U, "STRING needle_length 12.500000");
+    EXPECT(0U, "STRING link 60.000000");
+    EXPECT(0U, "");
+    snapshot.has_probe = 0U;
+    pass_us(0U);
+    EXPECT(0U, "STRING link 60.000000");
+    EXPECT(0U, "");
+}
+
+void test_SWR_PROBE_007_without_a_probe_joints_are_known_and_no_pose(void)
+{
+    pass_us(0U);
+    expect_measured(0U);
+    snapshot.pose_status = (uint32_t)STATUS_NO_PROBE;
+    pass_us(0U);
+    EXPECT_BEGIN(0U, "STATUS measured_cp 13 NO_PROBE|");
+    EXPECT_BEGIN(0U, "STRING measured_jp ");
+    EXPECT_BEGIN(0U, "STRING measured_jv ");
+}
+
+void test_SWR_PLAN_023_that_a_rotation_is_ignored_is_told_with_the_registration(void)
+{
+    pass_us(0U);
+    expect_measured(0U);
+    snapshot.is_registered = 1U;
+    rigid_set_identity(&snapshot.scanner_zframe);
+    snapshot.is_rotation_ignored = 1U;
+    pass_us(0U);
+    EXPECT_BEGIN(0U, "TRANSFORM scanner_to_robot_reg ");
+    EXPECT(0U, "STRING ignore_rotation 1");
+    EXPECT(0U, "");
+    snapshot.is_rotation_ignored = 0U;
+    pass_us(0U);
+    EXPECT_BEGIN(0U, "TRANSFORM scanner_to_robot_reg ");
+    EXPECT(0U, "STRING ignore_rotation 0");
+    EXPECT(0U, "");
+}
+
 static void expect_silence_told(uint32_t peer)
 {
     EXPECT_BEGIN(peer, "STATUS measured_cp 7 NO_ANSWER|");

@@ -16,6 +16,7 @@
 #include "dialect/workphase_needle.h"
 #include "dialect/workphase_peer.h"
 #include "dialect/workphase_poll.h"
+#include "dialect/workphase_probe.h"
 #include "dialect/workphase_receive.h"
 #include "dialect/workphase_velocity.h"
 #include "dialect/workphase_watch.h"
@@ -368,6 +369,8 @@ void test_SWR_IGTL_035_only_the_commander_does(void)
     EXPECT_BEGIN(1U, "STATUS RETRACT_NEEDLE 5 NO_AUTHORITY|");
     say(1U, "ACCEPT_ENTRY", "");
     EXPECT_BEGIN(1U, "STATUS ACCEPT_ENTRY 5 NO_AUTHORITY|");
+    say(1U, "PROBE", "10 5 5 41");
+    EXPECT_BEGIN(1U, "STATUS PROBE 5 NO_AUTHORITY|");
     place(1U, "ENTRY_1", 1.0F);
     EXPECT_BEGIN(1U, "TRANSFORM ACK_1 ");
     EXPECT_BEGIN(1U, "STATUS ENTRY 5 NO_AUTHORITY|");
@@ -394,7 +397,9 @@ void test_SWR_IGTL_035_the_prefix_of_an_entry_point_is_that_of_the_port(void)
 /* The needle of the robot is 259.075 mm long. */
 static void say_length(const char *text)
 {
-    robot.told_lengths[1] = (told_length_t){"needle_length", 259075000};
+    robot.told_lengths[1] = (told_length_t){"needle_length", 1, 2U};
+    snapshot.has_probe = 1U;
+    snapshot.probe_nm[1] = 259075000;
     say(0U, "NEEDLE_LENGTH", text);
     EXPECT_BEGIN(0U, "STRING ACK_NEEDLE_LENGTH ");
 }
@@ -421,9 +426,22 @@ void test_SWR_IGTL_036_another_length_is_refused_with_that_of_the_robot(void)
                "STATUS NEEDLE_LENGTH 10 CONFIG_ERROR|CONFIG_ERROR: The robot is set to a needle "
                "of 259.075 mm.");
     }
-    TEST_ASSERT_EQUAL_INT32(259075000, robot.told_lengths[1].length_nm);
+    TEST_ASSERT_EQUAL_INT32(259075000, snapshot.probe_nm[1]);
     TEST_ASSERT_FALSE(workphase_dialect_is_controlled_by(&dialect, 0U));
     expect_no_command();
+}
+
+void test_SWR_IGTL_036_a_needle_that_is_not_known_is_compared_with_none(void)
+{
+    robot.told_lengths[1] = (told_length_t){"needle_length", 259075000, 2U};
+    snapshot.has_probe = 0U;
+    say(0U, "NEEDLE_LENGTH", "259.075");
+    EXPECT_BEGIN(0U, "STRING ACK_NEEDLE_LENGTH ");
+    EXPECT_BEGIN(0U, "STATUS NEEDLE_LENGTH 13 NO_PROBE|");
+    moment.snapshot = NULL;
+    say(0U, "NEEDLE_LENGTH", "259.075");
+    EXPECT_BEGIN(0U, "STRING ACK_NEEDLE_LENGTH ");
+    EXPECT_BEGIN(0U, "STATUS NEEDLE_LENGTH 7 NO_ANSWER|");
 }
 
 void test_SWR_IGTL_036_a_robot_without_a_length_does_not_know_the_question(void)
@@ -431,4 +449,61 @@ void test_SWR_IGTL_036_a_robot_without_a_length_does_not_know_the_question(void)
     say(0U, "NEEDLE_LENGTH", "150");
     EXPECT(0U, "STRING ACK_NEEDLE_LENGTH 150");
     EXPECT_BEGIN(0U, "STATUS NEEDLE_LENGTH 12 UNKNOWN_COMMAND|");
+}
+
+/* A probe that is sent arrives as lengths in nm. */
+static void expect_probe(uint32_t count, const int32_t *length_nm)
+{
+    pass_us(0U);
+    expect_command(COMMAND_PROBE, count);
+    for (uint32_t i = 0U; i < count; i++) {
+        TEST_ASSERT_EQUAL_INT32(length_nm[i], command.ticks[i]);
+    }
+    TEST_ASSERT_EQUAL_UINT32(NUMBER, command.peer);
+}
+
+void test_SWR_PROBE_006_lengths_are_passed_on_and_the_result_is_told(void)
+{
+    static const int32_t first_nm[] = {10000000, 5250000, -5, 41000000};
+
+    say(0U, "PROBE", "10 5.25  -0.000005 4.1e1 ");
+    expect_probe(4U, first_nm);
+    answer_to(&command, ANSWER_ACCEPTED, STATUS_OK, 1U);
+    EXPECT(0U, "STATUS PROBE 1 MOVE_TO_TARGET|");
+    say(0U, "CMD_1", "PROBE 10");
+    EXPECT(0U, "STRING ACK_1 PROBE 10");
+    expect_probe(1U, first_nm);
+    answer_to(&command, ANSWER_REFUSED, STATUS_PROBE_LENGTH, 1U);
+    EXPECT_BEGIN(0U, "STATUS PROBE 10 MOVE_TO_TARGET|PROBE_LENGTH: ");
+    say(0U, "CMD_2", "PROBE");
+    EXPECT(0U, "STRING ACK_2 PROBE");
+    expect_probe(0U, first_nm);
+}
+
+void test_SWR_PROBE_006_what_is_no_length_is_refused_and_not_passed_on(void)
+{
+    static const char *const wrong[] = {"nan",     "10 5 5 41 1", "10,5",   "2000.1",
+                                        "-2000.1", "1 inf",       "1 1e99", "ten"};
+
+    for (uint32_t i = 0U; i < 8U; i++) {
+        say(0U, "PROBE", wrong[i]);
+        EXPECT_BEGIN(0U, "STATUS PROBE 10 OUT_OF_RANGE|");
+        expect_no_command();
+    }
+    say(0U, "PROBES", "10 5 5 41");
+    EXPECT_BEGIN(0U, "STATUS PROBES 12 UNKNOWN_COMMAND|");
+    say(0U, "CMD_1", "PROBES 10");
+    EXPECT_BEGIN(0U, "STRING ACK_1 ");
+    EXPECT_BEGIN(0U, "STATUS PROBES 10 12 UNKNOWN_COMMAND|");
+    expect_no_command();
+}
+
+void test_SWR_PROBE_006_of_too_many_at_a_time_the_last_is_refused(void)
+{
+    for (uint32_t i = 0U; i < IGTL_REQUESTS_PER_PEER; i++) {
+        say(0U, "PROBE", "10 5 5 41");
+    }
+    EXPECT(0U, "");
+    say(0U, "PROBE", "10 5 5 41");
+    EXPECT_BEGIN(0U, "STATUS PROBE 6 BUSY|");
 }

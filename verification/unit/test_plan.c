@@ -8,6 +8,7 @@
 
 #include "unity.h"
 
+#include "base/crc.h"
 #include "base/fixed.h"
 #include "base/rigid.h"
 #include "limits/requirement_limits.h"
@@ -15,6 +16,7 @@
 #include "robot/kinematics.h"
 #include "robot/margin.h"
 #include "robot/neuro/neuro.h"
+#include "robot/probe.h"
 #include "robot/robot_neuro.h"
 #include "unit/support/contract_trap.h"
 
@@ -22,12 +24,13 @@ TEST_SOURCE_FILE("coupled_limit.c")
 TEST_SOURCE_FILE("coupled_path.c")
 
 static plan_t plan;
+static const plan_origin_t nobody = {.ignores_rotation = false};
 static rigid_t identity;
 static const int32_t at_home[ROBOT_AXIS_MAX];
 
 void setUp(void)
 {
-    plan_init(&plan);
+    plan_init(&plan, &robot_neuro);
     rigid_set_identity(&identity);
 }
 
@@ -77,22 +80,22 @@ void test_SWR_PLAN_004_the_way_back_must_return_position_and_direction(void)
     joints_t joints;
     rigid_t pose;
     joints_from_ticks(&robot_neuro, home_ticks, &joints);
-    neuro_forward(&robot_neuro, &joints, &pose);
-    TEST_ASSERT_EQUAL(STATUS_OK, plan_confirm(&robot_neuro, &joints, &pose));
+    neuro_forward(&robot_neuro, &robot_neuro.probe, &joints, &pose);
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_confirm(&plan, &robot_neuro, &joints, &pose));
     joints.value[AXIS_LATERAL] += (int32_t)LIMIT_CLOSURE_NM - 10;
-    TEST_ASSERT_EQUAL(STATUS_OK, plan_confirm(&robot_neuro, &joints, &pose));
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_confirm(&plan, &robot_neuro, &joints, &pose));
     joints.value[AXIS_LATERAL] += 20;
-    TEST_ASSERT_EQUAL(STATUS_CLOSURE, plan_confirm(&robot_neuro, &joints, &pose));
+    TEST_ASSERT_EQUAL(STATUS_CLOSURE, plan_confirm(&plan, &robot_neuro, &joints, &pose));
     joints.value[AXIS_LATERAL] -= (int32_t)LIMIT_CLOSURE_NM + 10;
     joints.value[AXIS_ROTATION] += (int32_t)LIMIT_CLOSURE_BAM + 100;
-    TEST_ASSERT_EQUAL(STATUS_CLOSURE, plan_confirm(&robot_neuro, &joints, &pose));
+    TEST_ASSERT_EQUAL(STATUS_CLOSURE, plan_confirm(&plan, &robot_neuro, &joints, &pose));
 }
 
 void test_SWR_PLAN_003_after_a_refused_target_there_is_none(void)
 {
     const rigid_t near = needle_down(5000000, 190000000, 60000000);
     const rigid_t far = needle_down(300000000, 190000000, 60000000);
-    TEST_ASSERT_EQUAL(STATUS_OK, plan_register(&plan, &robot_neuro, &identity));
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_register(&plan, &robot_neuro, &identity, &nobody));
     TEST_ASSERT_EQUAL(STATUS_OK, plan_set_target(&plan, &robot_neuro, at_home, &near).status);
     TEST_ASSERT_EQUAL_UINT32(1U, plan.has_target);
     TEST_ASSERT_EQUAL(STATUS_AXIS_LIMIT,
@@ -105,7 +108,7 @@ void test_SWR_REG_002_an_accepted_registration_replaces_the_proposed_one(void)
     rigid_t shifted = identity;
     shifted.translation.x_nm = 10000000;
     TEST_ASSERT_EQUAL(STATUS_OK, plan_propose_registration(&plan, &robot_neuro, &shifted));
-    TEST_ASSERT_EQUAL(STATUS_OK, plan_register(&plan, &robot_neuro, &identity));
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_register(&plan, &robot_neuro, &identity, &nobody));
     TEST_ASSERT_EQUAL_UINT32(0U, plan.has_proposed_registration);
 }
 
@@ -113,10 +116,10 @@ void test_SWR_REG_001_a_registration_beyond_its_range_is_refused_and_the_old_one
 {
     rigid_t far = identity;
     far.translation.z_nm = (int32_t)LIMIT_REGISTRATION_MAX_NM + 1;
-    TEST_ASSERT_EQUAL(STATUS_OUT_OF_RANGE, plan_register(&plan, &robot_neuro, &far));
+    TEST_ASSERT_EQUAL(STATUS_OUT_OF_RANGE, plan_register(&plan, &robot_neuro, &far, &nobody));
     TEST_ASSERT_EQUAL_UINT32(0U, plan.is_registered);
     far.translation.z_nm = (int32_t)LIMIT_REGISTRATION_MAX_NM;
-    TEST_ASSERT_EQUAL(STATUS_OK, plan_register(&plan, &robot_neuro, &far));
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_register(&plan, &robot_neuro, &far, &nobody));
     TEST_ASSERT_EQUAL_UINT32(1U, plan.is_registered);
 }
 
@@ -124,7 +127,7 @@ void test_SWR_REG_001_a_registration_is_stored_exactly_orthonormal(void)
 {
     rigid_t skewed = identity;
     skewed.rotation_q30[0][1] = 50000;
-    TEST_ASSERT_EQUAL(STATUS_OK, plan_register(&plan, &robot_neuro, &skewed));
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_register(&plan, &robot_neuro, &skewed, &nobody));
     const int64_t dot = (((int64_t)plan.scanner_zframe.rotation_q30[0][0] *
                           plan.scanner_zframe.rotation_q30[0][1]) +
                          ((int64_t)plan.scanner_zframe.rotation_q30[1][0] *
@@ -191,7 +194,7 @@ void test_SWR_IGTL_009_a_proposed_registration_mixes_no_frames_once_one_is_in_fo
     const rigid_t target = pose_at(0, 200000000, 50000000);
     rigid_t shifted = identity;
     shifted.translation.x_nm = 10000000;
-    TEST_ASSERT_EQUAL(STATUS_OK, plan_register(&plan, &robot_neuro, &identity));
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_register(&plan, &robot_neuro, &identity, &nobody));
     (void)plan_propose_entry(&plan, &robot_neuro, &entry);
     (void)plan_propose_target(&plan, &robot_neuro, &target);
     const int32_t before = plan.desired_ticks[AXIS_LATERAL];
@@ -222,7 +225,7 @@ static int32_t depth_nm(void)
 void test_SWR_PLAN_017_a_proposed_entry_decides_nothing_until_it_is_accepted(void)
 {
     const rigid_t entry = entry_for(20000000);
-    (void)plan_register(&plan, &robot_neuro, &identity);
+    (void)plan_register(&plan, &robot_neuro, &identity, &nobody);
     TEST_ASSERT_EQUAL(STATUS_NOT_PROPOSED, plan_accept_entry(&plan));
     TEST_ASSERT_EQUAL_UINT32(0U, plan.has_entry);
     TEST_ASSERT_EQUAL(STATUS_OK, set_target().status);
@@ -241,7 +244,7 @@ void test_SWR_PLAN_017_an_accepted_entry_stays_when_another_is_proposed(void)
 {
     const rigid_t first = entry_for(20000000);
     const rigid_t second = entry_for(10000000);
-    (void)plan_register(&plan, &robot_neuro, &identity);
+    (void)plan_register(&plan, &robot_neuro, &identity, &nobody);
     (void)plan_propose_entry(&plan, &robot_neuro, &first);
     (void)plan_accept_entry(&plan);
     (void)plan_propose_entry(&plan, &robot_neuro, &second);
@@ -259,7 +262,7 @@ void test_SWR_PLAN_017_an_entry_is_checked_as_a_proposal_is(void)
     wrong.translation.x_nm = (int32_t)LIMIT_REGISTRATION_MAX_NM + 1;
     TEST_ASSERT_EQUAL(STATUS_OUT_OF_RANGE, plan_set_entry(&plan, &wrong));
     TEST_ASSERT_EQUAL_UINT32(0U, plan.has_entry);
-    (void)plan_register(&plan, &robot_neuro, &identity);
+    (void)plan_register(&plan, &robot_neuro, &identity, &nobody);
     TEST_ASSERT_EQUAL(STATUS_OK, plan_set_entry(&plan, &entry));
     TEST_ASSERT_EQUAL(STATUS_OK, set_target().status);
     TEST_ASSERT_INT32_WITHIN(400, 20000000, depth_nm());
@@ -270,7 +273,7 @@ void test_SWR_REG_002_a_registration_forgets_the_entry_and_the_seen_needle(void)
     const rigid_t entry = entry_for(20000000);
     (void)plan_set_entry(&plan, &entry);
     (void)plan_see_needle(&plan, &entry);
-    TEST_ASSERT_EQUAL(STATUS_OK, plan_register(&plan, &robot_neuro, &identity));
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_register(&plan, &robot_neuro, &identity, &nobody));
     TEST_ASSERT_EQUAL_UINT32(0U, plan.has_entry + plan.has_seen_needle);
 }
 
@@ -288,7 +291,7 @@ void test_SWR_PLAN_018_proposals_and_their_withdrawal_leave_the_target_as_it_is(
     const rigid_t entry = entry_for(10000000);
     rigid_t shifted = identity;
     shifted.translation.x_nm = 10000000;
-    (void)plan_register(&plan, &robot_neuro, &identity);
+    (void)plan_register(&plan, &robot_neuro, &identity, &nobody);
     TEST_ASSERT_EQUAL(STATUS_OK, set_target().status);
     const plan_t before = plan;
     (void)plan_propose_registration(&plan, &robot_neuro, &shifted);
@@ -307,7 +310,7 @@ void test_SWR_PLAN_018_proposals_and_their_withdrawal_leave_the_target_as_it_is(
 void test_SWR_PLAN_019_an_entry_that_comes_or_goes_leaves_the_target_as_it_is(void)
 {
     const rigid_t illegal = entry_for(-6000000);
-    (void)plan_register(&plan, &robot_neuro, &identity);
+    (void)plan_register(&plan, &robot_neuro, &identity, &nobody);
     TEST_ASSERT_EQUAL(STATUS_OK, set_target().status);
     const plan_t before = plan;
     TEST_ASSERT_EQUAL(STATUS_OK, plan_set_entry(&plan, &illegal));
@@ -321,8 +324,9 @@ void test_SWR_PLAN_020_a_target_refused_because_of_an_entry_says_so(void)
     const rigid_t illegal = entry_for(45000000);
     const rigid_t pose = needle_down(5000000, target_y_nm, 60000000);
     joints_t joints;
-    const solution_t inner = neuro_solve(&robot_neuro, &pose, &illegal.translation, &joints);
-    (void)plan_register(&plan, &robot_neuro, &identity);
+    const solution_t inner =
+        neuro_solve(&robot_neuro, &robot_neuro.probe, &pose, &illegal.translation, &joints);
+    (void)plan_register(&plan, &robot_neuro, &identity, &nobody);
     (void)plan_set_entry(&plan, &illegal);
     const solution_t result = set_target();
     TEST_ASSERT_EQUAL(STATUS_AXIS_LIMIT, inner.status);
@@ -339,7 +343,7 @@ void test_SWR_PLAN_020_an_entry_elsewhere_is_not_blamed(void)
 {
     const rigid_t elsewhere = pose_at(15000000, 246000000, 60000000);
     const rigid_t far = needle_down(300000000, target_y_nm, 60000000);
-    (void)plan_register(&plan, &robot_neuro, &identity);
+    (void)plan_register(&plan, &robot_neuro, &identity, &nobody);
     (void)plan_set_entry(&plan, &elsewhere);
     TEST_ASSERT_EQUAL(STATUS_AXIS_LIMIT,
                       plan_set_target(&plan, &robot_neuro, at_home, &far).status);
@@ -386,7 +390,7 @@ void test_SWR_MOTION_024_a_seen_needle_is_checked_and_kept_until_another_target_
     rigid_t skewed = identity;
     skewed.rotation_q30[0][1] = 50000;
     skewed.translation.y_nm = 7000000;
-    (void)plan_register(&plan, &robot_neuro, &identity);
+    (void)plan_register(&plan, &robot_neuro, &identity, &nobody);
     TEST_ASSERT_EQUAL(STATUS_OK, plan_see_needle(&plan, &skewed));
     TEST_ASSERT_EQUAL_UINT32(1U, plan.has_seen_needle);
     TEST_ASSERT_EQUAL_INT32(7000000, plan.scanner_seen_needle.translation.y_nm);

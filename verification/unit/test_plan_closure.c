@@ -5,12 +5,14 @@
  */
 #include "unity.h"
 
+#include "base/crc.h"
 #include "base/fixed.h"
 #include "base/rigid.h"
 #include "limits/requirement_limits.h"
 #include "mock_joints.h"
 #include "mock_kinematics.h"
 #include "procedure/plan.h"
+#include "robot/probe.h"
 #include "robot/robot_neuro.h"
 
 #include <string.h>
@@ -23,13 +25,15 @@ static robot_t lone;
 static int32_t planned_ticks[ROBOT_AXIS_MAX];
 static int32_t present_ticks[ROBOT_AXIS_MAX];
 static plan_t plan;
+static const plan_origin_t nobody = {.ignores_rotation = false};
 static int32_t wrong_by_nm;
 static uint8_t is_by_entry;
 
-static solution_t solve(const robot_t *robot, const rigid_t *pose, const point_t *entry,
-                        joints_t *joints, int calls)
+static solution_t solve(const robot_t *robot, const probe_t *probe, const rigid_t *pose,
+                        const point_t *entry, joints_t *joints, int calls)
 {
     (void)robot;
+    (void)probe;
     (void)pose;
     (void)entry;
     (void)calls;
@@ -37,9 +41,11 @@ static solution_t solve(const robot_t *robot, const rigid_t *pose, const point_t
     return (solution_t){.status = STATUS_OK, .is_by_entry = is_by_entry};
 }
 
-static void go_forward(const robot_t *robot, const joints_t *joints, rigid_t *pose, int calls)
+static void go_forward(const robot_t *robot, const probe_t *probe, const joints_t *joints,
+                       rigid_t *pose, int calls)
 {
     (void)robot;
+    (void)probe;
     (void)joints;
     (void)calls;
     rigid_set_identity(pose);
@@ -107,8 +113,8 @@ void setUp(void)
     lone = robot_neuro;
     lone.coupled_limit_count = 0U;
     (void)memset(present_ticks, 0, sizeof present_ticks);
-    plan_init(&plan);
-    TEST_ASSERT_EQUAL(STATUS_OK, plan_register(&plan, &robot_neuro, &identity));
+    plan_init(&plan, &robot_neuro);
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_register(&plan, &robot_neuro, &identity, &nobody));
     kinematics_solve_Stub(solve);
     kinematics_forward_Stub(go_forward);
     joints_value_Stub(value_of);

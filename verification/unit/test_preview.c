@@ -2,6 +2,7 @@
 /* Rule under test: a preview says what control would say of a target, and how much room is left. */
 #include "unity.h"
 
+#include "base/crc.h"
 #include "base/fixed.h"
 #include "base/rigid.h"
 #include "http/preview.h"
@@ -11,6 +12,7 @@
 #include "robot/kinematics.h"
 #include "robot/margin.h"
 #include "robot/neuro/neuro.h"
+#include "robot/probe.h"
 #include "robot/robot_neuro.h"
 #include "unit/support/contract_trap.h"
 
@@ -21,6 +23,7 @@ TEST_SOURCE_FILE("coupled_path.c")
 
 static snapshot_t snapshot;
 static plan_t plan;
+static const plan_origin_t nobody = {.ignores_rotation = false};
 static int32_t ticks[ROBOT_AXIS_MAX];
 
 void setUp(void)
@@ -29,9 +32,11 @@ void setUp(void)
     rigid_set_identity(&identity);
     (void)memset(&snapshot, 0, sizeof snapshot);
     snapshot.is_registered = 1U;
+    snapshot.has_probe = 1U;
+    (void)memcpy(snapshot.probe_nm, robot_neuro.probe.length_nm, sizeof snapshot.probe_nm);
     snapshot.scanner_zframe = identity;
-    plan_init(&plan);
-    TEST_ASSERT_EQUAL(STATUS_OK, plan_register(&plan, &robot_neuro, &identity));
+    plan_init(&plan, &robot_neuro);
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_register(&plan, &robot_neuro, &identity, &nobody));
 }
 
 void tearDown(void)

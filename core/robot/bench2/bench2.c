@@ -46,8 +46,10 @@ static solution_t reach(const robot_t *robot, const point_t *target, joints_t *j
                                    : (solution_t){.status = STATUS_OK};
 }
 
-void bench2_forward(const robot_t *robot, const joints_t *joints, rigid_t *zframe_treatment)
+void bench2_forward(const robot_t *robot, const probe_t *probe, const joints_t *joints,
+                    rigid_t *zframe_treatment)
 {
+    (void)probe;
     set_orientation(zframe_treatment);
     zframe_treatment->translation = (point_t){
         fixed_saturate((int64_t)robot->geometry_nm[BENCH2_HOME_X] + joints->value[AXIS_SLIDE]),
@@ -55,25 +57,27 @@ void bench2_forward(const robot_t *robot, const joints_t *joints, rigid_t *zfram
         robot->geometry_nm[BENCH2_HOME_Z]};
 }
 
-solution_t bench2_inverse(const robot_t *robot, const point_t *entry, const point_t *target,
-                          int32_t roll_bam, joints_t *joints)
+solution_t bench2_inverse(const robot_t *robot, const probe_t *probe, const needle_line_t *line,
+                          joints_t *joints)
 {
-    const int64_t x_nm = (int64_t)target->x_nm - entry->x_nm;
-    const int64_t y_nm = (int64_t)target->y_nm - entry->y_nm;
-    const int64_t z_nm = (int64_t)target->z_nm - entry->z_nm;
-    const int64_t off_nm = (int64_t)target->z_nm - robot->geometry_nm[BENCH2_HOME_Z];
+    const int64_t x_nm = (int64_t)line->target.x_nm - line->entry.x_nm;
+    const int64_t y_nm = (int64_t)line->target.y_nm - line->entry.y_nm;
+    const int64_t z_nm = (int64_t)line->target.z_nm - line->entry.z_nm;
+    const int64_t off_nm = (int64_t)line->target.z_nm - robot->geometry_nm[BENCH2_HOME_Z];
+    (void)probe;
     if ((x_nm == 0) && (y_nm == 0) && (z_nm == 0)) {
         return (solution_t){.status = STATUS_DEGENERATE_LINE};
     }
     const bool is_needle = (y_nm < 0) && is_near(x_nm, LIMIT_CLOSURE_NM) &&
                            is_near(z_nm, LIMIT_CLOSURE_NM) && is_near(off_nm, LIMIT_CLOSURE_NM) &&
-                           is_near(roll_bam, LIMIT_CLOSURE_BAM);
-    return is_needle ? reach(robot, target, joints) : (solution_t){.status = STATUS_CLOSURE};
+                           is_near(line->roll_bam, LIMIT_CLOSURE_BAM);
+    return is_needle ? reach(robot, &line->target, joints) : (solution_t){.status = STATUS_CLOSURE};
 }
 
-solution_t bench2_solve(const robot_t *robot, const rigid_t *pose, const point_t *entry,
-                        joints_t *joints)
+solution_t bench2_solve(const robot_t *robot, const probe_t *probe, const rigid_t *pose,
+                        const point_t *entry, joints_t *joints)
 {
+    (void)probe;
     (void)entry;
     return reach(robot, &pose->translation, joints);
 }

@@ -14,24 +14,26 @@
 #include <stdint.h>
 
 /**
- * Pose of the treatment frame in the z-frame: x = home + slide, y = home - needle, z = home.
+ * Pose of the treatment frame in the z-frame: x = home + slide, y = home - needle, z = home. It
+ * has no probe.
  *
  * @satisfies SWR-KIN-003
  */
-void bench2_forward(const robot_t *robot, const joints_t *joints, rigid_t *zframe_treatment);
+void bench2_forward(const robot_t *robot, const probe_t *probe, const joints_t *joints,
+                    rigid_t *zframe_treatment);
 
 /**
- * Joints for a line from `entry` to `target`.
+ * Joints for `line`.
  *
  * @return status STATUS_OK; STATUS_DEGENERATE_LINE when the two are the same; STATUS_CLOSURE when
- * the line is not the needle's within LIMIT_CLOSURE_NM, or `roll_bam` is beyond LIMIT_CLOSURE_BAM;
+ * the line is not the needle's within LIMIT_CLOSURE_NM, or its roll is beyond LIMIT_CLOSURE_BAM;
  * STATUS_AXIS_LIMIT. Not STATUS_OK: `joints` is unspecified.
  *
  * @satisfies SWR-KIN-002
  * @satisfies SWR-KIN-004
  */
-solution_t bench2_inverse(const robot_t *robot, const point_t *entry, const point_t *target,
-                          int32_t roll_bam, joints_t *joints);
+solution_t bench2_inverse(const robot_t *robot, const probe_t *probe, const needle_line_t *line,
+                          joints_t *joints);
 
 /**
  * Joints that put the treatment point at that of `pose`; the plan refuses a pose that they do not
@@ -42,7 +44,7 @@ solution_t bench2_inverse(const robot_t *robot, const point_t *entry, const poin
  * @satisfies SWR-KIN-002
  * @satisfies SWR-KIN-004
  */
-solution_t bench2_solve(const robot_t *robot, const rigid_t *pose, const point_t *entry,
-                        joints_t *joints);
+solution_t bench2_solve(const robot_t *robot, const probe_t *probe, const rigid_t *pose,
+                        const point_t *entry, joints_t *joints);
 
 #endif

@@ -17,6 +17,7 @@
 /* A needle whose place and direction are fixed and whose depth may still be chosen. */
 typedef struct {
     const robot_t *robot;
+    const probe_t *probe;
     int64_t home_height_nm;
     point_t target;
     int32_t direction_q30[3];
@@ -46,9 +47,9 @@ static int64_t height_of(const robot_t *robot, int64_t separation_nm)
 }
 
 /* From the remote centre of motion to the treatment point, along the needle. */
-static int32_t lever_at(const robot_t *robot, int64_t depth_nm)
+static int32_t lever_at(const robot_t *robot, const probe_t *probe, int64_t depth_nm)
 {
-    return fixed_saturate(depth_nm + robot->geometry_nm[NEURO_PROBE_ROBOT_TO_TREATMENT] -
+    return fixed_saturate(depth_nm + probe->length_nm[NEURO_PROBE_ROBOT_TO_TREATMENT] -
                           robot->geometry_nm[NEURO_ROBOT_TO_RCM]);
 }
 
@@ -82,11 +83,13 @@ static bool aim(needle_t *self)
     return across_q30 > SINGULAR_Q30;
 }
 
-static bool aim_at_pose(needle_t *self, const robot_t *robot, const rigid_t *pose)
+static bool aim_at_pose(needle_t *self, const robot_t *robot, const probe_t *probe,
+                        const rigid_t *pose)
 {
     int32_t x_q30[3];
     int32_t frame_q30[3][3];
     self->robot = robot;
+    self->probe = probe;
     self->target = pose->translation;
     for (uint32_t row = 0U; row < 3U; row++) {
         x_q30[row] = pose->rotation_q30[row][0];
@@ -103,7 +106,7 @@ static bool aim_at_pose(needle_t *self, const robot_t *robot, const rigid_t *pos
 static int64_t reach(const needle_t *self, int64_t depth_nm, int64_t value[JOINT_LIMIT_COUNT])
 {
     const robot_t *const robot = self->robot;
-    const int32_t lever_nm = lever_at(robot, depth_nm);
+    const int32_t lever_nm = lever_at(robot, self->probe, depth_nm);
     const int64_t x_nm =
         (int64_t)self->target.x_nm - fixed_multiply_q30(lever_nm, self->direction_q30[0]);
     const int64_t y_nm =
@@ -170,7 +173,7 @@ static solution_t finish(const needle_t *self, const joint_limits_t *limits, int
 /* Depth that puts the entry point where it belongs; false when it is off the needle's axis. */
 static bool find_entry_depth(const needle_t *self, const point_t *entry, int64_t *depth_nm)
 {
-    const robot_t *const robot = self->robot;
+    const int32_t *const length_nm = self->probe->length_nm;
     const int32_t way_nm[3] = {fixed_saturate((int64_t)self->target.x_nm - entry->x_nm),
                                fixed_saturate((int64_t)self->target.y_nm - entry->y_nm),
                                fixed_saturate((int64_t)self->target.z_nm - entry->z_nm)};
@@ -179,8 +182,8 @@ static bool find_entry_depth(const needle_t *self, const point_t *entry, int64_t
     for (uint32_t i = 0U; i < 3U; i++) {
         off_nm[i] = (int64_t)way_nm[i] - fixed_multiply_q30(along_nm, self->direction_q30[i]);
     }
-    *depth_nm = (int64_t)along_nm - robot->geometry_nm[NEURO_PROBE_ROBOT_TO_TREATMENT] +
-                robot->geometry_nm[NEURO_PROBE_ROBOT_TO_ENTRY];
+    *depth_nm = (int64_t)along_nm - length_nm[NEURO_PROBE_ROBOT_TO_TREATMENT] +
+                length_nm[NEURO_PROBE_ROBOT_TO_ENTRY];
     return fixed_length(off_nm) <= (int64_t)LIMIT_ENTRY_ON_AXIS_NM;
 }
 
@@ -243,14 +246,15 @@ void neuro_limits(const robot_t *robot, joint_limits_t *limits)
                      (int64_t)robot->geometry_nm[NEURO_SIDE_LINK] - 1);
 }
 
-void neuro_forward(const robot_t *robot, const joints_t *joints, rigid_t *zframe_treatment)
+void neuro_forward(const robot_t *robot, const probe_t *probe, const joints_t *joints,
+                   rigid_t *zframe_treatment)
 {
     const int64_t head_nm = joints->value[AXIS_HEAD];
     const int64_t feet_nm = joints->value[AXIS_FEET];
     const int64_t height_nm =
         height_of(robot, (head_nm - feet_nm) + robot->geometry_nm[NEURO_HOME_SEPARATION]);
     const int64_t home_height_nm = height_of(robot, robot->geometry_nm[NEURO_HOME_SEPARATION]);
-    const int32_t lever_nm = lever_at(robot, joints->value[AXIS_INSERTION]);
+    const int32_t lever_nm = lever_at(robot, probe, joints->value[AXIS_INSERTION]);
     const fixed_direction_t roll = fixed_direction(joints->value[AXIS_ROTATION]);
     const int32_t x_q30[3] = {roll.cosine_q30, roll.sine_q30, 0};
     const int32_t y_q30[3] = {-roll.sine_q30, roll.cosine_q30, 0};
@@ -271,13 +275,13 @@ void neuro_forward(const robot_t *robot, const joints_t *joints, rigid_t *zframe
     zframe_treatment->translation = (point_t){origin_nm[0], origin_nm[1], origin_nm[2]};
 }
 
-solution_t neuro_inverse(const robot_t *robot, const point_t *entry, const point_t *target,
-                         int32_t roll_bam, joints_t *joints)
+solution_t neuro_inverse(const robot_t *robot, const probe_t *probe, const needle_line_t *line,
+                         joints_t *joints)
 {
-    const int64_t way_nm[3] = {(int64_t)target->x_nm - entry->x_nm,
-                               (int64_t)target->y_nm - entry->y_nm,
-                               (int64_t)target->z_nm - entry->z_nm};
-    needle_t needle = {robot, 0, *target, {0, 0, 0}, roll_bam, 0, 0};
+    const int64_t way_nm[3] = {(int64_t)line->target.x_nm - line->entry.x_nm,
+                               (int64_t)line->target.y_nm - line->entry.y_nm,
+                               (int64_t)line->target.z_nm - line->entry.z_nm};
+    needle_t needle = {robot, probe, 0, line->target, {0, 0, 0}, line->roll_bam, 0, 0};
     joint_limits_t limits;
     const int64_t length_nm = fixed_normalise(way_nm, needle.direction_q30);
     if (length_nm == 0) {
@@ -288,31 +292,31 @@ solution_t neuro_inverse(const robot_t *robot, const point_t *entry, const point
     }
     neuro_limits(robot, &limits);
     return finish(&needle, &limits,
-                  length_nm - robot->geometry_nm[NEURO_PROBE_ROBOT_TO_TREATMENT] +
-                      robot->geometry_nm[NEURO_PROBE_ROBOT_TO_ENTRY],
+                  length_nm - probe->length_nm[NEURO_PROBE_ROBOT_TO_TREATMENT] +
+                      probe->length_nm[NEURO_PROBE_ROBOT_TO_ENTRY],
                   joints);
 }
 
-solution_t neuro_inverse_at_depth(const robot_t *robot, const rigid_t *pose, int32_t depth_nm,
-                                  joints_t *joints)
+solution_t neuro_inverse_at_depth(const robot_t *robot, const probe_t *probe, const rigid_t *pose,
+                                  int32_t depth_nm, joints_t *joints)
 {
     needle_t needle;
     joint_limits_t limits;
-    if (!aim_at_pose(&needle, robot, pose)) {
+    if (!aim_at_pose(&needle, robot, probe, pose)) {
         return result_of(STATUS_SINGULAR_PITCH);
     }
     neuro_limits(robot, &limits);
     return finish(&needle, &limits, depth_nm, joints);
 }
 
-solution_t neuro_solve(const robot_t *robot, const rigid_t *pose, const point_t *entry,
-                       joints_t *joints)
+solution_t neuro_solve(const robot_t *robot, const probe_t *probe, const rigid_t *pose,
+                       const point_t *entry, joints_t *joints)
 {
     needle_t needle;
     joint_limits_t limits;
     margin_t best;
     int64_t depth_nm;
-    if (!aim_at_pose(&needle, robot, pose)) {
+    if (!aim_at_pose(&needle, robot, probe, pose)) {
         return result_of(STATUS_SINGULAR_PITCH);
     }
     neuro_limits(robot, &limits);

@@ -33,7 +33,8 @@ void neuro_limits(const robot_t *robot, joint_limits_t *limits);
  * @satisfies SWR-KIN-003
  * @satisfies SWR-KIN-005
  */
-void neuro_forward(const robot_t *robot, const joints_t *joints, rigid_t *zframe_treatment);
+void neuro_forward(const robot_t *robot, const probe_t *probe, const joints_t *joints,
+                   rigid_t *zframe_treatment);
 
 /**
  * Joints for an entry point, a treatment point and a roll about the needle, all in the z-frame.
@@ -47,8 +48,8 @@ void neuro_forward(const robot_t *robot, const joints_t *joints, rigid_t *zframe
  * @satisfies SWR-KIN-002
  * @satisfies SWR-KIN-004
  */
-solution_t neuro_inverse(const robot_t *robot, const point_t *entry, const point_t *target,
-                         int32_t roll_bam, joints_t *joints);
+solution_t neuro_inverse(const robot_t *robot, const probe_t *probe, const needle_line_t *line,
+                         joints_t *joints);
 
 /**
  * Joints that put the treatment frame at `pose`, which passed rigid_check(), with the given
@@ -59,8 +60,8 @@ solution_t neuro_inverse(const robot_t *robot, const point_t *entry, const point
  * @satisfies SWR-KIN-002
  * @satisfies SWR-KIN-004
  */
-solution_t neuro_inverse_at_depth(const robot_t *robot, const rigid_t *pose, int32_t depth_nm,
-                                  joints_t *joints);
+solution_t neuro_inverse_at_depth(const robot_t *robot, const probe_t *probe, const rigid_t *pose,
+                                  int32_t depth_nm, joints_t *joints);
 
 /**
  * Joints for `pose`. With `entry` (not NULL, in the z-frame) within LIMIT_ENTRY_ON_AXIS_NM of the
@@ -77,8 +78,8 @@ solution_t neuro_inverse_at_depth(const robot_t *robot, const rigid_t *pose, int
  * @satisfies SWR-PLAN-003
  * @satisfies SWR-PLAN-014
  */
-solution_t neuro_solve(const robot_t *robot, const rigid_t *pose, const point_t *entry,
-                       joints_t *joints);
+solution_t neuro_solve(const robot_t *robot, const probe_t *probe, const rigid_t *pose,
+                       const point_t *entry, joints_t *joints);
 
 /**
  * The separation of the axial carriages, nm: the one coupled limit.

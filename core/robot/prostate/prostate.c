@@ -25,6 +25,7 @@ typedef struct {
 /* A needle whose tip and direction are fixed. */
 typedef struct {
     const robot_t *robot;
+    const probe_t *probe;
     int64_t tip_nm[3]; /* In the base. */
     angles_t angles;
     int32_t rotation_bam;
@@ -115,11 +116,12 @@ static void frame_of(angles_t angles, int32_t column_q30[3][3])
 }
 
 /* Takes tip and direction; false if the needle does not point at the patient. */
-static bool aim(aimed_t *self, const robot_t *robot, const point_t *target,
+static bool aim(aimed_t *self, const robot_t *robot, const probe_t *probe, const point_t *target,
                 const int32_t direction_q30[3])
 {
     const int64_t direction[3] = {direction_q30[0], direction_q30[1], direction_q30[2]};
     self->robot = robot;
+    self->probe = probe;
     self->tip_nm[0] = (int64_t)target->x_nm + robot->geometry_nm[PROSTATE_ZFRAME_X];
     self->tip_nm[1] = (int64_t)target->y_nm + robot->geometry_nm[PROSTATE_ZFRAME_Y];
     self->tip_nm[2] = (int64_t)target->z_nm + robot->geometry_nm[PROSTATE_ZFRAME_Z];
@@ -132,17 +134,18 @@ static bool aim(aimed_t *self, const robot_t *robot, const point_t *target,
 static carriers_t carriers_of(const aimed_t *self)
 {
     const int32_t *const length_nm = self->robot->geometry_nm;
+    const int32_t *const probe_nm = self->probe->length_nm;
     const int32_t *const up_q30 = self->frame_q30[1];
     const int32_t *const along_q30 = self->frame_q30[2];
     const int64_t deep_nm = self->tip_nm[2] + length_nm[PROSTATE_PIVOT_DEPTH];
-    const int64_t raised_q30 = (int64_t)length_nm[PROSTATE_PROBE_NEEDLE_HEIGHT] * up_q30[2];
+    const int64_t raised_q30 = (int64_t)probe_nm[PROSTATE_PROBE_NEEDLE_HEIGHT] * up_q30[2];
     const int64_t lever_nm =
         fixed_divide_rounded((deep_nm * FIXED_ONE_Q30) - raised_q30, along_q30[2]);
     int64_t front_nm[2];
     int64_t rear_nm[2];
     for (uint32_t i = 0U; i < 2U; i++) {
         front_nm[i] = self->tip_nm[i] -
-                      fixed_multiply_q30(length_nm[PROSTATE_PROBE_NEEDLE_HEIGHT], up_q30[i]) -
+                      fixed_multiply_q30(probe_nm[PROSTATE_PROBE_NEEDLE_HEIGHT], up_q30[i]) -
                       fixed_multiply_q30(fixed_saturate(lever_nm), along_q30[i]);
         rear_nm[i] = front_nm[i] -
                      fixed_divide_rounded(
@@ -150,7 +153,7 @@ static carriers_t carriers_of(const aimed_t *self)
     }
     return (carriers_t){{front_nm[0], front_nm[1]},
                         {rear_nm[0], rear_nm[1]},
-                        lever_nm - length_nm[PROSTATE_PROBE_NEEDLE_TIP]};
+                        lever_nm - probe_nm[PROSTATE_PROBE_NEEDLE_TIP]};
 }
 
 /* Half of what lies between the carriages of a stage at this height. */
@@ -247,11 +250,13 @@ int64_t prostate_coupled(const robot_t *robot, uint32_t index, const joints_t *j
     return value;
 }
 
-void prostate_forward(const robot_t *robot, const joints_t *joints, rigid_t *zframe_treatment)
+void prostate_forward(const robot_t *robot, const probe_t *probe, const joints_t *joints,
+                      rigid_t *zframe_treatment)
 {
     const int32_t *const length_nm = robot->geometry_nm;
+    const int32_t *const probe_nm = probe->length_nm;
     const pivot_t front = front_of(robot, joints);
-    const int32_t lever_nm = fixed_saturate((int64_t)length_nm[PROSTATE_PROBE_NEEDLE_TIP] +
+    const int32_t lever_nm = fixed_saturate((int64_t)probe_nm[PROSTATE_PROBE_NEEDLE_TIP] +
                                             joints->value[AXIS_INSERTION]);
     const fixed_direction_t roll = fixed_direction(joints->value[AXIS_ROTATION]);
     const int32_t x_q30[3] = {roll.cosine_q30, roll.sine_q30, 0};
@@ -269,31 +274,31 @@ void prostate_forward(const robot_t *robot, const joints_t *joints, rigid_t *zfr
         zframe_treatment->rotation_q30[i][2] = frame_q30[2][i];
         tip_nm[i] = fixed_saturate(
             front_nm[i] +
-            fixed_multiply_q30(length_nm[PROSTATE_PROBE_NEEDLE_HEIGHT], frame_q30[1][i]) +
+            fixed_multiply_q30(probe_nm[PROSTATE_PROBE_NEEDLE_HEIGHT], frame_q30[1][i]) +
             fixed_multiply_q30(lever_nm, frame_q30[2][i]));
     }
     zframe_treatment->translation = (point_t){tip_nm[0], tip_nm[1], tip_nm[2]};
 }
 
-solution_t prostate_inverse(const robot_t *robot, const point_t *entry, const point_t *target,
-                            int32_t roll_bam, joints_t *joints)
+solution_t prostate_inverse(const robot_t *robot, const probe_t *probe, const needle_line_t *line,
+                            joints_t *joints)
 {
-    const int64_t way_nm[3] = {(int64_t)target->x_nm - entry->x_nm,
-                               (int64_t)target->y_nm - entry->y_nm,
-                               (int64_t)target->z_nm - entry->z_nm};
+    const int64_t way_nm[3] = {(int64_t)line->target.x_nm - line->entry.x_nm,
+                               (int64_t)line->target.y_nm - line->entry.y_nm,
+                               (int64_t)line->target.z_nm - line->entry.z_nm};
     int32_t direction_q30[3];
     aimed_t needle;
     if (fixed_normalise(way_nm, direction_q30) == 0) {
         return (solution_t){.status = STATUS_DEGENERATE_LINE};
     }
-    needle.rotation_bam = roll_bam;
-    return aim(&needle, robot, target, direction_q30)
+    needle.rotation_bam = line->roll_bam;
+    return aim(&needle, robot, probe, &line->target, direction_q30)
                ? finish(&needle, joints)
                : (solution_t){.status = STATUS_NEEDLE_BACKWARDS};
 }
 
-solution_t prostate_solve(const robot_t *robot, const rigid_t *pose, const point_t *entry,
-                          joints_t *joints)
+solution_t prostate_solve(const robot_t *robot, const probe_t *probe, const rigid_t *pose,
+                          const point_t *entry, joints_t *joints)
 {
     int32_t x_q30[3];
     int32_t direction_q30[3];
@@ -303,7 +308,7 @@ solution_t prostate_solve(const robot_t *robot, const rigid_t *pose, const point
         x_q30[row] = pose->rotation_q30[row][0];
         direction_q30[row] = pose->rotation_q30[row][2];
     }
-    const bool is_forwards = aim(&needle, robot, &pose->translation, direction_q30);
+    const bool is_forwards = aim(&needle, robot, probe, &pose->translation, direction_q30);
     needle.rotation_bam = fixed_atan2_bam(fixed_dot_q30(needle.frame_q30[1], x_q30),
                                           fixed_dot_q30(needle.frame_q30[0], x_q30));
     return is_forwards ? finish(&needle, joints) : (solution_t){.status = STATUS_NEEDLE_BACKWARDS};

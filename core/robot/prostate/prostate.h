@@ -50,12 +50,12 @@
  * @satisfies SWR-KIN-010
  * @satisfies SWR-KIN-012
  */
-void prostate_forward(const robot_t *robot, const joints_t *joints, rigid_t *zframe_treatment);
+void prostate_forward(const robot_t *robot, const probe_t *probe, const joints_t *joints,
+                      rigid_t *zframe_treatment);
 
 /**
- * Joints for a needle from `entry` through its tip at `target`, with a roll about it, all in the
- * z-frame. Angles and heights are judged as asked for, all else where the axes will stand: at the
- * nearest ticks, inclusive.
+ * Joints for a needle on `line`, its tip at the target. Angles and heights are judged as asked for,
+ * all else where the axes will stand: at the nearest ticks, inclusive.
  *
  * @return status STATUS_OK; STATUS_DEGENERATE_LINE when entry and target are the same;
  * STATUS_NEEDLE_BACKWARDS when the needle would not point towards the patient; STATUS_ALPHA_LIMIT
@@ -70,8 +70,8 @@ void prostate_forward(const robot_t *robot, const joints_t *joints, rigid_t *zfr
  * @satisfies SWR-KIN-011
  * @satisfies SWR-KIN-012
  */
-solution_t prostate_inverse(const robot_t *robot, const point_t *entry, const point_t *target,
-                            int32_t roll_bam, joints_t *joints);
+solution_t prostate_inverse(const robot_t *robot, const probe_t *probe, const needle_line_t *line,
+                            joints_t *joints);
 
 /**
  * Joints that put the needle's tip at `pose`, which passed rigid_check(); one that did not is
@@ -90,8 +90,8 @@ solution_t prostate_inverse(const robot_t *robot, const point_t *entry, const po
  * @satisfies SWR-KIN-012
  * @satisfies SWR-KIN-013
  */
-solution_t prostate_solve(const robot_t *robot, const rigid_t *pose, const point_t *entry,
-                          joints_t *joints);
+solution_t prostate_solve(const robot_t *robot, const probe_t *probe, const rigid_t *pose,
+                          const point_t *entry, joints_t *joints);
 
 /**
  * What coupled limit `index` measures at `joints`; each index that is none of them is beta.

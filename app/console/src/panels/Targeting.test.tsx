@@ -20,6 +20,23 @@ function said(term: string): string | null | undefined {
   return screen.getByText(term).nextElementSibling?.textContent;
 }
 
+test("SWR-PLAN-023 a registration without its rotation is shown as such", () => {
+  show({ registration: [1, 0, 0, 0], ignores_registration_rotation: true });
+  expect(said("Registration")).toBe("accepted, its rotation ignored");
+  cleanup();
+  show({ registration: [1, 0, 0, 0], ignores_registration_rotation: false });
+  expect(said("Registration")).toBe("accepted");
+});
+
+test("SWR-PROBE-009 the lengths of the probe are shown, or that they are not known", () => {
+  show({});
+  expect(said("Probe")).toBe("needle_tip 259.075 mm");
+  cleanup();
+  const [length] = makeRobot().targeting.probe;
+  show({ probe: [{ ...length!, length_mm: null }] });
+  expect(said("Probe")).toBe("needle_tip unknown");
+});
+
 test("SWR-PLAN-017 an entry point is shown with what it decides", () => {
   show({ entry_mm: [5, 246, 60] });
   expect(said("Entry point")).toBe("5.00, 246.00, 60.00 (decides the depth)");

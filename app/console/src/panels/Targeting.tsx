@@ -25,13 +25,40 @@ function entryText({ entry_mm: entry }: TargetingData): string {
   return entry === null ? "none" : `${formatPoint(entry)} (decides the depth)`;
 }
 
+/** What counts of the registration. */
+function registrationText(targeting: TargetingData): string {
+  if (targeting.registration === null) {
+    return "none";
+  }
+  return targeting.ignores_registration_rotation
+    ? "accepted, its rotation ignored"
+    : "accepted";
+}
+
+/**
+ * The lengths of the probe that all poses go by.
+ *
+ * @satisfies SWR-PROBE-009
+ */
+function probeText({ probe }: TargetingData): string {
+  return probe
+    .map(({ name, length_mm: length }) =>
+      length === null
+        ? `${name} unknown`
+        : `${name} ${formatNumber(length, 3)} mm`,
+    )
+    .join(", ");
+}
+
 /** Points are in mm, in scanner coordinates where the robot is registered. */
 export function Targeting({ targeting }: { targeting: TargetingData }) {
   const { distance_mm: distance } = targeting;
   return (
     <dl className="facts">
       <dt>Registration</dt>
-      <dd>{targeting.registration === null ? "none" : "accepted"}</dd>
+      <dd>{registrationText(targeting)}</dd>
+      <dt>Probe</dt>
+      <dd>{probeText(targeting)}</dd>
       <dt>Treatment point, scanner</dt>
       <dd>
         {pointText(targeting.scanner_treatment, "not homed, or not registered")}

@@ -161,6 +161,16 @@ export function makeRobot(
       entry_mm: null,
       seen_needle: null,
       distance_mm: null,
+      has_probe: true,
+      ignores_registration_rotation: false,
+      probe: [
+        {
+          name: "needle_tip",
+          length_mm: 259.075,
+          minimum_mm: 150,
+          maximum_mm: 350,
+        },
+      ],
       proposals: {
         registration: null,
         entry_mm: null,

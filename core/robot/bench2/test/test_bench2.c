@@ -22,7 +22,7 @@ static rigid_t pose;
 void setUp(void)
 {
     joints = (joints_t){{0}};
-    bench2_forward(&robot_bench2, &joints, &pose);
+    bench2_forward(&robot_bench2, &robot_bench2.probe, &joints, &pose);
 }
 
 void tearDown(void)
@@ -31,7 +31,8 @@ void tearDown(void)
 
 static solution_t aim(point_t entry, point_t target, int32_t roll_bam)
 {
-    return bench2_inverse(&robot_bench2, &entry, &target, roll_bam, &joints);
+    return bench2_inverse(&robot_bench2, &robot_bench2.probe,
+                          &(needle_line_t){entry, target, roll_bam}, &joints);
 }
 
 /* The line to the home position, of 40 mm, with its entry shifted. */
@@ -47,7 +48,7 @@ void test_SWR_KIN_003_golden_joints_give_the_golden_poses(void)
     for (size_t i = 0U; i < GOLDEN_COUNT; i++) {
         joints.value[AXIS_SLIDE] = golden_bench2[i].slide_nm;
         joints.value[AXIS_NEEDLE] = golden_bench2[i].needle_nm;
-        bench2_forward(&robot_bench2, &joints, &pose);
+        bench2_forward(&robot_bench2, &robot_bench2.probe, &joints, &pose);
         TEST_ASSERT_EQUAL_INT32(golden_bench2[i].point_nm[0], pose.translation.x_nm);
         TEST_ASSERT_EQUAL_INT32(golden_bench2[i].point_nm[1], pose.translation.y_nm);
         TEST_ASSERT_EQUAL_INT32(golden_bench2[i].point_nm[2], pose.translation.z_nm);
@@ -61,7 +62,9 @@ void test_SWR_KIN_002_golden_poses_give_the_golden_joints(void)
         const int32_t *const point_nm = golden_bench2[i].point_nm;
         const point_t target = {point_nm[0], point_nm[1], point_nm[2]};
         pose.translation = target;
-        TEST_ASSERT_EQUAL_INT(STATUS_OK, bench2_solve(&robot_bench2, &pose, NULL, &joints).status);
+        TEST_ASSERT_EQUAL_INT(
+            STATUS_OK,
+            bench2_solve(&robot_bench2, &robot_bench2.probe, &pose, NULL, &joints).status);
         TEST_ASSERT_EQUAL_INT32(golden_bench2[i].slide_nm, joints.value[AXIS_SLIDE]);
         TEST_ASSERT_EQUAL_INT32(golden_bench2[i].needle_nm, joints.value[AXIS_NEEDLE]);
         joints = (joints_t){{0}};
@@ -101,12 +104,12 @@ void test_SWR_KIN_004_a_target_beside_the_plane_or_turned_is_refused(void)
 void test_SWR_KIN_004_the_limit_that_is_missed_is_named(void)
 {
     pose.translation.x_nm = 1000000;
-    solution_t result = bench2_solve(&robot_bench2, &pose, NULL, &joints);
+    solution_t result = bench2_solve(&robot_bench2, &robot_bench2.probe, &pose, NULL, &joints);
     TEST_ASSERT_EQUAL_INT(STATUS_AXIS_LIMIT, result.status);
     TEST_ASSERT_EQUAL_UINT8(AXIS_SLIDE, result.axis);
     TEST_ASSERT_EQUAL_UINT8(1U, result.is_maximum);
     pose.translation = (point_t){0, 69000000, 50000000};
-    result = bench2_solve(&robot_bench2, &pose, NULL, &joints);
+    result = bench2_solve(&robot_bench2, &robot_bench2.probe, &pose, NULL, &joints);
     TEST_ASSERT_EQUAL_UINT8(AXIS_NEEDLE, result.axis);
     TEST_ASSERT_EQUAL_UINT8(1U, result.is_maximum);
 }

@@ -71,7 +71,7 @@ void neuro_reference_forward(const robot_t *robot, const double joint[ROBOT_AXIS
     const double about_z[3][3] = {
         {cos(roll), -sin(roll), 0.0}, {sin(roll), cos(roll), 0.0}, {0.0, 0.0, 1.0}};
     const double lever =
-        joint[AXIS_INSERTION] + (robot->geometry_nm[NEURO_PROBE_ROBOT_TO_TREATMENT] -
+        joint[AXIS_INSERTION] + (robot->probe.length_nm[NEURO_PROBE_ROBOT_TO_TREATMENT] -
                                  robot->geometry_nm[NEURO_ROBOT_TO_RCM]) /
                                     NM_PER_MM;
     double needle[3][3];
@@ -86,9 +86,9 @@ void neuro_reference_forward(const robot_t *robot, const double joint[ROBOT_AXIS
 void neuro_reference_entry(const robot_t *robot, const double joint[ROBOT_AXIS_MAX],
                            double entry_mm[3])
 {
-    const double lever =
-        (robot->geometry_nm[NEURO_PROBE_ROBOT_TO_ENTRY] - robot->geometry_nm[NEURO_ROBOT_TO_RCM]) /
-        NM_PER_MM;
+    const double lever = (robot->probe.length_nm[NEURO_PROBE_ROBOT_TO_ENTRY] -
+                          robot->geometry_nm[NEURO_ROBOT_TO_RCM]) /
+                         NM_PER_MM;
     double needle[3][3];
     frame(joint[AXIS_PITCH], joint[AXIS_YAW], needle);
     rcm(robot, joint, entry_mm);
@@ -100,7 +100,7 @@ void neuro_reference_entry(const robot_t *robot, const double joint[ROBOT_AXIS_M
 bool neuro_reference_inverse(const robot_t *robot, const neuro_reference_pose_t *pose,
                              double depth_mm, double joint[ROBOT_AXIS_MAX])
 {
-    const double lever = depth_mm + (robot->geometry_nm[NEURO_PROBE_ROBOT_TO_TREATMENT] -
+    const double lever = depth_mm + (robot->probe.length_nm[NEURO_PROBE_ROBOT_TO_TREATMENT] -
                                      robot->geometry_nm[NEURO_ROBOT_TO_RCM]) /
                                         NM_PER_MM;
     const double link = robot->geometry_nm[NEURO_SIDE_LINK] / NM_PER_MM;

@@ -88,7 +88,7 @@ static void expect_forward_equals_reference(const joints_t *values)
     double angle_rad;
     neuro_reference_joints(&robot, values, joint);
     neuro_reference_forward(&robot, joint, &expected);
-    neuro_forward(&robot, values, &pose);
+    neuro_forward(&robot, &robot.probe, values, &pose);
     neuro_reference_difference(&expected, &pose, &distance_mm, &angle_rad);
     TEST_ASSERT_TRUE(distance_mm <= MICROMETRE_MM);
     TEST_ASSERT_TRUE(angle_rad <= RAD_10_MICRO);
@@ -99,7 +99,7 @@ static void expect_same_pose(const rigid_t *expected, const joints_t *values)
     rigid_t pose;
     int32_t distance_nm;
     int32_t angle_bam;
-    neuro_forward(&robot, values, &pose);
+    neuro_forward(&robot, &robot.probe, values, &pose);
     rigid_difference(expected, &pose, &distance_nm, &angle_bam);
     TEST_ASSERT_LESS_OR_EQUAL_INT32((int32_t)LIMIT_CLOSURE_NM, distance_nm);
     TEST_ASSERT_LESS_OR_EQUAL_INT32((int32_t)LIMIT_CLOSURE_BAM, angle_bam);
@@ -114,17 +114,19 @@ static void expect_closure(const int32_t ticks[ROBOT_AXIS_MAX])
     joints_t back;
     rigid_t pose;
     joints_from_ticks(&robot, ticks, &start);
-    neuro_forward(&robot, &start, &pose);
+    neuro_forward(&robot, &robot.probe, &start, &pose);
     neuro_reference_joints(&robot, &start, joint);
     neuro_reference_entry(&robot, joint, entry_mm);
     const point_t entry = point_of(entry_mm);
     TEST_ASSERT_EQUAL(
         STATUS_OK,
-        neuro_inverse(&robot, &entry, &pose.translation, start.value[AXIS_ROTATION], &back).status);
+        neuro_inverse(&robot, &robot.probe,
+                      &(needle_line_t){entry, pose.translation, start.value[AXIS_ROTATION]}, &back)
+            .status);
     expect_same_pose(&pose, &back);
-    TEST_ASSERT_EQUAL(
-        STATUS_OK,
-        neuro_inverse_at_depth(&robot, &pose, start.value[AXIS_INSERTION], &back).status);
+    TEST_ASSERT_EQUAL(STATUS_OK, neuro_inverse_at_depth(&robot, &robot.probe, &pose,
+                                                        start.value[AXIS_INSERTION], &back)
+                                     .status);
     expect_same_pose(&pose, &back);
 }
 
@@ -141,7 +143,7 @@ static rigid_t pose_at(const int32_t ticks[ROBOT_AXIS_MAX])
     joints_t values;
     rigid_t pose;
     joints_from_ticks(&robot, ticks, &values);
-    neuro_forward(&robot, &values, &pose);
+    neuro_forward(&robot, &robot.probe, &values, &pose);
     return pose;
 }
 
@@ -194,10 +196,10 @@ void test_SWR_KIN_001_beyond_the_linkage_the_height_is_taken_at_the_end_of_reach
 {
     rigid_t pose;
     joints.value[AXIS_HEAD] = 100000000;
-    neuro_forward(&robot, &joints, &pose);
+    neuro_forward(&robot, &robot.probe, &joints, &pose);
     TEST_ASSERT_INT32_WITHIN(2, 209890000 - 20192820, pose.translation.y_nm);
     joints.value[AXIS_HEAD] = -500000000;
-    neuro_forward(&robot, &joints, &pose);
+    neuro_forward(&robot, &robot.probe, &joints, &pose);
     TEST_ASSERT_INT32_WITHIN(2, 209890000 - 20192820, pose.translation.y_nm);
 }
 
@@ -240,9 +242,9 @@ void test_SWR_KIN_002_inverse_returns_the_joints_it_came_from(void)
         const rigid_t pose = pose_at(ticks);
         joints_t start;
         joints_from_ticks(&robot, ticks, &start);
-        TEST_ASSERT_EQUAL(
-            STATUS_OK,
-            neuro_inverse_at_depth(&robot, &pose, start.value[AXIS_INSERTION], &joints).status);
+        TEST_ASSERT_EQUAL(STATUS_OK, neuro_inverse_at_depth(&robot, &robot.probe, &pose,
+                                                            start.value[AXIS_INSERTION], &joints)
+                                         .status);
         joints_to_ticks(&robot, &joints, back);
         TEST_ASSERT_EQUAL_INT32_ARRAY(ticks, back, robot_neuro.axis_count);
     }
@@ -250,10 +252,10 @@ void test_SWR_KIN_002_inverse_returns_the_joints_it_came_from(void)
 
 static void use_probe(const double probe_mm[4])
 {
-    robot.geometry_nm[NEURO_PROBE_TREATMENT_TO_TIP] = nm(probe_mm[0]);
-    robot.geometry_nm[NEURO_PROBE_ROBOT_TO_ENTRY] = nm(probe_mm[1]);
-    robot.geometry_nm[NEURO_PROBE_CANNULA_TO_TREATMENT] = nm(probe_mm[2]);
-    robot.geometry_nm[NEURO_PROBE_ROBOT_TO_TREATMENT] = nm(probe_mm[3]);
+    robot.probe.length_nm[NEURO_PROBE_TREATMENT_TO_TIP] = nm(probe_mm[0]);
+    robot.probe.length_nm[NEURO_PROBE_ROBOT_TO_ENTRY] = nm(probe_mm[1]);
+    robot.probe.length_nm[NEURO_PROBE_CANNULA_TO_TREATMENT] = nm(probe_mm[2]);
+    robot.probe.length_nm[NEURO_PROBE_ROBOT_TO_TREATMENT] = nm(probe_mm[3]);
 }
 
 void test_SWR_KIN_003_golden_joints_give_the_golden_poses(void)
@@ -263,7 +265,7 @@ void test_SWR_KIN_003_golden_joints_give_the_golden_poses(void)
         rigid_t pose;
         use_probe(golden->probe_mm);
         joints_of_reference(golden->joints, &joints);
-        neuro_forward(&robot, &joints, &pose);
+        neuro_forward(&robot, &robot.probe, &joints, &pose);
         for (uint32_t row = 0U; row < 3U; row++) {
             for (uint32_t column = 0U; column < 3U; column++) {
                 const double entry = pose.rotation_q30[row][column] / (double)FIXED_ONE_Q30;
@@ -291,7 +293,9 @@ void test_SWR_KIN_003_golden_entries_and_targets_give_the_golden_joints(void)
         joints_of_reference(golden->joints, &expected);
         TEST_ASSERT_EQUAL_MESSAGE(
             STATUS_OK,
-            neuro_inverse(&robot, &entry, &target, expected.value[AXIS_ROTATION], &joints).status,
+            neuro_inverse(&robot, &robot.probe,
+                          &(needle_line_t){entry, target, expected.value[AXIS_ROTATION]}, &joints)
+                .status,
             golden->name);
         for (uint32_t axis = 0U; axis < robot_neuro.axis_count; axis++) {
             const bool is_angle = robot.axes[axis].unit == AXIS_UNIT_RAD;
@@ -309,12 +313,13 @@ void test_SWR_KIN_003_golden_poses_and_depths_give_the_golden_joints(void)
         rigid_t pose;
         use_probe(golden->probe_mm);
         joints_of_reference(golden->joints, &expected);
-        neuro_forward(&robot, &expected, &pose);
-        TEST_ASSERT_EQUAL_MESSAGE(
-            STATUS_OK,
-            neuro_inverse_at_depth(&robot, &pose, nm(golden->joints[AXIS_INSERTION]), &joints)
-                .status,
-            golden->name);
+        neuro_forward(&robot, &robot.probe, &expected, &pose);
+        TEST_ASSERT_EQUAL_MESSAGE(STATUS_OK,
+                                  neuro_inverse_at_depth(&robot, &robot.probe, &pose,
+                                                         nm(golden->joints[AXIS_INSERTION]),
+                                                         &joints)
+                                      .status,
+                                  golden->name);
         for (uint32_t axis = 0U; axis < robot_neuro.axis_count; axis++) {
             TEST_ASSERT_INT32_WITHIN_MESSAGE(50, expected.value[axis], joints.value[axis],
                                              golden->name);
@@ -326,7 +331,7 @@ void test_SWR_KIN_004_entry_equal_to_target_is_a_degenerate_line(void)
 {
     const point_t point = {0, 200000000, 50000000};
     expect_refusal((solution_t){.status = STATUS_DEGENERATE_LINE},
-                   neuro_inverse(&robot, &point, &point, 0, &joints));
+                   neuro_inverse(&robot, &robot.probe, &(needle_line_t){point, point, 0}, &joints));
 }
 
 void test_SWR_KIN_004_a_needle_along_the_lateral_axis_is_singular(void)
@@ -340,25 +345,28 @@ void test_SWR_KIN_004_a_needle_along_the_lateral_axis_is_singular(void)
     pose.rotation_q30[2][0] = -FIXED_ONE_Q30;
     pose.rotation_q30[2][2] = 0;
     const solution_t expected = {.status = STATUS_SINGULAR_PITCH};
-    expect_refusal(expected, neuro_inverse(&robot, &entry, &target, 0, &joints));
-    expect_refusal(expected, neuro_inverse_at_depth(&robot, &pose, 0, &joints));
-    expect_refusal(expected, neuro_solve(&robot, &pose, NULL, &joints));
+    expect_refusal(
+        expected, neuro_inverse(&robot, &robot.probe, &(needle_line_t){entry, target, 0}, &joints));
+    expect_refusal(expected, neuro_inverse_at_depth(&robot, &robot.probe, &pose, 0, &joints));
+    expect_refusal(expected, neuro_solve(&robot, &robot.probe, &pose, NULL, &joints));
 }
 
 void test_SWR_KIN_004_a_target_too_high_is_an_unreachable_height(void)
 {
     const point_t entry = {0, 400000000, 50000000};
     const point_t target = {0, 350000000, 50000000};
-    expect_refusal((solution_t){.status = STATUS_UNREACHABLE_HEIGHT, .is_maximum = 1U},
-                   neuro_inverse(&robot, &entry, &target, 0, &joints));
+    expect_refusal(
+        (solution_t){.status = STATUS_UNREACHABLE_HEIGHT, .is_maximum = 1U},
+        neuro_inverse(&robot, &robot.probe, &(needle_line_t){entry, target, 0}, &joints));
 }
 
 void test_SWR_KIN_004_a_target_too_low_is_an_unreachable_height(void)
 {
     const point_t entry = {0, 150000000, 50000000};
     const point_t target = {0, 100000000, 50000000};
-    expect_refusal((solution_t){.status = STATUS_UNREACHABLE_HEIGHT},
-                   neuro_inverse(&robot, &entry, &target, 0, &joints));
+    expect_refusal(
+        (solution_t){.status = STATUS_UNREACHABLE_HEIGHT},
+        neuro_inverse(&robot, &robot.probe, &(needle_line_t){entry, target, 0}, &joints));
 }
 
 static void expect_limit(uint8_t axis, bool is_maximum)
@@ -377,14 +385,15 @@ static void expect_limit(uint8_t axis, bool is_maximum)
     robot.axes[AXIS_FEET].maximum_ticks += (axis == (uint8_t)AXIS_HEAD) ? 20000 : 0;
     rigid_t pose = pose_at(ticks);
     int64_t depth = joints_value(&robot.axes[AXIS_INSERTION], ticks[AXIS_INSERTION]);
-    TEST_ASSERT_EQUAL(STATUS_OK,
-                      neuro_inverse_at_depth(&robot, &pose, (int32_t)depth, &joints).status);
+    TEST_ASSERT_EQUAL(
+        STATUS_OK,
+        neuro_inverse_at_depth(&robot, &robot.probe, &pose, (int32_t)depth, &joints).status);
     ticks[axis] += is_maximum ? 1 : -1;
     pose = pose_at(ticks);
     depth = joints_value(&robot.axes[AXIS_INSERTION], ticks[AXIS_INSERTION]);
     expect_refusal(
         (solution_t){.status = STATUS_AXIS_LIMIT, .axis = axis, .is_maximum = is_maximum ? 1U : 0U},
-        neuro_inverse_at_depth(&robot, &pose, (int32_t)depth, &joints));
+        neuro_inverse_at_depth(&robot, &robot.probe, &pose, (int32_t)depth, &joints));
 }
 
 void test_SWR_KIN_004_one_tick_beyond_a_limit_names_the_axis_and_the_end(void)
@@ -409,14 +418,15 @@ void test_SWR_KIN_004_carriages_too_close_or_too_far_apart_are_refused_by_separa
     ticks[AXIS_HEAD] = ticks[AXIS_FEET] - 5360;
     rigid_t pose = pose_at(ticks);
     expect_refusal((solution_t){.status = STATUS_SEPARATION_LIMIT},
-                   neuro_inverse_at_depth(&robot, &pose, depth, &joints));
+                   neuro_inverse_at_depth(&robot, &robot.probe, &pose, depth, &joints));
     ticks[AXIS_HEAD] = ticks[AXIS_FEET] + 240;
     pose = pose_at(ticks);
     expect_refusal((solution_t){.status = STATUS_SEPARATION_LIMIT, .is_maximum = 1U},
-                   neuro_inverse_at_depth(&robot, &pose, depth, &joints));
+                   neuro_inverse_at_depth(&robot, &robot.probe, &pose, depth, &joints));
     ticks[AXIS_HEAD] = ticks[AXIS_FEET] + 230;
     pose = pose_at(ticks);
-    TEST_ASSERT_EQUAL(STATUS_OK, neuro_inverse_at_depth(&robot, &pose, depth, &joints).status);
+    TEST_ASSERT_EQUAL(STATUS_OK,
+                      neuro_inverse_at_depth(&robot, &robot.probe, &pose, depth, &joints).status);
 }
 
 void test_SWR_KIN_004_points_at_the_end_of_the_numbers_are_refused(void)
@@ -426,12 +436,16 @@ void test_SWR_KIN_004_points_at_the_end_of_the_numbers_are_refused(void)
     for (uint32_t i = 0U; i < 729U; i++) {
         const point_t entry = {ends[i % 3U], ends[(i / 3U) % 3U], ends[(i / 9U) % 3U]};
         const point_t target = {ends[(i / 27U) % 3U], ends[(i / 81U) % 3U], ends[(i / 243U) % 3U]};
-        TEST_ASSERT_NOT_EQUAL(STATUS_OK, neuro_inverse(&robot, &entry, &target, 0, &joints).status);
+        TEST_ASSERT_NOT_EQUAL(STATUS_OK, neuro_inverse(&robot, &robot.probe,
+                                                       &(needle_line_t){entry, target, 0}, &joints)
+                                             .status);
         pose = pose_at(middle);
         pose.translation = target;
-        TEST_ASSERT_NOT_EQUAL(STATUS_OK, neuro_solve(&robot, &pose, &entry, &joints).status);
         TEST_ASSERT_NOT_EQUAL(STATUS_OK,
-                              neuro_inverse_at_depth(&robot, &pose, INT32_MAX, &joints).status);
+                              neuro_solve(&robot, &robot.probe, &pose, &entry, &joints).status);
+        TEST_ASSERT_NOT_EQUAL(
+            STATUS_OK,
+            neuro_inverse_at_depth(&robot, &robot.probe, &pose, INT32_MAX, &joints).status);
     }
 }
 
@@ -448,12 +462,14 @@ void test_SWR_KIN_004_numbers_that_are_no_rotation_do_no_harm(void)
         memcpy(&pose, words, sizeof pose);
         memcpy(&entry, &words[12], sizeof entry);
         TEST_ASSERT_LESS_OR_EQUAL(STATUS_SEPARATION_LIMIT,
-                                  neuro_solve(&robot, &pose, &entry, &joints).status);
+                                  neuro_solve(&robot, &robot.probe, &pose, &entry, &joints).status);
         TEST_ASSERT_LESS_OR_EQUAL(
             STATUS_SEPARATION_LIMIT,
-            neuro_inverse(&robot, &entry, &pose.translation, INT32_MIN, &joints).status);
+            neuro_inverse(&robot, &robot.probe,
+                          &(needle_line_t){entry, pose.translation, INT32_MIN}, &joints)
+                .status);
         memcpy(&joints, words, sizeof joints);
-        neuro_forward(&robot, &joints, &pose);
+        neuro_forward(&robot, &robot.probe, &joints, &pose);
     }
 }
 
@@ -470,11 +486,12 @@ static uint32_t sweep_checksum(void)
         rigid_t pose = pose_at(ticks);
         memcpy(&words[1], &pose, sizeof pose);
         memset(&joints, 0, sizeof joints);
-        result = neuro_solve(&robot, &pose, NULL, &joints);
+        result = neuro_solve(&robot, &robot.probe, &pose, NULL, &joints);
         memcpy(&words[20], &joints, sizeof joints);
         words[30] = (uint32_t)result.status;
         memset(&joints, 0, sizeof joints);
-        result = neuro_inverse_at_depth(&robot, &pose, (int32_t)random_below(45000000U), &joints);
+        result = neuro_inverse_at_depth(&robot, &robot.probe, &pose,
+                                        (int32_t)random_below(45000000U), &joints);
         memcpy(&words[40], &joints, sizeof joints);
         words[50] = (uint32_t)result.status;
         words[51] = result.axis;
@@ -518,7 +535,8 @@ void test_SWR_PLAN_001_an_entry_on_the_axis_decides_the_depth(void)
         ticks[AXIS_ROTATION] /= 2;
         const rigid_t pose = pose_at(ticks);
         const point_t entry = entry_at(ticks, ((i % 2) == 0) ? 0.0 : 0.09);
-        TEST_ASSERT_EQUAL(STATUS_OK, neuro_solve(&robot, &pose, &entry, &joints).status);
+        TEST_ASSERT_EQUAL(STATUS_OK,
+                          neuro_solve(&robot, &robot.probe, &pose, &entry, &joints).status);
         joints_to_ticks(&robot, &joints, solved);
         TEST_ASSERT_EQUAL_INT32_ARRAY(ticks, solved, robot_neuro.axis_count);
     }
@@ -531,10 +549,12 @@ void test_SWR_PLAN_001_an_entry_is_on_the_axis_up_to_the_limit(void)
     const double limit_mm = LIMIT_ENTRY_ON_AXIS_NM / NM_PER_MM;
     const point_t inside = entry_at(middle, limit_mm - 0.00001);
     const point_t outside = entry_at(middle, limit_mm + 0.00001);
-    TEST_ASSERT_EQUAL(STATUS_OK, neuro_solve(&robot, &pose, NULL, &free_joints).status);
-    TEST_ASSERT_EQUAL(STATUS_OK, neuro_solve(&robot, &pose, &inside, &joints).status);
+    TEST_ASSERT_EQUAL(STATUS_OK,
+                      neuro_solve(&robot, &robot.probe, &pose, NULL, &free_joints).status);
+    TEST_ASSERT_EQUAL(STATUS_OK, neuro_solve(&robot, &robot.probe, &pose, &inside, &joints).status);
     TEST_ASSERT_INT32_WITHIN(100, 17999964, joints.value[AXIS_INSERTION]);
-    TEST_ASSERT_EQUAL(STATUS_OK, neuro_solve(&robot, &pose, &outside, &joints).status);
+    TEST_ASSERT_EQUAL(STATUS_OK,
+                      neuro_solve(&robot, &robot.probe, &pose, &outside, &joints).status);
     TEST_ASSERT_EQUAL_INT32(free_joints.value[AXIS_INSERTION], joints.value[AXIS_INSERTION]);
     TEST_ASSERT_NOT_EQUAL_INT32(17999964, joints.value[AXIS_INSERTION]);
 }
@@ -544,8 +564,8 @@ void test_SWR_PLAN_001_an_entry_off_the_axis_by_0_11_mm_is_ignored(void)
     joints_t free_joints;
     const rigid_t pose = pose_at(middle);
     const point_t entry = entry_at(middle, 0.11);
-    (void)neuro_solve(&robot, &pose, NULL, &free_joints);
-    TEST_ASSERT_EQUAL(STATUS_OK, neuro_solve(&robot, &pose, &entry, &joints).status);
+    (void)neuro_solve(&robot, &robot.probe, &pose, NULL, &free_joints);
+    TEST_ASSERT_EQUAL(STATUS_OK, neuro_solve(&robot, &robot.probe, &pose, &entry, &joints).status);
     TEST_ASSERT_EQUAL_INT32_ARRAY(free_joints.value, joints.value, robot_neuro.axis_count);
 }
 
@@ -562,7 +582,7 @@ void test_SWR_PLAN_001_an_entry_that_asks_for_an_illegal_depth_is_refused(void)
     entry.z_nm += pose.translation.z_nm - retracted.translation.z_nm;
     expect_refusal(
         (solution_t){.status = STATUS_AXIS_LIMIT, .axis = AXIS_INSERTION, .is_maximum = 0U},
-        neuro_solve(&robot, &pose, &entry, &joints));
+        neuro_solve(&robot, &robot.probe, &pose, &entry, &joints));
 }
 
 void test_SWR_PLAN_020_it_is_told_whether_an_entry_decided_the_depth(void)
@@ -570,9 +590,12 @@ void test_SWR_PLAN_020_it_is_told_whether_an_entry_decided_the_depth(void)
     const rigid_t pose = pose_at(middle);
     const point_t inside = entry_at(middle, 0.09);
     const point_t outside = entry_at(middle, 0.11);
-    TEST_ASSERT_EQUAL_UINT8(1U, neuro_solve(&robot, &pose, &inside, &joints).is_by_entry);
-    TEST_ASSERT_EQUAL_UINT8(0U, neuro_solve(&robot, &pose, &outside, &joints).is_by_entry);
-    TEST_ASSERT_EQUAL_UINT8(0U, neuro_solve(&robot, &pose, NULL, &joints).is_by_entry);
+    TEST_ASSERT_EQUAL_UINT8(1U,
+                            neuro_solve(&robot, &robot.probe, &pose, &inside, &joints).is_by_entry);
+    TEST_ASSERT_EQUAL_UINT8(
+        0U, neuro_solve(&robot, &robot.probe, &pose, &outside, &joints).is_by_entry);
+    TEST_ASSERT_EQUAL_UINT8(0U,
+                            neuro_solve(&robot, &robot.probe, &pose, NULL, &joints).is_by_entry);
 }
 
 /* A place may be reached at another depth, an angle not. */
@@ -586,7 +609,7 @@ void test_SWR_PLAN_020_an_angle_out_of_reach_is_not_the_fault_of_an_entry(void)
         ticks[axis] = robot_neuro.axes[axis].maximum_ticks + 5;
         const rigid_t pose = pose_at(ticks);
         const point_t entry = entry_at(ticks, 0.0);
-        const solution_t result = neuro_solve(&robot, &pose, &entry, &joints);
+        const solution_t result = neuro_solve(&robot, &robot.probe, &pose, &entry, &joints);
         expect_refusal(
             (solution_t){.status = STATUS_AXIS_LIMIT, .axis = (uint8_t)axis, .is_maximum = 1U},
             result);
@@ -632,7 +655,7 @@ void test_SWR_PLAN_014_the_free_depth_is_the_largest_whole_millimetre_with_room(
         int32_t ticks[ROBOT_AXIS_MAX];
         set_random_legal_ticks(ticks);
         const rigid_t target = pose_at(ticks);
-        const solution_t result = neuro_solve(&robot, &target, NULL, &joints);
+        const solution_t result = neuro_solve(&robot, &robot.probe, &target, NULL, &joints);
         const depths_t depths = depths_of(&target, joints.value[AXIS_INSERTION]);
         if ((result.status == STATUS_OK) && (depths.largest > (ENOUGH + 1.0e-6))) {
             TEST_ASSERT_TRUE(depths.chosen >= (ENOUGH - 1.0e-6));
@@ -650,7 +673,7 @@ void test_SWR_PLAN_014_the_needle_goes_38_mm_alone_where_the_base_has_room(void)
     memcpy(ticks, middle, sizeof ticks);
     ticks[AXIS_INSERTION] = robot.axes[AXIS_INSERTION].maximum_ticks;
     const rigid_t pose = pose_at(ticks);
-    TEST_ASSERT_EQUAL(STATUS_OK, neuro_solve(&robot, &pose, NULL, &joints).status);
+    TEST_ASSERT_EQUAL(STATUS_OK, neuro_solve(&robot, &robot.probe, &pose, NULL, &joints).status);
     TEST_ASSERT_EQUAL_INT32(38000000, joints.value[AXIS_INSERTION]);
 }
 
@@ -662,7 +685,7 @@ void test_SWR_PLAN_002_without_that_room_the_depth_has_the_largest_margin_of_all
         set_random_legal_ticks(ticks);
         ticks[AXIS_LATERAL] /= 40;
         const rigid_t target = pose_at(ticks);
-        const solution_t result = neuro_solve(&robot, &target, NULL, &joints);
+        const solution_t result = neuro_solve(&robot, &robot.probe, &target, NULL, &joints);
         const depths_t depths = depths_of(&target, joints.value[AXIS_INSERTION]);
         if ((result.status == STATUS_OK) && (depths.largest < (ENOUGH - 1.0e-6))) {
             TEST_ASSERT_TRUE(depths.chosen >= (depths.largest - 1.0e-6));
@@ -682,11 +705,11 @@ void test_SWR_PLAN_002_a_joint_that_no_depth_moves_does_not_decide_it(void)
     int32_t ticks[ROBOT_AXIS_MAX];
     memcpy(ticks, middle, sizeof ticks);
     const rigid_t before = pose_at(ticks);
-    TEST_ASSERT_EQUAL(STATUS_OK, neuro_solve(&robot, &before, NULL, &joints).status);
+    TEST_ASSERT_EQUAL(STATUS_OK, neuro_solve(&robot, &robot.probe, &before, NULL, &joints).status);
     const int32_t depth_nm = joints.value[AXIS_INSERTION];
     /* The margin of the yaw is 0 at every depth now. */
     robot.axes[AXIS_YAW].minimum_ticks = ticks[AXIS_YAW];
-    TEST_ASSERT_EQUAL(STATUS_OK, neuro_solve(&robot, &before, NULL, &joints).status);
+    TEST_ASSERT_EQUAL(STATUS_OK, neuro_solve(&robot, &robot.probe, &before, NULL, &joints).status);
     TEST_ASSERT_EQUAL_INT32(depth_nm, joints.value[AXIS_INSERTION]);
 }
 
@@ -719,14 +742,14 @@ void test_SWR_PLAN_003_without_a_legal_depth_the_nearest_limit_is_named(void)
     ticks[AXIS_YAW] = 100;
     rigid_t pose = pose_at(ticks);
     expect_refusal((solution_t){.status = STATUS_AXIS_LIMIT, .axis = AXIS_YAW, .is_maximum = 1U},
-                   neuro_solve(&robot, &pose, NULL, &joints));
+                   neuro_solve(&robot, &robot.probe, &pose, NULL, &joints));
     memcpy(ticks, middle, sizeof ticks);
     ticks[AXIS_PITCH] = 0;
     ticks[AXIS_LATERAL] = -4000;
     pose = pose_at(ticks);
     expect_refusal(
         (solution_t){.status = STATUS_AXIS_LIMIT, .axis = AXIS_LATERAL, .is_maximum = 0U},
-        neuro_solve(&robot, &pose, NULL, &joints));
+        neuro_solve(&robot, &robot.probe, &pose, NULL, &joints));
 }
 
 void test_SWR_PLAN_003_the_depth_that_misses_by_least_decides_which_limit_is_named(void)
@@ -738,13 +761,13 @@ void test_SWR_PLAN_003_the_depth_that_misses_by_least_decides_which_limit_is_nam
     rigid_t pose = pose_at(ticks);
     pose.translation.y_nm += 30000000;
     expect_refusal((solution_t){.status = STATUS_SEPARATION_LIMIT},
-                   neuro_solve(&robot, &pose, NULL, &joints));
+                   neuro_solve(&robot, &robot.probe, &pose, NULL, &joints));
     pose.translation.y_nm += 10000000;
     expect_refusal((solution_t){.status = STATUS_UNREACHABLE_HEIGHT, .is_maximum = 1U},
-                   neuro_solve(&robot, &pose, NULL, &joints));
+                   neuro_solve(&robot, &robot.probe, &pose, NULL, &joints));
     pose.translation.y_nm -= 200000000;
     expect_refusal((solution_t){.status = STATUS_UNREACHABLE_HEIGHT},
-                   neuro_solve(&robot, &pose, NULL, &joints));
+                   neuro_solve(&robot, &robot.probe, &pose, NULL, &joints));
 }
 
 void test_SWR_PLAN_004_the_difference_of_poses_is_their_distance_and_largest_angle(void)

@@ -22,6 +22,11 @@ typedef struct {
     double tip_mm[3];
 } prostate_reference_t;
 
+static inline double reference_probe(const robot_t *robot, unsigned place)
+{
+    return robot->probe.length_nm[place] / REFERENCE_NM_PER_MM;
+}
+
 static inline double reference_length(const robot_t *robot, unsigned place)
 {
     return robot->geometry_nm[place] / REFERENCE_NM_PER_MM;
@@ -108,7 +113,7 @@ static inline void reference_forward(const robot_t *robot, const double joint[RO
     double front[3];
     double direction[3];
     const double roll = joint[AXIS_ROTATION];
-    const double lever = reference_length(robot, PROSTATE_PROBE_NEEDLE_TIP) + joint[AXIS_INSERTION];
+    const double lever = reference_probe(robot, PROSTATE_PROBE_NEEDLE_TIP) + joint[AXIS_INSERTION];
     reference_line(robot, joint, front, direction);
     reference_frame(direction, level);
     for (int i = 0; i < 3; i++) {
@@ -116,7 +121,7 @@ static inline void reference_forward(const robot_t *robot, const double joint[RO
         pose->axis[1][i] = (level[1][i] * cos(roll)) - (level[0][i] * sin(roll));
         pose->axis[2][i] = level[2][i];
         pose->tip_mm[i] = front[i] +
-                          (reference_length(robot, PROSTATE_PROBE_NEEDLE_HEIGHT) * level[1][i]) +
+                          (reference_probe(robot, PROSTATE_PROBE_NEEDLE_HEIGHT) * level[1][i]) +
                           (lever * level[2][i]);
     }
 }

@@ -92,7 +92,7 @@ static void expect_forward_equals_reference(const joints_t *values)
     reference_joints(values, joint);
     reference_forward(&robot, joint, &expected);
     reference_to_zframe(&robot, &expected);
-    prostate_forward(&robot, values, &pose);
+    prostate_forward(&robot, &robot.probe, values, &pose);
     reference_difference(&expected, &pose, &distance_mm, &angle_rad);
     TEST_ASSERT_TRUE(distance_mm <= MICROMETRE_MM);
     TEST_ASSERT_TRUE(angle_rad <= RAD_10_MICRO);
@@ -103,7 +103,7 @@ static void expect_same_pose(const rigid_t *expected, const joints_t *values)
     rigid_t pose;
     int32_t distance_nm;
     int32_t angle_bam;
-    prostate_forward(&robot, values, &pose);
+    prostate_forward(&robot, &robot.probe, values, &pose);
     rigid_difference(expected, &pose, &distance_nm, &angle_bam);
     TEST_ASSERT_LESS_OR_EQUAL_INT32((int32_t)LIMIT_CLOSURE_NM, distance_nm);
     TEST_ASSERT_LESS_OR_EQUAL_INT32((int32_t)LIMIT_CLOSURE_BAM, angle_bam);
@@ -119,13 +119,13 @@ static point_t behind(const rigid_t *pose, int32_t way_nm)
 static rigid_t pose_of(const joints_t *values)
 {
     rigid_t pose;
-    prostate_forward(&robot, values, &pose);
+    prostate_forward(&robot, &robot.probe, values, &pose);
     return pose;
 }
 
 static solution_t solve(const rigid_t *pose)
 {
-    return prostate_solve(&robot, pose, NULL, &joints);
+    return prostate_solve(&robot, &robot.probe, pose, NULL, &joints);
 }
 
 /* A needle from the front pivot at (x, y) of the base that reaches `lever` beyond it. */
@@ -182,9 +182,9 @@ void test_SWR_KIN_001_forward_equals_the_reference_at_random_joints(void)
 
 void test_SWR_KIN_001_forward_equals_the_reference_with_another_needle(void)
 {
-    robot.geometry_nm[PROSTATE_PROBE_NEEDLE_TIP] = nm(224.0);
+    robot.probe.length_nm[PROSTATE_PROBE_NEEDLE_TIP] = nm(224.0);
     robot.geometry_nm[PROSTATE_PIVOT_DEPTH] = nm(15.0);
-    robot.geometry_nm[PROSTATE_PROBE_NEEDLE_HEIGHT] = nm(-5.0);
+    robot.probe.length_nm[PROSTATE_PROBE_NEEDLE_HEIGHT] = nm(-5.0);
     for (int i = 0; i < POSES; i++) {
         int32_t ticks[ROBOT_AXIS_MAX];
         set_random_legal_ticks(ticks);
@@ -200,14 +200,14 @@ void test_SWR_KIN_001_beyond_its_reach_a_stage_stands_at_the_end_of_it(void)
     joints.value[AXIS_FRONT_RIGHT] = -500000000;
     joints.value[AXIS_REAR_LEFT] = 500000000;
     joints.value[AXIS_REAR_RIGHT] = -500000000;
-    prostate_forward(&robot, &joints, &pose);
+    prostate_forward(&robot, &robot.probe, &joints, &pose);
     TEST_ASSERT_INT32_WITHIN(2, nm(12.0 + 67.5 - 167.4), pose.translation.y_nm);
     /* Narrower than its top it does not sink again, as the root of listing 3 would have it. */
     joints.value[AXIS_FRONT_LEFT] = nm(20.0);
     joints.value[AXIS_FRONT_RIGHT] = nm(-20.0);
     joints.value[AXIS_REAR_LEFT] = nm(20.0);
     joints.value[AXIS_REAR_RIGHT] = nm(-20.0);
-    prostate_forward(&robot, &joints, &pose);
+    prostate_forward(&robot, &robot.probe, &joints, &pose);
     TEST_ASSERT_INT32_WITHIN(2, nm(124.0 + 12.0 + 67.5 - 167.4), pose.translation.y_nm);
 }
 
@@ -220,8 +220,10 @@ static void expect_closure(const int32_t ticks[ROBOT_AXIS_MAX])
     TEST_ASSERT_EQUAL_INT(STATUS_OK, rigid_check(&pose));
     TEST_ASSERT_EQUAL_INT(STATUS_OK, solve(&pose).status);
     expect_same_pose(&pose, &joints);
-    TEST_ASSERT_EQUAL_INT(STATUS_OK, prostate_inverse(&robot, &entry, &pose.translation,
-                                                      start.value[AXIS_ROTATION], &joints)
+    TEST_ASSERT_EQUAL_INT(STATUS_OK, prostate_inverse(&robot, &robot.probe,
+                                                      &(needle_line_t){entry, pose.translation,
+                                                                       start.value[AXIS_ROTATION]},
+                                                      &joints)
                                          .status);
     expect_same_pose(&pose, &joints);
 }
@@ -257,9 +259,9 @@ void test_SWR_KIN_002_forward_of_inverse_closes_with_another_needle(void)
         robot = robot_prostate;
         set_random_legal_ticks(ticks);
         keep_off_the_ends();
-        robot.geometry_nm[PROSTATE_PROBE_NEEDLE_TIP] = nm(224.0);
+        robot.probe.length_nm[PROSTATE_PROBE_NEEDLE_TIP] = nm(224.0);
         robot.geometry_nm[PROSTATE_PIVOT_DEPTH] = nm(15.0);
-        robot.geometry_nm[PROSTATE_PROBE_NEEDLE_HEIGHT] = nm(5.0);
+        robot.probe.length_nm[PROSTATE_PROBE_NEEDLE_HEIGHT] = nm(5.0);
         expect_closure(ticks);
     }
 }
@@ -285,9 +287,9 @@ void test_SWR_KIN_002_inverse_returns_the_ticks_it_came_from(void)
 
 static void use_needle_of(const golden_prostate_t *golden)
 {
-    robot.geometry_nm[PROSTATE_PROBE_NEEDLE_TIP] = nm(golden->needle_tip_mm);
+    robot.probe.length_nm[PROSTATE_PROBE_NEEDLE_TIP] = nm(golden->needle_tip_mm);
     robot.geometry_nm[PROSTATE_PIVOT_DEPTH] = nm(golden->pivot_depth_mm);
-    robot.geometry_nm[PROSTATE_PROBE_NEEDLE_HEIGHT] = nm(golden->needle_height_mm);
+    robot.probe.length_nm[PROSTATE_PROBE_NEEDLE_HEIGHT] = nm(golden->needle_height_mm);
 }
 
 static void expect_golden(const golden_prostate_t *golden, const rigid_t *pose)
@@ -364,7 +366,7 @@ void test_SWR_KIN_010_depth_of_the_pivot_and_height_of_the_needle_count_both_way
 {
     /* Listing 3 subtracts the depth forwards only, and the depth comes back 15 mm off. */
     robot.geometry_nm[PROSTATE_PIVOT_DEPTH] = nm(15.0);
-    robot.geometry_nm[PROSTATE_PROBE_NEEDLE_HEIGHT] = nm(5.0);
+    robot.probe.length_nm[PROSTATE_PROBE_NEEDLE_HEIGHT] = nm(5.0);
     set_joints((const double[ROBOT_AXIS_MAX]){150.0, -150.0, 150.0, -150.0, 40.0}, &joints);
     const joints_t start = joints;
     const rigid_t pose = pose_of(&joints);
@@ -432,10 +434,13 @@ void test_SWR_KIN_013_an_entry_changes_nothing_for_the_pose_fixes_every_joint(vo
     joints_t without;
     joints_t with;
     off_the_axis.y_nm += 3000000;
-    TEST_ASSERT_EQUAL_INT(STATUS_OK, prostate_solve(&robot, &pose, NULL, &without).status);
-    TEST_ASSERT_EQUAL_INT(STATUS_OK, prostate_solve(&robot, &pose, &on_the_axis, &with).status);
+    TEST_ASSERT_EQUAL_INT(STATUS_OK,
+                          prostate_solve(&robot, &robot.probe, &pose, NULL, &without).status);
+    TEST_ASSERT_EQUAL_INT(STATUS_OK,
+                          prostate_solve(&robot, &robot.probe, &pose, &on_the_axis, &with).status);
     TEST_ASSERT_EQUAL_INT32_ARRAY(without.value, with.value, robot.axis_count);
-    TEST_ASSERT_EQUAL_INT(STATUS_OK, prostate_solve(&robot, &pose, &off_the_axis, &with).status);
+    TEST_ASSERT_EQUAL_INT(STATUS_OK,
+                          prostate_solve(&robot, &robot.probe, &pose, &off_the_axis, &with).status);
     TEST_ASSERT_EQUAL_INT32_ARRAY(without.value, with.value, robot.axis_count);
 }
 
@@ -443,7 +448,7 @@ void test_SWR_PLAN_020_no_entry_is_to_blame_for_a_refusal(void)
 {
     const rigid_t pose = needle_at(0.0, 160.0, 0.0, 0.0, 259.0);
     const point_t entry = behind(&pose, 50000000);
-    const solution_t result = prostate_solve(&robot, &pose, &entry, &joints);
+    const solution_t result = prostate_solve(&robot, &robot.probe, &pose, &entry, &joints);
     expect_refusal(STATUS_AXIS_LIMIT, AXIS_INSERTION, 0U, result);
     TEST_ASSERT_EQUAL_UINT8(0U, result.is_by_entry);
 }
@@ -451,8 +456,9 @@ void test_SWR_PLAN_020_no_entry_is_to_blame_for_a_refusal(void)
 void test_SWR_KIN_004_entry_equal_to_target_is_a_degenerate_line(void)
 {
     const point_t point = {0, 0, 50000000};
-    expect_refusal(STATUS_DEGENERATE_LINE, 0U, 0U,
-                   prostate_inverse(&robot, &point, &point, 0, &joints));
+    expect_refusal(
+        STATUS_DEGENERATE_LINE, 0U, 0U,
+        prostate_inverse(&robot, &robot.probe, &(needle_line_t){point, point, 0}, &joints));
 }
 
 void test_SWR_KIN_011_a_needle_that_points_away_from_the_patient_is_refused(void)
@@ -463,11 +469,13 @@ void test_SWR_KIN_011_a_needle_that_points_away_from_the_patient_is_refused(void
     expect_refusal(STATUS_NEEDLE_BACKWARDS, 0U, 0U, solve(&pose));
     const point_t entry = {0, 0, 50000000};
     point_t target = {0, 0, 0};
-    expect_refusal(STATUS_NEEDLE_BACKWARDS, 0U, 0U,
-                   prostate_inverse(&robot, &entry, &target, 0, &joints));
+    expect_refusal(
+        STATUS_NEEDLE_BACKWARDS, 0U, 0U,
+        prostate_inverse(&robot, &robot.probe, &(needle_line_t){entry, target, 0}, &joints));
     target = (point_t){0, 10000000, 50000000};
-    expect_refusal(STATUS_NEEDLE_BACKWARDS, 0U, 0U,
-                   prostate_inverse(&robot, &entry, &target, 0, &joints));
+    expect_refusal(
+        STATUS_NEEDLE_BACKWARDS, 0U, 0U,
+        prostate_inverse(&robot, &robot.probe, &(needle_line_t){entry, target, 0}, &joints));
 }
 
 void test_SWR_KIN_011_an_angle_beyond_its_limit_is_refused_by_its_name(void)
@@ -536,7 +544,7 @@ void test_SWR_KIN_012_no_joint_values_break_forward_kinematics(void)
         for (uint32_t axis = 0U; axis < ROBOT_AXIS_MAX; axis++) {
             joints.value[axis] = (int32_t)random_word();
         }
-        prostate_forward(&robot, &joints, &pose);
+        prostate_forward(&robot, &robot.probe, &joints, &pose);
         TEST_ASSERT_NOT_EQUAL_INT(STATUS_NOT_RIGID, rigid_check(&pose));
         for (uint32_t limit = 0U; limit <= PROSTATE_BETA; limit++) {
             const int64_t value = prostate_coupled(&robot, limit, &joints);
@@ -560,7 +568,9 @@ void test_SWR_KIN_012_no_pose_and_no_points_break_inverse_kinematics(void)
         const point_t entry = {words[0], words[1], words[2]};
         const status_t solved = solve(&pose).status;
         const status_t found =
-            prostate_inverse(&robot, &entry, &pose.translation, words[3], &joints).status;
+            prostate_inverse(&robot, &robot.probe,
+                             &(needle_line_t){entry, pose.translation, words[3]}, &joints)
+                .status;
         TEST_ASSERT_TRUE(solved != STATUS_OK);
         TEST_ASSERT_TRUE(found != STATUS_OK);
     }
