@@ -153,11 +153,13 @@ static void drive(const trajectory_mode_t *self, const pair_t *pair, const mode_
     for (uint32_t i = 0U; i < frame->axis_count; i++) {
         cubic_t way;
         trajectory_list_way(pair->from, pair->to, i, &way);
-        const int64_t speed_q8 = (int64_t)cubic_speed_ticks_per_s_q8(&way, share_q20) *
-                                 (int64_t)self->pace / (int64_t)RAMP_CYCLES;
-        result->requests[i] = axis_follow(&frame->axes[i], &frame->robot->axes[i],
-                                          cubic_position_ticks(&way, share_q20), (int32_t)speed_q8,
-                                          frame->elapsed_us);
+        const int64_t paced_us = (int64_t)self->pace * (int64_t)LIMIT_CYCLE_US;
+        const int64_t full_q8 = (int64_t)cubic_speed_ticks_per_s_q8(&way, share_q20);
+        const int64_t speed_q8 = (full_q8 * paced_us) / (int64_t)LIMIT_TRAJECTORY_RAMP_US;
+        axis_t *const axis = &frame->axes[i];
+        result->requests[i] =
+            axis_follow(axis, &frame->robot->axes[i], cubic_position_ticks(&way, share_q20),
+                        (int32_t)speed_q8, frame->elapsed_us);
     }
 }
 
