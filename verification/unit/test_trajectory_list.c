@@ -201,10 +201,10 @@ void test_SWR_TRAJ_003_a_row_is_no_faster_than_its_axis(void)
 
 void test_SWR_TRAJ_003_the_first_and_the_last_row_rest(void)
 {
-    row.speeds_ticks_per_s[AXIS_YAW] = 1;
+    row.speeds_ticks_per_s[AXIS_HEAD] = 1;
     begin(2U);
     expect(STATUS_TRAJECTORY_SPEED, 0U, 0U);
-    row.speeds_ticks_per_s[AXIS_YAW] = 0;
+    row.speeds_ticks_per_s[AXIS_HEAD] = 0;
     begin(2U);
     expect(STATUS_OK, 0U, 0U);
     row.speeds_ticks_per_s[AXIS_YAW] = -1;
@@ -285,6 +285,11 @@ void test_SWR_TRAJ_004_an_axis_may_stand_where_its_switch_may_be_active_and_leav
     expect(STATUS_OK, 0U, 0U);
     row.ticks[AXIS_INSERTION] = zone + 100;
     expect(STATUS_OK, 1U, 1000U);
+    row.ticks[AXIS_HEAD] = robot.axes[AXIS_HEAD].target_maximum_ticks + 2;
+    begin(2U);
+    expect(STATUS_OK, 0U, 0U);
+    row.ticks[AXIS_HEAD]--;
+    expect(STATUS_SWITCH_ZONE, 1U, 1000U);
 }
 
 /* Both rows are inside, and what their speeds make of the way between is not. */
