@@ -4,7 +4,7 @@
 
 # The workflow of a robot for its targets (core/robot/NAME/targets.yml), on the simulated control box, driven by a real
 # OpenIGTLink client under the foot pedal, as figures 33 and 35 of the thesis have it: home, carry into the scanner, register;
-# target, move and read back, each time while the scanner acquires; retract at the end.
+# target, move and read back; treat the last one, under the scanner if targets.yml says so; retract.
 #
 #   ruby verification/demo/demo.rb NAME     exits 1 if a limit of SWR-DEMO-001 or 002 is missed, or if SWR-THESIS-002 is
 #
@@ -48,7 +48,7 @@ class Demo
     rest('Carried into the scanner', CARRY_S)
     @workflow.register(@targets.registration)
     @rows = @targets.each_target.each_with_index.map { |target, index| reach(target, index + 1) }
-    rest('The last target treated, with images', DWELL_S)
+    scanned(@targets.images) { rest('The last target treated', DWELL_S) }
     draw_out
   end
 
@@ -67,11 +67,16 @@ class Demo
 
   private
 
-  # The pedal is up and the scanner acquires; its fields disturb the counts, whose sum SWR-AXIS-022 bounds.
+  # While the scanner acquires, if it does; its fields disturb the counts.
+  def scanned(images)
+    @robot.simctl('scanner', 'on') if images
+    yield
+    @robot.simctl('scanner', 'off') if images
+  end
+
+  # The pedal is up. What the counts of the axes add up to, SWR-AXIS-022 bounds.
   def rest(what, seconds)
-    @robot.simctl('scanner', 'on')
     strayed = moved { pass(seconds) }
-    @robot.simctl('scanner', 'off')
     keep(strayed.empty?)
     puts "#{what} for #{seconds} s: strayed: #{strayed.empty? ? 'none' : strayed}"
   end

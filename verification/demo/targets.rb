@@ -9,12 +9,13 @@ class Targets
   # Where the treatment frame shall be: rotation as rows, and point; the entry point or nil; the thesis' error or nil.
   Target = Struct.new(:rotation, :point, :entry, :thesis)
 
-  attr_reader :note, :close_up
+  attr_reader :note, :close_up, :images
 
   def initialize(file)
     @file = YAML.safe_load_file(file, symbolize_names: true)
     @note = @file[:note]
     @close_up = @file[:close_up]
+    @images = @file[:images]
   end
 
   # 12 numbers: from the z-frame to the scanner.
