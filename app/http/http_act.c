@@ -127,6 +127,14 @@ int http_act_refuse_member(const http_call_t *call, const char *pointer)
     return http_reply_problem(call->connection, &problem, NULL);
 }
 
+int http_act_refuse_choice(const http_call_t *call, bool has_both, const char *pointer)
+{
+    request_result_t fault = {.fault = has_both ? REQUEST_UNKNOWN : REQUEST_MISSING};
+    (void)snprintf(fault.place, sizeof fault.place, "%s", pointer);
+    const http_problem_t problem = http_problem_of_body(&fault);
+    return http_reply_problem(call->connection, &problem, NULL);
+}
+
 int http_act_command(http_server_t *server, const http_call_t *call, const command_t *command)
 {
     answer_t answer;

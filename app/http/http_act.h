@@ -34,6 +34,10 @@ int http_act_command(http_server_t *server, const http_call_t *call, const comma
  * sent. */
 int http_act_refuse_member(const http_call_t *call, const char *pointer);
 
+/** Refuses a body that has both of two members, or neither, where it shall have one; `pointer`
+ * leads to the first. Returns the status sent. */
+int http_act_refuse_choice(const http_call_t *call, bool has_both, const char *pointer);
+
 /** Refuses what control would refuse, or has refused, by `answer`. Returns the status sent. */
 int http_act_refuse(http_server_t *server, const http_call_t *call, const answer_t *answer);
 

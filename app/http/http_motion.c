@@ -24,11 +24,15 @@ int http_motion_jog(http_server_t *server, const http_call_t *call)
 {
     const request_jog_t *body = &call->body.jog;
     const axis_config_t *axis = &exchange_robot(server->exchange)->axes[call->path.axis];
-    command_t command = {
-        .id = body->id, .kind = (uint32_t)COMMAND_JOG, .argument = call->path.axis};
-    return telemetry_units_ticks(axis, body->position, &command.value)
+    const command_kind_t kind = body->has_distance ? COMMAND_JOG_BY : COMMAND_JOG;
+    const double way = body->has_distance ? body->distance : body->position;
+    command_t command = {.id = body->id, .kind = (uint32_t)kind, .argument = call->path.axis};
+    if (body->has_distance == body->has_position) {
+        return http_act_refuse_choice(call, body->has_distance, "/position");
+    }
+    return telemetry_units_ticks(axis, way, &command.value)
                ? http_act_command(server, call, &command)
-               : http_act_refuse_member(call, "/position");
+               : http_act_refuse_member(call, body->has_distance ? "/distance" : "/position");
 }
 
 int http_motion_axis(http_server_t *server, const http_call_t *call, command_kind_t kind,

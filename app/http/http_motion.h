@@ -8,13 +8,20 @@
 
 int http_motion_workphase(http_server_t *server, const http_call_t *call);
 
-/** @satisfies SWR-HTTP-029 */
+/**
+ * To a position, or by a distance.
+ *
+ * @satisfies SWR-HTTP-029
+ * @satisfies SWR-MODE-009
+ */
 int http_motion_jog(http_server_t *server, const http_call_t *call);
 
 /**
- * An act on one axis: HOME_AXIS, CLEAR_AXIS, CONFIRM_AXIS or SET_HOME. `id` of the body.
+ * An act on one axis: HOME_AXIS, CLEAR_AXIS, CONFIRM_AXIS, SET_HOME, ENABLE_AXIS or DISABLE_AXIS.
+ * `id` of the body.
  *
  * @satisfies SWR-AXIS-044
+ * @satisfies SWR-MODE-009
  */
 int http_motion_axis(http_server_t *server, const http_call_t *call, command_kind_t kind,
                      uint32_t id);

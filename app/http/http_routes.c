@@ -187,6 +187,10 @@ static int answer(http_server_t *server, const http_call_t *call)
         return http_motion_axis(server, call, COMMAND_SET_HOME, call->body.set_home.id);
     case ROUTE_VELOCITY:
         return http_motion_velocity(server, call);
+    case ROUTE_ENABLE_AXIS:
+        return http_motion_axis(server, call, COMMAND_ENABLE_AXIS, call->body.enable_axis.id);
+    case ROUTE_DISABLE_AXIS:
+        return http_motion_axis(server, call, COMMAND_DISABLE_AXIS, call->body.disable_axis.id);
     case ROUTE_REGISTRATION:
         return http_targeting_register(server, call);
     case ROUTE_PROBE:

@@ -73,14 +73,6 @@ int http_targeting_enter(http_server_t *server, const http_call_t *call)
 }
 
 /* A body names one of the two. */
-static int refuse_choice(const http_call_t *call, bool has_both)
-{
-    const request_result_t fault = {.fault = has_both ? REQUEST_UNKNOWN : REQUEST_MISSING,
-                                    .place = "/matrix"};
-    const http_problem_t problem = http_problem_of_body(&fault);
-    return http_reply_problem(call->connection, &problem, NULL);
-}
-
 static int refuse_aim(http_server_t *server, const http_call_t *call, const solution_t *solution)
 {
     const answer_t answer = {.kind = (uint32_t)ANSWER_REFUSED,
@@ -98,7 +90,7 @@ static int read_target(http_server_t *server, const http_call_t *call, const aim
 {
     point_t target;
     if ((aim->matrix == NULL) == (aim->point_mm == NULL)) {
-        return refuse_choice(call, aim->matrix != NULL);
+        return http_act_refuse_choice(call, aim->matrix != NULL, "/matrix");
     }
     if (aim->matrix != NULL) {
         return read_pose(call, aim->matrix, pose);

@@ -78,6 +78,61 @@ static status_t obey_set_home(controller_t *self, const cycle_t *cycle, uint32_t
     return status;
 }
 
+/* As START_UP enables all; what START_UP clears besides stays. */
+static status_t obey_enable(controller_t *self, const cycle_t *cycle, uint32_t index)
+{
+    axis_t *const axis = &self->axes[index];
+    status_t status = STATUS_OK;
+    if (self->estop.state != ESTOP_LATCH_STATE_CLEAR) {
+        status = STATUS_FAULT_PRESENT;
+    } else if (procedure_is_armed(&self->procedure)) {
+        status = STATUS_NOT_AT_REST;
+    } else if (!link_is_usable(controller_link(self, index))) {
+        status = STATUS_HARDWARE_NOT_READY;
+    } else {
+        axis_enable(axis, false);
+        controller_note(self, cycle, EVENT_AXIS_ENABLED, index, axis->encoder.position_ticks);
+    }
+    return status;
+}
+
+/* One with a fault keeps that. */
+static status_t obey_disable(controller_t *self, const cycle_t *cycle, uint32_t index)
+{
+    axis_t *const axis = &self->axes[index];
+    if (procedure_is_armed(&self->procedure)) {
+        return STATUS_NOT_AT_REST;
+    }
+    axis_disable(axis);
+    controller_note(self, cycle, EVENT_AXIS_DISABLED, index, axis->encoder.position_ticks);
+    return STATUS_OK;
+}
+
+/* In MANUAL, of an axis that there is. */
+static status_t obey_act(controller_t *self, const cycle_t *cycle, const command_t *command)
+{
+    const uint32_t index = command->argument;
+    status_t status = STATUS_OK;
+    switch (command->kind) {
+    case (uint32_t)COMMAND_CLEAR_AXIS:
+        status = obey_clear(self, cycle, index);
+        break;
+    case (uint32_t)COMMAND_CONFIRM_AXIS:
+        status = obey_confirm(self, cycle, command);
+        break;
+    case (uint32_t)COMMAND_ENABLE_AXIS:
+        status = obey_enable(self, cycle, index);
+        break;
+    case (uint32_t)COMMAND_DISABLE_AXIS:
+        status = obey_disable(self, cycle, index);
+        break;
+    default:
+        status = obey_set_home(self, cycle, index);
+        break;
+    }
+    return status;
+}
+
 status_t controller_obey_axis(controller_t *self, const cycle_t *cycle, const command_t *command)
 {
     const uint32_t index = command->argument;
@@ -86,12 +141,8 @@ status_t controller_obey_axis(controller_t *self, const cycle_t *cycle, const co
         status = STATUS_WRONG_WORKPHASE;
     } else if (index >= self->axis_count) {
         status = STATUS_UNKNOWN_COMMAND;
-    } else if (command->kind == (uint32_t)COMMAND_CLEAR_AXIS) {
-        status = obey_clear(self, cycle, index);
-    } else if (command->kind == (uint32_t)COMMAND_CONFIRM_AXIS) {
-        status = obey_confirm(self, cycle, command);
     } else {
-        status = obey_set_home(self, cycle, index);
+        status = obey_act(self, cycle, command);
     }
     return status;
 }

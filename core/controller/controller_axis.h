@@ -10,12 +10,14 @@
 void controller_forget_reference(controller_t *self, const cycle_t *cycle, uint32_t index);
 
 /**
- * CLEAR_AXIS, CONFIRM_AXIS and SET_HOME: they arm nothing.
+ * CLEAR_AXIS, CONFIRM_AXIS, SET_HOME, ENABLE_AXIS and DISABLE_AXIS: they arm nothing.
  *
  * @return STATUS_OK; STATUS_UNKNOWN_COMMAND for no axis; STATUS_WRONG_WORKPHASE; STATUS_NOT_AT_REST
  * for CLEAR_AXIS and SET_HOME; for CONFIRM_AXIS STATUS_NOTHING_TO_CONFIRM, STATUS_NO_BUTTON, and
  * STATUS_BUSY while another one's request waits; for SET_HOME STATUS_HOMES_OTHERWISE with a switch,
- * STATUS_HARDWARE_NOT_READY without its card and STATUS_NEEDLE_IN
+ * STATUS_HARDWARE_NOT_READY without its card and STATUS_NEEDLE_IN; for ENABLE_AXIS
+ * STATUS_FAULT_PRESENT while the e-stop is pulled or latched, STATUS_HARDWARE_NOT_READY while its
+ * card is lost; for it and DISABLE_AXIS STATUS_NOT_AT_REST while something is armed
  *
  * @satisfies SWR-AXIS-037
  * @satisfies SWR-AXIS-038
@@ -23,6 +25,7 @@ void controller_forget_reference(controller_t *self, const cycle_t *cycle, uint3
  * @satisfies SWR-AXIS-041
  * @satisfies SWR-AXIS-042
  * @satisfies SWR-AXIS-043
+ * @satisfies SWR-MODE-008
  */
 status_t controller_obey_axis(controller_t *self, const cycle_t *cycle, const command_t *command);
 

@@ -1,12 +1,24 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "controller/controller_motion.h"
 
+#include "base/fixed.h"
 #include "controller/controller_axis.h"
 #include "controller/controller_facts.h"
 #include "controller/controller_order.h"
 #include "controller/controller_trajectory.h"
 
 #include <string.h>
+
+/* Where a jog shall end: the value, or so far from where the axis stands. */
+static int32_t jog_end_ticks(const controller_t *self, const command_t *command)
+{
+    int32_t end_ticks = command->value;
+    if ((command->kind == (uint32_t)COMMAND_JOG_BY) && (command->argument < self->axis_count)) {
+        const axis_t *const axis = &self->axes[command->argument];
+        end_ticks = fixed_saturate((int64_t)axis->encoder.position_ticks + (int64_t)command->value);
+    }
+    return end_ticks;
+}
 
 /* What the command, and where the robot stands, say to its mode. */
 static mode_request_t request_of(const controller_t *self, const cycle_t *cycle,
@@ -17,7 +29,7 @@ static mode_request_t request_of(const controller_t *self, const cycle_t *cycle,
     case MODE_JOG:
     case MODE_HOME_AXIS:
         request.jog.axis = command->argument;
-        request.jog.ticks = command->value;
+        request.jog.ticks = jog_end_ticks(self, command);
         request.axes =
             (command->argument < ROBOT_AXIS_MAX) ? ((uint32_t)1U << command->argument) : 0U;
         break;

@@ -15,6 +15,7 @@
  * @satisfies SWR-AXIS-035
  * @satisfies SWR-MODE-001
  * @satisfies SWR-MODE-002
+ * @satisfies SWR-MODE-007
  */
 status_t controller_obey_motion(controller_t *self, const cycle_t *cycle, const command_t *command,
                                 answer_t *answer);

@@ -63,7 +63,10 @@ static const rights_t rights[COMMAND_SOURCE_COUNT] = {
                                        [COMMAND_CONFIRM_AXIS] = true,
                                        [COMMAND_SET_HOME] = true,
                                        [COMMAND_VELOCITY] = true,
-                                       [COMMAND_PROBE] = true},
+                                       [COMMAND_PROBE] = true,
+                                       [COMMAND_JOG_BY] = true,
+                                       [COMMAND_ENABLE_AXIS] = true,
+                                       [COMMAND_DISABLE_AXIS] = true},
                              .workphases = {[WORKPHASE_START_UP] = true,
                                             [WORKPHASE_PLANNING] = true,
                                             [WORKPHASE_CALIBRATION] = true,
@@ -200,6 +203,8 @@ static status_t carry_out(controller_t *self, const cycle_t *cycle, const comman
     case (uint32_t)COMMAND_CLEAR_AXIS:
     case (uint32_t)COMMAND_CONFIRM_AXIS:
     case (uint32_t)COMMAND_SET_HOME:
+    case (uint32_t)COMMAND_ENABLE_AXIS:
+    case (uint32_t)COMMAND_DISABLE_AXIS:
         status = controller_obey_axis(self, cycle, command);
         break;
     case (uint32_t)COMMAND_TAKE:

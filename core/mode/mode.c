@@ -25,10 +25,11 @@ mode_kind_t mode_of(workphase_t workphase)
 
 mode_kind_t mode_of_command(uint32_t command_kind)
 {
+    const bool is_way = command_kind == (uint32_t)COMMAND_JOG_BY;
+    const uint32_t arming = is_way ? (uint32_t)COMMAND_JOG : command_kind;
     mode_kind_t found = MODE_NONE;
     for (uint32_t i = 0U; i < MODE_KIND_COUNT; i++) {
-        if ((mode_rows[i].command == command_kind) &&
-            (command_kind != (uint32_t)COMMAND_WORKPHASE)) {
+        if ((mode_rows[i].command == arming) && (arming != (uint32_t)COMMAND_WORKPHASE)) {
             found = (mode_kind_t)i;
         }
     }

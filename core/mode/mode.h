@@ -46,7 +46,8 @@ typedef struct {
  * commands of their own. */
 mode_kind_t mode_of(workphase_t workphase);
 
-/** The mode that a command of this kind arms, whatever the workphase, or MODE_NONE. */
+/** The mode that a command of this kind arms, whatever the workphase, or MODE_NONE. JOG_BY arms a
+ * jog. */
 mode_kind_t mode_of_command(uint32_t command_kind);
 
 /**

@@ -100,6 +100,9 @@ static bool needs_authority(const command_t *command)
     case (uint32_t)COMMAND_CONFIRM_AXIS:
     case (uint32_t)COMMAND_SET_HOME:
     case (uint32_t)COMMAND_VELOCITY:
+    case (uint32_t)COMMAND_JOG_BY:
+    case (uint32_t)COMMAND_ENABLE_AXIS:
+    case (uint32_t)COMMAND_DISABLE_AXIS:
     case (uint32_t)COMMAND_TAKE:
     case (uint32_t)COMMAND_RENEW:
         return true;

@@ -277,8 +277,8 @@ void test_SWR_AXIS_036_who_shares_its_limit_must_be_homed(void)
     expect(STATUS_OK, COMMAND_HOME_AXIS, AXIS_HEAD);
 }
 
-static const command_kind_t acts[] = {COMMAND_HOME_AXIS, COMMAND_CLEAR_AXIS, COMMAND_CONFIRM_AXIS,
-                                      COMMAND_SET_HOME};
+static const command_kind_t acts[] = {COMMAND_HOME_AXIS, COMMAND_CLEAR_AXIS,  COMMAND_CONFIRM_AXIS,
+                                      COMMAND_SET_HOME,  COMMAND_ENABLE_AXIS, COMMAND_DISABLE_AXIS};
 #define ACTS (sizeof acts / sizeof acts[0])
 
 void test_SWR_AXIS_037_they_are_for_manual_only(void)
@@ -587,4 +587,117 @@ void test_SWR_AXIS_043_who_set_a_home_and_how_far_it_went_is_told(void)
     TEST_ASSERT_EQUAL_UINT32(EVENT_SEVERITY_WARNING, rig.events[0].severity);
     TEST_ASSERT_EQUAL_UINT32(EVENT_CAUSE_CONSOLE, rig.events[0].cause);
     TEST_ASSERT_EQUAL_UINT32(RIG_PAGE, rig.events[0].peer);
+}
+
+static void jog_by(status_t status, uint32_t axis, int32_t way)
+{
+    const command_t command = {.kind = (uint32_t)COMMAND_JOG_BY, .argument = axis, .value = way};
+    TEST_ASSERT_EQUAL_UINT32(status, rig_command(&rig, command).status);
+}
+
+void test_SWR_MODE_007_a_jog_by_a_way_ends_that_far_from_where_the_axis_stood(void)
+{
+    start_manual();
+    const int32_t before = rig_position(&rig, AXIS_YAW);
+    jog_by(STATUS_OK, AXIS_YAW, -150);
+    rig_press(&rig);
+    rig_cycles(&rig, 20U);
+    rig_release(&rig);
+    rig_press(&rig);
+    const answer_t answer = rig_finish(&rig, MOST_CYCLES);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, answer.kind);
+    TEST_ASSERT_EQUAL_UINT32(COMMAND_JOG_BY, answer.command);
+    TEST_ASSERT_INT32_WITHIN(robot_neuro.axes[AXIS_YAW].deadband_ticks, before - 150,
+                             rig_position(&rig, AXIS_YAW));
+}
+
+void test_SWR_MODE_007_a_jog_by_a_way_is_judged_by_where_it_ends(void)
+{
+    start_manual();
+    jog_by(STATUS_AXIS_LIMIT, AXIS_YAW, INT32_MAX);
+    jog_by(STATUS_AXIS_LIMIT, AXIS_YAW, INT32_MIN);
+    jog_by(STATUS_UNKNOWN_COMMAND, ROBOT_AXIS_MAX, 1);
+    TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
+    (void)rig_workphase(&rig, WORKPHASE_PLANNING);
+    jog_by(STATUS_WRONG_WORKPHASE, AXIS_YAW, -150);
+}
+
+static uint32_t power(uint32_t axis)
+{
+    return rig.outputs.snapshot.axes[axis].power;
+}
+
+/* The yaw axis has stalled, and is free again. */
+static void stall_yaw(void)
+{
+    start_manual();
+    rig_box(&rig, "motor yaw stuck");
+    jog_by(STATUS_OK, AXIS_YAW, -150);
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_ABORTED, rig_finish(&rig, MOST_CYCLES).kind);
+    rig_release(&rig);
+    rig_box(&rig, "motor yaw normal");
+    rig_cycles(&rig, REST_CYCLES);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, power(AXIS_YAW));
+}
+
+void test_SWR_MODE_008_one_that_has_stalled_is_enabled_and_homed_alone(void)
+{
+    stall_yaw();
+    expect(STATUS_FAULT_PRESENT, COMMAND_HOME_AXIS, AXIS_YAW);
+    rig_forget(&rig);
+    expect(STATUS_OK, COMMAND_ENABLE_AXIS, AXIS_YAW);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_ENABLED));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_ENABLED, power(AXIS_YAW));
+    expect_grade(AXIS_REFERENCE_LOST, AXIS_YAW);
+    expect_grade(AXIS_REFERENCE_VERIFIED, AXIS_LATERAL);
+    home(AXIS_YAW);
+    expect_grade(AXIS_REFERENCE_VERIFIED, AXIS_YAW);
+}
+
+void test_SWR_MODE_008_the_fault_of_another_axis_stays(void)
+{
+    stall_yaw();
+    rig_box(&rig, "motor pitch runs");
+    rig_cycles(&rig, 1000U);
+    rig_box(&rig, "motor pitch normal");
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, power(AXIS_PITCH));
+    expect(STATUS_OK, COMMAND_ENABLE_AXIS, AXIS_YAW);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, power(AXIS_PITCH));
+}
+
+void test_SWR_MODE_008_one_that_is_disabled_is_not_driven_and_keeps_its_place(void)
+{
+    start_manual();
+    rig_forget(&rig);
+    expect(STATUS_OK, COMMAND_DISABLE_AXIS, AXIS_YAW);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_DISABLED));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_DISABLED, power(AXIS_YAW));
+    expect_grade(AXIS_REFERENCE_VERIFIED, AXIS_YAW);
+    jog_by(STATUS_FAULT_PRESENT, AXIS_YAW, -150);
+    jog(AXIS_PITCH, rig_position(&rig, AXIS_PITCH) - 150);
+    expect(STATUS_OK, COMMAND_ENABLE_AXIS, AXIS_YAW);
+    jog_by(STATUS_OK, AXIS_YAW, -150);
+}
+
+void test_SWR_MODE_008_refusals_name_what_is_missing(void)
+{
+    start_manual();
+    jog_by(STATUS_OK, AXIS_YAW, -150);
+    expect(STATUS_NOT_AT_REST, COMMAND_DISABLE_AXIS, AXIS_YAW);
+    expect(STATUS_NOT_AT_REST, COMMAND_ENABLE_AXIS, AXIS_YAW);
+    start_manual();
+    rig_box(&rig, "card yaw silent");
+    rig_cycles(&rig, 20U);
+    expect(STATUS_HARDWARE_NOT_READY, COMMAND_ENABLE_AXIS, AXIS_YAW);
+    start_manual();
+    rig_box(&rig, "estop pull");
+    rig_cycles(&rig, 50U);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_STOP).status);
+    enter_manual();
+    expect(STATUS_FAULT_PRESENT, COMMAND_ENABLE_AXIS, AXIS_YAW);
+    rig_box(&rig, "estop reset");
+    rig_cycles(&rig, 50U);
+    expect(STATUS_FAULT_PRESENT, COMMAND_ENABLE_AXIS, AXIS_YAW);
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_DISABLED, power(AXIS_YAW));
 }

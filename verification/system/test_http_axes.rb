@@ -115,6 +115,21 @@ class TestHttpAxes < Minitest::Test
     end
   end
 
+  def test_SWR_MODE_009_an_axis_is_disabled_enabled_and_jogged_by_a_distance
+    anna = holder('anna')
+    assert_answer '200', 'done', anna.act('motors/yaw/disable')
+    assert_act_described 'disable', anna.last
+    assert_answer '409', 'FAULT_PRESENT', anna.act('motors/yaw/jog', { distance: -1 })
+    assert_answer '200', 'done', anna.act('motors/yaw/enable')
+    assert_act_described 'enable', anna.last
+    assert_answer '202', 'accepted', anna.act('motors/yaw/jog', { distance: -1 })
+    assert_act_described 'jog', anna.last
+    [{}, { position: 0, distance: -1 }].each do |body|
+      anna.act('motors/yaw/jog', body)
+      assert_equal ['400', '/position'], [anna.last.code, JSON.parse(anna.last.body)['pointer']]
+    end
+  end
+
   def test_SWR_AXIS_044_an_operator_neither_clears_nor_sets
     anna = holder('anna')
     %w[clear set-home].each { |act| assert_answer '403', 'ROLE_REFUSED', anna.act("motors/feet/#{act}") }

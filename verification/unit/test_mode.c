@@ -98,6 +98,7 @@ void test_SWR_PHASE_001_each_mode_has_its_workphase(void)
 void test_SWR_MODE_001_each_mode_is_armed_by_its_command(void)
 {
     static const mode_kind_t armed[COMMAND_KIND_COUNT] = {[COMMAND_JOG] = MODE_JOG,
+                                                          [COMMAND_JOG_BY] = MODE_JOG,
                                                           [COMMAND_RETRACT] = MODE_RETRACT,
                                                           [COMMAND_HOME_AXIS] = MODE_HOME_AXIS,
                                                           [COMMAND_RUN_TRAJECTORY] =
