@@ -137,7 +137,9 @@ static bool is_same(const command_t *one, const command_t *other)
 {
     return (one->kind == other->kind) && (one->argument == other->argument) &&
            (one->value == other->value) &&
-           (memcmp(&one->pose, &other->pose, sizeof one->pose) == 0);
+           (memcmp(&one->pose, &other->pose, sizeof one->pose) == 0) &&
+           (memcmp(one->ticks, other->ticks, sizeof one->ticks) == 0) &&
+           (memcmp(one->speeds, other->speeds, sizeof one->speeds) == 0);
 }
 
 /* With the lock. Sends a new act. */

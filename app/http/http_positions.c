@@ -232,7 +232,7 @@ int http_positions_restore(http_server_t *server, const http_call_t *call)
     const request_restore_t *body = &call->body.restore;
     problem_t problem = PROBLEM_PREVIEW_GONE;
     saved_view_t view;
-    answer_t answer;
+    command_t asked;
     if (!saved_desk_find(&server->positions, body->token, &view)) {
         return http_reply_refuse(call->connection, problem);
     }
@@ -240,9 +240,12 @@ int http_positions_restore(http_server_t *server, const http_call_t *call)
                          .kind = (uint32_t)COMMAND_RESTORE,
                          .argument = view.plan.axes,
                          .value = (int32_t)view.token};
-    /* What was asked for before is answered, whatever has become of the view. */
-    const bool is_new =
-        act_desk_look(&server->acts, call->page, body->id, &command, &answer) == ACT_NO_ANSWER;
+    /* What was asked for before is answered, whatever has become of the view: the token says which
+     * positions, and they are those that were sent. */
+    const bool is_new = !act_desk_recall(&server->acts, call->page, body->id, &asked);
+    if (!is_new) {
+        (void)memcpy(command.ticks, asked.ticks, sizeof command.ticks);
+    }
     return (!is_new || judge(server, &view, &command, &problem))
                ? http_act_command(server, call, &command)
                : http_reply_refuse(call->connection, problem);

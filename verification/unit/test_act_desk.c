@@ -157,6 +157,29 @@ void test_SWR_HTTP_023_an_id_does_not_stand_for_another_pose_or_way(void)
     TEST_ASSERT_EQUAL_UINT32(1U, take_commands());
 }
 
+/* Of a probe and of positions that are restored, and of axes that run at speeds. */
+void test_SWR_HTTP_023_an_id_does_not_stand_for_other_ticks_or_speeds(void)
+{
+    const uint32_t last = ROBOT_AXIS_MAX - 1U;
+    const command_t probe = {.kind = COMMAND_PROBE, .argument = 1U, .ticks = {100, 200}};
+    command_t other = probe;
+    TEST_ASSERT_EQUAL(ACT_NO_ANSWER, ask(7U, 1U, &probe));
+    TEST_ASSERT_EQUAL(ACT_NO_ANSWER, ask(7U, 1U, &probe));
+    other.ticks[0] = 101;
+    TEST_ASSERT_EQUAL(ACT_ID_USED, ask(7U, 1U, &other));
+    TEST_ASSERT_EQUAL(ACT_ID_USED, act_desk_look(&desk, 7U, 1U, &other, &answer));
+    other = probe;
+    other.ticks[last] = 1;
+    TEST_ASSERT_EQUAL(ACT_ID_USED, ask(7U, 1U, &other));
+    other = probe;
+    other.speeds[0] = 1;
+    TEST_ASSERT_EQUAL(ACT_ID_USED, ask(7U, 1U, &other));
+    other = probe;
+    other.speeds[last] = -1;
+    TEST_ASSERT_EQUAL(ACT_ID_USED, ask(7U, 1U, &other));
+    TEST_ASSERT_EQUAL_UINT32(1U, take_commands());
+}
+
 void test_SWR_HTTP_023_what_is_not_kept_any_more_is_refused(void)
 {
     for (uint32_t id = 1U; id <= (LIMIT_PAGE_ACTS + 1U); id++) {
