@@ -38,6 +38,7 @@ uint32_t igtl_reason_code(status_t status)
     case STATUS_ENTRY_POINT:
     case STATUS_PROBE_LENGTH:
     case STATUS_PROBE_ORDER:
+    case STATUS_NO_POSE:
         return IGTL_STATUS_CONFIG_ERROR;
     case STATUS_NO_AUTHORITY:
         return IGTL_STATUS_ACCESS_DENIED;

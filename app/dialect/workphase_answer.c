@@ -21,6 +21,9 @@ static const char *subject_of(const workphase_peer_t *peer, const igtl_request_t
         return workphase_peer_tip_subject(peer);
     case COMMAND_RETRACT:
     case COMMAND_VELOCITY:
+    case COMMAND_ALIGN:
+    case COMMAND_INSERT:
+    case COMMAND_POSE:
         return peer->motion;
     case COMMAND_ENTRY:
         return "ENTRY";
@@ -117,12 +120,18 @@ static void write_end(const workphase_dialect_t *self, const igtl_request_t *req
                        moment->timestamp);
 }
 
+static bool is_move(const igtl_request_t *request)
+{
+    return (request->kind == (uint32_t)COMMAND_WORKPHASE) &&
+           (request->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET);
+}
+
 /* Since 2021 STATUS(MOVE_TO_TARGET, 1) means entered; that it has arrived is asked for. */
 static bool is_arrival_asked_for(const workphase_peer_t *peer, const igtl_request_t *request,
                                  const answer_t *answer)
 {
     return (peer->language == IGTL_LANGUAGE_BRP_2021) && (answer->kind == (uint32_t)ANSWER_DONE) &&
-           (request->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET);
+           is_move(request);
 }
 
 static void tell_ended(workphase_dialect_t *self, const igtl_request_t *request,
@@ -141,8 +150,7 @@ static void tell_ended(workphase_dialect_t *self, const igtl_request_t *request,
                                       .packet = packet};
     } else {
         igtl_outbox_add(peer->outbox, &packet);
-        if ((answer->kind == (uint32_t)ANSWER_DONE) &&
-            (request->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET)) {
+        if ((answer->kind == (uint32_t)ANSWER_DONE) && is_move(request)) {
             workphase_peer_tell_position(peer, moment);
         }
     }
@@ -217,7 +225,7 @@ static void answer_motion(workphase_dialect_t *self, const igtl_request_t *reque
     if (answer->kind == (uint32_t)ANSWER_ACCEPTED) {
         (void)snprintf(name, sizeof name, "ACK_%.16s", peer->motion);
         tell_outcome(self, peer, name, answer, moment);
-        if (answer->is_final != 0U) { /* It was out already. */
+        if (answer->is_final != 0U) { /* It was there already. */
             tell_outcome(self, peer, peer->motion, answer, moment);
         }
     } else if (answer->kind == (uint32_t)ANSWER_REFUSED) {
@@ -244,6 +252,9 @@ static void answer_by_kind(workphase_dialect_t *self, const igtl_request_t *requ
         break;
     case COMMAND_RETRACT:
     case COMMAND_VELOCITY:
+    case COMMAND_ALIGN:
+    case COMMAND_INSERT:
+    case COMMAND_POSE:
         answer_motion(self, request, answer, moment);
         break;
     case COMMAND_ENTRY:
@@ -263,8 +274,7 @@ static bool has_ended_it(const workphase_peer_t *peer, const igtl_request_t *req
 {
     return peer->end.is_discarded && (answer->kind == (uint32_t)ANSWER_ACCEPTED) &&
            ((request->kind == (uint32_t)COMMAND_WORKPHASE) ||
-            (request->kind == (uint32_t)COMMAND_RETRACT) ||
-            (request->kind == (uint32_t)COMMAND_VELOCITY));
+            workphase_peer_is_motion(request->kind));
 }
 
 /* The command for which an order's end waited has been answered, and has not ended it. */

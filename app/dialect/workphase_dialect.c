@@ -34,8 +34,7 @@ void workphase_dialect_connected(void *dialect, uint32_t peer,
 
 static bool is_long(const igtl_request_t *request)
 {
-    return (request->kind == (uint32_t)COMMAND_RETRACT) ||
-           (request->kind == (uint32_t)COMMAND_VELOCITY) ||
+    return workphase_peer_is_motion(request->kind) ||
            ((request->kind == (uint32_t)COMMAND_WORKPHASE) &&
             ((request->argument == (uint32_t)WORKPHASE_START_UP) ||
              (request->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET)));

@@ -64,7 +64,7 @@ typedef struct {
     uint32_t pending; /**< Id of its newest workphase or motion without an answer, 0: none. */
     workphase_end_t end;
     workphase_tip_t tip;
-    const char *motion; /**< By which word it commanded its last motion. */
+    const char *motion; /**< By which word it asked for its last motion. */
     igtl_tracking_t tracking;
     workphase_extra_t extras[WORKPHASE_EXTRAS];
     uint32_t extra_count;

@@ -16,6 +16,13 @@ static void acknowledgement_name(const igtl_message_t *message, uint32_t prefix_
     (void)snprintf(name, IGTL_NAME_SIZE, "ACK_%.16s", &message->name[prefix_length]);
 }
 
+bool workphase_peer_is_motion(uint32_t kind)
+{
+    return (kind == (uint32_t)COMMAND_RETRACT) || (kind == (uint32_t)COMMAND_VELOCITY) ||
+           (kind == (uint32_t)COMMAND_ALIGN) || (kind == (uint32_t)COMMAND_INSERT) ||
+           (kind == (uint32_t)COMMAND_POSE);
+}
+
 void workphase_peer_acknowledge_string(workphase_peer_t *self, const igtl_message_t *message,
                                        const igtl_moment_t *moment)
 {

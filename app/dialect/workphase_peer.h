@@ -6,7 +6,11 @@
 #include "dialect/igtl_dialect.h"
 #include "dialect/workphase_dialect.h"
 
+#include <stdbool.h>
 #include <stdint.h>
+
+/** `kind`, a command_kind_t, is that of a motion which a word asks for. */
+bool workphase_peer_is_motion(uint32_t kind);
 
 /** Acknowledges a STRING: STRING(ACK_x, text as received, cut to what is sent). `message` is named
  * ???_x. */

@@ -13,18 +13,26 @@
 #include <stddef.h>
 #include <string.h>
 
-/* A command by one word, the name or the text of a STRING. */
+/* A command by one word, the name or the text of a STRING; `result` is the name of what it is
+ * answered by. */
 typedef struct {
     const char *word;
+    const char *result;
     command_kind_t kind;
     uint32_t argument;
 } word_t;
 
 static const word_t words[] = {
-    {"RETRACT_NEEDLE", COMMAND_RETRACT, 0U},
-    {"RETRACT_PROBE", COMMAND_RETRACT, 0U},
-    {"ACCEPT_ENTRY", COMMAND_ACCEPT_ENTRY, 0U},
-    {"WITHDRAW_ENTRY", COMMAND_WITHDRAW, (uint32_t)COMMAND_ENTRY},
+    {"RETRACT_NEEDLE", "RETRACT_NEEDLE", COMMAND_RETRACT, 0U},
+    {"RETRACT_PROBE", "RETRACT_PROBE", COMMAND_RETRACT, 0U},
+    {"ALIGN", "ALIGN", COMMAND_ALIGN, 0U},
+    {"INSERT", "INSERT", COMMAND_INSERT, 0U},
+    {"POSE HOME", "POSE", COMMAND_POSE, (uint32_t)POSE_HOME},
+    {"POSE PARK", "POSE", COMMAND_POSE, (uint32_t)POSE_PARK},
+    {"POSE DRAPING", "POSE", COMMAND_POSE, (uint32_t)POSE_DRAPING},
+    {"POSE EGRESS", "POSE", COMMAND_POSE, (uint32_t)POSE_EGRESS},
+    {"ACCEPT_ENTRY", "ACCEPT_ENTRY", COMMAND_ACCEPT_ENTRY, 0U},
+    {"WITHDRAW_ENTRY", "WITHDRAW_ENTRY", COMMAND_WITHDRAW, (uint32_t)COMMAND_ENTRY},
 };
 
 /* A command by a pose; `result` is the name of what it is answered by. */
@@ -147,17 +155,17 @@ static void receive_word(workphase_dialect_t *self, uint32_t index, const word_t
     bool is_taken;
 
     if (is_others(self, index)) {
-        igtl_tell_refusal(peer->outbox, word->word, STATUS_NO_AUTHORITY, moment);
+        igtl_tell_refusal(peer->outbox, word->result, STATUS_NO_AUTHORITY, moment);
         return;
     }
-    if (word->kind == COMMAND_RETRACT) {
-        peer->motion = word->word;
+    if (workphase_peer_is_motion((uint32_t)word->kind)) {
+        peer->motion = word->result;
         is_taken = request(self, index, &command, moment) != 0U;
     } else {
         is_taken = igtl_requests_add(&self->requests, index, &command, moment->patience_us) != NULL;
     }
     if (!is_taken) {
-        igtl_tell_refusal(peer->outbox, word->word, STATUS_BUSY, moment);
+        igtl_tell_refusal(peer->outbox, word->result, STATUS_BUSY, moment);
     }
 }
 

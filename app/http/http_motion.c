@@ -42,9 +42,18 @@ int http_motion_axis(http_server_t *server, const http_call_t *call, command_kin
     return http_act_command(server, call, &command);
 }
 
-int http_motion_retract(http_server_t *server, const http_call_t *call)
+int http_motion_bare(http_server_t *server, const http_call_t *call, command_kind_t kind,
+                     uint32_t id)
 {
-    const command_t command = {.id = call->body.retract.id, .kind = (uint32_t)COMMAND_RETRACT};
+    const command_t command = {.id = id, .kind = (uint32_t)kind};
+    return http_act_command(server, call, &command);
+}
+
+int http_motion_pose(http_server_t *server, const http_call_t *call)
+{
+    const request_pose_act_t *body = &call->body.pose;
+    const command_t command = {
+        .id = body->id, .kind = (uint32_t)COMMAND_POSE, .argument = body->pose};
     return http_act_command(server, call, &command);
 }
 

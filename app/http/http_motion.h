@@ -29,6 +29,15 @@ int http_motion_axis(http_server_t *server, const http_call_t *call, command_kin
 /** @satisfies SWR-VEL-013 */
 int http_motion_velocity(http_server_t *server, const http_call_t *call);
 
-int http_motion_retract(http_server_t *server, const http_call_t *call);
+/**
+ * An act that says nothing but itself: RETRACT, ALIGN or INSERT. `id` of the body.
+ *
+ * @satisfies SWR-ALIGN-007
+ */
+int http_motion_bare(http_server_t *server, const http_call_t *call, command_kind_t kind,
+                     uint32_t id);
+
+/** @satisfies SWR-POSE-006 */
+int http_motion_pose(http_server_t *server, const http_call_t *call);
 
 #endif

@@ -204,7 +204,13 @@ static int answer(http_server_t *server, const http_call_t *call)
     case ROUTE_PREVIEW_TARGET:
         return http_targeting_preview(server, call);
     case ROUTE_RETRACT:
-        return http_motion_retract(server, call);
+        return http_motion_bare(server, call, COMMAND_RETRACT, call->body.retract.id);
+    case ROUTE_ALIGN:
+        return http_motion_bare(server, call, COMMAND_ALIGN, call->body.align.id);
+    case ROUTE_INSERT:
+        return http_motion_bare(server, call, COMMAND_INSERT, call->body.insert.id);
+    case ROUTE_POSE:
+        return http_motion_pose(server, call);
     case ROUTE_POSITIONS:
         return http_positions_save(server, connection);
     case ROUTE_PREVIEW:

@@ -119,10 +119,26 @@ static workphase_t only_workphase(const mode_row_t *row)
     return (workphase_t)workphase;
 }
 
+/* Of what the mode itself asks, which comes first, that which is shown. */
+static status_t own_outlook(const snapshot_t *snapshot, mode_kind_t kind)
+{
+    const bool is_aimed = (kind == MODE_ALIGN) || (kind == MODE_INSERT);
+    status_t status = STATUS_OK;
+    if ((kind == MODE_TRAJECTORY) && (snapshot->trajectory_rows == 0U)) {
+        status = STATUS_TRAJECTORY_EMPTY;
+    } else if (is_aimed && (snapshot->has_target == 0U)) {
+        status = STATUS_NO_TARGET;
+    } else {
+        /* The workphase chart decides. */
+    }
+    return status;
+}
+
 status_t mode_outlook(const robot_t *robot, const snapshot_t *snapshot, mode_kind_t kind)
 {
     const mode_row_t *const row = &mode_rows[kind];
     const workphase_inputs_t inputs = inputs_of(robot, snapshot, row);
+    const status_t of_mode = own_outlook(snapshot, kind);
     procedure_t procedure;
     procedure_actions_t actions;
     status_t status = STATUS_UNKNOWN_COMMAND;
@@ -135,6 +151,5 @@ status_t mode_outlook(const robot_t *robot, const snapshot_t *snapshot, mode_kin
     } else {
         /* Nothing arms it. */
     }
-    const bool is_empty = (kind == MODE_TRAJECTORY) && (snapshot->trajectory_rows == 0U);
-    return is_empty ? STATUS_TRAJECTORY_EMPTY : status; /* What the mode itself says comes first. */
+    return (of_mode != STATUS_OK) ? of_mode : status;
 }

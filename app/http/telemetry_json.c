@@ -8,6 +8,7 @@
 #include "limits/requirement_limits.h"
 #include "robot/probe.h"
 #include "robot/robot_cards.h"
+#include "robot/robot_damage.h"
 
 #include <arpa/inet.h>
 #include <stddef.h>
@@ -232,6 +233,17 @@ static cJSON *new_lengths(const telemetry_view_t *view)
     return lengths;
 }
 
+static cJSON *new_poses(const robot_t *robot)
+{
+    cJSON *poses = cJSON_CreateArray();
+    for (uint32_t i = 0U; i < POSE_NAME_COUNT; i++) {
+        if (robot_has_pose(robot, i)) {
+            (void)cJSON_AddItemToArray(poses, cJSON_CreateString(pose_name_name((int32_t)i)));
+        }
+    }
+    return poses;
+}
+
 cJSON *telemetry_json_robot(const telemetry_view_t *view)
 {
     const robot_t *robot = view->robot;
@@ -241,8 +253,11 @@ cJSON *telemetry_json_robot(const telemetry_view_t *view)
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
         (void)cJSON_AddItemToArray(axes, new_robot_axis(&robot->axes[i]));
     }
-    const json_robot_t told = {
-        .name = robot->name, .checksum = checksum, .axes = axes, .lengths = new_lengths(view)};
+    const json_robot_t told = {.name = robot->name,
+                               .checksum = checksum,
+                               .axes = axes,
+                               .lengths = new_lengths(view),
+                               .poses = new_poses(robot)};
     return json_robot(&told);
 }
 

@@ -2,6 +2,7 @@
 #include "controller/controller_motion.h"
 
 #include "base/fixed.h"
+#include "controller/controller_aim.h"
 #include "controller/controller_axis.h"
 #include "controller/controller_facts.h"
 #include "controller/controller_order.h"
@@ -48,8 +49,11 @@ static mode_request_t request_of(const controller_t *self, const cycle_t *cycle,
     case MODE_NONE:
     case MODE_HOMING:
     case MODE_MOVE:
+    case MODE_ALIGN:
+    case MODE_INSERT:
+    case MODE_POSE:
     default:
-        /* Its command alone. */
+        /* Its command alone, or controller_aim(). */
         break;
     }
     return request;
@@ -70,10 +74,13 @@ status_t controller_obey_motion(controller_t *self, const cycle_t *cycle, const 
 {
     const mode_kind_t kind = mode_of_command(command->kind);
     mode_request_t request = request_of(self, cycle, command, kind);
-    const solution_t judged = (kind == MODE_TRAJECTORY)
-                                  ? controller_judge_trajectory(self, cycle, command->argument)
-                                  : mode_judge(kind, &request, cycle->robot, self->axes);
+    solution_t judged = (kind == MODE_TRAJECTORY)
+                            ? controller_judge_trajectory(self, cycle, command->argument)
+                            : controller_aim(self, cycle, command, kind, &request);
     procedure_actions_t actions;
+    if (judged.status == STATUS_OK) {
+        judged = mode_judge(kind, &request, cycle->robot, self->axes);
+    }
     answer->axis = (uint32_t)judged.axis;
     answer->is_maximum = (uint32_t)judged.is_maximum;
     if (judged.status != STATUS_OK) {

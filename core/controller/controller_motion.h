@@ -9,10 +9,11 @@
  * A command that arms a mode (mode_of_command()): whatever is armed gives way to it. `answer` is
  * not final if it is accepted, and has axis and limit if a limit refuses it.
  *
- * @return STATUS_OK; as mode_judge(); STATUS_WRONG_WORKPHASE, STATUS_FAULT_PRESENT,
- * STATUS_NOT_HOMED in this order, and then nothing has changed
+ * @return STATUS_OK; as controller_aim() and mode_judge(); STATUS_WRONG_WORKPHASE,
+ * STATUS_FAULT_PRESENT, STATUS_NOT_HOMED in this order, and then nothing has changed
  *
  * @satisfies SWR-AXIS-035
+ * @satisfies SWR-ALIGN-001
  * @satisfies SWR-MODE-001
  * @satisfies SWR-MODE-002
  * @satisfies SWR-MODE-007

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "controller/controller_obey.h"
 
+#include "controller/controller_aim.h"
 #include "controller/controller_authority.h"
 #include "controller/controller_axis.h"
 #include "controller/controller_facts.h"
@@ -26,6 +27,9 @@ static const rights_t rights[COMMAND_SOURCE_COUNT] = {
                                        [COMMAND_PROPOSE_ENTRY] = true,
                                        [COMMAND_PROPOSE_TARGET] = true,
                                        [COMMAND_RETRACT] = true,
+                                       [COMMAND_ALIGN] = true,
+                                       [COMMAND_INSERT] = true,
+                                       [COMMAND_POSE] = true,
                                        [COMMAND_NEEDLE] = true,
                                        [COMMAND_ENTRY] = true,
                                        [COMMAND_ACCEPT_ENTRY] = true,
@@ -41,40 +45,30 @@ static const rights_t rights[COMMAND_SOURCE_COUNT] = {
                                             [WORKPHASE_MANUAL] = true,
                                             [WORKPHASE_STOP] = true,
                                             [WORKPHASE_EMERGENCY] = true}},
-    [COMMAND_SOURCE_HTTP] = {.kinds = {[COMMAND_REGISTRATION] = true,
-                                       [COMMAND_TARGET] = true,
-                                       [COMMAND_JOG] = true,
-                                       [COMMAND_RETRACT] = true,
-                                       [COMMAND_ENTRY] = true,
-                                       [COMMAND_ACCEPT_ENTRY] = true,
-                                       [COMMAND_WITHDRAW] = true,
-                                       [COMMAND_LIST_BEGIN] = true,
-                                       [COMMAND_LIST_ROW] = true,
-                                       [COMMAND_LIST_END] = true,
-                                       [COMMAND_RUN_TRAJECTORY] = true,
-                                       [COMMAND_TAKE] = true,
-                                       [COMMAND_RENEW] = true,
-                                       [COMMAND_RELEASE] = true,
-                                       [COMMAND_REQUEST] = true,
-                                       [COMMAND_RESTORE] = true,
-                                       [COMMAND_NOTE] = true,
-                                       [COMMAND_HOME_AXIS] = true,
-                                       [COMMAND_CLEAR_AXIS] = true,
-                                       [COMMAND_CONFIRM_AXIS] = true,
-                                       [COMMAND_SET_HOME] = true,
-                                       [COMMAND_VELOCITY] = true,
-                                       [COMMAND_PROBE] = true,
-                                       [COMMAND_JOG_BY] = true,
-                                       [COMMAND_ENABLE_AXIS] = true,
-                                       [COMMAND_DISABLE_AXIS] = true},
-                             .workphases = {[WORKPHASE_START_UP] = true,
-                                            [WORKPHASE_PLANNING] = true,
-                                            [WORKPHASE_CALIBRATION] = true,
-                                            [WORKPHASE_TARGETING] = true,
-                                            [WORKPHASE_MOVE_TO_TARGET] = true,
-                                            [WORKPHASE_MANUAL] = true,
-                                            [WORKPHASE_STOP] = true,
-                                            [WORKPHASE_EMERGENCY] = true}}};
+    [COMMAND_SOURCE_HTTP] = {
+        .kinds = {[COMMAND_REGISTRATION] = true, [COMMAND_TARGET] = true,
+                  [COMMAND_JOG] = true,          [COMMAND_RETRACT] = true,
+                  [COMMAND_ALIGN] = true,        [COMMAND_INSERT] = true,
+                  [COMMAND_POSE] = true,         [COMMAND_ENTRY] = true,
+                  [COMMAND_ACCEPT_ENTRY] = true, [COMMAND_WITHDRAW] = true,
+                  [COMMAND_LIST_BEGIN] = true,   [COMMAND_LIST_ROW] = true,
+                  [COMMAND_LIST_END] = true,     [COMMAND_RUN_TRAJECTORY] = true,
+                  [COMMAND_TAKE] = true,         [COMMAND_RENEW] = true,
+                  [COMMAND_RELEASE] = true,      [COMMAND_REQUEST] = true,
+                  [COMMAND_RESTORE] = true,      [COMMAND_NOTE] = true,
+                  [COMMAND_HOME_AXIS] = true,    [COMMAND_CLEAR_AXIS] = true,
+                  [COMMAND_CONFIRM_AXIS] = true, [COMMAND_SET_HOME] = true,
+                  [COMMAND_VELOCITY] = true,     [COMMAND_PROBE] = true,
+                  [COMMAND_JOG_BY] = true,       [COMMAND_ENABLE_AXIS] = true,
+                  [COMMAND_DISABLE_AXIS] = true},
+        .workphases = {[WORKPHASE_START_UP] = true,
+                       [WORKPHASE_PLANNING] = true,
+                       [WORKPHASE_CALIBRATION] = true,
+                       [WORKPHASE_TARGETING] = true,
+                       [WORKPHASE_MOVE_TO_TARGET] = true,
+                       [WORKPHASE_MANUAL] = true,
+                       [WORKPHASE_STOP] = true,
+                       [WORKPHASE_EMERGENCY] = true}}};
 
 /* START_UP is the operator's act that clears what was latched. */
 static void begin_start_up(controller_t *self, const cycle_t *cycle)
@@ -108,27 +102,12 @@ static mode_request_t request_of(const controller_t *self, const cycle_t *cycle,
     return request;
 }
 
-static solution_t judge_move(controller_t *self, const cycle_t *cycle)
-{
-    solution_t result = {.status = STATUS_MEMORY_DAMAGED};
-    if (self->plan.has_probe == 0U) {
-        result.status = STATUS_NO_PROBE;
-    } else if (plan_is_proved(&self->plan, cycle->robot)) {
-        int32_t ticks[ROBOT_AXIS_MAX];
-        controller_positions(self, ticks);
-        result = plan_judge_way(&self->plan, cycle->robot, ticks);
-    } else {
-        plan_forget_target(&self->plan);
-    }
-    return result;
-}
-
 static status_t obey_workphase(controller_t *self, const cycle_t *cycle, const command_t *command,
                                answer_t *answer)
 {
     procedure_actions_t actions;
     if (command->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET) {
-        const solution_t judged = judge_move(self, cycle);
+        const solution_t judged = controller_judge_way(self, cycle);
         answer->is_maximum = (uint32_t)judged.is_maximum;
         if (judged.status != STATUS_OK) {
             return judged.status;

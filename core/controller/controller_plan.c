@@ -12,6 +12,20 @@ static bool is_in(const controller_t *self, workphase_t workphase)
     return procedure_workphase(&self->procedure) == workphase;
 }
 
+/* The plan of whoever moves to it does not change. */
+static status_t judge_targeting(const controller_t *self)
+{
+    status_t status = STATUS_OK;
+    if (procedure_is_armed(&self->procedure)) {
+        status = STATUS_MOTION_ARMED;
+    } else if (!is_in(self, WORKPHASE_TARGETING)) {
+        status = STATUS_WRONG_WORKPHASE;
+    } else {
+        status = STATUS_OK;
+    }
+    return status;
+}
+
 static status_t tell_registration(controller_t *self, const cycle_t *cycle,
                                   const command_t *command)
 {
@@ -73,8 +87,9 @@ static status_t tell_probe(controller_t *self, const cycle_t *cycle, const comma
 static status_t tell_target(controller_t *self, const cycle_t *cycle, const command_t *command,
                             answer_t *answer)
 {
-    if (!is_in(self, WORKPHASE_TARGETING)) {
-        return STATUS_WRONG_WORKPHASE;
+    const status_t judged = judge_targeting(self);
+    if (judged != STATUS_OK) {
+        return judged;
     }
     int32_t ticks[ROBOT_AXIS_MAX];
     controller_positions(self, ticks);
@@ -91,8 +106,9 @@ static status_t tell_target(controller_t *self, const cycle_t *cycle, const comm
 static status_t tell_entry(controller_t *self, const cycle_t *cycle, const command_t *command,
                            answer_t *answer)
 {
-    if (!is_in(self, WORKPHASE_TARGETING)) {
-        return STATUS_WRONG_WORKPHASE;
+    const status_t judged = judge_targeting(self);
+    if (judged != STATUS_OK) {
+        return judged;
     }
     const status_t status = (command->kind == (uint32_t)COMMAND_ENTRY)
                                 ? plan_set_entry(&self->plan, &command->pose)
@@ -139,6 +155,9 @@ static status_t withdraw(controller_t *self, const cycle_t *cycle, const command
     default:
         is_known = false;
         break;
+    }
+    if (is_known && (part == PLAN_ENTRY) && procedure_is_armed(&self->procedure)) {
+        return STATUS_MOTION_ARMED;
     }
     const status_t status =
         is_known ? plan_withdraw(&self->plan, cycle->robot, part) : STATUS_UNKNOWN_COMMAND;

@@ -15,9 +15,10 @@ bool controller_is_unlogged(const command_t *command);
  * what `answer` says of a target.
  *
  * @return STATUS_OK; STATUS_UNKNOWN_COMMAND for any other kind, and for what cannot be withdrawn;
- * STATUS_WRONG_WORKPHASE; as the plan refuses; of a probe also STATUS_NOT_AT_REST,
- * STATUS_NEEDLE_IN, or as probe_judge()
+ * STATUS_MOTION_ARMED of a target and an entry point; STATUS_WRONG_WORKPHASE; as the plan refuses;
+ * of a probe also STATUS_NOT_AT_REST, STATUS_NEEDLE_IN, or as probe_judge()
  *
+ * @satisfies SWR-ALIGN-006
  * @satisfies SWR-PLAN-017
  * @satisfies SWR-PLAN-021
  * @satisfies SWR-CTRL-023

@@ -253,10 +253,11 @@ static void show_pose(const controller_t *self, const robot_t *robot, snapshot_t
     rigid_multiply(&self->plan.scanner_zframe, &shown->zframe_treatment, &shown->scanner_treatment);
 }
 
-/* Where a move leads; nothing else goes to the target. */
+/* Where a move or an insertion leads; nothing else goes to the target. */
 static void show_way(const controller_t *self, snapshot_t *shown)
 {
-    if (mode_in(&self->mode, procedure_workphase(&self->procedure)) == MODE_MOVE) {
+    const mode_kind_t kind = mode_in(&self->mode, procedure_workphase(&self->procedure));
+    if ((kind == MODE_MOVE) || (kind == MODE_INSERT)) {
         for (uint32_t i = 0U; i < self->axis_count; i++) {
             shown->axes[i].target_ticks = self->plan.target_ticks[i];
         }

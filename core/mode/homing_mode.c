@@ -4,6 +4,7 @@
 #include "axis/follower.h"
 #include "mode/move_mode.h"
 #include "robot/coupled_path.h"
+#include "robot/robot_damage.h"
 #include "safety/coupled_guard.h"
 #include "safety/needle.h"
 
@@ -132,7 +133,7 @@ static void home(const mode_frame_t *frame, mode_result_t *result)
 
 static bool has_pose(const mode_frame_t *frame)
 {
-    return (frame->robot->pose_mask & ((uint32_t)1U << (uint32_t)POSE_HOME)) != 0U;
+    return robot_has_pose(frame->robot, (uint32_t)POSE_HOME);
 }
 
 /* May the axes go home in step from where they are? */
@@ -152,10 +153,7 @@ static void go_home(leg_t *leg, const mode_frame_t *frame, mode_result_t *result
                      sizeof move.target_ticks);
         move_mode_step(&move, leg, frame, result);
     } else {
-        result->progress = MODE_FAILED;
-        result->status = judged;
-        result->axis = MODE_NO_AXIS;
-        mode_rest(frame, result);
+        mode_give_up(frame, result, judged);
     }
 }
 

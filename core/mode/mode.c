@@ -75,11 +75,18 @@ solution_t mode_judge(mode_kind_t kind, const mode_request_t *request, const rob
     case MODE_VELOCITY:
         result = velocity_mode_judge(&request->velocity, robot, axes);
         break;
+    case MODE_INSERT:
+        result.status = insert_mode_judge(&request->move, robot, axes);
+        break;
+    case MODE_POSE:
+        result = pose_mode_judge(&request->move, robot, axes);
+        break;
     case MODE_NONE:
     case MODE_HOMING:
     case MODE_MOVE:
     case MODE_RETRACT:
     case MODE_TRAJECTORY:
+    case MODE_ALIGN:
     default:
         /* Nothing but the workphase chart refuses it, and of a trajectory who holds it. */
         break;
@@ -109,6 +116,7 @@ static void run(mode_state_t *self, mode_kind_t kind, const mode_frame_t *frame,
         homing_mode_step(&self->leg, frame, result);
         break;
     case MODE_MOVE:
+    case MODE_ALIGN:
         move_mode_step(&self->request.move, &self->leg, frame, result);
         break;
     case MODE_JOG:
@@ -125,6 +133,12 @@ static void run(mode_state_t *self, mode_kind_t kind, const mode_frame_t *frame,
         break;
     case MODE_VELOCITY:
         velocity_mode_step(&self->request.velocity, &self->leg, frame, result);
+        break;
+    case MODE_INSERT:
+        insert_mode_step(&self->request.move, &self->leg, frame, result);
+        break;
+    case MODE_POSE:
+        pose_mode_step(&self->request.move, &self->leg, frame, result);
         break;
     case MODE_NONE:
     default:

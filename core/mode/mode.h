@@ -11,10 +11,12 @@
 #include "interface/mode_list.h"
 #include "interface/workphase_list.h"
 #include "mode/homing_mode.h"
+#include "mode/insert_mode.h"
 #include "mode/jog_mode.h"
 #include "mode/leg.h"
 #include "mode/mode_frame.h"
 #include "mode/move_mode.h"
+#include "mode/pose_mode.h"
 #include "mode/retract_mode.h"
 #include "mode/trajectory_list.h"
 #include "mode/trajectory_mode.h"
@@ -77,8 +79,9 @@ bool mode_needs(const mode_state_t *self, uint32_t index);
 /**
  * May `kind` be armed with this request? What every mode needs is asked by the workphase chart.
  *
- * @return STATUS_OK; of MODE_JOG as jog_mode_judge(), of MODE_HOME_AXIS as homing_mode_judge(),
- * of MODE_VELOCITY as velocity_mode_judge()
+ * @return STATUS_OK; of MODE_JOG as jog_mode_judge(), of MODE_HOME_AXIS as homing_mode_judge(), of
+ * MODE_VELOCITY as velocity_mode_judge(), of MODE_INSERT as insert_mode_judge(), of MODE_POSE as
+ * pose_mode_judge()
  */
 solution_t mode_judge(mode_kind_t kind, const mode_request_t *request, const robot_t *robot,
                       const axis_t axes[ROBOT_AXIS_MAX]);

@@ -25,6 +25,14 @@ void mode_fail(mode_result_t *self, event_id_t id, uint32_t axis, int32_t value)
     self->axis = axis;
 }
 
+void mode_give_up(const mode_frame_t *frame, mode_result_t *result, status_t status)
+{
+    result->progress = MODE_FAILED;
+    result->status = status;
+    result->axis = MODE_NO_AXIS;
+    mode_rest(frame, result);
+}
+
 void mode_rest(const mode_frame_t *frame, mode_result_t *result)
 {
     for (uint32_t i = 0U; i < frame->axis_count; i++) {

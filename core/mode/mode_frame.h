@@ -70,6 +70,9 @@ void mode_note(mode_result_t *self, event_id_t id, uint32_t axis, int32_t value)
  */
 void mode_fail(mode_result_t *self, event_id_t id, uint32_t axis, int32_t value);
 
+/** It cannot go on, for `status`, and no axis is to blame: MODE_FAILED, and every axis rests. */
+void mode_give_up(const mode_frame_t *frame, mode_result_t *result, status_t status);
+
 /** Asks for no drive of any axis. */
 void mode_rest(const mode_frame_t *frame, mode_result_t *result);
 

@@ -3,20 +3,20 @@
 
 #include "safety/needle.h"
 
-#include <stdbool.h>
 #include <string.h>
 
 /* Slack around a target inside which an axis counts as aligned when the next leg is chosen. */
 #define ALIGNED_TICKS 2
 
-static bool is_base_aligned(const move_mode_t *self, const mode_frame_t *frame)
+bool move_mode_is_aligned(const move_mode_t *self, const robot_t *robot,
+                          const axis_t axes[ROBOT_AXIS_MAX])
 {
     bool is_aligned = true;
-    for (uint32_t i = 0U; i < frame->axis_count; i++) {
-        const int64_t slack = (int64_t)frame->robot->axes[i].deadband_ticks + ALIGNED_TICKS;
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+        const int64_t slack = (int64_t)robot->axes[i].deadband_ticks + ALIGNED_TICKS;
         const int64_t way =
-            (int64_t)self->target_ticks[i] - (int64_t)frame->axes[i].encoder.position_ticks;
-        const bool is_needle = i == frame->robot->needle_axis;
+            (int64_t)self->target_ticks[i] - (int64_t)axes[i].encoder.position_ticks;
+        const bool is_needle = i == robot->needle_axis;
         is_aligned = is_aligned && (is_needle || ((way <= slack) && (way >= -slack)));
     }
     return is_aligned;
@@ -29,7 +29,7 @@ static void begin_leg(const move_mode_t *self, leg_t *leg, const mode_frame_t *f
     const int32_t needle_ticks = frame->axes[robot->needle_axis].encoder.position_ticks;
     int32_t ends[ROBOT_AXIS_MAX];
     (void)memcpy(ends, self->target_ticks, sizeof ends);
-    if (is_base_aligned(self, frame)) {
+    if (move_mode_is_aligned(self, robot, frame->axes)) {
         /* Only the needle is left. */
     } else if (needle_ticks > needle_out_ticks(robot)) {
         leg_positions(frame, ends);

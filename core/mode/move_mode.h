@@ -10,11 +10,16 @@
 #include "mode/leg.h"
 #include "mode/mode_frame.h"
 
+#include <stdbool.h>
 #include <stdint.h>
 
 typedef struct {
     int32_t target_ticks[ROBOT_AXIS_MAX];
 } move_mode_t;
+
+/** Every axis but the needle stands where it shall, but for a slack of some ticks. */
+bool move_mode_is_aligned(const move_mode_t *self, const robot_t *robot,
+                          const axis_t axes[ROBOT_AXIS_MAX]);
 
 /**
  * One cycle; done once the last leg has arrived.

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "procedure/plan.h"
 
+#include "base/fixed.h"
 #include "base/seal.h"
 #include "limits/requirement_limits.h"
 #include "robot/coupled_limit.h"
@@ -29,6 +30,7 @@ void plan_forget_target(plan_t *self)
 {
     self->has_target = 0U;
     self->has_entry = 0U;
+    self->is_entry_of_target = 0U;
     self->has_seen_needle = 0U;
     self->has_proposed_entry = 0U;
     self->has_proposed_target = 0U;
@@ -172,6 +174,25 @@ static void check_ends(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX]
     }
 }
 
+/* On the line of the needle, which is the third column, and before the target. */
+static bool is_on_line(const rigid_t *treatment, const point_t *entry)
+{
+    const point_t *const target = &treatment->translation;
+    const int32_t way_nm[3] = {fixed_saturate((int64_t)target->x_nm - entry->x_nm),
+                               fixed_saturate((int64_t)target->y_nm - entry->y_nm),
+                               fixed_saturate((int64_t)target->z_nm - entry->z_nm)};
+    int32_t direction_q30[3];
+    int64_t off_nm[3];
+    for (uint32_t i = 0U; i < 3U; i++) {
+        direction_q30[i] = treatment->rotation_q30[i][2];
+    }
+    const int32_t along_nm = fixed_saturate(fixed_dot_q30(way_nm, direction_q30));
+    for (uint32_t i = 0U; i < 3U; i++) {
+        off_nm[i] = (int64_t)way_nm[i] - fixed_multiply_q30(along_nm, direction_q30[i]);
+    }
+    return (along_nm > 0) && (fixed_length(off_nm) <= (int64_t)LIMIT_ENTRY_ON_AXIS_NM);
+}
+
 /* Of a pose in the z-frame that is exactly orthonormal. */
 static solution_t find_target(plan_t *self, const robot_t *robot,
                               const int32_t ticks[ROBOT_AXIS_MAX], const rigid_t *zframe_treatment,
@@ -215,6 +236,7 @@ static solution_t find_scanner_target(plan_t *self, const robot_t *robot,
         place = rigid_apply(&zframe_scanner, &self->entry);
         entry = &place;
     }
+    self->is_entry_of_target = ((entry != NULL) && is_on_line(&zframe_treatment, entry)) ? 1U : 0U;
     return find_target(self, robot, ticks, &zframe_treatment, entry);
 }
 
@@ -245,6 +267,19 @@ solution_t plan_judge_way(const plan_t *self, const robot_t *robot,
 {
     return (self->has_target != 0U) ? coupled_path_judge(robot, ticks, self->target_ticks)
                                     : (solution_t){.status = STATUS_OK};
+}
+
+status_t plan_judge_entry(const plan_t *self)
+{
+    status_t status = STATUS_OK;
+    if (self->has_target == 0U) {
+        status = STATUS_NO_TARGET;
+    } else if (self->is_entry_of_target == 0U) {
+        status = STATUS_NO_ENTRY_POINT;
+    } else {
+        status = STATUS_OK;
+    }
+    return status;
 }
 
 status_t plan_confirm(const plan_t *self, const robot_t *robot, const joints_t *joints,
@@ -316,6 +351,7 @@ status_t plan_set_entry(plan_t *self, const rigid_t *pose)
     if (status == STATUS_OK) {
         self->entry = pose->translation;
         self->has_entry = 1U;
+        self->is_entry_of_target = 0U;
         plan_seal(self);
     }
     return status;
@@ -328,6 +364,7 @@ status_t plan_accept_entry(plan_t *self)
     }
     self->entry = self->proposed_entry;
     self->has_entry = 1U;
+    self->is_entry_of_target = 0U;
     plan_seal(self);
     return STATUS_OK;
 }
@@ -351,6 +388,7 @@ status_t plan_withdraw(plan_t *self, const robot_t *robot, plan_part_t part)
     status_t status = STATUS_NOT_PROPOSED;
     if (*has_part[part] != 0U) {
         *has_part[part] = 0U;
+        self->is_entry_of_target &= self->has_entry;
         weigh_proposals(self, robot);
         status = STATUS_OK;
     }

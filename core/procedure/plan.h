@@ -43,6 +43,8 @@ typedef struct {
     uint32_t has_proposed_entry;
     uint32_t has_proposed_target;
     uint32_t is_proposal_reachable;
+    uint32_t is_entry_of_target; /**< `entry` lies on the needle's line to the accepted target,
+                                    before it, and stood when that was accepted. */
     uint32_t seal; /**< Of all before it. It changes seldom: whoever changes it seals it. */
 } plan_t;
 
@@ -131,6 +133,16 @@ solution_t plan_set_target(plan_t *self, const robot_t *robot, const int32_t tic
  */
 solution_t plan_judge_way(const plan_t *self, const robot_t *robot,
                           const int32_t ticks[ROBOT_AXIS_MAX]);
+
+/**
+ * Is there a target to line up with, by a confirmed entry point?
+ *
+ * @return STATUS_OK; STATUS_NO_TARGET; STATUS_NO_ENTRY_POINT unless the entry point was taken
+ * before the target, still stands, and lies on the needle's line to it
+ *
+ * @satisfies SWR-ALIGN-003
+ */
+status_t plan_judge_entry(const plan_t *self);
 
 /**
  * The positions can no longer be trusted: the target, the entry point, the needle that was seen and

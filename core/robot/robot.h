@@ -9,6 +9,7 @@
 #define BORESIGHT_ROBOT_H
 
 #include "card/card.h"
+#include "interface/pose_name.h"
 
 #include <stdint.h>
 
@@ -16,7 +17,6 @@
 #define ROBOT_COUPLED_LIMITS 4U /**< Most coupled limits of any robot. */
 #define ROBOT_GEOMETRY_MAX 11U  /**< Most lengths of the geometry of any robot. */
 #define ROBOT_HOME_STAGES 4U    /**< Most stages of homing. */
-#define ROBOT_POSES 1U          /**< How many poses have a name. */
 #define ROBOT_PROBE_LENGTHS 4U  /**< Most lengths of the probe of any robot. */
 #define ROBOT_TOLD_LENGTHS 4U   /**< Most lengths that clients are told. */
 #define ROBOT_CURVE_STEPS 8U    /**< Into so many the words of a high-frequency card are divided. */
@@ -120,12 +120,8 @@ typedef struct {
     int32_t maximum;
 } coupled_limit_t;
 
-/** The poses that have a name. */
-typedef enum {
-    POSE_HOME = 0 /**< Where START_UP takes all axes once they are homed. */
-} pose_name_t;
-
-/** A pose: where each axis stands, surely free of its limit switch. */
+/** A pose: where each axis stands, surely free of its limit switch; only POSE_HOME has a place for
+ * the needle. */
 typedef struct {
     int32_t ticks[ROBOT_AXIS_MAX];
     uint32_t seal; /**< seal_of() all before it. */
@@ -166,7 +162,7 @@ typedef struct {
                                                   0: of none. */
     uint32_t seal;                             /**< seal_of() all before it. */
     axis_config_t axes[ROBOT_AXIS_MAX];
-    pose_t poses[ROBOT_POSES]; /**< By pose_name_t. */
+    pose_t poses[POSE_NAME_COUNT]; /**< By pose_name_t. */
     int32_t
         start_ticks[ROBOT_AXIS_MAX]; /**< Where the simulated axes stand when their box is
                                         switched on; nothing else reads it, so it has no seal. */

@@ -6,6 +6,12 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+bool robot_is_pose_damaged(const robot_t *robot, uint32_t pose)
+{
+    const pose_t *const row = &robot->poses[pose];
+    return seal_of(SEAL_START, (const uint8_t *)row, offsetof(pose_t, seal)) != row->seal;
+}
+
 uint32_t robot_damage(const robot_t *robot)
 {
     uint32_t damage = 0U;
@@ -13,13 +19,9 @@ uint32_t robot_damage(const robot_t *robot)
     if (seal != robot->seal) {
         return (uint32_t)1U << ROBOT_PART_GEOMETRY;
     }
-    for (uint32_t i = 0U; i < ROBOT_POSES; i++) {
-        const pose_t *const pose = &robot->poses[i];
-        const bool is_given = (robot->pose_mask & ((uint32_t)1U << i)) != 0U;
-        if (is_given &&
-            (seal_of(SEAL_START, (const uint8_t *)pose, offsetof(pose_t, seal)) != pose->seal)) {
-            damage |= (uint32_t)1U << ROBOT_PART_GEOMETRY;
-        }
+    if (robot_has_pose(robot, (uint32_t)POSE_HOME) &&
+        robot_is_pose_damaged(robot, (uint32_t)POSE_HOME)) {
+        damage |= (uint32_t)1U << ROBOT_PART_GEOMETRY;
     }
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
         const axis_config_t *const row = &robot->axes[i];

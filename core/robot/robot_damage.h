@@ -5,6 +5,7 @@
 
 #include "robot/robot.h"
 
+#include <stdbool.h>
 #include <stdint.h>
 
 /** What robot_damage() calls all that is no axis. */
@@ -13,11 +14,21 @@
 /**
  * Compares the seals that were compiled into the table with it; cheap enough for every cycle.
  *
- * @return bit n: the row of axis n is damaged; bit ROBOT_PART_GEOMETRY: a pose, or
- * what stands before the rows, whose number is then not known, so none is looked at
+ * @return bit n: the row of axis n is damaged; bit ROBOT_PART_GEOMETRY: the home pose, or
+ * what stands before the rows, whose number is then not known, so none is looked at. The other
+ * poses are looked at when one is commanded.
  *
  * @satisfies SWR-MEMORY-004
  */
 uint32_t robot_damage(const robot_t *robot);
+
+/** The robot's file names `pose` (pose_name_t; any other number is none). */
+static inline bool robot_has_pose(const robot_t *robot, uint32_t pose)
+{
+    return (pose < POSE_NAME_COUNT) && (((robot->pose_mask >> pose) & 1U) != 0U);
+}
+
+/** `pose`, one that the robot has, is not as it was compiled. */
+bool robot_is_pose_damaged(const robot_t *robot, uint32_t pose);
 
 #endif

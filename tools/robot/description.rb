@@ -4,6 +4,7 @@
 require_relative 'document'
 require_relative 'drive'
 require_relative 'followers'
+require_relative 'formula'
 require_relative 'kinematics'
 require_relative 'limit'
 require_relative 'pose'
@@ -158,7 +159,8 @@ module Robot
   end
 
   # A limit that axes share, in mm or deg.
-  CoupledLimit = Struct.new(:name, :is_length, :refusal, :is_curved, :mask, :minimum, :maximum, keyword_init: true)
+  CoupledLimit = Struct.new(:name, :is_length, :refusal, :is_curved, :mask, :minimum, :maximum, :margin, :formula,
+                             keyword_init: true)
 
   # A whole robot file, checked.
   #
@@ -220,7 +222,8 @@ module Robot
       least = minimum + (2 * coupled_margin(is_length))
       nodes['maximum'].refuse("is #{decimal(maximum)}; expected more than #{decimal(least)}") if maximum <= least
       CoupledLimit.new(name: name, is_length: is_length, refusal: @expected.refusal(name), mask: @expected.mask(name),
-                       is_curved: about.fetch('curved'), minimum: minimum, maximum: maximum)
+                       is_curved: about.fetch('curved'), minimum: minimum, maximum: maximum,
+                       margin: coupled_margin(is_length), formula: Formula.new(about.fetch('value')))
     end
 
     # A length of the geometry by its name, or a number.
@@ -257,7 +260,7 @@ module Robot
 
     def read_poses(node)
       poses = node ? node.mapping([], Pose::NAMES) : {}
-      poses.transform_values { |pose| Pose.new(pose, @axes).ticks }
+      poses.to_h { |name, pose| [name, Pose.new(name, pose, @axes).tap { |one| one.check(@coupled_limits, @geometry) }.ticks] }
     end
 
     # Their slots.

@@ -11,7 +11,8 @@ require_relative '../robot_compiler'
 
 class TestRobotCompiler < Minitest::Test
   ROBOT = File.expand_path('../../core/robot/neuro/robot.yml', __dir__)
-  TEXT = File.read(ROBOT)
+  WHOLE = File.read(ROBOT)
+  TEXT = WHOLE.sub(/^poses:\n(?:  .*\n)+/, '') # Poses are added where they are looked at.
 
   def compile(text)
     Dir.mktmpdir do |directory|
@@ -394,7 +395,8 @@ class TestRobotCompiler < Minitest::Test
   end
 
   def test_SWR_ROBOT_021_a_coupled_limit_may_be_an_angle_of_any_axes
-    about = { 'axes' => %w[feet yaw], 'unit' => 'deg', 'curved' => true, 'refusal' => 'SINGULAR_PITCH' }
+    about = { 'axes' => %w[feet yaw], 'unit' => 'deg', 'curved' => true, 'refusal' => 'SINGULAR_PITCH',
+              'value' => 'yaw' }
     text = with('minimum: minimum_separation_mm', 'minimum: -10').sub('maximum: maximum_separation_mm', 'maximum: 10.5')
     with_coupled_limits('separation' => about) do
       assert_equal '.name = "separation", .unit = (uint8_t)AXIS_UNIT_RAD, .refusal = 13U, .is_curved = 1U, ' \
@@ -517,8 +519,8 @@ class TestRobotCompiler < Minitest::Test
 
   def test_SWR_ROBOT_023_a_pose_of_other_axes_or_another_name_is_refused
     assert_refused(with_pose(HOME.except(:yaw)), 'poses.home.yaw: is missing', at: "  home:\n")
-    park = with_pose(HOME).sub("\n  home:\n", "\n  park:\n")
-    assert_refused(park, 'poses.park: is unknown; expected home', at: '  park:')
+    tuck = with_pose(HOME).sub("\n  home:\n", "\n  tuck:\n")
+    assert_refused(tuck, 'poses.tuck: is unknown; expected home, park, draping, egress', at: '  tuck:')
   end
 
   def test_SWR_ROBOT_023_a_place_that_is_no_place_is_refused
@@ -538,6 +540,43 @@ class TestRobotCompiler < Minitest::Test
 
   def test_SWR_ROBOT_023_a_pose_with_the_needle_in_is_refused
     assert_no_pose(:insertion, '2084 ticks', '2084 ticks; expected 336 to 2083')
+  end
+
+  def test_SWR_POSE_005_the_needle_has_no_part_in_a_pose_but_that_of_start_up
+    park = ->(home) { with_pose(home).sub("\n  home:\n", "\n  park:\n") }
+    table = compile(park.(HOME.except(:insertion))).last
+    assert_includes table, '.pose_mask = 2U'
+    assert_includes table, '[POSE_PARK] = {.ticks = {[0] = -1575, [1] = -1575, [2] = -7, [3] = 0, [4] = 0, '
+    assert_refused(park.(HOME), 'poses.park.insertion: is unknown; expected head, feet, lateral, rotation, pitch, yaw',
+                   at: '    insertion: 2083')
+    assert_refused(with_pose(HOME.except(:insertion)), 'poses.home.insertion: is missing', at: "  home:\n")
+  end
+
+  def test_SWR_POSE_005_a_pose_beyond_a_limit_that_axes_share_is_refused
+    far = HOME.merge(head: '-88 mm')
+    assert_refused(with_pose(far), 'poses.home: has separation at 75.004; expected 75.200 to 145.800', at: "  home:\n")
+    assert_equal 0, compile(with_pose(far.merge(feet: '-20.3 mm'))).first
+    near = HOME.merge(head: '-1 mm', feet: '-4 mm')
+    assert_refused(with_pose(near), 'poses.home: has separation at 145.997; expected 75.200 to 145.800', at: "  home:\n")
+    with_coupled_limits('separation' => limits_of_neuro['separation'].merge('value' => 'sqrt(head)')) do
+      assert_refused(with_pose(HOME), 'poses.home: has no separation; expected axes that can be there together',
+                     at: "  home:\n")
+    end
+  end
+
+  def test_SWR_POSE_005_every_robot_here_has_the_poses_of_its_file
+    assert_includes compile(WHOLE).last, '.pose_mask = 14U'
+    assert_includes compile(WHOLE).last, '[POSE_DRAPING] = {.ticks = {[0] = -3543, [1] = 0, [2] = -1167, [3] = 0, [4] = 0, [5] = 358, [6] = -597}'
+  end
+
+  def test_SWR_POSE_005_a_formula_is_computed_or_refused
+    values = { 'a' => 7, 'b' => 2 }
+    { 'a - b - 1' => 4, '2 * (a + -b) / 4' => 2.5, 'sqrt(square(3) + square(b * 2))' => 5, 'atan(a, a)' => 45,
+      '1.5' => 1.5 }.each { |text, value| assert_in_delta value, Robot::Formula.new(text).value(values), 1e-12, text }
+    ['', 'a +', 'c', 'a b', '(a', 'atan(a)', 'a ^ b', 'sqrt a'].each do |text|
+      assert_match(/is not a formula/, assert_raises(ArgumentError, text) { Robot::Formula.new(text).value(values) }.message)
+    end
+    assert_match(/has no value/, assert_raises(ArgumentError) { Robot::Formula.new('sqrt(b - a)').value(values) }.message)
   end
 
   def test_SWR_ROBOT_001_the_needle_is_moved_as_the_kinematics_says

@@ -94,6 +94,9 @@ static bool needs_authority(const command_t *command)
     case (uint32_t)COMMAND_ACCEPT_ENTRY:
     case (uint32_t)COMMAND_JOG:
     case (uint32_t)COMMAND_RETRACT:
+    case (uint32_t)COMMAND_ALIGN:
+    case (uint32_t)COMMAND_INSERT:
+    case (uint32_t)COMMAND_POSE:
     case (uint32_t)COMMAND_RESTORE:
     case (uint32_t)COMMAND_HOME_AXIS:
     case (uint32_t)COMMAND_CLEAR_AXIS:

@@ -101,6 +101,23 @@ void test_SWR_COUPLE_004_every_robot_stands_inside_its_coupled_limits_when_it_is
     for_each_robot(expect_home_inside);
 }
 
+/* What the compiler of robots has computed another way. */
+static void expect_poses_inside(const robot_t *robot)
+{
+    for (uint32_t pose = 0U; pose < POSE_NAME_COUNT; pose++) {
+        joints_t joints;
+        joints_from_ticks(robot, robot->poses[pose].ticks, &joints);
+        if (((robot->pose_mask >> pose) & 1U) != 0U) {
+            TEST_ASSERT_EQUAL_INT32(STATUS_OK, coupled_limit_judge(robot, &joints).status);
+        }
+    }
+}
+
+void test_SWR_COUPLE_004_the_poses_of_every_robot_lie_inside_its_coupled_limits(void)
+{
+    for_each_robot(expect_poses_inside);
+}
+
 /* The ends of 32 bits, and what is about 0. */
 static void expect_values(const robot_t *robot)
 {

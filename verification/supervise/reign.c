@@ -68,6 +68,9 @@ static bool is_commanding(const command_t *command)
     case COMMAND_TARGET:
     case COMMAND_JOG:
     case COMMAND_RETRACT:
+    case COMMAND_ALIGN:
+    case COMMAND_INSERT:
+    case COMMAND_POSE:
     case COMMAND_ENTRY:
     case COMMAND_ACCEPT_ENTRY:
     case COMMAND_TAKE:

@@ -2,9 +2,10 @@
 # frozen_string_literal: true
 
 # Rule under test: single axes are homed, cleared, confirmed and given their home over HTTP by a page that has authority, the
-# last and the clearing by an engineer alone; what control refuses is answered by its name, and nothing moves without the
-# pedal or is confirmed without the button.
+# last and the clearing by an engineer alone; the robot is lined up, its needle inserted and taken to poses by both networks; what
+# control refuses is answered by its name, and nothing moves without the pedal or is confirmed without the button.
 
+require_relative 'support/igtl_client'
 require_relative 'support/page_test'
 
 class TestHttpAxes < Minitest::Test
@@ -34,6 +35,65 @@ class TestHttpAxes < Minitest::Test
   def shown_mode
     status = fetch_json('/api/v1/status')
     [status.dig('mode', 'name'), *status.values_at('done_per_mille', 'left_ms')]
+  end
+
+  # Under a pedal that is pressed anew, to its end.
+  def run_act(page, path, fields = {})
+    assert_answer '202', 'accepted', page.act(path, fields)
+    assert_described "/api/v1/#{path}", 'POST', page.last
+    boresight.simctl('pedal', 'release')
+    boresight.await_released_pedal
+    boresight.simctl('pedal', 'press')
+    wait_until("#{path} is done") { JSON.parse(page.act(path, fields, id: page.id).body)['state'] == 'done' }
+    boresight.simctl('pedal', 'release')
+  end
+
+  def ticks(axis)
+    fetch_json('/api/v1/motors').fetch('axes').find { |one| one['name'] == axis }.fetch('position_ticks')
+  end
+
+  def test_SWR_POSE_006_the_poses_of_the_robot_are_told_and_gone_to_by_name
+    assert_equal %w[PARK DRAPING EGRESS], fetch_json('/api/v1/robot').fetch('poses')
+    anna = holder('anna')
+    assert_answer '409', 'NO_POSE', anna.act('pose', { pose: 'HOME' })
+    assert_answer '422', 'OUT_OF_RANGE', anna.act('pose', { pose: 'BED' })
+    run_act(anna, 'pose', { pose: 'PARK' })
+    assert_equal [-79, 477], [ticks('head'), ticks('pitch')]
+  end
+
+  def test_SWR_POSE_006_a_client_of_openigtlink_says_pose_and_its_name
+    IgtlClient.open(boresight.brp_port) do |client|
+      client.phase('MANUAL')
+      client.run('expect STATUS MANUAL 1')
+      client.run('string Text POSE PARK')
+      client.run('expect STATUS ACK_POSE 1')
+      boresight.simctl('pedal', 'press')
+      assert client.run('expect STATUS POSE 1')
+      client.run('string ALIGN')
+      assert_match(/\A(NO_TARGET|NO_ENTRY_POINT|WRONG_WORKPHASE): /, client.status('ALIGN')['text'])
+    end
+  end
+
+  # To a target 3 mm in, near where the robot is.
+  def aim(page)
+    %w[PLANNING CALIBRATION].each { |phase| page.act('workphase', { workphase: phase }) }
+    page.act('targeting/registration', { matrix: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1] })
+    page.act('workphase', { workphase: 'TARGETING' })
+    assert_answer '409', 'NO_TARGET', page.act('align')
+    page.act('targeting/entry', { point_mm: [17, 246, 68] })
+    assert_answer '200', 'done', page.act('targeting/target', { point_mm: [17, 207, 68] })
+  end
+
+  def test_SWR_ALIGN_007_the_robot_lines_up_and_then_inserts
+    anna = holder('anna')
+    aim(anna)
+    run_act(anna, 'align')
+    assert_operator ticks('insertion'), :<, 2083
+    assert_answer '409', 'WRONG_WORKPHASE', anna.act('needle/insert')
+    assert_answer '202', 'accepted', anna.act('workphase', { workphase: 'MOVE_TO_TARGET' })
+    run_act(anna, 'needle/insert')
+    assert_in_delta 10_000, ticks('insertion'), 40
+    run_act(anna, 'needle/retract')
   end
 
   def test_SWR_AXIS_044_one_axis_homes_under_the_pedal_alone

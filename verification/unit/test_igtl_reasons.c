@@ -50,6 +50,9 @@ void test_SWR_IGTL_008_each_reason_has_its_code(void)
     TEST_ASSERT_EQUAL_UINT32(7U, igtl_reason_code(STATUS_EXPIRED));
     TEST_ASSERT_EQUAL_UINT32(7U, igtl_reason_code(STATUS_NO_ANSWER));
     TEST_ASSERT_EQUAL_UINT32(10U, igtl_reason_code(STATUS_ENTRY_POINT));
+    TEST_ASSERT_EQUAL_UINT32(10U, igtl_reason_code(STATUS_NO_POSE));
     TEST_ASSERT_EQUAL_UINT32(13U, igtl_reason_code(STATUS_NOT_PROPOSED));
+    TEST_ASSERT_EQUAL_UINT32(13U, igtl_reason_code(STATUS_NOT_ALIGNED));
+    TEST_ASSERT_EQUAL_UINT32(13U, igtl_reason_code(STATUS_MOTION_ARMED));
     TEST_ASSERT_EQUAL_UINT32(5U, igtl_reason_code(STATUS_NO_AUTHORITY));
 }

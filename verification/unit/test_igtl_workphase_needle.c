@@ -288,6 +288,60 @@ void test_SWR_IGTL_030_a_retraction_silences_the_move_that_it_ends(void)
     EXPECT(0U, "");
 }
 
+/* As a retraction is. */
+void test_SWR_ALIGN_007_align_and_insert_are_words_that_are_acknowledged_and_told_at_their_end(void)
+{
+    static const struct {
+        const char *word;
+        command_kind_t kind;
+    } acts[] = {{"ALIGN", COMMAND_ALIGN}, {"INSERT", COMMAND_INSERT}};
+
+    for (uint32_t i = 0U; i < 2U; i++) {
+        char line[64];
+
+        say(0U, "Text", acts[i].word);
+        expect_command((uint32_t)acts[i].kind, 0U);
+        answer_to(&command, ANSWER_ACCEPTED, STATUS_OK, 0U);
+        (void)snprintf(line, sizeof line, "STATUS ACK_%s 1 MOVE_TO_TARGET|", acts[i].word);
+        EXPECT(0U, line);
+        TEST_ASSERT_TRUE(workphase_dialect_has_order(&dialect, 0U));
+        answer_to(&command, ANSWER_DONE, STATUS_OK, 1U);
+        (void)snprintf(line, sizeof line, "STATUS %s 1 MOVE_TO_TARGET|", acts[i].word);
+        EXPECT(0U, line);
+        EXPECT(0U, "");
+        TEST_ASSERT_FALSE(workphase_dialect_has_order(&dialect, 0U));
+        say(0U, acts[i].word, "");
+        expect_command((uint32_t)acts[i].kind, 0U);
+        answer_to(&command, ANSWER_REFUSED, STATUS_NO_ENTRY_POINT, 1U);
+        (void)snprintf(line, sizeof line,
+                       "STATUS %s 13 MOVE_TO_TARGET|NO_ENTRY_POINT: ", acts[i].word);
+        EXPECT_BEGIN(0U, line);
+    }
+}
+
+void test_SWR_POSE_006_a_pose_is_a_word_and_its_name(void)
+{
+    static const char *const words[POSE_NAME_COUNT] = {"POSE HOME", "POSE PARK", "POSE DRAPING",
+                                                       "POSE EGRESS"};
+
+    for (uint32_t i = 0U; i < POSE_NAME_COUNT; i++) {
+        say(0U, "Text", words[i]);
+        expect_command(COMMAND_POSE, i);
+        answer_to(&command, ANSWER_ACCEPTED, STATUS_OK, 0U);
+        EXPECT_BEGIN(0U, "STATUS ACK_POSE 1 ");
+        answer_to(&command, ANSWER_DONE, STATUS_OK, 1U);
+        EXPECT_BEGIN(0U, "STATUS POSE 1 ");
+        EXPECT(0U, "");
+    }
+    say(0U, "Text", "POSE");
+    expect_no_command();
+    EXPECT_BEGIN(0U, "STATUS Text 12 ");
+    say(0U, "Text", "POSE DRAPING");
+    expect_command(COMMAND_POSE, (uint32_t)POSE_DRAPING);
+    answer_to(&command, ANSWER_REFUSED, STATUS_NEEDLE_IN, 1U);
+    EXPECT_BEGIN(0U, "STATUS POSE 13 MOVE_TO_TARGET|NEEDLE_IN: ");
+}
+
 void test_SWR_IGTL_035_an_entry_point_is_echoed_passed_on_and_answered(void)
 {
     snapshot.workphase = (uint32_t)WORKPHASE_TARGETING;

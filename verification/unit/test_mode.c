@@ -77,11 +77,11 @@ static void expect_rest(void)
 void test_SWR_PHASE_001_each_mode_has_its_workphase(void)
 {
     static const char *const runs[WORKPHASE_COUNT] = {
-        [WORKPHASE_UNDEFINED] = "........", [WORKPHASE_START_UP] = ".H..r...",
-        [WORKPHASE_PLANNING] = "....r...",  [WORKPHASE_CALIBRATION] = "....r...",
-        [WORKPHASE_TARGETING] = "....r...", [WORKPHASE_MOVE_TO_TARGET] = "..M.r...",
-        [WORKPHASE_MANUAL] = "...jratv",    [WORKPHASE_STOP] = "....r...",
-        [WORKPHASE_EMERGENCY] = "....r...",
+        [WORKPHASE_UNDEFINED] = "...........", [WORKPHASE_START_UP] = ".H..r......",
+        [WORKPHASE_PLANNING] = "....r......",  [WORKPHASE_CALIBRATION] = "....r......",
+        [WORKPHASE_TARGETING] = "....r...l..", [WORKPHASE_MOVE_TO_TARGET] = "..M.r....i.",
+        [WORKPHASE_MANUAL] = "...jratv..p",    [WORKPHASE_STOP] = "....r......",
+        [WORKPHASE_EMERGENCY] = "....r......",
     };
     for (uint32_t i = 0U; i < WORKPHASE_COUNT; i++) {
         mode_kind_t own = MODE_NONE;
@@ -103,7 +103,10 @@ void test_SWR_MODE_001_each_mode_is_armed_by_its_command(void)
                                                           [COMMAND_HOME_AXIS] = MODE_HOME_AXIS,
                                                           [COMMAND_RUN_TRAJECTORY] =
                                                               MODE_TRAJECTORY,
-                                                          [COMMAND_VELOCITY] = MODE_VELOCITY};
+                                                          [COMMAND_VELOCITY] = MODE_VELOCITY,
+                                                          [COMMAND_ALIGN] = MODE_ALIGN,
+                                                          [COMMAND_INSERT] = MODE_INSERT,
+                                                          [COMMAND_POSE] = MODE_POSE};
     for (uint32_t i = 0U; i < COMMAND_KIND_COUNT; i++) {
         TEST_ASSERT_EQUAL(armed[i], mode_of_command(i));
     }
@@ -143,6 +146,9 @@ void test_SWR_AXIS_006_a_move_needs_its_axes_homed(void)
     TEST_ASSERT_TRUE(mode_may_be_unhomed(MODE_NONE));
     TEST_ASSERT_FALSE(mode_may_be_unhomed(MODE_MOVE));
     TEST_ASSERT_FALSE(mode_may_be_unhomed(MODE_TRAJECTORY));
+    TEST_ASSERT_FALSE(mode_may_be_unhomed(MODE_ALIGN));
+    TEST_ASSERT_FALSE(mode_may_be_unhomed(MODE_INSERT));
+    TEST_ASSERT_FALSE(mode_may_be_unhomed(MODE_POSE));
 }
 
 static bool heeds(mode_kind_t kind, uint32_t axis, bool is_driven)
@@ -192,6 +198,39 @@ void test_SWR_JOG_002_a_motion_of_one_axis_is_judged_before_it_is_armed_and_noth
     TEST_ASSERT_EQUAL(STATUS_OK, mode_judge(MODE_HOME_AXIS, &request, &robot, axes).status);
     TEST_ASSERT_EQUAL(STATUS_OK, mode_judge(MODE_HOMING, &no_axis, &robot, axes).status);
     TEST_ASSERT_EQUAL(STATUS_OK, mode_judge(MODE_MOVE, &no_axis, &robot, axes).status);
+}
+
+void test_SWR_ALIGN_004_an_insertion_and_a_pose_are_judged_before_they_are_armed(void)
+{
+    TEST_ASSERT_EQUAL(STATUS_OK, mode_judge(MODE_ALIGN, &request, &robot, axes).status);
+    TEST_ASSERT_EQUAL(STATUS_NOT_ALIGNED, mode_judge(MODE_INSERT, &request, &robot, axes).status);
+    TEST_ASSERT_EQUAL(STATUS_OK, mode_judge(MODE_POSE, &request, &robot, axes).status);
+    world_put(AXIS_INSERTION, 30000);
+    TEST_ASSERT_EQUAL(STATUS_NEEDLE_IN, mode_judge(MODE_POSE, &request, &robot, axes).status);
+}
+
+void test_SWR_ALIGN_001_an_alignment_and_then_an_insertion_run_to_their_ends(void)
+{
+    begin(MODE_ALIGN, WORKPHASE_TARGETING);
+    run();
+    TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
+    begin(MODE_INSERT, WORKPHASE_MOVE_TO_TARGET);
+    TEST_ASSERT_EQUAL(STATUS_OK, mode_judge(MODE_INSERT, &request, &robot, axes).status);
+    run();
+    TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
+    TEST_ASSERT_EQUAL_INT32(-60, axes[AXIS_YAW].encoder.position_ticks);
+}
+
+void test_SWR_POSE_001_a_pose_runs_to_its_end_and_heeds_the_needle(void)
+{
+    world_put(AXIS_INSERTION, 7);
+    begin(MODE_POSE, WORKPHASE_MANUAL);
+    run();
+    TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
+    TEST_ASSERT_EQUAL_INT32(-60, axes[AXIS_YAW].encoder.position_ticks);
+    TEST_ASSERT_EQUAL_INT32(7, axes[AXIS_INSERTION].encoder.position_ticks);
+    TEST_ASSERT_TRUE(heeds(MODE_POSE, AXIS_LATERAL, true));
+    TEST_ASSERT_FALSE(heeds(MODE_POSE, AXIS_ROTATION, true));
 }
 
 void test_SWR_AXIS_034_the_homing_of_one_axis_is_done_once_it_is_homed_and_another_lost(void)

@@ -268,6 +268,85 @@ void test_SWR_PLAN_017_an_entry_is_checked_as_a_proposal_is(void)
     TEST_ASSERT_INT32_WITHIN(400, 20000000, depth_nm());
 }
 
+/* The target straight below an entry point that was sent. */
+static void aim(int32_t depth)
+{
+    const rigid_t entry = entry_for(depth);
+    (void)plan_register(&plan, &robot_neuro, &identity, &nobody);
+    (void)plan_set_entry(&plan, &entry);
+    TEST_ASSERT_EQUAL(STATUS_OK, set_target().status);
+}
+
+void test_SWR_ALIGN_003_a_target_that_was_accepted_with_its_entry_point_can_be_aligned_with(void)
+{
+    const rigid_t entry = entry_for(20000000);
+    TEST_ASSERT_EQUAL(STATUS_NO_TARGET, plan_judge_entry(&plan));
+    aim(20000000);
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_judge_entry(&plan));
+    (void)plan_propose_entry(&plan, &robot_neuro, &entry);
+    (void)plan_withdraw(&plan, &robot_neuro, PLAN_PROPOSED_ENTRY);
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_judge_entry(&plan));
+    plan_forget_target(&plan);
+    TEST_ASSERT_EQUAL(STATUS_NO_TARGET, plan_judge_entry(&plan));
+}
+
+void test_SWR_ALIGN_003_an_entry_point_that_is_only_proposed_or_came_later_does_not_count(void)
+{
+    const rigid_t entry = entry_for(20000000);
+    (void)plan_register(&plan, &robot_neuro, &identity, &nobody);
+    (void)plan_propose_entry(&plan, &robot_neuro, &entry);
+    TEST_ASSERT_EQUAL(STATUS_OK, set_target().status);
+    TEST_ASSERT_EQUAL(STATUS_NO_ENTRY_POINT, plan_judge_entry(&plan));
+    (void)plan_accept_entry(&plan);
+    TEST_ASSERT_EQUAL(STATUS_NO_ENTRY_POINT, plan_judge_entry(&plan));
+    TEST_ASSERT_EQUAL(STATUS_OK, set_target().status);
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_judge_entry(&plan));
+}
+
+void test_SWR_ALIGN_003_another_entry_point_or_none_is_not_that_of_the_target(void)
+{
+    const rigid_t other = entry_for(21000000);
+    aim(20000000);
+    (void)plan_set_entry(&plan, &other);
+    TEST_ASSERT_EQUAL(STATUS_NO_ENTRY_POINT, plan_judge_entry(&plan));
+    aim(20000000);
+    (void)plan_propose_entry(&plan, &robot_neuro, &other);
+    (void)plan_accept_entry(&plan);
+    TEST_ASSERT_EQUAL(STATUS_NO_ENTRY_POINT, plan_judge_entry(&plan));
+    aim(20000000);
+    (void)plan_withdraw(&plan, &robot_neuro, PLAN_ENTRY);
+    TEST_ASSERT_EQUAL(STATUS_NO_ENTRY_POINT, plan_judge_entry(&plan));
+}
+
+/* On the needle's line, within 0.1 mm, and before the target. */
+void test_SWR_ALIGN_003_the_entry_point_lies_on_the_line_of_the_needle(void)
+{
+    (void)plan_register(&plan, &robot_neuro, &identity, &nobody);
+    for (int32_t axis = 0; axis < 3; axis++) {
+        rigid_t entry = entry_for(20000000);
+        int32_t *const place[3] = {&entry.translation.x_nm, &entry.translation.z_nm,
+                                   &entry.translation.y_nm};
+        const bool is_along = axis == 2;
+        *place[axis] += (int32_t)LIMIT_ENTRY_ON_AXIS_NM;
+        (void)plan_set_entry(&plan, &entry);
+        TEST_ASSERT_EQUAL(STATUS_OK, set_target().status);
+        TEST_ASSERT_EQUAL(STATUS_OK, plan_judge_entry(&plan));
+        *place[axis] += 1;
+        (void)plan_set_entry(&plan, &entry);
+        TEST_ASSERT_EQUAL(STATUS_OK, set_target().status);
+        TEST_ASSERT_EQUAL(is_along ? STATUS_OK : STATUS_NO_ENTRY_POINT, plan_judge_entry(&plan));
+    }
+}
+
+void test_SWR_ALIGN_003_an_entry_point_beyond_the_target_is_none(void)
+{
+    const rigid_t entry = entry_for(-72000000);
+    (void)plan_register(&plan, &robot_neuro, &identity, &nobody);
+    (void)plan_set_entry(&plan, &entry);
+    TEST_ASSERT_EQUAL(STATUS_ENTRY_POINT, set_target().status);
+    TEST_ASSERT_EQUAL_UINT32(0U, plan.is_entry_of_target);
+}
+
 void test_SWR_REG_002_a_registration_forgets_the_entry_and_the_seen_needle(void)
 {
     const rigid_t entry = entry_for(20000000);

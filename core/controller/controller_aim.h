@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file Where a motion goes to whose command does not say it itself: the target, or a pose. */
+#ifndef BORESIGHT_CONTROLLER_AIM_H
+#define BORESIGHT_CONTROLLER_AIM_H
+
+#include "controller/controller_events.h"
+#include "mode/mode.h"
+
+/**
+ * May the axes go to the target in step from where they are? A target that is not proved is
+ * forgotten.
+ *
+ * @return STATUS_OK, also without a target; STATUS_NO_PROBE; STATUS_MEMORY_DAMAGED; as
+ * plan_judge_way()
+ *
+ * @satisfies SWR-MEMORY-005
+ */
+solution_t controller_judge_way(controller_t *self, const cycle_t *cycle);
+
+/**
+ * Fills what `request` of the mode `kind` has to say of the target or of the pose
+ * `command->argument`; of any other mode nothing.
+ *
+ * @return STATUS_OK; of MODE_ALIGN and MODE_INSERT as plan_judge_entry() and
+ * controller_judge_way(); of MODE_POSE as pose_mode_find()
+ *
+ * @satisfies SWR-ALIGN-003
+ */
+solution_t controller_aim(controller_t *self, const cycle_t *cycle, const command_t *command,
+                          mode_kind_t kind, mode_request_t *request);
+
+#endif
