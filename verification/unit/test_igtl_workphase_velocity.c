@@ -15,6 +15,7 @@
 #include "dialect/workphase_needle.h"
 #include "dialect/workphase_peer.h"
 #include "dialect/workphase_poll.h"
+#include "dialect/workphase_probe.h"
 #include "dialect/workphase_receive.h"
 #include "dialect/workphase_velocity.h"
 #include "dialect/workphase_watch.h"
