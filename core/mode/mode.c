@@ -167,15 +167,15 @@ static uint32_t homed_per_mille(const axis_t axes[ROBOT_AXIS_MAX], uint32_t axis
     return (homed * 1000U) / axis_count;
 }
 
-/* In whole cycles; a profile lasts less than an hour. */
+/* In whole cycles; a profile lasts less than an hour, so that 32 bits hold the products. */
 static mode_share_t leg_share(const leg_t *leg)
 {
     const profile_t *const profile = &leg->profile;
     const uint32_t cycles = (2U * profile->ramp_cycles) + profile->cruise_cycles;
     mode_share_t share = {.done_per_mille = 1000U, .left_ms = 0U};
     if (profile->cycle < cycles) {
-        share.done_per_mille = (uint32_t)(((uint64_t)profile->cycle * 1000U) / cycles);
-        share.left_ms = (uint32_t)((((uint64_t)cycles - profile->cycle) * LIMIT_CYCLE_US) / 1000U);
+        share.done_per_mille = (profile->cycle * 1000U) / cycles;
+        share.left_ms = ((cycles - profile->cycle) * LIMIT_CYCLE_US) / 1000U;
     }
     return share;
 }
