@@ -24,7 +24,7 @@ static void receive(link_t *self, uint32_t slot, const uint8_t *bytes)
 {
     card_report_t old;
     self->is_fresh = 0U;
-    self->last_error = (uint32_t)CARD_FRAME_OK;
+    self->last_error = (uint16_t)CARD_FRAME_OK;
     if (bytes == NULL) {
         return;
     }
@@ -38,7 +38,7 @@ static void receive(link_t *self, uint32_t slot, const uint8_t *bytes)
     if ((result == CARD_FRAME_OK) && is_repeated) {
         result = CARD_FRAME_REPEATED;
     }
-    self->last_error = (uint32_t)result;
+    self->last_error = (uint16_t)result;
     if (result != CARD_FRAME_OK) {
         self->frame_errors += (self->frame_errors < UINT32_MAX) ? 1U : 0U;
         return;
@@ -63,7 +63,7 @@ static void give_up(link_t *self, card_link_event_t event, link_cause_t cause)
     const card_link_state_t before = self->chart.state;
     (void)card_link_chart_dispatch(&self->chart, &inputs, event);
     if (self->chart.state != before) {
-        self->cause = (uint32_t)cause;
+        self->cause = (uint16_t)cause;
     }
 }
 
@@ -127,6 +127,6 @@ void link_reset(link_t *self)
 bool link_was_only_silent(const link_t *self)
 {
     const bool is_only_tripped = (self->report.status & CARD_STATUS_FAULTS) == CARD_STATUS_WATCHDOG;
-    return (self->cause == (uint32_t)LINK_CAUSE_AGE) ||
-           ((self->cause == (uint32_t)LINK_CAUSE_FAULT) && is_only_tripped);
+    return (self->cause == (uint16_t)LINK_CAUSE_AGE) ||
+           ((self->cause == (uint16_t)LINK_CAUSE_FAULT) && is_only_tripped);
 }

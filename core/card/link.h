@@ -15,11 +15,12 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+/** From `sent` on sixteen words, which cost the seal least. */
 typedef struct {
     card_link_chart_t chart;
     card_report_t report;     /**< The last valid one; all zero before the first. */
-    uint32_t last_error;      /**< card_frame_result_t of this cycle's frame. */
-    uint32_t is_fresh;        /**< A valid frame arrived in this cycle: 0 or 1. */
+    uint16_t last_error;      /**< card_frame_result_t of this cycle's frame. */
+    uint16_t is_fresh;        /**< A valid frame arrived in this cycle: 0 or 1. */
     card_drive_t sent;        /**< Drive of the last command. */
     card_drive_t sent_before; /**< Of the one before: the one that a report speaks of. */
     uint32_t sent_sequence;
@@ -29,8 +30,8 @@ typedef struct {
     uint32_t age_cycles;      /**< Since the last valid frame, saturates. */
     uint32_t frame_errors;    /**< Frames discarded, saturates. */
     uint32_t echo_mismatches; /**< In a row. */
-    uint32_t has_report;      /**< 0 or 1. */
-    uint32_t cause;           /**< link_cause_t of the last loss. */
+    uint16_t has_report;      /**< 0 or 1. */
+    uint16_t cause;           /**< link_cause_t of the last loss. */
 } link_t;
 
 /** Starts absent; only a card of this type and firmware will be trusted. */

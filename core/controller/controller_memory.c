@@ -52,7 +52,8 @@ static const range_t forgotten_range = {offsetof(controller_t, pending),
 static uint32_t seal_of_link(uint32_t seal, const link_t *link)
 {
     const uint8_t *const bytes = (const uint8_t *)link;
-    return seal_of(seal, &bytes[link_range.from], link_range.to - link_range.from);
+    const uint32_t sum = seal_of_sixteen(seal, &bytes[link_range.from]);
+    return seal_of(sum, &bytes[link_range.from + 64U], link_range.to - link_range.from - 64U);
 }
 
 static uint32_t seal_of_sensors(const controller_t *self)
