@@ -124,9 +124,14 @@ module Fuzz
       verb, lists = words.operations.to_a[bytes.shift % words.operations.length]
       given = lists.map { |list| words.word(list, bytes.shift || 0) }
       given += bytes.shift(given.last.to_i).map(&:to_s) if verb == 'bytes'
-      lines << [verb, *given.map { |word| word.empty? ? "''" : word }].join(' ')
+      lines << [verb, *given.map { |word| verb == 'box' ? word : quoted(word) }].join(' ')
     end
     lines
+  end
+
+  # As a scene of words has it: one word, whatever is in it.
+  def self.quoted(word)
+    Shellwords.split(word) == [word] ? word : "'#{word}'"
   end
 
   # Streams for the codec: the first byte says whether the checksums are put right, the second how the stream is cut.
