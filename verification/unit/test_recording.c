@@ -357,7 +357,7 @@ void test_SWR_REC_008_the_header_has_the_number_of_the_frames(void)
     write_blocks(1U);
     TEST_ASSERT_TRUE(recording_writer_close(&writer));
     TEST_ASSERT_EQUAL(RECORDING_WHOLE, recording_reader_open(&reader, path, &finding));
-    TEST_ASSERT_EQUAL_HEX32(0xD8E91A6FU, reader.header.frame_layout);
+    TEST_ASSERT_EQUAL_HEX32(0xA6C1ED2AU, reader.header.frame_layout);
 }
 
 void test_SWR_REC_003_the_header_names_build_and_robot(void)
