@@ -254,9 +254,8 @@ static void show_pose(const controller_t *self, const robot_t *robot, snapshot_t
 }
 
 /* Where a move or an insertion leads; nothing else goes to the target. */
-static void show_way(const controller_t *self, snapshot_t *shown)
+static void show_way(const controller_t *self, mode_kind_t kind, snapshot_t *shown)
 {
-    const mode_kind_t kind = mode_in(&self->mode, procedure_workphase(&self->procedure));
     if ((kind == MODE_MOVE) || (kind == MODE_INSERT)) {
         for (uint32_t i = 0U; i < self->axis_count; i++) {
             shown->axes[i].target_ticks = self->plan.target_ticks[i];
@@ -264,18 +263,14 @@ static void show_way(const controller_t *self, snapshot_t *shown)
     }
 }
 
-/* What is armed, and how far it has come. */
-static void show_mode(const controller_t *self, snapshot_t *shown)
+/* What is armed, and how far it has come. `kind`: the mode of the workphase. */
+static void show_mode(const controller_t *self, mode_kind_t kind, snapshot_t *shown)
 {
     mode_share_t share = {.done_per_mille = 0U, .left_ms = 0U};
-    mode_kind_t kind = MODE_NONE;
-    if (procedure_is_armed(&self->procedure)) {
-        kind = mode_in(&self->mode, procedure_workphase(&self->procedure));
-    }
     if (procedure_is_moving(&self->procedure)) {
         share = mode_share(&self->mode, kind, self->axes, self->axis_count);
     }
-    shown->mode = (uint32_t)kind;
+    shown->mode = (uint32_t)(procedure_is_armed(&self->procedure) ? kind : MODE_NONE);
     shown->done_per_mille = share.done_per_mille;
     shown->left_ms = share.left_ms;
 }
@@ -290,6 +285,7 @@ static void clear_unused(const controller_t *self, snapshot_t *shown)
 void controller_show(const controller_t *self, const cycle_t *cycle)
 {
     snapshot_t *const shown = &cycle->outputs->snapshot;
+    const mode_kind_t kind = mode_in(&self->mode, procedure_workphase(&self->procedure));
     shown->cycle = self->cycle;
     shown->time_us = self->time_us;
     shown->robot_crc = cycle->robot->crc;
@@ -308,7 +304,7 @@ void controller_show(const controller_t *self, const cycle_t *cycle)
     shown->overruns = self->loop.overruns;
     shown->events = self->events;
     shown->events_lost = self->events_lost;
-    show_mode(self, shown);
+    show_mode(self, kind, shown);
     show_authority(self, shown);
     show_trajectory(self, shown);
     show_plan(self, shown);
@@ -317,7 +313,7 @@ void controller_show(const controller_t *self, const cycle_t *cycle)
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         show_axis(self, cycle, i);
     }
-    show_way(self, shown);
+    show_way(self, kind, shown);
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
         show_card(self, cycle, slot);
     }
