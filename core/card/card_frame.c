@@ -11,7 +11,8 @@
 #define WORD_HEADER 1U
 #define WORD_LEGACY_SUM 62U
 #define WORD_CRC 63U
-#define HEAD_BYTES 8U /* Start word and header. */
+#define HEAD_BYTES 8U    /* Start word and header. */
+#define ALWAYS_BYTES 24U /* The first six words, which are written in every frame. */
 
 /* Words of a command. */
 #define WORD_COMMAND_SEQUENCE 2U
@@ -233,7 +234,7 @@ static inline writer_t begin(uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot, uin
 {
     writer_t writer = {.bytes = bytes, .sum = 0U};
 
-    (void)memset(bytes, 0, CARD_FRAME_BYTES);
+    (void)memset(&bytes[ALWAYS_BYTES], 0, (WORD_LEGACY_SUM * 4U) - ALWAYS_BYTES);
     write_word(&writer, WORD_START, CARD_FRAME_START);
     write_word(&writer, WORD_HEADER, header_word(slot, type));
     return writer;
