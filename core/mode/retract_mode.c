@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "mode/retract_mode.h"
 
+#include "base/fixed.h"
 #include "safety/needle.h"
 
 int32_t retract_mode_end_ticks(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX])

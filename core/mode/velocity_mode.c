@@ -13,11 +13,9 @@
  */
 #define TICK (256 * CYCLES_PER_S)
 
-typedef enum {
-    STAGE_NEW = 0,
-    STAGE_RUNS = 1,
-    STAGE_ENDED = 2 /* And what has ended it was told. */
-} velocity_stage_t;
+#define STAGE_NEW 0U
+#define STAGE_RUNS 1U
+#define STAGE_ENDED 2U /* And what has ended it was told. */
 
 /* The speeds of a cycle. */
 typedef struct {
@@ -98,7 +96,7 @@ solution_t velocity_mode_judge(const velocity_mode_t *asked, const robot_t *robo
 static void begin(velocity_mode_t *self, const mode_frame_t *frame)
 {
     const uint32_t time_ms = (self->bound > 0) ? (uint32_t)self->bound : LIMIT_VELOCITY_TIME_MS;
-    self->stage = (uint32_t)STAGE_RUNS;
+    self->stage = STAGE_RUNS;
     self->left_cycles = (time_ms * 1000U) / LIMIT_CYCLE_US;
     leg_positions(frame, self->start_ticks);
 }
@@ -314,7 +312,7 @@ static void conclude(velocity_mode_t *self, const mode_frame_t *frame, mode_resu
             refuse(self, refusal_of(end), i);
         }
     }
-    self->stage = (uint32_t)STAGE_ENDED;
+    self->stage = STAGE_ENDED;
 }
 
 /* To where the set-points are; what has met its switch stays. */
@@ -346,10 +344,10 @@ void velocity_mode_step(velocity_mode_t *self, leg_t *leg, const mode_frame_t *f
                         mode_result_t *result)
 {
     velocity_plan_t plan;
-    if (self->stage == (uint32_t)STAGE_NEW) {
+    if (self->stage == STAGE_NEW) {
         begin(self, frame);
     }
-    if (self->stage == (uint32_t)STAGE_RUNS) {
+    if (self->stage == STAGE_RUNS) {
         plan_axes(self, frame, &plan);
         keep_limits(self, frame, &plan);
         if (moves(frame, &plan)) {
