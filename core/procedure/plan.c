@@ -236,7 +236,10 @@ static solution_t find_scanner_target(plan_t *self, const robot_t *robot,
         place = rigid_apply(&zframe_scanner, &self->entry);
         entry = &place;
     }
-    self->is_entry_of_target = ((entry != NULL) && is_on_line(&zframe_treatment, entry)) ? 1U : 0U;
+    self->is_entry_of_target = 0U;
+    if ((entry != NULL) && is_on_line(&zframe_treatment, entry)) {
+        self->is_entry_of_target = 1U;
+    }
     return find_target(self, robot, ticks, &zframe_treatment, entry);
 }
 
