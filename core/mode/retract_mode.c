@@ -10,15 +10,7 @@ int32_t retract_mode_end_ticks(const robot_t *robot, const axis_t axes[ROBOT_AXI
     const axis_config_t *const config = &robot->axes[robot->needle_axis];
     const int64_t stroke = (int64_t)config->maximum_ticks - (int64_t)config->minimum_ticks;
     const int64_t end = (int64_t)needle->encoder.position_ticks - stroke;
-    int32_t end_ticks = -INT32_MAX;
-    if (axis_is_homed(needle)) {
-        end_ticks = needle_retracted_ticks(robot);
-    } else if (end > -(int64_t)INT32_MAX) {
-        end_ticks = (int32_t)end;
-    } else {
-        /* As far as there are numbers. */
-    }
-    return end_ticks;
+    return axis_is_homed(needle) ? needle_retracted_ticks(robot) : fixed_saturate(end);
 }
 
 bool retract_mode_is_done(int32_t end_ticks, const mode_frame_t *frame)
