@@ -22,12 +22,6 @@ static bool is_usable(const robot_t *robot, const snapshot_t *snapshot, uint32_t
     return (link == (uint32_t)CARD_LINK_STATE_LIVE) || (link == (uint32_t)CARD_LINK_STATE_LATE);
 }
 
-static bool is_homed(const snapshot_t *snapshot, uint32_t axis)
-{
-    const axis_chart_t chart = {.reference = (axis_reference_t)snapshot->axes[axis].reference};
-    return axis_chart_in_homed(&chart);
-}
-
 static bool needs_confirmation(const robot_t *robot, const snapshot_t *snapshot, uint32_t axis)
 {
     const uint32_t reference = (uint32_t)snapshot->axes[axis].reference;
@@ -36,23 +30,20 @@ static bool needs_confirmation(const robot_t *robot, const snapshot_t *snapshot,
             (reference == (uint32_t)AXIS_REFERENCE_LOST));
 }
 
-static uint32_t able_axes(const robot_t *robot, const snapshot_t *snapshot, const mode_row_t *row)
+static uint32_t able_axes(const robot_t *robot, const snapshot_t *snapshot)
 {
     uint32_t able = 0U;
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
         const bool is_enabled = (uint32_t)snapshot->axes[i].power == (uint32_t)AXIS_POWER_ENABLED;
-        const bool is_known = row->may_be_unhomed || is_homed(snapshot, i);
-        able |= (is_enabled && is_known) ? bit(i) : 0U;
+        able |= is_enabled ? bit(i) : 0U;
     }
     return able;
 }
 
 /* Those that the mode needs. */
-static uint32_t needed_axes(const robot_t *robot, const snapshot_t *snapshot, const mode_row_t *row)
+static uint32_t needed_axes(const robot_t *robot, uint32_t able, const mode_row_t *row)
 {
-    const uint32_t every = bit(robot->axis_count) - 1U;
-    const uint32_t able = able_axes(robot, snapshot, row);
-    uint32_t needed = every;
+    uint32_t needed = bit(robot->axis_count) - 1U;
     if (row->axes == (uint32_t)MODE_AXES_NEEDLE) {
         needed = bit(robot->needle_axis);
     } else if ((row->axes == (uint32_t)MODE_AXES_COMMANDED) && (able != 0U)) {
@@ -68,25 +59,22 @@ static workphase_inputs_t inputs_of(const robot_t *robot, const snapshot_t *snap
 {
     const bool is_pedal_well = (uint32_t)snapshot->pedal != (uint32_t)PEDAL_GATE_STATE_FAULT;
     const bool is_estop_clear = (uint32_t)snapshot->estop == (uint32_t)ESTOP_LATCH_STATE_CLEAR;
-    const uint32_t needed = needed_axes(robot, snapshot, row);
+    const uint32_t able = able_axes(robot, snapshot);
+    const uint32_t needed = needed_axes(robot, able, row);
     workphase_inputs_t inputs = {
         .is_hardware_ready = (uint32_t)snapshot->estop != (uint32_t)ESTOP_LATCH_STATE_PULLED,
         .is_motion_allowed_here = ((row->workphases >> (uint32_t)snapshot->workphase) & 1U) != 0U,
-        .is_able = is_estop_clear && is_pedal_well &&
+        .is_able = is_estop_clear && is_pedal_well && ((needed & ~able) == 0U) &&
                    ((uint32_t)snapshot->loop != (uint32_t)LOOP_GUARD_STATE_STOPPED),
-        .is_homed = true,
+        .is_homed = row->may_be_unhomed || (snapshot->is_homed != 0U),
         .is_registered = snapshot->is_registered != 0U,
         .has_target = snapshot->has_target != 0U};
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
-        const bool is_needed = (needed & bit(i)) != 0U;
-        const bool is_enabled = (uint32_t)snapshot->axes[i].power == (uint32_t)AXIS_POWER_ENABLED;
         const bool has_card = is_usable(robot, snapshot, i);
         inputs.is_hardware_ready = inputs.is_hardware_ready && has_card;
         inputs.is_confirmation_due =
             inputs.is_confirmation_due || needs_confirmation(robot, snapshot, i);
-        inputs.is_able = inputs.is_able && has_card && (!is_needed || is_enabled);
-        inputs.is_homed =
-            inputs.is_homed && (!is_needed || row->may_be_unhomed || is_homed(snapshot, i));
+        inputs.is_able = inputs.is_able && has_card;
     }
     return inputs;
 }

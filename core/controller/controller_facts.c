@@ -48,15 +48,6 @@ bool controller_is_homed(const controller_t *self)
     return true;
 }
 
-static bool is_each_homed(const controller_t *self, uint32_t axes)
-{
-    bool is_each = true;
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
-        is_each = is_each && (!is_of(axes, i) || axis_is_homed(&self->axes[i]));
-    }
-    return is_each;
-}
-
 workphase_inputs_t controller_guards(const controller_t *self, const cycle_t *cycle,
                                      mode_kind_t kind, uint32_t axes)
 {
@@ -65,7 +56,7 @@ workphase_inputs_t controller_guards(const controller_t *self, const cycle_t *cy
         .is_confirmation_due = is_confirmation_due(self, cycle->robot),
         .is_motion_allowed_here = mode_runs_in(kind, procedure_workphase(&self->procedure)),
         .is_able = is_able(self, axes),
-        .is_homed = mode_may_be_unhomed(kind) || is_each_homed(self, axes),
+        .is_homed = mode_may_be_unhomed(kind) || controller_is_homed(self),
         .is_registered = (self->plan.is_registered != 0U),
         .has_target = (self->plan.has_target != 0U),
     };

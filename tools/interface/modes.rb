@@ -40,11 +40,11 @@ module Interface
           uint32_t command;
           /** Where it may be armed and runs; bit n: workphase_t n. */
           uint32_t workphases;
-          /** mode_axes_t that must be able, and homed unless may_be_unhomed. */
+          /** mode_axes_t that must be able. */
           uint32_t axes;
           /** mode_needle_t. */
           uint32_t needle;
-          /** It may drive axes that are not homed. */
+          /** It may drive axes that are not homed; otherwise every axis must be homed. */
           bool may_be_unhomed;
       } mode_row_t;
 
