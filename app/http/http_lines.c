@@ -77,10 +77,13 @@ static uint64_t received_of(int socket)
     return (result == 0) ? info.tcpi_bytes_received : 0U;
 }
 
+/* The library tells no ends of a connection before its worker has begun to read. */
 static void know_socket(line_t *line)
 {
-    if (line->socket < 0) {
-        line->socket = find_socket(mg_get_request_info(line->connection));
+    const struct mg_request_info *ends =
+        (line->socket < 0) ? mg_get_request_info(line->connection) : NULL;
+    if (ends != NULL) {
+        line->socket = find_socket(ends);
     }
 }
 
@@ -90,13 +93,16 @@ static void dismiss_oldest(void)
     line_t *oldest = NULL;
     for (size_t i = 0U; i < HTTP_LINES_WORKERS; i++) {
         line_t *line = &all.lines[i];
-        const bool is_candidate = (line->connection != NULL) && line->is_waiting;
+        const bool is_candidate = (line->connection != NULL) && line->is_waiting &&
+                                  (mg_get_request_info(line->connection) != NULL);
         if (is_candidate && ((oldest == NULL) || (line->since < oldest->since))) {
             oldest = line;
         }
     }
     if (oldest != NULL) {
         know_socket(oldest);
+    }
+    if ((oldest != NULL) && (oldest->socket >= 0)) {
         (void)shutdown(oldest->socket, SHUT_RD);
         oldest->is_waiting = false;
         oldest->is_leaving = true;

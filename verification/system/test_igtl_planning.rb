@@ -71,6 +71,7 @@ class TestIgtlPlanning < Minitest::Test
     planning do |client|
       client.await('STRING', 'robot_treatment_home')
       IgtlClient.open(boresight.brp_port) do |navigation|
+        navigation.phase('PLANNING') # Another test may have left MOVE_TO_TARGET behind.
         navigation.run('string PROBE 12 6 7 46')
         assert_equal 1, navigation.status('PROBE')['code']
         assert_equal '46.000000', client.await('STRING', 'robot_treatment_home')['text']
