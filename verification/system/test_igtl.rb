@@ -49,13 +49,15 @@ class TestIgtl < Minitest::Test
   end
 
   def test_SWR_VEL_014_a_client_lets_an_axis_run_at_a_speed
-    navigation do |client|
-      start_up(client)
-      assert_entered client, 'MANUAL'
-      client.run('string Text VELOCITY rotation 10 0.4')
-      client.run('expect STATUS ACK_VELOCITY 1')
-      boresight.simctl('pedal', 'press')
-      assert_equal [1, 'MANUAL'], client.status('VELOCITY').values_at('code', 'error_name')
+    with_unhomed_robot do
+      navigation do |client|
+        start_up(client)
+        assert_entered client, 'MANUAL'
+        client.run('string Text VELOCITY rotation 10 0.4')
+        client.run('expect STATUS ACK_VELOCITY 1')
+        boresight.simctl('pedal', 'press')
+        assert_equal [1, 'MANUAL'], client.status('VELOCITY').values_at('code', 'error_name')
+      end
     end
   end
 
