@@ -80,13 +80,13 @@ void controller_observe_authority(controller_t *self, const cycle_t *cycle)
         confirm_button_renew(&self->confirm);
         controller_tell_order(self, cycle, ARMING_EVENT_FAULT, STATUS_FAULT_PRESENT);
     }
-    observe_holder(self, cycle);
-    if (self->authority.requester.peer != 0U) {
-        observe_request(self, cycle);
-    }
     const bool is_at_rest = authority_is_ending(&self->authority) && are_axes_at_rest(self);
     if (authority_step(&self->authority, is_at_rest, cycle->inputs->elapsed_us, now_of(self))) {
         note_taken(self, cycle);
+    }
+    observe_holder(self, cycle);
+    if (self->authority.requester.peer != 0U) {
+        observe_request(self, cycle);
     }
 }
 

@@ -331,7 +331,6 @@ static void observe_procedure(controller_t *self, const cycle_t *cycle)
 void controller_observe(controller_t *self, const cycle_t *cycle)
 {
     observe_procedure(self, cycle);
-    controller_observe_authority(self, cycle);
     observe_loop(self, cycle);
     observe_pedal(self, cycle);
     observe_estop(self, cycle);
@@ -344,5 +343,6 @@ void controller_observe(controller_t *self, const cycle_t *cycle)
     }
     watch_heat(self, cycle);
     controller_observe_other_cards(self, cycle);
+    controller_observe_authority(self, cycle);
     observe_button(self, cycle);
 }

@@ -20,8 +20,19 @@ class Fight
   LOSSES = 3
   Verdict = Struct.new(:counts, :broken, :is_good)
 
-  # Returns what the witness says of a fight of at least so many seconds.
-  def self.judge(robot, seconds, random)
+  # Returns what the witness says of a fight of at least so many seconds. The recording of a broken rule is kept.
+  def self.judge(seconds, seed, accounts)
+    kept = File.expand_path("../../build/fight/#{seed}", __dir__)
+    FileUtils.rm_rf(kept)
+    robot = Boresight.start(arguments: ['--robot', Errand::ROBOT, '--accounts', accounts], recordings: kept)
+    verdict = record(robot, seconds, Random.new(seed))
+    FileUtils.rm_rf(kept) if verdict.is_good
+    verdict
+  ensure
+    robot&.kill_all
+  end
+
+  def self.record(robot, seconds, random)
     errand = Errand.new(robot)
     errand.prepare
     errand.move
@@ -34,6 +45,7 @@ class Fight
 
     Verdict.new(JSON.parse(text.lines.first), text.lines.drop(1).join, status.success?)
   end
+  private_class_method :record
 
   def initialize(robot, random)
     @robot = robot
@@ -61,20 +73,11 @@ class Fight
   end
 end
 
-# Returns whether all rules were kept; otherwise its recordings are.
+# Returns whether all rules were kept.
 def fight(minutes, seed)
-  folder = Dir.mktmpdir('fight')
-  kept = File.expand_path("../../build/fight/#{seed}", __dir__)
-  FileUtils.rm_rf(kept)
-  robot = Boresight.start(arguments: ['--robot', Errand::ROBOT, '--accounts', Accounts.make(File.join(folder, 'accounts'))],
-                          recordings: kept)
-  verdict = Fight.judge(robot, minutes * 60, Random.new(seed))
+  verdict = Dir.mktmpdir('fight') { |folder| Fight.judge(minutes * 60, seed, Accounts.make(File.join(folder, 'accounts'))) }
   puts "Seed #{seed}: #{verdict.counts}", verdict.broken
-  FileUtils.rm_rf(kept) if verdict.is_good
   verdict.is_good
-ensure
-  robot&.kill_all
-  FileUtils.rm_rf(folder)
 end
 
 exit(fight(Float(ARGV.fetch(0)), Integer(ARGV.fetch(1, Random.new_seed % 1_000_000)))) if $PROGRAM_NAME == __FILE__

@@ -266,24 +266,30 @@ static void look_at_holder(witness_t *self, uint32_t cycle, const snapshot_t *sn
     hold(self, SENTENCE_ARMED,
          (snapshot->order == (uint32_t)ARMING_STATE_NONE) || is_same(self->owner, self->holder),
          cycle);
+    hold(self, SENTENCE_REST,
+         !self->is_ending || (snapshot->authority == (uint32_t)AUTHORITY_STATE_ENDING), cycle);
 }
 
-static void look_at_axes(witness_t *self, uint32_t cycle, const snapshot_t *snapshot)
+/* What ends with the axes' rest, or with the time for it. */
+static void look_at_rest(witness_t *self, const snapshot_t *snapshot)
 {
-    bool is_driven = false;
     bool is_at_rest = true;
     for (uint32_t i = 0U; i < snapshot->axis_count; i++) {
-        const snapshot_axis_t *axis = &snapshot->axes[i];
-        is_driven = is_driven || (axis->drive_mode != (uint32_t)CARD_DRIVE_OFF);
-        is_at_rest = is_at_rest && (axis->speed_ticks_per_s_q8 == 0);
+        is_at_rest = is_at_rest && (snapshot->axes[i].speed_ticks_per_s_q8 == 0);
+    }
+    self->is_ending = self->is_ending && !is_at_rest &&
+                      ((self->time_us - self->lost_us) < LIMIT_AUTHORITY_END_US);
+}
+
+static void look_at_drives(witness_t *self, uint32_t cycle, const snapshot_t *snapshot)
+{
+    bool is_driven = false;
+    for (uint32_t i = 0U; i < snapshot->axis_count; i++) {
+        is_driven = is_driven || (snapshot->axes[i].drive_mode != (uint32_t)CARD_DRIVE_OFF);
     }
     hold(self, SENTENCE_OFF, !is_driven || !self->is_over, cycle);
     self->driven += is_driven ? 1U : 0U;
     self->was_driven = is_driven;
-    self->is_ending = self->is_ending && !is_at_rest &&
-                      ((self->time_us - self->lost_us) < LIMIT_AUTHORITY_END_US);
-    hold(self, SENTENCE_REST,
-         !self->is_ending || (snapshot->authority == (uint32_t)AUTHORITY_STATE_ENDING), cycle);
 }
 
 void witness_look(witness_t *self, uint32_t cycle, const controller_inputs_t *inputs,
@@ -295,7 +301,8 @@ void witness_look(witness_t *self, uint32_t cycle, const controller_inputs_t *in
         look_at_command(self, cycle, inputs, i, outputs);
     }
     look_at_button(self, inputs, outputs);
+    look_at_rest(self, &outputs->snapshot);
     look_at_events(self, cycle, inputs, outputs);
     look_at_holder(self, cycle, &outputs->snapshot);
-    look_at_axes(self, cycle, &outputs->snapshot);
+    look_at_drives(self, cycle, &outputs->snapshot);
 }

@@ -237,6 +237,15 @@ void test_SWR_AUTH_005_who_has_nothing_releases_nothing(void)
     TEST_ASSERT_TRUE(rig_is_driving(&rig));
 }
 
+static bool are_axes_at_rest(void)
+{
+    bool is_every_one = true;
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
+        is_every_one = is_every_one && (rig.outputs.snapshot.axes[i].speed_ticks_per_s_q8 == 0);
+    }
+    return is_every_one;
+}
+
 void test_SWR_AUTH_006_nobody_has_it_before_the_axes_rest(void)
 {
     start_moving();
@@ -246,9 +255,7 @@ void test_SWR_AUTH_006_nobody_has_it_before_the_axes_rest(void)
     TEST_ASSERT_EQUAL(STATUS_NO_AUTHORITY, by_peer(PEER, COMMAND_WORKPHASE, WORKPHASE_PLANNING));
     rig_cycles(&rig, CYCLES(LIMIT_AUTHORITY_END_US));
     expect_nobody();
-    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
-        TEST_ASSERT_EQUAL_INT32(0, rig.outputs.snapshot.axes[i].speed_ticks_per_s_q8);
-    }
+    TEST_ASSERT_TRUE(are_axes_at_rest());
     /* The pedal is held all the while. */
     TEST_ASSERT_EQUAL(STATUS_OK, by_peer(PEER, COMMAND_WORKPHASE, WORKPHASE_MOVE_TO_TARGET));
     rig_cycles(&rig, 50U);
@@ -257,6 +264,26 @@ void test_SWR_AUTH_006_nobody_has_it_before_the_axes_rest(void)
     rig_press(&rig);
     rig_cycles(&rig, 50U);
     TEST_ASSERT_TRUE(rig_is_driving(&rig));
+}
+
+/* The holder falls silent in each of the cycles in which the axes begin to move. */
+void test_SWR_AUTH_006_rest_is_measured_after_the_loss(void)
+{
+    for (uint32_t cycles = 0U; cycles < 100U; cycles++) {
+        rig_start_targeted(&rig);
+        rig_cycles(&rig, 600U);
+        TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
+        rig_box(&rig, "pedal press");
+        rig_cycles(&rig, cycles);
+        rig.silent_sources = (uint32_t)1U << (uint32_t)COMMAND_SOURCE_HTTP;
+        rig_cycle(&rig);
+        TEST_ASSERT_EQUAL_UINT32(AUTHORITY_STATE_ENDING, rig.outputs.snapshot.authority);
+        while (rig.outputs.snapshot.authority == (uint32_t)AUTHORITY_STATE_ENDING) {
+            rig_cycle(&rig);
+        }
+        TEST_ASSERT_EQUAL_UINT32(AUTHORITY_STATE_NOBODY, rig.outputs.snapshot.authority);
+        TEST_ASSERT_TRUE(are_axes_at_rest());
+    }
 }
 
 void test_SWR_AUTH_006_an_axis_that_never_rests_keeps_it_for_a_while_only(void)
