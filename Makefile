@@ -61,6 +61,7 @@ endif
 include bsp/$(BOARD)/board.mk
 BOARD_TABLE := $(GEN)/board/board.c
 CLOCK := app/common/clock.c
+AXIS_TERMS := app/common/axis_terms.c
 # What HTTP clients may ask.
 API := $(GEN)/interface/app/routes.c $(GEN)/interface/app/requests.c
 EXCHANGE := $(wildcard app/exchange/exchange*.c)
@@ -70,8 +71,8 @@ LOG_ENTRY := app/common/log_entry.c app/common/utc_text.c $(EVENT_TEXT)
 
 # Each program: its own files; what it needs of the core comes from libcore.a.
 SOURCES_boresight-control := $(wildcard app/control/*.c app/positions/*.c) $(CLOCK) $(EXCHANGE) $(BOARD_SOURCES) $(FIND_ROBOT)
-SOURCES_boresight-igtl := $(wildcard app/igtl/*.c app/dialect/*.c app/message/*.c) $(CLOCK) $(EXCHANGE) $(NAMES)
-SOURCES_boresight-http := $(wildcard app/http/*.c app/archive/*.c app/request/*.c app/saved/*.c app/session/*.c app/trajectory/*.c) app/positions/position_record.c app/recording/recording.c app/common/file_series.c $(API) $(CLOCK) $(GEN)/interface/app/messages.c $(LOG_ENTRY) $(EXCHANGE) $(NAMES) $(GEN)/assets/assets.c \
+SOURCES_boresight-igtl := $(wildcard app/igtl/*.c app/dialect/*.c app/message/*.c) $(CLOCK) $(AXIS_TERMS) $(EXCHANGE) $(NAMES)
+SOURCES_boresight-http := $(wildcard app/http/*.c app/archive/*.c app/request/*.c app/saved/*.c app/session/*.c app/trajectory/*.c) app/positions/position_record.c app/recording/recording.c app/common/file_series.c $(API) $(CLOCK) $(AXIS_TERMS) $(GEN)/interface/app/messages.c $(LOG_ENTRY) $(EXCHANGE) $(NAMES) $(GEN)/assets/assets.c \
     $(GEN)/assets/chart_names.c
 SOURCES_boresight-passwd := $(wildcard app/passwd/*.c) app/session/account.c app/session/password.c
 SOURCES_boresight-recorder := $(wildcard app/recorder/*.c app/recording/*.c app/positions/*.c) $(CLOCK) app/common/directory.c app/common/file_series.c $(LOG_ENTRY) $(EXCHANGE) $(NAMES)

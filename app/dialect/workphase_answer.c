@@ -12,6 +12,9 @@
 /* Under which name the peer is told of a request. */
 static const char *subject_of(const workphase_peer_t *peer, const igtl_request_t *request)
 {
+    if (workphase_peer_is_motion(request->kind)) {
+        return peer->motion;
+    }
     switch (request->kind) {
     case COMMAND_REGISTRATION:
         return "CALIBRATION";
@@ -19,12 +22,6 @@ static const char *subject_of(const workphase_peer_t *peer, const igtl_request_t
         return "TARGET";
     case COMMAND_NEEDLE:
         return workphase_peer_tip_subject(peer);
-    case COMMAND_RETRACT:
-    case COMMAND_VELOCITY:
-    case COMMAND_ALIGN:
-    case COMMAND_INSERT:
-    case COMMAND_POSE:
-        return peer->motion;
     case COMMAND_ENTRY:
         return "ENTRY";
     case COMMAND_ACCEPT_ENTRY:
@@ -240,6 +237,10 @@ static void answer_by_kind(workphase_dialect_t *self, const igtl_request_t *requ
 {
     workphase_peer_t *peer = &self->peers[request->peer];
 
+    if (workphase_peer_is_motion(request->kind)) {
+        answer_motion(self, request, answer, moment);
+        return;
+    }
     switch (request->kind) {
     case COMMAND_WORKPHASE:
         answer_phase(self, request, answer, moment);
@@ -249,13 +250,6 @@ static void answer_by_kind(workphase_dialect_t *self, const igtl_request_t *requ
         break;
     case COMMAND_NEEDLE:
         answer_tip(self, peer, answer, moment);
-        break;
-    case COMMAND_RETRACT:
-    case COMMAND_VELOCITY:
-    case COMMAND_ALIGN:
-    case COMMAND_INSERT:
-    case COMMAND_POSE:
-        answer_motion(self, request, answer, moment);
         break;
     case COMMAND_ENTRY:
     case COMMAND_ACCEPT_ENTRY:

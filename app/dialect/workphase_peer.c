@@ -2,6 +2,7 @@
 #include "dialect/workphase_peer.h"
 
 #include "interface/app/names.h"
+#include "interface/mode_list.h"
 #include "limits/requirement_limits.h"
 #include "message/igtl_crc64.h"
 
@@ -18,9 +19,12 @@ static void acknowledgement_name(const igtl_message_t *message, uint32_t prefix_
 
 bool workphase_peer_is_motion(uint32_t kind)
 {
-    return (kind == (uint32_t)COMMAND_RETRACT) || (kind == (uint32_t)COMMAND_VELOCITY) ||
-           (kind == (uint32_t)COMMAND_ALIGN) || (kind == (uint32_t)COMMAND_INSERT) ||
-           (kind == (uint32_t)COMMAND_POSE);
+    for (uint32_t i = (uint32_t)MODE_NONE + 1U; i < MODE_KIND_COUNT; i++) {
+        if ((mode_rows[i].command == kind) && (kind != (uint32_t)COMMAND_WORKPHASE)) {
+            return true;
+        }
+    }
+    return false;
 }
 
 void workphase_peer_acknowledge_string(workphase_peer_t *self, const igtl_message_t *message,

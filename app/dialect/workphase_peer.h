@@ -9,7 +9,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** `kind`, a command_kind_t, is that of a motion which a word asks for. */
+/** `kind`, a command_kind_t, arms a mode, and is no workphase. */
 bool workphase_peer_is_motion(uint32_t kind);
 
 /** Acknowledges a STRING: STRING(ACK_x, text as received, cut to what is sent). `message` is named

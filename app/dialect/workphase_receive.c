@@ -5,35 +5,12 @@
 #include "dialect/workphase_needle.h"
 #include "dialect/workphase_peer.h"
 #include "dialect/workphase_poll.h"
-#include "dialect/workphase_probe.h"
-#include "dialect/workphase_velocity.h"
+#include "dialect/workphase_words.h"
 #include "interface/app/names.h"
 #include "limits/requirement_limits.h"
 
 #include <stddef.h>
 #include <string.h>
-
-/* A command by one word, the name or the text of a STRING; `result` is the name of what it is
- * answered by. */
-typedef struct {
-    const char *word;
-    const char *result;
-    command_kind_t kind;
-    uint32_t argument;
-} word_t;
-
-static const word_t words[] = {
-    {"RETRACT_NEEDLE", "RETRACT_NEEDLE", COMMAND_RETRACT, 0U},
-    {"RETRACT_PROBE", "RETRACT_PROBE", COMMAND_RETRACT, 0U},
-    {"ALIGN", "ALIGN", COMMAND_ALIGN, 0U},
-    {"INSERT", "INSERT", COMMAND_INSERT, 0U},
-    {"POSE HOME", "POSE", COMMAND_POSE, (uint32_t)POSE_HOME},
-    {"POSE PARK", "POSE", COMMAND_POSE, (uint32_t)POSE_PARK},
-    {"POSE DRAPING", "POSE", COMMAND_POSE, (uint32_t)POSE_DRAPING},
-    {"POSE EGRESS", "POSE", COMMAND_POSE, (uint32_t)POSE_EGRESS},
-    {"ACCEPT_ENTRY", "ACCEPT_ENTRY", COMMAND_ACCEPT_ENTRY, 0U},
-    {"WITHDRAW_ENTRY", "WITHDRAW_ENTRY", COMMAND_WITHDRAW, (uint32_t)COMMAND_ENTRY},
-};
 
 /* A command by a pose; `result` is the name of what it is answered by. */
 typedef struct {
@@ -67,16 +44,6 @@ static workphase_t phase_of(const igtl_message_t *message)
         }
     }
     return WORKPHASE_UNDEFINED;
-}
-
-static const word_t *word_of(const igtl_message_t *message)
-{
-    for (size_t i = 0U; i < (sizeof words / sizeof words[0]); i++) {
-        if (igtl_is_text(message, words[i].word) || (strcmp(message->name, words[i].word) == 0)) {
-            return &words[i];
-        }
-    }
-    return NULL;
 }
 
 static void refuse_text(workphase_peer_t *peer, const igtl_message_t *message,
@@ -146,65 +113,31 @@ static void receive_phase(workphase_dialect_t *self, uint32_t index, workphase_t
     }
 }
 
-static void receive_word(workphase_dialect_t *self, uint32_t index, const word_t *word,
-                         const igtl_moment_t *moment)
+/* What may end an order is awaited. */
+static bool pass_word(workphase_dialect_t *self, uint32_t index, const workphase_word_t *word,
+                      command_t *command, const igtl_moment_t *moment)
 {
-    workphase_peer_t *peer = &self->peers[index];
-    command_t command = {
-        .peer = peer->number, .kind = (uint32_t)word->kind, .argument = word->argument};
-    bool is_taken;
-
-    if (is_others(self, index)) {
-        igtl_tell_refusal(peer->outbox, word->result, STATUS_NO_AUTHORITY, moment);
-        return;
+    if (workphase_peer_is_motion(command->kind)) {
+        self->peers[index].motion = word->word;
+        return request(self, index, command, moment) != 0U;
     }
-    if (workphase_peer_is_motion((uint32_t)word->kind)) {
-        peer->motion = word->result;
-        is_taken = request(self, index, &command, moment) != 0U;
-    } else {
-        is_taken = igtl_requests_add(&self->requests, index, &command, moment->patience_us) != NULL;
-    }
-    if (!is_taken) {
-        igtl_tell_refusal(peer->outbox, word->result, STATUS_BUSY, moment);
-    }
+    return igtl_requests_add(&self->requests, index, command, moment->patience_us) != NULL;
 }
 
-static void receive_velocity(workphase_dialect_t *self, uint32_t index,
-                             const igtl_message_t *message, const igtl_moment_t *moment)
-{
-    workphase_peer_t *peer = &self->peers[index];
-    command_t command = {.peer = peer->number, .kind = (uint32_t)COMMAND_VELOCITY};
-    status_t status = is_others(self, index)
-                          ? STATUS_NO_AUTHORITY
-                          : workphase_velocity_read(self->robot, message, &command);
-
-    if (status == STATUS_OK) {
-        peer->motion = WORKPHASE_VELOCITY;
-        status = (request(self, index, &command, moment) != 0U) ? STATUS_OK : STATUS_BUSY;
-    }
-    if (status != STATUS_OK) {
-        igtl_tell_refusal(peer->outbox, WORKPHASE_VELOCITY, status, moment);
-    }
-}
-
-static void receive_probe(workphase_dialect_t *self, uint32_t index, const igtl_message_t *message,
-                          const igtl_moment_t *moment)
+static void receive_word(workphase_dialect_t *self, uint32_t index, const workphase_word_t *word,
+                         const igtl_message_t *message, const igtl_moment_t *moment)
 {
     workphase_peer_t *peer = &self->peers[index];
     command_t command = {.peer = peer->number};
-    status_t status = workphase_probe_read(message, &command);
+    status_t status = is_others(self, index)
+                          ? STATUS_NO_AUTHORITY
+                          : workphase_words_read(word, self->robot, message, &command);
 
-    if (is_others(self, index)) {
-        status = STATUS_NO_AUTHORITY;
-    } else if (status != STATUS_OK) {
-        /* It is no probe. */
-    } else if (igtl_requests_add(&self->requests, index, &command, moment->patience_us) == NULL) {
+    if ((status == STATUS_OK) && !pass_word(self, index, word, &command, moment)) {
         status = STATUS_BUSY;
-    } else {
-        /* It is on its way. */
     }
     if (status != STATUS_OK) {
-        igtl_tell_refusal(peer->outbox, "PROBE", status, moment);
+        igtl_tell_refusal(peer->outbox, word->word, status, moment);
     }
 }
 
@@ -212,18 +145,10 @@ static void receive_probe(workphase_dialect_t *self, uint32_t index, const igtl_
 static bool receive_other(workphase_dialect_t *self, uint32_t index, const igtl_message_t *message,
                           const igtl_moment_t *moment)
 {
-    const word_t *word = word_of(message);
+    const workphase_word_t *word = workphase_words_find(message);
 
     if (word != NULL) {
-        receive_word(self, index, word, moment);
-        return true;
-    }
-    if (workphase_velocity_is(message)) {
-        receive_velocity(self, index, message, moment);
-        return true;
-    }
-    if (workphase_probe_is(message)) {
-        receive_probe(self, index, message, moment);
+        receive_word(self, index, word, message, moment);
         return true;
     }
     return workphase_poll_string(&self->peers[index], message, moment);

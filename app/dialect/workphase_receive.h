@@ -9,16 +9,14 @@
 #include <stdint.h>
 
 /**
- * A STRING: a workphase named CMD_x, a question, RETRACT_NEEDLE or RETRACT_PROBE, ALIGN, INSERT,
- * POSE and the name of one, ACCEPT_ENTRY or WITHDRAW_ENTRY, PROBE, NEEDLE_LENGTH. Anything else is
- * refused.
+ * A STRING: a workphase named CMD_x, a question, a word of workphase_words.h, NEEDLE_LENGTH.
+ * Anything else is refused.
  *
  * @satisfies SWR-IGTL-006
  * @satisfies SWR-IGTL-008
  * @satisfies SWR-IGTL-035
  * @satisfies SWR-IGTL-036
  * @satisfies SWR-ALIGN-007
- * @satisfies SWR-POSE-006
  */
 void workphase_receive_string(workphase_dialect_t *self, uint32_t peer,
                               const igtl_message_t *message, const igtl_moment_t *moment);

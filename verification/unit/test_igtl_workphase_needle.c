@@ -7,6 +7,7 @@
 #include "base/fixed.h"
 #include "base/rigid.h"
 #include "charts/arming_chart.h"
+#include "common/axis_terms.h"
 #include "dialect/igtl_border.h"
 #include "dialect/igtl_dialect.h"
 #include "dialect/igtl_questions.h"
@@ -16,11 +17,12 @@
 #include "dialect/workphase_needle.h"
 #include "dialect/workphase_peer.h"
 #include "dialect/workphase_poll.h"
-#include "dialect/workphase_probe.h"
 #include "dialect/workphase_receive.h"
-#include "dialect/workphase_velocity.h"
+#include "dialect/workphase_text.h"
 #include "dialect/workphase_watch.h"
+#include "dialect/workphase_words.h"
 #include "interface/app/names.h"
+#include "interface/mode_list.h"
 #include "message/igtl_codec.h"
 #include "message/igtl_crc64.h"
 #include "message/igtl_packet.h"
@@ -321,11 +323,11 @@ void test_SWR_ALIGN_007_align_and_insert_are_words_that_are_acknowledged_and_tol
 
 void test_SWR_POSE_006_a_pose_is_a_word_and_its_name(void)
 {
-    static const char *const words[POSE_NAME_COUNT] = {"POSE HOME", "POSE PARK", "POSE DRAPING",
-                                                       "POSE EGRESS"};
+    char text[32];
 
     for (uint32_t i = 0U; i < POSE_NAME_COUNT; i++) {
-        say(0U, "Text", words[i]);
+        (void)snprintf(text, sizeof text, "POSE %s", pose_name_name((int32_t)i));
+        say(0U, "Text", text);
         expect_command(COMMAND_POSE, i);
         answer_to(&command, ANSWER_ACCEPTED, STATUS_OK, 0U);
         EXPECT_BEGIN(0U, "STATUS ACK_POSE 1 ");
@@ -333,9 +335,12 @@ void test_SWR_POSE_006_a_pose_is_a_word_and_its_name(void)
         EXPECT_BEGIN(0U, "STATUS POSE 1 ");
         EXPECT(0U, "");
     }
-    say(0U, "Text", "POSE");
+    say(0U, "Text", "POSE TUCK");
     expect_no_command();
-    EXPECT_BEGIN(0U, "STATUS Text 12 ");
+    EXPECT_BEGIN(0U, "STATUS POSE 12 ");
+    say(0U, "POSE", "DRAPING ALL");
+    expect_no_command();
+    EXPECT_BEGIN(0U, "STATUS POSE 12 ");
     say(0U, "Text", "POSE DRAPING");
     expect_command(COMMAND_POSE, (uint32_t)POSE_DRAPING);
     answer_to(&command, ANSWER_REFUSED, STATUS_NEEDLE_IN, 1U);

@@ -6,6 +6,7 @@
 #include "base/fixed.h"
 #include "base/rigid.h"
 #include "charts/arming_chart.h"
+#include "common/axis_terms.h"
 #include "dialect/igtl_border.h"
 #include "dialect/igtl_dialect.h"
 #include "dialect/igtl_questions.h"
@@ -15,11 +16,12 @@
 #include "dialect/workphase_needle.h"
 #include "dialect/workphase_peer.h"
 #include "dialect/workphase_poll.h"
-#include "dialect/workphase_probe.h"
 #include "dialect/workphase_receive.h"
-#include "dialect/workphase_velocity.h"
+#include "dialect/workphase_text.h"
 #include "dialect/workphase_watch.h"
+#include "dialect/workphase_words.h"
 #include "interface/app/names.h"
+#include "interface/mode_list.h"
 #include "message/igtl_codec.h"
 #include "message/igtl_crc64.h"
 #include "message/igtl_packet.h"
@@ -55,6 +57,14 @@ void test_SWR_VEL_014_axes_speeds_and_seconds_become_a_command(void)
     TEST_ASSERT_EQUAL_INT32(0, command.ticks[AXIS_FEET]);
     TEST_ASSERT_EQUAL_INT32(1250, command.value);
     expect_no_command();
+}
+
+void test_SWR_VEL_014_the_word_may_be_the_name_of_the_string(void)
+{
+    say(0U, "VELOCITY", "  yaw  -1.2e1   2 ");
+    expect_command(COMMAND_VELOCITY, YAW);
+    TEST_ASSERT_EQUAL_INT32(-167, command.ticks[AXIS_YAW]);
+    TEST_ASSERT_EQUAL_INT32(2000, command.value);
 }
 
 void test_SWR_VEL_014_it_is_told_that_they_are_armed_and_how_they_have_ended(void)
@@ -109,6 +119,7 @@ void test_SWR_VEL_014_a_text_that_is_no_speed_is_refused_by_name(void)
     expect_refusal("VELOCITY yaw 5 0", "OUT_OF_RANGE");
     expect_refusal("VELOCITY yaw 5 2s", "OUT_OF_RANGE");
     expect_refusal("VELOCITY yaw 5 .", "OUT_OF_RANGE");
+    expect_refusal("VELOCITY yaw 5 1e999", "OUT_OF_RANGE");
     expect_refusal(text, "OUT_OF_RANGE");
 }
 

@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "dialect/workphase_text.h"
+
+#include "common/axis_terms.h"
+
+#include <float.h>
+#include <math.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+char *workphase_text_next(char **text)
+{
+    char *word = &(*text)[strspn(*text, " ")];
+    char *end = &word[strcspn(word, " ")];
+
+    *text = (*end == '\0') ? end : &end[1];
+    *end = '\0';
+    return (word == end) ? NULL : word;
+}
+
+/* These characters alone: strtod() knows more, and no text makes what is not finite. */
+bool workphase_text_number(const char *word, double most, double *number)
+{
+    char *end = NULL;
+
+    *number = 0.0;
+    if ((word == NULL) || (word[strspn(word, "+-.0123456789eE")] != '\0')) {
+        return false;
+    }
+    *number = strtod(word, &end);
+    return (end != word) && (*end == '\0') && (fabs(*number) <= most);
+}
+
+bool workphase_text_ticks(const char *word, const axis_config_t *axis, int32_t *ticks)
+{
+    double number;
+
+    return workphase_text_number(word, DBL_MAX, &number) && axis_terms_ticks(axis, number, ticks);
+}

@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file The words of a text, one after the other, and the numbers and axes that they are. */
+#ifndef BORESIGHT_WORKPHASE_TEXT_H
+#define BORESIGHT_WORKPHASE_TEXT_H
+
+#include "robot/robot.h"
+
+#include <stdbool.h>
+
+/** The next word of `*text`, which ends at a space; `*text` goes on behind it. NULL: none is left.
+ * It is a part of the text, which is changed. */
+char *workphase_text_next(char **text);
+
+/** Reads `word` as a decimal number within +-`most`. False when it is none, or no word at all. */
+bool workphase_text_number(const char *word, double most, double *number);
+
+/** Reads `word` as ticks of `axis`, or ticks/s: it is in mm or degrees, or these in a second. False
+ * as above, and when no int32_t is so far away. */
+bool workphase_text_ticks(const char *word, const axis_config_t *axis, int32_t *ticks);
+
+#endif

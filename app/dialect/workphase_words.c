@@ -1,0 +1,153 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "dialect/workphase_words.h"
+
+#include "common/axis_terms.h"
+#include "dialect/igtl_dialect.h"
+#include "dialect/workphase_text.h"
+#include "interface/app/names.h"
+#include "message/igtl_packet.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <string.h>
+
+#define NM_PER_MM 1.0e6
+#define MOST_MM 2000.0
+#define MS_PER_S 1000.0
+#define MOST_S 1.0e6
+
+static status_t read_pose(const robot_t *robot, char *text, command_t *command)
+{
+    (void)robot;
+    for (uint32_t i = 0U; i < POSE_NAME_COUNT; i++) {
+        if (strcmp(pose_name_name((int32_t)i), text) == 0) {
+            command->argument = i;
+            return STATUS_OK;
+        }
+    }
+    return STATUS_UNKNOWN_COMMAND;
+}
+
+static status_t read_speed(const robot_t *robot, const char *name, const char *speed,
+                           command_t *command)
+{
+    const uint32_t axis = axis_terms_find(robot, name);
+    const uint32_t mask = (uint32_t)1U << axis;
+
+    if (axis == robot->axis_count) {
+        return STATUS_UNKNOWN_COMMAND;
+    }
+    if (((command->argument & mask) != 0U) ||
+        !workphase_text_ticks(speed, &robot->axes[axis], &command->ticks[axis])) {
+        return STATUS_OUT_OF_RANGE;
+    }
+    command->argument |= mask;
+    return STATUS_OK;
+}
+
+/* Below 0 it would be a way. */
+static status_t read_time(const char *word, command_t *command)
+{
+    double time_s;
+
+    if (!workphase_text_number(word, MOST_S, &time_s)) {
+        return STATUS_OUT_OF_RANGE;
+    }
+    command->value = (int32_t)lround(time_s * MS_PER_S);
+    return (command->value > 0) ? STATUS_OK : STATUS_OUT_OF_RANGE;
+}
+
+/* Pairs of an axis and its speed, then the time. */
+static status_t read_velocity(const robot_t *robot, char *text, command_t *command)
+{
+    const char *first = workphase_text_next(&text);
+    const char *second = workphase_text_next(&text);
+
+    while (second != NULL) {
+        const status_t status = read_speed(robot, first, second, command);
+
+        if (status != STATUS_OK) {
+            return status;
+        }
+        first = workphase_text_next(&text);
+        second = workphase_text_next(&text);
+    }
+    return (first == NULL) ? STATUS_UNKNOWN_COMMAND : read_time(first, command);
+}
+
+static status_t read_probe(const robot_t *robot, char *text, command_t *command)
+{
+    const char *word = workphase_text_next(&text);
+
+    (void)robot;
+    while (word != NULL) {
+        double length_mm;
+
+        if ((command->argument >= ROBOT_PROBE_LENGTHS) ||
+            !workphase_text_number(word, MOST_MM, &length_mm)) {
+            return STATUS_OUT_OF_RANGE;
+        }
+        command->ticks[command->argument] = (int32_t)lround(length_mm * NM_PER_MM);
+        command->argument++;
+        word = workphase_text_next(&text);
+    }
+    return STATUS_OK;
+}
+
+static const workphase_word_t words[] = {
+    {"RETRACT_NEEDLE", COMMAND_RETRACT, 0U, NULL},
+    {"RETRACT_PROBE", COMMAND_RETRACT, 0U, NULL},
+    {"ALIGN", COMMAND_ALIGN, 0U, NULL},
+    {"INSERT", COMMAND_INSERT, 0U, NULL},
+    {"POSE", COMMAND_POSE, 0U, read_pose},
+    {"VELOCITY", COMMAND_VELOCITY, 0U, read_velocity},
+    {"ACCEPT_ENTRY", COMMAND_ACCEPT_ENTRY, 0U, NULL},
+    {"WITHDRAW_ENTRY", COMMAND_WITHDRAW, (uint32_t)COMMAND_ENTRY, NULL},
+    {"PROBE", COMMAND_PROBE, 0U, read_probe},
+};
+
+static bool is_named(const workphase_word_t *word, const igtl_message_t *message)
+{
+    return strcmp(message->name, word->word) == 0;
+}
+
+static bool begins(const workphase_word_t *word, const igtl_message_t *message)
+{
+    const size_t length = strlen(word->word);
+
+    return (message->text_bytes > length) && (message->text[length] == ' ') &&
+           (memcmp(message->text, word->word, length) == 0);
+}
+
+const workphase_word_t *workphase_words_find(const igtl_message_t *message)
+{
+    for (size_t i = 0U; i < (sizeof words / sizeof words[0]); i++) {
+        const workphase_word_t *word = &words[i];
+
+        if (is_named(word, message) || igtl_is_text(message, word->word) ||
+            ((word->reader != NULL) && begins(word, message))) {
+            return word;
+        }
+    }
+    return NULL;
+}
+
+status_t workphase_words_read(const workphase_word_t *word, const robot_t *robot,
+                              const igtl_message_t *message, command_t *command)
+{
+    char text[IGTL_TEXT_MAX + 1U];
+    const size_t begin = is_named(word, message) ? 0U : strlen(word->word);
+    const size_t length = (size_t)message->text_bytes - begin;
+
+    command->kind = (uint32_t)word->kind;
+    command->argument = word->argument;
+    if (word->reader == NULL) {
+        return STATUS_OK;
+    }
+    if (length > IGTL_TEXT_MAX) {
+        return STATUS_OUT_OF_RANGE;
+    }
+    (void)memcpy(text, &message->text[begin], length);
+    text[length] = '\0';
+    return word->reader(robot, &text[strspn(text, " ")], command);
+}

@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * The commands that a peer of the workphase protocol gives by a word, one row of a table for each.
+ * A STRING has the word as its name, and what it is told as its text, or both in the text.
+ */
+#ifndef BORESIGHT_WORKPHASE_WORDS_H
+#define BORESIGHT_WORKPHASE_WORDS_H
+
+#include "interface/command.h"
+#include "interface/status.h"
+#include "message/igtl_codec.h"
+#include "robot/robot.h"
+
+#include <stdint.h>
+
+/**
+ * Fills `command` from `text`, what follows a word; `text` may be changed.
+ *
+ * @return STATUS_OK; STATUS_UNKNOWN_COMMAND for a text that is none, or a name that the robot does
+ * not have; STATUS_OUT_OF_RANGE for a number that is none or too large
+ */
+typedef status_t (*workphase_reader_t)(const robot_t *robot, char *text, command_t *command);
+
+/** A word, which names as well what it is answered by. */
+typedef struct {
+    const char *word; /**< Lives for ever. */
+    command_kind_t kind;
+    uint32_t argument;
+    workphase_reader_t reader; /**< NULL: nothing follows it. */
+} workphase_word_t;
+
+/** The word that `message` begins with, or is named; NULL for none. */
+const workphase_word_t *workphase_words_find(const igtl_message_t *message);
+
+/**
+ * The command that `message` means, which workphase_words_find() has found to be this `word`. What
+ * may be commanded, the controller judges.
+ *
+ * POSE has the name of a pose. VELOCITY has axes, each with a speed in mm/s or degrees/s, then the
+ * seconds. PROBE has lengths in mm, within +-2000, in the order of the robot's file.
+ *
+ * @return as its reader; STATUS_OUT_OF_RANGE also beyond IGTL_TEXT_MAX characters
+ *
+ * @satisfies SWR-POSE-006
+ * @satisfies SWR-PROBE-006
+ * @satisfies SWR-VEL-014
+ */
+status_t workphase_words_read(const workphase_word_t *word, const robot_t *robot,
+                              const igtl_message_t *message, command_t *command);
+
+#endif
