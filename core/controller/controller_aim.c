@@ -2,6 +2,7 @@
 #include "controller/controller_aim.h"
 
 #include "controller/controller_facts.h"
+#include "controller/controller_trajectory.h"
 #include "mode/align_mode.h"
 #include "mode/pose_mode.h"
 
@@ -44,6 +45,8 @@ solution_t controller_aim(controller_t *self, const cycle_t *cycle, const comman
         (void)memcpy(request->move.target_ticks, target_ticks, sizeof request->move.target_ticks);
     } else if (kind == MODE_POSE) {
         result.status = pose_mode_find(command->argument, cycle->robot, self->axes, &request->move);
+    } else if (kind == MODE_TRAJECTORY) {
+        result = controller_judge_trajectory(self, cycle, command->argument);
     } else {
         /* Its command says where to. */
     }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file Where a motion goes to whose command does not say it itself: the target, or a pose. */
+/** @file Where a motion goes to whose command does not say it itself: the target, a pose, or the
+ * list of a trajectory. */
 #ifndef BORESIGHT_CONTROLLER_AIM_H
 #define BORESIGHT_CONTROLLER_AIM_H
 
@@ -22,7 +23,8 @@ solution_t controller_judge_way(controller_t *self, const cycle_t *cycle);
  * `command->argument`; of any other mode nothing.
  *
  * @return STATUS_OK; of MODE_ALIGN and MODE_INSERT as plan_judge_entry() and
- * controller_judge_way(); of MODE_POSE as pose_mode_find()
+ * controller_judge_way(); of MODE_POSE as pose_mode_find(); of MODE_TRAJECTORY as
+ * controller_judge_trajectory() of list `command->argument`
  *
  * @satisfies SWR-ALIGN-003
  */

@@ -6,7 +6,6 @@
 #include "controller/controller_axis.h"
 #include "controller/controller_facts.h"
 #include "controller/controller_order.h"
-#include "controller/controller_trajectory.h"
 
 #include <string.h>
 
@@ -74,9 +73,7 @@ status_t controller_obey_motion(controller_t *self, const cycle_t *cycle, const 
 {
     const mode_kind_t kind = mode_of_command(command->kind);
     mode_request_t request = request_of(self, cycle, command, kind);
-    solution_t judged = (kind == MODE_TRAJECTORY)
-                            ? controller_judge_trajectory(self, cycle, command->argument)
-                            : controller_aim(self, cycle, command, kind, &request);
+    solution_t judged = controller_aim(self, cycle, command, kind, &request);
     procedure_actions_t actions;
     if (judged.status == STATUS_OK) {
         judged = mode_judge(kind, &request, cycle->robot, self->axes);
