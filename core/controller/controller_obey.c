@@ -15,60 +15,39 @@
 #include <string.h>
 
 /* What a source may send. */
-typedef struct {
-    bool kinds[COMMAND_KIND_COUNT];
-    bool workphases[WORKPHASE_COUNT];
-} rights_t;
-
-static const rights_t rights[COMMAND_SOURCE_COUNT] = {
-    [COMMAND_SOURCE_IGTL] = {.kinds = {[COMMAND_REGISTRATION] = true,
-                                       [COMMAND_TARGET] = true,
-                                       [COMMAND_PROPOSE_REGISTRATION] = true,
-                                       [COMMAND_PROPOSE_ENTRY] = true,
-                                       [COMMAND_PROPOSE_TARGET] = true,
-                                       [COMMAND_RETRACT] = true,
-                                       [COMMAND_ALIGN] = true,
-                                       [COMMAND_INSERT] = true,
-                                       [COMMAND_POSE] = true,
-                                       [COMMAND_NEEDLE] = true,
-                                       [COMMAND_ENTRY] = true,
-                                       [COMMAND_ACCEPT_ENTRY] = true,
-                                       [COMMAND_WITHDRAW] = true,
-                                       [COMMAND_RELEASE] = true,
-                                       [COMMAND_VELOCITY] = true,
-                                       [COMMAND_PROBE] = true},
-                             .workphases = {[WORKPHASE_START_UP] = true,
-                                            [WORKPHASE_PLANNING] = true,
-                                            [WORKPHASE_CALIBRATION] = true,
-                                            [WORKPHASE_TARGETING] = true,
-                                            [WORKPHASE_MOVE_TO_TARGET] = true,
-                                            [WORKPHASE_MANUAL] = true,
-                                            [WORKPHASE_STOP] = true,
-                                            [WORKPHASE_EMERGENCY] = true}},
-    [COMMAND_SOURCE_HTTP] = {
-        .kinds = {[COMMAND_REGISTRATION] = true, [COMMAND_TARGET] = true,
-                  [COMMAND_JOG] = true,          [COMMAND_RETRACT] = true,
-                  [COMMAND_ALIGN] = true,        [COMMAND_INSERT] = true,
-                  [COMMAND_POSE] = true,         [COMMAND_ENTRY] = true,
-                  [COMMAND_ACCEPT_ENTRY] = true, [COMMAND_WITHDRAW] = true,
-                  [COMMAND_LIST_BEGIN] = true,   [COMMAND_LIST_ROW] = true,
-                  [COMMAND_LIST_END] = true,     [COMMAND_RUN_TRAJECTORY] = true,
-                  [COMMAND_TAKE] = true,         [COMMAND_RENEW] = true,
-                  [COMMAND_RELEASE] = true,      [COMMAND_REQUEST] = true,
-                  [COMMAND_RESTORE] = true,      [COMMAND_NOTE] = true,
-                  [COMMAND_HOME_AXIS] = true,    [COMMAND_CLEAR_AXIS] = true,
-                  [COMMAND_CONFIRM_AXIS] = true, [COMMAND_SET_HOME] = true,
-                  [COMMAND_VELOCITY] = true,     [COMMAND_PROBE] = true,
-                  [COMMAND_JOG_BY] = true,       [COMMAND_ENABLE_AXIS] = true,
-                  [COMMAND_DISABLE_AXIS] = true},
-        .workphases = {[WORKPHASE_START_UP] = true,
-                       [WORKPHASE_PLANNING] = true,
-                       [WORKPHASE_CALIBRATION] = true,
-                       [WORKPHASE_TARGETING] = true,
-                       [WORKPHASE_MOVE_TO_TARGET] = true,
-                       [WORKPHASE_MANUAL] = true,
-                       [WORKPHASE_STOP] = true,
-                       [WORKPHASE_EMERGENCY] = true}}};
+static const bool rights[COMMAND_SOURCE_COUNT][COMMAND_KIND_COUNT] = {
+    [COMMAND_SOURCE_IGTL] = {[COMMAND_WORKPHASE] = true,
+                             [COMMAND_REGISTRATION] = true,
+                             [COMMAND_TARGET] = true,
+                             [COMMAND_PROPOSE_REGISTRATION] = true,
+                             [COMMAND_PROPOSE_ENTRY] = true,
+                             [COMMAND_PROPOSE_TARGET] = true,
+                             [COMMAND_RETRACT] = true,
+                             [COMMAND_ALIGN] = true,
+                             [COMMAND_INSERT] = true,
+                             [COMMAND_POSE] = true,
+                             [COMMAND_NEEDLE] = true,
+                             [COMMAND_ENTRY] = true,
+                             [COMMAND_ACCEPT_ENTRY] = true,
+                             [COMMAND_WITHDRAW] = true,
+                             [COMMAND_RELEASE] = true,
+                             [COMMAND_VELOCITY] = true,
+                             [COMMAND_PROBE] = true},
+    [COMMAND_SOURCE_HTTP] = {[COMMAND_WORKPHASE] = true,      [COMMAND_REGISTRATION] = true,
+                             [COMMAND_TARGET] = true,         [COMMAND_JOG] = true,
+                             [COMMAND_RETRACT] = true,        [COMMAND_ALIGN] = true,
+                             [COMMAND_INSERT] = true,         [COMMAND_POSE] = true,
+                             [COMMAND_ENTRY] = true,          [COMMAND_ACCEPT_ENTRY] = true,
+                             [COMMAND_WITHDRAW] = true,       [COMMAND_LIST_BEGIN] = true,
+                             [COMMAND_LIST_ROW] = true,       [COMMAND_LIST_END] = true,
+                             [COMMAND_RUN_TRAJECTORY] = true, [COMMAND_TAKE] = true,
+                             [COMMAND_RENEW] = true,          [COMMAND_RELEASE] = true,
+                             [COMMAND_REQUEST] = true,        [COMMAND_RESTORE] = true,
+                             [COMMAND_NOTE] = true,           [COMMAND_HOME_AXIS] = true,
+                             [COMMAND_CLEAR_AXIS] = true,     [COMMAND_CONFIRM_AXIS] = true,
+                             [COMMAND_SET_HOME] = true,       [COMMAND_VELOCITY] = true,
+                             [COMMAND_PROBE] = true,          [COMMAND_JOG_BY] = true,
+                             [COMMAND_ENABLE_AXIS] = true,    [COMMAND_DISABLE_AXIS] = true}};
 
 /* START_UP is the operator's act that clears what was latched. */
 static void begin_start_up(controller_t *self, const cycle_t *cycle)
@@ -147,17 +126,8 @@ static bool is_known(const command_t *command)
 /* What is not known at all is left to be refused as unknown. */
 static bool is_allowed(const command_t *command)
 {
-    bool is_right = false;
-    if (command->source >= COMMAND_SOURCE_COUNT) {
-        is_right = false;
-    } else if (is_known(command)) {
-        is_right = (command->kind == (uint32_t)COMMAND_WORKPHASE)
-                       ? rights[command->source].workphases[command->argument]
-                       : rights[command->source].kinds[command->kind];
-    } else {
-        is_right = true;
-    }
-    return is_right;
+    return (command->source < COMMAND_SOURCE_COUNT) &&
+           (!is_known(command) || rights[command->source][command->kind]);
 }
 
 /* Changes of the workphase that drive nothing do without the robot's table. */
