@@ -13,15 +13,10 @@ static int32_t error_ticks(const axis_t *self)
     return fixed_saturate((int64_t)self->setpoint_ticks - (int64_t)self->encoder.position_ticks);
 }
 
-static int64_t magnitude(int64_t value)
-{
-    return (value < 0) ? -value : value;
-}
-
 /* What the axis may lag grows with how fast it is to be. */
 static int32_t following_error_ticks(const axis_t *self, const axis_config_t *config)
 {
-    const int64_t speed_q8 = magnitude((int64_t)self->setpoint_speed_ticks_per_s_q8);
+    const int64_t speed_q8 = fixed_magnitude((int64_t)self->setpoint_speed_ticks_per_s_q8);
     const int64_t product = speed_q8 * (int64_t)config->following_time_ms;
     if (product == 0) {
         return config->following_error_ticks;
@@ -107,7 +102,7 @@ static uint32_t arrive(axis_t *self, const axis_config_t *config)
 {
     const int64_t away = (int64_t)config->home_ticks - (int64_t)self->encoder.position_ticks +
                          (int64_t)self->elsewhere_ticks;
-    if ((self->has_place != 0U) && is_beyond_margin(config, magnitude(away))) {
+    if ((self->has_place != 0U) && is_beyond_margin(config, fixed_magnitude(away))) {
         set_position(self, config->home_ticks);
         self->elsewhere_ticks = fixed_saturate(away);
         self->contradiction_ticks = fixed_saturate(-away);
@@ -393,7 +388,7 @@ bool axis_is_moving_in_doubt(const axis_t *self)
 
 bool axis_is_at(const axis_t *self, const axis_config_t *config, int32_t target_ticks)
 {
-    return magnitude((int64_t)target_ticks - (int64_t)self->encoder.position_ticks) <=
+    return fixed_magnitude((int64_t)target_ticks - (int64_t)self->encoder.position_ticks) <=
            (int64_t)config->deadband_ticks;
 }
 

@@ -37,17 +37,13 @@ static void measure(encoder_t *self, const card_report_t *report, int32_t speed_
     anchor(self, report);
 }
 
-static int64_t magnitude(int64_t value)
-{
-    return (value < 0) ? -value : value;
-}
-
 /* The speed measured last, but no more than `ticks` in `time_us`. */
 static void limit_speed(encoder_t *self, int64_t ticks, uint32_t time_us)
 {
     const int64_t measured_q8 = (int64_t)self->measured_ticks_per_s_q8;
     const int64_t most_q8 = (ticks * Q8_US_PER_S) / (int64_t)time_us;
-    const int64_t size_q8 = (magnitude(measured_q8) > most_q8) ? most_q8 : magnitude(measured_q8);
+    const int64_t size_q8 =
+        (fixed_magnitude(measured_q8) > most_q8) ? most_q8 : fixed_magnitude(measured_q8);
     self->speed_ticks_per_s_q8 = (int32_t)((measured_q8 < 0) ? -size_q8 : size_q8);
 }
 
@@ -55,12 +51,12 @@ static void limit_speed(encoder_t *self, int64_t ticks, uint32_t time_us)
  * ticks since the measurement say how fast the axis may be: in bursts the next ones come early. */
 static void wait_for_ticks(encoder_t *self, uint32_t quiet_us, uint32_t span_us, int64_t travelled)
 {
-    const int64_t size_q8 = magnitude((int64_t)self->measured_ticks_per_s_q8);
+    const int64_t size_q8 = fixed_magnitude((int64_t)self->measured_ticks_per_s_q8);
     const int64_t patience = (Q8_US_PER_S / 100) * (int64_t)LIMIT_SPEED_WAIT_PERCENT;
     if ((size_q8 * (int64_t)quiet_us) > patience) {
         limit_speed(self, 1, quiet_us);
     } else if ((self->speed_ticks_per_s_q8 != self->measured_ticks_per_s_q8) && (span_us > 0U)) {
-        limit_speed(self, magnitude(travelled) + 1, span_us);
+        limit_speed(self, fixed_magnitude(travelled) + 1, span_us);
     } else {
         /* Nothing was or is overdue. */
     }

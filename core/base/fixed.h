@@ -73,6 +73,18 @@ static inline int32_t fixed_saturate(int64_t value)
     return (value < INT32_MIN) ? INT32_MIN : (int32_t)value;
 }
 
+/** `value` without its sign; not for INT64_MIN. */
+static inline int64_t fixed_magnitude(int64_t value)
+{
+    return (value < 0) ? -value : value;
+}
+
+/** The larger of `a` and `b`. */
+static inline int64_t fixed_larger(int64_t a, int64_t b)
+{
+    return (a > b) ? a : b;
+}
+
 /** `value` modulo one turn: the angle it stands for, whichever number of turns it counts. */
 int32_t fixed_wrap_bam(int64_t value);
 

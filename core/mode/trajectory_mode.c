@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "mode/trajectory_mode.h"
 
+#include "base/fixed.h"
 #include "limits/requirement_limits.h"
 #include "motion/cubic.h"
 #include "robot/coupled_path.h"
@@ -24,11 +25,6 @@ static pair_t pair_at(const trajectory_t *trajectory, uint32_t row)
     return pair;
 }
 
-static int64_t magnitude(int64_t value)
-{
-    return (value < 0) ? -value : value;
-}
-
 /* Sideways only while the needle is out, where the axes stand and in the first row. */
 static bool cuts(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
                  const trajectory_row_t *row, uint32_t axis)
@@ -48,7 +44,7 @@ static status_t judge_axis(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MA
     status_t status = STATUS_OK;
     if (!axis_is_homed(&axes[axis])) {
         status = STATUS_NOT_HOMED;
-    } else if (joints_is_beyond(config, magnitude(way), LIMIT_TRAJECTORY_LEAD_NM,
+    } else if (joints_is_beyond(config, fixed_magnitude(way), LIMIT_TRAJECTORY_LEAD_NM,
                                 LIMIT_TRAJECTORY_LEAD_BAM)) {
         status = STATUS_TRAJECTORY_FAR;
     } else if (cuts(robot, axes, row, axis)) {

@@ -25,11 +25,6 @@ typedef struct {
     int32_t to_ticks[ROBOT_AXIS_MAX]; /* Where they would come to rest. */
 } velocity_plan_t;
 
-static int64_t magnitude(int64_t value)
-{
-    return (value < 0) ? -value : value;
-}
-
 static bool has_axis(const velocity_mode_t *self, uint32_t index)
 {
     return (self->axes & LEG_AXIS(index)) != 0U;
@@ -50,7 +45,7 @@ static status_t judge_axis(const velocity_mode_t *asked, const robot_t *robot,
 {
     const axis_config_t *const config = &robot->axes[index];
     const bool is_across = config->needle_motion == (uint32_t)NEEDLE_ACROSS;
-    const int64_t speed = magnitude((int64_t)asked->speeds_ticks_per_s[index]);
+    const int64_t speed = fixed_magnitude((int64_t)asked->speeds_ticks_per_s[index]);
     status_t status = STATUS_OK;
     if (speed == 0) {
         status = STATUS_OUT_OF_RANGE;
@@ -112,7 +107,7 @@ static void refuse(velocity_mode_t *self, status_t status, uint32_t index)
 
 static int64_t now_q8(const mode_frame_t *frame, uint32_t index)
 {
-    return magnitude((int64_t)frame->axes[index].setpoint_speed_ticks_per_s_q8);
+    return fixed_magnitude((int64_t)frame->axes[index].setpoint_speed_ticks_per_s_q8);
 }
 
 static int64_t slower_q8(int64_t speed_q8, int64_t step_q8)
@@ -144,7 +139,7 @@ static int64_t most_q8(const velocity_mode_t *self, const mode_frame_t *frame, u
     if (!axis_is_homed(&frame->axes[index])) {
         most = fixed_within(most, 0, (int64_t)config->home_speed_ticks_per_s * 256);
     }
-    most = fixed_within(most, 0, magnitude((int64_t)self->speeds_ticks_per_s[index]) * 256);
+    most = fixed_within(most, 0, fixed_magnitude((int64_t)self->speeds_ticks_per_s[index]) * 256);
     most = fixed_within(most, 0, fixed_within(step_q8 * left, 0, most));
     return ((self->barred & LEG_AXIS(index)) == 0U) ? most : 0;
 }

@@ -5,16 +5,6 @@
 
 #define ONE_TICK_Q8 INT64_C(256)
 
-static int64_t magnitude(int64_t value)
-{
-    return (value < 0) ? -value : value;
-}
-
-static int64_t larger(int64_t a, int64_t b)
-{
-    return (a > b) ? a : b;
-}
-
 /* A third of the way in `span_ms` at that speed, 8 fraction bits. */
 static int64_t third_q8(int32_t speed_ticks_per_s, uint32_t span_ms)
 {
@@ -75,9 +65,11 @@ bool cubic_keeps_speed(const cubic_t *self, int32_t speed_ticks_per_s)
     const int64_t first = self->at_q8[1] - self->at_q8[0];
     const int64_t middle = self->at_q8[2] - self->at_q8[1];
     const int64_t last = self->at_q8[3] - self->at_q8[2];
-    const int64_t inner = larger(magnitude(first + middle), magnitude(middle + last)) * 2;
-    const int64_t outer = larger(magnitude(first), magnitude(last)) * 4;
-    const int64_t most = larger(larger(inner, outer), magnitude(first + (2 * middle) + last));
+    const int64_t inner =
+        fixed_larger(fixed_magnitude(first + middle), fixed_magnitude(middle + last)) * 2;
+    const int64_t outer = fixed_larger(fixed_magnitude(first), fixed_magnitude(last)) * 4;
+    const int64_t most =
+        fixed_larger(fixed_larger(inner, outer), fixed_magnitude(first + (2 * middle) + last));
     return (most * 750) <= ((int64_t)speed_ticks_per_s * (int64_t)self->span_ms * ONE_TICK_Q8);
 }
 
@@ -85,7 +77,7 @@ bool cubic_keeps_acceleration(const cubic_t *self, int32_t ticks_per_s2)
 {
     const int64_t begin = (self->at_q8[2] - self->at_q8[1]) - (self->at_q8[1] - self->at_q8[0]);
     const int64_t end = (self->at_q8[3] - self->at_q8[2]) - (self->at_q8[2] - self->at_q8[1]);
-    const int64_t most = larger(magnitude(begin), magnitude(end)) - ONE_TICK_Q8;
+    const int64_t most = fixed_larger(fixed_magnitude(begin), fixed_magnitude(end)) - ONE_TICK_Q8;
     const int64_t span_ms = (int64_t)self->span_ms;
     return (most * 6000000) <= ((int64_t)ticks_per_s2 * ONE_TICK_Q8 * span_ms * span_ms);
 }

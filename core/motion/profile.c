@@ -11,16 +11,6 @@
 
 static const char contract_module[] = "profile";
 
-static int64_t magnitude(int64_t value)
-{
-    return (value < 0) ? -value : value;
-}
-
-static int64_t larger(int64_t a, int64_t b)
-{
-    return (a > b) ? a : b;
-}
-
 static int64_t smaller(int64_t a, int64_t b)
 {
     return (a < b) ? a : b;
@@ -62,17 +52,18 @@ void profile_plan(profile_t *self, const robot_t *robot, const int32_t start_tic
     int64_t product = 0;         /* R (R + C) */
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
         const axis_config_t *const axis = &robot->axes[i];
-        const int64_t way = magnitude((int64_t)end_ticks[i] - (int64_t)start_ticks[i]);
+        const int64_t way = fixed_magnitude((int64_t)end_ticks[i] - (int64_t)start_ticks[i]);
         const int64_t speed = (int64_t)axis->speed_ticks_per_s * (int64_t)speed_percent *
                               (int64_t)LIMIT_PROFILE_SPEED_PERCENT;
-        ramp_and_cruise = larger(ramp_and_cruise, divide_up(way * CYCLES_PER_S * 10000, speed));
-        product = larger(product, divide_up(way * CYCLES_PER_S * CYCLES_PER_S,
-                                            (int64_t)axis->acceleration_ticks_per_s2));
+        ramp_and_cruise =
+            fixed_larger(ramp_and_cruise, divide_up(way * CYCLES_PER_S * 10000, speed));
+        product = fixed_larger(product, divide_up(way * CYCLES_PER_S * CYCLES_PER_S,
+                                                  (int64_t)axis->acceleration_ticks_per_s2));
     }
     rest_at(self, start_ticks);
     (void)memcpy(self->end_ticks, end_ticks, sizeof self->end_ticks);
     if (product > 0) {
-        ramp_and_cruise = larger(ramp_and_cruise, square_root_up(product));
+        ramp_and_cruise = fixed_larger(ramp_and_cruise, square_root_up(product));
         const int64_t ramp = divide_up(product, ramp_and_cruise);
         const int64_t cruise = ramp_and_cruise - ramp;
         self->ramp_cycles = (uint32_t)ramp;

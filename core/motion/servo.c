@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "motion/servo.h"
 
+#include "base/fixed.h"
 #include "limits/requirement_limits.h"
 
 #include <string.h>
@@ -11,11 +12,6 @@
 #define FASTEST_PERCENT (INT64_C(105) + (int64_t)LIMIT_MOTOR_SPREAD_PERCENT)
 /* From an off word to a motor at rest. */
 #define STOP_US INT64_C(1500)
-
-static int64_t magnitude(int64_t value)
-{
-    return (value < 0) ? -value : value;
-}
 
 static uint32_t direction_bit(const axis_config_t *config, bool is_upwards)
 {
@@ -41,7 +37,7 @@ static bool is_short(const servo_t *self, const axis_config_t *config, const car
     const int64_t more_q16 = motor_model_step_q16(&model, config, drive, LIMIT_CYCLE_US);
     const int64_t stop_q16 = (model.speed_ticks_per_s_q8 * 256 * STOP_US) / 1000000;
     const int64_t farthest_q16 =
-        magnitude(self->unseen_q16 + more_q16 + stop_q16) * FASTEST_PERCENT;
+        fixed_magnitude(self->unseen_q16 + more_q16 + stop_q16) * FASTEST_PERCENT;
     return farthest_q16 <= (way_ticks * 65536 * 100);
 }
 
@@ -102,7 +98,8 @@ card_drive_t servo_step(servo_t *self, const axis_config_t *config, int32_t erro
 {
     card_drive_t drive = {.mode = (uint32_t)CARD_DRIVE_OFF, .direction = 0U, .duty = 0U};
     const int64_t speed_q8 = (int64_t)setpoint_speed_ticks_per_s_q8;
-    const bool is_arrived = magnitude((int64_t)error_ticks) <= (int64_t)config->deadband_ticks;
+    const bool is_arrived =
+        fixed_magnitude((int64_t)error_ticks) <= (int64_t)config->deadband_ticks;
     const bool is_upwards = (speed_q8 != 0) ? (speed_q8 > 0) : (error_ticks > 0);
     const uint32_t direction = direction_bit(config, is_upwards);
     catch_up(self, config, elapsed_us);
@@ -111,7 +108,7 @@ card_drive_t servo_step(servo_t *self, const axis_config_t *config, int32_t erro
     const bool is_turning = (direction != self->direction) && (self->rest_us < dwell_us);
     if (!is_turning && (!is_arrived || (speed_q8 != 0))) {
         const int64_t way_ticks = is_upwards ? (int64_t)error_ticks : -(int64_t)error_ticks;
-        drive = choose(self, config, direction, way_ticks, magnitude(speed_q8));
+        drive = choose(self, config, direction, way_ticks, fixed_magnitude(speed_q8));
     }
     self->unseen_q16 = motor_model_step_q16(&self->model, config, &drive, LIMIT_CYCLE_US);
     if (drive.mode != (uint32_t)CARD_DRIVE_OFF) {

@@ -211,6 +211,17 @@ void test_SWR_FIX_003_saturation_stops_at_the_ends_of_int32(void)
     TEST_ASSERT_EQUAL_INT32(INT32_MIN, fixed_saturate(INT64_MIN));
 }
 
+void test_SWR_FIX_003_a_magnitude_and_the_larger_of_two_keep_64_bits(void)
+{
+    TEST_ASSERT_EQUAL_INT64(0, fixed_magnitude(0));
+    TEST_ASSERT_EQUAL_INT64(5, fixed_magnitude(-5));
+    TEST_ASSERT_EQUAL_INT64(INT64_MAX, fixed_magnitude(INT64_MIN + 1));
+    TEST_ASSERT_EQUAL_INT64(INT64_MAX, fixed_magnitude(INT64_MAX));
+    TEST_ASSERT_EQUAL_INT64(-4, fixed_larger(-4, -5));
+    TEST_ASSERT_EQUAL_INT64(7, fixed_larger(7, 7));
+    TEST_ASSERT_EQUAL_INT64(INT64_MAX, fixed_larger(INT64_MIN, INT64_MAX));
+}
+
 void test_SWR_FIX_003_multiplication_rounds_half_away_from_zero_and_saturates(void)
 {
     TEST_ASSERT_EQUAL_INT32(2, fixed_multiply_q30(3, FIXED_ONE_Q30 / 2));
