@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "http/http_call.h"
 
+#include "common/axis_terms.h"
 #include "http/http_lines.h"
 #include "http/http_reply.h"
 #include "limits/requirement_limits.h"
@@ -139,10 +140,7 @@ const route_t *http_call_find(const struct mg_connection *connection, const char
 
 static bool read_axis(http_call_t *self, const robot_t *robot, const char *text)
 {
-    uint32_t axis = 0U;
-    while ((axis < robot->axis_count) && (strcmp(robot->axes[axis].name, text) != 0)) {
-        axis++;
-    }
+    const uint32_t axis = axis_terms_find(robot, text);
     const bool is_number =
         (axis == robot->axis_count) && request_headers_number(text, &self->path.number);
     self->path.axis = is_number ? self->path.number : axis;

@@ -1,13 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "http/http_motion.h"
 
+#include "common/axis_terms.h"
 #include "http/http_act.h"
-#include "http/http_reply.h"
-#include "http/telemetry_units.h"
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 #define MS_PER_S 1000.0
 #define POINTER_SIZE 24U
@@ -30,7 +28,7 @@ int http_motion_jog(http_server_t *server, const http_call_t *call)
     if (body->has_distance == body->has_position) {
         return http_act_refuse_choice(call, body->has_distance, "/position");
     }
-    return telemetry_units_ticks(axis, way, &command.value)
+    return axis_terms_ticks(axis, way, &command.value)
                ? http_act_command(server, call, &command)
                : http_act_refuse_member(call, body->has_distance ? "/distance" : "/position");
 }
@@ -61,14 +59,11 @@ int http_motion_pose(http_server_t *server, const http_call_t *call)
  * is so far from 0. */
 static bool read_speed(const robot_t *robot, const request_axis_speed_t *asked, command_t *command)
 {
-    uint32_t axis = 0U;
-    while ((axis < robot->axis_count) && (strcmp(robot->axes[axis].name, asked->axis) != 0)) {
-        axis++;
-    }
+    const uint32_t axis = axis_terms_find(robot, asked->axis);
     const uint32_t mask = (uint32_t)1U << axis;
     const bool is_new = (axis < robot->axis_count) && ((command->argument & mask) == 0U);
     command->argument |= mask;
-    return is_new && telemetry_units_ticks(&robot->axes[axis], asked->speed, &command->ticks[axis]);
+    return is_new && axis_terms_ticks(&robot->axes[axis], asked->speed, &command->ticks[axis]);
 }
 
 /* As COMMAND_VELOCITY says; false when no way is so long. */
@@ -82,7 +77,7 @@ static bool read_bound(const robot_t *robot, const request_velocity_t *body, com
     while ((command->argument >> (axis + 1U)) != 0U) {
         axis++;
     }
-    const bool is_one = telemetry_units_ticks(&robot->axes[axis], body->way, &command->value);
+    const bool is_one = axis_terms_ticks(&robot->axes[axis], body->way, &command->value);
     command->value = -command->value;
     return is_one;
 }
@@ -94,10 +89,7 @@ int http_motion_velocity(http_server_t *server, const http_call_t *call)
     command_t command = {.id = body->id, .kind = (uint32_t)COMMAND_VELOCITY};
     char pointer[POINTER_SIZE];
     if (body->has_time_s == body->has_way) {
-        const request_result_t fault = {.fault = body->has_way ? REQUEST_UNKNOWN : REQUEST_MISSING,
-                                        .place = "/time_s"};
-        const http_problem_t problem = http_problem_of_body(&fault);
-        return http_reply_problem(call->connection, &problem, NULL);
+        return http_act_refuse_choice(call, body->has_way, "/time_s");
     }
     for (uint32_t i = 0U; i < body->speeds_count; i++) {
         if (!read_speed(robot, &body->speeds[i], &command)) {

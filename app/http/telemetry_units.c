@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "http/telemetry_units.h"
 
+#include "common/axis_terms.h"
+
 #include <math.h>
 
 #define NM_PER_MM 1.0e6
-#define BAM_PER_DEGREE (4294967296.0 / 360.0)
-#define ONE_Q16 65536.0
 #define ONE_Q30 1073741824.0
 #define MM_MOST 2000.0
 #define ENTRY_MOST 1.001
@@ -16,12 +16,6 @@ static double rounded(double value)
     return round(value * 1.0e6) / 1.0e6;
 }
 
-static double unit_per_tick(const axis_config_t *axis)
-{
-    double scale = (axis->unit == (uint8_t)AXIS_UNIT_MM) ? NM_PER_MM : BAM_PER_DEGREE;
-    return ((double)axis->unit_per_tick_q16 / ONE_Q16) / scale;
-}
-
 const char *telemetry_units_name(const axis_config_t *axis)
 {
     return (axis->unit == (uint8_t)AXIS_UNIT_MM) ? "mm" : "deg";
@@ -29,20 +23,12 @@ const char *telemetry_units_name(const axis_config_t *axis)
 
 double telemetry_units_position(const axis_config_t *axis, int32_t ticks)
 {
-    return rounded((double)ticks * unit_per_tick(axis));
-}
-
-bool telemetry_units_ticks(const axis_config_t *axis, double position, int32_t *ticks)
-{
-    const double exact = round(position / unit_per_tick(axis));
-    const bool is_one = (exact >= (double)INT32_MIN) && (exact <= (double)INT32_MAX);
-    *ticks = is_one ? (int32_t)exact : 0;
-    return is_one;
+    return rounded((double)ticks * axis_terms_unit(axis));
 }
 
 double telemetry_units_speed(const axis_config_t *axis, int32_t speed_ticks_per_s_q8)
 {
-    return rounded(((double)speed_ticks_per_s_q8 / 256.0) * unit_per_tick(axis));
+    return rounded(((double)speed_ticks_per_s_q8 / 256.0) * axis_terms_unit(axis));
 }
 
 void telemetry_units_point(const point_t *point, double coordinates[3])

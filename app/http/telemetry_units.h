@@ -16,10 +16,6 @@ const char *telemetry_units_name(const axis_config_t *axis);
 /** A position of `axis` in its unit. */
 double telemetry_units_position(const axis_config_t *axis, int32_t ticks);
 
-/** The position of `axis` that is nearest to `position`, in its unit. False when no position is so
- * far away. */
-bool telemetry_units_ticks(const axis_config_t *axis, double position, int32_t *ticks);
-
 /** A speed of `axis` in its unit per second. */
 double telemetry_units_speed(const axis_config_t *axis, int32_t speed_ticks_per_s_q8);
 

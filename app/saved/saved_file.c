@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "saved/saved_file.h"
 
+#include "common/axis_terms.h"
 #include "limits/requirement_limits.h"
 
 #include <stdio.h>
@@ -82,23 +83,13 @@ static bool read_head(saved_t *self, const request_saved_positions_t *file, uint
     return is_good;
 }
 
-static uint32_t axis_of_name(const robot_t *robot, const char *name)
-{
-    for (uint32_t i = 0U; i < robot->axis_count; i++) {
-        if (strcmp(robot->axes[i].name, name) == 0) {
-            return i;
-        }
-    }
-    return NO_AXIS;
-}
-
 static bool read_axes(saved_t *self, const request_saved_positions_t *file, const robot_t *robot)
 {
     uint32_t seen = 0U;
     for (uint32_t i = 0U; i < file->axes_count; i++) {
         const request_saved_axis_t *axis = &file->axes[i];
-        const uint32_t index = axis_of_name(robot, axis->name);
-        if ((index == NO_AXIS) || (((seen >> index) & 1U) != 0U)) {
+        const uint32_t index = axis_terms_find(robot, axis->name);
+        if ((index == robot->axis_count) || (((seen >> index) & 1U) != 0U)) {
             return false;
         }
         seen |= 1U << index;

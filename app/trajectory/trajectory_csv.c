@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "trajectory/trajectory_csv.h"
 
+#include "common/axis_terms.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #define COLUMNS ((2U * ROBOT_AXIS_MAX) + 1U)
 #define NAME_SIZE 32U
-#define NM_PER_MM 1e6
-#define BAM_PER_DEG (4294967296.0 / 360.0)
 
 typedef enum { COLUMN_TIME, COLUMN_POSITION, COLUMN_SPEED } column_kind_t;
 
@@ -25,21 +25,6 @@ typedef struct {
     bool has_position[ROBOT_AXIS_MAX];
     bool has_speed[ROBOT_AXIS_MAX];
 } head_t;
-
-static double ticks_per_unit(const axis_config_t *axis)
-{
-    const double unit = (axis->unit == (uint8_t)AXIS_UNIT_MM) ? NM_PER_MM : BAM_PER_DEG;
-    return (unit * 65536.0) / (double)axis->unit_per_tick_q16;
-}
-
-static bool find_axis(const robot_t *robot, const char *name, uint32_t *axis)
-{
-    *axis = 0U;
-    while ((*axis < robot->axis_count) && (strcmp(robot->axes[*axis].name, name) != 0)) {
-        (*axis)++;
-    }
-    return *axis < robot->axis_count;
-}
 
 static bool read_time_unit(const char *unit, column_t *column)
 {
@@ -60,7 +45,7 @@ static bool read_axis_unit(const robot_t *robot, char *unit, column_t *column)
         }
         *slash = '\0';
     }
-    column->scale = (strcmp(unit, own) == 0) ? ticks_per_unit(axis) : 1.0;
+    column->scale = (strcmp(unit, own) == 0) ? (1.0 / axis_terms_unit(axis)) : 1.0;
     return (strcmp(unit, own) == 0) || (strcmp(unit, "ticks") == 0);
 }
 
@@ -99,7 +84,8 @@ static bool read_column(head_t *self, const robot_t *robot, const char *text, si
     }
     *space = '\0';
     const bool is_time = strcmp(name, "time") == 0;
-    if (!is_time && !find_axis(robot, name, &column.axis)) {
+    column.axis = is_time ? 0U : axis_terms_find(robot, name);
+    if (column.axis == robot->axis_count) {
         return false;
     }
     return (is_time ? read_time_unit(&space[1], &column)

@@ -40,7 +40,7 @@ $(FUZZ)/bin/ports: $(call fuzz_object,verification/fuzz/ports_fuzz.c $(wildcard 
 	@$(FUZZ_CC) -fsanitize=fuzzer,address,undefined $^ -o $@
 	@echo "built $@"
 
-$(FUZZ)/bin/request: $(call fuzz_object,verification/fuzz/request_fuzz.c $(wildcard app/request/*.c) app/http/telemetry_units.c $(API))
+$(FUZZ)/bin/request: $(call fuzz_object,verification/fuzz/request_fuzz.c $(wildcard app/request/*.c) app/http/telemetry_units.c $(AXIS_TERMS) $(API))
 	@mkdir -p $(@D)
 	@$(FUZZ_CC) -fsanitize=fuzzer,address,undefined $^ -lm -o $@
 	@echo "built $@"

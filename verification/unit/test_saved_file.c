@@ -4,6 +4,7 @@
 #include "unity.h"
 
 #include "base/crc.h"
+#include "common/axis_terms.h"
 #include "limits/requirement_limits.h"
 #include "positions/position_record.h"
 #include "robot/robot_neuro.h"
