@@ -286,7 +286,6 @@ static bool is_drive_off(const card_drive_t *drive)
 
 /* What the drives of a mode may hold. */
 typedef struct {
-    uint32_t most_direction;
     uint32_t least_duty;
     uint32_t most_duty;
     uint32_t least_amplitude;
@@ -296,11 +295,11 @@ typedef struct {
 static inline bool is_drive_valid(const card_drive_t *drive)
 {
     static const drive_range_t ranges[DRIVE_MODES] = {
-        [CARD_DRIVE_PWM] = {1U, 0U, LARGEST_DUTY, 0U, 0U},
-        [CARD_DRIVE_NON_PWM] = {1U, 0U, LARGEST_DUTY, 0U, 0U},
-        [CARD_DRIVE_HIGH_FREQUENCY] = {1U, LIMIT_WAVE_FASTEST_WORD, LIMIT_WAVE_SLOWEST_WORD, 1U,
+        [CARD_DRIVE_PWM] = {0U, LARGEST_DUTY, 0U, 0U},
+        [CARD_DRIVE_NON_PWM] = {0U, LARGEST_DUTY, 0U, 0U},
+        [CARD_DRIVE_HIGH_FREQUENCY] = {LIMIT_WAVE_FASTEST_WORD, LIMIT_WAVE_SLOWEST_WORD, 1U,
                                        LARGEST_8_BIT},
-        [CARD_DRIVE_ANALOG] = {1U, 0U, LARGEST_16_BIT, 0U, 0U},
+        [CARD_DRIVE_ANALOG] = {0U, LARGEST_16_BIT, 0U, 0U},
     };
     if (is_drive_off(drive)) {
         return (drive->direction | drive->duty | drive->amplitude) == 0U;
@@ -309,7 +308,7 @@ static inline bool is_drive_valid(const card_drive_t *drive)
         return false;
     }
     const drive_range_t *const range = &ranges[drive->mode];
-    return (drive->direction <= range->most_direction) && (drive->duty >= range->least_duty) &&
+    return (drive->direction <= 1U) && (drive->duty >= range->least_duty) &&
            (drive->duty <= range->most_duty) && (drive->amplitude >= range->least_amplitude) &&
            (drive->amplitude <= range->most_amplitude);
 }
