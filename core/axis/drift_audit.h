@@ -34,7 +34,6 @@ void drift_audit_begin_scan(drift_audit_t *self);
  * The account is beyond LIMIT_DRIFT_WAY_NM or LIMIT_DRIFT_WAY_BAM.
  *
  * @satisfies SWR-AXIS-022
- * @satisfies SWR-THESIS-002
  */
 bool drift_audit_is_beyond(const drift_audit_t *self, const axis_config_t *config);
 

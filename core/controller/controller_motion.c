@@ -28,8 +28,8 @@ static mode_request_t request_of(const controller_t *self, const cycle_t *cycle,
     switch (kind) {
     case MODE_JOG:
     case MODE_HOME_AXIS:
-        request.jog.axis = command->argument;
-        request.jog.ticks = jog_end_ticks(self, command);
+        request.way.axis = command->argument;
+        request.way.end_ticks = jog_end_ticks(self, command);
         request.axes =
             (command->argument < ROBOT_AXIS_MAX) ? ((uint32_t)1U << command->argument) : 0U;
         break;
@@ -37,7 +37,8 @@ static mode_request_t request_of(const controller_t *self, const cycle_t *cycle,
         request.start_ms = self->rows[0].time_ms;
         break;
     case MODE_RETRACT:
-        request.jog.ticks = retract_mode_end_ticks(cycle->robot, self->axes);
+        request.way.axis = cycle->robot->needle_axis;
+        request.way.end_ticks = retract_mode_end_ticks(cycle->robot, self->axes);
         break;
     case MODE_VELOCITY:
         request.axes = command->argument;
@@ -63,8 +64,8 @@ static void begin(controller_t *self, const cycle_t *cycle, const command_t *com
                   mode_kind_t kind, const mode_request_t *request)
 {
     controller_arm(self, command, kind, request);
-    if ((kind == MODE_HOME_AXIS) && axis_is_homed(&self->axes[request->jog.axis])) {
-        controller_forget_reference(self, cycle, request->jog.axis);
+    if ((kind == MODE_HOME_AXIS) && axis_is_homed(&self->axes[request->way.axis])) {
+        controller_forget_reference(self, cycle, request->way.axis);
     }
 }
 

@@ -10,11 +10,6 @@
 
 #include <stdint.h>
 
-typedef struct {
-    uint32_t axis;
-    int32_t ticks; /**< Where to. */
-} jog_mode_t;
-
 /**
  * May the jog be armed?
  *
@@ -25,7 +20,7 @@ typedef struct {
  * @satisfies SWR-AXIS-004
  * @satisfies SWR-JOG-002
  */
-solution_t jog_mode_judge(const jog_mode_t *asked, const robot_t *robot,
+solution_t jog_mode_judge(const mode_way_t *asked, const robot_t *robot,
                           const axis_t axes[ROBOT_AXIS_MAX]);
 
 /**
@@ -33,7 +28,7 @@ solution_t jog_mode_judge(const jog_mode_t *asked, const robot_t *robot,
  *
  * @satisfies SWR-JOG-004
  */
-void jog_mode_step(const jog_mode_t *self, leg_t *leg, const mode_frame_t *frame,
+void jog_mode_step(const mode_way_t *self, leg_t *leg, const mode_frame_t *frame,
                    mode_result_t *result);
 
 #endif

@@ -67,10 +67,10 @@ solution_t mode_judge(mode_kind_t kind, const mode_request_t *request, const rob
     solution_t result = {.status = STATUS_OK, .axis = 0U, .is_maximum = 0U};
     switch (kind) {
     case MODE_JOG:
-        result = jog_mode_judge(&request->jog, robot, axes);
+        result = jog_mode_judge(&request->way, robot, axes);
         break;
     case MODE_HOME_AXIS:
-        result = homing_mode_judge(request->jog.axis, robot, axes);
+        result = homing_mode_judge(request->way.axis, robot, axes);
         break;
     case MODE_VELOCITY:
         result = velocity_mode_judge(&request->velocity, robot, axes);
@@ -120,13 +120,13 @@ static void run(mode_state_t *self, mode_kind_t kind, const mode_frame_t *frame,
         move_mode_step(&self->request.move, &self->leg, frame, result);
         break;
     case MODE_JOG:
-        jog_mode_step(&self->request.jog, &self->leg, frame, result);
+        jog_mode_step(&self->request.way, &self->leg, frame, result);
         break;
     case MODE_RETRACT:
-        retract_mode_step(self->request.jog.ticks, &self->leg, frame, result);
+        retract_mode_step(self->request.way.end_ticks, &self->leg, frame, result);
         break;
     case MODE_HOME_AXIS:
-        homing_mode_step_axis(self->request.jog.axis, frame, result);
+        homing_mode_step_axis(self->request.way.axis, frame, result);
         break;
     case MODE_TRAJECTORY:
         run_trajectory(self, frame, result);
@@ -154,8 +154,8 @@ static void run(mode_state_t *self, mode_kind_t kind, const mode_frame_t *frame,
 static bool is_done_already(const mode_state_t *self, mode_kind_t kind, const mode_frame_t *frame)
 {
     return ((kind == MODE_HOMING) && homing_mode_is_done(&self->leg, frame)) ||
-           ((kind == MODE_RETRACT) && retract_mode_is_done(self->request.jog.ticks, frame)) ||
-           ((kind == MODE_HOME_AXIS) && homing_mode_is_axis_done(self->request.jog.axis, frame));
+           ((kind == MODE_RETRACT) && retract_mode_is_done(self->request.way.end_ticks, frame)) ||
+           ((kind == MODE_HOME_AXIS) && homing_mode_is_axis_done(self->request.way.axis, frame));
 }
 
 static uint32_t homed_per_mille(const axis_t axes[ROBOT_AXIS_MAX], uint32_t axis_count)

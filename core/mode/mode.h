@@ -29,7 +29,7 @@
 /** What a mode is asked for; each reads what it needs. */
 typedef struct {
     uint32_t axes;  /**< Bit n: axis n is commanded. mode_axes() makes of it those that it needs. */
-    jog_mode_t jog; /**< MODE_HOME_AXIS reads its axis, MODE_RETRACT where it ends. */
+    mode_way_t way; /**< Of MODE_JOG and MODE_RETRACT; MODE_HOME_AXIS reads its axis. */
     move_mode_t move;
     uint32_t start_ms; /**< Time of the first row of a trajectory. */
     velocity_mode_t velocity;
@@ -95,6 +95,7 @@ void mode_begin(mode_state_t *self, mode_kind_t kind, const mode_request_t *requ
  *
  * @satisfies SWR-DEMO-001
  * @satisfies SWR-DEMO-002
+ * @satisfies SWR-THESIS-002
  * @satisfies SWR-PEDAL-005
  */
 void mode_step(mode_state_t *self, const mode_frame_t *frame, mode_result_t *result);

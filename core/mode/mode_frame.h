@@ -36,6 +36,12 @@ typedef struct {
                                                    speed, 1..100. */
 } mode_frame_t;
 
+/** One axis, and where it shall stand. */
+typedef struct {
+    uint32_t axis;
+    int32_t end_ticks;
+} mode_way_t;
+
 /** How far a mode has come. */
 typedef enum {
     MODE_RUNNING = 0,

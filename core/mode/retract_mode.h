@@ -35,7 +35,6 @@ bool retract_mode_is_done(int32_t end_ticks, const mode_frame_t *frame);
  * retraction is done. The cap of an axis that is not homed is the speed of homing.
  *
  * @satisfies SWR-MOTION-023
- * @satisfies SWR-THESIS-002
  * @satisfies SWR-MODE-005
  */
 void retract_mode_step(int32_t end_ticks, leg_t *leg, const mode_frame_t *frame,

@@ -97,7 +97,7 @@ static void run_into_limit(uint32_t axis, int32_t accepted, int32_t damaged)
     bool has_stood = false;
     start_manual();
     expect_jog(axis, accepted, STATUS_OK);
-    rig.controller.mode.request.jog.ticks = damaged;
+    rig.controller.mode.request.way.end_ticks = damaged;
     controller_seal(&rig.controller);
     rig_press(&rig);
     while (rig.outputs.snapshot.order != (uint32_t)ARMING_STATE_NONE) {
@@ -174,7 +174,7 @@ void test_SWR_COUPLE_001_from_outside_of_the_limit_only_the_way_back_is_free(voi
     go(AXIS_HEAD, -5000);
     shift(AXIS_HEAD, -1000);
     expect_jog(AXIS_HEAD, -5000, STATUS_OK);
-    rig.controller.mode.request.jog.ticks = -7000;
+    rig.controller.mode.request.way.end_ticks = -7000;
     controller_seal(&rig.controller);
     rig_press(&rig);
     const int32_t start = position(AXIS_HEAD);
@@ -415,7 +415,7 @@ void test_SWR_JOG_003_a_needle_that_is_not_homed_is_never_driven_inwards(void)
 {
     start_unhomed();
     expect_jog(AXIS_INSERTION, position(AXIS_INSERTION) - 100, STATUS_OK);
-    rig.controller.mode.request.jog.ticks = 5000;
+    rig.controller.mode.request.way.end_ticks = 5000;
     controller_seal(&rig.controller);
     rig_press(&rig);
     for (uint32_t i = 0U; i < 1000U; i++) {

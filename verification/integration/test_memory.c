@@ -351,7 +351,7 @@ void test_SWR_MEMORY_006_a_wild_slot_or_axis_stays_within_its_array(void)
     rig_start_homed(&rig);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
-    rig.controller.mode.request.jog.axis = UINT32_MAX;
+    rig.controller.mode.request.way.axis = UINT32_MAX;
     controller_seal(&rig.controller);
     rig_press(&rig);
     rig_cycles(&rig, 20U);

@@ -413,7 +413,7 @@ void test_SWR_AXIS_004_the_soft_limit_stops_what_was_accepted(void)
     rig_start_homed(&rig);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
-    rig.controller.mode.request.jog.ticks = minimum_ticks - 300;
+    rig.controller.mode.request.way.end_ticks = minimum_ticks - 300;
     controller_seal(&rig.controller);
     rig_press(&rig);
     for (uint32_t i = 0U; i < 4000U; i++) {

@@ -31,7 +31,7 @@ void tearDown(void)
 
 static void expect(uint32_t axis, int32_t ticks, status_t status, bool is_maximum)
 {
-    const jog_mode_t asked = {.axis = axis, .ticks = ticks};
+    const mode_way_t asked = {.axis = axis, .end_ticks = ticks};
     const solution_t judged = jog_mode_judge(&asked, &robot, axes);
     const bool has_limit = (status == STATUS_AXIS_LIMIT) || (status == STATUS_SWITCH_ZONE) ||
                            (status == STATUS_SEPARATION_LIMIT);
@@ -93,7 +93,7 @@ void test_SWR_JOG_002_before_homing_a_short_way_only(void)
 
 void test_SWR_JOG_004_a_jog_drives_its_axis_alone_and_is_done_there(void)
 {
-    const jog_mode_t jog = {.axis = AXIS_PITCH, .ticks = 45};
+    const mode_way_t jog = {.axis = AXIS_PITCH, .end_ticks = 45};
     uint32_t cycles = 0U;
     while (result.progress == MODE_RUNNING) {
         TEST_ASSERT_LESS_THAN_UINT32(LONG_CYCLES, cycles);
@@ -111,7 +111,7 @@ void test_SWR_JOG_004_a_jog_drives_its_axis_alone_and_is_done_there(void)
 
 void test_SWR_AXIS_006_a_jog_keeps_to_the_cap_of_its_axis(void)
 {
-    const jog_mode_t jog = {.axis = AXIS_HEAD, .ticks = -1000};
+    const mode_way_t jog = {.axis = AXIS_HEAD, .end_ticks = -1000};
     const int32_t most_q8 = robot.axes[AXIS_HEAD].speed_ticks_per_s * 256 / 4;
     frame.speed_cap_percent[AXIS_HEAD] = 25U;
     while (result.progress == MODE_RUNNING) {
@@ -124,7 +124,7 @@ void test_SWR_AXIS_006_a_jog_keeps_to_the_cap_of_its_axis(void)
 
 void test_SWR_MEMORY_006_an_axis_that_the_robot_does_not_have_is_not_driven(void)
 {
-    const jog_mode_t jog = {.axis = UINT32_MAX, .ticks = 1000};
+    const mode_way_t jog = {.axis = UINT32_MAX, .end_ticks = 1000};
     for (uint32_t i = 0U; i < 20U; i++) {
         jog_mode_step(&jog, &leg, &frame, &result);
         for (uint32_t axis = 0U; axis < robot.axis_count; axis++) {

@@ -29,7 +29,7 @@
 
 static mode_state_t mode;
 static const mode_request_t request = {.axes = LEG_AXIS(AXIS_YAW),
-                                       .jog = {.axis = AXIS_YAW, .ticks = 200},
+                                       .way = {.axis = AXIS_YAW, .end_ticks = 200},
                                        .move = {{-400, 150, -200, 0, 500, 30, -60}}};
 
 void setUp(void)
@@ -191,7 +191,7 @@ void test_SWR_JOG_003_a_needle_that_is_drawn_out_heeds_itself(void)
 
 void test_SWR_JOG_002_a_motion_of_one_axis_is_judged_before_it_is_armed_and_nothing_else_is(void)
 {
-    const mode_request_t no_axis = {.jog = {.axis = 9U, .ticks = 0}};
+    const mode_request_t no_axis = {.way = {.axis = 9U, .end_ticks = 0}};
     TEST_ASSERT_EQUAL(STATUS_UNKNOWN_COMMAND, mode_judge(MODE_JOG, &no_axis, &robot, axes).status);
     TEST_ASSERT_EQUAL(STATUS_UNKNOWN_COMMAND,
                       mode_judge(MODE_HOME_AXIS, &no_axis, &robot, axes).status);
