@@ -76,15 +76,9 @@ static bool is_backwards(supervision_t *self, const supervision_view_t *view)
     return is_wrong;
 }
 
-static int64_t ticks_of(const axis_config_t *config, uint32_t way_nm, uint32_t way_bam)
-{
-    const int64_t way = (int64_t)((config->unit == (uint8_t)AXIS_UNIT_MM) ? way_nm : way_bam);
-    return (way * 65536) / config->unit_per_tick_q16;
-}
-
 int32_t supervision_rest_ticks(const axis_config_t *config)
 {
-    return fixed_saturate(ticks_of(config, LIMIT_REST_WAY_NM, LIMIT_REST_WAY_BAM));
+    return fixed_saturate(joints_ticks_within(config, LIMIT_REST_WAY_NM, LIMIT_REST_WAY_BAM));
 }
 
 static int64_t due_ticks(const supervision_t *self)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "mode/jog_mode.h"
 
+#include "base/fixed.h"
 #include "limits/requirement_limits.h"
 #include "safety/coupled_guard.h"
 #include "safety/needle.h"
@@ -27,11 +28,9 @@ static solution_t judge_homed(const mode_way_t *asked, const robot_t *robot,
 /* A short way only. */
 static status_t judge_unknown(const axis_config_t *config, int64_t way_ticks)
 {
-    const int64_t most = (config->unit == (uint8_t)AXIS_UNIT_MM) ? (int64_t)LIMIT_UNHOMED_JOG_NM
-                                                                 : (int64_t)LIMIT_UNHOMED_JOG_BAM;
-    const int64_t most_ticks = (most * 65536) / config->unit_per_tick_q16;
-    return ((way_ticks <= most_ticks) && (way_ticks >= -most_ticks)) ? STATUS_OK
-                                                                     : STATUS_JOG_TOO_FAR;
+    const int64_t most_ticks =
+        joints_ticks_within(config, LIMIT_UNHOMED_JOG_NM, LIMIT_UNHOMED_JOG_BAM);
+    return (fixed_magnitude(way_ticks) <= most_ticks) ? STATUS_OK : STATUS_JOG_TOO_FAR;
 }
 
 solution_t jog_mode_judge(const mode_way_t *asked, const robot_t *robot,

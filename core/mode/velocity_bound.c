@@ -22,13 +22,6 @@ static void bind_homed(velocity_bound_t *self, const axis_config_t *config, bool
     bind(self, is_up, (int64_t)zone_ticks, VELOCITY_END_SWITCH_ZONE);
 }
 
-static int64_t short_way_ticks(const axis_config_t *config)
-{
-    const int64_t way = (config->unit == (uint8_t)AXIS_UNIT_MM) ? (int64_t)LIMIT_UNHOMED_JOG_NM
-                                                                : (int64_t)LIMIT_UNHOMED_JOG_BAM;
-    return (way * 65536) / config->unit_per_tick_q16;
-}
-
 bool velocity_bound_is_switch(const velocity_mode_t *self, const mode_frame_t *frame,
                               uint32_t index)
 {
@@ -49,7 +42,8 @@ velocity_bound_t velocity_bound_of(const velocity_mode_t *self, const mode_frame
         bind_homed(&bound, config, is_up);
     }
     if (!coupled_guard_is_known(frame->robot, frame->axes, index)) {
-        const int64_t way = short_way_ticks(config);
+        const int64_t way =
+            joints_ticks_within(config, LIMIT_UNHOMED_JOG_NM, LIMIT_UNHOMED_JOG_BAM);
         bind(&bound, is_up, start + (is_up ? way : -way), VELOCITY_END_SHORT_WAY);
     }
     if (self->bound < 0) {
@@ -60,4 +54,19 @@ velocity_bound_t velocity_bound_of(const velocity_mode_t *self, const mode_frame
         bind(&bound, is_up, (int64_t)axis->encoder.position_ticks, VELOCITY_END_SWITCH_ZONE);
     }
     return bound;
+}
+
+status_t velocity_bound_refusal(velocity_end_t end)
+{
+    status_t status = STATUS_OK;
+    if (end == VELOCITY_END_SOFT_LIMIT) {
+        status = STATUS_AXIS_LIMIT;
+    } else if (end == VELOCITY_END_SWITCH_ZONE) {
+        status = STATUS_SWITCH_ZONE;
+    } else if (end == VELOCITY_END_SHORT_WAY) {
+        status = STATUS_JOG_TOO_FAR;
+    } else {
+        /* All of its time or its way. */
+    }
+    return status;
 }

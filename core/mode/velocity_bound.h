@@ -5,6 +5,7 @@
 #define BORESIGHT_VELOCITY_BOUND_H
 
 #include "interface/event.h"
+#include "interface/status.h"
 #include "mode/mode_frame.h"
 #include "mode/velocity_mode.h"
 
@@ -31,5 +32,9 @@ velocity_bound_t velocity_bound_of(const velocity_mode_t *self, const mode_frame
 /** Axis `index` is at its active switch, and its speed is towards it. */
 bool velocity_bound_is_switch(const velocity_mode_t *self, const mode_frame_t *frame,
                               uint32_t index);
+
+/** By which name it is told that `end` has ended a speed; STATUS_OK for its time and its way, and
+ * for a coupled limit, which is told when it does. */
+status_t velocity_bound_refusal(velocity_end_t end);
 
 #endif

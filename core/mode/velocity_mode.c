@@ -4,14 +4,14 @@
 #include "base/fixed.h"
 #include "limits/requirement_limits.h"
 #include "mode/velocity_bound.h"
+#include "mode/velocity_ramp.h"
 #include "safety/coupled_guard.h"
 #include "safety/needle.h"
 
-#define CYCLES_PER_S (INT64_C(1000000) / (int64_t)LIMIT_CYCLE_US)
-#define CYCLES_IN_S (1000000U / LIMIT_CYCLE_US)
+#define CYCLES_PER_S (1000000U / LIMIT_CYCLE_US)
 /* A tick in the unit of ways: what a speed of 1 ticks/s, 8 fraction bits, makes of it in a cycle.
  */
-#define TICK (256 * CYCLES_PER_S)
+#define TICK (INT64_C(256) * (int64_t)CYCLES_PER_S)
 
 #define STAGE_NEW 0U
 #define STAGE_RUNS 1U
@@ -110,24 +110,6 @@ static int64_t now_q8(const mode_frame_t *frame, uint32_t index)
     return fixed_magnitude((int64_t)frame->axes[index].setpoint_speed_ticks_per_s_q8);
 }
 
-static int64_t slower_q8(int64_t speed_q8, int64_t step_q8)
-{
-    return fixed_within(speed_q8 - step_q8, 0, speed_q8);
-}
-
-/* The way of a ramp down that begins in the next cycle. */
-static int64_t ramp_down(int64_t speed_q8, int64_t step_q8)
-{
-    const uint32_t whole = (uint32_t)speed_q8 / (uint32_t)step_q8;
-    const int64_t cycles = (int64_t)whole;
-    return (cycles * speed_q8) - ((step_q8 * cycles * (cycles + 1)) / 2);
-}
-
-static bool fits(int64_t speed_q8, int64_t step_q8, int64_t room)
-{
-    return (speed_q8 + ramp_down(speed_q8, step_q8)) <= room;
-}
-
 /* The fastest of all that the axis may have. */
 static int64_t most_q8(const velocity_mode_t *self, const mode_frame_t *frame, uint32_t index,
                        int64_t step_q8)
@@ -153,25 +135,11 @@ static int64_t room_of(const velocity_mode_t *self, const mode_frame_t *frame, u
     return is_upwards(self, index) ? room : -room;
 }
 
-/* The fastest speed of the next cycle that a ramp down can follow. */
 static int64_t next_q8(const velocity_mode_t *self, const mode_frame_t *frame, uint32_t index,
                        int64_t step_q8)
 {
-    const int64_t now = now_q8(frame, index);
-    const int64_t slower = slower_q8(now, step_q8);
-    const int64_t room = room_of(self, frame, index);
-    const int64_t fastest =
-        fixed_within(most_q8(self, frame, index, step_q8), slower, now + step_q8);
-    const int64_t steady = (now < fastest) ? now : fastest;
-    int64_t speed = slower;
-    if (fits(fastest, step_q8, room)) {
-        speed = fastest;
-    } else if (fits(steady, step_q8, room)) {
-        speed = steady;
-    } else {
-        /* A ramp down it is. */
-    }
-    return speed;
+    return velocity_ramp_next(now_q8(frame, index), most_q8(self, frame, index, step_q8), step_q8,
+                              room_of(self, frame, index));
 }
 
 /* Where the set-point is after `way` more, and what that leaves of a tick. */
@@ -189,9 +157,8 @@ static void set_speed(const velocity_mode_t *self, const mode_frame_t *frame, ui
 {
     int32_t rest = 0;
     plan->speeds_q8[index] = speed_q8;
-    plan->to_ticks[index] =
-        place_after(self, &frame->axes[index], index,
-                    speed_q8 + ramp_down(speed_q8, plan->steps_q8[index]), &rest);
+    plan->to_ticks[index] = place_after(self, &frame->axes[index], index,
+                                        velocity_ramp_way(speed_q8, plan->steps_q8[index]), &rest);
 }
 
 /* Each axis for itself. */
@@ -204,7 +171,7 @@ static void plan_axes(const velocity_mode_t *self, const mode_frame_t *frame, ve
         plan->to_ticks[i] = plan->from_ticks[i];
         if (has_axis(self, i)) {
             const int64_t step = fixed_divide_by(
-                (int64_t)frame->robot->axes[i].acceleration_ticks_per_s2 * 256, CYCLES_IN_S);
+                (int64_t)frame->robot->axes[i].acceleration_ticks_per_s2 * 256, CYCLES_PER_S);
             plan->from_ticks[i] = axis->setpoint_ticks;
             plan->steps_q8[i] = step;
             set_speed(self, frame, i, next_q8(self, frame, i, step), plan);
@@ -219,7 +186,7 @@ static void bar(velocity_mode_t *self, const mode_frame_t *frame, const coupled_
     for (uint32_t i = 0U; i < frame->axis_count; i++) {
         if (coupled_limit_has(limit, i) && has_axis(self, i)) {
             const int64_t now = now_q8(frame, i);
-            set_speed(self, frame, i, slower_q8(now, plan->steps_q8[i]), plan);
+            set_speed(self, frame, i, velocity_ramp_slower(now, plan->steps_q8[i]), plan);
             self->barred |= LEG_AXIS(i);
             refuse(self, (status_t)limit->refusal, i);
         }
@@ -281,22 +248,6 @@ static velocity_end_t end_of(const velocity_mode_t *self, const mode_frame_t *fr
     return end;
 }
 
-/* Of a limit that is shared, it was told when that ended it. */
-static status_t refusal_of(velocity_end_t end)
-{
-    status_t status = STATUS_OK;
-    if (end == VELOCITY_END_SOFT_LIMIT) {
-        status = STATUS_AXIS_LIMIT;
-    } else if (end == VELOCITY_END_SWITCH_ZONE) {
-        status = STATUS_SWITCH_ZONE;
-    } else if (end == VELOCITY_END_SHORT_WAY) {
-        status = STATUS_JOG_TOO_FAR;
-    } else {
-        /* All of its time or its way. */
-    }
-    return status;
-}
-
 /* Every set-point has come to rest: what has ended it is told once. */
 static void conclude(velocity_mode_t *self, const mode_frame_t *frame, mode_result_t *result)
 {
@@ -304,7 +255,7 @@ static void conclude(velocity_mode_t *self, const mode_frame_t *frame, mode_resu
         if (has_axis(self, i)) {
             const velocity_end_t end = end_of(self, frame, i);
             mode_note(result, EVENT_VELOCITY_ENDED, i, (int32_t)end);
-            refuse(self, refusal_of(end), i);
+            refuse(self, velocity_bound_refusal(end), i);
         }
     }
     self->stage = STAGE_ENDED;

@@ -43,6 +43,14 @@ static inline bool joints_is_beyond(const axis_config_t *axis, int64_t ticks, ui
     return (ticks * axis->unit_per_tick_q16) > (way * 65536);
 }
 
+/** The whole ticks of `axis` within `way_nm`, or of a turning axis within `way_bam`. */
+static inline int64_t joints_ticks_within(const axis_config_t *axis, uint32_t way_nm,
+                                          uint32_t way_bam)
+{
+    const int64_t way = (int64_t)((axis->unit == (uint8_t)AXIS_UNIT_MM) ? way_nm : way_bam);
+    return (way * 65536) / axis->unit_per_tick_q16;
+}
+
 /** Joint value (nm, or bam counted over more than one turn) of `ticks` counts of `axis`. */
 int64_t joints_value(const axis_config_t *axis, int32_t ticks);
 

@@ -11,6 +11,7 @@
 #include "mode/mode_frame.h"
 #include "mode/velocity_bound.h"
 #include "mode/velocity_mode.h"
+#include "mode/velocity_ramp.h"
 #include "robot/coupled_limit.h"
 #include "robot/joints.h"
 #include "robot/kinematics.h"
