@@ -320,6 +320,7 @@ class TestInterfaceRoutes < Minitest::Test
     'a problem that is none' => ['[DRY]', '[WET]', 25, 'is no problem'],
     'a request that is none' => ['body: paint,', 'body: pain,', 26, 'is no request'],
     'a body without its size' => [', body_most: 300', '', 26, 'has body or sends without body_most, or it without them'],
+    'a body and another medium' => ['body_most: 300', 'body_most: 300, sends: text/csv', 26, 'has both body and sends'],
     'a body of a GET' => ['says: "The tin."', 'says: "The tin.", body: stripe, body_most: 9', 25, 'has a body, but is a GET'],
     'a route without an answer' => ["    media: text/event-stream\n", '', 28, 'has neither answer nor media'],
     'a list in a query' => ['{name: of, type: colour}', '{name: of, type: uint32, list: [1, 2]}', 25, 'is a list or an object'],
