@@ -262,10 +262,20 @@ void test_SWR_HTTP_008_a_stop_of_the_console_takes_no_lane(void)
 
 void test_SWR_CTRL_021_a_cycle_takes_no_more_after_a_command_that_computes(void)
 {
-    static const command_kind_t costly[] = {
-        COMMAND_REGISTRATION,  COMMAND_TARGET,         COMMAND_PROPOSE_REGISTRATION,
-        COMMAND_PROPOSE_ENTRY, COMMAND_PROPOSE_TARGET, COMMAND_NEEDLE,
-        COMMAND_ENTRY,         COMMAND_WITHDRAW,       COMMAND_WORKPHASE};
+    static const command_kind_t costly[] = {COMMAND_REGISTRATION,
+                                            COMMAND_TARGET,
+                                            COMMAND_PROPOSE_REGISTRATION,
+                                            COMMAND_PROPOSE_ENTRY,
+                                            COMMAND_PROPOSE_TARGET,
+                                            COMMAND_NEEDLE,
+                                            COMMAND_ENTRY,
+                                            COMMAND_WITHDRAW,
+                                            COMMAND_WORKPHASE,
+                                            COMMAND_LIST_ROW,
+                                            COMMAND_RUN_TRAJECTORY,
+                                            COMMAND_ALIGN,
+                                            COMMAND_INSERT,
+                                            COMMAND_POSE};
     command_t taken[4];
 
     for (uint32_t i = 0U; i < (sizeof costly / sizeof costly[0]); i++) {
