@@ -11,6 +11,7 @@
 
 #define CODE_NAME "code" /* Of who has logged in by it. */
 #define STRANGER "?"
+#define ENDED_MOST 2U /* Sessions that one login ends. */
 #define GROUP 4U
 #define BUSY_S 1U
 #define MS_PER_S 1000U
@@ -152,19 +153,42 @@ static bool take_code(session_desk_t *self, const char *code)
     return is_right;
 }
 
-/* With the lock. `old` is the session that the client had, if it had one. */
+/* With the lock. Opens one in the place of `gone`, if there is one, which stays when that makes no
+ * room. */
+static const session_t *open_instead(session_desk_t *self, const account_t *account,
+                                     uint64_t now_ms, session_t *gone, session_t *ended)
+{
+    const session_t *opened = NULL;
+
+    if (gone != NULL) {
+        *ended = *gone;
+        session_table_close(gone);
+        opened = session_table_open(&self->table, account, now_ms);
+        *gone = (opened == NULL) ? *ended : *gone;
+        ended->is_open = opened != NULL;
+    }
+    return opened;
+}
+
+/* With the lock. What gives way is copied to `ended`: the session that the client had, and one that
+ * was left, where there is no room otherwise. */
 static login_verdict_t open_session(session_desk_t *self, const login_t *login,
                                     const account_t *account, uint64_t now_ms, session_t *opened,
-                                    session_t *old)
+                                    session_t ended[ENDED_MOST])
 {
     session_t *had =
         (login->id != NULL) ? session_table_find(&self->table, login->id, now_ms) : NULL;
+    const session_t *session = (had != NULL) ? open_instead(self, account, now_ms, had, &ended[0])
+                                             : session_table_open(&self->table, account, now_ms);
 
-    if (had != NULL) {
-        *old = *had;
-        session_table_close(had);
+    if (session == NULL) {
+        session_t *left = session_table_find_left(&self->table, account, now_ms);
+        session = open_instead(self, account, now_ms, left, &ended[1]);
+        if ((session != NULL) && (had != NULL)) {
+            ended[0] = *had;
+            session_table_close(had);
+        }
     }
-    const session_t *session = session_table_open(&self->table, account, now_ms);
     if (session == NULL) {
         return LOGIN_FULL;
     }
@@ -173,11 +197,13 @@ static login_verdict_t open_session(session_desk_t *self, const login_t *login,
 }
 
 static void tell_opened(const session_desk_t *self, const login_t *login, const session_t *opened,
-                        const session_t *old)
+                        const session_t ended[ENDED_MOST])
 {
-    if (old->is_open) {
-        tell(self, NOTE_SESSION_ENDED, old->account.name,
-             "session ended: another login took its place.");
+    for (size_t i = 0U; i < ENDED_MOST; i++) {
+        if (ended[i].is_open) {
+            tell(self, NOTE_SESSION_ENDED, ended[i].account.name,
+                 "session ended: another login took its place.");
+        }
     }
     tell(self, NOTE_LOGIN, opened->account.name, "logged in as %s, %s.",
          account_role_word(opened->account.role),
@@ -189,7 +215,7 @@ login_verdict_t session_desk_log_in(session_desk_t *self, const login_t *login, 
 {
     char why[SESSION_TEXT_SIZE] = "name, password or code is wrong.";
     account_t account = {.name = CODE_NAME, .role = ROLE_ENGINEER};
-    session_t old = {.is_open = false};
+    session_t ended[ENDED_MOST] = {{.is_open = false}, {.is_open = false}};
     login_verdict_t verdict = LOGIN_REFUSED;
 
     session_desk_tick(self, now_ms);
@@ -206,11 +232,11 @@ login_verdict_t session_desk_log_in(session_desk_t *self, const login_t *login, 
     is_right = is_right || ((login->code != NULL) && take_code(self, login->code));
     login_delay_note(&self->delay, who, is_right, now_ms);
     if (is_right) {
-        verdict = open_session(self, login, &account, now_ms, opened, &old);
+        verdict = open_session(self, login, &account, now_ms, opened, ended);
     }
     (void)pthread_mutex_unlock(&self->lock);
     if (verdict == LOGIN_OPENED) {
-        tell_opened(self, login, opened, &old);
+        tell_opened(self, login, opened, ended);
     } else {
         tell_refusal(self, login, is_right ? "there are too many sessions, of it or in all." : why,
                      now_ms);
@@ -245,6 +271,8 @@ static session_verdict_t judge(session_t *session, const char *csrf, session_use
     if (session->account.role < role) {
         return SESSION_ROLE;
     }
+    session->seen_ms =
+        ((use != SESSION_READS) && (now_ms > session->seen_ms)) ? now_ms : session->seen_ms;
     session->used_ms =
         ((use == SESSION_ACTS) && (now_ms > session->used_ms)) ? now_ms : session->used_ms;
     return SESSION_PASS;

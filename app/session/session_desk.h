@@ -92,6 +92,7 @@ bool session_desk_has_code(session_desk_t *self);
  *
  * @satisfies SWR-SESS-003
  * @satisfies SWR-SESS-020
+ * @satisfies SWR-SESS-030
  */
 login_verdict_t session_desk_log_in(session_desk_t *self, const login_t *login, uint64_t now_ms,
                                     session_t *opened, uint32_t *wait_s);

@@ -47,14 +47,17 @@ static bool is_over(const session_t *session, uint64_t now_ms)
     return (left.idle_s == 0U) || (left.most_s == 0U);
 }
 
+static bool is_of(const session_t *session, const account_t *account)
+{
+    return session->is_open && (strcmp(session->account.name, account->name) == 0);
+}
+
 static uint32_t count_of(const session_table_t *self, const account_t *account)
 {
     uint32_t count = 0U;
 
     for (size_t i = 0U; i < LIMIT_SESSIONS; i++) {
-        const session_t *session = &self->sessions[i];
-        const bool is_its = session->is_open && (strcmp(session->account.name, account->name) == 0);
-        count += is_its ? 1U : 0U;
+        count += is_of(&self->sessions[i], account) ? 1U : 0U;
     }
     return count;
 }
@@ -72,6 +75,7 @@ const session_t *session_table_open(session_table_t *self, const account_t *acco
             session->account = *account;
             session->opened_ms = now_ms;
             session->used_ms = now_ms;
+            session->seen_ms = now_ms;
             return session->is_open ? session : NULL;
         }
     }
@@ -86,6 +90,22 @@ session_t *session_table_find(session_table_t *self, const char *id, uint64_t no
         session_t *session = &self->sessions[i];
         const bool is_it = password_is_equal(id, session->id);
         found = (is_it && session->is_open && !is_over(session, now_ms)) ? session : found;
+    }
+    return found;
+}
+
+session_t *session_table_find_left(session_table_t *self, const account_t *account, uint64_t now_ms)
+{
+    uint64_t most_ms = (uint64_t)LIMIT_SESSION_LEFT_S * MS_PER_S;
+    session_t *found = NULL;
+
+    for (size_t i = 0U; i < LIMIT_SESSIONS; i++) {
+        session_t *session = &self->sessions[i];
+        const uint64_t silent_ms = passed_ms(session->seen_ms, now_ms);
+        if (is_of(session, account) && (silent_ms >= most_ms)) {
+            most_ms = silent_ms;
+            found = session;
+        }
     }
     return found;
 }

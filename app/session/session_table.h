@@ -20,6 +20,7 @@ typedef struct {
     account_t account;             /**< As it was when the session was opened. */
     uint64_t opened_ms;
     uint64_t used_ms;
+    uint64_t seen_ms; /**< As used_ms, and kept by a page that renews its authority. */
 } session_t;
 
 /** All zero at first. */
@@ -48,6 +49,15 @@ const session_t *session_table_open(session_table_t *self, const account_t *acco
 
 /** The open session with this id; NULL: there is none. */
 session_t *session_table_find(session_table_t *self, const char *id, uint64_t now_ms);
+
+/**
+ * The session of this account from which nothing has been heard for the longest, and for
+ * LIMIT_SESSION_LEFT_S; NULL: there is none.
+ *
+ * @satisfies SWR-SESS-029
+ */
+session_t *session_table_find_left(session_table_t *self, const account_t *account,
+                                   uint64_t now_ms);
 
 /** Ends a session. */
 void session_table_close(session_t *session);

@@ -186,6 +186,97 @@ void test_SWR_SESS_027_one_account_takes_no_more_than_its_share(void)
     TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
 }
 
+static void fill_share(void)
+{
+    for (unsigned i = 0U; i < LIMIT_ACCOUNT_SESSIONS; i++) {
+        TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
+        now_ms += SECOND;
+    }
+}
+
+static bool is_open(const session_t *of)
+{
+    session_t found;
+    return session_desk_find(&desk, of->id, now_ms, &found);
+}
+
+void test_SWR_SESS_029_of_the_sessions_that_were_left_the_oldest_gives_way(void)
+{
+    fill_share();
+    const session_t first = desk.table.sessions[0];
+    const session_t second = desk.table.sessions[1];
+    now_ms = first.opened_ms + (LIMIT_SESSION_LEFT_S * SECOND) - 1U;
+    TEST_ASSERT_EQUAL_INT(LOGIN_FULL, enter("anna", "correct horse"));
+    now_ms = desk.table.sessions[3].opened_ms + (LIMIT_SESSION_LEFT_S * SECOND);
+    said[0] = '\0';
+    TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
+    TEST_ASSERT_FALSE(is_open(&first));
+    TEST_ASSERT_TRUE(is_open(&second));
+    TEST_ASSERT_EQUAL_UINT(1U, count_said("session ended: another login took its place."));
+}
+
+void test_SWR_SESS_029_what_is_written_renewed_or_kept_is_not_left(void)
+{
+    static const session_use_t uses[] = {SESSION_ACTS, SESSION_RUNS};
+    for (unsigned i = 0U; i < 2U; i++) {
+        fill_share();
+        const session_t first = desk.table.sessions[0];
+        const session_t second = desk.table.sessions[1];
+        now_ms += LIMIT_SESSION_LEFT_S * SECOND;
+        TEST_ASSERT_EQUAL_INT(SESSION_PASS, session_desk_judge(&desk, first.id, first.csrf, uses[i],
+                                                               ROLE_OBSERVER, now_ms));
+        TEST_ASSERT_EQUAL_INT(
+            SESSION_PASS,
+            session_desk_judge(&desk, second.id, NULL, SESSION_READS, ROLE_OBSERVER, now_ms));
+        TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
+        TEST_ASSERT_TRUE(is_open(&first));
+        TEST_ASSERT_FALSE(is_open(&second));
+        (void)memset(&desk.table, 0, sizeof desk.table);
+    }
+}
+
+void test_SWR_SESS_029_nobody_elses_gives_way(void)
+{
+    account_t other = {.name = "0", .role = ROLE_OPERATOR};
+    for (unsigned i = 0U; i < LIMIT_SESSIONS; i++) {
+        other.name[0]++;
+        TEST_ASSERT_NOT_NULL(session_table_open(&desk.table, &other, now_ms));
+    }
+    now_ms += LIMIT_SESSION_LEFT_S * SECOND;
+    desk.compared_ms = now_ms;
+    TEST_ASSERT_EQUAL_INT(LOGIN_FULL, enter("anna", "correct horse"));
+}
+
+void test_SWR_SESS_030_who_is_refused_keeps_the_session(void)
+{
+    const account_t other = {.name = "olga", .role = ROLE_OBSERVER};
+    fill_share();
+    desk.compared_ms = now_ms;
+    const session_t had = *session_table_open(&desk.table, &other, now_ms);
+    const login_t login = {.name = "anna", .password = "correct horse", .id = had.id};
+    said[0] = '\0';
+    TEST_ASSERT_EQUAL_INT(LOGIN_FULL,
+                          session_desk_log_in(&desk, &login, now_ms, &session, &wait_s));
+    TEST_ASSERT_TRUE(is_open(&had));
+    TEST_ASSERT_EQUAL_UINT(0U, count_said("session ended"));
+}
+
+void test_SWR_SESS_030_both_that_give_way_to_a_login_are_told(void)
+{
+    const account_t other = {.name = "olga", .role = ROLE_OBSERVER};
+    fill_share();
+    now_ms += LIMIT_SESSION_LEFT_S * SECOND;
+    desk.compared_ms = now_ms;
+    const session_t had = *session_table_open(&desk.table, &other, now_ms);
+    const login_t login = {.name = "anna", .password = "correct horse", .id = had.id};
+    said[0] = '\0';
+    TEST_ASSERT_EQUAL_INT(LOGIN_OPENED,
+                          session_desk_log_in(&desk, &login, now_ms, &session, &wait_s));
+    TEST_ASSERT_FALSE(is_open(&had));
+    TEST_ASSERT_TRUE(is_open(&session));
+    TEST_ASSERT_EQUAL_UINT(2U, count_said("session ended: another login took its place."));
+}
+
 void test_SWR_SESS_008_a_login_gets_a_new_identifier_and_ends_the_old_session(void)
 {
     TEST_ASSERT_EQUAL_INT(LOGIN_OPENED, enter("anna", "correct horse"));
