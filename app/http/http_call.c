@@ -202,25 +202,29 @@ static int judge_body(const http_call_t *self)
                                                   : 0;
 }
 
-static int receive(struct mg_connection *connection, char *bytes, long long length)
+int http_call_receive(struct mg_connection *connection, char *bytes)
 {
+    const long long length = mg_get_request_info(connection)->content_length;
     http_lines_note(connection, HTTP_LINE_READS);
     const int size = (length > 0) ? mg_read(connection, bytes, (size_t)length) : 0;
     http_lines_note(connection, HTTP_LINE_ASKS);
-    return size;
+    if ((length <= 0) || (size == (int)length)) {
+        return 0;
+    }
+    return refuse(connection,
+                  http_lines_is_leaving(connection) ? PROBLEM_GAVE_WAY : PROBLEM_BAD_BODY);
 }
 
 static int read_body(http_call_t *self)
 {
     char bytes[ROUTE_BODY_MOST];
     const long long length = mg_get_request_info(self->connection)->content_length;
-    const int size = receive(self->connection, bytes, length);
-    if ((length > 0) && (size != (int)length)) {
-        return refuse(self->connection, http_lines_is_leaving(self->connection) ? PROBLEM_GAVE_WAY
-                                                                                : PROBLEM_BAD_BODY);
+    const int refusal = http_call_receive(self->connection, bytes);
+    if (refusal != 0) {
+        return refusal;
     }
-    const request_result_t result =
-        request_read_body(self->route->body, bytes, (size_t)size, &self->body);
+    const size_t size = (length > 0) ? (size_t)length : 0U;
+    const request_result_t result = request_read_body(self->route->body, bytes, size, &self->body);
     const http_problem_t problem = http_problem_of_body(&result);
     return (result.fault == REQUEST_OK) ? 0 : refuse_as(self->connection, &problem);
 }

@@ -59,4 +59,14 @@ const route_t *http_call_find(const struct mg_connection *connection, const char
  */
 int http_call_read(http_call_t *self, const robot_t *robot);
 
+/**
+ * Reads the body of a request, whose length is judged, into `bytes`. While the rest of it is
+ * awaited the connection may be dismissed.
+ *
+ * @return 0, or the status of the refusal that was sent
+ *
+ * @satisfies SWR-LOAD-008
+ */
+int http_call_receive(struct mg_connection *connection, char *bytes);
+
 #endif

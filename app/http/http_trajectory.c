@@ -123,11 +123,14 @@ static int refuse_line(const http_call_t *call, uint32_t line)
 
 static int take(http_server_t *server, const http_call_t *call, upload_t *upload)
 {
-    const long long length = mg_get_request_info(call->connection)->content_length;
-    const int size = mg_read(call->connection, upload->text, (size_t)length);
+    const size_t size = (size_t)mg_get_request_info(call->connection)->content_length;
+    const int refusal = http_call_receive(call->connection, upload->text);
     int32_t stands[ROBOT_AXIS_MAX] = {0};
     snapshot_t snapshot;
-    if ((size != (int)length) || (memchr(upload->text, '\0', (size_t)length) != NULL)) {
+    if (refusal != 0) {
+        return refusal;
+    }
+    if (memchr(upload->text, '\0', size) != NULL) {
         return http_reply_refuse(call->connection, PROBLEM_BAD_BODY);
     }
     upload->text[size] = '\0';

@@ -66,6 +66,31 @@ class TestHttpTrajectory < Minitest::Test
     assert_answer '409', 'TRAJECTORY_EMPTY', anna.act('trajectory/run', { checksum: 1 })
   end
 
+  # They come while nobody serves them, and more of them than there are workers.
+  HALVES = 256
+
+  def half_table(client)
+    TCPSocket.new('127.0.0.1', port).tap do |socket|
+      socket.write("POST #{PATH} HTTP/1.1\r\nHost: #{host}\r\nCookie: #{client.cookie}\r\n" \
+                   "#{SessionClient::TOKEN}: #{client.token}\r\n#{SessionClient::PAGE}: #{client.page}\r\n" \
+                   "Content-Type: text/csv\r\nContent-Length: 3000\r\n\r\ntime s,")
+    end
+  end
+
+  def gave_way?(socket)
+    socket.read.include?('"code":"GAVE_WAY"')
+  rescue Errno::ECONNRESET
+    false
+  end
+
+  def test_SWR_LOAD_008_who_holds_back_a_table_gives_way_too
+    anna = holder.tap(&:keep)
+    half = boresight.while_stopped('http') { Array.new(HALVES) { half_table(anna) } }
+    assert_operator half.first(HALVES * 3 / 4).count { |socket| gave_way?(socket) }, :>, HALVES / 2
+  ensure
+    half&.each(&:close)
+  end
+
   def test_SWR_TRAJ_015_only_who_commands_sends_one_and_as_what_it_is
     anna = holder
     assert_equal '415', put(anna, TABLE, 'application/json').code
