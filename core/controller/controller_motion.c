@@ -35,6 +35,7 @@ static mode_request_t request_of(const controller_t *self, const cycle_t *cycle,
         break;
     case MODE_TRAJECTORY:
         request.start_ms = self->rows[0].time_ms;
+        request.end_ms = trajectory_list_end_ms(&self->mode.list, self->rows);
         break;
     case MODE_RETRACT:
         request.way.axis = cycle->robot->needle_axis;
@@ -63,7 +64,7 @@ static mode_request_t request_of(const controller_t *self, const cycle_t *cycle,
 static void begin(controller_t *self, const cycle_t *cycle, const command_t *command,
                   mode_kind_t kind, const mode_request_t *request)
 {
-    controller_arm(self, command, kind, request);
+    controller_arm(self, cycle, command, kind, request);
     if ((kind == MODE_HOME_AXIS) && axis_is_homed(&self->axes[request->way.axis])) {
         controller_forget_reference(self, cycle, request->way.axis);
     }

@@ -109,7 +109,7 @@ static status_t obey_workphase(controller_t *self, const cycle_t *cycle, const c
         begin_start_up(self, cycle);
     }
     if ((actions.arming & ARMING_ACTION_RENEW_PEDAL) != 0U) {
-        controller_arm(self, command, kind, &request);
+        controller_arm(self, cycle, command, kind, &request);
         answer->is_final = 0U;
     }
     return STATUS_OK;

@@ -12,10 +12,13 @@ answer_t *controller_add_answer(const controller_t *self, const cycle_t *cycle)
     return answer;
 }
 
-void controller_arm(controller_t *self, const command_t *command, mode_kind_t kind,
-                    const mode_request_t *request)
+void controller_arm(controller_t *self, const cycle_t *cycle, const command_t *command,
+                    mode_kind_t kind, const mode_request_t *request)
 {
     mode_begin(&self->mode, kind, request);
+    self->has_arrived = 0U;
+    controller_note(self, cycle, EVENT_ORDER_ARMED, (uint32_t)kind,
+                    (int32_t)procedure_workphase(&self->procedure));
     self->pending.id = command->id;
     self->pending.source = command->source;
     self->pending.kind = command->kind;
@@ -52,17 +55,17 @@ void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t 
                              status_t fault)
 {
     if ((actions & ARMING_ACTION_REPORT_DISCARDED) != 0U) {
-        controller_note(self, cycle, EVENT_ORDER_DISCARDED, 0U, (int32_t)fault);
+        controller_note(self, cycle, EVENT_ORDER_DISCARDED, self->mode.kind, (int32_t)fault);
         answer_pending(self, cycle, ANSWER_ABORTED, fault);
         mode_stop(&self->mode, self->axes, self->axis_count);
     }
     if ((actions & ARMING_ACTION_REPORT_EXPIRED) != 0U) {
-        controller_note(self, cycle, EVENT_ORDER_EXPIRED, 0U, 0);
+        controller_note(self, cycle, EVENT_ORDER_EXPIRED, self->mode.kind, 0);
         answer_pending(self, cycle, ANSWER_ABORTED, STATUS_EXPIRED);
         mode_stop(&self->mode, self->axes, self->axis_count);
     }
     if ((actions & ARMING_ACTION_REPORT_DONE) != 0U) {
-        controller_note(self, cycle, EVENT_ORDER_DONE, 0U, 0);
+        controller_note(self, cycle, EVENT_ORDER_DONE, self->mode.kind, 0);
         if ((self->mode.kind == (uint32_t)MODE_MOVE) ||
             (self->mode.kind == (uint32_t)MODE_INSERT)) {
             self->has_arrived = 1U;
@@ -71,10 +74,7 @@ void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t 
         mode_stop(&self->mode, self->axes, self->axis_count);
     }
     if ((actions & ARMING_ACTION_RENEW_PEDAL) != 0U) {
-        self->has_arrived = 0U;
         pedal_gate_renew(&self->pedal);
-        controller_note(self, cycle, EVENT_ORDER_ARMED,
-                        (uint32_t)procedure_workphase(&self->procedure), 0);
     }
 }
 

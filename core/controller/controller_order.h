@@ -8,18 +8,24 @@
 /** Adds an answer to this cycle's outputs. */
 answer_t *controller_add_answer(const controller_t *self, const cycle_t *cycle);
 
-/** The chart has armed a motion: `kind`, with `request`. `command` is to be answered for good
- * later.
+/**
+ * The chart has armed a motion: `kind`, with `request`. `command` is to be answered for good later.
+ *
+ * @satisfies SWR-FLOW-001
  */
-void controller_arm(controller_t *self, const command_t *command, mode_kind_t kind,
-                    const mode_request_t *request);
+void controller_arm(controller_t *self, const cycle_t *cycle, const command_t *command,
+                    mode_kind_t kind, const mode_request_t *request);
 
 /** The workphase or the order was damaged, and both are in their safe states: what was armed is
  * given up. */
 void controller_abandon_order(controller_t *self, const cycle_t *cycle);
 
-/** What became of the order, in ARMING_ACTION_ bits: answers and events. `fault`: status for one
- * given up. */
+/**
+ * What became of the order, in ARMING_ACTION_ bits: answers and events. `fault`: status for one
+ * given up.
+ *
+ * @satisfies SWR-FLOW-001
+ */
 void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t actions,
                              status_t fault);
 

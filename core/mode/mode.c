@@ -3,6 +3,7 @@
 
 #include "interface/command.h"
 #include "limits/requirement_limits.h"
+#include "mode/velocity_share.h"
 
 bool mode_runs_in(mode_kind_t kind, workphase_t workphase)
 {
@@ -195,11 +196,28 @@ void mode_step(mode_state_t *self, const mode_frame_t *frame, mode_result_t *res
     }
 }
 
+/* `left_ms` of `span_ms` are left; an hour at most, so that 32 bits hold the product. */
+static mode_share_t time_share(uint32_t left_ms, uint32_t span_ms)
+{
+    mode_share_t share = {.done_per_mille = 1000U, .left_ms = left_ms};
+    if (left_ms > 0U) {
+        share.done_per_mille = ((span_ms - left_ms) * 1000U) / span_ms;
+    }
+    return share;
+}
+
 mode_share_t mode_share(const mode_state_t *self, mode_kind_t kind,
                         const axis_t axes[ROBOT_AXIS_MAX], uint32_t axis_count)
 {
     mode_share_t share = {.done_per_mille = 0U, .left_ms = 0U};
-    if (self->leg.is_running != 0U) {
+    const uint32_t list_ms = self->request.end_ms - self->request.start_ms;
+    if ((kind == MODE_TRAJECTORY) && (list_ms > 0U)) {
+        share =
+            time_share(trajectory_mode_left_ms(&self->trajectory, self->request.end_ms), list_ms);
+    } else if (kind == MODE_VELOCITY) {
+        share = time_share(velocity_share_left_ms(&self->request.velocity, axes),
+                           velocity_share_span_ms(&self->request.velocity));
+    } else if (self->leg.is_running != 0U) {
         share = leg_share(&self->leg);
     } else if (kind == MODE_HOMING) {
         share.done_per_mille = homed_per_mille(axes, axis_count);

@@ -31,7 +31,8 @@ typedef struct {
     uint32_t axes;  /**< Bit n: axis n is commanded. mode_axes() makes of it those that it needs. */
     mode_way_t way; /**< Of MODE_JOG and MODE_RETRACT; MODE_HOME_AXIS reads its axis. */
     move_mode_t move;
-    uint32_t start_ms; /**< Time of the first row of a trajectory. */
+    uint32_t start_ms; /**< Time of the first row of a trajectory, */
+    uint32_t end_ms;   /**< and of its last one. */
     velocity_mode_t velocity;
 } mode_request_t;
 
@@ -103,8 +104,9 @@ void mode_step(mode_state_t *self, const mode_frame_t *frame, mode_result_t *res
 /** How far what is armed has come. */
 typedef struct {
     uint32_t
-        done_per_mille; /**< 0..1000: of the cycles of the present leg; of homing, of the axes. */
-    uint32_t left_ms;   /**< Until the set-points are at the end of the leg; 0: unknown. */
+        done_per_mille; /**< 0..1000: of the cycles of the present leg; of homing, of the axes; of a
+                           trajectory and of speeds, of their time; of a speed for a way, of it. */
+    uint32_t left_ms;   /**< Until the set-points are at its end; 0: unknown. */
 } mode_share_t;
 
 /**

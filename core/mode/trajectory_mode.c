@@ -96,6 +96,12 @@ void trajectory_mode_begin(trajectory_mode_t *self, uint32_t start_ms)
     self->behind_us = 0U;
 }
 
+uint32_t trajectory_mode_left_ms(const trajectory_mode_t *self, uint32_t end_ms)
+{
+    const uint32_t time_ms = self->time_us / US_PER_MS;
+    return (time_ms < end_ms) ? (end_ms - time_ms) : 0U;
+}
+
 void trajectory_mode_pause(trajectory_mode_t *self)
 {
     if (self->is_on_way != 0U) {

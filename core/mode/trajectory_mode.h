@@ -47,6 +47,9 @@ solution_t trajectory_mode_judge(const trajectory_t *asked, uint32_t crc, const 
 /** It was armed: from the first row on, whose time is `start_ms`. */
 void trajectory_mode_begin(trajectory_mode_t *self, uint32_t start_ms);
 
+/** What is left of the time of a list that ends at `end_ms`, ms; it stands on the ways to a row. */
+uint32_t trajectory_mode_left_ms(const trajectory_mode_t *self, uint32_t end_ms);
+
 /** A cycle without the pedal: time stands. */
 void trajectory_mode_pause(trajectory_mode_t *self);
 

@@ -88,6 +88,11 @@ solution_t velocity_mode_judge(const velocity_mode_t *asked, const robot_t *robo
     return result;
 }
 
+bool velocity_mode_runs(const velocity_mode_t *self)
+{
+    return self->stage == STAGE_RUNS;
+}
+
 static void begin(velocity_mode_t *self, const mode_frame_t *frame)
 {
     const uint32_t time_ms = (self->bound > 0) ? (uint32_t)self->bound : LIMIT_VELOCITY_TIME_MS;

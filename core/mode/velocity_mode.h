@@ -48,6 +48,9 @@ typedef struct {
 solution_t velocity_mode_judge(const velocity_mode_t *asked, const robot_t *robot,
                                const axis_t axes[ROBOT_AXIS_MAX]);
 
+/** It has begun, and not every set-point has come to rest. */
+bool velocity_mode_runs(const velocity_mode_t *self);
+
 /**
  * One cycle; done once all axes rest. Fails, by the name of the limit, if one has ended it. `leg`
  * takes the axes to where their set-points have come to rest.

@@ -156,3 +156,93 @@ void test_SWR_MODE_006_homing_shows_how_many_axes_are_homed(void)
     }
     TEST_ASSERT_NOT_EQUAL_UINT32(0U, homed);
 }
+
+static command_t speed(int32_t ticks_per_s, int32_t bound)
+{
+    command_t command = {
+        .kind = (uint32_t)COMMAND_VELOCITY, .argument = 1UL << AXIS_YAW, .value = bound};
+    command.ticks[AXIS_YAW] = ticks_per_s;
+    return command;
+}
+
+/* Lasts `span_ms`; to its last cycle. */
+static void expect_speed_shown(command_t command, uint32_t span_ms)
+{
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, command).status);
+    TEST_ASSERT_EQUAL_UINT32(0U, shown()->left_ms);
+    rig_press(&rig);
+    TEST_ASSERT_UINT32_WITHIN(5U, span_ms, shown()->left_ms);
+    uint32_t done = 0U;
+    uint32_t left = span_ms;
+    while (shown()->order == (uint32_t)ARMING_STATE_MOVING) {
+        TEST_ASSERT_EQUAL_UINT32(MODE_VELOCITY, shown()->mode);
+        TEST_ASSERT_GREATER_OR_EQUAL_UINT32(done, shown()->done_per_mille);
+        TEST_ASSERT_LESS_OR_EQUAL_UINT32(left, shown()->left_ms);
+        TEST_ASSERT_UINT32_WITHIN(1U, ((span_ms - shown()->left_ms) * 1000U) / span_ms,
+                                  shown()->done_per_mille);
+        done = shown()->done_per_mille;
+        left = shown()->left_ms;
+        rig_cycle(&rig);
+    }
+    TEST_ASSERT_EQUAL_UINT32(1000U, done);
+    TEST_ASSERT_EQUAL_UINT32(0U, left);
+    rig_release(&rig);
+}
+
+void test_SWR_MODE_006_of_a_speed_its_time_or_its_way_is_shown(void)
+{
+    rig_start_homed(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_MANUAL);
+    expect_speed_shown(speed(-400, 1500), 1500U);
+    expect_speed_shown(speed(-833, -600), 720U);
+    expect_speed_shown(speed(400, -200), 500U);
+}
+
+/* The event `id` names the motion. */
+static void expect_named(event_id_t id, mode_kind_t kind, int32_t value)
+{
+    uint32_t found = 0U;
+    for (uint32_t i = 0U; i < rig.event_count; i++) {
+        if (rig.events[i].id == (uint32_t)id) {
+            TEST_ASSERT_EQUAL_UINT32(kind, rig.events[i].subject);
+            TEST_ASSERT_EQUAL_INT32(value, rig.events[i].value);
+            found++;
+        }
+    }
+    TEST_ASSERT_EQUAL_UINT32(1U, found);
+    rig_forget(&rig);
+}
+
+void test_SWR_FLOW_001_what_is_armed_and_done_is_named(void)
+{
+    rig_start(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_START_UP);
+    expect_named(EVENT_ORDER_ARMED, MODE_HOMING, WORKPHASE_START_UP);
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 120000U).kind);
+    rig_release(&rig);
+    expect_named(EVENT_ORDER_DONE, MODE_HOMING, 0);
+    (void)rig_workphase(&rig, WORKPHASE_MANUAL);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog(AXIS_YAW, -400)).status);
+    expect_named(EVENT_ORDER_ARMED, MODE_JOG, WORKPHASE_MANUAL);
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 5000U).kind);
+    expect_named(EVENT_ORDER_DONE, MODE_JOG, 0);
+}
+
+void test_SWR_FLOW_001_of_two_motions_the_one_that_gives_way_and_the_new_one_are_named(void)
+{
+    rig_start_homed(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_MANUAL);
+    (void)rig_command(&rig, jog(AXIS_YAW, -400));
+    rig_forget(&rig);
+    (void)rig_command(&rig, speed(-400, 1500));
+    TEST_ASSERT_EQUAL_UINT32(2U, rig.event_count);
+    TEST_ASSERT_EQUAL_UINT32(EVENT_ORDER_DISCARDED, rig.events[0].id);
+    TEST_ASSERT_EQUAL_UINT32(MODE_JOG, rig.events[0].subject);
+    rig.events[0] = rig.events[1];
+    rig.event_count = 1U;
+    expect_named(EVENT_ORDER_ARMED, MODE_VELOCITY, WORKPHASE_MANUAL);
+    rig_cycles(&rig, (LIMIT_ARMED_HOLD_US / 1000U) + 1U);
+    expect_named(EVENT_ORDER_EXPIRED, MODE_VELOCITY, 0);
+}

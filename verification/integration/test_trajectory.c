@@ -124,6 +124,37 @@ void test_SWR_TRAJ_014_a_trajectory_is_driven_in_its_time_and_told_at_its_end(vo
     TEST_ASSERT_EQUAL_UINT32(3U, rig.outputs.snapshot.trajectory_row);
 }
 
+void test_SWR_MODE_006_of_a_trajectory_the_time_of_its_list_is_shown(void)
+{
+    const snapshot_t *const shown = &rig.outputs.snapshot;
+    send_list();
+    expect_run(STATUS_OK);
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(MODE_TRAJECTORY, shown->mode);
+    TEST_ASSERT_EQUAL_UINT32(0U, shown->done_per_mille);
+    TEST_ASSERT_EQUAL_UINT32(7000U, shown->left_ms);
+    run_until(1500000U);
+    TEST_ASSERT_EQUAL_UINT32(214U, shown->done_per_mille);
+    TEST_ASSERT_EQUAL_UINT32(5500U, shown->left_ms);
+    run_until(7000000U);
+    TEST_ASSERT_EQUAL_UINT32(1000U, shown->done_per_mille);
+    TEST_ASSERT_EQUAL_UINT32(0U, shown->left_ms);
+}
+
+/* It has no time of its own, but a way to its row. */
+void test_SWR_MODE_006_of_a_list_of_one_row_its_way_is_shown(void)
+{
+    const snapshot_t *const shown = &rig.outputs.snapshot;
+    row.ticks[AXIS_YAW] -= WAY / 20;
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, list(COMMAND_LIST_BEGIN, 1U).status);
+    expect_row(0U, 0U, STATUS_OK);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, list(COMMAND_LIST_END, sum).status);
+    expect_run(STATUS_OK);
+    rig_press(&rig);
+    TEST_ASSERT_LESS_THAN_UINT32(1000U, shown->done_per_mille);
+    TEST_ASSERT_NOT_EQUAL_UINT32(0U, shown->left_ms);
+}
+
 void test_SWR_TRAJ_014_at_its_end_it_may_be_run_again(void)
 {
     send_list();

@@ -11,6 +11,7 @@
 #include "interface/app/event_words.h"
 #include "interface/app/names.h"
 #include "interface/command.h"
+#include "interface/mode_list.h"
 #include "interface/status.h"
 #include "interface/workphase_list.h"
 #include "robot/robot_neuro.h"
@@ -49,18 +50,25 @@ void test_SWR_EVENT_007_a_sentence_ends_with_its_cause(void)
     expect(
         (event_t){.id = EVENT_WORKPHASE, .subject = WORKPHASE_STOP, .cause = EVENT_CAUSE_CONSOLE},
         "Workphase entered STOP. By the console.");
-    expect((event_t){.id = EVENT_ORDER_DISCARDED, .cause = EVENT_CAUSE_IGTL, .peer = 3U},
-           "The armed motion was discarded. By OpenIGTLink peer 3.");
-    expect((event_t){.id = EVENT_ORDER_DISCARDED, .cause = EVENT_CAUSE_IGTL},
-           "The armed motion was discarded. By the loss of an OpenIGTLink peer.");
-    expect((event_t){.id = EVENT_ORDER_DISCARDED, .cause = EVENT_CAUSE_ESTOP},
-           "The armed motion was discarded. By the e-stop.");
-    expect((event_t){.id = EVENT_ORDER_DISCARDED, .cause = EVENT_CAUSE_AXIS, .peer = AXIS_HEAD},
-           "The armed motion was discarded. By axis head.");
     expect((event_t){.id = EVENT_ORDER_DISCARDED,
+                     .subject = MODE_MOVE,
+                     .cause = EVENT_CAUSE_IGTL,
+                     .peer = 3U},
+           "MOVE was discarded. By OpenIGTLink peer 3.");
+    expect((event_t){.id = EVENT_ORDER_DISCARDED, .subject = MODE_MOVE, .cause = EVENT_CAUSE_IGTL},
+           "MOVE was discarded. By the loss of an OpenIGTLink peer.");
+    expect((event_t){.id = EVENT_ORDER_DISCARDED, .subject = MODE_MOVE, .cause = EVENT_CAUSE_ESTOP},
+           "MOVE was discarded. By the e-stop.");
+    expect((event_t){.id = EVENT_ORDER_DISCARDED,
+                     .subject = MODE_MOVE,
+                     .cause = EVENT_CAUSE_AXIS,
+                     .peer = AXIS_HEAD},
+           "MOVE was discarded. By axis head.");
+    expect((event_t){.id = EVENT_ORDER_DISCARDED,
+                     .subject = MODE_MOVE,
                      .cause = EVENT_CAUSE_CARD,
                      .peer = robot_neuro.axes[AXIS_INSERTION].slot},
-           "The armed motion was discarded. By card 3 (insertion).");
+           "MOVE was discarded. By card 3 (insertion).");
 }
 
 void test_SWR_EVENT_007_an_event_that_says_its_cause_itself_says_it_once(void)

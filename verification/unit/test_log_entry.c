@@ -15,6 +15,7 @@
 #include "interface/app/event_words.h"
 #include "interface/app/names.h"
 #include "interface/event.h"
+#include "interface/mode_list.h"
 #include "robot/robot_neuro.h"
 
 #include <stdio.h>
@@ -167,15 +168,15 @@ void test_SWR_EVENT_010_an_event_of_a_note_stands_there_in_its_words(void)
 
 void test_SWR_SESS_026_what_a_page_has_done_is_told_with_the_name_of_its_account(void)
 {
-    const event_t event = {
-        .id = EVENT_ORDER_DISCARDED, .cause = EVENT_CAUSE_CONSOLE, .peer = 51234U};
+    const event_t event = {.id = EVENT_ORDER_DISCARDED,
+                           .subject = MODE_MOVE,
+                           .cause = EVENT_CAUSE_CONSOLE,
+                           .peer = 51234U};
     const exchange_peers_t peers = {.count = 1U, .peers = {{.number = 51234U, .name = "anna"}}};
 
     make(&event);
-    TEST_ASSERT_EQUAL_STRING("The armed motion was discarded. By the console, page 51234.",
-                             entry.text);
+    TEST_ASSERT_EQUAL_STRING("MOVE was discarded. By the console, page 51234.", entry.text);
     exchange_publish_peers(exchange, COMMAND_SOURCE_HTTP, &peers);
     make(&event);
-    TEST_ASSERT_EQUAL_STRING("The armed motion was discarded. By the console, page of anna.",
-                             entry.text);
+    TEST_ASSERT_EQUAL_STRING("MOVE was discarded. By the console, page of anna.", entry.text);
 }

@@ -12,6 +12,7 @@
 #include "mode/velocity_bound.h"
 #include "mode/velocity_mode.h"
 #include "mode/velocity_ramp.h"
+#include "mode/velocity_share.h"
 #include "robot/coupled_limit.h"
 #include "robot/joints.h"
 #include "robot/kinematics.h"
@@ -530,4 +531,39 @@ void test_SWR_VEL_012_an_axis_that_the_robot_does_not_have_is_not_driven(void)
             TEST_ASSERT_TRUE(world_rests(axis));
         }
     }
+}
+
+static velocity_mode_t of_way(uint32_t axis, int32_t ticks_per_s, int32_t ticks)
+{
+    velocity_mode_t asked = {.axes = LEG_AXIS(axis), .bound = -ticks};
+    asked.speeds_ticks_per_s[axis] = ticks_per_s;
+    return asked;
+}
+
+void test_SWR_MODE_006_a_time_lasts_as_long_as_it_is(void)
+{
+    const velocity_mode_t asked = {.axes = 3U, .bound = 1500};
+    TEST_ASSERT_EQUAL_UINT32(1500U, velocity_share_span_ms(&asked));
+}
+
+void test_SWR_MODE_006_a_way_lasts_as_its_speed_says_on_any_axis(void)
+{
+    for (uint32_t axis = 0U; axis < ROBOT_AXIS_MAX; axis++) {
+        velocity_mode_t asked = of_way(axis, -500, 250);
+        TEST_ASSERT_EQUAL_UINT32(500U, velocity_share_span_ms(&asked));
+        asked = of_way(axis, 500, 100);
+        TEST_ASSERT_EQUAL_UINT32(200U, velocity_share_span_ms(&asked));
+    }
+}
+
+void test_SWR_MODE_006_no_way_lasts_beyond_the_longest_time(void)
+{
+    const velocity_mode_t asked = of_way(ROBOT_AXIS_MAX - 1U, 1, INT32_MAX);
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_VELOCITY_TIME_MS, velocity_share_span_ms(&asked));
+}
+
+void test_SWR_MODE_006_nothing_is_left_of_what_has_not_begun(void)
+{
+    const velocity_mode_t asked = of_way(ROBOT_AXIS_MAX - 1U, 500, 250);
+    TEST_ASSERT_EQUAL_UINT32(0U, velocity_share_left_ms(&asked, axes));
 }
