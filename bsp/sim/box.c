@@ -113,11 +113,50 @@ uint32_t box_exchange(box_t *self, uint32_t send,
     return answered;
 }
 
-static void step_axis(box_axis_t *axis, uint32_t start_us, bool is_powered, bool is_scanning)
+static double ticks_of_nm(const axis_config_t *needle, double nm)
+{
+    return nm * 65536.0 / (double)needle->unit_per_tick_q16;
+}
+
+void box_push(box_t *self, double mm)
+{
+    self->probe.to_go_ticks = ticks_of_nm(&self->robot->axes[self->robot->needle_axis], mm * 1e6);
+}
+
+/* What the hand pushes in this step, ticks. */
+static double step_hand(box_t *self)
+{
+    const axis_config_t *const needle = &self->robot->axes[self->robot->needle_axis];
+    const double most = ticks_of_nm(needle, (double)BOX_HAND_NM_PER_S * SIM_STEP_US / 1e6);
+    double way = self->probe.to_go_ticks;
+
+    way = (way > most) ? most : (way < -most) ? -most : way;
+    self->probe.to_go_ticks -= way;
+    return way;
+}
+
+/* A free probe goes alone. Returns by how many ticks the needle's axis is pushed. */
+static double step_probe(box_t *self)
+{
+    const double way = step_hand(self);
+
+    if (!self->probe.is_free) {
+        return way;
+    }
+    self->probe.free_ticks += way;
+    return 0.0;
+}
+
+static void step_axis(box_axis_t *axis, double pushed_ticks, const box_t *box)
 {
     const double before_ticks = axis->motor.position_ticks;
+    const uint32_t start_us = (uint32_t)box->time_us;
+    const bool is_scanning = box->scanner_active;
+    /* The pulled e-stop takes the drivers' supply away, whatever the cards say. */
+    const bool is_powered = box->estop.is_closed;
 
     axis->card.is_motor_hot = axis->motor.fault == SIM_MOTOR_HOT;
+    sim_motor_push(&axis->motor, pushed_ticks);
     sim_motor_step(&axis->motor, &axis->card.applied, is_powered);
     sim_encoder_step(&axis->encoder, before_ticks, axis->motor.position_ticks, start_us,
                      is_scanning);
@@ -155,10 +194,9 @@ static void step(box_t *self)
     step_contact(&self->pedal_a);
     step_contact(&self->pedal_b);
     step_contact(&self->estop);
+    const double pushed_ticks = step_probe(self);
     for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
-        /* The pulled e-stop takes the drivers' supply away, whatever the cards say. */
-        step_axis(&self->axes[i], (uint32_t)self->time_us, self->estop.is_closed,
-                  self->scanner_active);
+        step_axis(&self->axes[i], (i == self->robot->needle_axis) ? pushed_ticks : 0.0, self);
     }
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
         if (has_sensor(self, slot)) {

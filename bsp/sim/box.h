@@ -27,6 +27,8 @@
 #define BOX_PEDAL_CLOSE_SPREAD_US 4000U /**< `press`: channel A follows channel B. */
 #define BOX_PEDAL_OPEN_SPREAD_US 2000U  /**< `release`: channel B follows channel A. */
 #define BOX_PULSE_US 300U               /**< `pulse`: open for this time. */
+#define BOX_HAND_NM_PER_S 5000000U      /**< How fast a hand pushes the probe. */
+#define BOX_PUSH_MOST_MM 200            /**< The longest push, in or out. */
 #define BOX_HAND_CONVERTER 1U           /**< Of a card without an axis: what the hand pushes, */
 #define BOX_NEEDLE_CONVERTER 2U         /**< and what the needle meets. */
 #define BOX_HAND_AT_REST 1970U          /**< What they read then. */
@@ -58,6 +60,13 @@ typedef struct {
     box_card_fault_t card_fault;
 } box_sensor_t;
 
+/** The probe, and the hand that pushes it along its line. */
+typedef struct {
+    bool is_free;       /**< It is not coupled to the needle's axis: that stays where it is. */
+    double free_ticks;  /**< Free: how far it was pushed in, in ticks of that axis. */
+    double to_go_ticks; /**< What a push has left, the same; below 0 outwards. */
+} box_probe_t;
+
 /** A contact that may have a change under way. */
 typedef struct {
     bool is_closed;
@@ -75,6 +84,7 @@ typedef struct {
     box_contact_t pedal_a;
     box_contact_t pedal_b;
     box_contact_t estop; /**< Closed: not pulled. */
+    box_probe_t probe;
     bool scanner_active;
     bool button_pressed;  /**< The operator's, for confirming positions. */
     bsp_inputs_t latched; /**< The most unsafe levels since the last sample. */
@@ -129,6 +139,15 @@ const char *box_orders(void);
 /** Puts a card of `card_type`, which nothing is connected to, into `slot`, which no axis has;
  * CARD_TYPE_NONE takes out what is there. */
 void box_plug(box_t *self, uint32_t slot, uint32_t card_type);
+
+/**
+ * A hand pushes the probe by `mm`, outwards below 0: one that is free alone, one that is coupled
+ * with the needle's axis, whatever the motor there does. What an earlier push had left is
+ * forgotten.
+ *
+ * @satisfies SWR-BOX-010
+ */
+void box_push(box_t *self, double mm);
 
 /** Closes or opens `contact` after `delay_us`; 0 is at once. */
 void box_contact_set(box_contact_t *contact, bool is_closed, uint32_t delay_us);

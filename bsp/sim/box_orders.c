@@ -21,7 +21,8 @@ typedef struct {
     size_t length;
 } reply_t;
 
-/* Words of which any may be taken; `plug` takes any slot that no axis has, `force` any reading. */
+/* Words of which any may be taken; `plug` takes any slot that no axis has, `force` any reading,
+ * `push` any way in mm. */
 static const char orders[] = "pedal press|release|pulse\n"
                              "pedal a|b open|close\n"
                              "estop pull|reset|pulse\n"
@@ -33,6 +34,8 @@ static const char orders[] = "pedal press|release|pulse\n"
                              "switch SLOT stuck|open|chatter|reversed|normal\n"
                              "scanner on|off\n"
                              "force hand|needle 0|1780|1970|4095\n"
+                             "probe coupled|free\n"
+                             "push 10|-10\n"
                              "show\n";
 
 const char *box_orders(void)
@@ -287,6 +290,14 @@ static void show_axis(const box_axis_t *axis, reply_t *reply)
         motor_words[axis->motor.fault], (unsigned)axis->card.watchdog_trips);
 }
 
+static void show_probe(const box_t *self, reply_t *reply)
+{
+    const axis_config_t *needle = &self->robot->axes[self->robot->needle_axis];
+    const double nm = self->probe.free_ticks * (double)needle->unit_per_tick_q16 / 65536.0;
+
+    say(reply, "the probe is free of the %s, and %.4f mm in by hand\n", needle->name, nm / 1e6);
+}
+
 static void show(const box_t *self, reply_t *reply)
 {
     say(reply, "%s, %.3f s: pedal a %s, pedal b %s, e-stop %s, button %s, scanner %s\n",
@@ -297,6 +308,9 @@ static void show(const box_t *self, reply_t *reply)
         "position", "", "ticks", "drive", "switch", "card", "encoder", "motor", "trips");
     for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
         show_axis(&self->axes[i], reply);
+    }
+    if (self->probe.is_free) {
+        show_probe(self, reply);
     }
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
         if (has_sensor(self, slot)) {
@@ -320,6 +334,31 @@ static bool order_force(box_t *self, const order_t *order)
         self->sensors[slot].card.adc[is_hand ? BOX_HAND_CONVERTER : BOX_NEEDLE_CONVERTER] =
             (uint32_t)reading;
     }
+    return true;
+}
+
+/* Coupled, it is where its axis is. */
+static bool order_probe(box_t *self, const order_t *order)
+{
+    const bool is_done = order_level(&self->probe.is_free, order, "free", "coupled");
+
+    if (is_done) {
+        self->probe.free_ticks = 0.0;
+        self->probe.to_go_ticks = 0.0;
+    }
+    return is_done;
+}
+
+static bool order_push(box_t *self, const order_t *order)
+{
+    char *end = NULL;
+    const long mm = strtol(order->words[1], &end, 10);
+
+    if ((order->count != 2U) || (*end != '\0') || (mm > BOX_PUSH_MOST_MM) ||
+        (mm < -BOX_PUSH_MOST_MM)) {
+        return false;
+    }
+    box_push(self, (double)mm);
     return true;
 }
 
@@ -374,6 +413,12 @@ static bool carry_out(box_t *self, const order_t *order)
     }
     if (is_word(order, 0U, "force")) {
         return order_force(self, order);
+    }
+    if (is_word(order, 0U, "probe")) {
+        return order_probe(self, order);
+    }
+    if (is_word(order, 0U, "push")) {
+        return order_push(self, order);
     }
     if (is_word(order, 0U, "scanner")) {
         return order_level(&self->scanner_active, order, "on", "off");

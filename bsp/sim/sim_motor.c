@@ -139,6 +139,27 @@ static double approach(const sim_motor_t *self, double speed, double steady)
     return speed + (steady - speed) * FALL_SHARE;
 }
 
+/* A hard stop ends its motion. */
+static void advance(sim_motor_t *self, double ticks)
+{
+    self->position_ticks += ticks;
+    if (self->position_ticks > self->highest_ticks) {
+        self->position_ticks = self->highest_ticks;
+        self->speed_ticks_per_s = 0.0;
+    }
+    if (self->position_ticks < self->lowest_ticks) {
+        self->position_ticks = self->lowest_ticks;
+        self->speed_ticks_per_s = 0.0;
+    }
+}
+
+void sim_motor_push(sim_motor_t *self, double ticks)
+{
+    if (ticks * ticks > 0.0) {
+        advance(self, ticks);
+    }
+}
+
 void sim_motor_step(sim_motor_t *self, const card_drive_t *drive, bool is_powered)
 {
     const bool is_running =
@@ -150,13 +171,5 @@ void sim_motor_step(sim_motor_t *self, const card_drive_t *drive, bool is_powere
     const double steady = (self->fault == SIM_MOTOR_RUNS) ? self->full_speed_ticks_per_s / 2.0
                                                           : sim_motor_steady_speed(self, drive);
     self->speed_ticks_per_s = approach(self, self->speed_ticks_per_s, steady);
-    self->position_ticks += self->speed_ticks_per_s * STEP_S;
-    if (self->position_ticks > self->highest_ticks) {
-        self->position_ticks = self->highest_ticks;
-        self->speed_ticks_per_s = 0.0;
-    }
-    if (self->position_ticks < self->lowest_ticks) {
-        self->position_ticks = self->lowest_ticks;
-        self->speed_ticks_per_s = 0.0;
-    }
+    advance(self, self->speed_ticks_per_s * STEP_S);
 }

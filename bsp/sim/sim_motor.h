@@ -65,6 +65,9 @@ void sim_motor_init(sim_motor_t *self, const axis_config_t *axis, double positio
  */
 double sim_motor_steady_speed(const sim_motor_t *self, const card_drive_t *drive);
 
+/** What turns it from outside, by `ticks`, at most to a hard stop. */
+void sim_motor_push(sim_motor_t *self, double ticks);
+
 /**
  * Advances by SIM_STEP_US. Without `is_powered`, or with the drive off, it stops within the step
  * and holds.

@@ -108,6 +108,8 @@ void supervision_shift(supervision_t *self, int32_t ticks);
  * @satisfies SWR-AXIS-016
  * @satisfies SWR-AXIS-018
  * @satisfies SWR-AXIS-021
+ * @satisfies SWR-FLOW-002
+ * @satisfies SWR-FLOW-003
  */
 uint32_t supervision_step(supervision_t *self, const axis_config_t *config,
                           const supervision_view_t *view);

@@ -229,3 +229,56 @@ void test_SWR_ALIGN_005_an_insertion_pauses_and_goes_on(void)
     expect_done(COMMAND_INSERT);
     TEST_ASSERT_TRUE(is_base_at_target());
 }
+
+/* How far its encoder may tremble. */
+#define REST_TICKS 2
+
+static void push(const char *order, uint32_t cycles)
+{
+    rig_box(&rig, order);
+    rig_cycles(&rig, cycles);
+}
+
+void test_SWR_FLOW_002_a_probe_that_is_not_coupled_is_inserted_by_hand_and_nothing_faults(void)
+{
+    start_aimed();
+    rig_box(&rig, "probe free");
+    run(align);
+    const int32_t out = rig_position(&rig, AXIS_INSERTION);
+    rig_forget(&rig);
+    push("push 25", 6000U);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.event_count);
+    TEST_ASSERT_INT32_WITHIN(REST_TICKS, out, rig_position(&rig, AXIS_INSERTION));
+    TEST_ASSERT_TRUE(is_base_at_target());
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.is_homed);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.has_target);
+    push("push -25", 6000U);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.event_count);
+}
+
+void test_SWR_FLOW_003_a_push_that_moves_the_axis_is_a_fault_by_name(void)
+{
+    start_aimed();
+    run(align);
+    rig_forget(&rig);
+    push("push 1", 500U);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_MOVED_OFF));
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_FAULT, rig.outputs.snapshot.axes[AXIS_INSERTION].power);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.is_homed);
+    TEST_ASSERT_FALSE(rig_is_driving(&rig));
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NO_TARGET, status_of(insert));
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NO_TARGET,
+                             rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
+}
+
+/* Whatever is armed, and before the pedal lets it run. */
+void test_SWR_FLOW_003_a_push_ends_what_is_armed(void)
+{
+    start_aimed();
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
+    rig_forget(&rig);
+    push("push 1", 500U);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_AXIS_MOVED_OFF));
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_ORDER_DISCARDED));
+    TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_NONE, rig.outputs.snapshot.order);
+}

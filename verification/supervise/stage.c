@@ -136,14 +136,27 @@ static void pick_word(stage_t *self, const char *words, size_t length, char *pic
     (void)snprintf(picked, ORDER_SIZE, "%.*s", (int)(end - begin), &words[begin]);
 }
 
-/* Any order that the box knows, whatever its list says today. */
+static bool begins_with(const char *line, const char *word)
+{
+    return strncmp(line, word, strlen(word)) == 0;
+}
+
+/* To be drawn by lot: what disturbs. By where the axes are the witness would take a hand for a
+ * drive. */
+static bool is_disturbance(const char *line)
+{
+    return !begins_with(line, "show") && !begins_with(line, "probe ") &&
+           !begins_with(line, "push ");
+}
+
+/* Any such order that the box knows, whatever its list says today. */
 static void disturb(stage_t *self, rig_t *rig)
 {
     const char *lines[ORDERS_MOST];
     uint32_t count = 0U;
     for (const char *line = box_orders(); (*line != '\0') && (count < ORDERS_MOST);
          line = strchr(line, '\n') + 1) {
-        if (strncmp(line, "show", 4U) != 0) {
+        if (is_disturbance(line)) {
             lines[count] = line;
             count++;
         }

@@ -492,6 +492,13 @@ void test_SWR_BOX_003_orders_that_are_unknown_change_nothing_and_are_told_the_kn
                                         "motor 3 fast",
                                         "switch 3 loose",
                                         "show me",
+                                        "probe",
+                                        "probe loose",
+                                        "push",
+                                        "push x",
+                                        "push 201",
+                                        "push -201",
+                                        "push 10 now",
                                         "card 3 silent now",
                                         "aVeryLongWordIndeed on"};
 
@@ -521,6 +528,56 @@ void test_SWR_BOX_003_the_list_of_orders_names_each(void)
 {
     TEST_ASSERT_NOT_NULL(strstr(box_orders(), "pedal press|release"));
     TEST_ASSERT_NOT_NULL(strstr(box_orders(), "show"));
+}
+
+static double needle_mm(void)
+{
+    return box.axes[AXIS_INSERTION].motor.position_ticks / 3333.34;
+}
+
+static int32_t needle_count(void)
+{
+    return sim_encoder_count(&box.axes[AXIS_INSERTION].encoder);
+}
+
+void test_SWR_BOX_010_a_push_takes_the_axis_along_that_the_probe_is_coupled_to(void)
+{
+    const double start_mm = needle_mm();
+    const int32_t start = needle_count();
+    const double head_ticks = box.axes[AXIS_HEAD].motor.position_ticks;
+
+    order("push 10");
+    box_advance(&box, 1000000U);
+    TEST_ASSERT_FLOAT_WITHIN(0.01, start_mm + 5.0, needle_mm());
+    box_advance(&box, 5000000U);
+    TEST_ASSERT_FLOAT_WITHIN(0.01, start_mm + 10.0, needle_mm());
+    TEST_ASSERT_INT32_WITHIN(2, 33333, needle_count() - start);
+    order("push -200");
+    box_advance(&box, 50000000U);
+    TEST_ASSERT_FLOAT_WITHIN(0.03, 0.0, needle_mm());
+    TEST_ASSERT_FLOAT_WITHIN(0.001, head_ticks, box.axes[AXIS_HEAD].motor.position_ticks);
+}
+
+void test_SWR_BOX_010_a_free_probe_is_pushed_alone(void)
+{
+    const int32_t start = needle_count();
+
+    order("probe free");
+    order("push 30");
+    box_advance(&box, 1000000U);
+    order("show");
+    TEST_ASSERT_NOT_NULL(strstr(reply, "free of the insertion, and 5.0000 mm in by hand"));
+    box_advance(&box, 9000000U);
+    order("show");
+    TEST_ASSERT_NOT_NULL(strstr(reply, "30.0000 mm"));
+    TEST_ASSERT_EQUAL_INT32(start, needle_count());
+    order("push -30");
+    box_advance(&box, 1000000U);
+    order("probe coupled");
+    box_advance(&box, 1000000U);
+    order("show");
+    TEST_ASSERT_NULL(strstr(reply, "by hand"));
+    TEST_ASSERT_EQUAL_INT32(start, needle_count());
 }
 
 static uint32_t crc_of_a_run(uint32_t seed)
