@@ -19,8 +19,10 @@ static void acknowledgement_name(const igtl_message_t *message, uint32_t prefix_
 
 bool workphase_peer_is_motion(uint32_t kind)
 {
+    const uint32_t arming = (kind == (uint32_t)COMMAND_JOG_BY) ? (uint32_t)COMMAND_JOG : kind;
+
     for (uint32_t i = (uint32_t)MODE_NONE + 1U; i < MODE_KIND_COUNT; i++) {
-        if ((mode_rows[i].command == kind) && (kind != (uint32_t)COMMAND_WORKPHASE)) {
+        if ((mode_rows[i].command == arming) && (kind != (uint32_t)COMMAND_WORKPHASE)) {
             return true;
         }
     }

@@ -45,6 +45,21 @@ static status_t read_speed(const robot_t *robot, const char *name, const char *s
     return STATUS_OK;
 }
 
+/* An axis and where it shall go, or by which way. */
+static status_t read_jog(const robot_t *robot, char *text, command_t *command)
+{
+    const char *name = workphase_text_next(&text);
+    const char *way = workphase_text_next(&text);
+    const uint32_t axis = (name == NULL) ? robot->axis_count : axis_terms_find(robot, name);
+
+    if ((axis == robot->axis_count) || (workphase_text_next(&text) != NULL)) {
+        return STATUS_UNKNOWN_COMMAND;
+    }
+    command->argument = axis;
+    return workphase_text_ticks(way, &robot->axes[axis], &command->value) ? STATUS_OK
+                                                                          : STATUS_OUT_OF_RANGE;
+}
+
 /* Below 0 it would be a way. */
 static status_t read_time(const char *word, command_t *command)
 {
@@ -100,6 +115,8 @@ static const workphase_word_t words[] = {
     {"ALIGN", COMMAND_ALIGN, 0U, NULL},
     {"INSERT", COMMAND_INSERT, 0U, NULL},
     {"POSE", COMMAND_POSE, 0U, read_pose},
+    {"JOG", COMMAND_JOG, 0U, read_jog},
+    {"JOG_BY", COMMAND_JOG_BY, 0U, read_jog},
     {"VELOCITY", COMMAND_VELOCITY, 0U, read_velocity},
     {"ACCEPT_ENTRY", COMMAND_ACCEPT_ENTRY, 0U, NULL},
     {"WITHDRAW_ENTRY", COMMAND_WITHDRAW, (uint32_t)COMMAND_ENTRY, NULL},

@@ -37,11 +37,13 @@ const workphase_word_t *workphase_words_find(const igtl_message_t *message);
  * The command that `message` means, which workphase_words_find() has found to be this `word`. What
  * may be commanded, the controller judges.
  *
- * POSE has the name of a pose. VELOCITY has axes, each with a speed in mm/s or degrees/s, then the
+ * POSE has the name of a pose. JOG has an axis and its position in mm or degrees, JOG_BY the way
+ * from where it stands. VELOCITY has axes, each with a speed in mm/s or degrees/s, then the
  * seconds. PROBE has lengths in mm, within +-2000, in the order of the robot's file.
  *
  * @return as its reader; STATUS_OUT_OF_RANGE also beyond IGTL_TEXT_MAX characters
  *
+ * @satisfies SWR-FLOW-005
  * @satisfies SWR-POSE-006
  * @satisfies SWR-PROBE-006
  * @satisfies SWR-VEL-014

@@ -14,6 +14,7 @@
  *
  * @satisfies SWR-AXIS-035
  * @satisfies SWR-ALIGN-001
+ * @satisfies SWR-FLOW-006
  * @satisfies SWR-MODE-001
  * @satisfies SWR-MODE-002
  * @satisfies SWR-MODE-007

@@ -31,6 +31,8 @@ static const bool rights[COMMAND_SOURCE_COUNT][COMMAND_KIND_COUNT] = {
                              [COMMAND_ACCEPT_ENTRY] = true,
                              [COMMAND_WITHDRAW] = true,
                              [COMMAND_RELEASE] = true,
+                             [COMMAND_JOG] = true,
+                             [COMMAND_JOG_BY] = true,
                              [COMMAND_VELOCITY] = true,
                              [COMMAND_PROBE] = true},
     [COMMAND_SOURCE_HTTP] = {[COMMAND_WORKPHASE] = true,      [COMMAND_REGISTRATION] = true,

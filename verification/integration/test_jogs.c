@@ -478,22 +478,13 @@ void test_SWR_CMD_005_a_source_sends_what_is_its_own_and_nothing_else(void)
         [COMMAND_NEEDLE] = true,
     };
     static const bool is_http[COMMAND_KIND_COUNT] = {
-        [COMMAND_JOG] = true,
-        [COMMAND_TAKE] = true,
-        [COMMAND_RENEW] = true,
-        [COMMAND_REQUEST] = true,
-        [COMMAND_HOME_AXIS] = true,
-        [COMMAND_CLEAR_AXIS] = true,
-        [COMMAND_CONFIRM_AXIS] = true,
-        [COMMAND_SET_HOME] = true,
-        [COMMAND_RESTORE] = true,
-        [COMMAND_NOTE] = true,
-        [COMMAND_JOG_BY] = true,
-        [COMMAND_ENABLE_AXIS] = true,
-        [COMMAND_DISABLE_AXIS] = true,
-        [COMMAND_LIST_BEGIN] = true,
-        [COMMAND_LIST_ROW] = true,
-        [COMMAND_LIST_END] = true,
+        [COMMAND_TAKE] = true,           [COMMAND_RENEW] = true,
+        [COMMAND_REQUEST] = true,        [COMMAND_HOME_AXIS] = true,
+        [COMMAND_CLEAR_AXIS] = true,     [COMMAND_CONFIRM_AXIS] = true,
+        [COMMAND_SET_HOME] = true,       [COMMAND_RESTORE] = true,
+        [COMMAND_NOTE] = true,           [COMMAND_ENABLE_AXIS] = true,
+        [COMMAND_DISABLE_AXIS] = true,   [COMMAND_LIST_BEGIN] = true,
+        [COMMAND_LIST_ROW] = true,       [COMMAND_LIST_END] = true,
         [COMMAND_RUN_TRAJECTORY] = true,
     };
     for (uint32_t kind = (uint32_t)COMMAND_REGISTRATION; kind < COMMAND_KIND_COUNT; kind++) {
@@ -532,4 +523,33 @@ void test_SWR_CMD_005_what_nobody_knows_is_refused_as_unknown(void)
                       send_as(COMMAND_SOURCE_HTTP, (uint32_t)COMMAND_WORKPHASE, 0U));
     TEST_ASSERT_EQUAL(STATUS_UNKNOWN_COMMAND,
                       send_as(COMMAND_SOURCE_HTTP, (uint32_t)COMMAND_WORKPHASE, WORKPHASE_COUNT));
+}
+
+/* Of a connection, which takes authority with it. */
+static uint32_t by_network(command_kind_t kind, uint32_t argument, int32_t value)
+{
+    const command_t command = {.source = (uint32_t)COMMAND_SOURCE_IGTL,
+                               .peer = RIG_CONNECTION,
+                               .kind = (uint32_t)kind,
+                               .argument = argument,
+                               .value = value};
+    return rig_command(&rig, command).status;
+}
+
+void test_SWR_FLOW_006_a_jog_by_openigtlink_is_one_as_of_the_console(void)
+{
+    rig_start_homed(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NO_AUTHORITY, by_network(COMMAND_JOG, AXIS_YAW, -200));
+    rig_leave(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_WRONG_WORKPHASE, by_network(COMMAND_JOG, AXIS_YAW, -200));
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, by_network(COMMAND_WORKPHASE, WORKPHASE_MANUAL, 0));
+    TEST_ASSERT_EQUAL_UINT32(STATUS_AXIS_LIMIT, by_network(COMMAND_JOG, AXIS_YAW, 4000));
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, by_network(COMMAND_JOG, AXIS_YAW, -200));
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 5000U).kind);
+    rig_release(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, by_network(COMMAND_JOG_BY, AXIS_YAW, -50));
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 5000U).kind);
+    TEST_ASSERT_INT32_WITHIN(2, -250, rig_position(&rig, AXIS_YAW));
 }

@@ -1,0 +1,118 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Rule under test: a client jogs an axis by one word, to a position or by a way; it is told that it
+ * is armed, and how it has ended.
+ */
+#include "base/fixed.h"
+#include "base/rigid.h"
+#include "charts/arming_chart.h"
+#include "common/axis_terms.h"
+#include "dialect/igtl_border.h"
+#include "dialect/igtl_dialect.h"
+#include "dialect/igtl_questions.h"
+#include "dialect/igtl_requests.h"
+#include "dialect/workphase_answer.h"
+#include "dialect/workphase_dialect.h"
+#include "dialect/workphase_needle.h"
+#include "dialect/workphase_peer.h"
+#include "dialect/workphase_poll.h"
+#include "dialect/workphase_receive.h"
+#include "dialect/workphase_text.h"
+#include "dialect/workphase_watch.h"
+#include "dialect/workphase_words.h"
+#include "interface/app/names.h"
+#include "interface/mode_list.h"
+#include "message/igtl_codec.h"
+#include "message/igtl_crc64.h"
+#include "message/igtl_packet.h"
+#include "message/igtl_outbox.h"
+#include "limits/requirement_limits.h"
+#include "robot/robot_cards.h"
+#include "robot/robot_neuro.h"
+#include "unit/support/workphase_world.h"
+#include "unity.h"
+
+#include <stdio.h>
+#include <string.h>
+
+void setUp(void)
+{
+    world_start(IGTL_LANGUAGE_BRP_2013);
+    (void)memcpy(robot.axes, robot_neuro.axes, sizeof robot.axes);
+}
+
+void tearDown(void)
+{
+}
+
+void test_SWR_FLOW_005_an_axis_and_its_position_become_a_jog(void)
+{
+    say(0U, "Text", "JOG yaw -20");
+    expect_command(COMMAND_JOG, AXIS_YAW);
+    TEST_ASSERT_EQUAL_INT32(-278, command.value);
+    say(0U, "JOG", " head   -2.5 ");
+    expect_command(COMMAND_JOG, AXIS_HEAD);
+    TEST_ASSERT_EQUAL_INT32(-197, command.value);
+    say(0U, "Text", "JOG_BY insertion 1");
+    expect_command(COMMAND_JOG_BY, AXIS_INSERTION);
+    TEST_ASSERT_EQUAL_INT32(3333, command.value);
+    expect_no_command();
+}
+
+void test_SWR_FLOW_005_it_is_told_that_it_is_armed_and_how_it_has_ended(void)
+{
+    say(0U, "CMD_5", "JOG yaw -20");
+    EXPECT(0U, "STRING ACK_5 JOG yaw -20");
+    expect_command(COMMAND_JOG, AXIS_YAW);
+    answer_to(&command, ANSWER_ACCEPTED, STATUS_OK, 0U);
+    EXPECT_BEGIN(0U, "STATUS ACK_JOG 1 ");
+    TEST_ASSERT_TRUE(workphase_dialect_has_order(&dialect, 0U));
+    answer_to(&command, ANSWER_DONE, STATUS_OK, 1U);
+    EXPECT_BEGIN(0U, "STATUS JOG 1 ");
+    say(0U, "Text", "JOG_BY yaw 1");
+    expect_command(COMMAND_JOG_BY, AXIS_YAW);
+    answer_to(&command, ANSWER_ACCEPTED, STATUS_OK, 0U);
+    EXPECT_BEGIN(0U, "STATUS ACK_JOG_BY 1 ");
+    TEST_ASSERT_TRUE(workphase_dialect_has_order(&dialect, 0U));
+    answer_to(&command, ANSWER_ABORTED, STATUS_FAULT_PRESENT, 1U);
+    EXPECT_BEGIN(0U, "STATUS JOG_BY 18 ");
+    TEST_ASSERT_FALSE(workphase_dialect_has_order(&dialect, 0U));
+    say(0U, "Text", "JOG_BY yaw 90");
+    expect_command(COMMAND_JOG_BY, AXIS_YAW);
+    answer_to(&command, ANSWER_REFUSED, STATUS_AXIS_LIMIT, 1U);
+    EXPECT_BEGIN(0U, "STATUS JOG_BY 10 ");
+    EXPECT(0U, "");
+}
+
+static void expect_refusal(const char *text, const char *name)
+{
+    char line[64];
+    (void)snprintf(line, sizeof line, "|%s: ", name);
+    say(0U, "Text", text);
+    const char *const told = igtl_peer_next(&outboxes[0]);
+    TEST_ASSERT_EQUAL_STRING_LEN("STATUS JOG ", told, 11U);
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(told, line), told);
+    expect_no_command();
+}
+
+void test_SWR_FLOW_005_a_text_that_is_no_jog_is_refused_by_name(void)
+{
+    expect_refusal("JOG", "UNKNOWN_COMMAND");
+    expect_refusal("JOG nose 5", "UNKNOWN_COMMAND");
+    expect_refusal("JOG 20 yaw", "UNKNOWN_COMMAND");
+    expect_refusal("JOG yaw 5 2", "UNKNOWN_COMMAND");
+    expect_refusal("JOG yaw", "OUT_OF_RANGE");
+    expect_refusal("JOG yaw nan", "OUT_OF_RANGE");
+    expect_refusal("JOG yaw 0x5", "OUT_OF_RANGE");
+    expect_refusal("JOG yaw 1e999", "OUT_OF_RANGE");
+    expect_refusal("JOG yaw 99999999999", "OUT_OF_RANGE");
+}
+
+void test_SWR_FLOW_005_only_who_commands_jogs(void)
+{
+    enter(0U, "CMD_1", "MANUAL");
+    pass_us(0U);
+    say(1U, "Text", "JOG yaw 5");
+    EXPECT_BEGIN(1U, "STATUS JOG 5 NO_AUTHORITY|");
+    expect_no_command();
+}
