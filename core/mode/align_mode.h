@@ -17,6 +17,7 @@
  * is out already, so that it never goes in.
  *
  * @satisfies SWR-ALIGN-002
+ * @satisfies SWR-FLOW-004
  */
 move_mode_t align_mode_move(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
                             const int32_t target_ticks[ROBOT_AXIS_MAX]);

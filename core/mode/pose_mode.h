@@ -42,6 +42,7 @@ solution_t pose_mode_judge(const move_mode_t *self, const robot_t *robot,
  * One cycle; done once all axes have arrived.
  *
  * @satisfies SWR-POSE-001
+ * @satisfies SWR-FLOW-004
  */
 void pose_mode_step(const move_mode_t *self, leg_t *leg, const mode_frame_t *frame,
                     mode_result_t *result);

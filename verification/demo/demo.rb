@@ -3,10 +3,12 @@
 # frozen_string_literal: true
 
 # The workflow of a robot for its targets (core/robot/NAME/targets.yml), on the simulated control box, driven by a real
-# OpenIGTLink client under the foot pedal, as figures 33 and 35 of the thesis have it: home, carry into the scanner, register;
-# target, move and read back; treat the last one, under the scanner if targets.yml says so; retract.
+# OpenIGTLink client under the foot pedal, as figures 33 and 35 of the thesis have it: home, carry into the scanner, drape,
+# register; target, move and read back, or align alone, insert by hand or by the robot; treat the last one, under the scanner if
+# targets.yml says so; retract; turn away, so that the patient can leave. At the end a push that moves the needle's axis.
 #
-#   ruby verification/demo/demo.rb NAME     exits 1 if a limit of SWR-DEMO-001 or 002 is missed, or if SWR-THESIS-002 is
+#   ruby verification/demo/demo.rb NAME     exits 1 if a limit of SWR-DEMO-001 or 002 is missed, or if SWR-THESIS-002 or
+#                                           SWR-FLOW-004 is
 #
 # Leaves in build/demo/NAME: the black box (*.bsr), motion.csv, motion.png, the picture of one axis (figures 29 to 31
 # of the thesis), targets.json, and points.csv with what the robot believes that it reached.
@@ -29,6 +31,9 @@ class Demo
   # How long the robot is carried and what it reached is treated, of its own time.
   CARRY_S = 10
   DWELL_S = 5
+  # How far a hand pushes the probe, and how far in vain at the end.
+  PUSH_MM = 10
+  WRONG_PUSH_MM = 1
   # What the counts of an axis at rest differ by.
   TREMBLE_TICKS = 2
 
@@ -46,10 +51,18 @@ class Demo
     @start_s = timed { @workflow.home }
     puts "Homed after #{@start_s} s of the robot's time"
     rest('Carried into the scanner', CARRY_S)
+    take_up(:before)
     @workflow.register(@targets.registration)
     @rows = @targets.each_target.each_with_index.map { |target, index| reach(target, index + 1) }
     scanned(@targets.images) { rest('The last target treated', DWELL_S) }
     draw_out
+    take_up(:after)
+    push_axis if by_hand?
+  end
+
+  # Figure 33 as well: poses, and a probe that is inserted by hand.
+  def by_hand?
+    @targets.each_target.any? { |target| target.by == 'hand' }
   end
 
   def hit?
@@ -58,6 +71,11 @@ class Demo
 
   def punctual?
     @start_s <= LIMITS.fetch('demo_start_s') && @rows.all? { |row| row[:move_s] <= LIMITS.fetch('demo_move_s') }
+  end
+
+  # A push of a probe that is not coupled was no fault and left all where it was, one of the axis was.
+  def pushed?
+    @pushed == %i[in out fault]
   end
 
   # No rest has cost an axis its place, and the needle alone was drawn out.
@@ -87,6 +105,52 @@ class Demo
     puts "Drawn out: #{@drawn.keys.join(', ')}"
   end
 
+  # A pose by its name, without which this robot does.
+  def take_up(moment)
+    return unless @targets.poses
+
+    name = @targets.poses.fetch(moment)
+    seconds = timed { @workflow.pose(name) }
+    keep(true)
+    puts "In the pose #{name} after #{seconds} s"
+  end
+
+  # The robot sees nothing of it.
+  def insert_by_hand
+    @pushed = []
+    from = @robot.log.last['number'] + 1
+    @robot.simctl('probe', 'free')
+    { in: PUSH_MM, out: 0 }.each do |way, depth|
+      strayed = moved { push_to(depth) }
+      @pushed << way if strayed.empty? && @workflow.aligned? && faults(from).empty?
+    end
+    @robot.simctl('probe', 'coupled')
+    keep(true)
+    puts "By hand #{PUSH_MM} mm in and out again: #{@pushed.size == 2 ? 'aligned, no fault' : faults(from)}"
+  end
+
+  def push_to(depth)
+    @robot.simctl('push', (depth - pushed_mm).round.to_s)
+    @robot.wait_until("the probe is #{depth} mm in") { (pushed_mm - depth).abs < 0.001 }
+  end
+
+  def pushed_mm
+    Float(@robot.simctl('show')[/and (\S+) mm in by hand/, 1])
+  end
+
+  def faults(from)
+    @robot.log(from).reject { |event| event['severity'] == 'information' }.map { |event| event['name'] }
+  end
+
+  # The axis is coupled again: whoever pushes it is told.
+  def push_axis
+    from = @robot.log.last['number'] + 1
+    @robot.simctl('push', WRONG_PUSH_MM.to_s)
+    @robot.wait_until('the push is a fault') { faults(from).include?('AXIS_MOVED_OFF') }
+    @pushed << :fault
+    puts "Pushed by #{WRONG_PUSH_MM} mm with the axis coupled: #{faults(from).join(', ')}"
+  end
+
   def keep(is_there)
     (@kept ||= []) << (is_there && @robot.status['is_homed'])
   end
@@ -111,14 +175,23 @@ class Demo
 
   def reach(target, number)
     propose(target.entry) if target.entry
-    move_s = timed do
-      @workflow.move(Geometry.rows(target.rotation, target.point), accepts_entry: !target.entry.nil?)
-    end
+    move_s = target.by ? go_by_halves(target) : timed { go(:move, target) }
     reached = @workflow.measured
     row = { number: number, target: target.point, reached: reached.map { |value| value.round(3) },
             error_mm: Geometry.distance(reached, target.point).round(4), thesis_mm: target.thesis, move_s: move_s }
     puts "Target #{number}: #{row[:error_mm]} mm after #{move_s} s"
     row
+  end
+
+  def go(motion, target)
+    @workflow.public_send(motion, Geometry.rows(target.rotation, target.point), accepts_entry: !target.entry.nil?)
+  end
+
+  # Returns how long the robot has moved.
+  def go_by_halves(target)
+    align_s = timed { go(:align, target) }
+    insert_by_hand if target.by == 'hand'
+    (align_s + timed { @workflow.insert }).round(3)
   end
 
   # Seconds of the robot's own time.
@@ -145,9 +218,11 @@ end
 
 def leave_results(demo)
   count = demo.rows.size
-  Results.leave([result('test_SWR_DEMO_001_the_targets_are_reached', demo.hit?, count),
-                 result('test_SWR_DEMO_002_homing_and_moves_end_in_time', demo.punctual?, count + 1),
-                 result('test_SWR_THESIS_002_rests_cost_no_axis_its_place_and_the_needle_ends_out', demo.whole?, 3)])
+  results = [result('test_SWR_DEMO_001_the_targets_are_reached', demo.hit?, count),
+             result('test_SWR_DEMO_002_homing_and_moves_end_in_time', demo.punctual?, count + 1),
+             result('test_SWR_THESIS_002_rests_cost_no_axis_its_place_and_the_needle_ends_out', demo.whole?, 3)]
+  results << result('test_SWR_FLOW_004_inserted_by_hand_or_by_the_robot', demo.pushed?, 3) if demo.by_hand?
+  Results.leave(results)
 end
 
 def replay(recording)
@@ -184,6 +259,7 @@ def demonstrate(name)
   abort 'demo: a target was missed' unless demo.hit?
   abort 'demo: homing or a move took too long' unless demo.punctual?
   abort 'demo: an axis lost its place, or the needle did not end out' unless demo.whole?
+  abort 'demo: a push was told otherwise than it was' unless demo.pushed? || !demo.by_hand?
 end
 
 demonstrate(ARGV.fetch(0)) if $PROGRAM_NAME == __FILE__

@@ -6,16 +6,18 @@ require_relative 'geometry'
 
 # The targets of a robot, core/robot/NAME/targets.yml, which says what the fields mean. Scanner coordinates, mm.
 class Targets
-  # Where the treatment frame shall be: rotation as rows, and point; the entry point or nil; the thesis' error or nil.
-  Target = Struct.new(:rotation, :point, :entry, :thesis)
+  # Where the treatment frame shall be: rotation as rows, and point; the entry point or nil; the thesis' error or nil;
+  # how it is reached: nil, 'halves' or 'hand'.
+  Target = Struct.new(:rotation, :point, :entry, :thesis, :by)
 
-  attr_reader :note, :close_up, :images
+  attr_reader :note, :close_up, :images, :poses
 
   def initialize(file)
     @file = YAML.safe_load_file(file, symbolize_names: true)
     @note = @file[:note]
     @close_up = @file[:close_up]
     @images = @file[:images]
+    @poses = @file[:poses]
   end
 
   # 12 numbers: from the z-frame to the scanner.
@@ -35,7 +37,7 @@ class Targets
 
   def placed(target)
     rotation = Geometry.turned(Geometry.multiply(base, @file[:frame]), target[:turns])
-    Target.new(rotation, target[:point], before(target, rotation), target[:thesis])
+    Target.new(rotation, target[:point], before(target, rotation), target[:thesis], target[:by])
   end
 
   # On the needle's line, which is the frame's z axis.

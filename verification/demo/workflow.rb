@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# The workflow of an OpenIGTLink client under the foot pedal: home, register, aim, move, read back, retract. For any robot.
+# The workflow of an OpenIGTLink client under the foot pedal: home, register, aim, move, or align and insert, read back,
+# retract; poses between. For any robot.
 class Workflow
   def initialize(robot)
     @robot = robot
@@ -35,6 +36,31 @@ class Workflow
     under_pedal('MOVE_TO_TARGET')
   end
 
+  # The base alone, with the needle out.
+  def align(pose, accepts_entry: false)
+    aim(pose, accepts_entry: accepts_entry)
+    order('ALIGN')
+  end
+
+  # What entering the workphase has armed gives way to it.
+  def insert
+    phase('MOVE_TO_TARGET')
+    order('INSERT')
+  end
+
+  # All axes but the needle.
+  def pose(name)
+    phase('MANUAL')
+    order('POSE', name.upcase)
+  end
+
+  # What the operator is told: the needle lies on the line of its target.
+  def aligned?
+    heard = say('string', 'IS_IN_TARGETING_POS', 'IS_IN_TARGETING_POS')
+    heard += say('wait', 'STRING', 'IS_IN_TARGETING_POS')
+    heard.reverse.find { |line| line['type'] == 'STRING' && line['name'] == 'IS_IN_TARGETING_POS' }['text'] == '1'
+  end
+
   # Returns with the pedal pressed, before the end of the move.
   def begin_move(pose)
     aim(pose)
@@ -44,9 +70,7 @@ class Workflow
 
   # Where the needle is at its target.
   def retract
-    say('string', 'RETRACT_NEEDLE', 'RETRACT_NEEDLE')
-    await('ACK_RETRACT_NEEDLE')
-    hold_pedal('RETRACT_NEEDLE')
+    order('RETRACT_NEEDLE')
   end
 
   # Where the treatment point is, mm.
@@ -60,6 +84,13 @@ class Workflow
   def accept_entry
     say('string', 'ACCEPT_ENTRY', 'ACCEPT_ENTRY')
     await('ACCEPT_ENTRY')
+  end
+
+  # A motion with a word of its own, which it is answered by.
+  def order(word, text = word)
+    say('string', word, text)
+    await("ACK_#{word}")
+    hold_pedal(word)
   end
 
   # Commands with the pedal up, then holds the pedal until the result is there.
