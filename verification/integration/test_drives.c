@@ -5,20 +5,16 @@
  */
 #include "integration/support/rig.h"
 
-#include "base/seal.h"
 #include "controller/controller.h"
 #include "limits/requirement_limits.h"
+#include "robot/robot_bench2.h"
 #include "robot/robot_prostate.h"
 #include "unity.h"
 
-#include <stddef.h>
-
 static rig_t rig;
-static robot_t robot;
 
 void setUp(void)
 {
-    robot = robot_prostate;
 }
 
 void tearDown(void)
@@ -26,58 +22,54 @@ void tearDown(void)
     TEST_ASSERT_EQUAL_UINT32_MESSAGE(0U, rig.driven_without_pedal, "driven without the pedal");
 }
 
-static void seal_rotation(void)
+static answer_t jog(uint32_t axis, int32_t ticks)
 {
-    axis_config_t *const row = &robot.axes[AXIS_ROTATION];
-    row->seal = seal_of(SEAL_START, (const uint8_t *)row, offsetof(axis_config_t, seal));
+    const command_t command = {.kind = (uint32_t)COMMAND_JOG, .argument = axis, .value = ticks};
+    return rig_command(&rig, command);
 }
 
 static answer_t jog_rotation(int32_t ticks)
 {
-    const command_t jog = {
-        .kind = (uint32_t)COMMAND_JOG, .argument = AXIS_ROTATION, .value = ticks};
-    return rig_command(&rig, jog);
+    return jog(AXIS_ROTATION, ticks);
 }
 
-/* The rotation of the homed robot goes there and back by drives of `mode` alone. */
-static void expect_jogs_by(card_drive_mode_t mode)
+/* `axis` of the homed `robot` goes to both places by drives of `mode` alone. */
+static void expect_jogs_by(card_drive_mode_t mode, const robot_t *robot, uint32_t axis,
+                           const int32_t places[2])
 {
     uint32_t driven = 0U;
-    rig_start_robot(&rig, &robot);
+    rig_start_robot(&rig, robot);
     rig_home(&rig);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
-    for (int32_t ticks = 900; ticks >= -900; ticks -= 1800) {
-        TEST_ASSERT_EQUAL_UINT32(ANSWER_ACCEPTED, jog_rotation(ticks).kind);
+    for (uint32_t place = 0U; place < 2U; place++) {
+        TEST_ASSERT_EQUAL_UINT32(ANSWER_ACCEPTED, jog(axis, places[place]).kind);
         rig_press(&rig);
-        for (uint32_t i = 0U; i < 3000U; i++) {
+        for (uint32_t i = 0U; i < 4000U; i++) {
             rig_cycle(&rig);
-            const card_drive_t drive = rig_sent(&rig, AXIS_ROTATION).drive;
+            const card_drive_t drive = rig_sent(&rig, axis).drive;
             if (drive.mode != (uint32_t)CARD_DRIVE_OFF) {
                 TEST_ASSERT_EQUAL_UINT32(mode, drive.mode);
                 driven++;
             }
         }
         rig_release(&rig);
-        TEST_ASSERT_INT32_WITHIN(1, ticks, rig_position(&rig, AXIS_ROTATION));
+        TEST_ASSERT_INT32_WITHIN(2, places[place], rig_position(&rig, axis));
     }
     TEST_ASSERT_GREATER_THAN_UINT32(500U, driven);
-    TEST_ASSERT_TRUE(axis_is_homed(&rig.controller.axes[AXIS_ROTATION]));
+    TEST_ASSERT_TRUE(axis_is_homed(&rig.controller.axes[axis]));
 }
 
 void test_SWR_DRIVE_010_a_high_frequency_axis_goes_there_and_back(void)
 {
-    expect_jogs_by(CARD_DRIVE_HIGH_FREQUENCY);
+    expect_jogs_by(CARD_DRIVE_HIGH_FREQUENCY, &robot_prostate, AXIS_ROTATION,
+                   (const int32_t[]){900, -900});
 }
 
-void test_SWR_DRIVE_010_an_analog_axis_goes_there_and_back(void)
+void test_SWR_DRIVE_010_a_piezo_motor_on_an_analog_card_goes_there_and_back(void)
 {
-    axis_config_t *const row = &robot.axes[AXIS_ROTATION];
-    row->card_type = (uint8_t)CARD_TYPE_ANALOG;
-    row->minimum_duty = 6554U;
-    row->maximum_duty = 65535U;
-    row->amplitude = 0U;
-    seal_rotation();
-    expect_jogs_by(CARD_DRIVE_ANALOG);
+    TEST_ASSERT_EQUAL_UINT8(MOTOR_TYPE_PIEZO, robot_bench2.axes[AXIS_NEEDLE].motor_type);
+    TEST_ASSERT_EQUAL_INT32(LIMIT_PIEZO_HOTTEST_DC, robot_bench2.axes[AXIS_NEEDLE].hottest_dc);
+    expect_jogs_by(CARD_DRIVE_ANALOG, &robot_bench2, AXIS_NEEDLE, (const int32_t[]){20000, 500});
 }
 
 void test_SWR_DRIVE_008_a_hot_motor_is_disabled_and_keeps_its_position(void)
