@@ -170,7 +170,7 @@ module Robot
         'home_stage' => "#{axis['home_stage']}U",
         'leaders' => @robot.followers.leaders(axis).map { |leader| "#{leader}U" },
         'motor_type' => enumerator(axis, 'motor'), 'amplitude' => "#{axis['amplitude']}U",
-        'reversal_dwell_ms' => "#{axis['reversal_dwell_ms']}U", 'reserved' => '0U',
+        'reversal_dwell_ms' => "#{axis['reversal_dwell_ms']}U", 'resonance_hz_per_k' => "#{axis['resonance_hz_per_k']}U",
         'speed_curve' => axis['speed_curve'].map { |share| "#{share}U" },
         'is_motor_inverted' => flag(axis['motor_inverted']), 'is_encoder_inverted' => flag(axis['encoder_inverted']),
         'needle_motion' => "(uint32_t)#{ENUMERATORS['needle'][axis['needle']]}",

@@ -23,7 +23,6 @@ static void init_axis(box_axis_t *self, const robot_t *robot, uint32_t index, si
     sim_encoder_init(&self->encoder, config, position, reading, sim_random_next(random));
     sim_switch_init(&self->limit_switch, config, position, sim_random_next(random));
     sim_card_init(&self->card, config, &self->encoder, self->limit_switch.is_active, 0U);
-    self->card.settled_c = self->motor.settled_c;
 }
 
 /* A load cell at rest on two converters, as the platform has it: what the hand pushes, and what the
@@ -156,6 +155,7 @@ static void step_axis(box_axis_t *axis, double pushed_ticks, const box_t *box)
     const bool is_powered = box->estop.is_closed;
 
     axis->card.is_motor_hot = axis->motor.fault == SIM_MOTOR_HOT;
+    axis->motor.temperature_c = axis->card.motor_temperature_c;
     sim_motor_push(&axis->motor, pushed_ticks);
     sim_motor_step(&axis->motor, &axis->card.applied, is_powered);
     sim_encoder_step(&axis->encoder, before_ticks, axis->motor.position_ticks, start_us,

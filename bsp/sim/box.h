@@ -145,7 +145,7 @@ void box_plug(box_t *self, uint32_t slot, uint32_t card_type);
  * with the needle's axis, whatever the motor there does. What an earlier push had left is
  * forgotten.
  *
- * @satisfies SWR-BOX-010
+ * @satisfies SWR-BOX-012
  */
 void box_push(box_t *self, double mm);
 

@@ -2,14 +2,10 @@
 #include "sim/sim_card.h"
 
 #include "limits/requirement_limits.h"
-#include "sim/sim_motor.h"
 
 #include <string.h>
 
-#define AMBIENT_C 22.0
-#define HEATED_BY_C 25.0
 #define TOO_HOT_C 95.0
-#define HEATING_PER_STEP (0.0001 / 400.0)
 
 static const card_drive_t drive_off = {CARD_DRIVE_OFF, 0U, 0U, 0U};
 
@@ -26,8 +22,8 @@ void sim_card_init(sim_card_t *self, const axis_config_t *axis, const sim_encode
                          .limit_raw = is_limit_active,
                          .limit_debounced = is_limit_active,
                          .count = sim_encoder_count(encoder),
-                         .motor_temperature_c = AMBIENT_C,
-                         .settled_c = HEATED_BY_C,
+                         .motor_temperature_c = SIM_MOTOR_AIR_C,
+                         .heat = sim_motor_heat(axis),
                          .is_powered = true};
     for (uint32_t i = 0U; i < SIM_CARD_SPEED_STEPS; i++) {
         self->window[i] = self->count;
@@ -180,9 +176,9 @@ static void step_guards(sim_card_t *self, int32_t count)
 static void step_temperature(sim_card_t *self)
 {
     const bool is_heated = self->is_powered && (self->applied.mode != (uint32_t)CARD_DRIVE_OFF);
-    const double settled_c = is_heated ? AMBIENT_C + self->settled_c : AMBIENT_C;
+    const double settled_c = SIM_MOTOR_AIR_C + (is_heated ? self->heat.settled_c : 0.0);
 
-    self->motor_temperature_c += (settled_c - self->motor_temperature_c) * HEATING_PER_STEP;
+    self->motor_temperature_c += (settled_c - self->motor_temperature_c) * self->heat.warming_share;
     if (self->is_motor_hot) {
         self->motor_temperature_c = TOO_HOT_C;
     }
@@ -221,10 +217,10 @@ static uint32_t status_bits(const sim_card_t *self, const sim_encoder_t *encoder
 static void report_health(const sim_card_t *self, card_report_t *report)
 {
     const bool is_driven = self->is_powered && (self->applied.mode != (uint32_t)CARD_DRIVE_OFF);
-    const double rise_c = self->motor_temperature_c - AMBIENT_C;
+    const double rise_c = self->motor_temperature_c - SIM_MOTOR_AIR_C;
 
     report->motor_temperature_dc = (int32_t)(self->motor_temperature_c * 10.0);
-    report->driver_temperature_dc = (int32_t)((AMBIENT_C + 8.0 + rise_c / 2.0) * 10.0);
+    report->driver_temperature_dc = (int32_t)((SIM_MOTOR_AIR_C + 8.0 + rise_c / 2.0) * 10.0);
     report->supply_mv = self->is_powered ? SIM_CARD_SUPPLY_MV : 0U;
     report->current_ma = is_driven ? 350U : 0U;
     report->adc_words[0] = (self->adc[0] << 16U) | self->adc[1];

@@ -11,6 +11,7 @@
 
 #include "card/card_frame.h"
 #include "sim/sim_encoder.h"
+#include "sim/sim_motor.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -52,7 +53,7 @@ typedef struct {
     uint32_t sequence_gaps;
     uint32_t watchdog_trips;
     double motor_temperature_c;
-    double settled_c;  /**< Its motor, driven for long, is so much warmer than the air. */
+    sim_heat_t heat;   /**< Of its motor. */
     bool is_motor_hot; /**< Its motor is as hot as none may be. */
     uint32_t adc[4];   /**< What its converters read, 16 bits each. */
     bool is_powered;

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "sim/sim_motor.h"
 
+#include "limits/requirement_limits.h"
+
 /* 1 - exp(-step / time constant), written out so that no mathematics library decides about the last
  * bit. */
 #define RISE_SHARE 0.006644493744965585
@@ -13,8 +15,6 @@
 #define SWEEP_STEP_KHZ (4063228.0 / WORDS_PER_KHZ)
 #define SWEEP_POINTS 24
 #define RESONANCE_KHZ 49.5
-#define HEATED_BY_DRIVER_C 25.0
-#define HEATED_BY_WAVES_C 30.0
 
 /* Turns a minute by frequency, falling from SWEEP_FIRST_KHZ: the public sweep of a motor of this
  * platform, upwards and downwards. */
@@ -25,10 +25,39 @@ static const double sweep[SWEEP_POINTS][2] = {
     {105.9, 103.3}, {141.4, 138.2}, {188.1, 183.9}, {247.4, 242.8}, {317.4, 312.8}, {397.8, 391.7},
 };
 
-/* As published, from the last point on as there. */
-static double swept_speed(double word, uint32_t column)
+/* By motor_type_t. */
+static const struct {
+    uint32_t warmer_k;
+    uint32_t warming_s;
+    uint32_t speed_loss_permille;
+    uint32_t torque_loss_permille;
+} heats[] = {{LIMIT_SHINSEI_WARMER_K, LIMIT_SHINSEI_WARMING_S, LIMIT_SHINSEI_SPEED_LOSS_PERMILLE,
+              LIMIT_SHINSEI_TORQUE_LOSS_PERMILLE},
+             {LIMIT_PIEZO_WARMER_K, LIMIT_PIEZO_WARMING_S, LIMIT_PIEZO_SPEED_LOSS_PERMILLE,
+              LIMIT_PIEZO_TORQUE_LOSS_PERMILLE},
+             {LIMIT_DTI_WARMER_K, LIMIT_DTI_WARMING_S, LIMIT_DTI_SPEED_LOSS_PERMILLE,
+              LIMIT_DTI_TORQUE_LOSS_PERMILLE}};
+
+static bool has_waves(const axis_config_t *axis)
 {
-    const double khz = word / WORDS_PER_KHZ;
+    return axis->card_type == (uint8_t)CARD_TYPE_HIGH_FREQUENCY;
+}
+
+sim_heat_t sim_motor_heat(const axis_config_t *axis)
+{
+    const uint32_t type = axis->motor_type;
+    const uint32_t warmer_k = has_waves(axis) ? LIMIT_WAVES_WARMER_K : heats[type].warmer_k;
+
+    return (sim_heat_t){.settled_c = warmer_k,
+                        .warming_share = STEP_S / heats[type].warming_s,
+                        .speed_loss = heats[type].speed_loss_permille / 1000.0,
+                        .torque_loss = heats[type].torque_loss_permille / 1000.0,
+                        .resonance_khz = axis->resonance_hz_per_k / 1000.0};
+}
+
+/* As published, from the last point on as there. */
+static double swept_speed(double khz, uint32_t column)
+{
     const double at = (SWEEP_FIRST_KHZ - khz) / SWEEP_STEP_KHZ;
 
     if ((at <= 0.0) || (khz < RESONANCE_KHZ)) {
@@ -44,12 +73,11 @@ static double swept_speed(double word, uint32_t column)
 
 static void init_waves(sim_motor_t *self, const axis_config_t *axis)
 {
-    const double mean =
-        (swept_speed(self->maximum_duty, 0U) + swept_speed(self->maximum_duty, 1U)) / 2.0;
+    const double khz = self->maximum_duty / WORDS_PER_KHZ;
+    const double mean = (swept_speed(khz, 0U) + swept_speed(khz, 1U)) / 2.0;
 
-    self->has_waves = axis->card_type == (uint8_t)CARD_TYPE_HIGH_FREQUENCY;
+    self->has_waves = has_waves(axis);
     self->amplitude = axis->amplitude;
-    self->settled_c = self->has_waves ? HEATED_BY_WAVES_C : HEATED_BY_DRIVER_C;
     self->scale = self->has_waves ? 1.0 / mean : 0.0;
 }
 
@@ -67,6 +95,8 @@ void sim_motor_init(sim_motor_t *self, const axis_config_t *axis, double positio
                           .lowest_ticks = (double)axis->minimum_ticks - beyond,
                           .highest_ticks = (double)axis->maximum_ticks + beyond,
                           .is_inverted = axis->is_motor_inverted != 0U,
+                          .heat = sim_motor_heat(axis),
+                          .temperature_c = SIM_MOTOR_AIR_C,
                           .position_ticks = position_ticks};
     init_waves(self, axis);
     if (axis->limit_switch == (uint8_t)LIMIT_SWITCH_LOWER) {
@@ -91,11 +121,31 @@ static double magnitude_share(const sim_motor_t *self, uint32_t duty)
     return SIM_MOTOR_SLOWEST + (1.0 - SIM_MOTOR_SLOWEST) * above / span;
 }
 
-/* Share of full speed, in the direction of the drive. */
+/* Above that of its table. */
+static double warmth_k(const sim_motor_t *self)
+{
+    const double above = self->temperature_c - (double)LIMIT_MOTOR_TABLE_DC / 10.0;
+
+    return (above > 0.0) ? above : 0.0;
+}
+
+/* Share of full speed, in the direction of the drive. Its whole curve falls with its resonance. */
 static double wave_share(const sim_motor_t *self, const card_drive_t *drive, bool is_upwards)
 {
-    return swept_speed(drive->duty, is_upwards ? 0U : 1U) * self->scale *
+    const double khz =
+        (double)drive->duty / WORDS_PER_KHZ + warmth_k(self) * self->heat.resonance_khz;
+
+    return swept_speed(khz, is_upwards ? 0U : 1U) * self->scale *
            ((double)drive->amplitude / self->amplitude);
+}
+
+/* What warmth and load leave of it. */
+static double left_share(const sim_motor_t *self)
+{
+    const double torque = 1.0 - warmth_k(self) * self->heat.torque_loss;
+    const double speed = 1.0 - warmth_k(self) * self->heat.speed_loss;
+
+    return (self->load < torque) ? speed * (1.0 - self->load / torque) : 0.0;
 }
 
 double sim_motor_steady_speed(const sim_motor_t *self, const card_drive_t *drive)
@@ -112,7 +162,7 @@ double sim_motor_steady_speed(const sim_motor_t *self, const card_drive_t *drive
         return 0.0;
     }
     share *= (self->fault == SIM_MOTOR_HALF) ? 0.5 : (self->fault == SIM_MOTOR_TWICE) ? 2.0 : 1.0;
-    share *= 1.0 - self->load;
+    share *= left_share(self);
     if ((share < SIM_MOTOR_SLOWEST) && !self->has_waves) {
         return 0.0;
     }

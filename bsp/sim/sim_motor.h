@@ -17,6 +17,7 @@
 #define SIM_MOTOR_FALL_US 1500U  /**< Time constant of losing speed while driven. */
 #define SIM_MOTOR_SLOWEST 0.1    /**< Share of full speed below which friction wins. */
 #define SIM_MOTOR_ASYMMETRY 0.03 /**< Largest difference of the two directions from full speed. */
+#define SIM_MOTOR_AIR_C 22.0     /**< Temperature of the room. */
 
 typedef enum {
     SIM_MOTOR_NORMAL = 0,
@@ -27,6 +28,15 @@ typedef enum {
                             there is a supply, whatever the card says. */
     SIM_MOTOR_HOT = 5    /**< It is as hot as no motor may be. */
 } sim_motor_fault_t;
+
+/** How a motor grows warm, and what becomes of it then. */
+typedef struct {
+    double settled_c;     /**< Driven for long, it is so much warmer than the air. */
+    double warming_share; /**< Part of what is missing of that, in a step. */
+    double speed_loss;    /**< Share of its speed, for each kelvin above that of its table. */
+    double torque_loss;   /**< Of its torque. */
+    double resonance_khz; /**< So much lower is its resonance then. */
+} sim_heat_t;
 
 /** State and constants of one motor; fields may be set by the box's fault orders. */
 typedef struct {
@@ -39,8 +49,9 @@ typedef struct {
     bool has_waves;      /**< Driven by a high-frequency card: both are words of frequency. */
     double scale;        /**< With waves: its speed, in the published one's at the same word. */
     double amplitude;    /**< With waves: that of full speed. */
-    double settled_c;    /**< Driven for long, it is so much warmer than the air. */
-    double lowest_ticks; /**< Hard stops. */
+    sim_heat_t heat;
+    double temperature_c; /**< As its card has it. */
+    double lowest_ticks;  /**< Hard stops. */
     double highest_ticks;
     double load; /**< Share 0..1 of the greatest torque that the load takes, in both directions. */
     bool is_inverted; /**< Direction bit 1 makes the position smaller. */
@@ -58,15 +69,23 @@ void sim_motor_init(sim_motor_t *self, const axis_config_t *axis, double positio
  * From the dead zone's edge (SIM_MOTOR_SLOWEST) to `maximum_duty` it is linear in the duty. By
  * waves it is that of the published sweep, each direction its own, scaled so that both together
  * make full speed at `maximum_duty`, and by amplitude; nothing turns above 54.369 kHz nor below
- * resonance.
+ * resonance. Warmer than LIMIT_MOTOR_TABLE_DC it is slower and weaker.
  *
  * @satisfies SWR-BOX-009
  * @satisfies SWR-DRIVE-009
+ * @satisfies SWR-BOX-011
  */
 double sim_motor_steady_speed(const sim_motor_t *self, const card_drive_t *drive);
 
 /** What turns it from outside, by `ticks`, at most to a hard stop. */
 void sim_motor_push(sim_motor_t *self, double ticks);
+
+/**
+ * What heats the motor of `axis`.
+ *
+ * @satisfies SWR-BOX-010
+ */
+sim_heat_t sim_motor_heat(const axis_config_t *axis);
 
 /**
  * Advances by SIM_STEP_US. Without `is_powered`, or with the drive off, it stops within the step

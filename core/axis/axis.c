@@ -178,6 +178,11 @@ uint32_t axis_observe(axis_t *self, const axis_config_t *config, const card_repo
     return notes;
 }
 
+void axis_warm(axis_t *self, const axis_config_t *config, int32_t heat_dc)
+{
+    self->heat = motor_heat_of(config, heat_dc);
+}
+
 void axis_enable(axis_t *self, bool is_fault_present)
 {
     tell(self, AXIS_EVENT_ENABLE, is_fault_present);
@@ -321,7 +326,8 @@ uint32_t axis_supervise(axis_t *self, const axis_config_t *config, bool is_drive
                                      .is_driven = is_driven,
                                      .is_upwards = motor_model_is_upwards(config, &asked),
                                      .is_relied_on = is_relied_on,
-                                     .drive = *sent,
+                                     .drive = motor_heat_untune(&self->heat, sent),
+                                     .lost_q16 = self->heat.lost_q16,
                                      .edge_age_us = self->encoder.edge_age_us,
                                      .elapsed_us = elapsed_us};
     uint32_t found = supervision_step(&self->supervision, config, &view);

@@ -14,6 +14,7 @@
 #include "axis/supervision.h"
 #include "card/card_frame.h"
 #include "charts/axis_chart.h"
+#include "motion/motor_heat.h"
 #include "motion/servo.h"
 #include "robot/robot.h"
 
@@ -35,6 +36,7 @@ typedef struct {
                                     the record. */
     int32_t setpoint_ticks;
     int32_t setpoint_speed_ticks_per_s_q8;
+    motor_heat_t heat;
     supervision_t supervision;
 } axis_t;
 
@@ -56,6 +58,9 @@ bool axis_check(axis_t *self);
  */
 uint32_t axis_observe(axis_t *self, const axis_config_t *config, const card_report_t *report,
                       uint32_t elapsed_us);
+
+/** Its motor is at `heat_dc`, 0.1 degree Celsius, as far as its card knows. */
+void axis_warm(axis_t *self, const axis_config_t *config, int32_t heat_dc);
 
 /**
  * Enables the axis unless `is_fault_present`; clears a stall.

@@ -3,6 +3,7 @@
 
 #include "base/fixed.h"
 #include "limits/requirement_limits.h"
+#include "motion/motor_heat.h"
 #include "robot/joints.h"
 
 #include <string.h>
@@ -156,7 +157,7 @@ static bool is_uneven(supervision_t *self, const supervision_view_t *view, int64
         edge_pace_begin(&self->pace);
         return false;
     }
-    const int64_t speed_q8 = self->model.speed_ticks_per_s_q8;
+    const int64_t speed_q8 = motor_heat_slow(view->lost_q16, self->model.speed_ticks_per_s_q8);
     const edge_pace_view_t pace = {
         .way_q16 = (uint32_t)way_q16,
         .after_q16 = (ticks > 0) ? way_after(before_q8, speed_q8, view->edge_age_us) : 0U,
@@ -264,9 +265,10 @@ uint32_t supervision_step(supervision_t *self, const axis_config_t *config,
 {
     const uint32_t driven_us =
         (view->elapsed_us < LIMIT_CARD_WATCHDOG_US) ? view->elapsed_us : LIMIT_CARD_WATCHDOG_US;
-    const int64_t before_q8 = self->model.speed_ticks_per_s_q8;
+    const int64_t before_q8 = motor_heat_slow(view->lost_q16, self->model.speed_ticks_per_s_q8);
+    const int64_t way_q16 = motor_model_step_q16(&self->model, config, &view->drive, driven_us);
     count_cycle_t cycle = {
-        .model_q16 = motor_model_step_q16(&self->model, config, &view->drive, driven_us),
+        .model_q16 = motor_heat_slow(view->lost_q16, way_q16),
         .counted_ticks = (int64_t)view->position_ticks - (int64_t)self->position_ticks,
         .due_q16 = 0U,
         .elapsed_us = driven_us,

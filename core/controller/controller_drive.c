@@ -126,7 +126,7 @@ static void send_to_axis(controller_t *self, const cycle_t *cycle, uint32_t inde
         .time_us = self->time_us,
         .system_state = state,
         .control = control_of(link, state),
-        .drive = *drive,
+        .drive = motor_heat_tune(&self->axes[index].heat, drive),
         .watchdog_us = LIMIT_CARD_WATCHDOG_US,
         .overspeed_ticks_per_s = (uint32_t)config->full_speed_ticks_per_s * 2U,
         .guard_minimum_ticks = 0,

@@ -151,8 +151,8 @@ static void observe_axis(controller_t *self, const cycle_t *cycle, uint32_t inde
     note_grade(self, cycle, index);
 }
 
-/* One axis a cycle, in turn: what gets hot takes its time. A hot motor is not driven; where its
- * axis is does not depend on that. */
+/* One axis a cycle, in turn: what gets hot takes its time. A warm motor is another one for who
+ * drives it; a hot one is not driven. Where its axis is does not depend on that. */
 static void watch_heat(controller_t *self, const cycle_t *cycle)
 {
     const uint32_t index = self->cycle % ROBOT_AXIS_MAX;
@@ -160,9 +160,13 @@ static void watch_heat(controller_t *self, const cycle_t *cycle)
         return;
     }
     const link_t *const link = controller_link(self, index);
+    if (!link_is_usable(link)) {
+        return;
+    }
+    const axis_config_t *const config = &cycle->robot->axes[index];
     const int32_t heat_dc = link->report.motor_temperature_dc;
-    if (link_is_usable(link) && (heat_dc > cycle->robot->axes[index].hottest_dc) &&
-        axis_is_enabled(&self->axes[index])) {
+    axis_warm(&self->axes[index], config, heat_dc);
+    if ((heat_dc > config->hottest_dc) && axis_is_enabled(&self->axes[index])) {
         axis_disable(&self->axes[index]);
         controller_note(self, cycle, EVENT_AXIS_HOT, index, heat_dc);
         controller_fail_order(self, cycle, EVENT_CAUSE_AXIS, index);

@@ -71,7 +71,9 @@ typedef struct {
     uint8_t motor_type;        /**< motor_type_t. */
     uint8_t amplitude;         /**< Of the waves of a high-frequency card; otherwise 0. */
     uint8_t reversal_dwell_ms; /**< Its motor rests for so long between two directions. */
-    uint8_t reserved;          /**< 0. */
+    /** Of a high-frequency card: so much lower is the motor's resonance for each kelvin that it is
+     * warmer than LIMIT_MOTOR_TABLE_DC. Otherwise 0. */
+    uint8_t resonance_hz_per_k;
     /** Of a high-frequency card: at n, the speed after n of the equal steps that lead from the
      * slowest word to the fastest, where it is ROBOT_CURVE_FULL. Otherwise 0. */
     uint8_t speed_curve[ROBOT_CURVE_STEPS];

@@ -15,7 +15,7 @@ module Robot
     CARDS = {
       'pwm' => Card.new(MAGNITUDE.call(DUTY), false),
       'non_pwm' => Card.new(MAGNITUDE.call(DUTY), true),
-      'high_frequency' => Card.new({ 'amplitude' => (1..255), 'gain_per_s' => (1..200) }, false),
+      'high_frequency' => Card.new({ 'amplitude' => (1..255), 'gain_per_s' => (1..200), 'resonance_hz_per_k' => (0..255) }, false),
       'analog' => Card.new(MAGNITUDE.call(1..0xFFFF), false)
     }.freeze
     # Each type of motor: the cards that drive it. What it can do stands in its limits (SWR-DRIVE-006).

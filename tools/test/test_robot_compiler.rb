@@ -644,6 +644,7 @@ class TestRobotCompiler < Minitest::Test
       assert_match(/minimum_duty = 1151907042U,\s*\.maximum_duty = 1119421758U/, table)
       assert_includes table, '.speed_curve = {26U, 37U, 50U, 65U, 83U, 107U, 143U, 191U}'
       assert_equal [1, 5], [table.scan('amplitude = 255U').size, table.scan('amplitude = 0U').size]
+      assert_equal [1, 5], [table.scan('hz_per_k = 20U').size, table.scan('hz_per_k = 0U').size]
     end
   end
 
@@ -673,6 +674,7 @@ class TestRobotCompiler < Minitest::Test
     assert_waves_refused('amplitude: 255', "amplitude: 255\n    minimum_duty: 5",
                          '.minimum_duty: does not belong to a high_frequency card; expected none', at: '    minimum_duty: 5')
     assert_waves_refused('amplitude: 255', 'amplitude: 256', '.amplitude: is 256; expected 1 to 255')
+    assert_waves_refused("    resonance_hz_per_k: 20\n", '', ': has no resonance_hz_per_k; expected 0 to 255', at: '')
     assert_waves_refused('card: high_frequency', 'card: pwm',
                          '.amplitude: does not belong to a pwm card; expected none', at: 'amplitude: 255')
     assert_waves_refused('card: high_frequency', 'card: servo',

@@ -109,3 +109,36 @@ void test_SWR_DRIVE_008_a_motor_as_warm_as_it_may_be_is_driven_on(void)
     rig_cycles(&rig, 12U);
     TEST_ASSERT_FALSE(axis_is_enabled(&rig.controller.axes[AXIS_ROTATION]));
 }
+
+/* The rotation goes to `ticks`. @return the smallest word of its drives */
+static uint32_t smallest_word_to(int32_t ticks)
+{
+    uint32_t smallest = UINT32_MAX;
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_ACCEPTED, jog_rotation(ticks).kind);
+    rig_press(&rig);
+    for (uint32_t i = 0U; i < 5000U; i++) {
+        rig_cycle(&rig);
+        const card_drive_t drive = rig_sent(&rig, AXIS_ROTATION).drive;
+        if ((drive.mode != (uint32_t)CARD_DRIVE_OFF) && (drive.duty < smallest)) {
+            smallest = drive.duty;
+        }
+    }
+    rig_release(&rig);
+    TEST_ASSERT_INT32_WITHIN(1, ticks, rig_position(&rig, AXIS_ROTATION));
+    return smallest;
+}
+
+void test_SWR_DRIVE_015_words_of_a_warm_motor_follow_its_resonance(void)
+{
+    rig_start_robot_homed(&rig, &robot_prostate);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
+    const uint32_t cold = smallest_word_to(4000);
+    TEST_ASSERT_GREATER_OR_EQUAL_UINT32(robot_prostate.axes[AXIS_ROTATION].maximum_duty, cold);
+    /* As after minutes of drive; it does not cool down much in a test. */
+    rig.box.axes[AXIS_ROTATION].card.motor_temperature_c = 52.0;
+    rig_cycles(&rig, 20U);
+    const uint32_t warm = smallest_word_to(0);
+    TEST_ASSERT_LESS_THAN_UINT32(cold - 400U * 22009U, warm);
+    TEST_ASSERT_GREATER_OR_EQUAL_UINT32(LIMIT_RESONANCE_WORD, warm);
+    TEST_ASSERT_TRUE(axis_is_homed(&rig.controller.axes[AXIS_ROTATION]));
+}

@@ -540,7 +540,7 @@ static int32_t needle_count(void)
     return sim_encoder_count(&box.axes[AXIS_INSERTION].encoder);
 }
 
-void test_SWR_BOX_010_a_push_takes_the_axis_along_that_the_probe_is_coupled_to(void)
+void test_SWR_BOX_012_a_push_takes_the_axis_along_that_the_probe_is_coupled_to(void)
 {
     const double start_mm = needle_mm();
     const int32_t start = needle_count();
@@ -558,7 +558,7 @@ void test_SWR_BOX_010_a_push_takes_the_axis_along_that_the_probe_is_coupled_to(v
     TEST_ASSERT_FLOAT_WITHIN(0.001, head_ticks, box.axes[AXIS_HEAD].motor.position_ticks);
 }
 
-void test_SWR_BOX_010_a_free_probe_is_pushed_alone(void)
+void test_SWR_BOX_012_a_free_probe_is_pushed_alone(void)
 {
     const int32_t start = needle_count();
 

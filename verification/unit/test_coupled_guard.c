@@ -24,6 +24,7 @@
 TEST_SOURCE_FILE("axis_chart.c")
 TEST_SOURCE_FILE("encoder.c")
 TEST_SOURCE_FILE("homing.c")
+TEST_SOURCE_FILE("motor_heat.c")
 TEST_SOURCE_FILE("motor_model.c")
 TEST_SOURCE_FILE("servo.c")
 TEST_SOURCE_FILE("stall_watchdog_chart.c")

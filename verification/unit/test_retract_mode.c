@@ -9,6 +9,7 @@
 #include "mode/leg.h"
 #include "mode/mode_frame.h"
 #include "mode/retract_mode.h"
+#include "motion/motor_heat.h"
 #include "motion/motor_model.h"
 #include "robot/joints.h"
 #include "safety/needle.h"

@@ -10,6 +10,7 @@
 #include "base/fixed.h"
 #include "charts/axis_chart.h"
 #include "charts/stall_watchdog_chart.h"
+#include "motion/motor_heat.h"
 #include "motion/motor_model.h"
 #include "robot/joints.h"
 #include "robot/robot_neuro.h"

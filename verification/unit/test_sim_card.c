@@ -372,15 +372,28 @@ void test_SWR_BOX_001_heartbeat_time_and_gaps_are_counted(void)
     TEST_ASSERT_EQUAL_UINT32(1U, read.uptime_s);
 }
 
-void test_SWR_BOX_001_a_driven_motor_grows_warm(void)
+static void drive_for_a_minute(void)
 {
-    const int32_t cold_dc = report().motor_temperature_dc;
-
-    for (uint32_t i = 0U; i < 6000U; i++) {
+    for (uint32_t i = 0U; i < 12000U; i++) {
         send();
         pass(5000U);
     }
-    TEST_ASSERT_TRUE(report().motor_temperature_dc > cold_dc + 10);
+}
+
+void test_SWR_BOX_010_a_driven_motor_grows_warm_and_cools_down(void)
+{
+    TEST_ASSERT_EQUAL_INT32(220, report().motor_temperature_dc);
+    drive_for_a_minute();
+    TEST_ASSERT_INT32_WITHIN(1, 220 + 34, report().motor_temperature_dc);
+    pass(60000000U);
+    TEST_ASSERT_INT32_WITHIN(1, 220 + 29, report().motor_temperature_dc);
+}
+
+void test_SWR_BOX_010_driven_for_long_it_settles(void)
+{
+    card.motor_temperature_c = 47.0;
+    drive_for_a_minute();
+    TEST_ASSERT_EQUAL_INT32(470, report().motor_temperature_dc);
 }
 
 void test_SWR_BOX_004_the_limit_counts_after_3_ms_without_a_change(void)

@@ -250,3 +250,56 @@ void test_SWR_BOX_002_the_hard_stop_is_60_ticks_beyond_the_end_with_a_switch(voi
     TEST_ASSERT_TRUE(motor.highest_ticks == 10400.0);
     TEST_ASSERT_TRUE(motor.lowest_ticks == -10060.0);
 }
+
+static void be_of(motor_type_t type)
+{
+    axis_config_t axis = an_axis();
+
+    axis.motor_type = (uint8_t)type;
+    sim_motor_init(&motor, &axis, 0.0, 0.0);
+}
+
+void test_SWR_BOX_010_each_type_grows_warm_in_its_own_way(void)
+{
+    be_of(MOTOR_TYPE_SHINSEI);
+    TEST_ASSERT_EQUAL_DOUBLE(25.0, motor.heat.settled_c);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-12, 0.0001 / 400.0, motor.heat.warming_share);
+    be_of(MOTOR_TYPE_PIEZO);
+    TEST_ASSERT_EQUAL_DOUBLE(15.0, motor.heat.settled_c);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-12, 0.0001 / 300.0, motor.heat.warming_share);
+    be_of(MOTOR_TYPE_DTI);
+    TEST_ASSERT_EQUAL_DOUBLE(20.0, motor.heat.settled_c);
+}
+
+void test_SWR_BOX_011_a_motor_as_warm_as_its_table_has_it_or_colder_is_no_faster(void)
+{
+    motor.temperature_c = 25.0;
+    TEST_ASSERT_EQUAL_INT(FULL_SPEED, steady(MAXIMUM_DUTY));
+    motor.temperature_c = 5.0;
+    TEST_ASSERT_EQUAL_INT(FULL_SPEED, steady(MAXIMUM_DUTY));
+}
+
+void test_SWR_BOX_011_a_warm_motor_is_slower_by_its_type(void)
+{
+    be_of(MOTOR_TYPE_SHINSEI);
+    motor.temperature_c = 50.0;
+    TEST_ASSERT_EQUAL_INT(FULL_SPEED * 90 / 100, steady(MAXIMUM_DUTY));
+    TEST_ASSERT_EQUAL_INT(-FULL_SPEED * 90 / 100, (int)sim_motor_steady_speed(&motor, &run_down));
+    be_of(MOTOR_TYPE_PIEZO);
+    motor.temperature_c = 65.0;
+    TEST_ASSERT_EQUAL_INT(FULL_SPEED * 96 / 100, steady(MAXIMUM_DUTY));
+    be_of(MOTOR_TYPE_DTI);
+    motor.temperature_c = 50.0;
+    TEST_ASSERT_EQUAL_INT(FULL_SPEED * 90 / 100, steady(MAXIMUM_DUTY));
+}
+
+void test_SWR_BOX_011_a_warm_motor_is_weaker_and_a_load_holds_it(void)
+{
+    motor.temperature_c = 50.0;
+    motor.load = 0.425;
+    TEST_ASSERT_INT_WITHIN(1, FULL_SPEED * 45 / 100, steady(MAXIMUM_DUTY));
+    motor.load = 0.85;
+    TEST_ASSERT_EQUAL_INT(0, steady(MAXIMUM_DUTY));
+    motor.temperature_c = 25.0;
+    TEST_ASSERT_INT_WITHIN(1, FULL_SPEED * 15 / 100, steady(MAXIMUM_DUTY));
+}

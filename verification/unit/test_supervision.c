@@ -15,6 +15,7 @@
 #include "charts/axis_chart.h"
 #include "charts/stall_watchdog_chart.h"
 #include "limits/requirement_limits.h"
+#include "motion/motor_heat.h"
 #include "motion/motor_model.h"
 #include "motion/servo.h"
 #include "robot/robot_neuro.h"

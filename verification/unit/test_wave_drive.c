@@ -163,6 +163,22 @@ void test_SWR_DRIVE_009_less_amplitude_is_less_speed(void)
     TEST_ASSERT_DOUBLE_WITHIN(0.01, whole / 5.0, sim_motor_steady_speed(&motor, &drive));
 }
 
+void test_SWR_BOX_011_the_resonance_of_a_warm_motor_is_20_hz_lower_for_each_kelvin(void)
+{
+    const double cold = steady(1U, 51.2);
+    motor.temperature_c = 45.0;
+    TEST_ASSERT_DOUBLE_WITHIN(cold / 1000.0, cold * 0.92, steady(1U, 50.8));
+    TEST_ASSERT_DOUBLE_WITHIN(cold / 10.0, cold * 0.55, steady(1U, 51.2));
+    TEST_ASSERT_TRUE(steady(1U, 49.2) > 0.0);
+    TEST_ASSERT_EQUAL_DOUBLE(0.0, steady(1U, 49.0));
+}
+
+void test_SWR_BOX_010_a_motor_by_waves_grows_warmer_than_by_its_driver(void)
+{
+    TEST_ASSERT_EQUAL_DOUBLE(30.0, motor.heat.settled_c);
+    TEST_ASSERT_EQUAL_DOUBLE(25.0, sim_motor_heat(&robot_prostate.axes[AXIS_INSERTION]).settled_c);
+}
+
 void test_SWR_AXIS_019_the_model_goes_where_a_motor_with_waves_goes(void)
 {
     for (uint32_t direction = 0U; direction <= 1U; direction++) {
