@@ -41,6 +41,7 @@ void drift_audit_begin_scan(drift_audit_t *self)
 bool drift_audit_is_beyond(const drift_audit_t *self, const axis_config_t *config)
 {
     const int64_t idle = (int64_t)self->idle_ticks;
-    return (idle != 0) && joints_is_beyond(config, (idle < 0) ? -idle : idle, LIMIT_DRIFT_WAY_NM,
-                                           LIMIT_DRIFT_WAY_BAM);
+    const int64_t way = (idle < 0) ? -idle : idle;
+    return (way != 0) && joints_is_beyond(config, way, LIMIT_DRIFT_WAY_NM, LIMIT_DRIFT_WAY_BAM) &&
+           joints_is_above(config, way, LIMIT_DRIFT_FLOOR_TICKS);
 }

@@ -31,7 +31,8 @@ void drift_audit_settle(drift_audit_t *self, int32_t position_ticks);
 void drift_audit_begin_scan(drift_audit_t *self);
 
 /**
- * The account is beyond LIMIT_DRIFT_WAY_NM or LIMIT_DRIFT_WAY_BAM.
+ * The account is beyond LIMIT_DRIFT_WAY_NM or LIMIT_DRIFT_WAY_BAM, and of an axis that turns the
+ * needle about its line beyond LIMIT_DRIFT_FLOOR_TICKS.
  *
  * @satisfies SWR-AXIS-022
  */

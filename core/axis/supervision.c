@@ -215,7 +215,8 @@ static bool is_moving_while_off(supervision_t *self, const axis_config_t *config
     }
     remember_place(self, view);
     self->off_ticks = way_while_off(self, view);
-    return joints_is_beyond(config, self->off_ticks, LIMIT_REST_WAY_NM, LIMIT_REST_WAY_BAM);
+    return joints_is_beyond(config, self->off_ticks, LIMIT_REST_WAY_NM, LIMIT_REST_WAY_BAM) &&
+           joints_is_above(config, self->off_ticks, LIMIT_REST_FLOOR_TICKS);
 }
 
 static uint32_t note(bool is_found, uint32_t name)

@@ -51,6 +51,13 @@ static inline int64_t joints_ticks_within(const axis_config_t *axis, uint32_t wa
     return (way * 65536) / axis->unit_per_tick_q16;
 }
 
+/** `ticks` of `axis` are more than what is taken for noise where it moves no tip: `floor_ticks`, of
+ * an axis that turns the needle about its line. */
+static inline bool joints_is_above(const axis_config_t *axis, int64_t ticks, uint32_t floor_ticks)
+{
+    return (axis->needle_motion != (uint32_t)NEEDLE_ABOUT) || (ticks > (int64_t)floor_ticks);
+}
+
 /** Joint value (nm, or bam counted over more than one turn) of `ticks` counts of `axis`. */
 int64_t joints_value(const axis_config_t *axis, int32_t ticks);
 

@@ -55,6 +55,20 @@ void test_SWR_AXIS_022_half_a_degree_is_too_much_in_either_direction(void)
     TEST_ASSERT_TRUE(drift_audit_is_beyond(&audit, pitch));
 }
 
+void test_SWR_AXIS_022_what_a_scan_makes_of_a_coarse_rotation_is_no_drift(void)
+{
+    axis_config_t coarse = robot_neuro.axes[AXIS_ROTATION];
+    coarse.unit_per_tick_q16 *= 5; /* Half a degree is 2.2 ticks. */
+    stand(0, REST_CYCLES);
+    stand(18, 1U);
+    TEST_ASSERT_FALSE(drift_audit_is_beyond(&audit, &coarse));
+    stand(19, 1U);
+    TEST_ASSERT_TRUE(drift_audit_is_beyond(&audit, &coarse));
+    coarse.needle_motion = (uint32_t)NEEDLE_ACROSS;
+    stand(3, 1U);
+    TEST_ASSERT_TRUE(drift_audit_is_beyond(&audit, &coarse));
+}
+
 void test_SWR_AXIS_022_counts_that_come_back_are_no_drift(void)
 {
     stand(0, REST_CYCLES);
