@@ -126,12 +126,23 @@ static uint32_t compare_switch(axis_t *self, const axis_config_t *config)
     return fail(self, AXIS_NOTE_SWITCH_ELSEWHERE);
 }
 
+/* Away from its switch only homing has something to see. */
+static homing_sight_t see_switch(axis_t *self, const axis_config_t *config)
+{
+    const bool is_active = is_switch_active(self);
+    homing_sight_t sight = HOMING_NOTHING;
+    if (is_active || axis_is_homing(self)) {
+        sight = homing_see(&self->homing, config, self->chart.reference,
+                           self->encoder.position_ticks, is_active);
+    }
+    return sight;
+}
+
 static uint32_t follow_switch(axis_t *self, const axis_config_t *config)
 {
     const axis_reference_t leg = self->chart.reference;
     uint32_t notes = 0U;
-    switch (homing_see(&self->homing, config, leg, self->encoder.position_ticks,
-                       is_switch_active(self))) {
+    switch (see_switch(self, config)) {
     case HOMING_SWITCH:
         notes = (leg == AXIS_REFERENCE_LATCH)
                     ? arrive(self, config)

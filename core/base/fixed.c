@@ -320,6 +320,11 @@ int32_t fixed_wrap_bam(int64_t value)
     return signed_bits((uint32_t)bits);
 }
 
+int64_t fixed_divide_signed(int64_t value, int64_t divisor)
+{
+    return with_sign(fixed_divide(magnitude(value), (uint64_t)divisor), value < 0);
+}
+
 int64_t fixed_divide_rounded(int64_t numerator, int64_t denominator)
 {
     static const char contract_module[] = "fixed";

@@ -108,6 +108,13 @@ static inline int64_t fixed_divide_by(int64_t value, uint32_t divisor)
     return (value < 0) ? -(int64_t)quotient : (int64_t)quotient;
 }
 
+/**
+ * `value / divisor` as C rounds it, towards zero; `divisor` above 0. By fixed_divide().
+ *
+ * @satisfies SWR-FIX-003
+ */
+int64_t fixed_divide_signed(int64_t value, int64_t divisor);
+
 /** `numerator / denominator` rounded half away from zero. Requires (contract 100) denominator > 0.
  */
 int64_t fixed_divide_rounded(int64_t numerator, int64_t denominator);

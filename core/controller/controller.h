@@ -107,6 +107,7 @@ typedef struct {
     pending_command_t pending;
     kept_positions_t kept; /**< From before the start; an axis that was compared is KEPT_LOST. */
     uint32_t cause;        /**< event_cause_t of what happens now. */
+    uint32_t awaited;      /**< Axes of kept that have not been compared; 0: it counts no more. */
     uint32_t peer;         /**< Of the cause. */
     uint32_t has_arrived;  /**< The last order was a move, and ended as asked. */
     uint32_t was_gate_open;

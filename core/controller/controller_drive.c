@@ -177,14 +177,18 @@ static void send_to_others(controller_t *self, const cycle_t *cycle, uint32_t st
     }
 }
 
+/* Those behind the last one that is sent in one go. */
 static void clear_unused_frames(const cycle_t *cycle)
 {
     controller_outputs_t *const outputs = cycle->outputs;
-    for (uint32_t i = 0U; i < CARD_SLOT_COUNT; i++) {
-        if ((outputs->frames_to_send & ((uint32_t)1U << i)) == 0U) {
-            (void)memset(outputs->frames[i], 0, CARD_FRAME_BYTES);
+    const uint32_t used = outputs->frames_to_send;
+    uint32_t slot = 0U;
+    for (; (used >> slot) != 0U; slot++) {
+        if (((used >> slot) & 1U) == 0U) {
+            (void)memset(outputs->frames[slot], 0, CARD_FRAME_BYTES);
         }
     }
+    (void)memset(&outputs->frames[slot], 0, (CARD_SLOT_COUNT - slot) * sizeof outputs->frames[0]);
 }
 
 /* What is shown of the permit of an axis. */

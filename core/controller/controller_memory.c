@@ -30,6 +30,13 @@ static const range_t axis_range = {offsetof(axis_t, encoder),
 static const range_t link_range = {offsetof(link_t, sent), sizeof(link_t)};
 
 static const range_t mode_range = {offsetof(controller_t, mode), offsetof(controller_t, axes)};
+/* What one mode alone reads, and writes when it is begun: under seal while it was begun last. */
+static const range_t own_ranges[MODE_KIND_COUNT] = {
+    [MODE_VELOCITY] = {offsetof(controller_t, mode.request.velocity), offsetof(controller_t, axes)},
+};
+/* Of the rest, what counts while positions wait to be compared. */
+static const range_t awaited_range = {offsetof(controller_t, kept.axes),
+                                      offsetof(controller_t, cause)};
 /* What there is once. A section of several pieces is sealed in one go. */
 typedef struct {
     uint32_t section;
@@ -37,12 +44,13 @@ typedef struct {
 } piece_t;
 
 static const piece_t pieces[] = {
-    {MODE, {offsetof(controller_t, mode), offsetof(controller_t, axes)}},
+    {MODE, {offsetof(controller_t, mode), offsetof(controller_t, mode.request.velocity)}},
     {INTERLOCKS, {offsetof(controller_t, pedal), offsetof(controller_t, pedal.chart.now_us)}},
     {INTERLOCKS, {offsetof(controller_t, loop.overruns), offsetof(controller_t, authority.chart)}},
     {INTERLOCKS,
      {offsetof(controller_t, procedure.arming), offsetof(controller_t, procedure.arming.now_us)}},
-    {REST, {offsetof(controller_t, pending), offsetof(controller_t, seals)}},
+    {REST, {offsetof(controller_t, pending), offsetof(controller_t, kept.axes)}},
+    {REST, {offsetof(controller_t, cause), offsetof(controller_t, seals)}},
 };
 /* Of the rest, what is more than a count, beside the records. */
 static const range_t forgotten_range = {offsetof(controller_t, pending),
@@ -68,17 +76,33 @@ static uint32_t seal_of_sensors(const controller_t *self)
     return seal;
 }
 
-static void compute(const controller_t *self, uint32_t seals[CONTROLLER_SECTIONS])
+static uint32_t seal_of_range(const controller_t *self, uint32_t seal, const range_t *range)
 {
     const uint8_t *const bytes = (const uint8_t *)self;
+    return seal_of(seal, &bytes[range->from], range->to - range->from);
+}
+
+/* What is sealed at times only. */
+static void seal_more(const controller_t *self, uint32_t seals[CONTROLLER_SECTIONS])
+{
+    if (self->mode.kind < MODE_KIND_COUNT) {
+        seals[MODE] = seal_of_range(self, seals[MODE], &own_ranges[self->mode.kind]);
+    }
+    if (self->awaited != 0U) {
+        seals[REST] = seal_of_range(self, seals[REST], &awaited_range);
+    }
+}
+
+static void compute(const controller_t *self, uint32_t seals[CONTROLLER_SECTIONS])
+{
     for (uint32_t i = MODE; i < CONTROLLER_SECTIONS; i++) {
         seals[i] = SEAL_START;
     }
     for (uint32_t i = 0U; i < (sizeof(pieces) / sizeof(pieces[0])); i++) {
-        const range_t *const range = &pieces[i].range;
         uint32_t *const seal = &seals[pieces[i].section];
-        *seal = seal_of(*seal, &bytes[range->from], range->to - range->from);
+        *seal = seal_of_range(self, *seal, &pieces[i].range);
     }
+    seal_more(self, seals);
     seals[REST] = seal_of(seals[REST], (const uint8_t *)self->records,
                           self->axis_count * sizeof self->records[0]);
     for (uint32_t i = 0U; i < self->axis_count; i++) {

@@ -22,8 +22,12 @@ void controller_restore(controller_t *self, const kept_positions_t *kept)
     REQUIRE(101U, self->has_started == 0U);
     self->kept = *kept;
     for (uint32_t i = 0U; i < self->axis_count; i++) {
-        if ((kept->verdict != (uint32_t)KEPT_NOTHING) && !is_awaited(self, i)) {
+        if (is_awaited(self, i)) {
+            self->awaited++;
+        } else if (kept->verdict != (uint32_t)KEPT_NOTHING) {
             axis_forget(&self->axes[i]);
+        } else {
+            /* Nobody has looked for a file. */
         }
     }
     controller_seal(self);
@@ -49,13 +53,10 @@ static void contradict(controller_t *self, const cycle_t *cycle, uint32_t index,
     controller_note(self, cycle, EVENT_AXIS_CONTRADICTED, index, way_ticks);
 }
 
-void controller_compare(controller_t *self, const cycle_t *cycle, uint32_t index)
+static void compare(controller_t *self, const cycle_t *cycle, uint32_t index)
 {
     const axis_t *const axis = &self->axes[index];
     const axis_config_t *const config = &cycle->robot->axes[index];
-    if (!is_awaited(self, index) || (axis->encoder.has_reading == 0U)) {
-        return;
-    }
     const kept_axis_t *const kept = &self->kept.axes[index];
     const int32_t way_ticks = encoder_way(config, kept->reading_ticks, axis->encoder.reading);
     const int64_t rest_ticks = (int64_t)supervision_rest_ticks(config);
@@ -67,15 +68,15 @@ void controller_compare(controller_t *self, const cycle_t *cycle, uint32_t index
         contradict(self, cycle, index, position_ticks, way_ticks);
     }
     self->kept.axes[index].grade = (uint32_t)KEPT_LOST;
+    self->awaited--;
 }
 
-uint32_t controller_count_awaited(const controller_t *self)
+void controller_compare(controller_t *self, const cycle_t *cycle, uint32_t index)
 {
-    uint32_t count = 0U;
-    for (uint32_t i = 0U; i < self->axis_count; i++) {
-        count += is_awaited(self, i) ? 1U : 0U;
+    if ((self->awaited != 0U) && is_awaited(self, index) &&
+        (self->axes[index].encoder.has_reading != 0U)) {
+        compare(self, cycle, index);
     }
-    return count;
 }
 
 /* Where nothing moves by itself. Also before START_UP, which asks for lost positions. */

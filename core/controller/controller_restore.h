@@ -33,7 +33,4 @@ void controller_compare(controller_t *self, const cycle_t *cycle, uint32_t index
 status_t controller_obey_restore(controller_t *self, const cycle_t *cycle, const command_t *command,
                                  answer_t *answer);
 
-/** Axes with a kept position that have not reported yet. */
-uint32_t controller_count_awaited(const controller_t *self);
-
 #endif

@@ -3,7 +3,6 @@
 
 #include "controller/controller_authority.h"
 #include "controller/controller_facts.h"
-#include "controller/controller_restore.h"
 
 #include "safety/coupled_guard.h"
 
@@ -291,7 +290,7 @@ void controller_show(const controller_t *self, const cycle_t *cycle)
     shown->robot_crc = cycle->robot->crc;
     shown->axis_count = self->axis_count;
     shown->power_on = self->kept.power_on;
-    shown->positions_awaited = controller_count_awaited(self);
+    shown->positions_awaited = self->awaited;
     shown->workphase = (uint32_t)procedure_workphase(&self->procedure);
     shown->order = (uint32_t)self->procedure.arming.state;
     shown->pedal = (uint32_t)self->pedal.chart.state;

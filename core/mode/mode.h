@@ -31,18 +31,18 @@ typedef struct {
     uint32_t axes;  /**< Bit n: axis n is commanded. mode_axes() makes of it those that it needs. */
     mode_way_t way; /**< Of MODE_JOG and MODE_RETRACT; MODE_HOME_AXIS reads its axis. */
     move_mode_t move;
-    uint32_t start_ms; /**< Time of the first row of a trajectory, */
-    uint32_t end_ms;   /**< and of its last one. */
-    velocity_mode_t velocity;
+    uint32_t start_ms;        /**< Time of the first row of a trajectory, */
+    uint32_t end_ms;          /**< and of its last one. */
+    velocity_mode_t velocity; /**< From here on: what one mode alone reads. */
 } mode_request_t;
 
 /** At first all zero. */
 typedef struct {
     uint32_t kind; /**< mode_kind_t of the order that was armed last. */
     leg_t leg;
-    mode_request_t request; /**< With the axes that it needs. */
     trajectory_mode_t trajectory;
     trajectory_list_t list; /**< Of the trajectory that is held, armed or not. */
+    mode_request_t request; /**< With the axes that it needs. */
 } mode_state_t;
 
 /** The mode that a command for `workphase` itself arms there, or MODE_NONE; the others have

@@ -80,7 +80,8 @@ uint32_t motor_model_duty(const axis_config_t *config, int64_t speed_ticks_per_s
     const int64_t full_q8 = (int64_t)config->full_speed_ticks_per_s * 256;
     const int64_t slowest_q8 = slowest_of(full_q8);
     const int64_t span = (int64_t)config->maximum_duty - (int64_t)config->minimum_duty;
-    const int64_t above = (span * (speed_ticks_per_s_q8 - slowest_q8)) / (full_q8 - slowest_q8);
+    const int64_t above =
+        fixed_divide_signed(span * (speed_ticks_per_s_q8 - slowest_q8), full_q8 - slowest_q8);
     if (above < 0) {
         return config->minimum_duty;
     }
@@ -96,7 +97,7 @@ int64_t motor_model_steady_q8(const axis_config_t *config, const card_drive_t *d
         const int64_t span = (int64_t)config->maximum_duty - (int64_t)config->minimum_duty;
         const int64_t above = (int64_t)drive->duty - (int64_t)config->minimum_duty;
         const int64_t slowest_q8 = slowest_of(speed_q8);
-        speed_q8 = slowest_q8 + (((speed_q8 - slowest_q8) * above) / span);
+        speed_q8 = slowest_q8 + fixed_divide_signed((speed_q8 - slowest_q8) * above, span);
     } else {
         /* It runs. */
     }

@@ -233,6 +233,47 @@ void test_SWR_MEMORY_003_the_numbers_of_every_axis_and_card_are_under_seal(void)
     }
 }
 
+/* What one mode alone reads. */
+void test_SWR_MEMORY_003_what_only_speeds_need_is_under_seal_while_they_were_armed_last(void)
+{
+    static rig_t moving;
+    begin_move();
+    moving = rig;
+    for (size_t i = 0U; i < sizeof rig.controller.mode.request.velocity; i += 4U) {
+        rig = moving;
+        ((uint8_t *)&rig.controller.mode.request.velocity)[i] ^= 0x10U;
+        rig_cycle(&rig);
+        TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_MEMORY_DAMAGED));
+        rig = moving;
+        rig.controller.mode.kind = (uint32_t)MODE_VELOCITY;
+        controller_seal(&rig.controller);
+        ((uint8_t *)&rig.controller.mode.request.velocity)[i] ^= 0x10U;
+        rig_cycle(&rig);
+        TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_MEMORY_DAMAGED));
+        TEST_ASSERT_EQUAL_UINT32(EVENT_MEMORY_PROFILE, rig.events[0].subject);
+    }
+}
+
+void test_SWR_MEMORY_003_a_mode_that_there_is_not_is_noticed(void)
+{
+    begin_move();
+    rig.controller.mode.kind = MODE_KIND_COUNT;
+    expect_noticed(EVENT_MEMORY_PROFILE, 0U);
+}
+
+void test_SWR_MEMORY_003_kept_positions_count_no_more_once_they_were_compared(void)
+{
+    begin_move();
+    rig.controller.kept.verdict = (uint32_t)KEPT_GOOD;
+    controller_seal(&rig.controller);
+    rig.controller.kept.axes[AXIS_FEET].grade = (uint32_t)KEPT_KNOWN;
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_MEMORY_DAMAGED));
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AXIS_CONTRADICTED));
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.positions_awaited);
+    TEST_ASSERT_TRUE(rig_is_driving(&rig));
+}
+
 static void expect_blind(uint32_t part)
 {
     const snapshot_t *const shown = &rig.outputs.snapshot;

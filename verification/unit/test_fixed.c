@@ -174,6 +174,17 @@ void test_SWR_FIX_003_division_by_a_small_number_is_that_of_c(void)
     TEST_ASSERT_EQUAL_INT64(INT64_MIN / 65536, fixed_divide_by(INT64_MIN, 65536U));
 }
 
+void test_SWR_FIX_003_a_signed_division_is_that_of_c(void)
+{
+    for (uint32_t i = 0U; i < 100000U; i++) {
+        const int64_t value = (int64_t)(next_random() >> (1U + (i % 40U)));
+        const int64_t divisor = 1 + (int64_t)(next_random() >> (24U + (i % 40U)));
+        TEST_ASSERT_EQUAL_INT64(value / divisor, fixed_divide_signed(value, divisor));
+        TEST_ASSERT_EQUAL_INT64(-value / divisor, fixed_divide_signed(-value, divisor));
+    }
+    TEST_ASSERT_EQUAL_INT64(0, fixed_divide_signed(-6, 7));
+}
+
 void test_SWR_FIX_003_division_is_that_of_c_at_and_around_multiples(void)
 {
     for (int i = 0; i < 50000; i++) {

@@ -6,6 +6,7 @@
 #include "unity.h"
 
 #include "axis/axis.h"
+#include "base/fixed.h"
 #include "mode/leg.h"
 #include "mode/mode_frame.h"
 #include "mode/retract_mode.h"
