@@ -108,7 +108,7 @@ static workphase_t only_workphase(const mode_row_t *row)
 }
 
 /* Of what the mode itself asks, which comes first, that which is shown. */
-static status_t own_outlook(const snapshot_t *snapshot, mode_kind_t kind)
+static status_t own_outlook(const robot_t *robot, const snapshot_t *snapshot, mode_kind_t kind)
 {
     const bool is_aimed = (kind == MODE_ALIGN) || (kind == MODE_INSERT);
     status_t status = STATUS_OK;
@@ -116,6 +116,10 @@ static status_t own_outlook(const snapshot_t *snapshot, mode_kind_t kind)
         status = STATUS_TRAJECTORY_EMPTY;
     } else if (is_aimed && (snapshot->has_target == 0U)) {
         status = STATUS_NO_TARGET;
+    } else if (is_aimed && (snapshot->has_entry == 0U)) {
+        status = STATUS_NO_ENTRY_POINT;
+    } else if ((kind == MODE_POSE) && (robot->pose_mask == 0U)) {
+        status = STATUS_NO_POSE;
     } else {
         /* The workphase chart decides. */
     }
@@ -126,7 +130,7 @@ status_t mode_outlook(const robot_t *robot, const snapshot_t *snapshot, mode_kin
 {
     const mode_row_t *const row = &mode_rows[kind];
     const workphase_inputs_t inputs = inputs_of(robot, snapshot, row);
-    const status_t of_mode = own_outlook(snapshot, kind);
+    const status_t of_mode = own_outlook(robot, snapshot, kind);
     procedure_t procedure;
     procedure_actions_t actions;
     status_t status = STATUS_UNKNOWN_COMMAND;

@@ -11,7 +11,8 @@
 
 /**
  * The workphase chart is asked, in a copy that is where control is. Of a mode for single axes: can
- * any be commanded. Of what a mode itself asks only a trajectory and a target are looked at.
+ * any be commanded. Of what a mode itself asks only a trajectory, a target with its entry point and
+ * poses are looked at.
  *
  * @return STATUS_OK, or why a command for it would be refused
  *

@@ -134,3 +134,19 @@ void test_SWR_MODE_004_what_is_said_of_each_mode_is_what_becomes_of_its_command(
     TEST_ASSERT_GREATER_THAN_UINT32(5U, allowed);
     TEST_ASSERT_GREATER_THAN_UINT32(5U, refused);
 }
+
+void test_SWR_MODE_004_a_target_without_an_entry_point_and_a_robot_without_poses_are_named(void)
+{
+    rig_start_targeted(&rig);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_entry);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NO_ENTRY_POINT,
+                             mode_outlook(&robot_neuro, &rig.outputs.snapshot, MODE_ALIGN));
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NO_ENTRY_POINT,
+                             rig_command(&rig, command_for(MODE_ALIGN)).status);
+    in_manual();
+    robot_t bare = robot_neuro;
+    bare.pose_mask = 0U;
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK,
+                             mode_outlook(&robot_neuro, &rig.outputs.snapshot, MODE_POSE));
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NO_POSE, mode_outlook(&bare, &rig.outputs.snapshot, MODE_POSE));
+}
