@@ -331,16 +331,17 @@ uint32_t axis_supervise(axis_t *self, const axis_config_t *config, bool is_drive
     const bool is_relied_on = axis_is_enabled(self) || axis_is_homed(self) || is_unverified(self);
     const axis_reference_t leg = self->chart.reference;
     const card_drive_t asked = {.mode = 0U, .direction = self->servo.direction, .duty = 0U};
-    const supervision_view_t view = {.position_ticks = self->encoder.position_ticks,
-                                     .setpoint_ticks = self->setpoint_ticks,
-                                     .following_error_ticks = following_error_ticks(self, config),
-                                     .is_driven = is_driven,
-                                     .is_upwards = motor_model_is_upwards(config, &asked),
-                                     .is_relied_on = is_relied_on,
-                                     .drive = motor_heat_untune(&self->heat, sent),
-                                     .lost_q16 = self->heat.lost_q16,
-                                     .edge_age_us = self->encoder.edge_age_us,
-                                     .elapsed_us = elapsed_us};
+    supervision_view_t view = {.position_ticks = self->encoder.position_ticks,
+                               .setpoint_ticks = self->setpoint_ticks,
+                               .following_error_ticks = following_error_ticks(self, config),
+                               .is_driven = is_driven,
+                               .is_upwards = motor_model_is_upwards(config, &asked),
+                               .is_relied_on = is_relied_on,
+                               .drive = *sent,
+                               .lost_q16 = self->heat.lost_q16,
+                               .edge_age_us = self->encoder.edge_age_us,
+                               .elapsed_us = elapsed_us};
+    motor_heat_untune(&self->heat, &view.drive);
     uint32_t found = supervision_step(&self->supervision, config, &view);
     if (homing_is_too_long(&self->homing, config, leg, is_driven, elapsed_us)) {
         found |= AXIS_NOTE_HOME_TIMEOUT;

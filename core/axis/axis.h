@@ -25,6 +25,7 @@ typedef struct {
     axis_chart_t chart;
     encoder_t encoder;
     uint32_t limit_switches; /**< CARD_LIMIT_ bits of the last report. */
+    motor_heat_t heat;
     servo_t servo;
     homing_t homing;
     drift_audit_t drift;
@@ -36,7 +37,6 @@ typedef struct {
                                     the record. */
     int32_t setpoint_ticks;
     int32_t setpoint_speed_ticks_per_s_q8;
-    motor_heat_t heat;
     supervision_t supervision;
 } axis_t;
 

@@ -126,7 +126,7 @@ static void send_to_axis(controller_t *self, const cycle_t *cycle, uint32_t inde
         .time_us = self->time_us,
         .system_state = state,
         .control = control_of(link, state),
-        .drive = motor_heat_tune(&self->axes[index].heat, drive),
+        .drive = *drive,
         .watchdog_us = LIMIT_CARD_WATCHDOG_US,
         .overspeed_ticks_per_s = (uint32_t)config->full_speed_ticks_per_s * 2U,
         .guard_minimum_ticks = 0,
@@ -231,9 +231,10 @@ void controller_drive(controller_t *self, const cycle_t *cycle,
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         const permit_t permit = decide(self, cycle, i, &view);
         remember(self, cycle, i, &permit);
-        const card_drive_t drive = permit_apply(
+        card_drive_t drive = permit_apply(
             &permit, is_too_fast(self, cycle, i, view.facts.is_every_axis_homed), &requests[i]);
         modes |= drive.mode;
+        motor_heat_tune(&self->axes[i].heat, &drive);
         send_to_axis(self, cycle, i, state | (permit.is_allowed ? CARD_SYSTEM_PERMIT : 0U), &drive);
     }
     send_to_others(self, cycle, state, modes != (uint32_t)CARD_DRIVE_OFF);

@@ -23,22 +23,14 @@ motor_heat_t motor_heat_of(const axis_config_t *config, int32_t heat_dc)
     return heat;
 }
 
-card_drive_t motor_heat_tune(const motor_heat_t *self, const card_drive_t *drive)
+void motor_heat_lower(const motor_heat_t *self, card_drive_t *drive)
 {
-    card_drive_t tuned = *drive;
     const uint32_t shift = (uint32_t)self->shift_hz * WORDS_PER_HZ;
-    if ((shift != 0U) && (drive->mode != (uint32_t)CARD_DRIVE_OFF)) {
-        const uint32_t most = drive->duty - LIMIT_RESONANCE_WORD;
-        tuned.duty -= (shift < most) ? shift : most;
-    }
-    return tuned;
+    const uint32_t most = drive->duty - LIMIT_RESONANCE_WORD;
+    drive->duty -= (shift < most) ? shift : most;
 }
 
-card_drive_t motor_heat_untune(const motor_heat_t *self, const card_drive_t *sent)
+void motor_heat_raise(const motor_heat_t *self, card_drive_t *drive)
 {
-    card_drive_t meant = *sent;
-    if (sent->mode != (uint32_t)CARD_DRIVE_OFF) {
-        meant.duty += (uint32_t)self->shift_hz * WORDS_PER_HZ;
-    }
-    return meant;
+    drive->duty += (uint32_t)self->shift_hz * WORDS_PER_HZ;
 }

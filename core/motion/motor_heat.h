@@ -28,11 +28,28 @@ typedef struct {
  */
 motor_heat_t motor_heat_of(const axis_config_t *config, int32_t heat_dc);
 
-/** @return the drive to be sent for `drive`; none below LIMIT_RESONANCE_WORD for the heat alone */
-card_drive_t motor_heat_tune(const motor_heat_t *self, const card_drive_t *drive);
+/** Makes of the waves that are meant those to be sent; none below LIMIT_RESONANCE_WORD for the
+ * heat alone. */
+void motor_heat_lower(const motor_heat_t *self, card_drive_t *drive);
 
-/** @return the drive that was meant by `sent` */
-card_drive_t motor_heat_untune(const motor_heat_t *self, const card_drive_t *sent);
+/** Makes of the waves that were sent those that were meant. */
+void motor_heat_raise(const motor_heat_t *self, card_drive_t *drive);
+
+/** motor_heat_lower() of waves; no other drive changes. */
+static inline void motor_heat_tune(const motor_heat_t *self, card_drive_t *drive)
+{
+    if (drive->mode == (uint32_t)CARD_DRIVE_HIGH_FREQUENCY) {
+        motor_heat_lower(self, drive);
+    }
+}
+
+/** motor_heat_raise() of waves; no other drive changes. */
+static inline void motor_heat_untune(const motor_heat_t *self, card_drive_t *drive)
+{
+    if (drive->mode == (uint32_t)CARD_DRIVE_HIGH_FREQUENCY) {
+        motor_heat_raise(self, drive);
+    }
+}
 
 /** @return what is left of `way_q16`, the way of a motor as its table has it */
 static inline int64_t motor_heat_slow(uint32_t lost_q16, int64_t way_q16)
