@@ -82,35 +82,25 @@ static bool is_stop(const command_t *command)
             (command->argument == (uint32_t)WORKPHASE_EMERGENCY));
 }
 
-/* What changes what the robot is to do, or keeps authority. */
+/* Everything but what only proposes, tells, gives up or asks; so a command that is new needs it. */
 static bool needs_authority(const command_t *command)
 {
     switch (command->kind) {
     case (uint32_t)COMMAND_WORKPHASE:
         return !is_stop(command);
-    case (uint32_t)COMMAND_REGISTRATION:
-    case (uint32_t)COMMAND_TARGET:
-    case (uint32_t)COMMAND_ENTRY:
-    case (uint32_t)COMMAND_ACCEPT_ENTRY:
-    case (uint32_t)COMMAND_JOG:
-    case (uint32_t)COMMAND_RETRACT:
-    case (uint32_t)COMMAND_ALIGN:
-    case (uint32_t)COMMAND_INSERT:
-    case (uint32_t)COMMAND_POSE:
-    case (uint32_t)COMMAND_RESTORE:
-    case (uint32_t)COMMAND_HOME_AXIS:
-    case (uint32_t)COMMAND_CLEAR_AXIS:
-    case (uint32_t)COMMAND_CONFIRM_AXIS:
-    case (uint32_t)COMMAND_SET_HOME:
-    case (uint32_t)COMMAND_VELOCITY:
-    case (uint32_t)COMMAND_JOG_BY:
-    case (uint32_t)COMMAND_ENABLE_AXIS:
-    case (uint32_t)COMMAND_DISABLE_AXIS:
-    case (uint32_t)COMMAND_TAKE:
-    case (uint32_t)COMMAND_RENEW:
-        return true;
-    default:
+    case (uint32_t)COMMAND_WITHDRAW:
+        return (command->source == (uint32_t)COMMAND_SOURCE_HTTP) ||
+               (command->argument == (uint32_t)COMMAND_ENTRY);
+    case (uint32_t)COMMAND_REQUEST:
+        return command->argument == (uint32_t)AUTHORITY_REQUEST_CONFIRM;
+    case (uint32_t)COMMAND_PROPOSE_REGISTRATION:
+    case (uint32_t)COMMAND_PROPOSE_ENTRY:
+    case (uint32_t)COMMAND_PROPOSE_TARGET:
+    case (uint32_t)COMMAND_RELEASE:
+    case (uint32_t)COMMAND_NOTE:
         return false;
+    default:
+        return true;
     }
 }
 

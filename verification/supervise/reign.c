@@ -57,28 +57,23 @@ static bool is_accepted(const rig_t *rig, uint32_t number)
     return (answer != NULL) && (answer->kind == (uint32_t)ANSWER_ACCEPTED);
 }
 
-/* Nobody else may do it. */
+/* Nobody else may do it: everything but a stop and what only proposes, tells, gives up or asks. */
 static bool is_commanding(const command_t *command)
 {
     switch (command->kind) {
     case COMMAND_WORKPHASE:
         return (command->argument != (uint32_t)WORKPHASE_STOP) &&
                (command->argument != (uint32_t)WORKPHASE_EMERGENCY);
-    case COMMAND_REGISTRATION:
-    case COMMAND_TARGET:
-    case COMMAND_JOG:
-    case COMMAND_RETRACT:
-    case COMMAND_ALIGN:
-    case COMMAND_INSERT:
-    case COMMAND_POSE:
-    case COMMAND_ENTRY:
-    case COMMAND_ACCEPT_ENTRY:
-    case COMMAND_TAKE:
-    case COMMAND_RENEW:
-    case COMMAND_RESTORE:
-        return true;
-    default:
+    case COMMAND_PROPOSE_REGISTRATION:
+    case COMMAND_PROPOSE_ENTRY:
+    case COMMAND_PROPOSE_TARGET:
+    case COMMAND_WITHDRAW:
+    case COMMAND_RELEASE:
+    case COMMAND_REQUEST:
+    case COMMAND_NOTE:
         return false;
+    default:
+        return true;
     }
 }
 

@@ -17,6 +17,7 @@
 #define ORDERS_MOST 32U
 #define SHARE_STEPS 1000000U
 #define RISE_SPREAD 0.1
+#define BEFORE_NM 20000000     /* Of the target, on the needle's line. */
 #define DEAD_ZONE_SPREAD 0.005 /* Of all words. */
 
 static uint32_t random_below(stage_t *self, uint32_t bound)
@@ -249,13 +250,19 @@ static void send_corner(stage_t *self, rig_t *rig)
     rigid_set_identity(&entry.pose);
     if (targets_entry(self->robot, &joints, &target.pose, &entry.pose.translation)) {
         send(self, rig, entry);
+    } else if (self->play == PLAY_MODES) {
+        const point_t before = {0, 0, -BEFORE_NM};
+        entry.pose.translation = rigid_apply(&target.pose, &before);
+        send(self, rig, entry);
+    } else {
+        /* It is asked for none. */
     }
     send(self, rig, target);
 }
 
 static void send_target(stage_t *self, rig_t *rig)
 {
-    if (self->play == PLAY_CORNERS) {
+    if ((self->play == PLAY_CORNERS) || (self->play == PLAY_MODES)) {
         send_corner(self, rig);
     } else {
         send(self, rig, (command_t){.kind = (uint32_t)COMMAND_TARGET, .pose = some_target(self)});
@@ -308,6 +315,15 @@ static void send_probe(stage_t *self, rig_t *rig)
                            (int32_t)chance_below(&self->whim, (uint32_t)(range_nm / 5) + 1U);
     }
     send(self, rig, command);
+}
+
+/* Of any mode; WORKPHASE_COUNT: wherever it is. */
+static void send_order(stage_t *self, rig_t *rig, workphase_t phase)
+{
+    command_t command;
+    if (orders_choose(&self->orders, rig, phase, &self->whim, &command)) {
+        send(self, rig, command);
+    }
 }
 
 /* At the target, on the way there, or while it is drawn out already. */
@@ -370,6 +386,8 @@ static void do_anything(stage_t *self, rig_t *rig)
         send_act(self, rig);
     } else if (has_whim(self, 16U)) {
         send_probe(self, rig);
+    } else if (has_whim(self, 4U)) {
+        send_order(self, rig, WORKPHASE_COUNT);
     } else {
         /* None of these. */
     }
@@ -381,6 +399,8 @@ static void send_jog_or_act(stage_t *self, rig_t *rig)
         send_act(self, rig);
     } else if (has_whim(self, 6U)) {
         send(self, rig, (command_t){.kind = (uint32_t)COMMAND_RETRACT});
+    } else if (has_whim(self, 4U)) {
+        send_order(self, rig, WORKPHASE_MANUAL);
     } else {
         send_jog(self, rig);
     }
@@ -461,6 +481,9 @@ static void do_next_step(stage_t *self, rig_t *rig)
         self->wants_target = 1U;
         send_phase(self, rig, WORKPHASE_TARGETING);
         break;
+    case NEXT_STEP_TARGETING:
+        send_phase(self, rig, WORKPHASE_TARGETING);
+        break;
     case NEXT_STEP_PROBE:
         if (has_whim(self, 3U)) {
             send_phase(self, rig, WORKPHASE_START_UP);
@@ -524,6 +547,74 @@ static void do_wish(stage_t *self, rig_t *rig)
     }
 }
 
+/* In TARGETING, or once a move has ended: an order there, or another target and its entry point. */
+static void do_aiming_order(stage_t *self, rig_t *rig)
+{
+    const snapshot_t *const shown = &rig->outputs.snapshot;
+    const bool is_targeting = shown->workphase == (uint32_t)WORKPHASE_TARGETING;
+    if (is_targeting && ((shown->has_entry == 0U) || has_whim(self, 4U))) {
+        send_target(self, rig);
+    } else if (is_targeting && has_whim(self, 4U)) {
+        send_phase(self, rig, WORKPHASE_MOVE_TO_TARGET);
+    } else {
+        send_order(self, rig, (workphase_t)shown->workphase);
+        self->wish = has_whim(self, 3U) ? 0U : (uint32_t)WORKPHASE_MANUAL;
+    }
+}
+
+/* Towards the workphase of the next order, and that. */
+static void do_order(stage_t *self, rig_t *rig)
+{
+    const snapshot_t *const shown = &rig->outputs.snapshot;
+    const bool is_manual = self->wish == (uint32_t)WORKPHASE_MANUAL;
+    const bool is_aiming = (shown->workphase == (uint32_t)WORKPHASE_TARGETING) ||
+                           (shown->workphase == (uint32_t)WORKPHASE_MOVE_TO_TARGET);
+    rig_box(rig, "pedal release");
+    if (is_manual && (shown->workphase == (uint32_t)WORKPHASE_MANUAL)) {
+        send_order(self, rig, WORKPHASE_MANUAL);
+        self->wish = has_whim(self, 6U) ? 0U : self->wish;
+    } else if (is_manual && (shown->is_homed != 0U)) {
+        send_phase(self, rig, WORKPHASE_MANUAL);
+    } else if (!is_manual && is_aiming && (shown->is_homed != 0U)) {
+        do_aiming_order(self, rig);
+    } else {
+        do_next_step(self, rig);
+    }
+}
+
+/* One order of any mode after the other; some give way to another one, and some to a stop. */
+static void do_mode(stage_t *self, rig_t *rig)
+{
+    const snapshot_t *const shown = &rig->outputs.snapshot;
+    if (self->orders.rows != 0U) {
+        return;
+    }
+    if (shown->order == (uint32_t)ARMING_STATE_NONE) {
+        do_order(self, rig);
+    } else if ((shown->workphase == (uint32_t)WORKPHASE_MOVE_TO_TARGET) && has_whim(self, 40U)) {
+        send_order(self, rig, WORKPHASE_MOVE_TO_TARGET);
+    } else if (shown->order == (uint32_t)ARMING_STATE_WAITING) {
+        rig_box(rig, has_whim(self, 8U) ? "pedal release" : "pedal press");
+    } else if (has_whim(self, 24U)) {
+        rig_box(rig, "pedal release");
+    } else if (has_whim(self, 80U)) {
+        send_order(self, rig, WORKPHASE_COUNT);
+    } else if (has_whim(self, 160U)) {
+        send_phase(self, rig, WORKPHASE_STOP);
+    } else {
+        /* It goes on. */
+    }
+}
+
+/* The rest of a list that was begun, a command in each cycle. */
+static void let_list_go_on(stage_t *self, rig_t *rig)
+{
+    command_t command;
+    if (orders_go_on(&self->orders, rig, &self->whim, &command)) {
+        send(self, rig, command);
+    }
+}
+
 /* At any time. */
 static void let_watch(stage_t *self, rig_t *rig)
 {
@@ -560,11 +651,13 @@ static void play_operator(stage_t *self, rig_t *rig)
         self->wait_cycles--;
         return;
     }
-    self->wait_cycles = 30U + random_below(self, 600U);
+    self->wait_cycles = 30U + random_below(self, (self->play == PLAY_MODES) ? 200U : 600U);
     if (self->play == PLAY_TAPS) {
         do_wish(self, rig);
     } else if ((self->play == PLAY_JOGS) && (random_below(self, 5U) != 0U)) {
         do_jog(self, rig);
+    } else if ((self->play == PLAY_MODES) && (random_below(self, 12U) != 0U)) {
+        do_mode(self, rig);
     } else if (self->is_chaotic != 0U) {
         do_anything(self, rig);
     } else {
@@ -581,6 +674,7 @@ void stage_play(stage_t *self, rig_t *rig)
         self->has_fault = 1U;
         self->fault_cycle += 200U + random_below(self, 6000U);
     }
+    let_list_go_on(self, rig);
     play_operator(self, rig);
     let_watch(self, rig);
     let_rivals_play(self, rig);

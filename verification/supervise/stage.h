@@ -5,6 +5,7 @@
 
 #include "integration/support/rig.h"
 #include "supervise/foe.h"
+#include "supervise/orders.h"
 #include "supervise/rivals.h"
 #include "supervise/watcher.h"
 
@@ -20,7 +21,8 @@ typedef enum {
     PLAY_JOGS = 4,        /**< Anything, most of it jogs, before homing and after it; no fault. */
     PLAY_TAPS = 5,        /**< An enemy at the pedal and the fault keyboard: one plan a scene. */
     PLAY_MAGNITUDE = 6,   /**< As PLAY_SPREAD; cards without pwm take magnitudes. */
-    PLAY_RIVALS = 7       /**< Pages and connections that all want to command; no fault. */
+    PLAY_RIVALS = 7,      /**< Pages and connections that all want to command; no fault. */
+    PLAY_MODES = 8        /**< One order of any mode after the other; no fault. */
 } play_t;
 
 /** State of the players. */
@@ -35,6 +37,8 @@ typedef struct {
     uint32_t cycle;
     uint32_t whim; /**< Of the operator: a chance of its own. */
     watcher_t watcher;
+    orders_t orders;
+    uint32_t wish;   /**< workphase_t of PLAY_MODES' next order. */
     foe_t foe;       /**< Of PLAY_TAPS. */
     rivals_t rivals; /**< Of PLAY_RIVALS. */
     const robot_t *robot;

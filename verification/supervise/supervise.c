@@ -5,7 +5,7 @@
  * and faults by chance, and a witness who knows where the axes truly stand.
  *
  *     supervise [--robot NAME] COUNT [SEED
- *               [random|corners|interrupted|spread|jogs|taps|magnitude|rivals|flips]]
+ *               [random|corners|interrupted|spread|jogs|taps|magnitude|rivals|modes|flips]]
  *
  * Plays COUNT scenes from SEED on (1), or as many as COUNT moves need. Prints how often each
  * sentence was broken, where first, and the worst figure. Ends with 1 when one was broken, with 3
@@ -13,6 +13,7 @@
  * With "flips", COUNT times up to 3 bits of a word of the controller's memory change in random
  * scenes.
  */
+#include "interface/app/names.h"
 #include "robot/app/robot_names.h"
 #include "robot/app/robots.h"
 #include "supervise/flips.h"
@@ -25,7 +26,7 @@
 #include <string.h>
 
 #define SCENE_CYCLES 20000U
-#define FLIPS 8 /* After the plays of a stage. */
+#define FLIPS 9 /* After the plays of a stage. */
 #define TAPS_CYCLES 40000U
 #define PLAN_SIZE 256U
 #define MOVES_CYCLES 120000U /* Of a scene that is all moves. */
@@ -56,7 +57,7 @@ void contract_broken(const char *module, uint32_t id)
 static bool is_of_scenes(play_t play)
 {
     return (play == PLAY_RANDOM) || (play == PLAY_JOGS) || (play == PLAY_TAPS) ||
-           (play == PLAY_RIVALS);
+           (play == PLAY_RIVALS) || (play == PLAY_MODES);
 }
 
 /* How many times as long as those of the quickest robots. */
@@ -74,7 +75,8 @@ static uint32_t slowness(void)
 
 static uint32_t cycles_of(play_t play)
 {
-    const uint32_t cycles = is_of_scenes(play) ? SCENE_CYCLES : MOVES_CYCLES;
+    const bool is_short = is_of_scenes(play) && (play != PLAY_MODES);
+    const uint32_t cycles = is_short ? SCENE_CYCLES : MOVES_CYCLES;
     return slowness() * ((play == PLAY_TAPS) ? TAPS_CYCLES : cycles);
 }
 
@@ -118,6 +120,21 @@ static void report_losses(void)
            (unsigned)(scene.witness.losses_in_motion + scene.witness.reign.losses_in_motion));
 }
 
+static void report_orders(void)
+{
+    const char *separator = "orders that were done:";
+    for (uint32_t i = 0U; i < COMMAND_KIND_COUNT; i++) {
+        const uint32_t armed = scene.witness.armed[i] + scene.witness.order_watch.armed[i];
+        if (armed != 0U) {
+            printf("%s %u of %u %s", separator,
+                   (unsigned)(scene.witness.done[i] + scene.witness.order_watch.done[i]),
+                   (unsigned)armed, command_kind_name((int32_t)i));
+            separator = ",";
+        }
+    }
+    printf("\n");
+}
+
 static bool has_run_and_stop(void)
 {
     bool has_it = false;
@@ -143,6 +160,7 @@ static bool report(play_t play, uint32_t count)
     bool is_good = true;
     printf("%u scenes\n", (unsigned)count);
     report_losses();
+    report_orders();
     report_endings(ENDING_MOVE, "moves");
     if (has_run_and_stop()) {
         report_endings(ENDING_NON_PWM, "legs with axes without pwm");
@@ -167,7 +185,7 @@ static bool report(play_t play, uint32_t count)
 static int play_of(const char *name)
 {
     static const char *const names[] = {"random", "corners",   "interrupted", "spread", "jogs",
-                                        "taps",   "magnitude", "rivals",      "flips"};
+                                        "taps",   "magnitude", "rivals",      "modes",  "flips"};
     for (int i = 0; i <= FLIPS; i++) {
         if (strcmp(name, names[i]) == 0) {
             return i;
@@ -220,11 +238,12 @@ int main(int count, char **arguments)
     const int play = (left > 3) ? play_of(rest[3]) : (int)PLAY_RANDOM;
     robot = robots_find(is_named ? arguments[2] : ROBOT_NAMES_DEFAULT);
     if ((wanted == 0U) || (play < 0) || (robot == NULL)) {
-        (void)fprintf(stderr,
-                      "usage: supervise [--robot NAME] COUNT [SEED "
-                      "[random|corners|interrupted|spread|jogs|taps|magnitude|rivals|flips]]\n"
-                      "robots: %s\n",
-                      robot_names_list());
+        (void)fprintf(
+            stderr,
+            "usage: supervise [--robot NAME] COUNT [SEED "
+            "[random|corners|interrupted|spread|jogs|taps|magnitude|rivals|modes|flips]]\n"
+            "robots: %s\n",
+            robot_names_list());
         return UNPLAYED;
     }
     return play_asserted(play, wanted, first);

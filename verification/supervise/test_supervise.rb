@@ -4,7 +4,8 @@
 # Rule under test: in no scene (an operator, who now and then draws the needle out, somebody who watches and proposes at
 # any time, a world, a fault now and then; an enemy at the pedal and the fault keyboard; jogs; moves into the corners of
 # the workspace, under a pedal that is released again and again, or of motors that are not as the robot's table says,
-# with run and stop or magnitudes for cards without pwm; pages and connections that all want to command) does the controller of any robot break one of the sentences of
+# with run and stop or magnitudes for cards without pwm; pages and connections that all want to command; one order of any
+# mode after the other) does the controller of any robot break one of the sentences of
 # the witness, who knows where the simulated axes truly stand.
 # `make supervise COUNT=n SEED=n PLAY=name ROBOT=name` plays more.
 
@@ -18,10 +19,12 @@ class TestSupervise < Minitest::Test
   ROBOTS = { 'neuro' => 1.0, 'bench2' => 0.25, 'prostate' => 0.05 }.freeze
   # How many scenes, or moves; and flips of bits for each.
   PLAYS = { random: 100, corners: 30, interrupted: 30, spread: 40, magnitude: 40, jogs: 30, taps: 60,
-            rivals: 60 }.freeze
+            rivals: 60, modes: 16 }.freeze
   # Those of scenes, whether or not a move comes about.
-  SCENES = %i[random jogs taps rivals].freeze
+  SCENES = %i[random jogs taps rivals modes].freeze
   FLIPS = 100
+  # Commands that arm a motion, one row of orders.c each.
+  MODES = %w[WORKPHASE RETRACT RUN_TRAJECTORY VELOCITY JOG_BY ALIGN INSERT POSE].freeze
   SENTENCES = {
     SWR_PERMIT_002_a_drive_leaves_only_with_the_permit: /A drive leaves only with/,
     SWR_AXIS_012_an_axis_held_for_homed_stands_where_it_is_believed_to: /A homed axis without a fault/,
@@ -35,6 +38,12 @@ class TestSupervise < Minitest::Test
     SWR_JOG_003_a_needle_that_is_not_homed_is_not_jogged_inwards: /is not jogged inwards/,
     SWR_PLAN_018_what_is_proposed_changes_no_target: /changes no target/,
     SWR_MOTION_023_a_retraction_drives_the_needle_outwards_only: /drives the needle outwards only/,
+    SWR_POSE_001_to_a_pose_the_needle_is_not_driven: /To a pose the needle/,
+    SWR_ALIGN_002_to_line_up_the_needle_is_not_driven_in: /To line up the needle/,
+    SWR_ALIGN_005_an_insertion_moves_no_other_axis: /An insertion moves no other/,
+    SWR_JOG_004_a_jog_and_speeds_drive_the_axes_that_they_name: /A jog, and speeds, drive/,
+    SWR_MODE_008_an_axis_that_was_disabled_is_not_driven: /that was disabled is not driven/,
+    SWR_TRAJ_009_a_trajectory_keeps_each_axis_between_its_rows: /keeps each axis between its rows/,
     SWR_AXIS_019_no_fault_is_found_where_there_is_none: /nothing is broken, no fault/,
     SWR_MOTION_007_no_axis_goes_beyond_its_end: /beyond its end/,
     SWR_MOTION_007_no_axis_is_faster_than_its_speed: /faster than its speed/,
@@ -85,6 +94,11 @@ class TestSupervise < Minitest::Test
       losses = lines(robot, :rivals).grep(/authority was lost/).first.scan(/\d+/).map(&:to_i)
       assert_equal 5, losses.size
       assert losses.all?(&:positive?) || ROBOTS[robot] < 1.0, losses.to_s
+    end
+
+    define_method("test_SWR_MODE_001_orders_of_every_mode_that_a_robot_has_end_as_asked_#{robot}") do
+      done = lines(robot, :modes).grep(/orders that were done/).first.scan(/(\d+) of \d+ (\w+)/).to_h { |n, kind| [kind, n.to_i] }
+      assert MODES.all? { |kind| done.fetch(kind, 0).positive? } || ROBOTS[robot] < 1.0, done.to_s
     end
 
     # 1 to 3 bits of the controller's memory change, at rest and in motion.

@@ -40,6 +40,12 @@ const char *witness_sentence(sentence_t sentence)
         "What is proposed changes no target that was accepted",
         "A retraction drives the needle outwards only",
         "Lengths of the probe are those that were told last, or none",
+        "To a pose the needle is not driven",
+        "To line up the needle is not driven in",
+        "An insertion moves no other axis",
+        "A jog, and speeds, drive the axes that they name, no other",
+        "An axis that was disabled is not driven",
+        "A trajectory keeps each axis between its rows",
         "One commands: between two it is lost, and the axes rest",
         "Authority is lost by its holder, silence, or button without pedal",
         "A page that commands has renewed it",
@@ -55,6 +61,10 @@ void witness_begin(witness_t *self, uint32_t seed)
     (void)memset(self, 0, sizeof *self);
     (void)memcpy(self->verdicts, kept.verdicts, sizeof kept.verdicts);
     (void)memcpy(self->endings, kept.endings, sizeof kept.endings);
+    for (uint32_t i = 0U; i < COMMAND_KIND_COUNT; i++) {
+        self->armed[i] = kept.armed[i] + kept.order_watch.armed[i];
+        self->done[i] = kept.done[i] + kept.order_watch.done[i];
+    }
     self->losses_in_motion = kept.losses_in_motion + kept.reign.losses_in_motion;
     for (uint32_t i = 0U; i < REIGN_LOSSES; i++) {
         self->losses[i] = kept.losses[i] + kept.reign.losses[i];
@@ -526,6 +536,17 @@ uint32_t witness_late(const witness_t *self, ending_t ending, uint32_t percent)
     return cycles;
 }
 
+static void judge_order(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_MAX],
+                        bool is_disturbed)
+{
+    const uint32_t broken = order_watch_look(&self->order_watch, rig, truth, is_disturbed);
+    for (uint32_t i = 0U; i < ORDER_RULES; i++) {
+        if (((broken >> i) & 1U) != 0U) {
+            complain(self, rig, (sentence_t)((uint32_t)SENTENCE_ORDER + i), 0U, 1.0);
+        }
+    }
+}
+
 static void judge_reign(witness_t *self, const rig_t *rig)
 {
     const uint32_t broken = reign_look(&self->reign, rig);
@@ -563,6 +584,7 @@ void witness_look(witness_t *self, const rig_t *rig, const double truth[ROBOT_AX
     judge_jog(self, rig, truth[rig->box.robot->needle_axis], is_disturbed);
     judge_told(self, rig);
     judge_retraction(self, rig);
+    judge_order(self, rig, truth, is_disturbed);
     judge_probe(self, rig);
     judge_events(self, rig, is_disturbed);
 }

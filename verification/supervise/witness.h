@@ -9,6 +9,7 @@
 
 #include "integration/support/rig.h"
 #include "limits/requirement_limits.h"
+#include "supervise/order_watch.h"
 #include "supervise/reign.h"
 
 #include <stdbool.h>
@@ -37,7 +38,8 @@ typedef enum {
     SENTENCE_TARGET = 13,  /**< What is proposed changes no target that was accepted. */
     SENTENCE_OUT = 14,     /**< A retraction drives the needle outwards only. */
     SENTENCE_PROBE = 15,   /**< Lengths of the probe are those told last, or none. */
-    SENTENCE_REIGN = 16    /**< From here on: those of reign_rule_t. */
+    SENTENCE_ORDER = 16,   /**< From here on: those of order_rule_t. */
+    SENTENCE_REIGN = 16 + (int)ORDER_RULES /**< From here on: those of reign_rule_t. */
 } sentence_t;
 
 #define SENTENCE_COUNT ((uint32_t)SENTENCE_REIGN + REIGN_RULES)
@@ -87,7 +89,10 @@ typedef struct {
     bool was_homing;
     plan_t plan;   /**< Of the cycle before. */
     probe_t probe; /**< That was told last. */
+    order_watch_t order_watch;
     reign_t reign;
+    uint32_t armed[COMMAND_KIND_COUNT]; /**< Orders in all episodes before this one. */
+    uint32_t done[COMMAND_KIND_COUNT];  /**< How many of them ended as asked. */
     uint32_t losses_in_motion;
     uint32_t losses[REIGN_LOSSES];        /**< In all episodes, by authority_loss_t. */
     bool is_retracting;                   /**< A retraction was accepted and has not ended. */

@@ -1,0 +1,159 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "supervise/order_watch.h"
+
+#include "supervise/truth.h"
+
+#include <math.h>
+#include <string.h>
+
+#define STILL_MM 0.1 /* What the servo may correct. */
+#define STILL_DEG 1.0
+
+static uint32_t rule(order_rule_t which, bool is_broken)
+{
+    return is_broken ? ((uint32_t)1U << (uint32_t)which) : 0U;
+}
+
+static bool is_sent(const rig_t *rig, uint32_t axis)
+{
+    return rig_sent(rig, axis).drive.mode != (uint32_t)CARD_DRIVE_OFF;
+}
+
+static bool is_farther(const rig_t *rig, uint32_t axis, double ticks)
+{
+    const axis_config_t *const config = &rig->box.robot->axes[axis];
+    const bool is_mm = config->unit == (uint8_t)AXIS_UNIT_MM;
+    return fabs(truth_measure(config, ticks)) > (is_mm ? STILL_MM : STILL_DEG);
+}
+
+static void begin_list(order_watch_t *self)
+{
+    for (uint32_t i = 0U; i < ROBOT_AXIS_MAX; i++) {
+        self->lowest[i] = INT32_MAX;
+        self->highest[i] = INT32_MIN;
+    }
+}
+
+static void add_row(order_watch_t *self, const command_t *command)
+{
+    for (uint32_t i = 0U; i < ROBOT_AXIS_MAX; i++) {
+        self->lowest[i] = fmin(self->lowest[i], command->ticks[i]);
+        self->highest[i] = fmax(self->highest[i], command->ticks[i]);
+    }
+}
+
+/* The axes that an order names; of one that names none every axis. */
+static uint32_t named_by(const command_t *command)
+{
+    switch (command->kind) {
+    case COMMAND_JOG:
+    case COMMAND_JOG_BY:
+    case COMMAND_HOME_AXIS:
+        return (uint32_t)1U << command->argument;
+    case COMMAND_VELOCITY:
+        return command->argument;
+    default:
+        return UINT32_MAX;
+    }
+}
+
+static void note_accepted(order_watch_t *self, const command_t *command, bool is_order,
+                          const double truth[ROBOT_AXIS_MAX])
+{
+    const uint32_t axis = (uint32_t)1U << (command->argument % 32U);
+    if (is_order) {
+        self->armed[command->kind]++;
+        self->kind = command->kind;
+        self->axes = named_by(command);
+        self->inwards = 0.0;
+        (void)memcpy(self->from, truth, sizeof self->from);
+    }
+    switch (command->kind) {
+    case COMMAND_WORKPHASE:
+        self->disabled = (command->argument == (uint32_t)WORKPHASE_START_UP) ? 0U : self->disabled;
+        break;
+    case COMMAND_DISABLE_AXIS:
+        self->disabled |= axis;
+        break;
+    case COMMAND_ENABLE_AXIS:
+        self->disabled &= ~axis;
+        break;
+    case COMMAND_LIST_BEGIN:
+        begin_list(self);
+        break;
+    case COMMAND_LIST_ROW:
+        add_row(self, command);
+        break;
+    default:
+        break;
+    }
+}
+
+/* The first answers come in the order of the commands, and ends of orders among them. */
+static void read_answers(order_watch_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_MAX])
+{
+    uint32_t number = 0U;
+    for (uint32_t i = 0U; i < rig->outputs.answer_count; i++) {
+        const answer_t *const answer = &rig->outputs.answers[i];
+        const bool is_accepted = answer->kind == (uint32_t)ANSWER_ACCEPTED;
+        if (is_accepted && (number < rig->inputs.command_count)) {
+            note_accepted(self, &rig->inputs.commands[number], answer->is_final == 0U, truth);
+        }
+        if (is_accepted || (answer->kind == (uint32_t)ANSWER_REFUSED)) {
+            number++;
+        } else {
+            self->done[self->kind] += (answer->kind == (uint32_t)ANSWER_DONE) ? 1U : 0U;
+            self->kind = (uint32_t)COMMAND_NONE;
+        }
+    }
+}
+
+static void follow_needle(order_watch_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_MAX])
+{
+    const uint32_t along = rig->box.robot->needle_axis;
+    const card_drive_t drive = rig_sent(rig, along).drive;
+    const bool is_inwards = (drive.mode != (uint32_t)CARD_DRIVE_OFF) &&
+                            motor_model_is_upwards(&rig->box.robot->axes[along], &drive);
+    self->inwards += is_inwards ? fmax(0.0, truth[along] - self->before[along]) : 0.0;
+}
+
+/* Of an order that moves the needle alone, one that drives it at all, and a list. */
+static uint32_t judge_axis(const order_watch_t *self, const rig_t *rig, uint32_t axis, double truth)
+{
+    const bool is_needle = axis == rig->box.robot->needle_axis;
+    const bool is_astray =
+        (truth < self->lowest[axis])
+            ? is_farther(rig, axis, self->lowest[axis] - truth)
+            : ((truth > self->highest[axis]) && is_farther(rig, axis, truth - self->highest[axis]));
+    return rule(ORDER_INSERT, (self->kind == (uint32_t)COMMAND_INSERT) && !is_needle &&
+                                  is_farther(rig, axis, truth - self->from[axis])) |
+           rule(ORDER_LISTED, (self->kind == (uint32_t)COMMAND_RUN_TRAJECTORY) && is_astray);
+}
+
+static uint32_t judge_drive(const order_watch_t *self, const rig_t *rig, uint32_t axis)
+{
+    const bool is_needle = axis == rig->box.robot->needle_axis;
+    const uint32_t bit = (uint32_t)1U << axis;
+    return !is_sent(rig, axis)
+               ? 0U
+               : (rule(ORDER_POSE, (self->kind == (uint32_t)COMMAND_POSE) && is_needle) |
+                  rule(ORDER_COMMANDED,
+                       (self->kind != (uint32_t)COMMAND_NONE) && ((self->axes & bit) == 0U)) |
+                  rule(ORDER_DISABLED, (self->disabled & bit) != 0U));
+}
+
+uint32_t order_watch_look(order_watch_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_MAX],
+                          bool is_disturbed)
+{
+    uint32_t broken = 0U;
+    read_answers(self, rig, truth);
+    follow_needle(self, rig, truth);
+    for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
+        broken |= judge_drive(self, rig, i);
+        broken |= is_disturbed ? 0U : judge_axis(self, rig, i, truth[i]);
+    }
+    (void)memcpy(self->before, truth, sizeof self->before);
+    return broken |
+           rule(ORDER_ALIGN, (self->kind == (uint32_t)COMMAND_ALIGN) && !is_disturbed &&
+                                 is_farther(rig, rig->box.robot->needle_axis, self->inwards));
+}

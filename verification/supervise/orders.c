@@ -1,0 +1,189 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "supervise/orders.h"
+
+#include "interface/pose_name.h"
+#include "mode/trajectory_list.h"
+#include "supervise/chance.h"
+
+#include <math.h>
+
+#define ROWS_MOST 6U
+#define WAY_PARTS 16 /* Of an axis' whole way, a row is no farther from the one before. */
+#define SPEED_SHARE 0.5
+#define SLOWEST_MS 50.0
+#define SPEEDS 2 /* No faster than one of so many parts. */
+
+static const axis_config_t *config_of(const rig_t *rig, uint32_t axis)
+{
+    return &rig->box.robot->axes[axis];
+}
+
+static uint32_t some_axis(const rig_t *rig, uint32_t *chance)
+{
+    return chance_below(chance, rig->box.robot->axis_count);
+}
+
+/* Up to `most` to either side. */
+static int32_t either_way(int32_t most, uint32_t *chance)
+{
+    return (int32_t)chance_below(chance, (2U * (uint32_t)most) + 1U) - most;
+}
+
+static int32_t span_of(const axis_config_t *config)
+{
+    return config->maximum_ticks - config->minimum_ticks;
+}
+
+static void of_itself(orders_t *self, const rig_t *rig, uint32_t *chance, command_t *command)
+{
+    (void)self;
+    (void)rig;
+    (void)chance;
+    (void)command;
+}
+
+static void of_axis(orders_t *self, const rig_t *rig, uint32_t *chance, command_t *command)
+{
+    (void)self;
+    command->argument = some_axis(rig, chance);
+}
+
+static void of_way(orders_t *self, const rig_t *rig, uint32_t *chance, command_t *command)
+{
+    of_axis(self, rig, chance, command);
+    command->value = either_way(span_of(config_of(rig, command->argument)) / WAY_PARTS, chance);
+}
+
+static void of_pose(orders_t *self, const rig_t *rig, uint32_t *chance, command_t *command)
+{
+    (void)self;
+    (void)rig;
+    command->argument = chance_below(chance, POSE_NAME_COUNT);
+}
+
+/* Each axis or not, and in one of four cases by way. */
+static void of_speeds(orders_t *self, const rig_t *rig, uint32_t *chance, command_t *command)
+{
+    const bool is_way = chance_below(chance, 4U) == 0U;
+    const uint32_t every = ((uint32_t)1U << rig->box.robot->axis_count) - 1U;
+    (void)self;
+    command->argument =
+        is_way ? ((uint32_t)1U << some_axis(rig, chance)) : (1U + chance_below(chance, every));
+    command->value = is_way ? -(1 + (int32_t)chance_below(chance, 2000U))
+                            : (1 + (int32_t)chance_below(chance, 2000U));
+    for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
+        command->ticks[i] = either_way(config_of(rig, i)->speed_ticks_per_s / SPEEDS, chance);
+    }
+}
+
+/* It begins where the axes stand. */
+static void of_list(orders_t *self, const rig_t *rig, uint32_t *chance, command_t *command)
+{
+    *self = (orders_t){.rows = 2U + chance_below(chance, ROWS_MOST - 1U)};
+    for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
+        self->row.ticks[i] = rig->outputs.snapshot.axes[i].position_ticks;
+    }
+    command->argument = self->rows;
+}
+
+typedef void (*make_t)(orders_t *self, const rig_t *rig, uint32_t *chance, command_t *command);
+
+/* What there is, and where it has a chance. */
+static const struct {
+    command_kind_t kind;
+    workphase_t phase;
+    make_t make;
+} orders[] = {{COMMAND_ALIGN, WORKPHASE_TARGETING, of_itself},
+              {COMMAND_INSERT, WORKPHASE_MOVE_TO_TARGET, of_itself},
+              {COMMAND_RETRACT, WORKPHASE_MOVE_TO_TARGET, of_itself},
+              {COMMAND_RETRACT, WORKPHASE_MANUAL, of_itself},
+              {COMMAND_POSE, WORKPHASE_MANUAL, of_pose},
+              {COMMAND_VELOCITY, WORKPHASE_MANUAL, of_speeds},
+              {COMMAND_JOG_BY, WORKPHASE_MANUAL, of_way},
+              {COMMAND_ENABLE_AXIS, WORKPHASE_MANUAL, of_axis},
+              {COMMAND_DISABLE_AXIS, WORKPHASE_MANUAL, of_axis},
+              {COMMAND_LIST_BEGIN, WORKPHASE_MANUAL, of_list}};
+#define ORDERS (sizeof orders / sizeof orders[0])
+
+static bool is_for(uint32_t row, workphase_t phase)
+{
+    return (phase == WORKPHASE_COUNT) || (orders[row].phase == phase);
+}
+
+bool orders_choose(orders_t *self, const rig_t *rig, workphase_t phase, uint32_t *chance,
+                   command_t *command)
+{
+    uint32_t rows = 0U;
+    for (uint32_t i = 0U; i < ORDERS; i++) {
+        rows += is_for(i, phase) ? 1U : 0U;
+    }
+    if (rows == 0U) {
+        return false;
+    }
+    uint32_t left = chance_below(chance, rows);
+    for (uint32_t i = 0U; i < ORDERS; i++) {
+        if (is_for(i, phase)) {
+            if (left == 0U) {
+                *command = (command_t){.kind = (uint32_t)orders[i].kind};
+                rigid_set_identity(&command->pose);
+                orders[i].make(self, rig, chance, command);
+                return true;
+            }
+            left--;
+        }
+    }
+    return false;
+}
+
+/* The axes go on from where the row before has left them, at rest in each row, all but the needle,
+ * and as fast as each may. */
+static void lengthen(orders_t *self, const rig_t *rig, uint32_t *chance)
+{
+    double longest_ms = SLOWEST_MS;
+    for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
+        const axis_config_t *const config = config_of(rig, i);
+        if (i != rig->box.robot->needle_axis) {
+            const int32_t way = either_way(span_of(config) / WAY_PARTS, chance);
+            const double by_speed =
+                1.5 * fabs((double)way) / (SPEED_SHARE * config->speed_ticks_per_s);
+            const double by_ramp =
+                sqrt(6.0 * fabs((double)way) / (SPEED_SHARE * config->acceleration_ticks_per_s2));
+            self->row.ticks[i] += way;
+            longest_ms = fmax(longest_ms, 1000.0 * fmax(by_speed, by_ramp));
+        }
+    }
+    self->row.time_ms += (uint32_t)ceil(longest_ms);
+}
+
+static void send_row(orders_t *self, const rig_t *rig, uint32_t *chance, command_t *command)
+{
+    if (self->next > 0U) {
+        lengthen(self, rig, chance);
+    }
+    command->kind = (uint32_t)COMMAND_LIST_ROW;
+    command->argument = self->next;
+    command->value = (int32_t)self->row.time_ms;
+    for (uint32_t i = 0U; i < ROBOT_AXIS_MAX; i++) {
+        command->ticks[i] = self->row.ticks[i];
+    }
+    self->sum = trajectory_list_crc(self->sum, &self->row);
+}
+
+bool orders_go_on(orders_t *self, const rig_t *rig, uint32_t *chance, command_t *command)
+{
+    if (self->rows == 0U) {
+        return false;
+    }
+    *command = (command_t){.argument = self->sum};
+    rigid_set_identity(&command->pose);
+    if (self->next < self->rows) {
+        send_row(self, rig, chance, command);
+    } else if (self->next == self->rows) {
+        command->kind = (uint32_t)COMMAND_LIST_END;
+    } else {
+        command->kind = (uint32_t)COMMAND_RUN_TRAJECTORY;
+        self->rows = 0U;
+    }
+    self->next++;
+    return true;
+}
