@@ -32,6 +32,27 @@ static cJSON *new_mode(const telemetry_view_t *view, mode_kind_t kind)
     return json_mode(&also);
 }
 
+static cJSON *new_step(const telemetry_view_t *view, workphase_t workphase)
+{
+    const status_t status = workphase_outlook(view->robot, &view->snapshot, workphase);
+    const json_step_t also = {.name = workphase_name((int32_t)workphase),
+                              .says = workphase_text((int32_t)workphase),
+                              .is_allowed = status == STATUS_OK,
+                              .status = (status == STATUS_OK) ? NULL : status_name((int32_t)status),
+                              .reason =
+                                  (status == STATUS_OK) ? NULL : status_text((int32_t)status)};
+    return json_step(&also);
+}
+
+static cJSON *new_steps(const telemetry_view_t *view)
+{
+    cJSON *steps = cJSON_CreateArray();
+    for (uint32_t i = (uint32_t)WORKPHASE_UNDEFINED + 1U; i < WORKPHASE_COUNT; i++) {
+        (void)cJSON_AddItemToArray(steps, new_step(view, (workphase_t)i));
+    }
+    return steps;
+}
+
 int http_modes_show(http_server_t *server, const http_call_t *call)
 {
     telemetry_view_t view;
@@ -43,6 +64,6 @@ int http_modes_show(http_server_t *server, const http_call_t *call)
     for (uint32_t i = (uint32_t)MODE_NONE + 1U; i < MODE_KIND_COUNT; i++) {
         (void)cJSON_AddItemToArray(modes, new_mode(&view, (mode_kind_t)i));
     }
-    const json_modes_t also = {.modes = modes};
+    const json_modes_t also = {.workphases = new_steps(&view), .modes = modes};
     return http_reply_object(call->connection, 200, json_modes(&also));
 }

@@ -7,6 +7,7 @@
 #include "charts/loop_guard_chart.h"
 #include "charts/pedal_gate_chart.h"
 #include "interface/command.h"
+#include "mode/mode.h"
 #include "procedure/procedure.h"
 
 #include <stdbool.h>
@@ -98,15 +99,6 @@ static void take_to(procedure_t *procedure, workphase_t workphase)
     (void)procedure_request(procedure, &all_well, (uint32_t)workphase, &actions);
 }
 
-static workphase_t only_workphase(const mode_row_t *row)
-{
-    uint32_t workphase = 0U;
-    while (((row->workphases >> workphase) & 1U) == 0U) {
-        workphase++;
-    }
-    return (workphase_t)workphase;
-}
-
 /* Of what the mode itself asks, which comes first, that which is shown. */
 static status_t own_outlook(const robot_t *robot, const snapshot_t *snapshot, mode_kind_t kind)
 {
@@ -126,18 +118,42 @@ static status_t own_outlook(const robot_t *robot, const snapshot_t *snapshot, mo
     return status;
 }
 
+static workphase_t only_workphase(const mode_row_t *row)
+{
+    uint32_t workphase = 0U;
+    while (((row->workphases >> workphase) & 1U) == 0U) {
+        workphase++;
+    }
+    return (workphase_t)workphase;
+}
+
+/* Where control is, before it is asked. */
+static procedure_t present(const snapshot_t *snapshot)
+{
+    procedure_t procedure;
+    procedure_init(&procedure);
+    take_to(&procedure, (workphase_t)snapshot->workphase);
+    return procedure;
+}
+
+status_t workphase_outlook(const robot_t *robot, const snapshot_t *snapshot, workphase_t workphase)
+{
+    const workphase_inputs_t inputs = inputs_of(robot, snapshot, &mode_rows[mode_of(workphase)]);
+    procedure_t procedure = present(snapshot);
+    procedure_actions_t actions;
+    return procedure_request(&procedure, &inputs, (uint32_t)workphase, &actions);
+}
+
 status_t mode_outlook(const robot_t *robot, const snapshot_t *snapshot, mode_kind_t kind)
 {
     const mode_row_t *const row = &mode_rows[kind];
     const workphase_inputs_t inputs = inputs_of(robot, snapshot, row);
     const status_t of_mode = own_outlook(robot, snapshot, kind);
-    procedure_t procedure;
+    procedure_t procedure = present(snapshot);
     procedure_actions_t actions;
     status_t status = STATUS_UNKNOWN_COMMAND;
-    procedure_init(&procedure);
-    take_to(&procedure, (workphase_t)snapshot->workphase);
     if (row->command == (uint32_t)COMMAND_WORKPHASE) {
-        status = procedure_request(&procedure, &inputs, (uint32_t)only_workphase(row), &actions);
+        status = workphase_outlook(robot, snapshot, only_workphase(row));
     } else if (row->command != (uint32_t)COMMAND_NONE) {
         status = procedure_request_motion(&procedure, &inputs, &actions);
     } else {

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file Whether control would arm a mode now, from what it shows. For people and programs that
- * choose; control judges each command anew. */
+/** @file Whether control would arm a mode or enter a workphase now, from what it shows. For people
+ * and programs that choose; control judges each command anew. */
 #ifndef BORESIGHT_MODE_OUTLOOK_H
 #define BORESIGHT_MODE_OUTLOOK_H
 
 #include "interface/mode_list.h"
 #include "interface/snapshot.h"
 #include "interface/status.h"
+#include "interface/workphase_list.h"
 #include "robot/robot.h"
 
 /**
@@ -19,5 +20,12 @@
  * @satisfies SWR-MODE-004
  */
 status_t mode_outlook(const robot_t *robot, const snapshot_t *snapshot, mode_kind_t kind);
+
+/**
+ * The same of a command for `workphase`.
+ *
+ * @satisfies SWR-MODE-010
+ */
+status_t workphase_outlook(const robot_t *robot, const snapshot_t *snapshot, workphase_t workphase);
 
 #endif

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file What is said of each mode before it is commanded is what the controller then says. */
+/** @file What is said of each mode and workphase before it is commanded is what the controller then
+ * says. */
 #include "unity.h"
 
 #include "http/mode_outlook.h"
@@ -149,4 +150,23 @@ void test_SWR_MODE_004_a_target_without_an_entry_point_and_a_robot_without_poses
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK,
                              mode_outlook(&robot_neuro, &rig.outputs.snapshot, MODE_POSE));
     TEST_ASSERT_EQUAL_UINT32(STATUS_NO_POSE, mode_outlook(&bare, &rig.outputs.snapshot, MODE_POSE));
+}
+
+void test_SWR_MODE_010_what_is_said_of_each_workphase_is_what_becomes_of_its_command(void)
+{
+    uint32_t allowed = 0U;
+    uint32_t refused = 0U;
+    for (uint32_t i = 0U; i < (sizeof scenes / sizeof scenes[0]); i++) {
+        for (uint32_t j = (uint32_t)WORKPHASE_UNDEFINED + 1U; j < WORKPHASE_COUNT; j++) {
+            scenes[i]();
+            const status_t said =
+                workphase_outlook(&robot_neuro, &rig.outputs.snapshot, (workphase_t)j);
+            TEST_ASSERT_EQUAL_UINT32_MESSAGE(rig_workphase(&rig, (workphase_t)j).status, said,
+                                             workphase_name((int32_t)j));
+            allowed += (said == STATUS_OK) ? 1U : 0U;
+            refused += (said == STATUS_OK) ? 0U : 1U;
+        }
+    }
+    TEST_ASSERT_GREATER_THAN_UINT32(20U, allowed);
+    TEST_ASSERT_GREATER_THAN_UINT32(10U, refused);
 }
