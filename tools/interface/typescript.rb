@@ -53,7 +53,7 @@ module Interface
       return words(Member::CODES, @model.problem_codes) if member.codes?
       return member.typescript unless member.enumeration
 
-      member.null? ? "#{of(member.enumeration)} | null" : of(member.enumeration)
+      "#{of(member.enumeration)}#{'[]' if member.list?}#{' | null' if member.null?}"
     end
 
     # What can be asked, and what comes back.

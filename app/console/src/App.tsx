@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useState, useSyncExternalStore } from "react";
+import { Aim } from "./panels/Aim";
 import { Axes } from "./panels/Axes";
 import { Banner } from "./panels/Banner";
 import { Command } from "./panels/Command";
@@ -7,37 +8,60 @@ import { Lamps } from "./panels/Lamps";
 import { Log } from "./panels/Log";
 import { Login } from "./panels/Login";
 import { Loop } from "./panels/Loop";
+import { Motion } from "./panels/Motion";
 import { Ports } from "./panels/Ports";
+import { Procedure } from "./panels/Procedure";
 import { StopButton } from "./panels/StopButton";
 import { Targeting } from "./panels/Targeting";
 import { Boundary } from "./parts/Boundary";
 import { Panel } from "./parts/Panel";
 import { ThemeButton } from "./parts/ThemeButton";
-import { SessionStore } from "./session";
+import { Operation } from "./operation";
+import { useOutlook } from "./outlook";
 import type { RobotState, Time } from "@interface";
 import type { ConsoleView, TelemetryStore } from "./store";
 
 const SLOW_PERCENT = 95;
 
-function Panels({ view, robot }: { view: ConsoleView; robot: RobotState }) {
+interface PanelsProperties {
+  view: ConsoleView;
+  robot: RobotState;
+  operation: Operation;
+}
+
+function Panels({ view, robot, operation }: PanelsProperties) {
+  const outlook = useOutlook(operation.page, robot.status);
   return (
     <div className="panels" data-freshness={view.freshness}>
       <Panel title="Lamps" className="panel-lamps">
         <Lamps view={view} robot={robot} />
       </Panel>
+      <Panel title="Procedure" className="panel-procedure">
+        <Procedure
+          status={robot.status}
+          outlook={outlook}
+          operation={operation}
+        />
+      </Panel>
       <Panel title="Axes" className="panel-axes">
         <Axes axes={robot.motors.axes} />
       </Panel>
-      <Panel title="Targeting" className="panel-targeting">
+      <Panel title="Targeting">
         <Targeting targeting={robot.targeting} />
       </Panel>
-      <Panel title="Control loop" className="panel-loop">
+      <Panel title="Aim">
+        <Aim robot={robot} operation={operation} />
+      </Panel>
+      <Panel title="Control loop">
         <Loop status={robot.status} />
       </Panel>
-      <Panel title="OpenIGTLink" className="panel-ports">
+      <Panel title="Motion">
+        <Motion robot={robot} outlook={outlook} operation={operation} />
+      </Panel>
+      <Panel title="OpenIGTLink">
         <Ports ports={robot.status.ports} />
       </Panel>
-      <Panel title="Log" className="panel-log">
+      <Panel title="Log">
         <Log log={view.log} />
       </Panel>
     </div>
@@ -85,13 +109,21 @@ function Notices({ view }: { view: ConsoleView }) {
 }
 
 /** Who is logged in, and whether this page commands. */
-function Operator({ view }: { view: ConsoleView }) {
-  const [session] = useState(() => new SessionStore());
+function Operator({
+  view,
+  operation,
+}: {
+  view: ConsoleView;
+  operation: Operation;
+}) {
   return (
     <div className="operator">
-      <Login store={session} />
+      <Login store={operation.session} />
       {view.robot !== null && (
-        <Command session={session} authority={view.robot.status.authority} />
+        <Command
+          operation={operation}
+          authority={view.robot.status.authority}
+        />
       )}
     </div>
   );
@@ -116,6 +148,7 @@ export function Emergency() {
  */
 export function App({ store }: { store: TelemetryStore }) {
   const view = useSyncExternalStore(store.subscribe, store.getView);
+  const [operation] = useState(() => new Operation());
   return (
     <>
       <header>
@@ -129,11 +162,13 @@ export function App({ store }: { store: TelemetryStore }) {
       </header>
       <main>
         <Boundary name="login">
-          <Operator view={view} />
+          <Operator view={view} operation={operation} />
         </Boundary>
         <Boundary name="page">
           <Notices view={view} />
-          {view.robot !== null && <Panels view={view} robot={view.robot} />}
+          {view.robot !== null && (
+            <Panels view={view} robot={view.robot} operation={operation} />
+          )}
         </Boundary>
       </main>
       <Boundary name="footer">

@@ -1,35 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // Authority of this page: it takes it, renews it by itself, and gives it up when nobody sees it any more. Which page it is
 // stands in its memory alone, so a reload or another tab is another page.
-import type { Authority, Path, Problem } from "@interface";
+import type { Authority, Path } from "@interface";
+import type { Page } from "./page";
 
 const AUTHORITY_PATH: Path = "/api/v1/authority";
 const REQUEST_PATH: Path = "/api/v1/authority/request";
 /** The server takes it away after 5 s without. */
 export const RENEW_MS = 2000;
-const TIMEOUT_MS = 1500;
-const PAGE_HEADER = "X-Boresight-Page";
-const TOKEN_HEADER = "X-Boresight-Token";
-
-type Method = "POST" | "PUT" | "DELETE";
-
-function drawNumber(): number {
-  const [number = 0] = crypto.getRandomValues(new Uint32Array(1));
-  return number === 0 ? 1 : number;
-}
 
 export class PageAuthority {
-  /** Says which page asks. */
-  readonly page = drawNumber();
-  private readonly getToken: () => string | null;
+  private readonly page: Page;
   private readonly listeners = new Set<() => void>();
-  private acts = 0;
   private hasAsked = false;
   private timer: ReturnType<typeof setInterval> | null = null;
   private problem: string | null = null;
 
-  constructor(getToken: () => string | null) {
-    this.getToken = getToken;
+  constructor(page: Page) {
+    this.page = page;
   }
 
   readonly subscribe = (listener: () => void): (() => void) => {
@@ -57,13 +45,14 @@ export class PageAuthority {
   }
 
   isMine(authority: Authority): boolean {
-    return authority.source === "HTTP" && authority.peer === this.page;
+    return authority.source === "HTTP" && authority.peer === this.page.number;
   }
 
   /** It is this page that waits for the button. */
   isAsking(authority: Authority): boolean {
     return (
-      authority.requester === "HTTP" && authority.requester_peer === this.page
+      authority.requester === "HTTP" &&
+      authority.requester_peer === this.page.number
     );
   }
 
@@ -94,7 +83,7 @@ export class PageAuthority {
     if (this.timer !== null || this.hasAsked) {
       this.letGo();
       this.hasAsked = false;
-      void this.request("DELETE", AUTHORITY_PATH, undefined).catch(
+      void this.page.request("DELETE", AUTHORITY_PATH).catch(
         () => undefined, // Without renewal it ends all the same.
       );
     }
@@ -121,7 +110,7 @@ export class PageAuthority {
   /** A server that does not answer may do so the next time; one that refuses has given it to nobody or another. */
   private async renew(): Promise<void> {
     try {
-      const response = await this.request("PUT", AUTHORITY_PATH, undefined);
+      const response = await this.page.request("PUT", AUTHORITY_PATH);
       if (!response.ok) {
         this.letGo();
       }
@@ -132,38 +121,9 @@ export class PageAuthority {
 
   /** True when it was done. */
   private async act(path: Path, fields: object): Promise<boolean> {
-    this.acts += 1;
-    try {
-      const body = JSON.stringify({ id: this.acts, ...fields });
-      const response = await this.request("POST", path, body);
-      const answer = (await response.json()) as Partial<Problem>;
-      this.tell(response.ok ? null : (answer.detail ?? response.statusText));
-      return response.ok;
-    } catch {
-      this.tell("The server does not answer.");
-      return false;
-    }
-  }
-
-  private request(
-    method: Method,
-    path: Path,
-    body: string | undefined,
-  ): Promise<Response> {
-    const headers: Record<string, string> = {
-      [PAGE_HEADER]: String(this.page),
-      [TOKEN_HEADER]: this.getToken() ?? "",
-    };
-    if (body !== undefined) {
-      headers["Content-Type"] = "application/json";
-    }
-    return fetch(path, {
-      method,
-      headers,
-      body: body ?? null,
-      keepalive: method === "DELETE",
-      signal: AbortSignal.timeout(TIMEOUT_MS),
-    });
+    const problem = await this.page.act(path, fields);
+    this.tell(problem);
+    return problem === null;
   }
 
   private tell(problem: string | null): void {

@@ -41,3 +41,12 @@ export function formatDuration(ms: number): string {
   }
   return seconds < 120 ? `${seconds} s` : `${Math.floor(seconds / 60)} min`;
 }
+
+/** So many numbers by spaces, commas or lines; null if the text is anything else. */
+export function readNumbers(text: string, count: number): number[] | null {
+  const parts = text.split(/[\s,;]+/).filter((part) => part !== "");
+  const numbers = parts.map((part) => Number(part.replace(MINUS, "-")));
+  return numbers.length === count && numbers.every(Number.isFinite)
+    ? numbers
+    : null;
+}

@@ -11,7 +11,7 @@ import {
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import type { Authority, Role } from "@interface";
 import { RENEW_MS } from "../authority";
-import { SessionStore } from "../session";
+import { Operation } from "../operation";
 import { makeAuthority } from "../testing/robot";
 import { Command } from "./Command";
 
@@ -23,7 +23,7 @@ const anothers = makeAuthority({
 });
 let page: number;
 let refusals: Record<string, number>;
-let session: SessionStore;
+let operation: Operation;
 let shown: ReturnType<typeof render>;
 
 function answer(path: string, method: string): Response {
@@ -59,10 +59,10 @@ function headersOf(index: number): Record<string, string> {
 
 async function show(authority: Authority): Promise<void> {
   await act(async () => {
-    session.start();
+    operation.session.start();
     await vi.advanceTimersByTimeAsync(0);
   });
-  shown = render(<Command session={session} authority={authority} />);
+  shown = render(<Command operation={operation} authority={authority} />);
 }
 
 async function press(name: string): Promise<void> {
@@ -101,12 +101,12 @@ beforeEach(() => {
   page = 4_000_000_000;
   role = "OPERATOR";
   refusals = {};
-  session = new SessionStore();
+  operation = new Operation();
 });
 
 afterEach(() => {
   cleanup();
-  session.stop();
+  operation.session.stop();
   hide("visible");
   vi.useRealTimers();
   vi.restoreAllMocks();
@@ -122,12 +122,13 @@ test("SWR-CON-014 a page takes what is free, by its number and token", async () 
     "X-Boresight-Page": "4000000000",
     "X-Boresight-Token": "t0ken",
   });
-  shown.rerender(<Command session={session} authority={mine()} />);
+  shown.rerender(<Command operation={operation} authority={mine()} />);
   expect(screen.getByText("This page commands.")).toBeTruthy();
 });
 
 test("SWR-CON-014 a page never has the number 0", async () => {
   page = 0;
+  operation = new Operation();
   await show(makeAuthority());
   await press("Take command");
   expect(headersOf(0)["X-Boresight-Page"]).toBe("1");
@@ -138,7 +139,7 @@ test("SWR-CON-014 what a page has it renews by itself until it gives it up", asy
   await pass(RENEW_MS);
   expect(acts()).toEqual([]);
   await press("Take command");
-  shown.rerender(<Command session={session} authority={mine()} />);
+  shown.rerender(<Command operation={operation} authority={mine()} />);
   await pass(2 * RENEW_MS);
   expect(acts().slice(1)).toEqual(["PUT authority", "PUT authority"]);
   await press("Give up command");
@@ -180,10 +181,10 @@ test("SWR-CON-014 what another has is asked for, and renewed once the button was
     requester: "HTTP",
     requester_peer: page,
   } as const;
-  shown.rerender(<Command session={session} authority={asked} />);
+  shown.rerender(<Command operation={operation} authority={asked} />);
   expect(screen.getByText(/press the button at the box/)).toBeTruthy();
   await pass(RENEW_MS);
-  shown.rerender(<Command session={session} authority={mine()} />);
+  shown.rerender(<Command operation={operation} authority={mine()} />);
   await pass(RENEW_MS);
   expect(acts().slice(1)).toEqual(["PUT authority"]);
 });
@@ -196,7 +197,7 @@ test("SWR-CON-014 what was asked for is withdrawn", async () => {
     requester: "HTTP",
     requester_peer: page,
   } as const;
-  shown.rerender(<Command session={session} authority={asked} />);
+  shown.rerender(<Command operation={operation} authority={asked} />);
   await press("Ask no more");
   expect(acts().slice(1)).toEqual(["DELETE authority"]);
 });
@@ -215,9 +216,9 @@ test("SWR-CON-014 who may only observe is offered nothing", async () => {
 test("SWR-CON-015 a page that is hidden gives up what it has, once", async () => {
   await show(makeAuthority());
   await press("Take command");
-  shown.rerender(<Command session={session} authority={mine()} />);
+  shown.rerender(<Command operation={operation} authority={mine()} />);
   hide("hidden");
-  shown.rerender(<Command session={session} authority={{ ...mine() }} />);
+  shown.rerender(<Command operation={operation} authority={{ ...mine() }} />);
   await pass(2 * RENEW_MS);
   expect(acts().slice(1)).toEqual(["DELETE authority"]);
   const options = fetched.mock.calls.at(-1)?.[1];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-import { useEffect, useState, useSyncExternalStore } from "react";
-import type { Authority, Session } from "@interface";
-import { PageAuthority } from "../authority";
-import type { SessionStore } from "../session";
+import { useEffect, useSyncExternalStore } from "react";
+import type { Authority } from "@interface";
+import type { PageAuthority } from "../authority";
+import { mayCommand, type Operation } from "../operation";
 
 function Mine({ own }: { own: PageAuthority }) {
   return (
@@ -60,25 +60,19 @@ function Way({ own, authority }: { own: PageAuthority; authority: Authority }) {
   }
 }
 
-function mayCommand(session: Session | null): boolean {
-  return session !== null && session.is_open && session.role !== "OBSERVER";
-}
-
 /**
  * The way to command, and out of it, of who is logged in and may.
  *
  * @satisfies SWR-CON-014
  */
 export function Command({
-  session,
+  operation,
   authority,
 }: {
-  session: SessionStore;
+  operation: Operation;
   authority: Authority;
 }) {
-  const [own] = useState(
-    () => new PageAuthority(() => session.getView().session?.token ?? null),
-  );
+  const { session, authority: own } = operation;
   const problem = useSyncExternalStore(own.subscribe, own.getProblem);
   const view = useSyncExternalStore(session.subscribe, session.getView);
   useEffect(() => {

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Who operates this page, and by what it commands.
+import { useState, useSyncExternalStore } from "react";
+import type { Authority, Path, Session } from "@interface";
+import { PageAuthority } from "./authority";
+import { Page } from "./page";
+import { SessionStore } from "./session";
+
+export class Operation {
+  readonly session = new SessionStore();
+  readonly page = new Page(() => this.session.getView().session?.token ?? null);
+  readonly authority = new PageAuthority(this.page);
+}
+
+export function mayCommand(session: Session | null): boolean {
+  return session !== null && session.is_open && session.role !== "OBSERVER";
+}
+
+/** Why this page commands nothing now, or null. */
+export function obstacleOf(
+  session: Session | null,
+  isMine: boolean,
+): string | null {
+  if (!mayCommand(session)) {
+    return "Log in as operator to command.";
+  }
+  return isMine ? null : "Take command first.";
+}
+
+export interface Commanding {
+  /** Why nothing can be commanded from here, or null. */
+  obstacle: string | null;
+  /** It may set a home and clear a position as well. */
+  isEngineer: boolean;
+  /** Why the last command was refused, or null. */
+  problem: string | null;
+  command(path: Path, fields?: object): Promise<boolean>;
+}
+
+/** For a panel that commands. */
+export function useCommanding(
+  operation: Operation,
+  authority: Authority,
+): Commanding {
+  const [problem, setProblem] = useState<string | null>(null);
+  const { session, page } = operation;
+  const view = useSyncExternalStore(session.subscribe, session.getView);
+  const role = view.session?.role ?? null;
+  const command = async (path: Path, fields: object = {}) => {
+    const refusal = await page.act(path, fields);
+    setProblem(refusal);
+    return refusal === null;
+  };
+  const isMine = operation.authority.isMine(authority);
+  return {
+    obstacle: obstacleOf(view.session, isMine),
+    isEngineer: role === "ENGINEER" || role === "SERVICE",
+    problem,
+    command,
+  };
+}

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rule under test: what is aimed at is sent whole, where it is taken, and looked at before.
+import { cleanup, fireEvent, render, screen } from "@testing-library/react";
+import { afterEach, expect, test, vi } from "vitest";
+import type { RobotState } from "@interface";
+import { makeCommander, type Commander } from "../testing/commander";
+import { makeRobot } from "../testing/robot";
+import { Aim } from "./Aim";
+
+let commander: Commander;
+const PREVIEW = "/api/v1/targeting/preview";
+
+async function show(
+  workphase: "CALIBRATION" | "TARGETING",
+  change: Partial<RobotState["targeting"]> = {},
+): Promise<void> {
+  commander = await makeCommander("OPERATOR");
+  const robot = makeRobot({
+    authority: commander.authority,
+    workphase: { name: workphase, text: "" },
+  });
+  const targeting = { ...robot.targeting, ...change };
+  render(
+    <Aim robot={{ ...robot, targeting }} operation={commander.operation} />,
+  );
+}
+
+function button(name: string): HTMLButtonElement {
+  return screen.getByRole<HTMLButtonElement>("button", { name });
+}
+
+function write(label: string, value: string): void {
+  fireEvent.change(screen.getByLabelText(label), { target: { value } });
+}
+
+afterEach(() => {
+  commander.operation.session.stop();
+  cleanup();
+  vi.unstubAllGlobals();
+});
+
+test("SWR-CON-018 a registration is sent whole, in CALIBRATION", async () => {
+  await show("CALIBRATION");
+  write("Scanner from z-frame", "1 0 0 5\n0 1 0 −6\n0 0 1 7");
+  expect(button("Register").disabled).toBe(true);
+  write("Scanner from z-frame", "1 0 0 5\n0 1 0 −6\n0 0 1 7\n0 0 0 1");
+  fireEvent.click(screen.getByLabelText("Only its translation"));
+  fireEvent.click(button("Register"));
+  const matrix = [1, 0, 0, 5, 0, 1, 0, -6, 0, 0, 1, 7, 0, 0, 0, 1];
+  expect(commander.acts()).toEqual([
+    {
+      path: "/api/v1/targeting/registration",
+      body: { id: 1, matrix, ignore_rotation: true },
+    },
+  ]);
+});
+
+test("SWR-CON-018 each is offered where it is taken", async () => {
+  await show("TARGETING");
+  expect(button("Register").disabled).toBe(true);
+  expect(screen.getByText("Only in CALIBRATION.")).toBeTruthy();
+  cleanup();
+  await show("CALIBRATION");
+  write("Entry point, scanner", "1 2 3");
+  expect(button("Send entry").disabled).toBe(true);
+});
+
+test.each([
+  ["Entry point, scanner", "Send entry", "entry"],
+  ["Target point, scanner", "Send target", "target"],
+])("SWR-CON-018 %s is sent as three numbers", async (label, name, path) => {
+  await show("TARGETING");
+  for (const text of ["1 2", "1 2 3 4", "1 two 3"]) {
+    write(label, text);
+    expect(button(name).disabled, text).toBe(true);
+  }
+  write(label, "1.5, -2; 3");
+  fireEvent.click(button(name));
+  expect(commander.acts().filter((act) => act.path !== PREVIEW)).toEqual([
+    {
+      path: `/api/v1/targeting/${path}`,
+      body: { id: 1, point_mm: [1.5, -2, 3] },
+    },
+  ]);
+});
+
+test("SWR-CON-018 the lengths of the probe are sent together", async () => {
+  await show("TARGETING");
+  write("Probe needle_tip, mm", "260.5");
+  fireEvent.click(button("Change probe"));
+  expect(commander.acts()).toEqual([
+    {
+      path: "/api/v1/targeting/probe",
+      body: { id: 1, lengths_mm: [260.5] },
+    },
+  ]);
+});
+
+test("SWR-CON-018 a proposed entry is accepted as it is shown", async () => {
+  const proposals = {
+    registration: null,
+    entry_mm: [1, 2, 3],
+    target_mm: null,
+    is_reachable: false,
+    desired: null,
+  };
+  await show("TARGETING", { proposals });
+  fireEvent.click(button("Accept"));
+  fireEvent.click(button("Withdraw"));
+  expect(commander.acts()).toEqual([
+    { path: "/api/v1/targeting/entry", body: { id: 1, point_mm: [1, 2, 3] } },
+    {
+      path: "/api/v1/targeting/withdraw",
+      body: { id: 2, what: "proposed_entry" },
+    },
+  ]);
+});
+
+test.each([
+  [
+    { is_reachable: true, tightest: "pitch" },
+    "Reachable; pitch has the least room.",
+  ],
+  [
+    {
+      is_reachable: false,
+      message: "An axis would leave its soft limits.",
+      axis: "yaw",
+      limit: "lower",
+    },
+    "An axis would leave its soft limits. (yaw, lower limit)",
+  ],
+  [
+    { detail: "A target point needs an entry point." },
+    "A target point needs an entry point.",
+  ],
+])("SWR-CON-018 a target is looked at before: %o", async (body, sentence) => {
+  await show("TARGETING");
+  commander.answers[PREVIEW] = { body };
+  write("Target point, scanner", "1 2 3");
+  expect(await screen.findByText(sentence)).toBeTruthy();
+});

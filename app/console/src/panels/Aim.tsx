@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: Apache-2.0
+import { useEffect, useId, useState } from "react";
+import type { Path, Problem, RobotState, TargetPreview } from "@interface";
+import { formatNumber, formatPoint, readNumbers } from "../format";
+import { useCommanding, type Commanding, type Operation } from "../operation";
+import { Order, OrderNotes } from "../parts/Order";
+import { refusalOf, type Page } from "../page";
+
+const PREVIEW_PATH: Path = "/api/v1/targeting/preview";
+const PREVIEW_AFTER_MS = 300;
+const identity = "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1";
+
+function onlyIn(robot: RobotState, workphase: string): string | null {
+  return robot.status.workphase.name === workphase
+    ? null
+    : `Only in ${workphase}.`;
+}
+
+interface AimProperties {
+  robot: RobotState;
+  commanding: Commanding;
+}
+
+/** The accepted one, to be changed; otherwise none. */
+function Registration({ robot, commanding }: AimProperties) {
+  const [text, setText] = useState(identity);
+  const [ignores, setIgnores] = useState(false);
+  const id = useId();
+  const matrix = readNumbers(text, 16);
+  const missing = matrix === null ? "Write 16 numbers, by rows, in mm." : null;
+  return (
+    <div className="orders">
+      <label htmlFor={id}>Scanner from z-frame</label>
+      <textarea
+        id={id}
+        rows={4}
+        cols={32}
+        value={text}
+        onChange={(event) => setText(event.target.value)}
+      />
+      <label>
+        <input
+          type="checkbox"
+          checked={ignores}
+          onChange={(event) => setIgnores(event.target.checked)}
+        />{" "}
+        Only its translation
+      </label>
+      <Order
+        commanding={commanding}
+        path="/api/v1/targeting/registration"
+        fields={{ matrix, ...(ignores && { ignore_rotation: true }) }}
+        refusal={onlyIn(robot, "CALIBRATION") ?? missing}
+      >
+        Register
+      </Order>
+    </div>
+  );
+}
+
+function whatIsSaid(preview: TargetPreview): string {
+  return preview.is_reachable
+    ? `Reachable; ${preview.tightest ?? "no axis"} has the least room.`
+    : refusalOf({
+        detail: preview.message,
+        ...(preview.axis !== null && { axis: preview.axis }),
+        ...(preview.limit !== null && { limit: preview.limit }),
+      });
+}
+
+/** What would become of the target; asked once nothing has been typed for a moment. */
+function usePreview(page: Page, text: string, cause: string): string | null {
+  const [said, setSaid] = useState<string | null>(null);
+  useEffect(() => {
+    const point = readNumbers(text, 3);
+    let isWanted = true;
+    setSaid(null);
+    if (point === null) {
+      return undefined;
+    }
+    const ask = async () => {
+      const response = await page.request(
+        "POST",
+        PREVIEW_PATH,
+        JSON.stringify({ point_mm: point }),
+      );
+      const answer = (await response.json()) as TargetPreview | Problem;
+      if (isWanted) {
+        setSaid("detail" in answer ? refusalOf(answer) : whatIsSaid(answer));
+      }
+    };
+    const timer = setTimeout(
+      () => void ask().catch(() => undefined), // The server judges the target all the same.
+      PREVIEW_AFTER_MS,
+    );
+    return () => {
+      isWanted = false;
+      clearTimeout(timer);
+    };
+  }, [page, text, cause]);
+  return said;
+}
+
+function Point({
+  name,
+  path,
+  robot,
+  commanding,
+  text,
+  setText,
+}: AimProperties & {
+  name: "Entry" | "Target";
+  path: Path;
+  text: string;
+  setText: (text: string) => void;
+}) {
+  const id = useId();
+  const point = readNumbers(text, 3);
+  const missing = point === null ? "Write x, y and z in mm." : null;
+  return (
+    <div className="orders">
+      <label htmlFor={id}>{name} point, scanner</label>
+      <input
+        id={id}
+        size={24}
+        placeholder="x y z"
+        value={text}
+        onChange={(event) => setText(event.target.value)}
+      />
+      <Order
+        commanding={commanding}
+        path={path}
+        fields={{ point_mm: point }}
+        refusal={onlyIn(robot, "TARGETING") ?? missing}
+      >
+        Send {name.toLowerCase()}
+      </Order>
+    </div>
+  );
+}
+
+/** What a navigation program proposes, to be accepted as it is shown. */
+function ProposedEntry({ robot, commanding }: AimProperties) {
+  const { entry_mm: point } = robot.targeting.proposals;
+  if (point === null) {
+    return null;
+  }
+  return (
+    <div className="orders">
+      <span>Proposed entry {formatPoint(point)}</span>
+      <Order
+        commanding={commanding}
+        path="/api/v1/targeting/entry"
+        fields={{ point_mm: point }}
+        refusal={onlyIn(robot, "TARGETING")}
+      >
+        Accept
+      </Order>
+      <Order
+        commanding={commanding}
+        path="/api/v1/targeting/withdraw"
+        fields={{ what: "proposed_entry" }}
+      >
+        Withdraw
+      </Order>
+    </div>
+  );
+}
+
+/** All lengths, in the order in which they are shown. */
+function Probe({ robot, commanding }: AimProperties) {
+  const { probe } = robot.targeting;
+  const [text, setText] = useState(
+    probe
+      .map(({ length_mm: length }) =>
+        length === null ? "?" : formatNumber(length, 3),
+      )
+      .join(" "),
+  );
+  const id = useId();
+  const lengths = readNumbers(text, probe.length);
+  if (probe.length === 0) {
+    return null;
+  }
+  return (
+    <div className="orders">
+      <label htmlFor={id}>
+        Probe {probe.map(({ name }) => name).join(", ")}, mm
+      </label>
+      <input
+        id={id}
+        size={24}
+        value={text}
+        onChange={(event) => setText(event.target.value)}
+      />
+      <Order
+        commanding={commanding}
+        path="/api/v1/targeting/probe"
+        fields={{ lengths_mm: lengths }}
+        refusal={lengths === null ? `Write ${probe.length} numbers.` : null}
+      >
+        Change probe
+      </Order>
+    </div>
+  );
+}
+
+/**
+ * Registration, probe, entry point and target, typed in or as they were proposed. Nothing moves by them.
+ *
+ * @satisfies SWR-CON-018
+ */
+export function Aim({
+  robot,
+  operation,
+}: {
+  robot: RobotState;
+  operation: Operation;
+}) {
+  const commanding = useCommanding(operation, robot.status.authority);
+  const [entry, setEntry] = useState("");
+  const [target, setTarget] = useState("");
+  const { is_registered, has_target } = robot.status;
+  const cause = [is_registered, has_target, robot.targeting.entry_mm].join();
+  const preview = usePreview(operation.page, target, cause);
+  const properties = { robot, commanding };
+  return (
+    <>
+      <OrderNotes commanding={commanding} />
+      <Registration {...properties} />
+      <Probe {...properties} />
+      <ProposedEntry {...properties} />
+      <Point
+        {...properties}
+        name="Entry"
+        path="/api/v1/targeting/entry"
+        text={entry}
+        setText={setEntry}
+      />
+      <Point
+        {...properties}
+        name="Target"
+        path="/api/v1/targeting/target"
+        text={target}
+        setText={setTarget}
+      />
+      {preview !== null && <p role="status">{preview}</p>}
+    </>
+  );
+}
