@@ -148,6 +148,8 @@ static void gather_inputs(uint64_t elapsed_ns)
     inputs.scanner_active = levels.scanner_active ? 1U : 0U;
     inputs.has_button = levels.has_button ? 1U : 0U;
     inputs.confirm_pressed = levels.confirm_pressed ? 1U : 0U;
+    inputs.dose_reached = levels.dose_reached ? 1U : 0U;
+    inputs.treatment_stopped = levels.treatment_stopped ? 1U : 0U;
     inputs.silent_sources = silent_sources();
     inputs.command_count = exchange_take_commands(exchange, inputs.commands, CONTROLLER_COMMANDS);
 }

@@ -187,6 +187,8 @@ static bool is_costly(const command_t *command)
            (command->kind == (uint32_t)COMMAND_WITHDRAW) ||
            (command->kind == (uint32_t)COMMAND_LIST_ROW) ||
            (command->kind == (uint32_t)COMMAND_RUN_TRAJECTORY) ||
+           (command->kind == (uint32_t)COMMAND_PROGRAM_STEP) ||
+           (command->kind == (uint32_t)COMMAND_RUN_PROGRAM) ||
            (command->kind == (uint32_t)COMMAND_ALIGN) ||
            (command->kind == (uint32_t)COMMAND_INSERT) || (command->kind == (uint32_t)COMMAND_POSE);
 }

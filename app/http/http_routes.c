@@ -12,6 +12,7 @@
 #include "http/http_modes.h"
 #include "http/http_motion.h"
 #include "http/http_positions.h"
+#include "http/http_program.h"
 #include "http/http_reply.h"
 #include "http/http_targeting.h"
 #include "http/http_trajectory.h"
@@ -227,6 +228,14 @@ static int answer(http_server_t *server, const http_call_t *call)
         return http_trajectory_empty(server, call);
     case ROUTE_RUN_TRAJECTORY:
         return http_trajectory_run(server, call);
+    case ROUTE_PROGRAM:
+        return http_program_show(server, call);
+    case ROUTE_SEND_PROGRAM:
+        return http_program_send(server, call);
+    case ROUTE_EMPTY_PROGRAM:
+        return http_program_empty(server, call);
+    case ROUTE_RUN_PROGRAM:
+        return http_program_run(server, call);
     case ROUTE_COMMUNICATION:
         return http_communication_show(server, call);
     case ROUTE_DISCONNECT:

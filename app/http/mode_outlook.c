@@ -99,21 +99,50 @@ static void take_to(procedure_t *procedure, workphase_t workphase)
     (void)procedure_request(procedure, &all_well, (uint32_t)workphase, &actions);
 }
 
+/* A target, by way of an entry point. */
+static status_t aim_outlook(const snapshot_t *snapshot)
+{
+    if (snapshot->has_target == 0U) {
+        return STATUS_NO_TARGET;
+    }
+    return (snapshot->has_entry == 0U) ? STATUS_NO_ENTRY_POINT : STATUS_OK;
+}
+
+static status_t program_outlook(const snapshot_t *snapshot)
+{
+    status_t status = aim_outlook(snapshot);
+    if (status != STATUS_OK) {
+        /* There is nothing to go along. */
+    } else if (snapshot->program_steps == 0U) {
+        status = STATUS_PROGRAM_OTHER;
+    } else if (snapshot->is_treatment_stopped != 0U) {
+        status = STATUS_PROGRAM_STOPPED;
+    } else {
+        /* It may begin. */
+    }
+    return status;
+}
+
 /* Of what the mode itself asks, which comes first, that which is shown. */
 static status_t own_outlook(const robot_t *robot, const snapshot_t *snapshot, mode_kind_t kind)
 {
-    const bool is_aimed = (kind == MODE_ALIGN) || (kind == MODE_INSERT);
     status_t status = STATUS_OK;
-    if ((kind == MODE_TRAJECTORY) && (snapshot->trajectory_rows == 0U)) {
-        status = STATUS_TRAJECTORY_EMPTY;
-    } else if (is_aimed && (snapshot->has_target == 0U)) {
-        status = STATUS_NO_TARGET;
-    } else if (is_aimed && (snapshot->has_entry == 0U)) {
-        status = STATUS_NO_ENTRY_POINT;
-    } else if ((kind == MODE_POSE) && (robot->pose_mask == 0U)) {
-        status = STATUS_NO_POSE;
-    } else {
-        /* The workphase chart decides. */
+    switch (kind) {
+    case MODE_ALIGN:
+    case MODE_INSERT:
+        status = aim_outlook(snapshot);
+        break;
+    case MODE_PROGRAM:
+        status = program_outlook(snapshot);
+        break;
+    case MODE_TRAJECTORY:
+        status = (snapshot->trajectory_rows == 0U) ? STATUS_TRAJECTORY_EMPTY : STATUS_OK;
+        break;
+    case MODE_POSE:
+        status = (robot->pose_mask == 0U) ? STATUS_NO_POSE : STATUS_OK;
+        break;
+    default: /* The workphase chart decides. */
+        break;
     }
     return status;
 }

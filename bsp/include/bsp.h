@@ -17,10 +17,12 @@
 typedef struct {
     bool pedal_a; /**< Channel A is closed (pressed). */
     bool pedal_b;
-    bool estop_open;      /**< The e-stop chain is open (pulled). */
-    bool scanner_active;  /**< The scanner acquires. */
-    bool has_button;      /**< The box has a button for the operator. */
-    bool confirm_pressed; /**< It is pressed. */
+    bool estop_open;        /**< The e-stop chain is open (pulled). */
+    bool scanner_active;    /**< The scanner acquires. */
+    bool has_button;        /**< The box has a button for the operator. */
+    bool confirm_pressed;   /**< It is pressed. */
+    bool dose_reached;      /**< The gate of the treatment says so; false without one. */
+    bool treatment_stopped; /**< The same. */
 } bsp_inputs_t;
 
 /** How the board's time passes beside the world's. */
@@ -56,8 +58,9 @@ uint32_t bsp_exchange(uint32_t send, const uint8_t frames[CARD_SLOT_COUNT][CARD_
 
 /**
  * Samples the digital inputs: each as unsafe (pedal open, e-stop open, scanner active, button
- * released) as it was at any time since the sample before; the board latches pulses, however short.
- * When the board does not answer: pedal and button released, e-stop open.
+ * released, dose reached, treatment stopped) as it was at any time since the sample before; the
+ * board latches pulses, however short. When the board does not answer: pedal and button released,
+ * e-stop open, treatment stopped.
  *
  * @satisfies SWR-ESTOP-004
  */

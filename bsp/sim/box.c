@@ -186,6 +186,8 @@ static void latch(box_t *self)
     latched->estop_open = latched->estop_open || now.estop_open;
     latched->scanner_active = latched->scanner_active || now.scanner_active;
     latched->confirm_pressed = latched->confirm_pressed && now.confirm_pressed;
+    latched->dose_reached = latched->dose_reached || now.dose_reached;
+    latched->treatment_stopped = latched->treatment_stopped || now.treatment_stopped;
 }
 
 static void step(box_t *self)
@@ -224,7 +226,9 @@ bsp_inputs_t box_inputs(const box_t *self)
                           .estop_open = !self->estop.is_closed,
                           .scanner_active = self->scanner_active,
                           .has_button = true,
-                          .confirm_pressed = self->button_pressed};
+                          .confirm_pressed = self->button_pressed,
+                          .dose_reached = self->gate == BOX_GATE_DOSE,
+                          .treatment_stopped = self->gate == BOX_GATE_STOP};
 }
 
 bsp_inputs_t box_sample(box_t *self)

@@ -74,6 +74,9 @@ typedef struct {
     uint32_t delay_us; /**< 0: nothing under way. */
 } box_contact_t;
 
+/** What the gate of the treatment says. */
+typedef enum { BOX_GATE_OFF = 0, BOX_GATE_DOSE = 1, BOX_GATE_STOP = 2 } box_gate_t;
+
 /** State of the box; owned by the caller, written by this module only. */
 typedef struct {
     const robot_t *robot;
@@ -87,6 +90,7 @@ typedef struct {
     box_probe_t probe;
     bool scanner_active;
     bool button_pressed;  /**< The operator's, for confirming positions. */
+    box_gate_t gate;      /**< Of the treatment. */
     bsp_inputs_t latched; /**< The most unsafe levels since the last sample. */
     uint64_t time_us;     /**< Whole steps done. */
     uint32_t pending_us;  /**< Time not yet stepped, below SIM_STEP_US. */

@@ -133,7 +133,9 @@ static void publish_inputs(wire_t *wire)
                           (inputs.pedal_b ? WIRE_INPUT_PEDAL_B : 0U) |
                           (inputs.estop_open ? WIRE_INPUT_ESTOP_OPEN : 0U) |
                           (inputs.scanner_active ? WIRE_INPUT_SCANNER : 0U) |
-                          (inputs.confirm_pressed ? WIRE_INPUT_CONFIRM : 0U);
+                          (inputs.confirm_pressed ? WIRE_INPUT_CONFIRM : 0U) |
+                          (inputs.dose_reached ? WIRE_INPUT_DOSE : 0U) |
+                          (inputs.treatment_stopped ? WIRE_INPUT_TREATMENT_STOP : 0U);
 
     wire_latch(&wire->latched, bits ^ WIRE_SAFE_INPUTS);
     wire_store(&wire->inputs, bits);

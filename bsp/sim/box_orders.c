@@ -33,6 +33,7 @@ static const char orders[] = "pedal press|release|pulse\n"
                              "motor SLOT stuck|half|twice|runs|hot|normal\n"
                              "switch SLOT stuck|open|chatter|reversed|normal\n"
                              "scanner on|off\n"
+                             "gate off|dose|stop\n"
                              "force hand|needle 0|1780|1970|4095\n"
                              "probe coupled|free\n"
                              "push 10|-10\n"
@@ -196,6 +197,7 @@ static bool order_level(bool *level, const order_t *order, const char *on, const
 static const char *const card_words[] = {"normal", "silent", "corrupt", "foreign", NULL};
 static const char *const encoder_words[] = {"normal", "stuck", "reversed", "half", NULL};
 static const char *const motor_words[] = {"normal", "stuck", "half", "twice", "runs", "hot", NULL};
+static const char *const gate_words[] = {"off", "dose", "stop", NULL};
 static const char *const switch_words[] = {"normal", "stuck", "open", "chatter", "reversed", NULL};
 
 /* In the order of card_type_t. */
@@ -300,10 +302,11 @@ static void show_probe(const box_t *self, reply_t *reply)
 
 static void show(const box_t *self, reply_t *reply)
 {
-    say(reply, "%s, %.3f s: pedal a %s, pedal b %s, e-stop %s, button %s, scanner %s\n",
+    say(reply, "%s, %.3f s: pedal a %s, pedal b %s, e-stop %s, button %s, scanner %s, gate %s\n",
         self->robot->name, (double)self->time_us / 1e6, self->pedal_a.is_closed ? "closed" : "open",
         self->pedal_b.is_closed ? "closed" : "open", self->estop.is_closed ? "closed" : "pulled",
-        self->button_pressed ? "pressed" : "released", self->scanner_active ? "on" : "off");
+        self->button_pressed ? "pressed" : "released", self->scanner_active ? "on" : "off",
+        gate_words[self->gate]);
     say(reply, "%4s  %-10s %11s %-3s %11s  %-9s %-7s %-8s %-9s %-7s %5s\n", "slot", "axis",
         "position", "", "ticks", "drive", "switch", "card", "encoder", "motor", "trips");
     for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
@@ -359,6 +362,17 @@ static bool order_push(box_t *self, const order_t *order)
         return false;
     }
     box_push(self, (double)mm);
+    return true;
+}
+
+static bool order_gate(box_t *self, const order_t *order)
+{
+    const int level = number_of(gate_words, order->words[1]);
+
+    if ((order->count != 2U) || (level < 0)) {
+        return false;
+    }
+    self->gate = (box_gate_t)level;
     return true;
 }
 
@@ -419,6 +433,9 @@ static bool carry_out(box_t *self, const order_t *order)
     }
     if (is_word(order, 0U, "push")) {
         return order_push(self, order);
+    }
+    if (is_word(order, 0U, "gate")) {
+        return order_gate(self, order);
     }
     if (is_word(order, 0U, "scanner")) {
         return order_level(&self->scanner_active, order, "on", "off");

@@ -96,14 +96,16 @@ bsp_inputs_t bsp_sample_inputs(void)
     last_beat = beat;
     if (beat_age >= STALE_SAMPLES) {
         beat_age = STALE_SAMPLES;
-        return (bsp_inputs_t){.estop_open = true, .has_button = true};
+        return (bsp_inputs_t){.estop_open = true, .has_button = true, .treatment_stopped = true};
     }
     return (bsp_inputs_t){.pedal_a = (inputs & WIRE_INPUT_PEDAL_A) != 0U,
                           .pedal_b = (inputs & WIRE_INPUT_PEDAL_B) != 0U,
                           .estop_open = (inputs & WIRE_INPUT_ESTOP_OPEN) != 0U,
                           .scanner_active = (inputs & WIRE_INPUT_SCANNER) != 0U,
                           .has_button = true,
-                          .confirm_pressed = (inputs & WIRE_INPUT_CONFIRM) != 0U};
+                          .confirm_pressed = (inputs & WIRE_INPUT_CONFIRM) != 0U,
+                          .dose_reached = (inputs & WIRE_INPUT_DOSE) != 0U,
+                          .treatment_stopped = (inputs & WIRE_INPUT_TREATMENT_STOP) != 0U};
 }
 
 uint32_t bsp_robot_crc(void)

@@ -43,10 +43,12 @@ typedef struct {
     uint32_t late_stage;
     uint32_t pedal_a; /**< Channel A is closed (pressed): 0 or 1. */
     uint32_t pedal_b;
-    uint32_t estop_open;      /**< The e-stop chain is open (pulled): 0 or 1. */
-    uint32_t scanner_active;  /**< 0 or 1. */
-    uint32_t has_button;      /**< The box has a button for the operator: 0 or 1. */
-    uint32_t confirm_pressed; /**< It is pressed: 0 or 1. */
+    uint32_t estop_open;        /**< The e-stop chain is open (pulled): 0 or 1. */
+    uint32_t scanner_active;    /**< 0 or 1. */
+    uint32_t has_button;        /**< The box has a button for the operator: 0 or 1. */
+    uint32_t confirm_pressed;   /**< It is pressed: 0 or 1. */
+    uint32_t dose_reached;      /**< The gate of the treatment says so: 0 or 1. */
+    uint32_t treatment_stopped; /**< The same. */
     /** Bit n: the process of command_source_t n has given no sign of life for
      * LIMIT_AUTHORITY_SILENT_US. */
     uint32_t silent_sources;
@@ -109,7 +111,7 @@ typedef struct {
     uint32_t cause;        /**< event_cause_t of what happens now. */
     uint32_t awaited;      /**< Axes of kept that have not been compared; 0: it counts no more. */
     uint32_t peer;         /**< Of the cause. */
-    uint32_t has_arrived;  /**< The last order was a move, and ended as asked. */
+    uint32_t has_arrived;  /**< The last order led to the target, and ended as asked. */
     uint32_t was_gate_open;
     uint32_t was_scanner_active;
     uint32_t strangers;    /**< Bit n: a card that the robot does not name is in slot n. */
@@ -125,6 +127,7 @@ typedef struct {
     uint32_t seals[CONTROLLER_SECTIONS];
     robot_cards_t cards; /**< Of the robot, as its undamaged table says in each cycle. */
     trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS]; /**< Of mode.list; each has a checksum. */
+    program_list_t program; /**< The treatment program that is held; has checksums of its own. */
 } controller_t;
 
 /** Starts in workphase UNDEFINED with nothing enabled. */

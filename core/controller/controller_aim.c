@@ -2,6 +2,7 @@
 #include "controller/controller_aim.h"
 
 #include "controller/controller_facts.h"
+#include "controller/controller_program.h"
 #include "controller/controller_trajectory.h"
 #include "mode/align_mode.h"
 #include "mode/pose_mode.h"
@@ -40,9 +41,12 @@ solution_t controller_aim(controller_t *self, const cycle_t *cycle, const comman
     if (kind == MODE_ALIGN) {
         result = judge_target(self, cycle);
         request->move = align_mode_move(cycle->robot, self->axes, target_ticks);
-    } else if (kind == MODE_INSERT) {
+    } else if ((kind == MODE_INSERT) || (kind == MODE_PROGRAM)) {
         result = judge_target(self, cycle);
         (void)memcpy(request->move.target_ticks, target_ticks, sizeof request->move.target_ticks);
+        if ((kind == MODE_PROGRAM) && (result.status == STATUS_OK)) {
+            result = controller_judge_program(self, cycle, command->argument, &request->move);
+        }
     } else if (kind == MODE_POSE) {
         result.status = pose_mode_find(command->argument, cycle->robot, self->axes, &request->move);
     } else if (kind == MODE_TRAJECTORY) {

@@ -53,6 +53,7 @@ static mode_request_t request_of(const controller_t *self, const cycle_t *cycle,
     case MODE_ALIGN:
     case MODE_INSERT:
     case MODE_POSE:
+    case MODE_PROGRAM:
     default:
         /* Its command alone, or controller_aim(). */
         break;

@@ -30,6 +30,9 @@ static void fill_frame(controller_t *self, const cycle_t *cycle, bool is_every_a
     frame->is_moving = procedure_is_moving(&self->procedure);
     frame->elapsed_us = cycle->inputs->elapsed_us;
     frame->rows = self->rows;
+    frame->program = &self->program;
+    frame->is_dose_reached = cycle->inputs->dose_reached != 0U;
+    frame->is_treatment_stopped = cycle->inputs->treatment_stopped != 0U;
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         frame->speed_cap_percent[i] = percent;
     }

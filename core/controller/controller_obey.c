@@ -8,6 +8,7 @@
 #include "controller/controller_motion.h"
 #include "controller/controller_order.h"
 #include "controller/controller_plan.h"
+#include "controller/controller_program.h"
 #include "controller/controller_restore.h"
 #include "controller/controller_trajectory.h"
 #include "interface/note_kind.h"
@@ -49,7 +50,9 @@ static const bool rights[COMMAND_SOURCE_COUNT][COMMAND_KIND_COUNT] = {
                              [COMMAND_CLEAR_AXIS] = true,     [COMMAND_CONFIRM_AXIS] = true,
                              [COMMAND_SET_HOME] = true,       [COMMAND_VELOCITY] = true,
                              [COMMAND_PROBE] = true,          [COMMAND_JOG_BY] = true,
-                             [COMMAND_ENABLE_AXIS] = true,    [COMMAND_DISABLE_AXIS] = true}};
+                             [COMMAND_ENABLE_AXIS] = true,    [COMMAND_DISABLE_AXIS] = true,
+                             [COMMAND_PROGRAM_BEGIN] = true,  [COMMAND_PROGRAM_STEP] = true,
+                             [COMMAND_PROGRAM_END] = true,    [COMMAND_RUN_PROGRAM] = true}};
 
 /* START_UP is the operator's act that clears what was latched. */
 static void begin_start_up(controller_t *self, const cycle_t *cycle)
@@ -171,6 +174,11 @@ static status_t carry_out(controller_t *self, const cycle_t *cycle, const comman
     case (uint32_t)COMMAND_LIST_ROW:
     case (uint32_t)COMMAND_LIST_END:
         status = controller_obey_trajectory(self, cycle, command, answer);
+        break;
+    case (uint32_t)COMMAND_PROGRAM_BEGIN:
+    case (uint32_t)COMMAND_PROGRAM_STEP:
+    case (uint32_t)COMMAND_PROGRAM_END:
+        status = controller_obey_program(self, cycle, command, answer);
         break;
     default:
         status = controller_tell_plan(self, cycle, command, answer);

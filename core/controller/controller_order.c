@@ -67,7 +67,8 @@ void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t 
     if ((actions & ARMING_ACTION_REPORT_DONE) != 0U) {
         controller_note(self, cycle, EVENT_ORDER_DONE, self->mode.kind, 0);
         if ((self->mode.kind == (uint32_t)MODE_MOVE) ||
-            (self->mode.kind == (uint32_t)MODE_INSERT)) {
+            (self->mode.kind == (uint32_t)MODE_INSERT) ||
+            (self->mode.kind == (uint32_t)MODE_PROGRAM)) {
             self->has_arrived = 1U;
         }
         answer_pending(self, cycle, ANSWER_DONE, STATUS_OK);

@@ -219,6 +219,18 @@ static void show_trajectory(const controller_t *self, snapshot_t *shown)
     shown->trajectory_time_us = self->mode.trajectory.time_us;
 }
 
+static void show_program(const controller_t *self, const cycle_t *cycle, snapshot_t *shown)
+{
+    const program_list_t *const list = &self->program;
+    shown->program_steps = (list->is_whole != 0U) ? list->count : 0U;
+    shown->program_crc = list->crc;
+    shown->program_source = list->source;
+    shown->program_step = self->mode.program.step;
+    shown->program_dwelt_us = self->mode.program.dwelt_us;
+    shown->is_dose_reached = cycle->inputs->dose_reached;
+    shown->is_treatment_stopped = cycle->inputs->treatment_stopped;
+}
+
 static status_t pose_status(const controller_t *self, bool is_homed)
 {
     status_t status = STATUS_OK;
@@ -306,6 +318,7 @@ void controller_show(const controller_t *self, const cycle_t *cycle)
     show_mode(self, kind, shown);
     show_authority(self, shown);
     show_trajectory(self, shown);
+    show_program(self, cycle, shown);
     show_plan(self, shown);
     show_pose(self, cycle->robot, shown);
     clear_unused(self, shown);

@@ -88,8 +88,9 @@ solution_t mode_judge(mode_kind_t kind, const mode_request_t *request, const rob
     case MODE_RETRACT:
     case MODE_TRAJECTORY:
     case MODE_ALIGN:
+    case MODE_PROGRAM:
     default:
-        /* Nothing but the workphase chart refuses it, and of a trajectory who holds it. */
+        /* Nothing but the workphase chart refuses it, and of a list who holds it. */
         break;
     }
     return result;
@@ -100,6 +101,10 @@ void mode_begin(mode_state_t *self, mode_kind_t kind, const mode_request_t *requ
     self->kind = (uint32_t)kind;
     self->request = *request;
     trajectory_mode_begin(&self->trajectory, request->start_ms);
+    self->program.stage = (uint32_t)PROGRAM_STAGE_NONE;
+    if (kind == MODE_PROGRAM) {
+        program_mode_begin(&self->program);
+    }
     leg_stop(&self->leg);
 }
 
@@ -140,6 +145,9 @@ static void run(mode_state_t *self, mode_kind_t kind, const mode_frame_t *frame,
         break;
     case MODE_POSE:
         pose_mode_step(&self->request.move, &self->leg, frame, result);
+        break;
+    case MODE_PROGRAM:
+        program_mode_step(&self->program, &self->request.move, &self->leg, frame, result);
         break;
     case MODE_NONE:
     default:
@@ -185,8 +193,11 @@ void mode_step(mode_state_t *self, const mode_frame_t *frame, mode_result_t *res
 {
     const mode_kind_t kind = mode_in(self, frame->workphase);
     const bool is_done = is_done_already(self, kind, frame);
+    const bool is_armed_program = self->program.stage != (uint32_t)PROGRAM_STAGE_NONE;
     mode_clear(result);
-    if (frame->is_moving && !is_done) {
+    if (is_armed_program && frame->is_treatment_stopped) {
+        program_mode_stop(&self->program, frame, result);
+    } else if (frame->is_moving && !is_done) {
         run(self, kind, frame, result);
     } else {
         leg_stop(&self->leg);
@@ -219,6 +230,8 @@ mode_share_t mode_share(const mode_state_t *self, mode_kind_t kind,
                            velocity_share_span_ms(&self->request.velocity));
     } else if (self->leg.is_running != 0U) {
         share = leg_share(&self->leg);
+    } else if (self->program.stage == (uint32_t)PROGRAM_STAGE_DWELLS) {
+        share = time_share(program_mode_left_ms(&self->program), self->program.dwell_ms);
     } else if (kind == MODE_HOMING) {
         share.done_per_mille = homed_per_mille(axes, axis_count);
     } else {
@@ -230,6 +243,7 @@ mode_share_t mode_share(const mode_state_t *self, mode_kind_t kind,
 void mode_stop(mode_state_t *self, axis_t axes[ROBOT_AXIS_MAX], uint32_t axis_count)
 {
     leg_stop(&self->leg);
+    self->program.stage = (uint32_t)PROGRAM_STAGE_NONE;
     for (uint32_t i = 0U; i < axis_count; i++) {
         axis_stop_homing(&axes[i]);
     }

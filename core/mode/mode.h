@@ -17,6 +17,7 @@
 #include "mode/mode_frame.h"
 #include "mode/move_mode.h"
 #include "mode/pose_mode.h"
+#include "mode/program_mode.h"
 #include "mode/retract_mode.h"
 #include "mode/trajectory_list.h"
 #include "mode/trajectory_mode.h"
@@ -42,6 +43,7 @@ typedef struct {
     leg_t leg;
     trajectory_mode_t trajectory;
     trajectory_list_t list; /**< Of the trajectory that is held, armed or not. */
+    program_mode_t program;
     mode_request_t request; /**< With the axes that it needs. */
 } mode_state_t;
 
@@ -103,16 +105,17 @@ void mode_step(mode_state_t *self, const mode_frame_t *frame, mode_result_t *res
 
 /** How far what is armed has come. */
 typedef struct {
-    uint32_t
-        done_per_mille; /**< 0..1000: of the cycles of the present leg; of homing, of the axes; of a
-                           trajectory and of speeds, of their time; of a speed for a way, of it. */
-    uint32_t left_ms;   /**< Until the set-points are at its end; 0: unknown. */
+    uint32_t done_per_mille; /**< 0..1000: of the cycles of the present leg; of homing, of the axes;
+                                of a trajectory and of speeds, of their time; of a speed for a way,
+                                of it; in a step of a program, of its dwell. */
+    uint32_t left_ms; /**< Until the set-points are at its end, or the dwell is over; 0: unknown. */
 } mode_share_t;
 
 /**
  * To be asked while `kind` moves; it costs a division.
  *
  * @satisfies SWR-MODE-006
+ * @satisfies SWR-PROG-011
  */
 mode_share_t mode_share(const mode_state_t *self, mode_kind_t kind,
                         const axis_t axes[ROBOT_AXIS_MAX], uint32_t axis_count);

@@ -12,6 +12,7 @@
 #include "interface/event.h"
 #include "interface/status.h"
 #include "interface/workphase_list.h"
+#include "mode/program_list.h"
 #include "mode/trajectory_list.h"
 #include "robot/robot.h"
 
@@ -32,6 +33,9 @@ typedef struct {
     bool is_moving;        /**< The pedal lets the armed order run. */
     uint32_t elapsed_us;
     const trajectory_row_t *rows;               /**< Of the trajectory that is held. */
+    const program_list_t *program;              /**< The treatment program that is held. */
+    bool is_dose_reached;                       /**< The gate of the treatment says so. */
+    bool is_treatment_stopped;                  /**< The same. */
     uint32_t speed_cap_percent[ROBOT_AXIS_MAX]; /**< What the permit lets each axis have of its
                                                    speed, 1..100. */
 } mode_frame_t;

@@ -113,9 +113,9 @@ static command_t command_for(mode_kind_t kind)
 
 void test_SWR_MODE_004_what_is_said_of_each_mode_is_what_becomes_of_its_command(void)
 {
-    static const mode_kind_t kinds[] = {MODE_HOMING,  MODE_MOVE,      MODE_JOG,
-                                        MODE_RETRACT, MODE_HOME_AXIS, MODE_TRAJECTORY,
-                                        MODE_ALIGN,   MODE_INSERT,    MODE_POSE};
+    static const mode_kind_t kinds[] = {MODE_HOMING,    MODE_MOVE,       MODE_JOG,   MODE_RETRACT,
+                                        MODE_HOME_AXIS, MODE_TRAJECTORY, MODE_ALIGN, MODE_INSERT,
+                                        MODE_POSE,      MODE_PROGRAM};
     uint32_t allowed = 0U;
     uint32_t refused = 0U;
     for (uint32_t i = 0U; i < (sizeof scenes / sizeof scenes[0]); i++) {

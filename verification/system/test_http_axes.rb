@@ -2,7 +2,7 @@
 # frozen_string_literal: true
 
 # Rule under test: single axes are homed, cleared, confirmed and given their home over HTTP by a page that has authority, the
-# last and the clearing by an engineer alone; the robot is lined up, its needle inserted and taken to poses by both networks; what
+# last and the clearing by an engineer alone; the robot is lined up, its needle inserted, taken through a program, and to poses by both networks; what
 # control refuses is answered by its name, and nothing moves without the pedal or is confirmed without the button.
 
 require_relative 'support/igtl_client'
@@ -93,6 +93,42 @@ class TestHttpAxes < Minitest::Test
     assert_answer '202', 'accepted', anna.act('workphase', { workphase: 'MOVE_TO_TARGET' })
     run_act(anna, 'needle/insert')
     assert_in_delta 10_000, ticks('insertion'), 40
+    run_act(anna, 'needle/retract')
+  end
+
+  PROGRAM = '/api/v1/program'
+
+  def send_program(page, *steps)
+    steps = steps.map { |depth, angle, dwell_s, gate| { depth:, angle:, dwell_s:, gate: } }
+    page.request('post', PROGRAM, JSON.generate({ steps: }), 'X-Boresight-Page' => page.page.to_s)
+  end
+
+  # From a pedal that is pressed to the dose of the second step.
+  def run_program(page, checksum)
+    assert_answer '202', 'accepted', page.act('program/run', { checksum: })
+    boresight.simctl('pedal', 'press')
+    wait_until('it dwells in its second step') { page.keep && fetch_json(PROGRAM).then { |one| one['done'] == 1 && one['dwelt_s'].positive? } }
+    assert_operator fetch_json('/api/v1/status')['left_ms'], :>, 500_000
+    boresight.simctl('gate', 'dose')
+    wait_until('it is done') { JSON.parse(page.act('program/run', { checksum: }, id: page.id).body)['state'] == 'done' }
+  ensure
+    boresight.simctl('gate', 'off')
+    boresight.simctl('pedal', 'release')
+  end
+
+  def test_SWR_PROG_012_a_program_is_judged_run_ended_by_its_dose_and_emptied
+    anna = holder('anna')
+    aim(anna)
+    run_act(anna, 'align')
+    refused = JSON.parse(assert_described(PROGRAM, 'POST', send_program(anna, [2, 0, 1, false], [5, 0, 1, false])).body)
+    assert_equal ['PROGRAM_DEPTH', '/steps/1'], refused.values_at('code', 'pointer')
+    told = JSON.parse(assert_described(PROGRAM, 'POST', send_program(anna, [2, 20, 0.1, false], [2.9, 0, 600, true])).body)
+    assert_equal [2, 'HTTP'], told.values_at('steps', 'source')
+    anna.act('workphase', { workphase: 'MOVE_TO_TARGET' })
+    run_program(anna, told['checksum'])
+    assert_in_delta 9667, ticks('insertion'), 40
+    emptied = anna.request('delete', PROGRAM, nil, 'X-Boresight-Page' => anna.page.to_s)
+    assert_equal [0, nil], JSON.parse(assert_described(PROGRAM, 'DELETE', emptied).body).values_at('steps', 'source')
     run_act(anna, 'needle/retract')
   end
 

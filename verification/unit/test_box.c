@@ -317,6 +317,21 @@ void test_SWR_BOX_003_emergency_stop_and_scanner_levels_obey(void)
     TEST_ASSERT_FALSE(box_inputs(&box).scanner_active);
 }
 
+void test_SWR_BOX_003_the_gate_of_the_treatment_obeys_and_is_latched(void)
+{
+    order("gate dose");
+    TEST_ASSERT_TRUE(box_inputs(&box).dose_reached);
+    TEST_ASSERT_FALSE(box_inputs(&box).treatment_stopped);
+    order("gate stop");
+    TEST_ASSERT_FALSE(box_inputs(&box).dose_reached);
+    TEST_ASSERT_TRUE(box_inputs(&box).treatment_stopped);
+    box_advance(&box, 1000U);
+    order("gate off");
+    TEST_ASSERT_FALSE(box_inputs(&box).treatment_stopped);
+    TEST_ASSERT_TRUE(box_sample(&box).treatment_stopped);
+    TEST_ASSERT_FALSE(box_sample(&box).treatment_stopped);
+}
+
 void test_SWR_BOX_003_the_button_obeys(void)
 {
     TEST_ASSERT_FALSE(box_inputs(&box).confirm_pressed);
@@ -456,7 +471,8 @@ void test_SWR_BOX_003_show_lists_inputs_and_every_axis(void)
         TEST_ASSERT_NOT_NULL(strstr(reply, robot_neuro.axes[i].name));
     }
     TEST_ASSERT_NOT_NULL(
-        strstr(reply, "pedal a closed, pedal b open, e-stop closed, button released, scanner off"));
+        strstr(reply, "pedal a closed, pedal b open, e-stop closed, button released, scanner off, "
+                      "gate off"));
     order("button press");
     order("show");
     TEST_ASSERT_NOT_NULL(strstr(reply, "button pressed"));
@@ -484,6 +500,9 @@ void test_SWR_BOX_003_orders_that_are_unknown_change_nothing_and_are_told_the_kn
                                         "estop push",
                                         "estop pull now",
                                         "scanner maybe",
+                                        "gate",
+                                        "gate open",
+                                        "gate stop now",
                                         "button",
                                         "button push",
                                         "card 3 broken",

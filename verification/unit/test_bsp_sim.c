@@ -249,6 +249,23 @@ void test_SWR_REF_006_the_button_is_released_unless_it_was_held_since_the_last_s
     bsp_close();
 }
 
+void test_SWR_PROG_008_the_gate_speaks_however_short_and_a_silent_box_says_stop(void)
+{
+    TEST_ASSERT_TRUE(bsp_open(name, error, sizeof error));
+    wire_store(&served.wire->inputs, 0U);
+    wire_latch(&served.wire->latched, WIRE_INPUT_DOSE);
+    TEST_ASSERT_TRUE(bsp_sample_inputs().dose_reached);
+    wire_latch(&served.wire->latched, WIRE_INPUT_TREATMENT_STOP);
+    const bsp_inputs_t inputs = bsp_sample_inputs();
+    TEST_ASSERT_FALSE(inputs.dose_reached);
+    TEST_ASSERT_TRUE(inputs.treatment_stopped);
+    for (uint32_t i = 0U; i < 100U; i++) {
+        (void)bsp_sample_inputs();
+    }
+    TEST_ASSERT_TRUE(bsp_sample_inputs().treatment_stopped);
+    bsp_close();
+}
+
 /* Both clocks are read in turn; then 1 ms of the box' time is slept. */
 static void expect_time_slower_by(uint32_t slowness)
 {

@@ -273,6 +273,8 @@ void test_SWR_CTRL_021_a_cycle_takes_no_more_after_a_command_that_computes(void)
                                             COMMAND_WORKPHASE,
                                             COMMAND_LIST_ROW,
                                             COMMAND_RUN_TRAJECTORY,
+                                            COMMAND_PROGRAM_STEP,
+                                            COMMAND_RUN_PROGRAM,
                                             COMMAND_ALIGN,
                                             COMMAND_INSERT,
                                             COMMAND_POSE};

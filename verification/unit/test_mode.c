@@ -15,6 +15,8 @@
 #include "mode/mode.h"
 #include "mode/mode_frame.h"
 #include "mode/move_mode.h"
+#include "mode/program_list.h"
+#include "mode/program_mode.h"
 #include "mode/retract_mode.h"
 #include "mode/trajectory_list.h"
 #include "mode/trajectory_mode.h"
@@ -26,6 +28,8 @@
 #include "safety/coupled_guard.h"
 #include "safety/needle.h"
 #include "unit/support/mode_world.h"
+
+#include <string.h>
 
 static mode_state_t mode;
 static const mode_request_t request = {.axes = LEG_AXIS(AXIS_YAW),
@@ -77,11 +81,11 @@ static void expect_rest(void)
 void test_SWR_PHASE_001_each_mode_has_its_workphase(void)
 {
     static const char *const runs[WORKPHASE_COUNT] = {
-        [WORKPHASE_UNDEFINED] = "...........", [WORKPHASE_START_UP] = ".H..r......",
-        [WORKPHASE_PLANNING] = "....r......",  [WORKPHASE_CALIBRATION] = "....r......",
-        [WORKPHASE_TARGETING] = "....r...l..", [WORKPHASE_MOVE_TO_TARGET] = "..M.r....i.",
-        [WORKPHASE_MANUAL] = "...jratv..p",    [WORKPHASE_STOP] = "....r......",
-        [WORKPHASE_EMERGENCY] = "....r......",
+        [WORKPHASE_UNDEFINED] = "............", [WORKPHASE_START_UP] = ".H..r.......",
+        [WORKPHASE_PLANNING] = "....r.......",  [WORKPHASE_CALIBRATION] = "....r.......",
+        [WORKPHASE_TARGETING] = "....r...l...", [WORKPHASE_MOVE_TO_TARGET] = "..M.r....i.g",
+        [WORKPHASE_MANUAL] = "...jratv..p.",    [WORKPHASE_STOP] = "....r.......",
+        [WORKPHASE_EMERGENCY] = "....r.......",
     };
     for (uint32_t i = 0U; i < WORKPHASE_COUNT; i++) {
         mode_kind_t own = MODE_NONE;
@@ -106,7 +110,8 @@ void test_SWR_MODE_001_each_mode_is_armed_by_its_command(void)
                                                           [COMMAND_VELOCITY] = MODE_VELOCITY,
                                                           [COMMAND_ALIGN] = MODE_ALIGN,
                                                           [COMMAND_INSERT] = MODE_INSERT,
-                                                          [COMMAND_POSE] = MODE_POSE};
+                                                          [COMMAND_POSE] = MODE_POSE,
+                                                          [COMMAND_RUN_PROGRAM] = MODE_PROGRAM};
     for (uint32_t i = 0U; i < COMMAND_KIND_COUNT; i++) {
         TEST_ASSERT_EQUAL(armed[i], mode_of_command(i));
     }
@@ -387,4 +392,88 @@ void test_SWR_TRAJ_011_without_the_pedal_the_time_of_a_trajectory_stands(void)
     frame.is_moving = true;
     run();
     TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
+}
+
+/* One step, where the axes stand. */
+static void begin_program(program_list_t *list)
+{
+    const program_step_t there = {.depth_ticks = robot.axes[AXIS_INSERTION].target_minimum_ticks,
+                                  .dwell_ms = 400U};
+    mode_request_t asked = {.axes = LEG_EVERY_AXIS};
+    (void)memcpy(asked.move.target_ticks, robot.poses[POSE_HOME].ticks,
+                 sizeof asked.move.target_ticks);
+    asked.move.target_ticks[AXIS_INSERTION] = there.depth_ticks;
+    for (uint32_t i = 0U; i < robot.axis_count; i++) {
+        world_put(i, asked.move.target_ticks[i]);
+    }
+    TEST_ASSERT_EQUAL(STATUS_OK, program_list_begin(list, 1U, 0U, asked.move.target_ticks));
+    TEST_ASSERT_EQUAL(STATUS_OK,
+                      program_list_add(list, &robot, asked.move.target_ticks, 0U, &there).status);
+    TEST_ASSERT_EQUAL(STATUS_OK, program_list_end(list, list->crc));
+    frame.program = list;
+    frame.workphase = WORKPHASE_MOVE_TO_TARGET;
+    frame.is_treatment_stopped = false;
+    mode_begin(&mode, MODE_PROGRAM, &asked);
+}
+
+static void step_until_dwelling(void)
+{
+    for (uint32_t i = 0U; (i < 10000U) && (mode.program.stage != PROGRAM_STAGE_DWELLS); i++) {
+        steps(1U);
+    }
+    TEST_ASSERT_EQUAL_UINT32(PROGRAM_STAGE_DWELLS, mode.program.stage);
+}
+
+void test_SWR_PROG_006_without_the_pedal_the_dwell_of_a_program_stands(void)
+{
+    static program_list_t list;
+    begin_program(&list);
+    step_until_dwelling();
+    steps(100U);
+    const uint32_t dwelt_us = mode.program.dwelt_us;
+    frame.is_moving = false;
+    steps(100U);
+    expect_rest();
+    TEST_ASSERT_EQUAL_UINT32(dwelt_us, mode.program.dwelt_us);
+    frame.is_moving = true;
+    run();
+    TEST_ASSERT_EQUAL(MODE_DONE, result.progress);
+}
+
+void test_SWR_PROG_008_the_stop_ends_a_program_in_a_pause_too_and_nothing_else(void)
+{
+    static program_list_t list;
+    begin_program(&list);
+    frame.is_treatment_stopped = true;
+    for (uint32_t i = 0U; i < 2U; i++) {
+        frame.is_moving = i == 0U;
+        steps(1U);
+        TEST_ASSERT_EQUAL(MODE_FAILED, result.progress);
+        TEST_ASSERT_EQUAL(STATUS_PROGRAM_STOPPED, result.status);
+        expect_rest();
+    }
+    mode_stop(&mode, axes, robot.axis_count);
+    steps(1U);
+    TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
+    TEST_ASSERT_EQUAL_UINT32(0U, result.note_count);
+    begin_program(&list);
+    begin(MODE_JOG, WORKPHASE_MANUAL);
+    frame.is_treatment_stopped = true;
+    steps(1U);
+    TEST_ASSERT_EQUAL(MODE_RUNNING, result.progress);
+}
+
+void test_SWR_PROG_011_share_and_time_left_are_those_of_the_dwell(void)
+{
+    static program_list_t list;
+    begin_program(&list);
+    step_until_dwelling();
+    steps(100U);
+    mode_share_t share = mode_share(&mode, MODE_PROGRAM, axes, robot.axis_count);
+    TEST_ASSERT_EQUAL_UINT32(250U, share.done_per_mille);
+    TEST_ASSERT_EQUAL_UINT32(300U, share.left_ms);
+    mode.program.dwell_ms = 100U;
+    share = mode_share(&mode, MODE_PROGRAM, axes, robot.axis_count);
+    TEST_ASSERT_EQUAL_UINT32(1000U, share.done_per_mille);
+    TEST_ASSERT_EQUAL_UINT32(0U, share.left_ms);
 }

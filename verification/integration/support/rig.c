@@ -101,6 +101,8 @@ static void gather(rig_t *self)
     self->inputs.scanner_active = levels.scanner_active ? 1U : 0U;
     self->inputs.has_button = (levels.has_button && !self->has_no_button) ? 1U : 0U;
     self->inputs.confirm_pressed = levels.confirm_pressed ? 1U : 0U;
+    self->inputs.dose_reached = levels.dose_reached ? 1U : 0U;
+    self->inputs.treatment_stopped = levels.treatment_stopped ? 1U : 0U;
     self->inputs.frames_received =
         box_exchange(&self->box, self->outputs.frames_to_send,
                      (const uint8_t(*)[CARD_FRAME_BYTES])self->outputs.frames, self->inputs.frames);
