@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "http/http_program.h"
 
+#include "common/axis_terms.h"
 #include "http/http_act.h"
 #include "http/http_reply.h"
 #include "http/patience.h"
-#include "http/telemetry_units.h"
 #include "interface/app/messages.h"
 #include "interface/app/names.h"
 #include "mode/program_list.h"
@@ -75,10 +75,9 @@ static bool read_step(const robot_t *robot, const request_program_step_t *asked,
     if (asked->has_angle != (turning < robot->axis_count)) {
         return false;
     }
-    return telemetry_units_ticks(&robot->axes[robot->needle_axis], asked->depth,
-                                 &step->depth_ticks) &&
+    return axis_terms_ticks(&robot->axes[robot->needle_axis], asked->depth, &step->depth_ticks) &&
            (!asked->has_angle ||
-            telemetry_units_ticks(&robot->axes[turning], asked->angle, &step->angle_ticks));
+            axis_terms_ticks(&robot->axes[turning], asked->angle, &step->angle_ticks));
 }
 
 static command_t command_of(const robot_t *robot, const program_step_t *step, uint32_t index)

@@ -127,18 +127,18 @@ static status_t program_outlook(const snapshot_t *snapshot)
 static status_t own_outlook(const robot_t *robot, const snapshot_t *snapshot, mode_kind_t kind)
 {
     status_t status = STATUS_OK;
-    switch (kind) {
-    case MODE_ALIGN:
-    case MODE_INSERT:
+    switch ((uint32_t)kind) {
+    case (uint32_t)MODE_ALIGN:
+    case (uint32_t)MODE_INSERT:
         status = aim_outlook(snapshot);
         break;
-    case MODE_PROGRAM:
+    case (uint32_t)MODE_PROGRAM:
         status = program_outlook(snapshot);
         break;
-    case MODE_TRAJECTORY:
+    case (uint32_t)MODE_TRAJECTORY:
         status = (snapshot->trajectory_rows == 0U) ? STATUS_TRAJECTORY_EMPTY : STATUS_OK;
         break;
-    case MODE_POSE:
+    case (uint32_t)MODE_POSE:
         status = (robot->pose_mask == 0U) ? STATUS_NO_POSE : STATUS_OK;
         break;
     default: /* The workphase chart decides. */
