@@ -57,6 +57,9 @@ class TestIgtl < Minitest::Test
         client.run('expect STATUS ACK_VELOCITY 1')
         boresight.simctl('pedal', 'press')
         assert_equal [1, 'MANUAL'], client.status('VELOCITY').values_at('code', 'error_name')
+        boresight.simctl('pedal', 'release')
+        boresight.await_released_pedal
+        assert_jogs client
       end
     end
   end
@@ -258,6 +261,16 @@ class TestIgtl < Minitest::Test
   end
 
   # START_UP moves only axes that are not homed.
+  # SWR-FLOW-005: by a way, and what is no jog is refused.
+  def assert_jogs(client)
+    client.run('string Text JOG_BY nose 5')
+    assert_match(/\AUNKNOWN_COMMAND: /, client.status('JOG_BY')['text'])
+    client.run('string Text JOG_BY rotation 5')
+    client.run('expect STATUS ACK_JOG_BY 1')
+    boresight.simctl('pedal', 'press')
+    assert_equal [1, 'MANUAL'], client.status('JOG_BY').values_at('code', 'error_name')
+  end
+
   def with_unhomed_robot
     @fresh = Boresight.start
     yield
