@@ -29,7 +29,8 @@ static bool is_base_aligned(const move_mode_t *target, const robot_t *robot,
                             const axis_t axes[ROBOT_AXIS_MAX])
 {
     const uint32_t turning = program_list_turning_axis(robot);
-    move_mode_t base = *target;
+    move_mode_t base;
+    (void)memcpy(&base, target, sizeof base);
     if (turning < robot->axis_count) {
         base.target_ticks[turning] = axes[turning].encoder.position_ticks;
     }
@@ -67,8 +68,8 @@ void program_mode_begin(program_mode_t *self)
 
 void program_mode_stop(const program_mode_t *self, const mode_frame_t *frame, mode_result_t *result)
 {
-    mode_note(result, EVENT_PROGRAM_STOPPED, self->step + 1U,
-              (int32_t)(self->dwelt_us / US_PER_MS));
+    const uint32_t dwelt_ms = self->dwelt_us / US_PER_MS;
+    mode_note(result, EVENT_PROGRAM_STOPPED, self->step + 1U, (int32_t)dwelt_ms);
     mode_give_up(frame, result, STATUS_PROGRAM_STOPPED);
 }
 
