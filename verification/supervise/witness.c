@@ -219,7 +219,8 @@ static void judge_homing(witness_t *self, const rig_t *rig)
 {
     for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
         const bool is_sent = rig_sent(rig, i).drive.mode != (uint32_t)CARD_DRIVE_OFF;
-        const bool is_idle = is_sent && is_idle_in_homing(rig, i);
+        const bool is_drawn_out = self->is_retracting && (i == rig->box.robot->needle_axis);
+        const bool is_idle = is_sent && !is_drawn_out && is_idle_in_homing(rig, i);
         self->idle_cycles[i] = is_idle ? (self->idle_cycles[i] + 1U) : 0U;
         if (self->idle_cycles[i] > IDLE_CYCLES) {
             complain(self, rig, SENTENCE_HOMING, i, self->idle_cycles[i]);
