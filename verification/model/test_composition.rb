@@ -31,6 +31,11 @@ class TestComposition < Minitest::Test
     Dir.mktmpdir { |folder| Explorer.new(what).run(folder, kind: kind, asked: asked, &mutate) }
   end
 
+  # With who commands, and what the armed order needs.
+  def commands
+    @@commands ||= Composition.new(axes: 1, commands: true) # rubocop:disable Style/ClassVars
+  end
+
   def sound(axes, kind)
     @@reports ||= {} # rubocop:disable Style/ClassVars
     @@reports[[axes, kind]] ||= explore(axes, kind, asked: controller_run).tap do |report|
@@ -125,14 +130,14 @@ class TestComposition < Minitest::Test
   end
 
   def test_SWR_CHART_012_a_controller_that_forgets_a_fact_of_the_permit_is_found
-    seen = ControllerRun.seen(composition(2), episodes: 40) do |code|
+    seen = ControllerRun.seen(commands, episodes: 40) do |code|
       code.sub(/(?<=is_pedal_pressed = ).*(?=,)/, 'true')
     end
     assert_match(/^another permit: /, explore(1, 'gcc', asked: seen).findings.join("\n"))
   end
 
   def controller_run
-    @@controller_run ||= ControllerRun.seen(composition(2)) # rubocop:disable Style/ClassVars
+    @@controller_run ||= ControllerRun.seen(commands) # rubocop:disable Style/ClassVars
   end
 
   def composed(composition)
@@ -141,10 +146,10 @@ class TestComposition < Minitest::Test
   end
 
   # A composition.yml with one line changed.
-  def changed(from, to, axes: 1)
+  def changed(from, to, **options)
     text = File.read(Composition::FILE)
     assert_equal 1, text.scan(from).length, "#{from} stands once"
-    written(text.sub(from, to), axes: axes)
+    written(text.sub(from, to), axes: 1, **options)
   end
 
   def written(text, **options)
@@ -153,6 +158,29 @@ class TestComposition < Minitest::Test
       File.write(file, text)
       return Composition.new(file: file, **options)
     end
+  end
+
+  def test_SWR_CHART_012_with_who_commands_and_what_the_order_needs_every_property_holds
+    report = explore(1, 'gcc', commands, asked: controller_run)
+    assert_empty report.findings.first(3)
+    assert_operator report.configurations, :>, 300_000
+    tell(report, 'gcc, interpreter (one axis, with authority and what the order needs)')
+  end
+
+  {
+    'authority does discard_order, tell: [arming.discard]' => /^COMP-I27: .*authority\.lose$/,
+    'workphase does arm_order, tell: [authority.take]' => /^COMP-I27: .*request_start_up$/,
+    'arming does renew_pedal, tell: [need.armed]' => /^COMP-I31/
+  }.each do |row, finding|
+    define_method("test_SWR_CHART_012_without_#{row[/\w+ \w+ \w+/].tr(' ', '_')}_#{row[/(?<=\[)\w+/]}_a_property_is_violated") do
+      report = explore(1, 'gcc', changed(row, row.sub(/\[.*\]/, '[plan.forget]'), commands: true))
+      assert_match finding, report.findings.join("\n")
+    end
+  end
+
+  def test_SWR_CHART_012_a_motion_of_all_axes_that_is_armed_without_one_is_found
+    lacking = changed("any && (!In('need.asking') || In('axis_N.homed'))", 'any', commands: true)
+    assert_match(/^COMP-I26\.1: .*need\.ask_mo/, explore(1, 'gcc', lacking).findings.join("\n"))
   end
 
   # What the controller might forget, and the property that shows it with the shortest way there.

@@ -26,8 +26,11 @@ class Composition
   attr_reader :axes, :charts, :members, :permits, :inputs, :reactions, :stimuli, :facts, :common_facts, :properties, :free,
               :exchange
 
-  def initialize(axes: nil, file: FILE, exchange: Exchange)
+  # commands: with what the section of that name adds.
+  def initialize(axes: nil, file: FILE, commands: false, exchange: Exchange)
     @rows = YAML.safe_load_file(file)
+    more = @rows.delete('commands')
+    @rows = merged(@rows, more) if commands
     @axes = axes || @rows.fetch('axes')
     read_members
     @permits = (1..@axes).to_h { |axis| ["permit_#{axis}", expression(number(@rows.fetch('permit'), axis))] }
@@ -48,6 +51,19 @@ class Composition
   end
 
   private
+
+  # A hash has what both have, a row the place of one of its name; what is no collection is the later.
+  def merged(one, other)
+    case other
+    when Hash then one.merge(other) { |_key, before, after| merged(before, after) }
+    when Array then one.reject { |row| named(row) && other.any? { |late| named(late) == named(row) } } + other
+    else other
+    end
+  end
+
+  def named(row)
+    row['id'] || (row['tell'] unless row.key?('after'))
+  end
 
   def read_members
     @charts = @rows.fetch('members').values.uniq.to_h { |file| [file, chart(File.join(ProductCharts::ROOT, file))] }

@@ -7,9 +7,9 @@
  *     controller_run EPISODES
  *
  * Standard output has a line for each change, of every axis with its card and with the next axis:
- * the numbers of loop, pedal, estop, card, axes, stalls, workphase, arming, plan and scanner, and
- * for each axis whether it may move: 0, 1, or 2 when another card forbids it. The same lines on
- * every run.
+ * the numbers of loop, pedal, estop, card, axes, stalls, workphase, arming, authority, need, plan
+ * and scanner, and for each axis whether it may move: 0, 1, or 2 when another card forbids it. The
+ * same lines on every run.
  */
 #include "numbers.h"
 #include "robot/robot_neuro.h"
@@ -24,7 +24,7 @@
 
 #define CYCLES 2500U
 #define AXES 2U
-#define COLUMNS 14U
+#define COLUMNS 16U
 
 typedef struct {
     uint32_t numbers[COLUMNS];
@@ -80,6 +80,19 @@ static uint32_t scanner_of(const controller_inputs_t *inputs)
     return scanner_number(&chart);
 }
 
+/* By the row of the mode that was armed. */
+static uint32_t need_of(const controller_t *self)
+{
+    need_chart_t chart;
+    need_chart_init(&chart);
+    if (procedure_is_armed(&self->procedure) &&
+        !mode_may_be_unhomed((mode_kind_t)self->mode.kind)) {
+        (void)need_chart_dispatch(&chart, NEED_EVENT_ASK_MOTION);
+        (void)need_chart_dispatch(&chart, NEED_EVENT_ARMED);
+    }
+    return need_number(&chart);
+}
+
 /* Where the axes stand is no part of the composition, and only such reasons are held. */
 static uint32_t permit_of(uint32_t axis, uint32_t card)
 {
@@ -117,6 +130,8 @@ static row_t row_of(uint32_t axis)
     }
     add(&row, workphase_number(&self->procedure.workphase));
     add(&row, arming_number(&self->procedure.arming));
+    add(&row, authority_number(&self->authority.chart));
+    add(&row, need_of(self));
     add(&row, plan_of(&self->plan));
     add(&row, scanner_of(&rig.inputs));
     for (uint32_t i = 0U; i < AXES; i++) {
@@ -153,8 +168,13 @@ static void disturb(void)
 
 static void command(void)
 {
+    static const command_kind_t of_axis[] = {COMMAND_HOME_AXIS,    COMMAND_CLEAR_AXIS,
+                                             COMMAND_CONFIRM_AXIS, COMMAND_SET_HOME,
+                                             COMMAND_ENABLE_AXIS,  COMMAND_DISABLE_AXIS};
+    static const command_kind_t motions[] = {COMMAND_ALIGN, COMMAND_INSERT, COMMAND_POSE,
+                                             COMMAND_RELEASE, COMMAND_TAKE};
     command_t one = {.kind = (uint32_t)COMMAND_WORKPHASE, .argument = 1U + random_below(8U)};
-    switch (random_below(8U)) {
+    switch (random_below(9U)) {
     case 0:
         one.argument = (uint32_t)WORKPHASE_START_UP;
         break;
@@ -179,8 +199,12 @@ static void command(void)
                           .argument = 1U << random_below(robot_neuro.axis_count)};
         break;
     case 6:
-        one.kind = (uint32_t)COMMAND_HOME_AXIS + random_below(4U);
+        one.kind = (uint32_t)of_axis[random_below(sizeof of_axis / sizeof of_axis[0])];
         one.argument = random_below(robot_neuro.axis_count);
+        break;
+    case 7:
+        one.kind = (uint32_t)motions[random_below(sizeof motions / sizeof motions[0])];
+        one.argument = random_below(POSE_NAME_COUNT);
         break;
     default:
         break;

@@ -11,7 +11,7 @@ class ControllerRun
   ROOT = CompiledChart::ROOT
   SOURCES = %w[verification/model/composition/controller_run.c verification/integration/support/rig.c].freeze
   SUPPORT = %w[core app bsp bsp/include build/gen verification].freeze
-  COLUMNS = %w[loop pedal estop card axis_1 axis_2 stall_1 stall_2 workphase arming plan scanner permit_1 permit_2].freeze
+  COLUMNS = %w[loop pedal estop card axis_1 axis_2 stall_1 stall_2 workphase arming authority need plan scanner permit_1 permit_2].freeze
   EPISODES = 120
 
   # Lists of numbers, one for each of COLUMNS; the block may change controller_drive.c.
@@ -36,7 +36,7 @@ class ControllerRun
     library = 'build/gcc/libtest-core.a'
     call('make', '--no-print-directory', '-C', ROOT, library)
     includes = Dir.glob(SUPPORT, base: ROOT).map { |support| "#{ROOT}/#{support}" }
-    own = %w[plan_chart scanner_chart controller_drive].map { |name| "#{folder}/#{name}.c" }
+    own = %w[plan_chart scanner_chart need_chart controller_drive].map { |name| "#{folder}/#{name}.c" }
     call('gcc', '-std=c99', '-O2', *[folder, unity, *includes].map { |include| "-I#{include}" },
          *SOURCES.map { |source| "#{ROOT}/#{source}" }, "#{unity}/unity.c", *own, "#{ROOT}/#{library}", '-lm',
          '-o', "#{folder}/run")
