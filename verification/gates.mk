@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # What `make test` runs; included by the Makefile.
 
-.PHONY: gate one generated unit coverage misra sanitize arm console-test objects programs trace demo velocity worst-case \
+.PHONY: gate one generated unit coverage misra sanitize arm console-test objects programs trace demo velocity sweep worst-case \
     worst-case-approve
 
 test: bootstrap-test ## Run everything that can fail; the last line is `N passed, N failed`
@@ -51,6 +51,10 @@ demo: bootstrap-test ## The targets of the thesis with a real client; ROBOT=NAME
 velocity: bootstrap-test ## Figures 29 to 31 of the thesis: 600 ticks at 833 ticks/s; PICTURE=file.svg
 	@$(MAKE) --no-print-directory -j2 programs
 	@ruby verification/demo/velocity.rb $(PICTURE)
+
+sweep: bootstrap-test ## Frequency sweep of the ProstateRobot's rotation, six minutes; PICTURE=file.svg, FILE=sweep.csv only draws that
+	@$(MAKE) --no-print-directory -j2 programs
+	@ruby verification/demo/sweep.rb $(or $(PICTURE),$(CURDIR)/build/demo/sweep/sweep.svg) $(FILE)
 
 unit: $(GENERATED) .tools/gems/bin/ceedling ## Unit and integration tests with coverage
 	status=0; ruby tools/results.rb ceedling build/ceedling/artifacts/gcov/tests_report.json $(CEEDLING) gcov:all || \

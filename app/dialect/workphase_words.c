@@ -90,6 +90,23 @@ static status_t read_velocity(const robot_t *robot, char *text, command_t *comma
     return (first == NULL) ? STATUS_UNKNOWN_COMMAND : read_time(first, command);
 }
 
+/* An axis, and that it is free. */
+static status_t read_sweep(const robot_t *robot, char *text, command_t *command)
+{
+    const char *name = workphase_text_next(&text);
+    const char *word = workphase_text_next(&text);
+    const uint32_t axis = (name == NULL) ? robot->axis_count : axis_terms_find(robot, name);
+    const bool is_free = (word != NULL) && (strcmp(word, "FREE") == 0);
+
+    if ((axis == robot->axis_count) || ((word != NULL) && !is_free) ||
+        (workphase_text_next(&text) != NULL)) {
+        return STATUS_UNKNOWN_COMMAND;
+    }
+    command->argument = axis;
+    command->value = is_free ? 1 : 0;
+    return STATUS_OK;
+}
+
 static status_t read_probe(const robot_t *robot, char *text, command_t *command)
 {
     const char *word = workphase_text_next(&text);
@@ -118,6 +135,7 @@ static const workphase_word_t words[] = {
     {"JOG", COMMAND_JOG, 0U, read_jog},
     {"JOG_BY", COMMAND_JOG_BY, 0U, read_jog},
     {"VELOCITY", COMMAND_VELOCITY, 0U, read_velocity},
+    {"SWEEP", COMMAND_SWEEP, 0U, read_sweep},
     {"ACCEPT_ENTRY", COMMAND_ACCEPT_ENTRY, 0U, NULL},
     {"WITHDRAW_ENTRY", COMMAND_WITHDRAW, (uint32_t)COMMAND_ENTRY, NULL},
     {"PROBE", COMMAND_PROBE, 0U, read_probe},

@@ -39,13 +39,15 @@ const workphase_word_t *workphase_words_find(const igtl_message_t *message);
  *
  * POSE has the name of a pose. JOG has an axis and its position in mm or degrees, JOG_BY the way
  * from where it stands. VELOCITY has axes, each with a speed in mm/s or degrees/s, then the
- * seconds. PROBE has lengths in mm, within +-2000, in the order of the robot's file.
+ * seconds. SWEEP has an axis, and FREE if the operator has confirmed that it is. PROBE has lengths
+ * in mm, within +-2000, in the order of the robot's file.
  *
  * @return as its reader; STATUS_OUT_OF_RANGE also beyond IGTL_TEXT_MAX characters
  *
  * @satisfies SWR-FLOW-005
  * @satisfies SWR-POSE-006
  * @satisfies SWR-PROBE-006
+ * @satisfies SWR-SWEEP-013
  * @satisfies SWR-VEL-014
  */
 status_t workphase_words_read(const workphase_word_t *word, const robot_t *robot,

@@ -14,6 +14,7 @@
 #include "http/http_positions.h"
 #include "http/http_program.h"
 #include "http/http_reply.h"
+#include "http/http_sweep.h"
 #include "http/http_targeting.h"
 #include "http/http_trajectory.h"
 #include "http/stop_desk.h"
@@ -188,6 +189,12 @@ static int answer(http_server_t *server, const http_call_t *call)
         return http_motion_axis(server, call, COMMAND_SET_HOME, call->body.set_home.id);
     case ROUTE_VELOCITY:
         return http_motion_velocity(server, call);
+    case ROUTE_RUN_SWEEP:
+        return http_sweep_run(server, call);
+    case ROUTE_SWEEP:
+        return http_sweep_show(server, call);
+    case ROUTE_SWEEP_CSV:
+        return http_sweep_csv(server, call);
     case ROUTE_ENABLE_AXIS:
         return http_motion_axis(server, call, COMMAND_ENABLE_AXIS, call->body.enable_axis.id);
     case ROUTE_DISABLE_AXIS:

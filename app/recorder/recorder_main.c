@@ -14,6 +14,7 @@
 #include "recorder/black_box.h"
 #include "recorder/event_log.h"
 #include "recorder/position_keeper.h"
+#include "recorder/sweep_keeper.h"
 #include "robot/robot.h"
 
 #include <errno.h>
@@ -39,6 +40,7 @@ typedef struct {
 static black_box_t black_box;
 static event_log_t event_log;
 static position_keeper_t position_keeper;
+static sweep_keeper_t sweep_keeper;
 
 static bool read_options(int count, char **arguments, options_t *options)
 {
@@ -81,6 +83,7 @@ static void drain(exchange_t *exchange)
 {
     black_box_drain(&black_box, clock_monotonic_us());
     event_log_drain(&event_log);
+    sweep_keeper_drain(&sweep_keeper, exchange);
     exchange_beat(exchange, EXCHANGE_RECORDER);
 }
 
@@ -158,6 +161,7 @@ int main(int count, char **arguments)
     (void)snprintf(header.robot, sizeof header.robot, "%s", robot->name);
     event_log_open(&event_log, options.directory, exchange);
     position_keeper_open(&position_keeper, options.positions);
+    sweep_keeper = (sweep_keeper_t){.directory = options.directory, .robot = robot};
     black_box_open(&black_box, options.directory, exchange, &header);
     record(exchange, &ends);
     black_box_close(&black_box);

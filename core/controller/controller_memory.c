@@ -32,7 +32,9 @@ static const range_t link_range = {offsetof(link_t, sent), sizeof(link_t)};
 static const range_t mode_range = {offsetof(controller_t, mode), offsetof(controller_t, axes)};
 /* What one mode alone reads, and writes when it is begun: under seal while it was begun last. */
 static const range_t own_ranges[MODE_KIND_COUNT] = {
-    [MODE_VELOCITY] = {offsetof(controller_t, mode.request.velocity), offsetof(controller_t, axes)},
+    [MODE_VELOCITY] = {offsetof(controller_t, mode.request.velocity),
+                       offsetof(controller_t, mode.request.sweep)},
+    [MODE_SWEEP] = {offsetof(controller_t, mode.request.sweep), offsetof(controller_t, axes)},
 };
 /* Of the rest, what counts while positions wait to be compared. */
 static const range_t awaited_range = {offsetof(controller_t, kept.axes),

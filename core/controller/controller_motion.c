@@ -28,6 +28,7 @@ static mode_request_t request_of(const controller_t *self, const cycle_t *cycle,
     switch (kind) {
     case MODE_JOG:
     case MODE_HOME_AXIS:
+    case MODE_SWEEP:
         request.way.axis = command->argument;
         request.way.end_ticks = jog_end_ticks(self, command);
         request.axes =

@@ -33,6 +33,7 @@ static void fill_frame(controller_t *self, const cycle_t *cycle, bool is_every_a
     frame->program = &self->program;
     frame->is_dose_reached = cycle->inputs->dose_reached != 0U;
     frame->is_treatment_stopped = cycle->inputs->treatment_stopped != 0U;
+    frame->links = self->links;
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         frame->speed_cap_percent[i] = percent;
     }

@@ -17,25 +17,16 @@
 
 /* What a source may send. */
 static const bool rights[COMMAND_SOURCE_COUNT][COMMAND_KIND_COUNT] = {
-    [COMMAND_SOURCE_IGTL] = {[COMMAND_WORKPHASE] = true,
-                             [COMMAND_REGISTRATION] = true,
-                             [COMMAND_TARGET] = true,
-                             [COMMAND_PROPOSE_REGISTRATION] = true,
-                             [COMMAND_PROPOSE_ENTRY] = true,
-                             [COMMAND_PROPOSE_TARGET] = true,
-                             [COMMAND_RETRACT] = true,
-                             [COMMAND_ALIGN] = true,
-                             [COMMAND_INSERT] = true,
-                             [COMMAND_POSE] = true,
-                             [COMMAND_NEEDLE] = true,
-                             [COMMAND_ENTRY] = true,
-                             [COMMAND_ACCEPT_ENTRY] = true,
-                             [COMMAND_WITHDRAW] = true,
-                             [COMMAND_RELEASE] = true,
-                             [COMMAND_JOG] = true,
-                             [COMMAND_JOG_BY] = true,
-                             [COMMAND_VELOCITY] = true,
-                             [COMMAND_PROBE] = true},
+    [COMMAND_SOURCE_IGTL] = {[COMMAND_WORKPHASE] = true,     [COMMAND_REGISTRATION] = true,
+                             [COMMAND_TARGET] = true,        [COMMAND_PROPOSE_REGISTRATION] = true,
+                             [COMMAND_PROPOSE_ENTRY] = true, [COMMAND_PROPOSE_TARGET] = true,
+                             [COMMAND_RETRACT] = true,       [COMMAND_ALIGN] = true,
+                             [COMMAND_INSERT] = true,        [COMMAND_POSE] = true,
+                             [COMMAND_NEEDLE] = true,        [COMMAND_ENTRY] = true,
+                             [COMMAND_ACCEPT_ENTRY] = true,  [COMMAND_WITHDRAW] = true,
+                             [COMMAND_RELEASE] = true,       [COMMAND_JOG] = true,
+                             [COMMAND_JOG_BY] = true,        [COMMAND_VELOCITY] = true,
+                             [COMMAND_PROBE] = true,         [COMMAND_SWEEP] = true},
     [COMMAND_SOURCE_HTTP] = {[COMMAND_WORKPHASE] = true,      [COMMAND_REGISTRATION] = true,
                              [COMMAND_TARGET] = true,         [COMMAND_JOG] = true,
                              [COMMAND_RETRACT] = true,        [COMMAND_ALIGN] = true,
@@ -52,7 +43,9 @@ static const bool rights[COMMAND_SOURCE_COUNT][COMMAND_KIND_COUNT] = {
                              [COMMAND_PROBE] = true,          [COMMAND_JOG_BY] = true,
                              [COMMAND_ENABLE_AXIS] = true,    [COMMAND_DISABLE_AXIS] = true,
                              [COMMAND_PROGRAM_BEGIN] = true,  [COMMAND_PROGRAM_STEP] = true,
-                             [COMMAND_PROGRAM_END] = true,    [COMMAND_RUN_PROGRAM] = true}};
+                             [COMMAND_PROGRAM_END] = true,    [COMMAND_RUN_PROGRAM] = true,
+
+                             [COMMAND_SWEEP] = true}};
 
 /* START_UP is the operator's act that clears what was latched. */
 static void begin_start_up(controller_t *self, const cycle_t *cycle)

@@ -82,6 +82,9 @@ solution_t mode_judge(mode_kind_t kind, const mode_request_t *request, const rob
     case MODE_POSE:
         result = pose_mode_judge(&request->move, robot, axes);
         break;
+    case MODE_SWEEP:
+        result = sweep_mode_judge(request->way.axis, request->way.end_ticks == 1, robot, axes);
+        break;
     case MODE_NONE:
     case MODE_HOMING:
     case MODE_MOVE:
@@ -148,6 +151,9 @@ static void run(mode_state_t *self, mode_kind_t kind, const mode_frame_t *frame,
         break;
     case MODE_PROGRAM:
         program_mode_step(&self->program, &self->request.move, &self->leg, frame, result);
+        break;
+    case MODE_SWEEP:
+        sweep_mode_step(&self->request.sweep, self->request.way.axis, &self->leg, frame, result);
         break;
     case MODE_NONE:
     default:

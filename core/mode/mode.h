@@ -19,6 +19,7 @@
 #include "mode/pose_mode.h"
 #include "mode/program_mode.h"
 #include "mode/retract_mode.h"
+#include "mode/sweep_mode.h"
 #include "mode/trajectory_list.h"
 #include "mode/trajectory_mode.h"
 #include "mode/velocity_mode.h"
@@ -30,11 +31,13 @@
 /** What a mode is asked for; each reads what it needs. */
 typedef struct {
     uint32_t axes;  /**< Bit n: axis n is commanded. mode_axes() makes of it those that it needs. */
-    mode_way_t way; /**< Of MODE_JOG and MODE_RETRACT; MODE_HOME_AXIS reads its axis. */
+    mode_way_t way; /**< Of MODE_JOG and MODE_RETRACT; MODE_HOME_AXIS reads its axis;
+                       of MODE_SWEEP 1 instead of the end says that it is free. */
     move_mode_t move;
     uint32_t start_ms;        /**< Time of the first row of a trajectory, */
     uint32_t end_ms;          /**< and of its last one. */
     velocity_mode_t velocity; /**< From here on: what one mode alone reads. */
+    sweep_mode_t sweep;       /**< Nothing is asked for. */
 } mode_request_t;
 
 /** At first all zero. */
@@ -84,7 +87,7 @@ bool mode_needs(const mode_state_t *self, uint32_t index);
  *
  * @return STATUS_OK; of MODE_JOG as jog_mode_judge(), of MODE_HOME_AXIS as homing_mode_judge(), of
  * MODE_VELOCITY as velocity_mode_judge(), of MODE_INSERT as insert_mode_judge(), of MODE_POSE as
- * pose_mode_judge()
+ * pose_mode_judge(), of MODE_SWEEP as sweep_mode_judge()
  */
 solution_t mode_judge(mode_kind_t kind, const mode_request_t *request, const robot_t *robot,
                       const axis_t axes[ROBOT_AXIS_MAX]);

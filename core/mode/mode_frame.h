@@ -9,6 +9,7 @@
 
 #include "axis/axis.h"
 #include "card/card_frame.h"
+#include "card/link.h"
 #include "interface/event.h"
 #include "interface/status.h"
 #include "interface/workphase_list.h"
@@ -36,6 +37,7 @@ typedef struct {
     const program_list_t *program;              /**< The treatment program that is held. */
     bool is_dose_reached;                       /**< The gate of the treatment says so. */
     bool is_treatment_stopped;                  /**< The same. */
+    const link_t *links;                        /**< To the cards, by slot. */
     uint32_t speed_cap_percent[ROBOT_AXIS_MAX]; /**< What the permit lets each axis have of its
                                                    speed, 1..100. */
 } mode_frame_t;

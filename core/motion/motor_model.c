@@ -59,10 +59,15 @@ static uint32_t wave_word(const axis_config_t *config, int64_t speed_q8)
     return config->minimum_duty - (uint32_t)below;
 }
 
+/* Beyond the slowest word lies the dead zone, and nobody knows where it begins. */
 static int64_t wave_speed_q8(const axis_config_t *config, uint32_t word)
 {
     const int64_t span = wave_span(config);
-    const int64_t down = clamp((int64_t)config->minimum_duty - (int64_t)word, span);
+    const int64_t beyond = (int64_t)word - (int64_t)config->minimum_duty;
+    const int64_t down = clamp(-beyond, span);
+    if (beyond > (int64_t)LIMIT_SWEEP_MARGIN_WORDS) {
+        return 0;
+    }
     const int64_t steps_q8 = (down * (int64_t)ROBOT_CURVE_STEPS * 256) / span;
     const int64_t whole = steps_q8 / 256;
     const uint32_t step = (uint32_t)whole;

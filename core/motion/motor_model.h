@@ -44,7 +44,13 @@ int64_t motor_model_step_q16(motor_model_t *self, const axis_config_t *config,
  */
 uint32_t motor_model_duty(const axis_config_t *config, int64_t speed_ticks_per_s_q8);
 
-/** @return the speed that `drive`, which is not off, settles to, without its sign */
+/**
+ * @return the speed that `drive`, which is not off, settles to, without its sign; 0, unknown, for
+ * waves slower than the axis' slowest by more than LIMIT_SWEEP_MARGIN_WORDS, which only a sweep
+ * drives with
+ *
+ * @satisfies SWR-SWEEP-009
+ */
 int64_t motor_model_steady_q8(const axis_config_t *config, const card_drive_t *drive);
 
 /** True when `drive` makes the position grow. */

@@ -211,6 +211,47 @@ class TestHttpAxes < Minitest::Test
     end
   end
 
+  def test_SWR_SWEEP_012_a_sweep_is_commanded_by_name_and_refused_by_name
+    anna = holder('anna')
+    { { axis: 'rotation', is_free: true } => ['409', 'NO_SWEEP', nil], { axis: 'yaw' } => ['409', 'NO_SWEEP', nil],
+      { axis: 'nose', is_free: true } => ['422', 'OUT_OF_RANGE', '/axis'] }.each do |fields, expected|
+      refusal = anna.act('motion/sweep', fields)
+      assert_equal expected, [refusal.code, *JSON.parse(refusal.body).values_at('code', 'pointer')], refusal.body
+      assert_described '/api/v1/motion/sweep', 'POST', refusal
+    end
+  end
+
+  # As the recorder writes it, of this robot.
+  def sweep_file(robot)
+    text = "# robot neuro #{robot.fetch('checksum')}\n# axis rotation\n# card high_frequency 66048\n" \
+           "# ended 2026-11-22T17:50:00.000Z 1 SPEED\n" \
+           "frequency_hz,upwards_ticks,downwards_ticks,upwards_rpm,downwards_rpm\n51600,673,-673,1.000,-1.000\n"
+    format("%<text>s# crc32c %<sum>08x\n", text: text, sum: crc32c(text))
+  end
+
+  def crc32c(text)
+    text.bytes.inject(0xFFFFFFFF) { |sum, byte| 8.times.inject(sum ^ byte) { |rest, _| (rest >> 1) ^ (rest[0] * 0x82F63B78) } } ^ 0xFFFFFFFF
+  end
+
+  def sweep_shown
+    JSON.parse(assert_described('/api/v1/sweep', 'GET', get('/api/v1/sweep')).body)
+  end
+
+  def test_SWR_SWEEP_014_a_kept_sweep_is_shown_if_it_is_whole
+    path = File.join(boresight.recordings, 'sweep-neuro.csv')
+    assert_equal ['none', nil, []], sweep_shown.values_at('state', 'axis', 'points')
+    whole = sweep_file(fetch_json('/api/v1/robot'))
+    File.write(path, whole)
+    assert_equal %w[kept rotation 2026-11-22T17:50:00.000Z SPEED], sweep_shown.values_at('state', 'axis', 'ended', 'end')
+    assert_in_delta 1.0, sweep_shown['points'].first['upwards'], 0.001
+    assert_equal whole, get('/api/v1/sweep.csv').body
+    File.write(path, whole.sub('673', '674'))
+    assert_equal ['damaged', []], sweep_shown.values_at('state', 'points')
+    assert_equal '404', get('/api/v1/sweep.csv').code
+  ensure
+    FileUtils.rm_f(path)
+  end
+
   def test_SWR_MODE_009_an_axis_is_disabled_enabled_and_jogged_by_a_distance
     anna = holder('anna')
     assert_answer '200', 'done', anna.act('motors/yaw/disable')

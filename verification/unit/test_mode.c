@@ -81,11 +81,11 @@ static void expect_rest(void)
 void test_SWR_PHASE_001_each_mode_has_its_workphase(void)
 {
     static const char *const runs[WORKPHASE_COUNT] = {
-        [WORKPHASE_UNDEFINED] = "............", [WORKPHASE_START_UP] = ".H..r.......",
-        [WORKPHASE_PLANNING] = "....r.......",  [WORKPHASE_CALIBRATION] = "....r.......",
-        [WORKPHASE_TARGETING] = "....r...l...", [WORKPHASE_MOVE_TO_TARGET] = "..M.r....i.g",
-        [WORKPHASE_MANUAL] = "...jratv..p.",    [WORKPHASE_STOP] = "....r.......",
-        [WORKPHASE_EMERGENCY] = "....r.......",
+        [WORKPHASE_UNDEFINED] = ".............", [WORKPHASE_START_UP] = ".H..r........",
+        [WORKPHASE_PLANNING] = "....r........",  [WORKPHASE_CALIBRATION] = "....r........",
+        [WORKPHASE_TARGETING] = "....r...l....", [WORKPHASE_MOVE_TO_TARGET] = "..M.r....i.g.",
+        [WORKPHASE_MANUAL] = "...jratv..p.s",    [WORKPHASE_STOP] = "....r........",
+        [WORKPHASE_EMERGENCY] = "....r........",
     };
     for (uint32_t i = 0U; i < WORKPHASE_COUNT; i++) {
         mode_kind_t own = MODE_NONE;
@@ -111,7 +111,9 @@ void test_SWR_MODE_001_each_mode_is_armed_by_its_command(void)
                                                           [COMMAND_ALIGN] = MODE_ALIGN,
                                                           [COMMAND_INSERT] = MODE_INSERT,
                                                           [COMMAND_POSE] = MODE_POSE,
-                                                          [COMMAND_RUN_PROGRAM] = MODE_PROGRAM};
+                                                          [COMMAND_RUN_PROGRAM] = MODE_PROGRAM,
+
+                                                          [COMMAND_SWEEP] = MODE_SWEEP};
     for (uint32_t i = 0U; i < COMMAND_KIND_COUNT; i++) {
         TEST_ASSERT_EQUAL(armed[i], mode_of_command(i));
     }
@@ -154,6 +156,7 @@ void test_SWR_AXIS_006_a_move_needs_its_axes_homed(void)
     TEST_ASSERT_FALSE(mode_may_be_unhomed(MODE_ALIGN));
     TEST_ASSERT_FALSE(mode_may_be_unhomed(MODE_INSERT));
     TEST_ASSERT_FALSE(mode_may_be_unhomed(MODE_POSE));
+    TEST_ASSERT_FALSE(mode_may_be_unhomed(MODE_SWEEP));
 }
 
 static bool heeds(mode_kind_t kind, uint32_t axis, bool is_driven)

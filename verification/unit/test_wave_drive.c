@@ -74,15 +74,20 @@ void test_SWR_DRIVE_005_the_speed_of_a_word_is_the_one_that_it_was_chosen_for(vo
     }
 }
 
-void test_SWR_DRIVE_005_a_word_outside_the_axis_has_the_speed_of_the_nearest(void)
+void test_SWR_SWEEP_009_in_the_dead_zone_no_speed_is_known(void)
 {
-    const card_drive_t slow = wave(1U, 54.0);
+    const card_drive_t unknown = wave(1U, 52.359);
+    const card_drive_t slow = wave(1U, 52.357);
     const card_drive_t fast = wave(1U, 45.0);
     card_drive_t slowest = slow;
+    motor_model_t model = {.speed_ticks_per_s_q8 = 0};
     slowest.duty = rotation->minimum_duty;
-    TEST_ASSERT_EQUAL_INT64(full_q8(), motor_model_steady_q8(rotation, &fast));
+    TEST_ASSERT_EQUAL_INT64(0, motor_model_steady_q8(rotation, &unknown));
+    TEST_ASSERT_EQUAL_INT64(0, motor_model_step_q16(&model, rotation, &unknown, CYCLE_US));
     TEST_ASSERT_EQUAL_INT64(motor_model_steady_q8(rotation, &slowest),
                             motor_model_steady_q8(rotation, &slow));
+    TEST_ASSERT_GREATER_THAN_INT64(full_q8() / 10, motor_model_steady_q8(rotation, &slow));
+    TEST_ASSERT_EQUAL_INT64(full_q8(), motor_model_steady_q8(rotation, &fast));
 }
 
 static void expect_drive(card_drive_t drive, uint32_t direction, uint32_t duty)

@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Rule under test: a client commands a sweep by the word, an axis and that it is free; it is told
+ * that it is armed, and how it has ended.
+ */
+#include "base/fixed.h"
+#include "base/rigid.h"
+#include "charts/arming_chart.h"
+#include "common/axis_terms.h"
+#include "dialect/igtl_border.h"
+#include "dialect/igtl_dialect.h"
+#include "dialect/igtl_questions.h"
+#include "dialect/igtl_requests.h"
+#include "dialect/workphase_answer.h"
+#include "dialect/workphase_dialect.h"
+#include "dialect/workphase_needle.h"
+#include "dialect/workphase_peer.h"
+#include "dialect/workphase_poll.h"
+#include "dialect/workphase_receive.h"
+#include "dialect/workphase_text.h"
+#include "dialect/workphase_watch.h"
+#include "dialect/workphase_words.h"
+#include "interface/app/names.h"
+#include "interface/mode_list.h"
+#include "message/igtl_codec.h"
+#include "message/igtl_crc64.h"
+#include "message/igtl_packet.h"
+#include "message/igtl_outbox.h"
+#include "limits/requirement_limits.h"
+#include "robot/robot_cards.h"
+#include "robot/robot_neuro.h"
+#include "unit/support/workphase_world.h"
+#include "unity.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+void setUp(void)
+{
+    world_start(IGTL_LANGUAGE_BRP_2013);
+    (void)memcpy(robot.axes, robot_neuro.axes, sizeof robot.axes);
+}
+
+void tearDown(void)
+{
+}
+
+void test_SWR_SWEEP_013_an_axis_and_that_it_is_free_become_a_command(void)
+{
+    say(0U, "Text", "SWEEP rotation FREE");
+    expect_command(COMMAND_SWEEP, AXIS_ROTATION);
+    TEST_ASSERT_EQUAL_INT32(1, command.value);
+    say(0U, "Text", "SWEEP rotation");
+    expect_command(COMMAND_SWEEP, AXIS_ROTATION);
+    TEST_ASSERT_EQUAL_INT32(0, command.value);
+    expect_no_command();
+}
+
+void test_SWR_SWEEP_013_it_is_told_that_it_is_armed_and_how_it_has_ended(void)
+{
+    say(0U, "CMD_5", "SWEEP rotation FREE");
+    EXPECT(0U, "STRING ACK_5 SWEEP rotation FREE");
+    expect_command(COMMAND_SWEEP, AXIS_ROTATION);
+    answer_to(&command, ANSWER_ACCEPTED, STATUS_OK, 0U);
+    EXPECT_BEGIN(0U, "STATUS ACK_SWEEP 1 ");
+    TEST_ASSERT_TRUE(workphase_dialect_has_order(&dialect, 0U));
+    answer_to(&command, ANSWER_DONE, STATUS_OK, 1U);
+    EXPECT_BEGIN(0U, "STATUS SWEEP 1 ");
+    say(0U, "Text", "SWEEP rotation");
+    expect_command(COMMAND_SWEEP, AXIS_ROTATION);
+    answer_to(&command, ANSWER_REFUSED, STATUS_NOT_FREE, 1U);
+    EXPECT_BEGIN(0U, "STATUS SWEEP ");
+}
+
+void test_SWR_SWEEP_013_what_is_no_sweep_or_another_ones_is_refused(void)
+{
+    static const char *const texts[] = {"SWEEP", "SWEEP ", "SWEEP nose FREE", "SWEEP rotation free",
+                                        "SWEEP rotation FREE FREE"};
+    for (uint32_t i = 0U; i < (sizeof texts / sizeof texts[0]); i++) {
+        say(0U, "Text", texts[i]);
+        expect_no_command();
+        EXPECT_BEGIN(0U, "STATUS SWEEP ");
+    }
+}
+
+void test_SWR_SWEEP_013_only_who_commands_commands_a_sweep(void)
+{
+    enter(0U, "CMD_1", "MANUAL");
+    pass_us(0U);
+    say(1U, "Text", "SWEEP rotation FREE");
+    EXPECT_BEGIN(1U, "STATUS SWEEP 5 NO_AUTHORITY|");
+    expect_no_command();
+}
+
+void test_SWR_SWEEP_013_another_word_is_another_word(void)
+{
+    say(0U, "CMD_1", "SWEEPS rotation FREE");
+    EXPECT(0U, "STRING ACK_1 SWEEPS rotation FREE");
+    EXPECT_BEGIN(0U, "STATUS SWEEPS");
+    expect_no_command();
+}
