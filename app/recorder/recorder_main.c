@@ -6,6 +6,7 @@
  *
  *     boresight-recorder --exchange NAME --directory DIRECTORY --positions FILE
  */
+#include "base/contract.h"
 #include "common/build_id.h"
 #include "common/clock.h"
 #include "common/directory.h"
@@ -21,6 +22,7 @@
 #include <getopt.h>
 #include <signal.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
@@ -30,6 +32,12 @@
 #define USAGE                                                                                      \
     "usage: boresight-recorder --exchange NAME --directory DIRECTORY "                             \
     "--positions FILE\n"
+
+void contract_broken(const char *module, uint32_t id)
+{
+    (void)fprintf(stderr, "boresight-recorder: contract %s/%u is broken\n", module, (unsigned)id);
+    abort();
+}
 
 typedef struct {
     const char *exchange;
