@@ -146,6 +146,16 @@ static bool is_named(const workphase_word_t *word, const igtl_message_t *message
     return strcmp(message->name, word->word) == 0;
 }
 
+/* A name is an order only if the text says nothing else. Deployed clients retract by the name,
+ * whatever the text. */
+static bool means(const workphase_word_t *word, const igtl_message_t *message)
+{
+    const bool is_any_text = (word->reader != NULL) || (word->kind == COMMAND_RETRACT);
+
+    return igtl_is_text(message, word->word) ||
+           (is_named(word, message) && (is_any_text || (message->text_bytes == 0U)));
+}
+
 static bool begins(const workphase_word_t *word, const igtl_message_t *message)
 {
     const size_t length = strlen(word->word);
@@ -159,8 +169,7 @@ const workphase_word_t *workphase_words_find(const igtl_message_t *message)
     for (size_t i = 0U; i < (sizeof words / sizeof words[0]); i++) {
         const workphase_word_t *word = &words[i];
 
-        if (is_named(word, message) || igtl_is_text(message, word->word) ||
-            ((word->reader != NULL) && begins(word, message))) {
+        if (means(word, message) || ((word->reader != NULL) && begins(word, message))) {
             return word;
         }
     }

@@ -30,7 +30,11 @@ typedef struct {
     workphase_reader_t reader; /**< NULL: nothing follows it. */
 } workphase_word_t;
 
-/** The word that `message` begins with, or is named; NULL for none. */
+/**
+ * The word that `message` begins with, or is named; NULL for none.
+ *
+ * @satisfies SWR-IGTL-066
+ */
 const workphase_word_t *workphase_words_find(const igtl_message_t *message);
 
 /**

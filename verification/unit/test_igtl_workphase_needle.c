@@ -290,6 +290,24 @@ void test_SWR_IGTL_030_a_retraction_silences_the_move_that_it_ends(void)
     EXPECT(0U, "");
 }
 
+void test_SWR_IGTL_066_a_name_is_no_order_when_the_text_says_something_else(void)
+{
+    static const char *const names[] = {"ALIGN", "INSERT", "ACCEPT_ENTRY", "WITHDRAW_ENTRY"};
+
+    for (uint32_t i = 0U; i < 4U; i++) {
+        char line[64];
+
+        say(0U, names[i], "NO");
+        (void)snprintf(line, sizeof line, "STATUS %s 12 UNKNOWN_COMMAND|", names[i]);
+        EXPECT_BEGIN(0U, line);
+        expect_no_command();
+    }
+    say(0U, "INSERT", "INSERT");
+    expect_command(COMMAND_INSERT, 0U);
+    say(0U, "ALIGN", "");
+    expect_command(COMMAND_ALIGN, 0U);
+}
+
 /* As a retraction is. */
 void test_SWR_ALIGN_007_align_and_insert_are_words_that_are_acknowledged_and_told_at_their_end(void)
 {
