@@ -70,7 +70,7 @@ EVENT_TEXT := app/common/event_text.c $(GEN)/interface/app/event_words.c
 LOG_ENTRY := app/common/log_entry.c app/common/utc_text.c $(EVENT_TEXT)
 
 # Each program: its own files; what it needs of the core comes from libcore.a.
-SOURCES_boresight-control := $(wildcard app/control/*.c app/positions/*.c) $(CLOCK) $(EXCHANGE) $(BOARD_SOURCES) $(FIND_ROBOT)
+SOURCES_boresight-control := $(wildcard app/control/*.c app/positions/*.c app/trajectory/*.c) $(CLOCK) $(AXIS_TERMS) $(EXCHANGE) $(BOARD_SOURCES) $(FIND_ROBOT) $(NAMES)
 SOURCES_boresight-igtl := $(wildcard app/igtl/*.c app/dialect/*.c app/message/*.c) $(CLOCK) $(AXIS_TERMS) $(EXCHANGE) $(NAMES)
 SOURCES_boresight-http := $(wildcard app/http/*.c app/archive/*.c app/request/*.c app/saved/*.c app/session/*.c app/sweep/*.c app/trajectory/*.c) app/positions/position_record.c app/recording/recording.c app/common/file_series.c $(API) $(CLOCK) $(AXIS_TERMS) $(GEN)/interface/app/messages.c $(LOG_ENTRY) $(EXCHANGE) $(NAMES) $(GEN)/assets/assets.c \
     $(GEN)/assets/chart_names.c

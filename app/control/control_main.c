@@ -12,10 +12,12 @@
 #include "common/clock.h"
 #include "control/drives_off.h"
 #include "control/figures.h"
+#include "control/list_file.h"
 #include "control/realtime.h"
 #include "control/sources.h"
 #include "controller/controller.h"
 #include "exchange/exchange.h"
+#include "exchange/exchange_rows.h"
 #include "limits/requirement_limits.h"
 #include "positions/position_store.h"
 #include "robot/app/robot_names.h"
@@ -161,7 +163,8 @@ static void record_checkpoint(void)
     if (record != NULL) {
         record->kind = (uint32_t)CYCLE_RECORD_CHECKPOINT;
         record->cycle = controller.cycle;
-        (void)memcpy(record->body.checkpoint, &controller, sizeof controller);
+        exchange_note_rows(exchange, record);
+        (void)memcpy(record->body.checkpoint, &controller, CONTROLLER_CHECKPOINT_BYTES);
         exchange_commit_cycle(exchange);
     }
 }
@@ -181,6 +184,7 @@ static void record_cycle(uint32_t cycle)
 static void publish(uint32_t cycle)
 {
     exchange_publish_snapshot(exchange, &outputs.snapshot);
+    exchange_publish_rows(exchange, &controller, &outputs);
     for (uint32_t i = 0; i < outputs.answer_count; i++) {
         (void)exchange_push_answer(exchange, &outputs.answers[i]);
     }
@@ -264,19 +268,29 @@ static void run(void)
     }
 }
 
-static const char *option(int count, char *const values[], const char *name)
+/* NULL: it was not given. */
+static const char *find_option(int count, char *const values[], const char *name)
 {
     for (int i = 1; i + 1 < count; i++) {
         if (strcmp(values[i], name) == 0) {
             return values[i + 1];
         }
     }
-    (void)fprintf(
-        stderr,
-        "control: option %s is missing; usage: boresight-control --robot NAME --exchange NAME "
-        "--box NAME --positions FILE\n",
-        name);
-    exit(EXIT_CANNOT_START);
+    return NULL;
+}
+
+static const char *option(int count, char *const values[], const char *name)
+{
+    const char *const value = find_option(count, values, name);
+    if (value == NULL) {
+        (void)fprintf(
+            stderr,
+            "control: option %s is missing; usage: boresight-control --robot NAME --exchange NAME "
+            "--box NAME --positions FILE [--trajectory FILE]\n",
+            name);
+        exit(EXIT_CANNOT_START);
+    }
+    return value;
 }
 
 static const robot_t *find_robot(const char *name)
@@ -329,6 +343,17 @@ static void begin_controller(const char *path)
     controller_restore(&controller, &kept);
 }
 
+static bool hold_trajectory(const char *path)
+{
+    char error[512] = "";
+    const bool is_held =
+        (path == NULL) || list_file_take(&controller, our_robot, path, error, sizeof error);
+    if (!is_held) {
+        (void)fprintf(stderr, "control: %s.\n", error);
+    }
+    return is_held;
+}
+
 int main(int argc, char *argv[])
 {
     char error[256] = "";
@@ -347,6 +372,11 @@ int main(int argc, char *argv[])
     handle_signals();
     exchange_publish_robot(exchange, our_robot);
     begin_controller(positions);
+    if (!hold_trajectory(find_option(argc, argv, "--trajectory"))) {
+        bsp_close();
+        return EXIT_CANNOT_START;
+    }
+    exchange_publish_rows(exchange, &controller, &outputs);
     begin_figures(realtime_acquire());
     run();
     (void)snprintf(why, sizeof why, "told to end by signal %d", (int)stopped_by);

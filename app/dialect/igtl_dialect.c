@@ -39,6 +39,9 @@ uint32_t igtl_reason_code(status_t status)
     case STATUS_PROBE_LENGTH:
     case STATUS_PROBE_ORDER:
     case STATUS_NO_POSE:
+    case STATUS_TRAJECTORY_ORDER:
+    case STATUS_TRAJECTORY_SPEED:
+    case STATUS_TRAJECTORY_SUM:
         return IGTL_STATUS_CONFIG_ERROR;
     case STATUS_NO_AUTHORITY:
         return IGTL_STATUS_ACCESS_DENIED;

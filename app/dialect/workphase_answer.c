@@ -3,6 +3,7 @@
 
 #include "dialect/igtl_border.h"
 #include "dialect/workphase_peer.h"
+#include "dialect/workphase_trajectory.h"
 #include "dialect/workphase_watch.h"
 #include "interface/app/names.h"
 
@@ -22,6 +23,10 @@ static const char *subject_of(const workphase_peer_t *peer, const igtl_request_t
         return "TARGET";
     case COMMAND_NEEDLE:
         return workphase_peer_tip_subject(peer);
+    case COMMAND_LIST_BEGIN:
+    case COMMAND_LIST_ROW:
+    case COMMAND_LIST_END:
+        return WORKPHASE_TRAJECTORY;
     case COMMAND_ENTRY:
         return "ENTRY";
     case COMMAND_ACCEPT_ENTRY:

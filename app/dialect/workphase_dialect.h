@@ -65,6 +65,7 @@ typedef struct {
     workphase_end_t end;
     workphase_tip_t tip;
     const char *motion; /**< By which word it asked for its last motion. */
+    uint32_t sum;       /**< Of the rows of a trajectory that it has sent. */
     igtl_tracking_t tracking;
     workphase_extra_t extras[WORKPHASE_EXTRAS];
     uint32_t extra_count;

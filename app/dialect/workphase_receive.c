@@ -5,6 +5,7 @@
 #include "dialect/workphase_needle.h"
 #include "dialect/workphase_peer.h"
 #include "dialect/workphase_poll.h"
+#include "dialect/workphase_trajectory.h"
 #include "dialect/workphase_words.h"
 #include "interface/app/names.h"
 #include "limits/requirement_limits.h"
@@ -124,6 +125,32 @@ static bool pass_word(workphase_dialect_t *self, uint32_t index, const workphase
     return igtl_requests_add(&self->requests, index, command, moment->patience_us) != NULL;
 }
 
+static void receive_trajectory(workphase_dialect_t *self, uint32_t index,
+                               const igtl_message_t *message, const igtl_moment_t *moment)
+{
+    workphase_peer_t *peer = &self->peers[index];
+    command_t command = {.peer = peer->number};
+    status_t status = workphase_trajectory_read(self->robot, message, peer->sum, &command);
+    bool is_sent = false;
+
+    if (is_others(self, index)) {
+        status = STATUS_NO_AUTHORITY;
+    } else if (status != STATUS_OK) {
+        /* It is none. */
+    } else if (command.kind == (uint32_t)COMMAND_RUN_TRAJECTORY) {
+        peer->motion = WORKPHASE_TRAJECTORY;
+        is_sent = request(self, index, &command, moment) != 0U;
+    } else {
+        is_sent = igtl_requests_add(&self->requests, index, &command, moment->patience_us) != NULL;
+    }
+    if (is_sent) {
+        peer->sum = workphase_trajectory_sum(peer->sum, &command);
+    } else {
+        igtl_tell_refusal(peer->outbox, WORKPHASE_TRAJECTORY,
+                          (status == STATUS_OK) ? STATUS_BUSY : status, moment);
+    }
+}
+
 static void receive_word(workphase_dialect_t *self, uint32_t index, const workphase_word_t *word,
                          const igtl_message_t *message, const igtl_moment_t *moment)
 {
@@ -149,6 +176,10 @@ static bool receive_other(workphase_dialect_t *self, uint32_t index, const igtl_
 
     if (word != NULL) {
         receive_word(self, index, word, message, moment);
+        return true;
+    }
+    if (workphase_trajectory_is(message)) {
+        receive_trajectory(self, index, message, moment);
         return true;
     }
     return workphase_poll_string(&self->peers[index], message, moment);

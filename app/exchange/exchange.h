@@ -31,20 +31,22 @@
 #define EXCHANGE_RIGHT_MEMORY 0x4U /**< Locked memory. */
 
 typedef enum {
-    CYCLE_RECORD_CHECKPOINT = 1, /**< controller state before the next cycle. */
+    CYCLE_RECORD_CHECKPOINT = 1, /**< State of the controller before the next cycle, but rows. */
     CYCLE_RECORD_CYCLE = 2       /**< Inputs and outputs of one cycle. */
 } cycle_record_kind_t;
 
 /* A checkpoint also shows all bytes of a cycle. */
 #define CYCLE_RECORD_BYTES                                                                         \
-    ((sizeof(controller_t) > (sizeof(controller_inputs_t) + sizeof(controller_outputs_t)))         \
-         ? sizeof(controller_t)                                                                    \
+    ((CONTROLLER_CHECKPOINT_BYTES > (sizeof(controller_inputs_t) + sizeof(controller_outputs_t)))  \
+         ? CONTROLLER_CHECKPOINT_BYTES                                                             \
          : (sizeof(controller_inputs_t) + sizeof(controller_outputs_t)))
 
 /** One entry of the cycle lane. */
 typedef struct {
     uint32_t kind;  /**< cycle_record_kind_t. */
     uint32_t cycle; /**< Controller cycle. */
+    uint32_t rows;  /**< Of the trajectory, at a checkpoint: they are in the exchange. */
+    uint32_t list;  /**< Which trajectory that is. */
     union {
         struct {
             controller_inputs_t inputs;
@@ -166,6 +168,7 @@ uint32_t exchange_stop_port(const exchange_t *self);
  *
  * @satisfies SWR-CTRL-021
  * @satisfies SWR-EXCH-015
+ * @satisfies SWR-TRAJ-018
  */
 uint32_t exchange_take_commands(exchange_t *self, command_t *commands, uint32_t most);
 

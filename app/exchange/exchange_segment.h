@@ -133,6 +133,9 @@ typedef struct {
     uint32_t checkpoints_taken;
     uint32_t events_head SEGMENT_ON_LINE; /**< Number of the next event. */
     segment_event_t events[EXCHANGE_EVENTS];
+    uint32_t list SEGMENT_ON_LINE; /**< Number of the trajectory whose rows these are. */
+    uint32_t row_count;
+    trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS];
     uint32_t cycles_head SEGMENT_ON_LINE; /**< Cycle records handed over. */
     uint32_t cycles_lost;
     cycle_record_t cycles[EXCHANGE_CYCLES];

@@ -20,16 +20,24 @@ static void note_end(act_desk_t *self, const page_t *page, const page_act_t *act
 }
 
 /* With the lock. */
+static void take_errand(act_desk_t *self, const answer_t *answer)
+{
+    for (uint32_t i = 0U; i < self->errand_count; i++) {
+        if (self->errands[i].id == answer->id) {
+            self->errands[i].is_answered = true;
+            self->errands[i].answer = *answer;
+        }
+    }
+}
+
+/* With the lock. */
 static void take_answers(act_desk_t *self)
 {
     answer_t answer;
     while (exchange_take_answer(self->exchange, COMMAND_SOURCE_HTTP, &answer)) {
         const page_t *page = NULL;
         page_act_t *act = page_table_find_sent(&self->table, answer.id, &page);
-        if ((self->errand != 0U) && (answer.id == self->errand)) {
-            self->errand_answer = answer;
-            self->has_errand_answer = true;
-        }
+        take_errand(self, &answer);
         if (act != NULL) {
             const bool is_end = act->is_answered;
             act->answer = answer;
@@ -209,49 +217,63 @@ act_verdict_t act_desk_converse(act_desk_t *self, uint32_t page, uint32_t id,
     return verdict;
 }
 
-static bool begin_errand(act_desk_t *self, uint32_t page, const command_t *command)
+static bool begin_errands(act_desk_t *self, uint32_t page, const command_t *commands,
+                          uint32_t count)
 {
-    command_t sent = {.id = 0U};
     (void)pthread_mutex_lock(&self->lock);
-    const bool is_sent =
-        (self->errand == 0U) && !self->has_to_begin && send_as(self, page, command, &sent);
-    if (is_sent) {
-        self->errand = sent.id;
-        self->has_errand_answer = false;
+    const bool is_free = (self->errand_count == 0U) && !self->has_to_begin;
+    bool is_sent = is_free;
+    for (uint32_t i = 0U; (i < count) && is_sent; i++) {
+        command_t sent;
+        is_sent = send_as(self, page, &commands[i], &sent);
+        if (is_sent) {
+            self->errands[i] = (act_errand_t){.id = sent.id};
+            self->errand_count++;
+        }
+    }
+    if (is_free && !is_sent) {
+        self->errand_count = 0U; /* Nobody waits for those that were sent. */
     }
     (void)pthread_mutex_unlock(&self->lock);
     return is_sent;
 }
 
-static bool look_for_errand(act_desk_t *self, bool is_last, answer_t *answer)
+static bool look_for_errands(act_desk_t *self, bool is_last, answer_t *answers)
 {
+    bool is_answered = true;
     (void)pthread_mutex_lock(&self->lock);
     take_answers(self);
-    const bool is_answered = self->has_errand_answer;
-    if (is_answered) {
-        *answer = self->errand_answer;
+    for (uint32_t i = 0U; i < self->errand_count; i++) {
+        is_answered = is_answered && self->errands[i].is_answered;
+        answers[i] = self->errands[i].answer;
     }
     if (is_answered || is_last) {
-        self->errand = 0U;
+        self->errand_count = 0U;
     }
     (void)pthread_mutex_unlock(&self->lock);
     return is_answered;
 }
 
-act_verdict_t act_desk_do(act_desk_t *self, uint32_t page, const command_t *command,
-                          answer_t *answer)
+act_verdict_t act_desk_do_all(act_desk_t *self, uint32_t page, const command_t *commands,
+                              uint32_t count, answer_t *answers)
 {
     const uint32_t looks = patience_looks(self->exchange);
-    if (!begin_errand(self, page, command)) {
+    if (!begin_errands(self, page, commands, count)) {
         return ACT_LATER;
     }
     for (uint32_t i = 0U; i <= looks; i++) {
-        if (look_for_errand(self, i == looks, answer)) {
+        if (look_for_errands(self, i == looks, answers)) {
             return ACT_ANSWERED;
         }
         patience_wait();
     }
     return ACT_NO_ANSWER;
+}
+
+act_verdict_t act_desk_do(act_desk_t *self, uint32_t page, const command_t *command,
+                          answer_t *answer)
+{
+    return act_desk_do_all(self, page, command, 1U, answer);
 }
 
 bool act_desk_recall(act_desk_t *self, uint32_t page, uint32_t id, command_t *command)

@@ -10,12 +10,15 @@
 
 #include "exchange/exchange.h"
 #include "http/page_table.h"
+#include "limits/requirement_limits.h"
 #include "session/session_desk.h"
 
 #include <pthread.h>
 #include <stdbool.h>
 #include <stdint.h>
 
+/** Commands that are sent at once; half of what a lane takes. */
+#define ACT_DESK_ERRANDS LIMIT_TRAJECTORY_ROWS_AT_ONCE
 #define ACT_DESK_NEWS 32U /**< Ends of acts that are kept for the streams. */
 
 /** How an act ended that had been begun. */
@@ -25,14 +28,20 @@ typedef struct {
     answer_t answer;
 } act_news_t;
 
+/** A command that is waited for. */
+typedef struct {
+    uint32_t id;
+    bool is_answered;
+    answer_t answer;
+} act_errand_t;
+
 typedef struct {
     pthread_mutex_t lock;
     exchange_t *exchange;
     page_table_t table;
-    uint32_t commands; /**< Number of the last one. */
-    uint32_t errand;   /**< Number of the command of act_desk_do() that is waited for; 0: none. */
-    bool has_errand_answer;
-    answer_t errand_answer;
+    uint32_t commands;                      /**< Number of the last one. */
+    act_errand_t errands[ACT_DESK_ERRANDS]; /**< Commands of act_desk_do_all(). */
+    uint32_t errand_count;
     bool has_to_begin;  /**< What an earlier server left must be released first. */
     uint32_t news_next; /**< Number of the next news. */
     act_news_t news[ACT_DESK_NEWS];
@@ -98,6 +107,14 @@ act_verdict_t act_desk_converse(act_desk_t *self, uint32_t page, uint32_t id,
  */
 act_verdict_t act_desk_do(act_desk_t *self, uint32_t page, const command_t *command,
                           answer_t *answer);
+
+/**
+ * The same with `count` commands, at most ACT_DESK_ERRANDS, which are sent one behind the other.
+ *
+ * @param answers  with ACT_ANSWERED one of each
+ */
+act_verdict_t act_desk_do_all(act_desk_t *self, uint32_t page, const command_t *commands,
+                              uint32_t count, answer_t *answers);
 
 /** Copies to `command` what was sent as the act `id` of `page`. False: that is not known. */
 bool act_desk_recall(act_desk_t *self, uint32_t page, uint32_t id, command_t *command);

@@ -25,7 +25,7 @@ static int show(http_server_t *server, const http_call_t *call, const snapshot_t
 {
     const bool is_held = snapshot->trajectory_rows != 0U;
     const json_trajectory_t also = {
-        .source = is_held ? command_source_name((int32_t)snapshot->trajectory_source) : NULL,
+        .source = is_held ? trajectory_source_name((int32_t)snapshot->trajectory_source) : NULL,
         .time_s = (double)snapshot->trajectory_time_us / US_PER_S};
     (void)server;
     return http_reply_object(call->connection, 200, json_trajectory(snapshot, &also));
@@ -63,14 +63,15 @@ static int refuse(http_server_t *server, const http_call_t *call, const answer_t
     return http_reply_problem(call->connection, &problem, NULL);
 }
 
-/* 0 once it was taken, otherwise the status of the refusal that was sent. */
-static int command(http_server_t *server, const http_call_t *call, const command_t *sent,
-                   uint32_t line)
+/* 0 once all were taken, otherwise the status of the refusal that was sent. `line`: of the first.
+ */
+static int commands(http_server_t *server, const http_call_t *call, const command_t *sent,
+                    uint32_t count, uint32_t line)
 {
-    answer_t answer;
-    switch (act_desk_do(&server->acts, call->page, sent, &answer)) {
+    answer_t answers[ACT_DESK_ERRANDS];
+    switch (act_desk_do_all(&server->acts, call->page, sent, count, answers)) {
     case ACT_ANSWERED:
-        return (answer.kind == (uint32_t)ANSWER_REFUSED) ? refuse(server, call, &answer, line) : 0;
+        break;
     case ACT_LATER:
         return http_reply_refuse(call->connection, PROBLEM_BUSY);
     case ACT_ID_USED:
@@ -78,23 +79,42 @@ static int command(http_server_t *server, const http_call_t *call, const command
     default:
         return http_reply_refuse(call->connection, PROBLEM_NO_ANSWER);
     }
+    for (uint32_t i = 0U; i < count; i++) {
+        if (answers[i].kind == (uint32_t)ANSWER_REFUSED) {
+            return refuse(server, call, &answers[i], (line != 0U) ? (line + i) : 0U);
+        }
+    }
+    return 0;
+}
+
+static command_t command_of(uint32_t index, const trajectory_row_t *row)
+{
+    command_t sent = {
+        .kind = (uint32_t)COMMAND_LIST_ROW, .argument = index, .value = (int32_t)row->time_ms};
+    (void)memcpy(sent.ticks, row->ticks, sizeof sent.ticks);
+    (void)memcpy(sent.speeds, row->speeds_ticks_per_s, sizeof sent.speeds);
+    return sent;
 }
 
 static int send_rows(http_server_t *server, const http_call_t *call, const trajectory_csv_t *table)
 {
     const command_t begin = {.kind = (uint32_t)COMMAND_LIST_BEGIN, .argument = table->count};
     command_t end = {.kind = (uint32_t)COMMAND_LIST_END};
-    int status = command(server, call, &begin, 0U);
-    for (uint32_t i = 0U; (i < table->count) && (status == 0); i++) {
-        const trajectory_row_t *row = &table->rows[i];
-        command_t sent = {
-            .kind = (uint32_t)COMMAND_LIST_ROW, .argument = i, .value = (int32_t)row->time_ms};
-        (void)memcpy(sent.ticks, row->ticks, sizeof sent.ticks);
-        (void)memcpy(sent.speeds, row->speeds_ticks_per_s, sizeof sent.speeds);
-        end.argument = trajectory_list_crc(end.argument, row);
-        status = command(server, call, &sent, trajectory_csv_line(i));
+    command_t sent[ACT_DESK_ERRANDS];
+    int status = commands(server, call, &begin, 1U, 0U);
+    uint32_t first = 0U;
+    while ((first < table->count) && (status == 0)) {
+        uint32_t count = 0U;
+        while ((count < ACT_DESK_ERRANDS) && ((first + count) < table->count)) {
+            const trajectory_row_t *row = &table->rows[first + count];
+            sent[count] = command_of(first + count, row);
+            end.argument = trajectory_list_crc(end.argument, row);
+            count++;
+        }
+        status = commands(server, call, sent, count, trajectory_csv_line(first));
+        first += count;
     }
-    return (status == 0) ? command(server, call, &end, 0U) : status;
+    return (status == 0) ? commands(server, call, &end, 1U, 0U) : status;
 }
 
 /* Answers are there before the snapshot that shows what they say. */
@@ -163,7 +183,7 @@ int http_trajectory_send(http_server_t *server, const http_call_t *call)
 int http_trajectory_empty(http_server_t *server, const http_call_t *call)
 {
     const command_t nothing = {.kind = (uint32_t)COMMAND_LIST_BEGIN};
-    const int status = command(server, call, &nothing, 0U);
+    const int status = commands(server, call, &nothing, 1U, 0U);
     return (status == 0) ? show_held(server, call, 0U) : status;
 }
 

@@ -10,9 +10,10 @@
 int http_trajectory_show(http_server_t *server, const http_call_t *call);
 
 /**
- * Sends the rows of the body one by one, each once the one before was taken.
+ * Sends the rows of the body, some at once and the next ones when these were taken.
  *
  * @satisfies SWR-TRAJ-015
+ * @satisfies SWR-TRAJ-021
  */
 int http_trajectory_send(http_server_t *server, const http_call_t *call);
 

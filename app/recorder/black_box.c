@@ -139,7 +139,11 @@ static void store(black_box_t *self, const cycle_record_t *record, uint64_t now_
     }
     const uint64_t waiting = (uint64_t)self->writer.block.records + 1U;
     const uint32_t blocks = self->writer.blocks;
-    if (!recording_writer_append(&self->writer, record)) {
+    const bool is_stored =
+        (record->kind == CYCLE_RECORD_CHECKPOINT)
+            ? recording_writer_append_checkpoint(&self->writer, record, self->rows)
+            : recording_writer_append(&self->writer, record);
+    if (!is_stored) {
         self->unwritten += waiting;
         leave_file(self);
         fail(self, now_us);
@@ -157,8 +161,22 @@ static void store(black_box_t *self, const cycle_record_t *record, uint64_t now_
     }
 }
 
+/* Of a checkpoint whose rows are gone nothing can be computed: another one is asked for. */
+static bool has_rows(black_box_t *self, const cycle_record_t *record, uint64_t now_us)
+{
+    if ((record->kind != CYCLE_RECORD_CHECKPOINT) ||
+        exchange_read_rows(self->exchange, record, self->rows)) {
+        return true;
+    }
+    request_checkpoint(self, now_us);
+    return false;
+}
+
 static void record_one(black_box_t *self, const cycle_record_t *record, uint64_t now_us)
 {
+    if (!has_rows(self, record, now_us)) {
+        return;
+    }
     const uint32_t missing = missing_before(self, record);
 
     if (!self->has_cycle) {

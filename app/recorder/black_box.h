@@ -13,6 +13,7 @@
 #include "common/file_series.h"
 #include "exchange/exchange.h"
 #include "exchange/exchange_files.h"
+#include "exchange/exchange_rows.h"
 #include "recording/recording_writer.h"
 
 #include <stdbool.h>
@@ -36,6 +37,7 @@ typedef struct {
     bool has_cycle;      /**< next_cycle is known. */
     bool is_failing;     /**< The last attempt to write failed, and it was said. */
     uint64_t unwritten;  /**< Records lost to a full disk. */
+    trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS]; /**< Of the newest checkpoint. */
 } black_box_t;
 
 /** Begins with an empty file at the first record, and asks control for a checkpoint. */

@@ -163,7 +163,7 @@ int main(int count, char **arguments)
     recording_header_t header = {.robot_crc = robot->crc,
                                  .inputs_size = sizeof(controller_inputs_t),
                                  .outputs_size = sizeof(controller_outputs_t),
-                                 .controller_size = sizeof(controller_t),
+                                 .controller_size = CONTROLLER_CHECKPOINT_BYTES,
                                  .layout = INTERFACE_LAYOUT};
     (void)snprintf(header.build, sizeof header.build, "%s", BUILD_ID);
     (void)snprintf(header.robot, sizeof header.robot, "%s", robot->name);

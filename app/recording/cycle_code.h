@@ -38,10 +38,12 @@ typedef struct {
     trend_t trends[CYCLE_WORDS_KEPT];
 } cycle_code_t;
 
-/** What is known of a recorded cycle beside inputs, answers and events. */
+/** What is known of a recorded cycle beside inputs, answers and events, or of a checkpoint beside
+ * the state. */
 typedef struct {
     bool is_whole; /**< Snapshot and frames were kept; otherwise there is a proof. */
     proof_t proof;
+    const uint8_t *rows; /**< Of a checkpoint: its rows of the trajectory, as many as it says. */
 } cycle_known_t;
 
 /** Forgets all cycles before: the next one is whole. */

@@ -16,9 +16,10 @@
  * changed.
  *
  * A record is a byte with its kind and its body: a cycle (cycle_code.h), or a checkpoint, with
- * which a block begins. No cycle is missing in a block, its first one is whole, and it holds no
- * more than a second, so that it is read without any other. A cycle that no checkpoint stands
- * before is whole, as it cannot be computed again.
+ * which a block begins. That is the state of the controller, the number of rows of the trajectory
+ * that it held, as 32 bits, and these rows. No cycle is missing in a block, its first one is whole,
+ * and it holds no more than a second, so that it is read without any other. A cycle that no
+ * checkpoint stands before is whole, as it cannot be computed again.
  */
 #ifndef BORESIGHT_RECORDING_H
 #define BORESIGHT_RECORDING_H
@@ -30,7 +31,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define RECORDING_VERSION 2U
+#define RECORDING_VERSION 3U
 #define RECORDING_HASH_SIZE 32U
 #define RECORDING_HEADER_SIZE 256U
 #define RECORDING_FIELDS_SIZE 32U
@@ -46,8 +47,8 @@
 #define RECORDING_CHECKPOINT 3U
 
 /** Largest size of a record, and of the records of a block. */
-#define RECORDING_RECORD_MAX (1U + sizeof(controller_t) + CYCLE_CODE_MAX)
-#define RECORDING_RAW_MAX ((size_t)512U * 1024U)
+#define RECORDING_RECORD_MAX (1U + sizeof(controller_t) + sizeof(uint32_t) + CYCLE_CODE_MAX)
+#define RECORDING_RAW_MAX ((size_t)768U * 1024U)
 
 /**
  * What was running.
@@ -61,7 +62,7 @@ typedef struct {
     uint32_t robot_crc;       /**< CRC of its description. */
     uint32_t inputs_size;     /**< sizeof(controller_inputs_t). */
     uint32_t outputs_size;    /**< sizeof(controller_outputs_t). */
-    uint32_t controller_size; /**< sizeof(controller_t), the size of a checkpoint. */
+    uint32_t controller_size; /**< CONTROLLER_CHECKPOINT_BYTES. */
     uint64_t started_us;      /**< UTC since 1970. */
     uint64_t layout;          /**< INTERFACE_LAYOUT. */
     uint32_t frame_layout;    /**< cycle_words_frame_layout(), put in by the writer. */

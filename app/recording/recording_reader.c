@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "recording/recording_reader.h"
 
+#include "common/little_endian.h"
 #include "recording/recording_verify.h"
 
 #include <errno.h>
@@ -69,7 +70,7 @@ bool recording_reader_fits(const recording_reader_t *self, uint64_t layout,
            (self->header.inputs_size == sizeof(controller_inputs_t)) &&
            (self->header.outputs_size == sizeof(controller_outputs_t)) &&
            (self->header.controller_size == controller_size) &&
-           (controller_size <= sizeof(controller_t));
+           (controller_size <= CONTROLLER_CHECKPOINT_BYTES);
 }
 
 static bool load_block(recording_reader_t *self)
@@ -99,17 +100,36 @@ static bool load_block(recording_reader_t *self)
     return size == fields.raw_size;
 }
 
-static bool take_checkpoint(recording_reader_t *self, cycle_record_t *record)
+/* Their bytes, NULL when they are not there. */
+static const uint8_t *find_rows(const recording_reader_t *self, uint32_t *count)
 {
     const uint32_t size = self->header.controller_size;
+    const size_t left = self->raw_size - self->raw_next - 1U;
+    const uint8_t *bytes = &self->raw[self->raw_next + 1U];
 
-    if ((size > sizeof record->body.checkpoint) ||
-        ((self->raw_size - self->raw_next - 1U) < size)) {
+    if ((size > CONTROLLER_CHECKPOINT_BYTES) || (left < (size + sizeof *count))) {
+        return NULL;
+    }
+    *count = get32(&bytes[size]);
+    const bool are_there = (*count <= LIMIT_TRAJECTORY_ROWS) &&
+                           ((left - size - sizeof *count) >= (*count * sizeof(trajectory_row_t)));
+    return are_there ? &bytes[size + sizeof *count] : NULL;
+}
+
+static bool take_checkpoint(recording_reader_t *self, cycle_record_t *record, cycle_known_t *known)
+{
+    const uint32_t size = self->header.controller_size;
+    uint32_t count = 0U;
+    const uint8_t *rows = find_rows(self, &count);
+
+    if (rows == NULL) {
         return false;
     }
     record->kind = (uint32_t)CYCLE_RECORD_CHECKPOINT;
+    record->rows = count;
     (void)memcpy(record->body.checkpoint, &self->raw[self->raw_next + 1U], size);
-    self->raw_next += 1U + size;
+    known->rows = rows;
+    self->raw_next = (uint32_t)(&rows[count * sizeof(trajectory_row_t)] - self->raw);
     return true;
 }
 
@@ -134,8 +154,9 @@ bool recording_reader_next(recording_reader_t *self, cycle_record_t *record, cyc
         return false;
     }
     record->cycle = self->cycle;
-    return (self->raw[self->raw_next] == RECORDING_CHECKPOINT) ? take_checkpoint(self, record)
-                                                               : take_cycle(self, record, known);
+    return (self->raw[self->raw_next] == RECORDING_CHECKPOINT)
+               ? take_checkpoint(self, record, known)
+               : take_cycle(self, record, known);
 }
 
 void recording_reader_close(recording_reader_t *self)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "recording/recording_writer.h"
 
+#include "common/little_endian.h"
 #include "recording/cycle_words.h"
 
 #include <errno.h>
@@ -118,13 +119,20 @@ static void append_cycle(recording_writer_t *self, const cycle_record_t *record)
     self->next_cycle = record->cycle + 1U;
 }
 
-static void append_checkpoint(recording_writer_t *self, const cycle_record_t *record)
+static void append_checkpoint(recording_writer_t *self, const cycle_record_t *record,
+                              const trajectory_row_t *rows, uint32_t row_count)
 {
+    const uint32_t size = self->header.controller_size;
+    const size_t rows_size = row_count * sizeof *rows;
     uint8_t *to = &self->raw[self->block.raw_size];
 
     to[0] = RECORDING_CHECKPOINT;
-    (void)memcpy(&to[1], record->body.checkpoint, self->header.controller_size);
-    self->block.raw_size += 1U + self->header.controller_size;
+    (void)memcpy(&to[1], record->body.checkpoint, size);
+    put32(&to[1U + size], row_count);
+    if (row_count > 0U) {
+        (void)memcpy(&to[1U + size + sizeof row_count], rows, rows_size);
+    }
+    self->block.raw_size += (uint32_t)(1U + size + sizeof row_count + rows_size);
     self->next_cycle = record->cycle;
     self->has_checkpoint = true;
 }
@@ -142,7 +150,8 @@ static bool is_full(const recording_writer_t *self)
            ((RECORDING_RAW_MAX - self->block.raw_size) < RECORDING_RECORD_MAX);
 }
 
-bool recording_writer_append(recording_writer_t *self, const cycle_record_t *record)
+static bool append(recording_writer_t *self, const cycle_record_t *record,
+                   const trajectory_row_t *rows, uint32_t row_count)
 {
     const bool is_checkpoint = record->kind == (uint32_t)CYCLE_RECORD_CHECKPOINT;
 
@@ -157,7 +166,7 @@ bool recording_writer_append(recording_writer_t *self, const cycle_record_t *rec
         begin_records(self, record);
     }
     if (is_checkpoint) {
-        append_checkpoint(self, record);
+        append_checkpoint(self, record, rows, row_count);
     } else {
         append_cycle(self, record);
     }
@@ -165,6 +174,17 @@ bool recording_writer_append(recording_writer_t *self, const cycle_record_t *rec
     self->records++;
     self->cycle = record->cycle;
     return !is_full(self) || recording_writer_flush(self);
+}
+
+bool recording_writer_append(recording_writer_t *self, const cycle_record_t *record)
+{
+    return append(self, record, NULL, 0U);
+}
+
+bool recording_writer_append_checkpoint(recording_writer_t *self, const cycle_record_t *record,
+                                        const trajectory_row_t *rows)
+{
+    return append(self, record, rows, record->rows);
 }
 
 /* Payload first, at the end of the room for its checksums; those are then moved up to it. */

@@ -35,7 +35,7 @@ typedef struct {
 
 /**
  * Creates the file `path` and writes its header; checkpoints are of its controller_size, at most
- * sizeof(controller_t).
+ * CONTROLLER_CHECKPOINT_BYTES.
  *
  * @return false with errno set when it cannot; the writer is closed
  */
@@ -46,9 +46,9 @@ bool recording_writer_open(recording_writer_t *self, const char *path,
 void recording_writer_note_loss(recording_writer_t *self, uint32_t cycles);
 
 /**
- * Adds a record; a full block is written. A checkpoint, and a cycle that does not follow the one
- * before, begin a block. Cycles that cannot be computed again, for want of a checkpoint, are kept
- * whole.
+ * Adds a record, a checkpoint without rows; a full block is written. A checkpoint, and a cycle that
+ * does not follow the one before, begin a block. Cycles that cannot be computed again, for want of
+ * a checkpoint, are kept whole.
  *
  * @return false with errno set when the block could not be written; its records are gone and the
  * writer is closed
@@ -59,6 +59,14 @@ void recording_writer_note_loss(recording_writer_t *self, uint32_t cycles);
  * @satisfies SWR-REC-005
  */
 bool recording_writer_append(recording_writer_t *self, const cycle_record_t *record);
+
+/**
+ * Adds a checkpoint with the rows of its trajectory, as many as it says. Same result.
+ *
+ * @satisfies SWR-TRAJ-017
+ */
+bool recording_writer_append_checkpoint(recording_writer_t *self, const cycle_record_t *record,
+                                        const trajectory_row_t *rows);
 
 /** Writes the records that wait for a full block. Same result. */
 bool recording_writer_flush(recording_writer_t *self);

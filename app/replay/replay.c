@@ -31,9 +31,13 @@ void replay_init(replay_t *self)
     (void)memset(self, 0, sizeof *self);
 }
 
-static void restore(replay_t *self, const cycle_record_t *record)
+static void restore(replay_t *self, const cycle_record_t *record, const cycle_known_t *known)
 {
-    (void)memcpy(&self->controller, record->body.checkpoint, sizeof self->controller);
+    (void)memcpy(&self->controller, record->body.checkpoint, CONTROLLER_CHECKPOINT_BYTES);
+    if (record->rows > 0U) {
+        (void)memcpy(self->controller.rows, known->rows,
+                     record->rows * sizeof self->controller.rows[0]);
+    }
     self->next_cycle = record->cycle;
     self->is_running = true;
     self->checkpoints++;
@@ -65,7 +69,7 @@ bool replay_take(replay_t *self, const robot_t *robot, const cycle_record_t *rec
                  const cycle_known_t *known)
 {
     if (record->kind == (uint32_t)CYCLE_RECORD_CHECKPOINT) {
-        restore(self, record);
+        restore(self, record, known);
         return true;
     }
     if (self->is_running && (record->cycle != self->next_cycle)) {

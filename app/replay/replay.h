@@ -38,6 +38,7 @@ void replay_init(replay_t *self);
  * @return false when the outputs differ; replay_difference() says where
  *
  * @satisfies SWR-REPLAY-001
+ * @satisfies SWR-TRAJ-017
  */
 bool replay_take(replay_t *self, const robot_t *robot, const cycle_record_t *record,
                  const cycle_known_t *known);

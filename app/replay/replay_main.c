@@ -77,7 +77,7 @@ static bool find_robot(const recording_header_t *header, const names_t *names)
 /* Says why the bytes of the recording are not what this build takes them for. */
 static bool check_layout(const recording_header_t *header, const names_t *names)
 {
-    if (recording_reader_fits(&reader, INTERFACE_LAYOUT, sizeof(controller_t))) {
+    if (recording_reader_fits(&reader, INTERFACE_LAYOUT, CONTROLLER_CHECKPOINT_BYTES)) {
         return true;
     }
     (void)fprintf(stderr,
@@ -86,7 +86,7 @@ static bool check_layout(const recording_header_t *header, const names_t *names)
                   ", %zu, %zu and %zu; replay it with the build that recorded it, \"%s\".\n",
                   header->layout, header->inputs_size, header->outputs_size,
                   header->controller_size, INTERFACE_LAYOUT, sizeof(controller_inputs_t),
-                  sizeof(controller_outputs_t), sizeof(controller_t), names->build);
+                  sizeof(controller_outputs_t), CONTROLLER_CHECKPOINT_BYTES, names->build);
     return false;
 }
 

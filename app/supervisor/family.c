@@ -148,9 +148,10 @@ bool family_init(family_t *self, const options_t *options, int output, int error
             return false;
         }
     }
-    const char *const control[CHILD_ARGUMENTS] = {"--robot",         options->robot, "--exchange",
-                                                  options->instance, "--box",        self->box,
-                                                  "--positions",     self->positions};
+    const char *const trajectory = (options->trajectory != NULL) ? "--trajectory" : NULL;
+    const char *const control[CHILD_ARGUMENTS] = {
+        "--robot", options->robot, "--exchange",    options->instance, "--box",
+        self->box, "--positions",  self->positions, trajectory,        options->trajectory};
     const char *const recorder[CHILD_ARGUMENTS] = {"--exchange",  options->instance,
                                                    "--directory", options->recordings,
                                                    "--positions", self->positions};

@@ -13,7 +13,7 @@
 
 #define NAME_MAX_LENGTH 32U
 #define PORT_MAX 65535U
-#define COMMON_OPTIONS 10U
+#define COMMON_OPTIONS 11U
 #define OF_THE_BOARD 256 /* Its options are numbered from here on. */
 
 uint32_t options_slowness(const options_t *self)
@@ -50,6 +50,7 @@ void options_print_usage(void)
         "usage: boresight [--http-port 8080] [--igtl-port 18944] [--brp-port 18936] [--bind "
         "127.0.0.1]\n"
         "                 [--igtl-file FILE] [--accounts FILE] [--tls-file FILE]\n"
+        "                 [--trajectory FILE]\n"
         "                 [--robot " ROBOT_NAMES_DEFAULT
         "] [--instance NAME] [--recordings DIRECTORY]\n"
         "                ",
@@ -71,6 +72,7 @@ static void list_known(struct option known[COMMON_OPTIONS + BOARD_OPTIONS + 1U])
         {"robot", required_argument, NULL, 'r'},      {"instance", required_argument, NULL, 'n'},
         {"recordings", required_argument, NULL, 'd'}, {"igtl-file", required_argument, NULL, 'f'},
         {"accounts", required_argument, NULL, 'a'},   {"tls-file", required_argument, NULL, 't'},
+        {"trajectory", required_argument, NULL, 'l'},
     };
 
     (void)memset(known, 0, (COMMON_OPTIONS + BOARD_OPTIONS + 1U) * sizeof known[0]);
@@ -159,6 +161,9 @@ static bool take(options_t *self, int option, const char *value)
         return true;
     case 'f':
         self->igtl_file = value;
+        return true;
+    case 'l':
+        self->trajectory = value;
         return true;
     case 'r':
         self->robot = value;

@@ -12,16 +12,17 @@
 #define OPTIONS_PATH_SIZE 512U
 
 typedef struct {
-    const char *http_port; /**< --http-port, HTTP_PORT. */
-    const char *igtl_port; /**< --igtl-port, IGTL_PORT: bare transforms, joints and poses. */
-    const char *brp_port;  /**< --brp-port, BRP_PORT: the workphase protocol. */
-    const char *igtl_file; /**< --igtl-file, IGTL_FILE: of ports, NULL: none. */
-    igtl_ports_t ports;    /**< What it says. */
-    const char *accounts;  /**< --accounts, ACCOUNTS: file of those who may log in; NULL: none. */
-    const char *tls_file;  /**< --tls-file, TLS_FILE: how TLS leads here; NULL: it does not. */
-    const char *bind;      /**< --bind: IPv4 address of this machine. */
-    const char *robot;     /**< --robot, ROBOT. */
-    const char *instance;  /**< --instance: name of everything this instance creates. */
+    const char *http_port;  /**< --http-port, HTTP_PORT. */
+    const char *igtl_port;  /**< --igtl-port, IGTL_PORT: bare transforms, joints and poses. */
+    const char *brp_port;   /**< --brp-port, BRP_PORT: the workphase protocol. */
+    const char *igtl_file;  /**< --igtl-file, IGTL_FILE: of ports, NULL: none. */
+    igtl_ports_t ports;     /**< What it says. */
+    const char *accounts;   /**< --accounts, ACCOUNTS: file of those who may log in; NULL: none. */
+    const char *tls_file;   /**< --tls-file, TLS_FILE: how TLS leads here; NULL: it does not. */
+    const char *trajectory; /**< --trajectory: file of one, NULL: none. */
+    const char *bind;       /**< --bind: IPv4 address of this machine. */
+    const char *robot;      /**< --robot, ROBOT. */
+    const char *instance;   /**< --instance: name of everything this instance creates. */
     char recordings[OPTIONS_PATH_SIZE];          /**< --recordings. */
     char programs[OPTIONS_PATH_SIZE];            /**< Directory of this program and the others. */
     bool is_given[BOARD_OPTIONS];                /**< Of the board's options. */

@@ -103,7 +103,8 @@ static const char *skip_end(const char *at)
     return (*at == '\0') ? at : NULL;
 }
 
-static const char *read_head(head_t *self, const robot_t *robot, const char *text)
+static const char *read_head(head_t *self, const robot_t *robot, const char *text,
+                             bool is_all_needed)
 {
     const char *at = text;
     (void)memset(self, 0, sizeof *self);
@@ -119,7 +120,7 @@ static const char *read_head(head_t *self, const robot_t *robot, const char *tex
         at++;
     }
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
-        if (self->has_speed[i] && !self->has_position[i]) {
+        if ((self->has_speed[i] || is_all_needed) && !self->has_position[i]) {
             return NULL;
         }
     }
@@ -199,7 +200,7 @@ uint32_t trajectory_csv_read(trajectory_csv_t *self, const char *text, const rob
                              const int32_t stands[ROBOT_AXIS_MAX])
 {
     head_t head;
-    const char *at = read_head(&head, robot, text);
+    const char *at = read_head(&head, robot, text, stands == NULL);
     self->count = 0U;
     if (at == NULL) {
         return 1U;
@@ -210,7 +211,9 @@ uint32_t trajectory_csv_read(trajectory_csv_t *self, const char *text, const rob
             return trajectory_csv_line(self->count);
         }
         (void)memset(row, 0, sizeof *row);
-        (void)memcpy(row->ticks, stands, robot->axis_count * sizeof row->ticks[0]);
+        if (stands != NULL) {
+            (void)memcpy(row->ticks, stands, robot->axis_count * sizeof row->ticks[0]);
+        }
         at = read_row(&head, at, row);
         if (at == NULL) {
             return trajectory_csv_line(self->count);

@@ -12,7 +12,7 @@
 #define BORESIGHT_TRAJECTORY_CSV_H
 
 #include "limits/requirement_limits.h"
-#include "mode/trajectory_list.h"
+#include "mode/trajectory_row.h"
 #include "robot/robot.h"
 
 #include <stdbool.h>
@@ -31,7 +31,8 @@ static inline uint32_t trajectory_csv_line(uint32_t row)
 }
 
 /**
- * Reads `text`, which ends with a zero byte. `stands`: where each axis stands, ticks.
+ * Reads `text`, which ends with a zero byte. `stands`: where each axis stands, ticks;
+ * NULL: that is not known, and each needs a column.
  *
  * @return 0, or the line, from 1 on, that cannot be read or is one too many; an empty line ends
  * the table, and only empty ones may follow

@@ -30,6 +30,7 @@
 #include "safety/reason_hold.h"
 #include "safety/speed_cap.h"
 
+#include <stddef.h>
 #include <stdint.h>
 
 #define CONTROLLER_COMMANDS LIMIT_COMMANDS_PER_CYCLE
@@ -125,10 +126,15 @@ typedef struct {
     uint32_t events;   /**< Number of the next event. */
     uint32_t events_lost;
     uint32_t seals[CONTROLLER_SECTIONS];
-    robot_cards_t cards; /**< Of the robot, as its undamaged table says in each cycle. */
-    trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS]; /**< Of mode.list; each has a checksum. */
+    robot_cards_t cards;    /**< Of the robot, as its undamaged table says in each cycle. */
     program_list_t program; /**< The treatment program that is held; has checksums of its own. */
+    /** Of mode.list; each has a checksum. The last member, as they are too many to be copied with
+     * the rest: what comes before is a checkpoint, to which those that the list has belong. */
+    trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS];
 } controller_t;
+
+/** Bytes of a checkpoint without rows. */
+#define CONTROLLER_CHECKPOINT_BYTES offsetof(controller_t, rows)
 
 /** Starts in workphase UNDEFINED with nothing enabled. */
 void controller_init(controller_t *self, const robot_t *robot);
@@ -145,6 +151,18 @@ void controller_seal(controller_t *self);
  * @satisfies SWR-STORE-019
  */
 void controller_restore(controller_t *self, const kept_positions_t *kept);
+
+/**
+ * Takes a trajectory of `count` rows of a file, once, between controller_init() and the first cycle
+ * (contract 102), which tells the log. Nothing is held of one that is refused.
+ *
+ * @param row  the one that was refused
+ * @return as mode/trajectory_list.h says
+ *
+ * @satisfies SWR-TRAJ-020
+ */
+solution_t controller_hold(controller_t *self, const robot_t *robot, const trajectory_row_t *rows,
+                           uint32_t count, uint32_t *row);
 
 /**
  * One control cycle: frames -> links -> encoders -> interlocks -> commands -> mode -> permit ->

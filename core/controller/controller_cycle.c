@@ -37,6 +37,16 @@ void controller_init(controller_t *self, const robot_t *robot)
     controller_seal(self);
 }
 
+static void begin(controller_t *self, const cycle_t *cycle)
+{
+    const trajectory_list_t *const list = &self->mode.list;
+    self->has_started = 1U;
+    controller_note(self, cycle, EVENT_STARTED, 0U, (int32_t)self->kept.verdict);
+    if (list->is_whole != 0U) {
+        controller_note(self, cycle, EVENT_TRAJECTORY_HELD, 0U, (int32_t)list->count);
+    }
+}
+
 void controller_step(controller_t *self, const robot_t *robot, const controller_inputs_t *inputs,
                      controller_outputs_t *outputs)
 {
@@ -47,8 +57,7 @@ void controller_step(controller_t *self, const robot_t *robot, const controller_
     (void)memset(outputs, 0, offsetof(controller_outputs_t, snapshot));
     controller_check_memory(self, &cycle);
     if (self->has_started == 0U) {
-        self->has_started = 1U;
-        controller_note(self, &cycle, EVENT_STARTED, 0U, (int32_t)self->kept.verdict);
+        begin(self, &cycle);
     }
     self->time_us += inputs->elapsed_us;
     controller_observe(self, &cycle);

@@ -1,14 +1,20 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "controller/controller_trajectory.h"
 
+#include "base/contract.h"
+
 #include <string.h>
+
+static const char contract_module[] = "controller";
 
 static status_t begin_list(controller_t *self, const command_t *command)
 {
     trajectory_list_t *const list = &self->mode.list;
     const status_t status = trajectory_list_begin(list, command->argument);
     if (status == STATUS_OK) {
-        list->source = command->source;
+        list->source = (command->source == (uint32_t)COMMAND_SOURCE_HTTP)
+                           ? (uint32_t)TRAJECTORY_SOURCE_HTTP
+                           : (uint32_t)TRAJECTORY_SOURCE_IGTL;
         list->peer = command->peer;
     }
     return status;
@@ -46,6 +52,27 @@ status_t controller_obey_trajectory(controller_t *self, const cycle_t *cycle,
         }
     }
     return status;
+}
+
+solution_t controller_hold(controller_t *self, const robot_t *robot, const trajectory_row_t *rows,
+                           uint32_t count, uint32_t *row)
+{
+    REQUIRE(102U, self->has_started == 0U);
+    trajectory_list_t *const list = &self->mode.list;
+    uint32_t crc = 0U;
+    solution_t result = {.status = trajectory_list_begin(list, count)};
+    *row = 0U;
+    for (uint32_t i = 0U; (i < count) && (result.status == STATUS_OK); i++) {
+        crc = trajectory_list_crc(crc, &rows[i]);
+        *row = i;
+        result = trajectory_list_add(list, self->rows, robot, i, &rows[i]);
+    }
+    if (result.status == STATUS_OK) {
+        result.status = trajectory_list_end(list, crc);
+        list->source = (uint32_t)TRAJECTORY_SOURCE_FILE;
+    }
+    controller_seal(self);
+    return result;
 }
 
 solution_t controller_judge_trajectory(const controller_t *self, const cycle_t *cycle, uint32_t crc)

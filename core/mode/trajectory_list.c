@@ -1,34 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "mode/trajectory_list.h"
 
-#include "base/crc.h"
 #include "robot/coupled_limit.h"
 #include "robot/coupled_path.h"
 #include "safety/needle.h"
 
-#include <stddef.h>
 #include <string.h>
 
 /* The ways of all axes between two rows, by their control points. */
 typedef struct {
     int32_t ticks[CUBIC_POINTS][ROBOT_AXIS_MAX];
 } hull_t;
-
-uint32_t trajectory_row_crc(const trajectory_row_t *row)
-{
-    return crc32c((const uint8_t *)row, offsetof(trajectory_row_t, crc));
-}
-
-bool trajectory_row_is_whole(const trajectory_row_t *row)
-{
-    return row->crc == trajectory_row_crc(row);
-}
-
-uint32_t trajectory_list_crc(uint32_t crc, const trajectory_row_t *row)
-{
-    const uint32_t words[2] = {crc, trajectory_row_crc(row)};
-    return crc32c((const uint8_t *)words, sizeof words);
-}
 
 void trajectory_list_clear(trajectory_list_t *self)
 {

@@ -12,6 +12,7 @@
 
 #include "interface/status.h"
 #include "limits/requirement_limits.h"
+#include "mode/trajectory_row.h"
 #include "motion/cubic.h"
 #include "robot/joints.h"
 #include "robot/robot.h"
@@ -19,33 +20,15 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** One row. No padding. */
-typedef struct {
-    uint32_t time_ms;
-    int32_t ticks[ROBOT_AXIS_MAX];
-    int32_t speeds_ticks_per_s[ROBOT_AXIS_MAX];
-    uint32_t crc; /**< trajectory_row_crc() of all before it. */
-} trajectory_row_t;
-
 /** The head of the list; all zero is the empty one. */
 typedef struct {
     uint32_t total;    /**< How many rows it shall have. */
     uint32_t count;    /**< How many it has. */
     uint32_t crc;      /**< trajectory_list_crc() of them. */
     uint32_t is_whole; /**< All have come, and are those that were sent: 0 or 1. */
-    uint32_t source;   /**< command_source_t of who sent it. */
-    uint32_t peer;     /**< Of the source. */
+    uint32_t source;   /**< trajectory_source_t. */
+    uint32_t peer;     /**< Of who sent it. */
 } trajectory_list_t;
-
-/** CRC-32C of a row: time, positions, speeds, as they lie in memory. */
-uint32_t trajectory_row_crc(const trajectory_row_t *row);
-
-/** The row is what was taken. */
-bool trajectory_row_is_whole(const trajectory_row_t *row);
-
-/** Checksum of a list that was `crc` (0 of none) with one row more: CRC-32C of that and the row's.
- */
-uint32_t trajectory_list_crc(uint32_t crc, const trajectory_row_t *row);
 
 /** Nothing is held. */
 void trajectory_list_clear(trajectory_list_t *self);

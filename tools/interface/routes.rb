@@ -31,6 +31,7 @@ module Interface
     METHODS = %w[GET POST PUT DELETE].freeze
     PATH = %r{\A/(([a-z0-9_.-]+|\{[a-z]+\})(/|\z))*\z}.freeze
     VALUES = %w[axis number name].freeze # of a path
+    BODY_MOST = 1_048_576
     OPTIONAL = %w[answer media parameters headers body body_most sends events problems refused lenient page authority].freeze
     Header = Struct.new(:name, :type, :says, keyword_init: true)
 
@@ -51,7 +52,7 @@ module Interface
       members = list('parameters') { |one| RequestMember.new(one) }
       @parameters = RequestMessage.new("#{name}_query", "The parameters of #{path}.", members, node)
       @headers = list('headers') { |one| header(one) }
-      @body_most = nodes['body_most']&.integer(0..65_535).to_i
+      @body_most = nodes['body_most']&.integer(0..BODY_MOST).to_i
     end
 
     ANYONE = 'anyone'

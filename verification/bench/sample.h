@@ -18,7 +18,7 @@ typedef struct {
     uint32_t magic;
     uint32_t count;           /**< Samples that follow. */
     uint32_t sample_size;     /**< sizeof(sample_t). */
-    uint32_t controller_size; /**< sizeof(controller_t). */
+    uint32_t controller_size; /**< CONTROLLER_CHECKPOINT_BYTES. */
     uint32_t inputs_size;     /**< sizeof(controller_inputs_t). */
     uint32_t outputs_size;    /**< sizeof(controller_outputs_t). */
     uint32_t robot_crc;
@@ -26,7 +26,8 @@ typedef struct {
 } samples_header_t;
 
 typedef struct {
-    controller_t before; /**< State when the cycle began. */
+    uint32_t cycle;
+    uint8_t before[CONTROLLER_CHECKPOINT_BYTES]; /**< State when the cycle began. */
     controller_inputs_t inputs;
     controller_outputs_t outputs; /**< As recorded. */
 } sample_t;

@@ -30,7 +30,7 @@ static rig_t rig;
 static sample_t sample;
 static samples_header_t samples = {.magic = SAMPLES_MAGIC,
                                    .sample_size = sizeof(sample_t),
-                                   .controller_size = sizeof(controller_t),
+                                   .controller_size = CONTROLLER_CHECKPOINT_BYTES,
                                    .inputs_size = sizeof(controller_inputs_t),
                                    .outputs_size = sizeof(controller_outputs_t)};
 
@@ -75,14 +75,14 @@ static void print_label(void)
 
 static void keep(void)
 {
-    const bool is_even = (sample.before.cycle % SAMPLES_DISTANCE) == 0U;
+    const bool is_even = (sample.cycle % SAMPLES_DISTANCE) == 0U;
     const bool is_extra = (sample.inputs.command_count + sample.outputs.answer_count +
                            sample.outputs.event_count) > 0U;
     if (!is_even && !is_extra) {
         return;
     }
     samples.count++;
-    (void)printf("%s\t%" PRIu32 "\t", is_even ? "even" : "extra", sample.before.cycle);
+    (void)printf("%s\t%" PRIu32 "\t", is_even ? "even" : "extra", sample.cycle);
     print_label();
     if (fwrite(&sample, sizeof(sample), 1U, file) != 1U) {
         fail("the sample cannot be written");
@@ -92,7 +92,8 @@ static void keep(void)
 static void cycles(uint32_t count)
 {
     for (uint32_t i = 0U; i < count; i++) {
-        sample.before = rig.controller;
+        sample.cycle = rig.controller.cycle;
+        (void)memcpy(sample.before, &rig.controller, sizeof sample.before);
         rig_cycle(&rig);
         sample.inputs = rig.inputs;
         sample.outputs = rig.outputs;

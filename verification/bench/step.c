@@ -19,6 +19,7 @@
 
 static samples_header_t samples;
 static sample_t sample;
+static controller_t controller;
 static controller_outputs_t outputs;
 static volatile uint32_t steps;
 
@@ -32,7 +33,7 @@ void contract_broken(const char *module, uint32_t id)
  * must be left to do after it, or the compiler makes the call a jump that returns elsewhere. */
 __attribute__((noinline)) static void measure(void)
 {
-    controller_step(&sample.before, &robot_neuro, &sample.inputs, &outputs);
+    controller_step(&controller, &robot_neuro, &sample.inputs, &outputs);
     steps++;
 }
 
@@ -40,7 +41,7 @@ static bool read_header(FILE *file)
 {
     return (fread(&samples, sizeof(samples), 1U, file) == 1U) && (samples.magic == SAMPLES_MAGIC) &&
            (samples.sample_size == sizeof(sample_t)) &&
-           (samples.controller_size == sizeof(controller_t)) &&
+           (samples.controller_size == CONTROLLER_CHECKPOINT_BYTES) &&
            (samples.inputs_size == sizeof(controller_inputs_t)) &&
            (samples.outputs_size == sizeof(controller_outputs_t)) &&
            (samples.robot_crc == robot_neuro.crc);
@@ -54,6 +55,7 @@ static bool step(FILE *file, uint32_t number)
         (void)fprintf(stderr, "There is no sample %u.\n", (unsigned)number);
         return false;
     }
+    (void)memcpy(&controller, sample.before, sizeof sample.before);
     measure();
     if (memcmp(&outputs, &sample.outputs, sizeof(outputs)) != 0) {
         (void)fprintf(stderr, "Sample %u does not repeat what was recorded.\n", (unsigned)number);

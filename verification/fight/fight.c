@@ -45,7 +45,7 @@ static const robot_t *open_recording(const char *path)
     }
     const robot_t *robot = robots_find(reader.header.robot);
     if ((robot == NULL) || (robot->crc != reader.header.robot_crc) ||
-        !recording_reader_fits(&reader, INTERFACE_LAYOUT, sizeof(controller_t))) {
+        !recording_reader_fits(&reader, INTERFACE_LAYOUT, CONTROLLER_CHECKPOINT_BYTES)) {
         (void)puts("the recording is of another build");
         return NULL;
     }

@@ -34,7 +34,7 @@ static void take_checkpoint(void)
 {
     record.kind = CYCLE_RECORD_CHECKPOINT;
     record.cycle = rig.controller.cycle;
-    (void)memcpy(record.body.checkpoint, &rig.controller, sizeof(rig.controller));
+    (void)memcpy(record.body.checkpoint, &rig.controller, CONTROLLER_CHECKPOINT_BYTES);
     TEST_ASSERT_TRUE(replay_take(&replay, &robot_neuro, &record, &known));
 }
 

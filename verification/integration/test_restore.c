@@ -259,7 +259,7 @@ void test_SWR_REPLAY_001_a_start_with_kept_positions_is_replayed_from_its_checkp
     replay_init(&replay);
     record.kind = CYCLE_RECORD_CHECKPOINT;
     record.cycle = 0U;
-    (void)memcpy(record.body.checkpoint, &rig.controller, sizeof(rig.controller));
+    (void)memcpy(record.body.checkpoint, &rig.controller, CONTROLLER_CHECKPOINT_BYTES);
     TEST_ASSERT_TRUE(replay_take(&replay, &robot_neuro, &record, &known));
     record.kind = CYCLE_RECORD_CYCLE;
     for (record.cycle = 0U; record.cycle < 50U; record.cycle++) {

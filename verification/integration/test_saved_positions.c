@@ -311,7 +311,7 @@ void test_SWR_REPLAY_001_a_restoring_is_replayed(void)
     replay_init(&replay);
     record.kind = CYCLE_RECORD_CHECKPOINT;
     record.cycle = rig.controller.cycle;
-    (void)memcpy(record.body.checkpoint, &rig.controller, sizeof(rig.controller));
+    (void)memcpy(record.body.checkpoint, &rig.controller, CONTROLLER_CHECKPOINT_BYTES);
     TEST_ASSERT_TRUE(replay_take(&replay, &robot_neuro, &record, &known));
     record.kind = CYCLE_RECORD_CYCLE;
     for (uint32_t i = 0U; i < 20U; i++) {

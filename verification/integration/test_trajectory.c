@@ -7,9 +7,15 @@
  */
 #include "integration/support/rig.h"
 
+#include "unit/support/contract_trap.h"
 #include "unity.h"
 
 #include "controller/controller.h"
+#include "interface/app/fields.h"
+#include "recording/cycle_words.h"
+#include "recording/proof.h"
+#include "replay/field_name.h"
+#include "replay/replay.h"
 #include "robot/robot_neuro.h"
 
 #include <string.h>
@@ -207,12 +213,19 @@ void test_SWR_TRAJ_013_what_is_armed_is_not_changed(void)
     TEST_ASSERT_EQUAL_UINT32(4U, rig.outputs.snapshot.trajectory_rows);
 }
 
-void test_SWR_TRAJ_013_a_connection_of_navigation_sends_none(void)
+void test_SWR_TRAJ_013_a_connection_of_navigation_sends_one_if_it_commands(void)
 {
-    const command_t command = {.kind = (uint32_t)COMMAND_LIST_BEGIN,
-                               .source = (uint32_t)COMMAND_SOURCE_IGTL,
-                               .peer = RIG_CONNECTION};
-    TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_ALLOWED, rig_command(&rig, command).status);
+    command_t command = {.kind = (uint32_t)COMMAND_LIST_BEGIN,
+                         .source = (uint32_t)COMMAND_SOURCE_IGTL,
+                         .argument = 2U,
+                         .peer = RIG_CONNECTION + 1U};
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NO_AUTHORITY, rig_command(&rig, command).status);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.controller.mode.list.total);
+    rig_leave(&rig);
+    command.peer = RIG_CONNECTION;
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, command).status);
+    TEST_ASSERT_EQUAL_UINT32(2U, rig.controller.mode.list.total);
+    TEST_ASSERT_EQUAL_UINT32(TRAJECTORY_SOURCE_IGTL, rig.controller.mode.list.source);
 }
 
 void test_SWR_TRAJ_013_out_of_manual_nothing_is_taken(void)
@@ -262,16 +275,93 @@ void test_SWR_TRAJ_012_a_row_that_is_damaged_ends_it_by_name(void)
 /* A recording may begin in the middle of a run. */
 void test_SWR_TRAJ_014_the_list_is_part_of_the_state_that_is_replayed(void)
 {
-    static controller_t other;
-    static controller_outputs_t outputs;
+    static replay_t replay;
+    static cycle_record_t record;
+    const cycle_known_t known = {.is_whole = true, .rows = (const uint8_t *)rig.controller.rows};
     send_list();
     expect_run(STATUS_OK);
     rig_press(&rig);
     run_until(1000000U);
-    other = rig.controller;
+    replay_init(&replay);
+    record.kind = (uint32_t)CYCLE_RECORD_CHECKPOINT;
+    record.cycle = rig.controller.cycle;
+    record.rows = rig.controller.mode.list.count;
+    memcpy(record.body.checkpoint, &rig.controller, CONTROLLER_CHECKPOINT_BYTES);
+    TEST_ASSERT_TRUE(replay_take(&replay, &robot_neuro, &record, &known));
+    record.kind = (uint32_t)CYCLE_RECORD_CYCLE;
     for (uint32_t i = 0U; i < 3000U; i++) {
+        record.cycle = rig.controller.cycle;
         rig_cycle(&rig);
-        controller_step(&other, &rig.robot, &rig.inputs, &outputs);
-        TEST_ASSERT_EQUAL_MEMORY(&rig.outputs, &outputs, sizeof outputs);
+        record.body.cycle.inputs = rig.inputs;
+        record.body.cycle.outputs = rig.outputs;
+        TEST_ASSERT_TRUE(replay_take(&replay, &robot_neuro, &record, &known));
     }
+    TEST_ASSERT_EQUAL_UINT64(3000U, replay.replayed);
+}
+
+/* 10 ms from row to row, to and fro by a tick. */
+void test_SWR_TRAJ_001_the_longest_list_is_held_and_its_last_row_driven_to(void)
+{
+    const uint32_t last = LIMIT_TRAJECTORY_ROWS - 1U;
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, list(COMMAND_LIST_BEGIN, LIMIT_TRAJECTORY_ROWS).status);
+    for (uint32_t i = 0U; i <= last; i++) {
+        row.ticks[AXIS_YAW] = begin_ticks() - (((i % 200U) == 199U) ? 1 : 0);
+        expect_row(i, i * 10U, STATUS_OK);
+    }
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, list(COMMAND_LIST_END, sum).status);
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_TRAJECTORY_ROWS, rig.outputs.snapshot.trajectory_rows);
+    expect_run(STATUS_OK);
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 60000U).kind);
+    TEST_ASSERT_EQUAL_UINT32(last, rig.outputs.snapshot.trajectory_row);
+    TEST_ASSERT_EQUAL_UINT32(last * 10000U, rig.outputs.snapshot.trajectory_time_us);
+}
+
+/* Those of a file, at the begin of a run. */
+static trajectory_row_t kept[3];
+
+static solution_t hold(uint32_t count, uint32_t *refused)
+{
+    for (uint32_t i = 0U; i < 3U; i++) {
+        kept[i] = row;
+        kept[i].time_ms = i * 1000U;
+    }
+    kept[1].ticks[AXIS_YAW] -= 10;
+    controller_init(&rig.controller, &rig.robot);
+    return controller_hold(&rig.controller, &rig.robot, kept, count, refused);
+}
+
+void test_SWR_TRAJ_020_a_list_of_a_file_is_held_from_the_first_cycle_on_and_told(void)
+{
+    uint32_t refused = 7U;
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, hold(3U, &refused).status);
+    rig_forget(&rig);
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_TRAJECTORY_HELD));
+    TEST_ASSERT_EQUAL_UINT32(3U, rig.outputs.snapshot.trajectory_rows);
+    TEST_ASSERT_EQUAL_UINT32(TRAJECTORY_SOURCE_FILE, rig.outputs.snapshot.trajectory_source);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_MEMORY_DAMAGED));
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_TRAJECTORY_HELD));
+}
+
+void test_SWR_TRAJ_020_one_that_is_refused_is_not_held_and_its_row_is_named(void)
+{
+    uint32_t refused = 7U;
+    row.ticks[AXIS_YAW] = rig.robot.axes[AXIS_YAW].maximum_ticks + 1;
+    const solution_t judged = hold(3U, &refused);
+    TEST_ASSERT_NOT_EQUAL_UINT32(STATUS_OK, judged.status);
+    TEST_ASSERT_EQUAL_UINT8(AXIS_YAW, judged.axis);
+    TEST_ASSERT_EQUAL_UINT32(2U, refused);
+    rig_forget(&rig);
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_TRAJECTORY_HELD));
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.trajectory_rows);
+}
+
+void test_SWR_TRAJ_020_once_a_cycle_was_run_none_is_taken(void)
+{
+    uint32_t refused = 0U;
+    EXPECT_CONTRACT("controller", 102U,
+                    (void)controller_hold(&rig.controller, &rig.robot, kept, 1U, &refused));
 }

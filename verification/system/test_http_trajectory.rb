@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
-# Rule under test: a trajectory is sent as a table of text by a page that has authority, refused with the line that is wrong,
-# shown, run under the pedal and emptied.
+# Rule under test: a trajectory is sent as a table of text by a page that has authority, row by row by a connection that has it,
+# or read from a file at the start; it is refused with the line that is wrong, shown, run under the pedal and emptied.
 
+require 'open3'
+require 'tempfile'
+
+require_relative 'support/igtl_client'
 require_relative 'support/page_test'
 
 class TestHttpTrajectory < Minitest::Test
@@ -94,8 +98,82 @@ class TestHttpTrajectory < Minitest::Test
   def test_SWR_TRAJ_015_only_who_commands_sends_one_and_as_what_it_is
     anna = holder
     assert_equal '415', put(anna, TABLE, 'application/json').code
-    assert_equal '413', put(anna, 'x' * 40_000).code
+    assert_equal '413', put(anna, 'x' * 786_433).code
     anna.give_up
     assert_equal '423', put(anna, TABLE).code
+  end
+
+  ROWS = 4096
+
+  # To and fro by a degree in 2 s.
+  def long_table(rows)
+    "time ms,yaw deg\n" + Array.new(rows) { |row| "#{row * 10},#{(Math.cos(row * Math::PI / 100) / 2) - 0.5}\n" }.join
+  end
+
+  # A recording that is begun while a long list is held and run is replayed.
+  def test_SWR_TRAJ_021_the_longest_list_is_held_run_and_replayed
+    anna = holder
+    assert_refused '400', 'BAD_BODY', "line #{ROWS + 2}", put(anna, long_table(ROWS + 1))
+    told = JSON.parse(put(anna, long_table(ROWS)).body)
+    assert_equal ROWS, told['rows'], told
+    files = boresight.recording_files.size
+    boresight.kill('recorder', 'KILL')
+    wait_until('there is another recording') { boresight.recording_files.size > files }
+    assert_answer '202', 'accepted', anna.act('trajectory/run', { checksum: told['checksum'] })
+    boresight.simctl('pedal', 'press')
+    wait_until('it is on its way') { anna.keep && held['time_s'] > 1 }
+    boresight.simctl('pedal', 'release')
+    text, = Open3.capture2e(Boresight.program('boresight-replay'), boresight.recording_files.last)
+    assert_match(/\d{3,} cycles replayed, every output equal/, text)
+  end
+
+  def axes
+    fetch_json('/api/v1/motors')['axes']
+  end
+
+  # The yaw goes there and back, each other axis stays.
+  def rows(ticks)
+    [0, ticks, 0].map { |way| axes.map { |axis| axis['name'] == 'yaw' ? way : axis['position_ticks'] } }
+  end
+
+  def test_SWR_TRAJ_019_a_connection_that_commands_sends_one_row_by_row_and_runs_it
+    IgtlClient.open(boresight.brp_port) do |client|
+      client.run('phase MANUAL')
+      client.run('wait STATUS MANUAL')
+      lines = rows(-10).each_with_index.map { |row, index| "ROW #{index} #{index * 500} #{(row + [0] * row.size).join(' ')}" }
+      ['BEGIN 3', *lines, 'END'].each do |line|
+        client.run("string Text TRAJECTORY #{line}")
+        client.run('expect STATUS TRAJECTORY 1')
+      end
+      assert_equal [3, 'IGTL'], held.values_at('rows', 'source')
+      client.run('string Text TRAJECTORY RUN')
+      client.run('expect STATUS ACK_TRAJECTORY 1')
+      boresight.simctl('pedal', 'press')
+      assert_equal 1, client.status('TRAJECTORY')['code']
+    end
+  end
+
+  def file(ticks)
+    Tempfile.create('trajectory').tap do |file|
+      file.puts "time s,#{axes.map { |axis| "#{axis['name']} ticks" }.join(',')}"
+      rows(ticks).each_with_index { |row, index| file.puts [index, *row].join(',') }
+      file.close
+    end
+  end
+
+  def test_SWR_TRAJ_020_a_file_that_is_named_at_the_start_is_held_and_told
+    instance = Boresight.start(arguments: ['--trajectory', file(-5).path])
+    told = JSON.parse(Net::HTTP.get(URI("http://127.0.0.1:#{instance.http_port}#{PATH}")))
+    assert_equal [3, 'FILE'], told.values_at('rows', 'source')
+    assert(instance.log.any? { |event| event['name'] == 'TRAJECTORY_HELD' })
+  ensure
+    instance&.kill_all
+  end
+
+  def test_SWR_TRAJ_020_a_file_that_is_wrong_is_refused_with_its_line
+    instance = Boresight.new(arguments: ['--trajectory', file(100_000).path])
+    instance.launch
+    refute_equal 0, instance.wait_for_end
+    assert_match(/line 3, yaw: AXIS_LIMIT: /, instance.output)
   end
 end

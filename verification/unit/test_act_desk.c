@@ -359,3 +359,22 @@ void test_SWR_HTTP_025_a_full_lane_only_delays_it(void)
     TEST_ASSERT_EQUAL_UINT32(1U, take_commands());
     TEST_ASSERT_EQUAL_UINT32(COMMAND_RELEASE, taken[0].kind);
 }
+
+/* None of more than have room is waited for. */
+void test_SWR_TRAJ_021_rows_are_sent_some_at_once_and_refused_where_there_is_no_room(void)
+{
+    static const command_t rows[ACT_DESK_ERRANDS];
+    static answer_t answers[ACT_DESK_ERRANDS];
+    const command_t row = {.kind = (uint32_t)COMMAND_NOTE};
+
+    for (uint32_t i = 0U; i < (EXCHANGE_COMMANDS - ACT_DESK_ERRANDS + 1U); i++) {
+        TEST_ASSERT_TRUE(act_desk_send(&desk, 7U, &row));
+    }
+    TEST_ASSERT_EQUAL(ACT_LATER, act_desk_do_all(&desk, 7U, rows, ACT_DESK_ERRANDS, answers));
+    TEST_ASSERT_EQUAL_UINT32(0U, desk.errand_count);
+    while (take_commands() > 0U) {
+    }
+    TEST_ASSERT_EQUAL(ACT_NO_ANSWER, act_desk_do_all(&desk, 7U, rows, ACT_DESK_ERRANDS, answers));
+    TEST_ASSERT_EQUAL_UINT32(0U, desk.errand_count);
+    TEST_ASSERT_EQUAL_UINT32(ACT_DESK_ERRANDS, take_commands());
+}

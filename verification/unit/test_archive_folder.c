@@ -41,7 +41,7 @@ static const recording_header_t header = {.build = "test-build",
                                           .robot = "neuro",
                                           .inputs_size = sizeof(controller_inputs_t),
                                           .outputs_size = sizeof(controller_outputs_t),
-                                          .controller_size = sizeof(controller_t),
+                                          .controller_size = CONTROLLER_CHECKPOINT_BYTES,
                                           .started_us = UTC_US};
 static char folder[48];
 static archive_file_t opened;

@@ -12,6 +12,7 @@
 #include "common/file_series.h"
 #include "exchange/exchange.h"
 #include "exchange/exchange_files.h"
+#include "exchange/exchange_rows.h"
 #include "exchange/exchange_segment.h"
 #include "recorder/black_box.h"
 #include "recording/cycle_code.h"
@@ -36,7 +37,7 @@ static const recording_header_t header = {.build = "test-build",
                                           .robot = "neuro",
                                           .inputs_size = sizeof(controller_inputs_t),
                                           .outputs_size = sizeof(controller_outputs_t),
-                                          .controller_size = sizeof(controller_t)};
+                                          .controller_size = CONTROLLER_CHECKPOINT_BYTES};
 static char folder[48];
 static char name[48];
 static char error[256];
@@ -188,4 +189,73 @@ void test_SWR_REC_014_a_folder_that_is_removed_is_made_again_with_a_new_recordin
     TEST_ASSERT_EQUAL_size_t(1U, read_newest());
     TEST_ASSERT_EQUAL(RECORDING_WHOLE, finding.verdict);
     TEST_ASSERT_EQUAL_UINT64(11U, reader.records);
+}
+
+/* `count` rows of a list that is begun, and a checkpoint of them. */
+static void hold_rows(uint32_t count, uint32_t first)
+{
+    static controller_t controller;
+    static controller_outputs_t outputs;
+
+    outputs.answer_count = 1U;
+    outputs.answers[0] = (answer_t){.command = COMMAND_LIST_BEGIN, .kind = ANSWER_ACCEPTED};
+    controller.mode.list.count = count;
+    for (uint32_t i = 0U; i < count; i++) {
+        controller.rows[i].time_ms = first + i;
+    }
+    exchange_publish_rows(exchange, &controller, &outputs);
+}
+
+static void push_checkpoint(uint32_t cycle)
+{
+    cycle_record_t *const record = exchange_reserve_cycle(exchange);
+
+    (void)memset(record, 0, sizeof *record);
+    record->kind = (uint32_t)CYCLE_RECORD_CHECKPOINT;
+    record->cycle = cycle;
+    exchange_note_rows(exchange, record);
+    exchange_commit_cycle(exchange);
+}
+
+static void expect_rows(uint32_t count, uint32_t first)
+{
+    static cycle_record_t record;
+    cycle_known_t known;
+    trajectory_row_t row;
+
+    black_box_close(&black_box);
+    TEST_ASSERT_EQUAL_size_t(1U, read_newest());
+    TEST_ASSERT_EQUAL(RECORDING_WHOLE, finding.verdict);
+    TEST_ASSERT_TRUE(recording_reader_next(&reader, &record, &known));
+    TEST_ASSERT_EQUAL_UINT32(CYCLE_RECORD_CHECKPOINT, record.kind);
+    TEST_ASSERT_EQUAL_UINT32(count, record.rows);
+    for (uint32_t i = 0U; i < count; i++) {
+        (void)memcpy(&row, &known.rows[i * sizeof row], sizeof row);
+        TEST_ASSERT_EQUAL_UINT32(first + i, row.time_ms);
+    }
+    TEST_ASSERT_TRUE(recording_reader_next(&reader, &record, &known));
+    TEST_ASSERT_EQUAL_UINT32(CYCLE_RECORD_CYCLE, record.kind);
+}
+
+void test_SWR_TRAJ_017_a_recording_begins_with_the_rows_of_its_checkpoint(void)
+{
+    hold_rows(LIMIT_TRAJECTORY_ROWS, 5U);
+    push_checkpoint(10U);
+    push(CYCLE_RECORD_CYCLE, 10U);
+    black_box_drain(&black_box, now_us);
+    expect_rows(LIMIT_TRAJECTORY_ROWS, 5U);
+}
+
+void test_SWR_TRAJ_017_a_checkpoint_whose_rows_are_gone_is_asked_for_again(void)
+{
+    hold_rows(3U, 5U);
+    push_checkpoint(10U);
+    hold_rows(4U, 50U);
+    TEST_ASSERT_TRUE(exchange_take_checkpoint_request(exchange));
+    black_box_drain(&black_box, now_us);
+    TEST_ASSERT_TRUE(exchange_take_checkpoint_request(exchange));
+    push_checkpoint(10U);
+    push(CYCLE_RECORD_CYCLE, 10U);
+    black_box_drain(&black_box, now_us);
+    expect_rows(4U, 50U);
 }

@@ -12,9 +12,11 @@
 #include "control/figures.h"
 #include "control/sources.h"
 #include "exchange/exchange.h"
+#include "exchange/exchange_rows.h"
 #include "exchange/exchange_segment.h"
 #include "mock_bsp.h"
 #include "mock_controller.h"
+#include "mock_list_file.h"
 #include "mock_realtime.h"
 #include "positions/position_record.h"
 #include "robot/robot_neuro.h"
@@ -150,6 +152,22 @@ static uint32_t tell_robot(int calls)
     return board_robot_crc;
 }
 
+/* Words with and without the option of a trajectory. */
+#define WITHOUT_LIST 9
+#define WITH_LIST 11
+
+static int list_count;
+
+static bool take_list(controller_t *self, const robot_t *robot, const char *path, char *text,
+                      uint32_t size, int calls)
+{
+    (void)self;
+    (void)robot;
+    (void)calls;
+    (void)snprintf(text, size, "the trajectory %s, line 3: no", path);
+    return false;
+}
+
 static void restore(controller_t *self, const kept_positions_t *kept, int calls)
 {
     (void)self;
@@ -233,6 +251,8 @@ void setUp(void)
     controller_init_Stub(init);
     controller_restore_Stub(restore);
     controller_step_Stub(step);
+    list_file_take_Stub(take_list);
+    list_count = WITHOUT_LIST;
     realtime_acquire_Stub(acquire);
     realtime_now_ns_Stub(tell_now);
 }
@@ -246,8 +266,8 @@ void tearDown(void)
 /* Runs control until `how` and `signal_number` end it. @return as waitpid() gives it */
 static int control_ends(end_t how, int signal_number)
 {
-    char *arguments[] = {"control", "--robot", "neuro",       "--exchange", name,
-                         "--box",   "y",       "--positions", "no-file"};
+    char *arguments[] = {"control", "--robot",     "neuro",   "--exchange",   name,  "--box",
+                         "y",       "--positions", "no-file", "--trajectory", "list"};
     int ends[2];
     int status = 0;
     end = how;
@@ -256,7 +276,7 @@ static int control_ends(end_t how, int signal_number)
     const pid_t child = fork();
     if (child == 0) {
         (void)dup2(ends[1], STDERR_FILENO);
-        _Exit(control_main(9, arguments));
+        _Exit(control_main(list_count, arguments));
     }
     (void)close(ends[1]);
     size_t length = 0U;
@@ -321,6 +341,16 @@ void test_SWR_CTRL_010_a_crash_sends_off_to_every_card_and_stays_a_crash(void)
         expect_off(2U);
         TEST_ASSERT_NOT_NULL(strstr(said, "crashed by signal"));
     }
+}
+
+void test_SWR_TRAJ_020_a_trajectory_that_is_refused_is_told_and_nothing_starts(void)
+{
+    list_count = WITH_LIST;
+    const int status = control_ends(BY_SIGNAL, SIGTERM);
+    TEST_ASSERT_TRUE(WIFEXITED(status));
+    TEST_ASSERT_EQUAL_INT(EXIT_CANNOT_START, WEXITSTATUS(status));
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(said, "control: the trajectory list, line 3: no.\n"), said);
+    TEST_ASSERT_EQUAL_UINT32(0U, record->count);
 }
 
 void test_SWR_ROBOT_019_the_box_of_this_robot_is_taken(void)

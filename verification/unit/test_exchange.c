@@ -9,6 +9,7 @@
 #include "exchange/exchange_files.h"
 #include "exchange/exchange_notes.h"
 #include "exchange/exchange_peers.h"
+#include "exchange/exchange_rows.h"
 #include "exchange/exchange_segment.h"
 #include "robot/robot_neuro.h"
 
@@ -262,22 +263,13 @@ void test_SWR_HTTP_008_a_stop_of_the_console_takes_no_lane(void)
 
 void test_SWR_CTRL_021_a_cycle_takes_no_more_after_a_command_that_computes(void)
 {
-    static const command_kind_t costly[] = {COMMAND_REGISTRATION,
-                                            COMMAND_TARGET,
-                                            COMMAND_PROPOSE_REGISTRATION,
-                                            COMMAND_PROPOSE_ENTRY,
-                                            COMMAND_PROPOSE_TARGET,
-                                            COMMAND_NEEDLE,
-                                            COMMAND_ENTRY,
-                                            COMMAND_WITHDRAW,
-                                            COMMAND_WORKPHASE,
-                                            COMMAND_LIST_ROW,
-                                            COMMAND_RUN_TRAJECTORY,
-                                            COMMAND_PROGRAM_STEP,
-                                            COMMAND_RUN_PROGRAM,
-                                            COMMAND_ALIGN,
-                                            COMMAND_INSERT,
-                                            COMMAND_POSE};
+    static const command_kind_t costly[] = {
+        COMMAND_REGISTRATION,  COMMAND_TARGET,         COMMAND_PROPOSE_REGISTRATION,
+        COMMAND_PROPOSE_ENTRY, COMMAND_PROPOSE_TARGET, COMMAND_NEEDLE,
+        COMMAND_ENTRY,         COMMAND_WITHDRAW,       COMMAND_WORKPHASE,
+        COMMAND_LIST_ROW,      COMMAND_RUN_TRAJECTORY, COMMAND_PROGRAM_STEP,
+        COMMAND_RUN_PROGRAM,   COMMAND_ALIGN,          COMMAND_INSERT,
+        COMMAND_POSE};
     command_t taken[4];
 
     for (uint32_t i = 0U; i < (sizeof costly / sizeof costly[0]); i++) {
@@ -819,6 +811,92 @@ void test_SWR_EXCH_003_each_cycle_is_either_read_whole_or_counted(void)
     }
     (void)pthread_join(writer, NULL);
     TEST_ASSERT_EQUAL_UINT32(ROUNDS, received + exchange_cycles_lost(reader));
+}
+
+static controller_t controller;
+static controller_outputs_t outputs;
+static cycle_record_t checkpoint;
+static trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS];
+
+/* A cycle in which the list has got so many rows, of a list that was begun in it or before. */
+static void come(uint32_t count, bool is_begun)
+{
+    for (uint32_t i = controller.mode.list.count; i < count; i++) {
+        controller.rows[i].time_ms++;
+        controller.rows[i].crc = i;
+    }
+    controller.mode.list.count = count;
+    outputs.answer_count = 2U;
+    outputs.answers[0] = (answer_t){.command = COMMAND_LIST_ROW, .kind = ANSWER_ACCEPTED};
+    outputs.answers[1] = (answer_t){.command = is_begun ? COMMAND_LIST_BEGIN : COMMAND_LIST_ROW,
+                                    .kind = ANSWER_ACCEPTED};
+    exchange_publish_rows(control, &controller, &outputs);
+}
+
+void test_SWR_TRAJ_018_of_rows_that_wait_one_is_taken_in_a_cycle(void)
+{
+    const command_t sent = {.source = (uint32_t)COMMAND_SOURCE_HTTP, .kind = COMMAND_LIST_ROW};
+    command_t taken[4];
+
+    for (uint32_t i = 0U; i < 3U; i++) {
+        TEST_ASSERT_EQUAL_UINT32(STATUS_OK, exchange_send_command(reader, &sent));
+    }
+    for (uint32_t i = 0U; i < 3U; i++) {
+        TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, taken, 4U));
+    }
+    TEST_ASSERT_EQUAL_UINT32(0U, exchange_take_commands(control, taken, 4U));
+}
+
+void test_SWR_TRAJ_016_rows_are_there_for_any_checkpoint_after_they_have_come(void)
+{
+    come(2U, true);
+    come(LIMIT_TRAJECTORY_ROWS, false);
+    exchange_note_rows(control, &checkpoint);
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_TRAJECTORY_ROWS, checkpoint.rows);
+    TEST_ASSERT_TRUE(exchange_read_rows(reader, &checkpoint, rows));
+    TEST_ASSERT_EQUAL_MEMORY(controller.rows, rows, sizeof rows);
+}
+
+void test_SWR_TRAJ_016_what_has_come_is_not_looked_at_again(void)
+{
+    come(3U, true);
+    controller.rows[1].crc = 77U; /* Damage is no row that has come. */
+    come(4U, false);
+    exchange_note_rows(control, &checkpoint);
+    TEST_ASSERT_TRUE(exchange_read_rows(reader, &checkpoint, rows));
+    TEST_ASSERT_EQUAL_UINT32(1U, rows[1].crc);
+    TEST_ASSERT_EQUAL_UINT32(3U, rows[3].crc);
+}
+
+void test_SWR_TRAJ_016_of_a_list_that_is_replaced_there_are_none_any_more(void)
+{
+    come(3U, true);
+    exchange_note_rows(control, &checkpoint);
+    come(5U, false);
+    TEST_ASSERT_TRUE(exchange_read_rows(reader, &checkpoint, rows)); /* It has only grown. */
+    controller.mode.list.count = 0U;
+    come(4U, true);
+    TEST_ASSERT_FALSE(exchange_read_rows(reader, &checkpoint, rows));
+    exchange_note_rows(control, &checkpoint);
+    TEST_ASSERT_EQUAL_UINT32(4U, checkpoint.rows);
+    TEST_ASSERT_TRUE(exchange_read_rows(reader, &checkpoint, rows));
+    TEST_ASSERT_EQUAL_MEMORY(controller.rows, rows, 4U * sizeof rows[0]);
+}
+
+void test_SWR_TRAJ_016_a_list_that_is_lost_or_damaged_has_none(void)
+{
+    come(3U, true);
+    exchange_note_rows(control, &checkpoint);
+    controller.mode.list.count = UINT32_MAX;
+    outputs.answer_count = 0U;
+    exchange_publish_rows(control, &controller, &outputs);
+    TEST_ASSERT_FALSE(exchange_read_rows(reader, &checkpoint, rows));
+    exchange_note_rows(control, &checkpoint);
+    TEST_ASSERT_EQUAL_UINT32(0U, checkpoint.rows);
+    TEST_ASSERT_TRUE(exchange_read_rows(reader, &checkpoint, rows));
+    checkpoint.rows = LIMIT_TRAJECTORY_ROWS + 1U;
+    TEST_ASSERT_FALSE(exchange_read_rows(reader, &checkpoint, rows));
+    controller.mode.list.count = 0U;
 }
 
 void test_SWR_EXCH_003_a_checkpoint_request_is_taken_once(void)

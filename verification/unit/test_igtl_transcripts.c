@@ -5,6 +5,7 @@
  * every time, in each dialect its own. What the client says begins with ">"; what the robot does by
  * itself stands in brackets.
  */
+#include "base/crc.h"
 #include "base/fixed.h"
 #include "base/rigid.h"
 #include "charts/arming_chart.h"
@@ -20,6 +21,7 @@
 #include "dialect/workphase_poll.h"
 #include "dialect/workphase_receive.h"
 #include "dialect/workphase_text.h"
+#include "dialect/workphase_trajectory.h"
 #include "dialect/workphase_watch.h"
 #include "dialect/workphase_words.h"
 #include "interface/app/names.h"
@@ -28,6 +30,7 @@
 #include "message/igtl_crc64.h"
 #include "message/igtl_packet.h"
 #include "message/igtl_outbox.h"
+#include "mode/trajectory_row.h"
 #include "limits/requirement_limits.h"
 #include "robot/robot_cards.h"
 #include "unit/support/workphase_world.h"

@@ -4,6 +4,7 @@
  * Rule under test: needle tips of images, retractions and entry points go to the controller and
  * their results back under the names by which they came; lengths of needles are only compared.
  */
+#include "base/crc.h"
 #include "base/fixed.h"
 #include "base/rigid.h"
 #include "charts/arming_chart.h"
@@ -19,6 +20,7 @@
 #include "dialect/workphase_poll.h"
 #include "dialect/workphase_receive.h"
 #include "dialect/workphase_text.h"
+#include "dialect/workphase_trajectory.h"
 #include "dialect/workphase_watch.h"
 #include "dialect/workphase_words.h"
 #include "interface/app/names.h"
@@ -27,6 +29,7 @@
 #include "message/igtl_crc64.h"
 #include "message/igtl_packet.h"
 #include "message/igtl_outbox.h"
+#include "mode/trajectory_row.h"
 #include "limits/requirement_limits.h"
 #include "robot/robot_cards.h"
 #include "unit/support/workphase_world.h"

@@ -19,6 +19,7 @@
 #include "mode/program_mode.h"
 #include "mode/retract_mode.h"
 #include "mode/trajectory_list.h"
+#include "mode/trajectory_row.h"
 #include "mode/trajectory_mode.h"
 #include "motion/cubic.h"
 #include "robot/coupled_limit.h"

@@ -205,6 +205,35 @@ void test_SWR_REC_002_records_come_back_as_they_were_appended(void)
     TEST_ASSERT_EQUAL_UINT32(BLOCKS * RECORDS_PER_BLOCK, read_all());
 }
 
+void test_SWR_TRAJ_017_rows_come_back_with_their_checkpoint(void)
+{
+    static trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS];
+    const uint32_t counts[] = {LIMIT_TRAJECTORY_ROWS, 0U, 2U};
+
+    for (uint32_t i = 0U; i < sizeof rows; i++) {
+        ((uint8_t *)rows)[i] = next_noise();
+    }
+    TEST_ASSERT_TRUE(recording_writer_open(&writer, path, &header));
+    for (uint32_t i = 0U; i < 3U; i++) {
+        make_record(&record, i, CYCLE_RECORD_CHECKPOINT);
+        record.rows = counts[i];
+        TEST_ASSERT_TRUE(recording_writer_append_checkpoint(&writer, &record, rows));
+        make_record(&record, i, CYCLE_RECORD_CYCLE);
+        TEST_ASSERT_TRUE(recording_writer_append(&writer, &record));
+    }
+    TEST_ASSERT_TRUE(recording_writer_close(&writer));
+    TEST_ASSERT_EQUAL(RECORDING_WHOLE, recording_reader_open(&reader, path, &finding));
+    for (uint32_t i = 0U; i < 3U; i++) {
+        TEST_ASSERT_TRUE(recording_reader_next(&reader, &record, &known));
+        TEST_ASSERT_EQUAL_UINT32(CYCLE_RECORD_CHECKPOINT, record.kind);
+        TEST_ASSERT_EQUAL_UINT32(counts[i], record.rows);
+        TEST_ASSERT_EQUAL_INT(0, memcmp(rows, known.rows, counts[i] * sizeof rows[0]));
+        TEST_ASSERT_TRUE(recording_reader_next(&reader, &record, &known));
+        TEST_ASSERT_EQUAL_UINT32(CYCLE_RECORD_CYCLE, record.kind);
+    }
+    TEST_ASSERT_FALSE(recording_reader_next(&reader, &record, &known));
+}
+
 void test_SWR_REC_002_a_block_is_written_when_it_holds_a_second(void)
 {
     TEST_ASSERT_TRUE(recording_writer_open(&writer, path, &header));
@@ -581,7 +610,7 @@ void test_SWR_REPLAY_005_another_version_of_the_format_is_refused_by_both_versio
     TEST_ASSERT_EQUAL_INT((int)sizeof(bytes), (int)pwrite(file, bytes, sizeof(bytes), 0));
     (void)close(file);
     TEST_ASSERT_EQUAL(RECORDING_OTHER_VERSION, recording_reader_open(&reader, path, &finding));
-    TEST_ASSERT_EQUAL_STRING("The recording is of format version 1, this build reads version 2; "
+    TEST_ASSERT_EQUAL_STRING("The recording is of format version 1, this build reads version 3; "
                              "replay it with the build that recorded it, \"test-build\".",
                              finding.sentence);
 }

@@ -128,3 +128,19 @@ void test_SWR_TRAJ_015_rows_that_have_no_room_are_refused_with_the_first(void)
     (void)snprintf(&text[size], sizeof text - size, "99999,0\n");
     expect(LIMIT_TRAJECTORY_ROWS + 2U, text);
 }
+
+void test_SWR_TRAJ_020_where_no_axis_is_known_to_stand_each_has_a_column(void)
+{
+    static const char head[] = "time s,feet ticks,head ticks,rotation ticks,pitch ticks,yaw ticks";
+    char text[200];
+    (void)snprintf(text, sizeof text, "%s\n0,1,2,3,4,5\n", head);
+    TEST_ASSERT_EQUAL_UINT32(1U, trajectory_csv_read(&table, text, &robot_neuro, NULL));
+    size_t size = (size_t)snprintf(text, sizeof text, "time s");
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
+        size += (size_t)snprintf(&text[size], sizeof text - size, ",%s ticks",
+                                 robot_neuro.axes[i].name);
+    }
+    (void)snprintf(&text[size], sizeof text - size, "\n0,1,2,3,4,5,6,7\n");
+    TEST_ASSERT_EQUAL_UINT32(0U, trajectory_csv_read(&table, text, &robot_neuro, NULL));
+    TEST_ASSERT_EQUAL_INT32(7, table.rows[0].ticks[6]);
+}

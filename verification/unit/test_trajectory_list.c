@@ -10,6 +10,7 @@
 #include "base/rigid.h"
 #include "limits/requirement_limits.h"
 #include "mode/trajectory_list.h"
+#include "mode/trajectory_row.h"
 #include "motion/cubic.h"
 #include "robot/coupled_limit.h"
 #include "robot/coupled_path.h"

@@ -12,6 +12,7 @@
 #include "mode/leg.h"
 #include "mode/mode_frame.h"
 #include "mode/trajectory_list.h"
+#include "mode/trajectory_row.h"
 #include "mode/trajectory_mode.h"
 #include "motion/cubic.h"
 #include "robot/coupled_limit.h"

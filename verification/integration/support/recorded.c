@@ -23,7 +23,7 @@ bool recorded_begin(recorded_t *self, rig_t *rig, const char *path)
     recording_header_t header = {.robot_crc = rig->robot.crc,
                                  .inputs_size = sizeof(controller_inputs_t),
                                  .outputs_size = sizeof(controller_outputs_t),
-                                 .controller_size = sizeof(controller_t),
+                                 .controller_size = CONTROLLER_CHECKPOINT_BYTES,
                                  .layout = INTERFACE_LAYOUT};
 
     (void)memset(self, 0, sizeof *self);
@@ -34,7 +34,7 @@ bool recorded_begin(recorded_t *self, rig_t *rig, const char *path)
     (void)unlink(path);
     self->record.kind = (uint32_t)CYCLE_RECORD_CHECKPOINT;
     self->record.cycle = rig->controller.cycle;
-    (void)memcpy(self->record.body.checkpoint, &rig->controller, sizeof rig->controller);
+    (void)memcpy(self->record.body.checkpoint, &rig->controller, CONTROLLER_CHECKPOINT_BYTES);
     return recording_writer_open(&self->writer, path, &header) &&
            recording_writer_append(&self->writer, &self->record);
 }
