@@ -75,7 +75,7 @@ SOURCES_boresight-igtl := $(wildcard app/igtl/*.c app/dialect/*.c app/message/*.
 SOURCES_boresight-http := $(wildcard app/http/*.c app/archive/*.c app/request/*.c app/saved/*.c app/session/*.c app/sweep/*.c app/trajectory/*.c) app/positions/position_record.c app/recording/recording.c app/common/file_series.c $(API) $(CLOCK) $(AXIS_TERMS) $(GEN)/interface/app/messages.c $(LOG_ENTRY) $(EXCHANGE) $(NAMES) $(GEN)/assets/assets.c \
     $(GEN)/assets/chart_names.c
 SOURCES_boresight-passwd := $(wildcard app/passwd/*.c) app/session/account.c app/session/password.c
-SOURCES_boresight-recorder := $(wildcard app/recorder/*.c app/recording/*.c app/positions/*.c app/sweep/*.c) $(CLOCK) app/common/directory.c app/common/file_series.c $(LOG_ENTRY) $(EXCHANGE) $(NAMES)
+SOURCES_boresight-recorder := $(wildcard app/recorder/*.c app/recording/*.c app/positions/*.c) app/sweep/sweep_curve.c $(CLOCK) app/common/directory.c app/common/file_series.c $(LOG_ENTRY) $(EXCHANGE) $(NAMES)
 SOURCES_boresight-replay := $(wildcard app/replay/*.c app/recording/*.c) $(GEN)/interface/app/columns.c $(GEN)/interface/app/fields.c $(EVENT_TEXT) $(NAMES) $(FIND_ROBOT)
 SOURCES_boresight := $(wildcard app/supervisor/*.c app/igtl/igtl_ports*.c) $(CLOCK) app/common/directory.c $(EXCHANGE) $(NAMES) $(GEN)/robot/app/robot_names.c \
     $(BOARD_TABLE)

@@ -7,6 +7,7 @@
 #include "interface/app/messages.h"
 #include "interface/app/names.h"
 #include "sweep/sweep_curve.h"
+#include "sweep/sweep_expected.h"
 
 #include <string.h>
 
@@ -32,7 +33,7 @@ static cJSON *new_points(const sweep_curve_t *curve, const robot_t *robot)
     for (uint32_t i = 0U; i < curve->count; i++) {
         const sweep_point_t *point = &curve->points[i];
         double expected = 0.0;
-        const bool is_known = sweep_curve_expected(axis, point->hertz, &expected);
+        const bool is_known = sweep_expected(axis, point->hertz, &expected);
         const json_sweep_point_t told = {
             .frequency_hz = (uint32_t)point->hertz,
             .upwards = sweep_curve_turns_per_min(axis, point->up_ticks),

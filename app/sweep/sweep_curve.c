@@ -4,7 +4,6 @@
 #include "base/crc.h"
 #include "common/utc_text.h"
 #include "interface/app/names.h"
-#include "motion/motor_model.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -15,7 +14,6 @@
 #include <unistd.h>
 
 #define FILE_MODE 0640
-#define WORDS_PER_HZ 22009
 #define Q16 65536.0
 #define BAM_PER_TURN 4294967296.0
 #define S_PER_MIN 60.0
@@ -28,16 +26,6 @@ double sweep_curve_turns_per_min(const axis_config_t *axis, int32_t way_ticks)
 {
     const double turns = (double)way_ticks * (double)axis->unit_per_tick_q16 / Q16 / BAM_PER_TURN;
     return turns * S_PER_MIN / RUN_S;
-}
-
-bool sweep_curve_expected(const axis_config_t *axis, int32_t hertz, double *turns_per_min)
-{
-    const card_drive_t drive = {.mode = (uint32_t)CARD_DRIVE_HIGH_FREQUENCY,
-                                .duty = (uint32_t)hertz * WORDS_PER_HZ,
-                                .amplitude = axis->amplitude};
-    const int64_t speed_q8 = motor_model_steady_q8(axis, &drive);
-    *turns_per_min = sweep_curve_turns_per_min(axis, (int32_t)((double)speed_q8 / 256.0 * RUN_S));
-    return speed_q8 != 0;
 }
 
 const axis_config_t *sweep_curve_axis(const sweep_curve_t *self, const robot_t *robot)

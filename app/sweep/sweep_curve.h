@@ -47,13 +47,6 @@ typedef enum {
 /** Speed in turns a minute of the way of a run; `axis` is one that turns. */
 double sweep_curve_turns_per_min(const axis_config_t *axis, int32_t way_ticks);
 
-/**
- * What the robot's file says of the same.
- *
- * @return false: nothing, this frequency is not the axis' own
- */
-bool sweep_curve_expected(const axis_config_t *axis, int32_t hertz, double *turns_per_min);
-
 /** The axis of the curve; NULL: `robot` has none of this name. */
 const axis_config_t *sweep_curve_axis(const sweep_curve_t *self, const robot_t *robot);
 

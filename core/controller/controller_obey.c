@@ -46,7 +46,6 @@ static const bool rights[COMMAND_SOURCE_COUNT][COMMAND_KIND_COUNT] = {
                              [COMMAND_ENABLE_AXIS] = true,    [COMMAND_DISABLE_AXIS] = true,
                              [COMMAND_PROGRAM_BEGIN] = true,  [COMMAND_PROGRAM_STEP] = true,
                              [COMMAND_PROGRAM_END] = true,    [COMMAND_RUN_PROGRAM] = true,
-
                              [COMMAND_SWEEP] = true}};
 
 /* START_UP is the operator's act that clears what was latched. */

@@ -113,7 +113,6 @@ void test_SWR_MODE_001_each_mode_is_armed_by_its_command(void)
                                                           [COMMAND_INSERT] = MODE_INSERT,
                                                           [COMMAND_POSE] = MODE_POSE,
                                                           [COMMAND_RUN_PROGRAM] = MODE_PROGRAM,
-
                                                           [COMMAND_SWEEP] = MODE_SWEEP};
     for (uint32_t i = 0U; i < COMMAND_KIND_COUNT; i++) {
         TEST_ASSERT_EQUAL(armed[i], mode_of_command(i));

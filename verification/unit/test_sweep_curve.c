@@ -14,6 +14,7 @@
 #include "recorder/sweep_keeper.h"
 #include "robot/robot_prostate.h"
 #include "sweep/sweep_curve.h"
+#include "sweep/sweep_expected.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -225,8 +226,8 @@ void test_SWR_SWEEP_011_the_file_of_the_robot_says_what_is_expected_of_its_own_w
 {
     const axis_config_t *const axis = &robot.axes[AXIS_ROTATION];
     double expected = -1.0;
-    TEST_ASSERT_FALSE(sweep_curve_expected(axis, 53000, &expected));
-    TEST_ASSERT_TRUE(sweep_curve_expected(axis, 51600, &expected));
+    TEST_ASSERT_FALSE(sweep_expected(axis, 53000, &expected));
+    TEST_ASSERT_TRUE(sweep_expected(axis, 51600, &expected));
     TEST_ASSERT_DOUBLE_WITHIN(0.05, 1928.0 * 0.325 * 60.0 / 1666.74, expected);
     TEST_ASSERT_DOUBLE_WITHIN(0.01, 12.0, sweep_curve_turns_per_min(axis, 1667));
 }
