@@ -485,7 +485,9 @@ void test_SWR_CMD_005_a_source_sends_what_is_its_own_and_nothing_else(void)
         [COMMAND_NOTE] = true,           [COMMAND_ENABLE_AXIS] = true,
         [COMMAND_DISABLE_AXIS] = true,   [COMMAND_LIST_BEGIN] = true,
         [COMMAND_LIST_ROW] = true,       [COMMAND_LIST_END] = true,
-        [COMMAND_RUN_TRAJECTORY] = true,
+        [COMMAND_RUN_TRAJECTORY] = true, [COMMAND_PROGRAM_BEGIN] = true,
+        [COMMAND_PROGRAM_STEP] = true,   [COMMAND_PROGRAM_END] = true,
+        [COMMAND_RUN_PROGRAM] = true,
     };
     for (uint32_t kind = (uint32_t)COMMAND_REGISTRATION; kind < COMMAND_KIND_COUNT; kind++) {
         start_manual();
