@@ -99,7 +99,11 @@ void trajectory_mode_begin(trajectory_mode_t *self, uint32_t start_ms)
 uint32_t trajectory_mode_left_ms(const trajectory_mode_t *self, uint32_t end_ms)
 {
     const uint32_t time_ms = self->time_us / US_PER_MS;
-    return (time_ms < end_ms) ? (end_ms - time_ms) : 0U;
+    uint32_t left_ms = 0U;
+    if (time_ms < end_ms) {
+        left_ms = end_ms - time_ms;
+    }
+    return left_ms;
 }
 
 void trajectory_mode_pause(trajectory_mode_t *self)

@@ -11,7 +11,7 @@
 #define CYCLES_PER_S (1000000U / LIMIT_CYCLE_US)
 /* A tick in the unit of ways: what a speed of 1 ticks/s, 8 fraction bits, makes of it in a cycle.
  */
-#define TICK (INT64_C(256) * (int64_t)CYCLES_PER_S)
+#define TICK (INT64_C(256) * (INT64_C(1000000) / (int64_t)LIMIT_CYCLE_US))
 
 #define STAGE_NEW 0U
 #define STAGE_RUNS 1U
