@@ -125,32 +125,6 @@ static bool pass_word(workphase_dialect_t *self, uint32_t index, const workphase
     return igtl_requests_add(&self->requests, index, command, moment->patience_us) != NULL;
 }
 
-static void receive_trajectory(workphase_dialect_t *self, uint32_t index,
-                               const igtl_message_t *message, const igtl_moment_t *moment)
-{
-    workphase_peer_t *peer = &self->peers[index];
-    command_t command = {.peer = peer->number};
-    status_t status = workphase_trajectory_read(self->robot, message, peer->sum, &command);
-    bool is_sent = false;
-
-    if (is_others(self, index)) {
-        status = STATUS_NO_AUTHORITY;
-    } else if (status != STATUS_OK) {
-        /* It is none. */
-    } else if (command.kind == (uint32_t)COMMAND_RUN_TRAJECTORY) {
-        peer->motion = WORKPHASE_TRAJECTORY;
-        is_sent = request(self, index, &command, moment) != 0U;
-    } else {
-        is_sent = igtl_requests_add(&self->requests, index, &command, moment->patience_us) != NULL;
-    }
-    if (is_sent) {
-        peer->sum = workphase_trajectory_sum(peer->sum, &command);
-    } else {
-        igtl_tell_refusal(peer->outbox, WORKPHASE_TRAJECTORY,
-                          (status == STATUS_OK) ? STATUS_BUSY : status, moment);
-    }
-}
-
 static void receive_word(workphase_dialect_t *self, uint32_t index, const workphase_word_t *word,
                          const igtl_message_t *message, const igtl_moment_t *moment)
 {
@@ -165,6 +139,29 @@ static void receive_word(workphase_dialect_t *self, uint32_t index, const workph
     }
     if (status != STATUS_OK) {
         igtl_tell_refusal(peer->outbox, word->word, status, moment);
+    }
+}
+
+/* A row is longer than a word's text, and what was sent of a list is remembered. */
+static void receive_trajectory(workphase_dialect_t *self, uint32_t index,
+                               const igtl_message_t *message, const igtl_moment_t *moment)
+{
+    static const workphase_word_t word = {.word = WORKPHASE_TRAJECTORY};
+    workphase_peer_t *peer = &self->peers[index];
+    command_t command = {.peer = peer->number};
+    status_t status = is_others(self, index)
+                          ? STATUS_NO_AUTHORITY
+                          : workphase_trajectory_read(self->robot, message, peer->sum, &command);
+
+    if (status != STATUS_OK) {
+        /* It is none, or another's. */
+    } else if (pass_word(self, index, &word, &command, moment)) {
+        peer->sum = workphase_trajectory_sum(peer->sum, &command);
+    } else {
+        status = STATUS_BUSY;
+    }
+    if (status != STATUS_OK) {
+        igtl_tell_refusal(peer->outbox, WORKPHASE_TRAJECTORY, status, moment);
     }
 }
 

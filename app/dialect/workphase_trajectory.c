@@ -2,7 +2,6 @@
 #include "dialect/workphase_trajectory.h"
 
 #include "limits/requirement_limits.h"
-#include "message/igtl_packet.h"
 #include "mode/trajectory_row.h"
 
 #include <stdlib.h>

@@ -320,21 +320,21 @@ void test_SWR_TRAJ_001_the_longest_list_is_held_and_its_last_row_driven_to(void)
 /* Those of a file, at the begin of a run. */
 static trajectory_row_t kept[3];
 
-static solution_t hold(uint32_t count, uint32_t *refused)
+static solution_t hold(int32_t way, uint32_t *refused)
 {
     for (uint32_t i = 0U; i < 3U; i++) {
         kept[i] = row;
         kept[i].time_ms = i * 1000U;
     }
-    kept[1].ticks[AXIS_YAW] -= 10;
+    kept[1].ticks[AXIS_YAW] += way;
     controller_init(&rig.controller, &rig.robot);
-    return controller_hold(&rig.controller, &rig.robot, kept, count, refused);
+    return controller_hold(&rig.controller, &rig.robot, kept, 3U, refused);
 }
 
 void test_SWR_TRAJ_020_a_list_of_a_file_is_held_from_the_first_cycle_on_and_told(void)
 {
     uint32_t refused = 7U;
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, hold(3U, &refused).status);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, hold(-10, &refused).status);
     rig_forget(&rig);
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_TRAJECTORY_HELD));
@@ -348,11 +348,10 @@ void test_SWR_TRAJ_020_a_list_of_a_file_is_held_from_the_first_cycle_on_and_told
 void test_SWR_TRAJ_020_one_that_is_refused_is_not_held_and_its_row_is_named(void)
 {
     uint32_t refused = 7U;
-    row.ticks[AXIS_YAW] = rig.robot.axes[AXIS_YAW].maximum_ticks + 1;
-    const solution_t judged = hold(3U, &refused);
+    const solution_t judged = hold(rig.robot.axes[AXIS_YAW].maximum_ticks, &refused);
     TEST_ASSERT_NOT_EQUAL_UINT32(STATUS_OK, judged.status);
     TEST_ASSERT_EQUAL_UINT8(AXIS_YAW, judged.axis);
-    TEST_ASSERT_EQUAL_UINT32(2U, refused);
+    TEST_ASSERT_EQUAL_UINT32(1U, refused);
     rig_forget(&rig);
     rig_cycle(&rig);
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_TRAJECTORY_HELD));

@@ -3,6 +3,7 @@
  * Rule under test: a client jogs an axis by one word, to a position or by a way; it is told that it
  * is armed, and how it has ended.
  */
+#include "base/crc.h"
 #include "base/fixed.h"
 #include "base/rigid.h"
 #include "charts/arming_chart.h"
@@ -18,6 +19,7 @@
 #include "dialect/workphase_poll.h"
 #include "dialect/workphase_receive.h"
 #include "dialect/workphase_text.h"
+#include "dialect/workphase_trajectory.h"
 #include "dialect/workphase_watch.h"
 #include "dialect/workphase_words.h"
 #include "interface/app/names.h"
@@ -26,6 +28,7 @@
 #include "message/igtl_crc64.h"
 #include "message/igtl_packet.h"
 #include "message/igtl_outbox.h"
+#include "mode/trajectory_row.h"
 #include "limits/requirement_limits.h"
 #include "robot/robot_cards.h"
 #include "robot/robot_neuro.h"
