@@ -98,6 +98,7 @@ static bool needs_authority(const command_t *command)
     case (uint32_t)COMMAND_PROPOSE_TARGET:
     case (uint32_t)COMMAND_RELEASE:
     case (uint32_t)COMMAND_NOTE:
+    case (uint32_t)COMMAND_NEEDLE:
         return false;
     default:
         return true;

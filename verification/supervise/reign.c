@@ -71,6 +71,7 @@ static bool is_commanding(const command_t *command)
     case COMMAND_RELEASE:
     case COMMAND_REQUEST:
     case COMMAND_NOTE:
+    case COMMAND_NEEDLE:
         return false;
     default:
         return true;
@@ -126,7 +127,7 @@ static bool is_usurped(const reign_t *self, const view_t *view)
     const bool is_handed_on = (view->before.peer != 0U) && (view->after.peer != 0U) &&
                               !is_same(&view->before, &view->after);
     const bool is_early =
-        self->is_ending && !self->were_at_rest && (self->lost_us < LIMIT_AUTHORITY_END_US);
+        self->is_ending && !self->has_rested && (self->lost_us < LIMIT_AUTHORITY_END_US);
     bool is_by_another = false;
     for (uint32_t i = 0U; i < view->rig->inputs.command_count; i++) {
         const command_t *const command = &view->rig->inputs.commands[i];
@@ -235,7 +236,7 @@ static void remember(reign_t *self, const view_t *view)
     self->was_moving = view->rig->outputs.snapshot.order == (uint32_t)ARMING_STATE_MOVING;
     self->is_armed_anew = (self->is_armed_anew || view->is_armed) && !is_lost;
     self->is_barred = is_lost || (self->is_barred && !(self->is_armed_anew && view->is_pressed));
-    self->were_at_rest = are_at_rest(view->rig);
+    self->has_rested = self->has_rested && !is_lost;
     self->silent_us = is_same(&view->before, &view->after) ? self->silent_us : 0U;
     self->holder = view->after;
     self->has_looked = true;
@@ -249,6 +250,7 @@ uint32_t reign_look(reign_t *self, const rig_t *rig)
     const view_t view = view_of(self, rig);
     uint32_t broken = 0U;
     self->lost_us += rig->inputs.elapsed_us;
+    self->has_rested = self->has_rested || are_at_rest(rig);
     self->silent_us += rig->inputs.elapsed_us;
     watch_button(self, rig);
     watch_requests(self, &view);

@@ -31,7 +31,7 @@ typedef struct {
     authority_party_t asked;  /**< Who asked for it last. */
     bool is_ending;           /**< It was lost and nobody has had it since. */
     uint32_t lost_us;         /**< So long ago. */
-    bool were_at_rest;        /**< Every axis, in the cycle before. */
+    bool has_rested;          /**< All axes at once, in a cycle since the loss. */
     uint32_t silent_us;       /**< Since its holder's last accepted command. */
     uint32_t pressed_us;      /**< The button, with the pedal released. */
     bool is_barred;           /**< Since a loss nobody has armed and then pressed. */

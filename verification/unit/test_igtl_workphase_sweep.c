@@ -3,6 +3,7 @@
  * Rule under test: a client commands a sweep by the word, an axis and that it is free; it is told
  * that it is armed, and how it has ended.
  */
+#include "base/crc.h"
 #include "base/fixed.h"
 #include "base/rigid.h"
 #include "charts/arming_chart.h"
@@ -18,6 +19,7 @@
 #include "dialect/workphase_poll.h"
 #include "dialect/workphase_receive.h"
 #include "dialect/workphase_text.h"
+#include "dialect/workphase_trajectory.h"
 #include "dialect/workphase_watch.h"
 #include "dialect/workphase_words.h"
 #include "interface/app/names.h"
@@ -25,6 +27,7 @@
 #include "message/igtl_codec.h"
 #include "message/igtl_crc64.h"
 #include "message/igtl_packet.h"
+#include "mode/trajectory_row.h"
 #include "message/igtl_outbox.h"
 #include "limits/requirement_limits.h"
 #include "robot/robot_cards.h"
