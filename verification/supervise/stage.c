@@ -644,7 +644,9 @@ static void let_foe_play(stage_t *self, rig_t *rig)
 /* Before the next cycle, and before the enemy. */
 static void play_operator(stage_t *self, rig_t *rig)
 {
-    if (rig->box.button_pressed && ((self->wait_cycles == 0U) || !acts_is_shown_true(rig))) {
+    const bool is_own_press = self->rivals.press_cycles == 0U;
+    if (rig->box.button_pressed &&
+        ((is_own_press && (self->wait_cycles == 0U)) || !acts_is_shown_true(rig))) {
         rig_box(rig, "button release");
     }
     if (self->wait_cycles > 0U) {
