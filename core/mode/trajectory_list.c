@@ -242,8 +242,7 @@ status_t trajectory_list_end(trajectory_list_t *self, uint32_t crc)
     return status;
 }
 
-uint32_t trajectory_list_end_ms(const trajectory_list_t *self,
-                                const trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS])
+uint32_t trajectory_list_end_ms(const trajectory_list_t *self, const trajectory_row_t *rows)
 {
     return (self->count > 0U) ? rows[self->count - 1U].time_ms : 0U;
 }

@@ -69,9 +69,8 @@ solution_t trajectory_list_add(trajectory_list_t *self,
  */
 status_t trajectory_list_end(trajectory_list_t *self, uint32_t crc);
 
-/** Time of the last row, ms; 0 of an empty list. */
-uint32_t trajectory_list_end_ms(const trajectory_list_t *self,
-                                const trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS]);
+/** Time of the last of its `rows`, ms; 0 of an empty list. */
+uint32_t trajectory_list_end_ms(const trajectory_list_t *self, const trajectory_row_t *rows);
 
 /** Where the limit switch of the axis may be active: it may stand there, but is not driven to it.
  */
