@@ -191,7 +191,7 @@ class TestHttpAxes < Minitest::Test
     told = run_at(anna, { speeds: [{ axis: 'rotation', speed: -50 }], way: 40 })
     assert_equal 'done', told['state'], told
     assert_in_delta start - 40, position('rotation'), 0.1
-    told = run_at(anna, { speeds: [{ axis: 'pitch', speed: 50 }, { axis: 'rotation', speed: 20 }], time_s: 0.5 })
+    told = run_at(anna, { speeds: [{ axis: 'pitch', speed: 50 }, { axis: 'rotation', speed: 20 }], time_s: 3 })
     assert_equal %w[failed SWITCH_ZONE pitch], told.values_at('state', 'code', 'axis'), told
   end
 
