@@ -143,6 +143,13 @@ static void look_at_command(witness_t *self, uint32_t cycle, const controller_in
     self->refused += is_refused ? 1U : 0U;
 }
 
+/* Who asks again for the same waits no longer. */
+static bool is_asked_already(const witness_t *self, const command_t *command)
+{
+    return (command->argument == (uint32_t)AUTHORITY_REQUEST_TAKE) &&
+           is_same(self->asker, sender(command));
+}
+
 /* The request that stands for the button, and whether that was pressed for it. */
 static void look_at_button(witness_t *self, const controller_inputs_t *inputs,
                            const controller_outputs_t *outputs)
@@ -157,7 +164,7 @@ static void look_at_button(witness_t *self, const controller_inputs_t *inputs,
     for (uint32_t i = 0U; i < inputs->command_count; i++) {
         const command_t *command = &inputs->commands[i];
         if ((command->kind == (uint32_t)COMMAND_REQUEST) && is_accepted(outputs, i) &&
-            !is_same(self->holder, sender(command))) {
+            !is_same(self->holder, sender(command)) && !is_asked_already(self, command)) {
             self->asker = sender(command);
             self->asker.peer =
                 (command->argument == (uint32_t)AUTHORITY_REQUEST_TAKE) ? command->peer : 0U;
