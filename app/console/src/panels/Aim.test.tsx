@@ -55,6 +55,26 @@ test("SWR-CON-018 a registration is sent whole, in CALIBRATION", async () => {
   ]);
 });
 
+test("SWR-CON-018 no registration is offered that nobody has written", async () => {
+  await show("CALIBRATION");
+  expect(button("Register").disabled).toBe(true);
+  expect(commander.acts()).toEqual([]);
+});
+
+test("SWR-CON-018 a probe that was changed elsewhere is shown before it is sent", async () => {
+  await show("TARGETING");
+  const { operation, authority } = commander;
+  const robot = makeRobot({ authority });
+  const [length] = robot.targeting.probe;
+  cleanup();
+  const shown = render(<Aim robot={robot} operation={operation} />);
+  write("Probe needle_tip, mm", "200");
+  const probe = [{ ...length!, length_mm: 260 }];
+  const targeting = { ...robot.targeting, probe };
+  shown.rerender(<Aim robot={{ ...robot, targeting }} operation={operation} />);
+  expect(screen.getByDisplayValue("260.000")).toBeTruthy();
+});
+
 test("SWR-CON-018 each is offered where it is taken", async () => {
   await show("TARGETING");
   expect(button("Register").disabled).toBe(true);

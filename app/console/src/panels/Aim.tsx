@@ -8,7 +8,6 @@ import { refusalOf, type Page } from "../page";
 
 const PREVIEW_PATH: Path = "/api/v1/targeting/preview";
 const PREVIEW_AFTER_MS = 300;
-const identity = "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1";
 
 function onlyIn(robot: RobotState, workphase: string): string | null {
   return robot.status.workphase.name === workphase
@@ -21,9 +20,9 @@ interface AimProperties {
   commanding: Commanding;
 }
 
-/** The accepted one, to be changed; otherwise none. */
+/** Nothing stands there until somebody writes it: where the robot is, nobody guesses. */
 function Registration({ robot, commanding }: AimProperties) {
-  const [text, setText] = useState(identity);
+  const [text, setText] = useState("");
   const [ignores, setIgnores] = useState(false);
   const id = useId();
   const matrix = readNumbers(text, 16);
@@ -228,7 +227,10 @@ export function Aim({
     <>
       <OrderNotes commanding={commanding} />
       <Registration {...properties} />
-      <Probe {...properties} />
+      <Probe
+        key={robot.targeting.probe.map((one) => one.length_mm).join()}
+        {...properties}
+      />
       <ProposedEntry {...properties} />
       <Point
         {...properties}
