@@ -1,70 +1,58 @@
 // SPDX-License-Identifier: Apache-2.0
-import { useState, useSyncExternalStore } from "react";
-import { Aim } from "./panels/Aim";
-import { Axes } from "./panels/Axes";
+import { Suspense, useState, useSyncExternalStore } from "react";
 import { Banner } from "./panels/Banner";
 import { Command } from "./panels/Command";
-import { Lamps } from "./panels/Lamps";
-import { Log } from "./panels/Log";
+import { SystemLamps } from "./panels/Lamps";
 import { Login } from "./panels/Login";
-import { Loop } from "./panels/Loop";
-import { Motion } from "./panels/Motion";
-import { Ports } from "./panels/Ports";
-import { Procedure } from "./panels/Procedure";
 import { StopButton } from "./panels/StopButton";
-import { Targeting } from "./panels/Targeting";
 import { Boundary } from "./parts/Boundary";
-import { Panel } from "./parts/Panel";
 import { ThemeButton } from "./parts/ThemeButton";
 import { Operation } from "./operation";
 import { useOutlook } from "./outlook";
 import type { RobotState, Time } from "@interface";
 import type { ConsoleView, TelemetryStore } from "./store";
+import { useChosenView, views, type ViewEntry } from "./views/views";
 
 const SLOW_PERCENT = 95;
 
-interface PanelsProperties {
+function Navigation({ chosen }: { chosen: ViewEntry }) {
+  return (
+    <nav className="views" aria-label="Views">
+      {views.map(({ id, title }) => (
+        <a
+          key={id}
+          href={`#${id}`}
+          aria-current={id === chosen.id ? "page" : undefined}
+        >
+          {title}
+        </a>
+      ))}
+    </nav>
+  );
+}
+
+interface ViewsProperties {
   view: ConsoleView;
   robot: RobotState;
   operation: Operation;
 }
 
-function Panels({ view, robot, operation }: PanelsProperties) {
+function Views({ view, robot, operation }: ViewsProperties) {
   const outlook = useOutlook(operation.page, robot.status);
+  const chosen = useChosenView();
+  const properties = { view, robot, operation, outlook };
   return (
-    <div className="panels" data-freshness={view.freshness}>
-      <Panel title="Lamps" className="panel-lamps">
-        <Lamps view={view} robot={robot} />
-      </Panel>
-      <Panel title="Procedure" className="panel-procedure">
-        <Procedure
-          status={robot.status}
-          outlook={outlook}
-          operation={operation}
-        />
-      </Panel>
-      <Panel title="Axes" className="panel-axes">
-        <Axes axes={robot.motors.axes} />
-      </Panel>
-      <Panel title="Targeting">
-        <Targeting targeting={robot.targeting} />
-      </Panel>
-      <Panel title="Aim">
-        <Aim robot={robot} operation={operation} />
-      </Panel>
-      <Panel title="Control loop">
-        <Loop status={robot.status} />
-      </Panel>
-      <Panel title="Motion">
-        <Motion robot={robot} outlook={outlook} operation={operation} />
-      </Panel>
-      <Panel title="OpenIGTLink">
-        <Ports ports={robot.status.ports} />
-      </Panel>
-      <Panel title="Log">
-        <Log log={view.log} />
-      </Panel>
-    </div>
+    <>
+      <SystemLamps view={view} status={robot.status} />
+      <Navigation chosen={chosen} />
+      <div className="panels" data-freshness={view.freshness}>
+        <Boundary key={chosen.id} name={chosen.title}>
+          <Suspense fallback={<p>Loading {chosen.title}…</p>}>
+            <chosen.Content {...properties} />
+          </Suspense>
+        </Boundary>
+      </div>
+    </>
   );
 }
 
@@ -167,7 +155,7 @@ export function App({ store }: { store: TelemetryStore }) {
         <Boundary name="page">
           <Notices view={view} />
           {view.robot !== null && (
-            <Panels view={view} robot={view.robot} operation={operation} />
+            <Views view={view} robot={view.robot} operation={operation} />
           )}
         </Boundary>
       </main>

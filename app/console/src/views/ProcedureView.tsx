@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+import { Aim } from "../panels/Aim";
+import { Axes } from "../panels/Axes";
+import { Log } from "../panels/Log";
+import { Procedure } from "../panels/Procedure";
+import { Targeting } from "../panels/Targeting";
+import { Panel } from "../parts/Panel";
+import type { ViewProperties } from "./view";
+
+/** From START_UP to the target. */
+export function ProcedureView({
+  view,
+  robot,
+  operation,
+  outlook,
+}: ViewProperties) {
+  return (
+    <>
+      <Panel title="Procedure" className="panel-wide">
+        <Procedure
+          status={robot.status}
+          outlook={outlook}
+          operation={operation}
+        />
+      </Panel>
+      <Panel title="Axes" className="panel-wide">
+        <Axes axes={robot.motors.axes} />
+      </Panel>
+      <Panel title="Targeting">
+        <Targeting targeting={robot.targeting} />
+      </Panel>
+      <Panel title="Aim">
+        <Aim robot={robot} operation={operation} />
+      </Panel>
+      <Panel title="Log" className="panel-wide">
+        <Log log={view.log} />
+      </Panel>
+    </>
+  );
+}

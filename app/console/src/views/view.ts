@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { Modes, RobotState } from "@interface";
+import type { Operation } from "../operation";
+import type { ConsoleView } from "../store";
+
+/** What each view is given. */
+export interface ViewProperties {
+  view: ConsoleView;
+  robot: RobotState;
+  operation: Operation;
+  /** What may be commanded now, as the server says it; null while it is not known. */
+  outlook: Modes | null;
+}
