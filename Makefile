@@ -7,7 +7,8 @@ SHELL := /bin/bash
 .DELETE_ON_ERROR:
 MAKEFLAGS += --no-builtin-rules
 
-# One directory per way to compile: gcc (the product), clang, asan (AddressSanitizer and UBSan), arm (Cortex-A9).
+# One directory per way to compile: gcc (the product), clang, asan (AddressSanitizer and UBSan), gcov (coverage), arm
+# (Cortex-A9).
 CONFIG ?= gcc
 OUT := build/$(CONFIG)
 GEN := build/gen
@@ -20,9 +21,11 @@ CEEDLING := ruby $(GEM_HOME)/bin/ceedling
 CC_gcc := gcc
 CC_clang := clang
 CC_asan := gcc
+CC_gcov := gcc
 CC_arm := arm-linux-gnueabihf-gcc
 CC := $(CC_$(CONFIG))
 EXTRA_asan := -fsanitize=address,undefined -fno-sanitize-recover=all
+EXTRA_gcov := -O0 --coverage
 EXTRA_arm := -mcpu=cortex-a9 -mfpu=vfpv3-d16 -static
 EXTRA := $(EXTRA_$(CONFIG))
 WARNINGS := -std=c99 -pedantic -Wall -Wextra -Werror -Wconversion -Wsign-conversion -Wshadow -Wswitch-enum \
