@@ -32,12 +32,14 @@ WARNINGS := -std=c99 -pedantic -Wall -Wextra -Werror -Wconversion -Wsign-convers
     -Wcast-qual -Wmissing-prototypes
 CFLAGS := $(WARNINGS) -ffp-contract=off -O2 -g $(EXTRA)
 BUILD_ID := $(shell git rev-parse --short=12 HEAD 2>/dev/null || echo unknown)$(shell git diff --quiet HEAD 2>/dev/null || echo +)
+# The newest heading of the changelog: a release, or what follows it.
+VERSION := $(shell sed -nE 's/^\#\# \[([^]]+)\].*/\L\1/p' CHANGELOG.md 2>/dev/null | head -1)
 
 # --- what there is -------------------------------------------------------------------------------------------
 
 # An include names the room (`#include "axis/axis.h"`); tools/rooms.yml says which room may see which.
 CORE_INCLUDES := -Icore -I$(GEN)
-BSP_INCLUDES := $(CORE_INCLUDES) -Ibsp -Ibsp/include
+BSP_INCLUDES := $(CORE_INCLUDES) -Ibsp -Ibsp/include -Iapp
 APP_INCLUDES := $(CORE_INCLUDES) -Ibsp/include -Iapp
 TEST_INCLUDES := $(APP_INCLUDES) -Ibsp -Iverification
 
@@ -64,6 +66,8 @@ endif
 include bsp/$(BOARD)/board.mk
 BOARD_TABLE := $(GEN)/board/board.c
 CLOCK := app/common/clock.c
+# Of every program.
+COMMAND_LINE := app/common/command_line.c
 AXIS_TERMS := app/common/axis_terms.c
 # What HTTP clients may ask.
 API := $(GEN)/interface/app/routes.c $(GEN)/interface/app/requests.c
@@ -162,7 +166,7 @@ object = $(patsubst %.c,$(OUT)/%.o,$(1))
 $(OUT)/core/%.o: FLAGS = $(CORE_INCLUDES)
 $(OUT)/$(GEN)/%.o: FLAGS = $(APP_INCLUDES)
 $(OUT)/bsp/%.o: FLAGS = -D_GNU_SOURCE $(BSP_INCLUDES)
-$(OUT)/app/%.o: FLAGS = -D_GNU_SOURCE $(APP_INCLUDES) -DBORESIGHT_BUILD_ID='"$(BUILD_ID)"'
+$(OUT)/app/%.o: FLAGS = -D_GNU_SOURCE $(APP_INCLUDES) -DBORESIGHT_BUILD_ID='"$(BUILD_ID)"' -DBORESIGHT_VERSION='"$(VERSION)"'
 $(OUT)/verification/%.o: FLAGS = -D_GNU_SOURCE $(TEST_INCLUDES)
 
 $(OUT)/%.o: %.c | $(GENERATED)
@@ -172,13 +176,13 @@ $(OUT)/%.o: %.c | $(GENERATED)
 # The build id stands in these; they follow every commit.
 build/build-id: FORCE
 	@mkdir -p build; echo '$(BUILD_ID)' | cmp -s - $@ || echo '$(BUILD_ID)' >$@
-$(call object,$(wildcard app/recorder/*.c app/replay/*.c app/http/*.c)): build/build-id
+$(call object,$(wildcard app/recorder/*.c app/replay/*.c app/http/*.c) $(COMMAND_LINE)): build/build-id
 
 $(OUT)/libcore.a: $(call object,$(CORE_SOURCES))
 	@rm -f $@; ar rcs $@ $^
 
 define program
-$(OUT)/bin/$(1): $(call object,$(SOURCES_$(1))) $(OUT)/libcore.a
+$(OUT)/bin/$(1): $(call object,$(SOURCES_$(1)) $(COMMAND_LINE)) $(OUT)/libcore.a
 	@mkdir -p $$(@D)
 	@$$(CC) $$(CFLAGS) $$(filter %.o %.a,$$^) $(LIBS_$(1)) -lrt -lm -o $$@
 	@echo "built $$@"
@@ -190,9 +194,10 @@ $(BIN)/%: build/gcc/bin/%
 	@mkdir -p $(BIN); cp $< $@.new; mv $@.new $@
 
 CLIENT_SOURCES := $(wildcard verification/demo/client/*.cpp verification/demo/client/*.h)
-$(BIN)/boresight-client: $(CLIENT_SOURCES)
+$(BIN)/boresight-client: $(CLIENT_SOURCES) $(call object,$(COMMAND_LINE))
 	@mkdir -p $(BIN)
-	g++ -std=c++11 -Wall -O1 -isystem /usr/include/openigtlink $(filter %client.cpp,$^) -lOpenIGTLink -lpthread -o $@
+	@g++ -std=c++11 -Wall -O1 -Iapp -isystem /usr/include/openigtlink $(filter %client.cpp %.o,$^) -lOpenIGTLink -lpthread -o $@
+	@echo "built $@"
 
 # Our codec against the standard's own library.
 CODEC := $(call object,$(addprefix app/message/,igtl_codec.c igtl_crc64.c igtl_packet.c))

@@ -22,7 +22,7 @@ class Board
     end
   end
 
-  Option = Struct.new(:name, :takes, :otherwise, :least, :most, keyword_init: true)
+  Option = Struct.new(:name, :takes, :says, :otherwise, :least, :most, keyword_init: true)
   Companion = Struct.new(:program, :arguments, :ready, :unless, keyword_init: true)
 
   # As app/supervisor/board.h has them.
@@ -34,7 +34,7 @@ class Board
   # What each board may speak of beside its own options.
   KNOWN = %w[instance robot programs recordings].freeze
   # Options of boresight with every board.
-  TAKEN = %w[http-port igtl-port brp-port igtl-file accounts tls-file bind robot instance recordings help].freeze
+  TAKEN = %w[http-port igtl-port brp-port igtl-file accounts tls-file bind robot instance recordings trajectory help version].freeze
   PATTERN = /\{([^{}]*)\}/
 
   def self.read(path, limits)
@@ -90,18 +90,18 @@ class Board
   end
 
   def option(node)
-    nodes = node.mapping(%w[name], %w[takes default least most])
+    nodes = node.mapping(%w[name says], %w[takes default least most])
     name = word(nodes['name'])
     @seen ||= [*TAKEN]
     nodes['name'].refuse("is #{name}, which there is already") if @seen.include?(name)
     @seen << name
-    Option.new(name: name, **taken(node, nodes))
+    Option.new(name: name, says: nodes['says'].text, **taken(node, nodes))
   end
 
   # What it takes, and what it is when it is not given.
   def taken(node, nodes)
     takes = nodes['takes']&.choice(%w[name number text])
-    is_complete = takes ? nodes.key?('default') : nodes.size == 1
+    is_complete = takes ? nodes.key?('default') : nodes.size == 2
     node.refuse(takes ? 'has no default' : 'takes nothing, and no default or bound') unless is_complete
     is_bound = %w[least most].map { |key| nodes.key?(key) }.uniq == [takes == 'number']
     node.refuse('has bounds if it takes a number, and only then') unless is_bound
@@ -150,7 +150,7 @@ class Board
 
   def option_row(option)
     fields = { name: quoted(option.name), takes: "BOARD_TAKES_#{(option.takes || 'nothing').upcase}",
-               otherwise: option.otherwise && quoted(option.otherwise), least: option.least, most: option.most,
+               says: quoted(option.says), otherwise: option.otherwise && quoted(option.otherwise), least: option.least, most: option.most,
                useless_with: useless_with(option) }
     row(fields)
   end

@@ -10,6 +10,7 @@
 #include "base/contract.h"
 #include "bsp.h"
 #include "common/clock.h"
+#include "common/command_line.h"
 #include "control/drives_off.h"
 #include "control/figures.h"
 #include "control/list_file.h"
@@ -40,6 +41,24 @@
 typedef enum { STAGE_WAKE = 0, STAGE_CARDS = 1, STAGE_STEP = 2, STAGE_PUBLISH = 3 } stage_t;
 
 #define STAGE_COUNT 4U
+
+enum { ROBOT = 0, INSTANCE, BOX, POSITIONS, TRAJECTORY, OPTIONS };
+
+static const command_option_t options[OPTIONS] = {
+    [ROBOT] = {"robot", "NAME", .says = "the robot to drive", .is_needed = true},
+    [INSTANCE] = {"instance", "NAME", .says = "instance of Boresight that it belongs to",
+                  .is_needed = true},
+    [BOX] = {"box", "NAME", .says = "the control box", .is_needed = true},
+    [POSITIONS] = {"positions", "FILE", .says = "where the axes stood when it ended",
+                   .is_needed = true},
+    [TRAJECTORY] = {"trajectory", "FILE", .says = "trajectory that is held from the start"},
+};
+static const command_line_t command_line = {
+    .program = "boresight-control",
+    .says = "Decides every millisecond what each axis may do; boresight starts it.",
+    .usage = "OPTION...",
+    .options = options,
+    .count = OPTIONS};
 
 static const robot_t *our_robot;
 static controller_t controller;
@@ -268,42 +287,6 @@ static void run(void)
     }
 }
 
-/* NULL: it was not given. */
-static const char *find_option(int count, char *const values[], const char *name)
-{
-    for (int i = 1; i + 1 < count; i++) {
-        if (strcmp(values[i], name) == 0) {
-            return values[i + 1];
-        }
-    }
-    return NULL;
-}
-
-static const char *option(int count, char *const values[], const char *name)
-{
-    const char *const value = find_option(count, values, name);
-    if (value == NULL) {
-        (void)fprintf(
-            stderr,
-            "control: option %s is missing; usage: boresight-control --robot NAME --exchange NAME "
-            "--box NAME --positions FILE [--trajectory FILE]\n",
-            name);
-        exit(EXIT_CANNOT_START);
-    }
-    return value;
-}
-
-static const robot_t *find_robot(const char *name)
-{
-    const robot_t *const found = robots_find(name);
-    if (found == NULL) {
-        (void)fprintf(stderr, "control: there is no robot \"%s\"; choose %s with --robot.\n", name,
-                      robot_names_list());
-        exit(EXIT_CANNOT_START);
-    }
-    return found;
-}
-
 /*
  * The cards of two robots may look alike.
  *
@@ -354,25 +337,24 @@ static bool hold_trajectory(const char *path)
     return is_held;
 }
 
-int main(int argc, char *argv[])
+/* Runs with what it was given, until it is told to end. @return the exit code */
+static int control(const char *const values[])
 {
     char error[256] = "";
     char why[40];
-    const char *const positions = option(argc, argv, "--positions");
-    our_robot = find_robot(option(argc, argv, "--robot"));
-    exchange = exchange_open(option(argc, argv, "--exchange"), error, sizeof error);
-    if ((exchange == NULL) || !bsp_open(option(argc, argv, "--box"), error, sizeof error)) {
+    exchange = exchange_open(values[INSTANCE], error, sizeof error);
+    if ((exchange == NULL) || !bsp_open(values[BOX], error, sizeof error)) {
         (void)fprintf(stderr, "control: %s\n", error);
         return EXIT_CANNOT_START;
     }
-    if (!is_box_of_robot(option(argc, argv, "--box"))) {
+    if (!is_box_of_robot(values[BOX])) {
         bsp_close();
         return EXIT_CANNOT_START;
     }
     handle_signals();
     exchange_publish_robot(exchange, our_robot);
-    begin_controller(positions);
-    if (!hold_trajectory(find_option(argc, argv, "--trajectory"))) {
+    begin_controller(values[POSITIONS]);
+    if (!hold_trajectory(values[TRAJECTORY])) {
         bsp_close();
         return EXIT_CANNOT_START;
     }
@@ -383,5 +365,21 @@ int main(int argc, char *argv[])
     switch_off(why);
     bsp_close();
     exchange_close(exchange);
-    return 0;
+    return EXIT_SUCCESS;
+}
+
+int main(int argc, char *argv[])
+{
+    const char *values[OPTIONS];
+    const int code = command_line_read(&command_line, argc, argv, values, NULL);
+    if (code != COMMAND_LINE_GO_ON) {
+        return code;
+    }
+    our_robot = robots_find(values[ROBOT]);
+    if (our_robot == NULL) {
+        return command_line_refuse(&command_line,
+                                   "There is no robot \"%s\"; choose %s with --robot.",
+                                   values[ROBOT], robot_names_list());
+    }
+    return control(values);
 }

@@ -8,6 +8,7 @@
  */
 #include "base/contract.h"
 #include "common/clock.h"
+#include "common/command_line.h"
 #include "exchange/exchange.h"
 #include "igtl/igtl_options.h"
 #include "igtl/igtl_relay.h"
@@ -26,9 +27,7 @@
 #include <string.h>
 #include <time.h>
 
-#define EXIT_USAGE 2
-#define EXIT_PORT 3
-#define EXIT_EXCHANGE 4
+#define EXIT_CANNOT_START 3
 #define IDLE_WAIT_MS 50 /* Nobody is connected. */
 #define CONNECTED_WAIT_MS 10
 #define ANSWER_WAIT_MS 1 /* A command is on its way. */
@@ -257,13 +256,14 @@ static void explain(const igtl_options_t *options, uint32_t index, const char *e
     const unsigned number = options->ports.ports[index].number;
 
     if (errno != EADDRINUSE) {
-        (void)fprintf(stderr, "%s\n", error);
+        (void)fprintf(stderr, "igtl: %s\n", error);
     } else if (options->file != NULL) {
-        (void)fprintf(stderr, "port %u is in use; stop the other program or change it in %s\n",
+        (void)fprintf(stderr,
+                      "igtl: port %u is in use; stop the other program or change it in %s.\n",
                       number, options->file);
     } else {
-        (void)fprintf(stderr, "port %u is in use; stop the other program or set %s\n", number,
-                      variables[index]);
+        (void)fprintf(stderr, "igtl: port %u is in use; stop the other program or set %s.\n",
+                      number, variables[index]);
     }
 }
 
@@ -322,23 +322,19 @@ int main(int count, char **arguments)
     static igtl_options_t options;
     char error[ERROR_SIZE];
 
-    if ((count == 2) && (strcmp(arguments[1], "--help") == 0)) {
-        (void)puts(igtl_options_usage);
-        return EXIT_SUCCESS;
+    const int code = igtl_options_read(&options, count, arguments);
+    if (code != COMMAND_LINE_GO_ON) {
+        return code;
     }
-    if (!igtl_options_read(&options, count, arguments, error, sizeof error)) {
-        (void)fprintf(stderr, "%s\n", error);
-        return EXIT_USAGE;
-    }
-    process.exchange = exchange_open(options.exchange, error, sizeof error);
+    process.exchange = exchange_open(options.instance, error, sizeof error);
     if (process.exchange == NULL) {
-        (void)fprintf(stderr, "%s\n", error);
-        return EXIT_EXCHANGE;
+        (void)fprintf(stderr, "igtl: %s\n", error);
+        return EXIT_CANNOT_START;
     }
     exchange_protect(process.exchange);
     begin();
     if (!open_ports(&options)) {
-        return EXIT_PORT;
+        return EXIT_CANNOT_START;
     }
     catch_signals();
     while (must_end == 0) {

@@ -1,85 +1,70 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "igtl/igtl_options.h"
 
-#include <errno.h>
-#include <getopt.h>
+#include "common/command_line.h"
+
+#include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 
+#define ERROR_SIZE 400U
+#define DEFAULT_ADDRESS "127.0.0.1"
 #define DEFAULT_BRP_PORT 18936U
 #define DEFAULT_IGTL_PORT 18944U
 
-typedef struct {
-    const char *address;
-    uint16_t brp_port;
-    uint16_t igtl_port;
-} given_t;
+enum { INSTANCE = 0, IGTL_FILE, BRP_PORT, IGTL_PORT, BIND, OPTIONS };
 
-static bool read_port(const char *text, uint16_t *port)
+static const command_option_t known[OPTIONS] = {
+    [INSTANCE] = {"instance", "NAME", .says = "instance of Boresight that it belongs to",
+                  .is_needed = true},
+    [IGTL_FILE] = {"igtl-file", "FILE", .says = "of all ports, in place of the two"},
+    [BRP_PORT] = {"brp-port", "PORT", .says = "workphases; default 18936", .least = 1U,
+                  .most = UINT16_MAX},
+    [IGTL_PORT] = {"igtl-port", "PORT", .says = "transforms; default 18944", .least = 1U,
+                   .most = UINT16_MAX},
+    [BIND] = {"bind", "ADDRESS", .says = "IPv4 address to listen on; default 127.0.0.1"},
+};
+static const command_line_t command_line = {.program = "boresight-igtl",
+                                            .says = "Serves OpenIGTLink; boresight starts it.",
+                                            .usage = "OPTION...",
+                                            .options = known,
+                                            .count = OPTIONS};
+
+static uint16_t port_of(const char *value, uint16_t otherwise)
 {
-    char *end;
-    unsigned long value;
-
-    errno = 0;
-    value = strtoul(text, &end, 10);
-    if ((errno != 0) || (end == text) || (*end != '\0') || (value == 0U) || (value > UINT16_MAX)) {
-        return false;
-    }
-    *port = (uint16_t)value;
-    return true;
+    return (value != NULL) ? (uint16_t)strtoul(value, NULL, 10) : otherwise;
 }
 
-const char igtl_options_usage[] = "usage: boresight-igtl --exchange NAME [--igtl-file FILE | "
-                                  "[--brp-port PORT] [--igtl-port PORT] [--bind ADDRESS]]";
-
-static bool take(igtl_options_t *self, given_t *given, int option, const char *value)
+static int read_file(igtl_options_t *self)
 {
-    switch (option) {
-    case 'e':
-        self->exchange = value;
-        return true;
-    case 'f':
-        self->file = value;
-        return true;
-    case 'w':
-        return read_port(value, &given->brp_port);
-    case 't':
-        return read_port(value, &given->igtl_port);
-    case 'b':
-        given->address = value;
-        return true;
-    default:
-        return false;
+    char error[ERROR_SIZE];
+
+    if (!igtl_ports_read(&self->ports, self->file, error, sizeof error)) {
+        (void)fprintf(stderr, "boresight-igtl: %s\n", error);
+        return COMMAND_LINE_WRONG;
     }
+    return COMMAND_LINE_GO_ON;
 }
 
-bool igtl_options_read(igtl_options_t *self, int count, char **arguments, char *error,
-                       size_t error_size)
+int igtl_options_read(igtl_options_t *self, int count, char *const arguments[])
 {
-    static const struct option names[] = {
-        {"exchange", required_argument, NULL, 'e'}, {"igtl-file", required_argument, NULL, 'f'},
-        {"brp-port", required_argument, NULL, 'w'}, {"igtl-port", required_argument, NULL, 't'},
-        {"bind", required_argument, NULL, 'b'},     {NULL, 0, NULL, 0}};
-    given_t given = {"127.0.0.1", DEFAULT_BRP_PORT, DEFAULT_IGTL_PORT};
-    bool is_good = true;
-    int option = getopt_long(count, arguments, "", names, NULL);
+    const char *values[OPTIONS];
+    const int code = command_line_read(&command_line, count, arguments, values, NULL);
 
-    while (option != -1) {
-        is_good = take(self, &given, option, optarg) && is_good;
-        option = getopt_long(count, arguments, "", names, NULL);
+    if (code != COMMAND_LINE_GO_ON) {
+        return code;
     }
-    if (!is_good || (self->exchange == NULL) || (optind != count)) {
-        (void)snprintf(error, error_size, "%s", igtl_options_usage);
-        return false;
-    }
+    self->instance = values[INSTANCE];
+    self->file = values[IGTL_FILE];
     if (self->file != NULL) {
-        return igtl_ports_read(&self->ports, self->file, error, error_size);
+        return read_file(self);
     }
-    if (!igtl_ports_set(&self->ports, given.address, given.brp_port, given.igtl_port)) {
-        (void)snprintf(error, error_size, "%s is not an IPv4 address; give one with --bind",
-                       given.address);
-        return false;
-    }
-    return true;
+    const char *const address = (values[BIND] != NULL) ? values[BIND] : DEFAULT_ADDRESS;
+    return igtl_ports_set(&self->ports, address, port_of(values[BRP_PORT], DEFAULT_BRP_PORT),
+                          port_of(values[IGTL_PORT], DEFAULT_IGTL_PORT))
+               ? COMMAND_LINE_GO_ON
+               : command_line_refuse(&command_line,
+                                     "\"%s\" is no IPv4 address; give --bind one of this machine.",
+                                     address);
 }

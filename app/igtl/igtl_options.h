@@ -5,20 +5,17 @@
 
 #include "igtl/igtl_ports.h"
 
-#include <stdbool.h>
-#include <stddef.h>
-
 typedef struct {
-    const char *exchange;
+    const char *instance;
     const char *file; /**< Of ports, NULL: none. */
     igtl_ports_t ports;
 } igtl_options_t;
 
-/** One line. */
-extern const char igtl_options_usage[];
-
-/** Reads the command line, and the file of ports. False with a sentence in `error`. */
-bool igtl_options_read(igtl_options_t *self, int count, char **arguments, char *error,
-                       size_t error_size);
+/**
+ * Reads the command line, and the file of ports.
+ *
+ * @return as command_line_read()
+ */
+int igtl_options_read(igtl_options_t *self, int count, char *const arguments[]);
 
 #endif

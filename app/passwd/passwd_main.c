@@ -3,13 +3,10 @@
  * @file
  * boresight-passwd: makes, changes and removes accounts.
  *
- *     boresight-passwd FILE set NAME ROLE      (a new password is asked for, or read from stdin)
- *     boresight-passwd FILE remove NAME
- *     boresight-passwd FILE list
- *
  * @satisfies SWR-SESS-004
  * @satisfies SWR-SESS-024
  */
+#include "common/command_line.h"
 #include "limits/requirement_limits.h"
 #include "session/account.h"
 #include "session/password.h"
@@ -24,8 +21,17 @@
 #include <termios.h>
 #include <unistd.h>
 
-#define EXIT_USAGE 2
 #define PATH_SIZE 512U
+
+static const command_line_t command_line = {
+    .program = "boresight-passwd",
+    .says = "Makes, changes and removes the accounts of those who may log in to the console.",
+    .usage = "FILE set NAME ROLE\nFILE remove NAME\nFILE list",
+    .fewest_words = 2,
+    .most_words = 4,
+    .more = "ROLE is observer, operator, engineer or service. A new password is asked for, or\n"
+            "read from the standard input.\n\n"
+            "Exit code 0: done. 1: refused, and nothing has changed. 2: wrong command line.\n"};
 
 static char error[PATH_SIZE + 64U];
 static struct termios shown; /* As the terminal was. */
@@ -171,36 +177,51 @@ static bool read_accounts(accounts_t *accounts, const char *file)
            accounts_read(accounts, file, error, sizeof error);
 }
 
-int main(int count, char **arguments)
+static int obey(const char *file, char **words, bool is_set)
 {
     static accounts_t accounts;
-    const char *order = (count > 2) ? arguments[2] : "";
-    const bool is_set = (count == 5) && (strcmp(order, "set") == 0);
-    const bool is_remove = (count == 4) && (strcmp(order, "remove") == 0);
-    const bool is_list = (count == 3) && (strcmp(order, "list") == 0);
 
-    if (!is_set && !is_remove && !is_list) {
-        (void)fputs("usage: boresight-passwd FILE set NAME observer|operator|engineer|service\n"
-                    "       boresight-passwd FILE remove NAME\n"
-                    "       boresight-passwd FILE list\n",
-                    stderr);
-        return EXIT_USAGE;
-    }
-    const char *file = arguments[1];
-    if (is_list) {
-        if (!accounts_read(&accounts, file, error, sizeof error)) {
-            return complain(error);
-        }
-        list(&accounts);
-        return EXIT_SUCCESS;
-    }
     if (!lock(file) || !read_accounts(&accounts, file)) {
         return complain(error);
     }
-    const bool is_done = is_set ? set(&accounts, arguments[3], arguments[4])
-                                : remove_account(&accounts, arguments[3]);
+    const bool is_done =
+        is_set ? set(&accounts, words[1], words[2]) : remove_account(&accounts, words[1]);
     if (!is_done || !accounts_write(&accounts, file, error, sizeof error)) {
         return complain(error);
     }
     return EXIT_SUCCESS;
+}
+
+static int show(const char *file)
+{
+    static accounts_t accounts;
+
+    if (!accounts_read(&accounts, file, error, sizeof error)) {
+        return complain(error);
+    }
+    list(&accounts);
+    return EXIT_SUCCESS;
+}
+
+int main(int count, char **arguments)
+{
+    int first;
+    const int code = command_line_read(&command_line, count, arguments, NULL, &first);
+
+    if (code != COMMAND_LINE_GO_ON) {
+        return code;
+    }
+    const char *const file = arguments[first];
+    char **const words = &arguments[first + 1];
+    const int more = count - first - 2; /* After the order. */
+    const bool is_set = (more == 2) && (strcmp(words[0], "set") == 0);
+    const bool is_remove = (more == 1) && (strcmp(words[0], "remove") == 0);
+
+    if ((more == 0) && (strcmp(words[0], "list") == 0)) {
+        return show(file);
+    }
+    return (is_set || is_remove)
+               ? obey(file, words, is_set)
+               : command_line_refuse(&command_line, "\"%s\" is no order, or lacks something.",
+                                     words[0]);
 }

@@ -3,12 +3,11 @@
  * @file
  * boresight-recorder: takes every cycle and every event out of the exchange and keeps them in
  * files. It may die at any moment; control does not notice.
- *
- *     boresight-recorder --exchange NAME --directory DIRECTORY --positions FILE
  */
 #include "base/contract.h"
 #include "common/build_id.h"
 #include "common/clock.h"
+#include "common/command_line.h"
 #include "common/directory.h"
 #include "controller/controller.h"
 #include "interface/interface_layout.h"
@@ -19,19 +18,31 @@
 #include "robot/robot.h"
 
 #include <errno.h>
-#include <getopt.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
-#define EXIT_USAGE 2
 #define EXIT_CANNOT_START 3
 #define TICK_NS 50000000L
-#define USAGE                                                                                      \
-    "usage: boresight-recorder --exchange NAME --directory DIRECTORY "                             \
-    "--positions FILE\n"
+
+enum { INSTANCE = 0, DIRECTORY, POSITIONS, OPTIONS };
+
+static const command_option_t options[OPTIONS] = {
+    [INSTANCE] = {"instance", "NAME", .says = "instance of Boresight that it belongs to",
+                  .is_needed = true},
+    [DIRECTORY] = {"directory", "FOLDER", .says = "where recordings and logs go",
+                   .is_needed = true},
+    [POSITIONS] = {"positions", "FILE", .says = "where the axes stand, for the next start",
+                   .is_needed = true},
+};
+static const command_line_t command_line = {
+    .program = "boresight-recorder",
+    .says = "Keeps every cycle and every event in files; boresight starts it.",
+    .usage = "OPTION...",
+    .options = options,
+    .count = OPTIONS};
 
 void contract_broken(const char *module, uint32_t id)
 {
@@ -39,39 +50,10 @@ void contract_broken(const char *module, uint32_t id)
     abort();
 }
 
-typedef struct {
-    const char *exchange;
-    const char *directory;
-    const char *positions;
-} options_t;
-
 static black_box_t black_box;
 static event_log_t event_log;
 static position_keeper_t position_keeper;
 static sweep_keeper_t sweep_keeper;
-
-static bool read_options(int count, char **arguments, options_t *options)
-{
-    static const struct option known[] = {{"exchange", required_argument, NULL, 'e'},
-                                          {"directory", required_argument, NULL, 'd'},
-                                          {"positions", required_argument, NULL, 'p'},
-                                          {NULL, 0, NULL, 0}};
-    int option = getopt_long(count, arguments, "", known, NULL);
-
-    for (; option != -1; option = getopt_long(count, arguments, "", known, NULL)) {
-        if (option == 'e') {
-            options->exchange = optarg;
-        } else if (option == 'd') {
-            options->directory = optarg;
-        } else if (option == 'p') {
-            options->positions = optarg;
-        } else {
-            return false;
-        }
-    }
-    return (options->exchange != NULL) && (options->directory != NULL) &&
-           (options->positions != NULL) && (optind == count);
-}
 
 static void keep_positions(const exchange_t *exchange, bool is_end)
 {
@@ -127,32 +109,28 @@ static void record(exchange_t *exchange, const sigset_t *ends)
     keep_positions(exchange, true);
 }
 
-int main(int count, char **arguments)
+/* Runs with what it was given, until it is told to end. @return the exit code */
+static int keep(const char *const values[])
 {
-    options_t options = {NULL, NULL, NULL};
     char error[256] = "";
     sigset_t ends;
 
-    if (!read_options(count, arguments, &options)) {
-        (void)fputs(USAGE, stderr);
-        return EXIT_USAGE;
-    }
     (void)sigemptyset(&ends);
     (void)sigaddset(&ends, SIGTERM);
     (void)sigaddset(&ends, SIGINT);
     (void)sigprocmask(SIG_BLOCK, &ends, NULL);
     (void)signal(SIGXFSZ, SIG_IGN);
-    exchange_t *exchange = exchange_open(options.exchange, error, sizeof error);
+    exchange_t *exchange = exchange_open(values[INSTANCE], error, sizeof error);
     if (exchange == NULL) {
         (void)fprintf(stderr, "recorder: %s\n", error);
         return EXIT_CANNOT_START;
     }
     exchange_protect(exchange);
-    if (!directory_make(options.directory)) {
+    if (!directory_make(values[DIRECTORY])) {
         (void)fprintf(
             stderr,
             "recorder: the directory %s cannot be made (%s); choose another with --recordings.\n",
-            options.directory, strerror(errno));
+            values[DIRECTORY], strerror(errno));
         return EXIT_CANNOT_START;
     }
     const robot_t *robot = await_robot(exchange, &ends);
@@ -167,13 +145,21 @@ int main(int count, char **arguments)
                                  .layout = INTERFACE_LAYOUT};
     (void)snprintf(header.build, sizeof header.build, "%s", BUILD_ID);
     (void)snprintf(header.robot, sizeof header.robot, "%s", robot->name);
-    event_log_open(&event_log, options.directory, exchange);
-    position_keeper_open(&position_keeper, options.positions);
-    sweep_keeper = (sweep_keeper_t){.directory = options.directory, .robot = robot};
-    black_box_open(&black_box, options.directory, exchange, &header);
+    event_log_open(&event_log, values[DIRECTORY], exchange);
+    position_keeper_open(&position_keeper, values[POSITIONS]);
+    sweep_keeper = (sweep_keeper_t){.directory = values[DIRECTORY], .robot = robot};
+    black_box_open(&black_box, values[DIRECTORY], exchange, &header);
     record(exchange, &ends);
     black_box_close(&black_box);
     event_log_close(&event_log);
     exchange_close(exchange);
     return 0;
+}
+
+int main(int count, char **arguments)
+{
+    const char *values[OPTIONS];
+    const int code = command_line_read(&command_line, count, arguments, values, NULL);
+
+    return (code == COMMAND_LINE_GO_ON) ? keep(values) : code;
 }

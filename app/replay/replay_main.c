@@ -3,10 +3,6 @@
  * @file
  * boresight-replay: verifies a recording and executes the controller on it again.
  *
- *     boresight-replay FILE
- *     boresight-replay --table FILE     writes the motion as comma-separated values instead
- *     boresight-replay --events FILE    writes the events, a line each, instead
- *
  * Exit code 0: every output equal. 1: a difference. 2: damaged, unreadable, not holding the records
  * it announces, of another format, layout or robot, or nothing to replay. 3: every output equal,
  * but the recording is cut short. The table, which is of the motion as replayed, ends alike; the
@@ -14,6 +10,7 @@
  */
 #include "base/contract.h"
 #include "common/build_id.h"
+#include "common/command_line.h"
 #include "interface/interface_layout.h"
 #include "recording/cycle_words.h"
 #include "recording/recording_reader.h"
@@ -31,6 +28,24 @@
 #define EXIT_DIFFERENT 1
 #define EXIT_REFUSED 2
 #define EXIT_CUT_SHORT 3
+
+enum { TABLE = 0, EVENTS, OPTIONS };
+
+static const command_option_t options[OPTIONS] = {
+    [TABLE] = {"table", NULL, .says = "write the motion as comma-separated values instead"},
+    [EVENTS] = {"events", NULL, .says = "write the events, a line each, instead"},
+};
+static const command_line_t command_line = {
+    .program = "boresight-replay",
+    .says = "Verifies a recording and computes the motion of it again.",
+    .usage = "[--table | --events] FILE",
+    .options = options,
+    .count = OPTIONS,
+    .fewest_words = 1,
+    .most_words = 1,
+    .more = "Exit code 0: every output is equal. 1: there is a difference. 2: the command\n"
+            "line is wrong, or the recording damaged, unreadable or not for this build. 3:\n"
+            "every output is equal, but the recording is cut short.\n"};
 
 static const robot_t *robot;
 static recording_reader_t reader;
@@ -284,16 +299,10 @@ static int print_events(bool is_cut_short)
     return is_cut_short ? EXIT_CUT_SHORT : EXIT_EQUAL;
 }
 
-int main(int count, char **arguments)
+/* Does with the recording what was asked for. */
+static int treat(const char *path, const char *const values[])
 {
-    const bool is_table = (count == 3) && (strcmp(arguments[1], "--table") == 0);
-    const bool is_events = (count == 3) && (strcmp(arguments[1], "--events") == 0);
-
-    if ((count != 2) && !is_table && !is_events) {
-        (void)fputs("usage: boresight-replay [--table|--events] FILE\n", stderr);
-        return EXIT_REFUSED;
-    }
-    const recording_verdict_t verdict = verify(arguments[count - 1]);
+    const recording_verdict_t verdict = verify(path);
     if ((verdict != RECORDING_WHOLE) && (verdict != RECORDING_CUT_SHORT)) {
         return EXIT_REFUSED;
     }
@@ -301,13 +310,28 @@ int main(int count, char **arguments)
     int code = EXIT_REFUSED;
     if (!check_header(&reader.header)) {
         code = EXIT_REFUSED;
-    } else if (is_table) {
+    } else if (values[TABLE] != NULL) {
         code = print_table(is_cut_short);
-    } else if (is_events) {
+    } else if (values[EVENTS] != NULL) {
         code = print_events(is_cut_short);
     } else {
         code = replay_all(is_cut_short);
     }
     recording_reader_close(&reader);
     return code;
+}
+
+int main(int count, char **arguments)
+{
+    const char *values[OPTIONS];
+    int first;
+    const int code = command_line_read(&command_line, count, arguments, values, &first);
+
+    if (code != COMMAND_LINE_GO_ON) {
+        return code;
+    }
+    if ((values[TABLE] != NULL) && (values[EVENTS] != NULL)) {
+        return command_line_refuse(&command_line, "--table and --events exclude each other.");
+    }
+    return treat(arguments[first], values);
 }

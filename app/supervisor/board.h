@@ -30,6 +30,7 @@ typedef enum {
 typedef struct {
     const char *name; /**< Without its hyphens; NULL: there is none of this place. */
     board_takes_t takes;
+    const char *says;      /**< What it is for, with its default. */
     const char *otherwise; /**< Pattern of its value when it is not given; NULL: nothing. */
     uint32_t least;        /**< Of a number. */
     uint32_t most;

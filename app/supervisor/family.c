@@ -107,7 +107,7 @@ static bool name_box(family_t *self, const options_t *options, char *error, uint
 static void set_http(family_t *self, const options_t *options)
 {
     const char *http[CHILD_ARGUMENTS] = {
-        "--exchange", options->instance, "--port",       options->http_port,
+        "--instance", options->instance, "--port",       options->http_port,
         "--bind",     options->bind,     "--recordings", options->recordings,
         "--box-key",  self->box_key};
     uint32_t count = 10U;
@@ -150,15 +150,15 @@ bool family_init(family_t *self, const options_t *options, int output, int error
     }
     const char *const trajectory = (options->trajectory != NULL) ? "--trajectory" : NULL;
     const char *const control[CHILD_ARGUMENTS] = {
-        "--robot", options->robot, "--exchange",    options->instance, "--box",
+        "--robot", options->robot, "--instance",    options->instance, "--box",
         self->box, "--positions",  self->positions, trajectory,        options->trajectory};
-    const char *const recorder[CHILD_ARGUMENTS] = {"--exchange",  options->instance,
+    const char *const recorder[CHILD_ARGUMENTS] = {"--instance",  options->instance,
                                                    "--directory", options->recordings,
                                                    "--positions", self->positions};
     const char *const igtl[CHILD_ARGUMENTS] = {
-        "--exchange",  options->instance,  "--brp-port", options->brp_port,
+        "--instance",  options->instance,  "--brp-port", options->brp_port,
         "--igtl-port", options->igtl_port, "--bind",     options->bind};
-    const char *const igtl_by_file[CHILD_ARGUMENTS] = {"--exchange", options->instance,
+    const char *const igtl_by_file[CHILD_ARGUMENTS] = {"--instance", options->instance,
                                                        "--igtl-file", options->igtl_file};
     set_arguments(&self->members[MEMBER_CONTROL], control);
     set_arguments(&self->members[MEMBER_RECORDER], recorder);

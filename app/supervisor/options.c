@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "supervisor/options.h"
 
+#include "common/command_line.h"
 #include "robot/app/robot_names.h"
 #include "supervisor/board_text.h"
 
 #include <arpa/inet.h>
-#include <getopt.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,8 +13,46 @@
 
 #define NAME_MAX_LENGTH 32U
 #define PORT_MAX 65535U
-#define COMMON_OPTIONS 11U
-#define OF_THE_BOARD 256 /* Its options are numbered from here on. */
+#define OPTIONS_ERROR_SIZE 1024U
+#define MORE                                                                                       \
+    "ROBOT, HTTP_PORT, BRP_PORT, IGTL_PORT, IGTL_FILE, ACCOUNTS and TLS_FILE in the\n"             \
+    "environment do the same as the options of these names, which win.\n\n"                        \
+    "Exit code 0: stopped as asked. 2: wrong option. 3: could not start. 4: control\n"             \
+    "or a program of the board ended by itself.\n"
+
+/* With every board; those of the board follow. */
+enum {
+    ROBOT = 0,
+    INSTANCE,
+    HTTP_PORT,
+    BRP_PORT,
+    IGTL_PORT,
+    IGTL_FILE,
+    BIND,
+    ACCOUNTS,
+    TLS_FILE,
+    TRAJECTORY,
+    RECORDINGS,
+    COMMON
+};
+
+static const command_option_t common[COMMON] = {
+    [ROBOT] = {"robot", "NAME", .says = "the robot; default " ROBOT_NAMES_DEFAULT},
+    [INSTANCE] = {"instance", "NAME", .says = "name of this one of several; default boresight"},
+    [HTTP_PORT] = {"http-port", "PORT", .says = "of the console; default 8080", .least = 1U,
+                   .most = PORT_MAX},
+    [BRP_PORT] = {"brp-port", "PORT", .says = "of OpenIGTLink workphases; default 18936",
+                  .least = 1U, .most = PORT_MAX},
+    [IGTL_PORT] = {"igtl-port", "PORT", .says = "of OpenIGTLink transforms; default 18944",
+                   .least = 1U, .most = PORT_MAX},
+    [IGTL_FILE] = {"igtl-file", "FILE", .says = "all OpenIGTLink ports, in place of the two"},
+    [BIND] = {"bind", "ADDRESS", .says = "IPv4 address to listen on; default 127.0.0.1"},
+    [ACCOUNTS] = {"accounts", "FILE", .says = "who may log in; boresight-passwd makes it"},
+    [TLS_FILE] = {"tls-file", "FILE", .says = "how TLS leads here from other machines"},
+    [TRAJECTORY] = {"trajectory", "FILE", .says = "trajectory that is held from the start"},
+    [RECORDINGS] = {"recordings", "FOLDER",
+                    .says = "where recordings go; default build/recordings"},
+};
 
 uint32_t options_slowness(const options_t *self)
 {
@@ -35,55 +73,6 @@ bool options_has(const options_t *self, const char *name)
         has_it = has_it || (is_it && self->is_given[i]);
     }
     return has_it;
-}
-
-void options_print_usage(void)
-{
-    static const char *const words[] = {
-        [BOARD_TAKES_NOTHING] = "",
-        [BOARD_TAKES_NAME] = " NAME",
-        [BOARD_TAKES_NUMBER] = " NUMBER",
-        [BOARD_TAKES_TEXT] = " TEXT",
-    };
-
-    (void)fputs(
-        "usage: boresight [--http-port 8080] [--igtl-port 18944] [--brp-port 18936] [--bind "
-        "127.0.0.1]\n"
-        "                 [--igtl-file FILE] [--accounts FILE] [--tls-file FILE]\n"
-        "                 [--trajectory FILE]\n"
-        "                 [--robot " ROBOT_NAMES_DEFAULT
-        "] [--instance NAME] [--recordings DIRECTORY]\n"
-        "                ",
-        stdout);
-    for (size_t i = 0U; (i < BOARD_OPTIONS) && (board.options[i].name != NULL); i++) {
-        (void)printf(" [--%s%s]", board.options[i].name, words[board.options[i].takes]);
-    }
-    (void)fputs("\nThe environment variables HTTP_PORT, IGTL_PORT, BRP_PORT, IGTL_FILE, ACCOUNTS, "
-                "TLS_FILE and ROBOT do the "
-                "same.\n",
-                stdout);
-}
-
-static void list_known(struct option known[COMMON_OPTIONS + BOARD_OPTIONS + 1U])
-{
-    static const struct option common[COMMON_OPTIONS] = {
-        {"http-port", required_argument, NULL, 'h'},  {"igtl-port", required_argument, NULL, 'i'},
-        {"brp-port", required_argument, NULL, 'w'},   {"bind", required_argument, NULL, 'b'},
-        {"robot", required_argument, NULL, 'r'},      {"instance", required_argument, NULL, 'n'},
-        {"recordings", required_argument, NULL, 'd'}, {"igtl-file", required_argument, NULL, 'f'},
-        {"accounts", required_argument, NULL, 'a'},   {"tls-file", required_argument, NULL, 't'},
-        {"trajectory", required_argument, NULL, 'l'},
-    };
-
-    (void)memset(known, 0, (COMMON_OPTIONS + BOARD_OPTIONS + 1U) * sizeof known[0]);
-    (void)memcpy(known, common, sizeof common);
-    for (size_t i = 0U; i < BOARD_OPTIONS; i++) {
-        const board_option_t *const option = &board.options[i];
-        known[COMMON_OPTIONS + i].name = option->name;
-        known[COMMON_OPTIONS + i].has_arg =
-            (option->takes == BOARD_TAKES_NOTHING) ? no_argument : required_argument;
-        known[COMMON_OPTIONS + i].val = OF_THE_BOARD + (int)i;
-    }
 }
 
 static const char *from_environment(const char *name, const char *otherwise)
@@ -123,71 +112,6 @@ static void set_defaults(options_t *self)
                    (slash != NULL) ? (int)(slash - self->programs) : 0, self->programs);
 }
 
-/* An option that takes nothing stands for itself. */
-static bool take_of_the_board(options_t *self, size_t place, const char *value)
-{
-    const board_option_t *const option = &board.options[place];
-    const bool is_flag = option->takes == BOARD_TAKES_NOTHING;
-
-    self->is_given[place] = true;
-    return (size_t)snprintf(self->board[place], sizeof self->board[place], "%s%s",
-                            is_flag ? "--" : "",
-                            is_flag ? option->name : value) < sizeof self->board[place];
-}
-
-static bool take(options_t *self, int option, const char *value)
-{
-    if (option >= OF_THE_BOARD) {
-        return take_of_the_board(self, (size_t)(option - OF_THE_BOARD), value);
-    }
-    switch (option) {
-    case 'h':
-        self->http_port = value;
-        return true;
-    case 'i':
-        self->igtl_port = value;
-        return true;
-    case 'w':
-        self->brp_port = value;
-        return true;
-    case 'b':
-        self->bind = value;
-        return true;
-    case 't':
-        self->tls_file = value;
-        return true;
-    case 'a':
-        self->accounts = value;
-        return true;
-    case 'f':
-        self->igtl_file = value;
-        return true;
-    case 'l':
-        self->trajectory = value;
-        return true;
-    case 'r':
-        self->robot = value;
-        return true;
-    case 'n':
-        self->instance = value;
-        return true;
-    case 'd':
-        return (size_t)snprintf(self->recordings, sizeof self->recordings, "%s", value) <
-               sizeof self->recordings;
-    default:
-        return false;
-    }
-}
-
-static bool is_number(const char *text, unsigned long minimum, unsigned long maximum)
-{
-    char *end = NULL;
-    const unsigned long number = strtoul(text, &end, 10);
-
-    return (text[0] >= '0') && (text[0] <= '9') && (*end == '\0') && (number >= minimum) &&
-           (number <= maximum);
-}
-
 static bool is_name(const char *text)
 {
     const size_t length = strlen(text);
@@ -207,11 +131,6 @@ static bool check_of_the_board(const options_t *self, size_t place, char *error,
         (void)snprintf(error, error_size,
                        "\"%s\" is no name for --%s; use up to %u letters, digits, - and _.", value,
                        option->name, NAME_MAX_LENGTH);
-        return false;
-    }
-    if ((option->takes == BOARD_TAKES_NUMBER) && !is_number(value, option->least, option->most)) {
-        (void)snprintf(error, error_size, "\"%s\" is no number for --%s; give one from %u to %u.",
-                       value, option->name, (unsigned)option->least, (unsigned)option->most);
         return false;
     }
     if (options_has(self, option->useless_with)) {
@@ -243,7 +162,7 @@ static bool check_ports(const options_t *self, char *error, uint32_t error_size)
     const char *const ports[] = {self->http_port, self->igtl_port, self->brp_port};
 
     for (size_t i = 0U; i < 3U; i++) {
-        if (!is_number(ports[i], 1U, PORT_MAX)) {
+        if (!command_line_is_number(ports[i], 1U, PORT_MAX)) {
             (void)snprintf(error, error_size, "\"%s\" is no port; give a number from 1 to 65535.",
                            ports[i]);
             return false;
@@ -283,34 +202,87 @@ static bool check(const options_t *self, char *error, uint32_t error_size)
     return check_ports(self, error, error_size);
 }
 
-bool options_read(options_t *self, int count, char **arguments, char *error, uint32_t error_size)
+static const char *either(const char *value, const char *otherwise)
 {
-    struct option known[COMMON_OPTIONS + BOARD_OPTIONS + 1U];
+    return (value != NULL) ? value : otherwise;
+}
 
+static bool copy(char *text, size_t size, const char *value)
+{
+    return (value == NULL) || ((size_t)snprintf(text, size, "%s", value) < size);
+}
+
+/* What was given wins. False when something is too long. */
+static bool take(options_t *self, const char *const values[])
+{
+    bool has_room = copy(self->recordings, sizeof self->recordings, values[RECORDINGS]);
+
+    self->robot = either(values[ROBOT], self->robot);
+    self->instance = either(values[INSTANCE], self->instance);
+    self->http_port = either(values[HTTP_PORT], self->http_port);
+    self->brp_port = either(values[BRP_PORT], self->brp_port);
+    self->igtl_port = either(values[IGTL_PORT], self->igtl_port);
+    self->igtl_file = either(values[IGTL_FILE], self->igtl_file);
+    self->bind = either(values[BIND], self->bind);
+    self->accounts = either(values[ACCOUNTS], self->accounts);
+    self->tls_file = either(values[TLS_FILE], self->tls_file);
+    self->trajectory = either(values[TRAJECTORY], self->trajectory);
+    for (size_t i = 0U; i < BOARD_OPTIONS; i++) {
+        self->is_given[i] = values[COMMON + i] != NULL;
+        has_room = copy(self->board[i], sizeof self->board[i], values[COMMON + i]) && has_room;
+    }
+    return has_room;
+}
+
+static uint32_t list_known(command_option_t known[COMMON + BOARD_OPTIONS])
+{
+    static const char *const values[] = {[BOARD_TAKES_NOTHING] = NULL,
+                                         [BOARD_TAKES_NAME] = "NAME",
+                                         [BOARD_TAKES_NUMBER] = "NUMBER",
+                                         [BOARD_TAKES_TEXT] = "TEXT"};
+    uint32_t count = COMMON;
+
+    (void)memcpy(known, common, sizeof common);
+    for (size_t i = 0U; (i < BOARD_OPTIONS) && (board.options[i].name != NULL); i++) {
+        const board_option_t *const option = &board.options[i];
+        known[count] = (command_option_t){option->name, values[option->takes], .says = option->says,
+                                          .least = option->least, .most = option->most};
+        count++;
+    }
+    return count;
+}
+
+int options_read(options_t *self, int count, char *const arguments[])
+{
+    command_option_t known[COMMON + BOARD_OPTIONS];
+    const char *values[COMMON + BOARD_OPTIONS] = {NULL};
+    const command_line_t command_line = {
+        .program = "boresight",
+        .says = "Starts all programs of Boresight, watches them, and stops them in order.",
+        .usage = "[OPTION...]",
+        .options = known,
+        .count = list_known(known),
+        .more = MORE};
+    const int code = command_line_read(&command_line, count, arguments, values, NULL);
+    char error[OPTIONS_ERROR_SIZE] = "Something is too long; use shorter names.";
+
+    if (code != COMMAND_LINE_GO_ON) {
+        return code;
+    }
     (void)memset(self, 0, sizeof *self);
     if (!find_programs(self)) {
-        (void)snprintf(error, error_size, "The program does not find its own place; mount /proc.");
-        return false;
+        return command_line_refuse(&command_line,
+                                   "The program does not find its own place; mount /proc.");
     }
     set_defaults(self);
-    list_known(known);
-    opterr = 0;
-    int option = getopt_long(count, arguments, "", known, NULL);
-    while (option != -1) {
-        if (!take(self, option, optarg)) {
-            (void)snprintf(error, error_size,
-                           "\"%s\" is no option or lacks its value; see boresight --help.",
-                           arguments[optind - 1]);
-            return false;
-        }
-        option = getopt_long(count, arguments, "", known, NULL);
+    if (!take(self, values) || !check(self, error, sizeof error) ||
+        !complete(self, error, sizeof error)) {
+        return command_line_refuse(&command_line, "%s", error);
     }
-    if (optind != count) {
-        (void)snprintf(error, error_size, "\"%s\" is no option; see boresight --help.",
-                       arguments[optind]);
-        return false;
+    if ((self->igtl_file != NULL) &&
+        !igtl_ports_read(&self->ports, self->igtl_file, error, sizeof error)) {
+        (void)fprintf(stderr, "boresight: %s\n", error);
+        return COMMAND_LINE_WRONG;
     }
-    return check(self, error, error_size) && complete(self, error, error_size) &&
-           ((self->igtl_file == NULL) ||
-            igtl_ports_read(&self->ports, self->igtl_file, error, error_size));
+    return COMMAND_LINE_GO_ON;
 }

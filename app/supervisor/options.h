@@ -35,16 +35,14 @@ uint32_t options_slowness(const options_t *self);
 /** Whether the option `name` of the board was given; NULL is none. */
 bool options_has(const options_t *self, const char *name);
 
-/** Prints what may be given. */
-void options_print_usage(void);
-
 /**
- * Reads options, and the file of ports. False, with a sentence in `error`, when one of them is
- * unknown or wrong.
+ * Reads options, and the file of ports.
+ *
+ * @return as command_line_read()
  *
  * @satisfies SWR-SUP-007
  * @satisfies SWR-SUP-009
  */
-bool options_read(options_t *self, int count, char **arguments, char *error, uint32_t error_size);
+int options_read(options_t *self, int count, char *const arguments[]);
 
 #endif

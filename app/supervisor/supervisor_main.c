@@ -2,11 +2,9 @@
 /**
  * @file
  * boresight: starts the programs, keeps those that may fail alive, and stops all in order.
- *
- * Exit code 0: stopped as asked. 2: wrong options. 3: could not start. 4: control or a program of
- * the board ended by itself.
  */
 #include "common/clock.h"
+#include "common/command_line.h"
 #include "common/directory.h"
 #include "limits/requirement_limits.h"
 #include "supervisor/board_text.h"
@@ -26,7 +24,6 @@
 #include <unistd.h>
 
 #define EXIT_STOPPED 0
-#define EXIT_USAGE 2
 #define EXIT_CANNOT_START 3
 #define EXIT_LOST 4
 #define RUNNING (-1)
@@ -339,13 +336,10 @@ static int run(void)
 
 int main(int count, char **arguments)
 {
-    if ((count == 2) && (strcmp(arguments[1], "--help") == 0)) {
-        options_print_usage();
-        return EXIT_STOPPED;
-    }
-    if (!options_read(&options, count, arguments, error, sizeof error)) {
-        (void)fprintf(stderr, "Boresight did not start: %s\n", error);
-        return EXIT_USAGE;
+    const int code = options_read(&options, count, arguments);
+
+    if (code != COMMAND_LINE_GO_ON) {
+        return code;
     }
     if (!prepare()) {
         (void)fprintf(stderr, "Boresight did not start: %s\n", error);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /** @file boresight-box: the simulated control box as a process, at the box's end of the wire. */
+#include "common/command_line.h"
 #include "limits/requirement_limits.h"
 #include "robot/app/robot_names.h"
 #include "robot/app/robots.h"
@@ -7,8 +8,6 @@
 #include "sim/box_clock.h"
 #include "sim/wire.h"
 
-#include <errno.h>
-#include <getopt.h>
 #include <sched.h>
 #include <signal.h>
 #include <stdio.h>
@@ -18,17 +17,26 @@
 #include <sys/prctl.h>
 #include <unistd.h>
 
+#define EXIT_CANNOT_START 3
 #define PRIORITY 70
-#define USAGE                                                                                      \
-    "usage: boresight-box [--robot NAME] [--name NAME] [--seed NUMBER] [--slow TIMES] "            \
-    "[--real-time]"
 
-typedef struct {
-    const char *name;
-    const char *robot;
-    uint32_t seed;
-    bsp_time_t time;
-} options_t;
+enum { ROBOT = 0, BOX, SEED, SLOW, REAL_TIME, OPTIONS };
+
+static const command_option_t options[OPTIONS] = {
+    [ROBOT] = {"robot", "NAME", .says = "whose cards it has; default " ROBOT_NAMES_DEFAULT},
+    [BOX] = {"box", "NAME",
+             .says = "its name; default $" WIRE_NAME_VARIABLE ", or " WIRE_DEFAULT_NAME},
+    [SEED] = {"seed", "NUMBER", .says = "of what it does by chance; default 1", .most = UINT32_MAX},
+    [SLOW] = {"slow", "NUMBER", .says = "its time passes so many times slower; default 1",
+              .least = 1U, .most = LIMIT_BOX_SLOWEST},
+    [REAL_TIME] = {"real-time", NULL, .says = "it waits for nobody, as a real one"},
+};
+static const command_line_t command_line = {
+    .program = "boresight-box",
+    .says = "Simulates the control box of a robot; boresight starts it, or it runs by itself.",
+    .usage = "[OPTION...]",
+    .options = options,
+    .count = OPTIONS};
 
 static volatile sig_atomic_t must_end;
 static box_t box;
@@ -39,66 +47,18 @@ static void end(int signal_number)
     must_end = 1;
 }
 
-static bool parse_number(const char *text, uint32_t minimum, uint32_t maximum, uint32_t *number)
+/* The number that was given, which was checked. */
+static uint32_t number_of(const char *value, uint32_t otherwise)
 {
-    char *rest = NULL;
-
-    errno = 0;
-    const unsigned long long value = strtoull(text, &rest, 10);
-    if ((errno != 0) || (rest == text) || (*rest != '\0') || (text[0] == '-') ||
-        (value < minimum) || (value > maximum)) {
-        return false;
-    }
-    *number = (uint32_t)value;
-    return true;
+    return (value != NULL) ? (uint32_t)strtoul(value, NULL, 10) : otherwise;
 }
 
-static bool take_number(int option, options_t *options)
+static const char *name_of(const char *value)
 {
-    switch (option) {
-    case 's':
-        return parse_number(optarg, 0U, UINT32_MAX, &options->seed);
-    case 'w':
-        return parse_number(optarg, 1U, LIMIT_BOX_SLOWEST, &options->time.slowness);
-    default:
-        return false;
-    }
-}
+    const char *const otherwise = getenv(WIRE_NAME_VARIABLE);
+    const char *const known = (otherwise != NULL) ? otherwise : WIRE_DEFAULT_NAME;
 
-/* Returns the exit code, or -1 to go on. */
-static int parse_options(int count, char **words, options_t *options)
-{
-    static const struct option known[] = {{"name", required_argument, NULL, 'n'},
-                                          {"seed", required_argument, NULL, 's'},
-                                          {"slow", required_argument, NULL, 'w'},
-                                          {"real-time", no_argument, NULL, 'r'},
-                                          {"help", no_argument, NULL, 'h'},
-                                          {"robot", required_argument, NULL, 'b'},
-                                          {NULL, 0, NULL, 0}};
-    int option;
-
-    while ((option = getopt_long(count, words, "", known, NULL)) != -1) {
-        if (option == 'n') {
-            options->name = optarg;
-        } else if (option == 'b') {
-            options->robot = optarg;
-        } else if (option == 'r') {
-            options->time.is_elastic = false;
-        } else if (option == 'h') {
-            (void)puts(USAGE);
-            return 0;
-        } else if (!take_number(option, options)) {
-            (void)fputs(USAGE "\n", stderr);
-            return 2;
-        } else {
-            /* number taken */
-        }
-    }
-    if (optind != count) {
-        (void)fputs(USAGE "\n", stderr);
-        return 2;
-    }
-    return -1;
+    return (value != NULL) ? value : known;
 }
 
 /*
@@ -210,37 +170,43 @@ static void handle_signals(void)
     (void)sigaction(SIGINT, &action, NULL);
 }
 
-int main(int count, char **words)
+static int serve(const char *name, const robot_t *robot, uint32_t seed, bsp_time_t time)
 {
-    const char *named = getenv(WIRE_NAME_VARIABLE);
-    options_t options = {
-        (named != NULL) ? named : WIRE_DEFAULT_NAME, ROBOT_NAMES_DEFAULT, 1U, {true, 1U}};
     wire_port_t port;
     char error[256];
 
-    const int code = parse_options(count, words, &options);
-    if (code >= 0) {
-        return code;
-    }
-    const robot_t *const robot = robots_find(options.robot);
-    if (robot == NULL) {
-        (void)fprintf(stderr, "boresight-box: there is no robot \"%s\"; choose %s with --robot.\n",
-                      options.robot, robot_names_list());
-        return 2;
-    }
     handle_signals();
-    box_init(&box, robot, options.seed);
-    if (!wire_serve(&port, options.name, options.time, error, sizeof error)) {
+    box_init(&box, robot, seed);
+    if (!wire_serve(&port, name, time, error, sizeof error)) {
         (void)fprintf(stderr, "boresight-box: %s\n", error);
-        return 1;
+        return EXIT_CANNOT_START;
     }
     wire_store(&port.wire->robot_crc, robot->crc);
     const bool is_real_time = ask_for_real_time();
-    (void)printf("boresight-box: ready as \"%s\", robot %s, seed %u, %s\n", options.name,
-                 robot->name, (unsigned)options.seed,
-                 is_real_time ? "SCHED_FIFO 70" : "without real-time scheduling");
+    (void)printf("boresight-box: ready as \"%s\", robot %s, seed %u, %s\n", name, robot->name,
+                 (unsigned)seed, is_real_time ? "SCHED_FIFO 70" : "without real-time scheduling");
     (void)fflush(stdout);
-    run(port.wire, options.time);
+    run(port.wire, time);
     wire_close(&port, WIRE_END_BOX);
-    return 0;
+    return EXIT_SUCCESS;
+}
+
+int main(int count, char **words)
+{
+    const char *values[OPTIONS];
+    const int code = command_line_read(&command_line, count, words, values, NULL);
+
+    if (code != COMMAND_LINE_GO_ON) {
+        return code;
+    }
+    const char *const wanted = (values[ROBOT] != NULL) ? values[ROBOT] : ROBOT_NAMES_DEFAULT;
+    const robot_t *const robot = robots_find(wanted);
+    if (robot == NULL) {
+        return command_line_refuse(&command_line,
+                                   "There is no robot \"%s\"; choose %s with --robot.", wanted,
+                                   robot_names_list());
+    }
+    const bsp_time_t time = {.is_elastic = values[REAL_TIME] == NULL,
+                             .slowness = number_of(values[SLOW], 1U)};
+    return serve(name_of(values[BOX]), robot, number_of(values[SEED], 1U), time);
 }

@@ -4,6 +4,7 @@
  * boresight-simctl: hands one order to a running simulated control box and prints its answer.
  * Exit code 0: carried out, 1: no box or no answer, 2: refused.
  */
+#include "common/command_line.h"
 #include "sim/wire.h"
 
 #include <stdio.h>
@@ -11,13 +12,15 @@
 #include <string.h>
 
 #define ANSWER_TIMEOUT_US 10000000U
+#define NAME_SIZE 128U
+#define MORE_SIZE 2048U
 
-static int usage(FILE *where)
-{
-    (void)fprintf(where, "usage: boresight-simctl [--name NAME] ORDER\nthe orders are:\n%s",
-                  box_orders());
-    return (where == stdout) ? 0 : 2;
-}
+enum { INSTANCE = 0, BOX, OPTIONS };
+
+static const command_option_t options[OPTIONS] = {
+    [INSTANCE] = {"instance", "NAME", .says = "the box of this instance; default boresight"},
+    [BOX] = {"box", "NAME", .says = "a box by its own name; default $" WIRE_NAME_VARIABLE},
+};
 
 /* False when the words do not fit. */
 static bool join(char **words, int count, char *order, size_t size)
@@ -55,26 +58,25 @@ static int send_order(wire_t *wire, const char *order, const char *name)
     return is_done ? 0 : 2;
 }
 
-int main(int count, char **words)
+/* What it is asked for first. */
+static void choose_box(const char *const values[], char *name, size_t size)
 {
-    const char *named = getenv(WIRE_NAME_VARIABLE);
-    const char *name = (named != NULL) ? named : WIRE_DEFAULT_NAME;
-    char order[WIRE_ORDER_SIZE];
+    const char *const otherwise = getenv(WIRE_NAME_VARIABLE);
+
+    if (values[BOX] != NULL) {
+        (void)snprintf(name, size, "%s", values[BOX]);
+    } else if (values[INSTANCE] != NULL) {
+        (void)snprintf(name, size, "%s" WIRE_NAME_ENDING, values[INSTANCE]);
+    } else {
+        (void)snprintf(name, size, "%s", (otherwise != NULL) ? otherwise : WIRE_DEFAULT_NAME);
+    }
+}
+
+static int give(const char *name, const char *order)
+{
     char error[256];
     wire_port_t port;
-    int first = 1;
 
-    if ((count > 1) && (strcmp(words[1], "--help") == 0)) {
-        return usage(stdout);
-    }
-    if ((count > 2) && (strcmp(words[1], "--name") == 0)) {
-        name = words[2];
-        first = 3;
-    }
-    if ((first == count) || (words[first][0] == '-') ||
-        !join(words + first, count - first, order, sizeof order)) {
-        return usage(stderr);
-    }
     if (!wire_attach(&port, name, WIRE_END_ORDERS, error, sizeof error)) {
         (void)fprintf(stderr, "boresight-simctl: %s\n", error);
         return 1;
@@ -82,4 +84,36 @@ int main(int count, char **words)
     const int code = send_order(port.wire, order, name);
     wire_close(&port, WIRE_END_ORDERS);
     return code;
+}
+
+int main(int count, char **words)
+{
+    const char *values[OPTIONS];
+    char name[NAME_SIZE];
+    char order[WIRE_ORDER_SIZE];
+    char more[MORE_SIZE];
+    int first;
+
+    (void)snprintf(more, sizeof more,
+                   "The orders are:\n%s"
+                   "\nExit code 0: carried out. 1: no box, or no answer. 2: refused.\n",
+                   box_orders());
+    const command_line_t command_line = {
+        .program = "boresight-simctl",
+        .says = "Hands one order to a running simulated control box, and prints its answer.",
+        .usage = "[OPTION...] ORDER",
+        .options = options,
+        .count = OPTIONS,
+        .fewest_words = 1,
+        .most_words = COMMAND_LINE_MANY,
+        .more = more};
+    const int code = command_line_read(&command_line, count, words, values, &first);
+    if (code != COMMAND_LINE_GO_ON) {
+        return code;
+    }
+    if (!join(words + first, count - first, order, sizeof order)) {
+        return command_line_refuse(&command_line, "The order is too long.");
+    }
+    choose_box(values, name, sizeof name);
+    return give(name, order);
 }

@@ -18,7 +18,7 @@
 
 #define NS_PER_S UINT64_C(1000000000)
 
-static const char start_first[] = "start the simulated control box first: boresight-box --name %s";
+static const char start_first[] = "start the simulated control box first: boresight-box --box %s";
 
 uint32_t wire_load(const uint32_t *word)
 {
@@ -241,7 +241,7 @@ bool wire_serve(wire_port_t *port, const char *name, bsp_time_t time, char *erro
     if (!lock_end(port->file, WIRE_END_BOX)) {
         (void)snprintf(
             error, error_size,
-            "a simulated control box \"%s\" already runs; stop it, or choose another --name", name);
+            "a simulated control box \"%s\" already runs; stop it, or choose another --box", name);
     } else if (!is_still_named(port)) {
         (void)snprintf(error, error_size,
                        "a simulated control box \"%s\" is just ending; start again", name);

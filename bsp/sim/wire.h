@@ -15,7 +15,9 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define WIRE_DEFAULT_NAME "boresight-box"
+/** As board.yml has it: the box of an instance is called like that, and this. */
+#define WIRE_NAME_ENDING "-box"
+#define WIRE_DEFAULT_NAME "boresight" WIRE_NAME_ENDING
 /** Environment variable that selects another instance. */
 #define WIRE_NAME_VARIABLE "BORESIGHT_BOX"
 #define WIRE_ORDER_SIZE 128U

@@ -11,9 +11,9 @@ class TestBoards < Minitest::Test
   LIMITS = "#define LIMIT_MOST_WATTS (9U) /**< SWR-ANY-001, W. */\n"
   GOOD = <<~YAML
     options:
-      - {name: watts, takes: number, least: 1, most: most_watts, default: 2}
-      - {name: lamp, takes: name, default: "{instance}-lamp"}
-      - {name: dim}
+      - {name: watts, takes: number, least: 1, most: most_watts, default: 2, says: of its light}
+      - {name: lamp, takes: name, default: "{instance}-lamp", says: one that shines}
+      - {name: dim, says: less}
     companions:
       - {program: boresight-lamp, arguments: [--as, "{lamp}", "{dim}"], ready: on, unless: lamp}
       - {program: boresight-fan}
@@ -26,15 +26,15 @@ class TestBoards < Minitest::Test
 
   def test_SWR_TOOL_015_the_table_says_what_the_file_says
     source = board(GOOD).source
-    ['.name = "watts", .takes = BOARD_TAKES_NUMBER, .otherwise = "2", .least = 1U, .most = LIMIT_MOST_WATTS}',
-     '.name = "lamp", .takes = BOARD_TAKES_NAME, .otherwise = "{instance}-lamp"}',
+    ['.name = "watts", .takes = BOARD_TAKES_NUMBER, .says = "of its light", .otherwise = "2", .least = 1U, .most = LIMIT_MOST_WATTS}',
+     '.name = "lamp", .takes = BOARD_TAKES_NAME, .says = "one that shines", .otherwise = "{instance}-lamp"}',
      '.program = "lamp", .arguments = {"--as", "{lamp}", "{dim}"}, .ready = "on", .unless = "lamp"}',
      '{.program = "fan"}', '.box = "{lamp}",', '.slowness = "{watts}",', '.is_simulated = true,',
      '{"Lamp", "say \\"{lamp}\\""}'].each { |text| assert_includes source, text }
   end
 
   def test_SWR_TOOL_015_what_only_a_companion_takes_is_useless_with_another_one
-    assert_includes board(GOOD).source, '.name = "dim", .takes = BOARD_TAKES_NOTHING, .useless_with = "lamp"}'
+    assert_includes board(GOOD).source, '.name = "dim", .takes = BOARD_TAKES_NOTHING, .says = "less", .useless_with = "lamp"}'
   end
 
   def test_SWR_TOOL_015_a_board_needs_nothing_but_what_control_opens
@@ -50,7 +50,7 @@ class TestBoards < Minitest::Test
     'most: most_watts' => ['most: most_volts', '2: options[0].most: is most_volts, which is no limit of the requirements'],
     ', default: 2' => ['', '2: options[0]: has no default'],
     'takes: number' => ['takes: text', '2: options[0]: has bounds if it takes a number, and only then'],
-    '{name: dim}' => ['{name: dim, default: 1}', '4: options[2]: takes nothing, and no default or bound'],
+    '{name: dim,' => ['{name: dim, default: 1,', '4: options[2]: takes nothing, and no default or bound'],
     'name: dim' => ['name: robot', '4: options[2].name: is robot, which there is already'],
     'boresight-fan' => ['fan', '7: companions[1].program: is fan; expected boresight-...'],
     'unless: lamp' => ['unless: fan', '6: companions[0].unless: is fan; expected watts or lamp or dim'],

@@ -78,7 +78,7 @@ class BrowserRun
     { 'BORESIGHT_URL' => "http://127.0.0.1:#{boresight.http_port}/",
       'BORESIGHT_LOGIN_CODE' => boresight.output[/^Login: +([A-Z2-9-]{14}) /, 1],
       'BORESIGHT_HTTP_PID' => boresight.pid_of('http').to_s,
-      'BORESIGHT_SIMCTL' => "#{Boresight.program('boresight-simctl')} --name #{boresight.box}",
+      'BORESIGHT_SIMCTL' => "#{Boresight.program('boresight-simctl')} --box #{boresight.box}",
       'BORESIGHT_START_UP' => service.url }
   end
 

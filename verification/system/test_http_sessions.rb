@@ -206,10 +206,10 @@ class TestHttpSessions < Minitest::Test
 
   # What a second server of this instance says before it ends.
   def server_says(words)
-    answer, status = Open3.capture2e(Boresight.program('boresight-http'), '--exchange', boresight.instance,
+    answer, status = Open3.capture2e(Boresight.program('boresight-http'), '--instance', boresight.instance,
                                      '--recordings', boresight.recordings,
                                      '--port', Boresight.free_ports(1).first.to_s, *words)
-    assert_equal 1, status.exitstatus
+    assert_equal 3, status.exitstatus
     answer
   end
 

@@ -236,7 +236,7 @@ class TestHttpTls < Minitest::Test
       Tempfile.create('tls') do |file|
         file.write(text)
         file.close
-        said, status = Open3.capture2e(Boresight.program('boresight-http'), '--exchange', self.class.boresight.instance,
+        said, status = Open3.capture2e(Boresight.program('boresight-http'), '--instance', self.class.boresight.instance,
                                        '--recordings', self.class.boresight.recordings,
                                        '--box', 'x', '--port', others.pop.to_s, '--tls-file', file.path)
         assert_equal 3, status.exitstatus
@@ -247,7 +247,7 @@ class TestHttpTls < Minitest::Test
 
   def test_SWR_SESS_019_the_library_never_speaks_tls_itself
     %w[8443s 8443r 127.0.0.1:8443s].each do |its_port|
-      _, status = Open3.capture2e(Boresight.program('boresight-http'), '--exchange', self.class.boresight.instance,
+      _, status = Open3.capture2e(Boresight.program('boresight-http'), '--instance', self.class.boresight.instance,
                                        '--recordings', self.class.boresight.recordings,
                                   '--box', 'x', '--port', its_port)
       assert_equal 2, status.exitstatus

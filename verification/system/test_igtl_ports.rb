@@ -71,7 +71,7 @@ class TestIgtlPorts < SystemTest
   def test_SWR_SUP_009_a_wrong_file_is_refused_with_its_line_before_anything_starts
     with_file("[slicer]\ndialect = brp\n") { |file, _| assert_refused(file, 2, "#{file}, line 2: \"brp\" is no dialect") }
     assert_refused('/nowhere', 2, 'The file of ports /nowhere cannot be read')
-    _, status = Open3.capture2e(Boresight.program('boresight-igtl'), '--exchange', 'x', '--igtl-file', '/nowhere')
+    _, status = Open3.capture2e(Boresight.program('boresight-igtl'), '--instance', 'x', '--igtl-file', '/nowhere')
     assert_equal 2, status.exitstatus
   end
 

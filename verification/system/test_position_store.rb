@@ -71,14 +71,14 @@ class TestPositionStore < SystemTest
     programs { |one| refute_includes one.pids.keys, 'box' }
     wait_until('the status is printed') { @boresight.output.include?('box not ours') }
     assert_equal 0, @boresight.stop
-    answer, status = Open3.capture2e(Boresight.program('boresight-simctl'), '--name', @box, 'show')
+    answer, status = Open3.capture2e(Boresight.program('boresight-simctl'), '--box', @box, 'show')
     assert status.success?, answer
   end
 
   def test_SWR_STORE_008_wrong_boxes_are_refused
     { %w[--box a/b] => [2, %r{"a/b" is no name for --box}], %w[--box b --slow 2] => [2, /--slow is of no use with --box/],
       %w[--box b --real-time] => [2, /--real-time is of no use with --box/],
-      %w[--box nobody] => [3, /start the simulated control box first: boresight-box --name nobody/] }.each do |words, end_|
+      %w[--box nobody] => [3, /start the simulated control box first: boresight-box --box nobody/] }.each do |words, end_|
       one = Boresight.new(arguments: words)
       one.launch
       assert_equal end_[0], one.wait_for_end, one.output
@@ -139,7 +139,7 @@ class TestPositionStore < SystemTest
   end
 
   def simctl(*words)
-    answer, status = Open3.capture2e(Boresight.program('boresight-simctl'), '--name', @box, *words)
+    answer, status = Open3.capture2e(Boresight.program('boresight-simctl'), '--box', @box, *words)
     assert status.success?, answer
     answer
   end

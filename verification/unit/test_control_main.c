@@ -8,6 +8,7 @@
 
 #include "card/card_frame.h"
 #include "common/clock.h"
+#include "common/command_line.h"
 #include "control/drives_off.h"
 #include "control/figures.h"
 #include "control/sources.h"
@@ -266,7 +267,7 @@ void tearDown(void)
 /* Runs control until `how` and `signal_number` end it. @return as waitpid() gives it */
 static int control_ends(end_t how, int signal_number)
 {
-    char *arguments[] = {"control", "--robot",     "neuro",   "--exchange",   name,  "--box",
+    char *arguments[] = {"control", "--robot",     "neuro",   "--instance",   name,  "--box",
                          "y",       "--positions", "no-file", "--trajectory", "list"};
     int ends[2];
     int status = 0;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A client of the OpenIGTLink server, for tests and for the demonstration. Headers, checksums and messages are those
-// of the standard's own library (libOpenIGTLink 1.11), none of our code is in it.
+// of the standard's own library (libOpenIGTLink 1.11); of our code only the command line is in it.
 //
-//   boresight-client [--host 127.0.0.1] --port 18936 ["phase START_UP" "wait STATUS START_UP 30000" ...]
+//   boresight-client [--host 127.0.0.1] [--port 18936] ["phase START_UP" "wait STATUS START_UP 30000" ...]
 //
 // Without commands they are read from the standard input, one a line. Everything that arrives is printed as one line
 // of JSON; each command ends with a line {"done": ...}. A command that fails ends the client with status 1 and a
@@ -17,6 +17,10 @@
 #include <igtlStringMessage.h>
 #include <igtlTrackingDataMessage.h>
 #include <igtlTransformMessage.h>
+
+extern "C" {
+#include "common/command_line.h"
+}
 
 #include <chrono>
 #include <cmath>
@@ -521,28 +525,55 @@ private:
     int next_id_;
 };
 
+enum { kHost = 0, kPort, kOptions };
+
+const command_option_t kKnown[kOptions] = {
+    {"host", "ADDRESS", "of the server; default 127.0.0.1", 0, 0, false},
+    {"port", "PORT", "of workphases 18936, the default; of transforms 18944", 1, 65535, false}};
+
+const char kCommands[] =
+    "Without commands they are read from the standard input, one a line. All that\n"
+    "arrives is printed as lines of JSON. NAME is that of a message. Commands:\n"
+    "  \"phase NAME\"                    command a workphase\n"
+    "  \"registration NUMBERS\"          send a registration; 12 or 16 numbers, by rows\n"
+    "  \"target NUMBERS\"                send a target, the same\n"
+    "  \"transform NAME NUMBERS\"        send any transform\n"
+    "  \"string NAME TEXT\"              send any string\n"
+    "  \"get NAME\"                      ask for a transform, or for CURRENT_STATUS\n"
+    "  \"ask TYPE NAME\"                 send a message without content\n"
+    "  \"track NAME MS\"                 ask for tracking data every MS milliseconds\n"
+    "  \"wait TYPE NAME MS\"             wait for a message, at most MS milliseconds\n"
+    "  \"expect STATUS NAME CODE MS\"    wait for a status with that code\n"
+    "  \"expect-silence MS\"             nothing may arrive\n"
+    "  \"listen MS\"                     print what arrives\n"
+    "  \"raw HEX\"                       send bytes\n"
+    "\n"
+    "Exit code 0: all commands done. 1: one failed, said in a sentence. 2: wrong\n"
+    "command line.\n";
+
+const command_line_t kCommandLine = {"boresight-client",
+                                     "Talks to Boresight by OpenIGTLink, as a navigation program does.",
+                                     "[OPTION...] [COMMAND...]",
+                                     kKnown,
+                                     kOptions,
+                                     0,
+                                     COMMAND_LINE_MANY,
+                                     kCommands};
+
 } // namespace
 
 int main(int count, char **arguments)
 {
     std::ios::sync_with_stdio(false);
-    std::string host = "127.0.0.1";
-    int port = 0;
-    Words commands;
-    for (int i = 1; i < count; i++) {
-        const std::string argument = arguments[i];
-        if (argument == "--host" && i + 1 < count) {
-            host = arguments[++i];
-        } else if (argument == "--port" && i + 1 < count) {
-            port = std::atoi(arguments[++i]);
-        } else {
-            commands.push_back(argument);
-        }
+    const char *values[kOptions];
+    int first;
+    const int code = command_line_read(&kCommandLine, count, arguments, values, &first);
+    if (code != COMMAND_LINE_GO_ON) {
+        return code;
     }
-    if (port <= 0) {
-        std::cerr << "usage: boresight-client [--host ADDRESS] --port PORT [COMMAND ...]" << std::endl;
-        return 2;
-    }
+    const std::string host = values[kHost] != NULL ? values[kHost] : "127.0.0.1";
+    const int port = values[kPort] != NULL ? std::atoi(values[kPort]) : 18936;
+    const Words commands(arguments + first, arguments + count);
     try {
         Client client;
         client.Connect(host, port);

@@ -156,7 +156,7 @@ class Boresight
 
   # Gives the box an order; returns its answer.
   def simctl(*words)
-    answer, status = Open3.capture2e(Boresight.program('boresight-simctl'), '--name', box, *words)
+    answer, status = Open3.capture2e(Boresight.program('boresight-simctl'), '--box', box, *words)
     raise "simctl #{words.join(' ')}: #{answer}" unless status.success?
 
     answer

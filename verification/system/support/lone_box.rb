@@ -23,7 +23,7 @@ module LoneBox
 
   def switch_box_on
     said, output = IO.pipe
-    @box_pid = Process.spawn(Boresight.program('boresight-box'), '--name', @box, '--robot', ROBOT, out: output, err: File::NULL)
+    @box_pid = Process.spawn(Boresight.program('boresight-box'), '--box', @box, '--robot', ROBOT, out: output, err: File::NULL)
     output.close
     wait_until('the box is ready') { said.wait_readable(1) && said.gets.to_s.include?('ready') }
   ensure
