@@ -4,17 +4,29 @@
 #include <fcntl.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #define REPEAT_US UINT64_C(5000000)
-#define DEFAULT_COLUMNS 80
+#define DEFAULT_COLUMNS 80U
+
+/* As https://no-color.org asks for. */
+static bool wants_colours(void)
+{
+    const char *const refused = getenv("NO_COLOR");
+    const char *const terminal = getenv("TERM");
+
+    return ((refused == NULL) || (refused[0] == '\0')) && (terminal != NULL) &&
+           (strcmp(terminal, "dumb") != 0);
+}
 
 bool screen_open(screen_t *self)
 {
     (void)memset(self, 0, sizeof *self);
     self->is_terminal = isatty(STDOUT_FILENO) == 1;
+    self->is_coloured = self->is_terminal && wants_colours();
     /* Not blocking at either end: no program ever waits for the supervisor to read. */
     return (pipe2(self->output, O_CLOEXEC | O_NONBLOCK) == 0) &&
            (pipe2(self->errors, O_CLOEXEC | O_NONBLOCK) == 0);
@@ -30,10 +42,7 @@ static void erase_status(screen_t *self)
 static void draw_status(const screen_t *self)
 {
     if (self->is_terminal && (self->status[0] != '\0')) {
-        struct winsize window = {.ws_col = DEFAULT_COLUMNS};
-        (void)ioctl(STDOUT_FILENO, TIOCGWINSZ, &window);
-        const int columns = (window.ws_col > 1U) ? ((int)window.ws_col - 1) : (DEFAULT_COLUMNS - 1);
-        (void)printf("\r%.*s\033[K", columns, self->status);
+        (void)printf("\r%s\033[K", self->status);
     }
     (void)fflush(stdout);
 }
@@ -90,18 +99,29 @@ void screen_relay(screen_t *self)
     relay_errors(self);
 }
 
-void screen_show_status(screen_t *self, const char *status, uint64_t now_us)
+/* Without the last one, where some terminals begin a new line. */
+static uint32_t columns(void)
 {
-    const bool is_changed = strcmp(status, self->status) != 0;
+    struct winsize window = {.ws_col = 0U};
 
-    (void)snprintf(self->status, sizeof self->status, "%s", status);
+    (void)ioctl(STDOUT_FILENO, TIOCGWINSZ, &window);
+    return ((window.ws_col > 1U) ? window.ws_col : DEFAULT_COLUMNS) - 1U;
+}
+
+void screen_show_status(screen_t *self, const status_parts_t *status, uint64_t now_us)
+{
+    char line[SCREEN_LINE_SIZE];
+
+    status_parts_write(status, self->is_terminal ? columns() : 0U, self->is_coloured, line,
+                       sizeof line);
     if (self->is_terminal) {
-        if (is_changed) {
+        if (strcmp(line, self->status) != 0) {
+            (void)snprintf(self->status, sizeof self->status, "%s", line);
             draw_status(self);
         }
     } else if ((self->shown_us == 0U) || ((now_us - self->shown_us) >= REPEAT_US)) {
         self->shown_us = now_us;
-        (void)printf("%s\n", status);
+        (void)printf("%s\n", line);
         (void)fflush(stdout);
     } else {
         /* Not yet time to repeat it. */

@@ -1,22 +1,26 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * What the operator sees: lines, and below them one line of status that is rewritten in place on a
- * terminal and repeated every five seconds elsewhere. The programs' own lines come in through pipes
+ * What the operator sees: lines, and below them one line of status. On a terminal it is rewritten
+ * in place, as wide as the terminal at most and coloured unless NO_COLOR is set; elsewhere it is
+ * whole, and repeated every five seconds. The programs' own lines come in through pipes
  * and stand above it.
  */
 #ifndef BORESIGHT_SCREEN_H
 #define BORESIGHT_SCREEN_H
 
+#include "supervisor/status_parts.h"
+
 #include <stdbool.h>
 #include <stdint.h>
 
-#define SCREEN_LINE_SIZE 512U
+#define SCREEN_LINE_SIZE 1024U
 
 typedef struct {
     int output[2]; /**< Pipe of the programs' standard output: only looked at for `awaited`. */
     int errors[2]; /**< Pipe of their standard error: shown. */
     bool is_terminal;
+    bool is_coloured;
     const char *awaited;           /**< What one of the programs is to print; NULL: nothing. */
     bool is_heard;                 /**< It has. */
     uint64_t shown_us;             /**< When the status was last written. */
@@ -36,7 +40,7 @@ void screen_await(screen_t *self, const char *text);
 void screen_relay(screen_t *self);
 
 /** Shows the status line. @satisfies SWR-SUP-004 */
-void screen_show_status(screen_t *self, const char *status, uint64_t now_us);
+void screen_show_status(screen_t *self, const status_parts_t *status, uint64_t now_us);
 
 /** Takes the status line away before the last lines. */
 void screen_end_status(screen_t *self);

@@ -11,23 +11,10 @@
 #include "safety/permit.h"
 
 #include <ctype.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
-/* Appends as much as fits. */
-static void add(char *text, size_t size, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
-
-static void add(char *text, size_t size, const char *format, ...)
-{
-    const size_t used = strlen(text);
-    va_list arguments;
-
-    va_start(arguments, format);
-    (void)vsnprintf(&text[used], size - used, format, arguments);
-    va_end(arguments);
-}
+#define PEDAL_FAULT "FAULT"
 
 static const char *pedal_word(uint32_t state)
 {
@@ -43,7 +30,7 @@ static const char *pedal_word(uint32_t state)
     case PEDAL_GATE_STATE_OPENING:
         return "opening";
     default:
-        return "FAULT";
+        return PEDAL_FAULT;
     }
 }
 
@@ -74,23 +61,37 @@ static uint32_t first_reason(const snapshot_t *snapshot)
     return reason;
 }
 
-static void add_permit(char *text, size_t size, const snapshot_t *snapshot)
+static void add_permit(status_parts_t *parts, const snapshot_t *snapshot)
 {
     const uint32_t reason = first_reason(snapshot);
+    char words[STATUS_PART_SIZE];
 
     if (reason == PERMIT_REASON_COUNT) {
-        add(text, size, " | motion permitted");
+        status_parts_add(parts, STATUS_GOOD, "motion permitted");
         return;
     }
-    const char *name = permit_reason_name((int32_t)reason);
-    add(text, size, " | no motion: ");
-    for (size_t i = 0U; name[i] != '\0'; i++) {
-        add(text, size, "%c", (name[i] == '_') ? ' ' : tolower((unsigned char)name[i]));
+    (void)snprintf(words, sizeof words, "%s", permit_reason_name((int32_t)reason));
+    for (char *letter = words; *letter != '\0'; letter++) {
+        *letter = (*letter == '_') ? ' ' : (char)tolower((unsigned char)*letter);
     }
+    status_parts_add(parts, STATUS_PLAIN, "no motion: %s", words);
+}
+
+static void add_inputs(status_parts_t *parts, const snapshot_t *snapshot)
+{
+    const char *const pedal = pedal_word(snapshot->pedal);
+    const bool is_pulled = snapshot->estop == (uint32_t)ESTOP_LATCH_STATE_PULLED;
+    const bool is_clear = snapshot->estop == (uint32_t)ESTOP_LATCH_STATE_CLEAR;
+    const status_tone_t latched = is_clear ? STATUS_PLAIN : STATUS_NOTE;
+
+    status_parts_add(parts, (strcmp(pedal, PEDAL_FAULT) == 0) ? STATUS_BAD : STATUS_PLAIN,
+                     "pedal %s", pedal);
+    status_parts_add(parts, is_pulled ? STATUS_BAD : latched, "e-stop %s",
+                     estop_word(snapshot->estop));
 }
 
 /* How many of the cards that the robot names answer. */
-static void add_links(char *text, size_t size, const robot_t *robot, const snapshot_t *snapshot)
+static void add_links(status_parts_t *parts, const robot_t *robot, const snapshot_t *snapshot)
 {
     uint32_t named = 0U;
     uint32_t live = 0U;
@@ -101,71 +102,92 @@ static void add_links(char *text, size_t size, const robot_t *robot, const snaps
         named += is_named ? 1U : 0U;
         live += (is_named && is_live) ? 1U : 0U;
     }
-    add(text, size, " | links %u/%u", (unsigned)live, (unsigned)named);
+    status_parts_add(parts, (live < named) ? STATUS_BAD : STATUS_PLAIN, "links %u/%u",
+                     (unsigned)live, (unsigned)named);
 }
 
 /** @satisfies SWR-SUP-005 */
-static void add_time(char *text, size_t size, const loop_figures_t *loop, bool is_silent)
+static void add_time(status_parts_t *parts, const loop_figures_t *loop, bool is_silent)
 {
     const unsigned percent = is_silent ? 0U : ((loop->speed_permille + 5U) / 10U);
 
     if (loop->is_elastic != 0U) {
-        add(text, size, " | elastic time %u %%", percent);
+        status_parts_add(parts, STATUS_PLAIN, "elastic time %u %%", percent);
     } else {
-        add(text, size, " | real time %u %%, loop p99 %u us, worst %u us", percent,
-            (unsigned)loop->wake_p99_us, (unsigned)loop->wake_worst_us);
+        status_parts_add(parts, STATUS_PLAIN, "real time %u %%, loop p99 %u us, worst %u us",
+                         percent, (unsigned)loop->wake_p99_us, (unsigned)loop->wake_worst_us);
     }
 }
 
-static void add_programs(char *text, size_t size, const exchange_t *exchange, family_t *family)
+/* What is to be said of a program; "ok" when nothing is. */
+static const char *program_word(family_t *family, const exchange_t *exchange, uint32_t member)
 {
-    add(text, size, " |");
+    const bool is_silent = family_is_silent(family, exchange, (member_t)member);
+
+    if (family->runs_already[member]) {
+        return "not ours";
+    }
+    if (family->members[member].pid == 0) {
+        return "RESTARTING";
+    }
+    return is_silent ? "SILENT" : "ok";
+}
+
+/* Those that are well stand together, at the end; `well` gets their names. */
+static void add_programs(status_parts_t *parts, const exchange_t *exchange, family_t *family,
+                         char *well, size_t size)
+{
+    well[0] = '\0';
     for (uint32_t i = 0U; i < FAMILY_SIZE; i++) {
-        const child_t *child = &family->members[i];
-        const bool is_silent = family_is_silent(family, exchange, (member_t)i);
-        const char *word = "ok";
-        if (child->name == NULL) {
-            continue;
-        }
-        if (family->runs_already[i]) {
-            word = "not ours";
-        } else if (child->pid == 0) {
-            word = "RESTARTING";
-        } else if (is_silent) {
-            word = "SILENT";
+        const char *const name = family->members[i].name;
+        const char *const word = (name != NULL) ? program_word(family, exchange, i) : "";
+        const size_t used = strlen(well);
+
+        if (strcmp(word, "ok") == 0) {
+            (void)snprintf(&well[used], size - used, "%s ", name);
+        } else if (name != NULL) {
+            status_parts_add(parts, family->runs_already[i] ? STATUS_PLAIN : STATUS_BAD, "%s %s",
+                             name, word);
         } else {
-            /* Runs and beats. */
+            /* The board has no program here. */
         }
-        add(text, size, " %s %s", child->name, word);
     }
 }
 
 /** @satisfies SWR-AUTH-018 */
-static void add_authority(char *text, size_t size, const exchange_t *exchange,
+static void add_request(status_parts_t *parts, const exchange_t *exchange,
+                        const snapshot_t *snapshot)
+{
+    char title[EXCHANGE_TITLE_SIZE];
+
+    if (snapshot->request_left_us != 0U) {
+        exchange_title(exchange, (command_source_t)snapshot->requester, snapshot->requester_peer,
+                       title);
+        status_parts_add(parts, STATUS_NOTE, "%s asks for the button, %u s left", title,
+                         (unsigned)((snapshot->request_left_us + 999999U) / 1000000U));
+    }
+}
+
+/** @satisfies SWR-AUTH-018 */
+static void add_authority(status_parts_t *parts, const exchange_t *exchange,
                           const snapshot_t *snapshot)
 {
     const uint32_t cycles = snapshot->cycle - snapshot->held_since_cycle;
     char title[EXCHANGE_TITLE_SIZE];
 
     if (snapshot->holder_peer == 0U) {
-        add(text, size, " | nobody commands");
+        status_parts_add(parts, STATUS_PLAIN, "nobody commands");
     } else {
         exchange_title(exchange, (command_source_t)snapshot->holder, snapshot->holder_peer, title);
-        add(text, size, " | commanded by %s for %u s", title,
-            (unsigned)(cycles / (1000000U / LIMIT_CYCLE_US)));
-    }
-    if (snapshot->request_left_us != 0U) {
-        exchange_title(exchange, (command_source_t)snapshot->requester, snapshot->requester_peer,
-                       title);
-        add(text, size, " | %s asks for the button, %u s left", title,
-            (unsigned)((snapshot->request_left_us + 999999U) / 1000000U));
+        status_parts_add(parts, STATUS_PLAIN, "commanded by %s for %u s", title,
+                         (unsigned)(cycles / (1000000U / LIMIT_CYCLE_US)));
     }
 }
 
 /* What came from the file of ports and is not there.
  *
  * @satisfies SWR-SUP-010 */
-static void add_unreached(char *text, size_t size, const exchange_t *exchange)
+static void add_unreached(status_parts_t *parts, const exchange_t *exchange)
 {
     exchange_ports_t ports;
 
@@ -179,30 +201,37 @@ static void add_unreached(char *text, size_t size, const exchange_t *exchange)
         if ((port->state == (uint32_t)EXCHANGE_PORT_CALLING) ||
             (port->state == (uint32_t)EXCHANGE_PORT_WAITING)) {
             igtl_port_place(port->address, (uint16_t)port->number, place);
-            add(text, size, " | %s %s not connected", port->name, place);
+            status_parts_add(parts, STATUS_NOTE, "%s %s not connected", port->name, place);
         }
     }
 }
 
-void status_line_write(char *text, size_t size, const exchange_t *exchange, family_t *family)
+void status_line_take(status_parts_t *parts, const exchange_t *exchange, family_t *family)
 {
-    const robot_t *robot = exchange_robot(exchange);
+    char well[STATUS_PART_SIZE];
     snapshot_t snapshot;
     loop_figures_t loop;
+    const bool is_running = exchange_read_snapshot(exchange, &snapshot);
 
-    text[0] = '\0';
-    if (exchange_read_snapshot(exchange, &snapshot)) {
-        add(text, size, "%s | pedal %s | e-stop %s", workphase_name((int32_t)snapshot.workphase),
-            pedal_word(snapshot.pedal), estop_word(snapshot.estop));
-        add_permit(text, size, &snapshot);
-        add_authority(text, size, exchange, &snapshot);
-        add_links(text, size, robot, &snapshot);
+    parts->count = 0U;
+    if (is_running) {
+        status_parts_add(parts, STATUS_PLAIN, "%s", workphase_name((int32_t)snapshot.workphase));
+        add_permit(parts, &snapshot);
+        add_inputs(parts, &snapshot);
+        add_request(parts, exchange, &snapshot);
     } else {
-        add(text, size, "starting");
+        status_parts_add(parts, STATUS_PLAIN, "starting");
     }
+    add_programs(parts, exchange, family, well, sizeof well);
+    if (is_running) {
+        add_links(parts, exchange_robot(exchange), &snapshot);
+        add_authority(parts, exchange, &snapshot);
+    }
+    add_unreached(parts, exchange);
     if (exchange_read_loop(exchange, &loop)) {
-        add_time(text, size, &loop, family_is_silent(family, exchange, MEMBER_CONTROL));
+        add_time(parts, &loop, family_is_silent(family, exchange, MEMBER_CONTROL));
     }
-    add_programs(text, size, exchange, family);
-    add_unreached(text, size, exchange);
+    if (well[0] != '\0') {
+        status_parts_add(parts, STATUS_PLAIN, "%sok", well);
+    }
 }

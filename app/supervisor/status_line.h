@@ -1,18 +1,18 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file The state of the machine and of the programs in one line. */
+/** @file The state of the machine and of the programs, for one line. */
 #ifndef BORESIGHT_STATUS_LINE_H
 #define BORESIGHT_STATUS_LINE_H
 
 #include "exchange/exchange.h"
 #include "supervisor/family.h"
-
-#include <stddef.h>
+#include "supervisor/status_parts.h"
 
 /**
- * Writes the line: workphase, pedal, e-stop, permit, links, loop, and each program with its state.
+ * Takes its parts: workphase, permit, pedal and e-stop, who asks for the button, programs that are
+ * not well, links, who commands, who is not reached, time, and the programs that are well.
  *
  * @satisfies SWR-SUP-004
  */
-void status_line_write(char *text, size_t size, const exchange_t *exchange, family_t *family);
+void status_line_take(status_parts_t *parts, const exchange_t *exchange, family_t *family);
 
 #endif

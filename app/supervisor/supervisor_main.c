@@ -275,12 +275,12 @@ static void end_hanging(void)
 
 static int supervise(void)
 {
-    char line[SCREEN_LINE_SIZE];
+    static status_parts_t parts;
     int result = RUNNING;
 
     while (result == RUNNING) {
-        status_line_write(line, sizeof line, exchange, &family);
-        screen_show_status(&screen, line, clock_monotonic_us());
+        status_line_take(&parts, exchange, &family);
+        screen_show_status(&screen, &parts, clock_monotonic_us());
         exchange_beat(exchange, EXCHANGE_SUPERVISOR);
         if (wait_for_news(next_tick_ms())) {
             return EXIT_STOPPED;

@@ -110,7 +110,7 @@ class TestAddedBoard < SystemTest
   end
 
   def assert_says(one, *lines)
-    wait_until('the status is shown') { one.output.include?('lamp ok control ok') }
+    wait_until('the status is shown') { one.output.include?('lamp control recorder igtl http ok') }
     lines.each { |line| assert_includes one.output, "#{line}\n" }
   end
 end

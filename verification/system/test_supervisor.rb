@@ -239,7 +239,7 @@ class TestSupervisor < SystemTest
 
   def test_SWR_SUP_004_without_a_terminal_the_status_is_a_line_that_names_each_program
     line = wait_until('the status is printed') { boresight.output.lines.grep(/links 7/).last }
-    Boresight::NAMES.each { |name| assert_match(/\b#{name} ok\b/, line) }
+    assert_match(/\| #{Boresight::NAMES.join(' ')} ok$/, line)
     ['UNDEFINED', 'pedal released', 'e-stop', 'no motion:'].each { |part| assert_includes line, part }
   end
 
@@ -257,24 +257,38 @@ class TestSupervisor < SystemTest
     ''
   end
 
-  def test_SWR_SUP_004_on_a_terminal_the_line_is_rewritten_when_something_changes_and_ctrl_c_stops
-    ports = Boresight.free_ports(3)
+  # On a terminal of 80 columns; the block gets a way to wait for what is shown, and the name. Returns all that was shown.
+  def on_a_terminal(environment)
+    ports = Boresight.free_ports(3).map(&:to_s)
     name = Boresight.next_instance
+    seen = +''
     Dir.mktmpdir do |directory|
-      terminal, keys, pid = PTY.spawn(Boresight.program('boresight'), '--instance', name, '--recordings', directory,
-                                      '--http-port', ports[0].to_s, '--igtl-port', ports[1].to_s,
-                                      '--brp-port', ports[2].to_s)
-      terminal.winsize = [24, 400]
-      seen = +''
-      wait_until('the status is shown') { (seen << read_all(terminal)).include?('pedal released') }
-      Open3.capture2e(Boresight.program('boresight-simctl'), '--instance', name, 'pedal', 'press')
-      wait_until('the status shows the pedal') { (seen << read_all(terminal)).match?(/\r[^\n]*pedal pressed/) }
+      terminal, keys, pid = PTY.spawn({ 'TERM' => 'xterm', 'NO_COLOR' => nil }.merge(environment),
+                                      Boresight.program('boresight'), '--instance', name, '--recordings', directory,
+                                      '--http-port', ports[0], '--igtl-port', ports[1], '--brp-port', ports[2])
+      shows = ->(text) { wait_until("#{text.inspect} is shown") { (seen << read_all(terminal)).match?(text) } }
+      shows.call(/pedal released/)
+      yield shows, name
       keys.write("\x03")
-      wait_until('Ctrl-C stops it') do
-        (seen << read_all(terminal)).include?('Boresight has stopped.')
-      end
+      shows.call(/Boresight has stopped\./)
       Process.wait(pid)
-      assert_nothing_left(name)
     end
+    assert_nothing_left(name)
+    seen
+  end
+
+  def test_SWR_SUP_004_on_a_terminal_the_line_is_rewritten_when_something_changes_and_ctrl_c_stops
+    seen = on_a_terminal({}) do |shows, name|
+      Open3.capture2e(Boresight.program('boresight-simctl'), '--instance', name, 'pedal', 'press')
+      shows.call(/\r[^\n]*pedal pressed/)
+    end
+    assert_includes seen, "\e[33me-stop latched\e[0m"
+  end
+
+  def test_SWR_SUP_011_the_line_stays_in_its_row_and_without_colours_if_none_are_wanted
+    seen = on_a_terminal('NO_COLOR' => '1') { |shows, _name| shows.call(/e-stop latched \.\.\./) }
+    rows = seen.scan(/\r([^\r\n]*)\e\[K/).flatten.grep(/e-stop/)
+    assert_empty rows.select { |row| row.size > 79 }
+    refute_match(/\e\[[0-9;]*m/, seen)
   end
 end
