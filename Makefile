@@ -103,24 +103,24 @@ GENERATED := $(GEN)/limits/requirement_limits.h $(GEN)/charts/charts.json $(ROBO
 ASSETS := $(GEN)/assets/assets.c
 
 $(GEN)/limits/requirement_limits.h: $(wildcard requirements/*.yml) tools/limits.rb
-	ruby tools/limits.rb requirements $(GEN)/limits
+	@ruby tools/limits.rb requirements $(GEN)/limits
 
 $(GEN)/charts/charts.json: $(wildcard statecharts/*.scxml tools/chart_compiler.rb tools/chart/*.rb tools/chart/*/*.rb tools/chart/*/*/*.rb) $(GEN)/limits/requirement_limits.h
-	ruby tools/chart_compiler.rb statecharts $(GEN)
+	@ruby tools/chart_compiler.rb statecharts $(GEN)
 
 $(CHART_SOURCES): $(GEN)/charts/charts.json ;
 
 $(ROBOT_TABLES): $(GEN)/robot/robot_%.c: core/robot/%/robot.yml core/robot/%/kinematics.yml core/card/card.h core/robot/robot.h \
     tools/robot_compiler.rb $(wildcard tools/robot/*.rb) \
     $(GEN)/limits/requirement_limits.h
-	ruby tools/robot_compiler.rb $< $(GEN)/robot
+	@ruby tools/robot_compiler.rb $< $(GEN)/robot
 
 # Which robots there are; a folder that is gone changes no other file.
 build/robots: FORCE
 	@mkdir -p build; echo '$(ROBOTS)' | cmp -s - $@ || echo '$(ROBOTS)' >$@
 
 $(GEN)/robot/kinematics.c: build/robots $(wildcard core/robot/*/kinematics.yml) tools/robots.rb $(wildcard tools/robot/*.rb)
-	ruby tools/robots.rb core/robot $(DEFAULT_ROBOT) $(GEN)/robot
+	@ruby tools/robots.rb core/robot $(DEFAULT_ROBOT) $(GEN)/robot
 
 $(FIND_ROBOT): $(GEN)/robot/kinematics.c ;
 
@@ -129,14 +129,14 @@ build/board: FORCE
 	@mkdir -p build; echo '$(BOARD)' | cmp -s - $@ || echo '$(BOARD)' >$@
 
 $(BOARD_TABLE): bsp/$(BOARD)/board.yml build/board tools/boards.rb tools/robot/document.rb $(GEN)/limits/requirement_limits.h
-	ruby tools/boards.rb bsp/$(BOARD) $(GEN)/limits/requirement_limits.h $(@D)
+	@ruby tools/boards.rb bsp/$(BOARD) $(GEN)/limits/requirement_limits.h $(@D)
 
 INTERFACE_PARTS := $(wildcard core/interface/*.yml core/robot/*/kinematics.yml tools/interface_compiler.rb tools/interface/*.rb)
 # What of the exchange's segment is declared elsewhere: there are checkpoints in it, which are the whole state of the core.
 LAYOUT_HEADERS := app/exchange/exchange.h app/exchange/exchange_files.h app/exchange/exchange_notes.h app/exchange/exchange_peers.h app/exchange/exchange_segment.h $(sort $(wildcard core/*/*.h)) \
     $(GEN)/limits/requirement_limits.h
 $(GEN)/interface/.compiled: $(INTERFACE_PARTS) build/robots $(LAYOUT_HEADERS) $(GEN)/charts/charts.json
-	ruby tools/interface_compiler.rb core/interface $(GEN)/charts/charts.json $(GEN)/interface $(LAYOUT_HEADERS)
+	@ruby tools/interface_compiler.rb core/interface $(GEN)/charts/charts.json $(GEN)/interface $(LAYOUT_HEADERS)
 	@touch $@
 
 $(GEN)/interface/%.c: $(GEN)/interface/.compiled ;
@@ -144,20 +144,22 @@ $(GEN)/interface/%.h: $(GEN)/interface/.compiled ;
 .PRECIOUS: $(GEN)/interface/%.c $(GEN)/interface/%.h
 
 $(GEN)/message/crc64_table.h: tools/crc64_table.rb
-	ruby tools/crc64_table.rb $@
+	@ruby tools/crc64_table.rb $@
 
 CONSOLE_SOURCES := $(shell find app/console -path '*/node_modules' -prune -o -type f -print 2>/dev/null)
 
 app/console/node_modules/.installed: app/console/package-lock.json
-	cd app/console && npm ci --ignore-scripts --no-audit --no-fund
-	touch $@
+	@echo 'installing the packages of the console'
+	@cd app/console && npm ci --loglevel=error --ignore-scripts --no-audit --no-fund >/dev/null
+	@touch $@
 
 $(GEN)/assets/assets.c: $(CONSOLE_SOURCES) $(GEN)/interface/.compiled app/console/node_modules/.installed tools/embed.rb
-	cd app/console && npm run --silent build
-	ruby tools/embed.rb build/console $(GEN)/assets /api/v1/openapi.json=$(GEN)/interface/app/openapi.json
+	@cd app/console && npm run --silent build
+	@echo 'built build/console'
+	@ruby tools/embed.rb build/console $(GEN)/assets /api/v1/openapi.json=$(GEN)/interface/app/openapi.json
 
 $(GEN)/assets/chart_names.c: $(GEN)/charts/charts.json app/http/chart_names.rb
-	ruby app/http/chart_names.rb $(GEN)/charts/charts.json $(GEN)/assets
+	@ruby app/http/chart_names.rb $(GEN)/charts/charts.json $(GEN)/assets
 
 # --- compiling -----------------------------------------------------------------------------------------------
 
@@ -209,7 +211,7 @@ $(BIN)/codec-oracle: verification/demo/client/codec_oracle.cpp $(CODEC)
 
 # --- commands ------------------------------------------------------------------------------------------------
 
-.PHONY: help run charts points test demo bench trace build bootstrap bootstrap-test stunnel clean FORCE
+.PHONY: help run client charts points test demo bench trace build bootstrap bootstrap-client bootstrap-test stunnel clean FORCE
 FORCE:
 
 help: ## List the commands
@@ -217,6 +219,9 @@ help: ## List the commands
 
 bootstrap:
 	@BOARD_PACKAGES='$(BOARD_PACKAGES)' tools/bootstrap run
+
+bootstrap-client:
+	@BOARD_PACKAGES='$(BOARD_PACKAGES)' tools/bootstrap client
 
 bootstrap-test:
 	@BOARD_PACKAGES='$(BOARD_PACKAGES)' tools/bootstrap test
@@ -226,6 +231,9 @@ build: bootstrap ## Install what is missing and compile
 
 run: build ## Start the whole system on the simulated control box
 	@exec $(BIN)/boresight
+
+client: bootstrap-client ## Build build/bin/boresight-client, which talks to Boresight by OpenIGTLink
+	@$(MAKE) --no-print-directory -j2 $(BIN)/boresight-client
 
 charts: bootstrap $(GEN)/limits/requirement_limits.h ## Draw the statecharts: build/charts/index.html
 	@ruby tools/chart_compiler.rb page statecharts build/charts
