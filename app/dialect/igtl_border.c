@@ -65,19 +65,25 @@ status_t igtl_border_read_entry(uint32_t bits, int32_t *entry_q30)
     return (status == STATUS_OUT_OF_RANGE) ? STATUS_NOT_RIGID : status;
 }
 
+status_t igtl_border_read_point(const uint32_t numbers[3], point_t *point)
+{
+    int32_t *const coordinates[3] = {&point->x_nm, &point->y_nm, &point->z_nm};
+    status_t status = STATUS_OK;
+
+    for (uint32_t i = 0U; (i < 3U) && (status == STATUS_OK); i++) {
+        status = igtl_border_read_mm(numbers[i], coordinates[i]);
+    }
+    return status;
+}
+
 status_t igtl_border_read_pose(const uint32_t numbers[IGTL_TRANSFORM_NUMBERS], rigid_t *pose)
 {
-    int32_t *const translation[3] = {&pose->translation.x_nm, &pose->translation.y_nm,
-                                     &pose->translation.z_nm};
     status_t status = STATUS_OK;
 
     for (uint32_t i = 0U; (i < 9U) && (status == STATUS_OK); i++) {
         status = igtl_border_read_entry(numbers[i], &pose->rotation_q30[i % 3U][i / 3U]);
     }
-    for (uint32_t i = 0U; (i < 3U) && (status == STATUS_OK); i++) {
-        status = igtl_border_read_mm(numbers[9U + i], translation[i]);
-    }
-    return status;
+    return (status == STATUS_OK) ? igtl_border_read_point(&numbers[9], &pose->translation) : status;
 }
 
 static uint32_t float_bits(double number)

@@ -33,6 +33,13 @@ status_t igtl_border_read_mm(uint32_t bits, int32_t *length_nm);
 status_t igtl_border_read_entry(uint32_t bits, int32_t *entry_q30);
 
 /**
+ * A point as float bits in mm; unspecified when refused.
+ *
+ * @return STATUS_OK, STATUS_NOT_FINITE, STATUS_OUT_OF_RANGE
+ */
+status_t igtl_border_read_point(const uint32_t numbers[3], point_t *point);
+
+/**
  * The matrix of a TRANSFORM, each number by itself: whether it is rigid, the controller finds
  * (rigid_check()). `pose` is complete, or unspecified when refused.
  *

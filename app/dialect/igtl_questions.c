@@ -12,16 +12,18 @@
 #define US_PER_MS UINT64_C(1000)
 #define REPLY_SIZE (IGTL_TEXT_MAX + 1U)
 
-/* The last only of who shows points. */
+#define ONLY_CRTK 2U
+
+/* The last only of who shows points and takes proposals. */
 static const char *const understood[] = {"TRANSFORM",  "STRING",      "STATUS",    "GET_TRANS",
                                          "GET_STATUS", "GET_CAPABIL", "STT_TDATA", "STP_TDATA",
-                                         "COMMAND",    "GET_POINT"};
+                                         "COMMAND",    "GET_POINT",   "TRAJ"};
 
 static uint32_t understood_by(igtl_language_t language)
 {
     const uint32_t all = (uint32_t)(sizeof understood / sizeof understood[0]);
 
-    return (language == IGTL_LANGUAGE_CRTK) ? all : (all - 1U);
+    return (language == IGTL_LANGUAGE_CRTK) ? all : (all - ONLY_CRTK);
 }
 
 static void tell_capability(igtl_outbox_t *outbox, const char *name, igtl_language_t language,

@@ -8,6 +8,7 @@
 #include <stddef.h>
 #include <string.h>
 
+#define TRAJECTORY_POINTS 2U   /* Its entry and its target. */
 #define PROPOSALS_AT_A_TIME 4U /* A flood of them leaves room for commands in the exchange. */
 
 void transform_dialect_init(transform_dialect_t *self, const robot_t *robot, uint32_t first_id)
@@ -100,6 +101,49 @@ static void propose(transform_dialect_t *self, uint32_t index, const igtl_messag
     }
 }
 
+/* What a TRAJ means as proposals. Where a point is not meant its numbers may be anything. */
+static status_t read_trajectory(const igtl_message_t *message, uint32_t peer,
+                                command_t proposals[TRAJECTORY_POINTS], uint32_t *count)
+{
+    static const command_kind_t kinds[TRAJECTORY_POINTS] = {COMMAND_PROPOSE_ENTRY,
+                                                            COMMAND_PROPOSE_TARGET};
+    const bool is_known = (message->code >= (uint32_t)IGTL_TRAJECTORY_ENTRY) &&
+                          (message->code <= (uint32_t)IGTL_TRAJECTORY_BOTH);
+    status_t status = is_known ? STATUS_OK : STATUS_OUT_OF_RANGE;
+
+    *count = 0U;
+    for (uint32_t i = 0U; (i < TRAJECTORY_POINTS) && (status == STATUS_OK); i++) {
+        if ((message->code & ((uint32_t)IGTL_TRAJECTORY_ENTRY << i)) != 0U) {
+            command_t *proposal = &proposals[*count];
+
+            *proposal = (command_t){.peer = peer, .kind = (uint32_t)kinds[i]};
+            rigid_set_identity(&proposal->pose);
+            status = igtl_border_read_point(&message->numbers[3U * i], &proposal->pose.translation);
+            (*count)++;
+        }
+    }
+    return status;
+}
+
+/* All of its points or none. */
+static void propose_trajectory(transform_dialect_t *self, uint32_t index,
+                               const igtl_message_t *message, const igtl_moment_t *moment)
+{
+    transform_peer_t *peer = &self->peers[index];
+    command_t proposals[TRAJECTORY_POINTS];
+    uint32_t count;
+    const status_t status = read_trajectory(message, peer->number, proposals, &count);
+
+    if (status != STATUS_OK) {
+        igtl_tell_refusal(peer->outbox, message->name, status, moment);
+        peer->shown.must_send_measured = true;
+        return;
+    }
+    for (uint32_t i = 0U; i < count; i++) {
+        put(self, index, &proposals[i], moment);
+    }
+}
+
 static void receive_string(transform_dialect_t *self, uint32_t index, const igtl_message_t *message,
                            const igtl_moment_t *moment)
 {
@@ -128,6 +172,9 @@ void transform_dialect_receive(void *dialect, uint32_t peer, const igtl_message_
     switch ((int)message->kind) {
     case IGTL_KIND_TRANSFORM:
         propose(self, peer, message, moment);
+        break;
+    case IGTL_KIND_TRAJECTORY:
+        propose_trajectory(self, peer, message, moment);
         break;
     case IGTL_KIND_STRING:
         receive_string(self, peer, message, moment);

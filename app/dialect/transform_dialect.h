@@ -2,8 +2,8 @@
 /**
  * @file
  * The dialect of planning clients that send bare transforms (REGISTRATION, ENTRY_POINT,
- * TARGET_POINT) and watch poses and joints (names of CRTK: measured_cp, desired_jp ...). Everything
- * that comes in is a proposal: checked, shown, never motion.
+ * TARGET_POINT) or a TRAJ and watch poses and joints (names of CRTK: measured_cp, desired_jp ...).
+ * Everything that comes in is a proposal: checked, shown, never motion.
  */
 #ifndef BORESIGHT_TRANSFORM_DIALECT_H
 #define BORESIGHT_TRANSFORM_DIALECT_H
@@ -51,13 +51,16 @@ void transform_dialect_connected(void *dialect, uint32_t peer,
 void transform_dialect_disconnected(void *dialect, uint32_t peer);
 
 /**
- * A message of `peer`. A proposal, or STRING(REGISTRATION, ENTRY_POINT or TARGET_POINT) "WITHDRAW",
- * goes to the controller; what cannot be one is answered with a STATUS of its name, a name that
- * nothing has once in LIMIT_IGTL_UNKNOWN_US.
+ * A message of `peer`. A proposal, a TRAJ that proposes entry point and target, or
+ * STRING(REGISTRATION, ENTRY_POINT or TARGET_POINT) "WITHDRAW", goes to the controller; what cannot
+ * be one is answered with a STATUS of its name, a name that nothing has once in
+ * LIMIT_IGTL_UNKNOWN_US.
  *
  * @satisfies SWR-IGTL-008
  * @satisfies SWR-IGTL-009
  * @satisfies SWR-IGTL-045
+ * @satisfies SWR-IGTL-067
+ * @satisfies SWR-IGTL-068
  */
 void transform_dialect_receive(void *dialect, uint32_t peer, const igtl_message_t *message,
                                const igtl_moment_t *moment);

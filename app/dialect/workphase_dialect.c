@@ -124,6 +124,7 @@ void workphase_dialect_receive(void *dialect, uint32_t peer, const igtl_message_
         workphase_poll_status(asker, message, moment);
         break;
     case IGTL_KIND_POINT:
+    case IGTL_KIND_TRAJECTORY: /* Who commands proposes nothing. */
         igtl_tell_refusal(asker->outbox, message->name, STATUS_UNKNOWN_COMMAND, moment);
         break;
     default: /* A STATUS is how peers announce themselves. */

@@ -12,6 +12,8 @@
 #define METADATA_ENTRY_BYTES 8U
 #define TYPE_BYTES (IGTL_TYPE_SIZE - 1U)
 #define NAME_BYTES (IGTL_NAME_SIZE - 1U)
+#define TRAJECTORY_TYPE 96U    /* Behind name and group. */
+#define TRAJECTORY_POINTS 102U /* Behind type and colour. */
 
 const char *igtl_result_text(igtl_result_t result)
 {
@@ -40,6 +42,8 @@ const char *igtl_result_text(igtl_result_t result)
         return "INCOMPLETE: The rest of the message did not come in time.";
     case IGTL_MARKED_INVALID:
         return "MARKED_INVALID: Its sender says that it is not valid.";
+    case IGTL_NOT_ONE:
+        return "NOT_ONE: It must have one trajectory, no more and no less.";
     default:
         return "UNKNOWN";
     }
@@ -64,6 +68,7 @@ uint32_t igtl_result_code(igtl_result_t result)
     case IGTL_BAD_ENCODING:
     case IGTL_BAD_TEXT:
     case IGTL_MARKED_INVALID:
+    case IGTL_NOT_ONE:
     default:
         return IGTL_STATUS_CONFIG_ERROR;
     }
@@ -124,7 +129,8 @@ static igtl_kind_t kind_of(const char *type)
                  {"GET_CAPABIL", IGTL_KIND_GET_CAPABILITY},
                  {"STT_TDATA", IGTL_KIND_STT_TDATA},
                  {"STP_TDATA", IGTL_KIND_STP_TDATA},
-                 {"COMMAND", IGTL_KIND_COMMAND}};
+                 {"COMMAND", IGTL_KIND_COMMAND},
+                 {"TRAJ", IGTL_KIND_TRAJECTORY}};
 
     for (size_t i = 0U; i < (sizeof known / sizeof known[0]); i++) {
         if (memcmp(type, known[i].type, TYPE_BYTES) == 0) {
@@ -333,6 +339,22 @@ static igtl_result_t read_command(igtl_message_t *message)
     return read_subject(message, &message->content[4], IGTL_COMMAND_NAME_BYTES);
 }
 
+/* Names, colour, radius and owner say nothing of where it is. */
+static igtl_result_t read_trajectory(igtl_message_t *message)
+{
+    if ((message->content_bytes % IGTL_TRAJECTORY_BYTES) != 0U) {
+        return IGTL_BAD_LENGTH;
+    }
+    if (message->content_bytes != IGTL_TRAJECTORY_BYTES) {
+        return IGTL_NOT_ONE;
+    }
+    message->code = message->content[TRAJECTORY_TYPE];
+    for (uint32_t i = 0U; i < IGTL_TRAJECTORY_NUMBERS; i++) {
+        message->numbers[i] = get_u32(&message->content[TRAJECTORY_POINTS + (4U * i)]);
+    }
+    return IGTL_OK;
+}
+
 static igtl_result_t read_content(igtl_message_t *message)
 {
     switch (message->kind) {
@@ -346,6 +368,8 @@ static igtl_result_t read_content(igtl_message_t *message)
         return read_stream(message);
     case IGTL_KIND_COMMAND:
         return read_command(message);
+    case IGTL_KIND_TRAJECTORY:
+        return read_trajectory(message);
     case IGTL_KIND_POINT:
         return ((message->content_bytes % IGTL_POINT_BYTES) == 0U) ? IGTL_OK : IGTL_BAD_LENGTH;
     case IGTL_KIND_GET_TRANSFORM:

@@ -18,6 +18,8 @@
 #define IGTL_TRANSFORM_NUMBERS 12U
 #define IGTL_TRANSFORM_BYTES 48U
 #define IGTL_POINT_BYTES 136U
+#define IGTL_TRAJECTORY_BYTES 150U /**< One element of a TRAJ. */
+#define IGTL_TRAJECTORY_NUMBERS 6U
 #define IGTL_STATUS_BYTES 30U        /**< Before the text. */
 #define IGTL_STREAM_BYTES 36U        /**< STT_TDATA. */
 #define IGTL_COMMAND_BYTES 138U      /**< Before the text. */
@@ -42,24 +44,33 @@ typedef enum {
     IGTL_KIND_STP_TDATA = 11,
     IGTL_KIND_STT_OTHER = 12,
     IGTL_KIND_STP_OTHER = 13,
-    IGTL_KIND_COMMAND = 14
+    IGTL_KIND_COMMAND = 14,
+    IGTL_KIND_TRAJECTORY = 15
 } igtl_kind_t;
 
 /** What is wrong with a message. */
 typedef enum {
-    IGTL_OK = 0,             /**< Well formed. */
-    IGTL_BAD_VERSION = 1,    /**< The header version is neither 1 nor 2. */
-    IGTL_BAD_NAME = 2,       /**< The type or the device name is not printable ASCII. */
-    IGTL_TOO_LONG = 3,       /**< The body is longer than is accepted. */
-    IGTL_BAD_CRC = 4,        /**< The checksum of the body is wrong. */
-    IGTL_BAD_EXTENSION = 5,  /**< The extended header does not fit the body. */
-    IGTL_BAD_METADATA = 6,   /**< The metadata does not fit its lengths. */
-    IGTL_BAD_LENGTH = 7,     /**< The length is not that of the type. */
-    IGTL_BAD_ENCODING = 8,   /**< The text is neither US-ASCII nor UTF-8. */
-    IGTL_BAD_TEXT = 9,       /**< The text is not printable ASCII. */
-    IGTL_INCOMPLETE = 10,    /**< The rest of the message did not come in time. */
-    IGTL_MARKED_INVALID = 11 /**< Its sender says that it is not valid. */
+    IGTL_OK = 0,              /**< Well formed. */
+    IGTL_BAD_VERSION = 1,     /**< The header version is neither 1 nor 2. */
+    IGTL_BAD_NAME = 2,        /**< The type or the device name is not printable ASCII. */
+    IGTL_TOO_LONG = 3,        /**< The body is longer than is accepted. */
+    IGTL_BAD_CRC = 4,         /**< The checksum of the body is wrong. */
+    IGTL_BAD_EXTENSION = 5,   /**< The extended header does not fit the body. */
+    IGTL_BAD_METADATA = 6,    /**< The metadata does not fit its lengths. */
+    IGTL_BAD_LENGTH = 7,      /**< The length is not that of the type. */
+    IGTL_BAD_ENCODING = 8,    /**< The text is neither US-ASCII nor UTF-8. */
+    IGTL_BAD_TEXT = 9,        /**< The text is not printable ASCII. */
+    IGTL_INCOMPLETE = 10,     /**< The rest of the message did not come in time. */
+    IGTL_MARKED_INVALID = 11, /**< Its sender says that it is not valid. */
+    IGTL_NOT_ONE = 12         /**< Not exactly one trajectory stands in it. */
 } igtl_result_t;
+
+/** What an element of a TRAJ has. */
+typedef enum {
+    IGTL_TRAJECTORY_ENTRY = 1,
+    IGTL_TRAJECTORY_TARGET = 2,
+    IGTL_TRAJECTORY_BOTH = 3
+} igtl_trajectory_t;
 
 /** STATUS codes of the protocol that are used. */
 typedef enum {
@@ -98,10 +109,10 @@ typedef struct {
     const uint8_t *content; /**< Without extended header and metadata. */
     uint32_t content_bytes;
     uint32_t numbers[IGTL_TRANSFORM_NUMBERS]; /**< TRANSFORM: float bits, column by column, then x y
-                                                 z in mm. */
+                                                 z in mm. TRAJ: entry, then target, x y z in mm. */
     const char *text;                         /**< STRING: printable ASCII. COMMAND: any bytes. */
     uint32_t text_bytes;
-    uint32_t code;          /**< STATUS: its code. COMMAND: its id. */
+    uint32_t code;          /**< STATUS: its code. COMMAND: its id. TRAJ: what it has, any value. */
     int32_t resolution_ms;  /**< STT_TDATA: least time between two poses, any value. */
     const char *subject;    /**< STT_TDATA: coordinate system. COMMAND: name. Printable ASCII. */
     uint32_t subject_bytes; /**< Up to 32 and up to IGTL_COMMAND_NAME_BYTES. */
@@ -134,7 +145,7 @@ bool igtl_header_is_lost(const igtl_header_t *header);
  *
  * @return IGTL_OK, or the first thing that is wrong: IGTL_BAD_CRC, IGTL_BAD_EXTENSION,
  * IGTL_BAD_METADATA; IGTL_MARKED_INVALID, of a TRANSFORM with metadata TransformStatus other than
- * OK; IGTL_BAD_LENGTH, IGTL_BAD_ENCODING, IGTL_BAD_TEXT
+ * OK; IGTL_BAD_LENGTH, IGTL_NOT_ONE, IGTL_BAD_ENCODING, IGTL_BAD_TEXT
  *
  * @satisfies SWR-IGTL-002
  * @satisfies SWR-IGTL-003

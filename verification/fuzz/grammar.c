@@ -12,6 +12,7 @@
 #define TRACKING_BYTES 36U
 #define COMMAND_BYTES 138U
 #define STATUS_BYTES 31U
+#define TRAJECTORY_TYPE 96U
 
 static void put(grammar_message_t *self, uint64_t value, uint32_t count)
 {
@@ -117,6 +118,23 @@ void grammar_transform(grammar_message_t *self, uint32_t version, const uint8_t 
     finish(self, version);
 }
 
+/* Mostly one, of types 0 to 4; its points are where a matrix is. */
+static void put_trajectories(grammar_message_t *self, uint32_t number)
+{
+    const uint32_t *matrix = fuzz_matrices[number % FUZZ_MATRICES];
+    const uint32_t count = ((number % 16U) == 0U) ? (number / 16U) : 1U;
+
+    for (uint32_t i = 0U; i < (count % 4U); i++) {
+        put_text(self, "path", TRAJECTORY_TYPE);
+        put(self, number % 5U, 1U);
+        put_text(self, "", 5U);
+        for (uint32_t k = 0U; k < 6U; k++) {
+            put(self, matrix[9U + (k % 3U)], 4U);
+        }
+        put_text(self, "", IGTL_TRAJECTORY_BYTES - TRAJECTORY_TYPE - 30U);
+    }
+}
+
 static void put_content(grammar_message_t *self, const char *type, uint8_t number)
 {
     static const uint32_t resolutions[] = {0U, 1U, 10U, 100U, 100000U, 0xFFFFFFFFU};
@@ -140,6 +158,8 @@ static void put_content(grammar_message_t *self, const char *type, uint8_t numbe
         put_text(self, "", STATUS_BYTES - 2U);
     } else if (strcmp(type, "POINT") == 0) {
         put_text(self, "point", IGTL_POINT_BYTES * (number % 3U));
+    } else if (strcmp(type, "TRAJ") == 0) {
+        put_trajectories(self, number);
     } else {
         put_text(self, type, 4U * (uint32_t)number);
     }

@@ -18,6 +18,6 @@ class TestCodec < Minitest::Test
   def test_SWR_IGTL_046_what_we_accept_of_damaged_messages_the_standards_own_library_reads_the_same
     output, status = Open3.capture2e(Boresight.program('decode-differ'))
     assert status.success?, output
-    %w[TRANSFORM STRING STATUS POINT STT_TDATA GET_TRANS].each { |type| assert_match(/ #{type} \d{4,}/, output) }
+    %w[TRANSFORM STRING STATUS POINT TRAJ STT_TDATA GET_TRANS].each { |type| assert_match(/ #{type} \d{4,}/, output) }
   end
 end

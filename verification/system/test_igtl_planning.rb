@@ -97,7 +97,7 @@ class TestIgtlPlanning < Minitest::Test
   end
 
   def test_SWR_IGTL_041_types_are_named_on_both_ports_and_what_there_is_not_is_answered
-    { planning: TYPES + ['GET_POINT'], navigation: TYPES }.each do |port, types|
+    { planning: TYPES + %w[GET_POINT TRAJ], navigation: TYPES }.each do |port, types|
       send(port) do |client|
         client.run('ask GET_STATUS ping')
         client.run('expect STATUS ping 1')
@@ -183,6 +183,39 @@ class TestIgtlPlanning < Minitest::Test
     boresight.simctl('pedal', 'release')
   end
 
+  # The pedal is down, and still nothing but the two points is another.
+  def test_SWR_IGTL_067_a_planned_trajectory_is_shown_until_who_commands_takes_its_entry
+    boresight.simctl('pedal', 'press')
+    planning do |client|
+      before = joints(client)
+      target = boresight.targeting['target'] # Another test may have aimed.
+      client.run('traj Path both 5 205 60 5 190 61')
+      assert_equal [5, 205, 60], client.await('POINT', 'entry_point')['position']
+      assert_equal [5, 190, 61], client.await('POINT', 'target_point')['position']
+      client.run('listen 300')
+      assert_equal before, joints(client)
+      assert_nil boresight.targeting['entry_mm']
+      take_entry { assert_equal [[5, 205, 60], target], boresight.targeting.values_at('entry_mm', 'target') }
+    end
+  ensure
+    boresight.simctl('pedal', 'release')
+  end
+
+  def test_SWR_IGTL_068_what_is_no_single_trajectory_is_refused_whole
+    planning do |client|
+      { 'both 5 205 60 5 190 nan' => 'NOT_FINITE', 'both 5 205 60 5 190 9e9' => 'OUT_OF_RANGE',
+        'both 1 2 3 4 5 6 both 1 2 3 4 5 6' => 'NOT_ONE' }.each do |path, reason|
+        client.run("traj Path #{path}")
+        refused = client.status('Path')
+        assert_equal [10, reason], [refused['code'], refused['text'][/\A\w+/]]
+      end
+    end
+    navigation do |client|
+      client.run('traj Path both 5 205 60 5 190 61')
+      client.run('expect STATUS Path 12')
+    end
+  end
+
   def test_SWR_IGTL_012_joints_stream_while_the_robot_moves
     navigation do |commander|
       commander.phase('TARGETING')
@@ -224,6 +257,18 @@ class TestIgtlPlanning < Minitest::Test
 
   def navigation(&)
     IgtlClient.open(boresight.brp_port, &)
+  end
+
+  # As who commands, and gives it back: other tests have none.
+  def take_entry
+    navigation do |client|
+      client.phase('TARGETING')
+      client.run('string ACCEPT_ENTRY')
+      assert_equal 1, client.status('ACCEPT_ENTRY')['code']
+      yield
+      client.run('string WITHDRAW_ENTRY')
+      client.run('expect STATUS WITHDRAW_ENTRY 1')
+    end
   end
 
   def at(x_mm)

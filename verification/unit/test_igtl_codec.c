@@ -645,6 +645,50 @@ void test_SWR_IGTL_054_metadata_that_does_not_add_up_is_judged_before_it_is_read
     TEST_ASSERT_EQUAL_INT(IGTL_BAD_METADATA, decode());
 }
 
+/* TRAJ elements that begin at byte 58, the first of type 3 at (1, 2, 3), its target at (4, 5, 6).
+ */
+static void put_trajectories(uint32_t count)
+{
+    static const float places[IGTL_TRAJECTORY_NUMBERS] = {1.0F, 2.0F, 3.0F, 4.0F, 5.0F, 6.0F};
+    uint32_t bits;
+
+    put(IGTL_HEADER_BYTES + 96U, 3U, 1U);
+    for (uint32_t i = 0U; i < IGTL_TRAJECTORY_NUMBERS; i++) {
+        (void)memcpy(&bits, &places[i], sizeof bits);
+        put(IGTL_HEADER_BYTES + 102U + (4U * i), bits, 4U);
+    }
+    frame(1U, "TRAJ", count * IGTL_TRAJECTORY_BYTES);
+}
+
+void test_SWR_IGTL_067_a_trajectory_is_understood(void)
+{
+    static const uint32_t expected[IGTL_TRAJECTORY_NUMBERS] = {
+        ONE, 0x40000000U, 0x40400000U, 0x40800000U, 0x40A00000U, 0x40C00000U};
+
+    put_trajectories(1U);
+    TEST_ASSERT_EQUAL_INT(IGTL_OK, decode());
+    TEST_ASSERT_EQUAL_INT(IGTL_KIND_TRAJECTORY, message.kind);
+    TEST_ASSERT_EQUAL_UINT32(3U, message.code);
+    TEST_ASSERT_EQUAL_HEX32_ARRAY(expected, message.numbers, IGTL_TRAJECTORY_NUMBERS);
+}
+
+void test_SWR_IGTL_068_a_trajectory_comes_alone(void)
+{
+    put_trajectories(0U);
+    TEST_ASSERT_EQUAL_INT(IGTL_NOT_ONE, decode());
+    put_trajectories(2U);
+    TEST_ASSERT_EQUAL_INT(IGTL_NOT_ONE, decode());
+    put_trajectories(1U);
+    frame(1U, "TRAJ", IGTL_TRAJECTORY_BYTES - 1U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_LENGTH, decode());
+    frame(1U, "TRAJ", IGTL_TRAJECTORY_BYTES + 1U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_LENGTH, decode());
+    put_trajectories(1U);
+    bytes[IGTL_HEADER_BYTES] ^= 1U;
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_CRC, decode());
+    TEST_ASSERT_EQUAL_UINT32(IGTL_STATUS_CONFIG_ERROR, igtl_result_code(IGTL_NOT_ONE));
+}
+
 void test_SWR_IGTL_002_each_refusal_has_a_name_and_a_code(void)
 {
     for (int32_t i = (int32_t)IGTL_OK; i <= (int32_t)IGTL_MARKED_INVALID; i++) {

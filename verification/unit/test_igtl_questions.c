@@ -82,7 +82,7 @@ void test_SWR_IGTL_041_the_types_that_are_understood_are_named(void)
 {
     TEST_ASSERT_TRUE(ask(IGTL_KIND_GET_CAPABILITY, "GET_CAPABIL", "who"));
     EXPECT("CAPABILITY who TRANSFORM STRING STATUS GET_TRANS GET_STATUS GET_CAPABIL STT_TDATA "
-           "STP_TDATA COMMAND GET_POINT");
+           "STP_TDATA COMMAND GET_POINT TRAJ");
 }
 
 void test_SWR_IGTL_041_a_port_names_only_what_it_answers(void)
@@ -229,7 +229,7 @@ void test_SWR_IGTL_043_capabilities_are_answered(void)
 {
     command(1U, "Capabilities");
     EXPECT("RTS_COMMAND peer 1 Capabilities <Capabilities Types=\"TRANSFORM STRING STATUS "
-           "GET_TRANS GET_STATUS GET_CAPABIL STT_TDATA STP_TDATA COMMAND GET_POINT\"/>");
+           "GET_TRANS GET_STATUS GET_CAPABIL STT_TDATA STP_TDATA COMMAND GET_POINT TRAJ\"/>");
 }
 
 void test_SWR_IGTL_043_every_other_command_is_not_supported(void)

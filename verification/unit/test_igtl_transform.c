@@ -79,6 +79,92 @@ void test_SWR_IGTL_009_no_message_becomes_any_other_command(void)
     TEST_ASSERT_FALSE(igtl_requests_take(&dialect.requests, &command));
 }
 
+static void plan(uint32_t type, float x, float z)
+{
+    const igtl_message_t message = igtl_peer_trajectory(type, x, 2.0F, z);
+
+    transform_dialect_receive(&dialect, 0U, &message, &moment);
+}
+
+static void expect_proposal(command_kind_t kind, int32_t z_nm)
+{
+    TEST_ASSERT_TRUE(igtl_requests_take(&dialect.requests, &command));
+    TEST_ASSERT_EQUAL_UINT32(kind, command.kind);
+    TEST_ASSERT_EQUAL_UINT32(NUMBER, command.peer);
+    TEST_ASSERT_EQUAL_INT32(1000000, command.pose.translation.x_nm);
+    TEST_ASSERT_EQUAL_INT32(z_nm, command.pose.translation.z_nm);
+    TEST_ASSERT_EQUAL_INT(STATUS_OK, rigid_check(&command.pose));
+}
+
+void test_SWR_IGTL_067_a_trajectory_proposes_what_it_has_and_nothing_else(void)
+{
+    plan(IGTL_TRAJECTORY_BOTH, 1.0F, 3.0F);
+    expect_proposal(COMMAND_PROPOSE_ENTRY, 3000000);
+    expect_proposal(COMMAND_PROPOSE_TARGET, 13000000);
+    moment.now_us += LIMIT_IGTL_PROPOSAL_BURST * LIMIT_IGTL_PROPOSAL_INTERVAL_US;
+    plan(IGTL_TRAJECTORY_ENTRY, 1.0F, 4.0F);
+    expect_proposal(COMMAND_PROPOSE_ENTRY, 4000000);
+    plan(IGTL_TRAJECTORY_TARGET, 1.0F, 5.0F);
+    expect_proposal(COMMAND_PROPOSE_TARGET, 15000000);
+    TEST_ASSERT_FALSE(igtl_requests_take(&dialect.requests, &command));
+    EXPECT(0U, "");
+}
+
+void test_SWR_IGTL_067_what_a_point_would_be_that_is_not_meant_does_not_count(void)
+{
+    igtl_message_t message = igtl_peer_trajectory(IGTL_TRAJECTORY_ENTRY, 1.0F, 2.0F, 3.0F);
+
+    message.numbers[4] = igtl_peer_bits_of(NAN);
+    transform_dialect_receive(&dialect, 0U, &message, &moment);
+    expect_proposal(COMMAND_PROPOSE_ENTRY, 3000000);
+}
+
+void test_SWR_IGTL_067_plans_that_follow_each_other_are_the_newest_two_proposals(void)
+{
+    pass_us(0U);
+    expect_measured(0U);
+    for (uint32_t i = 0U; i < 10U; i++) {
+        plan(IGTL_TRAJECTORY_BOTH, 1.0F, (float)i);
+    }
+    for (uint32_t i = 0U; i < LIMIT_IGTL_PROPOSAL_BURST; i++) {
+        TEST_ASSERT_TRUE(igtl_requests_take(&dialect.requests, &command));
+        answer(ANSWER_ACCEPTED, STATUS_OK);
+    }
+    TEST_ASSERT_FALSE(igtl_requests_take(&dialect.requests, &command));
+    moment.now_us += 2U * LIMIT_IGTL_PROPOSAL_INTERVAL_US;
+    transform_dialect_step(&dialect, &moment);
+    expect_proposal(COMMAND_PROPOSE_TARGET, 19000000);
+    expect_proposal(COMMAND_PROPOSE_ENTRY, 9000000);
+    TEST_ASSERT_FALSE(igtl_requests_take(&dialect.requests, &command));
+}
+
+/* By its name, and neither of its points goes on. */
+static void expect_refused(const igtl_message_t *message, const char *why)
+{
+    transform_dialect_receive(&dialect, 0U, message, &moment);
+    EXPECT_BEGIN(0U, why);
+    EXPECT(0U, "");
+    TEST_ASSERT_FALSE(igtl_requests_take(&dialect.requests, &command));
+}
+
+void test_SWR_IGTL_068_a_trajectory_is_refused_whole(void)
+{
+    igtl_message_t message = igtl_peer_trajectory(IGTL_TRAJECTORY_BOTH, 1.0F, 2.0F, 3.0F);
+
+    message.numbers[5] = igtl_peer_bits_of(NAN);
+    expect_refused(&message, "STATUS Path 10 NOT_FINITE|");
+    message.numbers[5] = igtl_peer_bits_of(2001.0F);
+    expect_refused(&message, "STATUS Path 10 OUT_OF_RANGE|");
+    message = igtl_peer_trajectory(IGTL_TRAJECTORY_BOTH, -INFINITY, 2.0F, 3.0F);
+    expect_refused(&message, "STATUS Path 10 NOT_FINITE|");
+    message = igtl_peer_trajectory(0U, 1.0F, 2.0F, 3.0F);
+    expect_refused(&message, "STATUS Path 10 OUT_OF_RANGE|");
+    message.code = 4U;
+    expect_refused(&message, "STATUS Path 10 OUT_OF_RANGE|");
+    message.code = 255U;
+    expect_refused(&message, "STATUS Path 10 OUT_OF_RANGE|");
+}
+
 void test_SWR_IGTL_012_what_nothing_has_the_name_of_does_not_draw_the_poses(void)
 {
     const igtl_message_t text = igtl_peer_string("NeedleToTracker", "here");

@@ -16,6 +16,7 @@
 #include <igtlStatusMessage.h>
 #include <igtlStringMessage.h>
 #include <igtlTrackingDataMessage.h>
+#include <igtlTrajectoryMessage.h>
 #include <igtlTransformMessage.h>
 
 extern "C" {
@@ -186,6 +187,9 @@ private:
             Need(words, 2, "string NAME [TEXT]");
             Begin();
             SendString(words[1], After(line, 2));
+        } else if (verb == "traj") {
+            Need(words, 8, "traj NAME entry, target or both of each trajectory and its 6 numbers");
+            SendTrajectories(words);
         } else if (verb == "wait") {
             Need(words, 3, "wait TYPE NAME [MS]");
             Await(words[1], words[2], Patience(words, 3));
@@ -278,6 +282,37 @@ private:
         message->SetMatrix(matrix);
         message->Pack();
         Send(message);
+    }
+
+    // Each is a word for what it has, then its entry and its target in mm.
+    void SendTrajectories(const Words &words)
+    {
+        igtl::TrajectoryMessage::Pointer message = igtl::TrajectoryMessage::New();
+        for (std::size_t first = 2; first + 7 <= words.size(); first += 7) {
+            igtlFloat32 places[6];
+            for (std::size_t i = 0; i < 6; i++) {
+                places[i] = std::strtof(words[first + 1 + i].c_str(), NULL);
+            }
+            igtl::TrajectoryElement::Pointer element = igtl::TrajectoryElement::New();
+            element->SetName(words[1].c_str());
+            element->SetGroupName("Trajectory");
+            element->SetType(TrajectoryType(words[first]));
+            element->SetEntryPosition(places);
+            element->SetTargetPosition(&places[3]);
+            message->AddTrajectoryElement(element);
+        }
+        message->SetDeviceName(words[1].c_str());
+        message->Pack();
+        Begin();
+        Send(message);
+    }
+
+    static igtlUint8 TrajectoryType(const std::string &word)
+    {
+        if (word == "both") {
+            return igtl::TrajectoryElement::TYPE_ENTRY_TARGET;
+        }
+        return word == "entry" ? igtl::TrajectoryElement::TYPE_ENTRY_ONLY : igtl::TrajectoryElement::TYPE_TARGET_ONLY;
     }
 
     void SendPhase(const std::string &phase, const std::string &id)

@@ -15,6 +15,7 @@ extern "C" {
 #include <igtlStatusMessage.h>
 #include <igtlStringMessage.h>
 #include <igtlTrackingDataMessage.h>
+#include <igtlTrajectoryMessage.h>
 #include <igtlTransformMessage.h>
 
 #include <cmath>
@@ -264,6 +265,34 @@ void CompareTracking()
     }
 }
 
+void CompareTrajectory()
+{
+    const std::string name = Text(19);
+    const unsigned type = 1 + Random(3);
+    igtlFloat32 entry[3] = {Finite(), Finite(), Finite()};
+    igtlFloat32 target[3] = {Finite(), Finite(), Finite()};
+    igtl::TrajectoryElement::Pointer element = igtl::TrajectoryElement::New();
+    element->SetName(Text(63).c_str());
+    element->SetGroupName(Text(31).c_str());
+    element->SetType(static_cast<igtlUint8>(type));
+    element->SetRGBA(255, 255, 0, 255);
+    element->SetEntryPosition(entry);
+    element->SetTargetPosition(target);
+    element->SetRadius(Finite());
+    element->SetOwner(Text(19).c_str());
+    igtl::TrajectoryMessage::Pointer message = igtl::TrajectoryMessage::New();
+    message->SetDeviceName(name.c_str());
+    message->AddTrajectoryElement(element);
+    message->Pack();
+    const igtl_message_t decoded = Decoded(message);
+    Check(decoded.kind == IGTL_KIND_TRAJECTORY, "a trajectory");
+    Check(decoded.code == type, "what a trajectory has");
+    for (int i = 0; i < 3; i++) {
+        Check(decoded.numbers[i] == Bits(entry[i]), "an entry");
+        Check(decoded.numbers[3 + i] == Bits(target[i]), "a target");
+    }
+}
+
 void CompareStreams()
 {
     const std::string name = Text(19);
@@ -318,6 +347,7 @@ int main()
         ComparePoint();
         CompareCapability();
         CompareTracking();
+        CompareTrajectory();
         CompareStreams();
     }
     CompareQuery<igtl::GetTransformMessage>(IGTL_KIND_GET_TRANSFORM, "GET_TRANS");

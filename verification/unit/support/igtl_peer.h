@@ -53,6 +53,19 @@ static inline igtl_message_t igtl_peer_transform(const char *name, float x, floa
     return message;
 }
 
+/** A received TRAJ of this type with its entry at (x, y, z) mm and its target 10 mm above. */
+static inline igtl_message_t igtl_peer_trajectory(uint32_t type, float x, float y, float z)
+{
+    igtl_message_t message = {.kind = IGTL_KIND_TRAJECTORY, .name = "Path", .code = type};
+
+    for (uint32_t i = 0U; i < IGTL_TRAJECTORY_NUMBERS; i += 3U) {
+        message.numbers[i] = igtl_peer_bits_of(x);
+        message.numbers[i + 1U] = igtl_peer_bits_of(y);
+        message.numbers[i + 2U] = igtl_peer_bits_of((i == 0U) ? z : (z + 10.0F));
+    }
+    return message;
+}
+
 /** A received message without content. */
 static inline igtl_message_t igtl_peer_query(igtl_kind_t kind, const char *name)
 {
