@@ -86,6 +86,61 @@ status_t igtl_border_read_pose(const uint32_t numbers[IGTL_TRANSFORM_NUMBERS], r
     return (status == STATUS_OK) ? igtl_border_read_point(&numbers[9], &pose->translation) : status;
 }
 
+/* What a number of IEEE 754 is made of: mantissa * 2^-shift. */
+typedef struct {
+    bool is_finite;
+    bool is_negative;
+    uint64_t mantissa;
+    int32_t shift;
+} parts_t;
+
+static parts_t parts_of(uint64_t bits, uint32_t fraction_bits, uint32_t exponent_bits)
+{
+    const uint64_t most = (UINT64_C(1) << exponent_bits) - 1U;
+    const uint64_t exponent = (bits >> fraction_bits) & most;
+    const uint64_t one = UINT64_C(1) << fraction_bits;
+    const uint64_t fraction = bits & (one - 1U);
+
+    return (parts_t){.is_finite = exponent != most,
+                     .is_negative = ((bits >> (fraction_bits + exponent_bits)) & 1U) != 0U,
+                     .mantissa = (exponent == 0U) ? fraction : (fraction | one),
+                     .shift = (int32_t)(most >> 1U) + (int32_t)fraction_bits -
+                              (int32_t)((exponent == 0U) ? 1U : exponent)};
+}
+
+/* The mantissa has at most 53 bits. */
+static bool is_whole(const parts_t *parts, uint64_t *magnitude)
+{
+    if (parts->mantissa == 0U) {
+        *magnitude = 0U;
+    } else if ((parts->shift < -10) || (parts->shift > 53)) {
+        return false;
+    } else if (parts->shift < 0) {
+        *magnitude = parts->mantissa << (uint32_t)-parts->shift;
+    } else {
+        *magnitude = parts->mantissa >> (uint32_t)parts->shift;
+        return (*magnitude << (uint32_t)parts->shift) == parts->mantissa;
+    }
+    return true;
+}
+
+status_t igtl_border_read_whole(const igtl_message_t *message, uint32_t index, int32_t *value)
+{
+    const uint64_t bits = igtl_array_bits(message, index);
+    const parts_t parts =
+        (message->number_bytes == 4U) ? parts_of(bits, 23U, 8U) : parts_of(bits, 52U, 11U);
+    uint64_t magnitude = 0U;
+
+    if (!parts.is_finite) {
+        return STATUS_NOT_FINITE;
+    }
+    if (!is_whole(&parts, &magnitude) || (magnitude > (uint64_t)INT32_MAX)) {
+        return STATUS_OUT_OF_RANGE;
+    }
+    *value = parts.is_negative ? -(int32_t)magnitude : (int32_t)magnitude;
+    return STATUS_OK;
+}
+
 static uint32_t float_bits(double number)
 {
     const float narrow = (float)number;

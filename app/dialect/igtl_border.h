@@ -9,6 +9,7 @@
 #define BORESIGHT_IGTL_BORDER_H
 
 #include "base/rigid.h"
+#include "message/igtl_codec.h"
 #include "message/igtl_packet.h"
 #include "interface/status.h"
 #include "robot/robot.h"
@@ -49,6 +50,15 @@ status_t igtl_border_read_point(const uint32_t numbers[3], point_t *point);
  * @satisfies SWR-IGTL-010
  */
 status_t igtl_border_read_pose(const uint32_t numbers[IGTL_TRANSFORM_NUMBERS], rigid_t *pose);
+
+/**
+ * Number `index` of an NDARRAY, which must be whole.
+ *
+ * @return STATUS_OK, STATUS_NOT_FINITE, STATUS_OUT_OF_RANGE beyond +-INT32_MAX or with a fraction
+ *
+ * @satisfies SWR-TRAJ-023
+ */
+status_t igtl_border_read_whole(const igtl_message_t *message, uint32_t index, int32_t *value);
 
 /** nm as mm, for a text. */
 double igtl_border_mm(int32_t length_nm);

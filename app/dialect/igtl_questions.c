@@ -12,26 +12,30 @@
 #define US_PER_MS UINT64_C(1000)
 #define REPLY_SIZE (IGTL_TEXT_MAX + 1U)
 
-#define ONLY_CRTK 2U
+#define BEFORE 1U /* Only of who commands. */
+#define BEHIND 2U /* Only of who shows points and takes proposals. */
 
-/* The last only of who shows points and takes proposals. */
-static const char *const understood[] = {"TRANSFORM",  "STRING",      "STATUS",    "GET_TRANS",
-                                         "GET_STATUS", "GET_CAPABIL", "STT_TDATA", "STP_TDATA",
-                                         "COMMAND",    "GET_POINT",   "TRAJ"};
+static const char *const understood[] = {"NDARRAY",   "TRANSFORM",  "STRING",      "STATUS",
+                                         "GET_TRANS", "GET_STATUS", "GET_CAPABIL", "STT_TDATA",
+                                         "STP_TDATA", "COMMAND",    "GET_POINT",   "TRAJ"};
 
-static uint32_t understood_by(igtl_language_t language)
+static const char *const *understood_by(igtl_language_t language, uint32_t *count)
 {
     const uint32_t all = (uint32_t)(sizeof understood / sizeof understood[0]);
+    const bool is_crtk = language == IGTL_LANGUAGE_CRTK;
 
-    return (language == IGTL_LANGUAGE_CRTK) ? all : (all - ONLY_CRTK);
+    *count = is_crtk ? (all - BEFORE) : (all - BEHIND);
+    return is_crtk ? &understood[BEFORE] : understood;
 }
 
 static void tell_capability(igtl_outbox_t *outbox, const char *name, igtl_language_t language,
                             const igtl_moment_t *moment)
 {
     igtl_packet_t packet;
+    uint32_t count;
+    const char *const *types = understood_by(language, &count);
 
-    igtl_encode_capability(&packet, name, understood, understood_by(language), moment->timestamp);
+    igtl_encode_capability(&packet, name, types, count, moment->timestamp);
     igtl_outbox_add(outbox, &packet);
 }
 
@@ -95,10 +99,12 @@ static void write_status(char text[REPLY_SIZE], const igtl_moment_t *moment)
 static void write_capabilities(igtl_language_t language, char text[REPLY_SIZE])
 {
     size_t used = (size_t)snprintf(text, REPLY_SIZE, "<Capabilities Types=\"");
+    uint32_t count;
+    const char *const *types = understood_by(language, &count);
 
-    for (uint32_t i = 0U; i < understood_by(language); i++) {
+    for (uint32_t i = 0U; i < count; i++) {
         used += (size_t)snprintf(&text[used], REPLY_SIZE - used, "%s%s", (i == 0U) ? "" : " ",
-                                 understood[i]);
+                                 types[i]);
     }
     (void)snprintf(&text[used], REPLY_SIZE - used, "\"/>");
 }

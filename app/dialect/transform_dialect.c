@@ -185,6 +185,7 @@ void transform_dialect_receive(void *dialect, uint32_t peer, const igtl_message_
         transform_show_answer(sender->outbox, message, moment);
         break;
     case IGTL_KIND_POINT:
+    case IGTL_KIND_ARRAY:
         refuse_unknown(sender, message, moment);
         break;
     default: /* A STATUS is how peers announce themselves. */

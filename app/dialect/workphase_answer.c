@@ -9,6 +9,7 @@
 
 #include <stddef.h>
 #include <stdio.h>
+#include <string.h>
 
 /* Under which name the peer is told of a request. */
 static const char *subject_of(const workphase_peer_t *peer, const igtl_request_t *request)
@@ -237,6 +238,42 @@ static void answer_motion(workphase_dialect_t *self, const igtl_request_t *reque
     }
 }
 
+/* Of a row of an array the place is told behind the reason. */
+static void tell_array_refused(const workphase_dialect_t *self, const igtl_request_t *request,
+                               const answer_t *answer, const igtl_moment_t *moment)
+{
+    char text[IGTL_REASON_SIZE] = "";
+    const igtl_status_t status = {igtl_reason_code((status_t)answer->status),
+                                  workphase_name((int32_t)answer->workphase), text};
+
+    igtl_reason_text(self->robot, answer, moment, text);
+    if (request->kind == (uint32_t)COMMAND_LIST_ROW) {
+        const size_t used = strlen(text);
+
+        (void)snprintf(&text[used], sizeof text - used, " Row %u.", (unsigned)request->argument);
+    }
+    igtl_tell_status(self->peers[request->peer].outbox, WORKPHASE_TRAJECTORY, &status, moment);
+}
+
+/* A list that came as a whole has one answer: it is held, or why not. */
+static void answer_array(workphase_dialect_t *self, const igtl_request_t *request,
+                         const answer_t *answer, const igtl_moment_t *moment)
+{
+    workphase_peer_t *peer = &self->peers[request->peer];
+
+    if (answer->kind == (uint32_t)ANSWER_REFUSED) {
+        if (workphase_array_fail(&self->array)) {
+            tell_array_refused(self, request, answer, moment);
+        }
+    } else if (request->kind == (uint32_t)COMMAND_LIST_END) {
+        peer->sum = self->array.crc;
+        workphase_array_end(&self->array, request->peer);
+        tell_outcome(self, peer, WORKPHASE_TRAJECTORY, answer, moment);
+    } else {
+        /* The next ones follow. */
+    }
+}
+
 static void answer_by_kind(workphase_dialect_t *self, const igtl_request_t *request,
                            const answer_t *answer, const igtl_moment_t *moment)
 {
@@ -244,6 +281,10 @@ static void answer_by_kind(workphase_dialect_t *self, const igtl_request_t *requ
 
     if (workphase_peer_is_motion(request->kind)) {
         answer_motion(self, request, answer, moment);
+        return;
+    }
+    if (workphase_array_has(&self->array, request)) {
+        answer_array(self, request, answer, moment);
         return;
     }
     switch (request->kind) {
@@ -309,6 +350,9 @@ void workphase_answer_tell_none(workphase_dialect_t *self, const igtl_request_t 
 {
     workphase_peer_t *peer = &self->peers[request->peer];
 
+    if (workphase_array_has(&self->array, request) && !workphase_array_fail(&self->array)) {
+        return; /* It was said of another row. */
+    }
     igtl_tell_refusal(peer->outbox, subject_of(peer, request), STATUS_NO_ANSWER, moment);
     if (peer->pending == request->id) {
         peer->pending = 0U;

@@ -48,6 +48,7 @@ void workphase_dialect_disconnected(void *dialect, uint32_t peer)
     if (self->controller == peer) {
         self->controller = IGTL_NOBODY;
     }
+    workphase_array_end(&self->array, peer);
     for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
         igtl_request_t *request = &self->requests.requests[i];
 
@@ -114,6 +115,9 @@ void workphase_dialect_receive(void *dialect, uint32_t peer, const igtl_message_
         break;
     case IGTL_KIND_TRANSFORM:
         workphase_receive_transform(self, peer, message, moment);
+        break;
+    case IGTL_KIND_ARRAY:
+        workphase_receive_array(self, peer, message, moment);
         break;
     case IGTL_KIND_GET_TRANSFORM:
         workphase_peer_send_deferred(asker, moment->now_us, true);
@@ -225,6 +229,8 @@ void workphase_dialect_step(workphase_dialect_t *self, const igtl_moment_t *mome
         tell_no_answer(self, overdue, moment);
         overdue = igtl_requests_overdue(&self->requests, moment->patience_us);
     }
+    workphase_array_step(&self->array, &self->requests, self->peers[self->array.peer].number,
+                         moment->patience_us);
     for (uint32_t i = 0U; i < IGTL_PLACES; i++) {
         if (self->peers[i].outbox != NULL) {
             workphase_peer_send_deferred(&self->peers[i], moment->now_us, false);

@@ -14,6 +14,7 @@
 #include "dialect/igtl_dialect.h"
 #include "dialect/igtl_questions.h"
 #include "dialect/igtl_requests.h"
+#include "dialect/workphase_array.h"
 #include "message/igtl_outbox.h"
 #include "interface/command.h"
 #include "robot/robot.h"
@@ -96,6 +97,7 @@ typedef struct {
     const robot_t *robot;
     igtl_requests_t requests;
     workphase_watch_t watch;
+    workphase_array_t array;
     workphase_peer_t peers[IGTL_PLACES];
     uint32_t controller;       /**< Peer that has authority as control shows it, or IGTL_NOBODY. */
     uint64_t next_position_us; /**< When the next CURRENT_POSITION is due. */

@@ -155,6 +155,8 @@ static void receive_trajectory(workphase_dialect_t *self, uint32_t index,
 
     if (status != STATUS_OK) {
         /* It is none, or another's. */
+    } else if (self->array.is_busy && (self->array.peer == index)) {
+        status = STATUS_BUSY; /* Rows of two lists would be mixed. */
     } else if (pass_word(self, index, &word, &command, moment)) {
         peer->sum = workphase_trajectory_sum(peer->sum, &command);
     } else {
@@ -162,6 +164,21 @@ static void receive_trajectory(workphase_dialect_t *self, uint32_t index,
     }
     if (status != STATUS_OK) {
         igtl_tell_refusal(peer->outbox, WORKPHASE_TRAJECTORY, status, moment);
+    }
+}
+
+void workphase_receive_array(workphase_dialect_t *self, uint32_t index,
+                             const igtl_message_t *message, const igtl_moment_t *moment)
+{
+    status_t status = STATUS_UNKNOWN_COMMAND;
+
+    if (strcmp(message->name, WORKPHASE_TRAJECTORY) == 0) {
+        status = is_others(self, index)
+                     ? STATUS_NO_AUTHORITY
+                     : workphase_array_take(&self->array, self->robot, index, message);
+    }
+    if (status != STATUS_OK) {
+        igtl_tell_refusal(self->peers[index].outbox, message->name, status, moment);
     }
 }
 

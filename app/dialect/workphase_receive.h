@@ -36,6 +36,14 @@ void workphase_receive_transform(workphase_dialect_t *self, uint32_t peer,
                                  const igtl_message_t *message, const igtl_moment_t *moment);
 
 /**
+ * An NDARRAY named TRAJECTORY. Anything else is refused.
+ *
+ * @satisfies SWR-TRAJ-022
+ */
+void workphase_receive_array(workphase_dialect_t *self, uint32_t peer,
+                             const igtl_message_t *message, const igtl_moment_t *moment);
+
+/**
  * Passes on the tip of a connected peer that waits for its turn.
  *
  * @satisfies SWR-IGTL-034

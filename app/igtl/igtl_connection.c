@@ -37,6 +37,7 @@ void igtl_connection_init(igtl_connection_t *self)
     self->acknowledged = 0U;
     self->moved_us = 0U;
     igtl_inbox_init(&self->inbox);
+    igtl_inbox_lend(&self->inbox, self->large);
     igtl_outbox_init(&self->outbox);
 }
 

@@ -31,6 +31,7 @@ typedef struct {
     uint64_t acknowledged; /**< Of these, as far as the peer's machine has taken them. */
     uint64_t moved_us;     /**< When that last became more; 0: nobody watches it. */
     igtl_inbox_t inbox;
+    uint8_t large[LIMIT_IGTL_ARRAY_MAX]; /**< Lent to it; memory of the machine only once used. */
     igtl_outbox_t outbox;
 } igtl_connection_t;
 

@@ -12,6 +12,9 @@
 #define METADATA_ENTRY_BYTES 8U
 #define TYPE_BYTES (IGTL_TYPE_SIZE - 1U)
 #define NAME_BYTES (IGTL_NAME_SIZE - 1U)
+#define ARRAY_HEADER_BYTES 6U /* Of two dimensions. */
+#define ARRAY_FLOAT32 10U
+#define ARRAY_FLOAT64 11U
 #define TRAJECTORY_TYPE 96U    /* Behind name and group. */
 #define TRAJECTORY_POINTS 102U /* Behind type and colour. */
 
@@ -44,6 +47,8 @@ const char *igtl_result_text(igtl_result_t result)
         return "MARKED_INVALID: Its sender says that it is not valid.";
     case IGTL_NOT_ONE:
         return "NOT_ONE: It must have one trajectory, no more and no less.";
+    case IGTL_NOT_TABLE:
+        return "NOT_TABLE: The array is none of rows and columns of 32 or 64 bit floating point.";
     default:
         return "UNKNOWN";
     }
@@ -69,6 +74,7 @@ uint32_t igtl_result_code(igtl_result_t result)
     case IGTL_BAD_TEXT:
     case IGTL_MARKED_INVALID:
     case IGTL_NOT_ONE:
+    case IGTL_NOT_TABLE:
     default:
         return IGTL_STATUS_CONFIG_ERROR;
     }
@@ -130,7 +136,8 @@ static igtl_kind_t kind_of(const char *type)
                  {"STT_TDATA", IGTL_KIND_STT_TDATA},
                  {"STP_TDATA", IGTL_KIND_STP_TDATA},
                  {"COMMAND", IGTL_KIND_COMMAND},
-                 {"TRAJ", IGTL_KIND_TRAJECTORY}};
+                 {"TRAJ", IGTL_KIND_TRAJECTORY},
+                 {"NDARRAY", IGTL_KIND_ARRAY}};
 
     for (size_t i = 0U; i < (sizeof known / sizeof known[0]); i++) {
         if (memcmp(type, known[i].type, TYPE_BYTES) == 0) {
@@ -151,6 +158,14 @@ static bool is_known_version(uint32_t version)
     return (version == 1U) || (version == 2U);
 }
 
+static uint64_t longest_of(igtl_kind_t kind)
+{
+    if (kind == IGTL_KIND_OTHER) {
+        return LIMIT_IGTL_SKIP_MAX;
+    }
+    return (kind == IGTL_KIND_ARRAY) ? LIMIT_IGTL_ARRAY_MAX : LIMIT_IGTL_BODY_MAX;
+}
+
 igtl_result_t igtl_decode_header(const uint8_t bytes[IGTL_HEADER_BYTES], igtl_header_t *header)
 {
     const bool is_type_fine = read_type(&bytes[2], header->type);
@@ -169,9 +184,7 @@ igtl_result_t igtl_decode_header(const uint8_t bytes[IGTL_HEADER_BYTES], igtl_he
     if (!is_type_fine || !is_name_fine) {
         return IGTL_BAD_NAME;
     }
-    return ((header->kind != IGTL_KIND_OTHER) && (header->body_bytes > LIMIT_IGTL_BODY_MAX))
-               ? IGTL_TOO_LONG
-               : IGTL_OK;
+    return (header->body_bytes > longest_of(header->kind)) ? IGTL_TOO_LONG : IGTL_OK;
 }
 
 bool igtl_header_is_lost(const igtl_header_t *header)
@@ -355,6 +368,33 @@ static igtl_result_t read_trajectory(igtl_message_t *message)
     return IGTL_OK;
 }
 
+static igtl_result_t read_array(igtl_message_t *message)
+{
+    const uint8_t *content = message->content;
+    uint64_t data_bytes;
+
+    if (message->content_bytes < ARRAY_HEADER_BYTES) {
+        return IGTL_BAD_LENGTH;
+    }
+    if (((content[0] != ARRAY_FLOAT32) && (content[0] != ARRAY_FLOAT64)) || (content[1] != 2U)) {
+        return IGTL_NOT_TABLE;
+    }
+    message->number_bytes = (content[0] == ARRAY_FLOAT32) ? 4U : 8U;
+    message->rows = get_u16(&content[2]);
+    message->columns = get_u16(&content[4]);
+    data_bytes = (uint64_t)message->rows * message->columns * message->number_bytes;
+    return (message->content_bytes == (ARRAY_HEADER_BYTES + data_bytes)) ? IGTL_OK
+                                                                         : IGTL_BAD_LENGTH;
+}
+
+uint64_t igtl_array_bits(const igtl_message_t *message, uint32_t index)
+{
+    const uint8_t *numbers = &message->content[ARRAY_HEADER_BYTES];
+
+    return (message->number_bytes == 4U) ? get_u32(&numbers[4U * (size_t)index])
+                                         : get_u64(&numbers[8U * (size_t)index]);
+}
+
 static igtl_result_t read_content(igtl_message_t *message)
 {
     switch (message->kind) {
@@ -370,6 +410,8 @@ static igtl_result_t read_content(igtl_message_t *message)
         return read_command(message);
     case IGTL_KIND_TRAJECTORY:
         return read_trajectory(message);
+    case IGTL_KIND_ARRAY:
+        return read_array(message);
     case IGTL_KIND_POINT:
         return ((message->content_bytes % IGTL_POINT_BYTES) == 0U) ? IGTL_OK : IGTL_BAD_LENGTH;
     case IGTL_KIND_GET_TRANSFORM:
@@ -401,6 +443,9 @@ static void begin(igtl_message_t *message, const igtl_header_t *header, const ui
     message->resolution_ms = 0;
     message->subject = NULL;
     message->subject_bytes = 0U;
+    message->rows = 0U;
+    message->columns = 0U;
+    message->number_bytes = 0U;
 }
 
 igtl_result_t igtl_decode_body(const igtl_header_t *header, const uint8_t *body,

@@ -45,7 +45,8 @@ typedef enum {
     IGTL_KIND_STT_OTHER = 12,
     IGTL_KIND_STP_OTHER = 13,
     IGTL_KIND_COMMAND = 14,
-    IGTL_KIND_TRAJECTORY = 15
+    IGTL_KIND_TRAJECTORY = 15,
+    IGTL_KIND_ARRAY = 16
 } igtl_kind_t;
 
 /** What is wrong with a message. */
@@ -62,7 +63,8 @@ typedef enum {
     IGTL_BAD_TEXT = 9,        /**< The text is not printable ASCII. */
     IGTL_INCOMPLETE = 10,     /**< The rest of the message did not come in time. */
     IGTL_MARKED_INVALID = 11, /**< Its sender says that it is not valid. */
-    IGTL_NOT_ONE = 12         /**< Not exactly one trajectory stands in it. */
+    IGTL_NOT_ONE = 12,        /**< Not exactly one trajectory stands in it. */
+    IGTL_NOT_TABLE = 13       /**< An array, but none of rows and columns of floating point. */
 } igtl_result_t;
 
 /** What an element of a TRAJ has. */
@@ -116,6 +118,9 @@ typedef struct {
     int32_t resolution_ms;  /**< STT_TDATA: least time between two poses, any value. */
     const char *subject;    /**< STT_TDATA: coordinate system. COMMAND: name. Printable ASCII. */
     uint32_t subject_bytes; /**< Up to 32 and up to IGTL_COMMAND_NAME_BYTES. */
+    uint32_t rows;          /**< NDARRAY. */
+    uint32_t columns;       /**< NDARRAY. */
+    uint32_t number_bytes;  /**< NDARRAY: 4 or 8 of each number. */
 } igtl_message_t;
 
 /** Name and sentence, "BAD_CRC: The checksum of the body is wrong.". Lives for ever. */
@@ -130,7 +135,8 @@ uint32_t igtl_result_code(igtl_result_t result);
  *
  * @return IGTL_OK, or the first thing that is wrong: IGTL_BAD_VERSION; IGTL_TOO_LONG, with more
  * than LIMIT_IGTL_SKIP_MAX; IGTL_BAD_NAME, with `?` for each byte that is not printable;
- * IGTL_TOO_LONG, of a known type with more than LIMIT_IGTL_BODY_MAX
+ * IGTL_TOO_LONG, of a known type with more than LIMIT_IGTL_BODY_MAX, of an NDARRAY with more than
+ * LIMIT_IGTL_ARRAY_MAX
  *
  * @satisfies SWR-IGTL-001
  * @satisfies SWR-IGTL-003
@@ -141,11 +147,12 @@ igtl_result_t igtl_decode_header(const uint8_t bytes[IGTL_HEADER_BYTES], igtl_he
 bool igtl_header_is_lost(const igtl_header_t *header);
 
 /**
- * Reads the `header->body_bytes` of `body` (at most LIMIT_IGTL_BODY_MAX) of a known type.
+ * Reads the `header->body_bytes` of `body` of a known type, no more than igtl_decode_header()
+ * passes.
  *
  * @return IGTL_OK, or the first thing that is wrong: IGTL_BAD_CRC, IGTL_BAD_EXTENSION,
  * IGTL_BAD_METADATA; IGTL_MARKED_INVALID, of a TRANSFORM with metadata TransformStatus other than
- * OK; IGTL_BAD_LENGTH, IGTL_NOT_ONE, IGTL_BAD_ENCODING, IGTL_BAD_TEXT
+ * OK; IGTL_BAD_LENGTH, IGTL_NOT_ONE, IGTL_NOT_TABLE, IGTL_BAD_ENCODING, IGTL_BAD_TEXT
  *
  * @satisfies SWR-IGTL-002
  * @satisfies SWR-IGTL-003
@@ -155,5 +162,8 @@ bool igtl_header_is_lost(const igtl_header_t *header);
  */
 igtl_result_t igtl_decode_body(const igtl_header_t *header, const uint8_t *body,
                                igtl_message_t *message);
+
+/** Number `index` of an NDARRAY, row by row from 0 on: its bits, the lower 32 of a shorter one. */
+uint64_t igtl_array_bits(const igtl_message_t *message, uint32_t index);
 
 #endif

@@ -10,6 +10,21 @@ void igtl_inbox_init(igtl_inbox_t *self)
     (void)memset(self, 0, sizeof *self);
 }
 
+void igtl_inbox_lend(igtl_inbox_t *self, uint8_t large[LIMIT_IGTL_ARRAY_MAX])
+{
+    self->large = large;
+}
+
+static bool is_large(const igtl_inbox_t *self)
+{
+    return self->header.body_bytes > LIMIT_IGTL_BODY_MAX;
+}
+
+static uint8_t *body_of(igtl_inbox_t *self)
+{
+    return is_large(self) ? self->large : &self->buffer[IGTL_HEADER_BYTES];
+}
+
 uint32_t igtl_inbox_room(igtl_inbox_t *self, uint8_t **where)
 {
     uint64_t missing;
@@ -23,7 +38,7 @@ uint32_t igtl_inbox_room(igtl_inbox_t *self, uint8_t **where)
         *where = &self->buffer[IGTL_HEADER_BYTES];
         return (missing < LIMIT_IGTL_BODY_MAX) ? (uint32_t)missing : LIMIT_IGTL_BODY_MAX;
     }
-    *where = &self->buffer[self->filled];
+    *where = &body_of(self)[self->filled - IGTL_HEADER_BYTES];
     return (IGTL_HEADER_BYTES + (uint32_t)self->header.body_bytes) - self->filled;
 }
 
@@ -55,8 +70,7 @@ static igtl_inbox_event_t complete(igtl_inbox_t *self)
     if (self->filled < (IGTL_HEADER_BYTES + (uint32_t)self->header.body_bytes)) {
         return IGTL_INBOX_WAITING;
     }
-    self->reason =
-        igtl_decode_body(&self->header, &self->buffer[IGTL_HEADER_BYTES], &self->message);
+    self->reason = igtl_decode_body(&self->header, body_of(self), &self->message);
     return finish(self, (self->reason == IGTL_OK) ? IGTL_INBOX_MESSAGE : IGTL_INBOX_REFUSED);
 }
 
@@ -73,6 +87,10 @@ static igtl_inbox_event_t take(igtl_inbox_t *self, uint32_t count)
         self->reason = igtl_decode_header(self->buffer, &self->header);
         if (igtl_header_is_lost(&self->header)) {
             return IGTL_INBOX_BROKEN;
+        }
+        if ((self->reason == IGTL_OK) && (self->header.kind == IGTL_KIND_ARRAY) && is_large(self) &&
+            (self->large == NULL)) {
+            self->reason = IGTL_TOO_LONG;
         }
         self->is_skipping = (self->reason != IGTL_OK) || (self->header.kind == IGTL_KIND_OTHER);
     }

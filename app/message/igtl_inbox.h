@@ -36,9 +36,18 @@ typedef struct {
     igtl_header_t header; /**< Valid once its bytes are here. */
     igtl_message_t message;
     igtl_result_t reason;
+    uint8_t *large; /**< LIMIT_IGTL_ARRAY_MAX bytes for an NDARRAY, or NULL. */
 } igtl_inbox_t;
 
 void igtl_inbox_init(igtl_inbox_t *self);
+
+/**
+ * Lends room for an NDARRAY of LIMIT_IGTL_ARRAY_MAX bytes, for as long as the inbox is used.
+ * Without it one longer than LIMIT_IGTL_BODY_MAX is refused.
+ *
+ * @satisfies SWR-IGTL-069
+ */
+void igtl_inbox_lend(igtl_inbox_t *self, uint8_t large[LIMIT_IGTL_ARRAY_MAX]);
 
 /** Where the next bytes go and how many are wanted, at least 1: never beyond the end of the present
  * message. */

@@ -13,6 +13,7 @@
 #define COMMAND_BYTES 138U
 #define STATUS_BYTES 31U
 #define TRAJECTORY_TYPE 96U
+#define FLOAT_128 0x43000000U
 
 static void put(grammar_message_t *self, uint64_t value, uint32_t count)
 {
@@ -135,6 +136,22 @@ static void put_trajectories(grammar_message_t *self, uint32_t number)
     }
 }
 
+/* So many rows for the robot of seven axes, mostly well formed. */
+static void put_array(grammar_message_t *self, uint32_t number)
+{
+    const uint32_t rows = number % 8U;
+    const uint32_t columns = ((number % 32U) == 31U) ? 14U : 15U;
+
+    put(self, ((number / 8U) % 16U == 1U) ? 6U : 10U, 1U);
+    put(self, 2U, 1U);
+    put(self, rows, 2U);
+    put(self, columns, 2U);
+    for (uint32_t i = 0U; i < rows; i++) {
+        put(self, (i == 0U) ? 0U : (FLOAT_128 + (i << 16U)), 4U);
+        put_text(self, "", 4U * (columns - 1U));
+    }
+}
+
 static void put_content(grammar_message_t *self, const char *type, uint8_t number)
 {
     static const uint32_t resolutions[] = {0U, 1U, 10U, 100U, 100000U, 0xFFFFFFFFU};
@@ -160,6 +177,8 @@ static void put_content(grammar_message_t *self, const char *type, uint8_t numbe
         put_text(self, "point", IGTL_POINT_BYTES * (number % 3U));
     } else if (strcmp(type, "TRAJ") == 0) {
         put_trajectories(self, number);
+    } else if (strcmp(type, "NDARRAY") == 0) {
+        put_array(self, number);
     } else {
         put_text(self, type, 4U * (uint32_t)number);
     }

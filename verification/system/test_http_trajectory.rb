@@ -153,6 +153,40 @@ class TestHttpTrajectory < Minitest::Test
     end
   end
 
+  # In MANUAL; longer than a message of any other type may be.
+  def test_SWR_TRAJ_022_a_connection_that_commands_sends_one_as_an_array_and_runs_it
+    IgtlClient.open(boresight.brp_port) do |client|
+      client.run('phase MANUAL')
+      client.run('wait STATUS MANUAL')
+      client.run("array TRAJECTORY 64 #{(axes.size * 2) + 1} #{array(rows(-10) + (rows(0) * 13)).join(' ')}")
+      client.run('expect STATUS TRAJECTORY 1')
+      assert_equal [42, 'IGTL'], held.values_at('rows', 'source')
+      client.run('string Text TRAJECTORY RUN')
+      client.run('expect STATUS ACK_TRAJECTORY 1')
+      boresight.simctl('pedal', 'press')
+      assert_equal 1, client.status('TRAJECTORY')['code']
+      refuse_arrays(client)
+    end
+  end
+
+  # Numbers row by row, at rest in each; time enough for the first way there and back.
+  def array(rows)
+    rows.each_with_index.flat_map { |row, index| [([index, 2].min * 480) + (index * 20), *row, *([0] * row.size)] }
+  end
+
+  # Of what is refused nothing is held.
+  def refuse_arrays(client)
+    columns = (axes.size * 2) + 1
+    still = array(rows(0))
+    { "32 #{columns} #{still.join(' ')} 200#{' 0' * (columns - 1)}" => 'TRAJECTORY_ORDER: .* Row 3\.',
+      "64 #{columns} #{still.first(columns).join(' ')} 100 0.5#{' 0' * (columns - 2)}" => 'OUT_OF_RANGE: ',
+      "64 #{columns} 0 nan#{' 0' * (columns - 2)}" => 'NOT_FINITE: ', '64 3 0 0 0' => 'OUT_OF_RANGE: ' }.each do |words, told|
+      client.run("array TRAJECTORY #{words}")
+      assert_match(/\A#{told}/, client.status('TRAJECTORY')['text'])
+    end
+    assert_equal 0, held['rows']
+  end
+
   def file(ticks)
     Tempfile.create('trajectory').tap do |file|
       file.puts "time s,#{axes.map { |axis| "#{axis['name']} ticks" }.join(',')}"

@@ -97,7 +97,7 @@ class TestIgtlPlanning < Minitest::Test
   end
 
   def test_SWR_IGTL_041_types_are_named_on_both_ports_and_what_there_is_not_is_answered
-    { planning: TYPES + %w[GET_POINT TRAJ], navigation: TYPES }.each do |port, types|
+    { planning: TYPES + %w[GET_POINT TRAJ], navigation: ['NDARRAY', *TYPES] }.each do |port, types|
       send(port) do |client|
         client.run('ask GET_STATUS ping')
         client.run('expect STATUS ping 1')

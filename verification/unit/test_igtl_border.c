@@ -200,6 +200,64 @@ void test_SWR_IGTL_038_lists_have_the_order_that_the_robot_names(void)
     TEST_ASSERT_EQUAL_STRING("0.006136,-1.000000,", text);
 }
 
+/* The only number of an array. */
+static status_t read_whole(uint64_t bits, uint32_t bytes, int32_t *value)
+{
+    uint8_t content[14] = {0};
+    const igtl_message_t message = {.content = content, .number_bytes = bytes};
+
+    for (uint32_t i = 0U; i < bytes; i++) {
+        content[6U + i] = (uint8_t)(bits >> (8U * (bytes - 1U - i)));
+    }
+    return igtl_border_read_whole(&message, 0U, value);
+}
+
+static status_t read_double(double number, int32_t *value)
+{
+    uint64_t bits;
+
+    (void)memcpy(&bits, &number, sizeof bits);
+    return read_whole(bits, 8U, value);
+}
+
+void test_SWR_TRAJ_023_whole_numbers_of_an_array_are_read_to_the_last(void)
+{
+    static const int32_t numbers_of[] = {0,        1,        -1,        2,         3,
+                                         16777215, 16777216, -16777217, INT32_MAX, -INT32_MAX};
+    int32_t value;
+
+    for (uint32_t i = 0U; i < (sizeof numbers_of / sizeof numbers_of[0]); i++) {
+        value = 77;
+        TEST_ASSERT_EQUAL_INT(STATUS_OK, read_double((double)numbers_of[i], &value));
+        TEST_ASSERT_EQUAL_INT32(numbers_of[i], value);
+    }
+    TEST_ASSERT_EQUAL_INT(STATUS_OK, read_double(-0.0, &value));
+    TEST_ASSERT_EQUAL_INT32(0, value);
+    TEST_ASSERT_EQUAL_INT(STATUS_OK, read_whole(bits_of(-30000.0), 4U, &value));
+    TEST_ASSERT_EQUAL_INT32(-30000, value);
+    TEST_ASSERT_EQUAL_INT(STATUS_OK, read_whole(bits_of(1073741824.0), 4U, &value));
+    TEST_ASSERT_EQUAL_INT32(1073741824, value);
+}
+
+void test_SWR_TRAJ_023_other_numbers_of_an_array_are_refused(void)
+{
+    static const double others[] = {0.5,      -1.5,         0.999999999,   1e-300,
+                                    4.9e-324, 2147483648.0, -2147483648.0, 4503599627370497.0,
+                                    1e16,     1e308};
+    int32_t value;
+
+    for (uint32_t i = 0U; i < (sizeof others / sizeof others[0]); i++) {
+        TEST_ASSERT_EQUAL_INT(STATUS_OUT_OF_RANGE, read_double(others[i], &value));
+    }
+    TEST_ASSERT_EQUAL_INT(STATUS_NOT_FINITE, read_double(NAN, &value));
+    TEST_ASSERT_EQUAL_INT(STATUS_NOT_FINITE, read_double(-INFINITY, &value));
+    TEST_ASSERT_EQUAL_INT(STATUS_OUT_OF_RANGE, read_whole(bits_of(0.25), 4U, &value));
+    TEST_ASSERT_EQUAL_INT(STATUS_OUT_OF_RANGE, read_whole(bits_of(2147483648.0), 4U, &value));
+    TEST_ASSERT_EQUAL_INT(STATUS_OUT_OF_RANGE, read_whole(bits_of(3e38), 4U, &value));
+    TEST_ASSERT_EQUAL_INT(STATUS_OUT_OF_RANGE, read_whole(1U, 4U, &value));
+    TEST_ASSERT_EQUAL_INT(STATUS_NOT_FINITE, read_whole(bits_of(INFINITY), 4U, &value));
+}
+
 void test_SWR_IGTL_012_a_list_of_all_axes_that_a_robot_may_have_is_whole(void)
 {
     robot_t longest = {.axis_count = ROBOT_AXIS_MAX};

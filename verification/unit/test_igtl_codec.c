@@ -689,6 +689,58 @@ void test_SWR_IGTL_068_a_trajectory_comes_alone(void)
     TEST_ASSERT_EQUAL_UINT32(IGTL_STATUS_CONFIG_ERROR, igtl_result_code(IGTL_NOT_ONE));
 }
 
+static void frame_array(uint32_t type, uint32_t dimensions, uint32_t rows, uint32_t body_bytes)
+{
+    put(IGTL_HEADER_BYTES, type, 1U);
+    put(IGTL_HEADER_BYTES + 1U, dimensions, 1U);
+    put(IGTL_HEADER_BYTES + 2U, rows, 2U);
+    put(IGTL_HEADER_BYTES + 4U, 3U, 2U);
+    frame(1U, "NDARRAY", body_bytes);
+}
+
+void test_SWR_TRAJ_022_an_array_is_understood_row_by_row(void)
+{
+    put(IGTL_HEADER_BYTES + 6U + (8U * 5U), 0x4008000000000000U, 8U);
+    frame_array(11U, 2U, 2U, 6U + (2U * 3U * 8U));
+    TEST_ASSERT_EQUAL_INT(IGTL_OK, decode());
+    TEST_ASSERT_EQUAL_INT(IGTL_KIND_ARRAY, message.kind);
+    TEST_ASSERT_EQUAL_UINT32(2U, message.rows);
+    TEST_ASSERT_EQUAL_UINT32(3U, message.columns);
+    TEST_ASSERT_EQUAL_HEX64(0x4008000000000000U, igtl_array_bits(&message, 5U));
+    setUp();
+    put(IGTL_HEADER_BYTES + 6U + (4U * 2U), ONE, 4U);
+    frame_array(10U, 2U, 2U, 6U + (2U * 3U * 4U));
+    TEST_ASSERT_EQUAL_INT(IGTL_OK, decode());
+    TEST_ASSERT_EQUAL_HEX64(ONE, igtl_array_bits(&message, 2U));
+}
+
+void test_SWR_TRAJ_023_other_arrays_are_refused(void)
+{
+    frame_array(6U, 2U, 2U, 6U + (2U * 3U * 4U));
+    TEST_ASSERT_EQUAL_INT(IGTL_NOT_TABLE, decode());
+    frame_array(11U, 3U, 2U, 6U + (2U * 3U * 8U));
+    TEST_ASSERT_EQUAL_INT(IGTL_NOT_TABLE, decode());
+    frame_array(11U, 1U, 2U, 6U + (2U * 3U * 8U));
+    TEST_ASSERT_EQUAL_INT(IGTL_NOT_TABLE, decode());
+    frame_array(11U, 2U, 2U, 5U);
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_LENGTH, decode());
+    frame_array(11U, 2U, 2U, 5U + (2U * 3U * 8U));
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_LENGTH, decode());
+    frame_array(11U, 2U, 65535U, 6U + (2U * 3U * 8U));
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_LENGTH, decode());
+    TEST_ASSERT_EQUAL_UINT32(IGTL_STATUS_CONFIG_ERROR, igtl_result_code(IGTL_NOT_TABLE));
+}
+
+void test_SWR_IGTL_003_an_array_may_be_longer_up_to_its_own_limit(void)
+{
+    frame(1U, "NDARRAY", 0U);
+    put(42U, LIMIT_IGTL_ARRAY_MAX, 8U);
+    TEST_ASSERT_EQUAL_INT(IGTL_OK, igtl_decode_header(bytes, &header));
+    put(42U, LIMIT_IGTL_ARRAY_MAX + 1U, 8U);
+    TEST_ASSERT_EQUAL_INT(IGTL_TOO_LONG, igtl_decode_header(bytes, &header));
+    TEST_ASSERT_FALSE(igtl_header_is_lost(&header));
+}
+
 void test_SWR_IGTL_002_each_refusal_has_a_name_and_a_code(void)
 {
     for (int32_t i = (int32_t)IGTL_OK; i <= (int32_t)IGTL_MARKED_INVALID; i++) {

@@ -271,6 +271,53 @@ void test_SWR_IGTL_011_whole_message_ends_the_wait(void)
     TEST_ASSERT_FALSE(igtl_inbox_is_late(&inbox, LIMIT_IGTL_PARTIAL_TIMEOUT_US));
 }
 
+/* The longest list of the longest robot, and a STRING behind it. */
+static uint32_t long_array(uint8_t *bytes, uint32_t body_bytes)
+{
+    (void)memset(bytes, 0, IGTL_HEADER_BYTES + body_bytes);
+    bytes[1] = 1U;
+    (void)memcpy(&bytes[2], "NDARRAY", 7U);
+    bytes[IGTL_HEADER_BYTES] = 10U;
+    bytes[IGTL_HEADER_BYTES + 1U] = 2U;
+    bytes[IGTL_HEADER_BYTES + 2U] = 0x10U;
+    bytes[IGTL_HEADER_BYTES + 5U] = (uint8_t)((body_bytes - 6U) / 16384U);
+    const uint64_t crc = igtl_crc64(0U, &bytes[IGTL_HEADER_BYTES], body_bytes);
+    for (uint32_t i = 0U; i < 8U; i++) {
+        bytes[42U + i] = (uint8_t)((uint64_t)body_bytes >> (56U - (8U * i)));
+        bytes[50U + i] = (uint8_t)(crc >> (56U - (8U * i)));
+    }
+    return IGTL_HEADER_BYTES + body_bytes;
+}
+
+void test_SWR_IGTL_069_a_long_array_comes_whole_and_what_follows_is_read(void)
+{
+    static uint8_t bytes[IGTL_HEADER_BYTES + LIMIT_IGTL_ARRAY_MAX];
+    static uint8_t large[LIMIT_IGTL_ARRAY_MAX];
+    const uint32_t length = long_array(bytes, 6U + (4096U * 21U * 4U));
+
+    igtl_inbox_lend(&inbox, large);
+    for (uint32_t piece = 997U; piece <= length; piece += 100000U) {
+        TEST_ASSERT_EQUAL_INT(IGTL_INBOX_MESSAGE, feed(bytes, length, piece, 0U));
+        TEST_ASSERT_EQUAL_UINT32(4096U, inbox.message.rows);
+        TEST_ASSERT_EQUAL_UINT32(21U, inbox.message.columns);
+        TEST_ASSERT_EQUAL_INT(IGTL_INBOX_MESSAGE, feed(packet.bytes, packet.length, 100U, 0U));
+        TEST_ASSERT_EQUAL_MEMORY("STOP", inbox.message.text, 4U);
+    }
+    bytes[length - 1U] ^= 1U;
+    TEST_ASSERT_EQUAL_INT(IGTL_INBOX_REFUSED, feed(bytes, length, length, 0U));
+    TEST_ASSERT_EQUAL_INT(IGTL_BAD_CRC, inbox.reason);
+}
+
+void test_SWR_IGTL_069_where_no_room_is_lent_a_long_array_is_refused(void)
+{
+    static uint8_t bytes[IGTL_HEADER_BYTES + LIMIT_IGTL_ARRAY_MAX];
+    const uint32_t length = long_array(bytes, 6U + (4096U * 4U));
+
+    TEST_ASSERT_EQUAL_INT(IGTL_INBOX_REFUSED, feed(bytes, length, 1000U, 0U));
+    TEST_ASSERT_EQUAL_INT(IGTL_TOO_LONG, inbox.reason);
+    TEST_ASSERT_EQUAL_INT(IGTL_INBOX_MESSAGE, feed(packet.bytes, packet.length, 100U, 0U));
+}
+
 void test_SWR_IGTL_011_random_bytes_never_leave_the_buffer(void)
 {
     uint32_t seed = 1U;

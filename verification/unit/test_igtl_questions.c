@@ -92,11 +92,11 @@ void test_SWR_IGTL_041_a_port_names_only_what_it_answers(void)
     for (uint32_t i = 0U; i < 2U; i++) {
         language = languages[i];
         TEST_ASSERT_TRUE(ask(IGTL_KIND_GET_CAPABILITY, "GET_CAPABIL", "who"));
-        EXPECT("CAPABILITY who TRANSFORM STRING STATUS GET_TRANS GET_STATUS GET_CAPABIL STT_TDATA "
-               "STP_TDATA COMMAND");
+        EXPECT("CAPABILITY who NDARRAY TRANSFORM STRING STATUS GET_TRANS GET_STATUS GET_CAPABIL "
+               "STT_TDATA STP_TDATA COMMAND");
         command(1U, "Capabilities");
-        EXPECT("RTS_COMMAND peer 1 Capabilities <Capabilities Types=\"TRANSFORM STRING STATUS "
-               "GET_TRANS GET_STATUS GET_CAPABIL STT_TDATA STP_TDATA COMMAND\"/>");
+        EXPECT("RTS_COMMAND peer 1 Capabilities <Capabilities Types=\"NDARRAY TRANSFORM STRING "
+               "STATUS GET_TRANS GET_STATUS GET_CAPABIL STT_TDATA STP_TDATA COMMAND\"/>");
     }
 }
 

@@ -13,6 +13,7 @@
 #include "dialect/igtl_questions.h"
 #include "dialect/igtl_requests.h"
 #include "dialect/workphase_answer.h"
+#include "dialect/workphase_array.h"
 #include "dialect/workphase_dialect.h"
 #include "dialect/workphase_needle.h"
 #include "dialect/workphase_peer.h"

@@ -12,6 +12,7 @@
 #include <igtlCapabilityMessage.h>
 #include <igtlClientSocket.h>
 #include <igtlMessageHeader.h>
+#include <igtlNDArrayMessage.h>
 #include <igtlPointMessage.h>
 #include <igtlStatusMessage.h>
 #include <igtlStringMessage.h>
@@ -190,6 +191,13 @@ private:
         } else if (verb == "traj") {
             Need(words, 8, "traj NAME entry, target or both of each trajectory and its 6 numbers");
             SendTrajectories(words);
+        } else if (verb == "array") {
+            Need(words, 5, "array NAME 32 or 64 COLUMNS numbers, row by row");
+            if (words[2] == "32") {
+                SendArray<igtlFloat32>(words, igtl::NDArrayMessage::TYPE_FLOAT32);
+            } else {
+                SendArray<igtlFloat64>(words, igtl::NDArrayMessage::TYPE_FLOAT64);
+            }
         } else if (verb == "wait") {
             Need(words, 3, "wait TYPE NAME [MS]");
             Await(words[1], words[2], Patience(words, 3));
@@ -313,6 +321,30 @@ private:
             return igtl::TrajectoryElement::TYPE_ENTRY_TARGET;
         }
         return word == "entry" ? igtl::TrajectoryElement::TYPE_ENTRY_ONLY : igtl::TrajectoryElement::TYPE_TARGET_ONLY;
+    }
+
+    template <class Real> void SendArray(const Words &words, int type)
+    {
+        const std::size_t columns = static_cast<std::size_t>(std::atoi(words[3].c_str()));
+        std::vector<Real> numbers;
+        for (std::size_t i = 4; i < words.size(); i++) {
+            numbers.push_back(static_cast<Real>(std::strtod(words[i].c_str(), NULL)));
+        }
+        if (columns == 0 || numbers.size() % columns != 0) {
+            throw std::runtime_error("rows of an array are as long as each other");
+        }
+        igtl::ArrayBase::IndexType size(2);
+        size[0] = static_cast<igtlUint16>(numbers.size() / columns);
+        size[1] = static_cast<igtlUint16>(columns);
+        igtl::Array<Real> array;
+        array.SetSize(size);
+        array.SetArray(&numbers[0]);
+        igtl::NDArrayMessage::Pointer message = igtl::NDArrayMessage::New();
+        message->SetDeviceName(words[1].c_str());
+        message->SetArray(type, &array);
+        message->Pack();
+        Begin();
+        Send(message);
     }
 
     void SendPhase(const std::string &phase, const std::string &id)

@@ -11,6 +11,7 @@ extern "C" {
 
 #include <igtlCapabilityMessage.h>
 #include <igtlMessageHeader.h>
+#include <igtlNDArrayMessage.h>
 #include <igtlPointMessage.h>
 #include <igtlStatusMessage.h>
 #include <igtlStringMessage.h>
@@ -293,6 +294,31 @@ void CompareTrajectory()
     }
 }
 
+template <class Number> void CompareArray(int type)
+{
+    const igtlUint16 rows = static_cast<igtlUint16>(1 + Random(8));
+    const igtlUint16 columns = static_cast<igtlUint16>(1 + Random(15));
+    std::vector<Number> numbers;
+    for (unsigned i = 0; i < rows * static_cast<unsigned>(columns); i++) {
+        numbers.push_back(static_cast<Number>(Finite()) / 3);
+    }
+    igtl::Array<Number> array;
+    array.SetSize({rows, columns});
+    array.SetArray(numbers.data());
+    igtl::NDArrayMessage::Pointer message = igtl::NDArrayMessage::New();
+    message->SetDeviceName("TRAJECTORY");
+    message->SetArray(type, &array);
+    message->Pack();
+    const igtl_message_t decoded = Decoded(message);
+    Check(decoded.kind == IGTL_KIND_ARRAY && decoded.rows == rows && decoded.columns == columns, "an array's shape");
+    Check(decoded.number_bytes == sizeof(Number), "an array's type");
+    for (unsigned i = 0; i < numbers.size(); i++) {
+        uint64_t bits = 0;
+        std::memcpy(&bits, &numbers[i], sizeof(Number));
+        Check(igtl_array_bits(&decoded, i) == bits, "a number of an array");
+    }
+}
+
 void CompareStreams()
 {
     const std::string name = Text(19);
@@ -348,6 +374,8 @@ int main()
         CompareCapability();
         CompareTracking();
         CompareTrajectory();
+        CompareArray<igtlFloat32>(igtl::NDArrayMessage::TYPE_FLOAT32);
+        CompareArray<igtlFloat64>(igtl::NDArrayMessage::TYPE_FLOAT64);
         CompareStreams();
     }
     CompareQuery<igtl::GetTransformMessage>(IGTL_KIND_GET_TRANSFORM, "GET_TRANS");

@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * A trajectory that came as one NDARRAY, on its way to the controller: the commands of the STRINGs
+ * of workphase_trajectory.h, made here. The array is read whole before the first of them; one array
+ * at a time.
+ */
+#ifndef BORESIGHT_WORKPHASE_ARRAY_H
+#define BORESIGHT_WORKPHASE_ARRAY_H
+
+#include "dialect/igtl_requests.h"
+#include "interface/status.h"
+#include "limits/requirement_limits.h"
+#include "message/igtl_codec.h"
+#include "mode/trajectory_row.h"
+#include "robot/robot.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/** All zero: none is on its way. */
+typedef struct {
+    bool is_busy;
+    bool has_failed; /**< Nothing more of it is passed on; some of it may wait for an answer. */
+    uint32_t peer;   /**< Whose it is. */
+    uint32_t next;   /**< To be passed on: 0 the begin, 1 to `count` a row, then the end. */
+    uint32_t count;
+    uint32_t crc; /**< trajectory_list_crc() of all rows. */
+    trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS];
+} workphase_array_t;
+
+/**
+ * Takes an array of `peer`: in each row ms, ticks of each axis, ticks/s of each axis, all of them
+ * whole numbers. What is refused changes nothing unless an earlier array has ended.
+ *
+ * @return STATUS_OK; STATUS_BUSY while one is on its way; STATUS_NOT_FINITE; STATUS_OUT_OF_RANGE
+ * for rows or columns too few or too many, or a number that is not whole or too large
+ *
+ * @satisfies SWR-TRAJ-022
+ * @satisfies SWR-TRAJ-023
+ * @satisfies SWR-TRAJ-024
+ */
+status_t workphase_array_take(workphase_array_t *self, const robot_t *robot, uint32_t peer,
+                              const igtl_message_t *message);
+
+/** Passes on what may be, as of the connection `number`. */
+void workphase_array_step(workphase_array_t *self, igtl_requests_t *requests, uint32_t number,
+                          uint64_t now_us);
+
+/** `request` is of the array that is on its way. */
+bool workphase_array_has(const workphase_array_t *self, const igtl_request_t *request);
+
+/** The controller, or nobody, has answered so that the rest is dropped. False: it was before. */
+bool workphase_array_fail(workphase_array_t *self);
+
+/** `peer` has gone, or its whole list is held. */
+void workphase_array_end(workphase_array_t *self, uint32_t peer);
+
+#endif
