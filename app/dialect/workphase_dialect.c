@@ -229,8 +229,7 @@ void workphase_dialect_step(workphase_dialect_t *self, const igtl_moment_t *mome
         tell_no_answer(self, overdue, moment);
         overdue = igtl_requests_overdue(&self->requests, moment->patience_us);
     }
-    workphase_array_step(&self->array, &self->requests, self->peers[self->array.peer].number,
-                         moment->patience_us);
+    workphase_receive_go_on(self, moment);
     for (uint32_t i = 0U; i < IGTL_PLACES; i++) {
         if (self->peers[i].outbox != NULL) {
             workphase_peer_send_deferred(&self->peers[i], moment->now_us, false);

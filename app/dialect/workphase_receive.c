@@ -167,15 +167,32 @@ static void receive_trajectory(workphase_dialect_t *self, uint32_t index,
     }
 }
 
+/* Its begin goes on at once, or the array is refused. */
+static status_t begin_array(workphase_dialect_t *self, uint32_t index,
+                            const igtl_message_t *message, const igtl_moment_t *moment)
+{
+    workphase_array_t *array = &self->array;
+    const status_t status = workphase_array_take(array, self->robot, index, message);
+
+    if (status != STATUS_OK) {
+        return status;
+    }
+    workphase_array_step(array, &self->requests, self->peers[index].number, moment->patience_us);
+    if (array->next == 0U) {
+        workphase_array_end(array, index);
+        return STATUS_BUSY;
+    }
+    return STATUS_OK;
+}
+
 void workphase_receive_array(workphase_dialect_t *self, uint32_t index,
                              const igtl_message_t *message, const igtl_moment_t *moment)
 {
     status_t status = STATUS_UNKNOWN_COMMAND;
 
     if (strcmp(message->name, WORKPHASE_TRAJECTORY) == 0) {
-        status = is_others(self, index)
-                     ? STATUS_NO_AUTHORITY
-                     : workphase_array_take(&self->array, self->robot, index, message);
+        status = is_others(self, index) ? STATUS_NO_AUTHORITY
+                                        : begin_array(self, index, message, moment);
     }
     if (status != STATUS_OK) {
         igtl_tell_refusal(self->peers[index].outbox, message->name, status, moment);
@@ -321,6 +338,17 @@ void workphase_receive_transform(workphase_dialect_t *self, uint32_t index,
     } else {
         igtl_tell_refusal(peer->outbox, message->name, STATUS_UNKNOWN_COMMAND, moment);
     }
+}
+
+void workphase_receive_go_on(workphase_dialect_t *self, const igtl_moment_t *moment)
+{
+    workphase_array_t *array = &self->array;
+    const workphase_peer_t *peer = &self->peers[array->peer];
+
+    if (array->is_busy && is_others(self, array->peer) && workphase_array_fail(array)) {
+        igtl_tell_refusal(peer->outbox, WORKPHASE_TRAJECTORY, STATUS_NO_AUTHORITY, moment);
+    }
+    workphase_array_step(array, &self->requests, peer->number, moment->patience_us);
 }
 
 /* Of all peers; while nobody commands each may send them. */

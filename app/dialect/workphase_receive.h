@@ -44,6 +44,13 @@ void workphase_receive_array(workphase_dialect_t *self, uint32_t peer,
                              const igtl_message_t *message, const igtl_moment_t *moment);
 
 /**
+ * Passes on more of the array that is on its way, unless another one commands since.
+ *
+ * @satisfies SWR-TRAJ-024
+ */
+void workphase_receive_go_on(workphase_dialect_t *self, const igtl_moment_t *moment);
+
+/**
  * Passes on the tip of a connected peer that waits for its turn.
  *
  * @satisfies SWR-IGTL-034

@@ -405,7 +405,7 @@ static bool has_newer(const world_t *world, const igtl_request_t *request)
     return false;
 }
 
-/* Who waits is told when it need not wait any more. */
+/* Who waits is told when it need not wait any more; of the rows of an array once. */
 static void judge_requests(const world_t *world)
 {
     for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
@@ -420,6 +420,7 @@ static void judge_requests(const world_t *world)
 
         SENTENCE(waits || (witness.peers[was->peer].statuses > 0U) ||
                      (was->kind == (uint32_t)COMMAND_NEEDLE) ||
+                     workphase_array_has(&world->workphase.array, was) ||
                      (is_urgent(was) && has_newer(world, was)),
                  "whoever waits for an answer is told");
     }
@@ -488,6 +489,14 @@ static bool is_said_now(const command_t *command)
                    witness.said->name) == 0);
 }
 
+/* A row of an array goes on when the one before was taken. */
+static bool is_of_array(const world_t *world, uint32_t place, const command_t *command)
+{
+    const igtl_request_t request = {.id = command->id, .peer = place, .kind = command->kind};
+
+    return workphase_array_has(&world->workphase.array, &request);
+}
+
 static void judge_command(const world_t *world, const command_t *command)
 {
     const uint32_t place = place_of(world, command->peer);
@@ -498,7 +507,8 @@ static void judge_command(const world_t *world, const command_t *command)
     }
 
     SENTENCE((place != NOWHERE) &&
-                 ((place == witness.speaker) || (command->kind == (uint32_t)COMMAND_NEEDLE)),
+                 ((place == witness.speaker) || (command->kind == (uint32_t)COMMAND_NEEDLE) ||
+                  is_of_array(world, place, command)),
              "a command is its speaker's");
     SENTENCE((command->kind < (uint32_t)COMMAND_HOME_AXIS) ||
                  (command->kind > (uint32_t)COMMAND_SET_HOME),

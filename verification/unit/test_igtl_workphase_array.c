@@ -260,6 +260,18 @@ void test_SWR_TRAJ_024_another_list_waits_for_this_one(void)
     EXPECT_BEGIN(0U, "STATUS TRAJECTORY 1 ");
 }
 
+void test_SWR_TRAJ_024_an_array_without_room_for_its_begin_is_refused(void)
+{
+    for (uint32_t i = 0U; i < IGTL_REQUESTS_PER_PEER; i++) {
+        say(0U, "Text", "POSE PARK");
+    }
+    make(2U);
+    hand_in(0U);
+    EXPECT_BEGIN(0U, "STATUS TRAJECTORY 6 BUSY|");
+    TEST_ASSERT_EQUAL_UINT32(IGTL_REQUESTS_PER_PEER, waiting());
+    TEST_ASSERT_FALSE(dialect.array.is_busy);
+}
+
 /* Those that were behind it on their way are refused as well, and not told. */
 void test_SWR_TRAJ_024_a_refused_row_is_told_once_and_ends_it(void)
 {
@@ -299,6 +311,22 @@ void test_SWR_TRAJ_024_silence_of_control_is_told_once_and_ends_it(void)
     EXPECT(0U, "");
     answer_to(&command, ANSWER_ACCEPTED, STATUS_OK, 1U);
     pass_us(0U);
+    EXPECT(0U, "");
+    expect_no_command();
+}
+
+void test_SWR_TRAJ_024_who_does_not_command_any_more_goes_not_on(void)
+{
+    make(4U);
+    hand_in(0U);
+    taken(COMMAND_LIST_BEGIN, 4U);
+    (void)waiting();
+    snapshot.authority = (uint32_t)AUTHORITY_STATE_HELD;
+    snapshot.holder = (uint32_t)COMMAND_SOURCE_IGTL;
+    snapshot.holder_peer = NUMBER + 1U;
+    answer_to(&command, ANSWER_ACCEPTED, STATUS_OK, 1U);
+    pass_us(0U);
+    EXPECT_BEGIN(0U, "STATUS TRAJECTORY 5 NO_AUTHORITY|");
     EXPECT(0U, "");
     expect_no_command();
 }
