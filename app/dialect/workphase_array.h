@@ -18,15 +18,15 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** All zero: none is on its way. */
+/** All zero but for the rows: none is on its way. */
 typedef struct {
     bool is_busy;
     bool has_failed; /**< Nothing more of it is passed on; some of it may wait for an answer. */
     uint32_t peer;   /**< Whose it is. */
     uint32_t next;   /**< To be passed on: 0 the begin, 1 to `count` a row, then the end. */
     uint32_t count;
-    uint32_t crc; /**< trajectory_list_crc() of all rows. */
-    trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS];
+    uint32_t crc;                                 /**< trajectory_list_crc() of all rows. */
+    trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS]; /**< Beyond `count`: undefined. */
 } workphase_array_t;
 
 /**

@@ -13,7 +13,7 @@
 
 void workphase_dialect_init(workphase_dialect_t *self, const robot_t *robot, uint32_t first_id)
 {
-    (void)memset(self, 0, sizeof *self);
+    (void)memset(self, 0, offsetof(workphase_dialect_t, array.rows));
     self->robot = robot;
     self->controller = IGTL_NOBODY;
     self->is_new = true;

@@ -97,11 +97,11 @@ typedef struct {
     const robot_t *robot;
     igtl_requests_t requests;
     workphase_watch_t watch;
-    workphase_array_t array;
     workphase_peer_t peers[IGTL_PLACES];
     uint32_t controller;       /**< Peer that has authority as control shows it, or IGTL_NOBODY. */
     uint64_t next_position_us; /**< When the next CURRENT_POSITION is due. */
     bool is_new;               /**< What connections of an earlier run had is not released yet. */
+    workphase_array_t array;   /**< The last, as its rows are. */
 } workphase_dialect_t;
 
 /** `first_id` numbers the commands, even. */
