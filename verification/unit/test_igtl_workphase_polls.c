@@ -174,7 +174,7 @@ void test_SWR_IGTL_041_common_questions_are_answered_here_too(void)
     EXPECT_BEGIN(0U, "STATUS T1 4 NOT_FOUND|");
     question.kind = IGTL_KIND_GET_CAPABILITY;
     workphase_dialect_receive(&dialect, 0U, &question, &moment);
-    EXPECT_BEGIN(0U, "CAPABILITY T1 TRANSFORM ");
+    EXPECT_BEGIN(0U, "CAPABILITY T1 NDARRAY TRANSFORM ");
     EXPECT(0U, "");
     expect_no_command();
 }
