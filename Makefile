@@ -143,6 +143,11 @@ $(GEN)/interface/%.c: $(GEN)/interface/.compiled ;
 $(GEN)/interface/%.h: $(GEN)/interface/.compiled ;
 .PRECIOUS: $(GEN)/interface/%.c $(GEN)/interface/%.h
 
+DRAWINGS := $(GEN)/robot/drawings.ts
+$(DRAWINGS): build/robots $(wildcard core/robot/*/*.yml) tools/robot_drawings.rb $(wildcard tools/robot/*.rb) \
+    $(GEN)/limits/requirement_limits.h
+	@ruby tools/robot_drawings.rb core/robot $@
+
 $(GEN)/message/crc64_table.h: tools/crc64_table.rb
 	@ruby tools/crc64_table.rb $@
 
@@ -153,7 +158,7 @@ app/console/node_modules/.installed: app/console/package-lock.json
 	@cd app/console && npm ci --loglevel=error --ignore-scripts --no-audit --no-fund >/dev/null
 	@touch $@
 
-$(GEN)/assets/assets.c: $(CONSOLE_SOURCES) $(GEN)/interface/.compiled app/console/node_modules/.installed tools/embed.rb
+$(GEN)/assets/assets.c: $(CONSOLE_SOURCES) $(GEN)/interface/.compiled $(DRAWINGS) $(GEN)/charts/charts.json app/console/node_modules/.installed tools/embed.rb
 	@cd app/console && npm run --silent build
 	@echo 'built build/console'
 	@ruby tools/embed.rb build/console $(GEN)/assets /api/v1/openapi.json=$(GEN)/interface/app/openapi.json

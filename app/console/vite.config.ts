@@ -1,10 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 import react from "@vitejs/plugin-react";
+import { fileURLToPath } from "node:url";
 import { defineConfig } from "vitest/config";
+
+const generated = (path: string) =>
+  fileURLToPath(new URL(`../../build/gen/${path}`, import.meta.url));
 
 export default defineConfig({
   base: "/",
   plugins: [react()],
+  resolve: {
+    alias: {
+      "@charts": generated("charts/charts.ts"),
+      "@drawings": generated("robot/drawings.ts"),
+    },
+  },
   build: {
     outDir: "../../build/console",
     emptyOutDir: true,

@@ -25,6 +25,11 @@ module Robot
       raise ArgumentError, "#{@text} has no value"
     end
 
+    # The same as TypeScript, with functions of these names; the block says each other name there.
+    def script
+      tokens.map { |token| token.match?(/\A[a-z]/) && !FUNCTIONS.key?(token) ? yield(token) : token }.join(' ')
+    end
+
     private
 
     def stray(token)

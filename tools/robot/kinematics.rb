@@ -73,8 +73,12 @@ module Robot
       found.fetch('code')
     end
 
-    private
+    # How a robot is drawn; empty where nothing is said.
+    def drawing
+      @parts.fetch('drawing', {})
+    end
 
+    # Of what stands in `field`.
     def refuse(field, reason)
       raise Refused.new(@path, field, reason)
     end

@@ -39,13 +39,16 @@ export function useOutlook(page: Page, status: Status): Modes | null {
   return modes;
 }
 
+/** What does not change of the robot; null while it is not known. */
+export function useRobot(page: Page, bootId: string): Robot | null {
+  const [robot, setRobot] = useState<Robot | null>(null);
+  useEffect(() => {
+    void ask<Robot>(page, ROBOT_PATH).then(setRobot);
+  }, [page, bootId]);
+  return robot;
+}
+
 /** Those of the robot's file; none while they are not known. */
 export function usePoses(page: Page, bootId: string): readonly PoseName[] {
-  const [poses, setPoses] = useState<readonly PoseName[]>([]);
-  useEffect(() => {
-    void ask<Robot>(page, ROBOT_PATH).then((robot) =>
-      setPoses(robot?.poses ?? []),
-    );
-  }, [page, bootId]);
-  return poses;
+  return useRobot(page, bootId)?.poses ?? [];
 }

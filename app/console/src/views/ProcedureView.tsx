@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { Aim } from "../panels/Aim";
 import { Axes } from "../panels/Axes";
+import { Drawing } from "../panels/Drawing";
 import { Log } from "../panels/Log";
 import { Procedure } from "../panels/Procedure";
 import { Targeting } from "../panels/Targeting";
@@ -22,6 +23,9 @@ export function ProcedureView({
           outlook={outlook}
           operation={operation}
         />
+      </Panel>
+      <Panel title="Drawing" className="panel-wide">
+        <Drawing robot={robot} page={operation.page} />
       </Panel>
       <Panel title="Axes" className="panel-wide">
         <Axes axes={robot.motors.axes} />
