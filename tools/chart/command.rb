@@ -8,6 +8,7 @@ require_relative 'compiled'
 require_relative 'difference'
 require_relative 'emit/c/header'
 require_relative 'emit/c/source'
+require_relative 'emit/console'
 require_relative 'emit/diagram'
 require_relative 'emit/page'
 require_relative 'emit/table'
@@ -136,14 +137,15 @@ module Chart
     end
 
     def outputs(charts)
+      drawings = {}
       charts.each_with_object({}) do |chart, files|
         name = chart.document.name
         code(chart).each { |file, content| files["charts/#{file}"] = content }
         files["tests/test_#{name}_walk.c"] = WalkTest.new(chart.document, chart.walk).emit
         files["tests/test_#{name}_paths.c"] = PathsTest.new(chart.document, chart.walk).emit
         files["charts/#{name}.dot"] = Diagram.new(chart.document).dot
-        files["charts/#{name}.svg"] = Diagram.svg(files["charts/#{name}.dot"])
-      end.merge('charts/charts.json' => Table.emit(charts))
+        files["charts/#{name}.svg"] = drawings[name] = Diagram.svg(files["charts/#{name}.dot"])
+      end.merge('charts/charts.json' => Table.emit(charts), 'charts/charts.ts' => Console.emit(charts, drawings))
     end
 
     # chart: a Compiled, or the counterexample of a refused one.

@@ -13,11 +13,12 @@ module Robot
   #
   # @satisfies SWR-CON-029
   class Drawing
-    def initialize(path, text)
+    # drawing: in place of that of the robot's kinematics.
+    def initialize(path, text, drawing = nil)
       @robot = Description.new(path, text)
       @crc = Crc.of(text)
       @kinematics = Kinematics.new(@robot.kinematics)
-      @drawing = @kinematics.drawing
+      @drawing = drawing || @kinematics.drawing
       check
     end
 

@@ -32,6 +32,8 @@ export interface Scene {
   needle: Needle | null;
   entry: Point | null;
   target: Point | null;
+  /** Where the body may come, so that the room for it is there before it is. */
+  room: readonly Point[];
 }
 
 const FRAME_MM = 30;
@@ -94,6 +96,20 @@ export function drawingOf(robot: Robot | null): RobotDrawing | null {
   return drawing?.checksum === robot?.checksum ? (drawing ?? null) : null;
 }
 
+/** At the least, the most and in the middle of all its axes. */
+function roomOf({ motors }: RobotState, drawing: RobotDrawing): Point[] {
+  const at = (share: number) => (name: string) => {
+    const axis = motors.axes.find((one) => one.name === name);
+    return axis === undefined
+      ? NaN
+      : axis.minimum + share * (axis.maximum - axis.minimum);
+  };
+  return [0, 0.5, 1]
+    .flatMap((share) => drawing.shape(at(share)).parts)
+    .flatMap(({ points }) => points)
+    .filter(isKnown);
+}
+
 function needleOf(
   pose: readonly number[] | null,
   ends: { rear: number; tip: number } | undefined,
@@ -142,14 +158,18 @@ export function sceneOf(
     needle: needleOf(pose, shape, target),
     entry: isRegistered && plan.entry_mm ? toPoint(plan.entry_mm) : null,
     target: target === null ? null : toPoint(originOf(target)),
+    room: (drawing === null ? [] : roomOf(robot, drawing)).map((point) =>
+      place(registration, point),
+    ),
   };
 }
 
-/** All that is drawn. */
+/** All that is drawn, and may be. */
 export function pointsOf(scene: Scene): Point[] {
   const { needle } = scene;
   return [
     ...scene.frame,
+    ...scene.room,
     ...scene.parts.flatMap(({ points }) => points),
     ...[needle?.rear, needle?.treatment, needle?.tip],
     ...[scene.entry, scene.target],

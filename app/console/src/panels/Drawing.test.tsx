@@ -124,7 +124,7 @@ test("SWR-CON-029 in the scanner's coordinates points, distance and angle are sh
   expect(said("Target ⊕")).toBe("18.32, 199.89, 172.91");
   expect(said("Entry point □")).toBe("18.32, 240.00, 172.91");
   expect(said("Treatment point to target")).toBe("10.00 mm");
-  expect(said("Angle of the needle to it")).toBe("45.0°");
+  expect(said("Angle to the target’s line")).toBe("45.0°");
   const [, from] = mark("Side view", "treatment")!;
   const [, to] = mark("Side view", "target")!;
   expect((to! - from!) / scaleOf("Side view")).toBeCloseTo(10, 6);

@@ -329,7 +329,7 @@ function Facts({ scene, targeting, hasDrawing }: FactsProperties) {
       <dd>{planText(scene.target, targeting.target !== null)}</dd>
       <dt>Treatment point to target</dt>
       <dd>{distance === null ? "–" : `${formatNumber(distance, 2)} mm`}</dd>
-      <dt>Angle of the needle to it</dt>
+      <dt>Angle to the target’s line</dt>
       <dd>
         {needle?.angle == null ? "–" : `${formatNumber(needle.angle, 1)}°`}
       </dd>

@@ -34,6 +34,13 @@ export const views: readonly ViewEntry[] = [
     })),
   },
   {
+    id: "charts",
+    title: "Charts",
+    Content: lazy(async () => ({
+      default: (await import("./ChartsView")).ChartsView,
+    })),
+  },
+  {
     id: "communication",
     title: "Communication",
     Content: lazy(async () => ({

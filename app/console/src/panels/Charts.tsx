@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: Apache-2.0
+import { charts, type Chart, type ChartName } from "@charts";
+import { useEffect, useId, useMemo, useRef, useState } from "react";
+import type { RobotState } from "@interface";
+import {
+  causesOf,
+  keyOf,
+  marked,
+  observe,
+  readers,
+  transitionText,
+  type Change,
+  type Instance,
+  type Leaves,
+  type Seen,
+} from "../chart_states";
+import { words } from "../format";
+import "./Charts.css";
+
+const FIRST: ChartName = "workphase";
+const NAMES = Object.keys(charts) as ChartName[];
+/** So many pixels of a point make letters of 14 pixels. */
+const LARGE = 14 / 11;
+
+interface ChooserProperties {
+  label: string;
+  names: readonly string[];
+  chosen: string;
+  choose: (name: string) => void;
+}
+
+function Chooser({ label, names, chosen, choose }: ChooserProperties) {
+  const id = useId();
+  return (
+    <span className="chart-chooser">
+      <label htmlFor={id}>{label}</label>
+      <select
+        id={id}
+        value={chosen}
+        onChange={(event) => choose(event.target.value)}
+      >
+        {names.map((name) => (
+          <option key={name} value={name}>
+            {words(name)}
+          </option>
+        ))}
+      </select>
+    </span>
+  );
+}
+
+/** What every change of the stream shows since this view was opened. */
+function useSeen(robot: RobotState): Seen {
+  const [seen, setSeen] = useState<Seen>(() => observe({}, robot, new Date()));
+  useEffect(() => {
+    setSeen((before) => observe(before, robot, new Date()));
+  }, [robot]);
+  return seen;
+}
+
+function Causes({
+  chart,
+  region,
+  change,
+}: {
+  chart: Chart;
+  region: string;
+  change: Change;
+}) {
+  const causes = causesOf(chart, region, change);
+  if (causes.length === 0) {
+    return <p>In several steps: the page sees only some states a second.</p>;
+  }
+  return (
+    <>
+      {causes.length > 1 && <p>By one of these; which, is not told:</p>}
+      <ul>
+        {causes.map((id) => (
+          <li key={id}>{transitionText(id, chart.transitions[id]!)}</li>
+        ))}
+      </ul>
+    </>
+  );
+}
+
+interface RegionProperties {
+  chart: Chart;
+  region: string;
+  leaf: string;
+  change: Change | null;
+}
+
+function Region({ chart, region, leaf, change }: RegionProperties) {
+  return (
+    <div className="chart-region">
+      <p>
+        {region === "state" ? "State" : words(region)}:{" "}
+        <strong>◆ {words(leaf)}</strong>
+      </p>
+      {change === null ? (
+        <p>No change seen since this view was opened.</p>
+      ) : (
+        <>
+          <p>
+            Last change seen: {words(change.from)} → {words(change.to)},{" "}
+            {change.at.toISOString().slice(11, 19)} UTC of this computer.
+          </p>
+          <Causes chart={chart} region={region} change={change} />
+        </>
+      )}
+    </div>
+  );
+}
+
+/** The word on a state that is active, on its left upper corner. */
+function Now({ at: [x, y] }: { at: readonly [number, number] }) {
+  return (
+    <g className="chart-now" transform={`translate(${x} ${y})`}>
+      <rect x="-7" y="-10" width="50" height="15" rx="3" />
+      <path d="M2-8L8-2 2 4-4-2z" />
+      <text x="11" y="2">
+        NOW
+      </text>
+    </g>
+  );
+}
+
+interface PictureProperties {
+  name: ChartName;
+  leaves: Leaves;
+  /** Elements that stand for the last change. */
+  taken: readonly string[];
+}
+
+function Picture({ name, leaves, taken }: PictureProperties) {
+  const { drawing, regions, corners, size } = charts[name];
+  const [isWhole, setIsWhole] = useState(false);
+  const frame = useRef<HTMLDivElement>(null);
+  const active = regions.map((region) => region.leaves[leaves[region.name]!]);
+  const ids = active.map((states) => states?.[0] ?? "");
+  const around = active.flatMap((states) => states?.slice(1) ?? []);
+  const present = ids.join(" ");
+  const html = marked(drawing, { now: ids, within: around, taken });
+  const content = useMemo(() => ({ __html: html }), [html]);
+  useEffect(() => {
+    const places = present.split(" ").flatMap((id) => [corners[id] ?? [0, 0]]);
+    const middle = (index: 0 | 1) =>
+      (places.reduce((sum, place) => sum + place[index], 0) * LARGE) /
+      places.length;
+    if (frame.current !== null) {
+      const { clientWidth, clientHeight } = frame.current;
+      frame.current.scrollLeft = middle(0) - clientWidth / 2;
+      frame.current.scrollTop = middle(1) - clientHeight / 2;
+    }
+  }, [corners, present, isWhole]);
+  const [width, height] = size;
+  return (
+    <>
+      <button type="button" onClick={() => setIsWhole(!isWhole)}>
+        {isWhole ? "Show it large" : "Show the whole drawing"}
+      </button>
+      <div
+        className="chart-frame"
+        ref={frame}
+        role="region"
+        aria-label="Drawing"
+        tabIndex={0}
+      >
+        <svg
+          role="img"
+          aria-label={`Chart ${words(name)}, now in ${Object.values(leaves).map(words).join(" and ")}`}
+          viewBox={`0 0 ${width} ${height}`}
+          width={isWhole ? "100%" : width * LARGE}
+          {...(isWhole ? {} : { height: height * LARGE })}
+        >
+          <g dangerouslySetInnerHTML={content} />
+          {ids.map((id) => {
+            const corner = corners[id];
+            return corner && <Now key={id} at={corner} />;
+          })}
+        </svg>
+      </div>
+    </>
+  );
+}
+
+function marksOf(chart: Chart, region: string, change: Change | null) {
+  const causes = change === null ? [] : causesOf(chart, region, change);
+  return causes.flatMap((id) => chart.transitions[id]?.marks ?? []);
+}
+
+/**
+ * The charts as they are drawn, with what they are in.
+ *
+ * @satisfies SWR-CON-031
+ */
+export function Charts({ robot }: { robot: RobotState }) {
+  const seen = useSeen(robot);
+  const [name, setName] = useState<ChartName>(FIRST);
+  const [instanceName, setInstanceName] = useState("");
+  const chart = charts[name];
+  const instances = readers[name](robot);
+  const instance: Instance | undefined =
+    instances.find((one) => one.name === instanceName) ?? instances[0];
+  if (instance === undefined) {
+    return null;
+  }
+  const regions = chart.regions.map((region) => ({
+    region: region.name,
+    leaf: instance.leaves[region.name] ?? "",
+    change: seen[keyOf(name, instance.name, region.name)]?.change ?? null,
+  }));
+  return (
+    <div className="charts">
+      <div className="chart-choosers">
+        <Chooser
+          label="Chart"
+          names={NAMES}
+          chosen={name}
+          choose={(chosen) => setName(chosen as ChartName)}
+        />
+        {instances.length > 1 && (
+          <Chooser
+            label="Of"
+            names={instances.map((one) => one.name)}
+            chosen={instance.name}
+            choose={setInstanceName}
+          />
+        )}
+      </div>
+      <p className="chart-about">{chart.about}</p>
+      {regions.map((region) => (
+        <Region key={region.region} chart={chart} {...region} />
+      ))}
+      <p className="chart-about">
+        In the drawing: ◆ NOW and a thick frame, the state that it is in; a
+        thick line, the last change seen.
+      </p>
+      <Picture
+        name={name}
+        leaves={instance.leaves}
+        taken={regions.flatMap(({ region, change }) =>
+          marksOf(chart, region, change),
+        )}
+      />
+    </div>
+  );
+}

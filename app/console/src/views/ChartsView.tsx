@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+import { Charts } from "../panels/Charts";
+import { Panel } from "../parts/Panel";
+import type { ViewProperties } from "./view";
+
+/** What the charts are in. */
+export function ChartsView({ robot }: ViewProperties) {
+  return (
+    <Panel title="Charts" className="panel-wide">
+      <Charts robot={robot} />
+    </Panel>
+  );
+}
