@@ -171,7 +171,7 @@ function Picture({ name, leaves, taken }: PictureProperties) {
           aria-label={`Chart ${words(name)}, now in ${Object.values(leaves).map(words).join(" and ")}`}
           viewBox={`0 0 ${width} ${height}`}
           width={isWhole ? "100%" : width * LARGE}
-          {...(isWhole ? {} : { height: height * LARGE })}
+          height={isWhole ? "73vh" : height * LARGE}
         >
           <g dangerouslySetInnerHTML={content} />
           {ids.map((id) => {
