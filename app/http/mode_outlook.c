@@ -8,9 +8,11 @@
 #include "charts/pedal_gate_chart.h"
 #include "interface/command.h"
 #include "mode/mode.h"
+#include "mode/program_list.h"
 #include "procedure/procedure.h"
 
 #include <stdbool.h>
+#include <string.h>
 
 static uint32_t bit(uint32_t index)
 {
@@ -108,17 +110,82 @@ static status_t aim_outlook(const snapshot_t *snapshot)
     return (snapshot->has_entry == 0U) ? STATUS_NO_ENTRY_POINT : STATUS_OK;
 }
 
-static status_t program_outlook(const snapshot_t *snapshot)
+/* As far as the judges of modes look at them. */
+static void show_axes(const snapshot_t *snapshot, axis_t axes[ROBOT_AXIS_MAX])
+{
+    (void)memset(axes, 0, sizeof(axis_t) * ROBOT_AXIS_MAX);
+    for (uint32_t i = 0U; i < ROBOT_AXIS_MAX; i++) {
+        axes[i].chart.reference = snapshot->axes[i].reference;
+        axes[i].encoder.position_ticks = snapshot->axes[i].position_ticks;
+    }
+}
+
+/* Where the axes stand at the target is shown in MOVE_TO_TARGET alone. `turning`: how this axis
+ * stands does not matter. */
+static status_t aligned_outlook(const robot_t *robot, const snapshot_t *snapshot, uint32_t turning)
+{
+    move_mode_t move;
+    axis_t axes[ROBOT_AXIS_MAX];
+    show_axes(snapshot, axes);
+    for (uint32_t i = 0U; i < ROBOT_AXIS_MAX; i++) {
+        const bool is_shown = (snapshot->workphase == (uint32_t)WORKPHASE_MOVE_TO_TARGET);
+        move.target_ticks[i] = (is_shown && (i != turning)) ? snapshot->axes[i].target_ticks
+                                                            : axes[i].encoder.position_ticks;
+    }
+    return insert_mode_judge(&move, robot, axes);
+}
+
+static status_t insert_outlook(const robot_t *robot, const snapshot_t *snapshot)
+{
+    const status_t status = aim_outlook(snapshot);
+    return (status == STATUS_OK) ? aligned_outlook(robot, snapshot, ROBOT_AXIS_MAX) : status;
+}
+
+static status_t program_outlook(const robot_t *robot, const snapshot_t *snapshot)
 {
     status_t status = aim_outlook(snapshot);
     if (status != STATUS_OK) {
         /* There is nothing to go along. */
     } else if (snapshot->program_steps == 0U) {
         status = STATUS_PROGRAM_OTHER;
-    } else if (snapshot->is_treatment_stopped != 0U) {
-        status = STATUS_PROGRAM_STOPPED;
     } else {
-        /* It may begin. */
+        status = aligned_outlook(robot, snapshot, program_list_turning_axis(robot));
+        if ((status == STATUS_OK) && (snapshot->is_treatment_stopped != 0U)) {
+            status = STATUS_PROGRAM_STOPPED;
+        }
+    }
+    return status;
+}
+
+/* Of all poses: can any be gone to? */
+static status_t pose_outlook(const robot_t *robot, const snapshot_t *snapshot)
+{
+    status_t status = STATUS_NO_POSE;
+    axis_t axes[ROBOT_AXIS_MAX];
+    show_axes(snapshot, axes);
+    for (uint32_t pose = 0U; (pose < POSE_NAME_COUNT) && (status != STATUS_OK); pose++) {
+        move_mode_t move = {0};
+        const status_t found = pose_mode_find(pose, robot, axes, &move);
+        if (found == STATUS_OK) {
+            status = pose_mode_judge(&move, robot, axes).status;
+        } else if (status == STATUS_NO_POSE) {
+            status = found;
+        } else {
+            /* One that there is says more. */
+        }
+    }
+    return status;
+}
+
+/* Of all axes, once confirmed to be free: can any be swept? */
+static status_t sweep_outlook(const robot_t *robot, const snapshot_t *snapshot)
+{
+    status_t status = STATUS_NO_SWEEP;
+    axis_t axes[ROBOT_AXIS_MAX];
+    show_axes(snapshot, axes);
+    for (uint32_t i = 0U; (i < robot->axis_count) && (status != STATUS_OK); i++) {
+        const status_t judged = sweep_mode_judge(i, true, robot, axes).status;
+        status = (judged != STATUS_NO_SWEEP) ? judged : status;
     }
     return status;
 }
@@ -129,17 +196,22 @@ static status_t own_outlook(const robot_t *robot, const snapshot_t *snapshot, mo
     status_t status = STATUS_OK;
     switch ((uint32_t)kind) {
     case (uint32_t)MODE_ALIGN:
-    case (uint32_t)MODE_INSERT:
         status = aim_outlook(snapshot);
         break;
+    case (uint32_t)MODE_INSERT:
+        status = insert_outlook(robot, snapshot);
+        break;
     case (uint32_t)MODE_PROGRAM:
-        status = program_outlook(snapshot);
+        status = program_outlook(robot, snapshot);
         break;
     case (uint32_t)MODE_TRAJECTORY:
         status = (snapshot->trajectory_rows == 0U) ? STATUS_TRAJECTORY_EMPTY : STATUS_OK;
         break;
     case (uint32_t)MODE_POSE:
-        status = (robot->pose_mask == 0U) ? STATUS_NO_POSE : STATUS_OK;
+        status = pose_outlook(robot, snapshot);
+        break;
+    case (uint32_t)MODE_SWEEP:
+        status = sweep_outlook(robot, snapshot);
         break;
     default: /* The workphase chart decides. */
         break;

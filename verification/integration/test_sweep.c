@@ -8,6 +8,7 @@
 #include "unity.h"
 
 #include "controller/controller.h"
+#include "http/mode_outlook.h"
 #include "robot/robot_prostate.h"
 
 #define LONG_CYCLES 600000U
@@ -170,4 +171,26 @@ void test_SWR_SWEEP_008_a_released_pedal_drives_nothing_and_the_step_begins_anew
     rig_cycles(&rig, 1000U);
     TEST_ASSERT_TRUE(rig_is_driving(&rig));
     rig_release(&rig);
+}
+
+/* What is said beforehand. */
+static void expect_outlook(mode_kind_t kind, status_t status)
+{
+    TEST_ASSERT_EQUAL_UINT32(status, mode_outlook(&robot_prostate, &rig.outputs.snapshot, kind));
+}
+
+void test_SWR_MODE_004_a_needle_that_is_in_is_named_beforehand(void)
+{
+    const command_t in = {
+        .kind = (uint32_t)COMMAND_JOG, .argument = AXIS_INSERTION, .value = 20000};
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
+    expect_outlook(MODE_SWEEP, STATUS_OK);
+    expect_outlook(MODE_POSE, STATUS_OK);
+    rig_forget(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, in).status);
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, LONG_CYCLES).kind);
+    expect_outlook(MODE_SWEEP, STATUS_NEEDLE_IN);
+    expect_outlook(MODE_POSE, STATUS_NEEDLE_IN);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NEEDLE_IN, sweep(AXIS_ROTATION, 1).status);
 }
