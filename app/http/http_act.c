@@ -54,6 +54,7 @@ const char *http_act_axis(const robot_t *robot, const answer_t *answer)
         (answer->kind == (uint32_t)ANSWER_ABORTED) || (answer->kind == (uint32_t)ANSWER_REFUSED);
     const bool is_limit = (answer->status == (uint32_t)STATUS_AXIS_LIMIT) ||
                           (answer->status == (uint32_t)STATUS_SWITCH_ZONE) ||
+                          (answer->status == (uint32_t)STATUS_TRAJECTORY_FAR) ||
                           (answer->status == (uint32_t)STATUS_TOO_FAST);
     const bool is_of_restoring = (answer->command == (uint32_t)COMMAND_RESTORE) &&
                                  ((answer->status == (uint32_t)STATUS_OUT_OF_RANGE) ||

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import { Suspense, useState, useSyncExternalStore } from "react";
+import { Suspense, useEffect, useState, useSyncExternalStore } from "react";
 import { Banner } from "./panels/Banner";
 import { Command } from "./panels/Command";
 import { SystemLamps } from "./panels/Lamps";
@@ -137,6 +137,7 @@ export function Emergency() {
 export function App({ store }: { store: TelemetryStore }) {
   const view = useSyncExternalStore(store.subscribe, store.getView);
   const [operation] = useState(() => new Operation());
+  useEffect(() => store.tellActsTo(operation.page.lastAct), [store, operation]);
   return (
     <>
       <header>

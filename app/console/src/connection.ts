@@ -5,7 +5,7 @@ import type { Path, Problem } from "@interface";
 
 export const LOG_LENGTH = 50;
 
-export const streamEvents = ["hello", "state", "log"] as const;
+export const streamEvents = ["hello", "state", "log", "act"] as const;
 export type StreamEvent = (typeof streamEvents)[number];
 
 /** What a tab is told. */

@@ -2,6 +2,7 @@
 // Who operates this page, and by what it commands.
 import { useState, useSyncExternalStore } from "react";
 import type { Authority, Path, Session } from "@interface";
+import type { Outcome } from "./acts";
 import { PageAuthority } from "./authority";
 import { Page } from "./page";
 import { SessionStore } from "./session";
@@ -32,7 +33,11 @@ export interface Commanding {
   obstacle: string | null;
   /** It may set a home and clear a position as well. */
   isEngineer: boolean;
-  /** Why the last command was refused, or null. */
+  /** What became of the last command of this page, whichever panel it came from. */
+  outcome: Outcome | null;
+  /** The same, if it came from this panel. */
+  own: Outcome | null;
+  /** Why that failed, or null. */
   problem: string | null;
   command(path: Path, fields?: object): Promise<boolean>;
 }
@@ -42,20 +47,25 @@ export function useCommanding(
   operation: Operation,
   authority: Authority,
 ): Commanding {
-  const [problem, setProblem] = useState<string | null>(null);
+  const [own, setOwn] = useState<number | null>(null);
   const { session, page } = operation;
+  const { lastAct } = page;
+  const outcome = useSyncExternalStore(lastAct.subscribe, lastAct.getOutcome);
   const view = useSyncExternalStore(session.subscribe, session.getView);
   const role = view.session?.role ?? null;
   const command = async (path: Path, fields: object = {}) => {
-    const refusal = await page.act(path, fields);
-    setProblem(refusal);
-    return refusal === null;
+    const refusal = page.act(path, fields);
+    setOwn(lastAct.getOutcome()?.id ?? null);
+    return (await refusal) === null;
   };
   const isMine = operation.authority.isMine(authority);
+  const mine = outcome?.id === own ? outcome : null;
   return {
     obstacle: obstacleOf(view.session, isMine),
     isEngineer: role === "ENGINEER" || role === "SERVICE",
-    problem,
+    outcome,
+    own: mine,
+    problem: mine?.reason ?? null,
     command,
   };
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What may be commanded now, as the server says it. Whoever is refused would be so by the same name.
 import { useEffect, useState } from "react";
-import type { Modes, Path, PoseName, Robot, Status } from "@interface";
+import type { Mode, Modes, Path, PoseName, Robot, Status } from "@interface";
 import type { Page } from "./page";
 
 const MODES_PATH: Path = "/api/v1/modes";
@@ -19,15 +19,22 @@ async function ask<Answer>(page: Page, path: Path): Promise<Answer | null> {
   }
 }
 
-/** Null while it is not known. It is asked anew with each change, and every second. */
-export function useOutlook(page: Page, status: Status): Modes | null {
-  const [modes, setModes] = useState<Modes | null>(null);
-  const { workphase, order, is_registered, has_target, is_homed } = status;
+/**
+ * The answer of now, asked for anew every second and with each change of `cause`; null while there is none. And how to
+ * ask at once.
+ */
+export function usePolled<Answer>(
+  page: Page,
+  path: Path,
+  cause = "",
+): [Answer | null, () => void] {
+  const [answer, setAnswer] = useState<Answer | null>(null);
+  const [turn, setTurn] = useState(0);
   useEffect(() => {
     let isWanted = true;
     const askNow = () =>
-      void ask<Modes>(page, MODES_PATH).then(
-        (answer) => isWanted && setModes(answer),
+      void ask<Answer>(page, path).then(
+        (given) => isWanted && setAnswer(given),
       );
     askNow();
     const timer = setInterval(askNow, ASK_AGAIN_MS);
@@ -35,8 +42,33 @@ export function useOutlook(page: Page, status: Status): Modes | null {
       isWanted = false;
       clearInterval(timer);
     };
-  }, [page, workphase.name, order, is_registered, has_target, is_homed]);
-  return modes;
+  }, [page, path, cause, turn]);
+  return [answer, () => setTurn((last) => last + 1)];
+}
+
+/** Null while it is not known. */
+export function useOutlook(page: Page, status: Status): Modes | null {
+  const { workphase, order, is_registered, has_target, is_homed } = status;
+  const cause = [workphase.name, order, is_registered, has_target, is_homed];
+  return usePolled<Modes>(page, MODES_PATH, cause.join(" "))[0];
+}
+
+/** Why the mode cannot be armed now; what is not known cannot be. */
+export function reasonAgainst(
+  outlook: Modes | null,
+  name: string,
+): string | null {
+  const mode = outlook?.modes.find((one: Mode) => one.name === name);
+  return mode === undefined ? "Not known yet." : mode.reason;
+}
+
+/** What does not change of the robot; null while it is not known. */
+export function useRobot(page: Page, bootId: string): Robot | null {
+  const [robot, setRobot] = useState<Robot | null>(null);
+  useEffect(() => {
+    void ask<Robot>(page, ROBOT_PATH).then(setRobot);
+  }, [page, bootId]);
+  return robot;
 }
 
 /** What does not change of the robot; null while it is not known. */

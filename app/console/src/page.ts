@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // This page as what commands by HTTP: its number, drawn anew by each load of it, and the ids of what it does.
-import type { Path, Problem } from "@interface";
+import type { Act, Path, Problem } from "@interface";
+import { LastAct } from "./acts";
+import { NO_ANSWER, refusalOf } from "./refusal";
+
+export { refusalOf } from "./refusal";
 
 const TIMEOUT_MS = 1500;
+const JSON_TYPE = "application/json";
 /** A repeated id repeats nothing, so what was not answered is asked again. */
 const TRIES = 3;
 const PAGE_HEADER = "X-Boresight-Page";
@@ -15,18 +20,22 @@ function drawNumber(): number {
   return number === 0 ? 1 : number;
 }
 
-/** In words, with the axis and the limit that are why. */
-export function refusalOf(problem: Partial<Problem>): string {
-  const sentence = problem.detail ?? "It was refused.";
-  if (problem.axis === undefined) {
-    return sentence;
-  }
-  const limit = problem.limit === undefined ? "" : `, ${problem.limit} limit`;
-  return `${sentence} (${problem.axis}${limit})`;
+/** What a request may have besides. */
+export interface RequestOptions {
+  body?: string;
+  type?: string;
+  timeoutMs?: number;
+}
+
+/** What the server says to a request that is no act: one of the two. */
+export interface Reply<Answer> {
+  answer: Answer | null;
+  problem: Partial<Problem> | null;
 }
 
 export class Page {
   readonly number = drawNumber();
+  readonly lastAct = new LastAct(this.number);
   private readonly getToken: () => string | null;
   private acts = 0;
 
@@ -37,33 +46,75 @@ export class Page {
   /** Null once it was accepted or done; otherwise why not, for people. */
   async act(path: Path, fields: object): Promise<string | null> {
     this.acts += 1;
-    const body = JSON.stringify({ id: this.acts, ...fields });
+    const id = this.acts;
+    this.lastAct.begin(id, path, fields);
+    const refusal = await this.ask(id, path, fields);
+    if (refusal !== null) {
+      this.lastAct.fail(id, refusal);
+    }
+    return refusal;
+  }
+
+  request(method: Method, path: Path, body?: string): Promise<Response> {
+    return this.send(method, path, body === undefined ? {} : { body });
+  }
+
+  /** For what is no act: a question, or something that may be repeated without harm. */
+  async exchange<Answer>(
+    method: Method,
+    path: Path,
+    options: RequestOptions = {},
+  ): Promise<Reply<Answer>> {
+    try {
+      const response = await this.send(method, path, options);
+      const said: unknown = await response.json();
+      return response.ok
+        ? { answer: said as Answer, problem: null }
+        : { answer: null, problem: said as Partial<Problem> };
+    } catch {
+      return { answer: null, problem: { detail: NO_ANSWER } };
+    }
+  }
+
+  private async ask(id: number, path: Path, fields: object) {
+    const body = JSON.stringify({ id, ...fields });
     for (let tries = 0; tries < TRIES; tries += 1) {
       try {
-        const response = await this.request("POST", path, body);
-        const answer = (await response.json()) as Partial<Problem>;
-        return response.ok ? null : refusalOf(answer);
+        const response = await this.send("POST", path, { body });
+        const said = (await response.json()) as Partial<Problem & Act>;
+        if (!response.ok) {
+          return refusalOf(said);
+        }
+        this.lastAct.answer(
+          id,
+          said.state === "accepted" ? "accepted" : "done",
+        );
+        return null;
       } catch {
         // Asked again by the same id.
       }
     }
-    return "The server does not answer.";
+    return NO_ANSWER;
   }
 
-  request(method: Method, path: Path, body?: string): Promise<Response> {
+  private send(
+    method: Method,
+    path: Path,
+    { body, type = JSON_TYPE, timeoutMs = TIMEOUT_MS }: RequestOptions,
+  ): Promise<Response> {
     const headers: Record<string, string> = {
       [PAGE_HEADER]: String(this.number),
       [TOKEN_HEADER]: this.getToken() ?? "",
     };
     if (body !== undefined) {
-      headers["Content-Type"] = "application/json";
+      headers["Content-Type"] = type;
     }
     return fetch(path, {
       method,
       headers,
       body: body ?? null,
       keepalive: method === "DELETE",
-      signal: AbortSignal.timeout(TIMEOUT_MS),
+      signal: AbortSignal.timeout(timeoutMs),
     });
   }
 }

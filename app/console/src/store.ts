@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { Hello, LogEntry, RobotState } from "@interface";
+import type { Act, Hello, LogEntry, RobotState } from "@interface";
+import type { ActListener } from "./acts";
 import {
   LOG_LENGTH,
   type StreamEvent,
@@ -45,6 +46,7 @@ export const browserSurroundings: Surroundings = {
  */
 export class TelemetryStore implements StreamListener {
   private readonly listeners = new Set<() => void>();
+  private readonly actListeners = new Set<ActListener>();
   private readonly surroundings: Surroundings;
   private stream: Stream | null = null;
   private timer: ReturnType<typeof setInterval> | null = null;
@@ -73,6 +75,12 @@ export class TelemetryStore implements StreamListener {
 
   readonly getView = (): ConsoleView => this.view;
 
+  /** Until what is returned is called. */
+  tellActsTo(listener: ActListener): () => void {
+    this.actListeners.add(listener);
+    return () => this.actListeners.delete(listener);
+  }
+
   start(): void {
     this.open();
     this.timer = setInterval(() => this.check(), CHECK_MS);
@@ -100,6 +108,7 @@ export class TelemetryStore implements StreamListener {
     this.stream?.close();
     this.stream = null;
     this.closedAt = this.surroundings.now();
+    this.actListeners.forEach((listener) => listener.loseActs());
     this.replace({ isConnected: false, refusal: reason, freshness: "stale" });
   }
 
@@ -116,6 +125,8 @@ export class TelemetryStore implements StreamListener {
         return this.take(JSON.parse(data) as RobotState);
       case "log":
         return this.note(JSON.parse(data) as LogEntry);
+      case "act":
+        return this.tellAct(JSON.parse(data) as Act);
     }
   }
 
@@ -136,6 +147,10 @@ export class TelemetryStore implements StreamListener {
 
   private note(entry: LogEntry): void {
     this.replace({ log: [entry, ...this.view.log].slice(0, LOG_LENGTH) });
+  }
+
+  private tellAct(act: Act): void {
+    this.actListeners.forEach((listener) => listener.hearAct(act));
   }
 
   private check(): void {

@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useId, useState } from "react";
-import type { Axis, Mode, Modes, Path, PoseName, RobotState } from "@interface";
-import { formatValue, readNumbers, words } from "../format";
+import type { Axis, Modes, Path, RobotState } from "@interface";
+import { formatValue, readNumbers } from "../format";
 import { useCommanding, type Commanding, type Operation } from "../operation";
-import { usePoses } from "../outlook";
+import { reasonAgainst, usePoses } from "../outlook";
 import { Order, OrderNotes, Orders } from "../parts/Order";
+import { Whole } from "./Needle";
 
 const steps = ["0.1", "1", "5", "10"];
 const MANUAL_ONLY = "Only in MANUAL.";
-
-/** Why the mode cannot be armed now; what is not known cannot be. */
-function refusalOf(outlook: Modes | null, name: string): string | null {
-  const mode = outlook?.modes.find((one: Mode) => one.name === name);
-  return mode === undefined ? "Not known yet." : mode.reason;
-}
 
 interface AxisOrdersProperties {
   axis: Axis;
@@ -27,7 +22,7 @@ function Jog({ axis, commanding, outlook }: AxisOrdersProperties) {
   const [place, setPlace] = useState("");
   const id = useId();
   const path: Path = `/api/v1/motors/${axis.name}/jog`;
-  const refusal = refusalOf(outlook, "JOG");
+  const refusal = reasonAgainst(outlook, "JOG");
   const position = readNumbers(place, 1)?.[0];
   return (
     <Orders name="Jog" refusal={refusal}>
@@ -138,7 +133,7 @@ function Reference({
       <Order
         commanding={commanding}
         path={`${path}/home`}
-        refusal={refusalOf(outlook, "HOME_AXIS")}
+        refusal={reasonAgainst(outlook, "HOME_AXIS")}
         isTold={manual !== null}
       >
         Home {axis.name}
@@ -176,54 +171,6 @@ function Reference({
         Clear position
       </Twice>
     </Orders>
-  );
-}
-
-/** What the whole robot does. */
-function Whole({
-  commanding,
-  outlook,
-  poses,
-}: {
-  commanding: Commanding;
-  outlook: Modes | null;
-  poses: readonly PoseName[];
-}) {
-  const motions: readonly [string, string, Path][] = [
-    ["ALIGN", "Align", "/api/v1/align"],
-    ["INSERT", "Insert", "/api/v1/needle/insert"],
-    ["RETRACT", "Retract needle", "/api/v1/needle/retract"],
-  ];
-  const refusal = refusalOf(outlook, "POSE");
-  return (
-    <>
-      <Orders name="Needle">
-        {motions.map(([mode, label, path]) => (
-          <Order
-            key={mode}
-            commanding={commanding}
-            path={path}
-            refusal={refusalOf(outlook, mode)}
-          >
-            {label}
-          </Order>
-        ))}
-      </Orders>
-      <Orders name="Poses" refusal={refusal}>
-        {poses.map((pose) => (
-          <Order
-            key={pose}
-            commanding={commanding}
-            path="/api/v1/pose"
-            fields={{ pose }}
-            refusal={refusal}
-            isTold
-          >
-            Pose {words(pose)}
-          </Order>
-        ))}
-      </Orders>
-    </>
   );
 }
 

@@ -3,6 +3,7 @@ import type { Modes, NextWorkphaseRequest, Status, Step } from "@interface";
 import { words } from "../format";
 import { useCommanding, type Commanding, type Operation } from "../operation";
 import { Order, OrderNotes } from "../parts/Order";
+import { Progress } from "../parts/Progress";
 
 type Workphase = NextWorkphaseRequest["workphase"];
 
@@ -37,21 +38,6 @@ function StepItem({
         {words(step.name)}
       </Order>
     </li>
-  );
-}
-
-function Progress({ status }: { status: Status }) {
-  if (status.order !== "moving") {
-    return null;
-  }
-  const percent = Math.floor(status.done_per_mille / 10);
-  const left =
-    status.left_ms > 0 ? `, ${Math.ceil(status.left_ms / 1000)} s left` : "";
-  return (
-    <p>
-      <progress max={100} value={percent} aria-label="Of the present leg" />{" "}
-      {percent} %{left}
-    </p>
   );
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useId, type ReactNode } from "react";
+import "./Order.css";
 import type { Path } from "@interface";
+import type { Outcome } from "../acts";
+import { words } from "../format";
 import type { Commanding } from "../operation";
 
 export interface OrderProperties {
@@ -13,6 +16,33 @@ export interface OrderProperties {
   isTold?: boolean;
   isCurrent?: boolean;
   children: ReactNode;
+}
+
+const states: Readonly<Record<Outcome["state"], string>> = {
+  sent: "sent",
+  accepted: "accepted; its end is told here",
+  done: "done",
+  failed: "not done",
+  lost: "accepted; the connection was lost, so its end is not known",
+};
+
+/** What the last act was, if it is this one. */
+function stateOf(
+  outcome: Outcome | null,
+  path: Path,
+  fields: object = {},
+): Outcome["state"] | undefined {
+  const isThis =
+    outcome?.path === path &&
+    JSON.stringify(outcome.fields) === JSON.stringify(fields);
+  return isThis ? outcome.state : undefined;
+}
+
+/** As /api/v1/motors/yaw/jog is read. */
+function nameOf({ path, fields }: Outcome): string {
+  const what = Object.values(fields).filter((one) => typeof one === "string");
+  const name = path.replace("/api/v1/", "").replaceAll(/[/-]/g, " ");
+  return [name, ...what.map(words)].join(" ");
 }
 
 /** A button that commands, and beneath it why it cannot. What bars all of them is said once, by their panel. */
@@ -33,6 +63,7 @@ export function Order({
         disabled={commanding.obstacle !== null || refusal !== null}
         aria-describedby={refusal === null || isTold ? undefined : id}
         aria-current={isCurrent ? "step" : undefined}
+        data-act={stateOf(commanding.outcome, path, fields)}
         onClick={() => void commanding.command(path, fields)}
       >
         {children}
@@ -64,16 +95,18 @@ export function Orders({
   );
 }
 
-/** What bars all orders of a panel, and what became of the last one. */
+/** What bars all orders of a panel, and what has become of the last one that came from it. */
 export function OrderNotes({ commanding }: { commanding: Commanding }) {
+  const { obstacle, own, problem } = commanding;
   return (
     <>
-      {commanding.obstacle !== null && (
-        <p className="order-obstacle">{commanding.obstacle}</p>
-      )}
-      {commanding.problem !== null && (
+      {obstacle !== null && <p className="order-obstacle">{obstacle}</p>}
+      <p className="order-outcome" role="status">
+        {own !== null && `Last command: ${nameOf(own)}: ${states[own.state]}.`}
+      </p>
+      {problem !== null && (
         <p className="order-problem" role="alert">
-          {commanding.problem}
+          {problem}
         </p>
       )}
     </>

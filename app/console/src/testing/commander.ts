@@ -16,8 +16,16 @@ export interface Commander {
   authority: Authority;
   /** What was commanded, in its order; questions are left out. */
   acts(): Asked[];
+  /** What was deleted. */
+  deletions(): string[];
   /** The next answers at this path. */
   answers: Record<string, { status?: number; body: object }>;
+}
+
+function readBody({ body, headers }: RequestInit): Asked["body"] {
+  const text = typeof body === "string" ? body : "null";
+  const type = new Headers(headers).get("Content-Type");
+  return type === "text/csv" ? { text } : (JSON.parse(text) as Asked["body"]);
 }
 
 export async function makeCommander(role: Role): Promise<Commander> {
@@ -28,8 +36,7 @@ export async function makeCommander(role: Role): Promise<Commander> {
     },
   };
   vi.stubGlobal("fetch", (path: string, options: RequestInit) => {
-    const text = typeof options.body === "string" ? options.body : "null";
-    const body = JSON.parse(text) as Asked["body"];
+    const body = readBody(options);
     asked.push({ path, body, method: options.method ?? "GET" });
     const { status = 200, body: answer } = answers[path] ?? { body: {} };
     return Promise.resolve(new Response(JSON.stringify(answer), { status }));
@@ -46,7 +53,9 @@ export async function makeCommander(role: Role): Promise<Commander> {
     asked
       .filter(({ method }) => method === "POST")
       .map(({ path, body }) => ({ path, body }));
-  return { operation, authority, acts, answers };
+  const deletions = () =>
+    asked.filter(({ method }) => method === "DELETE").map(({ path }) => path);
+  return { operation, authority, acts, deletions, answers };
 }
 
 const reason = "The present workphase does not allow it.";
@@ -66,7 +75,16 @@ export const refusedHere = reason;
 export function makeOutlook(...allowed: string[]): Modes {
   const names = ["START_UP", "PLANNING", "CALIBRATION", "TARGETING"];
   const steps = [...names, "MOVE_TO_TARGET", "MANUAL", "STOP", "EMERGENCY"];
-  const modes = ["JOG", "HOME_AXIS", "RETRACT", "ALIGN", "INSERT", "POSE"];
+  const single = ["JOG", "HOME_AXIS", "VELOCITY", "TRAJECTORY", "SWEEP"];
+  const modes = [
+    "HOMING",
+    ...single,
+    "RETRACT",
+    "ALIGN",
+    "INSERT",
+    "POSE",
+    "PROGRAM",
+  ];
   return {
     workphases: steps.map((name): Step => ({
       name,
@@ -74,8 +92,8 @@ export function makeOutlook(...allowed: string[]): Modes {
     })),
     modes: modes.map((name): Mode => ({
       name,
-      command: name,
-      workphases: [],
+      command: name === "HOMING" ? "WORKPHASE" : name,
+      workphases: name === "HOMING" ? ["START_UP"] : ["MANUAL"],
       ...judge(allowed.includes(name)),
     })),
   };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A server and a clock that the tests are in charge of.
-import type { Hello, LogEntry, RobotState } from "@interface";
+import type { Act, Hello, LogEntry, RobotState } from "@interface";
 import type { StreamEvent, StreamListener } from "../connection";
 import type { Stream } from "../shared_stream";
 import type { Surroundings } from "../store";
@@ -20,6 +20,7 @@ export class FakeStream implements Stream {
   send(type: "hello", data: Hello): void;
   send(type: "state", data: RobotState): void;
   send(type: "log", data: LogEntry): void;
+  send(type: "act", data: Act): void;
   send(type: StreamEvent, data: unknown): void {
     this.listener.hear(type, JSON.stringify(data));
   }

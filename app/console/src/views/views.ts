@@ -27,6 +27,13 @@ export const views: readonly ViewEntry[] = [
     })),
   },
   {
+    id: "modes",
+    title: "Modes",
+    Content: lazy(async () => ({
+      default: (await import("./ModesView")).ModesView,
+    })),
+  },
+  {
     id: "status",
     title: "Status",
     Content: lazy(async () => ({

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lists that control judges row by row, holds, and runs by their checksum.
+import { useState } from "react";
+import type { Path, Problem } from "@interface";
+import { usePolled } from "./outlook";
+import type { Page, RequestOptions } from "./page";
+
+/** Control judges one row in a cycle: the longest list takes 5 s, in slow motion more. */
+const CHECK_TIMEOUT_MS = 60_000;
+
+/** What control has said of the list that was sent last. */
+export type Verdict =
+  | { state: "checking" }
+  | { state: "held"; checksum: number }
+  | { state: "refused"; problem: Partial<Problem> };
+
+export interface HeldList<Answer> {
+  /** As the server shows it; null while it is not known. */
+  held: Answer | null;
+  /** It is that which this page has sent, and so its rows are known here. */
+  isOurs: boolean;
+  verdict: Verdict | null;
+  send(body: string, type?: string): void;
+  empty(): void;
+  /** What was said is of another list than the one that is shown now. */
+  forget(): void;
+}
+
+export function useList<Answer extends { checksum: number }>(
+  page: Page,
+  path: Path,
+): HeldList<Answer> {
+  const [held, askNow] = usePolled<Answer>(page, path);
+  const [verdict, setVerdict] = useState<Verdict | null>(null);
+  const exchange = async (
+    method: "POST" | "DELETE",
+    options: RequestOptions,
+  ) => {
+    setVerdict(method === "POST" ? { state: "checking" } : null);
+    const { answer, problem } = await page.exchange<Answer>(method, path, {
+      ...options,
+      timeoutMs: CHECK_TIMEOUT_MS,
+    });
+    if (problem !== null) {
+      setVerdict({ state: "refused", problem });
+    } else if (answer !== null && method === "POST") {
+      setVerdict({ state: "held", checksum: answer.checksum });
+    }
+    askNow();
+  };
+  return {
+    held,
+    isOurs: verdict?.state === "held" && verdict.checksum === held?.checksum,
+    verdict,
+    send: (body, type = "application/json") =>
+      void exchange("POST", { body, type }),
+    empty: () => void exchange("DELETE", {}),
+    forget: () => setVerdict(null),
+  };
+}

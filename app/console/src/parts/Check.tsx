@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { Path } from "@interface";
+import { words } from "../format";
+import type { HeldList, Verdict } from "../lists";
+import type { Commanding } from "../operation";
+import { refusalOf } from "../refusal";
+import { Order } from "./Order";
+
+/** Where it is wrong, as people say it: /steps/2 is the third step. */
+function placeOf(pointer: string): string {
+  const step = /^\/steps\/(\d+)/.exec(pointer)?.[1];
+  return step === undefined ? pointer : `step ${Number(step) + 1}`;
+}
+
+/** What control has said of the list that was sent: by name, and where. `quote`: what stands there. */
+export function Check({
+  verdict,
+  quote = null,
+}: {
+  verdict: Verdict | null;
+  quote?: string | null;
+}) {
+  if (verdict?.state !== "refused") {
+    return (
+      <p className="order-outcome" role="status">
+        {verdict?.state === "checking" && "Sent; every row is checked…"}
+        {verdict?.state === "held" && "Checked, and held."}
+      </p>
+    );
+  }
+  const { problem } = verdict;
+  return (
+    <p className="order-problem" role="alert">
+      <strong>Refused: {problem.code ?? "NO_ANSWER"}</strong>
+      {problem.pointer !== undefined && `, ${placeOf(problem.pointer)}`}
+      {". "}
+      {refusalOf(problem)}
+      {quote !== null && (
+        <>
+          {" "}
+          <code>{quote}</code>
+        </>
+      )}
+    </p>
+  );
+}
+
+interface Held {
+  checksum: number;
+  source: string | null;
+}
+
+/** Sends a list, runs the one that is held, and empties it. */
+export function ListOrders<Answer extends Held>({
+  commanding,
+  list,
+  run,
+  refusal,
+  missing,
+  send,
+}: {
+  commanding: Commanding;
+  list: HeldList<Answer>;
+  run: Path;
+  /** Why it cannot be run now. */
+  refusal: string | null;
+  /** What is missing before it can be sent, or null. */
+  missing: string | null;
+  send(): void;
+}) {
+  const isBarred = commanding.obstacle !== null;
+  const isChecking = list.verdict?.state === "checking";
+  const isHeld = list.held !== null && list.held.source !== null;
+  return (
+    <div className="orders">
+      <span className="order">
+        <button
+          type="button"
+          disabled={isBarred || isChecking || missing !== null}
+          onClick={send}
+        >
+          Send and check
+        </button>
+        {missing !== null && <span className="order-refusal">{missing}</span>}
+      </span>
+      <Order
+        commanding={commanding}
+        path={run}
+        fields={{ checksum: list.held?.checksum }}
+        refusal={refusal}
+      >
+        Run what is held
+      </Order>
+      <span className="order">
+        <button
+          type="button"
+          disabled={isBarred || isChecking || !isHeld}
+          onClick={list.empty}
+        >
+          Delete what is held
+        </button>
+      </span>
+    </div>
+  );
+}
+
+/** Which one is held: from whom, and its checksum. */
+export function HeldName({ held }: { held: Held }) {
+  const checksum = held.checksum.toString(16).padStart(8, "0");
+  return (
+    <>
+      from {words(held.source ?? "nobody")}, checksum {checksum}
+    </>
+  );
+}

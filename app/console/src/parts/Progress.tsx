@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { Status } from "@interface";
+
+/** How far what moves has come, and how long it lasts yet where that is known. Empty while nothing moves. */
+export function Progress({ status }: { status: Status }) {
+  if (status.order !== "moving") {
+    return <p className="progress" />;
+  }
+  const percent = Math.floor(status.done_per_mille / 10);
+  const left =
+    status.left_ms > 0 ? `, ${Math.ceil(status.left_ms / 1000)} s left` : "";
+  return (
+    <p className="progress">
+      <progress max={100} value={percent} aria-label={status.mode.text} />{" "}
+      {percent} %{left}
+    </p>
+  );
+}

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+import { useState } from "react";
+import type { Mode } from "@interface";
+import { words } from "../format";
+import { useCommanding } from "../operation";
+import { reasonAgainst, usePoses } from "../outlook";
+import { isNeedleMode, NeedleOrder, Poses } from "../panels/Needle";
+import { ModeList } from "../panels/ModeList";
+import type { ModePanelProperties } from "../panels/mode_panel";
+import { Program } from "../panels/Program";
+import { Sweep } from "../panels/Sweep";
+import { Trajectory } from "../panels/Trajectory";
+import { Velocity } from "../panels/Velocity";
+import { Order, OrderNotes } from "../parts/Order";
+import { Panel } from "../parts/Panel";
+import { Progress } from "../parts/Progress";
+import type { ViewProperties } from "./view";
+import "./ModesView.css";
+
+const own = {
+  VELOCITY: Velocity,
+  TRAJECTORY: Trajectory,
+  SWEEP: Sweep,
+  PROGRAM: Program,
+} as const;
+
+type Properties = ModePanelProperties & { name: string };
+
+function PosesHere({ robot, operation, commanding, outlook }: Properties) {
+  const poses = usePoses(operation.page, robot.status.boot_id);
+  return <Poses commanding={commanding} outlook={outlook} poses={poses} />;
+}
+
+/** Armed by entering its workphase. */
+function ByWorkphase({ name, commanding, outlook }: Properties) {
+  const workphase = outlook?.modes.find((mode) => mode.name === name)
+    ?.workphases[0];
+  return workphase === undefined ? null : (
+    <Order
+      commanding={commanding}
+      path="/api/v1/workphase"
+      fields={{ workphase }}
+      refusal={reasonAgainst(outlook, name)}
+    >
+      {words(workphase)}
+    </Order>
+  );
+}
+
+/** By what the mode is commanded. */
+function Orders(properties: Properties) {
+  const { name, commanding, outlook } = properties;
+  if (name in own) {
+    const Content = own[name as keyof typeof own];
+    return <Content {...properties} />;
+  }
+  if (isNeedleMode(name)) {
+    return (
+      <NeedleOrder mode={name} commanding={commanding} outlook={outlook} />
+    );
+  }
+  switch (name) {
+    case "POSE":
+      return <PosesHere {...properties} />;
+    case "JOG":
+    case "HOME_AXIS":
+      return (
+        <p>
+          <a href="#motors">It is commanded axis by axis, in Motors.</a>
+        </p>
+      );
+    default:
+      return <ByWorkphase {...properties} />;
+  }
+}
+
+function Facts({ mode }: { mode: Mode | undefined }) {
+  return mode === undefined ? null : (
+    <p className="mode-facts">
+      {mode.says} In {mode.workphases.map(words).join(", ")}.{" "}
+      {mode.command === "WORKPHASE"
+        ? "Entering the workphase arms it; it moves while the pedal is pressed."
+        : "Its command arms it; it moves while the pedal is pressed."}
+    </p>
+  );
+}
+
+/** One motion after the other: what it needs, its command, and how far it has come. */
+export function ModesView({ robot, operation, outlook }: ViewProperties) {
+  const { status } = robot;
+  const [chosen, setChosen] = useState<string | null>(null);
+  const commanding = useCommanding(operation, status.authority);
+  const armed = status.mode.name === "NONE" ? "HOMING" : status.mode.name;
+  const name = chosen ?? armed;
+  const properties = { robot, operation, commanding, outlook, name };
+  return (
+    <>
+      <Panel title="Modes">
+        <ModeList
+          outlook={outlook}
+          status={status}
+          chosen={name}
+          choose={setChosen}
+        />
+      </Panel>
+      <Panel key={name} title={words(name)}>
+        <Facts mode={outlook?.modes.find((mode) => mode.name === name)} />
+        <OrderNotes commanding={commanding} />
+        <Orders {...properties} />
+        <Progress status={status} />
+      </Panel>
+    </>
+  );
+}
