@@ -111,5 +111,5 @@ test("SWR-MODE-006 how far it has come is shown while it moves", async () => {
     done_per_mille: 420,
     left_ms: 3400,
   });
-  expect(screen.getByText(/42 %, 4 s left/)).toBeTruthy();
+  expect(screen.getByText(/42 % of the axes, 4 s left/)).toBeTruthy();
 });

@@ -1,6 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Status } from "@interface";
 
+/** What the share is of; of the others, of their present leg. */
+const shares: Readonly<Partial<Record<Status["mode"]["name"], string>>> = {
+  HOMING: "of the axes",
+  TRAJECTORY: "of its time",
+  VELOCITY: "of its time or way",
+  PROGRAM: "of its present step",
+  SWEEP: "of its present step",
+};
+
 /** How far what moves has come, and how long it lasts yet where that is known. Empty while nothing moves. */
 export function Progress({ status }: { status: Status }) {
   if (status.order !== "moving") {
@@ -12,7 +21,8 @@ export function Progress({ status }: { status: Status }) {
   return (
     <p className="progress">
       <progress max={100} value={percent} aria-label={status.mode.text} />{" "}
-      {percent} %{left}
+      {percent} % {shares[status.mode.name] ?? "of its present leg"}
+      {left}
     </p>
   );
 }

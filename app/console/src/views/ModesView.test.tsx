@@ -104,7 +104,9 @@ test("SWR-CON-032 what moves says how far it has come", async () => {
   expect(
     screen.getByRole("radio", { checked: true }).parentElement?.textContent,
   ).toContain("RETRACT moving");
-  expect(screen.getByText("42 %, 4 s left", { exact: false })).toBeTruthy();
+  expect(
+    screen.getByText("42 % of its present leg, 4 s left", { exact: false }),
+  ).toBeTruthy();
   expect(
     screen.getByRole("progressbar", { name: "The needle is drawn out." }),
   ).toBeTruthy();
