@@ -85,14 +85,16 @@ test("SWR-CON-035 the curve stands beside what is expected, and its numbers in a
     .getAllByRole("row")
     .map((row) => [...row.children].map((cell) => cell.textContent));
   expect(rows.slice(1)).toEqual([
-    ["53.00 kHz", "1.50", "1.25", "–"],
     ["51.00 kHz", "120.00", "118.50", "121.00"],
+    ["53.00 kHz", "1.50", "1.25", "–"],
   ]);
   expect(document.querySelectorAll(".graph polyline")).toHaveLength(3);
   fireEvent.change(screen.getByLabelText("Cursor"), { target: { value: "1" } });
   expect(
     document.querySelector("tr[aria-current]")?.firstChild?.textContent,
-  ).toBe("51.00 kHz");
+  ).toBe("53.00 kHz");
+  const said = "53.00 kHz: upwards 1.50, downwards 1.25, expected – /min";
+  expect(screen.getByText(said)).toBeTruthy();
   expect(screen.getByRole("link").getAttribute("href")).toBe(
     "/api/v1/sweep.csv",
   );

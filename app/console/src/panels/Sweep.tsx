@@ -71,7 +71,8 @@ function PointRow({
 }
 
 /** The cursor is moved in the list of points, whose row then stands out. */
-function KeptCurve({ points }: { points: readonly SweepPoint[] }) {
+function KeptCurve({ kept }: { kept: readonly SweepPoint[] }) {
+  const points = kept.toReversed(); // As drawn, from left to right.
   const [chosen, setChosen] = useState(0);
   const index = Math.min(chosen, points.length - 1);
   const point = points[index];
@@ -79,6 +80,7 @@ function KeptCurve({ points }: { points: readonly SweepPoint[] }) {
   if (point === undefined) {
     return null;
   }
+  const said = `${kilohertz(point.frequency_hz)}: upwards ${speed(point.upwards)}, downwards ${speed(point.downwards)}, expected ${speed(point.expected)} /min`;
   return (
     <>
       <GraphLegend curves={curves} />
@@ -96,10 +98,11 @@ function KeptCurve({ points }: { points: readonly SweepPoint[] }) {
           min={0}
           max={points.length - 1}
           value={index}
-          aria-valuetext={`${kilohertz(point.frequency_hz)}: upwards ${speed(point.upwards)}, downwards ${speed(point.downwards)}`}
+          aria-valuetext={said}
           onChange={(event) => setChosen(Number(event.target.value))}
         />
       </label>
+      <p>{said}</p>
       <div
         className="table-scroll sweep-table"
         role="region"
@@ -152,7 +155,7 @@ function KeptSweep({ kept }: { kept: Kept | null }) {
               The file, with its checksum (CSV)
             </a>
           </p>
-          <KeptCurve points={kept.points} />
+          <KeptCurve kept={kept.points} />
         </>
       )}
     </>
@@ -255,10 +258,12 @@ export function Sweep({
         </div>
       )}
       {axis === undefined && <p>No card of this robot makes waves.</p>}
-      {axis !== undefined && isRunning && (
-        <PresentSweep page={operation.page} axis={axis} />
-      )}
-      <KeptSweep kept={kept} />
+      <div className="sweep">
+        {axis !== undefined && isRunning && (
+          <PresentSweep page={operation.page} axis={axis} />
+        )}
+        <KeptSweep kept={kept} />
+      </div>
     </>
   );
 }

@@ -94,7 +94,7 @@ test("SWR-CON-034 what is run is what is held", async () => {
   await show(held);
   expect(
     screen.getByText(/Held: 2 rows.*checksum 00000abc/).textContent,
-  ).toContain("it came to row 1, at 1.5 s");
+  ).toContain("it came to row 2, at 1.5 s");
   press("Run what is held");
   expect(commander.acts()).toEqual([
     { path: `${PATH}/run`, body: { id: 1, checksum: 0xabc } },

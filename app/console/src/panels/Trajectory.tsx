@@ -51,7 +51,7 @@ function HeldNote({ held }: { held: Held | null }) {
     <p>
       Held: {held.rows} rows, <HeldName held={held} />.{" "}
       {held.time_s > 0 &&
-        `When it was run last it came to row ${held.row}, at ${seconds(held.time_s)}.`}
+        `When it was run last it came to row ${held.row + 1}, at ${seconds(held.time_s)}.`}
     </p>
   );
 }
