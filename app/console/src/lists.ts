@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lists that control judges row by row, holds, and runs by their checksum.
-import { useState } from "react";
 import type { Path, Problem } from "@interface";
+import { useKept, type Operation } from "./operation";
 import { usePolled } from "./outlook";
-import type { Page, RequestOptions } from "./page";
+import type { RequestOptions } from "./page";
 
 /** Control judges one row in a cycle: the longest list takes 5 s, in slow motion more. */
 const CHECK_TIMEOUT_MS = 60_000;
@@ -27,11 +27,12 @@ export interface HeldList<Answer> {
 }
 
 export function useList<Answer extends { checksum: number }>(
-  page: Page,
+  operation: Operation,
   path: Path,
 ): HeldList<Answer> {
+  const { page } = operation;
   const [held, askNow] = usePolled<Answer>(page, path);
-  const [verdict, setVerdict] = useState<Verdict | null>(null);
+  const [verdict, setVerdict] = useKept<Verdict | null>(operation, path, null);
   const exchange = async (
     method: "POST" | "DELETE",
     options: RequestOptions,

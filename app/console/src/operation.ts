@@ -11,6 +11,25 @@ export class Operation {
   readonly session = new SessionStore();
   readonly page = new Page(() => this.session.getView().session?.token ?? null);
   readonly authority = new PageAuthority(this.page);
+  /** What was written in views that are not shown now. */
+  readonly kept = new Map<string, unknown>();
+}
+
+/** As a state, but it outlives its panel. `name`: of what is kept; one type for each. */
+export function useKept<Value>(
+  operation: Operation,
+  name: string,
+  initial: Value,
+): [Value, (value: Value) => void] {
+  const { kept } = operation;
+  const [value, setValue] = useState(() =>
+    kept.has(name) ? (kept.get(name) as Value) : initial,
+  );
+  const keep = (next: Value) => {
+    kept.set(name, next);
+    setValue(next);
+  };
+  return [value, keep];
 }
 
 export function mayCommand(session: Session | null): boolean {

@@ -96,6 +96,16 @@ test("SWR-CON-034 a file fills the table, is sent as it is, and shows its progre
   expect(screen.getByText("dwelt 3.3 s")).toBeTruthy();
 });
 
+test("SWR-CON-034 who leaves the panel and comes back finds the program as it was", async () => {
+  await take(JSON.stringify({ steps }));
+  press("Send and check");
+  await screen.findByText("Checked, and held.");
+  cleanup();
+  render(<Shown />);
+  expect(screen.getByDisplayValue("12")).toBeTruthy();
+  expect(await screen.findByText("dwelt 3.3 s")).toBeTruthy();
+});
+
 test.each(["", "{}", '{"steps": []}', '{"steps": [{"depth": "1"}]}'])(
   "SWR-CON-034 a file of %j is no program",
   async (text) => {

@@ -3,6 +3,7 @@ import { useState } from "react";
 import type { Path, Program as Held } from "@interface";
 import { formatNumber } from "../format";
 import { useList } from "../lists";
+import { useKept } from "../operation";
 import { reasonAgainst } from "../outlook";
 import { Check, HeldName, ListOrders } from "../parts/Check";
 import { FileDrop } from "../parts/FileDrop";
@@ -121,8 +122,10 @@ export function Program({
   commanding,
   outlook,
 }: ModePanelProperties) {
-  const list = useList<Held>(operation.page, PATH);
-  const [steps, setSteps] = useState<readonly StepText[]>([emptyStep]);
+  const list = useList<Held>(operation, PATH);
+  const [steps, setSteps] = useKept<readonly StepText[]>(operation, "steps", [
+    emptyStep,
+  ]);
   const [problem, setProblem] = useState<string | null>(null);
   const request = writeProgram(steps);
   const { held } = list;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-import { useMemo, useState } from "react";
+import { useMemo } from "react";
 import type { Path, Trajectory as Held } from "@interface";
 import { formatNumber } from "../format";
 import { useList } from "../lists";
+import { useKept } from "../operation";
 import { reasonAgainst } from "../outlook";
 import { Check, HeldName, ListOrders } from "../parts/Check";
 import { FileDrop, type TextFile } from "../parts/FileDrop";
@@ -66,8 +67,8 @@ export function Trajectory({
   commanding,
   outlook,
 }: ModePanelProperties) {
-  const list = useList<Held>(operation.page, PATH);
-  const [file, setFile] = useState<TextFile | null>(null);
+  const list = useList<Held>(operation, PATH);
+  const [file, setFile] = useKept<TextFile | null>(operation, "table", null);
   const text = file?.text ?? "";
   const table = useMemo(() => readTrajectory(text), [text]);
   const pointer =

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-import { useState } from "react";
 import type { Mode } from "@interface";
 import { words } from "../format";
-import { useCommanding } from "../operation";
+import { useCommanding, useKept } from "../operation";
 import { reasonAgainst, usePoses } from "../outlook";
 import { isNeedleMode, NeedleOrder, Poses } from "../panels/Needle";
 import { ModeList } from "../panels/ModeList";
@@ -88,7 +87,7 @@ function Facts({ mode }: { mode: Mode | undefined }) {
 /** One motion after the other: what it needs, its command, and how far it has come. */
 export function ModesView({ robot, operation, outlook }: ViewProperties) {
   const { status } = robot;
-  const [chosen, setChosen] = useState<string | null>(null);
+  const [chosen, setChosen] = useKept<string | null>(operation, "mode", null);
   const commanding = useCommanding(operation, status.authority);
   const armed = status.mode.name === "NONE" ? "HOMING" : status.mode.name;
   const name = chosen ?? armed;
