@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "http/telemetry_json.h"
 
+#include "common/drive_terms.h"
 #include "common/utc_text.h"
 #include "http/telemetry_units.h"
 #include "interface/app/messages.h"
@@ -198,6 +199,7 @@ static cJSON *new_axis(const telemetry_view_t *view, uint32_t index)
                               .maximum = telemetry_units_position(config, config->maximum_ticks),
                               .minimum_ticks = config->minimum_ticks,
                               .maximum_ticks = config->maximum_ticks,
+                              .output_percent = drive_terms_percent(config, axis),
                               .permit = json_permit(axis, &permit)};
     return json_axis(axis, config, &also);
 }

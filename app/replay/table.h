@@ -11,9 +11,6 @@
 
 #define TABLE_CYCLES 10U
 
-/** The drive word of `axis` in percent of its largest, with the sign of the way. */
-double table_output_percent(const axis_config_t *config, const snapshot_axis_t *axis);
-
 /** Prints the names of the columns. */
 void table_print_names(const robot_t *robot);
 

@@ -47,7 +47,7 @@ module Interface
         #{C.file(SAYS, FROM).chomp}
         #include "columns.h"
 
-        #include "replay/table.h"
+        #include "common/drive_terms.h"
 
         #include <stdio.h>
 
@@ -73,7 +73,7 @@ module Interface
     end
 
     def print(column, from)
-      return '(void)printf(",%.1f", table_output_percent(&robot->axes[i], axis));' if column.form == 'output_percent'
+      return '(void)printf(",%.1f", drive_terms_percent(&robot->axes[i], axis));' if column.form == 'output_percent'
 
       format(PRINT.fetch(column.form), "#{from}->#{column.field.name}")
     end
