@@ -11,6 +11,7 @@ import { Operation } from "./operation";
 import { useOutlook } from "./outlook";
 import type { RobotState, Time } from "@interface";
 import type { ConsoleView, TelemetryStore } from "./store";
+import type { Trace } from "./trace";
 import { useChosenView, views, type ViewEntry } from "./views/views";
 
 const SLOW_PERCENT = 95;
@@ -35,12 +36,13 @@ interface ViewsProperties {
   view: ConsoleView;
   robot: RobotState;
   operation: Operation;
+  trace: Trace;
 }
 
-function Views({ view, robot, operation }: ViewsProperties) {
+function Views({ view, robot, operation, trace }: ViewsProperties) {
   const outlook = useOutlook(operation.page, robot.status);
   const chosen = useChosenView();
-  const properties = { view, robot, operation, outlook };
+  const properties = { view, robot, operation, outlook, trace };
   return (
     <>
       <SystemLamps view={view} status={robot.status} />
@@ -156,7 +158,12 @@ export function App({ store }: { store: TelemetryStore }) {
         <Boundary name="page">
           <Notices view={view} />
           {view.robot !== null && (
-            <Views view={view} robot={view.robot} operation={operation} />
+            <Views
+              view={view}
+              robot={view.robot}
+              operation={operation}
+              trace={store.trace}
+            />
           )}
         </Boundary>
       </main>

@@ -71,15 +71,6 @@ export function useRobot(page: Page, bootId: string): Robot | null {
   return robot;
 }
 
-/** What does not change of the robot; null while it is not known. */
-export function useRobot(page: Page, bootId: string): Robot | null {
-  const [robot, setRobot] = useState<Robot | null>(null);
-  useEffect(() => {
-    void ask<Robot>(page, ROBOT_PATH).then(setRobot);
-  }, [page, bootId]);
-  return robot;
-}
-
 /** Those of the robot's file; none while they are not known. */
 export function usePoses(page: Page, bootId: string): readonly PoseName[] {
   return useRobot(page, bootId)?.poses ?? [];

@@ -8,6 +8,7 @@ import {
 } from "./connection";
 import { freshnessOf, type Freshness } from "./freshness";
 import { SharedStream, type Stream } from "./shared_stream";
+import { Trace } from "./trace";
 
 const CHECK_MS = 100;
 const RECONNECT_MS = 500;
@@ -45,6 +46,8 @@ export const browserSurroundings: Surroundings = {
  * @satisfies SWR-CON-011
  */
 export class TelemetryStore implements StreamListener {
+  /** For what is drawn. */
+  readonly trace = new Trace();
   private readonly listeners = new Set<() => void>();
   private readonly actListeners = new Set<ActListener>();
   private readonly surroundings: Surroundings;
@@ -142,6 +145,7 @@ export class TelemetryStore implements StreamListener {
 
   private take(robot: RobotState): void {
     this.arrivedAt = this.surroundings.now();
+    this.trace.take(robot, this.arrivedAt);
     this.replace({ isConnected: true, robot, ...this.judge(robot, true) });
   }
 

@@ -27,7 +27,7 @@ function gradeOf(axis: Axis): string {
   return grades[axis.reference] ?? words(axis.reference);
 }
 
-function stateOf(axis: Axis): { level: Level; text: string } {
+export function stateOf(axis: Axis): { level: Level; text: string } {
   if (axis.power === "fault") {
     const cause = axis.stall === "stalled" ? "stalled" : "faulty";
     return { level: "fault", text: `${cause}, ${gradeOf(axis)}` };
@@ -51,7 +51,7 @@ export function sharedReasons(axes: readonly Axis[]): Named[] {
   );
 }
 
-function SharedReasons({ reasons }: { reasons: readonly Named[] }) {
+export function SharedReasons({ reasons }: { reasons: readonly Named[] }) {
   return (
     <div className="shared-reasons">
       <span>No axis may move:</span>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { Modes, Path, PoseName } from "@interface";
+import type { Modes, Path, PoseName, RobotState } from "@interface";
 import { words } from "../format";
-import type { Commanding } from "../operation";
-import { reasonAgainst } from "../outlook";
-import { Order, Orders } from "../parts/Order";
+import { useCommanding, type Commanding, type Operation } from "../operation";
+import { reasonAgainst, usePoses } from "../outlook";
+import { Order, OrderNotes, Orders } from "../parts/Order";
 
 const motions = {
   ALIGN: ["Align", "/api/v1/align"],
@@ -63,13 +63,26 @@ export function Poses({
   );
 }
 
-/** What the whole robot does. */
-export function Whole({
-  poses,
-  ...properties
-}: NeedleProperties & { poses: readonly PoseName[] }) {
+/**
+ * The motions and poses of the whole robot. Each is armed here, and moves while the pedal is pressed.
+ *
+ * @satisfies SWR-CON-017
+ */
+export function Needle({
+  robot,
+  outlook,
+  operation,
+}: {
+  robot: RobotState;
+  outlook: Modes | null;
+  operation: Operation;
+}) {
+  const commanding = useCommanding(operation, robot.status.authority);
+  const poses = usePoses(operation.page, robot.status.boot_id);
+  const properties = { commanding, outlook };
   return (
     <>
+      <OrderNotes commanding={commanding} />
       <Orders name="Needle">
         {Object.keys(motions)
           .filter(isNeedleMode)

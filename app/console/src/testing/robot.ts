@@ -33,6 +33,7 @@ export function makeAxis(name: string, change: Partial<Axis> = {}): Axis {
     at_lower_switch: false,
     at_upper_switch: false,
     is_driven: false,
+    output_percent: 0,
     permit: {
       allowed: true,
       speed_cap_percent: 100,
@@ -150,7 +151,7 @@ export function makeRobot(
 ): RobotState {
   return {
     status: makeStatus(status),
-    motors: { cycle: 1000, age_ms: 0, axes },
+    motors: { cycle: 1000, time_us: 1_000_000, age_ms: 0, axes },
     targeting: {
       cycle: 1000,
       age_ms: 0,

@@ -1,18 +1,38 @@
 // SPDX-License-Identifier: Apache-2.0
-import { Axes } from "../panels/Axes";
-import { Motion } from "../panels/Motion";
+import { lazy, Suspense } from "react";
+import { Motors } from "../panels/Motors";
+import { Needle } from "../panels/Needle";
+import { Positions } from "../panels/Positions";
 import { Panel } from "../parts/Panel";
 import type { ViewProperties } from "./view";
 
+const Plots = lazy(async () => ({
+  default: (await import("../panels/Plots")).Plots,
+}));
+
 /** Each axis by itself. */
-export function MotorsView({ robot, operation, outlook }: ViewProperties) {
+export function MotorsView({
+  robot,
+  operation,
+  outlook,
+  trace,
+}: ViewProperties) {
+  const properties = { robot, operation, outlook };
   return (
     <>
-      <Panel title="Axes" className="panel-wide">
-        <Axes axes={robot.motors.axes} />
+      <Panel title="Motors" className="panel-wide">
+        <Motors {...properties} />
       </Panel>
-      <Panel title="Motion" className="panel-wide">
-        <Motion robot={robot} outlook={outlook} operation={operation} />
+      <Panel title="Plots" className="panel-wide">
+        <Suspense fallback={<p>Loading plots…</p>}>
+          <Plots axes={robot.motors.axes} trace={trace} />
+        </Suspense>
+      </Panel>
+      <Panel title="Needle and poses" className="panel-wide">
+        <Needle {...properties} />
+      </Panel>
+      <Panel title="Saved positions" className="panel-wide">
+        <Positions authority={robot.status.authority} operation={operation} />
       </Panel>
     </>
   );

@@ -2,6 +2,7 @@
 import type { Modes, RobotState } from "@interface";
 import type { Operation } from "../operation";
 import type { ConsoleView } from "../store";
+import type { Trace } from "../trace";
 
 /** What each view is given. */
 export interface ViewProperties {
@@ -10,4 +11,6 @@ export interface ViewProperties {
   operation: Operation;
   /** What may be commanded now, as the server says it; null while it is not known. */
   outlook: Modes | null;
+  /** What the axes have done lately. */
+  trace: Trace;
 }

@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: Apache-2.0
+import { useEffect, useId, useState } from "react";
+import type { Axis, Modes, Named, Path, RobotState } from "@interface";
+import { formatNumber, formatSpeed, formatValue, readNumbers } from "../format";
+import { isKnown } from "../known";
+import { useCommanding, type Commanding, type Operation } from "../operation";
+import { reasonAgainst } from "../outlook";
+import { Order, OrderNotes, Orders } from "../parts/Order";
+import { Shape } from "../parts/Shape";
+import { Slider } from "../parts/Slider";
+import { Twice } from "../parts/Twice";
+import { sharedReasons, SharedReasons, stateOf } from "./Axes";
+import "./Motors.css";
+
+const steps = ["0.1", "1", "5", "10"];
+const MANUAL_ONLY = "Only in MANUAL.";
+const ENGINEERS_ONLY = "Engineers set home and clear positions.";
+
+/** Why not, by what is done; told once for all axes. */
+interface Refusals {
+  jog: string | null;
+  home: string | null;
+  /** Enabling, disabling, confirming. */
+  act: string | null;
+  /** Setting home, clearing. */
+  engineer: string | null;
+}
+
+/** What this page has asked for last. */
+interface Asked {
+  axis: string;
+  position: number;
+}
+
+interface MotorProperties {
+  axis: Axis;
+  step: number;
+  commanding: Commanding;
+  refusals: Refusals;
+  shared: readonly Named[];
+  asked: number | null;
+  send: (position: number) => void;
+}
+
+function refusalsOf(
+  outlook: Modes | null,
+  workphase: string,
+  isEngineer: boolean,
+): Refusals {
+  const act = workphase === "MANUAL" ? null : MANUAL_ONLY;
+  return {
+    jog: reasonAgainst(outlook, "JOG"),
+    home: reasonAgainst(outlook, "HOME_AXIS"),
+    act,
+    engineer: act ?? (isEngineer ? null : ENGINEERS_ONLY),
+  };
+}
+
+function RefusalList({ refusals }: { refusals: Refusals }) {
+  const told = [
+    ["Jogs", refusals.jog],
+    ["Homing of one axis", refusals.home],
+    ["Reference and power of an axis", refusals.act ?? refusals.engineer],
+  ].filter(([, reason]) => reason !== null);
+  return (
+    <ul className="motor-refusals">
+      {told.map(([what, reason]) => (
+        <li key={what}>
+          {what}: {reason}
+        </li>
+      ))}
+    </ul>
+  );
+}
+
+function SwitchLamp({ axis, end }: { axis: Axis; end: "lower" | "upper" }) {
+  const isActive =
+    end === "lower" ? axis.at_lower_switch : axis.at_upper_switch;
+  const limit = end === "lower" ? axis.minimum : axis.maximum;
+  return (
+    <span className="motor-end" data-level={isActive ? "attention" : "normal"}>
+      <span className="number">{formatNumber(limit, 1)}</span>
+      <span className="motor-switch">
+        <Shape level={isActive ? "attention" : "normal"} />
+        <span className="hidden">{end} switch </span>
+        {isActive ? "ACTIVE" : "free"}
+      </span>
+    </span>
+  );
+}
+
+/** An axis that is not homed has counted its ticks, but nobody knows from where. */
+function Position({ axis }: { axis: Axis }) {
+  const value = formatValue(axis.position, axis.unit);
+  return isKnown(axis) ? (
+    <dd data-field="position">{value}</dd>
+  ) : (
+    <dd data-field="position" data-known="false">
+      unknown
+      <span className="motor-counted">counted {value}</span>
+    </dd>
+  );
+}
+
+function Numbers({ axis }: { axis: Axis }) {
+  return (
+    <dl className="motor-numbers">
+      <div>
+        <dt>Set-point</dt>
+        <dd data-field="setpoint">
+          {isKnown(axis) ? formatValue(axis.setpoint, axis.unit) : "unknown"}
+        </dd>
+      </div>
+      <div>
+        <dt>Position</dt>
+        <Position axis={axis} />
+      </div>
+      <div>
+        <dt>Speed</dt>
+        <dd>{formatSpeed(axis.speed, axis.unit)}</dd>
+      </div>
+      <div>
+        <dt>Output</dt>
+        <dd>{formatNumber(axis.output_percent, 0)} %</dd>
+      </div>
+    </dl>
+  );
+}
+
+/** May it move, and what stands against it alone. */
+function Permit({ axis, shared }: Pick<MotorProperties, "axis" | "shared">) {
+  const { allowed, speed_cap_percent: cap, reasons } = axis.permit;
+  const own = reasons.filter(({ name }) =>
+    shared.every((one) => one.name !== name),
+  );
+  return (
+    <ul className="motor-permit">
+      {allowed && <li>May move, up to {cap} % speed</li>}
+      {own.map(({ name, text }) => (
+        <li key={name}>{text}</li>
+      ))}
+    </ul>
+  );
+}
+
+/** By steps, or to a position. */
+function Jog({ axis, step, commanding, refusals, send }: MotorProperties) {
+  const [place, setPlace] = useState("");
+  const id = useId();
+  const path: Path = `/api/v1/motors/${axis.name}/jog`;
+  const position = readNumbers(place, 1)?.[0];
+  const isReady =
+    commanding.obstacle === null &&
+    refusals.jog === null &&
+    position !== undefined;
+  return (
+    <Orders name={`Jog ${axis.name}`}>
+      {[-1, 1].map((way) => (
+        <Order
+          key={way}
+          commanding={commanding}
+          path={path}
+          fields={{ distance: way * step }}
+          refusal={refusals.jog}
+          isTold
+        >
+          {way < 0 ? "−" : "+"}
+          {formatValue(step, axis.unit)}
+        </Order>
+      ))}
+      <label htmlFor={id} className="hidden">
+        Position of {axis.name}
+      </label>
+      <input
+        id={id}
+        inputMode="decimal"
+        size={7}
+        value={place}
+        onChange={(event) => setPlace(event.target.value)}
+      />
+      <button
+        type="button"
+        disabled={!isReady}
+        onClick={() => position !== undefined && send(position)}
+      >
+        Go to
+      </button>
+    </Orders>
+  );
+}
+
+function Reference({ axis, commanding, refusals }: MotorProperties) {
+  const path = `/api/v1/motors/${axis.name}` as const;
+  const here = isKnown(axis)
+    ? formatValue(axis.position, axis.unit)
+    : "a position that is not known";
+  return (
+    <details>
+      <summary>Reference</summary>
+      <Orders name={`Reference of ${axis.name}`}>
+        <Twice
+          question={`Ask for the button at the box: ${axis.name} stands at ${here}?`}
+          path={`${path}/confirm`}
+          commanding={commanding}
+          refusal={refusals.act}
+        >
+          Confirm position
+        </Twice>
+        <Twice
+          question={`Is home of ${axis.name} where it stands, shown as ${here}?`}
+          path={`${path}/set-home`}
+          commanding={commanding}
+          refusal={refusals.engineer}
+        >
+          Set home
+        </Twice>
+        <Twice
+          question={`Forget the position of ${axis.name}?`}
+          path={`${path}/clear`}
+          commanding={commanding}
+          refusal={refusals.engineer}
+        >
+          Clear position
+        </Twice>
+      </Orders>
+    </details>
+  );
+}
+
+function Acts({ axis, commanding, refusals }: MotorProperties) {
+  const isEnabled = axis.power === "enabled";
+  const path = `/api/v1/motors/${axis.name}` as const;
+  return (
+    <Orders name={`Power and homing of ${axis.name}`}>
+      <Order
+        commanding={commanding}
+        path={`${path}/home`}
+        refusal={refusals.home}
+        isTold
+      >
+        Home {axis.name}
+      </Order>
+      <Order
+        commanding={commanding}
+        path={`${path}/${isEnabled ? "disable" : "enable"}`}
+        refusal={refusals.act}
+        isTold
+      >
+        {isEnabled ? "Disable" : "Enable"} {axis.name}
+      </Order>
+    </Orders>
+  );
+}
+
+function Motor(properties: MotorProperties) {
+  const { axis, step, commanding, refusals, shared, asked, send } = properties;
+  const state = stateOf(axis);
+  const id = useId();
+  return (
+    <li
+      className="motor"
+      aria-labelledby={id}
+      data-axis={axis.name}
+      data-level={state.level}
+      data-reference={axis.reference}
+    >
+      <div className="motor-head">
+        <h3 id={id}>{axis.name}</h3>
+        <span className="axis-state">
+          <Shape level={state.level} />
+          {state.text}
+        </span>
+        <Permit axis={axis} shared={shared} />
+      </div>
+      <div className="motor-way">
+        <SwitchLamp axis={axis} end="lower" />
+        <Slider
+          axis={axis}
+          asked={asked}
+          step={step}
+          isLocked={
+            commanding.obstacle !== null ||
+            refusals.jog !== null ||
+            !isKnown(axis)
+          }
+          onSend={send}
+        />
+        <SwitchLamp axis={axis} end="upper" />
+      </div>
+      <Numbers axis={axis} />
+      <div className="motor-orders">
+        <Jog {...properties} />
+        <Acts {...properties} />
+        <Reference {...properties} />
+      </div>
+    </li>
+  );
+}
+
+/** What was asked for stands until control has done it or given it up. */
+function useAsked(robot: RobotState, commanding: Commanding) {
+  const [asked, setAsked] = useState<Asked | null>(null);
+  const { order, mode } = robot.status;
+  useEffect(() => {
+    if (order === "none") {
+      setAsked(null);
+    }
+  }, [order]);
+  const send = async (axis: string, position: number) => {
+    setAsked({ axis, position });
+    const path: Path = `/api/v1/motors/${axis}/jog`;
+    if (!(await commanding.command(path, { position }))) {
+      setAsked(null);
+    }
+  };
+  const isOther = order !== "none" && mode.name !== "JOG";
+  return { asked: isOther ? null : asked, send };
+}
+
+/**
+ * Every axis with its slider. A motion is armed here, and moves while the pedal is pressed.
+ *
+ * @satisfies SWR-CON-026
+ */
+export function Motors({
+  robot,
+  outlook,
+  operation,
+}: {
+  robot: RobotState;
+  outlook: Modes | null;
+  operation: Operation;
+}) {
+  const commanding = useCommanding(operation, robot.status.authority);
+  const { asked, send } = useAsked(robot, commanding);
+  const [step, setStep] = useState("1");
+  const { axes } = robot.motors;
+  const shared = sharedReasons(axes);
+  const refusals = refusalsOf(
+    outlook,
+    robot.status.workphase.name,
+    commanding.isEngineer,
+  );
+  return (
+    <>
+      <OrderNotes commanding={commanding} />
+      {shared.length > 0 && <SharedReasons reasons={shared} />}
+      <RefusalList refusals={refusals} />
+      <label>
+        Step, mm or °{" "}
+        <select value={step} onChange={(event) => setStep(event.target.value)}>
+          {steps.map((one) => (
+            <option key={one}>{one}</option>
+          ))}
+        </select>
+      </label>
+      <ul className="motors">
+        {axes.map((axis) => (
+          <Motor
+            key={axis.name}
+            axis={axis}
+            step={Number(step)}
+            commanding={commanding}
+            refusals={refusals}
+            shared={shared}
+            asked={asked?.axis === axis.name ? asked.position : null}
+            send={(position) => void send(axis.name, position)}
+          />
+        ))}
+      </ul>
+    </>
+  );
+}

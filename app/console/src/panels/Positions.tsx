@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: Apache-2.0
+import { useId, useRef, useState, type DragEvent } from "react";
+import type {
+  Authority,
+  Path,
+  PositionsPreview,
+  PreviewAxis,
+  Problem,
+  SavedPositions,
+} from "@interface";
+import { saveText } from "../download";
+import { formatValue, words } from "../format";
+import { useCommanding, type Commanding, type Operation } from "../operation";
+import { refusalOf, type Page } from "../page";
+import { OrderNotes } from "../parts/Order";
+import { Twice } from "../parts/Twice";
+import "./Positions.css";
+
+const POSITIONS_PATH: Path = "/api/v1/positions";
+const PREVIEW_PATH: Path = "/api/v1/positions/preview";
+const RESTORE_PATH: Path = "/api/v1/positions/restore";
+const NO_ANSWER = "The server does not answer.";
+
+const whys: Readonly<Record<PreviewAxis["why"], string>> = {
+  counts_agree: "Its counter stands as it was saved.",
+  other_power_on: "The box was switched off since.",
+  unsealed: "Nobody has sealed the file.",
+  old_list: "A list of the older program: neither robot nor time is known.",
+  moved: "Its counter has moved since.",
+  not_known: "Its position was not known when it was saved.",
+  stands_there: "It is homed, and there.",
+};
+
+const origins: Readonly<Record<PositionsPreview["origin"], string>> = {
+  sealed: "Sealed by this box",
+  unsealed: "Sealed by nobody",
+  old_list: "A list of the older program",
+};
+
+/** The name of the reason stands in front: it is what the manual lists. */
+function told(problem: Partial<Problem>): string {
+  const { code } = problem;
+  return `${code === undefined ? "" : `${code}: `}${refusalOf(problem)}`;
+}
+
+async function save(page: Page): Promise<string | null> {
+  const response = await page.request("GET", POSITIONS_PATH);
+  const text = await response.text();
+  if (!response.ok) {
+    return told(JSON.parse(text) as Problem);
+  }
+  const { robot, saved_utc: utc } = JSON.parse(text) as SavedPositions;
+  const name = `positions-${robot}-${utc.replaceAll(":", "-")}.json`;
+  saveText(name, "application/json", text);
+  return null;
+}
+
+/** A list of motors is what the older control program has saved. */
+function bodyOf(text: string): string {
+  const saved = JSON.parse(text) as unknown;
+  return JSON.stringify(
+    Array.isArray(saved) ? { motors: saved } : { file: saved },
+  );
+}
+
+async function look(
+  page: Page,
+  text: string,
+): Promise<PositionsPreview | string> {
+  let body = "";
+  try {
+    body = bodyOf(text);
+  } catch {
+    return "This file is no JSON.";
+  }
+  const response = await page.request("POST", PREVIEW_PATH, body);
+  const answer = (await response.json()) as PositionsPreview | Problem;
+  return "detail" in answer ? told(answer) : answer;
+}
+
+function Row({ axis }: { axis: PreviewAxis }) {
+  const value = (number: number) => formatValue(number, axis.unit);
+  return (
+    <tr data-restored={axis.is_restored}>
+      <th scope="row">{axis.name}</th>
+      <td className="number">{value(axis.saved)}</td>
+      <td className="number">{value(axis.now)}</td>
+      <td className="number">{value(axis.delta)}</td>
+      <td>{axis.is_restored ? "restored" : "stays"}</td>
+      <td>{words(axis.grade)}</td>
+      <td>{whys[axis.why]}</td>
+    </tr>
+  );
+}
+
+function Differences({ preview }: { preview: PositionsPreview }) {
+  return (
+    <div
+      className="positions-table"
+      role="region"
+      aria-label="Differences"
+      tabIndex={0}
+    >
+      <table>
+        <caption>
+          {origins[preview.origin]}
+          {preview.saved_utc !== null && `, saved ${preview.saved_utc}`}.{" "}
+          {preview.is_same_power_on
+            ? "The box was not switched off since."
+            : "The box may have been switched off since."}
+        </caption>
+        <thead>
+          <tr>
+            <th scope="col">Axis</th>
+            <th scope="col" className="number">
+              Saved
+            </th>
+            <th scope="col" className="number">
+              Now
+            </th>
+            <th scope="col" className="number">
+              Difference
+            </th>
+            <th scope="col">It is</th>
+            <th scope="col">Trusted as</th>
+            <th scope="col">Why</th>
+          </tr>
+        </thead>
+        <tbody>
+          {preview.axes.map((axis) => (
+            <Row key={axis.name} axis={axis} />
+          ))}
+        </tbody>
+      </table>
+    </div>
+  );
+}
+
+function Preview({
+  preview,
+  commanding,
+  onEnd,
+}: {
+  preview: PositionsPreview;
+  commanding: Commanding;
+  onEnd: (isDone: boolean) => void;
+}) {
+  const names = preview.axes
+    .filter(({ is_restored }) => is_restored)
+    .map(({ name }) => name);
+  return (
+    <>
+      <Differences preview={preview} />
+      <div className="orders">
+        {names.length === 0 ? (
+          <p>There is no axis to restore.</p>
+        ) : (
+          <Twice
+            question={`Restore ${names.join(", ")}, and forget the target?`}
+            commanding={commanding}
+            path={RESTORE_PATH}
+            fields={{ token: preview.token }}
+            onDone={() => onEnd(true)}
+          >
+            Apply
+          </Twice>
+        )}
+        <button type="button" onClick={() => onEnd(false)}>
+          Leave as it is
+        </button>
+        <p className="orders-refusal">
+          Applied within {preview.left_s} s, while nothing moves, or looked at
+          again.
+        </p>
+      </div>
+    </>
+  );
+}
+
+/** By the picker or dropped onto the button. */
+function FileButton({ take }: { take: (file: File) => void }) {
+  const picker = useRef<HTMLInputElement>(null);
+  const id = useId();
+  const [isOver, setIsOver] = useState(false);
+  const over = (event: DragEvent, isHere: boolean) => {
+    event.preventDefault();
+    setIsOver(isHere);
+  };
+  return (
+    <>
+      <button
+        type="button"
+        className="positions-drop"
+        data-over={isOver}
+        onClick={() => picker.current?.click()}
+        onDragEnter={(event) => over(event, true)}
+        onDragOver={(event) => over(event, true)}
+        onDragLeave={(event) => over(event, false)}
+        onDrop={(event) => {
+          over(event, false);
+          const file = event.dataTransfer.files[0];
+          if (file !== undefined) {
+            take(file);
+          }
+        }}
+      >
+        Restore from a file, or drop it here…
+      </button>
+      <label className="hidden" htmlFor={id}>
+        File of saved positions
+      </label>
+      <input
+        id={id}
+        ref={picker}
+        className="hidden"
+        type="file"
+        accept=".json,application/json"
+        tabIndex={-1}
+        onChange={(event) => {
+          const file = event.target.files?.[0];
+          event.target.value = ""; // The same one may be taken again.
+          if (file !== undefined) {
+            take(file);
+          }
+        }}
+      />
+    </>
+  );
+}
+
+/**
+ * Saves where the axes stand, and restores it in two steps: what would become of each axis is looked at first.
+ *
+ * @satisfies SWR-CON-028
+ */
+export function Positions({
+  authority,
+  operation,
+}: {
+  authority: Authority;
+  operation: Operation;
+}) {
+  const commanding = useCommanding(operation, authority);
+  const [preview, setPreview] = useState<PositionsPreview | null>(null);
+  const [note, setNote] = useState<string | null>(null);
+  const attempt = (work: () => Promise<string | null>) =>
+    void work()
+      .catch(() => NO_ANSWER)
+      .then(setNote);
+  const take = (file: File) =>
+    attempt(async () => {
+      setPreview(null);
+      const found = await look(operation.page, await file.text());
+      if (typeof found === "string") {
+        return `${file.name} was refused. ${found}`;
+      }
+      setPreview(found);
+      return null;
+    });
+  const end = (isDone: boolean) => {
+    setPreview(null);
+    setNote(
+      isDone
+        ? "Restored and unverified: compare each axis with the robot, then hold the button at the box."
+        : null,
+    );
+  };
+  return (
+    <>
+      <div className="orders">
+        <button
+          type="button"
+          onClick={() => attempt(() => save(operation.page))}
+        >
+          Save positions
+        </button>
+        <FileButton take={take} />
+      </div>
+      {note !== null && (
+        <p className="order-problem" role="alert">
+          {note}
+        </p>
+      )}
+      {preview !== null && (
+        <>
+          <OrderNotes commanding={commanding} />
+          <Preview
+            key={preview.token}
+            preview={preview}
+            commanding={commanding}
+            onEnd={end}
+          />
+        </>
+      )}
+    </>
+  );
+}
