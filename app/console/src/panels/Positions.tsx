@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useId, useRef, useState, type DragEvent } from "react";
 import type {
-  Authority,
   Path,
   PositionsPreview,
   PreviewAxis,
   Problem,
+  RobotState,
   SavedPositions,
 } from "@interface";
 import { saveText } from "../download";
 import { formatValue, words } from "../format";
+import { isKnown } from "../known";
 import { useCommanding, type Commanding, type Operation } from "../operation";
 import { refusalOf, type Page } from "../page";
 import { OrderNotes } from "../parts/Order";
@@ -78,14 +79,16 @@ async function look(
   return "detail" in answer ? told(answer) : answer;
 }
 
-function Row({ axis }: { axis: PreviewAxis }) {
+/** `isKnown`: where it stands now. */
+function Row({ axis, isKnown }: { axis: PreviewAxis; isKnown: boolean }) {
   const value = (number: number) => formatValue(number, axis.unit);
+  const now = (number: number) => (isKnown ? value(number) : "unknown");
   return (
     <tr data-restored={axis.is_restored}>
       <th scope="row">{axis.name}</th>
       <td className="number">{value(axis.saved)}</td>
-      <td className="number">{value(axis.now)}</td>
-      <td className="number">{value(axis.delta)}</td>
+      <td className="number">{now(axis.now)}</td>
+      <td className="number">{now(axis.delta)}</td>
       <td>{axis.is_restored ? "restored" : "stays"}</td>
       <td>{words(axis.grade)}</td>
       <td>{whys[axis.why]}</td>
@@ -93,7 +96,13 @@ function Row({ axis }: { axis: PreviewAxis }) {
   );
 }
 
-function Differences({ preview }: { preview: PositionsPreview }) {
+interface DifferencesProperties {
+  preview: PositionsPreview;
+  /** The names of the axes that stand somewhere known. */
+  known: readonly string[];
+}
+
+function Differences({ preview, known }: DifferencesProperties) {
   return (
     <div
       className="positions-table"
@@ -128,7 +137,11 @@ function Differences({ preview }: { preview: PositionsPreview }) {
         </thead>
         <tbody>
           {preview.axes.map((axis) => (
-            <Row key={axis.name} axis={axis} />
+            <Row
+              key={axis.name}
+              axis={axis}
+              isKnown={known.includes(axis.name)}
+            />
           ))}
         </tbody>
       </table>
@@ -138,10 +151,10 @@ function Differences({ preview }: { preview: PositionsPreview }) {
 
 function Preview({
   preview,
+  known,
   commanding,
   onEnd,
-}: {
-  preview: PositionsPreview;
+}: DifferencesProperties & {
   commanding: Commanding;
   onEnd: (isDone: boolean) => void;
 }) {
@@ -150,7 +163,7 @@ function Preview({
     .map(({ name }) => name);
   return (
     <>
-      <Differences preview={preview} />
+      <Differences preview={preview} known={known} />
       <div className="orders">
         {names.length === 0 ? (
           <p>There is no axis to restore.</p>
@@ -234,13 +247,14 @@ function FileButton({ take }: { take: (file: File) => void }) {
  * @satisfies SWR-CON-028
  */
 export function Positions({
-  authority,
+  robot,
   operation,
 }: {
-  authority: Authority;
+  robot: RobotState;
   operation: Operation;
 }) {
-  const commanding = useCommanding(operation, authority);
+  const commanding = useCommanding(operation, robot.status.authority);
+  const known = robot.motors.axes.filter(isKnown).map(({ name }) => name);
   const [preview, setPreview] = useState<PositionsPreview | null>(null);
   const [note, setNote] = useState<string | null>(null);
   const attempt = (work: () => Promise<string | null>) =>
@@ -287,6 +301,7 @@ export function Positions({
           <Preview
             key={preview.token}
             preview={preview}
+            known={known}
             commanding={commanding}
             onEnd={end}
           />

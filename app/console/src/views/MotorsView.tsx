@@ -32,7 +32,7 @@ export function MotorsView({
         <Needle {...properties} />
       </Panel>
       <Panel title="Saved positions" className="panel-wide">
-        <Positions authority={robot.status.authority} operation={operation} />
+        <Positions robot={robot} operation={operation} />
       </Panel>
     </>
   );
