@@ -137,7 +137,9 @@ class TestHttpActs < Minitest::Test
     assert_answer '202', 'accepted', anna.act('motors/6/jog', { position: -2 })
     refute yaw.fetch('is_driven')
     assert_equal before, yaw.fetch('position')
+    assert_equal 0, yaw.fetch('output_percent')
     boresight.simctl('pedal', 'press')
+    wait_until('it is driven downwards') { yaw.fetch('output_percent').negative? }
     wait_until('it is done') { JSON.parse(anna.act('motors/6/jog', { position: -2 }, id: anna.id).body)['state'] == 'done' }
     assert_in_delta(-2, yaw.fetch('position'), 0.02)
   ensure
