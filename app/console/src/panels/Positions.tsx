@@ -181,10 +181,12 @@ function Preview({
         <button type="button" onClick={() => onEnd(false)}>
           Leave as it is
         </button>
-        <p className="orders-refusal">
-          Applied within {preview.left_s} s, while nothing moves, or looked at
-          again.
-        </p>
+        {names.length > 0 && (
+          <p className="orders-refusal">
+            Applied within {preview.left_s} s, while nothing moves, or looked at
+            again.
+          </p>
+        )}
       </div>
     </>
   );
