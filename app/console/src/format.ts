@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-const units = { mm: "mm", deg: "°" } as const;
+export const units = { mm: "mm", deg: "°" } as const;
 const MINUS = "\u2212";
 
 export type Unit = keyof typeof units;

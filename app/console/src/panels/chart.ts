@@ -3,6 +3,7 @@
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import type { Axis } from "@interface";
+import { units } from "../format";
 import { TRACE_S, type Quantity, type Trace } from "../trace";
 
 const HEIGHT = 150;
@@ -27,12 +28,10 @@ export interface ChartKind {
   range?: [number, number];
 }
 
-const degrees = { mm: "mm", deg: "°" } as const;
-
 export const chartKinds: readonly ChartKind[] = [
   {
     title: "Set-point and position",
-    unitOf: (unit) => degrees[unit],
+    unitOf: (unit) => units[unit],
     curves: [
       { quantity: "position", label: "position", colour: "--text" },
       {
@@ -45,7 +44,7 @@ export const chartKinds: readonly ChartKind[] = [
   },
   {
     title: "Speed",
-    unitOf: (unit) => `${degrees[unit]}/s`,
+    unitOf: (unit) => `${units[unit]}/s`,
     curves: [{ quantity: "speed", label: "speed", colour: "--text" }],
   },
   {
