@@ -92,7 +92,7 @@ arm: ## The core's tests as Cortex-A9 code
 	ruby tools/c_tests.rb arm
 
 console-test: app/console/node_modules/.installed $(GENERATED)
-	cd app/console && npm run --silent typecheck && npm run --silent format:check
+	cd app/console && npm run --silent typecheck && npm run --silent lint && npm run --silent format:check
 	ruby tools/results.rb vitest build/console-tests.json npm --prefix app/console test --silent
 
 trace: ## Every requirement with its parents, places, tests and verdict

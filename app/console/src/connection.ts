@@ -51,7 +51,7 @@ async function askReason(): Promise<string | null> {
 }
 
 export const browserNetwork: Network = {
-  openSource: () => new EventSource(EVENTS_PATH) as unknown as Source,
+  openSource: () => new EventSource(EVENTS_PATH),
   askReason,
 };
 

@@ -36,7 +36,7 @@ function startWorker(onFailure: () => void): Port {
     { type: "module", name: "boresight-stream" },
   );
   worker.onerror = onFailure;
-  return worker.port as unknown as Port;
+  return worker.port;
 }
 
 /** Listens to the stream by the shared worker. Falls back to a connection of its own, for good. */

@@ -79,9 +79,9 @@ function requestAll(addresses: string[], signal: AbortSignal): Promise<void> {
 }
 
 function reasonOf(failure: unknown): string {
-  const reasons = failure instanceof AggregateError ? failure.errors : [];
-  const refusal = reasons.find((one) => one instanceof Refusal) as
-    Refusal | undefined;
+  const reasons: unknown[] =
+    failure instanceof AggregateError ? failure.errors : [];
+  const refusal = reasons.find((one) => one instanceof Refusal);
   return refusal?.message ?? SILENCE;
 }
 

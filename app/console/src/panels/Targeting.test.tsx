@@ -11,9 +11,7 @@ afterEach(cleanup);
 
 function show(change: Partial<TargetingData>) {
   const { targeting } = makeRobot();
-  render(
-    <Targeting targeting={{ ...targeting, ...change } as TargetingData} />,
-  );
+  render(<Targeting targeting={{ ...targeting, ...change }} />);
 }
 
 function said(term: string): string | null | undefined {

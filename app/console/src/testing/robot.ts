@@ -41,7 +41,7 @@ export function makeAxis(name: string, change: Partial<Axis> = {}): Axis {
       reasons: [],
     },
     ...change,
-  } as Axis;
+  };
 }
 
 /** An axis that may not move. */

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+import js from "@eslint/js";
+import reactHooks from "eslint-plugin-react-hooks";
+import { defineConfig } from "eslint/config";
+import tseslint from "typescript-eslint";
+
+export default defineConfig(
+  { ignores: ["node_modules", "*.config.js", "*.local.*"] },
+  js.configs.recommended,
+  tseslint.configs.recommendedTypeChecked,
+  reactHooks.configs.flat.recommended,
+  {
+    linterOptions: { reportUnusedDisableDirectives: "error" },
+    languageOptions: {
+      parserOptions: {
+        projectService: true,
+        tsconfigRootDir: import.meta.dirname,
+      },
+    },
+    rules: {
+      // Interfaces write their methods short, and nobody takes one from its object.
+      "@typescript-eslint/unbound-method": "off",
+      // What comes from outside, as data or an answer, is taken over in an effect.
+      "react-hooks/set-state-in-effect": "off",
+      "no-restricted-syntax": [
+        "error",
+        {
+          selector: "JSXAttribute[name.name='dangerouslySetInnerHTML']",
+          message: "Text of the network is no HTML.",
+        },
+      ],
+    },
+  },
+);
