@@ -11,7 +11,7 @@ import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import type { RobotState } from "@interface";
 import { App, Emergency } from "./App";
 import { Boundary } from "./parts/Boundary";
-import { applyStoredTheme } from "./parts/ThemeButton";
+import { applyKeptTheme } from "./parts/ThemeChoice";
 import { TelemetryStore } from "./store";
 import { makeRobot } from "./testing/robot";
 import { FakeSurroundings } from "./testing/surroundings";
@@ -95,8 +95,10 @@ test("SWR-CON-009 a browser that refuses its storage shows the page", () => {
       throw new DOMException("refused", "SecurityError");
     },
   });
-  applyStoredTheme();
+  applyKeptTheme();
   render(<App store={new TelemetryStore(surroundings)} />);
-  fireEvent.click(screen.getByRole("button", { name: "Light theme" }));
+  fireEvent.change(screen.getByRole("combobox", { name: "Theme" }), {
+    target: { value: "light" },
+  });
   expectStop();
 });

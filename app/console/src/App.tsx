@@ -6,15 +6,16 @@ import { SystemLamps } from "./panels/Lamps";
 import { Login } from "./panels/Login";
 import { StopButton } from "./panels/StopButton";
 import { Boundary } from "./parts/Boundary";
-import { ThemeButton } from "./parts/ThemeButton";
+import { Clock } from "./parts/Clock";
+import { ThemeChoice } from "./parts/ThemeChoice";
 import { Operation } from "./operation";
 import { useOutlook } from "./outlook";
-import type { RobotState, Time } from "@interface";
+import type { RobotState } from "@interface";
+import { Help } from "./help/Help";
 import type { ConsoleView, TelemetryStore } from "./store";
 import type { Trace } from "./trace";
+import { useTitle } from "./title";
 import { useChosenView, views, type ViewEntry } from "./views/views";
-
-const SLOW_PERCENT = 95;
 
 function Navigation({ chosen }: { chosen: ViewEntry }) {
   return (
@@ -68,17 +69,10 @@ function Footer({ robot }: { robot: RobotState | null }) {
           <span>Build {robot.status.build_id}</span>
         </>
       )}
-      <ThemeButton />
+      <Clock />
+      <ThemeChoice />
     </footer>
   );
-}
-
-/** A slow simulation must not be taken for a slow robot. */
-function SlowTime({ time }: { time: Time }) {
-  const percent = Math.round(time.speed_percent);
-  return percent < SLOW_PERCENT ? (
-    <p className="notice">Time passes at {percent} % of its speed.</p>
-  ) : null;
 }
 
 function Notices({ view }: { view: ConsoleView }) {
@@ -90,7 +84,6 @@ function Notices({ view }: { view: ConsoleView }) {
           Simulated control box “{box}”: no robot is connected.
         </p>
       )}
-      {view.robot !== null && <SlowTime time={view.robot.status.time} />}
       {view.isOutdated && (
         <p className="notice">The server has been updated. Reload this page.</p>
       )}
@@ -98,8 +91,8 @@ function Notices({ view }: { view: ConsoleView }) {
   );
 }
 
-/** Who is logged in, and whether this page commands. */
-function Operator({
+/** Who is logged in, whether this page commands, and help. */
+function Toolbar({
   view,
   operation,
 }: {
@@ -107,7 +100,7 @@ function Operator({
   operation: Operation;
 }) {
   return (
-    <div className="operator">
+    <div className="toolbar">
       <Login store={operation.session} />
       {view.robot !== null && (
         <Command
@@ -115,6 +108,10 @@ function Operator({
           authority={view.robot.status.authority}
         />
       )}
+      <Boundary name="notice">
+        <Notices view={view} />
+      </Boundary>
+      <Help />
     </div>
   );
 }
@@ -135,11 +132,13 @@ export function Emergency() {
  * The whole page. Whatever fails in it is cut out; the stop stays.
  *
  * @satisfies SWR-CON-009
+ * @satisfies SWR-CON-022
  */
 export function App({ store }: { store: TelemetryStore }) {
   const view = useSyncExternalStore(store.subscribe, store.getView);
   const [operation] = useState(() => new Operation());
   useEffect(() => store.tellActsTo(operation.page.lastAct), [store, operation]);
+  useTitle(view);
   return (
     <>
       <header>
@@ -152,11 +151,10 @@ export function App({ store }: { store: TelemetryStore }) {
         </Boundary>
       </header>
       <main>
-        <Boundary name="login">
-          <Operator view={view} operation={operation} />
+        <Boundary name="toolbar">
+          <Toolbar view={view} operation={operation} />
         </Boundary>
         <Boundary name="page">
-          <Notices view={view} />
           {view.robot !== null && (
             <Views
               view={view}

@@ -42,6 +42,13 @@ export function formatDuration(ms: number): string {
   return seconds < 120 ? `${seconds} s` : `${Math.floor(seconds / 60)} min`;
 }
 
+/** Seconds as hours, minutes and seconds. */
+export function formatClock(seconds: number): string {
+  const two = (value: number) =>
+    String(Math.floor(value) % 60).padStart(2, "0");
+  return `${Math.floor(seconds / 3600)}:${two(seconds / 60)}:${two(seconds)}`;
+}
+
 /** So many numbers by spaces, commas or lines; null if the text is anything else. */
 export function readNumbers(text: string, count: number): number[] | null {
   const parts = text.split(/[\s,;]+/).filter((part) => part !== "");

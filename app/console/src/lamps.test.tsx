@@ -2,6 +2,7 @@
 // Rule under test: no two states of a lamp differ in colour alone.
 import { cleanup, render } from "@testing-library/react";
 import { afterEach, expect, test } from "vitest";
+import type { Card, Status } from "@interface";
 import {
   cardLamp,
   dataLamp,
@@ -88,10 +89,43 @@ test("SWR-LINK-009 a card without an axis has its lamp", () => {
   });
 });
 
-test("SWR-CON-002 the data lamp shows the age", () => {
-  expect(dataLamp("live", 20).detail).toBe("under 0.1 s");
+test("SWR-CON-002 the data lamp shows the age of what is not new", () => {
+  expect(dataLamp("live", 20)).toMatchObject({ word: "LIVE" });
   expect(dataLamp("late", 440)).toMatchObject({
     word: "LATE",
     detail: "0.4 s",
   });
 });
+
+function lampOf(label: string, change: Partial<Status>) {
+  return systemLamps(makeStatus(change)).find((lamp) => lamp.label === label);
+}
+
+test.each([
+  ["live", "normal", "1 OF 1"],
+  ["late", "attention", "0 OF 1"],
+  ["lost", "fault", "0 OF 1"],
+] as const)("SWR-CON-002 of a card that is %s", (link, level, word) => {
+  const cards = makeStatus().cards.map((card) => ({ ...card, link }));
+  const other = { ...cards[0], axis: null, slot: 9, link: "lost" } as Card;
+  expect(lampOf("Cards", { cards: [...cards, other] })).toMatchObject({
+    level,
+    word,
+  });
+});
+
+test.each([
+  [100, { level: "normal" }],
+  [95, { level: "normal" }],
+  [12, { level: "attention", detail: "12\u00a0%" }],
+] as const)(
+  "SWR-CON-002 tells since when, and that time passes at %i %%",
+  (speed_percent, expected) => {
+    const time = { is_elastic: true, slowness: 8, speed_percent };
+    expect(lampOf("Since start", { cycle: 3_725_500, time })).toEqual({
+      label: "Since start",
+      word: "1:02:05",
+      ...expected,
+    });
+  },
+);

@@ -7,6 +7,7 @@ import type {
   PedalGateState,
   Status,
 } from "@interface";
+import { formatClock } from "./format";
 import type { Freshness } from "./freshness";
 
 /**
@@ -87,13 +88,41 @@ export function ageText(ageMs: number): string {
 }
 
 export function dataLamp(freshness: Freshness, ageMs: number): LampProperties {
-  return { label: "Data", ...dataLevels[freshness], detail: ageText(ageMs) };
+  const lamp = { label: "Data", ...dataLevels[freshness] };
+  return freshness === "live" ? lamp : { ...lamp, detail: ageText(ageMs) };
 }
 
 function processLamp(label: string, isRunning: boolean): LampProperties {
   return isRunning
     ? { label, level: "normal", word: "RUNNING" }
     : { label, level: "unknown", word: "NOT RUNNING" };
+}
+
+/** Those of the robot; any other card has its lamp beside theirs. */
+function cardsLamp(cards: readonly Card[]): LampProperties {
+  const own = cards.filter(({ axis }) => axis !== null);
+  const live = own.filter(({ link }) => link === "live").length;
+  const isAnyLost = own.some(({ link }) => link === "lost");
+  return {
+    label: "Cards",
+    level: live === own.length ? "normal" : isAnyLost ? "fault" : "attention",
+    word: `${live} OF ${own.length}`,
+  };
+}
+
+/** A slow simulation must not be taken for a slow robot. */
+const SLOW_PERCENT = 95;
+const CYCLES_PER_S = 1000;
+
+function timeLamp({ cycle, time }: Status): LampProperties {
+  const percent = Math.round(time.speed_percent);
+  const lamp = {
+    label: "Since start",
+    word: formatClock(cycle / CYCLES_PER_S),
+  };
+  return percent < SLOW_PERCENT
+    ? { ...lamp, level: "attention", detail: `${percent}\u00a0%` }
+    : { ...lamp, level: "normal" };
 }
 
 export function systemLamps(status: Status): LampProperties[] {
@@ -104,9 +133,11 @@ export function systemLamps(status: Status): LampProperties[] {
     { label: "Pedal", ...find(pedal, status.pedal) },
     { label: "E-stop", ...find(estop, status.estop) },
     { label: "Scanner", ...scanner },
+    cardsLamp(status.cards),
     { label: "Control loop", ...find(loop, status.loop.state) },
     processLamp("OpenIGTLink", status.processes.igtl),
     processLamp("Recorder", status.processes.recorder),
+    timeLamp(status),
   ];
 }
 

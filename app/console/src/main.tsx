@@ -3,11 +3,11 @@ import { StrictMode } from "react";
 import { createRoot } from "react-dom/client";
 import { App, Emergency } from "./App";
 import { Boundary } from "./parts/Boundary";
-import { applyStoredTheme } from "./parts/ThemeButton";
+import { applyKeptTheme } from "./parts/ThemeChoice";
 import { TelemetryStore } from "./store";
 import "./style.css";
 
-applyStoredTheme();
+applyKeptTheme();
 const store = new TelemetryStore();
 store.start();
 

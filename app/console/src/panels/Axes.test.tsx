@@ -2,7 +2,8 @@
 // Rule under test: a row for each axis with set-point and position, and why it does not move.
 import { cleanup, render, screen, within } from "@testing-library/react";
 import { afterEach, expect, test } from "vitest";
-import { percentOf } from "../parts/Track";
+import type { Axis } from "@interface";
+import { percentOf, Track } from "../parts/Track";
 import { makeAxis, makeBlockedAxis } from "../testing/robot";
 import { Axes } from "./Axes";
 
@@ -51,13 +52,63 @@ test("SWR-CON-003 tells the picture in words", () => {
   ).toBeDefined();
 });
 
-test("SWR-CON-003 places positions between the limits and never outside", () => {
+test("SWR-CON-021 measures what is outside the limits as far as it is", () => {
   const axis = makeAxis("head", { minimum: -10, maximum: 30 });
   expect(percentOf(axis, -10)).toBe(0);
   expect(percentOf(axis, 10)).toBe(50);
-  expect(percentOf(axis, 31)).toBe(100);
-  expect(percentOf(axis, -11)).toBe(0);
+  expect(percentOf(axis, 32)).toBe(105);
+  expect(percentOf(axis, -14)).toBe(-10);
 });
+
+function markOf(axis: Axis): Element | null {
+  const { container } = render(<Track axis={axis} />);
+  return container.querySelector(".track-position");
+}
+
+test("SWR-CON-021 draws a position beyond its limit beyond it", () => {
+  const upper = 92;
+  const mark = markOf(makeAxis("yaw", { position: 42 }));
+  expect(parseFloat(mark?.getAttribute("x") ?? "")).toBeGreaterThan(upper);
+  expect(mark?.getAttribute("data-beyond")).toBe("0");
+});
+
+test("SWR-CON-021 points to a position that is too far for the drawing", () => {
+  const mark = markOf(makeAxis("yaw", { position: -100 }));
+  expect(mark?.getAttribute("x")).toBe("0%");
+  expect(mark?.getAttribute("data-beyond")).toBe("-1");
+});
+
+test.each(["fresh", "leave", "approach", "back_off", "latch"] as const)(
+  "SWR-CON-021 says unknown, and draws nothing, of a position that is %s",
+  (reference) => {
+    const axis = makeAxis("head", { reference });
+    render(<Axes axes={[axis]} />);
+    const row = rowOf("head");
+    const cell = row.querySelector('[data-field="position"]');
+    expect(cell?.querySelector(".place-word")?.textContent).toBe("unknown");
+    expect(cell?.querySelector(".place-number")?.textContent).toBe(
+      "counted 10.00 mm",
+    );
+    expect(row.querySelector(".track-position")).toBeNull();
+    expect(row.querySelector(".track-setpoint")).toBeNull();
+    expect(
+      screen.getByRole("img", { name: /^head: position unknown, limits/ }),
+    ).toBeDefined();
+  },
+);
+
+test.each([
+  ["lost", "last 10.00 mm"],
+  ["unverified", "about 10.00 mm"],
+] as const)(
+  "SWR-CON-021 shows a position that is %s, which can be compared, but not as a fact",
+  (reference, text) => {
+    render(<Axes axes={[makeAxis("head", { reference })]} />);
+    const cell = rowOf("head").querySelector('[data-field="position"]');
+    expect(cell?.querySelector(".place-word")?.textContent).toBe(reference);
+    expect(cell?.querySelector(".place-number")?.textContent).toBe(text);
+  },
+);
 
 test.each([
   ["fresh", "enabled, not homed yet"],
@@ -65,7 +116,7 @@ test.each([
   ["unverified", "enabled, position unverified"],
   ["taken", "enabled, taken in place"],
   ["verified", "enabled, verified"],
-  ["back_off", "enabled, back off"],
+  ["back_off", "enabled, homing, backs off"],
 ] as const)(
   "SWR-REF-012 says of %s how far the position is trusted",
   (reference, text) => {
@@ -94,19 +145,28 @@ test("SWR-CON-005 shows the reasons of an axis and since when", () => {
   expect(rowOf("head").textContent).toContain("May move, up to 100 % speed");
 });
 
-test("SWR-CON-005 tells once what holds for every axis and names it in each row", () => {
+test("SWR-CON-005 tells what holds for every axis once, above the rows", () => {
   const axes = [
     makeBlockedAxis("head", estop),
     makeBlockedAxis("yaw", estop, homed),
   ];
   render(<Axes axes={axes} />);
   expect(screen.getAllByText("The e-stop is pulled.")).toHaveLength(1);
-  expect(rowOf("head").textContent).toContain("estop pulled");
-  expect(rowOf("yaw").textContent).toContain("estop pulled");
+  expect(rowOf("head").textContent).toContain("As said above");
   expect(rowOf("yaw").textContent).toContain("The axis is not homed.");
 });
 
-test("SWR-CON-005 says nothing of all axes when one may move", () => {
-  render(<Axes axes={[makeAxis("head"), makeBlockedAxis("yaw", estop)]} />);
+test.each([
+  ["All axes may move.", makeAxis("head")],
+  ["Some axes may move.", makeBlockedAxis("head", estop)],
+])("SWR-CON-005 keeps the place above the rows: %s", (text, head) => {
+  render(<Axes axes={[head, makeAxis("yaw")]} />);
+  expect(screen.getByText(text)).toBeDefined();
   expect(screen.queryByText("No axis may move:")).toBeNull();
+});
+
+test("SWR-CON-005 does not say that an axis may move when none does", () => {
+  const axes = [makeBlockedAxis("head", estop), makeBlockedAxis("yaw", homed)];
+  render(<Axes axes={axes} />);
+  expect(screen.getByText("Each axis has a reason of its own.")).toBeDefined();
 });

@@ -5,17 +5,22 @@ import {
   formatNumber,
   formatSpeed,
   formatValue,
-  words,
 } from "../format";
 import type { Level } from "../lamps";
 import { Shape } from "../parts/Shape";
 import { Track } from "../parts/Track";
+import { trustOf } from "../trust";
+import "./Axes.css";
 
-const grades: Record<string, string> = {
+const grades: Readonly<Record<string, string>> = {
   fresh: "not homed yet",
   lost: "position lost",
   unverified: "position unverified",
   taken: "taken in place",
+  leave: "homing, leaves its switch",
+  approach: "homing, to its switch",
+  back_off: "homing, backs off",
+  latch: "homing, at its switch",
 };
 
 /**
@@ -24,7 +29,7 @@ const grades: Record<string, string> = {
  * @satisfies SWR-REF-012
  */
 function gradeOf(axis: Axis): string {
-  return grades[axis.reference] ?? words(axis.reference);
+  return grades[axis.reference] ?? axis.reference;
 }
 
 export function stateOf(axis: Axis): { level: Level; text: string } {
@@ -39,10 +44,6 @@ export function stateOf(axis: Axis): { level: Level; text: string } {
   return { level: axis.is_driven ? "active" : "normal", text };
 }
 
-function reasonWord(name: string): string {
-  return words(name).toLowerCase();
-}
-
 /** The reasons that stand for every axis; they are told once, above the table. */
 export function sharedReasons(axes: readonly Axis[]): Named[] {
   const [first, ...others] = axes.map((axis) => axis.permit.reasons);
@@ -51,15 +52,34 @@ export function sharedReasons(axes: readonly Axis[]): Named[] {
   );
 }
 
-export function SharedReasons({ reasons }: { reasons: readonly Named[] }) {
+/** It keeps its place when there is nothing to say, so that the rows keep theirs. */
+export function SharedReasons({
+  axes,
+  reasons,
+}: {
+  axes: readonly Axis[];
+  reasons: readonly Named[];
+}) {
+  const free = axes.filter(({ permit }) => permit.allowed).length;
+  const some = free === axes.length ? "All axes" : "Some axes";
   return (
     <div className="shared-reasons">
-      <span>No axis may move:</span>
-      <ul>
-        {reasons.map((reason) => (
-          <li key={reason.name}>{reason.text}</li>
-        ))}
-      </ul>
+      {reasons.length === 0 ? (
+        <span>
+          {free === 0
+            ? "Each axis has a reason of its own."
+            : `${some} may move.`}
+        </span>
+      ) : (
+        <>
+          <span>No axis may move:</span>
+          <ul>
+            {reasons.map((reason) => (
+              <li key={reason.name}>{reason.text}</li>
+            ))}
+          </ul>
+        </>
+      )}
     </div>
   );
 }
@@ -69,33 +89,54 @@ interface PermitCellProperties {
   shared: readonly Named[];
 }
 
-/**
- * The axis' own reasons as sentences, the shared ones as words.
- *
- * @satisfies SWR-CON-005
- */
+/** Those that hold for every axis stand above the table. */
+function OwnReasons({ permit, shared }: PermitCellProperties) {
+  const own = permit.reasons.filter(
+    ({ name }) => !shared.some((reason) => reason.name === name),
+  );
+  if (own.length === 0) {
+    return "As said above";
+  }
+  return (
+    <ul className="reasons">
+      {own.map((reason) => (
+        <li key={reason.name}>{reason.text}</li>
+      ))}
+    </ul>
+  );
+}
+
+/** @satisfies SWR-CON-005 */
 function PermitCell({ permit, shared }: PermitCellProperties) {
   if (permit.allowed) {
-    return <span>May move, up to {permit.speed_cap_percent} % speed</span>;
+    return <>May move, up to {permit.speed_cap_percent} % speed</>;
   }
-  const isShared = (name: string) =>
-    shared.some((reason) => reason.name === name);
-  const own = permit.reasons.filter(({ name }) => !isShared(name));
-  const named = permit.reasons.filter(({ name }) => isShared(name));
   return (
     <>
-      <ul className="reasons">
-        {own.map((reason) => (
-          <li key={reason.name}>{reason.text}</li>
-        ))}
-        {named.length > 0 && (
-          <li className="reasons-shared">
-            {named.map(({ name }) => reasonWord(name)).join(", ")}
-          </li>
-        )}
-      </ul>
+      <OwnReasons permit={permit} shared={shared} />{" "}
       <span className="reasons-since">
         for {formatDuration(permit.since_ms)}
+      </span>
+    </>
+  );
+}
+
+/**
+ * A number that is not to be believed stands small beneath the word for that.
+ *
+ * @satisfies SWR-CON-021
+ */
+function Place({ axis, value }: { axis: Axis; value: number }) {
+  const { word, mark } = trustOf(axis);
+  const text = formatValue(value, axis.unit);
+  if (word === null) {
+    return <>{text}</>;
+  }
+  return (
+    <>
+      <span className="place-word">{word}</span>{" "}
+      <span className="place-number">
+        {mark} {text}
       </span>
     </>
   );
@@ -110,82 +151,114 @@ function AxisRow({ axis, shared }: AxisRowProperties) {
   const state = stateOf(axis);
   return (
     <tr
+      role="row"
       data-axis={axis.name}
       data-level={state.level}
       data-reference={axis.reference}
     >
-      <th scope="row">{axis.name}</th>
-      <td className="track-cell">
+      <th role="rowheader" scope="row">
+        {axis.name}
+      </th>
+      <td role="cell" className="track-cell">
         <div className="track-row">
           <span aria-hidden="true">{formatNumber(axis.minimum, 1)}</span>
           <Track axis={axis} />
           <span aria-hidden="true">{formatNumber(axis.maximum, 1)}</span>
         </div>
       </td>
-      <td className="number" data-field="setpoint">
-        {formatValue(axis.setpoint, axis.unit)}
+      <td
+        role="cell"
+        className="number"
+        data-field="setpoint"
+        data-label="Set-point"
+      >
+        {trustOf(axis).isPlaced ? formatValue(axis.setpoint, axis.unit) : "–"}
       </td>
-      <td className="number" data-field="position">
-        {formatValue(axis.position, axis.unit)}
+      <td
+        role="cell"
+        className="number"
+        data-field="position"
+        data-label="Position"
+      >
+        <Place axis={axis} value={axis.position} />
       </td>
-      <td className="number">{formatSpeed(axis.speed, axis.unit)}</td>
-      <td className="axis-state">
+      <td role="cell" className="number" data-label="Speed">
+        {formatSpeed(axis.speed, axis.unit)}
+      </td>
+      <td role="cell" className="axis-state">
         <Shape level={state.level} />
         {state.text}
       </td>
-      <td className="axis-permit">
+      <td role="cell" className="axis-permit">
         <PermitCell permit={axis.permit} shared={shared} />
       </td>
     </tr>
   );
 }
 
+function Legend() {
+  return (
+    <span className="legend">
+      <svg viewBox="-10 -10 20 20" aria-hidden="true">
+        <circle className="track-setpoint" r="8" />
+      </svg>
+      set-point
+      <svg viewBox="-10 -10 20 20" aria-hidden="true">
+        <path className="track-position" d="M0-8L8 0 0 8-8 0z" />
+      </svg>
+      position
+    </span>
+  );
+}
+
+function Head() {
+  return (
+    <thead role="rowgroup">
+      <tr role="row">
+        <th role="columnheader">Axis</th>
+        <th role="columnheader" className="track-cell">
+          Between its limits
+          <Legend />
+        </th>
+        <th role="columnheader" className="number">
+          Set-point
+        </th>
+        <th role="columnheader" className="number">
+          Position
+        </th>
+        <th role="columnheader" className="number">
+          Speed
+        </th>
+        <th role="columnheader">State</th>
+        <th role="columnheader">May it move, and if not, why</th>
+      </tr>
+    </thead>
+  );
+}
+
 /**
- * One row for each axis.
+ * One row for each axis. On a small screen the rows are cards; the roles keep them a table to those who hear it.
  *
  * @satisfies SWR-CON-003
  */
 export function Axes({ axes }: { axes: readonly Axis[] }) {
   const shared = sharedReasons(axes);
+  const isCounted = axes.some((axis) => !trustOf(axis).isPlaced);
   return (
     <>
-      {shared.length > 0 && <SharedReasons reasons={shared} />}
-      <table className="axes">
-        <thead>
-          <tr>
-            <th scope="col">Axis</th>
-            <th scope="col" className="track-cell">
-              Between its limits
-              <span className="legend">
-                <svg viewBox="-10 -10 20 20" aria-hidden="true">
-                  <circle className="track-setpoint" r="8" />
-                </svg>
-                set-point
-                <svg viewBox="-10 -10 20 20" aria-hidden="true">
-                  <path className="track-position" d="M0-8L8 0 0 8-8 0z" />
-                </svg>
-                position
-              </span>
-            </th>
-            <th scope="col" className="number">
-              Set-point
-            </th>
-            <th scope="col" className="number">
-              Position
-            </th>
-            <th scope="col" className="number">
-              Speed
-            </th>
-            <th scope="col">State</th>
-            <th scope="col">May it move, and if not, why</th>
-          </tr>
-        </thead>
-        <tbody>
+      <SharedReasons axes={axes} reasons={shared} />
+      <table role="table" className="axes">
+        <Head />
+        <tbody role="rowgroup">
           {axes.map((axis) => (
             <AxisRow key={axis.name} axis={axis} shared={shared} />
           ))}
         </tbody>
       </table>
+      <p className="axes-note">
+        {isCounted &&
+          "counted: from where the axis stood when it was switched on; where that is, nobody knows before it is homed."}
+      </p>
     </>
   );
 }

@@ -19,10 +19,10 @@ const live: ConsoleView = {
 
 afterEach(cleanup);
 
-test("SWR-CON-001 shows what is needed next first, then the state", () => {
+test("SWR-CON-001 shows the sign, what is needed next, then the state", () => {
   render(<Banner view={live} />);
   expect(screen.getByRole("status").textContent).toBe(
-    "Press and hold the pedal.START UP The axes home.Nobody commands",
+    "MAY MOVEheadPress and hold the pedal.START UP The axes home.",
   );
 });
 
@@ -34,12 +34,12 @@ test("SWR-CON-001 waits for control without inventing a state", () => {
 });
 
 function shows(change: Partial<Authority>): string | null {
-  render(
+  const { container } = render(
     <Banner
       view={{ ...live, robot: makeRobot({ authority: makeAuthority(change) }) }}
     />,
   );
-  return screen.getByRole("status").textContent;
+  return container.textContent;
 }
 
 const igtl: Partial<Authority> = {
@@ -78,6 +78,11 @@ test.each([
     expect(text).toContain("8 s left");
   },
 );
+
+test("SWR-CON-012 does not tell readers of screens each second anew", () => {
+  shows(igtl);
+  expect(screen.getByRole("status").textContent).not.toContain("12 s");
+});
 
 test("SWR-CON-013 says nothing of the button without a request", () => {
   expect(shows(igtl)).not.toContain("button");

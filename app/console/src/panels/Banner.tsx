@@ -1,28 +1,53 @@
 // SPDX-License-Identifier: Apache-2.0
+import type { ReactNode } from "react";
 import type { Authority, RobotState } from "@interface";
 import { words } from "../format";
 import { ageText } from "../lamps";
-import { Shape } from "../parts/Shape";
+import { SignShape } from "../parts/SignShape";
+import { signOf, type Sign } from "../sign";
 import type { ConsoleView } from "../store";
+import "./Banner.css";
 
 function absence(view: ConsoleView): string {
   return view.refusal ?? "The server cannot be reached.";
 }
 
-function StaleBanner({ view }: { view: ConsoleView }) {
+/** Readers of screens are told the sign and what stands beside it whenever it changes; `more` they find. */
+function Frame({
+  sign,
+  more,
+  children,
+}: {
+  sign: Sign;
+  more?: ReactNode;
+  children: ReactNode;
+}) {
+  return (
+    <div className="banner" data-sign={sign.kind}>
+      <div
+        className="banner-told"
+        role={sign.kind === "stale" ? "alert" : "status"}
+      >
+        <p className="sign">
+          <SignShape kind={sign.kind} />
+          <strong className="sign-word">{sign.word}</strong>
+        </p>
+        <div className="banner-text">{children}</div>
+      </div>
+      {more}
+    </div>
+  );
+}
+
+function StaleBanner({ view, sign }: { view: ConsoleView; sign: Sign }) {
   const reason = view.isConnected
     ? `Control has sent nothing new for ${ageText(view.ageMs)}.`
     : absence(view);
   return (
-    <div className="banner banner-stale" role="alert">
-      <Shape level="fault" />
-      <div>
-        <p className="banner-next">DATA STALE</p>
-        <p className="banner-state">
-          {reason} What is shown is old. To stop the robot, release the pedal.
-        </p>
-      </div>
-    </div>
+    <Frame sign={sign}>
+      <p className="banner-next">To stop the robot, release the pedal.</p>
+      <p className="banner-state">{reason} What is shown is old.</p>
+    </Frame>
   );
 }
 
@@ -56,59 +81,59 @@ function meaningOf(robot: RobotState): string {
 function CommandRow({ robot }: { robot: RobotState }) {
   const { authority } = robot.status;
   return (
-    <p className="banner-command">
+    <div className="banner-command">
       {whoCommands(authority)}
       {authority.left_s > 0 && (
         <strong className="banner-asked">
-          {authority.requester_name} asks {meaningOf(robot)},{" "}
-          {Math.ceil(authority.left_s)} s left
+          <span role="status">
+            {authority.requester_name} asks {meaningOf(robot)}
+          </span>
+          , {Math.ceil(authority.left_s)} s left
         </strong>
       )}
-    </p>
-  );
-}
-
-function StateBanner({ robot }: { robot: RobotState }) {
-  const { status } = robot;
-  return (
-    <div className="banner" role="status">
-      <div>
-        <p className="banner-next">{status.next_step.text}</p>
-        <p className="banner-state">
-          <strong>{words(status.workphase.name)}</strong>{" "}
-          {status.workphase.text}
-        </p>
-        <CommandRow robot={robot} />
-      </div>
     </div>
   );
 }
 
+function StateBanner({ robot, sign }: { robot: RobotState; sign: Sign }) {
+  const { status } = robot;
+  return (
+    <Frame sign={sign} more={<CommandRow robot={robot} />}>
+      <p className="banner-why">{sign.says}</p>
+      <p className="banner-next">{status.next_step.text}</p>
+      <p className="banner-state">
+        <strong>{words(status.workphase.name)}</strong> {status.workphase.text}
+      </p>
+    </Frame>
+  );
+}
+
 /**
- * What is needed next, and the state, in words.
+ * Does it move, may it, why not; then what is needed next, and the state, in words.
  *
  * @satisfies SWR-CON-001
  * @satisfies SWR-CON-004
  * @satisfies SWR-CON-011
  */
 export function Banner({ view }: { view: ConsoleView }) {
+  const sign = signOf(view);
   if (view.robot === null) {
     return (
-      <div className="banner" role="status">
-        <div>
-          <p className="banner-next">
-            {view.isConnected ? "Waiting for control" : "No data"}
-          </p>
-          <p className="banner-state">
-            {view.isConnected ? "The server has no data yet." : absence(view)}
-          </p>
-        </div>
-      </div>
+      <Frame sign={sign}>
+        <p className="banner-next">
+          {view.isConnected ? "Waiting for control" : absence(view)}
+        </p>
+        <p className="banner-state">
+          {view.isConnected
+            ? "The server has no data yet."
+            : "Whether the robot moves is not known here."}
+        </p>
+      </Frame>
     );
   }
   return view.freshness === "stale" ? (
-    <StaleBanner view={view} />
+    <StaleBanner view={view} sign={sign} />
   ) : (
-    <StateBanner robot={view.robot} />
+    <StateBanner robot={view.robot} sign={sign} />
   );
 }

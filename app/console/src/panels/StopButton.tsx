@@ -98,6 +98,9 @@ export function StopButton({ view }: { view: View }) {
           onClick={stop}
           onKeyDown={(event) => event.repeat && event.preventDefault()}
         >
+          <svg viewBox="0 0 20 20" aria-hidden="true">
+            <path d="M1 1h18v18H1z" />
+          </svg>
           STOP MOTION
           <kbd>Esc</kbd>
         </button>

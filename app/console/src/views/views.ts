@@ -17,6 +17,7 @@ const procedure: ViewEntry = {
   Content: ProcedureView,
 };
 
+/** @satisfies SWR-CON-024 */
 export const views: readonly ViewEntry[] = [
   procedure,
   {

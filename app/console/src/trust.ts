@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far a position is to be believed.
+import type { Axis, AxisReference } from "@interface";
+
+export interface Trust {
+  /** It has a place between its limits that may be shown. */
+  isPlaced: boolean;
+  /** In place of the number; null where the number is to be believed. */
+  word: string | null;
+  /** What the number is all the same. */
+  mark: string;
+}
+
+/** It is counted from where the axis stood when it was switched on. */
+const unknown: Trust = { isPlaced: false, word: "unknown", mark: "counted" };
+const believed: Trust = { isPlaced: true, word: null, mark: "" };
+
+const trusts: Readonly<Record<AxisReference, Trust>> = {
+  fresh: unknown,
+  leave: unknown,
+  approach: unknown,
+  back_off: unknown,
+  latch: unknown,
+  lost: { isPlaced: true, word: "lost", mark: "last" },
+  unverified: { isPlaced: true, word: "unverified", mark: "about" },
+  taken: believed,
+  verified: believed,
+};
+
+/** @satisfies SWR-CON-021 */
+export function trustOf({ reference }: Axis): Trust {
+  return trusts[reference] ?? unknown;
+}
