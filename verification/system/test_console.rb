@@ -154,6 +154,26 @@ class TestConsole < Minitest::Test
     assert_parts 'SWR-CON-015'
   end
 
+  def test_SWR_CON_020_one_word_says_whether_it_moves
+    assert_parts 'SWR-CON-020'
+  end
+
+  def test_SWR_CON_021_what_is_not_known_is_not_shown_as_known
+    assert_parts 'SWR-CON-021'
+  end
+
+  def test_SWR_CON_022_every_window_theme_and_hand
+    assert_parts 'SWR-CON-022'
+  end
+
+  def test_SWR_CON_023_help_explains_and_covers_no_stop
+    assert_parts 'SWR-CON-023'
+  end
+
+  def test_SWR_CON_024_the_first_load_is_small
+    assert_parts 'SWR-CON-024'
+  end
+
   def test_SWR_HTTP_002_stop_by_button_and_by_key
     assert_parts 'SWR-HTTP-002'
   end
