@@ -11,8 +11,9 @@ export interface Trust {
   mark: string;
 }
 
-/** It is counted from where the axis stood when it was switched on. */
 const unknown: Trust = { isPlaced: false, word: "unknown", mark: "counted" };
+/** Perhaps it was never known: homing that was left ends so too. */
+const lost: Trust = { ...unknown, word: "lost" };
 const believed: Trust = { isPlaced: true, word: null, mark: "" };
 
 const trusts: Readonly<Record<AxisReference, Trust>> = {
@@ -21,7 +22,7 @@ const trusts: Readonly<Record<AxisReference, Trust>> = {
   approach: unknown,
   back_off: unknown,
   latch: unknown,
-  lost: { isPlaced: true, word: "lost", mark: "last" },
+  lost,
   unverified: { isPlaced: true, word: "unverified", mark: "about" },
   taken: believed,
   verified: believed,

@@ -33,7 +33,7 @@ export const glossary: readonly Word[] = [
   },
   {
     term: "counted",
-    says: "A position that is counted from where the axis stood when it was switched on. Where that is, nobody knows before the axis is homed.",
+    says: "A position by the encoder alone, as from where the axis stood when it was switched on. Where it truly stands, nobody knows before it is homed or confirmed.",
   },
   {
     term: "data",

@@ -257,7 +257,7 @@ export function Axes({ axes }: { axes: readonly Axis[] }) {
       </table>
       <p className="axes-note">
         {isCounted &&
-          "counted: from where the axis stood when it was switched on; where that is, nobody knows before it is homed."}
+          "counted: by the encoder alone. Where the axis truly stands, nobody knows before it is homed or confirmed."}
       </p>
     </>
   );
