@@ -65,6 +65,8 @@ $(error There is no board "$(BOARD)"; choose one of these with BOARD: $(BOARDS))
 endif
 include bsp/$(BOARD)/board.mk
 BOARD_TABLE := $(GEN)/board/board.c
+# Orders to its box; most boards take none.
+BENCH := $(or $(BOARD_BENCH),bsp/no_bench.c)
 CLOCK := app/common/clock.c
 # Of every program.
 COMMAND_LINE := app/common/command_line.c
@@ -81,7 +83,7 @@ LOG_ENTRY := app/common/log_entry.c app/common/utc_text.c $(EVENT_TEXT)
 SOURCES_boresight-control := $(wildcard app/control/*.c app/positions/*.c app/trajectory/*.c) $(CLOCK) $(AXIS_TERMS) $(EXCHANGE) $(BOARD_SOURCES) $(FIND_ROBOT) $(NAMES)
 SOURCES_boresight-igtl := $(wildcard app/igtl/*.c app/dialect/*.c app/message/*.c) $(CLOCK) $(AXIS_TERMS) $(EXCHANGE) $(NAMES)
 SOURCES_boresight-http := $(wildcard app/http/*.c app/archive/*.c app/request/*.c app/saved/*.c app/session/*.c app/sweep/*.c app/trajectory/*.c) app/positions/position_record.c app/recording/recording.c app/common/file_series.c $(API) $(CLOCK) $(AXIS_TERMS) $(DRIVE_TERMS) $(GEN)/interface/app/messages.c $(LOG_ENTRY) $(EXCHANGE) $(NAMES) $(GEN)/assets/assets.c \
-    $(GEN)/assets/chart_names.c
+    $(GEN)/assets/chart_names.c $(BENCH)
 SOURCES_boresight-passwd := $(wildcard app/passwd/*.c) app/session/account.c app/session/password.c
 SOURCES_boresight-recorder := $(wildcard app/recorder/*.c app/recording/*.c app/positions/*.c) app/sweep/sweep_curve.c $(CLOCK) app/common/directory.c app/common/file_series.c $(LOG_ENTRY) $(EXCHANGE) $(NAMES)
 SOURCES_boresight-replay := $(wildcard app/replay/*.c app/recording/*.c) $(GEN)/interface/app/columns.c $(GEN)/interface/app/fields.c $(DRIVE_TERMS) $(EVENT_TEXT) $(NAMES) $(FIND_ROBOT)
@@ -196,7 +198,7 @@ $(OUT)/bin/$(1): $(call object,$(SOURCES_$(1)) $(COMMAND_LINE)) $(OUT)/libcore.a
 	@echo "built $$@"
 endef
 $(foreach p,$(PROGRAMS),$(eval $(call program,$(p))))
-$(OUT)/bin/boresight-control: build/board
+$(OUT)/bin/boresight-control $(OUT)/bin/boresight-http: build/board
 
 $(BIN)/%: build/gcc/bin/%
 	@mkdir -p $(BIN); cp $< $@.new; mv $@.new $@

@@ -50,11 +50,12 @@ static int refuse(struct mg_connection *connection, problem_t problem)
     return (status != 0) ? status : NOT_SENT;
 }
 
-/* A page keeps authority without anybody there. */
+/* A page keeps authority, and the pedal of a simulated box, without anybody there. */
 static session_use_t use_of(const route_t *route)
 {
     const bool is_read = strcmp(route->method, "GET") == 0;
-    const session_use_t use = (route->id == ROUTE_RENEW_AUTHORITY) ? SESSION_RUNS : SESSION_ACTS;
+    const bool is_renewal = (route->id == ROUTE_RENEW_AUTHORITY) || (route->id == ROUTE_KEEP_BOX);
+    const session_use_t use = is_renewal ? SESSION_RUNS : SESSION_ACTS;
     return is_read ? SESSION_READS : use;
 }
 

@@ -19,6 +19,7 @@ void http_notes_init(http_notes_t *self, exchange_t *exchange, act_desk_t *desk)
     (void)pthread_mutex_init(&self->lock, NULL);
     self->written = exchange_newest_note(exchange);
     self->logged = self->written;
+    self->seen = self->written;
     self->asked = self->written;
 }
 
@@ -62,10 +63,19 @@ void http_notes_tell_replaced(http_notes_t *self)
     }
 }
 
+bool http_notes_are_behind(http_notes_t *self)
+{
+    (void)pthread_mutex_lock(&self->lock);
+    const uint32_t since = self->written - self->seen;
+    (void)pthread_mutex_unlock(&self->lock);
+    return since > (LIMIT_NOTES_KEPT / 2U);
+}
+
 static uint32_t newest(http_notes_t *self)
 {
     (void)pthread_mutex_lock(&self->lock);
     const uint32_t written = self->written;
+    self->seen = self->logged;
     (void)pthread_mutex_unlock(&self->lock);
     return written;
 }

@@ -12,6 +12,7 @@
 #include "http/act_desk.h"
 
 #include <pthread.h>
+#include <stdbool.h>
 #include <stdint.h>
 
 typedef struct {
@@ -24,6 +25,7 @@ typedef struct {
     uint32_t patience;   /**< Ticks until it is asked for again. */
     uint32_t next_event; /**< Of the log, to look at. */
     uint64_t kept_ms;    /**< When somebody's was kept last. */
+    uint32_t seen;       /**< What `logged` was at the last tick, for all threads. */
 } http_notes_t;
 
 /** Starts with nothing to log. `exchange` and `desk`, which asks control, outlive `self`. */
@@ -38,6 +40,9 @@ void http_notes_write(void *owner, note_kind_t kind, const char *who, const char
  * @return its number; 0 within LIMIT_NOTE_PAUSE_MS of the one before
  */
 uint32_t http_notes_keep(http_notes_t *self, const char *who, const char *text, uint64_t now_ms);
+
+/** Whether so many notes wait to be logged that more would be lost. Any thread. */
+bool http_notes_are_behind(http_notes_t *self);
 
 /**
  * Notes which programs the supervisor has replaced.

@@ -5,6 +5,7 @@
 #include "http/http_act.h"
 #include "http/http_archive.h"
 #include "http/http_authority.h"
+#include "http/http_box.h"
 #include "http/http_call.h"
 #include "http/http_communication.h"
 #include "http/http_door.h"
@@ -249,6 +250,14 @@ static int answer(http_server_t *server, const http_call_t *call)
         return http_communication_disconnect(server, call);
     case ROUTE_KEEP_ALIVE:
         return http_communication_keep_alive(server, call);
+    case ROUTE_BOX:
+        return http_box_show(server, call);
+    case ROUTE_ORDER_BOX:
+        return http_box_order(server, call);
+    case ROUTE_KEEP_BOX:
+        return http_box_keep(server, call);
+    case ROUTE_DROP_BOX:
+        return http_box_drop(server, call);
     default:
         return http_reply_refuse(connection, PROBLEM_NOT_FOUND);
     }

@@ -14,6 +14,7 @@
 #define BORESIGHT_BOX_H
 
 #include "bsp.h"
+#include "bsp_bench.h"
 #include "card/card_frame.h"
 #include "robot/robot.h"
 #include "sim/sim_card.h"
@@ -74,6 +75,16 @@ typedef struct {
     uint32_t delay_us; /**< 0: nothing under way. */
 } box_contact_t;
 
+/** What can be held from afar. */
+typedef enum { BOX_HELD_PEDAL = 0, BOX_HELD_BUTTON = 1 } box_held_t;
+#define BOX_HOLDS 2U
+
+/** Who holds one of them from afar. */
+typedef struct {
+    uint32_t holder;   /**< 0: nobody. */
+    uint32_t renewals; /**< Grows each time he says that he does. */
+} box_hold_t;
+
 /** What the gate of the treatment says. */
 typedef enum { BOX_GATE_OFF = 0, BOX_GATE_DOSE = 1, BOX_GATE_STOP = 2 } box_gate_t;
 
@@ -89,11 +100,12 @@ typedef struct {
     box_contact_t estop; /**< Closed: not pulled. */
     box_probe_t probe;
     bool scanner_active;
-    bool button_pressed;  /**< The operator's, for confirming positions. */
-    box_gate_t gate;      /**< Of the treatment. */
-    bsp_inputs_t latched; /**< The most unsafe levels since the last sample. */
-    uint64_t time_us;     /**< Whole steps done. */
-    uint32_t pending_us;  /**< Time not yet stepped, below SIM_STEP_US. */
+    bool button_pressed;         /**< The operator's, for confirming positions. */
+    box_hold_t holds[BOX_HOLDS]; /**< By box_held_t. */
+    box_gate_t gate;             /**< Of the treatment. */
+    bsp_inputs_t latched;        /**< The most unsafe levels since the last sample. */
+    uint64_t time_us;            /**< Whole steps done. */
+    uint32_t pending_us;         /**< Time not yet stepped, below SIM_STEP_US. */
 } box_t;
 
 /**
@@ -152,6 +164,22 @@ void box_plug(box_t *self, uint32_t slot, uint32_t card_type);
  * @satisfies SWR-BOX-012
  */
 void box_push(box_t *self, double mm);
+
+/** Presses or releases pedal or button for good; nobody holds it from afar then. */
+void box_press(box_t *self, box_held_t what, bool is_pressed);
+
+/** Presses pedal or button for `who`, not 0, who must renew it; see box_grip.h. False: another one
+ * holds it, and nothing has changed. */
+bool box_hold(box_t *self, box_held_t what, uint32_t who);
+
+/** Renews what `who` holds; what he does not hold any more stays open. */
+void box_keep(box_t *self, uint32_t who);
+
+/** Releases pedal or button if `who` holds it. */
+void box_drop(box_t *self, box_held_t what, uint32_t who);
+
+/** Writes what there is to see, but for the levels of the inputs, to `seen`. */
+void box_show(const box_t *self, bsp_bench_t *seen);
 
 /** Closes or opens `contact` after `delay_us`; 0 is at once. */
 void box_contact_set(box_contact_t *contact, bool is_closed, uint32_t delay_us);

@@ -6,6 +6,7 @@
 #include "robot/app/robots.h"
 #include "sim/box.h"
 #include "sim/box_clock.h"
+#include "sim/box_grip.h"
 #include "sim/wire.h"
 
 #include <sched.h>
@@ -102,6 +103,14 @@ static void publish_inputs(wire_t *wire)
     wire_store(&wire->beat, wire_load(&wire->beat) + 1U);
 }
 
+static void publish_bench(wire_t *wire)
+{
+    bsp_bench_t seen;
+
+    box_show(&box, &seen);
+    wire->bench = seen;
+}
+
 static void serve_order(wire_t *wire)
 {
     const uint32_t number = wire_load(&wire->order_request);
@@ -112,6 +121,7 @@ static void serve_order(wire_t *wire)
         order[sizeof order - 1U] = '\0';
         wire->order_done = box_command(&box, order, wire->answer, sizeof wire->answer) ? 1U : 0U;
         publish_inputs(wire);
+        publish_bench(wire);
         wire_announce(&wire->order_reply, number);
     }
 }
@@ -137,9 +147,23 @@ static void let_control_start(const wire_t *wire, uint32_t *openings)
     }
 }
 
+/* What is held from afar opens in the cycle in which its time is over. */
+static void loosen(wire_t *wire, box_grip_t *grip)
+{
+    const uint32_t pedal = box.holds[BOX_HELD_PEDAL].holder;
+    const uint32_t button = box.holds[BOX_HELD_BUTTON].holder;
+
+    box_grip_look(grip, &box, wire_now_us());
+    if ((pedal != box.holds[BOX_HELD_PEDAL].holder) ||
+        (button != box.holds[BOX_HELD_BUTTON].holder)) {
+        publish_bench(wire);
+    }
+}
+
 static void run(wire_t *wire, bsp_time_t time)
 {
     box_clock_t clock;
+    box_grip_t grip = {{0U}, {0U}};
     uint32_t openings = wire_load(&wire->openings);
 
     box_clock_init(&clock, time, wire_load_time(wire), wire_now_us());
@@ -153,6 +177,7 @@ static void run(wire_t *wire, bsp_time_t time)
         box_advance(&box,
                     box_clock_look(&clock, is_asked ? &wire->wanted_us : NULL, wire_now_us()));
         wire_store_time(wire, clock.now_us);
+        loosen(wire, &grip);
         publish_inputs(wire);
         serve_exchange(wire, asked);
         serve_order(wire);
@@ -182,6 +207,7 @@ static int serve(const char *name, const robot_t *robot, uint32_t seed, bsp_time
         return EXIT_CANNOT_START;
     }
     wire_store(&port.wire->robot_crc, robot->crc);
+    publish_bench(port.wire);
     const bool is_real_time = ask_for_real_time();
     (void)printf("boresight-box: ready as \"%s\", robot %s, seed %u, %s\n", name, robot->name,
                  (unsigned)seed, is_real_time ? "SCHED_FIFO 70" : "without real-time scheduling");

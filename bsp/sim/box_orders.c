@@ -24,9 +24,12 @@ typedef struct {
 /* Words of which any may be taken; `plug` takes any slot that no axis has, `force` any reading,
  * `push` any way in mm. */
 static const char orders[] = "pedal press|release|pulse\n"
+                             "pedal hold|drop WHO\n"
                              "pedal a|b open|close\n"
                              "estop pull|reset|pulse\n"
                              "button press|release\n"
+                             "button hold|drop WHO\n"
+                             "keep WHO\n"
                              "card SLOT silent|corrupt|foreign|normal\n"
                              "plug 8|9 none|pwm|non_pwm|sensor|high_frequency|analog\n"
                              "encoder SLOT stuck|reversed|half|normal\n"
@@ -140,6 +143,46 @@ static void pulse(box_contact_t *contact)
     box_contact_set(contact, was_closed, BOX_PULSE_US);
 }
 
+/* A number but 0; 0: it is none. */
+static uint32_t who_of(const char *word)
+{
+    char *end = NULL;
+    const unsigned long long who = strtoull(word, &end, 10);
+
+    return ((word[0] >= '0') && (word[0] <= '9') && (*end == '\0') && (who <= UINT32_MAX))
+               ? (uint32_t)who
+               : 0U;
+}
+
+static bool order_press(box_t *self, box_held_t what, const order_t *order)
+{
+    const uint32_t who = who_of(order->words[2]);
+    const bool is_press = is_word(order, 1U, "press");
+
+    if (order->count == 2U) {
+        const bool is_known = is_press || is_word(order, 1U, "release");
+        if (is_known) {
+            box_press(self, what, is_press);
+        }
+        return is_known;
+    }
+    if ((who != 0U) && is_word(order, 1U, "drop")) {
+        box_drop(self, what, who);
+        return true;
+    }
+    return (who != 0U) && is_word(order, 1U, "hold") && box_hold(self, what, who);
+}
+
+static bool order_keep(box_t *self, const order_t *order)
+{
+    const uint32_t who = who_of(order->words[1]);
+
+    if ((order->count == 2U) && (who != 0U)) {
+        box_keep(self, who);
+    }
+    return (order->count == 2U) && (who != 0U);
+}
+
 static bool order_pedal(box_t *self, const order_t *order)
 {
     if ((order->count == 2U) && is_word(order, 1U, "pulse")) {
@@ -147,13 +190,7 @@ static bool order_pedal(box_t *self, const order_t *order)
         pulse(&self->pedal_b);
         return true;
     }
-    if (order->count == 2U) {
-        const bool is_press = is_word(order, 1U, "press");
-        if (!is_press && !is_word(order, 1U, "release")) {
-            return false;
-        }
-        box_contact_set(&self->pedal_a, is_press, is_press ? BOX_PEDAL_CLOSE_SPREAD_US : 0U);
-        box_contact_set(&self->pedal_b, is_press, is_press ? 0U : BOX_PEDAL_OPEN_SPREAD_US);
+    if (order_press(self, BOX_HELD_PEDAL, order)) {
         return true;
     }
     const bool is_a = is_word(order, 1U, "a");
@@ -420,7 +457,10 @@ static bool carry_out(box_t *self, const order_t *order)
         return order_estop(self, order);
     }
     if (is_word(order, 0U, "button")) {
-        return order_level(&self->button_pressed, order, "press", "release");
+        return order_press(self, BOX_HELD_BUTTON, order);
+    }
+    if (is_word(order, 0U, "keep")) {
+        return order_keep(self, order);
     }
     if (is_word(order, 0U, "plug")) {
         return order_plug(self, order);

@@ -41,12 +41,7 @@ static bool join(char **words, int count, char *order, size_t size)
 
 static int send_order(wire_t *wire, const char *order, const char *name)
 {
-    const uint32_t number = wire_load(&wire->order_request) + 1U;
-
-    (void)snprintf(wire->order, sizeof wire->order, "%s", order);
-    wire_store(&wire->order_request, number);
-    wire_wake_box(wire);
-    if (!wire_await(&wire->order_reply, number, ANSWER_TIMEOUT_US)) {
+    if (!wire_give_order(wire, order, ANSWER_TIMEOUT_US)) {
         (void)fprintf(
             stderr,
             "boresight-simctl: the simulated control box \"%s\" does not answer; start it again\n",

@@ -14,7 +14,7 @@
 #include <unistd.h>
 
 /* "BBX" and the layout's version. */
-#define WIRE_MAGIC 0x42425804U
+#define WIRE_MAGIC 0x42425805U
 
 #define NS_PER_S UINT64_C(1000000000)
 
@@ -103,6 +103,16 @@ bool wire_await(const uint32_t *word, uint32_t value, uint32_t timeout_us)
         }
         wire_sleep(word, seen, (uint32_t)(end_us - now_us));
     }
+}
+
+bool wire_give_order(wire_t *wire, const char *order, uint32_t timeout_us)
+{
+    const uint32_t number = wire_load(&wire->order_request) + 1U;
+
+    (void)snprintf(wire->order, sizeof wire->order, "%s", order);
+    wire_store(&wire->order_request, number);
+    wire_wake_box(wire);
+    return wire_await(&wire->order_reply, number, timeout_us);
 }
 
 static bool lock_end(int file, wire_end_t end)
@@ -275,7 +285,7 @@ static bool take_end(const wire_port_t *port, wire_end_t end)
     const struct timespec pause = {0, 5000000};
 
     for (uint32_t i = 0U; i < tries; i++) {
-        if (lock_end(port->file, end)) {
+        if ((end == WIRE_END_NONE) || lock_end(port->file, end)) {
             return true;
         }
         if (i + 1U < tries) {

@@ -10,6 +10,7 @@
 #define BORESIGHT_WIRE_H
 
 #include "bsp.h"
+#include "bsp_bench.h"
 #include "sim/box.h"
 
 #include <stdbool.h>
@@ -57,10 +58,16 @@ typedef struct {
     uint32_t order_done; /**< 1: carried out, 0: refused. */
     char order[WIRE_ORDER_SIZE];
     char answer[BOX_REPLY_SIZE];
+    bsp_bench_t bench; /**< What orders have made of the box; each member is whole. */
 } wire_t;
 
-/** The ends of the wire; each can be held by one process. */
-typedef enum { WIRE_END_BOX = 0, WIRE_END_CONTROL = 1, WIRE_END_ORDERS = 2 } wire_end_t;
+/** The ends of the wire; each can be held by one process. Who only looks takes none. */
+typedef enum {
+    WIRE_END_BOX = 0,
+    WIRE_END_CONTROL = 1,
+    WIRE_END_ORDERS = 2,
+    WIRE_END_NONE = 3
+} wire_end_t;
 
 /** One process' hold of a wire. */
 typedef struct {
@@ -108,6 +115,10 @@ void wire_sleep(const uint32_t *word, uint32_t value, uint32_t timeout_us);
 
 /** Waits until `*word` is `value`; false when it is not within `timeout_us`. */
 bool wire_await(const uint32_t *word, uint32_t value, uint32_t timeout_us);
+
+/** Hands the box an order and waits for its answer; false when there is none within `timeout_us`.
+ */
+bool wire_give_order(wire_t *wire, const char *order, uint32_t timeout_us);
 
 /** The monotonic clock of the world. */
 uint64_t wire_now_ns(void);

@@ -344,7 +344,7 @@ export function Motors({
   return (
     <>
       <OrderNotes commanding={commanding} />
-      {shared.length > 0 && <SharedReasons reasons={shared} />}
+      <SharedReasons axes={axes} reasons={shared} />
       <RefusalList refusals={refusals} />
       <label>
         Step, mm or °{" "}

@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Orders to a box that is simulated: what a person could do at a real one, and faults. A board that
+ * offers them has an implementation of its own (BOARD_BENCH of its board.mk); every other one is
+ * linked with bsp/no_bench.c, which has nothing to give orders to.
+ */
+#ifndef BORESIGHT_BSP_BENCH_H
+#define BORESIGHT_BSP_BENCH_H
+
+#include "card/card.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/** What is in a slot. Faults are numbered as the words of the order that causes them; 0: none. */
+typedef struct {
+    uint8_t card_type; /**< card_type_t; CARD_TYPE_NONE: the slot is empty. */
+    uint8_t has_axis;  /**< 1: an axis is connected to the card; 0: none, and no fault of it. */
+    uint8_t card_fault;
+    uint8_t encoder_fault;
+    uint8_t motor_fault;
+    uint8_t switch_fault;
+} bsp_bench_slot_t;
+
+/** What there is to see at the box. */
+typedef struct {
+    uint32_t pedal_holder;  /**< Who holds the pedal from afar; 0: nobody. */
+    uint32_t button_holder; /**< The same of the button. */
+    uint32_t gate;          /**< 0: says nothing, 1: dose reached, 2: stop. */
+    uint32_t is_probe_free; /**< 1: it is not coupled to the needle's axis. */
+    bool is_pedal_pressed;  /**< Both channels are closed. */
+    bool is_estop_pulled;
+    bool is_scanner_active;
+    bool is_button_pressed;
+    bsp_bench_slot_t slots[CARD_SLOT_COUNT];
+} bsp_bench_t;
+
+typedef enum {
+    BSP_BENCH_DONE = 0,
+    BSP_BENCH_REFUSED = 1, /**< The box has not obeyed; nothing has changed. */
+    BSP_BENCH_SILENT = 2   /**< It is not there, or does not answer. */
+} bsp_bench_result_t;
+
+/**
+ * Whether this board takes orders.
+ *
+ * @satisfies SWR-BOX-021
+ */
+bool bsp_bench_is_offered(void);
+
+/** Looks at the box `name`. False: it is not there. */
+bool bsp_bench_look(const char *name, bsp_bench_t *seen);
+
+/** Gives the box `name` one order, as boresight-simctl does, and waits up to a second for its
+ * answer. Any thread; one order at a time is under way, the others wait for it. */
+bsp_bench_result_t bsp_bench_order(const char *name, const char *order);
+
+#endif

@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file Orders to the simulated control box: bsp_bench.h at its wire, taken for one order each. */
+#include "bsp_bench.h"
+
+#include "sim/wire.h"
+
+#define ANSWER_TIMEOUT_US 1000000U
+
+bool bsp_bench_is_offered(void)
+{
+    return true;
+}
+
+bool bsp_bench_look(const char *name, bsp_bench_t *seen)
+{
+    wire_port_t port;
+    char error[256];
+
+    if (!wire_attach(&port, name, WIRE_END_NONE, error, sizeof error)) {
+        return false;
+    }
+    const uint32_t inputs = wire_load(&port.wire->inputs);
+    const uint32_t pedal = WIRE_INPUT_PEDAL_A | WIRE_INPUT_PEDAL_B;
+    *seen = port.wire->bench;
+    seen->is_pedal_pressed = (inputs & pedal) == pedal;
+    seen->is_estop_pulled = (inputs & WIRE_INPUT_ESTOP_OPEN) != 0U;
+    seen->is_scanner_active = (inputs & WIRE_INPUT_SCANNER) != 0U;
+    seen->is_button_pressed = (inputs & WIRE_INPUT_CONFIRM) != 0U;
+    wire_close(&port, WIRE_END_NONE);
+    return true;
+}
+
+bsp_bench_result_t bsp_bench_order(const char *name, const char *order)
+{
+    wire_port_t port;
+    char error[256];
+
+    if (!wire_attach(&port, name, WIRE_END_ORDERS, error, sizeof error)) {
+        return BSP_BENCH_SILENT;
+    }
+    const bool is_answered = wire_give_order(port.wire, order, ANSWER_TIMEOUT_US);
+    const bool is_done = is_answered && (port.wire->order_done != 0U);
+    wire_close(&port, WIRE_END_ORDERS);
+    if (!is_answered) {
+        return BSP_BENCH_SILENT;
+    }
+    return is_done ? BSP_BENCH_DONE : BSP_BENCH_REFUSED;
+}

@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * A pedal or button that somebody holds from afar, such as a page of the console, opens by itself
+ * unless he says again and again that he still does. It is counted in the world's time, where he
+ * lives: the box's may pass slowly, or stand.
+ */
+#ifndef BORESIGHT_BOX_GRIP_H
+#define BORESIGHT_BOX_GRIP_H
+
+#include "sim/box.h"
+
+#include <stdint.h>
+
+/** All zero at first. */
+typedef struct {
+    uint32_t renewals[BOX_HOLDS]; /**< Of the box, when it was looked at last. */
+    uint64_t until_us[BOX_HOLDS]; /**< When it opens. */
+} box_grip_t;
+
+/**
+ * Opens what was held, and not renewed for LIMIT_BOX_GRIP_US; to be called whenever the box looks
+ * around. `now_us` is of the world's clock.
+ *
+ * @satisfies SWR-BOX-020
+ */
+void box_grip_look(box_grip_t *self, box_t *box, uint64_t now_us);
+
+#endif
