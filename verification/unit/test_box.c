@@ -18,6 +18,7 @@
 #include <stdio.h>
 #include <string.h>
 
+TEST_SOURCE_FILE("box_hold.c")
 TEST_SOURCE_FILE("box_orders.c")
 
 #define ALL_SLOTS 0x3FFU

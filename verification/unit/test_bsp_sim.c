@@ -24,6 +24,7 @@
 #include <unistd.h>
 
 TEST_SOURCE_FILE("bsp_sim.c")
+TEST_SOURCE_FILE("box_hold.c")
 TEST_SOURCE_FILE("box_orders.c")
 
 #define TIMEOUT_US 2000U

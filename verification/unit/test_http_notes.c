@@ -148,3 +148,17 @@ void test_SWR_EVENT_012_somebody_writes_one_note_in_a_while(void)
     TEST_ASSERT_EQUAL_UINT32(3U,
                              http_notes_keep(&notes, "bert", "Two.", NOW_MS + LIMIT_NOTE_PAUSE_MS));
 }
+
+void test_SWR_HTTP_038_who_orders_faster_than_is_logged_is_seen(void)
+{
+    for (uint32_t i = 0U; i < LIMIT_NOTES_KEPT / 2U; i++) {
+        http_notes_write(&notes, NOTE_BOX, "anna", "ordered of the simulated box: scanner on.");
+    }
+    TEST_ASSERT_FALSE(http_notes_are_behind(&notes));
+    http_notes_write(&notes, NOTE_BOX, "anna", "ordered of the simulated box: scanner on.");
+    TEST_ASSERT_TRUE(http_notes_are_behind(&notes));
+    expect_asked(2U);
+    log_it();
+    expect_asked(3U);
+    TEST_ASSERT_FALSE(http_notes_are_behind(&notes));
+}
