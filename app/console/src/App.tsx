@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-import { Suspense, useEffect, useState, useSyncExternalStore } from "react";
+import {
+  lazy,
+  Suspense,
+  useEffect,
+  useState,
+  useSyncExternalStore,
+} from "react";
 import { Banner } from "./panels/Banner";
 import { Command } from "./panels/Command";
 import { SystemLamps } from "./panels/Lamps";
@@ -16,6 +22,9 @@ import type { ConsoleView, TelemetryStore } from "./store";
 import type { Trace } from "./trace";
 import { useTitle } from "./title";
 import { useChosenView, views, type ViewEntry } from "./views/views";
+
+/** Nobody needs it who has a robot. */
+const Box = lazy(async () => ({ default: (await import("./panels/Box")).Box }));
 
 function Navigation({ chosen }: { chosen: ViewEntry }) {
   return (
@@ -116,6 +125,21 @@ function Toolbar({
   );
 }
 
+function SimulatedBox({
+  view,
+  operation,
+}: {
+  view: ConsoleView;
+  operation: Operation;
+}) {
+  const name = view.robot?.status.box ?? null;
+  return name === null ? null : (
+    <Suspense fallback={null}>
+      <Box name={name} operation={operation} freshness={view.freshness} />
+    </Suspense>
+  );
+}
+
 /** What is left when all else has failed. */
 export function Emergency() {
   return (
@@ -165,6 +189,9 @@ export function App({ store }: { store: TelemetryStore }) {
           )}
         </Boundary>
       </main>
+      <Boundary name="simulated box">
+        <SimulatedBox view={view} operation={operation} />
+      </Boundary>
       <Boundary name="footer">
         <Footer robot={view.robot} />
       </Boundary>
