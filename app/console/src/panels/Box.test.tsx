@@ -94,13 +94,19 @@ async function pass(ms: number): Promise<void> {
   await act(() => vi.advanceTimersByTimeAsync(ms));
 }
 
-function button(name: string): HTMLElement {
-  return screen.getByRole("button", { name });
+/** By the name that a screen reader says; the queries for roles take long among so many. */
+function button(name: string): HTMLButtonElement {
+  const found = [...document.querySelectorAll("button")].find(
+    (one) => (one.ariaLabel ?? one.textContent) === name,
+  );
+  if (found === undefined) {
+    throw new Error(`There is no button "${name}".`);
+  }
+  return found;
 }
 
-function pedalState(): string | null {
-  return screen.getByRole("group", { name: "pedal" }).querySelector("strong")!
-    .textContent;
+function pedalState(): string | null | undefined {
+  return document.querySelector('[aria-label="Pedal"] strong')?.textContent;
 }
 
 const pointer = { button: 0, pointerId: 1 };
@@ -153,7 +159,7 @@ afterEach(() => {
 test("SWR-CON-040 the pedal is pressed as long as the pointer is down, and renewed", async () => {
   await show();
   await holdPedal();
-  expect(pedalState()).toBe("pressed by this page");
+  expect(pedalState()).toBe("held by this page");
   await pass(2 * KEEP_MS);
   expect(asked).toEqual([hold, "PUT", "PUT"]);
   fireEvent.pointerUp(button("Hold pedal"), pointer);
@@ -324,9 +330,7 @@ test("SWR-CON-040 the button shows what is at the box, and the other way", async
   await show();
   fireEvent.click(button("Reset e-stop"));
   fireEvent.click(button("Scanner off"));
-  fireEvent.change(screen.getByLabelText("gate of a treatment"), {
-    target: { value: "dose" },
-  });
+  fireEvent.click(button("Reach dose"));
   expect(asked).toEqual([
     '{"estop":"reset"}',
     '{"scanner":"off"}',
@@ -336,7 +340,7 @@ test("SWR-CON-040 the button shows what is at the box, and the other way", async
 
 test("SWR-CON-040 a fault is caused, seen and mended", async () => {
   await show();
-  fireEvent.change(screen.getByLabelText("fault"), {
+  fireEvent.change(screen.getByLabelText("Fault"), {
     target: { value: "card_fault silent" },
   });
   fireEvent.click(button("Do it"));
@@ -350,13 +354,13 @@ test("SWR-CON-040 a fault is caused, seen and mended", async () => {
 
 test("SWR-CON-040 where no axis is, a card is put in, and nothing else fails", async () => {
   await show();
-  fireEvent.change(screen.getByLabelText("slot"), { target: { value: "2" } });
+  fireEvent.change(screen.getByLabelText("Slot"), { target: { value: "2" } });
   const values = screen
     .getAllByRole<HTMLOptionElement>("option")
     .map((option) => option.value);
   expect(values).toContain("card_fault corrupt");
   expect(values).not.toContain("motor_fault stuck");
-  fireEvent.change(screen.getByLabelText("fault"), {
+  fireEvent.change(screen.getByLabelText("Fault"), {
     target: { value: "plug analog" },
   });
   fireEvent.click(button("Do it"));

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-import { useEffect, useId, useState, useSyncExternalStore } from "react";
+import {
+  useEffect,
+  useId,
+  useState,
+  useSyncExternalStore,
+  type ReactNode,
+} from "react";
 import type { Box as BoxState, BoxOrderRequest, BoxSlot } from "@interface";
-import { BoxHands, type BoxView, type Handle } from "../box";
-import { words } from "../format";
+import { BoxHands, type BoxView, type Handle, type Hold } from "../box";
 import type { Freshness } from "../freshness";
 import { mayCommand, obstacleOf, type Operation } from "../operation";
 import { HoldButton } from "../parts/HoldButton";
@@ -57,9 +62,9 @@ const plugs: Record<Plug, string> = {
   analog: "analog",
 };
 const gates: Record<BoxState["gate"], string> = {
-  off: "Gate says nothing",
-  dose: "Dose reached",
-  stop: "Gate says stop",
+  off: "says nothing",
+  dose: "dose reached",
+  stop: "says stop",
 };
 const PUSH_MM = 10;
 
@@ -70,15 +75,43 @@ interface WorkProperties {
   isDisabled: boolean;
 }
 
-function stateOf(isPressed: boolean, holder: number, isHere: boolean): string {
+/** Its state and what changes it. */
+function Group({
+  name,
+  state,
+  children,
+}: {
+  name: string;
+  state: string;
+  children: ReactNode;
+}) {
+  return (
+    <div className="box-group" role="group" aria-label={name}>
+      <p>
+        <span className="box-name">{name}</span> <strong>{state}</strong>
+      </p>
+      {children}
+    </div>
+  );
+}
+
+const holds: Record<Hold, string> = {
+  none: "pressed by another page",
+  held: "held by this page",
+  latched: "kept pressed by this page",
+};
+
+function stateOf(isPressed: boolean, holder: number, hold: Hold): string {
   if (!isPressed) {
     return "released";
   }
-  if (holder === 0) {
-    return "pressed at the box";
-  }
-  return isHere ? "pressed by this page" : "pressed by another page";
+  return holder === 0 ? "pressed at the box" : holds[hold];
 }
+
+const handleNames: Record<Handle, string> = {
+  pedal: "Pedal",
+  button: "Button",
+};
 
 function Held({
   hands,
@@ -87,22 +120,20 @@ function Held({
   isDisabled,
   handle,
 }: WorkProperties & { handle: Handle }) {
-  const isHere = view[handle] !== "none";
-  const state = stateOf(
-    box[`is_${handle}_pressed`],
-    box[`${handle}_holder`],
-    isHere,
-  );
-  const isLatched = view[handle] === "latched";
+  const hold = view[handle];
+  const isLatched = hold === "latched";
   return (
-    <div className="box-group" role="group" aria-label={words(handle)}>
-      <p>
-        <span className="box-name">{handle}</span>{" "}
-        <strong className="box-state">{state}</strong>
-      </p>
+    <Group
+      name={handleNames[handle]}
+      state={stateOf(
+        box[`is_${handle}_pressed`],
+        box[`${handle}_holder`],
+        hold,
+      )}
+    >
       <HoldButton
         label={`Hold ${handle}`}
-        isHeld={isHere}
+        isHeld={hold !== "none"}
         isDisabled={isDisabled}
         onHold={() => void hands.hold(handle, "held")}
         onDrop={() => void hands.drop(handle)}
@@ -111,100 +142,60 @@ function Held({
         type="button"
         role="switch"
         aria-checked={isLatched}
-        disabled={isDisabled || view[handle] === "held"}
+        disabled={isDisabled || hold === "held"}
         onClick={() =>
           void (isLatched ? hands.drop(handle) : hands.hold(handle, "latched"))
         }
       >
-        {isLatched ? `Let go of ${handle}` : `Keep ${handle} pressed`}
+        <span aria-hidden="true">{isLatched ? "■" : "□"}</span> Keep {handle}{" "}
+        pressed
       </button>
-    </div>
+    </Group>
   );
 }
 
 /** What is either so or so, and what changes it. */
 function Levels({ hands, box, isDisabled }: WorkProperties) {
-  const order = (one: BoxOrderRequest) => () => void hands.order(one);
-  const isPulled = box.is_estop_pulled;
-  const isScanning = box.is_scanner_active;
+  const order = (label: string, one: BoxOrderRequest) => (
+    <button
+      type="button"
+      disabled={isDisabled}
+      onClick={() => void hands.order(one)}
+    >
+      {label}
+    </button>
+  );
   const isFree = box.probe === "free";
   return (
     <>
-      <div className="box-group" role="group" aria-label="E-stop">
-        <p>
-          <span className="box-name">e-stop</span>{" "}
-          <strong className="box-state">
-            {isPulled ? "pulled" : "not pulled"}
-          </strong>
-        </p>
-        <button
-          type="button"
-          disabled={isDisabled}
-          onClick={order({ estop: isPulled ? "reset" : "pull" })}
-        >
-          {isPulled ? "Reset e-stop" : "Pull e-stop"}
-        </button>
-      </div>
-      <div className="box-group" role="group" aria-label="Scanner">
-        <p>
-          <span className="box-name">scanner</span>{" "}
-          <strong className="box-state">
-            {isScanning ? "acquires" : "rests"}
-          </strong>
-        </p>
-        <button
-          type="button"
-          disabled={isDisabled}
-          onClick={order({ scanner: isScanning ? "off" : "on" })}
-        >
-          {isScanning ? "Scanner off" : "Scanner on"}
-        </button>
-      </div>
-      <div className="box-group" role="group" aria-label="Gate">
-        <label>
-          <span className="box-name">gate of a treatment</span>
-          <select
-            value={box.gate}
-            disabled={isDisabled}
-            onChange={(event) =>
-              void hands.order({
-                gate: event.target.value as BoxState["gate"],
-              })
-            }
-          >
-            {Object.entries(gates).map(([gate, name]) => (
-              <option key={gate} value={gate}>
-                {name}
-              </option>
-            ))}
-          </select>
-        </label>
-      </div>
-      <div className="box-group" role="group" aria-label="Probe">
-        <p>
-          <span className="box-name">probe</span>{" "}
-          <strong className="box-state">
-            {isFree ? "in the hand" : "coupled to its axis"}
-          </strong>
-        </p>
-        <button
-          type="button"
-          disabled={isDisabled}
-          onClick={order({ probe: isFree ? "coupled" : "free" })}
-        >
-          {isFree ? "Couple probe" : "Free probe"}
-        </button>
-        {[PUSH_MM, -PUSH_MM].map((mm) => (
-          <button
-            key={mm}
-            type="button"
-            disabled={isDisabled}
-            onClick={order({ push_mm: mm })}
-          >
-            Push {PUSH_MM} mm {mm > 0 ? "in" : "out"}
-          </button>
-        ))}
-      </div>
+      <Group
+        name="E-stop"
+        state={box.is_estop_pulled ? "pulled" : "not pulled"}
+      >
+        {box.is_estop_pulled
+          ? order("Reset e-stop", { estop: "reset" })
+          : order("Pull e-stop", { estop: "pull" })}
+      </Group>
+      <Group
+        name="Scanner"
+        state={box.is_scanner_active ? "acquires" : "rests"}
+      >
+        {box.is_scanner_active
+          ? order("Scanner off", { scanner: "off" })
+          : order("Scanner on", { scanner: "on" })}
+      </Group>
+      <Group name="Gate of a treatment" state={gates[box.gate]}>
+        {box.gate !== "dose" && order("Reach dose", { gate: "dose" })}
+        {box.gate !== "stop" && order("Say stop", { gate: "stop" })}
+        {box.gate !== "off" && order("Say nothing", { gate: "off" })}
+      </Group>
+      <Group name="Probe" state={isFree ? "in the hand" : "on its axis"}>
+        {isFree
+          ? order("Couple probe", { probe: "coupled" })
+          : order("Free probe", { probe: "free" })}
+        {order(`Push ${PUSH_MM} mm in`, { push_mm: PUSH_MM })}
+        {order(`Push ${PUSH_MM} mm out`, { push_mm: -PUSH_MM })}
+      </Group>
     </>
   );
 }
@@ -302,7 +293,7 @@ function Faults({ hands, box, isDisabled }: WorkProperties) {
   return (
     <div className="box-group box-wide" role="group" aria-label="Faults">
       <label>
-        <span className="box-name">slot</span>
+        <span className="box-name">Slot</span>
         <select
           value={number}
           disabled={isDisabled}
@@ -319,7 +310,7 @@ function Faults({ hands, box, isDisabled }: WorkProperties) {
         </select>
       </label>
       <label>
-        <span className="box-name">fault</span>
+        <span className="box-name">Fault</span>
         <select
           value={choice}
           disabled={isDisabled}

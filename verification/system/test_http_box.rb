@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+# Rule under test: a page with a session of at least an operator stands for the person at the simulated box; nobody else comes
+# there by HTTP, and what a page holds opens without it.
+
+require_relative 'support/page_test'
+
+class TestHttpBox < Minitest::Test
+  include PageTest
+
+  PATH = '/api/v1/box'
+  GRIP_SECONDS = 1.5
+  SLIDE = 2 # Its slot.
+  FREE_TEXTS = [{ pedal: 'press' }, { pedal: 'hold 7' }, { pedal: "hold\nshow" }, { order: 'pedal press' }, { card_fault: 'silent', slot: 10 },
+                { card_fault: 'silent', slot: '3' }, { push_mm: 201 }, { pedal: ['hold'] }, { estop: 'reset', pedal: 'hold' }, {}].freeze
+
+  def self.boresight
+    @boresight ||= Boresight.start(arguments: ['--robot', 'bench2', '--accounts', accounts])
+  end
+
+  def teardown
+    [%w[pedal release], %w[button release], %w[estop reset], %w[scanner off]].each { |words| boresight.simctl(*words) }
+    super
+  end
+
+  def ask(one, method, order = nil, headers = {})
+    one.request(method, PATH, order && JSON.generate(order), { SessionClient::PAGE => one.page.to_s }.merge(headers))
+  end
+
+  # What is seen after an order, or the name of its refusal.
+  def give(one, order)
+    response = assert_described(PATH, 'POST', ask(one, 'post', order))
+    JSON.parse(response.body).then { |body| response.code == '200' ? body : body.fetch('code') }
+  end
+
+  def box
+    fetch_json(PATH)
+  end
+
+  def await_pedal(is_pressed)
+    wait_until("the pedal is #{is_pressed ? 'pressed' : 'released'}") { box['is_pedal_pressed'] == is_pressed }
+  end
+
+  # A page that holds the pedal.
+  def presser(name = 'anna')
+    client(name).tap do |one|
+      assert_equal one.page, give(one, { pedal: 'hold' })['pedal_holder']
+      await_pedal true
+    end
+  end
+
+  def assert_refused_there(code, word, one, headers = {})
+    { 'post' => { estop: 'pull' }, 'put' => nil, 'delete' => nil }.each do |method, order|
+      assert_refused code, word, ask(one, method, order, headers)
+    end
+  end
+
+  def test_SWR_HTTP_038_nobody_without_a_session_of_an_operator_comes_there
+    anna = client('anna')
+    assert_refused_there '401', 'NO_SESSION', client
+    assert_refused_there '403', 'TOKEN_REFUSED', anna, SessionClient::TOKEN => 'another'
+    assert_refused_there '403', 'ROLE_REFUSED', client('olga')
+    assert_refused_there '400', 'PAGE_MISSING', anna, SessionClient::PAGE => nil
+    assert_refused_there '403', 'ORIGIN_REFUSED', anna, 'Origin' => 'http://elsewhere.example'
+    refute box['is_estop_pulled']
+  end
+
+  def test_SWR_HTTP_038_only_words_of_the_tables_come_there
+    anna = client('anna')
+    before = box
+    FREE_TEXTS.each { |order| assert_includes %w[BAD_BODY OUT_OF_RANGE], give(anna, order), order }
+    assert_equal before, box
+  end
+
+  def test_SWR_HTTP_038_an_order_is_obeyed_logged_and_its_effect_told
+    anna = client('anna')
+    assert give(anna, { scanner: 'on' })['is_scanner_active']
+    assert give(anna, { estop: 'pull' })['is_estop_pulled']
+    seen = give(anna, { slot: SLIDE, motor_fault: 'half' })
+    assert_equal %w[slide half], seen['slots'][SLIDE].values_at('axis', 'motor_fault')
+    assert_equal 'BOX_REFUSED', give(anna, { slot: SLIDE, plug: 'none' })
+    [{ scanner: 'off' }, { estop: 'reset' }, { slot: SLIDE, motor_fault: 'normal' }].each { |order| assert_kind_of Hash, give(anna, order) }
+    assert_described PATH, 'GET', get(PATH)
+    said = "anna: ordered of the simulated box: motor #{SLIDE} half."
+    wait_until('it stands in the log') { boresight.log.any? { |entry| entry['text'] == said } }
+  end
+
+  def test_SWR_HTTP_039_what_a_page_holds_no_other_page_gets_or_opens
+    anna = presser
+    egon = client('egon')
+    assert_equal 'BOX_HELD', give(egon, { pedal: 'hold' })
+    assert give(egon, { pedal: 'drop' })['is_pedal_pressed']
+    assert_equal '200', assert_described(PATH, 'DELETE', ask(egon, 'delete')).code
+    assert box['is_pedal_pressed']
+    egon.page = anna.page
+    assert_refused '403', 'PAGE_REFUSED', ask(egon, 'delete')
+    ask(anna, 'delete')
+    await_pedal false
+  end
+
+  def test_SWR_HTTP_039_a_held_pedal_is_kept_and_keeps_no_session_awake
+    anna = presser
+    left = -> { JSON.parse(anna.request('get', SessionClient::PATH).body).fetch('idle_s') }
+    whole = left.call
+    wait_until('some of it has passed') do
+      assert_equal anna.page, JSON.parse(assert_described(PATH, 'PUT', ask(anna, 'put')).body)['pedal_holder']
+      left.call < whole
+    end
+  end
+
+  def test_SWR_BOX_020_a_killed_server_leaves_no_pedal_pressed
+    presser
+    boresight.kill('http', 'KILL')
+    since = Boresight.now
+    wait_until('the pedal is released') { boresight.simctl('show').include?('pedal a open, pedal b open') }
+    assert_operator Boresight.now - since, :<, GRIP_SECONDS + 1
+    wait_until('another server answers') { boresight.patiently { box['pedal_holder'].zero? } }
+  end
+
+  def test_SWR_BOX_020_a_page_that_says_nothing_or_has_logged_out_holds_nothing
+    presser
+    await_pedal false
+    anna = presser
+    anna.log_out
+    assert_refused '401', 'NO_SESSION', ask(anna, 'put')
+    await_pedal false
+  end
+
+  def test_SWR_HTTP_038_a_box_that_stands_is_told
+    anna = client('anna')
+    boresight.while_stopped('box') { assert_equal 'BOX_SILENT', give(anna, { estop: 'pulse' }) }
+  end
+
+  def test_SWR_CON_040_the_drawer_works_in_a_browser
+    environment = { 'BORESIGHT_URL' => "http://#{host}/", 'BORESIGHT_LOGIN' => "anna #{Accounts::PASSWORDS.fetch('anna').last}" }
+    said, status = Open3.capture2e(environment, 'npx', 'vitest', 'run', '--config', 'vitest.e2e.config.ts', 'box.e2e.ts',
+                                   chdir: File.expand_path('../../app/console', __dir__))
+    assert status.success?, said
+  end
+end
