@@ -99,6 +99,18 @@ class TestAddedBoard < SystemTest
     assert_nil start.status['box']
   end
 
+  def test_SWR_BOX_021_without_orders_of_its_own_nobody_gives_it_any
+    one = start
+    page = SessionClient.new(one.http_port).tap { |client| client.log_in('anna') }
+    refusals = { 'get' => nil, 'post' => '{"pedal": "hold"}', 'put' => nil, 'delete' => nil }.map do |method, body|
+      JSON.parse(page.request(method, '/api/v1/box', body, SessionClient::PAGE => '7').body).fetch('code')
+    end
+    assert_equal ['NO_BOX'] * 4, refusals
+    names = Open3.capture2e('nm', self.class.built.path('build/bin/boresight-http')).first
+    assert_includes names, 'bsp_bench_is_offered'
+    refute_match(/wire_/, names)
+  end
+
   private
 
   def program

@@ -69,7 +69,9 @@ test("the pointer may leave the button while it is down", async () => {
 });
 
 test("a fault is caused and mended", async () => {
-  await page.getByRole("combobox", { name: "Fault" }).selectOption("encoder_fault half");
+  await page
+    .getByRole("combobox", { name: "Fault" })
+    .selectOption("encoder_fault half");
   await press("Do it");
   await page.getByText("encoder loses every other edge").last().waitFor();
   await press("Mend 2 slide: encoder");
