@@ -34,7 +34,7 @@ one: bootstrap-test ## One file of tests: make one NAME=test_encoder
 ALL_APP := $(wildcard app/*/*.c bsp/sim/*.c)
 # What is verified runs on the simulated control box, whichever board the programs are for.
 BOX_SOURCES := $(filter-out %_main.c bsp/sim/bsp_sim.c bsp/sim/bench_sim.c bsp/sim/wire.c,$(wildcard bsp/sim/*.c))
-OBJECTS := $(call object,$(CORE_SOURCES) $(ALL_APP) $(NAMES) $(GEN)/interface/app/event_words.c \
+OBJECTS := $(call object,$(CORE_SOURCES) $(ALL_APP) bsp/no_bench.c $(NAMES) $(GEN)/interface/app/event_words.c \
     $(FIND_ROBOT) $(BOARD_TABLE) $(GEN)/interface/app/messages.c $(API) $(GEN)/interface/app/columns.c \
     $(GEN)/interface/app/fields.c $(GEN)/assets/assets.c $(GEN)/assets/chart_names.c)
 

@@ -84,7 +84,7 @@ test("it fits into a narrow page, and STOP is whole", async () => {
   expect(drawer?.x).toBeGreaterThanOrEqual(0);
   expect((drawer?.x ?? 0) + (drawer?.width ?? 0)).toBeLessThanOrEqual(320);
   const inside = await page
-    .locator(".box")
+    .locator(".box-content")
     .evaluate((one) => [one.scrollWidth, one.clientWidth] as const);
   expect(inside[0]).toBeLessThanOrEqual(inside[1]);
   await page.getByRole("button", { name: "STOP MOTION" }).click();

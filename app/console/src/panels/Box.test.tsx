@@ -309,7 +309,7 @@ test("SWR-CON-040 what another page holds is told", async () => {
   box.pedal_holder = operation.page.number + 1;
   box.is_pedal_pressed = true;
   await pass(LOOK_MS);
-  expect(pedalState()).toBe("pressed by another page");
+  expect(pedalState()).toBe("held by another page");
   expect(asked).toEqual([hold]);
 });
 

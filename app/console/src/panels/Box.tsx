@@ -96,9 +96,9 @@ function Group({
 }
 
 const holds: Record<Hold, string> = {
-  none: "pressed by another page",
+  none: "held by another page",
   held: "held by this page",
-  latched: "kept pressed by this page",
+  latched: "kept by this page",
 };
 
 function stateOf(isPressed: boolean, holder: number, hold: Hold): string {
@@ -147,8 +147,7 @@ function Held({
           void (isLatched ? hands.drop(handle) : hands.hold(handle, "latched"))
         }
       >
-        <span aria-hidden="true">{isLatched ? "■" : "□"}</span> Keep {handle}{" "}
-        pressed
+        Keep {handle} pressed
       </button>
     </Group>
   );
