@@ -238,9 +238,9 @@ static void answer_motion(workphase_dialect_t *self, const igtl_request_t *reque
     }
 }
 
-/* Of a row of an array the place is told behind the reason. */
-static void tell_array_refused(const workphase_dialect_t *self, const igtl_request_t *request,
-                               const answer_t *answer, const igtl_moment_t *moment)
+/* Of a row of an array the place is told behind the reason, when another one may come. */
+static void refuse_array(workphase_dialect_t *self, const igtl_request_t *request,
+                         const answer_t *answer, const igtl_moment_t *moment)
 {
     char text[IGTL_REASON_SIZE] = "";
     const igtl_status_t status = {igtl_reason_code((status_t)answer->status),
@@ -252,7 +252,8 @@ static void tell_array_refused(const workphase_dialect_t *self, const igtl_reque
 
         (void)snprintf(&text[used], sizeof text - used, " Row %u.", (unsigned)request->argument);
     }
-    igtl_tell_status(self->peers[request->peer].outbox, WORKPHASE_TRAJECTORY, &status, moment);
+    igtl_encode_status(&self->array.refusal, WORKPHASE_TRAJECTORY, &status, moment->timestamp);
+    self->array.is_owed = true;
 }
 
 /* A list that came as a whole has one answer: it is held, or why not. */
@@ -263,7 +264,7 @@ static void answer_array(workphase_dialect_t *self, const igtl_request_t *reques
 
     if (answer->kind == (uint32_t)ANSWER_REFUSED) {
         if (workphase_array_fail(&self->array)) {
-            tell_array_refused(self, request, answer, moment);
+            refuse_array(self, request, answer, moment);
         }
     } else if (request->kind == (uint32_t)COMMAND_LIST_END) {
         peer->sum = self->array.crc;

@@ -45,6 +45,7 @@ status_t workphase_array_take(workphase_array_t *self, const robot_t *robot, uin
         return STATUS_OUT_OF_RANGE;
     }
     self->has_failed = false;
+    self->is_owed = false;
     self->peer = peer;
     self->next = 0U;
     self->count = message->rows;
@@ -126,5 +127,6 @@ void workphase_array_end(workphase_array_t *self, uint32_t peer)
 {
     if (self->peer == peer) {
         self->is_busy = false;
+        self->is_owed = false;
     }
 }

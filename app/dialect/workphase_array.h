@@ -12,6 +12,7 @@
 #include "interface/status.h"
 #include "limits/requirement_limits.h"
 #include "message/igtl_codec.h"
+#include "message/igtl_packet.h"
 #include "mode/trajectory_row.h"
 #include "robot/robot.h"
 
@@ -23,7 +24,9 @@ typedef struct {
     bool is_busy;
     bool has_failed; /**< Nothing more of it is passed on; some of it may wait for an answer. */
     uint32_t peer;   /**< Whose it is. */
-    uint32_t next;   /**< To be passed on: 0 the begin, 1 to `count` a row, then the end. */
+    bool is_owed;    /**< `refusal` is told once nothing of it is on its way. */
+    igtl_packet_t refusal;
+    uint32_t next; /**< To be passed on: 0 the begin, 1 to `count` a row, then the end. */
     uint32_t count;
     uint32_t crc;                                 /**< trajectory_list_crc() of all rows. */
     trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS]; /**< Beyond `count`: undefined. */

@@ -343,12 +343,16 @@ void workphase_receive_transform(workphase_dialect_t *self, uint32_t index,
 void workphase_receive_go_on(workphase_dialect_t *self, const igtl_moment_t *moment)
 {
     workphase_array_t *array = &self->array;
-    const workphase_peer_t *peer = &self->peers[array->peer];
+    workphase_peer_t *peer = &self->peers[array->peer];
 
     if (array->is_busy && is_others(self, array->peer) && workphase_array_fail(array)) {
         igtl_tell_refusal(peer->outbox, WORKPHASE_TRAJECTORY, STATUS_NO_AUTHORITY, moment);
     }
     workphase_array_step(array, &self->requests, peer->number, moment->patience_us);
+    if (array->is_owed && !array->is_busy && (peer->outbox != NULL)) {
+        igtl_outbox_add(peer->outbox, &array->refusal);
+    }
+    array->is_owed = array->is_owed && array->is_busy;
 }
 
 /* Of all peers; while nobody commands each may send them. */

@@ -283,19 +283,19 @@ void test_SWR_TRAJ_024_a_refused_row_is_told_once_and_ends_it(void)
     expect_command(COMMAND_LIST_ROW, 0U);
     TEST_ASSERT_TRUE(igtl_requests_take(&dialect.requests, &last));
     answer_to(&command, ANSWER_REFUSED, STATUS_TRAJECTORY_SPEED, 1U);
-    const char *const told = igtl_peer_next(&outboxes[0]);
-    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(told, "STATUS TRAJECTORY 10 "), told);
-    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(told, "|TRAJECTORY_SPEED: "), told);
-    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(told, " Row 0."), told);
+    pass_us(0U);
+    EXPECT(0U, "");
     hand_in(0U);
     EXPECT_BEGIN(0U, "STATUS TRAJECTORY 6 BUSY|");
     answer_to(&last, ANSWER_REFUSED, STATUS_TRAJECTORY_ORDER, 1U);
-    EXPECT(0U, "");
-    pass_us(0U);
     while (igtl_requests_take(&dialect.requests, &command)) {
         answer_to(&command, ANSWER_REFUSED, STATUS_TRAJECTORY_ORDER, 1U);
     }
     pass_us(0U);
+    const char *const told = igtl_peer_next(&outboxes[0]);
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(told, "STATUS TRAJECTORY 10 "), told);
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(told, "|TRAJECTORY_SPEED: "), told);
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(told, " Row 0."), told);
     EXPECT(0U, "");
     hand_in(0U);
     pass_all(4U);
