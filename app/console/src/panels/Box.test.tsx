@@ -77,8 +77,10 @@ let role: Role;
 
 async function show(as: Role = "OPERATOR"): Promise<void> {
   role = as;
-  vi.stubGlobal("fetch", async (path: string, options: RequestInit) =>
-    answer(path, options.method ?? "GET", (options.body ?? "") as string),
+  vi.stubGlobal("fetch", (path: string, options: RequestInit) =>
+    Promise.resolve(
+      answer(path, options.method ?? "GET", (options.body ?? "") as string),
+    ),
   );
   operation = new Operation();
   operation.session.start();

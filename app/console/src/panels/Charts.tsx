@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { charts, type Chart, type ChartName } from "@charts";
-import { useEffect, useId, useMemo, useRef, useState } from "react";
+import { memo, useEffect, useId, useRef, useState } from "react";
 import type { RobotState } from "@interface";
 import {
   causesOf,
@@ -132,6 +132,12 @@ interface PictureProperties {
   taken: readonly string[];
 }
 
+/** What the chart compiler has drawn; it is put in anew only when it is marked otherwise. */
+const Lines = memo(function Lines({ html }: { html: string }) {
+  // eslint-disable-next-line no-restricted-syntax -- made with this page, no text of the network
+  return <g dangerouslySetInnerHTML={{ __html: html }} />;
+});
+
 function Picture({ name, leaves, taken }: PictureProperties) {
   const { drawing, regions, corners, size } = charts[name];
   const [isWhole, setIsWhole] = useState(false);
@@ -141,7 +147,6 @@ function Picture({ name, leaves, taken }: PictureProperties) {
   const around = active.flatMap((states) => states?.slice(1) ?? []);
   const present = ids.join(" ");
   const html = marked(drawing, { now: ids, within: around, taken });
-  const content = useMemo(() => ({ __html: html }), [html]);
   useEffect(() => {
     const places = present.split(" ").flatMap((id) => [corners[id] ?? [0, 0]]);
     const middle = (index: 0 | 1) =>
@@ -173,7 +178,7 @@ function Picture({ name, leaves, taken }: PictureProperties) {
           width={isWhole ? "100%" : width * LARGE}
           height={isWhole ? "73vh" : height * LARGE}
         >
-          <g dangerouslySetInnerHTML={content} />
+          <Lines html={html} />
           {ids.map((id) => {
             const corner = corners[id];
             return corner && <Now key={id} at={corner} />;

@@ -45,9 +45,8 @@ async function show(
   const answer = JSON.stringify({ name: "neuro", checksum });
   vi.stubGlobal("fetch", () => Promise.resolve(new Response(answer)));
   const page = new Page(() => null);
-  await act(async () => {
-    render(<Drawing robot={robot} page={page} />);
-  });
+  render(<Drawing robot={robot} page={page} />);
+  await act(() => Promise.resolve());
 }
 
 function said(term: string): string | null | undefined {

@@ -357,7 +357,7 @@ export function Drawing({ robot, page }: DrawingProperties) {
   return (
     <div className="drawing">
       <Views
-        key={`${drawing?.checksum} ${targeting.registration}`}
+        key={`${drawing?.checksum} ${targeting.registration?.join(" ")}`}
         scene={scene}
       />
       <Facts

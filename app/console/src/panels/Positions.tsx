@@ -68,7 +68,7 @@ async function look(
   page: Page,
   text: string,
 ): Promise<PositionsPreview | string> {
-  let body = "";
+  let body: string;
   try {
     body = bodyOf(text);
   } catch {

@@ -33,9 +33,9 @@ interface Drag {
 /** A set-point that is only drafted; nobody hears of it before it is let go. */
 function useDraft(isLocked: boolean, send: (position: number) => void) {
   const [draft, setDraft] = useState<number | null>(null);
-  const drag = useRef<Drag | null>(null);
+  const dragRef = useRef<Drag | null>(null);
   const discard = () => {
-    drag.current = null;
+    dragRef.current = null;
     setDraft(null);
   };
   useEffect(() => {
@@ -49,7 +49,7 @@ function useDraft(isLocked: boolean, send: (position: number) => void) {
       send(draft);
     }
   };
-  return { draft, setDraft, drag, discard, letGo };
+  return { draft, setDraft, dragRef, discard, letGo };
 }
 
 export interface SliderProperties {
@@ -77,7 +77,10 @@ export function Slider({
   onSend,
 }: SliderProperties) {
   const frame = useRef<HTMLDivElement>(null);
-  const { draft, setDraft, drag, discard, letGo } = useDraft(isLocked, onSend);
+  const { draft, setDraft, dragRef, discard, letGo } = useDraft(
+    isLocked,
+    onSend,
+  );
   const wanted = draft ?? asked ?? axis.setpoint;
   const at = (position: number) => `${percentOf(axis, position)}%`;
   const value = (position: number) => formatValue(position, axis.unit);
@@ -96,15 +99,15 @@ export function Slider({
   const take = (event: PointerEvent<SVGElement>) => {
     if (!isLocked && event.button === 0) {
       event.currentTarget.setPointerCapture(event.pointerId);
-      drag.current = { x: event.clientX, position: wanted };
+      dragRef.current = { x: event.clientX, position: wanted };
     }
   };
   const pull = (event: PointerEvent) => {
     const width = frame.current?.getBoundingClientRect().width ?? 0;
-    if (drag.current !== null && width > 0) {
-      const way = (event.clientX - drag.current.x) / width;
+    if (dragRef.current !== null && width > 0) {
+      const way = (event.clientX - dragRef.current.x) / width;
       const range = axis.maximum - axis.minimum;
-      setDraft(within(axis, drag.current.position + way * range));
+      setDraft(within(axis, dragRef.current.position + way * range));
     }
   };
   return (
