@@ -106,6 +106,17 @@ test("SWR-CON-034 who leaves the panel and comes back finds the program as it wa
   expect(await screen.findByText("dwelt 3.3 s")).toBeTruthy();
 });
 
+test("SWR-CON-034 another's program is not taken for the one that stands here", async () => {
+  await take(JSON.stringify({ steps }));
+  press("Send and check");
+  await screen.findByText("done");
+  cleanup();
+  commander.answers[PATH] = { body: { ...held, checksum: 0xdef } };
+  render(<Shown />);
+  await screen.findByText(/checksum 00000def/);
+  expect(screen.queryByText("done")).toBeNull();
+});
+
 test.each(["", "{}", '{"steps": []}', '{"steps": [{"depth": "1"}]}'])(
   "SWR-CON-034 a file of %j is no program",
   async (text) => {
