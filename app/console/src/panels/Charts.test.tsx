@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rule under test: the drawing of the chosen chart shows which states are active by word, shape and class, and the last
 // change that was seen.
+import { charts } from "@charts";
 import { cleanup, fireEvent, render, screen } from "@testing-library/react";
 import { afterEach, expect, test } from "vitest";
 import { makeAxis, makeRobot } from "../testing/robot";
@@ -50,6 +51,17 @@ test("SWR-CON-031 the last change is told and drawn, also when another chart was
   choose("Chart", "workphase");
   choose("Chart", "estop_latch");
   screen.getByText(/^Last change seen: clear → pulled/);
+});
+
+test("SWR-CON-031 the drawing is moved to where the last change has led", () => {
+  const { rerender } = render(<Charts robot={makeRobot({}, [head])} />);
+  choose("Chart", "axis");
+  const frame = screen.getByRole("region", { name: "Drawing" });
+  const corner = (id: string) => charts.axis.corners[id]![0] * (14 / 11);
+  expect(frame.scrollLeft).toBeCloseTo(corner("axis-approach"));
+  const disabled = { ...head, power: "disabled" as const };
+  rerender(<Charts robot={makeRobot({}, [disabled])} />);
+  expect(frame.scrollLeft).toBeCloseTo(corner("axis-disabled"));
 });
 
 test("SWR-CON-031 of a change that several transitions may have made all are told", () => {

@@ -130,6 +130,8 @@ interface PictureProperties {
   leaves: Leaves;
   /** Elements that stand for the last change. */
   taken: readonly string[];
+  /** The region to look at first. */
+  region: string;
 }
 
 /** What the chart compiler has drawn; it is put in anew only when it is marked otherwise. */
@@ -138,26 +140,23 @@ const Lines = memo(function Lines({ html }: { html: string }) {
   return <g dangerouslySetInnerHTML={{ __html: html }} />;
 });
 
-function Picture({ name, leaves, taken }: PictureProperties) {
+function Picture({ name, leaves, taken, region }: PictureProperties) {
   const { drawing, regions, corners, size } = charts[name];
   const [isWhole, setIsWhole] = useState(false);
   const frame = useRef<HTMLDivElement>(null);
-  const active = regions.map((region) => region.leaves[leaves[region.name]!]);
+  const active = regions.map((one) => one.leaves[leaves[one.name]!]);
   const ids = active.map((states) => states?.[0] ?? "");
   const around = active.flatMap((states) => states?.slice(1) ?? []);
-  const present = ids.join(" ");
   const html = marked(drawing, { now: ids, within: around, taken });
+  const look = ids[regions.findIndex((one) => one.name === region)] ?? "";
+  const [x, y] = corners[look] ?? [0, 0];
   useEffect(() => {
-    const places = present.split(" ").flatMap((id) => [corners[id] ?? [0, 0]]);
-    const middle = (index: 0 | 1) =>
-      (places.reduce((sum, place) => sum + place[index], 0) * LARGE) /
-      places.length;
     if (frame.current !== null) {
       const { clientWidth, clientHeight } = frame.current;
-      frame.current.scrollLeft = middle(0) - clientWidth / 2;
-      frame.current.scrollTop = middle(1) - clientHeight / 2;
+      frame.current.scrollLeft = x * LARGE - clientWidth / 2;
+      frame.current.scrollTop = y * LARGE - clientHeight / 2;
     }
-  }, [corners, present, isWhole]);
+  }, [x, y, isWhole]);
   const [width, height] = size;
   return (
     <>
@@ -215,6 +214,11 @@ export function Charts({ robot }: { robot: RobotState }) {
     leaf: instance.leaves[region.name] ?? "",
     change: seen[keyOf(name, instance.name, region.name)]?.change ?? null,
   }));
+  const time = ({ change }: (typeof regions)[number]) =>
+    change?.at.getTime() ?? 0;
+  const latest = regions.reduce((one, other) =>
+    time(other) >= time(one) ? other : one,
+  );
   return (
     <div className="charts">
       <div className="chart-choosers">
@@ -244,6 +248,7 @@ export function Charts({ robot }: { robot: RobotState }) {
       <Picture
         name={name}
         leaves={instance.leaves}
+        region={latest.region}
         taken={regions.flatMap(({ region, change }) =>
           marksOf(chart, region, change),
         )}
