@@ -37,11 +37,6 @@
 #define EXIT_CANNOT_START 3
 #define EXIT_CONTRACT 5
 
-/** Stages of a cycle, to name the one that made it late. */
-typedef enum { STAGE_WAKE = 0, STAGE_CARDS = 1, STAGE_STEP = 2, STAGE_PUBLISH = 3 } stage_t;
-
-#define STAGE_COUNT 4U
-
 enum { ROBOT = 0, INSTANCE, BOX, POSITIONS, TRAJECTORY, OPTIONS };
 
 static const command_option_t options[OPTIONS] = {
@@ -69,7 +64,7 @@ static loop_figures_t published;
 static uint64_t told_board_ns; /* When the figures were last published. */
 static uint64_t told_world_ns;
 static exchange_t *exchange;
-static uint64_t stage_ns[STAGE_COUNT];
+static uint64_t stage_ns[LOOP_STAGE_COUNT]; /* Of the last cycle. */
 static sources_t sources;
 static volatile sig_atomic_t stopped_by; /* Signal number. */
 static uint8_t crash_stack[65536];
@@ -141,7 +136,7 @@ static void handle_signals(void)
 static uint32_t longest_stage(void)
 {
     uint32_t longest = 0;
-    for (uint32_t i = 1; i < STAGE_COUNT; i++) {
+    for (uint32_t i = 1; i < LOOP_STAGE_COUNT; i++) {
         longest = (stage_ns[i] > stage_ns[longest]) ? i : longest;
     }
     return longest;
@@ -242,13 +237,13 @@ static void run_cycle(uint64_t deadline_ns, uint64_t woken_ns, uint64_t elapsed_
     const uint64_t gathered_ns = bsp_now_ns();
     controller_step(&controller, our_robot, &inputs, &outputs);
     const uint64_t stepped_ns = bsp_now_ns();
-    figures_add(&figures, (woken_ns - deadline_ns) / 1000U, (stepped_ns - gathered_ns) / 1000U);
     publish(cycle);
-    stage_ns[STAGE_WAKE] = woken_ns - deadline_ns;
-    stage_ns[STAGE_CARDS] = gathered_ns - woken_ns;
-    stage_ns[STAGE_STEP] = stepped_ns - gathered_ns;
     publish_figures();
-    stage_ns[STAGE_PUBLISH] = bsp_now_ns() - stepped_ns;
+    stage_ns[LOOP_STAGE_WAKE] = woken_ns - deadline_ns;
+    stage_ns[LOOP_STAGE_CARDS] = gathered_ns - woken_ns;
+    stage_ns[LOOP_STAGE_STEP] = stepped_ns - gathered_ns;
+    stage_ns[LOOP_STAGE_PUBLISH] = bsp_now_ns() - stepped_ns;
+    figures_add(&figures, stage_ns);
 }
 
 /* Missed wake-ups are skipped, never caught up. */

@@ -17,9 +17,8 @@ typedef struct {
 } histogram_t;
 
 typedef struct {
-    histogram_t wake; /**< Actual minus intended wake-up. */
-    histogram_t step; /**< Duration of controller_step. */
-    uint32_t second_worst_us;
+    histogram_t stages[LOOP_STAGE_COUNT];
+    uint32_t second_worst_us; /**< To wake up. */
 } figures_t;
 
 /** Counts one value. */
@@ -28,10 +27,14 @@ void histogram_add(histogram_t *self, uint64_t value_us);
 /** Smallest value that `per_mille` of the counts do not exceed; 0 when empty. */
 uint32_t histogram_quantile_us(const histogram_t *self, uint32_t per_mille);
 
-/** Counts one cycle. */
-void figures_add(figures_t *self, uint64_t wake_us, uint64_t step_us);
+/** Counts one cycle, how long each of its stages took. */
+void figures_add(figures_t *self, const uint64_t stage_ns[LOOP_STAGE_COUNT]);
 
-/** Fills the times of `published` and begins a new second. */
+/**
+ * Fills the times of `published` and begins a new second.
+ *
+ * @satisfies SWR-LOOP-005
+ */
 void figures_publish(figures_t *self, loop_figures_t *published);
 
 #endif

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "http/telemetry_json.h"
 
+#include "common/clock.h"
 #include "common/drive_terms.h"
 #include "common/utc_text.h"
 #include "http/telemetry_units.h"
@@ -23,9 +24,32 @@ typedef struct {
     const char *name;
 } flag_t;
 
+static cJSON *new_counts(const stage_figures_t *stage)
+{
+    cJSON *counts = cJSON_CreateArray();
+    for (uint32_t i = 0U; i < LIMIT_LOOP_BARS; i++) {
+        (void)cJSON_AddItemToArray(counts, cJSON_CreateNumber((double)stage->counts[i]));
+    }
+    return counts;
+}
+
+static cJSON *new_stages(const loop_figures_t *loop)
+{
+    cJSON *stages = cJSON_CreateArray();
+    for (uint32_t i = 0U; i < LOOP_STAGE_COUNT; i++) {
+        const stage_figures_t *stage = &loop->stages[i];
+        const json_stage_t also = {.name = loop_stage_name((int32_t)i),
+                                   .says = loop_stage_text((int32_t)i),
+                                   .counts = new_counts(stage)};
+        (void)cJSON_AddItemToArray(stages, json_stage(stage, &also));
+    }
+    return stages;
+}
+
 static cJSON *new_loop(const telemetry_view_t *view)
 {
-    const json_loop_t also = {.rights = json_rights(&view->loop)};
+    const json_loop_t also = {.rights = json_rights(&view->loop),
+                              .stages = new_stages(&view->loop)};
     return json_loop(&view->loop, &view->snapshot, &also);
 }
 
@@ -169,10 +193,13 @@ cJSON *telemetry_json_authority(const telemetry_view_t *view)
 
 cJSON *telemetry_json_status(const telemetry_identity_t *identity, const telemetry_view_t *view)
 {
+    char utc[UTC_TEXT_SIZE];
+    utc_text_write(clock_utc_us(), utc);
     const json_processes_t processes = {.igtl = view->is_running[EXCHANGE_IGTL],
                                         .recorder = view->is_running[EXCHANGE_RECORDER]};
     const json_status_t also = {.authority = telemetry_json_authority(view),
                                 .age_ms = view->age_ms,
+                                .utc = utc,
                                 .boot_id = identity->boot_id,
                                 .build_id = identity->build_id,
                                 .robot = view->robot->name,
@@ -257,6 +284,7 @@ cJSON *telemetry_json_robot(const telemetry_view_t *view)
     }
     const json_robot_t told = {.name = robot->name,
                                .checksum = checksum,
+                               .slots = CARD_SLOT_COUNT,
                                .axes = axes,
                                .lengths = new_lengths(view),
                                .poses = new_poses(robot)};

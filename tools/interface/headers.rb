@@ -28,11 +28,18 @@ module Interface
     def includes(header)
       types = header.structures.flat_map(&:fields).map(&:type)
       own = types.filter_map(&:header).uniq - [header.name]
-      own << 'robot/robot' if header.structures.flat_map(&:fields).any?(&:count)
+      own += counted(header)
       lines = own.sort.map { |name| "#include \"#{name}.h\"\n" }.join
       lines += "#{"\n" unless lines.empty?}#include <stdint.h>\n" unless header.structures.empty?
       lines += "#include <stdbool.h>\n#include <stdint.h>\n" if modes?(header)
       lines unless lines.empty?
+    end
+
+    # Where the lengths of its arrays stand.
+    def counted(header)
+      own = header.enumerations.map { |one| "#{one.name.upcase}_COUNT" }
+      counts = header.structures.flat_map(&:fields).filter_map(&:count) - own
+      counts.map { |count| count.start_with?('LIMIT_') ? 'limits/requirement_limits' : 'robot/robot' }.uniq
     end
 
     def enumeration(enumeration)

@@ -56,7 +56,8 @@ class TestInterfaceField < Minitest::Test
 
   # What sees a snapshot; the rest of the core is in the library.
   SOURCES = %w[core/controller/*.c app/http/telemetry_{json,units}.c app/http/json_forms.c
-               app/common/{axis_terms,drive_terms,event_text,utc_text}.c app/replay/{table,field_name}.c build/gen/assets/chart_names.c].freeze
+               app/common/{axis_terms,clock,drive_terms,event_text,utc_text}.c app/replay/{table,field_name}.c
+               build/gen/assets/chart_names.c].freeze
   GENERATED = %w[event app/names app/event_words app/messages app/columns app/fields].freeze
   FOLDERS = %w[core app bsp/include build/gen].freeze
   LIBRARY = 'build/gcc/libcore.a'

@@ -381,3 +381,23 @@ void test_SWR_CTRL_010_a_box_that_answers_nothing_is_told_off_and_nothing_is_cla
     expect_off(LIMIT_OFF_EXCHANGES);
     TEST_ASSERT_NOT_NULL(strstr(said, "\"off\" was sent to all 7 cards, 0 confirm it"));
 }
+
+void test_SWR_LOOP_005_cycles_are_counted_by_how_long_each_stage_took(void)
+{
+    static figures_t counted;
+    static const uint64_t steps_us[] = {0U, 1U, 2U, 3U, 4U, 2047U, 2048U, 5000U};
+    static const uint32_t bars[] = {0U, 1U, 2U, 2U, 3U, 11U, 12U, 12U};
+    loop_figures_t told = {0};
+    uint32_t expected[LIMIT_LOOP_BARS] = {0};
+    (void)memset(&counted, 0, sizeof counted);
+    for (uint32_t i = 0U; i < (sizeof bars / sizeof bars[0]); i++) {
+        const uint64_t took_ns[LOOP_STAGE_COUNT] = {[LOOP_STAGE_STEP] = steps_us[i] * 1000U};
+        expected[bars[i]]++;
+        figures_add(&counted, took_ns);
+        figures_publish(&counted, &told);
+    }
+    TEST_ASSERT_EQUAL_UINT32_ARRAY(expected, told.stages[LOOP_STAGE_STEP].counts, LIMIT_LOOP_BARS);
+    TEST_ASSERT_EQUAL_UINT32(5000U, told.stages[LOOP_STAGE_STEP].worst_us);
+    TEST_ASSERT_EQUAL_UINT32(8U, told.stages[LOOP_STAGE_WAKE].counts[0]);
+    TEST_ASSERT_EQUAL_UINT32(0U, told.stages[LOOP_STAGE_PUBLISH].worst_us);
+}

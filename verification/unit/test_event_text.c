@@ -90,7 +90,7 @@ void test_SWR_EVENT_007_numbers_are_told_as_what_they_are(void)
     expect((event_t){.id = EVENT_AXIS_WRONG_SPEED, .subject = AXIS_YAW, .value = 31},
            "Axis yaw counted 31 percent of what its motor should make.");
     expect((event_t){.id = EVENT_OVERRUN, .subject = 2U, .value = 1700},
-           "The loop was late, interval in us 1700, stage 2.");
+           "The loop was late, interval in us 1700, stage STEP.");
     expect((event_t){.id = EVENT_CHART_REPAIRED, .subject = EVENT_CHART_ESTOP},
            "A chart's state was damaged; chart ESTOP went to its safe state.");
     (void)snprintf(card, sizeof card,

@@ -11,7 +11,7 @@ import {
   type Level,
 } from "./lamps";
 import { Lamp } from "./parts/Lamp";
-import { makeStatus } from "./testing/robot";
+import { makeCard, makeStatus } from "./testing/robot";
 
 const levels: Level[] = ["normal", "active", "attention", "fault", "unknown"];
 
@@ -53,16 +53,14 @@ test("SWR-CON-002 a state that is not known is shown as such", () => {
 });
 
 test("SWR-CON-002 a lost card names its faults", () => {
-  const lamp = cardLamp({
-    slot: 3,
-    axis: "insertion",
-    link: "lost",
-    age_cycles: 9,
-    frame_errors: 1,
-    faults: ["too hot"],
-    type: "non_pwm",
-    converters: [0, 0, 0, 0],
-  });
+  const lamp = cardLamp(
+    makeCard({
+      slot: 3,
+      axis: "insertion",
+      link: "lost",
+      faults: ["too hot"],
+    }),
+  );
   expect(lamp).toEqual({
     label: "Card 3, insertion",
     level: "fault",
@@ -72,16 +70,7 @@ test("SWR-CON-002 a lost card names its faults", () => {
 });
 
 test("SWR-LINK-009 a card without an axis has its lamp", () => {
-  const lamp = cardLamp({
-    slot: 3,
-    axis: null,
-    link: "live",
-    age_cycles: 0,
-    frame_errors: 0,
-    faults: [],
-    type: "non_pwm",
-    converters: [0, 0, 0, 0],
-  });
+  const lamp = cardLamp(makeCard({ slot: 3, axis: null }));
   expect(lamp).toEqual({
     label: "Card 3, no axis",
     level: "normal",

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// A robot for the tests, as the server would describe it. What no test looks at may be missing.
+// A robot for the tests, as the server would describe it.
 import type {
   Authority,
   Axis,
+  Card,
   Named,
   PermitReason,
   Port,
   RobotState,
+  Stage,
   Status,
 } from "@interface";
 
@@ -91,10 +93,36 @@ export function makeAuthority(change: Partial<Authority> = {}): Authority {
   };
 }
 
+export function makeCard(change: Partial<Card> = {}): Card {
+  return {
+    slot: 7,
+    axis: "head",
+    link: "live",
+    age_cycles: 0,
+    frame_errors: 0,
+    heartbeat: 1000,
+    faults: [],
+    type: "non_pwm",
+    converters: [0, 0, 0, 0],
+    ...change,
+  };
+}
+
+/** Of a thousand cycles most took 16 to 31 us, and one was longer than the last class is wide. */
+export function makeStage(name: Stage["name"]): Stage {
+  return {
+    name,
+    says: `Stage ${name}.`,
+    worst_us: 2345,
+    counts: [0, 0, 0, 0, 9, 990, 0, 0, 0, 0, 0, 0, 1],
+  };
+}
+
 export function makeStatus(change: Partial<Status> = {}): Status {
   return {
     cycle: 1000,
     age_ms: 0,
+    utc: "2026-11-22T17:50:00.123Z",
     boot_id: "0011223344556677",
     build_id: "test",
     robot: "neuro",
@@ -111,6 +139,7 @@ export function makeStatus(change: Partial<Status> = {}): Status {
     is_scanner_active: false,
     is_homed: false,
     is_registered: false,
+    ignores_registration_rotation: false,
     has_target: false,
     time: { is_elastic: false, slowness: 1, speed_percent: 100 },
     loop: {
@@ -124,25 +153,15 @@ export function makeStatus(change: Partial<Status> = {}): Status {
       step_p99_us: 20,
       step_worst_us: 40,
       second_worst_us: 30,
+      stages: [makeStage("WAKE"), makeStage("STEP")],
       rights: { fifo: true, core: true, memory: true },
     },
-    cards: [
-      {
-        slot: 7,
-        axis: "head",
-        link: "live",
-        age_cycles: 0,
-        frame_errors: 0,
-        faults: [],
-        type: "non_pwm",
-        converters: [0, 0, 0, 0],
-      },
-    ],
+    cards: [makeCard()],
     counts: { events: 0, events_lost: 0, overruns: 0, cycles_lost: 0 },
     processes: { igtl: true, recorder: true },
     ports: [makePort()],
     ...change,
-  } as Status;
+  };
 }
 
 export function makeRobot(
@@ -164,6 +183,9 @@ export function makeRobot(
       distance_mm: null,
       has_probe: true,
       ignores_registration_rotation: false,
+      registration_by: null,
+      target_by: null,
+      entry_by: null,
       probe: [
         {
           name: "needle_tip",
@@ -180,5 +202,5 @@ export function makeRobot(
         desired: null,
       },
     },
-  } as RobotState;
+  };
 }
