@@ -11,6 +11,7 @@ export default defineConfig({
   plugins: [react()],
   resolve: {
     alias: {
+      "@interface": generated("interface/app/api.ts"),
       "@charts": generated("charts/charts.ts"),
       "@drawings": generated("robot/drawings.ts"),
     },

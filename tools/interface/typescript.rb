@@ -2,6 +2,7 @@
 # frozen_string_literal: true
 
 require_relative 'message'
+require_relative 'shapes'
 
 module Interface
   # What the HTTP server sends, as types of the console.
@@ -30,7 +31,7 @@ module Interface
       unions = @unions.sort.map do |name, words|
         "export type #{name} =#{words.map { |word| "\n  | \"#{word}\"" }.join};\n"
       end
-      { 'api.ts' => [HEAD, *unions, *messages].join("\n") }
+      { 'api.ts' => [HEAD, *unions, *messages, Shapes.new(@model, @unions).text].join("\n") }
     end
 
     private
@@ -81,7 +82,15 @@ module Interface
       end
       type = "interface #{request.typescript} {\n#{lines.join}}"
       type = "type #{request.typescript} = Record<string, never>;" if lines.empty?
-      "/** #{request.says} */\nexport #{type}\n"
+      "/** #{request.says} */\nexport #{type}\n#{sizes(request)}"
+    end
+
+    # Who writes such a text is told when it is too long.
+    def sizes(request)
+      sizes = request.members.select(&:size).map { |one| "#{one.name}: #{one.size}" }
+      return if sizes.empty?
+
+      "\n/** Its longest texts, in bytes. */\nexport const #{request.typescript}Bytes = { #{sizes.join(', ')} } as const;\n"
     end
 
     def sent(member)

@@ -94,7 +94,10 @@ function Notices({ view }: { view: ConsoleView }) {
         </p>
       )}
       {view.isOutdated && (
-        <p className="notice">The server has been updated. Reload this page.</p>
+        <p className="notice">
+          The server has been updated. Reload this page.
+          {view.misfit !== undefined && ` (${view.misfit})`}
+        </p>
       )}
     </>
   );

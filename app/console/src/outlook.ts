@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What may be commanded now, as the server says it. Whoever is refused would be so by the same name.
 import { useEffect, useState } from "react";
-import type { Mode, Modes, Path, PoseName, Robot, Status } from "@interface";
+import { Modes, Robot } from "@interface";
+import type { Mode, Path, PoseName, Status } from "@interface";
+import { useAnswer } from "./answer";
 import type { Page } from "./page";
 
 const MODES_PATH: Path = "/api/v1/modes";
@@ -50,7 +52,7 @@ export function usePolled<Answer>(
 export function useOutlook(page: Page, status: Status): Modes | null {
   const { workphase, order, is_registered, has_target, is_homed } = status;
   const cause = [workphase.name, order, is_registered, has_target, is_homed];
-  return usePolled<Modes>(page, MODES_PATH, cause.join(" "))[0];
+  return useAnswer(page, MODES_PATH, Modes, ASK_AGAIN_MS, cause.join())[0];
 }
 
 /** Why the mode cannot be armed now; what is not known cannot be. */
@@ -64,11 +66,7 @@ export function reasonAgainst(
 
 /** What does not change of the robot; null while it is not known. */
 export function useRobot(page: Page, bootId: string): Robot | null {
-  const [robot, setRobot] = useState<Robot | null>(null);
-  useEffect(() => {
-    void ask<Robot>(page, ROBOT_PATH).then(setRobot);
-  }, [page, bootId]);
-  return robot;
+  return useAnswer(page, ROBOT_PATH, Robot, null, bootId)[0];
 }
 
 /** Those of the robot's file; none while they are not known. */

@@ -13,6 +13,8 @@ const TRIES = 3;
 const PAGE_HEADER = "X-Boresight-Page";
 const TOKEN_HEADER = "X-Boresight-Token";
 
+/** A path, and what is asked of it. */
+export type Address = Path | `${Path}?${string}`;
 export type Method = "GET" | "POST" | "PUT" | "DELETE";
 
 function drawNumber(): number {
@@ -55,7 +57,7 @@ export class Page {
     return refusal;
   }
 
-  request(method: Method, path: Path, body?: string): Promise<Response> {
+  request(method: Method, path: Address, body?: string): Promise<Response> {
     return this.send(method, path, body === undefined ? {} : { body });
   }
 
@@ -99,7 +101,7 @@ export class Page {
 
   private send(
     method: Method,
-    path: Path,
+    path: Address,
     { body, type = JSON_TYPE, timeoutMs = TIMEOUT_MS }: RequestOptions,
   ): Promise<Response> {
     const headers: Record<string, string> = {

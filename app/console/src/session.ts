@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Who is logged in at the server. The cookie is out of reach of any script; the token is kept in this page's memory.
-import type { LoginRequest, Path, Problem, Session } from "@interface";
+import { Session } from "@interface";
+import type { LoginRequest, Path, Problem } from "@interface";
+import { fitted } from "./shape";
 
 const SESSION_PATH: Path = "/api/v1/session";
 /** Asking makes no session longer; another tab may have ended or renewed it. */
@@ -22,6 +24,10 @@ async function reasonOf(response: Response): Promise<string> {
   const wait = response.headers.get("Retry-After");
   const again = wait === null ? "" : ` Try again in ${wait} s.`;
   return (answer.detail ?? response.statusText) + again;
+}
+
+async function readSession(response: Response): Promise<Session> {
+  return fitted(await response.json(), Session, SESSION_PATH);
 }
 
 /** Seconds until the session ends unless it is renewed. */
@@ -73,7 +79,7 @@ export class SessionStore {
     try {
       const response = await this.request("GET");
       if (response.ok) {
-        this.replace({ session: (await response.json()) as Session });
+        this.replace({ session: await readSession(response) });
       }
     } catch {
       // The rest of the page says that the server does not answer.
@@ -84,7 +90,7 @@ export class SessionStore {
     try {
       const response = await this.request(method, body);
       if (response.ok) {
-        const session = (await response.json()) as Session;
+        const session = await readSession(response);
         this.replace({ session, problem: null });
       } else {
         this.replace({ problem: await reasonOf(response) });

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rule under test: data that stops coming is noticed within a second, whatever has stopped it.
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import type { LogEntry } from "@interface";
 import { LOG_LENGTH } from "./connection";
 import { TelemetryStore } from "./store";
-import { makeRobot } from "./testing/robot";
+import { makeEntry, makeRobot } from "./testing/robot";
 import { FakeSurroundings } from "./testing/surroundings";
 
 let surroundings: FakeSurroundings;
@@ -13,21 +12,6 @@ let store: TelemetryStore;
 function pass(ms: number): void {
   surroundings.pass(ms);
   vi.advanceTimersByTime(100);
-}
-
-function makeEntry(number: number): LogEntry {
-  return {
-    number,
-    cycle: number,
-    name: "STARTED",
-    utc: "2026-11-22T17:50:00.123Z",
-    text: `Event ${number}.`,
-    severity: "INFORMATION",
-    subject: "",
-    value: 0,
-    cause: "NONE",
-    peer: 0,
-  };
 }
 
 beforeEach(() => {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { Act, Hello, LogEntry, RobotState } from "@interface";
+import { Act, Hello, LogEntry, RobotState } from "@interface";
 import type { ActListener } from "./acts";
 import {
   LOG_LENGTH,
@@ -7,6 +7,7 @@ import {
   type StreamListener,
 } from "./connection";
 import { freshnessOf, type Freshness } from "./freshness";
+import { fitted, Misfit, watchMisfits } from "./shape";
 import { SharedStream, type Stream } from "./shared_stream";
 import { Trace } from "./trace";
 
@@ -25,6 +26,8 @@ export interface ConsoleView {
   ageMs: number;
   /** The server is of another build than this page, or sends what the page cannot read. */
   isOutdated: boolean;
+  /** The place in a message by which that was noticed. */
+  misfit?: string;
   robot: RobotState | null;
   /** Newest first. */
   log: readonly LogEntry[];
@@ -52,6 +55,7 @@ export class TelemetryStore implements StreamListener {
   private readonly actListeners = new Set<ActListener>();
   private readonly surroundings: Surroundings;
   private stream: Stream | null = null;
+  private unwatch: (() => void) | null = null;
   private timer: ReturnType<typeof setInterval> | null = null;
   private arrivedAt = 0;
   private heardAt = 0;
@@ -85,6 +89,7 @@ export class TelemetryStore implements StreamListener {
   }
 
   start(): void {
+    this.unwatch = watchMisfits((place) => this.distrust(place));
     this.open();
     this.timer = setInterval(() => this.check(), CHECK_MS);
   }
@@ -93,6 +98,7 @@ export class TelemetryStore implements StreamListener {
     if (this.timer !== null) {
       clearInterval(this.timer);
     }
+    this.unwatch?.();
     this.stream?.close();
     this.stream = null;
   }
@@ -101,8 +107,10 @@ export class TelemetryStore implements StreamListener {
     this.heardAt = this.surroundings.now();
     try {
       this.read(type, data);
-    } catch {
-      this.replace({ isOutdated: true });
+    } catch (failure) {
+      if (!(failure instanceof Misfit)) {
+        this.distrust(type);
+      }
     }
   }
 
@@ -123,13 +131,13 @@ export class TelemetryStore implements StreamListener {
   private read(type: StreamEvent, data: string): void {
     switch (type) {
       case "hello":
-        return this.greet(JSON.parse(data) as Hello);
+        return this.greet(fitted(JSON.parse(data), Hello, type));
       case "state":
-        return this.take(JSON.parse(data) as RobotState);
+        return this.take(fitted(JSON.parse(data), RobotState, type));
       case "log":
-        return this.note(JSON.parse(data) as LogEntry);
+        return this.note(fitted(JSON.parse(data), LogEntry, type));
       case "act":
-        return this.tellAct(JSON.parse(data) as Act);
+        return this.tellAct(fitted(JSON.parse(data), Act, type));
     }
   }
 
@@ -138,7 +146,8 @@ export class TelemetryStore implements StreamListener {
     this.replace({
       isConnected: true,
       refusal: null,
-      isOutdated: this.buildId !== hello.build_id,
+      isOutdated:
+        this.buildId !== hello.build_id || this.view.misfit !== undefined,
       log: [],
     });
   }
@@ -147,6 +156,11 @@ export class TelemetryStore implements StreamListener {
     this.arrivedAt = this.surroundings.now();
     this.trace.take(robot, this.arrivedAt);
     this.replace({ isConnected: true, robot, ...this.judge(robot, true) });
+  }
+
+  /** Of what cannot be read nothing is used. */
+  private distrust(place: string): void {
+    this.replace({ isOutdated: true, misfit: this.view.misfit ?? place });
   }
 
   private note(entry: LogEntry): void {

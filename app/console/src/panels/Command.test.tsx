@@ -12,7 +12,7 @@ import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import type { Authority, Role } from "@interface";
 import { RENEW_MS } from "../authority";
 import { Operation } from "../operation";
-import { makeAuthority } from "../testing/robot";
+import { makeAuthority, makeSession } from "../testing/robot";
 import { Command } from "./Command";
 
 const anothers = makeAuthority({
@@ -28,9 +28,7 @@ let shown: ReturnType<typeof render>;
 
 function answer(path: string, method: string): Response {
   if (path === "/api/v1/session") {
-    return new Response(
-      JSON.stringify({ is_open: true, role, token: "t0ken", login: "none" }),
-    );
+    return new Response(JSON.stringify(makeSession(role)));
   }
   const status = refusals[method] ?? 200;
   return new Response(JSON.stringify({ detail: "It is refused." }), { status });

@@ -1,9 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // A page that commands, before a server that answers everything and writes down what it was asked.
 import { vi } from "vitest";
-import type { Authority, Mode, Modes, Role, Step } from "@interface";
+import type { Authority, Mode, Modes, Robot, Role, Step } from "@interface";
 import { Operation } from "../operation";
-import { makeAuthority } from "./robot";
+import { makeAuthority, makeSession } from "./robot";
+
+/** What the tests say of the robot stands in its place. */
+const robot: Robot = {
+  name: "neuro",
+  checksum: "a78c5496",
+  slots: 10,
+  axes: [],
+  lengths: [],
+  poses: [],
+};
 
 interface Asked {
   path: string;
@@ -16,6 +26,10 @@ export interface Commander {
   authority: Authority;
   /** What was commanded, in its order; questions are left out. */
   acts(): Asked[];
+  /** What was put in its place. */
+  puts(): Asked[];
+  /** What was asked, with its query. */
+  questions(): string[];
   /** What was deleted. */
   deletions(): string[];
   /** The next answers at this path. */
@@ -31,14 +45,13 @@ function readBody({ body, headers }: RequestInit): Asked["body"] {
 export async function makeCommander(role: Role): Promise<Commander> {
   const asked: (Asked & { method: string })[] = [];
   const answers: Commander["answers"] = {
-    "/api/v1/session": {
-      body: { is_open: true, role, token: "t0ken", login: "none" },
-    },
+    "/api/v1/session": { body: makeSession(role) },
   };
   vi.stubGlobal("fetch", (path: string, options: RequestInit) => {
     const body = readBody(options);
     asked.push({ path, body, method: options.method ?? "GET" });
-    const { status = 200, body: answer } = answers[path] ?? { body: {} };
+    const { status = 200, body: told } = answers[path] ?? { body: {} };
+    const answer = path === "/api/v1/robot" ? { ...robot, ...told } : told;
     return Promise.resolve(new Response(JSON.stringify(answer), { status }));
   });
   const operation = new Operation();
@@ -49,13 +62,20 @@ export async function makeCommander(role: Role): Promise<Commander> {
     source: "HTTP",
     peer: operation.page.number,
   });
-  const acts = () =>
+  const by = (wanted: string) => () =>
     asked
-      .filter(({ method }) => method === "POST")
+      .filter(({ method }) => method === wanted)
       .map(({ path, body }) => ({ path, body }));
-  const deletions = () =>
-    asked.filter(({ method }) => method === "DELETE").map(({ path }) => path);
-  return { operation, authority, acts, deletions, answers };
+  const pathsBy = (wanted: string) => () => by(wanted)().map(({ path }) => path);
+  return {
+    operation,
+    authority,
+    acts: by("POST"),
+    puts: by("PUT"),
+    questions: pathsBy("GET"),
+    deletions: pathsBy("DELETE"),
+    answers,
+  };
 }
 
 const reason = "The present workphase does not allow it.";

@@ -4,13 +4,18 @@ import type {
   Authority,
   Axis,
   Card,
+  LogEntry,
   Named,
   PermitReason,
   Port,
   RobotState,
+  Role,
+  Session,
   Stage,
   Status,
 } from "@interface";
+import type { Operation } from "../operation";
+import type { ViewProperties } from "../views/view";
 
 const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
@@ -202,5 +207,61 @@ export function makeRobot(
         desired: null,
       },
     },
+  };
+}
+
+/** Somebody who is logged in. */
+export function makeSession(role: Role): Session {
+  return {
+    is_open: true,
+    name: "anna",
+    role,
+    token: "t0ken",
+    idle_s: 900,
+    most_s: 43_200,
+    warn_s: 60,
+    login: "none",
+  };
+}
+
+/** An event of the log. */
+export function makeEntry(
+  number: number,
+  change: Partial<LogEntry> = {},
+): LogEntry {
+  return {
+    number,
+    cycle: 1000 * number,
+    name: "STARTED",
+    utc: "2026-11-22T17:50:00.123Z",
+    text: `Event ${number}.`,
+    severity: "INFORMATION",
+    subject: "",
+    value: 0,
+    cause: "NONE",
+    peer: 0,
+    ...change,
+  };
+}
+
+/** What the views are given. */
+export function makeViewProperties(
+  operation: Operation,
+  robot: RobotState,
+  log: readonly LogEntry[] = [],
+): ViewProperties {
+  return {
+    view: {
+      isConnected: true,
+      refusal: null,
+      freshness: "live",
+      ageMs: 20,
+      isOutdated: false,
+      robot,
+      log,
+    },
+    robot,
+    operation,
+    outlook: null,
   };
 }

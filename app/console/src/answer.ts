@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the server answers when a panel asks.
+import { useEffect, useState } from "react";
+import type { Problem, Shape } from "@interface";
+import { refusalOf, type Address, type Method, type Page } from "./page";
+import { fitted } from "./shape";
+
+/** Null when there is no answer, or none that this page can read. */
+export async function ask<Answer>(
+  page: Page,
+  address: Address,
+  shape: Shape<Answer>,
+): Promise<Answer | null> {
+  try {
+    const response = await page.request("GET", address);
+    return response.ok ? fitted(await response.json(), shape, address) : null;
+  } catch {
+    return null;
+  }
+}
+
+/** What was answered to a change, or why it was refused. */
+export type Changed<Answer> = { answer: Answer } | { problem: string };
+
+/** Of a route that is no act: what is asked for may be asked for again. */
+export async function change<Answer>(
+  page: Page,
+  method: Method,
+  address: Address,
+  shape: Shape<Answer>,
+  body?: object,
+): Promise<Changed<Answer>> {
+  try {
+    const text = body === undefined ? undefined : JSON.stringify(body);
+    const response = await page.request(method, address, text);
+    const answer: unknown = await response.json();
+    return response.ok
+      ? { answer: fitted(answer, shape, address) }
+      : { problem: refusalOf(answer as Partial<Problem>) };
+  } catch {
+    return { problem: "The server does not answer." };
+  }
+}
+
+/**
+ * The answer, asked for at once, again every so many ms, and when `cause` changes; null while it is not known. The second one
+ * puts a newer answer in its place.
+ */
+export function useAnswer<Answer>(
+  page: Page,
+  address: Address,
+  shape: Shape<Answer>,
+  everyMs: number | null,
+  cause = "",
+): [Answer | null, (answer: Answer) => void] {
+  const [answer, setAnswer] = useState<Answer | null>(null);
+  useEffect(() => {
+    let isWanted = true;
+    const askNow = () =>
+      void ask(page, address, shape).then(
+        (given) => isWanted && setAnswer(given),
+      );
+    askNow();
+    const timer = everyMs === null ? null : setInterval(askNow, everyMs);
+    return () => {
+      isWanted = false;
+      if (timer !== null) {
+        clearInterval(timer);
+      }
+    };
+  }, [page, address, shape, everyMs, cause]);
+  return [answer, setAnswer];
+}
