@@ -57,3 +57,30 @@ export function readNumbers(text: string, count: number): number[] | null {
     ? numbers
     : null;
 }
+
+/** 1:02:03 since something began. */
+export function formatClock(ms: number): string {
+  const seconds = Math.floor(ms / 1000);
+  const [minute, second] = [Math.floor(seconds / 60) % 60, seconds % 60].map(
+    (part) => String(part).padStart(2, "0"),
+  );
+  return `${Math.floor(seconds / 3600)}:${minute}:${second}`;
+}
+
+/** 2026-11-22T17:50:00.123Z as people read it. */
+export function formatUtc(utc: string): string {
+  return utc.replace("T", " ").replace("Z", "");
+}
+
+const byteUnits = ["B", "kB", "MB", "GB", "TB"] as const;
+
+/** In steps of 1000. */
+export function formatBytes(bytes: number): string {
+  let value = bytes;
+  let step = 0;
+  while (value >= 1000 && step < byteUnits.length - 1) {
+    value /= 1000;
+    step += 1;
+  }
+  return `${value.toFixed(step === 0 ? 0 : 1)} ${byteUnits[step]}`;
+}

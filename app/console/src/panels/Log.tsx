@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 import { memo } from "react";
-import type { LogEntry } from "@interface";
+import type { EventSeverity, LogEntry } from "@interface";
+import { formatUtc } from "../format";
 import type { Level } from "../lamps";
 import { Shape } from "../parts/Shape";
+import "./Log.css";
 
-const levels: Readonly<Record<string, Level>> = {
+const levels: Readonly<Record<EventSeverity, Level>> = {
   INFORMATION: "normal",
   WARNING: "attention",
   CRITICAL: "fault",
@@ -15,31 +17,42 @@ function timeText(cycle: number): string {
   return `${(cycle / 1000).toFixed(1)} s`;
 }
 
-function Entry({ entry }: { entry: LogEntry }) {
-  const level = levels[entry.severity] ?? "unknown";
+const Entry = memo(function Entry({ entry }: { entry: LogEntry }) {
+  const level = levels[entry.severity];
   return (
     <tr data-level={level}>
-      <td className="number">{timeText(entry.cycle)}</td>
+      <td className="number">
+        <time dateTime={entry.utc}>{formatUtc(entry.utc)}</time>{" "}
+        <span className="log-since">{timeText(entry.cycle)}</span>
+      </td>
       <td className="log-severity">
         <Shape level={level} />
-        {entry.severity.toLowerCase()}
+        <span>{entry.severity.toLowerCase()}</span>
       </td>
       <td>{entry.text}</td>
     </tr>
   );
-}
+});
 
-/** The last events, newest first. */
-export const Log = memo(function Log({ log }: { log: readonly LogEntry[] }) {
+/** Events, newest first. */
+export const Log = memo(function Log({
+  log,
+  label = "Last events",
+}: {
+  log: readonly LogEntry[];
+  label?: string;
+}) {
   return (
-    <div className="log" tabIndex={0} role="region" aria-label="Last events">
+    <div className="log" tabIndex={0} role="region" aria-label={label}>
       <table>
         <thead>
           <tr>
             <th scope="col" className="number">
-              Time
+              UTC, since start
             </th>
-            <th scope="col">Severity</th>
+            <th scope="col" className="log-severity">
+              <span>Severity</span>
+            </th>
             <th scope="col">What happened</th>
           </tr>
         </thead>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-import { useState } from "react";
 import type { Path } from "@interface";
 import type { Commanding } from "../operation";
+import { AskTwice } from "./AskTwice";
 
 export interface TwiceProperties {
   question: string;
@@ -25,36 +25,19 @@ export function Twice({
   onDone,
   children,
 }: TwiceProperties) {
-  const [isAsked, setIsAsked] = useState(false);
   const command = async () => {
-    setIsAsked(false);
     if (await commanding.command(path, fields)) {
       onDone?.();
     }
   };
-  if (!isAsked) {
-    return (
-      <span className="order">
-        <button
-          type="button"
-          disabled={commanding.obstacle !== null || refusal !== null}
-          title={refusal ?? undefined}
-          onClick={() => setIsAsked(true)}
-        >
-          {children}…
-        </button>
-      </span>
-    );
-  }
   return (
-    <span className="order order-asked" role="group" aria-label={question}>
-      {question}{" "}
-      <button type="button" onClick={() => void command()}>
-        {children}
-      </button>{" "}
-      <button type="button" autoFocus onClick={() => setIsAsked(false)}>
-        Cancel
-      </button>
-    </span>
+    <AskTwice
+      question={question}
+      isBarred={commanding.obstacle !== null || refusal !== null}
+      why={refusal ?? undefined}
+      onSure={() => void command()}
+    >
+      {children}
+    </AskTwice>
   );
 }

@@ -1,13 +1,49 @@
 // SPDX-License-Identifier: Apache-2.0
+import { Communication } from "@interface";
+import { useAnswer } from "../answer";
+import { useCommanding } from "../operation";
+import { Connections } from "../panels/Connections";
+import { Pages } from "../panels/Pages";
 import { Ports } from "../panels/Ports";
 import { Panel } from "../parts/Panel";
 import type { ViewProperties } from "./view";
 
+export const ASK_AGAIN_MS = 1000;
+
 /** Who is connected, and by what. */
-export function CommunicationView({ robot }: ViewProperties) {
+export function CommunicationView({ robot, operation }: ViewProperties) {
+  const { page } = operation;
+  const { obstacle } = useCommanding(operation, robot.status.authority);
+  const [communication, tell] = useAnswer(
+    page,
+    "/api/v1/communication",
+    Communication,
+    ASK_AGAIN_MS,
+  );
   return (
-    <Panel title="OpenIGTLink" className="panel-wide">
-      <Ports ports={robot.status.ports} />
-    </Panel>
+    <>
+      <Panel title="Connections of OpenIGTLink" className="panel-wide">
+        {communication === null ? (
+          <p>Not known yet.</p>
+        ) : (
+          <Connections
+            connections={communication.connections}
+            page={page}
+            obstacle={obstacle}
+            tell={tell}
+          />
+        )}
+      </Panel>
+      <Panel title="Pages of the console">
+        {communication === null ? (
+          <p>Not known yet.</p>
+        ) : (
+          <Pages pages={communication.pages} own={page.number} />
+        )}
+      </Panel>
+      <Panel title="Ports of OpenIGTLink">
+        <Ports ports={robot.status.ports} />
+      </Panel>
+    </>
   );
 }

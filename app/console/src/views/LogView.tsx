@@ -1,13 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
-import { Log } from "../panels/Log";
+import { LogFiles, RecordingFiles } from "../panels/Archive";
+import { LogFileLevel } from "../panels/LogFileLevel";
+import { LogNote } from "../panels/LogNote";
+import { LogSearch } from "../panels/LogSearch";
 import { Panel } from "../parts/Panel";
 import type { ViewProperties } from "./view";
 
 /** What has happened. */
-export function LogView({ view }: ViewProperties) {
+export function LogView({ view, robot, operation }: ViewProperties) {
+  const { page } = operation;
   return (
-    <Panel title="Log" className="panel-wide">
-      <Log log={view.log} />
-    </Panel>
+    <>
+      <Panel title="Log" className="panel-wide">
+        <LogNote operation={operation} />
+        <LogSearch page={page} newest={view.log[0]} />
+      </Panel>
+      <Panel title="Log files" className="panel-wide">
+        <LogFileLevel
+          operation={operation}
+          authority={robot.status.authority}
+        />
+        <LogFiles page={page} />
+      </Panel>
+      <Panel title="Recordings" className="panel-wide">
+        <RecordingFiles page={page} />
+      </Panel>
+    </>
   );
 }

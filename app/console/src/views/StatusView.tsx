@@ -1,18 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
-import { CardLamps } from "../panels/Lamps";
+import { Robot } from "@interface";
+import { useAnswer } from "../answer";
+import { Cards } from "../panels/Cards";
 import { Loop } from "../panels/Loop";
+import { Stages } from "../panels/Stages";
+import { System } from "../panels/System";
 import { Panel } from "../parts/Panel";
 import type { ViewProperties } from "./view";
 
 /** What the robot is made of, and how it fares. */
-export function StatusView({ robot }: ViewProperties) {
+export function StatusView({ robot, operation }: ViewProperties) {
+  const { status } = robot;
+  const [told] = useAnswer(
+    operation.page,
+    "/api/v1/robot",
+    Robot,
+    null,
+    status.boot_id,
+  );
   return (
     <>
       <Panel title="Cards" className="panel-wide">
-        <CardLamps status={robot.status} />
+        <Cards cards={status.cards} slots={told?.slots ?? 0} />
+      </Panel>
+      <Panel title="System">
+        <System status={status} robot={told} />
       </Panel>
       <Panel title="Control loop">
-        <Loop status={robot.status} />
+        <Loop status={status} />
+        {!status.time.is_elastic && <Stages stages={status.loop.stages} />}
       </Panel>
     </>
   );

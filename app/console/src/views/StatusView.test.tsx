@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rule under test: each slot is told with what was found in it, and each stage of the cycles with how long it took.
+import { cleanup, render, screen, within } from "@testing-library/react";
+import { afterEach, expect, test, vi } from "vitest";
+import { barOf, className } from "../panels/Stages";
+import { makeCommander } from "../testing/commander";
+import { makeCard, makeRobot, makeViewProperties } from "../testing/robot";
+import { StatusView } from "./StatusView";
+
+afterEach(() => {
+  cleanup();
+  vi.unstubAllGlobals();
+});
+
+async function show(status: Parameters<typeof makeRobot>[0] = {}) {
+  const { operation } = await makeCommander("OBSERVER");
+  render(<StatusView {...makeViewProperties(operation, makeRobot(status))} />);
+  await screen.findByText("a78c5496");
+}
+
+function rowsOf(label: string) {
+  const table = screen.getByRole("region", { name: label });
+  return within(table).getAllByRole("row").slice(1);
+}
+
+test("SWR-CON-036 each slot is told, and what was found there", async () => {
+  await show({
+    cards: [
+      makeCard({ slot: 7, age_cycles: 12, frame_errors: 3, heartbeat: 4711 }),
+      makeCard({
+        slot: 9,
+        axis: null,
+        link: "lost",
+        faults: ["too hot", "overspeed"],
+        type: "high_frequency",
+        converters: [1, 2, 3, 4],
+      }),
+    ],
+  });
+  const rows = rowsOf("Slots of the control box");
+  expect(rows).toHaveLength(10);
+  expect(rows[0]?.textContent).toBe("0nothing found");
+  expect(rows[7]?.textContent).toBe(
+    "7headnon pwmlive12 ms ago471130 0 0 0none",
+  );
+  expect(rows[9]?.textContent).toBe(
+    "9nonehigh frequencylost0 ms ago100001 2 3 4too hot, overspeed",
+  );
+});
+
+test("SWR-CON-036 a card that has said nothing shows no numbers of it", async () => {
+  await show({
+    cards: [
+      makeCard({ slot: 2, link: "absent", type: "none", converters: [] }),
+    ],
+  });
+  expect(rowsOf("Slots of the control box")[2]?.textContent).toBe(
+    "2headnot heard yetabsent0none",
+  );
+});
+
+test("SWR-CON-036 each stage is told by classes of time, and its longest", async () => {
+  await show();
+  const rows = rowsOf("Cycles by the time of each stage");
+  expect(rows).toHaveLength(14);
+  expect(rows[5]?.textContent).toBe("16–31 µs990990");
+  expect(rows[13]?.textContent).toBe("Longest2345 µs2345 µs");
+  const bars = rows[5]?.querySelectorAll("rect");
+  expect(bars?.[0]?.getAttribute("width")).toBe("100%");
+});
+
+test("SWR-CON-036 classes are twice as wide as the one before", () => {
+  const names = [0, 1, 2, 3, 11, 12].map((index) => className(index, 13));
+  expect(names).toEqual([
+    "0 µs",
+    "1 µs",
+    "2–3 µs",
+    "4–7 µs",
+    "1024–2047 µs",
+    "from 2048 µs",
+  ]);
+});
+
+test("SWR-CON-036 one cycle of many is still to be seen", () => {
+  expect(barOf(0, 1e6)).toBe(0);
+  expect(barOf(1, 1e6)).toBeGreaterThan(4);
+  expect(barOf(1e6, 1e6)).toBe(100);
+  expect(barOf(0, 0)).toBe(0);
+});
+
+test("SWR-CON-036 elastic time has no punctuality", async () => {
+  const time = { is_elastic: true, slowness: 1, speed_percent: 50 };
+  await show({ time });
+  expect(screen.queryByText("Longest")).toBeNull();
+});
+
+test("SWR-CON-036 it is told what runs since when", async () => {
+  await show({ cycle: 3_723_000, boot_id: "cafe", box: "bench" });
+  const facts = screen
+    .getAllByRole("definition")
+    .map(({ textContent }) => textContent);
+  expect(facts).toEqual(
+    expect.arrayContaining([
+      "2026-11-22 17:50:00.123",
+      "1:02:03",
+      "test",
+      "neuro",
+      "a78c5496",
+      "simulated, bench",
+      "cafe",
+      "running",
+      "0 / 0",
+    ]),
+  );
+});
