@@ -240,6 +240,43 @@ class TestInterfaceCompiler < Minitest::Test
     end
   end
 
+  def test_SWR_TOOL_011_console_checks_each_message_by_a_table
+    messages = "#{MESSAGES}      - {name: size, type: [small, large]}\n      - {name: lid, type: lid}\n" \
+               "  - name: lid\n    says: On top.\n    members:\n      - {name: tags, type: text, list: true}\n"
+    with_output('colours.yml' => SHOWN, 'messages.yml' => messages) do |folder|
+      types = File.read(File.join(folder, 'app/api.ts'))
+      assert_includes types, <<~CODE
+        export const Lid: Shape<Lid> = {
+          members: {
+            tags: ["list", "string"],
+          },
+        };
+
+        export const Tin: Shape<Tin> = {
+          members: {
+            colour: ["null", Colour],
+            lamp: LampState,
+            litres: "number",
+            maker: ["null", "string"],
+            size: ["words", ["small","large"]],
+            lid: Lid,
+          },
+        };
+      CODE
+      assert_includes types, %(export const LampState: Kind = ["words", ["dark","bright"]];)
+    end
+  end
+
+  # The length of an array stands where its name says.
+  def test_SWR_TOOL_011_a_header_includes_where_its_lengths_stand
+    { 'COLOUR_COUNT' => [], 'LIMIT_TINS' => ['limits/requirement_limits.h'], 'ROBOT_AXIS_MAX' => ['robot/robot.h'] }
+      .each do |count, expected|
+        with_output('colours.yml' => TINS.sub('ROBOT_AXIS_MAX', count)) do |folder|
+          assert_equal expected, File.read(File.join(folder, 'colour.h')).scan(/include "(.*)"/).flatten, count
+        end
+      end
+  end
+
   TINS = <<~YAML
     #{COLOURS.chomp}
       - name: shelf

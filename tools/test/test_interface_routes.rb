@@ -150,6 +150,9 @@ class TestInterfaceRoutes < Minitest::Test
           note?: string;
           first?: StripeRequest;
         }
+
+        /** Its longest texts, in bytes. */
+        export const PaintRequestBytes = { name: 6, note: 3 } as const;
       CODE
       assert_includes types, %(  "PUT /tin": { answer: Tin; body: PaintRequest };\n)
       assert_includes types, %(export type Path =\n  | "/tin"\n  | "/hit"\n  | "/live";)

@@ -106,10 +106,10 @@ function Pause({
 }) {
   return (
     <>
-      <button type="button" aria-pressed={pausedAt !== null} onClick={onChange}>
+      <button type="button" onClick={onChange}>
         {pausedAt === null ? "Pause" : "Follow"}
       </button>
-      <span role="status">
+      <span className="log-since-pause" role="status">
         {pausedAt !== null && `Paused; ${since} new since.`}
       </span>
     </>
