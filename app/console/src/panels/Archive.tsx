@@ -51,7 +51,10 @@ export function LogFiles({ page }: { page: Page }) {
   const columns = ["Log", "From, UTC", "To, UTC", { number: "Size" }, "State"];
   return (
     <div className="archive">
-      <WideTable label="Logs" columns={[...columns, "File"]}>
+      <WideTable
+        label="Log files of this and earlier runs"
+        columns={[...columns, "File"]}
+      >
         {told.logs.map(({ name, bytes, first, last, is_present }) => (
           <File
             key={name}
@@ -81,7 +84,10 @@ export function RecordingFiles({ page }: { page: Page }) {
   const columns = ["Recording", "Began, UTC", "Robot", { number: "Size" }];
   return (
     <div className="archive">
-      <WideTable label="Recordings" columns={[...columns, "State", "File"]}>
+      <WideTable
+        label="Recordings of this and earlier runs"
+        columns={[...columns, "State", "File"]}
+      >
         {told.recordings.map(({ name, bytes, started, robot, is_present }) => (
           <File
             key={name}
