@@ -42,13 +42,6 @@ export function formatDuration(ms: number): string {
   return seconds < 120 ? `${seconds} s` : `${Math.floor(seconds / 60)} min`;
 }
 
-/** Seconds as hours, minutes and seconds. */
-export function formatClock(seconds: number): string {
-  const two = (value: number) =>
-    String(Math.floor(value) % 60).padStart(2, "0");
-  return `${Math.floor(seconds / 3600)}:${two(seconds / 60)}:${two(seconds)}`;
-}
-
 /** So many numbers by spaces, commas or lines; null if the text is anything else. */
 export function readNumbers(text: string, count: number): number[] | null {
   const parts = text.split(/[\s,;]+/).filter((part) => part !== "");
@@ -58,9 +51,11 @@ export function readNumbers(text: string, count: number): number[] | null {
     : null;
 }
 
-/** 1:02:03 since something began. */
-export function formatClock(ms: number): string {
-  const seconds = Math.floor(ms / 1000);
+const CYCLES_PER_S = 1000;
+
+/** Control's cycles since its start, as 1:02:03. */
+export function formatCycles(cycles: number): string {
+  const seconds = Math.floor(cycles / CYCLES_PER_S);
   const [minute, second] = [Math.floor(seconds / 60) % 60, seconds % 60].map(
     (part) => String(part).padStart(2, "0"),
   );

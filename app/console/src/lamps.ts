@@ -7,7 +7,7 @@ import type {
   PedalGateState,
   Status,
 } from "@interface";
-import { formatClock } from "./format";
+import { formatCycles } from "./format";
 import type { Freshness } from "./freshness";
 
 /**
@@ -112,13 +112,12 @@ function cardsLamp(cards: readonly Card[]): LampProperties {
 
 /** A slow simulation must not be taken for a slow robot. */
 const SLOW_PERCENT = 95;
-const CYCLES_PER_S = 1000;
 
 function timeLamp({ cycle, time }: Status): LampProperties {
   const percent = Math.round(time.speed_percent);
   const lamp = {
     label: "Since start",
-    word: formatClock(cycle / CYCLES_PER_S),
+    word: formatCycles(cycle),
   };
   return percent < SLOW_PERCENT
     ? { ...lamp, level: "attention", detail: `${percent}\u00a0%` }

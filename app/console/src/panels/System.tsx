@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Robot, Status } from "@interface";
-import { formatClock, formatUtc } from "../format";
-
-const CYCLE_MS = 1;
+import { formatCycles, formatUtc } from "../format";
 
 function runs(isRunning: boolean): string {
   return isRunning ? "running" : "not running";
@@ -26,7 +24,7 @@ export function System({
       <dt>Time, UTC</dt>
       <dd>{formatUtc(status.utc)}</dd>
       <dt>Since control started</dt>
-      <dd>{formatClock(status.cycle * CYCLE_MS)}</dd>
+      <dd>{formatCycles(status.cycle)}</dd>
       <dt>Build</dt>
       <dd>{status.build_id}</dd>
       <dt>Robot</dt>

@@ -66,7 +66,8 @@ export async function makeCommander(role: Role): Promise<Commander> {
     asked
       .filter(({ method }) => method === wanted)
       .map(({ path, body }) => ({ path, body }));
-  const pathsBy = (wanted: string) => () => by(wanted)().map(({ path }) => path);
+  const pathsBy = (wanted: string) => () =>
+    by(wanted)().map(({ path }) => path);
   return {
     operation,
     authority,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A robot for the tests, as the server would describe it.
+import { Trace } from "../trace";
 import type {
   Authority,
   Axis,
@@ -263,5 +264,6 @@ export function makeViewProperties(
     robot,
     operation,
     outlook: null,
+    trace: new Trace(),
   };
 }
