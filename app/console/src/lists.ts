@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lists that control judges row by row, holds, and runs by their checksum.
-import type { Path, Problem } from "@interface";
+import { useState } from "react";
+import type { Path, Problem, Shape } from "@interface";
+import { useAnswer } from "./answer";
 import { useKept, type Operation } from "./operation";
-import { usePolled } from "./outlook";
+import { ASK_AGAIN_MS } from "./outlook";
 import type { RequestOptions } from "./page";
 
 /** Control judges one row in a cycle: the longest list takes 5 s, in slow motion more. */
@@ -29,9 +31,11 @@ export interface HeldList<Answer> {
 export function useList<Answer extends { checksum: number }>(
   operation: Operation,
   path: Path,
+  shape: Shape<Answer>,
 ): HeldList<Answer> {
   const { page } = operation;
-  const [held, askNow] = usePolled<Answer>(page, path);
+  const [turn, setTurn] = useState(0);
+  const [held] = useAnswer(page, path, shape, ASK_AGAIN_MS, String(turn));
   const [verdict, setVerdict] = useKept<Verdict | null>(operation, path, null);
   const exchange = async (
     method: "POST" | "DELETE",
@@ -47,7 +51,7 @@ export function useList<Answer extends { checksum: number }>(
     } else if (answer !== null && method === "POST") {
       setVerdict({ state: "held", checksum: answer.checksum });
     }
-    askNow();
+    setTurn((last) => last + 1);
   };
   return {
     held,

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // What may be commanded now, as the server says it. Whoever is refused would be so by the same name.
-import { useEffect, useState } from "react";
 import { Modes, Robot } from "@interface";
 import type { Mode, Path, PoseName, Status } from "@interface";
 import { useAnswer } from "./answer";
@@ -10,43 +9,6 @@ const MODES_PATH: Path = "/api/v1/modes";
 export const ASK_AGAIN_MS = 1000;
 
 const ROBOT_PATH: Path = "/api/v1/robot";
-
-/** Null when there is no answer. */
-async function ask<Answer>(page: Page, path: Path): Promise<Answer | null> {
-  try {
-    const response = await page.request("GET", path);
-    return response.ok ? ((await response.json()) as Answer) : null;
-  } catch {
-    return null;
-  }
-}
-
-/**
- * The answer of now, asked for anew every second and with each change of `cause`; null while there is none. And how to
- * ask at once.
- */
-export function usePolled<Answer>(
-  page: Page,
-  path: Path,
-  cause = "",
-): [Answer | null, () => void] {
-  const [answer, setAnswer] = useState<Answer | null>(null);
-  const [turn, setTurn] = useState(0);
-  useEffect(() => {
-    let isWanted = true;
-    const askNow = () =>
-      void ask<Answer>(page, path).then(
-        (given) => isWanted && setAnswer(given),
-      );
-    askNow();
-    const timer = setInterval(askNow, ASK_AGAIN_MS);
-    return () => {
-      isWanted = false;
-      clearInterval(timer);
-    };
-  }, [page, path, cause, turn]);
-  return [answer, () => setTurn((last) => last + 1)];
-}
 
 /** Null while it is not known. */
 export function useOutlook(page: Page, status: Status): Modes | null {

@@ -12,6 +12,7 @@ import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import type { Box as BoxState, BoxSlot, Role } from "@interface";
 import { KEEP_MS, LOOK_MS } from "../box";
 import { Operation } from "../operation";
+import { makeSession } from "../testing/robot";
 import { Box } from "./Box";
 
 function makeSlot(slot: number, change: Partial<BoxSlot> = {}): BoxSlot {
@@ -53,9 +54,7 @@ function letGo(handle: "pedal" | "button"): void {
 
 function answer(path: string, method: string, body: string): Response {
   if (path === "/api/v1/session") {
-    return new Response(
-      JSON.stringify({ is_open: true, role, token: "t0ken", login: "none" }),
-    );
+    return new Response(JSON.stringify(makeSession(role)));
   }
   if (method !== "GET") {
     asked.push(body === "" ? method : body);

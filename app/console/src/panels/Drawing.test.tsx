@@ -7,6 +7,7 @@ import { afterEach, expect, test, vi } from "vitest";
 import type { RobotState, Targeting } from "@interface";
 import { Page } from "../page";
 import { makeAxis, makeRobot } from "../testing/robot";
+import { plainRobot } from "../testing/commander";
 import { Drawing } from "./Drawing";
 
 const axes = ["head", "feet", "lateral", "insertion"];
@@ -42,7 +43,7 @@ async function show(
   robot: RobotState,
   checksum = drawings.neuro?.checksum,
 ): Promise<void> {
-  const answer = JSON.stringify({ name: "neuro", checksum });
+  const answer = JSON.stringify({ ...plainRobot, checksum });
   vi.stubGlobal("fetch", () => Promise.resolve(new Response(answer)));
   const page = new Page(() => null);
   render(<Drawing robot={robot} page={page} />);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useState } from "react";
-import type { Path, Program as Held } from "@interface";
+import { Program as Held } from "@interface";
+import type { Path } from "@interface";
 import { formatNumber } from "../format";
 import { useList } from "../lists";
 import { useKept } from "../operation";
@@ -122,7 +123,7 @@ export function Program({
   commanding,
   outlook,
 }: ModePanelProperties) {
-  const list = useList<Held>(operation, PATH);
+  const list = useList(operation, PATH, Held);
   const [steps, setSteps] = useKept<readonly StepText[]>(operation, "steps", [
     emptyStep,
   ]);

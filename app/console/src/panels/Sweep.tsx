@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useState } from "react";
-import type { Axis, Log, Path, Sweep as Kept, SweepPoint } from "@interface";
+import { Log, Sweep as Kept } from "@interface";
+import type { Axis, Path, SweepPoint } from "@interface";
 import { formatNumber, words } from "../format";
-import { reasonAgainst, usePolled } from "../outlook";
+import { useAnswer } from "../answer";
+import { ASK_AGAIN_MS, reasonAgainst } from "../outlook";
 import type { Page } from "../page";
 import { Graph, GraphLegend, type Curve, type Point } from "../parts/Graph";
 import { Order } from "../parts/Order";
@@ -177,7 +179,7 @@ function runCurves(runs: readonly SweepRun[], axis: Axis): Curve[] {
 
 /** What runs is told by the log; its speeds are known once it is done. */
 function PresentSweep({ page, axis }: { page: Page; axis: Axis }) {
-  const [log] = usePolled<Log>(page, LOG_PATH);
+  const [log] = useAnswer(page, LOG_PATH, Log, ASK_AGAIN_MS);
   const entries = log?.entries ?? [];
   const curves = runCurves(readRuns(entries), axis);
   return (
@@ -206,7 +208,7 @@ export function Sweep({
   commanding,
   outlook,
 }: ModePanelProperties) {
-  const [kept] = usePolled<Kept>(operation.page, PATH);
+  const [kept] = useAnswer(operation.page, PATH, Kept, ASK_AGAIN_MS);
   const [isFree, setIsFree] = useState(false);
   const [chosen, setChosen] = useState<string | null>(null);
   const { status, motors } = robot;

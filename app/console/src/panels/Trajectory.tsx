@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useMemo } from "react";
-import type { Path, Trajectory as Held } from "@interface";
+import { Trajectory as Held } from "@interface";
+import type { Path } from "@interface";
 import { formatNumber } from "../format";
 import { useList } from "../lists";
 import { useKept } from "../operation";
@@ -67,7 +68,7 @@ export function Trajectory({
   commanding,
   outlook,
 }: ModePanelProperties) {
-  const list = useList<Held>(operation, PATH);
+  const list = useList(operation, PATH, Held);
   const [file, setFile] = useKept<TextFile | null>(operation, "table", null);
   const text = file?.text ?? "";
   const table = useMemo(() => readTrajectory(text), [text]);

@@ -2,6 +2,7 @@
 // Rule under test: speeds are sent as numbers, with a time or the way of one axis, and not before all of it is there.
 import { cleanup, fireEvent, render, screen } from "@testing-library/react";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
+import type { RobotAxis } from "@interface";
 import { useCommanding } from "../operation";
 import {
   makeCommander,
@@ -11,6 +12,15 @@ import {
 import { makeAxis, makeRobot } from "../testing/robot";
 import { Velocity } from "./Velocity";
 
+const yaw: RobotAxis = {
+  name: "yaw",
+  unit: "deg",
+  slot: 3,
+  homing: "switch",
+  minimum: -45,
+  maximum: 45,
+  speed: 60,
+};
 let commander: Commander;
 
 function Shown() {
@@ -35,7 +45,7 @@ function run(): HTMLButtonElement {
 beforeEach(async () => {
   commander = await makeCommander("OPERATOR");
   commander.answers["/api/v1/robot"] = {
-    body: { axes: [{ name: "yaw", speed: 60 }] },
+    body: { axes: [yaw] },
   };
   render(<Shown />);
   await screen.findByText("at most 60.0 °/s");

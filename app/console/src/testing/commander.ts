@@ -6,7 +6,7 @@ import { Operation } from "../operation";
 import { makeAuthority, makeSession } from "./robot";
 
 /** What the tests say of the robot stands in its place. */
-const robot: Robot = {
+export const plainRobot: Robot = {
   name: "neuro",
   checksum: "a78c5496",
   slots: 10,
@@ -51,7 +51,7 @@ export async function makeCommander(role: Role): Promise<Commander> {
     const body = readBody(options);
     asked.push({ path, body, method: options.method ?? "GET" });
     const { status = 200, body: told } = answers[path] ?? { body: {} };
-    const answer = path === "/api/v1/robot" ? { ...robot, ...told } : told;
+    const answer = path === "/api/v1/robot" ? { ...plainRobot, ...told } : told;
     return Promise.resolve(new Response(JSON.stringify(answer), { status }));
   });
   const operation = new Operation();
