@@ -9,7 +9,7 @@ import {
   makeOutlook,
   type Commander,
 } from "../testing/commander";
-import { makeAxis, makeRobot, makeStatus } from "../testing/robot";
+import { makeAxis, makeEntry, makeRobot, makeStatus } from "../testing/robot";
 import { readRuns } from "../sweep_runs";
 import { Sweep } from "./Sweep";
 
@@ -33,7 +33,13 @@ const entries = [
   [begun[2], 100],
   ["SWEEP_DOWNWARDS", -90],
   [begun[3], 52000],
-].map(([name, value]) => ({ name, value, text: `${name} ${value}.` }));
+].map(([name, value]) =>
+  makeEntry(1, {
+    name: String(name),
+    value: Number(value),
+    text: `${name} ${value}.`,
+  }),
+);
 let commander: Commander;
 
 function Shown({ change }: { change: Partial<Status> }) {
