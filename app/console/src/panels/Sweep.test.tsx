@@ -2,7 +2,7 @@
 // Rule under test: a sweep is commanded once the axis is said to be free, and its curve is shown with its numbers.
 import { cleanup, fireEvent, render, screen } from "@testing-library/react";
 import { afterEach, expect, test, vi } from "vitest";
-import type { Status, Sweep as Kept } from "@interface";
+import type { LogEntry, Status, Sweep as Kept } from "@interface";
 import { useCommanding } from "../operation";
 import {
   makeCommander,
@@ -35,7 +35,7 @@ const entries = [
   [begun[3], 52000],
 ].map(([name, value]) =>
   makeEntry(1, {
-    name: String(name),
+    name: name as LogEntry["name"],
     value: Number(value),
     text: `${name} ${value}.`,
   }),
@@ -58,7 +58,7 @@ function Shown({ change }: { change: Partial<Status> }) {
 async function show(body: Kept, change: Partial<Status> = {}): Promise<void> {
   commander = await makeCommander("OPERATOR");
   commander.answers["/api/v1/sweep"] = { body };
-  commander.answers[LOG] = { body: { entries } };
+  commander.answers[LOG] = { body: { entries, next: 8, lost: 0 } };
   render(<Shown change={change} />);
   await screen.findByRole("heading", { name: "Last sweep that was done" });
 }
@@ -132,9 +132,9 @@ test("SWR-CON-035 a sweep that runs is drawn by what the log says of it", async 
   expect(
     screen.getByRole("img", { name: "Degrees in a run by frequency" }),
   ).toBeTruthy();
-  expect(
-    readRuns(entries as unknown as Parameters<typeof readRuns>[0]),
-  ).toEqual([{ hertz: 53000, upwards: 100, downwards: -90 }]);
+  expect(readRuns(entries)).toEqual([
+    { hertz: 53000, upwards: 100, downwards: -90 },
+  ]);
 });
 
 test("SWR-CON-035 a robot without waves has nothing to sweep", async () => {
