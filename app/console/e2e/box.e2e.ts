@@ -69,6 +69,7 @@ test("the pointer may leave the button while it is down", async () => {
 });
 
 test("a fault is caused and mended", async () => {
+  await page.getByText("Gate, probe and faults").click();
   await page
     .getByRole("combobox", { name: "Fault" })
     .selectOption("encoder_fault half");

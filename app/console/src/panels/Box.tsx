@@ -153,9 +153,8 @@ function Held({
   );
 }
 
-/** What is either so or so, and what changes it. */
-function Levels({ hands, box, isDisabled }: WorkProperties) {
-  const order = (label: string, one: BoxOrderRequest) => (
+function orderBy({ hands, isDisabled }: WorkProperties) {
+  return (label: string, one: BoxOrderRequest) => (
     <button
       type="button"
       disabled={isDisabled}
@@ -164,7 +163,12 @@ function Levels({ hands, box, isDisabled }: WorkProperties) {
       {label}
     </button>
   );
-  const isFree = box.probe === "free";
+}
+
+/** What is either so or so, and what changes it. */
+function Levels(properties: WorkProperties) {
+  const { box } = properties;
+  const order = orderBy(properties);
   return (
     <>
       <Group
@@ -183,6 +187,17 @@ function Levels({ hands, box, isDisabled }: WorkProperties) {
           ? order("Scanner off", { scanner: "off" })
           : order("Scanner on", { scanner: "on" })}
       </Group>
+    </>
+  );
+}
+
+/** What few need. */
+function Treatment(properties: WorkProperties) {
+  const { box } = properties;
+  const isFree = box.probe === "free";
+  const order = orderBy(properties);
+  return (
+    <>
       <Group name="Gate of a treatment" state={gates[box.gate]}>
         {box.gate !== "dose" && order("Reach dose", { gate: "dose" })}
         {box.gate !== "stop" && order("Say stop", { gate: "stop" })}
@@ -369,12 +384,20 @@ function Open({
       {box === null ? (
         <p>The simulated box has not answered.</p>
       ) : (
-        <div className="box-groups">
-          <Held {...properties} box={box} handle="pedal" />
-          <Held {...properties} box={box} handle="button" />
-          <Levels {...properties} box={box} />
-          <Faults {...properties} box={box} />
-        </div>
+        <>
+          <div className="box-groups">
+            <Held {...properties} box={box} handle="pedal" />
+            <Held {...properties} box={box} handle="button" />
+            <Levels {...properties} box={box} />
+          </div>
+          <details>
+            <summary>Gate, probe and faults</summary>
+            <div className="box-groups">
+              <Treatment {...properties} box={box} />
+              <Faults {...properties} box={box} />
+            </div>
+          </details>
+        </>
       )}
     </>
   );
@@ -410,7 +433,7 @@ export function Box({
       <div className="box-content" id={id} hidden={!isOpen}>
         {isOpen && (
           <>
-            <h2>Simulated box “{name}”</h2>
+            <h2 className="hidden">Simulated box “{name}”</h2>
             <Open operation={operation} freshness={freshness} />
           </>
         )}
