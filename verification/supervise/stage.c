@@ -142,12 +142,18 @@ static bool begins_with(const char *line, const char *word)
     return strncmp(line, word, strlen(word)) == 0;
 }
 
+static bool ends_with(const char *line, const char *word)
+{
+    const size_t length = strcspn(line, "\n");
+    return (length >= strlen(word)) && begins_with(&line[length - strlen(word)], word);
+}
+
 /* To be drawn by lot: what disturbs. By where the axes are the witness would take a hand for a
- * drive. */
+ * drive. Who holds from afar is waited for in the world's time, of which a scene has none. */
 static bool is_disturbance(const char *line)
 {
     return !begins_with(line, "show") && !begins_with(line, "probe ") &&
-           !begins_with(line, "push ");
+           !begins_with(line, "push ") && !ends_with(line, " WHO");
 }
 
 /* Any such order that the box knows, whatever its list says today. */
