@@ -56,7 +56,7 @@ class TestChartCode < Minitest::Test
     before = files.map { |file| File.binread(file) }
     self.class.compile_chart(self.class.folder)
     assert_equal(before, files.map { |file| File.binread(file) })
-    assert_equal %w[charts.json sample.dot sample.svg sample_chart.c sample_chart.h test_sample_paths.c
+    assert_equal %w[charts.json charts.ts sample.dot sample.svg sample_chart.c sample_chart.h test_sample_paths.c
                     test_sample_walk.c],
                  files.map { |file| File.basename(file) }
   end
