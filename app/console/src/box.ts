@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // This page at the simulated box: what it orders there, and what it holds. Who holds says so again and again; the server
 // knows nobody who does not, and the box itself lets go then.
-import type { Box, BoxOrderRequest, Path, Problem } from "@interface";
+import { Box, type BoxOrderRequest, type Path, type Problem } from "@interface";
 import { refusalOf, type Method, type Page } from "./page";
+import { fitted } from "./shape";
 
 const BOX_PATH: Path = "/api/v1/box";
 /** The box lets go after 1.5 s without. */
@@ -88,7 +89,8 @@ export class BoxHands {
     const problem = await this.ask("POST", { [handle]: "hold" });
     this.tell(problem);
     if (problem !== null) {
-      this.replace({ [handle]: "none" });
+      this.forget(handle);
+      await this.dropStray();
     } else if (this.view[handle] === "none") {
       await this.ask("POST", { [handle]: "drop" });
     } else {
@@ -134,6 +136,15 @@ export class BoxHands {
     }
   }
 
+  /** A renewal is of all that the page holds at the box, so what it has let go must not be among that. */
+  private async dropStray(): Promise<void> {
+    for (const handle of handles) {
+      if (this.view[handle] === "none" && this.isMine(handle)) {
+        await this.ask("POST", { [handle]: "drop" });
+      }
+    }
+  }
+
   /** What was let go meanwhile stays so: nothing closes again by itself. */
   private async keep(): Promise<void> {
     if (this.isKeeping) {
@@ -154,6 +165,7 @@ export class BoxHands {
         this.tell(LET_GO);
       }
     }
+    await this.dropStray();
   }
 
   private isMine(handle: Handle): boolean {
@@ -168,11 +180,11 @@ export class BoxHands {
     try {
       const body = order && JSON.stringify(order);
       const response = await this.page.request(method, BOX_PATH, body);
-      const answer = (await response.json()) as Box & Partial<Problem>;
+      const answer: unknown = await response.json();
       if (!response.ok) {
-        return refusalOf(answer);
+        return refusalOf(answer as Partial<Problem>);
       }
-      this.replace({ box: answer });
+      this.replace({ box: fitted(answer, Box, BOX_PATH) });
       return null;
     } catch {
       return NO_ANSWER;

@@ -301,6 +301,78 @@ test("SWR-CON-041 who lets go before the answer comes does not hold what he gets
   expect(box.is_pedal_pressed).toBe(false);
 });
 
+test.each<[string, (down: boolean) => void]>([
+  [
+    "finger",
+    (isDown) => {
+      const second = { button: 0, pointerId: 2 };
+      const of = button("Hold pedal");
+      return isDown
+        ? fireEvent.pointerDown(of, second)
+        : fireEvent.pointerUp(of, second);
+    },
+  ],
+  [
+    "key",
+    (isDown) => {
+      const of = button("Hold pedal");
+      return isDown
+        ? fireEvent.keyDown(of, { key: " " })
+        : fireEvent.keyUp(of, { key: " " });
+    },
+  ],
+])(
+  "SWR-CON-041 it is let go when another %s was down on it as well",
+  async (_, press) => {
+    await show();
+    await holdPedal();
+    press(true);
+    await pass(KEEP_MS);
+    fireEvent.pointerUp(button("Hold pedal"), pointer);
+    press(false);
+    await pass(0);
+    expectLetGo(drop);
+    await pass(3 * KEEP_MS);
+    expect(asked).toEqual([]);
+  },
+);
+
+test("SWR-CON-041 nothing is held for a press that is refused after one that was not", async () => {
+  await show();
+  fireEvent.pointerDown(button("Hold pedal"), pointer);
+  fireEvent.pointerUp(button("Hold pedal"), pointer);
+  refusals = { POST: 503 };
+  fireEvent.pointerDown(button("Hold pedal"), pointer);
+  box.pedal_holder = operation.page.number;
+  box.is_pedal_pressed = true;
+  await pass(0);
+  refusals = {};
+  fireEvent.pointerUp(button("Hold pedal"), pointer);
+  await pass(3 * KEEP_MS);
+  expect(asked).not.toContain("PUT");
+});
+
+test("SWR-CON-041 a pedal whose release was lost is not renewed with the button", async () => {
+  await show();
+  fireEvent.click(button("Keep button pressed"));
+  await pass(0);
+  await holdPedal();
+  refusals = { POST: 0 };
+  fireEvent.pointerUp(button("Hold pedal"), pointer);
+  await pass(0);
+  expect(box.is_pedal_pressed).toBe(true);
+  refusals = {};
+  await pass(KEEP_MS);
+  expect(box.is_pedal_pressed).toBe(false);
+  expect(box.is_button_pressed).toBe(true);
+});
+
+test("SWR-CON-039 an answer that is no box is not shown as one", async () => {
+  box = {} as BoxState;
+  await show();
+  screen.getByText("The simulated box has not answered.");
+});
+
 test("SWR-CON-040 what another page holds is told", async () => {
   await show();
   refusals = { POST: 409 };

@@ -13,7 +13,10 @@ export interface HoldButtonProperties {
   onDrop: () => void;
 }
 
-/** A button for as long as pointer or key is down on it. Whatever takes either away is a release. */
+/**
+ * A button for as long as pointer or key is down on it. Whatever takes either away is a release, also when another finger or
+ * key has come meanwhile.
+ */
 export function HoldButton({
   label,
   isHeld,
@@ -23,8 +26,8 @@ export function HoldButton({
 }: HoldButtonProperties) {
   const isDown = useRef(false);
   const press = () => {
-    isDown.current = !isHeld;
     if (!isHeld) {
+      isDown.current = true;
       onHold();
     }
   };
