@@ -112,7 +112,11 @@ bool wire_give_order(wire_t *wire, const char *order, uint32_t timeout_us)
     (void)snprintf(wire->order, sizeof wire->order, "%s", order);
     wire_store(&wire->order_request, number);
     wire_wake_box(wire);
-    return wire_await(&wire->order_reply, number, timeout_us);
+    const bool is_answered = wire_await(&wire->order_reply, number, timeout_us);
+    if (!is_answered) {
+        wire->order[0] = '\0';
+    }
+    return is_answered;
 }
 
 static bool lock_end(int file, wire_end_t end)

@@ -116,7 +116,11 @@ void wire_sleep(const uint32_t *word, uint32_t value, uint32_t timeout_us);
 /** Waits until `*word` is `value`; false when it is not within `timeout_us`. */
 bool wire_await(const uint32_t *word, uint32_t value, uint32_t timeout_us);
 
-/** Hands the box an order and waits for its answer; false when there is none within `timeout_us`.
+/**
+ * Hands the box an order and waits for its answer; false when there is none within `timeout_us`, and
+ * the order is withdrawn then.
+ *
+ * @satisfies SWR-BOX-022
  */
 bool wire_give_order(wire_t *wire, const char *order, uint32_t timeout_us);
 

@@ -127,9 +127,11 @@ class TestHttpBox < Minitest::Test
     await_pedal false
   end
 
-  def test_SWR_HTTP_038_a_box_that_stands_is_told
+  def test_SWR_BOX_022_a_box_that_stands_is_told_and_does_nothing_later
     anna = client('anna')
-    boresight.while_stopped('box') { assert_equal 'BOX_SILENT', give(anna, { estop: 'pulse' }) }
+    boresight.while_stopped('box') { assert_equal 'BOX_SILENT', give(anna, { scanner: 'on' }) }
+    wait_until('it goes on') { give(anna, { gate: 'off' }).is_a?(Hash) }
+    refute box['is_scanner_active']
   end
 
   def test_SWR_CON_040_the_drawer_works_in_a_browser
