@@ -58,6 +58,19 @@ status_t workphase_array_take(workphase_array_t *self, const robot_t *robot, uin
     return status;
 }
 
+bool workphase_array_is_awaited(const igtl_requests_t *requests, uint32_t peer)
+{
+    bool is_awaited = false;
+
+    for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
+        const igtl_request_t *request = &requests->requests[i];
+
+        is_awaited = is_awaited ||
+                     ((request->id != 0U) && (request->peer == peer) && is_of_list(request->kind));
+    }
+    return is_awaited;
+}
+
 bool workphase_array_has(const workphase_array_t *self, const igtl_request_t *request)
 {
     return self->is_busy && (request->id != 0U) && (request->peer == self->peer) &&

@@ -46,6 +46,10 @@ typedef struct {
 status_t workphase_array_take(workphase_array_t *self, const robot_t *robot, uint32_t peer,
                               const igtl_message_t *message);
 
+/** Something of a list of `peer`, be it of an array or not, waits for its answer: what is answered
+ * would be taken for another list's. */
+bool workphase_array_is_awaited(const igtl_requests_t *requests, uint32_t peer);
+
 /** Passes on what may be, as of the connection `number`. */
 void workphase_array_step(workphase_array_t *self, igtl_requests_t *requests, uint32_t number,
                           uint64_t now_us);

@@ -172,7 +172,9 @@ static status_t begin_array(workphase_dialect_t *self, uint32_t index,
                             const igtl_message_t *message, const igtl_moment_t *moment)
 {
     workphase_array_t *array = &self->array;
-    const status_t status = workphase_array_take(array, self->robot, index, message);
+    const status_t status = workphase_array_is_awaited(&self->requests, index)
+                                ? STATUS_BUSY
+                                : workphase_array_take(array, self->robot, index, message);
 
     if (status != STATUS_OK) {
         return status;

@@ -260,6 +260,19 @@ void test_SWR_TRAJ_024_another_list_waits_for_this_one(void)
     EXPECT_BEGIN(0U, "STATUS TRAJECTORY 1 ");
 }
 
+void test_SWR_TRAJ_024_the_answer_to_another_list_is_not_taken_for_that_to_an_array(void)
+{
+    say(0U, "Text", "TRAJECTORY END");
+    make(2U);
+    hand_in(0U);
+    EXPECT_BEGIN(0U, "STATUS TRAJECTORY 6 BUSY|");
+    taken(COMMAND_LIST_END, 0U);
+    EXPECT_BEGIN(0U, "STATUS TRAJECTORY 1 ");
+    hand_in(0U);
+    pass_all(2U);
+    EXPECT_BEGIN(0U, "STATUS TRAJECTORY 1 ");
+}
+
 void test_SWR_TRAJ_024_an_array_without_room_for_its_begin_is_refused(void)
 {
     for (uint32_t i = 0U; i < IGTL_REQUESTS_PER_PEER; i++) {
