@@ -74,7 +74,7 @@ worst-case-approve: worst-case
 	@cp build/conformance/worst_case.yml verification/model/worst_case.yml
 
 TESTED := $(filter-out %_main.c app/supervisor/%,$(CORE_SOURCES) $(ALL_APP)) app/supervisor/status_parts.c \
-    $(NAMES) $(GEN)/interface/app/event_words.c $(GEN)/interface/app/fields.c $(FIND_ROBOT)
+    $(NAMES) $(GEN)/interface/app/event_words.c $(GEN)/interface/app/fields.c $(GEN)/interface/app/requests.c $(FIND_ROBOT)
 $(OUT)/libtest.a: $(call object,$(TESTED))
 	@rm -f $@; ar rcs $@ $^
 
