@@ -5,9 +5,8 @@
 # app/console/e2e/console.e2e.ts runs once; each test here is the verdict of its part for one requirement.
 # With BORESIGHT_SCREENSHOT=FILE it leaves a picture of the console.
 
-require 'json'
-require 'open3'
 require 'socket'
+require_relative 'support/browser_run'
 require_relative 'support/system_test'
 
 # Commands START_UP whenever its address is asked for. The peer stays connected: control stops what the peer has
@@ -42,30 +41,15 @@ class StartUpService
   end
 end
 
-# One run of the browser against one system.
-class BrowserRun
-  FOLDER = File.expand_path('../../app/console', __dir__)
-  REPORT = File.expand_path('../../build/browser-tests.json', __dir__)
+class TestConsole < Minitest::Test
+  include BrowserVerdicts
 
+  # Of one run against one system.
   def self.results
-    @results ||= new.results
+    @results ||= with_system { |boresight, service| BrowserRun.results('console.e2e.ts', environment(boresight, service)) }
   end
 
-  # The verdict of each part by its title.
-  def results
-    FileUtils.rm_f(REPORT)
-    output, = with_system do |boresight, service|
-      Open3.capture2e(environment(boresight, service), 'npm', 'run', '--silent', 'e2e', 'console.e2e.ts', chdir: FOLDER)
-    end
-    raise "the browser did not run:\n#{output}" unless File.exist?(REPORT)
-
-    parts = JSON.parse(File.read(REPORT)).fetch('testResults').flat_map { |file| file.fetch('assertionResults') }
-    parts.to_h { |part| [part.fetch('title'), verdict(part)] }
-  end
-
-  private
-
-  def with_system
+  def self.with_system
     boresight = Boresight.start
     service = StartUpService.new(boresight.brp_port)
     yield boresight, service
@@ -74,24 +58,12 @@ class BrowserRun
     boresight&.kill_all
   end
 
-  def environment(boresight, service)
+  def self.environment(boresight, service)
     { 'BORESIGHT_URL' => "http://127.0.0.1:#{boresight.http_port}/",
       'BORESIGHT_LOGIN_CODE' => boresight.output[/^Login: +([A-Z2-9-]{14}) /, 1],
       'BORESIGHT_HTTP_PID' => boresight.pid_of('http').to_s,
       'BORESIGHT_SIMCTL' => "#{Boresight.program('boresight-simctl')} --box #{boresight.box}",
       'BORESIGHT_START_UP' => service.url }
-  end
-
-  def verdict(part)
-    part.fetch('status') == 'passed' ? 'passed' : "#{part.fetch('status')}: #{part.fetch('failureMessages').join("\n")}"
-  end
-end
-
-class TestConsole < Minitest::Test
-  def assert_parts(requirement)
-    parts = BrowserRun.results.select { |title, _| title.start_with?("#{requirement} ") }
-    refute_empty parts
-    parts.each { |title, verdict| assert_equal 'passed', verdict, title }
   end
 
   def test_SWR_CON_001_the_banner_says_what_is_needed_next

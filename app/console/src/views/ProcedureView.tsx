@@ -8,7 +8,11 @@ import { Targeting } from "../panels/Targeting";
 import { Panel } from "../parts/Panel";
 import type { ViewProperties } from "./view";
 
-/** From START_UP to the target. */
+/**
+ * From START_UP to the target.
+ *
+ * @satisfies SWR-CON-042
+ */
 export function ProcedureView({
   view,
   robot,
