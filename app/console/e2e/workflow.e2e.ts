@@ -361,11 +361,18 @@ test("SWR-HTTP-002 a page of nobody stops what another one moves", async () => {
 });
 
 test.runIf(pictures !== undefined)("pictures of the views", async () => {
+  await press("Close the simulated box");
+  await page.setViewportSize({ ...window1440, height: 1080 });
   for (const title of ["Motors", "Modes", "Status", "Charts"]) {
     await openView(title);
     await page.locator(".panels .panel").first().waitFor();
     if (title === "Motors") {
+      await panel("Plots").getByLabel(dragged).check();
       await panel("Plots").evaluate((one) => one.scrollIntoView());
+    } else if (title === "Charts") {
+      await press("Show the whole drawing");
+    } else {
+      await page.evaluate(() => scrollTo(0, 0));
     }
     await page.waitForTimeout(FRAME_MS); // What is loaded late is drawn.
     await picture(title.toLowerCase());

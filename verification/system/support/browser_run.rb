@@ -12,10 +12,11 @@ module BrowserRun
   REPORT = File.expand_path('../../../build/browser-tests-%s.json', __dir__)
 
   class << self
-    # The verdict of each part by its title.
-    def results(file, environment)
+    # The verdict of each part by its title. `options` are vitest's.
+    def results(file, environment, *options)
       report = format(REPORT, Process.pid)
-      said, = Open3.capture2e(environment, 'npm', 'run', '--silent', 'e2e', file, '--', "--outputFile.json=#{report}", chdir: FOLDER)
+      words = ['npm', 'run', '--silent', 'e2e', file, '--', "--outputFile.json=#{report}", *options]
+      said, = Open3.capture2e(environment, *words, chdir: FOLDER)
       raise "the browser did not run:\n#{said}" unless File.exist?(report)
 
       parts = JSON.parse(File.read(report)).fetch('testResults').flat_map { |one| one.fetch('assertionResults') }
