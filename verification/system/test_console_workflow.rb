@@ -55,8 +55,8 @@ class TestConsoleWorkflow < Minitest::Test
       assert_parts 'SWR-HTTP-002'
     end
 
-    def test_SWR_CON_004_a_killed_server_is_seen_and_outlived
-      assert_parts 'SWR-CON-004'
+    def test_SWR_CON_043_a_killed_server_is_seen_and_outlived
+      assert_parts 'SWR-CON-043'
     end
   end
 end

@@ -380,9 +380,51 @@ test.runIf(pictures !== undefined)("pictures of the views", async () => {
   await openView("Procedure");
 });
 
-test("SWR-CON-004 a page outlives its server, and says that nothing comes", async () => {
+/** As a server of another build greets. */
+async function strangeHello(): Promise<string> {
+  const end = new AbortController();
+  const { body } = await fetch(new URL("/api/v1/events", url), {
+    signal: end.signal,
+  });
+  const reader = body?.pipeThrough(new TextDecoderStream()).getReader();
+  let text = "";
+  while (!/event: ?hello\n[^]*?\n\n/.test(text)) {
+    const chunk = await reader?.read();
+    if (chunk?.value === undefined) {
+      throw new Error("the stream has ended");
+    }
+    text += chunk.value;
+  }
+  end.abort();
+  return text.replace(/"build_id":"[^"]*"/, '"build_id":"another"');
+}
+
+/** Its stream is its own, so that it can be put in another's place once it was lost. */
+async function openOldPage(): Promise<Page> {
+  const context = await browser.newContext();
+  await context.addInitScript("delete window.SharedWorker");
+  const one = await context.newPage();
+  one.setDefaultTimeout(patience.timeout);
+  await one.goto(url);
+  await one.locator('.panels[data-freshness="live"]').waitFor();
+  await one.route("**/api/v1/events", async (route) => {
+    try {
+      const body = await strangeHello();
+      await route.fulfill({ contentType: "text/event-stream", body });
+    } catch {
+      await route.abort(); // There is no server yet.
+    }
+  });
+  return one;
+}
+
+test("SWR-CON-043 a page whose server begins anew goes on, or asks to be loaded again if it is of another build", async () => {
+  const old = await openOldPage();
+  const notice = "The server has been updated. Reload this page.";
   const stale = page.locator(".banner", { hasText: "DATA STALE" }).waitFor();
   process.kill(serverPid, "SIGKILL");
   await stale;
+  await said(notice, old);
   await page.locator('.panels[data-freshness="live"]').waitFor();
+  expect(await page.getByText(notice).count()).toBe(0);
 });

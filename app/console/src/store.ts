@@ -141,6 +141,7 @@ export class TelemetryStore implements StreamListener {
     }
   }
 
+  /** @satisfies SWR-CON-043 */
   private greet(hello: Hello): void {
     this.buildId ??= hello.build_id;
     this.replace({
