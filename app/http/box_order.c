@@ -53,8 +53,9 @@ static void write_words(const request_field_t *field, const request_box_order_t 
     write_value(field, request, value, sizeof value);
     (void)snprintf(order->words, sizeof order->words, "%.*s%s %s", (int)strcspn(field->name, "_"),
                    field->name, slot, value);
-    order->is_release = strcmp(value, "drop") == 0;
-    order->is_of_page = order->is_release || (strcmp(value, "hold") == 0);
+    const bool is_drop = strcmp(value, "drop") == 0;
+    order->is_safe = is_drop || (strcmp(order->words, "estop pull") == 0);
+    order->is_of_page = is_drop || (strcmp(value, "hold") == 0);
 }
 
 box_order_verdict_t box_order_write(const request_box_order_t *request, box_order_t *order)

@@ -23,7 +23,7 @@ typedef enum {
 typedef struct {
     char words[BOX_ORDER_SIZE]; /**< The order; */
     bool is_of_page;            /**< which page gives it belongs behind it. */
-    bool is_release;            /**< It opens what is held. */
+    bool is_safe;               /**< It opens what is held, or pulls the e-stop. */
     char place[BOX_ORDER_SIZE]; /**< JSON pointer to what is missing or in excess. */
 } box_order_t;
 

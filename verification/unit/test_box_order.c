@@ -84,6 +84,21 @@ void test_SWR_HTTP_039_what_is_held_is_of_a_page(void)
     TEST_ASSERT_TRUE(order.is_release);
 }
 
+void test_SWR_HTTP_038_what_opens_or_pulls_the_e_stop_is_safe(void)
+{
+    static const char *const safe[] = {"{\"pedal\": \"drop\"}", "{\"button\": \"drop\"}",
+                                       "{\"estop\": \"pull\"}"};
+    static const char *const others[] = {"{\"pedal\": \"hold\"}", "{\"estop\": \"reset\"}",
+                                         "{\"scanner\": \"off\"}"};
+
+    for (uint32_t i = 0U; i < 3U; i++) {
+        TEST_ASSERT_EQUAL_INT(BOX_ORDER_WRITTEN, write(safe[i]));
+        TEST_ASSERT_TRUE_MESSAGE(order.is_safe, safe[i]);
+        TEST_ASSERT_EQUAL_INT(BOX_ORDER_WRITTEN, write(others[i]));
+        TEST_ASSERT_FALSE_MESSAGE(order.is_safe, others[i]);
+    }
+}
+
 void test_SWR_HTTP_038_what_is_no_order_or_two_is_refused_at_its_place(void)
 {
     expect_refused(BOX_ORDER_MISSING, "/pedal", "{}");

@@ -68,7 +68,7 @@ function meaningOf(robot: RobotState): string {
     case "TAKE":
       return "to command: release the pedal and press the button at the box";
     case "CONFIRM_AXIS":
-      return `to confirm the position shown of ${robot.motors.axes[request_axis]?.name}: hold the button at the box`;
+      return `to confirm the position shown of ${robot.motors.axes[request_axis]?.name ?? "an axis"}: hold the button at the box`;
     default:
       return "to confirm the positions shown: hold the button at the box";
   }
