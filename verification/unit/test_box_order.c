@@ -78,10 +78,10 @@ void test_SWR_HTTP_039_what_is_held_is_of_a_page(void)
     TEST_ASSERT_FALSE(order.is_of_page);
     expect_words("pedal hold", "{\"pedal\": \"hold\"}");
     TEST_ASSERT_TRUE(order.is_of_page);
-    TEST_ASSERT_FALSE(order.is_release);
+    TEST_ASSERT_FALSE(order.is_safe);
     expect_words("button drop", "{\"button\": \"drop\"}");
     TEST_ASSERT_TRUE(order.is_of_page);
-    TEST_ASSERT_TRUE(order.is_release);
+    TEST_ASSERT_TRUE(order.is_safe);
 }
 
 void test_SWR_HTTP_038_what_opens_or_pulls_the_e_stop_is_safe(void)
