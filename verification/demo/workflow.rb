@@ -4,6 +4,10 @@
 # The workflow of an OpenIGTLink client under the foot pedal: home, register, aim, move, or align and insert, read back,
 # retract; poses between. For any robot.
 class Workflow
+  # What was asked for did not come about.
+  class Refused < StandardError
+  end
+
   def initialize(robot)
     @robot = robot
     @client = robot.client
@@ -54,6 +58,11 @@ class Workflow
     order('POSE', name.upcase)
   end
 
+  def release_pedal
+    @robot.simctl('pedal', 'release')
+    @robot.wait_until('the pedal is seen released') { @robot.status['pedal'] == 'released' }
+  end
+
   # What the operator is told: the needle lies on the line of its target.
   def aligned?
     heard = say('string', 'IS_IN_TARGETING_POS', 'IS_IN_TARGETING_POS')
@@ -102,8 +111,7 @@ class Workflow
   def hold_pedal(result)
     @robot.simctl('pedal', 'press')
     await(result)
-    @robot.simctl('pedal', 'release')
-    @robot.wait_until('the pedal is seen released') { @robot.status['pedal'] == 'released' }
+    release_pedal
   end
 
   def phase(name)
@@ -123,6 +131,6 @@ class Workflow
   def await(name)
     say('wait', 'STATUS', name)
     message = @heard.reverse.find { |line| line['type'] == 'STATUS' && line['name'] == name }
-    raise "#{name}: #{message['text']}" unless message['code'] == 1
+    raise Refused, "#{name}: #{message['text']}" unless message['code'] == 1
   end
 end
