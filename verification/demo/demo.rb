@@ -31,8 +31,6 @@ class Demo
   # How long the robot is carried and what it reached is treated, of its own time.
   CARRY_S = 10
   DWELL_S = 5
-  # How often one target is moved to.
-  TRIES = 3
   # How far a hand pushes the probe, and how far in vain at the end.
   PUSH_MM = 10
   WRONG_PUSH_MM = 1
@@ -177,7 +175,7 @@ class Demo
 
   def reach(target, number)
     propose(target.entry) if target.entry
-    move_s = target.by ? go_by_halves(target) : move_despite_pauses(target)
+    move_s = target.by ? go_by_halves(target) : @robot.despite_silence { timed { go(:move, target) } }
     reached = @workflow.measured
     row = { number: number, target: target.point, reached: reached.map { |value| value.round(3) },
             error_mm: Geometry.distance(reached, target.point).round(4), thesis_mm: target.thesis, move_s: move_s }
@@ -187,24 +185,6 @@ class Demo
 
   def go(motion, target)
     @workflow.public_send(motion, Geometry.rows(target.rotation, target.point), accepts_entry: !target.entry.nil?)
-  end
-
-  # A machine that keeps OpenIGTLink's process from running for 2 s costs it authority, as it shall: then it is asked again.
-  # Returns how long the robot has moved.
-  def move_despite_pauses(target)
-    tries ||= 0
-    silences = silences_told
-    timed { go(:move, target) }
-  rescue Workflow::Refused
-    raise if silences_told == silences || (tries += 1) == TRIES
-
-    puts 'OpenIGTLink was silent for 2 s: once more'
-    @workflow.release_pedal
-    retry
-  end
-
-  def silences_told
-    @robot.event_lines.grep(/ AUTHORITY_LOST .*SILENT/).size
   end
 
   # Returns how long the robot has moved.

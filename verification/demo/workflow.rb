@@ -4,10 +4,6 @@
 # The workflow of an OpenIGTLink client under the foot pedal: home, register, aim, move, or align and insert, read back,
 # retract; poses between. For any robot.
 class Workflow
-  # What was asked for did not come about.
-  class Refused < StandardError
-  end
-
   def initialize(robot)
     @robot = robot
     @client = robot.client
@@ -58,11 +54,6 @@ class Workflow
     order('POSE', name.upcase)
   end
 
-  def release_pedal
-    @robot.simctl('pedal', 'release')
-    @robot.wait_until('the pedal is seen released') { @robot.status['pedal'] == 'released' }
-  end
-
   # What the operator is told: the needle lies on the line of its target.
   def aligned?
     heard = say('string', 'IS_IN_TARGETING_POS', 'IS_IN_TARGETING_POS')
@@ -111,7 +102,8 @@ class Workflow
   def hold_pedal(result)
     @robot.simctl('pedal', 'press')
     await(result)
-    release_pedal
+    @robot.simctl('pedal', 'release')
+    @robot.wait_until('the pedal is seen released') { @robot.status['pedal'] == 'released' }
   end
 
   def phase(name)
@@ -131,6 +123,6 @@ class Workflow
   def await(name)
     say('wait', 'STATUS', name)
     message = @heard.reverse.find { |line| line['type'] == 'STATUS' && line['name'] == name }
-    raise Refused, "#{name}: #{message['text']}" unless message['code'] == 1
+    raise "#{name}: #{message['text']}" unless message['code'] == 1
   end
 end
