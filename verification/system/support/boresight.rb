@@ -152,8 +152,9 @@ class Boresight
     log_files.last(1).flat_map { |path| File.readlines(path, chomp: true) }
   end
 
-  def silences_told
-    event_lines.grep(/ AUTHORITY_LOST .*SILENT/).size
+  # Number of the event that tells of the last silence; nil: of none.
+  def last_silence
+    log.select { |entry| entry['name'] == 'AUTHORITY_LOST' && entry['text'].include?('SILENT') }.last&.fetch('number')
   end
 
   def box
@@ -286,10 +287,10 @@ class Boresight
   # for is asked again, pedal up.
   def despite_silence
     tries ||= 0
-    silences = silences_told
+    before = last_silence
     yield
   rescue StandardError
-    raise if silences_told == silences || (tries += 1) == TRIES
+    raise if last_silence == before || (tries += 1) == TRIES
 
     simctl('pedal', 'release')
     await_released_pedal
