@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Axis, RobotState } from "@interface";
 import { STALE_MS } from "./freshness";
-import { isKnown } from "./known";
+import { isKnown } from "./trust";
 
 export const TRACE_S = 30;
 const US_PER_S = 1e6;

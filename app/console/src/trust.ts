@@ -32,3 +32,8 @@ const trusts: Readonly<Record<AxisReference, Trust>> = {
 export function trustOf({ reference }: Axis): Trust {
   return trusts[reference] ?? unknown;
 }
+
+/** Its position is one of the robot, and not only counted from where it was switched on. */
+export function isKnown(axis: Axis): boolean {
+  return trustOf(axis).isPlaced;
+}

@@ -606,6 +606,8 @@ const char kCommands[] =
     "  \"target NUMBERS\"                send a target, the same\n"
     "  \"transform NAME NUMBERS\"        send any transform\n"
     "  \"string NAME TEXT\"              send any string\n"
+    "  \"traj NAME both NUMBERS\"        plan a way: entry and target in mm\n"
+    "  \"array NAME 64 COLUMNS NUMBERS\" send an array, by rows\n"
     "  \"get NAME\"                      ask for a transform, or for CURRENT_STATUS\n"
     "  \"ask TYPE NAME\"                 send a message without content\n"
     "  \"track NAME MS\"                 ask for tracking data every MS milliseconds\n"

@@ -2,7 +2,7 @@
 // Rule under test: what is aimed at is sent whole, where it is taken, and looked at before.
 import { cleanup, fireEvent, render, screen } from "@testing-library/react";
 import { afterEach, expect, test, vi } from "vitest";
-import type { RobotState } from "@interface";
+import type { RobotState, TargetPreview } from "@interface";
 import { makeCommander, type Commander } from "../testing/commander";
 import { makeRobot } from "../testing/robot";
 import { Aim } from "./Aim";
@@ -136,20 +136,23 @@ test("SWR-CON-018 a proposed entry is accepted as it is shown", async () => {
   ]);
 });
 
+const unreachable: TargetPreview = {
+  is_reachable: false,
+  code: "AXIS_LIMIT",
+  message: "An axis would leave its soft limits.",
+  axis: "yaw",
+  limit: "lower",
+  tightest: null,
+  reached: null,
+  axes: [],
+};
+
 test.each([
   [
-    { is_reachable: true, tightest: "pitch" },
+    { ...unreachable, code: "OK", is_reachable: true, tightest: "pitch" },
     "Reachable; pitch has the least room.",
   ],
-  [
-    {
-      is_reachable: false,
-      message: "An axis would leave its soft limits.",
-      axis: "yaw",
-      limit: "lower",
-    },
-    "An axis would leave its soft limits. (yaw, lower limit)",
-  ],
+  [unreachable, "An axis would leave its soft limits. (yaw, lower limit)"],
   [
     { detail: "A target point needs an entry point." },
     "A target point needs an entry point.",

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useEffect, useId, useState } from "react";
-import type { Path, Problem, RobotState, TargetPreview } from "@interface";
+import { TargetPreview } from "@interface";
+import type { Path, Problem, RobotState } from "@interface";
 import { formatNumber, formatPoint, readNumbers } from "../format";
 import { useCommanding, type Commanding, type Operation } from "../operation";
 import { Order, OrderNotes } from "../parts/Order";
 import { refusalOf, type Page } from "../page";
+import { fitted } from "../shape";
 
 const PREVIEW_PATH: Path = "/api/v1/targeting/preview";
 const PREVIEW_AFTER_MS = 300;
@@ -85,7 +87,11 @@ function usePreview(page: Page, text: string, cause: string): string | null {
       );
       const answer = (await response.json()) as TargetPreview | Problem;
       if (isWanted) {
-        setSaid("detail" in answer ? refusalOf(answer) : whatIsSaid(answer));
+        setSaid(
+          "detail" in answer
+            ? refusalOf(answer)
+            : whatIsSaid(fitted(answer, TargetPreview, PREVIEW_PATH)),
+        );
       }
     };
     const timer = setTimeout(

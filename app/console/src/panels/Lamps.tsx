@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import { cardLamp, dataLamp, systemLamps } from "../lamps";
+import { dataLamp, systemLamps } from "../lamps";
 import type { Status } from "@interface";
 import type { ConsoleView } from "../store";
 import { Lamp } from "../parts/Lamp";
@@ -15,16 +15,6 @@ export function SystemLamps({ view, status }: LampsProperties) {
     <ul className="lamps" aria-label="System">
       {lamps.map((lamp) => (
         <Lamp key={lamp.label} {...lamp} />
-      ))}
-    </ul>
-  );
-}
-
-export function CardLamps({ status }: { status: Status }) {
-  return (
-    <ul className="lamps" aria-label="Cards">
-      {status.cards.map((card) => (
-        <Lamp key={card.slot} {...cardLamp(card)} />
       ))}
     </ul>
   );

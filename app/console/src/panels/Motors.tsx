@@ -2,7 +2,7 @@
 import { useEffect, useId, useState } from "react";
 import type { Axis, Modes, Named, Path, RobotState } from "@interface";
 import { formatNumber, formatSpeed, formatValue, readNumbers } from "../format";
-import { isKnown } from "../known";
+import { isKnown } from "../trust";
 import { useCommanding, type Commanding, type Operation } from "../operation";
 import { reasonAgainst } from "../outlook";
 import { Order, OrderNotes, Orders } from "../parts/Order";

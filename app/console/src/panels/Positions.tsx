@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useId, useRef, useState, type DragEvent } from "react";
+import { PositionsPreview } from "@interface";
 import type {
   Path,
-  PositionsPreview,
   PreviewAxis,
   Problem,
   RobotState,
@@ -10,9 +10,10 @@ import type {
 } from "@interface";
 import { saveText } from "../download";
 import { formatValue, words } from "../format";
-import { isKnown } from "../known";
+import { isKnown } from "../trust";
 import { useCommanding, type Commanding, type Operation } from "../operation";
 import { refusalOf, type Page } from "../page";
+import { fitted } from "../shape";
 import { OrderNotes } from "../parts/Order";
 import { Twice } from "../parts/Twice";
 import "./Positions.css";
@@ -76,7 +77,9 @@ async function look(
   }
   const response = await page.request("POST", PREVIEW_PATH, body);
   const answer = (await response.json()) as PositionsPreview | Problem;
-  return "detail" in answer ? told(answer) : answer;
+  return "detail" in answer
+    ? told(answer)
+    : fitted(answer, PositionsPreview, PREVIEW_PATH);
 }
 
 /** `isKnown`: where it stands now. */

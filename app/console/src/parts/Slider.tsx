@@ -3,7 +3,7 @@ import { useEffect, useRef, useState } from "react";
 import type { KeyboardEvent, PointerEvent } from "react";
 import type { Axis } from "@interface";
 import { formatValue } from "../format";
-import { isKnown } from "../known";
+import { isKnown } from "../trust";
 import { percentOf } from "./Track";
 import "./Slider.css";
 
