@@ -11,8 +11,10 @@
 #include "bsp.h"
 #include "common/clock.h"
 #include "common/command_line.h"
+#include "control/board_inputs.h"
 #include "control/drives_off.h"
 #include "control/figures.h"
+#include "control/lamps.h"
 #include "control/list_file.h"
 #include "control/realtime.h"
 #include "control/sources.h"
@@ -66,6 +68,10 @@ static uint64_t told_world_ns;
 static exchange_t *exchange;
 static uint64_t stage_ns[LOOP_STAGE_COUNT]; /* Of the last cycle. */
 static sources_t sources;
+static bsp_identity_t board;
+static board_inputs_t board_inputs;
+static bsp_inputs_t sampled;             /* In this cycle. */
+static bsp_exchange_t exchanged;         /* Begun in the cycle before. */
 static volatile sig_atomic_t stopped_by; /* Signal number. */
 static uint8_t crash_stack[65536];
 
@@ -74,20 +80,16 @@ static const int stop_signals[] = {SIGHUP,  SIGINT,  SIGQUIT, SIGUSR1,   SIGUSR2
                                    SIGALRM, SIGTERM, SIGXCPU, SIGVTALRM, SIGPROF, SIGIO};
 static const int crash_signals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS};
 
-/* C99 adds no const through an array pointer by itself. */
-static uint32_t exchange_frames(uint8_t received[CARD_SLOT_COUNT][CARD_FRAME_BYTES])
-{
-    return bsp_exchange(outputs.frames_to_send, (const uint8_t(*)[CARD_FRAME_BYTES])outputs.frames,
-                        received, LIMIT_EXCHANGE_TIMEOUT_US);
-}
-
 /**
- * The only way out once the board is open: `why` is said after every card was told.
+ * The only way out once the board is open: `why` is said after every card was told, and before
+ * that the board's own line, which needs no card, was set.
  *
  * @satisfies SWR-CTRL-010
+ * @satisfies SWR-CTRL-011
  */
 static void switch_off(const char *why)
 {
+    bsp_drives_off();
     char text[DRIVES_OFF_TEXT_SIZE];
     char line[2U * DRIVES_OFF_TEXT_SIZE];
     const drives_off_t done = drives_off(our_robot, controller.sequence, controller.time_us);
@@ -156,16 +158,11 @@ static void gather_inputs(uint64_t elapsed_ns)
     const uint64_t elapsed_us = (elapsed_ns + 500U) / 1000U;
     inputs.elapsed_us = (elapsed_us < UINT32_MAX) ? (uint32_t)elapsed_us : UINT32_MAX;
     inputs.late_stage = longest_stage();
-    inputs.frames_received = exchange_frames(inputs.frames);
-    const bsp_inputs_t levels = bsp_sample_inputs();
-    inputs.pedal_a = levels.pedal_a ? 1U : 0U;
-    inputs.pedal_b = levels.pedal_b ? 1U : 0U;
-    inputs.estop_open = levels.estop_open ? 1U : 0U;
-    inputs.scanner_active = levels.scanner_active ? 1U : 0U;
-    inputs.has_button = levels.has_button ? 1U : 0U;
-    inputs.confirm_pressed = levels.confirm_pressed ? 1U : 0U;
-    inputs.dose_reached = levels.dose_reached ? 1U : 0U;
-    inputs.treatment_stopped = levels.treatment_stopped ? 1U : 0U;
+    bsp_sample_inputs(&sampled);
+    board_inputs_take(&board_inputs, &sampled, &inputs);
+    bsp_finish(bsp_now_ns() + (UINT64_C(1000) * LIMIT_EXCHANGE_TIMEOUT_US), inputs.frames,
+               &exchanged);
+    inputs.frames_received = exchanged.received;
     inputs.silent_sources = silent_sources();
     inputs.command_count = exchange_take_commands(exchange, inputs.commands, CONTROLLER_COMMANDS);
 }
@@ -237,12 +234,16 @@ static void run_cycle(uint64_t deadline_ns, uint64_t woken_ns, uint64_t elapsed_
     const uint64_t gathered_ns = bsp_now_ns();
     controller_step(&controller, our_robot, &inputs, &outputs);
     const uint64_t stepped_ns = bsp_now_ns();
+    /* C99 adds no const through an array pointer by itself. */
+    bsp_start(outputs.frames_to_send, (const uint8_t(*)[CARD_FRAME_BYTES])outputs.frames);
+    const uint64_t sent_ns = bsp_now_ns();
+    bsp_set_lamps(lamps_of(&outputs.snapshot));
     publish(cycle);
     publish_figures();
     stage_ns[LOOP_STAGE_WAKE] = woken_ns - deadline_ns;
-    stage_ns[LOOP_STAGE_CARDS] = gathered_ns - woken_ns;
+    stage_ns[LOOP_STAGE_CARDS] = (gathered_ns - woken_ns) + (sent_ns - stepped_ns);
     stage_ns[LOOP_STAGE_STEP] = stepped_ns - gathered_ns;
-    stage_ns[LOOP_STAGE_PUBLISH] = bsp_now_ns() - stepped_ns;
+    stage_ns[LOOP_STAGE_PUBLISH] = bsp_now_ns() - sent_ns;
     figures_add(&figures, stage_ns);
 }
 
@@ -259,14 +260,22 @@ static uint64_t next_deadline(uint64_t deadline_ns)
 
 static void begin_figures(uint32_t rights)
 {
-    const bsp_time_t time = bsp_time();
     published.rights = rights;
-    published.is_elastic = time.is_elastic ? 1U : 0U;
-    published.slowness = time.slowness;
-    published.speed_permille = 1000U / time.slowness;
+    published.is_elastic = board.is_elastic ? 1U : 0U;
+    published.slowness = board.slowness;
+    published.speed_permille = 1000U / board.slowness;
     told_board_ns = bsp_reached_ns();
     told_world_ns = realtime_now_ns();
     exchange_publish_loop(exchange, &published);
+}
+
+/* The cycle that ends now was whole, as it came here. */
+static void kick(uint64_t deadline_ns)
+{
+    const bool was_punctual = inputs.elapsed_us <= LIMIT_OVERRUN_US;
+    if (was_punctual && (bsp_now_ns() < (deadline_ns + CYCLE_NS))) {
+        bsp_kick();
+    }
 }
 
 static void run(void)
@@ -277,6 +286,7 @@ static void run(void)
         bsp_sleep_until_ns(deadline_ns);
         const uint64_t woken_ns = bsp_now_ns();
         run_cycle(deadline_ns, woken_ns, woken_ns - before_ns);
+        kick(deadline_ns);
         before_ns = woken_ns;
         deadline_ns = next_deadline(deadline_ns);
     }
@@ -289,8 +299,7 @@ static void run(void)
  */
 static bool is_box_of_robot(const char *box)
 {
-    const uint32_t crc = bsp_robot_crc();
-    const bool is_of_it = (crc == 0U) || (crc == our_robot->crc);
+    const bool is_of_it = (board.robot_crc == 0U) || (board.robot_crc == our_robot->crc);
     if (!is_of_it) {
         (void)fprintf(stderr,
                       "control: the box \"%s\" is not that of this robot %s; start the box with "
@@ -303,11 +312,10 @@ static bool is_box_of_robot(const char *box)
 /* The state that the first checkpoint holds: what was kept is part of it. */
 static void begin_controller(const char *path)
 {
-    const bsp_power_on_t power_on = bsp_power_on();
     const position_asker_t asker = {.utc_us = clock_utc_us(),
                                     .robot_crc = our_robot->crc,
-                                    .power_on = power_on.id,
-                                    .was_used = power_on.was_used};
+                                    .power_on = board.power_on,
+                                    .was_used = board.was_used};
     kept_positions_t kept;
     position_store_ask(path, &asker, &kept);
     if (kept.verdict >= (uint32_t)KEPT_MISSING) {
@@ -332,13 +340,29 @@ static bool hold_trajectory(const char *path)
     return is_held;
 }
 
+/*
+ * With drives off, before the first cycle.
+ *
+ * @satisfies SWR-BSP-003
+ */
+static bool test_board(void)
+{
+    char error[256] = "";
+    const bool is_good = bsp_self_test(error, sizeof error);
+    if (!is_good) {
+        (void)fprintf(stderr, "control: %s.\n", error);
+        switch_off("the self test of the board has failed");
+    }
+    return is_good;
+}
+
 /* Runs with what it was given, until it is told to end. @return the exit code */
 static int control(const char *const values[])
 {
     char error[256] = "";
     char why[40];
     exchange = exchange_open(values[INSTANCE], error, sizeof error);
-    if ((exchange == NULL) || !bsp_open(values[BOX], error, sizeof error)) {
+    if ((exchange == NULL) || !bsp_open(values[BOX], &board, error, sizeof error)) {
         (void)fprintf(stderr, "control: %s\n", error);
         return EXIT_CANNOT_START;
     }
@@ -354,13 +378,16 @@ static int control(const char *const values[])
         return EXIT_CANNOT_START;
     }
     exchange_publish_rows(exchange, &controller, &outputs);
-    begin_figures(realtime_acquire());
-    run();
-    (void)snprintf(why, sizeof why, "told to end by signal %d", (int)stopped_by);
-    switch_off(why);
+    const bool is_tested = test_board();
+    if (is_tested) {
+        begin_figures(realtime_acquire());
+        run();
+        (void)snprintf(why, sizeof why, "told to end by signal %d", (int)stopped_by);
+        switch_off(why);
+    }
     bsp_close();
     exchange_close(exchange);
-    return EXIT_SUCCESS;
+    return is_tested ? EXIT_SUCCESS : EXIT_CANNOT_START;
 }
 
 int main(int argc, char *argv[])

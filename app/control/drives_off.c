@@ -10,6 +10,13 @@
 static uint8_t frames[CARD_SLOT_COUNT][CARD_FRAME_BYTES];
 static uint8_t received[CARD_SLOT_COUNT][CARD_FRAME_BYTES];
 
+static uint32_t finish(void)
+{
+    bsp_exchange_t result;
+    bsp_finish(bsp_now_ns() + (UINT64_C(1000) * LIMIT_EXCHANGE_TIMEOUT_US), received, &result);
+    return result.received;
+}
+
 static uint32_t write_frames(const robot_t *robot, uint32_t sequence, uint32_t time_us)
 {
     uint32_t slots = 0U;
@@ -49,13 +56,12 @@ static uint32_t confirmed(uint32_t answered, uint32_t first, uint32_t sequence)
 drives_off_t drives_off(const robot_t *robot, uint32_t sequence, uint32_t time_us)
 {
     drives_off_t done = {0U, 0U};
+    (void)finish(); /* What was under way, whose frames were no "off". */
     for (uint32_t i = 0U; i < LIMIT_OFF_EXCHANGES; i++) {
         done.told = write_frames(robot, sequence + i, time_us);
         /* C99 adds no const through an array pointer by itself. */
-        const uint32_t answered =
-            bsp_exchange(done.told, (const uint8_t(*)[CARD_FRAME_BYTES])frames, received,
-                         LIMIT_EXCHANGE_TIMEOUT_US);
-        done.confirmed |= confirmed(answered, sequence, sequence + i);
+        bsp_start(done.told, (const uint8_t(*)[CARD_FRAME_BYTES])frames);
+        done.confirmed |= confirmed(finish(), sequence, sequence + i);
         if (done.confirmed == done.told) {
             break;
         }

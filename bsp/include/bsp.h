@@ -2,7 +2,11 @@
 /**
  * @file
  * Board support: everything the control process may ask of the box around it. One implementation is
- * linked per board: bsp/sim (the simulated control box, another process).
+ * linked per board: a folder of bsp/ with a board.yml.
+ *
+ * A cycle of control: bsp_sleep_until_ns(), bsp_sample_inputs(), bsp_finish() of what the cycle
+ * before has started, the step, bsp_start(). So frames leave in the cycle that made them, and the
+ * wire's time costs no waiting.
  */
 #ifndef BORESIGHT_BSP_H
 #define BORESIGHT_BSP_H
@@ -13,71 +17,128 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+/** What a board can do beside exchanging frames and sampling inputs. */
+#define BSP_HAS_EDGE_LATCH 0x1U /**< `dropped` holds pulses shorter than a cycle. */
+#define BSP_HAS_DRIVES_OFF 0x2U /**< A line of its own takes the power of all drives. */
+#define BSP_HAS_WATCHDOG 0x4U   /**< Something acts when bsp_kick() stays away. */
+#define BSP_HAS_LAMPS 0x8U
+
+#define BSP_NAME_SIZE 16U
+#define BSP_FIRMWARE_SIZE 40U
+
+/** What was opened, and what stays as it is until it is closed. */
+typedef struct {
+    char board[BSP_NAME_SIZE];        /**< As its folder is called. */
+    char firmware[BSP_FIRMWARE_SIZE]; /**< Version of what runs in it; "" when it has none. */
+    uint32_t abilities;               /**< BSP_HAS_ bits. */
+    /** Another number each time the box is switched on; never 0. */
+    uint32_t power_on;
+    /** Frames were exchanged in this power-on before bsp_open(), or nobody knows: axes may have
+     * moved. */
+    bool was_used;
+    /** CRC of the description of the robot that the box belongs to; 0 when it cannot tell. */
+    uint32_t robot_crc;
+    /** It waits for control: a cycle passes when control asks for the next one, so nobody is late
+     * because the machine paused. Never on a real board. */
+    bool is_elastic;
+    uint32_t slowness; /**< Its time passes so many times slower, at best; 1 on a real board. */
+} bsp_identity_t;
+
+/** Digital inputs. Each bit is 0 in the state that a cut wire has, which is the safe one. */
+#define BSP_IN_PEDAL_A 0x1U        /**< Channel A is closed (pressed). */
+#define BSP_IN_PEDAL_B 0x2U        /**< Channel B. */
+#define BSP_IN_ESTOP_CHAIN 0x4U    /**< The e-stop chain is closed (not pulled). */
+#define BSP_IN_SCANNER_IDLE 0x8U   /**< The scanner does not acquire. */
+#define BSP_IN_CONFIRM 0x10U       /**< The box's button is pressed. */
+#define BSP_IN_DOSE_BELOW 0x20U    /**< The gate of the treatment: dose not yet reached. */
+#define BSP_IN_TREATMENT_MAY 0x40U /**< The same: not stopped. */
+#define BSP_IN_ALL 0x7FU
+
 /** The digital inputs, sampled once per cycle. */
 typedef struct {
-    bool pedal_a; /**< Channel A is closed (pressed). */
-    bool pedal_b;
-    bool estop_open;        /**< The e-stop chain is open (pulled). */
-    bool scanner_active;    /**< The scanner acquires. */
-    bool has_button;        /**< The box has a button for the operator. */
-    bool confirm_pressed;   /**< It is pressed. */
-    bool dose_reached;      /**< The gate of the treatment says so; false without one. */
-    bool treatment_stopped; /**< The same. */
+    uint64_t sampled_ns; /**< bsp_now_ns() when the levels were read. */
+    uint32_t levels;     /**< BSP_IN_ bits as they are. */
+    uint32_t dropped;    /**< BSP_IN_ bits that were 0 at any time since the sample before. */
+    /** BSP_IN_ bits that were really read; 0: it is not there, or did not answer. */
+    uint32_t valid;
 } bsp_inputs_t;
 
-/** How the board's time passes beside the world's. */
+/** What became of one slot's frame. */
+typedef enum {
+    BSP_SLOT_NOT_SENT = 0,
+    /** 256 bytes came back; whether they are a report is not the board's business. */
+    BSP_SLOT_OK = 1,
+    /** Transferred, but the wire stood still: all bytes 0x00 or all 0xFF. */
+    BSP_SLOT_NO_ANSWER = 2,
+    BSP_SLOT_LATE = 3,     /**< Not back at the deadline. */
+    BSP_SLOT_NOT_IDLE = 4, /**< The exchange before was still under way: not sent. */
+    BSP_SLOT_BUS_ERROR = 5 /**< The transport failed; `error` of the exchange tells. */
+} bsp_slot_result_t;
+
+/** What became of one exchange. */
 typedef struct {
-    /** It waits for control: a cycle passes when control asks for the next exchange, so nobody is
-     * late because the machine paused. Never on a real board. */
-    bool is_elastic;
-    uint32_t slowness; /**< It passes so many times slower, at best; 1 on a real board. */
-} bsp_time_t;
+    uint64_t started_ns;              /**< bsp_now_ns() of bsp_start(); 0 when there was none. */
+    uint64_t finished_ns;             /**< When the last frame was back, or the deadline. */
+    uint32_t received;                /**< Bit n: received[n] holds what came back from slot n. */
+    uint8_t results[CARD_SLOT_COUNT]; /**< bsp_slot_result_t of each slot. */
+    int32_t error;                    /**< errno, or the transport's own number; 0: none. */
+} bsp_exchange_t;
 
-/** One power-on of the box. */
-typedef struct {
-    uint32_t id; /**< Another one each time the box is switched on; never 0. */
-    /** Before bsp_open() frames were exchanged in it, so axes may have moved. */
-    bool was_used;
-} bsp_power_on_t;
+/** Lamps of the box. */
+#define BSP_LAMP_ALIVE 0x1U    /**< Control runs. */
+#define BSP_LAMP_MAY_MOVE 0x2U /**< The permit is given: the pedal moves something. */
+#define BSP_LAMP_MOVING 0x4U   /**< A drive is on. */
+#define BSP_LAMP_FAULT 0x8U    /**< Motion is refused by a fault or the e-stop. */
 
 /**
- * Opens the board. `error` receives one sentence that says what to do.
+ * Opens the board at `address` and tells what it is. `error` receives one sentence that says what
+ * to do.
  *
- * @return false when the board is not there
- */
-bool bsp_open(const char *name, char *error, uint32_t error_size);
-
-/**
- * Exchanges all frames at once, full duplex, and returns after at most `timeout_us`. Bit n of
- * `send` selects slot n.
- *
- * @return bit n set: `received[n]` holds the 256 bytes that came back from slot n
- */
-uint32_t bsp_exchange(uint32_t send, const uint8_t frames[CARD_SLOT_COUNT][CARD_FRAME_BYTES],
-                      uint8_t received[CARD_SLOT_COUNT][CARD_FRAME_BYTES], uint32_t timeout_us);
-
-/**
- * Samples the digital inputs: each as unsafe (pedal open, e-stop open, scanner active, button
- * released, dose reached, treatment stopped) as it was at any time since the sample before; the
- * board latches pulses, however short. When the board does not answer: pedal and button released,
- * e-stop open, treatment stopped.
- *
- * @satisfies SWR-ESTOP-004
- */
-bsp_inputs_t bsp_sample_inputs(void);
-
-/**
- * The power-on in which the board was opened.
+ * @return false when the board is not there or cannot do what the cycle needs
  *
  * @satisfies SWR-STORE-001
  */
-bsp_power_on_t bsp_power_on(void);
+bool bsp_open(const char *address, bsp_identity_t *identity, char *error, uint32_t error_size);
 
-/** CRC of the description of the robot that the board belongs to; 0 when the board cannot tell. */
-uint32_t bsp_robot_crc(void);
+/**
+ * Looks at the wires with drives off, before the first cycle: start word found, no bit shift,
+ * enough gap of the chip select, each slot empty or alive. Takes up to 100 ms.
+ *
+ * @return false: `error` holds one sentence that says what to do
+ */
+bool bsp_self_test(char *error, uint32_t error_size);
 
-/** How the time of bsp_now_ns() passes. */
-bsp_time_t bsp_time(void);
+/**
+ * Begins to exchange frames, full duplex, and returns at once. Bit n of `send` selects slot n. The
+ * frames are copied. An exchange that is still under way is not disturbed: the slots of this one
+ * are NOT_IDLE.
+ */
+void bsp_start(uint32_t send, const uint8_t frames[CARD_SLOT_COUNT][CARD_FRAME_BYTES]);
+
+/**
+ * Ends the exchange begun last: waits for it until `deadline_ns` at most. received[n] is written
+ * where result->received has bit n. May be called once for each bsp_start(); otherwise no slot was
+ * sent. What comes back after the deadline is never taken for the answer of a later exchange.
+ */
+void bsp_finish(uint64_t deadline_ns, uint8_t received[CARD_SLOT_COUNT][CARD_FRAME_BYTES],
+                bsp_exchange_t *result);
+
+/**
+ * Samples the digital inputs. A board with BSP_HAS_EDGE_LATCH latches pulses, however short.
+ *
+ * @satisfies SWR-ESTOP-004
+ */
+void bsp_sample_inputs(bsp_inputs_t *inputs);
+
+/** Shows BSP_LAMP_ bits; nothing on a board without lamps. */
+void bsp_set_lamps(uint32_t lamps);
+
+/** Takes the power of all drives by a line of its own, without the cards, until the board is opened
+ * again; callable from a signal handler. Nothing on a board without BSP_HAS_DRIVES_OFF. */
+void bsp_drives_off(void);
+
+/** Tells the watchdogs that a whole, punctual cycle has passed. */
+void bsp_kick(void);
 
 /** The board's monotonic time, ns. Elastic time stands still between two sleeps. */
 uint64_t bsp_now_ns(void);
@@ -88,7 +149,8 @@ uint64_t bsp_reached_ns(void);
 /** Sleeps until `deadline_ns` (absolute, of bsp_now_ns()). */
 void bsp_sleep_until_ns(uint64_t deadline_ns);
 
-/** Closes the board. */
+/** Closes the board; its watchdogs are only disarmed after drives_off was confirmed or the line is
+ * off. */
 void bsp_close(void);
 
 #endif

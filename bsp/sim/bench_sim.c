@@ -20,12 +20,12 @@ bool bsp_bench_look(const char *name, bsp_bench_t *seen)
         return false;
     }
     const uint32_t inputs = wire_load(&port.wire->inputs);
-    const uint32_t pedal = WIRE_INPUT_PEDAL_A | WIRE_INPUT_PEDAL_B;
+    const uint32_t pedal = BSP_IN_PEDAL_A | BSP_IN_PEDAL_B;
     *seen = port.wire->bench;
     seen->is_pedal_pressed = (inputs & pedal) == pedal;
-    seen->is_estop_pulled = (inputs & WIRE_INPUT_ESTOP_OPEN) != 0U;
-    seen->is_scanner_active = (inputs & WIRE_INPUT_SCANNER) != 0U;
-    seen->is_button_pressed = (inputs & WIRE_INPUT_CONFIRM) != 0U;
+    seen->is_estop_pulled = (inputs & BSP_IN_ESTOP_CHAIN) == 0U;
+    seen->is_scanner_active = (inputs & BSP_IN_SCANNER_IDLE) == 0U;
+    seen->is_button_pressed = (inputs & BSP_IN_CONFIRM) != 0U;
     wire_close(&port, WIRE_END_NONE);
     return true;
 }

@@ -146,13 +146,19 @@ static double step_probe(box_t *self)
     return 0.0;
 }
 
+/* A pulled e-stop and the amplifier-off line take the drivers' supply away, whatever the cards
+ * say. */
+static bool has_power(const box_t *self)
+{
+    return self->estop.is_closed && !self->is_off;
+}
+
 static void step_axis(box_axis_t *axis, double pushed_ticks, const box_t *box)
 {
     const double before_ticks = axis->motor.position_ticks;
     const uint32_t start_us = (uint32_t)box->time_us;
     const bool is_scanning = box->scanner_active;
-    /* The pulled e-stop takes the drivers' supply away, whatever the cards say. */
-    const bool is_powered = box->estop.is_closed;
+    const bool is_powered = has_power(box);
 
     axis->card.is_motor_hot = axis->motor.fault == SIM_MOTOR_HOT;
     axis->motor.temperature_c = axis->card.motor_temperature_c;
@@ -178,16 +184,7 @@ static void step_contact(box_contact_t *contact)
 
 static void latch(box_t *self)
 {
-    const bsp_inputs_t now = box_inputs(self);
-    bsp_inputs_t *const latched = &self->latched;
-
-    latched->pedal_a = latched->pedal_a && now.pedal_a;
-    latched->pedal_b = latched->pedal_b && now.pedal_b;
-    latched->estop_open = latched->estop_open || now.estop_open;
-    latched->scanner_active = latched->scanner_active || now.scanner_active;
-    latched->confirm_pressed = latched->confirm_pressed && now.confirm_pressed;
-    latched->dose_reached = latched->dose_reached || now.dose_reached;
-    latched->treatment_stopped = latched->treatment_stopped || now.treatment_stopped;
+    self->dropped |= box_inputs(self) ^ BSP_IN_ALL;
 }
 
 static void step(box_t *self)
@@ -203,7 +200,7 @@ static void step(box_t *self)
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
         if (has_sensor(self, slot)) {
             box_sensor_t *sensor = &self->sensors[slot];
-            sim_card_step(&sensor->card, &sensor->encoder, false, self->estop.is_closed);
+            sim_card_step(&sensor->card, &sensor->encoder, false, has_power(self));
         }
     }
     self->time_us += SIM_STEP_US;
@@ -219,23 +216,23 @@ void box_advance(box_t *self, uint32_t us)
     self->pending_us = (uint32_t)(total_us % SIM_STEP_US);
 }
 
-bsp_inputs_t box_inputs(const box_t *self)
+uint32_t box_inputs(const box_t *self)
 {
-    return (bsp_inputs_t){.pedal_a = self->pedal_a.is_closed,
-                          .pedal_b = self->pedal_b.is_closed,
-                          .estop_open = !self->estop.is_closed,
-                          .scanner_active = self->scanner_active,
-                          .has_button = true,
-                          .confirm_pressed = self->button_pressed,
-                          .dose_reached = self->gate == BOX_GATE_DOSE,
-                          .treatment_stopped = self->gate == BOX_GATE_STOP};
+    return (self->pedal_a.is_closed ? BSP_IN_PEDAL_A : 0U) |
+           (self->pedal_b.is_closed ? BSP_IN_PEDAL_B : 0U) |
+           (self->estop.is_closed ? BSP_IN_ESTOP_CHAIN : 0U) |
+           (self->scanner_active ? 0U : BSP_IN_SCANNER_IDLE) |
+           (self->button_pressed ? BSP_IN_CONFIRM : 0U) |
+           ((self->gate == BOX_GATE_DOSE) ? 0U : BSP_IN_DOSE_BELOW) |
+           ((self->gate == BOX_GATE_STOP) ? 0U : BSP_IN_TREATMENT_MAY);
 }
 
 bsp_inputs_t box_sample(box_t *self)
 {
     latch(self);
-    const bsp_inputs_t sample = self->latched;
-    self->latched = box_inputs(self);
+    const bsp_inputs_t sample = {
+        .levels = box_inputs(self), .dropped = self->dropped, .valid = BSP_IN_ALL};
+    self->dropped = 0U;
     return sample;
 }
 

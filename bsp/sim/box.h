@@ -103,7 +103,9 @@ typedef struct {
     bool button_pressed;         /**< The operator's, for confirming positions. */
     box_hold_t holds[BOX_HOLDS]; /**< By box_held_t. */
     box_gate_t gate;             /**< Of the treatment. */
-    bsp_inputs_t latched;        /**< The most unsafe levels since the last sample. */
+    bool is_off;                 /**< The amplifier-off line is set: no drive has power. */
+    uint32_t lamps;              /**< BSP_LAMP_ bits that are lit. */
+    uint32_t dropped;            /**< BSP_IN_ bits that were 0 since the last sample. */
     uint64_t time_us;            /**< Whole steps done. */
     uint32_t pending_us;         /**< Time not yet stepped, below SIM_STEP_US. */
 } box_t;
@@ -129,10 +131,11 @@ uint32_t box_exchange(box_t *self, uint32_t send,
 /** Lets `us` pass, in steps of SIM_STEP_US; a rest is kept for the next call. */
 void box_advance(box_t *self, uint32_t us);
 
-/** Levels of the digital inputs now. */
-bsp_inputs_t box_inputs(const box_t *self);
+/** Levels of the digital inputs now: BSP_IN_ bits. */
+uint32_t box_inputs(const box_t *self);
 
-/** The most unsafe levels since the last call: an opened contact is seen, however short. */
+/** The same, and what was 0 at any time since the last call: an opened contact is seen, however
+ * short. All are valid; the time is not told. */
 bsp_inputs_t box_sample(box_t *self);
 
 /** True positions, in ticks, in axis order; entries beyond the robot's axes are 0. */

@@ -10,25 +10,32 @@
 #ifndef BORESIGHT_BOX_CLOCK_H
 #define BORESIGHT_BOX_CLOCK_H
 
-#include "bsp.h"
-
+#include <stdbool.h>
 #include <stdint.h>
 
 /** The box looks around at least this often. */
 #define BOX_CLOCK_LOOK_US 1500U
+/** And in real time so often, as a real one samples its inputs when it is asked for them. */
+#define BOX_CLOCK_SAMPLE_US 250U
 /** The furthest that its world goes on at once: a pause of the machine pauses the world, too. */
 #define BOX_CLOCK_STRIDE_US 2000U
 
+/** How the box's time passes beside the world's. */
+typedef struct {
+    bool is_elastic;   /**< It waits for control. */
+    uint32_t slowness; /**< It passes so many times slower, at best. */
+} box_time_t;
+
 /** State of the clock. */
 typedef struct {
-    bsp_time_t time;
+    box_time_t time;
     uint64_t now_us;       /**< The box's time. */
     uint64_t looked_us;    /**< World time of the last look. */
     uint32_t lonely_looks; /**< In a row, in which nobody asked. */
 } box_clock_t;
 
 /** Starts at `now_us`, except in real time, which is the world's divided by the slowness. */
-void box_clock_init(box_clock_t *self, bsp_time_t time, uint64_t now_us, uint64_t world_us);
+void box_clock_init(box_clock_t *self, box_time_t time, uint64_t now_us, uint64_t world_us);
 
 /**
  * The box looks around at `world_us`. `wanted_us`: the box's time of the exchange that control asks

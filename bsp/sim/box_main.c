@@ -90,16 +90,9 @@ static bool ask_for_real_time(void)
 static void publish_inputs(wire_t *wire)
 {
     const bsp_inputs_t inputs = box_sample(&box);
-    const uint32_t bits = (inputs.pedal_a ? WIRE_INPUT_PEDAL_A : 0U) |
-                          (inputs.pedal_b ? WIRE_INPUT_PEDAL_B : 0U) |
-                          (inputs.estop_open ? WIRE_INPUT_ESTOP_OPEN : 0U) |
-                          (inputs.scanner_active ? WIRE_INPUT_SCANNER : 0U) |
-                          (inputs.confirm_pressed ? WIRE_INPUT_CONFIRM : 0U) |
-                          (inputs.dose_reached ? WIRE_INPUT_DOSE : 0U) |
-                          (inputs.treatment_stopped ? WIRE_INPUT_TREATMENT_STOP : 0U);
 
-    wire_latch(&wire->latched, bits ^ WIRE_SAFE_INPUTS);
-    wire_store(&wire->inputs, bits);
+    wire_latch(&wire->dropped, inputs.dropped);
+    wire_store(&wire->inputs, inputs.levels);
     wire_store(&wire->beat, wire_load(&wire->beat) + 1U);
 }
 
@@ -126,10 +119,20 @@ static void serve_order(wire_t *wire)
     }
 }
 
-static void serve_exchange(wire_t *wire, uint32_t number)
+/* The world goes on to where it is asked for, if it is. */
+static void go_on(wire_t *wire, box_clock_t *clock, const uint64_t *wanted_us)
 {
+    box_advance(&box, box_clock_look(clock, wanted_us, wire_now_us()));
+    wire_store_time(wire, clock->now_us);
+}
+
+static void serve_exchange(wire_t *wire, box_clock_t *clock)
+{
+    const uint32_t number = wire_load(&wire->request);
+
     if (number != wire_load(&wire->reply)) {
         const uint8_t(*frames)[CARD_FRAME_BYTES] = (const uint8_t(*)[CARD_FRAME_BYTES])wire->frames;
+        go_on(wire, clock, &wire->wanted_us);
         wire->received = box_exchange(&box, wire->send, frames, wire->replies);
         wire_announce(&wire->reply, number);
     }
@@ -160,8 +163,32 @@ static void loosen(wire_t *wire, box_grip_t *grip)
     }
 }
 
-static void run(wire_t *wire, bsp_time_t time)
+/* The outputs of control that are no frames. */
+static void take_outputs(const wire_t *wire)
 {
+    box.is_off = wire_load(&wire->is_off) != 0U;
+    box.lamps = wire_load(&wire->lamps);
+}
+
+/* What control asks for comes in this order: an exchange, then a call to a later time. */
+static void look_around(wire_t *wire, box_clock_t *clock, box_grip_t *grip)
+{
+    const uint32_t call = wire_load(&wire->call);
+
+    take_outputs(wire);
+    serve_exchange(wire, clock);
+    go_on(wire, clock, (call != wire_load(&wire->come)) ? &wire->called_us : NULL);
+    loosen(wire, grip);
+    publish_inputs(wire);
+    if (call != wire_load(&wire->come)) {
+        wire_announce(&wire->come, call);
+    }
+    serve_order(wire);
+}
+
+static void run(wire_t *wire, box_time_t time)
+{
+    const uint32_t pause_us = time.is_elastic ? BOX_CLOCK_LOOK_US : BOX_CLOCK_SAMPLE_US;
     box_clock_t clock;
     box_grip_t grip = {{0U}, {0U}};
     uint32_t openings = wire_load(&wire->openings);
@@ -169,19 +196,11 @@ static void run(wire_t *wire, bsp_time_t time)
     box_clock_init(&clock, time, wire_load_time(wire), wire_now_us());
     while (must_end == 0) {
         const uint32_t seen = wire_load(&wire->wake);
-        const uint32_t asked = wire_load(&wire->request);
         if (time.is_elastic) {
             let_control_start(wire, &openings);
         }
-        const bool is_asked = asked != wire_load(&wire->reply);
-        box_advance(&box,
-                    box_clock_look(&clock, is_asked ? &wire->wanted_us : NULL, wire_now_us()));
-        wire_store_time(wire, clock.now_us);
-        loosen(wire, &grip);
-        publish_inputs(wire);
-        serve_exchange(wire, asked);
-        serve_order(wire);
-        wire_sleep(&wire->wake, seen, BOX_CLOCK_LOOK_US);
+        look_around(wire, &clock, &grip);
+        wire_sleep(&wire->wake, seen, pause_us);
     }
 }
 
@@ -195,7 +214,7 @@ static void handle_signals(void)
     (void)sigaction(SIGINT, &action, NULL);
 }
 
-static int serve(const char *name, const robot_t *robot, uint32_t seed, bsp_time_t time)
+static int serve(const char *name, const robot_t *robot, uint32_t seed, box_time_t time)
 {
     wire_port_t port;
     char error[256];
@@ -232,7 +251,7 @@ int main(int count, char **words)
                                    "There is no robot \"%s\"; choose %s with --robot.", wanted,
                                    robot_names_list());
     }
-    const bsp_time_t time = {.is_elastic = values[REAL_TIME] == NULL,
+    const box_time_t time = {.is_elastic = values[REAL_TIME] == NULL,
                              .slowness = number_of(values[SLOW], 1U)};
     return serve(name_of(values[BOX]), robot, number_of(values[SEED], 1U), time);
 }

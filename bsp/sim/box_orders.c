@@ -337,6 +337,20 @@ static void show_probe(const box_t *self, reply_t *reply)
     say(reply, "the probe is free of the %s, and %.4f mm in by hand\n", needle->name, nm / 1e6);
 }
 
+/* What control has set. */
+static void show_outputs(const box_t *self, reply_t *reply)
+{
+    static const char *const words[] = {"alive", "may-move", "moving", "fault"};
+
+    say(reply, "amplifier line %s, lamps", self->is_off ? "off" : "on");
+    for (uint32_t i = 0U; i < sizeof words / sizeof words[0]; i++) {
+        if ((self->lamps & (1U << i)) != 0U) {
+            say(reply, " %s", words[i]);
+        }
+    }
+    say(reply, "%s\n", (self->lamps == 0U) ? " dark" : "");
+}
+
 static void show(const box_t *self, reply_t *reply)
 {
     say(reply, "%s, %.3f s: pedal a %s, pedal b %s, e-stop %s, button %s, scanner %s, gate %s\n",
@@ -344,6 +358,7 @@ static void show(const box_t *self, reply_t *reply)
         self->pedal_b.is_closed ? "closed" : "open", self->estop.is_closed ? "closed" : "pulled",
         self->button_pressed ? "pressed" : "released", self->scanner_active ? "on" : "off",
         gate_words[self->gate]);
+    show_outputs(self, reply);
     say(reply, "%4s  %-10s %11s %-3s %11s  %-9s %-7s %-8s %-9s %-7s %5s\n", "slot", "axis",
         "position", "", "ticks", "drive", "switch", "card", "encoder", "motor", "trips");
     for (uint32_t i = 0U; i < self->robot->axis_count; i++) {

@@ -14,7 +14,7 @@
 #include <unistd.h>
 
 /* "BBX" and the layout's version. */
-#define WIRE_MAGIC 0x42425805U
+#define WIRE_MAGIC 0x42425806U
 
 #define NS_PER_S UINT64_C(1000000000)
 
@@ -142,7 +142,7 @@ bool wire_is_served(const wire_port_t *port)
 }
 
 /* Control lives in the time that it found when it opened the board. */
-static bool would_change_time(const wire_port_t *port, bsp_time_t time)
+static bool would_change_time(const wire_port_t *port, box_time_t time)
 {
     return is_held(port, WIRE_END_CONTROL) &&
            (((wire_load(&port->wire->is_elastic) != 0U) != time.is_elastic) ||
@@ -225,7 +225,7 @@ static uint32_t new_power_on(void)
     return id;
 }
 
-static void reset_wire(wire_t *wire, bsp_time_t time)
+static void reset_wire(wire_t *wire, box_time_t time)
 {
     /* Counters and time live on, so that an attached control process finds its next request
      * answered. */
@@ -234,12 +234,13 @@ static void reset_wire(wire_t *wire, bsp_time_t time)
     wire_store(&wire->slowness, time.slowness);
     wire_store(&wire->power_on, new_power_on());
     wire_store(&wire->is_used, 0U);
+    wire_store(&wire->come, wire_load(&wire->call));
     wire_store(&wire->reply, wire_load(&wire->request));
     wire_store(&wire->order_reply, wire_load(&wire->order_request));
     wire_store(&wire->magic, WIRE_MAGIC);
 }
 
-bool wire_serve(wire_port_t *port, const char *name, bsp_time_t time, char *error,
+bool wire_serve(wire_port_t *port, const char *name, box_time_t time, char *error,
                 uint32_t error_size)
 {
     port->wire = NULL;

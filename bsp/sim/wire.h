@@ -12,6 +12,7 @@
 #include "bsp.h"
 #include "bsp_bench.h"
 #include "sim/box.h"
+#include "sim/box_clock.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -22,31 +23,27 @@
 /** Environment variable that selects another instance. */
 #define WIRE_NAME_VARIABLE "BORESIGHT_BOX"
 #define WIRE_ORDER_SIZE 128U
-#define WIRE_INPUT_PEDAL_A 0x1U
-#define WIRE_INPUT_PEDAL_B 0x2U
-#define WIRE_INPUT_ESTOP_OPEN 0x4U
-#define WIRE_INPUT_SCANNER 0x8U
-#define WIRE_INPUT_CONFIRM 0x10U
-#define WIRE_INPUT_DOSE 0x20U
-#define WIRE_INPUT_TREATMENT_STOP 0x40U
-/** The safe value of each bit. */
-#define WIRE_SAFE_INPUTS (WIRE_INPUT_PEDAL_A | WIRE_INPUT_PEDAL_B | WIRE_INPUT_CONFIRM)
 
 /** The segment. Words that both sides touch are accessed by wire_load() and wire_store() only. */
 typedef struct {
     uint64_t time_us;    /**< The box's time; see box_clock.h. */
-    uint64_t wanted_us;  /**< Elastic time: when, in the box's time, the exchange is to be. */
+    uint64_t wanted_us;  /**< Elastic time: when, in the box's time, the exchange is to be; */
+    uint64_t called_us;  /**< and what time the box is called to come to, after it. */
     uint32_t magic;      /**< Set last, when the rest is ready. */
     uint32_t wake;       /**< Grows with each thing for the box to do; the box sleeps on it. */
     uint32_t beat;       /**< Grows each time the box has looked around, at least every 1.5 ms. */
-    uint32_t is_elastic; /**< bsp_time_t of the box: 0 or 1 */
+    uint32_t is_elastic; /**< box_time_t of the box: 0 or 1 */
     uint32_t slowness;   /**< and 1 .. LIMIT_BOX_SLOWEST. */
-    uint32_t power_on;   /**< bsp_power_on_t of the box: its id, */
-    uint32_t is_used;    /**< and 1 after the first exchange. */
+    uint32_t power_on;   /**< As bsp_identity_t. */
+    uint32_t is_used;    /**< 1 after the first exchange that may have moved something. */
     uint32_t robot_crc;  /**< Of the description of the robot that is simulated. */
     uint32_t openings;   /**< Grows when control takes its end. */
-    uint32_t inputs;     /**< WIRE_INPUT_ bits. */
-    uint32_t latched;    /**< WIRE_INPUT_ bits that were unsafe since control took them. */
+    uint32_t inputs;     /**< BSP_IN_ bits. */
+    uint32_t dropped;    /**< BSP_IN_ bits that were 0 since control took them. */
+    uint32_t lamps;      /**< BSP_LAMP_ bits. */
+    uint32_t is_off;     /**< 1: the amplifier-off line is set. */
+    uint32_t call;       /**< Number of the newest call, */
+    uint32_t come;       /**< and of the newest one obeyed; control sleeps on it. */
     uint32_t request;    /**< Number of the newest exchange asked for. */
     uint32_t reply;      /**< Number of the newest exchange answered; control sleeps on it. */
     uint32_t send;
@@ -81,7 +78,7 @@ typedef struct {
  * with whoever is still attached; then its time goes on, and must pass as before. Each call is a
  * power-on of its own. On false `error` holds a sentence.
  */
-bool wire_serve(wire_port_t *port, const char *name, bsp_time_t time, char *error,
+bool wire_serve(wire_port_t *port, const char *name, box_time_t time, char *error,
                 uint32_t error_size);
 
 /** Takes another end of the wire `name`; on false `error` holds a sentence that says what to do. */
@@ -117,8 +114,8 @@ void wire_sleep(const uint32_t *word, uint32_t value, uint32_t timeout_us);
 bool wire_await(const uint32_t *word, uint32_t value, uint32_t timeout_us);
 
 /**
- * Hands the box an order and waits for its answer; false when there is none within `timeout_us`, and
- * the order is withdrawn then.
+ * Hands the box an order and waits for its answer; false when there is none within `timeout_us`,
+ * and the order is withdrawn then.
  *
  * @satisfies SWR-BOX-022
  */

@@ -92,24 +92,26 @@ static void gather(rig_t *self)
     for (uint32_t i = 0U; (i < self->command_count) && !self->is_page_away; i++) {
         sign(&self->commands[i]);
     }
-    const bsp_inputs_t levels = box_sample(&self->box);
+    const bsp_inputs_t sampled = box_sample(&self->box);
     (void)memset(&self->inputs, 0, sizeof self->inputs);
     self->inputs.elapsed_us = self->elapsed_us;
-    self->inputs.pedal_a = levels.pedal_a ? 1U : 0U;
-    self->inputs.pedal_b = levels.pedal_b ? 1U : 0U;
-    self->inputs.estop_open = levels.estop_open ? 1U : 0U;
-    self->inputs.scanner_active = levels.scanner_active ? 1U : 0U;
-    self->inputs.has_button = (levels.has_button && !self->has_no_button) ? 1U : 0U;
-    self->inputs.confirm_pressed = levels.confirm_pressed ? 1U : 0U;
-    self->inputs.dose_reached = levels.dose_reached ? 1U : 0U;
-    self->inputs.treatment_stopped = levels.treatment_stopped ? 1U : 0U;
-    self->inputs.frames_received =
-        box_exchange(&self->box, self->outputs.frames_to_send,
-                     (const uint8_t(*)[CARD_FRAME_BYTES])self->outputs.frames, self->inputs.frames);
+    board_inputs_take(&self->board_inputs, &sampled, &self->inputs);
+    self->inputs.has_button = self->has_no_button ? 0U : 1U;
+    self->inputs.frames_received = self->reported;
+    (void)memcpy(self->inputs.frames, self->reports, sizeof self->inputs.frames);
     self->inputs.silent_sources = self->silent_sources;
     self->inputs.command_count = self->command_count;
     (void)memcpy(self->inputs.commands, self->commands, sizeof self->commands);
     self->command_count = 0U;
+}
+
+/* What comes back is the next cycle's. */
+static void exchange(rig_t *self)
+{
+    (void)memset(self->reports, 0, sizeof self->reports);
+    self->reported =
+        box_exchange(&self->box, self->outputs.frames_to_send,
+                     (const uint8_t(*)[CARD_FRAME_BYTES])self->outputs.frames, self->reports);
 }
 
 static void keep(rig_t *self)
@@ -134,6 +136,7 @@ void rig_cycle(rig_t *self)
 {
     gather(self);
     controller_step(&self->controller, &self->robot, &self->inputs, &self->outputs);
+    exchange(self);
     keep(self);
     box_advance(&self->box, 1000U);
 }

@@ -4,6 +4,7 @@
 #ifndef BORESIGHT_RIG_H
 #define BORESIGHT_RIG_H
 
+#include "control/board_inputs.h"
 #include "controller/controller.h"
 #include "robot/robot.h"
 #include "sim/box.h"
@@ -26,6 +27,9 @@ typedef struct {
     command_t commands[CONTROLLER_COMMANDS]; /**< For the next cycle. */
     uint32_t command_count;
     uint32_t elapsed_us; /**< Of every cycle; 1000 unless a test changes it. */
+    uint32_t reported;   /**< Bit n: reports[n] came back from the exchange of the last cycle. */
+    uint8_t reports[CARD_SLOT_COUNT][CARD_FRAME_BYTES];
+    board_inputs_t board_inputs;
     uint32_t next_id;
     uint32_t silent_sources;       /**< As controller_inputs_t. */
     bool has_no_button;            /**< The box has none, whatever it says. */

@@ -7,41 +7,50 @@
 
 #define NS_PER_S UINT64_C(1000000000)
 
-bool bsp_open(const char *name, char *error, uint32_t error_size)
+bool bsp_open(const char *address, bsp_identity_t *identity, char *error, uint32_t error_size)
 {
-    (void)fprintf(stderr, "control: opened %s\n", name);
+    (void)fprintf(stderr, "control: opened %s\n", address);
     (void)snprintf(error, error_size, "The lamp is always there.");
+    *identity = (bsp_identity_t){.board = "lamp", .power_on = 1U, .was_used = true, .slowness = 1U};
     return true;
 }
 
-uint32_t bsp_exchange(uint32_t send, const uint8_t frames[CARD_SLOT_COUNT][CARD_FRAME_BYTES],
-                      uint8_t received[CARD_SLOT_COUNT][CARD_FRAME_BYTES], uint32_t timeout_us)
+bool bsp_self_test(char *error, uint32_t error_size)
+{
+    (void)snprintf(error, error_size, "The lamp has no wires.");
+    return true;
+}
+
+void bsp_start(uint32_t send, const uint8_t frames[CARD_SLOT_COUNT][CARD_FRAME_BYTES])
 {
     (void)send;
     (void)frames;
+}
+
+void bsp_finish(uint64_t deadline_ns, uint8_t received[CARD_SLOT_COUNT][CARD_FRAME_BYTES],
+                bsp_exchange_t *result)
+{
+    (void)deadline_ns;
     (void)received;
-    (void)timeout_us;
-    return 0U;
+    *result = (bsp_exchange_t){0};
 }
 
-bsp_inputs_t bsp_sample_inputs(void)
+void bsp_sample_inputs(bsp_inputs_t *inputs)
 {
-    return (bsp_inputs_t){.estop_open = true, .scanner_active = true};
+    *inputs = (bsp_inputs_t){.sampled_ns = bsp_now_ns()};
 }
 
-bsp_power_on_t bsp_power_on(void)
+void bsp_set_lamps(uint32_t lamps)
 {
-    return (bsp_power_on_t){.id = 1U, .was_used = true};
+    (void)lamps;
 }
 
-uint32_t bsp_robot_crc(void)
+void bsp_drives_off(void)
 {
-    return 0U;
 }
 
-bsp_time_t bsp_time(void)
+void bsp_kick(void)
 {
-    return (bsp_time_t){.is_elastic = false, .slowness = 1U};
 }
 
 uint64_t bsp_now_ns(void)

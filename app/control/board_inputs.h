@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file What a board says of its digital inputs, as the controller takes it. Control owns one. */
+#ifndef BORESIGHT_BOARD_INPUTS_H
+#define BORESIGHT_BOARD_INPUTS_H
+
+#include "bsp.h"
+#include "controller/controller.h"
+
+#include <stdint.h>
+
+/** At first all zero: nothing was read yet. */
+typedef struct {
+    uint32_t known; /**< BSP_IN_ bits that were ever read: the box has them. */
+} board_inputs_t;
+
+/**
+ * Sets the digital inputs of `inputs`, and nothing else of it. What was 0 at any time, or was not
+ * read, counts as 0. Without a button there is none; without a gate of the treatment nothing is
+ * said of dose and stop; all else that was never read stays as a cut wire has it.
+ *
+ * @satisfies SWR-BSP-001
+ */
+void board_inputs_take(board_inputs_t *self, const bsp_inputs_t *sampled,
+                       controller_inputs_t *inputs);
+
+#endif
