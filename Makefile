@@ -26,11 +26,26 @@ CC_arm := arm-linux-gnueabihf-gcc
 CC := $(CC_$(CONFIG))
 EXTRA_asan := -fsanitize=address,undefined -fno-sanitize-recover=all
 EXTRA_gcov := -O0 --coverage
-EXTRA_arm := -mcpu=cortex-a9 -mfpu=vfpv3-d16 -static
+# Static, so that it runs whatever C library there is; files and times beyond 32 bit.
+ARMHF := .tools/armhf
+EXTRA_arm := -mcpu=cortex-a9 -mfpu=vfpv3-d16 -D_FILE_OFFSET_BITS=64 -D_TIME_BITS=64 \
+    -isystem $(ARMHF)/root/usr/include -isystem $(ARMHF)/root/usr/include/arm-linux-gnueabihf
 EXTRA := $(EXTRA_$(CONFIG))
+# What is delivered: a smashed stack, an overrun buffer or an overwritten table of functions ends the program. The core
+# guards the functions that hold buffers only: a cycle has no instructions left for more.
+HARDENED := -fstack-protector-strong -D_FORTIFY_SOURCE=2
+HARDENED_gcc := $(HARDENED) -fPIE
+HARDENED_clang := $(HARDENED_gcc)
+HARDENED_arm := $(HARDENED) -fno-pie
+HARDENED_CORE := -fstack-protector
 WARNINGS := -std=c99 -pedantic -Wall -Wextra -Werror -Wconversion -Wsign-conversion -Wshadow -Wswitch-enum \
     -Wcast-qual -Wmissing-prototypes
-CFLAGS := $(WARNINGS) -ffp-contract=off -O2 -g $(EXTRA)
+CFLAGS := $(WARNINGS) -ffp-contract=off -O2 -g $(EXTRA) $(HARDENED_$(CONFIG))
+HARD_LINK := -Wl,-z,relro,-z,now
+LDFLAGS_gcc := -pie $(HARD_LINK)
+LDFLAGS_arm := -static -no-pie $(HARD_LINK) -L$(OUT)/lib -L$(ARMHF)/root/usr/lib/arm-linux-gnueabihf \
+    -Wl,--wrap=dlopen,--wrap=getaddrinfo,--wrap=gethostbyname,--wrap=getpwnam
+LDFLAGS := $(LDFLAGS_$(CONFIG)) -Wl,--fatal-warnings
 BUILD_ID := $(shell git rev-parse --short=12 HEAD 2>/dev/null || echo unknown)$(shell git diff --quiet HEAD 2>/dev/null || echo +)
 # The newest heading of the changelog: a release, or what follows it.
 VERSION := $(shell sed -nE 's/^\#\# \[([^]]+)\].*/\L\1/p' CHANGELOG.md 2>/dev/null | head -1)
@@ -72,6 +87,9 @@ CLOCK := app/common/clock.c
 COMMAND_LINE := app/common/command_line.c
 AXIS_TERMS := app/common/axis_terms.c
 DRIVE_TERMS := app/common/drive_terms.c
+# Of static ones.
+NO_LOOKUP_arm := app/common/no_lookup.c
+NO_LOOKUP := $(NO_LOOKUP_$(CONFIG))
 # What HTTP clients may ask.
 API := $(GEN)/interface/app/routes.c $(GEN)/interface/app/requests.c
 EXCHANGE := $(wildcard app/exchange/exchange*.c)
@@ -173,13 +191,17 @@ $(GEN)/assets/chart_names.c: $(GEN)/charts/charts.json app/http/chart_names.rb
 
 object = $(patsubst %.c,$(OUT)/%.o,$(1))
 
-$(OUT)/core/%.o: FLAGS = $(CORE_INCLUDES)
+$(OUT)/core/%.o: FLAGS = $(CORE_INCLUDES) $(HARDENED_CORE)
 $(OUT)/$(GEN)/%.o: FLAGS = $(APP_INCLUDES)
 $(OUT)/bsp/%.o: FLAGS = -D_GNU_SOURCE $(BSP_INCLUDES)
 $(OUT)/app/%.o: FLAGS = -D_GNU_SOURCE $(APP_INCLUDES) -DBORESIGHT_BUILD_ID='"$(BUILD_ID)"' -DBORESIGHT_VERSION='"$(VERSION)"'
 $(OUT)/verification/%.o: FLAGS = -D_GNU_SOURCE $(TEST_INCLUDES)
 
-$(OUT)/%.o: %.c | $(GENERATED)
+# The way to compile; everything follows when it changes.
+$(OUT)/flags: FORCE
+	@mkdir -p $(OUT); echo '$(CC) $(CFLAGS)' | cmp -s - $@ || echo '$(CC) $(CFLAGS)' >$@
+
+$(OUT)/%.o: %.c $(OUT)/flags | $(GENERATED)
 	@mkdir -p $(@D)
 	@$(CC) $(CFLAGS) $(FLAGS) -MMD -MP -c $< -o $@
 
@@ -192,12 +214,23 @@ $(OUT)/libcore.a: $(call object,$(CORE_SOURCES))
 	@rm -f $@; ar rcs $@ $^
 
 define program
-$(OUT)/bin/$(1): $(call object,$(SOURCES_$(1)) $(COMMAND_LINE)) $(OUT)/libcore.a
+$(OUT)/bin/$(1): $(call object,$(SOURCES_$(1)) $(COMMAND_LINE) $(NO_LOOKUP)) $(OUT)/libcore.a
 	@mkdir -p $$(@D)
-	@$$(CC) $$(CFLAGS) $$(filter %.o %.a,$$^) $(LIBS_$(1)) -lrt -lm -o $$@
+	@$$(CC) $$(CFLAGS) $$(LDFLAGS) $$(filter %.o %.a,$$^) $(LIBS_$(1)) -lrt -lm -o $$@
 	@echo "built $$@"
 endef
 $(foreach p,$(PROGRAMS),$(eval $(call program,$(p))))
+# Debian has these two as shared libraries only. Without TLS: it would load a library.
+STATIC_LIBS := $(OUT)/lib/libcivetweb.a $(OUT)/lib/libcjson.a
+$(OUT)/lib/libcivetweb.a: $(ARMHF)/source/civetweb/src/civetweb.c
+$(OUT)/lib/libcivetweb.a: LIBRARY_FLAGS := -I$(ARMHF)/source/civetweb/include -DUSE_WEBSOCKET -DUSE_STACK_SIZE=102400 \
+    -DNO_SSL
+$(OUT)/lib/libcjson.a: $(ARMHF)/source/cjson/cJSON.c
+$(STATIC_LIBS):
+	@mkdir -p $(@D)
+	@$(CC) -O2 -g $(EXTRA) $(HARDENED_$(CONFIG)) $(LIBRARY_FLAGS) -c $< -o $(@:.a=.o)
+	@rm -f $@; ar rcs $@ $(@:.a=.o)
+$(OUT)/bin/boresight-http: $(if $(filter arm,$(CONFIG)),$(STATIC_LIBS))
 $(OUT)/bin/boresight-control $(OUT)/bin/boresight-http: build/board
 
 $(BIN)/%: build/gcc/bin/%
@@ -259,6 +292,7 @@ clean: ## Remove everything that was built (not the installed tools)
 
 include verification/gates.mk
 include verification/supervise/supervise.mk
+include verification/arm/arm.mk
 include verification/bench/bench.mk
 include verification/detection/detection.mk
 include verification/fuzz/fuzz.mk

@@ -190,7 +190,7 @@ static bool read_time(const char *line, uint64_t *utc_us)
 static bool read_last_time(const archive_file_t *opened, uint64_t *utc_us)
 {
     char tail[TAIL_BYTES + 1U];
-    const uint64_t size = (opened->bytes < TAIL_BYTES) ? opened->bytes : TAIL_BYTES;
+    const size_t size = (opened->bytes < TAIL_BYTES) ? (size_t)opened->bytes : TAIL_BYTES;
     bool is_found = false;
 
     if (!read_at(opened->file, opened->bytes - size, tail, size)) {

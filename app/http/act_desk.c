@@ -103,7 +103,7 @@ void act_desk_init(act_desk_t *self, exchange_t *exchange)
     (void)pthread_mutex_init(&self->lock, NULL);
     self->exchange = exchange;
     self->has_to_begin = true;
-    (void)getrandom(&self->commands, sizeof self->commands, 0U);
+    (void)!getrandom(&self->commands, sizeof self->commands, 0U);
     while (exchange_take_answer(exchange, COMMAND_SOURCE_HTTP, &stale)) {
     }
     begin(self);

@@ -37,14 +37,19 @@ static recording_verdict_t map_file(recording_reader_t *self, const char *path,
                               strerror(reason));
     }
     self->size = (uint64_t)status.st_size;
-    if (self->size >= RECORDING_HEADER_SIZE) {
-        void *address = mmap(NULL, self->size, PROT_READ, MAP_PRIVATE, file, 0);
+    if ((self->size >= RECORDING_HEADER_SIZE) && (self->size <= SIZE_MAX)) {
+        void *address = mmap(NULL, (size_t)self->size, PROT_READ, MAP_PRIVATE, file, 0);
         self->bytes = (address == MAP_FAILED) ? NULL : address;
     }
     (void)close(file);
-    return (self->bytes != NULL) ? RECORDING_WHOLE
-                                 : recording_find(finding, RECORDING_UNREADABLE,
-                                                  "%s is too short to be a recording.", path);
+    if (self->bytes != NULL) {
+        return RECORDING_WHOLE;
+    }
+    return recording_find(finding, RECORDING_UNREADABLE,
+                          (self->size < RECORDING_HEADER_SIZE)
+                              ? "%s is too short to be a recording."
+                              : "%s is larger than this computer can read; use a larger one.",
+                          path);
 }
 
 recording_verdict_t recording_reader_open(recording_reader_t *self, const char *path,
@@ -162,7 +167,7 @@ bool recording_reader_next(recording_reader_t *self, cycle_record_t *record, cyc
 void recording_reader_close(recording_reader_t *self)
 {
     if (self->bytes != NULL) {
-        (void)munmap((void *)(uintptr_t)self->bytes, self->size);
+        (void)munmap((void *)(uintptr_t)self->bytes, (size_t)self->size);
     }
     free(self->raw);
     self->bytes = NULL;

@@ -48,6 +48,7 @@ typedef struct {
  *
  * @return the verdict of `finding`; with RECORDING_WHOLE and RECORDING_CUT_SHORT the reader is open
  *
+ * @satisfies SWR-ARM-004
  * @satisfies SWR-REPLAY-002
  * @satisfies SWR-REPLAY-005
  * @satisfies SWR-REPLAY-007

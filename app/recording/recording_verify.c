@@ -105,7 +105,7 @@ static recording_verdict_t locate(const recording_reader_t *self, uint64_t offse
     return find_damage(finding, first, last, "the hash does not match");
 }
 
-static bool is_hash_right(const uint8_t *block, const uint8_t *before, uint64_t rest_size)
+static bool is_hash_right(const uint8_t *block, const uint8_t *before, size_t rest_size)
 {
     uint8_t hash[RECORDING_HASH_SIZE];
 
@@ -149,11 +149,11 @@ static recording_verdict_t verify_blocks(recording_reader_t *self, recording_fin
                                "another block belongs here");
         }
         const uint64_t rest =
-            recording_checksums_size(fields.compressed_size) + fields.compressed_size;
+            (uint64_t)recording_checksums_size(fields.compressed_size) + fields.compressed_size;
         if ((self->size - offset - RECORDING_PREFIX_SIZE) < rest) {
             return find_cut(self, finding, offset);
         }
-        if (!is_hash_right(&self->bytes[offset], before, rest)) {
+        if (!is_hash_right(&self->bytes[offset], before, (size_t)rest)) {
             return locate(self, offset, &fields, before, finding);
         }
         before = &self->bytes[offset + RECORDING_FIELDS_SIZE];

@@ -13,7 +13,7 @@ void saved_desk_init(saved_desk_t *self)
     (void)memset(self, 0, sizeof *self);
     (void)pthread_mutex_init(&self->lock, NULL);
     /* Those of an earlier server shall mean nothing. */
-    (void)getrandom(&self->view.token, sizeof self->view.token, 0U);
+    (void)!getrandom(&self->view.token, sizeof self->view.token, 0U);
 }
 
 void saved_desk_show(saved_desk_t *self, saved_view_t *view)

@@ -69,10 +69,10 @@ void wire_announce(uint32_t *word, uint32_t value)
 
 void wire_sleep(const uint32_t *word, uint32_t value, uint32_t timeout_us)
 {
-    const struct timespec timeout = {.tv_sec = (time_t)(timeout_us / 1000000U),
-                                     .tv_nsec = (long)(timeout_us % 1000000U) * 1000L};
+    /* The kernel's own timespec, s and ns: the C library's may be wider. */
+    const long timeout[2] = {(long)(timeout_us / 1000000U), (long)(timeout_us % 1000000U) * 1000L};
 
-    (void)syscall(SYS_futex, word, FUTEX_WAIT, value, &timeout, NULL, 0);
+    (void)syscall(SYS_futex, word, FUTEX_WAIT, value, timeout, NULL, 0);
 }
 
 uint64_t wire_now_ns(void)

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+# Rule under test: an apt for armhf asks whom this computer asks, for the release itself and its main part.
+
+require 'minitest/autorun'
+require_relative '../armhf/sources'
+
+class TestArmhf < Minitest::Test
+  def test_SWR_ARM_001_a_line_keeps_its_options_but_the_architectures
+    lines = <<~LIST
+      # deb http://old.example/debian sid main
+      deb [arch=amd64,i386 signed-by=/usr/share/keyrings/a.gpg] http://mirror.example/debian sid main contrib
+      deb http://mirror.example/debian sid-updates main
+      deb-src http://mirror.example/debian sid main
+      deb http://other.example/apt other-sid main
+      deb http://mirror.example/debian sid contrib
+    LIST
+    assert_equal <<~LIST, AptSources.lines(lines, 'sid')
+      deb [signed-by=/usr/share/keyrings/a.gpg] http://mirror.example/debian sid main
+      deb-src [signed-by=/usr/share/keyrings/a.gpg] http://mirror.example/debian sid main
+    LIST
+  end
+
+  def test_SWR_ARM_001_a_line_without_options_stays_without
+    assert_equal "deb http://m.example sid main\ndeb-src http://m.example sid main\n",
+                 AptSources.lines("deb\thttp://m.example  sid   main non-free # ours\n", 'sid')
+  end
+
+  def test_SWR_ARM_001_a_stanza_keeps_its_fields_but_the_architectures
+    stanza = <<~SOURCES
+      Types: deb
+      # the nearest
+      URIs: http://mirror.example/debian
+      Suites: sid sid-updates
+      Components: main contrib
+      Architectures: amd64
+      Signed-By: /usr/share/keyrings/a.gpg
+    SOURCES
+    assert_equal <<~SOURCES, AptSources.stanzas(stanza, 'sid')
+      Types: deb deb-src
+      Suites: sid
+      Components: main
+      # the nearest
+      URIs: http://mirror.example/debian
+      Signed-By: /usr/share/keyrings/a.gpg
+    SOURCES
+  end
+
+  def test_SWR_ARM_001_other_stanzas_are_left_out
+    { 'Suites' => 'sid-security', 'Types' => 'deb-src', 'Components' => 'contrib', 'Enabled' => 'no' }.each do |field, value|
+      fields = { 'Types' => 'deb', 'URIs' => 'http://m.example', 'Suites' => 'sid', 'Components' => 'main' }
+      stanza = fields.merge(field => value).map { |pair| "#{pair.join(': ')}\n" }.join
+      assert_empty AptSources.stanzas("#{stanza}\n", 'sid'), field
+    end
+  end
+
+  def test_SWR_ARM_001_stanzas_are_told_apart
+    stanza = "Types: deb\nURIs: http://m.example\nSuites: sid\nComponents: main\n"
+    assert_equal 2, AptSources.stanzas("#{stanza}\n\n#{stanza}", 'sid').scan(/^Types:/).size
+  end
+end
