@@ -45,18 +45,38 @@ void origins_look(origins_t *self, const exchange_t *exchange)
     } while (count == EVENTS_AT_ONCE);
 }
 
-void origins_take_registration(origins_t *self, const exchange_t *exchange,
-                               const snapshot_t *snapshot)
+static void take(origin_t *origin, const exchange_t *exchange, const origin_t *shown)
 {
-    origin_t *origin = &self->registration;
-    const bool is_told = origin->is_known && (origin->cycle == snapshot->registered_cycle) &&
-                         (origin->source == snapshot->registered_source) &&
-                         (origin->peer == snapshot->registered_peer);
-    if ((snapshot->is_registered != 0U) && !is_told) {
-        origin->is_known = true;
-        origin->source = snapshot->registered_source;
-        origin->peer = snapshot->registered_peer;
-        origin->cycle = snapshot->registered_cycle;
+    const bool is_told = origin->is_known && (origin->cycle == shown->cycle) &&
+                         (origin->source == shown->source) && (origin->peer == shown->peer);
+    if (shown->is_known && !is_told) {
+        *origin = *shown;
         exchange_title(exchange, (command_source_t)origin->source, origin->peer, origin->title);
     }
+}
+
+/* Only OpenIGTLink proposes. */
+static void take_proposal(origin_t *origin, const exchange_t *exchange, uint32_t is_there,
+                          uint32_t peer, uint32_t cycle)
+{
+    const origin_t shown = {.is_known = is_there != 0U,
+                            .source = (uint32_t)COMMAND_SOURCE_IGTL,
+                            .peer = peer,
+                            .cycle = cycle};
+    take(origin, exchange, &shown);
+}
+
+void origins_take_shown(origins_t *self, const exchange_t *exchange, const snapshot_t *snapshot)
+{
+    const origin_t registration = {.is_known = snapshot->is_registered != 0U,
+                                   .source = snapshot->registered_source,
+                                   .peer = snapshot->registered_peer,
+                                   .cycle = snapshot->registered_cycle};
+    take(&self->registration, exchange, &registration);
+    take_proposal(&self->proposed_registration, exchange, snapshot->has_proposed_registration,
+                  snapshot->registration_proposer_peer, snapshot->registration_proposed_cycle);
+    take_proposal(&self->proposed_entry, exchange, snapshot->has_proposed_entry,
+                  snapshot->entry_proposer_peer, snapshot->entry_proposed_cycle);
+    take_proposal(&self->proposed_target, exchange, snapshot->has_proposed_target,
+                  snapshot->target_proposer_peer, snapshot->target_proposed_cycle);
 }

@@ -88,7 +88,7 @@ void telemetry_look(telemetry_t *self, telemetry_view_t *view)
     look_at_ports(self);
     look_who_commands(self);
     origins_look(&self->view.origins, self->exchange);
-    origins_take_registration(&self->view.origins, self->exchange, &self->view.snapshot);
+    origins_take_shown(&self->view.origins, self->exchange, &self->view.snapshot);
     *view = self->view;
     (void)pthread_mutex_unlock(&self->lock);
 }

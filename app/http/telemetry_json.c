@@ -328,6 +328,19 @@ static cJSON *new_probe(const telemetry_view_t *view)
     return lengths;
 }
 
+static cJSON *new_proposals(const telemetry_view_t *view)
+{
+    const snapshot_t *snapshot = &view->snapshot;
+    const origins_t *origins = &view->origins;
+    const json_proposals_t also = {
+        .registration_by = new_origin(snapshot, snapshot->has_proposed_registration,
+                                      &origins->proposed_registration),
+        .entry_by = new_origin(snapshot, snapshot->has_proposed_entry, &origins->proposed_entry),
+        .target_by =
+            new_origin(snapshot, snapshot->has_proposed_target, &origins->proposed_target)};
+    return json_proposals(snapshot, &also);
+}
+
 cJSON *telemetry_json_targeting(const telemetry_view_t *view)
 {
     const snapshot_t *snapshot = &view->snapshot;
@@ -343,7 +356,7 @@ cJSON *telemetry_json_targeting(const telemetry_view_t *view)
         .target_by = new_origin(snapshot, snapshot->has_target, &view->origins.target),
         .entry_by = new_origin(snapshot, snapshot->has_entry, &view->origins.entry),
         .probe = new_probe(view),
-        .proposals = json_proposals(snapshot)};
+        .proposals = new_proposals(view)};
     return json_targeting(snapshot, &also);
 }
 

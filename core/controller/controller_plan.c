@@ -122,13 +122,14 @@ static status_t tell_entry(controller_t *self, const cycle_t *cycle, const comma
 
 static status_t tell_proposal(controller_t *self, const cycle_t *cycle, const command_t *command)
 {
+    const plan_proposer_t proposer = {.peer = command->peer, .cycle = self->cycle};
     status_t status = STATUS_OK;
     if (command->kind == (uint32_t)COMMAND_PROPOSE_REGISTRATION) {
-        status = plan_propose_registration(&self->plan, cycle->robot, &command->pose);
+        status = plan_propose_registration(&self->plan, cycle->robot, &command->pose, &proposer);
     } else if (command->kind == (uint32_t)COMMAND_PROPOSE_ENTRY) {
-        status = plan_propose_entry(&self->plan, cycle->robot, &command->pose);
+        status = plan_propose_entry(&self->plan, cycle->robot, &command->pose, &proposer);
     } else {
-        status = plan_propose_target(&self->plan, cycle->robot, &command->pose);
+        status = plan_propose_target(&self->plan, cycle->robot, &command->pose, &proposer);
     }
     if ((status == STATUS_OK) && !controller_is_unlogged(command)) {
         controller_note(self, cycle, EVENT_PROPOSAL, command->kind, 0);

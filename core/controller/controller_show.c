@@ -191,6 +191,12 @@ static void show_plan(const controller_t *self, snapshot_t *shown)
     shown->proposed_registration = self->plan.proposed_registration;
     shown->proposed_entry = self->plan.proposed_entry;
     shown->proposed_target = self->plan.proposed_target;
+    shown->registration_proposer_peer = self->plan.registration_proposer.peer;
+    shown->registration_proposed_cycle = self->plan.registration_proposer.cycle;
+    shown->entry_proposer_peer = self->plan.entry_proposer.peer;
+    shown->entry_proposed_cycle = self->plan.entry_proposer.cycle;
+    shown->target_proposer_peer = self->plan.target_proposer.peer;
+    shown->target_proposed_cycle = self->plan.target_proposer.cycle;
     shown->scanner_desired = self->plan.scanner_desired;
     (void)memcpy(shown->desired_ticks, self->plan.desired_ticks, sizeof shown->desired_ticks);
 }

@@ -314,34 +314,39 @@ bool plan_is_proved(const plan_t *self, const robot_t *robot)
 }
 
 status_t plan_propose_registration(plan_t *self, const robot_t *robot,
-                                   const rigid_t *scanner_zframe)
+                                   const rigid_t *scanner_zframe, const plan_proposer_t *proposer)
 {
     const status_t status = rigid_check(scanner_zframe);
     if (status == STATUS_OK) {
         self->proposed_registration = *scanner_zframe;
         rigid_orthonormalise(&self->proposed_registration);
+        self->registration_proposer = *proposer;
         self->has_proposed_registration = 1U;
         weigh_proposals(self, robot);
     }
     return status;
 }
 
-status_t plan_propose_entry(plan_t *self, const robot_t *robot, const rigid_t *pose)
+status_t plan_propose_entry(plan_t *self, const robot_t *robot, const rigid_t *pose,
+                            const plan_proposer_t *proposer)
 {
     const status_t status = rigid_check(pose);
     if (status == STATUS_OK) {
         self->proposed_entry = pose->translation;
+        self->entry_proposer = *proposer;
         self->has_proposed_entry = 1U;
         weigh_proposals(self, robot);
     }
     return status;
 }
 
-status_t plan_propose_target(plan_t *self, const robot_t *robot, const rigid_t *pose)
+status_t plan_propose_target(plan_t *self, const robot_t *robot, const rigid_t *pose,
+                             const plan_proposer_t *proposer)
 {
     const status_t status = rigid_check(pose);
     if (status == STATUS_OK) {
         self->proposed_target = pose->translation;
+        self->target_proposer = *proposer;
         self->has_proposed_target = 1U;
         weigh_proposals(self, robot);
     }

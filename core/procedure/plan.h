@@ -16,6 +16,12 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+/** Which connection proposed something last, and in which cycle. */
+typedef struct {
+    uint32_t peer;
+    uint32_t cycle;
+} plan_proposer_t;
+
 typedef struct {
     rigid_t scanner_zframe; /**< The registration; identity before one is accepted. */
     rigid_t scanner_target; /**< Accepted target as it will be reached: rounded to ticks. */
@@ -25,7 +31,10 @@ typedef struct {
     rigid_t proposed_registration;
     point_t proposed_entry; /**< Scanner coordinates, like everything proposed. */
     point_t proposed_target;
-    rigid_t scanner_desired; /**< The pose the proposals ask for. */
+    rigid_t scanner_desired;               /**< The pose the proposals ask for. */
+    plan_proposer_t registration_proposer; /**< As the next two valid with what was proposed. */
+    plan_proposer_t entry_proposer;
+    plan_proposer_t target_proposer;
     int32_t desired_ticks[ROBOT_AXIS_MAX];
     probe_t probe;              /**< Valid with has_probe. */
     uint32_t probe_crc;         /**< Of the probe alone: it outlives damage of the rest. */
@@ -172,9 +181,15 @@ status_t plan_confirm(const plan_t *self, const robot_t *robot, const joints_t *
  */
 bool plan_is_proved(const plan_t *self, const robot_t *robot);
 
-/** Takes a proposed registration, @return as rigid_check(). */
+/**
+ * Takes a proposed registration.
+ *
+ * @return as rigid_check(); what is refused leaves the one before with its proposer
+ *
+ * @satisfies SWR-IGTL-070
+ */
 status_t plan_propose_registration(plan_t *self, const robot_t *robot,
-                                   const rigid_t *scanner_zframe);
+                                   const rigid_t *scanner_zframe, const plan_proposer_t *proposer);
 
 /**
  * Takes the place of `pose` (scanner coordinates) as the entry point of the targets to come. A
@@ -226,14 +241,16 @@ typedef enum {
  */
 status_t plan_withdraw(plan_t *self, const robot_t *robot, plan_part_t part);
 
-/** Takes the place of `pose` as proposed entry point (scanner coordinates), @return as
- * rigid_check().
+/**
+ * Takes the place of `pose` as proposed entry point (scanner coordinates). Same returns.
  *
  * @satisfies SWR-PLAN-018
  */
-status_t plan_propose_entry(plan_t *self, const robot_t *robot, const rigid_t *pose);
+status_t plan_propose_entry(plan_t *self, const robot_t *robot, const rigid_t *pose,
+                            const plan_proposer_t *proposer);
 
 /** Takes a proposed target point. Same returns. */
-status_t plan_propose_target(plan_t *self, const robot_t *robot, const rigid_t *pose);
+status_t plan_propose_target(plan_t *self, const robot_t *robot, const rigid_t *pose,
+                             const plan_proposer_t *proposer);
 
 #endif

@@ -166,6 +166,27 @@ class TestIgtlPlanning < Minitest::Test
     end
   end
 
+  # Another one that sends the same again is the one that it is from; its age begins anew.
+  def test_SWR_IGTL_071_a_proposal_is_shown_with_its_client_and_its_age_until_it_is_withdrawn
+    planning do |client|
+      client.run('traj Path both 5 205 60 5 190 61')
+      client.await('POINT', 'target_point')
+      boresight.wait_until('both are shown') { shown_proposer('target_by') }
+      first = %w[entry_by target_by].map { |by| shown_proposer(by) }
+      first.each { |by| assert_match(/\AIGTL transforms 127\.0\.0\.1:\d+\z/, by.values_at('source', 'name').join(' ')) }
+      planning do |other|
+        other.run('ask GET_STATUS ping')
+        boresight.wait_until('it grows older') { shown_proposer('entry_by')['age_s'] > 0.2 }
+        other.run("transform ENTRY_POINT #{at(77)}")
+        boresight.wait_until('it is of the other one') { shown_proposer('entry_by')['peer'] != first[0]['peer'] }
+        assert_operator shown_proposer('entry_by')['age_s'], :<, shown_proposer('target_by')['age_s']
+        assert_equal first[1]['peer'], shown_proposer('target_by')['peer']
+      end
+      %w[ENTRY_POINT TARGET_POINT].each { |name| client.run("string #{name} WITHDRAW") }
+      boresight.wait_until('nothing is proposed') { boresight.targeting['proposals'].values_at('entry_by', 'target_by') == [nil, nil] }
+    end
+  end
+
   def test_SWR_IGTL_009_bare_transforms_move_nothing_even_with_the_pedal_pressed
     boresight.simctl('pedal', 'press')
     planning do |client|
@@ -257,6 +278,10 @@ class TestIgtlPlanning < Minitest::Test
 
   def navigation(&)
     IgtlClient.open(boresight.brp_port, &)
+  end
+
+  def shown_proposer(what)
+    boresight.targeting['proposals'].fetch(what)
   end
 
   # As who commands, and gives it back: other tests have none.

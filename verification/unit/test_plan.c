@@ -24,6 +24,7 @@ TEST_SOURCE_FILE("coupled_limit.c")
 TEST_SOURCE_FILE("coupled_path.c")
 
 static plan_t plan;
+static const plan_proposer_t proposer = {.peer = 21U, .cycle = 4711U};
 static const plan_origin_t nobody = {.ignores_rotation = false};
 static rigid_t identity;
 static const int32_t at_home[ROBOT_AXIS_MAX];
@@ -107,7 +108,8 @@ void test_SWR_REG_002_an_accepted_registration_replaces_the_proposed_one(void)
 {
     rigid_t shifted = identity;
     shifted.translation.x_nm = 10000000;
-    TEST_ASSERT_EQUAL(STATUS_OK, plan_propose_registration(&plan, &robot_neuro, &shifted));
+    TEST_ASSERT_EQUAL(STATUS_OK,
+                      plan_propose_registration(&plan, &robot_neuro, &shifted, &proposer));
     TEST_ASSERT_EQUAL(STATUS_OK, plan_register(&plan, &robot_neuro, &identity, &nobody));
     TEST_ASSERT_EQUAL_UINT32(0U, plan.has_proposed_registration);
 }
@@ -149,16 +151,20 @@ void test_SWR_IGTL_009_a_point_whose_matrix_is_not_rigid_is_no_proposal(void)
 {
     rigid_t mirrored = pose_at(0, 246000000, 50000000);
     mirrored.rotation_q30[2][2] = -FIXED_ONE_Q30;
-    TEST_ASSERT_EQUAL(STATUS_NOT_RIGID, plan_propose_entry(&plan, &robot_neuro, &mirrored));
-    TEST_ASSERT_EQUAL(STATUS_NOT_RIGID, plan_propose_target(&plan, &robot_neuro, &mirrored));
+    TEST_ASSERT_EQUAL(STATUS_NOT_RIGID,
+                      plan_propose_entry(&plan, &robot_neuro, &mirrored, &proposer));
+    TEST_ASSERT_EQUAL(STATUS_NOT_RIGID,
+                      plan_propose_target(&plan, &robot_neuro, &mirrored, &proposer));
     TEST_ASSERT_EQUAL_UINT32(0U, plan.has_proposed_entry + plan.has_proposed_target);
 }
 
 void test_SWR_IGTL_009_points_out_of_range_are_no_proposals(void)
 {
     const rigid_t far = pose_at(0, -(int32_t)LIMIT_REGISTRATION_MAX_NM - 1, 0);
-    TEST_ASSERT_EQUAL(STATUS_OUT_OF_RANGE, plan_propose_entry(&plan, &robot_neuro, &far));
-    TEST_ASSERT_EQUAL(STATUS_OUT_OF_RANGE, plan_propose_target(&plan, &robot_neuro, &far));
+    TEST_ASSERT_EQUAL(STATUS_OUT_OF_RANGE,
+                      plan_propose_entry(&plan, &robot_neuro, &far, &proposer));
+    TEST_ASSERT_EQUAL(STATUS_OUT_OF_RANGE,
+                      plan_propose_target(&plan, &robot_neuro, &far, &proposer));
     TEST_ASSERT_EQUAL_UINT32(0U, plan.has_proposed_entry + plan.has_proposed_target);
 }
 
@@ -166,9 +172,9 @@ void test_SWR_IGTL_009_entry_and_target_together_give_the_desired_pose(void)
 {
     const rigid_t entry = pose_at(0, 246000000, 50000000);
     const rigid_t target = pose_at(0, 200000000, 50000000);
-    TEST_ASSERT_EQUAL(STATUS_OK, plan_propose_target(&plan, &robot_neuro, &target));
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_propose_target(&plan, &robot_neuro, &target, &proposer));
     TEST_ASSERT_EQUAL_UINT32(0U, plan.is_proposal_reachable);
-    TEST_ASSERT_EQUAL(STATUS_OK, plan_propose_entry(&plan, &robot_neuro, &entry));
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_propose_entry(&plan, &robot_neuro, &entry, &proposer));
     TEST_ASSERT_EQUAL_UINT32(1U, plan.is_proposal_reachable);
     TEST_ASSERT_INT32_WITHIN(38000, target.translation.y_nm, plan.scanner_desired.translation.y_nm);
     TEST_ASSERT_EQUAL_UINT32(0U, plan.has_target);
@@ -180,9 +186,10 @@ void test_SWR_IGTL_009_a_proposed_registration_moves_the_desired_pose_only(void)
     const rigid_t target = pose_at(10000000, 200000000, 50000000);
     rigid_t shifted = identity;
     shifted.translation.x_nm = 10000000;
-    TEST_ASSERT_EQUAL(STATUS_OK, plan_propose_registration(&plan, &robot_neuro, &shifted));
-    (void)plan_propose_entry(&plan, &robot_neuro, &entry);
-    (void)plan_propose_target(&plan, &robot_neuro, &target);
+    TEST_ASSERT_EQUAL(STATUS_OK,
+                      plan_propose_registration(&plan, &robot_neuro, &shifted, &proposer));
+    (void)plan_propose_entry(&plan, &robot_neuro, &entry, &proposer);
+    (void)plan_propose_target(&plan, &robot_neuro, &target, &proposer);
     /* Lateral = 0 - 18.32 mm in the proposed z-frame: 47.24 ticks a mm. */
     TEST_ASSERT_INT32_WITHIN(1, -865, plan.desired_ticks[AXIS_LATERAL]);
     TEST_ASSERT_EQUAL_UINT32(0U, plan.is_registered);
@@ -195,10 +202,11 @@ void test_SWR_IGTL_009_a_proposed_registration_mixes_no_frames_once_one_is_in_fo
     rigid_t shifted = identity;
     shifted.translation.x_nm = 10000000;
     TEST_ASSERT_EQUAL(STATUS_OK, plan_register(&plan, &robot_neuro, &identity, &nobody));
-    (void)plan_propose_entry(&plan, &robot_neuro, &entry);
-    (void)plan_propose_target(&plan, &robot_neuro, &target);
+    (void)plan_propose_entry(&plan, &robot_neuro, &entry, &proposer);
+    (void)plan_propose_target(&plan, &robot_neuro, &target, &proposer);
     const int32_t before = plan.desired_ticks[AXIS_LATERAL];
-    TEST_ASSERT_EQUAL(STATUS_OK, plan_propose_registration(&plan, &robot_neuro, &shifted));
+    TEST_ASSERT_EQUAL(STATUS_OK,
+                      plan_propose_registration(&plan, &robot_neuro, &shifted, &proposer));
     TEST_ASSERT_EQUAL_UINT32(1U, plan.is_proposal_reachable);
     TEST_ASSERT_EQUAL_INT32(before, plan.desired_ticks[AXIS_LATERAL]);
 }
@@ -230,7 +238,7 @@ void test_SWR_PLAN_017_a_proposed_entry_decides_nothing_until_it_is_accepted(voi
     TEST_ASSERT_EQUAL_UINT32(0U, plan.has_entry);
     TEST_ASSERT_EQUAL(STATUS_OK, set_target().status);
     const int32_t free_nm = depth_nm();
-    TEST_ASSERT_EQUAL(STATUS_OK, plan_propose_entry(&plan, &robot_neuro, &entry));
+    TEST_ASSERT_EQUAL(STATUS_OK, plan_propose_entry(&plan, &robot_neuro, &entry, &proposer));
     TEST_ASSERT_EQUAL(STATUS_OK, set_target().status);
     TEST_ASSERT_EQUAL_INT32(free_nm, depth_nm());
     TEST_ASSERT_EQUAL(STATUS_OK, plan_accept_entry(&plan));
@@ -245,9 +253,9 @@ void test_SWR_PLAN_017_an_accepted_entry_stays_when_another_is_proposed(void)
     const rigid_t first = entry_for(20000000);
     const rigid_t second = entry_for(10000000);
     (void)plan_register(&plan, &robot_neuro, &identity, &nobody);
-    (void)plan_propose_entry(&plan, &robot_neuro, &first);
+    (void)plan_propose_entry(&plan, &robot_neuro, &first, &proposer);
     (void)plan_accept_entry(&plan);
-    (void)plan_propose_entry(&plan, &robot_neuro, &second);
+    (void)plan_propose_entry(&plan, &robot_neuro, &second, &proposer);
     TEST_ASSERT_EQUAL(STATUS_OK, set_target().status);
     TEST_ASSERT_INT32_WITHIN(400, 20000000, depth_nm());
 }
@@ -283,7 +291,7 @@ void test_SWR_ALIGN_003_a_target_that_was_accepted_with_its_entry_point_can_be_a
     TEST_ASSERT_EQUAL(STATUS_NO_TARGET, plan_judge_entry(&plan));
     aim(20000000);
     TEST_ASSERT_EQUAL(STATUS_OK, plan_judge_entry(&plan));
-    (void)plan_propose_entry(&plan, &robot_neuro, &entry);
+    (void)plan_propose_entry(&plan, &robot_neuro, &entry, &proposer);
     (void)plan_withdraw(&plan, &robot_neuro, PLAN_PROPOSED_ENTRY);
     TEST_ASSERT_EQUAL(STATUS_OK, plan_judge_entry(&plan));
     plan_forget_target(&plan);
@@ -294,7 +302,7 @@ void test_SWR_ALIGN_003_an_entry_point_that_is_only_proposed_or_came_later_does_
 {
     const rigid_t entry = entry_for(20000000);
     (void)plan_register(&plan, &robot_neuro, &identity, &nobody);
-    (void)plan_propose_entry(&plan, &robot_neuro, &entry);
+    (void)plan_propose_entry(&plan, &robot_neuro, &entry, &proposer);
     TEST_ASSERT_EQUAL(STATUS_OK, set_target().status);
     TEST_ASSERT_EQUAL(STATUS_NO_ENTRY_POINT, plan_judge_entry(&plan));
     (void)plan_accept_entry(&plan);
@@ -310,7 +318,7 @@ void test_SWR_ALIGN_003_another_entry_point_or_none_is_not_that_of_the_target(vo
     (void)plan_set_entry(&plan, &other);
     TEST_ASSERT_EQUAL(STATUS_NO_ENTRY_POINT, plan_judge_entry(&plan));
     aim(20000000);
-    (void)plan_propose_entry(&plan, &robot_neuro, &other);
+    (void)plan_propose_entry(&plan, &robot_neuro, &other, &proposer);
     (void)plan_accept_entry(&plan);
     TEST_ASSERT_EQUAL(STATUS_NO_ENTRY_POINT, plan_judge_entry(&plan));
     aim(20000000);
@@ -373,9 +381,9 @@ void test_SWR_PLAN_018_proposals_and_their_withdrawal_leave_the_target_as_it_is(
     (void)plan_register(&plan, &robot_neuro, &identity, &nobody);
     TEST_ASSERT_EQUAL(STATUS_OK, set_target().status);
     const plan_t before = plan;
-    (void)plan_propose_registration(&plan, &robot_neuro, &shifted);
-    (void)plan_propose_entry(&plan, &robot_neuro, &entry);
-    (void)plan_propose_target(&plan, &robot_neuro, &entry);
+    (void)plan_propose_registration(&plan, &robot_neuro, &shifted, &proposer);
+    (void)plan_propose_entry(&plan, &robot_neuro, &entry, &proposer);
+    (void)plan_propose_target(&plan, &robot_neuro, &entry, &proposer);
     for (uint32_t i = PLAN_PROPOSED_REGISTRATION; i <= PLAN_PROPOSED_TARGET; i++) {
         TEST_ASSERT_EQUAL(STATUS_OK, plan_withdraw(&plan, &robot_neuro, (plan_part_t)i));
     }
@@ -435,9 +443,9 @@ void test_SWR_PLAN_021_only_what_is_there_can_be_withdrawn(void)
         TEST_ASSERT_EQUAL(STATUS_NOT_PROPOSED, plan_withdraw(&plan, &robot_neuro, (plan_part_t)i));
     }
     (void)plan_set_entry(&plan, &pose);
-    (void)plan_propose_registration(&plan, &robot_neuro, &identity);
-    (void)plan_propose_entry(&plan, &robot_neuro, &pose);
-    (void)plan_propose_target(&plan, &robot_neuro, &pose);
+    (void)plan_propose_registration(&plan, &robot_neuro, &identity, &proposer);
+    (void)plan_propose_entry(&plan, &robot_neuro, &pose, &proposer);
+    (void)plan_propose_target(&plan, &robot_neuro, &pose, &proposer);
     uint32_t *const flags[] = {&plan.has_entry, &plan.has_proposed_registration,
                                &plan.has_proposed_entry, &plan.has_proposed_target};
     for (uint32_t i = PLAN_ENTRY; i <= PLAN_PROPOSED_TARGET; i++) {
@@ -453,8 +461,8 @@ void test_SWR_PLAN_021_without_one_of_its_points_the_desired_pose_is_gone(void)
 {
     const rigid_t entry = pose_at(0, 246000000, 50000000);
     const rigid_t target = pose_at(0, 200000000, 50000000);
-    (void)plan_propose_target(&plan, &robot_neuro, &target);
-    (void)plan_propose_entry(&plan, &robot_neuro, &entry);
+    (void)plan_propose_target(&plan, &robot_neuro, &target, &proposer);
+    (void)plan_propose_entry(&plan, &robot_neuro, &entry, &proposer);
     TEST_ASSERT_EQUAL_UINT32(1U, plan.is_proposal_reachable);
     (void)plan_withdraw(&plan, &robot_neuro, PLAN_PROPOSED_ENTRY);
     TEST_ASSERT_EQUAL_UINT32(0U, plan.is_proposal_reachable);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+import type { Origin } from "@interface";
 
 export const units = { mm: "mm", deg: "°" } as const;
 const MINUS = "\u2212";
@@ -40,6 +41,13 @@ export function formatDuration(ms: number): string {
     return "under 1 s";
   }
   return seconds < 120 ? `${seconds} s` : `${Math.floor(seconds / 60)} min`;
+}
+
+/** Behind what somebody has sent; nothing when it is not known who. */
+export function formatOrigin(origin: Origin | null): string {
+  return origin === null
+    ? ""
+    : `, from ${origin.name}, ${formatDuration(origin.age_s * 1000)} ago`;
 }
 
 /** So many numbers by spaces, commas or lines; null if the text is anything else. */

@@ -118,13 +118,19 @@ test("SWR-CON-018 the lengths of the probe are sent together", async () => {
 
 test("SWR-CON-018 a proposed entry is accepted as it is shown", async () => {
   const proposals = {
-    registration: null,
+    ...makeRobot().targeting.proposals,
     entry_mm: [1, 2, 3],
-    target_mm: null,
-    is_reachable: false,
-    desired: null,
+    entry_by: {
+      source: "IGTL" as const,
+      peer: 21,
+      name: "crtk 10.0.0.8:40001",
+      age_s: 12,
+    },
   };
   await show("TARGETING", { proposals });
+  screen.getByText(
+    "Proposed entry 1.00, 2.00, 3.00, from crtk 10.0.0.8:40001, 12 s ago",
+  );
   fireEvent.click(button("Accept"));
   fireEvent.click(button("Withdraw"));
   expect(commander.acts()).toEqual([

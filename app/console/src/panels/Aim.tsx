@@ -2,7 +2,12 @@
 import { useEffect, useId, useState } from "react";
 import { TargetPreview } from "@interface";
 import type { Path, Problem, RobotState } from "@interface";
-import { formatNumber, formatPoint, readNumbers } from "../format";
+import {
+  formatNumber,
+  formatOrigin,
+  formatPoint,
+  readNumbers,
+} from "../format";
 import { useCommanding, type Commanding, type Operation } from "../operation";
 import { Order, OrderNotes } from "../parts/Order";
 import { refusalOf, type Page } from "../page";
@@ -146,13 +151,16 @@ function Point({
 
 /** What a navigation program proposes, to be accepted as it is shown. */
 function ProposedEntry({ robot, commanding }: AimProperties) {
-  const { entry_mm: point } = robot.targeting.proposals;
+  const { entry_mm: point, entry_by: by } = robot.targeting.proposals;
   if (point === null) {
     return null;
   }
   return (
     <div className="orders">
-      <span>Proposed entry {formatPoint(point)}</span>
+      <span>
+        Proposed entry {formatPoint(point)}
+        {formatOrigin(by)}
+      </span>
       <Order
         commanding={commanding}
         path="/api/v1/targeting/entry"

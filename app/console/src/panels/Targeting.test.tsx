@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rule under test: the panel says which entry point decides the depth and which is only proposed, and shows the needle
 // that an image has shown.
-import type { Targeting as TargetingData } from "@interface";
+import type { Origin, Targeting as TargetingData } from "@interface";
 import { cleanup, render, screen } from "@testing-library/react";
 import { afterEach, expect, test } from "vitest";
 import { makeRobot } from "../testing/robot";
@@ -47,6 +47,54 @@ test("SWR-PLAN-017 a proposed entry point is not shown as one that decides", () 
   expect(said("Entry point")).toBe("none");
   expect(said("Proposed entry point")).toBe(
     "1.00, 2.00, 3.00 (decides nothing)",
+  );
+});
+
+const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+
+function by(name: string, age_s: number): Origin {
+  return { source: "IGTL", peer: 21, name, age_s };
+}
+
+test("SWR-IGTL-072 each proposal is shown with who made it and how old it is", () => {
+  const { proposals } = makeRobot().targeting;
+  show({
+    proposals: {
+      ...proposals,
+      registration: IDENTITY,
+      registration_by: by("crtk 10.0.0.7:40000", 300),
+      entry_mm: [1, 2, 3],
+      entry_by: by("crtk 10.0.0.8:40001", 12.4),
+      target_mm: [4, 5, 6],
+      target_by: by("connection 21", 0.3),
+    },
+  });
+  expect(said("Proposed registration")).toBe(
+    "at 0.00, 0.00, 0.00 (decides nothing), from crtk 10.0.0.7:40000, 5 min ago",
+  );
+  expect(said("Proposed entry point")).toBe(
+    "1.00, 2.00, 3.00 (decides nothing), from crtk 10.0.0.8:40001, 12 s ago",
+  );
+  expect(said("Proposed target")).toBe(
+    "4.00, 5.00, 6.00 (not reachable), from connection 21, under 1 s ago",
+  );
+});
+
+test("SWR-IGTL-072 what counts is shown with who sent it and how old it is", () => {
+  const anna: Origin = { ...by("page of anna", 62), source: "HTTP" };
+  show({
+    registration: IDENTITY,
+    registration_by: anna,
+    target: IDENTITY,
+    target_by: anna,
+    entry_mm: [5, 246, 60],
+    entry_by: anna,
+  });
+  const from = ", from page of anna, 62 s ago";
+  expect(said("Registration")).toBe(`accepted${from}`);
+  expect(said("Target")).toBe(`0.00, 0.00, 0.00${from}`);
+  expect(said("Entry point")).toBe(
+    `5.00, 246.00, 60.00 (decides the depth)${from}`,
   );
 });
 

@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Targeting as TargetingData } from "@interface";
-import { formatNumber, formatPoint, originOf } from "../format";
+import { formatNumber, formatOrigin, formatPoint, originOf } from "../format";
 
 function pointText(matrix: readonly number[] | null, missing: string): string {
   return matrix === null ? missing : formatPoint(originOf(matrix));
 }
 
+function proposedRegistrationText({ proposals }: TargetingData): string {
+  return proposals.registration === null
+    ? "none"
+    : `at ${pointText(proposals.registration, "")} (decides nothing)${formatOrigin(proposals.registration_by)}`;
+}
+
 function proposedEntryText({ proposals }: TargetingData): string {
   return proposals.entry_mm === null
     ? "none"
-    : `${formatPoint(proposals.entry_mm)} (decides nothing)`;
+    : `${formatPoint(proposals.entry_mm)} (decides nothing)${formatOrigin(proposals.entry_by)}`;
 }
 
 function proposalText({ proposals }: TargetingData): string {
@@ -17,12 +23,18 @@ function proposalText({ proposals }: TargetingData): string {
     return "none";
   }
   const reach = proposals.is_reachable ? "reachable" : "not reachable";
-  return `${formatPoint(proposals.target_mm)} (${reach})`;
+  return `${formatPoint(proposals.target_mm)} (${reach})${formatOrigin(proposals.target_by)}`;
 }
 
 /** What decides how deep the needle goes: until one is commanded or accepted, nobody's point. */
-function entryText({ entry_mm: entry }: TargetingData): string {
-  return entry === null ? "none" : `${formatPoint(entry)} (decides the depth)`;
+function entryText({ entry_mm: entry, entry_by: by }: TargetingData): string {
+  return entry === null
+    ? "none"
+    : `${formatPoint(entry)} (decides the depth)${formatOrigin(by)}`;
+}
+
+function targetText({ target, target_by: by }: TargetingData): string {
+  return pointText(target, "none") + formatOrigin(by);
 }
 
 /** What counts of the registration. */
@@ -30,9 +42,10 @@ function registrationText(targeting: TargetingData): string {
   if (targeting.registration === null) {
     return "none";
   }
-  return targeting.ignores_registration_rotation
+  const what = targeting.ignores_registration_rotation
     ? "accepted, its rotation ignored"
     : "accepted";
+  return what + formatOrigin(targeting.registration_by);
 }
 
 /**
@@ -50,7 +63,11 @@ function probeText({ probe }: TargetingData): string {
     .join(", ");
 }
 
-/** Points are in mm, in scanner coordinates where the robot is registered. */
+/**
+ * Points are in mm, in scanner coordinates where the robot is registered. Who sent what, and when.
+ *
+ * @satisfies SWR-IGTL-072
+ */
 export function Targeting({ targeting }: { targeting: TargetingData }) {
   const { distance_mm: distance } = targeting;
   return (
@@ -68,11 +85,13 @@ export function Targeting({ targeting }: { targeting: TargetingData }) {
       <dt>Entry point</dt>
       <dd>{entryText(targeting)}</dd>
       <dt>Target</dt>
-      <dd>{pointText(targeting.target, "none")}</dd>
+      <dd>{targetText(targeting)}</dd>
       <dt>Distance to target</dt>
       <dd>{distance === null ? "–" : `${formatNumber(distance, 3)} mm`}</dd>
       <dt>Needle seen in the image</dt>
       <dd>{pointText(targeting.seen_needle, "none")}</dd>
+      <dt>Proposed registration</dt>
+      <dd>{proposedRegistrationText(targeting)}</dd>
       <dt>Proposed entry point</dt>
       <dd>{proposedEntryText(targeting)}</dd>
       <dt>Proposed target</dt>

@@ -202,8 +202,11 @@ export function makeRobot(
       ],
       proposals: {
         registration: null,
+        registration_by: null,
         entry_mm: null,
+        entry_by: null,
         target_mm: null,
+        target_by: null,
         is_reachable: false,
         desired: null,
       },
