@@ -59,8 +59,12 @@ const char *http_act_axis(const robot_t *robot, const answer_t *answer)
     const bool is_of_restoring = (answer->command == (uint32_t)COMMAND_RESTORE) &&
                                  ((answer->status == (uint32_t)STATUS_OUT_OF_RANGE) ||
                                   (answer->status == (uint32_t)STATUS_HARDWARE_NOT_READY));
+    const bool is_of_row = (answer->command == (uint32_t)COMMAND_LIST_ROW) &&
+                           ((answer->status == (uint32_t)STATUS_TRAJECTORY_SPEED) ||
+                            (answer->status == (uint32_t)STATUS_NEEDLE_IN));
     const bool is_named =
-        is_why && ((answer->kind == (uint32_t)ANSWER_ABORTED) || is_limit || is_of_restoring) &&
+        is_why &&
+        ((answer->kind == (uint32_t)ANSWER_ABORTED) || is_limit || is_of_restoring || is_of_row) &&
         (answer->axis < robot->axis_count);
     return is_named ? robot->axes[answer->axis].name : NULL;
 }

@@ -10,7 +10,7 @@
 int http_program_show(http_server_t *server, const http_call_t *call);
 
 /**
- * Sends the steps of the body one by one, each once the one before was taken.
+ * Sends the steps of the body, some at once and the next ones when these were taken.
  *
  * @satisfies SWR-PROG-012
  */

@@ -8,7 +8,7 @@
 #include "charts/pedal_gate_chart.h"
 #include "interface/command.h"
 #include "mode/mode.h"
-#include "mode/program_list.h"
+#include "mode/program_step.h"
 #include "procedure/procedure.h"
 
 #include <stdbool.h>
@@ -149,7 +149,7 @@ static status_t program_outlook(const robot_t *robot, const snapshot_t *snapshot
     } else if (snapshot->program_steps == 0U) {
         status = STATUS_PROGRAM_OTHER;
     } else {
-        status = aligned_outlook(robot, snapshot, program_list_turning_axis(robot));
+        status = aligned_outlook(robot, snapshot, program_step_turning_axis(robot));
         if ((status == STATUS_OK) && (snapshot->is_treatment_stopped != 0U)) {
             status = STATUS_PROGRAM_STOPPED;
         }

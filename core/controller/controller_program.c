@@ -9,7 +9,7 @@ static status_t add_step(controller_t *self, const cycle_t *cycle, const command
     const bool is_gated = command->value < 0;
     const int64_t dwell_ms = is_gated ? -(int64_t)command->value : (int64_t)command->value;
     program_step_t step = {.dwell_ms = (uint32_t)dwell_ms, .is_gated = is_gated ? 1U : 0U};
-    program_list_place(robot, command->ticks, &step);
+    program_step_place(robot, command->ticks, &step);
     const solution_t judged =
         program_list_add(&self->program, robot, self->plan.target_ticks, command->argument, &step);
     answer->axis = (uint32_t)judged.axis;

@@ -8,21 +8,6 @@
 #include <stddef.h>
 #include <string.h>
 
-uint32_t program_list_turning_axis(const robot_t *robot)
-{
-    uint32_t axis = 0U;
-    while ((axis < robot->axis_count) &&
-           (robot->axes[axis].needle_motion != (uint32_t)NEEDLE_ABOUT)) {
-        axis++;
-    }
-    return axis;
-}
-
-static uint32_t crc_of_step(const program_step_t *step)
-{
-    return crc32c((const uint8_t *)step, offsetof(program_step_t, crc));
-}
-
 static uint32_t crc_of_target(const int32_t target_ticks[ROBOT_AXIS_MAX])
 {
     return crc32c((const uint8_t *)target_ticks, ROBOT_AXIS_MAX * sizeof target_ticks[0]);
@@ -31,12 +16,6 @@ static uint32_t crc_of_target(const int32_t target_ticks[ROBOT_AXIS_MAX])
 static uint32_t crc_of_head(const program_list_t *self)
 {
     return crc32c((const uint8_t *)self, offsetof(program_list_t, seal));
-}
-
-uint32_t program_list_crc(uint32_t crc, const program_step_t *step)
-{
-    const uint32_t words[2] = {crc, crc_of_step(step)};
-    return crc32c((const uint8_t *)words, sizeof words);
 }
 
 static void clear(program_list_t *self)
@@ -58,18 +37,10 @@ status_t program_list_begin(program_list_t *self, uint32_t total, uint32_t sourc
     return STATUS_OK;
 }
 
-void program_list_place(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX],
-                        program_step_t *step)
-{
-    const uint32_t turning = program_list_turning_axis(robot);
-    step->depth_ticks = ticks[robot->needle_axis];
-    step->angle_ticks = (turning < robot->axis_count) ? ticks[turning] : 0;
-}
-
 void program_list_ends(const robot_t *robot, const int32_t target_ticks[ROBOT_AXIS_MAX],
                        const program_step_t *step, int32_t ends[ROBOT_AXIS_MAX])
 {
-    const uint32_t turning = program_list_turning_axis(robot);
+    const uint32_t turning = program_step_turning_axis(robot);
     (void)memcpy(ends, target_ticks, ROBOT_AXIS_MAX * sizeof ends[0]);
     ends[robot->needle_axis] = step->depth_ticks;
     if (turning < robot->axis_count) {
@@ -109,7 +80,7 @@ static solution_t judge_way(const robot_t *robot, const int32_t target_ticks[ROB
 static solution_t judge_place(const robot_t *robot, const int32_t target_ticks[ROBOT_AXIS_MAX],
                               const program_step_t *step)
 {
-    const uint32_t turning = program_list_turning_axis(robot);
+    const uint32_t turning = program_step_turning_axis(robot);
     solution_t result = {
         .status = STATUS_PROGRAM_DEPTH, .axis = (uint8_t)robot->needle_axis, .is_maximum = 1U};
     if (step->depth_ticks <= target_ticks[robot->needle_axis]) {
@@ -156,7 +127,7 @@ solution_t program_list_add(program_list_t *self, const robot_t *robot,
         return result;
     }
     self->steps[index] = *step;
-    self->steps[index].crc = crc_of_step(step);
+    self->steps[index].crc = program_step_crc(step);
     self->crc = program_list_crc(self->crc, step);
     self->count++;
     self->seal = crc_of_head(self);
@@ -197,7 +168,7 @@ const program_step_t *program_list_step(const program_list_t *self, uint32_t ind
 {
     const program_step_t *found = NULL;
     if ((self->seal == crc_of_head(self)) && (self->is_whole != 0U) && (index < self->count) &&
-        (self->steps[index].crc == crc_of_step(&self->steps[index]))) {
+        program_step_is_whole(&self->steps[index])) {
         found = &self->steps[index];
     }
     return found;

@@ -11,20 +11,12 @@
 
 #include "interface/status.h"
 #include "limits/requirement_limits.h"
+#include "mode/program_step.h"
 #include "robot/joints.h"
 #include "robot/robot.h"
 
 #include <stdbool.h>
 #include <stdint.h>
-
-/** One step. No padding. */
-typedef struct {
-    int32_t depth_ticks; /**< Of the axis along the needle. */
-    int32_t angle_ticks; /**< Of the one about it; of no meaning without one. */
-    uint32_t dwell_ms;   /**< 0..LIMIT_PROGRAM_DWELL_MS; with a gate the longest. */
-    uint32_t is_gated;   /**< The dose ends it: 0 or 1. */
-    uint32_t crc;        /**< CRC-32C of all before it. */
-} program_step_t;
 
 /** All zero it holds nothing. No padding. */
 typedef struct {
@@ -37,13 +29,6 @@ typedef struct {
     uint32_t seal;       /**< CRC-32C of all before it. */
     program_step_t steps[LIMIT_PROGRAM_STEPS];
 } program_list_t;
-
-/** The axis that turns the needle about its line; the count of the axes without one. */
-uint32_t program_list_turning_axis(const robot_t *robot);
-
-/** Checksum of a list that was `crc` (0 of none) with one step more: CRC-32C of that and of the
- * step's CRC-32C. */
-uint32_t program_list_crc(uint32_t crc, const program_step_t *step);
 
 /**
  * A list of `total` steps shall come for the target at `target_ticks`; what was held is gone. 0
@@ -97,11 +82,6 @@ bool program_list_is_meant(const program_list_t *self, uint32_t crc,
  * @satisfies SWR-PROG-009
  */
 const program_step_t *program_list_step(const program_list_t *self, uint32_t index);
-
-/** Depth and angle of `step` from positions of all axes; 0 is the angle of a robot that turns no
- * needle. */
-void program_list_place(const robot_t *robot, const int32_t ticks[ROBOT_AXIS_MAX],
-                        program_step_t *step);
 
 /** Where all axes stand at `step`. */
 void program_list_ends(const robot_t *robot, const int32_t target_ticks[ROBOT_AXIS_MAX],

@@ -20,7 +20,7 @@ typedef struct {
 /* The axes that it drives. */
 static uint32_t driven_axes(const robot_t *robot)
 {
-    const uint32_t turning = program_list_turning_axis(robot);
+    const uint32_t turning = program_step_turning_axis(robot);
     return LEG_AXIS(robot->needle_axis) | ((turning < robot->axis_count) ? LEG_AXIS(turning) : 0U);
 }
 
@@ -28,7 +28,7 @@ static uint32_t driven_axes(const robot_t *robot)
 static bool is_base_aligned(const move_mode_t *target, const robot_t *robot,
                             const axis_t axes[ROBOT_AXIS_MAX])
 {
-    const uint32_t turning = program_list_turning_axis(robot);
+    const uint32_t turning = program_step_turning_axis(robot);
     move_mode_t base;
     (void)memcpy(&base, target, sizeof base);
     if (turning < robot->axis_count) {

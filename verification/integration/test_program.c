@@ -44,7 +44,7 @@ static answer_t send_step(uint32_t index, int32_t depth_ticks, int32_t angle_tic
                                  .dwell_ms = (uint32_t)((dwell < 0) ? -dwell : dwell),
                                  .is_gated = (dwell < 0) ? 1U : 0U};
     command.ticks[rig.robot.needle_axis] = depth_ticks;
-    command.ticks[program_list_turning_axis(&rig.robot)] = angle_ticks;
+    command.ticks[program_step_turning_axis(&rig.robot)] = angle_ticks;
     sum = program_list_crc(sum, &step);
     return rig_command(&rig, command);
 }

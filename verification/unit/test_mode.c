@@ -16,6 +16,7 @@
 #include "mode/mode_frame.h"
 #include "mode/move_mode.h"
 #include "mode/program_list.h"
+#include "mode/program_step.h"
 #include "mode/program_mode.h"
 #include "mode/retract_mode.h"
 #include "mode/trajectory_list.h"

@@ -11,6 +11,7 @@
 #include "interface/command.h"
 #include "limits/requirement_limits.h"
 #include "mode/program_list.h"
+#include "mode/program_step.h"
 #include "robot/coupled_limit.h"
 #include "robot/coupled_path.h"
 #include "robot/joints.h"
@@ -182,8 +183,8 @@ void test_SWR_PROG_003_a_robot_that_turns_no_needle_has_depths_alone(void)
 {
     robot = robot_bench2;
     target[robot.needle_axis] = robot.axes[robot.needle_axis].target_maximum_ticks;
-    TEST_ASSERT_EQUAL_UINT32(robot.axis_count, program_list_turning_axis(&robot));
-    program_list_place(&robot, target, &step);
+    TEST_ASSERT_EQUAL_UINT32(robot.axis_count, program_step_turning_axis(&robot));
+    program_step_place(&robot, target, &step);
     TEST_ASSERT_EQUAL_INT32(target[robot.needle_axis], step.depth_ticks);
     TEST_ASSERT_EQUAL_INT32(0, step.angle_ticks);
     begin(1U);
@@ -194,7 +195,7 @@ void test_SWR_PROG_003_a_step_is_at_the_positions_that_it_was_made_of(void)
 {
     int32_t ends[ROBOT_AXIS_MAX];
     target[AXIS_ROTATION] = -300;
-    program_list_place(&robot, target, &step);
+    program_step_place(&robot, target, &step);
     TEST_ASSERT_EQUAL_INT32(-300, step.angle_ticks);
     program_list_ends(&robot, target, &step, ends);
     TEST_ASSERT_EQUAL_INT32_ARRAY(target, ends, ROBOT_AXIS_MAX);

@@ -15,6 +15,7 @@
 #include "mode/mode_frame.h"
 #include "mode/move_mode.h"
 #include "mode/program_list.h"
+#include "mode/program_step.h"
 #include "mode/program_mode.h"
 #include "robot/coupled_limit.h"
 #include "robot/coupled_path.h"

@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "common/list_terms.h"
+
+#include "common/axis_terms.h"
+
+#include <math.h>
+#include <string.h>
+
+#define MS_PER_S 1000.0
+#define MOST_S 1.0e6
+
+status_t list_terms_step(const robot_t *robot, const told_step_t *told, program_step_t *step)
+{
+    const uint32_t turning = program_step_turning_axis(robot);
+    const bool is_turning = turning < robot->axis_count;
+
+    (void)memset(step, 0, sizeof *step);
+    if ((told->has_angle != is_turning) || (told->dwell_s < 0.0) || (told->dwell_s > MOST_S) ||
+        !axis_terms_ticks(&robot->axes[robot->needle_axis], told->depth, &step->depth_ticks) ||
+        (is_turning && !axis_terms_ticks(&robot->axes[turning], told->angle, &step->angle_ticks))) {
+        return STATUS_OUT_OF_RANGE;
+    }
+    step->dwell_ms = (uint32_t)round(told->dwell_s * MS_PER_S);
+    step->is_gated = told->is_gated ? 1U : 0U;
+    return (told->is_gated && (step->dwell_ms == 0U)) ? STATUS_PROGRAM_DWELL : STATUS_OK;
+}
+
+command_t list_terms_step_command(const robot_t *robot, uint32_t index, const program_step_t *step)
+{
+    const uint32_t turning = program_step_turning_axis(robot);
+    const int32_t dwell_ms = (int32_t)step->dwell_ms;
+    command_t command = {.kind = (uint32_t)COMMAND_PROGRAM_STEP,
+                         .argument = index,
+                         .value = (step->is_gated != 0U) ? -dwell_ms : dwell_ms};
+
+    command.ticks[robot->needle_axis] = step->depth_ticks;
+    if (turning < robot->axis_count) {
+        command.ticks[turning] = step->angle_ticks;
+    }
+    return command;
+}
+
+command_t list_terms_row_command(uint32_t index, const trajectory_row_t *row)
+{
+    command_t command = {
+        .kind = (uint32_t)COMMAND_LIST_ROW, .argument = index, .value = (int32_t)row->time_ms};
+
+    (void)memcpy(command.ticks, row->ticks, sizeof command.ticks);
+    (void)memcpy(command.speeds, row->speeds_ticks_per_s, sizeof command.speeds);
+    return command;
+}
