@@ -112,7 +112,8 @@ typedef struct {
     uint32_t cause;        /**< event_cause_t of what happens now. */
     uint32_t awaited;      /**< Axes of kept that have not been compared; 0: it counts no more. */
     uint32_t peer;         /**< Of the cause. */
-    uint32_t has_arrived;  /**< The last order led to the target, and ended as asked. */
+    uint32_t has_arrived;  /**< The last order led to the target, or through a program, and ended as
+                              asked. */
     uint32_t was_gate_open;
     uint32_t was_scanner_active;
     uint32_t strangers;    /**< Bit n: a card that the robot does not name is in slot n. */

@@ -12,6 +12,7 @@ answer_t *controller_add_answer(const controller_t *self, const cycle_t *cycle);
  * The chart has armed a motion: `kind`, with `request`. `command` is to be answered for good later.
  *
  * @satisfies SWR-FLOW-001
+ * @satisfies SWR-MODE-012
  */
 void controller_arm(controller_t *self, const cycle_t *cycle, const command_t *command,
                     mode_kind_t kind, const mode_request_t *request);
@@ -25,6 +26,7 @@ void controller_abandon_order(controller_t *self, const cycle_t *cycle);
  * given up.
  *
  * @satisfies SWR-FLOW-001
+ * @satisfies SWR-MODE-012
  */
 void controller_report_order(controller_t *self, const cycle_t *cycle, uint32_t actions,
                              status_t fault);

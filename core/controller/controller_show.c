@@ -36,6 +36,12 @@ static const remedy_t remedies[] = {
     {PERMIT_REASON_COUPLED_LIMIT, NEXT_STEP_HOLD_PEDAL},
 };
 
+/* At the target, or at the last step of a program, which may lie before it. */
+static next_step_t step_after_arrival(const controller_t *self)
+{
+    return (self->mode.kind == (uint32_t)MODE_PROGRAM) ? NEXT_STEP_PROGRAM_DONE : NEXT_STEP_NOTHING;
+}
+
 static next_step_t step_for_plan(const controller_t *self, bool is_homed)
 {
     const workphase_t workphase = procedure_workphase(&self->procedure);
@@ -51,7 +57,7 @@ static next_step_t step_for_plan(const controller_t *self, bool is_homed)
     } else if (workphase == WORKPHASE_TARGETING) {
         step = NEXT_STEP_MOVE;
     } else if (workphase == WORKPHASE_MOVE_TO_TARGET) {
-        step = (self->has_arrived != 0U) ? NEXT_STEP_NOTHING : NEXT_STEP_MOVE;
+        step = (self->has_arrived != 0U) ? step_after_arrival(self) : NEXT_STEP_MOVE;
     } else {
         step = NEXT_STEP_TARGETING;
     }
@@ -118,7 +124,8 @@ static next_step_t authority_first(const controller_t *self, next_step_t step)
                                BIT(NEXT_STEP_REGISTER) | BIT(NEXT_STEP_TARGET) |
                                BIT(NEXT_STEP_MOVE) | BIT(NEXT_STEP_TARGETING);
     const uint32_t calm = commanded | BIT(NEXT_STEP_RELEASE_PEDAL) | BIT(NEXT_STEP_PRESS_PEDAL) |
-                          BIT(NEXT_STEP_CONFIRM) | BIT(NEXT_STEP_NOTHING);
+                          BIT(NEXT_STEP_CONFIRM) | BIT(NEXT_STEP_NOTHING) |
+                          BIT(NEXT_STEP_PROGRAM_DONE);
     next_step_t first = step;
     if (controller_awaits_grant(self) && is_one_of(step, calm)) {
         first = NEXT_STEP_GRANT;

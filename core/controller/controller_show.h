@@ -10,6 +10,7 @@
  *
  * @satisfies SWR-NEXT-001
  * @satisfies SWR-NEXT-002
+ * @satisfies SWR-MODE-011
  * @satisfies SWR-AUTH-014
  * @satisfies SWR-LINK-009
  * @satisfies SWR-DRIVE-013

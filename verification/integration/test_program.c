@@ -151,7 +151,15 @@ void test_SWR_PROG_011_a_program_goes_through_its_steps_shows_them_and_tells_its
     TEST_ASSERT_EQUAL_UINT32(2U, rig.outputs.snapshot.program_step);
     TEST_ASSERT_EQUAL_UINT32(2U, rig_count(&rig, EVENT_PROGRAM_STEP));
     TEST_ASSERT_TRUE(truly(AXIS_YAW) == yaw);
-    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_NOTHING, rig.outputs.snapshot.next_step);
+}
+
+void test_SWR_MODE_011_its_end_is_shown_as_that_of_a_program_not_as_the_target(void)
+{
+    start_armed();
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, LONG_CYCLES).kind);
+    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_PROGRAM_DONE, rig.outputs.snapshot.next_step);
+    rig_release(&rig);
 }
 
 void test_SWR_PROG_011_it_may_be_run_again_with_the_needle_turned(void)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "supervise/order_watch.h"
 
+#include "charts/arming_chart.h"
 #include "supervise/truth.h"
 
 #include <math.h>
@@ -42,13 +43,27 @@ static void add_row(order_watch_t *self, const command_t *command)
     }
 }
 
+/* Along the needle and about it. */
+static uint32_t needle_axes(const rig_t *rig)
+{
+    uint32_t axes = (uint32_t)1U << rig->box.robot->needle_axis;
+    for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
+        const bool is_about = rig->box.robot->axes[i].needle_motion == (uint32_t)NEEDLE_ABOUT;
+        axes |= is_about ? ((uint32_t)1U << i) : 0U;
+    }
+    return axes;
+}
+
 /* The axes that an order names; of one that names none every axis. */
-static uint32_t named_by(const command_t *command)
+static uint32_t named_by(const rig_t *rig, const command_t *command)
 {
     switch (command->kind) {
+    case COMMAND_RUN_PROGRAM:
+        return needle_axes(rig);
     case COMMAND_JOG:
     case COMMAND_JOG_BY:
     case COMMAND_HOME_AXIS:
+    case COMMAND_SWEEP:
         return (uint32_t)1U << command->argument;
     case COMMAND_VELOCITY:
         return command->argument;
@@ -57,14 +72,15 @@ static uint32_t named_by(const command_t *command)
     }
 }
 
-static void note_accepted(order_watch_t *self, const command_t *command, bool is_order,
-                          const double truth[ROBOT_AXIS_MAX])
+static void note_accepted(order_watch_t *self, const rig_t *rig, const command_t *command,
+                          bool is_order, const double truth[ROBOT_AXIS_MAX])
 {
     const uint32_t axis = (uint32_t)1U << (command->argument % 32U);
     if (is_order) {
         self->armed[command->kind]++;
         self->kind = command->kind;
-        self->axes = named_by(command);
+        self->argument = command->argument;
+        self->axes = named_by(rig, command);
         self->inwards = 0.0;
         (void)memcpy(self->from, truth, sizeof self->from);
     }
@@ -97,7 +113,7 @@ static void read_answers(order_watch_t *self, const rig_t *rig, const double tru
         const answer_t *const answer = &rig->outputs.answers[i];
         const bool is_accepted = answer->kind == (uint32_t)ANSWER_ACCEPTED;
         if (is_accepted && (number < rig->inputs.command_count)) {
-            note_accepted(self, &rig->inputs.commands[number], answer->is_final == 0U, truth);
+            note_accepted(self, rig, &rig->inputs.commands[number], answer->is_final == 0U, truth);
         }
         if (is_accepted || (answer->kind == (uint32_t)ANSWER_REFUSED)) {
             number++;
@@ -154,6 +170,8 @@ uint32_t order_watch_look(order_watch_t *self, const rig_t *rig, const double tr
     }
     (void)memcpy(self->before, truth, sizeof self->before);
     return broken |
+           rule(ORDER_TOLD, (self->kind != (uint32_t)COMMAND_NONE) &&
+                                (rig->outputs.snapshot.order == (uint32_t)ARMING_STATE_NONE)) |
            rule(ORDER_ALIGN, (self->kind == (uint32_t)COMMAND_ALIGN) && !is_disturbed &&
                                  is_farther(rig, rig->box.robot->needle_axis, self->inwards));
 }

@@ -17,16 +17,18 @@ typedef enum {
     ORDER_POSE = 0,      /**< To a pose the needle is not driven. */
     ORDER_ALIGN = 1,     /**< To line up the needle is not driven in. */
     ORDER_INSERT = 2,    /**< An insertion moves no other axis. */
-    ORDER_COMMANDED = 3, /**< A jog, and speeds, drive the axes that they name. */
+    ORDER_COMMANDED = 3, /**< Jogs, speeds, sweeps and programs drive the axes that they name. */
     ORDER_DISABLED = 4,  /**< An axis that was disabled is not driven. */
-    ORDER_LISTED = 5     /**< A trajectory keeps each axis between its rows. */
+    ORDER_LISTED = 5,    /**< A trajectory keeps each axis between its rows. */
+    ORDER_TOLD = 6       /**< The end of an order is told. */
 } order_rule_t;
 
-#define ORDER_RULES 6U
+#define ORDER_RULES 7U
 
 /** At first all zero. */
 typedef struct {
     uint32_t kind;     /**< command_kind_t of the order that was accepted and has not ended. */
+    uint32_t argument; /**< Of it. */
     uint32_t axes;     /**< Bit n: axis n is named by it. */
     uint32_t disabled; /**< Bit n: axis n was disabled, and nobody has enabled it. */
     double from[ROBOT_AXIS_MAX];    /**< Where the axes were when it was accepted. */

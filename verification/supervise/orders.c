@@ -2,16 +2,22 @@
 #include "supervise/orders.h"
 
 #include "interface/pose_name.h"
+#include "mode/program_list.h"
 #include "mode/trajectory_list.h"
 #include "supervise/chance.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #define ROWS_MOST 6U
 #define WAY_PARTS 16 /* Of an axis' whole way, a row is no farther from the one before. */
 #define SPEED_SHARE 0.5
 #define SLOWEST_MS 50.0
 #define SPEEDS 2 /* No faster than one of so many parts. */
+#define STEPS_MOST 4U
+#define DWELL_LEAST_MS 20
+#define DWELL_SPREAD_MS 1200U
+#define AMISS_PARTS 32U /* One of so many steps, or sweeps, is not as it must be. */
 
 static const axis_config_t *config_of(const rig_t *rig, uint32_t axis)
 {
@@ -86,6 +92,30 @@ static void of_list(orders_t *self, const rig_t *rig, uint32_t *chance, command_
     command->argument = self->rows;
 }
 
+static void of_program(orders_t *self, const rig_t *rig, uint32_t *chance, command_t *command)
+{
+    (void)rig;
+    *self = (orders_t){.rows = 1U + chance_below(chance, STEPS_MOST), .is_program = true};
+    command->argument = self->rows;
+}
+
+static bool is_amiss(uint32_t *chance)
+{
+    return chance_below(chance, AMISS_PARTS) == 0U;
+}
+
+/* Mostly an axis with waves, where there is one, that the operator has found free. */
+static void of_sweep(orders_t *self, const rig_t *rig, uint32_t *chance, command_t *command)
+{
+    of_axis(self, rig, chance, command);
+    for (uint32_t i = 0U; (i < rig->box.robot->axis_count) && !is_amiss(chance); i++) {
+        if (config_of(rig, i)->card_type == (uint8_t)CARD_TYPE_HIGH_FREQUENCY) {
+            command->argument = i;
+        }
+    }
+    command->value = is_amiss(chance) ? 0 : 1;
+}
+
 typedef void (*make_t)(orders_t *self, const rig_t *rig, uint32_t *chance, command_t *command);
 
 /* What there is, and where it has a chance. */
@@ -102,27 +132,39 @@ static const struct {
               {COMMAND_JOG_BY, WORKPHASE_MANUAL, of_way},
               {COMMAND_ENABLE_AXIS, WORKPHASE_MANUAL, of_axis},
               {COMMAND_DISABLE_AXIS, WORKPHASE_MANUAL, of_axis},
-              {COMMAND_LIST_BEGIN, WORKPHASE_MANUAL, of_list}};
+              {COMMAND_LIST_BEGIN, WORKPHASE_MANUAL, of_list},
+              {COMMAND_PROGRAM_BEGIN, WORKPHASE_TARGETING, of_program},
+              {COMMAND_PROGRAM_BEGIN, WORKPHASE_MOVE_TO_TARGET, of_program},
+              {COMMAND_SWEEP, WORKPHASE_MANUAL, of_sweep}};
 #define ORDERS (sizeof orders / sizeof orders[0])
 
-static bool is_for(uint32_t row, workphase_t phase)
+static bool is_for(uint32_t row, orders_wish_t wish)
 {
-    return (phase == WORKPHASE_COUNT) || (orders[row].phase == phase);
+    return ((wish.phase == WORKPHASE_COUNT) || (orders[row].phase == wish.phase)) &&
+           ((wish.theme == COMMAND_NONE) || (orders[row].kind == wish.theme));
 }
 
-bool orders_choose(orders_t *self, const rig_t *rig, workphase_t phase, uint32_t *chance,
-                   command_t *command)
+static uint32_t count_rows(orders_wish_t wish)
 {
     uint32_t rows = 0U;
     for (uint32_t i = 0U; i < ORDERS; i++) {
-        rows += is_for(i, phase) ? 1U : 0U;
+        rows += is_for(i, wish) ? 1U : 0U;
     }
+    return rows;
+}
+
+bool orders_choose(orders_t *self, const rig_t *rig, orders_wish_t wish, uint32_t *chance,
+                   command_t *command)
+{
+    const command_kind_t theme = (count_rows(wish) > 0U) ? wish.theme : COMMAND_NONE;
+    const orders_wish_t due = {wish.phase, theme};
+    const uint32_t rows = count_rows(due);
     if (rows == 0U) {
         return false;
     }
     uint32_t left = chance_below(chance, rows);
     for (uint32_t i = 0U; i < ORDERS; i++) {
-        if (is_for(i, phase)) {
+        if (is_for(i, due)) {
             if (left == 0U) {
                 *command = (command_t){.kind = (uint32_t)orders[i].kind};
                 rigid_set_identity(&command->pose);
@@ -169,6 +211,54 @@ static void send_row(orders_t *self, const rig_t *rig, uint32_t *chance, command
     self->sum = trajectory_list_crc(self->sum, &self->row);
 }
 
+/* Within what a target may ask of the axis. */
+static int32_t clamped(const axis_config_t *config, int32_t ticks)
+{
+    const int32_t least = config->target_minimum_ticks;
+    const int32_t most = config->target_maximum_ticks;
+    return (ticks < least) ? least : (ticks > most) ? most : ticks;
+}
+
+/* Before the target, somehow turned, with a gate or without; now and then deeper than it. */
+static void send_step(orders_t *self, const rig_t *rig, uint32_t *chance, command_t *command)
+{
+    const robot_t *const robot = rig->box.robot;
+    const int32_t *const target_ticks = rig->controller.plan.target_ticks;
+    const uint32_t turning = program_list_turning_axis(robot);
+    const axis_config_t *const along = config_of(rig, robot->needle_axis);
+    const int32_t dwell_ms = DWELL_LEAST_MS + (int32_t)chance_below(chance, DWELL_SPREAD_MS);
+    const int32_t way = either_way(span_of(along) / WAY_PARTS, chance);
+    program_step_t step;
+    const bool is_deeper = is_amiss(chance);
+    command->kind = (uint32_t)COMMAND_PROGRAM_STEP;
+    command->argument = self->next;
+    command->value = (chance_below(chance, 2U) == 0U) ? dwell_ms : -dwell_ms;
+    command->ticks[robot->needle_axis] =
+        clamped(along, target_ticks[robot->needle_axis] - (is_deeper ? way : abs(way)));
+    if (turning < robot->axis_count) {
+        const axis_config_t *const about = config_of(rig, turning);
+        command->ticks[turning] =
+            clamped(about, target_ticks[turning] + either_way(span_of(about) / WAY_PARTS, chance));
+    }
+    program_list_place(robot, command->ticks, &step);
+    step.dwell_ms = (uint32_t)dwell_ms;
+    step.is_gated = (command->value < 0) ? 1U : 0U;
+    self->sum = program_list_crc(self->sum, &step);
+}
+
+/* From TARGETING by way of a move that is armed, and not run. */
+static void send_run(orders_t *self, const rig_t *rig, command_t *command)
+{
+    const bool is_targeting = rig->outputs.snapshot.workphase == (uint32_t)WORKPHASE_TARGETING;
+    if (self->is_program && is_targeting && (self->next == (self->rows + 1U))) {
+        command->kind = (uint32_t)COMMAND_WORKPHASE;
+        command->argument = (uint32_t)WORKPHASE_MOVE_TO_TARGET;
+    } else {
+        command->kind = (uint32_t)(self->is_program ? COMMAND_RUN_PROGRAM : COMMAND_RUN_TRAJECTORY);
+        self->rows = 0U;
+    }
+}
+
 bool orders_go_on(orders_t *self, const rig_t *rig, uint32_t *chance, command_t *command)
 {
     if (self->rows == 0U) {
@@ -176,13 +266,14 @@ bool orders_go_on(orders_t *self, const rig_t *rig, uint32_t *chance, command_t 
     }
     *command = (command_t){.argument = self->sum};
     rigid_set_identity(&command->pose);
-    if (self->next < self->rows) {
+    if ((self->next < self->rows) && self->is_program) {
+        send_step(self, rig, chance, command);
+    } else if (self->next < self->rows) {
         send_row(self, rig, chance, command);
     } else if (self->next == self->rows) {
-        command->kind = (uint32_t)COMMAND_LIST_END;
+        command->kind = (uint32_t)(self->is_program ? COMMAND_PROGRAM_END : COMMAND_LIST_END);
     } else {
-        command->kind = (uint32_t)COMMAND_RUN_TRAJECTORY;
-        self->rows = 0U;
+        send_run(self, rig, command);
     }
     self->next++;
     return true;

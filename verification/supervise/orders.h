@@ -12,16 +12,23 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** A trajectory that is being sent. */
+/** A trajectory or a treatment program that is being sent. */
 typedef struct {
     uint32_t rows; /**< It has so many; 0: none is sent. */
     uint32_t next; /**< The row that is sent next; beyond them the end, and the order to run it. */
     uint32_t sum;
-    trajectory_row_t row;
+    bool is_program;
+    trajectory_row_t row; /**< Of a trajectory, the last one. */
 } orders_t;
 
-/** One of the orders for `phase`, or WORKPHASE_COUNT: for any. @return false: it has none */
-bool orders_choose(orders_t *self, const rig_t *rig, workphase_t phase, uint32_t *chance,
+/** What there is for a robot. */
+typedef struct {
+    workphase_t phase;    /**< Of this workphase alone; WORKPHASE_COUNT: of any. */
+    command_kind_t theme; /**< Of this kind alone, where the workphase has it; COMMAND_NONE: any. */
+} orders_wish_t;
+
+/** Some order by `wish`. @return false: there is none */
+bool orders_choose(orders_t *self, const rig_t *rig, orders_wish_t wish, uint32_t *chance,
                    command_t *command);
 
 /** What comes next of a list that was begun. @return false: nothing */

@@ -4,6 +4,7 @@
 #include "charts/arming_chart.h"
 #include "charts/authority_chart.h"
 #include "limits/requirement_limits.h"
+#include "supervise/replies.h"
 
 #include <stddef.h>
 
@@ -33,28 +34,6 @@ static authority_party_t sender_of(const command_t *command)
 {
     const authority_party_t sender = {command->source, command->peer};
     return sender;
-}
-
-/* Its immediate answer: they come in the order of the commands, among others. */
-static const answer_t *answer_to(const rig_t *rig, uint32_t number)
-{
-    uint32_t seen = 0U;
-    for (uint32_t i = 0U; i < rig->outputs.answer_count; i++) {
-        const answer_t *const answer = &rig->outputs.answers[i];
-        const bool is_immediate = (answer->kind == (uint32_t)ANSWER_ACCEPTED) ||
-                                  (answer->kind == (uint32_t)ANSWER_REFUSED);
-        if (is_immediate && (seen == number)) {
-            return answer;
-        }
-        seen += is_immediate ? 1U : 0U;
-    }
-    return NULL;
-}
-
-static bool is_accepted(const rig_t *rig, uint32_t number)
-{
-    const answer_t *const answer = answer_to(rig, number);
-    return (answer != NULL) && (answer->kind == (uint32_t)ANSWER_ACCEPTED);
 }
 
 /* Nobody else may do it: everything but a stop and what only proposes, tells, gives up or asks. */
@@ -131,7 +110,7 @@ static bool is_usurped(const reign_t *self, const view_t *view)
     bool is_by_another = false;
     for (uint32_t i = 0U; i < view->rig->inputs.command_count; i++) {
         const command_t *const command = &view->rig->inputs.commands[i];
-        is_by_another = is_by_another || (is_commanding(command) && is_accepted(view->rig, i) &&
+        is_by_another = is_by_another || (is_commanding(command) && replies_accept(view->rig, i) &&
                                           !has_it(view, command));
     }
     return is_by_another || is_handed_on ||
@@ -176,7 +155,7 @@ static bool is_armed_wrongly(const view_t *view)
     const bool is_order = view->rig->outputs.snapshot.order != (uint32_t)ARMING_STATE_NONE;
     bool is_by_holder = !view->is_armed;
     for (uint32_t i = 0U; i < view->rig->inputs.command_count; i++) {
-        const answer_t *const answer = answer_to(view->rig, i);
+        const answer_t *const answer = replies_to(view->rig, i);
         is_by_holder = is_by_holder || ((answer != NULL) && (answer->is_final == 0U) &&
                                         has_it(view, &view->rig->inputs.commands[i]));
     }
@@ -197,7 +176,7 @@ static void watch_requests(reign_t *self, const view_t *view)
     for (uint32_t i = 0U; i < view->rig->inputs.command_count; i++) {
         const command_t *const command = &view->rig->inputs.commands[i];
         const authority_party_t sender = sender_of(command);
-        if (!is_accepted(view->rig, i)) {
+        if (!replies_accept(view->rig, i)) {
             continue;
         }
         if ((command->kind == (uint32_t)COMMAND_REQUEST) &&

@@ -19,6 +19,12 @@
 #define RISE_SPREAD 0.1
 #define BEFORE_NM 20000000     /* Of the target, on the needle's line. */
 #define DEAD_ZONE_SPREAD 0.005 /* Of all words. */
+#define OTHER_PARTS 6U         /* One of so many orders is not of the theme of the play. */
+#define BREAK_PARTS 40000U     /* In one of so many cycles of motion something breaks... */
+#define REPAIR_CYCLES 6000U    /* ...and is repaired after these at the latest. */
+#define GATE_CYCLES 900U
+#define NEEDLE_PARTS 12    /* Of its way, the needle goes in before a sweep. */
+#define SWEEP_PATIENCE 32U /* A sweep is given so much longer than any other order. */
 
 static uint32_t random_below(stage_t *self, uint32_t bound)
 {
@@ -71,18 +77,6 @@ static void spread_motors(stage_t *self, rig_t *rig)
     }
 }
 
-const char *stage_refusal(const robot_t *robot, play_t play)
-{
-    const char *refusal = NULL;
-    if (play == PLAY_MAGNITUDE) {
-        refusal = "no axis of it takes run and stop";
-        for (uint32_t i = 0U; i < robot->axis_count; i++) {
-            refusal = (robot->axes[i].card_type == (uint8_t)CARD_TYPE_NON_PWM) ? NULL : refusal;
-        }
-    }
-    return refusal;
-}
-
 void stage_begin(stage_t *self, rig_t *rig, const robot_t *robot, play_t play, uint32_t seed)
 {
     *self = (stage_t){.play = play,
@@ -90,6 +84,8 @@ void stage_begin(stage_t *self, rig_t *rig, const robot_t *robot, play_t play, u
                       .whim = (seed * 3266489917U) | 1U,
                       .fault_cycle = UINT32_MAX,
                       .robot = robot};
+    self->is_brittle = ((play_theme(play) != COMMAND_NONE) && ((seed % 2U) == 0U)) ? 1U : 0U;
+    self->wish = (play == PLAY_SWEEPS) ? (uint32_t)WORKPHASE_MANUAL : 0U;
     watcher_begin(&self->watcher, seed);
     for (uint32_t i = 0U; i < 8U; i++) {
         (void)random_below(self, 2U);
@@ -256,7 +252,7 @@ static void send_corner(stage_t *self, rig_t *rig)
     rigid_set_identity(&entry.pose);
     if (targets_entry(self->robot, &joints, &target.pose, &entry.pose.translation)) {
         send(self, rig, entry);
-    } else if (self->play == PLAY_MODES) {
+    } else if (play_is_of_orders(self->play)) {
         const point_t before = {0, 0, -BEFORE_NM};
         entry.pose.translation = rigid_apply(&target.pose, &before);
         send(self, rig, entry);
@@ -268,7 +264,7 @@ static void send_corner(stage_t *self, rig_t *rig)
 
 static void send_target(stage_t *self, rig_t *rig)
 {
-    if ((self->play == PLAY_CORNERS) || (self->play == PLAY_MODES)) {
+    if ((self->play == PLAY_CORNERS) || play_is_of_orders(self->play)) {
         send_corner(self, rig);
     } else {
         send(self, rig, (command_t){.kind = (uint32_t)COMMAND_TARGET, .pose = some_target(self)});
@@ -323,11 +319,14 @@ static void send_probe(stage_t *self, rig_t *rig)
     send(self, rig, command);
 }
 
-/* Of any mode; WORKPHASE_COUNT: wherever it is. */
+/* Of any mode, mostly that of the play; WORKPHASE_COUNT: wherever it is. */
 static void send_order(stage_t *self, rig_t *rig, workphase_t phase)
 {
+    const command_kind_t theme = play_theme(self->play);
+    const bool is_of_theme = (theme != COMMAND_NONE) && !has_whim(self, OTHER_PARTS);
+    const orders_wish_t wish = {phase, is_of_theme ? theme : COMMAND_NONE};
     command_t command;
-    if (orders_choose(&self->orders, rig, phase, &self->whim, &command)) {
+    if (orders_choose(&self->orders, rig, wish, &self->whim, &command)) {
         send(self, rig, command);
     }
 }
@@ -484,6 +483,7 @@ static void do_next_step(stage_t *self, rig_t *rig)
         }
         break;
     case NEXT_STEP_NOTHING:
+    case NEXT_STEP_PROGRAM_DONE:
         self->wants_target = 1U;
         send_phase(self, rig, WORKPHASE_TARGETING);
         break;
@@ -553,6 +553,33 @@ static void do_wish(stage_t *self, rig_t *rig)
     }
 }
 
+/* In some cases the needle goes in before a sweep, which must then be refused, and out again. */
+static bool moves_needle(stage_t *self, rig_t *rig)
+{
+    const uint32_t needle = self->robot->needle_axis;
+    const axis_config_t *const axis = &self->robot->axes[needle];
+    const int32_t far_ticks = (axis->maximum_ticks - axis->minimum_ticks) / NEEDLE_PARTS;
+    const bool is_in = rig->outputs.snapshot.axes[needle].position_ticks > (far_ticks / 2);
+    const bool is_due = (self->play == PLAY_SWEEPS) && has_whim(self, is_in ? 2U : OTHER_PARTS);
+    if (is_due && is_in) {
+        send(self, rig, (command_t){.kind = (uint32_t)COMMAND_RETRACT});
+    } else if (is_due) {
+        send(self, rig,
+             (command_t){.kind = (uint32_t)COMMAND_JOG_BY, .argument = needle, .value = far_ticks});
+    } else {
+        /* It stays. */
+    }
+    return is_due;
+}
+
+/* The next order of a play without a theme: mostly in `phase`, or where targets are. */
+static void wish_for(stage_t *self, workphase_t phase, uint32_t parts)
+{
+    if (play_theme(self->play) == COMMAND_NONE) {
+        self->wish = has_whim(self, parts) ? 0U : (uint32_t)phase;
+    }
+}
+
 /* In TARGETING, or once a move has ended: an order there, or another target and its entry point. */
 static void do_aiming_order(stage_t *self, rig_t *rig)
 {
@@ -562,9 +589,11 @@ static void do_aiming_order(stage_t *self, rig_t *rig)
         send_target(self, rig);
     } else if (is_targeting && has_whim(self, 4U)) {
         send_phase(self, rig, WORKPHASE_MOVE_TO_TARGET);
+    } else if ((self->play == PLAY_PROGRAMS) && has_whim(self, OTHER_PARTS)) {
+        send_phase(self, rig, WORKPHASE_TARGETING);
     } else {
         send_order(self, rig, (workphase_t)shown->workphase);
-        self->wish = has_whim(self, 3U) ? 0U : (uint32_t)WORKPHASE_MANUAL;
+        wish_for(self, WORKPHASE_MANUAL, 3U);
     }
 }
 
@@ -577,8 +606,10 @@ static void do_order(stage_t *self, rig_t *rig)
                            (shown->workphase == (uint32_t)WORKPHASE_MOVE_TO_TARGET);
     rig_box(rig, "pedal release");
     if (is_manual && (shown->workphase == (uint32_t)WORKPHASE_MANUAL)) {
-        send_order(self, rig, WORKPHASE_MANUAL);
-        self->wish = has_whim(self, 6U) ? 0U : self->wish;
+        if (!moves_needle(self, rig)) {
+            send_order(self, rig, WORKPHASE_MANUAL);
+        }
+        wish_for(self, WORKPHASE_MANUAL, 6U);
     } else if (is_manual && (shown->is_homed != 0U)) {
         send_phase(self, rig, WORKPHASE_MANUAL);
     } else if (!is_manual && is_aiming && (shown->is_homed != 0U)) {
@@ -592,6 +623,7 @@ static void do_order(stage_t *self, rig_t *rig)
 static void do_mode(stage_t *self, rig_t *rig)
 {
     const snapshot_t *const shown = &rig->outputs.snapshot;
+    const uint32_t patience = (self->play == PLAY_SWEEPS) ? SWEEP_PATIENCE : 1U;
     if (self->orders.rows != 0U) {
         return;
     }
@@ -601,11 +633,11 @@ static void do_mode(stage_t *self, rig_t *rig)
         send_order(self, rig, WORKPHASE_MOVE_TO_TARGET);
     } else if (shown->order == (uint32_t)ARMING_STATE_WAITING) {
         rig_box(rig, has_whim(self, 8U) ? "pedal release" : "pedal press");
-    } else if (has_whim(self, 24U)) {
+    } else if (has_whim(self, 24U * patience)) {
         rig_box(rig, "pedal release");
-    } else if (has_whim(self, 80U)) {
+    } else if (has_whim(self, 80U * patience)) {
         send_order(self, rig, WORKPHASE_COUNT);
-    } else if (has_whim(self, 160U)) {
+    } else if (has_whim(self, 160U * patience)) {
         send_phase(self, rig, WORKPHASE_STOP);
     } else {
         /* It goes on. */
@@ -647,6 +679,76 @@ static void let_foe_play(stage_t *self, rig_t *rig)
     }
 }
 
+/* Mostly it waits for a dose or has it; now and then it stops the treatment. */
+static void let_gate_change(stage_t *self, rig_t *rig)
+{
+    static const char *const words[] = {"gate off",  "gate dose", "gate off", "gate dose",
+                                        "gate dose", "gate off",  "gate off", "gate stop"};
+    if (self->play != PLAY_PROGRAMS) {
+        return;
+    }
+    if (self->gate_cycles == 0U) {
+        self->gate_cycles = 1U + chance_below(&self->whim, GATE_CYCLES);
+        rig_box(rig, words[chance_below(&self->whim, (uint32_t)(sizeof words / sizeof words[0]))]);
+    }
+    self->gate_cycles--;
+}
+
+/* Whatever was broken of an axis. */
+static void repair(rig_t *rig)
+{
+    static const char *const parts[] = {"card", "encoder", "motor", "switch"};
+    char order[ORDER_SIZE];
+    for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
+        for (uint32_t part = 0U; part < (sizeof parts / sizeof parts[0]); part++) {
+            (void)snprintf(order, sizeof order, "%s %s normal", parts[part],
+                           rig->box.robot->axes[i].name);
+            rig_box(rig, order);
+        }
+    }
+    rig_box(rig, "scanner off");
+}
+
+/* In the middle of an order, in a play with a theme. */
+static void break_and_repair(stage_t *self, rig_t *rig)
+{
+    if ((rig->outputs.snapshot.order == (uint32_t)ARMING_STATE_MOVING) &&
+        has_whim(self, BREAK_PARTS)) {
+        disturb(self, rig);
+        part_hidden_pairs(rig);
+        self->has_fault = 1U;
+        self->fault_cycle = self->cycle + 1U + chance_below(&self->whim, REPAIR_CYCLES);
+    } else if (self->cycle == self->fault_cycle) {
+        repair(rig);
+    } else {
+        /* As it is. */
+    }
+}
+
+static void let_things_break(stage_t *self, rig_t *rig)
+{
+    if (play_theme(self->play) == COMMAND_NONE) {
+        if (self->cycle == self->fault_cycle) {
+            disturb(self, rig);
+            part_hidden_pairs(rig);
+            self->has_fault = 1U;
+            self->fault_cycle += 200U + random_below(self, 6000U);
+        }
+    } else if (self->is_brittle != 0U) {
+        break_and_repair(self, rig);
+    } else {
+        /* Nothing does. */
+    }
+}
+
+/* Now and then what the console asks for; in a play with a theme once nothing is armed. */
+static bool does_next_step(stage_t *self, const snapshot_t *shown)
+{
+    return ((play_theme(self->play) == COMMAND_NONE) ||
+            (shown->order == (uint32_t)ARMING_STATE_NONE)) &&
+           (random_below(self, 12U) == 0U);
+}
+
 /* Before the next cycle, and before the enemy. */
 static void play_operator(stage_t *self, rig_t *rig)
 {
@@ -659,12 +761,12 @@ static void play_operator(stage_t *self, rig_t *rig)
         self->wait_cycles--;
         return;
     }
-    self->wait_cycles = 30U + random_below(self, (self->play == PLAY_MODES) ? 200U : 600U);
+    self->wait_cycles = 30U + random_below(self, play_is_of_orders(self->play) ? 200U : 600U);
     if (self->play == PLAY_TAPS) {
         do_wish(self, rig);
     } else if ((self->play == PLAY_JOGS) && (random_below(self, 5U) != 0U)) {
         do_jog(self, rig);
-    } else if ((self->play == PLAY_MODES) && (random_below(self, 12U) != 0U)) {
+    } else if (play_is_of_orders(self->play) && !does_next_step(self, &rig->outputs.snapshot)) {
         do_mode(self, rig);
     } else if (self->is_chaotic != 0U) {
         do_anything(self, rig);
@@ -676,12 +778,8 @@ static void play_operator(stage_t *self, rig_t *rig)
 void stage_play(stage_t *self, rig_t *rig)
 {
     self->cycle++;
-    if (self->cycle == self->fault_cycle) {
-        disturb(self, rig);
-        part_hidden_pairs(rig);
-        self->has_fault = 1U;
-        self->fault_cycle += 200U + random_below(self, 6000U);
-    }
+    let_things_break(self, rig);
+    let_gate_change(self, rig);
     let_list_go_on(self, rig);
     play_operator(self, rig);
     let_watch(self, rig);

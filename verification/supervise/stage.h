@@ -6,24 +6,12 @@
 #include "integration/support/rig.h"
 #include "supervise/foe.h"
 #include "supervise/orders.h"
+#include "supervise/play.h"
 #include "supervise/rivals.h"
 #include "supervise/watcher.h"
 
 #include <stdbool.h>
 #include <stdint.h>
-
-/** What is played. */
-typedef enum {
-    PLAY_RANDOM = 0,      /**< Anything, with at most one fault at a time. */
-    PLAY_CORNERS = 1,     /**< Moves to targets at the ends of the axes' ways; no fault. */
-    PLAY_INTERRUPTED = 2, /**< Moves under a pedal that is released again and again; no fault. */
-    PLAY_SPREAD = 3,      /**< Moves of motors up to a fifth faster or slower than their table. */
-    PLAY_JOGS = 4,        /**< Anything, most of it jogs, before homing and after it; no fault. */
-    PLAY_TAPS = 5,        /**< An enemy at the pedal and the fault keyboard: one plan a scene. */
-    PLAY_MAGNITUDE = 6,   /**< As PLAY_SPREAD; cards without pwm take magnitudes. */
-    PLAY_RIVALS = 7,      /**< Pages and connections that all want to command; no fault. */
-    PLAY_MODES = 8        /**< One order of any mode after the other; no fault. */
-} play_t;
 
 /** State of the players. */
 typedef struct {
@@ -38,15 +26,14 @@ typedef struct {
     uint32_t whim; /**< Of the operator: a chance of its own. */
     watcher_t watcher;
     orders_t orders;
-    uint32_t wish;   /**< workphase_t of PLAY_MODES' next order. */
-    foe_t foe;       /**< Of PLAY_TAPS. */
-    rivals_t rivals; /**< Of PLAY_RIVALS. */
+    uint32_t wish;        /**< workphase_t of PLAY_MODES' next order. */
+    uint32_t gate_cycles; /**< Of PLAY_PROGRAMS: until the gate changes. */
+    uint32_t is_brittle;  /**< 0 or 1: of a play with a theme; in motion something may break. */
+    foe_t foe;            /**< Of PLAY_TAPS. */
+    rivals_t rivals;      /**< Of PLAY_RIVALS. */
     const robot_t *robot;
     robot_t magnitude_robot; /**< Of PLAY_MAGNITUDE. */
 } stage_t;
-
-/** Why `robot` cannot give `play`, as a sentence; NULL: it can. */
-const char *stage_refusal(const robot_t *robot, play_t play);
 
 /** Sets the scene `seed` of `robot`, which must outlive the rig: the rig fresh, homed or targeted,
  * an operator and what may break. */

@@ -4,8 +4,7 @@
  * The real controller on the simulated control box, in simulated time, with an operator, a world
  * and faults by chance, and a witness who knows where the axes truly stand.
  *
- *     supervise [--robot NAME] COUNT [SEED
- *               [random|corners|interrupted|spread|jogs|taps|magnitude|rivals|modes|flips]]
+ *     supervise [--robot NAME] COUNT [SEED [PLAY]], PLAY one of PLAY_NAMES
  *
  * Plays COUNT scenes from SEED on (1), or as many as COUNT moves need. Prints how often each
  * sentence was broken, where first, and the worst figure. Ends with 1 when one was broken, with 3
@@ -26,7 +25,6 @@
 #include <string.h>
 
 #define SCENE_CYCLES 20000U
-#define FLIPS 9 /* After the plays of a stage. */
 #define TAPS_CYCLES 40000U
 #define PLAN_SIZE 256U
 #define MOVES_CYCLES 120000U /* Of a scene that is all moves. */
@@ -53,13 +51,6 @@ void contract_broken(const char *module, uint32_t id)
     exit(2);
 }
 
-/* COUNT is of scenes, not of moves. */
-static bool is_of_scenes(play_t play)
-{
-    return (play == PLAY_RANDOM) || (play == PLAY_JOGS) || (play == PLAY_TAPS) ||
-           (play == PLAY_RIVALS) || (play == PLAY_MODES);
-}
-
 /* How many times as long as those of the quickest robots. */
 static uint32_t slowness(void)
 {
@@ -75,7 +66,7 @@ static uint32_t slowness(void)
 
 static uint32_t cycles_of(play_t play)
 {
-    const bool is_short = is_of_scenes(play) && (play != PLAY_MODES);
+    const bool is_short = play_is_of_scenes(play) && !play_is_of_orders(play);
     const uint32_t cycles = is_short ? SCENE_CYCLES : MOVES_CYCLES;
     return slowness() * ((play == PLAY_TAPS) ? TAPS_CYCLES : cycles);
 }
@@ -181,33 +172,20 @@ static bool report(play_t play, uint32_t count)
     return is_good;
 }
 
-/* Number of the play `name`, or -1. */
-static int play_of(const char *name)
-{
-    static const char *const names[] = {"random", "corners",   "interrupted", "spread", "jogs",
-                                        "taps",   "magnitude", "rivals",      "modes",  "flips"};
-    for (int i = 0; i <= FLIPS; i++) {
-        if (strcmp(name, names[i]) == 0) {
-            return i;
-        }
-    }
-    return -1;
-}
-
 static int play_all(int play, uint32_t wanted, uint32_t first)
 {
-    const char *const refusal = (play == FLIPS) ? NULL : stage_refusal(robot, (play_t)play);
+    const char *const refusal = play_refusal(robot, (play_t)play);
     uint32_t scenes = 0U;
     if (refusal != NULL) {
         printf("The robot %s cannot give this play: %s.\n", robot->name, refusal);
         return REFUSED;
     }
-    if (play == FLIPS) {
+    if (play == (int)PLAY_FLIPS) {
         return flips_play(&scene, robot, wanted, first) ? 0 : BROKEN;
     }
     /* A scene of moves has more than one. */
-    while ((scenes < wanted) &&
-           (is_of_scenes((play_t)play) || (scene.witness.endings[ENDING_MOVE].count < wanted))) {
+    while ((scenes < wanted) && (play_is_of_scenes((play_t)play) ||
+                                 (scene.witness.endings[ENDING_MOVE].count < wanted))) {
         play_scene((play_t)play, first + scenes);
         scenes++;
     }
@@ -235,15 +213,13 @@ int main(int count, char **arguments)
     const int left = is_named ? (count - 2) : count;
     const uint32_t wanted = (left > 1) ? (uint32_t)strtoul(rest[1], NULL, 10) : 0U;
     const uint32_t first = (left > 2) ? (uint32_t)strtoul(rest[2], NULL, 10) : 1U;
-    const int play = (left > 3) ? play_of(rest[3]) : (int)PLAY_RANDOM;
+    const int play = (left > 3) ? play_find(rest[3]) : (int)PLAY_RANDOM;
     robot = robots_find(is_named ? arguments[2] : ROBOT_NAMES_DEFAULT);
     if ((wanted == 0U) || (play < 0) || (robot == NULL)) {
-        (void)fprintf(
-            stderr,
-            "usage: supervise [--robot NAME] COUNT [SEED "
-            "[random|corners|interrupted|spread|jogs|taps|magnitude|rivals|modes|flips]]\n"
-            "robots: %s\n",
-            robot_names_list());
+        (void)fprintf(stderr,
+                      "usage: supervise [--robot NAME] COUNT [SEED [" PLAY_NAMES "]]\n"
+                      "robots: %s\n",
+                      robot_names_list());
         return UNPLAYED;
     }
     return play_asserted(play, wanted, first);

@@ -5,8 +5,8 @@
 # any time, a world, a fault now and then; an enemy at the pedal and the fault keyboard; jogs; moves into the corners of
 # the workspace, under a pedal that is released again and again, or of motors that are not as the robot's table says,
 # with run and stop or magnitudes for cards without pwm; pages and connections that all want to command; one order of any
-# mode after the other) does the controller of any robot break one of the sentences of
-# the witness, who knows where the simulated axes truly stand.
+# mode after the other; treatment programs with their gate; sweeps) does the controller of any robot break one of the
+# sentences of the witness, who knows where the simulated axes truly stand.
 # `make supervise COUNT=n SEED=n PLAY=name ROBOT=name` plays more.
 
 require 'minitest/autorun'
@@ -18,10 +18,13 @@ class TestSupervise < Minitest::Test
   # And how much of the plays each gets.
   ROBOTS = { 'neuro' => 1.0, 'bench2' => 0.25, 'prostate' => 0.05 }.freeze
   # How many scenes, or moves; and flips of bits for each.
-  PLAYS = { random: 100, corners: 30, interrupted: 30, spread: 40, magnitude: 40, jogs: 30, taps: 60,
-            rivals: 60, modes: 16 }.freeze
+  PLAYS = { random: 80, corners: 24, interrupted: 24, spread: 30, magnitude: 30, jogs: 30, taps: 50,
+            rivals: 50, modes: 14, programs: 6, sweeps: 60 }.freeze
   # Those of scenes, whether or not a move comes about.
-  SCENES = %i[random jogs taps rivals modes].freeze
+  SCENES = %i[random jogs taps rivals modes programs sweeps].freeze
+  # What an axis of the robot must have, a card, for a play; and why else not.
+  NEEDS = { magnitude: ['non_pwm', 'no axis of it takes run and stop'],
+            sweeps: ['high_frequency', 'no axis of it takes waves'] }.freeze
   FLIPS = 100
   # Commands that arm a motion, one row of orders.c each.
   MODES = %w[WORKPHASE RETRACT RUN_TRAJECTORY VELOCITY JOG_BY ALIGN INSERT POSE].freeze
@@ -41,9 +44,17 @@ class TestSupervise < Minitest::Test
     SWR_POSE_001_to_a_pose_the_needle_is_not_driven: /To a pose the needle/,
     SWR_ALIGN_002_to_line_up_the_needle_is_not_driven_in: /To line up the needle/,
     SWR_ALIGN_005_an_insertion_moves_no_other_axis: /An insertion moves no other/,
-    SWR_JOG_004_a_jog_and_speeds_drive_the_axes_that_they_name: /A jog, and speeds, drive/,
+    SWR_JOG_004_jogs_speeds_sweeps_and_programs_drive_the_axes_that_they_name: /Jogs, speeds, sweeps and programs/,
     SWR_MODE_008_an_axis_that_was_disabled_is_not_driven: /that was disabled is not driven/,
     SWR_TRAJ_009_a_trajectory_keeps_each_axis_between_its_rows: /keeps each axis between its rows/,
+    SWR_MODE_012_the_end_of_an_order_is_told: /end of an order is told/,
+    SWR_SWEEP_005_waves_keep_their_range: /Waves are of 45 to 55 kHz/,
+    SWR_SWEEP_002_a_sweep_drives_in_manual_with_the_needle_out: /A sweep drives in MANUAL/,
+    SWR_SWEEP_004_what_a_sweep_tells_is_the_true_way_of_a_whole_run: /What a sweep tells/,
+    SWR_SWEEP_006_a_sweep_is_done_with_its_points: /A sweep is done with points/,
+    SWR_PROG_008_no_program_drives_while_the_gate_says_stop: /While the gate says stop/,
+    SWR_PROG_006_a_step_ends_at_its_place_after_its_dwell_or_by_its_dose: /A step ends at its place/,
+    SWR_PROG_011_a_program_is_done_once_its_steps_are: /treatment program is done once/,
     SWR_AXIS_019_no_fault_is_found_where_there_is_none: /nothing is broken, no fault/,
     SWR_MOTION_007_no_axis_goes_beyond_its_end: /beyond its end/,
     SWR_MOTION_007_no_axis_is_faster_than_its_speed: /faster than its speed/,
@@ -59,12 +70,16 @@ class TestSupervise < Minitest::Test
     YAML.safe_load_file(File.expand_path("../../core/robot/#{robot}/robot.yml", __dir__))
   end
 
-  def self.run_and_stop?(robot)
-    facts(robot)['axes'].any? { |axis| axis['card'] == 'non_pwm' }
+  def self.card?(robot, card)
+    facts(robot)['axes'].any? { |axis| axis['card'] == card }
+  end
+
+  def self.plays_without_card(robot)
+    NEEDS.reject { |_, (card,)| card?(robot, card) }
   end
 
   def self.plays_of_sentences(robot)
-    PLAYS.keys - (run_and_stop?(robot) ? [] : [:magnitude])
+    PLAYS.keys - plays_without_card(robot).keys
   end
 
   def self.sentences(robot)
@@ -85,7 +100,7 @@ class TestSupervise < Minitest::Test
     (plays_of_sentences(robot) - SCENES).each do |play|
       define_method("test_SWR_MOTION_006_moves_are_done_soon_after_their_profiles_#{robot}_#{play}") do
         ends = lines(robot, play).grep(/done after their profiles/)
-        expected = self.class.run_and_stop?(robot) ? 2 : 1
+        expected = self.class.card?(robot, 'non_pwm') ? 2 : 1
         assert_equal(expected, ends.grep(/\A[1-9].* 99 % by \d+ ms, in time\z/).size, lines(robot, play).join("\n"))
       end
     end
@@ -99,6 +114,14 @@ class TestSupervise < Minitest::Test
     define_method("test_SWR_MODE_001_orders_of_every_mode_that_a_robot_has_end_as_asked_#{robot}") do
       done = lines(robot, :modes).grep(/orders that were done/).first.scan(/(\d+) of \d+ (\w+)/).to_h { |n, kind| [kind, n.to_i] }
       assert MODES.all? { |kind| done.fetch(kind, 0).positive? } || ROBOTS[robot] < 1.0, done.to_s
+    end
+
+    define_method("test_SWR_MODE_001_programs_and_sweeps_end_as_asked_#{robot}") do
+      plays = self.class.plays_of_sentences(robot) & %i[programs sweeps]
+      plays.each do |play|
+        orders = lines(robot, play).grep(/orders that were done/).first
+        assert_match(/[1-9]\d* of \d+ #{play == :sweeps ? 'SWEEP' : 'RUN_PROGRAM'}/, orders)
+      end
     end
 
     # 1 to 3 bits of the controller's memory change, at rest and in motion.
@@ -115,12 +138,11 @@ class TestSupervise < Minitest::Test
       end
     end
 
-    next if run_and_stop?(robot)
-
-    define_method("test_SWR_MOTION_022_a_play_that_a_robot_cannot_give_is_refused_#{robot}") do
-      text, status = self.class.play(robot, :magnitude)
-      assert_equal([3, "The robot #{robot} cannot give this play: no axis of it takes run and stop.\n"],
-                   [status.exitstatus, text])
+    plays_without_card(robot).each do |play, (_, reason)|
+      define_method("test_SWR_MOTION_022_a_play_that_a_robot_cannot_give_is_refused_#{robot}_#{play}") do
+        text, status = self.class.play(robot, play)
+        assert_equal([3, "The robot #{robot} cannot give this play: #{reason}.\n"], [status.exitstatus, text])
+      end
     end
   end
 end

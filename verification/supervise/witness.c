@@ -19,6 +19,7 @@
 #define HOME_MM 0.05 /* Of the place where homing sees a switch. */
 #define HOME_DEG 0.2
 #define ENDS_CYCLES 60000U
+#define SWEEP_ENDS_CYCLES 600000U
 #define IDLE_CYCLES 1U /* Who is homed is off in the next frame. */
 
 const char *witness_sentence(sentence_t sentence)
@@ -43,9 +44,17 @@ const char *witness_sentence(sentence_t sentence)
         "To a pose the needle is not driven",
         "To line up the needle is not driven in",
         "An insertion moves no other axis",
-        "A jog, and speeds, drive the axes that they name, no other",
+        "Jogs, speeds, sweeps and programs drive the axes that they name",
         "An axis that was disabled is not driven",
         "A trajectory keeps each axis between its rows",
+        "The end of an order is told",
+        "Waves are of 45 to 55 kHz",
+        "A sweep drives in MANUAL, with the needle truly out",
+        "What a sweep tells is the true way of a whole run",
+        "A sweep is done with points both ways, and its end told",
+        "While the gate says stop, no treatment program drives",
+        "A step ends at its place, after its dwell or by the dose it waits for",
+        "A treatment program is done once each of its steps is",
         "One commands: between two it is lost, and the axes rest",
         "Authority is lost by its holder, silence, or button without pedal",
         "A page that commands has renewed it",
@@ -179,8 +188,9 @@ static void judge_rest(witness_t *self, const rig_t *rig, uint32_t axis, double 
 static void judge_end(witness_t *self, const rig_t *rig)
 {
     const bool is_moving = rig->outputs.snapshot.order == (uint32_t)ARMING_STATE_MOVING;
+    const bool is_sweep = self->order_watch.kind == (uint32_t)COMMAND_SWEEP;
     self->moving_cycles = is_moving ? (self->moving_cycles + 1U) : 0U;
-    if (self->moving_cycles > ENDS_CYCLES) {
+    if (self->moving_cycles > (is_sweep ? SWEEP_ENDS_CYCLES : ENDS_CYCLES)) {
         complain(self, rig, SENTENCE_ENDS, 0U, self->moving_cycles / 1000.0);
     }
 }
@@ -537,25 +547,28 @@ uint32_t witness_late(const witness_t *self, ending_t ending, uint32_t percent)
     return cycles;
 }
 
-static void judge_order(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_MAX],
-                        bool is_disturbed)
+/* A bit of `broken` for each of `count` sentences from `first` on. */
+static void complain_of(witness_t *self, const rig_t *rig, sentence_t first, uint32_t count,
+                        uint32_t broken)
 {
-    const uint32_t broken = order_watch_look(&self->order_watch, rig, truth, is_disturbed);
-    for (uint32_t i = 0U; i < ORDER_RULES; i++) {
+    for (uint32_t i = 0U; i < count; i++) {
         if (((broken >> i) & 1U) != 0U) {
-            complain(self, rig, (sentence_t)((uint32_t)SENTENCE_ORDER + i), 0U, 1.0);
+            complain(self, rig, (sentence_t)((uint32_t)first + i), 0U, 1.0);
         }
     }
 }
 
-static void judge_reign(witness_t *self, const rig_t *rig)
+/* Those of single modes see an order as it was before this cycle. */
+static void judge_orders(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_MAX],
+                         bool is_disturbed)
 {
-    const uint32_t broken = reign_look(&self->reign, rig);
-    for (uint32_t i = 0U; i < REIGN_RULES; i++) {
-        if (((broken >> i) & 1U) != 0U) {
-            complain(self, rig, (sentence_t)((uint32_t)SENTENCE_REIGN + i), 0U, 1.0);
-        }
-    }
+    const order_watch_t *const order = &self->order_watch;
+    complain_of(self, rig, SENTENCE_SWEEP, SWEEP_RULES,
+                sweep_watch_look(&self->sweep_watch, order, rig, truth, is_disturbed));
+    complain_of(self, rig, SENTENCE_PROGRAM, PROGRAM_RULES,
+                program_watch_look(&self->program_watch, order, rig, truth, is_disturbed));
+    complain_of(self, rig, SENTENCE_ORDER, ORDER_RULES,
+                order_watch_look(&self->order_watch, rig, truth, is_disturbed));
 }
 
 void witness_look(witness_t *self, const rig_t *rig, const double truth[ROBOT_AXIS_MAX],
@@ -563,7 +576,7 @@ void witness_look(witness_t *self, const rig_t *rig, const double truth[ROBOT_AX
 {
     remember_target(self, rig);
     judge_permit(self, rig);
-    judge_reign(self, rig);
+    complain_of(self, rig, SENTENCE_REIGN, REIGN_RULES, reign_look(&self->reign, rig));
     for (uint32_t i = 0U; i < rig->box.robot->axis_count; i++) {
         judge_belief(self, rig, i, truth[i]);
         judge_rest(self, rig, i, truth[i]);
@@ -585,7 +598,7 @@ void witness_look(witness_t *self, const rig_t *rig, const double truth[ROBOT_AX
     judge_jog(self, rig, truth[rig->box.robot->needle_axis], is_disturbed);
     judge_told(self, rig);
     judge_retraction(self, rig);
-    judge_order(self, rig, truth, is_disturbed);
+    judge_orders(self, rig, truth, is_disturbed);
     judge_probe(self, rig);
     judge_events(self, rig, is_disturbed);
 }

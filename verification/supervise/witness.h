@@ -10,7 +10,9 @@
 #include "integration/support/rig.h"
 #include "limits/requirement_limits.h"
 #include "supervise/order_watch.h"
+#include "supervise/program_watch.h"
 #include "supervise/reign.h"
+#include "supervise/sweep_watch.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -39,7 +41,12 @@ typedef enum {
     SENTENCE_OUT = 14,     /**< A retraction drives the needle outwards only. */
     SENTENCE_PROBE = 15,   /**< Lengths of the probe are those told last, or none. */
     SENTENCE_ORDER = 16,   /**< From here on: those of order_rule_t. */
-    SENTENCE_REIGN = 16 + (int)ORDER_RULES /**< From here on: those of reign_rule_t. */
+    /** From here on: those of sweep_rule_t. */
+    SENTENCE_SWEEP = SENTENCE_ORDER + (int)ORDER_RULES,
+    /** From here on: those of program_rule_t. */
+    SENTENCE_PROGRAM = SENTENCE_SWEEP + (int)SWEEP_RULES,
+    /** From here on: those of reign_rule_t. */
+    SENTENCE_REIGN = SENTENCE_PROGRAM + (int)PROGRAM_RULES
 } sentence_t;
 
 #define SENTENCE_COUNT ((uint32_t)SENTENCE_REIGN + REIGN_RULES)
@@ -90,6 +97,8 @@ typedef struct {
     plan_t plan;   /**< Of the cycle before. */
     probe_t probe; /**< That was told last. */
     order_watch_t order_watch;
+    sweep_watch_t sweep_watch;
+    program_watch_t program_watch;
     reign_t reign;
     uint32_t armed[COMMAND_KIND_COUNT]; /**< Orders in all episodes before this one. */
     uint32_t done[COMMAND_KIND_COUNT];  /**< How many of them ended as asked. */
