@@ -4,7 +4,7 @@
 
 # Turns core/interface/*.yml, the only source of what the processes tell each other, into what they are compiled from:
 #
-#   DIRECTORY       the headers of the core with their documentation, event.c, mode_list.c, interface_layout.h
+#   DIRECTORY       the headers of the core with their documentation, command.c, event.c, mode_list.c, interface_layout.h
 #   DIRECTORY/app   names and sentences, what an event's numbers are, the JSON writer and its types for the console, the
 #                   columns of boresight-replay, where the fields stand; what HTTP clients may ask: routes, the tables
 #                   that read requests, and the document for clients, openapi.json

@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "http/http_modes.h"
 
+#include "http/command_outlook.h"
+#include "http/http_door.h"
 #include "http/http_reply.h"
 #include "http/mode_outlook.h"
 #include "interface/app/messages.h"
 #include "interface/app/names.h"
+#include "mode/mode.h"
 
 static cJSON *new_workphases(uint32_t workphases)
 {
@@ -53,6 +56,54 @@ static cJSON *new_steps(const telemetry_view_t *view)
     return steps;
 }
 
+/* The route by which it is asked for; NULL: by none. */
+static const route_t *route_of(command_kind_t kind)
+{
+    const route_t *found = NULL;
+    for (uint32_t i = 0U; (i < ROUTE_COUNT) && (found == NULL); i++) {
+        found = (routes[i].command == (uint32_t)kind) ? &routes[i] : NULL;
+    }
+    return found;
+}
+
+/* `least`: the role that it needs. Without a session none stands against it. */
+static cJSON *new_command(const telemetry_view_t *view, const session_t *session,
+                          command_kind_t kind, role_t least)
+{
+    const status_t status = command_outlook(view->robot, &view->snapshot, kind);
+    const bool is_of_role = !session->is_open || (session->account.role >= least);
+    json_allowed_command_t also = {.name = command_kind_name((int32_t)kind)};
+    if (!is_of_role) {
+        also.status = problems[PROBLEM_ROLE_REFUSED].code;
+        also.reason = problems[PROBLEM_ROLE_REFUSED].detail;
+    } else if (status == STATUS_WRONG_WORKPHASE) {
+        also.status = status_name((int32_t)status);
+        also.reason = command_kind_where((int32_t)kind);
+    } else if (status != STATUS_OK) {
+        also.status = status_name((int32_t)status);
+        also.reason = status_text((int32_t)status);
+    } else {
+        also.is_allowed = true;
+    }
+    return json_allowed_command(&also);
+}
+
+static cJSON *new_commands(http_server_t *server, const http_call_t *call,
+                           const telemetry_view_t *view)
+{
+    cJSON *commands = cJSON_CreateArray();
+    session_t session = {.is_open = false};
+    (void)http_door_find(server, call->connection, &session);
+    for (uint32_t i = (uint32_t)COMMAND_NONE + 1U; i < COMMAND_KIND_COUNT; i++) {
+        const route_t *route = route_of((command_kind_t)i);
+        if ((route != NULL) && (mode_of_command(i) == MODE_NONE)) {
+            (void)cJSON_AddItemToArray(commands,
+                                       new_command(view, &session, (command_kind_t)i, route->role));
+        }
+    }
+    return commands;
+}
+
 int http_modes_show(http_server_t *server, const http_call_t *call)
 {
     telemetry_view_t view;
@@ -64,6 +115,8 @@ int http_modes_show(http_server_t *server, const http_call_t *call)
     for (uint32_t i = (uint32_t)MODE_NONE + 1U; i < MODE_KIND_COUNT; i++) {
         (void)cJSON_AddItemToArray(modes, new_mode(&view, (mode_kind_t)i));
     }
-    const json_modes_t also = {.workphases = new_steps(&view), .modes = modes};
+    const json_modes_t also = {.workphases = new_steps(&view),
+                               .modes = modes,
+                               .commands = new_commands(server, call, &view)};
     return http_reply_object(call->connection, 200, json_modes(&also));
 }

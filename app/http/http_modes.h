@@ -6,7 +6,12 @@
 #include "http/http_call.h"
 #include "http/http_server.h"
 
-/** Returns the status sent. @satisfies SWR-MODE-004 */
+/**
+ * Returns the status sent.
+ *
+ * @satisfies SWR-HTTP-056
+ * @satisfies SWR-MODE-004
+ */
 int http_modes_show(http_server_t *server, const http_call_t *call);
 
 #endif

@@ -108,7 +108,7 @@ static status_t obey_disable(controller_t *self, const cycle_t *cycle, uint32_t 
     return STATUS_OK;
 }
 
-/* In MANUAL, of an axis that there is. */
+/* Where it may be obeyed, of an axis that there is. */
 static status_t obey_act(controller_t *self, const cycle_t *cycle, const command_t *command)
 {
     const uint32_t index = command->argument;
@@ -137,7 +137,7 @@ status_t controller_obey_axis(controller_t *self, const cycle_t *cycle, const co
 {
     const uint32_t index = command->argument;
     status_t status = STATUS_UNKNOWN_COMMAND;
-    if (procedure_workphase(&self->procedure) != WORKPHASE_MANUAL) {
+    if (!controller_is_of_workphase(self, command)) {
         status = STATUS_WRONG_WORKPHASE;
     } else if (index >= self->axis_count) {
         status = STATUS_UNKNOWN_COMMAND;

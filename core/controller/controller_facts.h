@@ -20,6 +20,13 @@ static inline const link_t *controller_link(const controller_t *self, uint32_t i
     return &self->links[self->cards.slots[index]];
 }
 
+/** `command`, a known one, may be obeyed in the present workphase. */
+static inline bool controller_is_of_workphase(const controller_t *self, const command_t *command)
+{
+    const uint32_t workphase = (uint32_t)procedure_workphase(&self->procedure);
+    return ((command_workphases[command->kind] >> workphase) & 1U) != 0U;
+}
+
 /** Every axis is homed. */
 bool controller_is_homed(const controller_t *self);
 

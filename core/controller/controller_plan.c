@@ -7,18 +7,13 @@
 
 #include <string.h>
 
-static bool is_in(const controller_t *self, workphase_t workphase)
-{
-    return procedure_workphase(&self->procedure) == workphase;
-}
-
 /* The plan of whoever moves to it does not change. */
-static status_t judge_targeting(const controller_t *self)
+static status_t judge_targeting(const controller_t *self, const command_t *command)
 {
     status_t status = STATUS_OK;
     if (procedure_is_armed(&self->procedure)) {
         status = STATUS_MOTION_ARMED;
-    } else if (!is_in(self, WORKPHASE_TARGETING)) {
+    } else if (!controller_is_of_workphase(self, command)) {
         status = STATUS_WRONG_WORKPHASE;
     } else {
         status = STATUS_OK;
@@ -29,7 +24,7 @@ static status_t judge_targeting(const controller_t *self)
 static status_t tell_registration(controller_t *self, const cycle_t *cycle,
                                   const command_t *command)
 {
-    if (!is_in(self, WORKPHASE_CALIBRATION)) {
+    if (!controller_is_of_workphase(self, command)) {
         return STATUS_WRONG_WORKPHASE;
     }
     if (command->argument >= REGISTRATION_USE_COUNT) {
@@ -57,7 +52,7 @@ static status_t judge_probe(const controller_t *self, const cycle_t *cycle,
     status_t status = STATUS_PROBE_LENGTH;
     if (command->argument != cycle->robot->probe_length_count) {
         status = STATUS_PROBE_LENGTH;
-    } else if (is_in(self, WORKPHASE_MOVE_TO_TARGET)) {
+    } else if (!controller_is_of_workphase(self, command)) {
         status = STATUS_WRONG_WORKPHASE;
     } else if (procedure_is_armed(&self->procedure)) {
         status = STATUS_NOT_AT_REST;
@@ -87,7 +82,7 @@ static status_t tell_probe(controller_t *self, const cycle_t *cycle, const comma
 static status_t tell_target(controller_t *self, const cycle_t *cycle, const command_t *command,
                             answer_t *answer)
 {
-    const status_t judged = judge_targeting(self);
+    const status_t judged = judge_targeting(self, command);
     if (judged != STATUS_OK) {
         return judged;
     }
@@ -106,7 +101,7 @@ static status_t tell_target(controller_t *self, const cycle_t *cycle, const comm
 static status_t tell_entry(controller_t *self, const cycle_t *cycle, const command_t *command,
                            answer_t *answer)
 {
-    const status_t judged = judge_targeting(self);
+    const status_t judged = judge_targeting(self, command);
     if (judged != STATUS_OK) {
         return judged;
     }
@@ -170,8 +165,8 @@ static status_t withdraw(controller_t *self, const cycle_t *cycle, const command
 
 static status_t tell_needle(controller_t *self, const command_t *command)
 {
-    return is_in(self, WORKPHASE_MOVE_TO_TARGET) ? plan_see_needle(&self->plan, &command->pose)
-                                                 : STATUS_WRONG_WORKPHASE;
+    return controller_is_of_workphase(self, command) ? plan_see_needle(&self->plan, &command->pose)
+                                                     : STATUS_WRONG_WORKPHASE;
 }
 
 bool controller_is_unlogged(const command_t *command)

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "controller/controller_program.h"
 
+#include "controller/controller_facts.h"
+
 /* Below 0 a dwell has a gate. */
 static status_t add_step(controller_t *self, const cycle_t *cycle, const command_t *command,
                          answer_t *answer)
@@ -38,9 +40,8 @@ static status_t change(controller_t *self, const cycle_t *cycle, const command_t
 status_t controller_obey_program(controller_t *self, const cycle_t *cycle, const command_t *command,
                                  answer_t *answer)
 {
-    const workphase_t workphase = procedure_workphase(&self->procedure);
     status_t status = STATUS_OK;
-    if (!mode_runs_in(MODE_PROGRAM, workphase) && (workphase != WORKPHASE_TARGETING)) {
+    if (!controller_is_of_workphase(self, command)) {
         status = STATUS_WRONG_WORKPHASE;
     } else if (procedure_is_armed(&self->procedure)) {
         status = STATUS_MOTION_ARMED;

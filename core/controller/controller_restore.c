@@ -79,13 +79,6 @@ void controller_compare(controller_t *self, const cycle_t *cycle, uint32_t index
     }
 }
 
-/* Where nothing moves by itself. Also before START_UP, which asks for lost positions. */
-static bool is_phase_of_restoring(workphase_t phase)
-{
-    return (phase == WORKPHASE_UNDEFINED) || (phase == WORKPHASE_MANUAL) ||
-           (phase == WORKPHASE_STOP) || (phase == WORKPHASE_EMERGENCY);
-}
-
 static bool is_at_rest(const controller_t *self)
 {
     bool is_every_one = !procedure_is_armed(&self->procedure) && (self->pedal.is_released != 0U);
@@ -133,7 +126,7 @@ static status_t judge_restore(const controller_t *self, const cycle_t *cycle,
     status_t status = STATUS_UNKNOWN_COMMAND;
     if ((command->argument == 0U) || ((command->argument >> self->axis_count) != 0U)) {
         status = STATUS_UNKNOWN_COMMAND;
-    } else if (!is_phase_of_restoring(procedure_workphase(&self->procedure))) {
+    } else if (!controller_is_of_workphase(self, command)) {
         status = STATUS_WRONG_WORKPHASE;
     } else if (!is_at_rest(self)) {
         status = STATUS_NOT_AT_REST;

@@ -2,6 +2,7 @@
 #include "controller/controller_trajectory.h"
 
 #include "base/contract.h"
+#include "controller/controller_facts.h"
 
 #include <string.h>
 
@@ -37,7 +38,7 @@ status_t controller_obey_trajectory(controller_t *self, const cycle_t *cycle,
                                     const command_t *command, answer_t *answer)
 {
     status_t status = STATUS_OK;
-    if (procedure_workphase(&self->procedure) != WORKPHASE_MANUAL) {
+    if (!controller_is_of_workphase(self, command)) {
         status = STATUS_WRONG_WORKPHASE;
     } else if (procedure_is_armed(&self->procedure)) {
         status = STATUS_NOT_AT_REST;

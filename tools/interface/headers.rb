@@ -14,7 +14,7 @@ module Interface
 
     def files
       @model.headers.to_h { |header| ["#{header.name}.h", text(header)] }
-            .merge('event.c' => severities).merge(@model.modes&.files || {}).compact
+            .merge('event.c' => severities).merge(@model.modes&.files || {}, @model.commands&.files || {}).compact
     end
 
     private
@@ -63,8 +63,13 @@ module Interface
       header.enumerations.any? { |one| one.name == 'mode_kind' }
     end
 
+    def commands?(header)
+      @model.commands && header.enumerations.any? { |one| one.name == 'command_kind' }
+    end
+
     def prototypes(header)
       return Modes::DECLARATION if modes?(header)
+      return Commands::DECLARATION if commands?(header)
       return unless header.enumerations.any? { |one| one.name == 'event_id' }
 
       <<~CODE

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # frozen_string_literal: true
 
+require_relative 'commands'
 require_relative 'events'
 require_relative 'message'
 require_relative 'modes'
@@ -10,7 +11,7 @@ require_relative 'structure'
 module Interface
   # One `enum`: the only source of its names, numbers and sentences.
   class Enumeration
-    KEYS = (%w[severity subject value of peer] + Modes::KEYS).freeze
+    KEYS = (%w[severity subject value of peer] + Modes::KEYS | Commands::KEYS).freeze
     # `robot`: whose own it is, nil for all.
     Value = Struct.new(:code, :name, :says, :node, :more, :robot, keyword_init: true)
 
@@ -144,6 +145,11 @@ module Interface
       @modes ||= Modes.new(self) if enumeration('mode_kind')
     end
 
+    # None without workphases that they could be obeyed in.
+    def commands
+      @commands ||= Commands.new(self) if enumeration('command_kind')&.counted? && enumeration('workphase')
+    end
+
     # The structures whose fields are shown in `message`, each with these fields and how.
     def sources(message)
       structures.to_h { |structure| [structure, structure.shown_in(message.name)] }.reject { |_, fields| fields.empty? }
@@ -187,9 +193,10 @@ module Interface
 
       structures.each { |structure| structure.check(self) }
       messages.each { |message| message.check(self) }
-      routes&.check(self)
       events
       modes
+      commands&.complete
+      routes&.check(self)
     end
   end
 end

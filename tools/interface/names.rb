@@ -10,7 +10,13 @@ module Interface
   class Names
     FROM = 'core/interface'
 
+    WHERE = <<~CODE
+      /** Where the command_kind `value` may be obeyed, as a sentence; "" without workphases. Lives for ever. */
+      const char *command_kind_where(int32_t value);
+    CODE
+
     def initialize(model)
+      @commands = model.commands
       @enumerations = model.enumerations.sort_by(&:name)
     end
 
@@ -36,6 +42,7 @@ module Interface
           bool #{one.name}_is_of_robot(int32_t value);
         CODE
       end
+      declarations << WHERE if @commands
       C.file('Names and sentences of enumerations.', FROM) +
         C.guard('names', "#include <stdbool.h>\n#include <stdint.h>\n\n#{declarations.join("\n")}")
     end
@@ -45,6 +52,9 @@ module Interface
         [function(one, 'name', 'UNKNOWN', &:name), function(one, 'text', 'Unknown.', &:says)]
       end
       functions += @enumerations.select(&:robots?).map { |one| robots(one) }
+      functions += @enumerations.select { |one| @commands && one.name == 'command_kind' }.map do |one|
+        function(one, 'where', '') { |value| @commands.sentence(value) }
+      end
       "#{C.file('Names and sentences of enumerations.', FROM)}#include \"names.h\"\n\n#{functions.join("\n")}"
     end
 

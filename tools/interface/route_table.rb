@@ -55,6 +55,7 @@ module Interface
             role_t role;                    /**< The least that it needs. */
             bool is_of_page;                /**< Whoever asks says which page it is. */
             bool needs_authority;           /**< That page has authority. */
+            uint32_t command;               /**< command_kind_t that is asked of control; 0: none, or several. */
             bool is_lenient;                /**< Media type and query are not looked at. */
             size_t body_most;               /**< Bytes; 0: there must be no body. */
             const char *sends;              /**< Media type of a body that the route reads itself; NULL: none. */
@@ -100,7 +101,11 @@ module Interface
       query = route.parameters.members.empty? ? 'nothing' : route.parameters.name
       "    {ROUTE_#{route.name.upcase}, #{C.string(route.method)}, #{C.string(route.path)}, " \
         "#{value(route)}, #{C.string(@routes.allowed(route.path))},\n     #{route.anyone?}, #{least(route)}, " \
-        "#{route.page?}, #{route.authority?}, #{route.lenient?}, #{route.body_most}U, #{sent(route)}, #{body}, &request_#{query}}"
+        "#{route.page?}, #{route.authority?}, #{asked(route)}, #{route.lenient?}, #{route.body_most}U, #{sent(route)}, #{body}, &request_#{query}}"
+    end
+
+    def asked(route)
+      "#{route.command&.code.to_i}U"
     end
 
     def sent(route)

@@ -32,10 +32,10 @@ module Interface
     PATH = %r{\A/(([a-z0-9_.-]+|\{[a-z]+\})(/|\z))*\z}.freeze
     VALUES = %w[axis number name].freeze # of a path
     BODY_MOST = 1_048_576
-    OPTIONAL = %w[answer media parameters headers body body_most sends events problems refused lenient page authority].freeze
+    OPTIONAL = %w[answer media parameters headers body body_most sends events problems refused lenient page authority command].freeze
     Header = Struct.new(:name, :type, :says, keyword_init: true)
 
-    attr_reader :name, :path, :method, :who, :says, :answer, :media, :parameters, :headers, :body, :body_most, :sends, :events, :node
+    attr_reader :name, :path, :method, :who, :says, :command, :answer, :media, :parameters, :headers, :body, :body_most, :sends, :events, :node
 
     def initialize(node)
       nodes = node.mapping(%w[name path method who says], OPTIONAL)
@@ -59,6 +59,7 @@ module Interface
 
     def check(model, routes)
       check_who(model)
+      read_command(model.commands) if @nodes.key?('command')
       @answer = message(@nodes['answer'], model)
       @body = @nodes['body'] && (routes.request(@nodes['body'].identifier) || @nodes['body'].refuse('is no request'))
       @events = read_events(model)
@@ -134,6 +135,11 @@ module Interface
     def check_who(model)
       roles = model.enumeration('role')&.values.to_a.map(&:name)
       @nodes['who'].refuse("is #{who}; expected #{[ANYONE, *roles].join(', ')}") unless anyone? || roles.include?(who)
+    end
+
+    def read_command(commands)
+      @command = commands&.find(@nodes['command'].word) || @nodes['command'].refuse('is no command')
+      @says = commands.told(says, @command)
     end
 
     def flag(key)

@@ -434,6 +434,25 @@ class TestInterfaceCompiler < Minitest::Test
     end
   end
 
+  COMMANDS = MODES.sub('prefix: COMMAND', "prefix: COMMAND\n    count: true")
+                  .sub('says: "Go."}', 'says: "Go."}, {code: 3, name: TURN, workphases: [THERE], says: "Turn."}')
+
+  def test_SWR_TOOL_011_the_table_of_commands_says_where_each_is_obeyed
+    with_output('commands.yml' => COMMANDS) do |folder|
+      source = File.read(File.join(folder, 'command.c'))
+      assert_includes source, '[COMMAND_WORKPHASE] = IN_ALL,'
+      assert_includes source, "[COMMAND_GO] = IN(WORKPHASE_HERE) |\n        IN(WORKPHASE_THERE),"
+      assert_includes source, '[COMMAND_TURN] = IN(WORKPHASE_THERE),'
+      assert_includes File.read(File.join(folder, 'mode_list.h')), '/** Turn. Only in THERE. */'
+      assert_includes File.read(File.join(folder, 'app', 'names.c')), 'return "Only in HERE or THERE.";'
+    end
+  end
+
+  def test_SWR_TOOL_012_refuses_workphases_of_a_command_that_arms_a_mode
+    old = 'name: GO, says: "Go."'
+    assert_refused('commands.yml', COMMANDS, old, old.sub('says', 'workphases: [HERE], says'), 11, 'stand in modes.yml, with GO')
+  end
+
   MODE_REFUSALS = {
     'a mode without axes' => ['workphases: [HERE], unhomed: true, axes: ALL', 'workphases: [HERE], unhomed: true', 17,
                               'has no axes'],

@@ -283,7 +283,7 @@ class TestInterfaceRoutes < Minitest::Test
       assert_includes types, '| `/walls/${string}/stroke-now`'
       assert_includes types, %(  colour: "BLUE";\n)
       assert_match(/"BLUE", 7U\}\};/, File.read(File.join(folder, 'app/requests.c')))
-      assert_match(/ROUTE_STROKE, "POST", [^,]*, ROUTE_OF_AXIS, "POST",\s+false, ROLE_PAINTER, true, true, false, 99U/,
+      assert_match(/ROUTE_STROKE, "POST", [^,]*, ROUTE_OF_AXIS, "POST",\s+false, ROLE_PAINTER, true, true, 0U, false, 99U/,
                    File.read(File.join(folder, 'app/routes.c')))
     end
   end
@@ -292,7 +292,8 @@ class TestInterfaceRoutes < Minitest::Test
     'two_values' => ['/walls/', '/walls/{name}/', 'has name, axis; expected at most one'],
     'a_word_that_the_type_has_not' => ['[BLUE]', '[GREEN]', 'holds GREEN, which its type has not'],
     'an_act_without_an_id' => ['{name: id, type: uint32}', '{name: it, type: uint32}', 'its body has no id'],
-    'authority_for_anyone' => ["POST\n    who: PAINTER", "POST\n    who: anyone", 'is of a page, but is a GET or for anyone'] }
+    'authority_for_anyone' => ["POST\n    who: PAINTER", "POST\n    who: anyone", 'is of a page, but is a GET or for anyone'],
+    'a_command_that_is_none' => ['authority: true', 'command: WHISTLE', 'is no command'] }
     .each do |what, (old, new, reason)|
     define_method("test_SWR_TOOL_021_refuses_#{what}") do
       changed = with_acts(old => new)

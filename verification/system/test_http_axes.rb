@@ -267,6 +267,25 @@ class TestHttpAxes < Minitest::Test
     end
   end
 
+  # Of what may be commanded, the reason against this act.
+  def reason_against(act, client)
+    modes = assert_described('/api/v1/modes', 'GET', client.request('get', '/api/v1/modes'))
+    JSON.parse(modes.body).fetch('commands').find { |one| one['name'] == act }.fetch('reason')
+  end
+
+  def test_SWR_HTTP_056_what_may_be_commanded_is_told_for_the_role_of_the_session
+    anna = holder('anna')
+    egon = client('egon')
+    assert_equal 'The role of this account does not allow it.', reason_against('SET_HOME', anna)
+    assert_nil reason_against('SET_HOME', egon)
+    assert_nil reason_against('SET_HOME', client)
+    assert_nil reason_against('CONFIRM_AXIS', anna)
+    assert_equal 'Only in CALIBRATION.', reason_against('REGISTRATION', anna)
+    assert_answer '200', 'done', anna.act('workphase', { workphase: 'CALIBRATION' })
+    assert_nil reason_against('REGISTRATION', anna)
+    assert_equal 'Only in MANUAL.', reason_against('SET_HOME', egon)
+  end
+
   def test_SWR_AXIS_044_an_operator_neither_clears_nor_sets
     anna = holder('anna')
     %w[clear set-home].each { |act| assert_answer '403', 'ROLE_REFUSED', anna.act("motors/feet/#{act}") }

@@ -50,7 +50,7 @@ export function obstacleOf(
 export interface Commanding {
   /** Why nothing can be commanded from here, or null. */
   obstacle: string | null;
-  /** It may set a home and clear a position as well. */
+  /** It may do what engineers may. */
   isEngineer: boolean;
   /** What became of the last command of this page, whichever panel it came from. */
   outcome: Outcome | null;

@@ -17,13 +17,18 @@ export function useOutlook(page: Page, status: Status): Modes | null {
   return useAnswer(page, MODES_PATH, Modes, ASK_AGAIN_MS, cause.join())[0];
 }
 
-/** Why the mode cannot be armed now; what is not known cannot be. */
+/**
+ * Why the mode cannot be armed or the act not be done now; what is not known cannot be.
+ *
+ * @satisfies SWR-CON-044
+ */
 export function reasonAgainst(
   outlook: Modes | null,
-  name: string,
+  name: Mode["name"],
 ): string | null {
-  const mode = outlook?.modes.find((one: Mode) => one.name === name);
-  return mode === undefined ? "Not known yet." : mode.reason;
+  const all = [...(outlook?.modes ?? []), ...(outlook?.commands ?? [])];
+  const found = all.find((one) => one.name === name);
+  return found === undefined ? "Not known yet." : found.reason;
 }
 
 /** What does not change of the robot; null while it is not known. */

@@ -3,15 +3,25 @@
 import { cleanup, fireEvent, render, screen } from "@testing-library/react";
 import { afterEach, expect, test, vi } from "vitest";
 import type { RobotState, TargetPreview } from "@interface";
-import { makeCommander, type Commander } from "../testing/commander";
+import {
+  makeCommander,
+  makeOutlook,
+  refusedHere,
+  type Commander,
+} from "../testing/commander";
 import { makeRobot } from "../testing/robot";
 import { Aim } from "./Aim";
 
 let commander: Commander;
 const PREVIEW = "/api/v1/targeting/preview";
 
+const acts = {
+  CALIBRATION: ["REGISTRATION", "PROBE"],
+  TARGETING: ["ENTRY", "TARGET", "PROBE"],
+} as const;
+
 async function show(
-  workphase: "CALIBRATION" | "TARGETING",
+  workphase: keyof typeof acts,
   change: Partial<RobotState["targeting"]> = {},
 ): Promise<void> {
   commander = await makeCommander("OPERATOR");
@@ -21,7 +31,11 @@ async function show(
   });
   const targeting = { ...robot.targeting, ...change };
   render(
-    <Aim robot={{ ...robot, targeting }} operation={commander.operation} />,
+    <Aim
+      robot={{ ...robot, targeting }}
+      outlook={makeOutlook(...acts[workphase])}
+      operation={commander.operation}
+    />,
   );
 }
 
@@ -67,18 +81,21 @@ test("SWR-CON-018 a probe that was changed elsewhere is shown before it is sent"
   const robot = makeRobot({ authority });
   const [length] = robot.targeting.probe;
   cleanup();
-  const shown = render(<Aim robot={robot} operation={operation} />);
+  const aim = (one: RobotState) => (
+    <Aim robot={one} outlook={makeOutlook()} operation={operation} />
+  );
+  const shown = render(aim(robot));
   write("Probe needle_tip, mm", "200");
   const probe = [{ ...length!, length_mm: 260 }];
   const targeting = { ...robot.targeting, probe };
-  shown.rerender(<Aim robot={{ ...robot, targeting }} operation={operation} />);
+  shown.rerender(aim({ ...robot, targeting }));
   expect(screen.getByDisplayValue("260.000")).toBeTruthy();
 });
 
-test("SWR-CON-018 each is offered where it is taken", async () => {
+test("SWR-CON-044 each is offered where the server says it is taken", async () => {
   await show("TARGETING");
   expect(button("Register").disabled).toBe(true);
-  expect(screen.getByText("Only in CALIBRATION.")).toBeTruthy();
+  expect(screen.getByText(refusedHere)).toBeTruthy();
   cleanup();
   await show("CALIBRATION");
   write("Entry point, scanner", "1 2 3");

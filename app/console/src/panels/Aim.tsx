@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useEffect, useId, useState } from "react";
 import { TargetPreview } from "@interface";
-import type { Path, Problem, RobotState } from "@interface";
+import type { Modes, Path, Problem, RobotState } from "@interface";
 import {
   formatNumber,
   formatOrigin,
@@ -10,25 +10,21 @@ import {
 } from "../format";
 import { useCommanding, type Commanding, type Operation } from "../operation";
 import { Order, OrderNotes } from "../parts/Order";
+import { reasonAgainst } from "../outlook";
 import { refusalOf, type Page } from "../page";
 import { fitted } from "../shape";
 
 const PREVIEW_PATH: Path = "/api/v1/targeting/preview";
 const PREVIEW_AFTER_MS = 300;
 
-function onlyIn(robot: RobotState, workphase: string): string | null {
-  return robot.status.workphase.name === workphase
-    ? null
-    : `Only in ${workphase}.`;
-}
-
 interface AimProperties {
   robot: RobotState;
+  outlook: Modes | null;
   commanding: Commanding;
 }
 
 /** Nothing stands there until somebody writes it: where the robot is, nobody guesses. */
-function Registration({ robot, commanding }: AimProperties) {
+function Registration({ outlook, commanding }: AimProperties) {
   const [text, setText] = useState("");
   const [ignores, setIgnores] = useState(false);
   const id = useId();
@@ -56,7 +52,7 @@ function Registration({ robot, commanding }: AimProperties) {
         commanding={commanding}
         path="/api/v1/targeting/registration"
         fields={{ matrix, ...(ignores && { ignore_rotation: true }) }}
-        refusal={onlyIn(robot, "CALIBRATION") ?? missing}
+        refusal={reasonAgainst(outlook, "REGISTRATION") ?? missing}
       >
         Register
       </Order>
@@ -111,10 +107,10 @@ function usePreview(page: Page, text: string, cause: string): string | null {
   return said;
 }
 
-function Point({
+function PointOrder({
   name,
   path,
-  robot,
+  outlook,
   commanding,
   text,
   setText,
@@ -127,6 +123,7 @@ function Point({
   const id = useId();
   const point = readNumbers(text, 3);
   const missing = point === null ? "Write x, y and z in mm." : null;
+  const kind = name === "Entry" ? "ENTRY" : "TARGET";
   return (
     <div className="orders">
       <label htmlFor={id}>{name} point, scanner</label>
@@ -141,7 +138,7 @@ function Point({
         commanding={commanding}
         path={path}
         fields={{ point_mm: point }}
-        refusal={onlyIn(robot, "TARGETING") ?? missing}
+        refusal={reasonAgainst(outlook, kind) ?? missing}
       >
         Send {name.toLowerCase()}
       </Order>
@@ -150,7 +147,7 @@ function Point({
 }
 
 /** What a navigation program proposes, to be accepted as it is shown. */
-function ProposedEntry({ robot, commanding }: AimProperties) {
+function ProposedEntry({ robot, outlook, commanding }: AimProperties) {
   const { entry_mm: point, entry_by: by } = robot.targeting.proposals;
   if (point === null) {
     return null;
@@ -165,7 +162,7 @@ function ProposedEntry({ robot, commanding }: AimProperties) {
         commanding={commanding}
         path="/api/v1/targeting/entry"
         fields={{ point_mm: point }}
-        refusal={onlyIn(robot, "TARGETING")}
+        refusal={reasonAgainst(outlook, "ENTRY")}
       >
         Accept
       </Order>
@@ -181,7 +178,7 @@ function ProposedEntry({ robot, commanding }: AimProperties) {
 }
 
 /** All lengths, in the order in which they are shown. */
-function Probe({ robot, commanding }: AimProperties) {
+function Probe({ robot, outlook, commanding }: AimProperties) {
   const { probe } = robot.targeting;
   const [text, setText] = useState(
     probe
@@ -192,6 +189,7 @@ function Probe({ robot, commanding }: AimProperties) {
   );
   const id = useId();
   const lengths = readNumbers(text, probe.length);
+  const missing = lengths === null ? `Write ${probe.length} numbers.` : null;
   if (probe.length === 0) {
     return null;
   }
@@ -210,7 +208,7 @@ function Probe({ robot, commanding }: AimProperties) {
         commanding={commanding}
         path="/api/v1/targeting/probe"
         fields={{ lengths_mm: lengths }}
-        refusal={lengths === null ? `Write ${probe.length} numbers.` : null}
+        refusal={reasonAgainst(outlook, "PROBE") ?? missing}
       >
         Change probe
       </Order>
@@ -225,9 +223,11 @@ function Probe({ robot, commanding }: AimProperties) {
  */
 export function Aim({
   robot,
+  outlook,
   operation,
 }: {
   robot: RobotState;
+  outlook: Modes | null;
   operation: Operation;
 }) {
   const commanding = useCommanding(operation, robot.status.authority);
@@ -236,7 +236,7 @@ export function Aim({
   const { is_registered, has_target } = robot.status;
   const cause = [is_registered, has_target, robot.targeting.entry_mm].join();
   const preview = usePreview(operation.page, target, cause);
-  const properties = { robot, commanding };
+  const properties = { robot, outlook, commanding };
   return (
     <>
       <OrderNotes commanding={commanding} />
@@ -246,14 +246,14 @@ export function Aim({
         {...properties}
       />
       <ProposedEntry {...properties} />
-      <Point
+      <PointOrder
         {...properties}
         name="Entry"
         path="/api/v1/targeting/entry"
         text={entry}
         setText={setEntry}
       />
-      <Point
+      <PointOrder
         {...properties}
         name="Target"
         path="/api/v1/targeting/target"

@@ -14,6 +14,7 @@ import type { Modes, Role } from "@interface";
 import {
   makeCommander,
   makeOutlook,
+  plainActs,
   refusedHere,
   type Commander,
 } from "../testing/commander";
@@ -100,8 +101,8 @@ test("SWR-CON-017 an axis goes to a position that is a number", async () => {
 
 test.each([
   ["head", "Home head", "HOME_AXIS", "/api/v1/motors/head/home"],
-  ["head", "Disable head", "", "/api/v1/motors/head/disable"],
-  ["yaw", "Enable yaw", "", "/api/v1/motors/yaw/enable"],
+  ["head", "Disable head", "DISABLE_AXIS", "/api/v1/motors/head/disable"],
+  ["yaw", "Enable yaw", "ENABLE_AXIS", "/api/v1/motors/yaw/enable"],
 ])("SWR-CON-017 of %s: %s is commanded", async (axis, name, mode, path) => {
   await show(makeOutlook(mode));
   press(axis, name);
@@ -113,7 +114,7 @@ test.each([
   ["Clear position", "clear"],
   ["Confirm position", "confirm"],
 ])("SWR-CON-017 %s asks before it is done", async (name, path) => {
-  await show(makeOutlook());
+  await show(makeOutlook(...plainActs));
   press("head", `${name}…`);
   expect(commander.acts()).toEqual([]);
   expect(document.activeElement?.textContent).toBe("Cancel");
@@ -126,12 +127,23 @@ test.each([
   ]);
 });
 
-test("SWR-CON-017 an operator sets no home", async () => {
-  await show(makeOutlook("JOG"), "OPERATOR");
+test("SWR-CON-044 each act on an axis is offered as the server says it, and each reason stands once", async () => {
+  const outlook = makeOutlook("JOG", "HOME_AXIS", "CONFIRM_AXIS");
+  const reason = "The role of this account does not allow it.";
+  await show({
+    ...outlook,
+    commands: outlook.commands.map((one) =>
+      one.name === "SET_HOME" || one.name === "CLEAR_AXIS"
+        ? { ...one, reason }
+        : one,
+    ),
+  });
   expect(button("head", "Set home…").disabled).toBe(true);
   expect(button("head", "Clear position…").disabled).toBe(true);
   expect(button("head", "Confirm position…").disabled).toBe(false);
-  expect(screen.getByText(/Engineers set home/)).toBeTruthy();
+  expect(button("head", "Disable head").disabled).toBe(true);
+  expect(screen.getByText(`Set home, Clear position: ${reason}`)).toBeTruthy();
+  expect(screen.getByText(`Enable, Disable: ${refusedHere}`)).toBeTruthy();
 });
 
 test("SWR-CON-017 what the server would refuse cannot be pressed, and it is said once for all axes", async () => {
@@ -139,7 +151,7 @@ test("SWR-CON-017 what the server would refuse cannot be pressed, and it is said
   for (const name of ["+1.00 mm", "Go to", "Home head", "Disable head"]) {
     expect(button("head", name).disabled, name).toBe(true);
   }
-  expect(screen.getByText(`Jogs: ${refusedHere}`)).toBeTruthy();
+  expect(screen.getAllByText(/^Jog, Home, .*: /)).toHaveLength(1);
   const slider = sliderOf("head");
   expect(slider.getAttribute("aria-disabled")).toBe("true");
 });

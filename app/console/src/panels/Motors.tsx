@@ -13,18 +13,22 @@ import { sharedReasons, SharedReasons, stateOf } from "./Axes";
 import "./Motors.css";
 
 const steps = ["0.1", "1", "5", "10"];
-const MANUAL_ONLY = "Only in MANUAL.";
-const ENGINEERS_ONLY = "Engineers set home and clear positions.";
 
-/** Why not, by what is done; told once for all axes. */
-interface Refusals {
-  jog: string | null;
-  home: string | null;
-  /** Enabling, disabling, confirming. */
-  act: string | null;
-  /** Setting home, clearing. */
-  engineer: string | null;
-}
+/** What is done to one axis, as people call it. */
+const acts = {
+  JOG: "Jog",
+  HOME_AXIS: "Home",
+  ENABLE_AXIS: "Enable",
+  DISABLE_AXIS: "Disable",
+  CONFIRM_AXIS: "Confirm position",
+  SET_HOME: "Set home",
+  CLEAR_AXIS: "Clear position",
+} as const;
+
+type ActName = keyof typeof acts;
+
+/** Why not; told once for all axes. */
+type Refusals = Readonly<Record<ActName, string | null>>;
 
 /** What this page has asked for last. */
 interface Asked {
@@ -42,33 +46,27 @@ interface MotorProperties {
   send: (position: number) => void;
 }
 
-function refusalsOf(
-  outlook: Modes | null,
-  workphase: string,
-  isEngineer: boolean,
-): Refusals {
-  const act = workphase === "MANUAL" ? null : MANUAL_ONLY;
-  return {
-    jog: reasonAgainst(outlook, "JOG"),
-    home: reasonAgainst(outlook, "HOME_AXIS"),
-    act,
-    engineer: act ?? (isEngineer ? null : ENGINEERS_ONLY),
-  };
+const names = Object.keys(acts) as ActName[];
+
+function refusalsOf(outlook: Modes | null): Refusals {
+  const pairs = names.map((name) => [name, reasonAgainst(outlook, name)]);
+  return Object.fromEntries(pairs) as Refusals;
 }
 
+/** Each reason once, with all that it stands against. */
 function RefusalList({ refusals }: { refusals: Refusals }) {
-  const told = [
-    ["Jogs", refusals.jog],
-    ["Homing of one axis", refusals.home],
-    ["Reference and power of an axis", refusals.act ?? refusals.engineer],
-  ].filter(([, reason]) => reason !== null);
+  const reasons = new Set(names.map((name) => refusals[name]));
+  const barred = (reason: string) =>
+    names.filter((name) => refusals[name] === reason).map((name) => acts[name]);
   return (
     <ul className="motor-refusals">
-      {told.map(([what, reason]) => (
-        <li key={what}>
-          {what}: {reason}
-        </li>
-      ))}
+      {[...reasons]
+        .filter((reason) => reason !== null)
+        .map((reason) => (
+          <li key={reason}>
+            {barred(reason).join(", ")}: {reason}
+          </li>
+        ))}
     </ul>
   );
 }
@@ -151,7 +149,7 @@ function Jog({ axis, step, commanding, refusals, send }: MotorProperties) {
   const position = readNumbers(place, 1)?.[0];
   const isReady =
     commanding.obstacle === null &&
-    refusals.jog === null &&
+    refusals.JOG === null &&
     position !== undefined;
   return (
     <Orders name={`Jog ${axis.name}`}>
@@ -161,7 +159,7 @@ function Jog({ axis, step, commanding, refusals, send }: MotorProperties) {
           commanding={commanding}
           path={path}
           fields={{ distance: way * step }}
-          refusal={refusals.jog}
+          refusal={refusals.JOG}
           isTold
         >
           {way < 0 ? "−" : "+"}
@@ -202,7 +200,7 @@ function Reference({ axis, commanding, refusals }: MotorProperties) {
           question={`Ask for the button at the box: ${axis.name} stands at ${here}?`}
           path={`${path}/confirm`}
           commanding={commanding}
-          refusal={refusals.act}
+          refusal={refusals.CONFIRM_AXIS}
         >
           Confirm position
         </Twice>
@@ -210,7 +208,7 @@ function Reference({ axis, commanding, refusals }: MotorProperties) {
           question={`Is home of ${axis.name} where it stands, shown as ${here}?`}
           path={`${path}/set-home`}
           commanding={commanding}
-          refusal={refusals.engineer}
+          refusal={refusals.SET_HOME}
         >
           Set home
         </Twice>
@@ -218,7 +216,7 @@ function Reference({ axis, commanding, refusals }: MotorProperties) {
           question={`Forget the position of ${axis.name}?`}
           path={`${path}/clear`}
           commanding={commanding}
-          refusal={refusals.engineer}
+          refusal={refusals.CLEAR_AXIS}
         >
           Clear position
         </Twice>
@@ -235,7 +233,7 @@ function Acts({ axis, commanding, refusals }: MotorProperties) {
       <Order
         commanding={commanding}
         path={`${path}/home`}
-        refusal={refusals.home}
+        refusal={refusals.HOME_AXIS}
         isTold
       >
         Home {axis.name}
@@ -243,7 +241,7 @@ function Acts({ axis, commanding, refusals }: MotorProperties) {
       <Order
         commanding={commanding}
         path={`${path}/${isEnabled ? "disable" : "enable"}`}
-        refusal={refusals.act}
+        refusal={isEnabled ? refusals.DISABLE_AXIS : refusals.ENABLE_AXIS}
         isTold
       >
         {isEnabled ? "Disable" : "Enable"} {axis.name}
@@ -280,7 +278,7 @@ function Motor(properties: MotorProperties) {
           step={step}
           isLocked={
             commanding.obstacle !== null ||
-            refusals.jog !== null ||
+            refusals.JOG !== null ||
             !isKnown(axis)
           }
           onSend={send}
@@ -336,11 +334,7 @@ export function Motors({
   const [step, setStep] = useState("1");
   const { axes } = robot.motors;
   const shared = sharedReasons(axes);
-  const refusals = refusalsOf(
-    outlook,
-    robot.status.workphase.name,
-    commanding.isEngineer,
-  );
+  const refusals = refusalsOf(outlook);
   return (
     <>
       <OrderNotes commanding={commanding} />

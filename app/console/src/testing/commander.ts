@@ -81,19 +81,31 @@ export async function makeCommander(role: Role): Promise<Commander> {
 
 const reason = "The present workphase does not allow it.";
 
-function judge(isAllowed: boolean) {
-  return {
-    says: "",
-    is_allowed: isAllowed,
-    status: isAllowed ? null : "WRONG_WORKPHASE",
-    reason: isAllowed ? null : reason,
-  };
-}
-
 export const refusedHere = reason;
 
-/** Of these workphases and modes all are allowed that are named. */
+/** What moves nothing. */
+export const plainActs = [
+  "REGISTRATION",
+  "TARGET",
+  "ENTRY",
+  "PROBE",
+  "CLEAR_AXIS",
+  "CONFIRM_AXIS",
+  "SET_HOME",
+  "ENABLE_AXIS",
+  "DISABLE_AXIS",
+] as const;
+
+/** Of these workphases, modes and acts all are allowed that are named. */
 export function makeOutlook(...allowed: string[]): Modes {
+  const judgement = (name: string) => {
+    const isAllowed = allowed.includes(name);
+    return {
+      is_allowed: isAllowed,
+      status: isAllowed ? null : ("WRONG_WORKPHASE" as const),
+      reason: isAllowed ? null : reason,
+    };
+  };
   const names = ["START_UP", "PLANNING", "CALIBRATION", "TARGETING"];
   const steps = [...names, "MOVE_TO_TARGET", "MANUAL", "STOP", "EMERGENCY"];
   const single = ["JOG", "HOME_AXIS", "VELOCITY", "TRAJECTORY", "SWEEP"];
@@ -107,15 +119,18 @@ export function makeOutlook(...allowed: string[]): Modes {
     "PROGRAM",
   ];
   return {
+    commands: plainActs.map((name) => ({ name, ...judgement(name) })),
     workphases: steps.map((name): Step => ({
       name,
-      ...judge(allowed.includes(name)),
+      says: "",
+      ...judgement(name),
     })),
     modes: modes.map((name): Mode => ({
       name,
       command: name === "HOMING" ? "WORKPHASE" : name,
       workphases: name === "HOMING" ? ["START_UP"] : ["MANUAL"],
-      ...judge(allowed.includes(name)),
+      says: "",
+      ...judgement(name),
     })),
   };
 }

@@ -38,7 +38,7 @@ export function ProcedureView({
         <Targeting targeting={robot.targeting} />
       </Panel>
       <Panel title="Aim">
-        <Aim robot={robot} operation={operation} />
+        <Aim robot={robot} outlook={outlook} operation={operation} />
       </Panel>
       <Panel title="Log" className="panel-wide">
         <Log log={view.log} />

@@ -1,0 +1,153 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file What is said of an act before it is commanded is what the controller then says, wherever
+ * chance has led the robot. */
+#include "unity.h"
+
+#include "http/command_outlook.h"
+#include "interface/app/names.h"
+#include "integration/support/rig.h"
+#include "robot/robot_neuro.h"
+
+#include <string.h>
+
+#define ROBOTS 40U /* Each begins homed. */
+#define STEPS 60U
+
+static rig_t rig;
+static uint32_t random_state = 20261123U;
+static uint32_t allowed; /* Kinds that were. */
+static uint32_t barred;  /* Kinds that were not. */
+
+static const command_kind_t kinds[] = {
+    COMMAND_REGISTRATION, COMMAND_TARGET,       COMMAND_ENTRY,        COMMAND_PROBE,
+    COMMAND_RESTORE,      COMMAND_CLEAR_AXIS,   COMMAND_CONFIRM_AXIS, COMMAND_SET_HOME,
+    COMMAND_ENABLE_AXIS,  COMMAND_DISABLE_AXIS, COMMAND_LIST_BEGIN,   COMMAND_PROGRAM_BEGIN};
+
+#define KINDS (sizeof kinds / sizeof kinds[0])
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+static uint32_t random_below(uint32_t bound)
+{
+    random_state ^= random_state << 13;
+    random_state ^= random_state >> 17;
+    random_state ^= random_state << 5;
+    return random_state % bound;
+}
+
+/* One whose numbers are as they should be. */
+static command_t command_of(command_kind_t kind)
+{
+    command_t command = {.kind = (uint32_t)kind, .pose = rig_pose(5000000, 190000000, 60000000)};
+    if (kind == COMMAND_REGISTRATION) {
+        rigid_set_identity(&command.pose);
+    } else if (kind == COMMAND_PROBE) {
+        command.argument = rig.robot.probe_length_count;
+        (void)memcpy(command.ticks, rig.outputs.snapshot.probe_nm,
+                     sizeof rig.outputs.snapshot.probe_nm);
+    } else if (kind == COMMAND_RESTORE) {
+        command.argument = 1U << AXIS_FEET;
+        command.ticks[AXIS_FEET] = rig_position(&rig, AXIS_FEET);
+    } else if (kind == COMMAND_PROGRAM_BEGIN) {
+        command.argument = 1U;
+    } else {
+        command.argument = AXIS_FEET;
+    }
+    return command;
+}
+
+/* What hangs on the axis, on the numbers or on a movement that is not shown. */
+static bool is_of_command(command_kind_t kind, status_t status)
+{
+    bool is_its = (status == STATUS_HARDWARE_NOT_READY) && (kind != COMMAND_CLEAR_AXIS);
+    if ((kind == COMMAND_TARGET) || (kind == COMMAND_ENTRY)) {
+        is_its = (status != STATUS_WRONG_WORKPHASE) && (status != STATUS_MOTION_ARMED);
+    } else if (kind == COMMAND_CONFIRM_AXIS) {
+        is_its = status == STATUS_NOTHING_TO_CONFIRM;
+    } else if ((kind == COMMAND_SET_HOME) || (kind == COMMAND_RESTORE)) {
+        is_its = is_its || (status == STATUS_NOT_AT_REST);
+    } else {
+        /* Nothing else. */
+    }
+    return is_its;
+}
+
+static void compare(command_kind_t kind)
+{
+    const snapshot_t before = rig.outputs.snapshot;
+    const status_t said = command_outlook(&robot_neuro, &before, kind);
+    const status_t became = (status_t)rig_command(&rig, command_of(kind)).status;
+    if ((said != STATUS_OK) || !is_of_command(kind, became)) {
+        TEST_ASSERT_EQUAL_STRING_MESSAGE(status_name((int32_t)became), status_name((int32_t)said),
+                                         command_kind_name((int32_t)kind));
+    }
+    allowed |= (became == STATUS_OK) ? (1U << (uint32_t)kind) : 0U;
+    barred |= (said == STATUS_OK) ? 0U : (1U << (uint32_t)kind);
+}
+
+/* As far as control lets it. */
+static void plan(void)
+{
+    (void)rig_workphase(&rig, WORKPHASE_CALIBRATION);
+    (void)rig_command(&rig, command_of(COMMAND_REGISTRATION));
+    (void)rig_workphase(&rig, WORKPHASE_TARGETING);
+    (void)rig_command(&rig, command_of(COMMAND_TARGET));
+}
+
+/* What people and programs do meanwhile. */
+static void go_on(void)
+{
+    static const workphase_t ways[] = {
+        WORKPHASE_START_UP,       WORKPHASE_PLANNING, WORKPHASE_TARGETING, WORKPHASE_CALIBRATION,
+        WORKPHASE_MOVE_TO_TARGET, WORKPHASE_MANUAL,   WORKPHASE_STOP};
+    const command_t jog = {
+        .kind = (uint32_t)COMMAND_JOG, .argument = AXIS_INSERTION, .value = 9000};
+    switch (random_below(12U)) {
+    case 0:
+        plan();
+        break;
+    case 1:
+        (void)rig_command(&rig, jog);
+        break;
+    case 2:
+        rig_press(&rig);
+        break;
+    case 3:
+    case 4:
+        rig_release(&rig);
+        break;
+    case 5:
+        rig_box(&rig, "estop pull");
+        break;
+    case 6:
+        rig_box(&rig, "estop reset");
+        break;
+    default:
+        (void)rig_workphase(&rig, ways[random_below(sizeof ways / sizeof ways[0])]);
+        break;
+    }
+    rig_cycles(&rig, 20U + random_below(300U));
+    rig_forget(&rig);
+}
+
+void test_SWR_HTTP_055_what_is_said_of_an_act_is_what_becomes_of_it(void)
+{
+    for (uint32_t i = 0U; i < ROBOTS; i++) {
+        rig_start_homed(&rig);
+        for (uint32_t j = 0U; j < STEPS; j++) {
+            go_on();
+            compare(kinds[random_below(KINDS)]);
+        }
+    }
+    for (uint32_t i = 0U; i < KINDS; i++) {
+        const char *const name = command_kind_name((int32_t)kinds[i]);
+        TEST_ASSERT_BITS_MESSAGE(1U << (uint32_t)kinds[i], UINT32_MAX, allowed, name);
+        TEST_ASSERT_BITS_MESSAGE(1U << (uint32_t)kinds[i], UINT32_MAX, barred, name);
+    }
+}
