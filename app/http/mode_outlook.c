@@ -242,6 +242,9 @@ status_t workphase_outlook(const robot_t *robot, const snapshot_t *snapshot, wor
     const workphase_inputs_t inputs = inputs_of(robot, snapshot, &mode_rows[mode_of(workphase)]);
     procedure_t procedure = present(snapshot);
     procedure_actions_t actions;
+    if ((workphase == WORKPHASE_START_UP) && (snapshot->unfit != 0U)) {
+        return STATUS_COMPUTER_UNFIT;
+    }
     return procedure_request(&procedure, &inputs, (uint32_t)workphase, &actions);
 }
 

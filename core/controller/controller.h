@@ -53,6 +53,8 @@ typedef struct {
     /** Bit n: the process of command_source_t n has given no sign of life for
      * LIMIT_AUTHORITY_SILENT_US. */
     uint32_t silent_sources;
+    /** Bits of computer_check_t: what the computer lacks for a real robot; 0 on a simulated one. */
+    uint32_t unfit;
     uint32_t frames_received; /**< Bit n: frames[n] was received in this cycle. */
     uint32_t command_count;   /**< 0..CONTROLLER_COMMANDS. */
     command_t commands[CONTROLLER_COMMANDS];

@@ -14,6 +14,7 @@
  * @satisfies SWR-CMD-005
  * @satisfies SWR-EVENT-009
  * @satisfies SWR-EVENT-011
+ * @satisfies SWR-LOOP-006
  */
 void controller_obey(controller_t *self, const cycle_t *cycle);
 

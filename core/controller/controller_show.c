@@ -95,9 +95,9 @@ static bool is_confirmation_better(const controller_t *self, const robot_t *robo
     return is_any;
 }
 
-/* Where START_UP is wanted, and would be refused for want of a confirmation, or may not be enough.
- */
-static next_step_t confirmed_first(const controller_t *self, const cycle_t *cycle, next_step_t step)
+/* Where START_UP is wanted, and would be refused for the computer or for want of a confirmation, or
+ * may not be enough. */
+static next_step_t ready_first(const controller_t *self, const cycle_t *cycle, next_step_t step)
 {
     const bool is_for_start_up = (step == NEXT_STEP_START_UP) || (step == NEXT_STEP_CHECK_CARDS) ||
                                  (step == NEXT_STEP_PEDAL_FAULT);
@@ -106,7 +106,8 @@ static next_step_t confirmed_first(const controller_t *self, const cycle_t *cycl
     }
     const workphase_inputs_t guards = controller_guards(self, cycle, MODE_NONE, 0U);
     const bool is_due = guards.is_confirmation_due || is_confirmation_better(self, cycle->robot);
-    return (guards.is_hardware_ready && is_due) ? NEXT_STEP_CONFIRM : step;
+    const next_step_t first = (guards.is_hardware_ready && is_due) ? NEXT_STEP_CONFIRM : step;
+    return (cycle->inputs->unfit != 0U) ? NEXT_STEP_COMPUTER : first;
 }
 
 #define BIT(step) ((uint32_t)1U << (uint32_t)(step))
@@ -323,8 +324,9 @@ void controller_show(const controller_t *self, const cycle_t *cycle)
     shown->loop = (uint32_t)self->loop.chart.state;
     shown->is_homed = controller_is_homed(self) ? 1U : 0U;
     shown->next_step = (uint32_t)authority_first(
-        self, confirmed_first(self, cycle, next_step(self, shown->is_homed != 0U)));
+        self, ready_first(self, cycle, next_step(self, shown->is_homed != 0U)));
     shown->is_scanner_active = cycle->inputs->scanner_active;
+    shown->unfit = cycle->inputs->unfit;
     shown->overruns = self->loop.overruns;
     shown->events = self->events;
     shown->events_lost = self->events_lost;

@@ -88,10 +88,18 @@ static void with_a_trajectory(void)
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, command).status);
 }
 
-static void (*const scenes[])(void) = {
-    in_undefined,    in_planning,      in_manual,
-    on_the_way,      with_a_lost_card, with_a_stall_of_the_needle,
-    after_the_estop, without_a_place,  with_a_trajectory};
+static void on_an_unfit_computer(void)
+{
+    in_manual();
+    rig.unfit = 1U;
+    rig_cycle(&rig);
+}
+
+static void (*const scenes[])(void) = {in_undefined,      in_planning,
+                                       in_manual,         on_the_way,
+                                       with_a_lost_card,  with_a_stall_of_the_needle,
+                                       after_the_estop,   without_a_place,
+                                       with_a_trajectory, on_an_unfit_computer};
 
 /* One that its mode has nothing against. */
 static command_t command_for(mode_kind_t kind)

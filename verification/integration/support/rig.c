@@ -100,6 +100,7 @@ static void gather(rig_t *self)
     self->inputs.frames_received = self->reported;
     (void)memcpy(self->inputs.frames, self->reports, sizeof self->inputs.frames);
     self->inputs.silent_sources = self->silent_sources;
+    self->inputs.unfit = self->unfit;
     self->inputs.command_count = self->command_count;
     (void)memcpy(self->inputs.commands, self->commands, sizeof self->commands);
     self->command_count = 0U;
