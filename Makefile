@@ -99,14 +99,14 @@ EVENT_TEXT := app/common/event_text.c $(GEN)/interface/app/event_words.c
 LOG_ENTRY := app/common/log_entry.c app/common/utc_text.c $(EVENT_TEXT)
 
 # Each program: its own files; what it needs of the core comes from libcore.a.
-SOURCES_boresight-control := $(wildcard app/control/*.c app/positions/*.c app/trajectory/*.c) $(CLOCK) $(AXIS_TERMS) $(EXCHANGE) $(BOARD_SOURCES) $(FIND_ROBOT) $(NAMES)
+SOURCES_boresight-control := $(wildcard app/check/*.c app/control/*.c app/positions/*.c app/trajectory/*.c) $(CLOCK) $(AXIS_TERMS) $(EXCHANGE) $(BOARD_SOURCES) $(FIND_ROBOT) $(NAMES)
 SOURCES_boresight-igtl := $(wildcard app/igtl/*.c app/dialect/*.c app/message/*.c) $(CLOCK) $(AXIS_TERMS) $(LIST_TERMS) $(EXCHANGE) $(NAMES)
 SOURCES_boresight-http := $(wildcard app/http/*.c app/archive/*.c app/request/*.c app/saved/*.c app/session/*.c app/sweep/*.c app/trajectory/*.c) app/positions/position_record.c app/recording/recording.c app/common/file_series.c $(API) $(CLOCK) $(AXIS_TERMS) $(LIST_TERMS) $(DRIVE_TERMS) $(GEN)/interface/app/messages.c $(LOG_ENTRY) $(EXCHANGE) $(NAMES) $(GEN)/assets/assets.c \
     $(GEN)/assets/chart_names.c $(BENCH)
 SOURCES_boresight-passwd := $(wildcard app/passwd/*.c) app/session/account.c app/session/password.c
 SOURCES_boresight-recorder := $(wildcard app/recorder/*.c app/recording/*.c app/positions/*.c) app/sweep/sweep_curve.c $(CLOCK) app/common/directory.c app/common/file_series.c $(LOG_ENTRY) $(EXCHANGE) $(NAMES)
 SOURCES_boresight-replay := $(wildcard app/replay/*.c app/recording/*.c) $(GEN)/interface/app/columns.c $(GEN)/interface/app/fields.c $(DRIVE_TERMS) $(EVENT_TEXT) $(NAMES) $(FIND_ROBOT)
-SOURCES_boresight := $(wildcard app/supervisor/*.c app/igtl/igtl_ports*.c) $(CLOCK) app/common/directory.c $(EXCHANGE) $(NAMES) $(GEN)/robot/app/robot_names.c \
+SOURCES_boresight := $(wildcard app/check/*.c app/supervisor/*.c app/igtl/igtl_ports*.c) $(CLOCK) app/common/directory.c $(EXCHANGE) $(NAMES) $(GEN)/robot/app/robot_names.c \
     $(BOARD_TABLE)
 LIBS_boresight-control := $(BOARD_LIBS)
 LIBS_boresight-http := -lcivetweb -lcjson -lcrypt -lcrypto -lpthread

@@ -34,7 +34,9 @@ class Board
   # What each board may speak of beside its own options.
   KNOWN = %w[instance robot programs recordings].freeze
   # Options of boresight with every board.
-  TAKEN = %w[http-port igtl-port brp-port igtl-file accounts tls-file bind robot instance recordings trajectory help version].freeze
+  TAKEN = %w[http-port igtl-port brp-port igtl-file accounts tls-file bind check robot instance recordings trajectory help version].freeze
+  # As app/check/check.h has them.
+  CYCLE = %w[wire_hz wires word_ns instructions_per_us publish_us].freeze
   PATTERN = /\{([^{}]*)\}/
 
   def self.read(path, limits)
@@ -46,12 +48,13 @@ class Board
     @name = File.basename(File.dirname(path))
     @path = path
     @limits = limits.scan(/LIMIT_(\w+)/).flatten.map(&:downcase)
-    top = Node.parse(path, text).mapping(%w[box], %w[options companions slowness simulated says])
+    top = Node.parse(path, text).mapping(%w[box], %w[options companions slowness simulated cycle says])
     @options = list(top['options'], OPTIONS).map { |node| option(node) }
     @companions = list(top['companions'], COMPANIONS).map { |node| companion(node) }
     @box = pattern(top['box'])
     @slowness = top['slowness'] ? pattern(top['slowness']) : '1'
     @is_simulated = top['simulated'] ? top['simulated'].choice(%w[true false]) == 'true' : false
+    @cycle = top['cycle'] ? top['cycle'].mapping(CYCLE).transform_values { |node| node.integer(1..(2**31)) } : {}
     @says = list(top['says'], SAYINGS).map { |node| saying(node) }
   end
 
@@ -74,6 +77,7 @@ class Board
           .box = #{quoted(@box)},
           .slowness = #{quoted(@slowness)},
           .is_simulated = #{@is_simulated},
+          .cycle = #{@cycle.empty? ? '{0}' : row(@cycle.transform_values { |value| "#{value}U" })},
           .says = {
       #{rows(@says.map { |title, text| "{#{quoted(title)}, #{quoted(text)}}" })}
           },

@@ -12,11 +12,12 @@
 #include "common/clock.h"
 #include "common/command_line.h"
 #include "control/board_inputs.h"
+#include "control/computer.h"
 #include "control/drives_off.h"
 #include "control/figures.h"
 #include "control/lamps.h"
 #include "control/list_file.h"
-#include "control/realtime.h"
+#include "check/realtime.h"
 #include "control/sources.h"
 #include "controller/controller.h"
 #include "exchange/exchange.h"
@@ -68,6 +69,7 @@ static uint64_t told_world_ns;
 static exchange_t *exchange;
 static uint64_t stage_ns[LOOP_STAGE_COUNT]; /* Of the last cycle. */
 static sources_t sources;
+static computer_t computer;
 static bsp_identity_t board;
 static board_inputs_t board_inputs;
 static bsp_inputs_t sampled;             /* In this cycle. */
@@ -164,6 +166,7 @@ static void gather_inputs(uint64_t elapsed_ns)
                &exchanged);
     inputs.frames_received = exchanged.received;
     inputs.silent_sources = silent_sources();
+    inputs.unfit = board.is_simulated ? 0U : computer.lacks;
     inputs.command_count = exchange_take_commands(exchange, inputs.commands, CONTROLLER_COMMANDS);
 }
 
@@ -218,6 +221,7 @@ static void publish_figures(void)
         published.overruns = controller.loop.overruns;
         published.cycles_lost = exchange_cycles_lost(exchange);
         published.speed_permille = (uint32_t)(((board_ns - told_board_ns) * 1000U) / elapsed_ns);
+        computer_look(&computer, &published);
         exchange_publish_loop(exchange, &published);
         told_board_ns = board_ns;
         told_world_ns = world_ns;
@@ -260,7 +264,9 @@ static uint64_t next_deadline(uint64_t deadline_ns)
 
 static void begin_figures(uint32_t rights)
 {
+    computer_begin(&computer, "", rights);
     published.rights = rights;
+    published.computer = computer.lacks;
     published.is_elastic = board.is_elastic ? 1U : 0U;
     published.slowness = board.slowness;
     published.speed_permille = 1000U / board.slowness;

@@ -9,6 +9,8 @@
 #ifndef BORESIGHT_BOARD_H
 #define BORESIGHT_BOARD_H
 
+#include "check/check.h"
+
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -57,6 +59,7 @@ typedef struct {
     const char *box;      /**< Pattern of what control opens; positions are kept for each. */
     const char *slowness; /**< Pattern of how many times slower its time passes. */
     bool is_simulated;    /**< No robot is connected. */
+    check_board_t cycle;  /**< What a cycle costs. */
     board_saying_t says[BOARD_SAYINGS];
 } board_t;
 

@@ -17,8 +17,9 @@
 #define MORE                                                                                       \
     "ROBOT, HTTP_PORT, BRP_PORT, IGTL_PORT, IGTL_FILE, ACCOUNTS and TLS_FILE in the\n"             \
     "environment do the same as the options of these names, which win.\n\n"                        \
-    "Exit code 0: stopped as asked. 2: wrong option. 3: could not start. 4: control\n"             \
-    "or a program of the board ended by itself.\n"
+    "Exit code 0: stopped as asked, or nothing is lacking. 1: the check found\n"                   \
+    "something. 2: wrong option. 3: could not start. 4: control or a program of the\n"             \
+    "board ended by itself.\n"
 
 /* With every board; those of the board follow. */
 enum {
@@ -33,6 +34,7 @@ enum {
     TLS_FILE,
     TRAJECTORY,
     RECORDINGS,
+    CHECK,
     COMMON
 };
 
@@ -52,6 +54,7 @@ static const command_option_t common[COMMON] = {
     [TRAJECTORY] = {"trajectory", "FILE", .says = "trajectory that is held from the start"},
     [RECORDINGS] = {"recordings", "FOLDER",
                     .says = "where recordings go; default build/recordings"},
+    [CHECK] = {"check", .says = "say what the computer lacks for real time, and end"},
 };
 
 uint32_t options_slowness(const options_t *self)
@@ -226,6 +229,7 @@ static bool take(options_t *self, const char *const values[])
     self->bind = either(values[BIND], self->bind);
     self->accounts = either(values[ACCOUNTS], self->accounts);
     self->tls_file = either(values[TLS_FILE], self->tls_file);
+    self->is_check = values[CHECK] != NULL;
     self->trajectory = either(values[TRAJECTORY], self->trajectory);
     for (size_t i = 0U; i < BOARD_OPTIONS; i++) {
         self->is_given[i] = values[COMMON + i] != NULL;

@@ -20,6 +20,7 @@ typedef struct {
     const char *accounts;   /**< --accounts, ACCOUNTS: file of those who may log in; NULL: none. */
     const char *tls_file;   /**< --tls-file, TLS_FILE: how TLS leads here; NULL: it does not. */
     const char *trajectory; /**< --trajectory: file of one, NULL: none. */
+    bool is_check;          /**< --check: nothing is started. */
     const char *bind;       /**< --bind: IPv4 address of this machine. */
     const char *robot;      /**< --robot, ROBOT. */
     const char *instance;   /**< --instance: name of everything this instance creates. */

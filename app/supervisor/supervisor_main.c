@@ -3,6 +3,7 @@
  * @file
  * boresight: starts the programs, keeps those that may fail alive, and stops all in order.
  */
+#include "check/checkup.h"
 #include "common/clock.h"
 #include "common/command_line.h"
 #include "common/directory.h"
@@ -334,12 +335,29 @@ static int run(void)
     return result;
 }
 
+/* In place of everything else. */
+static int check_computer(void)
+{
+    static check_facts_t facts = {.root = ""};
+
+    facts.is_simulated = board.is_simulated;
+    facts.board = board.cycle;
+    (void)printf("The computer is checked for the control loop; that takes %u s.\n",
+                 (LIMIT_CHECK_CYCLES * LIMIT_CYCLE_US) / 1000000U);
+    (void)fflush(stdout);
+    checkup_measure(&facts, LIMIT_CHECK_CYCLES);
+    return checkup_tell(&facts, stdout);
+}
+
 int main(int count, char **arguments)
 {
     const int code = options_read(&options, count, arguments);
 
     if (code != COMMAND_LINE_GO_ON) {
         return code;
+    }
+    if (options.is_check) {
+        return check_computer();
     }
     if (!prepare()) {
         (void)fprintf(stderr, "Boresight did not start: %s\n", error);

@@ -41,6 +41,7 @@ typedef struct {
     /** It waits for control: a cycle passes when control asks for the next one, so nobody is late
      * because the machine paused. Never on a real board. */
     bool is_elastic;
+    bool is_simulated; /**< No robot is connected: nobody is hurt by a late cycle. */
     uint32_t slowness; /**< Its time passes so many times slower, at best; 1 on a real board. */
 } bsp_identity_t;
 

@@ -36,6 +36,7 @@ static void identify(bsp_identity_t *identity)
                          .was_used = wire_load(&wire->is_used) != 0U,
                          .robot_crc = wire_load(&wire->robot_crc),
                          .is_elastic = board_time.is_elastic,
+                         .is_simulated = true,
                          .slowness = board_time.slowness};
 }
 

@@ -20,3 +20,21 @@ test("SWR-SUP-005 real time is named with its speed and its punctuality", () => 
   expect(screen.getByText("real, 20.0 % speed")).toBeTruthy();
   expect(screen.getByText(/Wake-up, 99 %/)).toBeTruthy();
 });
+
+test("SWR-CON-036 what the computer lacks is told with what to do", () => {
+  const { loop } = makeStatus();
+  const text = "The kernel is not PREEMPT_RT: boot the real-time kernel.";
+  const computer = [{ name: "KERNEL" as const, text }];
+  const { rerender } = render(<Loop status={makeStatus()} />);
+  expect(screen.getByText("fit for real time")).toBeTruthy();
+  rerender(<Loop status={makeStatus({ loop: { ...loop, computer } })} />);
+  expect(screen.queryByText("fit for real time")).toBeNull();
+  expect(screen.getByRole("listitem").textContent).toBe(text);
+});
+
+test("SWR-CON-036 page faults are told, and those that waited for the disk", () => {
+  const { loop } = makeStatus();
+  const faults = { minor_faults: 12, major_faults: 3 };
+  render(<Loop status={makeStatus({ loop: { ...loop, ...faults } })} />);
+  expect(screen.getByText("15 / 3")).toBeTruthy();
+});

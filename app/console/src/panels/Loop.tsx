@@ -16,6 +16,23 @@ function timeText({ is_elastic, speed_percent }: Status["time"]): string {
   return `${kind}, ${speed_percent.toFixed(1)} % speed`;
 }
 
+/**
+ * What the computer lacks for a punctual loop, with what to do.
+ *
+ * @satisfies SWR-CON-036
+ */
+function Computer({ lacks }: { lacks: Status["loop"]["computer"] }) {
+  return lacks.length === 0 ? (
+    <>fit for real time</>
+  ) : (
+    <ul className="reasons">
+      {lacks.map(({ name, text }) => (
+        <li key={name}>{text}</li>
+      ))}
+    </ul>
+  );
+}
+
 /** Elastic time waits for control, so these would all be zero. */
 function Punctuality({ loop }: { loop: Status["loop"] }) {
   return (
@@ -47,6 +64,14 @@ export function Loop({ status }: { status: Status }) {
       </dd>
       <dt>Real-time rights</dt>
       <dd>{rightsText(loop.rights)}</dd>
+      <dt>Computer</dt>
+      <dd>
+        <Computer lacks={loop.computer} />
+      </dd>
+      <dt>Page faults, all / from the disk</dt>
+      <dd>
+        {loop.minor_faults + loop.major_faults} / {loop.major_faults}
+      </dd>
       <dt>Records lost</dt>
       <dd>{counts.cycles_lost}</dd>
     </dl>

@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * What the control loop needs of its computer, as one table: each check reads the files of the
+ * kernel or what was measured, judges it, and says in a sentence what it has found. What is wrong
+ * then, and what to do, stands in core/interface/computer_checks.yml.
+ */
+#ifndef BORESIGHT_CHECK_H
+#define BORESIGHT_CHECK_H
+
+#include "interface/computer_check.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#define CHECK_TEXT_SIZE 256U
+#define CHECK_INTERRUPTS 1024U /**< Interrupts with a number below this are looked at. */
+#define CHECK_CARDS 10U        /**< Cards of the cycle whose budget is computed. */
+
+/** What a board says of a cycle's cost; all 0 where there is nothing to say. */
+typedef struct {
+    uint32_t wire_hz;             /**< Clock of the wires to the cards. */
+    uint32_t wires;               /**< Cards that are served at once. */
+    uint32_t word_ns;             /**< To bring one word of a frame to a wire and one back. */
+    uint32_t instructions_per_us; /**< Of the controller's code. */
+    uint32_t publish_us;
+} check_board_t;
+
+/** How long the parts of a cycle with CHECK_CARDS cards take. */
+typedef struct {
+    uint32_t wake_us;
+    uint32_t words_us;
+    uint32_t step_us;
+    uint32_t publish_us;
+    uint32_t wire_us; /**< Beside what is published, and the sleep. */
+} check_budget_t;
+
+/** Of what is judged, that which stands in no file. */
+typedef struct {
+    const char *root; /**< Where /proc and /sys are; "" on this computer. */
+    uint32_t core;    /**< Of the control loop. */
+    uint32_t cores;   /**< Of the computer. */
+    uint32_t rights;  /**< EXCHANGE_RIGHT_ bits that were granted. */
+    bool is_simulated;
+    check_board_t board;
+    uint64_t clock_ns; /**< Resolution of the monotonic clock. */
+    /* Measured. */
+    uint32_t cycles;
+    uint32_t wake_p99_us;
+    uint32_t wake_worst_us;
+    uint64_t minor_faults;
+    uint64_t major_faults;
+    uint64_t interrupts[CHECK_INTERRUPTS]; /**< Of the loop's core, before. */
+} check_facts_t;
+
+/**
+ * Judges. `found` receives a sentence, of what is good as well.
+ *
+ * @return whether it is good
+ *
+ * @satisfies SWR-CHECK-001
+ * @satisfies SWR-CHECK-002
+ */
+bool check_is_good(const check_facts_t *facts, computer_check_t check, char found[CHECK_TEXT_SIZE]);
+
+/** A real board refuses to be enabled while `check` is not good. */
+static inline bool check_blocks(computer_check_t check)
+{
+    return check <= COMPUTER_CHECK_PAGE_FAULTS;
+}
+
+/** How often each interrupt has come to core `core`. */
+void check_count_interrupts(const char *root, uint32_t core, uint64_t counts[CHECK_INTERRUPTS]);
+
+/**
+ * The parts of a cycle whose wake-up is as late as it may be, on a board that says what it costs.
+ *
+ * @satisfies SWR-CHECK-004
+ */
+check_budget_t check_budget(const check_board_t *board);
+
+#endif

@@ -1,0 +1,146 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Rule under test: control knows from its start what its computer lacks, says it, and learns of
+ * page faults while it runs.
+ */
+#include "control/computer.h"
+
+#include "unity.h"
+
+#include "exchange/exchange.h"
+#include "interface/app/names.h"
+#include "mock_check.h"
+#include "mock_realtime.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#define KERNEL (1UL << COMPUTER_CHECK_KERNEL)
+#define THROTTLING (1UL << COMPUTER_CHECK_THROTTLING)
+#define RIGHTS (1UL << COMPUTER_CHECK_RIGHTS)
+#define PAGE_FAULTS (1UL << COMPUTER_CHECK_PAGE_FAULTS)
+#define GRANTED 5U
+
+static computer_t computer;
+static loop_figures_t published;
+static uint32_t bad; /* Bits of checks that are not good. */
+static uint64_t minor_faults;
+static uint64_t major_faults;
+static uint32_t told_rights;
+static char said[2048];
+
+static bool judge(const check_facts_t *about, computer_check_t check, char found[CHECK_TEXT_SIZE],
+                  int calls)
+{
+    (void)calls;
+    TEST_ASSERT_EQUAL_STRING("/root", about->root);
+    TEST_ASSERT_EQUAL_HEX32(GRANTED, about->rights);
+    (void)snprintf(found, CHECK_TEXT_SIZE, "Found %u.", (unsigned)check);
+    return ((bad >> (uint32_t)check) & 1U) == 0U;
+}
+
+static void count_faults(uint64_t *minor, uint64_t *major, int calls)
+{
+    (void)calls;
+    *minor = minor_faults;
+    *major = major_faults;
+}
+
+static void tell_rights(uint32_t rights, int calls)
+{
+    (void)calls;
+    told_rights = rights;
+}
+
+void setUp(void)
+{
+    (void)memset(&published, 0, sizeof published);
+    bad = 0U;
+    minor_faults = 1000U; /* Before it began. */
+    major_faults = 50U;
+    told_rights = 0U;
+    check_is_good_Stub(judge);
+    realtime_count_faults_Stub(count_faults);
+    realtime_tell_Stub(tell_rights);
+}
+
+void tearDown(void)
+{
+}
+
+/* Begins with `wrong`; `said` is what it said. */
+static void begin(uint32_t wrong)
+{
+    int ends[2];
+    const int kept = dup(STDERR_FILENO);
+    TEST_ASSERT_EQUAL_INT(0, pipe(ends));
+    (void)dup2(ends[1], STDERR_FILENO);
+    bad = wrong;
+    computer_begin(&computer, "/root", GRANTED);
+    (void)dup2(kept, STDERR_FILENO);
+    (void)close(kept);
+    (void)close(ends[1]);
+    const ssize_t length = read(ends[0], said, sizeof said - 1U);
+    said[(length > 0) ? length : 0] = '\0';
+    (void)close(ends[0]);
+}
+
+void test_SWR_LOOP_007_a_fit_computer_lacks_nothing_and_nothing_is_said(void)
+{
+    begin(0U);
+    TEST_ASSERT_EQUAL_HEX32(0U, computer.lacks);
+    TEST_ASSERT_EQUAL_STRING("", said);
+    TEST_ASSERT_EQUAL_HEX32(GRANTED, told_rights);
+}
+
+void test_SWR_LOOP_007_each_thing_that_it_lacks_is_kept_and_said_by_name(void)
+{
+    static const char *const names[] = {"KERNEL (Found 0)", "THROTTLING (Found 1)",
+                                        "RIGHTS (Found 2)",
+                                        "KERNEL (Found 0), THROTTLING (Found 1), RIGHTS (Found 2)"};
+    static const uint32_t lacks[] = {KERNEL, THROTTLING, RIGHTS, KERNEL | THROTTLING | RIGHTS};
+    for (size_t i = 0U; i < (sizeof names / sizeof names[0]); i++) {
+        char line[2U * CHECK_TEXT_SIZE];
+        (void)snprintf(line, sizeof line,
+                       "control: this computer cannot drive a real robot: %s; boresight --check "
+                       "says what to do.\n",
+                       names[i]);
+        begin((i < 3U) ? lacks[i] : UINT32_MAX);
+        TEST_ASSERT_EQUAL_HEX32(lacks[i], computer.lacks);
+        TEST_ASSERT_EQUAL_STRING(line, said);
+    }
+}
+
+void test_SWR_LOOP_008_page_faults_count_from_the_first_cycle_on(void)
+{
+    begin(0U);
+    computer_look(&computer, &published);
+    TEST_ASSERT_EQUAL_UINT32(0U, published.minor_faults);
+    TEST_ASSERT_EQUAL_UINT32(0U, published.major_faults);
+    minor_faults += 7U;
+    computer_look(&computer, &published);
+    minor_faults += 1U;
+    major_faults += 2U;
+    computer_look(&computer, &published);
+    TEST_ASSERT_EQUAL_UINT32(8U, published.minor_faults);
+    TEST_ASSERT_EQUAL_UINT32(2U, published.major_faults);
+}
+
+void test_SWR_LOOP_008_a_second_with_page_faults_counts_as_lacking_and_the_next_one_not(void)
+{
+    begin(KERNEL);
+    computer_look(&computer, &published);
+    TEST_ASSERT_EQUAL_HEX32(KERNEL, computer.lacks);
+    minor_faults += 1U;
+    computer_look(&computer, &published);
+    TEST_ASSERT_EQUAL_HEX32(KERNEL | PAGE_FAULTS, computer.lacks);
+    TEST_ASSERT_EQUAL_HEX32(KERNEL | PAGE_FAULTS, published.computer);
+    major_faults += 1U;
+    computer_look(&computer, &published);
+    TEST_ASSERT_EQUAL_HEX32(KERNEL | PAGE_FAULTS, computer.lacks);
+    computer_look(&computer, &published);
+    TEST_ASSERT_EQUAL_HEX32(KERNEL, computer.lacks);
+    TEST_ASSERT_EQUAL_HEX32(KERNEL, published.computer);
+}
