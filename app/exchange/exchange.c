@@ -172,25 +172,12 @@ static bool take_command(exchange_t *self, uint32_t source, command_t *command)
     return true;
 }
 
-/* These compute kinematics, or check a pose. */
 static bool is_costly(const command_t *command)
 {
     const bool is_move = (command->kind == (uint32_t)COMMAND_WORKPHASE) &&
                          (command->argument == (uint32_t)WORKPHASE_MOVE_TO_TARGET);
-    return is_move || (command->kind == (uint32_t)COMMAND_REGISTRATION) ||
-           (command->kind == (uint32_t)COMMAND_TARGET) ||
-           (command->kind == (uint32_t)COMMAND_PROPOSE_REGISTRATION) ||
-           (command->kind == (uint32_t)COMMAND_PROPOSE_ENTRY) ||
-           (command->kind == (uint32_t)COMMAND_PROPOSE_TARGET) ||
-           (command->kind == (uint32_t)COMMAND_NEEDLE) ||
-           (command->kind == (uint32_t)COMMAND_ENTRY) ||
-           (command->kind == (uint32_t)COMMAND_WITHDRAW) ||
-           (command->kind == (uint32_t)COMMAND_LIST_ROW) ||
-           (command->kind == (uint32_t)COMMAND_RUN_TRAJECTORY) ||
-           (command->kind == (uint32_t)COMMAND_PROGRAM_STEP) ||
-           (command->kind == (uint32_t)COMMAND_RUN_PROGRAM) ||
-           (command->kind == (uint32_t)COMMAND_ALIGN) ||
-           (command->kind == (uint32_t)COMMAND_INSERT) || (command->kind == (uint32_t)COMMAND_POSE);
+    return is_move || ((command->kind < COMMAND_KIND_COUNT) &&
+                       (((COMMAND_KINDS_COSTLY >> command->kind) & 1U) != 0U));
 }
 
 /* Commands of a lane that wait, from its `*taken` on. */

@@ -30,9 +30,13 @@ module Interface
       own = types.filter_map(&:header).uniq - [header.name]
       own += counted(header)
       lines = own.sort.map { |name| "#include \"#{name}.h\"\n" }.join
-      lines += "#{"\n" unless lines.empty?}#include <stdint.h>\n" unless header.structures.empty?
+      lines += "#{"\n" unless lines.empty?}#include <stdint.h>\n" if numbers?(header)
       lines += "#include <stdbool.h>\n#include <stdint.h>\n" if modes?(header)
       lines unless lines.empty?
+    end
+
+    def numbers?(header)
+      !header.structures.empty? || header.enumerations.any? { |one| !one.sets.empty? }
     end
 
     # Where the lengths of its arrays stand.
@@ -47,7 +51,14 @@ module Interface
         "#{C.comment(value.says, '    ')}    #{enumeration.constant(value)} = #{value.code}"
       end
       count = "\n#define #{enumeration.name.upcase}_COUNT #{enumeration.values.size}U\n" if enumeration.counted?
-      "#{C.comment(enumeration.says)}typedef enum {\n#{values.join(",\n")}\n} #{enumeration.c_type};\n#{count}"
+      sets = enumeration.sets.map { |set| set(enumeration, set) }
+      "#{C.comment(enumeration.says)}typedef enum {\n#{values.join(",\n")}\n} #{enumeration.c_type};\n#{count}#{sets.join}"
+    end
+
+    def set(enumeration, set)
+      bits = set.values.map { |value| "((uint64_t)1U << (uint32_t)#{enumeration.constant(value)})" }
+      "\n#{C.comment("Bit n, value n: #{set.says}")}" \
+        "#define #{enumeration.name.upcase}S_#{set.name} \\\n    (#{bits.join(" | \\\n     ")})\n"
     end
 
     def structure(structure)

@@ -14,12 +14,15 @@ module Interface
     KEYS = (%w[severity subject value of peer] + Modes::KEYS | Commands::KEYS).freeze
     # `robot`: whose own it is, nil for all.
     Value = Struct.new(:code, :name, :says, :node, :more, :robot, keyword_init: true)
+    # Values that have something in common: bits of a number.
+    Set = Struct.new(:name, :says, :values)
+    SET_BITS = 64
 
-    attr_reader :name, :prefix, :says, :values, :header
+    attr_reader :name, :prefix, :says, :values, :header, :sets
 
     # `robots`: what the folder of each robot adds to an enumeration that asks for it, lists of nodes by robot.
     def initialize(node, header, robots = {})
-      nodes = node.mapping(%w[name says values], %w[prefix count robots])
+      nodes = node.mapping(%w[name says values], %w[prefix count robots sets])
       @header = header
       @name = nodes['name'].identifier
       @says = nodes['says'].text
@@ -33,6 +36,7 @@ module Interface
       unique(:name)
       @values.sort_by!(&:code) if robots?
       check_gaps if counted?
+      @sets = nodes.key?('sets') ? nodes['sets'].sequence.map { |set| read_set(set) } : []
     end
 
     # Some of its values may belong to one robot alone.
@@ -63,6 +67,14 @@ module Interface
       nodes = node.mapping(%w[code name says], KEYS)
       Value.new(code: nodes['code'].number, name: nodes['name'].identifier(capitals: true), says: nodes['says'].text,
                 node: node, more: nodes.slice(*KEYS))
+    end
+
+    def read_set(node)
+      nodes = node.mapping(%w[name says values])
+      node.refuse("is of values that are not counted, or of more than #{SET_BITS}") if !counted? || values.size > SET_BITS
+      names = nodes['values'].sequence.map { |value| value.choice(values.map(&:name)) }
+      Set.new(nodes['name'].identifier(capitals: true), nodes['says'].text,
+              values.select { |value| names.include?(value.name) })
     end
 
     def add(robots)

@@ -176,6 +176,25 @@ class TestInterfaceCompiler < Minitest::Test
     end
   end
 
+  COUNTED = COLOURS.sub('values:', "count: true\n    values:").sub('code: 7', 'code: 2')
+                   .sub("structures:\n", "    sets:\n      - {name: SAD, says: \"Not wanted.\", values: [NOT_RED, LAST]}\nstructures:\n")
+
+  def test_SWR_TOOL_011_a_set_is_a_bit_for_each_of_its_values
+    with_output('colours.yml' => COUNTED) do |output|
+      assert_includes(File.read(File.join(output, 'colour.h')), <<~'CODE')
+        /** Bit n, value n: Not wanted. */
+        #define COLOURS_SAD \
+            (((uint64_t)1U << (uint32_t)COLOUR_NOT_RED) | \
+             ((uint64_t)1U << (uint32_t)COLOUR_LAST))
+      CODE
+    end
+  end
+
+  def test_SWR_TOOL_012_refuses_a_set_of_what_there_is_not_or_that_is_not_counted
+    assert_match(/GREEN/, refusal('colours.yml' => COUNTED.sub('[NOT_RED, LAST]', '[GREEN]')))
+    assert_match(/not counted/, refusal('colours.yml' => COUNTED.sub("    count: true\n", '')))
+  end
+
   def test_SWR_TOOL_011_an_event_has_severity_subject_and_value
     with_output do |folder|
       File.write(File.join(folder, 'main.c'), <<~CODE)

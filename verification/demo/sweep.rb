@@ -11,12 +11,14 @@
 # sweep.csv and, unless another place is said, sweep.svg.
 
 require 'fileutils'
+require_relative 'manual_page'
 require_relative 'report'
 require_relative '../system/support/boresight'
-require_relative '../system/support/session_client'
 
 # The sweep, and its picture.
 class SweepDemo
+  include ManualPage
+
   OUT = File.expand_path('../../build/demo/sweep', __dir__)
   TABLE = File.join(OUT, 'sweep.csv')
   PUBLISHED = File.expand_path('published_sweep.csv', __dir__)
@@ -49,14 +51,6 @@ class SweepDemo
 
   private
 
-  def page(robot)
-    one = SessionClient.new(robot.http_port)
-    one.log_in('anna')
-    robot.wait_until('authority is free') { one.take.code == '200' }
-    expect(one.act('workphase', { workphase: 'MANUAL' }), 'done')
-    one
-  end
-
   def run(robot, page)
     asked = { axis: AXIS, is_free: true }
     expect(page.act('motion/sweep', asked), 'accepted')
@@ -64,18 +58,18 @@ class SweepDemo
     await_end(robot, page)
     robot.simctl('pedal', 'release')
     robot.await_released_pedal
-    robot.wait_until('it is kept') { JSON.parse(page.request('get', '/api/v1/sweep').body)['state'] == 'kept' }
+    robot.wait_until('it is kept') { state(page.request('get', '/api/v1/sweep')) == 'kept' }
     File.write(TABLE, page.request('get', '/api/v1/sweep.csv').body)
   end
 
   # Each run is waited for.
   def await_end(robot, page)
     runs = 0
-    until JSON.parse(page.act('motion/sweep', { axis: AXIS, is_free: true }, id: page.id).body)['state'] != 'accepted'
+    until state(page.act('motion/sweep', { axis: AXIS, is_free: true }, id: page.id)) != 'accepted'
       robot.wait_until('a run is over') { page.keep && (ended?(robot) || runs_of(robot) > runs) }
       runs = runs_of(robot)
     end
-    abort("sweep: #{page.last.body}") unless JSON.parse(page.last.body)['state'] == 'done'
+    abort("sweep: #{page.last.body}") unless state(page.last) == 'done'
   end
 
   def runs_of(robot)
@@ -84,10 +78,6 @@ class SweepDemo
 
   def ended?(robot)
     robot.status['order'] == 'none'
-  end
-
-  def expect(response, word)
-    raise "not #{word}: #{response.body}" unless JSON.parse(response.body)['state'] == word
   end
 
   def deviations(khz, speeds)

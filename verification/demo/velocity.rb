@@ -11,12 +11,14 @@
 # and how even the measured speed is.
 
 require 'fileutils'
+require_relative 'manual_page'
 require_relative 'report'
 require_relative '../system/support/boresight'
-require_relative '../system/support/session_client'
 
 # The motion, and what its recording shows.
 class VelocityTest
+  include ManualPage
+
   OUT = File.expand_path('../../build/demo/velocity', __dir__)
   AXIS = 'yaw'
   WAY_TICKS = 600
@@ -51,14 +53,6 @@ class VelocityTest
 
   private
 
-  def page(robot)
-    one = SessionClient.new(robot.http_port)
-    one.log_in('anna')
-    robot.wait_until('authority is free') { one.take.code == '200' }
-    expect(one.act('workphase', { workphase: 'MANUAL' }), 'done')
-    one
-  end
-
   def run(robot, page)
     speed = -SPEED_TICKS_PER_S * DEGREES_PER_TICK
     asked = { speeds: [{ axis: AXIS, speed: speed.round(6) }], way: (WAY_TICKS * DEGREES_PER_TICK).round(6) }
@@ -67,14 +61,6 @@ class VelocityTest
     robot.wait_until('it has ended') { state(page.act('velocity', asked, id: page.id)) == 'done' }
     robot.simctl('pedal', 'release')
     robot.await_released_pedal
-  end
-
-  def state(response)
-    JSON.parse(response.body)['state']
-  end
-
-  def expect(response, word)
-    raise "not #{word}: #{response.body}" unless state(response) == word
   end
 
   def figures(rows, move)

@@ -4,6 +4,8 @@
 #include "charts/arming_chart.h"
 #include "charts/authority_chart.h"
 #include "interface/authority_list.h"
+#include "witness/commanding.h"
+#include "witness/replies.h"
 
 #include <stddef.h>
 
@@ -44,65 +46,12 @@ static party_t sender(const command_t *command)
     return party;
 }
 
-/* The first answer to the command of this number: they come in the order of the commands, and the
- * ends of others among them. NULL: none. */
-static const answer_t *find_answer(const controller_outputs_t *outputs, uint32_t number)
-{
-    uint32_t before = 0U;
-    for (uint32_t i = 0U; i < outputs->answer_count; i++) {
-        const answer_t *answer = &outputs->answers[i];
-        const bool is_first = (answer->kind == (uint32_t)ANSWER_ACCEPTED) ||
-                              (answer->kind == (uint32_t)ANSWER_REFUSED);
-        if (is_first && (before == number)) {
-            return answer;
-        }
-        before += is_first ? 1U : 0U;
-    }
-    return NULL;
-}
-
-static bool is_accepted(const controller_outputs_t *outputs, uint32_t number)
-{
-    const answer_t *answer = find_answer(outputs, number);
-    return (answer != NULL) && (answer->kind == (uint32_t)ANSWER_ACCEPTED);
-}
-
 /* It is to `command`, and has a name if it is a refusal. */
 static bool is_proper(const answer_t *answer, const command_t *command)
 {
     return (answer != NULL) && (answer->id == command->id) && (answer->source == command->source) &&
            (answer->command == command->kind) && (answer->argument == command->argument) &&
            ((answer->kind == (uint32_t)ANSWER_REFUSED) == (answer->status != (uint32_t)STATUS_OK));
-}
-
-static bool is_stop(const command_t *command)
-{
-    return (command->kind == (uint32_t)COMMAND_WORKPHASE) &&
-           ((command->argument == (uint32_t)WORKPHASE_STOP) ||
-            (command->argument == (uint32_t)WORKPHASE_EMERGENCY));
-}
-
-/* Everything but what only proposes, tells, gives up or asks; so a command that is new needs it. */
-static bool needs_authority(const command_t *command)
-{
-    switch (command->kind) {
-    case (uint32_t)COMMAND_WORKPHASE:
-        return !is_stop(command);
-    case (uint32_t)COMMAND_WITHDRAW:
-        return (command->source == (uint32_t)COMMAND_SOURCE_HTTP) ||
-               (command->argument == (uint32_t)COMMAND_ENTRY);
-    case (uint32_t)COMMAND_REQUEST:
-        return command->argument == (uint32_t)AUTHORITY_REQUEST_CONFIRM;
-    case (uint32_t)COMMAND_PROPOSE_REGISTRATION:
-    case (uint32_t)COMMAND_PROPOSE_ENTRY:
-    case (uint32_t)COMMAND_PROPOSE_TARGET:
-    case (uint32_t)COMMAND_RELEASE:
-    case (uint32_t)COMMAND_NOTE:
-    case (uint32_t)COMMAND_NEEDLE:
-        return false;
-    default:
-        return true;
-    }
 }
 
 /* It is `party` who takes authority in this cycle. */
@@ -122,17 +71,17 @@ static void look_at_command(witness_t *self, uint32_t cycle, const controller_in
                             uint32_t number, const controller_outputs_t *outputs)
 {
     const command_t *command = &inputs->commands[number];
-    const answer_t *answer = find_answer(outputs, number);
+    const answer_t *answer = replies_to(outputs, number);
     const bool is_of_holder = is_same(self->holder, sender(command));
     hold(self, SENTENCE_ANSWERED, is_proper(answer, command), cycle);
     if (answer == NULL) {
         return;
     }
     const bool is_refused = answer->status == (uint32_t)STATUS_NO_AUTHORITY;
-    if (is_stop(command)) {
+    if (commanding_is_stop(command)) {
         hold(self, SENTENCE_STOP, !is_refused, cycle);
         self->stops += is_of_holder ? 0U : 1U;
-    } else if (needs_authority(command)) {
+    } else if (commanding_needs_authority(command)) {
         hold(self, SENTENCE_OBEYED,
              (answer->kind == (uint32_t)ANSWER_REFUSED) || is_of_holder ||
                  takes_now(outputs, sender(command)),
@@ -163,7 +112,7 @@ static void look_at_button(witness_t *self, const controller_inputs_t *inputs,
     }
     for (uint32_t i = 0U; i < inputs->command_count; i++) {
         const command_t *command = &inputs->commands[i];
-        if ((command->kind == (uint32_t)COMMAND_REQUEST) && is_accepted(outputs, i) &&
+        if ((command->kind == (uint32_t)COMMAND_REQUEST) && replies_accept(outputs, i) &&
             !is_same(self->holder, sender(command)) && !is_asked_already(self, command)) {
             self->asker = sender(command);
             self->asker.peer =
@@ -181,8 +130,8 @@ static bool has_commanded(const controller_inputs_t *inputs, const controller_ou
 {
     for (uint32_t i = 0U; i < inputs->command_count; i++) {
         const command_t *command = &inputs->commands[i];
-        if (is_same(party, sender(command)) && needs_authority(command) &&
-            is_accepted(outputs, i)) {
+        if (is_same(party, sender(command)) && commanding_needs_authority(command) &&
+            replies_accept(outputs, i)) {
             return true;
         }
     }

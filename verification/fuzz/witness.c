@@ -582,8 +582,7 @@ static bool is_in_range(const rigid_t *pose)
 
 static bool is_proposal(uint32_t kind)
 {
-    return (kind == (uint32_t)COMMAND_PROPOSE_REGISTRATION) ||
-           (kind == (uint32_t)COMMAND_PROPOSE_ENTRY) || (kind == (uint32_t)COMMAND_PROPOSE_TARGET);
+    return (kind < COMMAND_KIND_COUNT) && (((COMMAND_KINDS_PROPOSING >> kind) & 1U) != 0U);
 }
 
 /* A planner that floods costs the controller no more than this. */

@@ -2,8 +2,8 @@
 #include "supervise/program_watch.h"
 
 #include "charts/arming_chart.h"
-#include "supervise/replies.h"
 #include "supervise/truth.h"
+#include "witness/replies.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -43,7 +43,7 @@ static void read_commands(program_watch_t *self, const rig_t *rig)
 {
     for (uint32_t i = 0U; i < rig->inputs.command_count; i++) {
         const command_t *const command = &rig->inputs.commands[i];
-        if (!replies_accept(rig, i)) {
+        if (!replies_accept(&rig->outputs, i)) {
             continue;
         }
         if (command->kind == (uint32_t)COMMAND_PROGRAM_BEGIN) {

@@ -4,7 +4,8 @@
 #include "charts/arming_chart.h"
 #include "charts/authority_chart.h"
 #include "limits/requirement_limits.h"
-#include "supervise/replies.h"
+#include "witness/commanding.h"
+#include "witness/replies.h"
 
 #include <stddef.h>
 
@@ -34,27 +35,6 @@ static authority_party_t sender_of(const command_t *command)
 {
     const authority_party_t sender = {command->source, command->peer};
     return sender;
-}
-
-/* Nobody else may do it: everything but a stop and what only proposes, tells, gives up or asks. */
-static bool is_commanding(const command_t *command)
-{
-    switch (command->kind) {
-    case COMMAND_WORKPHASE:
-        return (command->argument != (uint32_t)WORKPHASE_STOP) &&
-               (command->argument != (uint32_t)WORKPHASE_EMERGENCY);
-    case COMMAND_PROPOSE_REGISTRATION:
-    case COMMAND_PROPOSE_ENTRY:
-    case COMMAND_PROPOSE_TARGET:
-    case COMMAND_WITHDRAW:
-    case COMMAND_RELEASE:
-    case COMMAND_REQUEST:
-    case COMMAND_NOTE:
-    case COMMAND_NEEDLE:
-        return false;
-    default:
-        return true;
-    }
 }
 
 static void read_event(view_t *view, const event_t *event)
@@ -110,8 +90,9 @@ static bool is_usurped(const reign_t *self, const view_t *view)
     bool is_by_another = false;
     for (uint32_t i = 0U; i < view->rig->inputs.command_count; i++) {
         const command_t *const command = &view->rig->inputs.commands[i];
-        is_by_another = is_by_another || (is_commanding(command) && replies_accept(view->rig, i) &&
-                                          !has_it(view, command));
+        is_by_another =
+            is_by_another || (commanding_needs_authority(command) &&
+                              replies_accept(&view->rig->outputs, i) && !has_it(view, command));
     }
     return is_by_another || is_handed_on ||
            ((view->taken.peer != 0U) && ((view->before.peer != 0U) || is_early));
@@ -155,7 +136,7 @@ static bool is_armed_wrongly(const view_t *view)
     const bool is_order = view->rig->outputs.snapshot.order != (uint32_t)ARMING_STATE_NONE;
     bool is_by_holder = !view->is_armed;
     for (uint32_t i = 0U; i < view->rig->inputs.command_count; i++) {
-        const answer_t *const answer = replies_to(view->rig, i);
+        const answer_t *const answer = replies_to(&view->rig->outputs, i);
         is_by_holder = is_by_holder || ((answer != NULL) && (answer->is_final == 0U) &&
                                         has_it(view, &view->rig->inputs.commands[i]));
     }
@@ -176,7 +157,7 @@ static void watch_requests(reign_t *self, const view_t *view)
     for (uint32_t i = 0U; i < view->rig->inputs.command_count; i++) {
         const command_t *const command = &view->rig->inputs.commands[i];
         const authority_party_t sender = sender_of(command);
-        if (!replies_accept(view->rig, i)) {
+        if (!replies_accept(&view->rig->outputs, i)) {
             continue;
         }
         if ((command->kind == (uint32_t)COMMAND_REQUEST) &&

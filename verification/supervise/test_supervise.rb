@@ -75,7 +75,7 @@ class TestSupervise < Minitest::Test
   end
 
   def self.plays_without_card(robot)
-    NEEDS.reject { |_, (card,)| card?(robot, card) }
+    NEEDS.reject { |_, (card, _)| card?(robot, card) }
   end
 
   def self.plays_of_sentences(robot)

@@ -3,15 +3,15 @@
 #ifndef BORESIGHT_REPLIES_H
 #define BORESIGHT_REPLIES_H
 
-#include "integration/support/rig.h"
+#include "controller/controller.h"
 
 #include <stdbool.h>
 #include <stdint.h>
 
 /** To command `number` of the cycle. @return NULL: nothing */
-const answer_t *replies_to(const rig_t *rig, uint32_t number);
+const answer_t *replies_to(const controller_outputs_t *outputs, uint32_t number);
 
 /** The command `number` of the cycle was accepted. */
-bool replies_accept(const rig_t *rig, uint32_t number);
+bool replies_accept(const controller_outputs_t *outputs, uint32_t number);
 
 #endif

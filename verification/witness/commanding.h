@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file What only the one who has authority may command, by the list of commands and not by the
+ * controller. */
+#ifndef BORESIGHT_COMMANDING_H
+#define BORESIGHT_COMMANDING_H
+
+#include "interface/command.h"
+
+#include <stdbool.h>
+
+/** STOP or EMERGENCY: everyone's. */
+bool commanding_is_stop(const command_t *command);
+
+/** It takes authority, or needs it; so a command that is new needs it. */
+bool commanding_needs_authority(const command_t *command);
+
+#endif
