@@ -5,8 +5,8 @@
  *
  * Exit code 0: every output equal. 1: a difference. 2: damaged, unreadable, not holding the records
  * it announces, of another format, layout or robot, or nothing to replay. 3: every output equal,
- * but the recording is cut short. The table, which is of the motion as replayed, ends alike; the
- * events, which are in the recording, end with 0, 2 or 3.
+ * but the recording is cut short. The table, which is of the motion as replayed, ends alike; events
+ * and intervals, which are in the recording, end with 0, 2 or 3.
  */
 #include "base/contract.h"
 #include "common/build_id.h"
@@ -29,16 +29,17 @@
 #define EXIT_REFUSED 2
 #define EXIT_CUT_SHORT 3
 
-enum { TABLE = 0, EVENTS, OPTIONS };
+enum { TABLE = 0, EVENTS, LOOP, OPTIONS };
 
 static const command_option_t options[OPTIONS] = {
     [TABLE] = {"table", NULL, .says = "write the motion as comma-separated values instead"},
     [EVENTS] = {"events", NULL, .says = "write the events, a line each, instead"},
+    [LOOP] = {"loop", NULL, .says = "write the interval of each cycle instead"},
 };
 static const command_line_t command_line = {
     .program = "boresight-replay",
     .says = "Verifies a recording and computes the motion of it again.",
-    .usage = "[--table | --events] FILE",
+    .usage = "[--table | --events | --loop] FILE",
     .options = options,
     .count = OPTIONS,
     .fewest_words = 1,
@@ -287,11 +288,19 @@ static int print_table(bool is_cut_short)
     return is_cut_short ? EXIT_CUT_SHORT : EXIT_EQUAL;
 }
 
-static int print_events(bool is_cut_short)
+/* What is in the recording itself. */
+static int print_kept(bool is_cut_short, bool are_events)
 {
     tell_lost(stderr);
+    if (!are_events) {
+        table_print_interval_names();
+    }
     while (take_record()) {
-        table_print_events(robot, &record);
+        if (are_events) {
+            table_print_events(robot, &record);
+        } else {
+            table_print_interval(&record);
+        }
     }
     if (!check_end()) {
         return EXIT_REFUSED;
@@ -312,8 +321,8 @@ static int treat(const char *path, const char *const values[])
         code = EXIT_REFUSED;
     } else if (values[TABLE] != NULL) {
         code = print_table(is_cut_short);
-    } else if (values[EVENTS] != NULL) {
-        code = print_events(is_cut_short);
+    } else if ((values[EVENTS] != NULL) || (values[LOOP] != NULL)) {
+        code = print_kept(is_cut_short, values[EVENTS] != NULL);
     } else {
         code = replay_all(is_cut_short);
     }
@@ -330,8 +339,13 @@ int main(int count, char **arguments)
     if (code != COMMAND_LINE_GO_ON) {
         return code;
     }
-    if ((values[TABLE] != NULL) && (values[EVENTS] != NULL)) {
-        return command_line_refuse(&command_line, "--table and --events exclude each other.");
+    int asked = 0;
+    for (int i = 0; i < OPTIONS; i++) {
+        asked += (values[i] != NULL) ? 1 : 0;
+    }
+    if (asked > 1) {
+        return command_line_refuse(&command_line,
+                                   "--table, --events and --loop exclude each other.");
     }
     return treat(arguments[first], values);
 }

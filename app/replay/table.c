@@ -27,6 +27,21 @@ void table_print_row(const robot_t *robot, uint32_t cycle, const snapshot_t *sna
     (void)putchar('\n');
 }
 
+void table_print_interval_names(void)
+{
+    (void)printf("time_s,interval_us,longest_stage\n");
+}
+
+void table_print_interval(const cycle_record_t *record)
+{
+    const controller_inputs_t *inputs = &record->body.cycle.inputs;
+
+    if (record->kind == (uint32_t)CYCLE_RECORD_CYCLE) {
+        (void)printf("%.3f,%u,%s\n", (double)record->cycle / CYCLES_PER_S,
+                     (unsigned)inputs->elapsed_us, loop_stage_name((int32_t)inputs->late_stage));
+    }
+}
+
 void table_print_events(const robot_t *robot, const cycle_record_t *record)
 {
     const controller_outputs_t *outputs = &record->body.cycle.outputs;

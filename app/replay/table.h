@@ -2,7 +2,8 @@
 /**
  * @file
  * Recorded motion as a table of comma-separated values: a row each TABLE_CYCLES cycles; the time in
- * s, then the columns that core/interface/snapshot.yml names. Or its events as lines.
+ * s, then the columns that core/interface/snapshot.yml names. Or the interval of each cycle, or the
+ * events as lines.
  */
 #ifndef BORESIGHT_TABLE_H
 #define BORESIGHT_TABLE_H
@@ -20,6 +21,17 @@ void table_print_names(const robot_t *robot);
  * @satisfies SWR-REPLAY-003
  */
 void table_print_row(const robot_t *robot, uint32_t cycle, const snapshot_t *snapshot);
+
+/** Prints the names of the columns of table_print_interval(). */
+void table_print_interval_names(void);
+
+/**
+ * Prints a row of `record`, a cycle: the time in s, how long after the one before it came in us,
+ * and which stage of the one before took longest.
+ *
+ * @satisfies SWR-CHECK-005
+ */
+void table_print_interval(const cycle_record_t *record);
 
 /**
  * Prints a line for each event of `record`: time in s, number, severity, name, sentence.

@@ -20,6 +20,7 @@ class TestBoards < Minitest::Test
     box: "{lamp}"
     slowness: "{watts}"
     simulated: true
+    cycle: {wire_hz: 5000000, wires: 10, word_ns: 300, instructions_per_us: 333, publish_us: 30}
     says:
       - {title: Lamp, text: "say \\"{lamp}\\""}
   YAML
@@ -30,6 +31,7 @@ class TestBoards < Minitest::Test
      '.name = "lamp", .takes = BOARD_TAKES_NAME, .says = "one that shines", .otherwise = "{instance}-lamp"}',
      '.program = "lamp", .arguments = {"--as", "{lamp}", "{dim}"}, .ready = "on", .unless = "lamp"}',
      '{.program = "fan"}', '.box = "{lamp}",', '.slowness = "{watts}",', '.is_simulated = true,',
+     '.cycle = {.wire_hz = 5000000U, .wires = 10U, .word_ns = 300U, .instructions_per_us = 333U, .publish_us = 30U},',
      '{"Lamp", "say \\"{lamp}\\""}'].each { |text| assert_includes source, text }
   end
 
@@ -40,7 +42,7 @@ class TestBoards < Minitest::Test
   def test_SWR_TOOL_015_a_board_needs_nothing_but_what_control_opens
     source = board("box: slot-one\n").source
     assert_equal 3, source.scan(/^        \{0\},$/).size
-    ['.box = "slot-one",', '.slowness = "1",', '.is_simulated = false,'].each { |text| assert_includes source, text }
+    ['.box = "slot-one",', '.slowness = "1",', '.is_simulated = false,', '.cycle = {0},'].each { |text| assert_includes source, text }
   end
 
   WRONG = {
@@ -54,7 +56,9 @@ class TestBoards < Minitest::Test
     'name: dim' => ['name: robot', '4: options[2].name: is robot, which there is already'],
     'boresight-fan' => ['fan', '7: companions[1].program: is fan; expected boresight-...'],
     'unless: lamp' => ['unless: fan', '6: companions[0].unless: is fan; expected watts or lamp or dim'],
-    'title: Lamp' => ['title: Illumination', '12: says[0].title: is Illumination; expected at most 11 letters'],
+    'wires: 10' => ['wires: 0', '11: cycle.wires: is 0; expected 1 to 2147483648'],
+    ', publish_us: 30' => ['', '11: cycle.publish_us: is missing'],
+    'title: Lamp' => ['title: Illumination', '13: says[0].title: is Illumination; expected at most 11 letters'],
     '{instance}-lamp' => ['{watts}-lamp', '3: options[1].default: speaks of {watts}; expected instance, robot, programs, recordings'],
     'ready: on' => ['colour: red', '6: companions[0].colour: is unknown; expected program, arguments, ready, unless']
   }.freeze

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # What a cycle costs, and how punctually it begins; included by the Makefile.
 
-.PHONY: bench bench-clients bench-codec bench-crowds bench-instructions bench-latency bench-recordings bench-programs cost-programs cost cost-approve
+.PHONY: bench rt-report bench-clients bench-codec bench-crowds bench-instructions bench-latency bench-recordings bench-programs cost-programs cost cost-approve
 
 # The scene is played on the rig of the integration tests, which asserts with Unity.
 BENCH_SCENE := $(call object,verification/bench/samples.c verification/integration/support/rig.c $(BOX_SOURCES) \
@@ -55,6 +55,10 @@ cost-approve: cost
 
 bench: bench-programs ## Instructions of a cycle, recordings, OpenIGTLink beside its library and under load, crowds at the HTTP server, wake-up latency beside cyclictest (BENCH_SECONDS=10)
 	@ruby verification/bench/bench.rb
+
+rt-report: bootstrap-test ## How punctual the loop is for an hour in real time: figures 20 to 23 of the thesis (HOURS=1 or MINUTES=2, PICTURE=file.svg)
+	@$(MAKE) --no-print-directory -j2 $(BINARIES) $(BIN)/boresight-client build/gcc/bin/bench-crowd
+	@HOURS=$(HOURS) MINUTES=$(MINUTES) PICTURE=$(PICTURE) ruby verification/bench/rt_report.rb
 
 bench-instructions: bench-programs
 	@ruby verification/bench/bench.rb instructions

@@ -83,6 +83,18 @@ class TestReplay < SystemTest
     assert(still.any? { |row| row['insertion_permit_reasons'].to_i[10] == 1 }, 'the pedal is a reason')
   end
 
+  def test_SWR_CHECK_005_the_interval_of_each_cycle_is_told
+    boresight.wait_until('something is recorded') { boresight.status['cycle'] > 500 }
+    text, code = replay('--loop', end_recording)
+    assert_equal 0, code, text
+    names, *rows = text.lines(chomp: true).map { |line| line.split(',') }
+    assert_equal %w[time_s interval_us longest_stage], names
+    assert_operator rows.size, :>, 500
+    rows.each_cons(2) { |one, other| assert_in_delta 0.001, other[0].to_f - one[0].to_f, 1e-9 }
+    assert(rows.all? { |row| row[1] == '1000' }, 'elastic time is even')
+    assert_empty rows.map(&:last).uniq - %w[WAKE CARDS STEP PUBLISH]
+  end
+
   def test_SWR_EVENT_007_the_events_of_a_recording_say_their_causes
     boresight.simctl('estop', 'pull')
     boresight.wait_until('the e-stop is seen') { boresight.status['estop'] == 'pulled' }
