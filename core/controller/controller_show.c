@@ -42,24 +42,45 @@ static next_step_t step_after_arrival(const controller_t *self)
     return (self->mode.kind == (uint32_t)MODE_PROGRAM) ? NEXT_STEP_PROGRAM_DONE : NEXT_STEP_NOTHING;
 }
 
+/* Whether `workphase`, which is another one, is entered from the present one. */
+static bool is_entered_from(workphase_t workphase, workphase_t present)
+{
+    return (workphase == WORKPHASE_TARGETING) ? (present != WORKPHASE_START_UP)
+                                              : (present != WORKPHASE_MOVE_TO_TARGET);
+}
+
+/* `step` where it is obeyed, in `workphase`; elsewhere the way there. */
+static next_step_t step_in(workphase_t workphase, workphase_t present, next_step_t step)
+{
+    next_step_t there = NEXT_STEP_PLANNING;
+    if (workphase == present) {
+        there = step;
+    } else if (is_entered_from(workphase, present)) {
+        there = (workphase == WORKPHASE_TARGETING) ? NEXT_STEP_TARGETING : NEXT_STEP_CALIBRATION;
+    } else {
+        there = NEXT_STEP_PLANNING;
+    }
+    return there;
+}
+
 static next_step_t step_for_plan(const controller_t *self, bool is_homed)
 {
-    const workphase_t workphase = procedure_workphase(&self->procedure);
-    next_step_t step = NEXT_STEP_TARGETING;
-    if ((workphase == WORKPHASE_EMERGENCY) || !is_homed) {
+    const workphase_t present = procedure_workphase(&self->procedure);
+    const bool is_begun = (present != WORKPHASE_UNDEFINED) && (present != WORKPHASE_EMERGENCY);
+    const bool is_going = present == WORKPHASE_MOVE_TO_TARGET;
+    next_step_t step = NEXT_STEP_START_UP;
+    if (!is_begun || !is_homed) {
         step = NEXT_STEP_START_UP;
     } else if (self->plan.has_probe == 0U) {
-        step = NEXT_STEP_PROBE;
+        step = is_going ? NEXT_STEP_PLANNING : NEXT_STEP_PROBE;
     } else if (self->plan.is_registered == 0U) {
-        step = NEXT_STEP_REGISTER;
+        step = step_in(WORKPHASE_CALIBRATION, present, NEXT_STEP_REGISTER);
     } else if (self->plan.has_target == 0U) {
-        step = NEXT_STEP_TARGET;
-    } else if (workphase == WORKPHASE_TARGETING) {
-        step = NEXT_STEP_MOVE;
-    } else if (workphase == WORKPHASE_MOVE_TO_TARGET) {
+        step = step_in(WORKPHASE_TARGETING, present, NEXT_STEP_TARGET);
+    } else if (is_going) {
         step = (self->has_arrived != 0U) ? step_after_arrival(self) : NEXT_STEP_MOVE;
     } else {
-        step = NEXT_STEP_TARGETING;
+        step = step_in(WORKPHASE_TARGETING, present, NEXT_STEP_MOVE);
     }
     return step;
 }
@@ -123,7 +144,8 @@ static next_step_t authority_first(const controller_t *self, next_step_t step)
 {
     const uint32_t commanded = BIT(NEXT_STEP_START_UP) | BIT(NEXT_STEP_PROBE) |
                                BIT(NEXT_STEP_REGISTER) | BIT(NEXT_STEP_TARGET) |
-                               BIT(NEXT_STEP_MOVE) | BIT(NEXT_STEP_TARGETING);
+                               BIT(NEXT_STEP_MOVE) | BIT(NEXT_STEP_TARGETING) |
+                               BIT(NEXT_STEP_CALIBRATION) | BIT(NEXT_STEP_PLANNING);
     const uint32_t calm = commanded | BIT(NEXT_STEP_RELEASE_PEDAL) | BIT(NEXT_STEP_PRESS_PEDAL) |
                           BIT(NEXT_STEP_CONFIRM) | BIT(NEXT_STEP_NOTHING) |
                           BIT(NEXT_STEP_PROGRAM_DONE);

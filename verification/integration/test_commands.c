@@ -98,7 +98,7 @@ void test_SWR_PHASE_006_targeting_needs_a_registration_and_moving_a_target(void)
     (void)rig_workphase(&rig, WORKPHASE_PLANNING);
     TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_REGISTERED,
                              rig_workphase(&rig, WORKPHASE_TARGETING).status);
-    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_REGISTER, rig.outputs.snapshot.next_step);
+    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_CALIBRATION, rig.outputs.snapshot.next_step);
     rig_register(&rig, &identity);
     TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_TARGET, rig.outputs.snapshot.next_step);
     TEST_ASSERT_EQUAL_UINT32(STATUS_NO_TARGET,

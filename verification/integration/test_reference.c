@@ -135,7 +135,7 @@ void test_SWR_REF_008_start_up_waits_for_the_operator_when_an_axis_without_switc
     expect_start_up(STATUS_CONFIRM_POSITIONS);
     expect_step(NEXT_STEP_CONFIRM);
     (void)hold_button(HOLD_CYCLES + 1U);
-    expect_step(NEXT_STEP_REGISTER);
+    expect_step(NEXT_STEP_CALIBRATION);
     expect_start_up(STATUS_OK);
 }
 

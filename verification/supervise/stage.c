@@ -474,6 +474,10 @@ static void do_next_step(stage_t *self, rig_t *rig)
     case NEXT_STEP_SCANNER:
         rig_box(rig, "scanner off");
         break;
+    case NEXT_STEP_PLANNING:
+        send_phase(self, rig, WORKPHASE_PLANNING);
+        break;
+    case NEXT_STEP_CALIBRATION:
     case NEXT_STEP_REGISTER:
         send_phase(self, rig, WORKPHASE_CALIBRATION);
         if (shown->workphase == (uint32_t)WORKPHASE_CALIBRATION) {
@@ -535,6 +539,8 @@ static bool is_free(const snapshot_t *shown)
 {
     return (shown->is_homed != 0U) && (shown->order == (uint32_t)ARMING_STATE_NONE) &&
            ((shown->next_step == (uint32_t)NEXT_STEP_TARGETING) ||
+            (shown->next_step == (uint32_t)NEXT_STEP_CALIBRATION) ||
+            (shown->next_step == (uint32_t)NEXT_STEP_PLANNING) ||
             ((shown->next_step >= (uint32_t)NEXT_STEP_REGISTER) &&
              (shown->next_step <= (uint32_t)NEXT_STEP_NOTHING)));
 }
