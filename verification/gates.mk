@@ -33,7 +33,8 @@ one: bootstrap-test ## One file of tests: make one NAME=test_encoder
 
 ALL_APP := $(wildcard app/*/*.c bsp/sim/*.c)
 # What is verified runs on the simulated control box, whichever board the programs are for.
-BOX_SOURCES := $(filter-out %_main.c bsp/sim/bsp_sim.c bsp/sim/bench_sim.c bsp/sim/wire.c,$(wildcard bsp/sim/*.c))
+BOX_SOURCES := $(filter-out %_main.c bsp/sim/bsp_sim.c bsp/sim/bench_sim.c bsp/sim/wire.c,$(wildcard bsp/sim/*.c)) \
+    app/control/board_inputs.c
 OBJECTS := $(call object,$(CORE_SOURCES) $(ALL_APP) bsp/no_bench.c $(NAMES) $(GEN)/interface/app/event_words.c \
     $(FIND_ROBOT) $(BOARD_TABLE) $(GEN)/interface/app/messages.c $(API) $(GEN)/interface/app/columns.c \
     $(GEN)/interface/app/fields.c $(GEN)/assets/assets.c $(GEN)/assets/chart_names.c)
@@ -82,7 +83,7 @@ sanitize: ## All C tests under AddressSanitizer and UBSan
 	@$(MAKE) --no-print-directory -j2 CONFIG=asan build/asan/libtest.a
 	ruby tools/c_tests.rb asan
 
-ARM_TESTED := $(filter-out app/%,$(TESTED))
+ARM_TESTED := $(filter-out app/%,$(TESTED)) app/control/board_inputs.c
 $(OUT)/libtest-core.a: $(call object,$(ARM_TESTED))
 	@rm -f $@; ar rcs $@ $^
 

@@ -228,6 +228,12 @@ static void publish_figures(void)
     }
 }
 
+/*
+ * What it makes of its inputs leaves in it.
+ *
+ * @satisfies SWR-CTRL-012
+ * @satisfies SWR-CTRL-013
+ */
 static void run_cycle(uint64_t deadline_ns, uint64_t woken_ns, uint64_t elapsed_ns)
 {
     const uint32_t cycle = controller.cycle;
@@ -275,7 +281,11 @@ static void begin_figures(uint32_t rights)
     exchange_publish_loop(exchange, &published);
 }
 
-/* The cycle that ends now was whole, as it came here. */
+/*
+ * The cycle that ends now was whole, as it came here.
+ *
+ * @satisfies SWR-BSP-006
+ */
 static void kick(uint64_t deadline_ns)
 {
     const bool was_punctual = inputs.elapsed_us <= LIMIT_OVERRUN_US;

@@ -113,6 +113,8 @@ bool bsp_self_test(char *error, uint32_t error_size);
  * Begins to exchange frames, full duplex, and returns at once. Bit n of `send` selects slot n. The
  * frames are copied. An exchange that is still under way is not disturbed: the slots of this one
  * are NOT_IDLE.
+ *
+ * @satisfies SWR-BSP-004
  */
 void bsp_start(uint32_t send, const uint8_t frames[CARD_SLOT_COUNT][CARD_FRAME_BYTES]);
 
@@ -134,8 +136,13 @@ void bsp_sample_inputs(bsp_inputs_t *inputs);
 /** Shows BSP_LAMP_ bits; nothing on a board without lamps. */
 void bsp_set_lamps(uint32_t lamps);
 
-/** Takes the power of all drives by a line of its own, without the cards, until the board is opened
- * again; callable from a signal handler. Nothing on a board without BSP_HAS_DRIVES_OFF. */
+/**
+ * Takes the power of all drives by a line of its own, without the cards, until the board is opened
+ * again; callable from a signal handler. Nothing on a board without BSP_HAS_DRIVES_OFF, and before
+ * one is open.
+ *
+ * @satisfies SWR-BSP-005
+ */
 void bsp_drives_off(void);
 
 /** Tells the watchdogs that a whole, punctual cycle has passed. */

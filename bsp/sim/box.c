@@ -232,7 +232,7 @@ bsp_inputs_t box_sample(box_t *self)
     latch(self);
     const bsp_inputs_t sample = {
         .levels = box_inputs(self), .dropped = self->dropped, .valid = BSP_IN_ALL};
-    self->dropped = 0U;
+    self->dropped = sample.levels ^ BSP_IN_ALL;
     return sample;
 }
 

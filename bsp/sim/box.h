@@ -105,7 +105,7 @@ typedef struct {
     box_gate_t gate;             /**< Of the treatment. */
     bool is_off;                 /**< The amplifier-off line is set: no drive has power. */
     uint32_t lamps;              /**< BSP_LAMP_ bits that are lit. */
-    uint32_t dropped;            /**< BSP_IN_ bits that were 0 since the last sample. */
+    uint32_t dropped;            /**< BSP_IN_ bits that were 0 in the last sample or since. */
     uint64_t time_us;            /**< Whole steps done. */
     uint32_t pending_us;         /**< Time not yet stepped, below SIM_STEP_US. */
 } box_t;
@@ -134,8 +134,8 @@ void box_advance(box_t *self, uint32_t us);
 /** Levels of the digital inputs now: BSP_IN_ bits. */
 uint32_t box_inputs(const box_t *self);
 
-/** The same, and what was 0 at any time since the last call: an opened contact is seen, however
- * short. All are valid; the time is not told. */
+/** The same, and what was 0 at any time since the last call, that included: an opened contact is
+ * seen, however short. All are valid; the time is not told. */
 bsp_inputs_t box_sample(box_t *self);
 
 /** True positions, in ticks, in axis order; entries beyond the robot's axes are 0. */

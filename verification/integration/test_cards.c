@@ -175,12 +175,12 @@ static void cycle_with_stranger(void)
                      (const uint8_t(*)[CARD_FRAME_BYTES])rig.outputs.frames, rig.inputs.frames) |
         ((uint32_t)1U << STRANGER);
     (void)memcpy(rig.inputs.frames[STRANGER], frame, sizeof frame);
+    box_advance(&rig.box, 1000U);
     controller_step(&rig.controller, &rig.robot, &rig.inputs, &rig.outputs);
     for (uint32_t i = 0U; i < rig.outputs.event_count; i++) {
         rig.events[rig.event_count] = rig.outputs.events[i];
         rig.event_count++;
     }
-    box_advance(&rig.box, 1000U);
 }
 
 void test_SWR_LINK_011_a_card_that_the_robot_does_not_name_is_told_of_once_and_shown(void)

@@ -159,6 +159,26 @@ void test_SWR_BOX_001_axes_stand_still_when_the_exchanges_end(void)
     TEST_ASSERT_EQUAL_HEX32(CARD_STATUS_WATCHDOG, report_of(AXIS_HEAD).status & CARD_STATUS_FAULTS);
 }
 
+void test_SWR_BSP_005_the_amplifier_off_line_takes_the_torque_whatever_the_cards_are_told(void)
+{
+    drive(AXIS_FEET, true);
+    cycles(100U);
+    const int moving = position_of(AXIS_FEET);
+    cycles(10U);
+    TEST_ASSERT_NOT_EQUAL_INT(moving, position_of(AXIS_FEET));
+    box.is_off = true;
+    cycles(5U);
+    const int stopped = position_of(AXIS_FEET);
+    cycles(100U);
+    const card_report_t report = report_of(AXIS_FEET);
+    TEST_ASSERT_EQUAL_INT(stopped, position_of(AXIS_FEET));
+    TEST_ASSERT_NOT_EQUAL_UINT32(CARD_DRIVE_OFF, report.applied.mode);
+    TEST_ASSERT_EQUAL_UINT32(0U, report.supply_mv);
+    box.is_off = false;
+    cycles(100U);
+    TEST_ASSERT_NOT_EQUAL_INT(stopped, position_of(AXIS_FEET));
+}
+
 void test_SWR_BOX_002_a_pulled_emergency_stop_takes_the_torque_and_blames_no_card(void)
 {
     drive(AXIS_FEET, true);
@@ -254,12 +274,24 @@ void test_SWR_BOX_004_time_below_a_step_is_kept(void)
     TEST_ASSERT_EQUAL_UINT32(99U, box.pending_us);
 }
 
+static bool is_high(uint32_t input)
+{
+    return (box_inputs(&box) & input) != 0U;
+}
+
+/* Since the sample before, which this one is for the next. */
+static bool was_high(uint32_t input)
+{
+    const bsp_inputs_t sample = box_sample(&box);
+
+    TEST_ASSERT_EQUAL_HEX32(BSP_IN_ALL, sample.valid);
+    return (sample.levels & ~sample.dropped & input) != 0U;
+}
+
 static void expect_pedal(bool a, bool b)
 {
-    const bsp_inputs_t inputs = box_inputs(&box);
-
-    TEST_ASSERT_EQUAL(a, inputs.pedal_a);
-    TEST_ASSERT_EQUAL(b, inputs.pedal_b);
+    TEST_ASSERT_EQUAL(a, is_high(BSP_IN_PEDAL_A));
+    TEST_ASSERT_EQUAL(b, is_high(BSP_IN_PEDAL_B));
 }
 
 void test_SWR_BOX_003_press_closes_b_and_4_ms_later_a(void)
@@ -310,36 +342,36 @@ void test_SWR_BOX_003_emergency_stop_and_scanner_levels_obey(void)
 {
     order("estop pull");
     order("scanner on");
-    TEST_ASSERT_TRUE(box_inputs(&box).estop_open);
-    TEST_ASSERT_TRUE(box_inputs(&box).scanner_active);
+    TEST_ASSERT_FALSE(is_high(BSP_IN_ESTOP_CHAIN));
+    TEST_ASSERT_FALSE(is_high(BSP_IN_SCANNER_IDLE));
     order("estop reset");
     order("scanner off");
-    TEST_ASSERT_FALSE(box_inputs(&box).estop_open);
-    TEST_ASSERT_FALSE(box_inputs(&box).scanner_active);
+    TEST_ASSERT_TRUE(is_high(BSP_IN_ESTOP_CHAIN));
+    TEST_ASSERT_TRUE(is_high(BSP_IN_SCANNER_IDLE));
 }
 
 void test_SWR_BOX_003_the_gate_of_the_treatment_obeys_and_is_latched(void)
 {
     order("gate dose");
-    TEST_ASSERT_TRUE(box_inputs(&box).dose_reached);
-    TEST_ASSERT_FALSE(box_inputs(&box).treatment_stopped);
+    TEST_ASSERT_FALSE(is_high(BSP_IN_DOSE_BELOW));
+    TEST_ASSERT_TRUE(is_high(BSP_IN_TREATMENT_MAY));
     order("gate stop");
-    TEST_ASSERT_FALSE(box_inputs(&box).dose_reached);
-    TEST_ASSERT_TRUE(box_inputs(&box).treatment_stopped);
+    TEST_ASSERT_TRUE(is_high(BSP_IN_DOSE_BELOW));
+    TEST_ASSERT_FALSE(is_high(BSP_IN_TREATMENT_MAY));
     box_advance(&box, 1000U);
     order("gate off");
-    TEST_ASSERT_FALSE(box_inputs(&box).treatment_stopped);
-    TEST_ASSERT_TRUE(box_sample(&box).treatment_stopped);
-    TEST_ASSERT_FALSE(box_sample(&box).treatment_stopped);
+    TEST_ASSERT_TRUE(is_high(BSP_IN_TREATMENT_MAY));
+    TEST_ASSERT_FALSE(was_high(BSP_IN_TREATMENT_MAY));
+    TEST_ASSERT_TRUE(was_high(BSP_IN_TREATMENT_MAY));
 }
 
 void test_SWR_BOX_003_the_button_obeys(void)
 {
-    TEST_ASSERT_FALSE(box_inputs(&box).confirm_pressed);
+    TEST_ASSERT_FALSE(is_high(BSP_IN_CONFIRM));
     order("button press");
-    TEST_ASSERT_TRUE(box_inputs(&box).confirm_pressed);
+    TEST_ASSERT_TRUE(is_high(BSP_IN_CONFIRM));
     order("button release");
-    TEST_ASSERT_FALSE(box_inputs(&box).confirm_pressed);
+    TEST_ASSERT_FALSE(is_high(BSP_IN_CONFIRM));
 }
 
 void test_SWR_REF_006_a_button_that_was_released_since_the_last_sample_is_released(void)
@@ -347,14 +379,14 @@ void test_SWR_REF_006_a_button_that_was_released_since_the_last_sample_is_releas
     order("button press");
     (void)box_sample(&box);
     box_advance(&box, 1000U);
-    TEST_ASSERT_TRUE(box_sample(&box).confirm_pressed);
+    TEST_ASSERT_TRUE(was_high(BSP_IN_CONFIRM));
     order("button release");
     box_advance(&box, SIM_STEP_US);
     order("button press");
     box_advance(&box, 1000U);
-    TEST_ASSERT_FALSE(box_sample(&box).confirm_pressed);
+    TEST_ASSERT_FALSE(was_high(BSP_IN_CONFIRM));
     box_advance(&box, 1000U);
-    TEST_ASSERT_TRUE(box_sample(&box).confirm_pressed);
+    TEST_ASSERT_TRUE(was_high(BSP_IN_CONFIRM));
 }
 
 void test_SWR_BOX_003_a_silent_card_neither_answers_nor_hears(void)
@@ -444,17 +476,15 @@ void test_SWR_ESTOP_004_a_pulse_is_in_the_next_sample_only(void)
     order("estop pulse");
     order("pedal pulse");
     box_advance(&box, 1000U);
-    TEST_ASSERT_FALSE(box_inputs(&box).estop_open);
+    TEST_ASSERT_TRUE(is_high(BSP_IN_ESTOP_CHAIN));
     const bsp_inputs_t pulsed = box_sample(&box);
-    TEST_ASSERT_TRUE(pulsed.estop_open);
-    TEST_ASSERT_FALSE(pulsed.pedal_a);
-    TEST_ASSERT_FALSE(pulsed.pedal_b);
+    TEST_ASSERT_EQUAL_HEX32(BSP_IN_PEDAL_A | BSP_IN_PEDAL_B | BSP_IN_ESTOP_CHAIN,
+                            pulsed.levels & pulsed.dropped);
     box_advance(&box, 1000U);
     const bsp_inputs_t after = box_sample(&box);
-    TEST_ASSERT_FALSE(after.estop_open);
-    TEST_ASSERT_TRUE(after.pedal_a);
-    TEST_ASSERT_TRUE(after.pedal_b);
-    TEST_ASSERT_FALSE(after.scanner_active);
+    TEST_ASSERT_EQUAL_HEX32(pulsed.levels, after.levels);
+    TEST_ASSERT_EQUAL_HEX32(0U, after.levels & after.dropped);
+    TEST_ASSERT_TRUE(is_high(BSP_IN_SCANNER_IDLE));
 }
 
 void test_SWR_BOX_003_show_lists_inputs_and_every_axis(void)
@@ -474,9 +504,13 @@ void test_SWR_BOX_003_show_lists_inputs_and_every_axis(void)
     TEST_ASSERT_NOT_NULL(
         strstr(reply, "pedal a closed, pedal b open, e-stop closed, button released, scanner off, "
                       "gate off"));
+    TEST_ASSERT_NOT_NULL(strstr(reply, "amplifier line on, lamps dark\n"));
     order("button press");
+    box.is_off = true;
+    box.lamps = BSP_LAMP_ALIVE | BSP_LAMP_FAULT;
     order("show");
     TEST_ASSERT_NOT_NULL(strstr(reply, "button pressed"));
+    TEST_ASSERT_NOT_NULL(strstr(reply, "amplifier line off, lamps alive fault\n"));
     TEST_ASSERT_NOT_NULL(strstr(reply, "-20.0025 mm"));
     TEST_ASSERT_NOT_NULL(strstr(reply, "7.1998 deg"));
     TEST_ASSERT_NOT_NULL(strstr(reply, "- run"));

@@ -21,7 +21,7 @@ static uint64_t world_us;
 static void start(bool is_elastic, uint32_t slowness)
 {
     world_us = UINT64_C(700000000);
-    box_clock_init(&box, (bsp_time_t){is_elastic, slowness}, START_US, world_us);
+    box_clock_init(&box, (box_time_t){is_elastic, slowness}, START_US, world_us);
 }
 
 void setUp(void)

@@ -34,6 +34,8 @@ TEST_SOURCE_FILE("robot_cards.c")
 TEST_SOURCE_FILE("position_store.c")
 TEST_SOURCE_FILE("position_record.c")
 TEST_SOURCE_FILE("sources.c")
+TEST_SOURCE_FILE("lamps.c")
+TEST_SOURCE_FILE("board_inputs.c")
 
 #define ALL_SLOTS 0x0FEU
 #define LAST_CYCLE 20U
@@ -56,6 +58,12 @@ typedef struct {
     uint32_t count;
     heard_t heard[MOST_EXCHANGES];
     uint32_t frames_received; /* By the controller, in the last cycle. */
+    uint32_t lines;           /* How often the amplifier-off line was set, */
+    uint32_t before_line;     /* and how many exchanges were begun before. */
+    uint32_t under_way;       /* Exchanges that were begun and not ended. */
+    uint32_t most_under_way;
+    uint32_t kicks;
+    uint32_t lamps; /* That were lit last. */
 } record_t;
 
 static char name[48];
@@ -63,9 +71,14 @@ static exchange_t *segment;
 static record_t *record;
 static end_t end;
 static int end_signal;
-static bool is_box_lost;
+static bsp_slot_result_t fate; /* Of all frames. */
+static bool is_board_there;
+static bool is_wire_good;
+static uint64_t late_ns; /* How much later than asked for each cycle wakes up. */
 static uint64_t now_ns;
 static card_command_t before[CARD_SLOT_COUNT];
+static uint8_t reports[CARD_SLOT_COUNT][CARD_FRAME_BYTES]; /* On their way back. */
+static uint32_t asked;
 static char said[TEXT_SIZE];
 
 const robot_t *robots_find(const char *wanted)
@@ -86,33 +99,82 @@ static void report(uint32_t slot, uint8_t bytes[CARD_FRAME_BYTES])
 }
 
 /* A report is from before the frame is heard. */
-static uint32_t exchange_all(uint32_t send, const uint8_t frames[CARD_SLOT_COUNT][CARD_FRAME_BYTES],
-                             uint8_t received[CARD_SLOT_COUNT][CARD_FRAME_BYTES],
-                             uint32_t timeout_us, int calls)
+static void hear(heard_t *heard, uint32_t slot, const uint8_t frame[CARD_FRAME_BYTES])
+{
+    card_command_t command;
+    if (card_frame_decode_command(frame, slot, &command) != CARD_FRAME_OK) {
+        return;
+    }
+    before[slot] = command;
+    heard->slots |= 1U << slot;
+    heard->driving |= (command.drive.mode != (uint32_t)CARD_DRIVE_OFF) ? (1U << slot) : 0U;
+    heard->lowest_sequence =
+        (command.sequence < heard->lowest_sequence) ? command.sequence : heard->lowest_sequence;
+    heard->highest_sequence =
+        (command.sequence > heard->highest_sequence) ? command.sequence : heard->highest_sequence;
+}
+
+static void start(uint32_t send, const uint8_t frames[CARD_SLOT_COUNT][CARD_FRAME_BYTES], int calls)
 {
     heard_t *const heard = &record->heard[record->count % MOST_EXCHANGES];
-    (void)timeout_us;
     (void)calls;
     *heard = (heard_t){.lowest_sequence = UINT32_MAX};
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
-        card_command_t command;
-        report(slot, received[slot]);
-        if (((send & (1U << slot)) == 0U) ||
-            (card_frame_decode_command(frames[slot], slot, &command) != CARD_FRAME_OK)) {
-            continue;
-        }
-        before[slot] = command;
-        heard->slots |= 1U << slot;
-        heard->driving |= (command.drive.mode != (uint32_t)CARD_DRIVE_OFF) ? (1U << slot) : 0U;
-        if (command.sequence < heard->lowest_sequence) {
-            heard->lowest_sequence = command.sequence;
-        }
-        if (command.sequence > heard->highest_sequence) {
-            heard->highest_sequence = command.sequence;
+        report(slot, reports[slot]);
+        if ((send & (1U << slot)) != 0U) {
+            hear(heard, slot, frames[slot]);
         }
     }
+    asked = send;
     record->count++;
-    return is_box_lost ? 0U : send;
+    record->under_way++;
+    record->most_under_way =
+        (record->under_way > record->most_under_way) ? record->under_way : record->most_under_way;
+}
+
+static void finish(uint64_t deadline_ns, uint8_t received[CARD_SLOT_COUNT][CARD_FRAME_BYTES],
+                   bsp_exchange_t *result, int calls)
+{
+    (void)calls;
+    TEST_ASSERT_EQUAL_UINT64(now_ns + (UINT64_C(1000) * LIMIT_EXCHANGE_TIMEOUT_US), deadline_ns);
+    *result = (bsp_exchange_t){.received = (fate == BSP_SLOT_OK) ? asked : 0U};
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+        if ((result->received & (1U << slot)) != 0U) {
+            (void)memcpy(received[slot], reports[slot], CARD_FRAME_BYTES);
+        }
+        result->results[slot] =
+            (uint8_t)(((asked & (1U << slot)) != 0U) ? fate : BSP_SLOT_NOT_SENT);
+    }
+    asked = 0U;
+    record->under_way = 0U;
+}
+
+static void switch_line_off(int calls)
+{
+    (void)calls;
+    record->lines++;
+    record->before_line = record->count;
+}
+
+static bool try_wires(char *error, uint32_t error_size, int calls)
+{
+    (void)calls;
+    if (!is_wire_good) {
+        (void)snprintf(error, error_size, "the wire of slot 3 is shifted by a bit; slow it down");
+    }
+    return is_wire_good;
+}
+
+static void kick_watchdog(int calls)
+{
+    (void)calls;
+    record->kicks++;
+}
+
+static void light(uint32_t lamps, int calls)
+{
+    (void)calls;
+    record->lamps = lamps;
 }
 
 /* A controller that drives everything, and in whose last cycle something happens. */
@@ -139,19 +201,7 @@ static void step(controller_t *self, const robot_t *robot, const controller_inpu
     self->cycle++;
 }
 
-static bsp_power_on_t tell_power_on(int calls)
-{
-    (void)calls;
-    return (bsp_power_on_t){.id = 1U, .was_used = false};
-}
-
 static uint32_t board_robot_crc; /* 0: the board cannot tell. */
-
-static uint32_t tell_robot(int calls)
-{
-    (void)calls;
-    return board_robot_crc;
-}
 
 /* Words with and without the option of a trajectory. */
 #define WITHOUT_LIST 9
@@ -183,27 +233,23 @@ static void init(controller_t *self, const robot_t *robot, int calls)
     self->sequence = 100U;
 }
 
-static bool open_board(const char *box, char *error, uint32_t error_size, int calls)
+static bool open_board(const char *box, bsp_identity_t *identity, char *error, uint32_t error_size,
+                       int calls)
 {
     (void)box;
-    (void)error;
-    (void)error_size;
     (void)calls;
-    return true;
+    *identity = (bsp_identity_t){
+        .power_on = 1U, .robot_crc = board_robot_crc, .is_elastic = true, .slowness = 1U};
+    if (!is_board_there) {
+        (void)snprintf(error, error_size, "switch the box on");
+    }
+    return is_board_there;
 }
 
-static bsp_inputs_t sample(int calls)
+static void sample(bsp_inputs_t *levels, int calls)
 {
-    const bsp_inputs_t levels = {.pedal_a = true, .pedal_b = true};
     (void)calls;
-    return levels;
-}
-
-static bsp_time_t tell_time(int calls)
-{
-    const bsp_time_t time = {.is_elastic = true, .slowness = 1U};
-    (void)calls;
-    return time;
+    *levels = (bsp_inputs_t){.levels = BSP_IN_ALL, .valid = BSP_IN_ALL};
 }
 
 static uint64_t tell_now(int calls)
@@ -215,7 +261,7 @@ static uint64_t tell_now(int calls)
 static void sleep_until(uint64_t deadline_ns, int calls)
 {
     (void)calls;
-    now_ns = deadline_ns;
+    now_ns = deadline_ns + late_ns;
 }
 
 static void close_board(int calls)
@@ -234,20 +280,25 @@ void setUp(void)
     char error[200] = "";
     record = mmap(NULL, sizeof *record, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     TEST_ASSERT_NOT_EQUAL(MAP_FAILED, record);
-    is_box_lost = false;
+    fate = BSP_SLOT_OK;
+    is_board_there = true;
+    is_wire_good = true;
+    late_ns = 0U;
     (void)snprintf(name, sizeof name, "boresight-test-main-%d", (int)getpid());
     segment = exchange_create(name, error, sizeof error);
     TEST_ASSERT_NOT_NULL_MESSAGE(segment, error);
     bsp_open_Stub(open_board);
-    bsp_exchange_Stub(exchange_all);
+    bsp_self_test_Stub(try_wires);
+    bsp_start_Stub(start);
+    bsp_finish_Stub(finish);
     bsp_sample_inputs_Stub(sample);
-    bsp_time_Stub(tell_time);
+    bsp_set_lamps_Stub(light);
+    bsp_drives_off_Stub(switch_line_off);
+    bsp_kick_Stub(kick_watchdog);
     bsp_now_ns_Stub(tell_now);
     bsp_reached_ns_Stub(tell_now);
     bsp_sleep_until_ns_Stub(sleep_until);
     bsp_close_Stub(close_board);
-    bsp_power_on_Stub(tell_power_on);
-    bsp_robot_crc_Stub(tell_robot);
     board_robot_crc = 0U;
     controller_init_Stub(init);
     controller_restore_Stub(restore);
@@ -293,18 +344,28 @@ static int control_ends(end_t how, int signal_number)
 }
 
 /* The first of `count` exchanges at the end that were "off" for all, each with a new sequence. */
-static void expect_off(uint32_t count)
+static void expect_off_frames(uint32_t count)
 {
-    TEST_ASSERT_GREATER_THAN_UINT32(count, record->count);
+    TEST_ASSERT_GREATER_OR_EQUAL_UINT32(count, record->count);
     TEST_ASSERT_LESS_OR_EQUAL_UINT32(MOST_EXCHANGES, record->count);
     const uint32_t first = record->count - count;
-    TEST_ASSERT_EQUAL_HEX32(ALL_SLOTS, record->heard[first - 1U].driving); /* It mattered. */
     for (uint32_t i = first; i < record->count; i++) {
         TEST_ASSERT_EQUAL_HEX32(ALL_SLOTS, record->heard[i].slots);
         TEST_ASSERT_EQUAL_HEX32(0U, record->heard[i].driving);
-        TEST_ASSERT_GREATER_THAN_UINT32(record->heard[i - 1U].highest_sequence,
-                                        record->heard[i].lowest_sequence);
+        TEST_ASSERT_TRUE((i == 0U) || (record->heard[i].lowest_sequence >
+                                       record->heard[i - 1U].highest_sequence));
     }
+    TEST_ASSERT_EQUAL_UINT32(1U, record->lines);
+    TEST_ASSERT_EQUAL_UINT32(first, record->before_line); /* It comes first. */
+    TEST_ASSERT_EQUAL_UINT32(1U, record->most_under_way);
+}
+
+static void expect_off(uint32_t count)
+{
+    TEST_ASSERT_GREATER_THAN_UINT32(count, record->count);
+    TEST_ASSERT_EQUAL_HEX32(ALL_SLOTS,
+                            record->heard[record->count - count - 1U].driving); /* It mattered. */
+    expect_off_frames(count);
 }
 
 void test_SWR_CTRL_010_a_contract_broken_inside_a_cycle_sends_off_to_every_card(void)
@@ -322,7 +383,7 @@ void test_SWR_CTRL_010_every_signal_that_ends_the_loop_sends_off_to_every_card(v
 {
     static const int signals[] = {SIGUSR1, SIGUSR2, SIGHUP, SIGINT, SIGTERM, SIGPIPE, SIGALRM};
     for (size_t i = 0U; i < (sizeof signals / sizeof signals[0]); i++) {
-        record->count = 0U;
+        (void)memset(record, 0, sizeof *record);
         const int status = control_ends(BY_SIGNAL, signals[i]);
         TEST_ASSERT_TRUE(WIFEXITED(status));
         TEST_ASSERT_EQUAL_INT(0, WEXITSTATUS(status));
@@ -335,12 +396,26 @@ void test_SWR_CTRL_010_a_crash_sends_off_to_every_card_and_stays_a_crash(void)
 {
     static const int signals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
     for (size_t i = 0U; i < (sizeof signals / sizeof signals[0]); i++) {
-        record->count = 0U;
+        (void)memset(record, 0, sizeof *record);
         const int status = control_ends(BY_SIGNAL, signals[i]);
         TEST_ASSERT_TRUE(WIFSIGNALED(status));
         TEST_ASSERT_EQUAL_INT(signals[i], WTERMSIG(status));
         expect_off(2U);
         TEST_ASSERT_NOT_NULL(strstr(said, "crashed by signal"));
+    }
+}
+
+void test_SWR_CTRL_011_the_line_is_set_before_any_card_is_told_whatever_ends_control(void)
+{
+    (void)control_ends(BY_CONTRACT, 0);
+    TEST_ASSERT_EQUAL_UINT32(1U, record->lines);
+    TEST_ASSERT_EQUAL_UINT32(record->count - 2U, record->before_line);
+    static const int signals[] = {SIGTERM, SIGUSR1, SIGSEGV, SIGABRT};
+    for (size_t i = 0U; i < (sizeof signals / sizeof signals[0]); i++) {
+        (void)memset(record, 0, sizeof *record);
+        (void)control_ends(BY_SIGNAL, signals[i]);
+        TEST_ASSERT_EQUAL_UINT32(1U, record->lines);
+        TEST_ASSERT_EQUAL_UINT32(record->count - 2U, record->before_line);
     }
 }
 
@@ -374,12 +449,70 @@ void test_SWR_ROBOT_019_the_box_of_another_robot_hears_nothing(void)
 
 void test_SWR_CTRL_010_a_box_that_answers_nothing_is_told_off_and_nothing_is_claimed(void)
 {
-    is_box_lost = true;
+    static const bsp_slot_result_t fates[] = {BSP_SLOT_NOT_SENT, BSP_SLOT_NO_ANSWER, BSP_SLOT_LATE,
+                                              BSP_SLOT_NOT_IDLE, BSP_SLOT_BUS_ERROR};
+    for (size_t i = 0U; i < (sizeof fates / sizeof fates[0]); i++) {
+        (void)memset(record, 0, sizeof *record);
+        fate = fates[i];
+        const int status = control_ends(BY_SIGNAL, SIGTERM);
+        TEST_ASSERT_TRUE(WIFEXITED(status));
+        TEST_ASSERT_EQUAL_UINT32(0U, record->frames_received); /* The controller was told so. */
+        expect_off(LIMIT_OFF_EXCHANGES);
+        TEST_ASSERT_NOT_NULL(strstr(said, "\"off\" was sent to all 7 cards, 0 confirm it"));
+    }
+}
+
+void test_SWR_BSP_003_a_failed_self_test_is_told_and_ends_in_off_before_any_cycle(void)
+{
+    is_wire_good = false;
     const int status = control_ends(BY_SIGNAL, SIGTERM);
     TEST_ASSERT_TRUE(WIFEXITED(status));
-    TEST_ASSERT_EQUAL_UINT32(0U, record->frames_received); /* The controller was told nothing. */
-    expect_off(LIMIT_OFF_EXCHANGES);
-    TEST_ASSERT_NOT_NULL(strstr(said, "\"off\" was sent to all 7 cards, 0 confirm it"));
+    TEST_ASSERT_EQUAL_INT(EXIT_CANNOT_START, WEXITSTATUS(status));
+    TEST_ASSERT_NOT_NULL_MESSAGE(
+        strstr(said, "control: the wire of slot 3 is shifted by a bit; slow it down.\n"), said);
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(said, "the self test of the board has failed; all 7"),
+                                 said);
+    expect_off_frames(2U);
+    TEST_ASSERT_EQUAL_UINT32(2U, record->count);
+    TEST_ASSERT_EQUAL_UINT32(0U, record->kicks);
+}
+
+void test_SWR_BSP_003_a_board_that_does_not_open_is_told_and_nothing_is_sent(void)
+{
+    is_board_there = false;
+    const int status = control_ends(BY_SIGNAL, SIGTERM);
+    TEST_ASSERT_TRUE(WIFEXITED(status));
+    TEST_ASSERT_EQUAL_INT(EXIT_CANNOT_START, WEXITSTATUS(status));
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(said, "control: switch the box on\n"), said);
+    TEST_ASSERT_EQUAL_UINT32(0U, record->count);
+}
+
+void test_SWR_BSP_006_the_watchdogs_hear_of_each_whole_punctual_cycle(void)
+{
+    (void)control_ends(BY_SIGNAL, SIGTERM);
+    TEST_ASSERT_EQUAL_UINT32(LAST_CYCLE + 1U, record->kicks);
+    TEST_ASSERT_EQUAL_HEX32(BSP_LAMP_ALIVE, record->lamps);
+    record->kicks = 0U;
+    (void)control_ends(BY_CONTRACT, 0);
+    TEST_ASSERT_EQUAL_UINT32(LAST_CYCLE, record->kicks);
+}
+
+void test_SWR_BSP_006_the_watchdogs_hear_nothing_of_late_cycles(void)
+{
+    late_ns = CYCLE_NS;
+    (void)control_ends(BY_SIGNAL, SIGTERM);
+    TEST_ASSERT_EQUAL_UINT32(0U, record->kicks);
+    expect_off(2U);
+}
+
+void test_SWR_CTRL_012_frames_leave_in_the_cycle_that_made_them(void)
+{
+    (void)control_ends(BY_SIGNAL, SIGTERM);
+    TEST_ASSERT_EQUAL_UINT32(LAST_CYCLE + 1U + 2U, record->count);
+    for (uint32_t cycle = 0U; cycle <= LAST_CYCLE; cycle++) {
+        TEST_ASSERT_EQUAL_UINT32(100U + cycle, record->heard[cycle].lowest_sequence);
+    }
+    TEST_ASSERT_EQUAL_UINT32(1U, record->most_under_way);
 }
 
 void test_SWR_LOOP_005_cycles_are_counted_by_how_long_each_stage_took(void)

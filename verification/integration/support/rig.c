@@ -86,33 +86,27 @@ static void keep_authority(rig_t *self)
     self->command_count++;
 }
 
+/* What the last cycle has made leaves in it; a test acts just before. */
 static void gather(rig_t *self)
 {
     keep_authority(self);
     for (uint32_t i = 0U; (i < self->command_count) && !self->is_page_away; i++) {
         sign(&self->commands[i]);
     }
-    const bsp_inputs_t sampled = box_sample(&self->box);
     (void)memset(&self->inputs, 0, sizeof self->inputs);
+    self->inputs.frames_received =
+        box_exchange(&self->box, self->outputs.frames_to_send,
+                     (const uint8_t(*)[CARD_FRAME_BYTES])self->outputs.frames, self->inputs.frames);
+    box_advance(&self->box, 1000U);
+    const bsp_inputs_t sampled = box_sample(&self->box);
     self->inputs.elapsed_us = self->elapsed_us;
     board_inputs_take(&self->board_inputs, &sampled, &self->inputs);
     self->inputs.has_button = self->has_no_button ? 0U : 1U;
-    self->inputs.frames_received = self->reported;
-    (void)memcpy(self->inputs.frames, self->reports, sizeof self->inputs.frames);
     self->inputs.silent_sources = self->silent_sources;
     self->inputs.unfit = self->unfit;
     self->inputs.command_count = self->command_count;
     (void)memcpy(self->inputs.commands, self->commands, sizeof self->commands);
     self->command_count = 0U;
-}
-
-/* What comes back is the next cycle's. */
-static void exchange(rig_t *self)
-{
-    (void)memset(self->reports, 0, sizeof self->reports);
-    self->reported =
-        box_exchange(&self->box, self->outputs.frames_to_send,
-                     (const uint8_t(*)[CARD_FRAME_BYTES])self->outputs.frames, self->reports);
 }
 
 static void keep(rig_t *self)
@@ -137,9 +131,7 @@ void rig_cycle(rig_t *self)
 {
     gather(self);
     controller_step(&self->controller, &self->robot, &self->inputs, &self->outputs);
-    exchange(self);
     keep(self);
-    box_advance(&self->box, 1000U);
 }
 
 void rig_cycles(rig_t *self, uint32_t count)

@@ -27,8 +27,6 @@ typedef struct {
     command_t commands[CONTROLLER_COMMANDS]; /**< For the next cycle. */
     uint32_t command_count;
     uint32_t elapsed_us; /**< Of every cycle; 1000 unless a test changes it. */
-    uint32_t reported;   /**< Bit n: reports[n] came back from the exchange of the last cycle. */
-    uint8_t reports[CARD_SLOT_COUNT][CARD_FRAME_BYTES];
     board_inputs_t board_inputs;
     uint32_t next_id;
     uint32_t silent_sources;       /**< As controller_inputs_t. */
@@ -52,7 +50,7 @@ void rig_start_robot(rig_t *self, const robot_t *robot);
 /** `from`, which has an axis with pwm, but for magnitudes that its cards without pwm take. */
 void rig_set_magnitude_robot(robot_t *robot, const robot_t *from);
 
-/** One cycle: frames, inputs, controller, 1 ms of physics. */
+/** One cycle: what the one before made leaves, 1 ms of physics, inputs, controller. */
 void rig_cycle(rig_t *self);
 void rig_cycles(rig_t *self, uint32_t count);
 
