@@ -3,6 +3,7 @@
 
 #include "base/fixed.h"
 
+#include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
@@ -124,11 +125,28 @@ static bool is_whole(const parts_t *parts, uint64_t *magnitude)
     return true;
 }
 
-status_t igtl_border_read_whole(const igtl_message_t *message, uint32_t index, int32_t *value)
+static parts_t parts_at(const igtl_message_t *message, uint32_t index)
 {
     const uint64_t bits = igtl_array_bits(message, index);
-    const parts_t parts =
-        (message->number_bytes == 4U) ? parts_of(bits, 23U, 8U) : parts_of(bits, 52U, 11U);
+
+    return (message->number_bytes == 4U) ? parts_of(bits, 23U, 8U) : parts_of(bits, 52U, 11U);
+}
+
+status_t igtl_border_read_double(const igtl_message_t *message, uint32_t index, double *value)
+{
+    const parts_t parts = parts_at(message, index);
+
+    if (!parts.is_finite) {
+        return STATUS_NOT_FINITE;
+    }
+    *value =
+        ldexp(parts.is_negative ? -(double)parts.mantissa : (double)parts.mantissa, -parts.shift);
+    return STATUS_OK;
+}
+
+status_t igtl_border_read_whole(const igtl_message_t *message, uint32_t index, int32_t *value)
+{
+    const parts_t parts = parts_at(message, index);
     uint64_t magnitude = 0U;
 
     if (!parts.is_finite) {

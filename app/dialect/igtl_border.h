@@ -60,6 +60,15 @@ status_t igtl_border_read_pose(const uint32_t numbers[IGTL_TRANSFORM_NUMBERS], r
  */
 status_t igtl_border_read_whole(const igtl_message_t *message, uint32_t index, int32_t *value);
 
+/**
+ * Number `index` of an NDARRAY.
+ *
+ * @return STATUS_OK, or STATUS_NOT_FINITE
+ *
+ * @satisfies SWR-PROG-014
+ */
+status_t igtl_border_read_double(const igtl_message_t *message, uint32_t index, double *value);
+
 /** nm as mm, for a text. */
 double igtl_border_mm(int32_t length_nm);
 

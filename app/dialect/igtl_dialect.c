@@ -42,6 +42,10 @@ uint32_t igtl_reason_code(status_t status)
     case STATUS_TRAJECTORY_ORDER:
     case STATUS_TRAJECTORY_SPEED:
     case STATUS_TRAJECTORY_SUM:
+    case STATUS_PROGRAM_ORDER:
+    case STATUS_PROGRAM_DWELL:
+    case STATUS_PROGRAM_DEPTH:
+    case STATUS_PROGRAM_OTHER:
         return IGTL_STATUS_CONFIG_ERROR;
     case STATUS_NO_AUTHORITY:
         return IGTL_STATUS_ACCESS_DENIED;

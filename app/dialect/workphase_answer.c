@@ -2,8 +2,8 @@
 #include "dialect/workphase_answer.h"
 
 #include "dialect/igtl_border.h"
+#include "dialect/workphase_lists.h"
 #include "dialect/workphase_peer.h"
-#include "dialect/workphase_trajectory.h"
 #include "dialect/workphase_watch.h"
 #include "interface/app/names.h"
 
@@ -14,8 +14,13 @@
 /* Under which name the peer is told of a request. */
 static const char *subject_of(const workphase_peer_t *peer, const igtl_request_t *request)
 {
+    const workphase_list_t *list = workphase_lists_of(request->kind);
+
     if (workphase_peer_is_motion(request->kind)) {
         return peer->motion;
+    }
+    if (list != NULL) {
+        return list->word;
     }
     switch (request->kind) {
     case COMMAND_REGISTRATION:
@@ -24,10 +29,6 @@ static const char *subject_of(const workphase_peer_t *peer, const igtl_request_t
         return "TARGET";
     case COMMAND_NEEDLE:
         return workphase_peer_tip_subject(peer);
-    case COMMAND_LIST_BEGIN:
-    case COMMAND_LIST_ROW:
-    case COMMAND_LIST_END:
-        return WORKPHASE_TRAJECTORY;
     case COMMAND_ENTRY:
         return "ENTRY";
     case COMMAND_ACCEPT_ENTRY:
@@ -238,21 +239,39 @@ static void answer_motion(workphase_dialect_t *self, const igtl_request_t *reque
     }
 }
 
-/* Of a row of an array the place is told behind the reason, when another one may come. */
+/* Of the whole list its checksum is told, by which it can be run. */
+static void answer_list(const workphase_dialect_t *self, workphase_peer_t *peer,
+                        const workphase_list_t *list, const answer_t *answer,
+                        const igtl_moment_t *moment)
+{
+    char text[IGTL_REASON_SIZE];
+    const igtl_status_t held = {IGTL_STATUS_OK, workphase_name((int32_t)answer->workphase), text};
+
+    if ((answer->kind != (uint32_t)ANSWER_ACCEPTED) || (answer->command != (uint32_t)list->end)) {
+        tell_outcome(self, peer, list->word, answer, moment);
+        return;
+    }
+    (void)snprintf(text, sizeof text, "Checksum %u.", (unsigned)answer->argument);
+    igtl_tell_status(peer->outbox, list->word, &held, moment);
+}
+
+/* Of an item of an array the place is told behind the reason, when another one may come. */
 static void refuse_array(workphase_dialect_t *self, const igtl_request_t *request,
                          const answer_t *answer, const igtl_moment_t *moment)
 {
+    const workphase_list_t *list = self->array.list;
     char text[IGTL_REASON_SIZE] = "";
     const igtl_status_t status = {igtl_reason_code((status_t)answer->status),
                                   workphase_name((int32_t)answer->workphase), text};
 
     igtl_reason_text(self->robot, answer, moment, text);
-    if (request->kind == (uint32_t)COMMAND_LIST_ROW) {
+    if (request->kind == (uint32_t)list->add) {
         const size_t used = strlen(text);
 
-        (void)snprintf(&text[used], sizeof text - used, " Row %u.", (unsigned)request->argument);
+        (void)snprintf(&text[used], sizeof text - used, " %s %u.", list->title,
+                       (unsigned)request->argument);
     }
-    igtl_encode_status(&self->array.refusal, WORKPHASE_TRAJECTORY, &status, moment->timestamp);
+    igtl_encode_status(&self->array.refusal, list->word, &status, moment->timestamp);
     self->array.is_owed = true;
 }
 
@@ -261,15 +280,16 @@ static void answer_array(workphase_dialect_t *self, const igtl_request_t *reques
                          const answer_t *answer, const igtl_moment_t *moment)
 {
     workphase_peer_t *peer = &self->peers[request->peer];
+    const workphase_list_t *list = self->array.list;
 
     if (answer->kind == (uint32_t)ANSWER_REFUSED) {
         if (workphase_array_fail(&self->array)) {
             refuse_array(self, request, answer, moment);
         }
-    } else if (request->kind == (uint32_t)COMMAND_LIST_END) {
-        peer->sum = self->array.crc;
+    } else if (request->kind == (uint32_t)list->end) {
+        peer->sums[list->number] = self->array.crc;
         workphase_array_end(&self->array, request->peer);
-        tell_outcome(self, peer, WORKPHASE_TRAJECTORY, answer, moment);
+        answer_list(self, peer, list, answer, moment);
     } else {
         /* The next ones follow. */
     }
@@ -279,6 +299,7 @@ static void answer_by_kind(workphase_dialect_t *self, const igtl_request_t *requ
                            const answer_t *answer, const igtl_moment_t *moment)
 {
     workphase_peer_t *peer = &self->peers[request->peer];
+    const workphase_list_t *list = workphase_lists_of(request->kind);
 
     if (workphase_peer_is_motion(request->kind)) {
         answer_motion(self, request, answer, moment);
@@ -286,6 +307,10 @@ static void answer_by_kind(workphase_dialect_t *self, const igtl_request_t *requ
     }
     if (workphase_array_has(&self->array, request)) {
         answer_array(self, request, answer, moment);
+        return;
+    }
+    if (list != NULL) {
+        answer_list(self, peer, list, answer, moment);
         return;
     }
     switch (request->kind) {

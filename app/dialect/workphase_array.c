@@ -1,49 +1,22 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "dialect/workphase_array.h"
 
-#include "dialect/igtl_border.h"
+#include <stddef.h>
 
-#include <string.h>
-
-static bool is_of_list(uint32_t kind)
-{
-    return (kind == (uint32_t)COMMAND_LIST_BEGIN) || (kind == (uint32_t)COMMAND_LIST_ROW) ||
-           (kind == (uint32_t)COMMAND_LIST_END);
-}
-
-static status_t read_row(const igtl_message_t *message, uint32_t index, uint32_t axes,
-                         trajectory_row_t *row)
-{
-    const uint32_t first = index * message->columns;
-    int32_t time_ms = 0;
-    status_t status = igtl_border_read_whole(message, first, &time_ms);
-
-    if ((status == STATUS_OK) && (time_ms < 0)) {
-        status = STATUS_OUT_OF_RANGE;
-    }
-    *row = (trajectory_row_t){.time_ms = (uint32_t)time_ms};
-    for (uint32_t i = 0U; (i < axes) && (status == STATUS_OK); i++) {
-        status = igtl_border_read_whole(message, first + 1U + i, &row->ticks[i]);
-        if (status == STATUS_OK) {
-            status =
-                igtl_border_read_whole(message, first + 1U + axes + i, &row->speeds_ticks_per_s[i]);
-        }
-    }
-    return status;
-}
-
-status_t workphase_array_take(workphase_array_t *self, const robot_t *robot, uint32_t peer,
-                              const igtl_message_t *message)
+status_t workphase_array_take(workphase_array_t *self, const workphase_list_t *list,
+                              const robot_t *robot, uint32_t peer, const igtl_message_t *message)
 {
     status_t status = STATUS_OK;
 
     if (self->is_busy) {
         return STATUS_BUSY;
     }
-    if ((message->rows == 0U) || (message->rows > LIMIT_TRAJECTORY_ROWS) ||
-        (message->columns != (1U + (2U * robot->axis_count)))) {
+    if ((message->rows == 0U) || (message->rows > list->most) ||
+        (message->columns != list->columns(robot))) {
         return STATUS_OUT_OF_RANGE;
     }
+    self->list = list;
+    self->robot = robot;
     self->has_failed = false;
     self->is_owed = false;
     self->peer = peer;
@@ -51,8 +24,8 @@ status_t workphase_array_take(workphase_array_t *self, const robot_t *robot, uin
     self->count = message->rows;
     self->crc = 0U;
     for (uint32_t i = 0U; (i < self->count) && (status == STATUS_OK); i++) {
-        status = read_row(message, i, robot->axis_count, &self->rows[i]);
-        self->crc = trajectory_list_crc(self->crc, &self->rows[i]);
+        status = list->read_row(robot, message, i, &self->items[i]);
+        self->crc = (status == STATUS_OK) ? list->sum(self->crc, &self->items[i]) : 0U;
     }
     self->is_busy = status == STATUS_OK;
     return status;
@@ -65,8 +38,8 @@ bool workphase_array_is_awaited(const igtl_requests_t *requests, uint32_t peer)
     for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
         const igtl_request_t *request = &requests->requests[i];
 
-        is_awaited = is_awaited ||
-                     ((request->id != 0U) && (request->peer == peer) && is_of_list(request->kind));
+        is_awaited = is_awaited || ((request->id != 0U) && (request->peer == peer) &&
+                                    (workphase_lists_of(request->kind) != NULL));
     }
     return is_awaited;
 }
@@ -74,7 +47,7 @@ bool workphase_array_is_awaited(const igtl_requests_t *requests, uint32_t peer)
 bool workphase_array_has(const workphase_array_t *self, const igtl_request_t *request)
 {
     return self->is_busy && (request->id != 0U) && (request->peer == self->peer) &&
-           is_of_list(request->kind);
+           (workphase_lists_of(request->kind) != NULL);
 }
 
 static uint32_t on_their_way(const workphase_array_t *self, const igtl_requests_t *requests)
@@ -89,23 +62,17 @@ static uint32_t on_their_way(const workphase_array_t *self, const igtl_requests_
 
 static command_t command_of(const workphase_array_t *self, uint32_t number)
 {
-    command_t command = {.peer = number};
+    const workphase_list_t *list = self->list;
+    command_t command = {.kind = (uint32_t)list->end, .argument = self->crc};
 
     if (self->next == 0U) {
-        command.kind = (uint32_t)COMMAND_LIST_BEGIN;
-        command.argument = self->count;
+        command = (command_t){.kind = (uint32_t)list->begin, .argument = self->count};
     } else if (self->next <= self->count) {
-        const trajectory_row_t *row = &self->rows[self->next - 1U];
-
-        command.kind = (uint32_t)COMMAND_LIST_ROW;
-        command.argument = self->next - 1U;
-        command.value = (int32_t)row->time_ms;
-        (void)memcpy(command.ticks, row->ticks, sizeof command.ticks);
-        (void)memcpy(command.speeds, row->speeds_ticks_per_s, sizeof command.speeds);
+        command = list->command(self->robot, self->next - 1U, &self->items[self->next - 1U]);
     } else {
-        command.kind = (uint32_t)COMMAND_LIST_END;
-        command.argument = self->crc;
+        /* It is the end. */
     }
+    command.peer = number;
     return command;
 }
 

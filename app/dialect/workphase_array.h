@@ -1,50 +1,52 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * A trajectory that came as one NDARRAY, on its way to the controller: the commands of the STRINGs
- * of workphase_trajectory.h, made here. The array is read whole before the first of them; one array
- * at a time.
+ * A list that came as one NDARRAY, on its way to the controller: the commands of the STRINGs of
+ * workphase_lists.h, made here. The array is read whole before the first of them; one array at a
+ * time.
  */
 #ifndef BORESIGHT_WORKPHASE_ARRAY_H
 #define BORESIGHT_WORKPHASE_ARRAY_H
 
 #include "dialect/igtl_requests.h"
+#include "dialect/workphase_lists.h"
 #include "interface/status.h"
 #include "limits/requirement_limits.h"
 #include "message/igtl_codec.h"
 #include "message/igtl_packet.h"
-#include "mode/trajectory_row.h"
 #include "robot/robot.h"
 
 #include <stdbool.h>
 #include <stdint.h>
 
-/** All zero but for the rows: none is on its way. */
+/** All zero but for the items: none is on its way. */
 typedef struct {
     bool is_busy;
     bool has_failed; /**< Nothing more of it is passed on; some of it may wait for an answer. */
     uint32_t peer;   /**< Whose it is. */
-    bool is_owed;    /**< `refusal` is told once nothing of it is on its way. */
+    const workphase_list_t *list; /**< Of which kind. */
+    const robot_t *robot;
+    bool is_owed; /**< `refusal` is told once nothing of it is on its way. */
     igtl_packet_t refusal;
-    uint32_t next; /**< To be passed on: 0 the begin, 1 to `count` a row, then the end. */
+    uint32_t next; /**< To be passed on: 0 the begin, 1 to `count` an item, then the end. */
     uint32_t count;
-    uint32_t crc;                                 /**< trajectory_list_crc() of all rows. */
-    trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS]; /**< Beyond `count`: undefined. */
+    uint32_t crc;                                  /**< Checksum of the list. */
+    workphase_item_t items[LIMIT_TRAJECTORY_ROWS]; /**< Beyond `count`: undefined. */
 } workphase_array_t;
 
 /**
- * Takes an array of `peer`: in each row ms, ticks of each axis, ticks/s of each axis, all of them
- * whole numbers. What is refused changes nothing unless an earlier array has ended.
+ * Takes an array of `peer`, an item in each row. What is refused changes nothing unless an earlier
+ * array has ended.
  *
  * @return STATUS_OK; STATUS_BUSY while one is on its way; STATUS_NOT_FINITE; STATUS_OUT_OF_RANGE
- * for rows or columns too few or too many, or a number that is not whole or too large
+ * for rows or columns too few or too many, or a number that no item has; as its reader
  *
  * @satisfies SWR-TRAJ-022
  * @satisfies SWR-TRAJ-023
  * @satisfies SWR-TRAJ-024
  */
-status_t workphase_array_take(workphase_array_t *self, const robot_t *robot, uint32_t peer,
-                              const igtl_message_t *message);
+status_t workphase_array_take(workphase_array_t *self, const workphase_list_t *list,
+                              const robot_t *robot, uint32_t peer, const igtl_message_t *message);
 
 /** Something of a list of `peer`, be it of an array or not, waits for its answer: what is answered
  * would be taken for another list's. */

@@ -5,6 +5,7 @@
 #include "dialect/workphase_answer.h"
 #include "dialect/workphase_peer.h"
 #include "dialect/workphase_poll.h"
+#include "dialect/workphase_program.h"
 #include "dialect/workphase_receive.h"
 #include "dialect/workphase_watch.h"
 
@@ -13,7 +14,7 @@
 
 void workphase_dialect_init(workphase_dialect_t *self, const robot_t *robot, uint32_t first_id)
 {
-    (void)memset(self, 0, offsetof(workphase_dialect_t, array.rows));
+    (void)memset(self, 0, offsetof(workphase_dialect_t, array.items));
     self->robot = robot;
     self->controller = IGTL_NOBODY;
     self->is_new = true;
@@ -211,6 +212,19 @@ static void stream_position(workphase_dialect_t *self, const igtl_moment_t *mome
     }
 }
 
+static void follow_program(workphase_dialect_t *self, const igtl_moment_t *moment)
+{
+    for (uint32_t i = 0U; i < IGTL_REQUESTS; i++) {
+        const igtl_request_t *request = &self->requests.requests[i];
+
+        if ((request->id != 0U) && request->is_accepted && (request->peer != IGTL_NOBODY) &&
+            (request->kind == (uint32_t)COMMAND_RUN_PROGRAM) &&
+            (self->peers[request->peer].pending == 0U)) {
+            workphase_program_follow(&self->peers[request->peer], moment);
+        }
+    }
+}
+
 static void tell_no_answer(workphase_dialect_t *self, const igtl_request_t *request,
                            const igtl_moment_t *moment)
 {
@@ -241,6 +255,7 @@ void workphase_dialect_step(workphase_dialect_t *self, const igtl_moment_t *mome
     }
     workphase_watch_step(self, moment);
     stream_position(self, moment);
+    follow_program(self, moment);
 }
 
 void workphase_dialect_control_lost(workphase_dialect_t *self, const igtl_moment_t *moment)

@@ -15,6 +15,7 @@
 #include "dialect/igtl_questions.h"
 #include "dialect/igtl_requests.h"
 #include "dialect/workphase_array.h"
+#include "dialect/workphase_lists.h"
 #include "message/igtl_outbox.h"
 #include "interface/command.h"
 #include "robot/robot.h"
@@ -65,8 +66,9 @@ typedef struct {
     uint32_t pending; /**< Id of its newest workphase or motion without an answer, 0: none. */
     workphase_end_t end;
     workphase_tip_t tip;
-    const char *motion; /**< By which word it asked for its last motion. */
-    uint32_t sum;       /**< Of the rows of a trajectory that it has sent. */
+    const char *motion;                  /**< By which word it asked for its last motion. */
+    uint32_t sums[WORKPHASE_LIST_COUNT]; /**< Of the items that it has sent, by the kind of list. */
+    uint32_t steps_told; /**< How many steps of its program it was told to be done. */
     igtl_tracking_t tracking;
     workphase_extra_t extras[WORKPHASE_EXTRAS];
     uint32_t extra_count;
@@ -101,7 +103,7 @@ typedef struct {
     uint32_t controller;       /**< Peer that has authority as control shows it, or IGTL_NOBODY. */
     uint64_t next_position_us; /**< When the next CURRENT_POSITION is due. */
     bool is_new;               /**< What connections of an earlier run had is not released yet. */
-    workphase_array_t array;   /**< The last, as its rows are. */
+    workphase_array_t array;   /**< The last, as its items are. */
 } workphase_dialect_t;
 
 /** `first_id` numbers the commands, even. */

@@ -5,6 +5,7 @@
 #include "base/rigid.h"
 #include "charts/arming_chart.h"
 #include "dialect/workphase_peer.h"
+#include "dialect/workphase_program.h"
 #include "limits/requirement_limits.h"
 
 #include <stddef.h>
@@ -15,15 +16,20 @@ typedef enum {
     QUESTION_POSITION = 1,
     QUESTION_STATUS = 2,
     QUESTION_ALIGNED = 3,
-    QUESTION_REACHED = 4
+    QUESTION_REACHED = 4,
+    QUESTION_PROGRAM = 5
 } question_t;
 
-static const char *const question_names[] = {"", "CURRENT_POSITION", "CURRENT_STATUS",
-                                             "IS_IN_TARGETING_POS", "HAS_REACHED_TARGET"};
+static const char *const question_names[] = {"",
+                                             "CURRENT_POSITION",
+                                             "CURRENT_STATUS",
+                                             "IS_IN_TARGETING_POS",
+                                             "HAS_REACHED_TARGET",
+                                             WORKPHASE_PROGRESS};
 
 static question_t question_of(const char *text, size_t length)
 {
-    for (uint32_t i = (uint32_t)QUESTION_POSITION; i <= (uint32_t)QUESTION_REACHED; i++) {
+    for (uint32_t i = (uint32_t)QUESTION_POSITION; i <= (uint32_t)QUESTION_PROGRAM; i++) {
         if ((strlen(question_names[i]) == length) &&
             (memcmp(question_names[i], text, length) == 0)) {
             return (question_t)i;
@@ -125,6 +131,9 @@ bool workphase_poll_string(workphase_peer_t *peer, const igtl_message_t *message
         return true;
     case QUESTION_REACHED:
         tell_reached(peer, moment);
+        return true;
+    case QUESTION_PROGRAM:
+        workphase_program_tell(peer, moment);
         return true;
     case QUESTION_NONE:
     default:

@@ -11,7 +11,7 @@
 
 /**
  * Answers a STRING that asks, by its text or its name: CURRENT_POSITION, CURRENT_STATUS,
- * IS_IN_TARGETING_POS, HAS_REACHED_TARGET.
+ * IS_IN_TARGETING_POS, HAS_REACHED_TARGET, CURRENT_PROGRAM.
  *
  * @return false when it asks for none of them
  *

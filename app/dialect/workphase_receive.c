@@ -2,10 +2,10 @@
 #include "dialect/workphase_receive.h"
 
 #include "dialect/igtl_border.h"
+#include "dialect/workphase_lists.h"
 #include "dialect/workphase_needle.h"
 #include "dialect/workphase_peer.h"
 #include "dialect/workphase_poll.h"
-#include "dialect/workphase_trajectory.h"
 #include "dialect/workphase_words.h"
 #include "interface/app/names.h"
 #include "limits/requirement_limits.h"
@@ -115,11 +115,11 @@ static void receive_phase(workphase_dialect_t *self, uint32_t index, workphase_t
 }
 
 /* What may end an order is awaited. */
-static bool pass_word(workphase_dialect_t *self, uint32_t index, const workphase_word_t *word,
+static bool pass_word(workphase_dialect_t *self, uint32_t index, const char *word,
                       command_t *command, const igtl_moment_t *moment)
 {
     if (workphase_peer_is_motion(command->kind)) {
-        self->peers[index].motion = word->word;
+        self->peers[index].motion = word;
         return request(self, index, command, moment) != 0U;
     }
     return igtl_requests_add(&self->requests, index, command, moment->patience_us) != NULL;
@@ -134,7 +134,7 @@ static void receive_word(workphase_dialect_t *self, uint32_t index, const workph
                           ? STATUS_NO_AUTHORITY
                           : workphase_words_read(word, self->robot, message, &command);
 
-    if ((status == STATUS_OK) && !pass_word(self, index, word, &command, moment)) {
+    if ((status == STATUS_OK) && !pass_word(self, index, word->word, &command, moment)) {
         status = STATUS_BUSY;
     }
     if (status != STATUS_OK) {
@@ -143,38 +143,39 @@ static void receive_word(workphase_dialect_t *self, uint32_t index, const workph
 }
 
 /* A row is longer than a word's text, and what was sent of a list is remembered. */
-static void receive_trajectory(workphase_dialect_t *self, uint32_t index,
-                               const igtl_message_t *message, const igtl_moment_t *moment)
+static void receive_list(workphase_dialect_t *self, uint32_t index, const workphase_list_t *list,
+                         const igtl_message_t *message, const igtl_moment_t *moment)
 {
-    static const workphase_word_t word = {.word = WORKPHASE_TRAJECTORY};
     workphase_peer_t *peer = &self->peers[index];
+    uint32_t sum = peer->sums[list->number];
     command_t command = {.peer = peer->number};
     status_t status = is_others(self, index)
                           ? STATUS_NO_AUTHORITY
-                          : workphase_trajectory_read(self->robot, message, peer->sum, &command);
+                          : workphase_lists_read(list, self->robot, message, &sum, &command);
 
     if (status != STATUS_OK) {
         /* It is none, or another's. */
     } else if (self->array.is_busy && (self->array.peer == index)) {
-        status = STATUS_BUSY; /* Rows of two lists would be mixed. */
-    } else if (pass_word(self, index, &word, &command, moment)) {
-        peer->sum = workphase_trajectory_sum(peer->sum, &command);
+        status = STATUS_BUSY; /* Items of two lists would be mixed. */
+    } else if (pass_word(self, index, list->word, &command, moment)) {
+        peer->sums[list->number] = sum;
+        peer->steps_told = 0U;
     } else {
         status = STATUS_BUSY;
     }
     if (status != STATUS_OK) {
-        igtl_tell_refusal(peer->outbox, WORKPHASE_TRAJECTORY, status, moment);
+        igtl_tell_refusal(peer->outbox, list->word, status, moment);
     }
 }
 
 /* Its begin goes on at once, or the array is refused. */
-static status_t begin_array(workphase_dialect_t *self, uint32_t index,
+static status_t begin_array(workphase_dialect_t *self, uint32_t index, const workphase_list_t *list,
                             const igtl_message_t *message, const igtl_moment_t *moment)
 {
     workphase_array_t *array = &self->array;
     const status_t status = workphase_array_is_awaited(&self->requests, index)
                                 ? STATUS_BUSY
-                                : workphase_array_take(array, self->robot, index, message);
+                                : workphase_array_take(array, list, self->robot, index, message);
 
     if (status != STATUS_OK) {
         return status;
@@ -190,11 +191,12 @@ static status_t begin_array(workphase_dialect_t *self, uint32_t index,
 void workphase_receive_array(workphase_dialect_t *self, uint32_t index,
                              const igtl_message_t *message, const igtl_moment_t *moment)
 {
+    const workphase_list_t *list = workphase_lists_named(message->name);
     status_t status = STATUS_UNKNOWN_COMMAND;
 
-    if (strcmp(message->name, WORKPHASE_TRAJECTORY) == 0) {
+    if (list != NULL) {
         status = is_others(self, index) ? STATUS_NO_AUTHORITY
-                                        : begin_array(self, index, message, moment);
+                                        : begin_array(self, index, list, message, moment);
     }
     if (status != STATUS_OK) {
         igtl_tell_refusal(self->peers[index].outbox, message->name, status, moment);
@@ -206,13 +208,14 @@ static bool receive_other(workphase_dialect_t *self, uint32_t index, const igtl_
                           const igtl_moment_t *moment)
 {
     const workphase_word_t *word = workphase_words_find(message);
+    const workphase_list_t *list = workphase_lists_find(message);
 
     if (word != NULL) {
         receive_word(self, index, word, message, moment);
         return true;
     }
-    if (workphase_trajectory_is(message)) {
-        receive_trajectory(self, index, message, moment);
+    if (list != NULL) {
+        receive_list(self, index, list, message, moment);
         return true;
     }
     return workphase_poll_string(&self->peers[index], message, moment);
@@ -348,7 +351,7 @@ void workphase_receive_go_on(workphase_dialect_t *self, const igtl_moment_t *mom
     workphase_peer_t *peer = &self->peers[array->peer];
 
     if (array->is_busy && is_others(self, array->peer) && workphase_array_fail(array)) {
-        igtl_tell_refusal(peer->outbox, WORKPHASE_TRAJECTORY, STATUS_NO_AUTHORITY, moment);
+        igtl_tell_refusal(peer->outbox, array->list->word, STATUS_NO_AUTHORITY, moment);
     }
     workphase_array_step(array, &self->requests, peer->number, moment->patience_us);
     if (array->is_owed && !array->is_busy && (peer->outbox != NULL)) {

@@ -32,6 +32,36 @@ bool workphase_text_number(const char *word, double most, double *number)
     return (end != word) && (*end == '\0') && (fabs(*number) <= most);
 }
 
+static bool read_whole(const char *word, const char *characters, int64_t most, int64_t *number)
+{
+    char *end = NULL;
+
+    *number = 0;
+    if ((word == NULL) || (word[strspn(word, characters)] != '\0')) {
+        return false;
+    }
+    *number = (int64_t)strtoll(word, &end, 10);
+    return (end != word) && (*end == '\0') && (*number <= most) && (*number >= (-most - 1));
+}
+
+bool workphase_text_whole(const char *word, int32_t *number)
+{
+    int64_t value;
+    const bool is_one = read_whole(word, "+-0123456789", INT32_MAX, &value);
+
+    *number = (int32_t)value;
+    return is_one;
+}
+
+bool workphase_text_natural(const char *word, uint32_t *number)
+{
+    int64_t value;
+    const bool is_one = read_whole(word, "0123456789", UINT32_MAX, &value);
+
+    *number = (uint32_t)value;
+    return is_one;
+}
+
 bool workphase_text_ticks(const char *word, const axis_config_t *axis, int32_t *ticks)
 {
     double number;

@@ -1,103 +1,84 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "dialect/workphase_trajectory.h"
 
+#include "common/list_terms.h"
+#include "dialect/igtl_border.h"
+#include "dialect/workphase_text.h"
 #include "limits/requirement_limits.h"
-#include "mode/trajectory_row.h"
 
-#include <stdlib.h>
-#include <string.h>
-
-static const char word[] = WORKPHASE_TRAJECTORY;
-
-bool workphase_trajectory_is(const igtl_message_t *message)
+/* `time_ms` of a row that is OK otherwise. */
+static status_t put_time(int32_t time_ms, trajectory_row_t *row)
 {
-    const size_t length = sizeof word - 1U;
-    return (message->text_bytes >= length) && (memcmp(message->text, word, length) == 0) &&
-           ((message->text_bytes == length) || (message->text[length] == ' '));
+    row->time_ms = (uint32_t)time_ms;
+    return (time_ms >= 0) ? STATUS_OK : STATUS_OUT_OF_RANGE;
 }
 
-/* The next word of `*rest`, a whole number. */
-static bool read_number(char **rest, int32_t *number)
+static status_t read_words(const robot_t *robot, char **text, workphase_item_t *item)
 {
-    char *end = NULL;
-    const char *text = strtok_r(NULL, " ", rest);
-    if ((text == NULL) || (strspn(text, "+-0123456789") != strlen(text))) {
-        return false;
-    }
-    const long value = strtol(text, &end, 10);
-    *number = (int32_t)value;
-    return (end != text) && (*end == '\0') && (value >= INT32_MIN) && (value <= INT32_MAX);
-}
+    trajectory_row_t *row = &item->row;
+    int32_t time_ms = 0;
+    bool is_one = workphase_text_whole(workphase_text_next(text), &time_ms);
 
-static bool read_natural(char **rest, uint32_t *number)
-{
-    int32_t value = 0;
-    const bool is_one = read_number(rest, &value) && (value >= 0);
-    *number = (uint32_t)value;
-    return is_one;
-}
-
-static bool read_row(const robot_t *robot, char **rest, command_t *command)
-{
-    bool is_one = read_natural(rest, &command->argument) && read_number(rest, &command->value) &&
-                  (command->value >= 0);
+    *row = (trajectory_row_t){.time_ms = 0U};
     for (uint32_t i = 0U; (i < robot->axis_count) && is_one; i++) {
-        is_one = read_number(rest, &command->ticks[i]);
+        is_one = workphase_text_whole(workphase_text_next(text), &row->ticks[i]);
     }
     for (uint32_t i = 0U; (i < robot->axis_count) && is_one; i++) {
-        is_one = read_number(rest, &command->speeds[i]);
+        is_one = workphase_text_whole(workphase_text_next(text), &row->speeds_ticks_per_s[i]);
     }
-    return is_one;
+    return is_one ? put_time(time_ms, row) : STATUS_OUT_OF_RANGE;
 }
 
-static status_t read_words(const robot_t *robot, char *text, uint32_t sum, command_t *command)
+static uint32_t columns(const robot_t *robot)
 {
-    char *rest = NULL;
-    const char *what = strtok_r(text, " ", &rest);
-    bool is_one = true;
-    if (what == NULL) {
-        return STATUS_UNKNOWN_COMMAND;
-    }
-    if (strcmp(what, "BEGIN") == 0) {
-        command->kind = (uint32_t)COMMAND_LIST_BEGIN;
-        is_one = read_natural(&rest, &command->argument);
-    } else if (strcmp(what, "ROW") == 0) {
-        command->kind = (uint32_t)COMMAND_LIST_ROW;
-        is_one = read_row(robot, &rest, command);
-    } else if ((strcmp(what, "END") == 0) || (strcmp(what, "RUN") == 0)) {
-        command->kind = (strcmp(what, "END") == 0) ? (uint32_t)COMMAND_LIST_END
-                                                   : (uint32_t)COMMAND_RUN_TRAJECTORY;
-        command->argument = sum;
-    } else {
-        return STATUS_UNKNOWN_COMMAND;
-    }
-    return (is_one && (strtok_r(NULL, " ", &rest) == NULL)) ? STATUS_OK : STATUS_OUT_OF_RANGE;
+    return 1U + (2U * robot->axis_count);
 }
 
-status_t workphase_trajectory_read(const robot_t *robot, const igtl_message_t *message,
-                                   uint32_t sum, command_t *command)
+static status_t read_row(const robot_t *robot, const igtl_message_t *message, uint32_t index,
+                         workphase_item_t *item)
 {
-    char text[LIMIT_TRAJECTORY_TEXT_BYTES + 1U];
-    const size_t length = (size_t)message->text_bytes - (sizeof word - 1U);
+    const uint32_t axes = robot->axis_count;
+    const uint32_t first = index * message->columns;
+    trajectory_row_t *row = &item->row;
+    int32_t time_ms = 0;
+    status_t status = igtl_border_read_whole(message, first, &time_ms);
 
-    if (length > LIMIT_TRAJECTORY_TEXT_BYTES) {
-        return STATUS_OUT_OF_RANGE;
+    *row = (trajectory_row_t){.time_ms = 0U};
+    if (status == STATUS_OK) {
+        status = put_time(time_ms, row);
     }
-    (void)memcpy(text, &message->text[sizeof word - 1U], length);
-    text[length] = '\0';
-    return read_words(robot, text, sum, command);
+    for (uint32_t i = 0U; (i < axes) && (status == STATUS_OK); i++) {
+        status = igtl_border_read_whole(message, first + 1U + i, &row->ticks[i]);
+        if (status == STATUS_OK) {
+            status =
+                igtl_border_read_whole(message, first + 1U + axes + i, &row->speeds_ticks_per_s[i]);
+        }
+    }
+    return status;
 }
 
-uint32_t workphase_trajectory_sum(uint32_t sum, const command_t *command)
+static command_t command_of(const robot_t *robot, uint32_t index, const workphase_item_t *item)
 {
-    trajectory_row_t row = {.time_ms = (uint32_t)command->value};
-    if (command->kind == (uint32_t)COMMAND_LIST_BEGIN) {
-        return 0U;
-    }
-    if (command->kind != (uint32_t)COMMAND_LIST_ROW) {
-        return sum;
-    }
-    (void)memcpy(row.ticks, command->ticks, sizeof row.ticks);
-    (void)memcpy(row.speeds_ticks_per_s, command->speeds, sizeof row.speeds_ticks_per_s);
-    return trajectory_list_crc(sum, &row);
+    (void)robot;
+    return list_terms_row_command(index, &item->row);
 }
+
+static uint32_t sum_with(uint32_t sum, const workphase_item_t *item)
+{
+    return trajectory_list_crc(sum, &item->row);
+}
+
+const workphase_list_t workphase_trajectory = {.number = 0U,
+                                               .word = "TRAJECTORY",
+                                               .item = "ROW",
+                                               .title = "Row",
+                                               .most = LIMIT_TRAJECTORY_ROWS,
+                                               .begin = COMMAND_LIST_BEGIN,
+                                               .add = COMMAND_LIST_ROW,
+                                               .end = COMMAND_LIST_END,
+                                               .run = COMMAND_RUN_TRAJECTORY,
+                                               .read_words = read_words,
+                                               .columns = columns,
+                                               .read_row = read_row,
+                                               .command = command_of,
+                                               .sum = sum_with};

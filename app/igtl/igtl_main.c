@@ -43,6 +43,7 @@ typedef struct {
     igtl_server_t servers[IGTL_PORTS];
     uint32_t count; /* Of servers. */
     uint64_t next_show_us;
+    uint32_t numbers; /**< Sum of the next numbers of connections when they were shown last. */
     snapshot_t snapshot;
     igtl_moment_t moment;
     char holder[EXCHANGE_TITLE_SIZE];
@@ -213,6 +214,21 @@ static void show(void)
     }
 }
 
+/* Whoever sees what a newcomer has sent finds it in the table. */
+static void show_newcomers(void)
+{
+    uint32_t numbers = 0U;
+
+    for (uint32_t i = 0U; i < process.count; i++) {
+        numbers += process.servers[i].next_number;
+    }
+    if (numbers != process.numbers) {
+        process.numbers = numbers;
+        process.next_show_us = 0U;
+        show();
+    }
+}
+
 /* What people ask of a connection. Its number says its port. */
 static void obey_orders(void)
 {
@@ -239,6 +255,7 @@ static void turn(void)
         igtl_server_receive(&process.servers[i], &process.moment);
     }
     send_all(); /* Acknowledgements wait for nobody. */
+    show_newcomers();
     pass_commands();
     take_answers();
     watch_control();

@@ -136,11 +136,11 @@ static void put_trajectories(grammar_message_t *self, uint32_t number)
     }
 }
 
-/* So many rows for the robot of seven axes, mostly well formed. */
+/* So many rows for the robot of seven axes, or steps, mostly well formed. */
 static void put_array(grammar_message_t *self, uint32_t number)
 {
     const uint32_t rows = number % 8U;
-    const uint32_t columns = ((number % 32U) == 31U) ? 14U : 15U;
+    const uint32_t columns = ((number % 32U) == 31U) ? 14U : ((number < 128U) ? 15U : 4U);
 
     put(self, ((number / 8U) % 16U == 1U) ? 6U : 10U, 1U);
     put(self, 2U, 1U);

@@ -304,10 +304,6 @@ void test_SWR_PROG_010_a_program_is_taken_for_a_target_and_at_rest_alone(void)
     rigid_set_identity(&identity);
     rig_register(&rig, &identity);
     TEST_ASSERT_EQUAL_UINT32(STATUS_NO_TARGET, send(COMMAND_PROGRAM_BEGIN, 1U).status);
-    const command_t command = {.kind = (uint32_t)COMMAND_PROGRAM_BEGIN,
-                               .source = (uint32_t)COMMAND_SOURCE_IGTL,
-                               .peer = RIG_CONNECTION};
-    TEST_ASSERT_EQUAL_UINT32(STATUS_NOT_ALLOWED, rig_command(&rig, command).status);
 }
 
 void test_SWR_PROG_010_a_refused_step_is_named_and_nothing_is_held(void)

@@ -132,6 +132,65 @@ class TestHttpAxes < Minitest::Test
     run_act(anna, 'needle/retract')
   end
 
+  # Lined up with a target 3 mm in.
+  def line_up(client)
+    %w[PLANNING CALIBRATION].each { |phase| client.phase(phase) }
+    client.run('registration 1 0 0 0 0 1 0 0 0 0 1 0')
+    client.run('expect STATUS CALIBRATION 1')
+    client.phase('TARGETING')
+    client.run('transform ENTRY_1 1 0 0 17 0 1 0 246 0 0 1 68')
+    client.run('target -1 0 0 17 0 0 -1 207 0 -1 0 68')
+    client.run('expect STATUS TARGET 1')
+    under_pedal(client, 'ALIGN')
+  end
+
+  def under_pedal(client, word)
+    boresight.simctl('pedal', 'release')
+    client.run("string #{word}")
+    client.run("expect STATUS ACK_#{word} 1")
+    boresight.simctl('pedal', 'press')
+    client.run("expect STATUS #{word} 1")
+  ensure
+    boresight.simctl('pedal', 'release')
+  end
+
+  # The checksum that its end tells.
+  def send_steps(client, *steps)
+    lines = ["BEGIN #{steps.size}", *steps.each_with_index.map { |step, index| "STEP #{index} #{step}" }, 'END']
+    told = lines.map do |line|
+      client.run("string Text PROGRAM #{line}")
+      client.status('PROGRAM').values_at('code', 'text')
+    end
+    assert_equal [1], told.map(&:first).uniq
+    Integer(told.last.last[/\AChecksum (\d+)\.\z/, 1])
+  end
+
+  def test_SWR_PROG_013_a_client_of_openigtlink_sends_a_program_and_runs_it_to_its_dose
+    IgtlClient.open(boresight.brp_port) do |client|
+      line_up(client)
+      client.run('array PROGRAM 64 4 2 0 1 0 5 0 1 0')
+      assert_match(/\APROGRAM_DEPTH: .* Step 1\.\z/, client.status('PROGRAM')['text'])
+      checksum = send_steps(client, '2 20 0.1', '2.9 0 600 GATE')
+      wait_until('it is shown') { fetch_json(PROGRAM).values_at('steps', 'source', 'checksum') == [2, 'IGTL', checksum] }
+      client.phase('MOVE_TO_TARGET')
+      client.run('expect STATUS CURRENT_STATUS 1')
+      client.run('string Text PROGRAM RUN 7')
+      client.run('expect STATUS PROGRAM 10')
+      client.run("string Text PROGRAM RUN #{checksum}")
+      client.run('expect STATUS ACK_PROGRAM 1')
+      boresight.simctl('pedal', 'press')
+      assert_equal "2 #{checksum} 1", client.await('STRING', 'CURRENT_PROGRAM')['text'][/\A\d+ \d+ \d+/]
+      wait_until('it dwells') { fetch_json(PROGRAM)['dwelt_s'].positive? }
+      boresight.simctl('gate', 'dose')
+      assert client.run('expect STATUS PROGRAM 1')
+      assert_in_delta 9667, ticks('insertion'), 40
+      under_pedal(client, 'RETRACT_NEEDLE')
+    end
+  ensure
+    boresight.simctl('gate', 'off')
+    boresight.simctl('pedal', 'release')
+  end
+
   def test_SWR_AXIS_044_one_axis_homes_under_the_pedal_alone
     anna = holder('anna')
     assert_answer '202', 'accepted', anna.act('motors/yaw/home')

@@ -170,7 +170,6 @@ class TestIgtlPlanning < Minitest::Test
   def test_SWR_IGTL_071_a_proposal_is_shown_with_its_client_and_its_age_until_it_is_withdrawn
     planning do |client|
       client.run('traj Path both 5 205 60 5 190 61')
-      client.await('POINT', 'target_point')
       boresight.wait_until('both are shown') { shown_proposer('target_by') }
       first = %w[entry_by target_by].map { |by| shown_proposer(by) }
       first.each { |by| assert_match(/\AIGTL transforms 127\.0\.0\.1:\d+\z/, by.values_at('source', 'name').join(' ')) }

@@ -8,6 +8,7 @@
 #include "base/rigid.h"
 #include "charts/arming_chart.h"
 #include "common/axis_terms.h"
+#include "common/list_terms.h"
 #include "dialect/igtl_border.h"
 #include "dialect/igtl_dialect.h"
 #include "dialect/igtl_questions.h"
@@ -15,9 +16,11 @@
 #include "dialect/workphase_answer.h"
 #include "dialect/workphase_array.h"
 #include "dialect/workphase_dialect.h"
+#include "dialect/workphase_lists.h"
 #include "dialect/workphase_needle.h"
 #include "dialect/workphase_peer.h"
 #include "dialect/workphase_poll.h"
+#include "dialect/workphase_program.h"
 #include "dialect/workphase_receive.h"
 #include "dialect/workphase_text.h"
 #include "dialect/workphase_trajectory.h"
@@ -29,6 +32,7 @@
 #include "message/igtl_crc64.h"
 #include "message/igtl_packet.h"
 #include "message/igtl_outbox.h"
+#include "mode/program_step.h"
 #include "mode/trajectory_row.h"
 #include "limits/requirement_limits.h"
 #include "robot/robot_cards.h"
@@ -119,11 +123,11 @@ void test_SWR_TRAJ_019_more_rows_than_have_room_are_refused_as_busy(void)
         say(0U, "Text", ROW);
         EXPECT(0U, "");
     }
-    const uint32_t sum = dialect.peers[0].sum;
+    const uint32_t sum = dialect.peers[0].sums[0];
     say(0U, "Text", ROW);
     const char *const told = igtl_peer_next(&outboxes[0]);
     TEST_ASSERT_NOT_NULL_MESSAGE(strstr(told, "|BUSY: "), told);
-    TEST_ASSERT_EQUAL_HEX32(sum, dialect.peers[0].sum);
+    TEST_ASSERT_EQUAL_HEX32(sum, dialect.peers[0].sums[0]);
 }
 
 static void expect_refusal(const char *text, const char *name)
@@ -135,6 +139,21 @@ static void expect_refusal(const char *text, const char *name)
     TEST_ASSERT_EQUAL_STRING_LEN("STATUS TRAJECTORY ", told, 18U);
     TEST_ASSERT_NOT_NULL_MESSAGE(strstr(told, line), told);
     expect_no_command();
+}
+
+void test_SWR_PROG_015_a_list_is_named_by_the_checksum_that_its_client_says(void)
+{
+    const uint32_t sum = send_list();
+
+    say(0U, "Text", "TRAJECTORY END 4294967295");
+    expect_command(COMMAND_LIST_END, UINT32_MAX);
+    answer_to(&command, ANSWER_REFUSED, STATUS_TRAJECTORY_ORDER, 1U);
+    EXPECT_BEGIN(0U, "STATUS TRAJECTORY 10 ");
+    say(0U, "Text", "TRAJECTORY RUN 7");
+    expect_command(COMMAND_RUN_TRAJECTORY, 7U);
+    answer_to(&command, ANSWER_REFUSED, STATUS_TRAJECTORY_SUM, 1U);
+    say(0U, "Text", "TRAJECTORY RUN");
+    expect_command(COMMAND_RUN_TRAJECTORY, sum);
 }
 
 void test_SWR_TRAJ_019_a_text_that_is_none_is_refused_by_name(void)
@@ -151,8 +170,9 @@ void test_SWR_TRAJ_019_a_text_that_is_none_is_refused_by_name(void)
     expect_refusal("TRAJECTORY BEGIN 1 2", "OUT_OF_RANGE");
     expect_refusal("TRAJECTORY BEGIN 99999999999", "OUT_OF_RANGE");
     expect_refusal("TRAJECTORY BEGIN +", "OUT_OF_RANGE");
-    expect_refusal("TRAJECTORY END 1", "OUT_OF_RANGE");
-    expect_refusal("TRAJECTORY RUN 1", "OUT_OF_RANGE");
+    expect_refusal("TRAJECTORY END 1 2", "OUT_OF_RANGE");
+    expect_refusal("TRAJECTORY END -1", "OUT_OF_RANGE");
+    expect_refusal("TRAJECTORY RUN 4294967296", "OUT_OF_RANGE");
     expect_refusal("TRAJECTORY ROW 0 -1500 1 2 3 4 5 6 7 0 0 0 0 0 0 0", "OUT_OF_RANGE");
     expect_refusal("TRAJECTORY ROW 0 1500 1 2 3 4 5 6 7 0 0 0 0 0 0", "OUT_OF_RANGE");
     expect_refusal("TRAJECTORY ROW 0 1500 1 2 3 4 5 6 7 0 0 0 0 0 0 0 0", "OUT_OF_RANGE");

@@ -45,9 +45,11 @@ export function formatDuration(ms: number): string {
 
 /** Behind what somebody has sent; nothing when it is not known who. */
 export function formatOrigin(origin: Origin | null): string {
-  return origin === null
-    ? ""
-    : `, from ${origin.name}, ${formatDuration(origin.age_s * 1000)} ago`;
+  if (origin === null) {
+    return "";
+  }
+  const age = `${formatDuration(origin.age_s * 1000)} ago`;
+  return `, from ${origin.name}, ${age.replaceAll(" ", "\u00a0")}`;
 }
 
 /** So many numbers by spaces, commas or lines; null if the text is anything else. */

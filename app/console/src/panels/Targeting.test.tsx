@@ -15,7 +15,9 @@ function show(change: Partial<TargetingData>) {
 }
 
 function said(term: string): string | null | undefined {
-  return screen.getByText(term).nextElementSibling?.textContent;
+  return screen
+    .getByText(term)
+    .nextElementSibling?.textContent.replaceAll("\u00a0", " ");
 }
 
 test("SWR-PLAN-023 a registration without its rotation is shown as such", () => {

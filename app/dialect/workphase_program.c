@@ -1,0 +1,122 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "dialect/workphase_program.h"
+
+#include "common/list_terms.h"
+#include "dialect/igtl_border.h"
+#include "dialect/workphase_text.h"
+#include "interface/mode_list.h"
+#include "limits/requirement_limits.h"
+#include "message/igtl_packet.h"
+
+#include <float.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <string.h>
+
+#define US_PER_S 1e6
+#define PROGRESS_SIZE 64U
+
+static bool has_angle(const robot_t *robot)
+{
+    return program_step_turning_axis(robot) < robot->axis_count;
+}
+
+static status_t read_words(const robot_t *robot, char **text, workphase_item_t *item)
+{
+    told_step_t told = {.has_angle = has_angle(robot)};
+    const bool is_one = workphase_text_number(workphase_text_next(text), DBL_MAX, &told.depth) &&
+                        (!told.has_angle ||
+                         workphase_text_number(workphase_text_next(text), DBL_MAX, &told.angle)) &&
+                        workphase_text_number(workphase_text_next(text), DBL_MAX, &told.dwell_s);
+    const char *gate = is_one ? workphase_text_next(text) : NULL;
+
+    told.is_gated = (gate != NULL) && (strcmp(gate, "GATE") == 0);
+    return (is_one && (told.is_gated == (gate != NULL)))
+               ? list_terms_step(robot, &told, &item->step)
+               : STATUS_OUT_OF_RANGE;
+}
+
+static uint32_t columns(const robot_t *robot)
+{
+    return has_angle(robot) ? 4U : 3U;
+}
+
+static status_t read_row(const robot_t *robot, const igtl_message_t *message, uint32_t index,
+                         workphase_item_t *item)
+{
+    told_step_t told = {.has_angle = has_angle(robot)};
+    double *const numbers[] = {&told.depth, &told.angle, &told.dwell_s};
+    uint32_t at = index * message->columns;
+    int32_t gate = 0;
+    status_t status = STATUS_OK;
+
+    for (uint32_t i = 0U; (i < 3U) && (status == STATUS_OK); i++) {
+        if ((numbers[i] != &told.angle) || told.has_angle) {
+            status = igtl_border_read_double(message, at, numbers[i]);
+            at++;
+        }
+    }
+    if (status == STATUS_OK) {
+        status = igtl_border_read_whole(message, at, &gate);
+    }
+    if ((status == STATUS_OK) && ((gate < 0) || (gate > 1))) {
+        status = STATUS_OUT_OF_RANGE;
+    }
+    told.is_gated = gate == 1;
+    return (status == STATUS_OK) ? list_terms_step(robot, &told, &item->step) : status;
+}
+
+static command_t command_of(const robot_t *robot, uint32_t index, const workphase_item_t *item)
+{
+    return list_terms_step_command(robot, index, &item->step);
+}
+
+static uint32_t sum_with(uint32_t sum, const workphase_item_t *item)
+{
+    return program_list_crc(sum, &item->step);
+}
+
+const workphase_list_t workphase_program = {.number = 1U,
+                                            .word = "PROGRAM",
+                                            .item = "STEP",
+                                            .title = "Step",
+                                            .most = LIMIT_PROGRAM_STEPS,
+                                            .begin = COMMAND_PROGRAM_BEGIN,
+                                            .add = COMMAND_PROGRAM_STEP,
+                                            .end = COMMAND_PROGRAM_END,
+                                            .run = COMMAND_RUN_PROGRAM,
+                                            .read_words = read_words,
+                                            .columns = columns,
+                                            .read_row = read_row,
+                                            .command = command_of,
+                                            .sum = sum_with};
+
+void workphase_program_tell(workphase_peer_t *peer, const igtl_moment_t *moment)
+{
+    const snapshot_t *shown = moment->snapshot;
+    char text[PROGRESS_SIZE] = "0";
+    igtl_packet_t packet;
+
+    if (shown == NULL) {
+        igtl_tell_refusal(peer->outbox, WORKPHASE_PROGRESS, STATUS_NO_ANSWER, moment);
+        return;
+    }
+    if (shown->program_steps != 0U) {
+        (void)snprintf(text, sizeof text, "%u %u %u %.1f", (unsigned)shown->program_steps,
+                       (unsigned)shown->program_crc, (unsigned)shown->program_step,
+                       (double)shown->program_dwelt_us / US_PER_S);
+    }
+    igtl_encode_string(&packet, WORKPHASE_PROGRESS, text, moment->timestamp);
+    igtl_outbox_add(peer->outbox, &packet);
+}
+
+void workphase_program_follow(workphase_peer_t *peer, const igtl_moment_t *moment)
+{
+    const snapshot_t *shown = moment->snapshot;
+
+    if ((shown != NULL) && (shown->mode == (uint32_t)MODE_PROGRAM) &&
+        (shown->program_step != peer->steps_told)) {
+        peer->steps_told = shown->program_step;
+        workphase_program_tell(peer, moment);
+    }
+}
