@@ -16,6 +16,7 @@
 #include "exchange/exchange_rows.h"
 #include "exchange/exchange_segment.h"
 #include "mock_bsp.h"
+#include "mock_computer.h"
 #include "mock_controller.h"
 #include "mock_list_file.h"
 #include "mock_realtime.h"
@@ -64,6 +65,7 @@ typedef struct {
     uint32_t most_under_way;
     uint32_t kicks;
     uint32_t lamps; /* That were lit last. */
+    uint32_t unfit; /* As the controller was told in the last cycle. */
 } record_t;
 
 static char name[48];
@@ -74,6 +76,7 @@ static int end_signal;
 static bsp_slot_result_t fate; /* Of all frames. */
 static bool is_board_there;
 static bool is_wire_good;
+static bool is_simulated;
 static uint64_t late_ns; /* How much later than asked for each cycle wakes up. */
 static uint64_t now_ns;
 static card_command_t before[CARD_SLOT_COUNT];
@@ -188,6 +191,7 @@ static void step(controller_t *self, const robot_t *robot, const controller_inpu
     }
     if (self->cycle == LAST_CYCLE) {
         record->frames_received = given->frames_received;
+        record->unfit = given->unfit;
         (void)raise(end_signal);
     }
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
@@ -238,8 +242,11 @@ static bool open_board(const char *box, bsp_identity_t *identity, char *error, u
 {
     (void)box;
     (void)calls;
-    *identity = (bsp_identity_t){
-        .power_on = 1U, .robot_crc = board_robot_crc, .is_elastic = true, .slowness = 1U};
+    *identity = (bsp_identity_t){.power_on = 1U,
+                                 .robot_crc = board_robot_crc,
+                                 .is_elastic = true,
+                                 .is_simulated = is_simulated,
+                                 .slowness = 1U};
     if (!is_board_there) {
         (void)snprintf(error, error_size, "switch the box on");
     }
@@ -269,10 +276,25 @@ static void close_board(int calls)
     (void)calls;
 }
 
+#define RIGHTS 5U
+#define LACKS 3U
+
 static uint32_t acquire(int calls)
 {
     (void)calls;
-    return 0U;
+    return RIGHTS;
+}
+
+static void begin_computer(computer_t *self, const char *root, uint32_t rights, int calls)
+{
+    (void)calls;
+    self->lacks = ((rights == RIGHTS) && (root[0] == '\0')) ? LACKS : 0U;
+}
+
+static void look_at_computer(computer_t *self, loop_figures_t *figures_told, int calls)
+{
+    (void)calls;
+    figures_told->computer = self->lacks;
 }
 
 void setUp(void)
@@ -283,6 +305,7 @@ void setUp(void)
     fate = BSP_SLOT_OK;
     is_board_there = true;
     is_wire_good = true;
+    is_simulated = true;
     late_ns = 0U;
     (void)snprintf(name, sizeof name, "boresight-test-main-%d", (int)getpid());
     segment = exchange_create(name, error, sizeof error);
@@ -306,6 +329,8 @@ void setUp(void)
     list_file_take_Stub(take_list);
     list_count = WITHOUT_LIST;
     realtime_acquire_Stub(acquire);
+    computer_begin_Stub(begin_computer);
+    computer_look_Stub(look_at_computer);
     realtime_now_ns_Stub(tell_now);
 }
 
@@ -513,6 +538,27 @@ void test_SWR_CTRL_012_frames_leave_in_the_cycle_that_made_them(void)
         TEST_ASSERT_EQUAL_UINT32(100U + cycle, record->heard[cycle].lowest_sequence);
     }
     TEST_ASSERT_EQUAL_UINT32(1U, record->most_under_way);
+}
+
+static void expect_told(uint32_t lacks)
+{
+    loop_figures_t told = {0};
+    const int status = control_ends(BY_SIGNAL, SIGTERM);
+    TEST_ASSERT_EQUAL_INT(0, WEXITSTATUS(status));
+    TEST_ASSERT_EQUAL_HEX32(lacks, record->unfit);
+    TEST_ASSERT_TRUE(exchange_read_loop(segment, &told));
+    TEST_ASSERT_EQUAL_HEX32(LACKS, told.computer); /* Which is shown in both cases. */
+}
+
+void test_SWR_LOOP_007_on_a_real_board_the_controller_is_told_what_the_computer_lacks(void)
+{
+    is_simulated = false;
+    expect_told(LACKS);
+}
+
+void test_SWR_LOOP_007_a_simulated_board_does_without(void)
+{
+    expect_told(0U);
 }
 
 void test_SWR_LOOP_005_cycles_are_counted_by_how_long_each_stage_took(void)
