@@ -79,7 +79,10 @@ ifeq ($(filter $(BOARDS),$(BOARD)),)
 $(error There is no board "$(BOARD)"; choose one of these with BOARD: $(BOARDS))
 endif
 include bsp/$(BOARD)/board.mk
-BOARD_TABLE := $(GEN)/board/board.c
+# What differs between boards stands here. `make boards` links with each of the others in a folder of its own, so that
+# build/bin stays as it is.
+APART ?= build
+BOARD_TABLE := $(APART)/gen/board/board.c
 # Orders to its box; most boards take none.
 BENCH := $(or $(BOARD_BENCH),bsp/no_bench.c)
 CLOCK := app/common/clock.c
@@ -147,10 +150,10 @@ $(GEN)/robot/kinematics.c: build/robots $(wildcard core/robot/*/kinematics.yml) 
 $(FIND_ROBOT): $(GEN)/robot/kinematics.c ;
 
 # Which board there is; control is linked anew when it is another one.
-build/board: FORCE
-	@mkdir -p build; echo '$(BOARD)' | cmp -s - $@ || echo '$(BOARD)' >$@
+$(APART)/board: FORCE
+	@mkdir -p $(@D); echo '$(BOARD)' | cmp -s - $@ || echo '$(BOARD)' >$@
 
-$(BOARD_TABLE): bsp/$(BOARD)/board.yml build/board tools/boards.rb tools/robot/document.rb $(GEN)/limits/requirement_limits.h
+$(BOARD_TABLE): bsp/$(BOARD)/board.yml $(APART)/board tools/boards.rb tools/robot/document.rb $(GEN)/limits/requirement_limits.h
 	@ruby tools/boards.rb bsp/$(BOARD) $(GEN)/limits/requirement_limits.h $(@D)
 
 INTERFACE_PARTS := $(wildcard core/interface/*.yml core/robot/*/kinematics.yml tools/interface_compiler.rb tools/interface/*.rb)
@@ -194,6 +197,7 @@ object = $(patsubst %.c,$(OUT)/%.o,$(1))
 
 $(OUT)/core/%.o: FLAGS = $(CORE_INCLUDES) $(HARDENED_CORE)
 $(OUT)/$(GEN)/%.o: FLAGS = $(APP_INCLUDES)
+$(OUT)/$(APART)/gen/board/%.o: FLAGS = $(APP_INCLUDES)
 $(OUT)/bsp/%.o: FLAGS = -D_GNU_SOURCE $(BSP_INCLUDES)
 $(OUT)/app/%.o: FLAGS = -D_GNU_SOURCE $(APP_INCLUDES) -DBORESIGHT_BUILD_ID='"$(BUILD_ID)"' -DBORESIGHT_VERSION='"$(VERSION)"'
 $(OUT)/verification/%.o: FLAGS = -D_GNU_SOURCE $(TEST_INCLUDES)
@@ -214,13 +218,15 @@ $(call object,$(wildcard app/recorder/*.c app/replay/*.c app/http/*.c) $(COMMAND
 $(OUT)/libcore.a: $(call object,$(CORE_SOURCES))
 	@rm -f $@; ar rcs $@ $^
 
+LINKED := $(if $(filter build,$(APART)),$(OUT),$(APART))/bin
 define program
-$(OUT)/bin/$(1): $(call object,$(SOURCES_$(1)) $(COMMAND_LINE) $(NO_LOOKUP)) $(OUT)/libcore.a
+$(LINKED)/$(1): $(call object,$(SOURCES_$(1)) $(COMMAND_LINE) $(NO_LOOKUP)) $(OUT)/libcore.a
 	@mkdir -p $$(@D)
 	@$$(CC) $$(CFLAGS) $$(LDFLAGS) $$(filter %.o %.a,$$^) $(LIBS_$(1)) -lrt -lm -o $$@
 	@echo "built $$@"
 endef
 $(foreach p,$(PROGRAMS),$(eval $(call program,$(p))))
+
 # Debian has these two as shared libraries only. Without TLS: it would load a library.
 STATIC_LIBS := $(OUT)/lib/libcivetweb.a $(OUT)/lib/libcjson.a
 $(OUT)/lib/libcivetweb.a: $(ARMHF)/source/civetweb/src/civetweb.c
@@ -231,8 +237,8 @@ $(STATIC_LIBS):
 	@mkdir -p $(@D)
 	@$(CC) -O2 -g $(EXTRA) $(HARDENED_$(CONFIG)) $(LIBRARY_FLAGS) -c $< -o $(@:.a=.o)
 	@rm -f $@; ar rcs $@ $(@:.a=.o)
-$(OUT)/bin/boresight-http: $(if $(filter arm,$(CONFIG)),$(STATIC_LIBS))
-$(OUT)/bin/boresight-control $(OUT)/bin/boresight-http: build/board
+$(LINKED)/boresight-http: $(if $(filter arm,$(CONFIG)),$(STATIC_LIBS))
+$(LINKED)/boresight-control $(LINKED)/boresight-http: $(APART)/board
 
 $(BIN)/%: build/gcc/bin/%
 	@mkdir -p $(BIN); cp $< $@.new; mv $@.new $@

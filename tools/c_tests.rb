@@ -19,10 +19,11 @@ class CTests
   UNITY = Dir['.tools/gems/gems/ceedling-*/vendor/unity'].first
   CMOCK = Dir['.tools/gems/gems/ceedling-*/vendor/cmock'].first
   FLAGS = %w[-std=c99 -g -O1 -ffp-contract=off -D_GNU_SOURCE -DUNITY_INCLUDE_DOUBLE -DUNITY_SUPPORT_64
-             -DUNITY_INT_WIDTH=32].freeze
+             -DUNITY_INT_WIDTH=32 -isystem/usr/include/umockdev-1.0 -isystem/usr/include/glib-2.0
+             -isystem/usr/lib/x86_64-linux-gnu/glib-2.0/include].freeze
   WAYS = {
     'asan' => { compiler: %w[gcc -fsanitize=address,undefined -fno-sanitize-recover=all], runner: [],
-                libraries: %w[-lzstd -lcrypto -lcrypt -lpthread -lrt -lm] },
+                libraries: %w[-Wl,--as-needed -lzstd -lcrypto -lcrypt -lpthread -lrt -lm -lumockdev -lgobject-2.0 -lglib-2.0] },
     'arm' => { compiler: %w[arm-linux-gnueabihf-gcc -mcpu=cortex-a9 -mfpu=vfpv3-d16 -static], runner: %w[qemu-arm],
                libraries: %w[-lm] }
   }.freeze
@@ -79,11 +80,14 @@ class CTests
 
   def tests(way)
     files = Dir['verification/{unit,integration}/test_*.c', "#{ROBOT_TESTS}/test_*.c", 'build/gen/tests/test_*.c']
-    (way == 'arm' ? files.reject { |file| needs_app?(file) } : files).sort
+    (way == 'arm' ? files.reject { |file| needs_more?(file) } : files).sort
   end
 
-  def needs_app?(file)
-    headers_of(file).any? { |header| File.exist?("app/#{header}.h") }
+  # More than core and simulated box.
+  def needs_more?(file)
+    headers_of(file).any? do |header|
+      File.exist?("app/#{header}.h") || (File.exist?("bsp/#{header}.h") && !header.start_with?('sim/'))
+    end
   end
 
   def headers_of(file)
@@ -130,7 +134,7 @@ class CTests
   # @return their sources
   def make_mocks
     names = @tests.flat_map { |test| headers_of(test) }.grep(MOCK).uniq
-    headers = names.map { |name| Dir["{core/*,core/*/*,app/*,bsp/include}/#{name.sub(MOCK, '')}.h"].fetch(0) }
+    headers = names.map { |name| Dir["{core/*,core/*/*,app/*,bsp/include,/usr/include}/#{name.sub(MOCK, '')}.h"].fetch(0) }
     @mocked = headers.map { |header| File.dirname(header) }.uniq
     call('ruby', "#{CMOCK}/lib/cmock.rb", '-oproject.yml', "--mock_path=#{@mocks}", *headers)
     names.map { |name| "#{@mocks}/#{name}.c" }

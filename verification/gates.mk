@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # What `make test` runs; included by the Makefile.
 
-.PHONY: gate one generated unit coverage misra sanitize arm console-test objects programs trace demo velocity sweep worst-case \
+.PHONY: gate one generated boards apart unit coverage misra sanitize arm console-test objects programs trace demo velocity sweep worst-case \
     worst-case-approve
 
 test: bootstrap-test ## Run everything that can fail; the last line is `N passed, N failed`
@@ -31,7 +31,8 @@ one: bootstrap-test ## One file of tests: make one NAME=test_encoder
 	@$(MAKE) --no-print-directory -j2 $(if $(filter %.c,$(ONE)),generated build/gcc/libtest-core.a,programs)
 	@$(if $(filter %.c,$(ONE)),$(CEEDLING) test:$(NAME),env -u MAKEFLAGS -u MAKELEVEL -u NAME ruby $(ONE) -v)
 
-ALL_APP := $(wildcard app/*/*.c bsp/sim/*.c)
+ALL_APP := $(wildcard app/*/*.c bsp/*/*.c)
+OTHER_BOARDS := $(filter-out sim,$(BOARDS))
 # What is verified runs on the simulated control box, whichever board the programs are for.
 BOX_SOURCES := $(filter-out %_main.c bsp/sim/bsp_sim.c bsp/sim/bench_sim.c bsp/sim/wire.c,$(wildcard bsp/sim/*.c)) \
     app/control/board_inputs.c
@@ -42,6 +43,13 @@ OBJECTS := $(call object,$(CORE_SOURCES) $(ALL_APP) bsp/no_bench.c $(NAMES) $(GE
 generated: $(GENERATED)
 
 objects: $(OBJECTS)
+
+boards: $(OTHER_BOARDS:%=board-%) ## All programs of the boards that are not simulated: build/boards
+
+board-%:
+	@$(MAKE) --no-print-directory BOARD=$* APART=build/boards/$* apart
+
+apart: $(PROGRAMS:%=$(LINKED)/%)
 
 programs: $(BINARIES) $(BIN)/boresight-client $(BIN)/codec-oracle $(BIN)/decode-differ
 
@@ -74,7 +82,8 @@ worst-case: bootstrap-test generated ## What each chart costs at most, in instru
 worst-case-approve: worst-case
 	@cp build/conformance/worst_case.yml verification/model/worst_case.yml
 
-TESTED := $(filter-out %_main.c app/supervisor/%,$(CORE_SOURCES) $(ALL_APP)) app/supervisor/status_parts.c \
+# A test of another board brings its bsp_<name>.c along: there is one bsp_open() in a program.
+TESTED := $(filter-out %_main.c app/supervisor/% $(foreach board,$(OTHER_BOARDS),bsp/$(board)/bsp_$(board).c),$(CORE_SOURCES) $(ALL_APP)) app/supervisor/status_parts.c \
     $(NAMES) $(GEN)/interface/app/event_words.c $(GEN)/interface/app/fields.c $(GEN)/interface/app/requests.c $(FIND_ROBOT)
 $(OUT)/libtest.a: $(call object,$(TESTED))
 	@rm -f $@; ar rcs $@ $^
@@ -83,7 +92,7 @@ sanitize: ## All C tests under AddressSanitizer and UBSan
 	@$(MAKE) --no-print-directory -j2 CONFIG=asan build/asan/libtest.a
 	ruby tools/c_tests.rb asan
 
-ARM_TESTED := $(filter-out app/%,$(TESTED)) app/control/board_inputs.c
+ARM_TESTED := $(filter-out app/% $(OTHER_BOARDS:%=bsp/%/%),$(TESTED)) app/control/board_inputs.c
 $(OUT)/libtest-core.a: $(call object,$(ARM_TESTED))
 	@rm -f $@; ar rcs $@ $^
 

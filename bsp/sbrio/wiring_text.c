@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "sbrio/wiring_text.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+bool wiring_refuse(const wiring_reader_t *reader, const char *what, const char *why)
+{
+    (void)snprintf(reader->error, reader->error_size, "The wiring is wrong in line %u: \"%s\" %s.",
+                   (unsigned)reader->line, what, why);
+    return false;
+}
+
+char *wiring_cut(char **rest, const char *ends)
+{
+    char *part = *rest;
+    char *const end = part + strcspn(part, ends);
+
+    *rest = (*end == '\0') ? NULL : (end + 1);
+    *end = '\0';
+    while (isspace((unsigned char)*part) != 0) {
+        part++;
+    }
+    for (char *last = part + strlen(part);
+         (last > part) && (isspace((unsigned char)last[-1]) != 0);) {
+        last--;
+        *last = '\0';
+    }
+    return part;
+}
+
+bool wiring_number(const char *text, uint32_t least, uint32_t most, uint32_t *number)
+{
+    char *end = NULL;
+
+    if (isdigit((unsigned char)*text) == 0) {
+        return false;
+    }
+    errno = 0;
+    const unsigned long value = strtoul(text, &end, 10);
+    *number = (uint32_t)value;
+    return (errno == 0) && (*end == '\0') && (value >= least) && (value <= most);
+}
+
+bool wiring_path(const wiring_reader_t *reader, const char *text, char path[WIRING_PATH_SIZE])
+{
+    if (text[0] != '/') {
+        return wiring_refuse(reader, text, "is no device; give its path, such as /dev/...");
+    }
+    if (strlen(text) >= WIRING_PATH_SIZE) {
+        return wiring_refuse(reader, text, "is too long for a path");
+    }
+    (void)memcpy(path, text, strlen(text) + 1U);
+    return true;
+}
+
+bool wiring_load(const char *path, char text[WIRING_TEXT_SIZE], char *error, uint32_t error_size)
+{
+    FILE *const file = fopen(path, "re");
+
+    if (file == NULL) {
+        (void)snprintf(
+            error, error_size,
+            "The wiring \"%s\" cannot be read (%s); write the file, or name another one.", path,
+            strerror(errno));
+        return false;
+    }
+    const size_t size = fread(text, 1U, WIRING_TEXT_SIZE, file);
+    const bool is_read = ferror(file) == 0;
+    (void)fclose(file);
+    if (!is_read || (size == WIRING_TEXT_SIZE)) {
+        (void)snprintf(error, error_size,
+                       "The wiring \"%s\" cannot be read; it must be a text of less than %u bytes.",
+                       path, WIRING_TEXT_SIZE);
+        return false;
+    }
+    text[size] = '\0';
+    return true;
+}
