@@ -25,8 +25,8 @@
 #include "sim/sim_encoder.h"
 #include "sim/sim_motor.h"
 
-#include "gpio_world.h"
-#include "spi_world.h"
+#include "unit/support/gpio_world.h"
+#include "unit/support/spi_world.h"
 
 #include <signal.h>
 #include <sys/time.h>

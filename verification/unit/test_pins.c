@@ -9,7 +9,7 @@
 #include "mock_gpiod.h"
 #include "sbrio/pins.h"
 
-#include "gpio_world.h"
+#include "unit/support/gpio_world.h"
 
 #include <fcntl.h>
 
