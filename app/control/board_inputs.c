@@ -2,6 +2,9 @@
 #include "control/board_inputs.h"
 
 #include <stdbool.h>
+#include <string.h>
+
+#define NS_PER_US 1000U
 
 static uint32_t flag(bool is_set)
 {
@@ -23,4 +26,39 @@ void board_inputs_take(board_inputs_t *self, const bsp_inputs_t *sampled,
     inputs->confirm_pressed = flag((levels & BSP_IN_CONFIRM) != 0U);
     inputs->dose_reached = flag((low & BSP_IN_DOSE_BELOW) != 0U);
     inputs->treatment_stopped = flag((low & BSP_IN_TREATMENT_MAY) != 0U);
+}
+
+/* 0: there was none. */
+static uint64_t time_of(const bsp_exchange_t *exchanged)
+{
+    return (exchanged->received != 0U) ? exchanged->finished_ns : exchanged->started_ns;
+}
+
+void board_inputs_receive(board_inputs_t *self, const bsp_exchange_t *exchanged,
+                          controller_inputs_t *inputs)
+{
+    const uint64_t now_ns = time_of(exchanged);
+    const uint64_t before_ns = self->exchanged_ns;
+    const bool is_known = (before_ns != 0U) && (now_ns > before_ns);
+
+    inputs->frames_received = exchanged->received;
+    inputs->reported_us = inputs->elapsed_us;
+    if (is_known) {
+        const uint64_t us = ((now_ns - before_ns) + (NS_PER_US / 2U)) / NS_PER_US;
+        inputs->reported_us = (us < UINT32_MAX) ? (uint32_t)us : UINT32_MAX;
+    }
+    self->exchanged_ns = now_ns;
+}
+
+void board_inputs_note(const bsp_inputs_t *sampled, const bsp_exchange_t *exchanged,
+                       cycle_board_t *said)
+{
+    *said = (cycle_board_t){.sampled_us = (uint32_t)(sampled->sampled_ns / NS_PER_US),
+                            .levels = sampled->levels,
+                            .dropped = sampled->dropped,
+                            .valid = sampled->valid,
+                            .started_us = (uint32_t)(exchanged->started_ns / NS_PER_US),
+                            .finished_us = (uint32_t)(exchanged->finished_ns / NS_PER_US),
+                            .error = exchanged->error};
+    (void)memcpy(said->results, exchanged->results, sizeof said->results);
 }

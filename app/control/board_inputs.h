@@ -5,12 +5,15 @@
 
 #include "bsp.h"
 #include "controller/controller.h"
+#include "exchange/exchange.h"
 
 #include <stdint.h>
 
 /** At first all zero: nothing was read yet. */
 typedef struct {
     uint32_t known; /**< BSP_IN_ bits that were ever read: the box has them. */
+    uint32_t reserved;
+    uint64_t exchanged_ns; /**< When the last frames were exchanged; 0: never. */
 } board_inputs_t;
 
 /**
@@ -22,5 +25,24 @@ typedef struct {
  */
 void board_inputs_take(board_inputs_t *self, const bsp_inputs_t *sampled,
                        controller_inputs_t *inputs);
+
+/**
+ * Sets which frames were received, and between which exchanges what they tell of has lasted;
+ * `elapsed_us` stands for that as long as there were no two. An exchange is at the time of its end
+ * if something came back.
+ *
+ * @satisfies SWR-CTRL-014
+ */
+void board_inputs_receive(board_inputs_t *self, const bsp_exchange_t *exchanged,
+                          controller_inputs_t *inputs);
+
+/**
+ * What the board said in this cycle, for the record: `exchanged` is the exchange that was ended in
+ * it.
+ *
+ * @satisfies SWR-REC-018
+ */
+void board_inputs_note(const bsp_inputs_t *sampled, const bsp_exchange_t *exchanged,
+                       cycle_board_t *said);
 
 #endif

@@ -164,7 +164,7 @@ static void gather_inputs(uint64_t elapsed_ns)
     board_inputs_take(&board_inputs, &sampled, &inputs);
     bsp_finish(bsp_now_ns() + (UINT64_C(1000) * LIMIT_EXCHANGE_TIMEOUT_US), inputs.frames,
                &exchanged);
-    inputs.frames_received = exchanged.received;
+    board_inputs_receive(&board_inputs, &exchanged, &inputs);
     inputs.silent_sources = silent_sources();
     inputs.unfit = board.is_simulated ? 0U : computer.lacks;
     inputs.command_count = exchange_take_commands(exchange, inputs.commands, CONTROLLER_COMMANDS);
@@ -191,6 +191,7 @@ static void record_cycle(uint32_t cycle)
         record->cycle = cycle;
         record->body.cycle.inputs = inputs;
         record->body.cycle.outputs = outputs;
+        board_inputs_note(&sampled, &exchanged, &record->body.cycle.board);
         exchange_commit_cycle(exchange);
     }
 }

@@ -125,8 +125,7 @@ static void put_proof(const proof_t *proof, sink_t *sink)
     }
 }
 
-size_t cycle_code_encode(cycle_code_t *self, prover_t *prover, bool is_whole,
-                         const controller_inputs_t *inputs, const controller_outputs_t *outputs,
+size_t cycle_code_encode(cycle_code_t *self, prover_t *prover, bool is_whole, const cycle_t *cycle,
                          uint8_t *bytes)
 {
     uint32_t kept[CYCLE_WORDS_KEPT];
@@ -134,12 +133,12 @@ size_t cycle_code_encode(cycle_code_t *self, prover_t *prover, bool is_whole,
     proof_t proof;
     sink_t sink = {.bytes = bytes, .size = 1U};
 
-    cycle_words_of_kept(inputs, outputs, kept);
-    cycle_words_of_checked(outputs, checked);
+    cycle_words_of_kept(cycle, kept);
+    cycle_words_of_checked(&cycle->outputs, checked);
     if (is_whole) {
         prover_begin(prover);
     }
-    prover_take(prover, inputs->elapsed_us, checked, &proof);
+    prover_take(prover, cycle->inputs.elapsed_us, checked, &proof);
     put_changes(self->trends, kept, &sink);
     if (is_whole) {
         bytes[0] = (uint8_t)CYCLE_WHOLE;
@@ -219,8 +218,7 @@ static void get_proof(proof_t *proof, source_t *source)
     }
 }
 
-size_t cycle_code_decode(cycle_code_t *self, const uint8_t *bytes, size_t size,
-                         controller_inputs_t *inputs, controller_outputs_t *outputs,
+size_t cycle_code_decode(cycle_code_t *self, const uint8_t *bytes, size_t size, cycle_t *cycle,
                          cycle_known_t *known)
 {
     uint32_t kept[CYCLE_WORDS_KEPT];
@@ -229,19 +227,19 @@ size_t cycle_code_decode(cycle_code_t *self, const uint8_t *bytes, size_t size,
     const uint32_t kind = get_byte(&source);
 
     (void)memset(known, 0, sizeof *known);
-    (void)memset(outputs, 0, sizeof *outputs);
+    (void)memset(&cycle->outputs, 0, sizeof cycle->outputs);
     if (kind > (uint32_t)CYCLE_WHOLE) {
         return 0U;
     }
     get_changes(self->trends, kept, (kind == (uint32_t)CYCLE_QUIET) ? NULL : &source);
-    cycle_words_to_kept(kept, inputs, outputs);
+    cycle_words_to_kept(kept, cycle);
     if (kind == (uint32_t)CYCLE_CHANGES) {
         get_proof(&known->proof, &source);
     }
     if (kind == (uint32_t)CYCLE_WHOLE) {
         known->is_whole = true;
         get_all(checked, CYCLE_WORDS_CHECKED, &source);
-        cycle_words_to_checked(checked, outputs);
+        cycle_words_to_checked(checked, &cycle->outputs);
     }
     return source.is_bad ? 0U : source.next;
 }

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * A cycle as bytes: a kind, and what is not as expected (trend.h). Inputs, commands, answers and
- * events come back as they were; of snapshot and outgoing frames there is a proof, or, in a cycle
- * that is kept whole, they themselves.
+ * A cycle as bytes: a kind, and what is not as expected (trend.h). Inputs, commands, answers,
+ * events and what the board said come back as they were; of snapshot and outgoing frames there is a
+ * proof, or, in a cycle that is kept whole, they themselves.
  *
  *     kind     a byte, cycle_kind_t
  *     changes  of the words of cycle_words_of_kept(), not in a quiet cycle
@@ -38,7 +38,7 @@ typedef struct {
     trend_t trends[CYCLE_WORDS_KEPT];
 } cycle_code_t;
 
-/** What is known of a recorded cycle beside inputs, answers and events, or of a checkpoint beside
+/** What is known of a recorded cycle beside what comes back as it was, or of a checkpoint beside
  * the state. */
 typedef struct {
     bool is_whole; /**< Snapshot and frames were kept; otherwise there is a proof. */
@@ -58,18 +58,16 @@ void cycle_code_begin(cycle_code_t *self);
  * @satisfies SWR-REC-006
  * @satisfies SWR-REC-009
  */
-size_t cycle_code_encode(cycle_code_t *self, prover_t *prover, bool is_whole,
-                         const controller_inputs_t *inputs, const controller_outputs_t *outputs,
+size_t cycle_code_encode(cycle_code_t *self, prover_t *prover, bool is_whole, const cycle_t *cycle,
                          uint8_t *bytes);
 
 /**
- * Reads the cycle at the beginning of `bytes`, whatever they are; what was not kept of `outputs` is
- * zero.
+ * Reads the cycle at the beginning of `bytes`, whatever they are; what was not kept of its outputs
+ * is zero.
  *
  * @return bytes read; 0 when these are not the bytes of a cycle
  */
-size_t cycle_code_decode(cycle_code_t *self, const uint8_t *bytes, size_t size,
-                         controller_inputs_t *inputs, controller_outputs_t *outputs,
+size_t cycle_code_decode(cycle_code_t *self, const uint8_t *bytes, size_t size, cycle_t *cycle,
                          cycle_known_t *known);
 
 #endif

@@ -13,6 +13,7 @@
 CHECK(report_fits, sizeof(card_report_t) <= CARD_FRAME_BYTES);
 CHECK(command_fits, sizeof(card_command_t) <= CARD_FRAME_BYTES);
 CHECK(snapshot_is_of_words, (sizeof(snapshot_t) % sizeof(uint32_t)) == 0U);
+CHECK(board_is_of_words, sizeof(cycle_board_t) == (7U * sizeof(uint32_t)) + CARD_SLOT_COUNT + 2U);
 CHECK(inputs_have_no_padding,
       sizeof(controller_inputs_t) ==
           (offsetof(controller_inputs_t, frames) + (CARD_SLOT_COUNT * CARD_FRAME_BYTES)));
@@ -65,16 +66,17 @@ static void take_command(uint32_t words[CYCLE_WORDS_FRAME], const uint8_t bytes[
     take_bytes(words, bytes);
 }
 
-void cycle_words_of_kept(const controller_inputs_t *inputs, const controller_outputs_t *outputs,
-                         uint32_t words[CYCLE_WORDS_KEPT])
+void cycle_words_of_kept(const cycle_t *cycle, uint32_t words[CYCLE_WORDS_KEPT])
 {
     uint32_t *const frames = &words[CYCLE_WORDS_LEVELS];
+    uint32_t *const said = &frames[CYCLE_WORDS_FRAMES];
 
-    (void)memcpy(words, inputs, CYCLE_WORDS_LEVELS * sizeof(uint32_t));
+    (void)memcpy(words, &cycle->inputs, CYCLE_WORDS_LEVELS * sizeof(uint32_t));
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
-        take_report(&frames[slot * CYCLE_WORDS_FRAME], inputs->frames[slot], slot);
+        take_report(&frames[slot * CYCLE_WORDS_FRAME], cycle->inputs.frames[slot], slot);
     }
-    (void)memcpy(&frames[CYCLE_WORDS_FRAMES], outputs, CYCLE_WORDS_SAID * sizeof(uint32_t));
+    (void)memcpy(said, &cycle->outputs, CYCLE_WORDS_SAID * sizeof(uint32_t));
+    (void)memcpy(&said[CYCLE_WORDS_SAID], &cycle->board, sizeof cycle->board);
 }
 
 void cycle_words_of_checked(const controller_outputs_t *outputs,
@@ -115,16 +117,17 @@ static void give_command(const uint32_t words[CYCLE_WORDS_FRAME], uint8_t bytes[
     card_frame_encode_command(&command, bytes);
 }
 
-void cycle_words_to_kept(const uint32_t words[CYCLE_WORDS_KEPT], controller_inputs_t *inputs,
-                         controller_outputs_t *outputs)
+void cycle_words_to_kept(const uint32_t words[CYCLE_WORDS_KEPT], cycle_t *cycle)
 {
     const uint32_t *const frames = &words[CYCLE_WORDS_LEVELS];
+    const uint32_t *const said = &frames[CYCLE_WORDS_FRAMES];
 
-    (void)memcpy(inputs, words, CYCLE_WORDS_LEVELS * sizeof(uint32_t));
+    (void)memcpy(&cycle->inputs, words, CYCLE_WORDS_LEVELS * sizeof(uint32_t));
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
-        give_report(&frames[slot * CYCLE_WORDS_FRAME], inputs->frames[slot], slot);
+        give_report(&frames[slot * CYCLE_WORDS_FRAME], cycle->inputs.frames[slot], slot);
     }
-    (void)memcpy(outputs, &frames[CYCLE_WORDS_FRAMES], CYCLE_WORDS_SAID * sizeof(uint32_t));
+    (void)memcpy(&cycle->outputs, said, CYCLE_WORDS_SAID * sizeof(uint32_t));
+    (void)memcpy(&cycle->board, &said[CYCLE_WORDS_SAID], sizeof cycle->board);
 }
 
 void cycle_words_to_checked(const uint32_t words[CYCLE_WORDS_CHECKED],

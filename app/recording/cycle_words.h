@@ -22,22 +22,24 @@
 #define CYCLE_WORDS_SAID (offsetof(controller_outputs_t, snapshot) / sizeof(uint32_t))
 #define CYCLE_WORDS_SNAPSHOT (sizeof(snapshot_t) / sizeof(uint32_t))
 
-/** Of the inputs, then of the outputs before the snapshot: counts, answers and events. */
-#define CYCLE_WORDS_KEPT (CYCLE_WORDS_LEVELS + CYCLE_WORDS_FRAMES + CYCLE_WORDS_SAID)
+#define CYCLE_WORDS_BOARD (sizeof(cycle_board_t) / sizeof(uint32_t))
+
+/** Of the inputs, then of the outputs before the snapshot (counts, answers and events), then what
+ * the board said. */
+#define CYCLE_WORDS_KEPT                                                                           \
+    (CYCLE_WORDS_LEVELS + CYCLE_WORDS_FRAMES + CYCLE_WORDS_SAID + CYCLE_WORDS_BOARD)
 /** Of the rest of the outputs: snapshot, then frames in the order of the slots. */
 #define CYCLE_WORDS_CHECKED (CYCLE_WORDS_SNAPSHOT + CYCLE_WORDS_FRAMES)
 /** Which of the kept words is the time that has passed. */
 #define CYCLE_WORDS_ELAPSED (offsetof(controller_inputs_t, elapsed_us) / sizeof(uint32_t))
 
-void cycle_words_of_kept(const controller_inputs_t *inputs, const controller_outputs_t *outputs,
-                         uint32_t words[CYCLE_WORDS_KEPT]);
+void cycle_words_of_kept(const cycle_t *cycle, uint32_t words[CYCLE_WORDS_KEPT]);
 void cycle_words_of_checked(const controller_outputs_t *outputs,
                             uint32_t words[CYCLE_WORDS_CHECKED]);
 
-/** The reverse, whatever the words are. Writes all of `inputs`, and of `outputs` what stands before
- * the snapshot. */
-void cycle_words_to_kept(const uint32_t words[CYCLE_WORDS_KEPT], controller_inputs_t *inputs,
-                         controller_outputs_t *outputs);
+/** The reverse, whatever the words are. Writes all but what of the outputs stands behind the
+ * events. */
+void cycle_words_to_kept(const uint32_t words[CYCLE_WORDS_KEPT], cycle_t *cycle);
 /** Writes snapshot and frames. */
 void cycle_words_to_checked(const uint32_t words[CYCLE_WORDS_CHECKED],
                             controller_outputs_t *outputs);

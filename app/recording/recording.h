@@ -31,7 +31,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define RECORDING_VERSION 3U
+#define RECORDING_VERSION 4U
 #define RECORDING_HASH_SIZE 32U
 #define RECORDING_HEADER_SIZE 256U
 #define RECORDING_FIELDS_SIZE 32U

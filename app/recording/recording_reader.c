@@ -142,7 +142,7 @@ static bool take_cycle(recording_reader_t *self, cycle_record_t *record, cycle_k
 {
     const size_t size =
         cycle_code_decode(&self->code, &self->raw[self->raw_next], self->raw_size - self->raw_next,
-                          &record->body.cycle.inputs, &record->body.cycle.outputs, known);
+                          &record->body.cycle, known);
 
     record->kind = (uint32_t)CYCLE_RECORD_CYCLE;
     self->raw_next += (uint32_t)size;

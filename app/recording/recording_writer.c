@@ -112,9 +112,9 @@ static void append_cycle(recording_writer_t *self, const cycle_record_t *record)
 {
     const bool is_whole = !self->has_whole || !self->has_checkpoint;
 
-    self->block.raw_size += (uint32_t)cycle_code_encode(
-        &self->code, &self->prover, is_whole, &record->body.cycle.inputs,
-        &record->body.cycle.outputs, &self->raw[self->block.raw_size]);
+    self->block.raw_size +=
+        (uint32_t)cycle_code_encode(&self->code, &self->prover, is_whole, &record->body.cycle,
+                                    &self->raw[self->block.raw_size]);
     self->has_whole = true;
     self->next_cycle = record->cycle + 1U;
 }

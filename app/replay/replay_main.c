@@ -5,8 +5,8 @@
  *
  * Exit code 0: every output equal. 1: a difference. 2: damaged, unreadable, not holding the records
  * it announces, of another format, layout or robot, or nothing to replay. 3: every output equal,
- * but the recording is cut short. The table, which is of the motion as replayed, ends alike; events
- * and intervals, which are in the recording, end with 0, 2 or 3.
+ * but the recording is cut short. The tables, which are of the motion as replayed, end alike;
+ * events and intervals, which are in the recording, end with 0, 2 or 3.
  */
 #include "base/contract.h"
 #include "common/build_id.h"
@@ -14,6 +14,7 @@
 #include "interface/interface_layout.h"
 #include "recording/cycle_words.h"
 #include "recording/recording_reader.h"
+#include "replay/board_table.h"
 #include "replay/replay.h"
 #include "replay/table.h"
 #include "robot/app/robot_names.h"
@@ -29,17 +30,18 @@
 #define EXIT_REFUSED 2
 #define EXIT_CUT_SHORT 3
 
-enum { TABLE = 0, EVENTS, LOOP, OPTIONS };
+enum { TABLE = 0, EVENTS, LOOP, BOARD, OPTIONS };
 
 static const command_option_t options[OPTIONS] = {
     [TABLE] = {"table", NULL, .says = "write the motion as comma-separated values instead"},
     [EVENTS] = {"events", NULL, .says = "write the events, a line each, instead"},
     [LOOP] = {"loop", NULL, .says = "write the interval of each cycle instead"},
+    [BOARD] = {"board", NULL, .says = "write what the board said, a row for each cycle, instead"},
 };
 static const command_line_t command_line = {
     .program = "boresight-replay",
     .says = "Verifies a recording and computes the motion of it again.",
-    .usage = "[--table | --events | --loop] FILE",
+    .usage = "[--table | --events | --loop | --board] FILE",
     .options = options,
     .count = OPTIONS,
     .fewest_words = 1,
@@ -257,28 +259,48 @@ static int replay_all(bool is_cut_short)
     return EXIT_EQUAL;
 }
 
-/* Of a cycle that was replayed, or at least kept whole. */
-static void print_row(void)
+/* Of a cycle that was replayed, or at least kept whole; NULL: nobody knows what it showed. */
+static const snapshot_t *find_shown(void)
 {
     if (replay.is_running) {
-        table_print_row(robot, record.cycle, &replay.outputs.snapshot);
-    } else if (known.is_whole) {
-        table_print_row(robot, record.cycle, &record.body.cycle.outputs.snapshot);
+        return &replay.outputs.snapshot;
+    }
+    return known.is_whole ? &record.body.cycle.outputs.snapshot : NULL;
+}
+
+static void print_names(bool is_of_board)
+{
+    if (is_of_board) {
+        board_table_print_names();
     } else {
-        /* Nobody knows what it showed. */
+        table_print_names(robot);
     }
 }
 
-static int print_table(bool is_cut_short)
+static void print_row(bool is_of_board)
+{
+    const snapshot_t *shown = find_shown();
+
+    if (shown == NULL) {
+        return;
+    }
+    if (is_of_board) {
+        board_table_print_row(&record, shown);
+    } else {
+        table_print_row(robot, record.cycle, shown);
+    }
+}
+
+static int print_table(bool is_of_board, bool is_cut_short)
 {
     tell_lost(stderr);
-    table_print_names(robot);
+    print_names(is_of_board);
     while (take_record()) {
         if (!replay_take(&replay, robot, &record, &known)) {
             return tell_difference(stderr);
         }
         if (record.kind == (uint32_t)CYCLE_RECORD_CYCLE) {
-            print_row();
+            print_row(is_of_board);
         }
     }
     if (!check_end()) {
@@ -319,8 +341,8 @@ static int treat(const char *path, const char *const values[])
     int code = EXIT_REFUSED;
     if (!check_header(&reader.header)) {
         code = EXIT_REFUSED;
-    } else if (values[TABLE] != NULL) {
-        code = print_table(is_cut_short);
+    } else if ((values[TABLE] != NULL) || (values[BOARD] != NULL)) {
+        code = print_table(values[BOARD] != NULL, is_cut_short);
     } else if ((values[EVENTS] != NULL) || (values[LOOP] != NULL)) {
         code = print_kept(is_cut_short, values[EVENTS] != NULL);
     } else {
@@ -328,6 +350,16 @@ static int treat(const char *path, const char *const values[])
     }
     recording_reader_close(&reader);
     return code;
+}
+
+static uint32_t count_given(const char *const values[])
+{
+    uint32_t given = 0U;
+
+    for (uint32_t i = 0U; i < OPTIONS; i++) {
+        given += (values[i] != NULL) ? 1U : 0U;
+    }
+    return given;
 }
 
 int main(int count, char **arguments)
@@ -339,13 +371,9 @@ int main(int count, char **arguments)
     if (code != COMMAND_LINE_GO_ON) {
         return code;
     }
-    int asked = 0;
-    for (int i = 0; i < OPTIONS; i++) {
-        asked += (values[i] != NULL) ? 1 : 0;
-    }
-    if (asked > 1) {
+    if (count_given(values) > 1U) {
         return command_line_refuse(&command_line,
-                                   "--table, --events and --loop exclude each other.");
+                                   "--table, --events, --loop and --board exclude each other.");
     }
     return treat(arguments[first], values);
 }

@@ -133,6 +133,7 @@ static void serve_exchange(wire_t *wire, box_clock_t *clock)
     if (number != wire_load(&wire->reply)) {
         const uint8_t(*frames)[CARD_FRAME_BYTES] = (const uint8_t(*)[CARD_FRAME_BYTES])wire->frames;
         go_on(wire, clock, &wire->wanted_us);
+        wire->replied_us = clock->now_us;
         wire->received = box_exchange(&box, wire->send, frames, wire->replies);
         wire_announce(&wire->reply, number);
     }

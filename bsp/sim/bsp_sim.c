@@ -139,15 +139,18 @@ static void collect(uint8_t received[CARD_SLOT_COUNT][CARD_FRAME_BYTES])
         }
     }
     begun.received = answered;
+    begun.finished_ns = wire->replied_us * NS_PER_US;
 }
 
 void bsp_finish(uint64_t deadline_ns, uint8_t received[CARD_SLOT_COUNT][CARD_FRAME_BYTES],
                 bsp_exchange_t *result)
 {
+    if (begun.started_ns != 0U) {
+        begun.finished_ns = deadline_ns;
+    }
     if (is_begun && await_reply(deadline_ns)) {
         collect(received);
     }
-    begun.finished_ns = (begun.started_ns != 0U) ? bsp_now_ns() : 0U;
     *result = begun;
     begun = (bsp_exchange_t){0};
     is_begun = false;

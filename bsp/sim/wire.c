@@ -14,7 +14,7 @@
 #include <unistd.h>
 
 /* "BBX" and the layout's version. */
-#define WIRE_MAGIC 0x42425806U
+#define WIRE_MAGIC 0x42425807U
 
 #define NS_PER_S UINT64_C(1000000000)
 

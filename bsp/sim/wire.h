@@ -28,6 +28,7 @@
 typedef struct {
     uint64_t time_us;    /**< The box's time; see box_clock.h. */
     uint64_t wanted_us;  /**< Elastic time: when, in the box's time, the exchange is to be; */
+    uint64_t replied_us; /**< When, in the box's time, it was; */
     uint64_t called_us;  /**< and what time the box is called to come to, after it. */
     uint32_t magic;      /**< Set last, when the rest is ready. */
     uint32_t wake;       /**< Grows with each thing for the box to do; the box sleeps on it. */

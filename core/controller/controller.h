@@ -40,6 +40,9 @@
 /** Everything the controller may know of one cycle. Fixed layout, no padding; recorded. */
 typedef struct {
     uint32_t elapsed_us; /**< Measured since the wake-up before; LIMIT_CYCLE_US nominally. */
+    /** Between the exchange that this cycle's reports are of and the one before: how long the
+     * drives have lasted that they tell of. */
+    uint32_t reported_us;
     /** Stage that took longest in the cycle before, as control numbers them. */
     uint32_t late_stage;
     uint32_t pedal_a; /**< Channel A is closed (pressed): 0 or 1. */

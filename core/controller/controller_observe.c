@@ -146,7 +146,7 @@ static void observe_axis(controller_t *self, const cycle_t *cycle, uint32_t inde
     controller_compare(self, cycle, index);
     notes |=
         axis_supervise(&self->axes[index], config, self->records[index].speed_cap_percent != 0U,
-                       &link->sent_before, cycle->inputs->elapsed_us);
+                       &link->sent_before, cycle->inputs->reported_us);
     note_axis(self, cycle, index, notes);
     note_grade(self, cycle, index);
 }

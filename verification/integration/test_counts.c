@@ -238,3 +238,29 @@ void test_SWR_AXIS_019_start_up_makes_no_missing_count_good(void)
     TEST_ASSERT_GREATER_THAN_UINT32(1U, pushes);
     TEST_ASSERT_TRUE(apart(AXIS_INSERTION) <= most_apart(AXIS_INSERTION));
 }
+
+/* How late a machine is that is no real-time one: mostly hardly, now and then by several cycles.
+ * Never two of those in a row, which would stop the loop rightly. */
+static uint32_t next_lateness(uint32_t *random)
+{
+    *random = (*random * 1664525U) + 1013904223U;
+    const uint32_t chance = *random >> 16U;
+    return ((chance % 64U) == 0U) ? (300U + (chance % 1500U)) : (chance % 150U);
+}
+
+void test_SWR_CTRL_014_cycles_that_come_late_make_no_sound_encoder_uneven(void)
+{
+    uint32_t random = 1U;
+    rig_start(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    rig_press(&rig);
+    rig_forget(&rig);
+    while (rig.answer_count == 0U) {
+        TEST_ASSERT_LESS_THAN_UINT32(MOST_CYCLES, rig.controller.cycle);
+        rig.late_us = next_lateness(&random);
+        rig_cycle(&rig);
+    }
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AXIS_UNEVEN_COUNTS));
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig.answers[0].kind);
+    TEST_ASSERT_GREATER_THAN_UINT32(10U, rig.outputs.snapshot.overruns);
+}

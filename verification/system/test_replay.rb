@@ -66,6 +66,60 @@ class TestReplay < SystemTest
     rows.map { |row| names.zip(row.map(&:to_f)).to_h }
   end
 
+  # What the board said, one hash for each cycle.
+  def board_of(file)
+    text, status = Open3.capture2e(Boresight.program('boresight-replay'), '--board', file)
+    assert_equal 0, status.exitstatus, text
+    names, *rows = text.lines(chomp: true).map { |line| line.split(',', -1) }
+    rows.map { |row| names.zip(row).to_h }
+  end
+
+  def wait_for_drive
+    boresight.wait_until('an axis is driven') { boresight.moving? }
+  end
+
+  # A homing that is stopped by the pedal, goes on, and is stopped by the e-stop.
+  def stopped_twice
+    boresight.press_and_command('START_UP')
+    wait_for_drive
+    boresight.simctl('pedal', 'release')
+    boresight.wait_until('the pedal is seen released') { boresight.status['pedal'] == 'released' }
+    boresight.simctl('pedal', 'press')
+    wait_for_drive
+    boresight.simctl('estop', 'pull')
+    boresight.wait_until('the e-stop is seen pulled') { boresight.log.any? { |event| event['name'] == 'ESTOP_PULLED' } }
+    board_of(end_recording)
+  end
+
+  # Elastic time stands still in a cycle: what begins at the time of its sample leaves in it.
+  def assert_zero_in_the_cycle(rows, input)
+    at = (1...rows.size).find { |i| rows[i - 1]['frames_drive'] != '0' && !rows[i]['high'].split.include?(input) }
+    seen, following, after = rows[at, 3]
+    assert_equal '0', seen['frames_drive']
+    assert_equal seen['sampled_us'], following['started_us']
+    refute_equal '0', following['cards_drive'], 'the cards say what they did before they heard it'
+    assert_equal '0', after['cards_drive']
+  end
+
+  def test_SWR_CTRL_013_zero_words_leave_in_the_cycle_that_sees_pedal_or_e_stop_open
+    rows = stopped_twice
+    assert_zero_in_the_cycle(rows, 'pedal_a')
+    assert_zero_in_the_cycle(rows, 'estop_chain')
+  end
+
+  def test_SWR_REPLAY_009_what_the_board_said_is_printed_for_each_cycle
+    boresight.wait_until('cycles have passed') { boresight.status['cycle'] > 50 }
+    boresight.simctl('card', 'yaw', 'silent')
+    boresight.wait_until('the card is lost') { boresight.log.any? { |event| event['name'] == 'CARD_LOST' } }
+    rows = board_of(end_recording)
+    assert_equal (0...rows.size).to_a, rows.map { |row| row['cycle'].to_i }
+    assert_equal '----------', rows.first['results'], 'nothing was begun before the first cycle'
+    assert_match(/\A-o{7}-.\z/, rows[20]['results'])
+    assert_match(/\A-oooonoo-.\z/, rows.last['results'])
+    assert_equal ['', '0'], rows.last.values_at('not_read', 'error')
+    rows.each_cons(2) { |before, row| assert_equal 1000, row['sampled_us'].to_i - before['sampled_us'].to_i }
+  end
+
   def test_SWR_REPLAY_003_the_table_has_motion_control_output_and_reasons
     boresight.press_and_command('START_UP')
     boresight.wait_until('an axis is driven') { boresight.moving? }

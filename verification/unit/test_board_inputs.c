@@ -11,6 +11,7 @@
 
 static board_inputs_t board;
 static controller_inputs_t inputs;
+static cycle_board_t said;
 
 void setUp(void)
 {
@@ -91,4 +92,51 @@ void test_SWR_BSP_001_a_box_without_button_or_gate_says_nothing_of_them(void)
     TEST_ASSERT_EQUAL_UINT32(0U, inputs.treatment_stopped);
     TEST_ASSERT_EQUAL_UINT32(1U, inputs.scanner_active);
     TEST_ASSERT_EQUAL_UINT32(0U, inputs.estop_open);
+}
+
+void test_SWR_REC_018_what_the_board_said_is_noted_as_it_was(void)
+{
+    const bsp_inputs_t sampled = {.sampled_ns = UINT64_C(4294967296999),
+                                  .levels = BSP_IN_ALL,
+                                  .dropped = BSP_IN_ESTOP_CHAIN,
+                                  .valid = BSP_IN_CONFIRM};
+    const bsp_exchange_t exchanged = {.started_ns = UINT64_C(7000),
+                                      .finished_ns = UINT64_C(417999),
+                                      .results = {[2] = BSP_SLOT_OK, [9] = BSP_SLOT_BUS_ERROR},
+                                      .error = -110};
+    (void)memset(&said, 0xA5, sizeof said);
+    board_inputs_note(&sampled, &exchanged, &said);
+    TEST_ASSERT_EQUAL_UINT32(0U, said.sampled_us); /* It wraps. */
+    TEST_ASSERT_EQUAL_HEX32(BSP_IN_ALL, said.levels);
+    TEST_ASSERT_EQUAL_HEX32(BSP_IN_ESTOP_CHAIN, said.dropped);
+    TEST_ASSERT_EQUAL_HEX32(BSP_IN_CONFIRM, said.valid);
+    TEST_ASSERT_EQUAL_UINT32(7U, said.started_us);
+    TEST_ASSERT_EQUAL_UINT32(417U, said.finished_us);
+    TEST_ASSERT_EQUAL_INT32(-110, said.error);
+    TEST_ASSERT_EQUAL_UINT8(BSP_SLOT_OK, said.results[2]);
+    TEST_ASSERT_EQUAL_UINT8(BSP_SLOT_BUS_ERROR, said.results[9]);
+    TEST_ASSERT_EACH_EQUAL_HEX8(0U, said.reserved, sizeof said.reserved);
+}
+
+static void receive(uint64_t started_us, uint64_t finished_us, uint32_t received)
+{
+    const bsp_exchange_t exchanged = {
+        .started_ns = started_us * 1000U, .finished_ns = finished_us * 1000U, .received = received};
+    inputs.elapsed_us = 1234U;
+    board_inputs_receive(&board, &exchanged, &inputs);
+    TEST_ASSERT_EQUAL_HEX32(received, inputs.frames_received);
+}
+
+void test_SWR_CTRL_014_reports_are_timed_by_the_exchanges_that_they_are_of(void)
+{
+    receive(0U, 0U, 0U); /* Nothing was begun before the first cycle. */
+    TEST_ASSERT_EQUAL_UINT32(1234U, inputs.reported_us);
+    receive(5000U, 5400U, 0xFEU);
+    TEST_ASSERT_EQUAL_UINT32(1234U, inputs.reported_us); /* There is but one. */
+    receive(6700U, 7200U, 0xFEU);
+    TEST_ASSERT_EQUAL_UINT32(1800U, inputs.reported_us);
+    receive(8000U, 8700U, 0U); /* The deadline says nothing. */
+    TEST_ASSERT_EQUAL_UINT32(800U, inputs.reported_us);
+    receive(7900U, 7900U, 0U); /* No time goes back. */
+    TEST_ASSERT_EQUAL_UINT32(1234U, inputs.reported_us);
 }

@@ -86,6 +86,8 @@ static void make_record(cycle_record_t *to, uint32_t cycle, cycle_record_kind_t 
     to->body.cycle.inputs.elapsed_us = 1000U + next_noise();
     card_frame_encode_report(&report, to->body.cycle.inputs.frames[2]);
     to->body.cycle.inputs.frames[5][next_noise()] = next_noise();
+    to->body.cycle.board.sampled_us = 1000U * cycle;
+    to->body.cycle.board.results[3] = next_noise();
     to->body.cycle.outputs.event_count = next_noise() & 1U;
     to->body.cycle.outputs.snapshot.cycle = cycle;
     to->body.cycle.outputs.snapshot.axes[0].position_ticks = next_noise();
@@ -125,6 +127,8 @@ static void expect_cycle(const cycle_record_t *expected)
 
     TEST_ASSERT_EQUAL_MEMORY(&expected->body.cycle.inputs, &record.body.cycle.inputs,
                              sizeof(controller_inputs_t));
+    TEST_ASSERT_EQUAL_MEMORY(&expected->body.cycle.board, &record.body.cycle.board,
+                             sizeof(cycle_board_t));
     TEST_ASSERT_EQUAL_MEMORY(outputs, &record.body.cycle.outputs,
                              known.is_whole ? sizeof(controller_outputs_t)
                                             : offsetof(controller_outputs_t, snapshot));
@@ -610,7 +614,7 @@ void test_SWR_REPLAY_005_another_version_of_the_format_is_refused_by_both_versio
     TEST_ASSERT_EQUAL_INT((int)sizeof(bytes), (int)pwrite(file, bytes, sizeof(bytes), 0));
     (void)close(file);
     TEST_ASSERT_EQUAL(RECORDING_OTHER_VERSION, recording_reader_open(&reader, path, &finding));
-    TEST_ASSERT_EQUAL_STRING("The recording is of format version 1, this build reads version 3; "
+    TEST_ASSERT_EQUAL_STRING("The recording is of format version 1, this build reads version 4; "
                              "replay it with the build that recorded it, \"test-build\".",
                              finding.sentence);
 }

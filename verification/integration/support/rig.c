@@ -97,9 +97,11 @@ static void gather(rig_t *self)
     self->inputs.frames_received =
         box_exchange(&self->box, self->outputs.frames_to_send,
                      (const uint8_t(*)[CARD_FRAME_BYTES])self->outputs.frames, self->inputs.frames);
-    box_advance(&self->box, 1000U);
+    box_advance(&self->box, 1000U + self->late_us);
     const bsp_inputs_t sampled = box_sample(&self->box);
-    self->inputs.elapsed_us = self->elapsed_us;
+    self->inputs.elapsed_us = self->elapsed_us + self->late_us;
+    self->inputs.reported_us = 1000U + self->was_late_us;
+    self->was_late_us = self->late_us;
     board_inputs_take(&self->board_inputs, &sampled, &self->inputs);
     self->inputs.has_button = self->has_no_button ? 0U : 1U;
     self->inputs.silent_sources = self->silent_sources;

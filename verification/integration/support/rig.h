@@ -27,6 +27,9 @@ typedef struct {
     command_t commands[CONTROLLER_COMMANDS]; /**< For the next cycle. */
     uint32_t command_count;
     uint32_t elapsed_us; /**< Of every cycle; 1000 unless a test changes it. */
+    uint32_t
+        late_us; /**< So much longer than 1000 us lasts the next cycle, in the world as well. */
+    uint32_t was_late_us;
     board_inputs_t board_inputs;
     uint32_t next_id;
     uint32_t silent_sources;       /**< As controller_inputs_t. */
