@@ -9,8 +9,9 @@
 
 bool wiring_refuse(const wiring_reader_t *reader, const char *what, const char *why)
 {
-    (void)snprintf(reader->error, reader->error_size, "The wiring is wrong in line %u: \"%s\" %s.",
-                   (unsigned)reader->line, what, why);
+    (void)snprintf(reader->error, reader->error_size,
+                   "The wiring is wrong in line %u: \"%.80s\" %s.", (unsigned)reader->line, what,
+                   why);
     return false;
 }
 
