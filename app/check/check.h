@@ -41,6 +41,7 @@ typedef struct {
     uint32_t core;    /**< Of the control loop. */
     uint32_t cores;   /**< Of the computer. */
     uint32_t rights;  /**< EXCHANGE_RIGHT_ bits that were granted. */
+    bool is_awake;    /**< The kernel lets control keep the cores from deep sleep. */
     bool is_simulated;
     check_board_t board;
     uint64_t clock_ns; /**< Resolution of the monotonic clock. */

@@ -184,7 +184,7 @@ bool check_idle(const check_facts_t *facts, char found[CHECK_TEXT_SIZE])
             (idle_number(facts, i, "disable") == 0U) ? idle_number(facts, i, "latency") : 0U;
         worst_us = (latency_us > worst_us) ? latency_us : worst_us;
     }
-    return check_say(worst_us < IDLE_WORST_US, found,
-                     "Core %u wakes from its deepest sleep in %u us.", (unsigned)facts->core,
-                     (unsigned)worst_us);
+    return check_say(facts->is_awake || (worst_us < IDLE_WORST_US), found,
+                     "Core %u wakes from its deepest sleep in %u us%s.", (unsigned)facts->core,
+                     (unsigned)worst_us, facts->is_awake ? "; control keeps it awake" : "");
 }

@@ -62,6 +62,7 @@ void checkup_measure(check_facts_t *facts, uint32_t cycles)
     uint64_t major = 0U;
     facts->core = realtime_core(&facts->cores);
     facts->rights = realtime_acquire();
+    facts->is_awake = !facts->is_simulated && realtime_stay_awake(facts->root);
     (void)clock_getres(CLOCK_MONOTONIC, &step);
     facts->clock_ns = ((uint64_t)step.tv_sec * NS_PER_S) + (uint64_t)step.tv_nsec;
     (void)memset(counts, 0, sizeof counts);

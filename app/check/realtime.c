@@ -3,6 +3,8 @@
 
 #include "exchange/exchange.h"
 
+#include <fcntl.h>
+#include <limits.h>
 #include <sched.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -54,6 +56,16 @@ void realtime_tell(uint32_t rights)
         (void)fprintf(stderr, "control: memory is not locked; run as root or allow it with "
                               "'ulimit -l unlimited'. In real time cycles may be late.\n");
     }
+}
+
+bool realtime_stay_awake(const char *root)
+{
+    const int32_t latency_us = 0;
+    char path[PATH_MAX];
+
+    (void)snprintf(path, sizeof path, "%s/dev/cpu_dma_latency", root);
+    const int file = open(path, O_WRONLY | O_CLOEXEC); /* Holds as long as it is open. */
+    return (file >= 0) && (write(file, &latency_us, sizeof latency_us) == sizeof latency_us);
 }
 
 uint64_t realtime_now_ns(void)

@@ -3,6 +3,7 @@
 #ifndef BORESIGHT_REALTIME_H
 #define BORESIGHT_REALTIME_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 /**
@@ -21,6 +22,15 @@ uint32_t realtime_acquire(void);
  * @satisfies SWR-CTRL-002
  */
 void realtime_tell(uint32_t rights);
+
+/**
+ * Keeps all cores from sleeping deeply until the process ends, by the kernel's file below `root`.
+ *
+ * @return whether the kernel lets it
+ *
+ * @satisfies SWR-CHECK-007
+ */
+bool realtime_stay_awake(const char *root);
 
 /** The world's monotonic time, ns. */
 uint64_t realtime_now_ns(void);

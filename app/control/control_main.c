@@ -271,6 +271,9 @@ static uint64_t next_deadline(uint64_t deadline_ns)
 
 static void begin_figures(uint32_t rights)
 {
+    if (!board.is_simulated) {
+        (void)realtime_stay_awake("");
+    }
     computer_begin(&computer, "", rights);
     published.rights = rights;
     published.computer = computer.lacks;

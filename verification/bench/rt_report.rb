@@ -66,7 +66,7 @@ class RealTimeReport
   def measure
     recordings = File.join(OUT, 'recordings')
     robot = Boresight.start(arguments: ['--real-time', '--robot', Errand::ROBOT, '--recordings', recordings])
-    @seen = Crowd.around(robot.http_port, **LOAD) { move(robot) }
+    Crowd.around(robot.http_port, **LOAD) { move(robot) }
     @is_shared ||= Dir.glob('/proc/[0-9]*/comm').count { |path| control?(path) } > 1
     @loop = robot.status['loop']
     @counts = robot.status['counts']
@@ -133,8 +133,7 @@ class RealTimeReport
   def head
     "#{File.read('/proc/version').strip}\n#{Time.now.utc.strftime('%Y-%m-%d %H:%M')} UTC, #{machine}; #{duration} in real time, " \
       "robot #{Errand::ROBOT} on the simulated control box\n" \
-      "#{@moves} moves, #{@given_up} given up; #{LOAD[:consoles]} consoles with " \
-      "#{Crowd::KINDS.sum { |kind| @seen[kind.to_s]['answered'] }} answers, a client of OpenIGTLink"
+      "#{@moves} moves, #{@given_up} given up; #{LOAD[:consoles]} consoles with their streams and a client of OpenIGTLink"
   end
 
   def interval_rows

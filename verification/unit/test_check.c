@@ -10,6 +10,7 @@
 
 #include "check/check_files.h"
 #include "check/check_judges.h"
+#include "check/realtime.h"
 #include "exchange/exchange.h"
 #include "limits/requirement_limits.h"
 
@@ -213,6 +214,10 @@ void test_SWR_CHECK_002_sleep(void)
               COMPUTER_CHECK_IDLE, "Core 1 wakes from its deepest sleep in 9 us.");
     expect_of("/sys/devices/system/cpu/cpu1/cpuidle/state2/latency", "133\n", false,
               COMPUTER_CHECK_IDLE, "Core 1 wakes from its deepest sleep in 133 us.");
+    facts.is_awake = true;
+    expect(true, COMPUTER_CHECK_IDLE,
+           "Core 1 wakes from its deepest sleep in 133 us; control keeps it awake.");
+    facts.is_awake = false;
     expect_of("/sys/devices/system/cpu/cpu1/cpuidle/state2/disable", "1\n", true,
               COMPUTER_CHECK_IDLE, "Core 1 wakes from its deepest sleep in 9 us.");
     expect_of("/sys/devices/system/cpu/cpu1/cpuidle/state1/latency", "10\n", false,
@@ -336,6 +341,18 @@ void test_SWR_CHECK_002_only_the_first_four_block(void)
     for (uint32_t i = 0U; i < COMPUTER_CHECK_COUNT; i++) {
         TEST_ASSERT_EQUAL(i < 4U, check_blocks((computer_check_t)i));
     }
+}
+
+void test_SWR_CHECK_007_the_kernel_is_asked_for_no_deep_sleep(void)
+{
+    char text[CHECK_FILE_SIZE] = "";
+    TEST_ASSERT_FALSE(realtime_stay_awake(root));
+    write_file("/dev/cpu_dma_latency", "abcdef");
+    TEST_ASSERT_TRUE(realtime_stay_awake(root));
+    FILE *const file = check_open(root, "/dev/cpu_dma_latency");
+    TEST_ASSERT_EQUAL_size_t(6U, fread(text, 1U, sizeof text, file));
+    (void)fclose(file);
+    TEST_ASSERT_EQUAL_MEMORY("\0\0\0\0ef", text, 6U);
 }
 
 void test_SWR_CHECK_002_a_path_that_is_too_long_is_no_file(void)

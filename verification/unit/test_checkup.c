@@ -66,6 +66,13 @@ static void count_interrupts(const char *root, uint32_t core, uint64_t counts[CH
     counts[5] = 55U;
 }
 
+static bool stay_awake(const char *root, int calls)
+{
+    (void)calls;
+    TEST_ASSERT_EQUAL_STRING("/root", root);
+    return true;
+}
+
 void setUp(void)
 {
     facts = (check_facts_t){.root = "/root"};
@@ -76,6 +83,7 @@ void setUp(void)
     realtime_now_ns_Stub(tell_now);
     realtime_acquire_Stub(acquire);
     realtime_core_Stub(tell_core);
+    realtime_stay_awake_Stub(stay_awake);
     realtime_count_faults_Stub(count_faults);
 }
 
@@ -103,6 +111,15 @@ void test_SWR_CHECK_003_what_is_longer_than_all_is_not_lost(void)
     checkup_measure(&facts, 6000U);
     TEST_ASSERT_EQUAL_UINT32(6000U, facts.wake_worst_us);
     TEST_ASSERT_EQUAL_UINT32(4095U, facts.wake_p99_us);
+}
+
+void test_SWR_CHECK_007_a_real_boards_computer_is_kept_awake_while_it_is_measured(void)
+{
+    checkup_measure(&facts, 1U);
+    TEST_ASSERT_TRUE(facts.is_awake);
+    facts.is_simulated = true;
+    checkup_measure(&facts, 1U);
+    TEST_ASSERT_FALSE(facts.is_awake);
 }
 
 static int tell(void)

@@ -65,6 +65,7 @@ typedef struct {
     uint32_t most_under_way;
     uint32_t kicks;
     uint32_t lamps; /* That were lit last. */
+    uint32_t awake; /* How often control has asked for no deep sleep. */
     uint32_t unfit; /* As the controller was told in the last cycle. */
 } record_t;
 
@@ -285,6 +286,13 @@ static uint32_t acquire(int calls)
     return RIGHTS;
 }
 
+static bool stay_awake(const char *root, int calls)
+{
+    (void)calls;
+    record->awake += (root[0] == '\0') ? 1U : 0U;
+    return true;
+}
+
 static void begin_computer(computer_t *self, const char *root, uint32_t rights, int calls)
 {
     (void)calls;
@@ -329,6 +337,7 @@ void setUp(void)
     list_file_take_Stub(take_list);
     list_count = WITHOUT_LIST;
     realtime_acquire_Stub(acquire);
+    realtime_stay_awake_Stub(stay_awake);
     computer_begin_Stub(begin_computer);
     computer_look_Stub(look_at_computer);
     realtime_now_ns_Stub(tell_now);
@@ -559,6 +568,15 @@ void test_SWR_LOOP_007_on_a_real_board_the_controller_is_told_what_the_computer_
 void test_SWR_LOOP_007_a_simulated_board_does_without(void)
 {
     expect_told(0U);
+}
+
+void test_SWR_CHECK_007_only_a_real_boards_computer_is_kept_from_deep_sleep(void)
+{
+    (void)control_ends(BY_SIGNAL, SIGTERM);
+    TEST_ASSERT_EQUAL_UINT32(0U, record->awake);
+    is_simulated = false;
+    (void)control_ends(BY_SIGNAL, SIGTERM);
+    TEST_ASSERT_EQUAL_UINT32(1U, record->awake);
 }
 
 void test_SWR_LOOP_005_cycles_are_counted_by_how_long_each_stage_took(void)
