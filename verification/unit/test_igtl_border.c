@@ -201,15 +201,21 @@ void test_SWR_IGTL_038_lists_have_the_order_that_the_robot_names(void)
 }
 
 /* The only number of an array. */
-static status_t read_whole(uint64_t bits, uint32_t bytes, int32_t *value)
+static const igtl_message_t *array_of(uint64_t bits, uint32_t bytes)
 {
-    uint8_t content[14] = {0};
-    const igtl_message_t message = {.content = content, .number_bytes = bytes};
+    static uint8_t content[14];
+    static igtl_message_t message;
 
+    message = (igtl_message_t){.content = content, .number_bytes = bytes};
     for (uint32_t i = 0U; i < bytes; i++) {
         content[6U + i] = (uint8_t)(bits >> (8U * (bytes - 1U - i)));
     }
-    return igtl_border_read_whole(&message, 0U, value);
+    return &message;
+}
+
+static status_t read_whole(uint64_t bits, uint32_t bytes, int32_t *value)
+{
+    return igtl_border_read_whole(array_of(bits, bytes), 0U, value);
 }
 
 static status_t read_double(double number, int32_t *value)
@@ -256,6 +262,28 @@ void test_SWR_TRAJ_023_other_numbers_of_an_array_are_refused(void)
     TEST_ASSERT_EQUAL_INT(STATUS_OUT_OF_RANGE, read_whole(bits_of(3e38), 4U, &value));
     TEST_ASSERT_EQUAL_INT(STATUS_OUT_OF_RANGE, read_whole(1U, 4U, &value));
     TEST_ASSERT_EQUAL_INT(STATUS_NOT_FINITE, read_whole(bits_of(INFINITY), 4U, &value));
+}
+
+void test_SWR_PROG_014_every_finite_number_of_an_array_is_read_as_it_is(void)
+{
+    static const double numbers_of[] = {0.0, 0.1, -90.25, 4.9e-324, -1.7976931348623157e308};
+    double value = 77.0;
+
+    for (uint32_t i = 0U; i < (sizeof numbers_of / sizeof numbers_of[0]); i++) {
+        uint64_t bits;
+
+        (void)memcpy(&bits, &numbers_of[i], sizeof bits);
+        TEST_ASSERT_EQUAL_INT(STATUS_OK, igtl_border_read_double(array_of(bits, 8U), 0U, &value));
+        TEST_ASSERT_EQUAL_MEMORY(&numbers_of[i], &value, sizeof value);
+    }
+    TEST_ASSERT_EQUAL_INT(STATUS_OK,
+                          igtl_border_read_double(array_of(bits_of(-2.75), 4U), 0U, &value));
+    TEST_ASSERT_EQUAL_DOUBLE(-2.75, value);
+    TEST_ASSERT_EQUAL_INT(STATUS_NOT_FINITE,
+                          igtl_border_read_double(array_of(bits_of(NAN), 4U), 0U, &value));
+    TEST_ASSERT_EQUAL_INT(
+        STATUS_NOT_FINITE,
+        igtl_border_read_double(array_of(UINT64_C(0xFFF0000000000000), 8U), 0U, &value));
 }
 
 void test_SWR_IGTL_012_a_list_of_all_axes_that_a_robot_may_have_is_whole(void)

@@ -258,6 +258,11 @@ void test_SWR_PROG_016_who_runs_it_is_told_each_step_once(void)
     snapshot.program_step = 2U;
     pass_us(0U);
     EXPECT(0U, "");
+    snapshot.mode = (uint32_t)MODE_NONE;
+    run_program();
+    snapshot.program_step = 1U;
+    pass_us(0U);
+    EXPECT_BEGIN(0U, "STRING CURRENT_PROGRAM 2 ");
 }
 
 /* Between a command and its answer nothing else is sent. */
