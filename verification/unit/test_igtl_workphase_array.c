@@ -62,13 +62,7 @@ void tearDown(void)
 
 static void put_at(uint32_t row, uint32_t column, double value)
 {
-    uint64_t bits;
-
-    (void)memcpy(&bits, &value, sizeof bits);
-    for (uint32_t i = 0U; i < 8U; i++) {
-        content[HEADER + (8U * ((row * COLUMNS) + column)) + i] =
-            (uint8_t)(bits >> (56U - (8U * i)));
-    }
+    write_double(value, &content[HEADER + (8U * ((row * COLUMNS) + column))]);
 }
 
 /* Of `rows` rows 100 ms after each other; every number tells where it stands. */

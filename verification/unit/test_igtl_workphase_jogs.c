@@ -40,7 +40,6 @@
 #include "unit/support/workphase_world.h"
 #include "unity.h"
 
-#include <stdio.h>
 #include <string.h>
 
 void setUp(void)
@@ -90,17 +89,6 @@ void test_SWR_FLOW_005_it_is_told_that_it_is_armed_and_how_it_has_ended(void)
     answer_to(&command, ANSWER_REFUSED, STATUS_AXIS_LIMIT, 1U);
     EXPECT_BEGIN(0U, "STATUS JOG_BY 10 ");
     EXPECT(0U, "");
-}
-
-static void expect_refusal(const char *text, const char *name)
-{
-    char line[64];
-    (void)snprintf(line, sizeof line, "|%s: ", name);
-    say(0U, "Text", text);
-    const char *const told = igtl_peer_next(&outboxes[0]);
-    TEST_ASSERT_EQUAL_STRING_LEN("STATUS JOG ", told, 11U);
-    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(told, line), told);
-    expect_no_command();
 }
 
 void test_SWR_FLOW_005_a_text_that_is_no_jog_is_refused_by_name(void)

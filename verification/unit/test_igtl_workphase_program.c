@@ -146,18 +146,6 @@ void test_SWR_PROG_013_a_step_that_control_refuses_is_told_by_name(void)
     TEST_ASSERT_NOT_NULL_MESSAGE(strstr(told, "|PROGRAM_DEPTH: "), told);
 }
 
-static void expect_refusal(const char *text, const char *name)
-{
-    char line[64];
-
-    (void)snprintf(line, sizeof line, "|%s: ", name);
-    say(0U, "Text", text);
-    const char *const told = igtl_peer_next(&outboxes[0]);
-    TEST_ASSERT_EQUAL_STRING_LEN("STATUS PROGRAM ", told, 15U);
-    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(told, line), told);
-    expect_no_command();
-}
-
 void test_SWR_PROG_013_a_text_that_is_no_step_is_refused_by_name(void)
 {
     expect_refusal("PROGRAM", "UNKNOWN_COMMAND");
@@ -294,13 +282,7 @@ void test_SWR_PROG_016_anybody_may_ask_how_far_it_is(void)
 
 static void put_at(uint32_t row, uint32_t column, double value)
 {
-    uint64_t bits;
-
-    (void)memcpy(&bits, &value, sizeof bits);
-    for (uint32_t i = 0U; i < 8U; i++) {
-        content[HEADER + (8U * ((row * array.columns) + column)) + i] =
-            (uint8_t)(bits >> (56U - (8U * i)));
-    }
+    write_double(value, &content[HEADER + (8U * ((row * array.columns) + column))]);
 }
 
 /* The two steps, and zeros behind them. */

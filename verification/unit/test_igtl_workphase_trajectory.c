@@ -40,7 +40,6 @@
 #include "unit/support/workphase_world.h"
 #include "unity.h"
 
-#include <stdio.h>
 #include <string.h>
 
 #define ROW "TRAJECTORY ROW 0 1500 1 -2 3 4 5 6 7 -10 20 30 40 50 60 70"
@@ -128,17 +127,6 @@ void test_SWR_TRAJ_019_more_rows_than_have_room_are_refused_as_busy(void)
     const char *const told = igtl_peer_next(&outboxes[0]);
     TEST_ASSERT_NOT_NULL_MESSAGE(strstr(told, "|BUSY: "), told);
     TEST_ASSERT_EQUAL_HEX32(sum, dialect.peers[0].sums[0]);
-}
-
-static void expect_refusal(const char *text, const char *name)
-{
-    char line[64];
-    (void)snprintf(line, sizeof line, "|%s: ", name);
-    say(0U, "Text", text);
-    const char *const told = igtl_peer_next(&outboxes[0]);
-    TEST_ASSERT_EQUAL_STRING_LEN("STATUS TRAJECTORY ", told, 18U);
-    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(told, line), told);
-    expect_no_command();
 }
 
 void test_SWR_PROG_015_a_list_is_named_by_the_checksum_that_its_client_says(void)

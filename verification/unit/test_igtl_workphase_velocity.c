@@ -41,7 +41,6 @@
 #include "unity.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #define YAW (1UL << AXIS_YAW)
@@ -97,17 +96,6 @@ void test_SWR_VEL_014_it_is_told_that_they_are_armed_and_how_they_have_ended(voi
     answer_to(&command, ANSWER_REFUSED, STATUS_TOO_FAST, 1U);
     EXPECT_BEGIN(0U, "STATUS VELOCITY 10 ");
     EXPECT(0U, "");
-}
-
-static void expect_refusal(const char *text, const char *name)
-{
-    char line[64];
-    (void)snprintf(line, sizeof line, "|%s: ", name);
-    say(0U, "Text", text);
-    const char *const told = igtl_peer_next(&outboxes[0]);
-    TEST_ASSERT_EQUAL_STRING_LEN("STATUS VELOCITY ", told, 16U);
-    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(told, line), told);
-    expect_no_command();
 }
 
 void test_SWR_VEL_014_a_text_that_is_no_speed_is_refused_by_name(void)

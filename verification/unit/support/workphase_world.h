@@ -19,6 +19,7 @@
 #include "unity.h"
 
 #include <stdint.h>
+#include <stdio.h>
 #include <string.h>
 
 /** The next message to the peer is this line; "" for none. */
@@ -93,6 +94,32 @@ static inline void expect_command(command_kind_t kind, uint32_t argument)
 static inline void expect_no_command(void)
 {
     TEST_ASSERT_FALSE(igtl_requests_take(&dialect.requests, &command));
+}
+
+/** What the peer 0 says is refused by this name of a reason, under its first word. */
+static inline void expect_refusal(const char *text, const char *name)
+{
+    char begin[64];
+    char reason[64];
+
+    (void)snprintf(begin, sizeof begin, "STATUS %.*s ", (int)strcspn(text, " "), text);
+    (void)snprintf(reason, sizeof reason, "|%s: ", name);
+    say(0U, "Text", text);
+    const char *const told = igtl_peer_next(&outboxes[0]);
+    TEST_ASSERT_EQUAL_STRING_LEN(begin, told, strlen(begin));
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(told, reason), told);
+    expect_no_command();
+}
+
+/** `value` as an array has it. */
+static inline void write_double(double value, uint8_t bytes[8])
+{
+    uint64_t bits;
+
+    (void)memcpy(&bits, &value, sizeof bits);
+    for (uint32_t i = 0U; i < 8U; i++) {
+        bytes[i] = (uint8_t)(bits >> (56U - (8U * i)));
+    }
 }
 
 /* As the controller does it. */
