@@ -4,6 +4,7 @@
 #include "charts/arming_chart.h"
 #include "charts/estop_latch_chart.h"
 #include "charts/pedal_gate_chart.h"
+#include "http/shown.h"
 #include "safety/needle.h"
 
 #include <stdbool.h>
@@ -28,10 +29,8 @@ static bool is_pedal_seen(const snapshot_t *snapshot)
 
 static bool is_needle_out(const robot_t *robot, const snapshot_t *snapshot)
 {
-    axis_t axes[ROBOT_AXIS_MAX] = {{.encoder = {.position_ticks = 0}}};
-    const snapshot_axis_t *const shown = &snapshot->axes[robot->needle_axis];
-    axes[robot->needle_axis].chart.reference = shown->reference;
-    axes[robot->needle_axis].encoder.position_ticks = shown->position_ticks;
+    axis_t axes[ROBOT_AXIS_MAX];
+    shown_axes(snapshot, axes);
     return needle_is_out(robot, axes);
 }
 

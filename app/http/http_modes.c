@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "http/http_modes.h"
 
+#include "http/axis_outlook.h"
 #include "http/command_outlook.h"
 #include "http/http_door.h"
 #include "http/http_reply.h"
@@ -20,6 +21,34 @@ static cJSON *new_workphases(uint32_t workphases)
     return list;
 }
 
+static const char *name_of(status_t status)
+{
+    return (status == STATUS_OK) ? NULL : status_name((int32_t)status);
+}
+
+static const char *reason_of(status_t status)
+{
+    return (status == STATUS_OK) ? NULL : status_text((int32_t)status);
+}
+
+static cJSON *new_axes(const telemetry_view_t *view, mode_kind_t kind)
+{
+    const bool is_for_axes = mode_rows[kind].axes == (uint32_t)MODE_AXES_COMMANDED;
+    const uint32_t count = is_for_axes ? view->robot->axis_count : 0U;
+    cJSON *axes = cJSON_CreateArray();
+    for (uint32_t i = 0U; i < count; i++) {
+        const status_t up = axis_outlook(view->robot, &view->snapshot, kind, i, true);
+        const status_t down = axis_outlook(view->robot, &view->snapshot, kind, i, false);
+        const json_axis_outlook_t also = {.axis = view->robot->axes[i].name,
+                                          .upwards = name_of(up),
+                                          .upwards_reason = reason_of(up),
+                                          .downwards = name_of(down),
+                                          .downwards_reason = reason_of(down)};
+        (void)cJSON_AddItemToArray(axes, json_axis_outlook(&also));
+    }
+    return axes;
+}
+
 static cJSON *new_mode(const telemetry_view_t *view, mode_kind_t kind)
 {
     const mode_row_t *row = &mode_rows[kind];
@@ -29,9 +58,9 @@ static cJSON *new_mode(const telemetry_view_t *view, mode_kind_t kind)
                               .command = command_kind_name((int32_t)row->command),
                               .workphases = new_workphases(row->workphases),
                               .is_allowed = status == STATUS_OK,
-                              .status = (status == STATUS_OK) ? NULL : status_name((int32_t)status),
-                              .reason =
-                                  (status == STATUS_OK) ? NULL : status_text((int32_t)status)};
+                              .status = name_of(status),
+                              .reason = reason_of(status),
+                              .axes = new_axes(view, kind)};
     return json_mode(&also);
 }
 
@@ -41,9 +70,8 @@ static cJSON *new_step(const telemetry_view_t *view, workphase_t workphase)
     const json_step_t also = {.name = workphase_name((int32_t)workphase),
                               .says = workphase_text((int32_t)workphase),
                               .is_allowed = status == STATUS_OK,
-                              .status = (status == STATUS_OK) ? NULL : status_name((int32_t)status),
-                              .reason =
-                                  (status == STATUS_OK) ? NULL : status_text((int32_t)status)};
+                              .status = name_of(status),
+                              .reason = reason_of(status)};
     return json_step(&also);
 }
 

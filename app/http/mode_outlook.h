@@ -12,10 +12,10 @@
 
 /**
  * The workphase chart is asked, in a copy that is where control is. Of a mode for single axes: can
- * any be commanded. Of what a mode itself asks that is looked at which does not hang on what is
- * commanded: that there is a trajectory, a program, a target with its entry point, an axis that can
- * be swept, a pose that can be gone to, that the needle is out for these, and, in MOVE_TO_TARGET
- * where this is shown, that the base is aligned.
+ * any be commanded, by axis_outlook.h. Of what a mode itself asks that is looked at which does not
+ * hang on what is commanded: that there is a trajectory, and that it can be driven from where the
+ * axes stand, a program, a target with its entry point, a pose that can be gone to, that the needle
+ * is out for it, and, in MOVE_TO_TARGET where this is shown, that the base is aligned.
  *
  * @return STATUS_OK, or why a command for it would be refused
  *

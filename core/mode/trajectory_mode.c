@@ -27,30 +27,30 @@ static pair_t pair_at(const trajectory_t *trajectory, uint32_t row)
 
 /* Sideways only while the needle is out, where the axes stand and in the first row. */
 static bool cuts(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
-                 const trajectory_row_t *row, uint32_t axis)
+                 const int32_t ticks[ROBOT_AXIS_MAX], uint32_t axis)
 {
     const axis_config_t *const config = &robot->axes[axis];
     const bool is_out =
-        needle_is_out(robot, axes) && (row->ticks[robot->needle_axis] <= needle_out_ticks(robot));
+        needle_is_out(robot, axes) && (ticks[robot->needle_axis] <= needle_out_ticks(robot));
     return (config->needle_motion == (uint32_t)NEEDLE_ACROSS) && !is_out &&
-           !axis_is_at(&axes[axis], config, row->ticks[axis]);
+           !axis_is_at(&axes[axis], config, ticks[axis]);
 }
 
 static status_t judge_axis(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
-                           const trajectory_row_t *row, uint32_t axis)
+                           const int32_t ticks[ROBOT_AXIS_MAX], uint32_t axis)
 {
     const axis_config_t *const config = &robot->axes[axis];
-    const int64_t way = (int64_t)row->ticks[axis] - (int64_t)axes[axis].encoder.position_ticks;
+    const int64_t way = (int64_t)ticks[axis] - (int64_t)axes[axis].encoder.position_ticks;
     status_t status = STATUS_OK;
     if (!axis_is_homed(&axes[axis])) {
         status = STATUS_NOT_HOMED;
     } else if (joints_is_beyond(config, fixed_magnitude(way), LIMIT_TRAJECTORY_LEAD_NM,
                                 LIMIT_TRAJECTORY_LEAD_BAM)) {
         status = STATUS_TRAJECTORY_FAR;
-    } else if (cuts(robot, axes, row, axis)) {
+    } else if (cuts(robot, axes, ticks, axis)) {
         status = STATUS_NEEDLE_IN;
-    } else if (trajectory_list_is_in_zone(config, row->ticks[axis]) &&
-               !axis_is_at(&axes[axis], config, row->ticks[axis])) {
+    } else if (trajectory_list_is_in_zone(config, ticks[axis]) &&
+               !axis_is_at(&axes[axis], config, ticks[axis])) {
         status = STATUS_SWITCH_ZONE;
     } else {
         status = STATUS_OK;
@@ -58,17 +58,17 @@ static status_t judge_axis(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MA
     return status;
 }
 
-static solution_t judge_lead(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
-                             const trajectory_row_t *row)
+solution_t trajectory_mode_judge_start(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
+                                       const int32_t ticks[ROBOT_AXIS_MAX])
 {
     solution_t result = {.status = STATUS_OK};
-    int32_t ticks[ROBOT_AXIS_MAX] = {0};
+    int32_t from[ROBOT_AXIS_MAX] = {0};
     for (uint32_t i = 0U; (i < robot->axis_count) && (result.status == STATUS_OK); i++) {
-        ticks[i] = axes[i].encoder.position_ticks;
+        from[i] = axes[i].encoder.position_ticks;
         result.axis = (uint8_t)i;
-        result.status = judge_axis(robot, axes, row, i);
+        result.status = judge_axis(robot, axes, ticks, i);
     }
-    return (result.status == STATUS_OK) ? coupled_path_judge(robot, ticks, row->ticks) : result;
+    return (result.status == STATUS_OK) ? coupled_path_judge(robot, from, ticks) : result;
 }
 
 solution_t trajectory_mode_judge(const trajectory_t *asked, uint32_t crc, const robot_t *robot,
@@ -82,7 +82,7 @@ solution_t trajectory_mode_judge(const trajectory_t *asked, uint32_t crc, const 
     } else if (!trajectory_row_is_whole(&asked->rows[0])) {
         result.status = STATUS_MEMORY_DAMAGED;
     } else {
-        result = judge_lead(robot, axes, &asked->rows[0]);
+        result = trajectory_mode_judge_start(robot, axes, asked->rows[0].ticks);
     }
     return result;
 }

@@ -44,6 +44,15 @@ typedef struct {
 solution_t trajectory_mode_judge(const trajectory_t *asked, uint32_t crc, const robot_t *robot,
                                  const axis_t axes[ROBOT_AXIS_MAX]);
 
+/**
+ * The same of its first row, at `ticks`, alone.
+ *
+ * @return status STATUS_OK; STATUS_NOT_HOMED; STATUS_TRAJECTORY_FAR; STATUS_NEEDLE_IN;
+ * STATUS_SWITCH_ZONE; the refusal of a limit that the way to it would leave; with the axis
+ */
+solution_t trajectory_mode_judge_start(const robot_t *robot, const axis_t axes[ROBOT_AXIS_MAX],
+                                       const int32_t ticks[ROBOT_AXIS_MAX]);
+
 /** It was armed: from the first row on, whose time is `start_ms`. */
 void trajectory_mode_begin(trajectory_mode_t *self, uint32_t start_ms);
 

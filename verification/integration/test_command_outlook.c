@@ -4,6 +4,7 @@
 #include "unity.h"
 
 #include "http/command_outlook.h"
+#include "http/shown.h"
 #include "interface/app/names.h"
 #include "integration/support/rig.h"
 #include "robot/robot_neuro.h"

@@ -3,7 +3,9 @@
  * says. */
 #include "unity.h"
 
+#include "http/axis_outlook.h"
 #include "http/mode_outlook.h"
+#include "http/shown.h"
 #include "interface/app/names.h"
 #include "integration/support/rig.h"
 #include "robot/robot_neuro.h"
@@ -193,6 +195,17 @@ void test_SWR_MODE_004_a_base_that_is_not_aligned_is_named(void)
     (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
     rig_forget(&rig);
     expect(MODE_INSERT, STATUS_OK);
+}
+
+void test_SWR_MODE_004_a_trajectory_that_begins_elsewhere_is_named(void)
+{
+    const command_t away = {.kind = (uint32_t)COMMAND_JOG_BY, .argument = AXIS_YAW, .value = -600};
+    with_a_trajectory();
+    expect(MODE_TRAJECTORY, STATUS_OK);
+    with_a_trajectory();
+    rig_forget(&rig);
+    finish(away);
+    expect(MODE_TRAJECTORY, STATUS_TRAJECTORY_FAR);
 }
 
 void test_SWR_MODE_010_what_is_said_of_each_workphase_is_what_becomes_of_its_command(void)

@@ -8,7 +8,9 @@
 #include "unity.h"
 
 #include "controller/controller.h"
+#include "http/axis_outlook.h"
 #include "http/mode_outlook.h"
+#include "http/shown.h"
 #include "robot/robot_prostate.h"
 
 #define LONG_CYCLES 600000U

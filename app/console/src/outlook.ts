@@ -31,6 +31,25 @@ export function reasonAgainst(
   return found === undefined ? "Not known yet." : found.reason;
 }
 
+export type Way = "upwards" | "downwards";
+
+/**
+ * Why the mode cannot be armed for this axis that way, where it can be for another; null: it can.
+ *
+ * @satisfies SWR-MODE-013
+ */
+export function reasonAgainstAxis(
+  outlook: Modes | null,
+  mode: Mode["name"],
+  axis: string,
+  way: Way,
+): string | null {
+  const found = outlook?.modes
+    .find(({ name, is_allowed }) => name === mode && is_allowed)
+    ?.axes.find((one) => one.axis === axis);
+  return found?.[`${way}_reason`] ?? null;
+}
+
 /** What does not change of the robot; null while it is not known. */
 export function useRobot(page: Page, bootId: string): Robot | null {
   return useAnswer(page, ROBOT_PATH, Robot, null, bootId)[0];

@@ -76,6 +76,33 @@ afterEach(() => {
   vi.unstubAllGlobals();
 });
 
+function barJog(outlook: Modes, upwards: string, downwards: string | null) {
+  const axis = {
+    axis: "head",
+    upwards: "SWITCH_ZONE" as const,
+    upwards_reason: upwards,
+    downwards: downwards === null ? null : ("NEEDLE_IN" as const),
+    downwards_reason: downwards,
+  };
+  const modes = outlook.modes.map((mode) =>
+    mode.name === "JOG" ? { ...mode, axes: [axis] } : mode,
+  );
+  return { ...outlook, modes };
+}
+
+test("SWR-MODE-013 a way that is barred to one axis is told with it, and the other way open", async () => {
+  await show(barJog(makeOutlook("JOG"), "The switch.", null));
+  expect(button("head", "+1.00 mm").disabled).toBe(true);
+  expect(button("head", "−1.00 mm").disabled).toBe(false);
+  expect(row("head").textContent).toContain("Jog upwards: The switch.");
+});
+
+test("SWR-MODE-013 what bars both ways is told once", async () => {
+  await show(barJog(makeOutlook("JOG"), "The needle.", "The needle."));
+  expect(row("head").textContent).toContain("Jog: The needle.");
+  expect(row("head").textContent).not.toContain("wards");
+});
+
 test("SWR-CON-017 an axis is jogged by the step that was chosen", async () => {
   await show(makeOutlook("JOG"));
   fireEvent.change(screen.getByLabelText(/^Step/), { target: { value: "5" } });

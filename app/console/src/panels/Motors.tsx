@@ -4,7 +4,7 @@ import type { Axis, Modes, Named, Path, RobotState } from "@interface";
 import { formatNumber, formatSpeed, formatValue, readNumbers } from "../format";
 import { isKnown } from "../trust";
 import { useCommanding, type Commanding, type Operation } from "../operation";
-import { reasonAgainst } from "../outlook";
+import { reasonAgainst, reasonAgainstAxis, type Way } from "../outlook";
 import { Order, OrderNotes, Orders } from "../parts/Order";
 import { Shape } from "../parts/Shape";
 import { Slider } from "../parts/Slider";
@@ -30,6 +30,9 @@ type ActName = keyof typeof acts;
 /** Why not; told once for all axes. */
 type Refusals = Readonly<Record<ActName, string | null>>;
 
+/** Why not this axis, by the way of a jog. */
+type BarredWays = Readonly<Record<Way, string | null>>;
+
 /** What this page has asked for last. */
 interface Asked {
   axis: string;
@@ -41,6 +44,7 @@ interface MotorProperties {
   step: number;
   commanding: Commanding;
   refusals: Refusals;
+  barred: BarredWays;
   shared: readonly Named[];
   asked: number | null;
   send: (position: number) => void;
@@ -51,6 +55,11 @@ const names = Object.keys(acts) as ActName[];
 function refusalsOf(outlook: Modes | null): Refusals {
   const pairs = names.map((name) => [name, reasonAgainst(outlook, name)]);
   return Object.fromEntries(pairs) as Refusals;
+}
+
+function barredWaysOf(outlook: Modes | null, axis: string): BarredWays {
+  const against = (way: Way) => reasonAgainstAxis(outlook, "JOG", axis, way);
+  return { upwards: against("upwards"), downwards: against("downwards") };
 }
 
 /** Each reason once, with all that it stands against. */
@@ -125,8 +134,24 @@ function Numbers({ axis }: { axis: Axis }) {
   );
 }
 
+function BarredJogs({ barred }: Pick<MotorProperties, "barred">) {
+  const { upwards, downwards } = barred;
+  return upwards === downwards ? (
+    upwards !== null && <li>Jog: {upwards}</li>
+  ) : (
+    <>
+      {upwards !== null && <li>Jog upwards: {upwards}</li>}
+      {downwards !== null && <li>Jog downwards: {downwards}</li>}
+    </>
+  );
+}
+
 /** May it move, and what stands against it alone. */
-function Permit({ axis, shared }: Pick<MotorProperties, "axis" | "shared">) {
+function Permit({
+  axis,
+  shared,
+  barred,
+}: Pick<MotorProperties, "axis" | "shared" | "barred">) {
   const { allowed, speed_cap_percent: cap, reasons } = axis.permit;
   const own = reasons.filter(({ name }) =>
     shared.every((one) => one.name !== name),
@@ -137,12 +162,20 @@ function Permit({ axis, shared }: Pick<MotorProperties, "axis" | "shared">) {
       {own.map(({ name, text }) => (
         <li key={name}>{text}</li>
       ))}
+      <BarredJogs barred={barred} />
     </ul>
   );
 }
 
 /** By steps, or to a position. */
-function Jog({ axis, step, commanding, refusals, send }: MotorProperties) {
+function Jog({
+  axis,
+  step,
+  commanding,
+  refusals,
+  barred,
+  send,
+}: MotorProperties) {
   const [place, setPlace] = useState("");
   const id = useId();
   const path: Path = `/api/v1/motors/${axis.name}/jog`;
@@ -159,7 +192,7 @@ function Jog({ axis, step, commanding, refusals, send }: MotorProperties) {
           commanding={commanding}
           path={path}
           fields={{ distance: way * step }}
-          refusal={refusals.JOG}
+          refusal={refusals.JOG ?? barred[way < 0 ? "downwards" : "upwards"]}
           isTold
         >
           {way < 0 ? "−" : "+"}
@@ -251,7 +284,8 @@ function Acts({ axis, commanding, refusals }: MotorProperties) {
 }
 
 function Motor(properties: MotorProperties) {
-  const { axis, step, commanding, refusals, shared, asked, send } = properties;
+  const { axis, step, commanding, refusals, barred, shared, asked, send } =
+    properties;
   const state = stateOf(axis);
   const id = useId();
   return (
@@ -268,7 +302,7 @@ function Motor(properties: MotorProperties) {
           <Shape level={state.level} />
           {state.text}
         </span>
-        <Permit axis={axis} shared={shared} />
+        <Permit axis={axis} shared={shared} barred={barred} />
       </div>
       <div className="motor-way">
         <SwitchLamp axis={axis} end="lower" />
@@ -356,6 +390,7 @@ export function Motors({
             step={Number(step)}
             commanding={commanding}
             refusals={refusals}
+            barred={barredWaysOf(outlook, axis.name)}
             shared={shared}
             asked={asked?.axis === axis.name ? asked.position : null}
             send={(position) => void send(axis.name, position)}

@@ -130,6 +130,7 @@ export function makeOutlook(...allowed: string[]): Modes {
       command: name === "HOMING" ? "WORKPHASE" : name,
       workphases: name === "HOMING" ? ["START_UP"] : ["MANUAL"],
       says: "",
+      axes: [],
       ...judgement(name),
     })),
   };
