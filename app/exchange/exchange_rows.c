@@ -56,3 +56,14 @@ bool exchange_read_rows(const exchange_t *self, const cycle_record_t *checkpoint
     return (checkpoint->rows == 0U) ||
            (__atomic_load_n(&control->list, __ATOMIC_RELAXED) == checkpoint->list);
 }
+
+bool exchange_read_start(const exchange_t *self, trajectory_row_t *row)
+{
+    const segment_control_t *control = &self->segment->control;
+    const uint32_t list = __atomic_load_n(&control->list, __ATOMIC_ACQUIRE);
+    const uint32_t count = __atomic_load_n(&control->row_count, __ATOMIC_ACQUIRE);
+
+    exchange_load_words(row, &control->rows[0], sizeof *row);
+    __atomic_thread_fence(__ATOMIC_ACQUIRE);
+    return (count > 0U) && (__atomic_load_n(&control->list, __ATOMIC_RELAXED) == list);
+}

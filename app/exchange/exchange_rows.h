@@ -33,4 +33,11 @@ void exchange_note_rows(const exchange_t *self, cycle_record_t *checkpoint);
 bool exchange_read_rows(const exchange_t *self, const cycle_record_t *checkpoint,
                         trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS]);
 
+/**
+ * Copies the row where the trajectory begins of which control has rows.
+ *
+ * @return false without any, or when another one was begun meanwhile: nothing in `row` is of use
+ */
+bool exchange_read_start(const exchange_t *self, trajectory_row_t *row);
+
 #endif

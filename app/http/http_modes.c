@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "http/http_modes.h"
 
+#include "exchange/exchange_rows.h"
 #include "http/axis_outlook.h"
 #include "http/command_outlook.h"
 #include "http/http_door.h"
@@ -49,10 +50,10 @@ static cJSON *new_axes(const telemetry_view_t *view, mode_kind_t kind)
     return axes;
 }
 
-static cJSON *new_mode(const telemetry_view_t *view, mode_kind_t kind)
+static cJSON *new_mode(const telemetry_view_t *view, const int32_t *start_ticks, mode_kind_t kind)
 {
     const mode_row_t *row = &mode_rows[kind];
-    const status_t status = mode_outlook(view->robot, &view->snapshot, kind);
+    const status_t status = mode_outlook(view->robot, &view->snapshot, start_ticks, kind);
     const json_mode_t also = {.name = mode_kind_name((int32_t)kind),
                               .says = mode_kind_text((int32_t)kind),
                               .command = command_kind_name((int32_t)row->command),
@@ -139,9 +140,12 @@ int http_modes_show(http_server_t *server, const http_call_t *call)
     if (!view.has_snapshot) {
         return http_reply_refuse(call->connection, PROBLEM_NO_DATA);
     }
+    trajectory_row_t start;
+    const bool has_start = exchange_read_start(server->telemetry.exchange, &start);
     cJSON *modes = cJSON_CreateArray();
     for (uint32_t i = (uint32_t)MODE_NONE + 1U; i < MODE_KIND_COUNT; i++) {
-        (void)cJSON_AddItemToArray(modes, new_mode(&view, (mode_kind_t)i));
+        (void)cJSON_AddItemToArray(modes,
+                                   new_mode(&view, has_start ? start.ticks : NULL, (mode_kind_t)i));
     }
     const json_modes_t also = {.workphases = new_steps(&view),
                                .modes = modes,

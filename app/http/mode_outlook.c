@@ -7,6 +7,7 @@
 #include "mode/program_list.h"
 
 #include <stdbool.h>
+#include <stddef.h>
 
 /* A target, by way of an entry point. */
 static status_t aim_outlook(const snapshot_t *snapshot)
@@ -74,17 +75,25 @@ static status_t pose_outlook(const robot_t *robot, const snapshot_t *snapshot)
     return status;
 }
 
-static status_t trajectory_outlook(const robot_t *robot, const snapshot_t *snapshot)
+static status_t trajectory_outlook(const robot_t *robot, const snapshot_t *snapshot,
+                                   const int32_t *start_ticks)
 {
     axis_t axes[ROBOT_AXIS_MAX];
+    status_t status = STATUS_OK;
     shown_axes(snapshot, axes);
-    return (snapshot->trajectory_rows == 0U)
-               ? STATUS_TRAJECTORY_EMPTY
-               : trajectory_mode_judge_start(robot, axes, snapshot->trajectory_start_ticks).status;
+    if (snapshot->trajectory_rows == 0U) {
+        status = STATUS_TRAJECTORY_EMPTY;
+    } else if (start_ticks != NULL) {
+        status = trajectory_mode_judge_start(robot, axes, start_ticks).status;
+    } else {
+        /* It is judged when it is commanded. */
+    }
+    return status;
 }
 
 /* Of what the mode itself asks, which comes first, that which is shown. */
-static status_t own_outlook(const robot_t *robot, const snapshot_t *snapshot, mode_kind_t kind)
+static status_t own_outlook(const robot_t *robot, const snapshot_t *snapshot,
+                            const int32_t *start_ticks, mode_kind_t kind)
 {
     status_t status = STATUS_OK;
     switch ((uint32_t)kind) {
@@ -98,7 +107,7 @@ static status_t own_outlook(const robot_t *robot, const snapshot_t *snapshot, mo
         status = program_outlook(robot, snapshot);
         break;
     case (uint32_t)MODE_TRAJECTORY:
-        status = trajectory_outlook(robot, snapshot);
+        status = trajectory_outlook(robot, snapshot, start_ticks);
         break;
     case (uint32_t)MODE_POSE:
         status = pose_outlook(robot, snapshot);
@@ -138,7 +147,8 @@ static status_t chart_outlook(const robot_t *robot, const snapshot_t *snapshot, 
     return procedure_request_motion(&procedure, &inputs, &actions);
 }
 
-status_t mode_outlook(const robot_t *robot, const snapshot_t *snapshot, mode_kind_t kind)
+status_t mode_outlook(const robot_t *robot, const snapshot_t *snapshot,
+                      const int32_t start_ticks[ROBOT_AXIS_MAX], mode_kind_t kind)
 {
     const mode_row_t *const row = &mode_rows[kind];
     status_t status = STATUS_UNKNOWN_COMMAND;
@@ -147,7 +157,7 @@ status_t mode_outlook(const robot_t *robot, const snapshot_t *snapshot, mode_kin
     } else if (row->axes == (uint32_t)MODE_AXES_COMMANDED) {
         status = axis_outlook_of_any(robot, snapshot, kind);
     } else if (row->command != (uint32_t)COMMAND_NONE) {
-        status = own_outlook(robot, snapshot, kind);
+        status = own_outlook(robot, snapshot, start_ticks, kind);
         status = (status == STATUS_OK) ? chart_outlook(robot, snapshot, kind) : status;
     } else {
         /* Nothing arms it. */

@@ -17,11 +17,14 @@
  * axes stand, a program, a target with its entry point, a pose that can be gone to, that the needle
  * is out for it, and, in MOVE_TO_TARGET where this is shown, that the base is aligned.
  *
+ * @param start_ticks where the trajectory begins that is held; NULL: nobody knows, and nothing is
+ * said of it
  * @return STATUS_OK, or why a command for it would be refused
  *
  * @satisfies SWR-MODE-004
  */
-status_t mode_outlook(const robot_t *robot, const snapshot_t *snapshot, mode_kind_t kind);
+status_t mode_outlook(const robot_t *robot, const snapshot_t *snapshot,
+                      const int32_t start_ticks[ROBOT_AXIS_MAX], mode_kind_t kind);
 
 /**
  * The same of a command for `workphase`.

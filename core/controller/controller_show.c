@@ -250,8 +250,6 @@ static void show_trajectory(const controller_t *self, snapshot_t *shown)
     const trajectory_list_t *const list = &self->mode.list;
     shown->trajectory_rows = (list->is_whole != 0U) ? list->count : 0U;
     shown->trajectory_crc = list->crc;
-    (void)memcpy(shown->trajectory_start_ticks, self->rows[0].ticks,
-                 sizeof shown->trajectory_start_ticks);
     shown->trajectory_source = list->source;
     shown->trajectory_row = self->mode.trajectory.row;
     shown->trajectory_time_us = self->mode.trajectory.time_us;

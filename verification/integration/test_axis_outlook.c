@@ -113,7 +113,7 @@ static void expect_axis(const robot_t *robot, mode_kind_t kind, uint32_t axis, b
 /* One that can be commanded, or a refusal that an axis meets. */
 static void expect_mode(const robot_t *robot, mode_kind_t kind)
 {
-    const status_t said = mode_outlook(robot, &rig.outputs.snapshot, kind);
+    const status_t said = mode_outlook(robot, &rig.outputs.snapshot, NULL, kind);
     bool is_met = false;
     bool is_any_armed = false;
     for (uint32_t i = 0U; i < (2U * robot->axis_count); i++) {

@@ -121,6 +121,11 @@ static command_t command_for(mode_kind_t kind)
     return command;
 }
 
+static status_t outlook(const robot_t *robot, mode_kind_t kind)
+{
+    return mode_outlook(robot, &rig.outputs.snapshot, rig.controller.rows[0].ticks, kind);
+}
+
 void test_SWR_MODE_004_what_is_said_of_each_mode_is_what_becomes_of_its_command(void)
 {
     static const mode_kind_t kinds[] = {MODE_HOMING,    MODE_MOVE,       MODE_JOG,   MODE_RETRACT,
@@ -131,7 +136,7 @@ void test_SWR_MODE_004_what_is_said_of_each_mode_is_what_becomes_of_its_command(
     for (uint32_t i = 0U; i < (sizeof scenes / sizeof scenes[0]); i++) {
         for (uint32_t j = 0U; j < (sizeof kinds / sizeof kinds[0]); j++) {
             scenes[i]();
-            const status_t said = mode_outlook(&robot_neuro, &rig.outputs.snapshot, kinds[j]);
+            const status_t said = outlook(&robot_neuro, kinds[j]);
             const status_t became = (status_t)rig_command(&rig, command_for(kinds[j])).status;
             const bool is_of_command =
                 (mode_rows[kinds[j]].axes == (uint32_t)MODE_AXES_COMMANDED) &&
@@ -152,21 +157,19 @@ void test_SWR_MODE_004_a_target_without_an_entry_point_and_a_robot_without_poses
 {
     rig_start_targeted(&rig);
     TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.has_entry);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_NO_ENTRY_POINT,
-                             mode_outlook(&robot_neuro, &rig.outputs.snapshot, MODE_ALIGN));
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NO_ENTRY_POINT, outlook(&robot_neuro, MODE_ALIGN));
     TEST_ASSERT_EQUAL_UINT32(STATUS_NO_ENTRY_POINT,
                              rig_command(&rig, command_for(MODE_ALIGN)).status);
     in_manual();
     robot_t bare = robot_neuro;
     bare.pose_mask = 0U;
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK,
-                             mode_outlook(&robot_neuro, &rig.outputs.snapshot, MODE_POSE));
-    TEST_ASSERT_EQUAL_UINT32(STATUS_NO_POSE, mode_outlook(&bare, &rig.outputs.snapshot, MODE_POSE));
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, outlook(&robot_neuro, MODE_POSE));
+    TEST_ASSERT_EQUAL_UINT32(STATUS_NO_POSE, outlook(&bare, MODE_POSE));
 }
 
 static void expect(mode_kind_t kind, status_t status)
 {
-    TEST_ASSERT_EQUAL_UINT32(status, mode_outlook(&robot_neuro, &rig.outputs.snapshot, kind));
+    TEST_ASSERT_EQUAL_UINT32(status, outlook(&robot_neuro, kind));
     TEST_ASSERT_EQUAL_UINT32(status, rig_command(&rig, command_for(kind)).status);
 }
 

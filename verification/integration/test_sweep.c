@@ -178,7 +178,8 @@ void test_SWR_SWEEP_008_a_released_pedal_drives_nothing_and_the_step_begins_anew
 /* What is said beforehand. */
 static void expect_outlook(mode_kind_t kind, status_t status)
 {
-    TEST_ASSERT_EQUAL_UINT32(status, mode_outlook(&robot_prostate, &rig.outputs.snapshot, kind));
+    TEST_ASSERT_EQUAL_UINT32(status,
+                             mode_outlook(&robot_prostate, &rig.outputs.snapshot, NULL, kind));
 }
 
 void test_SWR_MODE_004_a_needle_that_is_in_is_named_beforehand(void)

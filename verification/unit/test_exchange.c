@@ -899,6 +899,19 @@ void test_SWR_TRAJ_016_a_list_that_is_lost_or_damaged_has_none(void)
     controller.mode.list.count = 0U;
 }
 
+void test_SWR_MODE_004_where_a_trajectory_begins_is_read_while_there_is_one(void)
+{
+    trajectory_row_t start;
+    controller.mode.list.count = 0U;
+    come(2U, true);
+    TEST_ASSERT_TRUE(exchange_read_start(reader, &start));
+    TEST_ASSERT_EQUAL_MEMORY(&controller.rows[0], &start, sizeof start);
+    controller.mode.list.count = 0U;
+    outputs.answer_count = 0U;
+    exchange_publish_rows(control, &controller, &outputs);
+    TEST_ASSERT_FALSE(exchange_read_start(reader, &start));
+}
+
 void test_SWR_EXCH_003_a_checkpoint_request_is_taken_once(void)
 {
     TEST_ASSERT_FALSE(exchange_take_checkpoint_request(control));
