@@ -89,6 +89,18 @@ static void note(http_server_t *server, const http_call_t *call, const box_order
     }
 }
 
+/* To hold what this page holds, or to drop what it does not, is nothing new. */
+static bool is_news(const http_server_t *server, const http_call_t *call, const box_order_t *order)
+{
+    const request_box_order_t *body = &call->body.order_box;
+    bsp_bench_t seen;
+    if (!order->is_of_page || !bsp_bench_look(server->identity.box, &seen)) {
+        return true;
+    }
+    const uint32_t holder = body->has_pedal ? seen.pedal_holder : seen.button_holder;
+    return (holder == call->page) == order->is_safe;
+}
+
 int http_box_order(http_server_t *server, const http_call_t *call)
 {
     const request_box_order_t *body = &call->body.order_box;
@@ -104,9 +116,12 @@ int http_box_order(http_server_t *server, const http_call_t *call)
     if (!order.is_safe && http_notes_are_behind(&server->notes)) {
         return http_reply_refuse(call->connection, PROBLEM_BUSY);
     }
+    const bool is_new = is_news(server, call, &order);
     switch (give(server, call, &order)) {
     case BSP_BENCH_DONE:
-        note(server, call, &order);
+        if (is_new) {
+            note(server, call, &order);
+        }
         return http_box_show(server, call);
     case BSP_BENCH_REFUSED:
         return http_reply_refuse(call->connection,

@@ -17,6 +17,7 @@ int http_box_show(http_server_t *server, const http_call_t *call);
  * Gives an order, and answers what there is to see then. Returns the status sent.
  *
  * @satisfies SWR-HTTP-039
+ * @satisfies SWR-HTTP-057
  */
 int http_box_order(http_server_t *server, const http_call_t *call);
 

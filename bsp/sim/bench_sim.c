@@ -21,13 +21,13 @@ bool bsp_bench_look(const char *name, bsp_bench_t *seen)
     }
     const uint32_t inputs = wire_load(&port.wire->inputs);
     const uint32_t pedal = BSP_IN_PEDAL_A | BSP_IN_PEDAL_B;
-    *seen = port.wire->bench;
+    const bool is_whole = wire_see_bench(port.wire, seen);
     seen->is_pedal_pressed = (inputs & pedal) == pedal;
     seen->is_estop_pulled = (inputs & BSP_IN_ESTOP_CHAIN) == 0U;
     seen->is_scanner_active = (inputs & BSP_IN_SCANNER_IDLE) == 0U;
     seen->is_button_pressed = (inputs & BSP_IN_CONFIRM) != 0U;
     wire_close(&port, WIRE_END_NONE);
-    return true;
+    return is_whole;
 }
 
 bsp_bench_result_t bsp_bench_order(const char *name, const char *order)

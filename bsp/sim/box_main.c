@@ -101,7 +101,7 @@ static void publish_bench(wire_t *wire)
     bsp_bench_t seen;
 
     box_show(&box, &seen);
-    wire->bench = seen;
+    wire_show_bench(wire, &seen);
 }
 
 static void serve_order(wire_t *wire)

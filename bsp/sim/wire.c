@@ -17,6 +17,7 @@
 #define WIRE_MAGIC 0x42425807U
 
 #define NS_PER_S UINT64_C(1000000000)
+#define BENCH_PATIENCE_US 10000U
 
 static const char start_first[] = "start the simulated control box first: boresight-box --box %s";
 
@@ -117,6 +118,43 @@ bool wire_give_order(wire_t *wire, const char *order, uint32_t timeout_us)
         wire->order[0] = '\0';
     }
     return is_answered;
+}
+
+/* Byte by byte, as the other side may be at it. */
+static void copy_shared(void *to, const void *from, size_t size)
+{
+    uint8_t *const bytes = to;
+    const uint8_t *const shared = from;
+
+    for (size_t i = 0U; i < size; i++) {
+        __atomic_store_n(&bytes[i], __atomic_load_n(&shared[i], __ATOMIC_RELAXED),
+                         __ATOMIC_RELAXED);
+    }
+}
+
+/* A box that was killed in the middle has left an odd edition. */
+void wire_show_bench(wire_t *wire, const bsp_bench_t *bench)
+{
+    const uint32_t edition = wire_load(&wire->bench_edition) | 1U;
+
+    wire_store(&wire->bench_edition, edition);
+    __atomic_thread_fence(__ATOMIC_SEQ_CST);
+    copy_shared(&wire->bench, bench, sizeof wire->bench);
+    wire_store(&wire->bench_edition, edition + 1U);
+}
+
+bool wire_see_bench(const wire_t *wire, bsp_bench_t *seen)
+{
+    const uint64_t end_us = wire_now_us() + BENCH_PATIENCE_US;
+    bool is_whole = false;
+
+    do {
+        const uint32_t edition = wire_load(&wire->bench_edition);
+        copy_shared(seen, &wire->bench, sizeof *seen);
+        __atomic_thread_fence(__ATOMIC_SEQ_CST);
+        is_whole = ((edition & 1U) == 0U) && (wire_load(&wire->bench_edition) == edition);
+    } while (!is_whole && (wire_now_us() < end_us));
+    return is_whole;
 }
 
 static bool lock_end(int file, wire_end_t end)

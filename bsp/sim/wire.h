@@ -56,7 +56,8 @@ typedef struct {
     uint32_t order_done; /**< 1: carried out, 0: refused. */
     char order[WIRE_ORDER_SIZE];
     char answer[BOX_REPLY_SIZE];
-    bsp_bench_t bench; /**< What orders have made of the box; each member is whole. */
+    uint32_t bench_edition; /**< Grows before and after the next is written: odd meanwhile. */
+    bsp_bench_t bench;      /**< What orders have made of the box. */
 } wire_t;
 
 /** The ends of the wire; each can be held by one process. Who only looks takes none. */
@@ -121,6 +122,17 @@ bool wire_await(const uint32_t *word, uint32_t value, uint32_t timeout_us);
  * @satisfies SWR-BOX-022
  */
 bool wire_give_order(wire_t *wire, const char *order, uint32_t timeout_us);
+
+/** Shows what orders have made of the box. One process at a time. */
+void wire_show_bench(wire_t *wire, const bsp_bench_t *bench);
+
+/**
+ * Copies what was shown last, whole. False: it was being written all the time, by a box that has
+ * ended in the middle of it.
+ *
+ * @satisfies SWR-BOX-023
+ */
+bool wire_see_bench(const wire_t *wire, bsp_bench_t *seen);
 
 /** The monotonic clock of the world. */
 uint64_t wire_now_ns(void);

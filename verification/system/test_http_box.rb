@@ -86,6 +86,15 @@ class TestHttpBox < Minitest::Test
     wait_until('it stands in the log') { boresight.log.any? { |entry| entry['text'] == said } }
   end
 
+  def test_SWR_HTTP_057_beginning_and_end_of_a_hold_are_logged_once
+    anna = client('anna')
+    %w[hold hold drop drop drop].each { |word| assert_kind_of Hash, give(anna, { button: word }) }
+    assert_kind_of Hash, give(anna, { gate: 'off' })
+    said = -> { boresight.log.map { |entry| entry['text'] }.grep(/\Aanna: ordered of the simulated box: /) }
+    wait_until('what came last stands in the log') { said.call.any?(/gate off/) }
+    assert_equal(%w[hold drop], said.call.filter_map { |text| text[/button (\w+)/, 1] })
+  end
+
   def test_SWR_HTTP_039_what_a_page_holds_no_other_page_gets_or_opens
     anna = presser
     egon = client('egon')

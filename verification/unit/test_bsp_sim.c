@@ -606,3 +606,58 @@ void test_SWR_STORE_001_who_opens_the_board_learns_whether_frames_were_exchanged
     serve_anew(true, 1U);
     TEST_ASSERT_FALSE(power_on_now().was_used);
 }
+
+/* Each box that is shown is made of one number alone. */
+static void *show_always(void *until)
+{
+    const uint32_t *const end = until;
+    bsp_bench_t bench;
+
+    for (uint32_t i = 0U; wire_load(end) == 0U; i++) {
+        (void)memset(&bench, (int)(i % 2U), sizeof bench);
+        wire_show_bench(served.wire, &bench);
+    }
+    return NULL;
+}
+
+static bool is_of_one_number(const bsp_bench_t *seen)
+{
+    bsp_bench_t whole;
+
+    (void)memset(&whole, (int)(seen->pedal_holder & 1U), sizeof whole);
+    return memcmp(&whole, seen, sizeof whole) == 0;
+}
+
+void test_SWR_BOX_023_a_box_that_is_shown_anew_all_the_time_is_seen_whole(void)
+{
+    pthread_t showing;
+    bsp_bench_t seen;
+    uint32_t end = 0U;
+    uint32_t looks = 0U;
+    uint32_t torn = 0U;
+
+    TEST_ASSERT_EQUAL_INT(0, pthread_create(&showing, NULL, show_always, &end));
+    for (uint32_t i = 0U; i < 20000U; i++) {
+        if (wire_see_bench(served.wire, &seen)) {
+            looks++;
+            torn += is_of_one_number(&seen) ? 0U : 1U;
+        }
+    }
+    wire_store(&end, 1U);
+    TEST_ASSERT_EQUAL_INT(0, pthread_join(showing, NULL));
+    TEST_ASSERT_EQUAL_UINT32(0U, torn);
+    TEST_ASSERT_GREATER_THAN_UINT32(1000U, looks);
+}
+
+void test_SWR_BOX_023_a_box_that_ended_while_it_was_shown_is_not_seen_until_the_next_one_is(void)
+{
+    bsp_bench_t bench = {.pedal_holder = 7U};
+    bsp_bench_t seen;
+
+    served.wire->bench_edition = 3U;
+    TEST_ASSERT_FALSE(wire_see_bench(served.wire, &seen));
+    wire_show_bench(served.wire, &bench);
+    TEST_ASSERT_EQUAL_UINT32(4U, served.wire->bench_edition);
+    TEST_ASSERT_TRUE(wire_see_bench(served.wire, &seen));
+    TEST_ASSERT_EQUAL_UINT32(7U, seen.pedal_holder);
+}
