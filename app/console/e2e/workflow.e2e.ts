@@ -301,7 +301,7 @@ test("SWR-CON-028 positions are saved, changed, and restored from the file", asy
   await axis(cleared).getByRole("button", { name: "Clear position" }).click();
   await axis(cleared).getByText("unknown").first().waitFor();
 
-  await page.getByLabel("File of saved positions").setInputFiles({
+  await page.getByLabel("Restore from a file…").setInputFiles({
     name: saved.suggestedFilename(),
     mimeType: "application/json",
     buffer: await readFile(await saved.path()),

@@ -11,7 +11,7 @@ export interface Line {
   points: readonly Point[];
 }
 
-export interface Needle {
+export interface DrawnNeedle {
   treatment: Point;
   /** Its ends; null while nobody knows how long it is. */
   rear: Point | null;
@@ -29,7 +29,7 @@ export interface Scene {
   parts: readonly Line[];
   /** Parts of which it is not known where they are. */
   missing: readonly string[];
-  needle: Needle | null;
+  needle: DrawnNeedle | null;
   entry: Point | null;
   target: Point | null;
   /** Where the body may come, so that the room for it is there before it is. */
@@ -114,7 +114,7 @@ function needleOf(
   pose: readonly number[] | null,
   ends: { rear: number; tip: number } | undefined,
   target: readonly number[] | null,
-): Needle | null {
+): DrawnNeedle | null {
   if (pose === null) {
     return null;
   }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a table of a trajectory looks like, for a look at it before it is sent. Whether it is right the server says.
-import type { Point } from "./parts/Graph";
+import type { GraphPoint } from "./parts/Graph";
 
 export interface AxisWay {
   axis: string;
   unit: string;
   /** Time in seconds, position in the unit. */
-  points: Point[];
+  points: GraphPoint[];
 }
 
 export interface TrajectoryTable {

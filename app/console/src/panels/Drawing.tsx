@@ -9,7 +9,7 @@ import {
   pointsOf,
   sceneOf,
   type Line,
-  type Needle,
+  type DrawnNeedle,
   type Point,
   type Scene,
 } from "../scene";
@@ -143,7 +143,7 @@ function Compass({ right, up, y }: { right: string; up: string; y: number }) {
   );
 }
 
-function NeedleLine({ needle, to }: { needle: Needle; to: Projection }) {
+function NeedleLine({ needle, to }: { needle: DrawnNeedle; to: Projection }) {
   const [x, y] = to(needle.treatment);
   return (
     <g className="drawing-needle">

@@ -67,7 +67,7 @@ function file(content: object | string): File {
 }
 
 function pick(content: object | string): void {
-  fireEvent.change(screen.getByLabelText("File of saved positions"), {
+  fireEvent.change(screen.getByLabelText("Restore from a file…"), {
     target: { files: [file(content)] },
   });
 }
@@ -139,9 +139,9 @@ test("SWR-CON-028 shows what would become of each axis, and changes nothing", as
   ]);
 });
 
-test("SWR-CON-028 a file can be dropped onto the button", async () => {
+test("SWR-CON-028 a file can be dropped there", async () => {
   await show();
-  fireEvent.drop(screen.getByRole("button", { name: /drop it here/ }), {
+  fireEvent.drop(screen.getByText("or drag it here"), {
     dataTransfer: { files: [file(saved)] },
   });
   await screen.findByRole("table");

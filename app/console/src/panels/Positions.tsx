@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import { useId, useRef, useState, type DragEvent } from "react";
+import { useState } from "react";
 import { PositionsPreview } from "@interface";
 import type {
   Path,
@@ -14,6 +14,7 @@ import { isKnown } from "../trust";
 import { useCommanding, type Commanding, type Operation } from "../operation";
 import { refusalOf, type Page } from "../page";
 import { fitted } from "../shape";
+import { FileDrop, type TextFile } from "../parts/FileDrop";
 import { OrderNotes } from "../parts/Order";
 import { Twice } from "../parts/Twice";
 import "./Positions.css";
@@ -195,57 +196,6 @@ function Preview({
   );
 }
 
-/** By the picker or dropped onto the button. */
-function FileButton({ take }: { take: (file: File) => void }) {
-  const picker = useRef<HTMLInputElement>(null);
-  const id = useId();
-  const [isOver, setIsOver] = useState(false);
-  const over = (event: DragEvent, isHere: boolean) => {
-    event.preventDefault();
-    setIsOver(isHere);
-  };
-  return (
-    <>
-      <button
-        type="button"
-        className="positions-drop"
-        data-over={isOver}
-        onClick={() => picker.current?.click()}
-        onDragEnter={(event) => over(event, true)}
-        onDragOver={(event) => over(event, true)}
-        onDragLeave={(event) => over(event, false)}
-        onDrop={(event) => {
-          over(event, false);
-          const file = event.dataTransfer.files[0];
-          if (file !== undefined) {
-            take(file);
-          }
-        }}
-      >
-        Restore from a file, or drop it here…
-      </button>
-      <label className="hidden" htmlFor={id}>
-        File of saved positions
-      </label>
-      <input
-        id={id}
-        ref={picker}
-        className="hidden"
-        type="file"
-        accept=".json,application/json"
-        tabIndex={-1}
-        onChange={(event) => {
-          const file = event.target.files?.[0];
-          event.target.value = ""; // The same one may be taken again.
-          if (file !== undefined) {
-            take(file);
-          }
-        }}
-      />
-    </>
-  );
-}
-
 /**
  * Saves where the axes stand, and restores it in two steps: what would become of each axis is looked at first.
  *
@@ -266,12 +216,12 @@ export function Positions({
     void work()
       .catch(() => NO_ANSWER)
       .then(setNote);
-  const take = (file: File) =>
+  const take = ({ name, text }: TextFile) =>
     attempt(async () => {
       setPreview(null);
-      const found = await look(operation.page, await file.text());
+      const found = await look(operation.page, text);
       if (typeof found === "string") {
-        return `${file.name} was refused. ${found}`;
+        return `${name} was refused. ${found}`;
       }
       setPreview(found);
       return null;
@@ -293,8 +243,12 @@ export function Positions({
         >
           Save positions
         </button>
-        <FileButton take={take} />
       </div>
+      <FileDrop
+        label="Restore from a file…"
+        accept=".json,application/json"
+        take={take}
+      />
       {note !== null && (
         <p className="order-problem" role="alert">
           {note}

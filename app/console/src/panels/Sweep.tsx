@@ -6,7 +6,12 @@ import { formatNumber, words } from "../format";
 import { useAnswer } from "../answer";
 import { ASK_AGAIN_MS, reasonAgainst } from "../outlook";
 import type { Page } from "../page";
-import { Graph, GraphLegend, type Curve, type Point } from "../parts/Graph";
+import {
+  Graph,
+  GraphLegend,
+  type Curve,
+  type GraphPoint,
+} from "../parts/Graph";
 import { Order } from "../parts/Order";
 import { readRuns, type SweepRun } from "../sweep_runs";
 import type { ModePanelProperties } from "./mode_panel";
@@ -29,7 +34,7 @@ function kilohertz(value: number): string {
 }
 
 function curvesOf(points: readonly SweepPoint[]): Curve[] {
-  const curve = (value: (point: SweepPoint) => number | null): Point[] =>
+  const curve = (value: (point: SweepPoint) => number | null): GraphPoint[] =>
     points.flatMap((point) => {
       const speed = value(point);
       return speed === null ? [] : [[point.frequency_hz, speed] as const];
@@ -167,7 +172,7 @@ function KeptSweep({ kept }: { kept: Kept | null }) {
 function runCurves(runs: readonly SweepRun[], axis: Axis): Curve[] {
   const range = axis.maximum - axis.minimum;
   const unitPerTick = range / (axis.maximum_ticks - axis.minimum_ticks);
-  const curve = (way: "upwards" | "downwards"): Point[] =>
+  const curve = (way: "upwards" | "downwards"): GraphPoint[] =>
     runs.flatMap(({ hertz, [way]: ticks }) =>
       ticks === null ? [] : [[hertz, Math.abs(ticks * unitPerTick)] as const],
     );

@@ -13,7 +13,7 @@ const AXIS_WIDTH = 64;
 const LEAST_RANGE = 1;
 const MOST_OUTPUT = 100;
 
-export interface Curve {
+export interface PlotLine {
   quantity: Quantity;
   label: string;
   /** A variable of the theme. */
@@ -24,7 +24,7 @@ export interface Curve {
 export interface ChartKind {
   title: string;
   unitOf: (unit: Axis["unit"]) => string;
-  curves: readonly Curve[];
+  curves: readonly PlotLine[];
   range?: [number, number];
 }
 

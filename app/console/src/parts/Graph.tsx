@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 import "./Graph.css";
 
-export type Point = readonly [x: number, y: number];
+export type GraphPoint = readonly [x: number, y: number];
 
 export interface Curve {
   name: string;
   /** Its look: each has strokes of its own. */
   kind: "first" | "second" | "third";
-  points: readonly Point[];
+  points: readonly GraphPoint[];
 }
 
 export interface GraphProperties {
@@ -48,7 +48,7 @@ export function Graph({ label, curves, x, y, cursor = null }: GraphProperties) {
   }
   const across = rangeOf(points.map(([value]) => value));
   const up = rangeOf(points.map(([, value]) => value));
-  const place = ([a, b]: Point) =>
+  const place = ([a, b]: GraphPoint) =>
     `${(share(a, across) * WIDTH).toFixed(1)},${((1 - share(b, up)) * HEIGHT).toFixed(1)}`;
   return (
     <div className="graph">
