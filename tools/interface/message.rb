@@ -61,13 +61,16 @@ module Interface
       'text' => ['const char *', 'string', 'json_add_text(object, %<key>s, %<value>s)']
     }.freeze
     ITEM = ['cJSON *', nil, 'json_add_item(object, %<key>s, %<value>s)'].freeze
+    # What whole numbers may be; a script's are exact up to 2**53.
+    WHOLE = { 'uint32' => [0, (2**32) - 1], 'int32' => [-(2**31), (2**31) - 1], 'uint64' => [0, (2**53) - 1] }.freeze
     # The names of all problems and statuses.
     CODES = 'problem_code'
 
-    attr_reader :name, :says, :node, :type, :words, :enumeration, :message
+    # `bounds`: least and most of a whole number, nil of all others.
+    attr_reader :name, :says, :node, :type, :words, :enumeration, :message, :bounds
 
     def initialize(node)
-      nodes = node.mapping(%w[name type], %w[says or_null optional list])
+      nodes = node.mapping(%w[name type], %w[says or_null optional list minimum maximum])
       @node = node
       @name = nodes['name'].identifier
       @says = nodes['says']&.text
@@ -76,6 +79,7 @@ module Interface
       @is_list = nodes.key?('list') && nodes['list'].true?
       @words = nodes['type'].sequence.map(&:identifier) if nodes['type'].list?
       @type = @words ? 'text' : nodes['type'].identifier
+      @bounds = read_bounds(nodes)
     end
 
     def check(model)
@@ -124,6 +128,13 @@ module Interface
     end
 
     private
+
+    def read_bounds(nodes)
+      range = WHOLE[@type]
+      given = %w[minimum maximum].filter_map { |key| nodes[key] }
+      given.first&.refuse('bounds what is no whole number') unless range
+      range && %w[minimum maximum].zip(range).map { |key, end_of_all| nodes[key]&.integer(Range.new(*range)) || end_of_all }
+    end
 
     def item?
       @is_list || @message

@@ -136,7 +136,10 @@ module Interface
       return words(Member::CODES, @model.problem_codes) if member.codes?
       return enumeration(member.enumeration) if member.enumeration
 
-      member.message ? Schema.ref(member.message.typescript) : PLAIN.fetch(member.type)
+      return Schema.ref(member.message.typescript) if member.message
+
+      schema = PLAIN.fetch(member.type)
+      member.bounds ? schema.merge(%w[minimum maximum].zip(member.bounds).to_h) : schema
     end
 
     def single(member)

@@ -13,9 +13,10 @@ module Interface
     include TSort
 
     HEAD = <<~CODE
-      /** What a value must be. A list may have its length; of `named` are name and text, the name one of these words. */
+      /** What a value must be. A whole number has its least and its most, a list may have its length; of `named` are name and text, the name one of these words. */
       export type Kind =
         | "number"
+        | readonly ["whole", number, number]
         | "string"
         | "boolean"
         | Shape<unknown>
@@ -75,8 +76,13 @@ module Interface
       when 'named' then tagged('named', union(type))
       when 'set' then tagged('list', tagged('named', union(type)))
       when *Schema::NUMBERS.keys then tagged('list', '"number"', Schema::NUMBERS[form])
+      when 'number' then whole(Member::WHOLE.fetch(type.name, Member::WHOLE['uint32']))
       else '"number"'
       end
+    end
+
+    def whole(bounds)
+      "[\"whole\", #{bounds.join(', ')}]"
     end
 
     def added(member)
@@ -90,6 +96,8 @@ module Interface
       return tagged('words', JSON.generate(member.words)) if member.words
       return @model.union_name(Member::CODES) if member.codes?
       return @model.union_name(member.enumeration.name) if member.enumeration
+
+      return whole(member.bounds) if member.bounds
 
       member.message ? member.message.typescript : "\"#{Member::TYPES.dig(member.type, 1)}\""
     end

@@ -261,6 +261,7 @@ class TestInterfaceCompiler < Minitest::Test
 
   def test_SWR_TOOL_011_console_checks_each_message_by_a_table
     messages = "#{MESSAGES}      - {name: size, type: [small, large]}\n      - {name: lid, type: lid}\n" \
+               "      - {name: coats, type: uint32, maximum: 3}\n      - {name: wear, type: int32, minimum: -5}\n" \
                "  - name: lid\n    says: On top.\n    members:\n      - {name: tags, type: text, list: true}\n"
     with_output('colours.yml' => SHOWN, 'messages.yml' => messages) do |folder|
       types = File.read(File.join(folder, 'app/api.ts'))
@@ -275,14 +276,24 @@ class TestInterfaceCompiler < Minitest::Test
           members: {
             colour: ["null", Colour],
             lamp: LampState,
-            litres: "number",
+            litres: ["whole", 0, 4294967295],
             maker: ["null", "string"],
             size: ["words", ["small","large"]],
             lid: Lid,
+            coats: ["whole", 0, 3],
+            wear: ["whole", -5, 2147483647],
           },
         };
       CODE
       assert_includes types, %(export const LampState: Kind = ["words", ["dark","bright"]];)
+    end
+  end
+
+  def test_SWR_TOOL_012_refuses_bounds_of_what_is_no_whole_number
+    messages = MESSAGES.sub('or_null: true', 'maximum: 3')
+    with_model('colours.yml' => SHOWN, 'messages.yml' => messages) do |folder|
+      _, message = capture_io { refute Interface::Command.run([folder]) }
+      assert_includes message, 'bounds what is no whole number'
     end
   end
 

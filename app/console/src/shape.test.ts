@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rule under test: a message that lacks a member, or holds one of another type, is used for nothing, and the place is said.
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import { Problem, RobotState, Sweep, type Kind } from "@interface";
+import { Problem, Robot, RobotState, Sweep, type Kind } from "@interface";
 import { ask, change } from "./answer";
 import { Page } from "./page";
 import { misfitOf } from "./shape";
 import { TelemetryStore } from "./store";
+import { plainRobot } from "./testing/commander";
 import { makeRobot } from "./testing/robot";
 import { FakeSurroundings } from "./testing/surroundings";
 
@@ -36,6 +37,12 @@ function altered(
     );
   alter(holder, names.at(-1) ?? "");
   return copy;
+}
+
+function alteredTo(place: string, value: unknown): RobotState {
+  return altered(place, (holder, name) => {
+    holder[name] = value;
+  });
 }
 
 const robot = makeRobot();
@@ -104,6 +111,37 @@ test("SWR-CON-039 a matrix of fifteen numbers does not fit", () => {
   });
   expect(misfitOf(state, RobotState)).toBe("/targeting/zframe_treatment");
 });
+
+test("SWR-CON-045 a number that is not finite does not fit", () => {
+  const isNumber = (place: string) =>
+    misfitOf(alteredTo(place, true), RobotState) === place &&
+    misfitOf(alteredTo(place, 1), RobotState) === null;
+  const numbers = places.filter(isNumber);
+  expect(numbers.length).toBeGreaterThan(40);
+  const unnoticed = numbers.filter(
+    (place) => misfitOf(alteredTo(place, Infinity), RobotState) !== place,
+  );
+  expect(unnoticed).toEqual([]);
+});
+
+test.each([
+  ["/status/cycle", -1],
+  ["/status/cycle", 0.5],
+  ["/status/cycle", 2 ** 32],
+  ["/motors/axes/0/position_ticks", 2 ** 31],
+  ["/motors/axes/0/position_ticks", -(2 ** 31) - 1],
+  ["/status/cards/0/slot", 10],
+])("SWR-CON-045 %s is not %d", (place, value) => {
+  expect(misfitOf(alteredTo(place, value), RobotState)).toBe(place);
+});
+
+test.each([-1, 0.5, 11, 4294967295])(
+  "SWR-CON-045 a robot has no %d slots",
+  (slots) => {
+    expect(misfitOf(plainRobot, Robot)).toBeNull();
+    expect(misfitOf({ ...plainRobot, slots }, Robot)).toBe("/slots");
+  },
+);
 
 test("SWR-CON-039 members that are not known harm nobody", () => {
   const state = altered("/status/box", (holder) => {

@@ -6,6 +6,11 @@ function isObject(value: unknown): value is Record<string, unknown> {
   return typeof value === "object" && value !== null && !Array.isArray(value);
 }
 
+function isWholeFrom(value: unknown, least: number, most: number): boolean {
+  const number = Number.isInteger(value) ? (value as number) : NaN;
+  return number >= least && number <= most;
+}
+
 function misfitOfMembers(
   value: unknown,
   members: Shape<unknown>["members"],
@@ -44,6 +49,9 @@ function misfitOfList(
  * kind does not know harms nobody.
  */
 export function misfitOf(value: unknown, kind: Kind): string | null {
+  if (kind === "number") {
+    return Number.isFinite(value) ? null : "";
+  }
   if (typeof kind === "string") {
     return typeof value === kind ? null : "";
   }
@@ -51,6 +59,8 @@ export function misfitOf(value: unknown, kind: Kind): string | null {
     return misfitOfMembers(value, kind.members);
   }
   switch (kind[0]) {
+    case "whole":
+      return isWholeFrom(value, kind[1], kind[2]) ? null : "";
     case "words":
       return kind[1].includes(value as string) ? null : "";
     case "named":
@@ -80,6 +90,7 @@ export function watchMisfits(watcher: Watcher): () => void {
  * The value as this message. Throws a misfit when it is none, and tells who watches; `name` is that of the message.
  *
  * @satisfies SWR-CON-039
+ * @satisfies SWR-CON-045
  */
 export function fitted<Message>(
   value: unknown,
