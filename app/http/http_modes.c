@@ -27,9 +27,13 @@ static const char *name_of(status_t status)
     return (status == STATUS_OK) ? NULL : status_name((int32_t)status);
 }
 
-static const char *reason_of(status_t status)
+/* NULL: nothing stands against it. Of the wrong workphase, which is the right one of `kind`. */
+static const char *reason_of(status_t status, uint32_t kind)
 {
-    return (status == STATUS_OK) ? NULL : status_text((int32_t)status);
+    const char *where = command_kind_where((int32_t)kind);
+    const bool is_elsewhere = (status == STATUS_WRONG_WORKPHASE) && (where[0] != '\0');
+    const char *reason = is_elsewhere ? where : status_text((int32_t)status);
+    return (status == STATUS_OK) ? NULL : reason;
 }
 
 static cJSON *new_axes(const telemetry_view_t *view, mode_kind_t kind)
@@ -42,9 +46,10 @@ static cJSON *new_axes(const telemetry_view_t *view, mode_kind_t kind)
         const status_t down = axis_outlook(view->robot, &view->snapshot, kind, i, false);
         const json_axis_outlook_t also = {.axis = view->robot->axes[i].name,
                                           .upwards = name_of(up),
-                                          .upwards_reason = reason_of(up),
+                                          .upwards_reason = reason_of(up, mode_rows[kind].command),
                                           .downwards = name_of(down),
-                                          .downwards_reason = reason_of(down)};
+                                          .downwards_reason =
+                                              reason_of(down, mode_rows[kind].command)};
         (void)cJSON_AddItemToArray(axes, json_axis_outlook(&also));
     }
     return axes;
@@ -60,7 +65,7 @@ static cJSON *new_mode(const telemetry_view_t *view, const int32_t *start_ticks,
                               .workphases = new_workphases(row->workphases),
                               .is_allowed = status == STATUS_OK,
                               .status = name_of(status),
-                              .reason = reason_of(status),
+                              .reason = reason_of(status, row->command),
                               .axes = new_axes(view, kind)};
     return json_mode(&also);
 }
@@ -105,12 +110,9 @@ static cJSON *new_command(const telemetry_view_t *view, const session_t *session
     if (!is_of_role) {
         also.status = problems[PROBLEM_ROLE_REFUSED].code;
         also.reason = problems[PROBLEM_ROLE_REFUSED].detail;
-    } else if (status == STATUS_WRONG_WORKPHASE) {
-        also.status = status_name((int32_t)status);
-        also.reason = command_kind_where((int32_t)kind);
     } else if (status != STATUS_OK) {
         also.status = status_name((int32_t)status);
-        also.reason = status_text((int32_t)status);
+        also.reason = reason_of(status, (uint32_t)kind);
     } else {
         also.is_allowed = true;
     }

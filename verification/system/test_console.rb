@@ -106,6 +106,10 @@ class TestConsole < Minitest::Test
     assert_parts 'SWR-CON-010'
   end
 
+  def test_SWR_CON_047_a_motion_that_begins_moves_nothing_else
+    assert_parts 'SWR-CON-047'
+  end
+
   def test_SWR_CON_011_one_console_too_many_is_told_why
     assert_parts 'SWR-CON-011'
   end

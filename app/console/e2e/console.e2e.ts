@@ -191,6 +191,20 @@ test("SWR-CON-005 each axis says that the pedal is missing", async () => {
   }
 });
 
+/** How much room the progress takes, in its panel. */
+async function roomOfProgress(): Promise<number | undefined> {
+  const panel = page.locator(".panel", { has: page.locator(".steps") });
+  return (await panel.boundingBox())?.height;
+}
+
+test("SWR-CON-047 the room of the progress is there before a motion begins", async () => {
+  const before = await roomOfProgress();
+  simulate("pedal press");
+  await page.locator(".progress progress").waitFor();
+  expect(await roomOfProgress()).toBe(before);
+  await startUp();
+});
+
 test("SWR-CON-003 the position moves while the pedal is pressed", async () => {
   const before = await field("insertion", "position").textContent();
   simulate("pedal press");

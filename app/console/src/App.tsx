@@ -13,6 +13,7 @@ import { Login } from "./panels/Login";
 import { StopButton } from "./panels/StopButton";
 import { Boundary } from "./parts/Boundary";
 import { Clock } from "./parts/Clock";
+import { RecentActs } from "./parts/RecentActs";
 import { ThemeChoice } from "./parts/ThemeChoice";
 import { Operation } from "./operation";
 import { useOutlook } from "./outlook";
@@ -124,6 +125,7 @@ function Toolbar({
         <Notices view={view} />
       </Boundary>
       <Help />
+      <RecentActs operation={operation} />
     </div>
   );
 }
@@ -164,7 +166,10 @@ export function Emergency() {
 export function App({ store }: { store: TelemetryStore }) {
   const view = useSyncExternalStore(store.subscribe, store.getView);
   const [operation] = useState(() => new Operation());
-  useEffect(() => store.tellActsTo(operation.page.lastAct), [store, operation]);
+  useEffect(
+    () => store.tellActsTo(operation.page.recentActs),
+    [store, operation],
+  );
   useTitle(view);
   return (
     <>

@@ -2,7 +2,7 @@
 // Rule under test: what became of the last act of this page is told, whoever tells it first, and never what became of others.
 import { afterEach, expect, test, vi } from "vitest";
 import type { Act } from "@interface";
-import { LastAct } from "./acts";
+import { RecentActs } from "./acts";
 import { TelemetryStore } from "./store";
 import { makeCommander } from "./testing/commander";
 import { FakeSurroundings } from "./testing/surroundings";
@@ -31,8 +31,8 @@ const failure = makeAct({
   limit: "lower",
 });
 
-function begun(): LastAct {
-  const acts = new LastAct(PAGE);
+function begun(): RecentActs {
+  const acts = new RecentActs(PAGE);
   acts.begin(1, "/api/v1/velocity", {});
   return acts;
 }
@@ -113,6 +113,9 @@ test.each([
   const { operation, answers } = await makeCommander("OPERATOR");
   answers["/api/v1/align"] = answer;
   expect(await operation.page.act("/api/v1/align", {})).toBe(reason);
-  expect(operation.page.lastAct.getOutcome()).toMatchObject({ state, reason });
+  expect(operation.page.recentActs.getOutcome()).toMatchObject({
+    state,
+    reason,
+  });
   operation.session.stop();
 });

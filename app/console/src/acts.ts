@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What became of the last act of this page: told by the answer to it, or later by the stream, in whatever order they come.
+// What became of the last acts of this page: told by the answer to it, or later by the stream, in whatever order they come.
 import type { Act, Path } from "@interface";
 import { refusalOf } from "./refusal";
 
@@ -20,15 +20,18 @@ export interface ActListener {
   loseActs(): void;
 }
 
+const KEPT = 8;
+
 /**
- * The last act alone: what comes after it discards what it had armed.
+ * The last acts, whichever panel they came from, and whether that is still shown.
  *
  * @satisfies SWR-CON-033
+ * @satisfies SWR-CON-046
  */
-export class LastAct implements ActListener {
+export class RecentActs implements ActListener {
   private readonly page: number;
   private readonly listeners = new Set<() => void>();
-  private outcome: Outcome | null = null;
+  private outcomes: readonly Outcome[] = [];
 
   constructor(page: number) {
     this.page = page;
@@ -39,44 +42,57 @@ export class LastAct implements ActListener {
     return () => this.listeners.delete(listener);
   };
 
-  readonly getOutcome = (): Outcome | null => this.outcome;
+  /** Of the last one. */
+  readonly getOutcome = (): Outcome | null => this.outcomes[0] ?? null;
+
+  /** Of all that are kept, the newest first. */
+  readonly getOutcomes = (): readonly Outcome[] => this.outcomes;
 
   begin(id: number, path: Path, fields: object): void {
-    this.replace({ id, path, fields, state: "sent", reason: null });
+    const begun = { id, path, fields, state: "sent", reason: null } as const;
+    this.replace([begun, ...this.outcomes].slice(0, KEPT));
   }
 
   /** The stream may have told its end before the answer says that it was begun. */
   answer(id: number, state: "accepted" | "done"): void {
-    if (this.outcome?.id === id && this.outcome.state === "sent") {
-      this.replace({ ...this.outcome, state });
-    }
+    this.change((one) => one.id === id && one.state === "sent", { state });
   }
 
   fail(id: number, reason: string): void {
-    if (this.outcome?.id === id) {
-      this.replace({ ...this.outcome, state: "failed", reason });
-    }
+    this.change((one) => one.id === id, { state: "failed", reason });
   }
 
   hearAct(act: Act): void {
-    if (act.page !== this.page || act.id !== this.outcome?.id) {
+    const { id, page, state, message: detail } = act;
+    if (page !== this.page) {
       return;
     }
-    if (act.state === "failed") {
-      this.fail(act.id, refusalOf({ ...act, detail: act.message }));
+    if (state === "failed") {
+      this.fail(id, refusalOf({ ...act, detail }));
     } else {
-      this.replace({ ...this.outcome, state: act.state });
+      this.change((one) => one.id === id, { state });
     }
   }
 
   loseActs(): void {
-    if (this.outcome?.state === "accepted") {
-      this.replace({ ...this.outcome, state: "lost" });
+    this.change((one) => one.state === "accepted", { state: "lost" });
+  }
+
+  private change(
+    isMeant: (outcome: Outcome) => boolean,
+    change: Partial<Outcome>,
+  ): void {
+    if (this.outcomes.some(isMeant)) {
+      this.replace(
+        this.outcomes.map((one) =>
+          isMeant(one) ? { ...one, ...change } : one,
+        ),
+      );
     }
   }
 
-  private replace(outcome: Outcome): void {
-    this.outcome = outcome;
+  private replace(outcomes: readonly Outcome[]): void {
+    this.outcomes = outcomes;
     this.listeners.forEach((listener) => listener());
   }
 }

@@ -68,13 +68,16 @@ export function useCommanding(
 ): Commanding {
   const [own, setOwn] = useState<number | null>(null);
   const { session, page } = operation;
-  const { lastAct } = page;
-  const outcome = useSyncExternalStore(lastAct.subscribe, lastAct.getOutcome);
+  const { recentActs } = page;
+  const outcome = useSyncExternalStore(
+    recentActs.subscribe,
+    recentActs.getOutcome,
+  );
   const view = useSyncExternalStore(session.subscribe, session.getView);
   const role = view.session?.role ?? null;
   const command = async (path: Path, fields: object = {}) => {
     const refusal = page.act(path, fields);
-    setOwn(lastAct.getOutcome()?.id ?? null);
+    setOwn(recentActs.getOutcome()?.id ?? null);
     return (await refusal) === null;
   };
   const isMine = operation.authority.isMine(authority);

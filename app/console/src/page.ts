@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // This page as what commands by HTTP: its number, drawn anew by each load of it, and the ids of what it does.
 import type { Act, Path, Problem } from "@interface";
-import { LastAct } from "./acts";
+import { RecentActs } from "./acts";
 import { NO_ANSWER, refusalOf } from "./refusal";
 
 export { refusalOf } from "./refusal";
@@ -37,7 +37,7 @@ export interface Reply<Answer> {
 
 export class Page {
   readonly number = drawNumber();
-  readonly lastAct = new LastAct(this.number);
+  readonly recentActs = new RecentActs(this.number);
   private readonly getToken: () => string | null;
   private acts = 0;
 
@@ -49,10 +49,10 @@ export class Page {
   async act(path: Path, fields: object): Promise<string | null> {
     this.acts += 1;
     const id = this.acts;
-    this.lastAct.begin(id, path, fields);
+    this.recentActs.begin(id, path, fields);
     const refusal = await this.ask(id, path, fields);
     if (refusal !== null) {
-      this.lastAct.fail(id, refusal);
+      this.recentActs.fail(id, refusal);
     }
     return refusal;
   }
@@ -87,7 +87,7 @@ export class Page {
         if (!response.ok) {
           return refusalOf(said);
         }
-        this.lastAct.answer(
+        this.recentActs.answer(
           id,
           said.state === "accepted" ? "accepted" : "done",
         );

@@ -51,7 +51,7 @@ function marks(): (string | undefined)[] {
 function hear(change: Partial<Act>): void {
   const { page } = commander.operation;
   act(() =>
-    page.lastAct.hearAct({ id: 1, page: page.number, ...change } as Act),
+    page.recentActs.hearAct({ id: 1, page: page.number, ...change } as Act),
   );
 }
 

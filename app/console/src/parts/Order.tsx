@@ -39,7 +39,7 @@ function stateOf(
 }
 
 /** As /api/v1/motors/yaw/jog is read. */
-function nameOf({ path, fields }: Outcome): string {
+export function nameOf({ path, fields }: Outcome): string {
   const what = Object.values(fields).filter((one) => typeof one === "string");
   const name = path.replace("/api/v1/", "").replaceAll(/[/-]/g, " ");
   return [name, ...what.map(words)].join(" ");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Status } from "@interface";
+import "./Progress.css";
 
 /** What the share is of; of the others, of their present leg. */
 const shares: Readonly<Partial<Record<Status["mode"]["name"], string>>> = {
@@ -10,7 +11,11 @@ const shares: Readonly<Partial<Record<Status["mode"]["name"], string>>> = {
   SWEEP: "of its present step",
 };
 
-/** How far what moves has come, and how long it lasts yet where that is known. Empty while nothing moves. */
+/**
+ * How far what moves has come, and how long it lasts yet where that is known. Empty while nothing moves, in the same room.
+ *
+ * @satisfies SWR-CON-047
+ */
 export function Progress({ status }: { status: Status }) {
   if (status.order !== "moving") {
     return <p className="progress" />;
@@ -20,9 +25,11 @@ export function Progress({ status }: { status: Status }) {
     status.left_ms > 0 ? `, ${Math.ceil(status.left_ms / 1000)} s left` : "";
   return (
     <p className="progress">
-      <progress max={100} value={percent} aria-label={status.mode.text} />{" "}
-      {percent} % {shares[status.mode.name] ?? "of its present leg"}
-      {left}
+      <progress max={100} value={percent} aria-label={status.mode.text} />
+      <span>
+        {percent} % {shares[status.mode.name] ?? "of its present leg"}
+        {left}
+      </span>
     </p>
   );
 }

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rule under test: what becomes of a command is told wherever one is on the page by then.
+import { act, cleanup, render, screen, within } from "@testing-library/react";
+import { afterEach, expect, test, vi } from "vitest";
+import type { Act, Path } from "@interface";
+import { makeCommander, type Commander } from "../testing/commander";
+import { RecentActs } from "./RecentActs";
+
+const JOG: Path = "/api/v1/motors/yaw/jog";
+let commander: Commander;
+
+/** Begun, one after the other, by panels that are not there any more. */
+async function show(...paths: Path[]): Promise<void> {
+  commander = await makeCommander("OPERATOR");
+  const { page } = commander.operation;
+  for (const path of paths) {
+    commander.answers[path] = { status: 202, body: { state: "accepted" } };
+    await page.act(path, {});
+  }
+  render(<RecentActs operation={commander.operation} />);
+}
+
+function hear(change: Partial<Act>): void {
+  const { page } = commander.operation;
+  const said = { id: 1, page: page.number, ...change } as Act;
+  act(() => page.recentActs.hearAct(said));
+}
+
+function told(): string[] {
+  const items = within(screen.getByRole("list")).queryAllByRole("listitem");
+  const summary = document.querySelector("summary");
+  return [summary, ...items].map((one) => one?.textContent.trim() ?? "");
+}
+
+afterEach(() => {
+  commander.operation.session.stop();
+  cleanup();
+  vi.unstubAllGlobals();
+});
+
+test("SWR-CON-046 its place is there before the first command", async () => {
+  await show();
+  expect(document.body.textContent).toBe("No command from this page yet.");
+});
+
+test("SWR-CON-046 who may not command has no such place", async () => {
+  commander = await makeCommander("OBSERVER");
+  render(<RecentActs operation={commander.operation} />);
+  expect(document.body.textContent).toBe("");
+});
+
+test("SWR-CON-046 the end of a command is told after another one was given", async () => {
+  await show(JOG, "/api/v1/needle/retract");
+  hear({ state: "failed", message: "Discarded before it was done." });
+  hear({ id: 2, state: "done" });
+  const [last, before] = told();
+  expect(last).toContain("needle retract: done");
+  expect(before).toContain(
+    "motors yaw jog: not done. Discarded before it was done.",
+  );
+});
+
+test("SWR-CON-046 of all that have begun the end is unknown once the stream was interrupted", async () => {
+  await show(JOG, JOG);
+  hear({ state: "done" });
+  act(() => commander.operation.page.recentActs.loseActs());
+  const [last, before] = told();
+  expect(last).toContain("its end is not known");
+  expect(before).toContain("done");
+});
+
+test("SWR-CON-046 the last eight are kept", async () => {
+  await show(...Array.from({ length: 10 }, () => JOG));
+  expect(told()).toHaveLength(8);
+});

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+import { useSyncExternalStore } from "react";
+import type { Outcome } from "../acts";
+import type { Level } from "../lamps";
+import { mayCommand, type Operation } from "../operation";
+import { nameOf } from "./Order";
+import { Shape } from "./Shape";
+import "./RecentActs.css";
+
+const levels: Readonly<Record<Outcome["state"], Level>> = {
+  sent: "unknown",
+  accepted: "active",
+  done: "normal",
+  failed: "fault",
+  lost: "unknown",
+};
+
+const states: Readonly<Record<Outcome["state"], string>> = {
+  sent: "sent",
+  accepted: "accepted",
+  done: "done",
+  failed: "not done",
+  lost: "its end is not known",
+};
+
+function Told({ outcome }: { outcome: Outcome }) {
+  const { state, reason } = outcome;
+  return (
+    <>
+      <Shape level={levels[state]} /> {nameOf(outcome)}: {states[state]}
+      {reason !== null && `. ${reason}`}
+    </>
+  );
+}
+
+/**
+ * What this page has commanded last and what became of it, also when its panel was left before.
+ *
+ * @satisfies SWR-CON-046
+ */
+export function RecentActs({ operation }: { operation: Operation }) {
+  const { session } = operation;
+  const { recentActs } = operation.page;
+  const view = useSyncExternalStore(session.subscribe, session.getView);
+  const outcomes = useSyncExternalStore(
+    recentActs.subscribe,
+    recentActs.getOutcomes,
+  );
+  const [last, ...others] = outcomes;
+  if (!mayCommand(view.session)) {
+    return null;
+  }
+  if (last === undefined) {
+    return <p className="recent-acts">No command from this page yet.</p>;
+  }
+  return (
+    <details className="recent-acts">
+      <summary>
+        <span className="hidden">Last commands of this page. </span>
+        <Told outcome={last} />
+      </summary>
+      <ol aria-label="Commands before it">
+        {others.map((outcome) => (
+          <li key={outcome.id}>
+            <Told outcome={outcome} />
+          </li>
+        ))}
+      </ol>
+    </details>
+  );
+}
