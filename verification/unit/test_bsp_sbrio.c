@@ -171,6 +171,17 @@ void test_SWR_SPI_003_two_buses_work_at_once(void)
     TEST_ASSERT_EQUAL_UINT(10U, spi_world_devices[1].frames);
 }
 
+void test_SWR_SPI_003_two_devices_of_a_bus_take_turns(void)
+{
+    open_board("spidev:/dev/spidev1.0,slots=0-4,clock=100000000;"
+               "spidev:/dev/spidev1.1,slots=5-9,clock=100000000;" LINES);
+    exchange(1U);
+    exchange(2U);
+    assert_results(OUR_SLOTS, BSP_SLOT_OK);
+    assert_heard(1U);
+    TEST_ASSERT_EQUAL_UINT(10U, spi_world_devices[2].frames);
+}
+
 void test_SWR_SPI_003_a_bus_whose_slots_are_not_sent_rests(void)
 {
     open_board("spidev:/dev/spidev1.0,slots=0-4,clock=50000000;"
@@ -267,6 +278,20 @@ void test_SWR_SPI_004_a_signal_handler_starts_and_finishes_whatever_it_interrupt
     (void)signal(SIGALRM, SIG_DFL);
     assert_heard(1U);
     TEST_ASSERT_EQUAL_INT(0, POWER);
+}
+
+void test_SWR_SPI_004_a_bus_without_the_right_to_a_priority_works_all_the_same(void)
+{
+    static spi_bus_t bus;
+    wiring_t wired;
+    TEST_ASSERT_TRUE(wiring_read(&wired, ONE_BUS LINES, error, sizeof error));
+    TEST_ASSERT_TRUE_MESSAGE(spi_bus_open(&bus, &wired, 1U, -1, error, sizeof error), error);
+    write_frames(1U);
+    TEST_ASSERT_TRUE(
+        spi_bus_start(&bus, OUR_SLOTS, (const uint8_t(*)[CARD_FRAME_BYTES])frames, 0U));
+    TEST_ASSERT_TRUE(spi_bus_await(&bus, spi_bus_now_ns() + (1000U * NS_PER_MS)));
+    TEST_ASSERT_EQUAL_INT32(0, spi_bus_error(&bus, 1U));
+    spi_bus_close(&bus);
 }
 
 void test_SWR_SPI_004_closing_does_not_wait_for_a_transfer_that_hangs(void)

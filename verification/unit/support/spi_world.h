@@ -25,7 +25,7 @@
 #include <umockdev.h>
 #include <unistd.h>
 
-#define SPI_WORLD_DEVICES 2U
+#define SPI_WORLD_DEVICES 3U
 
 /* One device. */
 typedef struct {
@@ -327,6 +327,7 @@ static inline void spi_world_init(const robot_t *robot)
     (void)memset(spi_world_said, 0, sizeof spi_world_said);
     spi_world_devices[0] = (spi_world_device_t){.first_slot = 0U, .slot_count = 10U};
     spi_world_devices[1] = (spi_world_device_t){.first_slot = 5U, .slot_count = 5U};
+    spi_world_devices[2] = spi_world_devices[1];
     (void)sem_init(&spi_world_released, 0, 0U);
     for (unsigned i = 0U; i < robot->axis_count; i++) {
         const axis_config_t *const axis = &robot->axes[i];
@@ -337,6 +338,7 @@ static inline void spi_world_init(const robot_t *robot)
     }
     spi_world_add("spidev1.0", "spidev", G_CALLBACK(spi_world_ioctl), &spi_world_devices[0]);
     spi_world_add("spidev2.0", "spidev", G_CALLBACK(spi_world_ioctl), &spi_world_devices[1]);
+    spi_world_add("spidev1.1", "spidev", G_CALLBACK(spi_world_ioctl), &spi_world_devices[2]);
     spi_world_add("watchdog", "misc", G_CALLBACK(spi_world_watchdog), NULL);
 }
 
