@@ -370,7 +370,7 @@ static bool test_board(void)
     char error[256] = "";
     const bool is_good = bsp_self_test(error, sizeof error);
     if (!is_good) {
-        (void)fprintf(stderr, "control: %s.\n", error);
+        (void)fprintf(stderr, "control: %s\n", error);
         switch_off("the self test of the board has failed");
     }
     return is_good;

@@ -186,14 +186,14 @@ bool bsp_self_test(char *error, uint32_t error_size)
     bsp_finish(bsp_now_ns() + (NS_PER_US * LIMIT_EXCHANGE_TIMEOUT_US), received, &result);
     if (result.results[0] > (uint8_t)BSP_SLOT_NO_ANSWER) {
         (void)snprintf(error, error_size,
-                       "the simulated control box does not exchange frames; start it again");
+                       "the simulated control box does not exchange frames; start it again.");
         return false;
     }
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
         if (((result.received & (1U << slot)) != 0U) && !is_frame_begun(received[slot])) {
             (void)snprintf(error, error_size,
                            "the card in slot %u does not answer with a frame; start the simulated "
-                           "control box again",
+                           "control box again.",
                            (unsigned)slot);
             return false;
         }

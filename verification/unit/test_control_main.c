@@ -164,7 +164,7 @@ static bool try_wires(char *error, uint32_t error_size, int calls)
 {
     (void)calls;
     if (!is_wire_good) {
-        (void)snprintf(error, error_size, "the wire of slot 3 is shifted by a bit; slow it down");
+        (void)snprintf(error, error_size, "the wire of slot 3 is shifted by a bit; slow it down.");
     }
     return is_wire_good;
 }
