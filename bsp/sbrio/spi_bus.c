@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "sbrio/spi_bus.h"
 
+#include "limits/requirement_limits.h"
+
 #include <linux/futex.h>
 #include <sched.h>
 #include <signal.h>
@@ -12,7 +14,7 @@
 
 #define NS_PER_S UINT64_C(1000000000)
 #define NS_PER_US UINT64_C(1000)
-#define REST_NS (NS_PER_US * SPI_DEVICE_REST_US)
+#define REST_NS (NS_PER_US * LIMIT_SPI_REST_US)
 #define CLOSE_NS (NS_PER_S / 5U)
 #define STACK_BYTES 131072U
 #define CLOCK_STEP_HZ 100000U
@@ -57,19 +59,31 @@ uint32_t spi_bus_clock_needed_hz(const wiring_t *wiring, uint32_t number, uint32
     return 0U;
 }
 
-/* A multiplexer needs a rest to begin with its first slot again. */
-static void transfer(spi_bus_t *self)
+/* A multiplexer may stand anywhere after an exchange that failed or was interrupted for long. */
+static void rest(const spi_bus_t *self)
 {
     const struct timespec rested = time_of(self->finished_ns + REST_NS);
 
-    (void)clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &rested, NULL);
+    while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &rested, NULL) != 0) {
+    }
+}
+
+static void transfer(spi_bus_t *self)
+{
+    if (self->needs_rest) {
+        rest(self);
+    }
+    const uint64_t started_ns = spi_bus_now_ns();
+    self->needs_rest = false;
     for (uint32_t i = 0U; i < self->device_count; i++) {
         spi_device_t *const device = &self->devices[i];
         const uint32_t gap_us =
             (self->gap_us > device->wiring.gap_us) ? self->gap_us : device->wiring.gap_us;
         spi_device_transfer(device, gap_us, self->sent, self->received);
+        self->needs_rest = self->needs_rest || (device->error != 0);
     }
     self->finished_ns = spi_bus_now_ns();
+    self->needs_rest = self->needs_rest || ((self->finished_ns - started_ns) >= REST_NS);
 }
 
 static void *run(void *bus)
@@ -137,6 +151,8 @@ bool spi_bus_open(spi_bus_t *self, const wiring_t *wiring, uint32_t number, int 
 {
     (void)memset(self, 0, sizeof *self);
     self->number = number;
+    self->finished_ns = spi_bus_now_ns();
+    self->needs_rest = true;
     for (uint32_t i = 0U; i < wiring->spi_count; i++) {
         if (wiring->spi[i].bus != number) {
             continue;

@@ -24,6 +24,7 @@ typedef struct {
     uint8_t received[CARD_SLOT_COUNT][CARD_FRAME_BYTES];
     uint32_t gap_us;      /**< At least, of the exchange under way. */
     uint64_t finished_ns; /**< Monotonic time of the last exchange's end. */
+    bool needs_rest;      /**< Before the next exchange. */
     uint32_t requested;   /**< Number of the last exchange asked for; the thread waits for it. */
     uint32_t done;        /**< Number of the last one that has ended. */
     uint32_t is_ending;
@@ -51,11 +52,13 @@ bool spi_bus_open(spi_bus_t *self, const wiring_t *wiring, uint32_t number, int 
 
 /**
  * Begins to exchange the frames of its slots; those that `send` leaves out are zeros, which no card
- * takes. `gap_us`: at least so far apart; 0: as the wiring has it.
+ * takes. `gap_us`: at least so far apart; 0: as the wiring has it. After an exchange that failed or
+ * took long, the bus rests first.
  *
  * @return false: the exchange before is still under way, and is not disturbed
  *
  * @satisfies SWR-SPI-004
+ * @satisfies SWR-SPI-011
  */
 bool spi_bus_start(spi_bus_t *self, uint32_t send,
                    const uint8_t frames[CARD_SLOT_COUNT][CARD_FRAME_BYTES], uint32_t gap_us);

@@ -3,7 +3,7 @@
  * @file
  * One SPI device of the kernel (spidev), full duplex. Behind it is one card, or a multiplexer that
  * goes round its slots, one further whenever the chip select is released, and begins with the first
- * one after SPI_DEVICE_REST_US without a transfer.
+ * one after LIMIT_SPI_REST_US without a transfer.
  */
 #ifndef BORESIGHT_SPI_DEVICE_H
 #define BORESIGHT_SPI_DEVICE_H
@@ -13,8 +13,6 @@
 
 #include <stdbool.h>
 #include <stdint.h>
-
-#define SPI_DEVICE_REST_US 250U
 
 /** An open device. */
 typedef struct {

@@ -41,6 +41,7 @@ TEST_SOURCE_FILE("crc.c")
 #define OUR_SLOTS 0xFEU /* Of the cards that there are. */
 #define POWER (gpio_world[0].lines[8].value)
 #define NS_PER_MS UINT64_C(1000000)
+#define NS_PER_US UINT64_C(1000)
 
 static bsp_identity_t identity;
 static bool is_board_open;
@@ -528,6 +529,42 @@ void test_SWR_SPI_010_no_card_obeys_what_the_self_test_sends(void)
         TEST_ASSERT_FALSE(spi_world_cards[slot].has_sequence);
         TEST_ASSERT_EQUAL_UINT32(0U, spi_world_cards[slot].rx_crc_errors);
     }
+}
+
+void test_SWR_SPI_011_after_a_failed_exchange_the_bus_rests(void)
+{
+    open_board(ONE_BUS LINES);
+    spi_world_wrong.error = EIO;
+    exchange(1U);
+    const uint64_t failed_ns = result.finished_ns;
+    spi_world_wrong.error = 0;
+    exchange(2U);
+    assert_results(OUR_SLOTS, BSP_SLOT_OK);
+    TEST_ASSERT_TRUE((result.finished_ns - failed_ns) >= (NS_PER_US * LIMIT_SPI_REST_US));
+}
+
+void test_SWR_SPI_011_after_a_long_exchange_the_bus_rests(void)
+{
+    open_board(ONE_BUS LINES);
+    spi_world_wrong.hangs = true;
+    write_frames(1U);
+    start(OUR_SLOTS);
+    finish(5U);
+    spi_world_wrong.hangs = false;
+    (void)sem_post(&spi_world_released);
+    finish(1000U);
+    const uint64_t late_ns = bsp_now_ns();
+    exchange(2U);
+    assert_results(OUR_SLOTS, BSP_SLOT_OK);
+    TEST_ASSERT_TRUE((result.finished_ns - late_ns) >= (NS_PER_MS));
+}
+
+void test_SWR_SPI_011_after_opening_the_bus_rests(void)
+{
+    const uint64_t before_ns = spi_bus_now_ns();
+    open_board(ONE_BUS LINES);
+    exchange(1U);
+    TEST_ASSERT_TRUE((result.finished_ns - before_ns) >= (NS_PER_US * LIMIT_SPI_REST_US));
 }
 
 void test_SWR_GPIO_001_inputs_are_those_of_the_lines(void)
