@@ -28,7 +28,6 @@ class Armhf
   def initialize
     @apt = File.expand_path("#{FOLDER}/apt")
     @wanted = File.readlines(PACKAGES).grep_v(/\A(#|\s*\z)/).map(&:split).group_by(&:first)
-                  .transform_values { |rows| rows.map(&:last) }
   end
 
   # @satisfies SWR-ARM-001
@@ -38,8 +37,9 @@ class Armhf
     configure
     # An index that cannot be had is no matter as long as the packages can.
     run(@apt, 'apt-get', 'update', may_fail: true)
-    unpack_libraries(@wanted.fetch('library'))
-    @wanted.fetch('source').each { |name| unpack_source(name) }
+    unpack(@wanted.values_at('library', 'program').flatten(1).map(&:last))
+    @wanted.fetch('kernel').each { |_, name, *files| unpack_kernel(name, files) }
+    @wanted.fetch('source').each { |_, name| unpack_source(name) }
     FileUtils.rm_rf(@apt)
     FileUtils.cp(PACKAGES, FETCHED)
   end
@@ -67,9 +67,18 @@ class Armhf
     CONF
   end
 
-  def unpack_libraries(names)
+  def unpack(names)
     run("#{@apt}/archives", 'apt-get', 'download', *names)
     Dir["#{@apt}/archives/*.deb"].each { |deb| run('.', 'dpkg-deb', '-x', deb, "#{FOLDER}/root") }
+  end
+
+  def unpack_kernel(name, files)
+    kernel = run('.', 'apt-cache', 'depends', name)[/Depends: (linux-image-\d\S+)/, 1] ||
+             raise(Refused, "#{name} stands for no kernel")
+    run("#{@apt}/archives", 'apt-get', 'download', kernel)
+    archive = Dir["#{@apt}/archives/#{kernel}_*.deb"].first
+    wanted = files.map { |file| "'#{file}'" }.join(' ')
+    run('.', 'sh', '-c', "dpkg-deb --fsys-tarfile #{archive} | tar -x -C #{FOLDER}/root --wildcards #{wanted}")
   end
 
   # With Debian's patches. apt has checked what it downloaded.
@@ -83,7 +92,7 @@ class Armhf
   def run(folder, *command, may_fail: false)
     output, status = Open3.capture2e({ 'APT_CONFIG' => "#{@apt}/apt.conf", 'LC_ALL' => 'C' }, *command, chdir: folder)
     File.write(LOG, "$ #{command.join(' ')}\n#{output}", mode: 'a')
-    return if status.success? || may_fail
+    return output if status.success? || may_fail
 
     raise Refused, "#{command.first(2).join(' ')} failed: #{output.lines.grep(/^E:/).first || output.lines.last}"
   end

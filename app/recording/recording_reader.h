@@ -60,6 +60,7 @@ recording_verdict_t recording_reader_open(recording_reader_t *self, const char *
  * Says whether the recording's layout and sizes are those of this build; otherwise its records
  * cannot be read.
  *
+ * @satisfies SWR-ARM-006
  * @satisfies SWR-REPLAY-006
  */
 bool recording_reader_fits(const recording_reader_t *self, uint64_t layout,

@@ -40,7 +40,11 @@ static exchange_t *exchange;
 static int signals;
 static char error[ERROR_SIZE];
 
-/* Leaves the last core to control, which takes it for itself; the programs inherit this. */
+/*
+ * Leaves the last core to control, which takes it for itself; the programs inherit this.
+ *
+ * @satisfies SWR-ARM-005
+ */
 static void leave_a_core(void)
 {
     const long cores = sysconf(_SC_NPROCESSORS_ONLN);

@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 # Boresight as Cortex-A9 code; included by the Makefile.
 
-.PHONY: arm-programs
+.PHONY: arm-programs arm-system
 
 arm-programs: bootstrap-test ## All programs for Cortex-A9, static: build/arm/bin
 	@$(MAKE) --no-print-directory -j2 CONFIG=arm $(PROGRAMS:%=build/arm/bin/%)
+
+arm-system: bootstrap-test ## The whole system on an emulated Cortex-A9 with Debian's real-time kernel
+	@ruby verification/arm/test_arm_system.rb -v

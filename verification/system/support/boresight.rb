@@ -392,15 +392,18 @@ class WorkphasePeer
     end
   end
 
+  def self.message(name, text)
+    body = [3, text.bytesize, text].pack('nna*')
+    [1, 'STRING', name, 0, body.bytesize, crc64(body)].pack('na12a20Q>Q>Q>') + body
+  end
+
   def initialize(port)
     @socket = TCPSocket.new('127.0.0.1', port)
   end
 
   # Sends `text` as the message `name` and waits for the first answer's header.
   def command(name, text)
-    body = [3, text.bytesize, text].pack('nna*')
-    header = [1, 'STRING', name, 0, body.bytesize, WorkphasePeer.crc64(body)].pack('na12a20Q>Q>Q>')
-    @socket.write(header + body)
+    @socket.write(WorkphasePeer.message(name, text))
     raise 'no answer to the command' unless @socket.wait_readable(Boresight::PATIENCE_SECONDS)
 
     @socket.readpartial(4096)

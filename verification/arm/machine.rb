@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+require 'fileutils'
+require 'open3'
+require 'socket'
+require 'tmpdir'
+
+# A computer with two Cortex-A9 and Debian's real-time kernel, in QEMU: its second core is kept for control. It has what
+# the kernel finds on a SABRE Lite: GPIO, watchdog, serial line; and our programs for it.
+#
+#   machine = Machine.start
+#   machine.run('uname -a')         => ["Linux ...", 0]
+#   machine.set_line(0, 1)          what is soldered to the GPIO
+#   machine.stop
+class Machine
+  ROOT = File.expand_path('../..', __dir__)
+  DEBIAN = File.join(ROOT, '.tools/armhf/root')
+  PROGRAMS = File.join(ROOT, 'build/arm/bin')
+  # In the order in which they can be loaded.
+  MODULES = %w[gpio-mxc imx2_wdt fuse cuse].freeze
+  # Nothing may take longer, however busy the host is.
+  PATIENCE_SECONDS = 300
+  POLL_SECONDS = 0.05
+  ARGUMENTS = 'console=ttymxc1,115200 quiet rdinit=/init panic=-1 isolcpus=1'
+  # GPIO 5 of the SABRE Lite has free lines.
+  GPIO = '/machine/soc/gpio5'
+  COMMANDS = 500
+
+  class TimedOut < StandardError; end
+  class Failed < StandardError; end
+
+  class << self
+    def start
+      new.tap(&:boot)
+    end
+
+    def running
+      @running ||= []
+    end
+  end
+
+  attr_reader :console
+
+  def initialize
+    @folder = Dir.mktmpdir('boresight-arm')
+    @console = +''
+    @number = 0
+  end
+
+  # Up to its first command.
+  def boot
+    pack
+    @pid = Process.spawn(*qemu, in: File::NULL, out: "#{@folder}/qemu.log", err: %i[child out])
+    Machine.running << self
+    @serial = connect('serial')
+    @qtest = connect('qtest')
+    wait_until('its shell answers') { start_shell? }
+    run!('true')
+  rescue StandardError
+    stop
+    raise
+  end
+
+  # What a command says, and its exit code.
+  def run(command)
+    mark = "=#{@number += 1}="
+    @serial.write("{ #{command}\n} </dev/null 2>&1; code=$?; echo; echo #{mark}$code\n")
+    said = await(/^#{mark}(\d+)\r?\n/)
+    [said.pre_match.delete("\r").delete_suffix("\n"), said[1].to_i]
+  end
+
+  # The same, which must succeed.
+  def run!(command)
+    text, code = run(command)
+    code.zero? ? text : raise(Failed, "#{command}: #{code} #{text}")
+  end
+
+  def read(file)
+    run!("base64 #{file}").unpack1('m')
+  end
+
+  def set_line(line, level)
+    @qtest.write("set_irq_in #{GPIO} unnamed-gpio-in #{line} #{level}\n")
+    answer = @qtest.gets
+    raise Failed, "qtest: #{answer}" unless answer == "OK\n"
+  end
+
+  def stop
+    [@serial, @qtest].compact.each(&:close)
+    Process.kill('KILL', @pid) && Process.wait(@pid) if @pid
+    @pid = nil
+    FileUtils.rm_rf(@folder)
+    Machine.running.delete(self)
+  end
+
+  def wait_until(reason)
+    deadline = now + PATIENCE_SECONDS
+    until (result = yield)
+      raise TimedOut, "waited #{PATIENCE_SECONDS} s in vain until #{reason}; the console said:\n#{@console}" if now > deadline
+
+      sleep POLL_SECONDS
+    end
+    result
+  end
+
+  private
+
+  def now
+    Process.clock_gettime(Process::CLOCK_MONOTONIC)
+  end
+
+  # The first memory disk: busybox, modules, programs, the first program.
+  def pack
+    tree = "#{@folder}/tree"
+    FileUtils.mkdir_p(%W[#{tree}/bin #{tree}/modules #{tree}/boresight #{tree}/dev])
+    FileUtils.cp("#{DEBIAN}/bin/busybox", "#{tree}/bin")
+    MODULES.each_with_index { |name, place| FileUtils.cp(find("**/#{name}.ko"), "#{tree}/modules/#{place}-#{name}.ko") }
+    FileUtils.install("#{__dir__}/init", "#{tree}/init", mode: 0o755)
+    Dir["#{PROGRAMS}/boresight*"].each do |file|
+      shell('arm-linux-gnueabihf-strip', '-o', "#{tree}/boresight/#{File.basename(file)}", file)
+    end
+    shell('sh', '-c', "cd #{tree} && find . | cpio --quiet -o -H newc -R 0:0 >#{@folder}/disk")
+  end
+
+  def shell(*words)
+    text, status = Open3.capture2e(*words)
+    raise Failed, "#{words.first}: #{text}" unless status.success?
+  end
+
+  def find(pattern)
+    Dir["#{DEBIAN}/#{pattern}"].first || raise(Failed, "#{pattern} is not in #{DEBIAN}")
+  end
+
+  def qemu
+    %W[qemu-system-arm -M sabrelite -accel tcg,thread=multi -smp 2 -m 512 -display none -monitor none -no-reboot
+       -serial null -serial unix:#{@folder}/serial,server=on,wait=off
+       -qtest unix:#{@folder}/qtest,server=on,wait=off -qtest-log /dev/null
+       -kernel #{find('boot/vmlinuz-*')} -dtb #{find('usr/lib/linux-image-*/imx6q-sabrelite.dtb')}
+       -initrd #{@folder}/disk -append] + [ARGUMENTS]
+  end
+
+  def connect(name)
+    wait_until("QEMU offers its #{name}") do
+      UNIXSocket.new("#{@folder}/#{name}")
+    rescue SystemCallError
+      raise Failed, "QEMU has ended: #{File.read("#{@folder}/qemu.log")}" if Process.wait(@pid, Process::WNOHANG)
+    end
+  end
+
+  # What is sent before the shell is there may be lost.
+  def start_shell?
+    @serial.write("echo HE''RE\n")
+    sleep 0.5
+    listen
+    @console.include?('HERE')
+  end
+
+  def listen
+    @console << @serial.read_nonblock(65_536) while @serial.wait_readable(0)
+  rescue IO::WaitReadable
+    nil
+  rescue SystemCallError, EOFError
+    raise Failed, "the machine has ended: #{File.read("#{@folder}/qemu.log")}\n#{@console}"
+  end
+
+  # Waits for what the pattern says, and takes it and what is before it off the console.
+  def await(pattern)
+    wait_until(pattern.source) do
+      listen
+      said = @console.match(pattern)
+      said.tap { @console = +said.post_match } if said
+    end
+  end
+end
