@@ -13,6 +13,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#define CHECK_COUNT ((uint32_t)COMPUTER_CHECK_BUDGET + 1U)
 #define CHECK_TEXT_SIZE 256U
 #define CHECK_INTERRUPTS 1024U /**< Interrupts with a number below this are looked at. */
 #define CHECK_CARDS 10U        /**< Cards of the cycle whose budget is computed. */

@@ -338,7 +338,7 @@ void test_SWR_CHECK_004_a_real_board_has_to_say_what_it_costs(void)
 
 void test_SWR_CHECK_002_only_the_first_four_block(void)
 {
-    for (uint32_t i = 0U; i < COMPUTER_CHECK_COUNT; i++) {
+    for (uint32_t i = 0U; i < CHECK_COUNT; i++) {
         TEST_ASSERT_EQUAL(i < 4U, check_blocks((computer_check_t)i));
     }
 }
