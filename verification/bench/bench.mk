@@ -5,7 +5,7 @@
 
 # The scene is played on the rig of the integration tests, which asserts with Unity.
 BENCH_SCENE := $(call object,verification/bench/samples.c verification/integration/support/rig.c $(BOX_SOURCES) \
-    $(NAMES))
+    $(NAMES) $(FIND_ROBOT))
 build/gcc/bin/bench-samples: $(BENCH_SCENE) build/gcc/libcore.a
 	@mkdir -p $(@D)
 	@$(CC) $(CFLAGS) -I$(UNITY) $^ $(UNITY)/unity.c -lm -o $@
@@ -25,7 +25,7 @@ build/gcc/bin/bench-codec: verification/bench/codec.cpp $(CODEC)
 	@g++ -std=c++14 -Wall -O2 -g -Iapp -isystem /usr/include/openigtlink $^ -lOpenIGTLink -lpthread -o $@
 	@echo "built $@"
 
-SOURCES_bench-step := verification/bench/step.c
+SOURCES_bench-step := verification/bench/step.c $(FIND_ROBOT)
 $(eval $(call program,bench-step))
 
 build/gcc/bin/bench-clients: $(call object,verification/bench/clients.c app/message/igtl_inbox.c) $(CODEC)

@@ -13,6 +13,7 @@
 #include <stdint.h>
 
 #define SAMPLES_MAGIC 0x504D5342U /**< "BSMP" */
+#define SAMPLES_ROBOT_SIZE 32U
 
 typedef struct {
     uint32_t magic;
@@ -22,7 +23,7 @@ typedef struct {
     uint32_t inputs_size;     /**< sizeof(controller_inputs_t). */
     uint32_t outputs_size;    /**< sizeof(controller_outputs_t). */
     uint32_t robot_crc;
-    uint32_t reserved;
+    char robot[SAMPLES_ROBOT_SIZE]; /**< Its name. */
 } samples_header_t;
 
 typedef struct {

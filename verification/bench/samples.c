@@ -4,7 +4,10 @@
  * bench-samples: plays one scene with the real controller on the simulated control box, in
  * simulated time, and keeps single cycles of it. The same bytes on every run.
  *
- *     bench-samples SAMPLES
+ *     bench-samples SAMPLES ROBOT
+ *
+ * The NeuroRobot is seen from its start on. Any other robot has been homed before: it goes to a
+ * target, retracts, and, where an axis has waves, is swept.
  *
  * Kept is every SAMPLES_DISTANCE-th cycle and every one with a command, an answer or an event.
  * Standard output has one line for each, tabulated: "even" or "extra", cycle, what happened in it.
@@ -13,7 +16,10 @@
 #include "bench/sample.h"
 #include "integration/support/rig.h"
 #include "interface/app/names.h"
-#include "robot/robot_neuro.h"
+#include "robot/app/robot_names.h"
+#include "robot/app/robots.h"
+#include "robot/joints.h"
+#include "robot/kinematics.h"
 
 #include "unity.h"
 
@@ -26,6 +32,7 @@
 #define LONGEST_WAIT_CYCLES 40000U
 
 static FILE *file;
+static const robot_t *robot;
 static rig_t rig;
 static sample_t sample;
 static samples_header_t samples = {.magic = SAMPLES_MAGIC,
@@ -225,18 +232,72 @@ static void lose(void)
     cycles(200U);
     order("estop pull");
     order("estop reset");
-    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
         char line[64];
-        (void)snprintf(line, sizeof line, "card %s silent", robot_neuro.axes[i].name);
+        (void)snprintf(line, sizeof line, "card %s silent", robot->axes[i].name);
         rig_box(&rig, line);
     }
     cycles(200U);
 }
 
-static void play(void)
+/* Where a share of the ways of all axes leads. */
+static rigid_t pose_at(int32_t part, int32_t parts)
 {
-    box_init(&rig.box, &robot_neuro, 1U);
-    rig.robot = robot_neuro;
+    int32_t ticks[ROBOT_AXIS_MAX] = {0};
+    joints_t joints;
+    rigid_t pose;
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+        const axis_config_t *const axis = &robot->axes[i];
+        const int32_t span = axis->target_maximum_ticks - axis->target_minimum_ticks;
+        ticks[i] = axis->target_minimum_ticks + (span / parts * part);
+    }
+    joints_from_ticks(robot, ticks, &joints);
+    kinematics_forward(robot, &robot->probe, &joints, &pose);
+    return pose;
+}
+
+static void aim(void)
+{
+    say_phase(WORKPHASE_TARGETING);
+    for (int32_t i = 1; i <= 8; i++) {
+        const rigid_t pose = pose_at(i, 9);
+        say_pose(COMMAND_TARGET, &pose);
+    }
+    const rigid_t middle = pose_at(1, 2);
+    say_pose(COMMAND_TARGET, &middle);
+    if (rig.controller.plan.has_target == 0U) {
+        fail("the last target is refused");
+    }
+}
+
+static void retract(void)
+{
+    say((command_t){.kind = (uint32_t)COMMAND_RETRACT});
+    cycles(1U);
+    order("pedal press");
+    finish();
+    order("pedal release");
+}
+
+/* Into the second run of the search. */
+static void sweep(void)
+{
+    say_phase(WORKPHASE_MANUAL);
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+        if (robot->axes[i].card_type == (uint8_t)CARD_TYPE_HIGH_FREQUENCY) {
+            say((command_t){.kind = (uint32_t)COMMAND_SWEEP, .argument = i, .value = 1});
+            cycles(1U);
+            order("pedal press");
+            cycles(8000U);
+            order("pedal release");
+        }
+    }
+}
+
+static void play_neuro(void)
+{
+    box_init(&rig.box, robot, 1U);
+    rig.robot = *robot;
     controller_init(&rig.controller, &rig.robot);
     rig.elapsed_us = LIMIT_CYCLE_US;
     cycles(50U);
@@ -247,19 +308,39 @@ static void play(void)
     lose();
 }
 
+static void play_homed(void)
+{
+    const rigid_t middle = pose_at(1, 2);
+    rig_start_robot_targeted(&rig, robot, &middle);
+    cycles(50U);
+    aim();
+    move();
+    retract();
+    sweep();
+    aim();
+    lose();
+}
+
 int main(int count, char **arguments)
 {
-    file = (count == 2) ? fopen(arguments[1], "wb") : NULL;
+    robot = (count == 3) ? robots_find(arguments[2]) : NULL;
+    file = (robot != NULL) ? fopen(arguments[1], "wb") : NULL;
     if (file == NULL) {
-        (void)fputs("usage: bench-samples SAMPLES\n", stderr);
+        (void)fprintf(stderr, "usage: bench-samples SAMPLES ROBOT\nrobots: %s\n",
+                      robot_names_list());
         return EXIT_FAILURE;
     }
     UnityBegin("samples.c");
-    samples.robot_crc = robot_neuro.crc;
+    samples.robot_crc = robot->crc;
+    (void)snprintf(samples.robot, sizeof samples.robot, "%s", robot->name);
     if (fwrite(&samples, sizeof(samples), 1U, file) != 1U) {
         fail("the header cannot be written");
     }
-    play();
+    if (strcmp(robot->name, "neuro") == 0) {
+        play_neuro();
+    } else {
+        play_homed();
+    }
     const bool is_written =
         (fseek(file, 0L, SEEK_SET) == 0) && (fwrite(&samples, sizeof(samples), 1U, file) == 1U);
     return ((fclose(file) == 0) && is_written) ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -7,24 +7,20 @@ require_relative 'support'
 # bytes on every run.
 class Scene
   PROGRAM = File.join(ROOT, 'build/gcc/bin/bench-samples')
-  FILE = File.join(BENCH_OUT, 'samples.bin')
 
   Sample = Struct.new(:is_even, :cycle, :label)
 
-  attr_reader :samples
+  attr_reader :samples, :file
 
-  def initialize
-    said, errors, status = Open3.capture3(PROGRAM, FILE)
+  def initialize(robot = 'neuro')
+    @file = File.join(BENCH_OUT, "samples-#{robot}.bin")
+    said, errors, status = Open3.capture3(PROGRAM, @file, robot)
     raise BenchFailed, errors unless status.success?
 
     @samples = said.lines(chomp: true).map do |line|
       kind, cycle, label = line.split("\t", 3)
       Sample.new(kind == 'even', cycle.to_i, label)
     end
-  end
-
-  def file
-    FILE
   end
 
   def numbers

@@ -10,7 +10,7 @@
  */
 #include "base/contract.h"
 #include "bench/sample.h"
-#include "robot/robot_neuro.h"
+#include "robot/app/robots.h"
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -18,6 +18,7 @@
 #include <string.h>
 
 static samples_header_t samples;
+static const robot_t *robot;
 static sample_t sample;
 static controller_t controller;
 static controller_outputs_t outputs;
@@ -33,18 +34,21 @@ void contract_broken(const char *module, uint32_t id)
  * must be left to do after it, or the compiler makes the call a jump that returns elsewhere. */
 __attribute__((noinline)) static void measure(void)
 {
-    controller_step(&controller, &robot_neuro, &sample.inputs, &outputs);
+    controller_step(&controller, robot, &sample.inputs, &outputs);
     steps++;
 }
 
 static bool read_header(FILE *file)
 {
-    return (fread(&samples, sizeof(samples), 1U, file) == 1U) && (samples.magic == SAMPLES_MAGIC) &&
+    const bool is_read = fread(&samples, sizeof(samples), 1U, file) == 1U;
+    samples.robot[SAMPLES_ROBOT_SIZE - 1U] = '\0';
+    robot = robots_find(samples.robot);
+    return is_read && (robot != NULL) && (samples.magic == SAMPLES_MAGIC) &&
            (samples.sample_size == sizeof(sample_t)) &&
            (samples.controller_size == CONTROLLER_CHECKPOINT_BYTES) &&
            (samples.inputs_size == sizeof(controller_inputs_t)) &&
            (samples.outputs_size == sizeof(controller_outputs_t)) &&
-           (samples.robot_crc == robot_neuro.crc);
+           (samples.robot_crc == robot->crc);
 }
 
 static bool step(FILE *file, uint32_t number)
