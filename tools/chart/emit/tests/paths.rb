@@ -14,11 +14,26 @@ module Chart
   # A step is an event, or the time until timers expire; timers that only waiting in between could part do not part.
   # @satisfies SWR-CHART-009
   class Paths
-    Step = Struct.new(:stimulus, :inputs, :elapsed_us, :outcome)
+    # Each is made once: to look one up, what it holds need not be compared.
+    module Once
+      def hash
+        object_id.hash
+      end
+
+      def eql?(other)
+        equal?(other)
+      end
+    end
+
+    Step = Struct.new(:stimulus, :inputs, :elapsed_us, :outcome) do
+      include Once
+    end
 
     # Where a path has come to; elapsed_us: { id of a running timer => its time }, taken: by the last step that took
     # transitions. previous and step: how the path came here.
     Place = Struct.new(:snapshot, :elapsed_us, :taken, :previous, :step) do
+      include Once
+
       def steps
         previous ? previous.steps << step : []
       end
