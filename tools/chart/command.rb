@@ -97,6 +97,7 @@ module Chart
     def read
       charts = files(@source).map { |file| Compiled.from(file, File.read(file, encoding: 'UTF-8'), limits) }
       check_ids_across(charts.map(&:document))
+      check_names_across(charts.map(&:document))
       charts
     end
 
@@ -132,6 +133,20 @@ module Chart
             raise Refusal.new(document.file, one.line, 8, "#{one.id} stands in #{seen[one.id]} already; choose another")
           end
           seen[one.id] = document.file
+        end
+      end
+    end
+
+    # Two headers that a file may include must not say the same name.
+    def check_names_across(documents)
+      seen = {}
+      documents.each do |document|
+        C::Names.new(document).of_header.each do |name|
+          if seen.key?(name)
+            raise Refusal.new(document.file, 1, 6, "#{name} comes of #{seen[name]} too; choose another name for " \
+                                                   'the chart or its region')
+          end
+          seen[name] = document.file
         end
       end
     end

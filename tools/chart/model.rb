@@ -78,8 +78,9 @@ module Chart
 
   # events: concrete event names (prefixes and wildcards are resolved), [] for an eventless transition.
   # targets: [] for a targetless one. number counts from 1 in document order. content: see below.
+  # words: what the file calls it, for messages; engine charts need give no id.
   Transition = Struct.new(:id, :number, :source, :events, :guard, :guard_text, :targets, :internal, :content,
-                          :req, :hazards, :line, keyword_init: true) do
+                          :req, :hazards, :line, :words, keyword_init: true) do
     def eventless?
       events.empty?
     end

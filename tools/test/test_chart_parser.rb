@@ -48,7 +48,7 @@ class TestChartParser < Minitest::Test
   end
 
   def test_SWR_CHART_001_states_without_id_get_one
-    assert_equal %w[a unnamed_1], engine('<state id="a"/><final/>').states.map(&:id)
+    assert_equal ["a", "final of line 1"], engine('<state id="a"/><final/>').states.map(&:id)
   end
 
   def test_SWR_CHART_001_watchdogs_round_down_and_hold_offs_up

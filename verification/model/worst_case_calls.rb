@@ -77,7 +77,7 @@ module WorstCase
 
     def members(field, value, expiring)
       case field.kind
-      when :region then [".#{field.name} = (#{field.type})#{value}", ".#{field.name}_inverse = ~(uint32_t)#{value}"]
+      when :region then [".#{field.name} = (#{field.type})#{value}", ".#{@names.inverse(field.part)} = ~(uint32_t)#{value}"]
       when :timer then [".#{field.name} = #{value == 1}", elapsed(field.part, expiring)]
       else [".#{field.name} = (#{field.type})#{value}"]
       end
@@ -85,7 +85,7 @@ module WorstCase
 
     def elapsed(timer, expiring)
       time = expiring.include?(timer.id) ? timer.threshold_us - @document.tick_us : 0
-      ".#{@names.field(timer.id)}_us = #{time}U"
+      ".#{@names.time(timer)} = #{time}U"
     end
 
     def head

@@ -93,7 +93,7 @@ module Chart
 
     # One microsecond before the end, or at the beginning.
     def time_line(timer, expires)
-      "chart.#{@names.field(timer.id)}_us = #{expires ? [timer.threshold_us - 1, 0].max : 0}U;"
+      "chart.#{@names.time(timer)} = #{expires ? [timer.threshold_us - 1, 0].max : 0}U;"
     end
 
     def run(function, last)

@@ -5,8 +5,8 @@
 require_relative '../flatten/regions'
 require_relative '../read/expression'
 require_relative '../refusal'
+require_relative '../walk/walk'
 require_relative 'causes'
-require_relative 'taken_together'
 
 module Chart
   # The rules that need the whole chart, but no walk. Some bind product charts only: conformance charts may name events
@@ -23,12 +23,11 @@ module Chart
     end
 
     def run
+      check_sizes
       check_targets
       check_histories
       check_eventless_guards
-      TakenTogether.new(@document).check
       check_safe
-      check_sizes
       check_inputs_read
       check_product if @document.mode == :product
     end
@@ -74,7 +73,7 @@ module Chart
         history = transition.targets.find { |target| target.history? && transition.source.inside?(target.parent) }
         next unless history
 
-        refuse(transition.line, 30, "#{transition.id} starts inside \"#{history.parent.id}\", whose history " \
+        refuse(transition.line, 30, "#{transition.words} starts inside \"#{history.parent.id}\", whose history " \
                                     "\"#{history.id}\" it goes to; name a state as target")
       end
     end
@@ -84,7 +83,7 @@ module Chart
         input = @document.inputs.map(&:name).find { |name| reads?(transition.guard, name) }
         next unless input
 
-        refuse(transition.line, 27, "#{transition.id} has no event and reads \"#{input}\", which may change at any " \
+        refuse(transition.line, 27, "#{transition.words} has no event and reads \"#{input}\", which may change at any " \
                                     "time; add event=\"...\"")
       end
     end
@@ -120,6 +119,17 @@ module Chart
         refuse(@document.root.line, 19, "the chart has #{all.length} #{what}; at most #{MOST.fetch(what)} fit, " \
                                         'split the chart')
       end
+      check_configurations
+    end
+
+    # What the tree allows is counted before anything is walked.
+    # @satisfies SWR-CHART-017
+    def check_configurations
+      count = Legal.count(@document.root)
+      return if count <= Walk::MOST_SNAPSHOTS
+
+      refuse(@document.root.line, 19, "the regions allow #{count} configurations; at most #{Walk::MOST_SNAPSHOTS} " \
+                                      'fit, split the chart')
     end
 
     def check_inputs_read

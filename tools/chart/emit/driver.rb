@@ -49,8 +49,8 @@ module Chart
     def set
       rows = @vector.fields.map do |field|
         value = field.type == 'bool' ? 'next() != 0' : "(#{field.type})next()"
-        inverse = field.kind == :region ? ["    chart.#{field.name}_inverse = ~(uint32_t)chart.#{field.name};"] : []
-        timer = field.kind == :timer ? ["    chart.#{field.name.delete_suffix('_is_armed')}_us = 0U;"] : []
+        inverse = field.kind == :region ? ["    chart.#{@names.inverse(field.part)} = ~(uint32_t)chart.#{field.name};"] : []
+        timer = field.kind == :timer ? ["    chart.#{@names.time(field.part)} = 0U;"] : []
         ["    chart.#{field.name} = #{value};", *inverse, *timer]
       end
       ['static void set(void)', '{', rows, '}', '']
@@ -74,7 +74,7 @@ module Chart
       tick = @document.tick_us
       rows = @document.timers.each_with_index.map do |timer, bit|
         start = [timer.threshold_us - tick, 0].max
-        "    chart.#{@names.field(timer.id)}_us = (((mask >> #{bit}) & 1) != 0) ? #{start}U : 0U;"
+        "    chart.#{@names.time(timer)} = (((mask >> #{bit}) & 1) != 0) ? #{start}U : 0U;"
       end
       ["static uint32_t expire(long mask#{', long bits' if inputs?})", '{',
        inputs? ? "    const #{@names.inputs_type} inputs = inputs_of(bits);" : [], rows,

@@ -57,7 +57,7 @@ module Chart
     end
 
     def timer_fields
-      @document.timers.map { |timer| Field.new("#{@names.field(timer.id)}_is_armed", :timer, 'bool', timer) }
+      @document.timers.map { |timer| Field.new(@names.armed(timer), :timer, 'bool', timer) }
     end
 
     def number(region, leaf)

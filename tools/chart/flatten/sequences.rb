@@ -16,6 +16,11 @@ module Chart
 
   # What a transition does, resolved as far as the tree allows: exits inner to outer, content, entries outer to inner.
   class Sequences
+    # The steps, with those in the cases of switches.
+    def self.all(steps)
+      steps.flat_map { |step| step.is_a?(Switch) ? all(step.cases.flat_map(&:last)) : [step] }
+    end
+
     def initialize(document, regions)
       @document = document
       @regions = regions

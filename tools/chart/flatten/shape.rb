@@ -10,23 +10,41 @@ module Chart
   #   :staged  select in all regions, resolve conflicts, then all exits, all content, all entries
   class Shape
     def initialize(document, regions, sequences)
+      @steps = {}
       @document = document
       @regions = regions
       @sequences = sequences
-      @together = rivals
     end
 
     # The shapes that give the chart its meaning, the better one first.
+    # @satisfies SWR-CHART-015
     def possible
-      @together.all? { |first, second| independent?(first, second) } ? %i[direct staged] : %i[staged]
+      rivals.all? { |first, second| independent?(first, second) } ? %i[direct staged] : %i[staged]
+    end
+
+    # Regions that a transition of an earlier one may have moved when an event comes to them: what they take is to be
+    # selected by where they were before.
+    def moved_by_others
+      @regions.select { |region| heard_with(region).any? { |other| @sequences.reach(other).include?(region) } }
     end
 
     private
 
+    # Transitions of earlier regions that an event may take which the region waits for too.
+    def heard_with(region)
+      mine, others = @document.transitions.partition { |one| home(one) == region }
+      earlier = others.select { |one| order.fetch(home(one), -1) < order.fetch(region) }
+      earlier.select { |one| mine.any? { |own| one_event?(one, own) } }
+    end
+
+    def order
+      @order ||= @regions.each_with_index.to_h
+    end
+
     # Pairs of transitions of different regions that one event may take together.
     def rivals
       @document.transitions.combination(2).select do |first, second|
-        home(first) != home(second) && together?(first, second)
+        home(first) != home(second) && one_event?(first, second) && concurrent?(first.source, second.source)
       end
     end
 
@@ -34,10 +52,8 @@ module Chart
       @regions.of(transition.source)
     end
 
-    def together?(first, second)
-      return false unless concurrent?(first.source, second.source)
-
-      first.eventless? ? second.eventless? : (first.events & second.events).any?
+    def one_event?(first, second)
+      first.eventless? ? second.eventless? : first.events.intersect?(second.events)
     end
 
     # Both can be active: one inside the other, or in different regions of one parallel.
@@ -48,36 +64,41 @@ module Chart
     end
 
     def independent?(first, second)
-      return false if nested?(first, second)
+      return false if nested?(first, second) || @sequences.reach(first).intersect?(@sequences.reach(second))
+      return false if reads?(first, second) || reads?(second, first) || timers(first).intersect?(timers(second))
 
-      apart = (@sequences.reach(first) & @sequences.reach(second)).empty?
-      apart && [first, second].any? { |one| ordered(one).empty? } || (apart && content_only?(first, second))
+      [first, second].any? { |one| steps(one).none? { |step| ordered?(step) } } || content_only?(first, second)
     end
 
     def nested?(first, second)
       first.source.inside?(second.source) || second.source.inside?(first.source)
     end
 
+    # The end of a parallel asks for regions that the other one may move.
+    def reads?(first, second)
+      asked = steps(first).grep(Finish).flat_map { |step| @regions.children(step.parallel) }
+      asked.intersect?(@sequences.reach(second))
+    end
+
+    def timers(transition)
+      steps(transition).select { |step| step.is_a?(Send) || step.is_a?(Cancel) }.map(&:timer)
+    end
+
     # The order among the contents is kept either way; what exits and entries raise or assign is not.
     def content_only?(first, second)
-      [first, second].none? { |one| ordered?(@sequences.exits(one)) || ordered?(@sequences.entries(one)) }
-    end
-
-    def ordered(transition)
-      (@sequences.exits(transition) + transition.content + @sequences.entries(transition)).select do |step|
-        ordered?([step])
+      [first, second].none? do |one|
+        Sequences.all(@sequences.exits(one) + @sequences.entries(one)).any? { |step| ordered?(step) }
       end
     end
 
-    # Steps that another transition of the same moment could see.
-    def ordered?(steps)
-      steps.any? do |step|
-        case step
-        when Raise, Assign, Finish then true
-        when Switch then step.cases.any? { |_leaves, inner| ordered?(inner) }
-        else false
-        end
-      end
+    def steps(transition)
+      @steps[transition.number] ||=
+        Sequences.all(@sequences.exits(transition) + transition.content + @sequences.entries(transition))
+    end
+
+    # What another transition of the same moment could see.
+    def ordered?(step)
+      step.is_a?(Raise) || step.is_a?(Assign) || step.is_a?(Finish)
     end
   end
 end

@@ -39,6 +39,16 @@ module Chart
       text.to_s.split.map { |word| name(word, line) }
     end
 
+    # What an element without id is called: its place, since nothing else is in the file. Versions that are compared
+    # may have moved, so there its number among its like stands.
+    def unnamed(element, number)
+      return "#{element.name}_#{number}" unless engine?
+
+      place = "#{element.name} of line #{element.line}"
+      count = (@unnamed ||= Hash.new(0))[place] += 1
+      count == 1 ? place : "#{place} (#{count})"
+    end
+
     # Ids of requirements or hazards.
     def claims(element, attribute)
       element.attributes.fetch(attribute, '').split.each do |word|

@@ -10,6 +10,9 @@ module Chart
     STATES = %w[state parallel final history].freeze
     KINDS = { 'parallel' => :parallel, 'final' => :final, 'history' => :history }.freeze
 
+    # More are refused at once, before anything is made of them.
+    MOST = 400
+
     attr_reader :root, :all
 
     def initialize(context, chart)
@@ -56,11 +59,16 @@ module Chart
       state = State.new(**empty, id: id_of(element), kind: kind_of(element), parent: parent, line: element.line,
                                  order: @all.length, comment: element.comment)
       @all << state
+      refuse_size(element.line) if @all.length > MOST
       @of[element] = state
       declare(element, state)
       add_children(element, state)
       check_regions(state)
       state
+    end
+
+    def refuse_size(line)
+      @context.refuse(line, 19, "more than #{MOST} states; split the chart")
     end
 
     def check_regions(state)
@@ -81,7 +89,7 @@ module Chart
 
     # Conformance charts need not name every state.
     def id_of(element)
-      id = element.attributes.fetch('id') { return "unnamed_#{@all.length}" }
+      id = element.attributes.fetch('id') { return @context.unnamed(element, @all.length) }
       @context.name(id, element.line)
     end
 

@@ -72,9 +72,14 @@ module Chart
       delay = delay(element)
       check_limit(element, delay)
       rounding = rounding(element)
-      Timer.new(id: @context.name(attributes.fetch('id', "send_#{index}"), element.line),
+      Timer.new(id: id(element, index),
                 event: event(element), delay_us: delay, limit: attributes['bs:limit'], rounding: rounding,
                 threshold_us: threshold(element, delay, rounding), line: element.line)
+    end
+
+    def id(element, index)
+      name = element.attributes.fetch('id') { return @context.unnamed(element, index) }
+      @context.name(name, element.line)
     end
 
     def event(element)

@@ -43,7 +43,8 @@ module Chart
                      guard_text: text, guard: text && @conditions.guard(text, element.line),
                      targets: targets(element), internal: element.attributes['type'] == 'internal',
                      content: @contents.read(element), req: req(element),
-                     hazards: @context.claims(element, 'bs:hazard'), line: element.line)
+                     hazards: @context.claims(element, 'bs:hazard'), line: element.line,
+                     words: element.attributes.fetch('bs:id', "the transition of line #{element.line}"))
     end
 
     def id(element)

@@ -24,6 +24,10 @@ module Chart
     SCXML = 'http://www.w3.org/2005/07/scxml'
     OURS = 'urn:boresight:chart'
     NAME = /[A-Za-z_][\w.-]*(?::[A-Za-z_][\w.-]*)?/.freeze
+    QUOTED = /"[^"<]*"|'[^'<]*'/.freeze
+    # <?xml ...?>; the encoding stands in its quotes.
+    DECLARATION = /<\?xml\s+version\s*=\s*(?:"1\.0"|'1\.0')(?:\s+encoding\s*=\s*(?<encoding>#{QUOTED}))?
+                   (?:\s+standalone\s*=\s*(?:#{QUOTED}))?\s*\?>/x.freeze
     # So many elements inside each other.
     DEEPEST = 32
     ENTITIES = { '&amp;' => '&', '&lt;' => '<', '&gt;' => '>', '&quot;' => '"', '&apos;' => "'" }.freeze
@@ -41,7 +45,8 @@ module Chart
     def read
       refuse('the file is not UTF-8; save it so') unless @scanner.string.valid_encoding?
       refuse('the file begins with a byte order mark; save it without') if @scanner.check(/\uFEFF/)
-      @scanner.skip(/\s*<\?xml[^?]*\?>/)
+      refuse_forbidden
+      read_declaration
       skip_between
       root = read_element({}, 1)
       skip_between
@@ -51,8 +56,31 @@ module Chart
 
     private
 
+    # Counted on from where it was asked last.
     def line
-      @scanner.string.byteslice(0, @scanner.pos).count("\n") + 1
+      @line ||= 1
+      @counted ||= 0
+      @line += @scanner.string.byteslice(@counted, @scanner.pos - @counted).count("\n")
+      @counted = @scanner.pos
+      @line
+    end
+
+    # XML knows no other control characters, and no U+FFFE or U+FFFF.
+    def refuse_forbidden
+      stray = @scanner.search_full(/[\u0000-\u0008\u000B\u000C\u000E-\u001F\uFFFE\uFFFF]/, false, true) || return
+      @scanner.pos += stray.bytesize - stray[-1].bytesize
+      refuse(format('the character U+%<code>04X is forbidden in XML; remove it', code: stray[-1].ord))
+    end
+
+    def read_declaration
+      return unless @scanner.check(/\s*<\?xml\s/)
+
+      @scanner.skip(DECLARATION) ||
+        refuse('this is no XML declaration; write <?xml version="1.0" encoding="UTF-8"?>')
+      encoding = @scanner[:encoding]&.slice(1..-2)
+      return if encoding.nil? || %w[UTF-8 US-ASCII].include?(encoding.upcase)
+
+      refuse("the declared encoding is #{encoding}; save the file as UTF-8 and write encoding=\"UTF-8\"")
     end
 
     def refuse(message, rule = 1)
@@ -69,8 +97,9 @@ module Chart
         @scanner.skip(/\s+/)
         break unless @scanner.skip(/<!--/)
 
-        text = @scanner.scan_until(/-->/) || refuse('comment without end; write -->')
-        @comment = text.delete_suffix('-->').strip.gsub(/\s+/, ' ')
+        text = @scanner.scan_until(/--/) || refuse('comment without end; write -->')
+        @scanner.skip(/>/) || refuse('"--" stands inside a comment, which XML forbids; write a single dash')
+        @comment = text.delete_suffix('--').strip.gsub(/\s+/, ' ')
       end
     end
 
@@ -98,7 +127,7 @@ module Chart
     end
 
     def read_value(name)
-      quoted = @scanner.scan(/"[^"<]*"|'[^'<]*'/) || refuse("attribute #{name} is not in quotes; write #{name}=\"...\"")
+      quoted = @scanner.scan(QUOTED) || refuse("attribute #{name} is not in quotes; write #{name}=\"...\"")
       quoted[1..-2].gsub(/&[^;\s]*;?/) do |entity|
         ENTITIES.fetch(entity) { refuse("#{entity} is not known; write &amp; for &") }
       end
@@ -108,9 +137,12 @@ module Chart
       declared = element.attributes.select { |name, _uri| name == 'xmlns' || name.start_with?('xmlns:') }
       scope = outer.merge(declared.transform_keys { |name| name.delete_prefix('xmlns').delete_prefix(':') })
       element.name = resolve(tag, scope)
-      element.attributes = element.attributes.transform_keys do |name|
-        name.include?(':') && !declared.key?(name) ? resolve(name, scope) : name
+      names = element.attributes.keys.to_h do |name|
+        [name, name.include?(':') && !declared.key?(name) ? resolve(name, scope) : name]
       end
+      twice = names.values.find { |name| names.values.count(name) > 1 }
+      refuse("attribute #{twice} stands twice, under two prefixes; write it once") if twice
+      element.attributes = element.attributes.transform_keys(names)
       scope
     end
 

@@ -30,7 +30,7 @@ module Chart
 
     def initialize(cycle)
       @cycle = cycle
-      super("#{cycle.map(&:id).join(', ')} lead back to where they began")
+      super("#{cycle.map(&:words).join(', ')} lead back to where they began")
     end
   end
 end

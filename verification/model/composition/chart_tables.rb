@@ -81,7 +81,7 @@ class ChartTables
   def load
     @vector.fields.each_with_index.map do |field, place|
       value = field.type == 'bool' ? "vector[#{place}] != 0" : "(#{field.type})vector[#{place}]"
-      inverse = "    chart.#{field.name}_inverse = ~(uint32_t)chart.#{field.name};\n" if field.kind == :region
+      inverse = "    chart.#{@names.inverse(field.part)} = ~(uint32_t)chart.#{field.name};\n" if field.kind == :region
       "    chart.#{field.name} = #{value};\n#{inverse}"
     end.join
   end
@@ -90,13 +90,12 @@ class ChartTables
   def expiries
     tick = @document.tick_us
     @document.timers.each_with_index.map do |timer, index|
-      field = @names.field(timer.id)
       <<~TEXT.gsub(/^/, '    ')
         case #{@document.events.length + index}U:
-            if (!chart.#{field}_is_armed) {
+            if (!chart.#{@names.armed(timer)}) {
                 return NEVER;
             }
-            chart.#{field}_us = #{[timer.threshold_us - tick, 0].max}U;
+            chart.#{@names.time(timer)} = #{[timer.threshold_us - tick, 0].max}U;
             *actions = #{call('advance', "#{tick}U")};
             break;
       TEXT

@@ -7,7 +7,7 @@ require_relative 'selection'
 module Chart
   module C
     # An event moves the regions that wait for it, and each takes its transition at once. Guards read the regions as they
-    # were before the step.
+    # were before the step, and so does a region that an earlier one may have moved.
     class Direct
       def initialize(parts, code)
         @parts = parts
@@ -55,7 +55,7 @@ module Chart
       private
 
       def take(transition)
-        "take_#{@names.stem_of(transition.id)}"
+        "take.#{transition.id}"
       end
 
       def define_transition(transition)
@@ -80,7 +80,15 @@ module Chart
       end
 
       def read_fields
-        @read_fields ||= atoms_read.flat_map { |atom| fields(atom) }.uniq
+        @read_fields ||= (atoms_read.flat_map { |atom| fields(atom) } + pictured.map { |one| region_field(one) }).uniq
+      end
+
+      def pictured
+        @pictured ||= @parts.shape.moved_by_others
+      end
+
+      def region_field(region)
+        [@names.region_type(region), @names.field(region.name)]
       end
 
       def atoms_read
@@ -93,7 +101,7 @@ module Chart
         return variable_field(name) if kind == :variable
 
         region = @parts.regions.of(@parts.document.state(name))
-        region ? [[@names.region_type(region), @names.field(region.name)]] : []
+        region ? [region_field(region)] : []
       end
 
       def variable_field(name)
@@ -104,7 +112,7 @@ module Chart
       # Region => its function, for those that have something to take.
       def define_steps(eventless)
         holder = snapshot? ? 'before' : 'self'
-        outcome = Outcome.new('step', Result.new('void'), false, holder,
+        outcome = Outcome.new('step', Result.new('void'), false, holder, pictured,
                               ->(transition) { "#{@code.invoke(take(transition))};" })
         steps = @parts.regions.to_h do |region|
           [region, @parts.selection.define(@code, region, eventless, outcome, sorts? ? sent_to(region) : nil)]
@@ -124,7 +132,7 @@ module Chart
         functions = steps.values
         return calls(functions, replace) unless functions.any? { |function| @code.needs?(function, 'before') }
 
-        name = "microstep_of_#{functions.map { |function| function.delete_prefix('step_') }.join('_and_')}"
+        name = "microstep_of.#{functions.map { |function| function.delete_prefix('step.') }.join('.and.')}"
         define_with_picture(name, functions) unless @code.defined?(name)
         calls([name], replace)
       end

@@ -19,7 +19,7 @@ module Chart
       end
 
       def emit
-        guard = "BORESIGHT_#{@names.macro}_CHART_H"
+        guard = @names.header_guard
         text([banner(@document, 'Interface'), about, "#ifndef #{guard}", "#define #{guard}", '', '#include "base/chart.h"',
               '', '#include <stdbool.h>', '#include <stdint.h>', '', region_enums, event_enum, actions, inputs,
               chart_struct, functions, "#endif /* #{guard} */"])
@@ -41,7 +41,7 @@ module Chart
 
       def event_enum
         members = @document.events.map { |event| { name: @names.event(event), note: event_note(event) } }
-        members = [{ name: "#{@names.macro}_EVENT_NONE", note: 'the chart waits for nothing' }] if members.empty?
+        members = [{ name: @names.no_event, note: 'the chart waits for nothing' }] if members.empty?
         [comment('The events.'), enum(members, @names.event_type)]
       end
 
@@ -59,8 +59,7 @@ module Chart
       def enum(members, type)
         rows = members.each_with_index.map do |member, value|
           comma = value == members.length - 1 ? '' : ','
-          note = member[:note].empty? ? '' : " /* #{member[:note]} */"
-          "    #{member[:name]} = #{value}U#{comma}#{note}"
+          "    #{member[:name]} = #{value}U#{comma}#{remark(member[:note])}"
         end
         ['typedef enum {', rows, "} #{type};", '']
       end
@@ -97,7 +96,7 @@ module Chart
 
       def region_fields(region)
         field = @names.field(region.name)
-        ["    #{@names.region_type(region)} #{field};", "    uint32_t #{field}_inverse;"]
+        ["    #{@names.region_type(region)} #{field};", "    uint32_t #{@names.inverse(region)};"]
       end
 
       def data_field(variable)
@@ -106,8 +105,8 @@ module Chart
       end
 
       def timer_fields(timer)
-        field = @names.field(timer.id)
-        ["    uint32_t #{field}_us; /* since it was armed; 0 while it is not */", "    bool #{field}_is_armed;"]
+        ["    uint32_t #{@names.time(timer)}; /* since it was armed; 0 while it is not */",
+         "    bool #{@names.armed(timer)};"]
       end
 
       def functions
@@ -166,7 +165,7 @@ module Chart
       # Here, so that asking is cheaper than a call.
       def in_function(state, leaves)
         field = "self->#{@names.field(@regions.of(state).name)}"
-        [call("static inline bool #{@names.chart_function("in_#{@names.stem(state.id)}")}",
+        [call("static inline bool #{@names.in_function(state)}",
               ["const #{@names.chart_type} *self"], ''), '{',
          joined(leaves.map { |leaf| "(#{field} == #{@names.leaf(leaf)})" }, '||'), '}']
       end

@@ -17,11 +17,21 @@ module Chart
       end
 
       def comment(text, indent = '')
-        lines = wrap(text, WIDTH - indent.length - 6)
+        lines = wrap(harmless(text), WIDTH - indent.length - 6)
         return ["#{indent}/* #{lines.first} */"] if lines.length == 1
 
         ["#{indent}/* #{lines.first}", *lines[1..-2].map { |line| "#{indent}   #{line}" },
          "#{indent}   #{lines.last} */"]
+      end
+
+      # A remark behind a line of code; none without words.
+      def remark(text)
+        text.empty? ? '' : " /* #{harmless(text)} */"
+      end
+
+      # Nothing in a comment ends it, begins another one, or is a trigraph.
+      def harmless(text)
+        text.gsub('*/', '* /').gsub('/*', '/ *').gsub('??', '? ?')
       end
 
       def wrap(text, width)

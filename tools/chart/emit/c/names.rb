@@ -6,26 +6,65 @@ require_relative '../../flatten/regions'
 
 module Chart
   module C
-    # How the parts of a chart are called in C. Ids of the product are C names already; others are made so.
-    class Names
-      RESERVED = %w[auto break case char const continue default do double else enum extern float for goto if inline int
-                    long register restrict return short signed sizeof static struct switch typedef union unsigned void
-                    volatile while self trace now now_us].freeze
+    # The names of one place in C. Each thing has one; where another has it already, a number makes it different.
+    class Scope
+      def initialize(taken)
+        @taken = taken
+        @names = {}
+        @given = {}
+      end
 
-      attr_reader :prefix, :macro
+      # The name of a thing, the first time made from what is wanted.
+      def name(thing, wanted)
+        @names[thing] ||= free(wanted).tap { |found| @given[found] = true }
+      end
+
+      def all
+        @given.keys
+      end
+
+      private
+
+      def free(wanted)
+        return wanted if free?(wanted)
+
+        number = (2..).find { |one| free?("#{wanted}_#{one}") }
+        "#{wanted}_#{number}"
+      end
+
+      def free?(name)
+        !@given.key?(name) && !@taken.match?(name)
+      end
+    end
+
+    # How the parts of a chart are called in C: every name of the generated code comes from here, so that no two of one
+    # place are the same, whatever the chart calls its parts. Ids of the product are C names already; others are made so.
+    # @satisfies SWR-CHART-016
+    class Names
+      # Words of C, its headers and names that the code gives to other things.
+      MEMBERS = /\A(?:auto|break|case|char|const|continue|default|do|double|else|enum|extern|float|for|goto|if|inline|int|
+                 long|register|restrict|return|short|signed|sizeof|static|struct|switch|typedef|union|unsigned|void|
+                 volatile|while|bool|true|false|self|trace|now|now_us)\z/x.freeze
+      FILE = /\A(?:chart_(?:step_t|trace_t|trace_add|queue_slot|require_settled)|CHART_TRACE_LENGTH|contract_broken|
+              u?int(?:_fast|_least)?\d+_t|u?int(?:max|ptr)_t|(?:U?INT|SIG_ATOMIC)\w*_(?:MAX|MIN|C))\z/x.freeze
+
+      attr_reader :prefix, :regions
 
       def initialize(document, regions = Regions.new(document))
         @document = document
         @regions = regions
         @prefix = plain(document.name)
         @macro = @prefix.upcase
-        @plain = unique(document.states.map(&:id) + document.events + document.timers.map(&:id) +
-                        document.variables.map(&:name) + regions.map(&:name))
+        @stems = Scope.new(/\A(?!)/)
+        (document.states.map(&:id) + document.events + document.timers.map(&:id) + document.variables.map(&:name) +
+         regions.map(&:name)).uniq.each { |id| stem(id) }
+        claim_members
+        claim_public
       end
 
       # An id as a part of a longer name.
       def stem(id)
-        @plain.fetch(id)
+        @stems.name(id, plain(id))
       end
 
       # A transition's id as a part of a longer name.
@@ -33,39 +72,60 @@ module Chart
         plain(id)
       end
 
-      # The field of a region, of a timer or of a variable.
+      # The field of a region or of a variable.
       def field(name)
-        found = stem(name)
-        RESERVED.include?(found) ? "#{found}_" : found
+        @members.name(name, stem(name))
+      end
+
+      # The second copy of a region.
+      def inverse(region)
+        @members.name([:inverse, region.name], "#{field(region.name)}_inverse")
       end
 
       def memory(memory)
         suffix = @regions.memories_of(memory.history).length > 1 ? "_#{field(memory.region.name)}" : ''
-        "#{field(memory.history.id)}_memory#{suffix}"
+        @members.name([:memory, memory.history.id, memory.region.name], "#{stem(memory.history.id)}_memory#{suffix}")
+      end
+
+      # How long a timer has run, and whether it does.
+      def time(timer)
+        @members.name([:time, timer.id], "#{stem(timer.id)}_us")
+      end
+
+      def armed(timer)
+        @members.name([:armed, timer.id], "#{stem(timer.id)}_is_armed")
       end
 
       def chart_type
-        "#{prefix}_chart_t"
+        public_name(:chart_type, 'chart_t')
       end
 
       def event_type
-        "#{prefix}_event_t"
+        public_name(:event_type, 'event_t')
       end
 
       def inputs_type
-        "#{prefix}_inputs_t"
+        public_name(:inputs_type, 'inputs_t')
       end
 
       def region_type(region)
-        "#{prefix}_#{field(region.name)}_t"
+        public_name([:type, region.name], "#{field(region.name)}_t")
+      end
+
+      def header_guard
+        "BORESIGHT_#{@macro}_CHART_H"
       end
 
       def event(name)
-        "#{macro}_EVENT_#{stem(name).upcase}"
+        public_macro([:event, name], "EVENT_#{stem(name)}")
+      end
+
+      def no_event
+        public_macro(:no_event, 'EVENT_NONE')
       end
 
       def action(name)
-        "#{macro}_ACTION_#{plain(name).upcase}"
+        public_macro([:action, name], "ACTION_#{plain(name)}")
       end
 
       def leaf(state)
@@ -74,7 +134,7 @@ module Chart
 
       # The enumerator of a leaf, or of "no leaf" for nil.
       def value(region, leaf)
-        "#{macro}_#{stem(region.name).upcase}_#{leaf ? stem(leaf.id).upcase : 'NONE'}"
+        public_macro([:value, region.name, leaf&.id], "#{stem(region.name)}_#{leaf ? stem(leaf.id) : 'none'}")
       end
 
       # All values of a region's enum, in order.
@@ -87,16 +147,38 @@ module Chart
       end
 
       def delay(timer)
-        "#{macro}_#{field(timer.id).upcase}_DELAY_US"
+        public_macro([:delay, timer.id], "#{stem(timer.id)}_DELAY_US")
       end
 
-      # A function of the generated file alone; those of transitions carry the chart in the transition's id.
-      def function(name)
-        name.start_with?('take_') ? name : "#{prefix}_#{name}"
+      # The length of the queue of raised events.
+      def raised_max
+        public_macro(:raised_max, 'RAISED_MAX')
+      end
+
+      # A function or type of the generated file alone. The parts of its name stand between dots, which no id keeps, so
+      # that different parts are different things. Those of transitions carry the chart in the transition's id.
+      def function(parts)
+        name = parts.split('.').map { |part| plain(part) }.join('_')
+        @file.name([:function, parts], parts.start_with?('take.') ? name : "#{@prefix}_#{name}")
+      end
+
+      # A variable inside a function: none hides a function.
+      def local(verb, region)
+        @file.name([:local, verb, region.name], "#{verb}_in_#{field(region.name)}")
       end
 
       def chart_function(name)
-        "#{prefix}_chart_#{name}"
+        public_name([:public, name], "chart_#{name}")
+      end
+
+      # True while the chart is in the state.
+      def in_function(state)
+        public_name([:in, state.id], "chart_in_#{stem(state.id)}")
+      end
+
+      # What whoever includes the header sees.
+      def of_header
+        @public
       end
 
       def variable_type(variable)
@@ -116,23 +198,37 @@ module Chart
 
       private
 
+      # The chart's own words come first, then what is made of them.
+      def claim_members
+        @members = Scope.new(MEMBERS)
+        (@regions.map(&:name) + @document.variables.map(&:name)).each { |name| field(name) }
+        @regions.each { |region| inverse(region) }
+        @regions.memories.each { |memory| memory(memory) }
+        @document.timers.each { |timer| [time(timer), armed(timer)] }
+      end
+
+      def claim_public
+        @file = Scope.new(FILE)
+        [chart_type, event_type, inputs_type]
+        %w[init dispatch advance is_sound check].each { |name| chart_function(name) }
+        @regions.each { |region| [region_type(region), values(region).each { |leaf| value(region, leaf) }] }
+        @document.events.each { |name| event(name) }
+        @document.actions.each { |name| action(name) }
+        @document.states.each { |state| in_function(state) }
+        @public = @file.all
+      end
+
+      def public_name(thing, rest)
+        @file.name(thing, "#{@prefix}_#{rest}")
+      end
+
+      def public_macro(thing, rest)
+        @file.name(thing, "#{@macro}_#{rest.upcase}")
+      end
+
       def plain(name)
         found = name.downcase.gsub(/[^a-z0-9]+/, '_').gsub(/\A_+|_+\z/, '')
         found.match?(/\A[a-z]/) ? found : "x#{found}"
-      end
-
-      # Different ids keep different names.
-      def unique(ids)
-        ids.uniq.each_with_object({}) do |id, names|
-          stem = plain(id)
-          number = 1
-          number += 1 while names.value?(candidate(stem, number))
-          names[id] = candidate(stem, number)
-        end
-      end
-
-      def candidate(stem, number)
-        number == 1 ? stem : "#{stem}_#{number}"
       end
     end
   end

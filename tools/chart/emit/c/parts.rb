@@ -14,6 +14,8 @@ module Chart
   module C
     # What every part of the emitter needs of one chart.
     class Parts
+      RAISING = [Raise, Finish].freeze
+
       attr_reader :document, :regions, :sequences, :decisions, :names, :expressions, :steps, :selection, :shape,
                   :most_raised, :rounds, :rounds_at_start
 
@@ -27,13 +29,17 @@ module Chart
         @expressions = Expressions.new(document, @regions, @names)
         @steps = Steps.new(@names, @regions, @expressions)
         @selection = Selection.new(document, @regions, @names, @decisions, @expressions)
-        @most_raised = walk.most_raised
+        @most_raised = [walk.most_raised, 1].max
         @rounds = walk.most_rounds
         @rounds_at_start = walk.start.rounds
       end
 
+      # The code raises events, whether or not the walk has come that way.
       def raises?
-        most_raised.positive?
+        return @raises if defined?(@raises)
+
+        steps = document.transitions.flat_map { |one| [sequences.exits(one), one.content, sequences.entries(one)] }
+        @raises = Sequences.all(steps.flatten(2) + sequences.start).any? { |step| RAISING.include?(step.class) }
       end
 
       # A macrostep gathers actions or raised events.
@@ -67,7 +73,7 @@ module Chart
         from = transition.source.id || document.name
         to = transition.targets.empty? ? '' : " to #{transition.targets.map(&:id).join(' ')}"
         on = transition.eventless? ? '' : " on #{transition.events.join(' or ')}"
-        guard = transition.guard_text ? " if #{transition.guard_text.gsub('*/', '* /')}" : ''
+        guard = transition.guard_text ? " if #{transition.guard_text}" : ''
         req = transition.req.empty? ? '' : " (#{transition.req.join(' ')})"
         "#{transition.id}#{req}, #{document.name}.scxml line #{transition.line}: #{from}#{to}#{on}#{guard}."
       end

@@ -35,7 +35,7 @@ module Chart
       end
 
       def intact_function
-        tests = @regions.map { |region| "(#{field(region)}_inverse == ~(uint32_t)#{field(region)})" }
+        tests = @regions.map { |region| "(self->#{@names.inverse(region)} == ~(uint32_t)#{field(region)})" }
         [call("static bool #{@names.function('is_intact')}", constant_self, ''), '{', joined(tests), '}', '']
       end
 
@@ -86,8 +86,9 @@ module Chart
         lines.empty? ? [] : ["#{@names.function('clear')}(self);"]
       end
 
-      def run_lines
-        return [] unless @parts.run?
+      # What the lines gather in, if they do.
+      def run_lines(lines)
+        return [] if @document.actions.empty? && lines.flatten.none? { |line| line.match?(/\brun\b/) }
 
         first = @document.actions.empty? ? '.raised = 0U' : '.actions = 0U'
         ["#{@names.function('run_t')} run = {#{first}};"]
@@ -96,7 +97,7 @@ module Chart
       def init_function
         start = "#{@code.invoke('begin', 'run' => '&run', 'inputs' => '&no_inputs')};"
         body = ['self->now_us = 0U;', 'self->trace.count = 0U;', *reset_call, start]
-        needs = start.match?(/\brun\b/) ? [*run_lines, ''] : []
+        needs = start.match?(/\brun\b/) ? [*run_lines([start]), ''] : []
         ["void #{@names.chart_function('init')}(#{@names.chart_type} *self)", '{',
          [*needs, *no_inputs(body), *body].map { |line| line.empty? ? line : "    #{line}" }, '}', '']
       end
@@ -113,7 +114,7 @@ module Chart
         runs = macrostep(@stepper.step_from_outside('&run'))
         [call("uint32_t #{@names.chart_function('dispatch')}",
               @names.public_parameters("#{@names.event_type} event").split(', '), ''), '{',
-         unused('event', [*runs, condition]), unused('inputs', runs), run_lines.map { |line| ["    #{line}", ''] },
+         unused('event', [*runs, condition]), unused('inputs', runs), run_lines(runs).map { |line| ["    #{line}", ''] },
          at_operators("if (#{condition}) {", 90).map { |line| "    #{line}" }, runs.map { |line| "        #{line}" },
          '    }', "    return #{actions};", '}', '']
       end
@@ -153,18 +154,18 @@ module Chart
       end
 
       def advance_body
-        [*run_lines.flat_map { |line| ["    #{line}", ''] }, '    self->now_us += elapsed_us;',
+        expiries = @document.timers.flat_map { |timer| expiry_lines(timer) }
+        [*run_lines(expiries).flat_map { |line| ["    #{line}", ''] }, '    self->now_us += elapsed_us;',
          "    if (#{@names.function('is_intact')}(self)) {",
-         "        #{@names.function('count_time')}(self, elapsed_us);",
-         *@document.timers.flat_map { |timer| expiry_lines(timer) }, '    }', "    return #{actions};"]
+         "        #{@names.function('count_time')}(self, elapsed_us);", *expiries, '    }', "    return #{actions};"]
       end
 
       def count_function
         return [] if @document.timers.empty?
 
         rows = @document.timers.map do |timer|
-          time = "self->#{@names.field(timer.id)}_us"
-          ["    if (self->#{@names.field(timer.id)}_is_armed) {",
+          time = "self->#{@names.time(timer)}"
+          ["    if (self->#{@names.armed(timer)}) {",
            "        #{time} = #{@names.function('add_saturated')}(#{time}, elapsed_us);", '    }']
         end
         head = "static void #{@names.function('count_time')}"
@@ -178,21 +179,24 @@ module Chart
       end
 
       def expired_function(timer)
-        stem = @names.field(timer.id)
-        [call("static bool #{@names.function("#{stem}_has_expired")}", constant_self, ''), '{',
-         joined(["self->#{stem}_is_armed", "(self->#{stem}_us >= #{@names.delay(timer)})"]), '}', '']
+        [call("static bool #{expired(timer)}", constant_self, ''), '{',
+         joined(["self->#{@names.armed(timer)}", "(self->#{@names.time(timer)} >= #{@names.delay(timer)})"]), '}', '']
+      end
+
+      def expired(timer)
+        @names.function("#{@names.stem(timer.id)}.has_expired")
       end
 
       def expiry_lines(timer)
         runs = macrostep(@stepper.step(@names.event(timer.event), [timer.event], '&run'))
-        ["        if (#{@names.function("#{@names.field(timer.id)}_has_expired")}(self)) {",
-         *[*@parts.steps.lines([Cancel.new(timer)]), *empty_queue(timer), *runs].map { |line| "            #{line}" },
+        ["        if (#{expired(timer)}(self)) {",
+         *[*@parts.steps.lines([Cancel.new(timer)]), *empty_queue(timer, runs), *runs].map { |line| "            #{line}" },
          '        }']
       end
 
       # What the timers before have raised is done.
-      def empty_queue(timer)
-        return [] if !@parts.raises? || timer == @document.timers.first
+      def empty_queue(timer, runs)
+        return [] if !@parts.raises? || timer == @document.timers.first || runs.none? { |line| line.include?('&run') }
 
         ['run.raised = 0U;', 'run.taken = 0U;']
       end

@@ -40,15 +40,15 @@ module Chart
       end
 
       def suffix(eventless)
-        eventless ? '_at_rest' : ''
+        eventless ? '.at_rest' : ''
       end
 
       def leaf_function(region, leaf, eventless)
-        "#{@names.field(region.name)}_in_#{@names.stem(leaf.id)}#{suffix(eventless)}"
+        "#{@names.stem(region.name)}.in.#{@names.stem(leaf.id)}#{suffix(eventless)}"
       end
 
       def region_function(region, eventless)
-        "#{@outcome.verb}_#{@names.field(region.name)}#{suffix(eventless)}"
+        "#{@outcome.verb}.#{@names.stem(region.name)}#{suffix(eventless)}"
       end
 
       def define_leaf(region, leaf, eventless)
@@ -106,7 +106,7 @@ module Chart
 
       def define_region(region, busy, eventless)
         name = region_function(region, eventless)
-        body = ["switch (self->#{@names.field(region.name)}) {",
+        body = ["switch (#{@outcome.place(region)}->#{@names.field(region.name)}) {",
                 @names.values(region).map { |leaf| region_case(region, leaf, busy, eventless) },
                 'default:', '    /* damaged: the check repairs it */', '    break;', '}']
         @code.define(@result.type, name, @result.frame(body), constant: @outcome.constant)
@@ -132,8 +132,13 @@ module Chart
       end
     end
 
-    # verb: how the functions begin; holder: where guards read; line: a block from a transition to one line of C.
-    Outcome = Struct.new(:verb, :result, :constant, :holder, :block) do
+    # verb: how the functions begin; holder: where guards read; pictured: regions that are read there as well;
+    # line: a block from a transition to one line of C.
+    Outcome = Struct.new(:verb, :result, :constant, :holder, :pictured, :block) do
+      def place(region)
+        pictured.include?(region) ? holder : 'self'
+      end
+
       def line(transition)
         block.call(transition)
       end

@@ -52,7 +52,7 @@ module Chart
         return [] if @document.timers.empty?
 
         @document.timers.map do |timer|
-          "#define #{@names.delay(timer)} #{timer.threshold_us}U#{timer.limit ? " /* #{timer.limit} */" : ''}"
+          "#define #{@names.delay(timer)} #{timer.threshold_us}U#{remark(timer.limit.to_s)}"
         end + ['']
       end
 
@@ -77,7 +77,7 @@ module Chart
       end
 
       def bound
-        "#{@names.macro}_RAISED_MAX"
+        @names.raised_max
       end
 
       def define_raise
@@ -92,10 +92,11 @@ module Chart
       def define_enters
         @parts.regions.each do |region|
           field = @names.field(region.name)
-          head = "static void #{@names.function("enter_#{field}")}"
-          @code.add("enter_#{field}",
+          name = "enter.#{@names.stem(region.name)}"
+          head = "static void #{@names.function(name)}"
+          @code.add(name,
                     [call(head, ["#{@names.chart_type} *self", "#{@names.region_type(region)} leaf"], ''), '{',
-                     "    self->#{field} = leaf;", "    self->#{field}_inverse = ~(uint32_t)leaf;", '}', ''])
+                     "    self->#{field} = leaf;", "    self->#{@names.inverse(region)} = ~(uint32_t)leaf;", '}', ''])
         end
       end
 
@@ -107,23 +108,23 @@ module Chart
       end
 
       def define_timer(verb, timer, armed)
-        field = @names.field(timer.id)
-        @code.define('void', "#{verb}_#{field}", ["self->#{field}_us = 0U;", "self->#{field}_is_armed = #{armed};"])
+        @code.define('void', "#{verb}.#{@names.stem(timer.id)}",
+                     ["self->#{@names.time(timer)} = 0U;", "self->#{@names.armed(timer)} = #{armed};"])
       end
 
       # What follows the first step: the rounds that raised events and eventless transitions can need; their number is
       # the exact bound over all reachable pairs. Inlined, since every event comes this way.
       def define_macrostep(stepper)
         define_settle(stepper)
-        @code.define('inline void', 'run_to_completion', settled(@parts.rounds)) if @parts.rounds.positive?
-        @code.define('void', 'begin', @parts.steps.lines(@parts.sequences.start) + settled(@parts.rounds_at_start))
+        after = settled(@parts.rounds)
+        @code.define('inline void', 'run_to_completion', after) if after.any?
+        rounds = @parts.rounds_at_start
+        @code.define('void', 'begin', @parts.steps.lines(@parts.sequences.start) + (rounds.zero? ? [] : settled(rounds)))
       end
 
       def settled(rounds)
-        return [] if rounds.zero?
-
         bound = @parts.raises? ? ['chart_require_settled(run->taken, run->raised);'] : []
-        ["#{@code.invoke('settle')};"] * rounds + bound
+        rounds.zero? ? bound : ["#{@code.invoke('settle')};"] * rounds + bound
       end
 
       def define_settle(stepper)

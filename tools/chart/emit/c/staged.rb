@@ -94,25 +94,92 @@ module Chart
 
       def define_step(name, eventless)
         found = ->(transition) { "found = #{transition.number}U;" }
-        outcome = Outcome.new('select', Result.new('uint32_t'), true, 'self', found)
+        outcome = Outcome.new('select', Result.new('uint32_t'), true, 'self', [], found)
         selects = @order.to_h do |region|
           [region, @parts.selection.define(@code, region, eventless, outcome)]
         end
         taking = @order.select { |region| selects[region] }
         return @code.define('void', name, []) if taking.empty?
 
+        late = taking.select { |region| late?(region, eventless) }
         @code.define('void', name, ['uint64_t touched = 0U;', *taking.map { |region| selected(region, selects) },
-                                    *taking.map { |region| claimed(region) }, '', *stages(taking)])
+                                    *taking.map { |region| claimed(region) }, '',
+                                    *late.flat_map { |region| placed(region, selects) },
+                                    *stages(taking, acts(taking, late, selects))])
       end
 
-      def local(region)
-        "in_#{@names.field(region.name)}"
+      # --- the order of contents -------------------------------------------------------------------------------------
+      # Without a target a transition excludes nothing, so that outer ones and inner ones may come together: an outer one
+      # where the first leaf stands that asks outside.
+
+      def late?(region, eventless)
+        nested = @regions.with_nested(region).drop(1).map(&:state)
+        mine, others = transitions.partition { |one| @regions.of(one.source) == region }
+        others = others.select { |one| nested.any? { |state| one.source == state || one.source.inside?(state) } }
+        mine.any? { |one| others.any? { |other| together?(one, other, eventless) } }
+      end
+
+      def together?(one, other, eventless)
+        return false unless one.targetless? || other.targetless?
+
+        eventless ? one.eventless? && other.eventless? : one.events.intersect?(other.events)
+      end
+
+      # [region, tests]: the regions inside whose leaf asks the outer region, and when.
+      def asking(outer, selects)
+        outer.leaves.select(&:parallel?).flat_map do |parallel|
+          @regions.children(parallel).flat_map do |region|
+            before = [at(outer, '==', parallel), *("(#{found(region)} == 0U)" if selects[region])]
+            own = region.leaves.select(&:parallel?).map { |leaf| at(region, '!=', leaf) }
+            [[region, before + own], *asking(region, selects).map { |one, tests| [one, before + tests] }]
+          end
+        end
+      end
+
+      def at(region, operator, leaf)
+        "(self->#{@names.field(region.name)} #{operator} #{@names.leaf(leaf)})"
+      end
+
+      def place(region)
+        @names.local('place', region)
+      end
+
+      def number(region)
+        "#{@order.index(region) + 1}U"
+      end
+
+      def placed(outer, selects)
+        rows = asking(outer, selects).each_with_index.flat_map do |(region, tests), index|
+          [*Layout.at_operators("#{'} else ' if index.positive?}if (#{tests.join(' && ')}) {"),
+           "    #{place(outer)} = #{number(region)};"]
+        end
+        ["uint32_t #{place(outer)} = 0U;", '', *rows, '} else {', '    /* nothing inside asks */', '}', '']
+      end
+
+      def acts(taking, late, selects)
+        @order.flat_map do |region|
+          own = taking.include?(region) ? [act(late.include?(region) ? in_place(region, '0U') : take(region))] : []
+          own + late.select { |outer| asking(outer, selects).any? { |one, _tests| one == region } }
+                    .map { |outer| act(in_place(outer, number(region))) }
+        end
+      end
+
+      def act(transition)
+        "#{@code.invoke('act', {}, transition)};"
+      end
+
+      def in_place(outer, number)
+        "(#{place(outer)} == #{number}) ? #{take(outer)} : 0U"
+      end
+
+      def found(region)
+        @names.local('found', region)
       end
 
       def selected(region, selects)
         call = @code.invoke(selects[region])
         inner = settled_inside(region, selects)
-        "const uint32_t found_#{local(region)} = #{inner ? "(#{inner}) ? 0U : #{call}" : call};"
+        "const uint32_t #{found(region)} = #{inner ? "(#{inner}) ? 0U : #{call}" : call};"
       end
 
       # True when each region inside the active parallel has its own transition: then none outside is looked at.
@@ -128,23 +195,29 @@ module Chart
 
       # nil when the region can never have one.
       def settled(region, selects)
-        own = selects[region] && "(found_#{local(region)} != 0U)"
+        own = selects[region] && "(#{found(region)} != 0U)"
         inner = settled_inside(region, selects)
         return own if inner.nil?
 
         own ? "(#{own} || (#{inner}))" : "(#{inner})"
       end
 
-      def claimed(region)
-        "const uint32_t take_#{local(region)} = #{@names.function('claim')}(found_#{local(region)}, &touched);"
+      def take(region)
+        @names.local('take', region)
       end
 
-      def stages(taking)
-        [['leave', taking.reverse], ['act', taking], ['arrive', taking]].flat_map do |stage, regions|
-          next [] unless @code.defined?(stage)
+      def claimed(region)
+        "const uint32_t #{take(region)} = #{@names.function('claim')}(#{found(region)}, &touched);"
+      end
 
-          regions.map { |region| "#{@code.invoke(stage, {}, "take_#{local(region)}")};" }
-        end
+      def stages(taking, acts)
+        [*stage('leave', taking.reverse), *acts, *stage('arrive', taking)]
+      end
+
+      def stage(name, regions)
+        return [] unless @code.defined?(name)
+
+        regions.map { |region| "#{@code.invoke(name, {}, take(region))};" }
       end
     end
   end

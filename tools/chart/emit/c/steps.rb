@@ -36,12 +36,12 @@ module Chart
 
       def statement(step)
         case step
-        when Enter then ["#{@names.function("enter_#{@names.field(step.region.name)}")}(self, " \
+        when Enter then ["#{@names.function("enter.#{@names.stem(step.region.name)}")}(self, " \
                          "#{@names.value(step.region, step.leaf)});"]
         when Remember then ["self->#{@names.memory(step.memory)} = self->#{@names.field(step.memory.region.name)};"]
         when Raise then ["#{@names.function('raise_event')}(run, #{@names.event(step.event)});"]
-        when Send then ["#{@names.function("start_#{@names.field(step.timer.id)}")}(self);"]
-        when Cancel then ["#{@names.function("stop_#{@names.field(step.timer.id)}")}(self);"]
+        when Send then ["#{@names.function("start.#{@names.stem(step.timer.id)}")}(self);"]
+        when Cancel then ["#{@names.function("stop.#{@names.stem(step.timer.id)}")}(self);"]
         when Assign then ["self->#{@names.field(step.variable.name)} = #{@expressions.text(step.expression)};"]
         when Switch then switch(step)
         when Finish then finish(step)

@@ -30,6 +30,15 @@ module Chart
       ["void test_#{requirement}_#{@document.name}_#{name}(void)", '{', body, '}', '']
     end
 
+    def field(region)
+      @names.field(region.name)
+    end
+
+    # Those that expire.
+    def timers(pair)
+      @document.timers.select { |timer| pair.stimulus.last.include?(timer.id) }
+    end
+
     def chart
       "    #{@names.chart_type} chart;"
     end
@@ -50,7 +59,7 @@ module Chart
     def expect_leaves(ids)
       ids.map do |id|
         state = @document.state(id)
-        "    TEST_ASSERT_EQUAL_UINT32(#{@names.leaf(state)}, chart.#{@regions.of(state).name});"
+        "    TEST_ASSERT_EQUAL_UINT32(#{@names.leaf(state)}, chart.#{field(@regions.of(state))});"
       end
     end
 
@@ -92,8 +101,7 @@ module Chart
     end
 
     def unmoved(region)
-      field = @names.field(region.name)
-      "        TEST_ASSERT_EQUAL_UINT32(pairs[row].#{field}, chart.#{field});"
+      "        TEST_ASSERT_EQUAL_UINT32(pairs[row].at_#{field(region)}, chart.#{field(region)});"
     end
 
     def clock_test
@@ -119,8 +127,8 @@ module Chart
         region = @regions.of(state)
         region.leaves.map do |leaf|
           expected = state.leaves.include?(leaf).to_s.upcase
-          ["    chart.#{region.name} = #{@names.leaf(leaf)};",
-           "    TEST_ASSERT_#{expected}(#{@names.chart_function("in_#{state.id}")}(&chart));"]
+          ["    chart.#{field(region)} = #{@names.leaf(leaf)};",
+           "    TEST_ASSERT_#{expected}(#{@names.in_function(state)}(&chart));"]
         end
       end
       test('SWR_CHART_001', 'names_its_compound_states',
@@ -137,7 +145,7 @@ module Chart
     def frozen_function
       idle = timers? ? ["    TEST_ASSERT_EQUAL_HEX32(0U, #{advance('UINT32_MAX')});"] : []
       same = @regions.map do |region|
-        "    TEST_ASSERT_EQUAL_UINT32(damaged->#{region.name}, chart.#{region.name});"
+        "    TEST_ASSERT_EQUAL_UINT32(damaged->#{field(region)}, chart.#{field(region)});"
       end
       ["static void expect_frozen_then_safe(const #{@names.chart_type} *damaged)", '{',
        "    #{@names.chart_type} chart = *damaged;", inputs_line, '',
@@ -179,8 +187,8 @@ module Chart
       type = @names.region_type(region)
       ['    for (uint32_t bit = 0U; bit < 32U; bit++) {',
        '        const uint32_t flip = (uint32_t)1U << bit;', '', init,
-       "        chart.#{region.name} = (#{type})((uint32_t)chart.#{region.name} ^ flip);",
-       '        expect_frozen_then_safe(&chart);', init, "        chart.#{region.name}_inverse ^= flip;",
+       "        chart.#{field(region)} = (#{type})((uint32_t)chart.#{field(region)} ^ flip);",
+       '        expect_frozen_then_safe(&chart);', init, "        chart.#{@names.inverse(region)} ^= flip;",
        '        expect_frozen_then_safe(&chart);', '    }']
     end
 
@@ -188,7 +196,7 @@ module Chart
     def begin_chart
       ["    #{@names.chart_function('init')}(&chart);",
        *@document.timers.flat_map do |timer|
-         ["    chart.#{timer.id}_us = 5U;", "    chart.#{timer.id}_is_armed = true;"]
+         ["    chart.#{@names.time(timer)} = 5U;", "    chart.#{@names.armed(timer)} = true;"]
        end]
     end
 
@@ -198,13 +206,13 @@ module Chart
       [begin_chart, make_stranger(region),
        "    for (uint32_t event = 0U; event < #{@document.events.length}U; event++) {",
        "        (void)#{dispatch("(#{@names.event_type})event")};",
-       "        TEST_ASSERT_EQUAL_UINT32(#{stranger}, chart.#{region.name});", '    }', '    expect_repaired(&chart);']
+       "        TEST_ASSERT_EQUAL_UINT32(#{stranger}, chart.#{field(region)});", '    }', '    expect_repaired(&chart);']
     end
 
     def make_stranger(region)
       stranger = "#{region.leaves.length}U"
-      ["    chart.#{region.name} = (#{@names.region_type(region)})#{stranger};",
-       "    chart.#{region.name}_inverse = ~(uint32_t)#{stranger};"]
+      ["    chart.#{field(region)} = (#{@names.region_type(region)})#{stranger};",
+       "    chart.#{@names.inverse(region)} = ~(uint32_t)#{stranger};"]
     end
 
     # With no region left that could act, there are no actions.
@@ -239,22 +247,22 @@ module Chart
             place(pair), expect_expiry("#{delay}U", pair),
             place(pair), expect_expiry("#{delay + 1}U", pair),
             '    /* a sum that would wrap saturates instead */',
-            place(pair), "    chart.#{timer.id}_us = 1U;", expect_expiry('UINT32_MAX', pair)])
+            place(pair), "    chart.#{@names.time(timer)} = 1U;", expect_expiry('UINT32_MAX', pair)])
     end
 
     # The leaves where the timer runs, with no other timer running.
     def place(pair)
       cells = pair.before.leaves.map do |id|
         state = @document.state(id)
-        ".#{@regions.of(state).name} = #{@names.leaf(state)}"
+        ".at_#{field(@regions.of(state))} = #{@names.leaf(state)}"
       end
       ["    place(&chart, &(const pair_t){ #{cells.join(', ')} });",
-       pair.stimulus.last.map { |id| ["    chart.#{id}_is_armed = true;"] }]
+       timers(pair).map { |timer| ["    chart.#{@names.armed(timer)} = true;"] }]
     end
 
     def expect_no_expiry(timer, microseconds, pair)
       ["    TEST_ASSERT_EQUAL_HEX32(0U, #{advance("#{microseconds}U")});", expect_leaves(pair.before.leaves),
-       "    TEST_ASSERT_EQUAL_UINT32(#{microseconds}U, chart.#{timer.id}_us);",
+       "    TEST_ASSERT_EQUAL_UINT32(#{microseconds}U, chart.#{@names.time(timer)});",
        '    TEST_ASSERT_EQUAL_UINT32(0U, last_transition(&chart));']
     end
 
@@ -271,7 +279,7 @@ module Chart
       test('SWR_CHART_001', "timer_#{timer.id}_stands_still_while_not_armed",
            [chart, inputs_line, '', "    #{@names.chart_function('init')}(&chart);",
             "    TEST_ASSERT_EQUAL_HEX32(0U, #{advance('UINT32_MAX')});",
-            "    TEST_ASSERT_EQUAL_UINT32(0U, chart.#{timer.id}_us);", expect_leaves(@walk.start.after.leaves)])
+            "    TEST_ASSERT_EQUAL_UINT32(0U, chart.#{@names.time(timer)});", expect_leaves(@walk.start.after.leaves)])
     end
   end
 end

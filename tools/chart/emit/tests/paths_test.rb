@@ -79,6 +79,10 @@ module Chart
     end
 
     def row(step)
+      (@rows ||= {})[step] ||= new_row(step)
+    end
+
+    def new_row(step)
       after = step.outcome.after
       cells = [@names.event(event_of(step))]
       cells << "#{step.elapsed_us}U" if timers?
@@ -117,7 +121,7 @@ module Chart
       fields = ["    #{@names.event_type} event;"]
       fields << '    uint32_t elapsed_us; /* 0U: the event comes from outside */' if timers?
       fields << '    uint32_t inputs;' if inputs?
-      fields += @regions.map { |region| "    #{@names.region_type(region)} #{@names.field(region.name)};" }
+      fields += @regions.map { |region| "    #{@names.region_type(region)} at_#{@names.field(region.name)};" }
       fields << '    uint32_t armed;' if timers?
       fields += ['    uint32_t actions;', '    uint32_t taken_count;', "    uint32_t taken[#{most_taken}];"]
       ['/* An event with its inputs, and what the chart must be and have done after it. */', 'typedef struct {',
@@ -127,7 +131,7 @@ module Chart
     def expect_functions
       regions = @regions.map do |region|
         field = @names.field(region.name)
-        "    TEST_ASSERT_EQUAL_UINT32_MESSAGE(step->#{field}, chart->#{field}, place);"
+        "    TEST_ASSERT_EQUAL_UINT32_MESSAGE(step->at_#{field}, chart->#{field}, place);"
       end
       armed = timers? ? ['    TEST_ASSERT_EQUAL_HEX32_MESSAGE(step->armed, armed_of(chart), place);'] : []
       [call('static void expect_configuration', parameters, ''), '{', regions, armed,

@@ -59,7 +59,10 @@ module Chart
     end
 
     def leaf_names(ids)
-      ids.map { |id| @names.leaf(@document.state(id)) }
+      active = ids.map { |id| @document.state(id) }
+      @names.regions.map do |region|
+        @names.value(region, region.leaves.find { |leaf| active.any? { |one| one == leaf || one.inside?(leaf) } })
+      end
     end
   end
 end

@@ -19,7 +19,7 @@ module Chart
       return [] unless inputs?
 
       rows = @document.inputs.each_with_index.map do |input, bit|
-        "    inputs.#{input.name} = ((bits >> #{bit}U) & 1U) != 0U;"
+        "    inputs.#{@names.field(input.name)} = ((bits >> #{bit}U) & 1U) != 0U;"
       end
       ["static #{@names.inputs_type} inputs_from(uint32_t bits)", '{', "    #{@names.inputs_type} inputs;", '', rows,
        '    return inputs;', '}', '']
@@ -29,7 +29,7 @@ module Chart
       return [] unless timers?
 
       bits = @document.timers.each_with_index.map do |timer, bit|
-        "(chart->#{timer.id}_is_armed ? #{1 << bit}U : 0U)"
+        "(chart->#{@names.armed(timer)} ? #{1 << bit}U : 0U)"
       end
       ["static uint32_t armed_of(const #{@names.chart_type} *chart)", '{',
        "    return #{bits.join(" |\n           ")};", '}', '']

@@ -45,11 +45,11 @@ module Chart
     end
 
     def row_type
-      fields = regions.map { |region| "    #{@names.region_type(region)} #{region.name};" }
+      fields = regions.map { |region| "    #{@names.region_type(region)} at_#{@names.field(region.name)};" }
       fields += ["    uint32_t armed;", "    uint32_t expiring;"] if timers?
       fields << "    #{@names.event_type} event;"
       fields += ['    uint32_t inputs_read;', '    uint32_t inputs;'] if inputs?
-      fields += regions.map { |region| "    #{@names.region_type(region)} next_#{region.name};" }
+      fields += regions.map { |region| "    #{@names.region_type(region)} to_#{@names.field(region.name)};" }
       fields += ['    uint32_t next_armed;', '    uint32_t started;'] if timers?
       fields += ['    uint32_t actions;', '    uint32_t last_transition;', '    bool is_reachable;']
       ['typedef struct {', fields, '} pair_t;', '']
@@ -70,14 +70,14 @@ module Chart
 
     def place_function
       fields = regions.map do |region|
-        ["    chart->#{region.name} = pair->#{region.name};",
-         "    chart->#{region.name}_inverse = ~(uint32_t)pair->#{region.name};"]
+        field = @names.field(region.name)
+        ["    chart->#{field} = pair->at_#{field};", "    chart->#{@names.inverse(region)} = ~(uint32_t)pair->at_#{field};"]
       end
       timers = @document.timers.each_with_index.map do |timer, bit|
-        ["    chart->#{timer.id}_is_armed = (pair->armed & #{1 << bit}U) != 0U;",
-         "    chart->#{timer.id}_us = chart->#{timer.id}_is_armed ? 7U : 0U;",
+        ["    chart->#{@names.armed(timer)} = (pair->armed & #{1 << bit}U) != 0U;",
+         "    chart->#{@names.time(timer)} = chart->#{@names.armed(timer)} ? 7U : 0U;",
          "    if ((pair->expiring & #{1 << bit}U) != 0U) {",
-         "        chart->#{timer.id}_us = #{timer.threshold_us - 1}U;", '    }']
+         "        chart->#{@names.time(timer)} = #{timer.threshold_us - 1}U;", '    }']
       end
       ["static void place(#{@names.chart_type} *chart, const pair_t *pair)", '{', fields, timers,
        '    chart->now_us = 0U;', '    chart->trace.count = 0U;', '}', '']
@@ -98,7 +98,7 @@ module Chart
 
     def compare_function
       [call('static void compare', check_parameters, ''), '{',
-       regions.map { |region| equal("pair->next_#{region.name}", "chart->#{region.name}", 'UINT32') },
+       regions.map { |region| @names.field(region.name) }.map { |one| equal("pair->to_#{one}", "chart->#{one}", 'UINT32') },
        timers? ? [equal('pair->next_armed', 'armed_of(chart)', 'HEX32'), timer_values] : [],
        equal('pair->actions', 'actions', 'HEX32'),
        equal('pair->last_transition', 'last_transition(chart)', 'UINT32'),
@@ -117,8 +117,8 @@ module Chart
     def timer_values
       rows = @document.timers.each_with_index.map do |timer, bit|
         ["    if ((pair->next_armed & ~pair->started & #{1 << bit}U) != 0U) {",
-         "        TEST_ASSERT_EQUAL_UINT32_MESSAGE(running_us, chart->#{timer.id}_us, place_name);",
-         '    } else {', "        TEST_ASSERT_EQUAL_UINT32_MESSAGE(0U, chart->#{timer.id}_us, place_name);", '    }']
+         "        TEST_ASSERT_EQUAL_UINT32_MESSAGE(running_us, chart->#{@names.time(timer)}, place_name);",
+         '    } else {', "        TEST_ASSERT_EQUAL_UINT32_MESSAGE(0U, chart->#{@names.time(timer)}, place_name);", '    }']
       end
       ['    const uint32_t running_us = (pair->expiring != 0U) ? 8U : 7U;', rows]
     end
