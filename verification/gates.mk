@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # What `make test` runs; included by the Makefile.
 
-.PHONY: gate one generated boards apart unit coverage misra sanitize arm console-test objects programs trace demo velocity sweep worst-case \
+.PHONY: gate one generated boards apart unit coverage misra sanitize arm console-test objects programs trace demo velocity sweep charts-fuzz worst-case \
     worst-case-approve
 
 test: bootstrap-test ## Run everything that can fail; the last line is `N passed, N failed`
@@ -75,6 +75,9 @@ coverage: bootstrap-test ## What the unit tests reach of the core, for lcov's re
 
 misra: $(GENERATED) ## MISRA findings of the core
 	ruby tools/misra.rb
+
+charts-fuzz: bootstrap-test ## Random charts against the standard's algorithm: COUNT=1000 SEED=1; what differs is kept, made small
+	@ruby verification/conformance/random/hunt.rb $(or $(COUNT),1000) $(or $(SEED),1)
 
 worst-case: bootstrap-test generated ## What each chart costs at most, in instructions and bytes
 	@ruby -r ./verification/model/worst_case_table -e 'WorstCase::Table.run'
