@@ -1,25 +1,17 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "sim/box.h"
+#include "sim/box_reply.h"
 
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #define WORD_COUNT 3U
 #define WORD_SIZE 16U
-#define TURN_BAM 4294967296.0
 
 typedef struct {
     char words[WORD_COUNT][WORD_SIZE];
     uint32_t count;
 } order_t;
-
-typedef struct {
-    char *text;
-    size_t size;
-    size_t length;
-} reply_t;
 
 /* Words of which any may be taken; `plug` takes any slot that no axis has, `force` any reading,
  * `push` any way in mm. */
@@ -45,24 +37,6 @@ static const char orders[] = "pedal press|release|pulse\n"
 const char *box_orders(void)
 {
     return orders;
-}
-
-static void say(reply_t *reply, const char *format, ...) __attribute__((format(printf, 2, 3)));
-
-static void say(reply_t *reply, const char *format, ...)
-{
-    va_list arguments;
-
-    va_start(arguments, format);
-    const int written =
-        vsnprintf(reply->text + reply->length, reply->size - reply->length, format, arguments);
-    va_end(arguments);
-    if (written > 0) {
-        reply->length += (size_t)written;
-    }
-    if (reply->length >= reply->size) {
-        reply->length = reply->size - 1U;
-    }
 }
 
 static bool is_space(char character)
@@ -119,15 +93,10 @@ static box_axis_t *find_axis(box_t *self, const char *word)
     return NULL;
 }
 
-static bool has_sensor(const box_t *self, uint32_t slot)
-{
-    return ((self->sensor_slots >> slot) & 1U) != 0U;
-}
-
 static box_sensor_t *find_sensor(box_t *self, const char *word)
 {
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
-        if (has_sensor(self, slot) && is_slot(word, slot)) {
+        if (box_has_sensor(self, slot) && is_slot(word, slot)) {
             return &self->sensors[slot];
         }
     }
@@ -230,17 +199,6 @@ static bool order_level(bool *level, const order_t *order, const char *on, const
     return true;
 }
 
-/* In the order of the enumerations of these faults. */
-static const char *const card_words[] = {"normal", "silent", "corrupt", "foreign", NULL};
-static const char *const encoder_words[] = {"normal", "stuck", "reversed", "half", NULL};
-static const char *const motor_words[] = {"normal", "stuck", "half", "twice", "runs", "hot", NULL};
-static const char *const gate_words[] = {"off", "dose", "stop", NULL};
-static const char *const switch_words[] = {"normal", "stuck", "open", "chatter", "reversed", NULL};
-
-/* In the order of card_type_t. */
-static const char *const type_words[] = {"none",           "pwm",    "non_pwm", "sensor",
-                                         "high_frequency", "analog", NULL};
-
 /* Number of `word`, or -1. */
 static int number_of(const char *const words[], const char *word)
 {
@@ -257,10 +215,10 @@ static const char *const *words_of(const order_t *order)
 {
     const char *const *words = NULL;
 
-    words = is_word(order, 0U, "card") ? card_words : words;
-    words = is_word(order, 0U, "encoder") ? encoder_words : words;
-    words = is_word(order, 0U, "motor") ? motor_words : words;
-    return is_word(order, 0U, "switch") ? switch_words : words;
+    words = is_word(order, 0U, "card") ? box_card_words : words;
+    words = is_word(order, 0U, "encoder") ? box_encoder_words : words;
+    words = is_word(order, 0U, "motor") ? box_motor_words : words;
+    return is_word(order, 0U, "switch") ? box_switch_words : words;
 }
 
 static bool order_axis(const order_t *order, box_axis_t *axis)
@@ -271,11 +229,11 @@ static bool order_axis(const order_t *order, box_axis_t *axis)
     if (fault < 0) {
         return false;
     }
-    if (words == card_words) {
+    if (words == box_card_words) {
         axis->card_fault = (box_card_fault_t)fault;
-    } else if (words == encoder_words) {
+    } else if (words == box_encoder_words) {
         axis->encoder.fault = (sim_encoder_fault_t)fault;
-    } else if (words == motor_words) {
+    } else if (words == box_motor_words) {
         axis->motor.fault = (sim_motor_fault_t)fault;
     } else {
         axis->limit_switch.fault = (sim_switch_fault_t)fault;
@@ -286,92 +244,13 @@ static bool order_axis(const order_t *order, box_axis_t *axis)
 /* It has nothing else that could fail. */
 static bool order_sensor(const order_t *order, box_sensor_t *sensor)
 {
-    const int fault = number_of(card_words, order->words[2]);
+    const int fault = number_of(box_card_words, order->words[2]);
 
     if (!is_word(order, 0U, "card") || (fault < 0)) {
         return false;
     }
     sensor->card_fault = (box_card_fault_t)fault;
     return true;
-}
-
-static void show_sensor(const box_sensor_t *sensor, reply_t *reply)
-{
-    say(reply, "%4u  %-14s %7s %-3s %11s  %-9s %-7s %-8s %-9s %-7s %5u\n",
-        (unsigned)sensor->card.slot, type_words[sensor->card.card_type], "", "", "", "", "",
-        card_words[sensor->card_fault], "", "", (unsigned)sensor->card.watchdog_trips);
-}
-
-static void show_axis(const box_axis_t *axis, reply_t *reply)
-{
-    const bool is_mm = axis->config->unit == (uint8_t)AXIS_UNIT_MM;
-    const double units =
-        axis->motor.position_ticks * (double)axis->config->unit_per_tick_q16 / 65536.0;
-    const double shown = is_mm ? units / 1e6 : units * 360.0 / TURN_BAM;
-    const card_drive_t *drive = &axis->card.applied;
-    char driven[24] = "off";
-
-    if ((drive->mode == (uint32_t)CARD_DRIVE_NON_PWM) && (drive->duty == 0U)) {
-        (void)snprintf(driven, sizeof driven, "%c run", (drive->direction != 0U) ? '+' : '-');
-    } else if (drive->mode != (uint32_t)CARD_DRIVE_OFF) {
-        (void)snprintf(driven, sizeof driven, "%c %u", (drive->direction != 0U) ? '+' : '-',
-                       (unsigned)drive->duty);
-    } else {
-        /* It is off. */
-    }
-    say(reply, "%4u  %-10s %11.4f %-3s %11.1f  %-9s %-7s %-8s %-9s %-7s %5u\n",
-        (unsigned)axis->config->slot, axis->config->name, shown, is_mm ? "mm" : "deg",
-        axis->motor.position_ticks, driven,
-        (axis->config->limit_switch == (uint8_t)LIMIT_SWITCH_NONE) ? "none"
-        : axis->limit_switch.is_active                             ? "active"
-                                                                   : "free",
-        card_words[axis->card_fault], encoder_words[axis->encoder.fault],
-        motor_words[axis->motor.fault], (unsigned)axis->card.watchdog_trips);
-}
-
-static void show_probe(const box_t *self, reply_t *reply)
-{
-    const axis_config_t *needle = &self->robot->axes[self->robot->needle_axis];
-    const double nm = self->probe.free_ticks * (double)needle->unit_per_tick_q16 / 65536.0;
-
-    say(reply, "the probe is free of the %s, and %.4f mm in by hand\n", needle->name, nm / 1e6);
-}
-
-/* What control has set. */
-static void show_outputs(const box_t *self, reply_t *reply)
-{
-    static const char *const words[] = {"alive", "may-move", "moving", "fault"};
-
-    say(reply, "amplifier line %s, lamps", self->is_off ? "off" : "on");
-    for (uint32_t i = 0U; i < sizeof words / sizeof words[0]; i++) {
-        if ((self->lamps & (1U << i)) != 0U) {
-            say(reply, " %s", words[i]);
-        }
-    }
-    say(reply, "%s\n", (self->lamps == 0U) ? " dark" : "");
-}
-
-static void show(const box_t *self, reply_t *reply)
-{
-    say(reply, "%s, %.3f s: pedal a %s, pedal b %s, e-stop %s, button %s, scanner %s, gate %s\n",
-        self->robot->name, (double)self->time_us / 1e6, self->pedal_a.is_closed ? "closed" : "open",
-        self->pedal_b.is_closed ? "closed" : "open", self->estop.is_closed ? "closed" : "pulled",
-        self->button_pressed ? "pressed" : "released", self->scanner_active ? "on" : "off",
-        gate_words[self->gate]);
-    show_outputs(self, reply);
-    say(reply, "%4s  %-10s %11s %-3s %11s  %-9s %-7s %-8s %-9s %-7s %5s\n", "slot", "axis",
-        "position", "", "ticks", "drive", "switch", "card", "encoder", "motor", "trips");
-    for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
-        show_axis(&self->axes[i], reply);
-    }
-    if (self->probe.is_free) {
-        show_probe(self, reply);
-    }
-    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
-        if (has_sensor(self, slot)) {
-            show_sensor(&self->sensors[slot], reply);
-        }
-    }
 }
 
 /* What the load cell of each card without an axis reads. */
@@ -419,7 +298,7 @@ static bool order_push(box_t *self, const order_t *order)
 
 static bool order_gate(box_t *self, const order_t *order)
 {
-    const int level = number_of(gate_words, order->words[1]);
+    const int level = number_of(box_gate_words, order->words[1]);
 
     if ((order->count != 2U) || (level < 0)) {
         return false;
@@ -431,7 +310,7 @@ static bool order_gate(box_t *self, const order_t *order)
 /* Only where no axis has its card. */
 static bool order_plug(box_t *self, const order_t *order)
 {
-    const int type = number_of(type_words, order->words[2]);
+    const int type = number_of(box_type_words, order->words[2]);
 
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
         if (is_slot(order->words[1], slot) && (type >= 0) &&
@@ -443,24 +322,9 @@ static bool order_plug(box_t *self, const order_t *order)
     return false;
 }
 
-static void refuse(const char *line, reply_t *reply)
+static void refuse(const char *line, box_reply_t *reply)
 {
-    say(reply, "The order \"%.60s\" is unknown; the orders are:\n%s", line, orders);
-}
-
-static void refuse_slot(const box_t *self, const char *word, reply_t *reply)
-{
-    say(reply, "There is no card in slot \"%s\"; there are", word);
-    for (uint32_t i = 0U; i < self->robot->axis_count; i++) {
-        say(reply, "%s %u %s", (i == 0U) ? "" : ",", (unsigned)self->axes[i].config->slot,
-            self->axes[i].config->name);
-    }
-    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
-        if (has_sensor(self, slot)) {
-            say(reply, ", %u %s", (unsigned)slot, type_words[self->sensors[slot].card.card_type]);
-        }
-    }
-    say(reply, ".\n");
+    box_reply_say(reply, "The order \"%.60s\" is unknown; the orders are:\n%s", line, orders);
 }
 
 static bool carry_out(box_t *self, const order_t *order)
@@ -500,7 +364,7 @@ static bool carry_out(box_t *self, const order_t *order)
 
 bool box_command(box_t *self, const char *order, char *reply, uint32_t reply_size)
 {
-    reply_t answer = {reply, reply_size, 0U};
+    box_reply_t answer = {reply, reply_size, 0U};
     order_t words;
 
     if (!split(order, &words)) {
@@ -508,7 +372,7 @@ bool box_command(box_t *self, const char *order, char *reply, uint32_t reply_siz
         return false;
     }
     if (is_word(&words, 0U, "show") && (words.count == 1U)) {
-        show(self, &answer);
+        box_reply_show(&answer, self);
         return true;
     }
     bool is_done;
@@ -516,7 +380,7 @@ bool box_command(box_t *self, const char *order, char *reply, uint32_t reply_siz
         box_axis_t *axis = find_axis(self, words.words[1]);
         box_sensor_t *sensor = find_sensor(self, words.words[1]);
         if ((axis == NULL) && (sensor == NULL)) {
-            refuse_slot(self, words.words[1], &answer);
+            box_reply_no_slot(&answer, self, words.words[1]);
             return false;
         }
         is_done = (axis != NULL) ? order_axis(&words, axis) : order_sensor(&words, sensor);
@@ -527,6 +391,6 @@ bool box_command(box_t *self, const char *order, char *reply, uint32_t reply_siz
         refuse(order, &answer);
         return false;
     }
-    say(&answer, "done: %s\n", order);
+    box_reply_say(&answer, "done: %s\n", order);
     return true;
 }

@@ -21,6 +21,7 @@
 #include <string.h>
 
 TEST_SOURCE_FILE("box_orders.c")
+TEST_SOURCE_FILE("box_reply.c")
 TEST_SOURCE_FILE("box_hold.c")
 TEST_SOURCE_FILE("box_show.c")
 
