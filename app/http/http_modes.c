@@ -77,7 +77,7 @@ static cJSON *new_step(const telemetry_view_t *view, workphase_t workphase)
                               .says = workphase_text((int32_t)workphase),
                               .is_allowed = status == STATUS_OK,
                               .status = name_of(status),
-                              .reason = reason_of(status)};
+                              .reason = reason_of(status, (uint32_t)COMMAND_WORKPHASE)};
     return json_step(&also);
 }
 
