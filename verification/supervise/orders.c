@@ -2,7 +2,7 @@
 #include "supervise/orders.h"
 
 #include "interface/pose_name.h"
-#include "mode/program_list.h"
+#include "mode/program_step.h"
 #include "mode/trajectory_list.h"
 #include "supervise/chance.h"
 
@@ -224,7 +224,7 @@ static void send_step(orders_t *self, const rig_t *rig, uint32_t *chance, comman
 {
     const robot_t *const robot = rig->box.robot;
     const int32_t *const target_ticks = rig->controller.plan.target_ticks;
-    const uint32_t turning = program_list_turning_axis(robot);
+    const uint32_t turning = program_step_turning_axis(robot);
     const axis_config_t *const along = config_of(rig, robot->needle_axis);
     const int32_t dwell_ms = DWELL_LEAST_MS + (int32_t)chance_below(chance, DWELL_SPREAD_MS);
     const int32_t way = either_way(span_of(along) / WAY_PARTS, chance);
@@ -240,7 +240,7 @@ static void send_step(orders_t *self, const rig_t *rig, uint32_t *chance, comman
         command->ticks[turning] =
             clamped(about, target_ticks[turning] + either_way(span_of(about) / WAY_PARTS, chance));
     }
-    program_list_place(robot, command->ticks, &step);
+    program_step_place(robot, command->ticks, &step);
     step.dwell_ms = (uint32_t)dwell_ms;
     step.is_gated = (command->value < 0) ? 1U : 0U;
     self->sum = program_list_crc(self->sum, &step);
