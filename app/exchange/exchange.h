@@ -54,12 +54,12 @@ typedef struct {
     controller_inputs_t inputs;
     controller_outputs_t outputs;
     cycle_board_t board;
-} cycle_t;
+} recorded_cycle_t;
 
 /* A checkpoint also shows all bytes of a cycle. */
 #define CYCLE_RECORD_BYTES                                                                         \
-    ((CONTROLLER_CHECKPOINT_BYTES > sizeof(cycle_t)) ? CONTROLLER_CHECKPOINT_BYTES                 \
-                                                     : sizeof(cycle_t))
+    ((CONTROLLER_CHECKPOINT_BYTES > sizeof(recorded_cycle_t)) ? CONTROLLER_CHECKPOINT_BYTES        \
+                                                              : sizeof(recorded_cycle_t))
 
 /** One entry of the cycle lane. */
 typedef struct {
@@ -68,7 +68,7 @@ typedef struct {
     uint32_t rows;  /**< Of the trajectory, at a checkpoint: they are in the exchange. */
     uint32_t list;  /**< Which trajectory that is. */
     union {
-        cycle_t cycle;
+        recorded_cycle_t cycle;
         uint8_t checkpoint[CYCLE_RECORD_BYTES];
     } body;
 } cycle_record_t;

@@ -125,8 +125,8 @@ static void put_proof(const proof_t *proof, sink_t *sink)
     }
 }
 
-size_t cycle_code_encode(cycle_code_t *self, prover_t *prover, bool is_whole, const cycle_t *cycle,
-                         uint8_t *bytes)
+size_t cycle_code_encode(cycle_code_t *self, prover_t *prover, bool is_whole,
+                         const recorded_cycle_t *cycle, uint8_t *bytes)
 {
     uint32_t kept[CYCLE_WORDS_KEPT];
     uint32_t checked[CYCLE_WORDS_CHECKED];
@@ -218,8 +218,8 @@ static void get_proof(proof_t *proof, source_t *source)
     }
 }
 
-size_t cycle_code_decode(cycle_code_t *self, const uint8_t *bytes, size_t size, cycle_t *cycle,
-                         cycle_known_t *known)
+size_t cycle_code_decode(cycle_code_t *self, const uint8_t *bytes, size_t size,
+                         recorded_cycle_t *cycle, cycle_known_t *known)
 {
     uint32_t kept[CYCLE_WORDS_KEPT];
     uint32_t checked[CYCLE_WORDS_CHECKED];

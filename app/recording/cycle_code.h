@@ -58,8 +58,8 @@ void cycle_code_begin(cycle_code_t *self);
  * @satisfies SWR-REC-006
  * @satisfies SWR-REC-009
  */
-size_t cycle_code_encode(cycle_code_t *self, prover_t *prover, bool is_whole, const cycle_t *cycle,
-                         uint8_t *bytes);
+size_t cycle_code_encode(cycle_code_t *self, prover_t *prover, bool is_whole,
+                         const recorded_cycle_t *cycle, uint8_t *bytes);
 
 /**
  * Reads the cycle at the beginning of `bytes`, whatever they are; what was not kept of its outputs
@@ -67,7 +67,7 @@ size_t cycle_code_encode(cycle_code_t *self, prover_t *prover, bool is_whole, co
  *
  * @return bytes read; 0 when these are not the bytes of a cycle
  */
-size_t cycle_code_decode(cycle_code_t *self, const uint8_t *bytes, size_t size, cycle_t *cycle,
-                         cycle_known_t *known);
+size_t cycle_code_decode(cycle_code_t *self, const uint8_t *bytes, size_t size,
+                         recorded_cycle_t *cycle, cycle_known_t *known);
 
 #endif

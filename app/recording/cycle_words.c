@@ -66,7 +66,7 @@ static void take_command(uint32_t words[CYCLE_WORDS_FRAME], const uint8_t bytes[
     take_bytes(words, bytes);
 }
 
-void cycle_words_of_kept(const cycle_t *cycle, uint32_t words[CYCLE_WORDS_KEPT])
+void cycle_words_of_kept(const recorded_cycle_t *cycle, uint32_t words[CYCLE_WORDS_KEPT])
 {
     uint32_t *const frames = &words[CYCLE_WORDS_LEVELS];
     uint32_t *const said = &frames[CYCLE_WORDS_FRAMES];
@@ -117,7 +117,7 @@ static void give_command(const uint32_t words[CYCLE_WORDS_FRAME], uint8_t bytes[
     card_frame_encode_command(&command, bytes);
 }
 
-void cycle_words_to_kept(const uint32_t words[CYCLE_WORDS_KEPT], cycle_t *cycle)
+void cycle_words_to_kept(const uint32_t words[CYCLE_WORDS_KEPT], recorded_cycle_t *cycle)
 {
     const uint32_t *const frames = &words[CYCLE_WORDS_LEVELS];
     const uint32_t *const said = &frames[CYCLE_WORDS_FRAMES];

@@ -33,13 +33,13 @@
 /** Which of the kept words is the time that has passed. */
 #define CYCLE_WORDS_ELAPSED (offsetof(controller_inputs_t, elapsed_us) / sizeof(uint32_t))
 
-void cycle_words_of_kept(const cycle_t *cycle, uint32_t words[CYCLE_WORDS_KEPT]);
+void cycle_words_of_kept(const recorded_cycle_t *cycle, uint32_t words[CYCLE_WORDS_KEPT]);
 void cycle_words_of_checked(const controller_outputs_t *outputs,
                             uint32_t words[CYCLE_WORDS_CHECKED]);
 
 /** The reverse, whatever the words are. Writes all but what of the outputs stands behind the
  * events. */
-void cycle_words_to_kept(const uint32_t words[CYCLE_WORDS_KEPT], cycle_t *cycle);
+void cycle_words_to_kept(const uint32_t words[CYCLE_WORDS_KEPT], recorded_cycle_t *cycle);
 /** Writes snapshot and frames. */
 void cycle_words_to_checked(const uint32_t words[CYCLE_WORDS_CHECKED],
                             controller_outputs_t *outputs);

@@ -19,8 +19,8 @@
 static cycle_code_t writing;
 static cycle_code_t reading;
 static prover_t prover;
-static cycle_t cycle;
-static cycle_t read_cycle;
+static recorded_cycle_t cycle;
+static recorded_cycle_t read_cycle;
 static cycle_known_t known;
 static uint8_t bytes[CYCLE_CODE_MAX];
 static card_report_t report;
