@@ -4,7 +4,7 @@
 #include "http/axis_outlook.h"
 #include "http/shown.h"
 #include "interface/command.h"
-#include "mode/program_list.h"
+#include "mode/program_step.h"
 
 #include <stdbool.h>
 #include <stddef.h>
