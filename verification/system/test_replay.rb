@@ -74,8 +74,9 @@ class TestReplay < SystemTest
     rows.map { |row| names.zip(row).to_h }
   end
 
+  # So many that in each cycle one of them is: a slow axis is driven by pulses.
   def wait_for_drive
-    boresight.wait_until('an axis is driven') { boresight.moving? }
+    boresight.wait_until('three axes are driven') { boresight.motors['axes'].count { |axis| axis['is_driven'] } >= 3 }
   end
 
   # A homing that is stopped by the pedal, goes on, and is stopped by the e-stop.
@@ -94,6 +95,7 @@ class TestReplay < SystemTest
   # Elastic time stands still in a cycle: what begins at the time of its sample leaves in it.
   def assert_zero_in_the_cycle(rows, input)
     at = (1...rows.size).find { |i| rows[i - 1]['frames_drive'] != '0' && !rows[i]['high'].split.include?(input) }
+    refute_nil at, "no cycle was driven just before #{input} opened"
     seen, following, after = rows[at, 3]
     assert_equal '0', seen['frames_drive']
     assert_equal seen['sampled_us'], following['started_us']
