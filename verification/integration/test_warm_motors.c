@@ -75,3 +75,41 @@ void test_SWR_DRIVE_016_a_warm_motor_that_counts_half_is_found(void)
     TEST_ASSERT_FALSE(axis_is_homed(&rig.controller.axes[AXIS_ROTATION]));
     rig_release(&rig);
 }
+
+/* How long after the time that was told at its beginning a jog is done, ms. */
+static uint32_t lateness_ms(uint32_t axis, int32_t ticks)
+{
+    const command_t command = {.kind = (uint32_t)COMMAND_JOG_BY, .argument = axis, .value = ticks};
+    uint32_t told_ms = 0U;
+    uint32_t cycles = 0U;
+    rig_forget(&rig);
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, command).status);
+    rig_press(&rig);
+    while (rig.outputs.snapshot.left_ms == 0U) {
+        rig_cycle(&rig);
+    }
+    told_ms = rig.outputs.snapshot.left_ms;
+    while (rig_count(&rig, EVENT_ORDER_DONE) == 0U) {
+        rig_cycle(&rig);
+        cycles++;
+        TEST_ASSERT_LESS_THAN_UINT32(60000U, cycles);
+    }
+    rig_release(&rig);
+    TEST_ASSERT_GREATER_THAN_UINT32(2000U, told_ms);
+    return (cycles > told_ms) ? (cycles - told_ms) : 0U;
+}
+
+/* As warm as it may be: the first has a fifth of its speed to spare by its table, the least of all,
+ * the second a third. */
+void test_SWR_MOTION_006_a_warm_motor_is_done_in_the_time_that_was_told(void)
+{
+    static const uint32_t axes[] = {AXIS_LATERAL, AXIS_ROTATION};
+    static const int32_t ways[] = {-1000, -3500};
+    for (uint32_t i = 0U; i < 2U; i++) {
+        const uint32_t axis = axes[i];
+        TEST_ASSERT_LESS_OR_EQUAL_UINT32(LIMIT_DONE_TIME_US / 1000U, lateness_ms(axis, ways[i]));
+        rig.box.axes[axis].card.motor_temperature_c = 54.9;
+        rig_cycles(&rig, 20U);
+        TEST_ASSERT_LESS_OR_EQUAL_UINT32(LIMIT_DONE_TIME_US / 1000U, lateness_ms(axis, ways[i]));
+    }
+}
