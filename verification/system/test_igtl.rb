@@ -64,6 +64,15 @@ class TestIgtl < Minitest::Test
     end
   end
 
+  def test_SWR_SWEEP_013_a_sweep_that_a_client_commands_is_refused_by_name
+    navigation do |client|
+      { 'rotation FREE' => 'NO_SWEEP', 'yaw FREE' => 'NO_SWEEP', 'nose FREE' => 'UNKNOWN_COMMAND' }.each do |words, reason|
+        client.run("string Text SWEEP #{words}")
+        assert_match(/\A#{reason}: /, client.status('SWEEP')['text'])
+      end
+    end
+  end
+
   def test_SWR_IGTL_007_messages_of_2021_come_after_those_of_2013
     navigation do |client|
       client.phase('PLANNING')
