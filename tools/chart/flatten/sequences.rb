@@ -45,12 +45,12 @@ module Chart
 
     def entries(transition)
       scope = domain(transition)
-      scope ? enter_inside(scope, transition.targets) : []
+      scope ? enter_inside(scope, transition.targets, entered: false) : []
     end
 
     # Entering the chart.
     def start
-      enter_inside(@document.root, [])
+      enter_inside(@document.root, [], entered: false)
     end
 
     # Regions that a transition may change.
@@ -119,15 +119,20 @@ module Chart
 
     # --- entries -------------------------------------------------------------------------------------------------
 
-    def enter_inside(state, targets)
+    # entered: the state itself is entered as well; what a default does belongs to that.
+    def enter_inside(state, targets, entered: true)
       return enter_parallel(state, targets) if state.parallel?
-      return state.initial.content + enter_inside(state, state.initial.targets) if targets.empty?
+      return default(state.initial, entered) + enter_inside(state, state.initial.targets) if targets.empty?
 
       history = targets.find { |target| target.history? && target.parent == state }
-      return enter_history(history) if history
+      return enter_history(history, entered) if history
 
       child = state.substates.find { |one| targets.all? { |target| target == one || target.inside?(one) } }
       enter_state(child, targets - [child])
+    end
+
+    def default(initial, entered)
+      entered ? initial.content : []
     end
 
     def enter_parallel(state, targets)
@@ -162,9 +167,9 @@ module Chart
 
     # --- histories -----------------------------------------------------------------------------------------------
 
-    def enter_history(history)
+    def enter_history(history, entered = true)
       parent = history.parent
-      fallback = history.initial.content + enter_inside(parent, history.initial.targets)
+      fallback = default(history.initial, entered) + enter_inside(parent, history.initial.targets)
       return recall_parallel(history, fallback) if parent.parallel?
 
       region = @regions.of(parent)
