@@ -11,7 +11,11 @@ module Chart
   class Causes
     def initialize(document)
       @document = document
-      @finished = []
+      @finished = {}
+      @eventless = document.transitions.select(&:eventless?)
+      @waiting = Hash.new { |found, event| found[event] = [] }
+      document.transitions.each { |one| one.events.each { |event| @waiting[event] << one } }
+      @leaving_raises = document.states.any? { |state| state.exit.grep(Raise).any? }
     end
 
     def check
@@ -22,11 +26,11 @@ module Chart
 
     # Depth first.
     def follow(transition, path)
-      return if @finished.include?(transition.number)
+      return if @finished.key?(transition.number)
 
       refuse(path.drop_while { |one| one != transition }) if path.include?(transition)
       caused(transition).each { |following| follow(following, path + [transition]) }
-      @finished << transition.number
+      @finished[transition.number] = true
     end
 
     def refuse(circle)
@@ -38,9 +42,8 @@ module Chart
     def caused(transition)
       entered = entered(transition)
       raised = raised(transition, entered)
-      @document.transitions.select do |other|
-        other.eventless? ? awakes?(transition, other, entered) : (other.events & raised).any?
-      end
+      woken = @eventless.select { |other| awakes?(transition, other, entered) }
+      (woken + raised.flat_map { |event| @waiting[event] }).uniq(&:number).sort_by(&:number)
     end
 
     # An eventless transition that does not leave its source could be taken again at once.
@@ -51,7 +54,8 @@ module Chart
     end
 
     def raised(transition, entered)
-      contents = transition.content + left(transition).flat_map(&:exit) + entered.flat_map(&:entry)
+      left = @leaving_raises ? left(transition).flat_map(&:exit) : []
+      contents = transition.content + left + entered.flat_map(&:entry)
       contents.grep(Raise).map(&:event) + entered.select { |state| state.kind == :final }.flat_map { |one| done(one) }
     end
 

@@ -43,8 +43,10 @@ module Chart
 
     # Pairs of transitions of different regions that one event may take together.
     def rivals
-      @document.transitions.combination(2).select do |first, second|
-        home(first) != home(second) && one_event?(first, second) && concurrent?(first.source, second.source)
+      @document.transitions.group_by { |one| home(one) }.values.combination(2).flat_map do |some, others|
+        some.product(others).map { |pair| pair.sort_by(&:number) }.select do |first, second|
+          one_event?(first, second) && concurrent?(first.source, second.source)
+        end
       end
     end
 
