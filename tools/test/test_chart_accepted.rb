@@ -83,7 +83,19 @@ class TestChartAccepted < Minitest::Test
     assert_match(/CHART-R19 the regions allow 531441 configurations; at most 200000 fit, split/, message)
   end
 
+  def test_SWR_CHART_017_400_states_with_2000_transitions_are_walked_in_three_seconds
+    states = (1..400).map { |n| "<state id=\"s#{n}\">#{(1..5).map { |way| way_of(n, way) }.join}</state>" }
+    before = Process.clock_gettime(Process::CLOCK_PROCESS_CPUTIME_ID)
+    chart = engine(states.join)
+    assert_equal 400, chart.walk.reached.length
+    assert_operator Process.clock_gettime(Process::CLOCK_PROCESS_CPUTIME_ID) - before, :<, 3.0
+  end
+
   private
+
+  def way_of(state, way)
+    "<transition event=\"next_#{way}\" target=\"s#{((state + way) % 400) + 1}\"/>"
+  end
 
   def awkward
     @awkward ||= Chart::Compiled.from(File.join(FOLDER, 'awkward_names.scxml'),
