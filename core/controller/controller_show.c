@@ -300,13 +300,18 @@ static void show_pose(const controller_t *self, const robot_t *robot, snapshot_t
     rigid_multiply(&self->plan.scanner_zframe, &shown->zframe_treatment, &shown->scanner_treatment);
 }
 
-/* Where a move or an insertion leads; nothing else goes to the target. */
+/* Where a move or an insertion leads, or a jog that is armed. */
 static void show_way(const controller_t *self, mode_kind_t kind, snapshot_t *shown)
 {
     if ((kind == MODE_MOVE) || (kind == MODE_INSERT)) {
         for (uint32_t i = 0U; i < self->axis_count; i++) {
             shown->axes[i].target_ticks = self->plan.target_ticks[i];
         }
+    } else if ((kind == MODE_JOG) && procedure_is_armed(&self->procedure)) {
+        const mode_way_t *const way = &self->mode.request.way;
+        shown->axes[way->axis].target_ticks = way->end_ticks;
+    } else {
+        /* Each where its set-point is. */
     }
 }
 

@@ -8,6 +8,7 @@
 /**
  * Fills the snapshot.
  *
+ * @satisfies SWR-CON-048
  * @satisfies SWR-NEXT-001
  * @satisfies SWR-NEXT-002
  * @satisfies SWR-MODE-011

@@ -458,6 +458,34 @@ void test_SWR_JOG_004_a_jog_drives_no_other_axis(void)
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_ORDER_DONE));
 }
 
+static void expect_goal(uint32_t axis, int32_t goal_ticks)
+{
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_INT32(goal_ticks, rig.outputs.snapshot.axes[axis].target_ticks);
+}
+
+static void expect_no_goal(uint32_t axis)
+{
+    rig_cycle(&rig);
+    const snapshot_axis_t *const shown = &rig.outputs.snapshot.axes[axis];
+    TEST_ASSERT_EQUAL_INT32(shown->setpoint_ticks, shown->target_ticks);
+}
+
+void test_SWR_CON_048_the_goal_of_a_jog_is_shown_while_it_is_armed(void)
+{
+    start_manual();
+    expect_no_goal(AXIS_INSERTION);
+    expect_jog(AXIS_INSERTION, 20000, STATUS_OK);
+    expect_goal(AXIS_INSERTION, 20000);
+    expect_no_goal(AXIS_YAW);
+    rig_press(&rig);
+    rig_cycles(&rig, 200U);
+    TEST_ASSERT_LESS_THAN_INT32(20000, rig.outputs.snapshot.axes[AXIS_INSERTION].setpoint_ticks);
+    expect_goal(AXIS_INSERTION, 20000);
+    (void)rig_workphase(&rig, WORKPHASE_STOP);
+    expect_no_goal(AXIS_INSERTION);
+}
+
 /* As it comes, from whom it says. */
 static status_t send_as(uint32_t source, uint32_t kind, uint32_t argument)
 {

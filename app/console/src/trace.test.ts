@@ -127,8 +127,8 @@ test("SWR-CON-027 a file has names with units, and no row for a gap", () => {
   feed.nowMs += 1000;
   feed.go();
   expect(feed.trace.csv([{ name: "head", unit: "deg" }])).toBe(
-    "time s,head set-point deg,head position deg,head speed deg/s,head output %\n" +
-      "0.000,-0.5,10,1,0\n" +
-      "1.050,12.5,10,1,0\n",
+    "time s,head set-point deg,head position deg,head speed deg/s,head output %,head goal deg\n" +
+      "0.000,-0.5,10,1,0,20\n" +
+      "1.050,12.5,10,1,0,20\n",
   );
 });

@@ -7,7 +7,13 @@ export const TRACE_S = 30;
 const US_PER_S = 1e6;
 
 /** Of an axis, in this order. */
-export const quantities = ["setpoint", "position", "speed", "output"] as const;
+export const quantities = [
+  "setpoint",
+  "position",
+  "speed",
+  "output",
+  "goal",
+] as const;
 export type Quantity = (typeof quantities)[number];
 
 type Values = Readonly<Record<Quantity, number>> & {
@@ -23,8 +29,9 @@ interface Row {
 }
 
 function valuesOf(axis: Axis): Values {
-  const { setpoint, position, speed, output_percent: output } = axis;
-  return { setpoint, position, speed, output, isKnown: isKnown(axis) };
+  const { setpoint, position, speed, output_percent: output, target } = axis;
+  const numbers = { setpoint, position, speed, output, goal: target };
+  return { ...numbers, isKnown: isKnown(axis) };
 }
 
 /**
@@ -80,7 +87,7 @@ export class Trace {
   /** Null where there is a gap. A position that was counted before the axis was homed, or lost since, is none either. */
   column(axis: string, quantity: Quantity): (number | null)[] {
     const isKnownNow = this.rows.at(-1)?.axes?.get(axis)?.isKnown;
-    const isPlace = quantity === "position" || quantity === "setpoint";
+    const isPlace = quantity !== "speed" && quantity !== "output";
     return this.rows.map((row) => {
       const values = row.axes?.get(axis);
       const isOther = isPlace && values?.isKnown !== isKnownNow;
@@ -110,6 +117,7 @@ export class Trace {
       `${name} position ${unit}`,
       `${name} speed ${unit}/s`,
       `${name} output %`,
+      `${name} goal ${unit}`,
     ]);
     const lines = this.rows.flatMap(({ timeS, axes: values }) => {
       if (values === null) {

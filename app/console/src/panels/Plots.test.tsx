@@ -112,6 +112,7 @@ test("SWR-CON-027 the first axis is drawn at the beginning, others when they are
       [-0.05, 0],
       [1, 2],
       [12.5, 12.5],
+      [20, 20],
     ],
     [
       [-0.05, 0],
@@ -132,7 +133,7 @@ test("SWR-CON-027 the first axis is drawn at the beginning, others when they are
 test("SWR-CON-027 a plot has its numbers in words as well", () => {
   render(<Plots axes={axes} trace={trace} />);
   expect(readings()).toEqual([
-    "Now; set-point 12.50 mm; position 2.00 mm; speed 1.0 mm/s; output 0 %",
+    "Now; set-point 12.50 mm; position 2.00 mm; goal 20.00 mm; speed 1.0 mm/s; output 0 %",
   ]);
 });
 
@@ -189,8 +190,8 @@ test("SWR-CON-027 the chosen axes are saved as they are shown", () => {
   const [name, type, text] = vi.mocked(saveText).mock.calls[0] ?? [];
   expect([name, type]).toEqual(["plot.csv", "text/csv"]);
   expect(text?.trim().split("\n")).toEqual([
-    "time s,head set-point mm,head position mm,head speed mm/s,head output %",
-    "0.000,12.5,1,1,0",
-    "0.050,12.5,2,1,0",
+    "time s,head set-point mm,head position mm,head speed mm/s,head output %,head goal mm",
+    "0.000,12.5,1,1,0,20",
+    "0.050,12.5,2,1,0,20",
   ]);
 });

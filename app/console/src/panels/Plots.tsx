@@ -98,6 +98,7 @@ function Reading({
       <span>{when}</span>
       <span>set-point {formatValue(values.setpoint, axis.unit)}</span>
       <span>position {formatValue(values.position, axis.unit)}</span>
+      <span>goal {formatValue(values.goal, axis.unit)}</span>
       <span>speed {formatSpeed(values.speed, axis.unit)}</span>
       <span>output {formatNumber(values.output, 0)} %</span>
     </p>

@@ -30,7 +30,7 @@ export interface ChartKind {
 
 export const chartKinds: readonly ChartKind[] = [
   {
-    title: "Set-point and position",
+    title: "Goal, set-point and position",
     unitOf: (unit) => units[unit],
     curves: [
       { quantity: "position", label: "position", colour: "--text" },
@@ -40,6 +40,7 @@ export const chartKinds: readonly ChartKind[] = [
         colour: "--active",
         dash: [8, 5],
       },
+      { quantity: "goal", label: "goal", colour: "--quiet", dash: [2, 4] },
     ],
   },
   {
