@@ -561,10 +561,14 @@ void test_SWR_SPI_011_after_a_long_exchange_the_bus_rests(void)
 
 void test_SWR_SPI_011_after_opening_the_bus_rests(void)
 {
+    static spi_bus_t bus;
+    wiring_t wired;
+    TEST_ASSERT_TRUE(wiring_read(&wired, ONE_BUS LINES, error, sizeof error));
     const uint64_t before_ns = spi_bus_now_ns();
-    open_board(ONE_BUS LINES);
-    exchange(1U);
-    TEST_ASSERT_TRUE((result.finished_ns - before_ns) >= (NS_PER_US * LIMIT_SPI_REST_US));
+    TEST_ASSERT_TRUE_MESSAGE(spi_bus_open(&bus, &wired, 1U, 1, error, sizeof error), error);
+    TEST_ASSERT_TRUE(bus.needs_rest);
+    TEST_ASSERT_TRUE(bus.finished_ns >= before_ns);
+    spi_bus_close(&bus);
 }
 
 void test_SWR_GPIO_001_inputs_are_those_of_the_lines(void)
