@@ -3,8 +3,10 @@
 
 .PHONY: arm-programs arm-system
 
-arm-programs: bootstrap-test ## All programs for Cortex-A9, static: build/arm/bin
+arm-programs: bootstrap-test ## All programs for Cortex-A9, static: build/arm/bin; of other boards: build/boards/arm-NAME/bin
 	@$(MAKE) --no-print-directory -j2 CONFIG=arm $(PROGRAMS:%=build/arm/bin/%)
+	@for board in $(OTHER_BOARDS); do \
+	    $(MAKE) --no-print-directory -j2 CONFIG=arm BOARD=$$board APART=build/boards/arm-$$board apart; done
 
 arm-system: bootstrap-test ## The whole system on an emulated Cortex-A9 with Debian's real-time kernel
 	@ruby verification/arm/test_arm_system.rb -v

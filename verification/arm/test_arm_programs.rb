@@ -14,6 +14,8 @@ class TestArmPrograms < Minitest::Test
   ARM = File.join(ROOT, 'build/arm/bin')
   # The client of the tests is none of them.
   PROGRAMS = Dir["#{ROOT}/build/gcc/bin/boresight*"].map { |file| File.basename(file) }.sort.freeze
+  # Real ones.
+  BOARDS = Dir["#{ROOT}/bsp/*/board.yml"].map { |file| File.basename(File.dirname(file)) } - %w[sim]
   FIVE_GB = 5 << 30
   SOURCE = <<~C
     #include <stdio.h>
@@ -46,6 +48,15 @@ class TestArmPrograms < Minitest::Test
       assert_match(/Machine: +ARM$/, head)
       refute_match(/INTERP|NEEDED/, head)
       assert_equal said('--version', by: ["#{ROOT}/build/bin/#{name}"]), said('--version', by: arm(name))
+    end
+  end
+
+  def test_SWR_ARM_002_SWR_ARM_003_those_of_every_board_are_static_and_hardened
+    BOARDS.each do |board|
+      ours = Dir["#{ROOT}/build/boards/arm-#{board}/bin/boresight*"]
+      assert_includes ours.map { |file| File.basename(file) }, 'boresight-control'
+      ours.each { |file| refute_match(/INTERP|NEEDED/, Open3.capture2e('readelf', '-l', '-d', file).first) }
+      assert_empty Hardened.complaints(ours + Dir["#{ROOT}/build/boards/#{board}/bin/boresight*"])
     end
   end
 
