@@ -197,6 +197,7 @@ object = $(patsubst %.c,$(OUT)/%.o,$(1))
 
 $(OUT)/core/%.o: FLAGS = $(CORE_INCLUDES) $(HARDENED_CORE)
 $(OUT)/$(GEN)/%.o: FLAGS = $(APP_INCLUDES)
+$(OUT)/$(GEN)/charts/%.o: FLAGS = $(CORE_INCLUDES) $(HARDENED_CORE)
 $(OUT)/$(APART)/gen/board/%.o: FLAGS = $(APP_INCLUDES)
 $(OUT)/bsp/%.o: FLAGS = -D_GNU_SOURCE $(BSP_INCLUDES)
 $(OUT)/app/%.o: FLAGS = -D_GNU_SOURCE $(APP_INCLUDES) -DBORESIGHT_BUILD_ID='"$(BUILD_ID)"' -DBORESIGHT_VERSION='"$(VERSION)"'

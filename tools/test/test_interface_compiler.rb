@@ -291,10 +291,7 @@ class TestInterfaceCompiler < Minitest::Test
 
   def test_SWR_TOOL_012_refuses_bounds_of_what_is_no_whole_number
     messages = MESSAGES.sub('or_null: true', 'maximum: 3')
-    with_model('colours.yml' => SHOWN, 'messages.yml' => messages) do |folder|
-      _, message = capture_io { refute Interface::Command.run([folder]) }
-      assert_includes message, 'bounds what is no whole number'
-    end
+    assert_includes refusal('colours.yml' => SHOWN, 'messages.yml' => messages), 'bounds what is no whole number'
   end
 
   # The length of an array stands where its name says.

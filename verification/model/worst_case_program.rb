@@ -19,12 +19,21 @@ module WorstCase
 
     attr_reader :file, :object, :call_graph
 
-    # Compiler and flags, as the Makefile has them.
+    # Compiler and flags, as the Makefile has them for the charts.
     def self.compiler(processor)
       @compilers ||= {}
-      @compilers[processor] ||= execute('make', '-s', '--no-print-directory', '-C', ROOT,
-                                        "CONFIG=#{CONFIGS.fetch(processor)}",
-                                        '--eval=flags: ; @echo $(CC) $(CFLAGS)', 'flags').split
+      @compilers[processor] ||= told(processor, '$(CC) $(CFLAGS) $(HARDENED_CORE)')
+    end
+
+    # Flags of the linker, the same.
+    def self.linked(processor)
+      @linked ||= {}
+      @linked[processor] ||= told(processor, '$(LDFLAGS)')
+    end
+
+    def self.told(processor, words)
+      execute('make', '-s', '--no-print-directory', '-C', ROOT, "CONFIG=#{CONFIGS.fetch(processor)}",
+              "--eval=flags: ; @echo #{words}", 'flags').split
     end
 
     # Without the warnings: those change no code.
@@ -44,6 +53,7 @@ module WorstCase
     def initialize(folder, chart, calls, processor, &change)
       @folder = folder
       @compiler = self.class.compiler(processor)
+      @linked = self.class.linked(processor)
       @name = chart.document.name
       @file = path("#{@name}-#{processor}")
       @object = "#{@file}.o"
@@ -66,7 +76,7 @@ module WorstCase
     def compile
       command = [*@compiler, '-I', @folder, '-I', File.join(ROOT, 'core')]
       self.class.execute(*command, '-fcallgraph-info=su', '-c', path("#{@name}_chart.c"), '-o', @object)
-      self.class.execute(*command, '-O0', '-w', @object, path("#{@name}_calls.c"), '-o', @file)
+      self.class.execute(*command, '-O0', '-w', @object, path("#{@name}_calls.c"), *@linked, '-o', @file)
     end
 
     def path(file)
