@@ -17,7 +17,7 @@ typedef enum {
 typedef struct {
     status_t status;
     rank_t rank;
-} view_t;
+} outlook_t;
 
 /* The nearest place that way where a target may lie; of an axis that nobody knows, the next one. */
 static int32_t next_ticks(const axis_config_t *config, const axis_t *axis, bool is_upwards)
@@ -72,14 +72,15 @@ static bool is_for_never(status_t status)
            (status == STATUS_HOMES_OTHERWISE);
 }
 
-static view_t look(const robot_t *robot, const snapshot_t *snapshot, mode_kind_t kind,
-                   uint32_t axis, bool is_upwards)
+static outlook_t look(const robot_t *robot, const snapshot_t *snapshot, mode_kind_t kind,
+                      uint32_t axis, bool is_upwards)
 {
     const command_t command = axis_outlook_command(robot, snapshot, kind, axis, is_upwards);
     const mode_request_t request = request_of(&command, axis);
     axis_t axes[ROBOT_AXIS_MAX];
     shown_axes(snapshot, axes);
-    view_t view = {.status = mode_judge(kind, &request, robot, axes).status, .rank = RANK_JUDGED};
+    outlook_t view = {.status = mode_judge(kind, &request, robot, axes).status,
+                      .rank = RANK_JUDGED};
     if (view.status == STATUS_OK) {
         const workphase_inputs_t guards = shown_guards(robot, snapshot, kind, request.axes);
         procedure_t procedure = shown_procedure(snapshot);
@@ -102,9 +103,9 @@ status_t axis_outlook(const robot_t *robot, const snapshot_t *snapshot, mode_kin
 
 status_t axis_outlook_of_any(const robot_t *robot, const snapshot_t *snapshot, mode_kind_t kind)
 {
-    view_t best = {.status = STATUS_UNKNOWN_COMMAND, .rank = RANK_COUNT};
+    outlook_t best = {.status = STATUS_UNKNOWN_COMMAND, .rank = RANK_COUNT};
     for (uint32_t i = 0U; i < (2U * robot->axis_count); i++) {
-        const view_t view = look(robot, snapshot, kind, i / 2U, (i % 2U) != 0U);
+        const outlook_t view = look(robot, snapshot, kind, i / 2U, (i % 2U) != 0U);
         best = (view.rank < best.rank) ? view : best;
     }
     return best.status;

@@ -66,10 +66,9 @@ static next_step_t step_in(workphase_t workphase, workphase_t present, next_step
 static next_step_t step_for_plan(const controller_t *self, bool is_homed)
 {
     const workphase_t present = procedure_workphase(&self->procedure);
-    const bool is_begun = (present != WORKPHASE_UNDEFINED) && (present != WORKPHASE_EMERGENCY);
     const bool is_going = present == WORKPHASE_MOVE_TO_TARGET;
     next_step_t step = NEXT_STEP_START_UP;
-    if (!is_begun || !is_homed) {
+    if ((present == WORKPHASE_EMERGENCY) || !is_homed) {
         step = NEXT_STEP_START_UP;
     } else if (self->plan.has_probe == 0U) {
         step = is_going ? NEXT_STEP_PLANNING : NEXT_STEP_PROBE;
@@ -309,7 +308,10 @@ static void show_way(const controller_t *self, mode_kind_t kind, snapshot_t *sho
         }
     } else if ((kind == MODE_JOG) && procedure_is_armed(&self->procedure)) {
         const mode_way_t *const way = &self->mode.request.way;
-        shown->axes[way->axis].target_ticks = way->end_ticks;
+        /* Damaged memory is shown before it is repaired. */
+        if (way->axis < self->axis_count) {
+            shown->axes[way->axis].target_ticks = way->end_ticks;
+        }
     } else {
         /* Each where its set-point is. */
     }
