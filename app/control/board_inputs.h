@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file What a board says of its digital inputs, as the controller takes it. Control owns one. */
+/** @file What a board says of its inputs and its frames, as the controller takes it and the record
+ * has it. Control owns one. */
 #ifndef BORESIGHT_BOARD_INPUTS_H
 #define BORESIGHT_BOARD_INPUTS_H
 

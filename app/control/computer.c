@@ -26,8 +26,6 @@ static void note(char line[LINE_SIZE], computer_check_t check, const char *found
 
 void computer_begin(computer_t *self, const char *root, uint32_t rights)
 {
-    static const computer_check_t standing[] = {COMPUTER_CHECK_KERNEL, COMPUTER_CHECK_THROTTLING,
-                                                COMPUTER_CHECK_RIGHTS};
     static check_facts_t facts;
     char line[LINE_SIZE] = "";
     (void)memset(&facts, 0, sizeof facts);
@@ -35,11 +33,13 @@ void computer_begin(computer_t *self, const char *root, uint32_t rights)
     facts.rights = rights;
     self->lacks = 0U;
     realtime_tell(rights);
-    for (size_t i = 0U; i < (sizeof standing / sizeof standing[0]); i++) {
+    for (uint32_t i = 0U; i < CHECK_COUNT; i++) {
+        const computer_check_t check = (computer_check_t)i;
+        const bool stays = check_blocks(check) && (check != COMPUTER_CHECK_PAGE_FAULTS);
         char found[CHECK_TEXT_SIZE];
-        if (!check_is_good(&facts, standing[i], found)) {
-            self->lacks |= bit(standing[i]);
-            note(line, standing[i], found);
+        if (stays && !check_is_good(&facts, check, found)) {
+            self->lacks |= bit(check);
+            note(line, check, found);
         }
     }
     if (self->lacks != 0U) {
