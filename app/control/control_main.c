@@ -400,7 +400,9 @@ static int control(const char *const values[])
     exchange_publish_rows(exchange, &controller, &outputs);
     const bool is_tested = test_board();
     if (is_tested) {
-        begin_figures(realtime_acquire());
+        const uint32_t rights = realtime_acquire();
+        exchange_touch(exchange);
+        begin_figures(rights);
         run();
         (void)snprintf(why, sizeof why, "told to end by signal %d", (int)stopped_by);
         switch_off(why);

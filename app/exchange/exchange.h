@@ -106,6 +106,15 @@ exchange_t *exchange_open(const char *name, char *error, uint32_t error_size);
  */
 void exchange_protect(exchange_t *self);
 
+/**
+ * For control, before its loop: writes each page of what it publishes once, and changes nothing. A
+ * Cortex-A9 has no bit of its own for a page that was written: locked or not, the first write to a
+ * page waits for the kernel.
+ *
+ * @satisfies SWR-ARM-007
+ */
+void exchange_touch(exchange_t *self);
+
 /** Unmaps; the creator also removes the name. `self` is gone afterwards. */
 void exchange_close(exchange_t *self);
 

@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #define SEGMENT_MODE 0600
+#define SMALLEST_PAGE 4096U
 
 uint64_t segment_layout(void)
 {
@@ -199,6 +200,16 @@ void exchange_protect(exchange_t *self)
 {
     (void)mprotect(&self->segment->header, sizeof self->segment->header, PROT_READ);
     (void)mprotect(&self->segment->control, sizeof self->segment->control, PROT_READ);
+}
+
+void exchange_touch(exchange_t *self)
+{
+    volatile uint8_t *const bytes = (volatile uint8_t *)&self->segment->control;
+
+    for (size_t at = 0U; at < sizeof self->segment->control; at += SMALLEST_PAGE) {
+        const uint8_t byte = bytes[at];
+        bytes[at] = byte;
+    }
 }
 
 void exchange_close(exchange_t *self)
