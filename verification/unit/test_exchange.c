@@ -18,6 +18,7 @@
 #include <stdio.h>
 #include <string.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -1276,4 +1277,31 @@ void test_SWR_EXCH_017_who_is_not_in_the_table_is_called_by_its_number(void)
     exchange_publish_peers(control, COMMAND_SOURCE_IGTL, &peers);
     check_title("connection 21", COMMAND_SOURCE_IGTL, 21U);
     check_title("page 7", COMMAND_SOURCE_HTTP, 7U);
+}
+
+static long faults(void)
+{
+    struct rusage usage;
+
+    (void)getrusage(RUSAGE_THREAD, &usage);
+    return usage.ru_minflt;
+}
+
+/* The creator has written each page; the other view has touched none. */
+void test_SWR_ARM_007_pages_that_were_touched_are_as_they_were_and_written_without_a_fault(void)
+{
+    const size_t page = (size_t)sysconf(_SC_PAGESIZE);
+    uint8_t *const ours = (uint8_t *)&control->segment->control;
+    volatile uint8_t *const theirs = (volatile uint8_t *)&reader->segment->control;
+
+    for (size_t at = 0U; at < sizeof(segment_control_t); at += page) {
+        ours[at] = (uint8_t)((at / page) % 251U);
+    }
+    exchange_touch(reader);
+    const long before = faults();
+    for (size_t at = 0U; at < sizeof(segment_control_t); at += page) {
+        TEST_ASSERT_EQUAL_UINT8((at / page) % 251U, theirs[at]);
+        theirs[at] = 0U;
+    }
+    TEST_ASSERT_EQUAL_INT64(before, faults());
 }
