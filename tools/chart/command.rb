@@ -95,7 +95,9 @@ module Chart
     end
 
     def read
-      charts = files(@source).map { |file| Compiled.from(file, File.read(file, encoding: 'UTF-8'), limits) }
+      charts = files(@source).map do |file|
+        Compiled.from(file, File.read(file, encoding: 'UTF-8'), limits, owners: @owners)
+      end
       check_ids_across(charts.map(&:document))
       check_names_across(charts.map(&:document))
       charts
@@ -109,7 +111,7 @@ module Chart
            'which fails as long as that path is open'
     end
 
-    # name => value; only the delays of timers are looked up here.
+    # name => value; only the delays of timers are looked up here. Whose they are is read with them.
     def limits
       @limits ||= begin
         file = @limits_file || LIMITS
@@ -120,9 +122,13 @@ module Chart
     end
 
     def listed(file)
-      JSON.parse(File.read(file)).to_h { |limit| [limit.fetch('name'), limit.fetch('value')] }
+      rows = JSON.parse(File.read(file))
+      @owners = rows.to_h { |limit| [limit.fetch('name'), limit.fetch('requirement')] }
+      rows.to_h { |limit| [limit.fetch('name'), limit.fetch('value')] }
     rescue JSON::ParserError
       raise Refusal.new(file, 1, 15, 'the file is no JSON; remove it, and generate the limits anew')
+    rescue KeyError => e
+      raise Refusal.new(file, 1, 15, "a limit has no \"#{e.key}\"; remove the file, and generate the limits anew")
     end
 
     def check_ids_across(documents)

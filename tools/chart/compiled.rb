@@ -10,10 +10,10 @@ require_relative 'walk/walk'
 module Chart
   # A chart with its walk.
   Compiled = Struct.new(:document, :walk) do
-    # A chart that passes every rule.
-    def self.from(file, text, limits, mode: :product, extra_events: [])
+    # A chart that passes every rule. owners: whose each limit is, name => id of a requirement; nil where nobody knows.
+    def self.from(file, text, limits, mode: :product, extra_events: [], owners: nil)
       document = Parser.parse(file, text, limits, mode: mode, extra_events: extra_events)
-      StaticChecks.run(document)
+      StaticChecks.run(document, owners)
       walk = Walk.new(document).run
       WalkChecks.run(document, walk)
       new(document, walk)

@@ -89,6 +89,11 @@ module Chart
       targets.empty?
     end
 
+    # A state is left and entered, if only its own.
+    def moves?
+      !targetless?
+    end
+
     # The names of bs:do, in file order.
     def actions
       content.grep(Act).map(&:name)
@@ -119,13 +124,16 @@ module Chart
 
   # What a complete walk decides.
   #   :always     expression holds in every reached configuration              (bs:invariant)
-  #   :response   after a step by one of `events`, from `from` if given, expression holds      (bs:response)
+  #   :response   after a step by one of `events`, from `from` if given, expression holds, exactly the actions `does`
+  #               were done unless nil, the timers `starts` were started, and if it `stays` no state was left or
+  #               entered                                                            (bs:response)
   #   :only       a step from `from` to `expression` is by one of `events`       (bs:only)
   #   :reachable  from every configuration with `from` (or every one) a configuration with expression is
   #               reached in at most `steps` steps, or in any number if nil       (bs:reachable)
-  # The expressions read states and the chart's data. text is the property in one line.
-  Property = Struct.new(:id, :kind, :req, :hazards, :events, :from, :expression, :steps, :text, :line,
-                        keyword_init: true)
+  # The expressions read states and the chart's data; `from` of a step its inputs as well. text is the property in one
+  # line.
+  Property = Struct.new(:id, :kind, :req, :hazards, :events, :from, :expression, :does, :starts, :stays, :steps, :text,
+                        :line, keyword_init: true)
 
   # One chart file. states: all but the root, histories included, in document order. events: the alphabet in order of
   # first appearance. internal_events: those that only the chart itself may cause (raised ones named in bs:internal,

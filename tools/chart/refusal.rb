@@ -39,7 +39,8 @@ module Chart
     35 => 'every guard is seen true and false where its event arrives',
     36 => 'every response holds after every step that it speaks of',
     37 => 'every step between the states of a bs:only is by one of its events',
-    38 => 'every bs:reachable configuration is reached in its number of steps'
+    38 => 'every bs:reachable configuration is reached in its number of steps',
+    39 => 'the limit of a delay belongs to a requirement that its state names'
   }.freeze
 
   # A chart outside the profile. The message says where, which rule, and what to write instead.

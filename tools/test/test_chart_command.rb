@@ -163,7 +163,7 @@ class TestChartCommand < Minitest::Test
       target = File.join(folder, 'gen')
       FileUtils.mkdir_p([source, File.join(target, 'limits')])
       names.each { |name| copy(name, source) }
-      listed = LIMITS.map { |name, value| { name: name, value: value } }
+      listed = LIMITS.map { |name, value| { name: name, value: value, requirement: 'SWR-CHART-003' } }
       File.write(File.join(target, 'limits', 'limits.json'), JSON.generate(listed))
       yield source, target
     end

@@ -237,7 +237,7 @@ class TestChartDifference < Minitest::Test
   def with_versions(old, new)
     Dir.mktmpdir do |folder|
       FileUtils.mkdir_p(File.join(folder, 'build/gen/limits'))
-      listed = LIMITS.map { |name, value| { name: name, value: value } }
+      listed = LIMITS.map { |name, value| { name: name, value: value, requirement: 'SWR-CHART-006' } }
       File.write(File.join(folder, 'build/gen/limits/limits.json'), JSON.generate(listed))
       Dir.chdir(folder) do
         yield(*{ 'old' => old, 'new' => new }.map { |version, text| write_chart(version, text) })

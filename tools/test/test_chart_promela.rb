@@ -152,6 +152,28 @@ class TestChartPromela < Minitest::Test
     end
   end
 
+  ACTS = <<~XML
+    <datamodel><data id="is_free" expr="false" bs:input="true"/></datamodel>
+    <state id="a"><transition event="go" cond="is_free" target="b" bs:do="one two"/><transition event="no" bs:do="two"/></state>
+    <state id="b"><onentry><send id="t" event="end" delay="1s"/></onentry><onexit><cancel sendid="t"/></onexit>
+      <transition event="go" target="b"/><transition event="end" target="a"/></state>
+  XML
+
+  def test_SWR_CHART_033_what_a_step_does_is_asserted_too
+    { 'on="go" from="is_free &amp;&amp; In(\'a\')" does="one"' => 'go with is_free', 'on="no" does=""' => 'no',
+      'on="end" starts="t"' => 't expired', 'on="go" from="In(\'b\')" stays="true"' => 'go' }.each do |response, last|
+      found = compared(engine("#{ACTS}<bs:response id=\"P-I01\" #{response}/>"))
+      assert_equal [1, 'P-I01', last], [found.errors, found.violation, found.trail.last], response
+    end
+  end
+
+  def test_SWR_CHART_033_what_a_step_does_as_it_should_is_not_violated
+    assert_agreed engine(ACTS + ['on="go" from="is_free &amp;&amp; In(\'a\')" does="one two" starts="t"',
+                                 'on="no" from="In(\'a\')" does="two" stays="true"', 'on="go" from="In(\'b\')" starts="t"',
+                                 'on="go" from="!is_free &amp;&amp; In(\'a\')" does="" stays="true"']
+      .each_with_index.map { |response, number| "<bs:response id=\"P-I0#{number}\" #{response}/>" }.join)
+  end
+
   def test_SWR_CHART_002_properties_that_hold_are_not_violated
     properties = "<bs:response id=\"P-I01\" on=\"done.state.p\" expr=\"In('q')\"/>" \
                  "<bs:only id=\"P-I02\" on=\"g\" from=\"In('p')\" expr=\"In('end')\"/>" \

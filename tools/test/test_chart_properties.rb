@@ -36,6 +36,11 @@ class TestChartProperties < Minitest::Test
                  verdicts.map { |one| [one.verdict, one.checked] }
   end
 
+  # A change of the chart: one more response.
+  def self.added(attributes)
+    ['</scxml>', "<bs:response id=\"LAMP-P06\" bs:req=\"SWR-CHART-002\" #{attributes}/>\n</scxml>"]
+  end
+
   BROKEN = {
     'a_violated_invariant' => [23, 'pull, start with is_allowed, warm_up expires', [" &amp;&amp; In('closed')", '']],
     'a_response_that_fails' => [36, 'start with is_allowed, warm_up expires, stop with is_kept',
@@ -49,7 +54,21 @@ class TestChartProperties < Minitest::Test
                                        [/ *<bs:reachable.*\n/, ''], [' steps="1"', ''],
                                        [/(LAMP-T07.*) target="off"/, '\1'],
                                        [/(LAMP-T08.*) target="warming"/, '\1'],
-                                       [/(LAMP-T09.*) target="off"/, '\1']]
+                                       [/(LAMP-T09.*) target="off"/, '\1']],
+    'a_response_that_fails_with_an_input' => [36, 'start with is_allowed, warm_up expires, stop with is_kept',
+                                              added('on="stop" from="In(\'on\') &amp;&amp; is_kept" expr="In(\'off\')"')],
+    'an_action_that_is_not_done' => [36, 'start with is_allowed, warm_up expires', ['bs:id="LAMP-T03"', '\0 bs:do="light"'],
+                                     added('on="is_warm" does="light"')],
+    'an_action_that_is_done' => [36, 'start with is_allowed', ['bs:id="LAMP-T03"', '\0 bs:do="light"'],
+                                 added('on="start" does=""')],
+    'a_timer_that_is_not_started' => [36, 'start with is_allowed, start',
+                                      added('on="start" from="In(\'warming\')" starts="warm_up"')],
+    'a_state_that_is_left' => [36, 'start with is_allowed, stop', added('on="stop" from="In(\'warming\')" stays="true"')],
+    'a_state_that_is_entered_again' => [36, 'start with is_allowed, start',
+                                        [/bs:ignores="start"(?=>\n *<onentry>)/, ''],
+                                        [/(?=<transition bs:id="LAMP-T04")/, '<transition bs:id="LAMP-T10" event="start" ' \
+                                                                             'target="warming" bs:req="SWR-CHART-001"/>'],
+                                        added('on="start" from="In(\'warming\')" stays="true"')]
   }.freeze
 
   BROKEN.each do |name, (rule, path, *changes)|
@@ -68,6 +87,36 @@ class TestChartProperties < Minitest::Test
     assert_sound(*changes)
     walk = walk_of(changed(*changes))
     assert_equal [2, 1, 1], [walk.most_microsteps, walk.most_rounds, walk.most_raised]
+  end
+
+  def test_SWR_CHART_033_a_property_may_say_what_a_step_does
+    light = ['bs:id="LAMP-T03"', '\0 bs:do="light"']
+    assert_sound(light, added('on="start" from="In(\'off\') &amp;&amp; is_allowed &amp;&amp; In(\'closed\')" does="light" ' \
+                              'starts="warm_up"'))
+    assert_sound(light, added('on="start" from="!In(\'off\') || !is_allowed" does="" stays="true"'))
+  end
+
+  # What only acts, stays.
+  def test_SWR_CHART_033_a_transition_without_target_stays
+    assert_sound([/bs:ignores="start"(?=>\n *<onentry>)/, ''],
+                 [/(?=<transition bs:id="LAMP-T04")/, transition('event="start" bs:do="warn"')],
+                 added('on="start" from="In(\'warming\')" does="warn" stays="true"'))
+  end
+
+  def test_SWR_CHART_033_what_a_property_cannot_say_is_refused
+    { 'on="stop"' => 'the property demands nothing; add one of: expr, does, starts, stays',
+      'on="stop" does="sing"' => '"sing" is no action; ', 'on="stop" starts="tea"' => '"tea" is no timer; write one of: warm_up',
+      'on="stop" stays="no"' => 'stays="no" is not in the profile',
+      'on="stop" expr="is_kept"' => 'a property reads no input' }.each do |attributes, words|
+      refusal = assert_raises(Chart::Refusal) { parse(changed(added(attributes))) }
+      assert_includes refusal.message, words
+    end
+  end
+
+  # Neither words nor remedy lead away from the guard.
+  def test_SWR_CHART_032_a_guard_that_is_missing_is_not_advised_away
+    message = refusal_of([/(LAMP-T03.*) cond="[^"]*"/, '\1'], [/ *<bs:invariant.*\n/, '']).message
+    assert_match(/R26 "start" is always taken in "off", by LAMP-T03; give what SWR-CHART-001 asks for as a guard/, message)
   end
 
   # One that an earlier expiry cancelled has not happened.
@@ -147,6 +196,10 @@ class TestChartProperties < Minitest::Test
   end
 
   private
+
+  def added(attributes)
+    self.class.added(attributes)
+  end
 
   def behaviour(text)
     walk_of(text).pairs.map do |pair|

@@ -73,11 +73,28 @@ module Chart
     def check_needed
       @document.states.each do |state|
         event = state.ignores.find { |one| !@needed.key?([state.id, one]) }
-        next unless event
-
-        raise Refusal.new(@document.file, state.line, 26, "\"#{event}\" always does something in \"#{state.id}\", or " \
-                                                          'a state around it ignores it; remove it there')
+        raise Refusal.new(@document.file, state.line, 26, needless(state, event)) if event
       end
+    end
+
+    # An ignore may be all that is left of a guard: that it is wrong is no reason to take it away.
+    # @satisfies SWR-CHART-032
+    def needless(state, event)
+      around = state.ancestors.any? { |one| one.ignores&.include?(event) }
+      return "a state around \"#{state.id}\" ignores \"#{event}\" too; remove it in one of them" if around
+
+      takers = takers(state, event)
+      requirements = takers.flat_map(&:req).uniq.join(', ')
+      "\"#{event}\" is always taken in \"#{state.id}\", by #{takers.map(&:id).join(', ')}; give what #{requirements} " \
+        'asks for as a guard, or correct bs:ignores if it asks for none'
+    end
+
+    def takers(state, event)
+      pairs = @walk.reachable_pairs.select do |pair|
+        event_of(pair.stimulus) == event && @walk.active(pair.before.leaves).include?(state.id)
+      end
+      found = pairs.flat_map { |pair| pair.outcomes.flat_map(&:taken) }.uniq(&:number)
+      found.select { |one| one.events.include?(event) }.sort_by(&:number)
     end
   end
 end

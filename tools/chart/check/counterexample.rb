@@ -16,8 +16,11 @@ module Chart
 
     # What is broken. demand: an expression that must hold when the steps are done.
     # at: :end; :before for guards, which read what stands before the last step; or :taken, when that step must take a
-    # transition, and there is no demand.
-    Claim = Struct.new(:id, :req, :line, :says, :demand, :at, keyword_init: true)
+    # transition, and there is no demand. effects: the property whose `does`, `starts` and `stays` the last step
+    # must fulfil, if any.
+    Claim = Struct.new(:id, :req, :line, :says, :demand, :at, :effects, keyword_init: true)
+    # What a timer has run before the last step: more than one that was started in it.
+    RUN_US = 1
 
     # The refused chart, and the list of events in words.
     attr_reader :document, :walk, :words
@@ -72,12 +75,51 @@ module Chart
       stimulus, values = @steps.last
       inputs = input_lines(values)
       case @claim.at
-      when :end then [*inputs, *step_lines(stimulus), '', *assertion(condition(@claim.demand))]
+      when :end then [*inputs, *last_step(stimulus), '', *demanded, *effects]
       when :before then [*inputs, *assertion(condition(@claim.demand))]
       when :taken
         [*inputs, 'const uint32_t before = chart.trace.count;', *step_lines(stimulus), '',
          *assertion('(chart.trace.count != before)')]
       end
+    end
+
+    def demanded
+      @claim.demand == [:boolean, true] ? [] : assertion(condition(@claim.demand))
+    end
+
+    # The actions are kept where it depends on them.
+    def last_step(stimulus)
+      lines = step_lines(stimulus)
+      timers = stimulus.first == :event && @claim.effects ? @claim.effects.starts : []
+      before = @claim.effects&.stays ? ['const uint32_t before = chart.trace.count;'] : []
+      last = @claim.effects&.does ? lines.last.sub('(void)', 'const uint32_t actions = ') : lines.last
+      before + timers.map { |timer| "chart.#{@names.time(timer)} = #{RUN_US}U;" } + lines[0..-2] + [last]
+    end
+
+    def effects
+      return [] unless @claim.effects
+
+      @claim.effects.starts.flat_map { |timer| started(timer) } + did(@claim.effects.does) + stayed
+    end
+
+    def started(timer)
+      assertion("(chart.#{@names.armed(timer)} && (chart.#{@names.time(timer)} == 0U))")
+    end
+
+    # Where it may do something, what it takes has no target.
+    def stayed
+      return [] unless @claim.effects.stays
+
+      targetless = @document.transitions.select(&:targetless?)
+      last = 'chart.trace.steps[(chart.trace.count - 1U) % CHART_TRACE_LENGTH].transition'
+      taken = targetless.map { |one| "(#{last} == #{one.number}U)" }
+      assertion("(#{['(chart.trace.count == before)', *taken].join(' || ')})")
+    end
+
+    def did(actions)
+      return [] unless actions
+
+      assertion("(actions == #{actions.empty? ? '0U' : "(#{actions.map { |one| @names.action(one) }.join(' | ')})"})")
     end
 
     def input_lines(values)

@@ -9,11 +9,13 @@ require_relative 'counterexample'
 module Chart
   # The properties of a chart, decided on its walk.
   #   invariant  in every reached snapshot
-  #   response   after every step by one of its events (the stimulus' own, or raised), from a snapshot with `from`
+  #   response   after every step by one of its events (the stimulus' own, or raised), from a snapshot and with inputs
+  #              that have `from`: where it leads, what it does, which timers it starts, that it stays
   #   only       every step that takes a transition and leads from `from` to the expression is by one of its events
   #   reachable  from every snapshot with `from`; a snapshot that has the expression needs no step
   # A property that speaks of nothing that happens is refused as well: it would hold whatever the chart does.
   # @satisfies SWR-CHART-002
+  # @satisfies SWR-CHART-033
   class PropertyChecks
     RULES = { always: 23, response: 36, only: 37, reachable: 38 }.freeze
     Verdict = Struct.new(:property, :verdict, :checked, keyword_init: true)
@@ -62,32 +64,54 @@ module Chart
       case property.kind
       when :always then subjects.find { |snapshot| !true?(property.expression, snapshot) }
       when :reachable then unreached(property, subjects)
-      when :response then subjects.find { |step| !true?(property.expression, step.outcome.after) }
+      when :response then subjects.find { |step| !answered?(property, step) }
       when :only then subjects.find { |step| !named?(property, step.outcome) }
       end
     end
 
     def steps_from(property)
-      @walk.reachable_pairs.flat_map do |pair|
-        next [] unless from?(property, pair.before)
+      different.flat_map do |pair, outcomes|
+        spoken = outcomes.select { |outcome| yield outcome }
+        next [] if spoken.empty?
 
         pair.outcomes.each_with_index.filter_map do |outcome, index|
-          Step.new(pair.before, pair.stimulus, @walk.valuations[index], outcome) if yield outcome
+          inputs = @walk.valuations[index]
+          next unless spoken.any? { |one| one.equal?(outcome) } && from?(property, pair.before, inputs)
+
+          Step.new(pair.before, pair.stimulus, inputs, outcome)
         end
       end
     end
 
-    def from?(property, snapshot)
-      property.from.nil? || true?(property.from, snapshot)
+    # Without the repetitions for inputs that made no difference.
+    def different
+      @different ||= @walk.reachable_pairs.map { |pair| [pair, pair.outcomes.uniq(&:object_id)] }
+    end
+
+    def from?(property, snapshot, inputs = {})
+      property.from.nil? || true?(property.from, snapshot, inputs)
+    end
+
+    def answered?(property, step)
+      outcome = step.outcome
+      true?(property.expression, outcome.after) && (property.does.nil? || property.does.sort == outcome.actions.sort) &&
+        (property.starts.map(&:id) - outcome.started).empty? &&
+        !(property.stays && outcome.taken.any?(&:moves?))
     end
 
     def named?(property, outcome)
       property.events.any? { |event| outcome.events.include?(event) || outcome.raised.include?(event) }
     end
 
-    def true?(expression, snapshot)
-      active = @walk.active(snapshot.leaves)
-      Expression.value(expression) { |kind, name| kind == :in ? active.include?(name) : snapshot.data.fetch(name) }
+    def true?(expression, snapshot, inputs = {})
+      active = active(snapshot.leaves)
+      Expression.value(expression) do |kind, name|
+        kind == :in ? active.include?(name) : inputs.fetch(name) { snapshot.data.fetch(name) }
+      end
+    end
+
+    def active(leaves)
+      (@active ||= {})[leaves] ||= @walk.active(leaves)
     end
 
     # Backwards from the snapshots that have the expression, a step at a time.
@@ -133,7 +157,7 @@ module Chart
 
     def claim(property, after)
       Counterexample::Claim.new(id: property.id, req: property.req, line: property.line, says: property.text,
-                                demand: demand(property, after), at: :end)
+                                demand: demand(property, after), at: :end, effects: property)
     end
 
     # At the end of the steps; from a configuration that should lead on: that it is not entered.

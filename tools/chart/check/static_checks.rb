@@ -14,12 +14,14 @@ module Chart
   class StaticChecks
     MOST = { 'actions' => 32, 'timers' => 32, 'inputs' => 7, 'regions' => 64 }.freeze
 
-    def self.run(document)
-      new(document).run
+    # owners: the requirement of each limit; without them rule 39 is not asked.
+    def self.run(document, owners = nil)
+      new(document, owners).run
     end
 
-    def initialize(document)
+    def initialize(document, owners)
       @document = document
+      @owners = owners
     end
 
     def run
@@ -28,8 +30,8 @@ module Chart
       check_histories
       check_eventless_guards
       check_safe
-      check_inputs_read
       check_product if @document.mode == :product
+      check_inputs_read
     end
 
     private
@@ -172,6 +174,7 @@ module Chart
         sent = state.entry.grep(Send)
         cancelled = state.exit.grep(Cancel)
         sent.each { |one| check_cancelled(state, one, cancelled) }
+        sent.each { |one| check_owner(state, one) } if @owners
         cancelled.each { |one| check_sent(state, one, sent) }
       end
     end
@@ -181,6 +184,16 @@ module Chart
 
       refuse(one.line, 12, "timer \"#{one.timer.id}\" outlives state \"#{state.id}\"; add " \
                            "<onexit><cancel sendid=\"#{one.timer.id}\"/></onexit> to the state")
+    end
+
+    # A limit that happens to have a value is not the one that somebody asked for.
+    # @satisfies SWR-CHART-031
+    def check_owner(state, one)
+      owner = @owners.fetch(one.timer.limit)
+      return if state.req.include?(owner)
+
+      refuse(one.line, 39, "#{one.timer.limit} is a limit of #{owner}, which \"#{state.id}\" does not name; " \
+                           "write the limit of its requirement, or add bs:req=\"#{owner}\"")
     end
 
     def check_sent(state, one, sent)

@@ -11,6 +11,7 @@ module Chart
   # The rules that a complete walk decides. The walk itself has refused endless macrosteps, timers started twice and
   # values out of range. A chart in engine mode may overlap, ignore, and hold what is never used.
   # @satisfies SWR-CHART-002
+  # @satisfies SWR-CHART-030
   class WalkChecks
     def self.run(document, walk)
       new(document, walk).run

@@ -110,12 +110,13 @@ module Chart
     def properties
       @document.properties.to_h do |one|
         [one.id, { 'kind' => one.kind.to_s, 'on' => one.events, 'from' => expression(one.from),
-                   'expression' => expression(one.expression), 'steps' => one.steps, **claims(one) }]
+                   'expression' => expression(one.expression), 'does' => one.does, 'starts' => ids(one.starts),
+                   'stays' => (true if one.stays), 'steps' => one.steps, **claims(one) }]
       end
     end
 
-    def ids(states)
-      states.map(&:id)
+    def ids(things)
+      things.map(&:id)
     end
 
     def content(items)

@@ -32,8 +32,8 @@ module Chart
       @content = Content.new(document, @names)
       @leaving = Leaving.new(document, @names, @tree, @content)
       @entering = Entering.new(document, @names, @tree, @content)
-      @properties = Properties.new(document, @names)
       @steps = Steps.new(document, @names, @vector)
+      @properties = Properties.new(document, @names, @steps)
       @environment = Environment.new(document, @names, @steps, @properties)
     end
 

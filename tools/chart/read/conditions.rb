@@ -22,7 +22,7 @@ module Chart
       typed(text, line, :boolean)
     end
 
-    # A property speaks of what the chart remembers; inputs are gone after the step.
+    # A property speaks of what the chart remembers; inputs are gone after the step, and there before it.
     def property(text, line)
       without_inputs(guard(text, line), line, 'a property')
     end

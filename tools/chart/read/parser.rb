@@ -61,8 +61,12 @@ module Chart
         state.entry = blocks(element, 'onentry', contents)
         state.exit = blocks(element, 'onexit', contents)
       end
-      @properties = PropertyReader.new(@context, @chart, @alphabet, @conditions)
+      @properties = PropertyReader.new(@context, @chart, @alphabet, @conditions, @timers, actions)
       @context.unique((@transitions.all + @properties.all).map { |one| [one.id, one.line] }, 8)
+    end
+
+    def actions
+      @chart.all.flat_map { |element| element.attributes.fetch('bs:do', '').split }.uniq
     end
 
     def blocks(element, name, contents)

@@ -32,7 +32,7 @@ module Chart
       'datamodel' => Form.new([], [], %w[data]),
       'data' => Form.new(%w[id expr], [], []),
       'bs:invariant' => Form.new(%w[expr], ['id', *CLAIMS], []),
-      'bs:response' => Form.new(%w[on expr], ['id', 'from', *CLAIMS], []),
+      'bs:response' => Form.new(%w[on], ['id', 'from', 'expr', 'does', 'starts', 'stays', *CLAIMS], []),
       'bs:only' => Form.new(%w[on from expr], ['id', *CLAIMS], []),
       'bs:reachable' => Form.new(%w[expr], ['id', 'from', 'steps', *CLAIMS], [])
     }.freeze
@@ -69,7 +69,8 @@ module Chart
       'transition' => { 'type' => %w[external internal] },
       'history' => { 'type' => %w[shallow deep] },
       'send' => { 'target' => ['#_internal'], 'type' => [PROCESSOR] },
-      'data' => { 'bs:input' => ['true'] }
+      'data' => { 'bs:input' => ['true'] },
+      'bs:response' => { 'stays' => ['true'] }
     }.freeze
 
     NAME = /\A[a-z][a-z0-9]*(?:_[a-z0-9]+)*\z/.freeze

@@ -10,11 +10,19 @@ module Chart
     KINDS = { 'bs:invariant' => :always, 'bs:response' => :response, 'bs:only' => :only,
               'bs:reachable' => :reachable }.freeze
 
+    # Those that speak of steps.
+    STEPS = %i[response only].freeze
+    # What a response may demand.
+    DEMANDS = %w[expr does starts stays].freeze
+
     attr_reader :all
 
-    def initialize(context, chart, alphabet, conditions)
+    # timers, actions: what the chart has of them.
+    def initialize(context, chart, alphabet, conditions, timers, actions)
       @context = context
       @alphabet = alphabet
+      @timers = timers
+      @actions = actions
       @conditions = conditions
       @all = chart.children.select { |element| KINDS.key?(element.name) }.map { |element| read(element) }
     end
@@ -22,12 +30,44 @@ module Chart
     private
 
     def read(element)
-      from = element.attributes['from']
       Property.new(id: id(element), kind: KINDS.fetch(element.name), req: req(element),
-                   hazards: @context.claims(element, 'bs:hazard'), events: events(element),
-                   from: from && @conditions.property(from, element.line),
-                   expression: @conditions.property(element.attributes['expr'], element.line),
-                   steps: steps(element), text: text(element), line: element.line)
+                   hazards: @context.claims(element, 'bs:hazard'), events: events(element), from: from(element),
+                   expression: expression(element), does: does(element), starts: starts(element),
+                   stays: element.attributes.key?('stays'), steps: steps(element), text: text(element),
+                   line: element.line)
+    end
+
+    # Of a step, inputs too.
+    def from(element)
+      text = element.attributes['from'] || return
+      reader = STEPS.include?(KINDS.fetch(element.name)) ? :guard : :property
+      @conditions.public_send(reader, text, element.line)
+    end
+
+    def expression(element)
+      if (element.attributes.keys & DEMANDS).empty?
+        @context.refuse(element.line, 4, "the property demands nothing; add one of: #{DEMANDS.join(', ')}")
+      end
+      text = element.attributes['expr']
+      text ? @conditions.property(text, element.line) : [:boolean, true]
+    end
+
+    # nil: whatever they are.
+    def does(element)
+      element.attributes['does']&.split&.each { |name| check_known(element, name, @actions, 'action') }
+    end
+
+    def starts(element)
+      element.attributes.fetch('starts', '').split.map do |name|
+        check_known(element, name, @timers.all.map(&:id), 'timer')
+        @timers.find(name)
+      end
+    end
+
+    def check_known(element, name, known, what)
+      return if known.include?(name)
+
+      @context.refuse(element.line, 7, "\"#{name}\" is no #{what}; #{@context.choice(known)}")
     end
 
     def id(element)
@@ -63,14 +103,20 @@ module Chart
 
     def text(element)
       from, expression, on, steps = element.attributes.values_at('from', 'expr', 'on', 'steps')
+      demands = [expression, *effects(element)].compact.join(', ')
       where = from ? " from #{from}" : ''
       count = " in #{steps} step#{'s' unless steps == '1'}" if steps
       case KINDS.fetch(element.name)
       when :always then "always #{expression}"
-      when :response then "after #{on}#{where}: #{expression}"
+      when :response then "after #{on}#{where}: #{demands}"
       when :only then "only by #{on}#{where} to #{expression}"
       when :reachable then "#{expression} can be reached#{where}#{count}"
       end
+    end
+
+    def effects(element)
+      does, starts, stays = element.attributes.values_at('does', 'starts', 'stays')
+      [does && "does #{does.empty? ? 'nothing' : does}", starts && "starts #{starts}", stays && 'stays']
     end
   end
 end

@@ -8,20 +8,21 @@ module Chart
   class Promela
     # Invariants and step properties as assertions. A bs:reachable is none: it speaks of paths.
     class Properties
-      def initialize(document, names)
+      def initialize(document, names, steps)
         @document = document
         @names = names
+        @steps = steps
         @checked = document.properties.reject { |property| property.kind == :reachable }
       end
 
       def marks_used
         @checked.map { |one| @names.holds(one) } + starting.map { |one| @names.began(one) } +
-          events.map { |event| @names.seen(event) } + ['taken']
+          events.map { |event| @names.seen(event) } + %w[taken moved]
       end
 
       # Before the step.
       def begun
-        ['taken = 0', *events.map { |event| "#{@names.seen(event)} = 0" },
+        ['taken = 0', 'moved = 0', *events.map { |event| "#{@names.seen(event)} = 0" },
          *starting.map { |property| "#{@names.began(property)} = #{@names.term(property.from)}" }]
       end
 
@@ -32,7 +33,7 @@ module Chart
 
       # After a microstep.
       def noted
-        ['taken = taken || event != START']
+        ['taken = taken || event != START', 'moved = moved || moves']
       end
 
       # After the step; the mark has a name, so that SPIN's message has it.
@@ -48,8 +49,20 @@ module Chart
         expression = @names.term(property.expression)
         case property.kind
         when :always then expression
-        when :response then "!(#{speaks(property, by(property))}) || #{expression}"
+        when :response then "!(#{speaks(property, by(property))}) || #{[expression, *effects(property)].join(' && ')}"
         when :only then "!(#{speaks(property, 'taken')} && #{expression}) || #{by(property)}"
+        end
+      end
+
+      def effects(property)
+        started = property.starts.map { |timer| "(#{@steps.holds('started', @document.timers, timer)})" }
+        started + (property.does ? did(property.does) : []) + (property.stays ? ['!moved'] : [])
+      end
+
+      # These and no others.
+      def did(actions)
+        @document.actions.map do |action|
+          "#{'!' unless actions.include?(action)}(#{@steps.holds('actions', @document.actions, action)})"
         end
       end
 

@@ -46,6 +46,12 @@ module Chart
         Array.new(slices(list).length) { |word| "#{name}[#{word}]" }
       end
 
+      # Whether one of the list is among those gathered.
+      def holds(name, list, one)
+        word, bit = list.index(one).divmod(Vector::WORD_BITS)
+        "#{name}[#{word}] >> #{bit} & 1"
+      end
+
       # The part of the line that tells a stimulus of the walk; :start is that before all.
       def stimulus(stimulus)
         kind, what = stimulus

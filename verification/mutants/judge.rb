@@ -1,0 +1,52 @@
+# frozen_string_literal: true
+
+# SPDX-License-Identifier: Apache-2.0
+
+require_relative '../model/product_charts'
+
+# What the compiler says of a mutant. A rule whose message is mended by following it (an event that is taken or ignored
+# now, a question that is asked no longer) refuses nothing: the mutant that follows is judged.
+module Judge
+  # R24: an input that nothing reads; R25, R26: an event without transition or ignored in vain; R35: a guard that is
+  # always true.
+  MENDED = [24, 25, 26, 35].freeze
+
+  module_function
+
+  # [Chart::Refusal, nil], or [nil, Chart::Compiled].
+  def judge(file, tree)
+    context = Chart::Context.new(file, :product, ProductCharts::LIMITS)
+    document = Chart::Parser.new(context, []).parse(tree)
+    mended { Chart::StaticChecks.run(document, ProductCharts::OWNERS) }
+    walk = Chart::Walk.new(document).run
+    mended { Chart::WalkChecks.run(document, walk) }
+    [nil, Chart::Compiled.new(document, walk)]
+  rescue Chart::Refusal => e
+    [e, nil]
+  end
+
+  # Runs the block in a process of its own; a thread with its answer.
+  def beside
+    pipe = IO.popen('-', 'rb')
+    if pipe.nil?
+      $stdout.binmode.write(Marshal.dump(yield))
+      $stdout.flush
+      exit!(0)
+    end
+    Thread.new { Marshal.load(pipe.read).tap { pipe.close } } # rubocop:disable Security/MarshalLoad
+  end
+
+  # These rules are asked last.
+  def mended
+    yield
+  rescue Chart::Refusal => e
+    raise unless MENDED.include?(e.rule)
+  end
+
+  # All that shows of a chart: on every reachable pair where it leads, what it does, which timers it starts.
+  def behaviour(chart)
+    chart.walk.reachable_pairs.to_h do |pair|
+      [[pair.before, pair.stimulus], pair.outcomes.map { |one| [one.after, one.actions.sort, one.started] }]
+    end
+  end
+end
