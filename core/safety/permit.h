@@ -79,6 +79,7 @@ permit_common_t permit_decide_common(const permit_common_facts_t *facts);
  * Decides for one axis.
  *
  * @satisfies SWR-PERMIT-001
+ * @satisfies SWR-CHART-034
  */
 permit_t permit_decide(const permit_common_t *common, const permit_facts_t *facts);
 

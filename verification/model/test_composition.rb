@@ -10,7 +10,8 @@
 # SPIN, with one axis, comes into as many configurations and violates no property. The controller itself, on the
 # simulated box with an operator and a world that do anything, comes into no configuration and permits nothing that the
 # composition lacks. SCION has no part of its own here: on every pair of every chart it does what the interpreter does
-# (test_back_to_back.rb).
+# (test_back_to_back.rb). What stands against motion is compared by name: composition.yml, permit_decide() and what the
+# running controller shows have the same reasons.
 
 require 'minitest/autorun'
 require 'tmpdir'
@@ -137,11 +138,46 @@ class TestComposition < Minitest::Test
     assert_match(/^not reached: /, explore(1, 'gcc', lacking, asked: controller_run).findings.join("\n"))
   end
 
-  def test_SWR_CHART_012_a_controller_that_forgets_a_fact_of_the_permit_is_found
+  # Of this one the permit is the same: there are others whenever it stands.
+  def test_SWR_CHART_034_a_controller_that_forgets_a_reason_is_found
     seen = ControllerRun.seen(commands, episodes: 40) do |code|
-      code.sub(/(?<=is_pedal_pressed = ).*(?=,)/, 'true')
+      code.sub(/(?<=is_pedal_unproven = ).*(?=,)/, 'false')
     end
-    assert_match(/^another permit: /, explore(1, 'gcc', asked: seen).findings.join("\n"))
+    assert_match(/^other reasons: /, explore(1, 'gcc', asked: seen).findings.join("\n"))
+  end
+
+  def test_SWR_CHART_034_a_reason_that_is_another_one_is_found
+    other = changed("NOTHING_ARMED: In('arming.none')", "NOTHING_ARMED: In('arming.none') && In('estop.clear')")
+    findings = explore(1, 'gcc', other, asked: controller_run).findings.join("\n")
+    assert_match(/^permit_decide\(\) gives other reasons: /, findings)
+    assert_match(/^other reasons: /, findings)
+  end
+
+  # What does not fit, and how it is told.
+  {
+    'no_yaml' => ['axes: 2', 'axes: [2', /did not find expected/], 'no_section' => [/^axes: 2\n/, '', /has no axes/],
+    'a_section_of_another_kind' => ['axes: 2', 'axes: two', /axes is no Integer/],
+    'a_stimulus_without_event' => ['- {tell: pedal.differ}', '- {when: permit_1}', /stimuli: it has no tell/],
+    'a_word_that_means_nothing' => ['{tell: pedal.differ}', '{tell: pedal.differ, whem: permit_1}', /whem means nothing/],
+    'an_event_that_is_none' => ['- {tell: pedal.differ}', '- {tell: pedal.differs}', /pedal\.differs: no such event/],
+    'a_state_that_is_none' => ["SCANNER_ACTIVE: In('scanner.active')", "SCANNER_ACTIVE: In('scanner.on')",
+                               /scanner\.on: no such state/],
+    'a_member_that_is_none' => ['- {tell: pedal.differ}', '- {tell: pedals.differ}', /no member pedals/],
+    'a_chart_that_is_none' => ['statecharts/loop_guard.scxml', 'statecharts/loop.scxml', /No such file/],
+    'an_input_that_is_none' => ['workphase.is_able: >-', 'workphase.is_idle: >-', /workphase\.is_idle: no such input/],
+    'a_condition_that_cannot_be_read' => ['when: permit_N', "when: In('pedal.pressed') and", /In\('pedal\.pressed'\) and: /],
+    'a_condition_on_anything' => ['when: permit_N', 'when: any', /a condition reads any/],
+    'an_axis_that_is_none' => ['when: permit_N', 'when: permit_3', /a condition reads permit_3/],
+    'a_comparison' => ['when: permit_N', 'when: 1 < 2', /may not hold compare/],
+    'a_property_without_what_holds' => [', then: "!permit_N"}', '}', /COMP-I04 has no then/],
+    'a_property_of_two_kinds' => ['always: "!In(\'stall_N', 'reaches: permit_1, always: "!In(\'stall_N', /COMP-I02 says/]
+  }.each do |what, (from, to, words)|
+    define_method("test_SWR_CHART_012_#{what}_is_told_in_words") do
+      text = File.read(Composition::FILE)
+      other = text.sub(from, to)
+      refute_equal text, other
+      assert_match words, assert_raises(Composition::Wrong) { written(other, axes: 2) }.message
+    end
   end
 
   def controller_run

@@ -51,6 +51,20 @@ class TestMutants < Minitest::Test
     LISTED.each_value { |rows| rows.each { |row| assert_match(/\S\.\z/, row.fetch('because')) } }
   end
 
+  def test_SWR_CHART_030_a_mutant_that_no_property_speaks_of_is_found
+    file, chart = CHARTS.fetch('loop_guard')
+    tree = Chart::XmlReader.read(file, File.read(file).sub(/^.*id="LOOP-I05".*\n/, ''))
+    mutant = Mutants.of(tree, ProductCharts::LIMITS).find { |one| one.name == 'LOOP-T03 does not count_overrun' }
+    refusal, mutated = Judge.judge(file, mutant.tree)
+    assert_nil refusal
+    refute_equal Judge.behaviour(chart), Judge.behaviour(mutated)
+  end
+
+  Minitest.after_run do
+    counts = verdicts.values.flat_map(&:values).partition { |verdict| verdict.is_a?(Integer) }.map(&:length)
+    puts format('mutants         %<refused>d refused, %<same>d the same', refused: counts.first, same: counts.last)
+  end
+
   # name => [chart, the property that refuses it, changes]
   ONCE_ACCEPTED = {
     'a_pedal_that_opens_again_without_a_release' =>

@@ -5,10 +5,11 @@
 require 'yaml'
 require_relative '../product_charts'
 require_relative 'exchange'
+require_relative 'shape'
 
 # composition.yml with every axis written out and every name resolved.
 class Composition
-  # Something that composition.yml names does not exist.
+  # composition.yml cannot be read, says what means nothing, or names what does not exist.
   class Wrong < StandardError; end
 
   FILE = File.join(ProductCharts::ROOT, 'statecharts/composition.yml')
@@ -23,25 +24,23 @@ class Composition
   # kind as in Chart::Property; stimuli: numbers.
   Property = Struct.new(:id, :kind, :stimuli, :from, :expression, :steps)
 
-  attr_reader :axes, :charts, :members, :permits, :inputs, :reactions, :stimuli, :facts, :common_facts, :properties, :free,
-              :exchange
+  # permits: name => expression; facts, reasons: of each axis, name => expression.
+  attr_reader :axes, :charts, :members, :permits, :inputs, :reactions, :stimuli, :facts, :common_facts, :reasons,
+              :properties, :free, :exchange
 
   # commands: with what the section of that name adds.
   def initialize(axes: nil, file: FILE, commands: false, exchange: Exchange)
-    @rows = YAML.safe_load_file(file)
-    more = @rows.delete('commands')
-    @rows = merged(@rows, more) if commands
+    @rows = rows(file, commands)
     @axes = axes || @rows.fetch('axes')
     read_members
     @permits = (1..@axes).to_h { |axis| ["permit_#{axis}", expression(number(@rows.fetch('permit'), axis))] }
-    @inputs = spread(@rows.fetch('inputs')).transform_values { |text| expression(text) }
+    @inputs = spread(@rows.fetch('inputs')).to_h { |name, text| [input(name), expression(text, %w[any])] }
     @reactions = spread_rows('reactions').flat_map { |row| reaction(row) }
     @free = free_inputs
     @stimuli = spread_rows('stimuli').map { |row| stimulus(*resolve(row.fetch('tell')), row['when']) } + expiries
     @common_facts = @rows.fetch('facts').fetch('common').keys
-    @facts = (1..@axes).map do |axis|
-      @rows.fetch('facts').values.reduce(:merge).transform_values { |text| expression(number(text, axis)) }
-    end
+    @facts = of_each_axis('facts')
+    @reasons = of_each_axis('reasons')
     @properties = @rows.fetch('properties').flat_map { |row| copies(row) }.map { |row| property(row) }
     @exchange = exchange.new(self)
   end
@@ -52,11 +51,34 @@ class Composition
 
   private
 
+  # What is common, and its own.
+  def of_each_axis(section)
+    (1..@axes).map do |axis|
+      @rows.fetch(section).values.reduce(:merge).transform_values { |text| expression(number(text, axis)) }
+    end
+  end
+
+  def rows(file, commands)
+    rows = YAML.safe_load_file(file)
+    raise Wrong, 'the file holds no sections' unless rows.is_a?(Hash)
+
+    more = rows.delete('commands')
+    CompositionShape.check(rows, Wrong)
+    rows = merged(rows, more) if commands
+    CompositionShape.check(rows, Wrong)
+    rows
+  rescue Psych::Exception => e
+    raise Wrong, e.message
+  end
+
   # A hash has what both have, a row the place of one of its name; what is no collection is the later.
   def merged(one, other)
     case other
-    when Hash then one.merge(other) { |_key, before, after| merged(before, after) }
-    when Array then one.reject { |row| named(row) && other.any? { |late| named(late) == named(row) } } + other
+    when Hash then !one.is_a?(Hash) ? other : one.merge(other) { |_key, before, after| merged(before, after) }
+    when Array
+      return other unless [*one, *other].all?(Hash) && one.is_a?(Array)
+
+      one.reject { |row| named(row) && other.any? { |late| named(late) == named(row) } } + other
     else other
     end
   end
@@ -76,6 +98,8 @@ class Composition
 
   def chart(file)
     ProductCharts::ALL.fetch(file) { Chart::Compiled.from(file, File.read(file), ProductCharts::LIMITS, mode: :engine) }
+  rescue Chart::Refusal, SystemCallError => e
+    raise Wrong, e.message
   end
 
   # axis_N becomes axis_1, axis_2 ...
@@ -109,22 +133,42 @@ class Composition
     (1..@axes).map { |axis| number(row, axis).merge('id' => "#{row.fetch('id')}.#{axis}") }
   end
 
-  def expression(text)
+  def input(name)
+    place, what = name.split('.')
+    return name if member(place).chart.document.inputs.any? { |one| one.name == what }
+
+    raise Wrong, "#{name}: no such input"
+  end
+
+  # words: variables that it may read, beside the permits that are known.
+  def expression(text, words = [])
     return nil unless text
 
     parts = text.match?(/_N\b/) ? (1..@axes).map { |axis| number(text, axis) } : [text]
-    parts.map { |part| check(Chart::Expression.parse(part)) }.reduce { |all, one| [:and, all, one] }
+    parts.map { |part| check(Chart::Expression.parse(part), words) }.reduce { |all, one| [:and, all, one] }
+  rescue Chart::Expression::Unsupported, Chart::Expression::TooDeep => e
+    raise Wrong, "#{text}: #{e.message}"
   end
 
-  def check(expression)
-    Chart::Expression.atoms(expression).each do |kind, name|
-      next if name.match?(/\A(permit_\d+|any)\z/)
-      raise Wrong, "a condition reads #{name}" unless kind == :in
-
-      place, id = name.split('.')
-      raise Wrong, "#{name}: no such state" unless member(place).chart.document.state(id)
+  # Of names of states, joined by ! && ||.
+  def check(expression, words)
+    kind, *operands = expression
+    case kind
+    when :in then check_state(operands.first)
+    when :variable then check_variable(operands.first, words)
+    when :not, :and, :or then operands.each { |one| check(one, words) }
+    else raise Wrong, "a condition may not hold #{kind}"
     end
     expression
+  end
+
+  def check_state(name)
+    place, id = name.split('.')
+    raise Wrong, "#{name}: no such state" unless member(place).chart.document.state(id)
+  end
+
+  def check_variable(name, words)
+    raise Wrong, "a condition reads #{name}" unless words.include?(name) || @permits&.key?(name)
   end
 
   def resolve(name)

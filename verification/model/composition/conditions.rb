@@ -122,27 +122,49 @@ class CompositionConditions
     "static uint64_t #{name}(config_t config)\n{\n    uint64_t bits = 0U;\n#{rows.join}    return bits;\n}\n"
   end
 
-  # permit_N, and whether the product's own decision on the facts is the same.
+  # permit_N, the reasons against motion, and the product's own decision on the facts.
   def permit
-    axes = @composition.facts.each_with_index.map { |facts, axis| decision(facts, axis) }
-    [choices('is_permitted', @composition.permits.values), <<~TEXT]
-      static bool does_permit_agree(config_t config)
+    cases = @composition.facts.each_with_index.map { |facts, axis| decision(facts, axis) }
+    [choices('is_permitted', @composition.permits.values), reasons, <<~TEXT]
+      static permit_t decided(config_t config, uint32_t axis)
       {
           permit_common_t common;
-          bool is_same = true;
-      #{axes.join}    return is_same;
+          switch (axis) {
+      #{cases.join}    default:
+              return (permit_t){0};
+          }
       }
     TEXT
   end
 
   def decision(facts, axis)
     common, own = facts.partition { |name, _condition| @composition.common_facts.include?(name) }
-    "    common = permit_decide_common(&(permit_common_facts_t){\n#{initializers(common)}    });\n" \
-      "    is_same = is_same && (permit_decide(&common, &(permit_facts_t){\n#{initializers(own)}    })" \
-      ".is_allowed == is_permitted(config, #{axis}U));\n"
+    "    case #{axis}U:\n" \
+      "        common = permit_decide_common(&(permit_common_facts_t){\n#{initializers(common)}        });\n" \
+      "        return permit_decide(&common, &(permit_facts_t){\n#{initializers(own)}        });\n"
+  end
+
+  def reasons
+    cases = @composition.reasons.each_with_index.map do |reasons, axis|
+      rows = reasons.map do |name, condition|
+        "        reasons |= #{term(condition)} ? 1U << PERMIT_REASON_#{name} : 0U;\n"
+      end
+      "    case #{axis}U:\n#{rows.join}        break;\n"
+    end
+    <<~TEXT
+      static uint32_t reasons_of(config_t config, uint32_t axis)
+      {
+          uint32_t reasons = 0U;
+          switch (axis) {
+      #{cases.join}    default:
+              break;
+          }
+          return reasons;
+      }
+    TEXT
   end
 
   def initializers(facts)
-    facts.map { |name, condition| "        .#{name} = #{term(condition)},\n" }.join
+    facts.map { |name, condition| "            .#{name} = #{term(condition)},\n" }.join
   end
 end

@@ -8,8 +8,8 @@
  *
  * Standard output has a line for each change, of every axis with its card and with the next axis:
  * the numbers of loop, pedal, estop, card, axes, stalls, workphase, arming, authority, need, plan
- * and scanner, and for each axis whether it may move: 0, 1, or 2 when another card forbids it. The
- * same lines on every run.
+ * and scanner, and for each axis the reasons that it shows against motion, with ANOTHER_CARD_LOST
+ * if one is. The same lines on every run.
  */
 #include "numbers.h"
 #include "robot/robot_neuro.h"
@@ -94,17 +94,17 @@ static uint32_t need_of(const controller_t *self)
 }
 
 /* Where the axes stand is no part of the composition, and only such reasons are held. */
-static uint32_t permit_of(uint32_t axis, uint32_t card)
+static uint32_t reasons_of(uint32_t axis, uint32_t card)
 {
     const uint32_t left_out = (1U << PERMIT_REASON_LIMIT_SWITCH) |
                               (1U << PERMIT_REASON_SOFT_LIMIT) |
                               (1U << PERMIT_REASON_COUPLED_LIMIT) | (1U << PERMIT_REASON_NEEDLE_IN);
-    const bool is_allowed = (rig.controller.records[axis].reason_hold.shown & ~left_out) == 0U;
+    const uint32_t shown = rig.controller.records[axis].reason_hold.shown & ~left_out;
     bool is_another_lost = false;
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         is_another_lost = is_another_lost || ((i != card) && !link_is_usable(rig_link(&rig, i)));
     }
-    return is_allowed ? 1U : (is_another_lost ? 2U : 0U);
+    return shown | (is_another_lost ? ANOTHER_CARD_LOST : 0U);
 }
 
 static void add(row_t *row, uint32_t number)
@@ -135,7 +135,7 @@ static row_t row_of(uint32_t axis)
     add(&row, plan_of(&self->plan));
     add(&row, scanner_of(&rig.inputs));
     for (uint32_t i = 0U; i < AXES; i++) {
-        add(&row, permit_of((axis + i) % robot_neuro.axis_count, axis));
+        add(&row, reasons_of((axis + i) % robot_neuro.axis_count, axis));
     }
     return row;
 }

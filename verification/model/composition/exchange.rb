@@ -38,6 +38,7 @@ class Exchange
     { 'member' => @composition.members.map { |one| [one.name, one.chart.document.name] },
       'input' => @composition.inputs.to_a, 'permit' => @composition.permits.to_a,
       'facts' => @composition.permits.keys.zip(@composition.facts.map(&:to_a)),
+      'reasons' => @composition.permits.keys.zip(@composition.reasons.map(&:to_a)),
       'stimulus' => @composition.stimuli.map { |one| [one.name, one.condition, [:set, *one.free]] },
       'reaction' => @reactions.reject { |one, _row| one.of }.values,
       'property' => @composition.properties.map { |one| property_row(one) } }

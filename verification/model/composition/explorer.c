@@ -15,7 +15,7 @@
  * own.
  *
  * Prints the first differences and violated properties with the stimuli that lead there, what of
- * SEEN differs (configurations that are never reached, and permits), the numbers, and a digest of
+ * SEEN differs (configurations that are never reached, and reasons), the numbers, and a digest of
  * all pairs.
  */
 #include "composition.h"
@@ -55,6 +55,7 @@ static uint32_t longest_queue;
 static uint32_t errors;
 static bool is_violated[PROPERTIES];
 static bool is_permit_wrong;
+static bool are_reasons_wrong;
 
 void contract_broken(const char *module, uint32_t id)
 {
@@ -286,6 +287,25 @@ static void take_stimulus(turn_t turn, uint32_t stimulus)
     } while (free != 0U);
 }
 
+static void complain_once(bool *is_told, const char *what, uint32_t place)
+{
+    if (!*is_told) {
+        *is_told = true;
+        complain(what, place, NULL);
+    }
+}
+
+static void check_permit(config_t config, uint32_t axis, uint32_t place)
+{
+    const permit_t permit = decided(config, axis);
+    if (permit.is_allowed != is_permitted(config, axis)) {
+        complain_once(&is_permit_wrong, "permit_decide() is not the permit", place);
+    }
+    if (permit.reasons != reasons_of(config, axis)) {
+        complain_once(&are_reasons_wrong, "permit_decide() gives other reasons", place);
+    }
+}
+
 static void take_turn(turn_t turn)
 {
     const config_t config = found[turn.row].config;
@@ -301,9 +321,8 @@ static void take_turn(turn_t turn)
     }
     found[turn.row].is_explored = true;
     complain_of_properties(found[turn.row].objections[0] & ALWAYS, place, NULL);
-    if (!does_permit_agree(config) && !is_permit_wrong) {
-        is_permit_wrong = true;
-        complain("permit_decide() is not the permit", place, NULL);
+    for (uint32_t axis = 0U; axis < AXES; axis++) {
+        check_permit(config, axis, place);
     }
 }
 
@@ -345,8 +364,16 @@ static void complain_of_seen(const char *what, const uint32_t numbers[MEMBERS + 
     puts("");
 }
 
-/* A line of what was seen elsewhere: the members' numbers, then whether each axis was permitted to
- * move; 2: something outside forbade it. */
+/* Another card may be lost too. */
+static bool are_reasons_of(config_t config, uint32_t axis, uint32_t seen)
+{
+    const uint32_t unknown =
+        ((seen & ANOTHER_CARD_LOST) != 0U) ? (1U << PERMIT_REASON_LINK_LOST) : 0U;
+    return ((seen ^ reasons_of(config, axis)) & ~unknown & ~ANOTHER_CARD_LOST) == 0U;
+}
+
+/* A line of what was seen elsewhere: the members' numbers, then the reasons against motion of each
+ * axis. */
 static void look_up(const uint32_t numbers[MEMBERS + AXES])
 {
     config_t config = 0U;
@@ -359,9 +386,8 @@ static void look_up(const uint32_t numbers[MEMBERS + AXES])
         complain_of_seen("not reached", numbers);
     }
     for (uint32_t axis = 0U; axis < AXES; axis++) {
-        const uint32_t seen = numbers[MEMBERS + axis];
-        if ((seen < 2U) && (seen != (is_permitted(config, axis) ? 1U : 0U))) {
-            complain_of_seen("another permit", numbers);
+        if (!are_reasons_of(config, axis, numbers[MEMBERS + axis])) {
+            complain_of_seen("other reasons", numbers);
         }
     }
 }

@@ -37,7 +37,8 @@ class CompositionProgram
 
   # For whoever has charts and wants to know which configurations they are in.
   def numbers
-    [HEAD, '#define NEVER 0xFFFFU', includes, tables.map(&:numbers)].flatten.join("\n")
+    [HEAD, '#define NEVER 0xFFFFU', '#define ANOTHER_CARD_LOST 0x80000000U', includes,
+     tables.map(&:numbers)].flatten.join("\n")
   end
 
   def header
