@@ -154,7 +154,8 @@ class TestChartPromela < Minitest::Test
 
   ACTS = <<~XML
     <datamodel><data id="is_free" expr="false" bs:input="true"/></datamodel>
-    <state id="a"><transition event="go" cond="is_free" target="b" bs:do="one two"/><transition event="no" bs:do="two"/></state>
+    <state id="a"><transition event="go" cond="is_free" target="b" bs:do="one two"/><transition event="no" bs:do="two"/>
+      <transition event="go" cond="!is_free" bs:do="one"/></state>
     <state id="b"><onentry><send id="t" event="end" delay="1s"/></onentry><onexit><cancel sendid="t"/></onexit>
       <transition event="go" target="b"/><transition event="end" target="a"/></state>
   XML
@@ -170,7 +171,7 @@ class TestChartPromela < Minitest::Test
   def test_SWR_CHART_033_what_a_step_does_as_it_should_is_not_violated
     assert_agreed engine(ACTS + ['on="go" from="is_free &amp;&amp; In(\'a\')" does="one two" starts="t"',
                                  'on="no" from="In(\'a\')" does="two" stays="true"', 'on="go" from="In(\'b\')" starts="t"',
-                                 'on="go" from="!is_free &amp;&amp; In(\'a\')" does="" stays="true"']
+                                 'on="go" from="!is_free &amp;&amp; In(\'a\')" does="one" stays="true"']
       .each_with_index.map { |response, number| "<bs:response id=\"P-I0#{number}\" #{response}/>" }.join)
   end
 

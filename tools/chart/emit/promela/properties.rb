@@ -33,7 +33,8 @@ module Chart
 
       # After a microstep.
       def noted
-        ['taken = taken || event != START', 'moved = moved || moves']
+        targeted = @document.transitions.reject(&:targetless?).map { |one| "fate[#{one.number}] == TAKEN" }
+        ['taken = taken || event != START', "moved = moved || #{Text.any(targeted)}"]
       end
 
       # After the step; the mark has a name, so that SPIN's message has it.
