@@ -30,8 +30,9 @@ class TestChartCode < Minitest::Test
     def compile_chart(folder)
       FileUtils.mkdir_p([File.join(folder, 'in'), File.join(folder, 'gen', 'limits')])
       FileUtils.cp(CHART, File.join(folder, 'in'))
-      limits = [{ name: 'cycle_us', value: 1000 }, { name: 'short_us', value: 500_000 },
-                { name: 'heat_limit_us', value: 2_000_000 }]
+      limits = { cycle_us: 1000, short_us: 500_000, heat_limit_us: 2_000_000 }.map do |name, value|
+        { name: name, value: value, requirement: 'SWR-CHART-001' }
+      end
       File.write(File.join(folder, 'gen', 'limits', 'limits.json'), JSON.generate(limits))
       run!(RbConfig.ruby, COMPILER, File.join(folder, 'in'), File.join(folder, 'gen'))
     end
