@@ -65,6 +65,9 @@ int command_line_refuse(const command_line_t *self, const char *format, ...)
     va_list arguments;
 
     (void)fprintf(stderr, "%s: ", self->program);
+    if (self->place != NULL) {
+        (void)fprintf(stderr, "%s: ", self->place);
+    }
     va_start(arguments, format);
     (void)vfprintf(stderr, format, arguments);
     va_end(arguments);
@@ -118,8 +121,8 @@ static int check_value(const command_line_t *self, const command_option_t *optio
     return COMMAND_LINE_GO_ON;
 }
 
-/* Takes the option at `*at`, with its value, and goes on behind it. */
-static int take(const command_line_t *self, char *const words[], int *at, const char *values[])
+int command_line_take(const command_line_t *self, char *const words[], int *at,
+                      const char *values[])
 {
     const char *const word = words[*at];
     const char *const equals = strchr(word, '=');
@@ -189,7 +192,7 @@ int command_line_read(const command_line_t *self, int count, char *const words[]
         if (answers(self, words[at])) {
             return EXIT_SUCCESS;
         }
-        const int code = take(self, words, &at, values);
+        const int code = command_line_take(self, words, &at, values);
         if (code != COMMAND_LINE_GO_ON) {
             return code;
         }

@@ -23,6 +23,7 @@ typedef struct {
     uint32_t least;    /**< Of a number, with `most`. */
     uint32_t most;     /**< 0: its value is any text. */
     bool is_needed;
+    bool is_by_hand; /**< It stands in no file of options. */
 } command_option_t;
 
 /** A program. */
@@ -34,7 +35,8 @@ typedef struct {
     uint32_t count;                  /**< Of options. */
     int fewest_words;                /**< After the options. */
     int most_words;
-    const char *more; /**< Further lines of its help; NULL: none. */
+    const char *more;  /**< Further lines of its help; NULL: none. */
+    const char *place; /**< Where the words stand that are refused; NULL: on a command line. */
 } command_line_t;
 
 /**
@@ -54,6 +56,15 @@ typedef struct {
  */
 int command_line_read(const command_line_t *self, int count, char *const words[],
                       const char *values[], int *first);
+
+/**
+ * Takes the option at `words[*at]` into `values`, and sets `*at` behind it and its value; `words`
+ * ends with NULL.
+ *
+ * @return COMMAND_LINE_GO_ON, or COMMAND_LINE_WRONG after a sentence on the standard error
+ */
+int command_line_take(const command_line_t *self, char *const words[], int *at,
+                      const char *values[]);
 
 /**
  * Says a sentence about what was given, which ends with a full stop, and where there is help.

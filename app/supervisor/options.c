@@ -2,6 +2,7 @@
 #include "supervisor/options.h"
 
 #include "common/command_line.h"
+#include "common/config_file.h"
 #include "robot/app/robot_names.h"
 #include "supervisor/board_text.h"
 
@@ -17,9 +18,9 @@
 #define MORE                                                                                       \
     "ROBOT, HTTP_PORT, BRP_PORT, IGTL_PORT, IGTL_FILE, ACCOUNTS and TLS_FILE in the\n"             \
     "environment do the same as the options of these names, which win.\n\n"                        \
-    "Exit code 0: stopped as asked, or nothing is lacking. 1: the check found\n"                   \
-    "something. 2: wrong option. 3: could not start. 4: control or a program of the\n"             \
-    "board ended by itself.\n"
+    "Exit code 0: stopped as asked, nothing is lacking, or at rest. 1: the check\n"                \
+    "found something, or not at rest. 2: wrong option. 3: could not start. 4: control\n"           \
+    "or a program of the board ended by itself.\n"
 
 /* With every board; those of the board follow. */
 enum {
@@ -34,7 +35,9 @@ enum {
     TLS_FILE,
     TRAJECTORY,
     RECORDINGS,
+    CONFIG,
     CHECK,
+    AT_REST,
     COMMON
 };
 
@@ -54,8 +57,16 @@ static const command_option_t common[COMMON] = {
     [TRAJECTORY] = {"trajectory", "FILE", .says = "trajectory that is held from the start"},
     [RECORDINGS] = {"recordings", "FOLDER",
                     .says = "where recordings go; default build/recordings"},
-    [CHECK] = {"check", .says = "say what the computer lacks for real time, and end"},
+    [CONFIG] = {"config", "FILE", .says = "further options, one in each line; no default",
+                .is_by_hand = true},
+    [CHECK] = {"check", .says = "say what the computer lacks for real time, and end",
+               .is_by_hand = true},
+    [AT_REST] = {"at-rest", .says = "say whether this instance may be replaced now, and end",
+                 .is_by_hand = true},
 };
+
+/* What it says lives as long as the options. */
+static config_file_t config;
 
 uint32_t options_slowness(const options_t *self)
 {
@@ -230,6 +241,7 @@ static bool take(options_t *self, const char *const values[])
     self->accounts = either(values[ACCOUNTS], self->accounts);
     self->tls_file = either(values[TLS_FILE], self->tls_file);
     self->is_check = values[CHECK] != NULL;
+    self->asks_for_rest = values[AT_REST] != NULL;
     self->trajectory = either(values[TRAJECTORY], self->trajectory);
     for (size_t i = 0U; i < BOARD_OPTIONS; i++) {
         self->is_given[i] = values[COMMON + i] != NULL;
@@ -267,9 +279,12 @@ int options_read(options_t *self, int count, char *const arguments[])
         .options = known,
         .count = list_known(known),
         .more = MORE};
-    const int code = command_line_read(&command_line, count, arguments, values, NULL);
+    int code = command_line_read(&command_line, count, arguments, values, NULL);
     char error[OPTIONS_ERROR_SIZE] = "Something is too long; use shorter names.";
 
+    if ((code == COMMAND_LINE_GO_ON) && (values[CONFIG] != NULL)) {
+        code = config_file_read(&config, values[CONFIG], &command_line, values);
+    }
     if (code != COMMAND_LINE_GO_ON) {
         return code;
     }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file What the supervisor was asked for: command line first, then environment, then defaults. */
+/** @file What the supervisor was asked for: command line first, then the file of --config, then
+ * environment, then defaults. */
 #ifndef BORESIGHT_OPTIONS_H
 #define BORESIGHT_OPTIONS_H
 
@@ -21,6 +22,7 @@ typedef struct {
     const char *tls_file;   /**< --tls-file, TLS_FILE: how TLS leads here; NULL: it does not. */
     const char *trajectory; /**< --trajectory: file of one, NULL: none. */
     bool is_check;          /**< --check: nothing is started. */
+    bool asks_for_rest;     /**< --at-rest: the same. */
     const char *bind;       /**< --bind: IPv4 address of this machine. */
     const char *robot;      /**< --robot, ROBOT. */
     const char *instance;   /**< --instance: name of everything this instance creates. */
