@@ -92,6 +92,9 @@ typedef struct exchange exchange_t;
  */
 exchange_t *exchange_create(const char *name, char *error, uint32_t error_size);
 
+/** Whether somebody living has created the segment `name`, or somebody whom one may not ask. */
+bool exchange_is_used(const char *name);
+
 /**
  * Opens the segment `name`. NULL with a sentence in `error` when it is missing or its layout is
  * another build's.

@@ -180,6 +180,23 @@ exchange_t *exchange_create(const char *name, char *error, uint32_t error_size)
     return self;
 }
 
+bool exchange_is_used(const char *name)
+{
+    exchange_t self;
+    char error[1];
+
+    if (!set_name(&self, name, error, sizeof error)) {
+        return false;
+    }
+    const int file = shm_open(self.name, O_RDWR, 0);
+    if (file < 0) {
+        return errno != ENOENT;
+    }
+    const bool is_used = flock(file, LOCK_SH | LOCK_NB) != 0;
+    (void)close(file);
+    return is_used;
+}
+
 exchange_t *exchange_open(const char *name, char *error, uint32_t error_size)
 {
     exchange_t *self = allocate(error, error_size);

@@ -3,11 +3,14 @@
  * @file
  * boresight: starts the programs, keeps those that may fail alive, and stops all in order.
  */
+#include "card/card_frame.h"
 #include "check/checkup.h"
+#include "common/build_id.h"
 #include "common/clock.h"
 #include "common/command_line.h"
 #include "common/directory.h"
 #include "limits/requirement_limits.h"
+#include "supervisor/at_rest.h"
 #include "supervisor/board_text.h"
 #include "supervisor/family.h"
 #include "supervisor/options.h"
@@ -16,6 +19,7 @@
 #include "supervisor/status_line.h"
 
 #include <errno.h>
+#include <inttypes.h>
 #include <poll.h>
 #include <sched.h>
 #include <signal.h>
@@ -212,10 +216,22 @@ static void say_ports(void)
     }
 }
 
+/** @satisfies SWR-PACK-003 */
+static void say_versions(void)
+{
+    const robot_t *const robot = exchange_robot(exchange);
+
+    screen_say(&screen,
+               "Version:     " BUILD_VERSION " (build " BUILD_ID "), robot %s (file %08" PRIx32
+               "), card protocol %u",
+               robot->name, robot->crc, CARD_FRAME_PROTOCOL);
+}
+
 static void say_where(void)
 {
     char text[SCREEN_LINE_SIZE];
 
+    say_versions();
     screen_say(&screen, "Console:     http://%s:%s/", options.bind, options.http_port);
     say_ports();
     screen_say(&screen, "Recordings:  %s", options.recordings);
@@ -362,6 +378,9 @@ int main(int count, char **arguments)
     }
     if (options.is_check) {
         return check_computer();
+    }
+    if (options.asks_for_rest) {
+        return at_rest_tell(options.instance);
     }
     if (!prepare()) {
         (void)fprintf(stderr, "Boresight did not start: %s\n", error);
