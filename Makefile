@@ -8,7 +8,7 @@ SHELL := /bin/bash
 MAKEFLAGS += --no-builtin-rules
 
 # One directory per way to compile: gcc (the product), clang, asan (AddressSanitizer and UBSan), gcov (coverage), arm
-# (Cortex-A9).
+# (Cortex-A9, static), static (the product as files that need no other).
 CONFIG ?= gcc
 OUT := build/$(CONFIG)
 GEN := build/gen
@@ -23,6 +23,7 @@ CC_clang := clang
 CC_asan := gcc
 CC_gcov := gcc
 CC_arm := arm-linux-gnueabihf-gcc
+CC_static := gcc
 CC := $(CC_$(CONFIG))
 EXTRA_asan := -fsanitize=address,undefined -fno-sanitize-recover=all
 EXTRA_gcov := -O0 --coverage
@@ -34,17 +35,21 @@ EXTRA := $(EXTRA_$(CONFIG))
 # What is delivered: a smashed stack, an overrun buffer or an overwritten table of functions ends the program. The core
 # guards the functions that hold buffers only: a cycle has no instructions left for more.
 HARDENED := -fstack-protector-strong -D_FORTIFY_SOURCE=2
-HARDENED_gcc := $(HARDENED) -fPIE
+# Wherever the clone lies, the same bytes.
+ANYWHERE := -ffile-prefix-map=$(CURDIR)=.
+HARDENED_gcc := $(HARDENED) $(ANYWHERE) -fPIE
 HARDENED_clang := $(HARDENED_gcc)
-HARDENED_arm := $(HARDENED) -fno-pie
+HARDENED_arm := $(HARDENED) $(ANYWHERE) -fno-pie
+HARDENED_static := $(HARDENED_arm)
 HARDENED_CORE := -fstack-protector
 WARNINGS := -std=c99 -pedantic -Wall -Wextra -Werror -Wconversion -Wsign-conversion -Wshadow -Wswitch-enum \
     -Wcast-qual -Wmissing-prototypes
 CFLAGS := $(WARNINGS) -ffp-contract=off -O2 -g $(EXTRA) $(HARDENED_$(CONFIG))
 HARD_LINK := -Wl,-z,relro,-z,now
 LDFLAGS_gcc := -pie $(HARD_LINK)
-LDFLAGS_arm := -static -no-pie $(HARD_LINK) -L$(OUT)/lib -L$(ARMHF)/root/usr/lib/arm-linux-gnueabihf \
+LDFLAGS_static := -static -no-pie $(HARD_LINK) -L$(OUT)/lib \
     -Wl,--wrap=dlopen,--wrap=getaddrinfo,--wrap=gethostbyname,--wrap=getpwnam
+LDFLAGS_arm := $(LDFLAGS_static) -L$(ARMHF)/root/usr/lib/arm-linux-gnueabihf
 LDFLAGS := $(LDFLAGS_$(CONFIG)) -Wl,--fatal-warnings
 BUILD_ID := $(shell git rev-parse --short=12 HEAD 2>/dev/null || echo unknown)$(shell git diff --quiet HEAD 2>/dev/null || echo +)
 # The newest heading of the changelog: a release, or what follows it.
@@ -93,6 +98,7 @@ LIST_TERMS := app/common/list_terms.c
 DRIVE_TERMS := app/common/drive_terms.c
 # Of static ones.
 NO_LOOKUP_arm := app/common/no_lookup.c
+NO_LOOKUP_static := $(NO_LOOKUP_arm)
 NO_LOOKUP := $(NO_LOOKUP_$(CONFIG))
 # What HTTP clients may ask.
 API := $(GEN)/interface/app/routes.c $(GEN)/interface/app/requests.c
@@ -109,7 +115,7 @@ SOURCES_boresight-http := $(wildcard app/http/*.c app/archive/*.c app/request/*.
 SOURCES_boresight-passwd := $(wildcard app/passwd/*.c) app/session/account.c app/session/password.c
 SOURCES_boresight-recorder := $(wildcard app/recorder/*.c app/recording/*.c app/positions/*.c) app/sweep/sweep_curve.c $(CLOCK) app/common/directory.c app/common/file_series.c $(LOG_ENTRY) $(EXCHANGE) $(NAMES)
 SOURCES_boresight-replay := $(wildcard app/replay/*.c app/recording/*.c) $(GEN)/interface/app/columns.c $(GEN)/interface/app/fields.c $(DRIVE_TERMS) $(EVENT_TEXT) $(NAMES) $(FIND_ROBOT)
-SOURCES_boresight := $(wildcard app/check/*.c app/supervisor/*.c app/igtl/igtl_ports*.c) $(CLOCK) app/common/directory.c $(EXCHANGE) $(NAMES) $(GEN)/robot/app/robot_names.c \
+SOURCES_boresight := $(wildcard app/check/*.c app/supervisor/*.c app/igtl/igtl_ports*.c) $(CLOCK) app/common/config_file.c app/common/directory.c $(EXCHANGE) $(NAMES) $(GEN)/robot/app/robot_names.c \
     $(BOARD_TABLE)
 LIBS_boresight-control := $(BOARD_LIBS)
 LIBS_boresight-http := -lcivetweb -lcjson -lcrypt -lcrypto -lpthread
@@ -214,7 +220,7 @@ $(OUT)/%.o: %.c $(OUT)/flags | $(GENERATED)
 # The build id stands in these; they follow every commit.
 build/build-id: FORCE
 	@mkdir -p build; echo '$(BUILD_ID)' | cmp -s - $@ || echo '$(BUILD_ID)' >$@
-$(call object,$(wildcard app/recorder/*.c app/replay/*.c app/http/*.c) $(COMMAND_LINE)): build/build-id
+$(call object,$(wildcard app/recorder/*.c app/replay/*.c app/http/*.c) app/supervisor/supervisor_main.c $(COMMAND_LINE)): build/build-id
 
 $(OUT)/libcore.a: $(call object,$(CORE_SOURCES))
 	@rm -f $@; ar rcs $@ $^
@@ -238,7 +244,7 @@ $(STATIC_LIBS):
 	@mkdir -p $(@D)
 	@$(CC) -O2 -g $(EXTRA) $(HARDENED_$(CONFIG)) $(LIBRARY_FLAGS) -c $< -o $(@:.a=.o)
 	@rm -f $@; ar rcs $@ $(@:.a=.o)
-$(LINKED)/boresight-http: $(if $(filter arm,$(CONFIG)),$(STATIC_LIBS))
+$(LINKED)/boresight-http: $(if $(filter arm static,$(CONFIG)),$(STATIC_LIBS))
 $(LINKED)/boresight-control $(LINKED)/boresight-http: $(APART)/board
 
 $(BIN)/%: build/gcc/bin/%
@@ -301,6 +307,7 @@ clean: ## Remove everything that was built (not the installed tools)
 include verification/gates.mk
 include verification/supervise/supervise.mk
 include verification/arm/arm.mk
+include tools/package/package.mk
 include verification/bench/bench.mk
 include verification/detection/detection.mk
 include verification/fuzz/fuzz.mk

@@ -1,0 +1,31 @@
+program=$root/current/bin/boresight
+config=/etc/boresight/boresight.conf
+
+start() {
+    if [ -n "$(running)" ]; then
+        echo 'Boresight runs already.'
+        return
+    fi
+    [ -x "$program" ] || refuse "there is no $program; install the package again."
+    ulimit -r 90 && ulimit -l unlimited || echo 'boresight: no rights for real time; be root.' >&2
+    # Its lines go to the system's log; what hangs up here does not stop it.
+    setsid sh -c '"$0" --config "$1" 2>&1 </dev/null | logger -t boresight' "$program" "$config" >/dev/null 2>&1 &
+}
+
+case ${1:-} in
+start) start ;;
+stop) stop_running ;;
+restart | force-reload)
+    require_rest
+    stop_running
+    start
+    ;;
+status)
+    [ -n "$(running)" ] || { echo 'Boresight does not run.'; exit 3; }
+    echo 'Boresight runs.'
+    ;;
+*)
+    echo "usage: $0 start|stop|restart|force-reload|status" >&2
+    exit 2
+    ;;
+esac

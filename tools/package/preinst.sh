@@ -1,0 +1,2 @@
+require_rest
+stop_running

@@ -1,0 +1,56 @@
+# Releases of Boresight, and what of them runs. Part of each script below.
+root=/opt/boresight
+
+refuse() {
+    echo "boresight: $1" >&2
+    exit 1
+}
+
+# The supervisors that run from a release, as folders of /proc.
+running() {
+    for link in /proc/[0-9]*/exe; do
+        program=$(readlink "$link" 2>/dev/null) || continue
+        case $program in
+        "$root"/releases/*/bin/boresight | "$root/releases/"*"/bin/boresight (deleted)") echo "${link%/exe}" ;;
+        esac
+    done
+}
+
+# Asks the supervisor $1 by its own program and options: another release may not know what this one shares.
+ask() (
+    cd "$1/cwd"
+    words=$(tr '\0' '\n' <"$1/cmdline" | sed 1d)
+    IFS='
+'
+    set -f
+    # shellcheck disable=SC2086
+    exec "$1/exe" $words --at-rest
+)
+
+require_rest() {
+    for process in $(running); do
+        reason=$(ask "$process" 2>&1) || refuse "nothing is replaced, process ${process#/proc/} runs. $reason"
+    done
+}
+
+stop_running() {
+    for process in $(running); do kill -INT "${process#/proc/}"; done
+    for _ in 1 2 3 4 5 6 7 8 9 10; do
+        if [ -z "$(running)" ]; then return; fi
+        sleep 1
+    done
+    refuse "it does not stop; nothing is replaced."
+}
+
+# Where the link $1 leads, without its folder; nothing where there is none.
+release() {
+    basename "$(readlink "$root/$1")" 2>/dev/null || true
+}
+
+# Lets the link $1 lead to the release $2. A rename: there is always one of them.
+point() {
+    mkdir -p "$root/.switch"
+    ln -sfn "releases/$2" "$root/.switch/$1"
+    mv -f "$root/.switch/$1" "$root/"
+    rmdir "$root/.switch"
+}

@@ -1,0 +1,95 @@
+# frozen_string_literal: true
+
+# SPDX-License-Identifier: Apache-2.0
+
+# Rule under test: from the same commit comes the same package, wherever and whenever it is made, and it says what is in it.
+
+require 'digest'
+require 'fileutils'
+require 'json'
+require 'minitest/autorun'
+require 'open3'
+require 'tmpdir'
+require_relative '../package'
+
+class TestPackage < Minitest::Test
+  ROOT = File.expand_path('../..', __dir__)
+  STATE = Package::State.new(1_700_000_000, '1.2.3')
+  KIND = Package::KINDS.first
+  PROGRAM = '/bin/true'
+  PARTS = %w[tools/package docs bsp LICENSE CHANGELOG.md].freeze
+
+  # Packs in a folder of its own, whose files are made at another time each, with another umask.
+  def packed(mask, order)
+    umask = File.umask(mask)
+    Dir.mktmpdir do |folder|
+      PARTS.each { |part| FileUtils.mkdir_p(File.dirname("#{folder}/#{part}")) && FileUtils.cp_r("#{ROOT}/#{part}", "#{folder}/#{part}") }
+      FileUtils.mkdir_p("#{folder}/#{KIND.programs}")
+      order.each { |name| FileUtils.cp(PROGRAM, "#{folder}/#{KIND.programs}/#{name}") }
+      Dir.chdir(folder) { yield Package.new(KIND, 'sim', STATE).write('.') }
+    end
+  ensure
+    File.umask(umask)
+  end
+
+  def content(part, file)
+    text, status = Open3.capture2e('sh', '-c', "ar p #{file} #{part}.tar.gz | tar -tvz --full-time --utc --numeric-owner")
+    assert_predicate status, :success?, text
+    text
+  end
+
+  def test_SWR_PACK_005_the_same_files_make_the_same_package
+    sums = [[0o022, %w[boresight boresight-http]], [0o077, %w[boresight-http boresight]]].map do |mask, order|
+      packed(mask, order) { |file| Digest::SHA256.file(file).hexdigest }
+    end
+    assert_equal sums.first, sums.last
+  end
+
+  def test_SWR_PACK_005_all_belongs_to_root_and_has_the_time_of_the_commit
+    packed(0o027, %w[boresight]) do |file|
+      lines = %w[control data].flat_map { |part| content(part, file).lines }
+      assert_operator lines.size, :>, 20
+      lines.each { |line| assert_match(%r{\A[dl-][rwx-]{9} 0/0 +\d+ 2023-11-14 22:13:20 }, line) }
+      assert_match(%r{^-rwxr-xr-x .* \./opt/boresight/package/bin/boresight$}, lines.join)
+      assert_match(%r{^drwxr-x--- .* \./var/lib/boresight/$}, lines.join)
+    end
+  end
+
+  # What stands in no folder of anybody leaves no trace of one.
+  def test_SWR_PACK_005_programs_do_not_tell_where_they_were_compiled
+    source = 'app/common/clock.c'
+    sums = Array.new(2) do
+      Dir.mktmpdir do |folder|
+        flags, status = Open3.capture2('make', '-s', '--no-print-directory', '-C', ROOT, 'flags-of-programs')
+        assert_predicate status, :success?
+        %w[app core build/gen].each { |part| FileUtils.mkdir_p(File.dirname("#{folder}/#{part}")) && File.symlink("#{ROOT}/#{part}", "#{folder}/#{part}") }
+        text, done = Open3.capture2e('gcc', *flags.gsub(ROOT, folder).split, '-D_GNU_SOURCE', '-Iapp', '-Icore', '-Ibuild/gen',
+                                     '-c', source, '-o', 'it.o', chdir: folder)
+        assert_predicate done, :success?, text
+        refute_includes File.binread("#{folder}/it.o"), folder
+        Digest::SHA256.file("#{folder}/it.o").hexdigest
+      end
+    end
+    assert_equal sums.first, sums.last
+  end
+
+  def test_SWR_PACK_006_a_package_says_what_is_linked_into_its_programs
+    packed(0o022, %w[boresight]) do |file|
+      text, = Open3.capture2('sh', '-c', "ar p #{file} data.tar.gz | tar -xzO ./opt/boresight/package/share/boresight.cdx.json")
+      bill = JSON.parse(text)
+      assert_equal %w[CycloneDX 1.5], bill.values_at('bomFormat', 'specVersion')
+      assert_equal %w[boresight 1.2.3], bill.dig('metadata', 'component').values_at('name', 'version')
+      assert_equal %w[OpenSSL\ libcrypto cJSON civetweb glibc libxcrypt react react-dom scheduler uPlot zstd].sort,
+                   bill['components'].map { |part| part['name'] }.sort
+      bill['components'].each { |part| refute_includes part.values_at('version', 'licenses', 'purl').map(&:to_s), '' }
+      react = bill['components'].find { |part| part['name'] == 'react-dom' }
+      assert_equal ['19.3.1', 'pkg:npm/react-dom@19.3.1'], react.values_at('version', 'purl')
+    end
+  end
+
+  def test_SWR_PACK_006_what_only_a_board_links_is_told_of_that_board
+    soup = Soup.new(File.read("#{ROOT}/docs/soup.md"))
+    refute_includes soup.items('sim').map(&:title), 'libgpiod'
+    assert_includes soup.items('sbrio').map(&:library), 'libgpiod2'
+  end
+end
