@@ -70,6 +70,7 @@ void http_server_init(http_server_t *self, const http_server_config_t *config)
     session_desk_init(&self->desk, config->accounts, http_notes_write, &self->notes);
     http_positions_begin(self, config->box_key);
     make_boot_id(self->identity.boot_id, sizeof self->identity.boot_id);
+    self->identity.version = BUILD_VERSION;
     self->identity.build_id = BUILD_ID;
     self->identity.box = config->box;
     telemetry_init(&self->telemetry, config->exchange);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "http/telemetry_json.h"
 
+#include "card/card_frame.h"
 #include "common/clock.h"
 #include "common/drive_terms.h"
 #include "common/utc_text.h"
@@ -201,7 +202,9 @@ cJSON *telemetry_json_status(const telemetry_identity_t *identity, const telemet
                                 .age_ms = view->age_ms,
                                 .utc = utc,
                                 .boot_id = identity->boot_id,
+                                .version = identity->version,
                                 .build_id = identity->build_id,
+                                .card_protocol = CARD_FRAME_PROTOCOL,
                                 .robot = view->robot->name,
                                 .box = identity->box,
                                 .time = new_time(view),

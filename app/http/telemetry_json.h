@@ -18,7 +18,8 @@
 /** What does not change while the server runs. */
 typedef struct {
     char boot_id[TELEMETRY_JSON_BOOT_ID_SIZE]; /**< Another one for each start of the server. */
-    const char *build_id;                      /**< Of the program. */
+    const char *version;                       /**< Of the program. */
+    const char *build_id;                      /**< The same. */
     const char *box; /**< Name of the simulated box, NULL for real cards. */
 } telemetry_identity_t;
 

@@ -10,6 +10,7 @@ function runs(isRunning: boolean): string {
  * What runs here, and since when.
  *
  * @satisfies SWR-CON-036
+ * @satisfies SWR-PACK-011
  */
 export function System({
   status,
@@ -25,12 +26,16 @@ export function System({
       <dd>{formatUtc(status.utc)}</dd>
       <dt>Since control started</dt>
       <dd>{formatCycles(status.cycle)}</dd>
-      <dt>Build</dt>
-      <dd>{status.build_id}</dd>
+      <dt>Version and build</dt>
+      <dd>
+        {status.version}, {status.build_id}
+      </dd>
       <dt>Robot</dt>
       <dd>{status.robot}</dd>
       <dt>Checksum of its file</dt>
       <dd>{robot?.checksum ?? "not known yet"}</dd>
+      <dt>Protocol of the cards</dt>
+      <dd>{status.card_protocol}</dd>
       <dt>Control box</dt>
       <dd>{status.box === null ? "real" : `simulated, ${status.box}`}</dd>
       <dt>Start of the server</dt>

@@ -103,7 +103,7 @@ test("SWR-CON-036 it is told what runs since when", async () => {
     expect.arrayContaining([
       "2026-11-22 17:50:00.123",
       "1:02:03",
-      "test",
+      "1.2.3, test",
       "neuro",
       "a78c5496",
       "simulated, bench",
@@ -112,4 +112,13 @@ test("SWR-CON-036 it is told what runs since when", async () => {
       "0 / 0",
     ]),
   );
+});
+
+test("SWR-PACK-011 the versions that must fit together are told", async () => {
+  await show({ version: "1.2.3", build_id: "0123456789ab", card_protocol: 7 });
+  const told = (term: string) =>
+    screen.getByText(term).nextElementSibling?.textContent;
+  expect(told("Version and build")).toBe("1.2.3, 0123456789ab");
+  expect(told("Checksum of its file")).toBe("a78c5496");
+  expect(told("Protocol of the cards")).toBe("7");
 });
