@@ -123,6 +123,7 @@ class Package
   # What is there once, whichever release is the current one.
   #
   # @satisfies SWR-PACK-009
+  # @satisfies SWR-PACK-012
   def add_rest
     commands = programs.map { |file| File.basename(file) } & COMMANDS
     commands.each { |command| @archive.link("/usr/bin/#{command}", "/opt/boresight/current/bin/#{command}") }

@@ -7,7 +7,9 @@ start() {
         return
     fi
     [ -x "$program" ] || refuse "there is no $program; install the package again."
-    ulimit -r 90 && ulimit -l unlimited || echo 'boresight: no rights for real time; be root.' >&2
+    # What is not granted Boresight says itself.
+    ulimit -r 90 2>/dev/null || true
+    ulimit -l unlimited 2>/dev/null || true
     # Its lines go to the system's log; what hangs up here does not stop it.
     setsid sh -c '"$0" --config "$1" 2>&1 </dev/null | logger -t boresight' "$program" "$config" >/dev/null 2>&1 &
 }

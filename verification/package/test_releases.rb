@@ -71,6 +71,23 @@ class TestReleases < SystemTest
     assert_equal [OLD], Dir.children(@tree.path('/opt/boresight/releases'))
   end
 
+  def test_SWR_PACK_012_the_script_of_the_service_starts_and_stops_it
+    assert_done(install(OLD))
+    ports = %w[http-port brp-port igtl-port].zip(Boresight.free_ports(3)).map { |pair| "#{pair.join(' ')}\n" }.join
+    File.write(@tree.path(CONFIGURATION), "#{ports}recordings /var/lib/boresight\nrobot bench2\n")
+    assert_equal ["Boresight does not run.\n", 3], service('status')
+    assert_equal ['', 0], service('start')
+    wait_until('it runs') { service('status') == ["Boresight runs.\n", 0] }
+    wait_until('it records') { Dir.children(@tree.path('/var/lib/boresight')).grep(/\.bsr\z/).any? }
+    assert_equal ["Boresight runs already.\n", 0], service('start')
+    assert_equal ['', 0], service('stop')
+    assert_equal 3, service('status').last
+  end
+
+  def service(act)
+    @tree.run('/etc/init.d/boresight', act)
+  end
+
   def test_SWR_PACK_003_it_tells_the_versions_that_must_fit_together
     assert_done(install(OLD))
     version = @tree.run('boresight', '--version').first[/ (.*)$/, 1]
