@@ -28,6 +28,7 @@ class Package
              strip: 'arm-linux-gnueabihf-strip', is_static: true)
   ].freeze
   SIMULATED = 'sim'
+  LICENCE = "# SPDX-License-Identifier: Apache-2.0\n"
   PARTS = 'tools/package'
   SHARED = { 'LICENSE' => 'LICENSE', 'CHANGELOG.md' => 'CHANGELOG.md', 'docs/commissioning.md' => 'commissioning.md',
              'docs/user-manual.md' => 'user-manual.md', 'docs/soup.md' => 'soup.md' }.freeze
@@ -169,8 +170,8 @@ class Package
   end
 
   def script(name, head = '')
-    "#!/bin/sh\n# SPDX-License-Identifier: Apache-2.0\n#{head}set -eu\n\n#{part('releases.sh')}\n#{part("#{name}.sh")}"
-      .gsub('@RELEASE@', release)
+    parts = ['releases.sh', "#{name}.sh"].map { |file| part(file).delete_prefix(LICENCE) }
+    "#!/bin/sh\n#{LICENCE}#{head}set -eu\n\n#{parts.join("\n")}".gsub('@RELEASE@', release)
   end
 end
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 if [ $# -gt 0 ]; then
     echo 'Makes the release before this one the current one; again, and this one is. Nothing else is changed.
 

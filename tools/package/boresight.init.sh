@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 program=$root/current/bin/boresight
 config=/etc/boresight/boresight.conf
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 if [ "${1:-}" != configure ]; then exit 0; fi
 
 # The package's own files are replaced by the next one; a release stays as it is.

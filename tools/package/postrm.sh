@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 case ${1:-} in
 remove | purge)
     rm -rf "$root/releases" "$root/current" "$root/previous" "$root/.taken" "$root/.switch"

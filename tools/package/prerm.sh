@@ -1,2 +1,3 @@
+# SPDX-License-Identifier: Apache-2.0
 require_rest
 stop_running

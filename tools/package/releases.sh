@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Releases of Boresight, and what of them runs. Part of each script below.
 root=/opt/boresight
 

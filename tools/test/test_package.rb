@@ -23,13 +23,21 @@ class TestPackage < Minitest::Test
   def packed(mask, order)
     umask = File.umask(mask)
     Dir.mktmpdir do |folder|
-      PARTS.each { |part| FileUtils.mkdir_p(File.dirname("#{folder}/#{part}")) && FileUtils.cp_r("#{ROOT}/#{part}", "#{folder}/#{part}") }
+      bring(PARTS, folder) { |from, to| FileUtils.cp_r(from, to) }
       FileUtils.mkdir_p("#{folder}/#{KIND.programs}")
       order.each { |name| FileUtils.cp(PROGRAM, "#{folder}/#{KIND.programs}/#{name}") }
       Dir.chdir(folder) { yield Package.new(KIND, 'sim', STATE).write('.') }
     end
   ensure
     File.umask(umask)
+  end
+
+  # Parts of the project into a folder.
+  def bring(parts, folder)
+    parts.each do |part|
+      FileUtils.mkdir_p(File.dirname("#{folder}/#{part}"))
+      yield "#{ROOT}/#{part}", "#{folder}/#{part}"
+    end
   end
 
   def content(part, file)
@@ -62,7 +70,7 @@ class TestPackage < Minitest::Test
       Dir.mktmpdir do |folder|
         flags, status = Open3.capture2('make', '-s', '--no-print-directory', '-C', ROOT, 'flags-of-programs')
         assert_predicate status, :success?
-        %w[app core build/gen].each { |part| FileUtils.mkdir_p(File.dirname("#{folder}/#{part}")) && File.symlink("#{ROOT}/#{part}", "#{folder}/#{part}") }
+        bring(%w[app core build/gen], folder) { |from, to| File.symlink(from, to) }
         text, done = Open3.capture2e('gcc', *flags.gsub(ROOT, folder).split, '-D_GNU_SOURCE', '-Iapp', '-Icore', '-Ibuild/gen',
                                      '-c', source, '-o', 'it.o', chdir: folder)
         assert_predicate done, :success?, text

@@ -13,6 +13,7 @@ class BareTree
   # Of those who are no root.
   AS_ROOT = %w[--user --map-root-user].freeze
   INSIDE = 'BORESIGHT_APART'
+  FOLDERS = %w[usr layer work proc dev tmp run etc/init.d var/lib/dpkg/info var/lib/dpkg/updates].freeze
   PATH = '/usr/sbin:/usr/bin:/sbin:/bin'
 
   # Begins this program anew where it may mount. To be called before anything else.
@@ -32,7 +33,7 @@ class BareTree
   def initialize(libraries)
     @root = Dir.mktmpdir('bare-tree')
     mount('-t', 'tmpfs', 'tmpfs', @root)
-    %w[usr layer work proc dev tmp run etc/init.d var/lib/dpkg/info var/lib/dpkg/updates].each { |folder| FileUtils.mkdir_p("#{@root}/#{folder}") }
+    FileUtils.mkdir_p(FOLDERS.map { |folder| "#{@root}/#{folder}" })
     mount('-t', 'overlay', 'overlay', '-o', "lowerdir=/usr,upperdir=#{@root}/layer,workdir=#{@root}/work", "#{@root}/usr")
     %w[bin sbin lib lib64].each { |name| File.symlink("usr/#{name}", "#{@root}/#{name}") }
     %w[proc dev tmp].each { |name| mount('--rbind', "/#{name}", "#{@root}/#{name}") }

@@ -17,12 +17,15 @@ class TestReleases < SystemTest
   KIND = Package::KINDS.first
   OLD = '1.0'
   NEW = '1.1'
+  NEWEST = '1.2'
   CONFIGURATION = '/etc/boresight/boresight.conf'
 
   def self.packages
     @packages ||= Dir.mktmpdir.then do |folder|
       Minitest.after_run { FileUtils.rm_rf(folder) }
-      Dir.chdir(ROOT) { [OLD, NEW].to_h { |version| [version, Package.new(KIND, 'sim', Package::State.new(0, version)).write(folder)] } }
+      Dir.chdir(ROOT) do
+        [OLD, NEW, NEWEST].to_h { |version| [version, Package.new(KIND, 'sim', Package::State.new(0, version)).write(folder)] }
+      end
     end
   end
 
@@ -106,7 +109,9 @@ class TestReleases < SystemTest
     assert_done(@tree.run('boresight', '--version'))
     assert_done(@tree.run('boresight-rollback'))
     assert_equal [NEW, OLD], [leads('current'), leads('previous')]
-    assert_equal [OLD, NEW], Dir.children(@tree.path('/opt/boresight/releases')).sort
+    assert_done(install(NEWEST))
+    assert_equal [NEWEST, NEW], [leads('current'), leads('previous')]
+    assert_equal [NEW, NEWEST], Dir.children(@tree.path('/opt/boresight/releases')).sort
   end
 
   # Looked at a thousand times while they change places.
@@ -126,12 +131,14 @@ class TestReleases < SystemTest
   def test_SWR_PACK_002_SWR_PACK_008_nothing_is_replaced_under_a_drive_or_a_procedure
     [OLD, NEW].each { |version| assert_done(install(version)) }
     start_installed
-    boresight.press_and_command('START_UP')
-    # Nothing goes on meanwhile.
-    boresight.while_stopped('box') { assert_refused(/The drive of \w+ is on/) }
-    boresight.simctl('pedal', 'release')
+    boresight.await_released_pedal
+    boresight.command('START_UP')
     wait_until('it waits for the pedal') { boresight.status['order'] == 'waiting' }
     assert_refused(/A motion is armed/)
+    boresight.simctl('pedal', 'press')
+    wait_until('an axis is driven') { boresight.moving? }
+    # Nothing goes on meanwhile.
+    boresight.while_stopped('control', 'box') { assert_refused(/The drive of \w+ is on/) }
     boresight.home
     boresight.command('PLANNING')
     wait_until('it plans') { boresight.status.dig('workphase', 'name') == 'PLANNING' }
