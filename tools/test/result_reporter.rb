@@ -4,6 +4,8 @@
 # Runs minitest files and leaves their results for tools/trace.rb, saying how many tests are done:
 #
 #   ruby tools/test/result_reporter.rb tools/test/test_*.rb
+#
+# They run in the same order each time, so that what is red is red again when it is repeated; `--seed N` takes another.
 
 require 'minitest/autorun'
 require_relative '../results'
@@ -63,4 +65,5 @@ module Minitest
   extensions << 'result_file'
 end
 
+ARGV.push('--seed', '1') unless ARGV.include?('--seed')
 ARGV.shift.then { |file| require File.expand_path(file) } while ARGV.first&.end_with?('.rb')
