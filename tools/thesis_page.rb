@@ -21,8 +21,9 @@ class ThesisPage
   C_TESTS = '{verification/unit,verification/integration,core/robot/*/test}'
   RUBY_TESTS = '{tools/test,verification/**}'
 
-  def initialize(root, text = File.read(File.join(root, PAGE), encoding: 'UTF-8'))
+  def initialize(root, text = File.read(File.join(root, PAGE), encoding: 'UTF-8'), sources: Trace::Sources.new(root))
     @root = root
+    @sources = sources
     @rows = text.lines.each.with_index(1).filter_map { |line, number| row(line, number) }
     @text = text
   end
@@ -84,7 +85,7 @@ class ThesisPage
   def there?(name)
     case name
     when /\A(?:ROBOT=(\w+) )?make ([\w-]+)((?: [A-Z]+=\S+)*)\z/ then command?(*Regexp.last_match.captures)
-    when /\Atest_SWR_/ then sources.tests.any? { |test| test.name == name }
+    when /\Atest_SWR_/ then @sources.tests.any? { |test| test.name == name }
     when /\A(GET|PUT|POST|DELETE) (\S+)\z/ then routes.include?([Regexp.last_match(1), Regexp.last_match(2)])
     when %r{\Acurl http://127\.0\.0\.1:8080(/\S+)\z} then routes.include?(['GET', Regexp.last_match(1)])
     when %r{\Abuild/bin/([\w-]+)} then makefiles.match?(/(PROGRAMS|SOURCES_)\S*.*\b#{Regexp.last_match(1)}\b/)
@@ -112,11 +113,7 @@ class ThesisPage
   end
 
   def tests_of(files)
-    sources.tests.select { |test| files.include?(test.place.file) }.map(&:name)
-  end
-
-  def sources
-    @sources ||= Trace::Sources.new(@root)
+    @sources.tests.select { |test| files.include?(test.place.file) }.map(&:name)
   end
 
   def requirements

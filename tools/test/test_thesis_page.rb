@@ -9,9 +9,10 @@ require_relative '../thesis_page'
 
 class TestThesisPage < Minitest::Test
   ROOT = File.expand_path('../..', __dir__)
+  SOURCES = Trace::Sources.new(ROOT)
 
   def test_SWR_THESIS_001_the_page_is_true
-    assert_empty ThesisPage.new(ROOT).complaints
+    assert_empty ThesisPage.new(ROOT, sources: SOURCES).complaints
   end
 
   def test_SWR_THESIS_001_what_is_not_there_is_named_with_its_line
@@ -42,7 +43,7 @@ class TestThesisPage < Minitest::Test
 
   def test_SWR_THESIS_001_what_has_no_row_or_two_is_named
     rows = ['| Figures 1 to 22, 24: x | ours | - |', '| Figures 25 to 37: x | ours | - |', '| Figure 2: again | ours | - |']
-    told = ThesisPage.new(ROOT, rows.join("\n")).complaints
+    told = ThesisPage.new(ROOT, rows.join("\n"), sources: SOURCES).complaints
     assert_equal ['Figure 2 has 2 rows', 'Figure 23 has no row', 'Figure 38 has no row'],
                  told.filter_map { |line| line[/Figure .*/] }.sort
     assert_equal [17, 2, 5, 16], %w[Listing Table Mode Test].map { |kind| told.count { |line| line.match?(/: #{kind} .* no row/) } }
@@ -52,6 +53,6 @@ class TestThesisPage < Minitest::Test
 
   # What is said of these lines by themselves.
   def complaints_of(lines)
-    ThesisPage.new(ROOT, lines.join("\n")).complaints.grep_v(/has no row/)
+    ThesisPage.new(ROOT, lines.join("\n"), sources: SOURCES).complaints.grep_v(/has no row/)
   end
 end
