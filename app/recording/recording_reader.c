@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "recording/recording_reader.h"
 
-#include "common/little_endian.h"
+#include "recording/recording_block.h"
 #include "recording/recording_verify.h"
 
 #include <errno.h>
@@ -98,56 +98,8 @@ static bool load_block(recording_reader_t *self)
     const size_t size =
         ZSTD_decompress(self->raw, RECORDING_RAW_MAX,
                         &block[RECORDING_PREFIX_SIZE + checksums_size], fields.compressed_size);
-    self->raw_size = fields.raw_size;
-    self->raw_next = 0U;
-    self->cycle = fields.cycle;
-    cycle_code_begin(&self->code);
+    recording_block_begin(self, fields.raw_size, fields.cycle);
     return size == fields.raw_size;
-}
-
-/* Their bytes, NULL when they are not there. */
-static const uint8_t *find_rows(const recording_reader_t *self, uint32_t *count)
-{
-    const uint32_t size = self->header.controller_size;
-    const size_t left = self->raw_size - self->raw_next - 1U;
-    const uint8_t *bytes = &self->raw[self->raw_next + 1U];
-
-    if ((size > CONTROLLER_CHECKPOINT_BYTES) || (left < (size + sizeof *count))) {
-        return NULL;
-    }
-    *count = get32(&bytes[size]);
-    const bool are_there = (*count <= LIMIT_TRAJECTORY_ROWS) &&
-                           ((left - size - sizeof *count) >= (*count * sizeof(trajectory_row_t)));
-    return are_there ? &bytes[size + sizeof *count] : NULL;
-}
-
-static bool take_checkpoint(recording_reader_t *self, cycle_record_t *record, cycle_known_t *known)
-{
-    const uint32_t size = self->header.controller_size;
-    uint32_t count = 0U;
-    const uint8_t *rows = find_rows(self, &count);
-
-    if (rows == NULL) {
-        return false;
-    }
-    record->kind = (uint32_t)CYCLE_RECORD_CHECKPOINT;
-    record->rows = count;
-    (void)memcpy(record->body.checkpoint, &self->raw[self->raw_next + 1U], size);
-    known->rows = rows;
-    self->raw_next = (uint32_t)(&rows[count * sizeof(trajectory_row_t)] - self->raw);
-    return true;
-}
-
-static bool take_cycle(recording_reader_t *self, cycle_record_t *record, cycle_known_t *known)
-{
-    const size_t size =
-        cycle_code_decode(&self->code, &self->raw[self->raw_next], self->raw_size - self->raw_next,
-                          &record->body.cycle, known);
-
-    record->kind = (uint32_t)CYCLE_RECORD_CYCLE;
-    self->raw_next += (uint32_t)size;
-    self->cycle++;
-    return size != 0U;
 }
 
 bool recording_reader_next(recording_reader_t *self, cycle_record_t *record, cycle_known_t *known)
@@ -155,13 +107,7 @@ bool recording_reader_next(recording_reader_t *self, cycle_record_t *record, cyc
     if ((self->raw_next == self->raw_size) && !load_block(self)) {
         return false;
     }
-    if (self->raw_next == self->raw_size) {
-        return false;
-    }
-    record->cycle = self->cycle;
-    return (self->raw[self->raw_next] == RECORDING_CHECKPOINT)
-               ? take_checkpoint(self, record, known)
-               : take_cycle(self, record, known);
+    return recording_block_take(self, record, known);
 }
 
 void recording_reader_close(recording_reader_t *self)

@@ -11,6 +11,7 @@
 #include "recording/cycle_words.h"
 #include "recording/proof.h"
 #include "recording/recording.h"
+#include "recording/recording_block.h"
 #include "recording/recording_reader.h"
 #include "recording/recording_verify.h"
 #include "recording/recording_writer.h"
