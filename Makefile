@@ -8,7 +8,7 @@ SHELL := /bin/bash
 MAKEFLAGS += --no-builtin-rules
 
 # One directory per way to compile: gcc (the product), clang, asan (AddressSanitizer and UBSan), gcov (coverage), arm
-# (Cortex-A9, static), static (the product as files that need no other).
+# (Cortex-A9, static), static (the product as files that need no other), wasm (for a page).
 CONFIG ?= gcc
 OUT := build/$(CONFIG)
 GEN := build/gen
@@ -24,6 +24,7 @@ CC_asan := gcc
 CC_gcov := gcc
 CC_arm := arm-linux-gnueabihf-gcc
 CC_static := gcc
+CC_wasm := clang-19
 CC := $(CC_$(CONFIG))
 EXTRA_asan := -fsanitize=address,undefined -fno-sanitize-recover=all
 EXTRA_gcov := -O0 --coverage
@@ -31,6 +32,7 @@ EXTRA_gcov := -O0 --coverage
 ARMHF := .tools/armhf
 EXTRA_arm := -mcpu=cortex-a9 -mfpu=vfpv3-d16 -D_FILE_OFFSET_BITS=64 -D_TIME_BITS=64 \
     -isystem $(ARMHF)/root/usr/include -isystem $(ARMHF)/root/usr/include/arm-linux-gnueabihf
+EXTRA_wasm := --target=wasm32-wasi -nostdlibinc -isystem /usr/include/wasm32-wasi
 EXTRA := $(EXTRA_$(CONFIG))
 # What is delivered: a smashed stack, an overrun buffer or an overwritten table of functions ends the program. The core
 # guards the functions that hold buffers only: a cycle has no instructions left for more.
@@ -41,7 +43,8 @@ HARDENED_gcc := $(HARDENED) $(ANYWHERE) -fPIE
 HARDENED_clang := $(HARDENED_gcc)
 HARDENED_arm := $(HARDENED) $(ANYWHERE) -fno-pie
 HARDENED_static := $(HARDENED_arm)
-HARDENED_CORE := -fstack-protector
+# WebAssembly keeps return addresses where no data can reach them.
+HARDENED_CORE := $(if $(filter wasm,$(CONFIG)),,-fstack-protector)
 WARNINGS := -std=c99 -pedantic -Wall -Wextra -Werror -Wconversion -Wsign-conversion -Wshadow -Wswitch-enum \
     -Wcast-qual -Wmissing-prototypes
 CFLAGS := $(WARNINGS) -ffp-contract=off -O2 -g $(EXTRA) $(HARDENED_$(CONFIG))
@@ -308,6 +311,7 @@ include verification/gates.mk
 include verification/supervise/supervise.mk
 include verification/arm/arm.mk
 include tools/package/package.mk
+include site/site.mk
 include verification/bench/bench.mk
 include verification/detection/detection.mk
 include verification/fuzz/fuzz.mk

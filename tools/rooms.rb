@@ -61,7 +61,7 @@ class Rooms
 
   # The deepest room that holds the file; a robot's tests are none.
   def files
-    Dir.glob('{core,bsp,app}/**/*.{c,h,inc}', base: @root).grep_v(%r{node_modules/|\Acore/robot/\w+/test/}).sort.map do |file|
+    Dir.glob('{core,bsp,app,site}/**/*.{c,h,inc}', base: @root).grep_v(%r{node_modules/|\Acore/robot/\w+/test/}).sort.map do |file|
       [(@rooms + unlisted_boards).select { |room| file.start_with?("#{room.folder}/") }.max_by { |room| room.folder.size }, file]
     end
   end

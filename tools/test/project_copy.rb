@@ -8,7 +8,7 @@ require 'tmpdir'
 # A copy of what a build reads, with what stays true of the last one, to add something to.
 class ProjectCopy
   ROOT = File.expand_path('../..', __dir__)
-  COPIED = %w[Makefile app bsp core requirements statecharts tools verification build/gcc build/gen
+  COPIED = %w[Makefile app bsp core requirements site statecharts tools verification build/gcc build/gen
               build/build-id].freeze
   LINKED = %w[.tools app/console/node_modules].freeze
 
