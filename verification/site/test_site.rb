@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+# Rule under test: the robot of a page (build/site/robot.wasm) is the robot. It imports nothing; what both demonstrations
+# have recorded on x86-64 it computes again, bit for bit; and with its simulated control box it lives through a scene as
+# native code does, of each robot.
+
+require 'minitest/autorun'
+require 'open3'
+
+class TestSite < Minitest::Test
+  ROOT = File.expand_path('../..', __dir__)
+  MODULE = "#{ROOT}/build/site/robot.wasm"
+  NATIVE = "#{ROOT}/build/gcc/bin/closed-loop-scene"
+  ROBOTS = Dir.glob('*/robot.yml', base: "#{ROOT}/core/robot").map { |path| File.dirname(path) }.sort
+  IMPORTS = 'console.log(WebAssembly.Module.imports(new WebAssembly.Module(fs.readFileSync(process.argv[1]))).length)'
+
+  CYCLES = 20_000
+  SEED = 7
+  # The NeuroRobot homes under a pedal that is released in between, jogs, and is broken then.
+  SCENE = <<~LINES
+    100 command 1 0 1 1 1 0
+    200 order pedal press
+    3000 order pedal pulse
+    3500 order pedal release
+    4000 order pedal press
+    15000 order pedal release
+    15100 command 2 0 1 1 6 0
+    15200 command 3 0 1 29 0 -200
+    15400 order pedal press
+    16500 order scanner on
+    16900 order scanner off
+    17000 order switch 2 chatter
+    17400 order push 10
+    17500 order encoder 1 half
+    17700 order motor 5 runs
+    18000 order card 3 corrupt
+    19000 order estop pull
+    19500 order show
+    19600 order nonsense
+  LINES
+
+  def node(*words, **options)
+    Open3.capture2e('node', *words, **options)
+  end
+
+  def recordings
+    found = %w[neuro prostate].to_h { |robot| [robot, Dir["#{ROOT}/build/demo/#{robot}/*.bsr"].min] }
+    assert found.values.all?, 'make both demonstrations first: make demo; make demo ROBOT=prostate'
+    found
+  end
+
+  def test_SWR_SITE_001_the_module_imports_nothing
+    said, = node('-e', IMPORTS, MODULE)
+    assert_equal "0\n", said
+  end
+
+  def test_SWR_SITE_002_what_the_demonstrations_recorded_is_computed_again_bit_for_bit
+    runs = recordings.transform_values { |file| Thread.new { node("#{__dir__}/replay.mjs", MODULE, file) } }
+    runs.each do |robot, run|
+      said, status = run.value
+      assert status.success?, "#{robot}: #{said}"
+      assert_operator Integer(said), :>, 10_000
+      puts "SWR-SITE-002: #{robot}: #{said.to_i} cycles equal"
+    end
+  end
+
+  def test_SWR_SITE_002_a_state_that_is_not_as_recorded_is_told_with_cycle_and_place
+    said, status = node("#{__dir__}/replay.mjs", MODULE, recordings.fetch('neuro'), '4096')
+    refute status.success?
+    assert_match(/\ACycle 0 differs first in its .*: it is \d+ \(0x\h+\), recorded \d+ /, said)
+  end
+
+  def test_SWR_SITE_003_controller_and_box_live_through_a_scene_as_in_native_code
+    lived = ROBOTS.to_h do |robot|
+      native, = Open3.capture2e(NATIVE, robot, SEED.to_s, CYCLES.to_s, stdin_data: SCENE)
+      said, = node("#{__dir__}/scene.mjs", MODULE, robot, SEED.to_s, CYCLES.to_s, stdin_data: SCENE)
+      assert_match(/^#{CYCLES} hash \d+$/, native, robot)
+      assert_equal native.lines, said.lines, robot
+      [robot, said]
+    end
+    # The scene is one in which something happens: homed and jogged.
+    assert_match(/^\d+ answer 1 2 0$/, lived.fetch('neuro'))
+    assert_match(/^\d+ answer 3 2 0$/, lived.fetch('neuro'))
+  end
+end
