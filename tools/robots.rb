@@ -28,8 +28,8 @@ class Robots
     #{NOTE}
     /**
      * @file
-     * All robots of this build. Whoever calls robots_find() links every table, so only control, the simulated box and
-     * the replay do.
+     * All robots of this build. Whoever calls robots_find() links every table, so only control, the simulated box, the
+     * replay and the module for a page do.
      */
     #ifndef BORESIGHT_ROBOTS_H
     #define BORESIGHT_ROBOTS_H
