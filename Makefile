@@ -43,6 +43,7 @@ HARDENED_gcc := $(HARDENED) $(ANYWHERE) -fPIE
 HARDENED_clang := $(HARDENED_gcc)
 HARDENED_arm := $(HARDENED) $(ANYWHERE) -fno-pie
 HARDENED_static := $(HARDENED_arm)
+HARDENED_wasm := $(ANYWHERE)
 # WebAssembly keeps return addresses where no data can reach them.
 HARDENED_CORE := $(if $(filter wasm,$(CONFIG)),,-fstack-protector)
 WARNINGS := -std=c99 -pedantic -Wall -Wextra -Werror -Wconversion -Wsign-conversion -Wshadow -Wswitch-enum \

@@ -12,6 +12,8 @@
 #include <stdio.h>
 #include <string.h>
 
+static const char contract_module[] = "site";
+
 static char text[EXPORTS_TEXT_SIZE];
 static closed_loop_t loop;
 
@@ -60,6 +62,7 @@ bool exports_order(void)
 {
     char order[EXPORTS_TEXT_SIZE];
 
+    REQUIRE(300U, loop.robot != NULL);
     text[sizeof text - 1U] = '\0';
     (void)memcpy(order, text, sizeof order);
     return box_command(&loop.box, order, text, sizeof text);
@@ -72,6 +75,7 @@ command_t *exports_command(void)
 
 void exports_step(void)
 {
+    REQUIRE(301U, loop.robot != NULL);
     closed_loop_step(&loop);
 }
 
@@ -128,6 +132,8 @@ int32_t exports_replay_block(uint32_t size, uint32_t cycle)
 {
     int32_t taken = 0;
 
+    REQUIRE(302U, replayed_robot != NULL);
+    REQUIRE(303U, size <= sizeof raw);
     recording_block_begin(&reader, size, cycle);
     while (recording_block_take(&reader, &record, &known)) {
         if (!replay_take(&replay, replayed_robot, &record, &known)) {

@@ -29,17 +29,23 @@ EXPORT(text) char *exports_text(void);
 /** INTERFACE_LAYOUT: who reads the structures must be of the same. */
 EXPORT(layout) uint64_t exports_layout(void);
 
-/** Starts the robot that the text names; false: there is none of that name, and nothing changes. */
+/**
+ * Starts the robot that the text names; false: there is none of that name, and nothing changes.
+ *
+ * @satisfies SWR-SITE-004
+ */
 EXPORT(start) bool exports_start(uint32_t seed);
 
-/** Gives the order that the text holds to the box; the text becomes its reply. False: refused. */
+/** Gives the order that the text holds to the box; the text becomes its reply. Needs a robot that
+ * was started (contract 300). False: refused. */
 EXPORT(order) bool exports_order(void);
 
 /** Where one more command of the next cycle is to be written; NULL: that cycle takes no more. */
 EXPORT(command) command_t *exports_command(void);
 
 /**
- * Lets a cycle pass. Nothing but the calls before decides what it brings.
+ * Lets a cycle pass. Nothing but the calls before decides what it brings. Needs a robot that was
+ * started (contract 301).
  *
  * @satisfies SWR-SITE-001
  */
@@ -68,7 +74,8 @@ EXPORT(blockMost) uint32_t exports_block_most(void);
 
 /**
  * Executes the `size` bytes of records that stand there, of which `cycle` is the first, as
- * replay_take() does.
+ * replay_take() does. Needs a recording that was begun (contract 302), and room for the bytes
+ * (303).
  *
  * @return records taken; below 0: the outputs of a cycle differ, and the text says where, or the
  * block does not hold what it says

@@ -2,8 +2,8 @@
 # frozen_string_literal: true
 
 # Rule under test: the robot of a page (build/site/robot.wasm) is the robot. It imports nothing; what both demonstrations
-# have recorded on x86-64 it computes again, bit for bit; and with its simulated control box it lives through a scene as
-# native code does, of each robot.
+# have recorded on x86-64 it computes again, bit for bit; with its simulated control box it lives through a scene as native
+# code does, of each robot; and without a robot it does nothing.
 
 require 'minitest/autorun'
 require 'open3'
@@ -82,5 +82,11 @@ class TestSite < Minitest::Test
     # The scene is one in which something happens: homed and jogged.
     assert_match(/^\d+ answer 1 2 0$/, lived.fetch('neuro'))
     assert_match(/^\d+ answer 3 2 0$/, lived.fetch('neuro'))
+  end
+
+  def test_SWR_SITE_004_what_is_asked_for_without_a_robot_stops_with_its_contract
+    said, = node("#{__dir__}/contracts.mjs", MODULE)
+    expected = { order: 300, step: 301, block: 302, size: 303 }
+    assert_equal expected.map { |name, id| "#{name}: RuntimeError: Contract site/#{id} is broken, report this.\n" }.join, said
   end
 end
