@@ -33,6 +33,8 @@ class Board
   TITLE = 11
   # What each board may speak of beside its own options.
   KNOWN = %w[instance robot programs recordings].freeze
+  # Of them, what is a name: a file may be called so.
+  NAMES = %w[instance robot].freeze
   # Options of boresight with every board.
   TAKEN = %w[http-port igtl-port brp-port igtl-file accounts tls-file bind check robot instance recordings trajectory help version].freeze
   # As app/check/check.h has them.
@@ -45,13 +47,13 @@ class Board
 
   # `limits`: what there is of LIMIT_... constants.
   def initialize(path, text, limits)
-    @name = File.basename(File.dirname(path))
     @path = path
     @limits = limits.scan(/LIMIT_(\w+)/).flatten.map(&:downcase)
-    top = Node.parse(path, text).mapping(%w[box], %w[options companions slowness simulated cycle says])
+    top = Node.parse(path, text).mapping(%w[box], %w[name options companions slowness simulated cycle says])
     @options = list(top['options'], OPTIONS).map { |node| option(node) }
     @companions = list(top['companions'], COMPANIONS).map { |node| companion(node) }
     @box = pattern(top['box'])
+    @name = top['name'] ? pattern(top['name'], NAMES + names_of_options) : '{instance}'
     @slowness = top['slowness'] ? pattern(top['slowness']) : '1'
     @is_simulated = top['simulated'] ? top['simulated'].choice(%w[true false]) == 'true' : false
     @cycle = top['cycle'] ? top['cycle'].mapping(CYCLE).transform_values { |node| node.integer(1..(2**31)) } : {}
@@ -75,6 +77,7 @@ class Board
       #{rows(@companions.map { |companion| companion_row(companion) })}
           },
           .box = #{quoted(@box)},
+          .name = #{quoted(@name)},
           .slowness = #{quoted(@slowness)},
           .is_simulated = #{@is_simulated},
           .cycle = #{@cycle.empty? ? '{0}' : row(@cycle.transform_values { |value| "#{value}U" })},
@@ -141,6 +144,11 @@ class Board
     title = nodes['title'].text
     nodes['title'].refuse("is #{title}; expected at most #{TITLE} letters") if title.size > TITLE
     [title, pattern(nodes['text'])]
+  end
+
+  # Those whose value may be part of the name of a file.
+  def names_of_options
+    @options.select { |option| %w[name number].include?(option.takes) }.map(&:name)
   end
 
   # A text with {names}.

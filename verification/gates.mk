@@ -44,7 +44,14 @@ generated: $(GENERATED)
 
 objects: $(OBJECTS)
 
-boards: $(OTHER_BOARDS:%=board-%) ## All programs of the boards that are not simulated: build/boards
+# A box for the board sbrio where there is none, loaded before control's libraries.
+PRETENDED_BOX := build/boards/pretended_box.so
+$(PRETENDED_BOX): verification/system/support/pretended_box.c $(wildcard bsp/sim/sim_*.c) core/card/card_frame.c core/base/crc.c \
+    $(GEN)/robot/robot_neuro.c $(wildcard bsp/sim/*.h core/card/*.h core/robot/*.h) | $(GENERATED)
+	@mkdir -p $(@D)
+	@$(CC) $(WARNINGS) -O2 -g -D_GNU_SOURCE $(BSP_INCLUDES) -shared -fPIC -fvisibility=hidden -Wl,-z,defs $(filter %.c,$^) -lm -o $@
+
+boards: $(OTHER_BOARDS:%=board-%) $(PRETENDED_BOX) ## All programs of the boards that are not simulated: build/boards
 
 board-%:
 	@$(MAKE) --no-print-directory BOARD=$* APART=build/boards/$* apart

@@ -154,6 +154,7 @@ static uint32_t silent_sources(void)
     return sources_listen(&sources, beats, inputs.elapsed_us);
 }
 
+/** @satisfies SWR-CHECK-008 */
 static void gather_inputs(uint64_t elapsed_ns)
 {
     (void)memset(&inputs, 0, sizeof inputs);

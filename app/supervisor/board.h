@@ -14,11 +14,12 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define BOARD_OPTIONS 8U     /**< Options of one board at most. */
-#define BOARD_COMPANIONS 4U  /**< Programs that come with it. */
-#define BOARD_ARGUMENTS 12U  /**< Of one of them. */
-#define BOARD_SAYINGS 4U     /**< Lines for the operator. */
-#define BOARD_VALUE_SIZE 96U /**< Of an option's value, with its end. */
+#define BOARD_OPTIONS 8U    /**< Options of one board at most. */
+#define BOARD_COMPANIONS 4U /**< Programs that come with it. */
+#define BOARD_ARGUMENTS 12U /**< Of one of them. */
+#define BOARD_SAYINGS 4U    /**< Lines for the operator. */
+/** Of an option's value, with its end: a whole wiring fits. */
+#define BOARD_VALUE_SIZE 4096U
 
 /** What follows an option. */
 typedef enum {
@@ -56,7 +57,8 @@ typedef struct {
 typedef struct {
     board_option_t options[BOARD_OPTIONS];
     board_companion_t companions[BOARD_COMPANIONS];
-    const char *box;      /**< Pattern of what control opens; positions are kept for each. */
+    const char *box;      /**< Pattern of what control opens. */
+    const char *name;     /**< Pattern of what the box is called; positions are kept for each. */
     const char *slowness; /**< Pattern of how many times slower its time passes. */
     bool is_simulated;    /**< No robot is connected. */
     check_board_t cycle;  /**< What a cycle costs. */

@@ -89,17 +89,15 @@ static bool init_companions(family_t *self, const options_t *options, char *erro
 /* What is kept belongs to the axes of that box, whoever used it last. */
 static bool name_box(family_t *self, const options_t *options, char *error, uint32_t error_size)
 {
-    if (!board_text_write(self->box, sizeof self->box, board.box, options)) {
+    char name[FAMILY_NAME_SIZE];
+
+    if (!board_text_write(self->box, sizeof self->box, board.box, options) ||
+        !board_text_write(name, sizeof name, board.name, options)) {
         (void)snprintf(error, error_size, "The name of the box is too long; use shorter names.");
         return false;
     }
-    const int length =
-        snprintf(self->positions, sizeof self->positions, "%s/positions-", options->recordings);
-    char *const name = &self->positions[length];
-    (void)snprintf(name, sizeof self->positions - (size_t)length, "%s", self->box);
-    for (char *slash = strchr(name, '/'); slash != NULL; slash = strchr(slash, '/')) {
-        *slash = '_';
-    }
+    (void)snprintf(self->positions, sizeof self->positions, "%s/positions-%s", options->recordings,
+                   name);
     (void)snprintf(self->box_key, sizeof self->box_key, "%s.key", self->positions);
     return true;
 }

@@ -11,8 +11,9 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define FAMILY_PATH_SIZE (OPTIONS_PATH_SIZE + BOARD_VALUE_SIZE + 16U)
-#define FAMILY_TEXT_SIZE (OPTIONS_PATH_SIZE + (2U * BOARD_VALUE_SIZE))
+#define FAMILY_NAME_SIZE 96U /**< Of what a box is called, with its end. */
+#define FAMILY_PATH_SIZE (OPTIONS_PATH_SIZE + FAMILY_NAME_SIZE + 16U)
+#define FAMILY_TEXT_SIZE (OPTIONS_PATH_SIZE + (2U * FAMILY_NAME_SIZE))
 
 /** In the order of their start: first the board's, as its table has them. */
 typedef enum {
@@ -42,6 +43,7 @@ typedef struct {
  *
  * @return false, with a sentence in `error`, when a program is missing or a text too long
  *
+ * @satisfies SWR-STORE-031
  * @satisfies SWR-SUP-006
  * @satisfies SWR-SUP-008
  */

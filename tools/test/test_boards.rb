@@ -18,6 +18,7 @@ class TestBoards < Minitest::Test
       - {program: boresight-lamp, arguments: [--as, "{lamp}", "{dim}"], ready: on, unless: lamp}
       - {program: boresight-fan}
     box: "{lamp}"
+    name: "{lamp}"
     slowness: "{watts}"
     simulated: true
     cycle: {wire_hz: 5000000, wires: 10, word_ns: 300, instructions_per_us: 333, publish_us: 30}
@@ -30,7 +31,7 @@ class TestBoards < Minitest::Test
     ['.name = "watts", .takes = BOARD_TAKES_NUMBER, .says = "of its light", .otherwise = "2", .least = 1U, .most = LIMIT_MOST_WATTS}',
      '.name = "lamp", .takes = BOARD_TAKES_NAME, .says = "one that shines", .otherwise = "{instance}-lamp"}',
      '.program = "lamp", .arguments = {"--as", "{lamp}", "{dim}"}, .ready = "on", .unless = "lamp"}',
-     '{.program = "fan"}', '.box = "{lamp}",', '.slowness = "{watts}",', '.is_simulated = true,',
+     '{.program = "fan"}', '.box = "{lamp}",', '.name = "{lamp}",', '.slowness = "{watts}",', '.is_simulated = true,',
      '.cycle = {.wire_hz = 5000000U, .wires = 10U, .word_ns = 300U, .instructions_per_us = 333U, .publish_us = 30U},',
      '{"Lamp", "say \\"{lamp}\\""}'].each { |text| assert_includes source, text }
   end
@@ -42,13 +43,14 @@ class TestBoards < Minitest::Test
   def test_SWR_TOOL_015_a_board_needs_nothing_but_what_control_opens
     source = board("box: slot-one\n").source
     assert_equal 3, source.scan(/^        \{0\},$/).size
-    ['.box = "slot-one",', '.slowness = "1",', '.is_simulated = false,', '.cycle = {0},'].each { |text| assert_includes source, text }
+    ['.box = "slot-one",', '.name = "{instance}",', '.slowness = "1",', '.is_simulated = false,', '.cycle = {0},'].each { |text| assert_includes source, text }
   end
 
   WRONG = {
     'box: "{lamp}"' => ['box: "{fan}"', '8: box: speaks of {fan}; expected instance, robot, programs, recordings, watts, lamp, dim'],
-    'slowness: "{watts}"' => ['slowness: "{watts"', '9: slowness: is {watts, with a brace too many'],
-    'simulated: true' => ['simulated: perhaps', '10: simulated: is perhaps; expected true or false'],
+    'name: "{lamp}"' => ['name: "{dim}"', '9: name: speaks of {dim}; expected instance, robot, watts, lamp'],
+    'slowness: "{watts}"' => ['slowness: "{watts"', '10: slowness: is {watts, with a brace too many'],
+    'simulated: true' => ['simulated: perhaps', '11: simulated: is perhaps; expected true or false'],
     'most: most_watts' => ['most: most_volts', '2: options[0].most: is most_volts, which is no limit of the requirements'],
     ', default: 2' => ['', '2: options[0]: has no default'],
     'takes: number' => ['takes: text', '2: options[0]: has bounds if it takes a number, and only then'],
@@ -56,9 +58,9 @@ class TestBoards < Minitest::Test
     'name: dim' => ['name: robot', '4: options[2].name: is robot, which there is already'],
     'boresight-fan' => ['fan', '7: companions[1].program: is fan; expected boresight-...'],
     'unless: lamp' => ['unless: fan', '6: companions[0].unless: is fan; expected watts or lamp or dim'],
-    'wires: 10' => ['wires: 0', '11: cycle.wires: is 0; expected 1 to 2147483648'],
-    ', publish_us: 30' => ['', '11: cycle.publish_us: is missing'],
-    'title: Lamp' => ['title: Illumination', '13: says[0].title: is Illumination; expected at most 11 letters'],
+    'wires: 10' => ['wires: 0', '12: cycle.wires: is 0; expected 1 to 2147483648'],
+    ', publish_us: 30' => ['', '12: cycle.publish_us: is missing'],
+    'title: Lamp' => ['title: Illumination', '14: says[0].title: is Illumination; expected at most 11 letters'],
     '{instance}-lamp' => ['{watts}-lamp', '3: options[1].default: speaks of {watts}; expected instance, robot, programs, recordings'],
     'ready: on' => ['colour: red', '6: companions[0].colour: is unknown; expected program, arguments, ready, unless']
   }.freeze
