@@ -6,7 +6,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-static check_judge_t *const judges[CHECK_COUNT] = {
+static check_judge_t *const judges[COMPUTER_CHECK_COUNT] = {
     [COMPUTER_CHECK_KERNEL] = check_kernel,
     [COMPUTER_CHECK_THROTTLING] = check_throttling,
     [COMPUTER_CHECK_RIGHTS] = check_rights,

@@ -13,7 +13,6 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define CHECK_COUNT ((uint32_t)COMPUTER_CHECK_BUDGET + 1U)
 #define CHECK_TEXT_SIZE 256U
 #define CHECK_INTERRUPTS 1024U /**< Interrupts with a number below this are looked at. */
 #define CHECK_CARDS 10U        /**< Cards of the cycle whose budget is computed. */
@@ -68,7 +67,7 @@ bool check_is_good(const check_facts_t *facts, computer_check_t check, char foun
 /** A real board refuses to be enabled while `check` is not good. */
 static inline bool check_blocks(computer_check_t check)
 {
-    return check <= COMPUTER_CHECK_PAGE_FAULTS;
+    return ((COMPUTER_CHECKS_BLOCKING >> (uint32_t)check) & 1U) != 0U;
 }
 
 /** How often each interrupt has come to core `core`. */

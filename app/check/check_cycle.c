@@ -5,7 +5,6 @@
 #include "card/card_frame.h"
 #include "limits/requirement_limits.h"
 
-#define CARDS_OF_LIMIT 7U /* Of SWR-CTRL-020. */
 #define BITS_OF_BYTE 8U
 #define NS_PER_US 1000U
 #define US_PER_S UINT64_C(1000000)
@@ -24,7 +23,8 @@ check_budget_t check_budget(const check_board_t *board)
     const uint64_t words = (uint64_t)CHECK_CARDS * (CARD_FRAME_BYTES / sizeof(uint32_t));
     const uint64_t turns = (CHECK_CARDS + board->wires - 1U) / board->wires;
     const uint64_t bits = turns * CARD_FRAME_BYTES * BITS_OF_BYTE;
-    const uint32_t instructions = (LIMIT_CYCLE_MEDIAN_INSTRUCTIONS / CARDS_OF_LIMIT) * CHECK_CARDS;
+    const uint32_t instructions =
+        (LIMIT_CYCLE_MEDIAN_INSTRUCTIONS / LIMIT_CYCLE_CARDS) * CHECK_CARDS;
     return (check_budget_t){.wake_us = LIMIT_WAKE_UP_US,
                             .words_us = (uint32_t)((words * board->word_ns) / NS_PER_US),
                             .step_us = instructions / board->instructions_per_us,

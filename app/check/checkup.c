@@ -81,7 +81,7 @@ int checkup_tell(const check_facts_t *facts, FILE *out)
 {
     uint32_t good = 0U;
     uint32_t blocking = 0U;
-    for (uint32_t i = 0U; i < CHECK_COUNT; i++) {
+    for (uint32_t i = 0U; i < COMPUTER_CHECK_COUNT; i++) {
         const computer_check_t check = (computer_check_t)i;
         char found[CHECK_TEXT_SIZE];
         const bool is_good = check_is_good(facts, check, found);
@@ -94,10 +94,10 @@ int checkup_tell(const check_facts_t *facts, FILE *out)
         good += is_good ? 1U : 0U;
         blocking += (!is_good && check_blocks(check)) ? 1U : 0U;
     }
-    (void)fprintf(out, "%u of %u are good", (unsigned)good, (unsigned)CHECK_COUNT);
+    (void)fprintf(out, "%u of %u are good", (unsigned)good, COMPUTER_CHECK_COUNT);
     if (blocking > 0U) {
         (void)fprintf(out, "; %u (!!) keep a real robot from being enabled", (unsigned)blocking);
     }
     (void)fprintf(out, ".\n");
-    return (good == (uint32_t)CHECK_COUNT) ? 0 : 1;
+    return (good == COMPUTER_CHECK_COUNT) ? 0 : 1;
 }

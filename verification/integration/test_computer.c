@@ -31,7 +31,7 @@ static void expect_nothing_enabled(void)
 
 void test_SWR_LOOP_006_start_up_is_refused_by_name_for_each_thing_that_the_computer_lacks(void)
 {
-    for (uint32_t check = 0U; check <= (uint32_t)COMPUTER_CHECK_BUDGET; check++) {
+    for (uint32_t check = 0U; check < COMPUTER_CHECK_COUNT; check++) {
         rig.unfit = 1UL << check;
         TEST_ASSERT_EQUAL_UINT32(STATUS_COMPUTER_UNFIT,
                                  rig_workphase(&rig, WORKPHASE_START_UP).status);

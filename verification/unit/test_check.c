@@ -13,6 +13,7 @@
 #include "check/realtime.h"
 #include "exchange/exchange.h"
 #include "limits/requirement_limits.h"
+#include "robot/robot_neuro.h"
 
 #include <ftw.h>
 #include <stdio.h>
@@ -298,6 +299,11 @@ static const check_board_t thesis = {.wire_hz = 5000000U,
                                      .instructions_per_us = 500U,
                                      .publish_us = 30U};
 
+void test_SWR_CTRL_020_the_cards_of_the_limit_are_those_of_the_robot(void)
+{
+    TEST_ASSERT_EQUAL_UINT32(robot_neuro.axis_count, LIMIT_CYCLE_CARDS);
+}
+
 void test_SWR_CHECK_004_the_budget_adds_up_what_the_board_says(void)
 {
     const check_budget_t budget = check_budget(&thesis);
@@ -338,7 +344,7 @@ void test_SWR_CHECK_004_a_real_board_has_to_say_what_it_costs(void)
 
 void test_SWR_CHECK_002_only_the_first_four_block(void)
 {
-    for (uint32_t i = 0U; i < CHECK_COUNT; i++) {
+    for (uint32_t i = 0U; i < COMPUTER_CHECK_COUNT; i++) {
         TEST_ASSERT_EQUAL(i < 4U, check_blocks((computer_check_t)i));
     }
 }

@@ -144,7 +144,7 @@ static void expect_line(const char *mark, computer_check_t check, bool says_what
 void test_SWR_CHECK_001_all_are_good_and_it_ends_with_0(void)
 {
     TEST_ASSERT_EQUAL_INT(0, tell());
-    for (uint32_t i = 0U; i < CHECK_COUNT; i++) {
+    for (uint32_t i = 0U; i < COMPUTER_CHECK_COUNT; i++) {
         expect_line("ok", (computer_check_t)i, false);
     }
     TEST_ASSERT_NOT_NULL(strstr(text, "\n15 of 15 are good.\n"));
@@ -152,11 +152,11 @@ void test_SWR_CHECK_001_all_are_good_and_it_ends_with_0(void)
 
 void test_SWR_CHECK_001_each_that_is_not_good_says_what_to_do_and_it_ends_with_1(void)
 {
-    for (uint32_t i = 0U; i < CHECK_COUNT; i++) {
+    for (uint32_t i = 0U; i < COMPUTER_CHECK_COUNT; i++) {
         const bool blocks = i <= (uint32_t)COMPUTER_CHECK_PAGE_FAULTS;
         bad = 1UL << i;
         TEST_ASSERT_EQUAL_INT(1, tell());
-        for (uint32_t k = 0U; k < CHECK_COUNT; k++) {
+        for (uint32_t k = 0U; k < COMPUTER_CHECK_COUNT; k++) {
             const char *const mark = blocks ? "!!" : "no";
             expect_line((k == i) ? mark : "ok", (computer_check_t)k, k == i);
         }
