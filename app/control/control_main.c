@@ -201,12 +201,13 @@ static void publish(uint32_t cycle)
 {
     exchange_publish_snapshot(exchange, &outputs.snapshot);
     exchange_publish_rows(exchange, &controller, &outputs);
-    for (uint32_t i = 0; i < outputs.answer_count; i++) {
-        (void)exchange_push_answer(exchange, &outputs.answers[i]);
-    }
     const uint64_t utc_us = (outputs.event_count > 0U) ? clock_utc_us() : 0U;
     for (uint32_t i = 0; i < outputs.event_count; i++) {
         exchange_push_event(exchange, &outputs.events[i], utc_us);
+    }
+    /* Who has an answer finds in the log what it says. */
+    for (uint32_t i = 0; i < outputs.answer_count; i++) {
+        (void)exchange_push_answer(exchange, &outputs.answers[i]);
     }
     record_cycle(cycle);
     exchange_beat(exchange, EXCHANGE_CONTROL);

@@ -32,9 +32,9 @@ class TestHttp < Minitest::Test
   end
 
   def test_SWR_SUP_005_status_says_how_fast_time_passes
-    time = fetch_json('/api/v1/status').fetch('time')
-    assert_equal [true, 1], time.values_at('is_elastic', 'slowness')
-    assert_includes 0.1..101.0, time.fetch('speed_percent')
+    time = -> { fetch_json('/api/v1/status').fetch('time') }
+    assert_equal [true, 1], time.call.values_at('is_elastic', 'slowness')
+    wait_until('a second without a pause is told') { (0.1..101.0).cover?(time.call.fetch('speed_percent')) }
   end
 
   def test_SWR_HTTP_001_status_is_young_while_control_runs

@@ -206,7 +206,7 @@ class TestHttpArchive < Minitest::Test
       assert_equal %w[503 ARCHIVE_BUSY], [refused.code, code(refused)]
       assert_equal '200', boresight.post_stop.code
       assert_equal '200', get('/api/v1/recordings').code
-      assert(boresight.status['processes']['recorder'])
+      wait_until('the recorder is there') { boresight.status['processes']['recorder'] }
     ensure
       lazy&.each(&:close)
     end

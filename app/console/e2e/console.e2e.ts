@@ -161,7 +161,7 @@ test("SWR-CON-001 the banner asks for the pedal after START_UP", async () => {
 
 test("SWR-CON-020 banner and title say that only the pedal is missing", async () => {
   await waitForText(".sign-word", "ARMED");
-  expect(await page.title()).toBe("ARMED – Boresight");
+  await expect.poll(() => page.title(), patience).toBe("ARMED – Boresight");
 });
 
 test("SWR-CON-021 before homing a position is unknown", async () => {
@@ -400,10 +400,20 @@ test("SWR-CON-022 at each width nothing leaves the window, and the stop is whole
       await open(view);
       for (const width of heights.keys()) {
         await resize(width);
-        expect(await outsideOf(), `${view} ${width}`).toEqual([]);
+        await expect
+          .poll(() => outsideOf(), {
+            ...patience,
+            message: `${view} ${width}`,
+          })
+          .toEqual([]);
         for (const end of [0, 1e6]) {
           await page.evaluate((y) => scrollTo(0, y), end);
-          expect(await isStopWhole(), `${view} ${width} ${end}`).toBe(true);
+          await expect
+            .poll(() => isStopWhole(), {
+              ...patience,
+              message: `${view} ${width} ${end}`,
+            })
+            .toBe(true);
         }
       }
     }
@@ -416,8 +426,8 @@ test("SWR-CON-022 at each width nothing leaves the window, and the stop is whole
 test("SWR-CON-022 enlarged to 400 %, the page is as one of 320 px, and no text is smaller than 14 px", async () => {
   try {
     await page.setViewportSize({ width: 320, height: 256 });
-    expect(await outsideOf()).toEqual([]);
-    expect(await isStopWhole()).toBe(true);
+    await expect.poll(() => outsideOf(), patience).toEqual([]);
+    await expect.poll(() => isStopWhole(), patience).toBe(true);
     const smallest = await page.evaluate(() =>
       Math.min(
         ...[...document.querySelectorAll("#root *")]
@@ -439,13 +449,12 @@ test("SWR-CON-022 the theme is the system's, until one is chosen, which is kept"
     const tab = await openTab(other);
     const light = await scheme(tab);
     await tab.emulateMedia({ colorScheme: "dark" });
-    const dark = await scheme(tab);
-    expect(dark).not.toBe(light);
+    await expect.poll(() => scheme(tab), patience).not.toBe(light);
     await tab.getByLabel("Theme").selectOption("light");
-    expect(await scheme(tab)).toBe(light);
+    await expect.poll(() => scheme(tab), patience).toBe(light);
     await tab.reload();
     await tab.locator(".theme-choice").waitFor();
-    expect(await scheme(tab)).toBe(light);
+    await expect.poll(() => scheme(tab), patience).toBe(light);
     await tab.emulateMedia({ forcedColors: "active" });
     await takePictureOf("forced-colours", tab);
   } finally {
@@ -459,7 +468,7 @@ test("SWR-CON-023 help opens by its key, keeps the rules, covers no stop, and le
   try {
     for (const width of [320, 1440]) {
       await resize(width);
-      expect(await isStopWhole()).toBe(true);
+      await expect.poll(() => isStopWhole(), patience).toBe(true);
       await expectNoFinding(`help ${width}`);
       await takePictureOf(`help-${width}`);
     }
@@ -470,7 +479,7 @@ test("SWR-CON-023 help opens by its key, keeps the rules, covers no stop, and le
   const tour = page.getByRole("region", { name: "First steps" });
   for (;;) {
     await page.locator("[data-toured]").waitFor({ state: "attached" });
-    expect(await isStopWhole()).toBe(true);
+    await expect.poll(() => isStopWhole(), patience).toBe(true);
     const next = tour.getByRole("button", { name: /Next|Done/ });
     const isLast = (await next.textContent()) === "Done";
     await next.click();
@@ -549,6 +558,7 @@ test.each(["Escape", "Enter"])(
       await page.keyboard.down(key);
     }
     await page.keyboard.up(key);
+    await expect.poll(() => requests.length, patience).toBeGreaterThan(0);
     await waitForText(".stop-result", "Control has stopped all motion.");
     page.off("request", note);
     expect(requests).toEqual([`${stopOrigin.href}api/v1/stop`]);
