@@ -22,6 +22,7 @@ class Machine
   # Nothing may take longer, however busy the host is.
   PATIENCE_SECONDS = 300
   POLL_SECONDS = 0.05
+  ASK_AGAIN_SECONDS = 0.5
   ARGUMENTS = 'console=ttymxc1,115200 quiet rdinit=/init panic=-1 isolcpus=1'
   # GPIO 5 of the SABRE Lite has free lines.
   GPIO = '/machine/soc/gpio5'
@@ -148,10 +149,10 @@ class Machine
     end
   end
 
-  # What is sent before the shell is there may be lost.
+  # What is sent before the shell is there may be lost: it is said again as long as nothing comes back.
   def start_shell?
     @serial.write("echo HE''RE\n")
-    sleep 0.5
+    @serial.wait_readable(ASK_AGAIN_SECONDS)
     listen
     @console.include?('HERE')
   end
