@@ -13,6 +13,7 @@
 #include "http/shown.h"
 #include "interface/app/names.h"
 #include "robot/app/robots.h"
+#include "supervise/chance.h"
 
 #include <stdio.h>
 
@@ -39,10 +40,7 @@ void tearDown(void)
 
 static uint32_t below(uint32_t bound)
 {
-    random_state ^= random_state << 13;
-    random_state ^= random_state >> 17;
-    random_state ^= random_state << 5;
-    return random_state % bound;
+    return chance_below(&random_state, bound);
 }
 
 static command_t of_axis(command_kind_t kind)

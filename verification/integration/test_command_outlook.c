@@ -8,6 +8,7 @@
 #include "interface/app/names.h"
 #include "integration/support/rig.h"
 #include "robot/robot_neuro.h"
+#include "supervise/chance.h"
 
 #include <string.h>
 
@@ -34,12 +35,9 @@ void tearDown(void)
 {
 }
 
-static uint32_t random_below(uint32_t bound)
+static uint32_t below(uint32_t bound)
 {
-    random_state ^= random_state << 13;
-    random_state ^= random_state >> 17;
-    random_state ^= random_state << 5;
-    return random_state % bound;
+    return chance_below(&random_state, bound);
 }
 
 /* One whose numbers are as they should be. */
@@ -109,7 +107,7 @@ static void go_on(void)
         WORKPHASE_MOVE_TO_TARGET, WORKPHASE_MANUAL,   WORKPHASE_STOP};
     const command_t jog = {
         .kind = (uint32_t)COMMAND_JOG, .argument = AXIS_INSERTION, .value = 9000};
-    switch (random_below(12U)) {
+    switch (below(12U)) {
     case 0:
         plan();
         break;
@@ -130,10 +128,10 @@ static void go_on(void)
         rig_box(&rig, "estop reset");
         break;
     default:
-        (void)rig_workphase(&rig, ways[random_below(sizeof ways / sizeof ways[0])]);
+        (void)rig_workphase(&rig, ways[below(sizeof ways / sizeof ways[0])]);
         break;
     }
-    rig_cycles(&rig, 20U + random_below(300U));
+    rig_cycles(&rig, 20U + below(300U));
     rig_forget(&rig);
 }
 
@@ -143,7 +141,7 @@ void test_SWR_HTTP_055_what_is_said_of_an_act_is_what_becomes_of_it(void)
         rig_start_homed(&rig);
         for (uint32_t j = 0U; j < STEPS; j++) {
             go_on();
-            compare(kinds[random_below(KINDS)]);
+            compare(kinds[below(KINDS)]);
         }
     }
     for (uint32_t i = 0U; i < KINDS; i++) {

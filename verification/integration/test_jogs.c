@@ -13,6 +13,7 @@
 #include "robot/robot_neuro.h"
 #include "safety/needle.h"
 #include "safety/permit.h"
+#include "supervise/chance.h"
 
 #define HOME_MM 143.0
 #define LEAST_MM 75.0
@@ -146,21 +147,18 @@ void test_SWR_COUPLE_001_two_carriages_that_move_at_once_stop_inside_of_the_limi
 
 static uint32_t random_state = 1U;
 
-static uint32_t random_below(uint32_t bound)
+static uint32_t below(uint32_t bound)
 {
-    random_state ^= random_state << 13;
-    random_state ^= random_state >> 17;
-    random_state ^= random_state << 5;
-    return random_state % bound;
+    return chance_below(&random_state, bound);
 }
 
 void test_SWR_COUPLE_001_a_pedal_pressed_and_released_at_random_keeps_them_inside(void)
 {
     for (uint32_t i = 0U; i < 12U; i++) {
-        begin_wrong_move(-(int32_t)random_below(11418U), (int32_t)random_below(11000U) - 5500);
+        begin_wrong_move(-(int32_t)below(11418U), (int32_t)below(11000U) - 5500);
         for (uint32_t k = 0U; k < 15U; k++) {
             rig_box(&rig, ((k % 2U) == 0U) ? "pedal press" : "pedal release");
-            const uint32_t cycles = 20U + random_below(((k % 2U) == 0U) ? 3000U : 50U);
+            const uint32_t cycles = 20U + below(((k % 2U) == 0U) ? 3000U : 50U);
             for (uint32_t n = 0U; n < cycles; n++) {
                 cycle_apart();
             }
