@@ -279,13 +279,26 @@ int http_archive_recording(http_server_t *server, const http_call_t *call)
     return answer_file(server, call, &file_series_recordings, "application/octet-stream");
 }
 
+/* What a page would be told that sets the level; NULL: nothing is against it. */
+static const char *reason_against_setting(http_server_t *server, const http_call_t *call)
+{
+    session_t session;
+    if (!http_door_find(server, call->connection, &session)) {
+        return problems[PROBLEM_NO_SESSION].detail;
+    }
+    return (session.account.role < routes[ROUTE_SET_LOG_LEVEL].role)
+               ? problems[PROBLEM_ROLE_REFUSED].detail
+               : NULL;
+}
+
 int http_archive_log_level(http_server_t *server, const http_call_t *call)
 {
     exchange_log_level_t level;
     const bool is_set = exchange_read_log_level(server->exchange, &level);
     const uint32_t severity = is_set ? level.severity : (uint32_t)EVENT_SEVERITY_INFORMATION;
     const json_log_level_t told = {.level = event_severity_name((int32_t)severity),
-                                   .by = is_set ? level.by : NULL};
+                                   .by = is_set ? level.by : NULL,
+                                   .reason = reason_against_setting(server, call)};
     return http_reply_object(call->connection, 200, json_log_level(&told));
 }
 

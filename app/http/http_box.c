@@ -62,6 +62,10 @@ int http_box_show(http_server_t *server, const http_call_t *call)
                              .button_holder = seen.button_holder,
                              .is_estop_pulled = seen.is_estop_pulled,
                              .is_scanner_active = seen.is_scanner_active,
+                             .is_lamp_alive = seen.is_lamp_alive,
+                             .is_lamp_may_move = seen.is_lamp_may_move,
+                             .is_lamp_moving = seen.is_lamp_moving,
+                             .is_lamp_fault = seen.is_lamp_fault,
                              .gate = box_order_word("gate", seen.gate),
                              .probe = box_order_word("probe", seen.is_probe_free),
                              .slots = new_slots(exchange_robot(server->exchange), &seen)};

@@ -33,6 +33,10 @@ typedef struct {
     bool is_estop_pulled;
     bool is_scanner_active;
     bool is_button_pressed;
+    bool is_lamp_alive; /**< Lit, as those that follow. */
+    bool is_lamp_may_move;
+    bool is_lamp_moving;
+    bool is_lamp_fault;
     bsp_bench_slot_t slots[CARD_SLOT_COUNT];
 } bsp_bench_t;
 

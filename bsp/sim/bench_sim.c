@@ -11,6 +11,14 @@ bool bsp_bench_is_offered(void)
     return true;
 }
 
+static void see_lamps(uint32_t lamps, bsp_bench_t *seen)
+{
+    seen->is_lamp_alive = (lamps & BSP_LAMP_ALIVE) != 0U;
+    seen->is_lamp_may_move = (lamps & BSP_LAMP_MAY_MOVE) != 0U;
+    seen->is_lamp_moving = (lamps & BSP_LAMP_MOVING) != 0U;
+    seen->is_lamp_fault = (lamps & BSP_LAMP_FAULT) != 0U;
+}
+
 bool bsp_bench_look(const char *name, bsp_bench_t *seen)
 {
     wire_port_t port;
@@ -26,6 +34,7 @@ bool bsp_bench_look(const char *name, bsp_bench_t *seen)
     seen->is_estop_pulled = (inputs & BSP_IN_ESTOP_CHAIN) == 0U;
     seen->is_scanner_active = (inputs & BSP_IN_SCANNER_IDLE) == 0U;
     seen->is_button_pressed = (inputs & BSP_IN_CONFIRM) != 0U;
+    see_lamps(wire_load(&port.wire->lamps), seen);
     wire_close(&port, WIRE_END_NONE);
     return is_whole;
 }

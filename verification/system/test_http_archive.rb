@@ -287,10 +287,20 @@ class TestHttpArchive < Minitest::Test
   def test_SWR_HTTP_049_an_engineer_sets_the_level_and_the_log_says_by_whom
     egon = client('egon')
     assert_equal '200', set_level(egon, { level: 'WARNING' }).code
-    assert_equal({ 'level' => 'WARNING', 'by' => 'egon' }, JSON.parse(assert_get_described('/api/v1/log/level').body))
+    assert_equal ['WARNING', 'egon', nil], level_told(egon).values_at('level', 'by', 'reason')
     wait_until('the log says so') { boresight.event_lines.any? { |line| line.end_with?('LOG_LEVEL value=1 From here on events from WARNING on are written, set by egon.') } }
     assert_equal '200', set_level(egon, { level: 'INFORMATION' }).code
     wait_until('the log says so') { boresight.event_lines.any? { |line| line.include?('LOG_LEVEL value=0') } }
+  end
+
+  def level_told(who)
+    JSON.parse(assert_described('/api/v1/log/level', 'GET', who.request('get', '/api/v1/log/level')).body)
+  end
+
+  def test_SWR_HTTP_049_it_is_told_why_somebody_may_not_set_it
+    assert_nil level_told(client('egon'))['reason']
+    assert_equal 'The role of this account does not allow it.', level_told(client('anna'))['reason']
+    assert_equal 'Log in first; there is no session, or it has ended.', level_told(client)['reason']
   end
 
   def test_SWR_HTTP_049_nobody_else_sets_it

@@ -137,6 +137,10 @@ beforeEach(() => {
     button_holder: 0,
     is_estop_pulled: false,
     is_scanner_active: false,
+    is_lamp_alive: true,
+    is_lamp_may_move: false,
+    is_lamp_moving: false,
+    is_lamp_fault: false,
     gate: "off",
     probe: "coupled",
     slots: [
@@ -409,6 +413,24 @@ test("SWR-CON-040 the button shows what is at the box, and the other way", async
     '{"scanner":"off"}',
     '{"gate":"dose"}',
   ]);
+});
+
+test("SWR-CON-040 the lamps that are lit are named", async () => {
+  const lamps = () =>
+    document.querySelector('[aria-label="Lamps"] strong')?.textContent;
+  await show();
+  expect(lamps()).toBe("alive");
+  box.is_lamp_may_move = true;
+  box.is_lamp_moving = true;
+  await pass(LOOK_MS);
+  expect(lamps()).toBe("alive, may move, moving");
+  box.is_lamp_alive = box.is_lamp_may_move = box.is_lamp_moving = false;
+  box.is_lamp_fault = true;
+  await pass(LOOK_MS);
+  expect(lamps()).toBe("fault");
+  box.is_lamp_fault = false;
+  await pass(LOOK_MS);
+  expect(lamps()).toBe("dark");
 });
 
 test("SWR-CON-040 a fault is caused, seen and mended", async () => {

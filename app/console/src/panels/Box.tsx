@@ -36,7 +36,7 @@ function Group({
 }: {
   name: string;
   state: string;
-  children: ReactNode;
+  children?: ReactNode;
 }) {
   return (
     <div className="box-group" role="group" aria-label={name}>
@@ -144,6 +144,17 @@ function Levels(properties: WorkProperties) {
   );
 }
 
+/** Those that are lit, in words. */
+function litOf(box: BoxState): string {
+  const lit = [
+    box.is_lamp_alive && "alive",
+    box.is_lamp_may_move && "may move",
+    box.is_lamp_moving && "moving",
+    box.is_lamp_fault && "fault",
+  ].filter((word) => word !== false);
+  return lit.length === 0 ? "dark" : lit.join(", ");
+}
+
 /** What few need. */
 function Treatment(properties: WorkProperties) {
   const { box } = properties;
@@ -210,6 +221,7 @@ function Open({
             <Held {...properties} box={box} handle="pedal" />
             <Held {...properties} box={box} handle="button" />
             <Levels {...properties} box={box} />
+            <Group name="Lamps" state={litOf(box)} />
           </div>
           <details>
             <summary>Gate, probe and faults</summary>

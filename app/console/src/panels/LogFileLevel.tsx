@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-import { useState } from "react";
-import {
-  LogLevel,
-  type Authority,
-  type EventSeverity,
-  type Path,
-} from "@interface";
+import { useState, useSyncExternalStore } from "react";
+import { LogLevel, type EventSeverity, type Path } from "@interface";
 import { change, useAnswer } from "../answer";
-import { useCommanding, type Operation } from "../operation";
+import type { Operation } from "../operation";
 import { SeverityOptions } from "./LogSearch";
 
 const LEVEL_PATH: Path = "/api/v1/log/level";
@@ -18,16 +13,19 @@ const ASK_AGAIN_MS = 5000;
  *
  * @satisfies SWR-CON-038
  */
-export function LogFileLevel({
-  operation,
-  authority,
-}: {
-  operation: Operation;
-  authority: Authority;
-}) {
+export function LogFileLevel({ operation }: { operation: Operation }) {
   const { page } = operation;
-  const { isEngineer } = useCommanding(operation, authority);
-  const [told, tell] = useAnswer(page, LEVEL_PATH, LogLevel, ASK_AGAIN_MS);
+  const { session } = useSyncExternalStore(
+    operation.session.subscribe,
+    operation.session.getView,
+  );
+  const [told, tell] = useAnswer(
+    page,
+    LEVEL_PATH,
+    LogLevel,
+    ASK_AGAIN_MS,
+    session?.role ?? "",
+  );
   const [problem, setProblem] = useState<string | null>(null);
   if (told === null) {
     return <p>Not known yet.</p>;
@@ -45,7 +43,7 @@ export function LogFileLevel({
         The file gets events from level{" "}
         <select
           value={told.level}
-          disabled={!isEngineer}
+          disabled={told.reason !== null}
           onChange={(event) => void set(event.target.value as EventSeverity)}
         >
           <SeverityOptions />
@@ -53,7 +51,7 @@ export function LogFileLevel({
       </label>
       <p className="orders-refusal">
         {told.by === null ? "As at the start." : `Set by ${told.by}.`}{" "}
-        {!isEngineer && "Engineers set it."}
+        {told.reason}
       </p>
       {problem !== null && (
         <p className="order-problem" role="alert">

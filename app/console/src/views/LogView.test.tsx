@@ -25,6 +25,9 @@ function logOf(...entries: (typeof first)[]) {
   };
 }
 
+/** Of the server. */
+const reason = "The role of this account does not allow it.";
+
 async function settle(): Promise<void> {
   await act(() => new Promise((resolve) => setTimeout(resolve, 20)));
 }
@@ -34,7 +37,13 @@ async function show(role: Role = "ENGINEER"): Promise<void> {
   Object.assign(server.answers, {
     [LOG]: logOf(first),
     [`${LOG}&after=0`]: logOf(makeEntry(1)),
-    "/api/v1/log/level": { body: { level: "INFORMATION", by: null } },
+    "/api/v1/log/level": {
+      body: {
+        level: "INFORMATION",
+        by: null,
+        reason: role === "ENGINEER" ? null : reason,
+      },
+    },
     "/api/v1/logs": {
       body: {
         logs: [
@@ -173,7 +182,7 @@ test("SWR-CON-038 a note that is too long is not sent", () => {
 test("SWR-CON-038 an engineer sets the level of the file", async () => {
   const label = "The file gets events from level";
   server.answers["/api/v1/log/level"] = {
-    body: { level: "WARNING", by: "anna" },
+    body: { level: "WARNING", by: "anna", reason: null },
   };
   fireEvent.change(screen.getByLabelText(label), {
     target: { value: "WARNING" },
@@ -190,7 +199,11 @@ test("SWR-CON-038 an observer looks, writes nothing and sets nothing", async () 
   await show("OBSERVER");
   expect(screen.getByLabelText<HTMLInputElement>("Note").disabled).toBe(true);
   expect(screen.getByText(/Log in as operator to write/)).toBeTruthy();
-  expect(screen.getByText(/Engineers set it/)).toBeTruthy();
+  expect(screen.getByText(`As at the start. ${reason}`)).toBeTruthy();
+  const level = screen.getByLabelText<HTMLSelectElement>(
+    "The file gets events from level",
+  );
+  expect(level.disabled).toBe(true);
 });
 
 test("SWR-CON-038 logs and recordings are told and can be saved", () => {

@@ -7,7 +7,7 @@ import { Panel } from "../parts/Panel";
 import type { ViewProperties } from "./view";
 
 /** What has happened. */
-export function LogView({ view, robot, operation }: ViewProperties) {
+export function LogView({ view, operation }: ViewProperties) {
   const { page } = operation;
   return (
     <>
@@ -16,10 +16,7 @@ export function LogView({ view, robot, operation }: ViewProperties) {
         <LogSearch page={page} newest={view.log[0]} />
       </Panel>
       <Panel title="Log files" className="panel-wide">
-        <LogFileLevel
-          operation={operation}
-          authority={robot.status.authority}
-        />
+        <LogFileLevel operation={operation} />
         <LogFiles page={page} />
       </Panel>
       <Panel title="Recordings" className="panel-wide">
