@@ -46,7 +46,7 @@ objects: $(OBJECTS)
 
 # A box for the board sbrio where there is none, loaded before control's libraries.
 PRETENDED_BOX := build/boards/pretended_box.so
-$(PRETENDED_BOX): verification/system/support/pretended_box.c $(wildcard bsp/sim/sim_*.c) core/card/card_frame.c core/base/crc.c \
+$(PRETENDED_BOX): verification/system/pretended_box.c $(wildcard bsp/sim/sim_*.c) core/card/card_frame.c core/base/crc.c \
     $(GEN)/robot/robot_neuro.c $(wildcard bsp/sim/*.h core/card/*.h core/robot/*.h) | $(GENERATED)
 	@mkdir -p $(@D)
 	@$(CC) $(WARNINGS) -O2 -g -D_GNU_SOURCE $(BSP_INCLUDES) -shared -fPIC -fvisibility=hidden -Wl,-z,defs $(filter %.c,$^) -lm -o $@
