@@ -5,12 +5,13 @@ require 'json'
 require_relative 'machine'
 require_relative '../system/support/boresight'
 
-# Boresight in the emulated machine, on a simulated box that outlives it.
+# Boresight in the emulated machine, on a simulated box that outlives it. One at a time.
 class ArmSystem
   BOX = 'lone'
-  RECORDINGS = '/tmp/recordings'
-  OUTPUT = '/tmp/output'
-  EXIT = '/tmp/exit'
+  FOLDER = '/tmp/boresight'
+  RECORDINGS = "#{FOLDER}/recordings"
+  OUTPUT = "#{FOLDER}/output"
+  EXIT = "#{FOLDER}/exit"
   CONTACTS_REST_CYCLES = 50
   EVENT = /\A\S+ \d+ cycle=\d+ [A-Z]+ (?<name>[A-Z_]+) subject=(?<subject>\d+)/
 
@@ -24,11 +25,23 @@ class ArmSystem
   end
 
   def start
-    machine.run!("#{@box} >/tmp/box 2>&1 </dev/null &")
-    wait_until('the box is ready') { machine.run('cat /tmp/box').first.include?('ready') }
-    machine.run!("{ #{@command} >#{OUTPUT} 2>&1 </dev/null; echo $? >#{EXIT}; } &")
-    wait_until('it is up') { output.include?('Stop:') || (ended? && raise(Machine::Failed, output)) }
+    machine.run!("rm -rf #{FOLDER}; mkdir #{FOLDER}")
+    start_box
+    launch
     self
+  end
+
+  # Again, on the box that there is.
+  def launch
+    @commands = 0
+    machine.run!("rm -f #{OUTPUT} #{EXIT}; { #{@command} >#{OUTPUT} 2>&1 </dev/null; echo $? >#{EXIT}; } &")
+    wait_until('it is up') { output.include?('Stop:') || (ended? && raise(Machine::Failed, output)) }
+  end
+
+  # Of box and all; what is soldered stays.
+  def end
+    machine.run('exec 3>&-; kill $(pidof nc boresight boresight-box cards-on-spi)')
+    wait_until('all has ended') { machine.run('pidof boresight boresight-box cards-on-spi').last.positive? }
   end
 
   def output
@@ -62,7 +75,8 @@ class ArmSystem
 
   # As a client of OpenIGTLink that stays.
   def command(workphase)
-    machine.run!('mkfifo /tmp/peer; nc 127.0.0.1 18936 </tmp/peer >/tmp/answers & exec 3>/tmp/peer') if @commands.zero?
+    peer = "#{FOLDER}/peer"
+    machine.run!("rm -f #{peer}; mkfifo #{peer}; nc 127.0.0.1 18936 <#{peer} >/dev/null & exec 3>#{peer}") if @commands.zero?
     @commands += 1
     message = WorkphasePeer.message(format('CMD_%04d', @commands), workphase)
     machine.run!("echo #{[message].pack('m0')} | base64 -d >&3")
@@ -89,10 +103,17 @@ class ArmSystem
     machine.run!('kill -9 $(pidof boresight-control)')
   end
 
-  # The file on this computer.
-  def fetch_recording(folder)
-    name = machine.run!("ls #{RECORDINGS}/blackbox-*").lines.last.strip
-    File.join(folder, File.basename(name)).tap { |file| File.binwrite(file, machine.read(name)) }
+  # The files on this computer.
+  def fetch_recordings(folder)
+    machine.run!("ls #{RECORDINGS}/blackbox-*").lines(chomp: true).map do |name|
+      File.join(folder, File.basename(name)).tap { |file| File.binwrite(file, machine.read(name)) }
+    end
+  end
+
+  def start_box
+    log = "#{FOLDER}/box"
+    machine.run!("#{@box} >#{log} 2>&1 </dev/null &")
+    wait_until('the box is ready') { machine.run("cat #{log}").first.include?('ready') }
   end
 
   def wait_until(reason, &)

@@ -12,11 +12,14 @@ require 'tmpdir'
 #   machine = Machine.start
 #   machine.run('uname -a')         => ["Linux ...", 0]
 #   machine.set_line(0, 1)          what is soldered to the GPIO
+#   machine.line(8)                 what it sets
 #   machine.stop
 class Machine
   ROOT = File.expand_path('../..', __dir__)
   DEBIAN = File.join(ROOT, '.tools/armhf/root')
-  PROGRAMS = File.join(ROOT, 'build/arm/bin')
+  # Where they are there, and of which here.
+  PROGRAMS = { 'boresight' => %w[arm/bin/boresight* arm/verification/arm/cards-on-spi],
+               'sbrio' => %w[boards/arm-sbrio/bin/boresight*] }.freeze
   # In the order in which they can be loaded.
   MODULES = %w[gpio-mxc imx2_wdt fuse cuse].freeze
   # Nothing may take longer, however busy the host is.
@@ -24,8 +27,9 @@ class Machine
   POLL_SECONDS = 0.05
   ASK_AGAIN_SECONDS = 0.5
   ARGUMENTS = 'console=ttymxc1,115200 quiet rdinit=/init panic=-1 isolcpus=1'
-  # GPIO 5 of the SABRE Lite has free lines.
+  # GPIO 5 of the SABRE Lite has free lines: /dev/gpiochip4. Its first register holds what its outputs are set to.
   GPIO = '/machine/soc/gpio5'
+  GPIO_OUTPUTS = 0x020ac000
   COMMANDS = 500
 
   class TimedOut < StandardError; end
@@ -82,9 +86,11 @@ class Machine
   end
 
   def set_line(line, level)
-    @qtest.write("set_irq_in #{GPIO} unnamed-gpio-in #{line} #{level}\n")
-    answer = @qtest.gets
-    raise Failed, "qtest: #{answer}" unless answer == "OK\n"
+    ask_qtest("set_irq_in #{GPIO} unnamed-gpio-in #{line} #{level}")
+  end
+
+  def line(line)
+    Integer(ask_qtest("readl #{GPIO_OUTPUTS}"))[line]
   end
 
   def stop
@@ -114,14 +120,28 @@ class Machine
   # The first memory disk: busybox, modules, programs, the first program.
   def pack
     tree = "#{@folder}/tree"
-    FileUtils.mkdir_p(%W[#{tree}/bin #{tree}/modules #{tree}/boresight #{tree}/dev])
+    FileUtils.mkdir_p(%W[#{tree}/bin #{tree}/modules #{tree}/dev])
     FileUtils.cp("#{DEBIAN}/bin/busybox", "#{tree}/bin")
     MODULES.each_with_index { |name, place| FileUtils.cp(find("**/#{name}.ko"), "#{tree}/modules/#{place}-#{name}.ko") }
     FileUtils.install("#{__dir__}/init", "#{tree}/init", mode: 0o755)
-    Dir["#{PROGRAMS}/boresight*"].each do |file|
-      shell('arm-linux-gnueabihf-strip', '-o', "#{tree}/boresight/#{File.basename(file)}", file)
-    end
+    PROGRAMS.each { |folder, patterns| pack_programs("#{tree}/#{folder}", Dir[*patterns, base: "#{ROOT}/build"]) }
     shell('sh', '-c', "cd #{tree} && find . | cpio --quiet -o -H newc -R 0:0 >#{@folder}/disk")
+  end
+
+  # One that is there already is linked: the disk must be read by an emulated processor.
+  def pack_programs(folder, files)
+    FileUtils.mkdir_p(folder)
+    files.each do |file|
+      packed = "#{folder}/#{File.basename(file)}"
+      same = "#{File.dirname(folder)}/boresight/#{File.basename(file)}"
+      shell('arm-linux-gnueabihf-strip', '-o', packed, "#{ROOT}/build/#{file}")
+      FileUtils.ln(same, packed, force: true) if same != packed && File.exist?(same) && FileUtils.identical?(same, packed)
+    end
+  end
+
+  def ask_qtest(question)
+    @qtest.write("#{question}\n")
+    @qtest.gets.to_s[/\AOK ?(.*)/, 1] || raise(Failed, "qtest does not obey #{question}")
   end
 
   def shell(*words)
