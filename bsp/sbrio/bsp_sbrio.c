@@ -80,12 +80,14 @@ static bool give_power(char *error, uint32_t error_size)
     return is_given;
 }
 
+/** @satisfies SWR-ARM-009 */
 static bool arm_watchdog(char *error, uint32_t error_size)
 {
     return (wiring.watchdog[0] == '\0') ||
            kernel_watchdog_arm(&watchdog, wiring.watchdog, wiring.watchdog_s, error, error_size);
 }
 
+/** @satisfies SWR-ARM-008 */
 bool bsp_self_test(char *error, uint32_t error_size)
 {
     return wire_test_run(&buses, &wiring, error, error_size) && arm_watchdog(error, error_size) &&

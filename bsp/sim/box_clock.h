@@ -15,7 +15,8 @@
 
 /** The box looks around at least this often. */
 #define BOX_CLOCK_LOOK_US 1500U
-/** And in real time so often, as a real one samples its inputs when it is asked for them. */
+/** And in real time so often, as a real one samples its inputs when it is asked for them; in its
+ * own time. */
 #define BOX_CLOCK_SAMPLE_US 250U
 /** The furthest that its world goes on at once: a pause of the machine pauses the world, too. */
 #define BOX_CLOCK_STRIDE_US 2000U

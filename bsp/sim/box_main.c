@@ -189,7 +189,8 @@ static void look_around(wire_t *wire, box_clock_t *clock, box_grip_t *grip)
 
 static void run(wire_t *wire, box_time_t time)
 {
-    const uint32_t pause_us = time.is_elastic ? BOX_CLOCK_LOOK_US : BOX_CLOCK_SAMPLE_US;
+    const uint32_t pause_us =
+        time.is_elastic ? BOX_CLOCK_LOOK_US : (BOX_CLOCK_SAMPLE_US * time.slowness);
     box_clock_t clock;
     box_grip_t grip = {{0U}, {0U}};
     uint32_t openings = wire_load(&wire->openings);

@@ -5,7 +5,7 @@ require 'json'
 require_relative 'machine'
 require_relative '../system/support/boresight'
 
-# Boresight in the emulated machine, on a simulated box that outlives it. One at a time.
+# Boresight in the emulated machine, on a simulated box that outlives it.
 class ArmSystem
   BOX = 'lone'
   FOLDER = '/tmp/boresight'
@@ -36,12 +36,6 @@ class ArmSystem
     @commands = 0
     machine.run!("rm -f #{OUTPUT} #{EXIT}; { #{@command} >#{OUTPUT} 2>&1 </dev/null; echo $? >#{EXIT}; } &")
     wait_until('it is up') { output.include?('Stop:') || (ended? && raise(Machine::Failed, output)) }
-  end
-
-  # Of box and all; what is soldered stays.
-  def end
-    machine.run('exec 3>&-; kill $(pidof nc boresight boresight-box cards-on-spi)')
-    wait_until('all has ended') { machine.run('pidof boresight boresight-box cards-on-spi').last.positive? }
   end
 
   def output

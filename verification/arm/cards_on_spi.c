@@ -13,6 +13,7 @@
 #include <errno.h>
 #include <fuse3/fuse_lowlevel.h>
 #include <linux/spi/spidev.h>
+#include <sched.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,6 +24,8 @@
 #define EVERY_SLOT ((1U << CARD_SLOT_COUNT) - 1U)
 /* In the box's time, which may pass a hundred times slower. */
 #define PATIENCE_NS UINT64_C(50000000)
+/* As prompt as a wire: before the box and whatever is not in real time. */
+#define PRIORITY 75
 
 typedef struct spi_ioc_transfer transfer_t;
 
@@ -144,6 +147,7 @@ static void obey(fuse_req_t request, int command, void *argument, struct fuse_fi
 
 int main(int count, char *words[])
 {
+    const struct sched_param parameter = {.sched_priority = PRIORITY};
     static const struct cuse_lowlevel_ops operations = {.open = open_device, .ioctl = obey};
     char *own[] = {words[0], "-f", "-s", NULL};
     char name[NAME_SIZE];
@@ -157,6 +161,7 @@ int main(int count, char *words[])
         (void)fprintf(stderr, "cards-on-spi: %s\n", error);
         return EXIT_FAILURE;
     }
+    (void)sched_setscheduler(0, SCHED_FIFO, &parameter);
     (void)snprintf(name, sizeof name, "DEVNAME=%s", words[1]);
     return cuse_lowlevel_main(3, own, &info, &operations, NULL);
 }

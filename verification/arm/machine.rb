@@ -10,6 +10,7 @@ require 'tmpdir'
 # the kernel finds on a SABRE Lite: GPIO, watchdog, serial line; and our programs for it.
 #
 #   machine = Machine.start
+#   machine = Machine.start(paced: true)   its time passes with its instructions, on one core
 #   machine.run('uname -a')         => ["Linux ...", 0]
 #   machine.set_line(0, 1)          what is soldered to the GPIO
 #   machine.line(8)                 what it sets
@@ -26,18 +27,24 @@ class Machine
   PATIENCE_SECONDS = 300
   POLL_SECONDS = 0.05
   ASK_AGAIN_SECONDS = 0.5
-  ARGUMENTS = 'console=ttymxc1,115200 quiet rdinit=/init panic=-1 isolcpus=1'
+  ARGUMENTS = 'console=ttymxc1,115200 quiet rdinit=/init panic=-1'
+  CORES = %w[-accel tcg,thread=multi -smp 2].freeze
+  CORE_OF_CONTROL = 'isolcpus=1'
+  # So many ns each, as a power of two. However busy the host is, the machine is late for nothing: a pause of the host is
+  # none of its time. QEMU can do so with several cores only by running them in turns, and lets one of them starve.
+  PACED = %w[-accel tcg,thread=single -smp 1 -icount shift=3,sleep=off].freeze
   # GPIO 5 of the SABRE Lite has free lines: /dev/gpiochip4. Its first register holds what its outputs are set to.
   GPIO = '/machine/soc/gpio5'
   GPIO_OUTPUTS = 0x020ac000
-  COMMANDS = 500
+
+  CORE_TIMER = 'arm,cortex-a9-twd-timer'
 
   class TimedOut < StandardError; end
   class Failed < StandardError; end
 
   class << self
-    def start
-      new.tap(&:boot)
+    def start(paced: false)
+      new(paced:).tap(&:boot)
     end
 
     def running
@@ -47,7 +54,8 @@ class Machine
 
   attr_reader :console
 
-  def initialize
+  def initialize(paced:)
+    @paced = paced
     @folder = Dir.mktmpdir('boresight-arm')
     @console = +''
     @number = 0
@@ -56,6 +64,7 @@ class Machine
   # Up to its first command.
   def boot
     pack
+    describe
     @pid = Process.spawn(*qemu, in: File::NULL, out: "#{@folder}/qemu.log", err: %i[child out])
     Machine.running << self
     @serial = connect('serial')
@@ -93,6 +102,14 @@ class Machine
     Integer(ask_qtest("readl #{GPIO_OUTPUTS}"))[line]
   end
 
+  # As if the host had no time for it.
+  def pause(seconds)
+    Process.kill('STOP', @pid)
+    sleep seconds
+  ensure
+    Process.kill('CONT', @pid)
+  end
+
   def stop
     [@serial, @qtest].compact.each(&:close)
     Process.kill('KILL', @pid) && Process.wait(@pid) if @pid
@@ -128,6 +145,13 @@ class Machine
     shell('sh', '-c', "cd #{tree} && find . | cpio --quiet -o -H newc -R 0:0 >#{@folder}/disk")
   end
 
+  # The timer of each core has 100 MHz in QEMU, and the kernel is told 396: whoever sleeps would sleep four times as long.
+  # It is named as none, so that the kernel takes the timer beside the cores.
+  def describe
+    devices = File.binread(find('usr/lib/linux-image-*/imx6q-sabrelite.dtb'))
+    File.binwrite("#{@folder}/devices", devices.sub(CORE_TIMER) { |name| '-' * name.size })
+  end
+
   # One that is there already is linked: the disk must be read by an emulated processor.
   def pack_programs(folder, files)
     FileUtils.mkdir_p(folder)
@@ -154,11 +178,11 @@ class Machine
   end
 
   def qemu
-    %W[qemu-system-arm -M sabrelite -accel tcg,thread=multi -smp 2 -m 512 -display none -monitor none -no-reboot
+    %W[qemu-system-arm -M sabrelite -m 512 -display none -monitor none -no-reboot
        -serial null -serial unix:#{@folder}/serial,server=on,wait=off
        -qtest unix:#{@folder}/qtest,server=on,wait=off -qtest-log /dev/null
-       -kernel #{find('boot/vmlinuz-*')} -dtb #{find('usr/lib/linux-image-*/imx6q-sabrelite.dtb')}
-       -initrd #{@folder}/disk -append] + [ARGUMENTS]
+       -kernel #{find('boot/vmlinuz-*')} -dtb #{@folder}/devices
+       -initrd #{@folder}/disk -append] + [@paced ? ARGUMENTS : "#{ARGUMENTS} #{CORE_OF_CONTROL}"] + (@paced ? PACED : CORES)
   end
 
   def connect(name)

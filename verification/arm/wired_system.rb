@@ -10,8 +10,8 @@ class WiredSystem < ArmSystem
   POWER = 8
   WATCHDOG = '/sys/class/watchdog/watchdog0'
   DEVICE = 'spidev9.0'
-  # The most that there is: a host that is busy makes cycles late.
-  SLOWNESS = 100
+  # As much as the paced machine needs to be punctual.
+  SLOWNESS = 10
   WIRING = <<~WIRING
     spidev:   /dev/#{DEVICE}, slots=0-9, clock=100000000
     gpio:     /dev/gpiochip4, #{LINES.map { |name, line| "#{name}=#{line}" }.join(', ')}, power=#{POWER}
@@ -26,11 +26,10 @@ class WiredSystem < ArmSystem
                "--recordings #{RECORDINGS}"
   end
 
-  # Homes under the pedal until something is so. Late cycles, which a busy host makes, stop motion as they should; then it
-  # begins anew.
+  # Homes under the pedal until something is so, again when it was stopped or is done.
   def drive_until(reason)
     wait_until(reason) do
-      begin_anew if status['order'] == 'none'
+      arm_homing && press_pedal if status['order'] == 'none'
       yield
     end
   end
@@ -61,8 +60,11 @@ class WiredSystem < ArmSystem
     machine.run!("cat #{WATCHDOG}/state").strip
   end
 
-  def disarm_watchdog
-    machine.run!('echo V >/dev/watchdog')
+  # As nothing can be caught. The watchdog would restart the computer: it is disarmed there, since time there may pass
+  # quickly. Returns what it was before.
+  def kill_control
+    super
+    machine.run!("until test -s #{EXIT}; do sleep 1; done; cat #{WATCHDOG}/state; echo V >/dev/watchdog").strip
   end
 
   # Of the axes, in ticks, as the box sees it.
@@ -86,12 +88,19 @@ class WiredSystem < ArmSystem
     simctl('show').lines.map(&:split).select { |words| words.first.to_s.match?(/\A\d+\z/) }
   end
 
-  def begin_anew
+  # It is refused in a second in which the loop has taken a page of memory, as in its first one.
+  def arm_homing
     release_pedal
-    answered = count('ORDER_ARMED') + count('COMMAND_REFUSED')
-    command('START_UP')
-    wait_until('START_UP is answered') { count('ORDER_ARMED') + count('COMMAND_REFUSED') > answered }
-    press_pedal
+    wait_until('homing is armed') do
+      answers = count_answers
+      command('START_UP')
+      wait_until('START_UP is answered') { count_answers > answers }
+      status['order'] != 'none'
+    end
+  end
+
+  def count_answers
+    count('ORDER_ARMED') + count('COMMAND_REFUSED')
   end
 
   def start_box
