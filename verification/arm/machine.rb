@@ -6,11 +6,11 @@ require 'open3'
 require 'socket'
 require 'tmpdir'
 
-# A computer with two Cortex-A9 and Debian's real-time kernel, in QEMU: its second core is kept for control. It has what
-# the kernel finds on a SABRE Lite: GPIO, watchdog, serial line; and our programs for it.
+# A computer with Cortex-A9 and Debian's real-time kernel, in QEMU. It has what the kernel finds on a SABRE Lite: GPIO,
+# watchdog, serial line; and our programs for it.
 #
-#   machine = Machine.start
-#   machine = Machine.start(paced: true)   its time passes with its instructions, on one core
+#   machine = Machine.start         two cores, the second one is kept for control
+#   machine = Machine.start(paced: true)   one core; its time passes with its instructions
 #   machine.run('uname -a')         => ["Linux ...", 0]
 #   machine.set_line(0, 1)          what is soldered to the GPIO
 #   machine.line(8)                 what it sets
@@ -28,15 +28,13 @@ class Machine
   POLL_SECONDS = 0.05
   ASK_AGAIN_SECONDS = 0.5
   ARGUMENTS = 'console=ttymxc1,115200 quiet rdinit=/init panic=-1'
-  CORES = %w[-accel tcg,thread=multi -smp 2].freeze
-  CORE_OF_CONTROL = 'isolcpus=1'
+  CORES = ['-accel', 'tcg,thread=multi', '-smp', '2', '-append', "#{ARGUMENTS} isolcpus=1"].freeze
   # So many ns each, as a power of two. However busy the host is, the machine is late for nothing: a pause of the host is
   # none of its time. QEMU can do so with several cores only by running them in turns, and lets one of them starve.
-  PACED = %w[-accel tcg,thread=single -smp 1 -icount shift=3,sleep=off].freeze
+  PACED = ['-accel', 'tcg,thread=single', '-smp', '1', '-append', ARGUMENTS, '-icount', 'shift=3,sleep=off'].freeze
   # GPIO 5 of the SABRE Lite has free lines: /dev/gpiochip4. Its first register holds what its outputs are set to.
   GPIO = '/machine/soc/gpio5'
   GPIO_OUTPUTS = 0x020ac000
-
   CORE_TIMER = 'arm,cortex-a9-twd-timer'
 
   class TimedOut < StandardError; end
@@ -183,7 +181,7 @@ class Machine
        -serial null -serial unix:#{@folder}/serial,server=on,wait=off
        -qtest unix:#{@folder}/qtest,server=on,wait=off -qtest-log /dev/null
        -kernel #{find('boot/vmlinuz-*')} -dtb #{@folder}/devices
-       -initrd #{@folder}/disk -append] + [@paced ? ARGUMENTS : "#{ARGUMENTS} #{CORE_OF_CONTROL}"] + (@paced ? PACED : CORES)
+       -initrd #{@folder}/disk] + (@paced ? PACED : CORES)
   end
 
   def connect(name)

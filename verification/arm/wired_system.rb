@@ -60,11 +60,11 @@ class WiredSystem < ArmSystem
     machine.run!("cat #{WATCHDOG}/state").strip
   end
 
-  # As nothing can be caught. The watchdog would restart the computer: it is disarmed there, since time there may pass
-  # quickly. Returns what it was before.
+  # The watchdog would restart the computer: it is disarmed there, since time there may pass quickly. Returns what it was
+  # before.
   def kill_control
-    super
-    machine.run!("until test -s #{EXIT}; do sleep 1; done; cat #{WATCHDOG}/state; echo V >/dev/watchdog").strip
+    machine.run!("kill -9 $(pidof boresight-control); until test -s #{EXIT}; do sleep 1; done; " \
+                 "cat #{WATCHDOG}/state; echo V >/dev/watchdog").strip
   end
 
   # Of the axes, in ticks, as the box sees it.
