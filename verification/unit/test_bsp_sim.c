@@ -430,8 +430,8 @@ static void *obey(void *unused)
     const uint32_t last = wire_load(&wire->come) + calls;
 
     (void)unused;
-    for (uint32_t seen = wire_load(&wire->wake); wire_load(&wire->come) != last;
-         seen = wire_load(&wire->wake)) {
+    while (wire_load(&wire->come) != last) {
+        const uint32_t seen = wire_load(&wire->wake);
         const uint32_t called = wire_load(&wire->call);
         const uint32_t asked = wire_load(&wire->request);
         if (asked != wire_load(&wire->reply)) {
@@ -442,8 +442,9 @@ static void *obey(void *unused)
         if (called != wire_load(&wire->come)) {
             wire_store_time(wire, wire->called_us);
             wire_announce(&wire->come, called);
+        } else {
+            wire_sleep(&wire->wake, seen, LONG_TIMEOUT_US);
         }
-        wire_sleep(&wire->wake, seen, LONG_TIMEOUT_US);
     }
     return NULL;
 }
