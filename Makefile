@@ -140,7 +140,7 @@ ASSETS := $(GEN)/assets/assets.c
 $(GEN)/limits/requirement_limits.h: $(wildcard requirements/*.yml) tools/limits.rb
 	@ruby tools/limits.rb requirements $(GEN)/limits
 
-$(GEN)/charts/charts.json: $(wildcard statecharts/*.scxml tools/chart_compiler.rb tools/chart/*.rb tools/chart/*/*.rb tools/chart/*/*/*.rb) $(GEN)/limits/requirement_limits.h
+$(GEN)/charts/charts.json: $(wildcard statecharts/*.scxml tools/chart_compiler.rb tools/chartc/lib/*.rb tools/chartc/lib/*/*.rb tools/chartc/lib/*/*/*.rb) $(GEN)/limits/requirement_limits.h
 	@ruby tools/chart_compiler.rb statecharts $(GEN)
 
 $(CHART_SOURCES): $(GEN)/charts/charts.json ;

@@ -4,6 +4,6 @@
 # Compiles statecharts to C, diagrams, a table for the console and tests of every pair.
 # @satisfies SWR-CHART-003
 
-require_relative 'chart/command'
+require_relative 'chartc/lib/command'
 
 exit Chart::Command.run(ARGV) if $PROGRAM_NAME == __FILE__

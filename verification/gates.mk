@@ -20,7 +20,7 @@ endif
 
 # One file of tests, in C or Ruby.
 ONE := $(firstword $(wildcard verification/unit/$(NAME).c verification/integration/$(NAME).c core/robot/*/test/$(NAME).c \
-    tools/test/$(NAME).rb verification/*/$(NAME).rb verification/*/*/$(NAME).rb))
+    tools/test/$(NAME).rb $(foreach d,tools/chartc verification,$(d)/*/$(NAME).rb $(d)/*/*/$(NAME).rb)))
 ifneq ($(filter one,$(MAKECMDGOALS)),)
 ifeq ($(ONE),)
 $(error NAME is '$(NAME)', but there is no such file of tests; one is test_encoder)
@@ -84,7 +84,7 @@ misra: $(GENERATED) ## MISRA findings of the core
 	ruby tools/misra.rb
 
 charts-fuzz: bootstrap-test ## Random charts against the standard's algorithm: COUNT=1000 SEED=1; what differs is kept, made small
-	@ruby verification/conformance/random/hunt.rb $(or $(COUNT),1000) $(or $(SEED),1)
+	@ruby tools/chartc/conformance/random/hunt.rb $(or $(COUNT),1000) $(or $(SEED),1)
 
 worst-case: bootstrap-test generated ## What each chart costs at most, in instructions and bytes
 	@ruby -r ./verification/model/worst_case_table -e 'WorstCase::Table.run'

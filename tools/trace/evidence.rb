@@ -37,10 +37,10 @@ module Trace
   # Tests that run the whole controller are integration tests, wherever they stand.
   LEVEL_OF_FILE = { %r{\Averification/(?:integration/|supervise/|bench/|unit/test_controller)} => 'integration',
                     %r{\A(?:verification/unit|core/robot|build/gen/tests)/} => 'unit',
-                    %r{\Averification/(?:conformance|faults|model|mutants)/} => 'tool',
+                    %r{\Averification/(?:model|mutants)/} => 'tool',
                     %r{\Averification/} => 'system',
                     %r{\Aapp/console/} => 'console',
-                    %r{\Atools/test/} => 'tool' }.freeze
+                    %r{\Atools/(?:test|chartc)/} => 'tool' }.freeze
 
   ID_IN_NAME = /SWR[_-]([A-Z0-9]+)[_-](\d+)/
 

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 
 require 'json'
-require_relative '../../tools/chart/compiled'
+require_relative '../../tools/chartc/lib/compiled'
 
 # The charts of the product with their walks, and the limits that charts may name.
 module ProductCharts

@@ -7,10 +7,10 @@
 
 require 'minitest/autorun'
 require 'tmpdir'
-require_relative 'compiled_chart'
-require_relative 'pairs'
+require_relative '../../tools/chartc/proof/compiled_chart'
+require_relative '../../tools/chartc/proof/pairs'
 require_relative 'product_charts'
-require_relative 'scion'
+require_relative '../../tools/chartc/proof/scion'
 
 class TestBackToBack < Minitest::Test
   ProductCharts::ALL.each do |file, chart|

@@ -17,8 +17,8 @@ require 'minitest/autorun'
 require 'tmpdir'
 require_relative 'composition/composed_chart'
 require_relative 'composition/explorer'
-require_relative 'spin_verifier'
-require_relative '../../tools/chart/emit/promela'
+require_relative '../../tools/chartc/proof/spin_verifier'
+require_relative '../../tools/chartc/lib/emit/promela'
 
 class TestComposition < Minitest::Test
   SPIN_DEPTH = 4_000_000

@@ -7,7 +7,7 @@
 # expire in any order. The numbers are printed.
 
 require 'minitest/autorun'
-require_relative '../../tools/chart/emit/tests/paths_test'
+require_relative '../../tools/chartc/lib/emit/tests/paths_test'
 require_relative 'product_charts'
 
 class TestPaths < Minitest::Test

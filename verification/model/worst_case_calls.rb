@@ -2,8 +2,8 @@
 
 # SPDX-License-Identifier: Apache-2.0
 
-require_relative '../../tools/chart/emit/c/names'
-require_relative '../../tools/chart/emit/vector'
+require_relative '../../tools/chartc/lib/emit/c/names'
+require_relative '../../tools/chartc/lib/emit/vector'
 
 module WorstCase
   # The calls that a product makes of a chart, as the C of a program: each reachable pair with each valuation of the

@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: Apache-2.0
 
 require 'open3'
-require_relative '../../tools/chart/emit/c/header'
-require_relative '../../tools/chart/emit/c/source'
+require_relative '../../tools/chartc/lib/emit/c/header'
+require_relative '../../tools/chartc/lib/emit/c/source'
 
 module WorstCase
   # A compiler refused the code, a tool stopped, or a call did other than the walk says.

@@ -2,8 +2,8 @@
 
 # SPDX-License-Identifier: Apache-2.0
 
-require_relative '../../../tools/chart/emit/c/header'
-require_relative '../../../tools/chart/emit/vector'
+require_relative '../../../tools/chartc/lib/emit/c/header'
+require_relative '../../../tools/chartc/lib/emit/vector'
 
 # One chart in a composition: its configurations, its compiled code as a step from number to number, and the
 # interpreter's table of the same. Stimuli are numbered: events, then timers.

@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: Apache-2.0
 
 require 'fileutils'
-require_relative '../../../tools/chart/emit/c/header'
-require_relative '../../../tools/chart/emit/c/source'
+require_relative '../../../tools/chartc/lib/emit/c/header'
+require_relative '../../../tools/chartc/lib/emit/c/source'
 require_relative 'chart_tables'
 require_relative 'composition'
 require_relative 'conditions'

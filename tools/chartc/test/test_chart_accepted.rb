@@ -1,0 +1,148 @@
+# frozen_string_literal: true
+
+# SPDX-License-Identifier: Apache-2.0
+
+# The rule under test: what the compiler accepts compiles, whatever the chart calls its parts and says in its comments,
+# and a chart too large is refused before it is walked.
+
+require 'minitest/autorun'
+require 'tmpdir'
+require_relative '../lib/compiled'
+require_relative '../lib/command'
+require_relative '../proof/generated_test'
+
+class TestChartAccepted < Minitest::Test
+  FOLDER = File.join(__dir__, 'charts')
+  CORE = File.expand_path('../../../core', __dir__)
+  LIMITS = { 'short_us' => 1000, 'cycle_us' => 1000 }.freeze
+  WARNINGS = %w[-std=c99 -pedantic -Wall -Wextra -Werror -Wconversion -Wsign-conversion -Wshadow -Wswitch-enum
+                -Wcast-qual -Wmissing-prototypes].freeze
+  ENGINE = 'xmlns="http://www.w3.org/2005/07/scxml" xmlns:bs="urn:boresight:chart" version="1.0" datamodel="ecmascript"'
+
+  %i[direct staged].each do |shape|
+    define_method("test_SWR_CHART_016_names_and_comments_do_not_break_the_#{shape}_code") do
+      assert_empty warnings(awkward, shape)
+    end
+  end
+
+  def test_SWR_CHART_016_names_do_not_break_the_generated_tests
+    Dir.mktmpdir do |folder|
+      source = written(awkward, nil, folder)
+      { 'walk' => Chart::WalkTest, 'paths' => Chart::PathsTest }.each do |name, kind|
+        test = File.join(folder, "test_#{name}.c")
+        File.write(test, kind.new(awkward.document, awkward.walk).emit)
+        output, status = Open3.capture2e(GeneratedTest.new(test, folder, folder).program(source))
+        assert status.success?, output
+      end
+    end
+  end
+
+  # No step of the walk comes to the raise: the state is left by nothing, or never reached.
+  def test_SWR_CHART_016_a_raise_that_never_happens_compiles
+    ['<state id="a"><transition event="go"/></state><state id="b"><onexit><raise event="go"/></onexit>
+      <transition event="go" target="a"/></state>',
+     '<state id="a"><transition event="done.state.p"/></state><parallel id="p"><state id="b"><final id="c"/></state>
+      <state id="d"/></parallel>'].each do |states|
+      chart = engine(states)
+      chart_shapes(chart).each { |shape| assert_empty warnings(chart, shape), states }
+    end
+  end
+
+  def test_SWR_CHART_016_charts_whose_headers_say_the_same_name_are_refused
+    Dir.mktmpdir do |folder|
+      text = File.read(File.join(FOLDER, 'base.scxml'))
+      File.write(File.join(folder, 'base_x.scxml'), text.sub('name="base"', 'name="base_x"').gsub('T-T', 'X-T'))
+      text = text.sub('initial="off" bs:safe="off"', 'initial="all" bs:safe="off fast"')
+                 .sub('<state', '<parallel id="all"><state id="x_state" initial="off"><state')
+      File.write(File.join(folder, 'base.scxml'),
+                 text.sub('</scxml>', '</state><state id="fast" bs:req="SWR-CHART-003"/></parallel></scxml>'))
+      status = nil
+      _output, errors = capture_io { status = Chart::Command.run(['page', folder, File.join(folder, 'out')]) }
+      assert_equal 1, status
+      assert_match(/base_x\.scxml:1: CHART-R06 base_x_state_t comes of .*base\.scxml too; choose/, errors)
+    end
+  end
+
+  # What a message calls a timer, a state or a transition stands in the file.
+  def test_SWR_CHART_016_a_message_names_only_what_the_file_contains
+    sends = '<send event="late" delay="1s"/>'
+    refusal = assert_raises(Chart::Refusal) do
+      engine("<state id=\"a\">\n<transition event=\"go\">\n#{sends}</transition></state>")
+    end
+    assert_match(/:3: CHART-R33 timer "send of line 3" is started while it runs, reached by: go, go;/, refusal.message)
+  end
+
+  def test_SWR_CHART_017_more_than_400_states_are_refused_at_once
+    assert_equal 400, engine(ring(400)).document.states.length
+    assert_match(/CHART-R19 more than 400 states; split/, quick { engine(ring(20_000)) }.message)
+  end
+
+  def test_SWR_CHART_017_more_configurations_than_can_be_walked_are_refused_at_once
+    regions = (1..12).map { |n| "<state id=\"r#{n}\">#{(1..3).map { |leaf| leaf_of(n, leaf) }.join}</state>" }
+    message = quick { engine("<parallel id=\"all\">#{regions.join}</parallel>") }.message
+    assert_match(/CHART-R19 the regions allow 531441 configurations; at most 200000 fit, split/, message)
+  end
+
+  def test_SWR_CHART_017_400_states_with_2000_transitions_are_walked_in_three_seconds
+    states = (1..400).map { |n| "<state id=\"s#{n}\">#{(1..5).map { |way| way_of(n, way) }.join}</state>" }
+    before = Process.clock_gettime(Process::CLOCK_PROCESS_CPUTIME_ID)
+    chart = engine(states.join)
+    assert_equal 400, chart.walk.reached.length
+    assert_operator Process.clock_gettime(Process::CLOCK_PROCESS_CPUTIME_ID) - before, :<, 3.0
+  end
+
+  private
+
+  def way_of(state, way)
+    "<transition event=\"next_#{way}\" target=\"s#{((state + way) % 400) + 1}\"/>"
+  end
+
+  def awkward
+    @awkward ||= Chart::Compiled.from(File.join(FOLDER, 'awkward_names.scxml'),
+                                      File.read(File.join(FOLDER, 'awkward_names.scxml')), LIMITS)
+  end
+
+  def engine(states)
+    Chart::Compiled.from('small.scxml', "<scxml #{ENGINE}>#{states}</scxml>", {}, mode: :engine)
+  end
+
+  def ring(length)
+    (1..length).map { |n| leaf(n, (n % length) + 1) }.join
+  end
+
+  def leaf(number, target)
+    "<state id=\"s#{number}\"><transition event=\"next\" target=\"s#{target}\"/></state>"
+  end
+
+  def leaf_of(region, number)
+    leaf("#{region}_#{number}", "#{region}_#{(number % 3) + 1}")
+  end
+
+  # The refusal, which comes within a second of work.
+  def quick(&block)
+    before = Process.clock_gettime(Process::CLOCK_PROCESS_CPUTIME_ID)
+    refusal = assert_raises(Chart::Refusal, &block)
+    assert_operator Process.clock_gettime(Process::CLOCK_PROCESS_CPUTIME_ID) - before, :<, 1.0
+    refusal
+  end
+
+  def chart_shapes(chart)
+    Chart::C::Source.shapes(chart.document)
+  end
+
+  def written(chart, shape, folder)
+    name = chart.document.name
+    File.write(File.join(folder, "#{name}_chart.h"), Chart::C::Header.new(chart.document, chart.walk).emit)
+    File.join(folder, "#{name}_chart.c").tap do |file|
+      File.write(file, Chart::C::Source.new(chart.document, chart.walk, shape: shape).emit)
+    end
+  end
+
+  # What gcc says of the code.
+  def warnings(chart, shape)
+    Dir.mktmpdir do |folder|
+      source = written(chart, shape, folder)
+      Open3.capture2e('gcc', *WARNINGS, '-O1', '-I', CORE, '-c', source, '-o', File::NULL).first
+    end
+  end
+end

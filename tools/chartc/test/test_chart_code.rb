@@ -1,0 +1,95 @@
+# frozen_string_literal: true
+
+# SPDX-License-Identifier: Apache-2.0
+
+require 'fileutils'
+require 'json'
+require 'minitest/autorun'
+require 'open3'
+require 'rbconfig'
+require 'tmpdir'
+require_relative '../lib/command'
+
+# What the compiler writes for one chart: C without a warning, the same bytes every time, drawing and table to match.
+class TestChartCode < Minitest::Test
+  CHART = File.join(__dir__, 'charts', 'sample.scxml')
+  CORE = File.join(__dir__, '..', '..', '..', 'core')
+  COMPILER = File.join(__dir__, '..', '..', 'chart_compiler.rb')
+  WARNINGS = %w[-std=c99 -pedantic -Wall -Wextra -Werror -Wconversion -Wsign-conversion -Wshadow -Wswitch-enum
+                -Wcast-qual -Wmissing-prototypes].freeze
+
+  class << self
+    # One compilation of the sample chart serves all tests.
+    def folder
+      @folder ||= Dir.mktmpdir.tap do |folder|
+        Minitest.after_run { FileUtils.remove_entry(folder) }
+        compile_chart(folder)
+      end
+    end
+
+    def compile_chart(folder)
+      FileUtils.mkdir_p([File.join(folder, 'in'), File.join(folder, 'gen', 'limits')])
+      FileUtils.cp(CHART, File.join(folder, 'in'))
+      limits = { cycle_us: 1000, short_us: 500_000, heat_limit_us: 2_000_000 }.map do |name, value|
+        { name: name, value: value, requirement: 'SWR-CHART-001' }
+      end
+      File.write(File.join(folder, 'gen', 'limits', 'limits.json'), JSON.generate(limits))
+      run!(RbConfig.ruby, COMPILER, File.join(folder, 'in'), File.join(folder, 'gen'))
+    end
+
+    def run!(*command)
+      output, status = Open3.capture2e(*command)
+      raise output unless status.success?
+    end
+  end
+
+  %w[gcc clang].each do |compiler|
+    define_method("test_SWR_CHART_001_#{compiler}_compiles_the_code_without_a_warning") do
+      file = path('gen', 'charts', 'sample_chart.c')
+      output, status = Open3.capture2e(compiler, *WARNINGS, '-O2', '-I', CORE, '-c', file, '-o', File::NULL)
+      assert status.success?, output
+      assert_empty output
+    end
+  end
+
+  def test_SWR_CHART_001_a_second_run_writes_the_same_bytes
+    files = Dir[path('gen', '{charts,tests}', '*')].sort
+    before = files.map { |file| File.binread(file) }
+    self.class.compile_chart(self.class.folder)
+    assert_equal(before, files.map { |file| File.binread(file) })
+    assert_equal %w[charts.json charts.ts sample.dot sample.svg sample_chart.c sample_chart.h test_sample_paths.c
+                    test_sample_walk.c],
+                 files.map { |file| File.basename(file) }
+  end
+
+  def test_SWR_CHART_001_the_drawing_names_every_state_and_transition
+    svg = File.read(path('gen', 'charts', 'sample.svg')).gsub('&#45;', '-')
+    chart = JSON.parse(File.read(path('gen', 'charts', 'charts.json'))).fetch('charts').first
+    chart.fetch('states').each { |state| assert_includes svg, "id=\"#{state.fetch('svg_id')}\"" }
+    marks = chart.fetch('transitions').flat_map { |transition| transition.fetch('svg_ids') }
+    assert_empty(chart.fetch('transitions').reject { |transition| transition.fetch('svg_ids').any? })
+    marks.each { |mark| assert_includes svg, "id=\"#{mark}\"" }
+    refute_includes svg, 'style='
+  end
+
+  def test_SWR_CHART_001_the_table_numbers_agree_with_the_code
+    chart = JSON.parse(File.read(path('gen', 'charts', 'charts.json'))).fetch('charts').first
+    header = File.read(path('gen', 'charts', 'sample_chart.h'))
+    values = chart.fetch('regions').flat_map { |region| region.fetch('leaves') } + chart.fetch('events')
+    values.each { |one| assert_match(/\b#{one.fetch('enumerator')} = #{one.fetch('value')}U/, header) }
+    chart.fetch('transitions').each do |one|
+      name = "take_#{one.fetch('id').downcase.tr('-', '_')}"
+      assert_match(/#{name}\([^{]*\{[^}]*self->now_us, #{one.fetch('number')}U\);/, source)
+    end
+  end
+
+  private
+
+  def path(*parts)
+    File.join(self.class.folder, *parts)
+  end
+
+  def source
+    File.read(path('gen', 'charts', 'sample_chart.c'))
+  end
+end
