@@ -140,8 +140,8 @@ ASSETS := $(GEN)/assets/assets.c
 $(GEN)/limits/requirement_limits.h: $(wildcard requirements/*.yml) tools/limits.rb
 	@ruby tools/limits.rb requirements $(GEN)/limits
 
-$(GEN)/charts/charts.json: $(wildcard statecharts/*.scxml tools/chart_compiler.rb tools/chartc/lib/*.rb tools/chartc/lib/*/*.rb tools/chartc/lib/*/*/*.rb) $(GEN)/limits/requirement_limits.h
-	@ruby tools/chart_compiler.rb statecharts $(GEN)
+$(GEN)/charts/charts.json: $(wildcard statecharts/*.scxml tools/chartc/chartc tools/chartc/lib/*.rb tools/chartc/lib/*/*.rb tools/chartc/lib/*/*/*.rb) $(GEN)/limits/requirement_limits.h
+	@ruby tools/chartc/chartc build statecharts $(GEN)
 
 $(CHART_SOURCES): $(GEN)/charts/charts.json ;
 
@@ -295,7 +295,7 @@ client: bootstrap-client ## Build build/bin/boresight-client, which talks to Bor
 	@$(MAKE) --no-print-directory -j2 $(BIN)/boresight-client
 
 charts: bootstrap $(GEN)/limits/requirement_limits.h ## Draw the statecharts: build/charts/index.html
-	@ruby tools/chart_compiler.rb page statecharts build/charts
+	@ruby tools/chartc/chartc page statecharts build/charts
 
 points: bootstrap ## The errors of measured points: FILE=points.csv, PLANE=xz if the needle goes along y
 	@ruby tools/points.rb '$(FILE)' $(PLANE)

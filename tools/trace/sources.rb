@@ -20,7 +20,7 @@ module Trace
     C_TESTS = '{verification/unit,verification/integration,core/robot/*/test,build/gen/tests}/**/test_*.c'
     RUBY_TESTS = '{verification,tools/test,tools/chartc}/**/test_*.rb'
     SUPPORT = 'verification/unit/support/*.{h,c}'
-    LEFT_OUT = %r{node_modules/|/dist/|tools/test/|tools/chartc/(?!lib/)|\.test\.tsx?\z|\.spec\.ts\z}
+    LEFT_OUT = %r{node_modules/|/dist/|tools/test/|tools/chartc/(?:conformance|faults|proof|test)/|\.test\.tsx?\z|\.spec\.ts\z}
 
     SATISFIES = %r{\A\s*(?:/\*\*|\*|\#|//+)\s*@satisfies\s+(.+?)\s*(?:\*/\s*)?\z}
     COMMENT = %r{\A\s*(?:/\*|\*|\#|//|\z)}

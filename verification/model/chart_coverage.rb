@@ -4,7 +4,7 @@
 
 require 'json'
 require 'open3'
-require_relative '../../tools/chartc/proof/generated_test'
+require_relative '../../tools/chartc/chart'
 
 # How much of the generated C of one chart its generated tests reach, by clang's source-based coverage. A decision with
 # one condition has no modified condition/decision coverage of its own: its branches are that.

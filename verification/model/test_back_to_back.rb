@@ -7,19 +7,16 @@
 
 require 'minitest/autorun'
 require 'tmpdir'
-require_relative '../../tools/chartc/proof/compiled_chart'
-require_relative '../../tools/chartc/proof/pairs'
 require_relative 'product_charts'
-require_relative '../../tools/chartc/proof/scion'
 
 class TestBackToBack < Minitest::Test
   ProductCharts::ALL.each do |file, chart|
     name = chart.document.name
-    Chart::C::Source.shapes(chart.document).product(CompiledChart::KINDS.keys).each do |shape, compiler|
+    chart.shapes.product(CompiledChart::KINDS.keys).each do |shape, compiler|
       define_method("test_SWR_CHART_001_#{name}_#{shape}_by_#{compiler.tr('-', '_')}_equals_the_interpreter") do
         pairs = Pairs.new(chart.document, chart.walk)
         Dir.mktmpdir do |folder|
-          CompiledChart.write(folder, chart.document, chart.walk, shape: shape)
+          CompiledChart.write(folder, chart, shape: shape)
           program = CompiledChart.build(folder, name, kind: compiler)
           assert_empty pairs.compare(program.run(pairs.commands)).first(3)
         end

@@ -17,8 +17,6 @@ require 'minitest/autorun'
 require 'tmpdir'
 require_relative 'composition/composed_chart'
 require_relative 'composition/explorer'
-require_relative '../../tools/chartc/proof/spin_verifier'
-require_relative '../../tools/chartc/lib/emit/promela'
 
 class TestComposition < Minitest::Test
   SPIN_DEPTH = 4_000_000
@@ -120,7 +118,7 @@ class TestComposition < Minitest::Test
 
   # The one state more is that before the start.
   def test_SWR_CHART_012_spin_reaches_the_same_configurations_and_violates_nothing
-    model = Chart::Promela.new(composed(composition(1))).emit
+    model = Chart.promela(composed(composition(1)))
     report = SpinVerifier.verify(model, SPIN_DEPTH)
     assert_equal [sound(1, 'gcc').configurations + 1, 0, nil], report.to_a.first(3)
     puts "composition     #{report.stored - 1} configurations: SPIN (one axis)"
@@ -186,7 +184,8 @@ class TestComposition < Minitest::Test
 
   def composed(composition)
     text = ComposedChart.new(composition).emit
-    Chart::Parser.parse('composition.scxml', text, ProductCharts::LIMITS, mode: :engine)
+    tree = Chart.tree('composition.scxml', text)
+    Chart.document('composition.scxml', ProductCharts::LIMITS, mode: :engine, tree: tree)
   end
 
   # A composition.yml with one line changed.

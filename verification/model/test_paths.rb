@@ -7,7 +7,6 @@
 # expire in any order. The numbers are printed.
 
 require 'minitest/autorun'
-require_relative '../../tools/chartc/lib/emit/tests/paths_test'
 require_relative 'product_charts'
 
 class TestPaths < Minitest::Test
@@ -20,7 +19,7 @@ class TestPaths < Minitest::Test
 
   ProductCharts::ALL.each_value do |chart|
     define_method("test_SWR_CHART_009_the_paths_of_#{chart.document.name}_are_complete") do
-      tables = tables_of(Chart::PathsTest.new(chart.document, chart.walk).emit)
+      tables = tables_of(chart.tests.fetch("test_#{chart.document.name}_paths.c"))
       chart.document.transitions.each { |transition| check(transition, tables) }
       pairs = pairs_of(tables)
       assert_equal successors(chart.walk), pairs

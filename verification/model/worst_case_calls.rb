@@ -2,9 +2,6 @@
 
 # SPDX-License-Identifier: Apache-2.0
 
-require_relative '../../tools/chartc/lib/emit/c/names'
-require_relative '../../tools/chartc/lib/emit/vector'
-
 module WorstCase
   # The calls that a product makes of a chart, as the C of a program: each reachable pair with each valuation of the
   # inputs, then the check in each configuration. The first call stands in line 1 of "calls", the next in line 2.
@@ -17,8 +14,8 @@ module WorstCase
     def initialize(chart)
       @document = chart.document
       @walk = chart.walk
-      @names = Chart::C::Names.new(@document)
-      @vector = Chart::Vector.new(@document)
+      @names = chart.names
+      @vector = chart.vector
       @bits = @document.actions.each_with_index.to_h { |action, bit| [action, 1 << bit] }
       @places = {}
       @pairs = @walk.reachable_pairs.flat_map { |pair| calls_of(pair) }

@@ -3,8 +3,6 @@
 # SPDX-License-Identifier: Apache-2.0
 
 require 'open3'
-require_relative '../../tools/chartc/lib/emit/c/header'
-require_relative '../../tools/chartc/lib/emit/c/source'
 
 module WorstCase
   # A compiler refused the code, a tool stopped, or a call did other than the walk says.
@@ -65,10 +63,10 @@ module WorstCase
     private
 
     def write(chart, calls)
-      source = Chart::C::Source.new(chart.document, chart.walk).emit
+      source = chart.source
       source = yield source if block_given?
       File.write(path("#{@name}_chart.c"), source)
-      File.write(path("#{@name}_chart.h"), Chart::C::Header.new(chart.document, chart.walk).emit)
+      File.write(path("#{@name}_chart.h"), chart.header)
       File.write(path("#{@name}_calls.c"), calls.emit)
     end
 

@@ -2,7 +2,7 @@
 
 # SPDX-License-Identifier: Apache-2.0
 
-require_relative '../../tools/chartc/lib/read/expression'
+require_relative '../../tools/chartc/chart'
 
 # The text of a guard, as mutants change it.
 module Guard

@@ -13,14 +13,9 @@ module Judge
 
   module_function
 
-  # [Chart::Refusal, nil], or [nil, Chart::Compiled].
+  # [Chart::Refusal, nil], or [nil, what Chart.compile gives].
   def judge(file, tree)
-    context = Chart::Context.new(file, :product, ProductCharts::LIMITS)
-    document = Chart::Parser.new(context, []).parse(tree)
-    mended { Chart::StaticChecks.run(document, ProductCharts::OWNERS) }
-    walk = Chart::Walk.new(document).run
-    mended { Chart::WalkChecks.run(document, walk) }
-    [nil, Chart::Compiled.new(document, walk)]
+    [nil, Chart.compile(file, ProductCharts::LIMITS, tree: tree, forgiven: MENDED)]
   rescue Chart::Refusal => e
     [e, nil]
   end
@@ -34,13 +29,6 @@ module Judge
       exit!(0)
     end
     Thread.new { Marshal.load(pipe.read).tap { pipe.close } } # rubocop:disable Security/MarshalLoad
-  end
-
-  # These rules are asked last.
-  def mended
-    yield
-  rescue Chart::Refusal => e
-    raise unless MENDED.include?(e.rule)
   end
 
   # All that shows of a chart: on every reachable pair where it leads, what it does, which timers it starts.

@@ -12,14 +12,14 @@ class Mutants
 
   ADDED = { 'bs:id' => 'MUTANT-T01', 'bs:req' => 'SWR-CHART-030' }.freeze
 
-  # limits: name => value.
+  # limits: Chart::Limits.
   def self.of(tree, limits)
     new(tree, limits).all
   end
 
   def initialize(tree, limits)
     @tree = tree
-    @limits = limits.select { |name, _value| name.end_with?('_us') }
+    @limits = limits.values.select { |name, _value| name.end_with?('_us') }
     @transitions = tree.all.select { |one| one.attributes.key?('bs:id') }
     @states = tree.all.select { |one| %w[state parallel].include?(one.name) }
     @mutants = []

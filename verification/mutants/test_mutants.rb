@@ -15,7 +15,7 @@ require_relative 'mutants'
 class TestMutants < Minitest::Test
   LISTED = YAML.safe_load_file(File.join(__dir__, 'equivalent.yml'))
   CHARTS = ProductCharts::ALL.to_h { |file, chart| [chart.document.name, [file, chart]] }.freeze
-  TREES = CHARTS.transform_values { |file, _chart| Chart::XmlReader.read(file, File.read(file, encoding: 'UTF-8')) }
+  TREES = CHARTS.transform_values { |file, _chart| Chart.tree(file) }
 
   # name of a chart => { name of a mutant => the rule that refuses it, :same or :different }
   def self.verdicts
@@ -53,7 +53,7 @@ class TestMutants < Minitest::Test
 
   def test_SWR_CHART_030_a_mutant_that_no_property_speaks_of_is_found
     file, chart = CHARTS.fetch('loop_guard')
-    tree = Chart::XmlReader.read(file, File.read(file).sub(/^.*id="LOOP-I05".*\n/, ''))
+    tree = Chart.tree(file, File.read(file).sub(/^.*id="LOOP-I05".*\n/, ''))
     mutant = Mutants.of(tree, ProductCharts::LIMITS).find { |one| one.name == 'LOOP-T03 does not count_overrun' }
     refusal, mutated = Judge.judge(file, mutant.tree)
     assert_nil refusal
@@ -119,6 +119,6 @@ class TestMutants < Minitest::Test
     text = changes.reduce(File.read(file, encoding: 'UTF-8')) do |before, (from, to)|
       before.sub(from, to).tap { |after| refute_equal before, after, from.to_s }
     end
-    Judge.judge(file, Chart::XmlReader.read(file, text)).first || flunk('nothing refuses it')
+    Judge.judge(file, Chart.tree(file, text)).first || flunk('nothing refuses it')
   end
 end

@@ -23,7 +23,7 @@ module Conformance
 
     # Sentences of the compiler, if it refuses.
     def build
-      CompiledChart.write(@folder, @document, @scenario.chart.walk, shape: @shape)
+      CompiledChart.write(@folder, ::Chart::Compiled.new(@document, @scenario.chart.walk), shape: @shape)
       @program = CompiledChart.build(@folder, @document.name, optimise: '-O1', warnings: WARNINGS)
       []
     rescue CompiledChart::Failed => e

@@ -2,42 +2,44 @@
 
 # SPDX-License-Identifier: Apache-2.0
 
-require 'fileutils'
-require 'json'
 require_relative 'compiled'
+require_relative 'counterexamples'
 require_relative 'difference'
-require_relative 'emit/c/header'
-require_relative 'emit/c/source'
 require_relative 'emit/console'
 require_relative 'emit/diagram'
 require_relative 'emit/page'
 require_relative 'emit/table'
-require_relative 'emit/tests/paths_test'
-require_relative 'emit/tests/walk_test'
+require_relative 'limits'
 require_relative 'output'
 require_relative 'refusal'
+require_relative 'single'
 
 module Chart
-  # The command line: read all charts, then write all files. One refused chart, and nothing is written.
+  # The command line. A folder of charts is read first, then all files are written: one refused chart, and nothing is.
+  # @satisfies SWR-CHART-003
   class Command
     USAGE = <<~TEXT
-      usage: ruby tools/chart_compiler.rb CHARTS OUTPUT        compile all charts of a folder
-             ruby tools/chart_compiler.rb page CHARTS OUTPUT   draw them, and list all that they hold
-             ruby tools/chart_compiler.rb diff OLD NEW         what differs in meaning, of folders or files;
-                                                               exit code 0: nothing, 1: something, 2: trouble
+      usage: chartc FILE --out FOLDER [--limits FILE] [--shape SHAPE]
+                                           compile one chart; the shape is direct or staged
+             chartc build CHARTS OUTPUT    compile all charts of a folder; OUTPUT/limits/limits.json must be there
+             chartc page CHARTS OUTPUT     draw them, and list all that they hold
+             chartc diff OLD NEW           what differs in meaning, of folders or files;
+                                           exit code 0: nothing, 1: something, 2: trouble
     TEXT
+    VERBS = %w[build page diff].freeze
     LIMITS = 'build/gen/limits/limits.json'
-    COUNTEREXAMPLES = 'counterexamples'
 
     # No chart where some were promised.
     class Nothing < StandardError; end
 
     def self.run(arguments)
-      verb = %w[page diff].include?(arguments.first) ? arguments.first : 'compile'
-      paths = verb == 'compile' ? arguments : arguments.drop(1)
+      verb, *paths = arguments
+      return Single.new(arguments).run unless VERBS.include?(verb)
       return complain(USAGE, 2) unless paths.length == 2
 
       new(*paths).public_send(verb)
+    rescue Single::Misuse => e
+      complain("#{USAGE}#{e.message}", 2)
     rescue Refusal, Diagram::Failed, Nothing => e
       complain(e.message, verb == 'diff' ? 2 : 1)
     rescue SystemCallError => e
@@ -59,16 +61,14 @@ module Chart
       @target = target
     end
 
-    def compile
+    def build
       @limits_file = File.join(@target, 'limits', 'limits.json')
-      FileUtils.rm_rf(File.join(@target, COUNTEREXAMPLES))
-      charts = read
-      Output.write(@target, outputs(charts))
-      charts.each { |chart| report(chart) }
+      Counterexamples.keep(@target) do
+        charts = read
+        Output.write(@target, outputs(charts))
+        puts charts.map(&:words)
+      end
       0
-    rescue Refusal => e
-      keep(e.counterexample) if e.counterexample
-      raise
     end
 
     def page
@@ -80,7 +80,7 @@ module Chart
     end
 
     def diff
-      versions = [@source, @target].map { |path| files(path) && Version.new(path, limits) }
+      versions = [@source, @target].map { |path| files(path) && Version.new(path, limits.values) }
       versions.flat_map(&:refusals).each { |refusal| puts "refused by today's profile: #{refusal.message}" }
       differences = Difference.of(*versions)
       puts differences.join
@@ -96,39 +96,16 @@ module Chart
 
     def read
       charts = files(@source).map do |file|
-        Compiled.from(file, File.read(file, encoding: 'UTF-8'), limits, owners: @owners)
+        Compiled.from(file, File.read(file, encoding: 'UTF-8'), limits.values, owners: limits.owners)
       end
       check_ids_across(charts.map(&:document))
       check_names_across(charts.map(&:document))
       charts
     end
 
-    # Beside the message, which tells the same in words.
-    def keep(counterexample)
-      folder = File.join(@target, COUNTEREXAMPLES)
-      Output.write(folder, code(counterexample).merge(counterexample.file_name => counterexample.test))
-      warn "#{File.join(folder, counterexample.file_name)}: the list of events as a test of the code beside it, " \
-           'which fails as long as that path is open'
-    end
-
-    # name => value; only the delays of timers are looked up here. Whose they are is read with them.
+    # Only the delays of timers are looked up in them.
     def limits
-      @limits ||= begin
-        file = @limits_file || LIMITS
-        raise Refusal.new(file, 1, 15, 'the file is missing; generate the limits first') unless File.exist?(file)
-
-        listed(file)
-      end
-    end
-
-    def listed(file)
-      rows = JSON.parse(File.read(file))
-      @owners = rows.to_h { |limit| [limit.fetch('name'), limit.fetch('requirement')] }
-      rows.to_h { |limit| [limit.fetch('name'), limit.fetch('value')] }
-    rescue JSON::ParserError
-      raise Refusal.new(file, 1, 15, 'the file is no JSON; remove it, and generate the limits anew')
-    rescue KeyError => e
-      raise Refusal.new(file, 1, 15, "a limit has no \"#{e.key}\"; remove the file, and generate the limits anew")
+      @limits ||= Limits.read(@limits_file || LIMITS)
     end
 
     def check_ids_across(documents)
@@ -161,25 +138,11 @@ module Chart
       drawings = {}
       charts.each_with_object({}) do |chart, files|
         name = chart.document.name
-        code(chart).each { |file, content| files["charts/#{file}"] = content }
-        files["tests/test_#{name}_walk.c"] = WalkTest.new(chart.document, chart.walk).emit
-        files["tests/test_#{name}_paths.c"] = PathsTest.new(chart.document, chart.walk).emit
+        chart.files.each { |file, content| files["charts/#{file}"] = content }
+        chart.tests.each { |file, content| files["tests/#{file}"] = content }
         files["charts/#{name}.dot"] = Diagram.new(chart.document).dot
         files["charts/#{name}.svg"] = drawings[name] = Diagram.svg(files["charts/#{name}.dot"])
       end.merge('charts/charts.json' => Table.emit(charts), 'charts/charts.ts' => Console.emit(charts, drawings))
-    end
-
-    # chart: a Compiled, or the counterexample of a refused one.
-    def code(chart)
-      { "#{chart.document.name}_chart.h" => C::Header.new(chart.document, chart.walk).emit,
-        "#{chart.document.name}_chart.c" => C::Source.new(chart.document, chart.walk).emit }
-    end
-
-    def report(chart)
-      walk = chart.walk
-      puts format('%-15<name>s %3<reached>d configurations, %6<pairs>d pairs', name: chart.document.name,
-                                                                            reached: walk.reached.length,
-                                                                            pairs: walk.pair_count)
     end
   end
 end

@@ -4,9 +4,7 @@
 
 require 'fileutils'
 require 'open3'
-require_relative '../lib/emit/c/header'
-require_relative '../lib/emit/c/source'
-require_relative '../lib/emit/driver'
+require_relative '../lib/compiled'
 
 # One chart as a program: compiled C with its driver.
 class CompiledChart
@@ -25,15 +23,12 @@ class CompiledChart
                     %w[qemu-arm -cpu cortex-a9]]
   }.freeze
 
-  # Writes NAME_chart.h, NAME_chart.c and NAME_driver.c; mutate may change the C before.
-  def self.write(folder, document, walk, shape: nil)
+  # Writes NAME_chart.h, NAME_chart.c and NAME_driver.c of a Chart::Compiled.
+  def self.write(folder, chart, shape: nil)
     FileUtils.mkdir_p(folder)
-    name = document.name
-    source = Chart::C::Source.new(document, walk, shape: shape).emit
-    source = yield source if block_given?
-    File.write(File.join(folder, "#{name}_chart.h"), Chart::C::Header.new(document, walk).emit)
-    File.write(File.join(folder, "#{name}_chart.c"), source)
-    File.write(File.join(folder, "#{name}_driver.c"), Chart::Driver.new(document, walk).emit)
+    name = chart.document.name
+    files = chart.files(shape: shape).merge("#{name}_driver.c" => chart.driver)
+    files.each { |file, text| File.write(File.join(folder, file), text) }
   end
 
   def self.build(folder, name, kind: 'gcc', optimise: '-O2', warnings: FLAGS)

@@ -14,7 +14,7 @@ require_relative '../lib/command'
 class TestChartCode < Minitest::Test
   CHART = File.join(__dir__, 'charts', 'sample.scxml')
   CORE = File.join(__dir__, '..', '..', '..', 'core')
-  COMPILER = File.join(__dir__, '..', '..', 'chart_compiler.rb')
+  COMPILER = File.join(__dir__, '..', 'chartc')
   WARNINGS = %w[-std=c99 -pedantic -Wall -Wextra -Werror -Wconversion -Wsign-conversion -Wshadow -Wswitch-enum
                 -Wcast-qual -Wmissing-prototypes].freeze
 
@@ -34,7 +34,7 @@ class TestChartCode < Minitest::Test
         { name: name, value: value, requirement: 'SWR-CHART-001' }
       end
       File.write(File.join(folder, 'gen', 'limits', 'limits.json'), JSON.generate(limits))
-      run!(RbConfig.ruby, COMPILER, File.join(folder, 'in'), File.join(folder, 'gen'))
+      run!(RbConfig.ruby, COMPILER, 'build', File.join(folder, 'in'), File.join(folder, 'gen'))
     end
 
     def run!(*command)

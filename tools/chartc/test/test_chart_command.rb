@@ -13,7 +13,7 @@ require 'tmpdir'
 require_relative '../proof/generated_test'
 
 class TestChartCommand < Minitest::Test
-  COMPILER = File.expand_path('../../chart_compiler.rb', __dir__)
+  COMPILER = File.expand_path('../chartc', __dir__)
   FOLDER = File.join(__dir__, 'charts')
   LIMITS = { 'short_us' => 1000, 'tiny_us' => 500, 'cycle_us' => 1000 }.freeze
 
@@ -175,7 +175,7 @@ class TestChartCommand < Minitest::Test
   end
 
   def compile(source, target)
-    run_compiler(source, target)
+    run_compiler('build', source, target)
   end
 
   # With these limits where the commands other than compile look for them.

@@ -14,7 +14,7 @@ require_relative '../lib/compiled'
 require_relative '../lib/difference'
 
 class TestChartDifference < Minitest::Test
-  COMPILER = File.expand_path('../../chart_compiler.rb', __dir__)
+  COMPILER = File.expand_path('../chartc', __dir__)
   LIMITS = { 'cycle_us' => 1000, 'wait_us' => 20_000, 'slow_us' => 30_000 }.freeze
   GATE = <<~XML
     <!-- A gate and its lamp. -->

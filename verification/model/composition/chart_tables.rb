@@ -2,9 +2,6 @@
 
 # SPDX-License-Identifier: Apache-2.0
 
-require_relative '../../../tools/chartc/lib/emit/c/header'
-require_relative '../../../tools/chartc/lib/emit/vector'
-
 # One chart in a composition: its configurations, its compiled code as a step from number to number, and the
 # interpreter's table of the same. Stimuli are numbered: events, then timers.
 class ChartTables
@@ -12,8 +9,8 @@ class ChartTables
     @document = chart.document
     @walk = chart.walk
     @name = @document.name
-    @names = Chart::C::Parts.new(@document, @walk).names
-    @vector = Chart::Vector.new(@document)
+    @names = chart.names
+    @vector = chart.vector
     @numbers = @walk.reached.keys.each_with_index.to_h
     @cells = {}.compare_by_identity
     @pairs = @walk.reachable_pairs.to_h { |pair| [[pair.before, pair.stimulus], pair] }

@@ -97,7 +97,7 @@ class Composition
   end
 
   def chart(file)
-    ProductCharts::ALL.fetch(file) { Chart::Compiled.from(file, File.read(file), ProductCharts::LIMITS, mode: :engine) }
+    ProductCharts::ALL.fetch(file) { Chart.compile(file, ProductCharts::LIMITS, mode: :engine) }
   rescue Chart::Refusal, SystemCallError => e
     raise Wrong, e.message
   end

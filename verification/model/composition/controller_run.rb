@@ -3,7 +3,6 @@
 # SPDX-License-Identifier: Apache-2.0
 
 require 'open3'
-require_relative '../../../tools/chartc/proof/compiled_chart'
 require_relative 'program'
 
 # What the controller itself comes into, and permits there (controller_run.c).

@@ -4,7 +4,6 @@
 
 require 'open3'
 require 'tempfile'
-require_relative '../../../tools/chartc/proof/compiled_chart'
 require_relative 'controller_run'
 require_relative 'program'
 

@@ -3,8 +3,6 @@
 # SPDX-License-Identifier: Apache-2.0
 
 require 'fileutils'
-require_relative '../../../tools/chartc/lib/emit/c/header'
-require_relative '../../../tools/chartc/lib/emit/c/source'
 require_relative 'chart_tables'
 require_relative 'composition'
 require_relative 'conditions'
@@ -27,8 +25,8 @@ class CompositionProgram
     FileUtils.mkdir_p(folder)
     @composition.charts.each_value do |chart|
       name = chart.document.name
-      source = Chart::C::Source.new(chart.document, chart.walk).emit
-      File.write(File.join(folder, "#{name}_chart.h"), Chart::C::Header.new(chart.document, chart.walk).emit)
+      source = chart.source
+      File.write(File.join(folder, "#{name}_chart.h"), chart.header)
       File.write(File.join(folder, "#{name}_chart.c"), mutate.call(name, source))
     end
     File.write(File.join(folder, 'numbers.h'), numbers)

@@ -51,7 +51,7 @@ module Chart
     def about
       ['/* SPDX-License-Identifier: Apache-2.0 */',
        *comment("The shortest way to break #{[@claim.id, *requirements].join(' ')} of #{@document.name}.scxml line " \
-                "#{@claim.line}, found by tools/chart_compiler.rb: #{@words}."),
+                "#{@claim.line}, found by chartc: #{@words}."),
        *comment("The rule under test: #{@claim.says}".gsub('*/', '* /'))]
     end
 

@@ -56,7 +56,7 @@ module Chart
     def loop_period(chart)
       @context.limits.fetch(TICK_LIMIT) do
         @context.refuse(chart.line, 15, "no requirement states #{TICK_LIMIT}, which bs:tick must equal; " \
-                                        'add the limit to requirements/')
+                                        'add the limit')
       end
     end
 

@@ -12,8 +12,8 @@ module Chart
 
       def banner(document, what)
         ['/* SPDX-License-Identifier: Apache-2.0 */',
-         *comment("#{what} of the statechart #{document.name}, generated from statecharts/#{document.name}.scxml by " \
-                  'tools/chart_compiler.rb. Do not edit.')]
+         *comment("#{what} of the statechart #{document.name}, generated from #{document.name}.scxml by chartc. Do not " \
+                  'edit.')]
       end
 
       def comment(text, indent = '')

@@ -1,0 +1,71 @@
+# frozen_string_literal: true
+
+# SPDX-License-Identifier: Apache-2.0
+
+require 'optparse'
+require_relative 'compiled'
+require_relative 'counterexamples'
+require_relative 'emit/diagram'
+require_relative 'emit/table'
+require_relative 'limits'
+require_relative 'output'
+
+module Chart
+  # One chart of any project, from the command line: all that its C needs goes into one folder.
+  # @satisfies SWR-CHART-036
+  class Single
+    # The command line asks for what there is not.
+    class Misuse < StandardError; end
+
+    # What the code of every chart includes.
+    RUNTIME = File.expand_path('../../../core/base', __dir__)
+    HEADERS = %w[chart.h contract.h].freeze
+    SHAPES = %w[direct staged].freeze
+
+    # arguments: FILE --out FOLDER, and what else is said.
+    def initialize(arguments)
+      @limits = Limits.new({})
+      @file, *more = options.parse(arguments)
+      raise Misuse, 'name one chart' if @file.nil? || more.any?
+      raise Misuse, 'name a folder with --out' unless @folder
+    rescue OptionParser::ParseError => e
+      raise Misuse, e.message
+    end
+
+    def run
+      Counterexamples.keep(@folder) do
+        chart = Compiled.from(@file, File.read(@file, encoding: 'UTF-8'), @limits.values, owners: @limits.owners)
+        Output.write(@folder, outputs(chart))
+        puts chart.words
+      end
+      0
+    end
+
+    private
+
+    def options
+      OptionParser.new do |one|
+        one.on('--limits FILE') { |file| @limits = Limits.read(file) }
+        one.on('--shape SHAPE', SHAPES) { |shape| @shape = shape.to_sym }
+        one.on('--out FOLDER') { |folder| @folder = folder }
+      end
+    end
+
+    def outputs(chart)
+      name = chart.document.name
+      chart.files(shape: shape_of(chart)).merge(chart.tests, runtime, "#{name}.dot" => Diagram.new(chart.document).dot,
+                                                                      "#{name}.json" => Table.emit([chart]))
+    end
+
+    # Nil for the better one of those that keep the chart's meaning.
+    def shape_of(chart)
+      return @shape if @shape.nil? || chart.shapes.include?(@shape)
+
+      raise Misuse, "#{@file}: the shape #{@shape} does not keep what this chart means; leave --shape out"
+    end
+
+    def runtime
+      HEADERS.to_h { |name| ["base/#{name}", File.read(File.join(RUNTIME, name))] }
+    end
+  end
+end

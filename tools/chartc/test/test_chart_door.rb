@@ -1,0 +1,179 @@
+# frozen_string_literal: true
+
+# SPDX-License-Identifier: Apache-2.0
+
+# The rule under test: the compiler has one door. Nobody outside its house requires another file of it or names what is
+# not open; and through the door, in Ruby and on the command line, an engineer of another project comes from an empty
+# folder to a program, as the README says.
+
+require 'minitest/autorun'
+require 'open3'
+require 'rbconfig'
+require 'tmpdir'
+require_relative '../chart'
+
+class TestChartDoor < Minitest::Test
+  ROOT = File.expand_path('../../..', __dir__)
+  HOUSE = 'tools/chartc/'
+  DOOR = "#{HOUSE}chart"
+  README = File.read(File.join(ROOT, HOUSE, 'README.md'))
+  CHARTC = File.join(ROOT, HOUSE, 'chartc')
+  OPEN = README[/^\| What is open.*?\n\n/m].scan(/\bChart(?:::|\.)\w+/)
+  CHARTS = File.join(__dir__, 'charts')
+
+  # --- who comes in ---
+
+  def test_SWR_CHART_035_nobody_outside_requires_more_than_the_door
+    outside = ruby_files
+    assert_operator outside.count { |file| required(file, read(file)).include?(DOOR) }, :>=, 3
+    assert_empty(outside.flat_map { |file| strays(file, read(file)) })
+  end
+
+  def test_SWR_CHART_035_another_way_in_is_seen
+    ['../../tools/chartc/lib/walk/walk', '../../tools/chartc/proof/pairs', '../../tools/chartc/lib/compiled.rb'].each do |path|
+      assert_equal 1, strays('verification/model/x.rb', "require_relative '#{path}'\n").length, path
+    end
+    assert_equal 1, strays('tools/x.rb', "  require_relative \"chartc/lib/refusal\" if true\n").length
+    assert_equal 1, strays('tools/x.rb', "LIB = 'tools/chartc/lib/walk'\n").length
+    assert_empty strays('verification/model/x.rb', "require_relative '../../tools/chartc/chart'\n")
+  end
+
+  def test_SWR_CHART_035_nobody_outside_names_what_is_not_open
+    assert_empty(ruby_files.flat_map { |file| closed(file, read(file)) })
+    assert_equal ['x.rb: Chart::Walk', 'x.rb: Chart::C'],
+                 closed('x.rb', "Chart::Walk.new\nChart::Refusal\nChart.compile(file)\nChart::C::Source.new\nComposedChart::X")
+  end
+
+  # --- through the door ---
+
+  def test_SWR_CHART_035_the_door_gives_all_of_a_chart
+    chart = Chart.compile(File.join(CHARTS, 'base.scxml'), Chart::Limits.new({}))
+    assert_equal %w[go halt], chart.document.events
+    assert_equal 2, chart.walk.reached.length
+    assert_match(/#ifndef BORESIGHT_BASE_CHART_H/, chart.header)
+    assert_equal chart.source, chart.source(shape: chart.shapes.first)
+    assert_equal %w[test_base_walk.c test_base_paths.c], chart.tests.keys
+  end
+
+  def test_SWR_CHART_035_the_door_refuses_and_forgives_what_it_is_told_to
+    file = File.join(CHARTS, 'r25_event_forgotten.scxml')
+    limits = Chart::Limits.new({ 'cycle_us' => 1000 })
+    refusal = assert_raises(Chart::Refusal) { Chart.compile(file, limits) }
+    assert_equal [file, 25], [refusal.file, refusal.rule]
+    assert_equal 'r25_event_forgotten', Chart.compile(file, limits, forgiven: [25]).document.name
+  end
+
+  # --- on the command line ---
+
+  def test_SWR_CHART_036_the_readme_leads_from_an_empty_folder_to_a_program
+    Dir.mktmpdir do |folder|
+      %w[xml json c].map { |one| blocks(one).first }.zip(%w[kettle.scxml limits.json main.c]) { |text, name| File.write("#{folder}/#{name}", text) }
+      assert_equal blocks('text'), blocks('sh').map { |commands| call(folder, 'sh', '-e', '-c', commands) }
+      assert_equal files_in_readme, Dir.glob('**/*.*', base: "#{folder}/gen").sort
+      assert_match(/\A\d+\n3\n2\n\z/, call(folder, RbConfig.ruby, '-e', blocks('ruby').first))
+    end
+  end
+
+  def test_SWR_CHART_036_a_refused_chart_ends_with_its_file_line_and_rule
+    Dir.mktmpdir do |folder|
+      file = File.join(folder, 'kettle.scxml')
+      File.write(file, blocks('xml').first.sub('target="heating"', 'target="heat"'))
+      File.write("#{folder}/limits.json", blocks('json').first)
+      output, errors, status = chartc(file, '--limits', "#{folder}/limits.json", '--out', "#{folder}/gen")
+      assert_equal ['', 1], [output, status.exitstatus]
+      assert_equal "#{folder}/#{README[/^ {4}(kettle.scxml:\d+: CHART-R07 .*\n)/, 1]}", errors
+      refute_path_exists "#{folder}/gen"
+    end
+  end
+
+  def test_SWR_CHART_036_a_counterexample_stands_beside_the_code
+    Dir.mktmpdir do |folder|
+      _output, errors, status = chartc(File.join(CHARTS, 'r23_invariant_violated.scxml'), '--out', folder)
+      assert_equal 1, status.exitstatus
+      assert_match(/ CHART-R23 .*reached by: /, errors)
+      assert_equal %w[r23_invariant_violated_chart.c r23_invariant_violated_chart.h test_t_i01_counterexample.c],
+                   Dir.children("#{folder}/counterexamples").sort
+    end
+  end
+
+  def test_SWR_CHART_036_the_shape_is_chosen_where_the_chart_keeps_its_meaning
+    Dir.mktmpdir do |folder|
+      codes = %w[direct staged].map do |shape|
+        assert_equal 0, chartc(File.join(CHARTS, 'base.scxml'), '--shape', shape, '--out', folder).last.exitstatus
+        File.read("#{folder}/base_chart.c")
+      end
+      assert_equal [false, true], (codes.map { |code| code.include?('_claim(') })
+    end
+  end
+
+  {
+    'no chart' => [%w[--out x], 'name one chart'], 'two charts' => [%w[a.scxml b.scxml --out x], 'name one chart'],
+    'no folder' => [%w[a.scxml], 'name a folder with --out'],
+    'an unknown shape' => [%w[a.scxml --shape round], 'invalid argument: --shape round'],
+    'an unknown option' => [%w[a.scxml --fast], 'invalid option: --fast']
+  }.each do |what, (arguments, words)|
+    define_method("test_SWR_CHART_036_#{what.tr(' ', '_')}_gets_the_usage") do
+      output, errors, status = chartc(*arguments)
+      assert_equal ['', 2], [output, status.exitstatus]
+      assert_match(/\Ausage: chartc FILE --out FOLDER.*^#{words}\n\z/m, errors)
+    end
+  end
+
+  def test_SWR_CHART_036_limits_that_are_none_are_named
+    Dir.mktmpdir do |folder|
+      File.write("#{folder}/limits.json", '{}')
+      _output, errors, status = chartc(File.join(CHARTS, 'base.scxml'), '--limits', "#{folder}/limits.json", '--out', folder)
+      assert_equal 1, status.exitstatus
+      assert_match(/\A\S+limits\.json:1: CHART-R15 the file is no list of limits[^\n]*\n\z/, errors)
+    end
+  end
+
+  private
+
+  def ruby_files
+    Dir.glob('{app,bsp,core,tools,verification}/**/*.rb', base: ROOT).grep_v(%r{node_modules/|\A#{HOUSE}})
+  end
+
+  def read(file)
+    File.read(File.join(ROOT, file), encoding: 'UTF-8')
+  end
+
+  # Files of the house that are required, from the root, without ending.
+  def required(file, text)
+    text.scan(/\brequire(?:_relative)?\b[ (]*(["'])(.+?)\1/).map { |_quote, path| inside(file, path) }.grep(/\A#{HOUSE}/)
+  end
+
+  def inside(file, path)
+    from = path.start_with?('.') || !path.start_with?(HOUSE) ? File.join('/', File.dirname(file)) : '/'
+    File.expand_path(path, from).delete_prefix('/').delete_suffix('.rb')
+  end
+
+  # However they are loaded: what is required, and paths that are written out.
+  def strays(file, text)
+    named = text.scan(%r{#{HOUSE}(?:lib|proof|test|conformance|faults)\b[^'"\s]*}).map { |path| path.delete_suffix('.rb') }
+    ((required(file, text) + named).uniq - [DOOR]).map { |path| "#{file}: #{path}" }
+  end
+
+  def closed(file, text)
+    text.gsub(/^\s*#.*$/, '').scan(/(?<![\w:])Chart(?:::|\.)\w+/).uniq.reject { |name| OPEN.include?(name) }.map { |name| "#{file}: #{name}" }
+  end
+
+  def blocks(language)
+    README.scan(/^```#{language}\n(.*?)^```$/m).flatten
+  end
+
+  # Of the table, those that an accepted chart has.
+  def files_in_readme
+    README[/^## What stands in the folder\n.*?^## /m].scan(/`([\w\/]+\.\w+)`/).flatten.grep_v(/chart\.rb/).uniq.sort
+  end
+
+  def call(folder, *command)
+    output, status = Open3.capture2e({ 'BORESIGHT' => ROOT }, *command, chdir: folder)
+    assert status.success?, output
+    output
+  end
+
+  def chartc(*arguments)
+    Open3.capture3(CHARTC, *arguments)
+  end
+end
