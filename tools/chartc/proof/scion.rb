@@ -13,7 +13,8 @@ require 'json'
 #   final;
 # - a transition between regions of a parallel, or from a region to itself, leaves the regions but not the parallel;
 # - a deep history forgets a <final> state;
-# - it ends when all active leaves are final, top level or not.
+# - it ends when all active leaves are final, top level or not;
+# - a state that does not say where it begins begins in the first of its children, be it a history.
 class Scion
   # What SCION says, compared with the walk: how many pairs, and a sentence for each difference.
   Comparison = Struct.new(:pairs, :differences)

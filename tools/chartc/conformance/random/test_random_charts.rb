@@ -8,10 +8,14 @@
 
 require 'minitest/autorun'
 require_relative 'hunt'
+require_relative 'second_opinion'
 
 class TestRandomCharts < Minitest::Test
   LEAST = 100
   SECONDS = 45
+  # Charts for SCION, and what must be clear of them.
+  SEEDS = 120
+  STEPS = 500
 
   def test_SWR_CHART_015_random_charts_do_what_appendix_d_says
     ends = Process.clock_gettime(Process::CLOCK_MONOTONIC) + SECONDS
@@ -20,6 +24,17 @@ class TestRandomCharts < Minitest::Test
     end
     puts hunt
     assert_empty(hunt.found.map { |one| "#{one.file}.scxml: #{one.differences.join('; ')}" })
+  end
+
+  # Always the same charts.
+  def test_SWR_CHART_037_the_interpreter_does_what_appendix_d_says_and_scion_does
+    opinions = RandomCharts::SecondOpinions.new
+    (1..SEEDS).each { |seed| opinions.judge(seed) }
+    puts opinions
+    assert_empty opinions.differences
+    assert_operator opinions.agreed, :>=, STEPS
+  ensure
+    opinions&.close
   end
 
   # The same seed is the same chart, and the generator makes all that the profile has.

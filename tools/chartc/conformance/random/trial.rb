@@ -17,7 +17,7 @@ module RandomCharts
     MOST_SNAPSHOTS = 300
     TRACE_LENGTH = 8
 
-    attr_reader :text, :steps, :machines
+    attr_reader :text, :document, :steps, :machines
 
     # For each of the trials, all in one program, sentences on what is different.
     def self.differences(folder, trials)
@@ -49,7 +49,17 @@ module RandomCharts
       @machines.zip(found).filter_map { |machine, seen| difference(machine, seen) }
     end
 
+    # The same of an interpreter: a sentence, or nil.
+    def difference_of(seen)
+      index = seen.each_index.find { |one| sorted(seen[one]) != sorted(expected[one]) }
+      "the interpreter: step #{index} shows #{seen[index].inspect}, not #{expected[index].inspect}" if index
+    end
+
     private
+
+    def sorted(seen)
+      [seen.leaves, seen.history.sort, seen.data, seen.armed, seen.actions.sort, seen.taken]
+    end
 
     def take(machine, step)
       case step.kind

@@ -12,6 +12,7 @@ module Chart
   # SCXML's own algorithm (W3C SCXML 1.0, appendix D) on the tree of states. It shares nothing with the C emitter but
   # the parsed chart. A chart that has entered a final state of its own keeps its configuration and takes nothing.
   # @satisfies SWR-CHART-001
+  # @satisfies SWR-CHART-037
   class Interpreter
     include Execution
 
