@@ -67,7 +67,9 @@ class TestChartDoor < Minitest::Test
 
   def test_SWR_CHART_036_the_readme_leads_from_an_empty_folder_to_a_program
     Dir.mktmpdir do |folder|
-      %w[xml json c].map { |one| blocks(one).first }.zip(%w[kettle.scxml limits.json main.c]) { |text, name| File.write("#{folder}/#{name}", text) }
+      { 'kettle.scxml' => 'xml', 'limits.json' => 'json', 'main.c' => 'c' }.each do |name, language|
+        File.write("#{folder}/#{name}", blocks(language).first)
+      end
       assert_equal blocks('text'), blocks('sh').map { |commands| call(folder, 'sh', '-e', '-c', commands) }
       assert_equal files_in_readme, Dir.glob('**/*.*', base: "#{folder}/gen").sort
       assert_match(/\A\d+\n3\n2\n\z/, call(folder, RbConfig.ruby, '-e', blocks('ruby').first))
@@ -155,7 +157,8 @@ class TestChartDoor < Minitest::Test
   end
 
   def closed(file, text)
-    text.gsub(/^\s*#.*$/, '').scan(/(?<![\w:])Chart(?:::|\.)\w+/).uniq.reject { |name| OPEN.include?(name) }.map { |name| "#{file}: #{name}" }
+    named = text.gsub(/^\s*#.*$/, '').scan(/(?<![\w:])Chart(?:::|\.)\w+/).uniq
+    (named - OPEN).map { |name| "#{file}: #{name}" }
   end
 
   def blocks(language)

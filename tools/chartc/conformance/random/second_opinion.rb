@@ -71,11 +71,11 @@ module RandomCharts
       states = (leaves + outcome.after.leaves).map { |id| @document.state(id) }
       return :end if states.any? { |state| state.kind == :final } || (@ends && outcome.taken.length != 1)
 
-      :across if (outcome.taken & @across).any? || (@across.any? && outcome.taken.length > 1) || waits_across?(leaves, events)
+      :across if @across.any? && (outcome.taken.length > 1 || (outcome.taken & @across).any? || waits?(leaves, events))
     end
 
     # A transition between regions is asked, whether or not another one wins.
-    def waits_across?(leaves, events)
+    def waits?(leaves, events)
       active = leaves.map { |id| @document.state(id) }.flat_map { |state| [state, *state.ancestors] }
       @across.any? { |one| active.include?(one.source) && (one.eventless? || (one.events & events).any?) }
     end
@@ -134,7 +134,8 @@ module RandomCharts
       @charts += 1
       @agreed += opinion.agreed
       @unclear.merge!(opinion.unclear) { |_reason, one, other| one + other }
-      @differences.concat([*trial.difference_of(seen), *opinion.differences].map { |words| "#{trial.document.file}: #{words}" })
+      words = [*trial.difference_of(seen), *opinion.differences]
+      @differences.concat(words.map { |one| "#{trial.document.file}: #{one}" })
     end
 
     # Where SCION begins a state that does not say in which of its states.
