@@ -142,8 +142,14 @@ module Chart
         @regions.none?(region) ? region.leaves + [nil] : region.leaves
       end
 
+      # Those that it has between two steps: one that is always active is never "none", which a history may say of it.
+      # @satisfies SWR-CHART-039
+      def resting_values(region)
+        @regions.always_active?(region) ? region.leaves : values(region)
+      end
+
       def last_value(region)
-        value(region, values(region).last)
+        value(region, resting_values(region).last)
       end
 
       def delay(timer)

@@ -42,7 +42,7 @@ module Chart
       # Every region is one of its leaves, and "none" just when the parallel around it is not active.
       def leaves_function
         tests = @regions.map do |region|
-          operator = @names.values(region).length == 1 ? '==' : '<='
+          operator = @names.resting_values(region).length == 1 ? '==' : '<='
           "((uint32_t)#{field(region)} #{operator} (uint32_t)#{@names.last_value(region)})"
         end
         tests += @regions.reject { |region| @regions.always_active?(region) }.map { |region| presence(region) }

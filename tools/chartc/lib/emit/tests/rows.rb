@@ -2,6 +2,7 @@
 
 # SPDX-License-Identifier: Apache-2.0
 
+require_relative '../vector'
 require_relative 'shared'
 
 module Chart
@@ -13,6 +14,7 @@ module Chart
       @document = document
       @walk = walk
       @names = names
+      @vector = Vector.new(document)
     end
 
     def tables
@@ -44,7 +46,7 @@ module Chart
       kind, what = pair.stimulus
       event = kind == :event ? what : @document.events.first
       expiring = kind == :expire ? timer_mask(what) : 0
-      cells = leaf_names(pair.before.leaves)
+      cells = places(pair.before)
       cells += ["#{timer_mask(pair.before.armed)}U", "#{expiring}U"] if timers?
       cells << @names.event(event)
       cells += ["#{read}U", "#{bits}U"] if @document.inputs.any?
@@ -52,10 +54,23 @@ module Chart
     end
 
     def result_cells(outcome, reachable)
-      cells = leaf_names(outcome.after.leaves)
+      cells = places(outcome.after)
       cells += ["#{timer_mask(outcome.after.armed)}U", "#{timer_mask(outcome.started)}U"] if timers?
       cells << actions_cell(outcome.actions)
       cells + ["#{outcome.taken.last&.number || 0}U", reachable.to_s]
+    end
+
+    def places(snapshot)
+      leaf_names(snapshot.leaves) + remembered(snapshot)
+    end
+
+    # What the histories say, leaves or "none".
+    def remembered(snapshot)
+      memories = @vector.fields.zip(@vector.encode(snapshot)).select { |field, _number| field.kind == :memory }
+      memories.map do |field, number|
+        region = field.part.region
+        @names.value(region, @names.values(region)[number])
+      end
     end
 
     def leaf_names(ids)

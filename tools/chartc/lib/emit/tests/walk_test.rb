@@ -12,6 +12,7 @@ module Chart
   # The Unity test of one chart: a table of every pair with what the interpreter says, and the code that
   # runs the compiled chart on it. With the test of the paths it reaches all of the code.
   # @satisfies SWR-CHART-010
+  # @satisfies SWR-CHART-038
   class WalkTest
     include C::Layout
     include TestShared
@@ -44,12 +45,18 @@ module Chart
       @parts.regions.to_a
     end
 
+    def memories
+      @parts.regions.memories
+    end
+
     def row_type
       fields = regions.map { |region| "    #{@names.region_type(region)} at_#{@names.field(region.name)};" }
+      fields += memories.map { |memory| "    #{@names.region_type(memory.region)} at_#{@names.memory(memory)};" }
       fields += ["    uint32_t armed;", "    uint32_t expiring;"] if timers?
       fields << "    #{@names.event_type} event;"
       fields += ['    uint32_t inputs_read;', '    uint32_t inputs;'] if inputs?
       fields += regions.map { |region| "    #{@names.region_type(region)} to_#{@names.field(region.name)};" }
+      fields += memories.map { |memory| "    #{@names.region_type(memory.region)} to_#{@names.memory(memory)};" }
       fields += ['    uint32_t next_armed;', '    uint32_t started;'] if timers?
       fields += ['    uint32_t actions;', '    uint32_t last_transition;', '    bool is_reachable;']
       ['typedef struct {', fields, '} pair_t;', '']
@@ -73,6 +80,7 @@ module Chart
         field = @names.field(region.name)
         ["    chart->#{field} = pair->at_#{field};", "    chart->#{@names.inverse(region)} = ~(uint32_t)pair->at_#{field};"]
       end
+      fields += memories.map { |one| "    chart->#{@names.memory(one)} = pair->at_#{@names.memory(one)};" }
       timers = @document.timers.each_with_index.map do |timer, bit|
         ["    chart->#{@names.armed(timer)} = (pair->armed & #{1 << bit}U) != 0U;",
          "    chart->#{@names.time(timer)} = chart->#{@names.armed(timer)} ? 7U : 0U;",
@@ -98,7 +106,7 @@ module Chart
 
     def compare_function
       [call('static void compare', check_parameters, ''), '{',
-       regions.map { |region| @names.field(region.name) }.map { |one| equal("pair->to_#{one}", "chart->#{one}", 'UINT32') },
+       (regions.map { |one| @names.field(one.name) } + memories.map { |one| @names.memory(one) }).map { |one| equal("pair->to_#{one}", "chart->#{one}", 'UINT32') },
        timers? ? [equal('pair->next_armed', 'armed_of(chart)', 'HEX32'), timer_values] : [],
        equal('pair->actions', 'actions', 'HEX32'),
        equal('pair->last_transition', 'last_transition(chart)', 'UINT32'),
