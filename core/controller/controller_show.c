@@ -42,7 +42,10 @@ static next_step_t step_after_arrival(const controller_t *self)
     return (self->mode.kind == (uint32_t)MODE_PROGRAM) ? NEXT_STEP_PROGRAM_DONE : NEXT_STEP_NOTHING;
 }
 
-/* Whether `workphase`, which is another one, is entered from the present one. */
+/*
+ * Whether `workphase`, which is another one, is entered from the present one. The chart knows it,
+ * but to ask it would cost each cycle one of its steps; test_next_step.c holds the two together.
+ */
 static bool is_entered_from(workphase_t workphase, workphase_t present)
 {
     return (workphase == WORKPHASE_TARGETING) ? (present != WORKPHASE_START_UP)
