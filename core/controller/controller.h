@@ -58,6 +58,9 @@ typedef struct {
     uint32_t silent_sources;
     /** Bits of computer_check_t: what the computer lacks for a real robot; 0 on a simulated one. */
     uint32_t unfit;
+    uint32_t dialect; /**< card_dialect_t of all cards. */
+    /** Somebody accepts in writing what cards of another dialect than ours lack: 0 or 1. */
+    uint32_t is_dialect_accepted;
     uint32_t frames_received; /**< Bit n: frames[n] was received in this cycle. */
     uint32_t command_count;   /**< 0..CONTROLLER_COMMANDS. */
     command_t commands[CONTROLLER_COMMANDS];

@@ -4,6 +4,9 @@
 #include "controller/controller_facts.h"
 #include "controller/controller_order.h"
 
+#include "card/card_dialect.h"
+#include "card/link_aim32.h"
+
 #include <stddef.h>
 
 /* An axis that was off when its card fell silent stands where it was, or shows it when the card is
@@ -32,6 +35,19 @@ void controller_lose_card(controller_t *self, const cycle_t *cycle, uint32_t ind
     controller_fail_order(self, cycle, EVENT_CAUSE_CARD, slot);
 }
 
+/* What came from `slot` in this cycle, in the dialect of the cards. */
+static inline void hear(link_t *link, const cycle_t *cycle, uint32_t slot)
+{
+    const controller_inputs_t *const inputs = cycle->inputs;
+    const bool is_received = (inputs->frames_received & ((uint32_t)1U << slot)) != 0U;
+    const uint8_t *const bytes = is_received ? inputs->frames[slot] : NULL;
+    if (inputs->dialect == (uint32_t)CARD_DIALECT_OWN) {
+        link_step(link, slot, bytes, inputs->elapsed_us);
+    } else {
+        link_aim32_step(link, slot, bytes, inputs->elapsed_us);
+    }
+}
+
 /* What the step of a cycle made of a link. */
 typedef struct {
     bool is_lost;
@@ -41,7 +57,6 @@ typedef struct {
 static inline link_step_t step_link(controller_t *self, const cycle_t *cycle, uint32_t slot)
 {
     link_t *const link = &self->links[slot];
-    const bool is_received = (cycle->inputs->frames_received & ((uint32_t)1U << slot)) != 0U;
     const bool was_usable = link_is_usable(link);
     const bool was_lost = link->chart.state == CARD_LINK_STATE_LOST;
     const bool is_damaged = link_check(link);
@@ -49,8 +64,7 @@ static inline link_step_t step_link(controller_t *self, const cycle_t *cycle, ui
         controller_note(self, cycle, EVENT_CHART_REPAIRED, (uint32_t)EVENT_CHART_CARD,
                         (int32_t)slot);
     }
-    link_step(link, slot, is_received ? cycle->inputs->frames[slot] : NULL,
-              cycle->inputs->elapsed_us);
+    hear(link, cycle, slot);
     if (link->last_error != (uint32_t)CARD_FRAME_OK) {
         controller_note(self, cycle, EVENT_FRAME_REFUSED, slot, (int32_t)link->last_error);
     }
@@ -93,10 +107,8 @@ static void observe_stranger(controller_t *self, const cycle_t *cycle, uint32_t 
 {
     const uint32_t bit = (uint32_t)1U << slot;
     link_t *const link = &self->links[slot];
-    const bool is_received = (cycle->inputs->frames_received & bit) != 0U;
     (void)link_check(link);
-    link_step(link, slot, is_received ? cycle->inputs->frames[slot] : NULL,
-              cycle->inputs->elapsed_us);
+    hear(link, cycle, slot);
     if ((link->is_fresh != 0U) && ((self->strangers & bit) == 0U)) {
         self->strangers |= bit;
         controller_note(self, cycle, EVENT_UNEXPECTED_CARD, slot, (int32_t)link->report.card_type);

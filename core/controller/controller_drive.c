@@ -3,6 +3,7 @@
 
 #include "controller/controller_facts.h"
 
+#include "card/card_dialect.h"
 #include "safety/coupled_guard.h"
 #include "safety/needle.h"
 #include "safety/permit.h"
@@ -109,7 +110,8 @@ static uint32_t control_of(const link_t *link, uint32_t state)
 
 static inline void send(controller_t *self, const cycle_t *cycle, const card_command_t *command)
 {
-    card_frame_encode_command(command, cycle->outputs->frames[command->slot]);
+    card_dialect_encode_command(cycle->inputs->dialect, command,
+                                cycle->outputs->frames[command->slot]);
     cycle->outputs->frames_to_send |= (uint32_t)1U << command->slot;
     link_note_sent(&self->links[command->slot], self->sequence, &command->drive);
 }

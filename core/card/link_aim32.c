@@ -1,0 +1,72 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "card/link_aim32.h"
+
+#include "card/aim32_frame.h"
+#include "limits/requirement_limits.h"
+
+#include <stddef.h>
+
+static void take(link_t *self, uint32_t slot, const card_report_t *read)
+{
+    const card_report_t before = self->report;
+    card_report_t *const report = &self->report;
+
+    *report = *read;
+    report->slot = slot;
+    report->card_type = self->card_type;
+    report->firmware = self->firmware;
+    report->heartbeat = before.heartbeat + 1U;
+    report->time_us = before.time_us;
+    report->last_edge_us =
+        (read->encoder_count == before.encoder_count) ? before.last_edge_us : before.time_us;
+    self->has_report = 1U;
+    self->is_fresh = 1U;
+}
+
+static void receive(link_t *self, uint32_t slot, const uint8_t *bytes)
+{
+    card_report_t read = {.slot = slot};
+
+    self->is_fresh = 0U;
+    self->last_error = (uint16_t)CARD_FRAME_OK;
+    if (bytes == NULL) {
+        return;
+    }
+    const card_frame_result_t result = aim32_frame_decode_report(bytes, &read);
+    self->last_error = (uint16_t)result;
+    if (result == CARD_FRAME_OK) {
+        take(self, slot, &read);
+    } else {
+        self->frame_errors += (self->frame_errors < UINT32_MAX) ? 1U : 0U;
+    }
+}
+
+static void give_up(link_t *self)
+{
+    const card_link_inputs_t inputs = {.is_fresh = false};
+    const card_link_state_t before = self->chart.state;
+
+    (void)card_link_chart_dispatch(&self->chart, &inputs, CARD_LINK_EVENT_TOO_OLD);
+    if (self->chart.state != before) {
+        self->cause = (uint16_t)LINK_CAUSE_AGE;
+    }
+}
+
+void link_aim32_step(link_t *self, uint32_t slot, const uint8_t *bytes, uint32_t elapsed_us)
+{
+    const card_link_inputs_t inputs = {.is_fresh = false};
+
+    (void)card_link_chart_advance(&self->chart, elapsed_us);
+    self->report.time_us += elapsed_us;
+    receive(self, slot, bytes);
+    if (self->is_fresh != 0U) {
+        self->age_cycles = 0U;
+        (void)card_link_chart_dispatch(&self->chart, &inputs, CARD_LINK_EVENT_GOOD);
+    } else {
+        self->age_cycles += (self->age_cycles < UINT32_MAX) ? 1U : 0U;
+        (void)card_link_chart_dispatch(&self->chart, &inputs, CARD_LINK_EVENT_MISSED);
+    }
+    if (self->age_cycles >= LIMIT_LINK_AGE_CYCLES) {
+        give_up(self);
+    }
+}
