@@ -94,7 +94,8 @@ static void switch_off(const char *why)
     bsp_drives_off();
     char text[DRIVES_OFF_TEXT_SIZE];
     char line[2U * DRIVES_OFF_TEXT_SIZE];
-    const drives_off_t done = drives_off(our_robot, controller.sequence, controller.time_us);
+    const drives_off_t done =
+        drives_off(our_robot, board.dialect, controller.sequence, controller.time_us);
     drives_off_tell(&done, text);
     const int length = snprintf(line, sizeof line, "control: %s; %s", why, text);
     (void)!write(STDERR_FILENO, line, (size_t)length);
@@ -168,6 +169,8 @@ static void gather_inputs(uint64_t elapsed_ns)
     board_inputs_receive(&board_inputs, &exchanged, &inputs);
     inputs.silent_sources = silent_sources();
     inputs.unfit = board.is_simulated ? 0U : computer.lacks;
+    inputs.dialect = board.dialect;
+    inputs.is_dialect_accepted = (board.accepted[0] != '\0') ? 1U : 0U;
     inputs.command_count = exchange_take_commands(exchange, inputs.commands, CONTROLLER_COMMANDS);
 }
 
@@ -363,6 +366,21 @@ static bool hold_trajectory(const char *path)
 }
 
 /*
+ * Who reads the log knows on whose word such cards are driven.
+ *
+ * @satisfies SWR-NI-012
+ */
+static void tell_dialect(void)
+{
+    if (board.dialect != (uint32_t)CARD_DIALECT_OWN) {
+        (void)fprintf(stderr,
+                      "control: the cards have no watchdog, echo, sequence or CRC; accepted by: "
+                      "%s.\n",
+                      (board.accepted[0] != '\0') ? board.accepted : "nobody, and nothing moves");
+    }
+}
+
+/*
  * With drives off, before the first cycle.
  *
  * @satisfies SWR-BSP-003
@@ -392,6 +410,7 @@ static int control(const char *const values[])
         bsp_close();
         return EXIT_CANNOT_START;
     }
+    tell_dialect();
     handle_signals();
     exchange_publish_robot(exchange, our_robot);
     begin_controller(values[POSITIONS]);

@@ -17,7 +17,8 @@ static uint32_t finish(void)
     return result.received;
 }
 
-static uint32_t write_frames(const robot_t *robot, uint32_t sequence, uint32_t time_us)
+static uint32_t write_frames(const robot_t *robot, uint32_t dialect, uint32_t sequence,
+                             uint32_t time_us)
 {
     uint32_t slots = 0U;
     for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
@@ -29,7 +30,7 @@ static uint32_t write_frames(const robot_t *robot, uint32_t sequence, uint32_t t
                                     .watchdog_us = LIMIT_CARD_WATCHDOG_US,
                                     .axis_id = (axis < ROBOT_AXIS_MAX) ? axis : CARD_NO_AXIS};
         if (robot_cards_type(robot, slot) != (uint32_t)CARD_TYPE_NONE) {
-            card_frame_encode_command(&off, frames[slot]);
+            card_dialect_encode_command(dialect, &off, frames[slot]);
             slots |= 1U << slot;
         }
     }
@@ -53,12 +54,12 @@ static uint32_t confirmed(uint32_t answered, uint32_t first, uint32_t sequence)
     return slots;
 }
 
-drives_off_t drives_off(const robot_t *robot, uint32_t sequence, uint32_t time_us)
+drives_off_t drives_off(const robot_t *robot, uint32_t dialect, uint32_t sequence, uint32_t time_us)
 {
-    drives_off_t done = {0U, 0U};
+    drives_off_t done = {.dialect = dialect};
     (void)finish(); /* What was under way, whose frames were no "off". */
     for (uint32_t i = 0U; i < LIMIT_OFF_EXCHANGES; i++) {
-        done.told = write_frames(robot, sequence + i, time_us);
+        done.told = write_frames(robot, dialect, sequence + i, time_us);
         /* C99 adds no const through an array pointer by itself. */
         bsp_start(done.told, (const uint8_t(*)[CARD_FRAME_BYTES])frames);
         done.confirmed |= confirmed(finish(), sequence, sequence + i);
@@ -85,6 +86,12 @@ void drives_off_tell(const drives_off_t *done, char text[DRIVES_OFF_TEXT_SIZE])
     if (off == told) {
         (void)snprintf(text, DRIVES_OFF_TEXT_SIZE,
                        "all %u cards confirm that their drive is off.\n", told);
+    } else if (done->dialect != (uint32_t)CARD_DIALECT_OWN) {
+        (void)snprintf(
+            text, DRIVES_OFF_TEXT_SIZE,
+            "\"off\" was sent to all %u cards, which can neither confirm it nor switch off "
+            "by a watchdog of their own: make sure that nothing moves.\n",
+            told);
     } else {
         (void)snprintf(text, DRIVES_OFF_TEXT_SIZE,
                        "\"off\" was sent to all %u cards, %u confirm it; the others' own watchdogs "

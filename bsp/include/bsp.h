@@ -12,6 +12,7 @@
 #define BORESIGHT_BSP_H
 
 #include "card/card.h"
+#include "card/card_dialect.h"
 #include "card/card_frame.h"
 
 #include <stdbool.h>
@@ -25,6 +26,7 @@
 
 #define BSP_NAME_SIZE 16U
 #define BSP_FIRMWARE_SIZE 40U
+#define BSP_ACCEPTED_SIZE 64U
 
 /** What was opened, and what stays as it is until it is closed. */
 typedef struct {
@@ -43,6 +45,9 @@ typedef struct {
     bool is_elastic;
     bool is_simulated; /**< No robot is connected: nobody is hurt by a late cycle. */
     uint32_t slowness; /**< Its time passes so many times slower, at best; 1 on a real board. */
+    uint32_t dialect;  /**< card_dialect_t of all cards. */
+    /** Who accepts what cards of another dialect than our own lack, and when; "": nobody does. */
+    char accepted[BSP_ACCEPTED_SIZE];
 } bsp_identity_t;
 
 /** Digital inputs. Each bit is 0 in the state that a cut wire has, which is the safe one. */

@@ -127,7 +127,9 @@ bool encoder_step(encoder_t *self, const axis_config_t *config, const card_repor
     }
     self->jumps = 0U;
     self->missed_cycles = 0U;
-    self->edge_age_us = report->time_us - report->last_edge_us;
+    self->edge_age_us = (report->edges == CARD_EDGES_UNKNOWN)
+                            ? ENCODER_AGE_UNKNOWN
+                            : (report->time_us - report->last_edge_us);
     const int64_t moved_ticks = (int64_t)encoder_way(config, self->reading, report->encoder_count);
     self->reading = report->encoder_count;
     self->position_ticks = fixed_saturate((int64_t)self->position_ticks + moved_ticks);

@@ -13,6 +13,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#define ENCODER_AGE_UNKNOWN UINT32_MAX /**< The card does not tell when an edge came. */
+
 typedef struct {
     int32_t reading; /**< Last believed counter value. */
     int32_t position_ticks;
@@ -21,7 +23,7 @@ typedef struct {
                                         rest. */
     int32_t anchor_ticks;            /**< Start of the present speed measurement. */
     uint32_t anchor_us;              /**< Card time of that edge. */
-    uint32_t edge_age_us;            /**< Time since the newest edge. */
+    uint32_t edge_age_us;            /**< Time since the newest edge, or ENCODER_AGE_UNKNOWN. */
     int32_t jump_ticks;              /**< The last unbelievable change, for the record. */
     uint32_t jumps;                  /**< Unbelievable readings in a row. */
     uint32_t missed_cycles;          /**< Since the last reading. */

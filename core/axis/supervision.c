@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "axis/supervision.h"
 
+#include "axis/encoder.h"
 #include "base/fixed.h"
 #include "limits/requirement_limits.h"
 #include "motion/motor_heat.h"
@@ -153,7 +154,8 @@ static bool is_uneven(supervision_t *self, const supervision_view_t *view, int64
         }
         return false;
     }
-    if ((ticks < 0) || ((self->account.direction > 0) != is_upwards)) {
+    if ((ticks < 0) || ((self->account.direction > 0) != is_upwards) ||
+        (view->edge_age_us == ENCODER_AGE_UNKNOWN)) {
         edge_pace_begin(&self->pace);
         return false;
     }

@@ -46,7 +46,7 @@ typedef struct {
     bool is_relied_on;    /**< Enabled, homed or unverified: off, it is to stay where it is. */
     card_drive_t drive;   /**< What the card applied up to this position. */
     uint32_t lost_q16;    /**< Share of its speed that the motor has lost, being warm. */
-    uint32_t edge_age_us; /**< Of its newest edge. */
+    uint32_t edge_age_us; /**< Of its newest edge, as encoder_t: unknown, evenness is not judged. */
     uint32_t elapsed_us;
 } supervision_view_t;
 

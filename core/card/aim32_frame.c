@@ -23,8 +23,9 @@
 #define WORD_ENCODER 3U
 #define WORD_ADC 7U
 
-#define PAIR_SWITCH 0x00080000U /* Of the states, the high half: low while the switch is active.   \
-                                 */
+#define PAIR_SWITCH                                                                                \
+    0x00080000U /* Of the states, the high half: low while the switch is active.                   \
+                 */
 #define DOWNWARDS 0x80000000U
 #define RUN 0x40000000U
 #define TABLE 0x01000000U
@@ -124,9 +125,12 @@ card_frame_result_t aim32_frame_decode_report(const uint8_t bytes[CARD_FRAME_BYT
     if (get_word(bytes, WORD_SUM) != sum_of(bytes)) {
         return CARD_FRAME_BAD_CRC;
     }
-    const bool is_switch_active = (get_word(bytes, WORD_PAIRS) & PAIR_SWITCH) == 0U;
+    const bool is_switch_open = (get_word(bytes, WORD_PAIRS) & PAIR_SWITCH) != 0U;
     report->system_state = get_word(bytes, WORD_SYSTEM);
-    report->limits = is_switch_active ? CARD_LIMIT_LOWER : 0U;
+    report->limits = CARD_LIMIT_LOWER;
+    if (is_switch_open) {
+        report->limits = 0U;
+    }
     report->limits_raw = report->limits;
     report->encoder_count = to_signed(get_word(bytes, WORD_ENCODER));
     report->adc_words[0] = get_word(bytes, WORD_ADC);

@@ -39,6 +39,9 @@ typedef enum {
 #define CARD_CONTROL_AMPLIFIER 0x01U
 #define CARD_CONTROL_CLEAR_FAULT 0x02U
 
+/** As `edges` of a report: when an edge came is known by the cycle only. */
+#define CARD_EDGES_UNKNOWN 0xFFFFFFFFU
+
 #define CARD_NO_AXIS 0xFFFFFFFFU /**< Word 17 of a command: the card has none. */
 
 /** Bits of the status word 7 of a report. */

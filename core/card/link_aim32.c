@@ -17,6 +17,7 @@ static void take(link_t *self, uint32_t slot, const card_report_t *read)
     report->firmware = self->firmware;
     report->heartbeat = before.heartbeat + 1U;
     report->time_us = before.time_us;
+    report->edges = CARD_EDGES_UNKNOWN;
     report->last_edge_us =
         (read->encoder_count == before.encoder_count) ? before.last_edge_us : before.time_us;
     self->has_report = 1U;

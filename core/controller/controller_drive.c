@@ -37,6 +37,8 @@ static permit_common_facts_t common_facts(const controller_t *self, const cycle_
         .is_pedal_pressed = pedal_gate_is_open(&self->pedal),
         .is_every_axis_homed = controller_is_homed(self),
         .is_memory_damaged = controller_is_blind(self),
+        .are_cards_unprotected = (cycle->inputs->dialect != (uint32_t)CARD_DIALECT_OWN) &&
+                                 (cycle->inputs->is_dialect_accepted == 0U),
         .may_be_unhomed = mode_may_be_unhomed(kind),
     };
     return facts;

@@ -28,6 +28,7 @@ permit_common_t permit_decide_common(const permit_common_facts_t *facts)
     reasons |= reason(facts->is_pedal_unproven, PERMIT_REASON_PEDAL_UNPROVEN);
     reasons |= reason(!facts->is_pedal_pressed, PERMIT_REASON_PEDAL_RELEASED);
     reasons |= reason(facts->is_memory_damaged, PERMIT_REASON_MEMORY);
+    reasons |= reason(facts->are_cards_unprotected, PERMIT_REASON_CARDS_UNPROTECTED);
     const permit_common_t common = {
         .reasons = reasons,
         .unhomed_reasons = reason(!facts->may_be_unhomed, PERMIT_REASON_NOT_HOMED),

@@ -31,7 +31,9 @@ typedef struct {
     bool is_pedal_pressed;
     bool is_every_axis_homed;
     bool is_memory_damaged; /**< The table of the robot is. */
-    bool may_be_unhomed;    /**< What is armed may drive an axis that is not homed. */
+    /** The cards' dialect lacks protections, which nobody has accepted. */
+    bool are_cards_unprotected;
+    bool may_be_unhomed; /**< What is armed may drive an axis that is not homed. */
 } permit_common_facts_t;
 
 /** What they decide. */
@@ -71,6 +73,7 @@ uint32_t permit_cap_percent(bool is_every_axis_homed);
  * Decides what is the same for every axis, once a cycle.
  *
  * @satisfies SWR-PERMIT-004
+ * @satisfies SWR-NI-006
  * @satisfies SWR-PEDAL-001
  */
 permit_common_t permit_decide_common(const permit_common_facts_t *facts);

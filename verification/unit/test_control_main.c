@@ -6,6 +6,7 @@
  */
 #include "unity.h"
 
+#include "card/aim32_frame.h"
 #include "card/card_frame.h"
 #include "common/clock.h"
 #include "common/command_line.h"
@@ -67,6 +68,8 @@ typedef struct {
     uint32_t lamps; /* That were lit last. */
     uint32_t awake; /* How often control has asked for no deep sleep. */
     uint32_t unfit; /* As the controller was told in the last cycle. */
+    uint32_t dialect;
+    uint32_t is_dialect_accepted;
 } record_t;
 
 static char name[48];
@@ -78,6 +81,8 @@ static bsp_slot_result_t fate; /* Of all frames. */
 static bool is_board_there;
 static bool is_wire_good;
 static bool is_simulated;
+static card_dialect_t dialect;
+static const char *accepted;
 static uint64_t late_ns;      /* How much later than asked for each cycle wakes up, */
 static bool is_late_at_times; /* or only every other one. */
 static uint64_t now_ns;
@@ -194,6 +199,8 @@ static void step(controller_t *self, const robot_t *robot, const controller_inpu
     if (self->cycle == LAST_CYCLE) {
         record->frames_received = given->frames_received;
         record->unfit = given->unfit;
+        record->dialect = given->dialect;
+        record->is_dialect_accepted = given->is_dialect_accepted;
         (void)raise(end_signal);
     }
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
@@ -248,7 +255,9 @@ static bool open_board(const char *box, bsp_identity_t *identity, char *error, u
                                  .robot_crc = board_robot_crc,
                                  .is_elastic = true,
                                  .is_simulated = is_simulated,
-                                 .slowness = 1U};
+                                 .slowness = 1U,
+                                 .dialect = (uint32_t)dialect};
+    (void)snprintf(identity->accepted, sizeof identity->accepted, "%s", accepted);
     if (!is_board_there) {
         (void)snprintf(error, error_size, "switch the box on");
     }
@@ -314,6 +323,8 @@ void setUp(void)
     is_board_there = true;
     is_wire_good = true;
     is_simulated = true;
+    dialect = CARD_DIALECT_OWN;
+    accepted = "";
     late_ns = 0U;
     is_late_at_times = false;
     (void)snprintf(name, sizeof name, "boresight-test-main-%d", (int)getpid());
@@ -587,6 +598,30 @@ void test_SWR_CHECK_007_only_a_real_boards_computer_is_kept_from_deep_sleep(void
     is_simulated = false;
     (void)control_ends(BY_SIGNAL, SIGTERM);
     TEST_ASSERT_EQUAL_UINT32(1U, record->awake);
+}
+
+static void expect_accepted(const char *person, uint32_t is_accepted, const char *expected)
+{
+    dialect = CARD_DIALECT_AIM32;
+    accepted = person;
+    (void)control_ends(BY_SIGNAL, SIGTERM);
+    TEST_ASSERT_EQUAL_UINT32(CARD_DIALECT_AIM32, record->dialect);
+    TEST_ASSERT_EQUAL_UINT32(is_accepted, record->is_dialect_accepted);
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(said, expected), said);
+}
+
+void test_SWR_NI_012_who_accepts_cards_without_protections_is_said_and_told_the_controller(void)
+{
+    expect_accepted("A. Engineer, 2026-11-23", 1U,
+                    "watchdog, echo, sequence or CRC; accepted by: A. Engineer, 2026-11-23.\n");
+    expect_accepted("", 0U, "accepted by: nobody, and nothing moves.\n");
+}
+
+void test_SWR_NI_012_nothing_is_said_of_cards_that_protect_themselves(void)
+{
+    (void)control_ends(BY_SIGNAL, SIGTERM);
+    TEST_ASSERT_EQUAL_UINT32(CARD_DIALECT_OWN, record->dialect);
+    TEST_ASSERT_NULL(strstr(said, "accepted by"));
 }
 
 void test_SWR_LOOP_005_cycles_are_counted_by_how_long_each_stage_took(void)

@@ -5,6 +5,8 @@
  */
 #include "unity.h"
 
+#include "card/aim32_frame.h"
+#include "card/card_dialect.h"
 #include "card/card_frame.h"
 #include "control/drives_off.h"
 #include "limits/requirement_limits.h"
@@ -85,7 +87,7 @@ static uint64_t now(int calls)
 
 static drives_off_t run(void)
 {
-    return drives_off(&robot_neuro, SEQUENCE, TIME_US);
+    return drives_off(&robot_neuro, CARD_DIALECT_OWN, SEQUENCE, TIME_US);
 }
 
 static void expect_text(const drives_off_t *done, const char *expected)
@@ -93,6 +95,21 @@ static void expect_text(const drives_off_t *done, const char *expected)
     char text[DRIVES_OFF_TEXT_SIZE];
     drives_off_tell(done, text);
     TEST_ASSERT_EQUAL_STRING(expected, text);
+}
+
+static uint8_t off[CARD_FRAME_BYTES]; /* As cards of aim32 are told. */
+
+static void start_aim32(uint32_t send, const uint8_t frames[CARD_SLOT_COUNT][CARD_FRAME_BYTES],
+                        int calls)
+{
+    (void)calls;
+    told[exchanges] = send;
+    exchanges++;
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
+        const uint32_t slot = robot_neuro.axes[i].slot;
+        TEST_ASSERT_EQUAL_HEX8_ARRAY(off, frames[slot], CARD_FRAME_BYTES);
+        (void)memcpy(reports[slot], off, CARD_FRAME_BYTES);
+    }
 }
 
 void setUp(void)
@@ -131,7 +148,7 @@ void test_SWR_CTRL_022_a_card_without_an_axis_is_sent_off_as_well(void)
     robot_t robot = robot_neuro;
     robot.sensor_slots = 0x100U;
     answering = ALL_SLOTS | 0x100U;
-    const drives_off_t done = drives_off(&robot, SEQUENCE, TIME_US);
+    const drives_off_t done = drives_off(&robot, CARD_DIALECT_OWN, SEQUENCE, TIME_US);
     TEST_ASSERT_EQUAL_HEX32(ALL_SLOTS | 0x100U, told[0]);
     TEST_ASSERT_EQUAL_HEX32(ALL_SLOTS | 0x100U, done.confirmed);
     TEST_ASSERT_EQUAL_HEX32(CARD_NO_AXIS, heard[8].axis_id);
@@ -167,4 +184,18 @@ void test_SWR_CTRL_004_silent_damaged_and_driving_cards_do_not_count_as_off(void
     const drives_off_t done = run();
     TEST_ASSERT_EQUAL_UINT32(LIMIT_OFF_EXCHANGES, exchanges);
     TEST_ASSERT_EQUAL_HEX32(0x0F0U, done.confirmed);
+}
+
+void test_SWR_NI_007_cards_that_cannot_confirm_are_told_each_time_and_nothing_is_claimed(void)
+{
+    const card_command_t command = {.control = CARD_CONTROL_CLEAR_FAULT};
+    aim32_frame_encode_command(&command, off);
+    bsp_start_Stub(start_aim32);
+    const drives_off_t done = drives_off(&robot_neuro, CARD_DIALECT_AIM32, SEQUENCE, TIME_US);
+    TEST_ASSERT_EQUAL_UINT32(LIMIT_OFF_EXCHANGES, exchanges);
+    TEST_ASSERT_EQUAL_HEX32(ALL_SLOTS, done.told);
+    TEST_ASSERT_EQUAL_HEX32(0U, done.confirmed);
+    expect_text(&done,
+                "\"off\" was sent to all 7 cards, which can neither confirm it nor switch off "
+                "by a watchdog of their own: make sure that nothing moves.\n");
 }

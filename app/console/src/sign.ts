@@ -38,6 +38,7 @@ const kinds: Readonly<Record<PermitReason, SignKind>> = {
   MEMORY: "fault",
   ESTOP_PULLED: "estop",
   LINK_LOST: "lost",
+  CARDS_UNPROTECTED: "stands",
   LOOP_STOPPED: "fault",
   PEDAL_FAULT: "fault",
   AXIS_FAULT: "fault",

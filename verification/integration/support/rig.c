@@ -2,6 +2,8 @@
 #include "integration/support/rig.h"
 
 #include "base/seal.h"
+#include "card/card_dialect.h"
+#include "integration/support/aim32_box.h"
 #include "robot/robot_neuro.h"
 #include "unity.h"
 
@@ -94,9 +96,15 @@ static void gather(rig_t *self)
         sign(&self->commands[i]);
     }
     (void)memset(&self->inputs, 0, sizeof self->inputs);
+    self->inputs.dialect = self->dialect;
+    self->inputs.is_dialect_accepted = self->is_dialect_accepted;
     self->inputs.frames_received =
-        box_exchange(&self->box, self->outputs.frames_to_send,
-                     (const uint8_t(*)[CARD_FRAME_BYTES])self->outputs.frames, self->inputs.frames);
+        (self->dialect == (uint32_t)CARD_DIALECT_OWN)
+            ? box_exchange(&self->box, self->outputs.frames_to_send,
+                           (const uint8_t(*)[CARD_FRAME_BYTES])self->outputs.frames,
+                           self->inputs.frames)
+            : aim32_box_exchange(&self->box, &self->outputs, self->controller.sequence,
+                                 self->inputs.frames);
     box_advance(&self->box, 1000U + self->late_us);
     const bsp_inputs_t sampled = box_sample(&self->box);
     self->inputs.elapsed_us = self->elapsed_us + self->late_us;
@@ -309,6 +317,10 @@ card_command_t rig_sent(const rig_t *self, uint32_t axis)
 {
     card_command_t command;
     const uint32_t slot = self->box.robot->axes[axis].slot;
+    if (self->dialect != (uint32_t)CARD_DIALECT_OWN) {
+        return (card_command_t){.drive = aim32_drive(self->outputs.frames[slot],
+                                                     self->box.robot->axes[axis].card_type)};
+    }
     TEST_ASSERT_EQUAL(CARD_FRAME_OK,
                       card_frame_decode_command(self->outputs.frames[slot], slot, &command));
     return command;

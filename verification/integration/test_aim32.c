@@ -1,0 +1,92 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Rule under test: with cards of the dialect aim32 the controller goes on as with its own, but
+ * drives nothing until somebody has accepted what such cards lack.
+ */
+#include "integration/support/rig.h"
+
+#include "unity.h"
+
+#include "card/card_dialect.h"
+#include "robot/robot_neuro.h"
+
+#include <string.h>
+
+static rig_t rig;
+
+static uint32_t word(uint32_t slot, uint32_t index)
+{
+    const uint8_t *const at = &rig.outputs.frames[slot][index * 4U];
+    return ((uint32_t)at[0] << 24U) | ((uint32_t)at[1] << 16U) | ((uint32_t)at[2] << 8U) | at[3];
+}
+
+static bool is_reason_standing(uint32_t axis)
+{
+    const uint32_t reasons = rig.outputs.snapshot.axes[axis].permit_reasons;
+    return (reasons & (1UL << PERMIT_REASON_CARDS_UNPROTECTED)) != 0U;
+}
+
+void setUp(void)
+{
+    rig_start(&rig);
+    rig.dialect = (uint32_t)CARD_DIALECT_AIM32;
+    rig.outputs.frames_to_send = 0U; /* They are of the other dialect. */
+    (void)memset(rig.outputs.frames, 0, sizeof rig.outputs.frames);
+    rig_cycles(&rig, 3U);
+}
+
+void tearDown(void)
+{
+}
+
+void test_SWR_NI_005_commands_go_out_and_reports_come_in_in_the_dialect(void)
+{
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
+        const uint32_t slot = robot_neuro.axes[i].slot;
+        TEST_ASSERT_EQUAL_HEX32(0xFEFEFE01U, word(slot, 0U));
+        TEST_ASSERT_EQUAL_HEX32(0U, word(slot, 1U));
+        TEST_ASSERT_EQUAL_HEX32(0xFFFFFFFFU - 0xFEFEFE01U, word(slot, 31U));
+        TEST_ASSERT_EQUAL_HEX32(0U, word(slot, 63U));
+        TEST_ASSERT_TRUE(link_is_healthy_now(&rig.controller.links[slot]));
+    }
+}
+
+void test_SWR_NI_005_damaged_reports_are_refused_and_the_card_is_lost(void)
+{
+    rig_box(&rig, "card 3 corrupt");
+    rig_cycles(&rig, LIMIT_LINK_AGE_CYCLES);
+    TEST_ASSERT_FALSE(link_is_usable(&rig.controller.links[3]));
+}
+
+void test_SWR_NI_006_nothing_moves_and_every_axis_says_why(void)
+{
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+    rig_press(&rig);
+    for (uint32_t cycle = 0U; cycle < 500U; cycle++) {
+        rig_cycle(&rig);
+        for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
+            const uint32_t slot = robot_neuro.axes[i].slot;
+            TEST_ASSERT_TRUE(is_reason_standing(i));
+            TEST_ASSERT_EQUAL_HEX32(0U, word(slot, 3U) | word(slot, 14U));
+        }
+    }
+    TEST_ASSERT_EQUAL_UINT32(NEXT_STEP_ACCEPT_CARDS, rig.outputs.snapshot.next_step);
+}
+
+void test_SWR_NI_006_accepted_in_writing_the_robot_is_homed_and_the_reason_never_stands(void)
+{
+    rig.is_dialect_accepted = 1U;
+    rig_home(&rig);
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
+        TEST_ASSERT_FALSE(is_reason_standing(i));
+        TEST_ASSERT_TRUE(axis_is_homed(&rig.controller.axes[i]));
+    }
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.driven_without_pedal);
+}
+
+void test_SWR_NI_006_cards_that_protect_themselves_need_nobodys_word(void)
+{
+    rig_start(&rig);
+    TEST_ASSERT_EQUAL_UINT32(CARD_DIALECT_OWN, rig.inputs.dialect);
+    TEST_ASSERT_FALSE(is_reason_standing(0U));
+}
