@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file Which FPGA with which bitfile, and who accepts what its cards lack. */
+#ifndef BORESIGHT_ADDRESS_H
+#define BORESIGHT_ADDRESS_H
+
+#include "bsp.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#define ADDRESS_RESOURCE_SIZE 64U
+#define ADDRESS_PATH_SIZE 128U
+
+typedef struct {
+    char resource[ADDRESS_RESOURCE_SIZE]; /**< As NI names it: RIO0. */
+    char bitfile[ADDRESS_PATH_SIZE];
+    char accepted[BSP_ACCEPTED_SIZE]; /**< "": nobody does. */
+} address_t;
+
+/**
+ * Reads `nifpga:RIO0,/path/x.lvbitx`, after which `,accepted=` and a name with a date may follow;
+ * "-" is nobody.
+ *
+ * @return false: `error` says in one sentence what is wrong
+ *
+ * @satisfies SWR-NI-008
+ */
+bool address_read(address_t *self, const char *text, char *error, uint32_t error_size);
+
+#endif
