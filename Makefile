@@ -118,7 +118,7 @@ SOURCES_boresight-http := $(wildcard app/http/*.c app/archive/*.c app/request/*.
     $(GEN)/assets/chart_names.c $(BENCH)
 SOURCES_boresight-passwd := $(wildcard app/passwd/*.c) app/session/account.c app/session/password.c
 SOURCES_boresight-recorder := $(wildcard app/recorder/*.c app/recording/*.c app/positions/*.c) app/sweep/sweep_curve.c $(CLOCK) app/common/directory.c app/common/file_series.c $(LOG_ENTRY) $(EXCHANGE) $(NAMES)
-SOURCES_boresight-replay := $(wildcard app/replay/*.c app/recording/*.c) $(GEN)/interface/app/columns.c $(GEN)/interface/app/fields.c $(DRIVE_TERMS) $(EVENT_TEXT) $(NAMES) $(FIND_ROBOT)
+SOURCES_boresight-replay := $(wildcard app/replay/*.c app/recording/*.c) $(GEN)/interface/app/columns.c $(GEN)/interface/app/fields.c $(AXIS_TERMS) $(DRIVE_TERMS) $(EVENT_TEXT) $(NAMES) $(FIND_ROBOT)
 SOURCES_boresight := $(wildcard app/check/*.c app/supervisor/*.c app/igtl/igtl_ports*.c) $(CLOCK) app/common/config_file.c app/common/directory.c $(EXCHANGE) $(NAMES) $(GEN)/robot/app/robot_names.c \
     $(BOARD_TABLE)
 LIBS_boresight-control := $(BOARD_LIBS)

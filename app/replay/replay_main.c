@@ -5,21 +5,20 @@
  *
  * Exit code 0: every output equal. 1: a difference. 2: damaged, unreadable, not holding the records
  * it announces, of another format, layout or robot, or nothing to replay. 3: every output equal,
- * but the recording is cut short. The tables, which are of the motion as replayed, end alike;
+ * but the recording is cut short. Tables and files, which are of the motion as replayed, end alike;
  * events and intervals, which are in the recording, end with 0, 2 or 3.
  */
 #include "base/contract.h"
-#include "common/build_id.h"
 #include "common/command_line.h"
-#include "interface/interface_layout.h"
-#include "recording/cycle_words.h"
 #include "recording/recording_reader.h"
 #include "replay/board_table.h"
+#include "replay/build_fit.h"
+#include "replay/motion_csv.h"
+#include "replay/motion_mcap.h"
 #include "replay/replay.h"
 #include "replay/table.h"
-#include "robot/app/robot_names.h"
-#include "robot/app/robots.h"
 
+#include <errno.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -30,23 +29,27 @@
 #define EXIT_REFUSED 2
 #define EXIT_CUT_SHORT 3
 
-enum { TABLE = 0, EVENTS, LOOP, BOARD, OPTIONS };
+enum { TABLE = 0, EVENTS, LOOP, BOARD, CSV, MCAP, OPTIONS };
 
 static const command_option_t options[OPTIONS] = {
     [TABLE] = {"table", NULL, .says = "write the motion as comma-separated values instead"},
     [EVENTS] = {"events", NULL, .says = "write the events, a line each, instead"},
     [LOOP] = {"loop", NULL, .says = "write the interval of each cycle instead"},
     [BOARD] = {"board", NULL, .says = "write what the board said, a row for each cycle, instead"},
+    [CSV] = {"csv", "FILE", .says = "write all that is known of the motion to a new FILE"},
+    [MCAP] = {"mcap", "FILE", .says = "the same for Foxglove and PlotJuggler, with the events"},
 };
 static const command_line_t command_line = {
     .program = "boresight-replay",
     .says = "Verifies a recording and computes the motion of it again.",
-    .usage = "[--table | --events | --loop | --board] FILE",
+    .usage = "[--table | --events | --loop | --board] RECORDING\n"
+             "[--csv FILE | --mcap FILE] RECORDING",
     .options = options,
     .count = OPTIONS,
     .fewest_words = 1,
     .most_words = 1,
-    .more = "Exit code 0: every output is equal. 1: there is a difference. 2: the command\n"
+    .more = "FILE may be -, the standard output.\n"
+            "Exit code 0: every output is equal. 1: there is a difference. 2: the command\n"
             "line is wrong, or the recording damaged, unreadable or not for this build. 3:\n"
             "every output is equal, but the recording is cut short.\n"};
 
@@ -55,6 +58,8 @@ static recording_reader_t reader;
 static replay_t replay;
 static cycle_record_t record;
 static cycle_known_t known;
+static motion_csv_t csv;
+static motion_mcap_t mcap;
 static uint64_t taken; /* Records read. */
 
 void contract_broken(const char *module, uint32_t id)
@@ -62,85 +67,6 @@ void contract_broken(const char *module, uint32_t id)
     (void)printf("Cycle %u breaks contract %s/%u.\n", (unsigned)record.cycle, module, (unsigned)id);
     (void)fflush(stdout);
     _Exit(EXIT_DIFFERENT);
-}
-
-/* What a file calls itself; four letters for each that is not plain. */
-typedef struct {
-    char robot[4U * sizeof((recording_header_t *)0)->robot];
-    char build[4U * sizeof((recording_header_t *)0)->build];
-} names_t;
-
-/* Finds the robot; says why it is not the recorded one. */
-static bool find_robot(const recording_header_t *header, const names_t *names)
-{
-    robot = robots_find(header->robot);
-    if (robot == NULL) {
-        (void)fprintf(stderr,
-                      "Recorded with robot %s, this build has %s; replay it with the build that "
-                      "recorded it, \"%s\".\n",
-                      names->robot, robot_names_list(), names->build);
-        return false;
-    }
-    if (header->robot_crc != robot->crc) {
-        (void)fprintf(stderr,
-                      "Recorded with robot %s of CRC %08" PRIX32
-                      ", this build has %s of CRC %08" PRIX32
-                      "; replay it with the build that recorded it, \"%s\".\n",
-                      names->robot, header->robot_crc, robot->name, robot->crc, names->build);
-        return false;
-    }
-    return true;
-}
-
-/* Says why the bytes of the recording are not what this build takes them for. */
-static bool check_layout(const recording_header_t *header, const names_t *names)
-{
-    if (recording_reader_fits(&reader, INTERFACE_LAYOUT, CONTROLLER_CHECKPOINT_BYTES)) {
-        return true;
-    }
-    (void)fprintf(stderr,
-                  "Recorded with layout %016" PRIX64 ", inputs of %" PRIu32 ", outputs of %" PRIu32
-                  " and a state of %" PRIu32 " bytes, this build has %016" PRIX64
-                  ", %zu, %zu and %zu; replay it with the build that recorded it, \"%s\".\n",
-                  header->layout, header->inputs_size, header->outputs_size,
-                  header->controller_size, INTERFACE_LAYOUT, sizeof(controller_inputs_t),
-                  sizeof(controller_outputs_t), CONTROLLER_CHECKPOINT_BYTES, names->build);
-    return false;
-}
-
-/* Frames are kept as their fields: another codec makes other bytes of them, alike on both sides. */
-static bool check_frames(const recording_header_t *header, const names_t *names)
-{
-    const uint32_t own = cycle_words_frame_layout();
-
-    if (header->frame_layout == own) {
-        return true;
-    }
-    (void)fprintf(stderr,
-                  "Recorded with frames of another layout, %08" PRIX32 ", this build has %08" PRIX32
-                  "; replay it with the build that recorded it, \"%s\".\n",
-                  header->frame_layout, own, names->build);
-    return false;
-}
-
-/* Says why this build must not replay the recording. */
-static bool check_header(const recording_header_t *header)
-{
-    names_t names;
-
-    recording_escape(header->robot, names.robot, sizeof names.robot);
-    recording_escape(header->build, names.build, sizeof names.build);
-    if (!find_robot(header, &names) || !check_layout(header, &names) ||
-        !check_frames(header, &names)) {
-        return false;
-    }
-    if (strcmp(header->build, BUILD_ID) != 0) {
-        (void)fprintf(stderr,
-                      "Recorded by build \"%s\", replayed by build \"%s\": a difference may come "
-                      "from that.\n",
-                      names.build, BUILD_ID);
-    }
-    return true;
 }
 
 static recording_verdict_t verify(const char *path)
@@ -259,48 +185,49 @@ static int replay_all(bool is_cut_short)
     return EXIT_EQUAL;
 }
 
-/* Of a cycle that was replayed, or at least kept whole; NULL: nobody knows what it showed. */
-static const snapshot_t *find_shown(void)
+/* What a cycle said that was replayed, or at least kept whole; NULL: nobody knows. */
+static const controller_outputs_t *find_shown(void)
 {
     if (replay.is_running) {
-        return &replay.outputs.snapshot;
+        return &replay.outputs;
     }
-    return known.is_whole ? &record.body.cycle.outputs.snapshot : NULL;
+    return known.is_whole ? &record.body.cycle.outputs : NULL;
 }
 
-static void print_names(bool is_of_board)
+static void tell_table(const controller_outputs_t *shown)
 {
-    if (is_of_board) {
-        board_table_print_names();
-    } else {
-        table_print_names(robot);
+    if (shown != NULL) {
+        table_print_row(robot, record.cycle, &shown->snapshot);
     }
 }
 
-static void print_row(bool is_of_board)
+static void tell_board(const controller_outputs_t *shown)
 {
-    const snapshot_t *shown = find_shown();
-
-    if (shown == NULL) {
-        return;
-    }
-    if (is_of_board) {
-        board_table_print_row(&record, shown);
-    } else {
-        table_print_row(robot, record.cycle, shown);
+    if (shown != NULL) {
+        board_table_print_row(&record, &shown->snapshot);
     }
 }
 
-static int print_table(bool is_of_board, bool is_cut_short)
+static void tell_csv(const controller_outputs_t *shown)
+{
+    motion_csv_take(&csv, &reader.header, &record, (shown != NULL) ? &shown->snapshot : NULL);
+}
+
+static void tell_mcap(const controller_outputs_t *shown)
+{
+    motion_mcap_take(&mcap, &reader.header, &record, shown);
+}
+
+/* Tells each cycle as it is replayed. */
+static int tell_motion(void (*tell)(const controller_outputs_t *shown), bool is_cut_short)
 {
     tell_lost(stderr);
-    print_names(is_of_board);
     while (take_record()) {
         if (!replay_take(&replay, robot, &record, &known)) {
             return tell_difference(stderr);
         }
         if (record.kind == (uint32_t)CYCLE_RECORD_CYCLE) {
-            print_row(is_of_board);
+            tell(find_shown());
         }
     }
     if (!check_end()) {
@@ -308,6 +235,69 @@ static int print_table(bool is_of_board, bool is_cut_short)
     }
     tell_unreplayed(stderr);
     return is_cut_short ? EXIT_CUT_SHORT : EXIT_EQUAL;
+}
+
+static int print_table(bool is_of_board, bool is_cut_short)
+{
+    if (is_of_board) {
+        board_table_print_names();
+    } else {
+        table_print_names(robot);
+    }
+    return tell_motion(is_of_board ? tell_board : tell_table, is_cut_short);
+}
+
+/* A new one: nothing is written over, least of all the recording. */
+static FILE *open_new(const char *path)
+{
+    FILE *const file = (strcmp(path, "-") == 0) ? stdout : fopen(path, "wbx");
+
+    if (file == NULL) {
+        (void)fprintf(stderr, "%s cannot be written (%s).\n", path, strerror(errno));
+    }
+    return file;
+}
+
+static int end_file(FILE *file, const char *path, bool is_written, int code)
+{
+    const bool is_closed = (file == stdout) || (fclose(file) == 0);
+
+    if (!is_written || !is_closed) {
+        (void)fprintf(stderr, "%s could not be written to its end.\n", path);
+        return EXIT_REFUSED;
+    }
+    if (code == EXIT_CUT_SHORT) {
+        (void)fprintf(stderr, "The recording is cut short: %s has what is before the cut.\n", path);
+    }
+    return code;
+}
+
+static int write_csv(const char *path, bool is_cut_short)
+{
+    FILE *const file = open_new(path);
+
+    if (file == NULL) {
+        return EXIT_REFUSED;
+    }
+    motion_csv_begin(&csv, file, robot);
+    const int code = tell_motion(tell_csv, is_cut_short);
+    return end_file(file, path, motion_csv_end(&csv), code);
+}
+
+static int write_mcap(const char *path, bool is_cut_short)
+{
+    FILE *const file = open_new(path);
+
+    if (file == NULL) {
+        return EXIT_REFUSED;
+    }
+    if (!motion_mcap_begin(&mcap, file, robot)) {
+        return end_file(file, path, false, EXIT_REFUSED);
+    }
+    const int code = tell_motion(tell_mcap, is_cut_short);
+    const bool is_written =
+        motion_mcap_end(&mcap, &reader.header, is_cut_short, reader.cycles_lost);
+    return end_file(file, path, is_written, code);
 }
 
 /* What is in the recording itself. */
@@ -339,8 +329,13 @@ static int treat(const char *path, const char *const values[])
     }
     const bool is_cut_short = verdict == RECORDING_CUT_SHORT;
     int code = EXIT_REFUSED;
-    if (!check_header(&reader.header)) {
+    robot = build_fit(&reader);
+    if (robot == NULL) {
         code = EXIT_REFUSED;
+    } else if (values[CSV] != NULL) {
+        code = write_csv(values[CSV], is_cut_short);
+    } else if (values[MCAP] != NULL) {
+        code = write_mcap(values[MCAP], is_cut_short);
     } else if ((values[TABLE] != NULL) || (values[BOARD] != NULL)) {
         code = print_table(values[BOARD] != NULL, is_cut_short);
     } else if ((values[EVENTS] != NULL) || (values[LOOP] != NULL)) {
@@ -372,8 +367,7 @@ int main(int count, char **arguments)
         return code;
     }
     if (count_given(values) > 1U) {
-        return command_line_refuse(&command_line,
-                                   "--table, --events, --loop and --board exclude each other.");
+        return command_line_refuse(&command_line, "All its options exclude each other.");
     }
     return treat(arguments[first], values);
 }

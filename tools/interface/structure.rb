@@ -87,6 +87,10 @@ module Interface
       [@kind, @of].compact.join(' ')
     end
 
+    def bits?
+      @kind == 'bits'
+    end
+
     def flag?
       @kind == 'flag'
     end

@@ -326,10 +326,11 @@ class TestInterfaceCompiler < Minitest::Test
                              (int)field->element_size, (field->inside == fields_paint) ? "paint" : "-");
             }
             (void)printf("%s\\n", fields_paint[2].name);
+            (void)printf("%s\\n", fields_paint[0].word(0));
             return 0;
         }
       CODE
-      assert_equal "number 0 4 4 -\ntins 4 48 16 paint\nrest_ml\n", output_of(folder, 'main.c', 'app/fields.c')
+      assert_equal "number 0 4 4 -\ntins 4 48 16 paint\nrest_ml\nOK\n", output_of(folder, 'main.c', 'app/fields.c', 'app/names.c')
     end
   end
 

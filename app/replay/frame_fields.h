@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file The fields of a frame to a card, as those of core/interface are known. */
+#ifndef BORESIGHT_FRAME_FIELDS_H
+#define BORESIGHT_FRAME_FIELDS_H
+
+#include "card/card_frame.h"
+#include "interface/app/fields.h"
+
+/** Of card_command_t. */
+extern const field_t fields_card_command[];
+
+#endif

