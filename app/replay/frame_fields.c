@@ -8,7 +8,7 @@
             is, NULL, says                                                                         \
     }
 
-static const char *drive_mode_word(int32_t value)
+const char *frame_drive_word(int32_t value)
 {
     static const char *const words[] = {[CARD_DRIVE_OFF] = "OFF",
                                         [CARD_DRIVE_PWM] = "PWM",
@@ -21,7 +21,7 @@ static const char *drive_mode_word(int32_t value)
 
 static const field_t fields_card_drive[] = {
     {"mode", offsetof(card_drive_t, mode), SIZE(card_drive_t, mode), SIZE(card_drive_t, mode), NULL,
-     FIELD_WORD, drive_mode_word, "What the card is asked to do with its motor."},
+     FIELD_WORD, frame_drive_word, "What the card is asked to do with its motor."},
     FIELD(card_drive_t, direction, FIELD_UNSIGNED, "0 or 1; the meaning is the robot's."),
     FIELD(card_drive_t, duty, FIELD_UNSIGNED, "The drive word."),
     FIELD(card_drive_t, amplitude, FIELD_UNSIGNED, "High frequency: of both waves."),

@@ -9,4 +9,7 @@
 /** Of card_command_t. */
 extern const field_t fields_card_command[];
 
+/** Name of a card_drive_mode_t. Lives for ever. */
+const char *frame_drive_word(int32_t value);
+
 #endif

