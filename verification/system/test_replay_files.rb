@@ -7,6 +7,7 @@
 
 require 'csv'
 require 'json'
+require_relative '../../tools/robot/description'
 require_relative 'support/stopped_homing'
 
 class TestReplayFiles < StoppedHoming
@@ -24,17 +25,20 @@ class TestReplayFiles < StoppedHoming
     end
   end
 
-  def csv(bytes = recording, code: 0)
-    written('csv', bytes, code: code) { |file| CSV.read(file, headers: true).map(&:to_h) }
+  # Of all of it, read once.
+  def csv
+    @@csv ||= written('csv') { |file| CSV.read(file, headers: true).map(&:to_h) }
+  end
+
+  def mcap
+    @@mcap ||= written('mcap') { |file| read(file) }
   end
 
   # As the library of the format reads it, with its indexes and checksums.
-  def mcap(bytes = recording, code: 0)
-    written('mcap', bytes, code: code) do |file|
-      text, status = Open3.capture2e(NODE, READER, file)
-      assert status.success?, text
-      JSON.parse(text)
-    end
+  def read(file)
+    text, status = Open3.capture2e(NODE, READER, file)
+    assert status.success?, text
+    JSON.parse(text)
   end
 
   def messages(content, topic)
@@ -107,11 +111,20 @@ class TestReplayFiles < StoppedHoming
     names = table.headers.grep(/_(setpoint|position)_ticks\z/)
     assert_equal 14, names.size
     assert_equal(table.map { |row| row.values_at(*names) }, tenths.map { |row| row.values_at(*names) })
-    %w[lateral_position_mm lateral_speed_mm_per_s yaw_position_deg yaw_speed_deg_per_s].each do |name|
-      ticks = name.sub(/_(mm|deg)/, '_ticks')
-      units = rows.filter_map { |row| row[name].to_f / row[ticks].to_f unless row[ticks].to_f.abs < 1000 }
-      assert(units.all? { |unit| unit.positive? && (unit - units.first).abs < units.first * 1e-3 }, name)
+  end
+
+  # Computed a second time, from the robot's file.
+  def test_SWR_REPLAY_011_positions_and_speeds_are_in_the_units_of_their_axes
+    file = File.join(ROOT, 'core/robot/neuro/robot.yml')
+    axes = Robot::Description.new(file, File.read(file)).axes
+    rows = csv
+    axes.product(%w[setpoint position target speed setpoint_speed]).each do |axis, series|
+      behind = series.include?('speed') ? '_per_s' : ''
+      in_ticks, in_units = ['ticks', axis.linear? ? 'mm' : 'deg'].map { |unit| "#{axis['name']}_#{series}_#{unit}#{behind}" }
+      factor = axis.linear? ? 1 : 180 / Math::PI
+      rows.each { |row| assert_in_delta axis.units(row[in_ticks].to_f) * factor, row.fetch(in_units).to_f, 1e-5, in_units }
     end
+    assert_operator rows.map { |row| row['insertion_position_mm'] }.uniq.size, :>, 10
   end
 
   def test_SWR_REPLAY_011_each_row_is_at_its_time
@@ -127,13 +140,14 @@ class TestReplayFiles < StoppedHoming
 
   def test_SWR_REPLAY_012_of_a_recording_that_is_cut_short_there_is_what_is_whole
     whole = mcap
-    short = mcap(recording[0, recording.bytesize - 100], code: 3)
+    bytes = recording[0, recording.bytesize - 100]
+    short = written('mcap', bytes, code: 3) { |file| read(file) }
     assert_equal 'true', short['notes'].first.last['is_cut_short']
     told = messages(short, '/state')
     assert_operator told.size, :>, 0
     assert_operator told.size, :<, messages(whole, '/state').size
     assert_equal messages(whole, '/state').first(told.size), told
-    written('csv', recording[0, recording.bytesize - 100], code: 3) do |file, text|
+    written('csv', bytes, code: 3) do |file, text|
       assert_includes text, "The recording is cut short: #{file} has what is before the cut."
       assert_equal told.size + 1, File.foreach(file).count
     end
