@@ -9,9 +9,11 @@
 #
 # A block begins with the line `<!-- table:NAME -->` and ends with the line `<!-- end -->`. NAME is an enumeration or a
 # structure of core/interface; `routes` or `problems`, for those of core/interface/routes.yml; `modes`, for the whole table of
-# core/interface/modes.yml; `limits`, for those of requirements/; `rooms`, for tools/rooms.yml; or `robots`, for the axes of core/robot/*/robot.yml.
+# core/interface/modes.yml; `limits`, for those of requirements/; `rooms`, for tools/rooms.yml; `robots`, for the axes of core/robot/*/robot.yml;
+# or one of tools/card_tables.rb, for the frames of the cards.
 
 require 'optparse'
+require_relative 'card_tables'
 require_relative 'interface/model'
 require_relative 'robot/description'
 require_relative 'rooms'
@@ -59,6 +61,8 @@ class TableSources
   def table(name)
     return send(name) if OTHERS.include?(name)
 
+    return cards.table(name, method(:markdown)) if CardTables::NAMES.key?(name)
+
     enumeration = interface.enumeration(name)
     return values_of(enumeration) if enumeration
 
@@ -67,13 +71,17 @@ class TableSources
   end
 
   def names
-    ((interface.enumerations + interface.structures).map(&:name) + OTHERS).sort
+    ((interface.enumerations + interface.structures).map(&:name) + OTHERS + CardTables::NAMES.keys).sort
   end
 
   private
 
   def interface
     @interface ||= Interface::Model.new(File.join(@root, 'core', 'interface'))
+  end
+
+  def cards
+    @cards ||= CardTables.new(@root, Trace::Requirements.load('requirements', @root).limits_by_name)
   end
 
   # Of events also how much they matter.

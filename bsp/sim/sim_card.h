@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The firmware of a daughter card, as the simulated box runs it: takes commands, drives the motor,
- * watches over both, reports. It believes only whole frames whose sequence number is one of the
- * next; after a start or a trip only one that clears the fault with the drive off begins a new
- * sequence.
+ * The firmware of a daughter card, as the simulated box runs it, and the reference for whoever
+ * makes a card (docs/card-protocol.md): takes commands, drives the motor, watches over both,
+ * reports. It believes only whole frames whose sequence number is one of the next; after a start or
+ * a trip only one that clears the fault with the drive off begins a new sequence.
  */
 #ifndef BORESIGHT_SIM_CARD_H
 #define BORESIGHT_SIM_CARD_H
@@ -69,6 +69,7 @@ void sim_card_init(sim_card_t *self, const axis_config_t *axis, const sim_encode
  *
  * @satisfies SWR-BOX-008
  * @satisfies SWR-BOX-009
+ * @satisfies SWR-CARD-010
  */
 void sim_card_receive(sim_card_t *self, const uint8_t bytes[CARD_FRAME_BYTES]);
 

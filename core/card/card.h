@@ -10,7 +10,7 @@
 
 /** What is in a slot. */
 typedef enum {
-    CARD_TYPE_NONE = 0,
+    CARD_TYPE_NONE = 0, /**< Nothing. */
     /** Speed by a duty word of 23 bits, of which its axis may use fewer. */
     CARD_TYPE_PWM = 1,
     /** Run or stop, and direction; some take a magnitude, too. */

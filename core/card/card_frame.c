@@ -2,55 +2,13 @@
 #include "card/card_frame.h"
 
 #include "base/crc.h"
+#include "card/card_words.h"
 #include "limits/requirement_limits.h"
 
 #include <string.h>
 
-/* Words of both directions. */
-#define WORD_START 0U
-#define WORD_HEADER 1U
-#define WORD_LEGACY_SUM 62U
-#define WORD_CRC 63U
 #define HEAD_BYTES 8U    /* Start word and header. */
 #define ALWAYS_BYTES 24U /* The first six words, which are written in every frame. */
-
-/* Words of a command. */
-#define WORD_COMMAND_SEQUENCE 2U
-#define WORD_COMMAND_TIME 3U
-#define WORD_COMMAND_SYSTEM 4U
-#define WORD_COMMAND_CONTROL 5U
-#define WORD_COMMAND_WAVES 6U
-#define WORD_COMMAND_MODE 10U
-#define WORD_COMMAND_DUTY 11U
-#define WORD_COMMAND_CONVERTERS 12U
-#define WORD_COMMAND_WATCHDOG 13U
-#define WORD_COMMAND_OVERSPEED 14U
-#define WORD_COMMAND_GUARD_MINIMUM 15U
-#define WORD_COMMAND_GUARD_MAXIMUM 16U
-#define WORD_COMMAND_AXIS 17U
-#define WORD_COMMAND_COMPLEMENT 61U
-
-/* Words of a report. */
-#define WORD_REPORT_ACCEPTED 2U
-#define WORD_REPORT_HEARTBEAT 3U
-#define WORD_REPORT_TIME 4U
-#define WORD_REPORT_IDENTITY 5U
-#define WORD_REPORT_SYSTEM 6U
-#define WORD_REPORT_STATUS 7U
-#define WORD_REPORT_LIMITS 9U
-#define WORD_REPORT_ENCODER 10U
-#define WORD_REPORT_LAST_EDGE 13U
-#define WORD_REPORT_FOURTH_EDGE 14U
-#define WORD_REPORT_EDGES 15U
-#define WORD_REPORT_ADC 16U
-#define WORD_REPORT_TEMPERATURES 18U
-#define WORD_REPORT_SUPPLY 19U
-#define WORD_REPORT_WAVES 20U
-#define WORD_REPORT_APPLIED 24U
-#define WORD_REPORT_CRC_ERRORS 25U
-#define WORD_REPORT_GAPS 26U
-#define WORD_REPORT_TRIPS 27U
-#define WORD_REPORT_UPTIME 28U
 
 #define TYPE_COMMAND 1U
 #define TYPE_REPORT 2U
@@ -156,13 +114,13 @@ typedef struct {
 } checked_t;
 
 static const checked_t checked_command = {18U,
-                                          WORD_COMMAND_COMPLEMENT,
+                                          CARD_COMMAND_COMPLEMENT,
                                           CRC32C_ZEROS_172,
                                           {0x79B02BB9U, 0xDCF1B9C7U, 0x36DF79B4U, 0x939EEBCAU,
                                            0xE76E8FA3U, 0x422F1DDDU, 0xA801DDAEU, 0x0D404FD0U,
                                            0x41E1157CU, 0xE4A08702U}};
 static const checked_t checked_report = {29U,
-                                         WORD_LEGACY_SUM,
+                                         CARD_BOTH_LEGACY_SUM,
                                          CRC32C_ZEROS_132,
                                          {0x6AE0D84DU, 0xCFA14A33U, 0x258F8A40U, 0x80CE183EU,
                                           0xF43E7C57U, 0x517FEE29U, 0xBB512E5AU, 0x1E10BC24U,
@@ -181,41 +139,41 @@ static inline uint32_t four_words(const uint8_t bytes[CARD_FRAME_BYTES], uint32_
 /* The sum of a frame whose reserved words are zero: of all others. */
 static uint32_t command_sum(const uint8_t bytes[CARD_FRAME_BYTES])
 {
-    return four_words(bytes, WORD_START) + four_words(bytes, WORD_COMMAND_SYSTEM) +
-           four_words(bytes, WORD_COMMAND_WAVES + 2U) + four_words(bytes, WORD_COMMAND_CONVERTERS) +
-           two_words(bytes, WORD_COMMAND_GUARD_MAXIMUM) + get_word(bytes, WORD_COMMAND_COMPLEMENT);
+    return four_words(bytes, CARD_BOTH_START) + four_words(bytes, CARD_COMMAND_SYSTEM) +
+           four_words(bytes, CARD_COMMAND_WAVES + 2U) + four_words(bytes, CARD_COMMAND_CONVERTERS) +
+           two_words(bytes, CARD_COMMAND_GUARD_MAXIMUM) + get_word(bytes, CARD_COMMAND_COMPLEMENT);
 }
 
 /* Without the words of waves. */
 static uint32_t report_sum(const uint8_t bytes[CARD_FRAME_BYTES])
 {
-    return four_words(bytes, WORD_START) + four_words(bytes, WORD_REPORT_TIME) +
-           two_words(bytes, WORD_REPORT_LIMITS) + four_words(bytes, WORD_REPORT_LAST_EDGE) +
-           two_words(bytes, WORD_REPORT_ADC + 1U) + get_word(bytes, WORD_REPORT_SUPPLY) +
-           four_words(bytes, WORD_REPORT_APPLIED) + get_word(bytes, WORD_REPORT_UPTIME);
+    return four_words(bytes, CARD_BOTH_START) + four_words(bytes, CARD_REPORT_TIME) +
+           two_words(bytes, CARD_REPORT_LIMITS) + four_words(bytes, CARD_REPORT_LAST_EDGE) +
+           two_words(bytes, CARD_REPORT_ADC + 1U) + get_word(bytes, CARD_REPORT_SUPPLY) +
+           four_words(bytes, CARD_REPORT_APPLIED) + get_word(bytes, CARD_REPORT_UPTIME);
 }
 
 /* Of a frame with the start word and a header of its direction. */
 static inline uint32_t crc_of(const uint8_t bytes[CARD_FRAME_BYTES], const checked_t *checked)
 {
-    const uint32_t slot = bytes[(WORD_HEADER * 4U) + 1U];
+    const uint32_t slot = bytes[(CARD_BOTH_HEADER * 4U) + 1U];
     const uint32_t head =
         (slot < CARD_SLOT_COUNT) ? checked->heads[slot] : crc32c(bytes, HEAD_BYTES);
 
     return crc32c_extend_over_zeros(head, &bytes[HEAD_BYTES], (checked->first * 4U) - HEAD_BYTES,
-                                    checked->zeros, (WORD_CRC - checked->end) * 4U);
+                                    checked->zeros, (CARD_BOTH_CRC - checked->end) * 4U);
 }
 
 static bool has_command_reserved_bits(const uint8_t bytes[CARD_FRAME_BYTES])
 {
-    return has_bits(bytes, WORD_COMMAND_AXIS + 1U, WORD_COMMAND_COMPLEMENT);
+    return has_bits(bytes, CARD_COMMAND_AXIS + 1U, CARD_COMMAND_COMPLEMENT);
 }
 
 static bool has_report_reserved_bits(const uint8_t bytes[CARD_FRAME_BYTES])
 {
-    return has_bits(bytes, WORD_REPORT_STATUS + 1U, WORD_REPORT_LIMITS) ||
-           has_bits(bytes, WORD_REPORT_ENCODER + 1U, WORD_REPORT_LAST_EDGE) ||
-           has_bits(bytes, WORD_REPORT_UPTIME + 1U, WORD_LEGACY_SUM);
+    return has_bits(bytes, CARD_REPORT_STATUS + 1U, CARD_REPORT_LIMITS) ||
+           has_bits(bytes, CARD_REPORT_ENCODER + 1U, CARD_REPORT_LAST_EDGE) ||
+           has_bits(bytes, CARD_REPORT_UPTIME + 1U, CARD_BOTH_LEGACY_SUM);
 }
 
 /* A frame that is being written; its sum is that of the words so far. */
@@ -234,16 +192,16 @@ static inline writer_t begin(uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot, uin
 {
     writer_t writer = {.bytes = bytes, .sum = 0U};
 
-    (void)memset(&bytes[ALWAYS_BYTES], 0, (WORD_LEGACY_SUM * 4U) - ALWAYS_BYTES);
-    write_word(&writer, WORD_START, CARD_FRAME_START);
-    write_word(&writer, WORD_HEADER, header_word(slot, type));
+    (void)memset(&bytes[ALWAYS_BYTES], 0, (CARD_BOTH_LEGACY_SUM * 4U) - ALWAYS_BYTES);
+    write_word(&writer, CARD_BOTH_START, CARD_FRAME_START);
+    write_word(&writer, CARD_BOTH_HEADER, header_word(slot, type));
     return writer;
 }
 
 static inline void seal(const writer_t *self, const checked_t *checked)
 {
-    put_word(self->bytes, WORD_LEGACY_SUM, ~self->sum);
-    put_word(self->bytes, WORD_CRC, crc_of(self->bytes, checked));
+    put_word(self->bytes, CARD_BOTH_LEGACY_SUM, ~self->sum);
+    put_word(self->bytes, CARD_BOTH_CRC, crc_of(self->bytes, checked));
 }
 
 /* What a direction makes of the bytes, whatever they are. */
@@ -258,19 +216,19 @@ static inline card_frame_result_t check_frame(const uint8_t bytes[CARD_FRAME_BYT
                                               const frame_view_t *view)
 {
     const uint32_t slot_mask = 0x00FF0000U;
-    const uint32_t header = get_word(bytes, WORD_HEADER);
+    const uint32_t header = get_word(bytes, CARD_BOTH_HEADER);
     const uint32_t expected = header_word(slot, view->type);
 
-    if (get_word(bytes, WORD_START) != CARD_FRAME_START) {
+    if (get_word(bytes, CARD_BOTH_START) != CARD_FRAME_START) {
         return CARD_FRAME_BAD_START;
     }
     if ((header | slot_mask) != (expected | slot_mask)) {
         return CARD_FRAME_BAD_START;
     }
-    if (view->has_reserved_bits || (get_word(bytes, WORD_LEGACY_SUM) != ~view->sum)) {
+    if (view->has_reserved_bits || (get_word(bytes, CARD_BOTH_LEGACY_SUM) != ~view->sum)) {
         return CARD_FRAME_BAD_CRC;
     }
-    if (get_word(bytes, WORD_CRC) != crc_of(bytes, view->checked)) {
+    if (get_word(bytes, CARD_BOTH_CRC) != crc_of(bytes, view->checked)) {
         return CARD_FRAME_BAD_CRC;
     }
     if (header != expected) {
@@ -351,19 +309,19 @@ static bool read_waves(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t first, ca
 
 static void write_command_drive(writer_t *writer, const card_drive_t *drive)
 {
-    write_word(writer, WORD_COMMAND_MODE,
+    write_word(writer, CARD_COMMAND_MODE,
                (fit(drive->mode, LARGEST_8_BIT) << 24U) |
                    (fit(drive->direction, LARGEST_8_BIT) << 16U));
     if (has_waves(drive)) {
-        write_waves(writer, WORD_COMMAND_WAVES, drive);
+        write_waves(writer, CARD_COMMAND_WAVES, drive);
     } else if (drive->mode == (uint32_t)CARD_DRIVE_ANALOG) {
         /* Our own layout: the first converter has the magnitude. One of more than 16 bits stands in
          * the word of the others, where it is refused. */
         const bool fits = drive->duty <= LARGEST_16_BIT;
-        write_word(writer, fits ? WORD_COMMAND_CONVERTERS : WORD_COMMAND_DUTY,
+        write_word(writer, fits ? CARD_COMMAND_CONVERTERS : CARD_COMMAND_DUTY,
                    fits ? (drive->duty << 16U) : drive->duty);
     } else {
-        write_word(writer, WORD_COMMAND_DUTY, drive->duty);
+        write_word(writer, CARD_COMMAND_DUTY, drive->duty);
     }
 }
 
@@ -371,19 +329,19 @@ void card_frame_encode_command(const card_command_t *command, uint8_t bytes[CARD
 {
     writer_t writer = begin(bytes, command->slot, TYPE_COMMAND);
 
-    write_word(&writer, WORD_COMMAND_SEQUENCE, command->sequence);
-    write_word(&writer, WORD_COMMAND_TIME, command->time_us);
-    write_word(&writer, WORD_COMMAND_SYSTEM, command->system_state);
-    write_word(&writer, WORD_COMMAND_CONTROL, command->control);
+    write_word(&writer, CARD_COMMAND_SEQUENCE, command->sequence);
+    write_word(&writer, CARD_COMMAND_TIME, command->time_us);
+    write_word(&writer, CARD_COMMAND_SYSTEM, command->system_state);
+    write_word(&writer, CARD_COMMAND_CONTROL, command->control);
     if (!is_drive_off(&command->drive)) {
         write_command_drive(&writer, &command->drive);
     }
-    write_word(&writer, WORD_COMMAND_WATCHDOG, command->watchdog_us);
-    write_word(&writer, WORD_COMMAND_OVERSPEED, command->overspeed_ticks_per_s);
-    write_word(&writer, WORD_COMMAND_GUARD_MINIMUM, (uint32_t)command->guard_minimum_ticks);
-    write_word(&writer, WORD_COMMAND_GUARD_MAXIMUM, (uint32_t)command->guard_maximum_ticks);
-    write_word(&writer, WORD_COMMAND_AXIS, command->axis_id);
-    write_word(&writer, WORD_COMMAND_COMPLEMENT, ~command->control);
+    write_word(&writer, CARD_COMMAND_WATCHDOG, command->watchdog_us);
+    write_word(&writer, CARD_COMMAND_OVERSPEED, command->overspeed_ticks_per_s);
+    write_word(&writer, CARD_COMMAND_GUARD_MINIMUM, (uint32_t)command->guard_minimum_ticks);
+    write_word(&writer, CARD_COMMAND_GUARD_MAXIMUM, (uint32_t)command->guard_maximum_ticks);
+    write_word(&writer, CARD_COMMAND_AXIS, command->axis_id);
+    write_word(&writer, CARD_COMMAND_COMPLEMENT, ~command->control);
     seal(&writer, &checked_command);
 }
 
@@ -404,38 +362,38 @@ void card_frame_encode_report(const card_report_t *report, uint8_t bytes[CARD_FR
 {
     writer_t writer = begin(bytes, report->slot, TYPE_REPORT);
 
-    write_word(&writer, WORD_REPORT_ACCEPTED, report->accepted_sequence);
-    write_word(&writer, WORD_REPORT_HEARTBEAT, report->heartbeat);
-    write_word(&writer, WORD_REPORT_TIME, report->time_us);
-    write_word(&writer, WORD_REPORT_IDENTITY,
+    write_word(&writer, CARD_REPORT_ACCEPTED, report->accepted_sequence);
+    write_word(&writer, CARD_REPORT_HEARTBEAT, report->heartbeat);
+    write_word(&writer, CARD_REPORT_TIME, report->time_us);
+    write_word(&writer, CARD_REPORT_IDENTITY,
                (fit(report->card_type, LARGEST_8_BIT) << 24U) |
                    fit(report->firmware, LARGEST_24_BIT));
-    write_word(&writer, WORD_REPORT_SYSTEM, report->system_state);
-    write_word(&writer, WORD_REPORT_STATUS, report->status);
-    write_word(&writer, WORD_REPORT_LIMITS,
+    write_word(&writer, CARD_REPORT_SYSTEM, report->system_state);
+    write_word(&writer, CARD_REPORT_STATUS, report->status);
+    write_word(&writer, CARD_REPORT_LIMITS,
                (fit(report->limits, LARGEST_8_BIT) << 8U) | fit(report->limits_raw, LARGEST_8_BIT));
-    write_word(&writer, WORD_REPORT_ENCODER, (uint32_t)report->encoder_count);
-    write_word(&writer, WORD_REPORT_LAST_EDGE, report->last_edge_us);
-    write_word(&writer, WORD_REPORT_FOURTH_EDGE, report->fourth_edge_us);
-    write_word(&writer, WORD_REPORT_EDGES,
+    write_word(&writer, CARD_REPORT_ENCODER, (uint32_t)report->encoder_count);
+    write_word(&writer, CARD_REPORT_LAST_EDGE, report->last_edge_us);
+    write_word(&writer, CARD_REPORT_FOURTH_EDGE, report->fourth_edge_us);
+    write_word(&writer, CARD_REPORT_EDGES,
                (fit(report->edges, LARGEST_16_BIT) << 16U) |
                    fit(report->illegal_edges, LARGEST_16_BIT));
-    write_word(&writer, WORD_REPORT_ADC, report->adc_words[0]);
-    write_word(&writer, WORD_REPORT_ADC + 1U, report->adc_words[1]);
-    write_word(&writer, WORD_REPORT_TEMPERATURES,
+    write_word(&writer, CARD_REPORT_ADC, report->adc_words[0]);
+    write_word(&writer, CARD_REPORT_ADC + 1U, report->adc_words[1]);
+    write_word(&writer, CARD_REPORT_TEMPERATURES,
                (fit_int16(report->driver_temperature_dc) << 16U) |
                    fit_int16(report->motor_temperature_dc));
-    write_word(&writer, WORD_REPORT_SUPPLY,
+    write_word(&writer, CARD_REPORT_SUPPLY,
                (fit(report->supply_mv, LARGEST_16_BIT) << 16U) |
                    fit(report->current_ma, LARGEST_16_BIT));
     if (has_waves(&report->applied)) {
-        write_waves(&writer, WORD_REPORT_WAVES, &report->applied);
+        write_waves(&writer, CARD_REPORT_WAVES, &report->applied);
     }
-    write_word(&writer, WORD_REPORT_APPLIED, applied_word(&report->applied));
-    write_word(&writer, WORD_REPORT_CRC_ERRORS, report->rx_crc_errors);
-    write_word(&writer, WORD_REPORT_GAPS, report->sequence_gaps);
-    write_word(&writer, WORD_REPORT_TRIPS, report->watchdog_trips);
-    write_word(&writer, WORD_REPORT_UPTIME, report->uptime_s);
+    write_word(&writer, CARD_REPORT_APPLIED, applied_word(&report->applied));
+    write_word(&writer, CARD_REPORT_CRC_ERRORS, report->rx_crc_errors);
+    write_word(&writer, CARD_REPORT_GAPS, report->sequence_gaps);
+    write_word(&writer, CARD_REPORT_TRIPS, report->watchdog_trips);
+    write_word(&writer, CARD_REPORT_UPTIME, report->uptime_s);
     seal(&writer, &checked_report);
 }
 
@@ -443,8 +401,8 @@ void card_frame_encode_report(const card_report_t *report, uint8_t bytes[CARD_FR
 static card_frame_result_t read_command_drive(const uint8_t bytes[CARD_FRAME_BYTES],
                                               card_drive_t *drive)
 {
-    const uint32_t word = get_word(bytes, WORD_COMMAND_MODE);
-    const uint32_t converters = get_word(bytes, WORD_COMMAND_CONVERTERS);
+    const uint32_t word = get_word(bytes, CARD_COMMAND_MODE);
+    const uint32_t converters = get_word(bytes, CARD_COMMAND_CONVERTERS);
     const bool is_analog = (word >> 24U) == (uint32_t)CARD_DRIVE_ANALOG;
     bool is_whole = true;
 
@@ -452,10 +410,10 @@ static card_frame_result_t read_command_drive(const uint8_t bytes[CARD_FRAME_BYT
     *drive = (card_drive_t){.mode = word >> 24U,
                             .direction =
                                 ((word >> 16U) & LARGEST_8_BIT) | ((word & LARGEST_16_BIT) << 8U),
-                            .duty = get_word(bytes, WORD_COMMAND_DUTY)};
+                            .duty = get_word(bytes, CARD_COMMAND_DUTY)};
     if (has_waves(drive)) {
-        is_whole = read_waves(bytes, WORD_COMMAND_WAVES, drive);
-    } else if (has_bits(bytes, WORD_COMMAND_WAVES, WORD_COMMAND_WAVES + WAVE_WORDS)) {
+        is_whole = read_waves(bytes, CARD_COMMAND_WAVES, drive);
+    } else if (has_bits(bytes, CARD_COMMAND_WAVES, CARD_COMMAND_WAVES + WAVE_WORDS)) {
         return CARD_FRAME_BAD_CRC;
     } else {
         /* It has no waves. */
@@ -477,30 +435,30 @@ card_frame_result_t card_frame_decode_command(const uint8_t bytes[CARD_FRAME_BYT
     const frame_view_t view = {TYPE_COMMAND, &checked_command, has_command_reserved_bits(bytes),
                                command_sum(bytes)};
     const card_frame_result_t result = check_frame(bytes, slot, &view);
-    const uint32_t control = get_word(bytes, WORD_COMMAND_CONTROL);
+    const uint32_t control = get_word(bytes, CARD_COMMAND_CONTROL);
     card_drive_t drive;
     const card_frame_result_t drive_result = read_command_drive(bytes, &drive);
 
     if (result != CARD_FRAME_OK) {
         return result;
     }
-    if (get_word(bytes, WORD_COMMAND_COMPLEMENT) != ~control) {
+    if (get_word(bytes, CARD_COMMAND_COMPLEMENT) != ~control) {
         return CARD_FRAME_BAD_COMPLEMENT;
     }
     if (drive_result != CARD_FRAME_OK) {
         return drive_result;
     }
     command->slot = slot;
-    command->sequence = get_word(bytes, WORD_COMMAND_SEQUENCE);
-    command->time_us = get_word(bytes, WORD_COMMAND_TIME);
-    command->system_state = get_word(bytes, WORD_COMMAND_SYSTEM);
+    command->sequence = get_word(bytes, CARD_COMMAND_SEQUENCE);
+    command->time_us = get_word(bytes, CARD_COMMAND_TIME);
+    command->system_state = get_word(bytes, CARD_COMMAND_SYSTEM);
     command->control = control;
     command->drive = drive;
-    command->watchdog_us = get_word(bytes, WORD_COMMAND_WATCHDOG);
-    command->overspeed_ticks_per_s = get_word(bytes, WORD_COMMAND_OVERSPEED);
-    command->guard_minimum_ticks = to_signed(get_word(bytes, WORD_COMMAND_GUARD_MINIMUM));
-    command->guard_maximum_ticks = to_signed(get_word(bytes, WORD_COMMAND_GUARD_MAXIMUM));
-    command->axis_id = get_word(bytes, WORD_COMMAND_AXIS);
+    command->watchdog_us = get_word(bytes, CARD_COMMAND_WATCHDOG);
+    command->overspeed_ticks_per_s = get_word(bytes, CARD_COMMAND_OVERSPEED);
+    command->guard_minimum_ticks = to_signed(get_word(bytes, CARD_COMMAND_GUARD_MINIMUM));
+    command->guard_maximum_ticks = to_signed(get_word(bytes, CARD_COMMAND_GUARD_MAXIMUM));
+    command->axis_id = get_word(bytes, CARD_COMMAND_AXIS);
     return CARD_FRAME_OK;
 }
 
@@ -508,14 +466,14 @@ card_frame_result_t card_frame_decode_command(const uint8_t bytes[CARD_FRAME_BYT
 static inline card_frame_result_t read_applied(const uint8_t bytes[CARD_FRAME_BYTES],
                                                bool has_words, card_drive_t *drive)
 {
-    const uint32_t word = get_word(bytes, WORD_REPORT_APPLIED);
+    const uint32_t word = get_word(bytes, CARD_REPORT_APPLIED);
     bool is_whole = true;
 
     *drive = (card_drive_t){.mode = word >> 28U,
                             .direction = (word >> 24U) & LARGEST_4_BIT,
                             .duty = word & LARGEST_24_BIT};
     if (has_waves(drive)) {
-        is_whole = read_waves(bytes, WORD_REPORT_WAVES, drive);
+        is_whole = read_waves(bytes, CARD_REPORT_WAVES, drive);
     } else if (has_words) {
         return CARD_FRAME_BAD_CRC;
     } else {
@@ -526,49 +484,49 @@ static inline card_frame_result_t read_applied(const uint8_t bytes[CARD_FRAME_BY
 
 static void read_counts(const uint8_t bytes[CARD_FRAME_BYTES], card_report_t *report)
 {
-    const uint32_t limits = get_word(bytes, WORD_REPORT_LIMITS);
-    const uint32_t edges = get_word(bytes, WORD_REPORT_EDGES);
+    const uint32_t limits = get_word(bytes, CARD_REPORT_LIMITS);
+    const uint32_t edges = get_word(bytes, CARD_REPORT_EDGES);
 
     report->limits_raw = limits & LARGEST_8_BIT;
     report->limits = (limits >> 8U) & LARGEST_8_BIT;
-    report->encoder_count = to_signed(get_word(bytes, WORD_REPORT_ENCODER));
-    report->last_edge_us = get_word(bytes, WORD_REPORT_LAST_EDGE);
-    report->fourth_edge_us = get_word(bytes, WORD_REPORT_FOURTH_EDGE);
+    report->encoder_count = to_signed(get_word(bytes, CARD_REPORT_ENCODER));
+    report->last_edge_us = get_word(bytes, CARD_REPORT_LAST_EDGE);
+    report->fourth_edge_us = get_word(bytes, CARD_REPORT_FOURTH_EDGE);
     report->edges = edges >> 16U;
     report->illegal_edges = edges & LARGEST_16_BIT;
 }
 
 static void read_health(const uint8_t bytes[CARD_FRAME_BYTES], card_report_t *report)
 {
-    const uint32_t temperatures = get_word(bytes, WORD_REPORT_TEMPERATURES);
-    const uint32_t supply = get_word(bytes, WORD_REPORT_SUPPLY);
+    const uint32_t temperatures = get_word(bytes, CARD_REPORT_TEMPERATURES);
+    const uint32_t supply = get_word(bytes, CARD_REPORT_SUPPLY);
 
     report->driver_temperature_dc = from_int16(temperatures >> 16U);
     report->motor_temperature_dc = from_int16(temperatures & LARGEST_16_BIT);
     report->supply_mv = supply >> 16U;
     report->current_ma = supply & LARGEST_16_BIT;
-    report->adc_words[0] = get_word(bytes, WORD_REPORT_ADC);
-    report->adc_words[1] = get_word(bytes, WORD_REPORT_ADC + 1U);
-    report->rx_crc_errors = get_word(bytes, WORD_REPORT_CRC_ERRORS);
-    report->sequence_gaps = get_word(bytes, WORD_REPORT_GAPS);
-    report->watchdog_trips = get_word(bytes, WORD_REPORT_TRIPS);
-    report->uptime_s = get_word(bytes, WORD_REPORT_UPTIME);
+    report->adc_words[0] = get_word(bytes, CARD_REPORT_ADC);
+    report->adc_words[1] = get_word(bytes, CARD_REPORT_ADC + 1U);
+    report->rx_crc_errors = get_word(bytes, CARD_REPORT_CRC_ERRORS);
+    report->sequence_gaps = get_word(bytes, CARD_REPORT_GAPS);
+    report->watchdog_trips = get_word(bytes, CARD_REPORT_TRIPS);
+    report->uptime_s = get_word(bytes, CARD_REPORT_UPTIME);
 }
 
 uint32_t card_frame_heartbeat(const uint8_t bytes[CARD_FRAME_BYTES])
 {
-    return get_word(bytes, WORD_REPORT_HEARTBEAT);
+    return get_word(bytes, CARD_REPORT_HEARTBEAT);
 }
 
 card_frame_result_t card_frame_decode_report(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot,
                                              card_report_t *report)
 {
-    const bool has_words = has_bits(bytes, WORD_REPORT_WAVES, WORD_REPORT_WAVES + WAVE_WORDS);
-    const uint32_t waves = has_words ? four_words(bytes, WORD_REPORT_WAVES) : 0U;
+    const bool has_words = has_bits(bytes, CARD_REPORT_WAVES, CARD_REPORT_WAVES + WAVE_WORDS);
+    const uint32_t waves = has_words ? four_words(bytes, CARD_REPORT_WAVES) : 0U;
     const frame_view_t view = {TYPE_REPORT, &checked_report, has_report_reserved_bits(bytes),
                                report_sum(bytes) + waves};
     const card_frame_result_t result = check_frame(bytes, slot, &view);
-    const uint32_t identity = get_word(bytes, WORD_REPORT_IDENTITY);
+    const uint32_t identity = get_word(bytes, CARD_REPORT_IDENTITY);
     card_drive_t applied;
     const card_frame_result_t applied_result = read_applied(bytes, has_words, &applied);
 
@@ -579,13 +537,13 @@ card_frame_result_t card_frame_decode_report(const uint8_t bytes[CARD_FRAME_BYTE
         return applied_result;
     }
     report->slot = slot;
-    report->accepted_sequence = get_word(bytes, WORD_REPORT_ACCEPTED);
-    report->heartbeat = get_word(bytes, WORD_REPORT_HEARTBEAT);
-    report->time_us = get_word(bytes, WORD_REPORT_TIME);
+    report->accepted_sequence = get_word(bytes, CARD_REPORT_ACCEPTED);
+    report->heartbeat = get_word(bytes, CARD_REPORT_HEARTBEAT);
+    report->time_us = get_word(bytes, CARD_REPORT_TIME);
     report->card_type = identity >> 24U;
     report->firmware = identity & LARGEST_24_BIT;
-    report->system_state = get_word(bytes, WORD_REPORT_SYSTEM);
-    report->status = get_word(bytes, WORD_REPORT_STATUS);
+    report->system_state = get_word(bytes, CARD_REPORT_SYSTEM);
+    report->status = get_word(bytes, CARD_REPORT_STATUS);
     report->applied = applied;
     read_counts(bytes, report);
     read_health(bytes, report);

@@ -21,23 +21,23 @@
 
 /** Values of the drive mode, word 10 of a command. */
 typedef enum {
-    CARD_DRIVE_OFF = 0,
-    CARD_DRIVE_PWM = 1,
-    CARD_DRIVE_NON_PWM = 2,
-    CARD_DRIVE_HIGH_FREQUENCY = 3,
-    CARD_DRIVE_ANALOG = 4
+    CARD_DRIVE_OFF = 0,            /**< No drive; every drive word is 0. */
+    CARD_DRIVE_PWM = 1,            /**< Speed by the duty. */
+    CARD_DRIVE_NON_PWM = 2,        /**< Runs; by the magnitude where the card has one. */
+    CARD_DRIVE_HIGH_FREQUENCY = 3, /**< Speed by the frequency of the waves. */
+    CARD_DRIVE_ANALOG = 4          /**< Speed by the converter. */
 } card_drive_mode_t;
 
 /** Bits of the system state, word 4 of a command. */
-#define CARD_SYSTEM_PEDAL 0x01U
-#define CARD_SYSTEM_ESTOP 0x02U
-#define CARD_SYSTEM_PERMIT 0x04U
-#define CARD_SYSTEM_HOMING 0x08U
-#define CARD_SYSTEM_SCANNER 0x10U
+#define CARD_SYSTEM_PEDAL 0x01U   /**< The gate of the pedal is open. */
+#define CARD_SYSTEM_ESTOP 0x02U   /**< The e-stop is pulled. */
+#define CARD_SYSTEM_PERMIT 0x04U  /**< The axis may move in this cycle. */
+#define CARD_SYSTEM_HOMING 0x08U  /**< The robot homes. */
+#define CARD_SYSTEM_SCANNER 0x10U /**< The scanner acquires. */
 
 /** Bits of the control word 5 of a command. */
-#define CARD_CONTROL_AMPLIFIER 0x01U
-#define CARD_CONTROL_CLEAR_FAULT 0x02U
+#define CARD_CONTROL_AMPLIFIER 0x01U   /**< The driver may have power. */
+#define CARD_CONTROL_CLEAR_FAULT 0x02U /**< Forget every fault, and begin a sequence. */
 
 /** As `edges` of a report: when an edge came is known by the cycle only. */
 #define CARD_EDGES_UNKNOWN 0xFFFFFFFFU
@@ -45,24 +45,24 @@ typedef enum {
 #define CARD_NO_AXIS 0xFFFFFFFFU /**< Word 17 of a command: the card has none. */
 
 /** Bits of the status word 7 of a report. */
-#define CARD_STATUS_AMPLIFIER_ON 0x0001U
-#define CARD_STATUS_MOVING 0x0002U
-#define CARD_STATUS_DRIVER_FAULT 0x0004U
-#define CARD_STATUS_WATCHDOG 0x0008U /**< Tripped since the last clear-fault. */
-#define CARD_STATUS_HOT 0x0010U
-#define CARD_STATUS_OVERSPEED 0x0020U
-#define CARD_STATUS_GUARD 0x0040U
-#define CARD_STATUS_ILLEGAL_EDGE 0x0080U
-#define CARD_STATUS_RX_CRC 0x0100U
-#define CARD_STATUS_POWER_BAD 0x0200U
+#define CARD_STATUS_AMPLIFIER_ON 0x0001U /**< The driver has power. */
+#define CARD_STATUS_MOVING 0x0002U       /**< The encoder counted in the last 20 ms. */
+#define CARD_STATUS_DRIVER_FAULT 0x0004U /**< Driver failed, or a drive that it has not. */
+#define CARD_STATUS_WATCHDOG 0x0008U     /**< Tripped since the last clear-fault. */
+#define CARD_STATUS_HOT 0x0010U          /**< Driver or motor too hot. */
+#define CARD_STATUS_OVERSPEED 0x0020U    /**< Faster than the command allows. */
+#define CARD_STATUS_GUARD 0x0040U        /**< The reading left the guards of the command. */
+#define CARD_STATUS_ILLEGAL_EDGE 0x0080U /**< Both encoder lines changed at once. */
+#define CARD_STATUS_RX_CRC 0x0100U       /**< A command with damage since the last report. */
+#define CARD_STATUS_POWER_BAD 0x0200U    /**< The supply cannot feed the driver. */
 /** Any of these means that the card must not be trusted to drive. */
 #define CARD_STATUS_FAULTS                                                                         \
     (CARD_STATUS_DRIVER_FAULT | CARD_STATUS_WATCHDOG | CARD_STATUS_HOT | CARD_STATUS_OVERSPEED |   \
      CARD_STATUS_GUARD | CARD_STATUS_POWER_BAD)
 
 /** Bits of the debounced limit switches of a report; 1 = active. */
-#define CARD_LIMIT_LOWER 0x01U
-#define CARD_LIMIT_UPPER 0x02U
+#define CARD_LIMIT_LOWER 0x01U /**< At the lower end. */
+#define CARD_LIMIT_UPPER 0x02U /**< At the upper end. */
 
 /** What a card is asked to do with its motor. All zero is "off". */
 typedef struct {
@@ -123,10 +123,10 @@ typedef struct {
 
 /** Why a frame was discarded. */
 typedef enum {
-    CARD_FRAME_OK = 0,
+    CARD_FRAME_OK = 0,        /**< It was not. */
     CARD_FRAME_BAD_START = 1, /**< Start word, protocol version or length is wrong. */
     CARD_FRAME_BAD_CRC = 2,   /**< A checksum is wrong, or a word without a field is not zero. */
-    CARD_FRAME_BAD_SLOT = 3,
+    CARD_FRAME_BAD_SLOT = 3,  /**< It is another card's. */
     CARD_FRAME_BAD_COMPLEMENT = 4, /**< Word 61 of a command does not complement word 5. */
     CARD_FRAME_BAD_DRIVE = 5, /**< Mode, direction, duty, waves or converter outside its range. */
     CARD_FRAME_REPEATED = 6   /**< The heartbeat is not one of the next: an old report. */
@@ -152,6 +152,7 @@ static inline uint32_t card_drive_mode_of(uint32_t card_type)
  * @satisfies SWR-CARD-002
  * @satisfies SWR-CARD-004
  * @satisfies SWR-CARD-007
+ * @satisfies SWR-CARD-009
  * @satisfies SWR-DRIVE-001
  * @satisfies SWR-DRIVE-002
  */
