@@ -9,6 +9,11 @@
 #define NEAR_WRAP_READING (INT32_MAX - 100)
 #define CORRUPT_BYTE 40U
 #define FOREIGN_FIRMWARE (SIM_CARD_FIRMWARE + 1U)
+#define NOISE 50U /* Of so many commands a noisy wire damages one. */
+#define WARM_C 62.0
+#define HOT_C 70.0
+#define LOW_MV 18000U
+#define HIGH_MV 30000U
 
 static void init_axis(box_axis_t *self, const robot_t *robot, uint32_t index, sim_random_t *random)
 {
@@ -70,18 +75,43 @@ void box_init(box_t *self, const robot_t *robot, uint32_t seed)
     }
 }
 
+/* What the card measures of itself while it has this fault. */
+static void feign(sim_card_t *card, box_card_fault_t fault)
+{
+    card->firmware = (fault == BOX_CARD_FOREIGN) ? FOREIGN_FIRMWARE : SIM_CARD_FIRMWARE;
+    card->feigned_driver_c = (fault == BOX_CARD_WARM)  ? WARM_C
+                             : (fault == BOX_CARD_HOT) ? HOT_C
+                                                       : 0.0;
+    card->supply_mv = (fault == BOX_CARD_LOW)    ? LOW_MV
+                      : (fault == BOX_CARD_HIGH) ? HIGH_MV
+                                                 : SIM_CARD_SUPPLY_MV;
+}
+
+static void hear(sim_card_t *card, box_card_fault_t fault, const uint8_t frame[CARD_FRAME_BYTES])
+{
+    uint8_t heard[CARD_FRAME_BYTES];
+
+    (void)memcpy(heard, frame, sizeof heard);
+    if ((fault == BOX_CARD_NOISY) && (card->heartbeat % NOISE == 0U)) {
+        heard[CORRUPT_BYTE] ^= 0x10U;
+    }
+    if (fault != BOX_CARD_DEAF) {
+        sim_card_receive(card, heard);
+    }
+}
+
 static bool exchange_card(sim_card_t *card, sim_encoder_t *encoder, box_card_fault_t fault,
                           const uint8_t frame[CARD_FRAME_BYTES], uint8_t received[CARD_FRAME_BYTES])
 {
     if (fault == BOX_CARD_SILENT) {
         return false;
     }
-    card->firmware = (fault == BOX_CARD_FOREIGN) ? FOREIGN_FIRMWARE : SIM_CARD_FIRMWARE;
+    feign(card, fault);
     sim_card_report(card, encoder, received);
     if (fault == BOX_CARD_CORRUPT) {
         received[CORRUPT_BYTE] ^= 0x10U;
     }
-    sim_card_receive(card, frame);
+    hear(card, fault, frame);
     return true;
 }
 

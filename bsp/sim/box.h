@@ -41,7 +41,13 @@ typedef enum {
     BOX_CARD_NORMAL = 0,
     BOX_CARD_SILENT = 1,  /**< Hears nothing and answers nothing. */
     BOX_CARD_CORRUPT = 2, /**< Hears; a byte of each answer is wrong. */
-    BOX_CARD_FOREIGN = 3  /**< One with another firmware. */
+    BOX_CARD_FOREIGN = 3, /**< One with another firmware. */
+    BOX_CARD_DEAF = 4,    /**< Hears nothing; answers. */
+    BOX_CARD_NOISY = 5,   /**< One command of fifty comes damaged. */
+    BOX_CARD_WARM = 6,    /**< Its driver is warm. */
+    BOX_CARD_HOT = 7,     /**< Its driver is hotter than it may be. */
+    BOX_CARD_LOW = 8,     /**< Its supply is too low. */
+    BOX_CARD_HIGH = 9     /**< Its supply is too high. */
 } box_card_fault_t;
 
 /** One axis with the card that drives it. */
@@ -149,6 +155,7 @@ void box_true_positions(const box_t *self, double positions_ticks[ROBOT_AXIS_MAX
  * @return false when the order was refused; then nothing has changed
  *
  * @satisfies SWR-BOX-003
+ * @satisfies SWR-BOX-024
  */
 bool box_command(box_t *self, const char *order, char *reply, uint32_t reply_size);
 

@@ -15,24 +15,25 @@ typedef struct {
 
 /* Words of which any may be taken; `plug` takes any slot that no axis has, `force` any reading,
  * `push` any way in mm. */
-static const char orders[] = "pedal press|release|pulse\n"
-                             "pedal hold|drop WHO\n"
-                             "pedal a|b open|close\n"
-                             "estop pull|reset|pulse\n"
-                             "button press|release\n"
-                             "button hold|drop WHO\n"
-                             "keep WHO\n"
-                             "card SLOT silent|corrupt|foreign|normal\n"
-                             "plug 8|9 none|pwm|non_pwm|sensor|high_frequency|analog\n"
-                             "encoder SLOT stuck|reversed|half|normal\n"
-                             "motor SLOT stuck|half|twice|runs|hot|normal\n"
-                             "switch SLOT stuck|open|chatter|reversed|normal\n"
-                             "scanner on|off\n"
-                             "gate off|dose|stop\n"
-                             "force hand|needle 0|1780|1970|4095\n"
-                             "probe coupled|free\n"
-                             "push 10|-10\n"
-                             "show\n";
+static const char orders[] =
+    "pedal press|release|pulse\n"
+    "pedal hold|drop WHO\n"
+    "pedal a|b open|close\n"
+    "estop pull|reset|pulse\n"
+    "button press|release\n"
+    "button hold|drop WHO\n"
+    "keep WHO\n"
+    "card SLOT silent|corrupt|foreign|deaf|noisy|warm|hot|low|high|normal\n"
+    "plug 8|9 none|pwm|non_pwm|sensor|high_frequency|analog\n"
+    "encoder SLOT stuck|reversed|half|normal\n"
+    "motor SLOT stuck|half|twice|runs|hot|normal\n"
+    "switch SLOT stuck|open|chatter|reversed|normal\n"
+    "scanner on|off\n"
+    "gate off|dose|stop\n"
+    "force hand|needle 0|1780|1970|4095\n"
+    "probe coupled|free\n"
+    "push 10|-10\n"
+    "show\n";
 
 const char *box_orders(void)
 {

@@ -7,7 +7,8 @@
 #define TURN_BAM 4294967296.0
 
 /* In the order of the enumerations of these faults. */
-const char *const box_card_words[] = {"normal", "silent", "corrupt", "foreign", NULL};
+const char *const box_card_words[] = {"normal", "silent", "corrupt", "foreign", "deaf", "noisy",
+                                      "warm",   "hot",    "low",     "high",    NULL};
 const char *const box_encoder_words[] = {"normal", "stuck", "reversed", "half", NULL};
 const char *const box_motor_words[] = {"normal", "stuck", "half", "twice", "runs", "hot", NULL};
 const char *const box_gate_words[] = {"off", "dose", "stop", NULL};

@@ -24,6 +24,7 @@ void sim_card_init(sim_card_t *self, const axis_config_t *axis, const sim_encode
                          .count = sim_encoder_count(encoder),
                          .motor_temperature_c = SIM_MOTOR_AIR_C,
                          .heat = sim_motor_heat(axis),
+                         .supply_mv = SIM_CARD_SUPPLY_MV,
                          .is_powered = true};
     for (uint32_t i = 0U; i < SIM_CARD_SPEED_STEPS; i++) {
         self->window[i] = self->count;
@@ -214,14 +215,23 @@ static uint32_t status_bits(const sim_card_t *self, const sim_encoder_t *encoder
     return status;
 }
 
+/* A driver is heated as the motor that it drives, half as much. */
+static double driver_c(const sim_card_t *self)
+{
+    const double rise_c = self->motor_temperature_c - SIM_MOTOR_AIR_C;
+    const double own_c = (rise_c < self->heat.settled_c) ? rise_c : self->heat.settled_c;
+
+    return (self->feigned_driver_c > 0.0) ? self->feigned_driver_c
+                                          : (SIM_MOTOR_AIR_C + 8.0 + own_c / 2.0);
+}
+
 static void report_health(const sim_card_t *self, card_report_t *report)
 {
     const bool is_driven = self->is_powered && (self->applied.mode != (uint32_t)CARD_DRIVE_OFF);
-    const double rise_c = self->motor_temperature_c - SIM_MOTOR_AIR_C;
 
     report->motor_temperature_dc = (int32_t)(self->motor_temperature_c * 10.0);
-    report->driver_temperature_dc = (int32_t)((SIM_MOTOR_AIR_C + 8.0 + rise_c / 2.0) * 10.0);
-    report->supply_mv = self->is_powered ? SIM_CARD_SUPPLY_MV : 0U;
+    report->driver_temperature_dc = (int32_t)(driver_c(self) * 10.0);
+    report->supply_mv = self->is_powered ? self->supply_mv : 0U;
     report->current_ma = is_driven ? 350U : 0U;
     report->adc_words[0] = (self->adc[0] << 16U) | self->adc[1];
     report->adc_words[1] = (self->adc[2] << 16U) | self->adc[3];

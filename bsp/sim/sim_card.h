@@ -53,9 +53,11 @@ typedef struct {
     uint32_t sequence_gaps;
     uint32_t watchdog_trips;
     double motor_temperature_c;
-    sim_heat_t heat;   /**< Of its motor. */
-    bool is_motor_hot; /**< Its motor is as hot as none may be. */
-    uint32_t adc[4];   /**< What its converters read, 16 bits each. */
+    sim_heat_t heat;         /**< Of its motor. */
+    bool is_motor_hot;       /**< Its motor is as hot as none may be. */
+    double feigned_driver_c; /**< What it measures at its driver; 0: what is there. */
+    uint32_t supply_mv;      /**< What it measures while it has power. */
+    uint32_t adc[4];         /**< What its converters read, 16 bits each. */
     bool is_powered;
 } sim_card_t;
 

@@ -10,6 +10,7 @@
 
 #include "axis/axis.h"
 #include "card/card_frame.h"
+#include "card/card_health.h"
 #include "card/link.h"
 #include "controller/kept.h"
 #include "interface/answer.h"
@@ -135,6 +136,7 @@ typedef struct {
     uint32_t events;   /**< Number of the next event. */
     uint32_t events_lost;
     uint32_t seals[CONTROLLER_SECTIONS];
+    card_health_t health[CARD_SLOT_COUNT]; /**< By slot; counts, too. */
     robot_cards_t cards;    /**< Of the robot, as its undamaged table says in each cycle. */
     program_list_t program; /**< The treatment program that is held; has checksums of its own. */
     /** Of mode.list; each has a checksum. The last member, as they are too many to be copied with

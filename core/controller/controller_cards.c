@@ -137,3 +137,46 @@ void controller_observe_other_cards(controller_t *self, const cycle_t *cycle)
     observe_sensors(self, cycle);
     observe_strangers(self, cycle);
 }
+
+static void note_troubles(controller_t *self, const cycle_t *cycle, uint32_t slot, uint32_t changed)
+{
+    for (uint32_t i = 0U; i < (uint32_t)CARD_TROUBLE_COUNT; i++) {
+        const uint32_t bit = (uint32_t)1U << i;
+        if ((changed & bit) != 0U) {
+            const bool is_new = (self->health[slot].troubles & bit) != 0U;
+            controller_note(self, cycle, is_new ? EVENT_CARD_UNWELL : EVENT_CARD_WELL, slot,
+                            (int32_t)i);
+        }
+    }
+}
+
+/* Where the axis is does not depend on its driver. */
+static void spare_driver(controller_t *self, const cycle_t *cycle, uint32_t slot)
+{
+    for (uint32_t i = 0U; i < self->axis_count; i++) {
+        if ((self->cards.slots[i] == slot) && axis_is_enabled(&self->axes[i])) {
+            axis_disable(&self->axes[i]);
+            controller_note(self, cycle, EVENT_CARD_HOT, slot,
+                            self->links[slot].report.driver_temperature_dc);
+            controller_fail_order(self, cycle, EVENT_CAUSE_CARD, slot);
+        }
+    }
+}
+
+void controller_watch_card(controller_t *self, const cycle_t *cycle)
+{
+    const uint32_t slot = self->cycle % CARD_SLOT_COUNT;
+    const link_t *const link = &self->links[slot];
+    card_health_t *const health = &self->health[slot];
+    if (link->is_fresh == 0U) {
+        return;
+    }
+    const uint32_t changed =
+        card_health_look(health, &link->report, cycle->inputs->estop_open == 0U);
+    if (changed != 0U) {
+        note_troubles(self, cycle, slot, changed);
+    }
+    if ((health->troubles & card_health_bit(CARD_TROUBLE_DRIVER_HOT)) != 0U) {
+        spare_driver(self, cycle, slot);
+    }
+}

@@ -31,4 +31,14 @@ void controller_observe_card(controller_t *self, const cycle_t *cycle, uint32_t 
  */
 void controller_observe_other_cards(controller_t *self, const cycle_t *cycle);
 
+/**
+ * How the card of one slot is, after all were observed; each slot has its turn within
+ * CARD_SLOT_COUNT cycles.
+ *
+ * @satisfies SWR-CARD-011
+ * @satisfies SWR-CARD-012
+ * @satisfies SWR-CARD-013
+ */
+void controller_watch_card(controller_t *self, const cycle_t *cycle);
+
 #endif

@@ -347,6 +347,7 @@ void controller_observe(controller_t *self, const cycle_t *cycle)
     }
     watch_heat(self, cycle);
     controller_observe_other_cards(self, cycle);
+    controller_watch_card(self, cycle);
     controller_observe_authority(self, cycle);
     observe_button(self, cycle);
 }

@@ -197,8 +197,17 @@ static void show_card(const controller_t *self, const cycle_t *cycle, uint32_t s
     shown->heartbeat = link->report.heartbeat;
     shown->status = link->report.status;
     shown->card_type = link->report.card_type;
+    shown->driver_temperature_dc = link->report.driver_temperature_dc;
+    shown->motor_temperature_dc = link->report.motor_temperature_dc;
+    shown->supply_mv = link->report.supply_mv;
+    shown->current_ma = link->report.current_ma;
     shown->adc_words[0] = link->report.adc_words[0];
     shown->adc_words[1] = link->report.adc_words[1];
+    shown->rx_crc_errors = link->report.rx_crc_errors;
+    shown->sequence_gaps = link->report.sequence_gaps;
+    shown->watchdog_trips = link->report.watchdog_trips;
+    shown->uptime_s = link->report.uptime_s;
+    shown->troubles = self->health[slot].troubles;
 }
 
 static void show_plan(const controller_t *self, snapshot_t *shown)

@@ -416,6 +416,52 @@ void test_SWR_BOX_003_a_corrupt_card_sends_a_wrong_checksum(void)
     TEST_ASSERT_EQUAL_INT(CARD_FRAME_OK, card_frame_decode_report(received[3], 3U, &report));
 }
 
+void test_SWR_BOX_024_a_deaf_card_answers_and_trips(void)
+{
+    drive(AXIS_INSERTION, true);
+    cycles(20U);
+    order("card insertion deaf");
+    cycles(20U);
+    const card_report_t report = report_of(AXIS_INSERTION);
+    TEST_ASSERT_EQUAL_UINT32(1U, report.watchdog_trips);
+    TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_OFF, report.applied.mode);
+}
+
+void test_SWR_BOX_024_a_noisy_wire_damages_one_command_of_fifty(void)
+{
+    drive(AXIS_INSERTION, true);
+    cycles(20U);
+    order("card insertion noisy");
+    cycles(100U);
+    const card_report_t report = report_of(AXIS_INSERTION);
+    TEST_ASSERT_EQUAL_UINT32(2U, report.rx_crc_errors);
+    TEST_ASSERT_EQUAL_UINT32(2U, report.sequence_gaps);
+    TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_PWM, report.applied.mode);
+}
+
+void test_SWR_BOX_024_driver_and_supply_are_measured_as_ordered(void)
+{
+    static const struct {
+        const char *order;
+        int32_t driver_dc;
+        uint32_t supply_mv;
+    } orders[] = {
+        {"card 3 warm", 620, SIM_CARD_SUPPLY_MV},
+        {"card 3 hot", 700, SIM_CARD_SUPPLY_MV},
+        {"card 3 low", 300, 18000U},
+        {"card 3 high", 300, 30000U},
+        {"card 3 normal", 300, SIM_CARD_SUPPLY_MV},
+    };
+
+    for (uint32_t i = 0U; i < sizeof orders / sizeof orders[0]; i++) {
+        order(orders[i].order);
+        const card_report_t report = report_of(AXIS_INSERTION);
+        TEST_ASSERT_EQUAL_INT32_MESSAGE(orders[i].driver_dc, report.driver_temperature_dc,
+                                        orders[i].order);
+        TEST_ASSERT_EQUAL_UINT32_MESSAGE(orders[i].supply_mv, report.supply_mv, orders[i].order);
+    }
+}
+
 void test_SWR_BOX_003_encoder_faults_obey(void)
 {
     const int32_t before = report_of(AXIS_INSERTION).encoder_count;

@@ -13,6 +13,12 @@ const faults: { [P in Part]: Record<BoxSlot[P], string> } = {
     silent: "does not answer",
     corrupt: "answers are damaged",
     foreign: "has another firmware",
+    deaf: "hears no command",
+    noisy: "hears damaged commands",
+    warm: "has a warm driver",
+    hot: "has a driver that is too hot",
+    low: "has a low supply",
+    high: "has a high supply",
   },
   encoder_fault: {
     normal: "works",

@@ -59,6 +59,36 @@ test("SWR-CON-036 a card that has said nothing shows no numbers of it", async ()
   );
 });
 
+test("SWR-CARD-014 what each card measures and counts of itself is told, and what is wrong", async () => {
+  await show({
+    cards: [
+      makeCard({
+        slot: 9,
+        axis: null,
+        supply_mv: 18040,
+        commands_damaged: 3,
+        commands_out_of_order: 4,
+        watchdog_trips: 1,
+        troubles: [
+          { name: "SUPPLY_LOW", text: "Its supply is low." },
+          { name: "COMMANDS_REFUSED", text: "It refuses commands." },
+        ],
+      }),
+      makeCard({ slot: 7, motor_temperature_dc: -15, current_ma: 350 }),
+      makeCard({ slot: 2, type: "none" }),
+    ],
+  });
+  const rows = rowsOf("Health of the cards");
+  expect(rows.map((row) => row.textContent)).toEqual([
+    "7head33.1 °C\u22121.5 °C24.0 V350 mA000nothing",
+    "9none33.1 °C25.0 °C18.0 V0 mA341Its supply is low. It refuses commands.",
+  ]);
+  const levels = rows.map((row) =>
+    row.lastElementChild?.getAttribute("data-level"),
+  );
+  expect(levels).toEqual(["normal", "attention"]);
+});
+
 test("SWR-CON-036 each stage is told by classes of time, and its longest", async () => {
   await show();
   const rows = rowsOf("Cycles by the time of each stage");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { Robot } from "@interface";
 import { useAnswer } from "../answer";
+import { CardHealth } from "../panels/CardHealth";
 import { Cards } from "../panels/Cards";
 import { Loop } from "../panels/Loop";
 import { Stages } from "../panels/Stages";
@@ -22,6 +23,9 @@ export function StatusView({ robot, operation }: ViewProperties) {
     <>
       <Panel title="Cards" className="panel-wide">
         <Cards cards={status.cards} slots={told?.slots ?? 0} />
+      </Panel>
+      <Panel title="Health" className="panel-wide">
+        <CardHealth cards={status.cards} />
       </Panel>
       <Panel title="System">
         <System status={status} robot={told} />

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { Card } from "@interface";
+import { formatNumber } from "../format";
+import { Shape } from "../parts/Shape";
+import { WideTable } from "../parts/WideTable";
+
+const columns = [
+  { number: "Slot" },
+  "Axis",
+  { number: "Driver" },
+  { number: "Motor" },
+  { number: "Supply" },
+  { number: "Current" },
+  { number: "Damaged commands" },
+  { number: "Out of order" },
+  { number: "Watchdog trips" },
+  "What is wrong",
+];
+
+function degrees(tenths: number): string {
+  return `${formatNumber(tenths / 10, 1)} °C`;
+}
+
+function Health({ card }: { card: Card }) {
+  const isWell = card.troubles.length === 0;
+  const level = isWell ? "normal" : "attention";
+  return (
+    <tr>
+      <th scope="row" className="number">
+        {card.slot}
+      </th>
+      <td>{card.axis ?? "none"}</td>
+      <td className="number">{degrees(card.driver_temperature_dc)}</td>
+      <td className="number">{degrees(card.motor_temperature_dc)}</td>
+      <td className="number">{formatNumber(card.supply_mv / 1000, 1)} V</td>
+      <td className="number">{card.current_ma} mA</td>
+      <td className="number">{card.commands_damaged}</td>
+      <td className="number">{card.commands_out_of_order}</td>
+      <td className="number">{card.watchdog_trips}</td>
+      <td data-level={level}>
+        <Shape level={level} />
+        {isWell ? "nothing" : card.troubles.map(({ text }) => text).join(" ")}
+      </td>
+    </tr>
+  );
+}
+
+/**
+ * What each card that was heard measures and counts of itself.
+ *
+ * @satisfies SWR-CARD-014
+ */
+export function CardHealth({ cards }: { cards: readonly Card[] }) {
+  return (
+    <WideTable label="Health of the cards" columns={columns}>
+      {[...cards]
+        .filter(({ type }) => type !== "none")
+        .sort((one, other) => one.slot - other.slot)
+        .map((card) => (
+          <Health key={card.slot} card={card} />
+        ))}
+    </WideTable>
+  );
+}
