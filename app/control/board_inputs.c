@@ -34,6 +34,17 @@ static uint64_t time_of(const bsp_exchange_t *exchanged)
     return (exchanged->received != 0U) ? exchanged->finished_ns : exchanged->started_ns;
 }
 
+/* Bits of the slots with this result. */
+static uint32_t slots_of(const bsp_exchange_t *exchanged, bsp_slot_result_t result)
+{
+    uint32_t slots = 0U;
+
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+        slots |= (exchanged->results[slot] == (uint8_t)result) ? ((uint32_t)1U << slot) : 0U;
+    }
+    return slots;
+}
+
 void board_inputs_receive(board_inputs_t *self, const bsp_exchange_t *exchanged,
                           controller_inputs_t *inputs)
 {
@@ -42,6 +53,9 @@ void board_inputs_receive(board_inputs_t *self, const bsp_exchange_t *exchanged,
     const bool is_known = (before_ns != 0U) && (now_ns > before_ns);
 
     inputs->frames_received = exchanged->received;
+    inputs->frames_late =
+        slots_of(exchanged, BSP_SLOT_LATE) | slots_of(exchanged, BSP_SLOT_NOT_IDLE);
+    inputs->frames_failed = slots_of(exchanged, BSP_SLOT_BUS_ERROR);
     inputs->reported_us = inputs->elapsed_us;
     if (is_known) {
         const uint64_t us = ((now_ns - before_ns) + (NS_PER_US / 2U)) / NS_PER_US;

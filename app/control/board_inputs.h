@@ -28,11 +28,12 @@ void board_inputs_take(board_inputs_t *self, const bsp_inputs_t *sampled,
                        controller_inputs_t *inputs);
 
 /**
- * Sets which frames were received, and between which exchanges what they tell of has lasted;
- * `elapsed_us` stands for that as long as there were no two. An exchange is at the time of its end
- * if something came back.
+ * Sets which frames were received, were late or failed, and between which exchanges what they tell
+ * of has lasted; `elapsed_us` stands for that as long as there were no two. An exchange is at the
+ * time of its end if something came back.
  *
  * @satisfies SWR-CTRL-014
+ * @satisfies SWR-CARD-015
  */
 void board_inputs_receive(board_inputs_t *self, const bsp_exchange_t *exchanged,
                           controller_inputs_t *inputs);

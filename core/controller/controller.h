@@ -63,6 +63,8 @@ typedef struct {
     /** Somebody accepts in writing what cards of another dialect than ours lack: 0 or 1. */
     uint32_t is_dialect_accepted;
     uint32_t frames_received; /**< Bit n: frames[n] was received in this cycle. */
+    uint32_t frames_late;     /**< Bit n: it was not there in time. */
+    uint32_t frames_failed;   /**< Bit n: the bus has failed. */
     uint32_t command_count;   /**< 0..CONTROLLER_COMMANDS. */
     command_t commands[CONTROLLER_COMMANDS];
     uint8_t frames[CARD_SLOT_COUNT][CARD_FRAME_BYTES];

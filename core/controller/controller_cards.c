@@ -19,12 +19,32 @@ static bool is_only_out_of_sight(const controller_t *self, uint32_t index)
            (link->sent_before.mode == (uint32_t)CARD_DRIVE_OFF) && link_was_only_silent(link);
 }
 
+/* Why the card was lost; of one that was not heard also what became of its frame in this cycle. */
+static void note_loss(controller_t *self, const cycle_t *cycle, uint32_t slot)
+{
+    const link_t *const link = &self->links[slot];
+    const uint32_t bit = (uint32_t)1U << slot;
+    link_cause_t cause = (link_cause_t)link->cause;
+    if (cause != LINK_CAUSE_AGE) {
+        /* It says it all. */
+    } else if (link->last_error != (uint16_t)CARD_FRAME_OK) {
+        cause = LINK_CAUSE_REFUSED;
+    } else if ((cycle->inputs->frames_late & bit) != 0U) {
+        cause = LINK_CAUSE_LATE;
+    } else if ((cycle->inputs->frames_failed & bit) != 0U) {
+        cause = LINK_CAUSE_BUS_ERROR;
+    } else {
+        /* There was none. */
+    }
+    controller_note(self, cycle, EVENT_CARD_LOST, slot, (int32_t)cause);
+}
+
 void controller_lose_card(controller_t *self, const cycle_t *cycle, uint32_t index,
                           bool is_in_doubt)
 {
     const uint32_t slot = self->cards.slots[index];
     axis_t *const axis = &self->axes[index];
-    controller_note(self, cycle, EVENT_CARD_LOST, slot, (int32_t)self->links[slot].cause);
+    note_loss(self, cycle, slot);
     if (is_in_doubt) {
         axis_doubt(axis);
     } else {
@@ -96,7 +116,7 @@ static void observe_sensors(controller_t *self, const cycle_t *cycle)
     const uint32_t slots = self->cards.sensor_slots;
     for (uint32_t i = 0U; (slots >> i) != 0U; i++) {
         if ((((slots >> i) & 1U) != 0U) && step_link(self, cycle, i).is_lost) {
-            controller_note(self, cycle, EVENT_CARD_LOST, i, (int32_t)self->links[i].cause);
+            note_loss(self, cycle, i);
         }
     }
 }

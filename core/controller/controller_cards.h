@@ -8,8 +8,12 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** The card of axis `index` was lost: so are the target, the order and, unless it is only
- * `is_in_doubt`, its reference. */
+/**
+ * The card of axis `index` was lost: so are the target, the order and, unless it is only
+ * `is_in_doubt`, its reference.
+ *
+ * @satisfies SWR-CARD-015
+ */
 void controller_lose_card(controller_t *self, const cycle_t *cycle, uint32_t index,
                           bool is_in_doubt);
 

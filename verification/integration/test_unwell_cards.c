@@ -2,7 +2,8 @@
 /**
  * @file
  * Rule under test: how each card is, whether or not it has an axis, is told when it changes and
- * shown in its slot; a driver that is too hot is not driven, and everything else goes on.
+ * shown in its slot; a driver that is too hot is not driven, and everything else goes on. One that
+ * is not heard any more is lost by what became of its frame.
  */
 #include "integration/support/rig.h"
 
@@ -145,4 +146,50 @@ void test_SWR_CARD_013_a_card_that_hears_nothing_trips_and_is_lost(void)
     TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_CARD_UNWELL, SENSOR, CARD_TROUBLE_WATCHDOG_TRIPPED));
     TEST_ASSERT_EQUAL_UINT32(1U, shown(SENSOR)->watchdog_trips);
     TEST_ASSERT_EQUAL_UINT32(CARD_LINK_STATE_LOST, shown(SENSOR)->link);
+}
+
+/* The cause that the loss of the card in `slot` was told with. */
+static int32_t cause_of_loss(uint32_t slot)
+{
+    int32_t cause = -1;
+
+    rig_cycles(&rig, LIMIT_LINK_AGE_CYCLES + 1U);
+    for (uint32_t i = 0U; i < rig.event_count; i++) {
+        const event_t *const event = &rig.events[i];
+        if ((event->id == (uint32_t)EVENT_CARD_LOST) && (event->subject == slot)) {
+            TEST_ASSERT_EQUAL_INT32_MESSAGE(-1, cause, "told twice");
+            cause = event->value;
+        }
+    }
+    return cause;
+}
+
+void test_SWR_CARD_015_a_card_that_does_not_answer_is_lost_by_age(void)
+{
+    rig_box(&rig, "card lateral silent");
+    TEST_ASSERT_EQUAL_INT32(LINK_CAUSE_AGE, cause_of_loss(robot.axes[AXIS_LATERAL].slot));
+}
+
+void test_SWR_CARD_015_a_card_whose_frames_are_refused_is_lost_by_that(void)
+{
+    rig_box(&rig, "card lateral corrupt");
+    TEST_ASSERT_EQUAL_INT32(LINK_CAUSE_REFUSED, cause_of_loss(robot.axes[AXIS_LATERAL].slot));
+}
+
+void test_SWR_CARD_015_a_card_without_an_axis_is_lost_by_late_frames(void)
+{
+    rig.frames_late = (uint32_t)1U << SENSOR;
+    TEST_ASSERT_EQUAL_INT32(LINK_CAUSE_LATE, cause_of_loss(SENSOR));
+}
+
+void test_SWR_CARD_015_a_bus_that_fails_is_named(void)
+{
+    rig.frames_failed = (uint32_t)1U << robot.axes[AXIS_LATERAL].slot;
+    TEST_ASSERT_EQUAL_INT32(LINK_CAUSE_BUS_ERROR, cause_of_loss(robot.axes[AXIS_LATERAL].slot));
+}
+
+void test_SWR_CARD_015_another_cause_stays(void)
+{
+    rig_box(&rig, "card lateral foreign");
+    TEST_ASSERT_EQUAL_INT32(LINK_CAUSE_WRONG_CARD, cause_of_loss(robot.axes[AXIS_LATERAL].slot));
 }

@@ -118,6 +118,20 @@ void test_SWR_REC_018_what_the_board_said_is_noted_as_it_was(void)
     TEST_ASSERT_EACH_EQUAL_HEX8(0U, said.reserved, sizeof said.reserved);
 }
 
+void test_SWR_CARD_015_what_became_of_a_frame_that_did_not_come_is_told(void)
+{
+    const bsp_exchange_t exchanged = {.received = 4U,
+                                      .results = {[1] = BSP_SLOT_NO_ANSWER,
+                                                  [2] = BSP_SLOT_OK,
+                                                  [3] = BSP_SLOT_LATE,
+                                                  [4] = BSP_SLOT_NOT_IDLE,
+                                                  [9] = BSP_SLOT_BUS_ERROR}};
+    board_inputs_receive(&board, &exchanged, &inputs);
+    TEST_ASSERT_EQUAL_HEX32(4U, inputs.frames_received);
+    TEST_ASSERT_EQUAL_HEX32(0x18U, inputs.frames_late);
+    TEST_ASSERT_EQUAL_HEX32(0x200U, inputs.frames_failed);
+}
+
 static void receive(uint64_t started_us, uint64_t finished_us, uint32_t received)
 {
     const bsp_exchange_t exchanged = {

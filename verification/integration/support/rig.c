@@ -105,6 +105,9 @@ static void gather(rig_t *self)
                            self->inputs.frames)
             : aim32_box_exchange(&self->box, &self->outputs, self->controller.sequence,
                                  self->inputs.frames);
+    self->inputs.frames_received &= ~(self->frames_late | self->frames_failed);
+    self->inputs.frames_late = self->frames_late;
+    self->inputs.frames_failed = self->frames_failed;
     box_advance(&self->box, 1000U + self->late_us);
     const bsp_inputs_t sampled = box_sample(&self->box);
     self->inputs.elapsed_us = self->elapsed_us + self->late_us;

@@ -36,6 +36,8 @@ typedef struct {
     uint32_t unfit;                /**< The same. */
     uint32_t dialect;              /**< The same; the box's cards speak it. */
     uint32_t is_dialect_accepted;  /**< The same. */
+    uint32_t frames_late;          /**< The same. */
+    uint32_t frames_failed;        /**< The same. */
     bool has_no_button;            /**< The box has none, whatever it says. */
     bool is_page_away;             /**< The page does not take authority by itself, nor renew it. */
     answer_t answers[RIG_ANSWERS]; /**< All since rig_forget(). */
