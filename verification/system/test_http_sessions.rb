@@ -231,8 +231,11 @@ class TestHttpSessionsAnew < Minitest::Test
   end
 
   def test_SWR_SESS_014_failures_make_the_next_login_wait
-    (FREE_FAILURES + 1).times { assert_equal %w[401 LOGIN_REFUSED], [(last = client.log_in('anna', 'x')).code, code(last)] }
-    response = client.log_in('anna')
+    response = nil
+    wait_until('one comes too soon, however slow the machine is') do
+      (FREE_FAILURES + 1).times { assert_equal %w[401 LOGIN_REFUSED], [(last = client.log_in('anna', 'x')).code, code(last)] }
+      (response = client.log_in('anna')).code != '200'
+    end
     assert_equal %w[429 LOGIN_TOO_SOON 1], [response.code, code(response), response['Retry-After']]
     wait_until('a login is looked at again') { client.log_in('anna').code == '200' }
   end
@@ -273,7 +276,7 @@ class TestHttpSessionsAnew < Minitest::Test
                 ['egon: logged out.', 'NOTE', 'INFORMATION', 'CONSOLE']]
     wait_until('all is said') { notes.size >= before + expected.size }
     assert_equal expected, notes.drop(before)
-    wait_until('it is in the file') { boresight.event_lines.last.end_with?(' egon: logged out.') }
+    wait_until('it is in the file') { boresight.event_lines.any? { |line| line.end_with?(' egon: logged out.') } }
   end
 
   def test_SWR_EVENT_010_what_a_stranger_calls_himself_is_not_written
