@@ -78,7 +78,7 @@ class TestAddedBoard < SystemTest
 
   def test_SWR_SUP_007_its_options_are_taken_and_those_of_another_board_are_not
     { %w[--slow 2] => /"--slow" is no option/, %w[--times 1] => /"1" is no number for --times; give one from 2 to 9/,
-      %w[--shade] => /--shade lacks its value, TEXT/, ['--shade', 'x' * 96] => /Something is too long/ }.each do |words, sentence|
+      %w[--shade] => /--shade lacks its value, TEXT/, ['--shade', 'x' * 4096] => /Something is too long/ }.each do |words, sentence|
       text, status = Open3.capture2e(program, *words)
       assert_equal 2, status.exitstatus, text
       assert_match sentence, text
