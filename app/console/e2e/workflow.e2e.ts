@@ -95,6 +95,29 @@ async function letGo(handle: "pedal" | "button", where = page): Promise<void> {
     .waitFor();
 }
 
+const LOOK_MS = 300;
+
+/** Keeps the pedal pressed until the end: a box that was let go while the machine paused is pressed anew. */
+async function keepPedalUntil(end: Promise<void>): Promise<void> {
+  let isOver = false;
+  const over = end.finally(() => {
+    isOver = true;
+  });
+  over.catch(() => undefined); // It is awaited below.
+  const isKept = async () =>
+    (await keeper("pedal").getAttribute("aria-checked")) === "true";
+  while (!isOver) {
+    if (!(await isKept())) {
+      await keep("pedal");
+    }
+    await Promise.race([over, page.waitForTimeout(LOOK_MS)]);
+  }
+  await over;
+  if (await isKept()) {
+    await letGo("pedal");
+  }
+}
+
 function openView(title: string) {
   return page
     .getByRole("navigation", { name: "Views" })
@@ -170,10 +193,8 @@ async function takeCommand(where = page): Promise<void> {
 async function home(): Promise<void> {
   await enter("START UP");
   await said("Press and hold the pedal.");
-  await keep("pedal");
-  await page.locator(".sign-word", { hasText: "MOVING" }).waitFor();
-  await done("workphase START UP");
-  await letGo("pedal");
+  const moved = page.locator(".sign-word", { hasText: "MOVING" }).waitFor();
+  await keepPedalUntil(moved.then(() => done("workphase START UP")));
 }
 
 async function plan(): Promise<void> {
@@ -223,10 +244,9 @@ async function picturesOfMove(): Promise<void> {
 async function moveToTarget(): Promise<void> {
   await enter("MOVE TO TARGET");
   await said("Press and hold the pedal.");
-  await keep("pedal");
-  await picturesOfMove();
-  await done("workphase MOVE TO TARGET");
-  await letGo("pedal");
+  await keepPedalUntil(
+    picturesOfMove().then(() => done("workphase MOVE TO TARGET")),
+  );
   await said("Nothing; the target is reached.");
 }
 
@@ -284,16 +304,12 @@ test("SWR-CON-028 positions are saved, changed, and restored from the file", asy
   expect(saved.suggestedFilename()).toMatch(/^positions-.+\.json$/);
 
   await press("Retract needle");
-  await keep("pedal");
-  await done("needle retract", "Needle and poses");
-  await letGo("pedal");
+  await keepPedalUntil(done("needle retract", "Needle and poses"));
 
   const before = await positionOf(dragged);
   await drag(dragged, 60);
   await said("Press and hold the pedal.");
-  await keep("pedal");
-  await done(`motors ${dragged} jog`, "Motors");
-  await letGo("pedal");
+  await keepPedalUntil(done(`motors ${dragged} jog`, "Motors"));
   expect(Math.abs((await positionOf(dragged)) - before)).toBeGreaterThan(1);
 
   await axis(cleared).getByText("Reference").click();
