@@ -186,7 +186,6 @@ solution_t controller_hold(controller_t *self, const robot_t *robot, const traje
  * @satisfies SWR-CORE-002
  * @satisfies SWR-CTRL-020
  * @satisfies SWR-ROBOT-013
- * @satisfies SWR-NI-005
  */
 void controller_step(controller_t *self, const robot_t *robot, const controller_inputs_t *inputs,
                      controller_outputs_t *outputs);

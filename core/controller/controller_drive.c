@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "controller/controller_drive.h"
 
+#include "controller/controller_dialect.h"
 #include "controller/controller_facts.h"
 
 #include "card/card_dialect.h"
@@ -112,8 +113,7 @@ static uint32_t control_of(const link_t *link, uint32_t state)
 
 static inline void send(controller_t *self, const cycle_t *cycle, const card_command_t *command)
 {
-    card_dialect_encode_command(cycle->inputs->dialect, command,
-                                cycle->outputs->frames[command->slot]);
+    card_frame_encode_command(command, cycle->outputs->frames[command->slot]);
     cycle->outputs->frames_to_send |= (uint32_t)1U << command->slot;
     link_note_sent(&self->links[command->slot], self->sequence, &command->drive);
 }
@@ -243,5 +243,6 @@ void controller_drive(controller_t *self, const cycle_t *cycle,
     }
     send_to_others(self, cycle, state, modes != (uint32_t)CARD_DRIVE_OFF);
     clear_unused_frames(cycle);
+    controller_translate(cycle);
     self->sequence++;
 }

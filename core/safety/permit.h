@@ -14,9 +14,10 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* From here on they depend on where the axis stands and goes: in one motion they may come and go.
- */
+/* From the first to before the end they depend on where the axis stands and goes: in one motion
+ * they may come and go. */
 #define PERMIT_REASON_FIRST_OF_PLACE ((uint32_t)PERMIT_REASON_LIMIT_SWITCH)
+#define PERMIT_REASON_END_OF_PLACE ((uint32_t)PERMIT_REASON_MEMORY)
 
 /** The facts of one cycle that are the same for every axis. */
 typedef struct {

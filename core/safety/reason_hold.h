@@ -11,7 +11,7 @@
 
 #include <stdint.h>
 
-#define REASON_HOLD_COUNT (PERMIT_REASON_COUNT - PERMIT_REASON_FIRST_OF_PLACE)
+#define REASON_HOLD_COUNT (PERMIT_REASON_END_OF_PLACE - PERMIT_REASON_FIRST_OF_PLACE)
 
 /** At first all zero. */
 typedef struct {
