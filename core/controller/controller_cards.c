@@ -188,7 +188,8 @@ void controller_watch_card(controller_t *self, const cycle_t *cycle)
     const uint32_t slot = self->cycle % CARD_SLOT_COUNT;
     const link_t *const link = &self->links[slot];
     card_health_t *const health = &self->health[slot];
-    if (link->is_fresh == 0U) {
+    /* Those of another dialect do not tell. */
+    if ((link->is_fresh == 0U) || (cycle->inputs->dialect != (uint32_t)CARD_DIALECT_OWN)) {
         return;
     }
     const uint32_t changed =

@@ -58,6 +58,14 @@ void test_SWR_NI_005_damaged_reports_are_refused_and_the_card_is_lost(void)
     TEST_ASSERT_FALSE(link_is_usable(&rig.controller.links[3]));
 }
 
+void test_SWR_NI_005_health_that_the_cards_do_not_tell_is_not_judged(void)
+{
+    rig_cycles(&rig, (LIMIT_CARD_SUPPLY_LOOKS + 2U) * CARD_SLOT_COUNT);
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+        TEST_ASSERT_EQUAL_HEX32(0U, rig.controller.health[slot].troubles);
+    }
+}
+
 void test_SWR_NI_006_nothing_moves_and_every_axis_says_why(void)
 {
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
