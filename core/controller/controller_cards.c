@@ -24,15 +24,15 @@ static void note_loss(controller_t *self, const cycle_t *cycle, uint32_t slot)
 {
     const link_t *const link = &self->links[slot];
     const uint32_t bit = (uint32_t)1U << slot;
-    link_cause_t cause = (link_cause_t)link->cause;
-    if (cause != LINK_CAUSE_AGE) {
+    uint32_t cause = link->cause;
+    if (cause != (uint32_t)LINK_CAUSE_AGE) {
         /* It says it all. */
     } else if (link->last_error != (uint16_t)CARD_FRAME_OK) {
-        cause = LINK_CAUSE_REFUSED;
+        cause = (uint32_t)LINK_CAUSE_REFUSED;
     } else if ((cycle->inputs->frames_late & bit) != 0U) {
-        cause = LINK_CAUSE_LATE;
+        cause = (uint32_t)LINK_CAUSE_LATE;
     } else if ((cycle->inputs->frames_failed & bit) != 0U) {
-        cause = LINK_CAUSE_BUS_ERROR;
+        cause = (uint32_t)LINK_CAUSE_BUS_ERROR;
     } else {
         /* There was none. */
     }
