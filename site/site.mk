@@ -7,7 +7,7 @@
 WASM_LIBC := $(addprefix /usr/lib/wasm32-wasi/,libc-printscan-long-double.a libc.a) \
     /usr/lib/llvm-19/lib/clang/19/lib/wasi/libclang_rt.builtins-wasm32.a
 CLOSED_LOOP_SOURCES := $(wildcard site/*.c) $(BOX_SOURCES) app/control/lamps.c app/replay/replay.c app/replay/field_name.c \
-    $(addprefix app/recording/,recording_block.c cycle_code.c cycle_words.c proof.c) $(GEN)/interface/app/fields.c $(FIND_ROBOT)
+    $(addprefix app/recording/,recording_block.c cycle_code.c cycle_words.c proof.c) $(GEN)/interface/app/fields.c $(NAMES) $(FIND_ROBOT)
 
 SITE_INCLUDES := $(BSP_INCLUDES) -I.
 $(OUT)/site/%.o: FLAGS = $(SITE_INCLUDES)

@@ -4,7 +4,7 @@
 .PHONY: fight
 
 build/gcc/bin/fight-witness: $(call object,$(wildcard verification/fight/*.c verification/witness/*.c app/recording/*.c) \
-    app/replay/replay.c app/replay/field_name.c $(GEN)/interface/app/fields.c $(FIND_ROBOT)) build/gcc/libcore.a
+    app/replay/replay.c app/replay/field_name.c $(GEN)/interface/app/fields.c $(NAMES) $(FIND_ROBOT)) build/gcc/libcore.a
 	@mkdir -p $(@D)
 	@$(CC) $(CFLAGS) $^ $(LIBS_boresight-replay) -lm -o $@
 	@echo "built $@"
