@@ -83,13 +83,15 @@ void link_distrust(link_t *self, uint32_t card_type, uint32_t firmware)
     give_up(self, CARD_LINK_EVENT_CARD_FAULT, LINK_CAUSE_MEMORY);
 }
 
-void link_step(link_t *self, uint32_t slot, const uint8_t *bytes, uint32_t elapsed_us)
+void link_advance(link_t *self, uint32_t elapsed_us)
+{
+    (void)card_link_chart_advance(&self->chart, elapsed_us);
+}
+
+void link_judge(link_t *self, bool is_good)
 {
     const card_link_inputs_t inputs = {.is_fresh = false};
-    (void)card_link_chart_advance(&self->chart, elapsed_us);
-    receive(self, slot, bytes);
-    compare_echo(self);
-    if (link_is_well(self)) {
+    if (is_good) {
         self->age_cycles = 0U;
         (void)card_link_chart_dispatch(&self->chart, &inputs, CARD_LINK_EVENT_GOOD);
     } else {
@@ -99,6 +101,14 @@ void link_step(link_t *self, uint32_t slot, const uint8_t *bytes, uint32_t elaps
     if (self->age_cycles >= LIMIT_LINK_AGE_CYCLES) {
         give_up(self, CARD_LINK_EVENT_TOO_OLD, LINK_CAUSE_AGE);
     }
+}
+
+void link_step(link_t *self, uint32_t slot, const uint8_t *bytes, uint32_t elapsed_us)
+{
+    link_advance(self, elapsed_us);
+    receive(self, slot, bytes);
+    compare_echo(self);
+    link_judge(self, link_is_well(self));
     if ((self->is_fresh != 0U) && ((self->report.status & CARD_STATUS_FAULTS) != 0U)) {
         give_up(self, CARD_LINK_EVENT_CARD_FAULT, LINK_CAUSE_FAULT);
     }

@@ -59,6 +59,12 @@ static inline bool link_check(link_t *self)
  */
 void link_step(link_t *self, uint32_t slot, const uint8_t *bytes, uint32_t elapsed_us);
 
+/** What link_step() does for every dialect: time passes, before the report of the cycle is read. */
+void link_advance(link_t *self, uint32_t elapsed_us);
+
+/** The same, after it: the cycle had a report to count on, or had none, and none for too long. */
+void link_judge(link_t *self, bool is_good);
+
 /** Remembers what goes out in this cycle, for the comparison with the card's read-back. */
 void link_note_sent(link_t *self, uint32_t sequence, const card_drive_t *drive);
 

@@ -2,7 +2,6 @@
 #include "card/link_aim32.h"
 
 #include "card/aim32_frame.h"
-#include "limits/requirement_limits.h"
 
 #include <stddef.h>
 
@@ -42,32 +41,10 @@ static void receive(link_t *self, uint32_t slot, const uint8_t *bytes)
     }
 }
 
-static void give_up(link_t *self)
-{
-    const card_link_inputs_t inputs = {.is_fresh = false};
-    const card_link_state_t before = self->chart.state;
-
-    (void)card_link_chart_dispatch(&self->chart, &inputs, CARD_LINK_EVENT_TOO_OLD);
-    if (self->chart.state != before) {
-        self->cause = (uint16_t)LINK_CAUSE_AGE;
-    }
-}
-
 void link_aim32_step(link_t *self, uint32_t slot, const uint8_t *bytes, uint32_t elapsed_us)
 {
-    const card_link_inputs_t inputs = {.is_fresh = false};
-
-    (void)card_link_chart_advance(&self->chart, elapsed_us);
+    link_advance(self, elapsed_us);
     self->report.time_us += elapsed_us;
     receive(self, slot, bytes);
-    if (self->is_fresh != 0U) {
-        self->age_cycles = 0U;
-        (void)card_link_chart_dispatch(&self->chart, &inputs, CARD_LINK_EVENT_GOOD);
-    } else {
-        self->age_cycles += (self->age_cycles < UINT32_MAX) ? 1U : 0U;
-        (void)card_link_chart_dispatch(&self->chart, &inputs, CARD_LINK_EVENT_MISSED);
-    }
-    if (self->age_cycles >= LIMIT_LINK_AGE_CYCLES) {
-        give_up(self);
-    }
+    link_judge(self, self->is_fresh != 0U);
 }
