@@ -18,8 +18,8 @@ typedef struct {
 } address_t;
 
 /**
- * Reads `nifpga:RIO0,/path/x.lvbitx`, after which `,accepted=` and a name with a date may follow;
- * "-" is nobody.
+ * Reads `nifpga:RIO0,/path/x.lvbitx`, after which `,accepted=` and a name with a date (2026-11-23)
+ * may follow; "-" is nobody, and anything else is refused.
  *
  * @return false: `error` says in one sentence what is wrong
  *

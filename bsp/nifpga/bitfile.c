@@ -9,7 +9,6 @@
 
 #define MOST_BYTES (64L * 1024L * 1024L)
 #define TAG_SIZE 40U
-#define MAY_TIME_OUT 0x80000000U /* Of an address: the register is in another clock domain. */
 
 /* A part of the text. */
 typedef struct {
@@ -113,16 +112,27 @@ static bool find_register(const bitfile_t *self, const char *name, span_t *found
     return false;
 }
 
+/* Is `tag` the first thing in it? A cluster holds what it is made of too. */
+static bool begins(span_t within, const char *tag)
+{
+    const span_t first = trimmed(within);
+    const size_t length = strlen(tag);
+
+    return ((size_t)(first.end - first.begin) > (length + 1U)) && (*first.begin == '<') &&
+           (memcmp(first.begin + 1, tag, length) == 0) &&
+           (strchr("> /\t\r\n", first.begin[length + 1U]) != NULL);
+}
+
 static bool is_of_type(span_t datatype, bitfile_type_t type)
 {
     span_t inside;
 
     if (type == BITFILE_PACKET) {
-        return element(datatype, "Array", &inside) && has(inside, "Size", "32") &&
-               element(inside, "Type", &inside) && (find(inside, "<U32") != NULL);
+        return begins(datatype, "Array") && element(datatype, "Array", &inside) &&
+               has(inside, "Size", "32") && element(inside, "Type", &inside) &&
+               begins(inside, "U32");
     }
-    return (find(datatype, "<Array") == NULL) &&
-           (find(datatype, (type == BITFILE_STATE) ? "<EnumU16" : "<Boolean") != NULL);
+    return begins(datatype, (type == BITFILE_STATE) ? "EnumU16" : "Boolean");
 }
 
 bitfile_answer_t bitfile_find(const bitfile_t *self, const bitfile_query_t *query,
@@ -140,7 +150,8 @@ bitfile_answer_t bitfile_find(const bitfile_t *self, const bitfile_query_t *quer
         !number(found, "Offset", &offset)) {
         return BITFILE_OTHERWISE;
     }
-    *address = (self->base + offset) | (has(found, "AccessMayTimeout", "true") ? MAY_TIME_OUT : 0U);
+    *address = (self->base + offset) |
+               (has(found, "AccessMayTimeout", "true") ? BITFILE_MAY_TIME_OUT : 0U);
     return BITFILE_FOUND;
 }
 

@@ -12,6 +12,8 @@
 #include <stdint.h>
 
 #define BITFILE_SIGNATURE_SIZE 40U
+/** Of an address: the register is in another clock domain. */
+#define BITFILE_MAY_TIME_OUT 0x80000000U
 
 /** Types of registers that a box has. */
 typedef enum {

@@ -6,6 +6,8 @@
 
 #define NAME_SIZE 24U
 #define NEEDED_INPUTS 4U
+#define CARD_REGISTERS 4U
+#define MOST_REGISTERS ((CARD_SLOT_COUNT * CARD_REGISTERS) + (uint32_t)FABRIC_BITS)
 
 static const char *const bit_names[FABRIC_BITS] = {
     "PedalA",      "PedalB",       "EstopClosed", "ScannerIdle", "Confirm",
@@ -113,10 +115,54 @@ static bool find_bits(fabric_t *self, const search_t *search)
     return true;
 }
 
+/* Addresses of all registers that were found. */
+static uint32_t list_addresses(const fabric_t *self, uint32_t addresses[MOST_REGISTERS])
+{
+    uint32_t count = 0U;
+
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+        if (((self->slots >> slot) & 1U) != 0U) {
+            const fabric_card_t *const card = &self->cards[slot];
+            addresses[count] = card->outgoing;
+            addresses[count + 1U] = card->incoming;
+            addresses[count + 2U] = card->transact;
+            addresses[count + 3U] = card->state;
+            count += CARD_REGISTERS;
+        }
+    }
+    for (uint32_t i = 0U; i < (uint32_t)FABRIC_BITS; i++) {
+        if (((self->has >> i) & 1U) != 0U) {
+            addresses[count] = self->bits[i];
+            count++;
+        }
+    }
+    return count;
+}
+
+/* One register would be read as both channels of the pedal. */
+static bool are_apart(const fabric_t *self, const search_t *search)
+{
+    uint32_t addresses[MOST_REGISTERS];
+    const uint32_t count = list_addresses(self, addresses);
+
+    for (uint32_t i = 0U; i < count; i++) {
+        for (uint32_t k = 0U; k < i; k++) {
+            if (((addresses[i] ^ addresses[k]) & ~BITFILE_MAY_TIME_OUT) == 0U) {
+                (void)snprintf(search->error, search->error_size,
+                               "Two registers of the bitfile are at the same address %u; give the "
+                               ".lvbitx as LabVIEW FPGA has made it.",
+                               (unsigned)(addresses[i] & ~BITFILE_MAY_TIME_OUT));
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
 bool fabric_find(fabric_t *self, const bitfile_t *bitfile, char *error, uint32_t error_size)
 {
     const search_t search = {bitfile, error, error_size};
 
     (void)memset(self, 0, sizeof *self);
-    return find_cards(self, &search) && find_bits(self, &search);
+    return find_cards(self, &search) && find_bits(self, &search) && are_apart(self, &search);
 }

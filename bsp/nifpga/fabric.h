@@ -37,9 +37,9 @@ typedef struct {
 
 /**
  * Finds all registers. A slot whose OutgoingPacket is not there is none; of any other, and of the
- * inputs that every box has, each register must be there.
+ * inputs that every box has, each register must be there, and at an address of its own.
  *
- * @return false: `error` names the register that is missing or is another one
+ * @return false: `error` names the register that is missing or is another one, or the address
  *
  * @satisfies SWR-NI-009
  */

@@ -25,6 +25,7 @@
 TEST_SOURCE_FILE("crc.c")
 
 #define OUR_SLOTS 0xFEU
+#define WHO "does not say who accepts the cards, and when (\"A. Engineer, 2026-11-23\")"
 #define PATIENCE_NS (UINT64_C(60000) * NS_PER_MS)
 #define POWER_BIT 7U
 #define ALIVE_BIT 8U
@@ -156,15 +157,29 @@ void test_SWR_NI_008_a_wrong_address_is_refused_in_one_sentence(void)
         {"nifpga:RIO0,", "names no bitfile by its whole path"},
         {"nifpga:RIO0,/x,accepted=0123456789012345678901234567890123456789012345678901234567890123",
          "says too long who accepts the cards (at most 63 letters)"},
+        {"nifpga:RIO0,/x,accepted=no", WHO},
+        {"nifpga:RIO0,/x,accepted= ", WHO},
+        {"nifpga:RIO0,/x,accepted=A. Engineer", WHO},
+        {"nifpga:RIO0,/x,accepted=2026-11-23", WHO},
+        {"nifpga:RIO0,/x,accepted=A. Engineer, 2026-11-2", WHO},
     };
     for (uint32_t i = 0U; i < (sizeof wrong / sizeof wrong[0]); i++) {
-        char expected[160];
+        char expected[200];
         (void)snprintf(address, sizeof address, "%s", wrong[i][0]);
         (void)snprintf(expected, sizeof expected,
                        "The box's address %s; expected nifpga:RIO0,/path/NAME.lvbitx.",
                        wrong[i][1]);
         expect_refused(expected);
     }
+}
+
+/* Options are put together to an address; one of them is not the other. */
+void test_SWR_NI_008_what_the_path_of_the_bitfile_says_accepts_nothing(void)
+{
+    (void)snprintf(address, sizeof address, "nifpga:RIO0,%s,accepted=A. Engineer, 2026-11-23%s",
+                   path, ",accepted=-");
+    TEST_ASSERT_FALSE(open_box());
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(error, "2026-11-23\" cannot be read"), error);
 }
 
 void test_SWR_NI_009_each_register_that_is_missing_is_named(void)
@@ -197,6 +212,52 @@ void test_SWR_NI_009_a_register_of_another_direction_is_as_one_that_is_missing(v
     made.other = "DrivesPower";
     expect_refused("The bitfile lacks the control \"DrivesPower\" (Boolean); add it to the VI, or "
                    "give another bitfile.");
+}
+
+/* Writes what `made` says, with `as` in the place of the first `what` behind `from`. */
+static void write_changed(const char *from, const char *what, const char *as)
+{
+    static char text[32768];
+    fpga_world_write(path, &made);
+    FILE *file = fopen(path, "re");
+    text[fread(text, 1U, sizeof text - 1U, file)] = '\0';
+    (void)fclose(file);
+    char *const start = strstr(text, from);
+    TEST_ASSERT_NOT_NULL(start);
+    char *const at = strstr(start, what);
+    TEST_ASSERT_NOT_NULL(at);
+    file = fopen(path, "we");
+    (void)fprintf(file, "%.*s%s%s", (int)(at - text), text, as, at + strlen(what));
+    (void)fclose(file);
+}
+
+void test_SWR_NI_009_two_registers_at_one_address_are_refused(void)
+{
+    write_changed("<Name>PedalB<", " 10004 ", " 10000 ");
+    TEST_ASSERT_FALSE(bsp_open(address, &identity, error, sizeof error));
+    TEST_ASSERT_EQUAL_STRING("Two registers of the bitfile are at the same address 108304; give "
+                             "the .lvbitx as LabVIEW FPGA has made it.",
+                             error);
+    write_changed("<Name>IncomingPacket3<", " 2300 ", " 1300 ");
+    TEST_ASSERT_FALSE(bsp_open(address, &identity, error, sizeof error));
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(error, "at the same address"), error);
+    TEST_ASSERT_EQUAL_UINT32(0U, fpga_world.opened);
+}
+
+void test_SWR_NI_009_a_cluster_is_not_what_it_is_made_of(void)
+{
+    static const char *const changes[][3] = {
+        {"PedalA", "<Boolean>\n</Boolean>", "<Cluster><U32/><Boolean></Boolean></Cluster>"},
+        {"CurrentState2", "<EnumU16>", "<Cluster><EnumU16>"},
+        {"OutgoingPacket2", "<Type><U32>", "<Type><Cluster><U32>"},
+        {"OutgoingPacket2", "<Array>", "<Cluster><Array>"}};
+    for (uint32_t i = 0U; i < (sizeof changes / sizeof changes[0]); i++) {
+        char name[32];
+        (void)snprintf(name, sizeof name, "<Name>%s<", changes[i][0]);
+        write_changed(name, changes[i][1], changes[i][2]);
+        TEST_ASSERT_FALSE_MESSAGE(bsp_open(address, &identity, error, sizeof error), changes[i][0]);
+        TEST_ASSERT_NOT_NULL_MESSAGE(strstr(error, changes[i][0]), error);
+    }
 }
 
 void test_SWR_NI_009_a_state_without_idle_is_refused(void)
