@@ -77,9 +77,11 @@ static bsp_exchange_t exchanged;         /* Begun in the cycle before. */
 static volatile sig_atomic_t stopped_by; /* Signal number. */
 static uint8_t crash_stack[65536];
 
-/* What ends control. The first ones end its loop; after the others nothing of it is believed. */
+/* What ends control. The first ones end its loop, as do those without a name, and those that would
+ * make it stand still with drives on; after the others nothing of it is believed. */
 static const int stop_signals[] = {SIGHUP,  SIGINT,  SIGQUIT, SIGUSR1,   SIGUSR2, SIGPIPE,
-                                   SIGALRM, SIGTERM, SIGXCPU, SIGVTALRM, SIGPROF, SIGIO};
+                                   SIGALRM, SIGTERM, SIGXCPU, SIGVTALRM, SIGPROF, SIGIO,
+                                   SIGXFSZ, SIGPWR,  SIGTSTP, SIGTTIN,   SIGTTOU, SIGSTKFLT};
 static const int crash_signals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS};
 
 /**
@@ -132,6 +134,9 @@ static void handle_signals(void)
     (void)sigaltstack(&stack, NULL);
     for (uint32_t i = 0; i < sizeof stop_signals / sizeof stop_signals[0]; i++) {
         (void)sigaction(stop_signals[i], &stop, NULL);
+    }
+    for (int number = SIGRTMIN; number <= SIGRTMAX; number++) {
+        (void)sigaction(number, &stop, NULL);
     }
     for (uint32_t i = 0; i < sizeof crash_signals / sizeof crash_signals[0]; i++) {
         (void)sigaction(crash_signals[i], &end, NULL);
