@@ -31,6 +31,10 @@ ask() (
 require_rest() {
     for process in $(running); do
         reason=$(ask "$process" 2>&1) || refuse "nothing is replaced, process ${process#/proc/} runs. $reason"
+        case $reason in
+        # It runs, so another one was asked.
+        'No Boresight runs'*) refuse "nothing is replaced, process ${process#/proc/} runs, and its options have changed since its start; stop it. $reason" ;;
+        esac
     done
 }
 

@@ -76,8 +76,7 @@ class TestReleases < SystemTest
 
   def test_SWR_PACK_012_the_script_of_the_service_starts_and_stops_it
     assert_done(install(OLD))
-    ports = %w[http-port brp-port igtl-port].zip(Boresight.free_ports(3)).map { |pair| "#{pair.join(' ')}\n" }.join
-    File.write(@tree.path(CONFIGURATION), "#{ports}recordings /var/lib/boresight\nrobot bench2\n")
+    configure
     assert_equal ["Boresight does not run.\n", 3], service('status')
     assert_equal ['', 0], service('start')
     wait_until('it runs') { service('status') == ["Boresight runs.\n", 0] }
@@ -85,6 +84,27 @@ class TestReleases < SystemTest
     assert_equal ["Boresight runs already.\n", 0], service('start')
     assert_equal ['', 0], service('stop')
     assert_equal 3, service('status').last
+  end
+
+  # What a service runs with.
+  def configure(more = '')
+    @ports ||= %w[http-port brp-port igtl-port].zip(Boresight.free_ports(3)).map { |pair| "#{pair.join(' ')}\n" }.join
+    File.write(@tree.path(CONFIGURATION), "#{@ports}recordings /var/lib/boresight\nrobot bench2\n#{more}")
+  end
+
+  # Whether it is at rest would be asked of an instance that does not run.
+  def test_SWR_PACK_008_nothing_is_replaced_whose_options_have_changed_since_its_start
+    assert_done(install(OLD))
+    configure
+    service('start')
+    wait_until('it records') { Dir.children(@tree.path('/var/lib/boresight')).grep(/\.bsr\z/).any? }
+    configure("instance another\n")
+    text, code = install(NEW)
+    refute_equal 0, code, text
+    assert_match(/its options have changed since its start; .*No Boresight runs with the name "another"/, text)
+    assert_equal [OLD, ["Boresight runs.\n", 0]], [leads('current'), service('status')]
+  ensure
+    service('stop')
   end
 
   def service(act)
