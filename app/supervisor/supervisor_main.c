@@ -252,8 +252,8 @@ static int judge_end(const child_t *child)
     screen_relay(&screen);
     if (!child->may_restart) {
         screen_say(&screen,
-                   "%s ended (%s): the cards have stopped the motors, everything stops. Find the "
-                   "cause, then "
+                   "%s ended (%s), everything stops. Cards stop their motors by their own "
+                   "watchdog; where they have none, pull the e-stop now. Find the cause, then "
                    "start boresight again.",
                    child->name, how);
         return EXIT_LOST;
