@@ -107,6 +107,20 @@ class TestReleases < SystemTest
     service('stop')
   end
 
+  # Between the two halves of an installation somebody may start it.
+  def test_SWR_PACK_008_what_was_started_in_the_middle_of_an_installation_is_not_replaced
+    assert_done(install(OLD))
+    assert_done(package('--unpack', self.class.packages.fetch(NEW)))
+    start_installed
+    boresight.await_released_pedal
+    boresight.command('START_UP')
+    wait_until('it waits for the pedal') { boresight.status['order'] == 'waiting' }
+    text, code = package('--configure', 'boresight')
+    refute_equal 0, code, text
+    assert_match(/A motion is armed/, text)
+    assert_equal [OLD, 5], [leads('current'), boresight.pids.size]
+  end
+
   def service(act)
     @tree.run('/etc/init.d/boresight', act)
   end
