@@ -31,7 +31,10 @@ class Package
   LICENCE = "# SPDX-License-Identifier: Apache-2.0\n"
   PARTS = 'tools/package'
   SHARED = { 'LICENSE' => 'LICENSE', 'CHANGELOG.md' => 'CHANGELOG.md', 'docs/commissioning.md' => 'commissioning.md',
-             'docs/user-manual.md' => 'user-manual.md', 'docs/soup.md' => 'soup.md' }.freeze
+             'docs/user-manual.md' => 'user-manual.md', 'docs/soup.md' => 'soup.md',
+             'docs/card-protocol.md' => 'card-protocol.md' }.freeze
+  # What the commissioning asks to be read of the wires of each board.
+  OF_BOARDS = 'docs/board-*.md'
   # On the path of a shell.
   COMMANDS = %w[boresight boresight-passwd boresight-replay boresight-simctl].freeze
   CONFIGURATION = %w[/etc/boresight/boresight.conf /etc/init.d/boresight].freeze
@@ -116,7 +119,8 @@ class Package
       @archive.add(place, File.binread(file), mode: PackageArchive::PROGRAM)
       @archive.strip(place, @kind.strip)
     end
-    SHARED.each { |file, as| @archive.add("/opt/boresight/package/share/#{as}", File.read(file)) }
+    pages = Dir[OF_BOARDS].sort.to_h { |file| [file, File.basename(file)] }
+    SHARED.merge(pages).each { |file, as| @archive.add("/opt/boresight/package/share/#{as}", File.read(file)) }
     @archive.add('/opt/boresight/package/share/boresight.cdx.json',
                  @soup.bill(@board, @state.version, Time.at(@state.epoch)))
   end

@@ -72,6 +72,8 @@ class TestReleases < SystemTest
       assert_includes File.readlines(@tree.path('/lib/systemd/system/boresight.service'), chomp: true), line
     end
     assert_equal [OLD], Dir.children(@tree.path('/opt/boresight/releases'))
+    share = @tree.path('/opt/boresight/current/share')
+    File.read("#{share}/commissioning.md").scan(/\]\(([\w-]+\.md)/).flatten.each { |page| assert_path_exists "#{share}/#{page}" }
   end
 
   def test_SWR_PACK_012_the_script_of_the_service_starts_and_stops_it
