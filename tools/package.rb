@@ -55,11 +55,17 @@ class Package
       Dir['bsp/*/board.yml'].map { |file| File.basename(File.dirname(file)) }.sort
     end
 
+    # A static program loads no library while it runs.
+    def possible?(board, kind)
+      makefile = "bsp/#{board}/board.mk"
+      !kind.is_static || !File.exist?(makefile) || !File.read(makefile).include?('-ldl')
+    end
+
     # @satisfies SWR-PACK-004
     def write_all(folder, state)
       FileUtils.mkdir_p(folder)
       FileUtils.rm_f(Dir["#{folder}/*"])
-      files = boards.product(KINDS).map { |board, kind| new(kind, board, state).write(folder) }
+      files = boards.product(KINDS).filter_map { |board, kind| new(kind, board, state).write(folder) if possible?(board, kind) }
       File.write("#{folder}/SHA256SUMS", files.map { |file| "#{Digest::SHA256.file(file)}  #{File.basename(file)}\n" }.join)
       files
     end

@@ -11,7 +11,7 @@ package: bootstrap-test ## Packages of Debian and NI Linux RT, for x86-64 and Co
 
 static-programs: # As arm-programs, for x86-64.
 	@$(MAKE) --no-print-directory -j2 CONFIG=static $(PROGRAMS:%=build/static/bin/%)
-	@for board in $(OTHER_BOARDS); do \
+	@for board in $(STATIC_BOARDS); do \
 	    $(MAKE) --no-print-directory -j2 CONFIG=static BOARD=$$board APART=build/boards/static-$$board apart; done
 
 # What programs for x86-64 are compiled with, for the test that no folder is told.

@@ -5,7 +5,7 @@
 
 arm-programs: bootstrap-test ## All programs for Cortex-A9, static: build/arm/bin; of other boards: build/boards/arm-NAME/bin
 	@$(MAKE) --no-print-directory -j2 CONFIG=arm $(PROGRAMS:%=build/arm/bin/%)
-	@for board in $(OTHER_BOARDS); do \
+	@for board in $(STATIC_BOARDS); do \
 	    $(MAKE) --no-print-directory -j2 CONFIG=arm BOARD=$$board APART=build/boards/arm-$$board apart; done
 
 arm-machine: arm-programs
