@@ -14,13 +14,39 @@
 #include "nifpga/bitfile.h"
 #include "nifpga/bsp_nifpga.c"
 #include "nifpga/fabric.h"
-#include "nifpga/fpga.h"
 #include "nifpga/transactions.h"
 
 #include "unit/support/fpga_world.h"
 
+#include <dlfcn.h>
 #include <stdlib.h>
 #include <unistd.h>
+
+static void *open_library(const char *name, int mode)
+{
+    (void)mode;
+    const bool is_there = !fpga_world.is_missing && (strcmp(name, "libNiFpga.so") == 0);
+    fpga_world.libraries += is_there ? 1U : 0U;
+    return is_there ? &fpga_world : NULL;
+}
+
+static int close_library(void *handle)
+{
+    fpga_world.libraries -= (handle == &fpga_world) ? 1U : 0U;
+    return 0;
+}
+
+static void *find_symbol(void *handle, const char *name)
+{
+    TEST_ASSERT_EQUAL_PTR(&fpga_world, handle);
+    return fpga_world_symbol(name);
+}
+
+/* For the board alone: the C library's own are needed by the sanitizers. */
+#define dlopen open_library
+#define dlclose close_library
+#define dlsym find_symbol
+#include "nifpga/fpga.c"
 
 TEST_SOURCE_FILE("crc.c")
 
@@ -39,27 +65,6 @@ static uint8_t frames[CARD_SLOT_COUNT][CARD_FRAME_BYTES];
 static uint8_t received[CARD_SLOT_COUNT][CARD_FRAME_BYTES];
 static bsp_exchange_t result;
 static char error[256];
-
-/* Not the C library's, for this program. */
-void *dlopen(const char *name, int mode)
-{
-    (void)mode;
-    const bool is_there = !fpga_world.is_missing && (strcmp(name, "libNiFpga.so") == 0);
-    fpga_world.libraries += is_there ? 1U : 0U;
-    return is_there ? &fpga_world : NULL;
-}
-
-int dlclose(void *handle)
-{
-    fpga_world.libraries -= (handle == &fpga_world) ? 1U : 0U;
-    return 0;
-}
-
-void *dlsym(void *restrict handle, const char *restrict name)
-{
-    TEST_ASSERT_EQUAL_PTR(&fpga_world, handle);
-    return fpga_world_symbol(name);
-}
 
 static bool open_box(void)
 {

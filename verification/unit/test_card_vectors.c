@@ -7,7 +7,7 @@
 
 #include "base/crc.h"
 #include "card/card_frame.h"
-#include "card_vectors.h"
+#include "unit/support/card_vectors.h"
 #include "limits/requirement_limits.h"
 #include "sim/sim_card.h"
 #include "sim/sim_encoder.h"

@@ -2,7 +2,8 @@
 /**
  * @file
  * A stand-in for NI's library with a box behind it: registers, and cards that answer with the count
- * of their encoder. It is in no product: a test's own dlopen() and dlsym() find it.
+ * of their encoder. It is in no product: a test puts functions of its own in place of dlopen() and
+ * dlsym(), which find it.
  */
 #ifndef BORESIGHT_FPGA_WORLD_H
 #define BORESIGHT_FPGA_WORLD_H
