@@ -129,6 +129,17 @@ void test_SWR_CARD_012_a_card_without_an_axis_disables_none(void)
     TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_CARD_UNWELL, SENSOR, CARD_TROUBLE_DRIVER_HOT));
 }
 
+void test_SWR_CARD_012_of_an_axis_that_is_disabled_there_is_nothing_to_disable(void)
+{
+    const uint32_t slot = robot.axes[AXIS_LATERAL].slot;
+
+    TEST_ASSERT_EQUAL_UINT32(AXIS_POWER_DISABLED, rig.outputs.snapshot.axes[AXIS_LATERAL].power);
+    rig_box(&rig, "card lateral hot");
+    rig_cycles(&rig, ROUND);
+    TEST_ASSERT_EQUAL_UINT32(1U, told(EVENT_CARD_UNWELL, slot, CARD_TROUBLE_DRIVER_HOT));
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_CARD_HOT));
+}
+
 void test_SWR_CARD_013_a_noisy_wire_is_told_while_motion_goes_on(void)
 {
     begin_jog();
