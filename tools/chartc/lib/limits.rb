@@ -16,6 +16,7 @@ module Chart
       rows = JSON.parse(File.read(file))
       return listless(file) unless rows.is_a?(Array) && rows.all?(Hash)
 
+      rows.each { |limit| check(file, limit) }
       new(*%w[value requirement].map { |part| rows.to_h { |limit| [limit.fetch('name'), limit.fetch(part)] } })
     rescue JSON::ParserError
       raise Refusal.new(file, 1, 15, 'the file is no JSON; remove it, and generate the limits anew')
@@ -26,7 +27,13 @@ module Chart
     def self.listless(file)
       raise Refusal.new(file, 1, 15, 'the file is no list of limits; remove it, and generate the limits anew')
     end
-    private_class_method :listless
+
+    def self.check(file, limit)
+      return if limit.fetch('value').is_a?(Integer)
+
+      raise Refusal.new(file, 1, 15, "the value of #{limit['name']} is no whole number; correct it")
+    end
+    private_class_method :listless, :check
 
     def self.of(limits)
       limits.is_a?(self) ? limits : read(limits)

@@ -121,6 +121,17 @@ class TestChartDoor < Minitest::Test
     end
   end
 
+  def test_SWR_CHART_036_a_limit_that_is_no_whole_number_is_named
+    ['"5s"', 'null', '1.5', '[]'].each do |value|
+      Dir.mktmpdir do |folder|
+        File.write("#{folder}/limits.json", "[{\"name\": \"long_us\", \"value\": #{value}, \"requirement\": \"A-01\"}]")
+        _output, errors, status = chartc(File.join(CHARTS, 'base.scxml'), '--limits', "#{folder}/limits.json", '--out', folder)
+        assert_equal 1, status.exitstatus
+        assert_match(/\A\S+limits\.json:1: CHART-R15 the value of long_us is no whole number; [^\n]*\n\z/, errors)
+      end
+    end
+  end
+
   def test_SWR_CHART_036_limits_that_are_none_are_named
     Dir.mktmpdir do |folder|
       File.write("#{folder}/limits.json", '{}')
