@@ -33,7 +33,7 @@ module Chart
     28 => 'several targets lie in different regions of one parallel',
     29 => 'a history has one default transition without event and guard, to a state of its parent',
     30 => 'a transition to a history starts outside the parent of the history',
-    32 => 'a timer says how it rounds and lasts at least one tick',
+    32 => 'a timer says how it rounds, lasts at least one tick and at most 4,294,967,295 microseconds',
     33 => 'a timer is not started again while it runs',
     34 => 'an assigned value stays inside the range of its variable',
     35 => 'every guard is seen true and false where its event arrives',

@@ -12,6 +12,8 @@ module Chart
     PLAIN = /\A#{TIME}\z/.freeze
     QUOTED = /\A(?<quote>['"])#{TIME}\k<quote>\z/.freeze
     ROUNDING = { 'watchdog' => :down, 'hold_off' => :up }.freeze
+    # The code counts microseconds in 32 bits, and stops at the last one.
+    LONGEST_US = (1 << 32) - 1
     # The limit that holds the period of the control loop.
     TICK_LIMIT = 'cycle_us'
 
@@ -140,10 +142,15 @@ module Chart
       return unless tick_us && rounding
 
       ticks = rounding == :down ? delay / tick_us : (delay + tick_us - 1) / tick_us
+      refuse_endless(element) if ticks * tick_us > LONGEST_US && @context.mode != :difference
       return ticks * tick_us if ticks.positive?
       return tick_us if @context.lenient?
 
       @context.refuse(element.line, 32, "the delay rounds to no tick; write #{words(tick_us)} at least")
+    end
+
+    def refuse_endless(element)
+      @context.refuse(element.line, 32, "the timer would never expire; write at most #{LONGEST_US}us, in whole ticks")
     end
   end
 end
