@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "card/aim32_frame.h"
 
+#include "card/frame_word.h"
 #include "limits/requirement_limits.h"
 
 #include <stdbool.h>
@@ -23,40 +24,14 @@
 #define WORD_ENCODER 3U
 #define WORD_ADC 7U
 
-#define PAIR_SWITCH                                                                                \
-    0x00080000U /* Of the states, the high half: low while the switch is active.                   \
-                 */
+/* Of the states, the high half: low while the switch is active. */
+#define PAIR_SWITCH 0x00080000U
+
 #define DOWNWARDS 0x80000000U
 #define RUN 0x40000000U
 #define TABLE 0x01000000U
 #define LARGEST_DUTY 0x7FFFFFU
 #define LARGEST_AMPLITUDE 0xFFU
-#define LARGEST_BYTE 0xFFU
-
-static void put_word(uint8_t bytes[CARD_FRAME_BYTES], uint32_t index, uint32_t word)
-{
-    const uint32_t at = index * 4U;
-
-    bytes[at] = (uint8_t)(word >> 24U);
-    bytes[at + 1U] = (uint8_t)((word >> 16U) & LARGEST_BYTE);
-    bytes[at + 2U] = (uint8_t)((word >> 8U) & LARGEST_BYTE);
-    bytes[at + 3U] = (uint8_t)(word & LARGEST_BYTE);
-}
-
-static uint32_t get_word(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t index)
-{
-    const uint32_t at = index * 4U;
-
-    return ((uint32_t)bytes[at] << 24U) | ((uint32_t)bytes[at + 1U] << 16U) |
-           ((uint32_t)bytes[at + 2U] << 8U) | (uint32_t)bytes[at + 3U];
-}
-
-static int32_t to_signed(uint32_t word)
-{
-    const uint32_t inverse = ~word;
-
-    return (word <= (uint32_t)INT32_MAX) ? (int32_t)word : (-1 - (int32_t)inverse);
-}
 
 /* What word 31 must be. */
 static uint32_t sum_of(const uint8_t bytes[CARD_FRAME_BYTES])
@@ -64,7 +39,7 @@ static uint32_t sum_of(const uint8_t bytes[CARD_FRAME_BYTES])
     uint32_t sum = 0U;
 
     for (uint32_t i = WORD_START; i < WORD_SUM; i++) {
-        sum += get_word(bytes, i);
+        sum += frame_word_get(bytes, i);
     }
     return ~sum;
 }
@@ -86,10 +61,10 @@ static void put_waves(const card_drive_t *drive, uint8_t bytes[CARD_FRAME_BYTES]
 {
     const bool is_upwards = drive->direction != 0U;
 
-    put_word(bytes, WORD_FIRST_SHAPE, (is_upwards ? 0U : TABLE) | drive->amplitude);
-    put_word(bytes, WORD_FIRST_WAVE, drive->duty);
-    put_word(bytes, WORD_SECOND_SHAPE, (is_upwards ? TABLE : 0U) | drive->amplitude);
-    put_word(bytes, WORD_SECOND_WAVE, drive->duty);
+    frame_word_put(bytes, WORD_FIRST_SHAPE, (is_upwards ? 0U : TABLE) | drive->amplitude);
+    frame_word_put(bytes, WORD_FIRST_WAVE, drive->duty);
+    frame_word_put(bytes, WORD_SECOND_SHAPE, (is_upwards ? TABLE : 0U) | drive->amplitude);
+    frame_word_put(bytes, WORD_SECOND_WAVE, drive->duty);
 }
 
 static void put_drive(const card_drive_t *drive, uint8_t bytes[CARD_FRAME_BYTES])
@@ -97,9 +72,9 @@ static void put_drive(const card_drive_t *drive, uint8_t bytes[CARD_FRAME_BYTES]
     const uint32_t direction = (drive->direction != 0U) ? 0U : DOWNWARDS;
 
     if ((drive->mode == (uint32_t)CARD_DRIVE_PWM) && is_duty(drive)) {
-        put_word(bytes, WORD_FIRST_WAVE, direction | drive->duty);
+        frame_word_put(bytes, WORD_FIRST_WAVE, direction | drive->duty);
     } else if ((drive->mode == (uint32_t)CARD_DRIVE_NON_PWM) && is_duty(drive)) {
-        put_word(bytes, WORD_FIRST_WAVE, direction | RUN | drive->duty);
+        frame_word_put(bytes, WORD_FIRST_WAVE, direction | RUN | drive->duty);
     } else if ((drive->mode == (uint32_t)CARD_DRIVE_HIGH_FREQUENCY) && is_wave(drive)) {
         put_waves(drive, bytes);
     } else {
@@ -110,30 +85,30 @@ static void put_drive(const card_drive_t *drive, uint8_t bytes[CARD_FRAME_BYTES]
 void aim32_frame_encode_command(const card_command_t *command, uint8_t bytes[CARD_FRAME_BYTES])
 {
     (void)memset(bytes, 0, CARD_FRAME_BYTES);
-    put_word(bytes, WORD_START, CARD_FRAME_START);
+    frame_word_put(bytes, WORD_START, CARD_FRAME_START);
     put_drive(&command->drive, bytes);
-    put_word(bytes, WORD_AMPLIFIER, command->control & CARD_CONTROL_AMPLIFIER);
-    put_word(bytes, WORD_SUM, sum_of(bytes));
+    frame_word_put(bytes, WORD_AMPLIFIER, command->control & CARD_CONTROL_AMPLIFIER);
+    frame_word_put(bytes, WORD_SUM, sum_of(bytes));
 }
 
 card_frame_result_t aim32_frame_decode_report(const uint8_t bytes[CARD_FRAME_BYTES],
                                               card_report_t *report)
 {
-    if (get_word(bytes, WORD_START) != CARD_FRAME_START) {
+    if (frame_word_get(bytes, WORD_START) != CARD_FRAME_START) {
         return CARD_FRAME_BAD_START;
     }
-    if (get_word(bytes, WORD_SUM) != sum_of(bytes)) {
+    if (frame_word_get(bytes, WORD_SUM) != sum_of(bytes)) {
         return CARD_FRAME_BAD_CRC;
     }
-    const bool is_switch_open = (get_word(bytes, WORD_PAIRS) & PAIR_SWITCH) != 0U;
-    report->system_state = get_word(bytes, WORD_SYSTEM);
+    const bool is_switch_open = (frame_word_get(bytes, WORD_PAIRS) & PAIR_SWITCH) != 0U;
+    report->system_state = frame_word_get(bytes, WORD_SYSTEM);
     report->limits = CARD_LIMIT_LOWER;
     if (is_switch_open) {
         report->limits = 0U;
     }
     report->limits_raw = report->limits;
-    report->encoder_count = to_signed(get_word(bytes, WORD_ENCODER));
-    report->adc_words[0] = get_word(bytes, WORD_ADC);
-    report->adc_words[1] = get_word(bytes, WORD_ADC + 1U);
+    report->encoder_count = frame_word_signed(frame_word_get(bytes, WORD_ENCODER));
+    report->adc_words[0] = frame_word_get(bytes, WORD_ADC);
+    report->adc_words[1] = frame_word_get(bytes, WORD_ADC + 1U);
     return CARD_FRAME_OK;
 }

@@ -3,6 +3,7 @@
 
 #include "base/crc.h"
 #include "card/card_words.h"
+#include "card/frame_word.h"
 #include "limits/requirement_limits.h"
 
 #include <string.h>
@@ -19,34 +20,8 @@
 #define LARGEST_24_BIT 0xFFFFFFU
 /* One bit less than a report has for it: a larger one is told as one that is too large. */
 #define LARGEST_DUTY 0x7FFFFFU
-#define LARGEST_POSITIVE 0x7FFFFFFFU
 #define WAVE_WORDS 4U
 #define DRIVE_MODES 5U
-
-static inline void put_word(uint8_t bytes[CARD_FRAME_BYTES], uint32_t index, uint32_t word)
-{
-    const uint32_t at = index * 4U;
-
-    bytes[at] = (uint8_t)(word >> 24U);
-    bytes[at + 1U] = (uint8_t)((word >> 16U) & LARGEST_8_BIT);
-    bytes[at + 2U] = (uint8_t)((word >> 8U) & LARGEST_8_BIT);
-    bytes[at + 3U] = (uint8_t)(word & LARGEST_8_BIT);
-}
-
-static inline uint32_t get_word(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t index)
-{
-    const uint32_t at = index * 4U;
-
-    return ((uint32_t)bytes[at] << 24U) | ((uint32_t)bytes[at + 1U] << 16U) |
-           ((uint32_t)bytes[at + 2U] << 8U) | (uint32_t)bytes[at + 3U];
-}
-
-static int32_t to_signed(uint32_t word)
-{
-    const uint32_t inverse = ~word;
-
-    return (word <= LARGEST_POSITIVE) ? (int32_t)word : (-1 - (int32_t)inverse);
-}
 
 /* Saturating keeps a value that does not fit out of range, where a mask could make it valid. */
 static uint32_t fit(uint32_t value, uint32_t largest)
@@ -71,7 +46,7 @@ static int32_t from_int16(uint32_t half)
 {
     const uint32_t sign = 0x8000U;
 
-    return to_signed((half ^ sign) - sign);
+    return frame_word_signed((half ^ sign) - sign);
 }
 
 static uint32_t header_word(uint32_t slot, uint32_t type)
@@ -89,14 +64,14 @@ static inline bool has_bits(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t firs
     uint32_t left = end - first;
 
     for (; left >= 4U; left -= 4U) {
-        if ((get_word(at, 0U) != 0U) || (get_word(at, 1U) != 0U) || (get_word(at, 2U) != 0U) ||
-            (get_word(at, 3U) != 0U)) {
+        if ((frame_word_get(at, 0U) != 0U) || (frame_word_get(at, 1U) != 0U) ||
+            (frame_word_get(at, 2U) != 0U) || (frame_word_get(at, 3U) != 0U)) {
             return true;
         }
         at = &at[16];
     }
     for (; left > 0U; left--) {
-        if (get_word(at, 0U) != 0U) {
+        if (frame_word_get(at, 0U) != 0U) {
             return true;
         }
         at = &at[4];
@@ -128,7 +103,7 @@ static const checked_t checked_report = {29U,
 
 static inline uint32_t two_words(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t first)
 {
-    return get_word(bytes, first) + get_word(bytes, first + 1U);
+    return frame_word_get(bytes, first) + frame_word_get(bytes, first + 1U);
 }
 
 static inline uint32_t four_words(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t first)
@@ -141,7 +116,8 @@ static uint32_t command_sum(const uint8_t bytes[CARD_FRAME_BYTES])
 {
     return four_words(bytes, CARD_BOTH_START) + four_words(bytes, CARD_COMMAND_SYSTEM) +
            four_words(bytes, CARD_COMMAND_WAVES + 2U) + four_words(bytes, CARD_COMMAND_CONVERTERS) +
-           two_words(bytes, CARD_COMMAND_GUARD_MAXIMUM) + get_word(bytes, CARD_COMMAND_COMPLEMENT);
+           two_words(bytes, CARD_COMMAND_GUARD_MAXIMUM) +
+           frame_word_get(bytes, CARD_COMMAND_COMPLEMENT);
 }
 
 /* Without the words of waves. */
@@ -149,8 +125,8 @@ static uint32_t report_sum(const uint8_t bytes[CARD_FRAME_BYTES])
 {
     return four_words(bytes, CARD_BOTH_START) + four_words(bytes, CARD_REPORT_TIME) +
            two_words(bytes, CARD_REPORT_LIMITS) + four_words(bytes, CARD_REPORT_LAST_EDGE) +
-           two_words(bytes, CARD_REPORT_ADC + 1U) + get_word(bytes, CARD_REPORT_SUPPLY) +
-           four_words(bytes, CARD_REPORT_APPLIED) + get_word(bytes, CARD_REPORT_UPTIME);
+           two_words(bytes, CARD_REPORT_ADC + 1U) + frame_word_get(bytes, CARD_REPORT_SUPPLY) +
+           four_words(bytes, CARD_REPORT_APPLIED) + frame_word_get(bytes, CARD_REPORT_UPTIME);
 }
 
 /* Of a frame with the start word and a header of its direction. */
@@ -184,7 +160,7 @@ typedef struct {
 
 static inline void write_word(writer_t *self, uint32_t index, uint32_t word)
 {
-    put_word(self->bytes, index, word);
+    frame_word_put(self->bytes, index, word);
     self->sum += word;
 }
 
@@ -200,8 +176,8 @@ static inline writer_t begin(uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot, uin
 
 static inline void seal(const writer_t *self, const checked_t *checked)
 {
-    put_word(self->bytes, CARD_BOTH_LEGACY_SUM, ~self->sum);
-    put_word(self->bytes, CARD_BOTH_CRC, crc_of(self->bytes, checked));
+    frame_word_put(self->bytes, CARD_BOTH_LEGACY_SUM, ~self->sum);
+    frame_word_put(self->bytes, CARD_BOTH_CRC, crc_of(self->bytes, checked));
 }
 
 /* What a direction makes of the bytes, whatever they are. */
@@ -216,19 +192,19 @@ static inline card_frame_result_t check_frame(const uint8_t bytes[CARD_FRAME_BYT
                                               const frame_view_t *view)
 {
     const uint32_t slot_mask = 0x00FF0000U;
-    const uint32_t header = get_word(bytes, CARD_BOTH_HEADER);
+    const uint32_t header = frame_word_get(bytes, CARD_BOTH_HEADER);
     const uint32_t expected = header_word(slot, view->type);
 
-    if (get_word(bytes, CARD_BOTH_START) != CARD_FRAME_START) {
+    if (frame_word_get(bytes, CARD_BOTH_START) != CARD_FRAME_START) {
         return CARD_FRAME_BAD_START;
     }
     if ((header | slot_mask) != (expected | slot_mask)) {
         return CARD_FRAME_BAD_START;
     }
-    if (view->has_reserved_bits || (get_word(bytes, CARD_BOTH_LEGACY_SUM) != ~view->sum)) {
+    if (view->has_reserved_bits || (frame_word_get(bytes, CARD_BOTH_LEGACY_SUM) != ~view->sum)) {
         return CARD_FRAME_BAD_CRC;
     }
-    if (get_word(bytes, CARD_BOTH_CRC) != crc_of(bytes, view->checked)) {
+    if (frame_word_get(bytes, CARD_BOTH_CRC) != crc_of(bytes, view->checked)) {
         return CARD_FRAME_BAD_CRC;
     }
     if (header != expected) {
@@ -296,15 +272,15 @@ static void write_waves(writer_t *writer, uint32_t first, const card_drive_t *dr
 /* Takes duty and amplitude of the first wave; the other must be its counterpart. */
 static bool read_waves(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t first, card_drive_t *drive)
 {
-    const uint32_t shape = get_word(bytes, first + 1U);
+    const uint32_t shape = frame_word_get(bytes, first + 1U);
     const bool is_upwards = drive->direction != 0U;
     const bool has_other_duty = drive->duty != 0U;
 
-    drive->duty = get_word(bytes, first);
+    drive->duty = frame_word_get(bytes, first);
     drive->amplitude = shape & LARGEST_16_BIT;
     return !has_other_duty && (shape == wave_shape(!is_upwards, drive->amplitude)) &&
-           (get_word(bytes, first + 2U) == drive->duty) &&
-           (get_word(bytes, first + 3U) == wave_shape(is_upwards, drive->amplitude));
+           (frame_word_get(bytes, first + 2U) == drive->duty) &&
+           (frame_word_get(bytes, first + 3U) == wave_shape(is_upwards, drive->amplitude));
 }
 
 static void write_command_drive(writer_t *writer, const card_drive_t *drive)
@@ -401,8 +377,8 @@ void card_frame_encode_report(const card_report_t *report, uint8_t bytes[CARD_FR
 static card_frame_result_t read_command_drive(const uint8_t bytes[CARD_FRAME_BYTES],
                                               card_drive_t *drive)
 {
-    const uint32_t word = get_word(bytes, CARD_COMMAND_MODE);
-    const uint32_t converters = get_word(bytes, CARD_COMMAND_CONVERTERS);
+    const uint32_t word = frame_word_get(bytes, CARD_COMMAND_MODE);
+    const uint32_t converters = frame_word_get(bytes, CARD_COMMAND_CONVERTERS);
     const bool is_analog = (word >> 24U) == (uint32_t)CARD_DRIVE_ANALOG;
     bool is_whole = true;
 
@@ -410,7 +386,7 @@ static card_frame_result_t read_command_drive(const uint8_t bytes[CARD_FRAME_BYT
     *drive = (card_drive_t){.mode = word >> 24U,
                             .direction =
                                 ((word >> 16U) & LARGEST_8_BIT) | ((word & LARGEST_16_BIT) << 8U),
-                            .duty = get_word(bytes, CARD_COMMAND_DUTY)};
+                            .duty = frame_word_get(bytes, CARD_COMMAND_DUTY)};
     if (has_waves(drive)) {
         is_whole = read_waves(bytes, CARD_COMMAND_WAVES, drive);
     } else if (has_bits(bytes, CARD_COMMAND_WAVES, CARD_COMMAND_WAVES + WAVE_WORDS)) {
@@ -435,30 +411,32 @@ card_frame_result_t card_frame_decode_command(const uint8_t bytes[CARD_FRAME_BYT
     const frame_view_t view = {TYPE_COMMAND, &checked_command, has_command_reserved_bits(bytes),
                                command_sum(bytes)};
     const card_frame_result_t result = check_frame(bytes, slot, &view);
-    const uint32_t control = get_word(bytes, CARD_COMMAND_CONTROL);
+    const uint32_t control = frame_word_get(bytes, CARD_COMMAND_CONTROL);
     card_drive_t drive;
     const card_frame_result_t drive_result = read_command_drive(bytes, &drive);
 
     if (result != CARD_FRAME_OK) {
         return result;
     }
-    if (get_word(bytes, CARD_COMMAND_COMPLEMENT) != ~control) {
+    if (frame_word_get(bytes, CARD_COMMAND_COMPLEMENT) != ~control) {
         return CARD_FRAME_BAD_COMPLEMENT;
     }
     if (drive_result != CARD_FRAME_OK) {
         return drive_result;
     }
     command->slot = slot;
-    command->sequence = get_word(bytes, CARD_COMMAND_SEQUENCE);
-    command->time_us = get_word(bytes, CARD_COMMAND_TIME);
-    command->system_state = get_word(bytes, CARD_COMMAND_SYSTEM);
+    command->sequence = frame_word_get(bytes, CARD_COMMAND_SEQUENCE);
+    command->time_us = frame_word_get(bytes, CARD_COMMAND_TIME);
+    command->system_state = frame_word_get(bytes, CARD_COMMAND_SYSTEM);
     command->control = control;
     command->drive = drive;
-    command->watchdog_us = get_word(bytes, CARD_COMMAND_WATCHDOG);
-    command->overspeed_ticks_per_s = get_word(bytes, CARD_COMMAND_OVERSPEED);
-    command->guard_minimum_ticks = to_signed(get_word(bytes, CARD_COMMAND_GUARD_MINIMUM));
-    command->guard_maximum_ticks = to_signed(get_word(bytes, CARD_COMMAND_GUARD_MAXIMUM));
-    command->axis_id = get_word(bytes, CARD_COMMAND_AXIS);
+    command->watchdog_us = frame_word_get(bytes, CARD_COMMAND_WATCHDOG);
+    command->overspeed_ticks_per_s = frame_word_get(bytes, CARD_COMMAND_OVERSPEED);
+    command->guard_minimum_ticks =
+        frame_word_signed(frame_word_get(bytes, CARD_COMMAND_GUARD_MINIMUM));
+    command->guard_maximum_ticks =
+        frame_word_signed(frame_word_get(bytes, CARD_COMMAND_GUARD_MAXIMUM));
+    command->axis_id = frame_word_get(bytes, CARD_COMMAND_AXIS);
     return CARD_FRAME_OK;
 }
 
@@ -466,7 +444,7 @@ card_frame_result_t card_frame_decode_command(const uint8_t bytes[CARD_FRAME_BYT
 static inline card_frame_result_t read_applied(const uint8_t bytes[CARD_FRAME_BYTES],
                                                bool has_words, card_drive_t *drive)
 {
-    const uint32_t word = get_word(bytes, CARD_REPORT_APPLIED);
+    const uint32_t word = frame_word_get(bytes, CARD_REPORT_APPLIED);
     bool is_whole = true;
 
     *drive = (card_drive_t){.mode = word >> 28U,
@@ -484,38 +462,38 @@ static inline card_frame_result_t read_applied(const uint8_t bytes[CARD_FRAME_BY
 
 static void read_counts(const uint8_t bytes[CARD_FRAME_BYTES], card_report_t *report)
 {
-    const uint32_t limits = get_word(bytes, CARD_REPORT_LIMITS);
-    const uint32_t edges = get_word(bytes, CARD_REPORT_EDGES);
+    const uint32_t limits = frame_word_get(bytes, CARD_REPORT_LIMITS);
+    const uint32_t edges = frame_word_get(bytes, CARD_REPORT_EDGES);
 
     report->limits_raw = limits & LARGEST_8_BIT;
     report->limits = (limits >> 8U) & LARGEST_8_BIT;
-    report->encoder_count = to_signed(get_word(bytes, CARD_REPORT_ENCODER));
-    report->last_edge_us = get_word(bytes, CARD_REPORT_LAST_EDGE);
-    report->fourth_edge_us = get_word(bytes, CARD_REPORT_FOURTH_EDGE);
+    report->encoder_count = frame_word_signed(frame_word_get(bytes, CARD_REPORT_ENCODER));
+    report->last_edge_us = frame_word_get(bytes, CARD_REPORT_LAST_EDGE);
+    report->fourth_edge_us = frame_word_get(bytes, CARD_REPORT_FOURTH_EDGE);
     report->edges = edges >> 16U;
     report->illegal_edges = edges & LARGEST_16_BIT;
 }
 
 static void read_health(const uint8_t bytes[CARD_FRAME_BYTES], card_report_t *report)
 {
-    const uint32_t temperatures = get_word(bytes, CARD_REPORT_TEMPERATURES);
-    const uint32_t supply = get_word(bytes, CARD_REPORT_SUPPLY);
+    const uint32_t temperatures = frame_word_get(bytes, CARD_REPORT_TEMPERATURES);
+    const uint32_t supply = frame_word_get(bytes, CARD_REPORT_SUPPLY);
 
     report->driver_temperature_dc = from_int16(temperatures >> 16U);
     report->motor_temperature_dc = from_int16(temperatures & LARGEST_16_BIT);
     report->supply_mv = supply >> 16U;
     report->current_ma = supply & LARGEST_16_BIT;
-    report->adc_words[0] = get_word(bytes, CARD_REPORT_ADC);
-    report->adc_words[1] = get_word(bytes, CARD_REPORT_ADC + 1U);
-    report->rx_crc_errors = get_word(bytes, CARD_REPORT_CRC_ERRORS);
-    report->sequence_gaps = get_word(bytes, CARD_REPORT_GAPS);
-    report->watchdog_trips = get_word(bytes, CARD_REPORT_TRIPS);
-    report->uptime_s = get_word(bytes, CARD_REPORT_UPTIME);
+    report->adc_words[0] = frame_word_get(bytes, CARD_REPORT_ADC);
+    report->adc_words[1] = frame_word_get(bytes, CARD_REPORT_ADC + 1U);
+    report->rx_crc_errors = frame_word_get(bytes, CARD_REPORT_CRC_ERRORS);
+    report->sequence_gaps = frame_word_get(bytes, CARD_REPORT_GAPS);
+    report->watchdog_trips = frame_word_get(bytes, CARD_REPORT_TRIPS);
+    report->uptime_s = frame_word_get(bytes, CARD_REPORT_UPTIME);
 }
 
 uint32_t card_frame_heartbeat(const uint8_t bytes[CARD_FRAME_BYTES])
 {
-    return get_word(bytes, CARD_REPORT_HEARTBEAT);
+    return frame_word_get(bytes, CARD_REPORT_HEARTBEAT);
 }
 
 card_frame_result_t card_frame_decode_report(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot,
@@ -526,7 +504,7 @@ card_frame_result_t card_frame_decode_report(const uint8_t bytes[CARD_FRAME_BYTE
     const frame_view_t view = {TYPE_REPORT, &checked_report, has_report_reserved_bits(bytes),
                                report_sum(bytes) + waves};
     const card_frame_result_t result = check_frame(bytes, slot, &view);
-    const uint32_t identity = get_word(bytes, CARD_REPORT_IDENTITY);
+    const uint32_t identity = frame_word_get(bytes, CARD_REPORT_IDENTITY);
     card_drive_t applied;
     const card_frame_result_t applied_result = read_applied(bytes, has_words, &applied);
 
@@ -537,13 +515,13 @@ card_frame_result_t card_frame_decode_report(const uint8_t bytes[CARD_FRAME_BYTE
         return applied_result;
     }
     report->slot = slot;
-    report->accepted_sequence = get_word(bytes, CARD_REPORT_ACCEPTED);
-    report->heartbeat = get_word(bytes, CARD_REPORT_HEARTBEAT);
-    report->time_us = get_word(bytes, CARD_REPORT_TIME);
+    report->accepted_sequence = frame_word_get(bytes, CARD_REPORT_ACCEPTED);
+    report->heartbeat = frame_word_get(bytes, CARD_REPORT_HEARTBEAT);
+    report->time_us = frame_word_get(bytes, CARD_REPORT_TIME);
     report->card_type = identity >> 24U;
     report->firmware = identity & LARGEST_24_BIT;
-    report->system_state = get_word(bytes, CARD_REPORT_SYSTEM);
-    report->status = get_word(bytes, CARD_REPORT_STATUS);
+    report->system_state = frame_word_get(bytes, CARD_REPORT_SYSTEM);
+    report->status = frame_word_get(bytes, CARD_REPORT_STATUS);
     report->applied = applied;
     read_counts(bytes, report);
     read_health(bytes, report);

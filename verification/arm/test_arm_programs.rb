@@ -8,15 +8,16 @@ require 'minitest/autorun'
 require 'open3'
 require 'tmpdir'
 require_relative '../../tools/hardened'
+require_relative '../../tools/package'
 
 class TestArmPrograms < Minitest::Test
   ROOT = File.expand_path('../..', __dir__)
   ARM = File.join(ROOT, 'build/arm/bin')
   # The client of the tests is none of them.
   PROGRAMS = Dir["#{ROOT}/build/gcc/bin/boresight*"].map { |file| File.basename(file) }.sort.freeze
-  # Real ones, but for those whose control loads a library while it runs.
-  BOARDS = (Dir["#{ROOT}/bsp/*/board.mk"].reject { |file| File.read(file).include?('-ldl') }.map { |file| File.basename(File.dirname(file)) } -
-            %w[sim]).freeze
+  # Real ones that can be static.
+  STATIC = Package::KINDS.find(&:is_static)
+  BOARDS = (Package.boards - [Package::SIMULATED]).select { |board| Package.possible?(board, STATIC) }.freeze
   FIVE_GB = 5 << 30
   SOURCE = <<~C
     #include <stdio.h>
