@@ -4,6 +4,19 @@ import reactHooks from "eslint-plugin-react-hooks";
 import { defineConfig } from "eslint/config";
 import tseslint from "typescript-eslint";
 
+const networkNames = [
+  "fetch",
+  "EventSource",
+  "WebSocket",
+  "XMLHttpRequest",
+  "Worker",
+  "SharedWorker",
+  "BroadcastChannel",
+  "sendBeacon",
+  "locks",
+];
+const message = "The robot is reached by @transport alone.";
+
 export default defineConfig(
   { ignores: ["node_modules", "*.config.js", "*.local.*"] },
   js.configs.recommended,
@@ -28,6 +41,26 @@ export default defineConfig(
           selector: "JSXAttribute[name.name='dangerouslySetInnerHTML']",
           message: "Text of the network is no HTML.",
         },
+      ],
+    },
+  },
+  {
+    files: ["src/**"],
+    ignores: ["src/transport/**"],
+    rules: {
+      "no-restricted-globals": [
+        "error",
+        ...networkNames.map((name) => ({ name, message })),
+      ],
+      "no-restricted-properties": [
+        "error",
+        ...networkNames.flatMap((property) =>
+          ["window", "globalThis", "self", "navigator"].map((object) => ({
+            object,
+            property,
+            message,
+          })),
+        ),
       ],
     },
   },

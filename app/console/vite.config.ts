@@ -14,6 +14,9 @@ export default defineConfig({
       "@interface": generated("interface/app/api.ts"),
       "@charts": generated("charts/charts.ts"),
       "@drawings": generated("robot/drawings.ts"),
+      "@transport": fileURLToPath(
+        new URL("src/transport/http.ts", import.meta.url),
+      ),
     },
   },
   build: {

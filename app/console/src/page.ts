@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // This page as what commands by HTTP: its number, drawn anew by each load of it, and the ids of what it does.
 import type { Act, Path, Problem } from "@interface";
+import { transport } from "@transport";
 import { RecentActs } from "./acts";
 import { NO_ANSWER, refusalOf } from "./refusal";
 
@@ -111,7 +112,7 @@ export class Page {
     if (body !== undefined) {
       headers["Content-Type"] = type;
     }
-    return fetch(path, {
+    return transport.request(path, {
       method,
       headers,
       body: body ?? null,

@@ -2,6 +2,7 @@
 // Who is logged in at the server. The cookie is out of reach of any script; the token is kept in this page's memory.
 import { Session } from "@interface";
 import type { LoginRequest, Path, Problem } from "@interface";
+import { transport } from "@transport";
 import { fitted } from "./shape";
 
 const SESSION_PATH: Path = "/api/v1/session";
@@ -110,7 +111,7 @@ export class SessionStore {
     if (method !== "GET" && token !== null) {
       headers[TOKEN_HEADER] = token;
     }
-    return fetch(SESSION_PATH, {
+    return transport.request(SESSION_PATH, {
       method,
       headers,
       body: body === undefined ? null : JSON.stringify(body),

@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rule under test: a stop tries every way, says truly what came of it, and never leaves after it was given up.
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import {
-  HEDGE_MS,
-  isSeenStopped,
-  requestStop,
-  STOP_TIMEOUT_MS,
-  stopAddresses,
-} from "./stop";
+import { HEDGE_MS, isSeenStopped, requestStop, STOP_TIMEOUT_MS } from "./stop";
 import { makeAxis, makeRobot } from "./testing/robot";
 
 const OWN = "http://127.0.0.1:40000/api/v1/stop";
@@ -99,25 +93,6 @@ test("SWR-CON-007 what was given up does not leave later", async () => {
 test("SWR-CON-007 what the server says of the failure is told", async () => {
   answers = { [OWN]: "unreachable", [CONSOLE]: "refused" };
   expect((await stop()).reason).toBe("Control does not answer.");
-});
-
-test("SWR-CON-007 a page that was told no port asks the console's", () => {
-  const page = document.implementation.createHTMLDocument();
-  expect(stopAddresses(page, "127.0.0.1")).toEqual([CONSOLE]);
-  page.head.innerHTML = '<meta name="boresight-stop-port" content="00000">';
-  expect(stopAddresses(page, "127.0.0.1")).toEqual([CONSOLE]);
-  page.head.innerHTML = '<meta name="boresight-stop-port" content="40000">';
-  expect(stopAddresses(page, "127.0.0.1")).toEqual([OWN, CONSOLE]);
-});
-
-test("SWR-SESS-019 a page that came by TLS asks by TLS", () => {
-  const page = document.implementation.createHTMLDocument();
-  page.head.innerHTML =
-    '<meta name="boresight-stop-port" content="40000"><meta name="boresight-tls-stop-port" content="08444">';
-  expect(stopAddresses(page, "robot.example", "https:")).toEqual([
-    "https://robot.example:8444/api/v1/stop",
-    CONSOLE,
-  ]);
 });
 
 test("SWR-CON-008 stopped is what live data shows and nothing else", () => {

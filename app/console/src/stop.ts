@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Asking control to stop. The port for stops is tried first: whatever the console's port suffers from cannot hold it up.
-import type { Path, Problem, RobotState } from "@interface";
+// Asking control to stop, by every way there is.
+import type { Problem, RobotState } from "@interface";
+import { transport } from "@transport";
 import type { Freshness } from "./freshness";
 
-const STOP_PATH: Path = "/api/v1/stop";
 /** Without an answer for so long the other way is tried as well. */
 export const HEDGE_MS = 300;
 export const STOP_TIMEOUT_MS = 1500;
@@ -18,24 +18,8 @@ export interface StopResult {
 /** The server refused, and said why. */
 class Refusal extends Error {}
 
-/** Where a stop can be requested, the best way first. */
-export function stopAddresses(
-  page: Document,
-  host: string,
-  protocol = "http:",
-): string[] {
-  const name = protocol === "https:" ? "tls-stop-port" : "stop-port";
-  const told = page.querySelector<HTMLMetaElement>(
-    `meta[name="boresight-${name}"]`,
-  );
-  const port = Number(told?.content);
-  return port > 0
-    ? [`${protocol}//${host}:${port}${STOP_PATH}`, STOP_PATH]
-    : [STOP_PATH];
-}
-
 async function request(address: string, signal: AbortSignal): Promise<void> {
-  const response = await fetch(address, {
+  const response = await transport.request(address, {
     method: "POST",
     body: "{}",
     signal,
@@ -87,7 +71,7 @@ function reasonOf(failure: unknown): string {
 
 /** Asks control to stop all motion. Always resolves, and what has not left until then never leaves. */
 export async function requestStop(
-  addresses = stopAddresses(document, location.hostname, location.protocol),
+  addresses = transport.stopAddresses(),
 ): Promise<StopResult> {
   const abort = new AbortController();
   const timer = setTimeout(() => abort.abort(), STOP_TIMEOUT_MS);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rule under test: data that stops coming is noticed within a second, whatever has stopped it.
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import { LOG_LENGTH } from "./connection";
+import { LOG_LENGTH } from "./transport/transport";
 import { TelemetryStore } from "./store";
 import { makeEntry, makeRobot } from "./testing/robot";
 import { FakeSurroundings } from "./testing/surroundings";

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 import { Act, Hello, LogEntry, RobotState } from "@interface";
+import { transport } from "@transport";
 import type { ActListener } from "./acts";
-import {
-  LOG_LENGTH,
-  type StreamEvent,
-  type StreamListener,
-} from "./connection";
 import { freshnessOf, type Freshness } from "./freshness";
 import { fitted, Misfit, watchMisfits } from "./shape";
-import { SharedStream, type Stream } from "./shared_stream";
 import { Trace } from "./trace";
+import {
+  LOG_LENGTH,
+  type Stream,
+  type StreamEvent,
+  type StreamListener,
+} from "./transport/transport";
 
 const CHECK_MS = 100;
 const RECONNECT_MS = 500;
@@ -39,7 +40,7 @@ export interface Surroundings {
 }
 
 export const browserSurroundings: Surroundings = {
-  openStream: (listener) => new SharedStream(listener),
+  openStream: transport.openStream,
   now: () => performance.now(),
 };
 

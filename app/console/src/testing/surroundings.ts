@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // A server and a clock that the tests are in charge of.
 import type { Act, Hello, LogEntry, RobotState } from "@interface";
-import type { StreamEvent, StreamListener } from "../connection";
-import type { Stream } from "../shared_stream";
 import type { Surroundings } from "../store";
+import type {
+  Stream,
+  StreamEvent,
+  StreamListener,
+} from "../transport/transport";
 
 export class FakeStream implements Stream {
   isClosed = false;

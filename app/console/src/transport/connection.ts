@@ -2,18 +2,12 @@
 // The one connection to the server's stream, and the tabs that share it. Runs in a shared worker, or in the page where
 // there is none.
 import type { Path, Problem } from "@interface";
-
-export const LOG_LENGTH = 50;
-
-export const streamEvents = ["hello", "state", "log", "act"] as const;
-export type StreamEvent = (typeof streamEvents)[number];
-
-/** What a tab is told. */
-export interface StreamListener {
-  hear(type: StreamEvent, data: string): void;
-  /** The stream has ended, for this reason if the server gave one. */
-  lose(reason: string | null): void;
-}
+import {
+  LOG_LENGTH,
+  streamEvents,
+  type StreamEvent,
+  type StreamListener,
+} from "./transport";
 
 /** The part of EventSource that is used. */
 export interface Source {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // A tab as the worker sees it. A browser may put a tab to sleep, and what is sent to it then waits in memory: so a tab
 // is sent no new state before it has taken the one before, and wakes up to a new one instead of to hours of old ones.
-import type { Connection, StreamEvent, StreamListener } from "./connection";
+import type { Connection } from "./connection";
 import type { TabMessage, WorkerMessage } from "./shared_stream";
+import type { StreamEvent, StreamListener } from "./transport";
 
 /** The part of a MessagePort that is used. */
 export interface TabPort {

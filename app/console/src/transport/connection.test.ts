@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rule under test: however many tabs there are, the server sees one stream, and each tab hears all that matters.
 import { beforeEach, expect, test } from "vitest";
-import {
-  Connection,
-  LOG_LENGTH,
-  type Source,
-  type StreamListener,
-} from "./connection";
+import { Connection, type Source } from "./connection";
+import { LOG_LENGTH, type StreamListener } from "./transport";
 
 class FakeSource implements Source {
   onerror: ((event: Event) => void) | null = null;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // How a page gets the stream: from the worker that all tabs share, or by itself where there is none or it is dead.
+import { Connection } from "./connection";
 import {
-  Connection,
   streamEvents,
+  type Stream,
   type StreamEvent,
   type StreamListener,
-} from "./connection";
+} from "./transport";
 
 /** Messages from the worker to a tab. */
 export type WorkerMessage =
@@ -20,10 +21,6 @@ export type TabMessage = "ready" | "leave";
 export interface Port {
   onmessage: ((event: MessageEvent<WorkerMessage>) => void) | null;
   postMessage(message: TabMessage): void;
-  close(): void;
-}
-
-export interface Stream {
   close(): void;
 }
 

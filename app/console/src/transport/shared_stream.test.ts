@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rule under test: a tab gets the stream by the worker, and by itself when the worker cannot be had.
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import { Connection, type StreamListener } from "./connection";
+import { Connection } from "./connection";
 import {
   GREETING_MS,
   SharedStream,
   type Port,
   type WorkerMessage,
 } from "./shared_stream";
+import type { StreamListener } from "./transport";
 
 const listener: StreamListener = { hear: vi.fn(), lose: vi.fn() };
 const openAlone = vi.fn();
