@@ -23,7 +23,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-typedef struct {
+typedef struct http_server {
     exchange_t *exchange;
     http_guard_t guard;
     const tls_front_t *front; /**< How TLS leads here; NULL: it does not. */

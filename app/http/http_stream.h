@@ -30,6 +30,17 @@ typedef struct {
     char frame[HTTP_STREAM_FRAME_SIZE];
 } http_stream_t;
 
+/** One client and what it has been sent. */
+typedef struct {
+    struct mg_connection *connection;
+    uint32_t frame_number;
+    uint32_t next_event;
+    uint32_t next_act;
+    char frame[HTTP_STREAM_FRAME_SIZE];
+} http_stream_client_t;
+
+struct http_server;
+
 /** Starts without clients. `exchange` outlives `self`. */
 void http_stream_init(http_stream_t *self, const exchange_t *exchange);
 
@@ -38,6 +49,19 @@ bool http_stream_is_watched(http_stream_t *self);
 
 /** Hands `state`, JSON on one line, to all clients. False, and nothing sent, when too long. */
 bool http_stream_publish(http_stream_t *self, const char *state);
+
+/** Begins with `hello`, JSON on one line, and the acts from here on. False, as of those that
+ * follow: the client has not taken it. */
+bool http_stream_greet(http_stream_client_t *client, struct http_server *server, const char *hello);
+
+/** Sends what happened since the time before. */
+bool http_stream_send_news(http_stream_client_t *client, struct http_server *server);
+
+/** Copies the frame if it is new to the client; under the lock. Returns its size; 0: it is not. */
+size_t http_stream_take_frame(http_stream_t *self, http_stream_client_t *client);
+
+/** Sends the `size` bytes of its copy; 0: that there is nothing new. */
+bool http_stream_send_frame(const http_stream_client_t *client, size_t size);
 
 /**
  * Serves one client until it goes away, takes nothing, or its session has ended: `hello` (JSON on
