@@ -11,15 +11,10 @@
 
 #include "controller/controller.h"
 #include "sim/box.h"
+#include "site/export.h"
 
 #include <stdbool.h>
 #include <stdint.h>
-
-#ifdef __wasm__
-#define EXPORT(name) __attribute__((export_name(#name)))
-#else
-#define EXPORT(name)
-#endif
 
 #define EXPORTS_TEXT_SIZE BOX_REPLY_SIZE
 

@@ -13,18 +13,54 @@ SITE_INCLUDES := $(BSP_INCLUDES) -I.
 $(OUT)/site/%.o: FLAGS = $(SITE_INCLUDES)
 $(OUT)/verification/site/%.o: FLAGS = $(SITE_INCLUDES)
 
-wasm: bootstrap-test ## The core and the simulated control box as WebAssembly: build/site/robot.wasm
-	@$(MAKE) --no-print-directory -j2 CONFIG=wasm build/site/robot.wasm
-
-ifeq ($(CONFIG),wasm)
-build/site/robot.wasm: $(call object,$(CORE_SOURCES) $(CLOSED_LOOP_SOURCES)) site/site.mk
-	@mkdir -p $(@D)
-	@wasm-ld-19 --no-entry --strip-all --stack-first -z stack-size=262144 $(filter %.o,$^) $(WASM_LIBC) -o $@
-	@echo "built $@"
-endif
+wasm: bootstrap-test ## The core, the simulated control box and their server as WebAssembly: build/site/{robot,served}.wasm
+	@$(MAKE) --no-print-directory -j2 CONFIG=wasm build/site/robot.wasm build/site/served.wasm
 
 # The same in native code, to be compared with it.
 build/gcc/bin/closed-loop-scene: $(call object,$(CLOSED_LOOP_SOURCES) verification/site/scene.c) build/gcc/libcore.a
 	@mkdir -p $(@D)
 	@$(CC) $(CFLAGS) $(LDFLAGS) $^ -o $@
 	@echo "built $@"
+
+# The server of the console before that robot. What waits, looks for a clock, a file or chance finds it in site/served.
+SERVED_ABSENT := $(addprefix app/http/,http_archive.c http_conversation.c http_download.c http_lines.c http_listen.c http_main.c \
+    http_positions.c asset.c stop_port.c)
+SERVED_SOURCES := $(wildcard site/served/*.c) site/closed_loop.c $(BOX_SOURCES) app/control/lamps.c $(FIND_ROBOT) \
+    $(filter-out $(SERVED_ABSENT),$(wildcard app/http/*.c)) \
+    $(wildcard app/request/*.c app/sweep/*.c app/trajectory/*.c) $(addprefix app/session/,account.c session_desk.c session_table.c login_delay.c) \
+    $(filter-out app/exchange/exchange_segment.c,$(EXCHANGE)) $(API) $(AXIS_TERMS) $(LIST_TERMS) $(DRIVE_TERMS) $(LOG_ENTRY) \
+    $(GEN)/interface/app/messages.c $(NAMES) $(GEN)/assets/chart_names.c
+
+# The same in native code, to be compared with it; there the C library has its own system.
+$(OUT)/site/served/%.o: FLAGS = -D_GNU_SOURCE $(SITE_INCLUDES)
+build/gcc/bin/served-ask: $(call object,$(filter-out %/no_system.c,$(SERVED_SOURCES)) verification/site/ask.c) build/gcc/libcore.a
+	@mkdir -p $(@D)
+	@$(CC) $(CFLAGS) $(LDFLAGS) $^ -lcjson -lm -o $@
+	@echo "built $@"
+
+ifeq ($(CONFIG),wasm)
+LINK_WASM = wasm-ld-19 --no-entry --strip-all --stack-first -z stack-size=262144 $(filter %.o,$^) $(WASM_LIBC) -o $@
+
+build/site/robot.wasm: $(call object,$(CORE_SOURCES) $(CLOSED_LOOP_SOURCES)) site/site.mk
+	@mkdir -p $(@D)
+	@$(LINK_WASM)
+	@echo "built $@"
+
+# Headers of sockets, of which types are used, are of C11.
+SERVED_FLAGS := -std=c11 -Isite/posix -isystem $(ARMHF)/source/civetweb/include -isystem build/wasm/include
+$(OUT)/app/%.o $(OUT)/$(GEN)/interface/%.o: CFLAGS += $(SERVED_FLAGS)
+$(OUT)/site/served/%.o: CFLAGS += $(SERVED_FLAGS)
+$(call object,$(SERVED_SOURCES)): | build/wasm/include/cjson/cJSON.h
+
+build/wasm/include/cjson/cJSON.h: $(ARMHF)/source/cjson/cJSON.h
+	@mkdir -p $(@D); cp $< $@
+
+$(OUT)/lib/cJSON.o: $(ARMHF)/source/cjson/cJSON.c
+	@mkdir -p $(@D)
+	@$(CC) -O2 $(EXTRA) $(ANYWHERE) -c $< -o $@
+
+build/site/served.wasm: $(call object,$(CORE_SOURCES) $(SERVED_SOURCES)) $(OUT)/lib/cJSON.o site/site.mk
+	@mkdir -p $(@D)
+	@$(LINK_WASM)
+	@echo "built $@"
+endif

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Asks robot.wasm for what it must refuse, each time a fresh one, and prints what it says of it.
+// Asks robot.wasm or served.wasm for what it must refuse, each time a fresh one, and prints what it says of it.
 //
-//   node contracts.mjs ROBOT.wasm
+//   node contracts.mjs MODULE robot|served
 
 import { Robot } from "./robot.mjs";
 
-const WRONG = {
+const ROBOT = {
   order: (robot) => robot.exports.order(),
   step: (robot) => robot.exports.step(),
   block: (robot) => robot.exports.replayBlock(0, 0),
@@ -16,9 +16,20 @@ const WRONG = {
     robot.exports.replayBlock(robot.exports.blockMost() + 1, 0);
   },
 };
+const SERVED = {
+  step: (robot) => robot.exports.step(1),
+  ask: (robot) => robot.exports.ask(0),
+  size: (robot) => {
+    robot.say("neuro");
+    robot.exports.start(1, 0);
+    robot.exports.ask(robot.exports.textSize() + 1);
+  },
+};
 
-for (const [name, ask] of Object.entries(WRONG)) {
-  const robot = new Robot(process.argv[2]);
+const [file, which] = process.argv.slice(2);
+
+for (const [name, ask] of Object.entries(which === "served" ? SERVED : ROBOT)) {
+  const robot = new Robot(file);
   try {
     ask(robot);
     console.log(`${name}: not refused`);

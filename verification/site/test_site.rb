@@ -3,18 +3,26 @@
 
 # Rule under test: the robot of a page (build/site/robot.wasm) is the robot. It imports nothing; what both demonstrations
 # have recorded on x86-64 it computes again, bit for bit; with its simulated control box it lives through a scene as native
-# code does, of each robot; and without a robot it does nothing.
+# code does, of each robot; and without a robot it does nothing. The server of a page (build/site/served.wasm) says what
+# the handlers of boresight-http say, and lets through what they let through.
 
 require 'minitest/autorun'
+require 'json'
 require 'open3'
+require 'tmpdir'
 
 class TestSite < Minitest::Test
   ROOT = File.expand_path('../..', __dir__)
   MODULE = "#{ROOT}/build/site/robot.wasm"
+  SERVED = "#{ROOT}/build/site/served.wasm"
   NATIVE = "#{ROOT}/build/gcc/bin/closed-loop-scene"
+  NATIVE_SERVED = "#{ROOT}/build/gcc/bin/served-ask"
   ROBOTS = Dir.glob('*/robot.yml', base: "#{ROOT}/core/robot").map { |path| File.dirname(path) }.sort
   IMPORTS = 'console.log(WebAssembly.Module.imports(new WebAssembly.Module(fs.readFileSync(process.argv[1]))).length)'
 
+  # Renewals of the pedal: a moment, and more than a start-up takes.
+  SHORT = 10
+  UNTIL_HOMED = 120
   CYCLES = 20_000
   SEED = 7
   # The NeuroRobot homes under a pedal that is released in between, jogs, and is broken then.
@@ -50,9 +58,21 @@ class TestSite < Minitest::Test
     found
   end
 
-  def test_SWR_SITE_001_the_module_imports_nothing
-    said, = node('-e', IMPORTS, MODULE)
-    assert_equal "0\n", said
+  # The course of the scene of serve.mjs, its calls and its answers.
+  def serve(robot, renewals)
+    Dir.mktmpdir do |folder|
+      files = ["#{folder}/calls", "#{folder}/answers"]
+      said, status = node("#{__dir__}/serve.mjs", SERVED, robot, renewals.to_s, *files)
+      assert status.success?, said
+      [JSON.parse(said), *files.map { |file| File.binread(file) }]
+    end
+  end
+
+  def test_SWR_SITE_001_the_modules_import_nothing
+    [MODULE, SERVED].each do |file|
+      said, = node('-e', IMPORTS, file)
+      assert_equal "0\n", said, file
+    end
   end
 
   def test_SWR_SITE_002_what_the_demonstrations_recorded_is_computed_again_bit_for_bit
@@ -85,8 +105,32 @@ class TestSite < Minitest::Test
   end
 
   def test_SWR_SITE_004_what_is_asked_for_without_a_robot_stops_with_its_contract
-    said, = node("#{__dir__}/contracts.mjs", MODULE)
+    said, = node("#{__dir__}/contracts.mjs", MODULE, 'robot')
     expected = { order: 300, step: 301, block: 302, size: 303 }
     assert_equal expected.map { |name, id| "#{name}: RuntimeError: Contract site/#{id} is broken, report this.\n" }.join, said
+  end
+
+  def test_SWR_SITE_006_the_server_of_a_page_answers_as_the_same_handlers_in_native_code
+    ROBOTS.each do |robot|
+      _, calls, answers = serve(robot, SHORT)
+      native, = Open3.capture2e(NATIVE_SERVED, stdin_data: calls, binmode: true)
+      assert_operator answers.bytesize, :>, 100_000, robot
+      assert answers == native, "#{robot}: the answers differ" # A difference would be printed whole.
+      puts "SWR-SITE-006: #{robot}: #{answers.bytesize} bytes of answers equal"
+    end
+  end
+
+  def test_SWR_SITE_007_a_page_commands_the_robot_in_it_by_login_authority_and_pedal
+    course, = serve('neuro', UNTIL_HOMED)
+    assert_equal({ 'before_the_first_cycle' => 503, 'without_login' => 401, 'wrong_login' => 401, 'login' => 200,
+                   'events' => 200, 'without_authority' => 423, 'authority' => 200, 'start_up' => 202,
+                   'homed_without_pedal' => false, 'pedal' => 200, 'homed' => true,
+                   'heard' => ['act 4 done', 'hello', 'log', 'state'], 'stop' => 200, 'stopped' => 'STOP' }, course)
+  end
+
+  def test_SWR_SITE_008_what_is_asked_of_the_server_without_a_robot_stops_with_its_contract
+    said, = node("#{__dir__}/contracts.mjs", SERVED, 'served')
+    expected = { step: 310, ask: 311, size: 312 }
+    assert_equal expected.map { |name, id| "#{name}: RuntimeError: Contract served/#{id} is broken, report this.\n" }.join, said
   end
 end

@@ -1,0 +1,11 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file Numbers that the seed of a module decides: they keep nobody out, as nobody else is in the
+ * page. */
+#ifndef BORESIGHT_SITE_RANDOM_H
+#define BORESIGHT_SITE_RANDOM_H
+
+#include <sys/types.h>
+
+ssize_t getrandom(void *bytes, size_t size, unsigned flags);
+
+#endif

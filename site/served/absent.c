@@ -1,0 +1,76 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/** @file What a page does not have: a recorder with its files, a key of the box, accounts, a port
+ * for stops, and the files of the console. */
+#include "http/asset.h"
+#include "http/http_archive.h"
+#include "http/http_positions.h"
+#include "http/http_reply.h"
+#include "session/password.h"
+#include "session/tls_front.h"
+
+#include <stddef.h>
+#include <string.h>
+
+#define ABSENT(handler)                                                                            \
+    int handler(http_server_t *server, const http_call_t *call)                                    \
+    {                                                                                              \
+        (void)server;                                                                              \
+        return http_reply_refuse(call->connection, PROBLEM_NOT_FOUND);                             \
+    }
+
+ABSENT(http_archive_log)
+ABSENT(http_archive_log_csv)
+ABSENT(http_archive_logs)
+ABSENT(http_archive_log_file)
+ABSENT(http_archive_recordings)
+ABSENT(http_archive_recording)
+ABSENT(http_archive_log_level)
+ABSENT(http_archive_set_log_level)
+ABSENT(http_positions_preview)
+ABSENT(http_positions_restore)
+
+void http_positions_begin(http_server_t *server, const char *path)
+{
+    (void)path;
+    server->has_key = false;
+}
+
+int http_positions_save(http_server_t *server, struct mg_connection *connection)
+{
+    (void)server;
+    return http_reply_refuse(connection, PROBLEM_NOT_FOUND);
+}
+
+const asset_t *asset_find(const char *path)
+{
+    (void)path;
+    return NULL;
+}
+
+void asset_write_etag(const asset_t *asset, bool is_packed, char etag[ASSET_ETAG_SIZE])
+{
+    (void)asset;
+    (void)is_packed;
+    etag[0] = '\0';
+}
+
+bool password_matches(const char *password, const char *hash)
+{
+    (void)password;
+    (void)hash;
+    return false;
+}
+
+/* Nobody measures how long it takes. */
+bool password_is_equal(const char *given, const char *expected)
+{
+    return strcmp(given, expected) == 0;
+}
+
+bool tls_front_serves(const tls_front_t *self, uint32_t port, const char *host)
+{
+    (void)self;
+    (void)port;
+    (void)host;
+    return false;
+}

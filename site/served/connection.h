@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * What a page asks, in the place of the library of HTTP: a request as its text and a reply as its
+ * bytes, both as they would pass at a port. The handlers of app/http cannot tell the difference.
+ */
+#ifndef BORESIGHT_SITE_CONNECTION_H
+#define BORESIGHT_SITE_CONNECTION_H
+
+#include <civetweb.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+struct mg_connection {
+    struct mg_request_info info;
+    void *user_data;
+    const char *body;
+    size_t body_size;
+    char *told; /**< What was written. */
+    size_t room;
+    size_t size;
+};
+
+/**
+ * Reads the `size` bytes of `text`, a head with its empty line, and a body; they are changed and
+ * must outlive `self`, whose reply goes to the `room` bytes of `told`.
+ *
+ * @return false: it is no request
+ */
+bool connection_read(struct mg_connection *self, char *text, size_t size, char *told, size_t room);
+
+#endif
