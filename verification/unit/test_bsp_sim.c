@@ -375,6 +375,24 @@ void test_SWR_BSP_003_a_box_that_exchanges_nothing_fails_the_self_test(void)
     bsp_close();
 }
 
+static void *answer_late(void *unused)
+{
+    (void)usleep(10U * LIMIT_EXCHANGE_TIMEOUT_US);
+    return answer_once(unused);
+}
+
+/* A pause of the machine, as it would be too late for a cycle. */
+void test_SWR_BSP_003_a_box_that_was_paused_passes_the_self_test_in_real_time(void)
+{
+    pthread_t answering;
+
+    TEST_ASSERT_TRUE(bsp_open(name, &identity, error, sizeof error));
+    TEST_ASSERT_EQUAL_INT(0, pthread_create(&answering, NULL, answer_late, NULL));
+    TEST_ASSERT_TRUE_MESSAGE(bsp_self_test(error, sizeof error), error);
+    TEST_ASSERT_EQUAL_INT(0, pthread_join(answering, NULL));
+    bsp_close();
+}
+
 /* Both clocks are read in turn; then 1 ms of the box' time is slept. */
 static void expect_time_slower_by(uint32_t slowness)
 {

@@ -345,7 +345,7 @@ class Boresight
   end
 
   def started?
-    raise 'the supervisor has ended' if ended?
+    raise "the supervisor has ended: #{output.lines.last(4).join}" if ended?
 
     status
     output.include?('Console:')
