@@ -175,7 +175,7 @@ class Demo
 
   def reach(target, number)
     propose(target.entry) if target.entry
-    move_s = target.by ? go_by_halves(target) : @robot.despite_silence { timed { go(:move, target) } }
+    move_s = target.by ? go_by_halves(target) : @robot.despite_pauses { timed { go(:move, target) } }
     reached = @workflow.measured
     row = { number: number, target: target.point, reached: reached.map { |value| value.round(3) },
             error_mm: Geometry.distance(reached, target.point).round(4), thesis_mm: target.thesis, move_s: move_s }

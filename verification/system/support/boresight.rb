@@ -152,9 +152,9 @@ class Boresight
     log_files.last(1).flat_map { |path| File.readlines(path, chomp: true) }
   end
 
-  # Number of the event that tells of the last silence; nil: of none.
-  def last_silence
-    log.select { |entry| entry['name'] == 'AUTHORITY_LOST' && entry['text'].include?('SILENT') }.last&.fetch('number')
+  # Number of the event that tells of the last pause of the machine that ended a motion; nil: of none.
+  def last_pause
+    log.select { |entry| entry['name'] == 'LOOP_STOPPED' || entry['text'].include?('SILENT') }.last&.fetch('number')
   end
 
   def box
@@ -275,7 +275,7 @@ class Boresight
 
   # Homes every axis; the pedal is pressed as long as that takes.
   def home
-    despite_silence do
+    despite_pauses do
       press_and_command('START_UP')
       wait_for_homing
       simctl('pedal', 'release')
@@ -283,14 +283,14 @@ class Boresight
     end
   end
 
-  # A machine that keeps OpenIGTLink's process from running for 2 s costs it authority, as it shall: what the block has asked
-  # for is asked again, pedal up.
-  def despite_silence
+  # A machine that keeps OpenIGTLink's process from running for 2 s costs it authority, as it shall, and one that makes cycles
+  # late too often stops the motion: what the block has asked for is asked again, pedal up.
+  def despite_pauses
     tries ||= 0
-    before = last_silence
+    before = last_pause
     yield
   rescue StandardError
-    raise if last_silence == before || (tries += 1) == TRIES
+    raise if last_pause == before || (tries += 1) == TRIES
 
     simctl('pedal', 'release')
     await_released_pedal
