@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # What `make test` runs; included by the Makefile.
 
-.PHONY: gate one generated boards apart unit coverage misra sanitize arm console-test objects programs trace demo velocity sweep charts-fuzz worst-case \
+.PHONY: gate one generated boards apart unit coverage misra sanitize arm console-test objects programs trace demo velocity sweep charts-fuzz mutants worst-case \
     worst-case-approve
 
 test: bootstrap-test ## Run everything that can fail; the last line is `N passed, N failed`
@@ -87,6 +87,9 @@ misra: $(GENERATED) ## MISRA findings of the core
 
 charts-fuzz: bootstrap-test ## Random charts against the standard's algorithm: COUNT=1000 SEED=1; what differs is kept, made small
 	@ruby tools/chartc/conformance/random/hunt.rb $(or $(COUNT),1000) $(or $(SEED),1)
+
+mutants: bootstrap-test generated ## Mutants of the product charts, with every action that may be added to a place
+	@WHOLE=1 ruby verification/mutants/test_mutants.rb
 
 worst-case: bootstrap-test generated ## What each chart costs at most, in instructions and bytes
 	@ruby -r ./verification/model/worst_case_table -e 'WorstCase::Table.run'

@@ -31,10 +31,16 @@ module Judge
     Thread.new { Marshal.load(pipe.read).tap { pipe.close } } # rubocop:disable Security/MarshalLoad
   end
 
-  # All that shows of a chart: on every reachable pair where it leads, what it does, which timers it starts.
+  # All that shows of a chart: where it starts and where it goes when it is damaged, and on every reachable pair where it
+  # leads, what it does, which timers it starts.
   def behaviour(chart)
-    chart.walk.reachable_pairs.to_h do |pair|
-      [[pair.before, pair.stimulus], pair.outcomes.map { |one| [one.after, one.actions.sort, one.started] }]
+    steps = chart.walk.reachable_pairs.to_h do |pair|
+      [[pair.before, pair.stimulus], pair.outcomes.map { |one| shown(one) }]
     end
+    [shown(chart.walk.start), chart.document.safe.map(&:id), steps]
+  end
+
+  def shown(outcome)
+    [outcome.after, outcome.actions.sort, outcome.started]
   end
 end

@@ -4,21 +4,23 @@
 
 require_relative 'guard'
 
-# Everything that one may forget or weaken in a chart, once: each transition, guard, part of a guard, action, raised
-# event, timer, limit and ignored event. A mutant is the tree of the file's elements with that one change.
+# Everything that one may forget or weaken in a chart, once: where it starts and where it goes when it is damaged, each
+# transition, guard, part of a guard, action, raised event, timer, limit and ignored event. A mutant is the tree of the
+# file's elements with that one change.
 class Mutants
   # name: what is changed, in words; no two of a chart have one.
   Mutant = Struct.new(:name, :tree)
 
   ADDED = { 'bs:id' => 'MUTANT-T01', 'bs:req' => 'SWR-CHART-030' }.freeze
 
-  # limits: Chart::Limits.
-  def self.of(tree, limits)
-    new(tree, limits).all
+  # limits: Chart::Limits. whole: with every action that may be added to a place; else each place gets one of them.
+  def self.of(tree, limits, whole: true)
+    new(tree, limits, whole).all
   end
 
-  def initialize(tree, limits)
+  def initialize(tree, limits, whole)
     @tree = tree
+    @whole = whole
     @limits = limits.values.select { |name, _value| name.end_with?('_us') }
     @transitions = tree.all.select { |one| one.attributes.key?('bs:id') }
     @states = tree.all.select { |one| %w[state parallel].include?(one.name) }
@@ -29,6 +31,9 @@ class Mutants
     @transitions.each { |one| transition(one) }
     questions.each { |event, atom| ask_not(event, atom) }
     @states.each { |one| state(one) }
+    starts
+    refuges
+    actions
     @mutants.uniq { |one| one.tree }
   end
 
@@ -63,8 +68,43 @@ class Mutants
 
   # Where a transition may lead.
   def places
-    @places ||= @states.reject { |one| one.all.any? { |inner| inner != one && @states.include?(inner) } }
-                       .map { |one| one.attributes['id'] }
+    @places ||= leaves(@tree)
+  end
+
+  # The states without states inside an element.
+  def leaves(element)
+    inside = element.all & @states
+    inside.reject { |one| one.all.any? { |inner| inner != one && @states.include?(inner) } }
+          .map { |one| one.attributes['id'] }
+  end
+
+  def starts
+    [@tree, *@states].select { |one| one.attributes.key?('initial') }.each do |one|
+      (leaves(one) - begun(one)).each do |leaf|
+        mutant("#{one.attributes['id'] || 'the chart'} starts in #{leaf}", one) do |copy, _tree|
+          copy.attributes['initial'] = leaf
+        end
+      end
+    end
+  end
+
+  # The leaves that an element begins with.
+  def begun(element)
+    inside = element.children & @states
+    return [element.attributes['id']] if inside.empty?
+    return inside.flat_map { |one| begun(one) } if element.name == 'parallel'
+
+    begun(@states.find { |one| one.attributes['id'] == element.attributes['initial'] })
+  end
+
+  # Of each leaf of the safe configuration, every other one.
+  def refuges
+    safe = @tree.attributes['bs:safe'].split
+    safe.product(places - safe).each do |leaf, other|
+      mutant("damaged it goes to #{other}, not to #{leaf}", @tree) do |copy, _tree|
+        copy.attributes['bs:safe'] = safe.map { |one| one == leaf ? other : one }.join(' ')
+      end
+    end
   end
 
   def guards(one, id)
@@ -85,6 +125,33 @@ class Mutants
     one.children.each do |raised|
       mutant("#{id} does not raise #{raised.attributes['event']}", raised) { |copy, tree| remove(tree, copy) }
     end
+  end
+
+  # Something is done where it is not asked for: by a transition, or where an event is ignored.
+  def actions
+    @actions = @tree.all.flat_map { |one| one.attributes.fetch('bs:do', '').split }.uniq
+    @transitions.each { |one| act("#{one.attributes['bs:id']} does", one) { |copy| copy } }
+    @states.each do |one|
+      id = one.attributes['id']
+      one.attributes.fetch('bs:ignores', '').split.each do |event|
+        act("#{id} takes #{event} and does", one) { |copy| added('event' => event).tap { |new| copy.children << new } }
+      end
+    end
+  end
+
+  # The block gives the element that acts.
+  def act(words, one)
+    has = one.attributes.fetch('bs:do', '').split
+    choice(@actions - has).each do |action|
+      mutant("#{words} #{action}", one) { |copy, _tree| yield(copy).attributes['bs:do'] = [*has, action].join(' ') }
+    end
+  end
+
+  # The places take turns.
+  def choice(actions)
+    return actions if @whole || actions.empty?
+
+    [actions[(@turn = (@turn || -1) + 1) % actions.length]]
   end
 
   # What the guards of an event ask: [event, atom].

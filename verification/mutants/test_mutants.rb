@@ -5,6 +5,7 @@
 # Rule under test: what is left out of a product chart, or is another one there, is refused by a rule or a property.
 # What is not refused stands in equivalent.yml with its reason, and does on every pair what the chart does. Those that
 # were once accepted are refused by name; some of them weaken several places, so that they fit each other.
+# Of the actions that may be added to a place, one is tried; `make mutants` tries all.
 
 require 'etc'
 require 'minitest/autorun'
@@ -17,10 +18,17 @@ class TestMutants < Minitest::Test
   CHARTS = ProductCharts::ALL.to_h { |file, chart| [chart.document.name, [file, chart]] }.freeze
   TREES = CHARTS.transform_values { |file, _chart| Chart.tree(file) }
 
+  # With every action in every place.
+  WHOLE = ENV.key?('WHOLE')
+
+  def self.mutants(tree)
+    Mutants.of(tree, ProductCharts::LIMITS, whole: WHOLE)
+  end
+
   # name of a chart => { name of a mutant => the rule that refuses it, :same or :different }
   def self.verdicts
     @verdicts ||= begin
-      all = TREES.flat_map { |name, tree| Mutants.of(tree, ProductCharts::LIMITS).map { |mutant| [name, mutant] } }
+      all = TREES.flat_map { |name, tree| mutants(tree).map { |mutant| [name, mutant] } }
       shares = all.each_with_index.group_by { |_one, number| number % Etc.nprocessors }.values
       shares.map { |share| Judge.beside { share.map { |(name, one), _number| [name, one.name, of(name, one)] } } }
             .flat_map(&:value).group_by(&:first).transform_values { |rows| rows.to_h { |row| row.drop(1) } }
@@ -36,7 +44,7 @@ class TestMutants < Minitest::Test
   end
 
   CHARTS.each_key do |name|
-    define_method("test_SWR_CHART_030_every_mutant_of_#{name}_is_refused_or_listed") do
+    define_method("test_SWR_CHART_030_SWR_CHART_041_every_mutant_of_#{name}_is_refused_or_listed") do
       verdicts = TestMutants.verdicts.fetch(name)
       listed = LISTED.fetch(name, []).flat_map { |row| row.fetch('mutants') }
       accepted = verdicts.reject { |_mutant, verdict| verdict.is_a?(Integer) }
@@ -94,6 +102,12 @@ class TestMutants < Minitest::Test
       ['card_link', 'LINK-I07', [' cond="is_fresh"', ''], [/reset(?=" bs:req="SWR-LINK-003)/, '']],
     'a_pedal_fault_that_is_reset_under_a_pressed_pedal' =>
       ['pedal_gate', 'PEDAL-I17', [' cond="is_released"', ''], [/reset(?=" bs:req="SWR-PEDAL-007)/, '']],
+    'a_pedal_that_is_pressed_at_the_start' => ['pedal_gate', 'PEDAL-I22', ['initial="unproven"', 'initial="pressed"']],
+    'a_damaged_pedal_that_is_pressed' => ['pedal_gate', 'PEDAL-I23', ['bs:safe="fault"', 'bs:safe="pressed"']],
+    'an_enabled_axis_that_sets_its_position_when_it_is_enabled' =>
+      ['axis', 'AXIS-I47', ['id="enabled" bs:ignores="enable"', 'id="enabled"'],
+       [/(?=<transition bs:id="AXIS-T03")/,
+        '<transition bs:id="MUTANT-T01" event="enable" bs:do="set_position" bs:req="SWR-AXIS-001"/>']],
     'an_axis_that_is_enabled_with_its_fault' =>
       ['axis', 'AXIS-I21', [/(AXIS-T02.*) cond="!is_fault_present"/, '\1'],
        [/(AXIS-T04.*) cond="!is_fault_present"/, '\1']]

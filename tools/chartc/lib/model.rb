@@ -130,6 +130,9 @@ module Chart
   #   :only       a step from `from` to `expression` is by one of `events`       (bs:only)
   #   :reachable  from every configuration with `from` (or every one) a configuration with expression is
   #               reached in at most `steps` steps, or in any number if nil       (bs:reachable)
+  #   :start      expression holds where the chart starts, and exactly the actions `does` were done on the way there
+  #               unless nil                                                     (bs:start)
+  #   :damaged    expression, of states only, holds in the safe configuration    (bs:damaged)
   # The expressions read states and the chart's data; `from` of a step its inputs as well. text is the property in one
   # line.
   Property = Struct.new(:id, :kind, :req, :hazards, :events, :from, :expression, :does, :starts, :stays, :steps, :text,

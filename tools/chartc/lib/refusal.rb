@@ -40,7 +40,9 @@ module Chart
     36 => 'every response holds after every step that it speaks of',
     37 => 'every step between the states of a bs:only is by one of its events',
     38 => 'every bs:reachable configuration is reached in its number of steps',
-    39 => 'the limit of a delay belongs to a requirement that its state names'
+    39 => 'the limit of a delay belongs to a requirement that its state names',
+    40 => 'every bs:start holds of the configuration that the chart starts in',
+    41 => 'every bs:damaged holds of the configuration that a damaged chart goes to'
   }.freeze
 
   # A chart outside the profile. The message says where, which rule, and what to write instead.

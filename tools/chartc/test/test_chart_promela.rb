@@ -179,7 +179,8 @@ class TestChartPromela < Minitest::Test
     properties = "<bs:response id=\"P-I01\" on=\"done.state.p\" expr=\"In('q')\"/>" \
                  "<bs:only id=\"P-I02\" on=\"g\" from=\"In('p')\" expr=\"In('end')\"/>" \
                  "<bs:invariant id=\"P-I03\" expr=\"!In('q') || !In('p')\"/>" \
-                 "<bs:reachable id=\"P-I04\" expr=\"In('end')\"/>"
+                 "<bs:reachable id=\"P-I04\" expr=\"In('end')\"/>" \
+                 "<bs:start id=\"P-I05\" expr=\"In('p')\" does=\"\"/><bs:damaged id=\"P-I06\" expr=\"In('p')\"/>"
     assert_agreed engine(REGIONS + properties)
   end
 

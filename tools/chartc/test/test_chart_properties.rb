@@ -36,6 +36,9 @@ class TestChartProperties < Minitest::Test
                  verdicts.map { |one| [one.verdict, one.checked] }
   end
 
+  # The lamp without properties that say the same.
+  WITHOUT = [[/ *<bs:invariant.*\n *<bs:response.*\n *<bs:only.*\n *<bs:reachable.*\n *<bs:reachable.*\n/, '']].freeze
+
   # A change of the chart: one more response.
   def self.added(attributes)
     ['</scxml>', "<bs:response id=\"LAMP-P06\" bs:req=\"SWR-CHART-002\" #{attributes}/>\n</scxml>"]
@@ -94,6 +97,19 @@ class TestChartProperties < Minitest::Test
     assert_sound(light, added('on="start" from="In(\'off\') &amp;&amp; is_allowed &amp;&amp; In(\'closed\')" does="light" ' \
                               'starts="warm_up"'))
     assert_sound(light, added('on="start" from="!In(\'off\') || !is_allowed" does="" stays="true"'))
+  end
+
+  def test_SWR_CHART_040_a_property_may_say_where_a_chart_starts_and_where_it_goes_when_it_is_damaged
+    start = '<bs:start id="LAMP-P06" bs:req="SWR-CHART-040" expr="In(\'off\')" does=""/>'
+    damaged = '<bs:damaged id="LAMP-P07" bs:req="SWR-CHART-040" expr="In(\'off\') &amp;&amp; !In(\'on\')"/>'
+    own = ['</scxml>', "#{start}\n#{damaged}\n</scxml>"]
+    assert_sound(own)
+    { 40 => ['initial="off"', 'initial="on"'],
+      41 => ['bs:safe="closed off"', 'bs:safe="closed on"'] }.each do |rule, change|
+      assert_match(/R#{rule} LAMP-P0[67] is violated in closed on, /, refusal_of(own, change, *WITHOUT).message)
+    end
+    refusal = assert_raises(Chart::Refusal) { parse(changed(own, ["amp; !In('on')\"/>", 'amp; is_kept"/>'])) }
+    assert_includes refusal.message, 'R14 the data of a damaged chart may be anything; remove "is_kept"'
   end
 
   # What only acts, stays.

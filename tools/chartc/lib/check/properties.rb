@@ -13,11 +13,14 @@ module Chart
   #              that have `from`: where it leads, what it does, which timers it starts, that it stays
   #   only       every step that takes a transition and leads from `from` to the expression is by one of its events
   #   reachable  from every snapshot with `from`; a snapshot that has the expression needs no step
+  #   start      of the snapshot that the chart starts in, and of what is done on the way there
+  #   damaged    of the safe configuration
   # A property that speaks of nothing that happens is refused as well: it would hold whatever the chart does.
   # @satisfies SWR-CHART-002
   # @satisfies SWR-CHART-033
+  # @satisfies SWR-CHART-040
   class PropertyChecks
-    RULES = { always: 23, response: 36, only: 37, reachable: 38 }.freeze
+    RULES = { always: 23, response: 36, only: 37, reachable: 38, start: 40, damaged: 41 }.freeze
     Verdict = Struct.new(:property, :verdict, :checked, keyword_init: true)
     Step = Struct.new(:before, :stimulus, :inputs, :outcome)
 
@@ -51,6 +54,8 @@ module Chart
       when :response then steps_from(property) { |outcome| named?(property, outcome) }
       when :only
         steps_from(property) { |outcome| outcome.taken.any? && true?(property.expression, outcome.after) }
+      when :start then [@walk.start.after]
+      when :damaged then [safe]
       end
     end
 
@@ -60,9 +65,15 @@ module Chart
       @walk.reached.keys
     end
 
+    # What a damaged chart goes to.
+    def safe
+      Snapshot.new(@document.safe.map(&:id), {}, {}, [])
+    end
+
     def violation(property, subjects)
       case property.kind
-      when :always then subjects.find { |snapshot| !true?(property.expression, snapshot) }
+      when :always, :damaged then subjects.find { |snapshot| !true?(property.expression, snapshot) }
+      when :start then subjects.find { |snapshot| !true?(property.expression, snapshot) || !did?(property, @walk.start) }
       when :reachable then unreached(property, subjects)
       when :response then subjects.find { |step| !answered?(property, step) }
       when :only then subjects.find { |step| !named?(property, step.outcome) }
@@ -94,9 +105,13 @@ module Chart
 
     def answered?(property, step)
       outcome = step.outcome
-      true?(property.expression, outcome.after) && (property.does.nil? || property.does.sort == outcome.actions.sort) &&
+      true?(property.expression, outcome.after) && did?(property, outcome) &&
         (property.starts.map(&:id) - outcome.started).empty? &&
         !(property.stays && outcome.taken.any?(&:moves?))
+    end
+
+    def did?(property, outcome)
+      property.does.nil? || property.does.sort == outcome.actions.sort
     end
 
     def named?(property, outcome)
@@ -140,11 +155,21 @@ module Chart
     end
 
     def refuse(property, violated)
+      return refuse_place(property, violated) if %i[start damaged].include?(property.kind)
+
       after, steps = violated.is_a?(Step) ? [violated.outcome.after, steps_by(violated)] : [violated, way(violated)]
       example = Counterexample.new(@document, @walk, claim(property, after), steps)
       raise Refusal.new(@document.file, property.line, RULES.fetch(property.kind),
                         "#{property.id} is violated in #{after.leaves.join(' ')}, reached by: #{example.words}; " \
                         'close that path', counterexample: example)
+    end
+
+    # No list of events leads there.
+    def refuse_place(property, snapshot)
+      where, remedy = { start: ['where the chart starts', 'initial, or what is done on the way there'],
+                        damaged: ['where a damaged chart goes', 'bs:safe'] }.fetch(property.kind)
+      raise Refusal.new(@document.file, property.line, RULES.fetch(property.kind),
+                        "#{property.id} is violated in #{snapshot.leaves.join(' ')}, #{where}; correct #{remedy}")
     end
 
     def way(snapshot)

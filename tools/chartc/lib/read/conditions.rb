@@ -27,6 +27,14 @@ module Chart
       without_inputs(guard(text, line), line, 'a property')
     end
 
+    # What the data are where it is asked, nobody knows.
+    def place(text, line)
+      expression = guard(text, line)
+      data = Expression.atoms(expression).find { |kind, _name| kind == :variable }
+      @context.refuse(line, 14, "the data of a damaged chart may be anything; remove \"#{data[1]}\"") if data
+      expression
+    end
+
     def assigned(text, line, variable)
       expression = typed(text, line, variable.kind == :integer ? :integer : :boolean)
       place = Expression.atoms(expression).find { |kind, _name| kind == :in }

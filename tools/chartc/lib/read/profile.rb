@@ -10,7 +10,7 @@ module Chart
     CLAIMS = %w[bs:req bs:hazard].freeze
     STATE = [*CLAIMS, 'bs:ignores'].freeze
     ENTERED = %w[onentry onexit].freeze
-    PROPERTIES = %w[bs:invariant bs:response bs:only bs:reachable].freeze
+    PROPERTIES = %w[bs:invariant bs:response bs:only bs:reachable bs:start bs:damaged].freeze
     SCXML = %w[xmlns xmlns:bs version datamodel name initial bs:safe].freeze
 
     CHART = %w[bs:internal bs:tick bs:req].freeze
@@ -34,7 +34,9 @@ module Chart
       'bs:invariant' => Form.new(%w[expr], ['id', *CLAIMS], []),
       'bs:response' => Form.new(%w[on], ['id', 'from', 'expr', 'does', 'starts', 'stays', *CLAIMS], []),
       'bs:only' => Form.new(%w[on from expr], ['id', *CLAIMS], []),
-      'bs:reachable' => Form.new(%w[expr], ['id', 'from', 'steps', *CLAIMS], [])
+      'bs:reachable' => Form.new(%w[expr], ['id', 'from', 'steps', *CLAIMS], []),
+      'bs:start' => Form.new(%w[expr], ['id', 'does', *CLAIMS], []),
+      'bs:damaged' => Form.new(%w[expr], ['id', *CLAIMS], [])
     }.freeze
 
     # Conformance charts carry nothing of ours and use more of SCXML.

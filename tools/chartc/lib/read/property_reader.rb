@@ -8,7 +8,7 @@ module Chart
   # What a walk has to decide about the chart.
   class PropertyReader
     KINDS = { 'bs:invariant' => :always, 'bs:response' => :response, 'bs:only' => :only,
-              'bs:reachable' => :reachable }.freeze
+              'bs:reachable' => :reachable, 'bs:start' => :start, 'bs:damaged' => :damaged }.freeze
 
     # Those that speak of steps.
     STEPS = %i[response only].freeze
@@ -49,7 +49,9 @@ module Chart
         @context.refuse(element.line, 4, "the property demands nothing; add one of: #{DEMANDS.join(', ')}")
       end
       text = element.attributes['expr']
-      text ? @conditions.property(text, element.line) : [:boolean, true]
+      return [:boolean, true] unless text
+
+      @conditions.public_send(KINDS.fetch(element.name) == :damaged ? :place : :property, text, element.line)
     end
 
     # nil: whatever they are.
@@ -111,6 +113,8 @@ module Chart
       when :response then "after #{on}#{where}: #{demands}"
       when :only then "only by #{on}#{where} to #{expression}"
       when :reachable then "#{expression} can be reached#{where}#{count}"
+      when :start then "at the start: #{demands}"
+      when :damaged then "damaged: #{expression}"
       end
     end
 

@@ -14,7 +14,7 @@ module Chart
   class Section
     include Html
 
-    CHECKED = { always: 'configuration', response: 'step', only: 'step', reachable: 'configuration' }.freeze
+    CHECKED = { response: 'step', only: 'step' }.freeze
 
     WORST = { 'x86_instructions' => 'x86-64 instructions', 'arm_instructions' => 'ARM instructions',
               'stack_bytes' => 'Stack bytes', 'ram_bytes' => 'RAM bytes' }.freeze
@@ -169,7 +169,7 @@ module Chart
     end
 
     def checked(verdict)
-      what = CHECKED.fetch(verdict.property.kind)
+      what = CHECKED.fetch(verdict.property.kind, 'configuration')
       "#{grouped(verdict.checked)} #{what}#{'s' unless verdict.checked == 1}"
     end
 

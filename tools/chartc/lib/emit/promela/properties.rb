@@ -6,13 +6,14 @@ require_relative 'text'
 
 module Chart
   class Promela
-    # Invariants and step properties as assertions. A bs:reachable is none: it speaks of paths.
+    # Invariants, step properties and what holds at the start as assertions. A bs:reachable is none: it speaks of
+    # paths; nor is a bs:damaged: nothing is damaged here.
     class Properties
       def initialize(document, names, steps)
         @document = document
         @names = names
         @steps = steps
-        @checked = document.properties.reject { |property| property.kind == :reachable }
+        @checked = document.properties.reject { |property| %i[reachable damaged].include?(property.kind) }
       end
 
       def marks_used
@@ -51,6 +52,7 @@ module Chart
         case property.kind
         when :always then expression
         when :response then "!(#{speaks(property, by(property))}) || #{[expression, *effects(property)].join(' && ')}"
+        when :start then "stimulus != START || #{[expression, *effects(property)].join(' && ')}"
         when :only then "!(#{speaks(property, 'taken')} && #{expression}) || #{by(property)}"
         end
       end
