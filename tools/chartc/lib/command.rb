@@ -11,6 +11,7 @@ require_relative 'emit/page'
 require_relative 'emit/table'
 require_relative 'limits'
 require_relative 'output'
+require_relative 'proves'
 require_relative 'refusal'
 require_relative 'single'
 
@@ -19,12 +20,14 @@ module Chart
   # @satisfies SWR-CHART-003
   class Command
     USAGE = <<~TEXT
-      usage: chartc FILE --out FOLDER [--limits FILE] [--shape SHAPE]
+      usage: chartc FILE --out FOLDER [--limits FILE] [--shape SHAPE] [--proves LIST]
                                            compile one chart; the shape is direct or staged
-             chartc build CHARTS OUTPUT    compile all charts of a folder; OUTPUT/limits/limits.json must be there
+             chartc build CHARTS OUTPUT [--proves LIST]
+                                           compile all charts of a folder; OUTPUT/limits/limits.json must be there
              chartc page CHARTS OUTPUT     draw them, and list all that they hold
              chartc diff OLD NEW           what differs in meaning, of folders or files;
                                            exit code 0: nothing, 1: something, 2: trouble
+      LIST is KIND=ID,KIND=ID: the requirements that generated tests are named after
     TEXT
     VERBS = %w[build page diff].freeze
     LIMITS = 'build/gen/limits/limits.json'
@@ -32,18 +35,34 @@ module Chart
     # No chart where some were promised.
     class Nothing < StandardError; end
 
+    # What the system hands over as bytes is UTF-8, whatever the language of the shell.
+    # @satisfies SWR-CHART-042
     def self.run(arguments)
+      arguments = arguments.map { |one| one.dup.force_encoding('UTF-8') }
+      raise Single::Misuse, 'an argument is not UTF-8' unless arguments.all?(&:valid_encoding?)
+
       verb, *paths = arguments
       return Single.new(arguments).run unless VERBS.include?(verb)
+
+      proves = verb == 'build' ? take_proves(paths) : {}
       return complain(USAGE, 2) unless paths.length == 2
 
-      new(*paths).public_send(verb)
+      new(*paths, proves).public_send(verb)
+    rescue OptionParser::ParseError => e
+      complain("#{USAGE}#{e.message}", 2)
     rescue Single::Misuse => e
       complain("#{USAGE}#{e.message}", 2)
     rescue Refusal, Diagram::Failed, Nothing => e
       complain(e.message, verb == 'diff' ? 2 : 1)
     rescue SystemCallError => e
       complain(unusable(e), verb == 'diff' ? 2 : 1)
+    end
+
+    # Out of the arguments of build.
+    def self.take_proves(arguments)
+      found = {}
+      OptionParser.new { |one| one.on('--proves LIST') { |list| found = Proves.read(list) } }.parse!(arguments)
+      found
     end
 
     def self.complain(words, status)
@@ -56,9 +75,10 @@ module Chart
       "#{error.message[/ - (.+)\z/m, 1]}: #{error.class.new.message}; correct the path, or what stands there"
     end
 
-    def initialize(source, target)
+    def initialize(source, target, proves)
       @source = source
       @target = target
+      @proves = proves
     end
 
     def build
@@ -139,7 +159,7 @@ module Chart
       charts.each_with_object({}) do |chart, files|
         name = chart.document.name
         chart.files.each { |file, content| files["charts/#{file}"] = content }
-        chart.tests.each { |file, content| files["tests/#{file}"] = content }
+        chart.tests(proves: @proves).each { |file, content| files["tests/#{file}"] = content }
         files["charts/#{name}.dot"] = Diagram.new(chart.document).dot
         files["charts/#{name}.svg"] = drawings[name] = Diagram.svg(files["charts/#{name}.dot"])
       end.merge('charts/charts.json' => Table.emit(charts), 'charts/charts.ts' => Console.emit(charts, drawings))

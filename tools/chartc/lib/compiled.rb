@@ -69,9 +69,10 @@ module Chart
       { "#{document.name}_chart.h" => header, "#{document.name}_chart.c" => source(shape: shape) }
     end
 
-    # Name of a file => a Unity test of the code: of every pair of the walk, and of every path from the start.
-    def tests
-      { "test_#{document.name}_walk.c" => WalkTest.new(document, walk).emit,
+    # Name of a file => a Unity test of the code: of every pair of the walk, and of every path from the start. proves: what
+    # tests of each kind of Proves stand for, kind => id of a requirement.
+    def tests(proves: {})
+      { "test_#{document.name}_walk.c" => WalkTest.new(document, walk, proves).emit,
         "test_#{document.name}_paths.c" => PathsTest.new(document, walk).emit }
     end
 

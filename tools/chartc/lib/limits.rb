@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 
 require 'json'
+require_relative 'read/profile'
 require_relative 'refusal'
 
 module Chart
@@ -13,10 +14,14 @@ module Chart
     def self.read(file)
       raise Refusal.new(file, 1, 15, 'the file is missing; generate the limits first') unless File.exist?(file)
 
-      rows = JSON.parse(File.read(file))
+      text = File.read(file, encoding: 'UTF-8')
+      raise JSON::ParserError unless text.valid_encoding?
+
+      rows = JSON.parse(text)
       return listless(file) unless rows.is_a?(Array) && rows.all?(Hash)
 
       rows.each { |limit| check(file, limit) }
+      check_once(file, rows.map { |limit| limit.fetch('name') })
       new(*%w[value requirement].map { |part| rows.to_h { |limit| [limit.fetch('name'), limit.fetch(part)] } })
     rescue JSON::ParserError
       raise Refusal.new(file, 1, 15, 'the file is no JSON; remove it, and generate the limits anew')
@@ -29,11 +34,20 @@ module Chart
     end
 
     def self.check(file, limit)
-      return if limit.fetch('value').is_a?(Integer)
-
-      raise Refusal.new(file, 1, 15, "the value of #{limit['name']} is no whole number; correct it")
+      name, value, requirement = %w[name value requirement].map { |part| limit.fetch(part) }
+      wrong = if !name.is_a?(String) || !name.match?(Profile::LOOSE_NAME) then "the name #{name.inspect} of a limit is none"
+              elsif !value.is_a?(Integer) then "the value of #{name} is no whole number"
+              elsif !requirement.is_a?(String) || !requirement.match?(Profile::ID)
+                "the requirement of #{name} is no id, as AREA-NAME-nnn"
+              end
+      raise Refusal.new(file, 1, 15, "#{wrong}; correct it") if wrong
     end
-    private_class_method :listless, :check
+
+    def self.check_once(file, names)
+      twice = names.find { |name| names.count(name) > 1 } || return
+      raise Refusal.new(file, 1, 15, "the limit #{twice} stands twice; remove one")
+    end
+    private_class_method :listless, :check, :check_once
 
     def self.of(limits)
       limits.is_a?(self) ? limits : read(limits)

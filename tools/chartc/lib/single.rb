@@ -9,6 +9,7 @@ require_relative 'emit/diagram'
 require_relative 'emit/table'
 require_relative 'limits'
 require_relative 'output'
+require_relative 'proves'
 
 module Chart
   # One chart of any project, from the command line: all that its C needs goes into one folder.
@@ -25,6 +26,7 @@ module Chart
     # arguments: FILE --out FOLDER, and what else is said.
     def initialize(arguments)
       @limits = Limits.new({})
+      @proves = {}
       @file, *more = options.parse(arguments)
       raise Misuse, 'name one chart' if @file.nil? || more.any?
       raise Misuse, 'name a folder with --out' unless @folder
@@ -47,14 +49,16 @@ module Chart
       OptionParser.new do |one|
         one.on('--limits FILE') { |file| @limits = Limits.read(file) }
         one.on('--shape SHAPE', SHAPES) { |shape| @shape = shape.to_sym }
+        one.on('--proves LIST') { |list| @proves = Proves.read(list) }
         one.on('--out FOLDER') { |folder| @folder = folder }
       end
     end
 
     def outputs(chart)
       name = chart.document.name
-      chart.files(shape: shape_of(chart)).merge(chart.tests, runtime, "#{name}.dot" => Diagram.new(chart.document).dot,
-                                                                      "#{name}.json" => Table.emit([chart]))
+      chart.files(shape: shape_of(chart)).merge(chart.tests(proves: @proves), runtime,
+                                                "#{name}.dot" => Diagram.new(chart.document).dot,
+                                                "#{name}.json" => Table.emit([chart]))
     end
 
     # Nil for the better one of those that keep the chart's meaning.

@@ -20,6 +20,7 @@ class TestChartDoor < Minitest::Test
   CHARTC = File.join(ROOT, HOUSE, 'chartc')
   OPEN = README[/^\| What is open.*?\n\n/m].scan(/\bChart(?:::|\.)\w+/)
   CHARTS = File.join(__dir__, 'charts')
+  LIMITS = Chart::Limits.new(*[1000, 'SWR-CHART-003'].map { |one| { 'cycle_us' => one, 'short_us' => one } })
 
   # --- who comes in ---
 
@@ -108,6 +109,68 @@ class TestChartDoor < Minitest::Test
     end
   end
 
+  # Of the table that says what the tests of every chart stand for, those of one chart.
+  def test_SWR_CHART_044_tests_are_named_after_the_requirements_that_the_project_says
+    chart = Chart.compile(File.join(CHARTS, 'base_timer.scxml'), LIMITS)
+    own = names(chart.tests).grep_v(/\Atest_SWR_CHART_003_/)
+    assert_includes own, 'test_base_timer_equals_the_interpreter_on_every_pair'
+    assert_empty own.grep_v(/\Atest_base_timer_/)
+    named = names(chart.tests(proves: { behaviour: 'KETTLE-03', damage: 'KETTLE-04' }))
+    assert_includes named, 'test_KETTLE_03_base_timer_equals_the_interpreter_on_every_pair'
+    assert_includes named, 'test_KETTLE_04_base_timer_a_sound_chart_is_left_alone'
+    assert_includes named, 'test_base_timer_dates_its_steps'
+  end
+
+  def test_SWR_CHART_044_the_command_line_says_what_the_tests_stand_for
+    Dir.mktmpdir do |folder|
+      chartc(File.join(CHARTS, 'base.scxml'), '--proves', 'clock=KETTLE-05', '--out', folder)
+      assert_includes File.read("#{folder}/test_base_walk.c"), 'void test_KETTLE_05_base_dates_its_steps(void)'
+      refute_match(/SWR_(?!CHART_003)/, Dir["#{folder}/**/*.c"].map { |file| File.read(file) }.join)
+    end
+    %w[time=A-01 clock clock=a-1 clock=].each do |list|
+      _output, errors, status = chartc(File.join(CHARTS, 'base.scxml'), '--proves', list, '--out', '/nowhere')
+      assert_equal 2, status.exitstatus
+      assert_match(/^invalid argument: --proves #{list}: write KIND=ID of behaviour, invariants, clock, damage\n\z/, errors)
+    end
+  end
+
+  # Where no language is set, too.
+  def test_SWR_CHART_042_arguments_that_are_no_text_get_the_usage
+    [%W[\xFF.scxml --out x], %W[a.scxml --out \xFF], %W[build \xFF x], %W[diff a.scxml \xFF]].each do |arguments|
+      output, errors, status = chartc(*arguments)
+      assert_equal ['', 2], [output, status.exitstatus]
+      assert_match(/\Ausage: .*^an argument is not UTF-8\n\z/m, errors.b)
+    end
+    Dir.mktmpdir do |folder|
+      file = File.join(folder, 'b\u00E4r')
+      assert Open3.capture3({ 'LC_ALL' => 'C' }, CHARTC, File.join(CHARTS, 'base.scxml'), '--out', file).last.success?
+      assert_path_exists "#{file}/base_chart.c"
+    end
+  end
+
+  # What gcc takes for its own in its GNU modes, and other words of compilers and headers.
+  def test_SWR_CHART_016_inputs_are_named_as_macros_of_compilers
+    text = File.read(File.join(CHARTS, 'base_input.scxml'))
+    Dir.mktmpdir do |folder|
+      %w[linux unix asm typeof errno].each do |word|
+        File.write("#{folder}/base_input.scxml", text.gsub('is_ready', word))
+        chart = Chart.compile("#{folder}/base_input.scxml", LIMITS)
+        chart.files.each { |name, content| File.write("#{folder}/#{name}", "#include <errno.h>\n#{content}") }
+        call(folder, 'gcc', '-std=gnu17', '-Wall', '-Werror', '-c', '-I', File.join(ROOT, 'core'), 'base_input_chart.c')
+      end
+    end
+  end
+
+  def test_SWR_CHART_043_characters_that_turn_text_around_are_refused
+    text = File.read(File.join(CHARTS, 'base.scxml'))
+    ["\u202E", "\u2066", "\u200F", "\u061C"].each do |stray|
+      { 1 => text.sub(/(?=<!-- )/, "<!-- a #{stray} b -->"), 4 => text.sub('"off" bs:req', "\"off#{stray}\" bs:req") }.each_value do |other|
+        refusal = assert_raises(Chart::Refusal) { Chart.tree('base.scxml', other) }
+        assert_match(/CHART-R01 the character U\+#{format('%04X', stray.ord)} turns around what is read; remove it/, refusal.message)
+      end
+    end
+  end
+
   {
     'no chart' => [%w[--out x], 'name one chart'], 'two charts' => [%w[a.scxml b.scxml --out x], 'name one chart'],
     'no folder' => [%w[a.scxml], 'name a folder with --out'],
@@ -132,6 +195,36 @@ class TestChartDoor < Minitest::Test
     end
   end
 
+  # What stands in the file, and what is said of it.
+  WRONG_LIMITS = {
+    '[{"name": "short_us", "value": 1000, "requirement": null}]' => 'the requirement of short_us is no id, as AREA-NAME-nnn; ',
+    '[{"name": "short_us", "value": 1000, "requirement": "a"}]' => 'the requirement of short_us is no id, as AREA-NAME-nnn; ',
+    '[{"name": null, "value": 1000, "requirement": "A-01"}]' => 'the name nil of a limit is none; ',
+    '[{"name": "a", "value": 1, "requirement": "A-01"}, {"name": "a", "value": 2, "requirement": "A-01"}]' =>
+      'the limit a stands twice; ',
+    "[\"\xFF\"]" => 'the file is no JSON; '
+  }.freeze
+
+  def test_SWR_CHART_042_limits_that_mean_nothing_are_named
+    WRONG_LIMITS.each do |content, words|
+      Dir.mktmpdir do |folder|
+        File.write("#{folder}/limits.json", content)
+        _output, errors, status = chartc(File.join(CHARTS, 'base.scxml'), '--limits', "#{folder}/limits.json", '--out', folder)
+        assert_equal 1, status.exitstatus, errors
+        assert_match(/\A\S+limits\.json:1: CHART-R15 #{words}[^\n]*\n\z/, errors)
+      end
+    end
+  end
+
+  # What is no time is not what a chart should say.
+  def test_SWR_CHART_042_no_advice_leads_to_a_time_that_is_none
+    { 'cycle_us' => -1000, 'short_us' => 0 }.each do |name, value|
+      limits = Chart::Limits.new(LIMITS.values.merge(name => value), LIMITS.owners)
+      refusal = assert_raises(Chart::Refusal) { Chart.compile(File.join(CHARTS, 'base_timer.scxml'), limits) }
+      assert_match(/CHART-R15 #{name} is #{value} us, which is no time; correct the limit\z/, refusal.message)
+    end
+  end
+
   def test_SWR_CHART_036_limits_that_are_none_are_named
     Dir.mktmpdir do |folder|
       File.write("#{folder}/limits.json", '{}')
@@ -142,6 +235,11 @@ class TestChartDoor < Minitest::Test
   end
 
   private
+
+  # Of the test functions of generated files.
+  def names(tests)
+    tests.values.join.scan(/^void (test_\w+)/).flatten
+  end
 
   def ruby_files
     Dir.glob('{app,bsp,core,tools,verification}/**/*.rb', base: ROOT).grep_v(%r{node_modules/|\A#{HOUSE}})

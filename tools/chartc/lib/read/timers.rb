@@ -56,10 +56,18 @@ module Chart
     end
 
     def loop_period(chart)
-      @context.limits.fetch(TICK_LIMIT) do
+      period = @context.limits.fetch(TICK_LIMIT) do
         @context.refuse(chart.line, 15, "no requirement states #{TICK_LIMIT}, which bs:tick must equal; " \
                                         'add the limit')
       end
+      lasting(TICK_LIMIT, period, chart.line)
+    end
+
+    # No advice leads to what is no time.
+    def lasting(limit, microseconds, line)
+      return microseconds if microseconds.positive?
+
+      @context.refuse(line, 15, "#{limit} is #{microseconds} us, which is no time; correct the limit")
     end
 
     def default_tick(chart, needed)
@@ -114,7 +122,7 @@ module Chart
         known = @context.limits.keys.grep(/_us\z/).sort.join(', ')
         @context.refuse(element.line, 15, "limit #{name} is unknown; write one of: #{known}")
       end
-      return if delay == limit
+      return if delay == lasting(name, limit, element.line)
 
       @context.refuse(element.line, 15, "the delay is #{delay} us but #{name} is #{limit} us; " \
                                         "write delay=\"#{words(limit)}\"")

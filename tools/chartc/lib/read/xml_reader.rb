@@ -65,11 +65,18 @@ module Chart
       @line
     end
 
-    # XML knows no other control characters, and no U+FFFE or U+FFFF.
+    # XML knows no other control characters, and no U+FFFE or U+FFFF. Those that turn text around are known to XML, but
+    # what is read of them, here and in the C, is not what is meant.
+    # @satisfies SWR-CHART-043
     def refuse_forbidden
-      stray = @scanner.search_full(/[\u0000-\u0008\u000B\u000C\u000E-\u001F\uFFFE\uFFFF]/, false, true) || return
+      refuse_character(/[\u0000-\u0008\u000B\u000C\u000E-\u001F\uFFFE\uFFFF]/, 'is forbidden in XML; remove it')
+      refuse_character(/[\u061C\u200E\u200F\u202A-\u202E\u2066-\u2069]/, 'turns around what is read; remove it')
+    end
+
+    def refuse_character(set, words)
+      stray = @scanner.search_full(set, false, true) || return
       @scanner.pos += stray.bytesize - stray[-1].bytesize
-      refuse(format('the character U+%<code>04X is forbidden in XML; remove it', code: stray[-1].ord))
+      refuse(format('the character U+%<code>04X %<words>s', code: stray[-1].ord, words: words))
     end
 
     def read_declaration

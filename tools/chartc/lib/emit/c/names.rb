@@ -41,10 +41,14 @@ module Chart
     # place are the same, whatever the chart calls its parts. Ids of the product are C names already; others are made so.
     # @satisfies SWR-CHART-016
     class Names
-      # Words of C, its headers and names that the code gives to other things.
+      # Words of C, later C and the dialects of compilers, macros of its headers that are plain words, and names that the
+      # code gives to other things.
       MEMBERS = /\A(?:auto|break|case|char|const|continue|default|do|double|else|enum|extern|float|for|goto|if|inline|int|
                  long|register|restrict|return|short|signed|sizeof|static|struct|switch|typedef|union|unsigned|void|
-                 volatile|while|bool|true|false|self|trace|now|now_us)\z/x.freeze
+                 volatile|while|bool|true|false|self|trace|now|now_us|
+                 alignas|alignof|asm|constexpr|fortran|noreturn|nullptr|static_assert|thread_local|typeof|typeof_unqual|
+                 and|and_eq|bitand|bitor|compl|not|not_eq|or|or_eq|xor|xor_eq|complex|imaginary|errno|stdin|stdout|stderr|
+                 linux|unix|i386|sun|sparc|mips|vax|hpux|near|far|cdecl|pascal)\z/x.freeze
       FILE = /\A(?:chart_(?:step_t|trace_t|trace_add|queue_slot|require_settled)|CHART_TRACE_LENGTH|contract_broken|
               u?int(?:_fast|_least)?\d+_t|u?int(?:max|ptr)_t|(?:U?INT|SIG_ATOMIC)\w*_(?:MAX|MIN|C))\z/x.freeze
 

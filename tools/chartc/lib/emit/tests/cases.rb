@@ -11,10 +11,11 @@ module Chart
     include C::Layout
     include TestShared
 
-    def initialize(document, walk, parts)
+    def initialize(document, walk, parts, proves)
       @document = document
       @walk = walk
       @parts = parts
+      @proves = proves
       @names = parts.names
       @regions = parts.regions
     end
@@ -26,8 +27,8 @@ module Chart
 
     private
 
-    def test(requirement, name, body)
-      ["void test_#{requirement}_#{@document.name}_#{name}(void)", '{', body, '}', '']
+    def test(kind, name, body)
+      ["void #{test_name(kind, name)}(void)", '{', body, '}', '']
     end
 
     def field(region)
@@ -75,7 +76,7 @@ module Chart
 
     def start_test
       start = @walk.start.after
-      test('SWR_CHART_001', 'starts_in_its_initial_configuration',
+      test(:behaviour, 'starts_in_its_initial_configuration',
            [chart, '', '    (void)memset(&chart, 0xA5, sizeof chart);', "    #{@names.chart_function('init')}(&chart);",
             expect_leaves(start.leaves), expect_forgotten, expect_armed(start.armed),
             '    TEST_ASSERT_EQUAL_UINT32(0U, last_transition(&chart));',
@@ -84,7 +85,7 @@ module Chart
     end
 
     def unknown_event_test
-      test('SWR_CHART_001', 'ignores_an_unknown_event',
+      test(:behaviour, 'ignores_an_unknown_event',
            nothing_everywhere(["(#{@names.event_type})#{@document.events.length}"]))
     end
 
@@ -92,7 +93,7 @@ module Chart
     def internal_event_test
       return [] if @document.internal_events.empty?
 
-      test('SWR_CHART_001', 'takes_no_internal_event_from_outside',
+      test(:behaviour, 'takes_no_internal_event_from_outside',
            nothing_everywhere(@document.internal_events.map { |event| @names.event(event) }))
     end
 
@@ -113,7 +114,7 @@ module Chart
     def clock_test
       dispatched = @document.events - @document.internal_events
       calls = dispatched.map { |event| "    (void)#{dispatch(@names.event(event))};" }
-      test('SWR_CHART_007', 'dates_its_steps',
+      test(:clock, 'dates_its_steps',
            [chart, clock_inputs, '', "    #{@names.chart_function('init')}(&chart);",
             "    (void)#{advance('3000U')};", "    (void)#{advance('4000U')};",
             '    TEST_ASSERT_EQUAL_UINT64(7000U, chart.now_us);', '    chart.trace.count = 0U;', calls,
@@ -137,7 +138,7 @@ module Chart
            "    TEST_ASSERT_#{expected}(#{@names.in_function(state)}(&chart));"]
         end
       end
-      test('SWR_CHART_001', 'names_its_compound_states',
+      test(:behaviour, 'names_its_compound_states',
            [chart, '', "    #{@names.chart_function('init')}(&chart);", rows])
     end
 
@@ -181,9 +182,9 @@ module Chart
     end
 
     def damage_test
-      [test('SWR_CORE_004', 'a_damaged_region_goes_to_the_safe_state',
+      [test(:damage, 'a_damaged_region_goes_to_the_safe_state',
             [chart, '', @regions.map { |region| flips_of(region) }]),
-       test('SWR_CORE_004', 'a_leaf_that_does_not_exist_goes_to_the_safe_state',
+       test(:damage, 'a_leaf_that_does_not_exist_goes_to_the_safe_state',
             [chart, inputs_line, '', @regions.map { |region| stranger_of(region) },
              strangers_everywhere])]
     end
@@ -239,7 +240,7 @@ module Chart
     end
 
     def sound_test
-      test('SWR_CORE_004', 'a_sound_chart_is_left_alone',
+      test(:damage, 'a_sound_chart_is_left_alone',
            [chart, '', "    #{@names.chart_function('init')}(&chart);",
             "    TEST_ASSERT_EQUAL_UINT32(0U, #{@names.chart_function('check')}(&chart));",
             expect_leaves(@walk.start.after.leaves), expect_armed(@walk.start.after.armed)])
@@ -256,7 +257,7 @@ module Chart
 
     def boundary_test(timer, pair)
       delay = timer.threshold_us
-      test('SWR_CHART_001', "timer_#{timer.id}_expires_at_#{delay}_us_and_not_before",
+      test(:behaviour, "timer_#{timer.id}_expires_at_#{delay}_us_and_not_before",
            [chart, inputs_line, '', place(pair),
             expect_no_expiry(timer, delay - 1, pair), expect_expiry('1U', pair),
             place(pair), expect_expiry("#{delay}U", pair),
@@ -291,7 +292,7 @@ module Chart
     def idle_test(timer)
       return [] if @walk.start.after.armed.any?
 
-      test('SWR_CHART_001', "timer_#{timer.id}_stands_still_while_not_armed",
+      test(:behaviour, "timer_#{timer.id}_stands_still_while_not_armed",
            [chart, inputs_line, '', "    #{@names.chart_function('init')}(&chart);",
             "    TEST_ASSERT_EQUAL_HEX32(0U, #{advance('UINT32_MAX')});",
             "    TEST_ASSERT_EQUAL_UINT32(0U, chart.#{@names.time(timer)});", expect_leaves(@walk.start.after.leaves)])

@@ -3,9 +3,14 @@
 # SPDX-License-Identifier: Apache-2.0
 
 module Chart
-  # What the generated tests of a chart have in common. Expects @document and @names.
+  # What the generated tests of a chart have in common. Expects @document and @names, and @proves for test_name.
   module TestShared
     private
+
+    # With the requirement that the project proves by tests of this kind, if it has one.
+    def test_name(kind, words)
+      ['test', @proves[kind]&.tr('-', '_'), @document.name, words].compact.join('_')
+    end
 
     def timers?
       @document.timers.any?

@@ -17,12 +17,14 @@ module Chart
     include C::Layout
     include TestShared
 
-    def initialize(document, walk)
+    # proves: as of Compiled#tests.
+    def initialize(document, walk, proves = {})
       @document = document
+      @proves = proves
       @parts = C::Parts.new(document, walk)
       @names = @parts.names
       @rows = TestRows.new(document, walk, @names)
-      @cases = TestCases.new(document, walk, @parts)
+      @cases = TestCases.new(document, walk, @parts, proves)
     end
 
     def emit
@@ -163,7 +165,7 @@ module Chart
     # --- the two tests over the table -------------------------------------------------------------
 
     def pair_test
-      ["void test_SWR_CHART_001_#{@document.name}_equals_the_interpreter_on_every_pair(void)", '{',
+      ["void #{test_name(:behaviour, 'equals_the_interpreter_on_every_pair')}(void)", '{',
        '    run_every_pair(compare);', '}', '']
     end
 
@@ -177,7 +179,7 @@ module Chart
       end
       [call('static void hold_invariants', check_parameters, ''), '{', '    (void)actions;',
        '    if (!pair->is_reachable) {', '        return;', '    }', checks, '}', '',
-       "void test_SWR_CHART_002_#{@document.name}_invariants_hold_on_every_pair(void)", '{',
+       "void #{test_name(:invariants, 'invariants_hold_on_every_pair')}(void)", '{',
        '    run_every_pair(hold_invariants);', '}', '']
     end
   end
