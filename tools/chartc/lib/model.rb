@@ -14,11 +14,14 @@ module Chart
                      :hazards, :ignores, :line, :order, :comment, keyword_init: true) do
     # Ancestors, innermost first, without the state itself; the last one is the root.
     def ancestors
-      parent ? [parent] + parent.ancestors : []
+      @ancestors ||= (parent ? [parent] + parent.ancestors : []).freeze
     end
 
+    # Asked most of all.
     def inside?(other)
-      ancestors.include?(other)
+      state = parent
+      state = state.parent until state.nil? || state.equal?(other)
+      !state.nil?
     end
 
     def root?
@@ -61,7 +64,7 @@ module Chart
     end
 
     def hash
-      id.hash
+      @hash ||= id.hash
     end
 
     def eql?(other)

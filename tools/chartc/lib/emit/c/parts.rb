@@ -37,6 +37,7 @@ module Chart
       # The code raises events, whether or not the walk has come that way.
       def raises?
         return @raises if defined?(@raises)
+        return @raises = false if document.contents.grep(Raise).empty? && document.states.none? { |one| one.kind == :final }
 
         steps = document.transitions.flat_map { |one| [sequences.exits(one), one.content, sequences.entries(one)] }
         @raises = Sequences.all(steps.flatten(2) + sequences.start).any? { |step| RAISING.include?(step.class) }
