@@ -237,6 +237,10 @@ module Chart
       end
 
       def plain(name)
+        (@plain ||= {})[name] ||= made_plain(name)
+      end
+
+      def made_plain(name)
         found = name.downcase.gsub(/[^a-z0-9]+/, '_').gsub(/\A_+|_+\z/, '')
         found.match?(/\A[a-z]/) ? found : "x#{found}"
       end

@@ -107,8 +107,10 @@ module Chart
     end
 
     def leaf(region, snapshot)
-      active = snapshot.leaves.map { |id| @document.state(id) }
-      region.leaves.find { |leaf| active.any? { |state| state == leaf || state.inside?(leaf) } }
+      (@leaf ||= {})[[region.name, snapshot.leaves]] ||= begin
+        active = snapshot.leaves.map { |id| @document.state(id) }
+        region.leaves.find { |leaf| active.any? { |state| state == leaf || state.inside?(leaf) } }
+      end
     end
 
     def most_taken

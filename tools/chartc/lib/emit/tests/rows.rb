@@ -60,8 +60,10 @@ module Chart
       cells + ["#{outcome.taken.last&.number || 0}U", reachable.to_s]
     end
 
+    # The same for many rows.
     def places(snapshot)
-      leaf_names(snapshot.leaves) + remembered(snapshot)
+      @places ||= {}
+      (@places[[snapshot.leaves, snapshot.history]] ||= leaf_names(snapshot.leaves) + remembered(snapshot)).dup
     end
 
     # What the histories say, leaves or "none".
