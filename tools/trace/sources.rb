@@ -155,11 +155,12 @@ module Trace
     # Names of all functions and macros that assert, by themselves or through one they call.
     def asserting(helpers = [])
       known = callables + helpers
+      words = known.to_h { |callable| [callable, callable.body.scan(/\w+/).uniq] }
       names = known.select { |callable| callable.body.match?(ASSERTION) }.map(&:name)
       loop do
         more = known.reject { |callable| names.include?(callable.name) }
-                        .select { |callable| callable.body.match?(/\b(?:#{Regexp.union(names).source})\b/) }
-        return names if names.empty? || more.empty?
+                        .select { |callable| words[callable].intersect?(names) }
+        return names if more.empty?
 
         names |= more.map(&:name)
       end
