@@ -3,9 +3,12 @@
 
 #include <ctype.h>
 #include <errno.h>
+#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #define MOST_BYTES (64L * 1024L * 1024L)
 #define TAG_SIZE 40U
@@ -97,14 +100,15 @@ static bool next_register(span_t *rest, span_t *one)
     return is_there;
 }
 
-static bool find_register(const bitfile_t *self, const char *name, span_t *found)
+static bool find_list(const bitfile_t *self, span_t *list)
 {
-    span_t rest;
+    return element((span_t){self->text, self->text + strlen(self->text)}, "RegisterList", list);
+}
 
-    if (!element((span_t){self->text, self->text + strlen(self->text)}, "RegisterList", &rest)) {
-        return false;
-    }
-    while (next_register(&rest, found)) {
+/* The next register of this name. */
+static bool next_named(span_t *rest, const char *name, span_t *found)
+{
+    while (next_register(rest, found)) {
         if (has(*found, "Name", name)) {
             return true;
         }
@@ -138,12 +142,17 @@ static bool is_of_type(span_t datatype, bitfile_type_t type)
 bitfile_answer_t bitfile_find(const bitfile_t *self, const bitfile_query_t *query,
                               uint32_t *address)
 {
+    span_t rest;
     span_t found;
+    span_t other;
     span_t datatype;
     uint32_t offset = 0U;
 
-    if (!find_register(self, query->name, &found)) {
+    if (!find_list(self, &rest) || !next_named(&rest, query->name, &found)) {
         return BITFILE_MISSING;
+    }
+    if (next_named(&rest, query->name, &other)) {
+        return BITFILE_TWICE;
     }
     if (!has(found, "Indicator", query->is_indicator ? "true" : "false") ||
         !element(found, "Datatype", &datatype) || !is_of_type(datatype, query->type) ||
@@ -160,7 +169,8 @@ bool bitfile_number(const bitfile_t *self, const char *name, const char *label, 
     span_t rest;
     span_t one;
 
-    if (!find_register(self, name, &rest) || !element(rest, "StringList", &rest)) {
+    if (!find_list(self, &rest) || !next_named(&rest, name, &one) ||
+        !element(one, "StringList", &rest)) {
         return false;
     }
     for (uint16_t i = 0U; element(rest, "String", &one); i++) {
@@ -173,9 +183,27 @@ bool bitfile_number(const bitfile_t *self, const char *name, const char *label, 
     return false;
 }
 
+/* Whoever opens a pipe to read waits for its other end. */
+static FILE *open_regular(const char *path)
+{
+    const int descriptor = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    struct stat about;
+
+    if (descriptor < 0) {
+        return NULL;
+    }
+    FILE *const file = ((fstat(descriptor, &about) == 0) && S_ISREG(about.st_mode))
+                           ? fdopen(descriptor, "r")
+                           : NULL;
+    if (file == NULL) {
+        (void)close(descriptor);
+    }
+    return file;
+}
+
 static char *load(const char *path)
 {
-    FILE *const file = fopen(path, "re");
+    FILE *const file = open_regular(path);
     char *text = NULL;
     long size = -1;
 

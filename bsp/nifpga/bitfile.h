@@ -29,7 +29,12 @@ typedef struct {
     bool is_indicator; /**< Written by the FPGA. */
 } bitfile_query_t;
 
-typedef enum { BITFILE_FOUND = 0, BITFILE_MISSING = 1, BITFILE_OTHERWISE = 2 } bitfile_answer_t;
+typedef enum {
+    BITFILE_FOUND = 0,
+    BITFILE_MISSING = 1,
+    BITFILE_OTHERWISE = 2,
+    BITFILE_TWICE = 3
+} bitfile_answer_t;
 
 /** An open file; its text is the owner's until bitfile_close(). */
 typedef struct {
@@ -39,11 +44,12 @@ typedef struct {
 } bitfile_t;
 
 /**
- * Reads a file whole.
+ * Reads a file whole; what is no regular file is not waited for.
  *
  * @return false: `error` says in one sentence what is wrong, and nothing is open
  *
  * @satisfies SWR-NI-009
+ * @satisfies SWR-NI-018
  */
 bool bitfile_open(bitfile_t *self, const char *path, char *error, uint32_t error_size);
 
@@ -52,9 +58,11 @@ void bitfile_close(bitfile_t *self);
 /**
  * Looks a register up by its name. `address` is as NI's library takes it.
  *
- * @return BITFILE_OTHERWISE if there is one of another type or direction; `address` is unchanged
+ * @return BITFILE_OTHERWISE if there is one of another type or direction, BITFILE_TWICE if there
+ * are two; `address` is changed by BITFILE_FOUND only
  *
  * @satisfies SWR-NI-009
+ * @satisfies SWR-NI-017
  */
 bitfile_answer_t bitfile_find(const bitfile_t *self, const bitfile_query_t *query,
                               uint32_t *address);

@@ -75,6 +75,24 @@ static void identify(bsp_identity_t *identity, const address_t *address, const b
     (void)snprintf(identity->accepted, sizeof identity->accepted, "%s", address->accepted);
 }
 
+/*
+ * Nothing has power before the self test.
+ *
+ * @satisfies SWR-NI-014
+ */
+static bool take_power(char *error, uint32_t error_size)
+{
+    const bool is_taken = !has(FABRIC_POWER) || write_bit(FABRIC_POWER, false);
+
+    if (!is_taken) {
+        (void)snprintf(error, error_size,
+                       "The register DrivesPower cannot be cleared; check the bitfile and the "
+                       "FPGA.");
+        fpga_close(&fpga);
+    }
+    return is_taken;
+}
+
 /** @satisfies SWR-NI-008 */
 bool bsp_open(const char *address, bsp_identity_t *identity, char *error, uint32_t error_size)
 {
@@ -85,15 +103,16 @@ bool bsp_open(const char *address, bsp_identity_t *identity, char *error, uint32
         !bitfile_open(&bitfile, box.bitfile, error, error_size)) {
         return false;
     }
-    const bool is_found = fabric_find(&fabric, &bitfile, error, error_size) &&
-                          fpga_open(&fpga, box.resource, box.bitfile, &bitfile, error, error_size);
+    const bool is_found =
+        fabric_find(&fabric, &bitfile, error, error_size) &&
+        fpga_open(&fpga, box.resource, box.bitfile, &bitfile, error, error_size) &&
+        take_power(error, error_size);
     if (is_found) {
         transactions_init(&transactions, &fpga, &fabric);
         identify(identity, &box, &bitfile);
         shown_lamps = 0U;
         is_cut = 0;
         is_open = 1;
-        (void)write_bit(FABRIC_POWER, false);
     }
     bitfile_close(&bitfile);
     return is_found;

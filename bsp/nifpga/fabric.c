@@ -24,8 +24,15 @@ typedef struct {
     uint32_t error_size;
 } search_t;
 
-static bool refuse(const search_t *self, const bitfile_query_t *query)
+static bool refuse(const search_t *self, const bitfile_query_t *query, bitfile_answer_t answer)
 {
+    if (answer == BITFILE_TWICE) {
+        (void)snprintf(self->error, self->error_size,
+                       "The bitfile has two registers \"%s\"; name one of them otherwise in the "
+                       "VI, or give another bitfile.",
+                       query->name);
+        return false;
+    }
     (void)snprintf(
         self->error, self->error_size,
         "The bitfile lacks the %s \"%s\" (%s); add it to the VI, or give another bitfile.",
@@ -35,7 +42,9 @@ static bool refuse(const search_t *self, const bitfile_query_t *query)
 
 static bool need(const search_t *self, const bitfile_query_t *query, uint32_t *address)
 {
-    return (bitfile_find(self->bitfile, query, address) == BITFILE_FOUND) || refuse(self, query);
+    const bitfile_answer_t answer = bitfile_find(self->bitfile, query, address);
+
+    return (answer == BITFILE_FOUND) || refuse(self, query, answer);
 }
 
 /* A register of the card in `slot`. */
@@ -94,7 +103,7 @@ static bool find_cards(fabric_t *self, const search_t *search)
         self->slots |= 1U << slot;
     }
     (void)snprintf(name, sizeof name, "OutgoingPacket1");
-    return (self->slots != 0U) || refuse(search, &query);
+    return (self->slots != 0U) || refuse(search, &query, BITFILE_MISSING);
 }
 
 static bool find_bits(fabric_t *self, const search_t *search)
@@ -106,8 +115,8 @@ static bool find_bits(fabric_t *self, const search_t *search)
         const bitfile_answer_t answer = bitfile_find(search->bitfile, &query, &self->bits[i]);
         if (answer == BITFILE_FOUND) {
             self->has |= 1U << i;
-        } else if ((answer == BITFILE_OTHERWISE) || (i < NEEDED_INPUTS)) {
-            return refuse(search, &query);
+        } else if ((answer != BITFILE_MISSING) || (i < NEEDED_INPUTS)) {
+            return refuse(search, &query, answer);
         } else {
             /* The box does without. */
         }

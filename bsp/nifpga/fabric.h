@@ -39,9 +39,11 @@ typedef struct {
  * Finds all registers. A slot whose OutgoingPacket is not there is none; of any other, and of the
  * inputs that every box has, each register must be there, and at an address of its own.
  *
- * @return false: `error` names the register that is missing or is another one, or the address
+ * @return false: `error` names the register that is missing, is another one or is there twice, or
+ * the address
  *
  * @satisfies SWR-NI-009
+ * @satisfies SWR-NI-017
  */
 bool fabric_find(fabric_t *self, const bitfile_t *bitfile, char *error, uint32_t error_size);
 

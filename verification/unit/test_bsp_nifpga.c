@@ -20,6 +20,7 @@
 
 #include <dlfcn.h>
 #include <stdlib.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 static void *open_library(const char *name, int mode)
@@ -56,6 +57,7 @@ TEST_SOURCE_FILE("crc.c")
 #define POWER_BIT 7U
 #define ALIVE_BIT 8U
 #define LAMP_BIT 9U
+#define GIVE_UP_S 60U
 
 static char path[64];
 static char address[160];
@@ -332,6 +334,44 @@ void test_SWR_NI_009_a_file_that_ends_anywhere_is_refused_or_is_whole(void)
     }
 }
 
+void test_SWR_NI_017_two_registers_of_one_name_are_refused_by_it(void)
+{
+    static const char *const doubles[][2] = {{"<Name>Confirm<", "PedalA"},
+                                             {"<Name>LampFault<", "DrivesPower"},
+                                             {"<Name>LampFault<", "OutgoingPacket3"},
+                                             {"<Name>LampFault<", "CurrentState3"},
+                                             {"<Name>LampMoving<", "LampFault"}};
+    for (uint32_t i = 0U; i < (sizeof doubles / sizeof doubles[0]); i++) {
+        char expected[200];
+        char name[32];
+        (void)snprintf(expected, sizeof expected,
+                       "The bitfile has two registers \"%s\"; name one of them otherwise in the "
+                       "VI, or give another bitfile.",
+                       doubles[i][1]);
+        (void)snprintf(name, sizeof name, "<Name>%s<", doubles[i][1]);
+        write_changed(doubles[i][0], doubles[i][0], name);
+        TEST_ASSERT_FALSE(bsp_open(address, &identity, error, sizeof error));
+        TEST_ASSERT_EQUAL_STRING(expected, error);
+    }
+    TEST_ASSERT_EQUAL_UINT32(0U, fpga_world.opened);
+}
+
+void test_SWR_NI_018_what_is_no_regular_file_is_refused_without_waiting(void)
+{
+    char expected[256];
+    (void)snprintf(expected, sizeof expected,
+                   "The bitfile \"%s\" cannot be read; give the .lvbitx of the box.", path);
+    TEST_ASSERT_EQUAL_INT(0, mkfifo(path, 0600));
+    (void)alarm(GIVE_UP_S);
+    TEST_ASSERT_FALSE(bsp_open(address, &identity, error, sizeof error));
+    (void)alarm(0U);
+    TEST_ASSERT_EQUAL_STRING(expected, error);
+    (void)snprintf(address, sizeof address, "nifpga:RIO0,/tmp");
+    TEST_ASSERT_FALSE(bsp_open(address, &identity, error, sizeof error));
+    TEST_ASSERT_EQUAL_STRING("The bitfile \"/tmp\" cannot be read; give the .lvbitx of the box.",
+                             error);
+}
+
 void test_SWR_NI_010_without_nis_library_the_box_does_not_open(void)
 {
     fpga_world.is_missing = true;
@@ -518,6 +558,15 @@ void test_SWR_NI_014_drives_have_power_after_the_self_test_until_they_are_switch
     bsp_drives_off();
     TEST_ASSERT_EQUAL_UINT8(0U, fpga_world.bits[POWER_BIT]);
     expect_test_fails("The register DrivesPower cannot be written.");
+}
+
+void test_SWR_NI_014_a_box_whose_power_cannot_be_taken_does_not_open(void)
+{
+    fpga_world.broken = fpga_world_bit(POWER_BIT);
+    expect_refused("The register DrivesPower cannot be cleared; check the bitfile and the FPGA.");
+    TEST_ASSERT_EQUAL_UINT32(1U, fpga_world.closed);
+    fpga_world.broken = 0U;
+    open_good_box();
 }
 
 void test_SWR_NI_014_switching_off_before_a_box_is_open_does_nothing(void)
