@@ -10,6 +10,9 @@
 #define WATCHDOG_S 5U
 #define MOST_GAP_US 100U
 #define MOST_CLOCK_HZ 100000000U
+/* So slow that real cards would trip between two cycles. */
+#define LEAST_SLOWNESS (LIMIT_CARD_WATCHDOG_US / LIMIT_CYCLE_US)
+#define SETTINGS 4U
 
 static const char *const line_names[WIRING_LINES] = {
     [WIRING_PEDAL_A] = "pedal_a",       [WIRING_PEDAL_B] = "pedal_b",
@@ -21,6 +24,8 @@ static const char *const line_names[WIRING_LINES] = {
 
 static const wiring_line_name_t needed_lines[] = {WIRING_PEDAL_A, WIRING_PEDAL_B, WIRING_ESTOP,
                                                   WIRING_SCANNER, WIRING_POWER};
+
+static const char *const setting_names[SETTINGS] = {"slots", "clock", "mode", "gap"};
 
 /* "3" or "0-9". */
 static bool read_slots(char *text, wiring_spi_t *spi)
@@ -62,6 +67,20 @@ static bool take_spi_setting(const wiring_reader_t *reader, wiring_spi_t *spi, c
     return wiring_refuse(reader, name, "is unknown here; expected slots, clock, mode or gap");
 }
 
+/* Notes in `said`, a bit for each, that this setting was said. */
+static bool is_first(const wiring_reader_t *reader, const char *name, uint32_t *said)
+{
+    for (uint32_t i = 0U; i < SETTINGS; i++) {
+        if (strcmp(name, setting_names[i]) == 0) {
+            if (((*said >> i) & 1U) != 0U) {
+                return wiring_refuse(reader, name, "is said twice");
+            }
+            *said |= 1U << i;
+        }
+    }
+    return true;
+}
+
 static uint32_t slots_of(const wiring_spi_t *spi)
 {
     return ((1U << spi->slot_count) - 1U) << spi->first_slot;
@@ -95,6 +114,7 @@ static bool take_spi(const wiring_reader_t *reader, wiring_t *wiring, const char
                      char *settings)
 {
     wiring_spi_t spi = {.clock_hz = 0U};
+    uint32_t said = 0U;
 
     if (!wiring_path(reader, device, spi.path)) {
         return false;
@@ -105,7 +125,8 @@ static bool take_spi(const wiring_reader_t *reader, wiring_t *wiring, const char
         if (value == NULL) {
             return wiring_refuse(reader, name, "lacks its \"=\" and a value");
         }
-        if (!take_spi_setting(reader, &spi, name, wiring_cut(&value, ""))) {
+        if (!is_first(reader, name, &said) ||
+            !take_spi_setting(reader, &spi, name, wiring_cut(&value, ""))) {
             return false;
         }
     }
@@ -188,6 +209,9 @@ static bool take_gpio(const wiring_reader_t *reader, wiring_t *wiring, const cha
 static bool take_watchdog(const wiring_reader_t *reader, wiring_t *wiring, const char *device,
                           char *settings)
 {
+    if (wiring->watchdog[0] != '\0') {
+        return wiring_refuse(reader, "watchdog", "is said twice");
+    }
     wiring->watchdog_s = WATCHDOG_S;
     if (!wiring_path(reader, device, wiring->watchdog)) {
         return false;
@@ -202,6 +226,17 @@ static bool take_watchdog(const wiring_reader_t *reader, wiring_t *wiring, const
                              "is unknown here; expected timeout=1 to timeout=60, in s");
     }
     return true;
+}
+
+/* A little slower, the cards of a real box would let it drive, late. */
+static bool take_slowness(const wiring_reader_t *reader, wiring_t *wiring, const char *text)
+{
+    if (wiring->slowness != 0U) {
+        return wiring_refuse(reader, "slow", "is said twice");
+    }
+    return (wiring_number(text, 1U, LIMIT_BOX_SLOWEST, &wiring->slowness) &&
+            ((wiring->slowness == 1U) || (wiring->slowness >= LEAST_SLOWNESS))) ||
+           wiring_refuse(reader, text, "is no slowness; expected 1, or 10 to 100");
 }
 
 static bool take_statement(const wiring_reader_t *reader, wiring_t *wiring, char *text)
@@ -224,8 +259,7 @@ static bool take_statement(const wiring_reader_t *reader, wiring_t *wiring, char
         return take_watchdog(reader, wiring, device, rest);
     }
     if (strcmp(keyword, "slow") == 0) {
-        return wiring_number(device, 1U, LIMIT_BOX_SLOWEST, &wiring->slowness) ||
-               wiring_refuse(reader, device, "is no slowness; expected a number from 1 to 100");
+        return take_slowness(reader, wiring, device);
     }
     return wiring_refuse(reader, keyword, "is unknown; expected spidev, gpio, watchdog or slow");
 }
@@ -269,7 +303,7 @@ bool wiring_read(wiring_t *wiring, const char *address, char *error, uint32_t er
     char text[WIRING_TEXT_SIZE];
     wiring_reader_t reader = {.rest = text, .error = error, .error_size = error_size};
 
-    *wiring = (wiring_t){.slowness = 1U};
+    *wiring = (wiring_t){.slowness = 0U};
     if (address[0] == '/') {
         if (!wiring_load(address, text, error, error_size)) {
             return false;
@@ -280,5 +314,7 @@ bool wiring_read(wiring_t *wiring, const char *address, char *error, uint32_t er
     } else {
         /* It is in the address. */
     }
-    return take_text(&reader, wiring) && is_whole(wiring, error, error_size);
+    const bool is_taken = take_text(&reader, wiring) && is_whole(wiring, error, error_size);
+    wiring->slowness = (wiring->slowness == 0U) ? 1U : wiring->slowness;
+    return is_taken;
 }

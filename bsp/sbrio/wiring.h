@@ -71,6 +71,7 @@ typedef struct {
  *
  * @satisfies SWR-SPI-001
  * @satisfies SWR-SPI-002
+ * @satisfies SWR-SPI-012
  */
 bool wiring_read(wiring_t *wiring, const char *address, char *error, uint32_t error_size);
 

@@ -154,8 +154,38 @@ void test_SWR_SPI_002_a_statement_that_is_none_is_refused(void)
     assert_wrong("hello", "\"hello\" is no statement; expected spidev: ..., gpio: ... or "
                           "watchdog: ...");
     assert_wrong("i2c: /dev/i2c-0", "\"i2c\" is unknown; expected spidev, gpio, watchdog or slow");
-    assert_wrong("slow: 0", "\"0\" is no slowness; expected a number from 1 to 100");
-    assert_wrong("slow: 101", "\"101\" is no slowness; expected a number from 1 to 100");
+    assert_wrong("slow: 0", "\"0\" is no slowness; expected 1, or 10 to 100");
+    assert_wrong("slow: 101", "\"101\" is no slowness; expected 1, or 10 to 100");
+}
+
+/* Of two clocks nobody knows which one was meant. */
+void test_SWR_SPI_002_what_is_said_twice_is_refused(void)
+{
+    assert_wrong("spidev: /dev/a, clock=9, slots=1, clock=8", "\"clock\" is said twice");
+    assert_wrong("spidev: /dev/a, mode=0, slots=1, mode=0", "\"mode\" is said twice");
+    assert_wrong("spidev: /dev/a, slots=1, slots=2", "\"slots\" is said twice");
+    assert_wrong("spidev: /dev/a, gap=1, gap=2", "\"gap\" is said twice");
+    assert_wrong("watchdog: /dev/v; watchdog: /dev/w", "\"watchdog\" is said twice");
+    assert_wrong("watchdog: /dev/w; watchdog: /dev/w", "\"watchdog\" is said twice");
+    assert_wrong("slow: 1; slow: 100", "\"slow\" is said twice");
+}
+
+void test_SWR_SPI_012_a_slowness_at_which_real_cards_would_drive_is_refused(void)
+{
+    for (uint32_t slowness = 2U; slowness < 10U; slowness++) {
+        char text[32];
+        char reason[64];
+        (void)snprintf(text, sizeof text, "slow: %u", (unsigned)slowness);
+        (void)snprintf(reason, sizeof reason, "\"%u\" is no slowness; expected 1, or 10 to 100",
+                       (unsigned)slowness);
+        assert_wrong(text, reason);
+    }
+    assert_taken(GOOD "slow: 10");
+    TEST_ASSERT_EQUAL_UINT32(10U, wiring.slowness);
+    assert_taken(GOOD "slow: 1");
+    TEST_ASSERT_EQUAL_UINT32(1U, wiring.slowness);
+    assert_taken(GOOD);
+    TEST_ASSERT_EQUAL_UINT32(1U, wiring.slowness);
 }
 
 void test_SWR_SPI_002_a_wrong_spi_device_is_refused(void)
