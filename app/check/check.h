@@ -24,9 +24,10 @@ typedef struct {
     uint32_t word_ns;             /**< To bring one word of a frame to a wire and one back. */
     uint32_t instructions_per_us; /**< Of the controller's code. */
     uint32_t publish_us;
+    uint32_t dialect; /**< card_dialect_t: how large the frames are. */
 } check_board_t;
 
-/** How long the parts of a cycle with CHECK_CARDS cards take. */
+/** How long the parts of a cycle take. */
 typedef struct {
     uint32_t wake_us;
     uint32_t words_us;
@@ -74,10 +75,12 @@ static inline bool check_blocks(computer_check_t check)
 void check_count_interrupts(const char *root, uint32_t core, uint64_t counts[CHECK_INTERRUPTS]);
 
 /**
- * The parts of a cycle whose wake-up is as late as it may be, on a board that says what it costs.
+ * The parts of a cycle with `cards` cards whose wake-up is as late as it may be, on a board that
+ * says what it costs.
  *
  * @satisfies SWR-CHECK-004
+ * @satisfies SWR-CHECK-009
  */
-check_budget_t check_budget(const check_board_t *board);
+check_budget_t check_budget(const check_board_t *board, uint32_t cards);
 
 #endif

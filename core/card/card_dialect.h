@@ -13,6 +13,12 @@ typedef enum {
     CARD_DIALECT_AIM32 = 1 /**< aim32_frame.h: without most protections. */
 } card_dialect_t;
 
+/** Bytes of a frame that go over the wire. */
+static inline uint32_t card_dialect_frame_bytes(uint32_t dialect)
+{
+    return (dialect == (uint32_t)CARD_DIALECT_OWN) ? CARD_FRAME_BYTES : AIM32_FRAME_BYTES;
+}
+
 /** Writes `command` as the bytes of a frame of `dialect`, a card_dialect_t. */
 static inline void card_dialect_encode_command(uint32_t dialect, const card_command_t *command,
                                                uint8_t bytes[CARD_FRAME_BYTES])

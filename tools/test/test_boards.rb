@@ -32,12 +32,30 @@ class TestBoards < Minitest::Test
      '.name = "lamp", .takes = BOARD_TAKES_NAME, .says = "one that shines", .otherwise = "{instance}-lamp"}',
      '.program = "lamp", .arguments = {"--as", "{lamp}", "{dim}"}, .ready = "on", .unless = "lamp"}',
      '{.program = "fan"}', '.box = "{lamp}",', '.name = "{lamp}",', '.slowness = "{watts}",', '.is_simulated = true,',
-     '.cycle = {.wire_hz = 5000000U, .wires = 10U, .word_ns = 300U, .instructions_per_us = 333U, .publish_us = 30U},',
+     '.cycle = {.wire_hz = 5000000U, .wires = 10U, .word_ns = 300U, .instructions_per_us = 333U, .publish_us = 30U, ' \
+     '.dialect = CARD_DIALECT_OWN},',
      '{"Lamp", "say \\"{lamp}\\""}'].each { |text| assert_includes source, text }
   end
 
   def test_SWR_TOOL_015_what_only_a_companion_takes_is_useless_with_another_one
     assert_includes board(GOOD).source, '.name = "dim", .takes = BOARD_TAKES_NOTHING, .says = "less", .useless_with = "lamp"}'
+  end
+
+  def test_SWR_CHECK_009_the_budget_knows_what_the_cards_speak
+    assert_includes board("#{GOOD}cards: aim32\n").source, '.dialect = CARD_DIALECT_AIM32},'
+    error = assert_raises(Robot::Refused) { board("#{GOOD}cards: aim33\n") }
+    assert_equal 'bsp/any/board.yml:15: cards: is aim33; expected own or aim32', error.message
+    header = File.read(File.join(ROOT, 'core/card/card_dialect.h'))
+    assert_equal Board::DIALECTS, header.scan(/CARD_DIALECT_(\w+) = /).flatten.map(&:downcase)
+  end
+
+  # What the board tells control of itself is in its sources.
+  def test_SWR_CHECK_009_the_board_says_the_same_of_its_cards
+    files = Dir[File.join(ROOT, 'bsp/*/board.yml')]
+    foreign = files.select { |file| File.read(file).match?(/^cards: aim32$/) }
+    telling = files.select { |file| File.read(File.join(File.dirname(file), "bsp_#{File.basename(File.dirname(file))}.c")).include?('CARD_DIALECT_AIM32') }
+    refute_empty foreign
+    assert_equal foreign, telling
   end
 
   def test_SWR_TOOL_015_a_board_needs_nothing_but_what_control_opens

@@ -8,6 +8,7 @@
 
 #include "unity.h"
 
+#include "card/card_dialect.h"
 #include "check/check_files.h"
 #include "check/check_judges.h"
 #include "check/realtime.h"
@@ -306,7 +307,7 @@ void test_SWR_CTRL_020_the_cards_of_the_limit_are_those_of_the_robot(void)
 
 void test_SWR_CHECK_004_the_budget_adds_up_what_the_board_says(void)
 {
-    const check_budget_t budget = check_budget(&thesis);
+    const check_budget_t budget = check_budget(&thesis, CHECK_CARDS);
     TEST_ASSERT_EQUAL_UINT32(200U, budget.wake_us);
     TEST_ASSERT_EQUAL_UINT32(192U, budget.words_us);
     TEST_ASSERT_EQUAL_UINT32(100U, budget.step_us);
@@ -315,8 +316,40 @@ void test_SWR_CHECK_004_the_budget_adds_up_what_the_board_says(void)
     facts.board = thesis;
     expect(
         true, COMPUTER_CHECK_BUDGET,
-        "Wake-up 200 + words 192 + step 100 + publish 30 = 522 us of 800; the wires take 409 us, "
-        "frames are back after 901 us of 1000.");
+        "With 10 cards wake-up 200 + words 192 + step 100 + publish 30 = 522 us of 800; the wires "
+        "take 409 us, frames are back after 901 us of 1000. There is time for 10 cards.");
+}
+
+/* Half the words, half the bits. */
+void test_SWR_CHECK_009_frames_are_as_large_as_the_dialect_of_the_cards_has_them(void)
+{
+    check_board_t board = thesis;
+    board.dialect = (uint32_t)CARD_DIALECT_AIM32;
+    const check_budget_t budget = check_budget(&board, CHECK_CARDS);
+    TEST_ASSERT_EQUAL_UINT32(96U, budget.words_us);
+    TEST_ASSERT_EQUAL_UINT32(204U, budget.wire_us);
+    TEST_ASSERT_EQUAL_UINT32(100U, budget.step_us);
+}
+
+/* As bsp/nifpga/board.yml has it of the thesis: its calls of eight cards take 300 us, the wires
+ * 400. */
+void test_SWR_CHECK_010_it_is_told_for_how_many_cards_there_is_time(void)
+{
+    facts.board = (check_board_t){.wire_hz = 2560000U,
+                                  .wires = 10U,
+                                  .word_ns = 1170U,
+                                  .instructions_per_us = 333U,
+                                  .publish_us = 30U,
+                                  .dialect = (uint32_t)CARD_DIALECT_AIM32};
+    expect(
+        false, COMPUTER_CHECK_BUDGET,
+        "With 10 cards wake-up 200 + words 374 + step 150 + publish 30 = 754 us of 800; the wires "
+        "take 400 us, frames are back after 1124 us of 1000. There is time for 7 cards.");
+    facts.board.wire_hz = 1000000U;
+    expect(
+        false, COMPUTER_CHECK_BUDGET,
+        "With 10 cards wake-up 200 + words 374 + step 150 + publish 30 = 754 us of 800; the wires "
+        "take 1024 us, frames are back after 1748 us of 1000. There is time for 0 cards.");
 }
 
 void test_SWR_CHECK_004_wires_that_are_too_slow_or_too_few_do_not_fit(void)
@@ -325,14 +358,14 @@ void test_SWR_CHECK_004_wires_that_are_too_slow_or_too_few_do_not_fit(void)
     facts.board.wires = 9U;
     expect(
         false, COMPUTER_CHECK_BUDGET,
-        "Wake-up 200 + words 192 + step 100 + publish 30 = 522 us of 800; the wires take 819 us, "
-        "frames are back after 1311 us of 1000.");
+        "With 10 cards wake-up 200 + words 192 + step 100 + publish 30 = 522 us of 800; the wires "
+        "take 819 us, frames are back after 1311 us of 1000. There is time for 9 cards.");
     facts.board = thesis;
     facts.board.word_ns = 750U;
     expect(
         false, COMPUTER_CHECK_BUDGET,
-        "Wake-up 200 + words 480 + step 100 + publish 30 = 810 us of 800; the wires take 409 us, "
-        "frames are back after 1189 us of 1000.");
+        "With 10 cards wake-up 200 + words 480 + step 100 + publish 30 = 810 us of 800; the wires "
+        "take 409 us, frames are back after 1189 us of 1000. There is time for 6 cards.");
 }
 
 void test_SWR_CHECK_004_a_real_board_has_to_say_what_it_costs(void)
