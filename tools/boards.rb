@@ -51,13 +51,14 @@ class Board
   def initialize(path, text, limits)
     @path = path
     @limits = limits.scan(/LIMIT_(\w+)/).flatten.map(&:downcase)
-    top = Node.parse(path, text).mapping(%w[box], %w[name options companions slowness simulated cards cycle says])
+    top = Node.parse(path, text).mapping(%w[box], %w[name options companions slowness simulated loads_library cards cycle says])
     @options = list(top['options'], OPTIONS).map { |node| option(node) }
     @companions = list(top['companions'], COMPANIONS).map { |node| companion(node) }
     @box = pattern(top['box'])
     @name = top['name'] ? pattern(top['name'], NAMES + names_of_options) : '{instance}'
     @slowness = top['slowness'] ? pattern(top['slowness']) : '1'
-    @is_simulated = top['simulated'] ? top['simulated'].choice(%w[true false]) == 'true' : false
+    @is_simulated = flag?(top['simulated'])
+    flag?(top['loads_library']) # For tools/package.rb and verification/gates.mk.
     @cycle = top['cycle'] ? cycle(top['cycle'], top['cards']) : {}
     @says = list(top['says'], SAYINGS).map { |node| saying(node) }
   end
@@ -103,6 +104,10 @@ class Board
   def cycle(node, cards)
     dialect = cards ? cards.choice(DIALECTS) : DIALECTS.first
     node.mapping(CYCLE).transform_values { |value| "#{value.integer(1..(2**31))}U" }.merge('dialect' => "CARD_DIALECT_#{dialect.upcase}")
+  end
+
+  def flag?(node)
+    node ? node.choice(%w[true false]) == 'true' : false
   end
 
   def option(node)

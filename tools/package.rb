@@ -10,6 +10,7 @@
 require 'digest'
 require 'fileutils'
 require 'open3'
+require 'psych'
 require 'tmpdir'
 require_relative 'package/archive'
 require_relative 'package/soup'
@@ -57,8 +58,7 @@ class Package
 
     # A static program loads no library while it runs.
     def possible?(board, kind)
-      makefile = "bsp/#{board}/board.mk"
-      !kind.is_static || !File.exist?(makefile) || !File.read(makefile).include?('-ldl')
+      !kind.is_static || !Psych.safe_load_file("bsp/#{board}/board.yml")['loads_library']
     end
 
     # @satisfies SWR-PACK-004

@@ -34,7 +34,7 @@ one: bootstrap-test ## One file of tests: make one NAME=test_encoder
 ALL_APP := $(wildcard app/*/*.c bsp/*/*.c)
 OTHER_BOARDS := $(filter-out sim,$(BOARDS))
 # A static program loads no library while it runs.
-STATIC_BOARDS := $(filter-out $(patsubst bsp/%/board.mk,%,$(shell grep -l -e -ldl bsp/*/board.mk)),$(OTHER_BOARDS))
+STATIC_BOARDS := $(filter-out $(patsubst bsp/%/board.yml,%,$(shell grep -lx 'loads_library: true' bsp/*/board.yml)),$(OTHER_BOARDS))
 # What is verified runs on the simulated control box, whichever board the programs are for.
 BOX_SOURCES := $(filter-out %_main.c bsp/sim/bsp_sim.c bsp/sim/bench_sim.c bsp/sim/wire.c,$(wildcard bsp/sim/*.c)) \
     app/control/board_inputs.c

@@ -69,6 +69,7 @@ class TestBoards < Minitest::Test
     'name: "{lamp}"' => ['name: "{dim}"', '9: name: speaks of {dim}; expected instance, robot, watts, lamp'],
     'slowness: "{watts}"' => ['slowness: "{watts"', '10: slowness: is {watts, with a brace too many'],
     'simulated: true' => ['simulated: perhaps', '11: simulated: is perhaps; expected true or false'],
+    "simulated: true\n" => ["simulated: true\nloads_library: libx.so\n", '12: loads_library: is libx.so; expected true or false'],
     'most: most_watts' => ['most: most_volts', '2: options[0].most: is most_volts, which is no limit of the requirements'],
     ', default: 2' => ['', '2: options[0]: has no default'],
     'takes: number' => ['takes: text', '2: options[0]: has bounds if it takes a number, and only then'],

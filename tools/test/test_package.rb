@@ -46,6 +46,30 @@ class TestPackage < Minitest::Test
     text
   end
 
+  # One key of a board's file says it, to the tool that packs and to make, which builds the programs before.
+  def test_SWR_PACK_004_of_a_board_that_loads_a_library_there_is_no_static_package
+    assert_equal [true, false, true, true], (Dir.chdir(ROOT) { possible('nifpga') + possible('sbrio') })
+    Dir.mktmpdir do |folder|
+      { 'eager' => "box: x\nloads_library: true\n", 'calm' => "box: x\n", 'sure' => "box: x\nloads_library: false\n" }.each do |board, text|
+        FileUtils.mkdir_p("#{folder}/bsp/#{board}")
+        File.write("#{folder}/bsp/#{board}/board.yml", text)
+      end
+      Dir.chdir(folder) { assert_equal [true, false, true, true, true, true], %w[eager calm sure].flat_map { |board| possible(board) } }
+    end
+  end
+
+  def test_SWR_PACK_004_make_builds_static_programs_of_the_boards_that_are_packed_so
+    text = Open3.capture2e({ 'MAKEFLAGS' => nil }, 'make', '-s', '-C', ROOT, '--eval', 'told: ; @echo $(STATIC_BOARDS)', 'told').first
+    static = Package::KINDS.find(&:is_static)
+    boards = Dir.chdir(ROOT) { (Package.boards - [Package::SIMULATED]).select { |board| Package.possible?(board, static) } }
+    assert_equal boards, text.lines.last.split
+  end
+
+  # Programs that need a C library, and static ones.
+  def possible(board)
+    [KIND, Package::KINDS.find(&:is_static)].map { |kind| Package.possible?(board, kind) }
+  end
+
   def test_SWR_PACK_005_the_same_files_make_the_same_package
     sums = [[0o022, %w[boresight boresight-http]], [0o077, %w[boresight-http boresight]]].map do |mask, order|
       packed(mask, order) { |file| Digest::SHA256.file(file).hexdigest }
