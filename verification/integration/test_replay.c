@@ -174,8 +174,7 @@ void test_SWR_REPLAY_004_one_other_bit_in_any_area_is_a_difference_with_its_fiel
                       "snapshot, axes[6].drive_duty: ");
     expect_difference(offsetof(controller_outputs_t, snapshot.scanner_target) + 36U,
                       "snapshot, scanner_target, word 9: ");
-    expect_difference(offsetof(controller_outputs_t, frames) - 1U,
-                      "snapshot, cards[9].troubles: ");
+    expect_difference(offsetof(controller_outputs_t, frames) - 1U, "snapshot, cards[9].troubles: ");
     expect_difference(offsetof(controller_outputs_t, frames) + (4U * CARD_FRAME_BYTES) + 9U,
                       "frames, slot 4, byte 9: it is 0 (0x0), recorded 1 (0x1).");
     expect_difference(sizeof(controller_outputs_t) - 1U, "frames, slot 9, byte 255");

@@ -427,8 +427,9 @@ void test_SWR_CTRL_010_a_contract_broken_inside_a_cycle_sends_off_to_every_card(
 
 void test_SWR_CTRL_010_every_signal_that_ends_the_loop_sends_off_to_every_card(void)
 {
-    const int signals[] = {SIGUSR1, SIGUSR2, SIGHUP,  SIGINT,  SIGTERM,   SIGPIPE,  SIGALRM, SIGXFSZ,
-                           SIGPWR,  SIGTSTP, SIGTTIN, SIGTTOU, SIGSTKFLT, SIGRTMIN, SIGRTMAX};
+    const int signals[] = {SIGUSR1, SIGUSR2, SIGHUP,    SIGINT,   SIGTERM,
+                           SIGPIPE, SIGALRM, SIGXFSZ,   SIGPWR,   SIGTSTP,
+                           SIGTTIN, SIGTTOU, SIGSTKFLT, SIGRTMIN, SIGRTMAX};
     for (size_t i = 0U; i < (sizeof signals / sizeof signals[0]); i++) {
         (void)memset(record, 0, sizeof *record);
         const int status = control_ends(BY_SIGNAL, signals[i]);
