@@ -7,6 +7,7 @@
 #include "replay/replay.h"
 #include "robot/app/robots.h"
 #include "site/closed_loop.h"
+#include "site/watch.h"
 
 #include <stddef.h>
 #include <stdio.h>
@@ -29,6 +30,11 @@ void contract_broken(const char *module, uint32_t id)
     (void)snprintf(text, sizeof text, "Contract %s/%u is broken, report this.", module,
                    (unsigned)id);
     __builtin_trap();
+}
+
+const closed_loop_t *watch_loop(void)
+{
+    return &loop;
 }
 
 char *exports_text(void)

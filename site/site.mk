@@ -6,8 +6,10 @@
 # Words are formatted by this C library. Its usual vsnprintf() would import files, to complain of long doubles.
 WASM_LIBC := $(addprefix /usr/lib/wasm32-wasi/,libc-printscan-long-double.a libc.a) \
     /usr/lib/llvm-19/lib/clang/19/lib/wasi/libclang_rt.builtins-wasm32.a
-CLOSED_LOOP_SOURCES := $(wildcard site/*.c) $(BOX_SOURCES) app/control/lamps.c app/replay/replay.c app/replay/field_name.c \
-    $(addprefix app/recording/,recording_block.c cycle_code.c cycle_words.c proof.c) $(GEN)/interface/app/fields.c $(NAMES) $(FIND_ROBOT)
+# What differs between two runs, in words.
+WATCHING := difference.c series.c source.c frame_fields.c
+CLOSED_LOOP_SOURCES := $(wildcard site/*.c) $(BOX_SOURCES) app/control/lamps.c $(addprefix app/replay/,replay.c field_name.c $(WATCHING)) \
+    $(addprefix app/recording/,recording_block.c cycle_code.c cycle_words.c proof.c) $(GEN)/interface/app/fields.c $(AXIS_TERMS) $(DRIVE_TERMS) $(EVENT_TEXT) $(NAMES) $(FIND_ROBOT)
 
 SITE_INCLUDES := $(BSP_INCLUDES) -I.
 $(OUT)/site/%.o: FLAGS = $(SITE_INCLUDES)
@@ -19,7 +21,7 @@ wasm: bootstrap-test ## The core, the simulated control box and their server as 
 # The same in native code, to be compared with it.
 build/gcc/bin/closed-loop-scene: $(call object,$(CLOSED_LOOP_SOURCES) verification/site/scene.c) build/gcc/libcore.a
 	@mkdir -p $(@D)
-	@$(CC) $(CFLAGS) $(LDFLAGS) $^ -o $@
+	@$(CC) $(CFLAGS) $(LDFLAGS) $^ -lm -o $@
 	@echo "built $@"
 
 # The server of the console before that robot. What waits, looks for a clock, a file or chance finds it in site/served.

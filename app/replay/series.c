@@ -233,3 +233,14 @@ uint32_t series_states(const field_t *fields, const void *from)
     }
     return hash;
 }
+
+void series_write(const series_t *self, char *text, size_t size)
+{
+    if (self->kind == SERIES_NUMBER) {
+        (void)snprintf(text, size, "%.*f", self->decimals, self->number);
+    } else if (self->kind == SERIES_FLAG) {
+        (void)snprintf(text, size, "%s", (self->number != 0.0) ? "true" : "false");
+    } else {
+        (void)snprintf(text, size, "%s", (self->word[0] != '\0') ? self->word : "none");
+    }
+}

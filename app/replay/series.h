@@ -34,6 +34,9 @@ typedef void series_sink_t(void *to, const series_t *series);
 void series_tell(const field_t *fields, const void *from, const axis_config_t *axis,
                  series_sink_t *sink, void *to);
 
+/** Writes what it is now, "none" for no word. */
+void series_write(const series_t *self, char *text, size_t size);
+
 /** A number that differs when a flag, a word or a set of it does, those of arrays of structures
  * with them. */
 uint32_t series_states(const field_t *fields, const void *from);

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "replay/what_if.h"
 
-#include "replay/what_if_says.h"
-
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -115,10 +113,16 @@ bool what_if_add(what_if_t *self, const char *text, char *error, size_t size)
     return true;
 }
 
+static void print(void *to, const char *line)
+{
+    (void)to;
+    (void)puts(line);
+}
+
 void what_if_begin(what_if_t *self, const robot_t *robot)
 {
     self->robot = robot;
-    self->source_count = source_find(robot, self->sources);
+    difference_init(&self->difference, robot, print, NULL);
 }
 
 void what_if_prepare(what_if_t *self, const replay_t *replay, const cycle_record_t *record)
@@ -160,7 +164,7 @@ void what_if_take(what_if_t *self, const replay_t *replay, const cycle_record_t 
     self->compared++;
     if (memcmp(&self->outputs, &replay->outputs, sizeof self->outputs) != 0) {
         self->different++;
-        what_if_says(self, &replay->outputs);
+        difference_tell(&self->difference, record->cycle, &replay->outputs, &self->outputs);
     }
 }
 

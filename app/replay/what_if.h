@@ -9,9 +9,8 @@
 #ifndef BORESIGHT_WHAT_IF_H
 #define BORESIGHT_WHAT_IF_H
 
+#include "replay/difference.h"
 #include "replay/replay.h"
-#include "replay/series.h"
-#include "replay/source.h"
 
 #define WHAT_IF_CHANGES 16U /**< Most inputs that are changed. */
 #define WHAT_IF_SERIES 256U /**< Most series of one source. */
@@ -22,32 +21,20 @@ typedef struct {
 } what_if_change_t;
 
 typedef struct {
-    series_t series[WHAT_IF_SERIES];
-    uint32_t count;
-} what_if_list_t;
-
-typedef struct {
     uint32_t first; /**< In which cycles they are changed, inclusive. */
     uint32_t last;
     what_if_change_t changes[WHAT_IF_CHANGES];
     uint32_t count;
     const robot_t *robot;
-    source_t sources[SOURCES];
-    uint32_t source_count;
     controller_t controller; /**< The second one. */
     controller_inputs_t inputs;
     controller_outputs_t outputs;
     bool has_begun;
-    bool has_ended;                        /**< Cycles are missing; no more is compared. */
-    uint32_t states[2];                    /**< What series_states() said last of both. */
-    what_if_list_t was;                    /**< Of the source that is compared. */
-    what_if_list_t now;                    /**< The same. */
-    bool is_told[SOURCES][WHAT_IF_SERIES]; /**< Each is told once. */
-    bool is_drive_told[CARD_SLOT_COUNT];   /**< The same. */
-    bool is_event_told[2][EVENT_ID_COUNT]; /**< The same: recorded, of the second one. */
-    uint32_t cycle;                        /**< That is compared. */
-    uint64_t compared;                     /**< Cycles. */
-    uint64_t different;                    /**< Of them. */
+    bool has_ended; /**< Cycles are missing; no more is compared. */
+    difference_t difference;
+    uint32_t cycle;     /**< That is compared. */
+    uint64_t compared;  /**< Cycles. */
+    uint64_t different; /**< Of them. */
 } what_if_t;
 
 /** Reads "CYCLE", from which on it is, or "CYCLE-CYCLE", in which it is. False: it is neither. */
