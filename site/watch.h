@@ -30,7 +30,10 @@ EXPORT(words) const char *watch_words(void);
 EXPORT(vocabulary) void watch_vocabulary(void);
 
 /** The events and answers of the last cycle, a line each: `event NAME SUBJECT`, the subject being
- * its number; `answer ID KIND STATUS`. Needs a robot that was started (contract 320). */
+ * its number; `answer ID KIND STATUS`. Needs a robot that was started (contract 320).
+ *
+ * @satisfies SWR-SITE-020
+ */
 EXPORT(happened) void watch_happened(void);
 
 /** Bit n: axis n was driven in the last cycle. */

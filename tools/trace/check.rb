@@ -68,6 +68,7 @@ module Trace
                'HAZ' => %w[title severity situation harm] }.freeze
     LEVELS = %w[unit integration system console tool].freeze
     KINDS = %w[design protective information].freeze
+    SCENE = /\Arobot=\w+&seed=\d+&inputs=\d+:[\w,=\/;:-]+\z/
     OPENING = /\A(?:While|When|If|Where|The)\b/
 
     def initialize(project)
@@ -120,6 +121,7 @@ module Trace
       end
       items.each do |item|
         check_fields(item)
+        check_scene(item)
         check_sentence(item) if item.kind == 'SWR'
       end
     end
@@ -132,6 +134,19 @@ module Trace
       complain('E15', item.place, "#{item.id} lacks #{missing.join(', ')}") unless missing.empty?
       check_word(item, 'kind', item['kind'], KINDS) if item.kind == 'RC'
       check_word(item, 'level', item['verification'].to_h['level'], LEVELS) if item.kind == 'SWR'
+    end
+
+    # What the robot makes of it verification/site/test_scenes.rb asks.
+    #
+    # @satisfies SWR-SITE-019
+    def check_scene(item)
+      return unless %w[scene expects no_scene].any? { |field| item[field] }
+
+      whole = item.scene&.match?(SCENE) && Array(item['expects']).any? && !item['no_scene']
+      reason = item['no_scene'] && !item['scene'] && !item['expects']
+      return if item.kind == 'HAZ' && (whole || reason)
+
+      complain('E15', item.place, "#{item.id} has neither a scene and what it expects nor a reason why it has none")
     end
 
     def check_word(item, field, word, known_words)

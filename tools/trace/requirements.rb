@@ -33,6 +33,11 @@ module Trace
       Array(fields['parents']).reject { |parent| parent.start_with?('derived:') }
     end
 
+    # The fragment of a link by which a page plays it.
+    def scene
+      fields['scene']&.delete(" \n")
+    end
+
     def derived?
       Array(fields['parents']).any? { |parent| parent.match?(/\Aderived:\s*\S/) }
     end

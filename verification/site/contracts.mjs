@@ -9,6 +9,10 @@ import { Robot } from "./robot.mjs";
 const ROBOT = {
   order: (robot) => robot.exports.order(),
   step: (robot) => robot.exports.step(),
+  happened: (robot) => robot.exports.happened(),
+  look: (robot) => robot.exports.look(),
+  compareBegin: (robot) => robot.exports.compareBegin(),
+  compare: (robot) => robot.exports.compare(),
   block: (robot) => robot.exports.replayBlock(0, 0),
   size: (robot) => {
     robot.say("neuro");

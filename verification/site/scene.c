@@ -3,13 +3,15 @@
  * @file
  * Plays a scene as robot.wasm plays it in scene.mjs, in native code, and prints the same lines.
  *
- *     closed-loop-scene ROBOT SEED CYCLES <SCENE
+ *     closed-loop-scene ROBOT SEED CYCLES [OTHER] <SCENE
  *
  * Lines of a scene, in the order of their cycles: `CYCLE order WORDS`, or `CYCLE command ID SOURCE
  * PEER KIND ARGUMENT VALUE`. Printed are each answer, each reply, and once a second a hash of all
- * bytes of inputs and outputs so far, in which a difference stays.
+ * bytes of inputs and outputs so far, in which a difference stays. With OTHER, a file with another
+ * scene, only what is said of the first cycle in which that differs, as scene_run.ts asks for it.
  */
 #include "site/exports.h"
+#include "site/watch.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -19,6 +21,8 @@
 #define SECOND_CYCLES 1000U
 #define FNV_BASIS 2166136261U
 #define FNV_PRIME 16777619U
+
+static bool is_compared;
 
 static uint32_t add(uint32_t hash, const void *bytes, uint32_t size)
 {
@@ -36,7 +40,9 @@ static void give_order(const char *order)
 {
     (void)snprintf(exports_text(), EXPORTS_TEXT_SIZE, "%s", order);
     (void)exports_order();
-    (void)printf("%s", exports_text());
+    if (!is_compared) {
+        (void)printf("%s", exports_text());
+    }
 }
 
 static void give_command(const char *numbers)
@@ -53,9 +59,9 @@ static void give_command(const char *numbers)
 }
 
 /* The next line, without its end; its cycle is UINT32_MAX when there is none. */
-static uint32_t next_line(char *line, int size, const char **what)
+static uint32_t next_line(FILE *scene, char *line, int size, const char **what)
 {
-    if (fgets(line, size, stdin) == NULL) {
+    if (fgets(line, size, scene) == NULL) {
         return UINT32_MAX;
     }
     char *end = NULL;
@@ -85,39 +91,93 @@ static void print_answers(uint32_t cycle)
     }
 }
 
-static void play(uint32_t cycles)
+static bool say_cycle(uint32_t cycle)
+{
+    static uint32_t hash = FNV_BASIS;
+
+    hash = add(hash, exports_inputs(), exports_inputs_size());
+    hash = add(hash, exports_outputs(), exports_outputs_size());
+    print_answers(cycle);
+    if (((cycle + 1U) % SECOND_CYCLES) == 0U) {
+        (void)printf("%" PRIu32 " hash %" PRIu32 "\n", cycle + 1U, hash);
+    }
+    return true;
+}
+
+static controller_outputs_t *kept; /* By cycle. */
+
+static bool keep_cycle(uint32_t cycle)
+{
+    kept[cycle] = *exports_outputs();
+    return true;
+}
+
+/* False: it differs, which is said. */
+static bool compare_cycle(uint32_t cycle)
+{
+    *watch_other() = kept[cycle];
+    watch_compare();
+    (void)printf("%s", watch_words());
+    return watch_words()[0] == '\0';
+}
+
+/* Until `after` a cycle is false. */
+static void play(FILE *scene, uint32_t cycles, bool (*after)(uint32_t cycle))
 {
     char line[128];
     const char *what = NULL;
-    uint32_t due = next_line(line, sizeof line, &what);
-    uint32_t hash = FNV_BASIS;
+    uint32_t due = next_line(scene, line, sizeof line, &what);
+    bool goes_on = true;
 
-    for (uint32_t cycle = 0U; cycle < cycles; cycle++) {
+    for (uint32_t cycle = 0U; (cycle < cycles) && goes_on; cycle++) {
         while (due == cycle) {
             act(what);
-            due = next_line(line, sizeof line, &what);
+            due = next_line(scene, line, sizeof line, &what);
         }
         exports_step();
-        hash = add(hash, exports_inputs(), exports_inputs_size());
-        hash = add(hash, exports_outputs(), exports_outputs_size());
-        print_answers(cycle);
-        if (((cycle + 1U) % SECOND_CYCLES) == 0U) {
-            (void)printf("%" PRIu32 " hash %" PRIu32 "\n", cycle + 1U, hash);
-        }
+        goes_on = after(cycle);
     }
+}
+
+static void start(const char *robot, const char *seed)
+{
+    (void)snprintf(exports_text(), EXPORTS_TEXT_SIZE, "%s", robot);
+    if (!exports_start((uint32_t)strtoul(seed, NULL, 10))) {
+        (void)fprintf(stderr, "closed-loop-scene: there is no robot %s\n", robot);
+        exit(EXIT_FAILURE);
+    }
+}
+
+static void compare(char **words, uint32_t cycles)
+{
+    FILE *const other = fopen(words[4], "r");
+
+    kept = calloc(cycles, sizeof *kept);
+    if ((other == NULL) || (kept == NULL)) {
+        (void)fprintf(stderr, "closed-loop-scene: %s cannot be played\n", words[4]);
+        exit(EXIT_FAILURE);
+    }
+    is_compared = true;
+    play(stdin, cycles, keep_cycle);
+    start(words[1], words[2]);
+    watch_compare_begin();
+    play(other, cycles, compare_cycle);
+    (void)fclose(other);
+    free(kept);
 }
 
 int main(int count, char **words)
 {
-    if (count != 4) {
-        (void)fprintf(stderr, "usage: closed-loop-scene ROBOT SEED CYCLES <SCENE\n");
+    if ((count != 4) && (count != 5)) {
+        (void)fprintf(stderr, "usage: closed-loop-scene ROBOT SEED CYCLES [OTHER] <SCENE\n");
         return EXIT_FAILURE;
     }
-    (void)snprintf(exports_text(), EXPORTS_TEXT_SIZE, "%s", words[1]);
-    if (!exports_start((uint32_t)strtoul(words[2], NULL, 10))) {
-        (void)fprintf(stderr, "closed-loop-scene: there is no robot %s\n", words[1]);
-        return EXIT_FAILURE;
+    const uint32_t cycles = (uint32_t)strtoul(words[3], NULL, 10);
+    start(words[1], words[2]);
+    if (count == 5) {
+        compare(words, cycles);
+    } else {
+        play(stdin, cycles, say_cycle);
     }
-    play((uint32_t)strtoul(words[3], NULL, 10));
     return EXIT_SUCCESS;
 }

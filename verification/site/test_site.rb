@@ -58,6 +58,10 @@ class TestSite < Minitest::Test
     found
   end
 
+  def broken(name, id)
+    "#{name}: RuntimeError: Contract site/#{id} is broken, report this.\n"
+  end
+
   # The course of the scene of serve.mjs, its calls and its answers.
   def serve(robot, renewals)
     Dir.mktmpdir do |folder|
@@ -107,7 +111,13 @@ class TestSite < Minitest::Test
   def test_SWR_SITE_004_what_is_asked_for_without_a_robot_stops_with_its_contract
     said, = node("#{__dir__}/contracts.mjs", MODULE, 'robot')
     expected = { order: 300, step: 301, block: 302, size: 303 }
-    assert_equal expected.map { |name, id| "#{name}: RuntimeError: Contract site/#{id} is broken, report this.\n" }.join, said
+    assert_equal expected.map { |name, id| broken(name, id) }, said.lines.grep(/\A(?:#{expected.keys.join('|')}):/)
+  end
+
+  def test_SWR_SITE_020_what_is_watched_without_a_robot_stops_with_its_contract
+    said, = node("#{__dir__}/contracts.mjs", MODULE, 'robot')
+    expected = { happened: 320, look: 320, compareBegin: 320, compare: 321 }
+    assert_equal expected.map { |name, id| broken(name, id) }, said.lines.grep(/\A(?:#{expected.keys.join('|')}):/)
   end
 
   def test_SWR_SITE_006_the_server_of_a_page_answers_as_the_same_handlers_in_native_code

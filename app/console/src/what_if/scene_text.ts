@@ -131,7 +131,8 @@ function checkFields(
       throw new SceneError(place, `${name} is given twice.`);
     }
     if (valuesOf(name, value, vocabulary) === null) {
-      throw new SceneError(place, `“${value}” is nothing that ${name} can be.`);
+      const at = place + name.length + 1;
+      throw new SceneError(at, `“${value}” is nothing that ${name} can be.`);
     }
     seen.add(name);
     place += field.length + 1;
