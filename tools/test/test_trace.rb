@@ -5,6 +5,7 @@
 # Each test breaks one thing in a small project that is complete.
 
 require 'csv'
+require 'erb'
 require 'fileutils'
 require 'json'
 require 'minitest/autorun'
@@ -197,6 +198,18 @@ class TestTrace < Minitest::Test
     [whole, 'no_scene: It has no bus.'].each do |fields|
       risk = COMPLETE.fetch('requirements/risk.yml').sub('severity: 5', "severity: 5\n  #{fields}")
       in_project('requirements/risk.yml' => risk) { |root| refute_includes trace('check', root).first, 'E15' }
+    end
+  end
+
+  def test_SWR_SITE_019_the_matrix_has_the_link_of_a_scene_or_the_reason_why_there_is_none
+    scene = 'robot=neuro&seed=7&inputs=5:estop,pull'
+    fields = "severity: 5\n  scene: #{scene.sub('5:', ' 5:')}\n  expects: [9 off]"
+    { fields => "<a href=\"site/page/index.html##{ERB::Util.html_escape(scene)}\">Motion goes on</a>",
+      "severity: 5\n  no_scene: It has no bus." => '<td>Motion goes on</td><td>It has no bus.</td>' }.each do |risk, shown|
+      in_project('requirements/risk.yml' => COMPLETE.fetch('requirements/risk.yml').sub('severity: 5', risk)) do |root|
+        trace('matrix', root)
+        assert_includes File.read("#{root}/build/trace.html"), shown
+      end
     end
   end
 

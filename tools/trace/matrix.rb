@@ -10,6 +10,8 @@ require_relative 'check'
 module Trace
   # Each requirement with what it comes from, what fulfils it and what its tests say.
   class Matrix
+    # The page that plays a scene, seen from the matrix.
+    PAGE = 'site/page/index.html'
     TEMPLATE = File.join(__dir__, 'matrix.html.erb')
 
     # A requirement as it is printed, written and shown.
@@ -100,7 +102,16 @@ module Trace
     def document
       { origin: @project.evidence.origin, not_counted: @project.evidence.doubts, requirements: @rows.map(&:to_h),
         risk_controls: @project.requirements.of_kind('RC').map { |item| item_row(item, 'SWR') },
-        hazards: @project.requirements.of_kind('HAZ').map { |item| item_row(item, 'RC') } }
+        hazards: hazards.map { |item| item_row(item, 'RC').merge('link' => link(item)) } }
+    end
+
+    def hazards
+      @project.requirements.of_kind('HAZ').sort_by(&:id)
+    end
+
+    # Opens the scene in which the control of a hazard is seen to act.
+    def link(item)
+      "#{PAGE}##{item.scene}" if item.scene
     end
 
     def item_row(item, child_kind)

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // A scene as it runs in the module of a robot, and another one beside it that was the same until then.
-import { commandOf, readVocabulary, type Input, type Scene, type Vocabulary } from "./scene_text.ts";
+import {
+  commandOf,
+  readVocabulary,
+  type Input,
+  type Scene,
+  type Vocabulary,
+} from "./scene_text.ts";
 
 /** What is used of robot.wasm; site/exports.h and site/watch.h say what it is. */
 export interface RobotModule {

@@ -125,7 +125,10 @@ function checkFields(
     const [name = "", value = "", ...more] = field.split("=");
     if (!vocabulary.fields.has(name) || more.length > 0) {
       const names = [...vocabulary.fields.keys()].join(", ");
-      throw new SceneError(place, `“${field}” is not FIELD=VALUE with one of ${names}.`);
+      throw new SceneError(
+        place,
+        `“${field}” is not FIELD=VALUE with one of ${names}.`,
+      );
     }
     if (seen.has(name)) {
       throw new SceneError(place, `${name} is given twice.`);
@@ -151,7 +154,10 @@ function readInput(text: string, place: number, vocabulary: Vocabulary): Input {
   if (vocabulary.commands.has(kind)) {
     checkFields(fields, behind + kind.length + 1, vocabulary);
   } else if (!isOrder(words, vocabulary)) {
-    throw new SceneError(behind, `“${words.join(" ")}” is no order of the box and no command.`);
+    throw new SceneError(
+      behind,
+      `“${words.join(" ")}” is no order of the box and no command.`,
+    );
   }
   return { cycle, words };
 }
@@ -165,7 +171,10 @@ function readInputs(
   for (const one of text === "" ? [] : text.split(";")) {
     const input = readInput(one, place, vocabulary);
     if (input.cycle < (inputs.at(-1)?.cycle ?? 0)) {
-      throw new SceneError(place, `cycle ${input.cycle} stands behind a later one.`);
+      throw new SceneError(
+        place,
+        `cycle ${input.cycle} stands behind a later one.`,
+      );
     }
     inputs.push(input);
     place += one.length + 1;
