@@ -19,7 +19,7 @@
 /** The robot that is watched; of the module. */
 const closed_loop_t *watch_loop(void);
 
-/** Where the words are. */
+/** Where the words are; a line that has no room is left out. */
 EXPORT(words) const char *watch_words(void);
 
 /**
