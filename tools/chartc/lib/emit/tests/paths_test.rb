@@ -43,13 +43,17 @@ module Chart
 
     def taken_test(transition)
       says = transition.guard ? 'is_taken_only_if_its_guard_holds' : 'is_taken'
-      goals = @found.select { |(kind, number, _values), _path| kind == :guard && number == transition.number }
-      test(transition, 'taken', says, goals.values)
+      test(transition, 'taken', says, paths(:guard, transition))
     end
 
     def followed_test(transition)
-      goals = @found.select { |(kind, number, _second), _path| kind == :pair && number == transition.number }
-      test(transition, 'followed', 'is_followed_by_each_successor', goals.values)
+      test(transition, 'followed', 'is_followed_by_each_successor', paths(:pair, transition))
+    end
+
+    # To the goals of one kind that begin with the transition.
+    def paths(kind, transition)
+      @goals ||= @found.group_by { |goal, _path| goal.first(2) }
+      @goals.fetch([kind, transition.number], []).map(&:last)
     end
 
     # Rows with the same way stand in one table: first the steps of the way, then the rows.
