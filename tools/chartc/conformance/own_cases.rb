@@ -13,7 +13,7 @@ module Conformance
   #   corrupt: {region: n, value: v}     check: true
   # with: [input ...] names the inputs that are true. What must be seen: in (the active leaves), data, armed (timers),
   # actions (none if not said), sound, and repaired after a check. events: what is sent and the chart does not name.
-  # scion: what SCION does otherwise.
+  # limits: those of a chart of a product. scion: what SCION does otherwise.
   class OwnCases
     FOLDER = File.join(__dir__, 'cases')
     UNITS = { 'us' => 1, 'ms' => 1000, 's' => 1_000_000 }.freeze
@@ -23,10 +23,11 @@ module Conformance
       Dir[File.join(FOLDER, '*.scxml')].sort.map { |file| new(file).scenario }
     end
 
+    # file: the chart, beside which its case stands.
     def initialize(file)
       @file = file
       @case = YAML.safe_load_file(file.sub(/scxml\z/, 'yml'))
-      @chart = Chart.from(file, @case.fetch('events', []))
+      @chart = Chart.from(file, @case.fetch('events', []), @case['limits'])
     end
 
     def scenario

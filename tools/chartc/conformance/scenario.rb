@@ -16,11 +16,11 @@ module Conformance
   # What a chart shows after a step. taken: numbers of transitions; repaired: whether a check had to.
   Seen = Struct.new(:leaves, :history, :data, :armed, :actions, :taken, :sound, :repaired, keyword_init: true)
 
-  # A chart that the compiler accepts in its engine's mode, with its walk.
+  # A chart that the compiler accepts, with its walk: in its engine's mode, or with limits as one of a product.
   Chart = Struct.new(:document, :walk, :shapes) do
-    def self.from(file, events)
-      document = ::Chart::Parser.parse(file, File.read(file, encoding: 'UTF-8'), {}, mode: :engine,
-                                                                                     extra_events: events)
+    def self.from(file, events, limits = nil)
+      document = ::Chart::Parser.parse(file, File.read(file, encoding: 'UTF-8'), limits || {},
+                                       mode: limits ? :product : :engine, extra_events: events)
       ::Chart::StaticChecks.run(document)
       walk = ::Chart::Walk.new(document).run
       new(document, walk, ::Chart::C::Source.shapes(document))

@@ -62,7 +62,8 @@ module RandomCharts
     MOST_MICROSTEPS = 500
     UNITS = { 'us' => 1, 'ms' => 1000, 's' => 1_000_000 }.freeze
 
-    attr_reader :inputs, :outside, :inside
+    # faults: rules that the last step broke, of those that only running shows.
+    attr_reader :inputs, :outside, :inside, :faults
 
     def initialize(text)
       chart = REXML::Document.new(text).root
@@ -74,6 +75,8 @@ module RandomCharts
       read_timers(chart)
       read_events(chart)
       @code = {}
+      @blocks = Hash.new { |found, key| found[key] = key.first.element.get_elements(key.last) }
+      @pieces = {}.compare_by_identity
     end
 
     def start
@@ -98,13 +101,36 @@ module RandomCharts
     def advance(elapsed_us, inputs)
       begin_step(inputs)
       @armed.transform_values! { |time| time + elapsed_us }
-      @timers.each do |timer|
-        next unless @armed.fetch(timer.id, 0) >= timer.threshold_us
-
-        @armed.delete(timer.id)
-        macrostep(timer.event)
-      end
+      expire_due
       seen
+    end
+
+    # A number from outside that is no event.
+    def ignore(inputs)
+      begin_step(inputs)
+      seen
+    end
+
+    # These timers, of those that run, have reached their delay.
+    def expire(ids, inputs)
+      begin_step(inputs)
+      @timers.each { |timer| @armed[timer.id] = timer.threshold_us if ids.include?(timer.id) && @armed.key?(timer.id) }
+      expire_due
+      seen
+    end
+
+    def armed
+      @timers.map(&:id).uniq & @armed.keys
+    end
+
+    # What it goes on from; how long timers have run is no part of it.
+    def memory
+      [@configuration.sort_by(&:order), @history, @data, armed]
+    end
+
+    def memory=(memory)
+      @configuration, @history, @data = memory.first(3).map(&:dup)
+      @armed = memory.last.to_h { |id| [id, 0] }
     end
 
     # Whether an event from outside would be taken.
@@ -142,9 +168,16 @@ module RandomCharts
     end
 
     def read_data(chart)
-      found = chart.elements.to_a('datamodel/data').partition { |data| data.attributes['bs:input'] == 'true' }
+      product = chart.attributes['bs:safe']
+      found = chart.elements.to_a('datamodel/data').partition { |data| product || data.attributes['bs:input'] == 'true' }
+      @bounds = found.last.to_h { |data| [data.attributes['id'], bounds(data)] }
       @inputs = found.first.map { |data| data.attributes['id'] }
       @first_data = found.last.to_h { |data| [data.attributes['id'], literal(data.attributes['expr'])] }
+    end
+
+    def bounds(data)
+      range = data.attributes.values_at('bs:min', 'bs:max').compact.map { |text| Integer(text) }
+      Range.new(*range) if range.any?
     end
 
     def literal(text)
@@ -181,11 +214,21 @@ module RandomCharts
 
     # --- the algorithm -----------------------------------------------------------------------------------------------
 
+    def expire_due
+      @timers.each do |timer|
+        next unless @armed.fetch(timer.id, 0) >= timer.threshold_us
+
+        @armed.delete(timer.id)
+        macrostep(timer.event)
+      end
+    end
+
     def begin_step(inputs)
       @with = inputs
       @taken = []
       @actions = []
       @queue = []
+      @faults = []
     end
 
     def macrostep(event)
@@ -254,7 +297,7 @@ module RandomCharts
         end
       end
       leaving.each do |state|
-        execute(state.element.get_elements('onexit'))
+        execute(@blocks[[state, 'onexit']])
         @configuration.delete(state)
       end
     end
@@ -263,7 +306,7 @@ module RandomCharts
       compute_entry_set(transitions)
       @to_enter.uniq.sort_by(&:order).each do |state|
         @configuration << state
-        execute(state.element.get_elements('onentry'))
+        execute(@blocks[[state, 'onentry']])
         execute(state.content) if @default_entry.include?(state)
         execute(@history_content.fetch(state.id, []))
         finish(state) if state.kind == 'final' && state.parent.parent
@@ -329,7 +372,8 @@ module RandomCharts
       states = effective_targets(transition.targets)
       source = transition.source
       return source if transition.internal && source.compound? && states.all? { |state| state.inside?(source) }
-            source.ancestors.find { |one| one.compound? && states.all? { |state| state.inside?(one) } }
+
+      source.ancestors.find { |one| one.compound? && states.all? { |state| state.inside?(one) } }
     end
 
     def effective_targets(ids)
@@ -348,19 +392,35 @@ module RandomCharts
 
     def execute(blocks)
       blocks.each do |block|
-        @actions |= block.attributes['bs:do'].to_s.split
-        block.elements.each { |element| perform(element) }
+        actions, elements = @pieces[block] ||= pieces(block)
+        @actions |= actions
+        elements.each { |name, attributes| perform(name, attributes) }
       end
     end
 
-    def perform(element)
-      attributes = element.attributes
-      case element.name
+    # Looking into the file takes time.
+    def pieces(block)
+      [block.attributes['bs:do'].to_s.split,
+       block.elements.to_a.map { |one| [one.name, one.attributes.each_attribute.to_h { |found| [found.expanded_name, found.value] }] }]
+    end
+
+    def perform(name, attributes)
+      case name
       when 'raise' then @queue << attributes['event']
-      when 'send' then attributes['target'] ? @queue << attributes['event'] : @armed[attributes['id']] = 0
+      when 'send' then attributes['target'] ? @queue << attributes['event'] : arm(attributes['id'])
       when 'cancel' then @armed.delete(attributes['sendid'])
-      when 'assign' then @data[attributes['location']] = value(attributes['expr'])
+      when 'assign' then assign(attributes['location'], value(attributes['expr']))
       end
+    end
+
+    def arm(id)
+      @faults << 33 if @armed.key?(id)
+      @armed[id] = 0
+    end
+
+    def assign(name, value)
+      @faults << 34 if @bounds.fetch(name)&.include?(value) == false
+      @data[name] = value
     end
 
     def holds?(condition)
@@ -369,12 +429,16 @@ module RandomCharts
 
     # What the profile has of ECMAScript is Ruby as it stands, once In() and names are questions.
     def value(text)
-      code = @code[text] ||= text.gsub(/In\('([^']+)'\)|[a-z]\w*/) do |word|
+      code = @code[text] ||= instance_eval("-> { #{in_ruby(text)} }", __FILE__, __LINE__)
+      code.call
+    end
+
+    def in_ruby(text)
+      text.gsub(/In\('([^']+)'\)|[a-z]\w*/) do |word|
         next "active?('#{Regexp.last_match(1)}')" if Regexp.last_match(1)
 
         %w[true false].include?(word) ? word : "named('#{word}')"
       end
-      instance_eval(code)
     end
 
     def active?(id)

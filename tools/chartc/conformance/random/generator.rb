@@ -38,6 +38,8 @@ module RandomCharts
     INPUTS = %w[door light].freeze
     ACTIONS = %w[open close].freeze
     MOST = 3
+    # The last one is nearly all that a timer can count.
+    DELAYS = %w[1ms 2ms 2500us 4ms 4ms 60s 4294967ms].freeze
 
     def initialize(seed)
       @random = Random.new(seed)
@@ -228,7 +230,7 @@ module RandomCharts
     def add_timers
       pick(0..2).times do |index|
         id = "t#{index}"
-        send = node('send', 'id' => id, 'event' => pick(%w[late late tick]), 'delay' => pick(%w[1ms 2ms 2500us 4ms]))
+        send = node('send', 'id' => id, 'event' => pick(%w[late late tick]), 'delay' => pick(DELAYS))
         send.attributes['bs:kind'] = pick(%w[watchdog hold_off]) if chance?(30)
         owner = pick(states)
         in_block(owner, chance?(80) ? 'onentry' : 'onexit', send)

@@ -5,22 +5,31 @@
 require 'yaml'
 require_relative 'generator'
 require_relative 'minimiser'
+require_relative 'product_generator'
+require_relative 'survey'
 require_relative 'trial'
 
 module RandomCharts
-  # Compares chart after chart; what differs is made small and kept as a case (tools/chartc/conformance/cases).
+  # Compares chart after chart, and asks of those that are refused by what running shows whether it shows that; what
+  # differs is made small and kept. Each third chart is one of a product.
   class Hunt
     FOLDER = File.expand_path('../../../../build/conformance/random', __dir__)
+    # Where the cases stand that every run of the conformance gate takes.
+    CASES = File.expand_path('../cases', __dir__)
     # So many charts make one program.
     TOGETHER = 25
     # A chart that differs, and how.
     Found = Struct.new(:seed, :differences, :file)
 
-    attr_reader :accepted, :refused, :machines, :found, :last_seed
+    # products: how many of the accepted ones; shapes: programs of each; judged: refusals that are right.
+    attr_reader :accepted, :products, :refused, :shapes, :judged, :found, :last_seed
 
-    def initialize(first_seed)
+    # keep: the folder for what differs.
+    def initialize(first_seed, keep: File.join(FOLDER, 'found'))
       @first_seed = @last_seed = first_seed
-      @accepted = @machines = 0
+      @keep = keep
+      @accepted = @products = @judged = 0
+      @shapes = Hash.new(0)
       @refused = Hash.new(0)
       @found = []
     end
@@ -31,6 +40,7 @@ module RandomCharts
       seeds.filter_map { |seed| trial(seed) }.each_slice(TOGETHER) do |trials|
         compare(trials)
         @accepted += trials.length
+        @products += trials.count { |one| one.trial.document.mode == :product }
         @last_seed = trials.last.seed
         break if yield self
       end
@@ -38,9 +48,10 @@ module RandomCharts
     end
 
     def to_s
-      "random charts: #{@accepted} (seeds #{@first_seed} to #{@last_seed}) as #{@machines} programs, " \
-        "#{@refused.values.sum} refused (#{@refused.sort.map { |rule, count| "R#{rule}: #{count}" }.join(', ')}), " \
-        "#{@found.length} differ"
+      "random charts: #{@accepted} (seeds #{@first_seed} to #{@last_seed}, #{@products} of products) as " \
+        "#{@shapes.sort.map { |shape, count| "#{count} #{shape}" }.join(' and ')} programs, " \
+        "#{@refused.values.sum} refused (#{@refused.sort.map { |rule, count| "R#{rule}: #{count}" }.join(', ')}; " \
+        "#{@judged} judged), #{@found.length} differ"
     end
 
     private
@@ -49,17 +60,26 @@ module RandomCharts
     private_constant :Seeded
 
     def trial(seed)
-      chart = Generator.new(seed).chart
+      chart = ((seed % 3).zero? ? ProductGenerator : Generator).new(seed).chart
       trial = Trial.new("chart_#{seed}", chart.xml) { |machine, inputs| Scenario.new(Random.new(seed)).steps(machine, inputs) }
       Seeded.new(seed, chart, trial)
     rescue Chart::Refusal => e
       @refused[e.rule] += 1
+      judge(seed, chart, e) if Survey::RULES.include?(e.rule) && e.message.include?('reached by')
       nil
     end
 
+    # What the walk says is done, appendix D must do.
+    def judge(seed, chart, refusal)
+      case Survey.new(chart.xml).breaks?(refusal.rule, Trial::MOST_SNAPSHOTS)
+      when true then @judged += 1
+      when false then keep(Seeded.new(seed, chart), ["refused for nothing: #{refusal.message}"])
+      end
+    end
+
     def compare(trials)
-      @machines += trials.sum { |one| one.trial.machines.length }
-      differing(trials).each { |one| keep(one) }
+      trials.each { |one| one.trial.machines.each { |machine| @shapes[machine.shape] += 1 } }
+      differing(trials).each { |one| keep_small(one) }
     end
 
     # One that the compiler refuses, or that ends the program, is found by itself.
@@ -69,14 +89,19 @@ module RandomCharts
       trials.length == 1 ? trials : trials.each_slice(1).flat_map { |one| differing(one) }
     end
 
-    def keep(one)
+    def keep_small(one)
       chart, steps = Minimiser.new(one.chart, one.trial.steps) { |*candidate| words(*candidate).any? }.run
-      file = File.join(FOLDER, 'found', "seed_#{one.seed}")
-      FileUtils.mkdir_p(File.dirname(file))
-      trial = Trial.new('found', chart.xml, steps)
-      File.write("#{file}.scxml", chart.xml)
-      File.write("#{file}.yml", Case.new(trial).text)
-      @found << Found.new(one.seed, words(chart, steps), file)
+      keep(Seeded.new(one.seed, chart, Trial.new('found', chart.xml, steps)), words(chart, steps))
+    end
+
+    # A refused chart has no steps.
+    def keep(one, differences)
+      file = File.join(@keep, name = "seed_#{one.seed}")
+      FileUtils.mkdir_p(@keep)
+      one.chart.attributes['name'] &&= name
+      File.write("#{file}.scxml", one.chart.xml)
+      File.write("#{file}.yml", Case.new(one.trial, one.seed).text) if one.trial
+      @found << Found.new(one.seed, differences, file)
     end
 
     # What goes wrong with a chart and its steps; nothing if the compiler does not take it.
@@ -91,20 +116,25 @@ module RandomCharts
 
   # A trial as conformance's own cases are written, with what appendix D shows.
   class Case
-    def initialize(trial)
+    def initialize(trial, seed)
       @trial = trial
+      @seed = seed
     end
 
     def text
       rows = @trial.steps.zip(@trial.expected)
       start, *rest = rows.map { |step, seen| words(step, seen) }
-      YAML.dump('says' => 'To be said.', 'start' => start, 'steps' => rest).sub("---\n", "# SPDX-License-Identifier: Apache-2.0\n")
+      limits = @trial.document.mode == :product ? { 'limits' => ProductGenerator::LIMITS } : {}
+      says = "Differed once, as the random chart of seed #{@seed}."
+      YAML.dump({ 'says' => says }.merge(limits, 'start' => start, 'steps' => rest))
+          .sub("---\n", "# SPDX-License-Identifier: Apache-2.0\n")
     end
 
     private
 
     def words(step, seen)
-      stimulus = { event: { 'event' => step.value }, advance: { 'advance' => "#{step.value}us" }, start: {} }
+      stimulus = { event: { 'event' => step.value }, advance: { 'advance' => "#{step.value}us" }, start: {},
+                   stray: { 'event' => @trial.document.events.length } }
       with = step.inputs.select { |_name, value| value }.keys
       row = stimulus.fetch(step.kind)
       row['with'] = with if with.any?
@@ -116,7 +146,7 @@ end
 
 if $PROGRAM_NAME == __FILE__
   count, seed = ARGV.map(&:to_i)
-  hunt = RandomCharts::Hunt.new(seed).run { |one| one.accepted >= count }
+  hunt = RandomCharts::Hunt.new(seed, keep: RandomCharts::Hunt::CASES).run { |one| one.accepted >= count }
   hunt.found.each { |one| puts "seed #{one.seed}: #{one.file}.scxml", one.differences }
   puts hunt
   exit(hunt.found.empty?)

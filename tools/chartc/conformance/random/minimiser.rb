@@ -8,7 +8,7 @@ module RandomCharts
   # Takes from a chart and its steps all that can be taken while the block still says that they fail.
   class Minimiser
     # A chart without these is another one.
-    KEPT = %w[id xmlns xmlns:bs version datamodel].freeze
+    KEPT = %w[id xmlns xmlns:bs version datamodel name bs:safe].freeze
 
     def initialize(chart, steps, &fails)
       @chart = chart

@@ -66,14 +66,15 @@ module RandomCharts
 
     def action(step)
       return "(#{@names.chart_function('init')}(&chart), 0U)" if step.kind == :start
-      return dispatched(step) if step.kind == :event
+      return dispatched(step, @names.event(step.value)) if step.kind == :event
+      return dispatched(step, "(#{@names.event_type})#{@document.events.length}") if step.kind == :stray
 
       function = @names.chart_function('advance')
       @document.timers.empty? ? "#{function}(&chart, #{step.value}U)" : called(function, step, "#{step.value}U")
     end
 
-    def dispatched(step)
-      called(@names.chart_function('dispatch'), step, @names.event(step.value))
+    def dispatched(step, event)
+      called(@names.chart_function('dispatch'), step, event)
     end
 
     def called(function, step, last)

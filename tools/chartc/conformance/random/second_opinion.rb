@@ -125,7 +125,7 @@ module RandomCharts
     def trial(seed, text)
       file = File.join(FOLDER, "chart_#{seed}")
       File.write("#{file}.scxml", text)
-      Trial.new(file, text) { |machine, inputs| Scenario.new(Random.new(seed)).steps(machine, inputs) }
+      Trial.new(file, text) { |machine, inputs| Scenario.new(Random.new(seed), strays: false).steps(machine, inputs) }
     end
 
     def hear(trial)

@@ -6,9 +6,11 @@ require_relative '../../lib/check/static_checks'
 require_relative '../../lib/read/parser'
 require_relative '../../lib/walk/walk'
 require_relative 'appendix_d'
+require_relative 'product_generator'
 require_relative 'program'
 
 module RandomCharts
+  # kind: :start, :event, :advance, or :stray, a number that is no event.
   Step = Struct.new(:kind, :value, :inputs)
 
   # One chart with a list of steps, in all shapes that the compiler gives it, against appendix D.
@@ -25,15 +27,15 @@ module RandomCharts
       trials.map { |trial| trial.differences(found.shift(trial.machines.length)) }
     end
 
-    # A Refusal when the compiler does not take the chart. steps: what is to be done, or a block that makes the list
-    # for a machine that is told the chart.
+    # A Refusal when the compiler does not take the chart. steps: what is to be done, of which events that the chart knows
+    # no more are left out, or a block that makes the list for a machine that is told the chart.
     def initialize(name, text, steps = nil)
       @text = text
-      @document = Chart::Parser.parse("#{name}.scxml", text, {}, mode: :engine, extra_events: [])
+      @document = read(name)
       Chart::StaticChecks.run(@document)
       @walk = Chart::Walk.new(@document, MOST_SNAPSHOTS).run
-      @steps = steps || yield(AppendixD.new(text), @document.inputs.map(&:name))
-      @steps = @steps.select { |step| step.kind != :event || @document.events.include?(step.value) }
+      known = steps&.select { |step| step.kind != :event || @document.events.include?(step.value) }
+      @steps = known || yield(AppendixD.new(text), @document.inputs.map(&:name))
       @machines = Chart::C::Source.shapes(@document).map { |shape| Machine.new(@document, @walk, shape, @steps) }
     end
 
@@ -57,6 +59,14 @@ module RandomCharts
 
     private
 
+    # A chart of a product has its name; the program takes it by that of the trial.
+    def read(name)
+      product = @text.include?(' bs:safe="')
+      found = Chart::Parser.parse("#{product ? 'chart' : name}.scxml", @text, product ? ProductGenerator::LIMITS : {},
+                                  mode: product ? :product : :engine)
+      found.tap { |one| one.name = name if product }
+    end
+
     def sorted(seen)
       [seen.leaves, seen.history.sort, seen.data, seen.armed, seen.actions.sort, seen.taken]
     end
@@ -66,6 +76,7 @@ module RandomCharts
       when :start then machine.start
       when :event then machine.dispatch(step.value, step.inputs)
       when :advance then machine.advance(step.value, step.inputs)
+      when :stray then machine.ignore(step.inputs)
       end
     end
 
@@ -90,10 +101,14 @@ module RandomCharts
   class Scenario
     LONG = 40
     TIMES = [500, 1000, 1000, 2000, 3000, 7000].freeze
+    # To the end of long delays, and of what a clock of 32 bits can count.
+    LONG_TIMES = [59_990_000, 60_000_000, 4_294_966_000, 4_294_967_295].freeze
     TRIES = 4
 
-    def initialize(random)
+    # strays: with numbers that are no event, which compiled charts alone take.
+    def initialize(random, strays: true)
       @random = random
+      @strays = strays
     end
 
     def steps(machine, inputs)
@@ -101,19 +116,31 @@ module RandomCharts
       machine.start
       LONG.times do
         found << step(machine, inputs)
-        found.last.kind == :event ? machine.dispatch(*found.last.to_a.drop(1)) : machine.advance(*found.last.to_a.drop(1))
+        take(machine, *found.last.to_a)
       end
       found
     end
 
     private
 
+    def take(machine, kind, value, with)
+      case kind
+      when :event then machine.dispatch(value, with)
+      when :advance then machine.advance(value, with)
+      end
+    end
+
+    def time
+      (@random.rand(100) < 75 ? TIMES : LONG_TIMES).sample(random: @random)
+    end
+
     def step(machine, inputs)
       found = nil
       TRIES.times do
         with = inputs.to_h { |name| [name, @random.rand(2) == 1] }
         events = machine.outside
-        return Step.new(:advance, TIMES.sample(random: @random), with) if events.empty? || @random.rand(100) < 12
+        return Step.new(:advance, time, with) if events.empty? || @random.rand(100) < 12
+        return Step.new(:stray, nil, with) if @strays && @random.rand(100) < 3
 
         found = Step.new(:event, events.sample(random: @random), with)
         break if machine.awaits?(found.value, with)
