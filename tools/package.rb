@@ -150,6 +150,7 @@ class Package
   #
   # @satisfies SWR-PACK-007
   # @satisfies SWR-PACK-008
+  # @satisfies SWR-PACK-013
   # @satisfies SWR-PACK-010
   def add_control
     %w[preinst postinst prerm postrm].each do |each|

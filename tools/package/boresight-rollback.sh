@@ -4,7 +4,8 @@ if [ $# -gt 0 ]; then
 
 usage: boresight-rollback
 
-Refused while a drive is on, a motion is armed or a client has left START_UP. Boresight is stopped, and not started.
+Refused while a drive is on, a motion is armed or a client has left START_UP, and if that release does not know a robot or an
+option of the configuration. Boresight is stopped, and not started.
 Exit code 0: done. 1: refused.'
     [ "$1" = --help ] || [ "$1" = -h ] || exit 2
     exit 0
@@ -15,6 +16,7 @@ before=$(release previous)
 if [ -z "$before" ] || [ ! -d "$root/releases/$before" ]; then refuse 'there is no release before this one.'; fi
 if [ "$before" = "$now" ]; then refuse 'the release before this one is this one; install the one you want.'; fi
 if [ ! -w "$root" ]; then refuse "$root cannot be written; be root."; fi
+require_fit "$root/releases/$before"
 require_rest
 stop_running
 point current "$before"

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
 program=$root/current/bin/boresight
-config=/etc/boresight/boresight.conf
 
 start() {
     if [ -n "$(running)" ]; then

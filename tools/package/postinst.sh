@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 if [ "${1:-}" != configure ]; then exit 0; fi
+require_fit "$root/package"
 require_rest
 stop_running
 

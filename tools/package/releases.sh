@@ -1,18 +1,21 @@
 # SPDX-License-Identifier: Apache-2.0
 # Releases of Boresight, and what of them runs. Part of each script below.
 root=/opt/boresight
+config=/etc/boresight/boresight.conf
 
 refuse() {
     echo "boresight: $1" >&2
     exit 1
 }
 
-# The supervisors that run from a release, as folders of /proc.
+# The supervisors that run from a release or from what was unpacked, wherever /opt leads, as folders of /proc.
 running() {
+    [ -d "$root" ] || return 0
+    place=$(readlink -f "$root")
     for link in /proc/[0-9]*/exe; do
         program=$(readlink "$link" 2>/dev/null) || continue
         case $program in
-        "$root"/releases/*/bin/boresight | "$root/releases/"*"/bin/boresight (deleted)") echo "${link%/exe}" ;;
+        "$place"/*/bin/boresight | "$place"/*"/bin/boresight (deleted)") echo "${link%/exe}" ;;
         esac
     done
 }
@@ -27,6 +30,14 @@ ask() (
     # shellcheck disable=SC2086
     exec "$1/exe" $words --at-rest
 )
+
+# Refuses the release in the folder $1 whose program knows a robot or an option of the configuration not. It is asked by a name
+# that nobody runs with.
+require_fit() {
+    [ -e "$config" ] || return 0
+    reason=$("$1/bin/boresight" --config "$config" --instance "fits-$$" --at-rest 2>&1) ||
+        refuse "nothing is replaced, the release does not fit $config. $reason"
+}
 
 require_rest() {
     for process in $(running); do

@@ -109,6 +109,40 @@ class TestReleases < SystemTest
     service('stop')
   end
 
+  # It was started from what was unpacked, on a disk of its own; it does not answer whether it is at rest.
+  def test_SWR_PACK_008_what_runs_from_elsewhere_below_its_folder_is_not_replaced
+    FileUtils.mkdir_p(@tree.path('/srv/opt'))
+    File.symlink('srv/opt', @tree.path('/opt'))
+    assert_done(install(OLD))
+    program = '/opt/boresight/package/bin/boresight'
+    FileUtils.cp('/bin/sleep', @tree.path("/srv#{program}"))
+    pid = Process.spawn(*@tree.prefix, program, '600')
+    wait_until('it runs') { File.readlink("/proc/#{pid}/exe").end_with?(program) }
+    text, code = install(NEW)
+    refute_equal 0, code, text
+    assert_match(/nothing is replaced, process #{pid} runs/, text)
+    assert_equal OLD, leads('current')
+  ensure
+    Process.kill(:KILL, pid)
+    Process.wait(pid)
+  end
+
+  def test_SWR_PACK_013_a_release_that_does_not_fit_the_configuration_is_refused_by_name
+    [OLD, NEW].each { |version| assert_done(install(version)) }
+    { 'robot dental' => /There is no robot "dental"/, 'wiring x' => /wiring/ }.each do |line, reason|
+      File.write(@tree.path(CONFIGURATION), "#{line}\n")
+      [%w[boresight-rollback], ['dpkg', '--install', self.class.packages.fetch(NEWEST)]].each do |command|
+        text, code = @tree.run(*command)
+        refute_equal 0, code, text
+        assert_match(/nothing is replaced, the release does not fit #{CONFIGURATION}.*#{reason}/m, text)
+      end
+      assert_equal [NEW, OLD], [leads('current'), leads('previous')]
+    end
+    File.write(@tree.path(CONFIGURATION), "robot bench2\n")
+    assert_done(package('--configure', 'boresight'))
+    assert_equal [NEWEST, NEW], [leads('current'), leads('previous')]
+  end
+
   # Between the two halves of an installation somebody may start it.
   def test_SWR_PACK_008_what_was_started_in_the_middle_of_an_installation_is_not_replaced
     assert_done(install(OLD))
