@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # The robot for a page: the core and the simulated control box as WebAssembly; included by the Makefile.
 
-.PHONY: wasm
+.PHONY: wasm site
 
 # Words are formatted by this C library. Its usual vsnprintf() would import files, to complain of long doubles.
 WASM_LIBC := $(addprefix /usr/lib/wasm32-wasi/,libc-printscan-long-double.a libc.a) \
@@ -17,6 +17,16 @@ $(OUT)/verification/site/%.o: FLAGS = $(SITE_INCLUDES)
 
 wasm: bootstrap-test ## The core, the simulated control box and their server as WebAssembly: build/site/{robot,served}.wasm
 	@$(MAKE) --no-print-directory -j2 CONFIG=wasm build/site/robot.wasm build/site/served.wasm
+
+# What the console is made of but its robot; as for the product.
+PAGE := build/site/page/index.html
+$(PAGE): build/site/served.wasm $(CONSOLE_SOURCES) $(GEN)/interface/.compiled $(DRAWINGS) $(GEN)/charts/charts.json \
+    app/console/node_modules/.installed
+	@cd app/console && npm run --silent build-site
+	@echo "built $@, $$(gzip -9 -c $@ | wc -c) bytes compressed"
+
+site: wasm ## The console with a robot in its own page, which needs no server: build/site/page/index.html
+	@$(MAKE) --no-print-directory CONFIG=wasm $(PAGE)
 
 # The same in native code, to be compared with it.
 build/gcc/bin/closed-loop-scene: $(call object,$(CLOSED_LOOP_SOURCES) verification/site/scene.c) build/gcc/libcore.a

@@ -4,17 +4,25 @@
 # Rule under test: the robot of a page (build/site/robot.wasm) is the robot. It imports nothing; what both demonstrations
 # have recorded on x86-64 it computes again, bit for bit; with its simulated control box it lives through a scene as native
 # code does, of each robot; and without a robot it does nothing. The server of a page (build/site/served.wasm) says what
-# the handlers of boresight-http say, and lets through what they let through.
+# the handlers of boresight-http say, and lets through what they let through. The page (build/site/page) needs nothing but its
+# file; app/console/e2e/site.e2e.ts runs once, and each test on it here is the verdict of its part for one requirement.
+# With BORESIGHT_SCREENSHOT=FILE it leaves a picture of the page.
 
 require 'minitest/autorun'
 require 'json'
 require 'open3'
 require 'tmpdir'
+require 'zlib'
+require_relative '../system/support/browser_run'
 
 class TestSite < Minitest::Test
+  include BrowserVerdicts
+
   ROOT = File.expand_path('../..', __dir__)
   MODULE = "#{ROOT}/build/site/robot.wasm"
   SERVED = "#{ROOT}/build/site/served.wasm"
+  PAGE = "#{ROOT}/build/site/page/index.html"
+  PAGE_BYTES = 330_000
   NATIVE = "#{ROOT}/build/gcc/bin/closed-loop-scene"
   NATIVE_SERVED = "#{ROOT}/build/gcc/bin/served-ask"
   ROBOTS = Dir.glob('*/robot.yml', base: "#{ROOT}/core/robot").map { |path| File.dirname(path) }.sort
@@ -47,6 +55,17 @@ class TestSite < Minitest::Test
     19500 order show
     19600 order nonsense
   LINES
+
+  # Of one run of the page.
+  def self.results
+    @results ||= Dir.mktmpdir do |folder|
+      figure = "#{folder}/figure"
+      environment = { 'BORESIGHT_PAGE' => "file://#{PAGE}", 'BORESIGHT_FIGURES' => figure }
+      verdicts = BrowserRun.results('site.e2e.ts', environment)
+      puts "SWR-SITE-010: it moves #{File.read(figure)} ms after it was opened" if File.exist?(figure)
+      verdicts
+    end
+  end
 
   def node(*words, **options)
     Open3.capture2e('node', *words, **options)
@@ -142,5 +161,38 @@ class TestSite < Minitest::Test
     said, = node("#{__dir__}/contracts.mjs", SERVED, 'served')
     expected = { step: 310, ask: 311, size: 312 }
     assert_equal expected.map { |name, id| "#{name}: RuntimeError: Contract served/#{id} is broken, report this.\n" }.join, said
+  end
+
+  def test_SWR_SITE_010_the_page_has_logged_in_and_the_axes_home_under_the_pedal
+    assert_parts 'SWR-SITE-010'
+  end
+
+  def test_SWR_SITE_011_the_axes_stand_when_the_pedal_is_released_and_a_stop_is_heard
+    assert_parts 'SWR-SITE-011'
+  end
+
+  def test_SWR_SITE_012_another_robot_is_a_link_away
+    assert_parts 'SWR-SITE-012'
+  end
+
+  def test_SWR_SITE_013_the_page_says_what_it_is_so_that_everybody_can_read_it
+    assert_parts 'SWR-SITE-013'
+  end
+
+  def test_SWR_SITE_014_time_in_the_page_stands_still_and_goes_on_by_one_cycle
+    assert_parts 'SWR-SITE-014'
+  end
+
+  def test_SWR_SITE_015_the_page_is_one_file_that_asks_for_nothing
+    assert_equal ['index.html'], Dir.children(File.dirname(PAGE))
+    size = Zlib.gzip(File.binread(PAGE), level: 9).bytesize
+    assert_operator size, :<=, PAGE_BYTES
+    puts "SWR-SITE-015: the page has #{size} bytes when compressed"
+    assert_parts 'SWR-SITE-015'
+  end
+
+  def test_SWR_SITE_016_a_robot_that_is_put_back_goes_on_as_it_did_and_otherwise_if_asked_otherwise
+    said, = node('--no-warnings', "#{__dir__}/door.mjs", SERVED, 'neuro')
+    assert_equal({ 'role' => 'ENGINEER', 'again' => true, 'other' => false, 'told' => true }, JSON.parse(said))
   end
 end

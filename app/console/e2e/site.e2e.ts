@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page with a robot in it, opened as a file in a real browser: it homes under the pedal and stops with its release.
+// verification/site/test_site.rb runs it. Needed from the environment:
+//   BORESIGHT_PAGE  the page's address
+//   BORESIGHT_FIGURES  file for what was measured
+//   BORESIGHT_SCREENSHOT  optional: file for a picture of it
+import { readFileSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { chromium, type Browser, type Page } from "playwright-core";
+import { afterAll, beforeAll, expect, test } from "vitest";
+
+const address = process.env.BORESIGHT_PAGE ?? "";
+const figures = process.env.BORESIGHT_FIGURES;
+const picture = process.env.BORESIGHT_SCREENSHOT;
+/** A bound against hanging, and no judgement. */
+const patience = { timeout: 120_000 };
+const LOOK_MS = 100;
+const STILL_CYCLES = 300;
+const asked: string[] = [];
+const problems: string[] = [];
+let browser: Browser;
+let page: Page;
+let openedAt = 0;
+
+function button(name: string) {
+  return page.getByRole("button", { name, exact: true });
+}
+
+function sign(word: string) {
+  return page.locator(".sign-word", { hasText: word });
+}
+
+const keeper = () => page.getByRole("switch", { name: "Keep pedal pressed" });
+
+async function isKept(): Promise<boolean> {
+  return (await keeper().getAttribute("aria-checked")) === "true";
+}
+
+/** A box that let go while the machine paused is pressed anew. */
+async function pressUntilItMoves(): Promise<void> {
+  while (!(await sign("MOVING").isVisible())) {
+    if (!(await isKept())) {
+      await keeper().and(page.locator(":enabled")).click();
+    }
+    await page.waitForTimeout(LOOK_MS);
+  }
+}
+
+async function release(): Promise<void> {
+  if (await isKept()) {
+    await keeper().click();
+  }
+  await page
+    .getByRole("group", { name: "Pedal" })
+    .getByText("released")
+    .waitFor();
+}
+
+async function cycle(): Promise<number> {
+  const said = await page.locator(".simulation-time").innerText();
+  return Number(/cycle (\d+)$/.exec(said)?.[1]);
+}
+
+async function passCycles(count: number): Promise<void> {
+  const end = (await cycle()) + count;
+  await expect.poll(cycle, patience).toBeGreaterThan(end);
+}
+
+function positions(): Promise<string[]> {
+  return page.locator('[data-axis] [data-field="position"]').allInnerTexts();
+}
+
+beforeAll(async () => {
+  browser = await chromium.launch({
+    executablePath: "/usr/bin/chromium",
+    args: ["--no-sandbox", "--disable-gpu"],
+  });
+  page = await browser.newPage({ viewport: { width: 1440, height: 980 } });
+  page.setDefaultTimeout(patience.timeout);
+  page.on("request", (request) => asked.push(request.url()));
+  page.on("pageerror", (error) => problems.push(error.message));
+  page.on("console", (message) => {
+    if (["error", "warning"].includes(message.type())) {
+      problems.push(message.text());
+    }
+  });
+  openedAt = performance.now();
+  await page.goto(address);
+});
+
+afterAll(() => browser.close());
+
+test("SWR-SITE-013 the page says what it is", async () => {
+  await page.getByRole("note").getByText("No robot moves.").waitFor();
+  await page.getByText(/^File [0-9a-f]{8}, build \S+$/).waitFor();
+});
+
+test("SWR-SITE-010 it has logged in by itself, and the axes home under the pedal", async () => {
+  await page.getByText("Logged in as code (engineer)").waitFor();
+  await button("Take command").click();
+  await button("Open the simulated box").click();
+  await page
+    .getByRole("region", { name: "Procedure", exact: true })
+    .getByRole("button", { name: "START UP" })
+    .click();
+  await page.getByText("Press and hold the pedal.").first().waitFor();
+  await pressUntilItMoves();
+  if (figures !== undefined) {
+    writeFileSync(figures, String(Math.round(performance.now() - openedAt)));
+  }
+});
+
+test("SWR-SITE-011 they stand when it is released, and STOP is heard", async () => {
+  await release();
+  await sign("ARMED").waitFor();
+  const stood = await positions();
+  await passCycles(STILL_CYCLES);
+  expect(stood).not.toEqual([]);
+  expect(await positions()).toEqual(stood);
+  await page.getByRole("button", { name: "STOP MOTION" }).click();
+  await page.locator(".banner-state strong", { hasText: "STOP" }).waitFor();
+});
+
+test("SWR-SITE-014 time stands still, and goes on by one cycle", async () => {
+  await button("Pause").click();
+  await button("One cycle").and(page.locator(":enabled")).waitFor();
+  await page.waitForTimeout(LOOK_MS);
+  const before = await cycle();
+  await button("One cycle").click();
+  await expect.poll(cycle, patience).toBeGreaterThan(before);
+  await page.locator('.panels[data-freshness="live"]').waitFor();
+  await button("Real time").click();
+  await passCycles(1);
+});
+
+test("SWR-SITE-015 nothing has left the page, and nothing in it was refused", () => {
+  const others = asked.filter((url) => !/^(file|blob|data):/.test(url));
+  expect(others).toEqual([]);
+  expect(asked.filter((url) => url.startsWith("file:"))).toEqual([address]);
+  expect(problems).toEqual([]);
+});
+
+test("SWR-SITE-013 everybody can read it", async () => {
+  if (picture !== undefined) {
+    await page.screenshot({ path: picture });
+  }
+  const axe = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
+  await page.evaluate(readFileSync(axe, "utf8"));
+  const { violations }: { violations: { id: string }[] } = await page.evaluate(
+    "axe.run({ resultTypes: ['violations'] })",
+  );
+  expect(violations.map(({ id }) => id)).toEqual([]);
+});
+
+test("SWR-SITE-012 another robot is a link away", async () => {
+  await page.getByRole("link", { name: "prostate", exact: true }).click();
+  await page
+    .locator(".simulation-names strong", { hasText: "prostate" })
+    .waitFor();
+});

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rule under test: the page says what it is, and time in it is in the hands of who sees it.
+import {
+  act,
+  cleanup,
+  fireEvent,
+  render,
+  screen,
+} from "@testing-library/react";
+import { afterEach, beforeEach, expect, test, vi } from "vitest";
+import type { RobotView } from "./robot_transport";
+import { Simulation } from "./Simulation";
+
+let view: RobotView;
+let changed: () => void;
+const setPace = vi.fn();
+const step = vi.fn();
+const onAnew = vi.fn();
+
+function replace(change: Partial<RobotView>): void {
+  act(() => {
+    view = { ...view, ...change };
+    changed();
+  });
+}
+
+beforeEach(() => {
+  vi.clearAllMocks();
+  view = { identity: null, cycles: 0, share: 1, failure: null };
+  const subscribe = (listener: () => void) => {
+    changed = listener;
+    return () => undefined;
+  };
+  const robot = { subscribe, getView: () => view, setPace, step };
+  const names = ["neuro", "prostate"];
+  render(<Simulation robot={robot} names={names} onAnew={onAnew} />);
+});
+
+afterEach(cleanup);
+
+function button(name: string): HTMLButtonElement {
+  return screen.getByRole("button", { name });
+}
+
+test("SWR-SITE-013 it is a simulation from the first moment, and its build and robot are named", () => {
+  expect(screen.getByRole("note").textContent).toBe(
+    "Simulation in this page. No robot moves.",
+  );
+  replace({
+    identity: { robot: "neuro", checksum: "a78c5496", build: "18ecb163e24e" },
+  });
+  expect(screen.getByText("File a78c5496, build 18ecb163e24e")).toBeTruthy();
+  expect(screen.getByRole("note")).toBeTruthy();
+});
+
+test("SWR-SITE-012 the other robots are a link away", () => {
+  replace({ identity: { robot: "neuro", checksum: "1", build: "2" } });
+  const links = screen.getAllByRole<HTMLAnchorElement>("link");
+  expect(links.map(({ hash }) => hash)).toEqual(["#robot=prostate"]);
+});
+
+test("SWR-SITE-014 time is slower, faster, stands still, and goes by cycles then", () => {
+  for (const name of ["Pause", "A tenth", "Twice", "Real time"]) {
+    fireEvent.click(button(name));
+  }
+  expect(setPace.mock.calls.flat()).toEqual([0, 0.1, 2, 1]);
+  expect(button("Real time").getAttribute("aria-pressed")).toBe("true");
+  expect(button("One cycle").disabled).toBe(true);
+  replace({ share: 0, cycles: 1234 });
+  expect(button("Pause").getAttribute("aria-pressed")).toBe("true");
+  expect(screen.getByText("1.234 s, cycle 1234")).toBeTruthy();
+  fireEvent.click(button("One cycle"));
+  expect(step).toHaveBeenCalledOnce();
+});
+
+test("SWR-SITE-013 a robot that has failed is not shown as one, and is started anew", () => {
+  replace({ failure: "Contract served/310 is broken, report this." });
+  expect(screen.getByRole("alert").textContent).toContain("served/310");
+  fireEvent.click(button("Start anew"));
+  expect(onAnew).toHaveBeenCalledOnce();
+});

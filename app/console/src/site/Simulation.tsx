@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+import { useSyncExternalStore } from "react";
+import { addressOf } from "./address";
+import { CYCLES_PER_MS } from "./pace";
+import type { RobotTransport, RobotView } from "./robot_transport";
+import "./Simulation.css";
+
+const MS_PER_S = 1000;
+/** Whoever holds the pedal says so each 0.5 s of the world, and the box lets go after 1.5 s of its own: not above 2. */
+const paces: readonly (readonly [number, string])[] = [
+  [0, "Pause"],
+  [0.1, "A tenth"],
+  [1, "Real time"],
+  [2, "Twice"],
+];
+
+interface Properties {
+  robot: Pick<RobotTransport, "subscribe" | "getView" | "setPace" | "step">;
+  /** Of all there are. */
+  names: readonly string[];
+  onAnew(): void;
+}
+
+function Names({
+  identity,
+  names,
+}: Pick<RobotView, "identity"> & Pick<Properties, "names">) {
+  return names.map((name) =>
+    name === identity?.robot ? (
+      <strong key={name}>{name}</strong>
+    ) : (
+      <a key={name} href={addressOf(name)}>
+        {name}
+      </a>
+    ),
+  );
+}
+
+/**
+ * Time in the page.
+ *
+ * @satisfies SWR-SITE-014
+ */
+function Pace({
+  robot,
+  view,
+}: Pick<Properties, "robot"> & { view: RobotView }) {
+  const isPaused = view.share === 0;
+  return (
+    <div className="simulation-pace" role="group" aria-label="Time">
+      {paces.map(([share, name]) => (
+        <button
+          key={name}
+          type="button"
+          aria-pressed={share === view.share}
+          onClick={() => robot.setPace(share)}
+        >
+          {name}
+        </button>
+      ))}
+      <button type="button" disabled={!isPaused} onClick={() => robot.step()}>
+        One cycle
+      </button>
+    </div>
+  );
+}
+
+/**
+ * Says all the time that no robot is here, and what it is that is shown.
+ *
+ * @satisfies SWR-SITE-013
+ */
+export function Simulation({ robot, names, onAnew }: Properties) {
+  const view = useSyncExternalStore(robot.subscribe, robot.getView);
+  const { identity, cycles, failure } = view;
+  const timeS = (cycles / CYCLES_PER_MS / MS_PER_S).toFixed(3);
+  return (
+    <section className="simulation" aria-label="Simulation">
+      <p className="simulation-word" role="note">
+        <strong>Simulation</strong> in this page. No robot moves.
+      </p>
+      <div className="simulation-bar">
+        {failure !== null && (
+          <p role="alert">
+            The robot of this page is gone. Start it anew. ({failure})
+          </p>
+        )}
+        <p className="simulation-names">
+          Robot <Names identity={identity} names={names} />
+        </p>
+        {identity !== null && (
+          <p>
+            File {identity.checksum}, build {identity.build}
+          </p>
+        )}
+        <Pace robot={robot} view={view} />
+        <p className="simulation-time">
+          {timeS} s, cycle {cycles}
+        </p>
+        <button type="button" onClick={onAnew}>
+          Start anew
+        </button>
+      </div>
+    </section>
+  );
+}

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rule under test: the robot of a page lives by the clock, answers, tells news, and after a failure does nothing more.
+import { beforeEach, expect, test, vi } from "vitest";
+import { BEAT_MS, RobotDesk, TELL_MS } from "./desk";
+import type { Report } from "./messages";
+import type { Answered, Asked, ServedRobot, Told } from "./served_robot";
+
+const bodies: Record<string, string> = {
+  "/api/v1/robot": '{"name":"neuro","checksum":"a78c5496"}',
+  "/api/v1/status": '{"build_id":"b1"}',
+  "/api/v1/motors": '"m"',
+  "/api/v1/targeting": '"t"',
+};
+const STATE = '{"status":{"build_id":"b1"},"motors":"m","targeting":"t"}';
+
+class FakeRobot implements Pick<
+  ServedRobot,
+  "step" | "ask" | "listen" | "stay" | "cycles"
+> {
+  cycles = 0;
+  news: Told[] = [];
+  stay = vi.fn();
+
+  step(cycles: number): void {
+    this.cycles += cycles;
+  }
+
+  ask({ method, address }: Asked): Answered {
+    this.cycles += method === "POST" ? 30 : 0;
+    const body = bodies[address] ?? "";
+    return { status: 200, reason: "OK", headers: [], body };
+  }
+
+  listen(): Told[] {
+    return this.news.splice(0);
+  }
+}
+
+let robot: FakeRobot;
+let reports: Report[];
+let desk: RobotDesk;
+
+const ask = (method: string): Asked => ({
+  method,
+  address: "/api/v1/motors",
+  headers: {},
+  body: null,
+});
+
+beforeEach(() => {
+  robot = new FakeRobot();
+  reports = [];
+  desk = new RobotDesk(
+    robot as unknown as ServedRobot,
+    (report) => reports.push(report),
+    0,
+  );
+});
+
+test("SWR-SITE-013 it says first what it is", () => {
+  expect(reports).toEqual([
+    { kind: "started", robot: "neuro", checksum: "a78c5496", build: "b1" },
+  ]);
+});
+
+test("SWR-SITE-009 a beat lets pass what is due, less what a request has waited for", () => {
+  desk.take({ kind: "ask", id: 7, asked: ask("POST") }, 0);
+  desk.beat(BEAT_MS);
+  desk.beat(2 * BEAT_MS);
+  expect(robot.cycles).toBe(1 + 2 * BEAT_MS);
+  expect(reports.at(-1)).toMatchObject({ kind: "answer", id: 7 });
+});
+
+test("SWR-SITE-011 what the stream brings is told, with the time", () => {
+  robot.news = [
+    { type: "log", data: "l" },
+    { type: "state", data: "s" },
+  ];
+  desk.beat(BEAT_MS);
+  expect(reports.slice(1)).toEqual([
+    { kind: "told", type: "log", data: "l" },
+    { kind: "told", type: "state", data: "s" },
+    { kind: "time", cycles: 1 + BEAT_MS },
+  ]);
+});
+
+test("SWR-SITE-014 a robot that stands still is told of again, and one cycle is shown at once", () => {
+  desk.take({ kind: "pace", share: 0 }, 0);
+  desk.beat(TELL_MS);
+  const still = [
+    { kind: "told", type: "state", data: STATE },
+    { kind: "time", cycles: 1 },
+  ];
+  expect(reports.slice(1)).toEqual(still);
+  desk.beat(TELL_MS + BEAT_MS);
+  expect(reports).toHaveLength(3);
+  desk.take({ kind: "step" }, TELL_MS + BEAT_MS);
+  expect(reports.at(-1)).toEqual({ kind: "time", cycles: 2 });
+});
+
+test("SWR-SITE-010 who has opened the page stays logged in", () => {
+  for (let ms = 0; ms <= 121_000; ms += 250) {
+    desk.beat(ms);
+  }
+  expect(robot.stay).toHaveBeenCalledTimes(2);
+});
+
+test("SWR-SITE-011 a robot that has failed says so once, and is done", () => {
+  const step = vi.spyOn(robot, "step").mockImplementation(() => {
+    throw new Error("Contract served/310 is broken, report this.");
+  });
+  desk.beat(BEAT_MS);
+  desk.beat(2 * BEAT_MS);
+  expect(step).toHaveBeenCalledOnce();
+  expect(reports.at(-1)).toEqual({
+    kind: "failed",
+    reason: "Contract served/310 is broken, report this.",
+  });
+});

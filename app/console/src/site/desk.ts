@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// The robot at work for its page: it lives by the time of the world, answers, and tells what happens.
+import type { Path, Robot, Status } from "@interface";
+import { Pace } from "./pace";
+import type { Order, Report } from "./messages";
+import type { Answered, ServedRobot } from "./served_robot";
+
+export const BEAT_MS = 20;
+/** A robot that stands still or is slow is told of as often, that nobody takes it for silent. */
+export const TELL_MS = 200;
+/** Of the robot. */
+const STAY_CYCLES = 60_000;
+
+type Work = Exclude<Order, { kind: "start" }>;
+
+export class RobotDesk {
+  private readonly robot: ServedRobot;
+  private readonly tell: (report: Report) => void;
+  private readonly pace: Pace;
+  private toldAtMs: number;
+  private stayedAt = 0;
+  private hasFailed = false;
+
+  /** The robot is started. */
+  constructor(
+    robot: ServedRobot,
+    tell: (report: Report) => void,
+    nowMs: number,
+  ) {
+    this.robot = robot;
+    this.tell = tell;
+    this.pace = new Pace(nowMs);
+    this.toldAtMs = nowMs;
+    this.try(() => this.introduce());
+  }
+
+  take(order: Work, nowMs: number): void {
+    this.try(() => this.work(order, nowMs));
+  }
+
+  /** Each BEAT_MS. */
+  beat(nowMs: number): void {
+    this.try(() => {
+      this.robot.step(this.pace.due(nowMs));
+      if (this.robot.cycles - this.stayedAt >= STAY_CYCLES) {
+        this.stayedAt = this.robot.cycles;
+        this.robot.stay();
+      }
+      this.tellNews(nowMs);
+    });
+  }
+
+  private work(order: Work, nowMs: number): void {
+    switch (order.kind) {
+      case "ask": {
+        const before = this.robot.cycles;
+        const answered = this.robot.ask(order.asked);
+        this.pace.spend(this.robot.cycles - before);
+        return this.tell({ kind: "answer", id: order.id, answered });
+      }
+      case "pace":
+        return this.pace.set(order.share, nowMs);
+      case "step":
+        this.robot.step(1);
+        return this.tellState(nowMs);
+    }
+  }
+
+  private introduce(): void {
+    this.robot.step(1);
+    const { name, checksum } = this.look<Robot>("/api/v1/robot");
+    const { build_id: build } = this.look<Status>("/api/v1/status");
+    this.tell({ kind: "started", robot: name, checksum, build });
+  }
+
+  private tellNews(nowMs: number): void {
+    const news = this.robot.listen();
+    news.forEach((told) => this.tell({ kind: "told", ...told }));
+    if (news.some(({ type }) => type === "state")) {
+      this.tellTime(nowMs);
+    } else if (nowMs - this.toldAtMs >= TELL_MS) {
+      this.tellState(nowMs);
+    }
+  }
+
+  /** Of this cycle, as the stream would say it. */
+  private tellState(nowMs: number): void {
+    const [status, motors, targeting] = (
+      ["/api/v1/status", "/api/v1/motors", "/api/v1/targeting"] as const
+    ).map((path) => this.read(path).body);
+    const data = `{"status":${status},"motors":${motors},"targeting":${targeting}}`;
+    this.tell({ kind: "told", type: "state", data });
+    this.tellTime(nowMs);
+  }
+
+  private tellTime(nowMs: number): void {
+    this.toldAtMs = nowMs;
+    this.tell({ kind: "time", cycles: this.robot.cycles });
+  }
+
+  private read(address: Path): Answered {
+    return this.robot.ask({ method: "GET", address, headers: {}, body: null });
+  }
+
+  private look<Answer>(path: Path): Answer {
+    return JSON.parse(this.read(path).body) as Answer;
+  }
+
+  /** A robot that has failed once is no robot any more. */
+  private try(act: () => void): void {
+    if (this.hasFailed) {
+      return;
+    }
+    try {
+      act();
+    } catch (failure) {
+      this.hasFailed = true;
+      this.tell({ kind: "failed", reason: (failure as Error).message });
+    }
+  }
+}

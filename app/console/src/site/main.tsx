@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// The console of the product on a robot in its own page, and above it what that page is.
+import { StrictMode } from "react";
+import { createRoot } from "react-dom/client";
+import { drawings } from "@drawings";
+import "../main";
+import { choiceIn, isOther } from "./address";
+import { Simulation } from "./Simulation";
+import { transport } from "./transport";
+
+const { robot } = choiceIn(location.hash);
+window.addEventListener("hashchange", () => {
+  if (isOther(location.hash, robot)) {
+    location.reload();
+  }
+});
+
+const element = document.getElementById("simulation");
+if (element === null) {
+  throw new Error("The page has no element #simulation.");
+}
+createRoot(element).render(
+  <StrictMode>
+    <Simulation
+      robot={transport}
+      names={Object.keys(drawings)}
+      onAnew={() => location.reload()}
+    />
+  </StrictMode>,
+);
