@@ -118,14 +118,15 @@ SOURCES_boresight-http := $(wildcard app/http/*.c app/archive/*.c app/request/*.
     $(GEN)/assets/chart_names.c $(BENCH)
 SOURCES_boresight-passwd := $(wildcard app/passwd/*.c) app/session/account.c app/session/password.c
 SOURCES_boresight-recorder := $(wildcard app/recorder/*.c app/recording/*.c app/positions/*.c) app/sweep/sweep_curve.c $(CLOCK) app/common/directory.c app/common/file_series.c $(LOG_ENTRY) $(EXCHANGE) $(NAMES)
-SOURCES_boresight-replay := $(wildcard app/replay/*.c app/recording/*.c) $(GEN)/interface/app/columns.c $(GEN)/interface/app/fields.c $(AXIS_TERMS) $(DRIVE_TERMS) $(EVENT_TEXT) $(NAMES) $(FIND_ROBOT)
+SOURCES_boresight-replay := $(wildcard app/replay/*.c app/recording/*.c) $(addprefix app/http/,telemetry_json.c telemetry_units.c json_forms.c) $(CLOCK) \
+    $(addprefix $(GEN)/interface/app/,columns.c fields.c messages.c) $(GEN)/assets/recording_page.c $(GEN)/assets/chart_names.c $(AXIS_TERMS) $(DRIVE_TERMS) app/common/utc_text.c $(EVENT_TEXT) $(NAMES) $(FIND_ROBOT)
 SOURCES_boresight := $(wildcard app/check/*.c app/supervisor/*.c app/igtl/igtl_ports*.c) $(CLOCK) app/common/config_file.c app/common/directory.c $(EXCHANGE) $(NAMES) $(GEN)/robot/app/robot_names.c \
     $(BOARD_TABLE)
 LIBS_boresight-control := $(BOARD_LIBS)
 LIBS_boresight-http := -lcivetweb -lcjson -lcrypt -lcrypto -lpthread
 LIBS_boresight-passwd := -lcrypt
 LIBS_boresight-recorder := -lzstd -lcrypto
-LIBS_boresight-replay := -lzstd -lcrypto
+LIBS_boresight-replay := -lzstd -lcrypto -lcjson
 PROGRAMS := boresight $(BOARD_PROGRAMS) boresight-control boresight-igtl boresight-http \
     boresight-passwd boresight-recorder boresight-replay
 BINARIES := $(PROGRAMS:%=$(BIN)/%)
@@ -200,6 +201,10 @@ $(GEN)/assets/assets.c: $(CONSOLE_SOURCES) $(GEN)/interface/.compiled $(DRAWINGS
 	@echo 'built build/console'
 	@ruby tools/embed.rb build/console $(GEN)/assets /api/v1/openapi.json=$(GEN)/interface/app/openapi.json
 
+# The same build makes the page for recordings.
+$(GEN)/assets/recording_page.c: $(GEN)/assets/assets.c tools/embed_page.rb
+	@ruby tools/embed_page.rb build/replay/replay.html $@
+
 $(GEN)/assets/chart_names.c: $(GEN)/charts/charts.json app/http/chart_names.rb
 	@ruby app/http/chart_names.rb $(GEN)/charts/charts.json $(GEN)/assets
 
@@ -251,6 +256,7 @@ $(STATIC_LIBS):
 	@$(CC) -O2 -g $(EXTRA) $(HARDENED_$(CONFIG)) $(LIBRARY_FLAGS) -c $< -o $(@:.a=.o)
 	@rm -f $@; ar rcs $@ $(@:.a=.o)
 $(LINKED)/boresight-http: $(if $(filter arm static,$(CONFIG)),$(STATIC_LIBS))
+$(LINKED)/boresight-replay: $(if $(filter arm static,$(CONFIG)),$(OUT)/lib/libcjson.a)
 $(LINKED)/boresight-control $(LINKED)/boresight-http: $(APART)/board
 
 $(BIN)/%: build/gcc/bin/%

@@ -8,6 +8,7 @@
 require 'csv'
 require 'json'
 require_relative '../../tools/robot/description'
+require_relative 'support/browser_run'
 require_relative 'support/stopped_homing'
 
 class TestReplayFiles < StoppedHoming
@@ -170,6 +171,76 @@ class TestReplayFiles < StoppedHoming
         text, status = Open3.capture2e("#{Boresight.program('boresight-replay')} --#{option} - #{from} >/dev/full")
         assert_equal [2, "- could not be written to its end.\n"], [status.exitstatus, text]
       end
+    end
+  end
+
+  # What the page of a recording holds, as it was written.
+  def page
+    @@page ||= written('html') { |file| File.read(file) }
+  end
+
+  def page_content(text = page)
+    JSON.parse(text[%r{<script id="recording" type="application/json">(.*?)</script>}m, 1])
+  end
+
+  def released
+    messages(mcap, '/events').map { |message| message['value'] }.find { |event| event['name'] == 'PEDAL_RELEASED' }
+  end
+
+  # The last cycle before `cycle` in which a card is driven, and its slot.
+  def last_driven(cycle)
+    (1..7).flat_map do |slot|
+      messages(mcap, "/frames/#{slot}").map { |message| message['value'] }
+                                       .select { |frame| frame['drive_mode'] != 'OFF' && frame['sequence'] < cycle }
+                                       .map { |frame| [frame['sequence'], slot] }
+    end.max
+  end
+
+  def test_SWR_REPLAY_017_a_page_says_what_it_is_of_and_that_every_output_was_equal
+    content = page_content
+    identity = content.fetch('recording')
+    assert_equal ['neuro', true, '', false, 0],
+                 identity.values_at('robot', 'is_trusted', 'difference', 'is_cut_short', 'cycles_lost')
+    assert_equal recording[16, 64].unpack1('Z*'), identity['build']
+    assert_equal printed.to_i, identity['replayed']
+    assert_equal content.dig('robot', 'checksum'), identity['checksum']
+  end
+
+  def test_SWR_REPLAY_017_a_page_of_what_is_cut_short_says_so
+    written('html', recording[0, recording.size * 2 / 3], code: 3) do |file, said|
+      assert_includes said, 'has what is before the cut'
+      identity = page_content(File.read(file)).fetch('recording')
+      assert_equal [true, ''], identity.values_at('is_cut_short', 'difference')
+    end
+  end
+
+  def test_SWR_REPLAY_016_each_cycle_with_another_drive_has_a_row
+    cycle = 0
+    cycles = page_content['rows'].map { |row| cycle += row.first.abs }
+    driven = (1..7).flat_map do |slot|
+      frames = messages(mcap, "/frames/#{slot}").map { |message| message['value'] }
+      frames.each_cons(2).select { |before, after| before['drive_duty'] != after['drive_duty'] && after['sequence'] == before['sequence'] + 1 }
+            .map { |_, after| after['sequence'] }
+    end
+    refute_empty driven
+    assert_empty driven - cycles
+  end
+
+  def test_SWR_REPLAY_015_every_event_is_in_the_page
+    lines = page_content['events'].map { |event| event.values_at('number', 'severity', 'name', 'text').join(' ') }
+    assert_equal printed('--events').lines(chomp: true).map { |line| line.partition(' ').last }, lines
+  end
+
+  def test_SWR_REPLAY_018_a_browser_shows_the_page_from_its_file
+    Dir.mktmpdir do |folder|
+      file = File.join(folder, 'page.html')
+      File.write(file, page)
+      driven, slot = last_driven(released['cycle'])
+      results = BrowserRun.results('replay.e2e.ts', 'BORESIGHT_PAGE' => file, 'BORESIGHT_EVENT' => released['message'],
+                                                    'BORESIGHT_CYCLE' => released['cycle'].to_s,
+                                                    'BORESIGHT_DRIVEN' => "#{driven} #{slot}")
+      assert_equal 4, results.size
+      results.each { |title, verdict| assert_equal 'passed', verdict, title }
     end
   end
 end

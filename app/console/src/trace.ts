@@ -47,6 +47,16 @@ export class Trace {
   private bootId: string | null = null;
   private timeUs = 0;
   private takenMs = 0;
+  private readonly spanS: number;
+
+  /** `spanS`: what is older is forgotten. */
+  constructor(spanS = TRACE_S) {
+    this.spanS = spanS;
+  }
+
+  get length(): number {
+    return this.rows.length;
+  }
 
   /** `nowMs`: when it came. */
   take({ status, motors }: RobotState, nowMs: number): void {
@@ -66,7 +76,7 @@ export class Trace {
     const timeS = this.rows.length === 0 ? 0 : (last?.timeS ?? 0) + wayS;
     const axes = new Map(motors.axes.map((one) => [one.name, valuesOf(one)]));
     this.rows.push({ timeS, axes });
-    this.forget(timeS - TRACE_S);
+    this.forget(timeS - this.spanS);
     this.revision += 1;
   }
 
@@ -76,6 +86,15 @@ export class Trace {
     copy.rows = [...this.rows];
     copy.revision = this.revision;
     return copy;
+  }
+
+  /** What there was of it, and not yet forgotten, after its first so many rows. */
+  until(length: number): Trace {
+    const past = new Trace();
+    past.rows = this.rows.slice(0, length);
+    past.forget(past.endS() - TRACE_S);
+    past.revision = length;
+    return past;
   }
 
   /** Seconds before the last row, at most 0. */

@@ -49,6 +49,19 @@ function Chooser({ label, names, chosen, choose }: ChooserProperties) {
   );
 }
 
+/** By what the changes were seen. */
+export interface SeenSource {
+  /** From when on. */
+  since: string;
+  /** Whose clock it was. */
+  clock: string;
+}
+
+const liveSource: SeenSource = {
+  since: "this view was opened",
+  clock: "this computer",
+};
+
 /** What every change of the stream shows since this view was opened. */
 function useSeen(robot: RobotState): Seen {
   const [seen, setSeen] = useState<Seen>(() => observe({}, robot, new Date()));
@@ -88,9 +101,10 @@ interface RegionProperties {
   region: string;
   leaf: string;
   change: Change | null;
+  source: SeenSource;
 }
 
-function Region({ chart, region, leaf, change }: RegionProperties) {
+function Region({ chart, region, leaf, change, source }: RegionProperties) {
   return (
     <div className="chart-region">
       <p>
@@ -98,12 +112,12 @@ function Region({ chart, region, leaf, change }: RegionProperties) {
         <strong>◆ {words(leaf)}</strong>
       </p>
       {change === null ? (
-        <p>No change seen since this view was opened.</p>
+        <p>No change seen since {source.since}.</p>
       ) : (
         <>
           <p>
             Last change seen: {words(change.from)} → {words(change.to)},{" "}
-            {change.at.toISOString().slice(11, 19)} UTC of this computer.
+            {change.at.toISOString().slice(11, 19)} UTC of {source.clock}.
           </p>
           <Causes chart={chart} region={region} change={change} />
         </>
@@ -193,13 +207,16 @@ function marksOf(chart: Chart, region: string, change: Change | null) {
   return causes.flatMap((id) => chart.transitions[id]?.marks ?? []);
 }
 
-/**
- * The charts as they are drawn, with what they are in.
- *
- * @satisfies SWR-CON-031
- */
-export function Charts({ robot }: { robot: RobotState }) {
-  const seen = useSeen(robot);
+/** The charts with what was seen of them until now. */
+export function SeenCharts({
+  robot,
+  seen,
+  source,
+}: {
+  robot: RobotState;
+  seen: Seen;
+  source: SeenSource;
+}) {
   const [name, setName] = useState<ChartName>(FIRST);
   const [instanceName, setInstanceName] = useState("");
   const chart = charts[name];
@@ -239,7 +256,7 @@ export function Charts({ robot }: { robot: RobotState }) {
       </div>
       <p className="chart-about">{chart.about}</p>
       {regions.map((region) => (
-        <Region key={region.region} chart={chart} {...region} />
+        <Region key={region.region} chart={chart} source={source} {...region} />
       ))}
       <p className="chart-about">
         In the drawing: ◆ NOW and a thick frame, the state that it is in; a
@@ -255,4 +272,13 @@ export function Charts({ robot }: { robot: RobotState }) {
       />
     </div>
   );
+}
+
+/**
+ * The charts as they are drawn, with what they are in.
+ *
+ * @satisfies SWR-CON-031
+ */
+export function Charts({ robot }: { robot: RobotState }) {
+  return <SeenCharts robot={robot} seen={useSeen(robot)} source={liveSource} />;
 }

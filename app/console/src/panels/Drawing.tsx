@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useEffect, useRef, useState, type RefObject } from "react";
-import type { RobotState, Targeting } from "@interface";
+import type { Robot, RobotState, Targeting } from "@interface";
 import { formatNumber, formatPoint } from "../format";
 import { useRobot } from "../outlook";
 import type { Page } from "../page";
@@ -339,19 +339,15 @@ function Facts({ scene, targeting, hasDrawing }: FactsProperties) {
   );
 }
 
-export interface DrawingProperties {
+/** `described`: what does not change of the robot; null while it is not known. */
+export function DrawnRobot({
+  robot,
+  described,
+}: {
   robot: RobotState;
-  page: Page;
-}
-
-/**
- * The robot to scale, from its file, and what it aims at.
- *
- * @satisfies SWR-CON-029
- * @satisfies SWR-CON-030
- */
-export function Drawing({ robot, page }: DrawingProperties) {
-  const drawing = drawingOf(useRobot(page, robot.status.boot_id));
+  described: Robot | null;
+}) {
+  const drawing = drawingOf(described);
   const scene = sceneOf(robot, drawing);
   const { targeting } = robot;
   return (
@@ -367,4 +363,20 @@ export function Drawing({ robot, page }: DrawingProperties) {
       />
     </div>
   );
+}
+
+export interface DrawingProperties {
+  robot: RobotState;
+  page: Page;
+}
+
+/**
+ * The robot to scale, from its file, and what it aims at.
+ *
+ * @satisfies SWR-CON-029
+ * @satisfies SWR-CON-030
+ */
+export function Drawing({ robot, page }: DrawingProperties) {
+  const described = useRobot(page, robot.status.boot_id);
+  return <DrawnRobot robot={robot} described={described} />;
 }

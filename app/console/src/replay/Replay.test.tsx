@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rule under test: a recording is shown at the cycle that was chosen, and says how far it is to be trusted.
+import {
+  cleanup,
+  fireEvent,
+  render,
+  screen,
+  within,
+} from "@testing-library/react";
+import { afterEach, beforeEach, expect, test, vi } from "vitest";
+import {
+  makeAxis,
+  makeBlockedAxis,
+  makeEntry,
+  makeRobot,
+} from "../testing/robot";
+import { Recording, type RecordingDocument } from "./recording";
+import { Replay } from "./Replay";
+
+vi.mock("../panels/Plots", () => ({
+  Plots: ({ trace }: { trace: { length: number } }) => (
+    <p>{trace.length} rows are drawn.</p>
+  ),
+}));
+
+vi.mock("../panels/Charts", () => ({
+  SeenCharts: ({ seen }: { seen: Record<string, { change: unknown }> }) => (
+    <p>{Object.keys(seen).length} states are known.</p>
+  ),
+}));
+
+beforeEach(() => {
+  vi.stubGlobal("matchMedia", () => ({ matches: false }));
+});
+
+afterEach(() => {
+  cleanup();
+  vi.unstubAllGlobals();
+});
+
+const released = {
+  name: "PEDAL_RELEASED",
+  text: "The pedal is released.",
+} as const;
+
+function told(timeS: number, isDriven: boolean, mode: string) {
+  const axis = isDriven
+    ? makeAxis("head", { is_driven: true })
+    : makeBlockedAxis("head", released);
+  const state = makeRobot({}, [axis]);
+  state.motors.time_us = timeS * 1e6;
+  return {
+    time_s: timeS,
+    state,
+    frames: [null, { drive_mode: mode, guard: 5 }],
+  };
+}
+
+function makeDocument(
+  change: Partial<RecordingDocument["recording"]> = {},
+): RecordingDocument {
+  return {
+    format: 1,
+    robot: {
+      name: "neuro",
+      checksum: "0",
+      slots: 2,
+      axes: [],
+      lengths: [],
+      poses: [],
+    },
+    rows: [
+      [100, 0, told(0, false, "OFF")],
+      [50, 0, told(0.05, true, "PWM")],
+      [50, 0, told(0.1, false, "OFF")],
+    ],
+    events: [
+      makeEntry(1, { cycle: 150, text: "It begins." }),
+      makeEntry(2, { cycle: 200, text: "</script> released." }),
+    ],
+    recording: {
+      build: "1234",
+      replayed_by: "5678",
+      robot: "neuro",
+      checksum: "0",
+      started: "2026-11-22T17:50:00.000Z",
+      replayed: 101,
+      unreplayed: 0,
+      cycles_lost: 0,
+      is_cut_short: false,
+      is_trusted: true,
+      difference: "",
+      ...change,
+    },
+  };
+}
+
+function show(change: Partial<RecordingDocument["recording"]> = {}) {
+  render(<Replay recording={new Recording(makeDocument(change))} />);
+}
+
+function now(): string {
+  return document.querySelector(".replay-now")?.textContent ?? "";
+}
+
+function press(name: string): void {
+  fireEvent.click(screen.getByRole("button", { name }));
+}
+
+test("SWR-REPLAY-018 steps go to events and cycles, and no further than it goes", () => {
+  show();
+  expect(now()).toMatch(/^cycle 100, .*ARMED: The pedal is released\.$/);
+  press("Next event");
+  expect(now()).toMatch(/^cycle 150, 0\.05 s, START UP, MOVING$/);
+  expect(screen.getByRole("cell", { name: "PWM" })).toBeTruthy();
+  press("Back 1 cycle");
+  expect(now()).toMatch(/^cycle 149, .*ARMED/);
+  expect(screen.getByRole("cell", { name: "OFF" })).toBeTruthy();
+  press("On 1 s");
+  expect(now()).toMatch(/^cycle 200, /);
+  expect(screen.getByText("3 rows are drawn.")).toBeTruthy();
+  expect(screen.getByText(/^[1-9]\d* states are known\.$/)).toBeTruthy();
+  press("Go to cycle 150: It begins.");
+  expect(now()).toMatch(/^cycle 150, /);
+  expect(screen.getByText("2 rows are drawn.")).toBeTruthy();
+});
+
+test("SWR-REPLAY-018 the timeline has workphases, motion, reasons and events, and is moved by keys", () => {
+  show();
+  const kinds = (lane: string, name: string) =>
+    [...document.querySelectorAll(`[data-lane="${lane}"] path`)].map((path) =>
+      path.getAttribute(name),
+    );
+  expect(kinds("workphases", "data-kind")).toEqual(["START_UP"]);
+  expect(kinds("signs", "data-kind")).toEqual(["armed", "moving"]);
+  expect(kinds("reasons", "data-kind")).toEqual([released.text]);
+  expect(kinds("events", "data-severity")).toHaveLength(2);
+  const motion = document.querySelector('[data-kind="armed"]');
+  expect(motion?.getAttribute("d")).toMatch(/^M0\.0 0V20H500\.0V0z/);
+  const slider = screen.getByRole("slider", { name: "Cycle" });
+  fireEvent.change(slider, { target: { value: "151" } });
+  expect(now()).toMatch(/^cycle 151, .*MOVING$/);
+  expect(slider.getAttribute("aria-valuetext")).toBe(now());
+});
+
+test("SWR-REPLAY-018 a text of the recording is shown as it is", () => {
+  show();
+  const events = screen.getByRole("region", { name: "All events" });
+  expect(within(events).getByText("</script> released.")).toBeTruthy();
+});
+
+test("SWR-REPLAY-017 it says whether every output was equal, and what is missing", () => {
+  show();
+  expect(
+    screen.getByText("Bit-exact: 101 cycles replayed, every output equal."),
+  ).toBeTruthy();
+  cleanup();
+  show({ difference: "Cycle 7 differs.", cycles_lost: 3, is_cut_short: true });
+  expect(screen.getByText(/^NOT EXACT\. Cycle 7 differs\./)).toBeTruthy();
+  expect(
+    screen.getByText(
+      "the recording is cut short; 3 cycles before it were lost",
+    ),
+  ).toBeTruthy();
+  cleanup();
+  show({ is_trusted: false });
+  expect(screen.getByText(/^NOT TRUSTED\./)).toBeTruthy();
+});
+
+test("SWR-REPLAY-018 another format is not read as this one", () => {
+  expect(() => new Recording({ ...makeDocument(), format: 2 })).toThrow(
+    "format 2",
+  );
+});

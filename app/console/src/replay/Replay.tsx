@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+import { useMemo, useState } from "react";
+import { formatUtc, words } from "../format";
+import { Axes } from "../panels/Axes";
+import { Banner } from "../panels/Banner";
+import { SeenCharts } from "../panels/Charts";
+import { DrawnRobot } from "../panels/Drawing";
+import { Plots } from "../panels/Plots";
+import { Boundary } from "../parts/Boundary";
+import { Panel } from "../parts/Panel";
+import { ThemeChoice } from "../parts/ThemeChoice";
+import { signOf } from "../sign";
+import { Events } from "./Events";
+import { Frames } from "./Frames";
+import {
+  viewOf,
+  type Identity,
+  type Moment,
+  type Recording,
+} from "./recording";
+import { Timeline } from "./Timeline";
+
+const SECOND = 1000;
+
+function proofText({ difference, is_trusted, ...one }: Identity): string {
+  if (difference !== "") {
+    return `NOT EXACT. ${difference} Nothing after it is shown.`;
+  }
+  if (!is_trusted) {
+    return "NOT TRUSTED. The recording does not hold what it announces.";
+  }
+  const count = `${one.replayed} cycles replayed, every output equal`;
+  return one.replayed === 0
+    ? "Nothing was replayed: no cycle follows a checkpoint."
+    : `Bit-exact: ${count}.`;
+}
+
+function gapsText(one: Identity): string {
+  const gaps = [
+    one.is_cut_short && "the recording is cut short",
+    one.cycles_lost > 0 && `${one.cycles_lost} cycles before it were lost`,
+    one.unreplayed > 0 &&
+      `${one.unreplayed} cycles follow no checkpoint and were not replayed`,
+  ].filter((gap) => gap !== false);
+  return gaps.length === 0 ? "nothing" : gaps.join("; ");
+}
+
+/** @satisfies SWR-REPLAY-017 */
+function Facts({ identity }: { identity: Identity }) {
+  return (
+    <dl className="facts">
+      <dt>Replay</dt>
+      <dd>{proofText(identity)}</dd>
+      <dt>Missing</dt>
+      <dd>{gapsText(identity)}</dd>
+      <dt>Robot, checksum</dt>
+      <dd>
+        {identity.robot}, {identity.checksum}
+      </dd>
+      <dt>Recorded by build</dt>
+      <dd>{identity.build}</dd>
+      <dt>Replayed by build</dt>
+      <dd>{identity.replayed_by}</dd>
+      <dt>Begins (UTC)</dt>
+      <dd>{formatUtc(identity.started)}</dd>
+    </dl>
+  );
+}
+
+function saysOf({ cycle, timeS, robot }: Moment): string {
+  const { kind, word, says } = signOf(viewOf(robot));
+  const why = kind === "moving" || says === "" ? "" : `: ${says}`;
+  return `cycle ${cycle}, ${timeS.toFixed(2)} s, ${words(robot.status.workphase.name)}, ${word}${why}`;
+}
+
+interface StepsProperties {
+  recording: Recording;
+  cycle: number;
+  onCycle: (cycle: number) => void;
+}
+
+function Steps({ recording, cycle, onCycle }: StepsProperties) {
+  const { events, first, last } = recording;
+  const before = events.findLast((event) => event.cycle < cycle);
+  const after = events.find((event) => event.cycle > cycle);
+  const steps: [string, number | undefined][] = [
+    ["Previous event", before?.cycle],
+    ["Back 1 s", cycle - SECOND],
+    ["Back 1 cycle", cycle - 1],
+    ["On 1 cycle", cycle + 1],
+    ["On 1 s", cycle + SECOND],
+    ["Next event", after?.cycle],
+  ];
+  return steps.map(([label, to]) => (
+    <button
+      key={label}
+      type="button"
+      disabled={to === undefined}
+      onClick={() =>
+        to !== undefined && onCycle(Math.min(last, Math.max(first, to)))
+      }
+    >
+      {label}
+    </button>
+  ));
+}
+
+function Panels({
+  moment,
+  recording,
+}: {
+  moment: Moment;
+  recording: Recording;
+}) {
+  const { robot, trace, frames, seen } = moment;
+  return (
+    <>
+      <Panel title="Axes" className="panel-wide">
+        <Axes axes={robot.motors.axes} />
+      </Panel>
+      <Panel title="The robot" className="panel-wide">
+        <DrawnRobot robot={robot} described={recording.robot} />
+      </Panel>
+      <Panel title="The 30 s until this cycle" className="panel-wide">
+        <Plots axes={robot.motors.axes} trace={trace} />
+      </Panel>
+      <Panel title="What left to each card" className="panel-wide">
+        <Frames frames={frames} robot={recording.robot} />
+      </Panel>
+      <Panel title="Charts" className="panel-wide">
+        <SeenCharts
+          robot={robot}
+          seen={seen}
+          source={{ since: "the recording began", clock: "the recording" }}
+        />
+      </Panel>
+    </>
+  );
+}
+
+/**
+ * A recording, to be looked at cycle by cycle with the parts of the console.
+ *
+ * @satisfies SWR-REPLAY-018
+ */
+export function Replay({ recording }: { recording: Recording }) {
+  const [cycle, setCycle] = useState(recording.first);
+  const moment = useMemo(() => recording.at(cycle), [recording, cycle]);
+  const steps = { recording, cycle, onCycle: setCycle };
+  const says = saysOf(moment);
+  return (
+    <>
+      <header>
+        <h1 className="hidden">Boresight recording</h1>
+        <Boundary name="banner">
+          <Banner view={viewOf(moment.robot)} />
+        </Boundary>
+      </header>
+      <main>
+        <p className="notice">
+          A recording, not the robot: nothing here moves anything. States, words
+          and what a card is asked to drive are those of the cycle; numbers are
+          told each 25 cycles and with each event.
+        </p>
+        <div className="panels">
+          <Panel title="Timeline" className="panel-wide">
+            <Timeline {...steps} says={says} />
+            <div className="replay-steps">
+              <strong className="replay-now" role="status">
+                {says}
+              </strong>
+              <Steps {...steps} />
+            </div>
+          </Panel>
+          <Panel title="Recording">
+            <Facts identity={recording.identity} />
+          </Panel>
+          <Panel title="Events">
+            <Events events={recording.events} {...steps} />
+          </Panel>
+          <Panels moment={moment} recording={recording} />
+        </div>
+      </main>
+      <footer>
+        <span>Boresight recording</span>
+        <ThemeChoice />
+      </footer>
+    </>
+  );
+}

@@ -1,0 +1,242 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "replay/motion_html.h"
+
+#include "common/build_id.h"
+#include "common/utc_text.h"
+#include "replay/frame_fields.h"
+#include "replay/page_text.h"
+#include "replay/replay_page.h"
+#include "replay/series.h"
+#include "robot/robot_cards.h"
+
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define FORMAT 1U
+#define NUMBER_CYCLES 25U /* Each so many cycles numbers are told. */
+#define US_PER_MS 1000U
+#define MS_PER_S 1000.0
+#define HASH_START 2166136261U
+#define HASH_FACTOR 16777619U
+
+/* The page from where the recording is put. */
+static const char *find_mark(void)
+{
+    return strstr((const char *)replay_page, REPLAY_PAGE_MARK);
+}
+
+/* And frees it. */
+static void write_value(FILE *file, cJSON *value)
+{
+    char *const text = cJSON_PrintUnformatted(value);
+
+    if (text == NULL) {
+        abort();
+    }
+    page_text_write(file, text, strlen(text));
+    cJSON_free(text);
+    cJSON_Delete(value);
+}
+
+/* The robot as it is before anything is known of it by others than its file. */
+static void begin_view(motion_html_t *self, const robot_t *robot, const recording_header_t *header)
+{
+    recording_escape(header->build, self->build, sizeof self->build);
+    self->identity = (telemetry_identity_t){
+        .boot_id = "recording", .version = BUILD_VERSION, .build_id = self->build};
+    self->view.has_snapshot = true;
+    self->view.robot = robot;
+    self->started_us = header->started_us;
+}
+
+void motion_html_begin(motion_html_t *self, FILE *file, const robot_t *robot,
+                       const recording_header_t *header)
+{
+    const size_t before = (size_t)(find_mark() - (const char *)replay_page);
+
+    (void)memset(self, 0, sizeof *self);
+    self->file = file;
+    self->robot = robot;
+    begin_view(self, robot, header);
+    (void)fwrite(replay_page, 1U, before, file);
+    (void)fprintf(file, "%s{\"format\":%u,\"robot\":", REPLAY_PAGE_MARK, FORMAT);
+    write_value(file, telemetry_json_robot(&self->view));
+    (void)fputs(",\"rows\":[", file);
+}
+
+static void take_events(motion_html_t *self, const controller_outputs_t *outputs)
+{
+    for (uint32_t i = 0U; (i < outputs->event_count) && (i < CONTROLLER_EVENTS); i++) {
+        log_entry_t entry = {.event = outputs->events[i], .utc_us = self->pace.utc_us};
+        event_text_sentence(self->robot, &entry.event, NULL, entry.text, sizeof entry.text);
+        cJSON *const told = telemetry_json_event(self->robot, &entry);
+        char *const text = cJSON_PrintUnformatted(told);
+        if (text == NULL) {
+            abort();
+        }
+        bytes_print(&self->events, "%s\n%s", (self->events.used > 0U) ? "," : "", text);
+        cJSON_free(text);
+        cJSON_Delete(told);
+    }
+}
+
+static bool find_frame(const controller_outputs_t *shown, uint32_t slot, card_command_t *command)
+{
+    return ((shown->frames_to_send & (1U << slot)) != 0U) &&
+           (card_frame_decode_command(shown->frames[slot], slot, command) == CARD_FRAME_OK);
+}
+
+static uint32_t hash(uint32_t before, uint32_t word)
+{
+    return (before ^ word) * HASH_FACTOR;
+}
+
+/* A number that is another one when a card is asked for something else than before. */
+static uint32_t drives_of(const controller_outputs_t *shown)
+{
+    uint32_t drives = HASH_START;
+
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+        card_command_t command;
+        if (find_frame(shown, slot, &command)) {
+            drives = hash(drives, slot);
+            drives = hash(drives, command.system_state);
+            drives = hash(drives, command.control);
+            drives = hash(drives, (uint32_t)command.drive.mode);
+            drives = hash(drives, command.drive.direction);
+            drives = hash(drives, command.drive.duty);
+            drives = hash(drives, command.drive.amplitude);
+        }
+    }
+    return drives;
+}
+
+/* What is told in each cycle in which it changes, so that it is no number for the page. */
+static bool is_order(const char *name)
+{
+    return (strncmp(name, "drive_", strlen("drive_")) == 0) || (strcmp(name, "control") == 0) ||
+           (strcmp(name, "system_state") == 0);
+}
+
+static void put_field(void *to, const series_t *series)
+{
+    cJSON *const frame = to;
+    char text[32];
+
+    if (series->kind == SERIES_WORD) {
+        (void)cJSON_AddStringToObject(frame, series->name, series->word);
+    } else if (is_order(series->name)) {
+        (void)snprintf(text, sizeof text, "%.0f", series->number);
+        (void)cJSON_AddStringToObject(frame, series->name, text);
+    } else {
+        (void)cJSON_AddNumberToObject(frame, series->name, series->number);
+    }
+}
+
+/* One for each slot, null for one that is sent none. */
+static cJSON *new_frames(const controller_outputs_t *shown)
+{
+    cJSON *const frames = cJSON_CreateArray();
+
+    for (uint32_t slot = 0U; slot < CARD_SLOT_COUNT; slot++) {
+        card_command_t command;
+        const bool is_sent = find_frame(shown, slot, &command);
+        cJSON *const frame = is_sent ? cJSON_CreateObject() : cJSON_CreateNull();
+        if (is_sent) {
+            series_tell(fields_card_command, &command, NULL, put_field, frame);
+        }
+        (void)cJSON_AddItemToArray(frames, frame);
+    }
+    return frames;
+}
+
+/* What the page shows of a cycle; its time stands for the clock's, which is that of now. */
+static cJSON *new_moment(motion_html_t *self, const controller_outputs_t *shown)
+{
+    cJSON *const moment = cJSON_CreateObject();
+    char utc[UTC_TEXT_SIZE];
+
+    self->view.snapshot = shown->snapshot;
+    cJSON *const state = telemetry_json_state(&self->identity, &self->view);
+    utc_text_write(self->started_us, utc);
+    (void)cJSON_ReplaceItemInObject(cJSON_GetObjectItem(state, "status"), "utc",
+                                    cJSON_CreateString(utc));
+    const uint64_t since_ms = (self->pace.utc_us - self->started_us) / US_PER_MS;
+    (void)cJSON_AddNumberToObject(moment, "time_s", (double)since_ms / MS_PER_S);
+    (void)cJSON_AddItemToObject(moment, "state", state);
+    (void)cJSON_AddItemToObject(moment, "frames", new_frames(shown));
+    return moment;
+}
+
+static void write_row(motion_html_t *self, bool with_numbers, const controller_outputs_t *shown)
+{
+    cJSON *const moment = new_moment(self, shown);
+    const bool is_first = self->rows == 0U;
+
+    bytes_clear(&self->row);
+    bytes_print(&self->row, "%s\n", is_first ? "" : ",");
+    if (tape_take(&self->tape, self->pace.cycle, with_numbers || is_first, moment, &self->row)) {
+        page_text_write(self->file, (const char *)self->row.at, self->row.used);
+        self->rows++;
+    }
+    cJSON_Delete(moment);
+}
+
+void motion_html_take(motion_html_t *self, const recording_header_t *header,
+                      const cycle_record_t *record, const controller_outputs_t *shown)
+{
+    const controller_outputs_t *const kept = &record->body.cycle.outputs;
+
+    pace_take(&self->pace, header, record);
+    take_events(self, kept);
+    if (shown == NULL) {
+        return;
+    }
+    const uint32_t drives = drives_of(shown);
+    const bool is_turn = pace_is_turn(&self->pace, &shown->snapshot);
+    const bool with_numbers =
+        ((self->pace.cycle % NUMBER_CYCLES) == 0U) || (kept->event_count > 0U);
+    if (is_turn || with_numbers || (drives != self->drives)) {
+        write_row(self, with_numbers, shown);
+    }
+    self->drives = drives;
+}
+
+static cJSON *new_identity(const motion_html_t *self, const motion_html_proof_t *proof)
+{
+    cJSON *const identity = cJSON_CreateObject();
+    char checksum[9];
+    char utc[UTC_TEXT_SIZE];
+
+    (void)snprintf(checksum, sizeof checksum, "%08x", (unsigned)self->robot->crc);
+    utc_text_write(self->started_us, utc);
+    (void)cJSON_AddStringToObject(identity, "build", self->build);
+    (void)cJSON_AddStringToObject(identity, "replayed_by", BUILD_ID);
+    (void)cJSON_AddStringToObject(identity, "robot", self->robot->name);
+    (void)cJSON_AddStringToObject(identity, "checksum", checksum);
+    (void)cJSON_AddStringToObject(identity, "started", utc);
+    (void)cJSON_AddNumberToObject(identity, "replayed", (double)proof->replayed);
+    (void)cJSON_AddNumberToObject(identity, "unreplayed", (double)proof->unreplayed);
+    (void)cJSON_AddNumberToObject(identity, "cycles_lost", (double)proof->cycles_lost);
+    (void)cJSON_AddBoolToObject(identity, "is_cut_short", proof->is_cut_short);
+    (void)cJSON_AddBoolToObject(identity, "is_trusted", proof->is_trusted);
+    (void)cJSON_AddStringToObject(identity, "difference", proof->difference);
+    return identity;
+}
+
+bool motion_html_end(motion_html_t *self, const motion_html_proof_t *proof)
+{
+    FILE *const file = self->file;
+
+    (void)fputs("],\n\"events\":[", file);
+    page_text_write(file, (const char *)self->events.at, self->events.used);
+    (void)fputs("],\n\"recording\":", file);
+    write_value(file, new_identity(self, proof));
+    (void)fputc('}', file);
+    (void)fputs(find_mark() + strlen(REPLAY_PAGE_MARK), file);
+    tape_free(&self->tape);
+    bytes_free(&self->row);
+    bytes_free(&self->events);
+    return (fflush(file) == 0) && (ferror(file) == 0);
+}
