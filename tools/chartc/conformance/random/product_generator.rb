@@ -72,12 +72,13 @@ module RandomCharts
       ended = @root.all.select { |one| one.name == 'state' && one.children.any? { |child| child.name == 'final' } }
       return "done.state.#{pick(ended).attributes['id']}" if ended.any? && roll < 88
 
-      pick(RAISED + ['late'])
+      pick([*RAISED, 'late', 'late'])
     end
 
-    # Raised events lead on: with many of them, transitions bring about each other, and the chart is refused.
+    # Raised events lead on: with many of them, transitions bring about each other, and the chart is refused. What a
+    # timer says may be raised too.
     def content(percent)
-      chance?(percent / 3) ? [node('raise', 'event' => pick(RAISED))] : []
+      chance?(percent / 3) ? [node('raise', 'event' => pick([*RAISED, 'late']))] : []
     end
 
     def atom(eventless)
@@ -88,7 +89,8 @@ module RandomCharts
     def add_timers
       pick(0..3).times do |index|
         delay = pick(DELAYS)
-        owner = pick(states)
+        owner = chance?(50) && @timed ? @timed : pick(states)
+        @timed = owner
         in_block(owner, 'onentry', node('send', 'id' => "t#{index}", 'event' => pick(%w[late late tick]), 'delay' => delay,
                                                 'bs:limit' => "limit_#{delay}", 'bs:kind' => pick(%w[watchdog hold_off])))
         in_block(owner, 'onexit', node('cancel', 'sendid' => "t#{index}"))
