@@ -400,8 +400,11 @@ module RandomCharts
 
     # Looking into the file takes time.
     def pieces(block)
-      [block.attributes['bs:do'].to_s.split,
-       block.elements.to_a.map { |one| [one.name, one.attributes.each_attribute.to_h { |found| [found.expanded_name, found.value] }] }]
+      [block.attributes['bs:do'].to_s.split, block.elements.map { |one| [one.name, attributes(one)] }]
+    end
+
+    def attributes(element)
+      element.attributes.each_attribute.to_h { |one| [one.expanded_name, one.value] }
     end
 
     def perform(name, attributes)

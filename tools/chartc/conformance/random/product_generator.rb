@@ -9,8 +9,9 @@ module RandomCharts
   # their code. Rules that ask whether a chart is well meant are left out: overlaps, forgotten events, properties.
   class ProductGenerator < Generator
     EVENTS = %w[go stop go_on tick].freeze
+    UNITS = { 'us' => 1, 'ms' => 1000, 's' => 1_000_000 }.freeze
     # Limit of a delay => microseconds.
-    LIMITS = DELAYS.to_h { |text| ["limit_#{text}", (text.to_i * (text.end_with?('ms') ? 1000 : text.end_with?('us') ? 1 : 1_000_000))] }
+    LIMITS = DELAYS.to_h { |text| ["limit_#{text}", text.to_i * UNITS.fetch(text[/[a-z]+/])] }
                    .merge('cycle_us' => 1000).freeze
 
     def chart
@@ -46,7 +47,8 @@ module RandomCharts
       silent = @root.all.select { |one| %w[raise send].include?(one.name) && !heard.include?(one.attributes['event']) }
       ids = silent.map { |one| one.attributes['id'] }.compact
       @root.all.each do |one|
-        one.children.reject! { |child| silent.any? { |other| other.equal?(child) } || ids.include?(child.attributes['sendid']) }
+        one.children.reject! { |child| silent.any? { |other| other.equal?(child) } }
+        one.children.reject! { |child| ids.include?(child.attributes['sendid']) }
       end
     end
 
@@ -91,8 +93,9 @@ module RandomCharts
         delay = pick(DELAYS)
         owner = chance?(50) && @timed ? @timed : pick(states)
         @timed = owner
-        in_block(owner, 'onentry', node('send', 'id' => "t#{index}", 'event' => pick(%w[late late tick]), 'delay' => delay,
-                                                'bs:limit' => "limit_#{delay}", 'bs:kind' => pick(%w[watchdog hold_off])))
+        send = { 'id' => "t#{index}", 'event' => pick(%w[late late tick]), 'delay' => delay,
+                 'bs:limit' => "limit_#{delay}", 'bs:kind' => pick(%w[watchdog hold_off]) }
+        in_block(owner, 'onentry', node('send', send))
         in_block(owner, 'onexit', node('cancel', 'sendid' => "t#{index}"))
       end
     end
@@ -100,7 +103,8 @@ module RandomCharts
     # Inputs only.
     def declare
       said = @root.all.filter_map { |one| one.attributes['cond'] }.join(' ')
-      data = INPUTS.select { |name| said.match?(/\b#{name}\b/) }.map { |name| node('data', 'id' => name, 'expr' => 'false') }
+      read = INPUTS.select { |name| said.match?(/\b#{name}\b/) }
+      data = read.map { |name| node('data', 'id' => name, 'expr' => 'false') }
       @root.children.unshift(node('datamodel', {}, data)) if data.any?
     end
   end

@@ -13,7 +13,8 @@ module RandomCharts
 
     def initialize(text)
       @machine = AppendixD.new(text)
-      @inputs = @machine.inputs.reduce([{}]) { |all, name| all.flat_map { |one| [one.merge(name => false), one.merge(name => true)] } }
+      names = @machine.inputs
+      @inputs = [false, true].repeated_permutation(names.length).map { |values| names.zip(values).to_h }
     end
 
     # true or false; nil where there is too much to see.

@@ -65,7 +65,7 @@ class TestRandomCharts < Minitest::Test
   end
 
   # What differs stands where conformance reads its cases, of both kinds.
-  def test_SWR_CHART_046_what_differs_is_a_case
+  def test_SWR_CHART_045_what_differs_is_a_case
     [1, 2].each do |kind|
       seed = (0..).lazy.map { |one| kind + (one * 2) }.find { |one| trial(one) }
       Dir.mktmpdir do |folder|

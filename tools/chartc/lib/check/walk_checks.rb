@@ -12,6 +12,7 @@ module Chart
   # values out of range. A chart in engine mode may overlap, ignore, and hold what is never used.
   # @satisfies SWR-CHART-002
   # @satisfies SWR-CHART-030
+  # @satisfies SWR-CHART-041
   class WalkChecks
     def self.run(document, walk)
       new(document, walk).run

@@ -18,6 +18,7 @@ module Chart
 
     # The shapes that give the chart its meaning, the better one first.
     # @satisfies SWR-CHART-015
+    # @satisfies SWR-CHART-045
     def possible
       rivals.all? { |first, second| independent?(first, second) } ? %i[direct staged] : %i[staged]
     end
