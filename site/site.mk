@@ -62,14 +62,16 @@ build/site/robot.wasm: $(call object,$(CORE_SOURCES) $(CLOSED_LOOP_SOURCES)) sit
 SERVED_FLAGS := -std=c11 -Isite/posix -isystem $(ARMHF)/source/civetweb/include -isystem build/wasm/include
 $(OUT)/app/%.o $(OUT)/$(GEN)/interface/%.o: CFLAGS += $(SERVED_FLAGS)
 $(OUT)/site/served/%.o: CFLAGS += $(SERVED_FLAGS)
-$(call object,$(SERVED_SOURCES)): | build/wasm/include/cjson/cJSON.h
+# What does not run in each cycle may be slower, and makes the page smaller.
+$(addprefix $(OUT)/,app/http/%.o app/request/%.o app/session/%.o app/trajectory/%.o site/served/%.o $(GEN)/interface/%.o): CFLAGS += -Oz
+$(call object,$(SERVED_SOURCES)): site/site.mk | build/wasm/include/cjson/cJSON.h
 
 build/wasm/include/cjson/cJSON.h: $(ARMHF)/source/cjson/cJSON.h
 	@mkdir -p $(@D); cp $< $@
 
 $(OUT)/lib/cJSON.o: $(ARMHF)/source/cjson/cJSON.c
 	@mkdir -p $(@D)
-	@$(CC) -O2 $(EXTRA) $(ANYWHERE) -c $< -o $@
+	@$(CC) -Oz $(EXTRA) $(ANYWHERE) -c $< -o $@
 
 build/site/served.wasm: $(call object,$(CORE_SOURCES) $(SERVED_SOURCES)) $(OUT)/lib/cJSON.o site/site.mk
 	@mkdir -p $(@D)

@@ -22,7 +22,7 @@ class TestSite < Minitest::Test
   MODULE = "#{ROOT}/build/site/robot.wasm"
   SERVED = "#{ROOT}/build/site/served.wasm"
   PAGE = "#{ROOT}/build/site/page/index.html"
-  PAGE_BYTES = 330_000
+  PAGE_BYTES = 340_000
   NATIVE = "#{ROOT}/build/gcc/bin/closed-loop-scene"
   NATIVE_SERVED = "#{ROOT}/build/gcc/bin/served-ask"
   ROBOTS = Dir.glob('*/robot.yml', base: "#{ROOT}/core/robot").map { |path| File.dirname(path) }.sort

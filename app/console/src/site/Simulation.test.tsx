@@ -44,7 +44,7 @@ function button(name: string): HTMLButtonElement {
 
 test("SWR-SITE-013 it is a simulation from the first moment, and its build and robot are named", () => {
   expect(screen.getByRole("note").textContent).toBe(
-    "Simulation in this page. No robot moves.",
+    "Simulation. No robot moves.",
   );
   replace({
     identity: { robot: "neuro", checksum: "a78c5496", build: "18ecb163e24e" },

@@ -77,7 +77,7 @@ export function Simulation({ robot, names, onAnew }: Properties) {
   return (
     <section className="simulation" aria-label="Simulation">
       <p className="simulation-word" role="note">
-        <strong>Simulation</strong> in this page. No robot moves.
+        <strong>Simulation.</strong> No robot moves.
       </p>
       <div className="simulation-bar">
         {failure !== null && (

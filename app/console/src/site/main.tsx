@@ -5,6 +5,7 @@ import { createRoot } from "react-dom/client";
 import { drawings } from "@drawings";
 import "../main";
 import { choiceIn, isOther } from "./address";
+import { saveByTransport } from "./save";
 import { Simulation } from "./Simulation";
 import { transport } from "./transport";
 
@@ -14,6 +15,8 @@ window.addEventListener("hashchange", () => {
     location.reload();
   }
 });
+
+document.addEventListener("click", saveByTransport(transport));
 
 const element = document.getElementById("simulation");
 if (element === null) {
