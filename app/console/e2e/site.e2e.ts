@@ -36,9 +36,21 @@ async function isKept(): Promise<boolean> {
   return (await keeper().getAttribute("aria-checked")) === "true";
 }
 
-/** A box that let go while the machine paused is pressed anew. */
+async function arm(): Promise<void> {
+  await button("Take command").click();
+  await page
+    .getByRole("region", { name: "Procedure", exact: true })
+    .getByRole("button", { name: "START UP" })
+    .click();
+  await page.getByText("Press and hold the pedal.").first().waitFor();
+}
+
+/** What a pause of the machine has taken away, command or pedal, is taken anew. */
 async function pressUntilItMoves(): Promise<void> {
   while (!(await sign("MOVING").isVisible())) {
+    if (await button("Take command").isVisible()) {
+      await arm();
+    }
     if (!(await isKept())) {
       await keeper().and(page.locator(":enabled")).click();
     }
@@ -97,13 +109,8 @@ test("SWR-SITE-013 the page says what it is", async () => {
 
 test("SWR-SITE-010 it has logged in by itself, and the axes home under the pedal", async () => {
   await page.getByText("Logged in as code (engineer)").waitFor();
-  await button("Take command").click();
   await button("Open the simulated box").click();
-  await page
-    .getByRole("region", { name: "Procedure", exact: true })
-    .getByRole("button", { name: "START UP" })
-    .click();
-  await page.getByText("Press and hold the pedal.").first().waitFor();
+  await arm();
   await pressUntilItMoves();
   if (figures !== undefined) {
     writeFileSync(figures, String(Math.round(performance.now() - openedAt)));
@@ -112,7 +119,7 @@ test("SWR-SITE-010 it has logged in by itself, and the axes home under the pedal
 
 test("SWR-SITE-011 they stand when it is released, and STOP is heard", async () => {
   await release();
-  await sign("ARMED").waitFor();
+  await sign("MOVING").waitFor({ state: "detached" });
   const stood = await positions();
   await passCycles(STILL_CYCLES);
   expect(stood).not.toEqual([]);
