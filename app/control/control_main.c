@@ -11,6 +11,7 @@
 #include "bsp.h"
 #include "common/clock.h"
 #include "common/command_line.h"
+#include "common/rest.h"
 #include "control/board_inputs.h"
 #include "control/computer.h"
 #include "control/drives_off.h"
@@ -308,18 +309,32 @@ static void kick(uint64_t deadline_ns)
     }
 }
 
-static void run(void)
+/*
+ * Asked between two cycles: nothing begins before it ends.
+ *
+ * @satisfies SWR-PACK-014
+ */
+static bool ends_at_rest(void)
 {
+    return exchange_take_end_request(exchange) && rest_is_it(&outputs.snapshot);
+}
+
+/* @return whether it ends because it was at rest when it was asked to */
+static bool run(void)
+{
+    bool is_at_rest = false;
     uint64_t deadline_ns = bsp_now_ns() + CYCLE_NS;
     uint64_t before_ns = deadline_ns - CYCLE_NS;
-    while (stopped_by == 0) {
+    while ((stopped_by == 0) && !is_at_rest) {
         bsp_sleep_until_ns(deadline_ns);
         const uint64_t woken_ns = bsp_now_ns();
         run_cycle(deadline_ns, woken_ns, woken_ns - before_ns);
         kick(deadline_ns);
+        is_at_rest = ends_at_rest();
         before_ns = woken_ns;
         deadline_ns = next_deadline(deadline_ns);
     }
+    return is_at_rest;
 }
 
 /*
@@ -424,18 +439,22 @@ static int control(const char *const values[])
         return EXIT_CANNOT_START;
     }
     exchange_publish_rows(exchange, &controller, &outputs);
-    const bool is_tested = test_board();
-    if (is_tested) {
+    int code = EXIT_CANNOT_START;
+    if (test_board()) {
         const uint32_t rights = realtime_acquire();
         exchange_touch(exchange);
         begin_figures(rights);
-        run();
-        (void)snprintf(why, sizeof why, "told to end by signal %d", (int)stopped_by);
+        code = run() ? REST_EXIT : EXIT_SUCCESS;
+        if (code == REST_EXIT) {
+            (void)snprintf(why, sizeof why, "asked to end at rest");
+        } else {
+            (void)snprintf(why, sizeof why, "told to end by signal %d", (int)stopped_by);
+        }
         switch_off(why);
     }
     bsp_close();
     exchange_close(exchange);
-    return is_tested ? EXIT_SUCCESS : EXIT_CANNOT_START;
+    return code;
 }
 
 int main(int argc, char *argv[])

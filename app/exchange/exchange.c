@@ -480,13 +480,28 @@ void exchange_request_checkpoint(exchange_t *self)
     count_one(&self->segment->others.checkpoint_requests);
 }
 
-bool exchange_take_checkpoint_request(exchange_t *self)
+/* Whether more was requested than was taken, which is taken now. */
+static bool take_request(const uint32_t *requests, uint32_t *taken)
 {
-    uint32_t *taken = &self->segment->control.checkpoints_taken;
-    const uint32_t requested =
-        __atomic_load_n(&self->segment->others.checkpoint_requests, __ATOMIC_ACQUIRE);
+    const uint32_t requested = __atomic_load_n(requests, __ATOMIC_ACQUIRE);
     const bool is_new = (requested != __atomic_load_n(taken, __ATOMIC_RELAXED));
 
     __atomic_store_n(taken, requested, __ATOMIC_RELEASE);
     return is_new;
+}
+
+bool exchange_take_checkpoint_request(exchange_t *self)
+{
+    return take_request(&self->segment->others.checkpoint_requests,
+                        &self->segment->control.checkpoints_taken);
+}
+
+void exchange_request_end(exchange_t *self)
+{
+    count_one(&self->segment->others.end_requests);
+}
+
+bool exchange_take_end_request(exchange_t *self)
+{
+    return take_request(&self->segment->others.end_requests, &self->segment->control.ends_taken);
 }

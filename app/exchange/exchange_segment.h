@@ -102,6 +102,7 @@ typedef struct {
     } answered[COMMAND_SOURCE_COUNT];
     uint32_t cycles_tail SEGMENT_ON_LINE; /**< Cycle records released. */
     uint32_t checkpoint_requests SEGMENT_ON_LINE;
+    uint32_t end_requests SEGMENT_ON_LINE;
     uint32_t events_logged SEGMENT_ON_LINE; /**< Number of the next event to log. */
     uint32_t files[EXCHANGE_FILES] SEGMENT_ON_LINE;
     uint32_t log_level_sequence SEGMENT_ON_LINE;
@@ -131,6 +132,7 @@ typedef struct {
     segment_answers_t answers[COMMAND_SOURCE_COUNT];
     uint32_t answers_lost SEGMENT_ON_LINE;
     uint32_t checkpoints_taken;
+    uint32_t ends_taken;
     uint32_t events_head SEGMENT_ON_LINE; /**< Number of the next event. */
     segment_event_t events[EXCHANGE_EVENTS];
     uint32_t list SEGMENT_ON_LINE; /**< Number of the trajectory whose rows these are. */

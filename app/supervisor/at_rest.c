@@ -1,46 +1,34 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "supervisor/at_rest.h"
 
-#include "card/card_frame.h"
-#include "charts/arming_chart.h"
+#include "common/clock.h"
+#include "common/rest.h"
 #include "exchange/exchange.h"
 #include "interface/app/names.h"
-#include "interface/snapshot.h"
-#include "interface/workphase_list.h"
 
 #include <stdio.h>
+#include <unistd.h>
 
 #define EXIT_AT_REST 0
 #define EXIT_NOT_AT_REST 1
 #define ERROR_SIZE 256U
-
-/* The count of axes when none is driven. */
-static uint32_t driven_axis(const snapshot_t *snapshot)
-{
-    uint32_t axis = 0U;
-
-    while ((axis < snapshot->axis_count) &&
-           (snapshot->axes[axis].drive_mode == (uint32_t)CARD_DRIVE_OFF)) {
-        axis++;
-    }
-    return axis;
-}
+#define PATIENCE_US UINT64_C(10000000)
+#define LOOK_US 20000U
 
 static int judge(const snapshot_t *snapshot, const robot_t *robot)
 {
-    const uint32_t axis = driven_axis(snapshot);
+    const uint32_t axis = rest_driven_axis(snapshot);
     const char *const workphase = workphase_name((int32_t)snapshot->workphase);
 
     if (axis < snapshot->axis_count) {
         (void)printf("The drive of %s is on; release the pedal.\n", robot->axes[axis].name);
         return EXIT_NOT_AT_REST;
     }
-    if (snapshot->order != (uint32_t)ARMING_STATE_NONE) {
+    if (rest_is_armed(snapshot)) {
         (void)printf("A motion is armed; send STOP, or stop Boresight.\n");
         return EXIT_NOT_AT_REST;
     }
-    if ((snapshot->workphase != (uint32_t)WORKPHASE_UNDEFINED) &&
-        (snapshot->workphase != (uint32_t)WORKPHASE_START_UP)) {
+    if (rest_has_procedure(snapshot)) {
         (void)printf("The workphase is %s, a client has left START_UP; end the session, and stop "
                      "Boresight.\n",
                      workphase);
@@ -50,7 +38,28 @@ static int judge(const snapshot_t *snapshot, const robot_t *robot)
     return EXIT_AT_REST;
 }
 
-int at_rest_tell(const char *instance)
+/* Control alone knows whether it is still at rest; what it goes on with is seen in its snapshot. */
+static int stop(exchange_t *exchange, const char *instance)
+{
+    const uint64_t end_us = clock_monotonic_us() + PATIENCE_US;
+    snapshot_t snapshot;
+
+    exchange_request_end(exchange);
+    while (exchange_is_used(instance) && (clock_monotonic_us() < end_us)) {
+        if (exchange_read_snapshot(exchange, &snapshot) && !rest_is_it(&snapshot)) {
+            return judge(&snapshot, exchange_robot(exchange));
+        }
+        (void)usleep(LOOK_US);
+    }
+    if (exchange_is_used(instance)) {
+        (void)printf("Boresight does not stop; stop it yourself.\n");
+        return EXIT_NOT_AT_REST;
+    }
+    (void)printf("Boresight has stopped.\n");
+    return EXIT_AT_REST;
+}
+
+int at_rest_tell(const char *instance, bool is_stopped)
 {
     char error[ERROR_SIZE];
     snapshot_t snapshot;
@@ -67,6 +76,9 @@ int at_rest_tell(const char *instance)
         (void)printf("Boresight is starting; wait for its console.\n");
     } else {
         code = judge(&snapshot, exchange_robot(exchange));
+    }
+    if ((code == EXIT_AT_REST) && is_stopped) {
+        code = stop(exchange, instance);
     }
     if (exchange != NULL) {
         exchange_close(exchange);

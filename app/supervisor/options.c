@@ -38,6 +38,7 @@ enum {
     CONFIG,
     CHECK,
     AT_REST,
+    STOP_AT_REST,
     COMMON
 };
 
@@ -63,6 +64,8 @@ static const command_option_t common[COMMON] = {
                .is_by_hand = true},
     [AT_REST] = {"at-rest", .says = "say whether this instance may be replaced now, and end",
                  .is_by_hand = true},
+    [STOP_AT_REST] = {"stop-at-rest", .says = "the same, and stop it if it may, in one step",
+                      .is_by_hand = true},
 };
 
 /* What it says lives as long as the options. */
@@ -241,7 +244,8 @@ static bool take(options_t *self, const char *const values[])
     self->accounts = either(values[ACCOUNTS], self->accounts);
     self->tls_file = either(values[TLS_FILE], self->tls_file);
     self->is_check = values[CHECK] != NULL;
-    self->asks_for_rest = values[AT_REST] != NULL;
+    self->stops_at_rest = values[STOP_AT_REST] != NULL;
+    self->asks_for_rest = self->stops_at_rest || (values[AT_REST] != NULL);
     self->trajectory = either(values[TRAJECTORY], self->trajectory);
     for (size_t i = 0U; i < BOARD_OPTIONS; i++) {
         self->is_given[i] = values[COMMON + i] != NULL;

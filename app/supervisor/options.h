@@ -23,6 +23,7 @@ typedef struct {
     const char *trajectory; /**< --trajectory: file of one, NULL: none. */
     bool is_check;          /**< --check: nothing is started. */
     bool asks_for_rest;     /**< --at-rest: the same. */
+    bool stops_at_rest;     /**< --stop-at-rest: as well, and what runs ends. */
     const char *bind;       /**< --bind: IPv4 address of this machine. */
     const char *robot;      /**< --robot, ROBOT. */
     const char *instance;   /**< --instance: name of everything this instance creates. */

@@ -9,6 +9,7 @@
 #include "common/clock.h"
 #include "common/command_line.h"
 #include "common/directory.h"
+#include "common/rest.h"
 #include "limits/requirement_limits.h"
 #include "supervisor/at_rest.h"
 #include "supervisor/board_text.h"
@@ -26,6 +27,7 @@
 #include <stdio.h>
 #include <string.h>
 #include <sys/signalfd.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #define EXIT_STOPPED 0
@@ -250,6 +252,10 @@ static int judge_end(const child_t *child)
 
     child_describe_end(child, how, sizeof how);
     screen_relay(&screen);
+    if ((child == &family.members[MEMBER_CONTROL]) && WIFEXITED(child->status) &&
+        (WEXITSTATUS(child->status) == REST_EXIT)) {
+        return EXIT_STOPPED;
+    }
     if (!child->may_restart) {
         screen_say(&screen,
                    "%s ended (%s), everything stops. Cards stop their motors by their own "
@@ -380,7 +386,7 @@ int main(int count, char **arguments)
         return check_computer();
     }
     if (options.asks_for_rest) {
-        return at_rest_tell(options.instance);
+        return at_rest_tell(options.instance, options.stops_at_rest);
     }
     if (!prepare()) {
         (void)fprintf(stderr, "Boresight did not start: %s\n", error);

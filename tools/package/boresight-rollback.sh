@@ -17,8 +17,7 @@ if [ -z "$before" ] || [ ! -d "$root/releases/$before" ]; then refuse 'there is 
 if [ "$before" = "$now" ]; then refuse 'the release before this one is this one; install the one you want.'; fi
 if [ ! -w "$root" ]; then refuse "$root cannot be written; be root."; fi
 require_fit "$root/releases/$before"
-require_rest
-stop_running
+stop_at_rest
 point current "$before"
 point previous "$now"
 echo "Boresight $before is current, before it $now. It is not started."

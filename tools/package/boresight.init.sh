@@ -18,8 +18,7 @@ case ${1:-} in
 start) start ;;
 stop) stop_running ;;
 restart | force-reload)
-    require_rest
-    stop_running
+    stop_at_rest
     start
     ;;
 status)

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 if [ "${1:-}" != configure ]; then exit 0; fi
 require_fit "$root/package"
-require_rest
-stop_running
+stop_at_rest
 
 # The package's own files are replaced by the next one; a release stays as it is.
 name=@RELEASE@

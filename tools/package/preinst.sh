@@ -1,3 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-require_rest
-stop_running
+stop_at_rest

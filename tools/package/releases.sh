@@ -20,7 +20,7 @@ running() {
     done
 }
 
-# Asks the supervisor $1 by its own program and options: another release may not know what this one shares.
+# Asks the supervisor $1 for $2 by its own program and options: another release may not know what this one shares.
 ask() (
     cd "$1/cwd"
     words=$(tr '\0' '\n' <"$1/cmdline" | sed 1d)
@@ -28,7 +28,7 @@ ask() (
 '
     set -f
     # shellcheck disable=SC2086
-    exec "$1/exe" $words --at-rest
+    exec "$1/exe" $words "$2"
 )
 
 # Refuses the release in the folder $1 whose program knows a robot or an option of the configuration not. It is asked by a name
@@ -39,9 +39,10 @@ require_fit() {
         refuse "nothing is replaced, the release does not fit $config. $reason"
 }
 
-require_rest() {
+# All of them, asked for $1.
+ask_all() {
     for process in $(running); do
-        reason=$(ask "$process" 2>&1) || refuse "nothing is replaced, process ${process#/proc/} runs. $reason"
+        reason=$(ask "$process" "$1" 2>&1) || refuse "nothing is replaced, process ${process#/proc/} runs. $reason"
         case $reason in
         # It runs, so another one was asked.
         'No Boresight runs'*) refuse "nothing is replaced, process ${process#/proc/} runs, and its options have changed since its start; stop it. $reason" ;;
@@ -49,8 +50,19 @@ require_rest() {
     done
 }
 
+# Each ends by itself, in the cycle in which it is at rest: nothing begins between the question and its end.
+stop_at_rest() {
+    ask_all --at-rest
+    ask_all --stop-at-rest
+    await_end
+}
+
 stop_running() {
     for process in $(running); do kill -INT "${process#/proc/}"; done
+    await_end
+}
+
+await_end() {
     for _ in 1 2 3 4 5 6 7 8 9 10; do
         if [ -z "$(running)" ]; then return; fi
         sleep 1

@@ -45,7 +45,7 @@ TEST_SOURCE_FILE("board_inputs.c")
 #define TEXT_SIZE 1024U
 
 /* What happens in the last cycle. */
-typedef enum { BY_CONTRACT = 0, BY_SIGNAL = 1 } end_t;
+typedef enum { BY_CONTRACT = 0, BY_SIGNAL = 1, BY_REQUEST = 2 } end_t;
 
 /* What the cards heard in one exchange. */
 typedef struct {
@@ -65,9 +65,10 @@ typedef struct {
     uint32_t under_way;       /* Exchanges that were begun and not ended. */
     uint32_t most_under_way;
     uint32_t kicks;
-    uint32_t lamps; /* That were lit last. */
-    uint32_t awake; /* How often control has asked for no deep sleep. */
-    uint32_t unfit; /* As the controller was told in the last cycle. */
+    uint32_t lamps;      /* That were lit last. */
+    uint32_t awake;      /* How often control has asked for no deep sleep. */
+    uint32_t last_cycle; /* While it is asked to end at rest. */
+    uint32_t unfit;      /* As the controller was told in the last cycle. */
     uint32_t dialect;
     uint32_t is_dialect_accepted;
 } record_t;
@@ -187,6 +188,33 @@ static void light(uint32_t lamps, int calls)
     record->lamps = lamps;
 }
 
+/* What control goes on for. */
+typedef enum { BUSY_DRIVE = 0, BUSY_ORDER = 1, BUSY_WORKPHASE = 2, BUSY_KINDS = 3 } busy_t;
+
+#define BUSY_CYCLES 5U
+
+static busy_t busy;
+
+/* Asked to end while something is under way, and again when nothing is. */
+static void ask_to_end(uint32_t cycle, snapshot_t *snapshot)
+{
+    const bool is_busy = cycle < (LAST_CYCLE + BUSY_CYCLES);
+    record->last_cycle = cycle;
+    snapshot->axis_count = 2U;
+    snapshot->axes[1].drive_mode =
+        (is_busy && (busy == BUSY_DRIVE)) ? (uint32_t)CARD_DRIVE_PWM : (uint32_t)CARD_DRIVE_OFF;
+    snapshot->order = (is_busy && (busy == BUSY_ORDER)) ? (uint32_t)ARMING_STATE_WAITING
+                                                        : (uint32_t)ARMING_STATE_NONE;
+    snapshot->workphase = (is_busy && (busy == BUSY_WORKPHASE)) ? (uint32_t)WORKPHASE_PLANNING
+                                                                : (uint32_t)WORKPHASE_START_UP;
+    if ((cycle == LAST_CYCLE) || (cycle == (LAST_CYCLE + (2U * BUSY_CYCLES)))) {
+        exchange_request_end(segment);
+    }
+    if (cycle == (LAST_CYCLE + (3U * BUSY_CYCLES))) {
+        (void)raise(SIGTERM);
+    }
+}
+
 /* A controller that drives everything, and in whose last cycle something happens. */
 static void step(controller_t *self, const robot_t *robot, const controller_inputs_t *given,
                  controller_outputs_t *made, int calls)
@@ -196,12 +224,16 @@ static void step(controller_t *self, const robot_t *robot, const controller_inpu
     if ((self->cycle == LAST_CYCLE) && (end == BY_CONTRACT)) {
         contract_broken("controller", 100U);
     }
-    if (self->cycle == LAST_CYCLE) {
+    if (end == BY_REQUEST) {
+        ask_to_end(self->cycle, &made->snapshot);
+    } else if (self->cycle == LAST_CYCLE) {
         record->frames_received = given->frames_received;
         record->unfit = given->unfit;
         record->dialect = given->dialect;
         record->is_dialect_accepted = given->is_dialect_accepted;
         (void)raise(end_signal);
+    } else {
+        /* It goes on. */
     }
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
         const card_command_t command = {.slot = robot->axes[i].slot,
@@ -464,6 +496,20 @@ void test_SWR_CTRL_011_the_line_is_set_before_any_card_is_told_whatever_ends_con
         (void)control_ends(BY_SIGNAL, signals[i]);
         TEST_ASSERT_EQUAL_UINT32(1U, record->lines);
         TEST_ASSERT_EQUAL_UINT32(record->count - 2U, record->before_line);
+    }
+}
+
+void test_SWR_PACK_014_it_ends_in_the_cycle_in_which_it_is_at_rest_and_goes_on_otherwise(void)
+{
+    for (uint32_t i = 0U; i < (uint32_t)BUSY_KINDS; i++) {
+        busy = (busy_t)i;
+        (void)memset(record, 0, sizeof *record);
+        const int status = control_ends(BY_REQUEST, 0);
+        TEST_ASSERT_TRUE(WIFEXITED(status));
+        TEST_ASSERT_EQUAL_INT(REST_EXIT, WEXITSTATUS(status));
+        TEST_ASSERT_EQUAL_UINT32(LAST_CYCLE + (2U * BUSY_CYCLES), record->last_cycle);
+        expect_off(2U);
+        TEST_ASSERT_NOT_NULL_MESSAGE(strstr(said, "control: asked to end at rest; "), said);
     }
 }
 

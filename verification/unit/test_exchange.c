@@ -154,6 +154,16 @@ void test_SWR_EXCH_003_a_checkpoint_request_is_taken_once(void)
     TEST_ASSERT_FALSE(exchange_take_checkpoint_request(control));
 }
 
+void test_SWR_PACK_014_a_request_to_end_is_taken_once(void)
+{
+    TEST_ASSERT_FALSE(exchange_take_end_request(control));
+    exchange_request_end(reader);
+    exchange_request_end(reader);
+    TEST_ASSERT_FALSE(exchange_take_checkpoint_request(control));
+    TEST_ASSERT_TRUE(exchange_take_end_request(control));
+    TEST_ASSERT_FALSE(exchange_take_end_request(control));
+}
+
 void test_SWR_EXCH_003_each_process_beats_its_own_counter(void)
 {
     exchange_beat(reader, EXCHANGE_HTTP);
