@@ -114,7 +114,7 @@ test("SWR-REPLAY-018 steps go to events and cycles, and no further than it goes"
   expect(now()).toMatch(/^cycle 150, 0\.05 s, START UP, MOVING$/);
   expect(screen.getByRole("cell", { name: "PWM" })).toBeTruthy();
   press("Back 1 cycle");
-  expect(now()).toMatch(/^cycle 149, .*ARMED/);
+  expect(now()).toMatch(/^cycle 149, 0\.05 s, .*ARMED/);
   expect(screen.getByRole("cell", { name: "OFF" })).toBeTruthy();
   press("On 1 s");
   expect(now()).toMatch(/^cycle 200, /);

@@ -12,6 +12,7 @@ const FORMAT = 1;
 /** After so many rows the whole is kept, so that no cycle is far from one that is known. */
 const KEPT_ROWS = 500;
 const MS_PER_S = 1000;
+const CYCLES_PER_S = 1000;
 
 /** What left to a card, by the names of core/card. */
 export type Frame = Readonly<Record<string, string | number>>;
@@ -168,7 +169,7 @@ export class Recording {
       .slice(begin * KEPT_ROWS + 1, row + 1)
       .forEach((one) => tape.take(one));
     const { state, frames, time_s } = tape.value as Told;
-    const timeS = time_s;
+    const timeS = time_s + (cycle - tape.counted) / CYCLES_PER_S;
     return {
       cycle,
       timeS,

@@ -27,7 +27,8 @@ function placesOf(root: Place): Place[] {
 export class Tape {
   /** Of the last row. */
   cycle = 0;
-  private counted = 0;
+  /** Of the last one with numbers. */
+  counted = 0;
   private root: Place = { holder: { whole: null }, key: "whole" };
   private places = placesOf(this.root);
   /** Of the numbers that go on by themselves, for each cycle. */
