@@ -65,6 +65,12 @@ void test_SWR_REPLAY_015_a_part_that_grows_is_told_whole(void)
     TEST_ASSERT_EQUAL_STRING("[1,4,2.25]", take(3U, true, "{\"a\":[\"x\",\"y\"],\"b\":2.25}"));
 }
 
+void test_SWR_REPLAY_015_what_stands_behind_a_part_that_shrinks_keeps_its_place(void)
+{
+    (void)take(0U, true, "{\"a\":[\"x\",\"y\"],\"b\":\"p\"}");
+    TEST_ASSERT_EQUAL_STRING("[-1,1,[],3,\"q\"]", take(1U, false, "{\"a\":[],\"b\":\"q\"}"));
+}
+
 void test_SWR_REPLAY_015_nothing_to_tell_is_no_row(void)
 {
     (void)take(0U, true, "{\"a\":1}");
