@@ -400,6 +400,15 @@ static void tell_dialect(void)
     }
 }
 
+/* Who shows it does not ask the board. */
+static void publish_cards(void)
+{
+    exchange_cards_t cards = {.dialect = board.dialect};
+
+    (void)snprintf(cards.accepted, sizeof cards.accepted, "%s", board.accepted);
+    exchange_publish_cards(exchange, &cards);
+}
+
 /*
  * With drives off, before the first cycle.
  *
@@ -432,6 +441,7 @@ static int control(const char *const values[])
     }
     tell_dialect();
     handle_signals();
+    publish_cards();
     exchange_publish_robot(exchange, our_robot);
     begin_controller(values[POSITIONS]);
     if (!hold_trajectory(values[TRAJECTORY])) {

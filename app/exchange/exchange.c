@@ -52,6 +52,16 @@ void exchange_publish_robot(exchange_t *self, const robot_t *robot)
     __atomic_store_n(&published->axis_count, robot->axis_count, __ATOMIC_RELEASE);
 }
 
+void exchange_publish_cards(exchange_t *self, const exchange_cards_t *cards)
+{
+    self->segment->control.cards = *cards;
+}
+
+const exchange_cards_t *exchange_cards(const exchange_t *self)
+{
+    return &self->segment->control.cards;
+}
+
 const robot_t *exchange_robot(const exchange_t *self)
 {
     return &self->segment->control.robot;

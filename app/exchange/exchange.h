@@ -84,6 +84,15 @@ typedef enum {
 
 #define EXCHANGE_PROCESS_COUNT 5U
 
+#define EXCHANGE_ACCEPTED_SIZE 64U
+
+/** How the cards speak, as the board says it. */
+typedef struct {
+    uint32_t dialect; /**< card_dialect_t. */
+    /** Who accepts what cards of another dialect than our own lack, and when; "": nobody does. */
+    char accepted[EXCHANGE_ACCEPTED_SIZE];
+} exchange_cards_t;
+
 typedef struct exchange exchange_t;
 
 /**
@@ -141,6 +150,10 @@ void exchange_publish_robot(exchange_t *self, const robot_t *robot);
  * @satisfies SWR-ROBOT-015
  */
 const robot_t *exchange_robot(const exchange_t *self);
+
+/** The same of its cards, published before the robot. */
+void exchange_publish_cards(exchange_t *self, const exchange_cards_t *cards);
+const exchange_cards_t *exchange_cards(const exchange_t *self);
 
 /**
  * Publishes; never waits.

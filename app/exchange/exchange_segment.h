@@ -118,6 +118,7 @@ typedef struct {
 
 /** Written by control only. */
 typedef struct {
+    exchange_cards_t cards;             /**< Written once, before the robot. */
     robot_t robot;                      /**< Written once, axis_count last. */
     uint32_t published SEGMENT_ON_LINE; /**< Snapshots published. */
     segment_snapshot_t snapshots[SEGMENT_SNAPSHOTS];

@@ -19,6 +19,7 @@ void telemetry_init(telemetry_t *self, exchange_t *exchange)
     self->exchange = exchange;
     self->moved_ms = telemetry_now_ms();
     self->view.robot = exchange_robot(exchange);
+    self->view.cards = exchange_cards(exchange);
     (void)pthread_mutex_init(&self->lock, NULL);
     for (uint32_t i = 0U; i < EXCHANGE_PROCESS_COUNT; i++) {
         self->beats[i] = exchange_beats(exchange, (exchange_process_t)i);

@@ -18,9 +18,10 @@
 
 /** One consistent view. */
 typedef struct {
-    bool has_snapshot;    /**< Control has published at least once. */
-    uint64_t age_ms;      /**< Since the cycle counter was last seen to move. */
-    const robot_t *robot; /**< As control published it; of no axes before that. */
+    bool has_snapshot;             /**< Control has published at least once. */
+    uint64_t age_ms;               /**< Since the cycle counter was last seen to move. */
+    const robot_t *robot;          /**< As control published it; of no axes before that. */
+    const exchange_cards_t *cards; /**< The same. */
     snapshot_t snapshot;
     loop_figures_t loop;
     origins_t origins;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "http/telemetry_json.h"
 
-#include "card/card_frame.h"
+#include "common/card_protocol.h"
 #include "common/clock.h"
 #include "common/drive_terms.h"
 #include "common/utc_text.h"
@@ -195,7 +195,10 @@ cJSON *telemetry_json_authority(const telemetry_view_t *view)
 cJSON *telemetry_json_status(const telemetry_identity_t *identity, const telemetry_view_t *view)
 {
     char utc[UTC_TEXT_SIZE];
+    char protocol[CARD_PROTOCOL_SIZE];
+    const bool are_own = view->cards->dialect == (uint32_t)CARD_DIALECT_OWN;
     utc_text_write(clock_utc_us(), utc);
+    card_protocol_write(view->cards->dialect, protocol);
     const json_processes_t processes = {.igtl = view->is_running[EXCHANGE_IGTL],
                                         .recorder = view->is_running[EXCHANGE_RECORDER]};
     const json_status_t also = {.authority = telemetry_json_authority(view),
@@ -204,7 +207,8 @@ cJSON *telemetry_json_status(const telemetry_identity_t *identity, const telemet
                                 .boot_id = identity->boot_id,
                                 .version = identity->version,
                                 .build_id = identity->build_id,
-                                .card_protocol = CARD_FRAME_PROTOCOL,
+                                .card_protocol = protocol,
+                                .cards_accepted = are_own ? NULL : view->cards->accepted,
                                 .robot = view->robot->name,
                                 .box = identity->box,
                                 .time = new_time(view),

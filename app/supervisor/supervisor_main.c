@@ -3,9 +3,9 @@
  * @file
  * boresight: starts the programs, keeps those that may fail alive, and stops all in order.
  */
-#include "card/card_frame.h"
 #include "check/checkup.h"
 #include "common/build_id.h"
+#include "common/card_protocol.h"
 #include "common/clock.h"
 #include "common/command_line.h"
 #include "common/directory.h"
@@ -222,11 +222,13 @@ static void say_ports(void)
 static void say_versions(void)
 {
     const robot_t *const robot = exchange_robot(exchange);
+    char protocol[CARD_PROTOCOL_SIZE];
 
+    card_protocol_write(exchange_cards(exchange)->dialect, protocol);
     screen_say(&screen,
                "Version:     " BUILD_VERSION " (build " BUILD_ID "), robot %s (file %08" PRIx32
-               "), card protocol %u",
-               robot->name, robot->crc, CARD_FRAME_PROTOCOL);
+               "), card protocol %s",
+               robot->name, robot->crc, protocol);
 }
 
 static void say_where(void)

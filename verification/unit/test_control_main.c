@@ -655,6 +655,8 @@ static void expect_accepted(const char *person, uint32_t is_accepted, const char
     (void)control_ends(BY_SIGNAL, SIGTERM);
     TEST_ASSERT_EQUAL_UINT32(CARD_DIALECT_AIM32, record->dialect);
     TEST_ASSERT_EQUAL_UINT32(is_accepted, record->is_dialect_accepted);
+    TEST_ASSERT_EQUAL_UINT32(CARD_DIALECT_AIM32, exchange_cards(segment)->dialect);
+    TEST_ASSERT_EQUAL_STRING(person, exchange_cards(segment)->accepted);
     TEST_ASSERT_NOT_NULL_MESSAGE(strstr(said, expected), said);
 }
 

@@ -11,6 +11,7 @@ function runs(isRunning: boolean): string {
  *
  * @satisfies SWR-CON-036
  * @satisfies SWR-PACK-011
+ * @satisfies SWR-NI-019
  */
 export function System({
   status,
@@ -36,6 +37,12 @@ export function System({
       <dd>{robot?.checksum ?? "not known yet"}</dd>
       <dt>Protocol of the cards</dt>
       <dd>{status.card_protocol}</dd>
+      {status.cards_accepted !== null && (
+        <>
+          <dt>Cards accepted by</dt>
+          <dd>{status.cards_accepted || "nobody, nothing moves"}</dd>
+        </>
+      )}
       <dt>Control box</dt>
       <dd>{status.box === null ? "real" : `simulated, ${status.box}`}</dd>
       <dt>Start of the server</dt>

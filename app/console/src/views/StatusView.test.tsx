@@ -145,10 +145,29 @@ test("SWR-CON-036 it is told what runs since when", async () => {
 });
 
 test("SWR-PACK-011 the versions that must fit together are told", async () => {
-  await show({ version: "1.2.3", build_id: "0123456789ab", card_protocol: 7 });
+  await show({
+    version: "1.2.3",
+    build_id: "0123456789ab",
+    card_protocol: "7",
+  });
   const told = (term: string) =>
     screen.getByText(term).nextElementSibling?.textContent;
   expect(told("Version and build")).toBe("1.2.3, 0123456789ab");
   expect(told("Checksum of its file")).toBe("a78c5496");
   expect(told("Protocol of the cards")).toBe("7");
+  expect(screen.queryByText("Cards accepted by")).toBeNull();
 });
+
+test.each([
+  ["A. Engineer, 2026-11-23", "A. Engineer, 2026-11-23"],
+  ["", "nobody, nothing moves"],
+])(
+  "SWR-NI-019 of cards without protections it is told on whose word: %s",
+  async (accepted, expected) => {
+    await show({ card_protocol: "aim32", cards_accepted: accepted });
+    const told = (term: string) =>
+      screen.getByText(term).nextElementSibling?.textContent;
+    expect(told("Protocol of the cards")).toBe("aim32");
+    expect(told("Cards accepted by")).toBe(expected);
+  },
+);
