@@ -285,6 +285,21 @@ void rig_start_moving(rig_t *self)
     TEST_ASSERT_TRUE(rig_is_driving(self));
 }
 
+void rig_start_arrived(rig_t *self)
+{
+    static rig_t arrived;
+    if (arrived.box.robot == NULL) {
+        rig_start_targeted(self);
+        TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(self, WORKPHASE_MOVE_TO_TARGET).status);
+        rig_press(self);
+        TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(self, 60000U).kind);
+        rig_release(self);
+        rig_forget(self);
+        arrived = *self;
+    }
+    *self = arrived;
+}
+
 answer_t rig_target(rig_t *self, const rigid_t *scanner_treatment)
 {
     const command_t command = {.kind = (uint32_t)COMMAND_TARGET, .pose = *scanner_treatment};
@@ -316,17 +331,32 @@ void rig_expect_nothing_known(const rig_t *self, uint32_t axis)
     TEST_ASSERT_EQUAL_UINT32(0U, self->outputs.snapshot.has_target);
 }
 
+/* Whoever looks at the same frame again has it decoded once. */
+static card_command_t decoded(const uint8_t frame[CARD_FRAME_BYTES], uint32_t slot)
+{
+    static struct {
+        bool is_known;
+        uint8_t frame[CARD_FRAME_BYTES];
+        card_command_t command;
+    } last[CARD_SLOT_COUNT];
+    if (!last[slot].is_known || (memcmp(last[slot].frame, frame, CARD_FRAME_BYTES) != 0)) {
+        last[slot].is_known = false;
+        TEST_ASSERT_EQUAL(CARD_FRAME_OK,
+                          card_frame_decode_command(frame, slot, &last[slot].command));
+        (void)memcpy(last[slot].frame, frame, CARD_FRAME_BYTES);
+        last[slot].is_known = true;
+    }
+    return last[slot].command;
+}
+
 card_command_t rig_sent(const rig_t *self, uint32_t axis)
 {
-    card_command_t command;
     const uint32_t slot = self->box.robot->axes[axis].slot;
     if (self->dialect != (uint32_t)CARD_DIALECT_OWN) {
         return (card_command_t){.drive = aim32_drive(self->outputs.frames[slot],
                                                      self->box.robot->axes[axis].card_type)};
     }
-    TEST_ASSERT_EQUAL(CARD_FRAME_OK,
-                      card_frame_decode_command(self->outputs.frames[slot], slot, &command));
-    return command;
+    return decoded(self->outputs.frames[slot], slot);
 }
 
 bool rig_is_driving(const rig_t *self)

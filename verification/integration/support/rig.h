@@ -102,6 +102,10 @@ void rig_start_robot_targeted(rig_t *self, const robot_t *robot, const rigid_t *
 /** A targeted rig in the middle of MOVE_TO_TARGET, the pedal held. */
 void rig_start_moving(rig_t *self);
 
+/** A targeted rig after MOVE_TO_TARGET, the needle at the target, the pedal released; moved once
+ * and copied. */
+void rig_start_arrived(rig_t *self);
+
 /** CALIBRATION with a registration, then TARGETING. */
 void rig_register(rig_t *self, const rigid_t *scanner_zframe);
 
