@@ -7,7 +7,7 @@
 #   ruby tools/c_tests.rb asan      all of them, under AddressSanitizer and UndefinedBehaviorSanitizer
 #   ruby tools/c_tests.rb arm       those of core and simulated box, as Cortex-A9 code under qemu
 #
-# `make` has compiled the code under test into build/<way>/libtest.a before.
+# With names of files behind it, only these. `make` has compiled the code under test into build/<way>/libtest.a before.
 
 require 'etc'
 require 'fileutils'
@@ -18,13 +18,14 @@ require_relative 'results'
 class CTests
   UNITY = Dir['.tools/gems/gems/ceedling-*/vendor/unity'].first
   CMOCK = Dir['.tools/gems/gems/ceedling-*/vendor/cmock'].first
-  FLAGS = %w[-std=c99 -g -O1 -ffp-contract=off -D_GNU_SOURCE -DUNITY_INCLUDE_DOUBLE -DUNITY_SUPPORT_64
+  FLAGS = %w[-std=c99 -g -ffp-contract=off -D_GNU_SOURCE -DUNITY_INCLUDE_DOUBLE -DUNITY_SUPPORT_64
              -DUNITY_INT_WIDTH=32 -isystem/usr/include/umockdev-1.0 -isystem/usr/include/glib-2.0
              -isystem/usr/lib/x86_64-linux-gnu/glib-2.0/include].freeze
   WAYS = {
-    'asan' => { compiler: %w[gcc -fsanitize=address,undefined -fno-sanitize-recover=all], runner: [],
-                libraries: %w[-Wl,--as-needed -lzstd -lcrypto -lcrypt -lpthread -lrt -lm -lumockdev -lgobject-2.0 -lglib-2.0] },
-    'arm' => { compiler: %w[arm-linux-gnueabihf-gcc -mcpu=cortex-a9 -mfpu=vfpv3-d16 -static], runner: %w[qemu-arm],
+    'asan' => { compiler: %w[gcc -DSCENE_DIVISOR=3U -fsanitize=address,undefined -fno-sanitize-recover=all], runner: [],
+                libraries: %w[-Wl,--as-needed -lzstd -lcjson -lcrypto -lcrypt -lpthread -lrt -lm -lumockdev -lgobject-2.0
+                              -lglib-2.0] },
+    'arm' => { compiler: %w[arm-linux-gnueabihf-gcc -DSCENE_DIVISOR=3U -mcpu=cortex-a9 -mfpu=vfpv3-d16 -static], runner: %w[qemu-arm],
                libraries: %w[-lm] }
   }.freeze
   # The tests of a chart are as generated: beside it.
@@ -34,7 +35,7 @@ class CTests
             ["#{UNITY}/src/unity.c", "#{CMOCK}/src/cmock.c"]
   ALWAYS = %w[contract_trap unity cmock].freeze
   # As project.yml says it to Ceedling.
-  RUNNER = %w[--use_param_tests=1 --mock_prefix=mock_ --enforce_strict_ordering=1].freeze
+  RUNNER = { use_param_tests: true, mock_prefix: 'mock_', enforce_strict_ordering: true }.freeze
   MOCK = /\Amock_/
   # What Unity says of each test.
   VERDICT = /^(?<file>\S+\.c):(?<line>\d+):(?<test>test_.+?):(?<word>PASS|FAIL|IGNORE)(?:: ?(?<message>.*))?$/
@@ -55,14 +56,16 @@ class CTests
     rows << { test: File.basename(file, '.c'), file: file, result: 'fail', message: output.lines.last(LAST_LINES).join }
   end
 
-  def initialize(way)
+  def initialize(way, wanted)
     @options = WAYS.fetch(way)
     @out = "build/#{way}/tests"
     @library = "build/#{way}/libtest.a"
     @mocks = "build/#{way}/mocks"
     @tests = tests(way)
+    @tests &= wanted if wanted.any?
     @done = 0
     FileUtils.mkdir_p([@out, @mocks])
+    require File.expand_path("#{UNITY}/auto/generate_test_runner")
   end
 
   # True if every test passed.
@@ -119,8 +122,8 @@ class CTests
 
   def build(test)
     program = File.join(@out, File.basename(test, '.c'))
-    call('ruby', "#{UNITY}/auto/generate_test_runner.rb", *RUNNER, test, "#{program}_runner.c")
-    compile(test, "#{program}_runner.c", *@support.values_at(*sources(test)), @library, *@options[:libraries],
+    UnityTestRunnerGenerator.new(RUNNER).run(test, "#{program}_runner.c")
+    compile('-O0', test, "#{program}_runner.c", *@support.values_at(*sources(test)), @library, *@options[:libraries],
             '-o', program)
     program
   end
@@ -140,10 +143,10 @@ class CTests
     names.map { |name| "#{@mocks}/#{name}.c" }
   end
 
-  # Its source and its object.
+  # Its source and its object. It is compiled once and runs in many tests; a test is compiled for one run.
   def object(source)
     object = File.join(@out, "#{File.basename(source, '.c')}.o")
-    compile('-c', source, '-o', object)
+    compile('-O1', '-c', source, '-o', object)
     [source, object]
   end
 
@@ -158,4 +161,4 @@ class CTests
   end
 end
 
-exit(CTests.new(ARGV.fetch(0)).run ? 0 : 1) if $PROGRAM_NAME == __FILE__
+exit(CTests.new(ARGV.fetch(0), ARGV.drop(1)).run ? 0 : 1) if $PROGRAM_NAME == __FILE__

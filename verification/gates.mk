@@ -55,7 +55,7 @@ $(PRETENDED_BOX): verification/system/pretended_box.c $(wildcard bsp/sim/sim_*.c
 
 boards: $(OTHER_BOARDS:%=board-%) $(PRETENDED_BOX) ## All programs of the boards that are not simulated: build/boards
 
-board-%:
+board-%: $(OUT)/libcore.a
 	@$(MAKE) --no-print-directory BOARD=$* APART=build/boards/$* apart
 
 apart: $(PROGRAMS:%=$(LINKED)/%)

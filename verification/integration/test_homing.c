@@ -14,6 +14,7 @@
 #include "robot/robot_neuro.h"
 #include "safety/needle.h"
 #include "safety/permit.h"
+#include "unit/support/scenes.h"
 
 #include <stdio.h>
 
@@ -66,11 +67,7 @@ void test_SWR_AXIS_002_the_needle_homes_before_the_other_axes_move(void)
 static void lose_at_target(uint32_t axis)
 {
     char order[32];
-    rig_start_targeted(&rig);
-    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);
-    rig_press(&rig);
-    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig_finish(&rig, 60000U).kind);
-    rig_release(&rig);
+    rig_start_arrived(&rig);
     (void)snprintf(order, sizeof order, "card %s silent", robot_neuro.axes[axis].name);
     rig_box(&rig, order);
     rig_cycles(&rig, 200U);
@@ -225,7 +222,7 @@ void test_SWR_AXIS_013_a_reversed_switch_drives_no_needle_forwards(void)
 
 void test_SWR_AXIS_014_a_chattering_switch_homes_nowhere(void)
 {
-    for (uint32_t seed = 1U; seed <= 50U; seed++) {
+    for (uint32_t seed = 1U; seed <= SCENES(50U); seed++) {
         lose_deep_needle();
         rig.box.axes[AXIS_INSERTION].limit_switch.random.state = seed;
         rig_box(&rig, "switch insertion chatter");

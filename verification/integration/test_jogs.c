@@ -14,6 +14,7 @@
 #include "safety/needle.h"
 #include "safety/permit.h"
 #include "supervise/chance.h"
+#include "unit/support/scenes.h"
 
 #define HOME_MM 143.0
 #define LEAST_MM 75.0
@@ -154,7 +155,7 @@ static uint32_t below(uint32_t bound)
 
 void test_SWR_COUPLE_001_a_pedal_pressed_and_released_at_random_keeps_them_inside(void)
 {
-    for (uint32_t i = 0U; i < 12U; i++) {
+    for (uint32_t i = 0U; i < SCENES(12U); i++) {
         begin_wrong_move(-(int32_t)below(11418U), (int32_t)below(11000U) - 5500);
         for (uint32_t k = 0U; k < 15U; k++) {
             rig_box(&rig, ((k % 2U) == 0U) ? "pedal press" : "pedal release");

@@ -9,9 +9,10 @@
 #include "controller/controller.h"
 #include "limits/requirement_limits.h"
 #include "robot/robot_neuro.h"
+#include "unit/support/scenes.h"
 #include "unity.h"
 
-#define MOVES 6U
+#define MOVES SCENES(6U)
 
 static rig_t rig;
 static robot_t robot; /* The NeuroRobot; each of its cards without pwm takes magnitudes. */

@@ -17,6 +17,7 @@
 #include "robot/joints.h"
 #include "robot/robot_neuro.h"
 #include "safety/coupled_guard.h"
+#include "unit/support/scenes.h"
 
 TEST_SOURCE_FILE("axis_chart.c")
 TEST_SOURCE_FILE("encoder.c")
@@ -221,7 +222,7 @@ static uint32_t compare(uint32_t limit, int64_t slack)
 static uint32_t compare_many(uint32_t limit, bool may_be_fast, int64_t slack)
 {
     uint32_t count = 0U;
-    for (uint32_t i = 0U; i < 3000U; i++) {
+    for (uint32_t i = 0U; i < SCENES(3000U); i++) {
         draw_scene(may_be_fast);
         const truth_t truth = find_truth(limit);
         const int64_t off = (int64_t)draw(300000U) - 150000;
@@ -236,21 +237,21 @@ static uint32_t compare_many(uint32_t limit, bool may_be_fast, int64_t slack)
 
 void test_SWR_COUPLE_005_a_sum_of_two_axes_is_kept_to_the_nanometre(void)
 {
-    TEST_ASSERT_GREATER_THAN_UINT32(500U, compare_many(PAIR, false, 0));
-    TEST_ASSERT_GREATER_THAN_UINT32(500U, compare_many(PAIR, true, 0));
+    TEST_ASSERT_GREATER_THAN_UINT32(SCENES(500U), compare_many(PAIR, false, 0));
+    TEST_ASSERT_GREATER_THAN_UINT32(SCENES(500U), compare_many(PAIR, true, 0));
 }
 
 void test_SWR_COUPLE_005_a_sum_of_four_axes_is_kept_to_the_nanometre(void)
 {
     /* Halves of nanometres are cut. */
-    TEST_ASSERT_GREATER_THAN_UINT32(500U, compare_many(FOUR, false, 4));
-    TEST_ASSERT_GREATER_THAN_UINT32(500U, compare_many(FOUR, true, 4));
+    TEST_ASSERT_GREATER_THAN_UINT32(SCENES(500U), compare_many(FOUR, false, 4));
+    TEST_ASSERT_GREATER_THAN_UINT32(SCENES(500U), compare_many(FOUR, true, 4));
 }
 
 void test_SWR_COUPLE_005_a_curved_limit_of_four_axes_is_kept(void)
 {
-    TEST_ASSERT_GREATER_THAN_UINT32(500U, compare_many(SADDLE, false, 1000));
-    TEST_ASSERT_GREATER_THAN_UINT32(500U, compare_many(SADDLE, true, 1000));
+    TEST_ASSERT_GREATER_THAN_UINT32(SCENES(500U), compare_many(SADDLE, false, 1000));
+    TEST_ASSERT_GREATER_THAN_UINT32(SCENES(500U), compare_many(SADDLE, true, 1000));
 }
 
 /* Of q0 * q0 both ways lead up from 0. */

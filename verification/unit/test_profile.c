@@ -11,12 +11,13 @@
 #include "motion/profile.h"
 #include "robot/robot_neuro.h"
 #include "unit/support/contract_trap.h"
+#include "unit/support/scenes.h"
 
 #include <math.h>
 #include <string.h>
 
-#define MOVES 80U
-#define SLOW_MOVES 3U
+#define MOVES SCENES(80U)
+#define SLOW_MOVES SCENES(3U)
 /* Set-points are whole ticks; over this many cycles their rounding is small beside speed and
  * acceleration. */
 #define WINDOW_CYCLES 100U
