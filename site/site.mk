@@ -37,7 +37,7 @@ build/gcc/bin/closed-loop-scene: $(call object,$(CLOSED_LOOP_SOURCES) verificati
 # The server of the console before that robot. What waits, looks for a clock, a file or chance finds it in site/served.
 SERVED_ABSENT := $(addprefix app/http/,http_archive.c http_conversation.c http_download.c http_lines.c http_listen.c http_main.c \
     http_positions.c asset.c stop_port.c)
-SERVED_SOURCES := $(wildcard site/served/*.c) site/closed_loop.c $(BOX_SOURCES) app/control/lamps.c $(FIND_ROBOT) \
+SERVED_SOURCES := $(wildcard site/served/*.c) site/closed_loop.c site/watch.c $(addprefix app/replay/,$(WATCHING)) $(EVENT_TEXT) $(GEN)/interface/app/fields.c $(BOX_SOURCES) app/control/lamps.c $(FIND_ROBOT) \
     $(filter-out $(SERVED_ABSENT),$(wildcard app/http/*.c)) \
     $(wildcard app/request/*.c app/sweep/*.c app/trajectory/*.c) $(addprefix app/session/,account.c session_desk.c session_table.c login_delay.c) \
     $(filter-out app/exchange/exchange_segment.c,$(EXCHANGE)) $(API) $(AXIS_TERMS) $(LIST_TERMS) $(DRIVE_TERMS) $(LOG_ENTRY) \

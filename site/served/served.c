@@ -18,6 +18,7 @@
 #define US_PER_S UINT64_C(1000000)
 #define TEXT_SIZE 65536U
 #define ANSWER_SIZE (256U * 1024U)
+#define ORDER_SIZE 256U
 
 static const char contract_module[] = "served";
 
@@ -85,6 +86,21 @@ void served_step(uint32_t cycles)
     for (uint32_t i = 0U; i < cycles; i++) {
         pass_cycle();
     }
+}
+
+bool served_order(void)
+{
+    char order[ORDER_SIZE];
+
+    REQUIRE(313U, served_robot_is_started());
+    (void)snprintf(order, sizeof order, "%.*s", (int)sizeof order - 1, text);
+    return served_robot_order(order, text, (uint32_t)sizeof text);
+}
+
+command_t *served_command(void)
+{
+    REQUIRE(314U, served_robot_is_started());
+    return served_robot_command();
 }
 
 uint32_t served_ask(uint32_t size)

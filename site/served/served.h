@@ -8,6 +8,7 @@
 #ifndef BORESIGHT_SERVED_H
 #define BORESIGHT_SERVED_H
 
+#include "controller/controller.h"
 #include "site/export.h"
 
 #include <stdbool.h>
@@ -30,6 +31,18 @@ EXPORT(start) bool served_start(uint32_t seed, uint32_t utc_s);
 
 /** Lets so many cycles pass. Needs a robot that was started (contract 310). */
 EXPORT(step) void served_step(uint32_t cycles);
+
+/**
+ * Gives the order that the text holds to the box; the text becomes its reply. Needs a robot
+ * (contract 313). False: refused.
+ *
+ * @satisfies SWR-SITE-027
+ */
+EXPORT(order) bool served_order(void);
+
+/** Where one more command of the next cycle is to be written; NULL: that cycle takes no more. Needs
+ * a robot (contract 314). */
+EXPORT(command) command_t *served_command(void);
 
 /**
  * Asks the server the request whose `size` bytes the text holds, as HTTP/1.1 has it. What waits for

@@ -4,7 +4,7 @@
 #include "bsp_bench.h"
 #include "common/clock.h"
 #include "exchange/exchange_rows.h"
-#include "site/closed_loop.h"
+#include "site/watch.h"
 
 #include <stddef.h>
 #include <sys/random.h>
@@ -42,6 +42,21 @@ bool served_robot_is_started(void)
     return loop.robot != NULL;
 }
 
+const closed_loop_t *watch_loop(void)
+{
+    return &loop;
+}
+
+bool served_robot_order(const char *order, char *reply, uint32_t size)
+{
+    return box_command(&loop.box, order, reply, size);
+}
+
+command_t *served_robot_command(void)
+{
+    return closed_loop_command(&loop);
+}
+
 static void publish(void)
 {
     const controller_outputs_t *const outputs = &loop.outputs;
@@ -62,7 +77,8 @@ static void publish(void)
 
 void served_robot_step(void)
 {
-    loop.command_count = exchange_take_commands(exchange, loop.commands, CONTROLLER_COMMANDS);
+    loop.command_count += exchange_take_commands(exchange, &loop.commands[loop.command_count],
+                                                 CONTROLLER_COMMANDS - loop.command_count);
     closed_loop_step(&loop);
     publish();
 }

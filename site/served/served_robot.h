@@ -21,6 +21,13 @@ exchange_t *served_robot_start(const robot_t *robot, uint32_t seed, uint64_t utc
 /** Whether there is one. */
 bool served_robot_is_started(void);
 
+/** Gives an order to the box, whose reply is written to `size` bytes; false: refused. */
+bool served_robot_order(const char *order, char *reply, uint32_t size);
+
+/** The place of one more command of the next cycle, before those of the exchange; NULL: it takes no
+ * more. */
+command_t *served_robot_command(void);
+
 /** Lets a cycle pass, with what was commanded by the exchange. */
 void served_robot_step(void);
 

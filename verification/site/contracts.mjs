@@ -23,6 +23,8 @@ const ROBOT = {
 const SERVED = {
   step: (robot) => robot.exports.step(1),
   ask: (robot) => robot.exports.ask(0),
+  order: (robot) => robot.exports.order(),
+  command: (robot) => robot.exports.command(),
   size: (robot) => {
     robot.say("neuro");
     robot.exports.start(1, 0);

@@ -159,7 +159,7 @@ class TestSite < Minitest::Test
 
   def test_SWR_SITE_008_what_is_asked_of_the_server_without_a_robot_stops_with_its_contract
     said, = node("#{__dir__}/contracts.mjs", SERVED, 'served')
-    expected = { step: 310, ask: 311, size: 312 }
+    expected = { step: 310, ask: 311, order: 313, command: 314, size: 312 }
     assert_equal expected.map { |name, id| "#{name}: RuntimeError: Contract served/#{id} is broken, report this.\n" }.join, said
   end
 
@@ -181,6 +181,24 @@ class TestSite < Minitest::Test
 
   def test_SWR_SITE_014_time_in_the_page_stands_still_and_goes_on_by_one_cycle
     assert_parts 'SWR-SITE-014'
+  end
+
+  LINK = 'robot=neuro&seed=7&inputs=100:WORKPHASE,argument=START_UP;200:pedal,press;1500:pedal,release'
+
+  def test_SWR_SITE_027_a_link_is_played_in_a_page_as_in_the_module_without_a_server
+    said, status = node("#{__dir__}/played.mjs", MODULE, SERVED, LINK, '2000')
+    assert status.success?, said
+    assert_match(/\A2000 cycles$.*^event PEDAL_RELEASED /m, said)
+  end
+
+  def test_SWR_SITE_027_another_input_would_be_seen
+    said, status = node("#{__dir__}/played.mjs", MODULE, SERVED, LINK, '2000', LINK.sub('1500', '1501'))
+    refute status.success?
+    assert_match(/\ACycle 1500 /, said)
+  end
+
+  def test_SWR_SITE_028_a_link_is_played_when_it_is_opened_and_a_bad_one_refused_in_words
+    assert_parts 'SWR-SITE-028'
   end
 
   def test_SWR_SITE_015_the_page_is_one_file_that_asks_for_nothing

@@ -165,3 +165,15 @@ test("SWR-SITE-012 another robot is a link away", async () => {
     .locator(".simulation-names strong", { hasText: "prostate" })
     .waitFor();
 });
+
+test("SWR-SITE-028 a link is played, and a bad one is refused in words", async () => {
+  await page.goto(`${address}#robot=neuro&seed=7&inputs=100:estop,pull`);
+  await page
+    .locator(".banner-state strong", { hasText: "EMERGENCY" })
+    .waitFor();
+  await page.goto(`${address}#robot=neuro&seed=7&inputs=9:pedal,kick`);
+  const refusal = page.getByRole("alert").getByText("“pedal kick” is no order");
+  await refusal.waitFor();
+  await page.getByRole("link", { name: "A robot without it" }).click();
+  await refusal.waitFor({ state: "detached" });
+});

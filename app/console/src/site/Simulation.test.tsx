@@ -26,7 +26,13 @@ function replace(change: Partial<RobotView>): void {
 
 beforeEach(() => {
   vi.clearAllMocks();
-  view = { identity: null, cycles: 0, share: 1, failure: null };
+  view = {
+    identity: null,
+    cycles: 0,
+    share: 1,
+    failure: null,
+    isRefused: false,
+  };
   const subscribe = (listener: () => void) => {
     changed = listener;
     return () => undefined;
@@ -78,4 +84,18 @@ test("SWR-SITE-013 a robot that has failed is not shown as one, and is started a
   expect(screen.getByRole("alert").textContent).toContain("served/310");
   fireEvent.click(button("Start anew"));
   expect(onAnew).toHaveBeenCalledOnce();
+});
+
+test("SWR-SITE-026 a link that is refused is told with the reason, and the way out", () => {
+  replace({
+    failure: "At character 27: “x” does not begin with CYCLE:.",
+    isRefused: true,
+  });
+  expect(screen.getByRole("alert").textContent).toBe(
+    "The link of this page is refused. At character 27: “x” does not begin with CYCLE:. A robot without it",
+  );
+  const out = screen.getByRole<HTMLAnchorElement>("link", {
+    name: "A robot without it",
+  });
+  expect(out.hash).toBe("#robot=neuro");
 });

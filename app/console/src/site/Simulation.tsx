@@ -65,6 +65,24 @@ function Pace({
   );
 }
 
+/** Why there is no robot: what the link asks for cannot be shown, or it has failed. */
+function Trouble({
+  failure,
+  isRefused,
+  usual,
+}: Pick<RobotView, "failure" | "isRefused"> & { usual: string }) {
+  return isRefused ? (
+    <p role="alert">
+      The link of this page is refused. {failure}{" "}
+      <a href={addressOf(usual)}>A robot without it</a>
+    </p>
+  ) : (
+    <p role="alert">
+      The robot of this page is gone. Start it anew. ({failure})
+    </p>
+  );
+}
+
 /**
  * Says all the time that no robot is here, and what it is that is shown.
  *
@@ -81,9 +99,11 @@ export function Simulation({ robot, names, onAnew }: Properties) {
       </p>
       <div className="simulation-bar">
         {failure !== null && (
-          <p role="alert">
-            The robot of this page is gone. Start it anew. ({failure})
-          </p>
+          <Trouble
+            failure={failure}
+            isRefused={view.isRefused}
+            usual={identity?.robot ?? names[0] ?? ""}
+          />
         )}
         <p className="simulation-names">
           Robot <Names identity={identity} names={names} />

@@ -4,18 +4,36 @@ import { expect, test } from "vitest";
 import { addressOf, choiceIn, isOther } from "./address";
 
 test("SWR-SITE-012 the address names robot and seed, and what it does not say is as usual", () => {
-  const usual = { robot: "neuro", seed: 1 };
+  const usual = { robot: "neuro", seed: 1, scene: null };
   expect(choiceIn("")).toEqual(usual);
   expect(choiceIn("#charts")).toEqual(usual);
   expect(choiceIn("#seed=-3")).toEqual(usual);
   expect(choiceIn(`${addressOf("prostate")}&seed=42`)).toEqual({
     robot: "prostate",
     seed: 42,
+    scene: null,
   });
 });
 
+const SCENE = "#robot=neuro&seed=7&inputs=200:pedal,press;300:pedal,release";
+
+test("SWR-SITE-025 an address with inputs names a scene, as it stands there", () => {
+  expect(choiceIn(SCENE).scene).toBe(SCENE.slice(1));
+  expect(choiceIn("#robot=neuro&seed=7").scene).toBeNull();
+});
+
 test("SWR-SITE-012 only another robot is another page", () => {
-  expect(isOther("#robot=prostate", "neuro")).toBe(true);
-  expect(isOther("#robot=neuro", "neuro")).toBe(false);
-  expect(isOther("#charts", "prostate")).toBe(false);
+  const neuro = choiceIn("");
+  expect(isOther("#robot=prostate", neuro)).toBe(true);
+  expect(isOther("#robot=neuro", neuro)).toBe(false);
+  expect(isOther("#charts", choiceIn("#robot=prostate"))).toBe(false);
+});
+
+test("SWR-SITE-025 another scene is another page, and a view of the one that is played is none", () => {
+  const played = choiceIn(SCENE);
+  expect(isOther(SCENE, choiceIn(""))).toBe(true);
+  expect(isOther(`${SCENE};400:pedal,press`, played)).toBe(true);
+  expect(isOther("#robot=neuro", played)).toBe(true);
+  expect(isOther(SCENE, played)).toBe(false);
+  expect(isOther("#charts", played)).toBe(false);
 });

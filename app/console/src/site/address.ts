@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the address of the page chooses after its #: `robot=NAME`, and `seed=NUMBER` for its simulated box.
+// What the address of the page chooses after its #: `robot=NAME`, `seed=NUMBER` for its simulated box, and with `inputs=` a
+// whole scene (what_if/scene_text.ts), which is played.
 
 export interface Choice {
   robot: string;
   seed: number;
+  /** Text of a scene, as it stands there; null: nothing is played. */
+  scene: string | null;
 }
 
-const USUAL: Choice = { robot: "neuro", seed: 1 };
+const USUAL = { robot: "neuro", seed: 1 };
 
 /**
  * What is not said there, or is the name of a view, is as usual.
@@ -19,6 +22,7 @@ export function choiceIn(hash: string): Choice {
   return {
     robot: words.get("robot") ?? USUAL.robot,
     seed: /^\d{1,9}$/.test(seed) ? Number(seed) : USUAL.seed,
+    scene: words.has("inputs") ? hash.slice(1) : null,
   };
 }
 
@@ -26,8 +30,14 @@ export function addressOf(robot: string): string {
   return `#robot=${encodeURIComponent(robot)}`;
 }
 
-/** Another robot is another page. */
-export function isOther(hash: string, robot: string): boolean {
-  const named = new URLSearchParams(hash.slice(1)).get("robot");
-  return named !== null && named !== robot;
+/**
+ * Another robot or another scene is another page; what names neither is a view of this one.
+ *
+ * @satisfies SWR-SITE-028
+ */
+export function isOther(hash: string, { robot, scene }: Choice): boolean {
+  const other = choiceIn(hash);
+  const isNamed = new URLSearchParams(hash.slice(1)).has("robot");
+  const isScene = other.scene !== null || (isNamed && scene !== null);
+  return isScene ? other.scene !== scene : isNamed && other.robot !== robot;
 }

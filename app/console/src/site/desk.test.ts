@@ -2,6 +2,7 @@
 // Rule under test: the robot of a page lives by the clock, answers, tells news, and after a failure does nothing more.
 import { beforeEach, expect, test, vi } from "vitest";
 import { BEAT_MS, RobotDesk, TELL_MS } from "./desk";
+import type { Input } from "../what_if/scene_text";
 import type { Report } from "./messages";
 import type { Answered, Asked, ServedRobot, Told } from "./served_robot";
 
@@ -15,11 +16,19 @@ const STATE = '{"status":{"build_id":"b1"},"motors":"m","targeting":"t"}';
 
 class FakeRobot implements Pick<
   ServedRobot,
-  "step" | "ask" | "listen" | "stay" | "cycles"
+  "step" | "act" | "ask" | "listen" | "stay" | "cycles"
 > {
   cycles = 0;
   news: Told[] = [];
   stay = vi.fn();
+  acted: [number, string][] = [];
+
+  act({ words }: Input): void {
+    if (words[0] === "card") {
+      throw new Error("No such card.");
+    }
+    this.acted.push([this.cycles, words.join(" ")]);
+  }
 
   step(cycles: number): void {
     this.cycles += cycles;
@@ -47,15 +56,18 @@ const ask = (method: string): Asked => ({
   body: null,
 });
 
-beforeEach(() => {
+function begin(inputs: Input[]): void {
   robot = new FakeRobot();
   reports = [];
   desk = new RobotDesk(
     robot as unknown as ServedRobot,
+    inputs,
     (report) => reports.push(report),
     0,
   );
-});
+}
+
+beforeEach(() => begin([]));
 
 test("SWR-SITE-013 it says first what it is", () => {
   expect(reports).toEqual([
@@ -115,5 +127,51 @@ test("SWR-SITE-011 a robot that has failed says so once, and is done", () => {
   expect(reports.at(-1)).toEqual({
     kind: "failed",
     reason: "Contract served/310 is broken, report this.",
+  });
+});
+
+const input = (cycle: number, words: string): Input => ({
+  cycle,
+  words: words.split(" "),
+});
+
+test("SWR-SITE-025 each input of a link is done before its cycle, whatever the beat", () => {
+  begin([
+    input(0, "estop reset"),
+    input(7, "pedal press"),
+    input(7, "scanner on"),
+    input(BEAT_MS + 1, "pedal release"),
+  ]);
+  desk.beat(BEAT_MS);
+  expect(robot.cycles).toBe(1 + BEAT_MS);
+  desk.beat(2 * BEAT_MS);
+  expect(robot.cycles).toBe(1 + 2 * BEAT_MS);
+  expect(robot.acted).toEqual([
+    [0, "estop reset"],
+    [7, "pedal press"],
+    [7, "scanner on"],
+    [BEAT_MS + 1, "pedal release"],
+  ]);
+});
+
+test("SWR-SITE-025 one cycle in a pause brings its inputs, and those that a request has waited over come behind it", () => {
+  begin([input(1, "pedal press"), input(9, "pedal release")]);
+  desk.take({ kind: "pace", share: 0 }, 0);
+  desk.take({ kind: "step" }, 0);
+  desk.take({ kind: "ask", id: 7, asked: ask("POST") }, 0);
+  expect(robot.acted).toEqual([[1, "pedal press"]]);
+  desk.take({ kind: "step" }, 0);
+  expect(robot.acted.at(-1)).toEqual([32, "pedal release"]);
+  expect(robot.cycles).toBe(33);
+});
+
+test("SWR-SITE-026 a link whose input is refused is over, in words, and nothing else is shown", () => {
+  begin([input(5, "card 11 silent")]);
+  desk.beat(BEAT_MS);
+  desk.beat(2 * BEAT_MS);
+  expect(robot.cycles).toBe(5);
+  expect(reports.at(-1)).toEqual({
+    kind: "refused",
+    reason: "Cycle 5, card 11 silent: No such card.",
   });
 });

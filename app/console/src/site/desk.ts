@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The robot at work for its page: it lives by the time of the world, answers, and tells what happens.
 import type { Path, Robot, Status } from "@interface";
+import type { Input } from "../what_if/scene_text";
+import { onLink, reportOf } from "./link";
 import { Pace } from "./pace";
 import type { Order, Report } from "./messages";
 import type { Answered, ServedRobot } from "./served_robot";
@@ -15,19 +17,22 @@ type Work = Exclude<Order, { kind: "start" }>;
 
 export class RobotDesk {
   private readonly robot: ServedRobot;
+  private inputs: readonly Input[];
   private readonly tell: (report: Report) => void;
   private readonly pace: Pace;
   private toldAtMs: number;
   private stayedAt = 0;
   private hasFailed = false;
 
-  /** The robot is started. */
+  /** The robot is started, and no cycle has passed. `inputs` are done to it in their cycles. */
   constructor(
     robot: ServedRobot,
+    inputs: readonly Input[],
     tell: (report: Report) => void,
     nowMs: number,
   ) {
     this.robot = robot;
+    this.inputs = inputs;
     this.tell = tell;
     this.pace = new Pace(nowMs);
     this.toldAtMs = nowMs;
@@ -41,7 +46,7 @@ export class RobotDesk {
   /** Each BEAT_MS. */
   beat(nowMs: number): void {
     this.try(() => {
-      this.robot.step(this.pace.due(nowMs));
+      this.pass(this.pace.due(nowMs));
       if (this.robot.cycles - this.stayedAt >= STAY_CYCLES) {
         this.stayedAt = this.robot.cycles;
         this.robot.stay();
@@ -61,13 +66,35 @@ export class RobotDesk {
       case "pace":
         return this.pace.set(order.share, nowMs);
       case "step":
-        this.robot.step(1);
+        this.pass(1);
         return this.tellState(nowMs);
     }
   }
 
+  /**
+   * Lets so many cycles pass, with the inputs that are due in each. Those of cycles that a request has waited for come behind it.
+   *
+   * @satisfies SWR-SITE-025
+   */
+  private pass(cycles: number): void {
+    const end = this.robot.cycles + cycles;
+    let [next] = this.inputs;
+    while (next !== undefined && next.cycle < end) {
+      this.robot.step(Math.max(0, next.cycle - this.robot.cycles));
+      this.act(next);
+      this.inputs = this.inputs.slice(1);
+      [next] = this.inputs;
+    }
+    this.robot.step(end - this.robot.cycles);
+  }
+
+  private act(input: Input): void {
+    const where = `Cycle ${input.cycle}, ${input.words.join(" ")}: `;
+    onLink(() => this.robot.act(input), where);
+  }
+
   private introduce(): void {
-    this.robot.step(1);
+    this.pass(1);
     const { name, checksum } = this.look<Robot>("/api/v1/robot");
     const { build_id: build } = this.look<Status>("/api/v1/status");
     this.tell({ kind: "started", robot: name, checksum, build });
@@ -115,7 +142,7 @@ export class RobotDesk {
       act();
     } catch (failure) {
       this.hasFailed = true;
-      this.tell({ kind: "failed", reason: (failure as Error).message });
+      this.tell(reportOf(failure as Error));
     }
   }
 }

@@ -9,9 +9,9 @@ import { saveByTransport } from "./save";
 import { Simulation } from "./Simulation";
 import { transport } from "./transport";
 
-const { robot } = choiceIn(location.hash);
+const choice = choiceIn(location.hash);
 window.addEventListener("hashchange", () => {
-  if (isOther(location.hash, robot)) {
+  if (isOther(location.hash, choice)) {
     location.reload();
   }
 });

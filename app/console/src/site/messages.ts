@@ -10,6 +10,8 @@ export type Order =
       packed: string;
       robot: string;
       seed: number;
+      /** Text of a scene that is played instead; null: none. */
+      scene: string | null;
       utcS: number;
     }
   | { kind: "ask"; id: number; asked: Asked }
@@ -32,5 +34,7 @@ export type Report =
   | ({ kind: "told" } & Told)
   /** Cycles since the start. */
   | { kind: "time"; cycles: number }
+  /** What the link says cannot be done, and nothing else is shown. */
+  | { kind: "refused"; reason: string }
   /** It does nothing more. */
   | { kind: "failed"; reason: string };

@@ -9,6 +9,7 @@ const start: Order & { kind: "start" } = {
   packed: "",
   robot: "neuro",
   seed: 1,
+  scene: null,
   utcS: 0,
 };
 const listener = { hear: vi.fn(), lose: vi.fn() };
@@ -116,4 +117,15 @@ test("SWR-SITE-014 pace and cycle are ordered from the worker, whose time is kno
   ]);
   expect(transport.getView()).toMatchObject({ share: 0, cycles: 12 });
   expect(changed).toHaveBeenCalledTimes(2);
+});
+
+test("SWR-SITE-026 what asks for the robot of a link that is refused gets the reason", async () => {
+  report({ kind: "refused", reason: "At character 1: no." });
+  expect(transport.getView()).toMatchObject({
+    failure: "At character 1: no.",
+    isRefused: true,
+  });
+  await expect(transport.request("/api/v1/robot", {})).rejects.toThrow(
+    "At character 1: no.",
+  );
 });

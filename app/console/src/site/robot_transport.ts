@@ -25,6 +25,8 @@ export interface RobotView {
   share: number;
   /** Why there is no robot any more. */
   failure: string | null;
+  /** It is what the link says, and not the robot. */
+  isRefused: boolean;
 }
 
 interface Waiting {
@@ -62,6 +64,7 @@ export class RobotTransport implements Transport {
     cycles: 0,
     share: 1,
     failure: null,
+    isRefused: false,
   };
 
   constructor(port: RobotPort, start: Extract<Order, { kind: "start" }>) {
@@ -150,6 +153,9 @@ export class RobotTransport implements Transport {
         return this.streamListener?.hear(report.type, report.data);
       case "time":
         return this.replace({ cycles: report.cycles });
+      case "refused":
+        this.replace({ isRefused: true });
+        return this.fail(report.reason);
       case "failed":
         return this.fail(report.reason);
     }

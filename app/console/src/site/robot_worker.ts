@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The worker that has the robot of a page.
 import { BEAT_MS, RobotDesk } from "./desk";
+import { reportOf, sceneOf } from "./link";
 import type { Order, Report } from "./messages";
 import { ServedRobot } from "./served_robot";
 
@@ -17,11 +18,13 @@ async function unpack(packed: string): Promise<ArrayBuffer> {
   return new Response(stream).arrayBuffer();
 }
 
-async function start({ packed, robot, seed, utcS }: Start): Promise<RobotDesk> {
-  const module = await WebAssembly.compile(await unpack(packed));
+async function start(order: Start): Promise<RobotDesk> {
+  const module = await WebAssembly.compile(await unpack(order.packed));
   const served = new ServedRobot(module);
-  served.start(robot, seed, utcS);
-  const started = new RobotDesk(served, tell, performance.now());
+  const { robot, seed, inputs } = sceneOf(order, served.vocabulary);
+  served.start(robot, seed, order.utcS);
+  const now = performance.now();
+  const started = new RobotDesk(served, inputs, tell, now);
   setInterval(() => started.beat(performance.now()), BEAT_MS);
   return started;
 }
@@ -29,9 +32,7 @@ async function start({ packed, robot, seed, utcS }: Start): Promise<RobotDesk> {
 addEventListener("message", ({ data }: MessageEvent<Order>) => {
   if (data.kind === "start") {
     desk = start(data);
-    desk.catch((failure: Error) =>
-      tell({ kind: "failed", reason: failure.message }),
-    );
+    desk.catch((failure: Error) => tell(reportOf(failure)));
   } else {
     desk?.then(
       (one) => one.take(data, performance.now()),

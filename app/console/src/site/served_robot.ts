@@ -3,11 +3,11 @@
 // is logged in there. Nothing but these calls decides what it does: no clock, no chance, no network.
 import type { Path, Session } from "@interface";
 import type { StreamEvent } from "../transport/transport";
+import { SceneHand, type HandModule } from "../what_if/scene_hand.ts";
+import type { Input, Vocabulary } from "../what_if/scene_text.ts";
 
 /** What the module exports. */
-interface Door {
-  memory: WebAssembly.Memory;
-  text(): number;
+interface Door extends HandModule {
   textSize(): number;
   answer(): number;
   start(seed: number, utcS: number): number;
@@ -66,12 +66,24 @@ function readTold(message: string): Told {
 
 export class ServedRobot {
   private readonly door: Door;
+  private readonly hand: SceneHand;
   private cookie = "";
   private token = "";
 
   constructor(module: WebAssembly.Module) {
     const { exports } = new WebAssembly.Instance(module, {});
     this.door = exports as unknown as Door;
+    this.hand = new SceneHand(this.door);
+  }
+
+  /** The inputs that there are. */
+  get vocabulary(): Vocabulary {
+    return this.hand.vocabulary;
+  }
+
+  /** Does one input of a scene before the next cycle; throws when it is refused. */
+  act(input: Input): void {
+    this.hand.act(input);
   }
 
   /**

@@ -1,25 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // A scene as it runs in the module of a robot, and another one beside it that was the same until then.
-import {
-  commandOf,
-  readVocabulary,
-  type Input,
-  type Scene,
-  type Vocabulary,
-} from "./scene_text.ts";
+import { SceneHand, read, say, type HandModule } from "./scene_hand.ts";
+import type { Input, Scene, Vocabulary } from "./scene_text.ts";
 
 /** What is used of robot.wasm; site/exports.h and site/watch.h say what it is. */
-export interface RobotModule {
-  memory: WebAssembly.Memory;
-  text(): number;
+export interface RobotModule extends HandModule {
   start(seed: number): number;
-  order(): number;
-  command(): number;
   step(): void;
   outputs(): number;
   outputsSize(): number;
-  words(): number;
-  vocabulary(): void;
   happened(): void;
   driven(): number;
   look(): number;
@@ -35,56 +24,34 @@ export interface RunState {
   commands: number;
 }
 
-// In the words of a command.
-const ID = 0;
-const PEER = 2;
-const KIND = 3;
-/** Who commands unless a scene says otherwise: a connection of OpenIGTLink. */
-const FIRST_PEER = 1;
-
 export class SceneRun {
-  readonly vocabulary: Vocabulary;
   /** How many cycles have passed. */
   cycle = 0;
   private readonly module: RobotModule;
-  private commands = 0;
+  private readonly hand: SceneHand;
 
   constructor(module: RobotModule) {
     this.module = module;
-    module.vocabulary();
-    this.vocabulary = readVocabulary(this.heard());
+    this.hand = new SceneHand(module);
+  }
+
+  get vocabulary(): Vocabulary {
+    return this.hand.vocabulary;
   }
 
   /** Begins with a robot that was just switched on; throws when there is none such. */
   start({ robot, seed }: Scene): void {
-    this.say(this.module.text(), robot);
+    say(this.module, this.module.text(), robot);
     if (!this.module.start(seed)) {
       throw new Error(`There is no robot ${robot}.`);
     }
     this.cycle = 0;
-    this.commands = 0;
+    this.hand.commands = 0;
   }
 
-  /** Does one input before the next cycle; throws when the box refuses it. The first command has the number 1. */
+  /** Does one input before the next cycle; throws when it is refused. */
   act(input: Input): void {
-    const command = commandOf(input, this.vocabulary);
-    if (command === null) {
-      this.say(this.module.text(), input.words.join(" "));
-      if (!this.module.order()) {
-        throw new Error(this.read(this.module.text()).trim());
-      }
-      return;
-    }
-    const at = this.module.command();
-    if (at === 0) {
-      throw new Error(`Cycle ${this.cycle} takes no more commands.`);
-    }
-    const words = new Int32Array(this.module.memory.buffer, at);
-    this.commands += 1;
-    words[ID] = this.commands;
-    words[PEER] = FIRST_PEER;
-    words[KIND] = command.kind;
-    command.words.forEach((value, place) => (words[place] = value));
+    this.hand.act(input);
   }
 
   step(): void {
@@ -105,19 +72,19 @@ export class SceneRun {
   /** A copy of the robot as it is. */
   keep(): RunState {
     const memory = new Uint8Array(this.module.memory.buffer).slice();
-    return { memory, cycle: this.cycle, commands: this.commands };
+    return { memory, cycle: this.cycle, commands: this.hand.commands };
   }
 
   /** Goes on from a copy, of this or of another run. */
   restore(state: RunState): void {
     new Uint8Array(this.module.memory.buffer).set(state.memory);
     this.cycle = state.cycle;
-    this.commands = state.commands;
+    this.hand.commands = state.commands;
   }
 
   /** What "TOPIC FIELD" is after the last cycle; null: there is none such. */
   look(what: string): string | null {
-    this.say(this.module.words(), what);
+    say(this.module, this.module.words(), what);
     return this.module.look() ? this.heard() : null;
   }
 
@@ -148,18 +115,8 @@ export class SceneRun {
     return this.heard().split("\n").slice(0, -1);
   }
 
-  private say(place: number, words: string): void {
-    const bytes = new TextEncoder().encode(`${words}\0`);
-    new Uint8Array(this.module.memory.buffer, place, bytes.length).set(bytes);
-  }
-
-  private read(place: number): string {
-    const bytes = new Uint8Array(this.module.memory.buffer, place);
-    return new TextDecoder().decode(bytes.subarray(0, bytes.indexOf(0)));
-  }
-
   private heard(): string {
-    return this.read(this.module.words());
+    return read(this.module, this.module.words());
   }
 }
 
