@@ -8,7 +8,7 @@
 #ifndef BORESIGHT_SERVED_H
 #define BORESIGHT_SERVED_H
 
-#include "controller/controller.h"
+#include "site/closed_loop.h"
 #include "site/export.h"
 
 #include <stdbool.h>
