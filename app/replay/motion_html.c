@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "replay/motion_html.h"
 
+#include "card/card_dialect.h"
 #include "common/build_id.h"
 #include "common/utc_text.h"
 #include "replay/frame_fields.h"
@@ -39,6 +40,9 @@ static void write_value(FILE *file, cJSON *value)
     cJSON_Delete(value);
 }
 
+/* Who accepts what cards of another dialect lack is in no recording, and not shown by its page. */
+static const exchange_cards_t cards = {.dialect = (uint32_t)CARD_DIALECT_OWN};
+
 /* The robot as it is before anything is known of it by others than its file. */
 static void begin_view(motion_html_t *self, const robot_t *robot, const recording_header_t *header)
 {
@@ -47,6 +51,7 @@ static void begin_view(motion_html_t *self, const robot_t *robot, const recordin
         .boot_id = "recording", .version = BUILD_VERSION, .build_id = self->build};
     self->view.has_snapshot = true;
     self->view.robot = robot;
+    self->view.cards = &cards;
     self->started_us = header->started_us;
 }
 
@@ -151,6 +156,15 @@ static cJSON *new_frames(const controller_outputs_t *shown)
     return frames;
 }
 
+/* A recording has the number of who commands, as its events, but not the name. */
+static void name_peer(uint32_t peer, char name[EXCHANGE_TITLE_SIZE])
+{
+    name[0] = '\0';
+    if (peer != 0U) {
+        (void)snprintf(name, EXCHANGE_TITLE_SIZE, "peer %u (name not recorded)", (unsigned)peer);
+    }
+}
+
 /* What the page shows of a cycle; its time stands for the clock's, which is that of now. */
 static cJSON *new_moment(motion_html_t *self, const controller_outputs_t *shown)
 {
@@ -158,6 +172,8 @@ static cJSON *new_moment(motion_html_t *self, const controller_outputs_t *shown)
     char utc[UTC_TEXT_SIZE];
 
     self->view.snapshot = shown->snapshot;
+    name_peer(shown->snapshot.holder_peer, self->view.holder);
+    name_peer(shown->snapshot.requester_peer, self->view.requester);
     cJSON *const state = telemetry_json_state(&self->identity, &self->view);
     utc_text_write(self->started_us, utc);
     (void)cJSON_ReplaceItemInObject(cJSON_GetObjectItem(state, "status"), "utc",

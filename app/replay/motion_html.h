@@ -54,6 +54,7 @@ void motion_html_begin(motion_html_t *self, FILE *file, const robot_t *robot,
  *
  * @satisfies SWR-REPLAY-015
  * @satisfies SWR-REPLAY-016
+ * @satisfies SWR-REPLAY-020
  */
 void motion_html_take(motion_html_t *self, const recording_header_t *header,
                       const cycle_record_t *record, const controller_outputs_t *shown);

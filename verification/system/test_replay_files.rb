@@ -231,6 +231,11 @@ class TestReplayFiles < StoppedHoming
     assert_equal printed('--events').lines(chomp: true).map { |line| line.partition(' ').last }, lines
   end
 
+  def test_SWR_REPLAY_020_a_page_says_that_somebody_commands_whose_name_is_not_recorded
+    peer = page_content['events'].find { |event| event['name'] == 'AUTHORITY_TAKEN' }.fetch('text')[/Peer (\d+)/, 1]
+    assert_includes page, %("peer #{peer} (name not recorded)")
+  end
+
   def test_SWR_REPLAY_018_a_browser_shows_the_page_from_its_file
     Dir.mktmpdir do |folder|
       file = File.join(folder, 'page.html')
