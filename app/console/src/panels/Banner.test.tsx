@@ -54,6 +54,12 @@ test("SWR-CON-012 says who commands, by name and for how long", () => {
   expect(shows(igtl)).toContain("Commanded by brp 127.0.0.1:53212 for 12 s");
 });
 
+test("SWR-CON-012 does not say that nobody commands where only the name is missing", () => {
+  const said = shows({ ...igtl, name: null });
+  expect(said).toContain("Commanded by somebody whose name is not known here");
+  expect(said).not.toContain("Nobody");
+});
+
 test("SWR-CON-012 says that nobody commands while the axes come to rest", () => {
   expect(shows({ state: "ending" })).toContain(
     "Nobody commands before the axes rest",

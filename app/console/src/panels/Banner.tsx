@@ -56,6 +56,9 @@ function whoCommands({ state, name, age_s }: Authority): string {
   if (name !== null) {
     return `Commanded by ${name} for ${Math.floor(age_s)} s`;
   }
+  if (state === "held") {
+    return "Commanded by somebody whose name is not known here";
+  }
   return state === "ending"
     ? "Nobody commands before the axes rest"
     : "Nobody commands";
