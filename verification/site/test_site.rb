@@ -13,6 +13,7 @@ require 'json'
 require 'open3'
 require 'tmpdir'
 require 'zlib'
+require_relative '../demo/targets'
 require_relative '../system/support/browser_run'
 
 class TestSite < Minitest::Test
@@ -23,6 +24,7 @@ class TestSite < Minitest::Test
   SERVED = "#{ROOT}/build/site/served.wasm"
   PAGE = "#{ROOT}/build/site/page/index.html"
   PAGE_BYTES = 340_000
+  NEAR_MM = JSON.parse(File.read("#{ROOT}/build/gen/limits/limits.json")).find { |one| one['name'] == 'demo_error_nm' }['value'] / 1e6
   NATIVE = "#{ROOT}/build/gcc/bin/closed-loop-scene"
   NATIVE_SERVED = "#{ROOT}/build/gcc/bin/served-ask"
   ROBOTS = Dir.glob('*/robot.yml', base: "#{ROOT}/core/robot").map { |path| File.dirname(path) }.sort
@@ -79,6 +81,30 @@ class TestSite < Minitest::Test
 
   def broken(name, id)
     "#{name}: RuntimeError: Contract site/#{id} is broken, report this.\n"
+  end
+
+  # Registration and targets as a page sends them, with whole matrices.
+  def table(robot)
+    targets = Targets.new("#{ROOT}/core/robot/#{robot}/targets.yml")
+    { registration: whole(targets.registration),
+      targets: targets.each_target.map { |one| { pose: whole(Geometry.rows(one.rotation, one.point)), entry: one.entry } } }
+  end
+
+  def whole(rows)
+    [*rows, 0, 0, 0, 1]
+  end
+
+  # The points that the robot in the page's file has come to.
+  def reached(robot)
+    said, status = Open3.capture2e('node', '--no-warnings', "#{__dir__}/table.mjs", PAGE, robot, stdin_data: JSON.generate(table(robot)))
+    assert status.success?, said
+    course = JSON.parse(said, symbolize_names: true)
+    puts "SWR-SITE-021: #{robot}: #{course[:reached].size} targets in #{course[:seconds]} s of its time"
+    course[:reached]
+  end
+
+  def assert_near(expected, point)
+    assert_operator Geometry.distance(expected, point), :<=, NEAR_MM
   end
 
   # The course of the scene of serve.mjs, its calls and its answers.
@@ -212,5 +238,12 @@ class TestSite < Minitest::Test
   def test_SWR_SITE_016_a_robot_that_is_put_back_goes_on_as_it_did_and_otherwise_if_asked_otherwise
     said, = node('--no-warnings', "#{__dir__}/door.mjs", SERVED, 'neuro')
     assert_equal({ 'role' => 'ENGINEER', 'again' => true, 'other' => false, 'told' => true }, JSON.parse(said))
+  end
+
+  def test_SWR_SITE_021_table_1_of_the_thesis_is_reached_where_the_demonstration_has_come
+    native = JSON.parse(File.read("#{ROOT}/build/demo/neuro/targets.json"), symbolize_names: true)
+    points = reached('neuro')
+    assert_equal native.size, points.size
+    native.zip(points) { |row, point| row.values_at(:target, :reached).each { |expected| assert_near(expected, point) } }
   end
 end

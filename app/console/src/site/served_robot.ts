@@ -112,7 +112,11 @@ export class ServedRobot {
     this.ask({ method: "PUT", address: SESSION_PATH, headers, body: null });
   }
 
-  /** Lets so many cycles pass. */
+  /**
+   * Lets so many cycles pass.
+   *
+   * @satisfies SWR-SITE-021
+   */
   step(cycles: number): void {
     this.call(() => this.door.step(cycles));
   }
