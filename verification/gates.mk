@@ -28,7 +28,7 @@ endif
 endif
 
 one: bootstrap-test ## One file of tests: make one NAME=test_encoder
-	@$(MAKE) --no-print-directory -j2 $(if $(filter %.c,$(ONE)),generated build/gcc/libtest-core.a,programs)
+	@$(MAKE) --no-print-directory -j2 $(if $(filter %.c,$(ONE)),generated build/gcc/libtest.a,programs)
 	@$(if $(filter %.c,$(ONE)),$(CEEDLING) test:$(NAME),env -u MAKEFLAGS -u MAKELEVEL -u NAME ruby $(ONE) -v)
 
 ALL_APP := $(wildcard app/*/*.c bsp/*/*.c)
@@ -75,7 +75,7 @@ sweep: bootstrap-test ## Frequency sweep of the ProstateRobot's rotation, six mi
 	@ruby verification/demo/sweep.rb $(or $(PICTURE),$(CURDIR)/build/demo/sweep/sweep.svg) $(FILE)
 
 unit: $(GENERATED) .tools/gems/bin/ceedling ## Unit and integration tests with coverage
-	@$(MAKE) --no-print-directory -j2 CONFIG=gcov build/gcov/libtest-core.a
+	@$(MAKE) --no-print-directory -j2 CONFIG=gcov build/gcov/libtest.a
 	status=0; ruby tools/results.rb ceedling build/ceedling/artifacts/gcov/tests_report.json $(CEEDLING) gcov:all || \
 	status=$$?; ruby tools/uncovered.rb || status=$$?; exit $$status
 

@@ -18,9 +18,6 @@
 #include <stdio.h>
 #include <string.h>
 
-TEST_SOURCE_FILE("box_hold.c")
-TEST_SOURCE_FILE("box_orders.c")
-TEST_SOURCE_FILE("box_reply.c")
 
 #define ALL_SLOTS 0x3FFU
 #define USED_SLOTS 0x0FEU /* 1..7 */

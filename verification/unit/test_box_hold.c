@@ -20,10 +20,6 @@
 
 #include <string.h>
 
-TEST_SOURCE_FILE("box_orders.c")
-TEST_SOURCE_FILE("box_reply.c")
-TEST_SOURCE_FILE("box_hold.c")
-TEST_SOURCE_FILE("box_show.c")
 
 #define NOW_US UINT64_C(5000000000000)
 

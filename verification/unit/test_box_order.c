@@ -25,9 +25,6 @@
 #include <stdio.h>
 #include <string.h>
 
-TEST_SOURCE_FILE("box_orders.c")
-TEST_SOURCE_FILE("box_reply.c")
-TEST_SOURCE_FILE("box_hold.c")
 
 static box_t box;
 static box_order_t order;

@@ -33,7 +33,6 @@
 #include <sys/time.h>
 
 TEST_INCLUDE_PATH("/usr/include")
-TEST_SOURCE_FILE("crc.c")
 
 #define LINES "gpio:/dev/gpiochip0,pedal_a=0,pedal_b=1,estop=2,scanner=3,power=8,lamp_alive=9"
 #define ONE_BUS "spidev:/dev/spidev1.0,slots=0-9,clock=100000000;"

@@ -23,10 +23,6 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-TEST_SOURCE_FILE("bsp_sim.c")
-TEST_SOURCE_FILE("box_hold.c")
-TEST_SOURCE_FILE("box_orders.c")
-TEST_SOURCE_FILE("box_reply.c")
 
 #define TIMEOUT_US 2000U
 #define LONG_TIMEOUT_US 5000000U

@@ -10,7 +10,6 @@
 
 #include <string.h>
 
-TEST_SOURCE_FILE("crc.c")
 
 #define SLOT 3U
 

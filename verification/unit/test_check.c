@@ -22,9 +22,6 @@
 #include <string.h>
 #include <sys/stat.h>
 
-TEST_SOURCE_FILE("check_kernel.c")
-TEST_SOURCE_FILE("check_core.c")
-TEST_SOURCE_FILE("check_cycle.c")
 
 #define PATH_SIZE 256U
 #define INTERRUPTS "           CPU0       CPU1\n"

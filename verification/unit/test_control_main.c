@@ -31,13 +31,6 @@
 #include "control_main.c"
 #undef main
 
-TEST_SOURCE_FILE("crc.c")
-TEST_SOURCE_FILE("robot_cards.c")
-TEST_SOURCE_FILE("position_store.c")
-TEST_SOURCE_FILE("position_record.c")
-TEST_SOURCE_FILE("sources.c")
-TEST_SOURCE_FILE("lamps.c")
-TEST_SOURCE_FILE("board_inputs.c")
 
 #define ALL_SLOTS 0x0FEU
 #define LAST_CYCLE 20U

@@ -21,14 +21,6 @@
 #include "robot/robot_neuro.h"
 #include "safety/coupled_guard.h"
 
-TEST_SOURCE_FILE("axis_chart.c")
-TEST_SOURCE_FILE("encoder.c")
-TEST_SOURCE_FILE("homing.c")
-TEST_SOURCE_FILE("motor_heat.c")
-TEST_SOURCE_FILE("motor_model.c")
-TEST_SOURCE_FILE("servo.c")
-TEST_SOURCE_FILE("stall_watchdog_chart.c")
-TEST_SOURCE_FILE("supervision.c")
 
 /* 984 ticks/s for 4.5 ms, rounded up, and the tick of a count. */
 #define DRIVEN_TICKS 6

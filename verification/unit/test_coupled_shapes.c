@@ -19,14 +19,6 @@
 #include "safety/coupled_guard.h"
 #include "unit/support/scenes.h"
 
-TEST_SOURCE_FILE("axis_chart.c")
-TEST_SOURCE_FILE("encoder.c")
-TEST_SOURCE_FILE("homing.c")
-TEST_SOURCE_FILE("motor_heat.c")
-TEST_SOURCE_FILE("motor_model.c")
-TEST_SOURCE_FILE("servo.c")
-TEST_SOURCE_FILE("stall_watchdog_chart.c")
-TEST_SOURCE_FILE("supervision.c")
 
 #define AXES 4U
 #define TICK_NM 1000

@@ -15,8 +15,6 @@
 
 #include <string.h>
 
-TEST_SOURCE_FILE("crc.c")
-TEST_SOURCE_FILE("robot_cards.c")
 
 #define SEQUENCE 0xFFFFFFFEU /* Its wrap is inside. */
 #define TIME_US 4711U

@@ -14,15 +14,6 @@
 #include "robot/joints.h"
 #include "robot/robot_neuro.h"
 
-TEST_SOURCE_FILE("axis_chart.c")
-TEST_SOURCE_FILE("encoder.c")
-TEST_SOURCE_FILE("fixed.c")
-TEST_SOURCE_FILE("homing.c")
-TEST_SOURCE_FILE("motor_heat.c")
-TEST_SOURCE_FILE("motor_model.c")
-TEST_SOURCE_FILE("servo.c")
-TEST_SOURCE_FILE("stall_watchdog_chart.c")
-TEST_SOURCE_FILE("supervision.c")
 
 static const card_drive_t off = {CARD_DRIVE_OFF, 0U, 0U, 0U};
 

@@ -12,15 +12,6 @@
 #include "robot/robot_neuro.h"
 #include "safety/needle.h"
 
-TEST_SOURCE_FILE("axis_chart.c")
-TEST_SOURCE_FILE("encoder.c")
-TEST_SOURCE_FILE("fixed.c")
-TEST_SOURCE_FILE("homing.c")
-TEST_SOURCE_FILE("motor_heat.c")
-TEST_SOURCE_FILE("motor_model.c")
-TEST_SOURCE_FILE("servo.c")
-TEST_SOURCE_FILE("stall_watchdog_chart.c")
-TEST_SOURCE_FILE("supervision.c")
 
 /* 0.625 mm of 3333.34 ticks. */
 #define OUT_TICKS 2083

@@ -20,8 +20,6 @@
 #include "robot/robot_neuro.h"
 #include "unit/support/contract_trap.h"
 
-TEST_SOURCE_FILE("coupled_limit.c")
-TEST_SOURCE_FILE("coupled_path.c")
 
 static plan_t plan;
 static const plan_proposer_t proposer = {.peer = 21U, .cycle = 4711U};

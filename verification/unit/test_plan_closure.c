@@ -17,8 +17,6 @@
 
 #include <string.h>
 
-TEST_SOURCE_FILE("coupled_limit.c")
-TEST_SOURCE_FILE("coupled_path.c")
 
 /* The two carriages apart: here the coupled limit is looked at by itself. */
 static robot_t lone;

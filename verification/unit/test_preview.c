@@ -18,8 +18,6 @@
 
 #include <string.h>
 
-TEST_SOURCE_FILE("coupled_limit.c")
-TEST_SOURCE_FILE("coupled_path.c")
 
 static snapshot_t snapshot;
 static plan_t plan;

@@ -6,8 +6,6 @@
 #include "robot/probe.h"
 #include "robot/robot_neuro.h"
 
-TEST_SOURCE_FILE("robot_bench2.c")
-TEST_SOURCE_FILE("robot_prostate.c")
 
 extern const robot_t robot_bench2;
 extern const robot_t robot_prostate;

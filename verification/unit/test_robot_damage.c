@@ -10,7 +10,6 @@
 #include <stddef.h>
 #include <string.h>
 
-TEST_SOURCE_FILE("seal.c")
 
 static robot_t robot;
 

@@ -11,7 +11,6 @@
 #include <string.h>
 #include <unistd.h>
 
-TEST_SOURCE_FILE("wiring_text.c")
 
 #define GOOD                                                                                       \
     "spidev: /dev/spidev1.0, slots=0-9, clock=50000000\n"                                          \

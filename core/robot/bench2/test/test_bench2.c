@@ -12,7 +12,6 @@
 
 #include <stddef.h>
 
-TEST_SOURCE_FILE("fixed.c")
 
 #define GOLDEN_COUNT (sizeof golden_bench2 / sizeof golden_bench2[0])
 
