@@ -27,7 +27,6 @@ CC_static := gcc
 CC_wasm := clang-19
 CC := $(CC_$(CONFIG))
 EXTRA_asan := -fsanitize=address,undefined -fno-sanitize-recover=all
-EXTRA_gcov := -O0 --coverage
 # Static, so that it runs whatever C library there is; files and times beyond 32 bit.
 ARMHF := .tools/armhf
 EXTRA_arm := -mcpu=cortex-a9 -mfpu=vfpv3-d16 -D_FILE_OFFSET_BITS=64 -D_TIME_BITS=64 \
@@ -46,6 +45,9 @@ HARDENED_static := $(HARDENED_arm)
 HARDENED_wasm := $(ANYWHERE)
 # WebAssembly keeps return addresses where no data can reach them.
 HARDENED_CORE := $(if $(filter wasm,$(CONFIG)),,-fstack-protector)
+# Coverage is that of the core and the charts; around them it would only take time.
+COUNTED_gcov := -O0 --coverage
+COUNTED := $(COUNTED_$(CONFIG))
 WARNINGS := -std=c99 -pedantic -Wall -Wextra -Werror -Wconversion -Wsign-conversion -Wshadow -Wswitch-enum \
     -Wcast-qual -Wmissing-prototypes
 CFLAGS := $(WARNINGS) -ffp-contract=off -O2 -g $(EXTRA) $(HARDENED_$(CONFIG))
@@ -212,9 +214,9 @@ $(GEN)/assets/chart_names.c: $(GEN)/charts/charts.json app/http/chart_names.rb
 
 object = $(patsubst %.c,$(OUT)/%.o,$(1))
 
-$(OUT)/core/%.o: FLAGS = $(CORE_INCLUDES) $(HARDENED_CORE)
+$(OUT)/core/%.o: FLAGS = $(CORE_INCLUDES) $(HARDENED_CORE) $(COUNTED)
 $(OUT)/$(GEN)/%.o: FLAGS = $(APP_INCLUDES)
-$(OUT)/$(GEN)/charts/%.o: FLAGS = $(CORE_INCLUDES) $(HARDENED_CORE)
+$(OUT)/$(GEN)/charts/%.o: FLAGS = $(CORE_INCLUDES) $(HARDENED_CORE) $(COUNTED)
 $(OUT)/$(APART)/gen/board/%.o: FLAGS = $(APP_INCLUDES)
 $(OUT)/bsp/%.o: FLAGS = -D_GNU_SOURCE $(BSP_INCLUDES)
 $(OUT)/app/%.o: FLAGS = -D_GNU_SOURCE $(APP_INCLUDES) -DBORESIGHT_BUILD_ID='"$(BUILD_ID)"' -DBORESIGHT_VERSION='"$(VERSION)"'

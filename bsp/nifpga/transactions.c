@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "nifpga/transactions.h"
 
+#include "card/aim32_frame.h"
+
 #include <string.h>
 #include <time.h>
 

@@ -3,7 +3,6 @@
 #ifndef BORESIGHT_CARD_DIALECT_H
 #define BORESIGHT_CARD_DIALECT_H
 
-#include "card/aim32_frame.h"
 #include "card/card_frame.h"
 
 #include <stdint.h>
@@ -14,20 +13,10 @@ typedef enum {
 } card_dialect_t;
 
 /** Bytes of a frame that go over the wire. */
-static inline uint32_t card_dialect_frame_bytes(uint32_t dialect)
-{
-    return (dialect == (uint32_t)CARD_DIALECT_OWN) ? CARD_FRAME_BYTES : AIM32_FRAME_BYTES;
-}
+uint32_t card_dialect_frame_bytes(uint32_t dialect);
 
 /** Writes `command` as the bytes of a frame of `dialect`, a card_dialect_t. */
-static inline void card_dialect_encode_command(uint32_t dialect, const card_command_t *command,
-                                               uint8_t bytes[CARD_FRAME_BYTES])
-{
-    if (dialect == (uint32_t)CARD_DIALECT_OWN) {
-        card_frame_encode_command(command, bytes);
-    } else {
-        aim32_frame_encode_command(command, bytes);
-    }
-}
+void card_dialect_encode_command(uint32_t dialect, const card_command_t *command,
+                                 uint8_t bytes[CARD_FRAME_BYTES]);
 
 #endif
