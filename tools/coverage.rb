@@ -69,9 +69,9 @@ class CoverageReport
   LOG = 'build/log/coverage.log'
   PLACES = %w[core build/gen/charts].freeze
   TESTS = '*/core/robot/*/test/*'
-  CEEDLING = 'build/ceedling'
+  COUNTED = %w[build/ceedling/gcov build/gcov/core build/gcov/build/gen/charts].freeze
   RESULTS = 'build/results/unit.json'
-  GCOVR = "#{CEEDLING}/artifacts/gcov/gcovr".freeze
+  GCOVR = 'build/ceedling/artifacts/gcov/gcovr'
 
   def self.write
     tested? || system('make', '--no-print-directory', 'gate', 'NAME=unit') || abort
@@ -92,8 +92,8 @@ class CoverageReport
 
   # What gcovr looks at, with paths that hold on every machine.
   def self.capture
-    call(*LCOV, '--capture', '--directory', "#{CEEDLING}/gcov", '--no-external', '--base-directory', '.',
-         '--output-file', TRACEFILE)
+    call(*LCOV, '--capture', *COUNTED.flat_map { |folder| ['--directory', folder] }, '--no-external',
+         '--base-directory', '.', '--output-file', TRACEFILE)
     call(*LCOV, '--extract', TRACEFILE, *PLACES.map { |place| "#{Dir.pwd}/#{place}/*" }, '--output-file', TRACEFILE)
     call(*LCOV, '--remove', TRACEFILE, TESTS, '--output-file', TRACEFILE)
     File.write(TRACEFILE, File.read(TRACEFILE).gsub("SF:#{Dir.pwd}/", 'SF:'))
