@@ -28,6 +28,7 @@
 
 #define QUEUE 64U
 #define MOST_DIFFERENCES 10U
+#define SOON 8U
 
 /* One member's step. */
 typedef struct {
@@ -46,7 +47,17 @@ typedef struct {
     bool is_of_one_axis;
 } result_t;
 
+/* A pair of a turn that is not over. */
+typedef struct {
+    turn_t turn;
+    way_t ways[2];
+    result_t result;
+} pair_t;
+
 static cell_t *cells[MEMBERS];
+static pair_t *kept;
+static uint32_t kept_count;
+static uint32_t kept_room;
 static uint64_t spoken_from; /* By which properties, where it is the turn. */
 static uint64_t pairs;
 static uint64_t explored_pairs;
@@ -161,15 +172,12 @@ static void fill_cells(uint32_t member)
 
 static uint32_t queued(uint8_t queue[QUEUE], uint32_t told, uint64_t triggered)
 {
-    for (uint8_t i = 0U; triggered != 0U; i++, triggered >>= 1) {
-        if ((triggered & 1U) == 0U) {
-            continue;
-        }
+    for (; triggered != 0U; triggered &= triggered - 1U) {
         if (told == QUEUE) {
             puts("the charts tell each other more than the queue holds");
             exit(2);
         }
-        queue[told] = i;
+        queue[told] = (uint8_t)__builtin_ctzll(triggered);
         told++;
     }
     longest_queue = (told > longest_queue) ? told : longest_queue;
@@ -249,6 +257,32 @@ static void note_pair(turn_t turn, const way_t ways[2], const result_t *result)
     }
 }
 
+/* Waits for the others of its turn: memory is slow, and asked for all of them at once. */
+static void keep_pair(turn_t turn, const way_t ways[2], const result_t *result)
+{
+    if (kept_count == kept_room) {
+        kept_room = (kept_room == 0U) ? 256U : (kept_room * 2U);
+        kept = grown(kept, kept_room * sizeof *kept);
+    }
+    kept[kept_count] = (pair_t){turn, {ways[0], ways[1]}, *result};
+    kept_count++;
+    if (result->after != found[turn.row].config) {
+        found_expect(result->after);
+    }
+}
+
+static void note_kept(void)
+{
+    for (uint32_t i = 0U; i < kept_count; i++) {
+        const uint32_t soon = i + SOON;
+        if ((soon < kept_count) && (kept[soon].result.after != found[kept[soon].turn.row].config)) {
+            found_approach(kept[soon].result.after);
+        }
+        note_pair(kept[i].turn, kept[i].ways, &kept[i].result);
+    }
+    kept_count = 0U;
+}
+
 static void take_pair(turn_t turn, uint32_t stimulus, uint32_t free)
 {
     const config_t config = found[turn.row].config;
@@ -266,13 +300,13 @@ static void take_pair(turn_t turn, uint32_t stimulus, uint32_t free)
         const result_t *const results[2] = {&here, &there};
         for (uint32_t side = 0U; side < 2U; side++) {
             if (((turn.sides >> side) & 1U) != 0U) {
-                note_pair((turn_t){turn.row, 1U << side}, ways, results[side]);
+                keep_pair((turn_t){turn.row, 1U << side}, ways, results[side]);
             }
         }
     } else if ((here.can_happen != there.can_happen) || (here.after != there.after)) {
         complain_of_pair("the axes are not alike", &ways[first_side(turn.sides)]);
     } else if (here.can_happen) {
-        note_pair(turn, ways, &here);
+        keep_pair(turn, ways, &here);
     }
 }
 
@@ -319,6 +353,7 @@ static void take_turn(turn_t turn)
             take_stimulus(turn, stimulus);
         }
     }
+    note_kept();
     found[turn.row].is_explored = true;
     complain_of_properties(found[turn.row].objections[0] & ALWAYS, place, NULL);
     for (uint32_t axis = 0U; axis < AXES; axis++) {

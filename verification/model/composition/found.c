@@ -5,12 +5,18 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* The configuration stands here too: what is looked up is then seldom fetched twice. */
+typedef struct {
+    config_t config;
+    uint32_t row;
+} slot_t;
+
 found_t *found;
 uint32_t found_count;
 
 static uint32_t *successors;
 static uint32_t found_room;
-static uint32_t *slots;
+static slot_t *slots;
 static uint32_t slot_count;
 static uint32_t successor_count;
 static uint32_t successor_room;
@@ -32,10 +38,15 @@ void *grown(void *memory, size_t size)
     return larger;
 }
 
-static uint32_t *slot_of(config_t config)
+static uint32_t first_place(config_t config)
 {
-    uint32_t place = (uint32_t)mixed(config) & (slot_count - 1U);
-    while ((slots[place] != NOBODY) && (found[slots[place]].config != config)) {
+    return (uint32_t)mixed(config) & (slot_count - 1U);
+}
+
+static slot_t *slot_of(config_t config)
+{
+    uint32_t place = first_place(config);
+    while ((slots[place].row != NOBODY) && (slots[place].config != config)) {
         place = (place + 1U) & (slot_count - 1U);
     }
     return &slots[place];
@@ -49,18 +60,18 @@ static void enlarge(void)
     found = grown(found, found_room * sizeof *found);
     (void)memset(slots, 0xFF, slot_count * sizeof *slots);
     for (uint32_t i = 0U; i < found_count; i++) {
-        *slot_of(found[i].config) = i;
+        *slot_of(found[i].config) = (slot_t){found[i].config, i};
     }
 }
 
 static uint32_t row_of(config_t config, config_t twin)
 {
-    uint32_t *const slot = slot_of(config);
-    if (*slot != NOBODY) {
-        return *slot;
+    slot_t *const slot = slot_of(config);
+    if (slot->row != NOBODY) {
+        return slot->row;
     }
     const uint32_t row = found_count;
-    *slot = row;
+    *slot = (slot_t){config, row};
     found[row] = (found_t){.config = config,
                            .objections = {object(config), object(twin)},
                            .turn = NOBODY,
@@ -100,8 +111,23 @@ void found_begin(config_t start, config_t (*exchanged)(config_t), uint64_t (*obj
 bool found_is(config_t config)
 {
     const config_t twin = exchange(config);
-    const uint32_t row = *slot_of((config < twin) ? config : twin);
+    const uint32_t row = slot_of((config < twin) ? config : twin)->row;
     return (row != NOBODY) && (((found[row].sides >> ((config > twin) ? 1U : 0U)) & 1U) != 0U);
+}
+
+void found_expect(config_t config)
+{
+    const config_t twin = exchange(config);
+    __builtin_prefetch(&slots[first_place((config < twin) ? config : twin)]);
+}
+
+void found_approach(config_t config)
+{
+    const config_t twin = exchange(config);
+    const slot_t *const slot = &slots[first_place((config < twin) ? config : twin)];
+    if (slot->row != NOBODY) {
+        __builtin_prefetch(&found[slot->row]);
+    }
 }
 
 uint32_t found_add(config_t config, uint32_t sides, const way_t ways[2])

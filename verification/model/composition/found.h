@@ -30,14 +30,14 @@ typedef struct {
 
 typedef struct {
     config_t config;
-    way_t ways[2];
     uint64_t objections[2]; /**< Of the properties, one bit each, to each side. */
     uint32_t sides;         /**< Bit n: side n was found. */
-    uint32_t turn;          /**< The last one that it got. */
+    uint32_t last_before;   /**< The row whose successor it became last. */
+    way_t ways[2];
+    uint32_t turn; /**< The last one that it got. */
     uint32_t first_successor;
     uint32_t successors;
-    uint32_t last_before; /**< The row whose successor it became last. */
-    bool is_explored;     /**< One of its turns is over. */
+    bool is_explored; /**< One of its turns is over. */
 } found_t;
 
 /** Sides of a row that wait to be explored. */
@@ -54,6 +54,10 @@ extern uint32_t found_count;
 void found_begin(config_t start, config_t (*exchanged)(config_t), uint64_t (*object)(config_t));
 
 bool found_is(config_t config);
+
+/** It will soon be looked up, and then (approach) very soon: fetches it from memory meanwhile. */
+void found_expect(config_t config);
+void found_approach(config_t config);
 
 /** A step of `sides` of a row, which side 0 takes by ways[0] to `config`, and side 1 by ways[1] to
  * its exchange. Gives the row of `config` * 2 + its side. */
