@@ -2,6 +2,7 @@
 
 # SPDX-License-Identifier: Apache-2.0
 
+require 'set'
 require_relative '../../read/expression'
 require_relative '../../walk/interpreter'
 
@@ -29,6 +30,12 @@ module Chart
       include Once
     end
 
+    # What a stimulus does in a snapshot, for all inputs that agree in what it reads: the goals that it reaches whatever
+    # was before, and the snapshot after it.
+    Run = Struct.new(:inputs, :outcome, :goals, :after) do
+      include Once
+    end
+
     # Where a path has come to; elapsed_us: { id of a running timer => its time }, taken: by the last step that took
     # transitions. previous and step: how the path came here.
     Place = Struct.new(:snapshot, :elapsed_us, :taken, :previous, :step) do
@@ -39,7 +46,7 @@ module Chart
       end
 
       def key
-        [snapshot, elapsed_us, taken.map(&:number)]
+        [snapshot.object_id, elapsed_us, taken.map(&:number)]
       end
     end
 
@@ -75,45 +82,44 @@ module Chart
       @document = document
       @walk = walk
       @interpreter = Asking.new(document)
-      @stimuli = walk.reachable_pairs.group_by(&:before).transform_values { |pairs| pairs.map(&:stimulus) }
-      @runs = {}
+      @snapshots = walk.reached.keys.to_h { |snapshot| [snapshot, snapshot] }
+      @stimuli = walk.reachable_pairs.group_by { |pair| one(pair.before) }.compare_by_identity
+      @runs = {}.compare_by_identity
       @found = {}
       search
     end
 
     private
 
+    # The same object for the same snapshot, so that places compare by it.
+    def one(snapshot)
+      @snapshots[snapshot] ||= snapshot
+    end
+
     def search
       start = @walk.start
-      places = [Place.new(start.after, start.after.armed.to_h { |id| [id, 0] }, start.taken)]
-      known = { places.first.key => true }
+      places = [Place.new(one(start.after), start.after.armed.to_h { |id| [id, 0] }, start.taken)]
+      known = Set[places.first.key]
       places.each do |place|
-        steps(place).each do |step, asked|
-          goals(place, step, asked).each { |goal| @found[goal] ||= [place, step] }
-          after = arrive(place, step)
-          places << after unless known.key?(after.key)
-          known[after.key] = true
+        steps(place).each do |step, run|
+          (run.goals + pairs(place.taken, run.outcome.taken)).each { |goal| @found[goal] ||= [place, step] }
+          after = arrive(place, step, run)
+          places << after if known.add?(after.key)
         end
       end
     end
 
-    def goals(place, step, asked)
-      taken = step.outcome.taken
-      guards = asked.select { |transition, _values, answer| answer == taken.include?(transition) }
-      pairs = place.taken.product(taken) + taken.each_cons(2).to_a
-      guards.map { |transition, values, _answer| [:guard, transition.number, values] } +
-        pairs.map { |first, second| [:pair, first.number, second.number] }
+    def pairs(before, taken)
+      before.product(taken).map { |first, second| [:pair, first.number, second.number] }
     end
 
-    # [[Step, what was asked]]
+    # [[Step, Run]]
     def steps(place)
-      @stimuli.fetch(place.snapshot, []).flat_map do |stimulus|
-        elapsed_us = time_to(place, stimulus)
+      @stimuli.fetch(place.snapshot, []).flat_map do |pair|
+        elapsed_us = time_to(place, pair.stimulus)
         next [] unless elapsed_us
 
-        runs(place.snapshot, stimulus).map do |inputs, outcome, asked|
-          [Step.new(stimulus, inputs, elapsed_us, outcome), asked]
-        end
+        runs(pair).map { |run| [Step.new(pair.stimulus, run.inputs, elapsed_us, run.outcome), run] }
       end
     end
 
@@ -128,14 +134,19 @@ module Chart
       time if left.all? { |id, rest| timers.include?(id) == (rest <= time) }
     end
 
-    # One run for all valuations that agree in the inputs that it has read.
-    def runs(snapshot, stimulus)
-      @runs[[snapshot, stimulus]] ||= @walk.valuations.each_with_object([]) do |inputs, runs|
-        next if runs.any? { |other, outcome, _asked| outcome.reads.all? { |name| inputs[name] == other[name] } }
+    def runs(pair)
+      @runs[pair] ||= @walk.valuations.each_with_object([]) do |inputs, runs|
+        next if runs.any? { |other| other.outcome.reads.all? { |name| inputs[name] == other.inputs[name] } }
 
-        outcome = @interpreter.listen { run(snapshot, stimulus, inputs) }
-        runs << [inputs, outcome, @interpreter.asked]
+        outcome = @interpreter.listen { run(pair.before, pair.stimulus, inputs) }
+        runs << Run.new(inputs, outcome, goals(outcome.taken, @interpreter.asked), one(outcome.after))
       end
+    end
+
+    def goals(taken, asked)
+      guards = asked.select { |transition, _values, answer| answer == taken.include?(transition) }
+      guards.map { |transition, values, _answer| [:guard, transition.number, values] } +
+        taken.each_cons(2).map { |first, second| [:pair, first.number, second.number] }
     end
 
     def run(snapshot, stimulus, inputs)
@@ -143,12 +154,12 @@ module Chart
       kind == :event ? @interpreter.dispatch(snapshot, what, inputs) : @interpreter.expire(snapshot, what, inputs)
     end
 
-    def arrive(place, step)
+    def arrive(place, step, run)
       outcome = step.outcome
       elapsed_us = outcome.after.armed.to_h do |id|
         [id, outcome.started.include?(id) ? 0 : place.elapsed_us.fetch(id) + step.elapsed_us]
       end
-      Place.new(outcome.after, elapsed_us, outcome.taken.empty? ? place.taken : outcome.taken, place, step)
+      Place.new(run.after, elapsed_us, outcome.taken.empty? ? place.taken : outcome.taken, place, step)
     end
   end
 end
