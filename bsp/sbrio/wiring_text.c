@@ -3,9 +3,12 @@
 
 #include <ctype.h>
 #include <errno.h>
+#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 bool wiring_refuse(const wiring_reader_t *reader, const char *what, const char *why)
 {
@@ -58,21 +61,31 @@ bool wiring_path(const wiring_reader_t *reader, const char *text, char path[WIRI
     return true;
 }
 
+/* How many bytes it has, or more than fit; -1 of what is no file. */
+static ssize_t read_file(int file, char text[WIRING_TEXT_SIZE])
+{
+    struct stat about;
+
+    return ((fstat(file, &about) == 0) && S_ISREG(about.st_mode))
+               ? read(file, text, WIRING_TEXT_SIZE)
+               : -1;
+}
+
 bool wiring_load(const char *path, char text[WIRING_TEXT_SIZE], char *error, uint32_t error_size)
 {
-    FILE *const file = fopen(path, "re");
+    /* Whoever opens a pipe to read waits for its other end. */
+    const int file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
 
-    if (file == NULL) {
+    if (file < 0) {
         (void)snprintf(
             error, error_size,
             "The wiring \"%s\" cannot be read (%s); write the file, or name another one.", path,
             strerror(errno));
         return false;
     }
-    const size_t size = fread(text, 1U, WIRING_TEXT_SIZE, file);
-    const bool is_read = ferror(file) == 0;
-    (void)fclose(file);
-    if (!is_read || (size == WIRING_TEXT_SIZE)) {
+    const ssize_t size = read_file(file, text);
+    (void)close(file);
+    if ((size < 0) || (size == (ssize_t)WIRING_TEXT_SIZE)) {
         (void)snprintf(error, error_size,
                        "The wiring \"%s\" cannot be read; it must be a text of less than %u bytes.",
                        path, WIRING_TEXT_SIZE);

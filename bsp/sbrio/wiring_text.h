@@ -30,7 +30,10 @@ bool wiring_number(const char *text, uint32_t least, uint32_t most, uint32_t *nu
 /** Takes an absolute path, or refuses it. */
 bool wiring_path(const wiring_reader_t *reader, const char *text, char path[WIRING_PATH_SIZE]);
 
-/** Reads a file whole; without it `error` is a sentence. */
+/** Reads a regular file whole, waiting for nobody; without it `error` is a sentence.
+ *
+ * @satisfies SWR-NI-020
+ */
 bool wiring_load(const char *path, char text[WIRING_TEXT_SIZE], char *error, uint32_t error_size);
 
 #endif

@@ -9,8 +9,12 @@
 
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+
+/* Ends a test that would wait for ever. */
+#define GIVE_UP_S 30U
 
 #define GOOD                                                                                       \
     "spidev: /dev/spidev1.0, slots=0-9, clock=50000000\n"                                          \
@@ -129,6 +133,23 @@ void test_SWR_SPI_002_a_file_that_cannot_be_read_is_named(void)
                            "4096 bytes.");
     assert_refused("/dev/zero", "The wiring \"/dev/zero\" cannot be read; it must be a text of "
                                 "less than 4096 bytes.");
+}
+
+void test_SWR_NI_020_what_is_no_regular_file_is_refused_without_waiting(void)
+{
+    char path[64];
+    char expected[256];
+    (void)snprintf(path, sizeof path, "/tmp/boresight-wiring-%d", (int)getpid());
+    (void)snprintf(expected, sizeof expected,
+                   "The wiring \"%s\" cannot be read; it must be a text of less than 4096 bytes.",
+                   path);
+    TEST_ASSERT_EQUAL_INT(0, mkfifo(path, 0600));
+    (void)alarm(GIVE_UP_S);
+    const bool is_taken = wiring_read(&wiring, path, error, sizeof error);
+    (void)alarm(0U);
+    (void)unlink(path);
+    TEST_ASSERT_FALSE(is_taken);
+    TEST_ASSERT_EQUAL_STRING(expected, error);
 }
 
 void test_SWR_SPI_002_a_text_that_is_too_long_is_refused(void)
