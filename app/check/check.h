@@ -62,6 +62,7 @@ typedef struct {
  *
  * @satisfies SWR-CHECK-001
  * @satisfies SWR-CHECK-002
+ * @satisfies SWR-CHECK-011
  */
 bool check_is_good(const check_facts_t *facts, computer_check_t check, char found[CHECK_TEXT_SIZE]);
 

@@ -168,6 +168,24 @@ void test_SWR_CHECK_002_interrupts_of_devices(void)
               "No device interrupts core 1.");
 }
 
+/* As a Cortex-A9 and a newer ARM have them; nobody can move them. */
+void test_SWR_CHECK_011_the_timer_of_an_arm_core_is_no_device(void)
+{
+    static const char *const names[] = {"GIC-0  29 Edge      twd", "GIC-0  27 Edge      gt",
+                                        "GICv2  30 Level     arch_timer"};
+    char line[200];
+    write_file("/proc/irq/default_smp_affinity", "1\n");
+    write_file("/proc/irq/24/smp_affinity_list", "0-1\n");
+    for (size_t i = 0U; i < (sizeof names / sizeof names[0]); i++) {
+        (void)snprintf(line, sizeof line, INTERRUPTS " 24:  1000  5031     %s\n", names[i]);
+        expect_of("/proc/interrupts", line, true, COMPUTER_CHECK_INTERRUPTS,
+                  "No device interrupts core 1.");
+    }
+    expect_of("/proc/interrupts", INTERRUPTS " 24:  1000  5031     GIC-0  29 Edge  other_gt\n",
+              false, COMPUTER_CHECK_INTERRUPTS,
+              "Interrupt 24 (other_gt) has come 5031 times to core 1.");
+}
+
 /* What came before it was looked at does not count. */
 void test_SWR_CHECK_002_an_interrupt_that_has_come_meanwhile(void)
 {
