@@ -82,3 +82,14 @@ class Intervals
     (@seconds[cycle / 1000] ||= Second.new(interval, interval, 0, 0)).add(interval)
   end
 end
+
+# How long the stages of the cycles took, as the status of a running Boresight tells it.
+#
+# @satisfies SWR-CHECK-012
+module StageTimes
+  # Cycles of each class, by its shortest time; each is twice as wide as the one before.
+  def self.csv(stages)
+    rows = stages.map { |stage| stage['counts'] }.transpose.each_with_index.map { |row, index| [index.zero? ? 0 : 2**(index - 1), *row] }
+    [['from_us', *stages.map { |stage| stage['name'].downcase }], *rows].map { |row| "#{row.join(',')}\n" }.join
+  end
+end

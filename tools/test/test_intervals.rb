@@ -44,4 +44,9 @@ class TestIntervals < Minitest::Test
     assert_equal [1050, 1099, 1100], [0.5, 0.99, 1.0].map { |share| all.quantile(share) }
     assert_nil Intervals.new(1500).quantile(0.5)
   end
+
+  def test_SWR_CHECK_012_each_stage_has_its_classes
+    stages = [{ 'name' => 'WAKE', 'counts' => [0, 5, 2, 1] }, { 'name' => 'STEP', 'counts' => [1, 0, 7, 0] }]
+    assert_equal "from_us,wake,step\n0,0,1\n1,5,0\n2,2,7\n4,1,0\n", StageTimes.csv(stages)
+  end
 end

@@ -5,7 +5,7 @@ if (picture[strlen(picture)-3:] eq '.svg') set terminal svg size 1300,1100 font 
 set output picture
 set datafile separator ','
 set grid
-set key top right opaque
+set key above # nothing of the longest is behind it
 set multiplot layout 2,2 title says noenhanced
 set xlabel 'seconds'
 set ylabel 'interval, us'

@@ -8,7 +8,7 @@
 #
 #   ruby verification/bench/rt_report.rb      or make rt-report HOURS=1 (or MINUTES=2; PICTURE=file.svg)
 #
-# Leaves in build/rt-report: report.txt, histogram.csv, seconds.csv and rt-report.png.
+# Leaves in build/rt-report: report.txt, histogram.csv, seconds.csv, stages.csv and rt-report.png.
 
 $stdout.sync = true
 require_relative 'crowd'
@@ -122,6 +122,7 @@ class RealTimeReport
     DemoReport.gnuplot('../bench/rt_report.gnuplot', **tables, picture: @picture, longest: @intervals.counts.keys.max.to_f,
                                                                says: "#{duration} on #{machine}, in motion, with clients and consoles")
     FileUtils.rm_rf(File.join(OUT, 'recordings'))
+    File.write(File.join(OUT, 'stages.csv'), StageTimes.csv(@loop['stages']))
     File.write(File.join(OUT, 'report.txt'), "#{text}\n")
   end
 
