@@ -38,7 +38,8 @@ class Armhf
     # An index that cannot be had is no matter as long as the packages can.
     run(@apt, 'apt-get', 'update', may_fail: true)
     unpack(@wanted.values_at('library', 'program').flatten(1).map(&:last))
-    @wanted.fetch('kernel').each { |_, name, *files| unpack_kernel(name, files) }
+    @wanted.fetch('kernel').each { |_, name, *files| unpack_part(kernel(name), files, 'root') }
+    @wanted.fetch('machine').each { |_, name, *files| unpack_part(name, files, 'machine') }
     @wanted.fetch('source').each { |_, name| unpack_source(name) }
     FileUtils.rm_rf(@apt)
     FileUtils.cp(PACKAGES, FETCHED)
@@ -72,13 +73,16 @@ class Armhf
     Dir["#{@apt}/archives/*.deb"].each { |deb| run('.', 'dpkg-deb', '-x', deb, "#{FOLDER}/root") }
   end
 
-  def unpack_kernel(name, files)
-    kernel = run('.', 'apt-cache', 'depends', name)[/Depends: (linux-image-\d\S+)/, 1] ||
-             raise(Refused, "#{name} stands for no kernel")
-    run("#{@apt}/archives", 'apt-get', 'download', kernel)
-    archive = Dir["#{@apt}/archives/#{kernel}_*.deb"].first
+  def kernel(name)
+    run('.', 'apt-cache', 'depends', name)[/Depends: (linux-image-\d\S+)/, 1] || raise(Refused, "#{name} stands for no kernel")
+  end
+
+  def unpack_part(name, files, folder)
+    FileUtils.mkdir_p("#{FOLDER}/#{folder}")
+    run("#{@apt}/archives", 'apt-get', 'download', name)
+    archive = Dir["#{@apt}/archives/#{name}_*.deb"].first
     wanted = files.map { |file| "'#{file}'" }.join(' ')
-    run('.', 'sh', '-c', "dpkg-deb --fsys-tarfile #{archive} | tar -x -C #{FOLDER}/root --wildcards #{wanted}")
+    run('.', 'sh', '-c', "dpkg-deb --fsys-tarfile #{archive} | tar -x -C #{FOLDER}/#{folder} --wildcards #{wanted}")
   end
 
   # With Debian's patches. apt has checked what it downloaded.

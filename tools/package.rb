@@ -152,6 +152,8 @@ class Package
   # @satisfies SWR-PACK-008
   # @satisfies SWR-PACK-013
   # @satisfies SWR-PACK-010
+  # @satisfies SWR-ARM-010
+  # @satisfies SWR-ARM-011
   def add_control
     %w[preinst postinst prerm postrm].each do |each|
       @archive.control(each, script(each), mode: PackageArchive::PROGRAM)

@@ -76,9 +76,13 @@ class ArmSystem
     machine.run!("echo #{[message].pack('m0')} | base64 -d >&3")
   end
 
+  def recordings
+    RECORDINGS
+  end
+
   # Names of the events so far, the first one first; of what axis or card.
   def events
-    machine.run("cat #{RECORDINGS}/events-*.log").first.lines.filter_map do |line|
+    machine.run("cat #{recordings}/events-*.log").first.lines.filter_map do |line|
       event = line.match(EVENT)
       [event[:name], event[:subject].to_i] if event
     end
@@ -99,7 +103,7 @@ class ArmSystem
 
   # The files on this computer.
   def fetch_recordings(folder)
-    machine.run!("ls #{RECORDINGS}/blackbox-*").lines(chomp: true).map do |name|
+    machine.run!("ls #{recordings}/blackbox-*").lines(chomp: true).map do |name|
       File.join(folder, File.basename(name)).tap { |file| File.binwrite(file, machine.read(name)) }
     end
   end
@@ -108,6 +112,10 @@ class ArmSystem
     log = "#{FOLDER}/box"
     machine.run!("#{@box} >#{log} 2>&1 </dev/null &")
     wait_until('the box is ready') { machine.run("cat #{log}").first.include?('ready') }
+  end
+
+  def stop_box
+    machine.run!('kill $(pidof boresight-box); while pidof boresight-box; do sleep 1; done')
   end
 
   def wait_until(reason, &)

@@ -11,6 +11,7 @@ require 'tmpdir'
 #
 #   machine = Machine.start         two cores, the second one is kept for control
 #   machine = Machine.start(paced: true)   one core; its time passes with its instructions
+#   machine = Machine.start(packages: [file])   Debian's dpkg is there, too, and these below /packages
 #   machine.run('uname -a')         => ["Linux ...", 0]
 #   machine.set_line(0, 1)          what is soldered to the GPIO
 #   machine.line(8)                 what it sets
@@ -18,6 +19,8 @@ require 'tmpdir'
 class Machine
   ROOT = File.expand_path('../..', __dir__)
   DEBIAN = File.join(ROOT, '.tools/armhf/root')
+  INSTALLER = File.join(ROOT, '.tools/armhf/machine')
+  INSTALLED_IN = %w[etc/init.d var/lib/dpkg/info var/lib/dpkg/updates].freeze
   # Where they are there, and of which here.
   PROGRAMS = { 'boresight' => %w[arm/bin/boresight* arm/verification/arm/cards-on-spi],
                'sbrio' => %w[boards/arm-sbrio/bin/boresight*] }.freeze
@@ -41,8 +44,8 @@ class Machine
   class Failed < StandardError; end
 
   class << self
-    def start(paced: false)
-      new(paced:).tap(&:boot)
+    def start(...)
+      new(...).tap(&:boot)
     end
 
     def running
@@ -52,8 +55,9 @@ class Machine
 
   attr_reader :console
 
-  def initialize(paced:)
+  def initialize(paced: false, packages: [])
     @paced = paced
+    @packages = packages
     @folder = Dir.mktmpdir('boresight-arm')
     @console = +''
     @number = 0
@@ -139,6 +143,7 @@ class Machine
     FileUtils.cp("#{DEBIAN}/bin/busybox", "#{tree}/bin")
     MODULES.each_with_index { |name, place| FileUtils.cp(find("**/#{name}.ko"), "#{tree}/modules/#{place}-#{name}.ko") }
     FileUtils.install("#{__dir__}/init", "#{tree}/init", mode: 0o755)
+    pack_packages(tree) if @packages.any?
     PROGRAMS.each { |folder, patterns| pack_programs("#{tree}/#{folder}", Dir[*patterns, base: "#{ROOT}/build"]) }
     shell('sh', '-c', "cd #{tree} && find . | cpio --quiet -o -H newc -R 0:0 >#{@folder}/disk")
   end
@@ -149,6 +154,14 @@ class Machine
     devices = File.binread(find('usr/lib/linux-image-*/imx6q-sabrelite.dtb'))
     devices.sub!(CORE_TIMER) { |name| '-' * name.size } if @paced
     File.binwrite("#{@folder}/devices", devices)
+  end
+
+  # What they are installed with and where.
+  def pack_packages(tree)
+    FileUtils.cp_r("#{INSTALLER}/.", tree)
+    FileUtils.mkdir_p(INSTALLED_IN.map { |folder| "#{tree}/#{folder}" } << "#{tree}/packages")
+    FileUtils.touch("#{tree}/var/lib/dpkg/status")
+    FileUtils.cp(@packages, "#{tree}/packages")
   end
 
   # One that is there already is linked: the disk must be read by an emulated processor.
