@@ -18,7 +18,6 @@ class CardTables
     'card_report_words' => [:words, 'REPORT'],
     'card_drive_mode' => [:enumeration, 'CARD_DRIVE_'],
     'card_type' => [:enumeration, 'CARD_TYPE_'],
-    'card_refusal' => [:enumeration, 'CARD_FRAME_'],
     'card_system' => [:bits, 'CARD_SYSTEM_'],
     'card_control' => [:bits, 'CARD_CONTROL_'],
     'card_status' => [:bits, 'CARD_STATUS_'],

@@ -10,6 +10,7 @@
 #define BORESIGHT_CARD_FRAME_H
 
 #include "card/card.h"
+#include "interface/card_frame_result.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -120,17 +121,6 @@ typedef struct {
     uint32_t watchdog_trips;
     uint32_t uptime_s;
 } card_report_t;
-
-/** Why a frame was discarded. */
-typedef enum {
-    CARD_FRAME_OK = 0,        /**< It was not. */
-    CARD_FRAME_BAD_START = 1, /**< Start word, protocol version or length is wrong. */
-    CARD_FRAME_BAD_CRC = 2,   /**< A checksum is wrong, or a word without a field is not zero. */
-    CARD_FRAME_BAD_SLOT = 3,  /**< It is another card's. */
-    CARD_FRAME_BAD_COMPLEMENT = 4, /**< Word 61 of a command does not complement word 5. */
-    CARD_FRAME_BAD_DRIVE = 5, /**< Mode, direction, duty, waves or converter outside its range. */
-    CARD_FRAME_REPEATED = 6   /**< The heartbeat is not one of the next: an old report. */
-} card_frame_result_t;
 
 /** @return the card_drive_mode_t of the drives of a card_type_t; CARD_DRIVE_OFF: it has none */
 static inline uint32_t card_drive_mode_of(uint32_t card_type)

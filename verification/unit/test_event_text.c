@@ -10,6 +10,7 @@
 #include "base/rigid.h"
 #include "interface/app/event_words.h"
 #include "interface/app/names.h"
+#include "interface/card_frame_result.h"
 #include "interface/command.h"
 #include "interface/mode_list.h"
 #include "interface/status.h"
@@ -74,6 +75,17 @@ void test_SWR_EVENT_007_a_sentence_ends_with_its_cause(void)
 void test_SWR_EVENT_007_an_event_that_says_its_cause_itself_says_it_once(void)
 {
     expect((event_t){.id = EVENT_ESTOP_PULLED}, "The e-stop was pulled.");
+}
+
+void test_SWR_EVENT_007_a_refused_frame_is_told_with_its_reason_by_name(void)
+{
+    const uint32_t slot = robot_neuro.axes[AXIS_YAW].slot;
+    char sentence[EVENT_TEXT_SIZE];
+
+    (void)snprintf(sentence, sizeof sentence, "Frame of card %u (yaw) discarded, why BAD_START.",
+                   (unsigned)slot);
+    expect((event_t){.id = EVENT_FRAME_REFUSED, .subject = slot, .value = CARD_FRAME_BAD_START},
+           sentence);
 }
 
 void test_SWR_EVENT_007_numbers_are_told_as_what_they_are(void)
