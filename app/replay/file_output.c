@@ -2,13 +2,16 @@
 #include "replay/file_output.h"
 
 #include "replay/motion_csv.h"
-#include "replay/motion_html.h"
+#include "replay/motion_json.h"
 #include "replay/motion_mcap.h"
 #include "replay/new_file.h"
+#include "replay/replay_page.h"
+
+#include <string.h>
 
 static motion_csv_t csv;
 static motion_mcap_t mcap;
-static motion_html_t html;
+static motion_json_t html;
 
 static void tell_csv(walk_t *walk, void *to, const controller_outputs_t *shown)
 {
@@ -21,14 +24,9 @@ static void tell_mcap(walk_t *walk, void *to, const controller_outputs_t *shown)
     motion_mcap_take(to, &walk->reader.header, &walk->record, shown);
 }
 
-static void tell_html(walk_t *walk, void *to, const controller_outputs_t *shown)
+static int end_file(FILE *file, const char *path, bool is_made, int code)
 {
-    motion_html_take(to, &walk->reader.header, &walk->record, shown);
-}
-
-static int end_file(FILE *file, const char *path, bool is_written, int code)
-{
-    if (!new_file_close(file, path, is_written)) {
+    if (!new_file_close(file, path, is_made)) {
         return EXIT_REFUSED;
     }
     if (code == EXIT_CUT_SHORT) {
@@ -46,7 +44,8 @@ int file_output_csv(walk_t *walk, const char *path)
     }
     motion_csv_begin(&csv, file, walk->robot);
     const int code = walk_tell(walk, tell_csv, &csv);
-    return end_file(file, path, motion_csv_end(&csv), code);
+    motion_csv_end(&csv);
+    return end_file(file, path, true, code);
 }
 
 int file_output_mcap(walk_t *walk, const char *path)
@@ -61,9 +60,9 @@ int file_output_mcap(walk_t *walk, const char *path)
     }
     const int code = walk_tell(walk, tell_mcap, &mcap);
     const recording_reader_t *const reader = &walk->reader;
-    const bool is_written =
+    const bool is_made =
         motion_mcap_end(&mcap, &reader->header, walk->is_cut_short, reader->cycles_lost);
-    return end_file(file, path, is_written, code);
+    return end_file(file, path, is_made, code);
 }
 
 int file_output_html(walk_t *walk, const char *path)
@@ -73,13 +72,12 @@ int file_output_html(walk_t *walk, const char *path)
     if (file == NULL) {
         return EXIT_REFUSED;
     }
-    motion_html_begin(&html, file, walk->robot, &walk->reader.header);
-    const int code = walk_tell(walk, tell_html, &html);
-    const motion_html_proof_t proof = {.replayed = walk->replay.replayed,
-                                       .unreplayed = walk->replay.unreplayed,
-                                       .cycles_lost = walk->reader.cycles_lost,
-                                       .is_cut_short = walk->is_cut_short,
-                                       .is_trusted = code != EXIT_REFUSED,
-                                       .difference = walk->difference};
-    return end_file(file, path, motion_html_end(&html, &proof), code);
+    const char *const page = (const char *)replay_page;
+    const char *const rest = &strstr(page, REPLAY_PAGE_MARK)[strlen(REPLAY_PAGE_MARK)];
+    (void)fwrite(page, 1U, (size_t)(rest - page), file);
+    motion_json_begin(&html, file, walk);
+    const int code = walk_tell(walk, motion_json_take, &html);
+    motion_json_end(&html, walk, code);
+    (void)fputs(rest, file);
+    return end_file(file, path, true, code);
 }

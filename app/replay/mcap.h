@@ -60,7 +60,7 @@ void mcap_write(mcap_t *self, uint16_t channel, uint64_t time_ns, const bytes_t 
  * mcap_end(). */
 void mcap_note(mcap_t *self, const char *name, const char *const pairs[][2], uint32_t count);
 
-/** Ends the file. False: not all of it could be written. */
+/** Ends the file. False: there was no room for its index. */
 bool mcap_end(mcap_t *self);
 
 #endif

@@ -61,8 +61,7 @@ void motion_csv_take(motion_csv_t *self, const recording_header_t *header,
     write_row(self, shown, put_value);
 }
 
-bool motion_csv_end(motion_csv_t *self)
+void motion_csv_end(motion_csv_t *self)
 {
     bytes_free(&self->row);
-    return (fflush(self->file) == 0) && (ferror(self->file) == 0);
 }

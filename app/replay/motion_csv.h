@@ -29,11 +29,7 @@ void motion_csv_begin(motion_csv_t *self, FILE *file, const robot_t *robot);
 void motion_csv_take(motion_csv_t *self, const recording_header_t *header,
                      const cycle_record_t *record, const snapshot_t *shown);
 
-/**
- * False: not all of it could be written.
- *
- * @satisfies SWR-REPLAY-012
- */
-bool motion_csv_end(motion_csv_t *self);
+/** Ends what it needed. */
+void motion_csv_end(motion_csv_t *self);
 
 #endif

@@ -44,7 +44,7 @@ void motion_mcap_take(motion_mcap_t *self, const recording_header_t *header,
 
 /**
  * Ends the file, and says in it how the recording ended and how many cycles before it were lost.
- * False: not all of it could be written.
+ * False: there was no room for its index.
  *
  * @satisfies SWR-REPLAY-012
  */

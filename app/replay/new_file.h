@@ -14,7 +14,12 @@
  */
 FILE *new_file_open(const char *path);
 
-/** Closes it; `is_written`: so far all of it was. False, after a sentence: it is not whole. */
-bool new_file_close(FILE *file, const char *path, bool is_written);
+/**
+ * Closes it; `is_made`: there was room for what belongs into it. False, after a sentence that says
+ * why: it is not whole, and unless it is the standard output it was removed.
+ *
+ * @satisfies SWR-REPLAY-022
+ */
+bool new_file_close(FILE *opened, const char *path, bool is_made);
 
 #endif

@@ -100,20 +100,31 @@ static const controller_outputs_t *find_shown(const walk_t *self)
     return self->known.is_whole ? &self->record.body.cycle.outputs : NULL;
 }
 
+int walk_tell_next(walk_t *self, walk_teller_t *tell, void *to)
+{
+    if (!walk_take(self)) {
+        if (!walk_check_end(self)) {
+            return EXIT_REFUSED;
+        }
+        walk_tell_unreplayed(self, stderr);
+        return self->is_cut_short ? EXIT_CUT_SHORT : EXIT_EQUAL;
+    }
+    if (!walk_replay(self)) {
+        return walk_tell_difference(self, stderr);
+    }
+    if (self->record.kind == (uint32_t)CYCLE_RECORD_CYCLE) {
+        tell(self, to, find_shown(self));
+    }
+    return WALK_GOES_ON;
+}
+
 int walk_tell(walk_t *self, walk_teller_t *tell, void *to)
 {
+    int code = WALK_GOES_ON;
+
     walk_tell_lost(self, stderr);
-    while (walk_take(self)) {
-        if (!walk_replay(self)) {
-            return walk_tell_difference(self, stderr);
-        }
-        if (self->record.kind == (uint32_t)CYCLE_RECORD_CYCLE) {
-            tell(self, to, find_shown(self));
-        }
+    while (code == WALK_GOES_ON) {
+        code = walk_tell_next(self, tell, to);
     }
-    if (!walk_check_end(self)) {
-        return EXIT_REFUSED;
-    }
-    walk_tell_unreplayed(self, stderr);
-    return self->is_cut_short ? EXIT_CUT_SHORT : EXIT_EQUAL;
+    return code;
 }

@@ -45,6 +45,12 @@ int walk_tell_difference(walk_t *self, FILE *where);
 void walk_tell_unreplayed(const walk_t *self, FILE *where);
 void walk_tell_lost(const walk_t *self, FILE *where);
 
+#define WALK_GOES_ON (-1) /**< There is no exit code yet. */
+
+/** Replays the next record and tells it when it is a cycle. The exit code after the last one, else
+ * WALK_GOES_ON. */
+int walk_tell_next(walk_t *self, walk_teller_t *tell, void *to);
+
 /** Tells each cycle as it is replayed. The exit code. */
 int walk_tell(walk_t *self, walk_teller_t *tell, void *to);
 

@@ -37,9 +37,7 @@ class TestReplay < SystemTest
     rest = bytes[HEADER + PREFIX, (compressed.fdiv(CHUNK).ceil * 4) + compressed]
     fields = bytes[HEADER, 28]
     fields[12, 4] = [fields[12, 4].unpack1('V') + 1].pack('V')
-    fields << [crc32c(fields)].pack('V')
-    hash = Digest::SHA256.digest(bytes[HEADER - 32, 32] + fields + rest)
-    File.binwrite(file, bytes[0, HEADER] + fields + hash + rest)
+    File.binwrite(file, bytes[0, HEADER] + sealed(bytes[HEADER - 32, 32], fields, rest))
   end
 
   def assert_rigid(matrix)

@@ -165,11 +165,23 @@ class TestReplayFiles < StoppedHoming
     end
   end
 
-  def test_SWR_REPLAY_012_a_file_that_the_disk_has_no_room_for_is_said
+  def test_SWR_REPLAY_022_a_file_that_the_disk_has_no_room_for_is_said
     in_file do |from|
-      %w[csv mcap].each do |option|
+      %w[csv mcap html].each do |option|
         text, status = Open3.capture2e("#{Boresight.program('boresight-replay')} --#{option} - #{from} >/dev/full")
-        assert_equal [2, "- could not be written to its end.\n"], [status.exitstatus, text]
+        assert_equal [2, "- could not be written to its end (No space left on device).\n"], [status.exitstatus, text]
+      end
+    end
+  end
+
+  def test_SWR_REPLAY_022_of_a_file_that_becomes_too_large_nothing_is_left
+    in_file do |from, folder|
+      %w[csv mcap html].each do |option|
+        to = File.join(folder, option)
+        text, status = Open3.capture2e("ulimit -f 20; exec #{Boresight.program('boresight-replay')} --#{option} #{to} #{from}")
+        said = "#{to} could not be written to its end (File too large); nothing of it is left.\n"
+        assert_equal [2, said], [status.exitstatus, text]
+        refute_path_exists to
       end
     end
   end
@@ -212,6 +224,49 @@ class TestReplayFiles < StoppedHoming
       identity = page_content(File.read(file)).fetch('recording')
       assert_equal [true, ''], identity.values_at('is_cut_short', 'difference')
     end
+  end
+
+  HEADER = 256
+  FIELDS = 28
+  PREFIX = 64
+  CHUNK = 1024
+
+  # Blocks and trailer of a recording: fields, and what stands behind the hash.
+  def parts_of(bytes)
+    parts = []
+    at = HEADER
+    while at < bytes.bytesize
+      size = bytes[at + 20, 4].unpack1('V')
+      rest = bytes[at + PREFIX, (size.fdiv(CHUNK).ceil * 4) + size]
+      parts << [bytes[at, FIELDS], rest]
+      at += PREFIX + rest.bytesize
+    end
+    parts
+  end
+
+  # The recording as if a block of it had never been written.
+  def without_block(number)
+    text = recording[0, HEADER]
+    before = text[-32..]
+    parts_of(recording).tap { |parts| parts.delete_at(number) }.each_with_index do |(fields, rest), index|
+      fields[4, 4] = [index].pack('V')
+      text += block = sealed(before, fields, rest)
+      before = block[32, 32]
+    end
+    text
+  end
+
+  # Of the blocks behind it only the first cycle of each was kept whole.
+  def test_SWR_REPLAY_021_a_page_says_from_which_cycle_to_which_nothing_is_known
+    from, to = parts_of(recording)[1, 2].map { |fields, _| fields[8, 4].unpack1('V') }
+    content = written('html', without_block(1)) { |file| page_content(File.read(file)) }
+    cycle = 0
+    rows = content['rows'].map { |ahead, place, value| [cycle += ahead.abs, place, value] }
+    gap, after, again = rows.each_cons(3).find { |row,| row.first == from }
+    assert_equal [[from, 0, nil], [to + 1, 0, nil]], [gap, again]
+    assert_equal [to, 0, %w[time_s state frames]], [*after.first(2), after.last.keys]
+    assert_equal cycle, content['recording']['unreplayed'] + to - 1
+    assert_equal 25, content['numbers_each']
   end
 
   def test_SWR_REPLAY_016_each_cycle_with_another_drive_has_a_row

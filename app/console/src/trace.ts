@@ -80,6 +80,11 @@ export class Trace {
     this.revision += 1;
   }
 
+  /** Nothing is known until the next one that is taken. */
+  lose(): void {
+    this.takenMs = -Infinity;
+  }
+
   /** As it is now, for who looks at it while the other goes on. */
   copy(): Trace {
     const copy = new Trace();

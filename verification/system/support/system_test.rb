@@ -2,6 +2,7 @@
 
 # SPDX-License-Identifier: Apache-2.0
 
+require 'digest'
 require 'minitest/autorun'
 require_relative 'boresight'
 
@@ -37,6 +38,12 @@ class SystemTest < Minitest::Test
       8.times { crc = crc[0] == 1 ? (crc >> 1) ^ 0x82F63B78 : crc >> 1 }
       crc
     end ^ 0xFFFFFFFF
+  end
+
+  # A block of a recording, or its trailer, behind the hash `before` it: 28 bytes of fields, and what stands behind the hash.
+  def sealed(before, fields, rest)
+    fields += [crc32c(fields)].pack('V')
+    fields + Digest::SHA256.digest(before + fields + rest) + rest
   end
 
   # A stopped instance leaves no process and no shared memory behind.

@@ -60,7 +60,8 @@ function makeDocument(
   change: Partial<RecordingDocument["recording"]> = {},
 ): RecordingDocument {
   return {
-    format: 1,
+    format: 2,
+    numbers_each: 50,
     robot: {
       name: "neuro",
       checksum: "0",
@@ -143,6 +144,56 @@ test("SWR-REPLAY-018 the timeline has workphases, motion, reasons and events, an
   expect(slider.getAttribute("aria-valuetext")).toBe(now());
 });
 
+test("SWR-REPLAY-021 in a gap nothing is known, and nothing is drawn over it", () => {
+  const head = makeAxis("head", {});
+  const written = makeDocument();
+  const recording = new Recording({
+    ...written,
+    robot: { ...written.robot, axes: [{ ...head, slot: 1 }] as never },
+    rows: [
+      [100, 0, told(0, false, "OFF")],
+      [20, 0, null],
+      [20, 0, told(0.04, true, "PWM")],
+      [50, 0, told(0.09, false, "OFF")],
+    ],
+  });
+  render(<Replay recording={recording} />);
+  expect(screen.getByText(/numbers are told each 50 cycles/)).toBeTruthy();
+  const slider = screen.getByRole("slider", { name: "Cycle" });
+  const goTo = (cycle: number) =>
+    fireEvent.change(slider, { target: { value: String(cycle) } });
+  goTo(119);
+  expect(now()).toMatch(/^cycle 119, .*ARMED/);
+  goTo(120);
+  expect(now()).toBe("cycle 120, not known");
+  expect(slider.getAttribute("aria-valuetext")).toBe("cycle 120, not known");
+  expect(
+    screen.getByText(/^Not known: the recording has nothing/),
+  ).toBeTruthy();
+  expect(screen.queryByText(/ARMED|MOVING/)).toBeNull();
+  expect(screen.queryByRole("cell", { name: "OFF" })).toBeNull();
+  goTo(139);
+  expect(now()).toBe("cycle 139, not known");
+  goTo(140);
+  expect(now()).toMatch(/^cycle 140, 0\.04 s, START UP, MOVING$/);
+  const lanes = ["workphases", "signs", "reasons"];
+  const gaps = lanes.map((lane) =>
+    document
+      .querySelector(`[data-lane="${lane}"] [data-kind="unknown"]`)
+      ?.getAttribute("d"),
+  );
+  expect(gaps).toEqual(lanes.map(() => "M222.2 0V20H444.4V0z"));
+  expect(document.querySelectorAll(".timeline polyline")).toHaveLength(2);
+});
+
+test("SWR-REPLAY-021 a recording of which nothing is known is empty", () => {
+  const { isEmpty, last } = new Recording({
+    ...makeDocument(),
+    rows: [[100], [900]],
+  });
+  expect([isEmpty, last]).toEqual([true, 1000]);
+});
+
 test("SWR-REPLAY-018 a text of the recording is shown as it is", () => {
   show();
   const events = screen.getByRole("region", { name: "All events" });
@@ -168,7 +219,7 @@ test("SWR-REPLAY-017 it says whether every output was equal, and what is missing
 });
 
 test("SWR-REPLAY-018 another format is not read as this one", () => {
-  expect(() => new Recording({ ...makeDocument(), format: 2 })).toThrow(
-    "format 2",
+  expect(() => new Recording({ ...makeDocument(), format: 3 })).toThrow(
+    "format 3",
   );
 });

@@ -67,7 +67,11 @@ function Facts({ identity }: { identity: Identity }) {
   );
 }
 
-function saysOf({ cycle, timeS, robot }: Moment): string {
+function saysOf(cycle: number, moment: Moment | null): string {
+  if (moment === null) {
+    return `cycle ${cycle}, not known`;
+  }
+  const { timeS, robot } = moment;
   const { kind, word, says } = signOf(viewOf(robot));
   const why = kind === "moving" || says === "" ? "" : `: ${says}`;
   return `cycle ${cycle}, ${timeS.toFixed(2)} s, ${words(robot.status.workphase.name)}, ${word}${why}`;
@@ -112,7 +116,9 @@ function Panels({
   moment: Moment;
   recording: Recording;
 }) {
-  const { robot, trace, frames, seen } = moment;
+  const { robot, trace, frames, seen, since } = moment;
+  const began =
+    since === recording.first ? "the recording began" : `cycle ${since}`;
   return (
     <>
       <Panel title="Axes" className="panel-wide">
@@ -131,7 +137,7 @@ function Panels({
         <SeenCharts
           robot={robot}
           seen={seen}
-          source={{ since: "the recording began", clock: "the recording" }}
+          source={{ since: began, clock: "the recording" }}
         />
       </Panel>
     </>
@@ -139,28 +145,35 @@ function Panels({
 }
 
 /**
- * A recording, to be looked at cycle by cycle with the parts of the console.
+ * A recording, to be looked at cycle by cycle with the parts of the console. Of a cycle in a gap nothing is shown.
  *
  * @satisfies SWR-REPLAY-018
+ * @satisfies SWR-REPLAY-021
  */
 export function Replay({ recording }: { recording: Recording }) {
   const [cycle, setCycle] = useState(recording.first);
   const moment = useMemo(() => recording.at(cycle), [recording, cycle]);
   const steps = { recording, cycle, onCycle: setCycle };
-  const says = saysOf(moment);
+  const says = saysOf(cycle, moment);
   return (
     <>
       <header>
         <h1 className="hidden">Boresight recording</h1>
-        <Boundary name="banner">
-          <Banner view={viewOf(moment.robot)} />
-        </Boundary>
+        {moment === null ? (
+          <p className="panel-failed">
+            Not known: the recording has nothing of this cycle.
+          </p>
+        ) : (
+          <Boundary name="banner">
+            <Banner view={viewOf(moment.robot)} />
+          </Boundary>
+        )}
       </header>
       <main>
         <p className="notice">
           A recording, not the robot: nothing here moves anything. States, words
           and what a card is asked to drive are those of the cycle; numbers are
-          told each 25 cycles and with each event.
+          told each {recording.numbersEach} cycles and with each event.
         </p>
         <div className="panels">
           <Panel title="Timeline" className="panel-wide">
@@ -178,7 +191,7 @@ export function Replay({ recording }: { recording: Recording }) {
           <Panel title="Events">
             <Events events={recording.events} {...steps} />
           </Panel>
-          <Panels moment={moment} recording={recording} />
+          {moment !== null && <Panels moment={moment} recording={recording} />}
         </div>
       </main>
       <footer>

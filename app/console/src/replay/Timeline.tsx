@@ -68,8 +68,16 @@ function Marks({
   );
 }
 
-/** Where the axis stood, between the least and the most of the recording. */
-function Curve({ recording, name }: { recording: Recording; name: string }) {
+/** Where the axis stood, between the least and the most of the recording; nothing is drawn over a gap. */
+function Curve({
+  recording,
+  name,
+  scale,
+}: {
+  recording: Recording;
+  name: string;
+  scale: Scale;
+}) {
   const { trace } = recording;
   const times = trace.times();
   const places = trace.column(name, "position");
@@ -78,15 +86,24 @@ function Curve({ recording, name }: { recording: Recording; name: string }) {
   const low = known.reduce((one, other) => Math.min(one, other), Infinity);
   const high = known.reduce((one, other) => Math.max(one, other), -Infinity);
   const start = times[0] ?? 0;
-  const points = places.flatMap((place, index) => {
-    if (place === null || index % step !== 0) {
-      return [];
+  const lines: string[][] = [];
+  let line: string[] | null = null;
+  places.forEach((place, index) => {
+    if (place === null) {
+      line = null;
+    } else if (line === null || index % step === 0) {
+      const x = scale(recording.cycleOf((times[index] ?? 0) - start));
+      const y = AXIS_HEIGHT - 4 - ((place - low) / (high - low || 1)) * 26;
+      if (line === null) {
+        line = [];
+        lines.push(line);
+      }
+      line.push(`${x.toFixed(1)},${y.toFixed(1)}`);
     }
-    const x = (WIDTH * ((times[index] ?? 0) - start)) / (-start || 1);
-    const y = AXIS_HEIGHT - 4 - ((place - low) / (high - low || 1)) * 26;
-    return [`${x.toFixed(1)},${y.toFixed(1)}`];
   });
-  return <polyline points={points.join(" ")} />;
+  return lines.map((points, index) => (
+    <polyline key={index} points={points.join(" ")} />
+  ));
 }
 
 export interface TimelineProperties {
@@ -137,7 +154,7 @@ export function Timeline({
     ...axes.map((name) => ({
       label: words(name),
       height: AXIS_HEIGHT,
-      content: <Curve recording={recording} name={name} />,
+      content: <Curve recording={recording} name={name} scale={scale} />,
     })),
   ];
   return (

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A recording as boresight-replay --html has written it, for looking at any of its cycles.
+// A recording as app/replay/motion_json.h has written it, for looking at any of its cycles.
 import type { LogEntry, Robot, RobotState } from "@interface";
 import { observe, type Seen } from "../chart_states";
 import { words } from "../format";
@@ -8,7 +8,7 @@ import type { ConsoleView } from "../store";
 import { Trace } from "../trace";
 import { Tape, type Row } from "./tape";
 
-const FORMAT = 1;
+const FORMAT = 2;
 /** After so many rows the whole is kept, so that no cycle is far from one that is known. */
 const KEPT_ROWS = 500;
 const MS_PER_S = 1000;
@@ -44,6 +44,8 @@ export interface Identity {
 
 export interface RecordingDocument {
   format: number;
+  /** Cycles between those in which numbers are told. */
+  numbers_each: number;
   robot: Robot;
   rows: readonly Row[];
   events: readonly LogEntry[];
@@ -57,6 +59,8 @@ export interface Moment {
   robot: RobotState;
   frames: readonly (Frame | null)[];
   seen: Seen;
+  /** From this cycle on nothing is missing until then. */
+  since: number;
   /** The 30 s until then. */
   trace: Trace;
 }
@@ -68,6 +72,9 @@ export interface Span {
   kind: string;
   text: string;
 }
+
+/** Of a span of which nothing is known. */
+const UNKNOWN = "unknown";
 
 export interface Lanes {
   workphases: readonly Span[];
@@ -113,11 +120,15 @@ class Lane {
 
 const moves: readonly SignKind[] = ["moving", "may"];
 
-/** @satisfies SWR-REPLAY-018 */
+/**
+ * @satisfies SWR-REPLAY-018
+ * @satisfies SWR-REPLAY-021
+ */
 export class Recording {
   readonly robot: Robot;
   readonly identity: Identity;
   readonly events: readonly LogEntry[];
+  readonly numbersEach: number;
   readonly first: number;
   readonly last: number;
   readonly lanes: Lanes;
@@ -126,9 +137,12 @@ export class Recording {
   private readonly rows: readonly Row[];
   private readonly cycles: number[] = [];
   private readonly kept: Tape[] = [];
-  /** Of each row: what was seen of the charts, and how long the trace was. */
+  /** Of each row: what was seen of the charts, since which cycle nothing is missing, and how long the trace was. */
   private readonly seen: Seen[] = [];
+  private readonly since: number[] = [];
   private readonly traced: number[] = [];
+  /** The cycle with which the trace begins. */
+  private tracedFrom: number | null = null;
 
   constructor(written: RecordingDocument) {
     if (written.format !== FORMAT) {
@@ -137,14 +151,21 @@ export class Recording {
     this.robot = written.robot;
     this.identity = written.recording;
     this.events = written.events;
+    this.numbersEach = written.numbers_each;
     this.rows = written.rows;
     this.lanes = this.readAll();
     this.first = this.cycles[0] ?? 0;
     this.last = this.cycles.at(-1) ?? 0;
   }
 
+  /** None of its cycles is known. */
   get isEmpty(): boolean {
-    return this.rows.length === 0;
+    return this.tracedFrom === null;
+  }
+
+  /** The cycle of a place in the trace. */
+  cycleOf(timeS: number): number {
+    return (this.tracedFrom ?? this.first) + timeS * CYCLES_PER_S;
   }
 
   /** The last row of the cycle or before it. */
@@ -161,14 +182,19 @@ export class Recording {
     return low;
   }
 
-  at(cycle: number): Moment {
+  /** Null: nothing is known of the cycle. */
+  at(cycle: number): Moment | null {
     const row = this.rowOf(cycle);
     const begin = Math.floor(row / KEPT_ROWS);
     const tape = this.kept[begin]!.copy();
     this.rows
       .slice(begin * KEPT_ROWS + 1, row + 1)
       .forEach((one) => tape.take(one));
-    const { state, frames, time_s } = tape.value as Told;
+    const told = tape.value as Told | null;
+    if (told === null) {
+      return null;
+    }
+    const { state, frames, time_s } = told;
     const timeS = time_s + (cycle - tape.counted) / CYCLES_PER_S;
     return {
       cycle,
@@ -176,6 +202,7 @@ export class Recording {
       robot: { ...state, status: { ...state.status, utc: this.utcOf(timeS) } },
       frames,
       seen: this.seen[row]!,
+      since: this.since[row]!,
       trace: this.trace.until(this.traced[row]!),
     };
   }
@@ -188,27 +215,44 @@ export class Recording {
   private readAll(): Lanes {
     const tape = new Tape();
     const [workphases, signs, reasons] = [new Lane(), new Lane(), new Lane()];
+    const lose = (cycle: number) =>
+      [workphases, signs, reasons].forEach((lane) =>
+        lane.take(cycle, UNKNOWN, "not known"),
+      );
     let seen: Seen = {};
+    let since: number | null = null;
+    const takeWords = ({ state, time_s }: Told) => {
+      const { name } = state.status.workphase;
+      const { kind, word, says } = signOf(viewOf(state));
+      workphases.take(tape.cycle, name, words(name));
+      signs.take(tape.cycle, kind, word);
+      const reason = moves.includes(kind) ? "" : says;
+      reasons.take(tape.cycle, reason, reason);
+      seen = observe(seen, state, new Date(this.utcOf(time_s)));
+    };
     this.rows.forEach((row, index) => {
       const hasWords = tape.take(row);
-      const { state, time_s } = tape.value as Told;
+      const told = tape.value as Told | null;
       this.cycles.push(tape.cycle);
       if (index % KEPT_ROWS === 0) {
         this.kept.push(tape.copy());
       }
-      if (hasWords) {
-        const { name } = state.status.workphase;
-        const { kind, word, says } = signOf(viewOf(state));
-        workphases.take(tape.cycle, name, words(name));
-        signs.take(tape.cycle, kind, word);
-        const reason = moves.includes(kind) ? "" : says;
-        reasons.take(tape.cycle, reason, reason);
-        seen = observe(seen, state, new Date(this.utcOf(time_s)));
-      }
-      if (row[0] >= 0) {
-        this.trace.take(state, 0);
+      if (told === null) {
+        lose(tape.cycle);
+        this.trace.lose();
+        [seen, since] = [{}, null];
+      } else {
+        since ??= tape.cycle;
+        this.tracedFrom ??= tape.cycle;
+        if (hasWords) {
+          takeWords(told);
+        }
+        if (row[0] >= 0) {
+          this.trace.take(told.state, 0);
+        }
       }
       this.seen.push(seen);
+      this.since.push(since ?? tape.cycle);
       this.traced.push(this.trace.length);
     });
     return {

@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "replay/motion_html.h"
+#include "replay/motion_json.h"
 
 #include "card/card_dialect.h"
 #include "common/build_id.h"
 #include "common/utc_text.h"
 #include "replay/frame_fields.h"
 #include "replay/page_text.h"
-#include "replay/replay_page.h"
 #include "replay/series.h"
 #include "robot/robot_cards.h"
 
@@ -14,18 +13,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define FORMAT 1U
+#define FORMAT 2U
 #define NUMBER_CYCLES 25U /* Each so many cycles numbers are told. */
 #define US_PER_MS 1000U
 #define MS_PER_S 1000.0
 #define HASH_START 2166136261U
 #define HASH_FACTOR 16777619U
-
-/* The page from where the recording is put. */
-static const char *find_mark(void)
-{
-    return strstr((const char *)replay_page, REPLAY_PAGE_MARK);
-}
 
 /* And frees it. */
 static void write_value(FILE *file, cJSON *value)
@@ -44,7 +37,7 @@ static void write_value(FILE *file, cJSON *value)
 static const exchange_cards_t cards = {.dialect = (uint32_t)CARD_DIALECT_OWN};
 
 /* The robot as it is before anything is known of it by others than its file. */
-static void begin_view(motion_html_t *self, const robot_t *robot, const recording_header_t *header)
+static void begin_view(motion_json_t *self, const robot_t *robot, const recording_header_t *header)
 {
     recording_escape(header->build, self->build, sizeof self->build);
     self->identity = (telemetry_identity_t){
@@ -55,22 +48,18 @@ static void begin_view(motion_html_t *self, const robot_t *robot, const recordin
     self->started_us = header->started_us;
 }
 
-void motion_html_begin(motion_html_t *self, FILE *file, const robot_t *robot,
-                       const recording_header_t *header)
+void motion_json_begin(motion_json_t *self, FILE *file, const walk_t *walk)
 {
-    const size_t before = (size_t)(find_mark() - (const char *)replay_page);
-
     (void)memset(self, 0, sizeof *self);
     self->file = file;
-    self->robot = robot;
-    begin_view(self, robot, header);
-    (void)fwrite(replay_page, 1U, before, file);
-    (void)fprintf(file, "%s{\"format\":%u,\"robot\":", REPLAY_PAGE_MARK, FORMAT);
+    self->robot = walk->robot;
+    begin_view(self, walk->robot, &walk->reader.header);
+    (void)fprintf(file, "{\"format\":%u,\"numbers_each\":%u,\"robot\":", FORMAT, NUMBER_CYCLES);
     write_value(file, telemetry_json_robot(&self->view));
     (void)fputs(",\"rows\":[", file);
 }
 
-static void take_events(motion_html_t *self, const controller_outputs_t *outputs)
+static void take_events(motion_json_t *self, const controller_outputs_t *outputs)
 {
     for (uint32_t i = 0U; (i < outputs->event_count) && (i < CONTROLLER_EVENTS); i++) {
         log_entry_t entry = {.event = outputs->events[i], .utc_us = self->pace.utc_us};
@@ -166,7 +155,7 @@ static void name_peer(uint32_t peer, char name[EXCHANGE_TITLE_SIZE])
 }
 
 /* What the page shows of a cycle; its time stands for the clock's, which is that of now. */
-static cJSON *new_moment(motion_html_t *self, const controller_outputs_t *shown)
+static cJSON *new_moment(motion_json_t *self, const controller_outputs_t *shown)
 {
     cJSON *const moment = cJSON_CreateObject();
     char utc[UTC_TEXT_SIZE];
@@ -185,41 +174,62 @@ static cJSON *new_moment(motion_html_t *self, const controller_outputs_t *shown)
     return moment;
 }
 
-static void write_row(motion_html_t *self, bool with_numbers, const controller_outputs_t *shown)
+/* And frees `moment`. */
+static void write_row(motion_json_t *self, uint32_t cycle, bool with_numbers, cJSON *moment)
 {
-    cJSON *const moment = new_moment(self, shown);
-    const bool is_first = self->rows == 0U;
-
     bytes_clear(&self->row);
-    bytes_print(&self->row, "%s\n", is_first ? "" : ",");
-    if (tape_take(&self->tape, self->pace.cycle, with_numbers || is_first, moment, &self->row)) {
+    bytes_print(&self->row, "%s\n", (self->rows == 0U) ? "" : ",");
+    if (tape_take(&self->tape, cycle, with_numbers, moment, &self->row)) {
         page_text_write(self->file, (const char *)self->row.at, self->row.used);
         self->rows++;
     }
     cJSON_Delete(moment);
 }
 
-void motion_html_take(motion_html_t *self, const recording_header_t *header,
-                      const cycle_record_t *record, const controller_outputs_t *shown)
+static void write_null(motion_json_t *self, uint32_t cycle)
 {
-    const controller_outputs_t *const kept = &record->body.cycle.outputs;
+    write_row(self, cycle, true, cJSON_CreateNull());
+    self->is_known = false;
+}
 
-    pace_take(&self->pace, header, record);
+/* Ends what is known where the present cycle does not go on with it. */
+static void end_known(motion_json_t *self, const controller_outputs_t *shown)
+{
+    const uint32_t cycle = self->pace.cycle;
+
+    if (self->is_known && ((shown == NULL) || (cycle != self->next))) {
+        write_null(self, self->next);
+    } else if ((shown == NULL) && (self->rows == 0U)) {
+        write_null(self, cycle);
+    } else {
+        /* It goes on, or nothing is known anyway. */
+    }
+}
+
+void motion_json_take(walk_t *walk, void *to, const controller_outputs_t *shown)
+{
+    motion_json_t *const self = to;
+    const controller_outputs_t *const kept = &walk->record.body.cycle.outputs;
+
+    pace_take(&self->pace, &walk->reader.header, &walk->record);
     take_events(self, kept);
+    end_known(self, shown);
     if (shown == NULL) {
         return;
     }
     const uint32_t drives = drives_of(shown);
     const bool is_turn = pace_is_turn(&self->pace, &shown->snapshot);
     const bool with_numbers =
-        ((self->pace.cycle % NUMBER_CYCLES) == 0U) || (kept->event_count > 0U);
+        !self->is_known || ((self->pace.cycle % NUMBER_CYCLES) == 0U) || (kept->event_count > 0U);
     if (is_turn || with_numbers || (drives != self->drives)) {
-        write_row(self, with_numbers, shown);
+        write_row(self, self->pace.cycle, with_numbers, new_moment(self, shown));
     }
     self->drives = drives;
+    self->is_known = true;
+    self->next = self->pace.cycle + 1U;
 }
 
-static cJSON *new_identity(const motion_html_t *self, const motion_html_proof_t *proof)
+static cJSON *new_identity(const motion_json_t *self, const walk_t *walk, int code)
 {
     cJSON *const identity = cJSON_CreateObject();
     char checksum[9];
@@ -232,27 +242,28 @@ static cJSON *new_identity(const motion_html_t *self, const motion_html_proof_t 
     (void)cJSON_AddStringToObject(identity, "robot", self->robot->name);
     (void)cJSON_AddStringToObject(identity, "checksum", checksum);
     (void)cJSON_AddStringToObject(identity, "started", utc);
-    (void)cJSON_AddNumberToObject(identity, "replayed", (double)proof->replayed);
-    (void)cJSON_AddNumberToObject(identity, "unreplayed", (double)proof->unreplayed);
-    (void)cJSON_AddNumberToObject(identity, "cycles_lost", (double)proof->cycles_lost);
-    (void)cJSON_AddBoolToObject(identity, "is_cut_short", proof->is_cut_short);
-    (void)cJSON_AddBoolToObject(identity, "is_trusted", proof->is_trusted);
-    (void)cJSON_AddStringToObject(identity, "difference", proof->difference);
+    (void)cJSON_AddNumberToObject(identity, "replayed", (double)walk->replay.replayed);
+    (void)cJSON_AddNumberToObject(identity, "unreplayed", (double)walk->replay.unreplayed);
+    (void)cJSON_AddNumberToObject(identity, "cycles_lost", (double)walk->reader.cycles_lost);
+    (void)cJSON_AddBoolToObject(identity, "is_cut_short", walk->is_cut_short);
+    (void)cJSON_AddBoolToObject(identity, "is_trusted", code != EXIT_REFUSED);
+    (void)cJSON_AddStringToObject(identity, "difference", walk->difference);
     return identity;
 }
 
-bool motion_html_end(motion_html_t *self, const motion_html_proof_t *proof)
+void motion_json_end(motion_json_t *self, const walk_t *walk, int code)
 {
     FILE *const file = self->file;
 
+    if (!self->is_known && (self->tape.cycle < self->pace.cycle)) {
+        write_null(self, self->pace.cycle);
+    }
     (void)fputs("],\n\"events\":[", file);
     page_text_write(file, (const char *)self->events.at, self->events.used);
     (void)fputs("],\n\"recording\":", file);
-    write_value(file, new_identity(self, proof));
+    write_value(file, new_identity(self, walk, code));
     (void)fputc('}', file);
-    (void)fputs(find_mark() + strlen(REPLAY_PAGE_MARK), file);
     tape_free(&self->tape);
     bytes_free(&self->row);
     bytes_free(&self->events);
-    return (fflush(file) == 0) && (ferror(file) == 0);
 }
