@@ -15,18 +15,24 @@ SITE_INCLUDES := $(BSP_INCLUDES) -I.
 $(OUT)/site/%.o: FLAGS = $(SITE_INCLUDES)
 $(OUT)/verification/site/%.o: FLAGS = $(SITE_INCLUDES)
 
-wasm: bootstrap-test ## The core, the simulated control box and their server as WebAssembly: build/site/{robot,served}.wasm
-	@$(MAKE) --no-print-directory -j2 CONFIG=wasm build/site/robot.wasm build/site/served.wasm
+wasm: bootstrap-test ## The core, its box, their server and the replay as WebAssembly: build/site/{robot,served,recorded}.wasm
+	@$(MAKE) --no-print-directory -j2 CONFIG=wasm $(addprefix build/site/,robot.wasm served.wasm recorded.wasm)
 
 # What the console is made of but its robot; as for the product.
 PAGE := build/site/page/index.html
-$(PAGE): build/site/served.wasm $(CONSOLE_SOURCES) $(GEN)/interface/.compiled $(DRAWINGS) $(GEN)/charts/charts.json \
+$(PAGE): build/site/served.wasm
+$(PAGE): PAGE_BUILD := build-site
+# The parts of it that show a recording, with the replay.
+RECORDED_PAGE := build/site/page/replay.html
+$(RECORDED_PAGE): build/site/recorded.wasm
+$(RECORDED_PAGE): PAGE_BUILD := build-recorded
+$(PAGE) $(RECORDED_PAGE): $(CONSOLE_SOURCES) $(GEN)/interface/.compiled $(DRAWINGS) $(GEN)/charts/charts.json \
     app/console/node_modules/.installed
-	@cd app/console && npm run --silent build-site
+	@cd app/console && npm run --silent $(PAGE_BUILD)
 	@echo "built $@, $$(gzip -9 -c $@ | wc -c) bytes compressed"
 
-site: wasm ## The console with a robot in its own page, which needs no server: build/site/page/index.html
-	@$(MAKE) --no-print-directory CONFIG=wasm $(PAGE)
+site: wasm ## Pages that need no server: the console with a robot in it, and one on which recordings are opened: build/site/page
+	@$(MAKE) --no-print-directory CONFIG=wasm $(PAGE) $(RECORDED_PAGE)
 
 # The same in native code, to be compared with it.
 build/gcc/bin/closed-loop-scene: $(call object,$(CLOSED_LOOP_SOURCES) verification/site/scene.c) build/gcc/libcore.a
@@ -44,11 +50,22 @@ SERVED_SOURCES := $(wildcard site/served/*.c) site/closed_loop.c site/watch.c $(
     $(GEN)/interface/app/messages.c $(NAMES) $(GEN)/assets/chart_names.c
 
 # The same in native code, to be compared with it; there the C library has its own system.
-$(OUT)/site/served/%.o: FLAGS = -D_GNU_SOURCE $(SITE_INCLUDES)
-build/gcc/bin/served-ask: $(call object,$(filter-out %/no_system.c,$(SERVED_SOURCES)) verification/site/ask.c) build/gcc/libcore.a
+$(OUT)/site/served/%.o $(OUT)/site/recorded/%.o: FLAGS = -D_GNU_SOURCE $(SITE_INCLUDES)
+build/gcc/bin/served-ask: $(call object,$(filter-out %/no_system.c %/no_output.c,$(SERVED_SOURCES)) verification/site/ask.c) build/gcc/libcore.a
 	@mkdir -p $(@D)
 	@$(CC) $(CFLAGS) $(LDFLAGS) $^ -lcjson -lm -o $@
 	@echo "built $@"
+
+# The replay, without the files that it writes for others. Its file and its hashes are in site/recorded; it decompresses by the
+# product's own library, from Debian's source.
+RECORDED_SOURCES := $(wildcard site/recorded/*.c) site/served/no_system.c \
+    $(addprefix app/replay/,build_fit.c bytes.c field_name.c frame_fields.c motion_json.c pace.c page_text.c replay.c series.c tape.c walk.c) \
+    $(filter-out %_writer.c,$(wildcard app/recording/*.c)) $(addprefix app/http/,telemetry_json.c telemetry_units.c json_forms.c) \
+    $(addprefix $(GEN)/interface/app/,fields.c messages.c) $(GEN)/assets/chart_names.c $(AXIS_TERMS) $(DRIVE_TERMS) \
+    app/common/utc_text.c $(EVENT_TEXT) $(NAMES) $(FIND_ROBOT)
+ZSTD := $(ARMHF)/source/libzstd/lib
+ZSTD_SOURCES := $(addprefix $(ZSTD)/,$(addprefix common/,entropy_common.c error_private.c fse_decompress.c xxhash.c zstd_common.c) \
+    $(addprefix decompress/,huf_decompress.c zstd_ddict.c zstd_decompress.c zstd_decompress_block.c))
 
 ifeq ($(CONFIG),wasm)
 LINK_WASM = wasm-ld-19 --no-entry --strip-all --stack-first -z stack-size=262144 $(filter %.o,$^) $(WASM_LIBC) -o $@
@@ -59,9 +76,9 @@ build/site/robot.wasm: $(call object,$(CORE_SOURCES) $(CLOSED_LOOP_SOURCES)) sit
 	@echo "built $@"
 
 # Headers of sockets, of which types are used, are of C11.
-SERVED_FLAGS := -std=c11 -Isite/posix -isystem $(ARMHF)/source/civetweb/include -isystem build/wasm/include
+SERVED_FLAGS := -std=c11 -Isite/posix -isystem $(ARMHF)/source/civetweb/include -isystem build/wasm/include -isystem $(ZSTD)
 $(OUT)/app/%.o $(OUT)/$(GEN)/interface/%.o: CFLAGS += $(SERVED_FLAGS)
-$(OUT)/site/served/%.o: CFLAGS += $(SERVED_FLAGS)
+$(OUT)/site/served/%.o $(OUT)/site/recorded/%.o: CFLAGS += $(SERVED_FLAGS)
 # What does not run in each cycle may be slower, and makes the page smaller.
 $(addprefix $(OUT)/,app/http/%.o app/request/%.o app/session/%.o app/trajectory/%.o site/served/%.o $(GEN)/interface/%.o): CFLAGS += -Oz
 $(call object,$(SERVED_SOURCES)): site/site.mk | build/wasm/include/cjson/cJSON.h
@@ -74,6 +91,18 @@ $(OUT)/lib/cJSON.o: $(ARMHF)/source/cjson/cJSON.c
 	@$(CC) -Oz $(EXTRA) $(ANYWHERE) -c $< -o $@
 
 build/site/served.wasm: $(call object,$(CORE_SOURCES) $(SERVED_SOURCES)) $(OUT)/lib/cJSON.o site/site.mk
+	@mkdir -p $(@D)
+	@$(LINK_WASM)
+	@echo "built $@"
+
+$(call object,$(RECORDED_SOURCES)): site/site.mk | build/wasm/include/cjson/cJSON.h
+
+$(OUT)/lib/%.o: $(ZSTD)/%.c
+	@mkdir -p $(@D)
+	@$(CC) -Oz $(EXTRA) $(ANYWHERE) -DZSTD_DISABLE_ASM -DZSTD_STRIP_ERROR_STRINGS -DHUF_FORCE_DECOMPRESS_X1 -c $< -o $@
+
+build/site/recorded.wasm: $(call object,$(CORE_SOURCES) $(RECORDED_SOURCES)) $(ZSTD_SOURCES:$(ZSTD)/%.c=$(OUT)/lib/%.o) \
+    $(OUT)/lib/cJSON.o site/site.mk
 	@mkdir -p $(@D)
 	@$(LINK_WASM)
 	@echo "built $@"

@@ -48,11 +48,12 @@ function take(
 }
 
 /**
- * Puts the page `from` into index.html, which may be opened without a server.
+ * Puts the page `from` into `to`, which may be opened without a server.
  *
  * @satisfies SWR-SITE-015
+ * @satisfies SWR-SITE-038
  */
-export function oneFile(from: string, enclosed: Enclosed): Plugin {
+export function oneFile(from: string, to: string, enclosed: Enclosed): Plugin {
   return {
     name: "one-file",
     generateBundle: {
@@ -86,7 +87,7 @@ export function oneFile(from: string, enclosed: Enclosed): Plugin {
             () =>
               `${texts.join("")}<script type="module">${code}</script></body>`,
           );
-        this.emitFile({ type: "asset", fileName: "index.html", source });
+        this.emitFile({ type: "asset", fileName: to, source });
       },
     },
   };

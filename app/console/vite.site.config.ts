@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The console with a robot in its own page: `make site`.
+// What `make site` writes: the console with a robot in its own page, and with --mode recorded the page on which recordings
+// are opened. Each is one file with its module in it.
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
@@ -8,27 +9,43 @@ import { oneFile } from "./one_file.ts";
 import console from "./vite.config.ts";
 
 const at = (path: string) => fileURLToPath(new URL(path, import.meta.url));
-const robot = readFileSync(at("../../build/site/served.wasm"));
+const packed = (module: string) =>
+  gzipSync(readFileSync(at(`../../build/site/${module}`)), {
+    level: 9,
+  }).toString("base64");
 
-export default mergeConfig(
-  console,
-  defineConfig({
-    base: "./",
-    plugins: [
-      oneFile("site.html", {
-        robot: gzipSync(robot, { level: 9 }).toString("base64"),
-      }),
-    ],
-    resolve: { alias: { "@transport": at("src/site/transport.ts") } },
-    build: {
-      outDir: "../../build/site/page",
-      assetsInlineLimit: Infinity,
-      cssCodeSplit: false,
-      modulePreload: false,
-      rolldownOptions: {
-        input: at("site.html"),
-        output: { codeSplitting: false },
+const robot = {
+  page: "site.html",
+  plugin: () =>
+    oneFile("site.html", "index.html", { robot: packed("served.wasm") }),
+};
+const recorded = {
+  page: "recorded.html",
+  plugin: () =>
+    oneFile("recorded.html", "replay.html", {
+      replay: packed("recorded.wasm"),
+    }),
+};
+
+export default defineConfig(({ mode }) => {
+  const { page, plugin } = mode === "recorded" ? recorded : robot;
+  return mergeConfig(
+    console,
+    defineConfig({
+      base: "./",
+      plugins: [plugin()],
+      resolve: { alias: { "@transport": at("src/site/transport.ts") } },
+      build: {
+        outDir: "../../build/site/page",
+        emptyOutDir: false,
+        assetsInlineLimit: Infinity,
+        cssCodeSplit: false,
+        modulePreload: false,
+        rolldownOptions: {
+          input: at(page),
+          output: { codeSplitting: false },
+        },
       },
-    },
-  }),
-);
+    }),
+  );
+});

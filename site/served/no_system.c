@@ -25,7 +25,6 @@ REFUSE(fd_prestat_get, int32_t fd, int32_t status)
 REFUSE(fd_prestat_dir_name, int32_t fd, int32_t path, int32_t size)
 REFUSE(fd_read, int32_t fd, int32_t parts, int32_t count, int32_t size)
 REFUSE(fd_seek, int32_t fd, int64_t offset, int32_t whence, int32_t at)
-REFUSE(fd_write, int32_t fd, int32_t parts, int32_t count, int32_t size)
 REFUSE(path_open, int32_t fd, int32_t lookup, int32_t path, int32_t size, int32_t flags,
        int64_t rights, int64_t inherited, int32_t fd_flags, int32_t opened)
 

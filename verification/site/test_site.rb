@@ -5,9 +5,11 @@
 # have recorded on x86-64 it computes again, bit for bit; with its simulated control box it lives through a scene as native
 # code does, of each robot; and without a robot it does nothing. The server of a page (build/site/served.wasm) says what
 # the handlers of boresight-http say, and lets through what they let through. The page (build/site/page) needs nothing but its
-# file; app/console/e2e/site.e2e.ts runs once, and each test on it here is the verdict of its part for one requirement.
+# file; app/console/e2e/site.e2e.ts runs once, and each test on it here is the verdict of its part for one requirement. The page
+# on which recordings are opened shows what boresight-replay writes, or the reason that it says.
 # With BORESIGHT_SCREENSHOT=FILE it leaves a picture of the page.
 
+require 'digest'
 require 'minitest/autorun'
 require 'json'
 require 'open3'
@@ -24,6 +26,17 @@ class TestSite < Minitest::Test
   SERVED = "#{ROOT}/build/site/served.wasm"
   PAGE = "#{ROOT}/build/site/page/index.html"
   PAGE_BYTES = 340_000
+  RECORDED = "#{ROOT}/build/site/recorded.wasm"
+  RECORDED_PAGE = "#{ROOT}/build/site/page/replay.html"
+  RECORDED_PAGE_BYTES = 300_000
+  # Of a recording, cut short in a block: the replay of all of it would last.
+  RECORDED_BYTES = 100_000
+  DAMAGED_AT = 50_000
+  HEADER_VERSION = 8
+  HEADER_ROBOT = 80
+  HEADER_LAYOUT = 120
+  HEADER_HASHED = 224
+  REPLAY = "#{ROOT}/build/bin/boresight-replay"
   NEAR_MM = JSON.parse(File.read("#{ROOT}/build/gen/limits/limits.json")).find { |one| one['name'] == 'demo_error_nm' }['value'] / 1e6
   NATIVE = "#{ROOT}/build/gcc/bin/closed-loop-scene"
   NATIVE_SERVED = "#{ROOT}/build/gcc/bin/served-ask"
@@ -62,11 +75,40 @@ class TestSite < Minitest::Test
   def self.results
     @results ||= Dir.mktmpdir do |folder|
       figure = "#{folder}/figure"
-      environment = { 'BORESIGHT_PAGE' => "file://#{PAGE}", 'BORESIGHT_FIGURES' => figure }
+      recordings = recorded_files(folder)
+      environment = { 'BORESIGHT_PAGE' => "file://#{PAGE}", 'BORESIGHT_FIGURES' => figure,
+                      'BORESIGHT_RECORDING' => recordings.fetch('neuro'), 'BORESIGHT_DAMAGED' => recordings.fetch('damaged') }
       verdicts = BrowserRun.results('site.e2e.ts', environment)
       puts "SWR-SITE-010: it moves #{File.read(figure)} ms after it was opened" if File.exist?(figure)
       verdicts
     end
+  end
+
+  def self.demonstration(robot)
+    Dir["#{ROOT}/build/demo/#{robot}/*.bsr"].min
+  end
+
+  # Files by what they are: a part of each demonstration's recording, and what is refused.
+  def self.recorded_files(folder)
+    parts = %w[neuro prostate].to_h { |robot| [robot, File.binread(demonstration(robot), RECORDED_BYTES)] }
+    own = parts.fetch('neuro')
+    others = { 'damaged' => changed(own, DAMAGED_AT), 'foreign' => 'a' * 1000, 'short' => 'a', 'empty' => '',
+               'version' => sealed(changed(own, HEADER_VERSION)), 'robot' => sealed(changed(own, HEADER_ROBOT)),
+               'layout' => sealed(changed(own, HEADER_LAYOUT)) }
+    parts.merge(others).to_h do |name, bytes|
+      file = "#{folder}/#{name}.bsr"
+      File.binwrite(file, bytes)
+      [name, file]
+    end
+  end
+
+  def self.changed(bytes, place)
+    bytes.dup.tap { |copy| copy.setbyte(place, copy.getbyte(place) ^ 1) }
+  end
+
+  # With the right hash of the header.
+  def self.sealed(bytes)
+    bytes.dup.tap { |copy| copy[HEADER_HASHED, 32] = Digest::SHA256.digest(copy[0, HEADER_HASHED]) }
   end
 
   def node(*words, **options)
@@ -74,7 +116,7 @@ class TestSite < Minitest::Test
   end
 
   def recordings
-    found = %w[neuro prostate].to_h { |robot| [robot, Dir["#{ROOT}/build/demo/#{robot}/*.bsr"].min] }
+    found = %w[neuro prostate].to_h { |robot| [robot, self.class.demonstration(robot)] }
     assert found.values.all?, 'make both demonstrations first: make demo; make demo ROBOT=prostate'
     found
   end
@@ -118,7 +160,7 @@ class TestSite < Minitest::Test
   end
 
   def test_SWR_SITE_001_the_modules_import_nothing
-    [MODULE, SERVED].each do |file|
+    [MODULE, SERVED, RECORDED].each do |file|
       said, = node('-e', IMPORTS, file)
       assert_equal "0\n", said, file
     end
@@ -228,11 +270,57 @@ class TestSite < Minitest::Test
   end
 
   def test_SWR_SITE_015_the_page_is_one_file_that_asks_for_nothing
-    assert_equal ['index.html'], Dir.children(File.dirname(PAGE))
+    assert_equal %w[index.html replay.html], Dir.children(File.dirname(PAGE)).sort
     size = Zlib.gzip(File.binread(PAGE), level: 9).bytesize
     assert_operator size, :<=, PAGE_BYTES
     puts "SWR-SITE-015: the page has #{size} bytes when compressed"
     assert_parts 'SWR-SITE-015'
+  end
+
+  # What the module says of a file, and what the replay does; the latter without its notes on builds.
+  def read_twice(file)
+    Dir.chdir(File.dirname(file)) do
+      name = File.basename(file)
+      here, status = node('--no-warnings', "#{__dir__}/recorded.mjs", RECORDED, name, binmode: true)
+      page, said, = Open3.capture3(REPLAY, '--html', '-', name, binmode: true)
+      [here, status.success?, page[%r{<script id="recording" type="application/json">(.*?)</script>}mn, 1], said]
+    end
+  end
+
+  def test_SWR_SITE_035_the_page_shows_what_the_replay_writes_of_each_demonstration
+    Dir.mktmpdir do |folder|
+      self.class.recorded_files(folder).slice('neuro', 'prostate').each do |robot, file|
+        here, is_shown, page, = read_twice(file)
+        assert is_shown, here
+        assert here == page, "#{robot}: the pages differ" # A difference would be printed whole.
+        assert_operator JSON.parse(here)['recording']['replayed'], :>, 1000
+        puts "SWR-SITE-035: #{robot}: #{here.bytesize} bytes of a page equal"
+      end
+    end
+    assert_parts 'SWR-SITE-035'
+  end
+
+  def test_SWR_SITE_036_what_is_no_recording_of_this_build_is_refused_in_the_words_of_the_replay
+    Dir.mktmpdir do |folder|
+      self.class.recorded_files(folder).except('neuro', 'prostate').each do |name, file|
+        here, is_shown, page, said = read_twice(file)
+        assert_equal [false, nil, said], [is_shown, page, here], name
+        refute_empty said
+      end
+    end
+    assert_parts 'SWR-SITE-036'
+  end
+
+  def test_SWR_SITE_036_what_goes_on_without_a_file_stops_with_its_contract
+    said, = node('--no-warnings', "#{__dir__}/recorded.mjs", RECORDED)
+    assert_equal "Cycle 0 breaks contract recorded/330.\n", said
+  end
+
+  def test_SWR_SITE_038_the_page_for_recordings_is_one_file_that_asks_for_nothing
+    size = Zlib.gzip(File.binread(RECORDED_PAGE), level: 9).bytesize
+    assert_operator size, :<=, RECORDED_PAGE_BYTES
+    puts "SWR-SITE-038: the page for recordings has #{size} bytes when compressed"
+    assert_parts 'SWR-SITE-038'
   end
 
   def test_SWR_SITE_016_a_robot_that_is_put_back_goes_on_as_it_did_and_otherwise_if_asked_otherwise

@@ -3,6 +3,7 @@
 // verification/site/test_site.rb runs it. Needed from the environment:
 //   BORESIGHT_PAGE  the page's address
 //   BORESIGHT_FIGURES  file for what was measured
+//   BORESIGHT_RECORDING, BORESIGHT_DAMAGED  a recording, and one that was changed
 //   BORESIGHT_SCREENSHOT  optional: file for a picture of it
 import { readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -10,7 +11,10 @@ import { chromium, type Browser, type Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
 
 const address = process.env.BORESIGHT_PAGE ?? "";
+const recordings = new URL("replay.html", address).href;
 const figures = process.env.BORESIGHT_FIGURES;
+const { BORESIGHT_RECORDING: recording = "", BORESIGHT_DAMAGED: damaged = "" } =
+  process.env;
 const picture = process.env.BORESIGHT_SCREENSHOT;
 /** A bound against hanging, and no judgement. */
 const patience = { timeout: 120_000 };
@@ -82,6 +86,16 @@ function positions(): Promise<string[]> {
   return page.locator('[data-axis] [data-field="position"]').allInnerTexts();
 }
 
+/** What axe finds. */
+async function violations(): Promise<string[]> {
+  const axe = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
+  await page.evaluate(readFileSync(axe, "utf8"));
+  const found: { violations: { id: string }[] } = await page.evaluate(
+    "axe.run({ resultTypes: ['violations'] })",
+  );
+  return found.violations.map(({ id }) => id);
+}
+
 beforeAll(async () => {
   browser = await chromium.launch({
     executablePath: "/usr/bin/chromium",
@@ -151,12 +165,7 @@ test("SWR-SITE-013 everybody can read it", async () => {
   if (picture !== undefined) {
     await page.screenshot({ path: picture });
   }
-  const axe = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
-  await page.evaluate(readFileSync(axe, "utf8"));
-  const { violations }: { violations: { id: string }[] } = await page.evaluate(
-    "axe.run({ resultTypes: ['violations'] })",
-  );
-  expect(violations.map(({ id }) => id)).toEqual([]);
+  expect(await violations()).toEqual([]);
 });
 
 test("SWR-SITE-012 another robot is a link away", async () => {
@@ -176,4 +185,48 @@ test("SWR-SITE-028 a link is played, and a bad one is refused in words", async (
   await refusal.waitFor();
   await page.getByRole("link", { name: "A robot without it" }).click();
   await refusal.waitFor({ state: "detached" });
+});
+
+test("SWR-SITE-035 a recording is opened in the page beside it, and shown at its events", async () => {
+  await page.goto(address);
+  await page.getByRole("link", { name: "Open a recording" }).click();
+  await page.getByLabel("Open a recording").setInputFiles(recording);
+  await page.getByText(/^Bit-exact: \d+ cycles replayed/).waitFor();
+  await button("Next event").click();
+  await page
+    .locator(".replay-now")
+    .filter({ hasText: /^cycle [1-9]/ })
+    .waitFor();
+  await page.locator(".banner").waitFor();
+});
+
+test("SWR-SITE-038 it has sent nothing, everybody can read it, also on a narrow screen", async () => {
+  expect(await violations()).toEqual([]);
+  await page.setViewportSize({ width: 320, height: 640 });
+  const [width = 0, room] = await page.evaluate(() => [
+    document.documentElement.scrollWidth,
+    document.documentElement.clientWidth,
+  ]);
+  expect(width).toBeLessThanOrEqual(room ?? 0);
+  const others = asked
+    .filter((url) => !/^(blob|data):/.test(url))
+    .filter((url) => ![address, recordings].includes(url.split("#")[0] ?? ""));
+  expect([others, problems]).toEqual([[], []]);
+});
+
+test("SWR-SITE-036 a damaged one that is dropped is refused with the place", async () => {
+  const transfer = await page.evaluateHandle((text) => {
+    const data = new DataTransfer();
+    const bytes = Uint8Array.from(atob(text), (one) => one.charCodeAt(0));
+    data.items.add(new File([bytes], "damaged.bsr"));
+    return data;
+  }, readFileSync(damaged).toString("base64"));
+  await page
+    .locator(".file-drop")
+    .dispatchEvent("drop", { dataTransfer: transfer });
+  await page
+    .getByRole("alert")
+    .getByText(/Block \d+, bytes \d+\.\.\d+: the hash does not match/)
+    .waitFor();
+  expect(await page.locator(".timeline").count()).toBe(0);
 });

@@ -7,19 +7,29 @@ export interface TextFile {
   text: string;
 }
 
-export interface FileDropProperties {
+export interface FileDropProperties<Taken = TextFile> {
   /** Of the button that opens the file picker. */
   label: string;
   /** As the file picker takes it. */
   accept: string;
-  take(file: TextFile): void;
+  take(file: Taken): void;
 }
 
-/** One file of text, chosen or dragged here. It is read, and goes nowhere by itself. */
-export function FileDrop({ label, accept, take }: FileDropProperties) {
+/** One file of text. It is read, and goes nowhere by itself. */
+export function FileDrop({ take, ...drop }: FileDropProperties) {
+  const read = (file: File) =>
+    void file.text().then((text) => take({ name: file.name, text }));
+  return <AnyFileDrop {...drop} take={read} />;
+}
+
+/** One file, chosen or dragged here. */
+export function AnyFileDrop({ label, accept, take }: FileDropProperties<File>) {
   const [isOver, setIsOver] = useState(false);
-  const read = (file: File | undefined) =>
-    void file?.text().then((text) => take({ name: file.name, text }));
+  const read = (file: File | undefined) => {
+    if (file !== undefined) {
+      take(file);
+    }
+  };
   const drop = (event: DragEvent) => {
     event.preventDefault();
     setIsOver(false);

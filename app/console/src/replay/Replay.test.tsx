@@ -8,12 +8,8 @@ import {
   within,
 } from "@testing-library/react";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import {
-  makeAxis,
-  makeBlockedAxis,
-  makeEntry,
-  makeRobot,
-} from "../testing/robot";
+import { makeDocument, released, told } from "../testing/recording";
+import { makeAxis } from "../testing/robot";
 import { Recording, type RecordingDocument } from "./recording";
 import { Replay } from "./Replay";
 
@@ -37,64 +33,6 @@ afterEach(() => {
   cleanup();
   vi.unstubAllGlobals();
 });
-
-const released = {
-  name: "PEDAL_RELEASED",
-  text: "The pedal is released.",
-} as const;
-
-function told(timeS: number, isDriven: boolean, mode: string) {
-  const axis = isDriven
-    ? makeAxis("head", { is_driven: true })
-    : makeBlockedAxis("head", released);
-  const state = makeRobot({}, [axis]);
-  state.motors.time_us = timeS * 1e6;
-  return {
-    time_s: timeS,
-    state,
-    frames: [null, { drive_mode: mode, guard: 5 }],
-  };
-}
-
-function makeDocument(
-  change: Partial<RecordingDocument["recording"]> = {},
-): RecordingDocument {
-  return {
-    format: 2,
-    numbers_each: 50,
-    robot: {
-      name: "neuro",
-      checksum: "0",
-      slots: 2,
-      axes: [],
-      lengths: [],
-      poses: [],
-    },
-    rows: [
-      [100, 0, told(0, false, "OFF")],
-      [50, 0, told(0.05, true, "PWM")],
-      [50, 0, told(0.1, false, "OFF")],
-    ],
-    events: [
-      makeEntry(1, { cycle: 150, text: "It begins." }),
-      makeEntry(2, { cycle: 200, text: "</script> released." }),
-    ],
-    recording: {
-      build: "1234",
-      replayed_by: "5678",
-      robot: "neuro",
-      checksum: "0",
-      started: "2026-11-22T17:50:00.000Z",
-      replayed: 101,
-      unreplayed: 0,
-      cycles_lost: 0,
-      is_cut_short: false,
-      is_trusted: true,
-      difference: "",
-      ...change,
-    },
-  };
-}
 
 function show(change: Partial<RecordingDocument["recording"]> = {}) {
   render(<Replay recording={new Recording(makeDocument(change))} />);

@@ -161,7 +161,8 @@ export function Replay({ recording }: { recording: Recording }) {
         <h1 className="hidden">Boresight recording</h1>
         {moment === null ? (
           <p className="panel-failed">
-            Not known: the recording has nothing of this cycle.
+            Not known: the recording has nothing of this cycle, or nothing that
+            follows a checkpoint.
           </p>
         ) : (
           <Boundary name="banner">

@@ -61,8 +61,14 @@ test("SWR-SITE-013 it is a simulation from the first moment, and its build and r
 
 test("SWR-SITE-012 the other robots are a link away", () => {
   replace({ identity: { robot: "neuro", checksum: "1", build: "2" } });
-  const links = screen.getAllByRole<HTMLAnchorElement>("link");
-  expect(links.map(({ hash }) => hash)).toEqual(["#robot=prostate"]);
+  const link = screen.getByRole("link", { name: "prostate" });
+  expect(link.getAttribute("href")).toBe("#robot=prostate");
+  expect(screen.queryByRole("link", { name: "neuro" })).toBeNull();
+});
+
+test("SWR-SITE-035 the page for recordings is a link away", () => {
+  const link = screen.getByRole("link", { name: "Open a recording" });
+  expect(link.getAttribute("href")).toBe("./replay.html");
 });
 
 test("SWR-SITE-014 time is slower, faster, stands still, and goes by cycles then", () => {

@@ -120,6 +120,7 @@ export function Simulation({ robot, names, onAnew }: Properties) {
         <button type="button" onClick={onAnew}>
           Start anew
         </button>
+        <a href="./replay.html">Open a recording</a>
       </div>
     </section>
   );

@@ -3,6 +3,7 @@
 import { BEAT_MS, RobotDesk } from "./desk";
 import { reportOf, sceneOf } from "./link";
 import type { Order, Report } from "./messages";
+import { moduleOf } from "./packed";
 import { ServedRobot } from "./served_robot";
 
 type Start = Extract<Order, { kind: "start" }>;
@@ -10,16 +11,8 @@ type Start = Extract<Order, { kind: "start" }>;
 const tell = (report: Report) => postMessage(report);
 let desk: Promise<RobotDesk> | null = null;
 
-async function unpack(packed: string): Promise<ArrayBuffer> {
-  const bytes = Uint8Array.from(atob(packed), (one) => one.charCodeAt(0));
-  const stream = new Blob([bytes])
-    .stream()
-    .pipeThrough(new DecompressionStream("gzip"));
-  return new Response(stream).arrayBuffer();
-}
-
 async function start(order: Start): Promise<RobotDesk> {
-  const module = await WebAssembly.compile(await unpack(order.packed));
+  const module = await moduleOf(order.packed);
   const served = new ServedRobot(module);
   const { robot, seed, inputs } = sceneOf(order, served.vocabulary);
   served.start(robot, seed, order.utcS);

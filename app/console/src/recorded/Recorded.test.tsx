@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rule under test: one file at a time is read beside the page, which says how far it is, and shows it or the reason why not.
+import {
+  act,
+  cleanup,
+  fireEvent,
+  render,
+  screen,
+} from "@testing-library/react";
+import { afterEach, beforeEach, expect, test, vi } from "vitest";
+import { makeDocument } from "../testing/recording";
+import type { ReaderPort, Report } from "./messages";
+import { Recorded } from "./Recorded";
+
+vi.mock("../panels/Plots", () => ({ Plots: () => null }));
+vi.mock("../panels/Charts", () => ({ SeenCharts: () => null }));
+
+class FakeReader implements ReaderPort {
+  onmessage: ReaderPort["onmessage"] = null;
+  onerror: ReaderPort["onerror"] = null;
+  postMessage = vi.fn();
+  terminate = vi.fn();
+
+  tell(data: Report): void {
+    act(() => this.onmessage?.({ data } as MessageEvent<Report>));
+  }
+}
+
+let readers: FakeReader[];
+
+beforeEach(() => {
+  vi.stubGlobal("matchMedia", () => ({ matches: false }));
+  readers = [];
+  const newReader = () => {
+    const reader = new FakeReader();
+    readers.push(reader);
+    return reader;
+  };
+  render(<Recorded newReader={newReader} packed="module" />);
+});
+
+afterEach(() => {
+  cleanup();
+  vi.unstubAllGlobals();
+});
+
+function open(name: string): FakeReader {
+  const file = new File([name], name);
+  fireEvent.change(screen.getByLabelText("Open a recording"), {
+    target: { files: [file] },
+  });
+  const reader = readers.at(-1)!;
+  expect(reader.postMessage).toHaveBeenCalledExactlyOnceWith({
+    packed: "module",
+    file,
+  });
+  return reader;
+}
+
+function read(change: object = {}): Report {
+  const text = JSON.stringify({ ...makeDocument(), ...change });
+  return { kind: "read", document: new TextEncoder().encode(text) };
+}
+
+test("SWR-SITE-037 it says how far it is, and shows what was read", () => {
+  const reader = open("one.bsr");
+  expect(screen.getByText("Reading one.bsr, 0 %")).toBeTruthy();
+  reader.tell({ kind: "share", share: 0.428 });
+  expect(screen.getByText("Reading one.bsr, 42 %")).toBeTruthy();
+  expect(
+    screen
+      .getByRole("progressbar", { name: "Reading one.bsr" })
+      .getAttribute("value"),
+  ).toBe("0.428");
+  reader.tell(read());
+  expect(screen.getByText("Shown is one.bsr.")).toBeTruthy();
+  expect(screen.getByRole("slider", { name: "Cycle" })).toBeTruthy();
+});
+
+test("SWR-SITE-037 another file ends the reading of the one before", () => {
+  const first = open("one.bsr");
+  const second = open("two.bsr");
+  expect(first.terminate).toHaveBeenCalledOnce();
+  second.tell(read());
+  expect(screen.getByText("Shown is two.bsr.")).toBeTruthy();
+});
+
+test("SWR-SITE-036 of a file that is refused the reason is shown, and nothing of another one", () => {
+  open("one.bsr").tell(read());
+  const reader = open("two.bsr");
+  reader.tell({ kind: "refused", reason: "Block 8 was changed." });
+  expect(screen.getByRole("alert").textContent).toBe(
+    "two.bsr is not shown. Block 8 was changed.",
+  );
+  expect(screen.queryByRole("slider")).toBeNull();
+});
+
+test("SWR-SITE-036 a reader that fails, and a recording of which nothing is known, are said", () => {
+  const reader = open("one.bsr");
+  act(() => reader.onerror?.(new ErrorEvent("error", { message: "No room." })));
+  expect(screen.getByRole("alert").textContent).toContain("No room.");
+  open("two.bsr").tell(read({ rows: [[0], [100]] }));
+  expect(screen.getByRole("alert").textContent).toContain(
+    "no cycle of it is known",
+  );
+});

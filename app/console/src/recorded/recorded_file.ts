@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// The file of a recording, read by the replay of the product: recorded.wasm, as site/recorded/recorded.h has it.
+
+/** What the module exports. */
+interface Door {
+  memory: WebAssembly.Memory;
+  name(): number;
+  room(size: number): number;
+  open(): number;
+  goOn(records: number): number;
+  document(): number;
+  documentSize(): number;
+  printed(): number;
+}
+
+type Tell = (share: number) => void;
+
+const ALL = 1000;
+const NAME_BYTES = 255;
+/** Between two tellings how far it is. */
+const RECORDS = 1000;
+
+export class RecordedFile {
+  private readonly door: Door;
+
+  /** Of one file. */
+  constructor(module: WebAssembly.Module) {
+    const { exports } = new WebAssembly.Instance(module, {});
+    this.door = exports as unknown as Door;
+  }
+
+  /**
+   * What a page shows of it, JSON in UTF-8. Throws what the replay says of a file that it refuses. `tell`: the share that is done.
+   *
+   * @satisfies SWR-SITE-035
+   * @satisfies SWR-SITE-036
+   */
+  read(name: string, file: Uint8Array, tell: Tell): Uint8Array<ArrayBuffer> {
+    return this.said(() => {
+      this.put(name, file);
+      if (!this.door.open()) {
+        throw new Error("The file is refused.");
+      }
+      return this.finish(tell);
+    });
+  }
+
+  /** Goes on with what is open. */
+  finish(tell: Tell): Uint8Array<ArrayBuffer> {
+    return this.said(() => {
+      for (let done = 0; done < ALL; done = this.door.goOn(RECORDS)) {
+        tell(done / ALL);
+      }
+      const size = this.door.documentSize();
+      return this.bytes(this.door.document()).slice(0, size);
+    });
+  }
+
+  /** A failure has printed its reason. */
+  private said<Result>(run: () => Result): Result {
+    try {
+      return run();
+    } catch (cause) {
+      throw new Error(this.printed || (cause as Error).message, { cause });
+    }
+  }
+
+  private put(name: string, file: Uint8Array): void {
+    const at = this.door.room(file.length);
+    if (at === 0) {
+      throw new Error("The file is too large for this page.");
+    }
+    this.bytes(at).set(file);
+    const named = new TextEncoder().encode(name).subarray(0, NAME_BYTES);
+    this.bytes(this.door.name()).set(named);
+  }
+
+  private get printed(): string {
+    const bytes = this.bytes(this.door.printed());
+    return new TextDecoder().decode(bytes.subarray(0, bytes.indexOf(0))).trim();
+  }
+
+  private bytes(address: number): Uint8Array<ArrayBuffer> {
+    return new Uint8Array(this.door.memory.buffer, address);
+  }
+}

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// The worker that reads one recording.
+import { moduleOf } from "../site/packed";
+import type { Order, Report } from "./messages";
+import { RecordedFile } from "./recorded_file";
+
+const tell = (report: Report) => postMessage(report);
+
+async function read({ packed, file }: Order): Promise<void> {
+  const recorded = new RecordedFile(await moduleOf(packed));
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  const document = recorded.read(file.name, bytes, (share) =>
+    tell({ kind: "share", share }),
+  );
+  postMessage({ kind: "read", document } satisfies Report, {
+    transfer: [document.buffer],
+  });
+}
+
+addEventListener("message", ({ data }: MessageEvent<Order>) => {
+  read(data).catch(({ message }: Error) =>
+    tell({ kind: "refused", reason: message }),
+  );
+});
