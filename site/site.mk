@@ -3,9 +3,10 @@
 
 .PHONY: wasm site
 
-# Words are formatted by this C library. Its usual vsnprintf() would import files, to complain of long doubles.
-WASM_LIBC := $(addprefix /usr/lib/wasm32-wasi/,libc-printscan-long-double.a libc.a) \
-    /usr/lib/llvm-19/lib/clang/19/lib/wasi/libclang_rt.builtins-wasm32.a
+# Words are formatted by this C library. Its usual vsnprintf() imports files, to complain of long doubles: where nothing
+# refuses them (site/served/no_system.c), a larger one stands before it.
+WASM_LIBC := /usr/lib/wasm32-wasi/libc.a /usr/lib/llvm-19/lib/clang/19/lib/wasi/libclang_rt.builtins-wasm32.a
+WASM_LONG_DOUBLES := /usr/lib/wasm32-wasi/libc-printscan-long-double.a
 # What differs between two runs, in words.
 WATCHING := difference.c series.c source.c frame_fields.c
 CLOSED_LOOP_SOURCES := $(wildcard site/*.c) $(BOX_SOURCES) app/control/lamps.c $(addprefix app/replay/,replay.c field_name.c $(WATCHING)) \
@@ -68,11 +69,11 @@ ZSTD_SOURCES := $(addprefix $(ZSTD)/,$(addprefix common/,entropy_common.c error_
     $(addprefix decompress/,huf_decompress.c zstd_ddict.c zstd_decompress.c zstd_decompress_block.c))
 
 ifeq ($(CONFIG),wasm)
-LINK_WASM = wasm-ld-19 --no-entry --strip-all --stack-first -z stack-size=262144 $(filter %.o,$^) $(WASM_LIBC) -o $@
+LINK_WASM = wasm-ld-19 --no-entry --strip-all --stack-first -z stack-size=262144 $(filter %.o,$^) $(1) $(WASM_LIBC) -o $@
 
 build/site/robot.wasm: $(call object,$(CORE_SOURCES) $(CLOSED_LOOP_SOURCES)) site/site.mk
 	@mkdir -p $(@D)
-	@$(LINK_WASM)
+	@$(call LINK_WASM,$(WASM_LONG_DOUBLES))
 	@echo "built $@"
 
 # Headers of sockets, of which types are used, are of C11.
@@ -88,11 +89,11 @@ build/wasm/include/cjson/cJSON.h: $(ARMHF)/source/cjson/cJSON.h
 
 $(OUT)/lib/cJSON.o: $(ARMHF)/source/cjson/cJSON.c
 	@mkdir -p $(@D)
-	@$(CC) -Oz $(EXTRA) $(ANYWHERE) -c $< -o $@
+	@$(CC) $(EXTRA) -Oz $(ANYWHERE) -c $< -o $@
 
 build/site/served.wasm: $(call object,$(CORE_SOURCES) $(SERVED_SOURCES)) $(OUT)/lib/cJSON.o site/site.mk
 	@mkdir -p $(@D)
-	@$(LINK_WASM)
+	@$(call LINK_WASM)
 	@echo "built $@"
 
 $(call object,$(RECORDED_SOURCES)): site/site.mk | build/wasm/include/cjson/cJSON.h
