@@ -19,6 +19,38 @@ class TestChartConsole < Minitest::Test
     @told = Chart::Console.new(@chart, @svg).to_h
   end
 
+  SHAPE = / (?:points|x|y|cx|cy|rx|ry)="([^"]*)"/.freeze
+
+  def without_places(svg)
+    svg.gsub(SHAPE, '').gsub(/ d="[^"]*"/, '')
+  end
+
+  def tenths(places)
+    places.scan(/-?[\d.]+/).map { |number| (Rational(number) * 10).round }
+  end
+
+  # Each leg of a path of Graphviz: where it begins, its two bends, where it ends; not those that lead nowhere.
+  def absolute(path)
+    start, *points = tenths(path).each_slice(2).to_a
+    points.each_slice(3).map { |bends| [start, *bends].tap { start = bends.last } }.reject { |leg| leg.uniq.one? }
+  end
+
+  # The same of a path by ways.
+  def relative(path)
+    start = tenths(path[/\AM[^a-z]*/])
+    path.scan(/([chvl])([^a-z]*)/).map do |kind, numbers|
+      ways = legs(kind, tenths(numbers))
+      leg = [start, *ways.map { |way| start.zip(way).map(&:sum) }]
+      start = leg.last
+      leg
+    end
+  end
+
+  def legs(kind, numbers)
+    whole = { 'h' => [numbers.first, 0], 'v' => [0, numbers.first] }.fetch(kind, numbers)
+    kind == 'c' ? numbers.each_slice(2).to_a : [[0, 0], whole, whole]
+  end
+
   def changes(region)
     @told.fetch('regions').find { |one| one.fetch('name') == region }.fetch('changes')
   end
@@ -46,8 +78,16 @@ class TestChartConsole < Minitest::Test
                  @told.fetch('corners').fetch('lamp-off')
   end
 
-  def test_SWR_CON_031_the_drawing_is_all_of_the_svg_but_its_frame
-    assert_equal @svg, "#{@svg[/\A<svg .*?>\n/m]}#{@told.fetch('drawing')}</svg>\n"
+  def test_SWR_CON_031_the_drawing_is_all_of_the_svg_but_its_frame_its_font_and_its_places
+    font = / (?:text-anchor|font-family|font-size)="[^"]*"/
+    assert_equal without_places(@svg.gsub(font, '')), "#{@svg[/\A<svg .*?>\n/m]}#{without_places(@told.fetch('drawing'))}</svg>\n"
+  end
+
+  def test_SWR_CON_031_lines_and_shapes_are_where_the_svg_has_them
+    svg, told = [@svg, @told.fetch('drawing')].map { |one| [one.scan(/ d="([^"]*)"/).flatten, one.scan(SHAPE).flatten] }
+    refute_empty svg.flatten
+    assert_equal(svg.first.map { |path| absolute(path) }, told.first.map { |path| relative(path) })
+    assert_equal(svg.last.map { |places| tenths(places) }, told.last.map { |places| tenths(places) })
   end
 
   def test_SWR_CON_031_the_script_names_every_chart

@@ -5,6 +5,7 @@
 require 'json'
 require_relative '../flatten/regions'
 require_relative 'diagram'
+require_relative 'short_drawing'
 
 module Chart
   # charts.ts: the drawings of all charts for the console, with what it needs to show which states are active in them
@@ -68,7 +69,7 @@ module Chart
 
     def to_h
       { 'about' => @document.comment, 'regions' => @regions.map { |region| region(region) },
-        'transitions' => transitions, 'size' => [@width, @height].map(&:to_f), 'drawing' => @drawing,
+        'transitions' => transitions, 'size' => [@width, @height].map(&:to_f), 'drawing' => ShortDrawing.of(@drawing),
         'corners' => corners }
     end
 
