@@ -35,8 +35,7 @@ function valuesOf(axis: Axis): Values {
 }
 
 /**
- * The last 30 s of every axis by the time of control, in the memory of the page and outside of React: it is drawn as
- * often as the screen is, and nothing else is made anew for it.
+ * The last 30 s of every axis by the time of control, in the memory of the page and outside of React.
  *
  * @satisfies SWR-CON-027
  */

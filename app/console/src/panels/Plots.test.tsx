@@ -1,67 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rule under test: the chosen axes are drawn, can be held still, are read at a cursor and saved. The drawing itself is a
-// library's; here it writes down what it is given.
-import {
-  act,
-  cleanup,
-  fireEvent,
-  render,
-  screen,
-} from "@testing-library/react";
+// Rule under test: the chosen axes are drawn, can be held still, are read at a cursor and saved.
+import { cleanup, fireEvent, render, screen } from "@testing-library/react";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { saveText } from "../download";
 import { makeAxis, makeRobot } from "../testing/robot";
-import { Trace } from "../trace";
+import { Trace, TRACE_S } from "../trace";
 import { Plots } from "./Plots";
 
-interface Hooks {
-  setCursor: ((plot: object) => void)[];
-}
-
-const drawn = vi.hoisted(() => ({
-  plots: [] as {
-    hooks: Hooks;
-    data: unknown[];
-    pointed: number[];
-    isEnded: boolean;
-  }[],
-}));
-
-vi.mock("uplot", () => ({
-  default: class {
-    hooks: Hooks;
-    data: unknown[] = [];
-    pointed: number[] = [];
-    isEnded = false;
-
-    constructor(options: { hooks: Hooks }) {
-      this.hooks = options.hooks;
-      drawn.plots.push(this);
-    }
-
-    setData(data: unknown[]): void {
-      this.data = data;
-    }
-
-    setCursor({ left }: { left: number }): void {
-      this.pointed.push(left);
-    }
-
-    valToPos(value: number): number {
-      return value;
-    }
-
-    destroy(): void {
-      this.isEnded = true;
-    }
-  },
-}));
 vi.mock("../download", () => ({ saveText: vi.fn() }));
+
+/** Where 30 s ago and the end stand in a plot whose width is not known. */
+const [LEFT, RIGHT] = [64, 580];
 
 const axes = [makeAxis("head"), makeAxis("yaw", { unit: "deg", position: 7 })];
 let trace: Trace;
 let timeUs: number;
-let frame: () => void;
 
 function take(position: number): void {
   const robot = makeRobot({}, [{ ...axes[0]!, position }, axes[1]!]);
@@ -70,8 +23,26 @@ function take(position: number): void {
   trace.take(robot, timeUs / 1000);
 }
 
-function present() {
-  return drawn.plots.filter(({ isEnded }) => !isEnded);
+/** The points of that curve in each plot, each stretch between gaps: from 30 s before to the end, and as high as the plot. */
+function drawn(quantity: string): [number, number][][][] {
+  return [...document.querySelectorAll(`.plot .plot-line-${quantity}`)].map(
+    (curve) =>
+      (curve.getAttribute("d") ?? "")
+        .split("M")
+        .slice(1)
+        .map((stretch) =>
+          stretch.split("L").map((point): [number, number] => {
+            const [x = NaN, y = NaN] = point.split(",").map(Number);
+            return [((x - RIGHT) / (RIGHT - LEFT)) * TRACE_S, y];
+          }),
+        ),
+  );
+}
+
+function heights(quantity: string): number[] {
+  return drawn(quantity)
+    .flat(2)
+    .map(([, y]) => y);
 }
 
 function readings(): string[] {
@@ -83,7 +54,6 @@ function readings(): string[] {
 beforeEach(() => {
   trace = new Trace();
   timeUs = 0;
-  drawn.plots.length = 0;
   take(1);
   take(2);
   vi.stubGlobal(
@@ -93,11 +63,6 @@ beforeEach(() => {
       disconnect(): void {}
     },
   );
-  vi.stubGlobal("requestAnimationFrame", (draw: () => void) => {
-    frame = draw;
-    return 1;
-  });
-  vi.stubGlobal("cancelAnimationFrame", () => undefined);
 });
 
 afterEach(() => {
@@ -107,27 +72,52 @@ afterEach(() => {
 
 test("SWR-CON-027 the first axis is drawn at the beginning, others when they are chosen", () => {
   render(<Plots axes={axes} trace={trace} />);
-  expect(present().map(({ data }) => data)).toEqual([
-    [
-      [-0.05, 0],
-      [1, 2],
-      [12.5, 12.5],
-      [20, 20],
-    ],
-    [
-      [-0.05, 0],
-      [1, 1],
-    ],
-    [
-      [-0.05, 0],
-      [0, 0],
-    ],
-  ]);
+  expect(document.querySelectorAll(".plot")).toHaveLength(3);
   fireEvent.click(screen.getByRole("checkbox", { name: "yaw" }));
-  expect(present()).toHaveLength(6);
+  expect(document.querySelectorAll(".plot")).toHaveLength(6);
   fireEvent.click(screen.getByRole("checkbox", { name: "head" }));
-  expect(present()).toHaveLength(3);
-  expect(present()[0]?.data[1]).toEqual([7, 7]);
+  expect(document.querySelectorAll(".plot")).toHaveLength(3);
+  expect(screen.getByRole("heading").textContent).toBe("yaw");
+});
+
+test("SWR-CON-027 a value stands at its time, and the higher the greater it is", () => {
+  for (let count = 0; count < 20; count += 1) {
+    take(2);
+  }
+  render(<Plots axes={axes} trace={trace} />);
+  const [[points = []] = []] = drawn("position");
+  expect(points).toHaveLength(22);
+  expect(points[0]?.[0]).toBeCloseTo(-1.05, 1);
+  expect(points.at(-1)?.[0]).toBe(0);
+  const [one = 0, two = 0] = heights("position");
+  const [setpoint = 0] = heights("setpoint");
+  const [goal = 0] = heights("goal");
+  // 1, 2, 12.5 and 20 mm, in this scale.
+  expect((two - setpoint) / (one - two)).toBeCloseTo(10.5, 0);
+  expect((setpoint - goal) / (one - two)).toBeCloseTo(7.5, 0);
+});
+
+test("SWR-CON-027 a gap is drawn as a gap", () => {
+  timeUs += 5_000_000;
+  take(3);
+  take(4);
+  render(<Plots axes={axes} trace={trace} />);
+  expect(drawn("position")[0]?.map((stretch) => stretch.length)).toEqual([
+    2, 2,
+  ]);
+});
+
+test("SWR-CON-027 the scales have round numbers", () => {
+  render(<Plots axes={axes} trace={trace} />);
+  const words = [...document.querySelectorAll(".plot")].map((plot) =>
+    [...plot.querySelectorAll("text")].map(({ textContent }) => textContent),
+  );
+  const times = ["-30 s", "-25 s", "-20 s", "-15 s", "-10 s", "-5 s", "0 s"];
+  expect(words).toEqual([
+    [...times, "0", "5", "10", "15", "20"],
+    [...times, "0.5", "1.0", "1.5"],
+    [...times, "-100", "-50", "0", "50", "100"],
+  ]);
 });
 
 test("SWR-CON-027 a plot has its numbers in words as well", () => {
@@ -137,12 +127,11 @@ test("SWR-CON-027 a plot has its numbers in words as well", () => {
   ]);
 });
 
-test("SWR-CON-027 a frame draws what is new", () => {
-  render(<Plots axes={axes.slice(0, 1)} trace={trace} />);
+test("SWR-CON-027 what is new is drawn", () => {
+  const { rerender } = render(<Plots axes={axes} trace={trace} />);
   take(3);
-  const last = present().at(-1);
-  frame();
-  expect(last?.data[0]).toHaveLength(3);
+  rerender(<Plots axes={axes} trace={trace} />);
+  expect(heights("position")).toHaveLength(3);
 });
 
 test("SWR-CON-027 a pause holds the plots and not the robot", () => {
@@ -150,23 +139,32 @@ test("SWR-CON-027 a pause holds the plots and not the robot", () => {
   fireEvent.click(screen.getByRole("button", { name: "Pause" }));
   take(3);
   rerender(<Plots axes={axes} trace={trace} />);
-  frame();
-  expect(present().at(-1)?.data[0]).toHaveLength(2);
+  expect(heights("position")).toHaveLength(2);
   expect(readings()[0]).toMatch(/^At the pause; .*position 2\.00 mm/);
   fireEvent.click(screen.getByRole("button", { name: "Go on" }));
-  frame();
-  expect(present().at(-1)?.data[0]).toHaveLength(3);
+  expect(heights("position")).toHaveLength(3);
   expect(readings()[0]).toMatch(/^Now; .*position 3\.00 mm/);
 });
 
+function cursors(): (string | null)[] {
+  return [...document.querySelectorAll(".plot-cursor")].map((one) =>
+    one.getAttribute("d"),
+  );
+}
+
 test("SWR-CON-027 the cursor reads all plots, by the pointer", () => {
   render(<Plots axes={axes} trace={trace} />);
-  const [plot] = present();
-  const data = [[-0.05, 0]];
-  act(() => plot?.hooks.setCursor[0]?.({ cursor: { idx: 0 }, data }));
+  const plot = document.querySelector(".plot")!;
+  fireEvent.pointerMove(plot, { clientX: RIGHT - 1 });
   expect(readings()[0]).toMatch(/^0\.05 s before; .*position 1\.00 mm/);
-  act(() => plot?.hooks.setCursor[0]?.({ cursor: { idx: null }, data }));
+  expect(cursors()).toEqual(Array(3).fill(`M${RIGHT - 1},8V124`));
+  fireEvent.pointerMove(plot, { clientX: RIGHT + 1 });
+  expect(cursors()).toEqual([]);
+  fireEvent.pointerMove(plot, { clientX: LEFT });
+  expect(cursors()).toHaveLength(3);
+  fireEvent.pointerLeave(plot);
   expect(readings()[0]).toMatch(/^Now; .*position 2\.00 mm/);
+  expect(cursors()).toEqual([]);
 });
 
 test("SWR-CON-027 the cursor reads all plots, by keys", () => {
@@ -175,11 +173,7 @@ test("SWR-CON-027 the cursor reads all plots, by keys", () => {
     target: { value: "-0.05" },
   });
   expect(readings()[0]).toMatch(/^0\.05 s before; .*position 1\.00 mm/);
-  expect(present().map(({ pointed }) => pointed)).toEqual([
-    [-0.05],
-    [-0.05],
-    [-0.05],
-  ]);
+  expect(cursors()).toHaveLength(3);
 });
 
 test("SWR-CON-027 the chosen axes are saved as they are shown", () => {

@@ -1,79 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-import { useEffect, useId, useRef, useState } from "react";
+import { useId, useState } from "react";
 import type { Axis } from "@interface";
 import { saveText } from "../download";
 import { formatNumber, formatSpeed, formatValue } from "../format";
 import { TRACE_S, type Trace } from "../trace";
-import { Chart, chartKinds, type ChartKind } from "./chart";
+import { Plot, plotKinds, type PlotKind, type PlotProperties } from "./Plot";
 import "./Plots.css";
 
 const CURSOR_STEP_S = 0.05;
-
-/** Where the plots are read; the pointer shows its own place. */
-interface Cursor {
-  agoS: number;
-  isByKeys: boolean;
-}
-
-interface DrawingProperties {
-  kind: ChartKind;
-  axis: Axis;
-  trace: Trace;
-  cursor: Cursor | null;
-  onCursor: (agoS: number | null) => void;
-}
-
-/** Drawn with the frames of the screen, and only when something is new. */
-function Drawing({ kind, axis, trace, cursor, onCursor }: DrawingProperties) {
-  const place = useRef<HTMLDivElement>(null);
-  const chart = useRef<Chart | null>(null);
-  const told = useRef(onCursor);
-  useEffect(() => {
-    told.current = onCursor;
-  });
-  const { name, unit } = axis;
-  useEffect(() => {
-    const element = place.current;
-    if (element === null) {
-      return undefined;
-    }
-    const drawing = new Chart({
-      kind,
-      axis: { name, unit },
-      place: element,
-      onCursor: (agoS) => told.current(agoS),
-    });
-    const observer = new ResizeObserver(() =>
-      drawing.resize(element.clientWidth),
-    );
-    observer.observe(element);
-    chart.current = drawing;
-    return () => {
-      observer.disconnect();
-      drawing.end();
-      chart.current = null;
-    };
-  }, [kind, name, unit]);
-  useEffect(() => {
-    let drawn = -1;
-    let frame = 0;
-    const draw = () => {
-      if (trace.revision !== drawn) {
-        drawn = trace.revision;
-        chart.current?.draw(trace);
-      }
-      frame = requestAnimationFrame(draw);
-    };
-    draw();
-    return () => cancelAnimationFrame(frame);
-  }, [trace, kind, name, unit]);
-  useEffect(() => {
-    if (cursor?.isByKeys === true) {
-      chart.current?.point(cursor.agoS);
-    }
-  }, [cursor]);
-  return <div className="plot" ref={place} aria-hidden="true" />;
-}
 
 /** What the plot shows at the cursor, or at its end, in numbers. */
 function Reading({
@@ -105,18 +39,18 @@ function Reading({
   );
 }
 
-function Legend({ kind }: { kind: ChartKind }) {
+function Legend({ kind }: { kind: PlotKind }) {
   return (
     <ul className="plot-legend">
       {kind.curves.map(({ quantity, label, dash }) => (
         <li key={quantity}>
           <svg viewBox="0 0 30 10" aria-hidden="true">
             <line
-              className={`plot-line-${quantity}`}
+              className={`plot-line plot-line-${quantity}`}
               x2="30"
               y1="5"
               y2="5"
-              strokeDasharray={dash?.join(" ")}
+              strokeDasharray={dash}
             />
           </svg>
           {label}
@@ -129,27 +63,27 @@ function Legend({ kind }: { kind: ChartKind }) {
 function AxisPlots({
   axis,
   trace,
-  cursor,
+  agoS,
   onCursor,
   end,
-}: Omit<DrawingProperties, "kind"> & { end: string }) {
+}: Omit<PlotProperties, "kind"> & { end: string }) {
   const id = useId();
   return (
     <section className="plots-axis" aria-labelledby={id}>
       <h3 id={id}>{axis.name}</h3>
-      <Reading axis={axis} trace={trace} agoS={cursor?.agoS ?? 0} end={end} />
+      <Reading axis={axis} trace={trace} agoS={agoS ?? 0} end={end} />
       <div className="plots-kinds">
-        {chartKinds.map((kind) => (
+        {plotKinds.map((kind) => (
           <figure key={kind.title}>
             <figcaption>
               {kind.title}, {kind.unitOf(axis.unit)}
               {kind.curves.length > 1 && <Legend kind={kind} />}
             </figcaption>
-            <Drawing
+            <Plot
               kind={kind}
               axis={axis}
               trace={trace}
-              cursor={cursor}
+              agoS={agoS}
               onCursor={onCursor}
             />
           </figure>
@@ -186,7 +120,7 @@ export function Plots({
 }) {
   const { chosen, toggle } = useChosen(axes);
   const [paused, setPaused] = useState<Trace | null>(null);
-  const [cursor, setCursor] = useState<Cursor | null>(null);
+  const [cursor, setCursor] = useState<number | null>(null);
   const shown = paused ?? trace;
   const save = () => saveText("plot.csv", "text/csv", shown.csv(chosen));
   return (
@@ -221,13 +155,10 @@ export function Plots({
             min={-TRACE_S}
             max={0}
             step={CURSOR_STEP_S}
-            value={-(cursor?.agoS ?? 0)}
-            aria-valuetext={`${(cursor?.agoS ?? 0).toFixed(2)} s before the end`}
+            value={-(cursor ?? 0)}
+            aria-valuetext={`${(cursor ?? 0).toFixed(2)} s before the end`}
             onChange={(event) =>
-              setCursor({
-                agoS: Math.abs(Number(event.target.value)),
-                isByKeys: true,
-              })
+              setCursor(Math.abs(Number(event.target.value)))
             }
           />
         </label>
@@ -237,11 +168,9 @@ export function Plots({
           key={axis.name}
           axis={axis}
           trace={shown}
-          cursor={cursor}
+          agoS={cursor}
           end={paused === null ? "Now" : "At the pause"}
-          onCursor={(agoS) =>
-            setCursor(agoS === null ? null : { agoS, isByKeys: false })
-          }
+          onCursor={setCursor}
         />
       ))}
     </>
