@@ -18,7 +18,6 @@
 #include <stdio.h>
 #include <string.h>
 
-
 #define ALL_SLOTS 0x3FFU
 #define USED_SLOTS 0x0FEU /* 1..7 */
 

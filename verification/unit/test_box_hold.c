@@ -20,7 +20,6 @@
 
 #include <string.h>
 
-
 #define NOW_US UINT64_C(5000000000000)
 
 static box_t box;

@@ -25,7 +25,6 @@
 #include <stdio.h>
 #include <string.h>
 
-
 static box_t box;
 static box_order_t order;
 

@@ -49,7 +49,6 @@ static void *find_symbol(void *handle, const char *name)
 #define dlsym find_symbol
 #include "nifpga/fpga.c"
 
-
 #define OUR_SLOTS 0xFEU
 #define WHO "does not say who accepts the cards, and when (\"A. Engineer, 2026-11-23\")"
 #define PATIENCE_NS (UINT64_C(60000) * NS_PER_MS)

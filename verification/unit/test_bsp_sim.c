@@ -23,7 +23,6 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-
 #define TIMEOUT_US 2000U
 #define LONG_TIMEOUT_US 5000000U
 

@@ -10,7 +10,6 @@
 
 #include <string.h>
 
-
 #define SLOT 3U
 
 static const wiring_spi_t spi = {

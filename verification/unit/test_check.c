@@ -22,7 +22,6 @@
 #include <string.h>
 #include <sys/stat.h>
 
-
 #define PATH_SIZE 256U
 #define INTERRUPTS "           CPU0       CPU1\n"
 

@@ -31,7 +31,6 @@
 #include "control_main.c"
 #undef main
 
-
 #define ALL_SLOTS 0x0FEU
 #define LAST_CYCLE 20U
 #define MOST_EXCHANGES 64U

@@ -21,7 +21,6 @@
 #include "robot/robot_neuro.h"
 #include "safety/coupled_guard.h"
 
-
 /* 984 ticks/s for 4.5 ms, rounded up, and the tick of a count. */
 #define DRIVEN_TICKS 6
 #define RESTING_TICKS 1

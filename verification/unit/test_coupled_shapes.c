@@ -19,7 +19,6 @@
 #include "safety/coupled_guard.h"
 #include "unit/support/scenes.h"
 
-
 #define AXES 4U
 #define TICK_NM 1000
 #define FULL_SPEED 9000

@@ -15,7 +15,6 @@
 
 #include <string.h>
 
-
 #define SEQUENCE 0xFFFFFFFEU /* Its wrap is inside. */
 #define TIME_US 4711U
 #define ALL_SLOTS 0x0FEU

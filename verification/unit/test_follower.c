@@ -14,7 +14,6 @@
 #include "robot/joints.h"
 #include "robot/robot_neuro.h"
 
-
 static const card_drive_t off = {CARD_DRIVE_OFF, 0U, 0U, 0U};
 
 static robot_t robot;

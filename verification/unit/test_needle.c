@@ -12,7 +12,6 @@
 #include "robot/robot_neuro.h"
 #include "safety/needle.h"
 
-
 /* 0.625 mm of 3333.34 ticks. */
 #define OUT_TICKS 2083
 

@@ -20,7 +20,6 @@
 #include "robot/robot_neuro.h"
 #include "unit/support/contract_trap.h"
 
-
 static plan_t plan;
 static const plan_proposer_t proposer = {.peer = 21U, .cycle = 4711U};
 static const plan_origin_t nobody = {.ignores_rotation = false};

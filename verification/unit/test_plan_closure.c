@@ -17,7 +17,6 @@
 
 #include <string.h>
 
-
 /* The two carriages apart: here the coupled limit is looked at by itself. */
 static robot_t lone;
 static int32_t planned_ticks[ROBOT_AXIS_MAX];

@@ -18,7 +18,6 @@
 
 #include <string.h>
 
-
 static snapshot_t snapshot;
 static plan_t plan;
 static const plan_origin_t nobody = {.ignores_rotation = false};

@@ -6,7 +6,6 @@
 #include "robot/probe.h"
 #include "robot/robot_neuro.h"
 
-
 extern const robot_t robot_bench2;
 extern const robot_t robot_prostate;
 

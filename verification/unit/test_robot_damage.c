@@ -10,7 +10,6 @@
 #include <stddef.h>
 #include <string.h>
 
-
 static robot_t robot;
 
 void setUp(void)

@@ -12,7 +12,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-
 /* Ends a test that would wait for ever. */
 #define GIVE_UP_S 30U
 

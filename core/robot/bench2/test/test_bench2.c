@@ -12,7 +12,6 @@
 
 #include <stddef.h>
 
-
 #define GOLDEN_COUNT (sizeof golden_bench2 / sizeof golden_bench2[0])
 
 static joints_t joints;
