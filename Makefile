@@ -26,7 +26,8 @@ CC_arm := arm-linux-gnueabihf-gcc
 CC_static := gcc
 CC_wasm := clang-19
 CC := $(CC_$(CONFIG))
-EXTRA_asan := -fsanitize=address,undefined -fno-sanitize-recover=all
+# What is watched runs as fast by -O1 as by -O2, and compiles in half of the time.
+EXTRA_asan := -O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all
 # Static, so that it runs whatever C library there is; files and times beyond 32 bit.
 ARMHF := .tools/armhf
 EXTRA_arm := -mcpu=cortex-a9 -mfpu=vfpv3-d16 -D_FILE_OFFSET_BITS=64 -D_TIME_BITS=64 \

@@ -18,14 +18,14 @@ require_relative 'results'
 class CTests
   UNITY = Dir['.tools/gems/gems/ceedling-*/vendor/unity'].first
   CMOCK = Dir['.tools/gems/gems/ceedling-*/vendor/cmock'].first
-  FLAGS = %w[-std=c99 -g -ffp-contract=off -D_GNU_SOURCE -DUNITY_INCLUDE_DOUBLE -DUNITY_SUPPORT_64
+  FLAGS = %w[-std=c99 -g1 -ffp-contract=off -D_GNU_SOURCE -DUNITY_INCLUDE_DOUBLE -DUNITY_SUPPORT_64
              -DUNITY_INT_WIDTH=32 -isystem/usr/include/umockdev-1.0 -isystem/usr/include/glib-2.0
              -isystem/usr/lib/x86_64-linux-gnu/glib-2.0/include].freeze
   WAYS = {
-    'asan' => { compiler: %w[gcc -DSCENE_DIVISOR=3U -fsanitize=address,undefined -fno-sanitize-recover=all], runner: [],
+    'asan' => { compiler: %w[gcc -DSCENE_DIVISOR=10U -fsanitize=address,undefined -fno-sanitize-recover=all], runner: [],
                 libraries: %w[-Wl,--as-needed -lzstd -lcjson -lcrypto -lcrypt -lpthread -lrt -lm -lumockdev -lgobject-2.0
                               -lglib-2.0] },
-    'arm' => { compiler: %w[arm-linux-gnueabihf-gcc -DSCENE_DIVISOR=3U -mcpu=cortex-a9 -mfpu=vfpv3-d16 -static], runner: %w[qemu-arm],
+    'arm' => { compiler: %w[arm-linux-gnueabihf-gcc -DSCENE_DIVISOR=10U -mcpu=cortex-a9 -mfpu=vfpv3-d16 -static], runner: %w[qemu-arm],
                libraries: %w[-lm] }
   }.freeze
   # The tests of a chart are as generated: beside it.

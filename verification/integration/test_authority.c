@@ -13,6 +13,7 @@
 #include "interface/note_kind.h"
 #include "limits/requirement_limits.h"
 #include "robot/robot_neuro.h"
+#include "unit/support/scenes.h"
 
 #include <string.h>
 
@@ -269,7 +270,7 @@ void test_SWR_AUTH_006_nobody_has_it_before_the_axes_rest(void)
 /* The holder falls silent in each of the cycles in which the axes begin to move. */
 void test_SWR_AUTH_006_rest_is_measured_after_the_loss(void)
 {
-    for (uint32_t cycles = 0U; cycles < 100U; cycles++) {
+    for (uint32_t cycles = 0U; cycles < 100U; cycles += SCENE_DIVISOR) {
         rig_start_targeted(&rig);
         rig_cycles(&rig, 600U);
         TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET).status);

@@ -480,7 +480,7 @@ void test_SWR_EVENT_005_what_happens_after_a_command_is_not_put_down_to_it(void)
     rig_start_targeted(&rig);
     rig_leave(&rig);
     command_by(COMMAND_SOURCE_IGTL, 7U, COMMAND_WORKPHASE, WORKPHASE_MOVE_TO_TARGET);
-    rig_cycles(&rig, (LIMIT_ARMED_HOLD_US / 1000U) + 1U);
+    rig_let_expire(&rig);
     expect_cause(EVENT_ORDER_EXPIRED, EVENT_CAUSE_NONE, 0U);
 }
 

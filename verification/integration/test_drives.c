@@ -38,8 +38,7 @@ static void expect_jogs_by(card_drive_mode_t mode, const robot_t *robot, uint32_
                            const int32_t places[2])
 {
     uint32_t driven = 0U;
-    rig_start_robot(&rig, robot);
-    rig_home(&rig);
+    rig_start_robot_homed(&rig, robot);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_MANUAL).status);
     for (uint32_t place = 0U; place < 2U; place++) {
         TEST_ASSERT_EQUAL_UINT32(ANSWER_ACCEPTED, jog(axis, places[place]).kind);
@@ -59,17 +58,17 @@ static void expect_jogs_by(card_drive_mode_t mode, const robot_t *robot, uint32_
     TEST_ASSERT_TRUE(axis_is_homed(&rig.controller.axes[axis]));
 }
 
-void test_SWR_DRIVE_010_a_high_frequency_axis_goes_there_and_back(void)
-{
-    expect_jogs_by(CARD_DRIVE_HIGH_FREQUENCY, &robot_prostate, AXIS_ROTATION,
-                   (const int32_t[]){900, -900});
-}
-
 void test_SWR_DRIVE_010_a_piezo_motor_on_an_analog_card_goes_there_and_back(void)
 {
     TEST_ASSERT_EQUAL_UINT8(MOTOR_TYPE_PIEZO, robot_bench2.axes[AXIS_NEEDLE].motor_type);
     TEST_ASSERT_EQUAL_INT32(LIMIT_PIEZO_HOTTEST_DC, robot_bench2.axes[AXIS_NEEDLE].hottest_dc);
     expect_jogs_by(CARD_DRIVE_ANALOG, &robot_bench2, AXIS_NEEDLE, (const int32_t[]){20000, 500});
+}
+
+void test_SWR_DRIVE_010_a_high_frequency_axis_goes_there_and_back(void)
+{
+    expect_jogs_by(CARD_DRIVE_HIGH_FREQUENCY, &robot_prostate, AXIS_ROTATION,
+                   (const int32_t[]){900, -900});
 }
 
 void test_SWR_DRIVE_008_a_hot_motor_is_disabled_and_keeps_its_position(void)

@@ -80,7 +80,7 @@ void test_SWR_JOG_016_the_needle_leaves_before_the_base_homes(void)
 {
     static const uint32_t lost[] = {AXIS_LATERAL, AXIS_PITCH, AXIS_YAW};
     const double *const needle = &rig.box.axes[AXIS_INSERTION].motor.position_ticks;
-    for (uint32_t i = 0U; i < (sizeof lost / sizeof lost[0]); i++) {
+    for (uint32_t i = 0U; i < SCENES(3U); i++) {
         const double *const place = &rig.box.axes[lost[i]].motor.position_ticks;
         lose_at_target(lost[i]);
         const double start = *place;
@@ -257,7 +257,7 @@ void test_SWR_AXIS_015_a_reversed_encoder_is_found_in_the_first_leg_of_homing(vo
 void test_SWR_AXIS_013_every_axis_homes_from_both_ends(void)
 {
     double true_ticks[ROBOT_AXIS_MAX];
-    for (uint32_t end = 0U; end < 2U; end++) {
+    for (uint32_t end = 0U; end < SCENES(2U); end++) {
         rig_start(&rig);
         for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
             sim_motor_t *const motor = &rig.box.axes[i].motor;

@@ -243,6 +243,6 @@ void test_SWR_FLOW_001_of_two_motions_the_one_that_gives_way_and_the_new_one_are
     rig.events[0] = rig.events[1];
     rig.event_count = 1U;
     expect_named(EVENT_ORDER_ARMED, MODE_VELOCITY, WORKPHASE_MANUAL);
-    rig_cycles(&rig, (LIMIT_ARMED_HOLD_US / 1000U) + 1U);
+    rig_let_expire(&rig);
     expect_named(EVENT_ORDER_EXPIRED, MODE_VELOCITY, 0);
 }

@@ -7,6 +7,7 @@
 #include "interface/app/names.h"
 #include "limits/requirement_limits.h"
 #include "robot/robot_neuro.h"
+#include "unit/support/scenes.h"
 
 #include <string.h>
 
@@ -85,7 +86,7 @@ static void start(workphase_t workphase, knowledge_t knowledge)
     plan(knowledge);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, workphase).status);
     if (rig.outputs.snapshot.order != (uint32_t)ARMING_STATE_NONE) {
-        rig_cycles(&rig, (LIMIT_ARMED_HOLD_US / 1000U) + 1U); /* What is armed expires. */
+        rig_let_expire(&rig); /* What is armed expires. */
     }
     if (knowledge == WITHOUT_PROBE) {
         (void)memcpy(probe_nm, rig.outputs.snapshot.probe_nm, sizeof probe_nm);
@@ -113,8 +114,6 @@ void test_SWR_NEXT_001_what_is_asked_for_is_obeyed_in_each_workphase_and_leads_t
         knowledge_t knowledge;
         next_step_t step;
     } rows[] = {
-        {WORKPHASE_START_UP, UNREGISTERED, NEXT_STEP_CALIBRATION},
-        {WORKPHASE_START_UP, REGISTERED, NEXT_STEP_PLANNING},
         {WORKPHASE_PLANNING, UNREGISTERED, NEXT_STEP_CALIBRATION},
         {WORKPHASE_PLANNING, REGISTERED, NEXT_STEP_TARGETING},
         {WORKPHASE_PLANNING, TARGETED, NEXT_STEP_TARGETING},
@@ -136,8 +135,10 @@ void test_SWR_NEXT_001_what_is_asked_for_is_obeyed_in_each_workphase_and_leads_t
         {WORKPHASE_STOP, WITHOUT_PROBE, NEXT_STEP_PROBE},
         {WORKPHASE_EMERGENCY, UNREGISTERED, NEXT_STEP_START_UP},
         {WORKPHASE_EMERGENCY, TARGETED, NEXT_STEP_START_UP},
+        {WORKPHASE_START_UP, UNREGISTERED, NEXT_STEP_CALIBRATION},
+        {WORKPHASE_START_UP, REGISTERED, NEXT_STEP_PLANNING},
     };
-    for (uint32_t i = 0U; i < (sizeof rows / sizeof rows[0]); i++) {
+    for (uint32_t i = 0U; i < SCENES(sizeof rows / sizeof rows[0]); i++) {
         const char *const where = workphase_name((int32_t)rows[i].workphase);
         start(rows[i].workphase, rows[i].knowledge);
         TEST_ASSERT_EQUAL_STRING_MESSAGE(next_step_name((int32_t)rows[i].step),

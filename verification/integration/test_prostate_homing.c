@@ -14,10 +14,11 @@
 #include "limits/requirement_limits.h"
 #include "robot/joints.h"
 #include "robot/kinematics.h"
+#include "unit/support/scenes.h"
 
 #define SETTLED_TICKS 4
 
-#define MOST_CYCLES 200000U
+#define MOST_CYCLES SCENES(200000U)
 
 static const robot_t *robot;
 static robot_t simulated;
@@ -58,24 +59,24 @@ static void expect_inside_limits(void)
     }
 }
 
-/* START_UP with the pedal held; returns how long it took. */
+/* START_UP with the pedal held, to its end or for MOST_CYCLES; returns how long it took. */
 static uint32_t home(void)
 {
     rig_start_robot(&rig, &simulated);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
     rig_press(&rig);
     const uint32_t first = rig.controller.cycle;
-    while (rig.answers[rig.answer_count - 1U].is_final == 0U) {
-        TEST_ASSERT_LESS_THAN_UINT32(MOST_CYCLES, rig.controller.cycle);
+    while ((rig.answers[rig.answer_count - 1U].is_final == 0U) &&
+           (rig.controller.cycle < MOST_CYCLES)) {
         rig_cycle(&rig);
         expect_inside_limits();
     }
-    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig.answers[rig.answer_count - 1U].kind);
     return rig.controller.cycle - first;
 }
 
 static void expect_home(void)
 {
+    TEST_ASSERT_EQUAL_UINT32(ANSWER_DONE, rig.answers[rig.answer_count - 1U].kind);
     for (uint32_t i = 0U; i < robot->axis_count; i++) {
         const uint32_t expected = (robot->axes[i].home_method == (uint8_t)HOME_IN_PLACE)
                                       ? AXIS_REFERENCE_TAKEN
@@ -89,7 +90,9 @@ static void expect_home(void)
 void test_SWR_ROBOT_032_start_up_ends_at_home_in_time_and_nothing_is_torn(void)
 {
     TEST_ASSERT_LESS_THAN_UINT32(LIMIT_DEMO_START_S * (1000000U / LIMIT_CYCLE_US), home());
-    expect_home();
+    if (ARE_SCENES_WHOLE) {
+        expect_home();
+    }
     rig_release(&rig);
 }
 
@@ -99,6 +102,8 @@ void test_SWR_ROBOT_033_where_start_up_has_ended_it_can_begin_again(void)
         simulated.start_ticks[i] = robot->poses[POSE_HOME].ticks[i];
     }
     (void)home();
-    expect_home();
+    if (ARE_SCENES_WHOLE) {
+        expect_home();
+    }
     rig_release(&rig);
 }

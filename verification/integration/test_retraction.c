@@ -14,6 +14,7 @@
 #include "limits/requirement_limits.h"
 #include "robot/robot_neuro.h"
 #include "safety/needle.h"
+#include "unit/support/scenes.h"
 
 #include <string.h>
 
@@ -184,7 +185,7 @@ void test_SWR_PHASE_008_the_needle_is_drawn_out_in_each_workphase(void)
     static rig_t inserted;
     start_inserted();
     inserted = rig;
-    for (uint32_t i = 0U; i < (sizeof workphases / sizeof workphases[0]); i++) {
+    for (uint32_t i = 0U; i < SCENES(sizeof workphases / sizeof workphases[0]); i++) {
         rig = inserted;
         const bool is_calibration = workphases[i] == WORKPHASE_CALIBRATION;
         (void)rig_workphase(&rig, is_calibration ? WORKPHASE_PLANNING : WORKPHASE_STOP);

@@ -5,7 +5,10 @@
 #include "integration/support/rig.h"
 
 #include "robot/robot_neuro.h"
+#include "unit/support/scenes.h"
 #include "unity.h"
+
+#define WAY_TICKS ((int32_t)SCENES(7000U))
 
 static rig_t rig;
 
@@ -33,8 +36,8 @@ static void jog(int32_t ticks)
 static void jog_to_and_fro(uint32_t times)
 {
     for (uint32_t i = 0U; i < times; i++) {
-        jog(7000);
-        jog(-7000);
+        jog(WAY_TICKS);
+        jog(-WAY_TICKS);
     }
 }
 

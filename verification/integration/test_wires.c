@@ -111,7 +111,7 @@ void test_SWR_NEXT_002_a_move_that_expired_or_was_discarded_has_not_arrived(void
 {
     rig_start_targeted(&rig);
     (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
-    rig_cycles(&rig, (LIMIT_ARMED_HOLD_US / 1000U) + 1U);
+    rig_let_expire(&rig);
     TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_ORDER_EXPIRED));
     expect_step(NEXT_STEP_MOVE);
     begin_move();
@@ -132,7 +132,7 @@ void test_SWR_NEXT_002_arrival_is_shown_until_the_next_order(void)
     expect_step(NEXT_STEP_NOTHING);
     (void)rig_workphase(&rig, WORKPHASE_MOVE_TO_TARGET);
     expect_step(NEXT_STEP_PRESS_PEDAL);
-    rig_cycles(&rig, (LIMIT_ARMED_HOLD_US / 1000U) + 1U);
+    rig_let_expire(&rig);
     expect_step(NEXT_STEP_MOVE);
 }
 

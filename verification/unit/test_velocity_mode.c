@@ -20,6 +20,7 @@
 #include "safety/coupled_guard.h"
 #include "safety/needle.h"
 #include "unit/support/mode_world.h"
+#include "unit/support/scenes.h"
 
 #define LONG_CYCLES 200000U
 #define ONE(axis) LEG_AXIS(axis)
@@ -336,7 +337,7 @@ static void run_to_limit(uint32_t axis, bool is_up)
 
 void test_SWR_VEL_006_each_axis_comes_to_rest_at_its_limits(void)
 {
-    for (uint32_t i = 0U; i < 40U; i++) {
+    for (uint32_t i = 0U; i < SCENES(40U); i++) {
         for (uint32_t axis = 0U; axis < robot.axis_count; axis++) {
             if (!shares_limit(axis)) {
                 const uint32_t seed = (i * 8U) + axis + 1U;
@@ -386,7 +387,7 @@ static int32_t any_speed(uint32_t axis)
 void test_SWR_VEL_007_two_axes_at_any_speeds_come_to_rest_before_the_limit_they_share(void)
 {
     uint32_t ended = 0U;
-    for (uint32_t i = 0U; i < 100U; i++) {
+    for (uint32_t i = 0U; i < SCENES(100U); i++) {
         setUp();
         random_state = i + 1U;
         put(AXIS_HEAD, random_within(-5000, -300));
@@ -404,7 +405,7 @@ void test_SWR_VEL_007_two_axes_at_any_speeds_come_to_rest_before_the_limit_they_
             ended++;
         }
     }
-    TEST_ASSERT_GREATER_THAN_UINT32(20U, ended);
+    TEST_ASSERT_GREATER_THAN_UINT32(SCENES(20U), ended);
 }
 
 void test_SWR_VEL_007_what_is_outside_may_come_back_but_go_no_farther_out(void)

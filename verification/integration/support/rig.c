@@ -6,6 +6,7 @@
 #include "card/card_dialect.h"
 #include "card/card_words.h"
 #include "integration/support/aim32_box.h"
+#include "limits/requirement_limits.h"
 #include "robot/robot_neuro.h"
 #include "unity.h"
 
@@ -218,6 +219,14 @@ void rig_release(rig_t *self)
     rig_cycles(self, 10U);
 }
 
+void rig_let_expire(rig_t *self)
+{
+    const uint32_t usual_us = self->elapsed_us;
+    self->elapsed_us = LIMIT_OVERRUN_US;
+    rig_cycles(self, (LIMIT_ARMED_HOLD_US / LIMIT_OVERRUN_US) + 1U);
+    self->elapsed_us = usual_us;
+}
+
 answer_t rig_finish(rig_t *self, uint32_t most)
 {
     for (uint32_t i = 0U; i < most; i++) {
@@ -239,18 +248,23 @@ void rig_home(rig_t *self)
     rig_release(self);
 }
 
-void rig_start_needle_homed(rig_t *self)
+void rig_start_robot_needle_homed(rig_t *self, const robot_t *robot)
 {
-    rig_start(self);
+    rig_start_robot(self, robot);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(self, WORKPHASE_START_UP).status);
     rig_press(self);
-    while (!axis_is_homed(&self->controller.axes[AXIS_INSERTION])) {
+    while (!axis_is_homed(&self->controller.axes[robot->needle_axis])) {
         TEST_ASSERT_LESS_THAN_UINT32(20000U, self->controller.cycle);
         rig_cycle(self);
     }
     rig_release(self);
     TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(self, WORKPHASE_MANUAL).status);
     rig_forget(self);
+}
+
+void rig_start_needle_homed(rig_t *self)
+{
+    rig_start_robot_needle_homed(self, &robot_neuro);
 }
 
 /* A little inside of its switch, from where homing is short. A block has lengths to keep: it stays.

@@ -78,6 +78,9 @@ answer_t rig_workphase(rig_t *self, workphase_t workphase);
 void rig_press(rig_t *self);
 void rig_release(rig_t *self);
 
+/** No pedal until what is armed has expired; with the longest cycles that are not late. */
+void rig_let_expire(rig_t *self);
+
 /** Runs until the pending command is answered for good, at most `most` cycles. @return that answer
  */
 answer_t rig_finish(rig_t *self, uint32_t most);
@@ -85,9 +88,10 @@ answer_t rig_finish(rig_t *self, uint32_t most);
 /** START_UP with the pedal held until every axis is homed, then the pedal is released. */
 void rig_home(rig_t *self);
 
-/** START_UP with the pedal held until the needle is homed; then MANUAL. Feet and rotation, which
- * are taken where they stand, are homed as well. */
+/** START_UP with the pedal held until the needle is homed; then MANUAL. Axes that are taken where
+ * they stand, as the rotation, are homed as well. */
 void rig_start_needle_homed(rig_t *self);
+void rig_start_robot_needle_homed(rig_t *self, const robot_t *robot);
 
 /** A rig that is homed; homed once and copied, until it is asked for another robot. */
 void rig_start_homed(rig_t *self);

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * How many of the scenes of a long test are played. The code under test as it is delivered plays
- * all of them; where each instruction is emulated or watched (tools/c_tests.rb), one of three:
- * there the question is what a processor or a sanitizer makes of the code, not what the code
- * decides.
+ * How much of a long test is played. The code under test as it is delivered plays all; where each
+ * instruction is emulated or watched (tools/c_tests.rb), every test plays, a long one a tenth of
+ * its scenes, of its time or of its way: there the question is what a processor or a sanitizer
+ * makes of the code, not what the code decides. What only the whole can show is asked for where
+ * ARE_SCENES_WHOLE.
  */
 #ifndef BORESIGHT_SCENES_H
 #define BORESIGHT_SCENES_H
@@ -13,6 +14,8 @@
 #define SCENE_DIVISOR 1U
 #endif
 
+#define ARE_SCENES_WHOLE (SCENE_DIVISOR == 1U)
+/** How many of `count`, at least one. */
 #define SCENES(count) (((count) + (SCENE_DIVISOR - 1U)) / SCENE_DIVISOR)
 
 #endif
