@@ -26,6 +26,7 @@ static robot_t robot; /* The NeuroRobot with a card that has no motor. */
 void setUp(void)
 {
     robot = robot_neuro;
+    rig_put_near_switches(&robot);
     robot.sensor_slots = (uint32_t)1U << SENSOR;
     robot.seal = seal_of(SEAL_START, (const uint8_t *)&robot, offsetof(robot_t, seal));
     rig_start_robot(&rig, &robot);

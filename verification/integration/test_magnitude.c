@@ -25,6 +25,7 @@ static bool is_without_pwm(uint32_t axis)
 void setUp(void)
 {
     rig_set_magnitude_robot(&robot, &robot_neuro);
+    rig_put_near_switches(&robot);
 }
 
 void tearDown(void)

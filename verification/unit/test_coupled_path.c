@@ -12,6 +12,7 @@
 #include "robot/coupled_path.h"
 #include "robot/joints.h"
 #include "robot/robot_neuro.h"
+#include "unit/support/scenes.h"
 
 #define AXES 4U
 #define TICK_NM 1000
@@ -123,7 +124,7 @@ static void judge_many(uint32_t span_ticks, int64_t near_nm)
 {
     uint32_t refused = 0U;
     uint32_t taken = 0U;
-    for (uint32_t i = 0U; i < 2000U; i++) {
+    for (uint32_t i = 0U; i < SCENES(2000U); i++) {
         int32_t from[ROBOT_AXIS_MAX] = {0};
         int32_t to[ROBOT_AXIS_MAX] = {0};
         draw_end(from, span_ticks);
@@ -139,8 +140,8 @@ static void judge_many(uint32_t span_ticks, int64_t near_nm)
             TEST_ASSERT_GREATER_THAN_INT64(-near_nm, beyond);
         }
     }
-    TEST_ASSERT_GREATER_THAN_UINT32(50U, refused);
-    TEST_ASSERT_GREATER_THAN_UINT32(50U, taken);
+    TEST_ASSERT_GREATER_THAN_UINT32(SCENES(50U), refused);
+    TEST_ASSERT_GREATER_THAN_UINT32(SCENES(50U), taken);
 }
 
 void test_SWR_COUPLE_006_no_way_that_is_taken_leaves_the_range(void)

@@ -21,6 +21,7 @@
 #include "robot/robot_neuro.h"
 #include "sim/sim_encoder.h"
 #include "sim/sim_motor.h"
+#include "unit/support/scenes.h"
 
 #include <string.h>
 
@@ -64,7 +65,7 @@ static uint32_t scan(const axis_config_t *config, uint32_t seed)
 
 void test_SWR_AXIS_016_ten_minutes_of_scanning_are_no_motion(void)
 {
-    for (uint32_t seed = 1U; seed <= 3U; seed++) {
+    for (uint32_t seed = 1U; seed <= SCENES(3U); seed++) {
         TEST_ASSERT_EQUAL_HEX32(0U, scan(&robot_neuro.axes[AXIS_LATERAL], seed));
         TEST_ASSERT_NOT_EQUAL_INT32(0, axis.encoder.position_ticks);
     }

@@ -221,10 +221,10 @@ void rig_release(rig_t *self)
 
 void rig_let_expire(rig_t *self)
 {
-    const uint32_t usual_us = self->elapsed_us;
-    self->elapsed_us = LIMIT_OVERRUN_US;
-    rig_cycles(self, (LIMIT_ARMED_HOLD_US / LIMIT_OVERRUN_US) + 1U);
-    self->elapsed_us = usual_us;
+    TEST_ASSERT_EQUAL_HEX32(
+        0U, procedure_step(&self->controller.procedure, LIMIT_ARMED_HOLD_US - LIMIT_CYCLE_US));
+    controller_seal(&self->controller);
+    rig_cycles(self, 2U);
 }
 
 answer_t rig_finish(rig_t *self, uint32_t most)
@@ -267,8 +267,6 @@ void rig_start_needle_homed(rig_t *self)
     rig_start_robot_needle_homed(self, &robot_neuro);
 }
 
-/* A little inside of its switch, from where homing is short. A block has lengths to keep: it stays.
- */
 static int32_t place_near_switch(const robot_t *robot, uint32_t index)
 {
     const axis_config_t *const axis = &robot->axes[index];
@@ -279,6 +277,13 @@ static int32_t place_near_switch(const robot_t *robot, uint32_t index)
     return axis->home_ticks + ((axis->limit_switch == (uint8_t)LIMIT_SWITCH_LOWER) ? way : -way);
 }
 
+void rig_put_near_switches(robot_t *robot)
+{
+    for (uint32_t i = 0U; i < robot->axis_count; i++) {
+        robot->start_ticks[i] = place_near_switch(robot, i);
+    }
+}
+
 void rig_start_robot_homed(rig_t *self, const robot_t *robot)
 {
     static rig_t homed;
@@ -287,9 +292,7 @@ void rig_start_robot_homed(rig_t *self, const robot_t *robot)
     if (of != robot) {
         of = robot;
         box = *robot;
-        for (uint32_t i = 0U; i < box.axis_count; i++) {
-            box.start_ticks[i] = place_near_switch(robot, i);
-        }
+        rig_put_near_switches(&box);
         start(&homed, robot, &box);
         rig_home(&homed);
     }

@@ -57,6 +57,10 @@ void rig_start_robot(rig_t *self, const robot_t *robot);
 /** `from`, which has an axis with pwm, but for magnitudes that its cards without pwm take. */
 void rig_set_magnitude_robot(robot_t *robot, const robot_t *from);
 
+/** The axes of the box stand a little inside of their switches, from where homing is short; those
+ * of a block, which has lengths to keep, stay. */
+void rig_put_near_switches(robot_t *robot);
+
 /** One cycle: what the one before made leaves, 1 ms of physics, inputs, controller. */
 void rig_cycle(rig_t *self);
 void rig_cycles(rig_t *self, uint32_t count);
@@ -78,7 +82,8 @@ answer_t rig_workphase(rig_t *self, workphase_t workphase);
 void rig_press(rig_t *self);
 void rig_release(rig_t *self);
 
-/** No pedal until what is armed has expired; with the longest cycles that are not late. */
+/** What is armed expires in the second cycle from now: the time without the pedal until then has
+ * passed at once. */
 void rig_let_expire(rig_t *self);
 
 /** Runs until the pending command is answered for good, at most `most` cycles. @return that answer

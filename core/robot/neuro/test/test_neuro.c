@@ -12,6 +12,7 @@
 #include "unit/support/contract_trap.h"
 #include "robot/neuro/test/golden_neuro.h"
 #include "robot/neuro/test/neuro_reference.h"
+#include "unit/support/scenes.h"
 #include "unity.h"
 
 #include <math.h>
@@ -680,7 +681,7 @@ void test_SWR_PLAN_014_the_needle_goes_38_mm_alone_where_the_base_has_room(void)
 void test_SWR_PLAN_002_without_that_room_the_depth_has_the_largest_margin_of_all(void)
 {
     uint32_t solved = 0U;
-    for (int i = 0; i < 20000; i++) {
+    for (uint32_t i = 0U; i < SCENES(20000U); i++) {
         int32_t ticks[ROBOT_AXIS_MAX];
         set_random_legal_ticks(ticks);
         ticks[AXIS_LATERAL] /= 40;
@@ -697,7 +698,7 @@ void test_SWR_PLAN_002_without_that_room_the_depth_has_the_largest_margin_of_all
             /* There is room. */
         }
     }
-    TEST_ASSERT_GREATER_THAN_UINT32(500U, solved);
+    TEST_ASSERT_GREATER_THAN_UINT32(SCENES(500U), solved);
 }
 
 void test_SWR_PLAN_002_a_joint_that_no_depth_moves_does_not_decide_it(void)
