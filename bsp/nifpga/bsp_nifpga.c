@@ -6,6 +6,7 @@
  */
 #include "bsp.h"
 
+#include "card/aim32_frame.h"
 #include "nifpga/address.h"
 #include "nifpga/bitfile.h"
 #include "nifpga/fabric.h"
