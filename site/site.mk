@@ -57,8 +57,8 @@ build/gcc/bin/served-ask: $(call object,$(filter-out %/no_system.c %/no_output.c
 	@$(CC) $(CFLAGS) $(LDFLAGS) $^ -lcjson -lm -o $@
 	@echo "built $@"
 
-# The replay, without the files that it writes for others. Its file and its hashes are in site/recorded; it decompresses by the
-# product's own library, from Debian's source.
+# The replay, without the files that it writes for others. Its file is in site/recorded; it decompresses by the product's own
+# library and hashes by libmd, from Debian's sources.
 RECORDED_SOURCES := $(wildcard site/recorded/*.c) site/served/no_system.c \
     $(addprefix app/replay/,build_fit.c bytes.c field_name.c frame_fields.c motion_json.c pace.c page_text.c replay.c series.c tape.c walk.c) \
     $(filter-out %_writer.c,$(wildcard app/recording/*.c)) $(addprefix app/http/,telemetry_json.c telemetry_units.c json_forms.c) \
@@ -67,6 +67,7 @@ RECORDED_SOURCES := $(wildcard site/recorded/*.c) site/served/no_system.c \
 ZSTD := $(ARMHF)/source/libzstd/lib
 ZSTD_SOURCES := $(addprefix $(ZSTD)/,$(addprefix common/,entropy_common.c error_private.c fse_decompress.c xxhash.c zstd_common.c) \
     $(addprefix decompress/,huf_decompress.c zstd_ddict.c zstd_decompress.c zstd_decompress_block.c))
+LIBMD := $(ARMHF)/source/libmd
 
 ifeq ($(CONFIG),wasm)
 LINK_WASM = wasm-ld-19 --no-entry --strip-all --stack-first -z stack-size=262144 $(filter %.o,$^) $(1) $(WASM_LIBC) -o $@
@@ -77,7 +78,7 @@ build/site/robot.wasm: $(call object,$(CORE_SOURCES) $(CLOSED_LOOP_SOURCES)) sit
 	@echo "built $@"
 
 # Headers of sockets, of which types are used, are of C11.
-SERVED_FLAGS := -std=c11 -Isite/posix -isystem $(ARMHF)/source/civetweb/include -isystem build/wasm/include -isystem $(ZSTD)
+SERVED_FLAGS := -std=c11 -Isite/posix -isystem $(ARMHF)/source/civetweb/include -isystem build/wasm/include -isystem $(ZSTD) -isystem $(LIBMD)/include
 $(OUT)/app/%.o $(OUT)/$(GEN)/interface/%.o: CFLAGS += $(SERVED_FLAGS)
 $(OUT)/site/served/%.o $(OUT)/site/recorded/%.o: CFLAGS += $(SERVED_FLAGS)
 # What does not run in each cycle may be slower, and makes the page smaller.
@@ -102,8 +103,13 @@ $(OUT)/lib/%.o: $(ZSTD)/%.c
 	@mkdir -p $(@D)
 	@$(CC) -Oz $(EXTRA) $(ANYWHERE) -DZSTD_DISABLE_ASM -DZSTD_STRIP_ERROR_STRINGS -DHUF_FORCE_DECOMPRESS_X1 -c $< -o $@
 
+# Its configuration as it is before a computer was asked for what it has: with nothing.
+$(OUT)/lib/sha2.o: $(LIBMD)/src/sha2.c
+	@mkdir -p $(@D) build/wasm/libmd; cp $(LIBMD)/config.h.in build/wasm/libmd/config.h
+	@$(CC) -Oz $(EXTRA) $(ANYWHERE) -Ibuild/wasm/libmd -I$(LIBMD)/include -c $< -o $@
+
 build/site/recorded.wasm: $(call object,$(CORE_SOURCES) $(RECORDED_SOURCES)) $(ZSTD_SOURCES:$(ZSTD)/%.c=$(OUT)/lib/%.o) \
-    $(OUT)/lib/cJSON.o site/site.mk
+    $(addprefix $(OUT)/lib/,sha2.o cJSON.o) site/site.mk
 	@mkdir -p $(@D)
 	@$(LINK_WASM)
 	@echo "built $@"
