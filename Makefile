@@ -224,9 +224,10 @@ $(OUT)/bsp/%.o: FLAGS = -D_GNU_SOURCE $(BSP_INCLUDES)
 $(OUT)/app/%.o: FLAGS = -D_GNU_SOURCE $(APP_INCLUDES) -DBORESIGHT_BUILD_ID='"$(BUILD_ID)"' -DBORESIGHT_VERSION='"$(VERSION)"'
 $(OUT)/verification/%.o: FLAGS = -D_GNU_SOURCE $(TEST_INCLUDES)
 
-# The way to compile; everything follows when it changes.
+# The way to compile; everything follows when it changes. Where the clone lies is no part of it: the bytes are the same.
+COMPILING := $(subst $(CURDIR),HERE,$(CC) $(CFLAGS))
 $(OUT)/flags: FORCE
-	@mkdir -p $(OUT); echo '$(CC) $(CFLAGS)' | cmp -s - $@ || echo '$(CC) $(CFLAGS)' >$@
+	@mkdir -p $(OUT); echo '$(COMPILING)' | cmp -s - $@ || echo '$(COMPILING)' >$@
 
 $(OUT)/%.o: %.c $(OUT)/flags | $(GENERATED)
 	@mkdir -p $(@D)
