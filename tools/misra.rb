@@ -16,6 +16,7 @@
 # without record.
 
 require 'fileutils'
+require 'json'
 require 'open3'
 require 'optparse'
 require 'rexml/document'
@@ -48,8 +49,13 @@ class Cppcheck
   COPIED = %w[core/**/*.{c,h} build/gen/**/*.{c,h} bsp/**/*.{c,h} app/*/*.{c,h} verification/misra/*.cfg].freeze
   # What would leave a file out.
   UNREAD = %w[syntaxError internalError internalAstError preprocessorErrorDirective cppcheckError].freeze
+  # The addon sees the whole program too (ctu); by the system's Python, which comes with cppcheck, kept compiled in a
+  # folder of this run.
+  ADDON = ["--addon=#{JSON.generate({ script: File.join(__dir__, 'misra_addon.py'), ctu: true })}",
+           '--addon-python=/usr/bin/python3'].freeze
+  PYTHON = { 'PYTHONDONTWRITEBYTECODE' => nil }.freeze
   # Without its library's headers cppcheck knows the 64-bit constants by value only, and not by type.
-  OPTIONS = %w[--addon=misra --enable=warning,style,performance,portability,information --inline-suppr
+  OPTIONS = %w[--enable=warning,style,performance,portability,information --inline-suppr
                --std=c99 --platform=unix64 --xml --quiet --library=verification/misra/contract.cfg
                -DUINT64_C(x)=x##UL -DINT64_C(x)=x##L -DINT64_MIN=(-0x7FFFFFFFFFFFFFFFL-1L)
                --suppress=missingInclude --suppress=missingIncludeSystem --suppress=checkersReport
@@ -82,7 +88,8 @@ class Cppcheck
       FileUtils.mkdir_p(File.join(folder, File.dirname(file)))
       FileUtils.cp(File.join(@root, file), File.join(folder, file))
     end
-    _, xml, status = Open3.capture3('cppcheck', *OPTIONS, *includes, *files, *glob(USERS), chdir: folder)
+    python = PYTHON.merge('PYTHONPYCACHEPREFIX' => File.join(folder, 'python'))
+    _, xml, status = Open3.capture3(python, 'cppcheck', *ADDON, *OPTIONS, *includes, *files, *glob(USERS), chdir: folder)
     raise "cppcheck failed: #{xml[0, 400]}" unless status.success?
 
     xml
