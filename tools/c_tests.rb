@@ -7,7 +7,8 @@
 #   ruby tools/c_tests.rb asan      all of them, under AddressSanitizer and UndefinedBehaviorSanitizer
 #   ruby tools/c_tests.rb arm       those of core and simulated box, as Cortex-A9 code under qemu
 #
-# With names of files behind it, only these. `make` has compiled the code under test into build/<way>/libtest.a before.
+# Every test runs, a long one with a tenth of its scenes (verification/unit/support/scenes.h); the gate unit plays all of
+# them. With names of files behind it, only these. `make` has compiled the code under test into build/<way>/libtest.a before.
 
 require 'etc'
 require 'fileutils'
@@ -18,14 +19,14 @@ require_relative 'results'
 class CTests
   UNITY = Dir['.tools/gems/gems/ceedling-*/vendor/unity'].first
   CMOCK = Dir['.tools/gems/gems/ceedling-*/vendor/cmock'].first
-  FLAGS = %w[-std=c99 -g1 -ffp-contract=off -D_GNU_SOURCE -DUNITY_INCLUDE_DOUBLE -DUNITY_SUPPORT_64
+  FLAGS = %w[-std=c99 -g1 -DSCENE_DIVISOR=10U -ffp-contract=off -D_GNU_SOURCE -DUNITY_INCLUDE_DOUBLE -DUNITY_SUPPORT_64
              -DUNITY_INT_WIDTH=32 -isystem/usr/include/umockdev-1.0 -isystem/usr/include/glib-2.0
              -isystem/usr/lib/x86_64-linux-gnu/glib-2.0/include].freeze
   WAYS = {
-    'asan' => { compiler: %w[gcc -DSCENE_DIVISOR=10U -fsanitize=address,undefined -fno-sanitize-recover=all], runner: [],
+    'asan' => { compiler: %w[gcc -fsanitize=address,undefined -fno-sanitize-recover=all], runner: [],
                 libraries: %w[-Wl,--as-needed -lzstd -lcjson -lcrypto -lcrypt -lpthread -lrt -lm -lumockdev -lgobject-2.0
                               -lglib-2.0] },
-    'arm' => { compiler: %w[arm-linux-gnueabihf-gcc -DSCENE_DIVISOR=10U -mcpu=cortex-a9 -mfpu=vfpv3-d16 -static], runner: %w[qemu-arm],
+    'arm' => { compiler: %w[arm-linux-gnueabihf-gcc -mcpu=cortex-a9 -mfpu=vfpv3-d16 -static], runner: %w[qemu-arm],
                libraries: %w[-lm] }
   }.freeze
   # The tests of a chart are as generated: beside it.

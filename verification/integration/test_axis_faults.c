@@ -12,6 +12,7 @@
 #include "controller/controller.h"
 #include "limits/requirement_limits.h"
 #include "robot/robot_neuro.h"
+#include "unit/support/scenes.h"
 
 #include <stdio.h>
 
@@ -326,6 +327,8 @@ static void move_with_gain(double gain)
 
 void test_SWR_AXIS_019_motors_a_fifth_slower_or_faster_raise_no_alarm(void)
 {
-    move_with_gain(0.8);
-    move_with_gain(1.2);
+    static const double gains[] = {0.8, 1.2};
+    for (uint32_t i = 0U; i < SCENES(2U); i++) {
+        move_with_gain(gains[i]);
+    }
 }
