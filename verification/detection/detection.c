@@ -111,7 +111,7 @@ static void cruise(uint32_t axis)
     const int32_t almost_percent = (int32_t)LIMIT_PROFILE_SPEED_PERCENT - 1;
     const int32_t speed_q8 = config_of(axis)->speed_ticks_per_s * 256 / 100 * almost_percent;
     const snapshot_axis_t *const shown = &rig.outputs.snapshot.axes[axis];
-    rig_start_homed(&rig);
+    rig_start_robot_homed(&rig, &robot_neuro);
     (void)rig_workphase(&rig, WORKPHASE_MANUAL);
     (void)rig_command(&rig, jog);
     rig_press(&rig);
@@ -178,7 +178,7 @@ static void print_scan(void)
 {
     double before[ROBOT_AXIS_MAX];
     uint32_t criticals = 0U;
-    rig_start_homed(&rig);
+    rig_start_robot_homed(&rig, &robot_neuro);
     for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
         before[i] = truth(i) - belief(i);
     }

@@ -57,8 +57,8 @@ void rig_start_robot(rig_t *self, const robot_t *robot);
 /** `from`, which has an axis with pwm, but for magnitudes that its cards without pwm take. */
 void rig_set_magnitude_robot(robot_t *robot, const robot_t *from);
 
-/** The axes of the box stand a little inside of their switches, from where homing is short; those
- * of a block, which has lengths to keep, stay. */
+/** When it is powered on, its axes stand a little inside of their switches, from where homing is
+ * short; those of a block, which has lengths to keep, stay where they are. */
 void rig_put_near_switches(robot_t *robot);
 
 /** One cycle: what the one before made leaves, 1 ms of physics, inputs, controller. */
@@ -98,7 +98,8 @@ void rig_home(rig_t *self);
 void rig_start_needle_homed(rig_t *self);
 void rig_start_robot_needle_homed(rig_t *self, const robot_t *robot);
 
-/** A rig that is homed; homed once and copied, until it is asked for another robot. */
+/** A rig that is homed; homed once and copied, until it is asked for another robot. Without a
+ * robot: the NeuroRobot, near its switches when it was powered on. */
 void rig_start_homed(rig_t *self);
 void rig_start_robot_homed(rig_t *self, const robot_t *robot);
 

@@ -239,9 +239,10 @@ int main(int count, char **arguments)
         if ((episode % 4U) == 0U) {
             rig_start(&rig);
         } else if ((episode % 4U) == 1U) {
-            rig_start_homed(&rig);
+            rig_start_robot_homed(&rig, &robot_neuro);
         } else {
-            rig_start_targeted(&rig);
+            const rigid_t pose = rig_pose(5000000, 190000000, 60000000);
+            rig_start_robot_targeted(&rig, &robot_neuro, &pose);
         }
         run_episode(((episode % 3U) == 0U) ? 20U : 150U);
     }
