@@ -64,6 +64,15 @@ class InstalledSystem < ArmSystem
     machine.run("#{SERVICE} #{act}").then { |text, code| [text.strip, code] }
   end
 
+  # Nothing goes on meanwhile, however long it takes.
+  def while_held
+    pids = machine.run!('pidof boresight-control boresight-box')
+    machine.run!("kill -STOP #{pids}")
+    yield
+  ensure
+    machine.run("kill -CONT #{pids}")
+  end
+
   def leads(link)
     File.basename(machine.run!("readlink /opt/boresight/#{link}").strip)
   end

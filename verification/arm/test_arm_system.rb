@@ -72,7 +72,7 @@ class TestArmSystem < Minitest::Test
     system.start
     assert_equal ['Boresight runs.', 0], system.service('status')
     drive_installed(system)
-    refuse_under_a_drive(system)
+    system.while_held { refuse_under_a_drive(system) }
     stop_installed(system)
     assert_done(system.rollback)
     assert_equal [NEW, OLD], [system.leads('current'), system.leads('previous')]
