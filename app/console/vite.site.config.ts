@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // What `make site` writes: the console with a robot in its own page, and with --mode recorded the page on which recordings
 // are opened. Each is one file with its module in it.
-import { readFileSync } from "node:fs";
+import { execFileSync } from "node:child_process";
 import { fileURLToPath } from "node:url";
-import { gzipSync } from "node:zlib";
 import { defineConfig, mergeConfig } from "vite";
 import { oneFile } from "./one_file.ts";
 import console from "./vite.config.ts";
 
 const at = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 const packed = (module: string) =>
-  gzipSync(readFileSync(at(`../../build/site/${module}`)), {
-    level: 9,
-  }).toString("base64");
+  execFileSync("gzip", ["-9nc", at(`../../build/site/${module}`)]).toString(
+    "base64",
+  );
 
 const robot = {
   page: "site.html",

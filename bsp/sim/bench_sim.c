@@ -2,6 +2,7 @@
 /** @file Orders to the simulated control box: bsp_bench.h at its wire, taken for one order each. */
 #include "bsp_bench.h"
 
+#include "sim/bench_levels.h"
 #include "sim/wire.h"
 
 #define ANSWER_TIMEOUT_US 1000000U
@@ -9,14 +10,6 @@
 bool bsp_bench_is_offered(void)
 {
     return true;
-}
-
-static void see_lamps(uint32_t lamps, bsp_bench_t *seen)
-{
-    seen->is_lamp_alive = (lamps & BSP_LAMP_ALIVE) != 0U;
-    seen->is_lamp_may_move = (lamps & BSP_LAMP_MAY_MOVE) != 0U;
-    seen->is_lamp_moving = (lamps & BSP_LAMP_MOVING) != 0U;
-    seen->is_lamp_fault = (lamps & BSP_LAMP_FAULT) != 0U;
 }
 
 bool bsp_bench_look(const char *name, bsp_bench_t *seen)
@@ -27,14 +20,8 @@ bool bsp_bench_look(const char *name, bsp_bench_t *seen)
     if (!wire_attach(&port, name, WIRE_END_NONE, error, sizeof error)) {
         return false;
     }
-    const uint32_t inputs = wire_load(&port.wire->inputs);
-    const uint32_t pedal = BSP_IN_PEDAL_A | BSP_IN_PEDAL_B;
     const bool is_whole = wire_see_bench(port.wire, seen);
-    seen->is_pedal_pressed = (inputs & pedal) == pedal;
-    seen->is_estop_pulled = (inputs & BSP_IN_ESTOP_CHAIN) == 0U;
-    seen->is_scanner_active = (inputs & BSP_IN_SCANNER_IDLE) == 0U;
-    seen->is_button_pressed = (inputs & BSP_IN_CONFIRM) != 0U;
-    see_lamps(wire_load(&port.wire->lamps), seen);
+    bench_levels_see(wire_load(&port.wire->inputs), wire_load(&port.wire->lamps), seen);
     wire_close(&port, WIRE_END_NONE);
     return is_whole;
 }

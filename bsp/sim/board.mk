@@ -5,7 +5,7 @@
 BOARD_SOURCES := bsp/sim/bsp_sim.c bsp/sim/wire.c
 
 # What http is linked with, for the orders that it may give.
-BOARD_BENCH := bsp/sim/bench_sim.c bsp/sim/wire.c
+BOARD_BENCH := bsp/sim/bench_sim.c bsp/sim/bench_levels.c bsp/sim/wire.c
 
 # Control's box is another process, and simctl gives it orders.
 BOARD_PROGRAMS := boresight-box boresight-simctl

@@ -188,7 +188,7 @@ void box_keep(box_t *self, uint32_t who);
 /** Releases pedal or button if `who` holds it. */
 void box_drop(box_t *self, box_held_t what, uint32_t who);
 
-/** Writes what there is to see, but for the levels of the inputs, to `seen`. */
+/** Writes what there is to see, but for the levels of inputs and lamps, to `seen`. */
 void box_show(const box_t *self, bsp_bench_t *seen);
 
 /** Closes or opens `contact` after `delay_us`; 0 is at once. */

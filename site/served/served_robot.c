@@ -4,6 +4,7 @@
 #include "bsp_bench.h"
 #include "common/clock.h"
 #include "exchange/exchange_rows.h"
+#include "sim/bench_levels.h"
 #include "site/watch.h"
 
 #include <stddef.h>
@@ -122,6 +123,7 @@ bool bsp_bench_look(const char *name, bsp_bench_t *seen)
 {
     (void)name;
     box_show(&loop.box, seen);
+    bench_levels_see(box_inputs(&loop.box), loop.box.lamps, seen);
     return true;
 }
 

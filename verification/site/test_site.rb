@@ -269,6 +269,18 @@ class TestSite < Minitest::Test
     assert_parts 'SWR-SITE-028'
   end
 
+  def test_SWR_SITE_022_a_pedal_that_is_released_in_motion_is_read
+    assert_parts 'SWR-SITE-022'
+  end
+
+  def test_SWR_SITE_023_an_e_stop_in_motion_is_read
+    assert_parts 'SWR-SITE-023'
+  end
+
+  def test_SWR_SITE_024_a_card_that_is_lost_in_motion_is_read
+    assert_parts 'SWR-SITE-024'
+  end
+
   def test_SWR_SITE_015_the_page_is_one_file_that_asks_for_nothing
     assert_equal %w[index.html replay.html], Dir.children(File.dirname(PAGE)).sort
     size = Zlib.gzip(File.binread(PAGE), level: 9).bytesize

@@ -5,14 +5,11 @@
 //   BORESIGHT_CYCLE    cycle of that event
 //   BORESIGHT_DRIVEN   last cycle before it in which a card is driven, and that card's slot
 //   BORESIGHT_SCREENSHOT  optional: file for a picture of the page
-import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import { pathToFileURL } from "node:url";
-import { chromium, type Browser, type Page } from "playwright-core";
+import { type Browser, type Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
+import { findingsOf, openPage } from "./opened_page";
 
-/** A bound against hanging, and no judgement. */
-const patience = { timeout: 120_000 };
 const { BORESIGHT_PAGE: file = "", BORESIGHT_SCREENSHOT: picture } =
   process.env;
 const { BORESIGHT_EVENT: sentence = "", BORESIGHT_CYCLE: cycle = "" } =
@@ -20,25 +17,14 @@ const { BORESIGHT_EVENT: sentence = "", BORESIGHT_CYCLE: cycle = "" } =
 const [driven = "", slot = ""] = (process.env.BORESIGHT_DRIVEN ?? "").split(
   " ",
 );
-const problems: string[] = [];
+const address = pathToFileURL(file).href;
 let browser: Browser;
 let page: Page;
+let asked: string[];
+let problems: string[];
 
 beforeAll(async () => {
-  browser = await chromium.launch({
-    executablePath: "/usr/bin/chromium",
-    args: ["--no-sandbox", "--disable-gpu"],
-  });
-  page = await browser.newPage({ viewport: { width: 1440, height: 980 } });
-  page.setDefaultTimeout(patience.timeout);
-  page.on("console", (message) => problems.push(message.text()));
-  page.on("pageerror", (error) => problems.push(error.message));
-  page.on("request", (request) => {
-    if (request.url() !== pathToFileURL(file).href) {
-      problems.push(request.url());
-    }
-  });
-  await page.goto(pathToFileURL(file).href);
+  ({ browser, page, asked, problems } = await openPage(address));
   await page.locator(".timeline").waitFor();
 });
 
@@ -72,18 +58,12 @@ test("SWR-REPLAY-018 an event is shown in its cycle, and the last drive before i
 });
 
 test("SWR-REPLAY-015 it asks for nothing, and has no trouble with its own policy", () => {
+  expect(asked.filter((url) => url !== address)).toEqual([]);
   expect(problems).toEqual([]);
 });
 
 test("SWR-REPLAY-018 axe finds nothing", async () => {
-  const axe = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
-  await page.evaluate(readFileSync(axe, "utf8"));
-  const found: { violations: { id: string; nodes: { html: string }[] }[] } =
-    await page.evaluate(`axe.run({ resultTypes: ["violations"] })`);
-  const findings = found.violations.flatMap(({ id, nodes }) =>
-    nodes.map(({ html }) => `${id}: ${html}`),
-  );
-  expect(findings.join("\n")).toBe("");
+  expect(await findingsOf(page)).toBe("");
 });
 
 test("SWR-REPLAY-018 it has room on a narrow screen", async () => {
