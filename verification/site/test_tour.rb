@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: Apache-2.0
+# frozen_string_literal: true
+
+# Rule under test: what docs/tour.md tells its reader to do and to read is so. Its commands for the chart compiler are run as
+# they are written, its link is played, and what the page says is what site.e2e.ts reads there. `make client`, `make run` and
+# the replay are tested elsewhere.
+
+require 'minitest/autorun'
+require 'open3'
+
+class TestTour < Minitest::Test
+  ROOT = File.expand_path('../..', __dir__)
+  TOUR = File.read("#{ROOT}/docs/tour.md")
+  BROWSER = File.read("#{ROOT}/app/console/e2e/site.e2e.ts")
+  MODULES = %w[robot served].map { |name| "#{ROOT}/build/site/#{name}.wasm" }
+  CYCLES = '2500'
+
+  # Of the part with that number: what is to be typed, and what is to be read.
+  def part(number)
+    text = TOUR[/^## #{number}\. .*?(?=^## |\z)/m]
+    [text.scan(/^ {4}(\S.*)$/).flatten, text.scan(/^ *> (.*)$/).flatten]
+  end
+
+  def test_SWR_SITE_039_what_the_page_says_is_what_is_read_there
+    _, read = part(1)
+    assert_equal(BROWSER.scan(/read: \[(.*?)\]/m).flat_map { |lines| lines.first.scan(/"([^"]+)"/) }.flatten, read)
+  end
+
+  def test_SWR_SITE_039_the_link_loses_the_card_in_motion
+    link = part(1).first.find { |line| line.start_with?('#robot=') }
+    said, status = Open3.capture2e('node', '--no-warnings', "#{__dir__}/played.mjs", *MODULES, link.delete_prefix('#'), CYCLES)
+    assert status.success?, said
+    assert_match(/^event PEDAL_PRESSED .*^event CARD_LOST 3/m, said)
+  end
+
+  def test_SWR_SITE_039_the_broken_guard_is_refused_in_these_words
+    commands, read = part(2)
+    refute_empty read
+    said, status = Open3.capture2e('sh', '-c', commands.join("\n"), chdir: ROOT)
+    assert_equal 1, status.exitstatus, said
+    assert_equal read, said.lines(chomp: true)
+  end
+end
