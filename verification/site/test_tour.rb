@@ -21,19 +21,19 @@ class TestTour < Minitest::Test
     [text.scan(/^ {4}(\S.*)$/).flatten, text.scan(/^ *> (.*)$/).flatten]
   end
 
-  def test_SWR_SITE_039_what_the_page_says_is_what_is_read_there
+  def test_SWR_SITE_022_what_the_page_says_is_what_is_read_there
     _, read = part(1)
     assert_equal(BROWSER.scan(/read: \[(.*?)\]/m).flat_map { |lines| lines.first.scan(/"([^"]+)"/) }.flatten, read)
   end
 
-  def test_SWR_SITE_039_the_link_loses_the_card_in_motion
+  def test_SWR_SITE_027_the_link_loses_the_card_in_motion
     link = part(1).first.find { |line| line.start_with?('#robot=') }
     said, status = Open3.capture2e('node', '--no-warnings', "#{__dir__}/played.mjs", *MODULES, link.delete_prefix('#'), CYCLES)
     assert status.success?, said
     assert_match(/^event PEDAL_PRESSED .*^event CARD_LOST 3/m, said)
   end
 
-  def test_SWR_SITE_039_the_broken_guard_is_refused_in_these_words
+  def test_SWR_CHART_013_the_broken_guard_is_refused_in_these_words
     commands, read = part(2)
     refute_empty read
     said, status = Open3.capture2e('sh', '-c', commands.join("\n"), chdir: ROOT)

@@ -114,6 +114,9 @@ function StateBanner({ robot, sign }: { robot: RobotState; sign: Sign }) {
 /**
  * Does it move, may it, why not; then what is needed next, and the state, in words.
  *
+ * @satisfies SWR-SITE-022
+ * @satisfies SWR-SITE-023
+ * @satisfies SWR-SITE-024
  * @satisfies SWR-CON-001
  * @satisfies SWR-CON-004
  * @satisfies SWR-CON-011
