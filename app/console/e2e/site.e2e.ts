@@ -5,7 +5,7 @@
 //   BORESIGHT_FIGURES  file for what was measured
 //   BORESIGHT_RECORDING, BORESIGHT_DAMAGED  a recording, and one that was changed
 //   BORESIGHT_SCREENSHOT  optional: file for a picture of it
-import { writeFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import { type Browser, type Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { findingsOf, openPage, patience } from "./opened_page";
