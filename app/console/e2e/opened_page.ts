@@ -29,7 +29,11 @@ export async function openPage(address: string): Promise<OpenedPage> {
   page.setDefaultTimeout(patience.timeout);
   page.on("request", (request) => asked.push(request.url()));
   page.on("pageerror", (error) => problems.push(error.message));
-  page.on("console", (message) => problems.push(message.text()));
+  page.on("console", (message) => {
+    if (["error", "warning"].includes(message.type())) {
+      problems.push(message.text());
+    }
+  });
   await page.goto(address);
   return { browser, page, asked, problems };
 }
