@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import react from "@vitejs/plugin-react";
 import { fileURLToPath } from "node:url";
-import { defineConfig } from "vitest/config";
+import { defineConfig } from "vite";
 
 const generated = (path: string) =>
   fileURLToPath(new URL(`../../build/gen/${path}`, import.meta.url));
@@ -30,11 +30,5 @@ export default defineConfig({
   // For development against a running boresight-http.
   server: {
     proxy: { "/api": { target: "http://127.0.0.1:8080", changeOrigin: true } },
-  },
-  test: {
-    environment: "jsdom",
-    include: ["src/**/*.test.{ts,tsx}"],
-    setupFiles: ["src/testing/setup.ts"],
-    testTimeout: 30_000,
   },
 });
