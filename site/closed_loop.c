@@ -56,6 +56,7 @@ static void gather(closed_loop_t *self)
 
 void closed_loop_step(closed_loop_t *self)
 {
+    box_grip_look(&self->grip, &self->box, self->time_us);
     gather(self);
     self->command_count = 0U;
     (void)memset(self->commands, 0, sizeof self->commands);

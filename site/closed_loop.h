@@ -11,6 +11,7 @@
 #include "control/board_inputs.h"
 #include "controller/controller.h"
 #include "sim/box.h"
+#include "sim/box_grip.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -19,6 +20,7 @@
 typedef struct {
     const robot_t *robot;
     box_t box;
+    box_grip_t grip; /**< Counted in the time of the box: there is no other. */
     controller_t controller;
     controller_inputs_t inputs;
     controller_outputs_t outputs;
@@ -37,10 +39,11 @@ void closed_loop_init(closed_loop_t *self, const robot_t *robot, uint32_t seed);
 command_t *closed_loop_command(closed_loop_t *self);
 
 /**
- * The box exchanges the frames of the cycle before and goes on by LIMIT_CYCLE_US; then its inputs
- * are sampled and the controller makes its step.
+ * What nobody holds on to opens. The box exchanges the frames of the cycle before and goes on by
+ * LIMIT_CYCLE_US; then its inputs are sampled and the controller makes its step.
  *
  * @satisfies SWR-SITE-003
+ * @satisfies SWR-SITE-034
  */
 void closed_loop_step(closed_loop_t *self);
 

@@ -95,16 +95,6 @@ uint32_t exports_inputs_size(void)
     return (uint32_t)sizeof loop.inputs;
 }
 
-const controller_outputs_t *exports_outputs(void)
-{
-    return &loop.outputs;
-}
-
-uint32_t exports_outputs_size(void)
-{
-    return (uint32_t)sizeof loop.outputs;
-}
-
 uint32_t exports_replay(void)
 {
     replayed_robot = named_robot();

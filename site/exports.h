@@ -49,8 +49,6 @@ EXPORT(step) void exports_step(void);
 /** Of the last cycle. */
 EXPORT(inputs) const controller_inputs_t *exports_inputs(void);
 EXPORT(inputsSize) uint32_t exports_inputs_size(void);
-EXPORT(outputs) const controller_outputs_t *exports_outputs(void);
-EXPORT(outputsSize) uint32_t exports_outputs_size(void);
 
 /**
  * Begins a recording of the robot that the text names.

@@ -65,8 +65,7 @@ static void say_orders(void)
 static void say_fields(void)
 {
     for (const field_t *field = fields_command; field->name != NULL; field++) {
-        if ((field->offset != offsetof(command_t, id)) &&
-            (field->offset != offsetof(command_t, kind))) {
+        if (field->offset != offsetof(command_t, kind)) {
             say("field %s %zu %zu\n", field->name, field->offset, field->size / sizeof(uint32_t));
         }
     }
@@ -150,6 +149,16 @@ bool watch_look(void)
         }
     }
     return search.is_found;
+}
+
+const controller_outputs_t *watch_outputs(void)
+{
+    return &watch_loop()->outputs;
+}
+
+uint32_t watch_outputs_size(void)
+{
+    return (uint32_t)sizeof watch_loop()->outputs;
 }
 
 controller_outputs_t *watch_other(void)

@@ -24,7 +24,7 @@ EXPORT(words) const char *watch_words(void);
 
 /**
  * Which inputs there are, a line each: `order` and an order of the box as it lists
- * it; `command KIND CODE`; `field NAME OFFSET WORDS` of a command, without id and kind; `word FIELD
+ * it; `command KIND CODE`; `field NAME OFFSET WORDS` of a command, without its kind; `word FIELD
  * WORD NUMBER` where a word stands for the number of a field.
  */
 EXPORT(vocabulary) void watch_vocabulary(void);
@@ -46,6 +46,10 @@ EXPORT(driven) uint32_t watch_driven(void);
  * @return false: there is none such
  */
 EXPORT(look) bool watch_look(void);
+
+/** Of the last cycle. */
+EXPORT(outputs) const controller_outputs_t *watch_outputs(void);
+EXPORT(outputsSize) uint32_t watch_outputs_size(void);
 
 /** Where the outputs of another run are to be written. */
 EXPORT(other) controller_outputs_t *watch_other(void);

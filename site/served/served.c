@@ -9,6 +9,7 @@
 #include "site/served/connection.h"
 #include "site/served/served_robot.h"
 #include "site/served/served_stream.h"
+#include "site/watch.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -70,8 +71,24 @@ bool served_start(uint32_t seed, uint32_t utc_s)
     return true;
 }
 
+/* A number that a command of a scene has is not given again: its answer would be taken for the
+ * other's. */
+static void skip_numbers(void)
+{
+    const closed_loop_t *const loop = watch_loop();
+
+    for (uint32_t i = 0U; i < loop->command_count; i++) {
+        const uint32_t id = loop->commands[i].id;
+        const bool is_ahead = (id - server.acts.commands) <= (uint32_t)INT32_MAX;
+        if (is_ahead && (loop->commands[i].source == (uint32_t)COMMAND_SOURCE_HTTP)) {
+            server.acts.commands = id;
+        }
+    }
+}
+
 static void pass_cycle(void)
 {
+    skip_numbers();
     served_robot_step();
     if ((served_robot_time_us() % TICK_US) == 0U) {
         exchange_beat(exchange, EXCHANGE_HTTP);

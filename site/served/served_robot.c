@@ -4,7 +4,9 @@
 #include "bsp_bench.h"
 #include "common/clock.h"
 #include "exchange/exchange_rows.h"
+#include "limits/requirement_limits.h"
 #include "sim/bench_levels.h"
+#include "site/served/journal.h"
 #include "site/watch.h"
 
 #include <stddef.h>
@@ -35,6 +37,7 @@ exchange_t *served_robot_start(const robot_t *robot, uint32_t seed, uint64_t utc
     closed_loop_init(&loop, robot, seed);
     exchange_publish_rows(exchange, &loop.controller, &loop.outputs);
     publish_figures();
+    journal_begin();
     return exchange;
 }
 
@@ -76,10 +79,20 @@ static void publish(void)
     exchange_beat(exchange, EXCHANGE_CONTROL);
 }
 
+static uint32_t cycles(void)
+{
+    return (uint32_t)(loop.time_us / LIMIT_CYCLE_US);
+}
+
 void served_robot_step(void)
 {
-    loop.command_count += exchange_take_commands(exchange, &loop.commands[loop.command_count],
-                                                 CONTROLLER_COMMANDS - loop.command_count);
+    const uint32_t first = loop.command_count;
+
+    loop.command_count +=
+        exchange_take_commands(exchange, &loop.commands[first], CONTROLLER_COMMANDS - first);
+    for (uint32_t i = first; i < loop.command_count; i++) {
+        journal_note_command(cycles(), &loop.commands[i]);
+    }
     closed_loop_step(&loop);
     publish();
 }
@@ -132,5 +145,9 @@ bsp_bench_result_t bsp_bench_order(const char *name, const char *order)
     char reply[BOX_REPLY_SIZE];
 
     (void)name;
-    return box_command(&loop.box, order, reply, sizeof reply) ? BSP_BENCH_DONE : BSP_BENCH_REFUSED;
+    if (!box_command(&loop.box, order, reply, sizeof reply)) {
+        return BSP_BENCH_REFUSED;
+    }
+    journal_note_order(cycles(), order);
+    return BSP_BENCH_DONE;
 }

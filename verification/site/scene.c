@@ -82,7 +82,7 @@ static void act(const char *what)
 
 static void print_answers(uint32_t cycle)
 {
-    const controller_outputs_t *const outputs = exports_outputs();
+    const controller_outputs_t *const outputs = watch_outputs();
 
     for (uint32_t i = 0U; i < outputs->answer_count; i++) {
         const answer_t *const answer = &outputs->answers[i];
@@ -96,7 +96,7 @@ static bool say_cycle(uint32_t cycle)
     static uint32_t hash = FNV_BASIS;
 
     hash = add(hash, exports_inputs(), exports_inputs_size());
-    hash = add(hash, exports_outputs(), exports_outputs_size());
+    hash = add(hash, watch_outputs(), watch_outputs_size());
     print_answers(cycle);
     if (((cycle + 1U) % SECOND_CYCLES) == 0U) {
         (void)printf("%" PRIu32 " hash %" PRIu32 "\n", cycle + 1U, hash);
@@ -108,7 +108,7 @@ static controller_outputs_t *kept; /* By cycle. */
 
 static bool keep_cycle(uint32_t cycle)
 {
-    kept[cycle] = *exports_outputs();
+    kept[cycle] = *watch_outputs();
     return true;
 }
 

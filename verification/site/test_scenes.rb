@@ -62,7 +62,7 @@ class TestScenes < Minitest::Test
     'robot=neuro&seed=7&inputs=9:pedal,kick' => 'At character 29: “pedal kick” is no order of the box and no command.',
     'robot=neuro&seed=7&inputs=9:JOG,argument=3,argument=3' => 'At character 44: argument is given twice.',
     'robot=neuro&seed=7&inputs=9:JOG,speed=3' =>
-      'At character 33: “speed=3” is not FIELD=VALUE with one of source, peer, argument, value, pose, ticks, speeds.',
+      'At character 33: “speed=3” is not FIELD=VALUE with one of id, source, peer, argument, value, pose, ticks, speeds.',
     'robot=neuro&seed=7&inputs=9:JOG,value=3.5' => 'At character 39: “3.5” is nothing that value can be.',
     'robot=neuro&seed=7&inputs=9:card,3,silent;' => 'At character 43: “” does not begin with CYCLE:.',
     'robot=neuro&seed=7&inputs=9:estop,pull' => 'it is one'

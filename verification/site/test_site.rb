@@ -265,6 +265,31 @@ class TestSite < Minitest::Test
     assert_match(/\ACycle 1500 /, said)
   end
 
+  # What the page has done, and what became of it when a link of that is played.
+  def course(robot, *left_out)
+    said, status = node('--no-warnings', "#{__dir__}/course.mjs", SERVED, robot, *left_out)
+    assert status.success?, said
+    JSON.parse(said)
+  end
+
+  def test_SWR_SITE_029_what_was_done_in_a_page_has_the_same_outputs_elsewhere
+    %w[neuro prostate].each do |robot|
+      differences, inputs = course(robot).values_at('differences', 'inputs')
+      assert_equal [300], differences.values, robot
+      assert_match(/\A\d+: 4\z/, differences.keys.first, robot) # Notes: pedal, card, stop, pedal.
+      assert_includes inputs, 'card 3 silent'
+      assert(inputs.any? { |input| input.match?(/\AWORKPHASE id=\d+ source=HTTP peer=4000000007 argument=1\z/) })
+    end
+  end
+
+  def test_SWR_SITE_029_an_input_that_is_missing_would_be_seen
+    assert_operator course('neuro', '1')['differences'].size, :>, 10
+  end
+
+  def test_SWR_SITE_034_what_is_held_opens_when_nobody_renews_it
+    assert_equal %w[pressed released], course('neuro').values_at('held', 'left')
+  end
+
   def test_SWR_SITE_028_a_link_is_played_when_it_is_opened_and_a_bad_one_refused_in_words
     assert_parts 'SWR-SITE-028'
   end

@@ -15,6 +15,8 @@ let view: RobotView;
 let changed: () => void;
 const setPace = vi.fn();
 const step = vi.fn();
+const goTo = vi.fn();
+const shareCourse = vi.fn();
 const onAnew = vi.fn();
 
 function replace(change: Partial<RobotView>): void {
@@ -29,6 +31,9 @@ beforeEach(() => {
   view = {
     identity: null,
     cycles: 0,
+    end: 0,
+    later: 0,
+    shared: null,
     share: 1,
     failure: null,
     isRefused: false,
@@ -37,7 +42,8 @@ beforeEach(() => {
     changed = listener;
     return () => undefined;
   };
-  const robot = { subscribe, getView: () => view, setPace, step };
+  const commands = { setPace, step, goTo, shareCourse };
+  const robot = { subscribe, getView: () => view, ...commands };
   const names = ["neuro", "prostate"];
   render(<Simulation robot={robot} names={names} onAnew={onAnew} />);
 });
@@ -104,4 +110,43 @@ test("SWR-SITE-026 a link that is refused is told with the reason, and the way o
     name: "A robot without it",
   });
   expect(out.hash).toBe("#robot=neuro");
+});
+
+test("SWR-SITE-032 time goes back by a cycle, a second, to the start and to any cycle", () => {
+  expect(button("Back one cycle").disabled).toBe(true);
+  replace({ cycles: 3000, end: 3000 });
+  ["To the start", "Back 1 s", "Back one cycle"].forEach((name) =>
+    fireEvent.click(button(name)),
+  );
+  const cycle = screen.getByLabelText<HTMLInputElement>("Cycle");
+  fireEvent.change(cycle, { target: { value: "1234" } });
+  fireEvent.click(button("Go to it"));
+  expect(goTo.mock.calls.flat()).toEqual([1, 2000, 2999, 1234]);
+  expect([cycle.min, cycle.max]).toEqual(["1", "3000"]);
+  replace({ cycles: 500 });
+  fireEvent.click(button("Back 1 s"));
+  expect(goTo).toHaveBeenLastCalledWith(1);
+});
+
+test("SWR-SITE-032 who has gone back is told what is forgotten before time goes on", () => {
+  const status = screen.getByRole("status");
+  replace({ cycles: 3000, end: 3000 });
+  expect(status.textContent).toBe("");
+  replace({ cycles: 2000, later: 12 });
+  expect(status.textContent).toBe(
+    "It has been to cycle 3000. When time goes on from here, that is forgotten, with 12 inputs.",
+  );
+});
+
+test("SWR-SITE-030 what was done is shown as a link, or the reason why not", () => {
+  fireEvent.click(button("Share"));
+  expect(shareCourse).toHaveBeenCalledOnce();
+  const scene = "robot=neuro&seed=1&inputs=100:estop,pull";
+  replace({ shared: { kind: "shared", scene, inputs: 1, cycle: 200 } });
+  const link = screen.getByLabelText<HTMLInputElement>(
+    "Link to the 1 inputs before cycle 200",
+  );
+  expect(link.value).toBe(`${location.href}#${scene}`);
+  replace({ shared: { kind: "unshared", reason: "It is too long." } });
+  expect(screen.getByRole("alert").textContent).toBe("It is too long.");
 });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useSyncExternalStore } from "react";
 import { addressOf } from "./address";
+import { TimeTravel } from "./TimeTravel";
 import { CYCLES_PER_MS } from "./pace";
 import type { RobotTransport, RobotView } from "./robot_transport";
 import "./Simulation.css";
@@ -15,7 +16,10 @@ const paces: readonly (readonly [number, string])[] = [
 ];
 
 interface Properties {
-  robot: Pick<RobotTransport, "subscribe" | "getView" | "setPace" | "step">;
+  robot: Pick<
+    RobotTransport,
+    "subscribe" | "getView" | "setPace" | "step" | "goTo" | "shareCourse"
+  >;
   /** Of all there are. */
   names: readonly string[];
   onAnew(): void;
@@ -122,6 +126,7 @@ export function Simulation({ robot, names, onAnew }: Properties) {
         </button>
         <a href="./replay.html">Open a recording</a>
       </div>
+      <TimeTravel robot={robot} view={view} />
     </section>
   );
 }

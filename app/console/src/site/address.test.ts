@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rule under test: the address of the page chooses its robot.
 import { expect, test } from "vitest";
-import { addressOf, choiceIn, isOther } from "./address";
+import { addressIn, addressOf, choiceIn, isOther } from "./address";
 
 test("SWR-SITE-012 the address names robot and seed, and what it does not say is as usual", () => {
   const usual = { robot: "neuro", seed: 1, scene: null };
@@ -36,4 +36,10 @@ test("SWR-SITE-025 another scene is another page, and a view of the one that is 
   expect(isOther("#robot=neuro", played)).toBe(true);
   expect(isOther(SCENE, played)).toBe(false);
   expect(isOther("#charts", played)).toBe(false);
+});
+
+test("SWR-SITE-012 a choice has an address by which it is chosen again", () => {
+  ["", "#robot=prostate&seed=42", SCENE].map(choiceIn).forEach((choice) => {
+    expect(choiceIn(addressIn(choice))).toEqual(choice);
+  });
 });

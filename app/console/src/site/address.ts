@@ -30,6 +30,11 @@ export function addressOf(robot: string): string {
   return `#robot=${encodeURIComponent(robot)}`;
 }
 
+/** The address of the same choice, whatever view is shown. */
+export function addressIn({ robot, seed, scene }: Choice): string {
+  return scene === null ? `${addressOf(robot)}&seed=${seed}` : `#${scene}`;
+}
+
 /**
  * Another robot or another scene is another page; what names neither is a view of this one.
  *

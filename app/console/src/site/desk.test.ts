@@ -16,12 +16,13 @@ const STATE = '{"status":{"build_id":"b1"},"motors":"m","targeting":"t"}';
 
 class FakeRobot implements Pick<
   ServedRobot,
-  "step" | "act" | "ask" | "listen" | "stay" | "cycles"
+  "step" | "act" | "ask" | "listen" | "stay" | "cycles" | "done"
 > {
   cycles = 0;
   news: Told[] = [];
   stay = vi.fn();
   acted: [number, string][] = [];
+  private orders: Input[] = [];
 
   act({ words }: Input): void {
     if (words[0] === "card") {
@@ -35,6 +36,9 @@ class FakeRobot implements Pick<
   }
 
   ask({ method, address }: Asked): Answered {
+    if (method === "PUT") {
+      this.orders.push(input(this.cycles, "pedal press"));
+    }
     this.cycles += method === "POST" ? 30 : 0;
     const body = bodies[address] ?? "";
     return { status: 200, reason: "OK", headers: [], body };
@@ -43,11 +47,27 @@ class FakeRobot implements Pick<
   listen(): Told[] {
     return this.news.splice(0);
   }
+
+  done(): Input[] {
+    return this.orders.splice(0);
+  }
 }
+
+const input = (cycle: number, words: string): Input => ({
+  cycle,
+  words: words.split(" "),
+});
 
 let robot: FakeRobot;
 let reports: Report[];
 let desk: RobotDesk;
+
+const time = (cycles: number, end = cycles, later = 0): Report => ({
+  kind: "time",
+  cycles,
+  end,
+  later,
+});
 
 const ask = (method: string): Asked => ({
   method,
@@ -57,14 +77,33 @@ const ask = (method: string): Asked => ({
 });
 
 function begin(inputs: Input[]): void {
-  robot = new FakeRobot();
   reports = [];
   desk = new RobotDesk(
-    robot as unknown as ServedRobot,
-    inputs,
+    () => {
+      robot = new FakeRobot();
+      return robot as unknown as ServedRobot;
+    },
+    { robot: "neuro", seed: 7, inputs },
     (report) => reports.push(report),
     0,
   );
+}
+
+/** Those of a link, and the pedal in cycle 21. */
+function live(inputs: Input[]): void {
+  begin(inputs);
+  desk.beat(BEAT_MS);
+  desk.take({ kind: "ask", id: 1, asked: ask("PUT") }, BEAT_MS);
+  desk.beat(2 * BEAT_MS);
+}
+
+function goTo(cycle: number): void {
+  desk.take({ kind: "go", cycle }, 2 * BEAT_MS);
+}
+
+function share(): Report | undefined {
+  desk.take({ kind: "share" }, 2 * BEAT_MS);
+  return reports.at(-1);
 }
 
 beforeEach(() => begin([]));
@@ -92,22 +131,19 @@ test("SWR-SITE-011 what the stream brings is told, with the time", () => {
   expect(reports.slice(1)).toEqual([
     { kind: "told", type: "log", data: "l" },
     { kind: "told", type: "state", data: "s" },
-    { kind: "time", cycles: 1 + BEAT_MS },
+    time(1 + BEAT_MS),
   ]);
 });
 
 test("SWR-SITE-014 a robot that stands still is told of again, and one cycle is shown at once", () => {
   desk.take({ kind: "pace", share: 0 }, 0);
   desk.beat(TELL_MS);
-  const still = [
-    { kind: "told", type: "state", data: STATE },
-    { kind: "time", cycles: 1 },
-  ];
+  const still = [{ kind: "told", type: "state", data: STATE }, time(1)];
   expect(reports.slice(1)).toEqual(still);
   desk.beat(TELL_MS + BEAT_MS);
   expect(reports).toHaveLength(3);
   desk.take({ kind: "step" }, TELL_MS + BEAT_MS);
-  expect(reports.at(-1)).toEqual({ kind: "time", cycles: 2 });
+  expect(reports.at(-1)).toEqual(time(2));
 });
 
 test("SWR-SITE-010 who has opened the page stays logged in", () => {
@@ -128,11 +164,6 @@ test("SWR-SITE-011 a robot that has failed says so once, and is done", () => {
     kind: "failed",
     reason: "Contract served/310 is broken, report this.",
   });
-});
-
-const input = (cycle: number, words: string): Input => ({
-  cycle,
-  words: words.split(" "),
 });
 
 test("SWR-SITE-025 each input of a link is done before its cycle, whatever the beat", () => {
@@ -174,4 +205,68 @@ test("SWR-SITE-026 a link whose input is refused is over, in words, and nothing 
     kind: "refused",
     reason: "Cycle 5, card 11 silent: No such card.",
   });
+});
+
+test("SWR-SITE-030 what a link and the page have done is shared as one link", () => {
+  live([input(7, "estop pull"), input(99, "estop reset")]);
+  expect(share()).toEqual({
+    kind: "shared",
+    scene: "robot=neuro&seed=7&inputs=7:estop,pull;21:pedal,press",
+    inputs: 2,
+    cycle: 41,
+  });
+});
+
+test("SWR-SITE-030 what is not known any more is not shared, with the reason", () => {
+  robot.done = () => null as unknown as Input[];
+  desk.beat(BEAT_MS);
+  expect(share()).toEqual({
+    kind: "unshared",
+    reason: "More than 10,000 inputs were given, and are not kept.",
+  });
+  const before = robot;
+  goTo(1);
+  expect(robot).toBe(before);
+});
+
+test("SWR-SITE-031 it goes back by a robot to which the same is done, and stands still", () => {
+  live([input(7, "estop pull"), input(99, "estop reset")]);
+  const before = robot;
+  goTo(22);
+  expect(robot).not.toBe(before);
+  expect(robot.acted).toEqual([
+    [7, "estop pull"],
+    [21, "pedal press"],
+  ]);
+  expect(reports.slice(-3)).toEqual([
+    { kind: "restarted" },
+    { kind: "told", type: "state", data: STATE },
+    time(22, 41, 1),
+  ]);
+  desk.beat(9 * BEAT_MS);
+  expect(robot.cycles).toBe(22);
+});
+
+test("SWR-SITE-031 from there it goes forth to where it was, and no further", () => {
+  live([]);
+  goTo(20);
+  expect(reports.at(-1)).toEqual(time(20, 41, 1));
+  goTo(41);
+  expect(reports.at(-1)).toEqual(time(41));
+  expect(robot.acted).toEqual([[21, "pedal press"]]);
+  const before = robot;
+  [0, 42].forEach(goTo);
+  expect(robot).toBe(before);
+});
+
+test("SWR-SITE-031 when time goes on, what came later is forgotten", () => {
+  live([input(99, "estop reset")]);
+  goTo(20);
+  desk.take({ kind: "step" }, 2 * BEAT_MS);
+  expect(reports.at(-1)).toEqual(time(21));
+  for (let cycle = 22; cycle < 110; cycle++) {
+    desk.take({ kind: "step" }, 2 * BEAT_MS);
+  }
+  expect(robot.acted).toEqual([]);
+  expect(share()).toMatchObject({ inputs: 0 });
 });

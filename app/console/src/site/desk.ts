@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The robot at work for its page: it lives by the time of the world, answers, and tells what happens.
 import type { Path, Robot, Status } from "@interface";
-import type { Input } from "../what_if/scene_text";
+import type { Input, Scene } from "../what_if/scene_text";
+import { Course } from "./course";
 import { onLink, reportOf } from "./link";
 import { Pace } from "./pace";
 import type { Order, Report } from "./messages";
@@ -16,23 +17,32 @@ const STAY_CYCLES = 60_000;
 type Work = Exclude<Order, { kind: "start" }>;
 
 export class RobotDesk {
-  private readonly robot: ServedRobot;
+  private readonly begin: () => ServedRobot;
+  private robot: ServedRobot;
+  private readonly scene: Scene;
+  private course = new Course();
+  /** To come. */
   private inputs: readonly Input[];
+  /** Where time had come to when it was put back, and what came until then. */
+  private end = 0;
+  private later: readonly Input[] = [];
   private readonly tell: (report: Report) => void;
   private readonly pace: Pace;
   private toldAtMs: number;
   private stayedAt = 0;
   private hasFailed = false;
 
-  /** The robot is started, and no cycle has passed. `inputs` are done to it in their cycles. */
+  /** `begin` starts the robot of the scene, always the same. Its inputs are done in their cycles. */
   constructor(
-    robot: ServedRobot,
-    inputs: readonly Input[],
+    begin: () => ServedRobot,
+    scene: Scene,
     tell: (report: Report) => void,
     nowMs: number,
   ) {
-    this.robot = robot;
-    this.inputs = inputs;
+    this.begin = begin;
+    this.robot = begin();
+    this.scene = scene;
+    this.inputs = scene.inputs;
     this.tell = tell;
     this.pace = new Pace(nowMs);
     this.toldAtMs = nowMs;
@@ -46,11 +56,7 @@ export class RobotDesk {
   /** Each BEAT_MS. */
   beat(nowMs: number): void {
     this.try(() => {
-      this.pass(this.pace.due(nowMs));
-      if (this.robot.cycles - this.stayedAt >= STAY_CYCLES) {
-        this.stayedAt = this.robot.cycles;
-        this.robot.stay();
-      }
+      this.goOn(this.pace.due(nowMs));
       this.tellNews(nowMs);
     });
   }
@@ -60,14 +66,73 @@ export class RobotDesk {
       case "ask": {
         const before = this.robot.cycles;
         const answered = this.robot.ask(order.asked);
-        this.pace.spend(this.robot.cycles - before);
+        const waited = this.robot.cycles - before;
+        this.pace.spend(waited);
+        this.note();
+        this.forget(waited);
         return this.tell({ kind: "answer", id: order.id, answered });
       }
       case "pace":
         return this.pace.set(order.share, nowMs);
       case "step":
-        this.pass(1);
+        this.goOn(1);
         return this.tellState(nowMs);
+      case "go":
+        return this.goTo(order.cycle, nowMs);
+      case "share":
+        return this.tell(this.share());
+    }
+  }
+
+  private share(): Report {
+    try {
+      const scene = this.course.write(this.scene);
+      const inputs = this.course.inputs.length;
+      return { kind: "shared", scene, inputs, cycle: this.robot.cycles };
+    } catch (failure) {
+      return { kind: "unshared", reason: (failure as Error).message };
+    }
+  }
+
+  /**
+   * To the state before any cycle that has been, by executing what was done until then anew; there it stands still.
+   *
+   * @satisfies SWR-SITE-031
+   */
+  private goTo(cycle: number, nowMs: number): void {
+    const end = Math.max(this.end, this.robot.cycles);
+    if (this.course.problem !== null || cycle < 1 || cycle > end) {
+      return;
+    }
+    const all = [...this.course.inputs, ...this.later, ...this.inputs];
+    this.pace.set(0, nowMs);
+    this.restart(all.filter((input) => input.cycle < cycle));
+    while (this.robot.cycles < cycle) {
+      this.pass(Math.min(STAY_CYCLES, cycle - this.robot.cycles));
+    }
+    this.end = end;
+    this.later = all.filter((input) => input.cycle >= cycle);
+    this.tell({ kind: "restarted" });
+    this.tellState(nowMs);
+  }
+
+  private restart(inputs: readonly Input[]): void {
+    this.robot = this.begin();
+    this.course = new Course();
+    this.inputs = inputs;
+    this.stayedAt = 0;
+  }
+
+  private goOn(cycles: number): void {
+    this.pass(cycles);
+    this.forget(cycles);
+  }
+
+  /** When time goes on. */
+  private forget(cycles: number): void {
+    if (cycles > 0) {
+      this.end = 0;
+      this.later = [];
     }
   }
 
@@ -81,16 +146,27 @@ export class RobotDesk {
     let [next] = this.inputs;
     while (next !== undefined && next.cycle < end) {
       this.robot.step(Math.max(0, next.cycle - this.robot.cycles));
+      this.note();
       this.act(next);
       this.inputs = this.inputs.slice(1);
       [next] = this.inputs;
     }
     this.robot.step(end - this.robot.cycles);
+    this.note();
+    if (this.robot.cycles - this.stayedAt >= STAY_CYCLES) {
+      this.stayedAt = this.robot.cycles;
+      this.robot.stay();
+    }
+  }
+
+  private note(): void {
+    this.course.add(this.robot.done());
   }
 
   private act(input: Input): void {
     const where = `Cycle ${input.cycle}, ${input.words.join(" ")}: `;
     onLink(() => this.robot.act(input), where);
+    this.course.add([{ cycle: this.robot.cycles, words: input.words }]);
   }
 
   private introduce(): void {
@@ -122,7 +198,10 @@ export class RobotDesk {
 
   private tellTime(nowMs: number): void {
     this.toldAtMs = nowMs;
-    this.tell({ kind: "time", cycles: this.robot.cycles });
+    const { cycles } = this.robot;
+    const end = Math.max(this.end, cycles);
+    const later = this.later.length;
+    this.tell({ kind: "time", cycles, end, later });
   }
 
   private read(address: Path): Answered {

@@ -18,7 +18,11 @@ export type Order =
   /** Of the world's time; 0: none. */
   | { kind: "pace"; share: number }
   /** One cycle. */
-  | { kind: "step" };
+  | { kind: "step" }
+  /** To a cycle that has been; time stands still there. */
+  | { kind: "go"; cycle: number }
+  /** What was done until now, as a link to this robot. */
+  | { kind: "share" };
 
 /** What somebody who sees the page can compare. */
 export interface Identity {
@@ -32,8 +36,13 @@ export type Report =
   | ({ kind: "started" } & Identity)
   | { kind: "answer"; id: number; answered: Answered }
   | ({ kind: "told" } & Told)
-  /** Cycles since the start. */
-  | { kind: "time"; cycles: number }
+  /** Cycles since the start, how far it has been, and how many inputs came after these cycles. */
+  | { kind: "time"; cycles: number; end: number; later: number }
+  /** It is at another cycle, and so is its server, which knows nothing of later. */
+  | { kind: "restarted" }
+  /** What was done until that cycle, as a link has it behind the #. */
+  | { kind: "shared"; scene: string; inputs: number; cycle: number }
+  | { kind: "unshared"; reason: string }
   /** What the link says cannot be done, and nothing else is shown. */
   | { kind: "refused"; reason: string }
   /** It does nothing more. */

@@ -110,7 +110,7 @@ test("SWR-SITE-014 pace and cycle are ordered from the worker, whose time is kno
   transport.subscribe(changed);
   transport.setPace(0);
   transport.step();
-  report({ kind: "time", cycles: 12 });
+  report({ kind: "time", cycles: 12, end: 12, later: 0 });
   expect(orders.slice(1)).toEqual([
     { kind: "pace", share: 0 },
     { kind: "step" },
@@ -128,4 +128,27 @@ test("SWR-SITE-026 what asks for the robot of a link that is refused gets the re
   await expect(transport.request("/api/v1/robot", {})).rejects.toThrow(
     "At character 1: no.",
   );
+});
+
+test("SWR-SITE-031 time stands still where it goes to, and the stream is that of another server", () => {
+  transport.openStream(listener);
+  transport.goTo(5);
+  expect(orders.at(-1)).toEqual({ kind: "go", cycle: 5 });
+  report({ kind: "restarted" });
+  expect(listener.lose).toHaveBeenCalledExactlyOnceWith(null);
+  report({ kind: "time", cycles: 5, end: 12, later: 3 });
+  expect(transport.getView()).toMatchObject({
+    share: 0,
+    cycles: 5,
+    end: 12,
+    later: 3,
+  });
+});
+
+test("SWR-SITE-030 what was done is asked for, and known then", () => {
+  transport.shareCourse();
+  expect(orders.at(-1)).toEqual({ kind: "share" });
+  const shared: Report = { kind: "unshared", reason: "No." };
+  report(shared);
+  expect(transport.getView().shared).toEqual(shared);
 });

@@ -21,6 +21,11 @@ export interface RobotView {
   /** Null before it is started. */
   identity: Identity | null;
   cycles: number;
+  /** To which cycle one may go, and how many inputs are forgotten when time goes on from here. */
+  end: number;
+  later: number;
+  /** What was done until a cycle, or why it is not told. Null: nobody has asked. */
+  shared: Extract<Report, { kind: "shared" | "unshared" }> | null;
   /** Of the world's time. */
   share: number;
   /** Why there is no robot any more. */
@@ -62,6 +67,9 @@ export class RobotTransport implements Transport {
   private view: RobotView = {
     identity: null,
     cycles: 0,
+    end: 0,
+    later: 0,
+    shared: null,
     share: 1,
     failure: null,
     isRefused: false,
@@ -90,6 +98,17 @@ export class RobotTransport implements Transport {
   /** Lets one cycle pass. */
   step(): void {
     this.port.postMessage({ kind: "step" });
+  }
+
+  /** Back to a cycle, or as far forth as it has been; there time stands still. */
+  goTo(cycle: number): void {
+    this.port.postMessage({ kind: "go", cycle });
+    this.replace({ share: 0 });
+  }
+
+  /** Asks for what was done until now. */
+  shareCourse(): void {
+    this.port.postMessage({ kind: "share" });
   }
 
   readonly request = async (
@@ -152,7 +171,16 @@ export class RobotTransport implements Transport {
       case "told":
         return this.streamListener?.hear(report.type, report.data);
       case "time":
-        return this.replace({ cycles: report.cycles });
+        return this.replace({
+          cycles: report.cycles,
+          end: report.end,
+          later: report.later,
+        });
+      case "restarted":
+        return this.lose(null);
+      case "shared":
+      case "unshared":
+        return this.replace({ shared: report });
       case "refused":
         this.replace({ isRefused: true });
         return this.fail(report.reason);

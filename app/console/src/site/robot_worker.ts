@@ -13,11 +13,14 @@ let desk: Promise<RobotDesk> | null = null;
 
 async function start(order: Start): Promise<RobotDesk> {
   const module = await moduleOf(order.packed);
-  const served = new ServedRobot(module);
-  const { robot, seed, inputs } = sceneOf(order, served.vocabulary);
-  served.start(robot, seed, order.utcS);
-  const now = performance.now();
-  const started = new RobotDesk(served, inputs, tell, now);
+  const { vocabulary } = new ServedRobot(module);
+  const scene = sceneOf(order, vocabulary);
+  const begin = () => {
+    const served = new ServedRobot(module);
+    served.start(scene.robot, scene.seed, order.utcS);
+    return served;
+  };
+  const started = new RobotDesk(begin, scene, tell, performance.now());
   setInterval(() => started.beat(performance.now()), BEAT_MS);
   return started;
 }

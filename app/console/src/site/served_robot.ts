@@ -3,8 +3,15 @@
 // is logged in there. Nothing but these calls decides what it does: no clock, no chance, no network.
 import type { Path, Session } from "@interface";
 import type { StreamEvent } from "../transport/transport";
-import { SceneHand, type HandModule } from "../what_if/scene_hand.ts";
+import { read, SceneHand, type HandModule } from "../what_if/scene_hand.ts";
+import { SceneRun, type RobotModule } from "../what_if/scene_run.ts";
 import type { Input, Vocabulary } from "../what_if/scene_text.ts";
+
+function inputOf(line: string): Input {
+  const colon = line.indexOf(":");
+  const words = line.slice(colon + 1).split(",");
+  return { cycle: Number(line.slice(0, colon)), words };
+}
 
 /** What the module exports. */
 interface Door extends HandModule {
@@ -15,6 +22,7 @@ interface Door extends HandModule {
   ask(size: number): number;
   listen(): number;
   cycles(): number;
+  journal(): number;
 }
 
 export interface Asked {
@@ -65,6 +73,7 @@ function readTold(message: string): Told {
 }
 
 export class ServedRobot {
+  private readonly module: WebAssembly.Module;
   private readonly door: Door;
   private readonly hand: SceneHand;
   private cookie = "";
@@ -72,6 +81,7 @@ export class ServedRobot {
 
   constructor(module: WebAssembly.Module) {
     const { exports } = new WebAssembly.Instance(module, {});
+    this.module = module;
     this.door = exports as unknown as Door;
     this.hand = new SceneHand(this.door);
   }
@@ -148,6 +158,21 @@ export class ServedRobot {
     return this.read(size).split("\n\n").slice(0, -1).map(readTold);
   }
 
+  /**
+   * What its server has done to it since the last time; null: that is not known any more. Before the first cycle nobody
+   * asks: what the server does then every server does.
+   */
+  done(): Input[] | null {
+    const place = this.door.journal();
+    const lines = place === 0 ? null : read(this.door, place).split("\n");
+    return (
+      lines
+        ?.slice(0, -1)
+        .map(inputOf)
+        .filter(({ cycle }) => cycle > 0) ?? null
+    );
+  }
+
   /** Since it was started. */
   get cycles(): number {
     return this.door.cycles();
@@ -161,6 +186,20 @@ export class ServedRobot {
   /** Goes on from there. Memory that it has got since is as new. */
   restore(snapshot: Snapshot): void {
     this.bytes(0).fill(0).set(snapshot);
+  }
+
+  /** Another one that goes on from where this one is, and of which it knows nothing. */
+  copy(): SceneRun {
+    const { exports } = new WebAssembly.Instance(this.module, {});
+    const door = exports as unknown as Door & RobotModule;
+    const run = new SceneRun({ ...door, step: () => door.step(1) });
+    const { cycles: cycle } = this;
+    run.restore({
+      memory: this.snapshot(),
+      cycle,
+      commands: this.hand.commands,
+    });
+    return run;
   }
 
   private bytes(address: number): Uint8Array<ArrayBuffer> {

@@ -17,6 +17,9 @@ export interface RobotModule extends HandModule {
   compare(): void;
 }
 
+/** Bytes. */
+const MEMORY_PAGE = 65_536;
+
 /** All that decides how a run goes on. */
 export interface RunState {
   memory: Uint8Array;
@@ -77,7 +80,10 @@ export class SceneRun {
 
   /** Goes on from a copy, of this or of another run. */
   restore(state: RunState): void {
-    new Uint8Array(this.module.memory.buffer).set(state.memory);
+    const { memory } = this.module;
+    const missing = state.memory.length - memory.buffer.byteLength;
+    memory.grow(Math.max(0, Math.ceil(missing / MEMORY_PAGE)));
+    new Uint8Array(memory.buffer).set(state.memory);
     this.cycle = state.cycle;
     this.hand.commands = state.commands;
   }
