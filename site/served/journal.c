@@ -52,8 +52,8 @@ void journal_note_order(uint32_t cycle, const char *order)
     }
 }
 
-/* Numbers behind the last one that is not 0 need not be said; id and peer do: a scene has its own.
- */
+/* Numbers behind the last one that is not 0 need not be said, but id and peer must: a scene has its
+ * own. */
 static uint32_t said_of(const int32_t *numbers, const field_t *field)
 {
     const bool is_always =

@@ -2,12 +2,14 @@
 
 // Acts on the robot of a page as a browser does, makes the link of what was done, and plays it in a page of another time.
 // Prints as JSON the words of the outputs that are others there, at the end or in the cycles after it, each as often as it is;
-// of the pedal when it was held for the last time, and long after nobody held on to it; and the inputs.
+// of the pedal when it was held for the last time, and long after nobody held on to it; what is said to differ with an e-stop, and
+// with what comes anyhow; and the inputs.
 //
 //   node course.mjs SERVED.wasm ROBOT [LEFT_OUT]    LEFT_OUT: the input of this number is not played
 
 import { readFileSync } from "node:fs";
 import { Course } from "../../app/console/src/site/course.ts";
+import { answerOf, inputAt } from "../../app/console/src/site/question.ts";
 import { ServedRobot } from "../../app/console/src/site/served_robot.ts";
 import { readScene } from "../../app/console/src/what_if/scene_text.ts";
 
@@ -112,11 +114,14 @@ for (let cycle = 0; cycle < AFTER_CYCLES; cycle++) {
   one.step();
   other.step();
 }
+const reset = inputAt(live.cycles, "estop reset", live.vocabulary);
+const answerTo = (input, inputs) => answerOf({ input, seconds: 1 }, inputs, live.copy(), live.copy());
 console.log(
   JSON.stringify({
     differences,
     held,
     left,
+    answers: [answerTo(" estop  pull", []), answerTo("estop reset", [reset])],
     inputs: scene.inputs.map(({ words: said }) => said.join(" ")),
   }),
 );

@@ -266,10 +266,12 @@ class TestSite < Minitest::Test
   end
 
   # What the page has done, and what became of it when a link of that is played.
-  def course(robot, *left_out)
-    said, status = node('--no-warnings', "#{__dir__}/course.mjs", SERVED, robot, *left_out)
-    assert status.success?, said
-    JSON.parse(said)
+  def course(*words)
+    (@@courses ||= {})[words] ||= begin
+      said, status = node('--no-warnings', "#{__dir__}/course.mjs", SERVED, *words)
+      assert status.success?, said
+      JSON.parse(said)
+    end
   end
 
   def test_SWR_SITE_029_what_was_done_in_a_page_has_the_same_outputs_elsewhere
@@ -284,6 +286,16 @@ class TestSite < Minitest::Test
 
   def test_SWR_SITE_029_an_input_that_is_missing_would_be_seen
     assert_operator course('neuro', '1')['differences'].size, :>, 10
+  end
+
+  def test_SWR_SITE_033_what_would_be_if_is_said_of_the_robot_in_a_page
+    with_estop, anyhow = course('neuro').fetch('answers')
+    assert_match(/\ACycle \d+ \(\d+\.\d{3} s\): .*estop/, with_estop.first)
+    assert_empty anyhow
+  end
+
+  def test_SWR_SITE_032_time_goes_back_in_a_page_and_a_question_is_answered_there
+    assert_parts 'SWR-SITE-032'
   end
 
   def test_SWR_SITE_034_what_is_held_opens_when_nobody_renews_it

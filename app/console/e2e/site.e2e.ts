@@ -239,6 +239,19 @@ test("SWR-SITE-028 a link is played, and a bad one is refused in words", async (
   await refusal.waitFor({ state: "detached" });
 });
 
+test("SWR-SITE-032 time goes back, and what would be if is answered there", async () => {
+  await expect.poll(cycle, patience).toBeGreaterThan(1);
+  await button("Pause").click();
+  await button("Back one cycle").click();
+  await page
+    .getByText(/^It has been to cycle \d+\. When time goes on/)
+    .waitFor();
+  await page.getByLabel("What if").fill("estop pull");
+  await button("Compare").click();
+  await page.locator(".simulation-lines", { hasText: "estop" }).waitFor();
+  expect(await findingsOf(page)).toBe("");
+});
+
 test("SWR-SITE-035 a recording is opened in the page beside it, and shown at its events", async () => {
   await page.goto(address);
   await page.getByRole("link", { name: "Open a recording" }).click();

@@ -17,6 +17,7 @@ const setPace = vi.fn();
 const step = vi.fn();
 const goTo = vi.fn();
 const shareCourse = vi.fn();
+const compare = vi.fn();
 const onAnew = vi.fn();
 
 function replace(change: Partial<RobotView>): void {
@@ -34,6 +35,8 @@ beforeEach(() => {
     end: 0,
     later: 0,
     shared: null,
+    inputs: ["estop pull", "pedal press"],
+    compared: null,
     share: 1,
     failure: null,
     isRefused: false,
@@ -42,10 +45,12 @@ beforeEach(() => {
     changed = listener;
     return () => undefined;
   };
-  const commands = { setPace, step, goTo, shareCourse };
+  const commands = { setPace, step, goTo, shareCourse, compare };
   const robot = { subscribe, getView: () => view, ...commands };
   const names = ["neuro", "prostate"];
-  render(<Simulation robot={robot} names={names} onAnew={onAnew} />);
+  const asked = { input: "card 3 silent", seconds: 5 };
+  const properties = { robot, names, asked, onAnew };
+  render(<Simulation {...properties} />);
 });
 
 afterEach(cleanup);
@@ -149,4 +154,56 @@ test("SWR-SITE-030 what was done is shown as a link, or the reason why not", () 
   expect(link.value).toBe(`${location.href}#${scene}`);
   replace({ shared: { kind: "unshared", reason: "It is too long." } });
   expect(screen.getByRole("alert").textContent).toBe("It is too long.");
+});
+
+const question = { input: "estop pull", seconds: 4 };
+const answer = {
+  question,
+  cycle: 1500,
+  lines: [],
+  problem: null,
+  scene: "robot=neuro&seed=1&inputs=100:pedal,press",
+};
+
+test("SWR-SITE-033 what would be if is asked where time stands still, first what the link asks", () => {
+  expect(button("Compare").disabled).toBe(true);
+  expect(screen.getByText("Pause first.")).toBeTruthy();
+  replace({ share: 0 });
+  fireEvent.click(button("Compare"));
+  expect(compare).toHaveBeenLastCalledWith({
+    input: "card 3 silent",
+    seconds: 5,
+  });
+  const input = screen.getByRole<HTMLInputElement>("combobox");
+  expect([...(input.list?.options ?? [])].map(({ value }) => value)).toEqual([
+    "estop pull",
+    "pedal press",
+  ]);
+  fireEvent.change(input, { target: { value: "estop pull" } });
+  fireEvent.change(screen.getByRole("spinbutton", { name: /Compared for/ }), {
+    target: { value: "4" },
+  });
+  fireEvent.click(button("Compare"));
+  expect(compare).toHaveBeenLastCalledWith(question);
+});
+
+test("SWR-SITE-033 the first difference is said, and a link asks for it again", () => {
+  replace({ compared: { ...answer, lines: ["Cycle 1500", "state x"] } });
+  expect(screen.getByText("Cycle 1500").nextSibling?.textContent).toBe(
+    "state x",
+  );
+  const link = screen.getByLabelText<HTMLInputElement>("Link to this question");
+  expect(link.value).toBe(
+    `${location.href}#${answer.scene}&at=1500&if=estop,pull&for=4`,
+  );
+});
+
+test("SWR-SITE-033 nothing is said to differ where nothing does, and what is no input is refused", () => {
+  replace({ compared: answer });
+  expect(
+    screen.getByText("Nothing differs in 4 s with “estop pull”."),
+  ).toBeTruthy();
+  replace({ compared: { ...answer, scene: null, problem: "It is none." } });
+  expect(screen.getByRole("alert").textContent).toBe("It is none.");
+  expect(screen.queryByLabelText("Link to this question")).toBeNull();
 });

@@ -3,7 +3,9 @@ import { useSyncExternalStore } from "react";
 import { addressOf } from "./address";
 import { TimeTravel } from "./TimeTravel";
 import { CYCLES_PER_MS } from "./pace";
+import type { Question } from "./question";
 import type { RobotTransport, RobotView } from "./robot_transport";
+import { WhatIf } from "./WhatIf";
 import "./Simulation.css";
 
 const MS_PER_S = 1000;
@@ -18,10 +20,18 @@ const paces: readonly (readonly [number, string])[] = [
 interface Properties {
   robot: Pick<
     RobotTransport,
-    "subscribe" | "getView" | "setPace" | "step" | "goTo" | "shareCourse"
+    | "subscribe"
+    | "getView"
+    | "setPace"
+    | "step"
+    | "goTo"
+    | "shareCourse"
+    | "compare"
   >;
   /** Of all there are. */
   names: readonly string[];
+  /** By the link of the page. */
+  asked: Question | null;
   onAnew(): void;
 }
 
@@ -92,7 +102,7 @@ function Trouble({
  *
  * @satisfies SWR-SITE-013
  */
-export function Simulation({ robot, names, onAnew }: Properties) {
+export function Simulation({ robot, names, asked, onAnew }: Properties) {
   const view = useSyncExternalStore(robot.subscribe, robot.getView);
   const { identity, cycles, failure } = view;
   const timeS = (cycles / CYCLES_PER_MS / MS_PER_S).toFixed(3);
@@ -127,6 +137,7 @@ export function Simulation({ robot, names, onAnew }: Properties) {
         <a href="./replay.html">Open a recording</a>
       </div>
       <TimeTravel robot={robot} view={view} />
+      <WhatIf robot={robot} view={view} asked={asked} />
     </section>
   );
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Back to what has been, and away with it to somebody else.
 import { useState, type FormEvent } from "react";
+import { linkOf } from "./address";
 import { CYCLES_PER_MS } from "./pace";
 import type { RobotTransport, RobotView } from "./robot_transport";
 
@@ -82,7 +83,7 @@ function Share({ robot, view: { shared } }: Properties) {
           Link to the {shared.inputs} inputs before cycle {shared.cycle}{" "}
           <input
             readOnly
-            value={new URL(`#${shared.scene}`, location.href).href}
+            value={linkOf(shared.scene)}
             onFocus={({ target }) => target.select()}
           />
         </label>

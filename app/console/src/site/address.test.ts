@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rule under test: the address of the page chooses its robot.
 import { expect, test } from "vitest";
-import { addressIn, addressOf, choiceIn, isOther } from "./address";
+import {
+  addressIn,
+  addressOf,
+  askedIn,
+  choiceIn,
+  isOther,
+  linkOf,
+} from "./address";
 
 test("SWR-SITE-012 the address names robot and seed, and what it does not say is as usual", () => {
   const usual = { robot: "neuro", seed: 1, scene: null };
@@ -42,4 +49,15 @@ test("SWR-SITE-012 a choice has an address by which it is chosen again", () => {
   ["", "#robot=prostate&seed=42", SCENE].map(choiceIn).forEach((choice) => {
     expect(choiceIn(addressIn(choice))).toEqual(choice);
   });
+});
+
+test("SWR-SITE-033 a link may ask a question of its scene, which it has after it was read", () => {
+  const scene = SCENE.slice(1);
+  const asked = { cycle: 250, input: "card 3 silent", seconds: 7 };
+  const { hash } = new URL(linkOf(scene, asked));
+  expect(askedIn(hash.slice(1))).toEqual([scene, asked]);
+  expect(isOther(hash, choiceIn(SCENE))).toBe(true);
+  expect(askedIn(scene)).toEqual([scene, null]);
+  const long = `${scene}&at=99999999&if=card,3,silent&for=7`;
+  expect(askedIn(long)).toEqual([long, null]);
 });

@@ -2,6 +2,13 @@
 // What the address of the page chooses after its #: `robot=NAME`, `seed=NUMBER` for its simulated box, and with `inputs=` a
 // whole scene (what_if/scene_text.ts), which is played.
 
+import type { Question } from "./question";
+
+/** A question of a link, and the cycle at which it is asked. */
+export interface AskedAt extends Question {
+  cycle: number;
+}
+
 export interface Choice {
   robot: string;
   seed: number;
@@ -9,6 +16,7 @@ export interface Choice {
   scene: string | null;
 }
 
+const QUESTION = /&at=(\d{1,7})&if=([^&]*)&for=(\d{1,2})$/;
 const USUAL = { robot: "neuro", seed: 1 };
 
 /**
@@ -45,4 +53,24 @@ export function isOther(hash: string, { robot, scene }: Choice): boolean {
   const isNamed = new URLSearchParams(hash.slice(1)).has("robot");
   const isScene = other.scene !== null || (isNamed && scene !== null);
   return isScene ? other.scene !== scene : isNamed && other.robot !== robot;
+}
+
+/** A scene and what is asked of it, at a cycle of its first 10,000 s; null: nothing is. */
+export function askedIn(text: string): [string, AskedAt | null] {
+  const found = QUESTION.exec(text);
+  const [, cycle, input = "", seconds] = found ?? [];
+  const asked = {
+    cycle: Math.max(1, Number(cycle)),
+    input: input.replaceAll(",", " "),
+    seconds: Number(seconds),
+  };
+  return [text.replace(QUESTION, ""), found === null ? null : asked];
+}
+
+/** The whole address of a scene in this page, with a question if there is one. */
+export function linkOf(scene: string, asked: AskedAt | null = null): string {
+  const words = asked?.input.trim().replace(/\s+/g, ",");
+  const question =
+    asked === null ? "" : `&at=${asked.cycle}&if=${words}&for=${asked.seconds}`;
+  return new URL(`#${scene}${question}`, location.href).href;
 }

@@ -35,12 +35,18 @@ export class Course {
     }
   }
 
-  /** As a link has it behind the #; throws when it is not known or too long. */
-  write(start: Pick<Scene, "robot" | "seed">): string {
+  /** As a link has it behind the #, with what comes `later`; throws when it is not known or too long. */
+  write(
+    start: Pick<Scene, "robot" | "seed">,
+    later: readonly Input[] = [],
+  ): string {
     if (this.problem !== null) {
       throw new Error(this.problem);
     }
-    const text = writeScene({ ...start, inputs: this.kept });
+    const text = writeScene({
+      ...start,
+      inputs: [...this.kept, ...later],
+    });
     if (text.length > MOST_LINK) {
       const [length, most] = [text.length, MOST_LINK].map((count) =>
         count.toLocaleString("en"),

@@ -2,12 +2,13 @@
 // Rule under test: the robot of a page lives by the clock, answers, tells news, and after a failure does nothing more.
 import { beforeEach, expect, test, vi } from "vitest";
 import { BEAT_MS, RobotDesk, TELL_MS } from "./desk";
-import type { Input } from "../what_if/scene_text";
+import { readVocabulary, type Input } from "../what_if/scene_text";
 import type { Report } from "./messages";
 import type { Answered, Asked, ServedRobot, Told } from "./served_robot";
 
 const bodies: Record<string, string> = {
-  "/api/v1/robot": '{"name":"neuro","checksum":"a78c5496"}',
+  "/api/v1/robot":
+    '{"name":"neuro","checksum":"a78c5496","axes":[{"name":"head"}]}',
   "/api/v1/status": '{"build_id":"b1"}',
   "/api/v1/motors": '"m"',
   "/api/v1/targeting": '"t"',
@@ -16,12 +17,15 @@ const STATE = '{"status":{"build_id":"b1"},"motors":"m","targeting":"t"}';
 
 class FakeRobot implements Pick<
   ServedRobot,
-  "step" | "act" | "ask" | "listen" | "stay" | "cycles" | "done"
+  "step" | "act" | "ask" | "listen" | "stay" | "cycles" | "done" | "vocabulary"
 > {
   cycles = 0;
   news: Told[] = [];
   stay = vi.fn();
   acted: [number, string][] = [];
+  vocabulary = readVocabulary(
+    "order estop pull\norder keep WHO\norder card SLOT silent|hot\n",
+  );
   private orders: Input[] = [];
 
   act({ words }: Input): void {
@@ -76,7 +80,7 @@ const ask = (method: string): Asked => ({
   body: null,
 });
 
-function begin(inputs: Input[]): void {
+function begin(inputs: Input[], at?: number): void {
   reports = [];
   desk = new RobotDesk(
     () => {
@@ -86,6 +90,7 @@ function begin(inputs: Input[]): void {
     { robot: "neuro", seed: 7, inputs },
     (report) => reports.push(report),
     0,
+    at,
   );
 }
 
@@ -110,7 +115,13 @@ beforeEach(() => begin([]));
 
 test("SWR-SITE-013 it says first what it is", () => {
   expect(reports).toEqual([
-    { kind: "started", robot: "neuro", checksum: "a78c5496", build: "b1" },
+    {
+      kind: "started",
+      robot: "neuro",
+      checksum: "a78c5496",
+      build: "b1",
+      inputs: ["estop pull", "card head silent", "card head hot"],
+    },
   ]);
 });
 
@@ -269,4 +280,19 @@ test("SWR-SITE-031 when time goes on, what came later is forgotten", () => {
   }
   expect(robot.acted).toEqual([]);
   expect(share()).toMatchObject({ inputs: 0 });
+});
+
+test("SWR-SITE-033 a link with a question stands still where it asks, and nothing moves from there", () => {
+  begin([input(7, "estop pull"), input(99, "estop reset")], 50);
+  desk.beat(BEAT_MS);
+  expect(robot.cycles).toBe(50);
+  expect(robot.acted).toEqual([[7, "estop pull"]]);
+});
+
+test("SWR-SITE-033 what cannot be asked is refused, and the robot goes on as it was", () => {
+  const question = { input: "x", seconds: 1 };
+  desk.take({ kind: "compare", question }, 0);
+  expect(reports.at(-1)).toMatchObject({ kind: "compared", lines: [] });
+  desk.beat(BEAT_MS);
+  expect(robot.cycles).toBe(1 + BEAT_MS);
 });

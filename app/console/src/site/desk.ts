@@ -5,6 +5,7 @@ import type { Input, Scene } from "../what_if/scene_text";
 import { Course } from "./course";
 import { onLink, reportOf } from "./link";
 import { Pace } from "./pace";
+import { answerOf, inputsOf, type Question } from "./question";
 import type { Order, Report } from "./messages";
 import type { Answered, ServedRobot } from "./served_robot";
 
@@ -32,12 +33,13 @@ export class RobotDesk {
   private stayedAt = 0;
   private hasFailed = false;
 
-  /** `begin` starts the robot of the scene, always the same. Its inputs are done in their cycles. */
+  /** `begin` starts the robot of the scene, always the same. Its inputs are done in their cycles. `at`: where time stands still first. */
   constructor(
     begin: () => ServedRobot,
     scene: Scene,
     tell: (report: Report) => void,
     nowMs: number,
+    at?: number,
   ) {
     this.begin = begin;
     this.robot = begin();
@@ -46,7 +48,13 @@ export class RobotDesk {
     this.tell = tell;
     this.pace = new Pace(nowMs);
     this.toldAtMs = nowMs;
-    this.try(() => this.introduce());
+    this.try(() => {
+      this.introduce();
+      if (at !== undefined) {
+        this.end = at;
+        this.goTo(at, nowMs);
+      }
+    });
   }
 
   take(order: Work, nowMs: number): void {
@@ -81,6 +89,8 @@ export class RobotDesk {
         return this.goTo(order.cycle, nowMs);
       case "share":
         return this.tell(this.share());
+      case "compare":
+        return this.tell(this.compare(order.question));
     }
   }
 
@@ -94,6 +104,34 @@ export class RobotDesk {
     }
   }
 
+  private compare(question: Question): Report {
+    const inputs = this.toCome;
+    const { cycles: cycle } = this.robot;
+    const compared = { kind: "compared", question, cycle } as const;
+    try {
+      const [run, other] = [this.robot.copy(), this.robot.copy()];
+      const lines = answerOf(question, inputs, run, other);
+      const scene = this.write(inputs);
+      return { ...compared, lines, problem: null, scene };
+    } catch (failure) {
+      const problem = (failure as Error).message;
+      return { ...compared, lines: [], problem, scene: null };
+    }
+  }
+
+  /** Null: it is no link. */
+  private write(later: readonly Input[]): string | null {
+    try {
+      return this.course.write(this.scene, later);
+    } catch {
+      return null;
+    }
+  }
+
+  private get toCome(): readonly Input[] {
+    return [...this.later, ...this.inputs];
+  }
+
   /**
    * To the state before any cycle that has been, by executing what was done until then anew; there it stands still.
    *
@@ -104,7 +142,7 @@ export class RobotDesk {
     if (this.course.problem !== null || cycle < 1 || cycle > end) {
       return;
     }
-    const all = [...this.course.inputs, ...this.later, ...this.inputs];
+    const all = [...this.course.inputs, ...this.toCome];
     this.pace.set(0, nowMs);
     this.restart(all.filter((input) => input.cycle < cycle));
     while (this.robot.cycles < cycle) {
@@ -171,9 +209,11 @@ export class RobotDesk {
 
   private introduce(): void {
     this.pass(1);
-    const { name, checksum } = this.look<Robot>("/api/v1/robot");
+    const { name, checksum, axes } = this.look<Robot>("/api/v1/robot");
     const { build_id: build } = this.look<Status>("/api/v1/status");
-    this.tell({ kind: "started", robot: name, checksum, build });
+    const names = axes.map((axis) => axis.name);
+    const inputs = inputsOf(this.robot.vocabulary, names);
+    this.tell({ kind: "started", robot: name, checksum, build, inputs });
   }
 
   private tellNews(nowMs: number): void {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The scene that the link of a page holds, and its refusal.
 import { readScene, type Scene, type Vocabulary } from "../what_if/scene_text";
+import { askedIn } from "./address";
 import type { Order, Report } from "./messages";
 
 type Start = Extract<Order, { kind: "start" }>;
@@ -24,7 +25,7 @@ export function sceneOf(
 ): Scene {
   return scene === null
     ? { robot, seed, inputs: [] }
-    : onLink(() => readScene(scene, vocabulary));
+    : onLink(() => readScene(askedIn(scene)[0], vocabulary));
 }
 
 /** @satisfies SWR-SITE-026 */

@@ -4,7 +4,7 @@ import { StrictMode } from "react";
 import { createRoot } from "react-dom/client";
 import { drawings } from "@drawings";
 import "../main";
-import { addressIn, choiceIn, isOther } from "./address";
+import { addressIn, askedIn, choiceIn, isOther } from "./address";
 import { saveByTransport } from "./save";
 import { Simulation } from "./Simulation";
 import { transport } from "./transport";
@@ -27,6 +27,7 @@ createRoot(element).render(
     <Simulation
       robot={transport}
       names={Object.keys(drawings)}
+      asked={askedIn(location.hash)[1]}
       onAnew={() => {
         location.replace(addressIn(choice));
         location.reload();

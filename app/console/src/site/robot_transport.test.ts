@@ -130,12 +130,15 @@ test("SWR-SITE-026 what asks for the robot of a link that is refused gets the re
   );
 });
 
-test("SWR-SITE-031 time stands still where it goes to, and the stream is that of another server", () => {
+test("SWR-SITE-031 time stands still where it goes to, and the stream goes on from the server there", () => {
   transport.openStream(listener);
   transport.goTo(5);
   expect(orders.at(-1)).toEqual({ kind: "go", cycle: 5 });
   report({ kind: "restarted" });
-  expect(listener.lose).toHaveBeenCalledExactlyOnceWith(null);
+  expect(orders.at(-1)).toMatchObject({
+    asked: { method: "GET", address: "/api/v1/events" },
+  });
+  expect(listener.lose).not.toHaveBeenCalled();
   report({ kind: "time", cycles: 5, end: 12, later: 3 });
   expect(transport.getView()).toMatchObject({
     share: 0,
@@ -143,6 +146,15 @@ test("SWR-SITE-031 time stands still where it goes to, and the stream is that of
     end: 12,
     later: 3,
   });
+});
+
+test("SWR-SITE-033 a question is put to the worker, and its answer known", () => {
+  const question = { input: "estop pull", seconds: 4 };
+  transport.compare(question);
+  expect(orders.at(-1)).toEqual({ kind: "compare", question });
+  const answer = { question, cycle: 1, lines: [], problem: "No.", scene: null };
+  report({ kind: "compared", ...answer });
+  expect(transport.getView().compared).toMatchObject(answer);
 });
 
 test("SWR-SITE-030 what was done is asked for, and known then", () => {

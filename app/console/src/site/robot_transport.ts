@@ -2,7 +2,8 @@
 // The robot in a worker of this page, reached as the one behind a server is.
 import type { Path, Problem } from "@interface";
 import type { Stream, StreamListener, Transport } from "../transport/transport";
-import type { Identity, Order, Report } from "./messages";
+import type { Comparison, Identity, Order, Report } from "./messages";
+import type { Question } from "./question";
 import type { Answered, Asked } from "./served_robot";
 
 const STOP_PATH: Path = "/api/v1/stop";
@@ -26,6 +27,10 @@ export interface RobotView {
   later: number;
   /** What was done until a cycle, or why it is not told. Null: nobody has asked. */
   shared: Extract<Report, { kind: "shared" | "unshared" }> | null;
+  /** The inputs that there are. */
+  inputs: readonly string[];
+  /** Null: nothing was asked. */
+  compared: Comparison | null;
   /** Of the world's time. */
   share: number;
   /** Why there is no robot any more. */
@@ -70,6 +75,8 @@ export class RobotTransport implements Transport {
     end: 0,
     later: 0,
     shared: null,
+    inputs: [],
+    compared: null,
     share: 1,
     failure: null,
     isRefused: false,
@@ -109,6 +116,11 @@ export class RobotTransport implements Transport {
   /** Asks for what was done until now. */
   shareCourse(): void {
     this.port.postMessage({ kind: "share" });
+  }
+
+  /** Asks what would be if, where time stands still. */
+  compare(question: Question): void {
+    this.port.postMessage({ kind: "compare", question });
   }
 
   readonly request = async (
@@ -163,7 +175,7 @@ export class RobotTransport implements Transport {
   private take(report: Report): void {
     switch (report.kind) {
       case "started":
-        return this.replace({ identity: report });
+        return this.replace({ identity: report, inputs: report.inputs });
       case "answer":
         this.waiting.get(report.id)?.resolve(report.answered);
         this.waiting.delete(report.id);
@@ -177,10 +189,16 @@ export class RobotTransport implements Transport {
           later: report.later,
         });
       case "restarted":
-        return this.lose(null);
+        this.replace({ share: 0 });
+        if (this.streamListener !== null) {
+          this.openStream(this.streamListener);
+        }
+        return;
       case "shared":
       case "unshared":
         return this.replace({ shared: report });
+      case "compared":
+        return this.replace({ compared: report });
       case "refused":
         this.replace({ isRefused: true });
         return this.fail(report.reason);

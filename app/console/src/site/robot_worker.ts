@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The worker that has the robot of a page.
+import { askedIn } from "./address";
 import { BEAT_MS, RobotDesk } from "./desk";
 import { reportOf, sceneOf } from "./link";
 import type { Order, Report } from "./messages";
@@ -20,7 +21,13 @@ async function start(order: Start): Promise<RobotDesk> {
     served.start(scene.robot, scene.seed, order.utcS);
     return served;
   };
-  const started = new RobotDesk(begin, scene, tell, performance.now());
+  const started = new RobotDesk(
+    begin,
+    scene,
+    tell,
+    performance.now(),
+    askedIn(order.scene ?? "")[1]?.cycle,
+  );
   setInterval(() => started.beat(performance.now()), BEAT_MS);
   return started;
 }

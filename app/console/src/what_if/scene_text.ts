@@ -142,7 +142,12 @@ function checkFields(
   }
 }
 
-function readInput(text: string, place: number, vocabulary: Vocabulary): Input {
+/** `CYCLE:WORDS`, which stands behind `place` characters of what is read; throws a SceneError. */
+export function readInput(
+  text: string,
+  place: number,
+  vocabulary: Vocabulary,
+): Input {
   const colon = text.indexOf(":");
   const cycle = numberOf(text.slice(0, Math.max(colon, 0)), CYCLES);
   if (Number.isNaN(cycle)) {
