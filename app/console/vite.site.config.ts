@@ -9,7 +9,7 @@ import console from "./vite.config.ts";
 
 const at = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 const packed = (module: string) =>
-  execFileSync("gzip", ["-9nc", at(`../../build/site/${module}`)]).toString(
+  execFileSync("zopfli", ["-c", at(`../../build/site/${module}`)]).toString(
     "base64",
   );
 
