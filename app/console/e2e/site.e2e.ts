@@ -242,6 +242,7 @@ test("SWR-SITE-028 a link is played, and a bad one is refused in words", async (
 test("SWR-SITE-032 time goes back, and what would be if is answered there", async () => {
   await expect.poll(cycle, patience).toBeGreaterThan(1);
   await button("Pause").click();
+  await page.getByText("Back in time, share, what if").click();
   await button("Back one cycle").click();
   await page
     .getByText(/^It has been to cycle \d+\. When time goes on/)

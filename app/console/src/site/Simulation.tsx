@@ -136,8 +136,11 @@ export function Simulation({ robot, names, asked, onAnew }: Properties) {
         </button>
         <a href="./replay.html">Open a recording</a>
       </div>
-      <TimeTravel robot={robot} view={view} />
-      <WhatIf robot={robot} view={view} asked={asked} />
+      <details className="simulation-more" open={asked !== null}>
+        <summary>Back in time, share, what if</summary>
+        <TimeTravel robot={robot} view={view} />
+        <WhatIf robot={robot} view={view} asked={asked} />
+      </details>
     </section>
   );
 }

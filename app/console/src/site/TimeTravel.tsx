@@ -60,7 +60,7 @@ function Back({ robot, view: { cycles, end, later } }: Properties) {
       </form>
       <p role="status">
         {end > cycles &&
-          `It has been to cycle ${end}. When time goes on from here, that is forgotten, with ${later} inputs.`}
+          `It has been to cycle ${end}. When time goes on from here, that is forgotten, with ${later} ${later === 1 ? "input" : "inputs"}.`}
       </p>
     </>
   );
