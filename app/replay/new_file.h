@@ -8,7 +8,8 @@
 
 /**
  * Opens `path`, which must not exist yet: nothing is written over, least of all the recording. `-`
- * is the standard output. NULL after a sentence on the standard error.
+ * is the standard output. It gets its name when it is whole. NULL after a sentence on the standard
+ * error.
  *
  * @satisfies SWR-REPLAY-012
  */

@@ -186,6 +186,18 @@ class TestReplayFiles < StoppedHoming
     end
   end
 
+  # Killed as soon as there is a file, which is after its end: then it is whole.
+  def test_SWR_REPLAY_022_of_a_file_whose_writer_is_killed_no_part_is_left
+    in_file do |from, folder|
+      to = File.join(folder, 'killed.csv')
+      replay = Process.spawn(Boresight.program('boresight-replay'), '--csv', to, from, err: File::NULL)
+      sleep(0.01) until File.exist?(to) || (ended = Process.wait(replay, Process::WNOHANG))
+      Process.kill(:KILL, replay) && Process.wait(replay) unless ended
+      # A difference would be printed whole.
+      assert written('csv') { |file| File.read(file) } == File.read(to), 'a part is left'
+    end
+  end
+
   # What the page of a recording holds, as it was written.
   def page
     @@page ||= written('html') { |file| File.read(file) }
