@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import { useState, type DragEvent } from "react";
+import { useEffect, useState, type DragEvent } from "react";
 import "./FileDrop.css";
 
 export interface TextFile {
@@ -22,18 +22,45 @@ export function FileDrop({ take, ...drop }: FileDropProperties) {
   return <AnyFileDrop {...drop} take={read} />;
 }
 
+/** What is dropped beside it would replace the page. */
+function refuseBeside(event: globalThis.DragEvent): void {
+  if (!event.defaultPrevented) {
+    event.preventDefault();
+    if (event.dataTransfer !== null) {
+      event.dataTransfer.dropEffect = "none";
+    }
+  }
+}
+
+function useNothingBeside(): void {
+  useEffect(() => {
+    const kinds = ["dragover", "drop"] as const;
+    kinds.forEach((kind) => addEventListener(kind, refuseBeside));
+    return () =>
+      kinds.forEach((kind) => removeEventListener(kind, refuseBeside));
+  }, []);
+}
+
 /** One file, chosen or dragged here. */
 export function AnyFileDrop({ label, accept, take }: FileDropProperties<File>) {
   const [isOver, setIsOver] = useState(false);
+  const [dropped, setDropped] = useState(1);
+  useNothingBeside();
   const read = (file: File | undefined) => {
     if (file !== undefined) {
+      setDropped(1);
       take(file);
     }
   };
   const drop = (event: DragEvent) => {
     event.preventDefault();
     setIsOver(false);
-    read(event.dataTransfer.files[0]);
+    const { files } = event.dataTransfer;
+    if (files.length > 1) {
+      setDropped(files.length);
+    } else {
+      read(files[0]);
+    }
   };
   return (
     <div
@@ -58,7 +85,11 @@ export function AnyFileDrop({ label, accept, take }: FileDropProperties<File>) {
           }}
         />
       </label>
-      <span>or drag it here</span>
+      <span role="status">
+        {dropped > 1
+          ? `None of the ${dropped} files was taken: drag one here`
+          : "or drag it here"}
+      </span>
     </div>
   );
 }

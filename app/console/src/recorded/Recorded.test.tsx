@@ -11,6 +11,7 @@ import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { makeDocument } from "../testing/recording";
 import type { ReaderPort, Report } from "./messages";
 import { Recorded } from "./Recorded";
+import { bytesOf } from "./recorded_file";
 
 vi.mock("../panels/Plots", () => ({ Plots: () => null }));
 vi.mock("../panels/Charts", () => ({ SeenCharts: () => null }));
@@ -64,16 +65,17 @@ function read(change: object = {}): Report {
 
 test("SWR-SITE-037 it says how far it is, and shows what was read", () => {
   const reader = open("one.bsr");
-  expect(screen.getByText("Reading one.bsr, 0 %")).toBeTruthy();
+  const said = () => screen.getByText("one.bsr").parentElement?.textContent;
+  expect(said()).toBe("Reading one.bsr, 0 %");
   reader.tell({ kind: "share", share: 0.428 });
-  expect(screen.getByText("Reading one.bsr, 42 %")).toBeTruthy();
+  expect(said()).toBe("Reading one.bsr, 42 %");
   expect(
     screen
       .getByRole("progressbar", { name: "Reading one.bsr" })
       .getAttribute("value"),
   ).toBe("0.428");
   reader.tell(read());
-  expect(screen.getByText("Shown is one.bsr.")).toBeTruthy();
+  expect(said()).toBe("Shown is one.bsr.");
   expect(screen.getByRole("slider", { name: "Cycle" })).toBeTruthy();
 });
 
@@ -82,7 +84,9 @@ test("SWR-SITE-037 another file ends the reading of the one before", () => {
   const second = open("two.bsr");
   expect(first.terminate).toHaveBeenCalledOnce();
   second.tell(read());
-  expect(screen.getByText("Shown is two.bsr.")).toBeTruthy();
+  expect(screen.getByText("two.bsr").parentElement?.textContent).toBe(
+    "Shown is two.bsr.",
+  );
 });
 
 test("SWR-SITE-036 of a file that is refused the reason is shown, and nothing of another one", () => {
@@ -103,4 +107,33 @@ test("SWR-SITE-036 a reader that fails, and a recording of which nothing is know
   expect(screen.getByRole("alert").textContent).toContain(
     "no cycle of it is known",
   );
+});
+
+test("SWR-SITE-036 what cannot be shown is said, and so is what cannot be read", async () => {
+  const document = new TextEncoder().encode("[");
+  open("one.bsr").tell({ kind: "read", document });
+  expect(screen.getByRole("alert").textContent).toContain("JSON");
+  const folder = new File([], "folder");
+  folder.arrayBuffer = () => Promise.reject(new Error("at the time"));
+  await expect(bytesOf(folder)).rejects.toThrow("it is a folder");
+});
+
+test("SWR-SITE-037 the direction of a name's letters is not that of what is said of it", () => {
+  open("evil\u202Egnp.bsr").tell(read());
+  expect(screen.getByText("evil\u202Egnp.bsr").localName).toBe("bdi");
+});
+
+test("SWR-SITE-037 several files at once are refused, and what is dropped beside does not replace the page", () => {
+  const [one, two] = [new File([], "1.bsr"), new File([], "2.bsr")];
+  const place = screen.getByText("or drag it here");
+  fireEvent.drop(place, { dataTransfer: { files: [one, two] } });
+  expect(place.textContent).toBe(
+    "None of the 2 files was taken: drag one here",
+  );
+  expect(readers).toEqual([]);
+  expect(fireEvent.dragOver(document.body)).toBe(false);
+  expect(fireEvent.drop(document.body)).toBe(false);
+  expect(readers).toEqual([]);
+  open("1.bsr");
+  expect(place.textContent).toBe("or drag it here");
 });

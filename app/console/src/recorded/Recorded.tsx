@@ -31,7 +31,11 @@ function openedAfter(name: string, report: Report): Opened {
     case "share":
       return { kind: "reading", name, share: report.share };
     case "read":
-      return openedOf(name, report.document);
+      try {
+        return openedOf(name, report.document);
+      } catch (cause) {
+        return { kind: "refused", name, reason: (cause as Error).message };
+      }
     case "refused":
       return { kind: "refused", name, reason: report.reason };
   }
@@ -74,21 +78,25 @@ function State({ opened }: { opened: Opened }) {
             aria-label={`Reading ${opened.name}`}
           />
           <span>
-            Reading {opened.name}, {Math.floor(100 * opened.share)} %
+            Reading <bdi>{opened.name}</bdi>, {Math.floor(100 * opened.share)} %
           </span>
         </p>
       );
     case "refused":
       return (
         <p className="recorded-state" role="alert">
-          <strong>{opened.name} is not shown.</strong>{" "}
+          <strong>
+            <bdi>{opened.name}</bdi> is not shown.
+          </strong>{" "}
           <span className="recorded-reason">{opened.reason}</span>
         </p>
       );
     case "shown":
       return (
         <p className="recorded-state" role="status">
-          Shown is {opened.name}.
+          <span>
+            Shown is <bdi>{opened.name}</bdi>.
+          </span>
         </p>
       );
   }

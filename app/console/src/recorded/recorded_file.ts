@@ -20,6 +20,18 @@ const NAME_BYTES = 255;
 /** Between two tellings how far it is. */
 const RECORDS = 1000;
 
+/** Why a browser gives none of them it does not say in plain words. */
+export async function bytesOf(file: Blob): Promise<Uint8Array> {
+  try {
+    return new Uint8Array(await file.arrayBuffer());
+  } catch (cause) {
+    throw new Error(
+      "It cannot be read: it is a folder, too large for this browser, or was moved or changed.",
+      { cause },
+    );
+  }
+}
+
 export class RecordedFile {
   private readonly door: Door;
 
@@ -66,7 +78,8 @@ export class RecordedFile {
   }
 
   private put(name: string, file: Uint8Array): void {
-    const at = this.door.room(file.length);
+    // Addresses of the upper half come as numbers below zero.
+    const at = this.door.room(file.length) >>> 0;
     if (at === 0) {
       throw new Error("The file is too large for this page.");
     }

@@ -2,13 +2,13 @@
 // The worker that reads one recording.
 import { moduleOf } from "../site/packed";
 import type { Order, Report } from "./messages";
-import { RecordedFile } from "./recorded_file";
+import { bytesOf, RecordedFile } from "./recorded_file";
 
 const tell = (report: Report) => postMessage(report);
 
 async function read({ packed, file }: Order): Promise<void> {
   const recorded = new RecordedFile(await moduleOf(packed));
-  const bytes = new Uint8Array(await file.arrayBuffer());
+  const bytes = await bytesOf(file);
   const document = recorded.read(file.name, bytes, (share) =>
     tell({ kind: "share", share }),
   );
