@@ -235,8 +235,11 @@ test("SWR-SITE-028 a link is played, and a bad one is refused in words", async (
   await page.goto(`${address}#robot=neuro&seed=7&inputs=9:pedal,kick`);
   const refusal = page.getByRole("alert").getByText("“pedal kick” is no order");
   await refusal.waitFor();
+  await page.goto(`${address}#robot=${"nobody".repeat(20)}`);
+  const nobody = page.getByRole("alert").getByText("is refused. There is no");
+  await nobody.waitFor();
   await page.getByRole("link", { name: "A robot without it" }).click();
-  await refusal.waitFor({ state: "detached" });
+  await nobody.waitFor({ state: "detached" });
 });
 
 test("SWR-SITE-032 time goes back, and what would be if is answered there", async () => {

@@ -95,14 +95,16 @@ function scaleOf([low, high]: Range, [from, to]: Range) {
     tenths(from + ((value - low) / (high - low)) * (to - from));
 }
 
-/** What is null interrupts it. */
+/** What is null interrupts it; what is known for a moment is a point. */
 function pathOf(xs: readonly number[], ys: Column): string {
   return ys
-    .map((y, index) =>
-      y === null
-        ? ""
-        : `${(ys[index - 1] ?? null) === null ? "M" : "L"}${xs[index]},${y}`,
-    )
+    .map((y, index) => {
+      if (y === null) {
+        return "";
+      }
+      const place = `${xs[index]},${y}`;
+      return (ys[index - 1] ?? null) === null ? `M${place}h0` : `L${place}`;
+    })
     .join("");
 }
 

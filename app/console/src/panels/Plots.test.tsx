@@ -28,6 +28,7 @@ function drawn(quantity: string): [number, number][][][] {
   return [...document.querySelectorAll(`.plot .plot-line-${quantity}`)].map(
     (curve) =>
       (curve.getAttribute("d") ?? "")
+        .replaceAll("h0", "")
         .split("M")
         .slice(1)
         .map((stretch) =>
@@ -105,6 +106,16 @@ test("SWR-CON-027 a gap is drawn as a gap", () => {
   expect(drawn("position")[0]?.map((stretch) => stretch.length)).toEqual([
     2, 2,
   ]);
+});
+
+test("SWR-CON-027 a sample between two gaps is drawn as a point", () => {
+  timeUs += 5_000_000;
+  take(3);
+  timeUs += 5_000_000;
+  take(4);
+  render(<Plots axes={axes} trace={trace} />);
+  const path = document.querySelector(".plot .plot-line-position");
+  expect(path?.getAttribute("d")).toMatch(/M[\d.]+,[\d.]+h0M/);
 });
 
 test("SWR-CON-027 the scales have round numbers", () => {

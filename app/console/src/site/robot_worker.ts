@@ -2,7 +2,7 @@
 // The worker that has the robot of a page.
 import { askedIn } from "./address";
 import { BEAT_MS, RobotDesk } from "./desk";
-import { reportOf, sceneOf } from "./link";
+import { onLink, reportOf, sceneOf } from "./link";
 import type { Order, Report } from "./messages";
 import { moduleOf } from "./packed";
 import { ServedRobot } from "./served_robot";
@@ -18,7 +18,7 @@ async function start(order: Start): Promise<RobotDesk> {
   const scene = sceneOf(order, vocabulary);
   const begin = () => {
     const served = new ServedRobot(module);
-    served.start(scene.robot, scene.seed, order.utcS);
+    onLink(() => served.start(scene.robot, scene.seed, order.utcS));
     return served;
   };
   const started = new RobotDesk(
