@@ -131,8 +131,9 @@ test("SWR-SITE-037 several files at once are refused, and what is dropped beside
     "None of the 2 files was taken: drag one here",
   );
   expect(readers).toEqual([]);
-  expect(fireEvent.dragOver(document.body)).toBe(false);
-  expect(fireEvent.drop(document.body)).toBe(false);
+  const beside = { dataTransfer: { dropEffect: "copy" } };
+  expect(fireEvent.dragOver(document.body, beside)).toBe(false);
+  expect(fireEvent.drop(document.body, beside)).toBe(false);
   expect(readers).toEqual([]);
   open("1.bsr");
   expect(place.textContent).toBe("or drag it here");

@@ -3,3 +3,8 @@
 import { configure } from "@testing-library/react";
 
 configure({ asyncUtilTimeout: 20_000 });
+
+// Files that share modules share a window too: each begins at the same address and with nothing stored.
+history.replaceState(null, "", "/");
+localStorage.clear();
+sessionStorage.clear();
