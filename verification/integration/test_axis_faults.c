@@ -328,7 +328,7 @@ static void move_with_gain(double gain)
 void test_SWR_AXIS_019_motors_a_fifth_slower_or_faster_raise_no_alarm(void)
 {
     static const double gains[] = {0.8, 1.2};
-    for (uint32_t i = 0U; i < SCENES(2U); i++) {
+    for (uint32_t i = 0U; i < SCENES(sizeof gains / sizeof gains[0]); i++) {
         move_with_gain(gains[i]);
     }
 }

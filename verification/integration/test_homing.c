@@ -80,7 +80,7 @@ void test_SWR_JOG_016_the_needle_leaves_before_the_base_homes(void)
 {
     static const uint32_t lost[] = {AXIS_LATERAL, AXIS_PITCH, AXIS_YAW};
     const double *const needle = &rig.box.axes[AXIS_INSERTION].motor.position_ticks;
-    for (uint32_t i = 0U; i < SCENES(3U); i++) {
+    for (uint32_t i = 0U; i < SCENES(sizeof lost / sizeof lost[0]); i++) {
         const double *const place = &rig.box.axes[lost[i]].motor.position_ticks;
         lose_at_target(lost[i]);
         const double start = *place;

@@ -135,7 +135,7 @@ static void begin_wrong_move(int32_t head_ticks, int32_t feet_ticks)
 void test_SWR_COUPLE_001_two_carriages_that_move_at_once_stop_inside_of_the_limit(void)
 {
     static const int32_t ends[][2] = {{-8000, 4000}, {-2000, 5900}, {-11000, 500}, {-20, -3000}};
-    for (uint32_t i = 0U; i < SCENES(4U); i++) {
+    for (uint32_t i = 0U; i < SCENES(sizeof ends / sizeof ends[0]); i++) {
         begin_wrong_move(ends[i][0], ends[i][1]);
         rig_press(&rig);
         while (rig.outputs.snapshot.order != (uint32_t)ARMING_STATE_NONE) {

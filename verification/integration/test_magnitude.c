@@ -116,7 +116,7 @@ void test_SWR_MOTION_022_an_axis_with_magnitudes_is_homed_and_moved_by_them(void
 void test_SWR_MOTION_006_moves_by_magnitudes_are_done_in_time(void)
 {
     static const double faster[] = {-1.0, 0.0, 1.0};
-    for (uint32_t k = 0U; k < SCENES(3U); k++) {
+    for (uint32_t k = 0U; k < SCENES(sizeof faster / sizeof faster[0]); k++) {
         const double share = 1.0 + ((faster[k] * (double)LIMIT_MOTOR_SPREAD_PERCENT) / 100.0);
         start(&robot, share);
         for (uint32_t i = 0U; i < MOVES; i++) {

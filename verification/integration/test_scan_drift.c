@@ -17,7 +17,11 @@ static rig_t rig;
 
 void setUp(void)
 {
-    rig_start_robot_needle_homed(&rig, &robot_prostate);
+    if (ARE_SCENES_WHOLE) {
+        rig_start_robot_homed(&rig, &robot_prostate);
+    } else {
+        rig_start_robot_needle_homed(&rig, &robot_prostate);
+    }
 }
 
 void tearDown(void)
@@ -45,6 +49,7 @@ void test_SWR_AXIS_022_a_minute_of_a_scan_leaves_a_coarse_rotation_verified(void
     TEST_ASSERT_GREATER_THAN_INT32(ARE_SCENES_WHOLE ? 4 : -1, abs(drifted_ticks()));
     TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_AXIS_DRIFTED));
     TEST_ASSERT_TRUE(axis_is_homed(&rig.controller.axes[AXIS_ROTATION]));
+    TEST_ASSERT_EQUAL_UINT32(ARE_SCENES_WHOLE ? 1U : 0U, rig.outputs.snapshot.is_homed);
 }
 
 void test_SWR_AXIS_016_the_trembling_of_a_coarse_rotation_in_a_scan_is_no_motion(void)
