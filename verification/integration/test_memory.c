@@ -173,6 +173,19 @@ void test_SWR_MEMORY_002_damaged_interlocks_ask_for_start_up(void)
     TEST_ASSERT_EQUAL_UINT32(0U, rig.controller.confirm.held_cycles);
 }
 
+void test_SWR_MEMORY_002_a_held_pedal_counts_no_more_after_damage_to_the_interlocks(void)
+{
+    begin_move();
+    rig.controller.loop.overruns ^= 1U;
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_UINT32(PEDAL_GATE_STATE_UNPROVEN, rig.outputs.snapshot.pedal);
+    rig_cycles(&rig, 100U);
+    TEST_ASSERT_EQUAL_UINT32(PEDAL_GATE_STATE_UNPROVEN, rig.outputs.snapshot.pedal);
+    rig_release(&rig);
+    rig_press(&rig);
+    TEST_ASSERT_EQUAL_UINT32(PEDAL_GATE_STATE_PRESSED, rig.outputs.snapshot.pedal);
+}
+
 void test_SWR_MEMORY_002_a_damaged_rest_is_forgotten_and_asks_for_start_up(void)
 {
     begin_move();

@@ -147,6 +147,39 @@ void test_SWR_NEXT_002_a_jog_that_is_done_is_no_arrival(void)
     expect_step(NEXT_STEP_TARGETING);
 }
 
+/* A fiftieth of its range, the way that is free. */
+static void begin_jog(uint32_t axis)
+{
+    const axis_config_t *const config = &robot_neuro.axes[axis];
+    const int32_t way = (config->maximum_ticks - config->minimum_ticks) / 50;
+    command_t jog = {.kind = (uint32_t)COMMAND_JOG_BY, .argument = axis, .value = way};
+    rig_start_homed(&rig);
+    (void)rig_workphase(&rig, WORKPHASE_MANUAL);
+    if (rig_command(&rig, jog).status != (uint32_t)STATUS_OK) {
+        jog.value = -way;
+        TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_command(&rig, jog).status);
+    }
+    rig_press(&rig);
+    for (uint32_t i = 0U; (i < 100U) && (rig_sent(&rig, axis).drive.mode == 0U); i++) {
+        rig_cycle(&rig);
+    }
+}
+
+void test_SWR_PERMIT_005_an_axis_that_is_too_fast_gets_no_drive_though_its_permit_stands(void)
+{
+    for (uint32_t i = 0U; i < robot_neuro.axis_count; i++) {
+        begin_jog(i);
+        TEST_ASSERT_NOT_EQUAL_UINT32(CARD_DRIVE_OFF, rig_sent(&rig, i).drive.mode);
+        /* As if it had come a second's way in this cycle. */
+        rig.controller.records[i].speed_cap.position_ticks -= robot_neuro.axes[i].speed_ticks_per_s;
+        controller_seal(&rig.controller);
+        rig_cycle(&rig);
+        TEST_ASSERT_EQUAL_UINT32(CARD_DRIVE_OFF, rig_sent(&rig, i).drive.mode);
+        TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.axes[i].permit_reasons);
+        TEST_ASSERT_EQUAL_UINT32(ARMING_STATE_MOVING, rig.outputs.snapshot.order);
+    }
+}
+
 void test_SWR_LINK_008_a_wrong_card_is_named_whenever_it_is_put_in(void)
 {
     rig_start(&rig);
