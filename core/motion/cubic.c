@@ -2,8 +2,15 @@
 #include "motion/cubic.h"
 
 #include "base/fixed.h"
+#include "limits/requirement_limits.h"
 
 #define ONE_TICK_Q8 INT64_C(256)
+
+/* What cubic_keeps_acceleration() multiplies; the robot compiler keeps the acceleration. */
+#if LIMIT_ACCELERATION_MOST_TICKS_PER_S2 >                                                         \
+    (INT64_MAX / (256 * LIMIT_TRAJECTORY_STEP_MOST_MS * LIMIT_TRAJECTORY_STEP_MOST_MS))
+#error "The longest way at the most acceleration does not fit 64 bits."
+#endif
 
 /* A third of the way in `span_ms` at that speed, 8 fraction bits. */
 static int64_t third_q8(int32_t speed_ticks_per_s, uint32_t span_ms)

@@ -27,7 +27,8 @@ typedef struct {
     uint32_t span_ms;
 } cubic_t;
 
-/** From one point to the other in `span_ms`, 1..60000. Speeds of at most 10^7 ticks/s. */
+/** From one point to the other in `span_ms`, 1..LIMIT_TRAJECTORY_STEP_MOST_MS. Speeds of at most
+ * 10^7 ticks/s. */
 void cubic_set(cubic_t *self, const cubic_end_t *from, const cubic_end_t *to, uint32_t span_ms);
 
 /** Which share of `span_ms` `time_us` (at most all of it) is, 0..CUBIC_ONE_Q20. */
@@ -52,10 +53,12 @@ int32_t cubic_point_ticks(const cubic_t *self, uint32_t index);
 bool cubic_keeps_speed(const cubic_t *self, int32_t speed_ticks_per_s);
 
 /**
- * @return true when it gains and loses speed nowhere faster than `ticks_per_s2`, as far as ends
- * that are rounded to whole ticks show it. Control points within 10^9 ticks of each other.
+ * @return true when it gains and loses speed nowhere faster than `ticks_per_s2`, at most
+ * LIMIT_ACCELERATION_MOST_TICKS_PER_S2, as far as ends that are rounded to whole ticks show it.
+ * Control points within 10^9 ticks of each other.
  *
  * @satisfies SWR-TRAJ-003
+ * @satisfies SWR-TRAJ-025
  */
 bool cubic_keeps_acceleration(const cubic_t *self, int32_t ticks_per_s2);
 

@@ -27,7 +27,7 @@ module Robot
     WHOLE = {
       'slot' => (0..9), 'home_stage' => Followers::STAGES, 'minimum_ticks' => POSITION, 'maximum_ticks' => POSITION,
       'home_ticks' => POSITION, 'start_ticks' => POSITION, 'deadband_ticks' => (0..1000), 'speed_ticks_per_s' => SPEED,
-      'acceleration_ticks_per_s2' => (1..10_000_000), 'home_speed_ticks_per_s' => SPEED,
+      'acceleration_ticks_per_s2' => (1..Limit.of('acceleration_most_ticks_per_s2')), 'home_speed_ticks_per_s' => SPEED,
       'full_speed_ticks_per_s' => SPEED, 'following_error_ticks' => (1..1_000_000), 'jump_ticks' => (1..1_000_000),
       'following_time_ms' => (0..1000)
     }.freeze

@@ -156,6 +156,13 @@ class TestRobotCompiler < Minitest::Test
                    'axes[3].maximum_duty: is 8388608; expected 1 to 8388607', at: 'maximum_duty: 8388608')
   end
 
+  def test_SWR_TRAJ_025_an_acceleration_whose_ways_do_not_fit_is_refused
+    most = Robot::Limit.of('acceleration_most_ticks_per_s2')
+    text = TEXT.sub(/acceleration_ticks_per_s2: \d+/, "acceleration_ticks_per_s2: #{most + 1}")
+    assert_refused(text, "axes[0].acceleration_ticks_per_s2: is #{most + 1}; expected 1 to #{most}",
+                   at: "acceleration_ticks_per_s2: #{most + 1}")
+  end
+
   def test_SWR_ROBOT_001_a_wrong_word_is_refused
     assert_refused(with('kinematics: neuro', 'kinematics: scara'), 'kinematics: is scara; expected ' \
                                                                   "#{Robot::Kinematics.names.join(' or ')}",

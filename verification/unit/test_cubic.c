@@ -6,6 +6,7 @@
 #include "unity.h"
 
 #include "base/fixed.h"
+#include "limits/requirement_limits.h"
 #include "motion/cubic.h"
 
 #include <stdlib.h>
@@ -121,6 +122,18 @@ void test_SWR_TRAJ_003_the_acceleration_is_judged_at_both_ends(void)
     go(0, 0, 500, 2000, 1000U);
     TEST_ASSERT_FALSE(cubic_keeps_acceleration(&way, 4900));
     TEST_ASSERT_TRUE(cubic_keeps_acceleration(&way, 5000));
+}
+
+void test_SWR_TRAJ_025_the_longest_way_at_the_most_acceleration_is_judged_right(void)
+{
+    const int32_t most = (int32_t)LIMIT_ACCELERATION_MOST_TICKS_PER_S2;
+    go(-1000000, 0, 1000000, 0, LIMIT_TRAJECTORY_STEP_MOST_MS);
+    TEST_ASSERT_TRUE(cubic_keeps_acceleration(&way, most));
+    TEST_ASSERT_TRUE(cubic_keeps_acceleration(&way, 3334));
+    TEST_ASSERT_FALSE(cubic_keeps_acceleration(&way, 3333));
+    go(-1000000, most, 1000000, -most, LIMIT_TRAJECTORY_STEP_MOST_MS);
+    TEST_ASSERT_TRUE(cubic_keeps_acceleration(&way, 337000));
+    TEST_ASSERT_FALSE(cubic_keeps_acceleration(&way, 336000));
 }
 
 void test_SWR_TRAJ_003_rounding_to_a_tick_is_no_acceleration(void)
