@@ -4,7 +4,8 @@
 
 # Turns core/interface/*.yml, the only source of what the processes tell each other, into what they are compiled from:
 #
-#   DIRECTORY       the headers of the core with their documentation, command.c, event.c, mode_list.c, interface_layout.h
+#   DIRECTORY       the headers of the core with their documentation, command.c, event.c, mode_list.c, interface_layout.h;
+#                   segment_fields.h, if a HEADER declares the exchange's segment
 #   DIRECTORY/app   names and sentences, what an event's numbers are, the JSON writer and its types for the console, the
 #                   columns of boresight-replay, where the fields stand; what HTTP clients may ask: routes, the tables
 #                   that read requests, and the document for clients, openapi.json
@@ -26,6 +27,7 @@ require_relative 'interface/names'
 require_relative 'interface/openapi'
 require_relative 'interface/request_tables'
 require_relative 'interface/route_table'
+require_relative 'interface/segment_fields'
 require_relative 'interface/typescript'
 
 module Interface
@@ -42,7 +44,7 @@ module Interface
         return 2
       end
       model = Model.new(folder, leaves(charts))
-      write(directory, Headers.new(model).files.merge(Layout.new(model, headers).files))
+      write(directory, Headers.new(model).files.merge(Layout.new(model, headers).files, SegmentFields.new(headers).files))
       write(File.join(directory, 'app'), APP.map { |part| part.new(model).files }.inject(:merge))
       0
     rescue Refused, SystemCallError, JSON::ParserError => e

@@ -116,7 +116,9 @@ status_t exchange_send_command(exchange_t *self, const command_t *command)
     if ((put - taken) >= places) {
         return STATUS_BUSY;
     }
-    lane->commands[put % SEGMENT_COMMANDS] = *command;
+    segment_command_t *place = &lane->commands[put % SEGMENT_COMMANDS];
+    place->command = *command;
+    place->check = exchange_check(put, command, sizeof *command);
     __atomic_store_n(&lane->head, put + 1U, __ATOMIC_RELEASE);
     return STATUS_OK;
 }
@@ -166,20 +168,35 @@ static bool take_stop(exchange_t *self, command_t *command)
     return true;
 }
 
+static void count_one(uint32_t *counter)
+{
+    __atomic_store_n(counter, __atomic_load_n(counter, __ATOMIC_RELAXED) + 1U, __ATOMIC_RELEASE);
+}
+
+/* False when it was not put there as this one. */
+static bool read_command(const exchange_t *self, uint32_t source, uint32_t number,
+                         command_t *command)
+{
+    const segment_command_t *place =
+        &self->segment->others.lanes[source].commands[number % SEGMENT_COMMANDS];
+
+    *command = place->command;
+    return place->check == exchange_check(number, command, sizeof *command);
+}
+
+/* What was damaged is dropped: false. */
 static bool take_command(exchange_t *self, uint32_t source, command_t *command)
 {
-    const segment_commands_t *lane = &self->segment->others.lanes[source];
     uint32_t *tail = &self->segment->control.taken[source].tail;
     const uint32_t taken = __atomic_load_n(tail, __ATOMIC_RELAXED);
-    const uint32_t put = __atomic_load_n(&lane->head, __ATOMIC_ACQUIRE);
+    const bool is_good = read_command(self, source, taken, command);
 
-    if (put == taken) {
-        return false;
-    }
-    *command = lane->commands[taken % SEGMENT_COMMANDS];
     command->source = source; /* Nobody speaks for another. */
     __atomic_store_n(tail, taken + 1U, __ATOMIC_RELEASE);
-    return true;
+    if (!is_good) {
+        count_one(&self->segment->control.taken[source].damaged);
+    }
+    return is_good;
 }
 
 static bool is_costly(const command_t *command)
@@ -190,21 +207,27 @@ static bool is_costly(const command_t *command)
                        (((COMMAND_KINDS_COSTLY >> command->kind) & 1U) != 0U));
 }
 
-/* Commands of a lane that wait, from its `*taken` on. */
-static uint32_t count_waiting(const exchange_t *self, uint32_t source, uint32_t *taken)
+/* Commands of a lane that wait, from its `*taken` on. More than it has places were never put in:
+ * its head was damaged, and nothing waits. */
+static uint32_t count_waiting(exchange_t *self, uint32_t source, uint32_t *taken)
 {
-    const segment_commands_t *lane = &self->segment->others.lanes[source];
-    const uint32_t put = __atomic_load_n(&lane->head, __ATOMIC_ACQUIRE);
+    const uint32_t put =
+        __atomic_load_n(&self->segment->others.lanes[source].head, __ATOMIC_ACQUIRE);
+    uint32_t *tail = &self->segment->control.taken[source].tail;
 
-    *taken = __atomic_load_n(&self->segment->control.taken[source].tail, __ATOMIC_RELAXED);
-    return ((put - *taken) < SEGMENT_COMMANDS) ? (put - *taken) : SEGMENT_COMMANDS;
+    *taken = __atomic_load_n(tail, __ATOMIC_RELAXED);
+    if ((put - *taken) > SEGMENT_COMMANDS) {
+        *taken = put;
+        __atomic_store_n(tail, put, __ATOMIC_RELEASE);
+        count_one(&self->segment->control.taken[source].damaged);
+    }
+    return put - *taken;
 }
 
 /* What a stop refuses are all commands before it but the stops among them, in this cycle and, where
  * those fill it, in later ones. True, with the stop, when there is a new one. */
 static bool find_stop(exchange_t *self, uint32_t source, uint32_t *stop_for)
 {
-    const segment_commands_t *lane = &self->segment->others.lanes[source];
     exchange_refused_t *refused = &self->refused[source];
     uint32_t taken;
     const uint32_t waiting = count_waiting(self, source, &taken);
@@ -214,11 +237,11 @@ static bool find_stop(exchange_t *self, uint32_t source, uint32_t *stop_for)
         refused->until = taken; /* All of them have been refused. */
     }
     for (uint32_t i = refused->until - taken; i < waiting; i++) {
-        const command_t *command = &lane->commands[(taken + i) % SEGMENT_COMMANDS];
-        if (is_stop(command)) {
+        command_t command;
+        if (read_command(self, source, taken + i, &command) && is_stop(&command)) {
             refused->until = taken + i + 1U;
-            refused->stop_for = command->argument;
-            *stop_for = command->argument;
+            refused->stop_for = command.argument;
+            *stop_for = command.argument;
             is_found = true;
         }
     }
@@ -273,18 +296,21 @@ static bool take_lane(exchange_t *self, uint32_t source, command_t *commands, ui
                       uint32_t *count)
 {
     const exchange_refused_t *refused = &self->refused[source];
-    uint32_t left = refused->until -
-                    __atomic_load_n(&self->segment->control.taken[source].tail, __ATOMIC_RELAXED);
+    uint32_t taken;
+    const uint32_t waiting = count_waiting(self, source, &taken);
+    const uint32_t left = refused->until - taken;
     bool is_enough = false;
 
-    while ((*count < most) && !is_enough && take_command(self, source, &commands[*count])) {
-        const bool is_refused = (left > 0U) && !is_stop(&commands[*count]);
-        left -= (left > 0U) ? 1U : 0U;
-        if (is_refused) {
-            refuse(self, &commands[*count], refused->stop_for);
-        } else {
-            is_enough = is_costly(&commands[*count]);
+    for (uint32_t i = 0U; (i < waiting) && (*count < most) && !is_enough; i++) {
+        command_t *command = &commands[*count];
+        const bool is_good = take_command(self, source, command);
+        if (is_good && (i < left) && !is_stop(command)) {
+            refuse(self, command, refused->stop_for);
+        } else if (is_good) {
+            is_enough = is_costly(command);
             (*count)++;
+        } else {
+            /* It was damaged. */
         }
     }
     return is_enough;
@@ -311,9 +337,9 @@ uint32_t exchange_take_commands(exchange_t *self, command_t *commands, uint32_t 
     return count;
 }
 
-static void count_one(uint32_t *counter)
+uint32_t exchange_lane_damages(const exchange_t *self, command_source_t source)
 {
-    __atomic_store_n(counter, __atomic_load_n(counter, __ATOMIC_RELAXED) + 1U, __ATOMIC_RELEASE);
+    return __atomic_load_n(&self->segment->control.taken[source].damaged, __ATOMIC_ACQUIRE);
 }
 
 static bool push_into_lane(exchange_t *self, const answer_t *answer)
@@ -363,36 +389,47 @@ bool exchange_push_answer(exchange_t *self, const answer_t *answer)
 bool exchange_take_answer(exchange_t *self, command_source_t source, answer_t *answer)
 {
     const segment_answers_t *lane = &self->segment->control.answers[source];
-    uint32_t *tail = &self->segment->others.answered[source].tail;
-    const uint32_t taken = __atomic_load_n(tail, __ATOMIC_RELAXED);
     const uint32_t put = __atomic_load_n(&lane->head, __ATOMIC_ACQUIRE);
+    uint32_t *taken = &self->answered[source];
+    bool is_one;
 
-    if (put == taken) {
-        return false;
+    if ((put - *taken) > EXCHANGE_ANSWERS) {
+        *taken = put; /* Control was told by a damaged tail that there was room. */
     }
-    *answer = lane->answers[taken % EXCHANGE_ANSWERS];
-    __atomic_store_n(tail, taken + 1U, __ATOMIC_RELEASE);
-    return true;
+    is_one = put != *taken;
+    if (is_one) {
+        *answer = lane->answers[*taken % EXCHANGE_ANSWERS];
+        (*taken)++;
+    }
+    __atomic_store_n(&self->segment->others.answered[source].tail, *taken, __ATOMIC_RELEASE);
+    return is_one;
 }
 
 void exchange_note_replaced(exchange_t *self, exchange_process_t process)
 {
-    (void)__atomic_fetch_add(&self->segment->others.replaced[process], 1U, __ATOMIC_ACQ_REL);
+    uint64_t *noted = &self->segment->others.replaced[process];
+    uint64_t before = __atomic_load_n(noted, __ATOMIC_ACQUIRE);
+
+    while (!__atomic_compare_exchange_n(noted, &before,
+                                        exchange_sealed(exchange_unsealed(before) + 1U), false,
+                                        __ATOMIC_ACQ_REL, __ATOMIC_ACQUIRE)) {
+    }
 }
 
 uint32_t exchange_take_replaced(exchange_t *self, exchange_process_t process)
 {
-    return __atomic_exchange_n(&self->segment->others.replaced[process], 0U, __ATOMIC_ACQ_REL);
+    return exchange_unsealed(__atomic_exchange_n(&self->segment->others.replaced[process],
+                                                 UINT64_C(0), __ATOMIC_ACQ_REL));
 }
 
 void exchange_note_stop_port(exchange_t *self, uint32_t port)
 {
-    __atomic_store_n(&self->segment->others.stop_port, port, __ATOMIC_RELEASE);
+    exchange_store_number(&self->segment->others.stop_port, port);
 }
 
 uint32_t exchange_stop_port(const exchange_t *self)
 {
-    return __atomic_load_n(&self->segment->others.stop_port, __ATOMIC_ACQUIRE);
+    return exchange_load_number(&self->segment->others.stop_port);
 }
 
 uint32_t exchange_answers_lost(const exchange_t *self)
@@ -438,14 +475,21 @@ uint32_t exchange_read_events(const exchange_t *self, uint32_t *next, exchange_e
     return count;
 }
 
+uint32_t exchange_oldest_event(const exchange_t *self)
+{
+    const uint32_t head = __atomic_load_n(&self->segment->control.events_head, __ATOMIC_ACQUIRE);
+
+    return (head > EXCHANGE_EVENTS) ? (head - EXCHANGE_EVENTS) : 0U;
+}
+
 void exchange_note_logged(exchange_t *self, uint32_t next)
 {
-    __atomic_store_n(&self->segment->others.events_logged, next, __ATOMIC_RELEASE);
+    exchange_store_number(&self->segment->others.events_logged, next);
 }
 
 uint32_t exchange_logged(const exchange_t *self)
 {
-    return __atomic_load_n(&self->segment->others.events_logged, __ATOMIC_ACQUIRE);
+    return exchange_load_number(&self->segment->others.events_logged);
 }
 
 cycle_record_t *exchange_reserve_cycle(exchange_t *self)
@@ -490,28 +534,36 @@ void exchange_request_checkpoint(exchange_t *self)
     count_one(&self->segment->others.checkpoint_requests);
 }
 
-/* Whether more was requested than was taken, which is taken now. */
-static bool take_request(const uint32_t *requests, uint32_t *taken)
+/* Whatever the number is: a checkpoint too many harms nobody. */
+bool exchange_take_checkpoint_request(exchange_t *self)
 {
-    const uint32_t requested = __atomic_load_n(requests, __ATOMIC_ACQUIRE);
+    uint32_t *taken = &self->segment->control.checkpoints_taken;
+    const uint32_t requested =
+        __atomic_load_n(&self->segment->others.checkpoint_requests, __ATOMIC_ACQUIRE);
     const bool is_new = (requested != __atomic_load_n(taken, __ATOMIC_RELAXED));
 
     __atomic_store_n(taken, requested, __ATOMIC_RELEASE);
     return is_new;
 }
 
-bool exchange_take_checkpoint_request(exchange_t *self)
+static uint32_t next_end(const exchange_t *self)
 {
-    return take_request(&self->segment->others.checkpoint_requests,
-                        &self->segment->control.checkpoints_taken);
+    return __atomic_load_n(&self->segment->control.ends_taken, __ATOMIC_ACQUIRE) + 1U;
 }
 
 void exchange_request_end(exchange_t *self)
 {
-    count_one(&self->segment->others.end_requests);
+    exchange_store_number(&self->segment->others.end_requested, next_end(self));
 }
 
+/* Damage ends nothing. */
 bool exchange_take_end_request(exchange_t *self)
 {
-    return take_request(&self->segment->others.end_requests, &self->segment->control.ends_taken);
+    const bool is_requested =
+        exchange_load_number(&self->segment->others.end_requested) == next_end(self);
+
+    if (is_requested) {
+        count_one(&self->segment->control.ends_taken);
+    }
+    return is_requested;
 }

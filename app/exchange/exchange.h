@@ -214,11 +214,20 @@ uint32_t exchange_stop_port(const exchange_t *self);
  */
 uint32_t exchange_take_commands(exchange_t *self, command_t *commands, uint32_t most);
 
+/**
+ * How often the lane of `source` was found damaged since the start: its head set right, or a
+ * command in it dropped that nobody had put there.
+ *
+ * @satisfies SWR-EXCH-021
+ */
+uint32_t exchange_lane_damages(const exchange_t *self, command_source_t source);
+
 /** Hands an answer to who asked; false (and counted) when the reader of the lane has let it fill
  * up. */
 bool exchange_push_answer(exchange_t *self, const answer_t *answer);
 
-/** The next answer of the lane of `source`; false when there is none. */
+/** For the one who asks as `source`: its next answer since it opened the exchange; false when there
+ * is none. */
 bool exchange_take_answer(exchange_t *self, command_source_t source, answer_t *answer);
 
 /** Answers that found the lane full or were for nobody, since the start. */
@@ -246,8 +255,11 @@ void exchange_push_event(exchange_t *self, const event_t *event, uint64_t utc_us
 uint32_t exchange_read_events(const exchange_t *self, uint32_t *next, exchange_event_t *events,
                               uint32_t most, uint32_t *lost);
 
+/** Number of the oldest event that is kept; where there is none, of the first one. */
+uint32_t exchange_oldest_event(const exchange_t *self);
+
 /** Up to which event the log has them, noted for the next run of the recorder: the number of the
- * next one. */
+ * next one; 0: not noted. */
 void exchange_note_logged(exchange_t *self, uint32_t next);
 uint32_t exchange_logged(const exchange_t *self);
 

@@ -6,19 +6,19 @@
 
 void exchange_note_file(exchange_t *self, exchange_file_t file, uint32_t number)
 {
-    __atomic_store_n(&self->segment->others.files[file], number, __ATOMIC_RELEASE);
+    exchange_store_number(&self->segment->others.files[file], number);
 }
 
 uint32_t exchange_file(const exchange_t *self, exchange_file_t file)
 {
-    return __atomic_load_n(&self->segment->others.files[file], __ATOMIC_ACQUIRE);
+    return exchange_load_number(&self->segment->others.files[file]);
 }
 
 void exchange_set_log_level(exchange_t *self, const exchange_log_level_t *level)
 {
     segment_others_t *others = &self->segment->others;
 
-    exchange_write_locked(&others->log_level_sequence, &others->log_level, level, sizeof *level);
+    exchange_write_sealed(&others->log_level_seal, &others->log_level, level, sizeof *level);
 }
 
 /* http may have died in the middle of anything, and what it writes stands in a log. */
@@ -38,7 +38,7 @@ bool exchange_read_log_level(const exchange_t *self, exchange_log_level_t *level
     const segment_others_t *others = &self->segment->others;
 
     for (uint32_t tries = 0U; tries < EXCHANGE_READ_TRIES; tries++) {
-        if (exchange_read_locked(&others->log_level_sequence, level, &others->log_level,
+        if (exchange_read_sealed(&others->log_level_seal, level, &others->log_level,
                                  sizeof *level)) {
             make_plain(level);
             return true;

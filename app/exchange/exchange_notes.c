@@ -14,14 +14,30 @@ uint32_t exchange_write_note(exchange_t *self, note_kind_t kind, const char *who
 
     (void)snprintf(note.who, sizeof note.who, "%s", who);
     (void)snprintf(note.text, sizeof note.text, "%s", text);
-    exchange_write_locked(&slot->sequence, &slot->note, &note, sizeof note);
-    __atomic_store_n(&others->notes_head, note.number, __ATOMIC_RELEASE);
+    exchange_write_sealed(&slot->seal, &slot->note, &note, sizeof note);
+    self->newest_note = note.number;
     return note.number;
 }
 
-uint32_t exchange_newest_note(const exchange_t *self)
+static bool read_place(const exchange_t *self, uint32_t place, exchange_note_t *note)
 {
-    return __atomic_load_n(&self->segment->others.notes_head, __ATOMIC_ACQUIRE);
+    const segment_note_t *slot = &self->segment->others.notes[place];
+
+    return exchange_read_sealed(&slot->seal, note, &slot->note, sizeof *note);
+}
+
+uint32_t exchange_newest_note(exchange_t *self)
+{
+    exchange_note_t note;
+    uint32_t newest = self->newest_note;
+
+    for (uint32_t i = 0U; (i < EXCHANGE_NOTES) && (self->newest_note == 0U); i++) {
+        if (read_place(self, i, &note) && (note.number > newest)) {
+            newest = note.number;
+        }
+    }
+    self->newest_note = newest;
+    return newest;
 }
 
 /* The log has a line for each event, whatever http has written. */
@@ -35,8 +51,7 @@ static void clean(char *text, size_t size)
 
 bool exchange_read_note(const exchange_t *self, uint32_t number, exchange_note_t *note)
 {
-    const segment_note_t *slot = &self->segment->others.notes[number % EXCHANGE_NOTES];
-    const bool is_whole = exchange_read_locked(&slot->sequence, note, &slot->note, sizeof *note) &&
+    const bool is_whole = read_place(self, number % EXCHANGE_NOTES, note) &&
                           (note->number == number) && (note->kind < NOTE_KIND_COUNT);
 
     if (is_whole) {

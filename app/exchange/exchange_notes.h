@@ -34,8 +34,9 @@ typedef struct {
  */
 uint32_t exchange_write_note(exchange_t *self, note_kind_t kind, const char *who, const char *text);
 
-/** Number of the newest note; 0: there is none. */
-uint32_t exchange_newest_note(const exchange_t *self);
+/** For http: number of the newest note; 0: there is none. Looked for once, as nobody else writes
+ * notes. */
+uint32_t exchange_newest_note(exchange_t *self);
 
 /**
  * Copies the note `number`; its texts have their ends and no control characters.

@@ -10,7 +10,7 @@ void exchange_publish_ports(exchange_t *self, const exchange_ports_t *ports)
 {
     segment_others_t *others = &self->segment->others;
 
-    exchange_write_locked(&others->ports_sequence, &others->ports, ports, sizeof *ports);
+    exchange_write_sealed(&others->ports_seal, &others->ports, ports, sizeof *ports);
 }
 
 /* igtl may have died in the middle of anything. */
@@ -34,7 +34,7 @@ bool exchange_read_ports(const exchange_t *self, exchange_ports_t *ports)
     const segment_others_t *others = &self->segment->others;
 
     for (uint32_t tries = 0U; tries < EXCHANGE_READ_TRIES; tries++) {
-        if (exchange_read_locked(&others->ports_sequence, ports, &others->ports, sizeof *ports)) {
+        if (exchange_read_sealed(&others->ports_seal, ports, &others->ports, sizeof *ports)) {
             return are_ports_whole(ports);
         }
     }
@@ -46,7 +46,7 @@ void exchange_publish_peers(exchange_t *self, command_source_t source,
 {
     segment_peers_t *table = &self->segment->others.peers[source];
 
-    exchange_write_locked(&table->sequence, &table->peers, peers, sizeof *peers);
+    exchange_write_sealed(&table->seal, &table->peers, peers, sizeof *peers);
 }
 
 /* Its process may have died in the middle of anything. */
@@ -71,41 +71,70 @@ bool exchange_read_peers(const exchange_t *self, command_source_t source, exchan
     const segment_peers_t *table = &self->segment->others.peers[source];
 
     for (uint32_t tries = 0U; tries < EXCHANGE_READ_TRIES; tries++) {
-        if (exchange_read_locked(&table->sequence, peers, &table->peers, sizeof *peers)) {
+        if (exchange_read_sealed(&table->seal, peers, &table->peers, sizeof *peers)) {
             return are_peers_whole(peers);
         }
     }
     return false;
 }
 
+static bool read_order(const exchange_t *self, exchange_order_t *order)
+{
+    const segment_order_t *place = &self->segment->others.order;
+
+    return exchange_read_sealed(&place->seal, order, &place->order, sizeof *order);
+}
+
+static bool read_answer(const exchange_t *self, segment_answered_t *answer)
+{
+    const segment_order_answer_t *place = &self->segment->others.order_answer;
+
+    return exchange_read_sealed(&place->seal, answer, &place->answer, sizeof *answer);
+}
+
+/* Where the order of the server before was damaged, no newer one has the id of its answer. */
+static uint32_t last_order(const exchange_t *self)
+{
+    exchange_order_t order;
+    segment_answered_t answer;
+    uint32_t last = self->order_given;
+
+    if ((last == 0U) && read_order(self, &order)) {
+        last = order.id;
+    } else if ((last == 0U) && read_answer(self, &answer)) {
+        last = answer.id;
+    } else {
+        /* It has given some, or there is none. */
+    }
+    return last;
+}
+
 uint32_t exchange_give_order(exchange_t *self, const exchange_order_t *order)
 {
     segment_order_t *place = &self->segment->others.order;
+    const uint32_t last = last_order(self);
     exchange_order_t numbered = *order;
 
-    numbered.id = place->order.id + 1U;
-    exchange_write_locked(&place->sequence, &place->order, &numbered, sizeof numbered);
+    self->order_given = (last != UINT32_MAX) ? (last + 1U) : 1U;
+    numbered.id = self->order_given;
+    exchange_write_sealed(&place->seal, &place->order, &numbered, sizeof numbered);
     return numbered.id;
 }
 
 bool exchange_read_order_answer(const exchange_t *self, uint32_t id, status_t *status)
 {
-    const segment_order_answer_t *place = &self->segment->others.order_answer;
     segment_answered_t answer;
 
-    if (!exchange_read_locked(&place->sequence, &answer, &place->answer, sizeof answer)) {
+    if (!read_answer(self, &answer)) {
         return false;
     }
     *status = (status_t)answer.status;
     return answer.id == id;
 }
 
-bool exchange_take_order(const exchange_t *self, exchange_order_t *order)
+bool exchange_take_order(exchange_t *self, exchange_order_t *order)
 {
-    const segment_order_t *place = &self->segment->others.order;
-
-    return exchange_read_locked(&place->sequence, order, &place->order, sizeof *order) &&
-           (order->id != self->segment->others.order_answer.answer.id) &&
+    return read_order(self, order) && (order->id != self->order_answered) &&
            (order->kind <= (uint32_t)EXCHANGE_ORDER_KEEP_ALIVE) && (order->is_on <= 1U);
 }
 
@@ -114,7 +143,8 @@ void exchange_answer_order(exchange_t *self, const exchange_order_t *order, stat
     segment_order_answer_t *place = &self->segment->others.order_answer;
     const segment_answered_t answer = {.id = order->id, .status = (uint32_t)status};
 
-    exchange_write_locked(&place->sequence, &place->answer, &answer, sizeof answer);
+    self->order_answered = order->id;
+    exchange_write_sealed(&place->seal, &place->answer, &answer, sizeof answer);
 }
 
 static const exchange_peer_t *find(const exchange_peers_t *peers, uint32_t number)

@@ -130,7 +130,7 @@ bool exchange_read_order_answer(const exchange_t *self, uint32_t id, status_t *s
 
 /** For igtl: the newest order, if it is not answered. False as well when a number in it is out of
  * its range. */
-bool exchange_take_order(const exchange_t *self, exchange_order_t *order);
+bool exchange_take_order(exchange_t *self, exchange_order_t *order);
 
 /** For igtl: answers it. */
 void exchange_answer_order(exchange_t *self, const exchange_order_t *order, status_t status);

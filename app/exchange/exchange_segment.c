@@ -210,6 +210,10 @@ exchange_t *exchange_open(const char *name, char *error, uint32_t error_size)
     }
     (void)close(self->file);
     self->file = -1;
+    for (uint32_t i = 0U; i < COMMAND_SOURCE_COUNT; i++) {
+        self->answered[i] =
+            __atomic_load_n(&self->segment->control.answers[i].head, __ATOMIC_ACQUIRE);
+    }
     return self;
 }
 

@@ -6,12 +6,18 @@
  * Two parts on pages of their own: what control writes, and what everybody else writes. A process
  * that called exchange_protect() cannot write the first, even by a stray pointer. Indices grow for
  * ever and are reduced when used, so that no value found in the segment leads outside of it.
+ *
+ * Any process may damage what is not control's. Nobody believes its own part: a process that lives
+ * keeps its indices and what it published, and writes them again; who starts believes only what is
+ * sealed. Of a command lane, which has a writer that may be replaced, control sets its own index
+ * right.
  */
 #ifndef BORESIGHT_EXCHANGE_SEGMENT_H
 #define BORESIGHT_EXCHANGE_SEGMENT_H
 
 #include "exchange/exchange.h"
 #include "exchange/exchange_files.h"
+#include "exchange/exchange_lock.h"
 #include "exchange/exchange_notes.h"
 #include "exchange/exchange_peers.h"
 
@@ -41,16 +47,21 @@ typedef struct {
     exchange_event_t event;
 } segment_event_t;
 
-/** A note under a sequence lock. */
 typedef struct {
-    uint32_t sequence;
+    exchange_seal_t seal;
     exchange_note_t note;
 } segment_note_t;
+
+/** A command, and the check that it and its number in the lane have. */
+typedef struct {
+    uint32_t check;
+    command_t command;
+} segment_command_t;
 
 /** Commands of one source. */
 typedef struct {
     uint32_t head SEGMENT_ON_LINE; /**< Commands put in. */
-    command_t commands[SEGMENT_COMMANDS];
+    segment_command_t commands[SEGMENT_COMMANDS];
 } segment_commands_t;
 
 /** Answers to one source. */
@@ -61,13 +72,13 @@ typedef struct {
 
 /** Who has come to one source. */
 typedef struct {
-    uint32_t sequence SEGMENT_ON_LINE;
+    exchange_seal_t seal SEGMENT_ON_LINE;
     exchange_peers_t peers;
 } segment_peers_t;
 
 /** What http asks of igtl. */
 typedef struct {
-    uint32_t sequence SEGMENT_ON_LINE;
+    exchange_seal_t seal SEGMENT_ON_LINE;
     exchange_order_t order;
 } segment_order_t;
 
@@ -78,7 +89,7 @@ typedef struct {
 
 /** What igtl answers. */
 typedef struct {
-    uint32_t sequence SEGMENT_ON_LINE;
+    exchange_seal_t seal SEGMENT_ON_LINE;
     segment_answered_t answer;
 } segment_order_answer_t;
 
@@ -88,30 +99,29 @@ typedef struct {
     uint64_t layout; /**< segment_layout() of the creator's build. */
 } segment_header_t;
 
-/** Written by every process but control. */
+/** Written by every process but control. Numbers of 64 bit but stops are sealed. */
 typedef struct {
     struct {
         uint32_t count SEGMENT_ON_LINE;
     } beats[EXCHANGE_PROCESS_COUNT];
     uint64_t stops_requested SEGMENT_ON_LINE; /**< SEGMENT_STOP each, an EMERGENCY 1 more. */
-    uint32_t stop_port SEGMENT_ON_LINE;       /**< 0: none was noted. */
-    uint32_t replaced[EXCHANGE_PROCESS_COUNT] SEGMENT_ON_LINE; /**< How often, not told yet. */
+    uint64_t stop_port SEGMENT_ON_LINE;       /**< 0: none was noted. */
+    uint64_t replaced[EXCHANGE_PROCESS_COUNT] SEGMENT_ON_LINE; /**< How often, not told yet. */
     segment_commands_t lanes[COMMAND_SOURCE_COUNT];
     struct {
         uint32_t tail SEGMENT_ON_LINE; /**< Answers taken. */
     } answered[COMMAND_SOURCE_COUNT];
     uint32_t cycles_tail SEGMENT_ON_LINE; /**< Cycle records released. */
     uint32_t checkpoint_requests SEGMENT_ON_LINE;
-    uint32_t end_requests SEGMENT_ON_LINE;
-    uint32_t events_logged SEGMENT_ON_LINE; /**< Number of the next event to log. */
-    uint32_t files[EXCHANGE_FILES] SEGMENT_ON_LINE;
-    uint32_t log_level_sequence SEGMENT_ON_LINE;
+    uint64_t end_requested SEGMENT_ON_LINE; /**< The one after those that control has taken. */
+    uint64_t events_logged SEGMENT_ON_LINE; /**< Number of the next event to log. */
+    uint64_t files[EXCHANGE_FILES] SEGMENT_ON_LINE;
+    exchange_seal_t log_level_seal SEGMENT_ON_LINE;
     exchange_log_level_t log_level;
-    uint32_t ports_sequence SEGMENT_ON_LINE;
+    exchange_seal_t ports_seal SEGMENT_ON_LINE;
     exchange_ports_t ports;
     segment_peers_t peers[COMMAND_SOURCE_COUNT];
-    uint32_t notes_head SEGMENT_ON_LINE; /**< Number of the newest note. */
-    segment_note_t notes[EXCHANGE_NOTES];
+    segment_note_t notes[EXCHANGE_NOTES] SEGMENT_ON_LINE;
     segment_order_t order;
     segment_order_answer_t order_answer;
 } segment_others_t;
@@ -129,6 +139,7 @@ typedef struct {
     answer_t stop_answer; /**< To the newest of them. */
     struct {
         uint32_t tail SEGMENT_ON_LINE; /**< Commands taken. */
+        uint32_t damaged;              /**< How often the lane was found damaged. */
     } taken[COMMAND_SOURCE_COUNT];
     segment_answers_t answers[COMMAND_SOURCE_COUNT];
     uint32_t answers_lost SEGMENT_ON_LINE;
@@ -161,7 +172,11 @@ struct exchange {
     segment_t *segment;
     int file; /**< The creator keeps it locked while it lives. */
     exchange_refused_t refused[COMMAND_SOURCE_COUNT];
-    uint32_t first_lane; /**< Of control: which goes first in the next cycle. */
+    uint32_t first_lane;                     /**< Of control: which goes first in the next cycle. */
+    uint32_t answered[COMMAND_SOURCE_COUNT]; /**< Of who asked: answers taken. */
+    uint32_t newest_note;                    /**< Of http; 0: not looked for yet. */
+    uint32_t order_given;                    /**< Of http: the id of its last one. */
+    uint32_t order_answered;                 /**< Of igtl: the same. */
     char name[SEGMENT_NAME_SIZE];
 };
 

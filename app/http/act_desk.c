@@ -306,7 +306,6 @@ static void dismiss_ended(act_desk_t *self, session_desk_t *sessions, uint64_t n
         if ((page->number != 0U) && !session_desk_find(sessions, page->session, now_ms, &session) &&
             release(self, page->number)) {
             (void)memset(page, 0, sizeof *page);
-            publish(self);
         }
     }
 }
@@ -317,6 +316,7 @@ void act_desk_tick(act_desk_t *self, session_desk_t *sessions, uint64_t now_ms)
     begin(self);
     take_answers(self);
     dismiss_ended(self, sessions, now_ms);
+    publish(self); /* Again: a neighbour may have damaged it. */
     (void)pthread_mutex_unlock(&self->lock);
 }
 

@@ -293,11 +293,11 @@ static const char *reason_against_setting(http_server_t *server, const http_call
 
 int http_archive_log_level(http_server_t *server, const http_call_t *call)
 {
-    exchange_log_level_t level;
-    const bool is_set = exchange_read_log_level(server->exchange, &level);
-    const uint32_t severity = is_set ? level.severity : (uint32_t)EVENT_SEVERITY_INFORMATION;
-    const json_log_level_t told = {.level = event_severity_name((int32_t)severity),
-                                   .by = is_set ? level.by : NULL,
+    (void)pthread_mutex_lock(&server->archive.lock);
+    const exchange_log_level_t level = server->archive.level;
+    (void)pthread_mutex_unlock(&server->archive.lock);
+    const json_log_level_t told = {.level = event_severity_name((int32_t)level.severity),
+                                   .by = (level.by[0] != '\0') ? level.by : NULL,
                                    .reason = reason_against_setting(server, call)};
     return http_reply_object(call->connection, 200, json_log_level(&told));
 }
@@ -311,6 +311,7 @@ int http_archive_set_log_level(http_server_t *server, const http_call_t *call)
     }
     (void)snprintf(level.by, sizeof level.by, "%s", session.account.name);
     (void)pthread_mutex_lock(&server->archive.lock);
+    server->archive.level = level;
     exchange_set_log_level(server->exchange, &level);
     (void)pthread_mutex_unlock(&server->archive.lock);
     return http_archive_log_level(server, call);

@@ -63,6 +63,28 @@ void http_notes_tell_replaced(http_notes_t *self)
     }
 }
 
+void http_notes_tell_damage(http_notes_t *self, uint64_t now_ms)
+{
+    static const char *const names[COMMAND_SOURCE_COUNT] = {
+        [COMMAND_SOURCE_IGTL] = "igtl", [COMMAND_SOURCE_HTTP] = "http"};
+    char text[120];
+
+    for (uint32_t i = 0U; i < COMMAND_SOURCE_COUNT; i++) {
+        const uint32_t count = exchange_lane_damages(self->exchange, (command_source_t)i);
+        const bool is_due = (self->damaged_ms[i] == 0U) ||
+                            (passed_ms(self->damaged_ms[i], now_ms) >= LIMIT_DAMAGE_PAUSE_MS);
+        if ((count != self->damages[i]) && is_due) {
+            (void)snprintf(text, sizeof text,
+                           "command lane damaged %u time%s since the start; commands in it were "
+                           "dropped.",
+                           (unsigned)count, (count > 1U) ? "s" : "");
+            http_notes_write(self, NOTE_DAMAGED, names[i], text);
+            self->damages[i] = count;
+            self->damaged_ms[i] = now_ms;
+        }
+    }
+}
+
 bool http_notes_are_behind(http_notes_t *self)
 {
     (void)pthread_mutex_lock(&self->lock);

@@ -26,6 +26,8 @@ typedef struct {
     uint32_t next_event; /**< Of the log, to look at. */
     uint64_t kept_ms;    /**< When somebody's was kept last. */
     uint32_t seen;       /**< What `logged` was at the last tick, for all threads. */
+    uint32_t damages[COMMAND_SOURCE_COUNT];    /**< Of the command lanes, told. */
+    uint64_t damaged_ms[COMMAND_SOURCE_COUNT]; /**< When it was told; 0: never. */
 } http_notes_t;
 
 /** Starts with nothing to log. `exchange` and `desk`, which asks control, outlive `self`. */
@@ -50,6 +52,14 @@ bool http_notes_are_behind(http_notes_t *self);
  * @satisfies SWR-LIFE-002
  */
 void http_notes_tell_replaced(http_notes_t *self);
+
+/**
+ * Notes of each command lane how often it was found damaged, where that has grown: at once, and
+ * again LIMIT_DAMAGE_PAUSE_MS later at the earliest.
+ *
+ * @satisfies SWR-EXCH-024
+ */
+void http_notes_tell_damage(http_notes_t *self, uint64_t now_ms);
 
 /**
  * Has the next note logged that nobody else has logged; called by one thread at 20 Hz, which is how

@@ -26,6 +26,9 @@ void http_server_init(http_server_t *self, const http_server_config_t *config)
     self->front = config->front;
     self->archive.directory = config->recordings;
     (void)pthread_mutex_init(&self->archive.lock, NULL);
+    if (!exchange_read_log_level(config->exchange, &self->archive.level)) {
+        (void)memset(&self->archive.level, 0, sizeof self->archive.level);
+    }
     if (config->front != NULL) {
         const http_guard_t front = {.address = "127.0.0.1",
                                     .port = config->front->console_from,
@@ -73,11 +76,21 @@ bool http_server_prepare_logins(http_server_t *self, char *error, size_t error_s
     return true;
 }
 
+/* Again: a neighbour may have damaged it. */
+static void set_log_level(http_server_t *self)
+{
+    (void)pthread_mutex_lock(&self->archive.lock);
+    exchange_set_log_level(self->exchange, &self->archive.level);
+    (void)pthread_mutex_unlock(&self->archive.lock);
+}
+
 void http_server_tick(http_server_t *self)
 {
     telemetry_view_t view;
     session_desk_tick(&self->desk, telemetry_now_ms());
+    set_log_level(self);
     http_notes_tell_replaced(&self->notes);
+    http_notes_tell_damage(&self->notes, telemetry_now_ms());
     http_notes_tick(&self->notes);
     act_desk_tick(&self->acts, &self->desk, telemetry_now_ms());
     telemetry_look(&self->telemetry, &view);

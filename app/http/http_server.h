@@ -9,6 +9,7 @@
 #define BORESIGHT_HTTP_SERVER_H
 
 #include "exchange/exchange.h"
+#include "exchange/exchange_files.h"
 #include "http/act_desk.h"
 #include "http/http_guard.h"
 #include "http/http_notes.h"
@@ -40,10 +41,11 @@ typedef struct http_server {
     telemetry_t telemetry;
     http_stream_t stream;
     struct {
-        const char *directory; /**< Of the recorder. */
-        uint32_t searches;     /**< How many go on. */
-        uint32_t downloads;    /**< The same. */
-        pthread_mutex_t lock;  /**< Of who sets the log's level. */
+        const char *directory;      /**< Of the recorder. */
+        uint32_t searches;          /**< How many go on. */
+        uint32_t downloads;         /**< The same. */
+        pthread_mutex_t lock;       /**< Of who sets the log's level. */
+        exchange_log_level_t level; /**< By "": nobody has set it. */
     } archive;
 } http_server_t;
 

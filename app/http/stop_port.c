@@ -242,6 +242,7 @@ static void *serve(void *unused)
 {
     (void)unused;
     for (;;) {
+        exchange_note_stop_port(stop_port.exchange, stop_port.guard.port); /* It may be damaged. */
         take_turn();
     }
     return NULL;
@@ -288,7 +289,6 @@ uint32_t stop_port_start(exchange_t *exchange, const http_guard_t *console,
     stop_port.guard.front = front;
     stop_port.guard.front_port = (front != NULL) ? front->stop : 0U;
     stop_port.guard.port = (stop_port.sockets[0] >= 0) ? port_of(stop_port.sockets[0]) : 0U;
-    exchange_note_stop_port(exchange, stop_port.guard.port);
     if ((stop_port.sockets[0] >= 0) && (pthread_create(&thread, NULL, serve, NULL) != 0)) {
         (void)close(stop_port.sockets[0]);
         stop_port.guard.port = 0U;

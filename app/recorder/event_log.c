@@ -35,6 +35,13 @@ static int make_file(const char *directory, uint32_t *number, char path[FILE_SER
     return file;
 }
 
+static void note_place(const event_log_t *self)
+{
+    exchange_note_file(self->exchange, EXCHANGE_FILE_LOG, self->number);
+    exchange_note_file(self->exchange, EXCHANGE_FILE_LOG_BEFORE, self->number_before);
+    exchange_note_logged(self->exchange, self->next);
+}
+
 /* Old logs make room only for one that exists. */
 static bool begin(event_log_t *self)
 {
@@ -48,9 +55,9 @@ static bool begin(event_log_t *self)
     self->file = file;
     self->size = 0U;
     self->severity = (uint32_t)EVENT_SEVERITY_INFORMATION;
-    exchange_note_file(self->exchange, EXCHANGE_FILE_LOG_BEFORE,
-                       exchange_file(self->exchange, EXCHANGE_FILE_LOG));
-    exchange_note_file(self->exchange, EXCHANGE_FILE_LOG, number);
+    self->number_before = self->number;
+    self->number = number;
+    note_place(self);
     file_series_remove_oldest(&file_series_logs, self->directory, path);
     return true;
 }
@@ -58,11 +65,11 @@ static bool begin(event_log_t *self)
 /* What the recorder before has begun in this run. */
 static bool go_on(event_log_t *self)
 {
-    const uint32_t number = exchange_file(self->exchange, EXCHANGE_FILE_LOG);
     char path[FILE_SERIES_PATH_SIZE];
     struct stat status;
 
-    if ((number == 0U) || !file_series_find(&file_series_logs, self->directory, number, path)) {
+    if ((self->number == 0U) ||
+        !file_series_find(&file_series_logs, self->directory, self->number, path)) {
         return false;
     }
     const int file = open(path, O_WRONLY | O_APPEND | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
@@ -73,6 +80,19 @@ static bool go_on(event_log_t *self)
     self->file = file;
     self->size = (uint64_t)status.st_size;
     return true;
+}
+
+/* Twice in the log is better than not at all. */
+static void find_next(event_log_t *self)
+{
+    self->next = exchange_logged(self->exchange);
+    if ((self->next == 0U) && (self->size > 0U)) {
+        self->next = exchange_oldest_event(self->exchange);
+        (void)fprintf(stderr,
+                      "recorder: the number of the last event in the log is not known; events from "
+                      "%u on may be there twice.\n",
+                      (unsigned)self->next);
+    }
 }
 
 /* Without a place for another its events are worth more than the bound. */
@@ -92,12 +112,16 @@ void event_log_open(event_log_t *self, const char *directory, exchange_t *exchan
     self->directory = directory;
     self->exchange = exchange;
     self->file = -1;
+    self->number = exchange_file(exchange, EXCHANGE_FILE_LOG);
+    self->number_before = exchange_file(exchange, EXCHANGE_FILE_LOG_BEFORE);
+    self->next = exchange_logged(exchange);
     if (!go_on(self) && !begin(self)) {
         (void)fprintf(
             stderr,
             "recorder: the event log in %s cannot be opened (%s); events are counted only.\n",
             directory, strerror(errno));
     }
+    find_next(self);
 }
 
 static void write_line(event_log_t *self, const char *line)
@@ -169,10 +193,10 @@ static void look_at_level(event_log_t *self)
         return;
     }
     (void)snprintf(remark, sizeof remark,
-                   "LOG_LEVEL value=%u From here on events from %s on are written, set by %s.",
+                   "LOG_LEVEL value=%u From here on events from %s on are written, %s%s.",
                    (unsigned)level.severity, event_severity_name((int32_t)level.severity),
-                   level.by);
-    write_remark(self, exchange_logged(self->exchange), remark);
+                   (level.by[0] != '\0') ? "set by " : "as the level was damaged", level.by);
+    write_remark(self, self->next, remark);
     self->severity = level.severity;
 }
 
@@ -181,13 +205,13 @@ void event_log_drain(event_log_t *self)
 {
     static exchange_event_t events[BATCH];
     exchange_t *exchange = self->exchange;
-    uint32_t next = exchange_logged(exchange);
     uint32_t count;
 
     look_at_level(self);
     do {
         uint32_t lost = 0U;
-        const uint32_t first = next;
+        const uint32_t first = self->next;
+        uint32_t next = first;
         count = exchange_read_events(exchange, &next, events, BATCH, &lost);
         if (lost > 0U) {
             write_loss(self, first, lost);
@@ -195,9 +219,11 @@ void event_log_drain(event_log_t *self)
         for (uint32_t i = 0U; i < count; i++) {
             look_at_level(self); /* Another file may have begun. */
             write_event(self, &events[i]);
-            exchange_note_logged(exchange, events[i].event.number + 1U);
+            self->next = events[i].event.number + 1U;
+            exchange_note_logged(exchange, self->next);
         }
-        exchange_note_logged(exchange, next);
+        self->next = next;
+        note_place(self);
     } while (count == BATCH);
 }
 

@@ -19,6 +19,9 @@ typedef struct {
     uint64_t size;         /**< Of the file, in bytes. */
     uint32_t unwritten;    /**< Events that found no room since the last that did. */
     uint32_t severity;     /**< Those and above are written; the file says so. */
+    uint32_t number;       /**< Of its file, and of the one before; 0: there is none. */
+    uint32_t number_before;
+    uint32_t next; /**< Number of the next event. */
     bool is_dirty;
 } event_log_t;
 
@@ -32,8 +35,8 @@ typedef struct {
 void event_log_open(event_log_t *self, const char *directory, exchange_t *exchange);
 
 /**
- * Writes the events that the exchange has gained and notes them there; overwritten ones are named
- * by their number.
+ * Writes the events that the exchange has gained; overwritten ones are named by their number. Notes
+ * there how far it is and in which files, again each time: a neighbour may have damaged it.
  *
  * @satisfies SWR-EVENT-008
  * @satisfies SWR-EVENT-015

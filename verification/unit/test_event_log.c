@@ -227,6 +227,57 @@ static void assert_line(uint32_t log, uint32_t place, const char *part)
     TEST_ASSERT_NOT_NULL_MESSAGE(strstr(line, part), line);
 }
 
+/* What a neighbour may have written, where all processes write. */
+static void damage_places(void)
+{
+    segment_others_t *others = &exchange->segment->others;
+
+    others->events_logged = UINT64_MAX;
+    (void)memset(others->files, 0x55, sizeof others->files);
+}
+
+void test_SWR_EXCH_022_a_log_that_lives_knows_how_far_it_is_and_in_which_files(void)
+{
+    log_events(3U);
+    fill();
+    log_events(2U);
+    damage_places();
+    log_events(2U);
+    TEST_ASSERT_EQUAL_UINT32(3U, lines_of(1U));
+    TEST_ASSERT_EQUAL_UINT32(4U, lines_of(2U));
+    TEST_ASSERT_EQUAL_UINT32(2U, exchange_file(exchange, EXCHANGE_FILE_LOG));
+    TEST_ASSERT_EQUAL_UINT32(1U, exchange_file(exchange, EXCHANGE_FILE_LOG_BEFORE));
+    TEST_ASSERT_EQUAL_UINT32(7U, exchange_logged(exchange));
+}
+
+void test_SWR_EXCH_022_a_log_that_is_opened_after_damage_lacks_no_event_that_is_kept(void)
+{
+    log_events(EXCHANGE_EVENTS + 10U);
+    exchange->segment->others.events_logged = UINT64_MAX;
+    restart();
+    log_events(1U);
+    TEST_ASSERT_EQUAL_UINT32((2U * EXCHANGE_EVENTS) + 11U, lines_of(1U));
+    damage_places();
+    restart();
+    log_events(1U);
+    TEST_ASSERT_EQUAL_UINT32(1U, exchange_file(exchange, EXCHANGE_FILE_LOG) - 1U);
+    assert_line(2U, 1U, "ESTOP_PULLED");
+}
+
+void test_SWR_EXCH_022_a_level_that_was_damaged_is_said_to_be(void)
+{
+    const exchange_log_level_t none = {.severity = 0U};
+
+    set_level((uint32_t)EVENT_SEVERITY_WARNING);
+    event_log_drain(&event_log);
+    exchange->segment->others.log_level.severity = 4U;
+    event_log_drain(&event_log);
+    TEST_ASSERT_EQUAL_UINT32(1U, lines_of(1U));
+    exchange_set_log_level(exchange, &none);
+    event_log_drain(&event_log);
+    assert_line(1U, 1U, "are written, as the level was damaged.");
+}
+
 void test_SWR_EVENT_015_events_below_the_level_are_not_written_and_the_log_says_so(void)
 {
     log_each_severity();

@@ -374,14 +374,33 @@ void test_SWR_EXCH_015_every_stop_is_handed_over_and_none_refused_for_another(vo
     expect_refusals(0U, WORKPHASE_STOP);
 }
 
-void test_SWR_EXCH_015_a_lane_that_tells_nonsense_is_not_followed_out_of_it(void)
+void test_SWR_EXCH_021_a_lane_that_tells_nonsense_is_emptied(void)
 {
     command_t taken[4];
 
     reader->segment->others.lanes[COMMAND_SOURCE_IGTL].head = UINT32_MAX;
     (void)exchange_request_stop(reader, WORKPHASE_STOP);
     TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, taken, 1U));
-    TEST_ASSERT_EQUAL_UINT32(4U, exchange_take_commands(control, taken, 4U));
+    TEST_ASSERT_EQUAL_UINT32(0U, exchange_take_commands(control, taken, 4U));
+    TEST_ASSERT_EQUAL_UINT32(1U, exchange_lane_damages(reader, COMMAND_SOURCE_IGTL));
+    TEST_ASSERT_EQUAL_UINT32(0U, exchange_lane_damages(reader, COMMAND_SOURCE_HTTP));
+}
+
+void test_SWR_EXCH_021_what_nobody_has_put_into_a_lane_is_no_command(void)
+{
+    const command_t jog = {.kind = COMMAND_JOG, .id = 7U};
+    command_t taken[4];
+
+    for (uint32_t i = 0U; i < (2U * SEGMENT_COMMANDS); i++) {
+        TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &jog));
+        TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, taken, 4U));
+    }
+    reader->segment->others.lanes[COMMAND_SOURCE_IGTL].head += 3U;
+    TEST_ASSERT_EQUAL_UINT32(0U, exchange_take_commands(control, taken, 4U));
+    TEST_ASSERT_EQUAL_UINT32(3U, exchange_lane_damages(reader, COMMAND_SOURCE_IGTL));
+    TEST_ASSERT_EQUAL(STATUS_OK, exchange_send_command(reader, &jog));
+    TEST_ASSERT_EQUAL_UINT32(1U, exchange_take_commands(control, taken, 4U));
+    TEST_ASSERT_EQUAL_UINT32(7U, taken[0].id);
 }
 
 static void *request_stops(void *unused)

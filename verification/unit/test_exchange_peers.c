@@ -116,7 +116,7 @@ void test_SWR_EXCH_016_peers_that_were_half_written_are_not_shown(void)
 {
     have_one_peer(1U, "", "anna");
     exchange_publish_peers(control, COMMAND_SOURCE_HTTP, &peers);
-    control->segment->others.peers[COMMAND_SOURCE_HTTP].sequence++;
+    control->segment->others.peers[COMMAND_SOURCE_HTTP].seal.sequence++;
     TEST_ASSERT_FALSE(exchange_read_peers(reader, COMMAND_SOURCE_HTTP, &read_peers));
 }
 

@@ -100,7 +100,7 @@ void test_SWR_EXCH_020_a_level_hides_nothing_critical_and_no_name_writes_a_line(
     TEST_ASSERT_TRUE(exchange_read_log_level(control, &level));
     TEST_ASSERT_EQUAL_UINT32(EVENT_SEVERITY_CRITICAL, level.severity);
     TEST_ASSERT_EQUAL_STRING("x??xxxxxxxxxxxxxxxxxxxxxxxxxxxx", level.by);
-    control->segment->others.log_level_sequence |= 1U; /* It died there. */
+    control->segment->others.log_level_seal.sequence |= 1U; /* It died there. */
     TEST_ASSERT_FALSE(exchange_read_log_level(control, &level));
 }
 
@@ -382,11 +382,13 @@ void test_SWR_EXCH_019_what_is_not_whole_is_not_handed_over(void)
     exchange_note_t note;
 
     (void)exchange_write_note(reader, NOTE_LOGIN, "anna", "logged in.");
-    slot->sequence++;
+    slot->seal.sequence++;
     TEST_ASSERT_FALSE(exchange_read_note(control, 1U, &note));
-    slot->sequence++;
-    slot->note.kind = NOTE_KIND_COUNT;
+    slot->seal.sequence++;
+    slot->note.text[0] = 'x';
     TEST_ASSERT_FALSE(exchange_read_note(control, 1U, &note));
+    (void)exchange_write_note(reader, NOTE_KIND_COUNT, "anna", "logged in.");
+    TEST_ASSERT_FALSE(exchange_read_note(control, 2U, &note));
 }
 
 void test_SWR_EVENT_010_an_event_is_told_in_the_words_of_its_note(void)

@@ -123,6 +123,40 @@ void test_SWR_LIFE_002_who_was_replaced_is_logged_once(void)
     expect_asked(0U);
 }
 
+static void damage_lane(void)
+{
+    control->segment->others.lanes[COMMAND_SOURCE_IGTL].head += 100U;
+    TEST_ASSERT_EQUAL_UINT32(0U, exchange_take_commands(control, taken, COMMANDS));
+}
+
+static void expect_damage(uint32_t number, const char *text)
+{
+    exchange_note_t note;
+    expect_asked(number);
+    TEST_ASSERT_EQUAL_UINT32(NOTE_DAMAGED, taken[0].argument);
+    TEST_ASSERT_TRUE(exchange_read_note(server, number, &note));
+    TEST_ASSERT_EQUAL_STRING("igtl", note.who);
+    TEST_ASSERT_EQUAL_STRING(text, note.text);
+    log_it();
+}
+
+void test_SWR_EXCH_024_a_damaged_lane_is_told_at_once_and_then_in_sums(void)
+{
+    http_notes_tell_damage(&notes, NOW_MS);
+    expect_asked(0U);
+    damage_lane();
+    http_notes_tell_damage(&notes, NOW_MS);
+    expect_damage(2U, "command lane damaged 1 time since the start; commands in it were dropped.");
+    damage_lane();
+    damage_lane();
+    http_notes_tell_damage(&notes, NOW_MS + LIMIT_DAMAGE_PAUSE_MS - 1U);
+    expect_asked(0U);
+    http_notes_tell_damage(&notes, NOW_MS + LIMIT_DAMAGE_PAUSE_MS);
+    expect_damage(3U, "command lane damaged 3 times since the start; commands in it were dropped.");
+    http_notes_tell_damage(&notes, NOW_MS + (2U * LIMIT_DAMAGE_PAUSE_MS));
+    expect_asked(0U);
+}
+
 void test_SWR_SESS_020_what_is_overwritten_is_passed_over(void)
 {
     for (uint32_t i = 0U; i <= LIMIT_NOTES_KEPT; i++) {
