@@ -178,36 +178,42 @@ static inline uint32_t after_word(uint32_t state, const uint8_t *at)
            last[mixed >> 24U];
 }
 
-/* After `count` words. */
-static uint32_t after_words(uint32_t start, const uint8_t *bytes, size_t count)
+static inline uint32_t after_four(uint32_t state, const uint8_t *at)
 {
-    const uint8_t *at = bytes;
-    size_t left = count;
-    uint32_t state = start;
-    for (; left >= 4U; left -= 4U) {
-        state = after_word(after_word(state, at), &at[4]);
-        state = after_word(after_word(state, &at[8]), &at[12]);
-        at = &at[16];
-    }
-    for (; left > 0U; left--) {
-        state = after_word(state, at);
-        at = &at[4];
-    }
-    return state;
+    const uint32_t half = after_word(after_word(state, at), &at[4]);
+    return after_word(after_word(half, &at[8]), &at[12]);
+}
+
+static inline uint32_t after_eight(uint32_t state, const uint8_t *at)
+{
+    return after_four(after_four(state, at), &at[16]);
 }
 
 uint32_t crc32c(const uint8_t *bytes, size_t length)
 {
-    const size_t words = length / 4U;
-    uint32_t state = after_words(~0U, bytes, words);
-    for (size_t i = words * 4U; i < length; i++) {
-        state = after_byte(state, bytes[i]);
+    const uint8_t *at = bytes;
+    size_t left = length;
+    uint32_t state = ~0U;
+    for (; left >= 16U; left -= 16U) {
+        state = after_four(state, at);
+        at = &at[16];
+    }
+    for (; left >= 4U; left -= 4U) {
+        state = after_word(state, at);
+        at = &at[4];
+    }
+    for (; left > 0U; left--) {
+        state = after_byte(state, at[0]);
+        at = &at[1];
     }
     return ~state;
 }
 
+/* How many zeros are passed unread. */
+typedef enum { ZEROS_132 = 0, ZEROS_172 = 1 } zeros_t;
+
 /* Zeros change the state linearly: each of its eight half bytes has its own share in the result. */
-static inline uint32_t after_zeros(uint32_t state, crc32c_zeros_t zeros)
+static inline uint32_t after_zeros(uint32_t state, zeros_t zeros)
 {
     static const uint32_t shares[2][8][16] = {
         {{0x00000000U, 0x6577B245U, 0xCAEF648AU, 0xAF98D6CFU, 0x9032BFE5U, 0xF5450DA0U, 0x5ADDDB6FU,
@@ -265,13 +271,17 @@ static inline uint32_t after_zeros(uint32_t state, crc32c_zeros_t zeros)
            share[6][(state >> 24U) & 0xFU] ^ share[7][state >> 28U];
 }
 
-uint32_t crc32c_extend_over_zeros(uint32_t crc, const uint8_t *bytes, size_t before,
-                                  crc32c_zeros_t zeros, size_t after)
+uint32_t crc32c_over_132(uint32_t crc, const uint8_t *bytes)
 {
-    uint32_t count = 172U;
-    if (zeros == CRC32C_ZEROS_132) {
-        count = 132U;
-    }
-    const uint32_t state = after_zeros(after_words(~crc, bytes, before / 4U), zeros);
-    return ~after_words(state, &bytes[before + count], after / 4U);
+    const uint32_t most = after_eight(after_eight(~crc, bytes), &bytes[32]);
+    const uint32_t all = after_word(after_word(after_eight(most, &bytes[64]), &bytes[96]), &bytes[100]);
+    const uint32_t state = after_zeros(after_word(all, &bytes[104]), ZEROS_132);
+    return ~after_word(state, &bytes[240]);
+}
+
+uint32_t crc32c_over_172(uint32_t crc, const uint8_t *bytes)
+{
+    const uint32_t state =
+        after_zeros(after_eight(after_eight(~crc, bytes), &bytes[32]), ZEROS_172);
+    return ~after_word(after_word(state, &bytes[236]), &bytes[240]);
 }

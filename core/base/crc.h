@@ -10,18 +10,14 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/** How many zeros crc32c_extend_over_zeros() passes. */
-typedef enum {
-    CRC32C_ZEROS_132 = 0, /**< 132 bytes. */
-    CRC32C_ZEROS_172 = 1  /**< 172 bytes. */
-} crc32c_zeros_t;
-
 /** CRC-32C of `length` bytes; 0 for none. "123456789" gives 0xE3069283. */
 uint32_t crc32c(const uint8_t *bytes, size_t length);
 
-/** CRC-32C of what gave `crc`, followed by `before` bytes, by `zeros`, which are not read, and by
- * `after` bytes; both are multiples of 4. */
-uint32_t crc32c_extend_over_zeros(uint32_t crc, const uint8_t *bytes, size_t before,
-                                  crc32c_zeros_t zeros, size_t after);
+/** CRC-32C of what gave `crc`, followed by the 244 bytes that a frame has between its header and its
+ * checksum: 108, then 132 zeros, which are not read, and 4 more. */
+uint32_t crc32c_over_132(uint32_t crc, const uint8_t *bytes);
+
+/** The same of 64 bytes, 172 zeros, and 8 more. */
+uint32_t crc32c_over_172(uint32_t crc, const uint8_t *bytes);
 
 #endif

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "card/card_frame.h"
 
+#include "base/clear.h"
 #include "base/crc.h"
 #include "card/card_words.h"
 #include "card/frame_word.h"
@@ -57,49 +58,43 @@ static uint32_t header_word(uint32_t slot, uint32_t type)
     return (protocol << 24U) | (fit(slot, LARGEST_8_BIT) << 16U) | (length_words << 8U) | type;
 }
 
-/* A word from `first` to before `end` is not zero. Four at a time: half of the instructions. */
-static inline bool has_bits(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t first, uint32_t end)
+/* As it lies in memory; whether it is zero does not depend on that. */
+static inline uint32_t raw_word(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t index)
 {
-    const uint8_t *at = &bytes[first * 4U];
-    uint32_t left = end - first;
+    uint32_t word;
 
-    for (; left >= 4U; left -= 4U) {
-        if ((frame_word_get(at, 0U) != 0U) || (frame_word_get(at, 1U) != 0U) ||
-            (frame_word_get(at, 2U) != 0U) || (frame_word_get(at, 3U) != 0U)) {
-            return true;
-        }
-        at = &at[16];
-    }
-    for (; left > 0U; left--) {
-        if (frame_word_get(at, 0U) != 0U) {
-            return true;
-        }
-        at = &at[4];
-    }
-    return false;
+    (void)memcpy(&word, &bytes[index * 4U], sizeof word);
+    return word;
 }
 
-/* What the checksum of a direction jumps over, the reserved words from `first` to before `end`, and
- * how it begins: that of the first two words, by slot. */
-typedef struct {
-    uint32_t first;
-    uint32_t end;
-    crc32c_zeros_t zeros;
-    uint32_t heads[CARD_SLOT_COUNT];
-} checked_t;
+static inline uint32_t four_raw_words(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t first)
+{
+    return raw_word(bytes, first) | raw_word(bytes, first + 1U) | raw_word(bytes, first + 2U) |
+           raw_word(bytes, first + 3U);
+}
 
-static const checked_t checked_command = {18U,
-                                          CARD_COMMAND_COMPLEMENT,
-                                          CRC32C_ZEROS_172,
-                                          {0x79B02BB9U, 0xDCF1B9C7U, 0x36DF79B4U, 0x939EEBCAU,
-                                           0xE76E8FA3U, 0x422F1DDDU, 0xA801DDAEU, 0x0D404FD0U,
-                                           0x41E1157CU, 0xE4A08702U}};
-static const checked_t checked_report = {29U,
-                                         CARD_BOTH_LEGACY_SUM,
-                                         CRC32C_ZEROS_132,
-                                         {0x6AE0D84DU, 0xCFA14A33U, 0x258F8A40U, 0x80CE183EU,
-                                          0xF43E7C57U, 0x517FEE29U, 0xBB512E5AU, 0x1E10BC24U,
-                                          0x52B1E688U, 0xF7F074F6U}};
+/* A word from `first` to before `end` is not zero. Eight at a time: half of the instructions. */
+static inline bool has_bits(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t first, uint32_t end)
+{
+    uint32_t bits = 0U;
+    uint32_t i = first;
+
+    for (; (end - i) >= 8U; i += 8U) {
+        bits |= four_raw_words(bytes, i) | four_raw_words(bytes, i + 4U);
+    }
+    for (; i < end; i++) {
+        bits |= raw_word(bytes, i);
+    }
+    return bits != 0U;
+}
+
+/* How the checksum of a direction begins: that of the first two words, by slot. */
+static const uint32_t command_heads[CARD_SLOT_COUNT] = {
+    0x79B02BB9U, 0xDCF1B9C7U, 0x36DF79B4U, 0x939EEBCAU, 0xE76E8FA3U,
+    0x422F1DDDU, 0xA801DDAEU, 0x0D404FD0U, 0x41E1157CU, 0xE4A08702U};
+static const uint32_t report_heads[CARD_SLOT_COUNT] = {
+    0x6AE0D84DU, 0xCFA14A33U, 0x258F8A40U, 0x80CE183EU, 0xF43E7C57U,
+    0x517FEE29U, 0xBB512E5AU, 0x1E10BC24U, 0x52B1E688U, 0xF7F074F6U};
 
 static inline uint32_t two_words(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t first)
 {
@@ -129,15 +124,16 @@ static uint32_t report_sum(const uint8_t bytes[CARD_FRAME_BYTES])
            four_words(bytes, CARD_REPORT_APPLIED) + frame_word_get(bytes, CARD_REPORT_UPTIME);
 }
 
-/* Of a frame with the start word and a header of its direction. */
-static inline uint32_t crc_of(const uint8_t bytes[CARD_FRAME_BYTES], const checked_t *checked)
+/* Of a frame with the start word and a header of its direction, whose reserved words are zero. */
+static inline uint32_t crc_of(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t type)
 {
     const uint32_t slot = bytes[(CARD_BOTH_HEADER * 4U) + 1U];
-    const uint32_t head =
-        (slot < CARD_SLOT_COUNT) ? checked->heads[slot] : crc32c(bytes, HEAD_BYTES);
+    const bool is_command = type == TYPE_COMMAND;
+    const uint32_t *const heads = is_command ? command_heads : report_heads;
+    const uint32_t head = (slot < CARD_SLOT_COUNT) ? heads[slot] : crc32c(bytes, HEAD_BYTES);
 
-    return crc32c_extend_over_zeros(head, &bytes[HEAD_BYTES], (checked->first * 4U) - HEAD_BYTES,
-                                    checked->zeros, (CARD_BOTH_CRC - checked->end) * 4U);
+    return is_command ? crc32c_over_172(head, &bytes[HEAD_BYTES])
+                      : crc32c_over_132(head, &bytes[HEAD_BYTES]);
 }
 
 static bool has_command_reserved_bits(const uint8_t bytes[CARD_FRAME_BYTES])
@@ -158,6 +154,11 @@ typedef struct {
     uint32_t sum;
 } writer_t;
 
+static inline void clear(uint8_t bytes[CARD_FRAME_BYTES], uint32_t first, uint32_t end)
+{
+    clear_words(&bytes[first * 4U], (end - first) * 4U);
+}
+
 static inline void write_word(writer_t *self, uint32_t index, uint32_t word)
 {
     frame_word_put(self->bytes, index, word);
@@ -168,22 +169,20 @@ static inline writer_t begin(uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot, uin
 {
     writer_t writer = {.bytes = bytes, .sum = 0U};
 
-    (void)memset(&bytes[ALWAYS_BYTES], 0, (CARD_BOTH_LEGACY_SUM * 4U) - ALWAYS_BYTES);
     write_word(&writer, CARD_BOTH_START, CARD_FRAME_START);
     write_word(&writer, CARD_BOTH_HEADER, header_word(slot, type));
     return writer;
 }
 
-static inline void seal(const writer_t *self, const checked_t *checked)
+static inline void seal(const writer_t *self, uint32_t type)
 {
     frame_word_put(self->bytes, CARD_BOTH_LEGACY_SUM, ~self->sum);
-    frame_word_put(self->bytes, CARD_BOTH_CRC, crc_of(self->bytes, checked));
+    frame_word_put(self->bytes, CARD_BOTH_CRC, crc_of(self->bytes, type));
 }
 
 /* What a direction makes of the bytes, whatever they are. */
 typedef struct {
     uint32_t type;
-    const checked_t *checked;
     bool has_reserved_bits;
     uint32_t sum;
 } frame_view_t;
@@ -204,7 +203,7 @@ static inline card_frame_result_t check_frame(const uint8_t bytes[CARD_FRAME_BYT
     if (view->has_reserved_bits || (frame_word_get(bytes, CARD_BOTH_LEGACY_SUM) != ~view->sum)) {
         return CARD_FRAME_BAD_CRC;
     }
-    if (frame_word_get(bytes, CARD_BOTH_CRC) != crc_of(bytes, view->checked)) {
+    if (frame_word_get(bytes, CARD_BOTH_CRC) != crc_of(bytes, view->type)) {
         return CARD_FRAME_BAD_CRC;
     }
     if (header != expected) {
@@ -305,6 +304,8 @@ void card_frame_encode_command(const card_command_t *command, uint8_t bytes[CARD
 {
     writer_t writer = begin(bytes, command->slot, TYPE_COMMAND);
 
+    clear(bytes, CARD_COMMAND_WAVES, CARD_COMMAND_WATCHDOG);
+    clear(bytes, CARD_COMMAND_AXIS + 1U, CARD_COMMAND_COMPLEMENT);
     write_word(&writer, CARD_COMMAND_SEQUENCE, command->sequence);
     write_word(&writer, CARD_COMMAND_TIME, command->time_us);
     write_word(&writer, CARD_COMMAND_SYSTEM, command->system_state);
@@ -318,7 +319,7 @@ void card_frame_encode_command(const card_command_t *command, uint8_t bytes[CARD
     write_word(&writer, CARD_COMMAND_GUARD_MAXIMUM, (uint32_t)command->guard_maximum_ticks);
     write_word(&writer, CARD_COMMAND_AXIS, command->axis_id);
     write_word(&writer, CARD_COMMAND_COMPLEMENT, ~command->control);
-    seal(&writer, &checked_command);
+    seal(&writer, TYPE_COMMAND);
 }
 
 /* Mode, direction and duty share one word here: 4, 4 and 24 bits. Waves have words of their own. */
@@ -338,6 +339,7 @@ void card_frame_encode_report(const card_report_t *report, uint8_t bytes[CARD_FR
 {
     writer_t writer = begin(bytes, report->slot, TYPE_REPORT);
 
+    clear(bytes, CARD_REPORT_STATUS + 1U, CARD_BOTH_LEGACY_SUM);
     write_word(&writer, CARD_REPORT_ACCEPTED, report->accepted_sequence);
     write_word(&writer, CARD_REPORT_HEARTBEAT, report->heartbeat);
     write_word(&writer, CARD_REPORT_TIME, report->time_us);
@@ -370,7 +372,7 @@ void card_frame_encode_report(const card_report_t *report, uint8_t bytes[CARD_FR
     write_word(&writer, CARD_REPORT_GAPS, report->sequence_gaps);
     write_word(&writer, CARD_REPORT_TRIPS, report->watchdog_trips);
     write_word(&writer, CARD_REPORT_UPTIME, report->uptime_s);
-    seal(&writer, &checked_report);
+    seal(&writer, TYPE_REPORT);
 }
 
 /* The words of a command that only some drives have. */
@@ -408,7 +410,7 @@ static card_frame_result_t read_command_drive(const uint8_t bytes[CARD_FRAME_BYT
 card_frame_result_t card_frame_decode_command(const uint8_t bytes[CARD_FRAME_BYTES], uint32_t slot,
                                               card_command_t *command)
 {
-    const frame_view_t view = {TYPE_COMMAND, &checked_command, has_command_reserved_bits(bytes),
+    const frame_view_t view = {TYPE_COMMAND, has_command_reserved_bits(bytes),
                                command_sum(bytes)};
     const card_frame_result_t result = check_frame(bytes, slot, &view);
     const uint32_t control = frame_word_get(bytes, CARD_COMMAND_CONTROL);
@@ -501,7 +503,7 @@ card_frame_result_t card_frame_decode_report(const uint8_t bytes[CARD_FRAME_BYTE
 {
     const bool has_words = has_bits(bytes, CARD_REPORT_WAVES, CARD_REPORT_WAVES + WAVE_WORDS);
     const uint32_t waves = has_words ? four_words(bytes, CARD_REPORT_WAVES) : 0U;
-    const frame_view_t view = {TYPE_REPORT, &checked_report, has_report_reserved_bits(bytes),
+    const frame_view_t view = {TYPE_REPORT, has_report_reserved_bits(bytes),
                                report_sum(bytes) + waves};
     const card_frame_result_t result = check_frame(bytes, slot, &view);
     const uint32_t identity = frame_word_get(bytes, CARD_REPORT_IDENTITY);

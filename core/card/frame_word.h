@@ -4,15 +4,15 @@
 #define BORESIGHT_FRAME_WORD_H
 
 #include <stdint.h>
+#include <string.h>
 
+/* Copied in one piece: byte by byte it would be stored so. */
 static inline void frame_word_put(uint8_t bytes[], uint32_t index, uint32_t word)
 {
-    const uint32_t at = index * 4U;
+    const uint8_t four[4] = {(uint8_t)(word >> 24U), (uint8_t)((word >> 16U) & 0xFFU),
+                             (uint8_t)((word >> 8U) & 0xFFU), (uint8_t)(word & 0xFFU)};
 
-    bytes[at] = (uint8_t)(word >> 24U);
-    bytes[at + 1U] = (uint8_t)((word >> 16U) & 0xFFU);
-    bytes[at + 2U] = (uint8_t)((word >> 8U) & 0xFFU);
-    bytes[at + 3U] = (uint8_t)(word & 0xFFU);
+    (void)memcpy(&bytes[index * 4U], four, sizeof four);
 }
 
 static inline uint32_t frame_word_get(const uint8_t bytes[], uint32_t index)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "controller/controller.h"
 
+#include "base/clear.h"
 #include "base/contract.h"
 #include "controller/controller_drive.h"
 #include "controller/controller_events.h"
@@ -54,7 +55,7 @@ void controller_step(controller_t *self, const robot_t *robot, const controller_
     const cycle_t cycle = {.robot = robot, .inputs = inputs, .outputs = outputs};
     mode_result_t result;
     /* The rest is written, or cleared, by controller_show() and controller_drive(). */
-    (void)memset(outputs, 0, offsetof(controller_outputs_t, snapshot));
+    clear_words((uint8_t *)outputs, offsetof(controller_outputs_t, snapshot));
     controller_check_memory(self, &cycle);
     if (self->has_started == 0U) {
         begin(self, &cycle);

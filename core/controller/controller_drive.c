@@ -4,6 +4,7 @@
 #include "controller/controller_dialect.h"
 #include "controller/controller_facts.h"
 
+#include "base/clear.h"
 #include "card/card_dialect.h"
 #include "safety/coupled_guard.h"
 #include "safety/needle.h"
@@ -189,10 +190,12 @@ static void clear_unused_frames(const cycle_t *cycle)
     uint32_t slot = 0U;
     for (; (used >> slot) != 0U; slot++) {
         if (((used >> slot) & 1U) == 0U) {
-            (void)memset(outputs->frames[slot], 0, CARD_FRAME_BYTES);
+            clear_words(outputs->frames[slot], CARD_FRAME_BYTES);
         }
     }
-    (void)memset(&outputs->frames[slot], 0, (CARD_SLOT_COUNT - slot) * sizeof outputs->frames[0]);
+    for (; slot < CARD_SLOT_COUNT; slot++) {
+        clear_words(outputs->frames[slot], CARD_FRAME_BYTES);
+    }
 }
 
 /* What is shown of the permit of an axis. */
