@@ -7,7 +7,7 @@
 
 #define ONE_Q32 0x100000000ULL
 #define TWO_PI_Q29 3373259426ULL
-#define BAM_PER_RADIAN 683565276ULL
+#define BAM_PER_RADIAN 683565276U
 
 static uint64_t magnitude(int64_t value)
 {
@@ -51,15 +51,17 @@ static inline uint32_t lift(uint64_t *value, uint32_t bits)
     return bits;
 }
 
-/* 1 / `value_q32` of a half to one, q31, too small by less than 16: Newton's method from a straight
- * line that is at most 6 % off, of which each step leaves the square. */
-static uint32_t reciprocal_q31(uint64_t value_q32)
+/* 1 / `value_q32` of a half to one, q31, too small by 3 at most (every value was tried): Newton's
+ * method from a straight line that is at most 6 % off, of which each step leaves the square. No step
+ * gives too much, as what is left of two is rounded down, too: so 32 bits hold it. */
+static uint32_t reciprocal_q31(uint32_t value_q32)
 {
-    uint64_t reciprocal = 6063482000ULL - multiply_q32(value_q32, 4042322000ULL);
+    uint32_t reciprocal = (uint32_t)(6063482000ULL - multiply_short_q32(value_q32, 4042322000U));
     for (uint32_t i = 0U; i < 3U; i++) {
-        reciprocal = (reciprocal * (ONE_Q32 - multiply_q32(reciprocal, value_q32))) >> 31U;
+        const uint32_t rest_q31 = 0xFFFFFFFFU - multiply_short_q32(reciprocal, value_q32);
+        reciprocal = (uint32_t)(((uint64_t)reciprocal * rest_q31) >> 31U);
     }
-    return (uint32_t)(reciprocal - 8U);
+    return reciprocal;
 }
 
 uint64_t fixed_divide(uint64_t numerator, uint64_t divisor)
@@ -74,7 +76,7 @@ uint64_t fixed_divide(uint64_t numerator, uint64_t divisor)
     shift += lift(&wide, 4U);
     shift += lift(&wide, 2U);
     shift += lift(&wide, 1U);
-    const uint64_t reciprocal = reciprocal_q31(wide >> 32U);
+    const uint64_t reciprocal = reciprocal_q31((uint32_t)(wide >> 32U));
     const uint32_t below = 31U - shift;
     uint64_t quotient = 0U;
     uint64_t rest = numerator;
@@ -94,15 +96,16 @@ uint64_t fixed_divide(uint64_t numerator, uint64_t divisor)
 
 static uint32_t bit_length(uint64_t value)
 {
-    uint32_t length = 0U;
-    uint64_t rest = value;
-    for (uint32_t step = 32U; step > 0U; step >>= 1U) {
+    const uint32_t upper = (uint32_t)(value >> 32U);
+    uint32_t length = (upper != 0U) ? 32U : 0U;
+    uint32_t rest = (upper != 0U) ? upper : (uint32_t)(value & 0xFFFFFFFFU);
+    for (uint32_t step = 16U; step > 0U; step >>= 1U) {
         if ((rest >> step) != 0U) {
             rest >>= step;
             length += step;
         }
     }
-    return length + (uint32_t)rest;
+    return length + rest;
 }
 
 /* Moves the highest bit of a number of `length` bits to bit 30. */
@@ -165,24 +168,52 @@ fixed_direction_t fixed_direction(int32_t angle_bam)
     return direction;
 }
 
+/* How many sixteenths of `larger`, which has 31 bits, are in `smaller`; `above`: sixteen times what
+ * is left. */
+static uint32_t count_sixteenths(uint32_t smaller, uint32_t larger, uint32_t *above)
+{
+    uint32_t count = (smaller == larger) ? 1U : 0U;
+    uint32_t rest = (smaller == larger) ? 0U : smaller;
+    for (uint32_t i = 0U; i < 4U; i++) {
+        rest *= 2U;
+        count *= 2U;
+        if (rest >= larger) {
+            rest -= larger;
+            count++;
+        }
+    }
+    *above = rest;
+    return count;
+}
+
+/* above / divisor, q32; `above` below a sixteenth of `divisor`, which has 35 or 36 bits. Divided by
+ * the upper 32 bits of it, it is too large by one at most: a quarter of the quotient's last bit. */
+static uint32_t sixteenth_q32(uint64_t above, uint64_t divisor)
+{
+    const uint64_t quotient = fixed_divide(above << 28U, divisor >> 4U);
+    const uint64_t excess = ((quotient * divisor) > (above << 32U)) ? 1U : 0U;
+    return (uint32_t)(quotient - excess);
+}
+
 /* Angle of a vector in the first octant; `larger` has 31 bits. The nearest smaller sixteenth is
    taken from the table, the rest is at most 1/16 and its series ends below 2^-38. */
-static uint32_t octant_angle(uint64_t smaller, uint64_t larger)
+static uint32_t octant_angle(uint32_t smaller, uint32_t larger)
 {
     /* atan(k / 16) in bam. */
     static const uint32_t atan_sixteenth_bam[17] = {
         0U,         42667331U,  85004756U,  126697423U, 167458907U, 207041579U,
         245243172U, 281909457U, 316933406U, 350251643U, 381839095U, 411702716U,
         439875013U, 466407904U, 491367227U, 514828063U, 536870912U};
-    const uint64_t sixteenth = fixed_divide(smaller * 16U, larger);
-    const uint64_t above = (smaller * 16U) - (sixteenth * larger);
-    const uint64_t rest_q32 = (above << 32U) / ((larger * 16U) + (sixteenth * smaller));
-    const uint64_t square_q32 = multiply_q32(rest_q32, rest_q32);
-    uint64_t sum = 0x33333333ULL - multiply_q32(square_q32, 0x24924925ULL);
-    sum = 0x55555555ULL - multiply_q32(square_q32, sum);
-    sum = ONE_Q32 - multiply_q32(square_q32, sum);
-    const uint64_t rest_bam = multiply_q32(multiply_q32(rest_q32, sum), BAM_PER_RADIAN);
-    return atan_sixteenth_bam[sixteenth] + (uint32_t)rest_bam;
+    uint32_t above = 0U;
+    const uint32_t sixteenth = count_sixteenths(smaller, larger, &above);
+    const uint32_t rest_q32 =
+        sixteenth_q32(above, ((uint64_t)larger * 16U) + ((uint64_t)sixteenth * smaller));
+    const uint32_t square_q32 = multiply_short_q32(rest_q32, rest_q32);
+    uint32_t sum = 0x33333333U - multiply_short_q32(square_q32, 0x24924925U);
+    sum = 0x55555555U - multiply_short_q32(square_q32, sum);
+    const uint64_t whole = ONE_Q32 - multiply_short_q32(square_q32, sum);
+    const uint32_t radians_q32 = (uint32_t)multiply_q32(rest_q32, whole);
+    return atan_sixteenth_bam[sixteenth] + multiply_short_q32(radians_q32, BAM_PER_RADIAN);
 }
 
 int32_t fixed_atan2_bam(int64_t y, int64_t x)
@@ -195,7 +226,8 @@ int32_t fixed_atan2_bam(int64_t y, int64_t x)
     const uint64_t smaller = is_steep ? size_x : size_y;
     if (larger != 0U) {
         const uint32_t length = bit_length(larger);
-        angle = octant_angle(to_31_bits(smaller, length), to_31_bits(larger, length));
+        angle = octant_angle((uint32_t)to_31_bits(smaller, length),
+                             (uint32_t)to_31_bits(larger, length));
     }
     if (is_steep) {
         angle = 0x40000000U - angle;
