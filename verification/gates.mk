@@ -60,7 +60,12 @@ board-%: $(OUT)/libcore.a
 
 apart: $(PROGRAMS:%=$(LINKED)/%)
 
-programs: $(BINARIES) $(BIN)/boresight-client $(BIN)/codec-oracle $(BIN)/decode-differ
+# A process that damages what it may write.
+$(BIN)/neighbour: verification/system/neighbour.c $(call object,$(EXCHANGE))
+	@mkdir -p $(@D)
+	@$(CC) $(WARNINGS) -O2 -g -D_GNU_SOURCE $(APP_INCLUDES) $^ -o $@
+
+programs: $(BINARIES) $(BIN)/boresight-client $(BIN)/codec-oracle $(BIN)/decode-differ $(BIN)/neighbour
 
 demo: bootstrap-test ## The targets of the thesis with a real client; ROBOT=NAME chooses the robot
 	@$(MAKE) --no-print-directory -j2 programs
