@@ -51,7 +51,7 @@ class Board
   def initialize(path, text, limits)
     @path = path
     @limits = limits.scan(/LIMIT_(\w+)/).flatten.map(&:downcase)
-    top = Node.parse(path, text).mapping(%w[box], %w[name options companions slowness simulated loads_library cards cycle says])
+    top = Node.parse(path, text).mapping(%w[box], %w[name options companions slowness simulated loads_library cards cycle cycle_lane_mb says])
     @options = list(top['options'], OPTIONS).map { |node| option(node) }
     @companions = list(top['companions'], COMPANIONS).map { |node| companion(node) }
     @box = pattern(top['box'])
@@ -60,6 +60,8 @@ class Board
     @is_simulated = flag?(top['simulated'])
     flag?(top['loads_library']) # For tools/package.rb and verification/gates.mk.
     @cycle = top['cycle'] ? cycle(top['cycle'], top['cards']) : {}
+    # At the least two blocks of a recording: what is not written yet stays there.
+    @cycle_lane_mb = top['cycle_lane_mb'] ? "#{top['cycle_lane_mb'].integer(20..1000)}U" : 'LIMIT_CYCLE_LANE_MB'
     @says = list(top['says'], SAYINGS).map { |node| saying(node) }
   end
 
@@ -85,6 +87,7 @@ class Board
           .slowness = #{quoted(@slowness)},
           .is_simulated = #{@is_simulated},
           .cycle = #{@cycle.empty? ? '{0}' : row(@cycle)},
+          .cycle_lane_mb = #{@cycle_lane_mb},
           .says = {
       #{rows(@says.map { |title, text| "{#{quoted(title)}, #{quoted(text)}}" })}
           },

@@ -2,8 +2,8 @@
 /**
  * @file
  * The control process: wakes once per cycle, exchanges frames with the cards, steps the
- * controller and publishes. It waits for nobody but the clock and the cards. All its state is here:
- * this file is the RAM map.
+ * controller and publishes. It waits for nobody but the clock and the cards, and in elastic time for
+ * a lane of cycles that is full. All its state is here: this file is the RAM map.
  *
  * @satisfies SWR-CTRL-001
  */
@@ -14,6 +14,7 @@
 #include "common/rest.h"
 #include "control/board_inputs.h"
 #include "control/computer.h"
+#include "control/cycle_lane.h"
 #include "control/drives_off.h"
 #include "control/figures.h"
 #include "control/lamps.h"
@@ -22,6 +23,7 @@
 #include "control/sources.h"
 #include "controller/controller.h"
 #include "exchange/exchange.h"
+#include "exchange/exchange_cycles.h"
 #include "exchange/exchange_rows.h"
 #include "limits/requirement_limits.h"
 #include "positions/position_store.h"
@@ -71,6 +73,7 @@ static exchange_t *exchange;
 static uint64_t stage_ns[LOOP_STAGE_COUNT]; /* Of the last cycle. */
 static sources_t sources;
 static computer_t computer;
+static cycle_lane_t lane;
 static bsp_identity_t board;
 static board_inputs_t board_inputs;
 static bsp_inputs_t sampled;             /* In this cycle. */
@@ -175,33 +178,21 @@ static void gather_inputs(uint64_t elapsed_ns)
     board_inputs_receive(&board_inputs, &exchanged, &inputs);
     inputs.silent_sources = silent_sources();
     inputs.unfit = board.is_simulated ? 0U : computer.lacks;
+    inputs.cycles_lost = lane.lost;
     inputs.dialect = board.dialect;
     inputs.is_dialect_accepted = (board.accepted[0] != '\0') ? 1U : 0U;
     inputs.command_count = exchange_take_commands(exchange, inputs.commands, CONTROLLER_COMMANDS);
 }
 
-/* The state before this cycle, for a recorder that begins or has lost cycles. */
-static void record_checkpoint(void)
-{
-    cycle_record_t *const record = exchange_reserve_cycle(exchange);
-    if (record != NULL) {
-        record->kind = (uint32_t)CYCLE_RECORD_CHECKPOINT;
-        record->cycle = controller.cycle;
-        exchange_note_rows(exchange, record);
-        (void)memcpy(record->body.checkpoint, &controller, CONTROLLER_CHECKPOINT_BYTES);
-        exchange_commit_cycle(exchange);
-    }
-}
-
 static void record_cycle(uint32_t cycle)
 {
-    cycle_record_t *const record = exchange_reserve_cycle(exchange);
-    if (record != NULL) {
-        record->kind = (uint32_t)CYCLE_RECORD_CYCLE;
-        record->cycle = cycle;
-        record->body.cycle.inputs = inputs;
-        record->body.cycle.outputs = outputs;
-        board_inputs_note(&sampled, &exchanged, &record->body.cycle.board);
+    cycle_entry_t *const entry = lane.is_gap ? NULL : exchange_reserve_cycle(exchange);
+    if (entry != NULL) {
+        entry->kind = (uint32_t)CYCLE_RECORD_CYCLE;
+        entry->cycle = cycle;
+        entry->body.cycle.inputs = inputs;
+        entry->body.cycle.outputs = outputs;
+        board_inputs_note(&sampled, &exchanged, &entry->body.cycle.board);
         exchange_commit_cycle(exchange);
     }
 }
@@ -231,12 +222,21 @@ static void publish_figures(void)
         const uint64_t board_ns = bsp_reached_ns();
         figures_publish(&figures, &published);
         published.overruns = controller.loop.overruns;
-        published.cycles_lost = exchange_cycles_lost(exchange);
+        published.cycles_lost = lane.lost;
         published.speed_permille = (uint32_t)(((board_ns - told_board_ns) * 1000U) / elapsed_ns);
         computer_look(&computer, &published);
         exchange_publish_loop(exchange, &published);
         told_board_ns = board_ns;
         told_world_ns = world_ns;
+    }
+}
+
+/* The state before this cycle, for a recorder that begins or has lost cycles. */
+static void record_checkpoint(bool is_resuming)
+{
+    const bool is_requested = exchange_take_checkpoint_request(exchange);
+    if ((is_requested || is_resuming || (controller.cycle == 0U)) && !lane.is_gap) {
+        (void)exchange_push_checkpoint(exchange, &controller);
     }
 }
 
@@ -249,10 +249,9 @@ static void publish_figures(void)
 static void run_cycle(uint64_t deadline_ns, uint64_t woken_ns, uint64_t elapsed_ns)
 {
     const uint32_t cycle = controller.cycle;
+    const bool is_resuming = cycle_lane_look(&lane, exchange);
     gather_inputs(elapsed_ns);
-    if (exchange_take_checkpoint_request(exchange) || (cycle == 0U)) {
-        record_checkpoint();
-    }
+    record_checkpoint(is_resuming);
     const uint64_t gathered_ns = bsp_now_ns();
     controller_step(&controller, our_robot, &inputs, &outputs);
     const uint64_t stepped_ns = bsp_now_ns();
@@ -326,6 +325,9 @@ static bool run(void)
     uint64_t deadline_ns = bsp_now_ns() + CYCLE_NS;
     uint64_t before_ns = deadline_ns - CYCLE_NS;
     while ((stopped_by == 0) && !is_at_rest) {
+        if (board.is_elastic) {
+            cycle_lane_wait(&lane, exchange, &stopped_by);
+        }
         bsp_sleep_until_ns(deadline_ns);
         const uint64_t woken_ns = bsp_now_ns();
         run_cycle(deadline_ns, woken_ns, woken_ns - before_ns);

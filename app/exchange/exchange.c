@@ -492,43 +492,6 @@ uint32_t exchange_logged(const exchange_t *self)
     return exchange_load_number(&self->segment->others.events_logged);
 }
 
-cycle_record_t *exchange_reserve_cycle(exchange_t *self)
-{
-    segment_control_t *control = &self->segment->control;
-    const uint32_t put = __atomic_load_n(&control->cycles_head, __ATOMIC_RELAXED);
-    const uint32_t taken = __atomic_load_n(&self->segment->others.cycles_tail, __ATOMIC_ACQUIRE);
-
-    if ((put - taken) >= EXCHANGE_CYCLES) {
-        count_one(&control->cycles_lost);
-        return NULL;
-    }
-    return &control->cycles[put % EXCHANGE_CYCLES];
-}
-
-void exchange_commit_cycle(exchange_t *self)
-{
-    count_one(&self->segment->control.cycles_head);
-}
-
-const cycle_record_t *exchange_peek_cycle(exchange_t *self)
-{
-    const segment_control_t *control = &self->segment->control;
-    const uint32_t taken = __atomic_load_n(&self->segment->others.cycles_tail, __ATOMIC_RELAXED);
-    const uint32_t put = __atomic_load_n(&control->cycles_head, __ATOMIC_ACQUIRE);
-
-    return (put == taken) ? NULL : &control->cycles[taken % EXCHANGE_CYCLES];
-}
-
-void exchange_release_cycle(exchange_t *self)
-{
-    count_one(&self->segment->others.cycles_tail);
-}
-
-uint32_t exchange_cycles_lost(const exchange_t *self)
-{
-    return __atomic_load_n(&self->segment->control.cycles_lost, __ATOMIC_ACQUIRE);
-}
-
 void exchange_request_checkpoint(exchange_t *self)
 {
     count_one(&self->segment->others.checkpoint_requests);

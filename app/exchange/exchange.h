@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * The one place where the processes meet: a shared-memory segment of fixed layout. `control` writes
- * and never waits; everyone else reads or asks. One writer and one reader per lane; the event ring
- * has many readers. A stop is no command in a lane but a latch, which cannot be full.
+ * The one place where the processes meet: a shared-memory segment of fixed layout, but for the
+ * lane of cycles, whose capacity its creator chooses. `control` writes and never waits (in elastic
+ * time it waits for the recorder, before a cycle: control/cycle_lane.h); everyone else reads or
+ * asks. One writer and one reader per lane; the event ring has many readers. A stop is no command
+ * in a lane but a latch, which cannot be full.
  */
 #ifndef BORESIGHT_EXCHANGE_H
 #define BORESIGHT_EXCHANGE_H
@@ -23,7 +25,7 @@
 #define EXCHANGE_STOPS 16U    /**< Its places for STOP and EMERGENCY alone. */
 #define EXCHANGE_ANSWERS 64U  /**< Capacity of an answer lane. */
 #define EXCHANGE_EVENTS 1024U /**< Events kept for slow readers. */
-#define EXCHANGE_CYCLES 2048U /**< Capacity of the cycle lane: two seconds. */
+#define EXCHANGE_CYCLES_MOST 0x100000U
 
 /** Real-time rights that control asked for; a set bit was granted. */
 #define EXCHANGE_RIGHT_FIFO 0x1U   /**< SCHED_FIFO. */
@@ -61,7 +63,7 @@ typedef struct {
     ((CONTROLLER_CHECKPOINT_BYTES > sizeof(recorded_cycle_t)) ? CONTROLLER_CHECKPOINT_BYTES        \
                                                               : sizeof(recorded_cycle_t))
 
-/** One entry of the cycle lane. */
+/** One record, as exchange_cycles.h hands it over. */
 typedef struct {
     uint32_t kind;  /**< cycle_record_kind_t. */
     uint32_t cycle; /**< Controller cycle. */
@@ -97,9 +99,10 @@ typedef struct exchange exchange_t;
 
 /**
  * Creates the segment `name` (1 to 62 characters without a slash), replacing one whose creator is
- * dead. NULL with a sentence in `error` when it cannot, or when a living creator has it.
+ * dead. `cycles`: entries of the lane of cycles, 1 to EXCHANGE_CYCLES_MOST. NULL with a sentence in
+ * `error` when it cannot, or when a living creator has it.
  */
-exchange_t *exchange_create(const char *name, char *error, uint32_t error_size);
+exchange_t *exchange_create(const char *name, uint32_t cycles, char *error, uint32_t error_size);
 
 /** Whether somebody living has created the segment `name`, or somebody whom one may not ask. */
 bool exchange_is_used(const char *name);
@@ -263,22 +266,7 @@ uint32_t exchange_oldest_event(const exchange_t *self);
 void exchange_note_logged(exchange_t *self, uint32_t next);
 uint32_t exchange_logged(const exchange_t *self);
 
-/**
- * The entry to fill next, NULL when the lane is full (counted). exchange_commit_cycle() hands it
- * over.
- *
- * @satisfies SWR-EXCH-003
- */
-cycle_record_t *exchange_reserve_cycle(exchange_t *self);
-void exchange_commit_cycle(exchange_t *self);
-
-/** The oldest entry, NULL when there is none; exchange_release_cycle() frees it. */
-const cycle_record_t *exchange_peek_cycle(exchange_t *self);
-void exchange_release_cycle(exchange_t *self);
-
-/** Records lost since the start; a reader asks for a checkpoint after a loss or at its own start.
- */
-uint32_t exchange_cycles_lost(const exchange_t *self);
+/** For a recorder that begins or has lost cycles: control records a checkpoint in its next cycle. */
 void exchange_request_checkpoint(exchange_t *self);
 
 /** For control: says once whether a checkpoint was asked for since the last call. */

@@ -37,12 +37,6 @@ void exchange_publish_rows(exchange_t *self, const controller_t *controller,
     }
 }
 
-void exchange_note_rows(const exchange_t *self, cycle_record_t *checkpoint)
-{
-    checkpoint->list = self->segment->control.list;
-    checkpoint->rows = self->segment->control.row_count;
-}
-
 bool exchange_read_rows(const exchange_t *self, const cycle_record_t *checkpoint,
                         trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS])
 {

@@ -20,9 +20,6 @@
 void exchange_publish_rows(exchange_t *self, const controller_t *controller,
                            const controller_outputs_t *outputs);
 
-/** For control: says in a checkpoint which of the published rows belong to it. */
-void exchange_note_rows(const exchange_t *self, cycle_record_t *checkpoint);
-
 /**
  * Copies the rows of a checkpoint.
  *

@@ -18,7 +18,7 @@
 
 uint64_t segment_layout(void)
 {
-    return INTERFACE_LAYOUT ^ (uint64_t)sizeof(segment_t);
+    return INTERFACE_LAYOUT ^ (uint64_t)segment_bytes(1U);
 }
 
 static bool set_name(exchange_t *self, const char *name, char *error, uint32_t error_size)
@@ -71,11 +71,11 @@ static bool create_file(exchange_t *self, char *error, uint32_t error_size)
     (void)flock(self->file, LOCK_EX | LOCK_NB);
     /* Allocated now, so that a full /dev/shm is a sentence here and not a SIGBUS in the control
      * loop. */
-    const int result = posix_fallocate(self->file, 0, (off_t)sizeof(segment_t));
+    const int result = posix_fallocate(self->file, 0, (off_t)self->size);
     if (result != 0) {
         (void)snprintf(error, error_size,
                        "/dev/shm has no room for %zu MiB (%s); free some or mount it larger.",
-                       (sizeof(segment_t) >> 20) + 1U, strerror(result));
+                       (self->size >> 20) + 1U, strerror(result));
         (void)shm_unlink(self->name);
         return false;
     }
@@ -84,8 +84,7 @@ static bool create_file(exchange_t *self, char *error, uint32_t error_size)
 
 static bool map(exchange_t *self, char *error, uint32_t error_size)
 {
-    void *address =
-        mmap(NULL, sizeof(segment_t), PROT_READ | PROT_WRITE, MAP_SHARED, self->file, 0);
+    void *address = mmap(NULL, self->size, PROT_READ | PROT_WRITE, MAP_SHARED, self->file, 0);
 
     if (address == MAP_FAILED) {
         (void)snprintf(error, error_size,
@@ -95,6 +94,14 @@ static bool map(exchange_t *self, char *error, uint32_t error_size)
     }
     self->segment = address;
     return true;
+}
+
+static bool refuse_size(const exchange_t *self, char *error, uint32_t error_size)
+{
+    (void)snprintf(error, error_size,
+                   "The exchange %s has the size of another build; run programs of one build only.",
+                   self->name);
+    return false;
 }
 
 static bool open_file(exchange_t *self, char *error, uint32_t error_size)
@@ -108,12 +115,10 @@ static bool open_file(exchange_t *self, char *error, uint32_t error_size)
                        self->name, strerror(errno));
         return false;
     }
-    if ((fstat(self->file, &status) != 0) || (status.st_size != (off_t)sizeof(segment_t))) {
-        (void)snprintf(
-            error, error_size,
-            "The exchange %s has the size of another build; run programs of one build only.",
-            self->name);
-        return false;
+    const bool is_known = fstat(self->file, &status) == 0;
+    self->size = is_known ? (size_t)status.st_size : 0U;
+    if ((self->size < segment_bytes(1U)) || (self->size > segment_bytes(EXCHANGE_CYCLES_MOST))) {
+        return refuse_size(self, error, error_size);
     }
     return true;
 }
@@ -134,13 +139,13 @@ static bool check_header(const exchange_t *self, char *error, uint32_t error_siz
             self->name);
         return false;
     }
-    return true;
+    return (self->size == segment_bytes(header->cycles)) || refuse_size(self, error, error_size);
 }
 
 static exchange_t *discard(exchange_t *self)
 {
     if (self->segment != NULL) {
-        (void)munmap(self->segment, sizeof(segment_t));
+        (void)munmap(self->segment, self->size);
     }
     if (self->file >= 0) {
         (void)close(self->file);
@@ -161,13 +166,15 @@ static exchange_t *allocate(char *error, uint32_t error_size)
     return self;
 }
 
-exchange_t *exchange_create(const char *name, char *error, uint32_t error_size)
+exchange_t *exchange_create(const char *name, uint32_t cycles, char *error, uint32_t error_size)
 {
     exchange_t *self = allocate(error, error_size);
 
     if (self == NULL) {
         return NULL;
     }
+    self->cycles = cycles;
+    self->size = segment_bytes(cycles);
     if (!set_name(self, name, error, error_size) || !create_file(self, error, error_size)) {
         return discard(self);
     }
@@ -176,6 +183,7 @@ exchange_t *exchange_create(const char *name, char *error, uint32_t error_size)
         return discard(self);
     }
     self->segment->header.layout = segment_layout();
+    self->segment->header.cycles = cycles;
     __atomic_store_n(&self->segment->header.magic, SEGMENT_MAGIC, __ATOMIC_RELEASE);
     return self;
 }
@@ -214,20 +222,29 @@ exchange_t *exchange_open(const char *name, char *error, uint32_t error_size)
         self->answered[i] =
             __atomic_load_n(&self->segment->control.answers[i].head, __ATOMIC_ACQUIRE);
     }
+    self->cycles = self->segment->header.cycles;
+    const uint32_t put = __atomic_load_n(&self->segment->control.cycles_head, __ATOMIC_ACQUIRE);
+    self->cycles_put = (put < (2U * self->cycles)) ? put : 0U;
     return self;
+}
+
+/* From what control writes to the end. */
+static size_t size_of_control(const exchange_t *self)
+{
+    return self->size - offsetof(segment_t, control);
 }
 
 void exchange_protect(exchange_t *self)
 {
     (void)mprotect(&self->segment->header, sizeof self->segment->header, PROT_READ);
-    (void)mprotect(&self->segment->control, sizeof self->segment->control, PROT_READ);
+    (void)mprotect(&self->segment->control, size_of_control(self), PROT_READ);
 }
 
 void exchange_touch(exchange_t *self)
 {
     volatile uint8_t *const bytes = (volatile uint8_t *)&self->segment->control;
 
-    for (size_t at = 0U; at < sizeof self->segment->control; at += SMALLEST_PAGE) {
+    for (size_t at = 0U; at < size_of_control(self); at += SMALLEST_PAGE) {
         const uint8_t byte = bytes[at];
         bytes[at] = byte;
     }

@@ -16,11 +16,14 @@
 #define BORESIGHT_EXCHANGE_SEGMENT_H
 
 #include "exchange/exchange.h"
+#include "exchange/exchange_cycles.h"
 #include "exchange/exchange_files.h"
 #include "exchange/exchange_lock.h"
 #include "exchange/exchange_notes.h"
 #include "exchange/exchange_peers.h"
 
+#include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
 #define SEGMENT_MAGIC UINT64_C(0x32484358454F5242) /**< "BROEXCH2", little endian. */
@@ -97,6 +100,8 @@ typedef struct {
 typedef struct {
     uint64_t magic;
     uint64_t layout; /**< segment_layout() of the creator's build. */
+    uint32_t cycles; /**< Entries of the lane of cycles. */
+    uint32_t reserved;
 } segment_header_t;
 
 /** Written by every process but control. Numbers of 64 bit but stops are sealed. */
@@ -111,7 +116,7 @@ typedef struct {
     struct {
         uint32_t tail SEGMENT_ON_LINE; /**< Answers taken. */
     } answered[COMMAND_SOURCE_COUNT];
-    uint32_t cycles_tail SEGMENT_ON_LINE; /**< Cycle records released. */
+    uint32_t cycles_tail SEGMENT_ON_LINE; /**< Index up to which cycles are released. */
     uint32_t checkpoint_requests SEGMENT_ON_LINE;
     uint64_t end_requested SEGMENT_ON_LINE; /**< The one after those that control has taken. */
     uint64_t events_logged SEGMENT_ON_LINE; /**< Number of the next event to log. */
@@ -150,16 +155,21 @@ typedef struct {
     uint32_t list SEGMENT_ON_LINE; /**< Number of the trajectory whose rows these are. */
     uint32_t row_count;
     trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS];
-    uint32_t cycles_head SEGMENT_ON_LINE; /**< Cycle records handed over. */
-    uint32_t cycles_lost;
-    cycle_record_t cycles[EXCHANGE_CYCLES];
+    uint32_t cycles_head SEGMENT_ON_LINE; /**< Index of the next cycle. */
 } segment_control_t;
 
 typedef struct {
     segment_header_t header SEGMENT_ON_PAGE;
     segment_others_t others SEGMENT_ON_PAGE;
     segment_control_t control SEGMENT_ON_PAGE;
+    cycle_entry_t cycles[]; /**< Of control, too. */
 } segment_t;
+
+/** Bytes of a segment whose lane has `cycles` entries. */
+static inline size_t segment_bytes(uint32_t cycles)
+{
+    return offsetof(segment_t, cycles) + (cycles * sizeof(cycle_entry_t));
+}
 
 /** Of control: what a stop refuses of a lane. */
 typedef struct {
@@ -170,7 +180,13 @@ typedef struct {
 /** A process' view of the segment. */
 struct exchange {
     segment_t *segment;
-    int file; /**< The creator keeps it locked while it lives. */
+    size_t size; /**< Of the segment, bytes. */
+    int file;    /**< The creator keeps it locked while it lives. */
+    uint32_t cycles;       /**< Entries of the lane of cycles. */
+    uint32_t cycles_put;   /**< Of control: the index of the next one. */
+    uint32_t cycles_taken; /**< Of the recorder: the index of the next one to take, */
+    uint32_t cycles_tail;  /**< and up to which it has released them. */
+    bool is_taking;        /**< These two are known. */
     exchange_refused_t refused[COMMAND_SOURCE_COUNT];
     uint32_t first_lane;                     /**< Of control: which goes first in the next cycle. */
     uint32_t answered[COMMAND_SOURCE_COUNT]; /**< Of who asked: answers taken. */

@@ -127,7 +127,9 @@ static void change_file(black_box_t *self, const cycle_record_t *record, uint32_
     if (missing != 0U) {
         (void)fprintf(stderr, "recorder: %" PRIu32 " cycles were lost before cycle %" PRIu32 ".\n",
                       missing, record->cycle);
-        request_checkpoint(self, now_us);
+        if (record->kind != (uint32_t)CYCLE_RECORD_CHECKPOINT) {
+            request_checkpoint(self, now_us);
+        }
     }
 }
 
@@ -172,9 +174,19 @@ static bool has_rows(black_box_t *self, const cycle_record_t *record, uint64_t n
     return false;
 }
 
+/*
+ * Of a lane that was damaged.
+ *
+ * @satisfies SWR-REC-024
+ */
+static bool is_passed(const black_box_t *self, const cycle_record_t *record)
+{
+    return self->has_cycle && ((record->cycle - self->next_cycle) > (uint32_t)INT32_MAX);
+}
+
 static void record_one(black_box_t *self, const cycle_record_t *record, uint64_t now_us)
 {
-    if (!has_rows(self, record, now_us)) {
+    if (is_passed(self, record) || !has_rows(self, record, now_us)) {
         return;
     }
     const uint32_t missing = missing_before(self, record);
@@ -227,20 +239,68 @@ static void keep_up(black_box_t *self, uint64_t now_us)
     }
 }
 
+/* Said once, until a second has passed without damage. */
+static void repair_lane(black_box_t *self, uint64_t now_us)
+{
+    uint32_t dropped = 0U;
+
+    if (!exchange_repair_cycles(self->exchange, &dropped)) {
+        return;
+    }
+    if ((self->damaged_us == 0U) || ((now_us - self->damaged_us) >= SECOND_US)) {
+        (void)fprintf(stderr,
+                      "recorder: another program has damaged the lane of cycles; it is set right, "
+                      "%" PRIu32 " records were dropped.\n",
+                      dropped);
+    }
+    self->damaged_us = now_us;
+}
+
+/*
+ * Control may overwrite what is in the file, or can be in none.
+ *
+ * @satisfies SWR-REC-023
+ */
+static void release_written(black_box_t *self)
+{
+    if ((self->writer.file < 0) || (self->writer.block.records == 0U)) {
+        exchange_release_cycles(self->exchange, exchange_cycles_taken(self->exchange));
+    }
+}
+
+/* False when there is none. The one that ends a block may be in it or behind it. */
+static bool take_one(black_box_t *self, uint64_t now_us)
+{
+    const uint32_t before = exchange_cycles_taken(self->exchange);
+    const uint32_t blocks = self->writer.blocks;
+
+    if (!exchange_take_cycle(self->exchange, &self->record)) {
+        return false;
+    }
+    record_one(self, &self->record, now_us);
+    if (self->writer.blocks != blocks) {
+        exchange_release_cycles(self->exchange, before);
+    }
+    release_written(self);
+    return true;
+}
+
 void black_box_drain(black_box_t *self, uint64_t now_us)
 {
-    const cycle_record_t *record = exchange_peek_cycle(self->exchange);
+    const uint32_t most = exchange_cycle_capacity(self->exchange);
+    bool is_more = true;
 
-    for (uint32_t i = 0U; (record != NULL) && (i < EXCHANGE_CYCLES); i++) {
-        record_one(self, record, now_us);
-        exchange_release_cycle(self->exchange);
-        record = exchange_peek_cycle(self->exchange);
+    repair_lane(self, now_us);
+    for (uint32_t i = 0U; is_more && (i < most); i++) {
+        is_more = take_one(self, now_us);
     }
     look_for_file(self, now_us);
     keep_up(self, now_us);
+    release_written(self);
 }
 
 void black_box_close(black_box_t *self)
 {
     end_file(self, 0U);
+    release_written(self);
 }

@@ -5,13 +5,15 @@
  * possible, so that it can be replayed without those before it. Old ones are removed so that at
  * most LIMIT_RECORDINGS and about LIMIT_RECORDINGS_MB stay. A full disk is said once and counted;
  * recording goes on when there is room again. When the recorder cannot keep up, the lane of cycles
- * fills and control goes on: what was lost is said and counted in the next recording.
+ * fills: in elastic time control waits for it, otherwise what was lost is said and counted in the
+ * next recording. A record stays in the lane until it is in the file.
  */
 #ifndef BORESIGHT_BLACK_BOX_H
 #define BORESIGHT_BLACK_BOX_H
 
 #include "common/file_series.h"
 #include "exchange/exchange.h"
+#include "exchange/exchange_cycles.h"
 #include "exchange/exchange_files.h"
 #include "exchange/exchange_rows.h"
 #include "recording/recording_writer.h"
@@ -37,6 +39,8 @@ typedef struct {
     bool has_cycle;      /**< next_cycle is known. */
     bool is_failing;     /**< The last attempt to write failed, and it was said. */
     uint64_t unwritten;  /**< Records lost to a full disk. */
+    uint64_t damaged_us; /**< When damage of the lane was last found; 0: never. */
+    cycle_record_t record;                        /**< The present one. */
     trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS]; /**< Of the newest checkpoint. */
 } black_box_t;
 

@@ -62,6 +62,7 @@ typedef struct {
     const char *slowness; /**< Pattern of how many times slower its time passes. */
     bool is_simulated;    /**< No robot is connected. */
     check_board_t cycle;  /**< What a cycle costs. */
+    uint32_t cycle_lane_mb; /**< Memory for the cycles that wait for the recorder. */
     board_saying_t says[BOARD_SAYINGS];
 } board_t;
 

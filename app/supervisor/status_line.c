@@ -154,6 +154,15 @@ static void add_programs(status_parts_t *parts, const exchange_t *exchange, fami
     }
 }
 
+/** @satisfies SWR-SUP-012 */
+static void add_gap(status_parts_t *parts, const snapshot_t *snapshot)
+{
+    if (snapshot->unrecorded != 0U) {
+        status_parts_add(parts, STATUS_BAD, "%u cycles NOT RECORDED",
+                         (unsigned)snapshot->unrecorded);
+    }
+}
+
 /** @satisfies SWR-AUTH-018 */
 static void add_request(status_parts_t *parts, const exchange_t *exchange,
                         const snapshot_t *snapshot)
@@ -218,6 +227,7 @@ void status_line_take(status_parts_t *parts, const exchange_t *exchange, family_
         status_parts_add(parts, STATUS_PLAIN, "%s", workphase_name((int32_t)snapshot.workphase));
         add_permit(parts, &snapshot);
         add_inputs(parts, &snapshot);
+        add_gap(parts, &snapshot);
         add_request(parts, exchange, &snapshot);
     } else {
         status_parts_add(parts, STATUS_PLAIN, "starting");

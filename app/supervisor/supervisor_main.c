@@ -10,6 +10,7 @@
 #include "common/command_line.h"
 #include "common/directory.h"
 #include "common/rest.h"
+#include "exchange/exchange_cycles.h"
 #include "limits/requirement_limits.h"
 #include "supervisor/at_rest.h"
 #include "supervisor/board_text.h"
@@ -342,7 +343,8 @@ static bool prepare(void)
         !ports_check(&options, error, sizeof error)) {
         return false;
     }
-    exchange = exchange_create(options.instance, error, sizeof error);
+    exchange = exchange_create(options.instance, exchange_cycles_in(board.cycle_lane_mb), error,
+                               sizeof error);
     return exchange != NULL;
 }
 

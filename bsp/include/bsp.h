@@ -162,6 +162,14 @@ uint64_t bsp_reached_ns(void);
 /** Sleeps until `deadline_ns` (absolute, of bsp_now_ns()). */
 void bsp_sleep_until_ns(uint64_t deadline_ns);
 
+/**
+ * Where the board is elastic: lets `world_ns` of the world's time pass, or less, in which that of
+ * the board stands still, and tells the board that control lives. Nothing on any other board.
+ *
+ * @satisfies SWR-BOX-007
+ */
+void bsp_stand_still_ns(uint64_t world_ns);
+
 /** Closes the board; its watchdogs are only disarmed after drives_off was confirmed or the line is
  * off. */
 void bsp_close(void);

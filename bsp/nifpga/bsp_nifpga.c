@@ -281,6 +281,11 @@ void bsp_sleep_until_ns(uint64_t deadline_ns)
     }
 }
 
+void bsp_stand_still_ns(uint64_t world_ns)
+{
+    (void)world_ns; /* It waits for nobody. */
+}
+
 void bsp_close(void)
 {
     bsp_drives_off();

@@ -157,6 +157,11 @@ void bsp_sleep_until_ns(uint64_t deadline_ns)
     }
 }
 
+void bsp_stand_still_ns(uint64_t world_ns)
+{
+    (void)world_ns; /* It waits for nobody. */
+}
+
 /* Lines go last: with them the kernel may let go of the power's line. */
 void bsp_close(void)
 {

@@ -40,3 +40,8 @@ uint32_t box_clock_look(box_clock_t *self, const uint64_t *wanted_us, uint64_t w
     const uint64_t stride_us = self->now_us - before_us;
     return (stride_us < BOX_CLOCK_STRIDE_US) ? (uint32_t)stride_us : BOX_CLOCK_STRIDE_US;
 }
+
+void box_clock_hear(box_clock_t *self)
+{
+    self->lonely_looks = 0U;
+}

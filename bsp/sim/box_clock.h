@@ -4,8 +4,8 @@
  * The clock of the simulated box: how far its world goes on each time the box looks around. In real
  * time it follows the world's clock. In elastic time it goes on when control asks for an exchange,
  * just as far as control has come; control keeps the pace. Left alone for LIMIT_ELASTIC_PATIENCE_US
- * it goes on by itself, so that the cards notice that control is stuck or gone. No I/O; the world's
- * time is handed in.
+ * it goes on by itself, so that the cards notice that control is stuck or gone; control that waits
+ * tells it so. No I/O; the world's time is handed in.
  */
 #ifndef BORESIGHT_BOX_CLOCK_H
 #define BORESIGHT_BOX_CLOCK_H
@@ -49,5 +49,12 @@ void box_clock_init(box_clock_t *self, box_time_t time, uint64_t now_us, uint64_
  * @satisfies SWR-BOX-007
  */
 uint32_t box_clock_look(box_clock_t *self, const uint64_t *wanted_us, uint64_t world_us);
+
+/**
+ * Control lives, and waits before it asks for anything.
+ *
+ * @satisfies SWR-BOX-007
+ */
+void box_clock_hear(box_clock_t *self);
 
 #endif

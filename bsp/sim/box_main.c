@@ -151,6 +151,17 @@ static void let_control_start(const wire_t *wire, uint32_t *openings)
     }
 }
 
+/* Control that waits for something else asks for nothing, and lives. */
+static void hear_control(const wire_t *wire, box_clock_t *clock, uint32_t *waits)
+{
+    const uint32_t now = wire_load(&wire->waits);
+
+    if (now != *waits) {
+        *waits = now;
+        box_clock_hear(clock);
+    }
+}
+
 /* What is held from afar opens in the cycle in which its time is over. */
 static void loosen(wire_t *wire, box_grip_t *grip)
 {
@@ -194,12 +205,14 @@ static void run(wire_t *wire, box_time_t time)
     box_clock_t clock;
     box_grip_t grip = {{0U}, {0U}};
     uint32_t openings = wire_load(&wire->openings);
+    uint32_t waits = wire_load(&wire->waits);
 
     box_clock_init(&clock, time, wire_load_time(wire), wire_now_us());
     while (must_end == 0) {
         const uint32_t seen = wire_load(&wire->wake);
         if (time.is_elastic) {
             let_control_start(wire, &openings);
+            hear_control(wire, &clock, &waits);
         }
         look_around(wire, &clock, &grip);
         wire_sleep(&wire->wake, seen, pause_us);

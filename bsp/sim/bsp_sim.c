@@ -309,6 +309,15 @@ void bsp_sleep_until_ns(uint64_t deadline_ns)
     }
 }
 
+void bsp_stand_still_ns(uint64_t world_ns)
+{
+    const struct timespec nap = {.tv_sec = (time_t)(world_ns / NS_PER_S),
+                                 .tv_nsec = (long)(world_ns % NS_PER_S)};
+
+    wire_store(&port.wire->waits, wire_load(&port.wire->waits) + 1U);
+    (void)clock_nanosleep(CLOCK_MONOTONIC, 0, &nap, NULL);
+}
+
 void bsp_close(void)
 {
     wire_close(&port, WIRE_END_CONTROL);

@@ -14,7 +14,7 @@
 #include <unistd.h>
 
 /* "BBX" and the layout's version. */
-#define WIRE_MAGIC 0x42425807U
+#define WIRE_MAGIC 0x42425808U
 
 #define NS_PER_S UINT64_C(1000000000)
 #define BENCH_PATIENCE_US 10000U

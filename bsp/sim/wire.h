@@ -47,6 +47,7 @@ typedef struct {
     uint32_t come;       /**< and of the newest one obeyed; control sleeps on it. */
     uint32_t request;    /**< Number of the newest exchange asked for. */
     uint32_t reply;      /**< Number of the newest exchange answered; control sleeps on it. */
+    uint32_t waits;      /**< Grows while control lives and asks for nothing. */
     uint32_t send;
     uint32_t received;
     uint8_t frames[CARD_SLOT_COUNT][CARD_FRAME_BYTES];

@@ -59,6 +59,8 @@ typedef struct {
     uint32_t silent_sources;
     /** Bits of computer_check_t: what the computer lacks for a real robot; 0 on a simulated one. */
     uint32_t unfit;
+    /** Cycles that could not be recorded since the start, up to this one; wraps. */
+    uint32_t cycles_lost;
     uint32_t dialect; /**< card_dialect_t of all cards. */
     /** Somebody accepts in writing what cards of another dialect than ours lack: 0 or 1. */
     uint32_t is_dialect_accepted;
@@ -137,6 +139,8 @@ typedef struct {
     uint32_t sequence; /**< Of the outgoing frames. */
     uint32_t events;   /**< Number of the next event. */
     uint32_t events_lost;
+    uint32_t cycles_lost; /**< Of the inputs before, */
+    uint32_t unrecorded;  /**< and those of them in the present gap. */
     uint32_t seals[CONTROLLER_SECTIONS];
     card_health_t health[CARD_SLOT_COUNT]; /**< By slot; counts, too. */
     robot_cards_t cards;    /**< Of the robot, as its undamaged table says in each cycle. */

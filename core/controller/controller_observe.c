@@ -332,6 +332,24 @@ static void observe_procedure(controller_t *self, const cycle_t *cycle)
     controller_report_order(self, cycle, actions, STATUS_OK);
 }
 
+/*
+ * The first cycle that is recorded again tells of the gap, so that the recording itself names it.
+ *
+ * @satisfies SWR-REC-021
+ */
+static void observe_recording(controller_t *self, const cycle_t *cycle)
+{
+    const uint32_t lost = cycle->inputs->cycles_lost - self->cycles_lost;
+    if ((lost != 0U) && (self->unrecorded == 0U)) {
+        controller_note(self, cycle, EVENT_RECORDING_STOPPED, 0U, 0);
+    }
+    if ((lost == 0U) && (self->unrecorded != 0U)) {
+        controller_note(self, cycle, EVENT_RECORDING_RESUMED, 0U, (int32_t)self->unrecorded);
+    }
+    self->unrecorded = (lost != 0U) ? (self->unrecorded + lost) : 0U;
+    self->cycles_lost = cycle->inputs->cycles_lost;
+}
+
 void controller_observe(controller_t *self, const cycle_t *cycle)
 {
     observe_procedure(self, cycle);
@@ -339,6 +357,7 @@ void controller_observe(controller_t *self, const cycle_t *cycle)
     observe_pedal(self, cycle);
     observe_estop(self, cycle);
     observe_scanner(self, cycle);
+    observe_recording(self, cycle);
     for (uint32_t i = 0U; i < self->axis_count; i++) {
         controller_observe_card(self, cycle, i);
         if (!controller_is_blind(self)) {

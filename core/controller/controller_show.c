@@ -369,6 +369,7 @@ void controller_show(const controller_t *self, const cycle_t *cycle)
         self, ready_first(self, cycle, next_step(self, shown->is_homed != 0U)));
     shown->is_scanner_active = cycle->inputs->scanner_active;
     shown->unfit = cycle->inputs->unfit;
+    shown->unrecorded = self->unrecorded;
     shown->overruns = self->loop.overruns;
     shown->events = self->events;
     shown->events_lost = self->events_lost;

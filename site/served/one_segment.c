@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/** @file The exchange of a module that is one process: its segment is memory like any other. */
+/** @file The exchange of a module that is one process: its segment is memory like any other, and has
+ * no lane of cycles, as nothing records. */
 #include "exchange/exchange_segment.h"
 
 #include "interface/interface_layout.h"
@@ -11,12 +12,13 @@ static exchange_t exchange;
 
 uint64_t segment_layout(void)
 {
-    return INTERFACE_LAYOUT ^ (uint64_t)sizeof(segment_t);
+    return INTERFACE_LAYOUT ^ (uint64_t)segment_bytes(1U);
 }
 
-exchange_t *exchange_create(const char *name, char *error, uint32_t error_size)
+exchange_t *exchange_create(const char *name, uint32_t cycles, char *error, uint32_t error_size)
 {
     (void)name;
+    (void)cycles;
     (void)error;
     (void)error_size;
     (void)memset(&segment, 0, sizeof segment);

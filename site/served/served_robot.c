@@ -32,7 +32,7 @@ exchange_t *served_robot_start(const robot_t *robot, uint32_t seed, uint64_t utc
 
     chance = ((uint64_t)seed << 1U) | 1U;
     began_utc_us = utc_us;
-    exchange = exchange_create(SERVED_ROBOT_BOX, error, (uint32_t)sizeof error);
+    exchange = exchange_create(SERVED_ROBOT_BOX, 0U, error, (uint32_t)sizeof error);
     exchange_publish_robot(exchange, robot);
     closed_loop_init(&loop, robot, seed);
     exchange_publish_rows(exchange, &loop.controller, &loop.outputs);

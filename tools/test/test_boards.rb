@@ -22,6 +22,7 @@ class TestBoards < Minitest::Test
     slowness: "{watts}"
     simulated: true
     cycle: {wire_hz: 5000000, wires: 10, word_ns: 300, instructions_per_us: 333, publish_us: 30}
+    cycle_lane_mb: 70
     says:
       - {title: Lamp, text: "say \\"{lamp}\\""}
   YAML
@@ -33,7 +34,7 @@ class TestBoards < Minitest::Test
      '.program = "lamp", .arguments = {"--as", "{lamp}", "{dim}"}, .ready = "on", .unless = "lamp"}',
      '{.program = "fan"}', '.box = "{lamp}",', '.name = "{lamp}",', '.slowness = "{watts}",', '.is_simulated = true,',
      '.cycle = {.wire_hz = 5000000U, .wires = 10U, .word_ns = 300U, .instructions_per_us = 333U, .publish_us = 30U, ' \
-     '.dialect = CARD_DIALECT_OWN},',
+     '.dialect = CARD_DIALECT_OWN},', '.cycle_lane_mb = 70U,',
      '{"Lamp", "say \\"{lamp}\\""}'].each { |text| assert_includes source, text }
   end
 
@@ -44,7 +45,7 @@ class TestBoards < Minitest::Test
   def test_SWR_CHECK_009_the_budget_knows_what_the_cards_speak
     assert_includes board("#{GOOD}cards: aim32\n").source, '.dialect = CARD_DIALECT_AIM32},'
     error = assert_raises(Robot::Refused) { board("#{GOOD}cards: aim33\n") }
-    assert_equal 'bsp/any/board.yml:15: cards: is aim33; expected own or aim32', error.message
+    assert_equal 'bsp/any/board.yml:16: cards: is aim33; expected own or aim32', error.message
     header = File.read(File.join(ROOT, 'core/card/card_dialect.h'))
     assert_equal Board::DIALECTS, header.scan(/CARD_DIALECT_(\w+) = /).flatten.map(&:downcase)
   end
@@ -61,7 +62,7 @@ class TestBoards < Minitest::Test
   def test_SWR_TOOL_015_a_board_needs_nothing_but_what_control_opens
     source = board("box: slot-one\n").source
     assert_equal 3, source.scan(/^        \{0\},$/).size
-    ['.box = "slot-one",', '.name = "{instance}",', '.slowness = "1",', '.is_simulated = false,', '.cycle = {0},'].each { |text| assert_includes source, text }
+    ['.box = "slot-one",', '.name = "{instance}",', '.slowness = "1",', '.is_simulated = false,', '.cycle = {0},', '.cycle_lane_mb = LIMIT_CYCLE_LANE_MB,'].each { |text| assert_includes source, text }
   end
 
   WRONG = {
@@ -77,9 +78,10 @@ class TestBoards < Minitest::Test
     'name: dim' => ['name: robot', '4: options[2].name: is robot, which there is already'],
     'boresight-fan' => ['fan', '7: companions[1].program: is fan; expected boresight-...'],
     'unless: lamp' => ['unless: fan', '6: companions[0].unless: is fan; expected watts or lamp or dim'],
+    'cycle_lane_mb: 70' => ['cycle_lane_mb: 0', '13: cycle_lane_mb: is 0; expected 20 to 1000'],
     'wires: 10' => ['wires: 0', '12: cycle.wires: is 0; expected 1 to 2147483648'],
     ', publish_us: 30' => ['', '12: cycle.publish_us: is missing'],
-    'title: Lamp' => ['title: Illumination', '14: says[0].title: is Illumination; expected at most 11 letters'],
+    'title: Lamp' => ['title: Illumination', '15: says[0].title: is Illumination; expected at most 11 letters'],
     '{instance}-lamp' => ['{watts}-lamp', '3: options[1].default: speaks of {watts}; expected instance, robot, programs, recordings'],
     'ready: on' => ['colour: red', '6: companions[0].colour: is unknown; expected program, arguments, ready, unless']
   }.freeze

@@ -49,7 +49,7 @@ static void witness(void *owner, note_kind_t kind, const char *who, const char *
 void setUp(void)
 {
     (void)snprintf(name, sizeof name, "test-act-desk-%d", (int)getpid());
-    control = exchange_create(name, error, sizeof error);
+    control = exchange_create(name, 64U, error, sizeof error);
     TEST_ASSERT_NOT_NULL_MESSAGE(control, error);
     server = exchange_open(name, error, sizeof error);
     TEST_ASSERT_NOT_NULL_MESSAGE(server, error);

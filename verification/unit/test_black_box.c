@@ -11,6 +11,7 @@
 #include "common/directory.h"
 #include "common/file_series.h"
 #include "exchange/exchange.h"
+#include "exchange/exchange_cycles.h"
 #include "exchange/exchange_files.h"
 #include "exchange/exchange_rows.h"
 #include "exchange/exchange_segment.h"
@@ -33,6 +34,7 @@
 #include <unistd.h>
 
 #define SECOND_US UINT64_C(1000000)
+#define LANE 2100U
 
 static const recording_header_t header = {.build = "test-build",
                                           .robot = "neuro",
@@ -54,7 +56,7 @@ void setUp(void)
     (void)strcpy(folder, "/tmp/test-black-box-XXXXXX");
     TEST_ASSERT_NOT_NULL(mkdtemp(folder));
     (void)snprintf(name, sizeof name, "test-black-box-%d", (int)getpid());
-    exchange = exchange_create(name, error, sizeof error);
+    exchange = exchange_create(name, LANE, error, sizeof error);
     TEST_ASSERT_NOT_NULL_MESSAGE(exchange, error);
     (void)signal(SIGXFSZ, SIG_IGN);
     TEST_ASSERT_EQUAL_INT(0, getrlimit(RLIMIT_FSIZE, &unlimited));
@@ -74,23 +76,31 @@ void tearDown(void)
     TEST_ASSERT_EQUAL_INT(0, system(command));
 }
 
-static void push(cycle_record_kind_t kind, uint32_t cycle)
-{
-    cycle_record_t *const record = exchange_reserve_cycle(exchange);
+static controller_t controller;
 
-    TEST_ASSERT_NOT_NULL(record);
-    (void)memset(record, 0, sizeof *record);
-    record->kind = (uint32_t)kind;
-    record->cycle = cycle;
+static void push_checkpoint(uint32_t cycle)
+{
+    controller.cycle = cycle;
+    TEST_ASSERT_TRUE(exchange_push_checkpoint(exchange, &controller));
+}
+
+static void push(uint32_t cycle)
+{
+    cycle_entry_t *const entry = exchange_reserve_cycle(exchange);
+
+    TEST_ASSERT_NOT_NULL(entry);
+    (void)memset(entry, 0, sizeof *entry);
+    entry->kind = (uint32_t)CYCLE_RECORD_CYCLE;
+    entry->cycle = cycle;
     exchange_commit_cycle(exchange);
 }
 
 /* Those cycles, a checkpoint before them, and so much time that they are written. */
 static void record_cycles(uint32_t first, uint32_t end)
 {
-    push(CYCLE_RECORD_CHECKPOINT, first);
+    push_checkpoint(first);
     for (uint32_t cycle = first; cycle < end; cycle++) {
-        push(CYCLE_RECORD_CYCLE, cycle);
+        push(cycle);
     }
     black_box_drain(&black_box, now_us);
     now_us += SECOND_US;
@@ -195,7 +205,6 @@ void test_SWR_REC_014_a_folder_that_is_removed_is_made_again_with_a_new_recordin
 /* `count` rows of a list that is begun, and a checkpoint of them. */
 static void hold_rows(uint32_t count, uint32_t first)
 {
-    static controller_t controller;
     static controller_outputs_t outputs;
 
     outputs.answer_count = 1U;
@@ -205,17 +214,6 @@ static void hold_rows(uint32_t count, uint32_t first)
         controller.rows[i].time_ms = first + i;
     }
     exchange_publish_rows(exchange, &controller, &outputs);
-}
-
-static void push_checkpoint(uint32_t cycle)
-{
-    cycle_record_t *const record = exchange_reserve_cycle(exchange);
-
-    (void)memset(record, 0, sizeof *record);
-    record->kind = (uint32_t)CYCLE_RECORD_CHECKPOINT;
-    record->cycle = cycle;
-    exchange_note_rows(exchange, record);
-    exchange_commit_cycle(exchange);
 }
 
 static void expect_rows(uint32_t count, uint32_t first)
@@ -242,7 +240,7 @@ void test_SWR_TRAJ_017_a_recording_begins_with_the_rows_of_its_checkpoint(void)
 {
     hold_rows(LIMIT_TRAJECTORY_ROWS, 5U);
     push_checkpoint(10U);
-    push(CYCLE_RECORD_CYCLE, 10U);
+    push(10U);
     black_box_drain(&black_box, now_us);
     expect_rows(LIMIT_TRAJECTORY_ROWS, 5U);
 }
@@ -256,7 +254,80 @@ void test_SWR_TRAJ_017_a_checkpoint_whose_rows_are_gone_is_asked_for_again(void)
     black_box_drain(&black_box, now_us);
     TEST_ASSERT_TRUE(exchange_take_checkpoint_request(exchange));
     push_checkpoint(10U);
-    push(CYCLE_RECORD_CYCLE, 10U);
+    push(10U);
     black_box_drain(&black_box, now_us);
     expect_rows(4U, 50U);
+}
+
+/* As it comes to nobody's ear that it is killed: nothing is closed. */
+static void start_another(void)
+{
+    black_box.writer = (recording_writer_t){.file = -1};
+    exchange->is_taking = false;
+    black_box_open(&black_box, folder, exchange, &header);
+}
+
+void test_SWR_REC_023_what_a_killed_recorder_had_not_written_is_in_the_file_of_the_next(void)
+{
+    record_cycles(0U, 10U);
+    for (uint32_t cycle = 10U; cycle < 20U; cycle++) {
+        push(cycle);
+    }
+    black_box_drain(&black_box, now_us);
+    TEST_ASSERT_EQUAL_UINT32(LANE - 10U, exchange_cycle_room(exchange));
+    start_another();
+    black_box_drain(&black_box, now_us);
+    black_box_close(&black_box);
+    TEST_ASSERT_EQUAL_UINT32(LANE, exchange_cycle_room(exchange));
+    TEST_ASSERT_EQUAL_size_t(2U, read_newest());
+    TEST_ASSERT_EQUAL(RECORDING_WHOLE, finding.verdict);
+    TEST_ASSERT_EQUAL_UINT64(10U, reader.records);
+    TEST_ASSERT_EQUAL_UINT32(0U, reader.cycles_lost);
+}
+
+void test_SWR_REC_023_a_block_that_is_full_is_released_while_the_next_one_waits(void)
+{
+    push_checkpoint(0U);
+    for (uint32_t cycle = 0U; cycle < (4U * RECORDING_BLOCK_RECORDS); cycle++) {
+        push(cycle);
+        black_box_drain(&black_box, now_us);
+        TEST_ASSERT_GREATER_THAN_UINT32(0U, exchange_cycle_room(exchange));
+    }
+}
+
+void test_SWR_REC_023_what_a_full_disk_does_not_take_is_released(void)
+{
+    record_cycles(0U, 10U);
+    fill_disk(1U);
+    record_cycles(10U, 40U);
+    record_cycles(40U, 80U);
+    TEST_ASSERT_EQUAL_UINT32(LANE, exchange_cycle_room(exchange));
+}
+
+void test_SWR_REC_024_a_damaged_lane_begins_no_file_after_another(void)
+{
+    static const uint32_t damage[] = {0U, 1U, LANE, 2U * LANE, 4294965248U, UINT32_MAX};
+
+    record_cycles(0U, 10U);
+    for (uint32_t i = 0U; i < (sizeof damage / sizeof damage[0]); i++) {
+        exchange->segment->others.cycles_tail = damage[i];
+        black_box_drain(&black_box, now_us);
+        record_cycles(10U * (i + 1U), 10U * (i + 2U));
+    }
+    black_box_close(&black_box);
+    TEST_ASSERT_EQUAL_size_t(1U, read_newest());
+    TEST_ASSERT_EQUAL(RECORDING_WHOLE, finding.verdict);
+    TEST_ASSERT_EQUAL_UINT32(0U, reader.cycles_lost);
+}
+
+void test_SWR_REC_024_a_cycle_that_was_passed_is_dropped(void)
+{
+    record_cycles(0U, 10U);
+    push(3U);
+    push(9U);
+    push(10U);
+    black_box_drain(&black_box, now_us);
+    black_box_close(&black_box);
+    TEST_ASSERT_EQUAL_size_t(1U, read_newest());
+    TEST_ASSERT_EQUAL_UINT64(12U, reader.records);
 }

@@ -108,6 +108,17 @@ void test_SWR_BOX_007_a_request_renews_the_patience(void)
     }
 }
 
+void test_SWR_BOX_007_control_that_waits_is_waited_for(void)
+{
+    for (uint32_t i = 0U; i < 10U; i++) {
+        use_up_patience();
+        box_clock_hear(&box);
+    }
+    use_up_patience();
+    TEST_ASSERT_EQUAL_UINT64(START_US, box.now_us);
+    TEST_ASSERT_EQUAL_UINT32(BOX_CLOCK_LOOK_US, look_alone(BOX_CLOCK_LOOK_US));
+}
+
 void test_SWR_BOX_007_a_pause_of_the_machine_does_not_use_the_patience_up(void)
 {
     for (uint32_t i = 0U; i < PATIENT_LOOKS; i++) {

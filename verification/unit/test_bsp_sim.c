@@ -532,6 +532,21 @@ void test_SWR_BOX_007_control_follows_a_box_that_went_on_alone(void)
     bsp_close();
 }
 
+void test_SWR_BOX_007_control_that_waits_tells_the_box_and_no_time_passes(void)
+{
+    serve_anew(true, 1U);
+    TEST_ASSERT_TRUE(bsp_open(name, &identity, error, sizeof error));
+    const uint64_t start_ns = bsp_now_ns();
+    const uint32_t waits = wire_load(&served.wire->waits);
+    const uint32_t called = wire_load(&served.wire->call);
+    bsp_stand_still_ns(1000000U);
+    bsp_stand_still_ns(1000000U);
+    TEST_ASSERT_EQUAL_UINT32(waits + 2U, wire_load(&served.wire->waits));
+    TEST_ASSERT_EQUAL_UINT32(called, wire_load(&served.wire->call));
+    TEST_ASSERT_EQUAL_UINT64(start_ns, bsp_now_ns());
+    bsp_close();
+}
+
 void test_SWR_BOX_006_a_box_that_stops_answering_is_waited_for_once(void)
 {
     serve_anew(true, 1U);

@@ -10,10 +10,12 @@
 #include "card/card_frame.h"
 #include "common/clock.h"
 #include "common/command_line.h"
+#include "control/cycle_lane.h"
 #include "control/drives_off.h"
 #include "control/figures.h"
 #include "control/sources.h"
 #include "exchange/exchange.h"
+#include "exchange/exchange_cycles.h"
 #include "exchange/exchange_rows.h"
 #include "exchange/exchange_segment.h"
 #include "mock_bsp.h"
@@ -63,6 +65,8 @@ typedef struct {
     uint32_t unfit;      /* As the controller was told in the last cycle. */
     uint32_t dialect;
     uint32_t is_dialect_accepted;
+    uint32_t cycles_lost; /* As the controller was told in the last cycle. */
+    uint64_t stood_ns;    /* The world's time in which control let the board stand still. */
 } record_t;
 
 static char name[48];
@@ -74,6 +78,8 @@ static bsp_slot_result_t fate; /* Of all frames. */
 static bool is_board_there;
 static bool is_wire_good;
 static bool is_simulated;
+static bool is_elastic;
+static uint32_t read_in; /* The cycle in which the recorder reads all that waits. */
 static card_dialect_t dialect;
 static const char *accepted;
 static uint64_t late_ns;      /* How much later than asked for each cycle wakes up, */
@@ -207,12 +213,27 @@ static void ask_to_end(uint32_t cycle, snapshot_t *snapshot)
     }
 }
 
+#define LANE 8U                  /* Entries, */
+#define RECORDED 4U              /* of which so many cycles are recorded, after a checkpoint. */
+#define NEVER (LAST_CYCLE + 1U)
+
+static void read_all(uint32_t cycle)
+{
+    static cycle_record_t taken;
+    if (cycle == read_in) {
+        while (exchange_take_cycle(segment, &taken)) {
+        }
+        exchange_release_cycles(segment, exchange_cycles_taken(segment));
+    }
+}
+
 /* A controller that drives everything, and in whose last cycle something happens. */
 static void step(controller_t *self, const robot_t *robot, const controller_inputs_t *given,
                  controller_outputs_t *made, int calls)
 {
     (void)calls;
     made->frames_to_send = 0U;
+    read_all(self->cycle);
     if ((self->cycle == LAST_CYCLE) && (end == BY_CONTRACT)) {
         contract_broken("controller", 100U);
     }
@@ -221,6 +242,7 @@ static void step(controller_t *self, const robot_t *robot, const controller_inpu
     } else if (self->cycle == LAST_CYCLE) {
         record->frames_received = given->frames_received;
         record->unfit = given->unfit;
+        record->cycles_lost = given->cycles_lost;
         record->dialect = given->dialect;
         record->is_dialect_accepted = given->is_dialect_accepted;
         (void)raise(end_signal);
@@ -277,7 +299,7 @@ static bool open_board(const char *box, bsp_identity_t *identity, char *error, u
     (void)calls;
     *identity = (bsp_identity_t){.power_on = 1U,
                                  .robot_crc = board_robot_crc,
-                                 .is_elastic = true,
+                                 .is_elastic = is_elastic,
                                  .is_simulated = is_simulated,
                                  .slowness = 1U,
                                  .dialect = (uint32_t)dialect};
@@ -298,6 +320,18 @@ static uint64_t tell_now(int calls)
 {
     (void)calls;
     return now_ns;
+}
+
+static uint64_t tell_world(int calls)
+{
+    (void)calls;
+    return now_ns + record->stood_ns;
+}
+
+static void stand_still(uint64_t world_ns, int calls)
+{
+    (void)calls;
+    record->stood_ns += world_ns;
 }
 
 static void sleep_until(uint64_t deadline_ns, int calls)
@@ -347,12 +381,14 @@ void setUp(void)
     is_board_there = true;
     is_wire_good = true;
     is_simulated = true;
+    is_elastic = true;
+    read_in = NEVER;
     dialect = CARD_DIALECT_OWN;
     accepted = "";
     late_ns = 0U;
     is_late_at_times = false;
     (void)snprintf(name, sizeof name, "boresight-test-main-%d", (int)getpid());
-    segment = exchange_create(name, error, sizeof error);
+    segment = exchange_create(name, LANE, error, sizeof error);
     TEST_ASSERT_NOT_NULL_MESSAGE(segment, error);
     bsp_open_Stub(open_board);
     bsp_self_test_Stub(try_wires);
@@ -365,6 +401,7 @@ void setUp(void)
     bsp_now_ns_Stub(tell_now);
     bsp_reached_ns_Stub(tell_now);
     bsp_sleep_until_ns_Stub(sleep_until);
+    bsp_stand_still_ns_Stub(stand_still);
     bsp_close_Stub(close_board);
     board_robot_crc = 0U;
     controller_init_Stub(init);
@@ -376,7 +413,7 @@ void setUp(void)
     realtime_stay_awake_Stub(stay_awake);
     computer_begin_Stub(begin_computer);
     computer_look_Stub(look_at_computer);
-    realtime_now_ns_Stub(tell_now);
+    realtime_now_ns_Stub(tell_world);
 }
 
 void tearDown(void)
@@ -608,6 +645,44 @@ void test_SWR_CTRL_012_frames_leave_in_the_cycle_that_made_them(void)
         TEST_ASSERT_EQUAL_UINT32(100U + cycle, record->heard[cycle].lowest_sequence);
     }
     TEST_ASSERT_EQUAL_UINT32(1U, record->most_under_way);
+}
+
+void test_SWR_REC_019_elastic_time_waits_once_for_a_dead_recorder_and_goes_on(void)
+{
+    (void)control_ends(BY_SIGNAL, SIGTERM);
+    TEST_ASSERT_EQUAL_UINT64(UINT64_C(1000) * LIMIT_RECORDER_PATIENCE_US, record->stood_ns);
+    TEST_ASSERT_EQUAL_UINT32((LAST_CYCLE + 1U) - RECORDED, record->cycles_lost);
+    expect_off(2U);
+}
+
+void test_SWR_REC_019_real_time_waits_for_nobody(void)
+{
+    is_elastic = false;
+    (void)control_ends(BY_SIGNAL, SIGTERM);
+    TEST_ASSERT_EQUAL_UINT64(0U, record->stood_ns);
+    TEST_ASSERT_EQUAL_UINT32((LAST_CYCLE + 1U) - RECORDED, record->cycles_lost);
+    TEST_ASSERT_EQUAL_UINT32(LAST_CYCLE + 1U, record->kicks);
+}
+
+void test_SWR_REC_022_what_is_recorded_again_begins_with_the_state_and_tells_of_the_gap(void)
+{
+    static cycle_record_t taken;
+    char error[200] = "";
+    uint32_t dropped = 0U;
+    is_elastic = false;
+    read_in = 10U;
+    (void)control_ends(BY_SIGNAL, SIGTERM);
+    exchange_t *const reader = exchange_open(name, error, sizeof error);
+    TEST_ASSERT_NOT_NULL_MESSAGE(reader, error);
+    TEST_ASSERT_FALSE(exchange_repair_cycles(reader, &dropped));
+    TEST_ASSERT_TRUE(exchange_take_cycle(reader, &taken));
+    TEST_ASSERT_EQUAL_UINT32(CYCLE_RECORD_CHECKPOINT, taken.kind);
+    TEST_ASSERT_EQUAL_UINT32(read_in + 1U, taken.cycle);
+    TEST_ASSERT_TRUE(exchange_take_cycle(reader, &taken));
+    TEST_ASSERT_EQUAL_UINT32(CYCLE_RECORD_CYCLE, taken.kind);
+    TEST_ASSERT_EQUAL_UINT32(read_in + 1U, taken.cycle);
+    TEST_ASSERT_EQUAL_UINT32((read_in + 1U) - RECORDED, taken.body.cycle.inputs.cycles_lost);
+    exchange_close(reader);
 }
 
 static void expect_told(uint32_t lacks)

@@ -45,7 +45,7 @@ void setUp(void)
     (void)strcpy(folder, "/tmp/test-event-log-XXXXXX");
     TEST_ASSERT_NOT_NULL(mkdtemp(folder));
     (void)snprintf(name, sizeof name, "test-event-log-%d", (int)getpid());
-    exchange = exchange_create(name, error, sizeof error);
+    exchange = exchange_create(name, 64U, error, sizeof error);
     TEST_ASSERT_NOT_NULL_MESSAGE(exchange, error);
     number = 0U;
     event_log_open(&event_log, folder, exchange);
@@ -170,7 +170,7 @@ void test_SWR_EVENT_014_another_run_has_another_log(void)
     log_events(5U);
     event_log_close(&event_log);
     exchange_close(exchange);
-    exchange = exchange_create(name, error, sizeof error);
+    exchange = exchange_create(name, 64U, error, sizeof error);
     number = 0U;
     event_log_open(&event_log, folder, exchange);
     log_events(2U);

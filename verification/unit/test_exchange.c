@@ -209,8 +209,16 @@ void test_SWR_EXCH_004_a_segment_of_another_layout_is_refused(void)
 
 void test_SWR_EXCH_004_a_segment_of_another_size_is_refused(void)
 {
-    TEST_ASSERT_EQUAL_INT(0, ftruncate(control->file, (off_t)sizeof(segment_t) + 1));
-    expect_refusal("size of another build");
+    const segment_header_t header = control->segment->header;
+    const off_t sizes[] = {0, (off_t)segment_bytes(LANE) + 1, (off_t)segment_bytes(LANE + 1U),
+                           (off_t)segment_bytes(EXCHANGE_CYCLES_MOST) + 1};
+
+    for (size_t i = 0U; i < (sizeof sizes / sizeof sizes[0]); i++) {
+        TEST_ASSERT_EQUAL_INT(0, ftruncate(control->file, sizes[i]));
+        expect_refusal((i == 0U) ? "size of another build" : "of another build");
+        TEST_ASSERT_EQUAL_INT(0, ftruncate(control->file, (off_t)segment_bytes(LANE)));
+        control->segment->header = header;
+    }
 }
 
 void test_SWR_EXCH_004_a_segment_that_is_not_an_exchange_is_refused(void)
@@ -225,13 +233,13 @@ void test_SWR_EXCH_004_a_missing_segment_is_refused_with_what_to_do(void)
     TEST_ASSERT_NOT_NULL_MESSAGE(strstr(error, "start the program boresight"), error);
     TEST_ASSERT_NULL(exchange_open("a/b", error, sizeof(error)));
     TEST_ASSERT_NOT_NULL_MESSAGE(strstr(error, "cannot name an exchange"), error);
-    TEST_ASSERT_NULL(exchange_create("", error, sizeof(error)));
+    TEST_ASSERT_NULL(exchange_create("", 64U, error, sizeof(error)));
     TEST_ASSERT_NOT_NULL_MESSAGE(strstr(error, "cannot name an exchange"), error);
 }
 
 void test_SWR_EXCH_004_the_segment_of_a_living_creator_is_not_replaced(void)
 {
-    TEST_ASSERT_NULL(exchange_create(exchange_name, error, sizeof(error)));
+    TEST_ASSERT_NULL(exchange_create(exchange_name, 64U, error, sizeof(error)));
     TEST_ASSERT_NOT_NULL_MESSAGE(strstr(error, "already runs"), error);
 }
 
@@ -243,13 +251,13 @@ void test_SWR_EXCH_004_the_segment_of_a_dead_creator_is_replaced(void)
     (void)snprintf(second, sizeof(second), "%s-second", exchange_name);
     const pid_t child = fork();
     if (child == 0) {
-        exchange_t *dying = exchange_create(second, error, sizeof(error));
+        exchange_t *dying = exchange_create(second, 64U, error, sizeof(error));
         exchange_publish_snapshot(dying, &snapshot);
         _exit(0);
     }
     TEST_ASSERT_EQUAL_INT(child, waitpid(child, &status, 0));
     TEST_ASSERT_EQUAL_INT(0, status);
-    exchange_t *successor = exchange_create(second, error, sizeof(error));
+    exchange_t *successor = exchange_create(second, 64U, error, sizeof(error));
     TEST_ASSERT_NOT_NULL_MESSAGE(successor, error);
     TEST_ASSERT_FALSE(exchange_read_snapshot(successor, &copy));
     exchange_close(successor);

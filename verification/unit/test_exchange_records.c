@@ -6,6 +6,7 @@
 #include "unity.h"
 
 #include "exchange/exchange.h"
+#include "exchange/exchange_cycles.h"
 #include "exchange/exchange_files.h"
 #include "exchange/exchange_notes.h"
 #include "exchange/exchange_peers.h"
@@ -173,75 +174,17 @@ void test_SWR_EXCH_003_each_event_is_either_read_or_counted_as_lost(void)
     TEST_ASSERT_EQUAL_UINT32(ROUNDS, received + lost);
 }
 
-static bool push_cycle(uint32_t cycle)
-{
-    cycle_record_t *record = exchange_reserve_cycle(control);
-
-    if (record == NULL) {
-        return false;
-    }
-    record->kind = CYCLE_RECORD_CYCLE;
-    record->cycle = cycle;
-    (void)memset(&record->body, (int)(cycle & 0xFFU), sizeof(record->body));
-    exchange_commit_cycle(control);
-    return true;
-}
-
-void test_SWR_EXCH_003_cycles_that_find_the_lane_full_are_counted_and_control_goes_on(void)
-{
-    for (uint32_t i = 0U; i < EXCHANGE_CYCLES; i++) {
-        TEST_ASSERT_TRUE(push_cycle(i));
-    }
-    TEST_ASSERT_FALSE(push_cycle(EXCHANGE_CYCLES));
-    TEST_ASSERT_FALSE(push_cycle(EXCHANGE_CYCLES + 1U));
-    TEST_ASSERT_EQUAL_UINT32(2U, exchange_cycles_lost(reader));
-    for (uint32_t i = 0U; i < EXCHANGE_CYCLES; i++) {
-        const cycle_record_t *record = exchange_peek_cycle(reader);
-        TEST_ASSERT_NOT_NULL(record);
-        TEST_ASSERT_EQUAL_UINT32(i, record->cycle);
-        exchange_release_cycle(reader);
-    }
-    TEST_ASSERT_NULL(exchange_peek_cycle(reader));
-    TEST_ASSERT_TRUE(push_cycle(EXCHANGE_CYCLES + 2U));
-}
-
-static void *push_cycles(void *unused)
-{
-    (void)unused;
-    for (uint32_t i = 0U; i < ROUNDS; i++) {
-        (void)push_cycle(i);
-    }
-    return NULL;
-}
-
-void test_SWR_EXCH_003_each_cycle_is_either_read_whole_or_counted(void)
-{
-    pthread_t writer;
-    uint32_t received = 0U;
-
-    TEST_ASSERT_EQUAL_INT(0, pthread_create(&writer, NULL, push_cycles, NULL));
-    while ((received + exchange_cycles_lost(reader)) < ROUNDS) {
-        const cycle_record_t *record = exchange_peek_cycle(reader);
-        if (record != NULL) {
-            TEST_ASSERT_EQUAL_HEX8_MESSAGE(record->cycle & 0xFFU, record->body.checkpoint[0],
-                                           "first byte");
-            TEST_ASSERT_EQUAL_HEX8_MESSAGE(
-                record->cycle & 0xFFU,
-                record->body.checkpoint[sizeof(record->body.checkpoint) - 1U], "last byte");
-            exchange_release_cycle(reader);
-            received++;
-        } else {
-            (void)sched_yield();
-        }
-    }
-    (void)pthread_join(writer, NULL);
-    TEST_ASSERT_EQUAL_UINT32(ROUNDS, received + exchange_cycles_lost(reader));
-}
-
 static controller_t controller;
 static controller_outputs_t outputs;
 static cycle_record_t checkpoint;
 static trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS];
+
+/* In a checkpoint that control pushes now. */
+static void note_rows(void)
+{
+    TEST_ASSERT_TRUE(exchange_push_checkpoint(control, &controller));
+    TEST_ASSERT_TRUE(exchange_take_cycle(reader, &checkpoint));
+}
 
 /* A cycle in which the list has got so many rows, of a list that was begun in it or before. */
 static void come(uint32_t count, bool is_begun)
@@ -276,7 +219,7 @@ void test_SWR_TRAJ_016_rows_are_there_for_any_checkpoint_after_they_have_come(vo
 {
     come(2U, true);
     come(LIMIT_TRAJECTORY_ROWS, false);
-    exchange_note_rows(control, &checkpoint);
+    note_rows();
     TEST_ASSERT_EQUAL_UINT32(LIMIT_TRAJECTORY_ROWS, checkpoint.rows);
     TEST_ASSERT_TRUE(exchange_read_rows(reader, &checkpoint, rows));
     TEST_ASSERT_EQUAL_MEMORY(controller.rows, rows, sizeof rows);
@@ -287,7 +230,7 @@ void test_SWR_TRAJ_016_what_has_come_is_not_looked_at_again(void)
     come(3U, true);
     controller.rows[1].crc = 77U; /* Damage is no row that has come. */
     come(4U, false);
-    exchange_note_rows(control, &checkpoint);
+    note_rows();
     TEST_ASSERT_TRUE(exchange_read_rows(reader, &checkpoint, rows));
     TEST_ASSERT_EQUAL_UINT32(1U, rows[1].crc);
     TEST_ASSERT_EQUAL_UINT32(3U, rows[3].crc);
@@ -296,13 +239,13 @@ void test_SWR_TRAJ_016_what_has_come_is_not_looked_at_again(void)
 void test_SWR_TRAJ_016_of_a_list_that_is_replaced_there_are_none_any_more(void)
 {
     come(3U, true);
-    exchange_note_rows(control, &checkpoint);
+    note_rows();
     come(5U, false);
     TEST_ASSERT_TRUE(exchange_read_rows(reader, &checkpoint, rows)); /* It has only grown. */
     controller.mode.list.count = 0U;
     come(4U, true);
     TEST_ASSERT_FALSE(exchange_read_rows(reader, &checkpoint, rows));
-    exchange_note_rows(control, &checkpoint);
+    note_rows();
     TEST_ASSERT_EQUAL_UINT32(4U, checkpoint.rows);
     TEST_ASSERT_TRUE(exchange_read_rows(reader, &checkpoint, rows));
     TEST_ASSERT_EQUAL_MEMORY(controller.rows, rows, 4U * sizeof rows[0]);
@@ -311,12 +254,12 @@ void test_SWR_TRAJ_016_of_a_list_that_is_replaced_there_are_none_any_more(void)
 void test_SWR_TRAJ_016_a_list_that_is_lost_or_damaged_has_none(void)
 {
     come(3U, true);
-    exchange_note_rows(control, &checkpoint);
+    note_rows();
     controller.mode.list.count = UINT32_MAX;
     outputs.answer_count = 0U;
     exchange_publish_rows(control, &controller, &outputs);
     TEST_ASSERT_FALSE(exchange_read_rows(reader, &checkpoint, rows));
-    exchange_note_rows(control, &checkpoint);
+    note_rows();
     TEST_ASSERT_EQUAL_UINT32(0U, checkpoint.rows);
     TEST_ASSERT_TRUE(exchange_read_rows(reader, &checkpoint, rows));
     checkpoint.rows = LIMIT_TRAJECTORY_ROWS + 1U;

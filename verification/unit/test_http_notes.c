@@ -37,7 +37,7 @@ static uint32_t events;
 void setUp(void)
 {
     (void)snprintf(name, sizeof name, "test-http-notes-%d", (int)getpid());
-    control = exchange_create(name, error, sizeof error);
+    control = exchange_create(name, 64U, error, sizeof error);
     TEST_ASSERT_NOT_NULL_MESSAGE(control, error);
     server = exchange_open(name, error, sizeof error);
     TEST_ASSERT_NOT_NULL_MESSAGE(server, error);

@@ -58,7 +58,7 @@ void setUp(void)
     char error[256];
 
     (void)snprintf(name, sizeof name, "test-relay-%d", (int)getpid());
-    control = exchange_create(name, error, sizeof error);
+    control = exchange_create(name, 64U, error, sizeof error);
     TEST_ASSERT_NOT_NULL_MESSAGE(control, error);
     process = exchange_open(name, error, sizeof error);
     TEST_ASSERT_NOT_NULL_MESSAGE(process, error);

@@ -467,7 +467,7 @@ void test_SWR_IGTL_056_the_table_has_all_connections_that_are_there(void)
     exchange_t *exchange;
 
     (void)snprintf(name, sizeof name, "test-server-%d", (int)getpid());
-    exchange = exchange_create(name, error, sizeof error);
+    exchange = exchange_create(name, 64U, error, sizeof error);
     TEST_ASSERT_NOT_NULL_MESSAGE(exchange, error);
     fill();
     enter(IGTL_PEERS);

@@ -34,7 +34,7 @@ static char line[LOG_ENTRY_LINE_SIZE];
 void setUp(void)
 {
     (void)snprintf(name, sizeof name, "test-log-entry-%d", (int)getpid());
-    exchange = exchange_create(name, error, sizeof error);
+    exchange = exchange_create(name, 64U, error, sizeof error);
     TEST_ASSERT_NOT_NULL_MESSAGE(exchange, error);
     exchange_publish_robot(exchange, &robot_neuro);
     (void)memset(&entry, 0, sizeof entry);

@@ -49,7 +49,7 @@ void setUp(void)
     (void)strcpy(folder, "/tmp/test-log-search-XXXXXX");
     TEST_ASSERT_NOT_NULL(mkdtemp(folder));
     (void)snprintf(name, sizeof name, "test-log-search-%d", (int)getpid());
-    exchange = exchange_create(name, error, sizeof error);
+    exchange = exchange_create(name, 64U, error, sizeof error);
     TEST_ASSERT_NOT_NULL_MESSAGE(exchange, error);
     event_log_open(&event_log, folder, exchange);
     events = 0U;

@@ -121,6 +121,7 @@ static void gather(rig_t *self)
     self->inputs.has_button = self->has_no_button ? 0U : 1U;
     self->inputs.silent_sources = self->silent_sources;
     self->inputs.unfit = self->unfit;
+    self->inputs.cycles_lost = self->cycles_lost;
     self->inputs.command_count = self->command_count;
     (void)memcpy(self->inputs.commands, self->commands, sizeof self->commands);
     self->command_count = 0U;

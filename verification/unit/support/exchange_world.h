@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #define ROUNDS 20000U
+#define LANE 100U /**< Entries of the lane of cycles. */
 
 static exchange_t *control; /* The creator's view. */
 static exchange_t *reader;
@@ -18,7 +19,7 @@ static char error[256];
 static inline void exchange_world_init(void)
 {
     (void)snprintf(exchange_name, sizeof(exchange_name), "test-exchange-%d", (int)getpid());
-    control = exchange_create(exchange_name, error, sizeof(error));
+    control = exchange_create(exchange_name, LANE, error, sizeof(error));
     TEST_ASSERT_NOT_NULL_MESSAGE(control, error);
     reader = exchange_open(exchange_name, error, sizeof(error));
     TEST_ASSERT_NOT_NULL_MESSAGE(reader, error);

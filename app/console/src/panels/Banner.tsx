@@ -98,6 +98,20 @@ function CommandRow({ robot }: { robot: RobotState }) {
   );
 }
 
+/**
+ * What happens is in no file, and only here can one know it in time.
+ *
+ * @satisfies SWR-SUP-012
+ */
+function Gap({ cycles }: { cycles: number }) {
+  return cycles === 0 ? null : (
+    <p className="banner-state">
+      <strong>Not recorded:</strong> the last {cycles} cycles, as the recorder
+      does not read them.
+    </p>
+  );
+}
+
 function StateBanner({ robot, sign }: { robot: RobotState; sign: Sign }) {
   const { status } = robot;
   return (
@@ -107,6 +121,7 @@ function StateBanner({ robot, sign }: { robot: RobotState; sign: Sign }) {
       <p className="banner-state">
         <strong>{words(status.workphase.name)}</strong> {status.workphase.text}
       </p>
+      <Gap cycles={status.counts.unrecorded} />
     </Frame>
   );
 }

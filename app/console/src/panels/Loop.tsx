@@ -72,7 +72,7 @@ export function Loop({ status }: { status: Status }) {
       <dd>
         {loop.minor_faults + loop.major_faults} / {loop.major_faults}
       </dd>
-      <dt>Records lost</dt>
+      <dt>Cycles not recorded</dt>
       <dd>{counts.cycles_lost}</dd>
     </dl>
   );

@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Which cycles are recorded. A gap lasts until half of the lane is free, so that a recorder that is
+ * slow leaves few long gaps and not many short ones. Control owns one.
+ */
+#ifndef BORESIGHT_CYCLE_LANE_H
+#define BORESIGHT_CYCLE_LANE_H
+
+#include "exchange/exchange.h"
+
+#include <signal.h>
+#include <stdbool.h>
+#include <stdint.h>
+
+/** At first all zero. */
+typedef struct {
+    bool is_gap;       /**< This cycle is not recorded. */
+    bool has_waited;   /**< For a recorder that did not read, */
+    uint32_t released; /**< which had released up to here. */
+    uint32_t lost;     /**< Cycles that were not recorded since the start. */
+} cycle_lane_t;
+
+/**
+ * In elastic time, before the board's time goes on: waits until the next cycle can be recorded,
+ * `*stop` is not 0, or the patience with the recorder is used up. The board learns that control
+ * lives.
+ *
+ * @satisfies SWR-REC-019
+ */
+void cycle_lane_wait(cycle_lane_t *self, exchange_t *exchange, const volatile sig_atomic_t *stop);
+
+/**
+ * Before each cycle: decides whether it is recorded.
+ *
+ * @return whether a gap ends with it, which a checkpoint is to follow
+ *
+ * @satisfies SWR-REC-022
+ */
+bool cycle_lane_look(cycle_lane_t *self, exchange_t *exchange);
+
+#endif

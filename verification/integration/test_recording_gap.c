@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * Rule under test: a gap in the recording is told when it begins and, in the first cycle that is
+ * recorded again, with its length; nothing else comes of it.
+ */
+#include "integration/support/rig.h"
+
+#include "unity.h"
+
+#include "robot/robot_neuro.h"
+
+static rig_t rig;
+
+void setUp(void)
+{
+    rig_start(&rig);
+}
+
+void tearDown(void)
+{
+}
+
+static void lose(uint32_t cycles)
+{
+    for (uint32_t i = 0U; i < cycles; i++) {
+        rig.cycles_lost++;
+        rig_cycle(&rig);
+    }
+}
+
+/* The event of this cycle with `id`; NULL without. */
+static const event_t *event_now(event_id_t id)
+{
+    const event_t *found = NULL;
+
+    for (uint32_t i = 0U; i < rig.outputs.event_count; i++) {
+        found = (rig.outputs.events[i].id == (uint32_t)id) ? &rig.outputs.events[i] : found;
+    }
+    return found;
+}
+
+void test_SWR_REC_021_a_gap_is_told_in_its_first_cycle_and_with_its_length_after_it(void)
+{
+    lose(1U);
+    TEST_ASSERT_NOT_NULL(event_now(EVENT_RECORDING_STOPPED));
+    TEST_ASSERT_EQUAL_UINT32(1U, rig.outputs.snapshot.unrecorded);
+    lose(122U);
+    TEST_ASSERT_NULL(event_now(EVENT_RECORDING_STOPPED));
+    TEST_ASSERT_EQUAL_UINT32(123U, rig.outputs.snapshot.unrecorded);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig_count(&rig, EVENT_RECORDING_RESUMED));
+    rig_cycle(&rig);
+    TEST_ASSERT_NOT_NULL(event_now(EVENT_RECORDING_RESUMED));
+    TEST_ASSERT_EQUAL_INT32(123, event_now(EVENT_RECORDING_RESUMED)->value);
+    TEST_ASSERT_EQUAL_UINT32(0U, rig.outputs.snapshot.unrecorded);
+    rig_cycles(&rig, 10U);
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_RECORDING_STOPPED));
+    TEST_ASSERT_EQUAL_UINT32(1U, rig_count(&rig, EVENT_RECORDING_RESUMED));
+}
+
+void test_SWR_REC_021_each_gap_has_a_length_of_its_own_also_where_the_count_wraps(void)
+{
+    rig.cycles_lost = UINT32_MAX - 2U; /* It is only counted from here on. */
+    rig.controller.cycles_lost = rig.cycles_lost;
+    controller_seal(&rig.controller);
+    lose(5U);
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_INT32(5, event_now(EVENT_RECORDING_RESUMED)->value);
+    lose(2U);
+    rig_cycle(&rig);
+    TEST_ASSERT_EQUAL_INT32(2, event_now(EVENT_RECORDING_RESUMED)->value);
+}
+
+void test_SWR_REC_021_a_gap_stops_and_refuses_nothing(void)
+{
+    rig_start_moving(&rig);
+    lose(100U);
+    TEST_ASSERT_TRUE(rig_is_driving(&rig));
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_STOP).status);
+    rig.cycles_lost++;
+    TEST_ASSERT_EQUAL_UINT32(STATUS_OK, rig_workphase(&rig, WORKPHASE_START_UP).status);
+}
