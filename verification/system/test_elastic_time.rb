@@ -2,7 +2,7 @@
 # frozen_string_literal: true
 
 # Rule under test: in elastic time nothing is late because the machine paused, time never hurries, and a control that
-# is stuck is noticed by the cards all the same.
+# is stuck is noticed by the cards all the same. It waits for the recorder, once.
 
 require_relative 'support/system_test'
 
@@ -49,6 +49,43 @@ class TestElasticTime < SystemTest
     end
     wait_until('control gives the motion up') { boresight.status['order'] == 'none' }
     assert_empty boresight.driven_axes
+  end
+
+  # Held until cycles are lost; the world stands still for a part of that, longer than the patience of the box.
+  def lose_cycles
+    boresight.while_stopped('recorder') do
+      wait_until('cycles are lost') { boresight.status['counts']['unrecorded'].positive? }
+      wait_until('it is in the status line') { boresight.output.match?(/\d+ cycles NOT RECORDED/) }
+      first = boresight.status['cycle']
+      wait_until('control waits no more') { boresight.status['cycle'] > first + 200 }
+    end
+    wait_until('recording goes on') { boresight.status['counts']['unrecorded'].zero? }
+    boresight.status['cycle']
+  end
+
+  def gaps
+    boresight.log.select { |event| event['name'] == 'RECORDING_RESUMED' }.map { |event| event['value'] }
+  end
+
+  def test_SWR_REC_019_a_motion_outlives_a_recorder_that_is_held
+    boresight.press_and_command('START_UP')
+    boresight.while_stopped('recorder') { sleep 1 }
+    assert_equal 0, boresight.status['counts']['cycles_lost']
+    resumed = lose_cycles
+    boresight.wait_for_homing
+    assert_empty trouble
+    wait_until('a second has passed') { boresight.status['cycle'] > resumed + 1000 }
+    assert_equal [boresight.status['counts']['cycles_lost']], gaps
+    expect_files_with_a_gap_of(*gaps)
+  end
+
+  def expect_files_with_a_gap_of(lost)
+    Process.kill('TERM', boresight.pid)
+    boresight.wait_for_end
+    texts = boresight.recording_files.map { |file| replay(file) }
+    assert_equal [0, 0], texts.map(&:last), texts.join
+    assert_match(/^#{lost} cycles before this file were lost\.$/, texts[1].first)
+    refute_match(/follow no checkpoint/, texts.join)
   end
 
   def test_SWR_BOX_006_the_recording_of_a_paused_motion_is_replayed
