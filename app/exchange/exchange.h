@@ -130,6 +130,16 @@ void exchange_protect(exchange_t *self);
  */
 void exchange_touch(exchange_t *self);
 
+/**
+ * The run: what control does in this exchange from its cycle 0 on, whichever processes beside it
+ * are replaced. Its number is when the exchange was created, in us of UTC since 1970.
+ */
+uint64_t exchange_run(const exchange_t *self);
+
+/** For the creator: control has ended, so no cycle follows. */
+void exchange_note_control_ended(exchange_t *self);
+bool exchange_has_control_ended(const exchange_t *self);
+
 /** Unmaps; the creator also removes the name. `self` is gone afterwards. */
 void exchange_close(exchange_t *self);
 

@@ -11,6 +11,7 @@
 #include <sys/file.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 #define SEGMENT_MODE 0600
@@ -166,6 +167,14 @@ static exchange_t *allocate(char *error, uint32_t error_size)
     return self;
 }
 
+static uint64_t now_utc_us(void)
+{
+    struct timespec now;
+
+    (void)clock_gettime(CLOCK_REALTIME, &now);
+    return ((uint64_t)now.tv_sec * UINT64_C(1000000)) + ((uint64_t)now.tv_nsec / 1000U);
+}
+
 exchange_t *exchange_create(const char *name, uint32_t cycles, char *error, uint32_t error_size)
 {
     exchange_t *self = allocate(error, error_size);
@@ -184,6 +193,7 @@ exchange_t *exchange_create(const char *name, uint32_t cycles, char *error, uint
     }
     self->segment->header.layout = segment_layout();
     self->segment->header.cycles = cycles;
+    self->segment->header.run = now_utc_us();
     __atomic_store_n(&self->segment->header.magic, SEGMENT_MAGIC, __ATOMIC_RELEASE);
     return self;
 }
@@ -238,6 +248,21 @@ void exchange_protect(exchange_t *self)
 {
     (void)mprotect(&self->segment->header, sizeof self->segment->header, PROT_READ);
     (void)mprotect(&self->segment->control, size_of_control(self), PROT_READ);
+}
+
+uint64_t exchange_run(const exchange_t *self)
+{
+    return self->segment->header.run;
+}
+
+void exchange_note_control_ended(exchange_t *self)
+{
+    __atomic_store_n(&self->segment->header.control_ended, 1U, __ATOMIC_RELEASE);
+}
+
+bool exchange_has_control_ended(const exchange_t *self)
+{
+    return __atomic_load_n(&self->segment->header.control_ended, __ATOMIC_ACQUIRE) != 0U;
 }
 
 void exchange_touch(exchange_t *self)

@@ -96,12 +96,13 @@ typedef struct {
     segment_answered_t answer;
 } segment_order_answer_t;
 
-/** Written before the magic, never changed afterwards. */
+/** Written by the creator alone, all but the last before the magic, and not changed afterwards. */
 typedef struct {
     uint64_t magic;
-    uint64_t layout; /**< segment_layout() of the creator's build. */
-    uint32_t cycles; /**< Entries of the lane of cycles. */
-    uint32_t reserved;
+    uint64_t layout;        /**< segment_layout() of the creator's build. */
+    uint64_t run;           /**< As exchange_run() says. */
+    uint32_t cycles;        /**< Entries of the lane of cycles. */
+    uint32_t control_ended; /**< 0 or 1. */
 } segment_header_t;
 
 /** Written by every process but control. Numbers of 64 bit but stops are sealed. */

@@ -27,6 +27,7 @@ void black_box_open(black_box_t *self, const char *directory, exchange_t *exchan
     self->directory = directory;
     self->exchange = exchange;
     self->header = *header;
+    self->header.run = exchange_run(exchange);
     self->writer.file = -1;
     request_checkpoint(self, 1U);
 }
@@ -299,8 +300,21 @@ void black_box_drain(black_box_t *self, uint64_t now_us)
     release_written(self);
 }
 
+/* What control did last may not have found room in the lane. */
+static bool has_last_cycle(const black_box_t *self)
+{
+    snapshot_t snapshot;
+
+    return exchange_has_control_ended(self->exchange) && self->has_cycle &&
+           exchange_read_snapshot(self->exchange, &snapshot) &&
+           ((snapshot.cycle + 1U) == self->next_cycle);
+}
+
 void black_box_close(black_box_t *self)
 {
+    if (has_last_cycle(self)) {
+        recording_writer_note_run_end(&self->writer);
+    }
     end_file(self, 0U);
     release_written(self);
 }

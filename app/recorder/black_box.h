@@ -44,7 +44,12 @@ typedef struct {
     trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS]; /**< Of the newest checkpoint. */
 } black_box_t;
 
-/** Begins with an empty file at the first record, and asks control for a checkpoint. */
+/**
+ * Begins with an empty file at the first record, and asks control for a checkpoint. `header` needs
+ * no run: it is that of `exchange`.
+ *
+ * @satisfies SWR-REC-030
+ */
 void black_box_open(black_box_t *self, const char *directory, exchange_t *exchange,
                     const recording_header_t *header);
 
@@ -58,7 +63,12 @@ void black_box_open(black_box_t *self, const char *directory, exchange_t *exchan
  */
 void black_box_drain(black_box_t *self, uint64_t now_us);
 
-/** Closes the present file with its trailer. */
+/**
+ * Closes the present file with its trailer, which says that the run ends with it if control has
+ * ended and the file has its last cycle.
+ *
+ * @satisfies SWR-REC-031
+ */
 void black_box_close(black_box_t *self);
 
 #endif

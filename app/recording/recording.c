@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #define HEADER_VERSION 8U
 #define HEADER_SIZE_FIELD 12U
@@ -20,6 +21,7 @@
 #define HEADER_STARTED 112U
 #define HEADER_LAYOUT 120U
 #define HEADER_FRAME_LAYOUT 128U
+#define HEADER_RUN 136U
 #define HEADER_HASHED (RECORDING_HEADER_SIZE - RECORDING_HASH_SIZE)
 #define FIELDS_CRC 28U
 
@@ -78,6 +80,7 @@ void recording_encode_header(const recording_header_t *header, uint8_t *bytes)
     put64(&bytes[HEADER_STARTED], header->started_us);
     put64(&bytes[HEADER_LAYOUT], header->layout);
     put32(&bytes[HEADER_FRAME_LAYOUT], header->frame_layout);
+    put64(&bytes[HEADER_RUN], header->run);
     recording_seal_header(bytes);
 }
 
@@ -101,7 +104,19 @@ uint32_t recording_decode_header(const uint8_t *bytes, recording_header_t *heade
     header->started_us = get64(&bytes[HEADER_STARTED]);
     header->layout = get64(&bytes[HEADER_LAYOUT]);
     header->frame_layout = get32(&bytes[HEADER_FRAME_LAYOUT]);
+    header->run = get64(&bytes[HEADER_RUN]);
     return get32(&bytes[HEADER_VERSION]);
+}
+
+void recording_run_name(uint64_t run, char name[RECORDING_RUN_SIZE])
+{
+    const time_t seconds = (time_t)(run / UINT64_C(1000000));
+    struct tm utc = {.tm_year = 0};
+
+    (void)gmtime_r(&seconds, &utc);
+    const size_t used = strftime(name, RECORDING_RUN_SIZE, "%Y%m%dT%H%M%S", &utc);
+    (void)snprintf(&name[used], RECORDING_RUN_SIZE - used, ".%06uZ",
+                   (unsigned)(run % UINT64_C(1000000)));
 }
 
 void recording_escape(const char *text, char *escaped, size_t size)

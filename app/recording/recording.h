@@ -4,10 +4,11 @@
  * The recording: what was running, then every cycle in compressed blocks, each bound to the one
  * before it by its hash. Every byte of the file is covered. Numbers are little endian.
  *
- *     header   256 bytes: magic, version, size, build, robot, sizes, time, layouts, zeros, SHA-256
+ *     header   256 bytes: magic, version, size, build, robot, sizes, time, layouts, run, SHA-256
  *     block    32 bytes of fields, SHA-256, a checksum of each RECORDING_CHUNK, payload (zstd)
  *     ...
- *     trailer  32 bytes of fields, SHA-256; missing when the recorder was cut short
+ *     trailer  32 bytes of fields, SHA-256; missing when the recorder was cut short; its magic
+ *              says whether the run ends with it
  *
  * Fields of a block: magic, number, first cycle, records, raw size, compressed size, cycles lost,
  * CRC-32C of the fields. Those of the trailer: magic, number of blocks, last cycle, records (64
@@ -31,7 +32,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define RECORDING_VERSION 4U
+#define RECORDING_VERSION 5U
 #define RECORDING_HASH_SIZE 32U
 #define RECORDING_HEADER_SIZE 256U
 #define RECORDING_FIELDS_SIZE 32U
@@ -42,6 +43,9 @@
 #define RECORDING_BLOCK_RECORDS (1000000U / LIMIT_CYCLE_US)
 #define RECORDING_BLOCK_MAGIC 0x4B425342U   /**< "BSBK" */
 #define RECORDING_TRAILER_MAGIC 0x4E455342U /**< "BSEN" */
+#define RECORDING_RUN_END_MAGIC 0x45525342U /**< "BSRE", the trailer of a run's last recording. */
+
+#define RECORDING_RUN_SIZE 32U /**< Of the name of a run, with its end. */
 
 /** The kind of a record that is no cycle (cycle_kind_t): the state of the controller. */
 #define RECORDING_CHECKPOINT 3U
@@ -66,6 +70,7 @@ typedef struct {
     uint64_t started_us;      /**< UTC since 1970. */
     uint64_t layout;          /**< INTERFACE_LAYOUT. */
     uint32_t frame_layout;    /**< cycle_words_frame_layout(), put in by the writer. */
+    uint64_t run;             /**< As exchange_run() says; in all files of the run. */
 } recording_header_t;
 
 /** Fields of a block or of the trailer. */
@@ -93,6 +98,9 @@ void recording_seal_header(uint8_t *bytes);
  * @return the version of the recording; 0: this is no header, or it was changed
  */
 uint32_t recording_decode_header(const uint8_t *bytes, recording_header_t *header);
+
+/** Writes the name of a run, such as 20261122T175000.123456Z. */
+void recording_run_name(uint64_t run, char name[RECORDING_RUN_SIZE]);
 
 /**
  * Writes `text` with \xNN for each byte that is no plain printable one.

@@ -36,7 +36,8 @@ typedef struct {
     uint32_t blocks;
     uint64_t records;
     uint32_t cycles_lost;
-    uint8_t *raw; /**< The present block. */
+    bool is_run_end; /**< The run ends with it. */
+    uint8_t *raw;    /**< The present block. */
     uint32_t raw_size;
     uint32_t raw_next;
     uint32_t cycle; /**< Of the next record. */

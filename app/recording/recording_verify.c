@@ -141,7 +141,9 @@ static recording_verdict_t verify_blocks(recording_reader_t *self, recording_fin
             return find_damage(finding, offset, offset + RECORDING_FIELDS_SIZE - 1U,
                                "its fields do not match");
         }
-        if (fields.magic == RECORDING_TRAILER_MAGIC) {
+        if ((fields.magic == RECORDING_TRAILER_MAGIC) ||
+            (fields.magic == RECORDING_RUN_END_MAGIC)) {
+            self->is_run_end = fields.magic == RECORDING_RUN_END_MAGIC;
             return verify_trailer(self, offset, before, finding);
         }
         if ((fields.magic != RECORDING_BLOCK_MAGIC) || (fields.number != self->blocks)) {

@@ -108,6 +108,11 @@ void recording_writer_note_loss(recording_writer_t *self, uint32_t cycles)
     self->cycles_lost += cycles;
 }
 
+void recording_writer_note_run_end(recording_writer_t *self)
+{
+    self->is_run_end = true;
+}
+
 static void append_cycle(recording_writer_t *self, const cycle_record_t *record)
 {
     const bool is_whole = !self->has_whole || !self->has_checkpoint;
@@ -236,7 +241,8 @@ bool recording_writer_close(recording_writer_t *self)
     if (!recording_writer_flush(self)) {
         return false;
     }
-    const recording_fields_t trailer = {.magic = RECORDING_TRAILER_MAGIC,
+    const recording_fields_t trailer = {.magic = self->is_run_end ? RECORDING_RUN_END_MAGIC
+                                                                  : RECORDING_TRAILER_MAGIC,
                                         .number = self->blocks,
                                         .cycle = self->cycle,
                                         .records = (uint32_t)self->records,

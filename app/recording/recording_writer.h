@@ -25,6 +25,7 @@ typedef struct {
     uint64_t size;                     /**< Bytes written. */
     uint32_t cycles_lost;
     uint32_t lost_before; /**< Of those, the ones before the next block. */
+    bool is_run_end;      /**< The run ends with it. */
     void *compressor;
     cycle_code_t code;
     prover_t prover;
@@ -44,6 +45,9 @@ bool recording_writer_open(recording_writer_t *self, const char *path,
 
 /** Notes that `cycles` cycles before the next record are missing. */
 void recording_writer_note_loss(recording_writer_t *self, uint32_t cycles);
+
+/** Notes that the run ends with the last record; the trailer says so. */
+void recording_writer_note_run_end(recording_writer_t *self);
 
 /**
  * Adds a record, a checkpoint without rows; a full block is written. A checkpoint, and a cycle that

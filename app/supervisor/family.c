@@ -288,7 +288,7 @@ static void stop(family_t *self, const member_t *members, uint32_t count, uint64
     }
 }
 
-void family_stop(family_t *self)
+void family_stop(family_t *self, exchange_t *exchange)
 {
     static const member_t clients[] = {MEMBER_IGTL, MEMBER_HTTP};
     static const member_t control[] = {MEMBER_CONTROL};
@@ -300,6 +300,7 @@ void family_stop(family_t *self)
     }
     stop(self, clients, 2U, STOP_CLIENTS_US);
     stop(self, control, 1U, STOP_CONTROL_US * self->slowness);
+    exchange_note_control_ended(exchange);
     stop(self, recorder, 1U, STOP_RECORDER_US);
     stop(self, companions, BOARD_COMPANIONS, STOP_COMPANIONS_US * self->slowness);
 }

@@ -78,10 +78,10 @@ bool family_end_hanging(family_t *self, exchange_t *exchange, member_t member);
 
 /**
  * Stops igtl and http, then control, then the recorder, then what came with the board; who does not
- * obey in his time is killed.
+ * obey in his time is killed. The recorder is told by `exchange` that control has ended.
  *
  * @satisfies SWR-SUP-001
  */
-void family_stop(family_t *self);
+void family_stop(family_t *self, exchange_t *exchange);
 
 #endif

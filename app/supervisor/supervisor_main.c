@@ -357,7 +357,7 @@ static int run(void)
         result = supervise();
     }
     screen_end_status(&screen);
-    family_stop(&family);
+    family_stop(&family, exchange);
     screen_relay(&screen);
     exchange_close(exchange);
     screen_say(&screen, (result == EXIT_CANNOT_START) ? "Nothing is left running."

@@ -182,6 +182,51 @@ void test_SWR_REC_013_a_file_that_holds_nothing_is_removed_again(void)
     TEST_ASSERT_EQUAL(RECORDING_WHOLE, finding.verdict);
 }
 
+void test_SWR_REC_030_each_file_names_the_run_of_its_exchange_whoever_writes_it(void)
+{
+    record_cycles(0U, 10U);
+    black_box_close(&black_box);
+    (void)read_newest();
+    TEST_ASSERT_EQUAL_UINT64(exchange_run(exchange), reader.header.run);
+    recording_reader_close(&reader);
+    black_box_open(&black_box, folder, exchange, &header); /* Another recorder is started. */
+    record_cycles(10U, 20U);
+    black_box_close(&black_box);
+    TEST_ASSERT_EQUAL_size_t(2U, read_newest());
+    TEST_ASSERT_EQUAL_UINT64(exchange_run(exchange), reader.header.run);
+}
+
+/* Control's last cycle is 19; the recorder ends after those before `end`. */
+static bool says_run_end(bool has_control_ended, uint32_t end)
+{
+    const snapshot_t snapshot = {.cycle = 19U};
+
+    exchange_publish_snapshot(exchange, &snapshot);
+    record_cycles(0U, end);
+    if (has_control_ended) {
+        exchange_note_control_ended(exchange);
+    }
+    black_box_close(&black_box);
+    TEST_ASSERT_EQUAL_size_t(1U, read_newest());
+    TEST_ASSERT_EQUAL(RECORDING_WHOLE, finding.verdict);
+    return reader.is_run_end;
+}
+
+void test_SWR_REC_031_the_run_ends_with_the_last_cycle_of_a_control_that_has_ended(void)
+{
+    TEST_ASSERT_TRUE(says_run_end(true, 20U));
+}
+
+void test_SWR_REC_031_the_run_does_not_end_while_control_lives(void)
+{
+    TEST_ASSERT_FALSE(says_run_end(false, 20U));
+}
+
+void test_SWR_REC_031_the_end_of_the_run_is_not_there_when_its_last_cycle_is_lost(void)
+{
+    TEST_ASSERT_FALSE(says_run_end(true, 19U));
+}
+
 static void remove_folder(void)
 {
     char command[80];

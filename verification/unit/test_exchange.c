@@ -58,6 +58,24 @@ static bool is_whole(const snapshot_t *from)
     return is_same;
 }
 
+void test_SWR_REC_030_a_run_is_called_by_the_time_at_which_its_exchange_was_created(void)
+{
+    const uint64_t before = exchange_run(control);
+
+    TEST_ASSERT_EQUAL_UINT64(before, exchange_run(reader));
+    TEST_ASSERT_TRUE(before > UINT64_C(1000000));
+    exchange_world_end();
+    exchange_world_init();
+    TEST_ASSERT_TRUE(exchange_run(control) != before);
+}
+
+void test_SWR_REC_031_every_view_knows_that_control_has_ended(void)
+{
+    TEST_ASSERT_FALSE(exchange_has_control_ended(reader));
+    exchange_note_control_ended(control);
+    TEST_ASSERT_TRUE(exchange_has_control_ended(reader));
+}
+
 static void *publish_snapshots(void *unused)
 {
     snapshot_t mine;

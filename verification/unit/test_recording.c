@@ -39,6 +39,7 @@ static const recording_header_t header = {.build = "test-build",
                                           .outputs_size = sizeof(controller_outputs_t),
                                           .controller_size = CONTROLLER_SIZE,
                                           .started_us = UINT64_C(1700000000123456),
+                                          .run = UINT64_C(1700000000000042),
                                           .layout = LAYOUT};
 static char path[64];
 static recording_writer_t writer;
@@ -208,6 +209,35 @@ void test_SWR_REC_002_records_come_back_as_they_were_appended(void)
                               finding.sentence);
     TEST_ASSERT_EQUAL_UINT32(BLOCKS, reader.blocks);
     TEST_ASSERT_EQUAL_UINT32(BLOCKS * RECORDS_PER_BLOCK, read_all());
+}
+
+void test_SWR_REC_030_the_run_comes_back_and_has_the_name_of_its_time(void)
+{
+    char name[RECORDING_RUN_SIZE];
+
+    write_blocks(1U);
+    TEST_ASSERT_TRUE(recording_writer_close(&writer));
+    TEST_ASSERT_EQUAL(RECORDING_WHOLE, recording_reader_open(&reader, path, &finding));
+    TEST_ASSERT_EQUAL_UINT64(header.run, reader.header.run);
+    recording_run_name(reader.header.run, name);
+    TEST_ASSERT_EQUAL_STRING("20231114T221320.000042Z", name);
+    recording_run_name(UINT64_MAX, name);
+    TEST_ASSERT_EQUAL_STRING("5865240119T080149.551615Z", name);
+}
+
+void test_SWR_REC_031_only_the_trailer_that_was_told_so_says_that_the_run_ends(void)
+{
+    for (uint32_t i = 0U; i < 2U; i++) {
+        write_blocks(1U);
+        if (i == 1U) {
+            recording_writer_note_run_end(&writer);
+        }
+        TEST_ASSERT_TRUE(recording_writer_close(&writer));
+        TEST_ASSERT_EQUAL(RECORDING_WHOLE, recording_reader_open(&reader, path, &finding));
+        TEST_ASSERT_EQUAL(i == 1U, reader.is_run_end);
+        recording_reader_close(&reader);
+        (void)unlink(path);
+    }
 }
 
 void test_SWR_TRAJ_017_rows_come_back_with_their_checkpoint(void)
@@ -615,7 +645,7 @@ void test_SWR_REPLAY_005_another_version_of_the_format_is_refused_by_both_versio
     TEST_ASSERT_EQUAL_INT((int)sizeof(bytes), (int)pwrite(file, bytes, sizeof(bytes), 0));
     (void)close(file);
     TEST_ASSERT_EQUAL(RECORDING_OTHER_VERSION, recording_reader_open(&reader, path, &finding));
-    TEST_ASSERT_EQUAL_STRING("The recording is of format version 1, this build reads version 4; "
+    TEST_ASSERT_EQUAL_STRING("The recording is of format version 1, this build reads version 5; "
                              "replay it with the build that recorded it, \"test-build\".",
                              finding.sentence);
 }
