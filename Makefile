@@ -123,7 +123,7 @@ SOURCES_boresight-http := $(wildcard app/http/*.c app/archive/*.c app/request/*.
 SOURCES_boresight-passwd := $(wildcard app/passwd/*.c) app/session/account.c app/session/password.c
 SOURCES_boresight-recorder := $(wildcard app/recorder/*.c app/recording/*.c app/positions/*.c) app/sweep/sweep_curve.c $(CLOCK) app/common/directory.c app/common/file_series.c $(LOG_ENTRY) $(EXCHANGE) $(NAMES)
 SOURCES_boresight-replay := $(wildcard app/replay/*.c app/recording/*.c) $(addprefix app/http/,telemetry_json.c telemetry_units.c json_forms.c) $(CLOCK) \
-    $(addprefix $(GEN)/interface/app/,columns.c fields.c messages.c) $(GEN)/assets/recording_page.c $(GEN)/assets/chart_names.c $(AXIS_TERMS) $(DRIVE_TERMS) app/common/utc_text.c $(EVENT_TEXT) $(NAMES) $(FIND_ROBOT)
+    $(addprefix $(GEN)/interface/app/,columns.c fields.c messages.c) $(GEN)/assets/recording_page.c $(GEN)/assets/chart_names.c $(AXIS_TERMS) $(DRIVE_TERMS) app/common/file_series.c app/common/utc_text.c $(EVENT_TEXT) $(NAMES) $(FIND_ROBOT)
 SOURCES_boresight := $(wildcard app/check/*.c app/supervisor/*.c app/igtl/igtl_ports*.c) $(CLOCK) app/common/config_file.c app/common/directory.c $(EXCHANGE) $(NAMES) $(GEN)/robot/app/robot_names.c \
     $(BOARD_TABLE)
 LIBS_boresight-control := $(BOARD_LIBS)

@@ -81,14 +81,21 @@ const robot_t *build_fit(const recording_reader_t *reader)
     recording_escape(header->robot, names.robot, sizeof names.robot);
     recording_escape(header->build, names.build, sizeof names.build);
     const robot_t *const robot = find_robot(header, &names);
-    if ((robot == NULL) || !check_layout(reader, &names) || !check_frames(header, &names)) {
+    if (robot == NULL) {
         return NULL;
     }
-    if (strcmp(header->build, BUILD_ID) != 0) {
+    return (check_layout(reader, &names) && check_frames(header, &names)) ? robot : NULL;
+}
+
+void build_fit_mention(const recording_reader_t *reader)
+{
+    char build[4U * sizeof reader->header.build];
+
+    recording_escape(reader->header.build, build, sizeof build);
+    if (strcmp(reader->header.build, BUILD_ID) != 0) {
         (void)fprintf(stderr,
                       "Recorded by build \"%s\", replayed by build \"%s\": a difference may come "
                       "from that.\n",
-                      names.build, BUILD_ID);
+                      build, BUILD_ID);
     }
-    return robot;
 }

@@ -24,12 +24,12 @@ static void tell_mcap(walk_t *walk, void *to, const controller_outputs_t *shown)
     motion_mcap_take(to, &walk->reader.header, &walk->record, shown);
 }
 
-static int end_file(FILE *file, const char *path, bool is_made, int code)
+static int end_file(const walk_t *walk, FILE *file, const char *path, bool is_made, int code)
 {
     if (!new_file_close(file, path, is_made)) {
         return EXIT_REFUSED;
     }
-    if (code == EXIT_CUT_SHORT) {
+    if ((code == EXIT_PART) && walk->is_cut_short) {
         (void)fprintf(stderr, "The recording is cut short: %s has what is before the cut.\n", path);
     }
     return code;
@@ -45,7 +45,7 @@ int file_output_csv(walk_t *walk, const char *path)
     motion_csv_begin(&csv, file, walk->robot);
     const int code = walk_tell(walk, tell_csv, &csv);
     motion_csv_end(&csv);
-    return end_file(file, path, true, code);
+    return end_file(walk, file, path, true, code);
 }
 
 int file_output_mcap(walk_t *walk, const char *path)
@@ -56,13 +56,13 @@ int file_output_mcap(walk_t *walk, const char *path)
         return EXIT_REFUSED;
     }
     if (!motion_mcap_begin(&mcap, file, walk->robot)) {
-        return end_file(file, path, false, EXIT_REFUSED);
+        return end_file(walk, file, path, false, EXIT_REFUSED);
     }
     const int code = walk_tell(walk, tell_mcap, &mcap);
     const recording_reader_t *const reader = &walk->reader;
     const bool is_made =
         motion_mcap_end(&mcap, &reader->header, walk->is_cut_short, reader->cycles_lost);
-    return end_file(file, path, is_made, code);
+    return end_file(walk, file, path, is_made, code);
 }
 
 int file_output_html(walk_t *walk, const char *path)
@@ -79,5 +79,5 @@ int file_output_html(walk_t *walk, const char *path)
     const int code = walk_tell(walk, motion_json_take, &html);
     motion_json_end(&html, walk, code);
     (void)fputs(rest, file);
-    return end_file(file, path, true, code);
+    return end_file(walk, file, path, true, code);
 }

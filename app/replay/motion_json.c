@@ -234,7 +234,9 @@ static cJSON *new_identity(const motion_json_t *self, const walk_t *walk, int co
     cJSON *const identity = cJSON_CreateObject();
     char checksum[9];
     char utc[UTC_TEXT_SIZE];
+    char run[RECORDING_RUN_SIZE];
 
+    recording_run_name(walk->reader.header.run, run);
     (void)snprintf(checksum, sizeof checksum, "%08x", (unsigned)self->robot->crc);
     utc_text_write(self->started_us, utc);
     (void)cJSON_AddStringToObject(identity, "build", self->build);
@@ -242,6 +244,13 @@ static cJSON *new_identity(const motion_json_t *self, const walk_t *walk, int co
     (void)cJSON_AddStringToObject(identity, "robot", self->robot->name);
     (void)cJSON_AddStringToObject(identity, "checksum", checksum);
     (void)cJSON_AddStringToObject(identity, "started", utc);
+    (void)cJSON_AddStringToObject(identity, "run", run);
+    (void)cJSON_AddNumberToObject(identity, "first", (double)walk->coverage.first);
+    (void)cJSON_AddNumberToObject(identity, "cycles", (double)walk->coverage.next);
+    (void)cJSON_AddBoolToObject(identity, "has_run_end", walk->has_run_end);
+    (void)cJSON_AddBoolToObject(identity, "is_whole_run",
+                                (code == EXIT_EQUAL) && walk_is_whole_run(walk));
+    (void)cJSON_AddNumberToObject(identity, "missing", (double)walk->coverage.missing);
     (void)cJSON_AddNumberToObject(identity, "replayed", (double)walk->replay.replayed);
     (void)cJSON_AddNumberToObject(identity, "unreplayed", (double)walk->replay.unreplayed);
     (void)cJSON_AddNumberToObject(identity, "cycles_lost", (double)walk->reader.cycles_lost);

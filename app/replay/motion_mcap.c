@@ -205,12 +205,15 @@ bool motion_mcap_end(motion_mcap_t *self, const recording_header_t *header, bool
 {
     char lost[16];
     char build[4U * sizeof header->build];
+    char run[RECORDING_RUN_SIZE];
     const char *const pairs[][2] = {{"robot", self->robot->name},
                                     {"build", build},
+                                    {"run", run},
                                     {"is_cut_short", is_cut_short ? "true" : "false"},
                                     {"cycles_lost", lost}};
 
     recording_escape(header->build, build, sizeof build);
+    recording_run_name(header->run, run);
     (void)snprintf(lost, sizeof lost, "%" PRIu32, cycles_lost);
     mcap_note(&self->file, "recording", pairs, sizeof pairs / sizeof pairs[0]);
     bytes_free(&self->message);

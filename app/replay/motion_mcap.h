@@ -43,7 +43,8 @@ void motion_mcap_take(motion_mcap_t *self, const recording_header_t *header,
                       const cycle_record_t *record, const controller_outputs_t *shown);
 
 /**
- * Ends the file, and says in it how the recording ended and how many cycles before it were lost.
+ * Ends the file, and says in it of which run it is, how the recording ended and how many cycles
+ * before it were lost.
  * False: there was no room for its index.
  *
  * @satisfies SWR-REPLAY-012

@@ -1,27 +1,30 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file
- * boresight-replay: verifies a recording and executes the controller on it again.
+ * boresight-replay: verifies a recording, or all of a run, and executes the controller on it again.
  *
- * Exit code 0: every output equal. 1: a difference. 2: damaged, unreadable, not holding the records
- * it announces, of another format, layout or robot, or nothing to replay. 3: every output equal,
- * but the recording is cut short. Tables and files, which are of the motion as replayed, end alike;
- * events and intervals, which are in the recording, end with 0, 2 or 3.
+ * Exit code 0: every output of what it was given is equal, of a folder all of the run. 1: a
+ * difference. 2: damaged, unreadable, not holding the records it announces, of another format,
+ * layout or robot, or nothing to replay. 3: what is there is equal, but something is missing: a
+ * recording is cut short, cycles are not there or follow no checkpoint, or the run has no beginning
+ * or no end there. Tables and files, which are of the motion as replayed, end alike; events and
+ * intervals, which are in the recording, end with 0, 2 or 3.
  */
 #include "base/contract.h"
 #include "common/command_line.h"
-#include "replay/board_table.h"
-#include "replay/build_fit.h"
 #include "replay/file_output.h"
-#include "replay/table.h"
+#include "replay/printed.h"
+#include "replay/run.h"
+#include "replay/verdict.h"
 #include "replay/what_if.h"
 
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
-enum { TABLE = 0, EVENTS, LOOP, BOARD, CSV, MCAP, HTML, WHAT_IF, OPTIONS };
+enum { TABLE = 0, EVENTS, LOOP, BOARD, CSV, MCAP, HTML, WHAT_IF, RUN, OPTIONS };
 
 static const command_option_t options[OPTIONS] = {
     [TABLE] = {"table", NULL, .says = "write the motion as comma-separated values instead"},
@@ -32,23 +35,28 @@ static const command_option_t options[OPTIONS] = {
     [MCAP] = {"mcap", "FILE", .says = "the same for Foxglove and PlotJuggler, with the events"},
     [HTML] = {"html", "FILE", .says = "the same for people: one page that needs nothing else"},
     [WHAT_IF] = {"what-if", "CYCLES", .says = "say what differs if inputs had been others"},
+    [RUN] = {"run", "NAME", .says = "of a FOLDER go through this run, not the newest"},
 };
 static const command_line_t command_line = {
     .program = "boresight-replay",
-    .says = "Verifies a recording and computes the motion of it again.",
-    .usage = "[--table | --events | --loop | --board] RECORDING\n"
-             "[--csv FILE | --mcap FILE | --html FILE] RECORDING\n"
+    .says = "Verifies a recording, or all of a run, and computes its motion again.",
+    .usage = "[--table|--events|--loop|--board] [--run NAME] FOLDER\n"
+             "[--table|--events|--loop|--board] RECORDING\n"
+             "[--csv FILE|--mcap FILE|--html FILE] RECORDING\n"
              "--what-if CYCLE[-CYCLE] INPUT=VALUE... RECORDING",
     .options = options,
     .count = OPTIONS,
     .fewest_words = 1,
     .most_words = WHAT_IF_CHANGES + 1,
-    .more = "FILE may be -, the standard output.\n"
-            "Exit code 0: every output is equal. 1: there is a difference. 2: the command\n"
-            "line is wrong, or the recording damaged, unreadable or not for this build. 3:\n"
-            "every output is equal, but the recording is cut short.\n"};
+    .more = "Of a FOLDER all recordings of one run are gone through in their order.\n"
+            "FILE may be -, the standard output.\n"
+            "Exit code 0: every output of it is equal, of a FOLDER of the whole run. 1: there\n"
+            "is a difference. 2: the command line is wrong, or a recording damaged,\n"
+            "unreadable or not for this build. 3: what is there is equal, but something is\n"
+            "missing.\n"};
 
 static walk_t walk;
+static run_t run;
 static what_if_t what_if;
 
 void contract_broken(const char *module, uint32_t id)
@@ -59,68 +67,15 @@ void contract_broken(const char *module, uint32_t id)
     _Exit(EXIT_DIFFERENT);
 }
 
-static recording_verdict_t verify(const char *path)
+/* But which run. */
+static uint32_t count_given(const char *const values[])
 {
-    recording_finding_t finding;
-    const recording_verdict_t verdict = recording_reader_open(&walk.reader, path, &finding);
+    uint32_t given = 0U;
 
-    if (verdict != RECORDING_WHOLE) {
-        (void)fprintf(stderr, "%s\n", finding.sentence);
+    for (uint32_t i = 0U; i < (uint32_t)RUN; i++) {
+        given += (values[i] != NULL) ? 1U : 0U;
     }
-    return verdict;
-}
-
-static int replay_all(void)
-{
-    walk_tell_lost(&walk, stdout);
-    while (walk_take(&walk)) {
-        if (!walk_replay(&walk)) {
-            return walk_tell_difference(&walk, stdout);
-        }
-    }
-    if (!walk_check_end(&walk)) {
-        return EXIT_REFUSED;
-    }
-    walk_tell_unreplayed(&walk, stdout);
-    const uint64_t replayed = walk.replay.replayed;
-    if (replayed == 0U) {
-        (void)printf("There is nothing to replay: no cycle follows a checkpoint.\n");
-        return EXIT_REFUSED;
-    }
-    (void)printf("%" PRIu64 " cycles replayed, every output equal\n", replayed);
-    if (walk.is_cut_short) {
-        (void)printf("The recording is cut short: only the %" PRIu64
-                     " cycles before the cut were replayed.\n",
-                     replayed);
-        return EXIT_CUT_SHORT;
-    }
-    return EXIT_EQUAL;
-}
-
-static void tell_table(walk_t *self, void *to, const controller_outputs_t *shown)
-{
-    (void)to;
-    if (shown != NULL) {
-        table_print_row(self->robot, self->record.cycle, &shown->snapshot);
-    }
-}
-
-static void tell_board(walk_t *self, void *to, const controller_outputs_t *shown)
-{
-    (void)to;
-    if (shown != NULL) {
-        board_table_print_row(&self->record, &shown->snapshot);
-    }
-}
-
-static int print_table(bool is_of_board)
-{
-    if (is_of_board) {
-        board_table_print_names();
-    } else {
-        table_print_names(walk.robot);
-    }
-    return walk_tell(&walk, is_of_board ? tell_board : tell_table, NULL);
+    return given;
 }
 
 static int tell_what_if(void)
@@ -131,45 +86,18 @@ static int tell_what_if(void)
         if (!walk_replay(&walk)) {
             return walk_tell_difference(&walk, stderr);
         }
+        (void)walk_count(&walk, walk.replay.is_running);
         what_if_take(&what_if, &walk.replay, &walk.record);
     }
-    if (!walk_check_end(&walk) || !what_if_end(&what_if)) {
-        return EXIT_REFUSED;
-    }
-    return walk.is_cut_short ? EXIT_CUT_SHORT : EXIT_EQUAL;
+    return (walk_check_end(&walk) && what_if_end(&what_if)) ? walk_end(&walk) : EXIT_REFUSED;
 }
 
-/* What is in the recording itself. */
-static int print_kept(bool are_events)
+/* What is of one recording: writes a file, or answers. */
+static int treat_alone(const char *path, const char *const values[])
 {
-    walk_tell_lost(&walk, stderr);
-    if (!are_events) {
-        table_print_interval_names();
-    }
-    while (walk_take(&walk)) {
-        if (are_events) {
-            table_print_events(walk.robot, &walk.record);
-        } else {
-            table_print_interval(&walk.record);
-        }
-    }
-    if (!walk_check_end(&walk)) {
-        return EXIT_REFUSED;
-    }
-    return walk.is_cut_short ? EXIT_CUT_SHORT : EXIT_EQUAL;
-}
-
-/* Does with the recording what was asked for. */
-static int treat(const char *path, const char *const values[])
-{
-    const recording_verdict_t verdict = verify(path);
-    if ((verdict != RECORDING_WHOLE) && (verdict != RECORDING_CUT_SHORT)) {
-        return EXIT_REFUSED;
-    }
     int code = EXIT_REFUSED;
-    walk.is_cut_short = verdict == RECORDING_CUT_SHORT;
-    walk.robot = build_fit(&walk.reader);
-    if (walk.robot == NULL) {
+
+    if (!walk_open(&walk, path)) {
         code = EXIT_REFUSED;
     } else if (values[WHAT_IF] != NULL) {
         code = tell_what_if();
@@ -177,27 +105,110 @@ static int treat(const char *path, const char *const values[])
         code = file_output_csv(&walk, values[CSV]);
     } else if (values[MCAP] != NULL) {
         code = file_output_mcap(&walk, values[MCAP]);
-    } else if (values[HTML] != NULL) {
-        code = file_output_html(&walk, values[HTML]);
-    } else if ((values[TABLE] != NULL) || (values[BOARD] != NULL)) {
-        code = print_table(values[BOARD] != NULL);
-    } else if ((values[EVENTS] != NULL) || (values[LOOP] != NULL)) {
-        code = print_kept(values[EVENTS] != NULL);
     } else {
-        code = replay_all();
+        code = file_output_html(&walk, values[HTML]);
     }
-    recording_reader_close(&walk.reader);
+    walk_close(&walk);
     return code;
 }
 
-static uint32_t count_given(const char *const values[])
+/* Each recording in its turn. */
+static int go_through(walk_part_t *treat)
 {
-    uint32_t given = 0U;
+    int code = WALK_GOES_ON;
 
-    for (uint32_t i = 0U; i < OPTIONS; i++) {
-        given += (values[i] != NULL) ? 1U : 0U;
+    for (uint32_t i = 0U; (i < run.count) && (code == WALK_GOES_ON); i++) {
+        code = walk_open(&walk, run.files[i].path) ? treat(&walk) : EXIT_REFUSED;
+        walk_close(&walk);
     }
-    return given;
+    return code;
+}
+
+static int replay_all(void)
+{
+    const int code = go_through(verdict_take);
+
+    return (code == WALK_GOES_ON) ? verdict_tell(&walk) : code;
+}
+
+static int print_all(walk_part_t *print)
+{
+    const int code = go_through(print);
+
+    return (code == WALK_GOES_ON) ? walk_end(&walk) : code;
+}
+
+static int treat_each(const char *const values[])
+{
+    static walk_part_t *const prints[] = {[TABLE] = printed_motion,
+                                          [EVENTS] = printed_events,
+                                          [LOOP] = printed_intervals,
+                                          [BOARD] = printed_board};
+    for (uint32_t i = 0U; i < (sizeof prints / sizeof prints[0]); i++) {
+        if (values[i] != NULL) {
+            return print_all(prints[i]);
+        }
+    }
+    return replay_all();
+}
+
+static bool is_folder(const char *path)
+{
+    struct stat status;
+
+    return (stat(path, &status) == 0) && S_ISDIR(status.st_mode);
+}
+
+/* What is asked of one recording alone; NULL: nothing is. */
+static const char *find_lone(const char *const values[])
+{
+    static const uint32_t lone[] = {CSV, MCAP, HTML, WHAT_IF};
+
+    for (uint32_t i = 0U; i < (sizeof lone / sizeof lone[0]); i++) {
+        if (values[lone[i]] != NULL) {
+            return options[lone[i]].name;
+        }
+    }
+    return NULL;
+}
+
+static int treat_run(const char *folder, const char *const values[])
+{
+    FILE *const notes = (count_given(values) == 0U) ? stdout : stderr;
+
+    walk_begin(&walk, true, notes);
+    const int code = run_find(&run, folder, values[RUN], notes) ? treat_each(values) : EXIT_REFUSED;
+    run_free(&run);
+    return code;
+}
+
+static int treat_file(char *path, const char *const values[])
+{
+    run_file_t file = {.path = path};
+
+    run = (run_t){.files = &file, .count = 1U};
+    walk_begin(&walk, false, (count_given(values) == 0U) ? stdout : stderr);
+    return (find_lone(values) != NULL) ? treat_alone(path, values) : treat_each(values);
+}
+
+/**
+ * Does with `path` what was asked for.
+ *
+ * @satisfies SWR-REPLAY-035
+ */
+static int treat(char *path, const char *const values[])
+{
+    const char *const lone = find_lone(values);
+
+    if (!is_folder(path)) {
+        return (values[RUN] == NULL)
+                   ? treat_file(path, values)
+                   : command_line_refuse(&command_line, "--run needs a folder; %s is none.", path);
+    }
+    return (lone == NULL)
+               ? treat_run(path, values)
+               : command_line_refuse(&command_line, "--%s takes one recording; %s is a folder.",
+                                     lone, path);
 }
 
 /* Reads what is changed; the last word is the recording. */

@@ -1,7 +1,56 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "replay/walk.h"
 
+#include "replay/build_fit.h"
+
 #include <inttypes.h>
+#include <string.h>
+
+void walk_begin(walk_t *self, bool is_of_run, FILE *notes)
+{
+    (void)memset(self, 0, sizeof *self);
+    self->is_of_run = is_of_run;
+    self->notes = notes;
+    coverage_begin(&self->coverage, is_of_run);
+    replay_init(&self->replay);
+}
+
+/* Alone it has been named by who asks for it. */
+static void tell_finding(const walk_t *self, const char *path, const char *sentence)
+{
+    (void)fflush(stdout);
+    if (self->is_of_run && (strstr(sentence, path) == NULL)) {
+        (void)fprintf(stderr, "%s: ", path);
+    }
+    (void)fprintf(stderr, "%s\n", sentence);
+}
+
+bool walk_open(walk_t *self, const char *path)
+{
+    recording_finding_t finding;
+    const recording_verdict_t verdict = recording_reader_open(&self->reader, path, &finding);
+
+    if (verdict != RECORDING_WHOLE) {
+        tell_finding(self, path, finding.sentence);
+    }
+    if ((verdict != RECORDING_WHOLE) && (verdict != RECORDING_CUT_SHORT)) {
+        return false;
+    }
+    if (self->recordings == 0U) {
+        build_fit_mention(&self->reader);
+    }
+    self->is_cut_short = verdict == RECORDING_CUT_SHORT;
+    self->has_run_end = self->has_run_end || self->reader.is_run_end;
+    self->recordings++;
+    self->taken = 0U;
+    self->robot = build_fit(&self->reader);
+    return self->robot != NULL;
+}
+
+void walk_close(walk_t *self)
+{
+    recording_reader_close(&self->reader);
+}
 
 bool walk_take(walk_t *self)
 {
@@ -74,22 +123,38 @@ int walk_tell_difference(walk_t *self, FILE *where)
     return EXIT_DIFFERENT;
 }
 
-void walk_tell_unreplayed(const walk_t *self, FILE *where)
+void walk_tell_lost(const walk_t *self)
 {
-    if (self->replay.unreplayed > 0U) {
-        (void)fprintf(where,
-                      "%" PRIu64 " cycles follow no checkpoint (%" PRIu32
-                      " gaps) and were not replayed.\n",
-                      self->replay.unreplayed, self->replay.gaps);
+    if (self->reader.cycles_lost > 0U) {
+        (void)fprintf(self->notes, "%" PRIu32 " cycles before this file were lost.\n",
+                      self->reader.cycles_lost);
     }
 }
 
-void walk_tell_lost(const walk_t *self, FILE *where)
+bool walk_count(walk_t *self, bool is_done)
 {
-    if (self->reader.cycles_lost > 0U) {
-        (void)fprintf(where, "%" PRIu32 " cycles before this file were lost.\n",
-                      self->reader.cycles_lost);
+    return (self->record.kind == (uint32_t)CYCLE_RECORD_CYCLE) &&
+           coverage_take(&self->coverage, self->record.cycle, is_done, self->notes);
+}
+
+bool walk_is_whole_run(const walk_t *self)
+{
+    return (self->coverage.first == 0U) && coverage_is_whole(&self->coverage) && self->has_run_end;
+}
+
+int walk_end(walk_t *self)
+{
+    const coverage_t *const coverage = &self->coverage;
+    const bool is_whole = self->is_of_run ? walk_is_whole_run(self)
+                                          : (!self->is_cut_short && coverage_is_whole(coverage));
+
+    coverage_end(&self->coverage, self->notes);
+    if (self->is_of_run && !self->has_run_end) {
+        (void)fprintf(self->notes,
+                      "The end of the run is missing; the last cycle is %" PRIu32 ".\n",
+                      coverage->next - 1U);
     }
+    return is_whole ? EXIT_EQUAL : EXIT_PART;
 }
 
 static const controller_outputs_t *find_shown(const walk_t *self)
@@ -100,31 +165,38 @@ static const controller_outputs_t *find_shown(const walk_t *self)
     return self->known.is_whole ? &self->record.body.cycle.outputs : NULL;
 }
 
-int walk_tell_next(walk_t *self, walk_teller_t *tell, void *to)
+static int tell_record(walk_t *self, walk_teller_t *tell, void *to)
 {
-    if (!walk_take(self)) {
-        if (!walk_check_end(self)) {
-            return EXIT_REFUSED;
-        }
-        walk_tell_unreplayed(self, stderr);
-        return self->is_cut_short ? EXIT_CUT_SHORT : EXIT_EQUAL;
-    }
     if (!walk_replay(self)) {
         return walk_tell_difference(self, stderr);
     }
-    if (self->record.kind == (uint32_t)CYCLE_RECORD_CYCLE) {
+    if (walk_count(self, self->replay.is_running)) {
         tell(self, to, find_shown(self));
     }
     return WALK_GOES_ON;
 }
 
-int walk_tell(walk_t *self, walk_teller_t *tell, void *to)
+int walk_tell_next(walk_t *self, walk_teller_t *tell, void *to)
+{
+    if (walk_take(self)) {
+        return tell_record(self, tell, to);
+    }
+    return walk_check_end(self) ? walk_end(self) : EXIT_REFUSED;
+}
+
+int walk_tell_part(walk_t *self, walk_teller_t *tell, void *to)
 {
     int code = WALK_GOES_ON;
 
-    walk_tell_lost(self, stderr);
-    while (code == WALK_GOES_ON) {
-        code = walk_tell_next(self, tell, to);
+    while ((code == WALK_GOES_ON) && walk_take(self)) {
+        code = tell_record(self, tell, to);
     }
-    return code;
+    return ((code == WALK_GOES_ON) && !walk_check_end(self)) ? EXIT_REFUSED : code;
+}
+
+int walk_tell(walk_t *self, walk_teller_t *tell, void *to)
+{
+    walk_tell_lost(self);
+    const int code = walk_tell_part(self, tell, to);
+    return (code == WALK_GOES_ON) ? walk_end(self) : code;
 }

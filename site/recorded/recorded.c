@@ -3,7 +3,6 @@
 
 #include "base/contract.h"
 #include "common/clock.h"
-#include "replay/build_fit.h"
 #include "replay/motion_json.h"
 #include "replay/walk.h"
 #include "site/recorded/one_file.h"
@@ -45,17 +44,9 @@ uint8_t *recorded_room(uint32_t size)
 
 bool recorded_open(void)
 {
-    recording_finding_t finding;
-
     name[sizeof name - 1U] = '\0';
-    const recording_verdict_t verdict = recording_reader_open(&walk.reader, name, &finding);
-    if ((verdict != RECORDING_WHOLE) && (verdict != RECORDING_CUT_SHORT)) {
-        (void)fprintf(stderr, "%s\n", finding.sentence);
-        return false;
-    }
-    walk.is_cut_short = verdict == RECORDING_CUT_SHORT;
-    walk.robot = build_fit(&walk.reader);
-    if (walk.robot == NULL) {
+    walk_begin(&walk, false, stderr);
+    if (!walk_open(&walk, name)) {
         return false;
     }
     document = open_memstream(&text, &text_size);

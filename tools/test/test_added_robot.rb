@@ -84,6 +84,6 @@ class TestAddedRobot < SystemTest
     Process.kill('TERM', robot.pid)
     robot.wait_for_end
     text = call("#{programs}/boresight-replay #{robot.recording_files.last}")
-    assert_match(/^\d+ cycles replayed, every output equal$/, text)
+    assert_match(/^(\d+) of \1 cycles replayed, every output equal$/, text)
   end
 end

@@ -141,7 +141,28 @@ test("SWR-REPLAY-018 a text of the recording is shown as it is", () => {
 test("SWR-REPLAY-017 it says whether every output was equal, and what is missing", () => {
   show();
   expect(
-    screen.getByText("Bit-exact: 101 cycles replayed, every output equal."),
+    screen.getByText(
+      "Bit-exact: 201 of 201 cycles replayed, every output equal.",
+    ),
+  ).toBeTruthy();
+  expect(screen.getByText("20261122T174959.123456Z, 0 to 200")).toBeTruthy();
+  cleanup();
+  show({
+    first: 100,
+    replayed: 90,
+    missing: 11,
+    has_run_end: false,
+    is_whole_run: false,
+  });
+  expect(
+    screen.getByText(
+      "Bit-exact as far as it goes: 90 of at least 201 cycles replayed, their outputs equal; this is not the whole run.",
+    ),
+  ).toBeTruthy();
+  expect(
+    screen.getByText(
+      "cycles 0 to 99 of the run; 11 cycles in between; the end of the run",
+    ),
   ).toBeTruthy();
   cleanup();
   show({ difference: "Cycle 7 differs.", cycles_lost: 3, is_cut_short: true });

@@ -29,14 +29,21 @@ function proofText({ difference, is_trusted, ...one }: Identity): string {
   if (!is_trusted) {
     return "NOT TRUSTED. The recording does not hold what it announces.";
   }
-  const count = `${one.replayed} cycles replayed, every output equal`;
-  return one.replayed === 0
-    ? "Nothing was replayed: no cycle follows a checkpoint."
-    : `Bit-exact: ${count}.`;
+  if (one.replayed === 0) {
+    return "Nothing was replayed: no cycle follows a checkpoint.";
+  }
+  const least = one.has_run_end ? "" : "at least ";
+  const share = `${one.replayed} of ${least}${one.cycles} cycles replayed`;
+  return one.is_whole_run
+    ? `Bit-exact: ${share}, every output equal.`
+    : `Bit-exact as far as it goes: ${share}, their outputs equal; this is not the whole run.`;
 }
 
 function gapsText(one: Identity): string {
   const gaps = [
+    one.first > 0 && `cycles 0 to ${one.first - 1} of the run`,
+    one.missing > 0 && `${one.missing} cycles in between`,
+    !one.has_run_end && "the end of the run",
     one.is_cut_short && "the recording is cut short",
     one.cycles_lost > 0 && `${one.cycles_lost} cycles before it were lost`,
     one.unreplayed > 0 &&
@@ -53,6 +60,10 @@ function Facts({ identity }: { identity: Identity }) {
       <dd>{proofText(identity)}</dd>
       <dt>Missing</dt>
       <dd>{gapsText(identity)}</dd>
+      <dt>Run, cycles</dt>
+      <dd>
+        {identity.run}, {identity.first} to {identity.cycles - 1}
+      </dd>
       <dt>Robot, checksum</dt>
       <dd>
         {identity.robot}, {identity.checksum}

@@ -33,6 +33,15 @@ export interface Identity {
   robot: string;
   checksum: string;
   started: string;
+  run: string;
+  /** Its first cycle; how many cycles the run has up to its last one. */
+  first: number;
+  cycles: number;
+  /** The run ends with its last cycle. */
+  has_run_end: boolean;
+  is_whole_run: boolean;
+  /** Cycles between the first and the last that it does not have. */
+  missing: number;
   replayed: number;
   unreplayed: number;
   cycles_lost: number;

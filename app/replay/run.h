@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file
+ * The recordings of one run in a folder. A recording is known by the end of its name, and its run
+ * and its place in it by what it says at its beginning, whatever it is called.
+ */
+#ifndef BORESIGHT_RUN_H
+#define BORESIGHT_RUN_H
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+
+/** A recording. */
+typedef struct {
+    char *path;
+    uint64_t run;    /**< As exchange_run() says. */
+    uint32_t first;  /**< Its first cycle. */
+    uint32_t number; /**< In its name, by which the newest run is found; 0: it has none. */
+} run_file_t;
+
+/** All zero is empty. */
+typedef struct {
+    run_file_t *files; /**< In the order of their cycles. */
+    uint32_t count;
+} run_t;
+
+/**
+ * Finds the newest run in `folder` whose name begins with `name`; NULL: the newest of all. Names in
+ * `notes` the other runs, and what is in the folder and of none.
+ *
+ * @return false, after a sentence on the standard error: there is none
+ *
+ * @satisfies SWR-REPLAY-030
+ * @satisfies SWR-REPLAY-034
+ */
+bool run_find(run_t *self, const char *folder, const char *name, FILE *notes);
+
+void run_free(run_t *self);
+
+#endif
