@@ -4,22 +4,25 @@
 
 # How punctual the control loop is for an hour (thesis 5.1, figures 20 to 23): the whole system in real time on the simulated box,
 # that moves from target to target under the pedal, with a client of OpenIGTLink, consoles and requests. Read from the
-# recordings, which have every cycle.
+# recordings, which have every cycle: if one is missing, it exits with 1.
 #
 #   ruby verification/bench/rt_report.rb      or make rt-report HOURS=1 (or MINUTES=2; PICTURE=file.svg)
 #
-# Leaves in build/rt-report: report.txt, histogram.csv, seconds.csv, stages.csv and rt-report.png.
+# Leaves in build/rt-report: report.txt, histogram.csv, seconds.csv, stages.csv and rt-report.png; the recordings of a run with
+# a gap.
 
 $stdout.sync = true
 require_relative 'crowd'
 require_relative 'support'
 require_relative '../../tools/intervals'
+require_relative '../../tools/recorded_run'
 require_relative '../demo/report'
 require_relative '../system/support/session_client'
 
 # One run, and what is told of it.
 class RealTimeReport
   OUT = File.join(ROOT, 'build/rt-report')
+  RECORDINGS = File.join(OUT, 'recordings')
   LOAD = { consoles: 8 }.freeze
   LATE_US = 1500 # SWR-LOOP-001
   # Motions that are given up, beside those that are not.
@@ -49,6 +52,7 @@ class RealTimeReport
     @intervals = read
     leave
     puts text, "The tables and the picture are in #{OUT.delete_prefix("#{ROOT}/")}."
+    raise BenchFailed, 'the recordings do not have the whole run' unless @is_whole
   end
 
   private
@@ -64,14 +68,12 @@ class RealTimeReport
   end
 
   def measure
-    recordings = File.join(OUT, 'recordings')
-    robot = Boresight.start(arguments: ['--real-time', '--robot', Errand::ROBOT, '--recordings', recordings])
+    robot = Boresight.start(arguments: ['--real-time', '--robot', Errand::ROBOT, '--recordings', RECORDINGS])
     Crowd.around(robot.http_port, **LOAD) { move(robot) }
     @is_shared ||= Dir.glob('/proc/[0-9]*/comm').count { |path| control?(path) } > 1
     @loop = robot.status['loop']
     @counts = robot.status['counts']
     robot.stop
-    @files = Dir.glob(File.join(recordings, '*.bsr')).sort
   ensure
     robot&.kill_all
   end
@@ -107,9 +109,9 @@ class RealTimeReport
 
   def read
     all = Intervals.new(LATE_US)
-    @files.each do |file|
-      IO.popen([Boresight.program('boresight-replay'), '--loop', file]) { |rows| rows.each_line { |line| all.add(line) } }
-    end
+    run = RecordedRun.new(RECORDINGS, Boresight.program('boresight-replay'))
+    @is_whole = run.each_interval { |line| all.add(line) }
+    @missing = run.said
     raise BenchFailed, 'nothing was recorded' if all.cycles.zero?
 
     all
@@ -121,7 +123,7 @@ class RealTimeReport
     end
     DemoReport.gnuplot('../bench/rt_report.gnuplot', **tables, picture: @picture, longest: @intervals.counts.keys.max.to_f,
                                                                says: "#{duration} on #{machine}, in motion, with clients and consoles")
-    FileUtils.rm_rf(File.join(OUT, 'recordings'))
+    FileUtils.rm_rf(RECORDINGS) if @is_whole
     File.write(File.join(OUT, 'stages.csv'), StageTimes.csv(@loop['stages']))
     File.write(File.join(OUT, 'report.txt'), "#{text}\n")
   end
@@ -155,6 +157,7 @@ class RealTimeReport
     lines << "Longest stage before a cycle that was late: #{late.join(', ')}." if late.any?
     lines << "This is #{machine}: without a real-time kernel the longest times are the machine's." unless @check.match?(/^ok  KERNEL/)
     lines << NEIGHBOUR if @is_shared
+    lines << "This is not the whole run:\n#{@missing}" unless @is_whole
     lines << "#{@counts['cycles_lost']} cycles found the recorder late." if @counts['cycles_lost'].positive?
     lines
   end

@@ -7,10 +7,10 @@
 # register; target, move and read back, or align alone, insert by hand or by the robot; treat the last one, under the scanner if
 # targets.yml says so; retract; turn away, so that the patient can leave. At the end a push that moves the needle's axis.
 #
-#   ruby verification/demo/demo.rb NAME     exits 1 if a limit of SWR-DEMO-001 or 002 is missed, or if SWR-THESIS-002 or
-#                                           SWR-FLOW-004 is
+#   ruby verification/demo/demo.rb NAME     exits 1 if a limit of SWR-DEMO-001 or 002 is missed, or if SWR-DEMO-003,
+#                                           SWR-THESIS-002 or SWR-FLOW-004 is
 #
-# Leaves in build/demo/NAME: the black box (*.bsr), motion.csv, motion.png, the picture of one axis (figures 29 to 31
+# Leaves in build/demo/NAME: the black box (*.bsr), all of the run, motion.csv, motion.png, the picture of one axis (figures 29 to 31
 # of the thesis), targets.json, and points.csv with what the robot believes that it reached.
 
 require 'English'
@@ -20,6 +20,7 @@ require 'open3'
 require_relative 'report'
 require_relative 'targets'
 require_relative 'workflow'
+require_relative '../../tools/recorded_run'
 require_relative '../../tools/results'
 require_relative '../system/support/boresight'
 
@@ -216,22 +217,25 @@ def result(test, passed, count)
     message: passed ? nil : 'A limit was missed; the table is in the log.' }
 end
 
-def leave_results(demo)
+def leave_results(demo, is_replayed)
   count = demo.rows.size
   results = [result('test_SWR_DEMO_001_the_targets_are_reached', demo.hit?, count),
              result('test_SWR_DEMO_002_homing_and_moves_end_in_time', demo.punctual?, count + 1),
+             result('test_SWR_DEMO_003_the_whole_run_is_replayed_and_every_output_is_equal', is_replayed, 2),
              result('test_SWR_THESIS_002_rests_cost_no_axis_its_place_and_the_needle_ends_out', demo.whole?, 3)]
   results << result('test_SWR_FLOW_004_inserted_by_hand_or_by_the_robot', demo.pushed?, 3) if demo.by_hand?
   Results.leave(results)
 end
 
-def replay(recording)
-  output, status = Open3.capture2e(Boresight.program('boresight-replay'), recording)
-  puts output
-  abort 'demo: the recording could not be replayed' unless status.success?
+# Of the whole run; writes its motion to the file `csv`.
+def replay(out, csv)
+  run = RecordedRun.new(out, Boresight.program('boresight-replay'))
+  is_equal = run.replay
+  puts run.said
+  run.write_table(csv) && is_equal
 end
 
-# Runs the workflow; returns what it did and the recording.
+# Runs the workflow; returns what it did.
 def perform(name, targets, out)
   FileUtils.rm_rf(out)
   FileUtils.mkdir_p(out)
@@ -239,7 +243,7 @@ def perform(name, targets, out)
   demo = Demo.new(robot, targets)
   demo.run
   robot.stop
-  [demo, Dir[File.join(out, '*.bsr')].min]
+  demo
 ensure
   robot&.kill_all
 end
@@ -247,15 +251,15 @@ end
 def demonstrate(name)
   targets = Targets.new("#{Demo::ROOT}/core/robot/#{name}/targets.yml")
   out = "#{Demo::ROOT}/build/demo/#{name}"
-  demo, recording = perform(name, targets, out)
+  demo = perform(name, targets, out)
   report = DemoReport.new(name, demo.rows, out)
   report.print_table(targets.note)
-  replay(recording)
   csv = File.join(out, 'motion.csv')
-  system(Boresight.program('boresight-replay'), '--table', recording, out: csv) || abort('demo: no table')
+  is_replayed = replay(out, csv)
   report.leave(csv, targets.close_up)
   puts "Black box, table and pictures are in #{out.delete_prefix("#{Dir.pwd}/")}."
-  leave_results(demo)
+  leave_results(demo, is_replayed)
+  abort 'demo: the whole run could not be replayed' unless is_replayed
   abort 'demo: a target was missed' unless demo.hit?
   abort 'demo: homing or a move took too long' unless demo.punctual?
   abort 'demo: an axis lost its place, or the needle did not end out' unless demo.whole?

@@ -13,6 +13,7 @@
 require 'fileutils'
 require_relative 'manual_page'
 require_relative 'report'
+require_relative '../../tools/recorded_run'
 require_relative '../system/support/boresight'
 
 # The motion, and what its recording shows.
@@ -42,8 +43,8 @@ class VelocityTest
   # Draws it; returns [name, value] pairs.
   def report(picture)
     csv = File.join(OUT, 'motion.csv')
-    recording = Dir[File.join(OUT, '*.bsr')].min
-    system(Boresight.program('boresight-replay'), '--table', recording, out: csv) || abort('velocity: no table')
+    run = RecordedRun.new(OUT, Boresight.program('boresight-replay'))
+    run.write_table(csv) || abort("velocity: no table of the whole run: #{run.said}")
     rows = DemoReport.read(csv, AXIS)
     move = DemoReport.moves(rows).max_by { |part| part.map { |row| row[:setpoint_ticks_per_s].abs }.max }
     DemoReport.gnuplot('axis.gnuplot', source: csv, picture: picture, axis: AXIS, from: move.first[:time] - 0.2,

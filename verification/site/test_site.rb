@@ -84,13 +84,19 @@ class TestSite < Minitest::Test
     end
   end
 
+  # The folder with the recordings of its run.
   def self.demonstration(robot)
-    Dir["#{ROOT}/build/demo/#{robot}/*.bsr"].min
+    "#{ROOT}/build/demo/#{robot}"
+  end
+
+  # The first recording of that run.
+  def self.beginning(robot)
+    Dir["#{demonstration(robot)}/*.bsr"].min
   end
 
   # Files by what they are: a part of each demonstration's recording, and what is refused.
   def self.recorded_files(folder)
-    parts = %w[neuro prostate].to_h { |robot| [robot, File.binread(demonstration(robot), RECORDED_BYTES)] }
+    parts = %w[neuro prostate].to_h { |robot| [robot, File.binread(beginning(robot), RECORDED_BYTES)] }
     own = parts.fetch('neuro')
     others = { 'damaged' => changed(own, DAMAGED_AT), 'foreign' => 'a' * 1000, 'short' => 'a', 'empty' => '',
                'version' => sealed(changed(own, HEADER_VERSION)), 'robot' => sealed(changed(own, HEADER_ROBOT)),
@@ -117,7 +123,7 @@ class TestSite < Minitest::Test
 
   def recordings
     found = %w[neuro prostate].to_h { |robot| [robot, self.class.demonstration(robot)] }
-    assert found.values.all?, 'make both demonstrations first: make demo; make demo ROBOT=prostate'
+    assert found.keys.all? { |robot| self.class.beginning(robot) }, 'make both demonstrations first: make demo; make demo ROBOT=prostate'
     found
   end
 
@@ -167,7 +173,7 @@ class TestSite < Minitest::Test
   end
 
   def test_SWR_SITE_002_what_the_demonstrations_recorded_is_computed_again_bit_for_bit
-    runs = recordings.transform_values { |file| Thread.new { node("#{__dir__}/replay.mjs", MODULE, file) } }
+    runs = recordings.transform_values { |folder| Thread.new { node("#{__dir__}/replay.mjs", MODULE, folder) } }
     runs.each do |robot, run|
       said, status = run.value
       assert status.success?, "#{robot}: #{said}"
@@ -180,6 +186,33 @@ class TestSite < Minitest::Test
     said, status = node("#{__dir__}/replay.mjs", MODULE, recordings.fetch('neuro'), '4096')
     refute status.success?
     assert_match(/\ACycle 0 differs first in its .*: it is \d+ \(0x\h+\), recorded \d+ /, said)
+  end
+
+  # Where the second block of a recording begins and ends.
+  def second_block(bytes)
+    2.times.reduce([0, 256]) do |(_, at), _|
+      size = bytes[at + 20, 4].unpack1('V')
+      [at, at + 64 + (size.fdiv(1024).ceil * 4) + size]
+    end
+  end
+
+  def replayed_alone(bytes)
+    Dir.mktmpdir do |folder|
+      File.binwrite("#{folder}/a.bsr", bytes)
+      said, status = node("#{__dir__}/replay.mjs", MODULE, folder)
+      refute status.success?
+      said
+    end
+  end
+
+  def test_SWR_SITE_002_a_run_with_a_gap_or_without_its_end_is_not_called_equal
+    recordings
+    bytes = File.binread(self.class.beginning('neuro'))
+    from, to = second_block(bytes)
+    first, after = [from, to].map { |at| bytes[at + 8, 4].unpack1('V') }
+    assert_equal "cycles #{first} to #{after - 1} are missing\n", replayed_alone(bytes[0...from] + bytes[to..])
+    bytes[-64, 4] = [0x4E455342].pack('V')
+    assert_match(/\Athe run has no end: the last cycle is \d+\n\z/, replayed_alone(bytes))
   end
 
   def test_SWR_SITE_003_controller_and_box_live_through_a_scene_as_in_native_code
