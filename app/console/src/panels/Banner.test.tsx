@@ -26,6 +26,18 @@ test("SWR-CON-001 shows the sign, what is needed next, then the state", () => {
   );
 });
 
+test("SWR-SUP-012 says how many cycles are not recorded, and nothing without any", () => {
+  const { counts } = makeRobot().status;
+  const robot = makeRobot({ counts: { ...counts, unrecorded: 123 } });
+  render(<Banner view={{ ...live, robot }} />);
+  expect(screen.getByRole("status").textContent).toContain(
+    "Not recorded: the last 123 cycles, as the recorder does not read them.",
+  );
+  cleanup();
+  render(<Banner view={live} />);
+  expect(screen.getByRole("status").textContent).not.toContain("recorded");
+});
+
 test("SWR-CON-001 waits for control without inventing a state", () => {
   render(<Banner view={{ ...live, robot: null }} />);
   expect(screen.getByRole("status").textContent).toContain(
