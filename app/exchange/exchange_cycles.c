@@ -49,9 +49,23 @@ static uint32_t between(const exchange_t *self, uint32_t tail, uint32_t head)
     return (head >= tail) ? (head - tail) : ((head + (2U * self->cycles)) - tail);
 }
 
-uint32_t exchange_cycles_released(const exchange_t *self)
+static uint32_t told_tail(const exchange_t *self)
 {
     return __atomic_load_n(&self->segment->others.cycles_tail, __ATOMIC_ACQUIRE);
+}
+
+/* A reader only comes closer; what leads anywhere else is damage. */
+uint32_t exchange_cycles_released(exchange_t *self)
+{
+    uint32_t *const seen = &self->segment->control.cycles_seen;
+    const uint32_t before = __atomic_load_n(seen, __ATOMIC_RELAXED);
+    const uint32_t tail = told_tail(self);
+
+    if (between(self, tail, self->cycles_put) > between(self, before, self->cycles_put)) {
+        return before;
+    }
+    __atomic_store_n(seen, tail, __ATOMIC_RELEASE);
+    return tail;
 }
 
 /* A reader that has followed a damaged index of control finds back. */
@@ -159,12 +173,16 @@ void exchange_release_cycles(exchange_t *self, uint32_t taken)
     __atomic_store_n(&self->segment->others.cycles_tail, taken, __ATOMIC_RELEASE);
 }
 
-/* Goes on where the recorder before has ended. */
-static void begin_taking(exchange_t *self)
+/* Goes on where the recorder before has ended or, if that is damaged, where control last saw it. */
+static void begin_taking(exchange_t *self, uint32_t head)
 {
+    const uint32_t seen = __atomic_load_n(&self->segment->control.cycles_seen, __ATOMIC_ACQUIRE);
+    const uint32_t tail = told_tail(self);
+
     if (!self->is_taking) {
         self->is_taking = true;
-        self->cycles_tail = exchange_cycles_released(self);
+        self->cycles_tail =
+            (between(self, tail, head) <= between(self, seen, head)) ? tail : seen;
         self->cycles_taken = self->cycles_tail;
     }
 }
@@ -173,9 +191,9 @@ bool exchange_repair_cycles(exchange_t *self, uint32_t *dropped)
 {
     const uint32_t head = __atomic_load_n(&self->segment->control.cycles_head, __ATOMIC_ACQUIRE);
 
-    begin_taking(self);
+    begin_taking(self, head);
     const bool is_overrun = between(self, self->cycles_tail, head) > self->cycles;
-    const bool is_damaged = is_overrun || (exchange_cycles_released(self) != self->cycles_tail);
+    const bool is_damaged = is_overrun || (told_tail(self) != self->cycles_tail);
     if (is_overrun && is_index(self, head)) {
         *dropped += self->cycles;
         self->cycles_taken = head;

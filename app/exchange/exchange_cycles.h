@@ -33,14 +33,17 @@ typedef struct {
     } body;
 } cycle_entry_t;
 
-/** Entries that `mb` megabytes hold. */
+/**
+ * Entries that `mb` megabytes hold.
+ *
+ * @satisfies SWR-REC-020
+ */
 uint32_t exchange_cycles_in(uint32_t mb);
 
 /** Entries of the lane. */
 uint32_t exchange_cycle_capacity(const exchange_t *self);
 
-/** For control: entries that are free; 0 as well while the reader's index is damaged. Its own index
- * is told anew. */
+/** For control: entries that are free. Its own index is told anew. */
 uint32_t exchange_cycle_room(exchange_t *self);
 
 /**
@@ -68,8 +71,13 @@ uint32_t exchange_cycles_taken(const exchange_t *self);
 /** For the recorder: what was taken up to `taken` is kept elsewhere; control may overwrite it. */
 void exchange_release_cycles(exchange_t *self, uint32_t taken);
 
-/** For control: up to where the recorder has released; another value says that it lives. */
-uint32_t exchange_cycles_released(const exchange_t *self);
+/**
+ * For control: up to where the recorder has released, where that was last believable; another value
+ * says that it lives.
+ *
+ * @satisfies SWR-EXCH-021
+ */
+uint32_t exchange_cycles_released(exchange_t *self);
 
 /**
  * For the recorder, before it takes records: sets right what a neighbour has damaged of the lane,

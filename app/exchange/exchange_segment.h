@@ -157,6 +157,7 @@ typedef struct {
     uint32_t row_count;
     trajectory_row_t rows[LIMIT_TRAJECTORY_ROWS];
     uint32_t cycles_head SEGMENT_ON_LINE; /**< Index of the next cycle. */
+    uint32_t cycles_seen; /**< Index up to which the recorder has believably released them. */
 } segment_control_t;
 
 typedef struct {

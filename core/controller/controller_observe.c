@@ -332,22 +332,28 @@ static void observe_procedure(controller_t *self, const cycle_t *cycle)
     controller_report_order(self, cycle, actions, STATUS_OK);
 }
 
-/*
- * The first cycle that is recorded again tells of the gap, so that the recording itself names it.
- *
- * @satisfies SWR-REC-021
- */
+/* The first cycle that is recorded again tells of the gap, so that the recording itself names it. */
+static void note_gap(controller_t *self, const cycle_t *cycle, uint32_t lost)
+{
+    if (lost == 0U) {
+        controller_note(self, cycle, EVENT_RECORDING_RESUMED, 0U, (int32_t)self->unrecorded);
+        self->unrecorded = 0U;
+    } else {
+        if (self->unrecorded == 0U) {
+            controller_note(self, cycle, EVENT_RECORDING_STOPPED, 0U, 0);
+        }
+        self->unrecorded += lost;
+        self->cycles_lost += lost;
+    }
+}
+
+/** @satisfies SWR-REC-021 */
 static void observe_recording(controller_t *self, const cycle_t *cycle)
 {
     const uint32_t lost = cycle->inputs->cycles_lost - self->cycles_lost;
-    if ((lost != 0U) && (self->unrecorded == 0U)) {
-        controller_note(self, cycle, EVENT_RECORDING_STOPPED, 0U, 0);
+    if ((lost != 0U) || (self->unrecorded != 0U)) {
+        note_gap(self, cycle, lost);
     }
-    if ((lost == 0U) && (self->unrecorded != 0U)) {
-        controller_note(self, cycle, EVENT_RECORDING_RESUMED, 0U, (int32_t)self->unrecorded);
-    }
-    self->unrecorded = (lost != 0U) ? (self->unrecorded + lost) : 0U;
-    self->cycles_lost = cycle->inputs->cycles_lost;
 }
 
 void controller_observe(controller_t *self, const cycle_t *cycle)

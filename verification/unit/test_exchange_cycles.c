@@ -196,28 +196,63 @@ void test_SWR_EXCH_025_a_damaged_index_of_the_reader_costs_nothing(void)
     }
 }
 
-/* No recorder is there that knows better. */
-void test_SWR_EXCH_025_a_new_reader_of_a_damaged_index_drops_what_waits_and_goes_on(void)
-{
-    /* Ahead of control, by so much, or no index. */
-    static const uint32_t beyond[] = {1U, 50U, LANE - 1U, 2U * LANE, 4294965248U, UINT32_MAX};
+/* Ahead of control, by so much, or no index. */
+static const uint32_t beyond[] = {1U, 50U, LANE - 1U, 2U * LANE, 4294965248U, UINT32_MAX};
 
+static void damage_ahead(size_t which)
+{
+    const uint32_t ahead =
+        (control->segment->control.cycles_head + beyond[which]) % (2U * LANE);
+
+    control->segment->others.cycles_tail = (beyond[which] < LANE) ? ahead : beyond[which];
+}
+
+void test_SWR_EXCH_025_control_finds_as_much_room_as_before_the_damage(void)
+{
+    uint32_t dropped = 0U;
+
+    for (size_t i = 0U; i < (sizeof beyond / sizeof beyond[0]); i++) {
+        damage_ahead(i);
+        TEST_ASSERT_EQUAL_UINT32(LANE - (uint32_t)i, exchange_cycle_room(control));
+        TEST_ASSERT_TRUE(push((uint32_t)i));
+        TEST_ASSERT_TRUE(exchange_repair_cycles(reader, &dropped));
+    }
+    TEST_ASSERT_EQUAL_UINT32(0U, dropped);
+}
+
+void test_SWR_EXCH_025_a_new_reader_of_a_damaged_index_begins_where_control_saw_the_last_one(void)
+{
     for (size_t i = 0U; i < (sizeof beyond / sizeof beyond[0]); i++) {
         uint32_t dropped = 0U;
         exchange_close(reader);
-        TEST_ASSERT_TRUE(push(1U));
-        const uint32_t ahead =
-            (control->segment->control.cycles_head + beyond[i]) % (2U * LANE);
-        control->segment->others.cycles_tail = (beyond[i] < LANE) ? ahead : beyond[i];
+        TEST_ASSERT_TRUE(push(2U * (uint32_t)i));
+        damage_ahead(i);
         reader = exchange_open(exchange_name, error, sizeof error);
         TEST_ASSERT_TRUE(exchange_repair_cycles(reader, &dropped));
-        TEST_ASSERT_EQUAL_UINT32(LANE, dropped);
-        TEST_ASSERT_FALSE(exchange_take_cycle(reader, &record));
+        TEST_ASSERT_EQUAL_UINT32(0U, dropped);
+        expect(2U * (uint32_t)i);
+        release();
         TEST_ASSERT_EQUAL_UINT32(LANE, exchange_cycle_room(control));
-        TEST_ASSERT_TRUE(push(2U));
-        expect(2U);
+        TEST_ASSERT_TRUE(push((2U * (uint32_t)i) + 1U));
+        expect((2U * (uint32_t)i) + 1U);
         release();
     }
+}
+
+void test_SWR_EXCH_025_where_nothing_is_believable_what_waits_is_dropped(void)
+{
+    uint32_t dropped = 0U;
+
+    exchange_close(reader);
+    TEST_ASSERT_TRUE(push(1U));
+    control->segment->others.cycles_tail = UINT32_MAX;
+    control->segment->control.cycles_seen = UINT32_MAX;
+    reader = exchange_open(exchange_name, error, sizeof error);
+    TEST_ASSERT_TRUE(exchange_repair_cycles(reader, &dropped));
+    TEST_ASSERT_EQUAL_UINT32(LANE, dropped);
+    TEST_ASSERT_FALSE(exchange_take_cycle(reader, &record));
+    TEST_ASSERT_TRUE(push(2U));
+    expect(2U);
 }
 
 /* It looked as if there was room. */
